@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Buffer.h
+ * Plain memory and plain loops: uninitialised arrays, compressed rows, parallel ranges and scans.
+ */
+#ifndef SubdivisionObjects_Buffer_h
+#define SubdivisionObjects_Buffer_h
+
+#include "vtkSMPTools.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace subdivision
+{
+
+/// Bytes that free() releases. Large blocks ask the kernel for huge pages: page faults are most of
+/// what writing a large mesh costs. Where the kernel does not know or want them, nothing changes.
+inline void* AllocateBytes(std::size_t bytes)
+{
+  constexpr std::size_t hugePage = std::size_t(1) << 21;
+  void* memory = nullptr;
+  if (bytes < 2 * hugePage)
+  {
+    memory = std::malloc(std::max<std::size_t>(bytes, 1));
+  }
+  else
+  {
+    const std::size_t rounded = (bytes + hugePage - 1) / hugePage * hugePage;
+#ifdef _WIN32
+    memory = std::malloc(rounded);
+#else
+    memory = std::aligned_alloc(hugePage, rounded);
+#endif
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+    if (memory)
+    {
+      (void)madvise(memory, bytes / hugePage * hugePage, MADV_HUGEPAGE);
+    }
+#endif
+  }
+  if (!memory)
+  {
+    throw std::bad_alloc();
+  }
+  return memory;
+}
+
+/// A fixed-size array whose elements are not initialised: each is written once, by the thread that
+/// makes it.
+template <typename T>
+class Buffer
+{
+  static_assert(std::is_trivially_copyable<T>::value, "Buffer holds plain values");
+
+public:
+  Buffer() = default;
+  explicit Buffer(vtkIdType size)
+    : Values(static_cast<T*>(AllocateBytes(sizeof(T) * static_cast<std::size_t>(size))))
+    , Size(size)
+  {
+  }
+  Buffer(vtkIdType size, T value)
+    : Buffer(size)
+  {
+    std::fill(this->begin(), this->end(), value);
+  }
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+  Buffer(Buffer&& other) noexcept { this->Swap(other); }
+  Buffer& operator=(Buffer&& other) noexcept
+  {
+    Buffer taken(std::move(other));
+    this->Swap(taken);
+    return *this;
+  }
+  ~Buffer() { std::free(this->Values); }
+
+  T* data() { return this->Values; }
+  const T* data() const { return this->Values; }
+  vtkIdType size() const { return this->Size; }
+  bool empty() const { return this->Size == 0; }
+  T& operator[](vtkIdType i) { return this->Values[i]; }
+  const T& operator[](vtkIdType i) const { return this->Values[i]; }
+  T* begin() { return this->Values; }
+  T* end() { return this->Values + this->Size; }
+  const T* begin() const { return this->Values; }
+  const T* end() const { return this->Values + this->Size; }
+  std::size_t GetMemorySize() const { return sizeof(T) * static_cast<std::size_t>(this->Size); }
+
+private:
+  void Swap(Buffer& other) noexcept
+  {
+    std::swap(this->Values, other.Values);
+    std::swap(this->Size, other.Size);
+  }
+
+  T* Values = nullptr;
+  vtkIdType Size = 0;
+};
+
+/// A span of a row of a Rows object.
+template <typename Id>
+struct Row
+{
+  const Id* First = nullptr;
+  const Id* Last = nullptr;
+  const Id* begin() const { return this->First; }
+  const Id* end() const { return this->Last; }
+  vtkIdType size() const { return this->Last - this->First; }
+};
+
+/// Compressed rows: row i is Items[Offsets[i] .. Offsets[i + 1]).
+template <typename Id>
+struct Rows
+{
+  Buffer<Id> Offsets;
+  Buffer<Id> Items;
+
+  vtkIdType GetNumberOfRows() const { return this->Offsets.size() - 1; }
+  Row<Id> operator[](vtkIdType i) const
+  {
+    return { this->Items.data() + this->Offsets[i], this->Items.data() + this->Offsets[i + 1] };
+  }
+  std::size_t GetMemorySize() const
+  {
+    return this->Offsets.GetMemorySize() + this->Items.GetMemorySize();
+  }
+};
+
+/// body(begin, end) over disjoint ranges that cover [0, size), in threads when it is worth it.
+template <typename Body>
+void ForRanges(vtkIdType size, const Body& body)
+{
+  constexpr vtkIdType worthAThread = 2048;
+  if (size <= worthAThread)
+  {
+    body(vtkIdType(0), size);
+    return;
+  }
+  auto ranges = [&body](vtkIdType begin, vtkIdType end) { body(begin, end); };
+  vtkSMPTools::For(0, size, ranges);
+}
+
+/// body(i) for each i of [0, size).
+template <typename Body>
+void ForEach(vtkIdType size, const Body& body)
+{
+  ForRanges(size,
+    [&body](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        body(i);
+      }
+    });
+}
+
+/// Turns counts in offsets[0 .. size - 1) into offsets: their exclusive sums, the total last.
+template <typename Id>
+void CountsToOffsets(Buffer<Id>& offsets)
+{
+  const vtkIdType rows = offsets.size() - 1;
+  constexpr vtkIdType block = 65536;
+  const vtkIdType blocks = (rows + block - 1) / block;
+  Buffer<Id> starts(blocks + 1);
+  auto sumBlocks = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType b = begin; b < end; ++b)
+    {
+      Id sum = 0;
+      for (vtkIdType i = b * block; i < std::min(rows, (b + 1) * block); ++i)
+      {
+        sum += offsets[i];
+      }
+      starts[b] = sum;
+    }
+  };
+  auto spread = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType b = begin; b < end; ++b)
+    {
+      Id sum = starts[b];
+      for (vtkIdType i = b * block; i < std::min(rows, (b + 1) * block); ++i)
+      {
+        const Id count = offsets[i];
+        offsets[i] = sum;
+        sum += count;
+      }
+    }
+  };
+  vtkSMPTools::For(0, blocks, 1, sumBlocks);
+  Id total = 0;
+  for (vtkIdType b = 0; b < blocks; ++b)
+  {
+    total += std::exchange(starts[b], total);
+  }
+  vtkSMPTools::For(0, blocks, 1, spread);
+  offsets[rows] = total;
+}
+
+}
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RefinedCells.h
+ * The way out: connectivity, offsets and types of a level's cells, in output order.
+ */
+#ifndef SubdivisionObjects_RefinedCells_h
+#define SubdivisionObjects_RefinedCells_h
+
+#include "Refinement.h"
+
+#include <vector>
+
+namespace subdivision
+{
+
+/// Where the cells go; the sizes are those that CountCells tells.
+template <typename Out>
+struct CellStorage
+{
+  Out* Connectivity;
+  Out* Offsets; ///< one more than there are cells
+  unsigned char* Types;
+};
+
+struct CellCounts
+{
+  vtkIdType Cells = 0;
+  vtkIdType Entries = 0; ///< of the connectivity
+};
+
+/// The runs as they are after `levels` steps: counts and places.
+std::vector<CellRun> RefineRuns(const std::vector<CellRun>& runs, int levels);
+CellCounts CountCells(const std::vector<CellRun>& runs);
+
+/// Writes the cells of a level.
+template <typename Id, typename Out>
+void WriteCells(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
+  const CellStorage<Out>& out);
+
+/// Writes the children of a level's cells; `runs` are those of the level itself.
+template <typename Id, typename Out>
+void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
+  const CellStorage<Out>& out);
+
+}
+
+#endif

@@ -1,0 +1,757 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Refinement.h"
+
+#include "Simplices.h"
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr auto MakeInteriorFaceEdges()
+{
+  std::array<std::array<tetrahedron::ChildEdge, 3>, 8> table{};
+  for (int face = 0; face < 8; ++face)
+  {
+    const int* edges = tetrahedron::InteriorFaces[face].Edges;
+    for (int i = 0; i < 3; ++i)
+    {
+      table[face][i] = tetrahedron::ClassifyEdge(4 + edges[triangle::EdgeVertices[i][0]],
+        4 + edges[triangle::EdgeVertices[i][1]]);
+    }
+  }
+  return table;
+}
+constexpr auto InteriorFaceEdges = MakeInteriorFaceEdges();
+
+/// The vertex that each edge of a triangle's middle child cuts off.
+constexpr int MiddleEdgeCorner[3] = { 1, 2, 0 };
+
+/// Ids of the next level, seen from the parent.
+template <typename Id>
+class ChildIds
+{
+public:
+  explicit ChildIds(const SimplicialComplex<Id>& parent)
+    : Parent(parent)
+    , InFaceStart(2 * parent.NumberOfEdges)
+    , DiagonalStart(2 * parent.NumberOfEdges + 3 * parent.NumberOfFaces)
+    , InteriorStart(4 * parent.NumberOfFaces)
+  {
+  }
+  Id Midpoint(Id edge) const { return this->Parent.NumberOfVertices + edge; }
+  Id Half(Id edge, Id end) const
+  {
+    return 2 * edge + (this->Parent.EdgeVertices[2 * edge + vtkIdType(1)] == end ? 1 : 0);
+  }
+  Id InFace(Id face, int corner) const { return this->InFaceStart + 3 * face + corner; }
+  Id Diagonal(Id tet) const { return this->DiagonalStart + tet; }
+  Id Face(Id face, int child) const { return 4 * face + child; }
+  Id Interior(Id tet, int face) const { return this->InteriorStart + 8 * tet + face; }
+  Id Tet(Id tet, int child) const { return 8 * tet + child; }
+
+private:
+  const SimplicialComplex<Id>& Parent;
+  const Id InFaceStart;
+  const Id DiagonalStart;
+  const Id InteriorStart;
+};
+
+/// The parts of one tetrahedron's refinement that lie on its edges and faces.
+template <typename Id>
+struct TetParts
+{
+  Id Lattice[10];
+  Id Halves[6][4];   ///< edge, vertex
+  Id InFaces[4][4];  ///< face, vertex
+  Id Corners[4][4];  ///< face, vertex: child triangles
+  Id Middles[4];     ///< face: child triangle
+  Id Tet;
+
+  TetParts(const SimplicialComplex<Id>& complex, const ChildIds<Id>& ids, Id tet)
+    : Tet(tet)
+  {
+    const Id* vertices = complex.TetVertices.data() + 4 * vtkIdType(tet);
+    const Id* edges = complex.TetEdges.data() + 6 * vtkIdType(tet);
+    const Id* faces = complex.TetFaces.data() + 4 * vtkIdType(tet);
+    for (int i = 0; i < 4; ++i)
+    {
+      this->Lattice[i] = vertices[i];
+    }
+    for (int e = 0; e < 6; ++e)
+    {
+      this->Lattice[4 + e] = ids.Midpoint(edges[e]);
+      for (int end : tetrahedron::EdgeVertices[e])
+      {
+        this->Halves[e][end] = ids.Half(edges[e], vertices[end]);
+      }
+    }
+    for (int f = 0; f < 4; ++f)
+    {
+      this->Middles[f] = ids.Face(faces[f], 3);
+      for (int vertex : tetrahedron::FaceVertices[f])
+      {
+        const int position = complex.VertexInFace(faces[f], vertices[vertex]);
+        this->InFaces[f][vertex] = ids.InFace(faces[f], position);
+        this->Corners[f][vertex] = ids.Face(faces[f], position);
+      }
+    }
+  }
+
+  Id GetEdge(const tetrahedron::ChildEdge& edge, const ChildIds<Id>& ids) const
+  {
+    switch (edge.Origin)
+    {
+      case tetrahedron::EdgeOrigin::HalfEdge:
+        return this->Halves[edge.Index][edge.Corner];
+      case tetrahedron::EdgeOrigin::InFace:
+        return this->InFaces[edge.Index][edge.Corner];
+      default:
+        return ids.Diagonal(this->Tet);
+    }
+  }
+  Id GetFace(const tetrahedron::ChildFace& face, const ChildIds<Id>& ids) const
+  {
+    switch (face.Origin)
+    {
+      case tetrahedron::FaceOrigin::FaceCorner:
+        return this->Corners[face.Index][face.Corner];
+      case tetrahedron::FaceOrigin::FaceMiddle:
+        return this->Middles[face.Index];
+      default:
+        return ids.Interior(this->Tet, face.Index);
+    }
+  }
+};
+
+template <typename Id>
+class Refiner
+{
+public:
+  Refiner(const Level<Id>& parent, Depth depth)
+    : Parent(parent.Complex)
+    , Strata(parent.Strata)
+    , Ids(parent.Complex)
+    , Full(depth == Depth::ForRefinement)
+  {
+  }
+
+  Level<Id> Run()
+  {
+    this->Count();
+    this->MakeEdges();
+    this->MakeFaces();
+    this->MakeTets();
+    this->MakeEqualCells();
+    this->MakeEdgeRings();
+    this->MakeVertexRings();
+    return std::move(this->Child);
+  }
+
+private:
+  void Count();
+  void MakeEdges();
+  void MakeFaces();
+  void MakeInteriorFaces();
+  void MakeTets();
+  void MakeEqualCells();
+  void MakeEqualTets();
+  void MakeEdgeRings();
+  void MakeVertexRings();
+  Stratum InFaceStratum(Id face, int corner) const;
+  template <typename Emit>
+  void EmitHalfEdgeRing(Id edge, Id end, const Emit& emit) const;
+  template <typename Emit>
+  void EmitInFaceRing(Id face, int corner, const Emit& emit) const;
+  template <typename Emit>
+  void EmitMidpointRing(Id edge, const Emit& emit) const;
+
+  /// Midpoint of the other edge of a face at a vertex.
+  Id OtherMidpoint(Id face, Id edge, int corner) const
+  {
+    const Id* edges = this->Parent.FaceEdges.data() + 3 * vtkIdType(face);
+    const Id first = edges[triangle::EdgesAt[corner][0]];
+    return this->Ids.Midpoint(first == edge ? edges[triangle::EdgesAt[corner][1]] : first);
+  }
+
+  const SimplicialComplex<Id>& Parent;
+  const subdivision::Strata<Id>& Strata;
+  const ChildIds<Id> Ids;
+  const bool Full;
+  Level<Id> Child;
+};
+
+template <typename Id>
+void Refiner<Id>::Count()
+{
+  const auto& parent = this->Parent;
+  auto& child = this->Child.Complex;
+  child.NumberOfVertices = parent.NumberOfVertices + parent.NumberOfEdges;
+  child.NumberOfEdges =
+    2 * parent.NumberOfEdges + 3 * parent.NumberOfFaces + parent.NumberOfTets;
+  child.NumberOfTets = 8 * parent.NumberOfTets;
+  child.NumberOfLineCells = 2 * parent.NumberOfLineCells;
+  child.NumberOfTriangleCells = 4 * parent.NumberOfTriangleCells;
+  child.NumberOfFaces = this->Full ? 4 * parent.NumberOfFaces + 8 * parent.NumberOfTets
+                                   : child.NumberOfTriangleCells;
+  child.VertexCells = Buffer<Id>(parent.VertexCells.size());
+  std::copy(parent.VertexCells.begin(), parent.VertexCells.end(), child.VertexCells.begin());
+}
+
+/// Edges, and the strata of edges and vertices.
+template <typename Id>
+void Refiner<Id>::MakeEdges()
+{
+  const auto& parent = this->Parent;
+  auto& ends = this->Child.Complex.EdgeVertices;
+  auto& strata = this->Child.Strata;
+  ends = Buffer<Id>(2 * vtkIdType(this->Child.Complex.NumberOfEdges));
+  strata.Edges = Buffer<Stratum>(this->Child.Complex.NumberOfEdges);
+  strata.Vertices = Buffer<Stratum>(this->Child.Complex.NumberOfVertices);
+  ForEach(parent.NumberOfVertices,
+    [&](vtkIdType v) { strata.Vertices[v] = this->Strata.Vertices[v]; });
+  ForEach(parent.NumberOfEdges,
+    [&](vtkIdType e)
+    {
+      const Stratum stratum = this->Strata.Edges[e];
+      const bool regular = stratum.GetRule() == Rule::RegularEdge;
+      strata.Vertices[parent.NumberOfVertices + e] =
+        regular ? Stratum(Rule::Solid, stratum.GetType()) : stratum;
+      strata.Edges[2 * e] = stratum;
+      strata.Edges[2 * e + 1] = stratum;
+      Id* out = ends.data() + 4 * e;
+      out[0] = parent.EdgeVertices[2 * e];
+      out[1] = out[2] = this->Ids.Midpoint(static_cast<Id>(e));
+      out[3] = parent.EdgeVertices[2 * e + 1];
+    });
+  ForEach(parent.NumberOfFaces,
+    [&](vtkIdType f)
+    {
+      const Id* edges = parent.FaceEdges.data() + 3 * f;
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const vtkIdType edge = this->Ids.InFace(static_cast<Id>(f), corner);
+        ends[2 * edge] = this->Ids.Midpoint(edges[triangle::EdgesAt[corner][0]]);
+        ends[2 * edge + 1] = this->Ids.Midpoint(edges[triangle::EdgesAt[corner][1]]);
+        strata.Edges[edge] = this->InFaceStratum(static_cast<Id>(f), corner);
+      }
+    });
+  ForEach(parent.NumberOfTets,
+    [&](vtkIdType t)
+    {
+      const vtkIdType edge = this->Ids.Diagonal(static_cast<Id>(t));
+      for (int i = 0; i < 2; ++i)
+      {
+        ends[2 * edge + i] =
+          this->Ids.Midpoint(parent.TetEdges[6 * t + tetrahedron::MarkedEdges[i]]);
+      }
+      strata.Edges[edge] = Stratum(Rule::RegularEdge);
+    });
+}
+
+/// Inside a face between two tetrahedra an edge is regular where both mark the edge it is parallel
+/// to: then it lies on the equator of both octahedra.
+template <typename Id>
+Stratum Refiner<Id>::InFaceStratum(Id face, int corner) const
+{
+  const Stratum stratum = this->Strata.Faces[face];
+  if (stratum.GetRule() != Rule::Solid)
+  {
+    return stratum;
+  }
+  const Id parallel = this->Parent.FaceEdges[3 * vtkIdType(face) + triangle::EdgeOpposite[corner]];
+  for (Id tet : this->Parent.FaceTets[face])
+  {
+    if (!tetrahedron::IsMarked(this->Parent.EdgeInTet(tet, parallel)))
+    {
+      return stratum;
+    }
+  }
+  return Stratum(Rule::RegularEdge);
+}
+
+template <typename Id>
+void Refiner<Id>::MakeFaces()
+{
+  const auto& parent = this->Parent;
+  auto& child = this->Child.Complex;
+  const vtkIdType split = this->Full ? parent.NumberOfFaces : parent.NumberOfTriangleCells;
+  child.FaceVertices = Buffer<Id>(3 * vtkIdType(child.NumberOfFaces));
+  child.FaceEdges = Buffer<Id>(3 * vtkIdType(child.NumberOfFaces));
+  if (this->Full)
+  {
+    this->Child.Strata.Faces = Buffer<Stratum>(child.NumberOfFaces);
+    child.FaceTets.Offsets = Buffer<Id>(vtkIdType(child.NumberOfFaces) + 1);
+  }
+  ForEach(split,
+    [&](vtkIdType i)
+    {
+      const Id f = static_cast<Id>(i);
+      const Id* vertices = parent.FaceVertices.data() + 3 * i;
+      const Id* edges = parent.FaceEdges.data() + 3 * i;
+      Id lattice[6];
+      for (int k = 0; k < 3; ++k)
+      {
+        lattice[k] = vertices[k];
+        lattice[3 + k] = this->Ids.Midpoint(edges[k]);
+      }
+      for (int c = 0; c < 4; ++c)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          child.FaceVertices[12 * i + 3 * c + k] = lattice[triangle::Children[c][k]];
+          Id& edge = child.FaceEdges[12 * i + 3 * c + k];
+          if (c == 3)
+          {
+            edge = this->Ids.InFace(f, MiddleEdgeCorner[k]);
+          }
+          else
+          {
+            edge = triangle::VertexOpposite[k] == c ? this->Ids.InFace(f, c)
+                                                    : this->Ids.Half(edges[k], vertices[c]);
+          }
+        }
+        if (this->Full)
+        {
+          this->Child.Strata.Faces[4 * i + c] = this->Strata.Faces[i];
+          child.FaceTets.Offsets[4 * i + c] = static_cast<Id>(parent.FaceTets[f].size());
+        }
+      }
+    });
+  if (this->Full)
+  {
+    this->MakeInteriorFaces();
+  }
+}
+
+/// The faces inside tetrahedra; then which tetrahedra lie at each face.
+template <typename Id>
+void Refiner<Id>::MakeInteriorFaces()
+{
+  const auto& parent = this->Parent;
+  auto& child = this->Child.Complex;
+  ForEach(parent.NumberOfTets,
+    [&](vtkIdType i)
+    {
+      const Id t = static_cast<Id>(i);
+      const TetParts<Id> parts(parent, this->Ids, t);
+      for (int k = 0; k < 8; ++k)
+      {
+        const vtkIdType face = this->Ids.Interior(t, k);
+        for (int j = 0; j < 3; ++j)
+        {
+          child.FaceVertices[3 * face + j] =
+            parts.Lattice[4 + tetrahedron::InteriorFaces[k].Edges[j]];
+          child.FaceEdges[3 * face + j] = parts.GetEdge(InteriorFaceEdges[k][j], this->Ids);
+        }
+        this->Child.Strata.Faces[face] = Stratum(Rule::Solid);
+        child.FaceTets.Offsets[face] = 2;
+      }
+    });
+  CountsToOffsets(child.FaceTets.Offsets);
+  child.FaceTets.Items = Buffer<Id>(child.FaceTets.Offsets[child.NumberOfFaces]);
+  ForEach(parent.NumberOfFaces,
+    [&](vtkIdType i)
+    {
+      const Id f = static_cast<Id>(i);
+      vtkIdType place = 0;
+      for (Id tet : parent.FaceTets[f])
+      {
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          const int local = parent.VertexInTet(tet, parent.FaceVertices[3 * i + corner]);
+          child.FaceTets.Items[child.FaceTets.Offsets[4 * i + corner] + place] =
+            this->Ids.Tet(tet, local);
+        }
+        child.FaceTets.Items[child.FaceTets.Offsets[4 * i + 3] + place] =
+          this->Ids.Tet(tet, tetrahedron::MiddleChildren[parent.FaceInTet(tet, f)]);
+        ++place;
+      }
+    });
+  ForEach(parent.NumberOfTets,
+    [&](vtkIdType i)
+    {
+      const Id t = static_cast<Id>(i);
+      for (int k = 0; k < 8; ++k)
+      {
+        Id* tets = child.FaceTets.Items.data() + child.FaceTets.Offsets[this->Ids.Interior(t, k)];
+        tets[0] = this->Ids.Tet(t, tetrahedron::InteriorFaces[k].Tets[0]);
+        tets[1] = this->Ids.Tet(t, tetrahedron::InteriorFaces[k].Tets[1]);
+      }
+    });
+}
+
+template <typename Id>
+void Refiner<Id>::MakeTets()
+{
+  const auto& parent = this->Parent;
+  auto& child = this->Child.Complex;
+  child.TetVertices = Buffer<Id>(4 * vtkIdType(child.NumberOfTets));
+  child.TetEdges = Buffer<Id>(6 * vtkIdType(child.NumberOfTets));
+  child.TetFaces = Buffer<Id>(this->Full ? 4 * vtkIdType(child.NumberOfTets) : 0);
+  ForEach(parent.NumberOfTets,
+    [&](vtkIdType i)
+    {
+      const TetParts<Id> parts(parent, this->Ids, static_cast<Id>(i));
+      Id* vertices = child.TetVertices.data() + 32 * i;
+      Id* edges = child.TetEdges.data() + 48 * i;
+      for (int c = 0; c < 8; ++c)
+      {
+        for (int k = 0; k < 4; ++k)
+        {
+          *vertices++ = parts.Lattice[tetrahedron::Children[c][k]];
+        }
+        for (int k = 0; k < 6; ++k)
+        {
+          *edges++ = parts.GetEdge(tetrahedron::ChildEdges[c][k], this->Ids);
+        }
+      }
+      if (this->Full)
+      {
+        Id* faces = child.TetFaces.data() + 32 * i;
+        for (int c = 0; c < 8; ++c)
+        {
+          for (int k = 0; k < 4; ++k)
+          {
+            *faces++ = parts.GetFace(tetrahedron::ChildFaces[c][k], this->Ids);
+          }
+        }
+      }
+    });
+}
+
+/// Equal cells follow their twins: own vertices by the tables, twins by their vertices.
+template <typename Id>
+void Refiner<Id>::MakeEqualCells()
+{
+  const auto& parent = this->Parent;
+  auto& child = this->Child.Complex;
+  const vtkIdType lines = parent.EqualLines.Twins.size();
+  child.EqualLines = { Buffer<Id>(4 * lines), Buffer<Id>(2 * lines) };
+  for (vtkIdType i = 0; i < lines; ++i)
+  {
+    const Id edge = parent.EqualLines.Twins[i];
+    const Id* ends = parent.EqualLines.Vertices.data() + 2 * i;
+    const Id out[4] = { ends[0], this->Ids.Midpoint(edge), this->Ids.Midpoint(edge), ends[1] };
+    std::copy(out, out + 4, child.EqualLines.Vertices.data() + 4 * i);
+    child.EqualLines.Twins[2 * i] = this->Ids.Half(edge, ends[0]);
+    child.EqualLines.Twins[2 * i + 1] = this->Ids.Half(edge, ends[1]);
+  }
+  const vtkIdType triangles = parent.EqualTriangles.Twins.size();
+  child.EqualTriangles = { Buffer<Id>(12 * triangles), Buffer<Id>(4 * triangles) };
+  for (vtkIdType i = 0; i < triangles; ++i)
+  {
+    const Id face = parent.EqualTriangles.Twins[i];
+    Id lattice[6];
+    GetEdgesOfEqualTriangle(parent, i, lattice + 3);
+    for (int k = 0; k < 3; ++k)
+    {
+      lattice[k] = parent.EqualTriangles.Vertices[3 * i + k];
+      lattice[3 + k] = this->Ids.Midpoint(lattice[3 + k]);
+    }
+    for (int c = 0; c < 4; ++c)
+    {
+      child.EqualTriangles.Twins[4 * i + c] =
+        this->Ids.Face(face, c == 3 ? 3 : parent.VertexInFace(face, lattice[c]));
+      for (int k = 0; k < 3; ++k)
+      {
+        child.EqualTriangles.Vertices[12 * i + 3 * c + k] = lattice[triangle::Children[c][k]];
+      }
+    }
+  }
+  this->MakeEqualTets();
+}
+
+template <typename Id>
+void Refiner<Id>::MakeEqualTets()
+{
+  const auto& parent = this->Parent;
+  auto& child = this->Child.Complex;
+  const vtkIdType tets = parent.EqualTets.Twins.size();
+  child.EqualTets = { Buffer<Id>(32 * tets), Buffer<Id>(8 * tets) };
+  for (vtkIdType i = 0; i < tets; ++i)
+  {
+    const Id tet = parent.EqualTets.Twins[i];
+    Id lattice[10];
+    GetEdgesOfEqualTet(parent, i, lattice + 4);
+    std::copy_n(parent.EqualTets.Vertices.data() + 4 * i, 4, lattice);
+    for (int k = 0; k < 6; ++k)
+    {
+      lattice[4 + k] = this->Ids.Midpoint(lattice[4 + k]);
+    }
+    for (int c = 0; c < 8; ++c)
+    {
+      Id* out = child.EqualTets.Vertices.data() + 32 * i + 4 * c;
+      for (int k = 0; k < 4; ++k)
+      {
+        out[k] = lattice[tetrahedron::Children[c][k]];
+      }
+      Id twin = this->Ids.Tet(tet, 0);
+      while (!std::is_permutation(out, out + 4, child.TetVertices.data() + 4 * vtkIdType(twin)))
+      {
+        ++twin;
+      }
+      child.EqualTets.Twins[8 * i + c] = twin;
+    }
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+// Rings: emit(carrier, member)
+
+/// Half an edge keeps the parent's ring: the midpoints towards its members.
+template <typename Id>
+template <typename Emit>
+void Refiner<Id>::EmitHalfEdgeRing(Id edge, Id end, const Emit& emit) const
+{
+  for (Id face : this->Strata.EdgeRings.GetCarriers(edge))
+  {
+    if (face >= 0)
+    {
+      const int corner = this->Parent.VertexInFace(face, end);
+      emit(this->Ids.Face(face, corner), this->OtherMidpoint(face, edge, corner));
+    }
+  }
+}
+
+/// The edge that cuts a corner off a face: the corner and the opposite midpoint, then what is
+/// around it in the tetrahedra beside the face.
+template <typename Id>
+template <typename Emit>
+void Refiner<Id>::EmitInFaceRing(Id face, int corner, const Emit& emit) const
+{
+  const auto& parent = this->Parent;
+  const Rule rule = this->Strata.Faces[face].GetRule();
+  if (rule == Rule::Curve)
+  {
+    return;
+  }
+  const Id vertex = parent.FaceVertices[3 * vtkIdType(face) + corner];
+  emit(this->Ids.Face(face, corner), vertex);
+  emit(this->Ids.Face(face, 3),
+    this->Ids.Midpoint(
+      parent.FaceEdges[3 * vtkIdType(face) + triangle::EdgeOpposite[corner]]));
+  if (rule == Rule::Surface)
+  {
+    return;
+  }
+  for (Id tet : parent.FaceTets[face])
+  {
+    const int local = parent.VertexInTet(tet, vertex);
+    const Id* edges = parent.TetEdges.data() + 6 * vtkIdType(tet);
+    const tetrahedron::FaceCutLink& link =
+      tetrahedron::FaceCutLinks[local][parent.FaceInTet(tet, face)];
+    emit(this->Ids.Interior(tet, local), this->Ids.Midpoint(edges[link.CutEdge]));
+    if (link.HasDiagonal)
+    {
+      emit(this->Ids.Interior(tet, link.DiagonalFace), this->Ids.Midpoint(edges[link.DiagonalEdge]));
+    }
+  }
+}
+
+/// The midpoint of an edge: its ends; on each face of the edge's ring two midpoints; and the far
+/// end of each diagonal that starts here.
+template <typename Id>
+template <typename Emit>
+void Refiner<Id>::EmitMidpointRing(Id edge, const Emit& emit) const
+{
+  const auto& parent = this->Parent;
+  const Rule rule = this->Strata.Edges[edge].GetRule();
+  const Id ends[2] = { parent.EdgeVertices[2 * vtkIdType(edge)],
+    parent.EdgeVertices[2 * vtkIdType(edge) + 1] };
+  emit(2 * edge, ends[0]);
+  emit(2 * edge + 1, ends[1]);
+  if (rule == Rule::Curve)
+  {
+    return;
+  }
+  for (Id face : this->Strata.EdgeRings.GetCarriers(edge))
+  {
+    if (face < 0)
+    {
+      continue;
+    }
+    for (Id end : ends)
+    {
+      const int corner = parent.VertexInFace(face, end);
+      emit(this->Ids.InFace(face, corner), this->OtherMidpoint(face, edge, corner));
+    }
+    if (rule == Rule::Surface)
+    {
+      continue;
+    }
+    for (Id tet : parent.FaceTets[face])
+    {
+      const int local = parent.EdgeInTet(tet, edge);
+      const int opposite = tetrahedron::OppositeEdge(local);
+      // Two faces of the tetrahedron lie at the edge; the first of them speaks for it.
+      if (tetrahedron::IsMarked(local) &&
+        parent.TetFaces[4 * vtkIdType(tet) + tetrahedron::EdgeVertices[opposite][0]] == face)
+      {
+        emit(this->Ids.Diagonal(tet),
+          this->Ids.Midpoint(parent.TetEdges[6 * vtkIdType(tet) + opposite]));
+      }
+    }
+  }
+}
+
+template <typename Id>
+void Refiner<Id>::MakeEdgeRings()
+{
+  const auto& parent = this->Parent;
+  auto& rings = this->Child.Strata.EdgeRings;
+  rings.Offsets = Buffer<Id>(vtkIdType(this->Child.Complex.NumberOfEdges) + 1);
+  auto count = [&](vtkIdType row, const auto& emitRing)
+  {
+    Id size = 0;
+    emitRing([&size](Id, Id) { ++size; });
+    rings.Offsets[row] = size;
+  };
+  auto fill = [&](vtkIdType row, const auto& emitRing)
+  {
+    Id next = rings.Offsets[row];
+    emitRing(
+      [&](Id carrier, Id member)
+      {
+        rings.Members[next] = member;
+        if (this->Full)
+        {
+          rings.Carriers[next] = carrier;
+        }
+        ++next;
+      });
+  };
+  auto all = [&](const auto& act)
+  {
+    ForEach(parent.NumberOfEdges,
+      [&](vtkIdType i)
+      {
+        const Id e = static_cast<Id>(i);
+        for (int half = 0; half < 2; ++half)
+        {
+          act(2 * i + half, [&](const auto& emit)
+            { this->EmitHalfEdgeRing(e, parent.EdgeVertices[2 * i + half], emit); });
+        }
+      });
+    ForEach(parent.NumberOfFaces,
+      [&](vtkIdType i)
+      {
+        const Id f = static_cast<Id>(i);
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          act(this->Ids.InFace(f, corner),
+            [&](const auto& emit) { this->EmitInFaceRing(f, corner, emit); });
+        }
+      });
+    ForEach(parent.NumberOfTets,
+      [&](vtkIdType i)
+      {
+        const Id t = static_cast<Id>(i);
+        act(this->Ids.Diagonal(t),
+          [&](const auto& emit)
+          {
+            for (int q = 0; q < 4; ++q)
+            {
+              emit(this->Ids.Interior(t, 4 + q),
+                this->Ids.Midpoint(parent.TetEdges[6 * i + tetrahedron::EquatorEdges[q]]));
+            }
+          });
+      });
+  };
+  all(count);
+  CountsToOffsets(rings.Offsets);
+  const vtkIdType entries = rings.Offsets[this->Child.Complex.NumberOfEdges];
+  rings.Members = Buffer<Id>(entries);
+  rings.Carriers = Buffer<Id>(this->Full ? entries : 0);
+  all(fill);
+}
+
+template <typename Id>
+void Refiner<Id>::MakeVertexRings()
+{
+  const auto& parent = this->Parent;
+  const auto& old = this->Strata.VertexRings;
+  auto& rings = this->Child.Strata.VertexRings;
+  const vtkIdType vertices = parent.NumberOfVertices;
+  rings.Offsets = Buffer<Id>(vtkIdType(this->Child.Complex.NumberOfVertices) + 1);
+  ForEach(vertices, [&](vtkIdType v) { rings.Offsets[v] = static_cast<Id>(old.GetSize(v)); });
+  ForEach(parent.NumberOfEdges,
+    [&](vtkIdType e)
+    {
+      Id size = 0;
+      this->EmitMidpointRing(static_cast<Id>(e), [&size](Id, Id) { ++size; });
+      rings.Offsets[vertices + e] = size;
+    });
+  CountsToOffsets(rings.Offsets);
+  const vtkIdType entries = rings.Offsets[this->Child.Complex.NumberOfVertices];
+  rings.Members = Buffer<Id>(entries);
+  rings.Carriers = Buffer<Id>(this->Full ? entries : 0);
+  auto put = [&](Id& next, Id carrier, Id member)
+  {
+    rings.Members[next] = member;
+    if (this->Full)
+    {
+      rings.Carriers[next] = carrier;
+    }
+    ++next;
+  };
+  ForEach(vertices,
+    [&](vtkIdType v)
+    {
+      Id next = rings.Offsets[v];
+      for (Id edge : old.GetCarriers(v))
+      {
+        put(next, this->Ids.Half(edge, static_cast<Id>(v)), this->Ids.Midpoint(edge));
+      }
+    });
+  ForEach(parent.NumberOfEdges,
+    [&](vtkIdType e)
+    {
+      Id next = rings.Offsets[vertices + e];
+      this->EmitMidpointRing(
+        static_cast<Id>(e), [&](Id carrier, Id member) { put(next, carrier, member); });
+    });
+}
+
+}
+
+template <typename Id>
+Level<Id> Refine(const Level<Id>& parent, Depth depth)
+{
+  return Refiner<Id>(parent, depth).Run();
+}
+
+template <typename Id>
+void GetEdgesOfEqualTet(const SimplicialComplex<Id>& complex, vtkIdType index, Id edges[6])
+{
+  const Id twin = complex.EqualTets.Twins[index];
+  int local[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    local[i] = complex.VertexInTet(twin, complex.EqualTets.Vertices[4 * index + i]);
+  }
+  for (int e = 0; e < 6; ++e)
+  {
+    const int* ends = tetrahedron::EdgeVertices[e];
+    edges[e] =
+      complex.TetEdges[6 * vtkIdType(twin) + tetrahedron::EdgeOf[local[ends[0]]][local[ends[1]]]];
+  }
+}
+
+template <typename Id>
+void GetEdgesOfEqualTriangle(const SimplicialComplex<Id>& complex, vtkIdType index, Id edges[3])
+{
+  const Id twin = complex.EqualTriangles.Twins[index];
+  for (int e = 0; e < 3; ++e)
+  {
+    const Id opposite =
+      complex.EqualTriangles.Vertices[3 * index + triangle::VertexOpposite[e]];
+    edges[e] = complex.FaceEdges[3 * vtkIdType(twin) +
+      triangle::EdgeOpposite[complex.VertexInFace(twin, opposite)]];
+  }
+}
+
+SUBDIVISION_REFINEMENT_TEMPLATES(, int);
+SUBDIVISION_REFINEMENT_TEMPLATES(, long long);
+
+}

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stencils.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace subdivision
+{
+namespace
+{
+
+/// The masks by rule and ring size, so that rows divide nothing.
+class MaskTable
+{
+public:
+  MaskTable(Mask (*mask)(Rule, vtkIdType))
+    : Compute(mask)
+  {
+    for (int rule = 0; rule < 6; ++rule)
+    {
+      for (int size = 0; size < Sizes; ++size)
+      {
+        this->Masks[rule][size] = size == 0 && mask == VertexMask
+          ? Mask{ 1., 0. }
+          : mask(static_cast<Rule>(rule), size);
+      }
+    }
+  }
+  Mask Get(Stratum stratum, vtkIdType ringSize) const
+  {
+    return ringSize < Sizes ? this->Masks[static_cast<int>(stratum.GetRule())][ringSize]
+                            : this->Compute(stratum.GetRule(), ringSize);
+  }
+
+private:
+  static constexpr int Sizes = 64;
+  Mask (*Compute)(Rule, vtkIdType);
+  Mask Masks[6][Sizes];
+};
+
+template <typename T>
+T Store(double value)
+{
+  if constexpr (std::is_floating_point<T>::value)
+  {
+    return static_cast<T>(value);
+  }
+  else
+  {
+    constexpr double low = static_cast<double>(std::numeric_limits<T>::lowest());
+    constexpr double high = static_cast<double>(std::numeric_limits<T>::max());
+    const double rounded = std::floor(value + 0.5);
+    return rounded <= low ? std::numeric_limits<T>::lowest()
+      : rounded >= high   ? std::numeric_limits<T>::max()
+                          : static_cast<T>(rounded);
+  }
+}
+
+/// Sums over N components; N = 0 when their number is known at run time only.
+template <int N>
+class Sum
+{
+public:
+  explicit Sum(int) {}
+  double& operator[](int c) { return this->Values[c]; }
+  int GetSize() const { return N; }
+
+private:
+  double Values[N];
+};
+template <>
+class Sum<0>
+{
+public:
+  explicit Sum(int components)
+    : Values(components)
+  {
+  }
+  double& operator[](int c) { return this->Values[c]; }
+  int GetSize() const { return static_cast<int>(this->Values.size()); }
+
+private:
+  std::vector<double> Values;
+};
+
+template <int N, typename Id, typename T>
+void ApplyRows(const Stencils<Id>& stencils, const T* in, T* out, int components)
+{
+  static const MaskTable vertexMasks(VertexMask);
+  static const MaskTable edgeMasks(EdgeMask);
+  const vtkIdType vertices = stencils.GetNumberOfColumns();
+  ForRanges(vertices,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Sum<N> sum(components);
+      const int size = sum.GetSize();
+      for (vtkIdType v = begin; v < end; ++v)
+      {
+        const Row<Id> ring = stencils.VertexRings.GetMembers(v);
+        const Mask mask = vertexMasks.Get(stencils.Vertices[v], ring.size());
+        const T* own = in + v * size;
+        T* result = out + v * size;
+        if (mask.Ring == 0.) // also where values that are not finite must not spread
+        {
+          std::copy(own, own + size, result);
+          continue;
+        }
+        for (int c = 0; c < size; ++c)
+        {
+          sum[c] = 0.;
+        }
+        for (Id member : ring)
+        {
+          const T* value = in + static_cast<vtkIdType>(member) * size;
+          for (int c = 0; c < size; ++c)
+          {
+            sum[c] += static_cast<double>(value[c]);
+          }
+        }
+        for (int c = 0; c < size; ++c)
+        {
+          result[c] = Store<T>(mask.Own * static_cast<double>(own[c]) + mask.Ring * sum[c]);
+        }
+      }
+    });
+  ForRanges(stencils.Edges.size(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Sum<N> sum(components);
+      const int size = sum.GetSize();
+      for (vtkIdType e = begin; e < end; ++e)
+      {
+        const Row<Id> ring = stencils.EdgeRings.GetMembers(e);
+        const Mask mask = edgeMasks.Get(stencils.Edges[e], ring.size());
+        const T* first = in + static_cast<vtkIdType>(stencils.EdgeVertices[2 * e]) * size;
+        const T* second = in + static_cast<vtkIdType>(stencils.EdgeVertices[2 * e + 1]) * size;
+        T* result = out + (vertices + e) * size;
+        for (int c = 0; c < size; ++c)
+        {
+          sum[c] = 0.;
+        }
+        for (Id member : ring)
+        {
+          const T* value = in + static_cast<vtkIdType>(member) * size;
+          for (int c = 0; c < size; ++c)
+          {
+            sum[c] += static_cast<double>(value[c]);
+          }
+        }
+        for (int c = 0; c < size; ++c)
+        {
+          const double ends = static_cast<double>(first[c]) + static_cast<double>(second[c]);
+          result[c] = Store<T>(mask.Own * ends + mask.Ring * sum[c]);
+        }
+      }
+    });
+}
+
+}
+
+template <typename Id>
+template <typename T>
+void Stencils<Id>::Apply(const T* in, T* out, int components) const
+{
+  switch (components)
+  {
+    case 1:
+      ApplyRows<1>(*this, in, out, components);
+      break;
+    case 3:
+      ApplyRows<3>(*this, in, out, components);
+      break;
+    default:
+      ApplyRows<0>(*this, in, out, components);
+      break;
+  }
+}
+
+template <typename Id>
+std::size_t Stencils<Id>::GetMemorySize() const
+{
+  return this->Vertices.GetMemorySize() + this->Edges.GetMemorySize() +
+    this->EdgeVertices.GetMemorySize() + this->VertexRings.GetMemorySize() +
+    this->EdgeRings.GetMemorySize();
+}
+
+template <typename Id>
+Stencils<Id> TakeStencils(Level<Id>& level)
+{
+  Stencils<Id> stencils;
+  stencils.Vertices = std::move(level.Strata.Vertices);
+  stencils.Edges = std::move(level.Strata.Edges);
+  stencils.EdgeVertices = std::move(level.Complex.EdgeVertices);
+  stencils.VertexRings = std::move(level.Strata.VertexRings);
+  stencils.VertexRings.Carriers = Buffer<Id>();
+  stencils.EdgeRings = std::move(level.Strata.EdgeRings);
+  stencils.EdgeRings.Carriers = Buffer<Id>();
+  return stencils;
+}
+
+#define SUBDIVISION_APPLY(Id, T)                                                                   \
+  template void Stencils<Id>::Apply(const T*, T*, int) const
+#define SUBDIVISION_STENCILS(Id)                                                                   \
+  template struct Stencils<Id>;                                                                    \
+  template Stencils<Id> TakeStencils(Level<Id>&);                                                  \
+  SUBDIVISION_APPLY(Id, float);                                                                    \
+  SUBDIVISION_APPLY(Id, double);                                                                   \
+  SUBDIVISION_APPLY(Id, char);                                                                     \
+  SUBDIVISION_APPLY(Id, signed char);                                                              \
+  SUBDIVISION_APPLY(Id, unsigned char);                                                            \
+  SUBDIVISION_APPLY(Id, short);                                                                    \
+  SUBDIVISION_APPLY(Id, unsigned short);                                                           \
+  SUBDIVISION_APPLY(Id, int);                                                                      \
+  SUBDIVISION_APPLY(Id, unsigned int);                                                             \
+  SUBDIVISION_APPLY(Id, long);                                                                     \
+  SUBDIVISION_APPLY(Id, unsigned long);                                                            \
+  SUBDIVISION_APPLY(Id, long long);                                                                \
+  SUBDIVISION_APPLY(Id, unsigned long long)
+SUBDIVISION_STENCILS(int);
+SUBDIVISION_STENCILS(long long);
+
+}

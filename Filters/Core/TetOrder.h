@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TetOrder.h
+ * Which octahedron diagonal a tetrahedron of the input takes (SPEC 2).
+ */
+#ifndef SubdivisionObjects_TetOrder_h
+#define SubdivisionObjects_TetOrder_h
+
+#include "SimplexList.h"
+
+namespace subdivision
+{
+
+/**
+ * Re-orders each tetrahedron so that its marked edges, those whose midpoints are nearest to each
+ * other, are 02 and 13. The first vertex stays first, the orientation stays; that leaves one order.
+ * `points` has three coordinates per point; `globalIds` breaks ties (null: the index does).
+ */
+void OrderTets(SimplexList& simplices, const double* points, const vtkIdType* globalIds);
+
+}
+
+#endif

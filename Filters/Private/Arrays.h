@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Arrays.h
+ * Small helpers for VTK arrays: making them, and giving a copy the looks of its original.
+ */
+#ifndef SubdivisionObjects_Arrays_h
+#define SubdivisionObjects_Arrays_h
+
+#include "Core/Buffer.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkSmartPointer.h"
+
+namespace subdivision
+{
+
+/// A contiguous array of a VTK value type, its values not initialised.
+vtkSmartPointer<vtkDataArray> MakeArray(int valueType, int components, vtkIdType tuples);
+
+/// Name, component names and information keys.
+void CopyLooks(vtkAbstractArray* from, vtkAbstractArray* to);
+
+/// Adds `array`, which stands for the array `source` of `from`, with the same active attribute.
+void AddLike(
+  vtkDataSetAttributes* from, int source, vtkAbstractArray* array, vtkDataSetAttributes* to);
+
+/// The array itself if it is contiguous, else a contiguous copy.
+vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array);
+
+/// out[i] = in[sources[i]], whatever the arrays hold.
+vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, const Buffer<vtkIdType>& sources);
+
+}
+
+#endif

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CellArrays.h"
+
+#include "Arrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace subdivision
+{
+namespace
+{
+
+/// The first child of each simplex, and the number of all children last.
+Buffer<vtkIdType> FindChildren(const SimplexList& simplices, int levels)
+{
+  const vtkIdType size = simplices.GetNumberOfSimplices();
+  Buffer<vtkIdType> first(size + 1);
+  ForEach(size,
+    [&](vtkIdType i) { first[i] = vtkIdType(1) << (simplices.Dimensions[i] * levels); });
+  CountsToOffsets(first);
+  return first;
+}
+
+/// Gives each simplex's value of `bytes` bytes to all of its children.
+template <typename Value>
+void Spread(const Buffer<vtkIdType>& first, const Value& value, std::size_t bytes, char* out)
+{
+  ForEach(first.size() - 1,
+    [&](vtkIdType i)
+    {
+      const char* from = value(i);
+      for (vtkIdType child = first[i]; child < first[i + 1]; ++child)
+      {
+        std::memcpy(out + child * bytes, from, bytes);
+      }
+    });
+}
+
+vtkSmartPointer<vtkAbstractArray> SpreadArray(
+  vtkAbstractArray* array, const SimplicesOfCells& cells, const Buffer<vtkIdType>& first)
+{
+  auto parent = [&](vtkIdType i) { return cells.ParentCells.empty() ? i : cells.ParentCells[i]; };
+  vtkDataArray* data = vtkDataArray::SafeDownCast(array);
+  const vtkIdType children = first[first.size() - 1];
+  if (!data || data->GetDataType() == VTK_BIT)
+  {
+    Buffer<vtkIdType> sources(children);
+    ForEach(first.size() - 1,
+      [&](vtkIdType i)
+      { std::fill(sources.data() + first[i], sources.data() + first[i + 1], parent(i)); });
+    return Gather(array, sources);
+  }
+  const auto from = Contiguous(data);
+  const int components = from->GetNumberOfComponents();
+  const auto out = MakeArray(from->GetDataType(), components, children);
+  const std::size_t bytes = static_cast<std::size_t>(from->GetDataTypeSize()) * components;
+  if (children > 0 && bytes > 0)
+  {
+    const char* values = static_cast<const char*>(from->GetVoidPointer(0));
+    Spread(
+      first, [&](vtkIdType i) { return values + parent(i) * bytes; }, bytes,
+      static_cast<char*>(out->GetVoidPointer(0)));
+  }
+  CopyLooks(array, out);
+  return out;
+}
+
+}
+
+void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
+  const CellArrayOptions& options, vtkUnstructuredGrid* output)
+{
+  const Buffer<vtkIdType> first = FindChildren(cells.Simplices, options.Levels);
+  const bool unchanged = cells.ParentCells.empty() &&
+    first[first.size() - 1] == input->GetNumberOfCells();
+  vtkCellData* data = input->GetCellData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    if (array == data->GetGlobalIds() || array == data->GetPedigreeIds() ||
+      std::find(options.Replaced.begin(), options.Replaced.end(), name) != options.Replaced.end())
+    {
+      continue;
+    }
+    const vtkSmartPointer<vtkAbstractArray> copy =
+      unchanged ? vtkSmartPointer<vtkAbstractArray>(array) : SpreadArray(array, cells, first);
+    AddLike(data, i, copy, output->GetCellData());
+  }
+  if (options.OriginalIds && !options.CarryOriginalIds)
+  {
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName("vtkOriginalCellIds");
+    ids->SetNumberOfTuples(input->GetNumberOfCells());
+    vtkIdType* values = ids->GetPointer(0);
+    ForEach(input->GetNumberOfCells(), [values](vtkIdType i) { values[i] = i; });
+    output->GetCellData()->AddArray(
+      unchanged ? vtkSmartPointer<vtkAbstractArray>(ids) : SpreadArray(ids, cells, first));
+  }
+}
+
+void AddValuesOfSimplices(const unsigned char* values, const SimplexList& simplices, int levels,
+  const char* name, vtkUnstructuredGrid* output)
+{
+  const Buffer<vtkIdType> first = FindChildren(simplices, levels);
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(first[first.size() - 1]);
+  if (array->GetNumberOfTuples() > 0)
+  {
+    Spread(
+      first, [&](vtkIdType i) { return reinterpret_cast<const char*>(values + i); }, 1,
+      reinterpret_cast<char*>(array->GetPointer(0)));
+  }
+  output->GetCellData()->AddArray(array);
+}
+
+void RebuildPointGhosts(vtkPointSet* input, vtkUnstructuredGrid* output)
+{
+  const char* name = vtkDataSetAttributes::GhostArrayName();
+  auto* before = vtkUnsignedCharArray::SafeDownCast(input->GetPointData()->GetAbstractArray(name));
+  auto* cells = vtkUnsignedCharArray::SafeDownCast(output->GetCellData()->GetAbstractArray(name));
+  if (!before && !cells)
+  {
+    return;
+  }
+  constexpr unsigned char unused = 255;
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(name);
+  ghosts->SetNumberOfTuples(output->GetNumberOfPoints());
+  ghosts->FillValue(unused);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    const bool duplicate =
+      cells && (cells->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL) != 0;
+    output->GetCellPoints(c, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType point = ids->GetId(i);
+      const unsigned char type = duplicate ? vtkDataSetAttributes::DUPLICATEPOINT : 0;
+      ghosts->SetValue(point,
+        static_cast<unsigned char>(
+          ghosts->GetValue(point) == unused ? type : type & ghosts->GetValue(point)));
+    }
+  }
+  for (vtkIdType p = 0; p < ghosts->GetNumberOfTuples(); ++p)
+  {
+    if (ghosts->GetValue(p) == unused)
+    {
+      ghosts->SetValue(
+        p, before && p < before->GetNumberOfTuples() ? before->GetValue(p) : 0);
+    }
+  }
+  output->GetPointData()->AddArray(ghosts);
+}
+
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CellArrays.h
+ * Cell data go to the children.
+ */
+#ifndef SubdivisionObjects_CellArrays_h
+#define SubdivisionObjects_CellArrays_h
+
+#include "CellsToSimplices.h"
+
+#include <string>
+#include <vector>
+
+class vtkPointSet;
+class vtkUnstructuredGrid;
+
+namespace subdivision
+{
+
+struct CellArrayOptions
+{
+  int Levels = 0;
+  /// Output `vtkOriginalCellIds`; `CarryOriginalIds`: the input has them from an earlier filter.
+  bool OriginalIds = false;
+  bool CarryOriginalIds = false;
+  /// Arrays that the filter makes itself: the input's are left out.
+  std::vector<std::string> Replaced;
+};
+
+/// Copies every cell array of `input` to the children that its simplices have after some levels.
+/// Global and pedigree ids are dropped.
+void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
+  const CellArrayOptions& options, vtkUnstructuredGrid* output);
+
+/// Adds a cell array that has one value for all children of each simplex.
+void AddValuesOfSimplices(const unsigned char* values, const SimplexList& simplices, int levels,
+  const char* name, vtkUnstructuredGrid* output);
+
+/// Point ghost types from the cells': a point is a duplicate if all of its cells are. Does nothing
+/// if the input has no ghost types.
+void RebuildPointGhosts(vtkPointSet* input, vtkUnstructuredGrid* output);
+
+}
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CellReader.h
+ * The cells of a vtkUnstructuredGrid or vtkPolyData by cell id, for many threads at once. Nothing
+ * is built inside the data set, and no id is trusted: a cell may name points that do not exist.
+ */
+#ifndef SubdivisionObjects_CellReader_h
+#define SubdivisionObjects_CellReader_h
+
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <vector>
+
+class vtkCellArray;
+class vtkDataArray;
+class vtkPointSet;
+class vtkUnstructuredGrid;
+
+namespace subdivision
+{
+
+/// The point ids of one cell, as stored.
+struct CellIds
+{
+  const vtkIdType* Ids = nullptr;
+  vtkIdType Size = 0;
+};
+
+/// Cells per task. Tasks have fixed bounds, so that what they find does not depend on the threads.
+constexpr vtkIdType CellsPerBlock = 4096;
+
+class CellReader
+{
+public:
+  explicit CellReader(vtkPointSet* input);
+
+  vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
+  vtkIdType GetNumberOfBlocks() const
+  {
+    return (this->NumberOfCells + CellsPerBlock - 1) / CellsPerBlock;
+  }
+
+  /// A VTK cell type; POLY_VERTEX, POLY_LINE, POLYGON, TRIANGLE_STRIP for the four parts of
+  /// vtkPolyData.
+  int GetCellType(vtkIdType cellId) const;
+
+  /// `scratch` holds the ids where they are stored in another type than vtkIdType; reuse it.
+  CellIds GetCell(vtkIdType cellId, std::vector<vtkIdType>& scratch) const;
+
+  /// All ids of all cells, in cell order.
+  void GetAllIds(std::vector<vtkIdType>& ids) const;
+
+private:
+  /// An integer array of either size behind a plain pointer.
+  struct Integers
+  {
+    void Set(vtkDataArray* array);
+    vtkIdType operator[](vtkIdType i) const
+    {
+      return this->Data64 ? static_cast<vtkIdType>(this->Data64[i])
+                          : static_cast<vtkIdType>(this->Data32[i]);
+    }
+
+    const vtkTypeInt64* Data64 = nullptr;
+    const vtkTypeInt32* Data32 = nullptr;
+    vtkIdType Size = 0;
+    vtkSmartPointer<vtkDataArray> Owner;
+  };
+
+  struct Part
+  {
+    vtkIdType End = 0; ///< one past its last cell
+    vtkIdType Begin = 0;
+    int Type = 0;
+    Integers Offsets;
+    Integers Ids;
+  };
+
+  void Add(vtkCellArray* cells, int type);
+  const Part& FindPart(vtkIdType cellId) const;
+
+  vtkUnstructuredGrid* Grid = nullptr;
+  std::vector<Part> Parts;
+  vtkIdType NumberOfCells = 0;
+};
+
+/// Calls `work(block, first cell, one past the last cell)` for all blocks.
+template <typename Work>
+void ForBlocks(const CellReader& cells, const Work& work)
+{
+  const auto range = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType block = begin; block < end; ++block)
+    {
+      work(block, block * CellsPerBlock,
+        std::min(cells.GetNumberOfCells(), (block + 1) * CellsPerBlock));
+    }
+  };
+  vtkSMPTools::For(0, cells.GetNumberOfBlocks(), range);
+}
+
+}
+
+#endif

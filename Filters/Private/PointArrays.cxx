@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointArrays.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace subdivision
+{
+namespace
+{
+
+/// Mean of the members of each centre, in double, in the array's own type; integers are rounded.
+template <typename T>
+void FillCentres(T* values, int components, const SimplicesOfCells& cells, vtkIdType first)
+{
+  ForEach(cells.GetNumberOfCentres(),
+    [&](vtkIdType c)
+    {
+      const vtkIdType begin = cells.CentreOffsets[c];
+      const vtkIdType end = cells.CentreOffsets[c + 1];
+      for (int k = 0; k < components; ++k)
+      {
+        double sum = 0.;
+        for (vtkIdType m = begin; m < end; ++m)
+        {
+          sum += static_cast<double>(values[cells.CentreMembers[m] * components + k]);
+        }
+        const double mean = sum / static_cast<double>(end - begin);
+        values[(first + c) * components + k] =
+          static_cast<T>(std::is_floating_point<T>::value ? mean : std::floor(mean + 0.5));
+      }
+    });
+}
+
+template <typename From, typename To>
+void Convert(const From* from, To* to, vtkIdType size)
+{
+  ForEach(size, [&](vtkIdType i) { to[i] = static_cast<To>(from[i]); });
+}
+
+}
+
+PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
+  const vtkIdType* globalIds, vtkIdType numberOfGlobalIds, const PointArrayOptions& options)
+  : Input(input)
+  , Cells(cells)
+  , GlobalIds(globalIds)
+  , NumberOfGlobalIds(numberOfGlobalIds)
+  , Options(options)
+  , NumberOfPoints(cells.Simplices.NumberOfPoints)
+{
+  vtkDataArray* points = input->GetPoints()->GetData();
+  const int given = points->GetDataType();
+  const int type = options.Precision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT
+    : options.Precision == vtkAlgorithm::DOUBLE_PRECISION              ? VTK_DOUBLE
+    : given == VTK_FLOAT                                               ? VTK_FLOAT
+                                                                       : VTK_DOUBLE;
+  this->Points = this->Start(points, type);
+  vtkPointData* data = input->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    if (array == data->GetGlobalIds() || array == data->GetPedigreeIds() ||
+      name == vtkDataSetAttributes::GhostArrayName() ||
+      std::find(options.Replaced.begin(), options.Replaced.end(), name) != options.Replaced.end())
+    {
+      continue;
+    }
+    Entry entry{ i, nullptr };
+    if (this->IsSmoothed(array))
+    {
+      entry.Current = this->Start(vtkDataArray::SafeDownCast(array), array->GetDataType());
+    }
+    this->HasGathered = this->HasGathered || !entry.Current;
+    this->Entries.push_back(entry);
+  }
+  this->StartOrigins();
+}
+
+bool PointArrays::IsSmoothed(vtkAbstractArray* array) const
+{
+  if (!vtkDataArray::SafeDownCast(array) || array->GetNumberOfComponents() < 1)
+  {
+    return false;
+  }
+  switch (array->GetDataType())
+  {
+    case VTK_FLOAT:
+    case VTK_DOUBLE:
+      return true;
+    case VTK_BIT:
+      return false;
+    case VTK_UNSIGNED_CHAR:
+      return this->Options.InterpolateIntegers || array->GetNumberOfComponents() == 3 ||
+        array->GetNumberOfComponents() == 4;
+    default:
+      return this->Options.InterpolateIntegers;
+  }
+}
+
+/// The array at level 0, contiguous: the input's own where nothing has to be added or converted.
+vtkSmartPointer<vtkDataArray> PointArrays::Start(vtkDataArray* array, int valueType) const
+{
+  const vtkIdType given = array->GetNumberOfTuples();
+  const auto source = Contiguous(array);
+  if (given == this->NumberOfPoints && array->GetDataType() == valueType)
+  {
+    return source;
+  }
+  const int components = array->GetNumberOfComponents();
+  const auto start = MakeArray(valueType, components, this->NumberOfPoints);
+  if (start->GetNumberOfValues() > 0)
+  {
+    auto fill = [&](auto* values)
+    {
+      switch (source->GetDataType())
+      {
+        vtkTemplateMacro(Convert(
+          static_cast<const VTK_TT*>(source->GetVoidPointer(0)), values, given * components));
+      }
+      FillCentres(values, components, this->Cells, given);
+    };
+    switch (valueType)
+    {
+      vtkTemplateMacro(fill(static_cast<VTK_TT*>(start->GetVoidPointer(0))));
+    }
+  }
+  CopyLooks(array, start);
+  return start;
+}
+
+const double* PointArrays::GetCoordinates()
+{
+  if (this->Points->GetDataType() == VTK_DOUBLE)
+  {
+    return static_cast<const double*>(this->Points->GetVoidPointer(0));
+  }
+  const vtkIdType values = 3 * this->NumberOfPoints;
+  this->Coordinates = Buffer<double>(values);
+  Convert(
+    static_cast<const float*>(this->Points->GetVoidPointer(0)), this->Coordinates.data(), values);
+  return this->Coordinates.data();
+}
+
+/// Whether point a has the smaller global id.
+bool PointArrays::IsEarlier(vtkIdType a, vtkIdType b) const
+{
+  const bool known = a < this->NumberOfGlobalIds && b < this->NumberOfGlobalIds;
+  return known ? this->GlobalIds[a] < this->GlobalIds[b] : a < b;
+}
+
+void PointArrays::StartOrigins()
+{
+  if (!this->HasGathered)
+  {
+    return;
+  }
+  this->Origins = Buffer<vtkIdType>(this->NumberOfPoints);
+  const vtkIdType given = this->Input->GetNumberOfPoints();
+  ForEach(given, [&](vtkIdType i) { this->Origins[i] = i; });
+  for (vtkIdType c = 0; c < this->Cells.GetNumberOfCentres(); ++c)
+  {
+    const vtkIdType* members = this->Cells.CentreMembers.data();
+    this->Origins[given + c] = *std::min_element(members + this->Cells.CentreOffsets[c],
+      members + this->Cells.CentreOffsets[c + 1],
+      [this](vtkIdType a, vtkIdType b) { return this->IsEarlier(a, b); });
+  }
+}
+
+template <typename Id>
+void PointArrays::Advance(const Stencils<Id>& stencils)
+{
+  this->Coordinates = Buffer<double>();
+  auto advance = [&](vtkSmartPointer<vtkDataArray>& array)
+  {
+    const int components = array->GetNumberOfComponents();
+    const auto next = MakeArray(array->GetDataType(), components, stencils.GetNumberOfRows());
+    if (next->GetNumberOfValues() > 0)
+    {
+      switch (array->GetDataType())
+      {
+        vtkTemplateMacro(stencils.Apply(static_cast<const VTK_TT*>(array->GetVoidPointer(0)),
+          static_cast<VTK_TT*>(next->GetVoidPointer(0)), components));
+      }
+    }
+    CopyLooks(array, next);
+    array = next;
+  };
+  advance(this->Points);
+  for (Entry& entry : this->Entries)
+  {
+    if (entry.Current)
+    {
+      advance(entry.Current);
+    }
+  }
+  if (this->HasGathered)
+  {
+    Buffer<vtkIdType> next(stencils.GetNumberOfRows());
+    std::copy(this->Origins.begin(), this->Origins.end(), next.begin());
+    ForEach(stencils.Edges.size(),
+      [&](vtkIdType e)
+      {
+        const vtkIdType a = stencils.EdgeVertices[2 * e];
+        const vtkIdType b = stencils.EdgeVertices[2 * e + 1];
+        next[this->NumberOfPoints + e] = this->Origins[this->IsEarlier(a, b) ? a : b];
+      });
+    this->Origins = std::move(next);
+  }
+  this->NumberOfPoints = stencils.GetNumberOfRows();
+}
+
+template void PointArrays::Advance(const Stencils<int>&);
+template void PointArrays::Advance(const Stencils<long long>&);
+
+void PointArrays::Finish(vtkUnstructuredGrid* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(this->Points->GetDataType());
+  points->SetData(this->Points);
+  output->SetPoints(points);
+  vtkPointData* from = this->Input->GetPointData();
+  const bool unchanged = this->NumberOfPoints == this->Input->GetNumberOfPoints();
+  for (const Entry& entry : this->Entries)
+  {
+    vtkAbstractArray* source = from->GetAbstractArray(entry.Source);
+    vtkSmartPointer<vtkAbstractArray> array = source;
+    if (!unchanged)
+    {
+      array = entry.Current ? vtkSmartPointer<vtkAbstractArray>(entry.Current)
+                            : Gather(source, this->Origins);
+    }
+    AddLike(from, entry.Source, array, output->GetPointData());
+  }
+  if (this->Options.OriginalIds)
+  {
+    this->AddOriginalIds(output);
+  }
+}
+
+void PointArrays::AddOriginalIds(vtkUnstructuredGrid* output) const
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("vtkOriginalPointIds");
+  ids->SetNumberOfTuples(this->NumberOfPoints);
+  vtkIdType* values = ids->GetPointer(0);
+  vtkDataArray* carried = this->Options.CarryOriginalIds
+    ? this->Input->GetPointData()->GetArray("vtkOriginalPointIds")
+    : nullptr;
+  const vtkIdType given = this->Input->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)
+  {
+    values[i] = i >= given ? -1
+      : carried            ? static_cast<vtkIdType>(carried->GetComponent(i, 0))
+                           : i;
+  }
+  output->GetPointData()->AddArray(ids);
+}
+
+double PointArrays::GetBytesPerPoint() const
+{
+  double bytes = 3. * this->Points->GetDataTypeSize();
+  for (const Entry& entry : this->Entries)
+  {
+    vtkAbstractArray* array = this->Input->GetPointData()->GetAbstractArray(entry.Source);
+    bytes += static_cast<double>(array->GetDataTypeSize()) * array->GetNumberOfComponents();
+  }
+  return bytes;
+}
+
+}

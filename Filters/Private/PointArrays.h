@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PointArrays.h
+ * Points and point data on their way through the levels, each array by its kind.
+ */
+#ifndef SubdivisionObjects_PointArrays_h
+#define SubdivisionObjects_PointArrays_h
+
+#include "Arrays.h"
+#include "CellsToSimplices.h"
+#include "Core/Stencils.h"
+
+#include <string>
+#include <vector>
+
+class vtkPointSet;
+class vtkUnstructuredGrid;
+
+namespace subdivision
+{
+
+struct PointArrayOptions
+{
+  bool InterpolateIntegers = false;
+  /// Output `vtkOriginalPointIds`; `CarryOriginalIds`: the input has them from an earlier filter.
+  bool OriginalIds = false;
+  bool CarryOriginalIds = false;
+  /// Arrays that the filter makes itself: the input's are left out.
+  std::vector<std::string> Replaced;
+  /// As in vtkAlgorithm.
+  int Precision = 2;
+};
+
+/**
+ * Floating arrays, and colours (unsigned char with 3 or 4 components), are smoothed; colours are
+ * rounded after each level. Other integers, strings, bits keep their values at old points; a new
+ * point takes that of the end with the smaller global id. Global and pedigree ids are dropped.
+ */
+class PointArrays
+{
+public:
+  /// `globalIds` orders the first `numberOfGlobalIds` points; those after come in index order.
+  PointArrays(vtkPointSet* input, const SimplicesOfCells& cells, const vtkIdType* globalIds,
+    vtkIdType numberOfGlobalIds, const PointArrayOptions& options);
+
+  /// Coordinates of the current points in double, for choices that depend on them.
+  const double* GetCoordinates();
+
+  template <typename Id>
+  void Advance(const Stencils<Id>& stencils);
+
+  void Finish(vtkUnstructuredGrid* output);
+
+  /// Bytes that one point takes, to estimate sizes.
+  double GetBytesPerPoint() const;
+
+private:
+  struct Entry
+  {
+    int Source;                            ///< index in the input's point data
+    vtkSmartPointer<vtkDataArray> Current; ///< smoothed so far; null: gathered at the end
+  };
+
+  vtkSmartPointer<vtkDataArray> Start(vtkDataArray* array, int valueType) const;
+  bool IsSmoothed(vtkAbstractArray* array) const;
+  bool IsEarlier(vtkIdType a, vtkIdType b) const;
+  void StartOrigins();
+  void AddOriginalIds(vtkUnstructuredGrid* output) const;
+
+  vtkPointSet* Input;
+  const SimplicesOfCells& Cells;
+  const vtkIdType* GlobalIds;
+  vtkIdType NumberOfGlobalIds;
+  PointArrayOptions Options;
+  vtkIdType NumberOfPoints;
+  vtkSmartPointer<vtkDataArray> Points;
+  std::vector<Entry> Entries;
+  bool HasGathered = false;
+  Buffer<vtkIdType> Origins; ///< the input point whose values each point takes
+  Buffer<double> Coordinates;
+};
+
+}
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Stamp.h
+ * How a filter recognises a mesh that this project made (SPEC 2), so that filters in a row give what
+ * one filter would have given.
+ *
+ * Field data `Subdivision` holds the numbers below, `SubdivisionGlobalIds` the global ids of the
+ * first input's points where it had some. The control mesh itself needs no copy: its vertices keep
+ * their ids and its simplices' children are consecutive, so it is read off the cells, refined by
+ * arithmetic and compared with them. Whatever was changed in between is found out.
+ */
+#ifndef SubdivisionObjects_Stamp_h
+#define SubdivisionObjects_Stamp_h
+
+#include "Core/SimplexList.h"
+
+class vtkPointSet;
+class vtkUnstructuredGrid;
+
+namespace subdivision
+{
+
+enum class StampScheme
+{
+  BoxSpline = 0
+};
+
+struct Stamp
+{
+  StampScheme Scheme = StampScheme::BoxSpline;
+  int Levels = 0;                       ///< since the control mesh
+  vtkIdType NumberOfControlPoints = 0;  ///< centres of split cells included
+};
+
+/// False where there is no stamp, or it is not of this mesh: numbers or a sample of cells differ.
+bool ReadStamp(vtkPointSet* input, Stamp& stamp);
+
+/// Writes or replaces the stamp of a finished output.
+void WriteStamp(const Stamp& stamp, vtkUnstructuredGrid* output);
+
+/// Reads the control mesh off its descendants. False where the cells are not such descendants.
+bool FindControlMesh(const SimplexList& descendants, const Stamp& stamp, SimplexList& control);
+
+}
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkMultiDimensionalSubdivision
+ * @brief   smooth subdivision of curves, surfaces and solids in one mesh
+ *
+ * Subdivides a mesh of vertices, lines, triangles and tetrahedra (and cells that can be split into
+ * these, see vtkSubdivisionAlgorithm) uniformly and smoothly: curves become cubic B-splines,
+ * surfaces Loop surfaces, solids box-spline solids, each with smooth boundaries, and where objects of
+ * different dimension meet they are blended into each other.
+ *
+ * @par Algorithm
+ * Y.-S. Chang and H. Qin, "A Framework for Multi-dimensional Adaptive Subdivision Objects". Every
+ * level splits a line into 2, a triangle into 4 and a tetrahedron into 8, and moves the points: each
+ * new value is a weighted mean of the values around it. Which weights (equations 13 to 18) and which
+ * neighbours depends on the dimension of the rule that a vertex or edge follows: the dimension of
+ * the manifold that it lies inside of, one less on a boundary, zero for the end of a curve.
+ * Non-manifold vertices and edges take the rule for solids with all their neighbours (rule G-2).
+ *
+ * @par Arrays
+ * Floating point arrays, of any number of components, are smoothed like the points; so are colours
+ * (unsigned char, 3 or 4 components), rounded after every level. Other integer, string and bit point
+ * arrays keep their values at old points; a new point takes that of the end of its edge whose global
+ * id is smaller. Global and pedigree ids are dropped: see GenerateOriginalIds. Cell arrays go to the
+ * children, field data through. Names, component names and active attributes are kept. Written are,
+ * on request, `vtkOriginalCellIds`, `vtkOriginalPointIds`, and the classification arrays; always the
+ * field array `Subdivision` (and `SubdivisionGlobalIds`, if the input had global ids), by which a
+ * next filter recognises this output.
+ *
+ * @par Output
+ * Points: all input points with their ids (unused ones too), then centres of split cells, then the
+ * new points level by level. Cells: in the order of the input, the children of a cell one after
+ * another and oriented like it. A cell that is a face of another, or equals an earlier one, is split
+ * along in its place and changes nothing.
+ *
+ * @par Filters in a row
+ * Three filters of one level are one filter of three levels, bit for bit, in every array.
+ *
+ * @par Complexity
+ * Time and memory are linear in the size of the output; links are examined on the input only.
+ *
+ * @par Threads and ghosts
+ * Threaded by vtkSMPTools; the output is the same, bit for bit, for any back end and any number of
+ * threads. Ghosts: see vtkSubdivisionAlgorithm.
+ *
+ * @par Errors
+ * The filter stops, with an error and an empty output, if the output would have more than
+ * MaximumNumberOfCells cells or take more memory than there is. Topology is never an error.
+ *
+ * @sa
+ * vtkSubdivisionModelSource vtkLoopSubdivisionFilter
+ */
+#ifndef vtkMultiDimensionalSubdivision_h
+#define vtkMultiDimensionalSubdivision_h
+
+#include "vtkSubdivisionAlgorithm.h"
+#include "vtkSubdivisionObjectsModule.h" // for export macro
+
+class VTKSUBDIVISIONOBJECTS_EXPORT vtkMultiDimensionalSubdivision : public vtkSubdivisionAlgorithm
+{
+public:
+  static vtkMultiDimensionalSubdivision* New();
+  vtkTypeMacro(vtkMultiDimensionalSubdivision, vtkSubdivisionAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Number of subdivision steps, 0 to 20, default 1. Each makes 8 times as many tetrahedra, 4 times
+   * as many triangles, twice as many lines. 0 gives the simplices of the input, not smoothed.
+   */
+  vtkSetClampMacro(NumberOfLevels, int, 0, 20);
+  vtkGetMacro(NumberOfLevels, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to output how the mesh was understood. Point arrays: `RuleDimension` (dimension 0 to 3
+   * of the rule that the next level would use for the vertex; 4 = blended) and `NonManifoldType` (0:
+   * manifold; 1: objects of different dimension meet; 2: more than two branches; 3: boundaries
+   * touch). Cell array: `ManifoldDimension` (0 to 3: the dimension of the maximal simplex that the
+   * cell is, or is a face of; the largest, if several). All vtkUnsignedCharArray with one component.
+   * Off by default.
+   */
+  vtkSetMacro(GenerateClassification, bool);
+  vtkGetMacro(GenerateClassification, bool);
+  vtkBooleanMacro(GenerateClassification, bool);
+  ///@}
+
+protected:
+  vtkMultiDimensionalSubdivision();
+  ~vtkMultiDimensionalSubdivision() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int NumberOfLevels = 1;
+  bool GenerateClassification = false;
+
+private:
+  vtkMultiDimensionalSubdivision(const vtkMultiDimensionalSubdivision&) = delete;
+  void operator=(const vtkMultiDimensionalSubdivision&) = delete;
+};
+
+#endif
