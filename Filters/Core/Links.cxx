@@ -214,8 +214,8 @@ Place Links<Id>::PlaceVertexInSurface(Id vertex) const
 }
 
 /// The link of a vertex in C_3 is a surface: a vertex for each edge, an edge for each face, a
-/// triangle for each tetrahedron. Connected, with manifold vertices and Euler characteristic 2 it is
-/// a sphere; with a boundary and characteristic 1, a disk.
+/// triangle for each tetrahedron. Connected, with manifold vertices and Euler characteristic 2 it
+/// is a sphere; with a boundary and characteristic 1, a disk.
 template <typename Id>
 Place Links<Id>::PlaceVertexInSolid(Id vertex, const Buffer<Place>& edgePlaces) const
 {
@@ -253,8 +253,8 @@ Place Links<Id>::PlaceVertexInSolid(Id vertex, const Buffer<Place>& edgePlaces) 
   const bool interior = ends == 0 && euler == 2;
   const bool boundary = ends > 0 && euler == 1;
   if (severalPieces || (!interior && !boundary) ||
-    this->CountPieces(vertex,
-      [this](Id face) { return this->FaceDimension(face) == DimensionBit(3); }) != 1)
+    this->CountPieces(
+      vertex, [this](Id face) { return this->FaceDimension(face) == DimensionBit(3); }) != 1)
   {
     return Place::Type3;
   }

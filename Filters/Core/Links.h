@@ -105,7 +105,8 @@ int Links<Id>::CountPieces(Id vertex, const Accept& accept) const
         continue;
       }
       const Id* faceEdges = this->Complex.FaceEdges.data() + 3 * face;
-      const Id other = faceEdges[(this->Complex.VertexInFace(face, far) + 1) % 3]; // not through far
+      const Id other =
+        faceEdges[(this->Complex.VertexInFace(face, far) + 1) % 3]; // not through far
       const vtkIdType j = std::lower_bound(edges.begin(), edges.end(), other) - edges.begin();
       touch(i);
       touch(j);

@@ -16,8 +16,8 @@ constexpr auto MakeInteriorFaceEdges()
     const int* edges = tetrahedron::InteriorFaces[face].Edges;
     for (int i = 0; i < 3; ++i)
     {
-      table[face][i] = tetrahedron::ClassifyEdge(4 + edges[triangle::EdgeVertices[i][0]],
-        4 + edges[triangle::EdgeVertices[i][1]]);
+      table[face][i] = tetrahedron::ClassifyEdge(
+        4 + edges[triangle::EdgeVertices[i][0]], 4 + edges[triangle::EdgeVertices[i][1]]);
     }
   }
   return table;
@@ -62,10 +62,10 @@ template <typename Id>
 struct TetParts
 {
   Id Lattice[10];
-  Id Halves[6][4];   ///< edge, vertex
-  Id InFaces[4][4];  ///< face, vertex
-  Id Corners[4][4];  ///< face, vertex: child triangles
-  Id Middles[4];     ///< face: child triangle
+  Id Halves[6][4];  ///< edge, vertex
+  Id InFaces[4][4]; ///< face, vertex
+  Id Corners[4][4]; ///< face, vertex: child triangles
+  Id Middles[4];    ///< face: child triangle
   Id Tet;
 
   TetParts(const SimplicialComplex<Id>& complex, const ChildIds<Id>& ids, Id tet)
@@ -187,13 +187,12 @@ void Refiner<Id>::Count()
   const auto& parent = this->Parent;
   auto& child = this->Child.Complex;
   child.NumberOfVertices = parent.NumberOfVertices + parent.NumberOfEdges;
-  child.NumberOfEdges =
-    2 * parent.NumberOfEdges + 3 * parent.NumberOfFaces + parent.NumberOfTets;
+  child.NumberOfEdges = 2 * parent.NumberOfEdges + 3 * parent.NumberOfFaces + parent.NumberOfTets;
   child.NumberOfTets = 8 * parent.NumberOfTets;
   child.NumberOfLineCells = 2 * parent.NumberOfLineCells;
   child.NumberOfTriangleCells = 4 * parent.NumberOfTriangleCells;
-  child.NumberOfFaces = this->Full ? 4 * parent.NumberOfFaces + 8 * parent.NumberOfTets
-                                   : child.NumberOfTriangleCells;
+  child.NumberOfFaces =
+    this->Full ? 4 * parent.NumberOfFaces + 8 * parent.NumberOfTets : child.NumberOfTriangleCells;
   child.VertexCells = Buffer<Id>(parent.VertexCells.size());
   std::copy(parent.VertexCells.begin(), parent.VertexCells.end(), child.VertexCells.begin());
 }
@@ -208,8 +207,8 @@ void Refiner<Id>::MakeEdges()
   ends = Buffer<Id>(2 * vtkIdType(this->Child.Complex.NumberOfEdges));
   strata.Edges = Buffer<Stratum>(this->Child.Complex.NumberOfEdges);
   strata.Vertices = Buffer<Stratum>(this->Child.Complex.NumberOfVertices);
-  ForEach(parent.NumberOfVertices,
-    [&](vtkIdType v) { strata.Vertices[v] = this->Strata.Vertices[v]; });
+  ForEach(
+    parent.NumberOfVertices, [&](vtkIdType v) { strata.Vertices[v] = this->Strata.Vertices[v]; });
   ForEach(parent.NumberOfEdges,
     [&](vtkIdType e)
     {
@@ -529,8 +528,7 @@ void Refiner<Id>::EmitInFaceRing(Id face, int corner, const Emit& emit) const
   const Id vertex = parent.FaceVertices[3 * vtkIdType(face) + corner];
   emit(this->Ids.Face(face, corner), vertex);
   emit(this->Ids.Face(face, 3),
-    this->Ids.Midpoint(
-      parent.FaceEdges[3 * vtkIdType(face) + triangle::EdgeOpposite[corner]]));
+    this->Ids.Midpoint(parent.FaceEdges[3 * vtkIdType(face) + triangle::EdgeOpposite[corner]]));
   if (rule == Rule::Surface)
   {
     return;
@@ -544,7 +542,8 @@ void Refiner<Id>::EmitInFaceRing(Id face, int corner, const Emit& emit) const
     emit(this->Ids.Interior(tet, local), this->Ids.Midpoint(edges[link.CutEdge]));
     if (link.HasDiagonal)
     {
-      emit(this->Ids.Interior(tet, link.DiagonalFace), this->Ids.Midpoint(edges[link.DiagonalEdge]));
+      emit(
+        this->Ids.Interior(tet, link.DiagonalFace), this->Ids.Midpoint(edges[link.DiagonalEdge]));
     }
   }
 }
@@ -629,7 +628,8 @@ void Refiner<Id>::MakeEdgeRings()
         const Id e = static_cast<Id>(i);
         for (int half = 0; half < 2; ++half)
         {
-          act(2 * i + half, [&](const auto& emit)
+          act(2 * i + half,
+            [&](const auto& emit)
             { this->EmitHalfEdgeRing(e, parent.EdgeVertices[2 * i + half], emit); });
         }
       });
@@ -744,8 +744,7 @@ void GetEdgesOfEqualTriangle(const SimplicialComplex<Id>& complex, vtkIdType ind
   const Id twin = complex.EqualTriangles.Twins[index];
   for (int e = 0; e < 3; ++e)
   {
-    const Id opposite =
-      complex.EqualTriangles.Vertices[3 * index + triangle::VertexOpposite[e]];
+    const Id opposite = complex.EqualTriangles.Vertices[3 * index + triangle::VertexOpposite[e]];
     edges[e] = complex.FaceEdges[3 * vtkIdType(twin) +
       triangle::EdgeOpposite[complex.VertexInFace(twin, opposite)]];
   }

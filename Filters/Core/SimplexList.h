@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SimplexList.h
- * Ordered simplices of mixed dimension, in the order in which the output has them (SPEC 2: the order
- * of a simplex's vertices is inherited by its children).
+ * Ordered simplices of mixed dimension, in the order in which the output has them (SPEC 2: the
+ * order of a simplex's vertices is inherited by its children).
  */
 #ifndef SubdivisionObjects_SimplexList_h
 #define SubdivisionObjects_SimplexList_h

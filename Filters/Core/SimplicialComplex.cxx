@@ -87,8 +87,8 @@ template <typename Id>
 void BuildTets(SimplicialComplex<Id>& complex, CellsOfDimension<4, Id>& cells)
 {
   Buffer<std::array<Id, 4>> tuples(cells.Vertices.size());
-  ForEach(tuples.size(),
-    [&](vtkIdType i) { tuples[i] = SortedTuple<4>(cells.Vertices[i].data()); });
+  ForEach(
+    tuples.size(), [&](vtkIdType i) { tuples[i] = SortedTuple<4>(cells.Vertices[i].data()); });
   const auto numbers = NumberTuples<4>(tuples, complex.NumberOfVertices, tuples.size());
   complex.TetVertices = Flatten<4>(TakeFirsts<4>(cells, numbers, complex.EqualTets));
   complex.NumberOfTets = static_cast<Id>(complex.TetVertices.size() / 4);
@@ -100,8 +100,7 @@ void BuildFaces(SimplicialComplex<Id>& complex, CellsOfDimension<3, Id>& cells)
 {
   const vtkIdType leading = cells.Vertices.size();
   Buffer<std::array<Id, 3>> tuples(leading + 4 * static_cast<vtkIdType>(complex.NumberOfTets));
-  ForEach(
-    leading, [&](vtkIdType i) { tuples[i] = SortedTuple<3>(cells.Vertices[i].data()); });
+  ForEach(leading, [&](vtkIdType i) { tuples[i] = SortedTuple<3>(cells.Vertices[i].data()); });
   ForEach(complex.NumberOfTets,
     [&](vtkIdType t)
     {
@@ -121,8 +120,7 @@ void BuildFaces(SimplicialComplex<Id>& complex, CellsOfDimension<3, Id>& cells)
   ForEach(complex.NumberOfFaces,
     [&](vtkIdType f)
     {
-      const auto& face =
-        f < firsts.size() ? firsts[f] : tuples[numbers.Representatives[f]];
+      const auto& face = f < firsts.size() ? firsts[f] : tuples[numbers.Representatives[f]];
       std::copy(face.begin(), face.end(), complex.FaceVertices.data() + 3 * f);
     });
   complex.TetFaces = Buffer<Id>(4 * static_cast<vtkIdType>(complex.NumberOfTets));
@@ -136,8 +134,7 @@ void BuildEdges(SimplicialComplex<Id>& complex, CellsOfDimension<2, Id>& cells)
 {
   const vtkIdType leading = cells.Vertices.size();
   Buffer<std::array<Id, 2>> tuples(leading + 3 * static_cast<vtkIdType>(complex.NumberOfFaces));
-  ForEach(
-    leading, [&](vtkIdType i) { tuples[i] = SortedTuple<2>(cells.Vertices[i].data()); });
+  ForEach(leading, [&](vtkIdType i) { tuples[i] = SortedTuple<2>(cells.Vertices[i].data()); });
   ForEach(complex.NumberOfFaces,
     [&](vtkIdType f)
     {
@@ -179,8 +176,9 @@ void FindTetEdges(SimplicialComplex<Id>& complex)
         const int outside = tetrahedron::EdgeVertices[tetrahedron::OppositeEdge(edge)][0];
         const Id face = complex.TetFaces[4 * t + outside];
         const Id opposite = tet[tetrahedron::EdgeVertices[tetrahedron::OppositeEdge(edge)][1]];
-        complex.TetEdges[6 * t + edge] = complex.FaceEdges[3 * face +
-          triangle::EdgeOpposite[complex.VertexInFace(face, opposite)]];
+        complex.TetEdges[6 * t + edge] =
+          complex
+            .FaceEdges[3 * face + triangle::EdgeOpposite[complex.VertexInFace(face, opposite)]];
       }
     });
 }

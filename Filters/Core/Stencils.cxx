@@ -21,9 +21,8 @@ public:
     {
       for (int size = 0; size < Sizes; ++size)
       {
-        this->Masks[rule][size] = size == 0 && mask == VertexMask
-          ? Mask{ 1., 0. }
-          : mask(static_cast<Rule>(rule), size);
+        this->Masks[rule][size] =
+          size == 0 && mask == VertexMask ? Mask{ 1., 0. } : mask(static_cast<Rule>(rule), size);
       }
     }
   }
@@ -199,8 +198,7 @@ Stencils<Id> TakeStencils(Level<Id>& level)
   return stencils;
 }
 
-#define SUBDIVISION_APPLY(Id, T)                                                                   \
-  template void Stencils<Id>::Apply(const T*, T*, int) const
+#define SUBDIVISION_APPLY(Id, T) template void Stencils<Id>::Apply(const T*, T*, int) const
 #define SUBDIVISION_STENCILS(Id)                                                                   \
   template struct Stencils<Id>;                                                                    \
   template Stencils<Id> TakeStencils(Level<Id>&);                                                  \

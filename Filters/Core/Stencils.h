@@ -5,8 +5,8 @@
  * level to those of the next, whatever the values are.
  *
  * Rows come as rings: which weights a row has follows from its rule and the size of its ring
- * (Masks.h), so only vertex ids are stored. Vertex rows first, then edge rows. Each row is summed in
- * double, in the order of the ring, and stored in the type of the array.
+ * (Masks.h), so only vertex ids are stored. Vertex rows first, then edge rows. Each row is summed
+ * in double, in the order of the ring, and stored in the type of the array.
  */
 #ifndef SubdivisionObjects_Stencils_h
 #define SubdivisionObjects_Stencils_h

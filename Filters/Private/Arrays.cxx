@@ -13,6 +13,12 @@ namespace subdivision
 vtkSmartPointer<vtkDataArray> MakeArray(int valueType, int components, vtkIdType tuples)
 {
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(valueType));
+  Allocate(array, components, tuples);
+  return array;
+}
+
+void Allocate(vtkDataArray* array, int components, vtkIdType tuples)
+{
   array->SetNumberOfComponents(components);
   const vtkIdType values = tuples * components;
   if (values > 0)
@@ -20,7 +26,6 @@ vtkSmartPointer<vtkDataArray> MakeArray(int valueType, int components, vtkIdType
     const std::size_t bytes = static_cast<std::size_t>(values) * array->GetDataTypeSize();
     array->SetVoidArray(AllocateBytes(bytes), values, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
   }
-  return array;
 }
 
 void CopyLooks(vtkAbstractArray* from, vtkAbstractArray* to)
@@ -52,7 +57,8 @@ vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
   {
     return array;
   }
-  auto copy = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(array->GetDataType()));
+  auto copy =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(array->GetDataType()));
   copy->DeepCopy(array);
   CopyLooks(array, copy);
   return copy;

@@ -18,6 +18,9 @@ namespace subdivision
 /// A contiguous array of a VTK value type, its values not initialised.
 vtkSmartPointer<vtkDataArray> MakeArray(int valueType, int components, vtkIdType tuples);
 
+/// Gives an empty array room for tuples, not initialised.
+void Allocate(vtkDataArray* array, int components, vtkIdType tuples);
+
 /// Name, component names and information keys.
 void CopyLooks(vtkAbstractArray* from, vtkAbstractArray* to);
 

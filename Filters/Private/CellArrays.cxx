@@ -25,8 +25,8 @@ Buffer<vtkIdType> FindChildren(const SimplexList& simplices, int levels)
 {
   const vtkIdType size = simplices.GetNumberOfSimplices();
   Buffer<vtkIdType> first(size + 1);
-  ForEach(size,
-    [&](vtkIdType i) { first[i] = vtkIdType(1) << (simplices.Dimensions[i] * levels); });
+  ForEach(
+    size, [&](vtkIdType i) { first[i] = vtkIdType(1) << (simplices.Dimensions[i] * levels); });
   CountsToOffsets(first);
   return first;
 }
@@ -81,8 +81,8 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   const CellArrayOptions& options, vtkUnstructuredGrid* output)
 {
   const Buffer<vtkIdType> first = FindChildren(cells.Simplices, options.Levels);
-  const bool unchanged = cells.ParentCells.empty() &&
-    first[first.size() - 1] == input->GetNumberOfCells();
+  const bool unchanged =
+    cells.ParentCells.empty() && first[first.size() - 1] == input->GetNumberOfCells();
   vtkCellData* data = input->GetCellData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
@@ -142,8 +142,7 @@ void RebuildPointGhosts(vtkPointSet* input, vtkUnstructuredGrid* output)
   vtkNew<vtkIdList> ids;
   for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
   {
-    const bool duplicate =
-      cells && (cells->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL) != 0;
+    const bool duplicate = cells && (cells->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL) != 0;
     output->GetCellPoints(c, ids);
     for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
     {
@@ -158,8 +157,7 @@ void RebuildPointGhosts(vtkPointSet* input, vtkUnstructuredGrid* output)
   {
     if (ghosts->GetValue(p) == unused)
     {
-      ghosts->SetValue(
-        p, before && p < before->GetNumberOfTuples() ? before->GetValue(p) : 0);
+      ghosts->SetValue(p, before && p < before->GetNumberOfTuples() ? before->GetValue(p) : 0);
     }
   }
   output->GetPointData()->AddArray(ghosts);

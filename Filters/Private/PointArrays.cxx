@@ -194,7 +194,10 @@ void PointArrays::Advance(const Stencils<Id>& stencils)
     CopyLooks(array, next);
     array = next;
   };
-  advance(this->Points);
+  if (!this->FinalPoints)
+  {
+    advance(this->Points);
+  }
   for (Entry& entry : this->Entries)
   {
     if (entry.Current)
@@ -223,6 +226,10 @@ template void PointArrays::Advance(const Stencils<long long>&);
 
 void PointArrays::Finish(vtkUnstructuredGrid* output)
 {
+  if (this->FinalPoints)
+  {
+    this->Points = this->FinalPoints;
+  }
   vtkNew<vtkPoints> points;
   points->SetDataType(this->Points->GetDataType());
   points->SetData(this->Points);
@@ -258,9 +265,7 @@ void PointArrays::AddOriginalIds(vtkUnstructuredGrid* output) const
   const vtkIdType given = this->Input->GetNumberOfPoints();
   for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)
   {
-    values[i] = i >= given ? -1
-      : carried            ? static_cast<vtkIdType>(carried->GetComponent(i, 0))
-                           : i;
+    values[i] = i >= given ? -1 : carried ? static_cast<vtkIdType>(carried->GetComponent(i, 0)) : i;
   }
   output->GetPointData()->AddArray(ids);
 }

@@ -46,6 +46,10 @@ public:
   /// Coordinates of the current points in double, for choices that depend on them.
   const double* GetCoordinates();
 
+  /// The points at the current level; ReusePoints: what they will be at the end is known.
+  vtkDataArray* GetPoints() const { return this->Points; }
+  void ReusePoints(vtkDataArray* result) { this->FinalPoints = result; }
+
   template <typename Id>
   void Advance(const Stencils<Id>& stencils);
 
@@ -74,6 +78,7 @@ private:
   PointArrayOptions Options;
   vtkIdType NumberOfPoints;
   vtkSmartPointer<vtkDataArray> Points;
+  vtkSmartPointer<vtkDataArray> FinalPoints; ///< null unless they are known beforehand
   std::vector<Entry> Entries;
   bool HasGathered = false;
   Buffer<vtkIdType> Origins; ///< the input point whose values each point takes

@@ -119,8 +119,7 @@ bool FindControlMesh(const SimplexList& descendants, const Stamp& stamp, Simplex
     for (int corner = 0; corner <= dimension; ++corner)
     {
       const vtkIdType child = corner * others;
-      const vtkIdType point =
-        descendants.Connectivity[entry + child * (dimension + 1) + corner];
+      const vtkIdType point = descendants.Connectivity[entry + child * (dimension + 1) + corner];
       if (point >= stamp.NumberOfControlPoints)
       {
         return false;

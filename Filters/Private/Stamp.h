@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Stamp.h
- * How a filter recognises a mesh that this project made (SPEC 2), so that filters in a row give what
- * one filter would have given.
+ * How a filter recognises a mesh that this project made (SPEC 2), so that filters in a row give
+ * what one filter would have given.
  *
  * Field data `Subdivision` holds the numbers below, `SubdivisionGlobalIds` the global ids of the
  * first input's points where it had some. The control mesh itself needs no copy: its vertices keep
@@ -28,8 +28,8 @@ enum class StampScheme
 struct Stamp
 {
   StampScheme Scheme = StampScheme::BoxSpline;
-  int Levels = 0;                       ///< since the control mesh
-  vtkIdType NumberOfControlPoints = 0;  ///< centres of split cells included
+  int Levels = 0;                      ///< since the control mesh
+  vtkIdType NumberOfControlPoints = 0; ///< centres of split cells included
 };
 
 /// False where there is no stamp, or it is not of this mesh: numbers or a sample of cells differ.

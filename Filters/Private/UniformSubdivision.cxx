@@ -34,9 +34,9 @@ constexpr const char* GlobalIdsName = "SubdivisionGlobalIds";
 /// What is to be subdivided, whatever it was read from.
 struct ControlMesh
 {
-  SimplicesOfCells Cells;      ///< the input's simplices
-  SimplexList Simplices;       ///< those of the control mesh; only where MadeLevels > 0
-  int MadeLevels = 0;          ///< steps that earlier filters made
+  SimplicesOfCells Cells; ///< the input's simplices
+  SimplexList Simplices;  ///< those of the control mesh; only where MadeLevels > 0
+  int MadeLevels = 0;     ///< steps that earlier filters made
   vtkSmartPointer<vtkDataArray> GlobalIdArray; ///< of the control points
   std::vector<vtkIdType> GlobalIds;
 
@@ -139,8 +139,8 @@ bool UniformRun::CheckMemory(const LevelCounts& counts, double bytesPerPoint)
   for (int i = 0; i < this->Input->GetCellData()->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = this->Input->GetCellData()->GetAbstractArray(i);
-    bytes += static_cast<double>(cells.Cells) * array->GetDataTypeSize() *
-      array->GetNumberOfComponents();
+    bytes +=
+      static_cast<double>(cells.Cells) * array->GetDataTypeSize() * array->GetNumberOfComponents();
   }
   const double idBytes = this->NeedsLargeIds() ? 8. : 4.;
   bytes += idBytes * (10. * last.Tets + 13. * last.Edges);
@@ -209,8 +209,8 @@ bool UniformRun::ReadInput(bool mayBeOurs)
   vtkDataArray* carried = this->Input->GetFieldData()->GetArray(GlobalIdsName);
   vtkDataArray* own = this->Input->GetPointData()->GetGlobalIds();
   this->ReadGlobalIds(stamped && carried ? carried : own);
-  this->Mesh.Cells = CellsToSimplices(
-    this->Input, stamped || !own ? nullptr : this->Mesh.GetGlobalIds());
+  this->Mesh.Cells =
+    CellsToSimplices(this->Input, stamped || !own ? nullptr : this->Mesh.GetGlobalIds());
   if (!stamped)
   {
     return true;
@@ -279,7 +279,8 @@ bool UniformRun::IsWhatWasRead(const SimplicialComplex<Id>& complex) const
 {
   const CellCounts counts = CountCells(this->Runs);
   const SimplexList& read = this->Mesh.Cells.Simplices;
-  if (counts.Cells != read.GetNumberOfSimplices() || complex.NumberOfVertices != read.NumberOfPoints)
+  if (counts.Cells != read.GetNumberOfSimplices() ||
+    complex.NumberOfVertices != read.NumberOfPoints)
   {
     return false;
   }
@@ -312,7 +313,8 @@ UniformRun::Outcome UniformRun::RunWith()
     this->Mesh.GetGlobalIds(), static_cast<vtkIdType>(this->Mesh.GlobalIds.size()), arrays);
   if (this->InputStamp.NumberOfControlPoints == 0)
   {
-    OrderTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates(), this->Mesh.GetGlobalIds());
+    OrderTets(
+      this->Mesh.Cells.Simplices, this->Points->GetCoordinates(), this->Mesh.GetGlobalIds());
   }
   Level<Id> level;
   if (!this->BuildCurrent(level))
@@ -343,7 +345,8 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level)
   const int steps = this->Options.Levels;
   if (steps == 0)
   {
-    this->MakeCells<Id>(this->Runs, [&](const auto& out) { WriteCells(level.Complex, this->Runs, out); });
+    this->MakeCells<Id>(
+      this->Runs, [&](const auto& out) { WriteCells(level.Complex, this->Runs, out); });
     this->Points->Finish(this->Output);
     this->AddClassification(level.Strata.Vertices, Buffer<Stratum>());
     return Outcome::Done;

@@ -10,7 +10,8 @@
 #include "vtkVersionMacros.h"
 
 #ifndef VTK_VERSION_NUMBER
-#define VTK_VERSION_NUMBER VTK_VERSION_CHECK(VTK_MAJOR_VERSION, VTK_MINOR_VERSION, VTK_BUILD_VERSION)
+#define VTK_VERSION_NUMBER                                                                         \
+  VTK_VERSION_CHECK(VTK_MAJOR_VERSION, VTK_MINOR_VERSION, VTK_BUILD_VERSION)
 #endif
 
 namespace subdivision

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OperatorCache.h"
+
+#include <algorithm>
+
+namespace subdivision
+{
+
+std::size_t TopologyKey::GetMemorySize() const
+{
+  return this->Simplices.Dimensions.size() +
+    sizeof(vtkIdType) * (this->Simplices.Connectivity.size() + this->Choices.size());
+}
+
+KeptOperator* OperatorCache::Find(const TopologyKey& key)
+{
+  const auto found = std::find_if(this->Operators.begin(), this->Operators.end(),
+    [&key](const auto& kept) { return kept->Key == key; });
+  if (found == this->Operators.end())
+  {
+    return nullptr;
+  }
+  (*found)->Used = true;
+  return found->get();
+}
+
+void OperatorCache::ForgetUnused()
+{
+  this->Operators.erase(std::remove_if(this->Operators.begin(), this->Operators.end(),
+                          [](const auto& kept) { return !kept->Used; }),
+    this->Operators.end());
+  for (const auto& kept : this->Operators)
+  {
+    kept->Used = false;
+  }
+}
+
+std::size_t OperatorCache::GetMemorySize() const
+{
+  std::size_t bytes = 0;
+  for (const auto& kept : this->Operators)
+  {
+    bytes += kept->Key.GetMemorySize() + (kept->Steps ? kept->Steps->GetMemorySize() : 0) +
+      kept->Strata.GetMemorySize() + kept->ManifoldDimensions.GetMemorySize();
+  }
+  return bytes;
+}
+
+}

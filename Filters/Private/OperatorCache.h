@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file OperatorCache.h
+ * What a filter keeps between executions: for each mesh that it saw in its last update, the
+ * operators of all levels and the output's cells.
+ */
+#ifndef SubdivisionObjects_OperatorCache_h
+#define SubdivisionObjects_OperatorCache_h
+
+#include "Core/RefinedCells.h"
+#include "Core/Stencils.h"
+#include "PointArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <memory>
+#include <vector>
+
+namespace subdivision
+{
+
+/// The operators of some steps in a row, whatever their ids are.
+class KeptSteps
+{
+public:
+  virtual ~KeptSteps() = default;
+  virtual void Apply(PointArrays& arrays) const = 0;
+  virtual std::size_t GetMemorySize() const = 0;
+};
+
+template <typename Id>
+class KeptStepsOf : public KeptSteps
+{
+public:
+  void Add(Stencils<Id>&& stencils) { this->Steps.push_back(std::move(stencils)); }
+  void Apply(PointArrays& arrays) const override
+  {
+    for (const Stencils<Id>& step : this->Steps)
+    {
+      arrays.Advance(step);
+    }
+  }
+  std::size_t GetMemorySize() const override
+  {
+    std::size_t bytes = 0;
+    for (const Stencils<Id>& step : this->Steps)
+    {
+      bytes += step.GetMemorySize();
+    }
+    return bytes;
+  }
+
+private:
+  std::vector<Stencils<Id>> Steps;
+};
+
+/// Everything that the topology of an output depends on, by content.
+struct TopologyKey
+{
+  SimplexList Simplices;
+  int MadeLevels = 0;
+  vtkIdType NumberOfControlPoints = 0;
+  int Levels = 0;
+  bool Use32BitIds = false;
+  /// Options, flags and values that choose rules, in a fixed order.
+  std::vector<long long> Choices;
+
+  bool operator==(const TopologyKey& other) const
+  {
+    return this->MadeLevels == other.MadeLevels && this->Levels == other.Levels &&
+      this->NumberOfControlPoints == other.NumberOfControlPoints &&
+      this->Use32BitIds == other.Use32BitIds &&
+      this->Simplices.NumberOfPoints == other.Simplices.NumberOfPoints &&
+      this->Choices == other.Choices && this->Simplices.Dimensions == other.Simplices.Dimensions &&
+      this->Simplices.Connectivity == other.Simplices.Connectivity;
+  }
+  std::size_t GetMemorySize() const;
+};
+
+struct KeptOperator
+{
+  TopologyKey Key;
+  std::unique_ptr<KeptSteps> Steps;
+  vtkSmartPointer<vtkCellArray> Cells;
+  vtkSmartPointer<vtkUnsignedCharArray> Types;
+  /// Strata of the output's points: vertices and then edges of the last step (or vertices alone).
+  Buffer<Stratum> Strata;
+  Buffer<unsigned char> ManifoldDimensions; ///< of each control simplex
+  /// The singular simplices that were derived, as the output names them.
+  std::vector<vtkIdType> DerivedSingular[3];
+  /// Points that went in, and what came out.
+  vtkSmartPointer<vtkDataArray> PointsIn;
+  vtkSmartPointer<vtkDataArray> PointsOut;
+  bool Used = true;
+};
+
+class OperatorCache
+{
+public:
+  /// The kept operator of an equal key, marked as used, or null.
+  KeptOperator* Find(const TopologyKey& key);
+  void Add(std::unique_ptr<KeptOperator> kept) { this->Operators.push_back(std::move(kept)); }
+  void Clear() { this->Operators.clear(); }
+  /// An update is over: forget what it did not use.
+  void ForgetUnused();
+
+  std::size_t GetNumberOfOperators() const { return this->Operators.size(); }
+  std::size_t GetMemorySize() const;
+  /// How often topology was built since the cache exists.
+  vtkIdType NumberOfBuilds = 0;
+
+private:
+  std::vector<std::unique_ptr<KeptOperator>> Operators;
+};
+
+}
+
+#endif
