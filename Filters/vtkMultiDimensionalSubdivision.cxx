@@ -5,6 +5,7 @@
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -18,8 +19,37 @@
 
 vtkStandardNewMacro(vtkMultiDimensionalSubdivision);
 
-vtkMultiDimensionalSubdivision::vtkMultiDimensionalSubdivision() = default;
+vtkMultiDimensionalSubdivision::vtkMultiDimensionalSubdivision()
+  : Cache(std::make_unique<subdivision::OperatorCache>())
+{
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkMultiDimensionalSubdivision::OnStart);
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkMultiDimensionalSubdivision::OnEnd);
+}
+
 vtkMultiDimensionalSubdivision::~vtkMultiDimensionalSubdivision() = default;
+
+void vtkMultiDimensionalSubdivision::OnEnd()
+{
+  if (--this->UpdateDepth == 0)
+  {
+    this->Cache->ForgetUnused();
+  }
+}
+
+void vtkMultiDimensionalSubdivision::SetCacheOperator(bool cache)
+{
+  if (this->CacheOperator != cache)
+  {
+    this->CacheOperator = cache;
+    this->Cache->Clear();
+    this->Modified();
+  }
+}
+
+vtkIdType vtkMultiDimensionalSubdivision::GetNumberOfTopologyBuilds() const
+{
+  return this->Cache->NumberOfBuilds;
+}
 
 int vtkMultiDimensionalSubdivision::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -50,6 +80,12 @@ int vtkMultiDimensionalSubdivision::RequestData(
   options.GenerateClassification = this->GenerateClassification;
   options.OutputPointsPrecision = this->OutputPointsPrecision;
   options.MaximumNumberOfCells = this->MaximumNumberOfCells;
+  options.Use32BitIds = this->Use32BitIds;
+  options.Cache = this->CacheOperator ? this->Cache.get() : nullptr;
+  if (!this->ReadFeatureOptions(input, options.Features))
+  {
+    return 0;
+  }
   options.Progress = [this](double done)
   {
     this->UpdateProgress(done);
@@ -84,4 +120,9 @@ void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "GenerateClassification: " << this->GenerateClassification << "\n";
+  os << indent << "Use32BitIds: " << this->Use32BitIds << "\n";
+  os << indent << "CacheOperator: " << this->CacheOperator << "\n";
+  os << indent << "Operators kept: " << this->Cache->GetNumberOfOperators() << " ("
+     << this->Cache->GetMemorySize() << " bytes)\n";
+  os << indent << "NumberOfTopologyBuilds: " << this->Cache->NumberOfBuilds << "\n";
 }

@@ -5,32 +5,33 @@
  *
  * Subdivides a mesh of vertices, lines, triangles and tetrahedra (and cells that can be split into
  * these, see vtkSubdivisionAlgorithm) uniformly and smoothly: curves become cubic B-splines,
- * surfaces Loop surfaces, solids box-spline solids, each with smooth boundaries, and where objects of
- * different dimension meet they are blended into each other.
+ * surfaces Loop surfaces, solids box-spline solids, each with smooth boundaries, and where objects
+ * of different dimension meet they are blended into each other.
  *
  * @par Algorithm
  * Y.-S. Chang and H. Qin, "A Framework for Multi-dimensional Adaptive Subdivision Objects". Every
- * level splits a line into 2, a triangle into 4 and a tetrahedron into 8, and moves the points: each
- * new value is a weighted mean of the values around it. Which weights (equations 13 to 18) and which
- * neighbours depends on the dimension of the rule that a vertex or edge follows: the dimension of
- * the manifold that it lies inside of, one less on a boundary, zero for the end of a curve.
- * Non-manifold vertices and edges take the rule for solids with all their neighbours (rule G-2).
+ * level splits a line into 2, a triangle into 4 and a tetrahedron into 8, and moves the points:
+ * each new value is a weighted mean of the values around it. Which weights (equations 13 to 18) and
+ * which neighbours depends on the dimension of the rule that a vertex or edge follows: the
+ * dimension of the manifold that it lies inside of, one less on a boundary, zero for the end of a
+ * curve. Non-manifold vertices and edges take the rule for solids with all their neighbours (rule
+ * G-2).
  *
  * @par Arrays
  * Floating point arrays, of any number of components, are smoothed like the points; so are colours
- * (unsigned char, 3 or 4 components), rounded after every level. Other integer, string and bit point
- * arrays keep their values at old points; a new point takes that of the end of its edge whose global
- * id is smaller. Global and pedigree ids are dropped: see GenerateOriginalIds. Cell arrays go to the
- * children, field data through. Names, component names and active attributes are kept. Written are,
- * on request, `vtkOriginalCellIds`, `vtkOriginalPointIds`, and the classification arrays; always the
- * field array `Subdivision` (and `SubdivisionGlobalIds`, if the input had global ids), by which a
- * next filter recognises this output.
+ * (unsigned char, 3 or 4 components), rounded after every level. Other integer, string and bit
+ * point arrays keep their values at old points; a new point takes that of the end of its edge whose
+ * global id is smaller. Global and pedigree ids are dropped: see GenerateOriginalIds. Cell arrays
+ * go to the children, field data through. Names, component names and active attributes are kept.
+ * Written are, on request, `vtkOriginalCellIds`, `vtkOriginalPointIds`, and the classification
+ * arrays; always the field array `Subdivision` (and `SubdivisionGlobalIds`, if the input had global
+ * ids), by which a next filter recognises this output.
  *
  * @par Output
  * Points: all input points with their ids (unused ones too), then centres of split cells, then the
  * new points level by level. Cells: in the order of the input, the children of a cell one after
- * another and oriented like it. A cell that is a face of another, or equals an earlier one, is split
- * along in its place and changes nothing.
+ * another and oriented like it. A cell that is a face of another, or equals an earlier one, is
+ * split along in its place and changes nothing.
  *
  * @par Filters in a row
  * Three filters of one level are one filter of three levels, bit for bit, in every array.
@@ -55,6 +56,13 @@
 #include "vtkSubdivisionAlgorithm.h"
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 
+#include <memory> // for std::unique_ptr
+
+namespace subdivision
+{
+class OperatorCache;
+}
+
 class VTKSUBDIVISIONOBJECTS_EXPORT vtkMultiDimensionalSubdivision : public vtkSubdivisionAlgorithm
 {
 public:
@@ -74,15 +82,45 @@ public:
   ///@{
   /**
    * Whether to output how the mesh was understood. Point arrays: `RuleDimension` (dimension 0 to 3
-   * of the rule that the next level would use for the vertex; 4 = blended) and `NonManifoldType` (0:
-   * manifold; 1: objects of different dimension meet; 2: more than two branches; 3: boundaries
+   * of the rule that the next level would use for the vertex; 4 = blended) and `NonManifoldType`
+   * (0: manifold; 1: objects of different dimension meet; 2: more than two branches; 3: boundaries
    * touch). Cell array: `ManifoldDimension` (0 to 3: the dimension of the maximal simplex that the
-   * cell is, or is a face of; the largest, if several). All vtkUnsignedCharArray with one component.
-   * Off by default.
+   * cell is, or is a face of; the largest, if several). All vtkUnsignedCharArray with one
+   * component. Off by default.
    */
   vtkSetMacro(GenerateClassification, bool);
   vtkGetMacro(GenerateClassification, bool);
   vtkBooleanMacro(GenerateClassification, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the operators of all levels and the output's cells are kept, so that an execution whose
+   * cells and options have not changed (new coordinates or arrays, another time step) builds no
+   * topology: connectivity, offsets and types are shared with the previous output, and so are the
+   * points if the coordinates are the same. Cells are compared by content, with a kept copy.
+   * Choices made from coordinates (diagonals, polygon cuts, features) are made again; where one
+   * comes out differently, everything is built again: the output is always that of a fresh filter.
+   * Kept for each block of a composite input, until an update does not need it. On by default.
+   */
+  void SetCacheOperator(bool cache);
+  vtkGetMacro(CacheOperator, bool);
+  vtkBooleanMacro(CacheOperator, bool);
+  ///@}
+
+  /**
+   * How often this filter built topology while CacheOperator was on.
+   */
+  vtkIdType GetNumberOfTopologyBuilds() const;
+
+  ///@{
+  /**
+   * Whether the output's cells are stored with 32-bit ids where they fit (vtkCellArray's narrower
+   * storage). Off by default: vtkIdType.
+   */
+  vtkSetMacro(Use32BitIds, bool);
+  vtkGetMacro(Use32BitIds, bool);
+  vtkBooleanMacro(Use32BitIds, bool);
   ///@}
 
 protected:
@@ -94,8 +132,17 @@ protected:
 
   int NumberOfLevels = 1;
   bool GenerateClassification = false;
+  bool CacheOperator = true;
+  bool Use32BitIds = false;
 
 private:
+  /// Updates are nested for composite inputs: blocks start and end inside the whole.
+  void OnStart() { ++this->UpdateDepth; }
+  void OnEnd();
+
+  std::unique_ptr<subdivision::OperatorCache> Cache;
+  int UpdateDepth = 0;
+
   vtkMultiDimensionalSubdivision(const vtkMultiDimensionalSubdivision&) = delete;
   void operator=(const vtkMultiDimensionalSubdivision&) = delete;
 };

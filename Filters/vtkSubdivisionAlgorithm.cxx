@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionAlgorithm.h"
 
+#include "Private/Features.h"
+
 #include "vtkAlgorithm.h"
+#include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkPointSet.h"
+
+#include <string>
 
 vtkSubdivisionAlgorithm::vtkSubdivisionAlgorithm() = default;
 vtkSubdivisionAlgorithm::~vtkSubdivisionAlgorithm() = default;
@@ -17,6 +23,97 @@ int vtkSubdivisionAlgorithm::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+/// The cell array at an index, or null where it is unset and `fallback` is not there.
+bool vtkSubdivisionAlgorithm::FindCellArray(
+  vtkPointSet* input, int index, const char* fallback, bool integral, vtkDataArray*& array)
+{
+  array = nullptr;
+  std::string name;
+  vtkInformationVector* arrays = this->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
+  if (arrays && index < arrays->GetNumberOfInformationObjects())
+  {
+    const char* given = arrays->GetInformationObject(index)->Get(vtkDataObject::FIELD_NAME());
+    name = given ? given : "";
+  }
+  const bool named = !name.empty() && name != "None";
+  if (!named)
+  {
+    if (!fallback || !input->GetCellData()->HasArray(fallback))
+    {
+      return true;
+    }
+    name = fallback;
+  }
+  vtkAbstractArray* found = input->GetCellData()->GetAbstractArray(name.c_str());
+  vtkDataArray* data = vtkDataArray::SafeDownCast(found);
+  const std::string subject =
+    "Cell array \"" + name + "\" (array index " + std::to_string(index) + ")";
+  std::string fault;
+  if (!found)
+  {
+    fault = " is not there; choose one of the input's cell arrays, or None.";
+  }
+  else if (!data || found->GetNumberOfComponents() != 1)
+  {
+    fault = " is not usable: it must hold numbers, one for each cell.";
+  }
+  else if (found->GetNumberOfTuples() != input->GetNumberOfCells())
+  {
+    fault = " has " + std::to_string(found->GetNumberOfTuples()) + " values for " +
+      std::to_string(input->GetNumberOfCells()) + " cells.";
+  }
+  else if (integral && (data->GetDataType() == VTK_FLOAT || data->GetDataType() == VTK_DOUBLE))
+  {
+    fault = " is not usable: it must hold integers, not floating point numbers.";
+  }
+  if (fault.empty())
+  {
+    array = data;
+    return true;
+  }
+  if (named)
+  {
+    vtkErrorMacro(<< subject << fault);
+    return false;
+  }
+  vtkWarningMacro(<< subject << fault << " It is ignored.");
+  return true;
+}
+
+bool vtkSubdivisionAlgorithm::ReadFeatureOptions(
+  vtkPointSet* input, subdivision::FeatureOptions& options)
+{
+  using subdivision::JointRule;
+  vtkDataArray* arrays[4];
+  if (!this->FindCellArray(input, SINGULAR_ARRAY, "Singular", true, arrays[SINGULAR_ARRAY]) ||
+    !this->FindCellArray(input, MATERIAL_ARRAY, "MaterialId", false, arrays[MATERIAL_ARRAY]) ||
+    !this->FindCellArray(input, PART_ARRAY, nullptr, true, arrays[PART_ARRAY]) ||
+    !this->FindCellArray(input, RULE_ARRAY, nullptr, true, arrays[RULE_ARRAY]))
+  {
+    return false;
+  }
+  options.Singular = arrays[SINGULAR_ARRAY];
+  options.Material = arrays[MATERIAL_ARRAY];
+  options.Part = arrays[PART_ARRAY];
+  options.Rules = arrays[RULE_ARRAY];
+  if (this->PreserveInterfaces && !options.Material)
+  {
+    vtkErrorMacro("PreserveInterfaces needs a cell array of materials: set array index 1, or name "
+                  "the array MaterialId.");
+    return false;
+  }
+  options.DartEnds = this->CreaseEnd == DART;
+  options.Embedded = static_cast<subdivision::EmbeddedRule>(this->EmbeddedCells);
+  options.PreserveInterfaces = this->PreserveInterfaces;
+  options.DetectFeatures = this->DetectFeatures;
+  options.FeatureAngle = this->FeatureAngle;
+  options.Type1 = static_cast<JointRule>(this->Type1Rule);
+  options.Type2 = this->Type2Rule == TYPE2_FOLLOW_PART ? JointRule::FollowPart
+                                                       : static_cast<JointRule>(this->Type2Rule);
+  options.Type3 = static_cast<JointRule>(this->Type3Rule);
+  return true;
+}
+
 void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -24,4 +121,12 @@ void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateOriginalIds: " << this->GenerateOriginalIds << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
+  os << indent << "CreaseEnd: " << this->CreaseEnd << "\n";
+  os << indent << "EmbeddedCells: " << this->EmbeddedCells << "\n";
+  os << indent << "PreserveInterfaces: " << this->PreserveInterfaces << "\n";
+  os << indent << "DetectFeatures: " << this->DetectFeatures << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "Type1Rule: " << this->Type1Rule << "\n";
+  os << indent << "Type2Rule: " << this->Type2Rule << "\n";
+  os << indent << "Type3Rule: " << this->Type3Rule << "\n";
 }

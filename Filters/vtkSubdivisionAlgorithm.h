@@ -10,28 +10,56 @@
  *
  * @par Cells
  * Read are VTK_VERTEX, VTK_POLY_VERTEX, VTK_LINE, VTK_POLY_LINE, VTK_TRIANGLE, VTK_TRIANGLE_STRIP,
- * VTK_PIXEL, VTK_QUAD, VTK_POLYGON, VTK_TETRA, VTK_VOXEL, VTK_HEXAHEDRON, VTK_WEDGE and VTK_PYRAMID.
- * What is no simplex is split conformingly: two cells that share a quad take the same diagonal,
- * which is the one that the triangles of a neighbour have already, else the one through the smallest
- * global id (the point id where the input has no global ids). Polygons are cut by ears in their mean
- * plane. A centre point is added only to a solid cell whose face diagonals allow no other split.
+ * VTK_PIXEL, VTK_QUAD, VTK_POLYGON, VTK_TETRA, VTK_VOXEL, VTK_HEXAHEDRON, VTK_WEDGE and
+ * VTK_PYRAMID. What is no simplex is split conformingly: two cells that share a quad take the same
+ * diagonal, which is the one that the triangles of a neighbour have already, else the one through
+ * the smallest global id (the point id where the input has no global ids). Polygons are cut by ears
+ * in their mean plane. A centre point is added only to a solid cell whose face diagonals allow no
+ * other split.
  *
  * @par Bad cells
- * Passed over, with one warning for each kind that counts them and names the first: cells of another
- * type, with point ids out of range, with a point that is not finite, or with repeated point ids (of
- * a solid, polygon, poly line or strip only the degenerate pieces go). Their neighbours act as if
- * they were not there. Cells that are inverted or have no size are kept, and so are unused points.
+ * Passed over, with one warning for each kind that counts them and names the first: cells of
+ * another type, with point ids out of range, with a point that is not finite, or with repeated
+ * point ids (of a solid, polygon, poly line or strip only the degenerate pieces go). Their
+ * neighbours act as if they were not there. Cells that are inverted or have no size are kept, and
+ * so are unused points.
+ *
+ * @par Singular simplices
+ * Singular are, all at once: the vertex, line and triangle cells that the array at index 0 flags;
+ * cells embedded in others, by EmbeddedCells; with PreserveInterfaces the interfaces between
+ * materials; with DetectFeatures the sharp edges. A singular vertex does not move, singular lines
+ * are curves (creases), singular triangles surfaces inside the solid, smooth by themselves; where
+ * more than two singular lines meet there is a corner.
+ *
+ * @par Cell arrays read, by SetInputArrayToProcess
+ * A name that is empty or "None" means unset; a named array that is missing, or has the wrong type,
+ * is an error. All have one component.
+ *  - 0, singular flags: any integer type, non-zero = singular; unset: `Singular` if there. Flags of
+ *    poly lines, strips and polygons count for their pieces; those of 3D cells are ignored with a
+ *    warning.
+ *  - 1, materials: any type but strings; unset: `MaterialId` if there.
+ *  - 2, parts for FollowPart: integers, negative = no part; unset: none.
+ *  - 3, rules of regions: integers; 0 = the options Type1Rule to Type3Rule, 1 = Blend, 2 = Sharp,
+ *    3 to 5 = FollowDimension1 to FollowDimension3, 6 = FollowPart. At a joint the maximal cell
+ * with the smallest id that has a non-zero value decides. Unset: none.
  *
  * @par Ghosts
  * Hidden cells take no part and are not in the output. Cell ghost types go to the children, point
- * ghost types are rebuilt from the cells'. Results at the borders of partitions are not yet the same
- * as without partitions; a warning says so where there are duplicate cells.
+ * ghost types are rebuilt from the cells'. Results at the borders of partitions are not yet the
+ * same as without partitions; a warning says so where there are duplicate cells.
  */
 #ifndef vtkSubdivisionAlgorithm_h
 #define vtkSubdivisionAlgorithm_h
 
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
+
+class vtkDataArray;
+class vtkPointSet;
+namespace subdivision
+{
+struct FeatureOptions;
+}
 
 class VTKSUBDIVISIONOBJECTS_EXPORT vtkSubdivisionAlgorithm : public vtkUnstructuredGridAlgorithm
 {
@@ -79,18 +107,164 @@ public:
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);
   ///@}
 
+  enum CreaseEnds
+  {
+    CORNER,
+    DART
+  };
+  ///@{
+  /**
+   * Where exactly one singular line ends at a vertex: CORNER (0, the default; the vertex does not
+   * move: the end of a curve) or DART (1; as if the crease were not there, so that it fades out; a
+   * corner all the same on a boundary curve).
+   */
+  vtkSetClampMacro(CreaseEnd, int, CORNER, DART);
+  vtkGetMacro(CreaseEnd, int);
+  void SetCreaseEndToCorner() { this->SetCreaseEnd(CORNER); }
+  void SetCreaseEndToDart() { this->SetCreaseEnd(DART); }
+  ///@}
+
+  enum EmbeddedCellRules
+  {
+    FOLLOW,
+    SINGULAR_INSIDE,
+    SINGULAR
+  };
+  ///@{
+  /**
+   * What vertex, line and triangle cells are that are faces of other cells: FOLLOW (0, the default;
+   * only carried along), SINGULAR_INSIDE (1; those inside a solid, surface or curve are singular,
+   * for example fractures and wells in rock; those on a boundary or a non-manifold joint follow) or
+   * SINGULAR (2; all of them).
+   */
+  vtkSetClampMacro(EmbeddedCells, int, FOLLOW, SINGULAR);
+  vtkGetMacro(EmbeddedCells, int);
+  void SetEmbeddedCellsToFollow() { this->SetEmbeddedCells(FOLLOW); }
+  void SetEmbeddedCellsToSingularInside() { this->SetEmbeddedCells(SINGULAR_INSIDE); }
+  void SetEmbeddedCellsToSingular() { this->SetEmbeddedCells(SINGULAR); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether interior faces between different values of the material array (index 1) are singular
+   * surfaces, and edges between two surface triangles of different values creases. Off by default;
+   * an error if there is no material array.
+   */
+  vtkSetMacro(PreserveInterfaces, bool);
+  vtkGetMacro(PreserveInterfaces, bool);
+  vtkBooleanMacro(PreserveInterfaces, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether edges of the input are creases where the boundary of a solid, or a surface, turns by
+   * more than FeatureAngle. Off by default.
+   */
+  vtkSetMacro(DetectFeatures, bool);
+  vtkGetMacro(DetectFeatures, bool);
+  vtkBooleanMacro(DetectFeatures, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The angle between the planes of two triangles, in degrees (0 = flat, to 180), above which their
+   * common edge is a feature. Default 30.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0., 180.);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  enum Type1Rules
+  {
+    TYPE1_BLEND,
+    TYPE1_SHARP,
+    TYPE1_FOLLOW_DIMENSION1,
+    TYPE1_FOLLOW_DIMENSION2,
+    TYPE1_FOLLOW_DIMENSION3
+  };
+  ///@{
+  /**
+   * What vertices and edges do where objects of different dimension meet: blend (0, the default:
+   * rule G-2, the weights of solids with all neighbours), stay sharp (1: rule G-1), or follow the
+   * object of dimension 1, 2 or 3 (2 to 4) as if the others were not there.
+   */
+  vtkSetClampMacro(Type1Rule, int, TYPE1_BLEND, TYPE1_FOLLOW_DIMENSION3);
+  vtkGetMacro(Type1Rule, int);
+  void SetType1RuleToBlend() { this->SetType1Rule(TYPE1_BLEND); }
+  void SetType1RuleToSharp() { this->SetType1Rule(TYPE1_SHARP); }
+  void SetType1RuleToFollowDimension1() { this->SetType1Rule(TYPE1_FOLLOW_DIMENSION1); }
+  void SetType1RuleToFollowDimension2() { this->SetType1Rule(TYPE1_FOLLOW_DIMENSION2); }
+  void SetType1RuleToFollowDimension3() { this->SetType1Rule(TYPE1_FOLLOW_DIMENSION3); }
+  ///@}
+
+  enum Type2Rules
+  {
+    TYPE2_BLEND,
+    TYPE2_SHARP,
+    TYPE2_FOLLOW_PART
+  };
+  ///@{
+  /**
+   * What they do where more than two branches of one object meet: blend (0, the default), stay
+   * sharp (1), or follow a part (2): of the parts (array index 2) that go on through the joint with
+   * exactly two branches the one with the smallest id does, and the others are ignored.
+   */
+  vtkSetClampMacro(Type2Rule, int, TYPE2_BLEND, TYPE2_FOLLOW_PART);
+  vtkGetMacro(Type2Rule, int);
+  void SetType2RuleToBlend() { this->SetType2Rule(TYPE2_BLEND); }
+  void SetType2RuleToSharp() { this->SetType2Rule(TYPE2_SHARP); }
+  void SetType2RuleToFollowPart() { this->SetType2Rule(TYPE2_FOLLOW_PART); }
+  ///@}
+
+  enum Type3Rules
+  {
+    TYPE3_BLEND,
+    TYPE3_SHARP
+  };
+  ///@{
+  /**
+   * What they do where boundaries of one object touch: blend (0, the default) or stay sharp (1).
+   */
+  vtkSetClampMacro(Type3Rule, int, TYPE3_BLEND, TYPE3_SHARP);
+  vtkGetMacro(Type3Rule, int);
+  void SetType3RuleToBlend() { this->SetType3Rule(TYPE3_BLEND); }
+  void SetType3RuleToSharp() { this->SetType3Rule(TYPE3_SHARP); }
+  ///@}
+
 protected:
   vtkSubdivisionAlgorithm();
   ~vtkSubdivisionAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
+  /// Indices of SetInputArrayToProcess that mean the same in every filter.
+  enum ArrayIndices
+  {
+    SINGULAR_ARRAY,
+    MATERIAL_ARRAY,
+    PART_ARRAY,
+    RULE_ARRAY
+  };
+  /// The options and arrays above; false, after an error message, if an array cannot be used.
+  bool ReadFeatureOptions(vtkPointSet* input, subdivision::FeatureOptions& options);
+
   bool InterpolateIntegers = false;
   bool GenerateOriginalIds = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   vtkIdType MaximumNumberOfCells = 500000000;
+  int CreaseEnd = CORNER;
+  int EmbeddedCells = FOLLOW;
+  bool PreserveInterfaces = false;
+  bool DetectFeatures = false;
+  double FeatureAngle = 30.;
+  int Type1Rule = TYPE1_BLEND;
+  int Type2Rule = TYPE2_BLEND;
+  int Type3Rule = TYPE3_BLEND;
 
 private:
+  bool FindCellArray(
+    vtkPointSet* input, int index, const char* fallback, bool integral, vtkDataArray*& array);
+
   vtkSubdivisionAlgorithm(const vtkSubdivisionAlgorithm&) = delete;
   void operator=(const vtkSubdivisionAlgorithm&) = delete;
 };

@@ -252,6 +252,9 @@ void StrataBuilder<Id>::Describe(Decomposition<Id>& decomposition) const
     });
 }
 
+template class StrataBuilder<int>;
+template class StrataBuilder<long long>;
+
 template <typename Id>
 Strata<Id> BuildStrata(const SimplicialComplex<Id>& complex, const SingularSimplices& singular,
   const StrataOptions& options, Decomposition<Id>* decomposition)

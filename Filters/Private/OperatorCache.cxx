@@ -24,6 +24,12 @@ KeptOperator* OperatorCache::Find(const TopologyKey& key)
   return found->get();
 }
 
+void OperatorCache::Remove(const KeptOperator* kept)
+{
+  this->Operators.erase(std::find_if(this->Operators.begin(), this->Operators.end(),
+    [kept](const auto& other) { return other.get() == kept; }));
+}
+
 void OperatorCache::ForgetUnused()
 {
   this->Operators.erase(std::remove_if(this->Operators.begin(), this->Operators.end(),
@@ -41,7 +47,7 @@ std::size_t OperatorCache::GetMemorySize() const
   for (const auto& kept : this->Operators)
   {
     bytes += kept->Key.GetMemorySize() + (kept->Steps ? kept->Steps->GetMemorySize() : 0) +
-      kept->Strata.GetMemorySize() + kept->ManifoldDimensions.GetMemorySize();
+      kept->ControlStrata.GetMemorySize() + kept->ManifoldDimensions.GetMemorySize();
   }
   return bytes;
 }

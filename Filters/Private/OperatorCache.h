@@ -8,6 +8,7 @@
 #define SubdivisionObjects_OperatorCache_h
 
 #include "Core/RefinedCells.h"
+#include "Core/Singularities.h"
 #include "Core/Stencils.h"
 #include "PointArrays.h"
 
@@ -28,6 +29,9 @@ public:
   virtual ~KeptSteps() = default;
   virtual void Apply(PointArrays& arrays) const = 0;
   virtual std::size_t GetMemorySize() const = 0;
+  /// The strata of the last step: of its vertices and of its edges.
+  virtual const Buffer<Stratum>& GetLastVertices() const = 0;
+  virtual const Buffer<Stratum>& GetLastEdges() const = 0;
 };
 
 template <typename Id>
@@ -42,6 +46,8 @@ public:
       arrays.Advance(step);
     }
   }
+  const Buffer<Stratum>& GetLastVertices() const override { return this->Steps.back().Vertices; }
+  const Buffer<Stratum>& GetLastEdges() const override { return this->Steps.back().Edges; }
   std::size_t GetMemorySize() const override
   {
     std::size_t bytes = 0;
@@ -82,15 +88,16 @@ struct TopologyKey
 struct KeptOperator
 {
   TopologyKey Key;
-  std::unique_ptr<KeptSteps> Steps;
+  std::unique_ptr<KeptSteps> Steps; ///< null for no step
   vtkSmartPointer<vtkCellArray> Cells;
   vtkSmartPointer<vtkUnsignedCharArray> Types;
-  /// Strata of the output's points: vertices and then edges of the last step (or vertices alone).
-  Buffer<Stratum> Strata;
+  Buffer<Stratum> ControlStrata;            ///< of the vertices, for no step
   Buffer<unsigned char> ManifoldDimensions; ///< of each control simplex
-  /// The singular simplices that were derived, as the output names them.
-  std::vector<vtkIdType> DerivedSingular[3];
-  /// Points that went in, and what came out.
+  SimplexTuples Derived;                    ///< singular simplices, as the output names them
+  /// Where features may be, and which of them are: to be asked again when points move.
+  std::vector<FeatureCandidate> Candidates;
+  std::vector<bool> Features;
+  /// Points that went in (a copy), and what came out.
   vtkSmartPointer<vtkDataArray> PointsIn;
   vtkSmartPointer<vtkDataArray> PointsOut;
   bool Used = true;
@@ -102,6 +109,7 @@ public:
   /// The kept operator of an equal key, marked as used, or null.
   KeptOperator* Find(const TopologyKey& key);
   void Add(std::unique_ptr<KeptOperator> kept) { this->Operators.push_back(std::move(kept)); }
+  void Remove(const KeptOperator* kept);
   void Clear() { this->Operators.clear(); }
   /// An update is over: forget what it did not use.
   void ForgetUnused();

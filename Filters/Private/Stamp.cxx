@@ -3,6 +3,7 @@
 
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnstructuredGrid.h"
@@ -95,6 +96,58 @@ void WriteStamp(const Stamp& stamp, vtkUnstructuredGrid* output)
     array->SetValue(i, values[i]);
   }
   output->GetFieldData()->AddArray(array);
+}
+
+namespace
+{
+constexpr const char* SingularNames[3] = { "SubdivisionSingularVertices",
+  "SubdivisionSingularLines", "SubdivisionSingularTriangles" };
+}
+
+void ReadSingularTuples(vtkPointSet* input, SimplexTuples& tuples)
+{
+  for (int dimension = 0; dimension < 3; ++dimension)
+  {
+    std::vector<vtkIdType>& ids = tuples.Tuples[dimension];
+    ids.clear();
+    vtkDataArray* array = input->GetFieldData()->GetArray(SingularNames[dimension]);
+    if (!array || array->GetNumberOfComponents() != dimension + 1)
+    {
+      continue;
+    }
+    ids.resize(array->GetNumberOfValues());
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c <= dimension; ++c)
+      {
+        ids[i * (dimension + 1) + c] = static_cast<vtkIdType>(array->GetComponent(i, c));
+      }
+    }
+    const vtkIdType points = input->GetNumberOfPoints();
+    if (std::any_of(
+          ids.begin(), ids.end(), [points](vtkIdType id) { return id < 0 || id >= points; }))
+    {
+      ids.clear();
+    }
+  }
+}
+
+void WriteSingularTuples(const SimplexTuples& tuples, vtkUnstructuredGrid* output)
+{
+  for (int dimension = 0; dimension < 3; ++dimension)
+  {
+    const std::vector<vtkIdType>& ids = tuples.Tuples[dimension];
+    output->GetFieldData()->RemoveArray(SingularNames[dimension]);
+    if (!ids.empty())
+    {
+      vtkNew<vtkIdTypeArray> array;
+      array->SetName(SingularNames[dimension]);
+      array->SetNumberOfComponents(dimension + 1);
+      array->SetNumberOfTuples(static_cast<vtkIdType>(ids.size()) / (dimension + 1));
+      std::copy(ids.begin(), ids.end(), array->GetPointer(0));
+      output->GetFieldData()->AddArray(array);
+    }
+  }
 }
 
 bool FindControlMesh(const SimplexList& descendants, const Stamp& stamp, SimplexList& control)

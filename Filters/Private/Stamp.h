@@ -5,14 +5,17 @@
  * what one filter would have given.
  *
  * Field data `Subdivision` holds the numbers below, `SubdivisionGlobalIds` the global ids of the
- * first input's points where it had some. The control mesh itself needs no copy: its vertices keep
- * their ids and its simplices' children are consecutive, so it is read off the cells, refined by
- * arithmetic and compared with them. Whatever was changed in between is found out.
+ * first input's points where it had some, `SubdivisionSingularVertices`, `...Lines`, `...Triangles`
+ * the singular simplices that were derived from the first input. The control mesh itself needs no
+ * copy: its vertices keep their ids and its simplices' children are consecutive, so it is read off
+ * the cells, refined by arithmetic and compared with them. Whatever was changed in between is found
+ * out.
  */
 #ifndef SubdivisionObjects_Stamp_h
 #define SubdivisionObjects_Stamp_h
 
 #include "Core/SimplexList.h"
+#include "Core/Singularities.h"
 
 class vtkPointSet;
 class vtkUnstructuredGrid;
@@ -24,6 +27,9 @@ enum class StampScheme
 {
   BoxSpline = 0
 };
+
+/// Field array of global ids that travel with a stamped mesh.
+constexpr const char* GlobalIdsName = "SubdivisionGlobalIds";
 
 struct Stamp
 {
@@ -37,6 +43,10 @@ bool ReadStamp(vtkPointSet* input, Stamp& stamp);
 
 /// Writes or replaces the stamp of a finished output.
 void WriteStamp(const Stamp& stamp, vtkUnstructuredGrid* output);
+
+/// The derived singular simplices that travel with a stamped mesh, as tuples of point ids.
+void ReadSingularTuples(vtkPointSet* input, SimplexTuples& tuples);
+void WriteSingularTuples(const SimplexTuples& tuples, vtkUnstructuredGrid* output);
 
 /// Reads the control mesh off its descendants. False where the cells are not such descendants.
 bool FindControlMesh(const SimplexList& descendants, const Stamp& stamp, SimplexList& control);

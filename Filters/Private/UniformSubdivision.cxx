@@ -2,24 +2,23 @@
 #include "UniformSubdivision.h"
 
 #include "CellArrays.h"
+#include "ControlMesh.h"
 #include "Core/TetOrder.h"
+#include "SizeChecks.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkTypeInt32Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include "vtksys/SystemInformation.hxx"
-
-#include <cmath>
+#include <cstring>
 #include <limits>
-#include <sstream>
 
 namespace subdivision
 {
@@ -29,26 +28,39 @@ namespace
 constexpr const char* RuleName = "RuleDimension";
 constexpr const char* TypeName = "NonManifoldType";
 constexpr const char* DimensionName = "ManifoldDimension";
-constexpr const char* GlobalIdsName = "SubdivisionGlobalIds";
 
-/// What is to be subdivided, whatever it was read from.
-struct ControlMesh
+bool HoldsSameValues(vtkDataArray* a, vtkDataArray* b)
 {
-  SimplicesOfCells Cells; ///< the input's simplices
-  SimplexList Simplices;  ///< those of the control mesh; only where MadeLevels > 0
-  int MadeLevels = 0;     ///< steps that earlier filters made
-  vtkSmartPointer<vtkDataArray> GlobalIdArray; ///< of the control points
-  std::vector<vtkIdType> GlobalIds;
+  return a->GetDataType() == b->GetDataType() && a->GetNumberOfValues() == b->GetNumberOfValues() &&
+    (a->GetNumberOfValues() == 0 ||
+      std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+        static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) == 0);
+}
 
-  const SimplexList& GetControl() const
+/// Parts runs at a simplex: those before it, and those from it on, with places of their own.
+std::vector<CellRun> SplitRuns(std::vector<CellRun>& runs, vtkIdType at)
+{
+  std::vector<CellRun> before;
+  std::vector<CellRun> after;
+  for (CellRun run : runs)
   {
-    return this->MadeLevels > 0 ? this->Simplices : this->Cells.Simplices;
+    const vtkIdType count = std::min(std::max<vtkIdType>(at - run.FirstCell, 0), run.Count);
+    CellRun rest = run;
+    run.Count = count;
+    rest.First += count;
+    rest.Count -= count;
+    if (run.Count > 0)
+    {
+      before.push_back(run);
+    }
+    if (rest.Count > 0)
+    {
+      after.push_back(rest);
+    }
   }
-  const vtkIdType* GetGlobalIds() const
-  {
-    return this->GlobalIds.empty() ? nullptr : this->GlobalIds.data();
-  }
-};
+  runs = before;
+  return RefineRuns(after, 0);
+}
 
 class UniformRun
 {
@@ -62,195 +74,283 @@ public:
   bool Run();
 
 private:
-  bool ReadInput(bool mayBeOurs);
-  void ReadGlobalIds(vtkDataArray* ids);
-  bool CheckNumberOfCells();
-  bool CheckMemory(const LevelCounts& counts, double bytesPerPoint);
-  bool NeedsLargeIds() const;
-  bool ReportProgress(double done) const
-  {
-    return this->Options.Progress && this->Options.Progress(done);
-  }
-
   enum class Outcome
   {
     Done,
     Stopped,
     NotOurs ///< the stamp fits, the cells do not
   };
+  Outcome Execute(bool trustStamp);
+  void StartPoints();
+  TopologyKey MakeKey() const;
+  KeptOperator* FindKept(const TopologyKey& key);
+  void UseKept(KeptOperator& kept);
+
   template <typename Id>
-  Outcome RunWith();
+  Outcome BuildAndStep(KeptOperator* keep);
   template <typename Id>
   bool BuildCurrent(Level<Id>& level);
   template <typename Id>
+  SimplicialComplex<Id> BuildControl(const SimplexTuples& derived);
+  template <typename Id>
+  SimplexTuples Derive(const SimplicialComplex<Id>& complex);
+  template <typename Id>
+  SingularSimplices CollectSingular(const SimplicialComplex<Id>& complex) const;
+  template <typename Id>
   bool IsWhatWasRead(const SimplicialComplex<Id>& complex) const;
   template <typename Id>
-  Outcome Step(Level<Id>& level);
-  template <typename Id, typename Write>
-  void MakeCells(const std::vector<CellRun>& runs, const Write& write);
+  Outcome Step(Level<Id>& level, KeptOperator* keep);
+  template <typename Id>
+  void MakeCells(const SimplicialComplex<Id>& complex, bool children);
+  template <typename Id>
+  void MakeDerived(const SimplicialComplex<Id>& complex, bool children);
+
   void Finish();
   void AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges);
+  bool IsStopped(double done) const
+  {
+    return this->Options.Progress && this->Options.Progress(done);
+  }
 
   vtkPointSet* Input;
   const UniformOptions& Options;
   vtkUnstructuredGrid* Output;
-  Stamp InputStamp;
   ControlMesh Mesh;
   std::unique_ptr<PointArrays> Points;
-  std::vector<CellRun> Runs; ///< of the current level
+  /// Of the current level: the cells, and the singular simplices that were derived.
+  std::vector<CellRun> Runs;
+  std::vector<CellRun> DerivedRuns;
+  SimplexTuples Derived; ///< as the output names them
+  std::vector<FeatureCandidate> Candidates;
+  std::vector<bool> Features;
   Buffer<unsigned char> ManifoldDimensions;
+  vtkSmartPointer<vtkUnsignedCharArray> Types; ///< of the output's cells
 };
-
-/// The smallest of Levels steps' outputs is known before anything is built: the number of cells.
-bool UniformRun::CheckNumberOfCells()
-{
-  double cells = 0.;
-  for (unsigned char dimension : this->Mesh.Cells.Simplices.Dimensions)
-  {
-    cells += std::ldexp(1., dimension * this->Options.Levels);
-  }
-  if (cells <= static_cast<double>(this->Options.MaximumNumberOfCells))
-  {
-    return true;
-  }
-  std::ostringstream message;
-  message << "NumberOfLevels = " << this->Options.Levels << " would make "
-          << static_cast<vtkIdType>(std::min(cells, 9e18)) << " cells (about "
-          << static_cast<vtkIdType>(std::min(cells * 41. / 1e6, 9e18))
-          << " MB for the cells alone), which is above MaximumNumberOfCells = "
-          << this->Options.MaximumNumberOfCells
-          << ". Use fewer levels, or raise MaximumNumberOfCells.";
-  this->Options.Fail(message.str());
-  return false;
-}
-
-/// Estimates the peak: the output, and what the last step needs beside it.
-bool UniformRun::CheckMemory(const LevelCounts& counts, double bytesPerPoint)
-{
-  LevelCounts last = counts;
-  for (int i = 1; i < this->Options.Levels; ++i)
-  {
-    last = last.Refine();
-  }
-  const double points = last.Vertices + (this->Options.Levels > 0 ? last.Edges : 0.);
-  const CellCounts cells = CountCells(RefineRuns(this->Runs, this->Options.Levels));
-  double bytes = 8. * (static_cast<double>(cells.Entries) + static_cast<double>(cells.Cells)) +
-    static_cast<double>(cells.Cells) + bytesPerPoint * (points + last.Vertices);
-  for (int i = 0; i < this->Input->GetCellData()->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = this->Input->GetCellData()->GetAbstractArray(i);
-    bytes +=
-      static_cast<double>(cells.Cells) * array->GetDataTypeSize() * array->GetNumberOfComponents();
-  }
-  const double idBytes = this->NeedsLargeIds() ? 8. : 4.;
-  bytes += idBytes * (10. * last.Tets + 13. * last.Edges);
-  vtksys::SystemInformation system;
-  const double available = 1024. *
-    (static_cast<double>(system.GetHostMemoryAvailable()) -
-      static_cast<double>(system.GetHostMemoryUsed()));
-  if (available <= 0. || bytes <= available)
-  {
-    return true;
-  }
-  std::ostringstream message;
-  message << "NumberOfLevels = " << this->Options.Levels << " would make " << cells.Cells
-          << " cells and " << static_cast<vtkIdType>(points) << " points, which takes about "
-          << static_cast<vtkIdType>(bytes / 1e6) << " MB; "
-          << static_cast<vtkIdType>(available / 1e6)
-          << " MB are available. Use fewer levels, or a part of the input.";
-  this->Options.Fail(message.str());
-  return false;
-}
-
-bool UniformRun::NeedsLargeIds() const
-{
-  double perDimension[4] = { 0., 0., 0., 0. };
-  for (unsigned char dimension : this->Mesh.GetControl().Dimensions)
-  {
-    ++perDimension[dimension];
-  }
-  LevelCounts counts;
-  counts.Vertices = static_cast<double>(this->Mesh.GetControl().NumberOfPoints);
-  counts.Tets = perDimension[3];
-  counts.Faces = perDimension[2] + 4. * counts.Tets;
-  counts.Edges = perDimension[1] + 3. * counts.Faces;
-  double largest = std::max(4. * counts.Faces, 2. * counts.Edges);
-  for (int i = 0; i < this->Mesh.MadeLevels + this->Options.Levels; ++i)
-  {
-    largest = std::max({ largest, 3. * counts.Faces, 2. * counts.Edges, 8. * counts.Tets });
-    counts = counts.Refine();
-    largest = std::max(largest, counts.Vertices);
-  }
-  return largest > static_cast<double>(std::numeric_limits<int>::max());
-}
-
-void UniformRun::ReadGlobalIds(vtkDataArray* ids)
-{
-  this->Mesh.GlobalIdArray = ids;
-  this->Mesh.GlobalIds.clear();
-  if (ids)
-  {
-    this->Mesh.GlobalIds.resize(ids->GetNumberOfTuples());
-    for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
-    {
-      vtkIdTypeArray* exact = vtkIdTypeArray::SafeDownCast(ids);
-      this->Mesh.GlobalIds[i] =
-        exact ? exact->GetValue(i) : static_cast<vtkIdType>(ids->GetComponent(i, 0));
-    }
-  }
-}
-
-/// Reads the cells; `mayBeOurs`: looks for a stamp, and for the control mesh behind it.
-bool UniformRun::ReadInput(bool mayBeOurs)
-{
-  this->Mesh = ControlMesh();
-  this->InputStamp = Stamp();
-  const bool stamped = mayBeOurs && ReadStamp(this->Input, this->InputStamp);
-  vtkDataArray* carried = this->Input->GetFieldData()->GetArray(GlobalIdsName);
-  vtkDataArray* own = this->Input->GetPointData()->GetGlobalIds();
-  this->ReadGlobalIds(stamped && carried ? carried : own);
-  this->Mesh.Cells =
-    CellsToSimplices(this->Input, stamped || !own ? nullptr : this->Mesh.GetGlobalIds());
-  if (!stamped)
-  {
-    return true;
-  }
-  const bool whole = this->Mesh.Cells.ParentCells.empty() && this->Mesh.Cells.Warnings.empty() &&
-    this->Mesh.Cells.Simplices.GetNumberOfSimplices() == this->Input->GetNumberOfCells();
-  if (!whole)
-  {
-    return false;
-  }
-  if (this->InputStamp.Levels > 0)
-  {
-    this->Mesh.MadeLevels = this->InputStamp.Levels;
-    return FindControlMesh(this->Mesh.Cells.Simplices, this->InputStamp, this->Mesh.Simplices);
-  }
-  return true;
-}
 
 bool UniformRun::Run()
 {
-  const bool ours = this->ReadInput(true);
-  if (!ours)
-  {
-    this->ReadInput(false);
-  }
-  for (const std::string& warning : this->Mesh.Cells.Warnings)
-  {
-    this->Options.Warn(warning);
-  }
-  if (!this->CheckNumberOfCells())
-  {
-    return false;
-  }
-  Outcome outcome = this->NeedsLargeIds() ? this->RunWith<long long>() : this->RunWith<int>();
+  Outcome outcome = this->Execute(true);
   if (outcome == Outcome::NotOurs)
   {
-    this->ReadInput(false);
-    outcome = this->NeedsLargeIds() ? this->RunWith<long long>() : this->RunWith<int>();
+    outcome = this->Execute(false);
   }
   return outcome == Outcome::Done;
+}
+
+UniformRun::Outcome UniformRun::Execute(bool trustStamp)
+{
+  this->Mesh = ReadControlMesh(this->Input, trustStamp, this->Options.Features, this->Options.Warn);
+  const std::string tooMany = CheckNumberOfCells(
+    this->Mesh.Cells.Simplices, this->Options.Levels, this->Options.MaximumNumberOfCells);
+  if (!tooMany.empty())
+  {
+    this->Options.Fail(tooMany);
+    return Outcome::Stopped;
+  }
+  this->StartPoints();
+  if (!this->Mesh.IsStamped)
+  {
+    OrderTets(
+      this->Mesh.Cells.Simplices, this->Points->GetCoordinates(), this->Mesh.GetGlobalIds());
+  }
+  std::unique_ptr<KeptOperator> keep;
+  if (this->Options.Cache)
+  {
+    TopologyKey key = this->MakeKey();
+    if (KeptOperator* kept = this->FindKept(key))
+    {
+      this->UseKept(*kept);
+      return Outcome::Done;
+    }
+    ++this->Options.Cache->NumberOfBuilds;
+    keep = std::make_unique<KeptOperator>();
+    keep->Key = std::move(key);
+    keep->PointsIn.TakeReference(this->Points->GetPoints()->NewInstance());
+    keep->PointsIn->DeepCopy(this->Points->GetPoints());
+  }
+  const bool large =
+    NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + this->Options.Levels);
+  const Outcome outcome =
+    large ? this->BuildAndStep<long long>(keep.get()) : this->BuildAndStep<int>(keep.get());
+  if (outcome == Outcome::Done && keep)
+  {
+    keep->Cells = this->Output->GetCells();
+    keep->Types = this->Types;
+    keep->PointsOut = this->Output->GetPoints()->GetData();
+    keep->Derived = std::move(this->Derived);
+    keep->Candidates = std::move(this->Candidates);
+    keep->Features = std::move(this->Features);
+    keep->ManifoldDimensions = std::move(this->ManifoldDimensions);
+    this->Options.Cache->Add(std::move(keep));
+  }
+  return outcome;
+}
+
+void UniformRun::StartPoints()
+{
+  PointArrayOptions arrays;
+  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
+  arrays.OriginalIds = this->Options.GenerateOriginalIds;
+  arrays.CarryOriginalIds =
+    this->Mesh.IsStamped && this->Input->GetPointData()->GetArray("vtkOriginalPointIds");
+  arrays.Precision = this->Options.OutputPointsPrecision;
+  if (arrays.OriginalIds)
+  {
+    arrays.Replaced.emplace_back("vtkOriginalPointIds");
+  }
+  if (this->Options.GenerateClassification)
+  {
+    arrays.Replaced.insert(arrays.Replaced.end(), { RuleName, TypeName });
+  }
+  this->Points = std::make_unique<PointArrays>(this->Input, this->Mesh.Cells,
+    this->Mesh.GetGlobalIds(), static_cast<vtkIdType>(this->Mesh.GlobalIds.size()), arrays);
+}
+
+// ------------------------------------------------------------------------------------------------
+// What is kept
+
+TopologyKey UniformRun::MakeKey() const
+{
+  TopologyKey key;
+  key.Simplices = this->Mesh.Cells.Simplices;
+  key.MadeLevels = this->Mesh.MadeLevels;
+  key.NumberOfControlPoints = this->Mesh.GetControl().NumberOfPoints;
+  key.Levels = this->Options.Levels;
+  key.Use32BitIds = this->Options.Use32BitIds;
+  key.Choices = EncodeChoices(this->Options.Features, this->Mesh.Values);
+  key.Choices.push_back(this->Mesh.IsStamped);
+  for (const auto& tuples : this->Mesh.Derived.Tuples)
+  {
+    key.Choices.push_back(static_cast<long long>(tuples.size()));
+    key.Choices.insert(key.Choices.end(), tuples.begin(), tuples.end());
+  }
+  return key;
+}
+
+/// The kept operator, if the features are still where they were.
+KeptOperator* UniformRun::FindKept(const TopologyKey& key)
+{
+  KeptOperator* kept = this->Options.Cache->Find(key);
+  if (kept && !kept->Candidates.empty())
+  {
+    const double* points = this->Points->GetCoordinates();
+    for (std::size_t i = 0; i < kept->Candidates.size(); ++i)
+    {
+      if (IsFeature(kept->Candidates[i], points, this->Options.Features.FeatureAngle) !=
+        kept->Features[i])
+      {
+        this->Options.Cache->Remove(kept);
+        return nullptr;
+      }
+    }
+  }
+  return kept;
+}
+
+void UniformRun::UseKept(KeptOperator& kept)
+{
+  this->Output->SetCells(kept.Types, kept.Cells);
+  if (HoldsSameValues(this->Points->GetPoints(), kept.PointsIn))
+  {
+    this->Points->ReusePoints(kept.PointsOut);
+  }
+  else
+  {
+    kept.PointsIn->DeepCopy(this->Points->GetPoints());
+  }
+  if (kept.Steps)
+  {
+    kept.Steps->Apply(*this->Points);
+  }
+  this->Points->Finish(this->Output);
+  kept.PointsOut = this->Output->GetPoints()->GetData();
+  if (kept.Steps)
+  {
+    this->AddClassification(kept.Steps->GetLastVertices(), kept.Steps->GetLastEdges());
+  }
+  else
+  {
+    this->AddClassification(kept.ControlStrata, Buffer<Stratum>());
+  }
+  this->Derived = kept.Derived;
+  this->ManifoldDimensions = Buffer<unsigned char>(kept.ManifoldDimensions.size());
+  std::copy(kept.ManifoldDimensions.begin(), kept.ManifoldDimensions.end(),
+    this->ManifoldDimensions.begin());
+  this->Finish();
+}
+
+// ------------------------------------------------------------------------------------------------
+// Building
+
+/// The control complex; simplices of `derived` count as cells of it that are not in the output.
+template <typename Id>
+SimplicialComplex<Id> UniformRun::BuildControl(const SimplexTuples& derived)
+{
+  const SimplexList& control = this->Mesh.GetControl();
+  if (derived.IsEmpty())
+  {
+    this->DerivedRuns.clear();
+    return BuildComplex<Id>(control, this->Runs);
+  }
+  SimplexList all = control;
+  for (int dimension = 0; dimension < 3; ++dimension)
+  {
+    const auto& tuples = derived.Tuples[dimension];
+    all.Connectivity.insert(all.Connectivity.end(), tuples.begin(), tuples.end());
+    all.Dimensions.insert(
+      all.Dimensions.end(), tuples.size() / (dimension + 1), static_cast<unsigned char>(dimension));
+  }
+  SimplicialComplex<Id> complex = BuildComplex<Id>(all, this->Runs);
+  this->DerivedRuns = SplitRuns(this->Runs, control.GetNumberOfSimplices());
+  return complex;
+}
+
+/// Singular simplices that follow from the mesh (SPEC 7); an earlier filter's are taken over.
+template <typename Id>
+SimplexTuples UniformRun::Derive(const SimplicialComplex<Id>& complex)
+{
+  if (this->Mesh.IsStamped)
+  {
+    return this->Mesh.Derived;
+  }
+  const FeatureOptions& features = this->Options.Features;
+  SimplexTuples derived;
+  if (features.Embedded != EmbeddedRule::Follow)
+  {
+    DeriveEmbedded(complex, this->Runs, features.Embedded == EmbeddedRule::SingularInside, derived);
+  }
+  if (features.PreserveInterfaces)
+  {
+    DeriveInterfaces(complex, this->Runs, this->Mesh.Values.Material.data(), derived);
+  }
+  if (features.DetectFeatures)
+  {
+    const double* points = this->Points->GetCoordinates();
+    this->Candidates = FindFeatureCandidates(complex);
+    this->Features.clear();
+    for (const FeatureCandidate& candidate : this->Candidates)
+    {
+      this->Features.push_back(IsFeature(candidate, points, features.FeatureAngle));
+      if (this->Features.back())
+      {
+        derived.Tuples[1].insert(derived.Tuples[1].end(), candidate.Ends, candidate.Ends + 2);
+      }
+    }
+  }
+  return derived;
+}
+
+template <typename Id>
+SingularSimplices UniformRun::CollectSingular(const SimplicialComplex<Id>& complex) const
+{
+  SingularSimplices singular;
+  if (!this->Mesh.Values.Singular.empty())
+  {
+    FlagSimplices(complex, this->Runs, this->Mesh.Values.Singular.data(), singular);
+  }
+  const std::vector<unsigned char> all(CountCells(this->DerivedRuns).Cells, 1);
+  FlagSimplices(complex, this->DerivedRuns, all.data(), singular);
+  return singular;
 }
 
 /// The current level: the control mesh, and the steps that earlier filters made. False if these do
@@ -259,18 +359,22 @@ template <typename Id>
 bool UniformRun::BuildCurrent(Level<Id>& level)
 {
   const int made = this->Mesh.MadeLevels;
-  level.Complex = BuildComplex<Id>(this->Mesh.GetControl(), this->Runs);
-  if (this->Options.GenerateClassification)
+  level.Complex = this->BuildControl<Id>(SimplexTuples());
+  const SimplexTuples derived = this->Derive(level.Complex);
+  if (!derived.IsEmpty())
   {
-    this->ManifoldDimensions = FindManifoldDimensions(level.Complex, this->Runs);
+    level.Complex = this->BuildControl<Id>(derived);
   }
-  level.Strata = BuildStrata(level.Complex, SingularSimplices(), StrataOptions());
+  this->ManifoldDimensions = FindManifoldDimensions(level.Complex, this->Runs);
+  level.Strata = BuildStrata(level.Complex, this->CollectSingular(level.Complex),
+    MakeStrataOptions(this->Options.Features, this->Mesh.Values, level.Complex, this->Runs));
   for (int i = 0; i < made; ++i)
   {
     const bool last = i + 1 == made && this->Options.Levels < 2;
     level = Refine(level, last ? Depth::ForOutput : Depth::ForRefinement);
   }
   this->Runs = RefineRuns(this->Runs, made);
+  this->DerivedRuns = RefineRuns(this->DerivedRuns, made);
   return made == 0 || this->IsWhatWasRead(level.Complex);
 }
 
@@ -293,43 +397,30 @@ bool UniformRun::IsWhatWasRead(const SimplicialComplex<Id>& complex) const
 }
 
 template <typename Id>
-UniformRun::Outcome UniformRun::RunWith()
+UniformRun::Outcome UniformRun::BuildAndStep(KeptOperator* keep)
 {
-  PointArrayOptions arrays;
-  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
-  arrays.OriginalIds = this->Options.GenerateOriginalIds;
-  arrays.CarryOriginalIds = this->InputStamp.NumberOfControlPoints > 0 &&
-    this->Input->GetPointData()->GetArray("vtkOriginalPointIds");
-  arrays.Precision = this->Options.OutputPointsPrecision;
-  if (arrays.OriginalIds)
-  {
-    arrays.Replaced.emplace_back("vtkOriginalPointIds");
-  }
-  if (this->Options.GenerateClassification)
-  {
-    arrays.Replaced.insert(arrays.Replaced.end(), { RuleName, TypeName });
-  }
-  this->Points = std::make_unique<PointArrays>(this->Input, this->Mesh.Cells,
-    this->Mesh.GetGlobalIds(), static_cast<vtkIdType>(this->Mesh.GlobalIds.size()), arrays);
-  if (this->InputStamp.NumberOfControlPoints == 0)
-  {
-    OrderTets(
-      this->Mesh.Cells.Simplices, this->Points->GetCoordinates(), this->Mesh.GetGlobalIds());
-  }
   Level<Id> level;
   if (!this->BuildCurrent(level))
   {
     return Outcome::NotOurs;
   }
-  const auto& complex = level.Complex;
-  const LevelCounts counts{ static_cast<double>(complex.NumberOfVertices),
-    static_cast<double>(complex.NumberOfEdges), static_cast<double>(complex.NumberOfFaces),
-    static_cast<double>(complex.NumberOfTets) };
-  if (!this->CheckMemory(counts, this->Points->GetBytesPerPoint()))
+  SizeEstimate estimate;
+  estimate.Control = { static_cast<double>(level.Complex.NumberOfVertices),
+    static_cast<double>(level.Complex.NumberOfEdges),
+    static_cast<double>(level.Complex.NumberOfFaces),
+    static_cast<double>(level.Complex.NumberOfTets) };
+  estimate.Levels = this->Options.Levels;
+  estimate.Cells = CountCells(RefineRuns(this->Runs, this->Options.Levels));
+  estimate.BytesPerPoint = this->Points->GetBytesPerPoint();
+  estimate.BytesPerCell = GetBytesPerTuple(this->Input->GetCellData());
+  estimate.BytesPerId = sizeof(Id);
+  const std::string tooLarge = CheckMemory(estimate);
+  if (!tooLarge.empty())
   {
+    this->Options.Fail(tooLarge);
     return Outcome::Stopped;
   }
-  const Outcome outcome = this->Step(level);
+  const Outcome outcome = this->Step(level, keep);
   if (outcome == Outcome::Done)
   {
     this->Finish();
@@ -340,20 +431,25 @@ UniformRun::Outcome UniformRun::RunWith()
 /// The steps themselves. At most two levels are alive at a time, and of the last one only its cells
 /// are ever made.
 template <typename Id>
-UniformRun::Outcome UniformRun::Step(Level<Id>& level)
+UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
 {
   const int steps = this->Options.Levels;
   if (steps == 0)
   {
-    this->MakeCells<Id>(
-      this->Runs, [&](const auto& out) { WriteCells(level.Complex, this->Runs, out); });
+    this->MakeCells(level.Complex, false);
+    this->MakeDerived(level.Complex, false);
     this->Points->Finish(this->Output);
     this->AddClassification(level.Strata.Vertices, Buffer<Stratum>());
+    if (keep)
+    {
+      keep->ControlStrata = std::move(level.Strata.Vertices);
+    }
     return Outcome::Done;
   }
+  auto kept = std::make_unique<KeptStepsOf<Id>>();
   for (int step = 0; step < steps; ++step)
   {
-    if (this->ReportProgress((step + 1.) / (steps + 1.)))
+    if (this->IsStopped((step + 1.) / (steps + 1.)))
     {
       return Outcome::Stopped;
     }
@@ -361,15 +457,16 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level)
     Level<Id> next;
     if (last)
     {
-      this->MakeCells<Id>(RefineRuns(this->Runs, 1),
-        [&](const auto& out) { WriteChildren(level.Complex, this->Runs, out); });
+      this->MakeCells(level.Complex, true);
+      this->MakeDerived(level.Complex, true);
     }
     else
     {
       next = Refine(level, step + 2 == steps ? Depth::ForOutput : Depth::ForRefinement);
       this->Runs = RefineRuns(this->Runs, 1);
+      this->DerivedRuns = RefineRuns(this->DerivedRuns, 1);
     }
-    const Stencils<Id> stencils = TakeStencils(level);
+    Stencils<Id> stencils = TakeStencils(level);
     level = std::move(next);
     this->Points->Advance(stencils);
     if (last)
@@ -377,25 +474,93 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level)
       this->Points->Finish(this->Output);
       this->AddClassification(stencils.Vertices, stencils.Edges);
     }
+    if (keep)
+    {
+      kept->Add(std::move(stencils));
+    }
+  }
+  if (keep)
+  {
+    keep->Steps = std::move(kept);
   }
   return Outcome::Done;
 }
 
-/// Allocates the output's cells and has them written.
-template <typename Id, typename Write>
-void UniformRun::MakeCells(const std::vector<CellRun>& runs, const Write& write)
+// ------------------------------------------------------------------------------------------------
+// Output
+
+/// The cells of a level, or their children, as the output's.
+template <typename Id>
+void UniformRun::MakeCells(const SimplicialComplex<Id>& complex, bool children)
 {
-  const CellCounts counts = CountCells(runs);
-  const auto connectivity = MakeArray(VTK_ID_TYPE, 1, counts.Entries);
-  const auto offsets = MakeArray(VTK_ID_TYPE, 1, counts.Cells + 1);
+  const CellCounts counts = CountCells(RefineRuns(this->Runs, children ? 1 : 0));
+  const bool small = this->Options.Use32BitIds &&
+    std::max(counts.Entries, this->Points->GetPoints()->GetNumberOfTuples() * 8) <
+      std::numeric_limits<int>::max();
   const auto types = MakeArray(VTK_UNSIGNED_CHAR, 1, counts.Cells);
-  auto pointer = [](vtkDataArray* array)
-  { return array->GetNumberOfValues() > 0 ? array->GetVoidPointer(0) : nullptr; };
-  write(CellStorage<long long>{ static_cast<long long*>(pointer(connectivity)),
-    static_cast<long long*>(pointer(offsets)), static_cast<unsigned char*>(pointer(types)) });
   vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, connectivity);
-  this->Output->SetCells(vtkUnsignedCharArray::SafeDownCast(types), cells);
+  auto fill = [&](auto* offsets, auto* connectivity)
+  {
+    Allocate(offsets, 1, counts.Cells + 1);
+    Allocate(connectivity, 1, counts.Entries);
+    using Out = typename std::remove_pointer<decltype(offsets->GetPointer(0))>::type;
+    const CellStorage<Out> storage{ connectivity->GetPointer(0), offsets->GetPointer(0),
+      static_cast<unsigned char*>(types->GetVoidPointer(0)) };
+    if (children)
+    {
+      WriteChildren(complex, this->Runs, storage);
+    }
+    else
+    {
+      WriteCells(complex, this->Runs, storage);
+    }
+    cells->SetData(offsets, connectivity);
+  };
+  if (small)
+  {
+    vtkNew<vtkTypeInt32Array> offsets;
+    vtkNew<vtkTypeInt32Array> connectivity;
+    fill(offsets.Get(), connectivity.Get());
+  }
+  else
+  {
+    vtkNew<vtkIdTypeArray> offsets;
+    vtkNew<vtkIdTypeArray> connectivity;
+    fill(offsets.Get(), connectivity.Get());
+  }
+  this->Types = vtkUnsignedCharArray::SafeDownCast(types);
+  this->Output->SetCells(this->Types, cells);
+}
+
+/// The singular simplices that were derived, as the output names them.
+template <typename Id>
+void UniformRun::MakeDerived(const SimplicialComplex<Id>& complex, bool children)
+{
+  const CellCounts counts = CountCells(RefineRuns(this->DerivedRuns, children ? 1 : 0));
+  this->Derived = SimplexTuples();
+  if (counts.Cells == 0)
+  {
+    return;
+  }
+  Buffer<long long> connectivity(counts.Entries);
+  Buffer<long long> offsets(counts.Cells + 1);
+  Buffer<unsigned char> types(counts.Cells);
+  const CellStorage<long long> storage{ connectivity.data(), offsets.data(), types.data() };
+  if (children)
+  {
+    WriteChildren(complex, this->DerivedRuns, storage);
+  }
+  else
+  {
+    WriteCells(complex, this->DerivedRuns, storage);
+  }
+  for (vtkIdType i = 0; i < counts.Cells; ++i)
+  {
+    const int dimension = static_cast<int>(offsets[i + 1] - offsets[i]) - 1;
+    auto& tuples = this->Derived.Tuples[dimension];
+    tuples.insert(
+      tuples.end(), connectivity.data() + offsets[i], connectivity.data() + offsets[i + 1]);
+  }
 }
 
 /// Cell data, ghosts and the stamp.
@@ -404,8 +569,8 @@ void UniformRun::Finish()
   CellArrayOptions cells;
   cells.Levels = this->Options.Levels;
   cells.OriginalIds = this->Options.GenerateOriginalIds;
-  cells.CarryOriginalIds = this->InputStamp.NumberOfControlPoints > 0 &&
-    this->Input->GetCellData()->GetArray("vtkOriginalCellIds");
+  cells.CarryOriginalIds =
+    this->Mesh.IsStamped && this->Input->GetCellData()->GetArray("vtkOriginalCellIds");
   if (cells.OriginalIds && !cells.CarryOriginalIds)
   {
     cells.Replaced.emplace_back("vtkOriginalCellIds");
@@ -426,6 +591,7 @@ void UniformRun::Finish()
   stamp.Levels = this->Mesh.MadeLevels + this->Options.Levels;
   stamp.NumberOfControlPoints = this->Mesh.GetControl().NumberOfPoints;
   WriteStamp(stamp, this->Output);
+  WriteSingularTuples(this->Derived, this->Output);
   this->Output->GetFieldData()->RemoveArray(GlobalIdsName);
   if (!this->Mesh.GlobalIds.empty())
   {

@@ -6,21 +6,13 @@
 #ifndef SubdivisionObjects_UniformSubdivision_h
 #define SubdivisionObjects_UniformSubdivision_h
 
-#include "Core/RefinedCells.h"
-#include "Core/Stencils.h"
-#include "PointArrays.h"
-#include "Stamp.h"
-
-#include "vtkSmartPointer.h"
+#include "Features.h"
+#include "OperatorCache.h"
 
 #include <functional>
-#include <memory>
 #include <string>
-#include <vector>
 
-class vtkCellArray;
 class vtkPointSet;
-class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 
 namespace subdivision
@@ -34,6 +26,10 @@ struct UniformOptions
   bool GenerateClassification = false;
   int OutputPointsPrecision = 2;
   vtkIdType MaximumNumberOfCells = 500000000;
+  bool Use32BitIds = false;
+  FeatureOptions Features;
+  /// Where operators are kept; null: nowhere.
+  OperatorCache* Cache = nullptr;
   /// Called with the part of the work that is done; true: stop.
   std::function<bool(double)> Progress;
   std::function<void(const std::string&)> Warn;

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Features.h
+ * What the user says of singularities, materials and joints: options, and cell arrays as values of
+ * simplices.
+ */
+#ifndef SubdivisionObjects_Features_h
+#define SubdivisionObjects_Features_h
+
+#include "CellsToSimplices.h"
+#include "Core/Singularities.h"
+#include "Core/Strata.h"
+
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace subdivision
+{
+
+enum class EmbeddedRule
+{
+  Follow,
+  SingularInside,
+  Singular
+};
+
+struct FeatureOptions
+{
+  bool DartEnds = false;
+  EmbeddedRule Embedded = EmbeddedRule::Follow;
+  bool PreserveInterfaces = false;
+  bool DetectFeatures = false;
+  double FeatureAngle = 30.;
+  JointRule Type1 = JointRule::Blend;
+  JointRule Type2 = JointRule::Blend;
+  JointRule Type3 = JointRule::Blend;
+  /// Cell arrays of the input, null where there is none; the right length and type.
+  vtkSmartPointer<vtkDataArray> Singular;
+  vtkSmartPointer<vtkDataArray> Material;
+  vtkSmartPointer<vtkDataArray> Part;
+  vtkSmartPointer<vtkDataArray> Rules;
+
+  bool Derives() const
+  {
+    return this->Embedded != EmbeddedRule::Follow || this->PreserveInterfaces ||
+      this->DetectFeatures;
+  }
+};
+
+/// One value for each simplex; empty where the array is not set or not used.
+struct FeatureValues
+{
+  std::vector<unsigned char> Singular;
+  std::vector<double> Material;
+  std::vector<int> Part;
+  std::vector<unsigned char> Rules;
+};
+
+/// Reads the arrays for the simplices of the input. `warn` hears of flags that mean nothing.
+FeatureValues ReadFeatureValues(const FeatureOptions& options, const SimplicesOfCells& cells,
+  const std::function<void(const std::string&)>& warn);
+
+/// The values of the control simplices, `levels` steps above. False if children differ.
+bool LiftFeatureValues(
+  const SimplexList& control, int levels, const FeatureValues& values, FeatureValues& lifted);
+
+/// Numbers that tell all choices apart, for a cache.
+std::vector<long long> EncodeChoices(const FeatureOptions& options, const FeatureValues& values);
+
+/// Options for BuildStrata; `runs` are those of the simplices that the values belong to.
+template <typename Id>
+StrataOptions MakeStrataOptions(const FeatureOptions& options, const FeatureValues& values,
+  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs);
+
+}
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SizeChecks.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkDataSetAttributes.h"
+
+#include "vtksys/SystemInformation.hxx"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace subdivision
+{
+namespace
+{
+
+/// Connectivity and type of a tetrahedron, and its offset.
+constexpr double BytesPerTet = 8. * 4. + 8. + 1.;
+
+vtkIdType Whole(double value)
+{
+  return static_cast<vtkIdType>(std::min(value, 9e18));
+}
+
+}
+
+std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdType maximum)
+{
+  double cells = 0.;
+  for (unsigned char dimension : simplices.Dimensions)
+  {
+    cells += std::ldexp(1., dimension * levels);
+  }
+  if (cells <= static_cast<double>(maximum))
+  {
+    return std::string();
+  }
+  std::ostringstream message;
+  message << "NumberOfLevels = " << levels << " would make " << Whole(cells) << " cells (up to "
+          << Whole(cells * BytesPerTet) << " bytes for the cells alone), which is above "
+          << "MaximumNumberOfCells = " << maximum
+          << ". Use fewer levels, or raise MaximumNumberOfCells.";
+  return message.str();
+}
+
+bool NeedsLargeIds(const SimplexList& control, int levels)
+{
+  double perDimension[4] = { 0., 0., 0., 0. };
+  for (unsigned char dimension : control.Dimensions)
+  {
+    ++perDimension[dimension];
+  }
+  LevelCounts counts;
+  counts.Vertices = static_cast<double>(control.NumberOfPoints);
+  counts.Tets = perDimension[3];
+  counts.Faces = perDimension[2] + 4. * counts.Tets;
+  counts.Edges = perDimension[1] + 3. * counts.Faces;
+  double largest = std::max(4. * counts.Faces, 4. * counts.Edges);
+  for (int i = 0; i < levels; ++i)
+  {
+    largest = std::max({ largest, 4. * counts.Faces, 4. * counts.Edges, 8. * counts.Tets });
+    counts = counts.Refine();
+    largest = std::max(largest, counts.Vertices);
+  }
+  return largest > static_cast<double>(std::numeric_limits<int>::max());
+}
+
+std::string CheckMemory(const SizeEstimate& estimate)
+{
+  LevelCounts last = estimate.Control;
+  for (int i = 1; i < estimate.Levels; ++i)
+  {
+    last = last.Refine();
+  }
+  const double points = last.Vertices + (estimate.Levels > 0 ? last.Edges : 0.);
+  const double cells = static_cast<double>(estimate.Cells.Cells);
+  const double bytes = 8. * (static_cast<double>(estimate.Cells.Entries) + cells) + cells +
+    estimate.BytesPerPoint * (points + last.Vertices) + estimate.BytesPerCell * cells +
+    estimate.BytesPerId * (10. * last.Tets + 13. * last.Edges);
+  vtksys::SystemInformation system;
+  const double available = 1024. *
+    (static_cast<double>(system.GetHostMemoryAvailable()) -
+      static_cast<double>(system.GetHostMemoryUsed()));
+  if (available <= 0. || bytes <= available)
+  {
+    return std::string();
+  }
+  std::ostringstream message;
+  message << "NumberOfLevels = " << estimate.Levels << " would make " << estimate.Cells.Cells
+          << " cells and " << Whole(points) << " points, which takes about " << Whole(bytes)
+          << " bytes; " << Whole(available)
+          << " are available. Use fewer levels, or a part of the input.";
+  return message.str();
+}
+
+double GetBytesPerTuple(vtkDataSetAttributes* data)
+{
+  double bytes = 0.;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    bytes += static_cast<double>(array->GetDataTypeSize()) * array->GetNumberOfComponents();
+  }
+  return bytes;
+}
+
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SizeChecks.h
+ * How large an output will be, asked before any memory is taken for it.
+ */
+#ifndef SubdivisionObjects_SizeChecks_h
+#define SubdivisionObjects_SizeChecks_h
+
+#include "Core/RefinedCells.h"
+
+#include <string>
+
+class vtkDataSetAttributes;
+
+namespace subdivision
+{
+
+/// An error message if the children of `simplices` after `levels` steps are more than `maximum`.
+std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdType maximum);
+
+/// Whether 32-bit numbers may not suffice, inside, for that many steps.
+bool NeedsLargeIds(const SimplexList& control, int levels);
+
+struct SizeEstimate
+{
+  LevelCounts Control; ///< simplices of the current level
+  int Levels = 0;
+  CellCounts Cells; ///< of the output
+  double BytesPerPoint = 0;
+  double BytesPerCell = 0; ///< of cell data
+  double BytesPerId = 4;
+};
+
+/// An error message if the peak, the output and what the last step needs beside it, does not fit.
+std::string CheckMemory(const SizeEstimate& estimate);
+
+double GetBytesPerTuple(vtkDataSetAttributes* data);
+
+}
+
+#endif
