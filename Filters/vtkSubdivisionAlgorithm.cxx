@@ -84,11 +84,12 @@ bool vtkSubdivisionAlgorithm::ReadFeatureOptions(
   vtkPointSet* input, subdivision::FeatureOptions& options)
 {
   using subdivision::JointRule;
-  vtkDataArray* arrays[4];
+  vtkDataArray* arrays[5];
   if (!this->FindCellArray(input, SINGULAR_ARRAY, "Singular", true, arrays[SINGULAR_ARRAY]) ||
     !this->FindCellArray(input, MATERIAL_ARRAY, "MaterialId", false, arrays[MATERIAL_ARRAY]) ||
     !this->FindCellArray(input, PART_ARRAY, nullptr, true, arrays[PART_ARRAY]) ||
-    !this->FindCellArray(input, RULE_ARRAY, nullptr, true, arrays[RULE_ARRAY]))
+    !this->FindCellArray(input, RULE_ARRAY, nullptr, true, arrays[RULE_ARRAY]) ||
+    !this->FindCellArray(input, SHARPNESS_ARRAY, nullptr, false, arrays[SHARPNESS_ARRAY]))
   {
     return false;
   }
@@ -96,6 +97,7 @@ bool vtkSubdivisionAlgorithm::ReadFeatureOptions(
   options.Material = arrays[MATERIAL_ARRAY];
   options.Part = arrays[PART_ARRAY];
   options.Rules = arrays[RULE_ARRAY];
+  options.Sharpness = arrays[SHARPNESS_ARRAY];
   if (this->PreserveInterfaces && !options.Material)
   {
     vtkErrorMacro("PreserveInterfaces needs a cell array of materials: set array index 1, or name "

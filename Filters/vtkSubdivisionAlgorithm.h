@@ -243,7 +243,8 @@ protected:
     SINGULAR_ARRAY,
     MATERIAL_ARRAY,
     PART_ARRAY,
-    RULE_ARRAY
+    RULE_ARRAY,
+    SHARPNESS_ARRAY
   };
   /// The options and arrays above; false, after an error message, if an array cannot be used.
   bool ReadFeatureOptions(vtkPointSet* input, subdivision::FeatureOptions& options);

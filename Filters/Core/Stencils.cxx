@@ -156,6 +156,54 @@ void ApplyRows(const Stencils<Id>& stencils, const T* in, T* out, int components
     });
 }
 
+template <typename Id, typename T>
+void ApplyExplicitRows(const ExplicitRows<Id>& rows, const T* in, T* out, int components)
+{
+  ForEach(static_cast<vtkIdType>(rows.Rows.size()),
+    [&](vtkIdType i)
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        double sum = 0.;
+        for (Id k = rows.Offsets[i]; k < rows.Offsets[i + 1]; ++k)
+        {
+          sum += rows.Weights[k] *
+            static_cast<double>(in[static_cast<vtkIdType>(rows.Columns[k]) * components + c]);
+        }
+        out[static_cast<vtkIdType>(rows.Rows[i]) * components + c] = Store<T>(sum);
+      }
+    });
+}
+
+}
+
+template <typename Id>
+void Stencils<Id>::AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& rows) const
+{
+  auto append = [&](Id column, double weight)
+  {
+    rows.Columns.push_back(column);
+    rows.Weights.push_back(weight * factor);
+  };
+  const bool isVertex = row < this->Vertices.size();
+  const vtkIdType edge = row - this->Vertices.size();
+  const Row<Id> ring =
+    isVertex ? this->VertexRings.GetMembers(row) : this->EdgeRings.GetMembers(edge);
+  const Mask mask = isVertex ? VertexMask(this->Vertices[row].GetRule(), ring.size())
+                             : EdgeMask(this->Edges[edge].GetRule(), ring.size());
+  if (isVertex)
+  {
+    append(static_cast<Id>(row), mask.Own);
+  }
+  else
+  {
+    append(this->EdgeVertices[2 * edge], mask.Own);
+    append(this->EdgeVertices[2 * edge + 1], mask.Own);
+  }
+  for (Id member : mask.Ring == 0. ? Row<Id>() : ring)
+  {
+    append(member, mask.Ring);
+  }
 }
 
 template <typename Id>
@@ -174,6 +222,7 @@ void Stencils<Id>::Apply(const T* in, T* out, int components) const
       ApplyRows<0>(*this, in, out, components);
       break;
   }
+  ApplyExplicitRows(this->Explicit, in, out, components);
 }
 
 template <typename Id>

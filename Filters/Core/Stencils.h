@@ -13,8 +13,20 @@
 
 #include "Refinement.h"
 
+#include <vector>
+
 namespace subdivision
 {
+
+/// Rows with weights of their own, which stand in for those that rules give.
+template <typename Id>
+struct ExplicitRows
+{
+  std::vector<Id> Rows;
+  std::vector<Id> Offsets{ 0 };
+  std::vector<Id> Columns;
+  std::vector<double> Weights;
+};
 
 template <typename Id>
 struct Stencils
@@ -24,10 +36,14 @@ struct Stencils
   Buffer<Id> EdgeVertices;
   Rings<Id> VertexRings; ///< without carriers
   Rings<Id> EdgeRings;
+  ExplicitRows<Id> Explicit; ///< semi-sharp creases need them
 
   vtkIdType GetNumberOfColumns() const { return this->Vertices.size(); }
   vtkIdType GetNumberOfRows() const { return this->Vertices.size() + this->Edges.size(); }
   std::size_t GetMemorySize() const;
+
+  /// Appends columns and weights of the row that the rule gives, each weight times `factor`.
+  void AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& rows) const;
 
   /// out = S in, for `components` interleaved values per vertex. Integers are rounded.
   template <typename T>

@@ -125,6 +125,22 @@ void AddValuesOfSimplices(const unsigned char* values, const SimplexList& simpli
   output->GetCellData()->AddArray(array);
 }
 
+void ReduceSharpness(const char* name, int levels, vtkUnstructuredGrid* output)
+{
+  vtkDataArray* sharpness = output->GetCellData()->GetArray(name);
+  if (levels == 0 || !sharpness)
+  {
+    return; // without a step the array may be the input's own
+  }
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    if (output->GetCellType(cell) == VTK_LINE)
+    {
+      sharpness->SetComponent(cell, 0, std::max(sharpness->GetComponent(cell, 0) - levels, 0.));
+    }
+  }
+}
+
 void RebuildPointGhosts(vtkPointSet* input, vtkUnstructuredGrid* output)
 {
   const char* name = vtkDataSetAttributes::GhostArrayName();

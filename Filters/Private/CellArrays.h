@@ -36,6 +36,9 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
 void AddValuesOfSimplices(const unsigned char* values, const SimplexList& simplices, int levels,
   const char* name, vtkUnstructuredGrid* output);
 
+/// Takes `levels` from the sharpness that lines carry, down to 0.
+void ReduceSharpness(const char* name, int levels, vtkUnstructuredGrid* output);
+
 /// Point ghost types from the cells': a point is a duplicate if all of its cells are. Does nothing
 /// if the input has no ghost types.
 void RebuildPointGhosts(vtkPointSet* input, vtkUnstructuredGrid* output);

@@ -2,6 +2,7 @@
 #include "Features.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <sstream>
 
@@ -89,6 +90,43 @@ void Encode(const std::vector<Value>& values, std::vector<long long>& out)
 
 }
 
+namespace
+{
+
+/// Sharpness of lines; what is infinite is singular.
+void ReadSharpness(const FeatureOptions& options, const SimplicesOfCells& cells,
+  const std::function<void(const std::string&)>& warn, FeatureValues& values)
+{
+  values.Sharpness = ReadValues<double>(options.Sharpness, cells, [](double v) { return v; });
+  const auto& dimensions = cells.Simplices.Dimensions;
+  if (options.Sharpness)
+  {
+    WarnOfFirst(
+      options.Sharpness, cells,
+      [&](std::size_t i) { return dimensions[i] == 1 && !(values.Sharpness[i] >= 0.); },
+      "values that are negative or no numbers are taken as 0", warn);
+  }
+  bool any = false;
+  for (std::size_t i = 0; i < values.Sharpness.size(); ++i)
+  {
+    double& sharpness = values.Sharpness[i];
+    sharpness = dimensions[i] == 1 && sharpness > 0. ? sharpness : 0.;
+    if (std::isinf(sharpness))
+    {
+      values.Singular.resize(dimensions.size(), 0);
+      values.Singular[i] = 1;
+      sharpness = 0.;
+    }
+    any = any || sharpness > 0.;
+  }
+  if (!any)
+  {
+    values.Sharpness.clear();
+  }
+}
+
+}
+
 FeatureValues ReadFeatureValues(const FeatureOptions& options, const SimplicesOfCells& cells,
   const std::function<void(const std::string&)>& warn)
 {
@@ -107,10 +145,11 @@ FeatureValues ReadFeatureValues(const FeatureOptions& options, const SimplicesOf
     {
       values.Singular[i] = values.Singular[i] && cells.Simplices.Dimensions[i] < 3;
     }
-    if (std::none_of(values.Singular.begin(), values.Singular.end(), [](auto v) { return v; }))
-    {
-      values.Singular.clear();
-    }
+  }
+  ReadSharpness(options, cells, warn, values);
+  if (std::none_of(values.Singular.begin(), values.Singular.end(), [](auto v) { return v; }))
+  {
+    values.Singular.clear();
   }
   values.Material = ReadValues<double>(
     options.PreserveInterfaces ? options.Material : nullptr, cells, [](double v) { return v; });
@@ -136,7 +175,8 @@ bool LiftFeatureValues(
   return LiftValues(control, levels, values.Singular, lifted.Singular) &&
     LiftValues(control, levels, values.Material, lifted.Material) &&
     LiftValues(control, levels, values.Part, lifted.Part) &&
-    LiftValues(control, levels, values.Rules, lifted.Rules);
+    LiftValues(control, levels, values.Rules, lifted.Rules) &&
+    LiftValues(control, levels, values.Sharpness, lifted.Sharpness);
 }
 
 std::vector<long long> EncodeChoices(const FeatureOptions& options, const FeatureValues& values)
@@ -148,6 +188,7 @@ std::vector<long long> EncodeChoices(const FeatureOptions& options, const Featur
   Encode(values.Material, choices);
   Encode(values.Part, choices);
   Encode(values.Rules, choices);
+  Encode(values.Sharpness, choices);
   return choices;
 }
 
@@ -233,6 +274,75 @@ StrataOptions MakeStrataOptions(const FeatureOptions& options, const FeatureValu
   }
   return strata;
 }
+
+template <typename Id>
+void WarnOfContradictions(const FeatureOptions& options, const FeatureValues& values,
+  const SimplicesOfCells& cells, const SimplicialComplex<Id>& complex,
+  const std::vector<CellRun>& runs, const std::function<void(const std::string&)>& warn)
+{
+  if (values.Singular.empty() || !options.Singular)
+  {
+    return;
+  }
+  auto cellOf = [&](vtkIdType i) { return cells.ParentCells.empty() ? i : cells.ParentCells[i]; };
+  const EqualCells<Id>* equals[3] = { nullptr, &complex.EqualLines, &complex.EqualTriangles };
+  vtkIdType count = 0;
+  std::ostringstream message;
+  for (int dimension = 1; dimension < 3; ++dimension)
+  {
+    const Buffer<vtkIdType> simplices = FindSimplicesOf(complex, runs, dimension);
+    for (const CellRun& run : runs)
+    {
+      for (vtkIdType i = 0; run.Equal && run.Dimension == dimension && i < run.Count; ++i)
+      {
+        const vtkIdType own = run.FirstCell + i;
+        const vtkIdType twin = simplices[equals[dimension]->Twins[run.First + i]];
+        if (values.Singular[own] != values.Singular[twin] && count++ == 0)
+        {
+          message << "Cell array \"" << options.Singular->GetName() << "\": cells " << cellOf(twin)
+                  << " and " << cellOf(own)
+                  << " are equal, but only one of them is flagged; they are taken as singular";
+        }
+      }
+    }
+  }
+  if (count > 0)
+  {
+    message << ". There are " << count << " such pairs; give equal cells the same flag.";
+    warn(message.str());
+  }
+}
+
+template <typename Id>
+EdgeSharpness FindEdgeSharpness(const FeatureValues& values, const SimplicialComplex<Id>& complex,
+  const std::vector<CellRun>& runs)
+{
+  EdgeSharpness sharpness;
+  if (!values.Sharpness.empty())
+  {
+    sharpness.assign(complex.NumberOfEdges, 0.);
+    for (const CellRun& run : runs)
+    {
+      for (vtkIdType i = 0; run.Dimension == 1 && i < run.Count; ++i)
+      {
+        const vtkIdType edge = run.Equal
+          ? static_cast<vtkIdType>(complex.EqualLines.Twins[run.First + i])
+          : run.First + i;
+        sharpness[edge] = std::max(sharpness[edge], values.Sharpness[run.FirstCell + i]);
+      }
+    }
+  }
+  return sharpness;
+}
+
+#define SUBDIVISION_FEATURES(Id)                                                                   \
+  template void WarnOfContradictions(const FeatureOptions&, const FeatureValues&,                  \
+    const SimplicesOfCells&, const SimplicialComplex<Id>&, const std::vector<CellRun>&,            \
+    const std::function<void(const std::string&)>&);                                               \
+  template EdgeSharpness FindEdgeSharpness(                                                        \
+    const FeatureValues&, const SimplicialComplex<Id>&, const std::vector<CellRun>&)
+SUBDIVISION_FEATURES(int);
+SUBDIVISION_FEATURES(long long);
 
 template StrataOptions MakeStrataOptions(const FeatureOptions&, const FeatureValues&,
   const SimplicialComplex<int>&, const std::vector<CellRun>&);

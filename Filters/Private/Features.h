@@ -8,6 +8,7 @@
 #define SubdivisionObjects_Features_h
 
 #include "CellsToSimplices.h"
+#include "Core/SemiSharp.h"
 #include "Core/Singularities.h"
 #include "Core/Strata.h"
 
@@ -43,6 +44,7 @@ struct FeatureOptions
   vtkSmartPointer<vtkDataArray> Material;
   vtkSmartPointer<vtkDataArray> Part;
   vtkSmartPointer<vtkDataArray> Rules;
+  vtkSmartPointer<vtkDataArray> Sharpness;
 
   bool Derives() const
   {
@@ -58,11 +60,23 @@ struct FeatureValues
   std::vector<double> Material;
   std::vector<int> Part;
   std::vector<unsigned char> Rules;
+  std::vector<double> Sharpness; ///< finite and not negative, lines only
 };
 
 /// Reads the arrays for the simplices of the input. `warn` hears of flags that mean nothing.
 FeatureValues ReadFeatureValues(const FeatureOptions& options, const SimplicesOfCells& cells,
   const std::function<void(const std::string&)>& warn);
+
+/// Warns of equal cells of which one is flagged as singular and the other is not.
+template <typename Id>
+void WarnOfContradictions(const FeatureOptions& options, const FeatureValues& values,
+  const SimplicesOfCells& cells, const SimplicialComplex<Id>& complex,
+  const std::vector<CellRun>& runs, const std::function<void(const std::string&)>& warn);
+
+/// The sharpness of each edge of the complex; empty where there is none.
+template <typename Id>
+EdgeSharpness FindEdgeSharpness(const FeatureValues& values, const SimplicialComplex<Id>& complex,
+  const std::vector<CellRun>& runs);
 
 /// The values of the control simplices, `levels` steps above. False if children differ.
 bool LiftFeatureValues(

@@ -99,6 +99,10 @@ private:
   template <typename Id>
   bool IsWhatWasRead(const SimplicialComplex<Id>& complex) const;
   template <typename Id>
+  Strata<Id> MakeStrata(const SimplicialComplex<Id>& complex, int sharpSteps);
+  template <typename Id>
+  void BlendSharp(int step, Stencils<Id>& stencils);
+  template <typename Id>
   Outcome Step(Level<Id>& level, KeptOperator* keep);
   template <typename Id>
   void MakeCells(const SimplicialComplex<Id>& complex, bool children);
@@ -121,6 +125,8 @@ private:
   std::vector<CellRun> Runs;
   std::vector<CellRun> DerivedRuns;
   SimplexTuples Derived; ///< as the output names them
+  SimplexTuples ControlDerived;
+  EdgeSharpness Sharpness; ///< of control edges
   std::vector<FeatureCandidate> Candidates;
   std::vector<bool> Features;
   Buffer<unsigned char> ManifoldDimensions;
@@ -360,14 +366,19 @@ bool UniformRun::BuildCurrent(Level<Id>& level)
 {
   const int made = this->Mesh.MadeLevels;
   level.Complex = this->BuildControl<Id>(SimplexTuples());
-  const SimplexTuples derived = this->Derive(level.Complex);
-  if (!derived.IsEmpty())
+  this->ControlDerived = this->Derive(level.Complex);
+  if (!this->ControlDerived.IsEmpty())
   {
-    level.Complex = this->BuildControl<Id>(derived);
+    level.Complex = this->BuildControl<Id>(this->ControlDerived);
+  }
+  if (!this->Mesh.IsStamped)
+  {
+    WarnOfContradictions(this->Options.Features, this->Mesh.Values, this->Mesh.Cells, level.Complex,
+      this->Runs, this->Options.Warn);
   }
   this->ManifoldDimensions = FindManifoldDimensions(level.Complex, this->Runs);
-  level.Strata = BuildStrata(level.Complex, this->CollectSingular(level.Complex),
-    MakeStrataOptions(this->Options.Features, this->Mesh.Values, level.Complex, this->Runs));
+  this->Sharpness = FindEdgeSharpness(this->Mesh.Values, level.Complex, this->Runs);
+  level.Strata = this->MakeStrata(level.Complex, -1);
   for (int i = 0; i < made; ++i)
   {
     const bool last = i + 1 == made && this->Options.Levels < 2;
@@ -376,6 +387,50 @@ bool UniformRun::BuildCurrent(Level<Id>& level)
   this->Runs = RefineRuns(this->Runs, made);
   this->DerivedRuns = RefineRuns(this->DerivedRuns, made);
   return made == 0 || this->IsWhatWasRead(level.Complex);
+}
+
+/// The strata of the control complex; `sharpSteps` >= 0: as they are where all edges are singular
+/// that are still sharp after so many steps.
+template <typename Id>
+Strata<Id> UniformRun::MakeStrata(const SimplicialComplex<Id>& complex, int sharpSteps)
+{
+  SingularSimplices singular = this->CollectSingular(complex);
+  for (std::size_t e = 0; sharpSteps >= 0 && e < this->Sharpness.size(); ++e)
+  {
+    if (this->Sharpness[e] > sharpSteps)
+    {
+      if (singular.Edges.empty())
+      {
+        singular.Edges = Buffer<unsigned char>(complex.NumberOfEdges, 0);
+      }
+      singular.Edges[static_cast<vtkIdType>(e)] = 1;
+    }
+  }
+  return BuildStrata(complex, singular,
+    MakeStrataOptions(this->Options.Features, this->Mesh.Values, complex, this->Runs));
+}
+
+/// Where edges are still sharp: makes the step's operator with them singular too, and blends.
+template <typename Id>
+void UniformRun::BlendSharp(int step, Stencils<Id>& stencils)
+{
+  if (!IsSharpAfter(this->Sharpness, step))
+  {
+    return;
+  }
+  const std::vector<CellRun> runs = this->Runs;
+  const std::vector<CellRun> derivedRuns = this->DerivedRuns;
+  Level<Id> level;
+  level.Complex = this->BuildControl<Id>(this->ControlDerived);
+  level.Strata = this->MakeStrata(level.Complex, step);
+  const int depth = this->Mesh.MadeLevels + step;
+  for (int i = 0; i < depth; ++i)
+  {
+    level = Refine(level, i + 1 == depth ? Depth::ForOutput : Depth::ForRefinement);
+  }
+  this->Runs = runs;
+  this->DerivedRuns = derivedRuns;
+  BlendSemiSharp(this->Sharpness, step, depth, TakeStencils(level), stencils);
 }
 
 template <typename Id>
@@ -468,6 +523,7 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
     }
     Stencils<Id> stencils = TakeStencils(level);
     level = std::move(next);
+    this->BlendSharp(step, stencils);
     this->Points->Advance(stencils);
     if (last)
     {
@@ -584,6 +640,11 @@ void UniformRun::Finish()
   {
     AddValuesOfSimplices(this->ManifoldDimensions.data(), this->Mesh.GetControl(),
       this->Mesh.MadeLevels + this->Options.Levels, DimensionName, this->Output);
+  }
+  if (this->Options.Features.Sharpness)
+  {
+    ReduceSharpness(
+      this->Options.Features.Sharpness->GetName(), this->Options.Levels, this->Output);
   }
   RebuildPointGhosts(this->Input, this->Output);
 
