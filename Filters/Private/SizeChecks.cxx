@@ -24,6 +24,11 @@ vtkIdType Whole(double value)
   return static_cast<vtkIdType>(std::min(value, 9e18));
 }
 
+std::string Bytes(double bytes)
+{
+  return std::to_string(Whole(bytes)) + " bytes (" + std::to_string(Whole(bytes / 1e6)) + " MB)";
+}
+
 }
 
 std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdType maximum)
@@ -39,7 +44,7 @@ std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdTy
   }
   std::ostringstream message;
   message << "NumberOfLevels = " << levels << " would make " << Whole(cells) << " cells (up to "
-          << Whole(cells * BytesPerTet) << " bytes for the cells alone), which is above "
+          << Bytes(cells * BytesPerTet) << " for the cells alone), which is above "
           << "MaximumNumberOfCells = " << maximum
           << ". Use fewer levels, or raise MaximumNumberOfCells.";
   return message.str();
@@ -75,8 +80,16 @@ std::string CheckMemory(const SizeEstimate& estimate)
     last = last.Refine();
   }
   const double points = last.Vertices + (estimate.Levels > 0 ? last.Edges : 0.);
-  const double cells = static_cast<double>(estimate.Cells.Cells);
-  const double bytes = 8. * (static_cast<double>(estimate.Cells.Entries) + cells) + cells +
+  double cells = 0.;
+  double entries = 0.;
+  for (const CellRun& run : estimate.Runs)
+  {
+    const double children =
+      std::ldexp(static_cast<double>(run.Count), run.Dimension * estimate.Levels);
+    cells += children;
+    entries += children * (run.Dimension + 1);
+  }
+  const double bytes = 8. * (entries + cells) + cells +
     estimate.BytesPerPoint * (points + last.Vertices) + estimate.BytesPerCell * cells +
     estimate.BytesPerId * (10. * last.Tets + 13. * last.Edges);
   vtksys::SystemInformation system;
@@ -88,10 +101,9 @@ std::string CheckMemory(const SizeEstimate& estimate)
     return std::string();
   }
   std::ostringstream message;
-  message << "NumberOfLevels = " << estimate.Levels << " would make " << estimate.Cells.Cells
-          << " cells and " << Whole(points) << " points, which takes about " << Whole(bytes)
-          << " bytes; " << Whole(available)
-          << " are available. Use fewer levels, or a part of the input.";
+  message << "NumberOfLevels = " << estimate.Levels << " would make " << Whole(cells)
+          << " cells and " << Whole(points) << " points, which takes about " << Bytes(bytes) << "; "
+          << Bytes(available) << " are available. Use fewer levels, or a part of the input.";
   return message.str();
 }
 

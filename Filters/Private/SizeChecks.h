@@ -9,6 +9,7 @@
 #include "Core/RefinedCells.h"
 
 #include <string>
+#include <vector>
 
 class vtkDataSetAttributes;
 
@@ -25,7 +26,7 @@ struct SizeEstimate
 {
   LevelCounts Control; ///< simplices of the current level
   int Levels = 0;
-  CellCounts Cells; ///< of the output
+  std::vector<CellRun> Runs; ///< cells of the current level
   double BytesPerPoint = 0;
   double BytesPerCell = 0; ///< of cell data
   double BytesPerId = 4;

@@ -465,7 +465,7 @@ UniformRun::Outcome UniformRun::BuildAndStep(KeptOperator* keep)
     static_cast<double>(level.Complex.NumberOfFaces),
     static_cast<double>(level.Complex.NumberOfTets) };
   estimate.Levels = this->Options.Levels;
-  estimate.Cells = CountCells(RefineRuns(this->Runs, this->Options.Levels));
+  estimate.Runs = this->Runs;
   estimate.BytesPerPoint = this->Points->GetBytesPerPoint();
   estimate.BytesPerCell = GetBytesPerTuple(this->Input->GetCellData());
   estimate.BytesPerId = sizeof(Id);

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A pipeline in plain Python. README.md says what PYTHONPATH has to be; then: python3 python_pipeline.py"""
+from subdivisionobjects import vtkMultiDimensionalSubdivision, vtkSubdivisionModelSource
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+
+model = vtkSubdivisionModelSource()
+model.SetModelToShip()
+smooth = vtkMultiDimensionalSubdivision()
+smooth.SetInputConnection(model.GetOutputPort())
+smooth.SetNumberOfLevels(3)
+smooth.Update()
+print(model.GetOutput().GetNumberOfCells(), "cells became", smooth.GetOutput().GetNumberOfCells())
+writer = vtkXMLUnstructuredGridWriter()
+writer.SetInputConnection(smooth.GetOutputPort())
+writer.SetFileName("ship.vtu")
+writer.Write()

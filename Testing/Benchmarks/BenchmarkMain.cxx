@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BenchmarkMain.cxx
+ * All benchmarks in one program, so that they are repeated in random order in one run.
+ *
+ *   SubdivisionObjectsBenchmarks [--quick] [Google Benchmark's own options]
+ *   SubdivisionObjectsBenchmarks --peak-memory CASE LEVELS THREADS CACHE(0|1)
+ *
+ * The second form executes the filter once in this fresh process and prints how much memory it
+ * took.
+ */
+#include "BenchmarkFilter.h"
+#include "BenchmarkTools.h"
+
+#include "vtkPointSet.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <vector>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace benchmarks
+{
+namespace
+{
+
+std::vector<RegisterFunction>& GetRegistrations()
+{
+  static std::vector<RegisterFunction> functions;
+  return functions;
+}
+
+bool Quick = false;
+
+/// Bytes that a line of this process's status tells.
+double ReadStatus(const std::string& key)
+{
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  double kilobytes = 0.;
+  while (status >> word)
+  {
+    if (word == key + ":")
+    {
+      status >> kilobytes;
+      break;
+    }
+  }
+  return 1024. * kilobytes;
+}
+
+int PrintPeakMemory(char** arguments)
+{
+  const Case& which = GetCase(arguments[0]);
+  vtkSMPTools::Initialize(std::atoi(arguments[2]));
+  const auto filter = MakeFilter(which, std::atoi(arguments[1]), std::atoi(arguments[3]) != 0);
+  std::ofstream("/proc/self/clear_refs") << "5"; // the peak counts from here
+  const double before = ReadStatus("VmRSS");
+  filter->Update();
+  const double peak = ReadStatus("VmHWM");
+  const OutputSize size = MeasureOutput(filter->GetOutput());
+  std::printf("{ \"growth\": %.0f, \"output\": %.0f, \"cells\": %.0f }\n", peak - before,
+    size.Bytes, size.Cells);
+  return EXIT_SUCCESS;
+}
+
+}
+
+void AddRegistration(RegisterFunction function)
+{
+  GetRegistrations().push_back(function);
+}
+
+bool IsQuick()
+{
+  return Quick;
+}
+
+void ReturnFreeMemory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+}
+
+int main(int argc, char** argv)
+{
+#ifdef __GLIBC__
+  // As in a process that runs the filter for the first time, blocks come from the kernel. Else the
+  // C library would raise this threshold by what earlier repetitions did.
+  mallopt(M_MMAP_THRESHOLD, 128 * 1024);
+#endif
+  if (argc == 6 && std::strcmp(argv[1], "--peak-memory") == 0)
+  {
+    return benchmarks::PrintPeakMemory(argv + 2);
+  }
+  if (argc > 1 && std::strcmp(argv[1], "--quick") == 0)
+  {
+    benchmarks::Quick = true;
+    argv[1] = argv[0];
+    ++argv;
+    --argc;
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv))
+  {
+    return EXIT_FAILURE;
+  }
+  for (benchmarks::RegisterFunction function : benchmarks::GetRegistrations())
+  {
+    function();
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return EXIT_SUCCESS;
+}

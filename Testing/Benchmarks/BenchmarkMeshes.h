@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BenchmarkMeshes.h
+ * What is measured: the standard cases, as VTK meshes and as flat arrays.
+ */
+#ifndef SubdivisionObjects_BenchmarkMeshes_h
+#define SubdivisionObjects_BenchmarkMeshes_h
+
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkPointSet;
+class vtkUnstructuredGrid;
+
+namespace benchmarks
+{
+
+/// Triangles or tetrahedra as other libraries want them.
+struct FlatMesh
+{
+  int Corners = 0; ///< per cell
+  std::vector<double> Points;
+  std::vector<double> Scalar;
+  std::vector<int> Cells;
+
+  int GetNumberOfPoints() const { return static_cast<int>(this->Scalar.size()); }
+  int GetNumberOfCells() const { return static_cast<int>(this->Cells.size()) / this->Corners; }
+};
+
+/// A unit cube of n^3 x 6 tetrahedra (Kuhn).
+FlatMesh MakeCube(int n);
+/// A closed surface of 20 x 4^levels triangles.
+FlatMesh MakeSphere(int levels);
+
+/// A mesh with one double scalar on its points, and no other array.
+vtkSmartPointer<vtkPointSet> ToVtk(const FlatMesh& mesh);
+vtkSmartPointer<vtkPointSet> MakePolylines(int polylines, int lines);
+/// Null when the file does not exist.
+vtkSmartPointer<vtkPointSet> ReadFile(const std::string& path);
+
+/// One of the standard cases.
+struct Case
+{
+  std::string Name;
+  int Levels;
+  std::function<vtkSmartPointer<vtkPointSet>()> Make;
+};
+
+/// Cases that can be made here; those of files that are missing are left out.
+const std::vector<Case>& GetCases();
+const Case& GetCase(const std::string& name);
+
+/// The input of a case, made at most once.
+vtkPointSet* GetInput(const Case& which);
+
+/// Sizes of the output of a case, found by running the filter at most once for each.
+struct OutputSize
+{
+  double Cells = 0.;
+  double Points = 0.;
+  double Bytes = 0.;               ///< GetActualMemorySize
+  std::vector<std::size_t> Arrays; ///< bytes of points, scalar, connectivity, offsets, types
+};
+OutputSize MeasureOutput(vtkUnstructuredGrid* output);
+const OutputSize& GetOutputSize(const Case& which, int levels);
+
+}
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BenchmarkTools.h
+ * Registering and timing. Every measurement is one iteration, timed by hand, so that nothing but
+ * the work itself counts; repetitions come from the command line, in random order.
+ */
+#ifndef SubdivisionObjects_BenchmarkTools_h
+#define SubdivisionObjects_BenchmarkTools_h
+
+#include "vtkSMPTools.h"
+
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+
+namespace benchmarks
+{
+
+/// Sums up the time between Start and Stop.
+class Stopwatch
+{
+public:
+  void Start() { this->Begin = Clock::now(); }
+  void Stop()
+  {
+    this->Seconds += std::chrono::duration<double>(Clock::now() - this->Begin).count();
+  }
+  template <typename Work>
+  void Time(const Work& work)
+  {
+    this->Start();
+    work();
+    this->Stop();
+  }
+  double GetSeconds() const { return this->Seconds; }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point Begin;
+  double Seconds = 0.;
+};
+
+/// Gives the system back what earlier measurements freed, so that none of them finds warm memory.
+void ReturnFreeMemory();
+
+/// What a measurement tells beside its time.
+struct Produced
+{
+  double Cells = 0.;
+  double Bytes = 0.;
+};
+
+/// Registers `work`, which runs once per repetition. A name is family/what/case/levels:n/threads:n.
+/// `repetitions` > 0: that many, whatever the command line says (for what takes very long).
+inline void Register(const std::string& name, int threads,
+  const std::function<Produced(Stopwatch&)>& work, int repetitions = 0)
+{
+  auto* registered =
+    benchmark::RegisterBenchmark((name + "/threads:" + std::to_string(threads)).c_str(),
+      [threads, work](benchmark::State& state)
+      {
+        Produced produced;
+        for (auto _ : state)
+        {
+          vtkSMPTools::Initialize(threads);
+          Stopwatch watch;
+          produced = work(watch);
+          state.SetIterationTime(watch.GetSeconds());
+        }
+        state.counters["cells"] = produced.Cells;
+        state.counters["bytes"] = produced.Bytes;
+      });
+  registered->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
+  if (repetitions > 0)
+  {
+    registered->Repetitions(repetitions);
+  }
+}
+
+constexpr int ThreadCounts[2] = { 1, 4 };
+
+/// What each translation unit registers; the peers that are not there are not linked.
+using RegisterFunction = void (*)();
+void AddRegistration(RegisterFunction function);
+struct Registration
+{
+  explicit Registration(RegisterFunction function) { AddRegistration(function); }
+};
+
+/// Whether the run is to take little time.
+bool IsQuick();
+
+}
+
+#endif

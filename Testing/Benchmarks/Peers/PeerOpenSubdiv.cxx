@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PeerOpenSubdiv.cxx
+ * OpenSubdiv, Far: uniform refinement with the primvar refiner, and stencil tables. Both in double;
+ * points and scalar.
+ */
+#include "BenchmarkMeshes.h"
+#include "BenchmarkTools.h"
+
+#include <opensubdiv/far/primvarRefiner.h>
+#include <opensubdiv/far/stencilTable.h>
+#include <opensubdiv/far/stencilTableFactory.h>
+#include <opensubdiv/far/topologyDescriptor.h>
+
+#include <memory>
+
+namespace benchmarks
+{
+namespace
+{
+
+namespace Far = OpenSubdiv::Far;
+
+template <int N>
+struct Values
+{
+  double Data[N];
+  void Clear(void* = nullptr) { std::fill(this->Data, this->Data + N, 0.); }
+  void AddWithWeight(const Values& source, double weight)
+  {
+    for (int c = 0; c < N; ++c)
+    {
+      this->Data[c] += weight * source.Data[c];
+    }
+  }
+};
+
+std::unique_ptr<Far::TopologyRefiner> Refine(const FlatMesh& input, int levels, bool last)
+{
+  const std::vector<int> sizes(input.GetNumberOfCells(), 3);
+  Far::TopologyDescriptor descriptor;
+  descriptor.numVertices = input.GetNumberOfPoints();
+  descriptor.numFaces = input.GetNumberOfCells();
+  descriptor.numVertsPerFace = sizes.data();
+  descriptor.vertIndicesPerFace = input.Cells.data();
+  using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
+  std::unique_ptr<Far::TopologyRefiner> refiner(
+    Factory::Create(descriptor, Factory::Options(OpenSubdiv::Sdc::SCHEME_LOOP)));
+  Far::TopologyRefiner::UniformOptions options(levels);
+  options.fullTopologyInLastLevel = last;
+  refiner->RefineUniform(options);
+  return refiner;
+}
+
+template <int N>
+std::vector<Values<N>> Interpolate(
+  const Far::TopologyRefiner& refiner, const double* start, int points, int levels)
+{
+  const Far::PrimvarRefinerReal<double> primvars(refiner);
+  std::vector<Values<N>> current(points);
+  std::copy(start, start + N * points, current[0].Data);
+  for (int level = 1; level <= levels; ++level)
+  {
+    std::vector<Values<N>> next(refiner.GetLevel(level).GetNumVertices());
+    primvars.Interpolate(level, current, next);
+    current.swap(next);
+  }
+  return current;
+}
+
+Produced RefineAndInterpolate(Stopwatch& watch, const FlatMesh& input, int levels)
+{
+  watch.Start();
+  const auto refiner = Refine(input, levels, false);
+  const int points = input.GetNumberOfPoints();
+  const auto coordinates = Interpolate<3>(*refiner, input.Points.data(), points, levels);
+  const auto scalar = Interpolate<1>(*refiner, input.Scalar.data(), points, levels);
+  const Far::TopologyLevel& last = refiner->GetLevel(levels);
+  std::vector<int> cells(3 * static_cast<std::size_t>(last.GetNumFaces()));
+  for (int f = 0; f < last.GetNumFaces(); ++f)
+  {
+    const Far::ConstIndexArray vertices = last.GetFaceVertices(f);
+    std::copy(vertices.begin(), vertices.end(), cells.data() + 3 * f);
+  }
+  watch.Stop();
+  return { static_cast<double>(last.GetNumFaces()),
+    static_cast<double>(32 * scalar.size() + 4 * cells.size()) };
+}
+
+using Table = Far::StencilTableReal<double>;
+
+std::unique_ptr<const Table> MakeTable(const Far::TopologyRefiner& refiner)
+{
+  using Factory = Far::StencilTableFactoryReal<double>;
+  Factory::Options options;
+  options.generateIntermediateLevels = false;
+  options.generateOffsets = true;
+  return std::unique_ptr<const Table>(Factory::Create(refiner, options));
+}
+
+Produced BuildTable(Stopwatch& watch, const FlatMesh& input, int levels)
+{
+  std::unique_ptr<Far::TopologyRefiner> refiner;
+  std::unique_ptr<const Table> table;
+  watch.Start();
+  refiner = Refine(input, levels, false);
+  table = MakeTable(*refiner);
+  watch.Stop();
+  return { static_cast<double>(refiner->GetLevel(levels).GetNumFaces()),
+    12. * static_cast<double>(table->GetControlIndices().size()) };
+}
+
+/// The ready table on one component, in threads by ranges of its stencils.
+Produced EvaluateTable(Stopwatch& watch, const FlatMesh& input, int levels)
+{
+  static const auto refiner = Refine(input, levels, false);
+  static const auto table = MakeTable(*refiner);
+  std::vector<Values<1>> in(input.Scalar.size());
+  std::copy(input.Scalar.begin(), input.Scalar.end(), in[0].Data);
+  std::unique_ptr<Values<1>[]> out;
+  watch.Start();
+  out.reset(new Values<1>[table->GetNumStencils()]);
+  vtkSMPTools::For(0, table->GetNumStencils(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      const Values<1>* from = in.data();
+      Values<1>* to = out.get(); // of all stencils, not of the range
+      table->UpdateValues(from, to, static_cast<int>(begin), static_cast<int>(end));
+    });
+  watch.Stop();
+  return { static_cast<double>(refiner->GetLevel(levels).GetNumFaces()),
+    12. * static_cast<double>(table->GetControlIndices().size()) };
+}
+
+void RegisterOpenSubdiv()
+{
+  static const FlatMesh sphere = MakeSphere(5);
+  Register("peer/OpenSubdiv uniform + primvar/sphere/levels:3", 1,
+    [](Stopwatch& watch) { return RefineAndInterpolate(watch, sphere, 3); });
+  Register("peer/OpenSubdiv stencil table build/sphere/levels:3", 1,
+    [](Stopwatch& watch) { return BuildTable(watch, sphere, 3); });
+  for (int threads : ThreadCounts)
+  {
+    Register("peer/OpenSubdiv stencil table evaluate/sphere/levels:3", threads,
+      [](Stopwatch& watch) { return EvaluateTable(watch, sphere, 3); });
+  }
+}
+
+const Registration Registered(RegisterOpenSubdiv);
+
+}
+}

@@ -1,0 +1,242 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs all benchmarks in one run and writes ratios.
+
+    run.py BUILD_TREE [--quick] [--peers] [--repetitions N] [--filter REGEX]
+
+Writes into BUILD_TREE: results.json (Google Benchmark's own), summary.json, report.md. Each figure
+is a median over the repetitions, which all benchmarks take in random order; (min..max) beside it.
+"""
+import argparse
+import json
+import os
+import statistics
+import subprocess
+import sys
+
+STANDARD = {"cube": "a", "sphere": "b", "polylines": "e"}
+PEER_NOTES = {
+    "vtkLoopSubdivisionFilter": "",
+    "vtkButterflySubdivisionFilter": "",
+    "vtkSubdivideTetra": "12 children per tet, half of them inverted, points not shared; shown, not counted",
+    "OpenMesh Loop": "no scalar",
+    "OpenMesh sqrt3": "no scalar; 3 children per triangle and step: compared per output cell",
+    "CGAL Loop": "no scalar",
+    "OpenSubdiv uniform + primvar": "",
+    "OpenSubdiv stencil table build": "the table alone, nothing evaluated",
+    "OpenSubdiv stencil table evaluate": "ready table, one component; compared with re-execution",
+    "dune-uggrid": "no scalar; conforming red refinement",
+}
+PER_CELL = ("OpenMesh sqrt3", "vtkSubdivideTetra")
+
+
+class Sample:
+    """The repetitions of one benchmark, in seconds."""
+
+    def __init__(self):
+        self.times = []
+        self.cells = 0.0
+        self.bytes = 0.0
+
+    @property
+    def median(self):
+        return statistics.median(self.times)
+
+    def ns_per_cell(self):
+        return 1e9 * self.median / self.cells
+
+    def text(self):
+        return "%s (%s..%s)" % tuple(
+            "%.3g" % (1e3 * t) for t in (self.median, min(self.times), max(self.times)))
+
+    def as_json(self):
+        return {"median_s": self.median, "min_s": min(self.times), "max_s": max(self.times),
+                "repetitions": len(self.times), "cells": self.cells, "bytes": self.bytes}
+
+
+def read_samples(path):
+    """Samples by (family, what, case, levels, threads)."""
+    units = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
+    with open(path, encoding="utf-8") as file:
+        results = json.load(file)
+    samples = {}
+    for result in results["benchmarks"]:
+        if result.get("run_type") != "iteration" or result.get("error_occurred"):
+            continue
+        parts = result["run_name"].split("/")
+        options = dict(part.split(":") for part in parts if ":" in part)
+        names = [part for part in parts if ":" not in part and part != "manual_time"]
+        family, what, case = names if len(names) == 3 else (names[0], "", names[1])
+        key = (family, what, case, int(options["levels"]), int(options["threads"]))
+        sample = samples.setdefault(key, Sample())
+        sample.times.append(result["real_time"] * units[result["time_unit"]])
+        sample.cells = result["cells"]
+        sample.bytes = result["bytes"]
+    return samples
+
+
+def measure_memory(program, cases, repetitions):
+    """Growth of the peak over the memory before, divided by the output; fresh processes."""
+    ratios = {}
+    for case, levels in cases:
+        for threads in (1, 4):
+            for cache in (0, 1):
+                values = []
+                for _ in range(repetitions):
+                    answer = json.loads(subprocess.check_output(
+                        [program, "--peak-memory", case, str(levels), str(threads), str(cache)]))
+                    values.append(answer["growth"] / answer["output"])
+                ratios[case, levels, threads, cache] = statistics.median(values)
+    return ratios
+
+
+def table(header, rows):
+    lines = ["| " + " | ".join(header) + " |", "|" + " --- |" * len(header)]
+    lines += ["| " + " | ".join(row) + " |" for row in rows]
+    return lines + [""]
+
+
+def ratio(a, b):
+    return "%.2f" % (a.median / b.median) if a and b else "-"
+
+
+def filter_section(samples, memory):
+    rows = []
+    for (family, what, case, levels, threads), sample in sorted(samples.items()):
+        if family != "filter" or what not in ("first", "cached"):
+            continue
+        limit = samples.get(("limit", "small", case, levels, threads))
+        huge = samples.get(("limit", "huge", case, levels, threads))
+        if not limit:
+            continue
+        one = samples.get((family, what, case, levels, 1))
+        one_limit = samples.get(("limit", "small", case, levels, 1))
+        speed = one.median / sample.median
+        limit_speed = one_limit.median / limit.median
+        peak = memory.get((case, levels, threads, int(what == "cached")))
+        rows.append([case + (" (%s)" % STANDARD[case] if case in STANDARD else " (c)"),
+                     "off" if what == "first" else "on", str(threads), sample.text(), limit.text(),
+                     ratio(sample, limit), ratio(sample, huge), "%.1f" % sample.ns_per_cell(),
+                     "%.2f" % peak if peak else "-",
+                     "%.2f of %.2f" % (speed, limit_speed) if threads > 1 else "-"])
+    return ["## Whole filter, first execution", ""] + table(
+        ["case", "cache", "threads", "ms", "limit, 4 KiB pages, ms", "time / limit",
+         "time / limit with huge pages", "ns per output cell", "peak memory / output",
+         "speed-up, filter of limit"], rows)
+
+
+def again_section(samples):
+    rows = []
+    for (family, what, case, levels, threads), sample in sorted(samples.items()):
+        if family == "filter" and what == "again":
+            limit = samples.get(("limit", "rows", case, levels, threads)) or samples.get(
+                ("limit", "", case, levels, threads))
+            osd = samples.get(
+                ("peer", "OpenSubdiv stencil table evaluate", case, levels, threads))
+            first = samples.get(("filter", "cached", case, levels, threads)) or samples.get(
+                ("filter", "first", case, levels, threads))
+            rows.append([case + (" (d)" if case == "cube" else ""), str(threads), sample.text(),
+                         limit.text() if limit else "-", ratio(sample, limit), ratio(sample, osd),
+                         ratio(first, sample)])
+    return ["## Second execution, only the scalar changed", ""] + table(
+        ["case", "threads", "ms", "reading the last level's rows, ms", "time / reading",
+         "time / OpenSubdiv's ready stencil table", "faster than a first execution"], rows)
+
+
+def peer_section(samples):
+    rows = []
+    for (family, what, case, levels, threads), peer in sorted(samples.items()):
+        if family != "peer":
+            continue
+        mine = "again" if what.endswith("evaluate") else "first"
+        cells = []
+        for own_threads in (1, 4):
+            own = samples.get(("filter", mine, case, levels, own_threads))
+            if not own:
+                cells.append("-")
+            elif what in PER_CELL:
+                cells.append("%.1f" % (peer.ns_per_cell() / own.ns_per_cell()))
+            else:
+                cells.append("%.1f" % (peer.median / own.median))
+        rows.append([what, case, str(threads), peer.text(), "%.1f" % peer.ns_per_cell()] + cells +
+                    [PEER_NOTES.get(what, "")])
+    return ["## Peers", ""] + table(
+        ["peer", "case", "its threads", "ms", "ns per output cell", "we are faster, 1 thread",
+         "we are faster, 4 threads", "note"], rows) if rows else []
+
+
+def stage_section(samples):
+    rows = []
+    for (family, what, case, levels, threads), sample in sorted(samples.items()):
+        if family == "stage":
+            whole = samples.get(("filter", "first", case, levels, threads))
+            rows.append([case, str(threads), what, sample.text(), ratio(sample, whole)])
+    return ["## Stages (sums over all levels)", ""] + table(
+        ["case", "threads", "stage", "ms", "of the whole filter"], rows)
+
+
+def scaling_section(samples):
+    rows = []
+    for (family, what, case, levels, threads), sample in sorted(samples.items()):
+        if (family, what, threads) == ("filter", "first", 4) and case in STANDARD:
+            base = samples.get((family, what, case, 3, threads))
+            rows.append([case, str(levels), "%.3g" % sample.cells, sample.text(),
+                         "%.2f" % sample.ns_per_cell(),
+                         "%+.0f %%" % (100 * (sample.ns_per_cell() / base.ns_per_cell() - 1))])
+    return ["## From level 3 to the largest that fits (4 threads)", ""] + table(
+        ["case", "levels", "cells", "ms", "ns per output cell", "against level 3"], rows)
+
+
+def run(arguments):
+    program = os.path.join(arguments.build, "bin", "SubdivisionObjectsBenchmarks")
+    results = os.path.join(arguments.build, "results.json")
+    command = [program] + (["--quick"] if arguments.quick else []) + [
+        "--benchmark_repetitions=%d" % arguments.repetitions,
+        "--benchmark_enable_random_interleaving=true",
+        "--benchmark_report_aggregates_only=false",
+        "--benchmark_display_aggregates_only=true",
+        "--benchmark_filter=" + arguments.filter,
+        "--benchmark_out_format=json", "--benchmark_out=" + results]
+    load = os.getloadavg()[0]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    samples = read_samples(results)
+    cases = sorted({(key[2], key[3]) for key in samples
+                    if key[:2] == ("filter", "first") and ("limit", "small") + key[2:] in samples})
+    memory = measure_memory(program, cases, 1 if arguments.quick else 3)
+
+    lines = ["# Benchmarks", "",
+             "Medians of %d repetitions in random order, (min..max); load average before %.1f, "
+             "after %.1f; %d processors." % (
+                 arguments.repetitions, load, os.getloadavg()[0], os.cpu_count()), ""]
+    lines += filter_section(samples, memory) + again_section(samples) + peer_section(samples)
+    lines += stage_section(samples)
+    if not arguments.quick:
+        lines += scaling_section(samples)
+    with open(os.path.join(arguments.build, "report.md"), "w", encoding="utf-8") as file:
+        file.write("\n".join(lines))
+    with open(os.path.join(arguments.build, "summary.json"), "w", encoding="utf-8") as file:
+        json.dump({
+            "benchmarks": {"%s/%s/%s/levels:%d/threads:%d" % key: sample.as_json()
+                           for key, sample in sorted(samples.items())},
+            "peak_memory_over_output": {"%s/levels:%d/threads:%d/cache:%d" % key: value
+                                        for key, value in sorted(memory.items())}},
+            file, indent=1)
+    print("\n".join(lines))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("build", help="build tree of the preset 'bench'")
+    parser.add_argument("--quick", action="store_true", help="fewer repetitions, no large levels")
+    parser.add_argument("--peers", action="store_true",
+                        help="for ./dev bench, which installs the peers; here nothing changes")
+    parser.add_argument("--repetitions", type=int, default=0)
+    parser.add_argument("--filter", default=".", help="regular expression on the benchmarks' names")
+    arguments = parser.parse_args()
+    if not arguments.repetitions:
+        arguments.repetitions = 3 if arguments.quick else 9
+    run(arguments)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

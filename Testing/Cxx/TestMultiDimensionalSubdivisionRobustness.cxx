@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestMultiDimensionalSubdivisionRobustness.cxx
+ * Bad cells, ghosts, limits, empty input, progress and abort, and files from elsewhere.
+ */
+#include "MultiDimensionalSubdivisionTools.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkPolyData.h"
+
+#include <chrono>
+#include <limits>
+#include <set>
+
+using namespace multi_dimensional_subdivision_tools;
+
+namespace
+{
+
+const std::vector<Point> Corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+  { 1, 1, 1 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 2 } };
+
+Grid MakeTet()
+{
+  return MakeGrid(Corners, { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 1, 2, 4 } } });
+}
+
+/// A good mesh with a bad cell: one warning, and the rest is as if the cell were not there.
+void ExpectPassedOver(std::vector<Cell> bad, const std::string& text, bool nanPoint = false)
+{
+  SCOPED_TRACE(text);
+  auto points = Corners;
+  if (nanPoint)
+  {
+    points.push_back({ 0, std::numeric_limits<double>::quiet_NaN(), 0 });
+    points.push_back({ std::numeric_limits<double>::infinity(), 0, 0 });
+  }
+  const std::vector<Cell> good = { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 1, 2, 4 } } };
+  std::vector<Cell> mixed = { good[0] };
+  mixed.insert(mixed.end(), bad.begin(), bad.end());
+  mixed.push_back(good[1]);
+  for (int levels : { 0, 1, 2 })
+  {
+    vtkNew<Messages> messages;
+    Options options;
+    options.Levels = levels;
+    const Grid result = Subdivide(MakeGrid(points, mixed), options, messages);
+    EXPECT_EQ(messages->Errors.size(), 0u);
+    ASSERT_EQ(messages->Warnings.size(), 1u);
+    EXPECT_EQ(messages->CountWarnings(text), 1) << messages->Warnings[0];
+    EXPECT_EQ(messages->CountWarnings("cell 1"), 1) << messages->Warnings[0];
+    EXPECT_EQ(messages->CountWarnings(std::to_string(bad.size()) + " cell"), 1);
+    EXPECT_EQ(Compare(result, Subdivide(MakeGrid(points, good), options)), "");
+  }
+}
+
+}
+
+TEST(MultiDimensionalSubdivisionBadCells, AreAsIfAbsent)
+{
+  ExpectPassedOver({ { VTK_QUADRATIC_EDGE, { 0, 1, 2 } } }, "not supported");
+  ExpectPassedOver(
+    { { VTK_QUADRATIC_TRIANGLE, { 0, 1, 2, 3, 4, 5 } }, { VTK_EMPTY_CELL, {} } }, "not supported");
+  ExpectPassedOver({ { VTK_TETRA, { 1, 2, 4, 8 } }, { VTK_LINE, { -1, 2 } } }, "point id");
+  ExpectPassedOver({ { VTK_QUAD, { 1, 2, 4, 1000000000000 } } }, "point id");
+  ExpectPassedOver({ { VTK_TETRA, { 1, 2, 4, 8 } }, { VTK_LINE, { 9, 2 } } }, "not a number", true);
+  ExpectPassedOver({ { VTK_TETRA, { 1, 2, 4, 4 } }, { VTK_LINE, { 2, 2 } } }, "repeated");
+  ExpectPassedOver({ { VTK_TRIANGLE, { 3, 4, 3 } } }, "repeated");
+  ExpectPassedOver({ { VTK_HEXAHEDRON, { 1, 1, 1, 1, 1, 1, 1, 1 } } }, "repeated");
+  ExpectPassedOver({ { VTK_TETRA, { 1, 2, 4 } } }, "number of points");
+  ExpectPassedOver({ { VTK_POLY_LINE, { 4 } } }, "number of points");
+}
+
+TEST(MultiDimensionalSubdivisionBadCells, InvertedAndFlatOnesAreKept)
+{
+  const Grid grid = MakeGrid(Corners,
+    { { VTK_TETRA, { 1, 0, 2, 3 } }, { VTK_TETRA, { 0, 1, 5, 6 } },
+      { VTK_TRIANGLE, { 0, 1, 5 } } });
+  EXPECT_EQ(Subdivide(grid, 1)->GetNumberOfCells(), 8 + 8 + 4);
+}
+
+// ---------------------------------------------------------------- ghosts
+
+namespace
+{
+
+vtkSmartPointer<vtkUnsignedCharArray> MakeGhosts(const std::vector<int>& values)
+{
+  auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (int value : values)
+  {
+    ghosts->InsertNextValue(static_cast<unsigned char>(value));
+  }
+  return ghosts;
+}
+
+constexpr int Hidden = vtkDataSetAttributes::HIDDENCELL;
+constexpr int Duplicate = vtkDataSetAttributes::DUPLICATECELL;
+
+}
+
+TEST(MultiDimensionalSubdivisionGhosts, HiddenCellsHaveNoInfluence)
+{
+  const std::vector<Cell> cells = { { VTK_TRIANGLE, { 1, 2, 4 } }, { VTK_TETRA, { 0, 1, 2, 3 } },
+    { VTK_QUADRATIC_EDGE, { 0, 1, 2 } }, { VTK_LINE, { 4, 7 } } };
+  const Grid grid = MakeGrid(Corners, cells);
+  grid->GetCellData()->AddArray(MakeGhosts({ 0, Hidden, Hidden | 64, 0 }));
+  const Grid few = MakeGrid(Corners, { cells[0], cells[3] });
+  few->GetCellData()->AddArray(MakeGhosts({ 0, 0 }));
+  for (int levels : { 0, 1, 2 })
+  {
+    EXPECT_EQ(Compare(Subdivide(grid, levels), Subdivide(few, levels)), "");
+  }
+}
+
+TEST(MultiDimensionalSubdivisionGhosts, TypesGoToChildrenAndPoints)
+{
+  // Two triangles on an edge, the second a duplicate; a point of none, hidden before.
+  const Grid grid =
+    MakeGrid(Corners, { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 2, 1, 4 } } });
+  grid->GetCellData()->AddArray(MakeGhosts({ 0, Duplicate | 2 }));
+  grid->GetPointData()->AddArray(MakeGhosts({ 1, 1, 1, 0, 0, 2, 0, 0 }));
+  for (int levels : { 0, 1, 2 })
+  {
+    vtkNew<Messages> messages;
+    Options options;
+    options.Levels = levels;
+    options.Integers = true;
+    const Grid result = Subdivide(grid, options, messages);
+    EXPECT_EQ(messages->Errors.size(), 0u);
+    ASSERT_EQ(messages->Warnings.size(), 1u);
+    EXPECT_EQ(messages->CountWarnings("duplicate"), 1);
+    vtkUnsignedCharArray* cells = result->GetCellGhostArray();
+    vtkUnsignedCharArray* points = result->GetPointGhostArray();
+    ASSERT_TRUE(cells && points);
+    ASSERT_EQ(points->GetNumberOfValues(), result->GetNumberOfPoints());
+    std::set<vtkIdType> owned;
+    std::set<vtkIdType> used;
+    for (vtkIdType i = 0; i < result->GetNumberOfCells(); ++i)
+    {
+      const bool second = i >= result->GetNumberOfCells() / 2;
+      EXPECT_EQ(cells->GetValue(i), second ? (Duplicate | 2) : 0);
+      for (vtkIdType p : GetCell(result, i))
+      {
+        used.insert(p);
+        if (!second)
+        {
+          owned.insert(p);
+        }
+      }
+    }
+    EXPECT_LT(owned.size(), used.size());
+    for (vtkIdType p = 0; p < result->GetNumberOfPoints(); ++p)
+    {
+      const int expected = owned.count(p) ? 0
+        : used.count(p)                   ? int(vtkDataSetAttributes::DUPLICATEPOINT)
+        : p == 5                          ? 2
+                                          : 0;
+      EXPECT_EQ(points->GetValue(p), expected) << p;
+    }
+  }
+}
+
+TEST(MultiDimensionalSubdivisionGhosts, NoneAreMade)
+{
+  const Grid one = Subdivide(MakeTet(), 1);
+  EXPECT_FALSE(one->GetPointGhostArray());
+  EXPECT_FALSE(one->GetCellGhostArray());
+}
+
+// ---------------------------------------------------------------- limits
+
+namespace
+{
+
+void ExpectRefused(vtkDataObject* input, Options options, const std::vector<std::string>& parts)
+{
+  vtkNew<Messages> messages;
+  const auto start = std::chrono::steady_clock::now();
+  const Grid result = Subdivide(input, options, messages);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(seconds.count(), 2.);
+  EXPECT_EQ(result->GetNumberOfCells(), 0);
+  EXPECT_EQ(result->GetNumberOfPoints(), 0);
+  ASSERT_FALSE(messages->Errors.empty());
+  for (const std::string& part : parts)
+  {
+    EXPECT_NE(messages->Errors[0].find(part), std::string::npos) << messages->Errors[0];
+  }
+}
+
+}
+
+TEST(MultiDimensionalSubdivisionLimits, MaximumNumberOfCells)
+{
+  const Grid grid = MakeTet();
+  Options options;
+  options.Levels = 2;
+  options.MaximumNumberOfCells = 64 + 16;
+  EXPECT_EQ(Subdivide(grid, options)->GetNumberOfCells(), 80);
+  options.MaximumNumberOfCells = 79;
+  ExpectRefused(grid, options, { " 80 cells", "79", "MB" });
+  options.Levels = 0;
+  options.MaximumNumberOfCells = 1;
+  ExpectRefused(grid, options, { " 2 cells" });
+}
+
+TEST(MultiDimensionalSubdivisionLimits, AbsurdLevels)
+{
+  Options options;
+  options.Levels = 20;
+  ExpectRefused(MakeTet(), options, { "cells", "MB" });
+  options.Levels = 12; // 8^12 tets are some terabytes, whatever the limit says
+  options.MaximumNumberOfCells = VTK_ID_MAX;
+  ExpectRefused(MakeTet(), options, { "68736253952 cells", "points", "MB" });
+  options.Levels = 20;
+  ExpectRefused(MakeTet(), options, { "MB" });
+  ExpectRefused(MakeMixedBox(1), options, { "MB" });
+  ExpectRefused(MakeMixedBox(4), options, { "MB" });
+}
+
+TEST(MultiDimensionalSubdivisionLimits, ANewUpdateAfterAnErrorWorks)
+{
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputData(MakeTet());
+  filter->SetNumberOfLevels(20);
+  filter->Update();
+  EXPECT_FALSE(messages->Errors.empty());
+  filter->SetNumberOfLevels(1);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 12);
+}
+
+TEST(MultiDimensionalSubdivisionLimits, CurvesAndVerticesTakeManyLevels)
+{
+  const Grid curve = MakeGrid(Corners, { { VTK_LINE, { 0, 1 } }, { VTK_VERTEX, { 3 } } });
+  const Grid result = Subdivide(curve, 16);
+  EXPECT_EQ(result->GetNumberOfCells(), 65536 + 1);
+  EXPECT_EQ(result->GetNumberOfPoints(), 8 + 65535);
+  EXPECT_EQ(Subdivide(MakeGrid(Corners, { { VTK_VERTEX, { 3 } } }), 20)->GetNumberOfPoints(), 8);
+}
+
+// ---------------------------------------------------------------- nothing to do
+
+TEST(MultiDimensionalSubdivisionEmpty, GivesEmptyOutput)
+{
+  vtkNew<vtkUnstructuredGrid> nothing;
+  vtkNew<vtkPolyData> noPoly;
+  const Grid noPoints = MakeGrid({}, {});
+  const Grid noCells = MakeGrid(Corners, {});
+  AddArrays(noCells);
+  const Grid onlyBad = MakeGrid({}, { { VTK_LINE, { 0, 1 } } });
+  vtkNew<vtkPolyData> poly;
+  poly->SetPoints(noCells->GetPoints());
+  for (int levels : { 0, 1, 3 })
+  {
+    Options options;
+    options.Levels = levels;
+    options.OriginalIds = options.Classification = true;
+    for (vtkDataObject* input : std::initializer_list<vtkDataObject*>{ nothing, noPoly, noPoints })
+    {
+      const Grid result = Subdivide(input, options);
+      EXPECT_EQ(result->GetNumberOfCells(), 0);
+      EXPECT_EQ(result->GetNumberOfPoints(), 0);
+      EXPECT_EQ(Subdivide(result, options)->GetNumberOfPoints(), 0); // and once more
+    }
+    for (vtkDataObject* input : std::initializer_list<vtkDataObject*>{ noCells, poly })
+    {
+      const Grid result = Subdivide(input, options);
+      EXPECT_EQ(result->GetNumberOfCells(), 0);
+      ASSERT_EQ(result->GetNumberOfPoints(), 8);
+      for (vtkIdType i = 0; i < 8; ++i)
+      {
+        EXPECT_EQ(GetPoint(result, i), Corners[i]);
+      }
+      EXPECT_EQ(result->GetPointData()->GetNumberOfArrays(), input == poly ? 3 : 8 + 3);
+      EXPECT_EQ(Compare(result, Subdivide(result, options), false), "");
+    }
+    vtkNew<Messages> messages;
+    EXPECT_EQ(Subdivide(onlyBad, options, messages)->GetNumberOfCells(), 0);
+    EXPECT_EQ(messages->Warnings.size(), 1u);
+    EXPECT_EQ(messages->Errors.size(), 0u);
+  }
+}
+
+TEST(MultiDimensionalSubdivisionEmpty, OnlyVertices)
+{
+  const Grid grid = MakeGrid(Corners, { { VTK_VERTEX, { 3 } }, { VTK_POLY_VERTEX, { 0, 1, 0 } } });
+  AddArrays(grid);
+  for (int levels : { 0, 1, 3 })
+  {
+    const Grid result = Subdivide(grid, levels);
+    EXPECT_EQ(GetCells(result), (std::vector<Ids>{ { 3 }, { 0 }, { 1 }, { 0 } }));
+    ASSERT_EQ(result->GetNumberOfPoints(), 8);
+    for (vtkIdType i = 0; i < 8; ++i)
+    {
+      EXPECT_EQ(GetPoint(result, i), Corners[i]);
+    }
+    EXPECT_EQ(Compare(result, Subdivide(grid, 2), false), "");
+  }
+}
+
+// ---------------------------------------------------------------- progress and abort
+
+namespace
+{
+
+struct Watcher
+{
+  std::vector<double> Values;
+  double AbortFrom = 2.;
+};
+
+void Observe(vtkObject* caller, unsigned long, void* client, void* data)
+{
+  auto* watcher = static_cast<Watcher*>(client);
+  watcher->Values.push_back(*static_cast<double*>(data));
+  if (watcher->Values.back() >= watcher->AbortFrom)
+  {
+    static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+  }
+}
+
+}
+
+TEST(MultiDimensionalSubdivisionProgress, RisesFromZeroToOne)
+{
+  const Grid grid = MakeMixedBox(2);
+  for (int levels : { 0, 1, 2, 4 })
+  {
+    Watcher watcher;
+    vtkNew<vtkCallbackCommand> command;
+    command->SetCallback(Observe);
+    command->SetClientData(&watcher);
+    vtkNew<vtkMultiDimensionalSubdivision> filter;
+    filter->AddObserver(vtkCommand::ProgressEvent, command);
+    filter->SetInputData(grid);
+    filter->SetNumberOfLevels(levels);
+    filter->Update();
+    ASSERT_FALSE(watcher.Values.empty());
+    EXPECT_TRUE(std::is_sorted(watcher.Values.begin(), watcher.Values.end()));
+    EXPECT_GE(watcher.Values.front(), 0.);
+    EXPECT_EQ(watcher.Values.back(), 1.);
+    const std::set<double> distinct(watcher.Values.begin(), watcher.Values.end());
+    EXPECT_GE(static_cast<int>(distinct.size()), levels + 1);
+  }
+}
+
+TEST(MultiDimensionalSubdivisionProgress, AbortGivesEmptyOutputAndTheNextUpdateWorks)
+{
+  const Grid grid = MakeMixedBox(2);
+  AddArrays(grid);
+  const Grid expected = Subdivide(grid, 3);
+  for (double from : { 0.01, 0.3, 0.6 })
+  {
+    Watcher watcher;
+    watcher.AbortFrom = from;
+    vtkNew<vtkCallbackCommand> command;
+    command->SetCallback(Observe);
+    command->SetClientData(&watcher);
+    vtkNew<vtkMultiDimensionalSubdivision> filter;
+    vtkNew<Messages> messages;
+    messages->Watch(filter);
+    filter->AddObserver(vtkCommand::ProgressEvent, command);
+    filter->SetInputData(grid);
+    filter->SetNumberOfLevels(3);
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_TRUE(messages->Errors.empty());
+    const auto seen = std::count_if(watcher.Values.begin(), watcher.Values.end(),
+      [from](double value) { return value >= from && value < 1.; });
+    EXPECT_EQ(seen, 1); // stopped at once
+    watcher.AbortFrom = 2.;
+    filter->SetAbortExecute(0); // newer VTK does not take it back itself
+    filter->Modified();
+    filter->Update();
+    EXPECT_EQ(Compare(filter->GetOutput(), expected), "");
+  }
+}

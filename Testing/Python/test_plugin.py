@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the plugin offers: its proxies, their names, every option of every class, and help for each."""
+
+import pathlib
+import unittest
+
+import tools
+from paraview import servermanager, simple
+
+import subdivisionobjects
+
+HEADERS = pathlib.Path(__file__).resolve().parents[2] / "Filters"
+MODELS = ["MixedDimensions", "Screw", "SpringAndValve", "Ship", "MechanicalPart", "Character", "MaterialBlock"]
+
+
+def definition(name):
+    """The proxy of a class (its name without vtk)."""
+    for group in ("filters", "sources"):
+        if servermanager.ProxyManager().GetPrototypeProxy(group, name):
+            return servermanager.ProxyManager().GetPrototypeProxy(group, name)
+    return None
+
+
+def properties(proxy):
+    iterator = proxy.NewPropertyIterator()
+    iterator.Begin()
+    while not iterator.IsAtEnd():
+        yield iterator.GetKey(), iterator.GetProperty()
+        iterator.Next()
+
+
+def options(cls):
+    """The options of a class, by their C++ setters, those of our own base classes included."""
+    found = set()
+    for ours in cls.__mro__:
+        if ours.__name__ in vars(subdivisionobjects):
+            found |= {name[3:] for name in vars(ours) if name.startswith("Set")
+                      and "Get" + name[3:] in vars(ours)}
+    return found
+
+
+class Package(unittest.TestCase):
+    def test_offers_every_class(self):
+        headers = [header.stem for header in HEADERS.glob("vtk*.h")]
+        self.assertGreaterEqual(len(headers), 3)
+        for name in headers:
+            self.assertTrue(hasattr(subdivisionobjects, name), name)
+
+    def test_every_class_has_a_proxy(self):
+        for name, cls in vars(subdivisionobjects).items():
+            if not name.startswith("vtk") or not isinstance(cls, type):
+                continue
+            if name == "vtkSubdivisionAlgorithm":  # abstract
+                continue
+            with self.subTest(name):
+                proxy = definition(name[3:])
+                self.assertIsNotNone(proxy)
+                self.assertEqual(proxy.GetVTKClassName(), name)
+                names = {key for key, _ in properties(proxy)}
+                self.assertEqual(options(cls) - names, set(), "options without a property")
+
+
+class Proxies(unittest.TestCase):
+    expected = {
+        "MultiDimensionalSubdivision": ("Multi-dimensional Subdivision", "MultidimensionalSubdivision"),
+        "SubdivisionModelSource": ("Subdivision Model", "SubdivisionModel"),
+    }
+
+    def test_names_and_menus(self):
+        for name, (label, python_name) in self.expected.items():
+            with self.subTest(name):
+                proxy = definition(name)
+                self.assertEqual(proxy.GetXMLLabel(), label)
+                self.assertTrue(callable(getattr(simple, python_name)))
+                menu = proxy.GetHints().FindNestedElementByName("ShowInMenu")
+                self.assertEqual(menu.GetAttribute("category"), "Subdivision Objects")
+
+    def test_help(self):
+        for name in self.expected:
+            proxy = definition(name)
+            help_texts = proxy.GetDocumentation()
+            self.assertTrue(help_texts.GetShortHelp() and help_texts.GetLongHelp(), name)
+            self.assertGreater(len(help_texts.GetDescription()), 100, name)
+            for key, prop in properties(proxy):
+                with self.subTest(name + "." + key):
+                    self.assertIn(prop.GetPanelVisibility(), ("default", "advanced"))
+                    if key != "Input":
+                        self.assertIn("default", prop.GetDocumentation().GetDescription().lower())
+                    self.assertGreater(len(prop.GetDocumentation().GetDescription().strip()), 60)
+
+    def test_groups(self):
+        proxy = definition("MultiDimensionalSubdivision")
+        grouped = set()
+        for i in range(proxy.GetNumberOfPropertyGroups()):
+            group = proxy.GetPropertyGroup(i)
+            self.assertTrue(group.GetXMLLabel())
+            grouped |= {group.GetPropertyName(j) for j in range(group.GetNumberOfProperties())}
+        names = {key for key, _ in properties(proxy)} - {"Input"}
+        self.assertEqual(names - grouped, set())
+
+    def test_model_names(self):
+        source = simple.SubdivisionModel()
+        self.assertEqual(source.Model, "MixedDimensions")
+        self.assertEqual(source.GetProperty("Model").Available, MODELS)
+        self.assertEqual(source.OutputPointsPrecision, "Double")
+        for i, name in enumerate(MODELS):
+            self.assertEqual(subdivisionobjects.vtkSubdivisionModelSource.GetModelName(i), name)
+
+    def test_defaults_are_those_of_the_classes(self):
+        proxy = simple.MultidimensionalSubdivision(Input=simple.SubdivisionModel())
+        made = subdivisionobjects.vtkMultiDimensionalSubdivision()
+        for name in ("NumberOfLevels", "GenerateClassification", "InterpolateIntegers", "GenerateOriginalIds",
+                     "OutputPointsPrecision", "MaximumNumberOfCells"):
+            element = proxy.SMProxy.GetProperty(name)
+            self.assertEqual(element.GetElement(0), int(getattr(made, "Get" + name)()), name)
+        proxy.MaximumNumberOfCells = 10**11  # needs 64 bits
+        self.assertEqual(proxy.MaximumNumberOfCells, 10**11)
+
+    def test_every_property_reaches_the_filter(self):
+        source = simple.SubdivisionModel(Model="Ship", OutputPointsPrecision="Single")
+        proxy = simple.MultidimensionalSubdivision(
+            Input=source, NumberOfLevels=2, GenerateClassification=1, GenerateOriginalIds=1,
+            InterpolateIntegers=1, OutputPointsPrecision="Double", MaximumNumberOfCells=10**7)
+        proxy.UpdatePipeline()
+        filter_ = proxy.GetClientSideObject()
+        text = str(filter_)
+        for words in ("NumberOfLevels: 2", "MaximumNumberOfCells: 10000000"):
+            self.assertIn(words, text)
+        output = filter_.GetOutputDataObject(0)
+        self.assertEqual(tools.arrays(output.GetPointData()),
+                         {"Tension", "RuleDimension", "NonManifoldType", "vtkOriginalPointIds"})
+        self.assertEqual(tools.arrays(output.GetCellData()),
+                         {"MaterialId", "Singular", "ManifoldDimension", "vtkOriginalCellIds"})
+        self.assertEqual(source.GetClientSideObject().GetOutputDataObject(0).GetPoints().GetDataType(), 10)
+        self.assertEqual(output.GetPoints().GetDataType(), 11)
+
+    def test_the_guard_stops_it(self):
+        proxy = simple.MultidimensionalSubdivision(
+            Input=simple.SubdivisionModel(), NumberOfLevels=3, MaximumNumberOfCells=1000)
+        with tools.quiet():
+            proxy.UpdatePipeline()
+        self.assertEqual(tools.output(proxy).GetNumberOfCells(), 0)
+
+
+if __name__ == "__main__":
+    tools.main()

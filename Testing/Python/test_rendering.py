@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Model, filter, Threshold ManifoldDimension = 3, volume rendering: there is something to see."""
+
+import os
+import unittest
+
+import numpy as np
+import tools
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def pixels(file_name):
+    """Rows of red, green and blue."""
+    reader = simple.PNGSeriesReader(FileNames=[os.path.abspath(file_name)])
+    reader.UpdatePipeline()
+    return vtk_to_numpy(tools.output(reader).GetPointData().GetScalars())[:, :3].astype(int)
+
+
+class Rendering(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.view = simple.CreateRenderView(ViewSize=[400, 300])
+        cls.view.OrientationAxesVisibility = 0
+        cls.view.UseColorPaletteForBackground = 0
+        cls.view.Background = [1.0, 1.0, 1.0]
+        model = simple.SubdivisionModel(Model="SpringAndValve")
+        cls.smooth = simple.MultidimensionalSubdivision(
+            Input=model, NumberOfLevels=2, GenerateClassification=1)
+        cls.solids = simple.Threshold(Input=cls.smooth, Scalars=["CELLS", "ManifoldDimension"],
+                                      LowerThreshold=3, UpperThreshold=3)
+
+    def picture(self, proxy, representation, file_name):
+        simple.HideAll(self.view)
+        display = simple.Show(proxy, self.view)
+        display.SetRepresentationType(representation)
+        simple.ColorBy(display, ("POINTS", "Tension"))
+        display.RescaleTransferFunctionToDataRange()
+        display.SetScalarBarVisibility(self.view, False)
+        self.view.CameraPosition = [4.0, -10.0, 4.0]
+        self.view.CameraViewUp = [0.0, 0.0, 1.0]
+        self.view.ResetCamera()
+        simple.SaveScreenshot(file_name, self.view)
+        seen = pixels(file_name)
+        self.assertEqual(len(seen), 400 * 300)
+        drawn = (seen < 250).any(axis=1)
+        return drawn.mean(), seen[drawn]
+
+    def test_volume(self):
+        share, seen = self.picture(self.solids, "Volume", "volume.png")
+        self.assertTrue(0.02 < share < 0.9, f"drawn is {share:.2%} of the picture")
+        self.assertGreater(len(np.unique(seen, axis=0)), 100)
+        self.assertGreater(seen.std(axis=0).max(), 10)
+
+    def test_surface(self):
+        share, seen = self.picture(self.smooth, "Surface", "surface.png")
+        self.assertTrue(0.1 < share < 0.9, f"drawn is {share:.2%} of the picture")
+        # Tension goes from blue to red.
+        self.assertTrue((seen[:, 2] - seen[:, 0] > 50).any() and (seen[:, 0] - seen[:, 2] > 50).any())
+
+
+if __name__ == "__main__":
+    tools.main()
