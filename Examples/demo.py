@@ -36,6 +36,7 @@ VIEWS = {
     "Character": ((0.35, -1.0, 0.2), (0.1, -1.0, 0.0)),
     "MaterialBlock": ((0.7, -1.0, 0.5), (0.0, -1.0, 0.0)),
 }
+README_MODELS = ("MixedDimensions", "SpringAndValve", "Ship", "MechanicalPart")
 DEFAULT_VIEW = ((0.6, -1.0, 0.5), (0.15, -1.0, 0.0))
 
 
@@ -122,7 +123,7 @@ def show(name, source, levels):
     given = source.GetClientSideObject().GetOutputDataObject(0)
     line = (f"{name:<26} {given.GetNumberOfCells():>9,} cells {given.GetNumberOfPoints():>9,} points"
             f" -> {smooth.GetNumberOfCells():>11,} cells {smooth.GetNumberOfPoints():>10,} points"
-            f"  {levels} levels  {seconds:7.3f} s")
+            f"  {levels} level{'s' if levels != 1 else ' '}  {seconds:7.3f} s")
     return [image for _, image in pictures], line
 
 
@@ -152,6 +153,10 @@ def main(arguments):
         rows.append(images)
     sheet = "contact_sheet.png" if not arguments else f"{models[0][0]}_contact_sheet.png"
     demo_pictures.write_png(demo_pictures.contact_sheet(rows), sheet)
+    if not arguments:
+        some = [rows[i] for i, (name, _) in enumerate(models) if name in README_MODELS]
+        small = demo_pictures.shrunk(demo_pictures.contact_sheet(some), 0.3)
+        demo_pictures.write_png(small, "gallery.png")  # Documentation/gallery.png
     print(f"Pictures and meshes are in {os.getcwd()}; look at {sheet} first.")
 
 

@@ -10,9 +10,11 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    VTK_LINE, VTK_TETRA, VTK_TRIANGLE, VTK_VERTEX, vtkCellArray, vtkPlane, vtkPolyData)
+    VTK_HEXAHEDRON, VTK_LINE, VTK_PYRAMID, VTK_TETRA, VTK_TRIANGLE, VTK_VERTEX, VTK_WEDGE, vtkCellArray,
+    vtkPlane, vtkPolyData)
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkImageAppend, vtkPolyDataNormals, vtkTubeFilter
-from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
+from vtkmodules.vtkFiltersExtraction import vtkExtractCellsByType, vtkExtractGeometry
 from vtkmodules.vtkFiltersGeneral import vtkTableBasedClipDataSet
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -24,6 +26,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper2D, vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter)
 
 SIZE = (800, 600)  # of a picture; rendered twice as large and shrunk, for smooth edges
+SOLIDS = (VTK_TETRA, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID)  # a cut makes the last three
 INK = (0.15, 0.17, 0.2)
 PALETTE = [(0.93, 0.76, 0.55), (0.55, 0.73, 0.60), (0.56, 0.70, 0.85), (0.86, 0.60, 0.56),
            (0.45, 0.47, 0.52), (0.75, 0.66, 0.84), (0.90, 0.85, 0.58), (0.60, 0.80, 0.80)]
@@ -127,27 +130,47 @@ def mapper_for(colouring):
     return mapper
 
 
-def actors_of(grid, colouring, size, edges=False, feature_angle=50):
+def polygons(data, colouring, edges, on_top):
+    """An actor for the polygons; on top: of others in the same place."""
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(only(data, polys=True))
+    normals.SetFeatureAngle(5 if edges else 50)
+    mapper = mapper_for(colouring)
+    mapper.SetInputConnection(normals.GetOutputPort())
+    if on_top:
+        mapper.SetResolveCoincidentTopologyToPolygonOffset()
+        mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(-1.0, -1.0)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    look = actor.GetProperty()
+    look.SetAmbient(0.22)
+    look.SetSpecular(0.12)
+    look.SetSpecularPower(25)
+    if edges:
+        look.EdgeVisibilityOn()
+        look.SetEdgeColor(*INK)
+        look.SetLineWidth(2.0)
+    return actor
+
+
+def of_types(grid, *types):
+    chosen = vtkExtractCellsByType()
+    chosen.SetInputData(grid)
+    for kind in types:
+        chosen.AddCellType(kind)
+    chosen.Update()
+    return chosen.GetOutput()
+
+
+def actors_of(grid, colouring, size, edges=False):
     """The surface of a grid (colouring: kind, array, colours), curves as tubes, points as balls."""
-    data = surface_of(grid)
     actors = []
-    if data.GetNumberOfPolys():
-        normals = vtkPolyDataNormals()
-        normals.SetInputData(only(data, polys=True))
-        normals.SetFeatureAngle(5 if edges else feature_angle)
-        mapper = mapper_for(colouring)
-        mapper.SetInputConnection(normals.GetOutputPort())
-        actor = vtkActor()
-        actor.SetMapper(mapper)
-        look = actor.GetProperty()
-        look.SetAmbient(0.08)
-        look.SetSpecular(0.12)
-        look.SetSpecularPower(25)
-        if edges:
-            look.EdgeVisibilityOn()
-            look.SetEdgeColor(*INK)
-            look.SetLineWidth(2.0)
-        actors.append(actor)
+    # Triangles may lie on the boundary of solids.
+    solids = surface_of(of_types(grid, *SOLIDS))
+    data = surface_of(of_types(grid, *(set(range(1, VTK_PYRAMID + 1)) - set(SOLIDS))))
+    for part, on_top in ((solids, False), (data, True)):
+        if part.GetNumberOfPolys():
+            actors.append(polygons(part, colouring, edges, on_top))
     if data.GetNumberOfLines():
         tubes = vtkTubeFilter()
         tubes.SetInputData(only(data, lines=True))
@@ -373,7 +396,7 @@ def pictures(name, control, smooth, levels, direction, normal):
         ("rules", "RuleDimension",
          actors_of(crinkled, ("point", "RuleDimension", rules), size) + rule_balls(crinkled, size),
          rule_legend(rules_in(crinkled)))]
-    return [(what, render(actors, notes + [text(f"{name}: {title}", 40, 36, 2 * SIZE[1] - 70)],
+    return [(what, render(actors, notes + [text(f"{name}: {title}", 52, 36, 2 * SIZE[1] - 84)],
                           points, direction))
             for what, title, actors, notes in shown]
 
@@ -397,6 +420,13 @@ def resized(port, size):
     return shrink.GetOutput()
 
 
+def shrunk(image, factor):
+    width, height, _ = image.GetDimensions()
+    producer = vtkTrivialProducer()
+    producer.SetOutput(image)
+    return resized(producer.GetOutputPort(), (round(factor * width), round(factor * height)))
+
+
 def append(images, axis):
     joined = vtkImageAppend()
     joined.SetAppendAxis(axis)
@@ -414,4 +444,5 @@ def write_png(image, file_name):
     writer = vtkPNGWriter()
     writer.SetInputData(image)
     writer.SetFileName(file_name)
+    writer.SetCompressionLevel(9)
     writer.Write()

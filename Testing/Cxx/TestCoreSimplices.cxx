@@ -308,6 +308,32 @@ TEST(CoreTetOrder, TiesGoToTheShorterEdgeThenToTheSmallestGlobalIds)
   }
 }
 
+TEST(CoreTetOrder, TiesOfARotatedLatticeSurviveRounding)
+{
+  // A rotation keeps the ties of a Kuhn lattice, up to rounding.
+  const double r[3][3] = { { 2. / 3., -1. / 3., 2. / 3. }, { 2. / 3., 2. / 3., -1. / 3. },
+    { -1. / 3., 2. / 3., 2. / 3. } };
+  for (int i = 0; i < 125; ++i)
+  {
+    int axes[3] = { 0, 1, 2 };
+    do
+    {
+      int p[3] = { i % 5, i / 5 % 5, i / 25 };
+      std::vector<double> points;
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        for (const auto& row : r)
+        {
+          points.push_back(0.1 * (row[0] * p[0] + row[1] * p[1] + row[2] * p[2]));
+        }
+        p[axes[corner % 3]] += 1;
+      }
+      ASSERT_EQ(PairOf(OrderOne({ 0, 1, 2, 3 }, points)),
+        (std::set<std::set<vtkIdType>>{ { 0, 2 }, { 1, 3 } }));
+    } while (std::next_permutation(axes, axes + 3));
+  }
+}
+
 // ------------------------------------------------------------------------------------------------
 // The paper's procedure: octahedra with a stored diagonal
 

@@ -200,7 +200,7 @@ TEST(MultiDimensionalSubdivisionLimits, MaximumNumberOfCells)
   options.MaximumNumberOfCells = 64 + 16;
   EXPECT_EQ(Subdivide(grid, options)->GetNumberOfCells(), 80);
   options.MaximumNumberOfCells = 79;
-  ExpectRefused(grid, options, { " 80 cells", "79", "MB" });
+  ExpectRefused(grid, options, { " 80 cells", "79", "bytes" });
   options.Levels = 0;
   options.MaximumNumberOfCells = 1;
   ExpectRefused(grid, options, { " 2 cells" });
@@ -210,14 +210,14 @@ TEST(MultiDimensionalSubdivisionLimits, AbsurdLevels)
 {
   Options options;
   options.Levels = 20;
-  ExpectRefused(MakeTet(), options, { "cells", "MB" });
+  ExpectRefused(MakeTet(), options, { "cells", "bytes" });
   options.Levels = 12; // 8^12 tets are some terabytes, whatever the limit says
   options.MaximumNumberOfCells = VTK_ID_MAX;
-  ExpectRefused(MakeTet(), options, { "68736253952 cells", "points", "MB" });
+  ExpectRefused(MakeTet(), options, { "68736253952 cells", "points", "bytes" });
   options.Levels = 20;
-  ExpectRefused(MakeTet(), options, { "MB" });
-  ExpectRefused(MakeMixedBox(1), options, { "MB" });
-  ExpectRefused(MakeMixedBox(4), options, { "MB" });
+  ExpectRefused(MakeTet(), options, { "bytes" });
+  ExpectRefused(MakeMixedBox(1), options, { "bytes" });
+  ExpectRefused(MakeMixedBox(4), options, { "bytes" });
 }
 
 TEST(MultiDimensionalSubdivisionLimits, ANewUpdateAfterAnErrorWorks)

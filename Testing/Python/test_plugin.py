@@ -134,6 +134,24 @@ class Proxies(unittest.TestCase):
         self.assertEqual(source.GetClientSideObject().GetOutputDataObject(0).GetPoints().GetDataType(), 10)
         self.assertEqual(output.GetPoints().GetDataType(), 11)
 
+    def test_arrays_start_as_none(self):
+        """Even where the input has active cell scalars that would fit."""
+        source = subdivisionobjects.vtkSubdivisionModelSource()
+        source.Update()
+        source.GetOutput().GetCellData().SetActiveScalars("MaterialId")
+        producer = simple.TrivialProducer()
+        producer.GetClientSideObject().SetOutput(source.GetOutput())
+        producer.UpdatePipeline()
+        proxy = simple.MultidimensionalSubdivision(Input=producer)
+        proxy.UpdatePipeline()
+        names = [name for name in proxy.ListProperties() if name.endswith("Array")]
+        self.assertGreaterEqual(len(names), 4)
+        for name in names:
+            self.assertEqual(proxy.GetPropertyValue(name)[1], "None", name)
+        offered = proxy.SMProxy.GetProperty("SingularArray").GetDomain("array_list")
+        self.assertEqual([offered.GetString(i) for i in range(offered.GetNumberOfStrings())],
+                         ["None", "MaterialId", "Singular"])
+
     def test_the_guard_stops_it(self):
         proxy = simple.MultidimensionalSubdivision(
             Input=simple.SubdivisionModel(), NumberOfLevels=3, MaximumNumberOfCells=1000)
