@@ -155,7 +155,7 @@ def main(arguments):
     demo_pictures.write_png(demo_pictures.contact_sheet(rows), sheet)
     if not arguments:
         some = [rows[i] for i, (name, _) in enumerate(models) if name in README_MODELS]
-        small = demo_pictures.shrunk(demo_pictures.contact_sheet(some), 0.3)
+        small = demo_pictures.shrunk(demo_pictures.contact_sheet(some), 0.28)
         demo_pictures.write_png(small, "gallery.png")  # Documentation/gallery.png
     print(f"Pictures and meshes are in {os.getcwd()}; look at {sheet} first.")
 

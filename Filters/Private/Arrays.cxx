@@ -51,6 +51,36 @@ void AddLike(
   }
 }
 
+void AddInstead(vtkDataSetAttributes* from, vtkAbstractArray* array, vtkDataSetAttributes* to)
+{
+  int source = -1;
+  if (from->GetAbstractArray(array->GetName(), source))
+  {
+    AddLike(from, source, array, to);
+  }
+  else
+  {
+    to->AddArray(array);
+  }
+}
+
+bool HasTuples(vtkAbstractArray* array, vtkIdType wanted, const char* kind,
+  const std::function<void(const std::string&)>& warn)
+{
+  if (array->GetNumberOfTuples() == wanted)
+  {
+    return true;
+  }
+  if (warn)
+  {
+    warn(std::string("The ") + kind + " array \"" + (array->GetName() ? array->GetName() : "") +
+      "\" has " + std::to_string(array->GetNumberOfTuples()) + " tuples for " +
+      std::to_string(wanted) + " " + kind +
+      "s: it is not in the output. Give it one tuple for each.");
+  }
+  return false;
+}
+
 vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
 {
   if (array->HasStandardMemoryLayout())

@@ -12,6 +12,9 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
+#include <string>
+
 namespace subdivision
 {
 
@@ -27,6 +30,14 @@ void CopyLooks(vtkAbstractArray* from, vtkAbstractArray* to);
 /// Adds `array`, which stands for the array `source` of `from`, with the same active attribute.
 void AddLike(
   vtkDataSetAttributes* from, int source, vtkAbstractArray* array, vtkDataSetAttributes* to);
+
+/// Adds an array of the filter's own making in the place of one that `from` may have by its name.
+void AddInstead(vtkDataSetAttributes* from, vtkAbstractArray* array, vtkDataSetAttributes* to);
+
+/// Whether an array has a tuple for each point or cell; if not it cannot be used, and `warn` hears
+/// so.
+bool HasTuples(vtkAbstractArray* array, vtkIdType wanted, const char* kind,
+  const std::function<void(const std::string&)>& warn);
 
 /// The array itself if it is contiguous, else a contiguous copy.
 vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array);

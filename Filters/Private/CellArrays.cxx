@@ -93,6 +93,10 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
     {
       continue;
     }
+    if (!HasTuples(array, input->GetNumberOfCells(), "cell", options.Warn))
+    {
+      continue;
+    }
     const vtkSmartPointer<vtkAbstractArray> copy =
       unchanged ? vtkSmartPointer<vtkAbstractArray>(array) : SpreadArray(array, cells, first);
     AddLike(data, i, copy, output->GetCellData());
@@ -104,13 +108,14 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
     ids->SetNumberOfTuples(input->GetNumberOfCells());
     vtkIdType* values = ids->GetPointer(0);
     ForEach(input->GetNumberOfCells(), [values](vtkIdType i) { values[i] = i; });
-    output->GetCellData()->AddArray(
-      unchanged ? vtkSmartPointer<vtkAbstractArray>(ids) : SpreadArray(ids, cells, first));
+    AddInstead(data,
+      unchanged ? vtkSmartPointer<vtkAbstractArray>(ids) : SpreadArray(ids, cells, first),
+      output->GetCellData());
   }
 }
 
 void AddValuesOfSimplices(const unsigned char* values, const SimplexList& simplices, int levels,
-  const char* name, vtkUnstructuredGrid* output)
+  const char* name, vtkPointSet* input, vtkUnstructuredGrid* output)
 {
   const Buffer<vtkIdType> first = FindChildren(simplices, levels);
   vtkNew<vtkUnsignedCharArray> array;
@@ -122,7 +127,7 @@ void AddValuesOfSimplices(const unsigned char* values, const SimplexList& simpli
       first, [&](vtkIdType i) { return reinterpret_cast<const char*>(values + i); }, 1,
       reinterpret_cast<char*>(array->GetPointer(0)));
   }
-  output->GetCellData()->AddArray(array);
+  AddInstead(input->GetCellData(), array, output->GetCellData());
 }
 
 void ReduceSharpness(const char* name, int levels, vtkUnstructuredGrid* output)

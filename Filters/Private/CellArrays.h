@@ -8,6 +8,7 @@
 
 #include "CellsToSimplices.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct CellArrayOptions
   bool CarryOriginalIds = false;
   /// Arrays that the filter makes itself: the input's are left out.
   std::vector<std::string> Replaced;
+  /// Hears of arrays that cannot be used.
+  std::function<void(const std::string&)> Warn;
 };
 
 /// Copies every cell array of `input` to the children that its simplices have after some levels.
@@ -34,7 +37,7 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
 
 /// Adds a cell array that has one value for all children of each simplex.
 void AddValuesOfSimplices(const unsigned char* values, const SimplexList& simplices, int levels,
-  const char* name, vtkUnstructuredGrid* output);
+  const char* name, vtkPointSet* input, vtkUnstructuredGrid* output);
 
 /// Takes `levels` from the sharpness that lines carry, down to 0.
 void ReduceSharpness(const char* name, int levels, vtkUnstructuredGrid* output);

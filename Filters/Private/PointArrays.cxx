@@ -74,6 +74,10 @@ PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
     {
       continue;
     }
+    if (!HasTuples(array, input->GetNumberOfPoints(), "point", options.Warn))
+    {
+      continue;
+    }
     Entry entry{ i, nullptr };
     if (this->IsSmoothed(array))
     {
@@ -267,7 +271,7 @@ void PointArrays::AddOriginalIds(vtkUnstructuredGrid* output) const
   {
     values[i] = i >= given ? -1 : carried ? static_cast<vtkIdType>(carried->GetComponent(i, 0)) : i;
   }
-  output->GetPointData()->AddArray(ids);
+  AddInstead(this->Input->GetPointData(), ids, output->GetPointData());
 }
 
 double PointArrays::GetBytesPerPoint() const

@@ -29,6 +29,8 @@ struct PointArrayOptions
   std::vector<std::string> Replaced;
   /// As in vtkAlgorithm.
   int Precision = 2;
+  /// Hears of arrays that cannot be used.
+  std::function<void(const std::string&)> Warn;
 };
 
 /**

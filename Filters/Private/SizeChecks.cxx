@@ -19,14 +19,17 @@ namespace
 /// Connectivity and type of a tetrahedron, and its offset.
 constexpr double BytesPerTet = 8. * 4. + 8. + 1.;
 
-vtkIdType Whole(double value)
+/// A whole number, also where none of the integer types holds it.
+std::string Whole(double value)
 {
-  return static_cast<vtkIdType>(std::min(value, 9e18));
+  constexpr double most = 9e18;
+  return value < most ? std::to_string(static_cast<vtkIdType>(value))
+                      : "more than " + std::to_string(static_cast<vtkIdType>(most));
 }
 
 std::string Bytes(double bytes)
 {
-  return std::to_string(Whole(bytes)) + " bytes (" + std::to_string(Whole(bytes / 1e6)) + " MB)";
+  return Whole(bytes) + " bytes (" + Whole(bytes / 1e6) + " MB)";
 }
 
 }
@@ -93,10 +96,10 @@ std::string CheckMemory(const SizeEstimate& estimate)
     estimate.BytesPerPoint * (points + last.Vertices) + estimate.BytesPerCell * cells +
     estimate.BytesPerId * (10. * last.Tets + 13. * last.Edges);
   vtksys::SystemInformation system;
-  const double available = 1024. *
-    (static_cast<double>(system.GetHostMemoryAvailable()) -
-      static_cast<double>(system.GetHostMemoryUsed()));
-  if (available <= 0. || bytes <= available)
+  const double memory = 1024. * static_cast<double>(system.GetHostMemoryAvailable());
+  const double available =
+    std::max(0., memory - 1024. * static_cast<double>(system.GetHostMemoryUsed()));
+  if (memory <= 0. || bytes <= available) // 0: the system does not tell
   {
     return std::string();
   }

@@ -196,9 +196,10 @@ void UniformRun::StartPoints()
 {
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
-  arrays.OriginalIds = this->Options.GenerateOriginalIds;
   arrays.CarryOriginalIds =
     this->Mesh.IsStamped && this->Input->GetPointData()->GetArray("vtkOriginalPointIds");
+  arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;
+  arrays.Warn = this->Options.Warn;
   arrays.Precision = this->Options.OutputPointsPrecision;
   if (arrays.OriginalIds)
   {
@@ -631,6 +632,7 @@ void UniformRun::Finish()
   {
     cells.Replaced.emplace_back("vtkOriginalCellIds");
   }
+  cells.Warn = this->Options.Warn;
   if (this->Options.GenerateClassification)
   {
     cells.Replaced.emplace_back(DimensionName);
@@ -639,7 +641,7 @@ void UniformRun::Finish()
   if (this->Options.GenerateClassification)
   {
     AddValuesOfSimplices(this->ManifoldDimensions.data(), this->Mesh.GetControl(),
-      this->Mesh.MadeLevels + this->Options.Levels, DimensionName, this->Output);
+      this->Mesh.MadeLevels + this->Options.Levels, DimensionName, this->Input, this->Output);
   }
   if (this->Options.Features.Sharpness)
   {
@@ -685,8 +687,8 @@ void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer
       rules->SetValue(i, static_cast<unsigned char>(regular ? Rule::Solid : stratum.GetRule()));
       types->SetValue(i, static_cast<unsigned char>(stratum.GetType()));
     });
-  this->Output->GetPointData()->AddArray(rules);
-  this->Output->GetPointData()->AddArray(types);
+  AddInstead(this->Input->GetPointData(), rules, this->Output->GetPointData());
+  AddInstead(this->Input->GetPointData(), types, this->Output->GetPointData());
 }
 
 }

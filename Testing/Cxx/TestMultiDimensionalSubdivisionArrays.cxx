@@ -496,3 +496,51 @@ TEST(MultiDimensionalSubdivisionArrays, OriginalIds)
   EXPECT_EQ(later->GetCellData()->GetArray("vtkOriginalCellIds")->GetRange()[1],
     one->GetNumberOfCells() - 1);
 }
+
+TEST(MultiDimensionalSubdivisionArrays, OfTheWrongLengthAreLeftOutWithAWarning)
+{
+  const Grid grid = MakeCurve();
+  grid->GetPointData()->AddArray(MakeArray<vtkDoubleArray>("long", 1, 300000, 0, 1, 1));
+  grid->GetPointData()->AddArray(MakeArray<vtkIntArray>("short", 1, 2, 0, 1, 1));
+  grid->GetCellData()->AddArray(MakeArray<vtkIntArray>("cells", 1, 1, 0, 1, 1));
+  vtkNew<Messages> messages;
+  const Grid result = Subdivide(grid, Options(), messages);
+  EXPECT_EQ(result->GetNumberOfCells(), 4);
+  EXPECT_EQ(result->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(result->GetCellData()->GetNumberOfArrays(), 0);
+  ASSERT_EQ(messages->Warnings.size(), 3u);
+  for (const char* name : { "long", "short", "cells" })
+  {
+    EXPECT_TRUE(std::any_of(messages->Warnings.begin(), messages->Warnings.end(),
+      [name](const std::string& text) { return text.find(name) != std::string::npos; }))
+      << name;
+  }
+}
+
+TEST(MultiDimensionalSubdivisionArrays, OriginalIdsAreCarriedOnWhereTheyAreNotAskedForAgain)
+{
+  Options options;
+  options.OriginalIds = true;
+  const Grid first = Subdivide(MakeCurve(), options);
+  const Grid second = Subdivide(first, 1);
+  auto* points =
+    vtkDataArray::SafeDownCast(second->GetPointData()->GetAbstractArray("vtkOriginalPointIds"));
+  ASSERT_TRUE(points);
+  for (vtkIdType p = 0; p < second->GetNumberOfPoints(); ++p)
+  {
+    EXPECT_EQ(points->GetComponent(p, 0), p < 3 ? p : -1);
+  }
+  EXPECT_TRUE(second->GetCellData()->HasArray("vtkOriginalCellIds"));
+}
+
+TEST(MultiDimensionalSubdivisionArrays, WhatIsMadeAnewStaysActive)
+{
+  const Grid grid = MakeCurve();
+  grid->GetPointData()->SetScalars(MakeArray<vtkIntArray>("RuleDimension", 1, 3, 0, 1, 1));
+  Options options;
+  options.Classification = true;
+  const Grid result = Subdivide(grid, options);
+  ASSERT_TRUE(result->GetPointData()->GetScalars());
+  EXPECT_STREQ(result->GetPointData()->GetScalars()->GetName(), "RuleDimension");
+  EXPECT_EQ(result->GetPointData()->GetScalars()->GetNumberOfTuples(), 5);
+}
