@@ -61,9 +61,8 @@
  *    are connected.
  *
  * @par Complexity
- * Linear in the size of the complex, but for sorting around each vertex. Memory: some 200 bytes per
- * edge beside the output. Of a mesh that a subdivision filter made, its control mesh is examined
- * and refined.
+ * Time and memory are linear in the size of the complex, but for sorting around each vertex. Of a
+ * mesh that a subdivision filter made, its control mesh is examined and refined.
  *
  * @par Threads and ghosts
  * Threaded by vtkSMPTools, but for counting components; the output is the same, bit for bit, for

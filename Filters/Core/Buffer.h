@@ -28,8 +28,10 @@ namespace subdivision
 inline void* AllocateBytes(std::size_t bytes)
 {
   constexpr std::size_t hugePage = std::size_t(1) << 21;
+  // The last page is huge too where at least half of it is used.
+  const std::size_t huge = (bytes + hugePage / 2) / hugePage * hugePage;
   void* memory = nullptr;
-  if (bytes < 2 * hugePage)
+  if (huge == 0)
   {
     memory = std::malloc(std::max<std::size_t>(bytes, 1));
   }
@@ -44,7 +46,7 @@ inline void* AllocateBytes(std::size_t bytes)
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
     if (memory)
     {
-      (void)madvise(memory, bytes / hugePage * hugePage, MADV_HUGEPAGE);
+      (void)madvise(memory, huge, MADV_HUGEPAGE);
     }
 #endif
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Refinement.h"
 
-#include "Simplices.h"
+#include "Refiner.h"
 
 namespace subdivision
 {
@@ -27,159 +27,20 @@ constexpr auto InteriorFaceEdges = MakeInteriorFaceEdges();
 /// The vertex that each edge of a triangle's middle child cuts off.
 constexpr int MiddleEdgeCorner[3] = { 1, 2, 0 };
 
-/// Ids of the next level, seen from the parent.
-template <typename Id>
-class ChildIds
-{
-public:
-  explicit ChildIds(const SimplicialComplex<Id>& parent)
-    : Parent(parent)
-    , InFaceStart(2 * parent.NumberOfEdges)
-    , DiagonalStart(2 * parent.NumberOfEdges + 3 * parent.NumberOfFaces)
-    , InteriorStart(4 * parent.NumberOfFaces)
-  {
-  }
-  Id Midpoint(Id edge) const { return this->Parent.NumberOfVertices + edge; }
-  Id Half(Id edge, Id end) const
-  {
-    return 2 * edge + (this->Parent.EdgeVertices[2 * edge + vtkIdType(1)] == end ? 1 : 0);
-  }
-  Id InFace(Id face, int corner) const { return this->InFaceStart + 3 * face + corner; }
-  Id Diagonal(Id tet) const { return this->DiagonalStart + tet; }
-  Id Face(Id face, int child) const { return 4 * face + child; }
-  Id Interior(Id tet, int face) const { return this->InteriorStart + 8 * tet + face; }
-  Id Tet(Id tet, int child) const { return 8 * tet + child; }
-
-private:
-  const SimplicialComplex<Id>& Parent;
-  const Id InFaceStart;
-  const Id DiagonalStart;
-  const Id InteriorStart;
-};
-
-/// The parts of one tetrahedron's refinement that lie on its edges and faces.
-template <typename Id>
-struct TetParts
-{
-  Id Lattice[10];
-  Id Halves[6][4];  ///< edge, vertex
-  Id InFaces[4][4]; ///< face, vertex
-  Id Corners[4][4]; ///< face, vertex: child triangles
-  Id Middles[4];    ///< face: child triangle
-  Id Tet;
-
-  TetParts(const SimplicialComplex<Id>& complex, const ChildIds<Id>& ids, Id tet)
-    : Tet(tet)
-  {
-    const Id* vertices = complex.TetVertices.data() + 4 * vtkIdType(tet);
-    const Id* edges = complex.TetEdges.data() + 6 * vtkIdType(tet);
-    const Id* faces = complex.TetFaces.data() + 4 * vtkIdType(tet);
-    for (int i = 0; i < 4; ++i)
-    {
-      this->Lattice[i] = vertices[i];
-    }
-    for (int e = 0; e < 6; ++e)
-    {
-      this->Lattice[4 + e] = ids.Midpoint(edges[e]);
-      for (int end : tetrahedron::EdgeVertices[e])
-      {
-        this->Halves[e][end] = ids.Half(edges[e], vertices[end]);
-      }
-    }
-    for (int f = 0; f < 4; ++f)
-    {
-      this->Middles[f] = ids.Face(faces[f], 3);
-      for (int vertex : tetrahedron::FaceVertices[f])
-      {
-        const int position = complex.VertexInFace(faces[f], vertices[vertex]);
-        this->InFaces[f][vertex] = ids.InFace(faces[f], position);
-        this->Corners[f][vertex] = ids.Face(faces[f], position);
-      }
-    }
-  }
-
-  Id GetEdge(const tetrahedron::ChildEdge& edge, const ChildIds<Id>& ids) const
-  {
-    switch (edge.Origin)
-    {
-      case tetrahedron::EdgeOrigin::HalfEdge:
-        return this->Halves[edge.Index][edge.Corner];
-      case tetrahedron::EdgeOrigin::InFace:
-        return this->InFaces[edge.Index][edge.Corner];
-      default:
-        return ids.Diagonal(this->Tet);
-    }
-  }
-  Id GetFace(const tetrahedron::ChildFace& face, const ChildIds<Id>& ids) const
-  {
-    switch (face.Origin)
-    {
-      case tetrahedron::FaceOrigin::FaceCorner:
-        return this->Corners[face.Index][face.Corner];
-      case tetrahedron::FaceOrigin::FaceMiddle:
-        return this->Middles[face.Index];
-      default:
-        return ids.Interior(this->Tet, face.Index);
-    }
-  }
-};
+}
 
 template <typename Id>
-class Refiner
+Level<Id> Refiner<Id>::Run()
 {
-public:
-  Refiner(const Level<Id>& parent, Depth depth)
-    : Parent(parent.Complex)
-    , Strata(parent.Strata)
-    , Ids(parent.Complex)
-    , Full(depth == Depth::ForRefinement)
-  {
-  }
-
-  Level<Id> Run()
-  {
-    this->Count();
-    this->MakeEdges();
-    this->MakeFaces();
-    this->MakeTets();
-    this->MakeEqualCells();
-    this->MakeEdgeRings();
-    this->MakeVertexRings();
-    return std::move(this->Child);
-  }
-
-private:
-  void Count();
-  void MakeEdges();
-  void MakeFaces();
-  void MakeInteriorFaces();
-  void MakeTets();
-  void MakeEqualCells();
-  void MakeEqualTets();
-  void MakeEdgeRings();
-  void MakeVertexRings();
-  Stratum InFaceStratum(Id face, int corner) const;
-  template <typename Emit>
-  void EmitHalfEdgeRing(Id edge, Id end, const Emit& emit) const;
-  template <typename Emit>
-  void EmitInFaceRing(Id face, int corner, const Emit& emit) const;
-  template <typename Emit>
-  void EmitMidpointRing(Id edge, const Emit& emit) const;
-
-  /// Midpoint of the other edge of a face at a vertex.
-  Id OtherMidpoint(Id face, Id edge, int corner) const
-  {
-    const Id* edges = this->Parent.FaceEdges.data() + 3 * vtkIdType(face);
-    const Id first = edges[triangle::EdgesAt[corner][0]];
-    return this->Ids.Midpoint(first == edge ? edges[triangle::EdgesAt[corner][1]] : first);
-  }
-
-  const SimplicialComplex<Id>& Parent;
-  const subdivision::Strata<Id>& Strata;
-  const ChildIds<Id> Ids;
-  const bool Full;
-  Level<Id> Child;
-};
+  this->Count();
+  this->MakeEdges();
+  this->MakeFaces();
+  this->MakeTets();
+  this->MakeEqualCells();
+  this->MakeEdgeRings();
+  this->MakeVertexRings();
+  return std::move(this->Child);
+}
 
 template <typename Id>
 void Refiner<Id>::Count()
@@ -485,235 +346,20 @@ void Refiner<Id>::MakeEqualTets()
       {
         out[k] = lattice[tetrahedron::Children[c][k]];
       }
-      Id twin = this->Ids.Tet(tet, 0);
-      while (!std::is_permutation(out, out + 4, child.TetVertices.data() + 4 * vtkIdType(twin)))
+      int twin = 7; // equal tetrahedra mark the same edges, so one of the eight is found
+      while (twin > 0 &&
+        !std::is_permutation(
+          out, out + 4, child.TetVertices.data() + 4 * vtkIdType(this->Ids.Tet(tet, twin))))
       {
-        ++twin;
+        --twin;
       }
-      child.EqualTets.Twins[8 * i + c] = twin;
+      child.EqualTets.Twins[8 * i + c] = this->Ids.Tet(tet, twin);
     }
   }
 }
 
-// ------------------------------------------------------------------------------------------------
-// Rings: emit(carrier, member)
-
-/// Half an edge keeps the parent's ring: the midpoints towards its members.
-template <typename Id>
-template <typename Emit>
-void Refiner<Id>::EmitHalfEdgeRing(Id edge, Id end, const Emit& emit) const
-{
-  for (Id face : this->Strata.EdgeRings.GetCarriers(edge))
-  {
-    if (face >= 0)
-    {
-      const int corner = this->Parent.VertexInFace(face, end);
-      emit(this->Ids.Face(face, corner), this->OtherMidpoint(face, edge, corner));
-    }
-  }
-}
-
-/// The edge that cuts a corner off a face: the corner and the opposite midpoint, then what is
-/// around it in the tetrahedra beside the face.
-template <typename Id>
-template <typename Emit>
-void Refiner<Id>::EmitInFaceRing(Id face, int corner, const Emit& emit) const
-{
-  const auto& parent = this->Parent;
-  const Rule rule = this->Strata.Faces[face].GetRule();
-  if (rule == Rule::Curve)
-  {
-    return;
-  }
-  const Id vertex = parent.FaceVertices[3 * vtkIdType(face) + corner];
-  emit(this->Ids.Face(face, corner), vertex);
-  emit(this->Ids.Face(face, 3),
-    this->Ids.Midpoint(parent.FaceEdges[3 * vtkIdType(face) + triangle::EdgeOpposite[corner]]));
-  if (rule == Rule::Surface)
-  {
-    return;
-  }
-  for (Id tet : parent.FaceTets[face])
-  {
-    const int local = parent.VertexInTet(tet, vertex);
-    const Id* edges = parent.TetEdges.data() + 6 * vtkIdType(tet);
-    const tetrahedron::FaceCutLink& link =
-      tetrahedron::FaceCutLinks[local][parent.FaceInTet(tet, face)];
-    emit(this->Ids.Interior(tet, local), this->Ids.Midpoint(edges[link.CutEdge]));
-    if (link.HasDiagonal)
-    {
-      emit(
-        this->Ids.Interior(tet, link.DiagonalFace), this->Ids.Midpoint(edges[link.DiagonalEdge]));
-    }
-  }
-}
-
-/// The midpoint of an edge: its ends; on each face of the edge's ring two midpoints; and the far
-/// end of each diagonal that starts here.
-template <typename Id>
-template <typename Emit>
-void Refiner<Id>::EmitMidpointRing(Id edge, const Emit& emit) const
-{
-  const auto& parent = this->Parent;
-  const Rule rule = this->Strata.Edges[edge].GetRule();
-  const Id ends[2] = { parent.EdgeVertices[2 * vtkIdType(edge)],
-    parent.EdgeVertices[2 * vtkIdType(edge) + 1] };
-  emit(2 * edge, ends[0]);
-  emit(2 * edge + 1, ends[1]);
-  if (rule == Rule::Curve)
-  {
-    return;
-  }
-  for (Id face : this->Strata.EdgeRings.GetCarriers(edge))
-  {
-    if (face < 0)
-    {
-      continue;
-    }
-    for (Id end : ends)
-    {
-      const int corner = parent.VertexInFace(face, end);
-      emit(this->Ids.InFace(face, corner), this->OtherMidpoint(face, edge, corner));
-    }
-    if (rule == Rule::Surface)
-    {
-      continue;
-    }
-    for (Id tet : parent.FaceTets[face])
-    {
-      const int local = parent.EdgeInTet(tet, edge);
-      const int opposite = tetrahedron::OppositeEdge(local);
-      // Two faces of the tetrahedron lie at the edge; the first of them speaks for it.
-      if (tetrahedron::IsMarked(local) &&
-        parent.TetFaces[4 * vtkIdType(tet) + tetrahedron::EdgeVertices[opposite][0]] == face)
-      {
-        emit(this->Ids.Diagonal(tet),
-          this->Ids.Midpoint(parent.TetEdges[6 * vtkIdType(tet) + opposite]));
-      }
-    }
-  }
-}
-
-template <typename Id>
-void Refiner<Id>::MakeEdgeRings()
-{
-  const auto& parent = this->Parent;
-  auto& rings = this->Child.Strata.EdgeRings;
-  rings.Offsets = Buffer<Id>(vtkIdType(this->Child.Complex.NumberOfEdges) + 1);
-  auto count = [&](vtkIdType row, const auto& emitRing)
-  {
-    Id size = 0;
-    emitRing([&size](Id, Id) { ++size; });
-    rings.Offsets[row] = size;
-  };
-  auto fill = [&](vtkIdType row, const auto& emitRing)
-  {
-    Id next = rings.Offsets[row];
-    emitRing(
-      [&](Id carrier, Id member)
-      {
-        rings.Members[next] = member;
-        if (this->Full)
-        {
-          rings.Carriers[next] = carrier;
-        }
-        ++next;
-      });
-  };
-  auto all = [&](const auto& act)
-  {
-    ForEach(parent.NumberOfEdges,
-      [&](vtkIdType i)
-      {
-        const Id e = static_cast<Id>(i);
-        for (int half = 0; half < 2; ++half)
-        {
-          act(2 * i + half,
-            [&](const auto& emit)
-            { this->EmitHalfEdgeRing(e, parent.EdgeVertices[2 * i + half], emit); });
-        }
-      });
-    ForEach(parent.NumberOfFaces,
-      [&](vtkIdType i)
-      {
-        const Id f = static_cast<Id>(i);
-        for (int corner = 0; corner < 3; ++corner)
-        {
-          act(this->Ids.InFace(f, corner),
-            [&](const auto& emit) { this->EmitInFaceRing(f, corner, emit); });
-        }
-      });
-    ForEach(parent.NumberOfTets,
-      [&](vtkIdType i)
-      {
-        const Id t = static_cast<Id>(i);
-        act(this->Ids.Diagonal(t),
-          [&](const auto& emit)
-          {
-            for (int q = 0; q < 4; ++q)
-            {
-              emit(this->Ids.Interior(t, 4 + q),
-                this->Ids.Midpoint(parent.TetEdges[6 * i + tetrahedron::EquatorEdges[q]]));
-            }
-          });
-      });
-  };
-  all(count);
-  CountsToOffsets(rings.Offsets);
-  const vtkIdType entries = rings.Offsets[this->Child.Complex.NumberOfEdges];
-  rings.Members = Buffer<Id>(entries);
-  rings.Carriers = Buffer<Id>(this->Full ? entries : 0);
-  all(fill);
-}
-
-template <typename Id>
-void Refiner<Id>::MakeVertexRings()
-{
-  const auto& parent = this->Parent;
-  const auto& old = this->Strata.VertexRings;
-  auto& rings = this->Child.Strata.VertexRings;
-  const vtkIdType vertices = parent.NumberOfVertices;
-  rings.Offsets = Buffer<Id>(vtkIdType(this->Child.Complex.NumberOfVertices) + 1);
-  ForEach(vertices, [&](vtkIdType v) { rings.Offsets[v] = static_cast<Id>(old.GetSize(v)); });
-  ForEach(parent.NumberOfEdges,
-    [&](vtkIdType e)
-    {
-      Id size = 0;
-      this->EmitMidpointRing(static_cast<Id>(e), [&size](Id, Id) { ++size; });
-      rings.Offsets[vertices + e] = size;
-    });
-  CountsToOffsets(rings.Offsets);
-  const vtkIdType entries = rings.Offsets[this->Child.Complex.NumberOfVertices];
-  rings.Members = Buffer<Id>(entries);
-  rings.Carriers = Buffer<Id>(this->Full ? entries : 0);
-  auto put = [&](Id& next, Id carrier, Id member)
-  {
-    rings.Members[next] = member;
-    if (this->Full)
-    {
-      rings.Carriers[next] = carrier;
-    }
-    ++next;
-  };
-  ForEach(vertices,
-    [&](vtkIdType v)
-    {
-      Id next = rings.Offsets[v];
-      for (Id edge : old.GetCarriers(v))
-      {
-        put(next, this->Ids.Half(edge, static_cast<Id>(v)), this->Ids.Midpoint(edge));
-      }
-    });
-  ForEach(parent.NumberOfEdges,
-    [&](vtkIdType e)
-    {
-      Id next = rings.Offsets[vertices + e];
-      this->EmitMidpointRing(
-        static_cast<Id>(e), [&](Id carrier, Id member) { put(next, carrier, member); });
-    });
-}
-
-}
+template class Refiner<int>;
+template class Refiner<long long>;
 
 template <typename Id>
 Level<Id> Refine(const Level<Id>& parent, Depth depth)

@@ -198,6 +198,10 @@ bool IsFeature(const FeatureCandidate& candidate, const double* points, double d
     h[0] * g[1] - h[1] * g[0] };
   const double sine = std::sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]);
   const double cosine = -(h[0] * g[0] + h[1] * g[1] + h[2] * g[2]); // flat: heights are opposite
+  if (sine == 0. && cosine == 0.)
+  {
+    return false; // a triangle without size has no plane
+  }
   constexpr double degreesPerRadian = 57.29577951308232;
   return std::atan2(sine, cosine) * degreesPerRadian > degrees;
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Features.h"
 
+#include "vtkVariant.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <sstream>
+#include <unordered_map>
 
 namespace subdivision
 {
@@ -23,6 +26,24 @@ std::vector<Value> ReadValues(vtkDataArray* array, const SimplicesOfCells& cells
       const vtkIdType cell =
         cells.ParentCells.empty() ? static_cast<vtkIdType>(i) : cells.ParentCells[i];
       values[i] = get(array->GetComponent(cell, 0));
+    }
+  }
+  return values;
+}
+
+/// Materials; 64-bit integers, which a double cannot always tell apart, as numbers of their own.
+std::vector<double> ReadMaterials(vtkDataArray* array, const SimplicesOfCells& cells)
+{
+  std::vector<double> values = ReadValues<double>(array, cells, [](double v) { return v; });
+  if (array && array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE)
+  {
+    std::unordered_map<long long, double> numbers;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const vtkIdType cell =
+        cells.ParentCells.empty() ? static_cast<vtkIdType>(i) : cells.ParentCells[i];
+      const long long value = array->GetVariantValue(cell).ToLongLong();
+      values[i] = numbers.emplace(value, static_cast<double>(numbers.size())).first->second;
     }
   }
   return values;
@@ -151,8 +172,8 @@ FeatureValues ReadFeatureValues(const FeatureOptions& options, const SimplicesOf
   {
     values.Singular.clear();
   }
-  values.Material = ReadValues<double>(
-    options.PreserveInterfaces ? options.Material : nullptr, cells, [](double v) { return v; });
+  values.Material =
+    ReadMaterials(options.PreserveInterfaces ? options.Material.Get() : nullptr, cells);
   values.Part = ReadValues<int>(options.Part, cells,
     [](double v) { return v < 0. ? -1 : static_cast<int>(std::min(v, 2147483646.)); });
   auto isRule = [](double v) { return v >= 0. && v <= 6.; };
@@ -288,19 +309,22 @@ void WarnOfContradictions(const FeatureOptions& options, const FeatureValues& va
   const EqualCells<Id>* equals[3] = { nullptr, &complex.EqualLines, &complex.EqualTriangles };
   vtkIdType count = 0;
   std::ostringstream message;
-  for (int dimension = 1; dimension < 3; ++dimension)
+  for (int dimension = 0; dimension < 3; ++dimension)
   {
+    // Of equal lines and triangles the first, of equal vertices the last.
     const Buffer<vtkIdType> simplices = FindSimplicesOf(complex, runs, dimension);
     for (const CellRun& run : runs)
     {
-      for (vtkIdType i = 0; run.Equal && run.Dimension == dimension && i < run.Count; ++i)
+      const bool mayBeEqual = run.Dimension == dimension && (run.Equal || dimension == 0);
+      for (vtkIdType i = 0; mayBeEqual && i < run.Count; ++i)
       {
         const vtkIdType own = run.FirstCell + i;
-        const vtkIdType twin = simplices[equals[dimension]->Twins[run.First + i]];
+        const vtkIdType twin = dimension == 0 ? simplices[complex.VertexCells[run.First + i]]
+                                              : simplices[equals[dimension]->Twins[run.First + i]];
         if (values.Singular[own] != values.Singular[twin] && count++ == 0)
         {
-          message << "Cell array \"" << options.Singular->GetName() << "\": cells " << cellOf(twin)
-                  << " and " << cellOf(own)
+          message << "Cell array \"" << options.Singular->GetName() << "\": cells "
+                  << cellOf(std::min(own, twin)) << " and " << cellOf(std::max(own, twin))
                   << " are equal, but only one of them is flagged; they are taken as singular";
         }
       }

@@ -85,6 +85,11 @@ bool IsQuick()
 void ReturnFreeMemory()
 {
 #ifdef __GLIBC__
+  // Large blocks are to come from the kernel, as in a process that runs the filter for the first
+  // time. The C library changes these values by what earlier repetitions did; MPI sets them too.
+  mallopt(M_MMAP_MAX, 65536);
+  mallopt(M_MMAP_THRESHOLD, 128 * 1024);
+  mallopt(M_TRIM_THRESHOLD, 128 * 1024);
   malloc_trim(0);
 #endif
 }
@@ -93,11 +98,6 @@ void ReturnFreeMemory()
 
 int main(int argc, char** argv)
 {
-#ifdef __GLIBC__
-  // As in a process that runs the filter for the first time, blocks come from the kernel. Else the
-  // C library would raise this threshold by what earlier repetitions did.
-  mallopt(M_MMAP_THRESHOLD, 128 * 1024);
-#endif
   if (argc == 6 && std::strcmp(argv[1], "--peak-memory") == 0)
   {
     return benchmarks::PrintPeakMemory(argv + 2);

@@ -25,7 +25,7 @@ PEER_NOTES = {
     "OpenSubdiv uniform + primvar": "",
     "OpenSubdiv stencil table build": "the table alone, nothing evaluated",
     "OpenSubdiv stencil table evaluate": "ready table, one component; compared with re-execution",
-    "dune-uggrid": "no scalar; conforming red refinement",
+    "dune-uggrid": "no scalar; conforming red refinement; with --quick per cell, from 2 levels",
 }
 PER_CELL = ("OpenMesh sqrt3", "vtkSubdivideTetra")
 
@@ -66,7 +66,7 @@ def read_samples(path):
         parts = result["run_name"].split("/")
         options = dict(part.split(":") for part in parts if ":" in part)
         names = [part for part in parts if ":" not in part and part != "manual_time"]
-        family, what, case = names if len(names) == 3 else (names[0], "", names[1])
+        family, what, case = names
         key = (family, what, case, int(options["levels"]), int(options["threads"]))
         sample = samples.setdefault(key, Sample())
         sample.times.append(result["real_time"] * units[result["time_unit"]])
@@ -129,8 +129,7 @@ def again_section(samples):
     rows = []
     for (family, what, case, levels, threads), sample in sorted(samples.items()):
         if family == "filter" and what == "again":
-            limit = samples.get(("limit", "rows", case, levels, threads)) or samples.get(
-                ("limit", "", case, levels, threads))
+            limit = samples.get(("limit", "rows", case, levels, threads))
             osd = samples.get(
                 ("peer", "OpenSubdiv stencil table evaluate", case, levels, threads))
             first = samples.get(("filter", "cached", case, levels, threads)) or samples.get(
@@ -151,14 +150,15 @@ def peer_section(samples):
         mine = "again" if what.endswith("evaluate") else "first"
         cells = []
         for own_threads in (1, 4):
-            own = samples.get(("filter", mine, case, levels, own_threads))
+            same = samples.get(("filter", mine, case, levels, own_threads))
+            own = same or samples.get(("filter", mine, case, 3, own_threads))
             if not own:
                 cells.append("-")
-            elif what in PER_CELL:
+            elif what in PER_CELL or not same:
                 cells.append("%.1f" % (peer.ns_per_cell() / own.ns_per_cell()))
             else:
                 cells.append("%.1f" % (peer.median / own.median))
-        rows.append([what, case, str(threads), peer.text(), "%.1f" % peer.ns_per_cell()] + cells +
+        rows.append([what, "%s, %d levels" % (case, levels), str(threads), peer.text(), "%.1f" % peer.ns_per_cell()] + cells +
                     [PEER_NOTES.get(what, "")])
     return ["## Peers", ""] + table(
         ["peer", "case", "its threads", "ms", "ns per output cell", "we are faster, 1 thread",
