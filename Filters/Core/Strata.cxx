@@ -221,56 +221,19 @@ Strata<Id> StrataBuilder<Id>::Build()
   return strata;
 }
 
-template <typename Id>
-void StrataBuilder<Id>::Describe(Decomposition<Id>& decomposition) const
-{
-  const vtkIdType edges = this->Complex.NumberOfEdges;
-  const vtkIdType vertices = this->Complex.NumberOfVertices;
-  decomposition.EdgeDimensions = Buffer<unsigned char>(edges);
-  decomposition.EdgeBoundary = Buffer<unsigned char>(edges);
-  decomposition.VertexDimensions = Buffer<unsigned char>(vertices);
-  decomposition.VertexBoundary = Buffer<unsigned char>(vertices);
-  ForEach(edges,
-    [&](vtkIdType i)
-    {
-      const Id e = static_cast<Id>(i);
-      decomposition.EdgeDimensions[i] = this->Around.EdgeDimensions(e);
-      decomposition.EdgeBoundary[i] =
-        this->EdgePlaces[i] == Place::Boundary || this->Around.PlaceEdge(e, 2) == Place::Boundary;
-    });
-  ForEach(vertices,
-    [&](vtkIdType i)
-    {
-      const Id v = static_cast<Id>(i);
-      decomposition.VertexDimensions[i] = this->Around.VertexDimensions(v);
-      bool boundary = false;
-      for (int k = 1; k <= 3; ++k)
-      {
-        boundary = boundary || this->Around.PlaceVertex(v, k, this->EdgePlaces) == Place::Boundary;
-      }
-      decomposition.VertexBoundary[i] = boundary;
-    });
-}
-
 template class StrataBuilder<int>;
 template class StrataBuilder<long long>;
 
 template <typename Id>
 Strata<Id> BuildStrata(const SimplicialComplex<Id>& complex, const SingularSimplices& singular,
-  const StrataOptions& options, Decomposition<Id>* decomposition)
+  const StrataOptions& options)
 {
-  StrataBuilder<Id> builder(complex, singular, options);
-  Strata<Id> strata = builder.Build();
-  if (decomposition)
-  {
-    builder.Describe(*decomposition);
-  }
-  return strata;
+  return StrataBuilder<Id>(complex, singular, options).Build();
 }
 
-template Strata<int> BuildStrata(const SimplicialComplex<int>&, const SingularSimplices&,
-  const StrataOptions&, Decomposition<int>*);
-template Strata<long long> BuildStrata(const SimplicialComplex<long long>&,
-  const SingularSimplices&, const StrataOptions&, Decomposition<long long>*);
+template Strata<int> BuildStrata(
+  const SimplicialComplex<int>&, const SingularSimplices&, const StrataOptions&);
+template Strata<long long> BuildStrata(
+  const SimplicialComplex<long long>&, const SingularSimplices&, const StrataOptions&);
 
 }

@@ -106,24 +106,14 @@ struct Strata
   Rings<Id> EdgeRings;
 };
 
-/// What SPEC 3 finds, for a probe: bit k - 1 of Dimensions says that the simplex lies in C_k.
-template <typename Id>
-struct Decomposition
-{
-  Buffer<unsigned char> VertexDimensions;
-  Buffer<unsigned char> EdgeDimensions;
-  Buffer<unsigned char> VertexBoundary;
-  Buffer<unsigned char> EdgeBoundary;
-};
-
 template <typename Id>
 Strata<Id> BuildStrata(const SimplicialComplex<Id>& complex, const SingularSimplices& singular,
-  const StrataOptions& options, Decomposition<Id>* decomposition = nullptr);
+  const StrataOptions& options);
 
-extern template Strata<int> BuildStrata(const SimplicialComplex<int>&, const SingularSimplices&,
-  const StrataOptions&, Decomposition<int>*);
-extern template Strata<long long> BuildStrata(const SimplicialComplex<long long>&,
-  const SingularSimplices&, const StrataOptions&, Decomposition<long long>*);
+extern template Strata<int> BuildStrata(
+  const SimplicialComplex<int>&, const SingularSimplices&, const StrataOptions&);
+extern template Strata<long long> BuildStrata(
+  const SimplicialComplex<long long>&, const SingularSimplices&, const StrataOptions&);
 
 }
 

@@ -52,7 +52,6 @@ public:
   }
 
   Strata<Id> Build();
-  void Describe(Decomposition<Id>& decomposition) const;
 
 private:
   // Edges.

@@ -36,27 +36,26 @@ std::vector<CellRun> SplitRuns(std::vector<CellRun>& runs, vtkIdType at)
   return RefineRuns(after, 0);
 }
 
-/// The complex; simplices of `derived` count as cells of it that were not read.
+/// The complex; derived simplices count as cells of it that were not read.
 template <typename Id>
-void BuildComplexWith(
-  const SimplexList& simplices, const SimplexTuples& derived, ControlComplex<Id>& control)
+SimplicialComplex<Id> BuildComplexWith(const SimplexList& simplices, ControlTraits& traits)
 {
-  control.DerivedRuns.clear();
-  if (derived.IsEmpty())
+  traits.DerivedRuns.clear();
+  if (traits.Derived.IsEmpty())
   {
-    control.Current.Complex = BuildComplex<Id>(simplices, control.Runs);
-    return;
+    return BuildComplex<Id>(simplices, traits.Runs);
   }
   SimplexList all = simplices;
   for (int dimension = 0; dimension < 3; ++dimension)
   {
-    const auto& tuples = derived.Tuples[dimension];
+    const auto& tuples = traits.Derived.Tuples[dimension];
     all.Connectivity.insert(all.Connectivity.end(), tuples.begin(), tuples.end());
     all.Dimensions.insert(
       all.Dimensions.end(), tuples.size() / (dimension + 1), static_cast<unsigned char>(dimension));
   }
-  control.Current.Complex = BuildComplex<Id>(all, control.Runs);
-  control.DerivedRuns = SplitRuns(control.Runs, simplices.GetNumberOfSimplices());
+  SimplicialComplex<Id> complex = BuildComplex<Id>(all, traits.Runs);
+  traits.DerivedRuns = SplitRuns(traits.Runs, simplices.GetNumberOfSimplices());
+  return complex;
 }
 
 /// Singular simplices that follow from the mesh (SPEC 7); an earlier filter's are taken over.
@@ -94,33 +93,6 @@ SimplexTuples Derive(const ControlMesh& mesh, const FeatureOptions& features, co
   return derived;
 }
 
-/// Flagged simplices, `flags` one for each that was read, and derived ones.
-template <typename Id>
-SingularSimplices CollectSingular(
-  const ControlComplex<Id>& control, const std::vector<unsigned char>& flags)
-{
-  SingularSimplices singular;
-  if (!flags.empty())
-  {
-    FlagSimplices(control.Current.Complex, control.Runs, flags.data(), singular);
-  }
-  const std::vector<unsigned char> all(CountCells(control.DerivedRuns).Cells, 1);
-  FlagSimplices(control.Current.Complex, control.DerivedRuns, all.data(), singular);
-  return singular;
-}
-
-/// Flags of control simplices, given to their children.
-std::vector<unsigned char> RefineFlags(
-  const SimplexList& simplices, int levels, const std::vector<unsigned char>& flags)
-{
-  std::vector<unsigned char> refined;
-  for (std::size_t i = 0; i < flags.size(); ++i)
-  {
-    refined.insert(refined.end(), std::size_t(1) << (simplices.Dimensions[i] * levels), flags[i]);
-  }
-  return refined;
-}
-
 template <typename Id>
 bool IsWhatWasRead(const SimplexList& read, const ControlComplex<Id>& control)
 {
@@ -141,43 +113,99 @@ bool IsWhatWasRead(const SimplexList& read, const ControlComplex<Id>& control)
 }
 
 template <typename Id>
-bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
-  const double* points, const WarnFunction& warn, ControlComplex<Id>& control)
+SingularSimplices CollectSingular(const SimplicialComplex<Id>& complex, const ControlTraits& traits,
+  const std::vector<unsigned char>& flags)
 {
-  const SimplexList& simplices = mesh.GetControl();
-  const int made = mesh.MadeLevels;
-  control = ControlComplex<Id>();
-  BuildComplexWith(simplices, SimplexTuples(), control);
-  const SimplexTuples derived = Derive(mesh, features, points, control);
-  if (!derived.IsEmpty())
+  SingularSimplices singular;
+  if (!flags.empty())
   {
-    BuildComplexWith(simplices, derived, control);
+    FlagSimplices(complex, traits.Runs, flags.data(), singular);
+  }
+  const std::vector<unsigned char> all(CountCells(traits.DerivedRuns).Cells, 1);
+  FlagSimplices(complex, traits.DerivedRuns, all.data(), singular);
+  return singular;
+}
+
+std::vector<unsigned char> RefineFlags(
+  const SimplexList& simplices, int levels, const std::vector<unsigned char>& flags)
+{
+  std::vector<unsigned char> refined;
+  for (std::size_t i = 0; i < flags.size(); ++i)
+  {
+    refined.insert(refined.end(), std::size_t(1) << (simplices.Dimensions[i] * levels), flags[i]);
+  }
+  return refined;
+}
+
+template <typename Id>
+bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
+  const double* points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control)
+{
+  control = ControlComplex<Id>();
+  SimplicialComplex<Id>& complex = control.Current.Complex;
+  complex = BuildComplexWith<Id>(mesh.GetControl(), control);
+  control.Derived = Derive(mesh, features, points, control);
+  if (!control.Derived.IsEmpty())
+  {
+    complex = BuildComplexWith<Id>(mesh.GetControl(), control);
   }
   if (!mesh.IsStamped)
   {
-    WarnOfContradictions(
-      features, mesh.Values, mesh.Cells, control.Current.Complex, control.Runs, warn);
+    WarnOfContradictions(features, mesh.Values, mesh.Cells, complex, control.Runs, warn);
   }
-  control.Singular = CollectSingular(control, mesh.Values.Singular);
-  control.Current.Strata = BuildStrata(control.Current.Complex, control.Singular,
-    MakeStrataOptions(features, mesh.Values, control.Current.Complex, control.Runs));
-  if (made == 0)
-  {
-    return true;
-  }
+  control.ManifoldDimensions = FindManifoldDimensions(complex, control.Runs);
+  control.Sharpness = FindEdgeSharpness(mesh.Values, complex, control.Runs);
+  control.Current.Strata =
+    BuildStrata(complex, CollectSingular(complex, control, mesh.Values.Singular),
+      MakeStrataOptions(features, mesh.Values, complex, control.Runs));
+  const int made = mesh.MadeLevels;
   for (int i = 0; i < made; ++i)
   {
-    control.Current = Refine(control.Current, Depth::ForRefinement);
+    control.Current = Refine(control.Current, i + 1 == made ? depth : Depth::ForRefinement);
   }
   control.Runs = RefineRuns(control.Runs, made);
   control.DerivedRuns = RefineRuns(control.DerivedRuns, made);
-  control.Singular = CollectSingular(control, RefineFlags(simplices, made, mesh.Values.Singular));
-  return IsWhatWasRead(mesh.Cells.Simplices, control);
+  return made == 0 || IsWhatWasRead(mesh.Cells.Simplices, control);
 }
 
-template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const double*,
-  const WarnFunction&, ControlComplex<int>&);
-template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const double*,
-  const WarnFunction&, ControlComplex<long long>&);
+template <typename Id>
+Level<Id> BuildSharpLevel(
+  const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps)
+{
+  ControlTraits control;
+  control.Derived = traits.Derived;
+  Level<Id> level;
+  level.Complex = BuildComplexWith<Id>(mesh.GetControl(), control);
+  SingularSimplices singular = CollectSingular(level.Complex, control, mesh.Values.Singular);
+  if (singular.Edges.empty())
+  {
+    singular.Edges = Buffer<unsigned char>(level.Complex.NumberOfEdges, 0);
+  }
+  for (std::size_t e = 0; e < traits.Sharpness.size(); ++e)
+  {
+    if (traits.Sharpness[e] > steps)
+    {
+      singular.Edges[static_cast<vtkIdType>(e)] = 1;
+    }
+  }
+  level.Strata = BuildStrata(
+    level.Complex, singular, MakeStrataOptions(features, mesh.Values, level.Complex, control.Runs));
+  const int depth = mesh.MadeLevels + steps;
+  for (int i = 0; i < depth; ++i)
+  {
+    level = Refine(level, i + 1 == depth ? Depth::ForOutput : Depth::ForRefinement);
+  }
+  return level;
+}
+
+#define SUBDIVISION_CONTROL(Id)                                                                    \
+  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const double*,      \
+    const WarnFunction&, Depth, ControlComplex<Id>&);                                              \
+  template Level<Id> BuildSharpLevel(                                                              \
+    const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
+  template SingularSimplices CollectSingular(                                                      \
+    const SimplicialComplex<Id>&, const ControlTraits&, const std::vector<unsigned char>&)
+SUBDIVISION_CONTROL(int);
+SUBDIVISION_CONTROL(long long);
 
 }

@@ -17,31 +17,48 @@
 namespace subdivision
 {
 
-template <typename Id>
-struct ControlComplex
+/// What is known of a control mesh whatever its ids are.
+struct ControlTraits
 {
-  Level<Id> Current;                ///< the control level, or the steps that were made below it
   std::vector<CellRun> Runs;        ///< the simplices that were read
   std::vector<CellRun> DerivedRuns; ///< singular simplices that follow from the mesh
-  SingularSimplices Singular;       ///< flagged or derived, of the current level
+  SimplexTuples Derived;            ///< the same, as the control mesh names them
   /// Where features were looked for, and which of them are.
   std::vector<FeatureCandidate> Candidates;
   std::vector<bool> Features;
+  EdgeSharpness Sharpness;                  ///< of control edges
+  Buffer<unsigned char> ManifoldDimensions; ///< of control simplices
+};
+
+template <typename Id>
+struct ControlComplex : ControlTraits
+{
+  Level<Id> Current; ///< the control level, or the steps that were made below it
 };
 
 using WarnFunction = std::function<void(const std::string&)>;
 
 /// `points` are coordinates at the control points, read for features only; `warn` hears of flags
-/// that contradict each other. False where the mesh has made levels and these do not lead to the
-/// simplices that were read.
+/// that contradict each other; `depth` is that of the current level. False where the mesh has made
+/// levels and these do not lead to the simplices that were read.
 template <typename Id>
 bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
-  const double* points, const WarnFunction& warn, ControlComplex<Id>& control);
+  const double* points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control);
 
-extern template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const double*,
-  const WarnFunction&, ControlComplex<int>&);
-extern template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const double*,
-  const WarnFunction&, ControlComplex<long long>&);
+/// The level `steps` below the current one, for output, as it is where all edges are singular that
+/// are then still sharp.
+template <typename Id>
+Level<Id> BuildSharpLevel(
+  const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps);
+
+/// Flags of control simplices, given to their children.
+std::vector<unsigned char> RefineFlags(
+  const SimplexList& simplices, int levels, const std::vector<unsigned char>& flags);
+
+/// Flagged simplices, `flags` one for each that was read, and derived ones.
+template <typename Id>
+SingularSimplices CollectSingular(const SimplicialComplex<Id>& complex, const ControlTraits& traits,
+  const std::vector<unsigned char>& flags);
 
 }
 

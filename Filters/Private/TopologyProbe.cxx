@@ -188,8 +188,8 @@ Probe::Outcome Probe::Describe(PointArrays& points)
     return Outcome::Stopped;
   }
   ControlComplex<Id> control;
-  if (!BuildControlComplex(
-        this->Mesh, this->Options.Features, points.GetCoordinates(), this->Options.Warn, control))
+  if (!BuildControlComplex(this->Mesh, this->Options.Features, points.GetCoordinates(),
+        this->Options.Warn, Depth::ForRefinement, control))
   {
     return Outcome::NotOurs;
   }
@@ -198,8 +198,10 @@ Probe::Outcome Probe::Describe(PointArrays& points)
     return Outcome::Stopped;
   }
   const SimplicialComplex<Id>& complex = control.Current.Complex;
+  const SingularSimplices singular = CollectSingular(complex, control,
+    RefineFlags(this->Mesh.GetControl(), this->Mesh.MadeLevels, this->Mesh.Values.Singular));
   const ComplexDescription<Id> description =
-    DescribeComplex(complex, control.Current.Strata, control.Singular);
+    DescribeComplex(complex, control.Current.Strata, singular);
   this->Select(description);
   if (this->GetNumberOfCells() > this->Options.MaximumNumberOfCells)
   {

@@ -2,7 +2,7 @@
 #include "UniformSubdivision.h"
 
 #include "CellArrays.h"
-#include "ControlMesh.h"
+#include "ControlComplex.h"
 #include "Core/TetOrder.h"
 #include "SizeChecks.h"
 
@@ -37,31 +37,6 @@ bool HoldsSameValues(vtkDataArray* a, vtkDataArray* b)
         static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) == 0);
 }
 
-/// Parts runs at a simplex: those before it, and those from it on, with places of their own.
-std::vector<CellRun> SplitRuns(std::vector<CellRun>& runs, vtkIdType at)
-{
-  std::vector<CellRun> before;
-  std::vector<CellRun> after;
-  for (CellRun run : runs)
-  {
-    const vtkIdType count = std::min(std::max<vtkIdType>(at - run.FirstCell, 0), run.Count);
-    CellRun rest = run;
-    run.Count = count;
-    rest.First += count;
-    rest.Count -= count;
-    if (run.Count > 0)
-    {
-      before.push_back(run);
-    }
-    if (rest.Count > 0)
-    {
-      after.push_back(rest);
-    }
-  }
-  runs = before;
-  return RefineRuns(after, 0);
-}
-
 class UniformRun
 {
 public:
@@ -89,19 +64,7 @@ private:
   template <typename Id>
   Outcome BuildAndStep(KeptOperator* keep);
   template <typename Id>
-  bool BuildCurrent(Level<Id>& level);
-  template <typename Id>
-  SimplicialComplex<Id> BuildControl(const SimplexTuples& derived);
-  template <typename Id>
-  SimplexTuples Derive(const SimplicialComplex<Id>& complex);
-  template <typename Id>
-  SingularSimplices CollectSingular(const SimplicialComplex<Id>& complex) const;
-  template <typename Id>
-  bool IsWhatWasRead(const SimplicialComplex<Id>& complex) const;
-  template <typename Id>
-  Strata<Id> MakeStrata(const SimplicialComplex<Id>& complex, int sharpSteps);
-  template <typename Id>
-  void BlendSharp(int step, Stencils<Id>& stencils);
+  bool HasMemoryFor(const SimplicialComplex<Id>& complex) const;
   template <typename Id>
   Outcome Step(Level<Id>& level, KeptOperator* keep);
   template <typename Id>
@@ -121,15 +84,8 @@ private:
   vtkUnstructuredGrid* Output;
   ControlMesh Mesh;
   std::unique_ptr<PointArrays> Points;
-  /// Of the current level: the cells, and the singular simplices that were derived.
-  std::vector<CellRun> Runs;
-  std::vector<CellRun> DerivedRuns;
-  SimplexTuples Derived; ///< as the output names them
-  SimplexTuples ControlDerived;
-  EdgeSharpness Sharpness; ///< of control edges
-  std::vector<FeatureCandidate> Candidates;
-  std::vector<bool> Features;
-  Buffer<unsigned char> ManifoldDimensions;
+  ControlTraits Control;                       ///< its runs are those of the current level
+  SimplexTuples Derived;                       ///< singular simplices as the output names them
   vtkSmartPointer<vtkUnsignedCharArray> Types; ///< of the output's cells
 };
 
@@ -184,9 +140,9 @@ UniformRun::Outcome UniformRun::Execute(bool trustStamp)
     keep->Types = this->Types;
     keep->PointsOut = this->Output->GetPoints()->GetData();
     keep->Derived = std::move(this->Derived);
-    keep->Candidates = std::move(this->Candidates);
-    keep->Features = std::move(this->Features);
-    keep->ManifoldDimensions = std::move(this->ManifoldDimensions);
+    keep->Candidates = std::move(this->Control.Candidates);
+    keep->Features = std::move(this->Control.Features);
+    keep->ManifoldDimensions = std::move(this->Control.ManifoldDimensions);
     this->Options.Cache->Add(std::move(keep));
   }
   return outcome;
@@ -280,200 +236,29 @@ void UniformRun::UseKept(KeptOperator& kept)
     this->AddClassification(kept.ControlStrata, Buffer<Stratum>());
   }
   this->Derived = kept.Derived;
-  this->ManifoldDimensions = Buffer<unsigned char>(kept.ManifoldDimensions.size());
+  this->Control.ManifoldDimensions = Buffer<unsigned char>(kept.ManifoldDimensions.size());
   std::copy(kept.ManifoldDimensions.begin(), kept.ManifoldDimensions.end(),
-    this->ManifoldDimensions.begin());
+    this->Control.ManifoldDimensions.begin());
   this->Finish();
 }
 
 // ------------------------------------------------------------------------------------------------
 // Building
 
-/// The control complex; simplices of `derived` count as cells of it that are not in the output.
-template <typename Id>
-SimplicialComplex<Id> UniformRun::BuildControl(const SimplexTuples& derived)
-{
-  const SimplexList& control = this->Mesh.GetControl();
-  if (derived.IsEmpty())
-  {
-    this->DerivedRuns.clear();
-    return BuildComplex<Id>(control, this->Runs);
-  }
-  SimplexList all = control;
-  for (int dimension = 0; dimension < 3; ++dimension)
-  {
-    const auto& tuples = derived.Tuples[dimension];
-    all.Connectivity.insert(all.Connectivity.end(), tuples.begin(), tuples.end());
-    all.Dimensions.insert(
-      all.Dimensions.end(), tuples.size() / (dimension + 1), static_cast<unsigned char>(dimension));
-  }
-  SimplicialComplex<Id> complex = BuildComplex<Id>(all, this->Runs);
-  this->DerivedRuns = SplitRuns(this->Runs, control.GetNumberOfSimplices());
-  return complex;
-}
-
-/// Singular simplices that follow from the mesh (SPEC 7); an earlier filter's are taken over.
-template <typename Id>
-SimplexTuples UniformRun::Derive(const SimplicialComplex<Id>& complex)
-{
-  if (this->Mesh.IsStamped)
-  {
-    return this->Mesh.Derived;
-  }
-  const FeatureOptions& features = this->Options.Features;
-  SimplexTuples derived;
-  if (features.Embedded != EmbeddedRule::Follow)
-  {
-    DeriveEmbedded(complex, this->Runs, features.Embedded == EmbeddedRule::SingularInside, derived);
-  }
-  if (features.PreserveInterfaces)
-  {
-    DeriveInterfaces(complex, this->Runs, this->Mesh.Values.Material.data(), derived);
-  }
-  if (features.DetectFeatures)
-  {
-    const double* points = this->Points->GetCoordinates();
-    this->Candidates = FindFeatureCandidates(complex);
-    this->Features.clear();
-    for (const FeatureCandidate& candidate : this->Candidates)
-    {
-      this->Features.push_back(IsFeature(candidate, points, features.FeatureAngle));
-      if (this->Features.back())
-      {
-        derived.Tuples[1].insert(derived.Tuples[1].end(), candidate.Ends, candidate.Ends + 2);
-      }
-    }
-  }
-  return derived;
-}
-
-template <typename Id>
-SingularSimplices UniformRun::CollectSingular(const SimplicialComplex<Id>& complex) const
-{
-  SingularSimplices singular;
-  if (!this->Mesh.Values.Singular.empty())
-  {
-    FlagSimplices(complex, this->Runs, this->Mesh.Values.Singular.data(), singular);
-  }
-  const std::vector<unsigned char> all(CountCells(this->DerivedRuns).Cells, 1);
-  FlagSimplices(complex, this->DerivedRuns, all.data(), singular);
-  return singular;
-}
-
-/// The current level: the control mesh, and the steps that earlier filters made. False if these do
-/// not lead to the cells that were read.
-template <typename Id>
-bool UniformRun::BuildCurrent(Level<Id>& level)
-{
-  const int made = this->Mesh.MadeLevels;
-  level.Complex = this->BuildControl<Id>(SimplexTuples());
-  this->ControlDerived = this->Derive(level.Complex);
-  if (!this->ControlDerived.IsEmpty())
-  {
-    level.Complex = this->BuildControl<Id>(this->ControlDerived);
-  }
-  if (!this->Mesh.IsStamped)
-  {
-    WarnOfContradictions(this->Options.Features, this->Mesh.Values, this->Mesh.Cells, level.Complex,
-      this->Runs, this->Options.Warn);
-  }
-  this->ManifoldDimensions = FindManifoldDimensions(level.Complex, this->Runs);
-  this->Sharpness = FindEdgeSharpness(this->Mesh.Values, level.Complex, this->Runs);
-  level.Strata = this->MakeStrata(level.Complex, -1);
-  for (int i = 0; i < made; ++i)
-  {
-    const bool last = i + 1 == made && this->Options.Levels < 2;
-    level = Refine(level, last ? Depth::ForOutput : Depth::ForRefinement);
-  }
-  this->Runs = RefineRuns(this->Runs, made);
-  this->DerivedRuns = RefineRuns(this->DerivedRuns, made);
-  return made == 0 || this->IsWhatWasRead(level.Complex);
-}
-
-/// The strata of the control complex; `sharpSteps` >= 0: as they are where all edges are singular
-/// that are still sharp after so many steps.
-template <typename Id>
-Strata<Id> UniformRun::MakeStrata(const SimplicialComplex<Id>& complex, int sharpSteps)
-{
-  SingularSimplices singular = this->CollectSingular(complex);
-  for (std::size_t e = 0; sharpSteps >= 0 && e < this->Sharpness.size(); ++e)
-  {
-    if (this->Sharpness[e] > sharpSteps)
-    {
-      if (singular.Edges.empty())
-      {
-        singular.Edges = Buffer<unsigned char>(complex.NumberOfEdges, 0);
-      }
-      singular.Edges[static_cast<vtkIdType>(e)] = 1;
-    }
-  }
-  return BuildStrata(complex, singular,
-    MakeStrataOptions(this->Options.Features, this->Mesh.Values, complex, this->Runs));
-}
-
-/// Where edges are still sharp: makes the step's operator with them singular too, and blends.
-template <typename Id>
-void UniformRun::BlendSharp(int step, Stencils<Id>& stencils)
-{
-  if (!IsSharpAfter(this->Sharpness, step))
-  {
-    return;
-  }
-  const std::vector<CellRun> runs = this->Runs;
-  const std::vector<CellRun> derivedRuns = this->DerivedRuns;
-  Level<Id> level;
-  level.Complex = this->BuildControl<Id>(this->ControlDerived);
-  level.Strata = this->MakeStrata(level.Complex, step);
-  const int depth = this->Mesh.MadeLevels + step;
-  for (int i = 0; i < depth; ++i)
-  {
-    level = Refine(level, i + 1 == depth ? Depth::ForOutput : Depth::ForRefinement);
-  }
-  this->Runs = runs;
-  this->DerivedRuns = derivedRuns;
-  BlendSemiSharp(this->Sharpness, step, depth, TakeStencils(level), stencils);
-}
-
-template <typename Id>
-bool UniformRun::IsWhatWasRead(const SimplicialComplex<Id>& complex) const
-{
-  const CellCounts counts = CountCells(this->Runs);
-  const SimplexList& read = this->Mesh.Cells.Simplices;
-  if (counts.Cells != read.GetNumberOfSimplices() ||
-    complex.NumberOfVertices != read.NumberOfPoints)
-  {
-    return false;
-  }
-  Buffer<long long> connectivity(counts.Entries);
-  Buffer<long long> offsets(counts.Cells + 1);
-  Buffer<unsigned char> types(counts.Cells);
-  WriteCells(complex, this->Runs,
-    CellStorage<long long>{ connectivity.data(), offsets.data(), types.data() });
-  return std::equal(connectivity.begin(), connectivity.end(), read.Connectivity.begin());
-}
-
 template <typename Id>
 UniformRun::Outcome UniformRun::BuildAndStep(KeptOperator* keep)
 {
-  Level<Id> level;
-  if (!this->BuildCurrent(level))
+  ControlComplex<Id> control;
+  const Depth depth = this->Options.Levels < 2 ? Depth::ForOutput : Depth::ForRefinement;
+  if (!BuildControlComplex(this->Mesh, this->Options.Features, this->Points->GetCoordinates(),
+        this->Options.Warn, depth, control))
   {
     return Outcome::NotOurs;
   }
-  SizeEstimate estimate;
-  estimate.Control = { static_cast<double>(level.Complex.NumberOfVertices),
-    static_cast<double>(level.Complex.NumberOfEdges),
-    static_cast<double>(level.Complex.NumberOfFaces),
-    static_cast<double>(level.Complex.NumberOfTets) };
-  estimate.Levels = this->Options.Levels;
-  estimate.Runs = this->Runs;
-  estimate.BytesPerPoint = this->Points->GetBytesPerPoint();
-  estimate.BytesPerCell = GetBytesPerTuple(this->Input->GetCellData());
-  estimate.BytesPerId = sizeof(Id);
-  const std::string tooLarge = CheckMemory(estimate);
-  if (!tooLarge.empty())
+  Level<Id> level = std::move(control.Current);
+  this->Control = std::move(static_cast<ControlTraits&>(control));
+  if (!this->HasMemoryFor(level.Complex))
   {
-    this->Options.Fail(tooLarge);
     return Outcome::Stopped;
   }
   const Outcome outcome = this->Step(level, keep);
@@ -482,6 +267,26 @@ UniformRun::Outcome UniformRun::BuildAndStep(KeptOperator* keep)
     this->Finish();
   }
   return outcome;
+}
+
+template <typename Id>
+bool UniformRun::HasMemoryFor(const SimplicialComplex<Id>& complex) const
+{
+  SizeEstimate estimate;
+  estimate.Control = { static_cast<double>(complex.NumberOfVertices),
+    static_cast<double>(complex.NumberOfEdges), static_cast<double>(complex.NumberOfFaces),
+    static_cast<double>(complex.NumberOfTets) };
+  estimate.Levels = this->Options.Levels;
+  estimate.Runs = this->Control.Runs;
+  estimate.BytesPerPoint = this->Points->GetBytesPerPoint();
+  estimate.BytesPerCell = GetBytesPerTuple(this->Input->GetCellData());
+  estimate.BytesPerId = sizeof(Id);
+  const std::string tooLarge = CheckMemory(estimate);
+  if (!tooLarge.empty())
+  {
+    this->Options.Fail(tooLarge);
+  }
+  return tooLarge.empty();
 }
 
 /// The steps themselves. At most two levels are alive at a time, and of the last one only its cells
@@ -519,12 +324,18 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
     else
     {
       next = Refine(level, step + 2 == steps ? Depth::ForOutput : Depth::ForRefinement);
-      this->Runs = RefineRuns(this->Runs, 1);
-      this->DerivedRuns = RefineRuns(this->DerivedRuns, 1);
+      this->Control.Runs = RefineRuns(this->Control.Runs, 1);
+      this->Control.DerivedRuns = RefineRuns(this->Control.DerivedRuns, 1);
     }
     Stencils<Id> stencils = TakeStencils(level);
     level = std::move(next);
-    this->BlendSharp(step, stencils);
+    if (IsSharpAfter(this->Control.Sharpness, step))
+    {
+      Level<Id> sharp =
+        BuildSharpLevel<Id>(this->Mesh, this->Options.Features, this->Control, step);
+      BlendSemiSharp(
+        this->Control.Sharpness, step, this->Mesh.MadeLevels + step, TakeStencils(sharp), stencils);
+    }
     this->Points->Advance(stencils);
     if (last)
     {
@@ -550,7 +361,7 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
 template <typename Id>
 void UniformRun::MakeCells(const SimplicialComplex<Id>& complex, bool children)
 {
-  const CellCounts counts = CountCells(RefineRuns(this->Runs, children ? 1 : 0));
+  const CellCounts counts = CountCells(RefineRuns(this->Control.Runs, children ? 1 : 0));
   const bool small = this->Options.Use32BitIds &&
     std::max(counts.Entries, this->Points->GetPoints()->GetNumberOfTuples() * 8) <
       std::numeric_limits<int>::max();
@@ -565,11 +376,11 @@ void UniformRun::MakeCells(const SimplicialComplex<Id>& complex, bool children)
       static_cast<unsigned char*>(types->GetVoidPointer(0)) };
     if (children)
     {
-      WriteChildren(complex, this->Runs, storage);
+      WriteChildren(complex, this->Control.Runs, storage);
     }
     else
     {
-      WriteCells(complex, this->Runs, storage);
+      WriteCells(complex, this->Control.Runs, storage);
     }
     cells->SetData(offsets, connectivity);
   };
@@ -593,7 +404,7 @@ void UniformRun::MakeCells(const SimplicialComplex<Id>& complex, bool children)
 template <typename Id>
 void UniformRun::MakeDerived(const SimplicialComplex<Id>& complex, bool children)
 {
-  const CellCounts counts = CountCells(RefineRuns(this->DerivedRuns, children ? 1 : 0));
+  const CellCounts counts = CountCells(RefineRuns(this->Control.DerivedRuns, children ? 1 : 0));
   this->Derived = SimplexTuples();
   if (counts.Cells == 0)
   {
@@ -605,11 +416,11 @@ void UniformRun::MakeDerived(const SimplicialComplex<Id>& complex, bool children
   const CellStorage<long long> storage{ connectivity.data(), offsets.data(), types.data() };
   if (children)
   {
-    WriteChildren(complex, this->DerivedRuns, storage);
+    WriteChildren(complex, this->Control.DerivedRuns, storage);
   }
   else
   {
-    WriteCells(complex, this->DerivedRuns, storage);
+    WriteCells(complex, this->Control.DerivedRuns, storage);
   }
   for (vtkIdType i = 0; i < counts.Cells; ++i)
   {
@@ -640,7 +451,7 @@ void UniformRun::Finish()
   CopyCellArrays(this->Input, this->Mesh.Cells, cells, this->Output);
   if (this->Options.GenerateClassification)
   {
-    AddValuesOfSimplices(this->ManifoldDimensions.data(), this->Mesh.GetControl(),
+    AddValuesOfSimplices(this->Control.ManifoldDimensions.data(), this->Mesh.GetControl(),
       this->Mesh.MadeLevels + this->Options.Levels, DimensionName, this->Input, this->Output);
   }
   if (this->Options.Features.Sharpness)

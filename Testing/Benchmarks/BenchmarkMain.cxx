@@ -3,11 +3,12 @@
  * @file BenchmarkMain.cxx
  * All benchmarks in one program, so that they are repeated in random order in one run.
  *
- *   SubdivisionObjectsBenchmarks [--quick] [Google Benchmark's own options]
+ *   SubdivisionObjectsBenchmarks [--quick] [--peers] [Google Benchmark's own options]
  *   SubdivisionObjectsBenchmarks --peak-memory CASE LEVELS THREADS CACHE(0|1)
  *
- * The second form executes the filter once in this fresh process and prints how much memory it
- * took.
+ * Either the peers are measured, or all the rest: what peers leave in the heap must not make our
+ * memory warm. The second form executes the filter once in this fresh process and prints how much
+ * memory it took.
  */
 #include "BenchmarkFilter.h"
 #include "BenchmarkTools.h"
@@ -37,6 +38,7 @@ std::vector<RegisterFunction>& GetRegistrations()
 }
 
 bool Quick = false;
+bool Peers = false;
 
 /// Bytes that a line of this process's status tells.
 double ReadStatus(const std::string& key)
@@ -82,6 +84,11 @@ bool IsQuick()
   return Quick;
 }
 
+bool IsForPeers()
+{
+  return Peers;
+}
+
 void ReturnFreeMemory()
 {
 #ifdef __GLIBC__
@@ -98,16 +105,21 @@ void ReturnFreeMemory()
 
 int main(int argc, char** argv)
 {
+  benchmarks::ReturnFreeMemory(); // sets the C library's values before anything is made
   if (argc == 6 && std::strcmp(argv[1], "--peak-memory") == 0)
   {
     return benchmarks::PrintPeakMemory(argv + 2);
   }
-  if (argc > 1 && std::strcmp(argv[1], "--quick") == 0)
+  for (bool* option : { &benchmarks::Quick, &benchmarks::Peers })
   {
-    benchmarks::Quick = true;
-    argv[1] = argv[0];
-    ++argv;
-    --argc;
+    const char* name = option == &benchmarks::Quick ? "--quick" : "--peers";
+    if (argc > 1 && std::strcmp(argv[1], name) == 0)
+    {
+      *option = true;
+      argv[1] = argv[0];
+      ++argv;
+      --argc;
+    }
   }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv))

@@ -45,6 +45,9 @@ private:
 /// Gives the system back what earlier measurements freed, so that none of them finds warm memory.
 void ReturnFreeMemory();
 
+/// Whether this process measures the peers, or all the rest.
+bool IsForPeers();
+
 /// What a measurement tells beside its time.
 struct Produced
 {
@@ -57,6 +60,10 @@ struct Produced
 inline void Register(const std::string& name, int threads,
   const std::function<Produced(Stopwatch&)>& work, int repetitions = 0)
 {
+  if ((name.compare(0, 5, "peer/") == 0) != IsForPeers())
+  {
+    return;
+  }
   auto* registered =
     benchmark::RegisterBenchmark((name + "/threads:" + std::to_string(threads)).c_str(),
       [threads, work](benchmark::State& state)

@@ -4,7 +4,7 @@
 
     run.py BUILD_TREE [--quick] [--peers] [--repetitions N] [--filter REGEX]
 
-Writes into BUILD_TREE: results.json (Google Benchmark's own), summary.json, report.md. Each figure
+Writes into BUILD_TREE: results*.json (Google Benchmark's own), summary.json, report.md. Each figure
 is a median over the repetitions, which all benchmarks take in random order; (min..max) beside it.
 """
 import argparse
@@ -189,17 +189,18 @@ def scaling_section(samples):
 
 def run(arguments):
     program = os.path.join(arguments.build, "bin", "SubdivisionObjectsBenchmarks")
-    results = os.path.join(arguments.build, "results.json")
-    command = [program] + (["--quick"] if arguments.quick else []) + [
-        "--benchmark_repetitions=%d" % arguments.repetitions,
-        "--benchmark_enable_random_interleaving=true",
-        "--benchmark_report_aggregates_only=false",
-        "--benchmark_display_aggregates_only=true",
-        "--benchmark_filter=" + arguments.filter,
-        "--benchmark_out_format=json", "--benchmark_out=" + results]
     load = os.getloadavg()[0]
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-    samples = read_samples(results)
+    samples = {}
+    for group in ([], ["--peers"]): # processes of their own: heaps stay apart
+        results = os.path.join(arguments.build, "results%s.json" % ("-peers" if group else ""))
+        subprocess.run([program] + (["--quick"] if arguments.quick else []) + group + [
+            "--benchmark_repetitions=%d" % arguments.repetitions,
+            "--benchmark_enable_random_interleaving=true",
+            "--benchmark_filter=" + arguments.filter,
+            "--benchmark_out_format=json", "--benchmark_out=" + results],
+            check=True, stdout=subprocess.DEVNULL)
+        if os.path.getsize(results) > 0:
+            samples.update(read_samples(results))
     cases = sorted({(key[2], key[3]) for key in samples
                     if key[:2] == ("filter", "first") and ("limit", "small") + key[2:] in samples})
     memory = measure_memory(program, cases, 1 if arguments.quick else 3)

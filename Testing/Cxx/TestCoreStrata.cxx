@@ -195,22 +195,3 @@ TEST(CoreStrata, ManifoldDimensions)
   EXPECT_EQ(FindDimensions("RepeatedTets"), (Dimensions{ 3, 3, 3, 3, 3 }));
   EXPECT_EQ(FindDimensions("TentOnTet"), (Dimensions{ 3, 1, 1 }));
 }
-
-TEST(CoreStrata, Decomposition)
-{
-  const Mesh mesh = FindInZoo("FinOnEdge");
-  std::vector<CellRun> runs;
-  const auto complex = BuildComplex<int>(mesh.Cells, runs);
-  Decomposition<int> found;
-  BuildStrata(complex, SingularSimplices(), StrataOptions(), &found);
-  EXPECT_EQ(found.VertexDimensions[0], 6);
-  EXPECT_EQ(found.VertexDimensions[2], 4);
-  EXPECT_EQ(found.VertexDimensions[4], 2);
-  EXPECT_EQ(found.EdgeDimensions[FindEdge(complex, 0, 1)], 6);
-  EXPECT_EQ(found.EdgeDimensions[FindEdge(complex, 0, 4)], 2);
-  EXPECT_EQ(found.EdgeDimensions[FindEdge(complex, 2, 3)], 4);
-  for (int e = 0; e < complex.NumberOfEdges; ++e)
-  {
-    EXPECT_TRUE(found.EdgeBoundary[e]);
-  }
-}
