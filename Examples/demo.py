@@ -7,6 +7,7 @@
 `./dev demo` builds the plugin, then runs this script with ParaView's pvpython in build/demo, where
 it writes its files: four pictures of each model (control mesh; subdivided; cut open and coloured by a
 point array; cut open and coloured by RuleDimension), both meshes as .vtu, and one contact sheet.
+After the built-in models it goes on with gallery.py, which shows the features.
 By hand:
 
     SUBDIVISIONOBJECTS_PLUGIN=<folder>/SubdivisionObjects.so pvpython --force-offscreen-rendering demo.py
@@ -20,6 +21,7 @@ import sys
 import time
 
 import demo_pictures
+import gallery
 from paraview import servermanager, simple
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
@@ -158,6 +160,8 @@ def main(arguments):
         small = demo_pictures.shrunk(demo_pictures.contact_sheet(some), 0.28)
         demo_pictures.write_png(small, "gallery.png")  # Documentation/gallery.png
     print(f"Pictures and meshes are in {os.getcwd()}; look at {sheet} first.")
+    if not arguments:
+        gallery.draw()
 
 
 if __name__ == "__main__":

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pictures that demo.py makes, with plain VTK rendering: nothing here is about subdivision."""
 
+import json
 import math
+import pathlib
 
 import numpy as np
 import vtkmodules.vtkInteractionStyle  # noqa: F401  registers what rendering needs
@@ -30,10 +32,18 @@ SOLIDS = (VTK_TETRA, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID)  # a cut makes the 
 INK = (0.15, 0.17, 0.2)
 PALETTE = [(0.93, 0.76, 0.55), (0.55, 0.73, 0.60), (0.56, 0.70, 0.85), (0.86, 0.60, 0.56),
            (0.45, 0.47, 0.52), (0.75, 0.66, 0.84), (0.90, 0.85, 0.58), (0.60, 0.80, 0.80)]
-# The colours of the paper's figures.
-RULES = [("0: corner, end of a curve", (0.85, 0.10, 0.10)), ("1: curve, border", (0.15, 0.65, 0.20)),
-         ("2: surface", (0.25, 0.45, 0.85)), ("3: inside a solid", (1.00, 0.60, 0.15)),
-         ("4: blended", (0.60, 0.20, 0.70))]
+PRESET = pathlib.Path(__file__).resolve().parent.parent / "Plugin" / "RuleDimensionColors.json"
+
+
+def read_preset():
+    """(label, colour) of the rules 0 to 4: the colour preset that comes with the plugin."""
+    preset = json.loads(PRESET.read_text())[0]
+    words, numbers = preset["Annotations"], preset["IndexedColors"]
+    return [(f"{words[2 * i]}: {words[2 * i + 1]}", tuple(numbers[3 * i:3 * i + 3]))
+            for i in range(len(numbers) // 3)]
+
+
+RULES = read_preset()
 
 
 def cell_types(grid):

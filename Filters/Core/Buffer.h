@@ -139,12 +139,14 @@ struct Rows
   }
 };
 
+/// Loops shorter than this are not worth starting threads for, which takes some 0.1 ms.
+constexpr vtkIdType WorthThreads = 8192;
+
 /// body(begin, end) over disjoint ranges that cover [0, size), in threads when it is worth it.
 template <typename Body>
 void ForRanges(vtkIdType size, const Body& body)
 {
-  constexpr vtkIdType worthAThread = 2048;
-  if (size <= worthAThread)
+  if (size <= WorthThreads)
   {
     body(vtkIdType(0), size);
     return;
@@ -174,39 +176,47 @@ void CountsToOffsets(Buffer<Id>& offsets)
   const vtkIdType rows = offsets.size() - 1;
   constexpr vtkIdType block = 65536;
   const vtkIdType blocks = (rows + block - 1) / block;
-  Buffer<Id> starts(blocks + 1);
-  auto sumBlocks = [&](vtkIdType begin, vtkIdType end)
+  auto forBlocks = [blocks](const auto& body)
   {
-    for (vtkIdType b = begin; b < end; ++b)
+    auto ranges = [&body](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType b = begin; b < end; ++b)
+      {
+        body(b, b * block);
+      }
+    };
+    if (blocks < 16)
+    {
+      ranges(0, blocks);
+      return;
+    }
+    vtkSMPTools::For(0, blocks, 1, ranges);
+  };
+  Buffer<Id> starts(blocks + 1);
+  forBlocks(
+    [&](vtkIdType b, vtkIdType begin)
     {
       Id sum = 0;
-      for (vtkIdType i = b * block; i < std::min(rows, (b + 1) * block); ++i)
+      for (vtkIdType i = begin; i < std::min(rows, begin + block); ++i)
       {
         sum += offsets[i];
       }
       starts[b] = sum;
-    }
-  };
-  auto spread = [&](vtkIdType begin, vtkIdType end)
-  {
-    for (vtkIdType b = begin; b < end; ++b)
-    {
-      Id sum = starts[b];
-      for (vtkIdType i = b * block; i < std::min(rows, (b + 1) * block); ++i)
-      {
-        const Id count = offsets[i];
-        offsets[i] = sum;
-        sum += count;
-      }
-    }
-  };
-  vtkSMPTools::For(0, blocks, 1, sumBlocks);
+    });
   Id total = 0;
   for (vtkIdType b = 0; b < blocks; ++b)
   {
     total += std::exchange(starts[b], total);
   }
-  vtkSMPTools::For(0, blocks, 1, spread);
+  forBlocks(
+    [&](vtkIdType b, vtkIdType begin)
+    {
+      Id sum = starts[b];
+      for (vtkIdType i = begin; i < std::min(rows, begin + block); ++i)
+      {
+        sum += std::exchange(offsets[i], sum);
+      }
+    });
   offsets[rows] = total;
 }
 

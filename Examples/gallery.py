@@ -1,0 +1,301 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What every feature does, on small meshes: gallery_*.png, and gallery_features.png with all of them.
+
+`./dev demo` makes these after the built-in models; `pvpython --force-offscreen-rendering gallery.py`
+makes only these (see demo.py for the environment that it needs).
+"""
+
+import itertools
+import math
+import os
+
+import demo_pictures as look
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON, VTK_LINE, VTK_QUAD, VTK_TETRA, VTK_TRIANGLE, VTK_VERTEX, vtkPlane, vtkUnstructuredGrid)
+from vtkmodules.vtkFiltersCore import vtkThreshold
+
+LEVELS = 4
+KINDS = {1: VTK_VERTEX, 2: VTK_LINE, 3: VTK_TRIANGLE, 4: VTK_QUAD, 8: VTK_HEXAHEDRON}
+
+
+class Mesh:
+    """A control mesh. Points are found by their coordinates: parts that touch share them."""
+
+    def __init__(self):
+        self.points, self.ids, self.cells = [], {}, []
+
+    def point(self, x):
+        key = tuple(round(float(value), 6) for value in x)
+        if key not in self.ids:
+            self.ids[key] = len(self.points)
+            self.points.append(key)
+        return self.ids[key]
+
+    def cell(self, *corners, part=0, singular=0):
+        self.cells.append(([self.point(x) for x in corners], part, singular))
+
+    def curve(self, *points, **options):
+        for a, b in zip(points, points[1:]):
+            self.cell(a, b, **options)
+
+    def sheet(self, corner, count_u, count_v, **options):
+        """Quads; corner(u, v) is a point."""
+        for u, v in itertools.product(range(count_u), range(count_v)):
+            self.cell(corner(u, v), corner(u + 1, v), corner(u + 1, v + 1), corner(u, v + 1), **options)
+
+    def block(self, low, counts, bend=lambda x: x, part=lambda i, j, k: 0):
+        """Hexahedra of size 1."""
+        for i, j, k in itertools.product(*map(range, counts)):
+            corners = [(low[0] + i + a, low[1] + j + b, low[2] + k + c)
+                       for c in (0, 1) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+            self.cell(*map(bend, corners), part=part(i, j, k))
+
+    def grid(self, flagged=True):
+        """The mesh, with its flagged cells or without them."""
+        cells = [cell for cell in self.cells if flagged or not cell[2]]
+        grid = vtkUnstructuredGrid()
+        points = vtkPoints()
+        points.SetDataTypeToDouble()
+        for x in self.points:
+            points.InsertNextPoint(*x)
+        grid.SetPoints(points)
+        for ids, _, _ in cells:
+            grid.InsertNextCell(KINDS[len(ids)], len(ids), ids)
+        for name, values in (("MaterialId", [part for _, part, _ in cells]),
+                             ("Singular", [singular for _, _, singular in cells])):
+            array = numpy_to_vtk(np.array(values, dtype=np.int32), deep=True)
+            array.SetName(name)
+            grid.GetCellData().AddArray(array)
+        return grid
+
+
+# ---------------------------------------------------------------- what the pictures show
+
+def subdivide(grid, levels=LEVELS, **options):
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(grid)
+    subdivision = simple.MultidimensionalSubdivision(
+        Input=source, NumberOfLevels=levels, GenerateClassification=1, **options)
+    subdivision.UpdatePipeline()
+    smooth = subdivision.GetClientSideObject().GetOutputDataObject(0)
+    if smooth.GetNumberOfCells() == 0:
+        raise RuntimeError("the gallery was not subdivided, see above")
+    return smooth
+
+
+def only_cells(grid, array, value):
+    chosen = vtkThreshold()
+    chosen.SetInputData(grid)
+    chosen.SetInputArrayToProcess(0, 0, 0, 1, array)
+    chosen.SetLowerThreshold(value)
+    chosen.SetUpperThreshold(value)
+    chosen.Update()
+    return chosen.GetOutput()
+
+
+def cut(grid, normal):
+    """The half behind the plane through the middle."""
+    points = look.used_points(grid)
+    low, high = points.min(axis=0), points.max(axis=0)
+    plane = vtkPlane()
+    plane.SetOrigin(*((low + high) / 2 + 0.004 * math.dist(low, high) * np.array(normal)))
+    plane.SetNormal(*normal)
+    return look.cut_open(grid, plane, False)
+
+
+class Figure:
+    """A row of pictures of the same size, seen from the same side; the first is the control mesh."""
+
+    def __init__(self, name, title, mesh, direction):
+        self.name, self.title, self.direction = name, title, direction
+        self.control = subdivide(mesh, 0)
+        self.frame = look.used_points(self.control)
+        self.size = math.dist(self.frame.min(axis=0), self.frame.max(axis=0))
+        self.images = []
+        self.draw("control mesh", self.actors(self.control, edges=True) + self.flags(self.control))
+
+    def actors(self, grid, colouring=None, edges=False):
+        return look.actors_of(grid, colouring or look.part_array(self.control), self.size, edges=edges)
+
+    def flags(self, grid):
+        """The singular points and lines, in the colours of their rules."""
+        if not grid.GetCellData().HasArray("Singular"):
+            return []
+        singular = only_cells(grid, "Singular", 1)
+        lines, dots = look.of_types(singular, VTK_LINE), look.of_types(singular, VTK_VERTEX)
+        actors = []
+        if lines.GetNumberOfCells():
+            actors += look.actors_of(lines, None, 1.3 * self.size)
+            actors[-1].GetProperty().SetColor(*look.RULES[1][1])
+        if dots.GetNumberOfCells():
+            actors.append(look.balls(look.used_points(dots), 0.016 * self.size, look.RULES[0][1]))
+        return actors
+
+    def draw(self, words, actors, notes=()):
+        labels = [look.text(words, 56, 36, 2 * look.SIZE[1] - 150), *notes]
+        if not self.images:
+            labels.append(look.text(self.title, 56, 36, 2 * look.SIZE[1] - 76))
+        self.images.append(look.render(actors, labels, self.frame, self.direction))
+
+    def add(self, words, grid, rules=True, colouring=None, notes=()):
+        """With dots where the rules 0, 1 and 4 (red, green, violet) are at work."""
+        actors = self.actors(grid, colouring)
+        self.draw(words, actors + (look.rule_balls(grid, self.size) if rules else []), notes)
+
+    def write(self):
+        look.write_png(look.append(self.images, 0), f"gallery_{self.name}.png")
+
+
+# ---------------------------------------------------------------- joints (figures 14 and 15)
+
+def type_1():
+    """A solid, a sheet on it and a curve through the tip of the sheet."""
+    mesh = Mesh()
+    mesh.block((0, 0, 0), (2, 2, 1))
+    mesh.sheet(lambda u, v: (u, 1, 1 + v), 2, 2, part=2)
+    mesh.curve((-0.7, 1, 1.6), (-0.5, 1, 2.8), (1, 1, 3), (1.6, 1, 4), (2.7, 1, 3.6), part=3)
+    grid = mesh.grid()
+    figure = Figure("type1", "Type 1: solid, surface and curve meet", grid, (0.55, -1.0, 0.45))
+    for rule in ("Blend", "Sharp", "FollowDimension1", "FollowDimension2", "FollowDimension3"):
+        figure.add(f"Type1Rule = {rule}", subdivide(grid, Type1Rule=rule))
+    return figure
+
+
+def type_2():
+    """Three sheets at one edge, of which two are one part; two curves that cross."""
+    mesh = Mesh()
+    for part, angle in ((0, 200), (0, 340), (1, 90)):
+        towards = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+        mesh.sheet(lambda u, v, d=towards: (u * d[0], v - 1.5, u * d[1]), 2, 3, part=part)
+    for part, shift in ((2, -1), (3, 1)):
+        mesh.curve(*((4 + shift * x, 0, z) for x, z in ((-1.4, 1.6), (-1, 0.6), (0, 0), (1, 0.6), (1.4, -1.2))),
+                   part=part)
+    grid = mesh.grid()
+    figure = Figure("type2", "Type 2: several branches of one dimension meet", grid, (0.25, -1.0, 0.4))
+    for rule in ("Blend", "Sharp", "FollowPart"):
+        options = {"PartArray": ["CELLS", "MaterialId"]} if rule == "FollowPart" else {}
+        figure.add(f"Type2Rule = {rule}", subdivide(grid, Type2Rule=rule, **options))
+    return figure
+
+
+def type_3():
+    """Two sheets that touch in a point; two solids that touch in an edge."""
+    mesh = Mesh()
+    for part, sign in ((0, -1), (1, 1)):
+        mesh.sheet(lambda u, v, s=sign: (s * (u + v) * 0.6, (u - v) * 0.6, 0.4 + 0.2 * (u + v) ** 1.5),
+                   2, 2, part=part)
+    mesh.block((3, -0.5, 0), (1, 1, 1), part=lambda i, j, k: 2)
+    mesh.block((4, -0.5, 1), (1, 1, 1), part=lambda i, j, k: 3)
+    grid = mesh.grid()
+    figure = Figure("type3", "Type 3: boundaries touch", grid, (0.2, -1.0, 0.55))
+    for rule in ("Blend", "Sharp"):
+        figure.add(f"Type3Rule = {rule}", subdivide(grid, Type3Rule=rule))
+    return figure
+
+
+# ---------------------------------------------------------------- singularities (figure 16)
+
+def ball():
+    """A block that becomes a ball."""
+    mesh = Mesh()
+    mesh.block((-1, -1, -1), (2, 2, 2))
+    return mesh
+
+
+def cusp():
+    mesh = ball()
+    top = mesh.point((0, 0, 1))
+    mesh.cell((0, 0, 1), singular=1)
+    mesh.points[top] = (0, 0, 2)
+    figure = Figure("cusp", "A singular vertex", mesh.grid(), (0.6, -1.0, 0.35))
+    figure.add("without the flag", subdivide(mesh.grid(flagged=False)))
+    figure.add("a cusp", subdivide(mesh.grid()))
+    return figure
+
+
+def corner():
+    mesh = ball()
+    start = np.array((1, -1, 1))
+    for axis in range(3):
+        step = -start * (np.arange(3) == axis)
+        mesh.curve(start, start + step, start + 2 * step, singular=1)
+    mesh.cell(start, singular=1)
+    figure = Figure("corner", "A singular vertex, three singular lines", mesh.grid(), (0.7, -1.0, 0.6))
+    figure.add("without the flags", subdivide(mesh.grid(flagged=False)))
+    figure.add("CreaseEnd = Dart: corner and creases", subdivide(mesh.grid(), CreaseEnd="Dart"))
+    figure.add("CreaseEnd = Corner: the ends stay, too", subdivide(mesh.grid()))
+    return figure
+
+
+def embedded():
+    """A wavy surface through the middle of a solid."""
+    mesh = Mesh()
+
+    def bend(x):
+        return (x[0], x[1], x[2] + (0.55 * (-1) ** round(x[0]) if x[2] == 1 else 0))
+
+    mesh.block((0, 0, 0), (4, 3, 2), bend, part=lambda i, j, k: k)
+    mesh.sheet(lambda u, v: bend((u, v, 1)), 4, 3, part=1)
+    grid = mesh.grid()
+    figure = Figure("embedded", "A surface embedded in a solid", grid, (0.4, -1.0, 0.55))
+    for rule in ("Follow", "SingularInside"):
+        solids = look.of_types(subdivide(grid, EmbeddedCells=rule), VTK_TETRA)
+        figure.add(f"EmbeddedCells = {rule}: below it", only_cells(solids, "MaterialId", 0), rules=False)
+    return figure
+
+
+# ---------------------------------------------------------------- models (figure 20)
+
+def model(name):
+    source = simple.SubdivisionModel(Model=name)
+    source.UpdatePipeline()
+    return source.GetClientSideObject().GetOutputDataObject(0)
+
+
+def mechanical_part():
+    grid = model("MechanicalPart")
+    figure = Figure("mechanical_part", "Mechanical part", grid, (-0.45, -1.0, 0.75))
+    figure.add("without the flags: all round", subdivide(only_cells(grid, "Singular", 0), 3), rules=False)
+    smooth = subdivide(grid, 3)
+    figure.draw("with: circle, flat faces, corners", figure.actors(smooth) + figure.flags(smooth))
+    name, low, high = look.shown_array(smooth)
+    tension = look.tension_colours(low, high)
+    figure.add("cut open", cut(smooth, (0.0, -1.0, 0.0)), rules=False, colouring=("point", name, tension),
+               notes=[look.colour_bar(tension, name)])
+    return figure
+
+
+def material_block():
+    grid = model("MaterialBlock")
+    figure = Figure("materials", "Two materials", grid, (0.7, -1.0, 0.6))
+    for words, preserve in (("blended", 0), ("PreserveInterfaces", 1)):
+        smooth = subdivide(grid, PreserveInterfaces=preserve)
+        figure.add(words, smooth, rules=False)
+        figure.add(f"{words}: below", only_cells(smooth, "MaterialId", 0), rules=False)
+    return figure
+
+
+def draw():
+    rows = []
+    for makers in ((type_1,), (type_2, type_3), (cusp, corner), (embedded, mechanical_part), (material_block,)):
+        rows.append([])
+        for make in makers:
+            figure = make()
+            figure.write()
+            rows[-1] += figure.images
+    width = max(map(len, rows))
+    blank = look.render([], [], np.array([[0.0, 0, 0], [1, 1, 1]]), (1, 1, 1))
+    sheet = look.contact_sheet([row + [blank] * (width - len(row)) for row in rows])
+    look.write_png(sheet, "gallery_features.png")
+    print(f"The features are in gallery_features.png and gallery_*.png in {os.getcwd()}.")
+
+
+if __name__ == "__main__":
+    import demo
+
+    demo.load_plugin()
+    draw()

@@ -1,0 +1,269 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Singularities, joints and materials in ParaView: properties, array pickers, state files, the preset."""
+
+import os
+import unittest
+
+import numpy as np
+import tools
+from paraview import servermanager, simple
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import subdivisionobjects
+
+ARRAYS = ["SingularArray", "MaterialArray", "PartArray", "RuleArray", "SharpnessArray"]
+CHOICES = {
+    "CreaseEnd": ["Corner", "Dart"],
+    "EmbeddedCells": ["Follow", "SingularInside", "Singular"],
+    "Type1Rule": ["Blend", "Sharp", "FollowDimension1", "FollowDimension2", "FollowDimension3"],
+    "Type2Rule": ["Blend", "Sharp", "FollowPart"],
+    "Type3Rule": ["Blend", "Sharp"],
+}
+
+
+def model(name="MaterialBlock"):
+    source = simple.SubdivisionModel(Model=name)
+    source.UpdatePipeline()
+    return source
+
+
+def subdivide(source, **options):
+    return simple.MultidimensionalSubdivision(Input=source, GenerateClassification=1, **options)
+
+
+def elements(proxy, name):
+    prop = proxy.GetProperty(name).SMProperty
+    return [prop.GetElement(i) for i in range(prop.GetNumberOfElements())]
+
+
+def offered(proxy, name):
+    domain = proxy.GetProperty(name).SMProperty.GetDomain("array_list")
+    return [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]
+
+
+def coordinates(grid):
+    return vtk_to_numpy(grid.GetPoints().GetData())
+
+
+def rules(grid):
+    return vtk_to_numpy(grid.GetPointData().GetArray("RuleDimension"))
+
+
+def updated(proxy):
+    proxy.UpdatePipeline()
+    return tools.output(proxy)
+
+
+def with_errors(proxy):
+    """The output of a proxy and the error messages on the way."""
+    messages = []
+
+    @calldata_type("string0")
+    def keep(_caller, _event, message):
+        messages.append(message)
+
+    proxy.UpdateVTKObjects()
+    algorithm = proxy.GetClientSideObject()
+    observed = [(one, one.AddObserver("ErrorEvent", keep)) for one in (algorithm, algorithm.GetExecutive())]
+    try:
+        return updated(proxy), messages
+    finally:
+        for one, tag in observed:
+            one.RemoveObserver(tag)
+
+
+class Properties(unittest.TestCase):
+    def test_choices_and_defaults(self):
+        proxy = subdivide(model())
+        for name, values in CHOICES.items():
+            with self.subTest(name):
+                self.assertEqual(proxy.GetProperty(name).Available, values)
+                self.assertEqual(getattr(proxy, name), values[0])
+        made = subdivisionobjects.vtkMultiDimensionalSubdivision()
+        for name in (*CHOICES, "PreserveInterfaces", "DetectFeatures", "FeatureAngle", "CacheOperator", "Use32BitIds"):
+            self.assertEqual(elements(proxy, name), [getattr(made, "Get" + name)()], name)
+
+    def test_choices_reach_the_filter(self):
+        proxy = subdivide(model())
+        for name, values in CHOICES.items():
+            for i, value in enumerate(values):
+                setattr(proxy, name, value)
+                proxy.UpdateVTKObjects()
+                self.assertEqual(getattr(proxy.GetClientSideObject(), "Get" + name)(), i, name)
+
+    def test_only_what_applies_is_shown(self):
+        proxy = subdivide(model())
+        for name, on in (("FeatureAngle", "DetectFeatures"), ("MaterialArray", "PreserveInterfaces"),
+                         ("PartArray", "Type2Rule")):
+            hints = proxy.GetProperty(name).SMProperty.GetHints()
+            found = []
+
+            def collect(element):
+                found.append(element.GetAttribute("property"))
+                for i in range(element.GetNumberOfNestedElements()):
+                    collect(element.GetNestedElement(i))
+
+            collect(hints)
+            self.assertIn(on, found, name)
+            for other in filter(None, found):
+                self.assertTrue(proxy.SMProxy.GetProperty(other), other)
+
+
+class Arrays(unittest.TestCase):
+    def test_none_is_the_default(self):
+        proxy = subdivide(model())
+        for i, name in enumerate(ARRAYS):
+            self.assertEqual(elements(proxy, name), [str(i), "0", "0", "1", "None"], name)
+
+    def test_only_fitting_arrays_are_offered(self):
+        source = model()
+        for name, function, kind in (("Reals", "MaterialId + 0.5", "Double"), ("Labels", "MaterialId", "Int"),
+                                     ("Vectors", "MaterialId * iHat", "Double")):
+            source = simple.Calculator(Input=source, AttributeType="Cell Data", ResultArrayName=name,
+                                       Function=function, ResultArrayType=kind)
+        source = simple.Calculator(Input=source, ResultArrayName="PointLabels", Function="1", ResultArrayType="Int")
+        source.UpdatePipeline()
+        proxy = subdivide(source)
+        integers = {"None", "MaterialId", "Singular", "Labels"}
+        for name in ("SingularArray", "PartArray", "RuleArray"):
+            self.assertEqual(set(offered(proxy, name)), integers, name)
+        self.assertEqual(set(offered(proxy, "MaterialArray")), integers | {"Reals"})
+        self.assertEqual(set(offered(proxy, "SharpnessArray")), {"None", "Reals"})
+
+    def test_set_and_unset(self):
+        proxy = subdivide(model())
+        for name in ARRAYS:
+            for value, expected in ((["CELLS", "Singular"], "Singular"), ("None", "None"), ("Singular", "Singular"),
+                                    (["CELLS", "None"], "None")):
+                setattr(proxy, name, value)
+                self.assertEqual(elements(proxy, name)[3:], ["1", expected], name)
+                self.assertEqual(getattr(proxy, name)[1], expected)
+        self.assertGreater(updated(proxy).GetNumberOfCells(), 0)
+
+    def test_no_cell_arrays_at_all(self):
+        cone = simple.Cone()
+        cone.UpdatePipeline()
+        proxy = subdivide(cone)
+        for name in ARRAYS:
+            self.assertEqual(offered(proxy, name), ["None"])
+        self.assertGreater(updated(proxy).GetNumberOfCells(), 0)
+
+    def test_another_name_for_the_flags(self):
+        part = model("MechanicalPart")
+        renamed = simple.Calculator(Input=part, AttributeType="Cell Data", ResultArrayName="Flags",
+                                    Function="Singular", ResultArrayType="Int")
+        plain = simple.PassArrays(Input=renamed, CellDataArrays=["Flags"], PointDataArrays=["Tension"])
+        plain.UpdatePipeline()
+        wanted = coordinates(updated(subdivide(part)))
+        named = subdivide(plain, SingularArray=["CELLS", "Flags"])
+        self.assertTrue((coordinates(updated(named)) == wanted).all())
+        named.SingularArray = "None"
+        self.assertFalse((coordinates(updated(named)) == wanted).all())
+
+    def test_a_missing_array_is_an_error(self):
+        for name in ARRAYS:
+            with self.subTest(name):
+                proxy = subdivide(model(), **{name: ["CELLS", "Nowhere"]})
+                grid, messages = with_errors(proxy)
+                self.assertEqual(grid.GetNumberOfCells(), 0)
+                self.assertTrue(any('"Nowhere"' in message for message in messages), messages)
+                setattr(proxy, name, "None")
+                grid, messages = with_errors(proxy)
+                self.assertGreater(grid.GetNumberOfCells(), 0)
+                self.assertEqual(messages, [])
+
+    def test_interfaces_need_materials(self):
+        grid, messages = with_errors(subdivide(simple.Cone(), PreserveInterfaces=1))
+        self.assertEqual(grid.GetNumberOfCells(), 0)
+        self.assertTrue(any("PreserveInterfaces" in message for message in messages), messages)
+
+
+class Interfaces(unittest.TestCase):
+    """MaterialBlock: the interface is a step, from z = 1 to z = 2 at x = 1."""
+
+    @staticmethod
+    def on_interface(x):
+        return ((x[:, 2] == 1) & (x[:, 0] <= 1)) | ((x[:, 2] == 2) & (x[:, 0] >= 1)) | (
+            (x[:, 0] == 1) & (x[:, 2] >= 1) & (x[:, 2] <= 2))
+
+    def test_rules_of_the_control_mesh(self):
+        proxy = subdivide(model(), NumberOfLevels=0)
+        before = updated(proxy)
+        x = coordinates(before)
+        interface = self.on_interface(x)
+        border = (x[:, 1] % 2 == 0) | (x[:, 0] % 2 == 0)
+        self.assertTrue((rules(before)[interface & ~border] == 3).all())
+        proxy.PreserveInterfaces = 1
+        after = rules(updated(proxy))
+        self.assertEqual((interface.sum(), (interface & ~border).sum()), (12, 2))
+        self.assertTrue((after[interface & ~border] == 2).all())  # inside the singular surface
+        self.assertTrue((after[interface & border] == 1).all())  # its border is a curve
+        self.assertTrue((after[~interface] == rules(before)[~interface]).all())
+
+    def test_children_keep_the_material_and_the_interface(self):
+        proxy = subdivide(model(), NumberOfLevels=2, PreserveInterfaces=1, GenerateOriginalIds=1)
+        smooth = updated(proxy)
+        cells = vtk_to_numpy(smooth.GetCells().GetConnectivityArray()).reshape(-1, 4)
+        material = vtk_to_numpy(smooth.GetCellData().GetArray("MaterialId"))
+        both = np.intersect1d(cells[material == 0], cells[material == 1])
+        self.assertEqual(set(rules(smooth)[both]), {1, 2})
+        # 3 x 2 quads, so 12 triangles with 16 children each: 9 x 13 points.
+        self.assertEqual(len(both), 13 * 9)
+        default = subdivide(model(), NumberOfLevels=2)
+        self.assertFalse((coordinates(updated(default)) == coordinates(smooth)).all())
+
+    def test_the_material_array_by_name(self):
+        wanted = coordinates(updated(subdivide(model(), PreserveInterfaces=1)))
+        proxy = subdivide(model(), PreserveInterfaces=1, MaterialArray=["CELLS", "MaterialId"])
+        self.assertTrue((coordinates(updated(proxy)) == wanted).all())
+        proxy.MaterialArray = ["CELLS", "Singular"]  # the same everywhere: no interface
+        self.assertFalse((coordinates(updated(proxy)) == wanted).all())
+
+
+class Features(unittest.TestCase):
+    def test_angle(self):
+        block = model()
+        round_ = coordinates(updated(subdivide(block)))
+        proxy = subdivide(block, DetectFeatures=1)
+        self.assertTrue((np.ptp(coordinates(updated(proxy)), axis=0) == (2, 2, 3)).all())  # corners stay
+        proxy.FeatureAngle = 120
+        self.assertTrue((coordinates(updated(proxy)) == round_).all())
+
+
+class Files(unittest.TestCase):
+    def test_state(self):
+        choices = dict(NumberOfLevels=2, SingularArray=["CELLS", "Singular"], MaterialArray=["CELLS", "MaterialId"],
+                       PreserveInterfaces=1, DetectFeatures=1, FeatureAngle=42.0, CreaseEnd="Dart",
+                       EmbeddedCells="SingularInside", Type1Rule="FollowDimension2", Type2Rule="Sharp",
+                       Type3Rule="Sharp", CacheOperator=0, Use32BitIds=1)
+        simple.ResetSession()
+        simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
+        proxy = subdivide(model("MechanicalPart"), **choices)
+        wanted = {name: elements(proxy, name) for name in (*choices, *ARRAYS)}
+        shape = tools.numbers(updated(proxy))
+        servermanager.SaveState("features.pvsm")
+        simple.ResetSession()
+        simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
+        simple.LoadState("features.pvsm")
+        found = [source for (name, _), source in simple.GetSources().items() if "Multi" in name]
+        self.assertEqual(len(found), 1)
+        self.assertEqual({name: elements(found[0], name) for name in wanted}, wanted)
+        self.assertEqual(tools.numbers(updated(found[0])), shape)
+
+    def test_preset(self):
+        preset = os.path.join(os.path.dirname(tools.plugin), "RuleDimensionColors.json")
+        self.assertTrue(os.path.isfile(preset), preset)
+        self.assertTrue(simple.ImportPresets(preset))
+        table = simple.GetColorTransferFunction("RuleDimension")
+        self.assertTrue(table.ApplyPreset("Subdivision Rules", False))
+        self.assertEqual(table.InterpretValuesAsCategories, 1)
+        self.assertEqual(list(table.Annotations)[::2], list("01234"))
+        colours = np.reshape(list(table.IndexedColors), (5, 3))
+        self.assertEqual(len(np.unique(colours, axis=0)), 5)
+        # red, green, blue; orange; violet
+        self.assertEqual([int(colour.argmax()) for colour in colours], [0, 1, 2, 0, 2])
+
+
+if __name__ == "__main__":
+    tools.main()
