@@ -12,22 +12,18 @@ std::size_t TopologyKey::GetMemorySize() const
     sizeof(vtkIdType) * (this->Simplices.Connectivity.size() + this->Choices.size());
 }
 
-KeptOperator* OperatorCache::Find(const TopologyKey& key)
+KeptOperator* OperatorCache::Find(
+  const TopologyKey& key, const std::function<bool(const KeptOperator&)>& accept)
 {
-  const auto found = std::find_if(this->Operators.begin(), this->Operators.end(),
-    [&key](const auto& kept) { return kept->Key == key; });
-  if (found == this->Operators.end())
+  for (const auto& kept : this->Operators)
   {
-    return nullptr;
+    if (!kept->Used && kept->Key == key && accept(*kept))
+    {
+      kept->Used = true;
+      return kept.get();
+    }
   }
-  (*found)->Used = true;
-  return found->get();
-}
-
-void OperatorCache::Remove(const KeptOperator* kept)
-{
-  this->Operators.erase(std::find_if(this->Operators.begin(), this->Operators.end(),
-    [kept](const auto& other) { return other.get() == kept; }));
+  return nullptr;
 }
 
 void OperatorCache::ForgetUnused()

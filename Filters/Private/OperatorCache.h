@@ -16,7 +16,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace subdivision
@@ -97,6 +99,8 @@ struct KeptOperator
   /// Where features may be, and which of them are: to be asked again when points move.
   std::vector<FeatureCandidate> Candidates;
   std::vector<bool> Features;
+  /// What was said of the input when it was built.
+  std::vector<std::string> Warnings;
   /// Points that went in (a copy), and what came out.
   vtkSmartPointer<vtkDataArray> PointsIn;
   vtkSmartPointer<vtkDataArray> PointsOut;
@@ -106,10 +110,11 @@ struct KeptOperator
 class OperatorCache
 {
 public:
-  /// The kept operator of an equal key, marked as used, or null.
-  KeptOperator* Find(const TopologyKey& key);
+  /// A kept operator of an equal key that `accept` takes, marked as used, or null. Each serves one
+  /// input of an update, so that two blocks with equal cells keep what they know of their points.
+  KeptOperator* Find(
+    const TopologyKey& key, const std::function<bool(const KeptOperator&)>& accept);
   void Add(std::unique_ptr<KeptOperator> kept) { this->Operators.push_back(std::move(kept)); }
-  void Remove(const KeptOperator* kept);
   void Clear() { this->Operators.clear(); }
   /// An update is over: forget what it did not use.
   void ForgetUnused();

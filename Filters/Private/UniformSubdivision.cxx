@@ -84,8 +84,9 @@ private:
   vtkUnstructuredGrid* Output;
   ControlMesh Mesh;
   std::unique_ptr<PointArrays> Points;
-  ControlTraits Control;                       ///< its runs are those of the current level
-  SimplexTuples Derived;                       ///< singular simplices as the output names them
+  ControlTraits Control; ///< its runs are those of the current level
+  SimplexTuples Derived; ///< singular simplices as the output names them
+  std::vector<std::string> BuildWarnings;
   vtkSmartPointer<vtkUnsignedCharArray> Types; ///< of the output's cells
 };
 
@@ -124,7 +125,6 @@ UniformRun::Outcome UniformRun::Execute(bool trustStamp)
       this->UseKept(*kept);
       return Outcome::Done;
     }
-    ++this->Options.Cache->NumberOfBuilds;
     keep = std::make_unique<KeptOperator>();
     keep->Key = std::move(key);
     keep->PointsIn.TakeReference(this->Points->GetPoints()->NewInstance());
@@ -143,6 +143,8 @@ UniformRun::Outcome UniformRun::Execute(bool trustStamp)
     keep->Candidates = std::move(this->Control.Candidates);
     keep->Features = std::move(this->Control.Features);
     keep->ManifoldDimensions = std::move(this->Control.ManifoldDimensions);
+    keep->Warnings = std::move(this->BuildWarnings);
+    ++this->Options.Cache->NumberOfBuilds;
     this->Options.Cache->Add(std::move(keep));
   }
   return outcome;
@@ -193,25 +195,28 @@ TopologyKey UniformRun::MakeKey() const
 /// The kept operator, if the features are still where they were.
 KeptOperator* UniformRun::FindKept(const TopologyKey& key)
 {
-  KeptOperator* kept = this->Options.Cache->Find(key);
-  if (kept && !kept->Candidates.empty())
-  {
-    const double* points = this->Points->GetCoordinates();
-    for (std::size_t i = 0; i < kept->Candidates.size(); ++i)
+  return this->Options.Cache->Find(key,
+    [this](const KeptOperator& kept)
     {
-      if (IsFeature(kept->Candidates[i], points, this->Options.Features.FeatureAngle) !=
-        kept->Features[i])
+      const double* points = kept.Candidates.empty() ? nullptr : this->Points->GetCoordinates();
+      for (std::size_t i = 0; i < kept.Candidates.size(); ++i)
       {
-        this->Options.Cache->Remove(kept);
-        return nullptr;
+        if (IsFeature(kept.Candidates[i], points, this->Options.Features.FeatureAngle) !=
+          kept.Features[i])
+        {
+          return false;
+        }
       }
-    }
-  }
-  return kept;
+      return true;
+    });
 }
 
 void UniformRun::UseKept(KeptOperator& kept)
 {
+  for (const std::string& warning : kept.Warnings)
+  {
+    this->Options.Warn(warning);
+  }
   this->Output->SetCells(kept.Types, kept.Cells);
   if (HoldsSameValues(this->Points->GetPoints(), kept.PointsIn))
   {
@@ -250,8 +255,13 @@ UniformRun::Outcome UniformRun::BuildAndStep(KeptOperator* keep)
 {
   ControlComplex<Id> control;
   const Depth depth = this->Options.Levels < 2 ? Depth::ForOutput : Depth::ForRefinement;
-  if (!BuildControlComplex(this->Mesh, this->Options.Features, this->Points->GetCoordinates(),
-        this->Options.Warn, depth, control))
+  auto warn = [this](const std::string& warning)
+  {
+    this->BuildWarnings.push_back(warning);
+    this->Options.Warn(warning);
+  };
+  if (!BuildControlComplex(
+        this->Mesh, this->Options.Features, this->Points->GetCoordinates(), warn, depth, control))
   {
     return Outcome::NotOurs;
   }

@@ -304,7 +304,7 @@ TEST(OperatorCache, OptionsThatChangeTheOperator)
   }
 }
 
-TEST(OperatorCache, DISABLED_WarningsAreRepeated)
+TEST(OperatorCache, WarningsAreRepeated)
 {
   const Grid input = MakeFan(6, { { VTK_LINE, { 0, 1 } }, { VTK_LINE, { 1, 0 } } });
   AddCellArray(input, "Singular", { 0, 0, 0, 0, 0, 0, 1, 0 });

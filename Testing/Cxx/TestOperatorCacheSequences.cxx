@@ -61,7 +61,7 @@ TEST(OperatorCache, BlocksHaveOperatorsOfTheirOwn)
   EXPECT_TRUE(HoldsOperators(filter.Get(), 2));
 }
 
-TEST(OperatorCache, DISABLED_BlocksOfEqualCellsAndOtherShapes)
+TEST(OperatorCache, BlocksOfEqualCellsAndOtherShapes)
 {
   // Twins in topology, of which only one has features.
   const Grid flat = MakeFan(6);
@@ -78,7 +78,7 @@ TEST(OperatorCache, DISABLED_BlocksOfEqualCellsAndOtherShapes)
   }
 }
 
-TEST(OperatorCache, DISABLED_BlocksOfEqualCellsShareTheirPoints)
+TEST(OperatorCache, BlocksOfEqualCellsShareTheirPoints)
 {
   const std::vector<Grid> grids = { MakeFan(6), MakeFan(6) };
   MovePoint(grids[1], 0, 0, 0, 1.);
