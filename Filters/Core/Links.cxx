@@ -36,18 +36,25 @@ Links<Id>::Links(const SimplicialComplex<Id>& complex)
   : Complex(complex)
   , VertexEdges(Invert(complex.EdgeVertices, 2, complex.NumberOfVertices))
   , EdgeFaces(Invert(complex.FaceEdges, 3, complex.NumberOfEdges))
+  , Dimensions(this->FindEdgeDimensions())
 {
 }
 
 template <typename Id>
-unsigned char Links<Id>::EdgeDimensions(Id edge) const
+Buffer<unsigned char> Links<Id>::FindEdgeDimensions() const
 {
-  const Row<Id> faces = this->EdgeFaces[edge];
-  unsigned char dimensions = faces.size() == 0 ? DimensionBit(1) : 0;
-  for (Id face : faces)
-  {
-    dimensions |= this->FaceDimension(face);
-  }
+  Buffer<unsigned char> dimensions(this->Complex.NumberOfEdges);
+  ForEach(this->Complex.NumberOfEdges,
+    [&](vtkIdType edge)
+    {
+      const Row<Id> faces = this->EdgeFaces[edge];
+      unsigned char found = faces.size() == 0 ? DimensionBit(1) : 0;
+      for (Id face : faces)
+      {
+        found |= this->FaceDimension(face);
+      }
+      dimensions[edge] = found;
+    });
   return dimensions;
 }
 

@@ -46,7 +46,7 @@ public:
   {
     return DimensionBit(this->Complex.FaceTets[face].size() > 0 ? 3 : 2);
   }
-  unsigned char EdgeDimensions(Id edge) const;
+  unsigned char EdgeDimensions(Id edge) const { return this->Dimensions[edge]; }
   unsigned char VertexDimensions(Id vertex) const;
 
   /// How an edge lies in C_k.
@@ -65,10 +65,13 @@ public:
   int CountPieces(Id vertex, const Accept& accept) const;
 
 private:
+  Buffer<unsigned char> FindEdgeDimensions() const;
   Place PlaceEdgeInSolid(Id edge) const;
   Place PlaceVertexInSurface(Id vertex) const;
   Place PlaceVertexInSolid(Id vertex, const Buffer<Place>& edgePlaces) const;
   bool IsConnectedAround(Id edge, vtkIdType faces) const;
+
+  const Buffer<unsigned char> Dimensions; ///< of edges
 };
 
 template <typename Id>
@@ -76,8 +79,9 @@ template <typename Accept>
 int Links<Id>::CountPieces(Id vertex, const Accept& accept) const
 {
   const Row<Id> edges = this->VertexEdges[vertex];
-  std::vector<vtkIdType> parents(edges.size(), -1); // -1: on no accepted face
-  auto root = [&parents](vtkIdType i)
+  static thread_local std::vector<vtkIdType> parents; // kept, to allocate but once
+  parents.assign(edges.size(), -1);                   // -1: on no accepted face
+  auto root = [](vtkIdType i)
   {
     while (parents[i] != i)
     {

@@ -123,6 +123,11 @@ void Refiner<Id>::CountEdgeRings()
       const Id f = static_cast<Id>(i);
       for (int corner = 0; corner < 3; ++corner)
       {
+        if (this->Strata.Faces[i].GetRule() == Rule::Surface)
+        {
+          sizes[this->Ids.InFace(f, corner)] = 2;
+          continue;
+        }
         Id size = 0;
         this->EmitInFaceRing(f, corner, [&size](Id, Id) { ++size; });
         sizes[this->Ids.InFace(f, corner)] = size;
@@ -209,8 +214,12 @@ void Refiner<Id>::MakeVertexRings()
   ForEach(parent.NumberOfEdges,
     [&](vtkIdType e)
     {
-      Id size = 0;
-      this->EmitMidpointRing(static_cast<Id>(e), [&size](Id, Id) { ++size; });
+      const bool isSurface = this->Strata.Edges[e].GetRule() == Rule::Surface;
+      Id size = isSurface ? 2 + 2 * static_cast<Id>(this->Strata.EdgeRings.GetSize(e)) : 0;
+      if (!isSurface)
+      {
+        this->EmitMidpointRing(static_cast<Id>(e), [&size](Id, Id) { ++size; });
+      }
       rings.Offsets[vertices + e] = size;
     });
   CountsToOffsets(rings.Offsets);

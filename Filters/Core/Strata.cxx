@@ -157,7 +157,13 @@ void StrataBuilder<Id>::CollectRelief(
 template <typename Id>
 std::vector<std::vector<Id>> StrataBuilder<Id>::CollectReliefs(const Buffer<Decision>& edges) const
 {
-  std::vector<std::vector<Id>> reliefs(edges.size());
+  std::vector<std::vector<Id>> reliefs;
+  if (std::none_of(edges.begin(), edges.end(),
+        [](const Decision& decision) { return decision.Result.GetRule() == Rule::Blend; }))
+  {
+    return reliefs;
+  }
+  reliefs.resize(edges.size());
   ForEach(edges.size(),
     [&](vtkIdType e)
     {

@@ -40,6 +40,11 @@ Decision StrataBuilder<Id>::DecideVertex(Id vertex) const
 template <typename Id>
 bool StrataBuilder<Id>::DecideSingularVertex(Id vertex, int type, Decision& decision) const
 {
+  if (this->Singular.Vertices.empty() && this->Singular.Edges.empty() &&
+    this->Singular.Faces.empty())
+  {
+    return false;
+  }
   const Decision corner = { Stratum(Rule::Corner, type), RingKind::None, 0, 0 };
   if (!this->Singular.Vertices.empty() && this->Singular.Vertices[vertex])
   {
