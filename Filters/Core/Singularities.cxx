@@ -4,6 +4,7 @@
 #include "Links.h"
 #include "Simplices.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace subdivision
@@ -175,21 +176,36 @@ std::vector<FeatureCandidate> FindFeatureCandidates(const SimplicialComplex<Id>&
 bool IsFeature(const FeatureCandidate& candidate, const double* points, double degrees)
 {
   const double* a = points + 3 * candidate.Ends[0];
-  const double* b = points + 3 * candidate.Ends[1];
+  const double* others[3] = { points + 3 * candidate.Ends[1], points + 3 * candidate.Opposite[0],
+    points + 3 * candidate.Opposite[1] };
+  double sides[3][3]; // from a, scaled so that squares neither vanish nor overflow
+  double scale = 0.;
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      sides[k][i] = others[k][i] - a[i];
+      scale = std::max(scale, std::abs(sides[k][i]));
+    }
+  }
+  if (!(scale > 0.) || std::isinf(scale))
+  {
+    return false;
+  }
   double heights[2][3];
   for (int side = 0; side < 2; ++side)
   {
-    const double* c = points + 3 * candidate.Opposite[side];
     double along = 0.;
     double length = 0.;
     for (int i = 0; i < 3; ++i)
     {
-      along += (c[i] - a[i]) * (b[i] - a[i]);
-      length += (b[i] - a[i]) * (b[i] - a[i]);
+      along += sides[1 + side][i] / scale * (sides[0][i] / scale);
+      length += sides[0][i] / scale * (sides[0][i] / scale);
     }
     for (int i = 0; i < 3; ++i)
     {
-      heights[side][i] = (c[i] - a[i]) - (length > 0. ? along / length : 0.) * (b[i] - a[i]);
+      heights[side][i] =
+        sides[1 + side][i] / scale - (length > 0. ? along / length : 0.) * (sides[0][i] / scale);
     }
   }
   const double* h = heights[0];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stencils.h"
 
+#include "Store.h"
+
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -38,24 +40,6 @@ private:
   Mask Masks[6][Sizes];
 };
 
-template <typename T>
-T Store(double value)
-{
-  if constexpr (std::is_floating_point<T>::value)
-  {
-    return static_cast<T>(value);
-  }
-  else
-  {
-    constexpr double low = static_cast<double>(std::numeric_limits<T>::lowest());
-    constexpr double high = static_cast<double>(std::numeric_limits<T>::max());
-    const double rounded = std::floor(value + 0.5);
-    return rounded <= low ? std::numeric_limits<T>::lowest()
-      : rounded >= high   ? std::numeric_limits<T>::max()
-                          : static_cast<T>(rounded);
-  }
-}
-
 /// Sums over N components; N = 0 when their number is known at run time only.
 template <int N>
 class Sum
@@ -82,6 +66,21 @@ public:
 private:
   std::vector<double> Values;
 };
+
+/// A row whose plain sum overflows: each term is weighted first, so that finite values give a
+/// finite mean.
+template <typename Id, typename T>
+T SumTermByTerm(
+  const Mask& mask, const T* first, const T* second, Row<Id> ring, const T* in, int stride)
+{
+  double sum = mask.Own * static_cast<double>(*first);
+  sum += second ? mask.Own * static_cast<double>(*second) : 0.;
+  for (Id member : ring)
+  {
+    sum += mask.Ring * static_cast<double>(in[static_cast<vtkIdType>(member) * stride]);
+  }
+  return Store<T>(sum);
+}
 
 template <int N, typename Id, typename T>
 void ApplyRows(const Stencils<Id>& stencils, const T* in, T* out, int components)
@@ -119,7 +118,10 @@ void ApplyRows(const Stencils<Id>& stencils, const T* in, T* out, int components
         }
         for (int c = 0; c < size; ++c)
         {
-          result[c] = Store<T>(mask.Own * static_cast<double>(own[c]) + mask.Ring * sum[c]);
+          const double value = mask.Own * static_cast<double>(own[c]) + mask.Ring * sum[c];
+          result[c] = std::isfinite(value)
+            ? Store<T>(value)
+            : SumTermByTerm(mask, own + c, static_cast<const T*>(nullptr), ring, in + c, size);
         }
       }
     });
@@ -150,7 +152,10 @@ void ApplyRows(const Stencils<Id>& stencils, const T* in, T* out, int components
         for (int c = 0; c < size; ++c)
         {
           const double ends = static_cast<double>(first[c]) + static_cast<double>(second[c]);
-          result[c] = Store<T>(mask.Own * ends + mask.Ring * sum[c]);
+          const double value = mask.Own * ends + mask.Ring * sum[c];
+          result[c] = std::isfinite(value)
+            ? Store<T>(value)
+            : SumTermByTerm(mask, first + c, second + c, ring, in + c, size);
         }
       }
     });
@@ -230,7 +235,8 @@ std::size_t Stencils<Id>::GetMemorySize() const
 {
   return this->Vertices.GetMemorySize() + this->Edges.GetMemorySize() +
     this->EdgeVertices.GetMemorySize() + this->VertexRings.GetMemorySize() +
-    this->EdgeRings.GetMemorySize();
+    this->EdgeRings.GetMemorySize() + sizeof(Id) * this->Explicit.Columns.size() +
+    sizeof(double) * this->Explicit.Weights.size();
 }
 
 template <typename Id>

@@ -3,6 +3,7 @@
 
 #include "StrataBuilder.h"
 
+#include <algorithm>
 #include <iterator>
 
 namespace subdivision
@@ -124,22 +125,33 @@ template <typename Id>
 void StrataBuilder<Id>::CollectRelief(
   Id edge, const Decision& decision, std::vector<Id>& relief) const
 {
-  std::vector<Id> neighbours[2];
-  for (int end = 0; end < 2; ++end)
+  // From the end with fewer neighbours, so that a hub of many spokes is not searched at each.
+  auto valence = [this](Id vertex) { return this->Around.VertexEdges[vertex].size(); };
+  auto areJoined = [&](Id a, Id b)
   {
-    const Id vertex = this->Complex.EdgeVertices[2 * edge + end];
-    for (Id other : this->Around.VertexEdges[vertex])
-    {
-      if (this->Around.EdgeDimensions(other) & decision.Dimensions)
+    const Id from = valence(a) < valence(b) ? a : b;
+    const Row<Id> edges = this->Around.VertexEdges[from];
+    return std::any_of(edges.begin(), edges.end(),
+      [&](Id other)
       {
-        neighbours[end].push_back(this->Complex.OtherEnd(other, vertex));
-      }
-    }
-    std::sort(neighbours[end].begin(), neighbours[end].end());
-  }
+        return (this->Around.EdgeDimensions(other) & decision.Dimensions) &&
+          this->Complex.OtherEnd(other, from) == (from == a ? b : a);
+      });
+  };
+  const Id* ends = this->Complex.EdgeVertices.data() + 2 * vtkIdType(edge);
+  const Id near = valence(ends[0]) < valence(ends[1]) ? ends[0] : ends[1];
+  const Id far = this->Complex.OtherEnd(edge, near);
   std::vector<Id> common;
-  std::set_intersection(neighbours[0].begin(), neighbours[0].end(), neighbours[1].begin(),
-    neighbours[1].end(), std::back_inserter(common));
+  for (Id other : this->Around.VertexEdges[near])
+  {
+    const Id neighbour = this->Complex.OtherEnd(other, near);
+    if (neighbour != far && (this->Around.EdgeDimensions(other) & decision.Dimensions) &&
+      areJoined(neighbour, far))
+    {
+      common.push_back(neighbour);
+    }
+  }
+  std::sort(common.begin(), common.end());
   std::vector<Id> spanned;
   for (Id face : this->Around.EdgeFaces[edge])
   {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace subdivision
 {
@@ -65,10 +66,15 @@ int FindPartner(const double* const sorted[4])
   return 1; // lengths that overflow compare with nothing
 }
 
-void OrderTet(vtkIdType* tet, const double* points, const vtkIdType* globalIds)
+void OrderTet(
+  vtkIdType* tet, const double* points, const vtkIdType* globalIds, vtkIdType numberOfGlobalIds)
 {
   int sorted[4] = { 0, 1, 2, 3 };
-  auto key = [&](int i) { return globalIds ? globalIds[tet[i]] : tet[i]; };
+  auto key = [&](int i) // by index where global ids are missing, or not unique
+  {
+    const bool known = globalIds && tet[i] < numberOfGlobalIds;
+    return std::make_tuple(globalIds && !known, known ? globalIds[tet[i]] : 0, tet[i]);
+  };
   std::sort(sorted, sorted + 4, [&](int a, int b) { return key(a) < key(b); });
   const double* corners[4];
   for (int i = 0; i < 4; ++i)
@@ -98,7 +104,8 @@ void OrderTet(vtkIdType* tet, const double* points, const vtkIdType* globalIds)
 
 }
 
-void OrderTets(SimplexList& simplices, const double* points, const vtkIdType* globalIds)
+void OrderTets(SimplexList& simplices, const double* points, const vtkIdType* globalIds,
+  vtkIdType numberOfGlobalIds)
 {
   const vtkIdType size = simplices.GetNumberOfSimplices();
   Buffer<vtkIdType> entries(size + 1);
@@ -109,7 +116,7 @@ void OrderTets(SimplexList& simplices, const double* points, const vtkIdType* gl
     {
       if (simplices.Dimensions[i] == 3)
       {
-        OrderTet(simplices.Connectivity.data() + entries[i], points, globalIds);
+        OrderTet(simplices.Connectivity.data() + entries[i], points, globalIds, numberOfGlobalIds);
       }
     });
 }

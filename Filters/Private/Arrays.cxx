@@ -81,6 +81,19 @@ bool HasTuples(vtkAbstractArray* array, vtkIdType wanted, const char* kind,
   return false;
 }
 
+bool HasIds(vtkDataSetAttributes* data, const char* name, vtkIdType tuples)
+{
+  vtkDataArray* array = data->GetArray(name);
+  return array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == tuples &&
+    array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+}
+
+vtkIdType ToId(double value)
+{
+  constexpr double exact = 9007199254740992.; // 2^53
+  return value >= -exact && value <= exact ? static_cast<vtkIdType>(value) : -1;
+}
+
 vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
 {
   if (array->HasStandardMemoryLayout())

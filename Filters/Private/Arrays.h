@@ -39,6 +39,12 @@ void AddInstead(vtkDataSetAttributes* from, vtkAbstractArray* array, vtkDataSetA
 bool HasTuples(vtkAbstractArray* array, vtkIdType wanted, const char* kind,
   const std::function<void(const std::string&)>& warn);
 
+/// Whether there is an array of integers by that name, one for each of `tuples` points or cells.
+bool HasIds(vtkDataSetAttributes* data, const char* name, vtkIdType tuples);
+
+/// A number as an id; -1 where it is none.
+vtkIdType ToId(double value);
+
 /// The array itself if it is contiguous, else a contiguous copy.
 vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array);
 

@@ -147,7 +147,13 @@ bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features
   control.Derived = Derive(mesh, features, points, control);
   if (!control.Derived.IsEmpty())
   {
+    const Id edges = complex.NumberOfEdges;
+    const Id faces = complex.NumberOfFaces;
     complex = BuildComplexWith<Id>(mesh.GetControl(), control);
+    if (complex.NumberOfEdges != edges || complex.NumberOfFaces != faces)
+    {
+      return false; // singular simplices that travelled with the mesh, but are not of it
+    }
   }
   if (!mesh.IsStamped)
   {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ControlMesh.h"
 
+#include "Arrays.h"
+
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
@@ -11,16 +13,24 @@ namespace subdivision
 namespace
 {
 
-std::vector<vtkIdType> ReadGlobalIds(vtkDataArray* ids)
+/// Empty, so that the index counts, where they cannot be used.
+std::vector<vtkIdType> ReadGlobalIds(
+  vtkDataArray* ids, vtkIdType points, const std::function<void(const std::string&)>& warn)
 {
   std::vector<vtkIdType> values;
-  if (ids)
+  if (ids && (ids->GetNumberOfComponents() != 1 || ids->GetNumberOfTuples() > points))
+  {
+    warn("The global ids are " + std::to_string(ids->GetNumberOfTuples()) + " tuples of " +
+      std::to_string(ids->GetNumberOfComponents()) + " components for " + std::to_string(points) +
+      " points: the point ids are used instead.");
+  }
+  else if (ids)
   {
     values.resize(ids->GetNumberOfTuples());
     vtkIdTypeArray* exact = vtkIdTypeArray::SafeDownCast(ids);
     for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
     {
-      values[i] = exact ? exact->GetValue(i) : static_cast<vtkIdType>(ids->GetComponent(i, 0));
+      values[i] = exact ? exact->GetValue(i) : ToId(ids->GetComponent(i, 0));
     }
   }
   return values;
@@ -55,8 +65,15 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
   mesh.IsStamped = trustStamp && ReadStamp(input, stamp);
   vtkDataArray* carried = input->GetFieldData()->GetArray(GlobalIdsName);
   vtkDataArray* own = input->GetPointData()->GetGlobalIds();
-  mesh.GlobalIds = ReadGlobalIds(mesh.IsStamped && carried ? carried : own);
-  mesh.Cells = CellsToSimplices(input, mesh.IsStamped || !own ? nullptr : mesh.GetGlobalIds());
+  if (own && own->GetNumberOfTuples() < input->GetNumberOfPoints())
+  {
+    warn("There are " + std::to_string(own->GetNumberOfTuples()) + " global ids for " +
+      std::to_string(input->GetNumberOfPoints()) + " points: the point ids are used instead.");
+    own = nullptr;
+  }
+  const bool useCarried = mesh.IsStamped && carried;
+  mesh.GlobalIds = ReadGlobalIds(useCarried ? carried : own, input->GetNumberOfPoints(), warn);
+  mesh.Cells = CellsToSimplices(input, mesh.IsStamped ? nullptr : mesh.GetGlobalIds());
   const bool whole = mesh.Cells.ParentCells.empty() && mesh.Cells.Warnings.empty() &&
     mesh.Cells.Simplices.GetNumberOfSimplices() == input->GetNumberOfCells();
   if (mesh.IsStamped && !whole)

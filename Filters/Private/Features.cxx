@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <sstream>
 #include <unordered_map>
 
@@ -34,7 +35,8 @@ std::vector<Value> ReadValues(vtkDataArray* array, const SimplicesOfCells& cells
 /// Materials; 64-bit integers, which a double cannot always tell apart, as numbers of their own.
 std::vector<double> ReadMaterials(vtkDataArray* array, const SimplicesOfCells& cells)
 {
-  std::vector<double> values = ReadValues<double>(array, cells, [](double v) { return v; });
+  std::vector<double> values = ReadValues<double>(array, cells,
+    [](double v) { return std::isnan(v) ? std::numeric_limits<double>::lowest() : v; });
   if (array && array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE)
   {
     std::unordered_map<long long, double> numbers;
@@ -126,6 +128,10 @@ void ReadSharpness(const FeatureOptions& options, const SimplicesOfCells& cells,
       options.Sharpness, cells,
       [&](std::size_t i) { return dimensions[i] == 1 && !(values.Sharpness[i] >= 0.); },
       "values that are negative or no numbers are taken as 0", warn);
+    WarnOfFirst(
+      options.Sharpness, cells,
+      [&](std::size_t i) { return dimensions[i] != 1 && values.Sharpness[i] > 0.; },
+      "only lines have a sharpness, so that of other cells is ignored", warn);
   }
   bool any = false;
   for (std::size_t i = 0; i < values.Sharpness.size(); ++i)

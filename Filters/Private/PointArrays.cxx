@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointArrays.h"
 
+#include "Core/Store.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -27,22 +29,40 @@ void FillCentres(T* values, int components, const SimplicesOfCells& cells, vtkId
       const vtkIdType end = cells.CentreOffsets[c + 1];
       for (int k = 0; k < components; ++k)
       {
-        double sum = 0.;
-        for (vtkIdType m = begin; m < end; ++m)
+        auto sumOver = [&](double divisor)
         {
-          sum += static_cast<double>(values[cells.CentreMembers[m] * components + k]);
-        }
-        const double mean = sum / static_cast<double>(end - begin);
+          double sum = 0.;
+          for (vtkIdType m = begin; m < end; ++m)
+          {
+            sum += static_cast<double>(values[cells.CentreMembers[m] * components + k]) / divisor;
+          }
+          return sum;
+        };
+        const double members = static_cast<double>(end - begin);
+        const double mean = sumOver(1.) / members;
         values[(first + c) * components + k] =
-          static_cast<T>(std::is_floating_point<T>::value ? mean : std::floor(mean + 0.5));
+          Store<T>(std::isfinite(mean) ? mean : sumOver(members));
       }
     });
+}
+
+template <typename To, typename From>
+To ConvertValue(From value)
+{
+  if constexpr (std::is_same<From, double>::value && std::is_same<To, float>::value)
+  {
+    return Store<float>(value); // stays finite
+  }
+  else
+  {
+    return static_cast<To>(value);
+  }
 }
 
 template <typename From, typename To>
 void Convert(const From* from, To* to, vtkIdType size)
 {
-  ForEach(size, [&](vtkIdType i) { to[i] = static_cast<To>(from[i]); });
+  ForEach(size, [&](vtkIdType i) { to[i] = ConvertValue<To>(from[i]); });
 }
 
 }
@@ -158,7 +178,8 @@ const double* PointArrays::GetCoordinates()
 bool PointArrays::IsEarlier(vtkIdType a, vtkIdType b) const
 {
   const bool known = a < this->NumberOfGlobalIds && b < this->NumberOfGlobalIds;
-  return known ? this->GlobalIds[a] < this->GlobalIds[b] : a < b;
+  return known && this->GlobalIds[a] != this->GlobalIds[b] ? this->GlobalIds[a] < this->GlobalIds[b]
+                                                           : a < b;
 }
 
 void PointArrays::StartOrigins()

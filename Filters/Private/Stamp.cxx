@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stamp.h"
 
+#include "Arrays.h"
+
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -69,7 +71,7 @@ bool ReadStamp(vtkPointSet* input, Stamp& stamp)
   {
     return false;
   }
-  auto get = [array](Field field) { return static_cast<vtkIdType>(array->GetComponent(field, 0)); };
+  auto get = [array](Field field) { return ToId(array->GetComponent(field, 0)); };
   if (get(Version) != FormatVersion || get(Scheme) != 0 || get(TetOrderIsFinal) != 1 ||
     get(Points) != input->GetNumberOfPoints() || get(Cells) != input->GetNumberOfCells() ||
     get(Hash) != HashCells(input) || get(Levels) < 0 || get(Levels) > 20 ||
@@ -120,7 +122,7 @@ void ReadSingularTuples(vtkPointSet* input, SimplexTuples& tuples)
     {
       for (int c = 0; c <= dimension; ++c)
       {
-        ids[i * (dimension + 1) + c] = static_cast<vtkIdType>(array->GetComponent(i, c));
+        ids[i * (dimension + 1) + c] = ToId(array->GetComponent(i, c));
       }
     }
     const vtkIdType points = input->GetNumberOfPoints();

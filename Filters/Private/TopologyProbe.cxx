@@ -166,8 +166,8 @@ Probe::Outcome Probe::Execute(bool trustStamp)
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
   arrays.OriginalIds = this->Options.GenerateOriginalIds;
-  arrays.CarryOriginalIds =
-    this->Mesh.IsStamped && this->Input->GetPointData()->GetArray("vtkOriginalPointIds");
+  arrays.CarryOriginalIds = this->Mesh.IsStamped &&
+    HasIds(this->Input->GetPointData(), "vtkOriginalPointIds", this->Input->GetNumberOfPoints());
   arrays.Precision = this->Options.OutputPointsPrecision;
   if (arrays.OriginalIds)
   {

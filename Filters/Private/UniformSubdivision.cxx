@@ -113,8 +113,8 @@ UniformRun::Outcome UniformRun::Execute(bool trustStamp)
   this->StartPoints();
   if (!this->Mesh.IsStamped)
   {
-    OrderTets(
-      this->Mesh.Cells.Simplices, this->Points->GetCoordinates(), this->Mesh.GetGlobalIds());
+    OrderTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates(), this->Mesh.GetGlobalIds(),
+      static_cast<vtkIdType>(this->Mesh.GlobalIds.size()));
   }
   std::unique_ptr<KeptOperator> keep;
   if (this->Options.Cache)
@@ -154,8 +154,8 @@ void UniformRun::StartPoints()
 {
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
-  arrays.CarryOriginalIds =
-    this->Mesh.IsStamped && this->Input->GetPointData()->GetArray("vtkOriginalPointIds");
+  arrays.CarryOriginalIds = this->Mesh.IsStamped &&
+    HasIds(this->Input->GetPointData(), "vtkOriginalPointIds", this->Input->GetNumberOfPoints());
   arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;
   arrays.Warn = this->Options.Warn;
   arrays.Precision = this->Options.OutputPointsPrecision;
@@ -218,7 +218,7 @@ void UniformRun::UseKept(KeptOperator& kept)
     this->Options.Warn(warning);
   }
   this->Output->SetCells(kept.Types, kept.Cells);
-  if (HoldsSameValues(this->Points->GetPoints(), kept.PointsIn))
+  if (kept.Steps && HoldsSameValues(this->Points->GetPoints(), kept.PointsIn))
   {
     this->Points->ReusePoints(kept.PointsOut);
   }
@@ -447,8 +447,8 @@ void UniformRun::Finish()
   CellArrayOptions cells;
   cells.Levels = this->Options.Levels;
   cells.OriginalIds = this->Options.GenerateOriginalIds;
-  cells.CarryOriginalIds =
-    this->Mesh.IsStamped && this->Input->GetCellData()->GetArray("vtkOriginalCellIds");
+  cells.CarryOriginalIds = this->Mesh.IsStamped &&
+    HasIds(this->Input->GetCellData(), "vtkOriginalCellIds", this->Input->GetNumberOfCells());
   if (cells.OriginalIds && !cells.CarryOriginalIds)
   {
     cells.Replaced.emplace_back("vtkOriginalCellIds");

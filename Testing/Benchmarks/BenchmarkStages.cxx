@@ -86,7 +86,7 @@ Stencils<int> RunStages(const Case& which, StageWatches& watches)
     [&]()
     {
       cells = CellsToSimplices(input, nullptr);
-      OrderTets(cells.Simplices, points.data(), nullptr);
+      OrderTets(cells.Simplices, points.data(), nullptr, 0);
     });
   watches.Classify.Time(
     [&]()

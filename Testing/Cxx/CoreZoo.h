@@ -169,7 +169,7 @@ inline Lattice MakeLattice(const std::string& name, int n, double spacing, unsig
   {
     lattice.Control.AddCell(cell);
   }
-  OrderTets(lattice.Control.Cells, points.data(), nullptr);
+  OrderTets(lattice.Control.Cells, points.data(), nullptr, 0);
   return lattice;
 }
 
@@ -237,7 +237,7 @@ inline Mesh MakeRandom(unsigned int seed)
   {
     x += seed % 2 ? jitter(random) : 0.;
   }
-  OrderTets(mesh.Cells, mesh.Points.data(), nullptr);
+  OrderTets(mesh.Cells, mesh.Points.data(), nullptr, 0);
   // Only what exists can be singular.
   std::set<Tuple> closure;
   for (const Tuple& cell : GetCells(mesh.Cells))

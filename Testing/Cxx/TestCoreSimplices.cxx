@@ -242,7 +242,7 @@ Tuple OrderOne(Tuple tet, const std::vector<double>& points, const vtkIdType* id
   list.Dimensions = { 0, 3 };
   list.Connectivity = tet;
   list.Connectivity.insert(list.Connectivity.begin(), 3);
-  OrderTets(list, points.data(), ids);
+  OrderTets(list, points.data(), ids, list.NumberOfPoints);
   EXPECT_EQ(list.Connectivity[0], 3);
   return Tuple(list.Connectivity.begin() + 1, list.Connectivity.end());
 }

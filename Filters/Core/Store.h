@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Store.h
+ * From a sum in double to the type of an array.
+ */
+#ifndef SubdivisionObjects_Store_h
+#define SubdivisionObjects_Store_h
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace subdivision
+{
+
+/// Integers are rounded and stay in range; a finite number never becomes infinite.
+template <typename T>
+T Store(double value)
+{
+  if constexpr (std::is_floating_point<T>::value)
+  {
+    constexpr double most = static_cast<double>(std::numeric_limits<T>::max());
+    return static_cast<T>(std::isfinite(value) ? std::max(-most, std::min(value, most)) : value);
+  }
+  else
+  {
+    constexpr double low = static_cast<double>(std::numeric_limits<T>::lowest());
+    constexpr double high = static_cast<double>(std::numeric_limits<T>::max());
+    const double rounded = std::floor(value + 0.5);
+    return rounded <= low ? std::numeric_limits<T>::lowest()
+      : rounded >= high   ? std::numeric_limits<T>::max()
+                          : static_cast<T>(rounded);
+  }
+}
+
+}
+
+#endif
