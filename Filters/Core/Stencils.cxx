@@ -67,6 +67,24 @@ private:
   std::vector<double> Values;
 };
 
+template <int N, typename Id, typename T>
+void SumRing(Row<Id> ring, const T* in, Sum<N>& sum)
+{
+  const int size = sum.GetSize();
+  for (int c = 0; c < size; ++c)
+  {
+    sum[c] = 0.;
+  }
+  for (Id member : ring)
+  {
+    const T* value = in + static_cast<vtkIdType>(member) * size;
+    for (int c = 0; c < size; ++c)
+    {
+      sum[c] += static_cast<double>(value[c]);
+    }
+  }
+}
+
 /// A row whose plain sum overflows: each term is weighted first, so that finite values give a
 /// finite mean.
 template <typename Id, typename T>
@@ -104,18 +122,7 @@ void ApplyRows(const Stencils<Id>& stencils, const T* in, T* out, int components
           std::copy(own, own + size, result);
           continue;
         }
-        for (int c = 0; c < size; ++c)
-        {
-          sum[c] = 0.;
-        }
-        for (Id member : ring)
-        {
-          const T* value = in + static_cast<vtkIdType>(member) * size;
-          for (int c = 0; c < size; ++c)
-          {
-            sum[c] += static_cast<double>(value[c]);
-          }
-        }
+        SumRing(ring, in, sum);
         for (int c = 0; c < size; ++c)
         {
           const double value = mask.Own * static_cast<double>(own[c]) + mask.Ring * sum[c];
@@ -137,18 +144,7 @@ void ApplyRows(const Stencils<Id>& stencils, const T* in, T* out, int components
         const T* first = in + static_cast<vtkIdType>(stencils.EdgeVertices[2 * e]) * size;
         const T* second = in + static_cast<vtkIdType>(stencils.EdgeVertices[2 * e + 1]) * size;
         T* result = out + (vertices + e) * size;
-        for (int c = 0; c < size; ++c)
-        {
-          sum[c] = 0.;
-        }
-        for (Id member : ring)
-        {
-          const T* value = in + static_cast<vtkIdType>(member) * size;
-          for (int c = 0; c < size; ++c)
-          {
-            sum[c] += static_cast<double>(value[c]);
-          }
-        }
+        SumRing(ring, in, sum);
         for (int c = 0; c < size; ++c)
         {
           const double ends = static_cast<double>(first[c]) + static_cast<double>(second[c]);

@@ -20,8 +20,12 @@ T Store(double value)
 {
   if constexpr (std::is_floating_point<T>::value)
   {
-    constexpr double most = static_cast<double>(std::numeric_limits<T>::max());
-    return static_cast<T>(std::isfinite(value) ? std::max(-most, std::min(value, most)) : value);
+    if constexpr (sizeof(T) < sizeof(double))
+    {
+      constexpr double most = static_cast<double>(std::numeric_limits<T>::max());
+      return static_cast<T>(std::isfinite(value) ? std::max(-most, std::min(value, most)) : value);
+    }
+    return static_cast<T>(value);
   }
   else
   {
