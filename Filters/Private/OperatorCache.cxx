@@ -26,6 +26,18 @@ KeptOperator* OperatorCache::Find(
   return nullptr;
 }
 
+const KeptOperator* OperatorCache::FindCells(
+  const TopologyKey& key, const SimplexTuples& derived) const
+{
+  const auto found = std::find_if(this->Operators.begin(), this->Operators.end(),
+    [&](const auto& kept)
+    {
+      return kept->Key.HasSameCells(key) &&
+        std::equal(derived.Tuples, derived.Tuples + 3, kept->ControlDerived.Tuples);
+    });
+  return found == this->Operators.end() ? nullptr : found->get();
+}
+
 void OperatorCache::ForgetUnused()
 {
   this->Operators.erase(std::remove_if(this->Operators.begin(), this->Operators.end(),

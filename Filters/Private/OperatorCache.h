@@ -75,14 +75,19 @@ struct TopologyKey
   /// Options, flags and values that choose rules, in a fixed order.
   std::vector<long long> Choices;
 
-  bool operator==(const TopologyKey& other) const
+  /// The same cells and steps, whatever the choices are.
+  bool HasSameCells(const TopologyKey& other) const
   {
     return this->MadeLevels == other.MadeLevels && this->Levels == other.Levels &&
       this->NumberOfControlPoints == other.NumberOfControlPoints &&
       this->Use32BitIds == other.Use32BitIds &&
       this->Simplices.NumberOfPoints == other.Simplices.NumberOfPoints &&
-      this->Choices == other.Choices && this->Simplices.Dimensions == other.Simplices.Dimensions &&
+      this->Simplices.Dimensions == other.Simplices.Dimensions &&
       this->Simplices.Connectivity == other.Simplices.Connectivity;
+  }
+  bool operator==(const TopologyKey& other) const
+  {
+    return this->Choices == other.Choices && this->HasSameCells(other);
   }
   std::size_t GetMemorySize() const;
 };
@@ -96,6 +101,7 @@ struct KeptOperator
   Buffer<Stratum> ControlStrata;            ///< of the vertices, for no step
   Buffer<unsigned char> ManifoldDimensions; ///< of each control simplex
   SimplexTuples Derived;                    ///< singular simplices, as the output names them
+  SimplexTuples ControlDerived;             ///< the same, as the control mesh names them
   /// Where features may be, and which of them are: to be asked again when points move.
   std::vector<FeatureCandidate> Candidates;
   std::vector<bool> Features;
@@ -114,6 +120,9 @@ public:
   /// input of an update, so that two blocks with equal cells keep what they know of their points.
   KeptOperator* Find(
     const TopologyKey& key, const std::function<bool(const KeptOperator&)>& accept);
+  /// One whose output cells are those of `key` too, though rules differ; or null. Ids depend on the
+  /// cells and on the derived singular simplices, on nothing else.
+  const KeptOperator* FindCells(const TopologyKey& key, const SimplexTuples& derived) const;
   void Add(std::unique_ptr<KeptOperator> kept) { this->Operators.push_back(std::move(kept)); }
   void Clear() { this->Operators.clear(); }
   /// An update is over: forget what it did not use.

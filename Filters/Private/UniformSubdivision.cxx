@@ -87,6 +87,7 @@ private:
   ControlTraits Control; ///< its runs are those of the current level
   SimplexTuples Derived; ///< singular simplices as the output names them
   std::vector<std::string> BuildWarnings;
+  const KeptOperator* SameCells = nullptr;     ///< has the output's cells, where only rules changed
   vtkSmartPointer<vtkUnsignedCharArray> Types; ///< of the output's cells
 };
 
@@ -140,6 +141,7 @@ UniformRun::Outcome UniformRun::Execute(bool trustStamp)
     keep->Types = this->Types;
     keep->PointsOut = this->Output->GetPoints()->GetData();
     keep->Derived = std::move(this->Derived);
+    keep->ControlDerived = std::move(this->Control.Derived);
     keep->Candidates = std::move(this->Control.Candidates);
     keep->Features = std::move(this->Control.Features);
     keep->ManifoldDimensions = std::move(this->Control.ManifoldDimensions);
@@ -267,6 +269,8 @@ UniformRun::Outcome UniformRun::BuildAndStep(KeptOperator* keep)
   }
   Level<Id> level = std::move(control.Current);
   this->Control = std::move(static_cast<ControlTraits&>(control));
+  this->SameCells =
+    keep ? this->Options.Cache->FindCells(keep->Key, this->Control.Derived) : nullptr;
   if (!this->HasMemoryFor(level.Complex))
   {
     return Outcome::Stopped;
@@ -371,6 +375,12 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
 template <typename Id>
 void UniformRun::MakeCells(const SimplicialComplex<Id>& complex, bool children)
 {
+  if (this->SameCells)
+  {
+    this->Types = this->SameCells->Types;
+    this->Output->SetCells(this->Types, this->SameCells->Cells);
+    return;
+  }
   const CellCounts counts = CountCells(RefineRuns(this->Control.Runs, children ? 1 : 0));
   const bool small = this->Options.Use32BitIds &&
     std::max(counts.Entries, this->Points->GetPoints()->GetNumberOfTuples() * 8) <

@@ -377,3 +377,35 @@ TEST(OperatorCache, Use32BitIds)
     }
   }
 }
+
+TEST(OperatorCache, AChangeOfRulesKeepsTheCells)
+{
+  const Grid fan = feature_tools::MakeFan(6, { { VTK_LINE, { 0, 1 } }, { VTK_LINE, { 0, 4 } } });
+  feature_tools::AddCellArray(fan, "MaterialId", { 1, 1, 1, 2, 2, 2, 0, 0 });
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetInputData(fan);
+  filter->SetNumberOfLevels(2);
+  auto isFresh = [&filter, &fan]
+  {
+    vtkNew<vtkMultiDimensionalSubdivision> fresh;
+    fresh->SetInputData(fan);
+    fresh->SetNumberOfLevels(2);
+    fresh->CacheOperatorOff();
+    fresh->SetEmbeddedCells(filter->GetEmbeddedCells());
+    fresh->SetCreaseEnd(filter->GetCreaseEnd());
+    fresh->SetPreserveInterfaces(filter->GetPreserveInterfaces());
+    fresh->Update();
+    return feature_tools::Compare(filter->GetOutput(), fresh->GetOutput()) == "";
+  };
+  filter->SetEmbeddedCellsToSingular();
+  filter->Update();
+  const vtkSmartPointer<vtkCellArray> cells = filter->GetOutput()->GetCells();
+  filter->SetCreaseEndToDart();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetCells(), cells.Get());
+  EXPECT_TRUE(isFresh());
+  filter->PreserveInterfacesOn(); // derives other simplices: other ids
+  filter->Update();
+  EXPECT_NE(filter->GetOutput()->GetCells(), cells.Get());
+  EXPECT_TRUE(isFresh());
+}
