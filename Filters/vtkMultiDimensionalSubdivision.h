@@ -101,7 +101,8 @@ public:
    * points if the coordinates are the same. Cells are compared by content, with a kept copy.
    * Choices made from coordinates (diagonals, polygon cuts, features) are made again; where one
    * comes out differently, everything is built again: the output is always that of a fresh filter.
-   * Kept for each block of a composite input, until an update does not need it. On by default.
+   * Where only rules changed, operators are made again but the cells stay shared. Kept for each
+   * block of a composite input, until an update does not need it. On by default.
    */
   void SetCacheOperator(bool cache);
   vtkGetMacro(CacheOperator, bool);
