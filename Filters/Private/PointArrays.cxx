@@ -174,7 +174,6 @@ const double* PointArrays::GetCoordinates()
   return this->Coordinates.data();
 }
 
-/// Whether point a has the smaller global id.
 bool PointArrays::IsEarlier(vtkIdType a, vtkIdType b) const
 {
   const bool known = a < this->NumberOfGlobalIds && b < this->NumberOfGlobalIds;
@@ -200,19 +199,19 @@ void PointArrays::StartOrigins()
   }
 }
 
-template <typename Id>
-void PointArrays::Advance(const Stencils<Id>& stencils)
+template <typename Operator>
+void PointArrays::AdvanceSmoothed(const Operator& rows)
 {
   this->Coordinates = Buffer<double>();
   auto advance = [&](vtkSmartPointer<vtkDataArray>& array)
   {
     const int components = array->GetNumberOfComponents();
-    const auto next = MakeArray(array->GetDataType(), components, stencils.GetNumberOfRows());
+    const auto next = MakeArray(array->GetDataType(), components, rows.GetNumberOfRows());
     if (next->GetNumberOfValues() > 0)
     {
       switch (array->GetDataType())
       {
-        vtkTemplateMacro(stencils.Apply(static_cast<const VTK_TT*>(array->GetVoidPointer(0)),
+        vtkTemplateMacro(rows.Apply(static_cast<const VTK_TT*>(array->GetVoidPointer(0)),
           static_cast<VTK_TT*>(next->GetVoidPointer(0)), components));
       }
     }
@@ -230,6 +229,15 @@ void PointArrays::Advance(const Stencils<Id>& stencils)
       advance(entry.Current);
     }
   }
+}
+
+template void PointArrays::AdvanceSmoothed(const SparseRows<int>&);
+template void PointArrays::AdvanceSmoothed(const SparseRows<long long>&);
+
+template <typename Id>
+void PointArrays::Advance(const Stencils<Id>& stencils)
+{
+  this->AdvanceSmoothed(stencils);
   if (this->HasGathered)
   {
     Buffer<vtkIdType> next(stencils.GetNumberOfRows());

@@ -8,6 +8,7 @@
 
 #include "Arrays.h"
 #include "CellsToSimplices.h"
+#include "Core/SparseRows.h"
 #include "Core/Stencils.h"
 
 #include <string>
@@ -54,6 +55,12 @@ public:
 
   template <typename Id>
   void Advance(const Stencils<Id>& stencils);
+  /// `origin(row)`: the current point whose values a row takes in arrays that are not smoothed.
+  template <typename Id, typename Origin>
+  void Advance(const SparseRows<Id>& rows, const Origin& origin);
+
+  /// Whether current point a has the smaller global id.
+  bool IsEarlier(vtkIdType a, vtkIdType b) const;
 
   void Finish(vtkUnstructuredGrid* output);
 
@@ -69,7 +76,8 @@ private:
 
   vtkSmartPointer<vtkDataArray> Start(vtkDataArray* array, int valueType) const;
   bool IsSmoothed(vtkAbstractArray* array) const;
-  bool IsEarlier(vtkIdType a, vtkIdType b) const;
+  template <typename Operator>
+  void AdvanceSmoothed(const Operator& rows);
   void StartOrigins();
   void AddOriginalIds(vtkUnstructuredGrid* output) const;
 
@@ -86,6 +94,19 @@ private:
   Buffer<vtkIdType> Origins; ///< the input point whose values each point takes
   Buffer<double> Coordinates;
 };
+
+template <typename Id, typename Origin>
+void PointArrays::Advance(const SparseRows<Id>& rows, const Origin& origin)
+{
+  this->AdvanceSmoothed(rows);
+  if (this->HasGathered)
+  {
+    Buffer<vtkIdType> next(rows.GetNumberOfRows());
+    ForEach(next.size(), [&](vtkIdType row) { next[row] = this->Origins[origin(row)]; });
+    this->Origins = std::move(next);
+  }
+  this->NumberOfPoints = rows.GetNumberOfRows();
+}
 
 }
 
