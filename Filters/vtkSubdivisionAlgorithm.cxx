@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionAlgorithm.h"
 
-#include "Private/Features.h"
+#include "Private/RunOptions.h"
+#include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
@@ -9,8 +10,11 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPointSet.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
-#include <string>
+#include <algorithm>
+#include <new>
 
 vtkSubdivisionAlgorithm::vtkSubdivisionAlgorithm() = default;
 vtkSubdivisionAlgorithm::~vtkSubdivisionAlgorithm() = default;
@@ -21,6 +25,64 @@ int vtkSubdivisionAlgorithm::FillInputPortInformation(int, vtkInformation* info)
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   return 1;
+}
+
+int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, subdivision::RunOptions& options, const char* ghosts,
+  const std::string& memory, const std::function<bool(vtkPointSet*, vtkUnstructuredGrid*)>& run)
+{
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  if (!input || !output)
+  {
+    vtkErrorMacro("The input is missing, or is neither a vtkUnstructuredGrid nor a vtkPolyData.");
+    return 0;
+  }
+  if (!input->GetPoints())
+  {
+    return 1; // nothing at all: so is the output
+  }
+  vtkUnsignedCharArray* types = input->GetCellGhostArray();
+  if (types &&
+    std::any_of(types->GetPointer(0), types->GetPointer(0) + types->GetNumberOfTuples(),
+      [](unsigned char type) { return type & vtkDataSetAttributes::DUPLICATECELL; }))
+  {
+    vtkWarningMacro("The input has duplicate (ghost) cells. " << ghosts);
+  }
+  options.InterpolateIntegers = this->InterpolateIntegers;
+  options.GenerateOriginalIds = this->GenerateOriginalIds;
+  options.OutputPointsPrecision = this->OutputPointsPrecision;
+  options.MaximumNumberOfCells = this->MaximumNumberOfCells;
+  if (!this->ReadFeatureOptions(input, options.Features))
+  {
+    return 0;
+  }
+  options.Progress = [this](double done)
+  {
+    this->UpdateProgress(done);
+    return subdivision::IsAborted(this);
+  };
+  options.Warn = [this](const std::string& message) { vtkWarningMacro(<< message); };
+  bool failed = false;
+  options.Fail = [this, &failed](const std::string& message)
+  {
+    vtkErrorMacro(<< message);
+    failed = true;
+  };
+  bool done = false;
+  try
+  {
+    done = run(input, output);
+  }
+  catch (const std::bad_alloc&)
+  {
+    options.Fail("There is not enough memory for " + memory);
+  }
+  if (!done)
+  {
+    output->Initialize();
+  }
+  return failed ? 0 : 1;
 }
 
 /// The cell array at an index, or null where it is unset and `fallback` is not there.

@@ -54,11 +54,16 @@
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <functional> // for std::function
+#include <string>     // for std::string
+
 class vtkDataArray;
 class vtkPointSet;
+class vtkUnstructuredGrid;
 namespace subdivision
 {
 struct FeatureOptions;
+struct RunOptions;
 }
 
 class VTKSUBDIVISIONOBJECTS_EXPORT vtkSubdivisionAlgorithm : public vtkUnstructuredGridAlgorithm
@@ -246,8 +251,12 @@ protected:
     RULE_ARRAY,
     SHARPNESS_ARRAY
   };
-  /// The options and arrays above; false, after an error message, if an array cannot be used.
-  bool ReadFeatureOptions(vtkPointSet* input, subdivision::FeatureOptions& options);
+  /// The head and tail of RequestData: fills in the shared options and the messages of `options`,
+  /// calls `run`, which says whether it finished, and empties the output of a run that did not.
+  /// `ghosts`: what duplicate cells mean for the result; `memory`: what was too large.
+  int Run(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
+    subdivision::RunOptions& options, const char* ghosts, const std::string& memory,
+    const std::function<bool(vtkPointSet*, vtkUnstructuredGrid*)>& run);
 
   bool InterpolateIntegers = false;
   bool GenerateOriginalIds = false;
@@ -263,6 +272,8 @@ protected:
   int Type3Rule = TYPE3_BLEND;
 
 private:
+  /// The options and arrays above; false, after an error message, if an array cannot be used.
+  bool ReadFeatureOptions(vtkPointSet* input, subdivision::FeatureOptions& options);
   bool FindCellArray(
     vtkPointSet* input, int index, const char* fallback, bool integral, vtkDataArray*& array);
 

@@ -6,10 +6,7 @@
 #ifndef SubdivisionObjects_TopologyProbe_h
 #define SubdivisionObjects_TopologyProbe_h
 
-#include "Features.h"
-
-#include <functional>
-#include <string>
+#include "RunOptions.h"
 
 class vtkPointSet;
 class vtkUnstructuredGrid;
@@ -17,18 +14,9 @@ class vtkUnstructuredGrid;
 namespace subdivision
 {
 
-struct ProbeOptions
+struct ProbeOptions : RunOptions
 {
   bool SpecialOnly = false;
-  bool InterpolateIntegers = false;
-  bool GenerateOriginalIds = false;
-  int OutputPointsPrecision = 2;
-  vtkIdType MaximumNumberOfCells = 500000000;
-  FeatureOptions Features;
-  /// Called with the part of the work that is done; true: stop.
-  std::function<bool(double)> Progress;
-  std::function<void(const std::string&)> Warn;
-  std::function<void(const std::string&)> Fail;
 };
 
 /// False: stopped by an error (told to Fail) or by Progress. The output is then to be emptied.
