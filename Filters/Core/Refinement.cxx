@@ -24,9 +24,6 @@ constexpr auto MakeInteriorFaceEdges()
 }
 constexpr auto InteriorFaceEdges = MakeInteriorFaceEdges();
 
-/// The vertex that each edge of a triangle's middle child cuts off.
-constexpr int MiddleEdgeCorner[3] = { 1, 2, 0 };
-
 }
 
 template <typename Id>
@@ -37,8 +34,7 @@ Level<Id> Refiner<Id>::Run()
   this->MakeFaces();
   this->MakeTets();
   this->MakeEqualCells();
-  this->MakeEdgeRings();
-  this->MakeVertexRings();
+  this->MakeRings();
   return std::move(this->Child);
 }
 
@@ -73,61 +69,31 @@ void Refiner<Id>::MakeEdges()
   ForEach(parent.NumberOfEdges,
     [&](vtkIdType e)
     {
-      const Stratum stratum = this->Strata.Edges[e];
-      const bool regular = stratum.GetRule() == Rule::RegularEdge;
       strata.Vertices[parent.NumberOfVertices + e] =
-        regular ? Stratum(Rule::Solid, stratum.GetType()) : stratum;
-      strata.Edges[2 * e] = stratum;
-      strata.Edges[2 * e + 1] = stratum;
-      Id* out = ends.data() + 4 * e;
-      out[0] = parent.EdgeVertices[2 * e];
-      out[1] = out[2] = this->Ids.Midpoint(static_cast<Id>(e));
-      out[3] = parent.EdgeVertices[2 * e + 1];
+        this->Emitter.MidpointStratum(static_cast<Id>(e));
+      strata.Edges[2 * e] = strata.Edges[2 * e + 1] = this->Strata.Edges[e];
+      for (int half = 0; half < 2; ++half)
+      {
+        this->Emitter.GetHalfEnds(static_cast<Id>(e), half, ends.data() + 4 * e + 2 * half);
+      }
     });
   ForEach(parent.NumberOfFaces,
     [&](vtkIdType f)
     {
-      const Id* edges = parent.FaceEdges.data() + 3 * f;
       for (int corner = 0; corner < 3; ++corner)
       {
         const vtkIdType edge = this->Ids.InFace(static_cast<Id>(f), corner);
-        ends[2 * edge] = this->Ids.Midpoint(edges[triangle::EdgesAt[corner][0]]);
-        ends[2 * edge + 1] = this->Ids.Midpoint(edges[triangle::EdgesAt[corner][1]]);
-        strata.Edges[edge] = this->InFaceStratum(static_cast<Id>(f), corner);
+        this->Emitter.GetInFaceEnds(static_cast<Id>(f), corner, ends.data() + 2 * edge);
+        strata.Edges[edge] = this->Emitter.InFaceStratum(static_cast<Id>(f), corner);
       }
     });
   ForEach(parent.NumberOfTets,
     [&](vtkIdType t)
     {
       const vtkIdType edge = this->Ids.Diagonal(static_cast<Id>(t));
-      for (int i = 0; i < 2; ++i)
-      {
-        ends[2 * edge + i] =
-          this->Ids.Midpoint(parent.TetEdges[6 * t + tetrahedron::MarkedEdges[i]]);
-      }
+      this->Emitter.GetDiagonalEnds(static_cast<Id>(t), ends.data() + 2 * edge);
       strata.Edges[edge] = Stratum(Rule::RegularEdge);
     });
-}
-
-/// Inside a face between two tetrahedra an edge is regular where both mark the edge it is parallel
-/// to: then it lies on the equator of both octahedra.
-template <typename Id>
-Stratum Refiner<Id>::InFaceStratum(Id face, int corner) const
-{
-  const Stratum stratum = this->Strata.Faces[face];
-  if (stratum.GetRule() != Rule::Solid)
-  {
-    return stratum;
-  }
-  const Id parallel = this->Parent.FaceEdges[3 * vtkIdType(face) + triangle::EdgeOpposite[corner]];
-  for (Id tet : this->Parent.FaceTets[face])
-  {
-    if (!tetrahedron::IsMarked(this->Parent.EdgeInTet(tet, parallel)))
-    {
-      return stratum;
-    }
-  }
-  return Stratum(Rule::RegularEdge);
 }
 
 template <typename Id>
@@ -147,35 +113,13 @@ void Refiner<Id>::MakeFaces()
     [&](vtkIdType i)
     {
       const Id f = static_cast<Id>(i);
-      const Id* vertices = parent.FaceVertices.data() + 3 * i;
-      const Id* edges = parent.FaceEdges.data() + 3 * i;
-      Id lattice[6];
-      for (int k = 0; k < 3; ++k)
+      const TriangleChildren<Id> children(parent, this->Ids, f);
+      std::copy_n(children.Vertices, 12, child.FaceVertices.data() + 12 * i);
+      std::copy_n(children.Edges, 12, child.FaceEdges.data() + 12 * i);
+      for (int c = 0; c < 4 && this->Full; ++c)
       {
-        lattice[k] = vertices[k];
-        lattice[3 + k] = this->Ids.Midpoint(edges[k]);
-      }
-      for (int c = 0; c < 4; ++c)
-      {
-        for (int k = 0; k < 3; ++k)
-        {
-          child.FaceVertices[12 * i + 3 * c + k] = lattice[triangle::Children[c][k]];
-          Id& edge = child.FaceEdges[12 * i + 3 * c + k];
-          if (c == 3)
-          {
-            edge = this->Ids.InFace(f, MiddleEdgeCorner[k]);
-          }
-          else
-          {
-            edge = triangle::VertexOpposite[k] == c ? this->Ids.InFace(f, c)
-                                                    : this->Ids.Half(edges[k], vertices[c]);
-          }
-        }
-        if (this->Full)
-        {
-          this->Child.Strata.Faces[4 * i + c] = this->Strata.Faces[i];
-          child.FaceTets.Offsets[4 * i + c] = static_cast<Id>(parent.FaceTets[f].size());
-        }
+        this->Child.Strata.Faces[4 * i + c] = this->Strata.Faces[i];
+        child.FaceTets.Offsets[4 * i + c] = static_cast<Id>(parent.FaceTets[f].size());
       }
     });
   if (this->Full)
@@ -253,19 +197,9 @@ void Refiner<Id>::MakeTets()
     [&](vtkIdType i)
     {
       const TetParts<Id> parts(parent, this->Ids, static_cast<Id>(i));
-      Id* vertices = child.TetVertices.data() + 32 * i;
-      Id* edges = child.TetEdges.data() + 48 * i;
-      for (int c = 0; c < 8; ++c)
-      {
-        for (int k = 0; k < 4; ++k)
-        {
-          *vertices++ = parts.Lattice[tetrahedron::Children[c][k]];
-        }
-        for (int k = 0; k < 6; ++k)
-        {
-          *edges++ = parts.GetEdge(tetrahedron::ChildEdges[c][k], this->Ids);
-        }
-      }
+      const TetChildren<Id> children(parts, this->Ids);
+      std::copy_n(children.Vertices, 32, child.TetVertices.data() + 32 * i);
+      std::copy_n(children.Edges, 48, child.TetEdges.data() + 48 * i);
       if (this->Full)
       {
         Id* faces = child.TetFaces.data() + 32 * i;

@@ -6,108 +6,10 @@
 #ifndef SubdivisionObjects_Refiner_h
 #define SubdivisionObjects_Refiner_h
 
-#include "Refinement.h"
-#include "Simplices.h"
+#include "RingEmitter.h"
 
 namespace subdivision
 {
-
-/// Ids of the next level, seen from the parent.
-template <typename Id>
-class ChildIds
-{
-public:
-  explicit ChildIds(const SimplicialComplex<Id>& parent)
-    : Parent(parent)
-    , InFaceStart(2 * parent.NumberOfEdges)
-    , DiagonalStart(2 * parent.NumberOfEdges + 3 * parent.NumberOfFaces)
-    , InteriorStart(4 * parent.NumberOfFaces)
-  {
-  }
-  Id Midpoint(Id edge) const { return this->Parent.NumberOfVertices + edge; }
-  Id Half(Id edge, Id end) const
-  {
-    return 2 * edge + (this->Parent.EdgeVertices[2 * edge + vtkIdType(1)] == end ? 1 : 0);
-  }
-  Id InFace(Id face, int corner) const { return this->InFaceStart + 3 * face + corner; }
-  Id Diagonal(Id tet) const { return this->DiagonalStart + tet; }
-  Id Face(Id face, int child) const { return 4 * face + child; }
-  Id Interior(Id tet, int face) const { return this->InteriorStart + 8 * tet + face; }
-  Id Tet(Id tet, int child) const { return 8 * tet + child; }
-
-private:
-  const SimplicialComplex<Id>& Parent;
-  const Id InFaceStart;
-  const Id DiagonalStart;
-  const Id InteriorStart;
-};
-
-/// The parts of one tetrahedron's refinement that lie on its edges and faces.
-template <typename Id>
-struct TetParts
-{
-  Id Lattice[10];
-  Id Halves[6][4];  ///< edge, vertex
-  Id InFaces[4][4]; ///< face, vertex
-  Id Corners[4][4]; ///< face, vertex: child triangles
-  Id Middles[4];    ///< face: child triangle
-  Id Tet;
-
-  TetParts(const SimplicialComplex<Id>& complex, const ChildIds<Id>& ids, Id tet)
-    : Tet(tet)
-  {
-    const Id* vertices = complex.TetVertices.data() + 4 * vtkIdType(tet);
-    const Id* edges = complex.TetEdges.data() + 6 * vtkIdType(tet);
-    const Id* faces = complex.TetFaces.data() + 4 * vtkIdType(tet);
-    for (int i = 0; i < 4; ++i)
-    {
-      this->Lattice[i] = vertices[i];
-    }
-    for (int e = 0; e < 6; ++e)
-    {
-      this->Lattice[4 + e] = ids.Midpoint(edges[e]);
-      for (int end : tetrahedron::EdgeVertices[e])
-      {
-        this->Halves[e][end] = ids.Half(edges[e], vertices[end]);
-      }
-    }
-    for (int f = 0; f < 4; ++f)
-    {
-      this->Middles[f] = ids.Face(faces[f], 3);
-      for (int vertex : tetrahedron::FaceVertices[f])
-      {
-        const int position = complex.VertexInFace(faces[f], vertices[vertex]);
-        this->InFaces[f][vertex] = ids.InFace(faces[f], position);
-        this->Corners[f][vertex] = ids.Face(faces[f], position);
-      }
-    }
-  }
-
-  Id GetEdge(const tetrahedron::ChildEdge& edge, const ChildIds<Id>& ids) const
-  {
-    switch (edge.Origin)
-    {
-      case tetrahedron::EdgeOrigin::HalfEdge:
-        return this->Halves[edge.Index][edge.Corner];
-      case tetrahedron::EdgeOrigin::InFace:
-        return this->InFaces[edge.Index][edge.Corner];
-      default:
-        return ids.Diagonal(this->Tet);
-    }
-  }
-  Id GetFace(const tetrahedron::ChildFace& face, const ChildIds<Id>& ids) const
-  {
-    switch (face.Origin)
-    {
-      case tetrahedron::FaceOrigin::FaceCorner:
-        return this->Corners[face.Index][face.Corner];
-      case tetrahedron::FaceOrigin::FaceMiddle:
-        return this->Middles[face.Index];
-      default:
-        return ids.Interior(this->Tet, face.Index);
-    }
-  }
-};
 
 template <typename Id>
 class Refiner
@@ -117,6 +19,7 @@ public:
     : Parent(parent.Complex)
     , Strata(parent.Strata)
     , Ids(parent.Complex)
+    , Emitter(parent)
     , Full(depth == Depth::ForRefinement)
   {
   }
@@ -131,28 +34,13 @@ private:
   void MakeTets();
   void MakeEqualCells();
   void MakeEqualTets();
-  void CountEdgeRings();
-  void MakeEdgeRings();
-  void MakeVertexRings();
-  Stratum InFaceStratum(Id face, int corner) const;
-  template <typename Emit>
-  void EmitHalfEdgeRing(Id edge, Id end, const Emit& emit) const;
-  template <typename Emit>
-  void EmitInFaceRing(Id face, int corner, const Emit& emit) const;
-  template <typename Emit>
-  void EmitMidpointRing(Id edge, const Emit& emit) const;
-
-  /// Midpoint of the other edge of a face at a vertex.
-  Id OtherMidpoint(Id face, Id edge, int corner) const
-  {
-    const Id* edges = this->Parent.FaceEdges.data() + 3 * vtkIdType(face);
-    const Id first = edges[triangle::EdgesAt[corner][0]];
-    return this->Ids.Midpoint(first == edge ? edges[triangle::EdgesAt[corner][1]] : first);
-  }
+  void CountRings();
+  void MakeRings();
 
   const SimplicialComplex<Id>& Parent;
   const subdivision::Strata<Id>& Strata;
   const ChildIds<Id> Ids;
+  const RingEmitter<Id> Emitter;
   const bool Full;
   Level<Id> Child;
 };

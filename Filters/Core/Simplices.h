@@ -26,6 +26,10 @@ constexpr int VertexOpposite[3] = { 2, 0, 1 };
 constexpr int EdgeOpposite[3] = { 1, 2, 0 };
 /// Children as lattice points: three at the vertices, then the middle one.
 constexpr int Children[4][3] = { { 0, 3, 5 }, { 3, 1, 4 }, { 5, 4, 2 }, { 3, 4, 5 } };
+/// The vertex that each edge of the middle child cuts off.
+constexpr int MiddleEdgeCorner[3] = { 1, 2, 0 };
+/// The edge that meets an edge at its first or second vertex.
+constexpr int EdgeBeside[3][2] = { { 2, 1 }, { 0, 2 }, { 0, 1 } };
 }
 
 namespace tetrahedron

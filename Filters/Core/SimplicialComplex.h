@@ -55,27 +55,32 @@ struct SimplicialComplex
   /// Position 0..2 of a vertex in a face, of an edge in a face; 0..3 of a face in a tetrahedron.
   int VertexInFace(Id face, Id vertex) const
   {
-    return Find(this->FaceVertices.data() + 3 * face, vertex);
+    return Find<3>(this->FaceVertices.data() + 3 * face, vertex);
   }
-  int EdgeInFace(Id face, Id edge) const { return Find(this->FaceEdges.data() + 3 * face, edge); }
-  int FaceInTet(Id tet, Id face) const { return Find(this->TetFaces.data() + 4 * tet, face); }
+  int EdgeInFace(Id face, Id edge) const
+  {
+    return Find<3>(this->FaceEdges.data() + 3 * face, edge);
+  }
+  int FaceInTet(Id tet, Id face) const { return Find<4>(this->TetFaces.data() + 4 * tet, face); }
   int VertexInTet(Id tet, Id vertex) const
   {
-    return Find(this->TetVertices.data() + 4 * tet, vertex);
+    return Find<4>(this->TetVertices.data() + 4 * tet, vertex);
   }
-  int EdgeInTet(Id tet, Id edge) const { return Find(this->TetEdges.data() + 6 * tet, edge); }
+  int EdgeInTet(Id tet, Id edge) const { return Find<6>(this->TetEdges.data() + 6 * tet, edge); }
   /// The vertex of a face that does not lie on one of its edges.
   Id VertexOpposite(Id face, Id edge) const;
 
 private:
+  /// The place of a value that is in the list. No branches: they could not be foretold.
+  template <int Size>
   static int Find(const Id* list, Id wanted)
   {
-    int i = 0;
-    while (list[i] != wanted)
+    int place = 0;
+    for (int i = 1; i < Size; ++i)
     {
-      ++i;
+      place += list[i] == wanted ? i : 0;
     }
-    return i;
+    return place;
   }
 };
 
