@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RefinedCells.h"
 
-#include "Simplices.h"
+#include "Children.h"
 
 #include "vtkCellType.h"
 
@@ -36,25 +36,48 @@ const Id* GetVertices(const SimplicialComplex<Id>& complex, const CellRun& run)
   return lists[run.Dimension][run.Equal]->data() + (run.Dimension + 1) * run.First;
 }
 
-/// Writes the children of a run's cells, each given by its lattice points.
-template <int Children, int Corners, typename Out, typename Lattice>
+/// Writes the children of some cells, given by their lattice points: those of `Parents` cells at a
+/// time.
+template <int Parents, int Children, int Corners, typename Out, typename Lattice>
 void WriteChildrenOfRun(
   const CellRun& run, const int (&table)[Children][Corners], Out* out, const Lattice& lattice)
 {
+  constexpr int size = Corners == 4 ? 10 : Corners * (Corners + 1) / 2; // of a lattice
   ForEach(run.Count,
     [&](vtkIdType i)
     {
-      Out points[10];
+      Out points[Parents * size];
       lattice(run.First + i, points);
-      Out* next = out + i * (Children * Corners);
-      for (const auto& child : table)
+      Out* next = out + i * (Parents * Children * Corners);
+      for (int parent = 0; parent < Parents; ++parent)
       {
-        for (int corner : child)
+        for (const auto& child : table)
         {
-          *next++ = points[corner];
+          for (int corner : child)
+          {
+            *next++ = points[parent * size + corner];
+          }
         }
       }
     });
+}
+
+/// The lattice points of `count` cells: their vertices, then the midpoints of their edges.
+template <int Corners, typename Id, typename Out>
+void CopyLattices(const Id* vertices, const Id* edges, int count, Id midpoints, Out* points)
+{
+  constexpr int edgesOfCell = Corners * (Corners - 1) / 2;
+  for (int i = 0; i < count; ++i)
+  {
+    for (int k = 0; k < Corners; ++k)
+    {
+      *points++ = static_cast<Out>(vertices[Corners * i + k]);
+    }
+    for (int k = 0; k < edgesOfCell; ++k)
+    {
+      *points++ = static_cast<Out>(midpoints + edges[edgesOfCell * i + k]);
+    }
+  }
 }
 
 constexpr int VertexChildren[1][1] = { { 0 } };
@@ -122,23 +145,21 @@ void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellR
     switch (run.Dimension)
     {
       case 0:
-        WriteChildrenOfRun(run, VertexChildren, connectivity,
+        WriteChildrenOfRun<1>(run, VertexChildren, connectivity,
           [&](vtkIdType i, Out* points) { points[0] = static_cast<Out>(complex.VertexCells[i]); });
         break;
       case 1:
-        WriteChildrenOfRun(run, LineChildren, connectivity,
+        WriteChildrenOfRun<1>(run, LineChildren, connectivity,
           [&](vtkIdType i, Out* points)
           {
             const Id edge = run.Equal ? complex.EqualLines.Twins[i] : static_cast<Id>(i);
             const Id* ends =
               (run.Equal ? complex.EqualLines.Vertices : complex.EdgeVertices).data() + 2 * i;
-            points[0] = static_cast<Out>(ends[0]);
-            points[1] = static_cast<Out>(ends[1]);
-            points[2] = static_cast<Out>(midpoints + edge);
+            CopyLattices<2>(ends, &edge, 1, midpoints, points);
           });
         break;
       case 2:
-        WriteChildrenOfRun(run, triangle::Children, connectivity,
+        WriteChildrenOfRun<1>(run, triangle::Children, connectivity,
           [&](vtkIdType i, Out* points)
           {
             Id own[3];
@@ -150,15 +171,11 @@ void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellR
               vertices = complex.EqualTriangles.Vertices.data() + 3 * i;
               edges = own;
             }
-            for (int k = 0; k < 3; ++k)
-            {
-              points[k] = static_cast<Out>(vertices[k]);
-              points[3 + k] = static_cast<Out>(midpoints + edges[k]);
-            }
+            CopyLattices<3>(vertices, edges, 1, midpoints, points);
           });
         break;
       default:
-        WriteChildrenOfRun(run, tetrahedron::Children, connectivity,
+        WriteChildrenOfRun<1>(run, tetrahedron::Children, connectivity,
           [&](vtkIdType i, Out* points)
           {
             Id own[6];
@@ -170,14 +187,58 @@ void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellR
               vertices = complex.EqualTets.Vertices.data() + 4 * i;
               edges = own;
             }
-            for (int k = 0; k < 4; ++k)
-            {
-              points[k] = static_cast<Out>(vertices[k]);
-            }
-            for (int k = 0; k < 6; ++k)
-            {
-              points[4 + k] = static_cast<Out>(midpoints + edges[k]);
-            }
+            CopyLattices<4>(vertices, edges, 1, midpoints, points);
+          });
+        break;
+    }
+  }
+}
+
+template <typename Id, typename Out>
+void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
+  const CellStorage<Out>& out)
+{
+  const std::vector<CellRun> grandchildren = RefineRuns(runs, 2);
+  const CellCounts counts = CountCells(grandchildren);
+  out.Offsets[counts.Cells] = static_cast<Out>(counts.Entries);
+  const ChildIds<Id> ids(complex);
+  const Id midpoints = complex.NumberOfVertices + complex.NumberOfEdges;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+  {
+    const CellRun& run = runs[r];
+    WriteLayout(grandchildren[r], out);
+    Out* connectivity = out.Connectivity + grandchildren[r].FirstEntry;
+    switch (run.Dimension)
+    {
+      case 0:
+        WriteChildrenOfRun<1>(run, VertexChildren, connectivity,
+          [&](vtkIdType i, Out* points) { points[0] = static_cast<Out>(complex.VertexCells[i]); });
+        break;
+      case 1:
+        WriteChildrenOfRun<2>(run, LineChildren, connectivity,
+          [&](vtkIdType i, Out* points)
+          {
+            const Id e = static_cast<Id>(i);
+            const Id* ends = complex.EdgeVertices.data() + 2 * i;
+            const Id vertices[4] = { ends[0], ids.Midpoint(e), ids.Midpoint(e), ends[1] };
+            const Id edges[2] = { 2 * e, 2 * e + 1 };
+            CopyLattices<2>(vertices, edges, 2, midpoints, points);
+          });
+        break;
+      case 2:
+        WriteChildrenOfRun<4>(run, triangle::Children, connectivity,
+          [&](vtkIdType i, Out* points)
+          {
+            const TriangleChildren<Id> children(complex, ids, static_cast<Id>(i));
+            CopyLattices<3>(children.Vertices, children.Edges, 4, midpoints, points);
+          });
+        break;
+      default:
+        WriteChildrenOfRun<8>(run, tetrahedron::Children, connectivity,
+          [&](vtkIdType i, Out* points)
+          {
+            const TetChildren<Id> children(TetParts<Id>(complex, ids, static_cast<Id>(i)), ids);
+            CopyLattices<4>(children.Vertices, children.Edges, 8, midpoints, points);
           });
         break;
     }
@@ -188,6 +249,8 @@ void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellR
   template void WriteCells(                                                                        \
     const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&);           \
   template void WriteChildren(                                                                     \
+    const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&);           \
+  template void WriteGrandchildren(                                                                \
     const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&)
 SUBDIVISION_WRITE(int, int);
 SUBDIVISION_WRITE(int, long long);

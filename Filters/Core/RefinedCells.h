@@ -42,6 +42,20 @@ template <typename Id, typename Out>
 void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const CellStorage<Out>& out);
 
+/// Writes the children of the children of a level's cells. The level has all that a further step
+/// needs, and no equal cells.
+template <typename Id, typename Out>
+void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
+  const CellStorage<Out>& out);
+
+/// Whether some cells equal earlier ones.
+template <typename Id>
+bool HasEqualCells(const SimplicialComplex<Id>& complex)
+{
+  return !complex.EqualLines.Twins.empty() || !complex.EqualTriangles.Twins.empty() ||
+    !complex.EqualTets.Twins.empty();
+}
+
 }
 
 #endif

@@ -58,6 +58,14 @@ struct LevelCounts
   }
 };
 
+template <typename Id>
+LevelCounts CountSimplices(const SimplicialComplex<Id>& complex)
+{
+  return { static_cast<double>(complex.NumberOfVertices),
+    static_cast<double>(complex.NumberOfEdges), static_cast<double>(complex.NumberOfFaces),
+    static_cast<double>(complex.NumberOfTets) };
+}
+
 #define SUBDIVISION_REFINEMENT_TEMPLATES(EXTERN, Id)                                               \
   EXTERN template Level<Id> Refine(const Level<Id>&, Depth);                                       \
   EXTERN template void GetEdgesOfEqualTet(const SimplicialComplex<Id>&, vtkIdType, Id[6]);         \

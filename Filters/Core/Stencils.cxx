@@ -101,60 +101,63 @@ T SumTermByTerm(
 }
 
 template <int N, typename Id, typename T>
-void ApplyRows(const Stencils<Id>& stencils, const T* in, T* out, int components)
+void SumVertexRows(const StencilRows<Id>& rows, const T* in, T* out, int components)
 {
-  static const MaskTable vertexMasks(VertexMask);
-  static const MaskTable edgeMasks(EdgeMask);
-  const vtkIdType vertices = stencils.GetNumberOfColumns();
-  ForRanges(vertices,
-    [&](vtkIdType begin, vtkIdType end)
+  static const MaskTable masks(VertexMask);
+  Sum<N> sum(components);
+  const int size = sum.GetSize();
+  for (vtkIdType i = 0; i < rows.Count; ++i)
+  {
+    const Row<Id> ring = rows.GetRing(i);
+    const Mask mask = masks.Get(rows.Strata[i], ring.size());
+    const T* own = in + (rows.FirstRow + i) * size;
+    T* result = out + (rows.FirstRow + i) * size;
+    if (mask.Ring == 0.) // also where values that are not finite must not spread
     {
-      Sum<N> sum(components);
-      const int size = sum.GetSize();
-      for (vtkIdType v = begin; v < end; ++v)
-      {
-        const Row<Id> ring = stencils.VertexRings.GetMembers(v);
-        const Mask mask = vertexMasks.Get(stencils.Vertices[v], ring.size());
-        const T* own = in + v * size;
-        T* result = out + v * size;
-        if (mask.Ring == 0.) // also where values that are not finite must not spread
-        {
-          std::copy(own, own + size, result);
-          continue;
-        }
-        SumRing(ring, in, sum);
-        for (int c = 0; c < size; ++c)
-        {
-          const double value = mask.Own * static_cast<double>(own[c]) + mask.Ring * sum[c];
-          result[c] = std::isfinite(value)
-            ? Store<T>(value)
-            : SumTermByTerm(mask, own + c, static_cast<const T*>(nullptr), ring, in + c, size);
-        }
-      }
-    });
-  ForRanges(stencils.Edges.size(),
-    [&](vtkIdType begin, vtkIdType end)
+      std::copy(own, own + size, result);
+      continue;
+    }
+    SumRing(ring, in, sum);
+    for (int c = 0; c < size; ++c)
     {
-      Sum<N> sum(components);
-      const int size = sum.GetSize();
-      for (vtkIdType e = begin; e < end; ++e)
-      {
-        const Row<Id> ring = stencils.EdgeRings.GetMembers(e);
-        const Mask mask = edgeMasks.Get(stencils.Edges[e], ring.size());
-        const T* first = in + static_cast<vtkIdType>(stencils.EdgeVertices[2 * e]) * size;
-        const T* second = in + static_cast<vtkIdType>(stencils.EdgeVertices[2 * e + 1]) * size;
-        T* result = out + (vertices + e) * size;
-        SumRing(ring, in, sum);
-        for (int c = 0; c < size; ++c)
-        {
-          const double ends = static_cast<double>(first[c]) + static_cast<double>(second[c]);
-          const double value = mask.Own * ends + mask.Ring * sum[c];
-          result[c] = std::isfinite(value)
-            ? Store<T>(value)
-            : SumTermByTerm(mask, first + c, second + c, ring, in + c, size);
-        }
-      }
-    });
+      const double value = mask.Own * static_cast<double>(own[c]) + mask.Ring * sum[c];
+      result[c] = std::isfinite(value)
+        ? Store<T>(value)
+        : SumTermByTerm(mask, own + c, static_cast<const T*>(nullptr), ring, in + c, size);
+    }
+  }
+}
+
+template <int N, typename Id, typename T>
+void SumEdgeRows(const StencilRows<Id>& rows, const T* in, T* out, int components)
+{
+  static const MaskTable masks(EdgeMask);
+  Sum<N> sum(components);
+  const int size = sum.GetSize();
+  for (vtkIdType i = 0; i < rows.Count; ++i)
+  {
+    const Row<Id> ring = rows.GetRing(i);
+    const Mask mask = masks.Get(rows.Strata[i], ring.size());
+    const T* first = in + static_cast<vtkIdType>(rows.Ends[2 * i]) * size;
+    const T* second = in + static_cast<vtkIdType>(rows.Ends[2 * i + 1]) * size;
+    T* result = out + (rows.FirstRow + i) * size;
+    SumRing(ring, in, sum);
+    for (int c = 0; c < size; ++c)
+    {
+      const double ends = static_cast<double>(first[c]) + static_cast<double>(second[c]);
+      const double value = mask.Own * ends + mask.Ring * sum[c];
+      result[c] = std::isfinite(value)
+        ? Store<T>(value)
+        : SumTermByTerm(mask, first + c, second + c, ring, in + c, size);
+    }
+  }
+}
+
+template <int N, typename Id, typename T>
+void SumRowsOf(const StencilRows<Id>& rows, const T* in, T* out, int components)
+{
+  rows.OfEdges ? SumEdgeRows<N>(rows, in, out, components)
+               : SumVertexRows<N>(rows, in, out, components);
 }
 
 template <typename Id, typename T>
@@ -207,22 +210,43 @@ void Stencils<Id>::AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& row
   }
 }
 
-template <typename Id>
-template <typename T>
-void Stencils<Id>::Apply(const T* in, T* out, int components) const
+template <typename Id, typename T>
+void SumRows(const StencilRows<Id>& rows, const T* in, T* out, int components)
 {
   switch (components)
   {
     case 1:
-      ApplyRows<1>(*this, in, out, components);
+      SumRowsOf<1>(rows, in, out, components);
       break;
     case 3:
-      ApplyRows<3>(*this, in, out, components);
+      SumRowsOf<3>(rows, in, out, components);
       break;
     default:
-      ApplyRows<0>(*this, in, out, components);
+      SumRowsOf<0>(rows, in, out, components);
       break;
   }
+}
+
+template <typename Id>
+template <typename T>
+void Stencils<Id>::Apply(const T* in, T* out, int components) const
+{
+  const vtkIdType vertices = this->Vertices.size();
+  ForRanges(vertices,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      SumRows(StencilRows<Id>{ false, begin, end - begin, this->Vertices.data() + begin, nullptr,
+                this->VertexRings.Offsets.data() + begin, this->VertexRings.Members.data() },
+        in, out, components);
+    });
+  ForRanges(this->Edges.size(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      SumRows(StencilRows<Id>{ true, vertices + begin, end - begin, this->Edges.data() + begin,
+                this->EdgeVertices.data() + 2 * begin, this->EdgeRings.Offsets.data() + begin,
+                this->EdgeRings.Members.data() },
+        in, out, components);
+    });
   ApplyExplicitRows(this->Explicit, in, out, components);
 }
 
@@ -249,7 +273,9 @@ Stencils<Id> TakeStencils(Level<Id>& level)
   return stencils;
 }
 
-#define SUBDIVISION_APPLY(Id, T) template void Stencils<Id>::Apply(const T*, T*, int) const
+#define SUBDIVISION_APPLY(Id, T)                                                                   \
+  template void Stencils<Id>::Apply(const T*, T*, int) const;                                      \
+  template void SumRows(const StencilRows<Id>&, const T*, T*, int)
 #define SUBDIVISION_STENCILS(Id)                                                                   \
   template struct Stencils<Id>;                                                                    \
   template Stencils<Id> TakeStencils(Level<Id>&);                                                  \

@@ -28,6 +28,28 @@ struct ExplicitRows
   std::vector<double> Weights;
 };
 
+/// Consecutive rows, all of vertices or all of edges, as they are summed.
+template <typename Id>
+struct StencilRows
+{
+  bool OfEdges;
+  vtkIdType FirstRow; ///< of a vertex: the vertex itself
+  vtkIdType Count;
+  const Stratum* Strata;
+  const Id* Ends;    ///< 2 for each edge
+  const Id* Offsets; ///< ring i is Members[Offsets[i] .. Offsets[i + 1])
+  const Id* Members;
+
+  Row<Id> GetRing(vtkIdType i) const
+  {
+    return { this->Members + this->Offsets[i], this->Members + this->Offsets[i + 1] };
+  }
+};
+
+/// out = rows times in, for `components` interleaved values per vertex. Integers are rounded.
+template <typename Id, typename T>
+void SumRows(const StencilRows<Id>& rows, const T* in, T* out, int components);
+
 template <typename Id>
 struct Stencils
 {
@@ -45,7 +67,7 @@ struct Stencils
   /// Appends columns and weights of the row that the rule gives, each weight times `factor`.
   void AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& rows) const;
 
-  /// out = S in, for `components` interleaved values per vertex. Integers are rounded.
+  /// out = S in, as SumRows.
   template <typename T>
   void Apply(const T* in, T* out, int components) const;
 };

@@ -257,6 +257,75 @@ void PointArrays::Advance(const Stencils<Id>& stencils)
 template void PointArrays::Advance(const Stencils<int>&);
 template void PointArrays::Advance(const Stencils<long long>&);
 
+template <typename Id>
+void PointArrays::Advance(const RowsOnTheFly<Id>& operation)
+{
+  this->Coordinates = Buffer<double>();
+  const vtkIdType size = operation.GetNumberOfRows();
+  std::vector<RowsUser<Id>> users;
+  auto start = [&](vtkSmartPointer<vtkDataArray>& array)
+  {
+    const vtkSmartPointer<vtkDataArray> from = array;
+    const int components = from->GetNumberOfComponents();
+    const auto to = MakeArray(from->GetDataType(), components, size);
+    CopyLooks(from, to);
+    array = to;
+    auto sum = [&](const auto* in, auto* out)
+    {
+      users.push_back([from, in, out, components](const StencilRows<Id>& rows)
+        { SumRows(rows, in, out, components); });
+    };
+    switch (from->GetDataType())
+    {
+      vtkTemplateMacro(sum(static_cast<const VTK_TT*>(from->GetVoidPointer(0)),
+        static_cast<VTK_TT*>(to->GetVoidPointer(0))));
+    }
+  };
+  if (!this->FinalPoints)
+  {
+    start(this->Points);
+  }
+  for (Entry& entry : this->Entries)
+  {
+    if (entry.Current)
+    {
+      start(entry.Current);
+    }
+  }
+  Buffer<vtkIdType> origins(this->HasGathered ? size : 0);
+  if (this->HasGathered)
+  {
+    users.push_back(
+      [&](const StencilRows<Id>& rows)
+      {
+        for (vtkIdType i = 0; i < rows.Count; ++i)
+        {
+          vtkIdType from = rows.FirstRow + i;
+          if (rows.OfEdges)
+          {
+            const vtkIdType a = rows.Ends[2 * i];
+            const vtkIdType b = rows.Ends[2 * i + 1];
+            from = this->IsEarlier(a, b) ? a : b;
+          }
+          origins[rows.FirstRow + i] = this->Origins[from];
+        }
+      });
+  }
+  operation.ForRows(
+    [&](const StencilRows<Id>& rows)
+    {
+      for (const RowsUser<Id>& use : users)
+      {
+        use(rows);
+      }
+    });
+  this->Origins = std::move(origins);
+  this->NumberOfPoints = size;
+}
+
+template void PointArrays::Advance(const RowsOnTheFly<int>&);
+template void PointArrays::Advance(const RowsOnTheFly<long long>&);
+
 void PointArrays::Finish(vtkUnstructuredGrid* output)
 {
   if (this->FinalPoints)

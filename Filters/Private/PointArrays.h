@@ -8,6 +8,7 @@
 
 #include "Arrays.h"
 #include "CellsToSimplices.h"
+#include "Core/ChildRows.h"
 #include "Core/SparseRows.h"
 #include "Core/Stencils.h"
 
@@ -55,6 +56,9 @@ public:
 
   template <typename Id>
   void Advance(const Stencils<Id>& stencils);
+  /// All arrays in one pass over the rows.
+  template <typename Id>
+  void Advance(const RowsOnTheFly<Id>& rows);
   /// `origin(row)`: the current point whose values a row takes in arrays that are not smoothed.
   template <typename Id, typename Origin>
   void Advance(const SparseRows<Id>& rows, const Origin& origin);

@@ -68,9 +68,11 @@ private:
   template <typename Id>
   Outcome Step(Level<Id>& level, KeptOperator* keep);
   template <typename Id>
-  void MakeCells(const SimplicialComplex<Id>& complex, bool children);
+  void StepTwice(const Level<Id>& level);
   template <typename Id>
-  void MakeDerived(const SimplicialComplex<Id>& complex, bool children);
+  void MakeCells(const SimplicialComplex<Id>& complex, int steps);
+  template <typename Id>
+  void MakeDerived(const SimplicialComplex<Id>& complex, int steps);
 
   void Finish();
   void AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges);
@@ -287,9 +289,7 @@ template <typename Id>
 bool UniformRun::HasMemoryFor(const SimplicialComplex<Id>& complex) const
 {
   SizeEstimate estimate;
-  estimate.Control = { static_cast<double>(complex.NumberOfVertices),
-    static_cast<double>(complex.NumberOfEdges), static_cast<double>(complex.NumberOfFaces),
-    static_cast<double>(complex.NumberOfTets) };
+  estimate.Control = CountSimplices(complex);
   estimate.Levels = this->Options.Levels;
   estimate.Runs = this->Control.Runs;
   estimate.BytesPerPoint = this->Points->GetBytesPerPoint();
@@ -311,8 +311,8 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
   const int steps = this->Options.Levels;
   if (steps == 0)
   {
-    this->MakeCells(level.Complex, false);
-    this->MakeDerived(level.Complex, false);
+    this->MakeCells(level.Complex, 0);
+    this->MakeDerived(level.Complex, 0);
     this->Points->Finish(this->Output);
     this->AddClassification(level.Strata.Vertices, Buffer<Stratum>());
     if (keep)
@@ -321,6 +321,9 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
     }
     return Outcome::Done;
   }
+  // Only what is kept, or blended, needs the last two operators as tables.
+  const bool stored = keep || steps < 2 || HasEqualCells(level.Complex) ||
+    IsSharpAfter(this->Control.Sharpness, steps - 2);
   auto kept = std::make_unique<KeptStepsOf<Id>>();
   for (int step = 0; step < steps; ++step)
   {
@@ -328,12 +331,17 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
     {
       return Outcome::Stopped;
     }
+    if (step + 2 == steps && !stored)
+    {
+      this->StepTwice(level);
+      return Outcome::Done;
+    }
     const bool last = step + 1 == steps;
     Level<Id> next;
     if (last)
     {
-      this->MakeCells(level.Complex, true);
-      this->MakeDerived(level.Complex, true);
+      this->MakeCells(level.Complex, 1);
+      this->MakeDerived(level.Complex, 1);
     }
     else
     {
@@ -368,12 +376,58 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
   return Outcome::Done;
 }
 
+/// The last two steps without the level between them.
+template <typename Id>
+void UniformRun::StepTwice(const Level<Id>& level)
+{
+  this->MakeCells(level.Complex, 2);
+  this->MakeDerived(level.Complex, 2);
+  this->Points->Advance(LevelRows<Id>(level));
+  const ChildRows<Id> last(level);
+  this->Points->Advance(last);
+  this->Points->Finish(this->Output);
+  if (!this->Options.GenerateClassification)
+  {
+    return;
+  }
+  const LevelRows<Id> before(level);
+  Buffer<Stratum> vertices(before.GetNumberOfRows());
+  Buffer<Stratum> edges(last.GetNumberOfRows() - vertices.size());
+  last.ForRows(
+    [&](const StencilRows<Id>& rows)
+    {
+      std::copy_n(rows.Strata, rows.Count,
+        rows.OfEdges ? edges.data() + (rows.FirstRow - vertices.size())
+                     : vertices.data() + rows.FirstRow);
+    });
+  this->AddClassification(vertices, edges);
+}
+
 // ------------------------------------------------------------------------------------------------
 // Output
 
-/// The cells of a level, or their children, as the output's.
+/// The cells of a level after 0, 1 or 2 steps, at a place that has room for them.
+template <typename Id, typename Out>
+void WriteRefined(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps,
+  const CellStorage<Out>& storage)
+{
+  switch (steps)
+  {
+    case 0:
+      WriteCells(complex, runs, storage);
+      break;
+    case 1:
+      WriteChildren(complex, runs, storage);
+      break;
+    default:
+      WriteGrandchildren(complex, runs, storage);
+      break;
+  }
+}
+
+/// The cells of a level after some steps, as the output's.
 template <typename Id>
-void UniformRun::MakeCells(const SimplicialComplex<Id>& complex, bool children)
+void UniformRun::MakeCells(const SimplicialComplex<Id>& complex, int steps)
 {
   if (this->SameCells)
   {
@@ -381,9 +435,14 @@ void UniformRun::MakeCells(const SimplicialComplex<Id>& complex, bool children)
     this->Output->SetCells(this->Types, this->SameCells->Cells);
     return;
   }
-  const CellCounts counts = CountCells(RefineRuns(this->Control.Runs, children ? 1 : 0));
+  const CellCounts counts = CountCells(RefineRuns(this->Control.Runs, steps));
+  LevelCounts refined = CountSimplices(complex);
+  for (int step = 0; step < steps; ++step)
+  {
+    refined = refined.Refine();
+  }
   const bool small = this->Options.Use32BitIds &&
-    std::max(counts.Entries, this->Points->GetPoints()->GetNumberOfTuples() * 8) <
+    std::max(static_cast<double>(counts.Entries), refined.Vertices) <
       std::numeric_limits<int>::max();
   const auto types = MakeArray(VTK_UNSIGNED_CHAR, 1, counts.Cells);
   vtkNew<vtkCellArray> cells;
@@ -394,14 +453,7 @@ void UniformRun::MakeCells(const SimplicialComplex<Id>& complex, bool children)
     using Out = typename std::remove_pointer<decltype(offsets->GetPointer(0))>::type;
     const CellStorage<Out> storage{ connectivity->GetPointer(0), offsets->GetPointer(0),
       static_cast<unsigned char*>(types->GetVoidPointer(0)) };
-    if (children)
-    {
-      WriteChildren(complex, this->Control.Runs, storage);
-    }
-    else
-    {
-      WriteCells(complex, this->Control.Runs, storage);
-    }
+    WriteRefined(complex, this->Control.Runs, steps, storage);
     cells->SetData(offsets, connectivity);
   };
   if (small)
@@ -422,9 +474,9 @@ void UniformRun::MakeCells(const SimplicialComplex<Id>& complex, bool children)
 
 /// The singular simplices that were derived, as the output names them.
 template <typename Id>
-void UniformRun::MakeDerived(const SimplicialComplex<Id>& complex, bool children)
+void UniformRun::MakeDerived(const SimplicialComplex<Id>& complex, int steps)
 {
-  const CellCounts counts = CountCells(RefineRuns(this->Control.DerivedRuns, children ? 1 : 0));
+  const CellCounts counts = CountCells(RefineRuns(this->Control.DerivedRuns, steps));
   this->Derived = SimplexTuples();
   if (counts.Cells == 0)
   {
@@ -434,14 +486,7 @@ void UniformRun::MakeDerived(const SimplicialComplex<Id>& complex, bool children
   Buffer<long long> offsets(counts.Cells + 1);
   Buffer<unsigned char> types(counts.Cells);
   const CellStorage<long long> storage{ connectivity.data(), offsets.data(), types.data() };
-  if (children)
-  {
-    WriteChildren(complex, this->Control.DerivedRuns, storage);
-  }
-  else
-  {
-    WriteCells(complex, this->Control.DerivedRuns, storage);
-  }
+  WriteRefined(complex, this->Control.DerivedRuns, steps, storage);
   for (vtkIdType i = 0; i < counts.Cells; ++i)
   {
     const int dimension = static_cast<int>(offsets[i + 1] - offsets[i]) - 1;
