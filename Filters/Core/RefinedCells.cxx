@@ -17,11 +17,17 @@ template <typename Out>
 void WriteLayout(const CellRun& run, const CellStorage<Out>& out)
 {
   const vtkIdType corners = run.Dimension + 1;
-  ForEach(run.Count,
-    [&](vtkIdType i)
+  const vtkIdType firstEntry = run.FirstEntry;
+  unsigned char* types = out.Types + run.FirstCell;
+  Out* offsets = out.Offsets + run.FirstCell;
+  ForRanges(run.Count,
+    [=](vtkIdType begin, vtkIdType end)
     {
-      out.Types[run.FirstCell + i] = TypeOfDimension[run.Dimension];
-      out.Offsets[run.FirstCell + i] = static_cast<Out>(run.FirstEntry + corners * i);
+      std::fill(types + begin, types + end, TypeOfDimension[run.Dimension]);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        offsets[i] = static_cast<Out>(firstEntry + corners * i);
+      }
     });
 }
 
