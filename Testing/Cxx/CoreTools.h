@@ -47,7 +47,9 @@ struct Mesh
   }
   vtkIdType AddPoint(double x, double y, double z)
   {
-    this->Points.insert(this->Points.end(), { x, y, z });
+    this->Points.push_back(x);
+    this->Points.push_back(y);
+    this->Points.push_back(z);
     return this->Cells.NumberOfPoints++;
   }
   void AddPoints(std::initializer_list<std::array<double, 3>> points)
