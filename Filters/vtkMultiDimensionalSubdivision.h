@@ -34,7 +34,8 @@
  * split along in its place and changes nothing.
  *
  * @par Filters in a row
- * Three filters of one level are one filter of three levels, bit for bit, in every array.
+ * Three filters of one level are one filter of three levels, bit for bit, in every array; only the
+ * last of them may have ProjectToLimit on.
  *
  * @par Complexity
  * Time and memory are linear in the size of the output; links are examined on the input only.
@@ -73,7 +74,8 @@ public:
   ///@{
   /**
    * Number of subdivision steps, 0 to 20, default 1. Each makes 8 times as many tetrahedra, 4 times
-   * as many triangles, twice as many lines. 0 gives the simplices of the input, not smoothed.
+   * as many triangles, twice as many lines. 0 gives the simplices of the input, not smoothed
+   * unless ProjectToLimit is on.
    */
   vtkSetClampMacro(NumberOfLevels, int, 0, 20);
   vtkGetMacro(NumberOfLevels, int);
@@ -91,6 +93,22 @@ public:
   vtkSetMacro(GenerateClassification, bool);
   vtkGetMacro(GenerateClassification, bool);
   vtkBooleanMacro(GenerateClassification, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output's points and smoothed arrays are moved to where they would be after
+   * infinitely many levels: the mesh then is inscribed into the smooth object, whatever
+   * NumberOfLevels is, 0 included. Each value becomes a weighted mean of the neighbours' (the left
+   * eigenvector of the local subdivision matrix for the eigenvalue 1), exact to rounding, with all
+   * creases, joints and what is left of semi-sharp creases. Cells are those without the option.
+   * Costs about as much memory as another half level. The points are no control points any more:
+   * another filter takes the output for a mesh like any other, and derives anew what there is to
+   * derive. Off by default.
+   */
+  vtkSetMacro(ProjectToLimit, bool);
+  vtkGetMacro(ProjectToLimit, bool);
+  vtkBooleanMacro(ProjectToLimit, bool);
   ///@}
 
   ///@{
@@ -133,6 +151,7 @@ protected:
 
   int NumberOfLevels = 1;
   bool GenerateClassification = false;
+  bool ProjectToLimit = false;
   bool CacheOperator = true;
   bool Use32BitIds = false;
 

@@ -18,9 +18,6 @@ namespace subdivision
 namespace
 {
 
-/// Steps after which nothing of what was before is left in double: (3/4)^256 < 1e-31.
-constexpr int Forever = 256;
-
 /// Numbers ids in the order in which they come. A hub may have very many.
 template <typename Id>
 class Numbering
@@ -222,7 +219,8 @@ void LimitRowMaker<Id>::Make(Id vertex, LimitRow<Id>& row)
     row.Weights = this->Weights;
     return;
   }
-  const int steps = static_cast<int>(std::ceil(std::min<double>(this->MostSharpness, Forever)));
+  const int steps =
+    static_cast<int>(std::ceil(std::min<double>(this->MostSharpness, SharpForever)));
   for (int step = steps - 1; step > 0; --step)
   {
     this->StepBack(step);
@@ -294,7 +292,7 @@ double LimitRowMaker<Id>::GetSharpness(int item, int step) const
     return 0.;
   }
   auto left = [&](Id edge)
-  { return std::min<double>(this->Creases.Sharpness[edge], Forever) - step; };
+  { return std::min<double>(this->Creases.Sharpness[edge], SharpForever) - step; };
   if (item > 0)
   {
     return std::max(0., std::min(1., left(this->Edges.Ids[item - 1])));

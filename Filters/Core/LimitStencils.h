@@ -26,6 +26,10 @@
 namespace subdivision
 {
 
+/// Sharpness above this is no sharper: after so many steps nothing of what was before is left in
+/// double, (3/4)^256 < 1e-31.
+constexpr int SharpForever = 256;
+
 /// A level as it is where all edges are singular that are still sharp.
 template <typename Id>
 struct SharpStage

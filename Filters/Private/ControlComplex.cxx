@@ -4,6 +4,8 @@
 #include "Core/RefinedCells.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 namespace subdivision
 {
@@ -174,9 +176,14 @@ bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features
   return made == 0 || IsWhatWasRead(mesh.Cells.Simplices, control);
 }
 
+namespace
+{
+
+/// The level `steps` below the current one as it is where all edges are singular that have more
+/// than some sharpness.
 template <typename Id>
-Level<Id> BuildSharpLevel(
-  const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps)
+Level<Id> BuildSharpLevel(const ControlMesh& mesh, const FeatureOptions& features,
+  const ControlTraits& traits, int steps, double sharpness, Depth last)
 {
   ControlTraits control;
   control.Derived = traits.Derived;
@@ -189,7 +196,7 @@ Level<Id> BuildSharpLevel(
   }
   for (std::size_t e = 0; e < traits.Sharpness.size(); ++e)
   {
-    if (traits.Sharpness[e] > steps)
+    if (traits.Sharpness[e] > sharpness)
     {
       singular.Edges[static_cast<vtkIdType>(e)] = 1;
     }
@@ -199,15 +206,59 @@ Level<Id> BuildSharpLevel(
   const int depth = mesh.MadeLevels + steps;
   for (int i = 0; i < depth; ++i)
   {
-    level = Refine(level, i + 1 == depth ? Depth::ForOutput : Depth::ForRefinement);
+    level = Refine(level, i + 1 == depth ? last : Depth::ForRefinement);
   }
   return level;
+}
+
+}
+
+template <typename Id>
+Level<Id> BuildSharpLevel(
+  const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps)
+{
+  return BuildSharpLevel<Id>(mesh, features, traits, steps, steps, Depth::ForOutput);
+}
+
+template <typename Id>
+SemiSharpStages<Id> BuildSharpStages(
+  const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps)
+{
+  SemiSharpStages<Id> stages;
+  std::set<int> ends;
+  for (double sharpness : traits.Sharpness)
+  {
+    if (sharpness > steps)
+    {
+      ends.insert(static_cast<int>(std::ceil(std::min<double>(sharpness - steps, SharpForever))));
+    }
+  }
+  for (int end : ends)
+  {
+    Level<Id> level =
+      BuildSharpLevel<Id>(mesh, features, traits, steps, steps + end - 1, Depth::ForRefinement);
+    if (stages.Stages.empty())
+    {
+      // The pieces of control edge e are the edges e 2^depth and following.
+      const int depth = mesh.MadeLevels + steps;
+      stages.Sharpness = Buffer<double>(level.Complex.NumberOfEdges, 0.);
+      for (std::size_t e = 0; e < traits.Sharpness.size(); ++e)
+      {
+        double* pieces = stages.Sharpness.data() + (static_cast<vtkIdType>(e) << depth);
+        std::fill(pieces, pieces + (vtkIdType(1) << depth), traits.Sharpness[e] - steps);
+      }
+    }
+    stages.Stages.push_back({ end, std::move(level.Strata) });
+  }
+  return stages;
 }
 
 #define SUBDIVISION_CONTROL(Id)                                                                    \
   template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const double*,      \
     const WarnFunction&, Depth, ControlComplex<Id>&);                                              \
   template Level<Id> BuildSharpLevel(                                                              \
+    const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
+  template SemiSharpStages<Id> BuildSharpStages(                                                   \
     const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
   template SingularSimplices CollectSingular(                                                      \
     const SimplicialComplex<Id>&, const ControlTraits&, const std::vector<unsigned char>&)

@@ -8,6 +8,7 @@
 #define SubdivisionObjects_ControlComplex_h
 
 #include "ControlMesh.h"
+#include "Core/LimitStencils.h"
 #include "Core/Refinement.h"
 
 #include <functional>
@@ -49,6 +50,11 @@ bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features
 /// are then still sharp.
 template <typename Id>
 Level<Id> BuildSharpLevel(
+  const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps);
+
+/// What semi-sharp creases do from the level `steps` below the current one on.
+template <typename Id>
+SemiSharpStages<Id> BuildSharpStages(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps);
 
 /// Flags of control simplices, given to their children.

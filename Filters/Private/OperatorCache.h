@@ -31,7 +31,7 @@ public:
   virtual ~KeptSteps() = default;
   virtual void Apply(PointArrays& arrays) const = 0;
   virtual std::size_t GetMemorySize() const = 0;
-  /// The strata of the last step: of its vertices and of its edges.
+  /// The strata of the last step, if there is one: of its vertices and of its edges.
   virtual const Buffer<Stratum>& GetLastVertices() const = 0;
   virtual const Buffer<Stratum>& GetLastEdges() const = 0;
 };
@@ -41,18 +41,21 @@ class KeptStepsOf : public KeptSteps
 {
 public:
   void Add(Stencils<Id>&& stencils) { this->Steps.push_back(std::move(stencils)); }
+  /// What comes after the last step.
+  void SetLimit(SparseRows<Id>&& limit) { this->Limit = std::move(limit); }
   void Apply(PointArrays& arrays) const override
   {
     for (const Stencils<Id>& step : this->Steps)
     {
       arrays.Advance(step);
     }
+    arrays.Project(this->Limit);
   }
   const Buffer<Stratum>& GetLastVertices() const override { return this->Steps.back().Vertices; }
   const Buffer<Stratum>& GetLastEdges() const override { return this->Steps.back().Edges; }
   std::size_t GetMemorySize() const override
   {
-    std::size_t bytes = 0;
+    std::size_t bytes = this->Limit.GetMemorySize();
     for (const Stencils<Id>& step : this->Steps)
     {
       bytes += step.GetMemorySize();
@@ -62,6 +65,7 @@ public:
 
 private:
   std::vector<Stencils<Id>> Steps;
+  SparseRows<Id> Limit; ///< no rows: points stay where they are
 };
 
 /// Everything that the topology of an output depends on, by content.
@@ -95,7 +99,7 @@ struct TopologyKey
 struct KeptOperator
 {
   TopologyKey Key;
-  std::unique_ptr<KeptSteps> Steps; ///< null for no step
+  std::unique_ptr<KeptSteps> Steps; ///< null where points stay where they are
   vtkSmartPointer<vtkCellArray> Cells;
   vtkSmartPointer<vtkUnsignedCharArray> Types;
   Buffer<Stratum> ControlStrata;            ///< of the vertices, for no step

@@ -203,6 +203,7 @@ template <typename Operator>
 void PointArrays::AdvanceSmoothed(const Operator& rows)
 {
   this->Coordinates = Buffer<double>();
+  this->HasMoved = true;
   auto advance = [&](vtkSmartPointer<vtkDataArray>& array)
   {
     const int components = array->GetNumberOfComponents();
@@ -337,7 +338,8 @@ void PointArrays::Finish(vtkUnstructuredGrid* output)
   points->SetData(this->Points);
   output->SetPoints(points);
   vtkPointData* from = this->Input->GetPointData();
-  const bool unchanged = this->NumberOfPoints == this->Input->GetNumberOfPoints();
+  const bool unchanged =
+    !this->HasMoved && this->NumberOfPoints == this->Input->GetNumberOfPoints();
   for (const Entry& entry : this->Entries)
   {
     vtkAbstractArray* source = from->GetAbstractArray(entry.Source);

@@ -62,6 +62,9 @@ public:
   /// `origin(row)`: the current point whose values a row takes in arrays that are not smoothed.
   template <typename Id, typename Origin>
   void Advance(const SparseRows<Id>& rows, const Origin& origin);
+  /// Moves each point by a row of its own, without new points; no rows: nothing happens.
+  template <typename Id>
+  void Project(const SparseRows<Id>& rows);
 
   /// Whether current point a has the smaller global id.
   bool IsEarlier(vtkIdType a, vtkIdType b) const;
@@ -95,6 +98,7 @@ private:
   vtkSmartPointer<vtkDataArray> FinalPoints; ///< null unless they are known beforehand
   std::vector<Entry> Entries;
   bool HasGathered = false;
+  bool HasMoved = false;     ///< an operator was applied
   Buffer<vtkIdType> Origins; ///< the input point whose values each point takes
   Buffer<double> Coordinates;
 };
@@ -110,6 +114,15 @@ void PointArrays::Advance(const SparseRows<Id>& rows, const Origin& origin)
     this->Origins = std::move(next);
   }
   this->NumberOfPoints = rows.GetNumberOfRows();
+}
+
+template <typename Id>
+void PointArrays::Project(const SparseRows<Id>& rows)
+{
+  if (rows.GetNumberOfRows() > 0)
+  {
+    this->AdvanceSmoothed(rows);
+  }
 }
 
 }

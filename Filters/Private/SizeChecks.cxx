@@ -92,9 +92,17 @@ std::string CheckMemory(const SizeEstimate& estimate)
     cells += children;
     entries += children * (run.Dimension + 1);
   }
-  const double bytes = 8. * (entries + cells) + cells +
+  double bytes = 8. * (entries + cells) + cells +
     estimate.BytesPerPoint * (points + last.Vertices) + estimate.BytesPerCell * cells +
     estimate.BytesPerId * (10. * last.Tets + 13. * last.Edges);
+  if (estimate.Projects)
+  {
+    // The last level as if there were one more, and a row of all neighbours for each point.
+    last = estimate.Levels > 0 ? last.Refine() : last;
+    bytes += estimate.BytesPerId * (14. * last.Tets + 9. * last.Faces + 18. * last.Edges) +
+      (8. + estimate.BytesPerId) * (last.Vertices + 2. * last.Edges) +
+      estimate.BytesPerPoint * points;
+  }
   vtksys::SystemInformation system;
   const double memory = 1024. * static_cast<double>(system.GetHostMemoryAvailable());
   const double available =

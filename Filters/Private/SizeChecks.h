@@ -30,6 +30,7 @@ struct SizeEstimate
   double BytesPerPoint = 0;
   double BytesPerCell = 0; ///< of cell data
   double BytesPerId = 4;
+  bool Projects = false; ///< with limit rows of the last level
 };
 
 /// An error message if the peak, the output and what the last step needs beside it, does not fit.

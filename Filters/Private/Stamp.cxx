@@ -31,6 +31,7 @@ enum Field
   Points,
   Cells,
   Hash,
+  Projected,
   NumberOfFields
 };
 
@@ -73,9 +74,9 @@ bool ReadStamp(vtkPointSet* input, Stamp& stamp)
   }
   auto get = [array](Field field) { return ToId(array->GetComponent(field, 0)); };
   if (get(Version) != FormatVersion || get(Scheme) != 0 || get(TetOrderIsFinal) != 1 ||
-    get(Points) != input->GetNumberOfPoints() || get(Cells) != input->GetNumberOfCells() ||
-    get(Hash) != HashCells(input) || get(Levels) < 0 || get(Levels) > 20 ||
-    get(ControlPoints) < 0 || get(ControlPoints) > get(Points))
+    get(Projected) != 0 || get(Points) != input->GetNumberOfPoints() ||
+    get(Cells) != input->GetNumberOfCells() || get(Hash) != HashCells(input) || get(Levels) < 0 ||
+    get(Levels) > 20 || get(ControlPoints) < 0 || get(ControlPoints) > get(Points))
   {
     return false;
   }
@@ -92,7 +93,7 @@ void WriteStamp(const Stamp& stamp, vtkUnstructuredGrid* output)
   array->SetNumberOfTuples(NumberOfFields);
   const vtkIdType values[NumberOfFields] = { FormatVersion, static_cast<int>(stamp.Scheme),
     stamp.Levels, stamp.Levels % 2, 1, stamp.NumberOfControlPoints, output->GetNumberOfPoints(),
-    output->GetNumberOfCells(), HashCells(output) };
+    output->GetNumberOfCells(), HashCells(output), stamp.IsProjected };
   for (int i = 0; i < NumberOfFields; ++i)
   {
     array->SetValue(i, values[i]);

@@ -36,9 +36,12 @@ struct Stamp
   StampScheme Scheme = StampScheme::BoxSpline;
   int Levels = 0;                      ///< since the control mesh
   vtkIdType NumberOfControlPoints = 0; ///< centres of split cells included
+  /// Points are on the limit: no filter may go on from them as if they were control points.
+  bool IsProjected = false;
 };
 
-/// False where there is no stamp, or it is not of this mesh: numbers or a sample of cells differ.
+/// False where there is no stamp, where it is not of this mesh (numbers or a sample of cells
+/// differ), or where the points are on the limit: such a mesh is like any other.
 bool ReadStamp(vtkPointSet* input, Stamp& stamp);
 
 /// Writes or replaces the stamp of a finished output.

@@ -70,6 +70,8 @@ private:
   template <typename Id>
   void StepTwice(const Level<Id>& level);
   template <typename Id>
+  void Project(const Level<Id>& level, KeptStepsOf<Id>& kept);
+  template <typename Id>
   void MakeCells(const SimplicialComplex<Id>& complex, int steps);
   template <typename Id>
   void MakeDerived(const SimplicialComplex<Id>& complex, int steps);
@@ -133,8 +135,8 @@ UniformRun::Outcome UniformRun::Execute(bool trustStamp)
     keep->PointsIn.TakeReference(this->Points->GetPoints()->NewInstance());
     keep->PointsIn->DeepCopy(this->Points->GetPoints());
   }
-  const bool large =
-    NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + this->Options.Levels);
+  const int levels = this->Options.Levels + (this->Options.ProjectToLimit ? 1 : 0);
+  const bool large = NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + levels);
   const Outcome outcome =
     large ? this->BuildAndStep<long long>(keep.get()) : this->BuildAndStep<int>(keep.get());
   if (outcome == Outcome::Done && keep)
@@ -188,6 +190,7 @@ TopologyKey UniformRun::MakeKey() const
   key.Use32BitIds = this->Options.Use32BitIds;
   key.Choices = EncodeChoices(this->Options.Features, this->Mesh.Values);
   key.Choices.push_back(this->Mesh.IsStamped);
+  key.Choices.push_back(this->Options.ProjectToLimit);
   for (const auto& tuples : this->Mesh.Derived.Tuples)
   {
     key.Choices.push_back(static_cast<long long>(tuples.size()));
@@ -236,7 +239,7 @@ void UniformRun::UseKept(KeptOperator& kept)
   }
   this->Points->Finish(this->Output);
   kept.PointsOut = this->Output->GetPoints()->GetData();
-  if (kept.Steps)
+  if (this->Options.Levels > 0)
   {
     this->AddClassification(kept.Steps->GetLastVertices(), kept.Steps->GetLastEdges());
   }
@@ -258,7 +261,8 @@ template <typename Id>
 UniformRun::Outcome UniformRun::BuildAndStep(KeptOperator* keep)
 {
   ControlComplex<Id> control;
-  const Depth depth = this->Options.Levels < 2 ? Depth::ForOutput : Depth::ForRefinement;
+  const bool further = this->Options.Levels > 1 || this->Options.ProjectToLimit;
+  const Depth depth = further ? Depth::ForRefinement : Depth::ForOutput;
   auto warn = [this](const std::string& warning)
   {
     this->BuildWarnings.push_back(warning);
@@ -295,6 +299,7 @@ bool UniformRun::HasMemoryFor(const SimplicialComplex<Id>& complex) const
   estimate.BytesPerPoint = this->Points->GetBytesPerPoint();
   estimate.BytesPerCell = GetBytesPerTuple(this->Input->GetCellData());
   estimate.BytesPerId = sizeof(Id);
+  estimate.Projects = this->Options.ProjectToLimit;
   const std::string tooLarge = CheckMemory(estimate);
   if (!tooLarge.empty())
   {
@@ -309,22 +314,27 @@ template <typename Id>
 UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
 {
   const int steps = this->Options.Levels;
+  auto kept = std::make_unique<KeptStepsOf<Id>>();
   if (steps == 0)
   {
     this->MakeCells(level.Complex, 0);
     this->MakeDerived(level.Complex, 0);
+    this->Project(level, *kept);
     this->Points->Finish(this->Output);
     this->AddClassification(level.Strata.Vertices, Buffer<Stratum>());
     if (keep)
     {
       keep->ControlStrata = std::move(level.Strata.Vertices);
+      if (this->Options.ProjectToLimit)
+      {
+        keep->Steps = std::move(kept);
+      }
     }
     return Outcome::Done;
   }
   // Only what is kept, or blended, needs the last two operators as tables.
-  const bool stored = keep || steps < 2 || HasEqualCells(level.Complex) ||
+  const bool stored = keep || this->Options.ProjectToLimit || steps < 2 || HasEqualCells(level.Complex) ||
     IsSharpAfter(this->Control.Sharpness, steps - 2);
-  auto kept = std::make_unique<KeptStepsOf<Id>>();
   for (int step = 0; step < steps; ++step)
   {
     if (this->IsStopped((step + 1.) / (steps + 1.)))
@@ -343,9 +353,16 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
       this->MakeCells(level.Complex, 1);
       this->MakeDerived(level.Complex, 1);
     }
-    else
+    if (this->Options.ProjectToLimit)
+    {
+      next = Refine(level, Depth::ForRefinement);
+    }
+    else if (!last)
     {
       next = Refine(level, step + 2 == steps ? Depth::ForOutput : Depth::ForRefinement);
+    }
+    if (!last)
+    {
       this->Control.Runs = RefineRuns(this->Control.Runs, 1);
       this->Control.DerivedRuns = RefineRuns(this->Control.DerivedRuns, 1);
     }
@@ -361,6 +378,7 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
     this->Points->Advance(stencils);
     if (last)
     {
+      this->Project(level, *kept);
       this->Points->Finish(this->Output);
       this->AddClassification(stencils.Vertices, stencils.Edges);
     }
@@ -401,6 +419,20 @@ void UniformRun::StepTwice(const Level<Id>& level)
                      : vertices.data() + rows.FirstRow);
     });
   this->AddClassification(vertices, edges);
+}
+
+/// From the vertices of the last level to their limits.
+template <typename Id>
+void UniformRun::Project(const Level<Id>& level, KeptStepsOf<Id>& kept)
+{
+  if (this->Options.ProjectToLimit)
+  {
+    SparseRows<Id> limit = BuildLimitRows(level,
+      BuildSharpStages<Id>(
+        this->Mesh, this->Options.Features, this->Control, this->Options.Levels));
+    this->Points->Project(limit);
+    kept.SetLimit(std::move(limit));
+  }
 }
 
 // ------------------------------------------------------------------------------------------------
@@ -529,10 +561,11 @@ void UniformRun::Finish()
   Stamp stamp;
   stamp.Levels = this->Mesh.MadeLevels + this->Options.Levels;
   stamp.NumberOfControlPoints = this->Mesh.GetControl().NumberOfPoints;
+  stamp.IsProjected = this->Options.ProjectToLimit;
   WriteStamp(stamp, this->Output);
-  WriteSingularTuples(this->Derived, this->Output);
+  WriteSingularTuples(stamp.IsProjected ? SimplexTuples() : this->Derived, this->Output);
   this->Output->GetFieldData()->RemoveArray(GlobalIdsName);
-  if (!this->Mesh.GlobalIds.empty())
+  if (!this->Mesh.GlobalIds.empty() && !stamp.IsProjected)
   {
     vtkNew<vtkIdTypeArray> ids;
     ids->SetName(GlobalIdsName);

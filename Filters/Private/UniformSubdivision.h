@@ -19,6 +19,7 @@ struct UniformOptions : RunOptions
 {
   int Levels = 1;
   bool GenerateClassification = false;
+  bool ProjectToLimit = false;
   bool Use32BitIds = false;
   /// Where operators are kept; null: nowhere.
   OperatorCache* Cache = nullptr;

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestLimitProjection.cxx
+ * ProjectToLimit of vtkMultiDimensionalSubdivision.
+ */
+#include "OperatorCacheTools.h"
+
+#include "vtkMath.h"
+#include "vtkSMPTools.h"
+
+#include <cmath>
+
+using namespace operator_cache_tools;
+
+namespace
+{
+
+const Configure Projected = [](Filter* filter) { filter->ProjectToLimitOn(); };
+
+/// Values that both have, at the points of the first.
+void ExpectSameAtPoints(vtkUnstructuredGrid* few, vtkUnstructuredGrid* many, double tolerance)
+{
+  auto compare = [&](vtkDataArray* a, vtkDataArray* b)
+  {
+    ASSERT_NE(b, nullptr);
+    for (vtkIdType i = 0; i < few->GetNumberOfPoints(); ++i)
+    {
+      for (int c = 0; c < a->GetNumberOfComponents(); ++c)
+      {
+        ASSERT_NEAR(a->GetComponent(i, c), b->GetComponent(i, c), tolerance) << i << " " << c;
+      }
+    }
+  };
+  ASSERT_LE(few->GetNumberOfPoints(), many->GetNumberOfPoints());
+  compare(few->GetPoints()->GetData(), many->GetPoints()->GetData());
+  for (int i = 0; i < few->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = few->GetPointData()->GetArray(i);
+    if (array && array->GetDataType() == VTK_DOUBLE)
+    {
+      compare(array, many->GetPointData()->GetArray(array->GetName()));
+    }
+  }
+}
+
+Configure And(const Configure& a, const Configure& b)
+{
+  return [a, b](Filter* filter)
+  {
+    a(filter);
+    b(filter);
+  };
+}
+
+/// A mixed box with values, sharp lines of all kinds, and parts.
+Grid MakeBoxWithFeatures()
+{
+  const Grid grid = MakeMixedBox(2);
+  AddArrays(grid);
+  std::vector<int> parts;
+  vtkNew<vtkDoubleArray> sharpness;
+  sharpness->SetName("Sharpness");
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    parts.push_back(static_cast<int>(cell % 3));
+    sharpness->InsertNextValue(grid->GetCellType(cell) == VTK_LINE ? 2.75 : 0.);
+  }
+  AddCellArray(grid, "Part", parts);
+  grid->GetCellData()->AddArray(sharpness);
+  return grid;
+}
+
+}
+
+TEST(LimitProjection, DoesNotDependOnTheLevel)
+{
+  const Grid input = MakeBoxWithFeatures();
+  const std::vector<std::pair<const char*, Configure>> rules = {
+    { "Blend", [](Filter*) {} },
+    { "Sharp",
+      [](Filter* filter)
+      {
+        filter->SetType1Rule(Filter::TYPE1_SHARP);
+        filter->SetType2Rule(Filter::TYPE2_SHARP);
+      } },
+    { "Features",
+      [](Filter* filter)
+      {
+        filter->DetectFeaturesOn();
+        filter->SetFeatureAngle(60.);
+        filter->SetCreaseEnd(Filter::DART);
+      } },
+    { "SemiSharp", [](Filter* filter) { SetCellArray(filter, 4, "Sharpness"); } },
+    { "Interfaces",
+      [](Filter* filter)
+      {
+        SetCellArray(filter, 1, "Part");
+        filter->PreserveInterfacesOn();
+      } },
+  };
+  for (const auto& rule : rules)
+  {
+    SCOPED_TRACE(rule.first);
+    const Configure project = And(Projected, rule.second);
+    Grid before = Execute(input, 0, project);
+    for (int levels = 1; levels <= 3; ++levels)
+    {
+      SCOPED_TRACE(levels);
+      const Grid now = Execute(input, levels, project);
+      ExpectSameAtPoints(before, now, 1e-12);
+      before = now;
+    }
+  }
+}
+
+TEST(LimitProjection, LevelsComeCloserAndCloser)
+{
+  const Grid input = MakeMixedBox(1);
+  const Grid limit = Execute(input, 0, Projected);
+  double before = 0.;
+  for (int levels = 0; levels <= 4; ++levels)
+  {
+    const Grid output = Execute(input, levels);
+    double most = 0.;
+    for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+    {
+      const Point a = GetPoint(limit, i);
+      const Point b = GetPoint(output, i);
+      most = std::max(most, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+    }
+    EXPECT_GT(most, 0.);
+    EXPECT_TRUE(levels == 0 || most < 0.6 * before) << levels;
+    before = most;
+  }
+}
+
+TEST(LimitProjection, OnlyPointsAndSmoothedArraysChange)
+{
+  const Grid input = MakeBoxWithFeatures();
+  for (int levels : { 0, 1, 2 })
+  {
+    SCOPED_TRACE(levels);
+    const Grid plain = Execute(input, levels);
+    const Grid projected = Execute(input, levels, Projected);
+    EXPECT_EQ(GetCells(projected), GetCells(plain));
+    EXPECT_EQ(CompareArrays(projected->GetCellData(), plain->GetCellData(), "cells"), "");
+    EXPECT_NE(CompareValues(projected->GetPoints()->GetData(), plain->GetPoints()->GetData()), "");
+    for (const char* name : { "int", "byte", "bit", "string" })
+    {
+      EXPECT_EQ(CompareValues(projected->GetPointData()->GetAbstractArray(name),
+                  plain->GetPointData()->GetAbstractArray(name)),
+        "");
+    }
+    for (const char* name : { "float", "double", "rgb", "rgba" })
+    {
+      EXPECT_NE(CompareValues(projected->GetPointData()->GetAbstractArray(name),
+                  plain->GetPointData()->GetAbstractArray(name)),
+        "");
+    }
+    EXPECT_STREQ(projected->GetPointData()->GetScalars()->GetName(), "float");
+  }
+}
+
+TEST(LimitProjection, ACircleOfSplines)
+{
+  // Control points on a circle of radius 1: the limit of a vertex is 2/3 and two times 1/6.
+  std::vector<Point> points;
+  Ids line;
+  for (int i = 0; i < 8; ++i)
+  {
+    points.push_back({ std::cos(i * vtkMath::Pi() / 4.), std::sin(i * vtkMath::Pi() / 4.), 0. });
+    line.push_back(i);
+  }
+  line.push_back(0);
+  const Grid output = Execute(MakeGrid(points, { { VTK_POLY_LINE, line } }), 1, Projected);
+  for (vtkIdType i = 0; i < 8; ++i)
+  {
+    const Point p = GetPoint(output, i);
+    EXPECT_NEAR(std::hypot(p[0], p[1]), 2. / 3. + std::cos(vtkMath::Pi() / 4.) / 3., 1e-15);
+    // Parameter 1/2 of a cubic B-spline: 1/48, 23/48, 23/48, 1/48.
+    const Point q = GetPoint(output, 8 + i);
+    EXPECT_NEAR(std::hypot(q[0], q[1]),
+      (46. * std::cos(vtkMath::Pi() / 8.) + 2. * std::cos(3. * vtkMath::Pi() / 8.)) / 48., 1e-15);
+  }
+}
+
+TEST(LimitProjection, IsKeptWithTheOperator)
+{
+  for (int levels : { 0, 2 })
+  {
+    SCOPED_TRACE(levels);
+    const Configure configure = And(Projected,
+      [levels](Filter* filter)
+      {
+        filter->SetNumberOfLevels(levels);
+        filter->GenerateClassificationOn();
+      });
+    Kept filter(configure);
+    const Grid input = MakeInput();
+    const Grid first = filter.Update(input);
+    EXPECT_EQ(filter.CountBuilds(), 1);
+    EXPECT_EQ(Compare(first, Fresh(input, configure)), "");
+    const Grid changed = DeepCopy(input);
+    changed->GetPointData()->GetArray("scalar")->Fill(0.25);
+    const Grid second = filter.Update(changed);
+    EXPECT_TRUE(SharesCells(first, second) && SharesPoints(first, second));
+    EXPECT_EQ(Compare(second, Fresh(changed, configure)), "");
+    const Point p = GetPoint(changed, 13);
+    MovePoint(changed, 13, p[0] + 1e-7, p[1], p[2]); // diagonals stay
+    EXPECT_EQ(Compare(filter.Update(changed), Fresh(changed, configure)), "");
+    EXPECT_EQ(filter.CountBuilds(), 0);
+    filter->ProjectToLimitOff();
+    const Grid plain = filter.Update(changed);
+    EXPECT_EQ(filter.CountBuilds(), 1);
+    EXPECT_TRUE(SharesCells(second, plain)) << "only rules changed";
+    EXPECT_FALSE(SharesPoints(second, plain));
+  }
+}
+
+TEST(LimitProjection, ANextFilterTakesTheOutputForAMeshLikeAnyOther)
+{
+  const Grid input = MakeMixedBox(1);
+  AddGlobalIds(input, 3);
+  const Configure features = [](Filter* filter) { filter->DetectFeaturesOn(); };
+  const Grid projected = Execute(input, 1, And(Projected, features));
+  const Grid plain = DeepCopy(projected);
+  RemoveStamp(plain);
+  EXPECT_TRUE(projected->GetFieldData()->HasArray("Subdivision"));
+  EXPECT_FALSE(projected->GetFieldData()->HasArray("SubdivisionSingularLines"));
+  EXPECT_EQ(Compare(Execute(projected, 1, features), Execute(plain, 1, features)), "");
+  // The last of several filters may project.
+  const Grid once = Execute(input, 2, And(Projected, features));
+  const Grid twice = Execute(Execute(input, 1, features), 1, And(Projected, features));
+  EXPECT_EQ(Compare(once, twice), "");
+}
+
+TEST(LimitProjection, SameBitsForAnyNumberOfThreads)
+{
+  const Grid input = MakeKuhnBox(6, 0.2, 3);
+  const std::string before = vtkSMPTools::GetBackend();
+  ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
+  vtkSMPTools::Initialize(1);
+  const Grid one = Execute(input, 1, Projected);
+  vtkSMPTools::Initialize(3);
+  EXPECT_EQ(Compare(Execute(input, 1, Projected), one), "");
+  vtkSMPTools::SetBackend(before.c_str());
+  vtkSMPTools::Initialize(0);
+}
