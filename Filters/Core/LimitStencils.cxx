@@ -83,47 +83,98 @@ struct HashNeighbourhood
   }
 };
 
-/// w of a neighbourhood, one weight for each item.
-std::vector<double> SolveLimit(const Neighbourhood& rows, std::size_t items)
+/// Weight after weight of an item's row: add(item, weight). `row` is moved to the next one.
+template <typename Add>
+void ReadRow(const int*& row, int item, const Add& add)
 {
-  // term <- term B, from term = a on.
-  std::vector<double> term(items, 0.);
-  std::vector<double> sum(items, 0.);
-  std::vector<double> next(items);
-  const auto ringOfVertex = rows.begin() + 2;
-  const double ownShare = VertexMask(static_cast<Rule>(rows[0]), rows[1]).Ring;
-  for (auto item = ringOfVertex; item != ringOfVertex + rows[1]; ++item)
+  const Rule rule = static_cast<Rule>(row[0]);
+  const int size = row[1];
+  const Mask mask = item == 0 ? VertexMask(rule, size) : EdgeMask(rule, size);
+  add(0, item == 0 && size == 0 ? 1. : mask.Own);
+  if (item > 0)
   {
-    term[*item] += ownShare;
+    add(item, mask.Own);
   }
-  double total = 0.;
-  for (double left = 1.; left > 1e-20 * (1. + total);)
+  row += 2;
+  for (int k = 0; k < size; ++k)
   {
+    add(*row++, mask.Ring);
+  }
+}
+
+/// w of a neighbourhood by elimination of one item after the other, in the way of W. Grassmann,
+/// M. Taksar and D. Heyman (1985), which subtracts nothing: exact to rounding.
+std::vector<double> EliminateItems(const Neighbourhood& rows, int items)
+{
+  std::vector<double> a(static_cast<std::size_t>(items) * items, 0.);
+  const int* row = rows.data();
+  for (int i = 0; i < items; ++i)
+  {
+    ReadRow(row, i, [&](int item, double weight) { a[i * items + item] += weight; });
+  }
+  for (int k = items - 1; k > 0; --k)
+  {
+    const double* last = a.data() + k * items;
+    const double sum = std::accumulate(last, last + k, 0.);
+    for (int i = 0; i < k; ++i)
+    {
+      const double factor = a[i * items + k] /= sum;
+      for (int j = 0; factor != 0. && j < k; ++j)
+      {
+        a[i * items + j] += factor * last[j];
+      }
+    }
+  }
+  std::vector<double> w(items, 0.);
+  w[0] = 1.;
+  for (int k = 1; k < items; ++k)
+  {
+    for (int i = 0; i < k; ++i)
+    {
+      w[k] += w[i] * a[i * items + k];
+    }
+  }
+  return w;
+}
+
+/// w of a neighbourhood by the series.
+std::vector<double> SumSeries(const Neighbourhood& rows, int items)
+{
+  std::vector<double> sum(items, 0.);
+  std::vector<double> term(items, 0.);
+  std::vector<double> next(items);
+  const int* row = rows.data();
+  ReadRow(row, 0, [&](int item, double weight) { term[item] += weight; });
+  const int* const edges = row;
+  double total = 1.;
+  for (double left = 1.; left > 1e-20 * total; total += left)
+  {
+    row = edges;
     left = 0.;
     std::fill(next.begin(), next.end(), 0.);
-    auto row = ringOfVertex + rows[1];
-    for (std::size_t i = 1; i < items; ++i)
+    for (int i = 1; i < items; ++i)
     {
-      const Mask mask = EdgeMask(static_cast<Rule>(row[0]), row[1]);
-      next[i] += term[i] * mask.Own;
-      for (int k = 0; k < row[1]; ++k)
-      {
-        next[row[2 + k]] += term[i] * mask.Ring;
-      }
       sum[i] += term[i];
       left += term[i];
-      row += 2 + row[1];
+      ReadRow(row, i, [&](int item, double weight) { next[item] += term[i] * weight; });
     }
-    total += left;
     term.swap(next);
   }
   sum[0] = 1.;
-  total = std::accumulate(sum.begin(), sum.end(), 0.);
-  for (double& weight : sum)
+  return sum;
+}
+
+/// w of a neighbourhood, one weight for each item. A hub of many spokes has too many for a matrix.
+std::vector<double> SolveLimit(const Neighbourhood& rows, std::size_t items)
+{
+  const int size = static_cast<int>(items);
+  std::vector<double> w = size <= 48 ? EliminateItems(rows, size) : SumSeries(rows, size);
+  const double total = std::accumulate(w.begin(), w.end(), 0.);
+  for (double& weight : w)
   {
     weight /= total;
   }
-  return sum;
+  return w;
 }
 
 /// A row under way.

@@ -5,11 +5,12 @@
  *
  * The rows of a vertex v and of the edges at v read nothing but neighbours of v, and from the next
  * step on they repeat: with the local matrix A of v and its edges, the limit of v is w A = w, sum
- * w = 1. Every row of A has at least 1/4 in the column of v, so w is unique, and
- * w = 1/(1 + |u|) (1, u) with u = a (I - B)^-1 = a + a B + a B B + ..., where a is v's row and B
- * the rows of the edges, both without the column of v. All terms are positive and each is at most
- * 3/4 of the one before it: nothing cancels, and the sum is exact to rounding. For d = 1 this gives
- * 2/3, 1/6, 1/6; for d = 2 Loop's limit mask. Equal neighbourhoods are summed once.
+ * w = 1. Every row of A has at least 1/4 in the column of v, so w is unique. It is found by
+ * elimination, or, where v has very many edges, as 1/(1 + |u|) (1, u) with the series
+ * u = a + a B + a B B + ..., where a is v's row and B the rows of the edges, both without the
+ * column of v: each term is at most 3/4 of the one before it. Both add positive numbers only, so
+ * that nothing cancels. For d = 1 this gives 2/3, 1/6, 1/6; for d = 2 Loop's limit mask. Equal
+ * neighbourhoods are solved once.
  *
  * The ring of a Blend edge of the input may have members with which it spans no triangle. They are
  * read in the first step only: limit = w (S P). Where creases are semi-sharp, so are the steps

@@ -421,18 +421,19 @@ bool LocalLimit<Id>::Builder::FollowBack(
 
 template <typename Id>
 LocalLimit<Id>::LocalLimit(const Level<Id>& control, const SemiSharpStages<Id>& creases,
-  const std::vector<std::array<Id, 2>>& midpoints)
+  const std::vector<std::array<Id, 2>>& midpoints, int rings)
   : NumberOfRows(control.Complex.NumberOfVertices + static_cast<vtkIdType>(midpoints.size()))
   , NumberOfColumns(control.Complex.NumberOfVertices)
 {
   Builder builder(control.Complex.NumberOfVertices, midpoints);
-  for (int rings = 1; !builder.Build(control, creases, rings, this->Steps); ++rings)
+  while (!builder.Build(control, creases, rings, this->Steps))
   {
+    ++rings;
   }
 }
 
 template <typename Id>
-void LocalLimit<Id>::Apply(const double* in, double* out, int components) const
+void LocalLimit<Id>::ApplyInDouble(const double* in, double* out, int components) const
 {
   Buffer<double> values;
   for (const Step& step : this->Steps)

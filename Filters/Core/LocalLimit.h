@@ -16,9 +16,11 @@
 #define SubdivisionObjects_LocalLimit_h
 
 #include "LimitStencils.h"
+#include "Store.h"
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace subdivision
@@ -33,17 +35,19 @@ public:
    * which has V; vertex V + i is the point of the edge between the vertices `midpoints[i]`, both
    * smaller than V + i, which must be an edge of the uniform refinement (RedGreen::GetEnds). The
    * same edge may be named again. Throws std::invalid_argument for an edge that does not exist.
+   * `rings`: how many rings of neighbours are tried first around what holds later vertices.
    */
   LocalLimit(const Level<Id>& control, const SemiSharpStages<Id>& creases,
-    const std::vector<std::array<Id, 2>>& midpoints);
+    const std::vector<std::array<Id, 2>>& midpoints, int rings = 1);
 
   /// Control vertices, then midpoints.
   vtkIdType GetNumberOfRows() const { return this->NumberOfRows; }
   vtkIdType GetNumberOfColumns() const { return this->NumberOfColumns; }
 
-  /// out = limits of all vertices, from values at the control vertices; intermediate levels are
-  /// kept in double.
-  void Apply(const double* in, double* out, int components) const;
+  /// out = limits of all vertices, from values at the control vertices, of type T; what is between
+  /// is in double.
+  template <typename T>
+  void Apply(const T* in, T* out, int components) const;
 
   /// The same as one operator. A row has as many entries as control vertices have an influence.
   SparseRows<Id> BuildRows() const;
@@ -60,6 +64,7 @@ private:
     std::vector<Id> Vertices;
   };
   class Builder;
+  void ApplyInDouble(const double* in, double* out, int components) const;
 
   vtkIdType NumberOfRows = 0;
   vtkIdType NumberOfColumns = 0;
@@ -72,6 +77,24 @@ inline double GetChordError(const double a[3], const double b[3], const double m
 {
   return std::hypot(
     m[0] - 0.5 * (a[0] + b[0]), m[1] - 0.5 * (a[1] + b[1]), m[2] - 0.5 * (a[2] + b[2]));
+}
+
+template <typename Id>
+template <typename T>
+void LocalLimit<Id>::Apply(const T* in, T* out, int components) const
+{
+  if constexpr (std::is_same<T, double>::value)
+  {
+    this->ApplyInDouble(in, out, components);
+  }
+  else
+  {
+    Buffer<double> values(this->NumberOfColumns * components);
+    ForEach(values.size(), [&](vtkIdType i) { values[i] = static_cast<double>(in[i]); });
+    Buffer<double> limits(this->NumberOfRows * components);
+    this->ApplyInDouble(values.data(), limits.data(), components);
+    ForEach(limits.size(), [&](vtkIdType i) { out[i] = Store<T>(limits[i]); });
+  }
 }
 
 extern template class LocalLimit<int>;

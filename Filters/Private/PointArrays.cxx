@@ -234,6 +234,8 @@ void PointArrays::AdvanceSmoothed(const Operator& rows)
 
 template void PointArrays::AdvanceSmoothed(const SparseRows<int>&);
 template void PointArrays::AdvanceSmoothed(const SparseRows<long long>&);
+template void PointArrays::AdvanceSmoothed(const LocalLimit<int>&);
+template void PointArrays::AdvanceSmoothed(const LocalLimit<long long>&);
 
 template <typename Id>
 void PointArrays::Advance(const Stencils<Id>& stencils)

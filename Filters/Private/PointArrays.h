@@ -9,6 +9,7 @@
 #include "Arrays.h"
 #include "CellsToSimplices.h"
 #include "Core/ChildRows.h"
+#include "Core/LocalLimit.h"
 #include "Core/SparseRows.h"
 #include "Core/Stencils.h"
 
@@ -60,8 +61,9 @@ public:
   template <typename Id>
   void Advance(const RowsOnTheFly<Id>& rows);
   /// `origin(row)`: the current point whose values a row takes in arrays that are not smoothed.
-  template <typename Id, typename Origin>
-  void Advance(const SparseRows<Id>& rows, const Origin& origin);
+  /// The operator is SparseRows or LocalLimit.
+  template <typename Operator, typename Origin>
+  void Advance(const Operator& rows, const Origin& origin);
   /// Moves each point by a row of its own, without new points; no rows: nothing happens.
   template <typename Id>
   void Project(const SparseRows<Id>& rows);
@@ -103,8 +105,8 @@ private:
   Buffer<double> Coordinates;
 };
 
-template <typename Id, typename Origin>
-void PointArrays::Advance(const SparseRows<Id>& rows, const Origin& origin)
+template <typename Operator, typename Origin>
+void PointArrays::Advance(const Operator& rows, const Origin& origin)
 {
   this->AdvanceSmoothed(rows);
   if (this->HasGathered)

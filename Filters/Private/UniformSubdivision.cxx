@@ -2,6 +2,7 @@
 #include "UniformSubdivision.h"
 
 #include "CellArrays.h"
+#include "Classification.h"
 #include "ControlComplex.h"
 #include "Core/TetOrder.h"
 #include "SizeChecks.h"
@@ -25,8 +26,6 @@ namespace subdivision
 namespace
 {
 
-constexpr const char* RuleName = "RuleDimension";
-constexpr const char* TypeName = "NonManifoldType";
 constexpr const char* DimensionName = "ManifoldDimension";
 
 bool HoldsSameValues(vtkDataArray* a, vtkDataArray* b)
@@ -333,8 +332,8 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
     return Outcome::Done;
   }
   // Only what is kept, or blended, needs the last two operators as tables.
-  const bool stored = keep || this->Options.ProjectToLimit || steps < 2 || HasEqualCells(level.Complex) ||
-    IsSharpAfter(this->Control.Sharpness, steps - 2);
+  const bool stored = keep || this->Options.ProjectToLimit || steps < 2 ||
+    HasEqualCells(level.Complex) || IsSharpAfter(this->Control.Sharpness, steps - 2);
   for (int step = 0; step < steps; ++step)
   {
     if (this->IsStopped((step + 1.) / (steps + 1.)))
@@ -577,27 +576,10 @@ void UniformRun::Finish()
 
 void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges)
 {
-  if (!this->Options.GenerateClassification)
+  if (this->Options.GenerateClassification)
   {
-    return;
+    AddRules(vertices, edges, this->Input, this->Output);
   }
-  vtkNew<vtkUnsignedCharArray> rules;
-  vtkNew<vtkUnsignedCharArray> types;
-  rules->SetName(RuleName);
-  types->SetName(TypeName);
-  const vtkIdType size = vertices.size() + edges.size();
-  rules->SetNumberOfTuples(size);
-  types->SetNumberOfTuples(size);
-  ForEach(size,
-    [&](vtkIdType i)
-    {
-      const Stratum stratum = i < vertices.size() ? vertices[i] : edges[i - vertices.size()];
-      const bool regular = stratum.GetRule() == Rule::RegularEdge;
-      rules->SetValue(i, static_cast<unsigned char>(regular ? Rule::Solid : stratum.GetRule()));
-      types->SetValue(i, static_cast<unsigned char>(stratum.GetType()));
-    });
-  AddInstead(this->Input->GetPointData(), rules, this->Output->GetPointData());
-  AddInstead(this->Input->GetPointData(), types, this->Output->GetPointData());
 }
 
 }

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Classification.h"
+
+#include "Arrays.h"
+
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace subdivision
+{
+
+void AddRules(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges, vtkPointSet* input,
+  vtkUnstructuredGrid* output)
+{
+  vtkNew<vtkUnsignedCharArray> rules;
+  vtkNew<vtkUnsignedCharArray> types;
+  rules->SetName(RuleName);
+  types->SetName(TypeName);
+  const vtkIdType size = vertices.size() + edges.size();
+  rules->SetNumberOfTuples(size);
+  types->SetNumberOfTuples(size);
+  ForEach(size,
+    [&](vtkIdType i)
+    {
+      const Stratum stratum = i < vertices.size() ? vertices[i] : edges[i - vertices.size()];
+      const bool regular = stratum.GetRule() == Rule::RegularEdge;
+      rules->SetValue(i, static_cast<unsigned char>(regular ? Rule::Solid : stratum.GetRule()));
+      types->SetValue(i, static_cast<unsigned char>(stratum.GetType()));
+    });
+  AddInstead(input->GetPointData(), rules, output->GetPointData());
+  AddInstead(input->GetPointData(), types, output->GetPointData());
+}
+
+}
