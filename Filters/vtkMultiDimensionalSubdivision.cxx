@@ -47,6 +47,7 @@ int vtkMultiDimensionalSubdivision::RequestData(
   options.Levels = this->NumberOfLevels;
   options.GenerateClassification = this->GenerateClassification;
   options.ProjectToLimit = this->ProjectToLimit;
+  options.GenerateLimitNormals = this->GenerateLimitNormals;
   options.Use32BitIds = this->Use32BitIds;
   options.Cache = this->CacheOperator ? this->Cache.get() : nullptr;
   return this->Run(inputVector, outputVector, options,
@@ -63,6 +64,7 @@ void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "GenerateClassification: " << this->GenerateClassification << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
+  os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
   os << indent << "Use32BitIds: " << this->Use32BitIds << "\n";
   os << indent << "CacheOperator: " << this->CacheOperator << "\n";
   os << indent << "Operators kept: " << this->Cache->GetNumberOfOperators() << " ("

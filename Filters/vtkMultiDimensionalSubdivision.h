@@ -23,9 +23,9 @@
  * point arrays keep their values at old points; a new point takes that of the end of its edge whose
  * global id is smaller. Global and pedigree ids are dropped: see GenerateOriginalIds. Cell arrays
  * go to the children, field data through. Names, component names and active attributes are kept.
- * Written are, on request, `vtkOriginalCellIds`, `vtkOriginalPointIds`, and the classification
- * arrays; always the field array `Subdivision` (and `SubdivisionGlobalIds`, if the input had global
- * ids), by which a next filter recognises this output.
+ * Written are, on request, `vtkOriginalCellIds`, `vtkOriginalPointIds`, `LimitNormals`, and the
+ * classification arrays; always the field array `Subdivision` (and `SubdivisionGlobalIds`, if the
+ * input had global ids), by which a next filter recognises this output.
  *
  * @par Output
  * Points: all input points with their ids (unused ones too), then centres of split cells, then the
@@ -113,6 +113,22 @@ public:
 
   ///@{
   /**
+   * Whether to output the point array `LimitNormals` (3 components, of the type of the points):
+   * unit normals of the limit surface where each point ends up, whether it is projected there or
+   * not. On surfaces they follow the orientation of the triangles (of the first one at a point, if
+   * they differ), on the boundary of a solid they point out of it. A point on a crease or on the
+   * border of a surface has the mean of the normals of its one or two sides. Where there is no
+   * tangent plane the normal is zero: inside solids, on curves, at corners, darts and non-manifold
+   * joints, on surfaces inside a solid, and on semi-sharp creases that are still sharp on the last
+   * level. Off by default.
+   */
+  vtkSetMacro(GenerateLimitNormals, bool);
+  vtkGetMacro(GenerateLimitNormals, bool);
+  vtkBooleanMacro(GenerateLimitNormals, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether the operators of all levels and the output's cells are kept, so that an execution whose
    * cells and options have not changed (new coordinates or arrays, another time step) builds no
    * topology: connectivity, offsets and types are shared with the previous output, and so are the
@@ -152,6 +168,7 @@ protected:
   int NumberOfLevels = 1;
   bool GenerateClassification = false;
   bool ProjectToLimit = false;
+  bool GenerateLimitNormals = false;
   bool CacheOperator = true;
   bool Use32BitIds = false;
 

@@ -10,7 +10,7 @@
 #include "Core/RefinedCells.h"
 #include "Core/Singularities.h"
 #include "Core/Stencils.h"
-#include "PointArrays.h"
+#include "LimitOperators.h"
 
 #include "vtkCellArray.h"
 #include "vtkSmartPointer.h"
@@ -42,14 +42,14 @@ class KeptStepsOf : public KeptSteps
 public:
   void Add(Stencils<Id>&& stencils) { this->Steps.push_back(std::move(stencils)); }
   /// What comes after the last step.
-  void SetLimit(SparseRows<Id>&& limit) { this->Limit = std::move(limit); }
+  void SetLimit(LimitOperators<Id>&& limit) { this->Limit = std::move(limit); }
   void Apply(PointArrays& arrays) const override
   {
     for (const Stencils<Id>& step : this->Steps)
     {
       arrays.Advance(step);
     }
-    arrays.Project(this->Limit);
+    this->Limit.Apply(arrays);
   }
   const Buffer<Stratum>& GetLastVertices() const override { return this->Steps.back().Vertices; }
   const Buffer<Stratum>& GetLastEdges() const override { return this->Steps.back().Edges; }
@@ -65,7 +65,7 @@ public:
 
 private:
   std::vector<Stencils<Id>> Steps;
-  SparseRows<Id> Limit; ///< no rows: points stay where they are
+  LimitOperators<Id> Limit;
 };
 
 /// Everything that the topology of an output depends on, by content.
@@ -99,7 +99,7 @@ struct TopologyKey
 struct KeptOperator
 {
   TopologyKey Key;
-  std::unique_ptr<KeptSteps> Steps; ///< null where points stay where they are
+  std::unique_ptr<KeptSteps> Steps; ///< null for no step and no limit
   vtkSmartPointer<vtkCellArray> Cells;
   vtkSmartPointer<vtkUnsignedCharArray> Types;
   Buffer<Stratum> ControlStrata;            ///< of the vertices, for no step

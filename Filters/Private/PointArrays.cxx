@@ -353,6 +353,10 @@ void PointArrays::Finish(vtkUnstructuredGrid* output)
     }
     AddLike(from, entry.Source, array, output->GetPointData());
   }
+  if (this->Normals)
+  {
+    AddInstead(from, this->Normals, output->GetPointData());
+  }
   if (this->Options.OriginalIds)
   {
     this->AddOriginalIds(output);

@@ -71,6 +71,9 @@ public:
   /// Whether current point a has the smaller global id.
   bool IsEarlier(vtkIdType a, vtkIdType b) const;
 
+  /// Normals that the filter made, to be put out with the other arrays.
+  void SetNormals(vtkDataArray* normals) { this->Normals = normals; }
+
   void Finish(vtkUnstructuredGrid* output);
 
   /// Bytes that one point takes, to estimate sizes.
@@ -98,6 +101,7 @@ private:
   vtkIdType NumberOfPoints;
   vtkSmartPointer<vtkDataArray> Points;
   vtkSmartPointer<vtkDataArray> FinalPoints; ///< null unless they are known beforehand
+  vtkSmartPointer<vtkDataArray> Normals;
   std::vector<Entry> Entries;
   bool HasGathered = false;
   bool HasMoved = false;     ///< an operator was applied

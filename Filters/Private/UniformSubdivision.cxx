@@ -69,7 +69,7 @@ private:
   template <typename Id>
   void StepTwice(const Level<Id>& level);
   template <typename Id>
-  void Project(const Level<Id>& level, KeptStepsOf<Id>& kept);
+  void GoToLimit(const Level<Id>& level, KeptStepsOf<Id>& kept);
   template <typename Id>
   void MakeCells(const SimplicialComplex<Id>& complex, int steps);
   template <typename Id>
@@ -134,7 +134,7 @@ UniformRun::Outcome UniformRun::Execute(bool trustStamp)
     keep->PointsIn.TakeReference(this->Points->GetPoints()->NewInstance());
     keep->PointsIn->DeepCopy(this->Points->GetPoints());
   }
-  const int levels = this->Options.Levels + (this->Options.ProjectToLimit ? 1 : 0);
+  const int levels = this->Options.Levels + (this->Options.ReadsLimit() ? 1 : 0);
   const bool large = NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + levels);
   const Outcome outcome =
     large ? this->BuildAndStep<long long>(keep.get()) : this->BuildAndStep<int>(keep.get());
@@ -168,6 +168,10 @@ void UniformRun::StartPoints()
   {
     arrays.Replaced.emplace_back("vtkOriginalPointIds");
   }
+  if (this->Options.GenerateLimitNormals)
+  {
+    arrays.Replaced.emplace_back(LimitNormalsName);
+  }
   if (this->Options.GenerateClassification)
   {
     arrays.Replaced.insert(arrays.Replaced.end(), { RuleName, TypeName });
@@ -190,6 +194,7 @@ TopologyKey UniformRun::MakeKey() const
   key.Choices = EncodeChoices(this->Options.Features, this->Mesh.Values);
   key.Choices.push_back(this->Mesh.IsStamped);
   key.Choices.push_back(this->Options.ProjectToLimit);
+  key.Choices.push_back(this->Options.GenerateLimitNormals);
   for (const auto& tuples : this->Mesh.Derived.Tuples)
   {
     key.Choices.push_back(static_cast<long long>(tuples.size()));
@@ -224,7 +229,9 @@ void UniformRun::UseKept(KeptOperator& kept)
     this->Options.Warn(warning);
   }
   this->Output->SetCells(kept.Types, kept.Cells);
-  if (kept.Steps && HoldsSameValues(this->Points->GetPoints(), kept.PointsIn))
+  // Normals need the points before they are projected.
+  if (kept.Steps && !this->Options.GenerateLimitNormals &&
+    HoldsSameValues(this->Points->GetPoints(), kept.PointsIn))
   {
     this->Points->ReusePoints(kept.PointsOut);
   }
@@ -260,7 +267,7 @@ template <typename Id>
 UniformRun::Outcome UniformRun::BuildAndStep(KeptOperator* keep)
 {
   ControlComplex<Id> control;
-  const bool further = this->Options.Levels > 1 || this->Options.ProjectToLimit;
+  const bool further = this->Options.Levels > 1 || this->Options.ReadsLimit();
   const Depth depth = further ? Depth::ForRefinement : Depth::ForOutput;
   auto warn = [this](const std::string& warning)
   {
@@ -298,7 +305,7 @@ bool UniformRun::HasMemoryFor(const SimplicialComplex<Id>& complex) const
   estimate.BytesPerPoint = this->Points->GetBytesPerPoint();
   estimate.BytesPerCell = GetBytesPerTuple(this->Input->GetCellData());
   estimate.BytesPerId = sizeof(Id);
-  estimate.Projects = this->Options.ProjectToLimit;
+  estimate.Projects = this->Options.ReadsLimit();
   const std::string tooLarge = CheckMemory(estimate);
   if (!tooLarge.empty())
   {
@@ -318,13 +325,13 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
   {
     this->MakeCells(level.Complex, 0);
     this->MakeDerived(level.Complex, 0);
-    this->Project(level, *kept);
+    this->GoToLimit(level, *kept);
     this->Points->Finish(this->Output);
     this->AddClassification(level.Strata.Vertices, Buffer<Stratum>());
     if (keep)
     {
       keep->ControlStrata = std::move(level.Strata.Vertices);
-      if (this->Options.ProjectToLimit)
+      if (this->Options.ReadsLimit())
       {
         keep->Steps = std::move(kept);
       }
@@ -332,7 +339,7 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
     return Outcome::Done;
   }
   // Only what is kept, or blended, needs the last two operators as tables.
-  const bool stored = keep || this->Options.ProjectToLimit || steps < 2 ||
+  const bool stored = keep || this->Options.ReadsLimit() || steps < 2 ||
     HasEqualCells(level.Complex) || IsSharpAfter(this->Control.Sharpness, steps - 2);
   for (int step = 0; step < steps; ++step)
   {
@@ -352,7 +359,7 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
       this->MakeCells(level.Complex, 1);
       this->MakeDerived(level.Complex, 1);
     }
-    if (this->Options.ProjectToLimit)
+    if (this->Options.ReadsLimit())
     {
       next = Refine(level, Depth::ForRefinement);
     }
@@ -377,7 +384,7 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
     this->Points->Advance(stencils);
     if (last)
     {
-      this->Project(level, *kept);
+      this->GoToLimit(level, *kept);
       this->Points->Finish(this->Output);
       this->AddClassification(stencils.Vertices, stencils.Edges);
     }
@@ -422,14 +429,14 @@ void UniformRun::StepTwice(const Level<Id>& level)
 
 /// From the vertices of the last level to their limits.
 template <typename Id>
-void UniformRun::Project(const Level<Id>& level, KeptStepsOf<Id>& kept)
+void UniformRun::GoToLimit(const Level<Id>& level, KeptStepsOf<Id>& kept)
 {
-  if (this->Options.ProjectToLimit)
+  if (this->Options.ReadsLimit())
   {
-    SparseRows<Id> limit = BuildLimitRows(level,
-      BuildSharpStages<Id>(
-        this->Mesh, this->Options.Features, this->Control, this->Options.Levels));
-    this->Points->Project(limit);
+    LimitOperators<Id> limit(level,
+      BuildSharpStages<Id>(this->Mesh, this->Options.Features, this->Control, this->Options.Levels),
+      this->Options.ProjectToLimit, this->Options.GenerateLimitNormals);
+    limit.Apply(*this->Points);
     kept.SetLimit(std::move(limit));
   }
 }

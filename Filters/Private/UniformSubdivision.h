@@ -20,6 +20,8 @@ struct UniformOptions : RunOptions
   int Levels = 1;
   bool GenerateClassification = false;
   bool ProjectToLimit = false;
+  bool GenerateLimitNormals = false;
+  bool ReadsLimit() const { return this->ProjectToLimit || this->GenerateLimitNormals; }
   bool Use32BitIds = false;
   /// Where operators are kept; null: nowhere.
   OperatorCache* Cache = nullptr;

@@ -246,3 +246,73 @@ TEST(LimitProjection, SameBitsForAnyNumberOfThreads)
   vtkSMPTools::SetBackend(before.c_str());
   vtkSMPTools::Initialize(0);
 }
+
+TEST(LimitProjection, NormalsOfASphere)
+{
+  // The octahedron: its symmetry makes the normal of a vertex its axis.
+  std::vector<Point> points = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 },
+    { 0, 0, -1 } };
+  std::vector<Cell> cells;
+  for (int i = 0; i < 8; ++i)
+  {
+    const vtkIdType x = i & 1;
+    const vtkIdType y = 2 + ((i >> 1) & 1);
+    const vtkIdType z = 4 + ((i >> 2) & 1);
+    const bool odd = ((i ^ (i >> 1) ^ (i >> 2)) & 1) != 0;
+    cells.push_back({ VTK_TRIANGLE, odd ? Ids{ y, x, z } : Ids{ x, y, z } });
+  }
+  for (int type : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    const Grid input = MakeGrid(points, cells, type);
+    for (int levels : { 0, 1, 3 })
+    {
+      SCOPED_TRACE(levels);
+      const Configure normals = [](Filter* filter) { filter->GenerateLimitNormalsOn(); };
+      const Grid plain = Execute(input, levels, normals);
+      const Grid projected = Execute(input, levels, And(Projected, normals));
+      vtkDataArray* array = projected->GetPointData()->GetArray("LimitNormals");
+      ASSERT_NE(array, nullptr);
+      EXPECT_EQ(array->GetDataType(), type);
+      EXPECT_EQ(CompareValues(array, plain->GetPointData()->GetArray("LimitNormals")), "");
+      for (vtkIdType i = 0; i < projected->GetNumberOfPoints(); ++i)
+      {
+        const Point p = GetPoint(projected, i);
+        const double length = std::hypot(p[0], p[1], p[2]);
+        double dot = 0.;
+        for (int c = 0; c < 3; ++c)
+        {
+          dot += array->GetComponent(i, c) * p[c] / length;
+          if (i < 6)
+          {
+            EXPECT_NEAR(array->GetComponent(i, c), points[i][c], 1e-6);
+          }
+        }
+        EXPECT_GT(dot, 0.9);
+      }
+      EXPECT_FALSE(Execute(input, levels)->GetPointData()->HasArray("LimitNormals"));
+    }
+  }
+}
+
+TEST(LimitProjection, NormalsAreMadeAgainWithThePoints)
+{
+  const Configure configure =
+    And(Projected, [](Filter* filter) { filter->GenerateLimitNormalsOn(); });
+  Kept filter(configure);
+  const Grid input = MakeInput();
+  EXPECT_EQ(Compare(filter.Update(input), Fresh(input, configure)), "");
+  EXPECT_EQ(Compare(filter.Update(input), Fresh(input, configure)), "");
+  const Grid changed = DeepCopy(input);
+  for (vtkIdType i = 0; i < changed->GetNumberOfPoints(); ++i)
+  {
+    const Point p = GetPoint(changed, i);
+    MovePoint(changed, i, -p[0], p[1], p[2]); // inside out
+  }
+  const Grid mirrored = filter.Update(changed);
+  EXPECT_EQ(Compare(mirrored, Fresh(changed, configure)), "");
+  EXPECT_EQ(filter.CountBuilds(), 1);
+  // An earlier filter's normals are replaced.
+  const Configure normals = [](Filter* f) { f->GenerateLimitNormalsOn(); };
+  const Grid twice = Execute(Execute(input, 1, normals), 1, normals);
+  EXPECT_EQ(Compare(twice, Execute(input, 2, normals)), "");
+}

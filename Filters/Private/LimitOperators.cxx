@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LimitOperators.h"
+
+namespace subdivision
+{
+
+template <typename Id>
+LimitOperators<Id>::LimitOperators(
+  const Level<Id>& level, const SemiSharpStages<Id>& creases, bool project, bool generateNormals)
+  : HasNormals(generateNormals)
+{
+  if (project)
+  {
+    this->Rows = BuildLimitRows(level, creases);
+  }
+  if (generateNormals)
+  {
+    this->Tangents = BuildLimitTangents(level, creases);
+  }
+}
+
+template <typename Id>
+void LimitOperators<Id>::Apply(PointArrays& arrays) const
+{
+  if (this->HasNormals)
+  {
+    const vtkIdType size = arrays.GetPoints()->GetNumberOfTuples();
+    Buffer<double> normals(3 * size);
+    ComputeLimitNormals(this->Tangents, arrays.GetCoordinates(), normals.data());
+    const auto array = MakeArray(arrays.GetPoints()->GetDataType(), 3, size);
+    array->SetName(LimitNormalsName);
+    auto fill = [&](auto* out)
+    {
+      using T = std::remove_pointer_t<decltype(out)>;
+      ForEach(3 * size, [&](vtkIdType i) { out[i] = static_cast<T>(normals[i]); });
+    };
+    array->GetDataType() == VTK_FLOAT ? fill(static_cast<float*>(array->GetVoidPointer(0)))
+                                      : fill(static_cast<double*>(array->GetVoidPointer(0)));
+    arrays.SetNormals(array);
+  }
+  arrays.Project(this->Rows);
+}
+
+template struct LimitOperators<int>;
+template struct LimitOperators<long long>;
+
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LimitOperators.h
+ * What comes after the last step: points and arrays on the limit, and its normals.
+ */
+#ifndef SubdivisionObjects_LimitOperators_h
+#define SubdivisionObjects_LimitOperators_h
+
+#include "Core/LimitNormals.h"
+#include "Core/LimitStencils.h"
+#include "PointArrays.h"
+
+namespace subdivision
+{
+
+constexpr const char* LimitNormalsName = "LimitNormals";
+
+template <typename Id>
+struct LimitOperators
+{
+  SparseRows<Id> Rows; ///< none: points stay where they are
+  LimitTangents<Id> Tangents;
+  bool HasNormals = false;
+
+  LimitOperators() = default;
+  LimitOperators(
+    const Level<Id>& level, const SemiSharpStages<Id>& creases, bool project, bool generateNormals);
+
+  /// `arrays` are those of the level.
+  void Apply(PointArrays& arrays) const;
+  std::size_t GetMemorySize() const
+  {
+    return this->Rows.GetMemorySize() + this->Tangents.GetMemorySize();
+  }
+};
+
+}
+
+#endif
