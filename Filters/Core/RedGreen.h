@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RedGreen.h
+ * Local refinement of a mixed-dimension complex that stays conforming (SPEC 13; section 4.2 and
+ * figure 17 of Chang & Qin).
+ *
+ * The state is a forest: its trees are the input cells and their *red* children (SPEC 2: the order
+ * of the vertices, and with it the diagonal, is inherited), its *leaves* the cells that are not
+ * red. Beside it there is nothing but the set of edges that have a midpoint. Green children are
+ * never part of the state: they are what the midpoints on its edges make of a leaf, written with
+ * the output and forgotten.
+ *
+ * A round: marks, then Close(). Closing makes the set of midpoints the smallest that contains the
+ * marks and has
+ *  - on each triangle, and so on each face of a tetrahedron, 0, 1 or 3 split edges;
+ *  - no leaf with an edge of which a half is split, or with a face of three split edges where an
+ *    edge between their midpoints is split: such leaves become red.
+ * The set is a closure: it does not depend on the order of marks or rounds. The numbers of new
+ * vertices do, and on nothing else.
+ *
+ * Cost: a cell of the input is read when a mark comes near, and stored (*active*) when two of its
+ * vertices are ends of split edges: only such a cell can have a split edge. Which cells these are
+ * is found by scanning the cells for flagged vertices, in threads; after a few scans an incidence
+ * from vertices to cells takes over. Red children are stored when something happens to one of them.
+ * So work and memory are those of the cells that change, plus a few passes at memory speed.
+ * Memory: 4 bytes (Id int) per input cell, 1 per input point; some 130 bytes per active input cell
+ * and per red child that is stored, edges and their index included.
+ */
+#ifndef SubdivisionObjects_RedGreen_h
+#define SubdivisionObjects_RedGreen_h
+
+#include "PairTable.h"
+#include "RedGreenCells.h"
+
+#include <functional>
+#include <vector>
+
+namespace subdivision
+{
+
+template <typename Id>
+class RedGreen
+{
+public:
+  using Leaf = RedGreenLeaf<Id>;
+  using Cell = RedGreenCell<Id>;
+
+  /// The arrays of the view must stay; `orderTet` puts the vertices of an input tetrahedron of
+  /// level 0 into their final order (TetOrder.h) when it is first needed; none: they are in order.
+  explicit RedGreen(
+    const SimplexView& cells, std::function<void(vtkIdType*)> orderTet = nullptr);
+
+  /// For a mesh whose green cells were replaced by their leaves: a vertex of the input that is the
+  /// midpoint of an edge of a leaf. Before any mark; the next Close() heeds it.
+  void AddMidpoint(Id end0, Id end1, Id midpoint);
+
+  /// @name A round
+  ///@{
+  /// All edges of a leaf: it becomes red. A cell that is red already is left alone.
+  void MarkCell(const Leaf& leaf);
+  /// An edge of the cells that the output would have in place of a leaf. A red or green edge inside
+  /// the leaf makes it red: that edge vanishes, or it is an edge between two midpoints and is split.
+  void MarkEdge(const Leaf& leaf, Id end0, Id end1);
+  /// To the fixed point. Says whether any edge was split since the Close() before.
+  bool Close();
+  ///@}
+
+  /// The cells that the output would have and that it did not have before the last Close(), in no
+  /// special order: where criteria need to look before the next round. In the first round, each
+  /// input cell is to be looked at: it is the leaf { cell, -1 } unless IsRed.
+  std::vector<RedGreenOutputCell<Id>> GetChangedCells() const;
+  bool IsRed(Id cell) const;
+
+  vtkIdType GetNumberOfInputCells() const { return this->Input.NumberOfSimplices; }
+  Id GetNumberOfInputVertices() const { return this->InputVertices; }
+  Id GetNumberOfVertices() const
+  {
+    return this->InputVertices + static_cast<Id>(this->MidpointEdges.size());
+  }
+  /// How many cells the output would have.
+  vtkIdType GetNumberOfCells() const { return this->OutputCells; }
+
+  /// @name Where vertices and cells come from
+  ///@{
+  /// The ends of the edge whose midpoint a vertex of no input is (vertex >= input vertices). Both
+  /// are smaller than the vertex.
+  std::array<Id, 2> GetEnds(Id vertex) const;
+  /// The same as an edge of a tree cell: in the uniform refinement of the input, `vertex` is the
+  /// edge point of local edge `Edge` (Simplices.h) of the cell `Cell`, which has level
+  /// GetCell(Cell).Level; on the next level it is a vertex for the first time.
+  RedGreenOrigin<Id> GetOrigin(Id vertex) const;
+  /// A tree cell: an input cell (cell < input cells), or a red child that is stored.
+  Cell GetCell(Id cell) const;
+  /// A leaf as the cell that it is; `Parent` and `Child` tell its place in the tree.
+  Cell GetCell(const Leaf& leaf) const;
+  ///@}
+
+  std::size_t GetMemorySize() const;
+
+private:
+  friend class RedGreenOutput<Id>;
+
+  struct Edge
+  {
+    Id Ends[2];
+    Id Midpoint; ///< -1: whole
+    Id Halves[2];
+    Id FirstUse; ///< list of the nodes that have it: 6 * node + local edge
+  };
+  /// A stored cell of the forest.
+  struct Node
+  {
+    Id Vertices[4];
+    Id Edges[6];
+    Id NextUse[6];
+    Id Input;
+    Id Parent;     ///< node, -1
+    Id FirstChild; ///< node; -1: none stored
+    unsigned char Dimension;
+    unsigned char Level;
+    unsigned char Child;   ///< which of its parent
+    unsigned char Pattern; ///< its split edges, closed
+  };
+
+  Id FindNode(Id cell) const;
+  Id GetPublicId(Id node) const;
+  Id Activate(Id cell);
+  Id GetStored(const Leaf& leaf);
+  Id FindOrAddEdge(Id a, Id b);
+  void AddUses(Id node);
+  void Split(Id edge);
+  void SplitEdgesOf(Id node, unsigned int pattern);
+  void SetPattern(Id node, unsigned int pattern);
+  void MakeRed(Id node);
+  void Expand(Id node);
+  void Settle(Id node);
+  void Spread(Id edge);
+  void SpreadToParents(Id edge);
+  void SpreadHalf(Id edge);
+  void SpreadInner(Id first, Id second);
+  void Touch(Id node);
+  Id FindMidpointEdge(Id vertex) const;
+  Id GetHalf(Id edge, Id end);
+  void FlagEnds(const Edge& edge);
+  void ActivateNearFlags();
+  void Scan();
+  void BuildIncidence();
+
+  SimplexView Input;
+  SimplexPlaces Places;
+  std::function<void(vtkIdType*)> OrderTet;
+  Id InputVertices = 0;
+  vtkIdType OutputCells = 0;
+
+  Buffer<Id> Roots; ///< the node of each input cell, -1
+  std::vector<Node> Nodes;
+  std::vector<Edge> Edges;
+  PairTable<Id> EdgesByEnds; ///< those of the input, and those between midpoints
+  std::vector<Id> MidpointEdges;
+  std::vector<std::array<Id, 2>> KnownMidpoints; ///< vertex of the input, edge; sorted
+};
+
+}
+
+#endif

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RedGreenCells.h
+ * What red-green refinement reads and hands out: cells in the arrays of somebody else, leaves,
+ * cells of the forest, origins of vertices.
+ */
+#ifndef SubdivisionObjects_RedGreenCells_h
+#define SubdivisionObjects_RedGreenCells_h
+
+#include "Buffer.h"
+#include "SimplexList.h"
+
+#include <array>
+
+namespace subdivision
+{
+
+/// Simplices in arrays that somebody else keeps.
+struct SimplexView
+{
+  vtkIdType NumberOfPoints = 0;
+  vtkIdType NumberOfSimplices = 0;
+  const unsigned char* Dimensions = nullptr; ///< 0..3 of each simplex
+  const vtkIdType* Connectivity = nullptr;   ///< dimension + 1 points each, one after the other
+  const unsigned char* Levels = nullptr;     ///< of each simplex; none: all 0
+
+  SimplexView() = default;
+  explicit SimplexView(const SimplexList& list)
+    : NumberOfPoints(list.NumberOfPoints)
+    , NumberOfSimplices(list.GetNumberOfSimplices())
+    , Dimensions(list.Dimensions.data())
+    , Connectivity(list.Connectivity.data())
+  {
+  }
+  int GetLevel(vtkIdType simplex) const { return this->Levels ? this->Levels[simplex] : 0; }
+};
+
+/// Where simplices of mixed dimension start in their connectivity: remembered for each block.
+class SimplexPlaces
+{
+public:
+  static constexpr vtkIdType BlockSize = 64;
+
+  SimplexPlaces() = default;
+  explicit SimplexPlaces(const SimplexView& cells)
+    : Dimensions(cells.Dimensions)
+    , Starts((cells.NumberOfSimplices + BlockSize - 1) / BlockSize + 1)
+  {
+    ForEach(this->Starts.size() - 1,
+      [&](vtkIdType block)
+      {
+        const vtkIdType first = block * BlockSize;
+        this->Starts[block] =
+          this->Sum(first, std::min(cells.NumberOfSimplices, first + BlockSize));
+      });
+    CountsToOffsets(this->Starts);
+  }
+  vtkIdType operator[](vtkIdType simplex) const
+  {
+    const vtkIdType block = simplex / BlockSize;
+    return this->Starts[block] + this->Sum(block * BlockSize, simplex);
+  }
+
+private:
+  vtkIdType Sum(vtkIdType begin, vtkIdType end) const
+  {
+    int entries = 0;
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      entries += this->Dimensions[i] + 1;
+    }
+    return entries;
+  }
+  const unsigned char* Dimensions = nullptr;
+  Buffer<vtkIdType> Starts;
+};
+
+/// What became of a leaf; the values of the cell array `RefinementKind`.
+enum class RefinementKind : unsigned char
+{
+  Untouched = 0, ///< a cell of the input as it was, of level 0
+  Red = 1,       ///< a red child; or a cell of the input that was one
+  GreenI = 2,    ///< one edge split; triangles too
+  GreenII = 3,   ///< two opposite edges
+  GreenIII = 4   ///< the edges of one face
+};
+
+/// A cell that is not red: the tree cell itself, or a child of a red one that need not be stored.
+template <typename Id>
+struct RedGreenLeaf
+{
+  Id Cell = 0;    ///< < number of input cells: a cell of the input; else a red child
+  int Child = -1; ///< -1: the cell itself; else this child of the cell (Simplices.h)
+};
+
+/// A cell of the forest.
+template <typename Id>
+struct RedGreenCell
+{
+  Id Input = 0;   ///< the input cell at the root of its tree
+  Id Parent = -1; ///< tree cell; -1: it is a cell of the input
+  int Child = -1; ///< which child of its parent
+  int Dimension = 0;
+  int Level = 0; ///< that of the input cell, plus the steps from there
+  std::array<Id, 4> Vertices{ { -1, -1, -1, -1 } };
+};
+
+/// A cell of the output as it would be now.
+template <typename Id>
+struct RedGreenOutputCell
+{
+  RedGreenLeaf<Id> Leaf; ///< that it is, or is a green part of
+  int Dimension = 0;
+  int Level = 0; ///< of the leaf
+  RefinementKind Kind = RefinementKind::Untouched;
+  std::array<Id, 4> Vertices{ { -1, -1, -1, -1 } };
+};
+
+/// The edge of a tree cell whose midpoint a vertex is.
+template <typename Id>
+struct RedGreenOrigin
+{
+  Id Cell = 0;
+  int Edge = 0; ///< as in triangle::EdgeVertices, tetrahedron::EdgeVertices; 0 for lines
+};
+
+template <typename Id>
+class RedGreen;
+template <typename Id>
+class RedGreenOutput;
+
+}
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RedGreenOutput.h
+ * The way out of red-green refinement: cells with their green children, in input order; the leaves
+ * that have green children; the rows that put new vertices at midpoints.
+ */
+#ifndef SubdivisionObjects_RedGreenOutput_h
+#define SubdivisionObjects_RedGreenOutput_h
+
+#include "RedGreen.h"
+#include "RefinedCells.h"
+#include "SparseRows.h"
+
+namespace subdivision
+{
+
+/// Where the cells go. Null: not wanted. Sizes: RedGreenOutput::GetCounts().
+template <typename Out>
+struct RedGreenStorage
+{
+  CellStorage<Out> Cells{ nullptr, nullptr, nullptr };
+  unsigned char* Levels = nullptr;    ///< of the leaf that a cell is, or is a green part of
+  unsigned char* Kinds = nullptr;     ///< RefinementKind
+  vtkIdType* GreenParents = nullptr;  ///< index in GetGreenLeaves(), -1
+  vtkIdType* InputCells = nullptr;    ///< of which each cell is a part
+};
+
+/// A leaf that the output has in parts. Another run starts from these: RedGreen::AddMidpoint.
+template <typename Id>
+struct GreenLeaf
+{
+  Id Input = 0; ///< the input cell that it is a part of
+  int Dimension = 0;
+  int Level = 0;
+  vtkIdType FirstCell = 0; ///< its parts are these cells of the output
+  int NumberOfCells = 0;
+  std::array<Id, 4> Vertices{ { -1, -1, -1, -1 } };
+  std::array<Id, 6> Midpoints{ { -1, -1, -1, -1, -1, -1 } }; ///< of its edges (Simplices.h); -1
+};
+
+/**
+ * Plans the output of a state, which must not change while the plan is used. Cells stay in input
+ * order, children stand together in the place of their parent, in the order of Simplices.h; the
+ * vertices of green children stand where those of their leaf stood, so that orientation is kept.
+ * Cells that nothing happened to are copied in threads.
+ */
+template <typename Id>
+class RedGreenOutput
+{
+public:
+  explicit RedGreenOutput(const RedGreen<Id>& state);
+
+  CellCounts GetCounts() const { return this->Counts; }
+  const std::vector<GreenLeaf<Id>>& GetGreenLeaves() const { return this->GreenLeaves; }
+
+  template <typename Out>
+  void Write(const RedGreenStorage<Out>& storage) const;
+
+private:
+  const RedGreen<Id>& State;
+  CellCounts Counts;
+  std::vector<GreenLeaf<Id>> GreenLeaves;
+};
+
+/// Placement `Linear`: the rows of all vertices in terms of the input's: one entry of weight 1 for
+/// a vertex of the input; up to four dyadic weights, which are exact, for a midpoint of midpoints.
+template <typename Id>
+SparseRows<Id> MakeMidpointRows(const RedGreen<Id>& state);
+
+}
+
+#endif
