@@ -33,6 +33,7 @@
 #include "RedGreenCells.h"
 
 #include <functional>
+#include <unordered_map>
 #include <vector>
 
 namespace subdivision
@@ -47,8 +48,7 @@ public:
 
   /// The arrays of the view must stay; `orderTet` puts the vertices of an input tetrahedron of
   /// level 0 into their final order (TetOrder.h) when it is first needed; none: they are in order.
-  explicit RedGreen(
-    const SimplexView& cells, std::function<void(vtkIdType*)> orderTet = nullptr);
+  explicit RedGreen(const SimplexView& cells, std::function<void(vtkIdType*)> orderTet = nullptr);
 
   /// For a mesh whose green cells were replaced by their leaves: a vertex of the input that is the
   /// midpoint of an edge of a leaf. Before any mark; the next Close() heeds it.
@@ -59,7 +59,8 @@ public:
   /// All edges of a leaf: it becomes red. A cell that is red already is left alone.
   void MarkCell(const Leaf& leaf);
   /// An edge of the cells that the output would have in place of a leaf. A red or green edge inside
-  /// the leaf makes it red: that edge vanishes, or it is an edge between two midpoints and is split.
+  /// the leaf makes it red: that edge vanishes, or it is an edge between two midpoints and is
+  /// split.
   void MarkEdge(const Leaf& leaf, Id end0, Id end1);
   /// To the fixed point. Says whether any edge was split since the Close() before.
   bool Close();
@@ -103,9 +104,9 @@ private:
   struct Edge
   {
     Id Ends[2];
-    Id Midpoint; ///< -1: whole
-    Id Halves[2];
-    Id FirstUse; ///< list of the nodes that have it: 6 * node + local edge
+    Id Midpoint;  ///< -1: whole
+    Id Halves[2]; ///< beside each end; -1: not needed yet
+    Id FirstUse;  ///< list of the nodes that have it: 6 * node + local edge
   };
   /// A stored cell of the forest.
   struct Node
@@ -115,35 +116,56 @@ private:
     Id NextUse[6];
     Id Input;
     Id Parent;     ///< node, -1
-    Id FirstChild; ///< node; -1: none stored
+    Id FirstChild; ///< node, -1: none is stored
     unsigned char Dimension;
     unsigned char Level;
     unsigned char Child;   ///< which of its parent
     unsigned char Pattern; ///< its split edges, closed
+    bool Changed;          ///< it is among ChangedNodes
   };
 
-  Id FindNode(Id cell) const;
-  Id GetPublicId(Id node) const;
+  Id FindNode(Id cell) const
+  {
+    return cell < this->Roots.size() ? this->Roots[cell] : this->GetChildNode(cell);
+  }
+  Id GetChildNode(Id cell) const { return cell - static_cast<Id>(this->Roots.size()); }
+  Id GetPublicId(Id node) const
+  {
+    const Node& stored = this->Nodes[node];
+    return stored.Parent < 0 ? stored.Input : node + static_cast<Id>(this->Roots.size());
+  }
+  static bool IsNodeRed(const Node& node);
+  void GetLattice(const Node& node, Id* lattice) const;
+  void ReadInput(Id cell, vtkIdType* vertices) const;
+
+  // cells come into being
   Id Activate(Id cell);
   Id GetStored(const Leaf& leaf);
-  Id FindOrAddEdge(Id a, Id b);
   void AddUses(Id node);
+  void Settle(Id node);
+  void Expand(Id node);
+
+  // edges
+  Id AddEdge(Id a, Id b);
+  Id FindOrAddEdge(Id a, Id b);
+  Id GetHalf(Id edge, int side);
+  Id FindMidpointEdge(Id vertex) const;
+  bool IsHalfSplit(Id edge);
+  bool IsInnerEdgeSplit(const Node& node) const;
+
+  // midpoints spread
   void Split(Id edge);
-  void SplitEdgesOf(Id node, unsigned int pattern);
   void SetPattern(Id node, unsigned int pattern);
   void MakeRed(Id node);
-  void Expand(Id node);
-  void Settle(Id node);
   void Spread(Id edge);
   void SpreadToParents(Id edge);
-  void SpreadHalf(Id edge);
-  void SpreadInner(Id first, Id second);
-  void Touch(Id node);
-  Id FindMidpointEdge(Id vertex) const;
-  Id GetHalf(Id edge, Id end);
+  void MakeUsersRed(Id edge, Id second);
+
+  // cells near split edges
   void FlagEnds(const Edge& edge);
   void ActivateNearFlags();
-  void Scan();
+  std::vector<Id> ScanCells() const;
+  std::vector<Id> FollowIncidence();
   void BuildIncidence();
 
   SimplexView Input;
@@ -155,10 +177,23 @@ private:
   Buffer<Id> Roots; ///< the node of each input cell, -1
   std::vector<Node> Nodes;
   std::vector<Edge> Edges;
-  PairTable<Id> EdgesByEnds; ///< those of the input, and those between midpoints
+  PairTable<Id> EdgesByEnds; ///< but for the halves of edges of this run
   std::vector<Id> MidpointEdges;
-  std::vector<std::array<Id, 2>> KnownMidpoints; ///< vertex of the input, edge; sorted
+  std::unordered_map<Id, Id> KnownMidpoints; ///< edges, by vertices of the input
+
+  std::vector<Id> Queue;        ///< edges that were split, and whose cells do not know yet
+  std::vector<Id> ChangedNodes; ///< since the last Close()
+  std::vector<Id> LastChanges;  ///< from the Close() before that to the last
+
+  Buffer<unsigned char> Flags; ///< of input vertices: end of a split edge
+  std::vector<Id> NewFlags;
+  int Scans = 0;
+  Rows<Id> Incidence; ///< cells at each input vertex; empty until it is needed
 };
+
+#define SUBDIVISION_RED_GREEN(EXTERN, Id) EXTERN template class RedGreen<Id>
+SUBDIVISION_RED_GREEN(extern, int);
+SUBDIVISION_RED_GREEN(extern, long long);
 
 }
 

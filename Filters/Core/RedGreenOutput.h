@@ -19,10 +19,10 @@ template <typename Out>
 struct RedGreenStorage
 {
   CellStorage<Out> Cells{ nullptr, nullptr, nullptr };
-  unsigned char* Levels = nullptr;    ///< of the leaf that a cell is, or is a green part of
-  unsigned char* Kinds = nullptr;     ///< RefinementKind
-  vtkIdType* GreenParents = nullptr;  ///< index in GetGreenLeaves(), -1
-  vtkIdType* InputCells = nullptr;    ///< of which each cell is a part
+  unsigned char* Levels = nullptr;   ///< of the leaf that a cell is, or is a green part of
+  unsigned char* Kinds = nullptr;    ///< RefinementKind
+  vtkIdType* GreenParents = nullptr; ///< index in GetGreenLeaves(), -1
+  vtkIdType* InputCells = nullptr;   ///< of which each cell is a part
 };
 
 /// A leaf that the output has in parts. Another run starts from these: RedGreen::AddMidpoint.
@@ -57,8 +57,29 @@ public:
   void Write(const RedGreenStorage<Out>& storage) const;
 
 private:
+  /// A leaf of a tree where something happened, or a red cell whose children are not stored.
+  struct Leaf
+  {
+    Id Node;
+    vtkIdType FirstCell;
+    vtkIdType FirstEntry;
+    vtkIdType Green; ///< its number among the green ones, -1
+  };
+  /// Such a tree, and where the output goes on after it.
+  struct Tree
+  {
+    Id Input;
+    vtkIdType EndCell;
+    vtkIdType EndEntry;
+  };
+  void Collect(Id node);
+  template <typename Out>
+  void WriteLeaf(const Leaf& leaf, const RedGreenStorage<Out>& storage) const;
+
   const RedGreen<Id>& State;
   CellCounts Counts;
+  std::vector<Tree> Trees;
+  std::vector<Leaf> Leaves;
   std::vector<GreenLeaf<Id>> GreenLeaves;
 };
 
