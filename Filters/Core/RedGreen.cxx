@@ -60,6 +60,7 @@ Id RedGreen<Id>::Activate(Id cell)
 {
   if (this->Roots[cell] >= 0)
   {
+    this->LookUpEdges(this->Roots[cell]);
     return this->Roots[cell];
   }
   const Id index = static_cast<Id>(this->Nodes.size());
@@ -75,16 +76,52 @@ Id RedGreen<Id>::Activate(Id cell)
   {
     node.Vertices[i] = static_cast<Id>(vertices[i]);
   }
-  for (int k = 0; k < NumberOfEdges[node.Dimension]; ++k)
+  std::fill(node.Edges, node.Edges + 6, Id(-1));
+  this->Roots[cell] = index;
+  this->Nodes.push_back(node);
+  this->LookUpEdges(index);
+  return index;
+}
+
+/// Looks up the edges of an input cell that may be split: those between flagged vertices.
+template <typename Id>
+void RedGreen<Id>::LookUpEdges(Id index)
+{
+  const int dimension = this->Nodes[index].Dimension;
+  int flagged = 0;
+  bool flags[4];
+  for (int i = 0; i <= dimension; ++i)
+  {
+    flags[i] = this->Flags[this->Nodes[index].Vertices[i]] != 0;
+    flagged += flags[i];
+  }
+  if (flagged < 2 || flagged == this->Nodes[index].Flagged)
+  {
+    return;
+  }
+  this->Nodes[index].Flagged = static_cast<unsigned char>(flagged);
+  for (int k = 0; k < NumberOfEdges[dimension]; ++k)
+  {
+    const int* ends = redgreen::EndsOf(dimension, k);
+    if (flags[ends[0]] && flags[ends[1]])
+    {
+      this->GetEdge(index, k);
+    }
+  }
+  this->Settle(index);
+}
+
+template <typename Id>
+Id RedGreen<Id>::GetEdge(Id index, int k)
+{
+  Node& node = this->Nodes[index];
+  if (node.Edges[k] < 0)
   {
     const int* ends = redgreen::EndsOf(node.Dimension, k);
     node.Edges[k] = this->FindOrAddEdge(node.Vertices[ends[0]], node.Vertices[ends[1]]);
+    this->AddUse(index, k);
   }
-  this->Roots[cell] = index;
-  this->Nodes.push_back(node);
-  this->AddUses(index);
-  this->Settle(index);
-  return index;
+  return node.Edges[k];
 }
 
 template <typename Id>
@@ -101,15 +138,12 @@ Id RedGreen<Id>::GetStored(const Leaf& leaf)
 }
 
 template <typename Id>
-void RedGreen<Id>::AddUses(Id index)
+void RedGreen<Id>::AddUse(Id index, int k)
 {
   Node& node = this->Nodes[index];
-  for (int k = 0; k < NumberOfEdges[node.Dimension]; ++k)
-  {
-    Edge& edge = this->Edges[node.Edges[k]];
-    node.NextUse[k] = edge.FirstUse;
-    edge.FirstUse = 6 * index + k;
-  }
+  Edge& edge = this->Edges[node.Edges[k]];
+  node.NextUse[k] = edge.FirstUse;
+  edge.FirstUse = 6 * index + k;
 }
 
 /// What the midpoints that are there already make of a new node.
@@ -121,7 +155,7 @@ void RedGreen<Id>::Settle(Id index)
   bool deeper = false;
   for (int k = 0; k < NumberOfEdges[node.Dimension]; ++k)
   {
-    if (this->Edges[node.Edges[k]].Midpoint >= 0)
+    if (node.Edges[k] >= 0 && this->Edges[node.Edges[k]].Midpoint >= 0)
     {
       pattern |= 1u << k;
       deeper = deeper || this->IsHalfSplit(node.Edges[k]);
@@ -192,7 +226,10 @@ void RedGreen<Id>::Expand(Id index)
       made.Edges[k] = edges[a][b];
     }
     this->Nodes.push_back(made);
-    this->AddUses(first + child);
+    for (int k = 0; k < NumberOfEdges[dimension]; ++k)
+    {
+      this->AddUse(first + child, k);
+    }
   }
   for (int child = 0; child < parts.Count; ++child)
   {
@@ -341,7 +378,7 @@ void RedGreen<Id>::SetPattern(Id index, unsigned int pattern)
   {
     if (closed >> k & 1u)
     {
-      this->Split(node.Edges[k]);
+      this->Split(this->GetEdge(index, k));
     }
   }
 }
@@ -545,6 +582,25 @@ void RedGreen<Id>::ActivateNearFlags()
 }
 
 template <typename Id>
+int RedGreen<Id>::CountFlagged(const vtkIdType* vertices, int corners) const
+{
+  int flagged = 0;
+  for (int i = 0; i < corners; ++i)
+  {
+    flagged += this->Flags[vertices[i]];
+  }
+  return flagged;
+}
+
+/// Whether an input cell with so many flagged vertices has edges that are to be looked up.
+template <typename Id>
+bool RedGreen<Id>::IsNearFlags(vtkIdType cell, int flagged) const
+{
+  return flagged >= 2 &&
+    (this->Roots[cell] < 0 || this->Nodes[this->Roots[cell]].Flagged < flagged);
+}
+
+template <typename Id>
 std::vector<Id> RedGreen<Id>::ScanCells() const
 {
   constexpr vtkIdType blockSize = 256 * SimplexPlaces::BlockSize;
@@ -559,12 +615,7 @@ std::vector<Id> RedGreen<Id>::ScanCells() const
       for (vtkIdType cell = block * blockSize; cell < last; ++cell)
       {
         const int corners = this->Input.Dimensions[cell] + 1;
-        int flagged = 0;
-        for (int i = 0; i < corners; ++i)
-        {
-          flagged += this->Flags[vertices[i]];
-        }
-        if (flagged >= 2 && this->Roots[cell] < 0)
+        if (this->IsNearFlags(cell, this->CountFlagged(vertices, corners)))
         {
           found[block].push_back(static_cast<Id>(cell));
         }
@@ -572,7 +623,14 @@ std::vector<Id> RedGreen<Id>::ScanCells() const
       }
     }
   };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(found.size()), 1, scan);
+  if (found.size() > 1)
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(found.size()), 1, scan);
+  }
+  else
+  {
+    scan(0, static_cast<vtkIdType>(found.size()));
+  }
   std::vector<Id> cells;
   for (const auto& block : found)
   {
@@ -594,12 +652,7 @@ std::vector<Id> RedGreen<Id>::FollowIncidence()
     for (Id cell : this->Incidence[vertex])
     {
       const vtkIdType* vertices = this->Input.Connectivity + this->Places[cell];
-      int flagged = 0;
-      for (int i = 0; i <= this->Input.Dimensions[cell]; ++i)
-      {
-        flagged += this->Flags[vertices[i]];
-      }
-      if (flagged >= 2 && this->Roots[cell] < 0)
+      if (this->IsNearFlags(cell, this->CountFlagged(vertices, this->Input.Dimensions[cell] + 1)))
       {
         cells.push_back(cell);
       }

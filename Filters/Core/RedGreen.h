@@ -29,6 +29,7 @@
 #ifndef SubdivisionObjects_RedGreen_h
 #define SubdivisionObjects_RedGreen_h
 
+#include "GrowingBuffer.h"
 #include "PairTable.h"
 #include "RedGreenCells.h"
 
@@ -112,7 +113,7 @@ private:
   struct Node
   {
     Id Vertices[4];
-    Id Edges[6];
+    Id Edges[6]; ///< -1: not looked up, because no cell can have split it
     Id NextUse[6];
     Id Input;
     Id Parent;     ///< node, -1
@@ -121,6 +122,7 @@ private:
     unsigned char Level;
     unsigned char Child;   ///< which of its parent
     unsigned char Pattern; ///< its split edges, closed
+    unsigned char Flagged; ///< how many vertices were flagged when edges were looked up
     bool Changed;          ///< it is among ChangedNodes
   };
 
@@ -141,7 +143,9 @@ private:
   // cells come into being
   Id Activate(Id cell);
   Id GetStored(const Leaf& leaf);
-  void AddUses(Id node);
+  void LookUpEdges(Id node);
+  Id GetEdge(Id node, int k);
+  void AddUse(Id node, int k);
   void Settle(Id node);
   void Expand(Id node);
 
@@ -163,6 +167,8 @@ private:
 
   // cells near split edges
   void FlagEnds(const Edge& edge);
+  int CountFlagged(const vtkIdType* vertices, int corners) const;
+  bool IsNearFlags(vtkIdType cell, int flagged) const;
   void ActivateNearFlags();
   std::vector<Id> ScanCells() const;
   std::vector<Id> FollowIncidence();
@@ -175,13 +181,13 @@ private:
   vtkIdType OutputCells = 0;
 
   Buffer<Id> Roots; ///< the node of each input cell, -1
-  std::vector<Node> Nodes;
-  std::vector<Edge> Edges;
+  GrowingBuffer<Node> Nodes;
+  GrowingBuffer<Edge> Edges;
   PairTable<Id> EdgesByEnds; ///< but for the halves of edges of this run
-  std::vector<Id> MidpointEdges;
+  GrowingBuffer<Id> MidpointEdges;
   std::unordered_map<Id, Id> KnownMidpoints; ///< edges, by vertices of the input
 
-  std::vector<Id> Queue;        ///< edges that were split, and whose cells do not know yet
+  GrowingBuffer<Id> Queue;      ///< edges that were split, and whose cells do not know yet
   std::vector<Id> ChangedNodes; ///< since the last Close()
   std::vector<Id> LastChanges;  ///< from the Close() before that to the last
 

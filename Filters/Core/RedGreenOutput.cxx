@@ -5,6 +5,8 @@
 
 #include "vtkCellType.h"
 
+#include <utility>
+
 namespace subdivision
 {
 namespace
@@ -60,38 +62,56 @@ template <typename Id>
 RedGreenOutput<Id>::RedGreenOutput(const RedGreen<Id>& state)
   : State(state)
 {
-  std::vector<Id> roots;
-  for (std::size_t i = 0; i < state.Nodes.size(); ++i)
-  {
-    if (state.Nodes[i].Parent < 0 && state.Nodes[i].Pattern != 0)
+  this->FindTrees();
+  ForEach(static_cast<vtkIdType>(this->Trees.size()),
+    [&](vtkIdType i) { this->CountLeaves(this->Trees[i].Root, this->Trees[i]); });
+  this->PlaceTrees();
+  ForEach(static_cast<vtkIdType>(this->Trees.size()),
+    [&](vtkIdType i)
     {
-      roots.push_back(static_cast<Id>(i));
-    }
-  }
-  std::sort(roots.begin(), roots.end(),
-    [&](Id a, Id b) { return state.Nodes[a].Input < state.Nodes[b].Input; });
-  vtkIdType cell = 0; // of the input, up to which all is planned
-  vtkIdType entry = 0;
-  this->Trees.reserve(roots.size());
-  this->Leaves.reserve(roots.size());
-  for (Id root : roots)
-  {
-    const auto& node = state.Nodes[root];
-    const vtkIdType place = state.Places[node.Input];
-    this->Counts.Cells += node.Input - cell;
-    this->Counts.Entries += place - entry;
-    cell = node.Input + vtkIdType(1);
-    entry = place + node.Dimension + 1;
-    this->Collect(root);
-    this->Trees.push_back({ node.Input, this->Counts.Cells, this->Counts.Entries });
-  }
-  this->Counts.Cells += state.Input.NumberOfSimplices - cell;
-  this->Counts.Entries += state.Places[state.Input.NumberOfSimplices] - entry;
+      Tree next = this->Trees[i];
+      this->PlaceLeaves(next.Root, next);
+    });
 }
 
-/// Plans the leaves of a tree.
+/// The trees where something happened, in input order.
 template <typename Id>
-void RedGreenOutput<Id>::Collect(Id index)
+void RedGreenOutput<Id>::FindTrees()
+{
+  constexpr vtkIdType blockSize = 65536;
+  const vtkIdType size = this->State.Roots.size();
+  std::vector<std::vector<Tree>> found((size + blockSize - 1) / blockSize);
+  auto find = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType block = begin; block < end; ++block)
+    {
+      const vtkIdType last = std::min(size, (block + 1) * blockSize);
+      for (vtkIdType cell = block * blockSize; cell < last; ++cell)
+      {
+        const Id root = this->State.Roots[cell];
+        if (root >= 0 && this->State.Nodes[root].Pattern != 0)
+        {
+          found[block].push_back({ root, static_cast<Id>(cell), 0, 0, 0, 0 });
+        }
+      }
+    }
+  };
+  if (found.size() > 1)
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(found.size()), 1, find);
+  }
+  else
+  {
+    find(0, static_cast<vtkIdType>(found.size()));
+  }
+  for (const auto& block : found)
+  {
+    this->Trees.insert(this->Trees.end(), block.begin(), block.end());
+  }
+}
+
+template <typename Id>
+void RedGreenOutput<Id>::CountLeaves(Id index, Tree& tree) const
 {
   const auto& node = this->State.Nodes[index];
   const auto& parts = redgreen::PartsOf[node.Dimension][node.Pattern];
@@ -99,30 +119,85 @@ void RedGreenOutput<Id>::Collect(Id index)
   {
     for (int child = 0; child < parts.Count; ++child)
     {
-      this->Collect(node.FirstChild + child);
+      this->CountLeaves(node.FirstChild + child, tree);
+    }
+    return;
+  }
+  tree.Cells += parts.Count;
+  tree.Entries += parts.Count * (node.Dimension + 1);
+  ++tree.Leaves;
+  tree.Greens += parts.Kind >= RefinementKind::GreenI ? 1 : 0;
+}
+
+/// From sizes to places; between trees there are input cells that stay as they are.
+template <typename Id>
+void RedGreenOutput<Id>::PlaceTrees()
+{
+  vtkIdType cell = 0; // of the input, up to which all has its place
+  vtkIdType entry = 0;
+  vtkIdType leaves = 0;
+  vtkIdType greens = 0;
+  for (Tree& tree : this->Trees)
+  {
+    const vtkIdType place = this->State.Places[tree.Input];
+    this->Counts.Cells += tree.Input - cell;
+    this->Counts.Entries += place - entry;
+    cell = tree.Input + vtkIdType(1);
+    entry = place + this->State.Input.Dimensions[tree.Input] + 1;
+    const vtkIdType cells = std::exchange(tree.Cells, this->Counts.Cells);
+    const vtkIdType entries = std::exchange(tree.Entries, this->Counts.Entries);
+    this->Counts.Cells += cells;
+    this->Counts.Entries += entries;
+    leaves += std::exchange(tree.Leaves, leaves);
+    greens += std::exchange(tree.Greens, greens);
+  }
+  this->Counts.Cells += this->State.Input.NumberOfSimplices - cell;
+  this->Counts.Entries += this->State.Places[this->State.Input.NumberOfSimplices] - entry;
+  this->Leaves = Buffer<Leaf>(leaves);
+  this->Greens = Buffer<vtkIdType>(greens);
+}
+
+template <typename Id>
+void RedGreenOutput<Id>::PlaceLeaves(Id index, Tree& next)
+{
+  const auto& node = this->State.Nodes[index];
+  const auto& parts = redgreen::PartsOf[node.Dimension][node.Pattern];
+  if (node.FirstChild >= 0)
+  {
+    for (int child = 0; child < parts.Count; ++child)
+    {
+      this->PlaceLeaves(node.FirstChild + child, next);
     }
     return;
   }
   const bool green = parts.Kind >= RefinementKind::GreenI;
-  this->Leaves.push_back({ index, this->Counts.Cells, this->Counts.Entries,
-    green ? static_cast<vtkIdType>(this->GreenLeaves.size()) : -1 });
   if (green)
   {
-    GreenLeaf<Id> leaf;
-    leaf.Input = node.Input;
-    leaf.Dimension = node.Dimension;
-    leaf.Level = node.Level;
-    leaf.FirstCell = this->Counts.Cells;
-    leaf.NumberOfCells = parts.Count;
-    std::copy(node.Vertices, node.Vertices + node.Dimension + 1, leaf.Vertices.begin());
-    for (int k = 0; k < redgreen::NumberOfEdges[node.Dimension]; ++k)
-    {
-      leaf.Midpoints[k] = this->State.Edges[node.Edges[k]].Midpoint;
-    }
-    this->GreenLeaves.push_back(leaf);
+    this->Greens[next.Greens] = next.Leaves;
   }
-  this->Counts.Cells += parts.Count;
-  this->Counts.Entries += parts.Count * (node.Dimension + 1);
+  this->Leaves[next.Leaves++] = { index, next.Cells, next.Entries,
+    green ? next.Greens++ : vtkIdType(-1) };
+  next.Cells += parts.Count;
+  next.Entries += parts.Count * (node.Dimension + 1);
+}
+
+template <typename Id>
+GreenLeaf<Id> RedGreenOutput<Id>::GetGreenLeaf(vtkIdType i) const
+{
+  const Leaf& place = this->Leaves[this->Greens[i]];
+  const auto& node = this->State.Nodes[place.Node];
+  GreenLeaf<Id> leaf;
+  leaf.Input = node.Input;
+  leaf.Dimension = node.Dimension;
+  leaf.Level = node.Level;
+  leaf.FirstCell = place.FirstCell;
+  leaf.NumberOfCells = redgreen::PartsOf[node.Dimension][node.Pattern].Count;
+  Id lattice[10];
+  this->State.GetLattice(node, lattice);
+  std::copy(lattice, lattice + node.Dimension + 1, leaf.Vertices.begin());
+  std::copy(lattice + node.Dimension + 1,
+    lattice + node.Dimension + 1 + redgreen::NumberOfEdges[node.Dimension], leaf.Midpoints.begin());
+  return leaf;
 }
 
 template <typename Id>
@@ -137,31 +212,24 @@ void RedGreenOutput<Id>::Write(const RedGreenStorage<Out>& out) const
   {
     begin *= blockSize;
     end = std::min(input.NumberOfSimplices, end * blockSize);
-    // The trees in this stretch, and the one before, which says where its cells go.
+    // The trees in this stretch: each says where the cells after the one before it go.
     auto tree = std::lower_bound(this->Trees.begin(), this->Trees.end(), begin,
       [](const Tree& t, vtkIdType cell) { return t.Input < cell; });
     while (begin < end)
     {
-      const vtkIdType stop =
-        tree == this->Trees.end() ? end : std::min<vtkIdType>(end, tree->Input);
+      const bool last = tree == this->Trees.end();
+      const vtkIdType stop = last ? end : std::min<vtkIdType>(end, tree->Input);
       if (begin < stop)
       {
+        // Counted back from the next tree, or from the end.
         const vtkIdType from = this->State.Places[begin];
-        vtkIdType to = begin;
-        vtkIdType toEntry = from;
-        if (tree != this->Trees.begin())
-        {
-          const Tree& before = *(tree - 1);
-          to = before.EndCell + (begin - before.Input - 1);
-          toEntry = before.EndEntry + (from - this->State.Places[before.Input + vtkIdType(1)]);
-        }
-        CopyRun(input, begin, stop, from, to, toEntry, out);
+        const vtkIdType next = last ? input.NumberOfSimplices : vtkIdType(tree->Input);
+        const CellCounts place = last ? this->Counts : CellCounts{ tree->Cells, tree->Entries };
+        CopyRun(input, begin, stop, from, place.Cells - (next - begin),
+          place.Entries - (this->State.Places[next] - from), out);
       }
       begin = stop + 1;
-      if (tree != this->Trees.end())
-      {
-        ++tree;
-      }
+      tree += last ? 0 : 1;
     }
   };
   const vtkIdType blocks = (input.NumberOfSimplices + blockSize - 1) / blockSize;

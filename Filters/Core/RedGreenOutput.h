@@ -21,7 +21,7 @@ struct RedGreenStorage
   CellStorage<Out> Cells{ nullptr, nullptr, nullptr };
   unsigned char* Levels = nullptr;   ///< of the leaf that a cell is, or is a green part of
   unsigned char* Kinds = nullptr;    ///< RefinementKind
-  vtkIdType* GreenParents = nullptr; ///< index in GetGreenLeaves(), -1
+  vtkIdType* GreenParents = nullptr; ///< index for GetGreenLeaf(), -1
   vtkIdType* InputCells = nullptr;   ///< of which each cell is a part
 };
 
@@ -51,7 +51,8 @@ public:
   explicit RedGreenOutput(const RedGreen<Id>& state);
 
   CellCounts GetCounts() const { return this->Counts; }
-  const std::vector<GreenLeaf<Id>>& GetGreenLeaves() const { return this->GreenLeaves; }
+  vtkIdType GetNumberOfGreenLeaves() const { return this->Greens.size(); }
+  GreenLeaf<Id> GetGreenLeaf(vtkIdType i) const;
 
   template <typename Out>
   void Write(const RedGreenStorage<Out>& storage) const;
@@ -65,22 +66,28 @@ private:
     vtkIdType FirstEntry;
     vtkIdType Green; ///< its number among the green ones, -1
   };
-  /// Such a tree, and where the output goes on after it.
+  /// Such a tree: sizes while they are counted, then where its parts start.
   struct Tree
   {
+    Id Root;
     Id Input;
-    vtkIdType EndCell;
-    vtkIdType EndEntry;
+    vtkIdType Cells;
+    vtkIdType Entries;
+    vtkIdType Leaves;
+    vtkIdType Greens;
   };
-  void Collect(Id node);
+  void FindTrees();
+  void CountLeaves(Id node, Tree& tree) const;
+  void PlaceTrees();
+  void PlaceLeaves(Id node, Tree& next);
   template <typename Out>
   void WriteLeaf(const Leaf& leaf, const RedGreenStorage<Out>& storage) const;
 
   const RedGreen<Id>& State;
   CellCounts Counts;
-  std::vector<Tree> Trees;
-  std::vector<Leaf> Leaves;
-  std::vector<GreenLeaf<Id>> GreenLeaves;
+  std::vector<Tree> Trees; ///< in input order
+  Buffer<Leaf> Leaves;
+  Buffer<vtkIdType> Greens; ///< among the leaves
 };
 
 /// Placement `Linear`: the rows of all vertices in terms of the input's: one entry of weight 1 for

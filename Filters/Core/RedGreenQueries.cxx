@@ -52,7 +52,8 @@ void RedGreen<Id>::GetLattice(const Node& node, Id* lattice) const
   }
   for (int k = 0; k < NumberOfEdges[node.Dimension]; ++k)
   {
-    lattice[node.Dimension + 1 + k] = this->Edges[node.Edges[k]].Midpoint;
+    lattice[node.Dimension + 1 + k] =
+      node.Edges[k] < 0 ? Id(-1) : this->Edges[node.Edges[k]].Midpoint;
   }
 }
 
@@ -121,11 +122,12 @@ RedGreenCell<Id> RedGreen<Id>::GetCell(const Leaf& leaf) const
 template <typename Id>
 std::size_t RedGreen<Id>::GetMemorySize() const
 {
-  auto size = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  return this->Roots.GetMemorySize() + this->Flags.GetMemorySize() + size(this->Nodes) +
-    size(this->Edges) + this->EdgesByEnds.GetMemorySize() + size(this->MidpointEdges) +
-    size(this->Queue) + size(this->ChangedNodes) + size(this->LastChanges) +
-    this->Incidence.GetMemorySize() + this->KnownMidpoints.size() * 4 * sizeof(Id);
+  auto size = [](const std::vector<Id>& list) { return list.capacity() * sizeof(Id); };
+  return this->Roots.GetMemorySize() + this->Flags.GetMemorySize() + this->Nodes.GetMemorySize() +
+    this->Edges.GetMemorySize() + this->EdgesByEnds.GetMemorySize() +
+    this->MidpointEdges.GetMemorySize() + this->Queue.GetMemorySize() + size(this->ChangedNodes) +
+    size(this->LastChanges) + this->Incidence.GetMemorySize() +
+    this->KnownMidpoints.size() * 4 * sizeof(Id);
 }
 
 template class RedGreen<int>;

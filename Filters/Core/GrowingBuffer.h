@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file GrowingBuffer.h
+ * A Buffer that grows at its end, for lists whose length is not known before.
+ */
+#ifndef SubdivisionObjects_GrowingBuffer_h
+#define SubdivisionObjects_GrowingBuffer_h
+
+#include "Buffer.h"
+
+#include <cstring>
+
+namespace subdivision
+{
+
+template <typename T>
+class GrowingBuffer
+{
+public:
+  vtkIdType size() const { return this->Size; }
+  bool empty() const { return this->Size == 0; }
+  T& operator[](vtkIdType i) { return this->Values[i]; }
+  const T& operator[](vtkIdType i) const { return this->Values[i]; }
+  T& back() { return this->Values[this->Size - 1]; }
+  void push_back(T value)
+  {
+    if (this->Size == this->Values.size())
+    {
+      Buffer<T> larger(std::max<vtkIdType>(256, 2 * this->Size));
+      if (this->Size > 0)
+      {
+        std::memcpy(static_cast<void*>(larger.data()), this->Values.data(),
+          sizeof(T) * static_cast<std::size_t>(this->Size));
+      }
+      this->Values = std::move(larger);
+    }
+    this->Values[this->Size++] = value;
+  }
+  void pop_back() { --this->Size; }
+  std::size_t GetMemorySize() const { return this->Values.GetMemorySize(); }
+
+private:
+  Buffer<T> Values;
+  vtkIdType Size = 0;
+};
+
+}
+
+#endif
