@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RedGreenChecks.h
+ * What must hold for every output of red-green refinement, checked without its help.
+ */
+#ifndef SubdivisionObjects_RedGreenChecks_h
+#define SubdivisionObjects_RedGreenChecks_h
+
+#include "RedGreenTools.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace redgreen_tools
+{
+
+/// The cells of one input cell: faces with their supports, facets counted.
+struct PartsOfCell
+{
+  std::map<Tuple, std::set<Tuple>> Inside; ///< for each face of the input cell, what it is cut into
+  std::map<Tuple, int> Facets;
+  double Volume = 0.;
+};
+
+/// Vertices of an input cell's parts that lie in a part without being one of its corners.
+template <typename Id>
+int CountHanging(const Written<Id>& written, const Tuple& input, const std::vector<Tuple>& parts)
+{
+  std::vector<vtkIdType> inside;
+  for (std::size_t v = 0; v < written.Keys.size(); ++v)
+  {
+    if (Contains(Sorted(input), Support({ written.Keys[v] })))
+    {
+      inside.push_back(static_cast<vtkIdType>(v));
+    }
+  }
+  const std::size_t step = 1 + inside.size() * parts.size() / 20000;
+  int hanging = 0;
+  for (std::size_t p = 0; p < parts.size(); p += step)
+  {
+    Cell corners;
+    for (vtkIdType v : parts[p])
+    {
+      corners.push_back(written.Keys[v]);
+    }
+    const auto matrix = Coordinates(corners, input);
+    for (vtkIdType v : inside)
+    {
+      if (std::find(parts[p].begin(), parts[p].end(), v) != parts[p].end())
+      {
+        continue;
+      }
+      const auto row = Coordinates({ written.Keys[v] }, input)[0];
+      bool outside = false;
+      for (std::size_t i = 0; i < matrix.size(); ++i)
+      {
+        auto replaced = matrix;
+        replaced[i] = row;
+        outside = outside || Determinant(replaced) < 0.;
+      }
+      hanging += outside ? 0 : 1;
+    }
+  }
+  return hanging;
+}
+
+/// Conforming inside each input cell and between any two; a partition of each; orientation kept.
+template <typename Id>
+void CheckConforming(const SimplexList& input, const Written<Id>& written)
+{
+  ASSERT_EQ(std::set<Key>(written.Keys.begin(), written.Keys.end()).size(), written.Keys.size())
+    << "a point has two vertices";
+  const auto inputCells = GetCells(input);
+  const auto cells = GetCells(written.Cells);
+  const auto points = written.GetPointsOfCells();
+  std::map<Tuple, std::set<Tuple>> cuts;
+  std::map<Tuple, vtkIdType> cutBy;
+  std::size_t next = 0;
+  for (std::size_t c = 0; c < inputCells.size(); ++c)
+  {
+    PartsOfCell parts;
+    std::vector<Tuple> list;
+    const std::size_t size = inputCells[c].size();
+    for (; next < cells.size() && written.InputCells[next] == static_cast<vtkIdType>(c); ++next)
+    {
+      ASSERT_EQ(cells[next].size(), size);
+      list.push_back(cells[next]);
+      const double volume = Determinant(Coordinates(points[next], inputCells[c]));
+      ASSERT_GT(volume, 0.) << "inverted or flat: cell " << next;
+      parts.Volume += volume;
+      for (int pattern = 1; pattern < 1 << size; ++pattern)
+      {
+        Tuple face;
+        std::vector<Key> corners;
+        for (std::size_t i = 0; i < size; ++i)
+        {
+          if (pattern >> i & 1)
+          {
+            face.push_back(cells[next][i]);
+            corners.push_back(points[next][i]);
+          }
+        }
+        const Tuple support = Support(corners);
+        if (support.size() == face.size())
+        {
+          parts.Inside[support].insert(Sorted(face));
+        }
+        if (face.size() + 1 == size)
+        {
+          ++parts.Facets[Sorted(face)];
+        }
+      }
+    }
+    ASSERT_EQ(parts.Volume, 1.) << "input cell " << c;
+    for (const auto& facet : parts.Facets)
+    {
+      std::vector<Key> corners;
+      for (vtkIdType v : facet.first)
+      {
+        corners.push_back(written.Keys[v]);
+      }
+      ASSERT_EQ(facet.second, Support(corners).size() == size ? 2 : 1) << "input cell " << c;
+    }
+    for (const auto& inside : parts.Inside)
+    {
+      const auto known = cuts.emplace(inside);
+      ASSERT_EQ(known.first->second, inside.second)
+        << "input cells " << cutBy[inside.first] << " and " << c << " cut their common face apart";
+      cutBy[inside.first] = static_cast<vtkIdType>(c);
+    }
+    if (size > 1)
+    {
+      ASSERT_EQ(CountHanging(written, inputCells[c], list), 0) << "input cell " << c;
+    }
+  }
+  ASSERT_EQ(next, cells.size());
+}
+
+/// What the arrays of the output say of each other.
+template <typename Id>
+void CheckArrays(const SimplexList& input, const Written<Id>& written)
+{
+  const auto inputCells = GetCells(input);
+  const auto cells = GetCells(written.Cells);
+  vtkIdType green = -1;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    const auto kind = static_cast<RefinementKind>(written.Kinds[i]);
+    const bool same = cells[i] == inputCells[written.InputCells[i]];
+    ASSERT_EQ(kind == RefinementKind::Untouched, same);
+    ASSERT_EQ(
+      kind == RefinementKind::Untouched, written.Levels[i] == 0 && written.GreenParents[i] < 0);
+    ASSERT_EQ(kind >= RefinementKind::GreenI, written.GreenParents[i] >= 0);
+    if (written.GreenParents[i] < 0)
+    {
+      continue;
+    }
+    green = std::max(green, written.GreenParents[i]);
+    ASSERT_LT(green, static_cast<vtkIdType>(written.GreenLeaves.size()));
+    const auto& leaf = written.GreenLeaves[written.GreenParents[i]];
+    ASSERT_GE(static_cast<vtkIdType>(i), leaf.FirstCell);
+    ASSERT_LT(static_cast<vtkIdType>(i), leaf.FirstCell + leaf.NumberOfCells);
+    ASSERT_EQ(leaf.Input, written.InputCells[i]);
+    ASSERT_EQ(leaf.Level, written.Levels[i]);
+    int split = 0;
+    for (int k = 0; k < 6; ++k)
+    {
+      if (leaf.Midpoints[k] >= 0)
+      {
+        ++split;
+        const auto& ends =
+          leaf.Dimension == 3 ? tetrahedron::EdgeVertices[k] : triangle::EdgeVertices[k];
+        ASSERT_EQ(written.Keys[leaf.Midpoints[k]],
+          Middle(written.Keys[leaf.Vertices[ends[0]]], written.Keys[leaf.Vertices[ends[1]]]));
+      }
+    }
+    const int parts[4] = { 1, 2, 4, 4 };
+    ASSERT_LT(split, 4);
+    ASSERT_EQ(leaf.NumberOfCells, parts[split]);
+    ASSERT_EQ(static_cast<int>(kind), 1 + split);
+  }
+  ASSERT_EQ(green + 1, static_cast<vtkIdType>(written.GreenLeaves.size()));
+}
+
+// ---- in space ------------------------------------------------------------------------------
+
+using Corners = std::vector<std::array<double, 3>>;
+
+inline Corners GetCorners(const Tuple& cell, const std::vector<double>& points)
+{
+  Corners corners;
+  for (vtkIdType v : cell)
+  {
+    corners.push_back({ { points[3 * v], points[3 * v + 1], points[3 * v + 2] } });
+  }
+  return corners;
+}
+
+/// d! times the d-volume.
+inline double Measure(const Corners& c)
+{
+  std::vector<std::vector<double>> gram(c.size() - 1, std::vector<double>(c.size() - 1));
+  for (std::size_t i = 1; i < c.size(); ++i)
+  {
+    for (std::size_t j = 1; j < c.size(); ++j)
+    {
+      for (int x = 0; x < 3; ++x)
+      {
+        gram[i - 1][j - 1] += (c[i][x] - c[0][x]) * (c[j][x] - c[0][x]);
+      }
+    }
+  }
+  return gram.empty() ? 1. : std::sqrt(std::max(0., Determinant(gram)));
+}
+
+/// Volume against the longest edge: between 0 and some number, whatever the size.
+inline double Quality(const Corners& c)
+{
+  double longest = 0.;
+  for (const auto& a : c)
+  {
+    for (const auto& b : c)
+    {
+      longest = std::max(longest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+    }
+  }
+  return longest > 0. ? Measure(c) / std::pow(longest, static_cast<double>(c.size() - 1)) : 0.;
+}
+
+inline std::array<double, 3> MiddleOf(
+  const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+  return { { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) } };
+}
+
+inline std::array<Corners, 2> Bisect(const Corners& cell, int i, int j)
+{
+  std::array<Corners, 2> halves{ { cell, cell } };
+  halves[0][j] = halves[1][i] = MiddleOf(cell[i], cell[j]);
+  return halves;
+}
+
+/// The worst quality of a cell and its green parts.
+inline double WorstGreen(const Corners& cell)
+{
+  double worst = Quality(cell);
+  const int size = static_cast<int>(cell.size());
+  for (int i = 0; i < size && size > 2; ++i)
+  {
+    for (int j = 0; j < i; ++j)
+    {
+      for (const Corners& half : Bisect(cell, i, j))
+      {
+        worst = std::min(worst, Quality(half));
+        if (size == 4)
+        {
+          int rest[2];
+          int* next = rest;
+          for (int k = 0; k < 4; ++k)
+          {
+            if (k != i && k != j)
+            {
+              *next++ = k;
+            }
+          }
+          for (const Corners& quarter : Bisect(half, rest[0], rest[1]))
+          {
+            worst = std::min(worst, Quality(quarter));
+          }
+        }
+      }
+    }
+  }
+  for (int apex = 0; apex < 4 && size == 4; ++apex)
+  {
+    Corners face = cell;
+    face.erase(face.begin() + apex);
+    const auto a = MiddleOf(face[0], face[1]);
+    const auto b = MiddleOf(face[1], face[2]);
+    const auto c = MiddleOf(face[0], face[2]);
+    for (const Corners& part :
+      { Corners{ face[0], a, c, cell[apex] }, Corners{ face[1], a, b, cell[apex] },
+        Corners{ face[2], b, c, cell[apex] }, Corners{ a, b, c, cell[apex] } })
+    {
+      worst = std::min(worst, Quality(part));
+    }
+  }
+  return worst;
+}
+
+inline double WorstGreenOfDescendants(const Corners& cell, int levels)
+{
+  double worst = WorstGreen(cell);
+  if (levels == 0 || cell.size() < 2)
+  {
+    return worst;
+  }
+  Cell symbols;
+  for (std::size_t i = 0; i < cell.size(); ++i)
+  {
+    symbols.push_back({ { static_cast<vtkIdType>(i), 1. } });
+  }
+  for (const Cell& child : RedChildren(symbols))
+  {
+    Corners corners;
+    for (const Key& point : child)
+    {
+      std::array<double, 3> p{ { 0., 0., 0. } };
+      for (const auto& entry : point)
+      {
+        for (int x = 0; x < 3; ++x)
+        {
+          p[x] += entry.second * cell[entry.first][x];
+        }
+      }
+      corners.push_back(p);
+    }
+    worst = std::min(worst, WorstGreenOfDescendants(corners, levels - 1));
+  }
+  return worst;
+}
+
+/// Volume kept, quality bounded. Red descendants of a tetrahedron have three shapes at most, all of
+/// them there after two steps.
+template <typename Id>
+void CheckShape(
+  const SimplexList& input, const std::vector<double>& points, const Written<Id>& written)
+{
+  const auto inputCells = GetCells(input);
+  const auto cells = GetCells(written.Cells);
+  std::vector<double> volumes(inputCells.size(), 0.);
+  std::vector<double> worst(inputCells.size(), std::numeric_limits<double>::max());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    const Corners corners = GetCorners(cells[i], written.Points);
+    volumes[written.InputCells[i]] += Measure(corners);
+    worst[written.InputCells[i]] = std::min(worst[written.InputCells[i]], Quality(corners));
+  }
+  for (std::size_t c = 0; c < inputCells.size(); ++c)
+  {
+    const Corners corners = GetCorners(inputCells[c], points);
+    const double size = Measure(corners);
+    if (Quality(corners) < 1e-5)
+    {
+      continue; // flat to begin with: square roots of rounding errors
+    }
+    ASSERT_NEAR(volumes[c], size, 1e-12 * std::max(size, 1.)) << "input cell " << c;
+    ASSERT_GE(worst[c], WorstGreenOfDescendants(corners, 2) * (1. - 1e-9)) << "input cell " << c;
+  }
+}
+
+}
+
+#endif
