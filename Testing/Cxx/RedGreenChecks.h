@@ -28,11 +28,13 @@ template <typename Id>
 int CountHanging(const Written<Id>& written, const Tuple& input, const std::vector<Tuple>& parts)
 {
   std::vector<vtkIdType> inside;
+  std::vector<std::array<double, 4>> rows;
   for (std::size_t v = 0; v < written.Keys.size(); ++v)
   {
     if (Contains(Sorted(input), Support({ written.Keys[v] })))
     {
       inside.push_back(static_cast<vtkIdType>(v));
+      rows.push_back(Coordinates({ written.Keys[v] }, input)[0]);
     }
   }
   const std::size_t step = 1 + inside.size() * parts.size() / 20000;
@@ -45,19 +47,18 @@ int CountHanging(const Written<Id>& written, const Tuple& input, const std::vect
       corners.push_back(written.Keys[v]);
     }
     const auto matrix = Coordinates(corners, input);
-    for (vtkIdType v : inside)
+    for (std::size_t k = 0; k < inside.size(); ++k)
     {
-      if (std::find(parts[p].begin(), parts[p].end(), v) != parts[p].end())
+      if (std::find(parts[p].begin(), parts[p].end(), inside[k]) != parts[p].end())
       {
         continue;
       }
-      const auto row = Coordinates({ written.Keys[v] }, input)[0];
       bool outside = false;
-      for (std::size_t i = 0; i < matrix.size(); ++i)
+      for (std::size_t i = 0; i < input.size() && !outside; ++i)
       {
         auto replaced = matrix;
-        replaced[i] = row;
-        outside = outside || Determinant(replaced) < 0.;
+        replaced[i] = rows[k];
+        outside = Determinant(replaced, static_cast<int>(input.size())) < 0.;
       }
       hanging += outside ? 0 : 1;
     }
@@ -86,7 +87,8 @@ void CheckConforming(const SimplexList& input, const Written<Id>& written)
     {
       ASSERT_EQ(cells[next].size(), size);
       list.push_back(cells[next]);
-      const double volume = Determinant(Coordinates(points[next], inputCells[c]));
+      const double volume =
+        Determinant(Coordinates(points[next], inputCells[c]), static_cast<int>(size));
       ASSERT_GT(volume, 0.) << "inverted or flat: cell " << next;
       parts.Volume += volume;
       for (int pattern = 1; pattern < 1 << size; ++pattern)
@@ -200,7 +202,7 @@ inline Corners GetCorners(const Tuple& cell, const std::vector<double>& points)
 /// d! times the d-volume.
 inline double Measure(const Corners& c)
 {
-  std::vector<std::vector<double>> gram(c.size() - 1, std::vector<double>(c.size() - 1));
+  Matrix4 gram{};
   for (std::size_t i = 1; i < c.size(); ++i)
   {
     for (std::size_t j = 1; j < c.size(); ++j)
@@ -211,7 +213,7 @@ inline double Measure(const Corners& c)
       }
     }
   }
-  return gram.empty() ? 1. : std::sqrt(std::max(0., Determinant(gram)));
+  return std::sqrt(std::max(0., Determinant(gram, static_cast<int>(c.size()) - 1)));
 }
 
 /// Volume against the longest edge: between 0 and some number, whatever the size.

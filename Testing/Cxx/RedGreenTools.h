@@ -355,40 +355,43 @@ NaiveLeaf ToNaive(
   return naive;
 }
 
-/// Determinant of up to 4 x 4 numbers, by expansion: exact for dyadic ones of a few bits.
-inline double Determinant(const std::vector<std::vector<double>>& m)
+using Matrix4 = std::array<std::array<double, 4>, 4>;
+
+/// Determinant of the rows from `row` on and the columns of a mask, by expansion: exact for dyadic
+/// numbers of a few bits.
+inline double Determinant(const Matrix4& m, int size, int row = 0, unsigned int used = 0)
 {
-  if (m.size() == 1)
+  if (row >= std::min(size, 4))
   {
-    return m[0][0];
+    return 1.;
   }
   double sum = 0.;
-  for (std::size_t column = 0; column < m.size(); ++column)
+  double sign = 1.;
+  for (int column = 0; column < size; ++column)
   {
-    std::vector<std::vector<double>> minor;
-    for (std::size_t row = 1; row < m.size(); ++row)
+    if ((used >> column & 1u) == 0)
     {
-      std::vector<double> rest = m[row];
-      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(column));
-      minor.push_back(rest);
+      if (m[row][column] != 0.)
+      {
+        sum += sign * m[row][column] * Determinant(m, size, row + 1, used | 1u << column);
+      }
+      sign = -sign;
     }
-    sum += (column % 2 ? -1. : 1.) * m[0][column] * Determinant(minor);
   }
   return sum;
 }
 
-/// Barycentric coordinates of points in a simplex of the input, whose vertices are given in order.
-inline std::vector<std::vector<double>> Coordinates(const Cell& points, const Tuple& simplex)
+/// Barycentric coordinates of up to four points in a simplex of the input, vertices in order.
+inline Matrix4 Coordinates(const Cell& points, const Tuple& simplex)
 {
-  std::vector<std::vector<double>> rows;
-  for (const Key& point : points)
+  Matrix4 rows{};
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    std::vector<double> row(simplex.size(), 0.);
-    for (const auto& entry : point)
+    for (const auto& entry : points[i])
     {
-      row[std::find(simplex.begin(), simplex.end(), entry.first) - simplex.begin()] += entry.second;
+      rows[i][std::find(simplex.begin(), simplex.end(), entry.first) - simplex.begin()] +=
+        entry.second;
     }
-    rows.push_back(row);
   }
   return rows;
 }
