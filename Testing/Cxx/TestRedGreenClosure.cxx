@@ -7,7 +7,7 @@
 #include "CoreZoo.h"
 #include "RedGreenChecks.h"
 
-using namespace redgreen_tools;
+using namespace redgreen_reference;
 
 namespace
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file RedGreenTools.h
+ * @file RedGreenReference.h
  * SPEC 13 by definition, slowly: vertices are barycentric coordinates in the input, leaves are
  * lists of vertices, the closure is a loop over everything. And an independent check of what Core
  * wrote: conformity, orientation and volume in exact (dyadic) barycentric coordinates.
  */
-#ifndef SubdivisionObjects_RedGreenTools_h
-#define SubdivisionObjects_RedGreenTools_h
+#ifndef SubdivisionObjects_RedGreenReference_h
+#define SubdivisionObjects_RedGreenReference_h
 
 #include "CoreReference.h"
 
@@ -17,7 +17,7 @@
 #include <map>
 #include <random>
 
-namespace redgreen_tools
+namespace redgreen_reference
 {
 
 using namespace coretest;
