@@ -3,6 +3,8 @@
 
 #include "Simplices.h"
 
+#include <algorithm>
+
 namespace subdivision
 {
 namespace
@@ -72,13 +74,17 @@ unsigned char Links<Id>::VertexDimensions(Id vertex) const
 template <typename Id>
 Place Links<Id>::PlaceEdge(Id edge, int k) const
 {
+  if (!(this->EdgeDimensions(edge) & DimensionBit(k)))
+  {
+    return Place::Outside;
+  }
   if (k == 3)
   {
     return this->PlaceEdgeInSolid(edge);
   }
   if (k == 1)
   {
-    return this->EdgeFaces[edge].size() == 0 ? Place::Interior : Place::Outside;
+    return Place::Interior;
   }
   int triangles = 0;
   for (Id face : this->EdgeFaces[edge])
@@ -211,13 +217,45 @@ Place Links<Id>::PlaceVertexInSurface(Id vertex) const
   {
     return Place::Outside;
   }
-  const int pieces = this->CountPieces(
-    vertex, [this](Id face) { return this->FaceDimension(face) == DimensionBit(2); });
-  if (pieces > 1)
+  if (!this->IsOneFan(vertex, nodes))
   {
     return Place::Type3;
   }
   return ends == 0 ? Place::Interior : Place::Boundary;
+}
+
+/// Walks through the triangles around a vertex, from an end of the link if there is one, and counts
+/// the edges met; at each are at most two triangles.
+template <typename Id>
+bool Links<Id>::IsOneFan(Id vertex, vtkIdType edges) const
+{
+  auto isTriangle = [this](Id face) { return this->FaceDimension(face) == DimensionBit(2); };
+  Id start = -1;
+  for (Id edge : this->VertexEdges[vertex])
+  {
+    const Place place = this->PlaceEdge(edge, 2);
+    if (place != Place::Outside && (start < 0 || place == Place::Boundary))
+    {
+      start = edge;
+    }
+  }
+  vtkIdType met = 0;
+  Id edge = start;
+  Id face = -1;
+  do
+  {
+    ++met;
+    const Row<Id> faces = this->EdgeFaces[edge];
+    const Id* next = std::find_if(
+      faces.begin(), faces.end(), [&](Id other) { return other != face && isTriangle(other); });
+    if (next == faces.end())
+    {
+      break; // the other end
+    }
+    face = *next;
+    edge = this->Complex.OtherEdge(face, edge, vertex);
+  } while (edge != start);
+  return met == edges;
 }
 
 /// The link of a vertex in C_3 is a surface: a vertex for each edge, an edge for each face, a

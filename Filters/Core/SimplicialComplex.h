@@ -13,6 +13,7 @@
 
 #include "Buffer.h"
 #include "SimplexList.h"
+#include "Simplices.h"
 
 namespace subdivision
 {
@@ -69,6 +70,8 @@ struct SimplicialComplex
   int EdgeInTet(Id tet, Id edge) const { return Find<6>(this->TetEdges.data() + 6 * tet, edge); }
   /// The vertex of a face that does not lie on one of its edges.
   Id VertexOpposite(Id face, Id edge) const;
+  /// The other edge of a face at a vertex.
+  Id OtherEdge(Id face, Id edge, Id vertex) const;
 
 private:
   /// The place of a value that is in the list. No branches: they could not be foretold.
@@ -108,6 +111,14 @@ Buffer<unsigned char> FindManifoldDimensions(
 extern template SimplicialComplex<int> BuildComplex(const SimplexList&, std::vector<CellRun>&);
 extern template SimplicialComplex<long long> BuildComplex(
   const SimplexList&, std::vector<CellRun>&);
+
+template <typename Id>
+Id SimplicialComplex<Id>::OtherEdge(Id face, Id edge, Id vertex) const
+{
+  const int* edges = triangle::EdgesAt[this->VertexInFace(face, vertex)];
+  const Id first = this->FaceEdges[3 * vtkIdType(face) + edges[0]];
+  return first == edge ? this->FaceEdges[3 * vtkIdType(face) + edges[1]] : first;
+}
 
 template <typename Id>
 Id SimplicialComplex<Id>::VertexOpposite(Id face, Id edge) const

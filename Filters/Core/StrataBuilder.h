@@ -57,14 +57,14 @@ private:
   // Edges.
   Decision DecideEdge(Id edge) const;
   Decision DecideJointEdge(Id edge, int type, unsigned char dimensions, JointRule rule) const;
-  Decision DecideEdgeIn(Id edge, int k, int type, bool follow) const;
+  Decision DecideEdgeIn(Id edge, int k, Place place, int type, bool follow) const;
   bool IsRegular(Id edge) const;
   bool IsInEdgeRing(Id face, const Decision& decision) const;
   // Vertices.
   Decision DecideVertex(Id vertex) const;
   bool DecideSingularVertex(Id vertex, int type, Decision& decision) const;
   Decision DecideJointVertex(Id vertex, int type, unsigned char dimensions, JointRule rule) const;
-  Decision DecideVertexIn(Id vertex, int k, int type, bool follow) const;
+  Decision DecideVertexIn(Id vertex, int k, Place place, int type, bool follow) const;
   bool IsInVertexRing(Id edge, const Decision& decision) const;
   bool LiesOnBoundaryCurve(Id vertex) const;
   int FindPartAtVertex(Id vertex, int k) const;

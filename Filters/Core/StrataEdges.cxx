@@ -34,7 +34,8 @@ Decision StrataBuilder<Id>::DecideEdge(Id edge) const
       this->Options.EdgeChoices.empty() ? 0 : this->Options.EdgeChoices[edge];
     return this->DecideJointEdge(edge, type, dimensions, this->Choice(type, regional));
   }
-  return this->DecideEdgeIn(edge, dimensions == 1 ? 1 : dimensions == 2 ? 2 : 3, 0, false);
+  const int k = dimensions == 1 ? 1 : dimensions == 2 ? 2 : 3;
+  return this->DecideEdgeIn(edge, k, places[k], 0, false);
 }
 
 template <typename Id>
@@ -52,7 +53,8 @@ Decision StrataBuilder<Id>::DecideJointEdge(
       const int k = 1 + static_cast<int>(rule) - static_cast<int>(JointRule::FollowDimension1);
       if (dimensions & DimensionBit(k))
       {
-        return this->DecideEdgeIn(edge, k, type, true);
+        const Place place = k == 3 ? this->EdgePlaces[edge] : this->Around.PlaceEdge(edge, k);
+        return this->DecideEdgeIn(edge, k, place, type, true);
       }
       break;
     }
@@ -71,15 +73,14 @@ Decision StrataBuilder<Id>::DecideJointEdge(
   return { Stratum(Rule::Blend, type), RingKind::InDimensions, AllDimensions, 0 };
 }
 
-/// The rule of an edge within one C_k; `follow`: the others are there and are ignored.
+/// The rule of an edge at some place of one C_k; `follow`: the others are there and are ignored.
 template <typename Id>
-Decision StrataBuilder<Id>::DecideEdgeIn(Id edge, int k, int type, bool follow) const
+Decision StrataBuilder<Id>::DecideEdgeIn(Id edge, int k, Place place, int type, bool follow) const
 {
   if (k == 1)
   {
     return { Stratum(Rule::Curve, type), RingKind::None, 0, 0 };
   }
-  const Place place = k == 3 ? this->EdgePlaces[edge] : this->Around.PlaceEdge(edge, k);
   switch (place)
   {
     case Place::Boundary:

@@ -33,7 +33,8 @@ Decision StrataBuilder<Id>::DecideVertex(Id vertex) const
       this->Options.VertexChoices.empty() ? 0 : this->Options.VertexChoices[vertex];
     return this->DecideJointVertex(vertex, type, dimensions, this->Choice(type, regional));
   }
-  return this->DecideVertexIn(vertex, dimensions == 1 ? 1 : dimensions == 2 ? 2 : 3, 0, false);
+  const int k = dimensions == 1 ? 1 : dimensions == 2 ? 2 : 3;
+  return this->DecideVertexIn(vertex, k, places[k], 0, false);
 }
 
 /// Lines 1 to 3: singular vertices, creases, singular surfaces. False when none of them applies.
@@ -116,7 +117,8 @@ Decision StrataBuilder<Id>::DecideJointVertex(
       const int k = 1 + static_cast<int>(rule) - static_cast<int>(JointRule::FollowDimension1);
       if (dimensions & DimensionBit(k))
       {
-        return this->DecideVertexIn(vertex, k, type, true);
+        const Place place = this->Around.PlaceVertex(vertex, k, this->EdgePlaces);
+        return this->DecideVertexIn(vertex, k, place, type, true);
       }
       break;
     }
@@ -137,9 +139,9 @@ Decision StrataBuilder<Id>::DecideJointVertex(
 }
 
 template <typename Id>
-Decision StrataBuilder<Id>::DecideVertexIn(Id vertex, int k, int type, bool follow) const
+Decision StrataBuilder<Id>::DecideVertexIn(
+  Id vertex, int k, Place place, int type, bool follow) const
 {
-  const Place place = this->Around.PlaceVertex(vertex, k, this->EdgePlaces);
   if (place == Place::Interior)
   {
     return { Stratum(RuleOfDimension(k), type), RingKind::InDimensions, DimensionBit(k), 0 };
