@@ -57,11 +57,11 @@ public:
     }
   }
   /// Where the next ring goes that follows on `before` members of open ones.
-  RingWriter<Id> Open(Id before = 0)
+  MemberWriter<Id> Open(Id before = 0)
   {
-    return { this->Members.data() + this->Offsets[this->Count] + before, nullptr };
+    return { this->Members.data() + this->Offsets[this->Count] + before };
   }
-  void Close(const RingWriter<Id>& ring, Stratum stratum)
+  void Close(const MemberWriter<Id>& ring, Stratum stratum)
   {
     this->Strata[this->Count++] = stratum;
     this->Offsets[this->Count] = static_cast<Id>(ring.Members - this->Members.data());
@@ -145,7 +145,7 @@ private:
             const Id size = this->Emitter.CountHalf(e);
             edges.Reserve(2 * size);
             vertices.Reserve(this->Emitter.CountAtMost(e));
-            RingWriter<Id> halves[2] = { edges.Open(), edges.Open(size) };
+            MemberWriter<Id> halves[2] = { edges.Open(), edges.Open(size) };
             auto midpoint = vertices.Open();
             this->Emitter.EmitAtEdge(e, halves, midpoint);
             vertices.Close(midpoint, this->Emitter.MidpointStratum(e));

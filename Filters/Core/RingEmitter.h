@@ -29,6 +29,14 @@ struct RingWriter
   }
 };
 
+/// Puts members only.
+template <typename Id>
+struct MemberWriter
+{
+  Id* Members;
+  void operator()(Id, Id member) { *this->Members++ = member; }
+};
+
 template <typename Id>
 struct RingCounter
 {
@@ -96,7 +104,7 @@ public:
   /// The midpoint has the ends; on each face of the edge's ring two midpoints; and the far end of
   /// each diagonal that starts here.
   template <typename Emit>
-  void EmitAtEdge(Id edge, Emit (&halves)[2], Emit& midpoint) const;
+  void EmitAtEdge(Id edge, Emit (&emitHalves)[2], Emit& emitMidpoint) const;
 
   /// The edge that cuts a corner off a face: the corner and the opposite midpoint, then what is
   /// around it in the tetrahedra beside the face.
@@ -160,8 +168,11 @@ private:
 
 template <typename Id>
 template <typename Emit>
-void RingEmitter<Id>::EmitAtEdge(Id edge, Emit (&halves)[2], Emit& midpoint) const
+void RingEmitter<Id>::EmitAtEdge(Id edge, Emit (&emitHalves)[2], Emit& emitMidpoint) const
 {
+  // Copies, which stay in registers.
+  Emit halves[2] = { emitHalves[0], emitHalves[1] };
+  Emit midpoint = emitMidpoint;
   const auto& parent = this->Parent;
   const Rule rule = this->Strata.Edges[edge].GetRule();
   const Id ends[2] = { parent.EdgeVertices[2 * vtkIdType(edge)],
@@ -207,6 +218,9 @@ void RingEmitter<Id>::EmitAtEdge(Id edge, Emit (&halves)[2], Emit& midpoint) con
       }
     }
   }
+  emitHalves[0] = halves[0];
+  emitHalves[1] = halves[1];
+  emitMidpoint = midpoint;
 }
 
 template <typename Id>
