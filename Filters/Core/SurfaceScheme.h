@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceScheme.h
+ * What a subdivision scheme for surfaces is (SPEC 11, 12): from a level to the rows of the operator
+ * and to the next level.
+ */
+#ifndef SubdivisionObjects_SurfaceScheme_h
+#define SubdivisionObjects_SurfaceScheme_h
+
+#include "PolygonMesh.h"
+#include "Refinement.h"
+#include "RowBlock.h"
+
+#include <memory>
+#include <vector>
+
+namespace subdivision
+{
+
+enum class EdgeTag : unsigned char
+{
+  Smooth,
+  Sharp, ///< part of a curve: boundary, crease, free line, joint
+  Blend  ///< non-manifold, rule G-2 (SPEC 6)
+};
+
+enum class VertexTag : unsigned char
+{
+  Smooth, ///< one closed fan; also the end of a crease that fades out
+  Curve,  ///< exactly two sharp edges, along which the curve rule works
+  Corner, ///< does not move
+  Blend
+};
+
+/// The faces between two sharp edges at a corner. There are none on curves: those that a step makes
+/// are all alike.
+template <typename Id>
+struct Sector
+{
+  Id Vertex;
+  Id First;        ///< the corner, at the vertex, of the first face
+  Id Last;         ///< and of the last face
+  int Size;        ///< number of faces k
+  double Angle;    ///< alpha, clamped (SPEC 12)
+  double Flatness; ///< s, 0 for none
+};
+
+template <typename Id>
+struct SurfaceTags
+{
+  Buffer<EdgeTag> Edges;
+  Buffer<VertexTag> Vertices;
+  std::vector<Sector<Id>> Sectors; ///< ascending by vertex
+};
+
+template <typename Id>
+struct SurfaceLevel
+{
+  PolygonMesh<Id> Mesh;
+  SurfaceTags<Id> Tags;
+  /// Line cells: 2 edge + (1 if it runs against the edge).
+  Buffer<Id> Lines;
+  int Step = 0; ///< since the control mesh: odd or even steps differ in some schemes
+};
+
+enum class LimitKind
+{
+  Position,
+  Tangent1,
+  Tangent2
+};
+
+template <typename Id>
+class SurfaceScheme
+{
+public:
+  virtual ~SurfaceScheme() = default;
+
+  /// Triangle schemes split other polygons first.
+  virtual bool NeedsTriangles() const = 0;
+  /// Whether creases, corners and sharpness mean anything (dual schemes: no).
+  virtual bool UsesTags() const { return true; }
+  /// Whether a smooth boundary vertex with one face is a corner by default.
+  virtual bool HasCornersOfOneFace() const { return false; }
+  /// Children of an edge, in a row at n e: 2 where lines are halved; 0: edges do not survive.
+  virtual bool HalvesEdges() const { return true; }
+
+  /// Number of vertices of the next level.
+  virtual vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const = 0;
+  /// Rows [begin, end) of the operator to the next level, in order.
+  virtual void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const = 0;
+  /// The vertices of this level from which vertex `row` of the next takes values that cannot be
+  /// averaged: from the one with the smallest global id.
+  virtual void GetParents(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const = 0;
+  /// The next level; ForOutput: only faces (NumberOf..., Arity, FaceOffsets, Vertices) and Lines
+  /// with EdgeVertices.
+  virtual SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const = 0;
+  /// Tags of the next level from those of this one (there may be several sets for one level).
+  virtual SurfaceTags<Id> RefineTags(
+    const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const = 0;
+  /// Which face of this level each face of the next takes its cell data from.
+  virtual void GetFaceParents(const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const = 0;
+
+  /// One row for each vertex of the level: its limit position, or a tangent there.
+  virtual bool HasLimit() const { return false; }
+  virtual void AppendLimitRows(const SurfaceLevel<Id>& /*level*/, const SurfaceTags<Id>& /*tags*/,
+    LimitKind /*kind*/, vtkIdType /*begin*/, vtkIdType /*end*/, RowBlock<Id>& /*rows*/) const
+  {
+  }
+};
+
+}
+
+#endif
