@@ -145,8 +145,8 @@ struct FanStep
   }
 };
 
-/// The fan of a corner from its beginning: that of a chain whose first edge has the smaller id, of
-/// a cycle the corner itself.
+/// Where to begin around a corner's vertex: at the end of a chain that walking forward reaches, or,
+/// in a cycle, at the corner itself.
 template <typename Id>
 FanStep<Id> FindFanStart(const PolygonMesh<Id>& mesh, Id corner)
 {

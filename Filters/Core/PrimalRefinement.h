@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PrimalRefinement.h
+ * The two splits that halve edges (SPEC 2, 12): a triangle into 4 triangles, a polygon of n corners
+ * into n quads. All ids of children are arithmetic.
+ *
+ * With V vertices, E edges, F faces and C corners on a level, the next one has
+ *  - vertices: v stays v; the point of edge e is V + e; that of face f (quads only) V + E + f;
+ *  - edges: 2e and 2e + 1 are the halves of e, in its direction; inside, 2E + c for each corner c:
+ *    across the triangle near c, or from the point of c's edge to the face point;
+ *  - faces: 4f + i at corner i of triangle f, 4f + 3 its middle; or c at corner c.
+ */
+#ifndef SubdivisionObjects_PrimalRefinement_h
+#define SubdivisionObjects_PrimalRefinement_h
+
+#include "SurfaceScheme.h"
+
+namespace subdivision
+{
+
+template <typename Id>
+SurfaceLevel<Id> RefineTriangles(const SurfaceLevel<Id>& level, Depth depth);
+
+template <typename Id>
+SurfaceLevel<Id> RefineToQuads(const SurfaceLevel<Id>& level, Depth depth);
+
+/// Pieces of an edge, and what a step makes on it, have its tag; everything else is smooth.
+template <typename Id>
+SurfaceTags<Id> RefineTriangleTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
+template <typename Id>
+SurfaceTags<Id> RefineToQuadTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
+
+}
+
+#endif
