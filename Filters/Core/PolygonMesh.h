@@ -178,6 +178,17 @@ bool VisitFan(const PolygonMesh<Id>& mesh, Id corner, const Visit& visit)
   return true;
 }
 
+/// visit(step) for each face of a fan that is a cycle, beginning with the corner's.
+template <typename Id, typename Visit>
+void VisitCycle(const PolygonMesh<Id>& mesh, Id corner, const Visit& visit)
+{
+  FanStep<Id> step{ corner, true };
+  do
+  {
+    visit(step);
+  } while (step.Advance(mesh) && step.Corner != corner);
+}
+
 /// The input as corners: any vertices, each face at least three different ones.
 template <typename Id>
 struct PolygonList

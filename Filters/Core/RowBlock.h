@@ -31,6 +31,7 @@ public:
     this->Weights[this->Size] = weight;
     ++this->Size;
   }
+  void SetWeight(std::size_t entry, double weight) { this->Weights[entry] = weight; }
   void EndRow() { this->Ends.push_back(this->Size); }
   void Clear()
   {

@@ -82,8 +82,10 @@ public:
   virtual bool UsesTags() const { return true; }
   /// Whether a smooth boundary vertex with one face is a corner by default.
   virtual bool HasCornersOfOneFace() const { return false; }
-  /// Children of an edge, in a row at n e: 2 where lines are halved; 0: edges do not survive.
-  virtual bool HalvesEdges() const { return true; }
+  /// Whether it has rules for joints that are blended (SPEC 6); else they are sharp.
+  virtual bool BlendsJoints() const { return false; }
+  /// The largest eigenvalue beside those of the tangent plane, at a corner of k faces and an angle.
+  virtual double GetThirdEigenvalue(int /*k*/, double /*angle*/) const { return 0.; }
 
   /// Number of vertices of the next level.
   virtual vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const = 0;

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CatmullClarkScheme.h
+ * Catmull and Clark's scheme, piecewise smooth (SPEC 12).
+ */
+#ifndef SubdivisionObjects_CatmullClarkScheme_h
+#define SubdivisionObjects_CatmullClarkScheme_h
+
+#include "SurfaceScheme.h"
+
+namespace subdivision
+{
+
+/// `modifiedBoundary`: the rules of SPEC 12 near curves; else smooth edges are the same everywhere.
+template <typename Id>
+std::unique_ptr<SurfaceScheme<Id>> MakeCatmullClarkScheme(bool modifiedBoundary);
+
+}
+
+#endif

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceRings.h
+ * What lies around a vertex of a surface: edges, sharp edges, the sector of a face.
+ */
+#ifndef SubdivisionObjects_SurfaceRings_h
+#define SubdivisionObjects_SurfaceRings_h
+
+#include "SurfaceScheme.h"
+
+#include <algorithm>
+
+namespace subdivision
+{
+
+/// Calls visit(corner) for one corner of each fan of a vertex.
+template <typename Id, typename Visit>
+void VisitFans(const PolygonMesh<Id>& mesh, Id vertex, const Visit& visit)
+{
+  if (const auto* joint = mesh.FindJoint(vertex))
+  {
+    for (Id corner : joint->Fans)
+    {
+      visit(corner);
+    }
+  }
+  else if (mesh.VertexCorners[vertex] >= 0)
+  {
+    visit(mesh.VertexCorners[vertex]);
+  }
+}
+
+/// All edges of a vertex that `accept` takes, each once.
+template <typename Id, typename Accept>
+void CollectEdges(
+  const PolygonMesh<Id>& mesh, Id vertex, const Accept& accept, std::vector<Id>& edges)
+{
+  edges.clear();
+  auto add = [&](Id edge)
+  {
+    if (accept(edge))
+    {
+      edges.push_back(edge);
+    }
+  };
+  const auto* joint = mesh.FindJoint(vertex);
+  VisitFans(mesh, vertex,
+    [&](Id corner)
+    {
+      FanStep<Id> last{ corner, true };
+      const bool isCycle = VisitFan(mesh, corner,
+        [&](const FanStep<Id>& step)
+        {
+          add(mesh.Edges[step.GetHalfEdgeIn(mesh)]);
+          last = step;
+        });
+      if (!isCycle)
+      {
+        add(mesh.Edges[last.GetHalfEdgeOut(mesh)]);
+      }
+    });
+  if (joint)
+  {
+    for (Id edge : joint->FreeEdges)
+    {
+      add(edge);
+    }
+    // Edges of three and more faces end several fans.
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  }
+}
+
+template <typename Id>
+void CollectSharpEdges(
+  const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex, std::vector<Id>& edges)
+{
+  CollectEdges(
+    mesh, vertex, [&tags](Id e) { return tags.Edges[e] == EdgeTag::Sharp; }, edges);
+}
+
+/// The faces around a vertex from one sharp edge to the next.
+template <typename Id>
+struct SectorEnds
+{
+  FanStep<Id> First{ 0, true }; ///< the first face, entered by the sharp edge
+  FanStep<Id> Last{ 0, true };
+  int Size = 0; ///< 0: no sharp edge ends it, or the same one on both sides
+};
+
+/// The sector of the face of a corner. It begins where walking forward from the corner ends.
+template <typename Id>
+SectorEnds<Id> FindSectorEnds(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id corner)
+{
+  SectorEnds<Id> ends;
+  FanStep<Id> step{ corner, true };
+  auto isAtEnd = [&]
+  { return tags.Edges[mesh.Edges[step.GetHalfEdgeOut(mesh)]] != EdgeTag::Smooth; };
+  while (!isAtEnd())
+  {
+    if (!step.Advance(mesh) || step.Corner == corner)
+    {
+      return ends;
+    }
+  }
+  ends.First = step.Turn();
+  const Id begin = step.GetHalfEdgeOut(mesh);
+  step = ends.First;
+  ends.Size = 1;
+  while (!isAtEnd())
+  {
+    step.Advance(mesh);
+    ++ends.Size;
+  }
+  ends.Last = step;
+  if (mesh.Twins[begin] >= 0 && mesh.Edges[begin] == mesh.Edges[step.GetHalfEdgeOut(mesh)])
+  {
+    ends.Size = 0; // all around the end of a crease
+  }
+  return ends;
+}
+
+/// The sector of a corner vertex that begins or ends in a face; null if there is none.
+template <typename Id>
+const Sector<Id>* FindSector(const SurfaceTags<Id>& tags, Id vertex, const SectorEnds<Id>& ends)
+{
+  auto at = std::lower_bound(tags.Sectors.begin(), tags.Sectors.end(), vertex,
+    [](const Sector<Id>& sector, Id v) { return sector.Vertex < v; });
+  for (; at != tags.Sectors.end() && at->Vertex == vertex; ++at)
+  {
+    if (at->First == ends.First.Corner || at->First == ends.Last.Corner)
+    {
+      return &*at;
+    }
+  }
+  return nullptr;
+}
+
+/// theta of SPEC 12 at one end of a smooth edge: the angle that one face takes in its sector; 0
+/// where the plain rule works.
+template <typename Id>
+double FindAngleOfFace(
+  const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex, Id corner)
+{
+  constexpr double pi = 3.14159265358979323846;
+  const VertexTag tag = tags.Vertices[vertex];
+  if (tag != VertexTag::Curve && tag != VertexTag::Corner)
+  {
+    return 0.;
+  }
+  const SectorEnds<Id> ends = FindSectorEnds(mesh, tags, corner);
+  if (ends.Size == 0)
+  {
+    return 0.;
+  }
+  if (tag == VertexTag::Curve)
+  {
+    return pi / ends.Size;
+  }
+  const Sector<Id>* sector = FindSector(tags, vertex, ends);
+  return sector ? sector->Angle / ends.Size : 0.;
+}
+
+/// The corner of a vertex in the face of a half-edge that begins or ends there.
+template <typename Id>
+Id GetCornerAt(const PolygonMesh<Id>& mesh, Id halfEdge, Id vertex)
+{
+  return mesh.Vertices[halfEdge] == vertex ? halfEdge : mesh.Next(halfEdge);
+}
+
+}
+
+#endif

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceTags.h"
+
+#include "SurfaceRings.h"
+
+#include <cmath>
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+
+/// Not so flat and not so closed that the rules degenerate (SPEC 12).
+double ClampAngle(double angle)
+{
+  return angle < pi ? std::max(pi / 8., std::min(angle, 7. * pi / 8.))
+                    : std::max(9. * pi / 8., std::min(angle, 15. * pi / 8.));
+}
+
+template <typename Id>
+class Classification
+{
+public:
+  Classification(const PolygonMesh<Id>& mesh, const SurfaceScheme<Id>& scheme,
+    const SurfaceFeatures& features, const double* points, const std::vector<double>& angles)
+    : Mesh(mesh)
+    , Scheme(scheme)
+    , Features(features)
+    , Points(points)
+    , Angles(angles)
+  {
+  }
+
+  SurfaceTags<Id> Run()
+  {
+    this->TagEdges();
+    this->TagVertices();
+    this->FindSectors();
+    return std::move(this->Tags);
+  }
+
+private:
+  bool IsFlagged(Id edge) const
+  {
+    return !this->Features.SharpEdges.empty() && this->Features.SharpEdges[edge];
+  }
+  bool Blends(JointRule rule) const
+  {
+    return rule == JointRule::Blend && this->Scheme.BlendsJoints();
+  }
+
+  void TagEdges()
+  {
+    const vtkIdType edges = this->Mesh.GetNumberOfEdges();
+    this->Tags.Edges = Buffer<EdgeTag>(edges);
+    ForEach(edges,
+      [this](vtkIdType e)
+      {
+        const Id corner = this->Mesh.EdgeCorners[e];
+        const bool isCurve = corner < 0 || this->Mesh.Twins[corner] < 0;
+        this->Tags.Edges[e] =
+          isCurve || this->IsFlagged(static_cast<Id>(e)) ? EdgeTag::Sharp : EdgeTag::Smooth;
+      });
+    if (this->Blends(this->Features.Type2))
+    {
+      for (const auto& sheaf : this->Mesh.Sheaves)
+      {
+        this->Tags.Edges[sheaf.Edge] =
+          this->IsFlagged(sheaf.Edge) ? EdgeTag::Sharp : EdgeTag::Blend;
+      }
+    }
+  }
+
+  void TagVertices()
+  {
+    const vtkIdType vertices = this->Mesh.NumberOfVertices;
+    this->Tags.Vertices = Buffer<VertexTag>(vertices);
+    ForRanges(vertices,
+      [this](vtkIdType begin, vtkIdType end)
+      {
+        std::vector<Id> edges;
+        for (vtkIdType v = begin; v < end; ++v)
+        {
+          this->Tags.Vertices[v] = this->FindTag(static_cast<Id>(v), edges);
+        }
+      });
+  }
+
+  VertexTag FindTag(Id vertex, std::vector<Id>& edges) const
+  {
+    const auto* joint = this->Mesh.FindJoint(vertex);
+    if ((!this->Features.Corners.empty() && this->Features.Corners[vertex]) ||
+      (!joint && this->Mesh.VertexCorners[vertex] < 0))
+    {
+      return VertexTag::Corner;
+    }
+    CollectEdges(
+      this->Mesh, vertex, [this](Id e) { return this->IsFlagged(e); }, edges);
+    const std::size_t flagged = edges.size();
+    if (joint)
+    {
+      return flagged == 2 ? VertexTag::Curve
+        : flagged > 0     ? VertexTag::Corner
+                          : this->FindTagOfJoint(*joint, edges);
+    }
+    CollectSharpEdges(this->Mesh, this->Tags, vertex, edges);
+    switch (edges.size())
+    {
+      case 0:
+        return VertexTag::Smooth;
+      case 1:
+        return this->Features.DartEnds ? VertexTag::Smooth : VertexTag::Corner;
+      case 2:
+        return this->HasOneFace(vertex) && this->Scheme.HasCornersOfOneFace() ? VertexTag::Corner
+                                                                              : VertexTag::Curve;
+      default:
+        return VertexTag::Corner;
+    }
+  }
+
+  /// A vertex in which branches, boundaries or curves and surfaces meet (SPEC 6).
+  VertexTag FindTagOfJoint(
+    const typename PolygonMesh<Id>::Joint& joint, std::vector<Id>& edges) const
+  {
+    const bool hasCurves = !joint.FreeEdges.empty();
+    if (joint.Fans.empty())
+    {
+      const std::size_t branches = joint.FreeEdges.size();
+      return branches == 2                                   ? VertexTag::Curve
+        : branches > 2 && this->Blends(this->Features.Type2) ? VertexTag::Blend
+                                                             : VertexTag::Corner;
+    }
+    if (hasCurves)
+    {
+      return this->Blends(this->Features.Type1) ? VertexTag::Blend : VertexTag::Corner;
+    }
+    CollectEdges(
+      this->Mesh, joint.Vertex, [this](Id e) { return this->IsSheaf(e); }, edges);
+    if (edges.empty())
+    {
+      return this->Blends(this->Features.Type3) ? VertexTag::Blend : VertexTag::Corner;
+    }
+    if (this->Blends(this->Features.Type2))
+    {
+      return VertexTag::Blend;
+    }
+    CollectSharpEdges(this->Mesh, this->Tags, joint.Vertex, edges);
+    return edges.size() == 2 ? VertexTag::Curve : VertexTag::Corner;
+  }
+
+  bool IsSheaf(Id edge) const
+  {
+    const auto& sheaves = this->Mesh.Sheaves;
+    const auto at = std::lower_bound(
+      sheaves.begin(), sheaves.end(), edge, [](const auto& sheaf, Id e) { return sheaf.Edge < e; });
+    return at != sheaves.end() && at->Edge == edge;
+  }
+
+  bool HasOneFace(Id vertex) const
+  {
+    const Id corner = this->Mesh.VertexCorners[vertex];
+    return this->Mesh.Twins[corner] < 0 && this->Mesh.Twins[this->Mesh.Previous(corner)] < 0;
+  }
+
+  void FindSectors()
+  {
+    std::vector<Id> edges;
+    for (vtkIdType v = 0; v < this->Mesh.NumberOfVertices; ++v)
+    {
+      if (this->Tags.Vertices[v] != VertexTag::Corner)
+      {
+        continue;
+      }
+      const std::size_t first = this->Tags.Sectors.size();
+      VisitFans(this->Mesh, static_cast<Id>(v), [&](Id corner) { this->AddSectorsOfFan(corner); });
+      const bool isOnly = this->Tags.Sectors.size() == first + 1;
+      for (std::size_t s = first; s < this->Tags.Sectors.size(); ++s)
+      {
+        this->SetShape(this->Tags.Sectors[s], s, isOnly);
+      }
+    }
+  }
+
+  void AddSectorsOfFan(Id corner)
+  {
+    VisitFan(this->Mesh, corner,
+      [this](const FanStep<Id>& step)
+      {
+        const SectorEnds<Id> ends = FindSectorEnds(this->Mesh, this->Tags, step.Corner);
+        const Id vertex = this->Mesh.Vertices[step.Corner];
+        if (ends.Size > 0 && !FindSector(this->Tags, vertex, ends))
+        {
+          this->Tags.Sectors.push_back(
+            { vertex, ends.First.Corner, ends.Last.Corner, ends.Size, 0., 0. });
+        }
+      });
+  }
+
+  double MeasureAngle(const Sector<Id>& sector) const
+  {
+    double sum = 0.;
+    FanStep<Id> step = FindSectorEnds(this->Mesh, this->Tags, sector.First).First;
+    for (int i = 0; i < sector.Size; ++i)
+    {
+      const double* x = this->Points + 3 * static_cast<vtkIdType>(sector.Vertex);
+      const double* a = this->Points +
+        3 * static_cast<vtkIdType>(this->Mesh.Vertices[this->Mesh.Next(step.Corner)]);
+      const double* b = this->Points +
+        3 * static_cast<vtkIdType>(this->Mesh.Vertices[this->Mesh.Previous(step.Corner)]);
+      double dot = 0.;
+      double aa = 0.;
+      double bb = 0.;
+      for (int c = 0; c < 3; ++c)
+      {
+        dot += (a[c] - x[c]) * (b[c] - x[c]);
+        aa += (a[c] - x[c]) * (a[c] - x[c]);
+        bb += (b[c] - x[c]) * (b[c] - x[c]);
+      }
+      const double lengths = std::sqrt(aa) * std::sqrt(bb);
+      sum += lengths > 0. && std::isfinite(dot / lengths)
+        ? std::acos(std::max(-1., std::min(dot / lengths, 1.)))
+        : 0.;
+      step.Advance(this->Mesh);
+    }
+    return sum;
+  }
+
+  void SetShape(Sector<Id>& sector, std::size_t index, bool isOnly)
+  {
+    if (!this->Points)
+    {
+      sector.Angle = index < this->Angles.size() ? ClampAngle(this->Angles[index]) : pi / 2.;
+    }
+    else
+    {
+      const double given =
+        isOnly && !this->Features.Angles.empty() ? this->Features.Angles[sector.Vertex] : -1.;
+      sector.Angle = ClampAngle(given >= 0. ? given : this->MeasureAngle(sector));
+    }
+    const double given =
+      this->Features.Flatness.empty() ? -1. : this->Features.Flatness[sector.Vertex];
+    if (given >= 0.)
+    {
+      sector.Flatness = std::min(given, 1.);
+    }
+    else if (sector.Angle > pi)
+    {
+      const double third = this->Scheme.GetThirdEigenvalue(sector.Size, sector.Angle);
+      sector.Flatness = third > 0.25 ? 1. - 0.25 / third : 0.;
+    }
+  }
+
+  const PolygonMesh<Id>& Mesh;
+  const SurfaceScheme<Id>& Scheme;
+  const SurfaceFeatures& Features;
+  const double* Points;
+  const std::vector<double>& Angles;
+  SurfaceTags<Id> Tags;
+};
+
+}
+
+template <typename Id>
+SurfaceTags<Id> ClassifySurface(const PolygonMesh<Id>& mesh, const SurfaceScheme<Id>& scheme,
+  const SurfaceFeatures& features, const double* points, const std::vector<double>& angles)
+{
+  return Classification<Id>(mesh, scheme, features, points, angles).Run();
+}
+
+template SurfaceTags<int> ClassifySurface(const PolygonMesh<int>&, const SurfaceScheme<int>&,
+  const SurfaceFeatures&, const double*, const std::vector<double>&);
+template SurfaceTags<long long> ClassifySurface(const PolygonMesh<long long>&,
+  const SurfaceScheme<long long>&, const SurfaceFeatures&, const double*,
+  const std::vector<double>&);
+
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceTags.h
+ * Which rule the vertices and edges of an input surface follow (SPEC 4, 6, 12).
+ */
+#ifndef SubdivisionObjects_SurfaceTags_h
+#define SubdivisionObjects_SurfaceTags_h
+
+#include "Strata.h"
+#include "SurfaceScheme.h"
+
+#include <vector>
+
+namespace subdivision
+{
+
+struct SurfaceFeatures
+{
+  /// 1 for each edge that is a crease and each vertex that is a corner; may be empty.
+  std::vector<unsigned char> SharpEdges;
+  std::vector<unsigned char> Corners;
+  /// Of each vertex: alpha of its sector in radians, if it has just one, and s; negative or not a
+  /// number: from the mesh. May be empty.
+  std::vector<double> Angles;
+  std::vector<double> Flatness;
+  bool DartEnds = false;
+  /// Blend or Sharp. Schemes without rules for joints take Sharp.
+  JointRule Type1 = JointRule::Blend;
+  JointRule Type2 = JointRule::Blend;
+  JointRule Type3 = JointRule::Blend;
+};
+
+/// `points`: three coordinates of each vertex, from which the angles of corners are measured; null:
+/// `angles` has them for each sector, as GetSectorAngles gave them.
+template <typename Id>
+SurfaceTags<Id> ClassifySurface(const PolygonMesh<Id>& mesh, const SurfaceScheme<Id>& scheme,
+  const SurfaceFeatures& features, const double* points, const std::vector<double>& angles = {});
+
+}
+
+#endif
