@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionAlgorithm.h"
 
+#include "Private/InputArrays.h"
 #include "Private/RunOptions.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
@@ -89,57 +90,10 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
 bool vtkSubdivisionAlgorithm::FindCellArray(
   vtkPointSet* input, int index, const char* fallback, bool integral, vtkDataArray*& array)
 {
-  array = nullptr;
-  std::string name;
-  vtkInformationVector* arrays = this->GetInformation()->Get(INPUT_ARRAYS_TO_PROCESS());
-  if (arrays && index < arrays->GetNumberOfInformationObjects())
-  {
-    const char* given = arrays->GetInformationObject(index)->Get(vtkDataObject::FIELD_NAME());
-    name = given ? given : "";
-  }
-  const bool named = !name.empty() && name != "None";
-  if (!named)
-  {
-    if (!fallback || !input->GetCellData()->HasArray(fallback))
-    {
-      return true;
-    }
-    name = fallback;
-  }
-  vtkAbstractArray* found = input->GetCellData()->GetAbstractArray(name.c_str());
-  vtkDataArray* data = vtkDataArray::SafeDownCast(found);
-  const std::string subject =
-    "Cell array \"" + name + "\" (array index " + std::to_string(index) + ")";
-  std::string fault;
-  if (!found)
-  {
-    fault = " is not there; choose one of the input's cell arrays, or None.";
-  }
-  else if (!data || found->GetNumberOfComponents() != 1)
-  {
-    fault = " is not usable: it must hold numbers, one for each cell.";
-  }
-  else if (found->GetNumberOfTuples() != input->GetNumberOfCells())
-  {
-    fault = " has " + std::to_string(found->GetNumberOfTuples()) + " values for " +
-      std::to_string(input->GetNumberOfCells()) + " cells.";
-  }
-  else if (integral && (data->GetDataType() == VTK_FLOAT || data->GetDataType() == VTK_DOUBLE))
-  {
-    fault = " is not usable: it must hold integers, not floating point numbers.";
-  }
-  if (fault.empty())
-  {
-    array = data;
-    return true;
-  }
-  if (named)
-  {
-    vtkErrorMacro(<< subject << fault);
-    return false;
-  }
-  vtkWarningMacro(<< subject << fault << " It is ignored.");
-  return true;
+  return subdivision::FindInputArray(
+    this, input->GetCellData(), input->GetNumberOfCells(), { index, fallback, integral },
+    [this](const std::string& message) { vtkWarningMacro(<< message); },
+    [this](const std::string& message) { vtkErrorMacro(<< message); }, array);
 }
 
 bool vtkSubdivisionAlgorithm::ReadFeatureOptions(

@@ -32,6 +32,10 @@ public:
     const double half = g + c / 8. - 0.25;
     return (g + c / 8. + 0.25 + std::sqrt(half * half + (1. + c) / 8.)) / 2.;
   }
+  double CountFaces(double faces, double corners, int steps) const override
+  {
+    return steps > 0 ? corners * std::pow(4., steps - 1) : faces;
+  }
   vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
   {
     return level.Mesh.NumberOfVertices + level.Mesh.GetNumberOfEdges() + level.Mesh.NumberOfFaces;

@@ -203,13 +203,25 @@ template <typename Id>
 void LimitFinder<Id>::AppendSmooth(Id vertex, LimitKind kind, RowBlock<Id>& rows)
 {
   this->FindStar(vertex);
-  this->SetSmoothMask(kind);
-  if (std::any_of(this->Around.Edges.begin(), this->Around.Edges.end(),
-        [this](Id e) { return this->Tags.Edges[e] != EdgeTag::Smooth; }))
+  Star& star = this->Around;
+  const auto sharp = std::find_if(star.Edges.begin(), star.Edges.end(),
+    [this](Id e) { return this->Tags.Edges[e] != EdgeTag::Smooth; });
+  const bool isDart = sharp != star.Edges.end();
+  if (isDart)
   {
-    const double k = static_cast<double>(this->Around.Edges.size());
+    // Beginning with the crease, first guesses are symmetric or antisymmetric, and stay so.
+    const auto turn = sharp - star.Edges.begin();
+    std::rotate(star.Edges.begin(), star.Edges.begin() + turn, star.Edges.end());
+    std::rotate(star.Ends.begin(), star.Ends.begin() + turn, star.Ends.end());
+    std::rotate(star.Faces.begin(), star.Faces.begin() + turn, star.Faces.end());
+    std::rotate(star.Opposite.begin(), star.Opposite.begin() + turn, star.Opposite.end());
+  }
+  this->SetSmoothMask(kind);
+  if (isDart)
+  {
+    const double k = static_cast<double>(star.Edges.size());
     const subdivision::Mask own =
-      VertexMask(Rule::Surface, static_cast<vtkIdType>(this->Around.Edges.size()));
+      VertexMask(Rule::Surface, static_cast<vtkIdType>(star.Edges.size()));
     this->Solve(kind, this->MakeMatrix(this->Quads ? 1. - 7. / (4. * k) : own.Own, own.Ring));
   }
   this->AppendMask(vertex, rows);

@@ -11,6 +11,7 @@
 #include "Refinement.h"
 #include "RowBlock.h"
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -61,6 +62,8 @@ struct SurfaceLevel
   /// Line cells: 2 edge + (1 if it runs against the edge).
   Buffer<Id> Lines;
   int Step = 0; ///< since the control mesh: odd or even steps differ in some schemes
+  /// Where children begin, as far as arithmetic alone does not tell: what Prepare counted.
+  Buffer<Id> Places;
 };
 
 enum class LimitKind
@@ -86,6 +89,19 @@ public:
   virtual bool BlendsJoints() const { return false; }
   /// The largest eigenvalue beside those of the tangent plane, at a corner of k faces and an angle.
   virtual double GetThirdEigenvalue(int /*k*/, double /*angle*/) const { return 0.; }
+
+  /// Called once, for the control level: makes tags as strict as the scheme takes them.
+  virtual void RestrictTags(SurfaceLevel<Id>& /*level*/) const {}
+  /// Called for each level before anything else is asked of it: counts what its children need.
+  virtual void Prepare(SurfaceLevel<Id>& /*level*/) const {}
+  /// Whether the two halves of edge e are edges 2e and 2e + 1: sharpness can then be given to them.
+  virtual bool HalvesEdges() const { return true; }
+
+  /// About how many faces there are after some steps, to estimate sizes.
+  virtual double CountFaces(double faces, double /*corners*/, int steps) const
+  {
+    return faces * std::pow(4., steps);
+  }
 
   /// Number of vertices of the next level.
   virtual vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const = 0;

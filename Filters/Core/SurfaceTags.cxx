@@ -24,12 +24,11 @@ class Classification
 {
 public:
   Classification(const PolygonMesh<Id>& mesh, const SurfaceScheme<Id>& scheme,
-    const SurfaceFeatures& features, const double* points, const std::vector<double>& angles)
+    const SurfaceFeatures& features, const double* points)
     : Mesh(mesh)
     , Scheme(scheme)
     , Features(features)
     , Points(points)
-    , Angles(angles)
   {
   }
 
@@ -178,7 +177,7 @@ private:
       const bool isOnly = this->Tags.Sectors.size() == first + 1;
       for (std::size_t s = first; s < this->Tags.Sectors.size(); ++s)
       {
-        this->SetShape(this->Tags.Sectors[s], s, isOnly);
+        this->SetShape(this->Tags.Sectors[s], isOnly);
       }
     }
   }
@@ -227,18 +226,11 @@ private:
     return sum;
   }
 
-  void SetShape(Sector<Id>& sector, std::size_t index, bool isOnly)
+  void SetShape(Sector<Id>& sector, bool isOnly)
   {
-    if (!this->Points)
-    {
-      sector.Angle = index < this->Angles.size() ? ClampAngle(this->Angles[index]) : pi / 2.;
-    }
-    else
-    {
-      const double given =
-        isOnly && !this->Features.Angles.empty() ? this->Features.Angles[sector.Vertex] : -1.;
-      sector.Angle = ClampAngle(given >= 0. ? given : this->MeasureAngle(sector));
-    }
+    const double alpha =
+      isOnly && !this->Features.Angles.empty() ? this->Features.Angles[sector.Vertex] : -1.;
+    sector.Angle = ClampAngle(alpha >= 0. ? alpha : this->MeasureAngle(sector));
     const double given =
       this->Features.Flatness.empty() ? -1. : this->Features.Flatness[sector.Vertex];
     if (given >= 0.)
@@ -256,7 +248,6 @@ private:
   const SurfaceScheme<Id>& Scheme;
   const SurfaceFeatures& Features;
   const double* Points;
-  const std::vector<double>& Angles;
   SurfaceTags<Id> Tags;
 };
 
@@ -264,15 +255,14 @@ private:
 
 template <typename Id>
 SurfaceTags<Id> ClassifySurface(const PolygonMesh<Id>& mesh, const SurfaceScheme<Id>& scheme,
-  const SurfaceFeatures& features, const double* points, const std::vector<double>& angles)
+  const SurfaceFeatures& features, const double* points)
 {
-  return Classification<Id>(mesh, scheme, features, points, angles).Run();
+  return Classification<Id>(mesh, scheme, features, points).Run();
 }
 
-template SurfaceTags<int> ClassifySurface(const PolygonMesh<int>&, const SurfaceScheme<int>&,
-  const SurfaceFeatures&, const double*, const std::vector<double>&);
+template SurfaceTags<int> ClassifySurface(
+  const PolygonMesh<int>&, const SurfaceScheme<int>&, const SurfaceFeatures&, const double*);
 template SurfaceTags<long long> ClassifySurface(const PolygonMesh<long long>&,
-  const SurfaceScheme<long long>&, const SurfaceFeatures&, const double*,
-  const std::vector<double>&);
+  const SurfaceScheme<long long>&, const SurfaceFeatures&, const double*);
 
 }

@@ -30,11 +30,10 @@ struct SurfaceFeatures
   JointRule Type3 = JointRule::Blend;
 };
 
-/// `points`: three coordinates of each vertex, from which the angles of corners are measured; null:
-/// `angles` has them for each sector, as GetSectorAngles gave them.
+/// `points`: three coordinates of each vertex, from which the angles of corners are measured.
 template <typename Id>
 SurfaceTags<Id> ClassifySurface(const PolygonMesh<Id>& mesh, const SurfaceScheme<Id>& scheme,
-  const SurfaceFeatures& features, const double* points, const std::vector<double>& angles = {});
+  const SurfaceFeatures& features, const double* points);
 
 }
 

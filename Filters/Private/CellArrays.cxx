@@ -146,7 +146,7 @@ void ReduceSharpness(const char* name, int levels, vtkUnstructuredGrid* output)
   }
 }
 
-void RebuildPointGhosts(vtkPointSet* input, vtkUnstructuredGrid* output)
+void RebuildPointGhosts(vtkPointSet* input, vtkPointSet* output)
 {
   const char* name = vtkDataSetAttributes::GhostArrayName();
   auto* before = vtkUnsignedCharArray::SafeDownCast(input->GetPointData()->GetAbstractArray(name));

@@ -44,7 +44,7 @@ void ReduceSharpness(const char* name, int levels, vtkUnstructuredGrid* output);
 
 /// Point ghost types from the cells': a point is a duplicate if all of its cells are. Does nothing
 /// if the input has no ghost types.
-void RebuildPointGhosts(vtkPointSet* input, vtkUnstructuredGrid* output);
+void RebuildPointGhosts(vtkPointSet* input, vtkPointSet* output);
 
 }
 

@@ -7,8 +7,8 @@
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -236,6 +236,8 @@ template void PointArrays::AdvanceSmoothed(const SparseRows<int>&);
 template void PointArrays::AdvanceSmoothed(const SparseRows<long long>&);
 template void PointArrays::AdvanceSmoothed(const LocalLimit<int>&);
 template void PointArrays::AdvanceSmoothed(const LocalLimit<long long>&);
+template void PointArrays::AdvanceSmoothed(const BlockOperator<int>&);
+template void PointArrays::AdvanceSmoothed(const BlockOperator<long long>&);
 
 template <typename Id>
 void PointArrays::Advance(const Stencils<Id>& stencils)
@@ -329,7 +331,7 @@ void PointArrays::Advance(const RowsOnTheFly<Id>& operation)
 template void PointArrays::Advance(const RowsOnTheFly<int>&);
 template void PointArrays::Advance(const RowsOnTheFly<long long>&);
 
-void PointArrays::Finish(vtkUnstructuredGrid* output)
+void PointArrays::Finish(vtkPointSet* output)
 {
   if (this->FinalPoints)
   {
@@ -363,7 +365,7 @@ void PointArrays::Finish(vtkUnstructuredGrid* output)
   }
 }
 
-void PointArrays::AddOriginalIds(vtkUnstructuredGrid* output) const
+void PointArrays::AddOriginalIds(vtkPointSet* output) const
 {
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName("vtkOriginalPointIds");

@@ -8,6 +8,7 @@
 
 #include "Arrays.h"
 #include "CellsToSimplices.h"
+#include "Core/BlockOperator.h"
 #include "Core/ChildRows.h"
 #include "Core/LocalLimit.h"
 #include "Core/SparseRows.h"
@@ -17,7 +18,6 @@
 #include <vector>
 
 class vtkPointSet;
-class vtkUnstructuredGrid;
 
 namespace subdivision
 {
@@ -61,7 +61,7 @@ public:
   template <typename Id>
   void Advance(const RowsOnTheFly<Id>& rows);
   /// `origin(row)`: the current point whose values a row takes in arrays that are not smoothed.
-  /// The operator is SparseRows or LocalLimit.
+  /// The operator is SparseRows, LocalLimit or BlockOperator.
   template <typename Operator, typename Origin>
   void Advance(const Operator& rows, const Origin& origin);
   /// Moves each point by a row of its own, without new points; no rows: nothing happens.
@@ -74,7 +74,7 @@ public:
   /// Normals that the filter made, to be put out with the other arrays.
   void SetNormals(vtkDataArray* normals) { this->Normals = normals; }
 
-  void Finish(vtkUnstructuredGrid* output);
+  void Finish(vtkPointSet* output);
 
   /// Bytes that one point takes, to estimate sizes.
   double GetBytesPerPoint() const;
@@ -91,7 +91,7 @@ private:
   template <typename Operator>
   void AdvanceSmoothed(const Operator& rows);
   void StartOrigins();
-  void AddOriginalIds(vtkUnstructuredGrid* output) const;
+  void AddOriginalIds(vtkPointSet* output) const;
 
   vtkPointSet* Input;
   const SimplicesOfCells& Cells;

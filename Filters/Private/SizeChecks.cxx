@@ -41,13 +41,18 @@ std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdTy
   {
     cells += std::ldexp(1., dimension * levels);
   }
+  return CheckNumberOfCells(cells, cells * BytesPerTet, levels, maximum);
+}
+
+std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType maximum)
+{
   if (cells <= static_cast<double>(maximum))
   {
     return std::string();
   }
   std::ostringstream message;
   message << "NumberOfLevels = " << levels << " would make " << Whole(cells) << " cells (up to "
-          << Bytes(cells * BytesPerTet) << " for the cells alone), which is above "
+          << Bytes(bytes) << " for the cells alone), which is above "
           << "MaximumNumberOfCells = " << maximum
           << ". Use fewer levels, or raise MaximumNumberOfCells.";
   return message.str();
@@ -103,6 +108,11 @@ std::string CheckMemory(const SizeEstimate& estimate)
       (8. + estimate.BytesPerId) * (last.Vertices + 2. * last.Edges) +
       estimate.BytesPerPoint * points;
   }
+  return CheckMemory(cells, points, bytes, estimate.Levels);
+}
+
+std::string CheckMemory(double cells, double points, double bytes, int levels)
+{
   vtksys::SystemInformation system;
   const double memory = 1024. * static_cast<double>(system.GetHostMemoryAvailable());
   const double available =
@@ -112,8 +122,8 @@ std::string CheckMemory(const SizeEstimate& estimate)
     return std::string();
   }
   std::ostringstream message;
-  message << "NumberOfLevels = " << estimate.Levels << " would make " << Whole(cells)
-          << " cells and " << Whole(points) << " points, which takes about " << Bytes(bytes) << "; "
+  message << "NumberOfLevels = " << levels << " would make " << Whole(cells) << " cells and "
+          << Whole(points) << " points, which takes about " << Bytes(bytes) << "; "
           << Bytes(available) << " are available. Use fewer levels, or a part of the input.";
   return message.str();
 }

@@ -19,6 +19,9 @@ namespace subdivision
 /// An error message if the children of `simplices` after `levels` steps are more than `maximum`.
 std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdType maximum);
 
+/// The same for cells that are counted already, and the bytes that they take.
+std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType maximum);
+
 /// Whether 32-bit numbers may not suffice, inside, for that many steps.
 bool NeedsLargeIds(const SimplexList& control, int levels);
 
@@ -35,6 +38,8 @@ struct SizeEstimate
 
 /// An error message if the peak, the output and what the last step needs beside it, does not fit.
 std::string CheckMemory(const SizeEstimate& estimate);
+
+std::string CheckMemory(double cells, double points, double bytes, int levels);
 
 double GetBytesPerTuple(vtkDataSetAttributes* data);
 

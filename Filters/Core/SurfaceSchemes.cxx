@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceSchemes.h"
+
+#include "CatmullClarkScheme.h"
+#include "LoopScheme.h"
+
+namespace subdivision
+{
+
+template <typename Id>
+std::shared_ptr<const SurfaceScheme<Id>> MakeSurfaceScheme(
+  SurfaceSchemeKind kind, bool modifiedBoundary)
+{
+  switch (kind)
+  {
+    case SurfaceSchemeKind::Loop:
+      return MakeLoopScheme<Id>(modifiedBoundary);
+    case SurfaceSchemeKind::CatmullClark:
+      return MakeCatmullClarkScheme<Id>(modifiedBoundary);
+    default:
+      return nullptr;
+  }
+}
+
+template std::shared_ptr<const SurfaceScheme<int>> MakeSurfaceScheme(SurfaceSchemeKind, bool);
+template std::shared_ptr<const SurfaceScheme<long long>> MakeSurfaceScheme(SurfaceSchemeKind, bool);
+
+}

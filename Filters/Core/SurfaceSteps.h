@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceSteps.h
+ * The levels of a surface and the operators between them; creases that are sharp for some levels.
+ */
+#ifndef SubdivisionObjects_SurfaceSteps_h
+#define SubdivisionObjects_SurfaceSteps_h
+
+#include "BlockOperator.h"
+#include "SemiSharp.h"
+#include "SurfaceTags.h"
+
+#include <functional>
+
+namespace subdivision
+{
+
+template <typename Id>
+class SurfaceSteps
+{
+public:
+  /// `control` with tags. The last level has what its cells need, or with `lastIsWhole` all.
+  /// `stop(part)`: true to give up; then there are too few levels.
+  SurfaceSteps(SurfaceLevel<Id>&& control, std::shared_ptr<const SurfaceScheme<Id>> scheme,
+    int steps, bool lastIsWhole, const std::function<bool(double)>& stop);
+
+  /// The same levels with other angles and flatness of corners. False if the tags differ otherwise.
+  bool ReplaceSectors(const SurfaceTags<Id>& control);
+
+  /// Creases that are sharp for some levels: one value for each control edge, or nothing;
+  /// `classify` gives the control level's tags with other edges sharp too.
+  void SetSharpness(const EdgeSharpness& sharpness,
+    const std::function<SurfaceTags<Id>(const std::vector<bool>& sharpEdges)>& classify);
+
+  int GetNumberOfSteps() const { return static_cast<int>(this->Levels.size()) - 1; }
+  const SurfaceLevel<Id>& GetLevel(int level) const { return this->Levels[level]; }
+  const SurfaceScheme<Id>& GetScheme() const { return *this->Scheme; }
+
+  BlockOperator<Id> GetStep(int step) const;
+  /// Of the vertices of the last level, which is to be whole.
+  BlockOperator<Id> GetLimit(LimitKind kind) const;
+
+  std::size_t GetMemorySize() const;
+
+private:
+  struct WeightedRow
+  {
+    vtkIdType Row;
+    double Sharpness;
+  };
+  /// What is still sharp in one step: tags with those edges, and the rows that they touch.
+  struct SharpStep
+  {
+    SurfaceTags<Id> Tags;
+    std::vector<WeightedRow> Rows; ///< ascending
+  };
+  SharpStep MakeSharpStep(int step, const EdgeSharpness& sharpness, SurfaceTags<Id>&& tags) const;
+  void AddSmoothEdges(int step, const SurfaceTags<Id>& tags,
+    const std::vector<WeightedRow>& vertices, std::vector<WeightedRow>& rows) const;
+  void AppendBlended(int step, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const;
+
+  std::vector<SurfaceLevel<Id>> Levels;
+  std::vector<SharpStep> SharpSteps; ///< as long as something is sharp
+  std::shared_ptr<const SurfaceScheme<Id>> Scheme;
+  /// The control level's tags as they were given.
+  Buffer<EdgeTag> GivenEdges;
+  Buffer<VertexTag> GivenVertices;
+};
+
+}
+
+#endif

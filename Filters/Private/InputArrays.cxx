@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InputArrays.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+
+namespace subdivision
+{
+
+bool FindInputArray(vtkAlgorithm* algorithm, vtkDataSetAttributes* data, vtkIdType size,
+  const ArrayRequest& request, const std::function<void(const std::string&)>& warn,
+  const std::function<void(const std::string&)>& fail, vtkDataArray*& array)
+{
+  array = nullptr;
+  std::string name;
+  vtkInformationVector* arrays =
+    algorithm->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
+  if (arrays && request.Index < arrays->GetNumberOfInformationObjects())
+  {
+    const char* given =
+      arrays->GetInformationObject(request.Index)->Get(vtkDataObject::FIELD_NAME());
+    name = given ? given : "";
+  }
+  const bool named = !name.empty() && name != "None";
+  if (!named)
+  {
+    if (!request.Fallback || !data->HasArray(request.Fallback))
+    {
+      return true;
+    }
+    name = request.Fallback;
+  }
+  vtkAbstractArray* found = data->GetAbstractArray(name.c_str());
+  vtkDataArray* numbers = vtkDataArray::SafeDownCast(found);
+  const std::string kind = request.OfPoints ? "point" : "cell";
+  const std::string subject = (request.OfPoints ? "Point" : "Cell") + std::string(" array \"") +
+    name + "\" (array index " + std::to_string(request.Index) + ")";
+  std::string fault;
+  if (!found)
+  {
+    fault = " is not there; choose one of the input's " + kind + " arrays, or None.";
+  }
+  else if (!numbers || found->GetNumberOfComponents() != 1)
+  {
+    fault = " is not usable: it must hold numbers, one for each " + kind + ".";
+  }
+  else if (found->GetNumberOfTuples() != size)
+  {
+    fault = " has " + std::to_string(found->GetNumberOfTuples()) + " values for " +
+      std::to_string(size) + " " + kind + "s.";
+  }
+  else if (request.Integral &&
+    (numbers->GetDataType() == VTK_FLOAT || numbers->GetDataType() == VTK_DOUBLE))
+  {
+    fault = " is not usable: it must hold integers, not floating point numbers.";
+  }
+  if (fault.empty())
+  {
+    array = numbers;
+    return true;
+  }
+  if (named)
+  {
+    fail(subject + fault);
+    return false;
+  }
+  warn(subject + fault + " It is ignored.");
+  return true;
+}
+
+}

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceStamp.h"
+
+#include "Arrays.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr const char* Name = "SubdivisionSurface";
+constexpr const char* SizesName = "SubdivisionSurfaceSizes";
+constexpr const char* AnglesName = "SubdivisionCornerAngles";
+constexpr const char* CreasesName = "SubdivisionSurfaceCreases";
+constexpr vtkIdType FormatVersion = 1;
+constexpr int MostLevels = 20;
+
+enum Field
+{
+  Version,
+  Scheme,
+  Levels,
+  ControlPoints,
+  ControlFaces,
+  FaceSize,
+  Points,
+  Cells,
+  NumberOfFields
+};
+
+template <typename Array, typename Value>
+void WriteValues(const char* name, const std::vector<Value>& values, vtkFieldData* data)
+{
+  data->RemoveArray(name);
+  if (!values.empty())
+  {
+    vtkNew<Array> array;
+    array->SetName(name);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    data->AddArray(array);
+  }
+}
+
+std::vector<double> ReadValues(const char* name, vtkFieldData* data)
+{
+  std::vector<double> values;
+  vtkDataArray* array = data->GetArray(name);
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetComponent(i, 0));
+  }
+  return values;
+}
+
+std::vector<vtkIdType> ReadIds(const char* name, vtkFieldData* data)
+{
+  const std::vector<double> values = ReadValues(name, data);
+  std::vector<vtkIdType> ids(values.size());
+  std::transform(values.begin(), values.end(), ids.begin(), ToId);
+  return ids;
+}
+
+}
+
+bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp)
+{
+  vtkFieldData* data = input->GetFieldData();
+  const std::vector<vtkIdType> numbers = ReadIds(Name, data);
+  if (numbers.size() != NumberOfFields || numbers[Version] != FormatVersion ||
+    numbers[Points] != input->GetNumberOfPoints() || numbers[Cells] != input->GetNumberOfCells() ||
+    numbers[Levels] < 0 || numbers[Levels] > MostLevels || numbers[ControlPoints] < 0 ||
+    numbers[ControlPoints] > numbers[Points] || numbers[ControlFaces] < 0 ||
+    numbers[ControlFaces] > numbers[Cells] || numbers[FaceSize] < 0)
+  {
+    return false;
+  }
+  stamp.Scheme = static_cast<int>(numbers[Scheme]);
+  stamp.Levels = static_cast<int>(numbers[Levels]);
+  stamp.NumberOfControlPoints = numbers[ControlPoints];
+  stamp.NumberOfControlFaces = numbers[ControlFaces];
+  stamp.Size = static_cast<int>(std::min<vtkIdType>(numbers[FaceSize], 1 << 30));
+  stamp.Sizes = ReadIds(SizesName, data);
+  stamp.Angles = ReadValues(AnglesName, data);
+  stamp.Creases = ReadIds(CreasesName, data);
+  return std::all_of(stamp.Creases.begin(), stamp.Creases.end(),
+           [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; }) &&
+    (stamp.Size > 0 || static_cast<vtkIdType>(stamp.Sizes.size()) == stamp.NumberOfControlFaces);
+}
+
+void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output)
+{
+  const std::vector<vtkIdType> numbers{ FormatVersion, stamp.Scheme, stamp.Levels,
+    stamp.NumberOfControlPoints, stamp.NumberOfControlFaces, stamp.Size,
+    output->GetNumberOfPoints(), output->GetNumberOfCells() };
+  vtkFieldData* data = output->GetFieldData();
+  WriteValues<vtkIdTypeArray>(Name, numbers, data);
+  WriteValues<vtkIdTypeArray>(
+    SizesName, stamp.Size > 0 ? std::vector<vtkIdType>() : stamp.Sizes, data);
+  WriteValues<vtkDoubleArray>(AnglesName, stamp.Angles, data);
+  WriteValues<vtkIdTypeArray>(CreasesName, stamp.Creases, data);
+}
+
+void RemoveSurfaceStamp(vtkPolyData* output)
+{
+  for (const char* name : { Name, SizesName, AnglesName, CreasesName })
+  {
+    output->GetFieldData()->RemoveArray(name);
+  }
+}
+
+bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp, SurfaceCells& control)
+{
+  const vtkIdType segments = static_cast<vtkIdType>(cells.SegmentCells.size());
+  const vtkIdType pieces = vtkIdType(1) << stamp.Levels;
+  const bool triangles = stamp.Size == 3 && cells.Corners.size() == cells.FaceCells.size() * 3;
+  const vtkIdType quads = vtkIdType(1) << (2 * std::max(0, stamp.Levels - 1)); // of one corner
+  control = SurfaceCells();
+  control.NumberOfPoints = stamp.NumberOfControlPoints;
+  control.Vertices = cells.Vertices;
+  control.VertexCells = cells.VertexCells;
+  if (segments % pieces != 0)
+  {
+    return false;
+  }
+  for (vtkIdType s = 0; s < segments; s += pieces)
+  {
+    control.Segments.insert(
+      control.Segments.end(), { cells.Segments[2 * s], cells.Segments[2 * (s + pieces) - 1] });
+    control.SegmentCells.push_back(cells.SegmentCells[s]);
+  }
+  vtkIdType face = 0;
+  const vtkIdType children = vtkIdType(1) << (2 * stamp.Levels);
+  for (vtkIdType f = 0; f < stamp.NumberOfControlFaces; ++f)
+  {
+    const vtkIdType size = stamp.Size > 0 ? stamp.Size : stamp.Sizes[f];
+    const vtkIdType total = triangles ? children : size * quads;
+    if (size < 3 || total > cells.GetNumberOfFaces() - face)
+    {
+      return false;
+    }
+    for (vtkIdType c = 0; c < size; ++c)
+    {
+      // Corner c is corner c of child c of child c ..., or the first of the first quad there.
+      const vtkIdType child = face + c * (triangles ? (children - 1) / 3 : quads);
+      control.Corners.push_back(cells.Corners[cells.FaceOffsets[child] + (triangles ? c : 0)]);
+    }
+    control.FaceOffsets.push_back(static_cast<vtkIdType>(control.Corners.size()));
+    control.FaceCells.push_back(cells.FaceCells[face]);
+    face += total;
+  }
+  auto isControl = [&stamp](vtkIdType id) { return id < stamp.NumberOfControlPoints; };
+  return face == cells.GetNumberOfFaces() &&
+    std::all_of(control.Corners.begin(), control.Corners.end(), isControl) &&
+    std::all_of(control.Segments.begin(), control.Segments.end(), isControl) &&
+    std::all_of(control.Vertices.begin(), control.Vertices.end(), isControl);
+}
+
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceStamp.h
+ * How vtkSurfaceSubdivision recognises its own output, so that filters in a row give what one
+ * filter would have given (SPEC 2).
+ *
+ * Field data `SubdivisionSurface` holds numbers, `SubdivisionSurfaceSizes` the corners of each
+ * control face where they differ, `SubdivisionCornerAngles` the angles that were measured at
+ * corners, `SubdivisionSurfaceCreases` the edges that were detected as features, as pairs of
+ * control points. Control points keep their ids and children are consecutive, so the control mesh
+ * is read off the cells; it is refined again and compared with them.
+ */
+#ifndef SubdivisionObjects_SurfaceStamp_h
+#define SubdivisionObjects_SurfaceStamp_h
+
+#include "SurfaceCells.h"
+
+namespace subdivision
+{
+
+struct SurfaceStamp
+{
+  int Scheme = 0;
+  int Levels = 0;
+  vtkIdType NumberOfControlPoints = 0;
+  vtkIdType NumberOfControlFaces = 0;
+  int Size = 0; ///< corners of each control face; 0: see Sizes
+  std::vector<vtkIdType> Sizes;
+  std::vector<double> Angles;
+  std::vector<vtkIdType> Creases;
+};
+
+/// False where there is no stamp, or it is not of this mesh.
+bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp);
+void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output);
+void RemoveSurfaceStamp(vtkPolyData* output);
+
+/// The control cells of the cells of an output. `cellsOf...` name the first child. False where they
+/// cannot be such.
+bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp, SurfaceCells& control);
+
+}
+
+#endif

@@ -1,0 +1,679 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceSubdivision.h"
+
+#include "Arrays.h"
+#include "CellArrays.h"
+#include "Core/SurfaceSteps.h"
+#include "PointArrays.h"
+#include "SizeChecks.h"
+#include "SurfaceCreases.h"
+#include "SurfaceStamp.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <limits>
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr const char* OriginalCells = "vtkOriginalCellIds";
+constexpr const char* OriginalPoints = "vtkOriginalPointIds";
+constexpr const char* Normals = "LimitNormals";
+constexpr const char* Tangents[2] = { "LimitTangent1", "LimitTangent2" };
+
+/// What the topology of an output depends on, by content.
+struct SurfaceKey
+{
+  SurfaceSchemeKind Scheme;
+  bool ModifiedBoundary;
+  int Levels;
+  bool Whole;
+  bool Use32BitIds;
+  int MadeLevels;
+  SurfaceCells Cells;
+
+  bool operator==(const SurfaceKey& other) const
+  {
+    const SurfaceCells& a = this->Cells;
+    const SurfaceCells& b = other.Cells;
+    return this->Scheme == other.Scheme && this->ModifiedBoundary == other.ModifiedBoundary &&
+      this->Levels == other.Levels && this->Whole == other.Whole &&
+      this->Use32BitIds == other.Use32BitIds && this->MadeLevels == other.MadeLevels &&
+      a.NumberOfPoints == b.NumberOfPoints && a.Vertices == b.Vertices &&
+      a.Segments == b.Segments && a.FaceOffsets == b.FaceOffsets && a.Corners == b.Corners;
+  }
+};
+
+template <typename Id>
+struct KeptSurface : SurfaceCache::Kept
+{
+  explicit KeptSurface(SurfaceKey&& key)
+    : Key(std::move(key))
+  {
+  }
+  std::size_t GetMemorySize() const override
+  {
+    return (this->Steps ? this->Steps->GetMemorySize() : 0) +
+      sizeof(vtkIdType) * this->Key.Cells.Corners.size();
+  }
+  SurfaceKey Key;
+  std::unique_ptr<SurfaceSteps<Id>> Steps;
+  vtkSmartPointer<vtkCellArray> Verts;
+  vtkSmartPointer<vtkCellArray> Lines;
+  vtkSmartPointer<vtkCellArray> Polys;
+};
+
+template <typename Id>
+class SurfaceRun
+{
+public:
+  SurfaceRun(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
+    : Input(input)
+    , Options(options)
+    , Output(output)
+    , Scheme(MakeSurfaceScheme<Id>(options.Scheme, options.ModifiedBoundary))
+  {
+  }
+
+  bool Run(SurfaceCells&& cells)
+  {
+    this->Cells = std::move(cells);
+    if (this->Input->GetCellData() && this->IsWhole() &&
+      ReadSurfaceStamp(this->Input, this->Stamp) &&
+      this->Stamp.Scheme == static_cast<int>(this->Options.Scheme) &&
+      LiftSurfaceCells(this->Cells, this->Stamp, this->Lifted))
+    {
+      this->MadeLevels = this->Stamp.Levels;
+      if (this->Build() && this->IsDescendant())
+      {
+        return this->Finish();
+      }
+      this->Reset();
+    }
+    this->Stamp = SurfaceStamp();
+    return this->Build() && this->Finish();
+  }
+
+private:
+  const SurfaceCells& GetControl() const
+  {
+    return this->MadeLevels > 0 ? this->Lifted : this->Cells;
+  }
+  /// Every cell of the input takes part as it is.
+  bool IsWhole() const
+  {
+    return this->Cells.Warnings.empty() &&
+      static_cast<vtkIdType>(this->Cells.VertexCells.size() + this->Cells.SegmentCells.size() +
+        this->Cells.FaceCells.size()) == this->Input->GetNumberOfCells();
+  }
+  bool NeedsLimit() const
+  {
+    return (this->Options.ProjectToLimit || this->Options.GenerateNormals ||
+             this->Options.GenerateTangents) &&
+      this->Scheme->HasLimit();
+  }
+  bool IsStopped(double done) const
+  {
+    return this->Options.Progress && this->Options.Progress(done);
+  }
+  int GetAllLevels() const { return this->MadeLevels + this->Options.Levels; }
+
+  void Reset();
+  void StartPoints();
+  bool Build();
+  bool IsDescendant() const;
+  std::vector<double> ReadPointValues(vtkDataArray* array, double factor) const;
+  SurfaceTags<Id> Classify(const SurfaceLevel<Id>& control, const SurfaceFeatures& features);
+  KeptSurface<Id>* FindKept(const SurfaceKey& key);
+  bool Finish();
+  bool Advance();
+  void AddTangents();
+  void WriteCells();
+  void CopyCellArrays();
+  Buffer<vtkIdType> FindCellSources() const;
+  void WriteStamp();
+
+  vtkPolyData* Input;
+  const SurfaceOptions& Options;
+  vtkPolyData* Output;
+  std::shared_ptr<const SurfaceScheme<Id>> Scheme;
+  SurfaceCells Cells;
+  SurfaceCells Lifted; ///< the control cells, where earlier filters made levels
+  SurfaceStamp Stamp;
+  int MadeLevels = 0;
+  SimplicesOfCells NoCentres;
+  std::vector<vtkIdType> GlobalIds;
+  std::unique_ptr<PointArrays> Points;
+  std::vector<vtkIdType> Creases; ///< detected, as pairs of control points
+  std::unique_ptr<SurfaceSteps<Id>> Own;
+  SurfaceSteps<Id>* Steps = nullptr;
+  KeptSurface<Id>* Kept = nullptr;
+  std::vector<Sector<Id>> ControlSectors;
+};
+
+template <typename Id>
+void SurfaceRun<Id>::Reset()
+{
+  this->MadeLevels = 0;
+  this->Own.reset();
+  this->Steps = nullptr;
+  this->Kept = nullptr;
+  this->Creases.clear();
+}
+
+template <typename Id>
+void SurfaceRun<Id>::StartPoints()
+{
+  PointArrayOptions arrays;
+  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
+  arrays.CarryOriginalIds = this->Stamp.Levels > 0 &&
+    HasIds(this->Input->GetPointData(), OriginalPoints, this->Input->GetNumberOfPoints());
+  arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;
+  arrays.Warn = this->Options.Warn;
+  arrays.Precision = this->Options.OutputPointsPrecision;
+  if (arrays.OriginalIds)
+  {
+    arrays.Replaced.emplace_back(OriginalPoints);
+  }
+  if (this->Options.GenerateNormals && this->Scheme->HasLimit())
+  {
+    arrays.Replaced.emplace_back(Normals);
+  }
+  if (this->Options.GenerateTangents && this->Scheme->HasLimit())
+  {
+    arrays.Replaced.insert(arrays.Replaced.end(), { Tangents[0], Tangents[1] });
+  }
+  vtkDataArray* ids = this->Input->GetPointData()->GetGlobalIds();
+  this->GlobalIds.clear();
+  if (ids && ids->GetNumberOfTuples() == this->Input->GetNumberOfPoints())
+  {
+    this->GlobalIds.resize(ids->GetNumberOfTuples());
+    vtkIdTypeArray* exact = vtkIdTypeArray::SafeDownCast(ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+    {
+      this->GlobalIds[i] = exact ? exact->GetValue(i) : ToId(ids->GetComponent(i, 0));
+    }
+  }
+  this->NoCentres.Simplices.NumberOfPoints = this->Input->GetNumberOfPoints();
+  this->Points = std::make_unique<PointArrays>(this->Input, this->NoCentres,
+    this->GlobalIds.empty() ? nullptr : this->GlobalIds.data(),
+    static_cast<vtkIdType>(this->GlobalIds.size()), arrays);
+}
+
+/// A value for each control point; -1 where there is none.
+template <typename Id>
+std::vector<double> SurfaceRun<Id>::ReadPointValues(vtkDataArray* array, double factor) const
+{
+  std::vector<double> values;
+  if (array)
+  {
+    values.resize(this->GetControl().NumberOfPoints);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const double value = array->GetComponent(static_cast<vtkIdType>(i), 0);
+      values[i] = value >= 0. ? value * factor : -1.;
+    }
+  }
+  return values;
+}
+
+template <typename Id>
+SurfaceTags<Id> SurfaceRun<Id>::Classify(
+  const SurfaceLevel<Id>& control, const SurfaceFeatures& features)
+{
+  SurfaceTags<Id> tags =
+    ClassifySurface(control.Mesh, *this->Scheme, features, this->Points->GetCoordinates());
+  // Angles are those of the first input.
+  const std::size_t size = tags.Sectors.size();
+  if (this->MadeLevels > 0 && this->Stamp.Angles.size() == 2 * size)
+  {
+    for (std::size_t s = 0; s < size; ++s)
+    {
+      tags.Sectors[s].Angle = this->Stamp.Angles[s];
+      tags.Sectors[s].Flatness = this->Stamp.Angles[size + s];
+    }
+  }
+  return tags;
+}
+
+template <typename Id>
+KeptSurface<Id>* SurfaceRun<Id>::FindKept(const SurfaceKey& key)
+{
+  for (auto& entry : this->Options.Cache->Entries)
+  {
+    auto* kept = dynamic_cast<KeptSurface<Id>*>(entry.get());
+    if (kept && !kept->Used && kept->Key == key)
+    {
+      return kept;
+    }
+  }
+  return nullptr;
+}
+
+/// Levels and rules: kept ones where they fit.
+template <typename Id>
+bool SurfaceRun<Id>::Build()
+{
+  this->StartPoints();
+  SurfaceKey key{ this->Options.Scheme, this->Options.ModifiedBoundary, this->Options.Levels,
+    this->NeedsLimit(), this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
+  if (this->Options.Cache)
+  {
+    key.Cells = this->Cells;
+    this->Kept = this->FindKept(key);
+  }
+  SurfaceLevel<Id> fresh;
+  if (!this->Kept)
+  {
+    fresh = MakeControlLevel<Id>(this->GetControl());
+  }
+  const SurfaceLevel<Id>& control = this->Kept ? this->Kept->Steps->GetLevel(0) : fresh;
+  SurfaceCreases creases = ReadSurfaceCreases(this->Options.Features, this->GetControl(), control);
+  for (double& sharpness : creases.Sharpness)
+  {
+    sharpness += sharpness > 0. ? this->MadeLevels : 0.;
+  }
+  creases.Features.Angles = this->ReadPointValues(this->Options.Angles, std::acos(-1.) / 180.);
+  creases.Features.Flatness = this->ReadPointValues(this->Options.Flatness, 1.);
+  if (this->MadeLevels > 0)
+  {
+    this->Creases = this->Stamp.Creases;
+  }
+  else if (this->Options.Features.DetectFeatures)
+  {
+    this->Creases = FindFeatureEdges(
+      control.Mesh, this->Points->GetCoordinates(), this->Options.Features.FeatureAngle);
+  }
+  AddSharpEdges(control.Mesh, this->Creases, creases.Features);
+  SurfaceTags<Id> tags = this->Classify(control, creases.Features);
+  this->ControlSectors = tags.Sectors;
+  if (this->Kept && this->Kept->Steps->ReplaceSectors(tags))
+  {
+    this->Kept->Used = true;
+    this->Steps = this->Kept->Steps.get();
+  }
+  else
+  {
+    if (this->Kept)
+    {
+      this->Kept = nullptr;
+      fresh = MakeControlLevel<Id>(this->GetControl());
+    }
+    fresh.Tags = std::move(tags);
+    this->Own = std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme,
+      this->GetAllLevels(), this->NeedsLimit(), this->Options.Progress);
+    this->Steps = this->Own.get();
+    if (this->Steps->GetNumberOfSteps() < this->GetAllLevels())
+    {
+      return false; // stopped
+    }
+    if (this->Options.Cache)
+    {
+      auto kept = std::make_unique<KeptSurface<Id>>(std::move(key));
+      kept->Steps = std::move(this->Own);
+      this->Kept = kept.get();
+      this->Options.Cache->Entries.push_back(std::move(kept));
+      ++this->Options.Cache->NumberOfBuilds;
+    }
+  }
+  const SurfaceLevel<Id>& first = this->Steps->GetLevel(0);
+  this->Steps->SetSharpness(
+    this->Scheme->HalvesEdges() && this->Scheme->UsesTags() ? creases.Sharpness : EdgeSharpness(),
+    [&](const std::vector<bool>& sharp)
+    {
+      SurfaceFeatures sharper = creases.Features;
+      sharper.SharpEdges.resize(sharp.size(), 0);
+      for (std::size_t e = 0; e < sharp.size(); ++e)
+      {
+        sharper.SharpEdges[e] |= sharp[e];
+      }
+      return ClassifySurface(first.Mesh, *this->Scheme, sharper, this->Points->GetCoordinates());
+    });
+  return true;
+}
+
+/// Whether the input is what the steps made of the control mesh.
+template <typename Id>
+bool SurfaceRun<Id>::IsDescendant() const
+{
+  const SurfaceLevel<Id>& level = this->Steps->GetLevel(this->MadeLevels);
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const SurfaceCells& cells = this->Cells;
+  if (mesh.NumberOfVertices != cells.NumberOfPoints ||
+    mesh.NumberOfFaces != cells.GetNumberOfFaces() ||
+    mesh.Vertices.size() != static_cast<vtkIdType>(cells.Corners.size()) ||
+    2 * level.Lines.size() != static_cast<vtkIdType>(cells.Segments.size()))
+  {
+    return false;
+  }
+  for (vtkIdType i = 0; i < 2 * level.Lines.size(); ++i)
+  {
+    const Id line = level.Lines[i / 2];
+    if (mesh.EdgeVertices[2 * (line / 2) + (line % 2 + i % 2) % 2] != cells.Segments[i])
+    {
+      return false;
+    }
+  }
+  return std::equal(mesh.Vertices.begin(), mesh.Vertices.end(), cells.Corners.begin());
+}
+
+// ------------------------------------------------------------------------------------------------
+// Output
+
+template <typename Id>
+bool SurfaceRun<Id>::Finish()
+{
+  this->WriteCells();
+  if (!this->Advance())
+  {
+    return false;
+  }
+  this->CopyCellArrays();
+  RebuildPointGhosts(this->Input, this->Output);
+  this->WriteStamp();
+  return true;
+}
+
+template <typename Id>
+bool SurfaceRun<Id>::Advance()
+{
+  const int levels = this->Options.Levels;
+  for (int step = 0; step < levels; ++step)
+  {
+    if (this->IsStopped(0.5 + 0.5 * (step + 1.) / (levels + 1.)))
+    {
+      return false;
+    }
+    const SurfaceLevel<Id>& level = this->Steps->GetLevel(this->MadeLevels + step);
+    this->Points->Advance(this->Steps->GetStep(this->MadeLevels + step),
+      [&](vtkIdType row)
+      {
+        thread_local std::vector<vtkIdType> parents;
+        this->Scheme->GetParents(level, row, parents);
+        return *std::min_element(parents.begin(), parents.end(),
+          [this](vtkIdType a, vtkIdType b) { return this->Points->IsEarlier(a, b); });
+      });
+  }
+  if (this->Scheme->HasLimit() && (this->Options.GenerateNormals || this->Options.GenerateTangents))
+  {
+    this->AddTangents();
+  }
+  if (this->Options.ProjectToLimit && this->Scheme->HasLimit())
+  {
+    this->Points->Advance(
+      this->Steps->GetLimit(LimitKind::Position), [](vtkIdType row) { return row; });
+  }
+  this->Points->Finish(this->Output);
+  return true;
+}
+
+template <typename Id>
+void SurfaceRun<Id>::AddTangents()
+{
+  const double* points = this->Points->GetCoordinates();
+  const int type = this->Points->GetPoints()->GetDataType();
+  const vtkIdType size = this->Points->GetPoints()->GetNumberOfTuples();
+  Buffer<double> tangents[2] = { Buffer<double>(3 * size), Buffer<double>(3 * size) };
+  this->Steps->GetLimit(LimitKind::Tangent1).Apply(points, tangents[0].data(), 3);
+  this->Steps->GetLimit(LimitKind::Tangent2).Apply(points, tangents[1].data(), 3);
+  auto add = [&](const char* name, const auto& value)
+  {
+    const auto array = MakeArray(type, 3, size);
+    array->SetName(name);
+    auto fill = [&](auto* out)
+    {
+      using T = typename std::remove_pointer<decltype(out)>::type;
+      ForEach(size,
+        [&](vtkIdType i)
+        {
+          double result[3];
+          value(i, result);
+          for (int c = 0; c < 3; ++c)
+          {
+            out[3 * i + c] = static_cast<T>(result[c]);
+          }
+        });
+    };
+    if (type == VTK_FLOAT)
+    {
+      fill(static_cast<float*>(array->GetVoidPointer(0)));
+    }
+    else
+    {
+      fill(static_cast<double*>(array->GetVoidPointer(0)));
+    }
+    AddInstead(this->Input->GetPointData(), array, this->Output->GetPointData());
+  };
+  if (this->Options.GenerateNormals)
+  {
+    add(Normals,
+      [&](vtkIdType i, double* n)
+      {
+        const double* a = tangents[0].data() + 3 * i;
+        const double* b = tangents[1].data() + 3 * i;
+        n[0] = a[1] * b[2] - a[2] * b[1];
+        n[1] = a[2] * b[0] - a[0] * b[2];
+        n[2] = a[0] * b[1] - a[1] * b[0];
+        const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        for (int c = 0; c < 3; ++c)
+        {
+          n[c] = length > 0. && std::isfinite(length) ? n[c] / length : 0.;
+        }
+      });
+  }
+  for (int t = 0; t < 2 && this->Options.GenerateTangents; ++t)
+  {
+    add(Tangents[t],
+      [&](vtkIdType i, double* out)
+      { std::copy(tangents[t].data() + 3 * i, tangents[t].data() + 3 * i + 3, out); });
+  }
+}
+
+template <typename Id>
+void SurfaceRun<Id>::WriteCells()
+{
+  if (this->Kept && this->Kept->Polys)
+  {
+    this->Output->SetVerts(this->Kept->Verts);
+    this->Output->SetLines(this->Kept->Lines);
+    this->Output->SetPolys(this->Kept->Polys);
+    return;
+  }
+  WriteSurfaceCells(this->Steps->GetLevel(this->GetAllLevels()), this->Cells.Vertices,
+    this->Options.Use32BitIds, this->Output);
+  if (this->Kept)
+  {
+    this->Kept->Verts = this->Output->GetVerts();
+    this->Kept->Lines = this->Output->GetLines();
+    this->Kept->Polys = this->Output->GetPolys();
+  }
+}
+
+/// The input cell of each output cell.
+template <typename Id>
+Buffer<vtkIdType> SurfaceRun<Id>::FindCellSources() const
+{
+  Buffer<vtkIdType> faces(this->Steps->GetLevel(this->MadeLevels).Mesh.NumberOfFaces);
+  std::copy(this->Cells.FaceCells.begin(), this->Cells.FaceCells.end(), faces.begin());
+  for (int step = this->MadeLevels; step < this->GetAllLevels(); ++step)
+  {
+    Buffer<vtkIdType> parents;
+    this->Scheme->GetFaceParents(this->Steps->GetLevel(step), parents);
+    ForEach(parents.size(), [&](vtkIdType i) { parents[i] = faces[parents[i]]; });
+    faces = std::move(parents);
+  }
+  const vtkIdType vertices = static_cast<vtkIdType>(this->Cells.VertexCells.size());
+  const vtkIdType segments = static_cast<vtkIdType>(this->Cells.SegmentCells.size());
+  const vtkIdType lines = this->Steps->GetLevel(this->GetAllLevels()).Lines.size();
+  Buffer<vtkIdType> sources(vertices + lines + faces.size());
+  std::copy(this->Cells.VertexCells.begin(), this->Cells.VertexCells.end(), sources.begin());
+  ForEach(lines,
+    [&](vtkIdType i) { sources[vertices + i] = this->Cells.SegmentCells[i / (lines / segments)]; });
+  std::copy(faces.begin(), faces.end(), sources.begin() + vertices + lines);
+  return sources;
+}
+
+template <typename Id>
+void SurfaceRun<Id>::CopyCellArrays()
+{
+  vtkCellData* from = this->Input->GetCellData();
+  vtkCellData* to = this->Output->GetCellData();
+  const bool carried =
+    this->Stamp.Levels > 0 && HasIds(from, OriginalCells, this->Input->GetNumberOfCells());
+  const bool originals = this->Options.GenerateOriginalIds && !carried;
+  if (from->GetNumberOfArrays() == 0 && !originals)
+  {
+    return;
+  }
+  const Buffer<vtkIdType> sources = this->FindCellSources();
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = from->GetAbstractArray(i);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    if (array != from->GetGlobalIds() && array != from->GetPedigreeIds() &&
+      !(originals && name == OriginalCells) &&
+      HasTuples(array, this->Input->GetNumberOfCells(), "cell", this->Options.Warn))
+    {
+      AddLike(from, i, Gather(array, sources), to);
+    }
+  }
+  if (originals)
+  {
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName(OriginalCells);
+    ids->SetNumberOfTuples(sources.size());
+    std::copy(sources.begin(), sources.end(), ids->GetPointer(0));
+    AddInstead(from, ids, to);
+  }
+  if (vtkDataArray* given = this->Options.Features.Sharpness)
+  {
+    vtkDataArray* sharpness = to->GetArray(given->GetName());
+    const vtkIdType first = static_cast<vtkIdType>(this->Cells.VertexCells.size());
+    const vtkIdType lines = this->Steps->GetLevel(this->GetAllLevels()).Lines.size();
+    for (vtkIdType i = first; sharpness && i < first + lines; ++i)
+    {
+      sharpness->SetComponent(
+        i, 0, std::max(sharpness->GetComponent(i, 0) - this->Options.Levels, 0.));
+    }
+  }
+}
+
+template <typename Id>
+void SurfaceRun<Id>::WriteStamp()
+{
+  RemoveSurfaceStamp(this->Output);
+  if (this->Options.ProjectToLimit || this->GetAllLevels() == 0 || !this->Scheme->HalvesEdges() ||
+    !this->Scheme->UsesTags())
+  {
+    return;
+  }
+  const SurfaceCells& control = this->GetControl();
+  SurfaceStamp stamp;
+  stamp.Scheme = static_cast<int>(this->Options.Scheme);
+  stamp.Levels = this->GetAllLevels();
+  stamp.NumberOfControlPoints = control.NumberOfPoints;
+  stamp.NumberOfControlFaces = control.GetNumberOfFaces();
+  stamp.Size = this->Steps->GetLevel(0).Mesh.Arity;
+  for (vtkIdType f = 0; stamp.Size == 0 && f < control.GetNumberOfFaces(); ++f)
+  {
+    stamp.Sizes.push_back(control.FaceOffsets[f + 1] - control.FaceOffsets[f]);
+  }
+  for (const Sector<Id>& sector : this->ControlSectors)
+  {
+    stamp.Angles.push_back(sector.Angle);
+  }
+  for (const Sector<Id>& sector : this->ControlSectors)
+  {
+    stamp.Angles.push_back(sector.Flatness);
+  }
+  stamp.Creases = this->Creases;
+  WriteSurfaceStamp(stamp, this->Output);
+}
+
+/// An error message if the output would be too large; else how many faces there will be at most.
+std::string CheckSize(vtkPolyData* input, const SurfaceCells& cells,
+  const SurfaceScheme<int>& scheme, const SurfaceOptions& options, double& faces)
+{
+  const double lines = std::ldexp(static_cast<double>(cells.SegmentCells.size()), options.Levels);
+  faces = scheme.CountFaces(static_cast<double>(cells.GetNumberOfFaces()),
+    static_cast<double>(cells.Corners.size()), options.Levels);
+  const double all = faces + lines + static_cast<double>(cells.VertexCells.size());
+  const double bytesPerFace = scheme.NeedsTriangles() ? 32. : 40.;
+  const std::string tooMany =
+    CheckNumberOfCells(all, all * bytesPerFace, options.Levels, options.MaximumNumberOfCells);
+  if (!tooMany.empty())
+  {
+    return tooMany;
+  }
+  // A face has about one point; the levels before the last take about as much as its cells.
+  const double points = static_cast<double>(cells.NumberOfPoints) + faces + lines;
+  const double bytes = all * (2. * bytesPerFace + GetBytesPerTuple(input->GetCellData())) +
+    1.25 * points * (24. + GetBytesPerTuple(input->GetPointData()));
+  return CheckMemory(all, points, bytes, options.Levels);
+}
+
+}
+
+bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
+{
+  const auto scheme = MakeSurfaceScheme<int>(options.Scheme, options.ModifiedBoundary);
+  if (!scheme)
+  {
+    options.Fail("This scheme is not available.");
+    return false;
+  }
+  vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(input->GetPointData()->GetGlobalIds());
+  const bool hasIds = ids && ids->GetNumberOfTuples() == input->GetNumberOfPoints();
+  SurfaceCells cells =
+    ReadSurfaceCells(input, scheme->NeedsTriangles(), hasIds ? ids->GetPointer(0) : nullptr);
+  for (const std::string& warning : cells.Warnings)
+  {
+    options.Warn(warning);
+  }
+  double faces = 0.;
+  const std::string tooLarge = CheckSize(input, cells, *scheme, options, faces);
+  if (!tooLarge.empty())
+  {
+    options.Fail(tooLarge);
+    return false;
+  }
+  const bool large = 16. *
+      (faces + static_cast<double>(cells.Corners.size()) +
+        static_cast<double>(cells.NumberOfPoints) +
+        std::ldexp(static_cast<double>(cells.Segments.size()), options.Levels)) >
+    static_cast<double>(std::numeric_limits<int>::max());
+  return large ? SurfaceRun<long long>(input, options, output).Run(std::move(cells))
+               : SurfaceRun<int>(input, options, output).Run(std::move(cells));
+}
+
+void SurfaceCache::ForgetUnused()
+{
+  this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
+                        [](const std::unique_ptr<Kept>& kept) { return !kept->Used; }),
+    this->Entries.end());
+  for (auto& kept : this->Entries)
+  {
+    kept->Used = false;
+  }
+}
+
+std::size_t SurfaceCache::GetMemorySize() const
+{
+  std::size_t bytes = 0;
+  for (const auto& kept : this->Entries)
+  {
+    bytes += kept->GetMemorySize();
+  }
+  return bytes;
+}
+
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSurfaceSubdivision.h"
+
+#include "Private/InputArrays.h"
+#include "Private/SurfaceSubdivision.h"
+#include "Private/vtkSubdivisionObjectsCompat.h"
+
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <new>
+#include <string>
+
+vtkStandardNewMacro(vtkSurfaceSubdivision);
+
+vtkSurfaceSubdivision::vtkSurfaceSubdivision()
+  : Cache(std::make_unique<subdivision::SurfaceCache>())
+{
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkSurfaceSubdivision::OnStart);
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkSurfaceSubdivision::OnEnd);
+}
+
+vtkSurfaceSubdivision::~vtkSurfaceSubdivision() = default;
+
+void vtkSurfaceSubdivision::OnEnd()
+{
+  if (--this->UpdateDepth == 0)
+  {
+    this->Cache->ForgetUnused();
+  }
+}
+
+void vtkSurfaceSubdivision::SetCacheOperator(bool cache)
+{
+  if (this->CacheOperator != cache)
+  {
+    this->CacheOperator = cache;
+    this->Cache->Entries.clear();
+    this->Modified();
+  }
+}
+
+vtkIdType vtkSurfaceSubdivision::GetNumberOfTopologyBuilds() const
+{
+  return this->Cache->NumberOfBuilds;
+}
+
+bool vtkSurfaceSubdivision::ReadArrays(vtkPolyData* input, subdivision::SurfaceOptions& options)
+{
+  auto find = [&](const subdivision::ArrayRequest& request, auto& result)
+  {
+    vtkDataArray* array = nullptr;
+    vtkDataSetAttributes* data = input->GetCellData();
+    vtkIdType size = input->GetNumberOfCells();
+    if (request.OfPoints)
+    {
+      data = input->GetPointData();
+      size = input->GetNumberOfPoints();
+    }
+    const bool usable =
+      subdivision::FindInputArray(this, data, size, request, options.Warn, options.Fail, array);
+    result = array;
+    return usable;
+  };
+  return find({ 0, "Singular", true }, options.Features.Singular) &&
+    find({ 4, nullptr, false }, options.Features.Sharpness) &&
+    find({ 5, nullptr, false, true }, options.Angles) &&
+    find({ 6, nullptr, false, true }, options.Flatness);
+}
+
+void vtkSurfaceSubdivision::ReadOptions(subdivision::SurfaceOptions& options)
+{
+  using subdivision::JointRule;
+  auto rule = [](int value) { return value == SHARP ? JointRule::Sharp : JointRule::Blend; };
+  options.Scheme = static_cast<subdivision::SurfaceSchemeKind>(this->Scheme);
+  options.Levels = this->NumberOfLevels;
+  options.ModifiedBoundary = this->ModifiedBoundary;
+  options.ProjectToLimit = this->ProjectToLimit;
+  options.GenerateNormals = this->GenerateNormals;
+  options.GenerateTangents = this->GenerateTangents;
+  options.Use32BitIds = this->Use32BitIds;
+  options.InterpolateIntegers = this->InterpolateIntegers;
+  options.GenerateOriginalIds = this->GenerateOriginalIds;
+  options.OutputPointsPrecision = this->OutputPointsPrecision;
+  options.MaximumNumberOfCells = this->MaximumNumberOfCells;
+  options.Features.DartEnds = this->CreaseEnd == DART;
+  options.Features.DetectFeatures = this->DetectFeatures;
+  options.Features.FeatureAngle = this->FeatureAngle;
+  options.Features.Type1 = rule(this->Type1Rule);
+  options.Features.Type2 = rule(this->Type2Rule);
+  options.Features.Type3 = rule(this->Type3Rule);
+  options.Cache = this->CacheOperator ? this->Cache.get() : nullptr;
+}
+
+int vtkSurfaceSubdivision::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (!input || !output)
+  {
+    vtkErrorMacro("The input is missing, or is no vtkPolyData.");
+    return 0;
+  }
+  if (!input->GetPoints())
+  {
+    return 1; // nothing at all: so is the output
+  }
+  subdivision::SurfaceOptions options;
+  this->ReadOptions(options);
+  bool failed = false;
+  options.Warn = [this](const std::string& message) { vtkWarningMacro(<< message); };
+  options.Fail = [this, &failed](const std::string& message)
+  {
+    vtkErrorMacro(<< message);
+    failed = true;
+  };
+  options.Progress = [this](double done)
+  {
+    this->UpdateProgress(done);
+    return subdivision::IsAborted(this);
+  };
+  bool done = false;
+  try
+  {
+    done =
+      this->ReadArrays(input, options) && subdivision::SubdivideSurface(input, options, output);
+  }
+  catch (const std::bad_alloc&)
+  {
+    options.Fail("There is not enough memory for NumberOfLevels = " +
+      std::to_string(this->NumberOfLevels) + ". Use fewer levels, or a part of the input.");
+  }
+  if (!done)
+  {
+    output->Initialize();
+  }
+  return failed ? 0 : 1;
+}
+
+void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Scheme: " << this->Scheme << "\n";
+  os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
+  os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
+  os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
+  os << indent << "GenerateNormals: " << this->GenerateNormals << "\n";
+  os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";
+  os << indent << "CreaseEnd: " << this->CreaseEnd << "\n";
+  os << indent << "DetectFeatures: " << this->DetectFeatures << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "Type1Rule: " << this->Type1Rule << "\n";
+  os << indent << "Type2Rule: " << this->Type2Rule << "\n";
+  os << indent << "Type3Rule: " << this->Type3Rule << "\n";
+  os << indent << "InterpolateIntegers: " << this->InterpolateIntegers << "\n";
+  os << indent << "GenerateOriginalIds: " << this->GenerateOriginalIds << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
+  os << indent << "Use32BitIds: " << this->Use32BitIds << "\n";
+  os << indent << "CacheOperator: " << this->CacheOperator << "\n";
+  os << indent << "Levels kept: " << this->Cache->GetMemorySize() << " bytes\n";
+  os << indent << "NumberOfTopologyBuilds: " << this->Cache->NumberOfBuilds << "\n";
+}

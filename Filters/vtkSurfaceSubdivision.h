@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSurfaceSubdivision
+ * @brief   classical subdivision surfaces on any polygon mesh
+ *
+ * Subdivides the polygons of a vtkPolyData by one of several schemes, piecewise smoothly: with
+ * boundaries, creases that may fade out or be sharp for some levels only, and convex and concave
+ * corners.
+ *
+ * @par Algorithm
+ * D. Zorin, "Subdivision on Arbitrary Meshes: Algorithms and Theory", sections 3 and 4, and for
+ * sqrt(3) L. Kobbelt, "sqrt(3)-Subdivision". Next to a boundary, crease or corner the rules depend
+ * on the number of faces in the sector and, at corners, on its angle; at concave corners the points
+ * around are also flattened, so that the surface does not fold (section 3.2). With ModifiedBoundary
+ * off these are the plain rules, the same everywhere. vtkMultiDimensionalSubdivision always has
+ * those: the two filters agree for Loop on closed surfaces and with ModifiedBoundary off.
+ *
+ * @par Input and output
+ * Polygons of any size, and strips, which become triangles in their place. Loop, ModifiedButterfly
+ * and SqrtThree split other polygons into triangles first (a warning says so). Line cells follow
+ * the edges that they lie on; others are curves of their own, cubic B-splines; poly lines become
+ * lines. Vertex cells stay. The output has vertices, lines and polygons, in this order, the
+ * children of a cell one after another and oriented like it. Points: the input's with their ids,
+ * unused ones too, then the new ones level by level. Point arrays, cell arrays and field data are
+ * treated as by vtkMultiDimensionalSubdivision. Cells that cannot be used are passed over with a
+ * warning.
+ *
+ * @par Creases and corners
+ * Sharp are boundaries, edges of line cells that the array at index 0 flags, edges around flagged
+ * polygons, with DetectFeatures edges where the surface turns by more than FeatureAngle, and edges
+ * that do not have two faces. A vertex with two sharp edges lies on a curve; with three or more, or
+ * if it is a flagged vertex cell, it is a corner. A smooth boundary vertex with one face is a
+ * corner too for CatmullClark, ModifiedButterfly and FourEight. The dual schemes, DooSabin and
+ * Midedge, have no creases and corners. Corners are convex or concave by the sum of the face angles
+ * in each sector, measured on the input and kept in [22.5, 157.5] and [202.5, 337.5] degrees.
+ *
+ * @par Non-manifold input
+ * Edges with three and more faces, vertices where fans of faces or lines meet: Loop follows
+ * Type1Rule to Type3Rule as the main filter does; the other schemes take such edges as sharp curves
+ * and such vertices as corners. Surfaces need not be orientable.
+ *
+ * @par Arrays read, by SetInputArrayToProcess
+ * As in vtkSubdivisionAlgorithm: 0, singular flags (cell array of integers; unset: `Singular` if
+ * there), and 4, sharpness of lines (cell array of numbers: a crease of sharpness s stays sharp for
+ * s levels). Also 5, corner angles (point array, degrees; where it is not negative it replaces the
+ * measured angle of a corner with one sector), and 6, flatness (point array of s in [0, 1];
+ * negative: 0 at convex corners, at concave ones what makes them tangent plane continuous).
+ *
+ * @par Arrays written
+ * On request `LimitNormals`, `LimitTangent1`, `LimitTangent2` (points, 3 components), and
+ * `vtkOriginalPointIds`, `vtkOriginalCellIds`. Field arrays `SubdivisionSurface...` by which this
+ * filter recognises its own output.
+ *
+ * @par Filters in a row
+ * Three filters of one level and the same options are one filter of three levels, bit for bit, for
+ * Loop and CatmullClark; a flatness array is read anew only if there is no earlier output. After
+ * ProjectToLimit, with global ids, or if cells were changed in between, the mesh is a new one.
+ *
+ * @par Complexity
+ * Time and memory are linear in the size of the output; incidences are searched on the input only.
+ * Rows of the operator are made block by block while they are applied and never stored.
+ *
+ * @par Threads and ghosts
+ * Threaded by vtkSMPTools; the output is the same, bit for bit, for any number of threads. Hidden
+ * cells take no part; ghost cells are subdivided like others.
+ *
+ * @par Errors
+ * The filter stops, with an error and an empty output, if the output would have more than
+ * MaximumNumberOfCells cells or take more memory than there is. Topology is never an error.
+ *
+ * @sa
+ * vtkMultiDimensionalSubdivision vtkLoopSubdivisionFilter vtkButterflySubdivisionFilter
+ */
+#ifndef vtkSurfaceSubdivision_h
+#define vtkSurfaceSubdivision_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSubdivisionObjectsModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+
+class vtkDataArray;
+class vtkPolyData;
+namespace subdivision
+{
+class SurfaceCache;
+struct SurfaceOptions;
+}
+
+class VTKSUBDIVISIONOBJECTS_EXPORT vtkSurfaceSubdivision : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSurfaceSubdivision* New();
+  vtkTypeMacro(vtkSurfaceSubdivision, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Schemes
+  {
+    LOOP,
+    MODIFIED_BUTTERFLY,
+    CATMULL_CLARK,
+    DOO_SABIN,
+    MIDEDGE,
+    FOUR_EIGHT,
+    SQRT_THREE
+  };
+  ///@{
+  /**
+   * The scheme: LOOP (0, the default; triangles to 4), MODIFIED_BUTTERFLY (1; triangles to 4,
+   * interpolates the points), CATMULL_CLARK (2; polygons to quads), DOO_SABIN (3; dual), MIDEDGE
+   * (4; dual), FOUR_EIGHT (5; two steps split a quad into 4) or SQRT_THREE (6; triangles to 3).
+   */
+  vtkSetClampMacro(Scheme, int, LOOP, SQRT_THREE);
+  vtkGetMacro(Scheme, int);
+  void SetSchemeToLoop() { this->SetScheme(LOOP); }
+  void SetSchemeToModifiedButterfly() { this->SetScheme(MODIFIED_BUTTERFLY); }
+  void SetSchemeToCatmullClark() { this->SetScheme(CATMULL_CLARK); }
+  void SetSchemeToDooSabin() { this->SetScheme(DOO_SABIN); }
+  void SetSchemeToMidedge() { this->SetScheme(MIDEDGE); }
+  void SetSchemeToFourEight() { this->SetScheme(FOUR_EIGHT); }
+  void SetSchemeToSqrtThree() { this->SetScheme(SQRT_THREE); }
+  ///@}
+
+  ///@{
+  /**
+   * Number of subdivision steps, 0 to 20, default 1.
+   */
+  vtkSetClampMacro(NumberOfLevels, int, 0, 20);
+  vtkGetMacro(NumberOfLevels, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the rules near boundaries, creases and corners depend on the number of faces and the
+   * angle there, without which surfaces are not smooth at boundary vertices of many faces and fold
+   * at concave corners. On by default; off gives the plain rules.
+   */
+  vtkSetMacro(ModifiedBoundary, bool);
+  vtkGetMacro(ModifiedBoundary, bool);
+  vtkBooleanMacro(ModifiedBoundary, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether output points, and all arrays that are smoothed, are moved to the limit of infinitely
+   * many steps. Creases that are still sharp for some levels count as smooth. Off by default; for
+   * schemes without limit masks a warning says that nothing happens.
+   */
+  vtkSetMacro(ProjectToLimit, bool);
+  vtkGetMacro(ProjectToLimit, bool);
+  vtkBooleanMacro(ProjectToLimit, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to output unit normals of the limit surface at the points (`LimitNormals`) or two
+   * tangents (`LimitTangent1`, `LimitTangent2`, not normalised; their cross product has the
+   * direction of the normal). On a crease or at a corner they are those of one sector, the first
+   * tangent along the curve. Zero where there is no tangent plane. Off by default.
+   */
+  vtkSetMacro(GenerateNormals, bool);
+  vtkGetMacro(GenerateNormals, bool);
+  vtkBooleanMacro(GenerateNormals, bool);
+  vtkSetMacro(GenerateTangents, bool);
+  vtkGetMacro(GenerateTangents, bool);
+  vtkBooleanMacro(GenerateTangents, bool);
+  ///@}
+
+  enum CreaseEnds
+  {
+    CORNER,
+    DART
+  };
+  ///@{
+  /**
+   * Where exactly one crease ends inside the surface: CORNER (0, the default; the vertex does not
+   * move) or DART (1; it fades out).
+   */
+  vtkSetClampMacro(CreaseEnd, int, CORNER, DART);
+  vtkGetMacro(CreaseEnd, int);
+  void SetCreaseEndToCorner() { this->SetCreaseEnd(CORNER); }
+  void SetCreaseEndToDart() { this->SetCreaseEnd(DART); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether edges of the input are creases where the surface turns by more than FeatureAngle. Off
+   * by default.
+   */
+  vtkSetMacro(DetectFeatures, bool);
+  vtkGetMacro(DetectFeatures, bool);
+  vtkBooleanMacro(DetectFeatures, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The angle between the planes of two faces, in degrees (0 = flat, to 180), above which their
+   * common edge is a feature. Default 30.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0., 180.);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  enum JointRules
+  {
+    BLEND,
+    SHARP
+  };
+  ///@{
+  /**
+   * For Loop, what vertices and edges do where lines and surfaces meet (type 1), where more than
+   * two faces or lines meet (type 2) and where boundaries touch (type 3): blend (0, the default:
+   * rule G-2) or stay sharp (1: rule G-1). The other schemes stay sharp.
+   */
+  vtkSetClampMacro(Type1Rule, int, BLEND, SHARP);
+  vtkGetMacro(Type1Rule, int);
+  vtkSetClampMacro(Type2Rule, int, BLEND, SHARP);
+  vtkGetMacro(Type2Rule, int);
+  vtkSetClampMacro(Type3Rule, int, BLEND, SHARP);
+  vtkGetMacro(Type3Rule, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether integer point arrays are smoothed and rounded, like colours, too. Off by default: a new
+   * point takes the value of its parent with the smallest global id.
+   */
+  vtkSetMacro(InterpolateIntegers, bool);
+  vtkGetMacro(InterpolateIntegers, bool);
+  vtkBooleanMacro(InterpolateIntegers, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to output the cell array `vtkOriginalCellIds` and the point array
+   * `vtkOriginalPointIds`: the cell or point of the input that each came from, -1 for new points.
+   * Off by default.
+   */
+  vtkSetMacro(GenerateOriginalIds, bool);
+  vtkGetMacro(GenerateOriginalIds, bool);
+  vtkBooleanMacro(GenerateOriginalIds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (that of the input; the
+   * default), SINGLE_PRECISION or DOUBLE_PRECISION.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * The filter stops with an error, before it takes any memory for them, if the output would have
+   * more cells than this. Default 500 million.
+   */
+  vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, VTK_ID_MAX);
+  vtkGetMacro(MaximumNumberOfCells, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the levels and the output's cells are kept, so that an execution whose cells, rules and
+   * options have not changed builds no topology and shares its connectivity with the previous
+   * output. Cells are compared by content. On by default.
+   */
+  void SetCacheOperator(bool cache);
+  vtkGetMacro(CacheOperator, bool);
+  vtkBooleanMacro(CacheOperator, bool);
+  ///@}
+
+  /**
+   * How often this filter built topology while CacheOperator was on.
+   */
+  vtkIdType GetNumberOfTopologyBuilds() const;
+
+  ///@{
+  /**
+   * Whether the output's cells are stored with 32-bit ids where they fit. Off by default.
+   */
+  vtkSetMacro(Use32BitIds, bool);
+  vtkGetMacro(Use32BitIds, bool);
+  vtkBooleanMacro(Use32BitIds, bool);
+  ///@}
+
+protected:
+  vtkSurfaceSubdivision();
+  ~vtkSurfaceSubdivision() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int Scheme = LOOP;
+  int NumberOfLevels = 1;
+  bool ModifiedBoundary = true;
+  bool ProjectToLimit = false;
+  bool GenerateNormals = false;
+  bool GenerateTangents = false;
+  int CreaseEnd = CORNER;
+  bool DetectFeatures = false;
+  double FeatureAngle = 30.;
+  int Type1Rule = BLEND;
+  int Type2Rule = BLEND;
+  int Type3Rule = BLEND;
+  bool InterpolateIntegers = false;
+  bool GenerateOriginalIds = false;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+  vtkIdType MaximumNumberOfCells = 500000000;
+  bool CacheOperator = true;
+  bool Use32BitIds = false;
+
+private:
+  bool ReadArrays(vtkPolyData* input, subdivision::SurfaceOptions& options);
+  void ReadOptions(subdivision::SurfaceOptions& options);
+  /// Updates are nested for composite inputs: blocks start and end inside the whole.
+  void OnStart() { ++this->UpdateDepth; }
+  void OnEnd();
+
+  std::unique_ptr<subdivision::SurfaceCache> Cache;
+  int UpdateDepth = 0;
+
+  vtkSurfaceSubdivision(const vtkSurfaceSubdivision&) = delete;
+  void operator=(const vtkSurfaceSubdivision&) = delete;
+};
+
+#endif
