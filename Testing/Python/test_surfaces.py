@@ -1,0 +1,623 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Subdivision surfaces: the operator itself, seen through an array that is an identity matrix, by its algebra."""
+
+import itertools
+import unittest
+
+import numpy as np
+import tools
+from paraview import simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersModeling import vtkLoopSubdivisionFilter
+
+from subdivisionobjects import vtkMultiDimensionalSubdivision, vtkSurfaceSubdivision
+
+LOOP = vtkSurfaceSubdivision.LOOP
+CATMULL_CLARK = vtkSurfaceSubdivision.CATMULL_CLARK
+
+
+def cells(lists):
+    result = vtkCellArray()
+    for ids in lists:
+        result.InsertNextCell(len(ids))
+        for i in ids:
+            result.InsertCellPoint(int(i))
+    return result
+
+
+def mesh(points, faces, lines=(), verts=()):
+    """A surface with double coordinates."""
+    coordinates = vtkPoints()
+    coordinates.SetData(numpy_to_vtk(np.array(points, dtype=float).reshape(-1, 3), deep=True))
+    made = vtkPolyData()
+    made.SetPoints(coordinates)
+    made.SetPolys(cells(faces))
+    made.SetLines(cells(lines))
+    made.SetVerts(cells(verts))
+    return made
+
+
+def add(attributes, name, values):
+    array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+    array.SetName(name)
+    attributes.AddArray(array)
+
+
+def with_identity(made):
+    add(made.GetPointData(), "e", np.eye(made.GetNumberOfPoints()))
+    return made
+
+
+def run(made, scheme, levels=1, arrays=(), **options):
+    subdivision = vtkSurfaceSubdivision()
+    subdivision.SetInputData(made)
+    subdivision.SetScheme(scheme)
+    subdivision.SetNumberOfLevels(levels)
+    for index, association, name in arrays:
+        subdivision.SetInputArrayToProcess(index, 0, 0, association, name)
+    for name, value in options.items():
+        getattr(subdivision, "Set" + name)(value)
+    subdivision.Update()
+    out = vtkPolyData()
+    out.ShallowCopy(subdivision.GetOutput())
+    return out
+
+
+def coordinates(made):
+    return vtk_to_numpy(made.GetPoints().GetData())
+
+
+def point_array(made, name):
+    return vtk_to_numpy(made.GetPointData().GetArray(name))
+
+
+def faces_of(made):
+    array = made.GetPolys()
+    ids = vtk_to_numpy(array.GetConnectivityArray())
+    offsets = vtk_to_numpy(array.GetOffsetsArray())
+    return [list(ids[a:b]) for a, b in zip(offsets[:-1], offsets[1:])]
+
+
+def lines_of(made):
+    ids = vtk_to_numpy(made.GetLines().GetConnectivityArray())
+    return [list(pair) for pair in ids.reshape(-1, 2)]
+
+
+def operator(made, scheme, **options):
+    """The rows of one step."""
+    return point_array(run(with_identity(made), scheme, **options), "e")
+
+
+def children(coarse, fine, scheme):
+    """Points of edges and faces, read off the children of faces, which come in order."""
+    found = {}
+    small = faces_of(fine)
+    child = 0
+    for face in faces_of(coarse):
+        for i, vertex in enumerate(face):
+            after = face[(i + 1) % len(face)]
+            if scheme == LOOP:
+                corner = small[child + i]
+                assert corner[i] == vertex
+                found[frozenset((vertex, after))] = corner[(i + 1) % 3]
+            else:
+                quad = small[child + i]
+                assert quad[0] == vertex
+                found[frozenset((vertex, after))] = quad[1]
+                found[frozenset(face)] = quad[2]
+        child += 4 if scheme == LOOP else len(face)
+    return found
+
+
+def wheel(k, rings=3):
+    """k triangles around vertex 0, in rings."""
+    points = [[0, 0, 0]]
+    ids = {(0, 0): 0}
+    for r in range(1, rings + 1):
+        for i in range(k * r):
+            ids[r, i] = len(points)
+            angle = 2 * np.pi * i / (k * r)
+            points.append([r * np.cos(angle), r * np.sin(angle), 0.1 * np.sin(7 * i + r)])
+    faces = []
+    for r in range(1, rings + 1):
+        for s in range(k):
+            for i in range(r):
+                inner = [ids[r - 1, (s * (r - 1) + j) % max(1, k * (r - 1))] for j in (i, i + 1)]
+                outer = [ids[r, (s * r + j) % (k * r)] for j in (i, i + 1)]
+                faces.append([inner[0], outer[0], outer[1]])
+                if i < r - 1:
+                    faces.append([inner[0], outer[1], inner[1]])
+    return mesh(points, faces)
+
+
+def fan(k, angle, rings=3):
+    """k triangles in a sector of an angle at vertex 0, in rings."""
+    points = [[0, 0, 0]]
+    ids = {(0, 0): 0}
+    for r in range(1, rings + 1):
+        for i in range(k * r + 1):
+            ids[r, i] = len(points)
+            turn = angle * i / (k * r)
+            points.append([r * np.cos(turn), r * np.sin(turn), 0])
+    faces = []
+    for r in range(1, rings + 1):
+        for s in range(k):
+            for i in range(r):
+                faces.append([ids[r - 1, s * (r - 1) + i], ids[r, s * r + i], ids[r, s * r + i + 1]])
+                if i < r - 1:
+                    faces.append([ids[r - 1, s * (r - 1) + i], ids[r, s * r + i + 1], ids[r - 1, s * (r - 1) + i + 1]])
+    return mesh(points, faces)
+
+
+def quad_star(k, angle, closed, size=3):
+    """k sectors of size x size quads at vertex 0."""
+    points = []
+    ids = {}
+
+    def point(s, a, b):
+        if a == 0 and b == 0:
+            key = 0
+        elif b == 0:
+            key = (s, a)
+        elif a == 0:
+            key = ((s + 1) % k if closed else s + 1, b)
+        else:
+            key = (s, a, b)
+        if key not in ids:
+            ids[key] = len(points)
+            t = [angle * (s + j) / k for j in (0, 1)]
+            points.append([a * np.cos(t[0]) + b * np.cos(t[1]), a * np.sin(t[0]) + b * np.sin(t[1]), 0])
+        return ids[key]
+
+    point(0, 0, 0)
+    faces = []
+    for s in range(k):
+        for a, b in itertools.product(range(size), repeat=2):
+            faces.append([point(s, a, b), point(s, a + 1, b), point(s, a + 1, b + 1), point(s, a, b + 1)])
+    return mesh(points, faces)
+
+
+def local_matrix(made, scheme, **options):
+    """What a step does to vertex 0 and its faces, one step in, where all else is regular."""
+    first = run(made, scheme, **options)
+    second = run(with_identity(first), scheme, **options)
+    rows = point_array(second, "e")
+    made_on = children(first, second, scheme)
+    around = [face for face in faces_of(first) if 0 in face]
+    here = [0]
+    there = [0]
+    for face in around:
+        at = face.index(0)
+        for other in (face[(at + 1) % len(face)], face[at - 1]):
+            if other not in here:
+                here.append(other)
+                there.append(made_on[frozenset((0, other))])
+    if scheme == CATMULL_CLARK:
+        for face in around:
+            here.append(face[(face.index(0) + 2) % 4])
+            there.append(made_on[frozenset(face)])
+    matrix = rows[np.ix_(there, here)]
+    np.testing.assert_allclose(matrix.sum(axis=1), 1, atol=1e-12)  # nothing from elsewhere
+    return matrix
+
+
+def spectrum(matrix):
+    return sorted(abs(np.linalg.eigvals(matrix)), reverse=True)
+
+
+def flag_corner(made, vertex=0):
+    """The same mesh with one vertex tagged as a corner."""
+    tagged = mesh(coordinates(made), faces_of(made), verts=[[vertex]])
+    add(tagged.GetCellData(), "Singular", np.array([1] + [0] * made.GetNumberOfPolys(), dtype=np.int32))
+    return tagged
+
+
+def grid(n, triangles):
+    points = [[x, y, 0] for y in range(n) for x in range(n)]
+    faces = []
+    for y, x in itertools.product(range(n - 1), repeat=2):
+        quad = [y * n + x, y * n + x + 1, (y + 1) * n + x + 1, (y + 1) * n + x]
+        faces += [[quad[0], quad[1], quad[2]], [quad[0], quad[2], quad[3]]] if triangles else [quad]
+    return mesh(points, faces)
+
+
+def moebius(n=9):
+    points = []
+    for i in range(n):
+        t = 2 * np.pi * i / n
+        for s in (-0.4, 0.4):
+            radius = 1 + s * np.cos(t / 2)
+            points.append([radius * np.cos(t), radius * np.sin(t), s * np.sin(t / 2)])
+    faces = [[2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1] for i in range(n - 1)]
+    faces.append([2 * n - 2, 1, 0, 2 * n - 1])
+    return mesh(points, faces)
+
+
+def zoo():
+    """Meshes of many kinds, with random heights."""
+    random = np.random.RandomState(3)
+    cube = [[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+    made = {
+        "triangle": mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]),
+        "pentagon": mesh([[np.cos(t), np.sin(t), 0] for t in np.arange(5)], [range(5)]),
+        "cube": mesh(cube, sides),
+        "open cube": mesh(cube, sides[1:]),
+        "pyramid": mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [.4, .4, 1]],
+                        [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [0, 3, 2, 1]]),
+        "book": mesh([[0, 0, 0], [0, 0, 1], [1, 0, 0], [-1, .2, 0], [0, 1, 0]], [[0, 1, 2], [0, 1, 3], [1, 0, 4]]),
+        "bow": mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [-1, 0, 0], [-1, -1, 0]], [[0, 1, 2], [0, 3, 4]]),
+        "mixed": mesh(cube + [[2, 2, 2], [3, 3, 2]], sides, lines=[[7, 8, 9], [0, 1]], verts=[[9], [0]]),
+        "lines": mesh([[0, 0, 0], [1, 0, 0], [1, 1, 0], [2, 0, 1]], [], lines=[[0, 1, 2, 3]]),
+        "grid": grid(4, True),
+        "quads": grid(4, False),
+        "moebius": moebius(),
+        "wheel": wheel(5),
+        "points": mesh([[0, 0, 0], [1, 0, 0]], [], verts=[[0]]),
+    }
+    for surface in made.values():
+        coordinates(surface)[:] += 0.05 * random.rand(surface.GetNumberOfPoints(), 3)
+    return made
+
+
+class Rows(unittest.TestCase):
+    def test_rows_sum_to_one_and_carry_affine_maps(self):
+        turn = np.random.RandomState(0).rand(3, 3)
+        for (name, surface), scheme in itertools.product(zoo().items(), (LOOP, CATMULL_CLARK)):
+            with self.subTest(name, scheme=scheme):
+                out = run(with_identity(surface), scheme, 2)
+                rows = point_array(out, "e")
+                np.testing.assert_allclose(rows.sum(axis=1), 1, atol=1e-12)
+                np.testing.assert_allclose(rows @ coordinates(surface), coordinates(out), atol=1e-12)
+                moved = mesh(coordinates(surface) @ turn + 5, faces_of(surface))
+                moved.SetLines(surface.GetLines())
+                moved.SetVerts(surface.GetVerts())
+                if scheme == CATMULL_CLARK or name != "pentagon":  # ears are cut by shape
+                    np.testing.assert_allclose(
+                        coordinates(run(moved, scheme, 2)), coordinates(out) @ turn + 5, atol=1e-11)
+
+    def test_regular_masks_are_splines(self):
+        rows = operator(grid(7, True), LOOP)
+        centre = 24
+        weights = sorted(w for w in rows[centre] if w)
+        np.testing.assert_allclose(weights, [1 / 16] * 6 + [10 / 16], atol=1e-15)
+        box = {(0, 0): 10, (1, 0): 1, (0, 1): 1, (1, 1): 1, (-1, 0): 1, (0, -1): 1, (-1, -1): 1}
+        for (x, y), weight in box.items():
+            self.assertAlmostEqual(rows[centre][centre + 7 * y + x], weight / 16, 14)
+        coarse = grid(7, False)
+        fine = run(with_identity(coarse), CATMULL_CLARK)
+        rows = point_array(fine, "e")
+        made = children(coarse, fine, CATMULL_CLARK)
+        spline = {0: {-1: 1 / 8, 0: 6 / 8, 1: 1 / 8}, 1: {0: 1 / 2, 1: 1 / 2}}
+        for row, (a, b) in ((centre, (0, 0)), (made[frozenset((24, 25))], (1, 0)), (made[frozenset((24, 31))], (0, 1)),
+                            (made[frozenset((24, 25, 32, 31))], (1, 1))):
+            expected = np.zeros(49)
+            for (x, u), (y, v) in itertools.product(spline[a].items(), spline[b].items()):
+                expected[centre + 7 * y + x] = u * v
+            np.testing.assert_allclose(rows[row], expected, atol=1e-15)
+
+    def test_boundary_is_a_cubic_spline(self):
+        for scheme in (LOOP, CATMULL_CLARK):
+            coarse = grid(5, scheme == LOOP)
+            fine = run(with_identity(coarse), scheme)
+            rows = point_array(fine, "e")
+            self.assertEqual({i: w for i, w in enumerate(rows[2]) if w}, {1: 1 / 8, 2: 3 / 4, 3: 1 / 8})
+            middle = children(coarse, fine, scheme)[frozenset((1, 2))]
+            self.assertEqual({i: w for i, w in enumerate(rows[middle]) if w}, {1: 1 / 2, 2: 1 / 2})
+
+    def test_quadratic_precision_on_grids(self):
+        for scheme in (LOOP, CATMULL_CLARK):
+            for powers in ((2, 0), (1, 1), (0, 2)):
+                surface = grid(9, scheme == LOOP)
+                x, y = coordinates(surface)[:, :2].T
+                add(surface.GetPointData(), "q", x ** powers[0] * y ** powers[1])
+                out = run(surface, scheme)
+                px, py = coordinates(out)[:, :2].T
+                inside = (abs(px - 4) < 2.1) & (abs(py - 4) < 2.1)
+                off = (point_array(out, "q") - px ** powers[0] * py ** powers[1])[inside]
+                self.assertGreater(len(off), 25)
+                np.testing.assert_allclose(off, off[0], atol=1e-12)
+
+
+class Spectra(unittest.TestCase):
+    def check(self, values):
+        values = list(values) + [0.0]
+        self.assertAlmostEqual(values[0], 1, 12)
+        self.assertLess(values[1], 1 - 1e-9)
+        self.assertGreater(values[2], values[3] + 1e-6)
+
+    def test_interior(self):
+        for k in range(3, 13):
+            with self.subTest(k):
+                values = spectrum(local_matrix(wheel(k), LOOP))
+                self.check(values)
+                expected = 0.25 if k == 3 else 3 / 8 + np.cos(2 * np.pi / k) / 4
+                np.testing.assert_allclose(values[1:3], expected, atol=1e-10)
+                values = spectrum(local_matrix(quad_star(k, 2 * np.pi, True), CATMULL_CLARK))
+                self.check(values)
+                c = np.cos(2 * np.pi / k)
+                np.testing.assert_allclose(values[1:3], (5 + c + np.sqrt((9 + c) * (1 + c))) / 16, atol=1e-10)
+
+    def test_smooth_boundary(self):
+        for k in range(1, 9):
+            with self.subTest(k):
+                values = spectrum(local_matrix(fan(k, np.pi if k > 1 else 1.), LOOP))
+                self.check(values)
+                self.assertAlmostEqual(values[1], 0.5, 10)
+                if k > 1:
+                    self.assertAlmostEqual(values[2], 0.5, 10)
+                    values = spectrum(local_matrix(quad_star(k, np.pi, False), CATMULL_CLARK))
+                    self.check(values)
+                    np.testing.assert_allclose(values[1:3], 0.5, atol=1e-10)
+
+    def test_plain_boundary_is_not_smooth_for_many_faces(self):
+        values = spectrum(local_matrix(fan(8, np.pi), LOOP, ModifiedBoundary=False))
+        self.assertGreater(values[2], 0.5)
+
+    def test_corners(self):
+        shapes = [(k, a * np.pi) for k in range(1, 9) for a in (0.25, 0.5, 0.75, 1.25, 1.5, 1.75) if a < 0.9 * k]
+        for (k, angle), scheme in itertools.product(shapes, (LOOP, CATMULL_CLARK)):
+            with self.subTest(k=k, angle=angle, scheme=scheme):
+                made = fan(k, angle) if scheme == LOOP else quad_star(k, angle, False)
+                matrix = local_matrix(flag_corner(made), scheme)
+                values = spectrum(matrix)
+                self.check(values)
+                np.testing.assert_allclose(values[1:3], 0.5, atol=1e-10)
+                # The subdominant pair is the sector itself: it does not fold.
+                t = angle / k
+                turns = np.arange(k + 1) * t
+                for wave in (np.cos, np.sin):
+                    ring = wave(turns)
+                    vector = [0, *ring]
+                    if scheme == CATMULL_CLARK:
+                        vector += list(ring[:-1] + ring[1:])
+                    np.testing.assert_allclose(matrix @ vector, np.array(vector) / 2, atol=1e-10)
+                if angle > np.pi:
+                    self.assertLess(values[3] if len(values) > 3 else 0, 0.25 + 1e-9)
+
+    def test_given_angle_and_flatness(self):
+        made = flag_corner(fan(4, np.pi / 2))
+        add(made.GetPointData(), "angle", np.full(made.GetNumberOfPoints(), 270.))
+        matrix = local_matrix(made, LOOP, arrays=[(5, 0, "angle")])
+        ring = np.cos(np.arange(5) * 1.5 * np.pi / 4)
+        np.testing.assert_allclose(matrix @ [0, *ring], np.array([0, *ring]) / 2, atol=1e-10)
+        made = flag_corner(fan(4, np.pi / 2))
+        add(made.GetPointData(), "flat", np.full(made.GetNumberOfPoints(), 0.75))
+        once = run(with_identity(made), LOOP, arrays=[(6, 0, "flat")])
+        plain = run(with_identity(made), LOOP)
+        self.assertGreater(abs(point_array(once, "e") - point_array(plain, "e")).max(), 0.01)
+        np.testing.assert_allclose(point_array(once, "e").sum(axis=1), 1, atol=1e-12)
+
+    def test_dart(self):
+        made = wheel(6)
+        spoke = [0, 1]
+        tagged = mesh(coordinates(made), faces_of(made), lines=[spoke])
+        add(tagged.GetCellData(), "Singular", np.array([1] + [0] * made.GetNumberOfPolys(), dtype=np.int32))
+        matrix = local_matrix(tagged, LOOP, CreaseEnd=1)
+        values = spectrum(matrix)
+        np.testing.assert_allclose(values[:4], [1, .5, .5, .338], atol=2e-3)
+
+
+class Limits(unittest.TestCase):
+    def surfaces(self):
+        for name, surface in zoo().items():
+            yield name, surface, {}
+        made = wheel(6)
+        tagged = mesh(coordinates(made), faces_of(made), lines=[[0, 1]])
+        add(tagged.GetCellData(), "Singular", np.array([1] + [0] * made.GetNumberOfPolys(), dtype=np.int32))
+        yield "dart", tagged, {"CreaseEnd": 1}
+        made = fan(5, 1.4 * np.pi)
+        coordinates(made)[:, 2] = np.random.RandomState(1).rand(made.GetNumberOfPoints())
+        yield "concave", flag_corner(made), {}
+        yield "plain", fan(4, np.pi), {"ModifiedBoundary": False}
+        made = zoo()["cube"]
+        yield "creases", made, {"DetectFeatures": True, "FeatureAngle": 80}
+
+    def test_projection_does_not_depend_on_the_level(self):
+        for (name, surface, options), scheme in itertools.product(self.surfaces(), (LOOP, CATMULL_CLARK)):
+            with self.subTest(name, scheme=scheme):
+                size = surface.GetNumberOfPoints()
+                found = [coordinates(run(surface, scheme, n, ProjectToLimit=True, **options))[:size] for n in range(4)]
+                for later in found[1:]:
+                    np.testing.assert_allclose(later, found[0], atol=1e-9)
+
+    def test_limit_is_where_many_levels_go(self):
+        for scheme, surface in ((LOOP, wheel(4, 2)), (CATMULL_CLARK, zoo()["pyramid"]), (LOOP, fan(3, np.pi, 2))):
+            size = surface.GetNumberOfPoints()
+            limit = coordinates(run(surface, scheme, 0, ProjectToLimit=True))
+            steps = [coordinates(run(surface, scheme, n))[:size] for n in (5, 6)]
+            rest = [abs(step - limit).max() for step in steps]
+            self.assertLess(rest[1], 0.55 * rest[0])
+            self.assertLess(rest[1], 0.01)
+
+    def test_normals_are_those_of_the_fine_mesh(self):
+        for (name, surface, options), scheme in itertools.product(self.surfaces(), (LOOP, CATMULL_CLARK)):
+            if name in ("lines", "points", "book", "bow", "mixed", "moebius", "creases", "pentagon", "triangle"):
+                continue
+            with self.subTest(name, scheme=scheme):
+                size = surface.GetNumberOfPoints()
+                exact = point_array(run(surface, scheme, 0, GenerateNormals=True, **options), "LimitNormals")
+                later = point_array(run(surface, scheme, 2, GenerateNormals=True, **options), "LimitNormals")
+                np.testing.assert_allclose(later[:size], exact, atol=1e-5)
+                fine = run(surface, scheme, 6, **options)
+                points = coordinates(fine)
+                sums = np.zeros((size, 3))
+                for face in faces_of(fine):
+                    for at, vertex in enumerate(face):
+                        if vertex < size:
+                            a = points[face[(at + 1) % len(face)]] - points[vertex]
+                            b = points[face[at - 1]] - points[vertex]
+                            normal = np.cross(a, b)
+                            sums[vertex] += normal / max(1e-300, np.linalg.norm(normal))
+                sums /= np.linalg.norm(sums, axis=1)[:, None]
+                self.assertGreater((sums * exact).sum(axis=1).min(), 0.99)
+
+    def test_tangents_span_the_plane(self):
+        out = run(wheel(7), LOOP, 1, GenerateNormals=True, GenerateTangents=True)
+        normals = point_array(out, "LimitNormals")
+        for name in ("LimitTangent1", "LimitTangent2"):
+            np.testing.assert_allclose((point_array(out, name) * normals).sum(axis=1), 0, atol=1e-12)
+        np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-12)
+
+
+class Meshes(unittest.TestCase):
+    def test_loop_is_the_main_filter_without_boundary_rules(self):
+        for name, surface in zoo().items():
+            with self.subTest(name):
+                main = vtkMultiDimensionalSubdivision()
+                main.SetInputData(surface)
+                main.SetNumberOfLevels(3)
+                main.Update()
+                out = run(surface, LOOP, 3, ModifiedBoundary=False)
+                self.assertEqual(out.GetNumberOfPoints(), main.GetOutput().GetNumberOfPoints())
+                self.assertEqual(out.GetNumberOfCells(), main.GetOutput().GetNumberOfCells())
+                for cell in range(out.GetNumberOfCells()):
+                    a = out.GetCell(cell).GetPoints().GetData()
+                    b = main.GetOutput().GetCell(cell).GetPoints().GetData()
+                    np.testing.assert_allclose(vtk_to_numpy(a), vtk_to_numpy(b), atol=1e-13)
+
+    def test_loop_is_vtks_where_the_weights_agree(self):
+        # Valences 3 and 6 only: for others VTK takes Loop's own weights instead of Warren's.
+        tetrahedron = mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.2, 0.3, 1]],
+                           [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+        theirs = vtkLoopSubdivisionFilter()
+        theirs.SetInputData(tetrahedron)
+        theirs.SetNumberOfSubdivisions(3)
+        theirs.Update()
+        ours = coordinates(run(tetrahedron, LOOP, 3))
+        other = coordinates(theirs.GetOutput())
+        self.assertEqual(len(ours), len(other))
+        distances = np.linalg.norm(ours[:, None] - other[None], axis=2)
+        self.assertLess(distances.min(axis=1).max(), 1e-6)  # theirs are floats
+
+    def test_lines_follow_their_edges(self):
+        surface = grid(3, False)
+        lined = mesh(coordinates(surface), faces_of(surface), lines=[[4, 1], [4, 5, 8], [2, 1]], verts=[[3, 4]])
+        for scheme in (LOOP, CATMULL_CLARK):
+            out = run(lined, scheme, 2)
+            edges = {frozenset((f[i], f[i - 1])) for f in faces_of(out) for i in range(len(f))}
+            lines = lines_of(out)
+            self.assertEqual(len(lines), 16)
+            for a, b in lines:
+                self.assertIn(frozenset((a, b)), edges)
+            self.assertEqual([lines[0][0], lines[3][1], lines[4][0], lines[11][1]], [4, 1, 4, 8])
+            self.assertTrue(all(lines[i][1] == lines[i + 1][0] for i in (0, 1, 2, 4, 5, 6, 8, 9, 10)))
+            self.assertEqual(out.GetNumberOfVerts(), 2)
+
+    def test_cell_arrays_go_to_the_children(self):
+        surface = zoo()["mixed"]
+        add(surface.GetCellData(), "id", np.arange(surface.GetNumberOfCells()))
+        # Vertices 0, 1, then a poly line of two pieces, a line, six quads.
+        out = run(surface, CATMULL_CLARK, 2, GenerateOriginalIds=True)
+        ids = vtk_to_numpy(out.GetCellData().GetArray("id"))
+        self.assertEqual(list(np.bincount(ids)), [1, 1, 8, 4] + [16] * 6)
+        self.assertTrue((vtk_to_numpy(out.GetCellData().GetArray("vtkOriginalCellIds")) == ids).all())
+        origins = point_array(out, "vtkOriginalPointIds")
+        self.assertEqual(list(origins[:10]), list(range(10)))
+        self.assertTrue((origins[10:] == -1).all())
+
+    def test_integers_take_a_parents_value(self):
+        surface = zoo()["cube"]
+        add(surface.GetPointData(), "label", np.arange(8, dtype=np.int32) + 10)
+        for scheme in (LOOP, CATMULL_CLARK):
+            out = run(surface, scheme, 2)
+            labels = point_array(out, "label")
+            self.assertEqual(list(labels[:8]), list(range(10, 18)))
+            self.assertTrue(set(labels) <= set(range(10, 18)))
+
+    def test_large_valence(self):
+        k = 2000
+        turns = 2 * np.pi * np.arange(k) / k
+        points = [[0, 0, 1]] + [[np.cos(t), np.sin(t), 0] for t in turns]
+        surface = mesh(points, [[0, 1 + i, 1 + (i + 1) % k] for i in range(k)])
+        for scheme in (LOOP, CATMULL_CLARK):
+            out = run(surface, scheme, 2, ProjectToLimit=True)
+            self.assertTrue(np.isfinite(coordinates(out)).all())
+            np.testing.assert_allclose(coordinates(out)[0][:2], 0, atol=1e-9)
+
+    def test_filters_in_a_row(self):
+        for (name, surface, options), scheme in itertools.product(Limits().surfaces(), (LOOP, CATMULL_CLARK)):
+            with self.subTest(name, scheme=scheme):
+                add(surface.GetPointData(), "label", np.arange(surface.GetNumberOfPoints()))
+                once = run(surface, scheme, 3, **options)
+                row = surface
+                for _ in range(3):
+                    row = run(row, scheme, 1, **options)
+                self.assertTrue((coordinates(row) == coordinates(once)).all())
+                self.assertTrue((point_array(row, "label") == point_array(once, "label")).all())
+                self.assertEqual(faces_of(row), faces_of(once))
+                self.assertEqual(lines_of(row), lines_of(once))
+
+    def test_semi_sharp(self):
+        made = wheel(6)
+        crease = [[0, 1], [0, 4]]
+        for sharpness, same in ((0., None), (50., 1), (1.5, None)):
+            tagged = mesh(coordinates(made), faces_of(made), lines=crease)
+            add(tagged.GetCellData(), "s", np.array([sharpness] * 2 + [0.] * made.GetNumberOfPolys()))
+            out = run(tagged, LOOP, 3, arrays=[(4, 1, "s")])
+            add(tagged.GetCellData(), "Singular", np.array([1] * 2 + [0] * made.GetNumberOfPolys(), dtype=np.int32))
+            sharp = run(tagged, LOOP, 3)
+            tagged.GetCellData().RemoveArray("Singular")
+            smooth = run(tagged, LOOP, 3)
+            if sharpness == 0.:
+                np.testing.assert_array_equal(coordinates(out), coordinates(smooth))
+            elif same:
+                np.testing.assert_array_equal(coordinates(out), coordinates(sharp))
+            else:
+                row = tagged
+                for _ in range(3):
+                    row = run(row, LOOP, 1, arrays=[(4, 1, "s")])
+                np.testing.assert_array_equal(coordinates(row), coordinates(out))
+                self.assertGreater(abs(coordinates(out) - coordinates(sharp)).max(), 1e-4)
+                self.assertGreater(abs(coordinates(out) - coordinates(smooth)).max(), 1e-4)
+                left = vtk_to_numpy(run(tagged, LOOP, 1, arrays=[(4, 1, "s")]).GetCellData().GetArray("s"))
+                self.assertEqual(list(left[:4]), [0.5] * 4)
+
+    def test_cache_gives_what_a_fresh_filter_gives(self):
+        surface = flag_corner(fan(4, 0.6 * np.pi))
+        subdivision = vtkSurfaceSubdivision()
+        subdivision.SetInputData(surface)
+        subdivision.SetNumberOfLevels(2)
+        subdivision.Update()
+        polys = subdivision.GetOutput().GetPolys()
+        for angle in (0.5, 1.4):
+            coordinates(surface)[:] = coordinates(fan(4, angle * np.pi))
+            surface.GetPoints().Modified()
+            subdivision.Update()
+            self.assertIs(subdivision.GetOutput().GetPolys(), polys)
+            np.testing.assert_array_equal(
+                coordinates(subdivision.GetOutput()), coordinates(run(surface, LOOP, 2)))
+        self.assertEqual(subdivision.GetNumberOfTopologyBuilds(), 1)
+        surface.GetCellData().GetArray("Singular").SetValue(0, 0)
+        surface.GetCellData().GetArray("Singular").Modified()
+        surface.Modified()
+        subdivision.Update()
+        np.testing.assert_array_equal(coordinates(subdivision.GetOutput()), coordinates(run(surface, LOOP, 2)))
+
+    def test_bad_cells_are_passed_over(self):
+        bad = mesh(coordinates(zoo()["cube"]), faces_of(zoo()["cube"]) + [[0, 1, 0, 2], [3, 3, 3]])
+        with tools.quiet():
+            out = run(bad, CATMULL_CLARK, 1)
+        self.assertEqual(out.GetNumberOfPolys(), 24)
+
+    def test_limit_on_cells(self):
+        with tools.quiet():
+            out = run(zoo()["cube"], CATMULL_CLARK, 5, MaximumNumberOfCells=6143)
+        self.assertEqual(out.GetNumberOfPoints(), 0)
+        self.assertEqual(run(zoo()["cube"], CATMULL_CLARK, 5, MaximumNumberOfCells=6144).GetNumberOfPolys(), 6144)
+
+
+class InParaView(unittest.TestCase):
+    def test_pipeline(self):
+        sphere = simple.Sphere()
+        surface = simple.SurfaceSubdivision(Input=sphere, Scheme="Catmull-Clark", NumberOfLevels=2, GenerateNormals=1)
+        surface.UpdatePipeline()
+        out = tools.output(surface)
+        self.assertGreater(out.GetNumberOfPolys(), 1000)
+        self.assertIn("LimitNormals", tools.arrays(out.GetPointData()))
+
+
+if __name__ == "__main__":
+    tools.main()
