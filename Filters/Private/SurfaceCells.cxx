@@ -121,8 +121,8 @@ SurfaceCells ReadPolygons(vtkPolyData* input)
       case VTK_TRIANGLE_STRIP:
         for (vtkIdType i = 0; i + 2 < ids.Size; ++i)
         {
-          const vtkIdType triangle[3] = { ids.Ids[i], ids.Ids[i + 1 + i % 2],
-            ids.Ids[i + 2 - i % 2] };
+          const vtkIdType triangle[3] = { ids.Ids[i + i % 2], ids.Ids[i + 1 - i % 2],
+            ids.Ids[i + 2] };
           if (triangle[0] != triangle[1] && triangle[1] != triangle[2] &&
             triangle[2] != triangle[0])
           {
