@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Points on the limit, and its normals, in ParaView."""
+
+import numpy as np
+import tools
+import unittest
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def subdivide(source, levels, **options):
+    proxy = simple.MultidimensionalSubdivision(Input=source, NumberOfLevels=levels, **options)
+    proxy.UpdatePipeline()
+    return tools.output(proxy)
+
+
+def points(grid):
+    return vtk_to_numpy(grid.GetPoints().GetData())
+
+
+class Limit(unittest.TestCase):
+    def test_every_model_at_every_level(self):
+        for model in simple.SubdivisionModel().GetProperty("Model").Available:
+            with self.subTest(model):
+                source = simple.SubdivisionModel(Model=model)
+                coarse = subdivide(source, 0, ProjectToLimit=1)
+                self.assertFalse(np.array_equal(points(coarse), points(subdivide(source, 0))))
+                for levels in (1, 2):
+                    fine = subdivide(source, levels, ProjectToLimit=1)
+                    size = coarse.GetNumberOfPoints()
+                    self.assertLess(abs(points(fine)[:size] - points(coarse)).max(), 1e-5)
+                    tension = [vtk_to_numpy(grid.GetPointData().GetArray("Tension"))[:size]
+                               for grid in (coarse, fine)]
+                    self.assertLess(abs(tension[1] - tension[0]).max(), 1e-5)
+                    coarse = fine
+
+    def test_normals(self):
+        for model in simple.SubdivisionModel().GetProperty("Model").Available:
+            with self.subTest(model):
+                source = simple.SubdivisionModel(Model=model)
+                smooth = subdivide(source, 1, GenerateLimitNormals=1, GenerateClassification=1)
+                normals = vtk_to_numpy(smooth.GetPointData().GetArray("LimitNormals"))
+                lengths = np.linalg.norm(normals, axis=1)
+                self.assertTrue(np.logical_or(lengths == 0, abs(lengths - 1) < 1e-6).all())
+                rules = vtk_to_numpy(smooth.GetPointData().GetArray("RuleDimension"))
+                self.assertTrue((lengths[np.isin(rules, (0, 3, 4))] == 0).all())
+                self.assertGreater((lengths > 0).sum(), 0)
+
+
+if __name__ == "__main__":
+    tools.main()
