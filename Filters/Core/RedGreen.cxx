@@ -166,7 +166,7 @@ void RedGreen<Id>::Settle(Id index)
     return;
   }
   this->SetPattern(index, pattern);
-  if (deeper || this->IsInnerEdgeSplit(this->Nodes[index]))
+  if (deeper || (this->InnerEdgesSplit && this->IsInnerEdgeSplit(this->Nodes[index])))
   {
     this->MakeRed(index);
     this->Expand(index);
@@ -351,6 +351,8 @@ void RedGreen<Id>::Split(Id index)
     return;
   }
   edge.Midpoint = this->GetNumberOfVertices();
+  this->InnerEdgesSplit = this->InnerEdgesSplit ||
+    (this->FindMidpointEdge(edge.Ends[0]) >= 0 && this->FindMidpointEdge(edge.Ends[1]) >= 0);
   this->MidpointEdges.push_back(index);
   this->Queue.push_back(index);
   this->FlagEnds(edge);
@@ -459,6 +461,7 @@ void RedGreen<Id>::AddMidpoint(Id end0, Id end1, Id midpoint)
   }
   this->Edges[edge].Midpoint = midpoint;
   this->KnownMidpoints.emplace(midpoint, edge);
+  this->InnerEdgesSplit = true; // for all that is known here
   this->GetHalf(edge, 0);
   this->Queue.push_back(edge);
   this->FlagEnds(this->Edges[edge]);

@@ -191,7 +191,8 @@ private:
   std::vector<Id> ChangedNodes; ///< since the last Close()
   std::vector<Id> LastChanges;  ///< from the Close() before that to the last
 
-  Buffer<unsigned char> Flags; ///< of input vertices: end of a split edge
+  bool InnerEdgesSplit = false; ///< whether any edge between midpoints may be
+  Buffer<unsigned char> Flags;  ///< of input vertices: end of a split edge
   std::vector<Id> NewFlags;
   int Scans = 0;
   Rows<Id> Incidence; ///< cells at each input vertex; empty until it is needed

@@ -4,8 +4,9 @@
  * What no program can beat: allocating and writing arrays of the size of the output. And for an
  * execution with another scalar: reading the operator's last level as compressed rows once.
  */
+#include "BenchmarkLimit.h"
+
 #include "BenchmarkMeshes.h"
-#include "BenchmarkTools.h"
 
 #include "Core/Buffer.h"
 
@@ -61,14 +62,6 @@ private:
   std::size_t Bytes;
 };
 
-/// `pages`: fresh memory in 4 KiB pages, in huge pages, or memory that was written before.
-enum class Pages
-{
-  Small,
-  Huge,
-  Warm
-};
-
 void WriteAll(std::vector<Mapping>& mappings, const std::vector<std::size_t>& arrays)
 {
   for (std::size_t a = 0; a < arrays.size(); ++a)
@@ -83,6 +76,8 @@ void WriteAll(std::vector<Mapping>& mappings, const std::vector<std::size_t>& ar
         }
       });
   }
+}
+
 }
 
 Produced RunLimit(Stopwatch& watch, const OutputSize& size, Pages pages)
@@ -107,6 +102,9 @@ Produced RunLimit(Stopwatch& watch, const OutputSize& size, Pages pages)
   watch.Time(work);
   return { size.Cells, size.Bytes };
 }
+
+namespace
+{
 
 void RegisterLimit()
 {

@@ -25,6 +25,7 @@ PEER_NOTES = {
     "OpenSubdiv uniform + primvar": "",
     "OpenSubdiv stencil table build": "the table alone, nothing evaluated",
     "OpenSubdiv stencil table evaluate": "ready table, one component; compared with re-execution",
+    "dune-uggrid local": "no scalar; the same rounds and marks",
     "dune-uggrid": "no scalar; conforming red refinement; with --quick per cell, from 2 levels",
 }
 PER_CELL = ("OpenMesh sqrt3", "vtkSubdivideTetra")
@@ -142,6 +143,22 @@ def again_section(samples):
          "time / OpenSubdiv's ready stencil table", "faster than a first execution"], rows)
 
 
+def red_green_section(samples):
+    rows = []
+    for (family, what, case, levels, threads), sample in sorted(samples.items()):
+        if family != "redgreen":
+            continue
+        small = samples.get(("limit", "small", case, levels, threads))
+        huge = samples.get(("limit", "huge", case, levels, threads))
+        rows.append([case, what, str(threads), "%.3g" % sample.cells, sample.text(),
+                     small.text() if small else "-", ratio(sample, small), ratio(sample, huge)])
+    return ["## Red-green refinement", "",
+            "corner: 12^3 x 6 tetrahedra, 4 rounds, marked within 0.21 of the corner; percent: 1 % "
+            "of 5 million tetrahedra in one place, scattered: anywhere.", ""] + table(
+        ["case", "what", "threads", "cells", "ms", "writing the output, 4 KiB pages, ms",
+         "time / writing", "time / writing with huge pages"], rows) if rows else []
+
+
 def peer_section(samples):
     rows = []
     for (family, what, case, levels, threads), peer in sorted(samples.items()):
@@ -151,6 +168,7 @@ def peer_section(samples):
         cells = []
         for own_threads in (1, 4):
             same = samples.get(("filter", mine, case, levels, own_threads))
+            same = same or samples.get(("redgreen", "core", case, levels, own_threads))
             own = same or samples.get(("filter", mine, case, 3, own_threads))
             if not own:
                 cells.append("-")
@@ -209,7 +227,8 @@ def run(arguments):
              "Medians of %d repetitions in random order, (min..max); load average before %.1f, "
              "after %.1f; %d processors." % (
                  arguments.repetitions, load, os.getloadavg()[0], os.cpu_count()), ""]
-    lines += filter_section(samples, memory) + again_section(samples) + peer_section(samples)
+    lines += filter_section(samples, memory) + again_section(samples)
+    lines += red_green_section(samples) + peer_section(samples)
     lines += stage_section(samples)
     if not arguments.quick:
         lines += scaling_section(samples)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PeerDune.cxx
- * dune-uggrid: global red refinement of tetrahedra, which conforms. Carries no scalar, moves
- * nothing.
+ * dune-uggrid: global red refinement of tetrahedra, which conforms, and red-green refinement near a
+ * corner. Carries no scalar, moves nothing.
  */
 #include "BenchmarkMeshes.h"
 #include "BenchmarkTools.h"
@@ -11,6 +11,7 @@
 #include <dune/grid/common/gridfactory.hh>
 #include <dune/grid/uggrid.hh>
 
+#include <functional>
 #include <memory>
 
 namespace benchmarks
@@ -20,12 +21,8 @@ namespace
 
 using Grid = Dune::UGGrid<3>;
 
-Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels)
+std::unique_ptr<Grid> MakeGrid(const FlatMesh& input)
 {
-  std::unique_ptr<Grid> grid;
-  std::vector<double> points;
-  std::vector<int> cells;
-  watch.Start();
   Dune::GridFactory<Grid> factory;
   for (int i = 0; i < input.GetNumberOfPoints(); ++i)
   {
@@ -37,8 +34,34 @@ Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels)
     factory.insertElement(Dune::GeometryTypes::tetrahedron,
       std::vector<unsigned int>(input.Cells.data() + t, input.Cells.data() + t + 4));
   }
-  grid = factory.createGrid();
-  grid->globalRefine(levels);
+  return std::unique_ptr<Grid>(factory.createGrid());
+}
+
+/// One round: the leaves whose centroid lies within a radius of the corner.
+void RefineCorner(Grid& grid, double radius)
+{
+  for (const auto& element : Dune::elements(grid.leafGridView()))
+  {
+    const auto centre = element.geometry().center();
+    if (centre.two_norm2() < radius * radius)
+    {
+      grid.mark(1, element);
+    }
+  }
+  grid.preAdapt();
+  grid.adapt();
+  grid.postAdapt();
+}
+
+Produced Subdivide(
+  Stopwatch& watch, const FlatMesh& input, const std::function<void(Grid&)>& refine)
+{
+  std::unique_ptr<Grid> grid;
+  std::vector<double> points;
+  std::vector<int> cells;
+  watch.Start();
+  grid = MakeGrid(input);
+  refine(*grid);
   const auto view = grid->leafGridView();
   const auto& indices = view.indexSet();
   points.resize(3 * indices.size(3));
@@ -61,20 +84,35 @@ Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels)
     static_cast<double>(8 * points.size() + 4 * cells.size()) };
 }
 
-void RegisterDune()
+void RegisterPeer(
+  const std::string& name, const FlatMesh& mesh, const std::function<void(Grid&)>& refine)
 {
-  static const FlatMesh cube = MakeCube(12);
-  const int levels = IsQuick() ? 2 : 3;
   Register(
-    "peer/dune-uggrid/cube/levels:" + std::to_string(levels), 1,
-    [levels](Stopwatch& watch)
+    name, 1,
+    [&mesh, refine](Stopwatch& watch)
     {
       int argc = 0;
       char** argv = nullptr;
       Dune::MPIHelper::instance(argc, argv);
-      return Subdivide(watch, cube, levels);
+      return Subdivide(watch, mesh, refine);
     },
     1);
+}
+
+void RegisterDune()
+{
+  static const FlatMesh cube = MakeCube(12);
+  const int levels = IsQuick() ? 2 : 3;
+  RegisterPeer("peer/dune-uggrid/cube/levels:" + std::to_string(levels), cube,
+    [levels](Grid& grid) { grid.globalRefine(levels); });
+  RegisterPeer("peer/dune-uggrid local/corner/levels:4", cube,
+    [](Grid& grid)
+    {
+      for (int round = 0; round < 4; ++round)
+      {
+        RefineCorner(grid, 0.21);
+      }
+    });
 }
 
 const Registration Registered(RegisterDune);
