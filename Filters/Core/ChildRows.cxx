@@ -4,6 +4,8 @@
 #include "RingEmitter.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 namespace subdivision
 {
@@ -13,17 +15,34 @@ namespace
 /// Simplices whose rows are made together: their rings fit into a core's own cache.
 constexpr vtkIdType BlockSize = 256;
 
-/// Calls makeBlock() for each thread's range, and what it gives with blocks that cover [0, size).
-template <typename MakeBlock>
-void ForBlocks(vtkIdType size, const MakeBlock& makeBlock)
+/// block(begin, end) over blocks that cover [begin, end).
+template <typename Block>
+void ForBlocks(vtkIdType begin, vtkIdType end, const Block& block)
 {
-  ForRanges(size,
+  for (; begin < end; begin += BlockSize)
+  {
+    block(begin, std::min(begin + BlockSize, end));
+  }
+}
+
+/// body(kind, begin, end) over ranges of some kinds of things, `counts` of each, in one go: threads
+/// do not wait for each other between two kinds.
+template <std::size_t Kinds, typename Body>
+void ForKinds(const std::array<vtkIdType, Kinds>& counts, const Body& body)
+{
+  ForRanges(std::accumulate(counts.begin(), counts.end(), vtkIdType(0)),
     [&](vtkIdType begin, vtkIdType end)
     {
-      auto block = makeBlock();
-      for (; begin < end; begin += BlockSize)
+      for (std::size_t kind = 0; kind < Kinds; ++kind)
       {
-        block(begin, std::min(begin + BlockSize, end));
+        const vtkIdType first = std::max(begin, vtkIdType(0));
+        const vtkIdType last = std::min(end, counts[kind]);
+        if (first < last)
+        {
+          body(kind, first, last);
+        }
+        begin -= counts[kind];
+        end -= counts[kind];
       }
     });
 }
@@ -101,111 +120,118 @@ public:
   }
   void Run() const
   {
-    this->AtVertices();
-    this->AtEdges();
-    this->InFaces();
-    this->OfDiagonals();
+    ForKinds<4>({ this->Complex.NumberOfVertices, this->Complex.NumberOfEdges,
+                  this->Complex.NumberOfFaces, this->Complex.NumberOfTets },
+      [this](std::size_t dimension, vtkIdType begin, vtkIdType end)
+      {
+        switch (dimension)
+        {
+          case 0:
+            this->AtVertices(begin, end);
+            break;
+          case 1:
+            this->AtEdges(begin, end);
+            break;
+          case 2:
+            this->InFaces(begin, end);
+            break;
+          default:
+            this->OfDiagonals(begin, end);
+            break;
+        }
+      });
   }
 
 private:
-  void AtVertices() const
+  void AtVertices(vtkIdType first, vtkIdType last) const
   {
-    ForBlocks(this->Complex.NumberOfVertices,
-      [&]()
+    RowBlock<Id> rows(false, BlockSize);
+    ForBlocks(first, last,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        return [this, rows = RowBlock<Id>(false, BlockSize)](vtkIdType begin, vtkIdType end) mutable
+        rows.Start(begin);
+        for (vtkIdType v = begin; v < end; ++v)
         {
-          rows.Start(begin);
-          for (vtkIdType v = begin; v < end; ++v)
-          {
-            rows.Reserve(static_cast<Id>(this->Strata.VertexRings.GetSize(v)));
-            auto ring = rows.Open();
-            this->Emitter.EmitVertex(static_cast<Id>(v), ring);
-            rows.Close(ring, this->Strata.Vertices[v]);
-          }
-          this->Use(rows.Get());
-        };
+          rows.Reserve(static_cast<Id>(this->Strata.VertexRings.GetSize(v)));
+          auto ring = rows.Open();
+          this->Emitter.EmitVertex(static_cast<Id>(v), ring);
+          rows.Close(ring, this->Strata.Vertices[v]);
+        }
+        this->Use(rows.Get());
       });
   }
 
   /// Both halves of each edge, and its midpoint.
-  void AtEdges() const
+  void AtEdges(vtkIdType first, vtkIdType last) const
   {
-    ForBlocks(this->Complex.NumberOfEdges,
-      [&]()
+    RowBlock<Id> edges(true, 2 * BlockSize);
+    RowBlock<Id> vertices(false, BlockSize);
+    ForBlocks(first, last,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        return [this, edges = RowBlock<Id>(true, 2 * BlockSize),
-                 vertices = RowBlock<Id>(false, BlockSize)](vtkIdType begin, vtkIdType end) mutable
+        edges.Start(this->FirstEdgeRow + 2 * begin);
+        vertices.Start(this->Complex.NumberOfVertices + begin);
+        for (vtkIdType i = begin; i < end; ++i)
         {
-          edges.Start(this->FirstEdgeRow + 2 * begin);
-          vertices.Start(this->Complex.NumberOfVertices + begin);
-          for (vtkIdType i = begin; i < end; ++i)
+          const Id e = static_cast<Id>(i);
+          const Id size = this->Emitter.CountHalf(e);
+          edges.Reserve(2 * size);
+          vertices.Reserve(this->Emitter.CountAtMost(e));
+          MemberWriter<Id> halves[2] = { edges.Open(), edges.Open(size) };
+          auto midpoint = vertices.Open();
+          this->Emitter.EmitAtEdge(e, halves, midpoint);
+          vertices.Close(midpoint, this->Emitter.MidpointStratum(e));
+          for (int half = 0; half < 2; ++half)
           {
-            const Id e = static_cast<Id>(i);
-            const Id size = this->Emitter.CountHalf(e);
-            edges.Reserve(2 * size);
-            vertices.Reserve(this->Emitter.CountAtMost(e));
-            MemberWriter<Id> halves[2] = { edges.Open(), edges.Open(size) };
-            auto midpoint = vertices.Open();
-            this->Emitter.EmitAtEdge(e, halves, midpoint);
-            vertices.Close(midpoint, this->Emitter.MidpointStratum(e));
-            for (int half = 0; half < 2; ++half)
-            {
-              this->Emitter.GetHalfEnds(e, half, edges.GetEnds());
-              edges.Close(halves[half], this->Strata.Edges[e]);
-            }
+            this->Emitter.GetHalfEnds(e, half, edges.GetEnds());
+            edges.Close(halves[half], this->Strata.Edges[e]);
           }
-          this->Use(edges.Get());
-          this->Use(vertices.Get());
-        };
+        }
+        this->Use(edges.Get());
+        this->Use(vertices.Get());
       });
   }
 
-  void InFaces() const
+  void InFaces(vtkIdType first, vtkIdType last) const
   {
-    ForBlocks(this->Complex.NumberOfFaces,
-      [&]()
+    RowBlock<Id> rows(true, 3 * BlockSize);
+    ForBlocks(first, last,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        return
-          [this, rows = RowBlock<Id>(true, 3 * BlockSize)](vtkIdType begin, vtkIdType end) mutable
+        rows.Start(this->FirstEdgeRow + this->Ids.InFace(static_cast<Id>(begin), 0));
+        for (vtkIdType i = begin; i < end; ++i)
         {
-          rows.Start(this->FirstEdgeRow + this->Ids.InFace(static_cast<Id>(begin), 0));
-          for (vtkIdType i = begin; i < end; ++i)
+          const Id f = static_cast<Id>(i);
+          for (int corner = 0; corner < 3; ++corner)
           {
-            const Id f = static_cast<Id>(i);
-            for (int corner = 0; corner < 3; ++corner)
-            {
-              rows.Reserve(2 + 2 * static_cast<Id>(this->Complex.FaceTets[f].size()));
-              auto ring = rows.Open();
-              this->Emitter.EmitInFace(f, corner, ring);
-              this->Emitter.GetInFaceEnds(f, corner, rows.GetEnds());
-              rows.Close(ring, this->Emitter.InFaceStratum(f, corner));
-            }
-          }
-          this->Use(rows.Get());
-        };
-      });
-  }
-
-  void OfDiagonals() const
-  {
-    ForBlocks(this->Complex.NumberOfTets,
-      [&]()
-      {
-        return [this, rows = RowBlock<Id>(true, BlockSize)](vtkIdType begin, vtkIdType end) mutable
-        {
-          rows.Start(this->FirstEdgeRow + this->Ids.Diagonal(static_cast<Id>(begin)));
-          for (vtkIdType i = begin; i < end; ++i)
-          {
-            const Id t = static_cast<Id>(i);
-            rows.Reserve(4);
+            rows.Reserve(2 + 2 * static_cast<Id>(this->Complex.FaceTets[f].size()));
             auto ring = rows.Open();
-            this->Emitter.EmitDiagonal(t, ring);
-            this->Emitter.GetDiagonalEnds(t, rows.GetEnds());
-            rows.Close(ring, Stratum(Rule::RegularEdge));
+            this->Emitter.EmitInFace(f, corner, ring);
+            this->Emitter.GetInFaceEnds(f, corner, rows.GetEnds());
+            rows.Close(ring, this->Emitter.InFaceStratum(f, corner));
           }
-          this->Use(rows.Get());
-        };
+        }
+        this->Use(rows.Get());
+      });
+  }
+
+  void OfDiagonals(vtkIdType first, vtkIdType last) const
+  {
+    RowBlock<Id> rows(true, BlockSize);
+    ForBlocks(first, last,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        rows.Start(this->FirstEdgeRow + this->Ids.Diagonal(static_cast<Id>(begin)));
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const Id t = static_cast<Id>(i);
+          rows.Reserve(4);
+          auto ring = rows.Open();
+          this->Emitter.EmitDiagonal(t, ring);
+          this->Emitter.GetDiagonalEnds(t, rows.GetEnds());
+          rows.Close(ring, Stratum(Rule::RegularEdge));
+        }
+        this->Use(rows.Get());
       });
   }
 
@@ -228,25 +254,21 @@ vtkIdType LevelRows<Id>::GetNumberOfRows() const
 template <typename Id>
 void LevelRows<Id>::ForRows(const RowsUser<Id>& use) const
 {
+  const auto& complex = this->Level.Complex;
   const auto& strata = this->Level.Strata;
-  const vtkIdType vertices = this->Level.Complex.NumberOfVertices;
-  auto forBlocks = [&](vtkIdType size, const auto& rows)
-  {
-    ForBlocks(size,
-      [&]() { return [&](vtkIdType begin, vtkIdType end) { use(rows(begin, end - begin)); }; });
-  };
-  forBlocks(vertices,
-    [&](vtkIdType first, vtkIdType count)
+  const vtkIdType vertices = complex.NumberOfVertices;
+  ForKinds<2>({ vertices, complex.NumberOfEdges },
+    [&](std::size_t kind, vtkIdType first, vtkIdType last)
     {
-      return StencilRows<Id>{ false, first, count, strata.Vertices.data() + first, nullptr,
-        strata.VertexRings.Offsets.data() + first, strata.VertexRings.Members.data() };
-    });
-  forBlocks(this->Level.Complex.NumberOfEdges,
-    [&](vtkIdType first, vtkIdType count)
-    {
-      return StencilRows<Id>{ true, vertices + first, count, strata.Edges.data() + first,
-        this->Level.Complex.EdgeVertices.data() + 2 * first,
-        strata.EdgeRings.Offsets.data() + first, strata.EdgeRings.Members.data() };
+      const Rings<Id>& rings = kind == 0 ? strata.VertexRings : strata.EdgeRings;
+      const Stratum* rules = (kind == 0 ? strata.Vertices : strata.Edges).data();
+      ForBlocks(first, last,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          use({ kind == 1, kind == 0 ? begin : vertices + begin, end - begin, rules + begin,
+            complex.EdgeVertices.data() + (kind == 0 ? 0 : 2 * begin), rings.Offsets.data() + begin,
+            rings.Members.data() });
+        });
     });
 }
 

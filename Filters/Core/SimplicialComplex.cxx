@@ -47,11 +47,12 @@ Buffer<std::array<Id, N>> TakeFirsts(
   CellsOfDimension<N, Id>& cells, const TupleNumbers<Id>& numbers, EqualCells<Id>& equal)
 {
   const vtkIdType size = cells.Vertices.size();
-  vtkIdType firsts = 0;
-  for (vtkIdType i = 0; i < size; ++i)
+  ForEach(size,
+    [&](vtkIdType i) { cells.Repeats[i] = numbers.Representatives[numbers.Numbers[i]] != i; });
+  const vtkIdType firsts = std::count(cells.Repeats.begin(), cells.Repeats.end(), false);
+  if (firsts == size)
   {
-    cells.Repeats[i] = numbers.Representatives[numbers.Numbers[i]] != i;
-    firsts += cells.Repeats[i] ? 0 : 1;
+    return std::move(cells.Vertices);
   }
   Buffer<std::array<Id, N>> taken(firsts);
   equal.Vertices = Buffer<Id>(N * (size - firsts));
