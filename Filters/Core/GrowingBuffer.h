@@ -26,15 +26,24 @@ public:
   {
     if (this->Size == this->Values.size())
     {
-      Buffer<T> larger(std::max<vtkIdType>(256, 2 * this->Size));
-      if (this->Size > 0)
-      {
-        std::memcpy(static_cast<void*>(larger.data()), this->Values.data(),
-          sizeof(T) * static_cast<std::size_t>(this->Size));
-      }
-      this->Values = std::move(larger);
+      this->Reserve(std::max<vtkIdType>(256, 2 * this->Size));
     }
     this->Values[this->Size++] = value;
+  }
+  /// Room for so many elements in all.
+  void Reserve(vtkIdType size)
+  {
+    if (size <= this->Values.size())
+    {
+      return;
+    }
+    Buffer<T> larger(size);
+    if (this->Size > 0)
+    {
+      std::memcpy(static_cast<void*>(larger.data()), this->Values.data(),
+        sizeof(T) * static_cast<std::size_t>(this->Size));
+    }
+    this->Values = std::move(larger);
   }
   void pop_back() { --this->Size; }
   std::size_t GetMemorySize() const { return this->Values.GetMemorySize(); }

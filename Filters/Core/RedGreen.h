@@ -23,8 +23,12 @@
  * is found by scanning the cells for flagged vertices, in threads; after a few scans an incidence
  * from vertices to cells takes over. Red children are stored when something happens to one of them.
  * So work and memory are those of the cells that change, plus a few passes at memory speed.
- * Memory: 4 bytes (Id int) per input cell, 1 per input point; some 130 bytes per active input cell
- * and per red child that is stored, edges and their index included.
+ * Threads: scans, and all that RedGreenOutput does; spreading from cell to cell is sequential, and
+ * so the same whatever their number. Memory (Id int): 4 bytes per input cell, 1 per input point; 88
+ * bytes per stored cell, 24 per edge of these that is looked up, 12 to 96 for its place in the
+ * index, 4 per new vertex: 200 to 300 bytes per stored cell in all, that is some 50 per cell of an
+ * output that is refined all over. Lists grow by doubling. Id int is enough for 300 million stored
+ * cells.
  */
 #ifndef SubdivisionObjects_RedGreen_h
 #define SubdivisionObjects_RedGreen_h

@@ -75,6 +75,21 @@ private:
   Buffer<vtkIdType> Starts;
 };
 
+/// body(begin, end) over blocks that are each worth a thread.
+template <typename Body>
+void ForBlocks(vtkIdType blocks, const Body& body)
+{
+  if (blocks > 1)
+  {
+    auto ranges = [&body](vtkIdType begin, vtkIdType end) { body(begin, end); };
+    vtkSMPTools::For(0, blocks, 1, ranges);
+  }
+  else
+  {
+    body(vtkIdType(0), blocks);
+  }
+}
+
 /// What became of a leaf; the values of the cell array `RefinementKind`.
 enum class RefinementKind : unsigned char
 {

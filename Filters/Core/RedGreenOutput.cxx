@@ -63,10 +63,8 @@ RedGreenOutput<Id>::RedGreenOutput(const RedGreen<Id>& state)
   : State(state)
 {
   this->FindTrees();
-  ForEach(static_cast<vtkIdType>(this->Trees.size()),
-    [&](vtkIdType i) { this->CountLeaves(this->Trees[i].Root, this->Trees[i]); });
   this->PlaceTrees();
-  ForEach(static_cast<vtkIdType>(this->Trees.size()),
+  ForEach(this->Trees.size(),
     [&](vtkIdType i)
     {
       Tree next = this->Trees[i];
@@ -74,14 +72,15 @@ RedGreenOutput<Id>::RedGreenOutput(const RedGreen<Id>& state)
     });
 }
 
-/// The trees where something happened, in input order.
+/// The trees where something happened, in input order, and their sizes.
 template <typename Id>
 void RedGreenOutput<Id>::FindTrees()
 {
   constexpr vtkIdType blockSize = 65536;
   const vtkIdType size = this->State.Roots.size();
-  std::vector<std::vector<Tree>> found((size + blockSize - 1) / blockSize);
-  auto find = [&](vtkIdType begin, vtkIdType end)
+  std::vector<std::vector<Id>> found((size + blockSize - 1) / blockSize);
+  Buffer<vtkIdType> starts(static_cast<vtkIdType>(found.size()) + 1);
+  const auto find = [&](vtkIdType begin, vtkIdType end)
   {
     for (vtkIdType block = begin; block < end; ++block)
     {
@@ -91,23 +90,28 @@ void RedGreenOutput<Id>::FindTrees()
         const Id root = this->State.Roots[cell];
         if (root >= 0 && this->State.Nodes[root].Pattern != 0)
         {
-          found[block].push_back({ root, static_cast<Id>(cell), 0, 0, 0, 0 });
+          found[block].push_back(root);
         }
+      }
+      starts[block] = static_cast<vtkIdType>(found[block].size());
+    }
+  };
+  const auto count = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType block = begin; block < end; ++block)
+    {
+      Tree* tree = this->Trees.data() + starts[block];
+      for (Id root : found[block])
+      {
+        *tree = { root, this->State.Nodes[root].Input, 0, 0, 0, 0 };
+        this->CountLeaves(root, *tree++);
       }
     }
   };
-  if (found.size() > 1)
-  {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(found.size()), 1, find);
-  }
-  else
-  {
-    find(0, static_cast<vtkIdType>(found.size()));
-  }
-  for (const auto& block : found)
-  {
-    this->Trees.insert(this->Trees.end(), block.begin(), block.end());
-  }
+  ForBlocks(static_cast<vtkIdType>(found.size()), find);
+  CountsToOffsets(starts);
+  this->Trees = Buffer<Tree>(starts[starts.size() - 1]);
+  ForBlocks(static_cast<vtkIdType>(found.size()), count);
 }
 
 template <typename Id>
@@ -205,10 +209,9 @@ template <typename Out>
 void RedGreenOutput<Id>::Write(const RedGreenStorage<Out>& out) const
 {
   const SimplexView& input = this->State.Input;
-  ForEach(static_cast<vtkIdType>(this->Leaves.size()),
-    [&](vtkIdType i) { this->WriteLeaf(this->Leaves[i], out); });
+  ForEach(this->Leaves.size(), [&](vtkIdType i) { this->WriteLeaf(this->Leaves[i], out); });
   constexpr vtkIdType blockSize = 64 * SimplexPlaces::BlockSize;
-  auto copyBlocks = [&](vtkIdType begin, vtkIdType end)
+  const auto copyBlocks = [&](vtkIdType begin, vtkIdType end)
   {
     begin *= blockSize;
     end = std::min(input.NumberOfSimplices, end * blockSize);
@@ -233,14 +236,7 @@ void RedGreenOutput<Id>::Write(const RedGreenStorage<Out>& out) const
     }
   };
   const vtkIdType blocks = (input.NumberOfSimplices + blockSize - 1) / blockSize;
-  if (blocks > 1)
-  {
-    vtkSMPTools::For(0, blocks, 1, copyBlocks);
-  }
-  else
-  {
-    copyBlocks(0, blocks);
-  }
+  ForBlocks(blocks, copyBlocks);
   out.Cells.Offsets[this->Counts.Cells] = static_cast<Out>(this->Counts.Entries);
 }
 

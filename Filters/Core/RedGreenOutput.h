@@ -85,7 +85,7 @@ private:
 
   const RedGreen<Id>& State;
   CellCounts Counts;
-  std::vector<Tree> Trees; ///< in input order
+  Buffer<Tree> Trees; ///< in input order
   Buffer<Leaf> Leaves;
   Buffer<vtkIdType> Greens; ///< among the leaves
 };
