@@ -5,6 +5,7 @@
 #include "Stencils.h"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -21,7 +22,8 @@ template <typename Id>
 class LocalLimit<Id>::Builder
 {
 public:
-  Builder(Id first, const std::vector<std::array<Id, 2>>& midpoints);
+  Builder(
+    Id first, const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted);
 
   /// False: the parts were too small.
   bool Build(const Level<Id>& control, const SemiSharpStages<Id>& creases, int rings,
@@ -64,17 +66,26 @@ private:
   const std::vector<std::array<Id, 2>>& Midpoints;
   std::vector<int> Levels;               ///< on which vertices first exist
   std::vector<std::vector<Id>> Born;     ///< vertices by level
+  std::vector<std::vector<Id>> Wanted;   ///< those whose limits are
   std::vector<std::vector<Id>> Carriers; ///< by level: its vertices whose cells hold later ones
   std::vector<Id> At;                    ///< numbers of carriers on the current level
 };
 
 template <typename Id>
-LocalLimit<Id>::Builder::Builder(Id first, const std::vector<std::array<Id, 2>>& midpoints)
+LocalLimit<Id>::Builder::Builder(
+  Id first, const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted)
   : First(first)
   , Midpoints(midpoints)
 {
   this->FindLevels();
   this->FindCarriers();
+  this->Wanted.resize(this->Born.size());
+  for (std::size_t level = 0; level < this->Born.size(); ++level)
+  {
+    std::copy_if(this->Born[level].begin(), this->Born[level].end(),
+      std::back_inserter(this->Wanted[level]),
+      [&wanted](Id vertex) { return wanted.empty() || wanted[vertex]; });
+  }
 }
 
 template <typename Id>
@@ -204,10 +215,10 @@ template <typename Id>
 SparseRows<Id> LocalLimit<Id>::Builder::MakeLimits(
   const Level<Id>& level, const SemiSharpStages<Id>& creases, std::size_t number) const
 {
-  const std::vector<Id>& born = this->Born[number];
-  Buffer<Id> vertices(static_cast<vtkIdType>(born.size()));
+  const std::vector<Id>& wanted = this->Wanted[number];
+  Buffer<Id> vertices(static_cast<vtkIdType>(wanted.size()));
   std::transform(
-    born.begin(), born.end(), vertices.begin(), [this](Id vertex) { return this->At[vertex]; });
+    wanted.begin(), wanted.end(), vertices.begin(), [this](Id vertex) { return this->At[vertex]; });
   return BuildLimitRows(level, creases, vertices);
 }
 
@@ -414,18 +425,18 @@ bool LocalLimit<Id>::Builder::FollowBack(
     steps[l].Rows.Columns = copy(rows.Columns);
     steps[l].Rows.Weights = copy(rows.Weights);
     steps[l].Limits = std::move(limits);
-    steps[l].Vertices = this->Born[l];
+    steps[l].Vertices = this->Wanted[l];
   }
   return true;
 }
 
 template <typename Id>
 LocalLimit<Id>::LocalLimit(const Level<Id>& control, const SemiSharpStages<Id>& creases,
-  const std::vector<std::array<Id, 2>>& midpoints, int rings)
+  const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted, int rings)
   : NumberOfRows(control.Complex.NumberOfVertices + static_cast<vtkIdType>(midpoints.size()))
   , NumberOfColumns(control.Complex.NumberOfVertices)
 {
-  Builder builder(control.Complex.NumberOfVertices, midpoints);
+  Builder builder(control.Complex.NumberOfVertices, midpoints, wanted);
   while (!builder.Build(control, creases, rings, this->Steps))
   {
     ++rings;
@@ -469,7 +480,7 @@ SparseRows<Id> LocalLimit<Id>::BuildRows() const
   }
   SparseRows<Id> rows;
   rows.NumberOfColumns = this->NumberOfColumns;
-  rows.Offsets = Buffer<Id>(this->NumberOfRows + 1);
+  rows.Offsets = Buffer<Id>(this->NumberOfRows + 1, 0);
   auto forRows = [&](const auto& act)
   {
     for (std::size_t l = 0; l < parts.size(); ++l)

@@ -35,10 +35,13 @@ public:
    * which has V; vertex V + i is the point of the edge between the vertices `midpoints[i]`, both
    * smaller than V + i, which must be an edge of the uniform refinement (RedGreen::GetEnds). The
    * same edge may be named again. Throws std::invalid_argument for an edge that does not exist.
-   * `rings`: how many rings of neighbours are tried first around what holds later vertices.
+   * `wanted`: a flag for each vertex whose limit is asked for; empty: all. Nothing is computed for
+   * the others, and Apply leaves them as they are. `rings`: how many rings of neighbours are tried
+   * first around what holds later vertices.
    */
   LocalLimit(const Level<Id>& control, const SemiSharpStages<Id>& creases,
-    const std::vector<std::array<Id, 2>>& midpoints, int rings = 1);
+    const std::vector<std::array<Id, 2>>& midpoints,
+    const Buffer<unsigned char>& wanted = Buffer<unsigned char>(), int rings = 1);
 
   /// Control vertices, then midpoints.
   vtkIdType GetNumberOfRows() const { return this->NumberOfRows; }

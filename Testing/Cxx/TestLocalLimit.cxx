@@ -114,11 +114,40 @@ TEST(LocalLimit, EqualsTheUniformRefinementOnTheWholeZoo)
       const Asked asked = Ask(levels, [&](int, int) { return random() % rarely == 0; });
       for (int rings = 0; rings < 2; ++rings) // without a ring, solids have to try again
       {
-        const LocalLimit<int> local(levels[0], {}, asked.Ends, rings);
+        const LocalLimit<int> local(levels[0], {}, asked.Ends, {}, rings);
         ExpectUniformLimits(asked, local, values, uniform);
       }
     }
   }
+}
+
+TEST(LocalLimit, OnlyWhatIsWanted)
+{
+  const auto levels = MakeLevels(FindInZoo("KuhnLattice"), "Blend", 2);
+  const std::vector<double> values = MakeValues(levels[0].Complex.NumberOfVertices, 3);
+  const Asked asked = Ask(levels, [](int, int edge) { return edge % 2 == 0; });
+  const LocalLimit<int> all(levels[0], {}, asked.Ends);
+  const vtkIdType size = all.GetNumberOfRows();
+  std::vector<double> expected(size);
+  all.Apply(values.data(), expected.data(), 1);
+  Buffer<unsigned char> wanted(size, 0);
+  for (vtkIdType i = 0; i < size; i += 7)
+  {
+    wanted[i] = 1;
+  }
+  const LocalLimit<int> some(levels[0], {}, asked.Ends, wanted);
+  std::vector<double> limits(size, -7.);
+  some.Apply(values.data(), limits.data(), 1);
+  const SparseRows<int> rows = some.BuildRows();
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    EXPECT_EQ(limits[i], i % 7 == 0 ? expected[i] : -7.) << i;
+    EXPECT_EQ(rows.Offsets[i + 1] > rows.Offsets[i], i % 7 == 0) << i;
+  }
+  // Nothing at all but one vertex of the control mesh.
+  Buffer<unsigned char> one(size, 0);
+  one[13] = 1;
+  EXPECT_LT(LocalLimit<int>(levels[0], {}, asked.Ends, one).GetNumberOfSupportValues(), 16);
 }
 
 TEST(LocalLimit, SemiSharpCreases)
