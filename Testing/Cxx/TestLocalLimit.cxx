@@ -3,6 +3,7 @@
 #include "LimitTools.h"
 
 #include "Core/LocalLimit.h"
+#include "Core/RedGreenOutput.h"
 #include "Core/Restriction.h"
 
 #include <gtest/gtest.h>
@@ -117,6 +118,51 @@ TEST(LocalLimit, EqualsTheUniformRefinementOnTheWholeZoo)
         const LocalLimit<int> local(levels[0], {}, asked.Ends, {}, rings);
         ExpectUniformLimits(asked, local, values, uniform);
       }
+    }
+  }
+}
+
+/// Red-green refinement with every cell marked, level by level, is the uniform refinement.
+TEST(LocalLimit, RedGreenRefinementOfEverything)
+{
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    SCOPED_TRACE(mesh.Name);
+    RedGreen<int> state{ SimplexView(mesh.Cells) };
+    for (vtkIdType cell = 0; cell < mesh.Cells.GetNumberOfSimplices(); ++cell)
+    {
+      state.MarkCell({ static_cast<int>(cell), -1 });
+    }
+    state.Close();
+    for (const auto& cell : state.GetChangedCells())
+    {
+      state.MarkCell(cell.Leaf);
+    }
+    state.Close();
+    std::vector<std::array<int, 2>> ends;
+    for (int v = state.GetNumberOfInputVertices(); v < state.GetNumberOfVertices(); ++v)
+    {
+      ends.push_back(state.GetEnds(v));
+    }
+    const RedGreenOutput<int> output(state);
+    WrittenCells written(output.GetCounts());
+    RedGreenStorage<long long> storage;
+    storage.Cells = written.GetStorage();
+    output.Write(storage);
+    const auto control = Build<int>(mesh.Cells, mesh.Singular);
+    const auto once = RefineOnce(control);
+    const auto twice = RefineOnce(once);
+    const SimplexList cells = ReadCells(twice);
+    ASSERT_EQ(written.ToList(0).Dimensions, cells.Dimensions);
+    const std::vector<double> values = MakeValues(mesh.Cells.NumberOfPoints, 4);
+    const auto uniform = ApplyTo(BuildLimitRows(twice.Level),
+      ApplyTo(CopyStencils(once.Level), ApplyTo(CopyStencils(control.Level), values, 1), 1), 1);
+    const LocalLimit<int> local(control.Level, {}, ends);
+    std::vector<double> limits(local.GetNumberOfRows());
+    local.Apply(values.data(), limits.data(), 1);
+    for (std::size_t k = 0; k < cells.Connectivity.size(); ++k)
+    {
+      ASSERT_NEAR(limits[written.Connectivity[k]], uniform[cells.Connectivity[k]], 1e-13);
     }
   }
 }
