@@ -329,9 +329,10 @@ void LimitRowMaker<Id>::FindSharpEdges()
 template <typename Id>
 const Strata<Id>& LimitRowMaker<Id>::GetStage(int step) const
 {
-  return std::find_if(this->Creases.Stages.begin(), this->Creases.Stages.end(),
-    [step](const SharpStage<Id>& stage) { return stage.Until > step; })
-    ->Strata;
+  const auto& stages = this->Creases.Stages;
+  const auto found = std::find_if(stages.begin(), stages.end(),
+    [step](const SharpStage<Id>& stage) { return stage.Until > step; });
+  return found == stages.end() ? stages.back().Strata : found->Strata;
 }
 
 /// The weight of the sharp row of an item (SemiSharp.h).

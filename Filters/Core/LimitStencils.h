@@ -44,7 +44,7 @@ template <typename Id>
 struct SemiSharpStages
 {
   Buffer<double> Sharpness;           ///< what is left of it at each edge of the level; else 0
-  std::vector<SharpStage<Id>> Stages; ///< by ascending Until, up to the largest sharpness
+  std::vector<SharpStage<Id>> Stages; ///< by ascending Until; the last is in force after it too
 };
 
 /// The limits of all vertices of a level that can be refined (Depth::ForRefinement).

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -217,6 +218,41 @@ TEST(LocalLimit, SemiSharpCreases)
     const Asked asked = Ask(levels, [&](int, int) { return random() % 3 > 0; });
     const LocalLimit<int> local(levels[0], semi.MakeStages(0), asked.Ends);
     ExpectUniformLimits(asked, local, values, uniform);
+  }
+}
+
+/// Creases that are sharp for ever are sharp.
+TEST(LocalLimit, InfinitelySharpCreases)
+{
+  const Mesh mesh = FindInZoo("Icosahedron");
+  SemiSharpMesh semi(mesh, "Blend", 1);
+  const Level<int> smooth = semi.MakeSmoothLevel(0);
+  SemiSharpStages<int> creases;
+  creases.Sharpness = Buffer<double>(smooth.Complex.NumberOfEdges, 0.);
+  std::fill(semi.Sharpness.begin(), semi.Sharpness.end(), 0.);
+  for (int e = 0; e < smooth.Complex.NumberOfEdges; e += 3)
+  {
+    creases.Sharpness[e] = semi.Sharpness[e] = std::numeric_limits<double>::infinity();
+  }
+  creases.Stages.push_back({ SharpForever, semi.MakeLevel(0, 0.).Strata });
+  const Level<int> sharp = semi.MakeLevel(0, 0.);
+  std::vector<std::array<int, 2>> ends;
+  for (int e = 0; e < smooth.Complex.NumberOfEdges; ++e)
+  {
+    const int vertex = smooth.Complex.NumberOfVertices + 2 * e;
+    ends.push_back({ smooth.Complex.EdgeVertices[2 * e], smooth.Complex.EdgeVertices[2 * e + 1] });
+    ends.push_back({ smooth.Complex.EdgeVertices[2 * e], vertex });
+  }
+  const LocalLimit<int> local(smooth, creases, ends);
+  const LocalLimit<int> flagged(sharp, {}, ends);
+  const std::vector<double> values = MakeValues(smooth.Complex.NumberOfVertices, 2);
+  std::vector<double> a(local.GetNumberOfRows());
+  std::vector<double> b(a.size());
+  local.Apply(values.data(), a.data(), 1);
+  flagged.Apply(values.data(), b.data(), 1);
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    EXPECT_NEAR(a[i], b[i], 1e-13) << i;
   }
 }
 
