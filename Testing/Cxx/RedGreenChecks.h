@@ -23,6 +23,33 @@ struct PartsOfCell
   double Volume = 0.;
 };
 
+/// The faces of one part.
+inline void AddFaces(PartsOfCell& parts, const Tuple& cell, const Cell& points)
+{
+  for (int pattern = 1; pattern < 1 << cell.size(); ++pattern)
+  {
+    Tuple face;
+    Cell corners;
+    for (std::size_t i = 0; i < cell.size(); ++i)
+    {
+      if (pattern >> i & 1)
+      {
+        face.push_back(cell[i]);
+        corners.push_back(points[i]);
+      }
+    }
+    const Tuple support = Support(corners);
+    if (support.size() == face.size())
+    {
+      parts.Inside[support].insert(Sorted(face));
+    }
+    if (face.size() + 1 == cell.size())
+    {
+      ++parts.Facets[Sorted(face)];
+    }
+  }
+}
+
 using VerticesBySupport = std::map<Tuple, std::vector<vtkIdType>>;
 
 /// Vertices of an input cell's parts that lie in a part without being one of its corners.
@@ -86,9 +113,16 @@ void CheckConforming(const SimplexList& input, const Written<Id>& written)
   {
     vertices[Support({ written.Keys[v] })].push_back(static_cast<vtkIdType>(v));
   }
+  std::vector<Tuple> wholes;
   std::size_t next = 0;
   for (std::size_t c = 0; c < inputCells.size(); ++c)
   {
+    if (next < cells.size() && cells[next] == inputCells[c])
+    {
+      ASSERT_EQ(written.InputCells[next], static_cast<vtkIdType>(c));
+      wholes.push_back(Sorted(cells[next++]));
+      continue;
+    }
     PartsOfCell parts;
     std::vector<Tuple> list;
     const std::size_t size = inputCells[c].size();
@@ -100,28 +134,7 @@ void CheckConforming(const SimplexList& input, const Written<Id>& written)
         Determinant(Coordinates(points[next], inputCells[c]), static_cast<int>(size));
       ASSERT_GT(volume, 0.) << "inverted or flat: cell " << next;
       parts.Volume += volume;
-      for (int pattern = 1; pattern < 1 << size; ++pattern)
-      {
-        Tuple face;
-        std::vector<Key> corners;
-        for (std::size_t i = 0; i < size; ++i)
-        {
-          if (pattern >> i & 1)
-          {
-            face.push_back(cells[next][i]);
-            corners.push_back(points[next][i]);
-          }
-        }
-        const Tuple support = Support(corners);
-        if (support.size() == face.size())
-        {
-          parts.Inside[support].insert(Sorted(face));
-        }
-        if (face.size() + 1 == size)
-        {
-          ++parts.Facets[Sorted(face)];
-        }
-      }
+      AddFaces(parts, cells[next], points[next]);
     }
     ASSERT_EQ(parts.Volume, 1.) << "input cell " << c;
     for (const auto& facet : parts.Facets)
@@ -146,6 +159,15 @@ void CheckConforming(const SimplexList& input, const Written<Id>& written)
     }
   }
   ASSERT_EQ(next, cells.size());
+  for (const Tuple& whole : wholes)
+  {
+    for (const Tuple& face : FacesOf(whole))
+    {
+      const auto cut = cuts.find(face);
+      ASSERT_TRUE(cut == cuts.end() || cut->second == std::set<Tuple>{ face })
+        << "a whole cell has a face that input cell " << cutBy[face] << " cuts";
+    }
+  }
 }
 
 /// What the arrays of the output say of each other.

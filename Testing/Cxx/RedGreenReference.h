@@ -120,6 +120,14 @@ public:
       this->Splits.insert(edge);
     }
   }
+  /// A cell that will be a leaf.
+  void MarkLater(const Cell& cell)
+  {
+    for (const Pair& edge : EdgesOf(cell))
+    {
+      this->Pending.push_back(edge);
+    }
+  }
   /// An edge of a cell of the output in a leaf.
   void MarkEdge(const NaiveLeaf& leaf, const Pair& edge)
   {

@@ -91,6 +91,14 @@ private:
     {
       this->State.MarkCell(found->second);
       this->Naive.MarkCell(leaf);
+      if (found->second.Child < 0 && leaf.Points.size() > 1 && this->Random() % 2)
+      {
+        // A child of what has just become red, in the same round.
+        const auto children = RedChildren(leaf.Points);
+        const std::size_t child = this->Random() % children.size();
+        this->State.MarkCell({ found->second.Cell, static_cast<int>(child) });
+        this->Naive.MarkLater(children[child]);
+      }
       return;
     }
     const Tuple cell = GetCells(this->Output.Cells)[i];
