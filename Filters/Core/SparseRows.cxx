@@ -9,39 +9,74 @@
 namespace subdivision
 {
 
-template <typename Id>
-template <typename T>
-void SparseRows<Id>::Apply(const T* in, T* out, int components) const
+namespace
 {
-  ForRanges(this->GetNumberOfRows(),
+
+template <typename In, typename Out>
+Out CopyValue(In value)
+{
+  if constexpr (std::is_same<In, Out>::value)
+  {
+    return value;
+  }
+  else
+  {
+    return Store<Out>(static_cast<double>(value));
+  }
+}
+
+/// N components, known when this is compiled, at a time; N = 0: one after another.
+template <int N, typename Id, typename In, typename Out>
+void ApplyRows(const SparseRows<Id>& rows, const In* in, Out* out, int components)
+{
+  constexpr int width = N == 0 ? 1 : N;
+  ForRanges(rows.GetNumberOfRows(),
     [&](vtkIdType first, vtkIdType last)
     {
+      const int stride = N == 0 ? components : N;
+      const Id* offsets = rows.Offsets.data();
+      const Id* columns = rows.Columns.data();
+      const double* weights = rows.Weights.data();
       for (vtkIdType row = first; row < last; ++row)
       {
-        const vtkIdType begin = this->Offsets[row];
-        const vtkIdType end = this->Offsets[row + 1];
-        T* result = out + row * components;
-        if (end - begin == 1 && this->Weights[begin] == 1.)
+        const vtkIdType begin = offsets[row];
+        const vtkIdType end = offsets[row + 1];
+        Out* result = out + row * stride;
+        if (end - begin == 1 && weights[begin] == 1.)
         {
-          const T* own = in + static_cast<vtkIdType>(this->Columns[begin]) * components;
-          std::copy(own, own + components, result);
+          const In* own = in + static_cast<vtkIdType>(columns[begin]) * stride;
+          std::transform(own, own + stride, result, CopyValue<In, Out>);
           continue;
         }
-        for (int c = 0; c < components; ++c)
+        for (int c = 0; c < stride; c += width)
         {
-          double sum = 0.;
+          double sums[width] = {};
           for (vtkIdType k = begin; k < end; ++k)
           {
-            if (this->Weights[k] != 0.) // values that are not finite must not spread
+            const double weight = weights[k];
+            if (weight == 0.) // values that are not finite must not spread
             {
-              sum += this->Weights[k] *
-                static_cast<double>(in[static_cast<vtkIdType>(this->Columns[k]) * components + c]);
+              continue;
+            }
+            const In* value = in + static_cast<vtkIdType>(columns[k]) * stride + c;
+            for (int i = 0; i < width; ++i)
+            {
+              sums[i] += weight * static_cast<double>(value[i]);
             }
           }
-          result[c] = Store<T>(sum);
+          std::transform(sums, sums + width, result + c, Store<Out>);
         }
       }
     });
+}
+
+}
+
+template <typename Id>
+template <typename In, typename Out>
+void SparseRows<Id>::Apply(const In* in, Out* out, int components) const
+{
+  components == 3 ? ApplyRows<3>(*this, in, out, 3) : ApplyRows<0>(*this, in, out, components);
 }
 
 namespace
@@ -130,11 +165,14 @@ SparseRows<Id> Multiply(const SparseRows<Id>& outer, const SparseRows<Id>& inner
 }
 
 #define SUBDIVISION_APPLY(Id, T) template void SparseRows<Id>::Apply(const T*, T*, int) const
+#define SUBDIVISION_APPLY_TO(Id, In, Out)                                                          \
+  template void SparseRows<Id>::Apply(const In*, Out*, int) const
 #define SUBDIVISION_SPARSE_ROWS(Id)                                                                \
   template struct SparseRows<Id>;                                                                  \
   template SparseRows<Id> Multiply(const SparseRows<Id>&, const SparseRows<Id>&);                  \
   SUBDIVISION_APPLY(Id, float);                                                                    \
   SUBDIVISION_APPLY(Id, double);                                                                   \
+  SUBDIVISION_APPLY_TO(Id, double, float);                                                         \
   SUBDIVISION_APPLY(Id, char);                                                                     \
   SUBDIVISION_APPLY(Id, signed char);                                                              \
   SUBDIVISION_APPLY(Id, unsigned char);                                                            \

@@ -31,8 +31,8 @@ struct SparseRows
 
   /// out = S in, for `components` interleaved values per column. Integers are rounded. A row of one
   /// entry of weight 1 copies; an entry of weight 0 is not read.
-  template <typename T>
-  void Apply(const T* in, T* out, int components) const;
+  template <typename In, typename Out>
+  void Apply(const In* in, Out* out, int components) const;
 };
 
 /// The rows of `outer` in terms of the columns of `inner`: applying the product is applying first

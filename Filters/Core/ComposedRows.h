@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ComposedRows.h
+ * Rows over the points of a level, as rows over those of the level above.
+ */
+#ifndef SubdivisionObjects_ComposedRows_h
+#define SubdivisionObjects_ComposedRows_h
+
+#include "SparseRows.h"
+#include "Stencils.h"
+
+namespace subdivision
+{
+
+/// rows * step. Of the step, only the rows that are named are ever written down.
+template <typename Id>
+SparseRows<int> Compose(const SparseRows<int>& rows, const Stencils<Id>& step);
+
+}
+
+#endif
