@@ -251,6 +251,8 @@ protected:
     RULE_ARRAY,
     SHARPNESS_ARRAY
   };
+  /// The options and arrays above; false, after an error message, if an array cannot be used.
+  bool ReadFeatureOptions(vtkPointSet* input, subdivision::FeatureOptions& options);
   /// The head and tail of RequestData: fills in the shared options and the messages of `options`,
   /// calls `run`, which says whether it finished, and empties the output of a run that did not.
   /// `ghosts`: what duplicate cells mean for the result; `memory`: what was too large.
@@ -272,8 +274,6 @@ protected:
   int Type3Rule = TYPE3_BLEND;
 
 private:
-  /// The options and arrays above; false, after an error message, if an array cannot be used.
-  bool ReadFeatureOptions(vtkPointSet* input, subdivision::FeatureOptions& options);
   bool FindCellArray(
     vtkPointSet* input, int index, const char* fallback, bool integral, vtkDataArray*& array);
 

@@ -5,6 +5,7 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 
+#include <atomic>
 #include <cstring>
 
 namespace subdivision
@@ -105,6 +106,89 @@ vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
   copy->DeepCopy(array);
   CopyLooks(array, copy);
   return copy;
+}
+
+bool HoldsSameValues(vtkDataArray* a, vtkDataArray* b)
+{
+  if (a->GetDataType() != b->GetDataType() || a->GetNumberOfValues() != b->GetNumberOfValues())
+  {
+    return false;
+  }
+  if (a == b || a->GetNumberOfValues() == 0)
+  {
+    return true;
+  }
+  const auto* first = static_cast<const char*>(a->GetVoidPointer(0));
+  const auto* second = static_cast<const char*>(b->GetVoidPointer(0));
+  const vtkIdType size = a->GetDataTypeSize();
+  std::atomic<bool> same{ true };
+  ForRanges(a->GetNumberOfValues(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      if (same &&
+        std::memcmp(first + begin * size, second + begin * size,
+          static_cast<std::size_t>((end - begin) * size)) != 0)
+      {
+        same = false;
+      }
+    });
+  return same;
+}
+
+std::vector<std::uint64_t> ComputeFingerprint(vtkDataArray* array)
+{
+  constexpr vtkIdType lanes = 8;
+  constexpr vtkIdType block = 65536; // words
+  const vtkIdType bytes = array->GetNumberOfValues() * array->GetDataTypeSize();
+  const vtkIdType words = bytes / 8;
+  const vtkIdType blocks = (words + block - 1) / block;
+  std::vector<std::uint64_t> print(lanes * blocks + 3);
+  if (bytes > 0)
+  {
+    const auto* values = static_cast<const char*>(array->GetVoidPointer(0));
+    std::uint64_t* last = print.data() + lanes * blocks;
+    std::memcpy(last, values + 8 * words, static_cast<std::size_t>(bytes - 8 * words));
+    last[1] = static_cast<std::uint64_t>(bytes);
+    last[2] = static_cast<std::uint64_t>(array->GetDataType());
+    auto run = [&](vtkIdType first, vtkIdType end)
+    {
+      for (vtkIdType b = first; b < end; ++b)
+      {
+        // Every step can be undone: one word that differs always shows.
+        std::uint64_t sums[lanes] = { 1, 2, 3, 4, 5, 6, 7, 8 };
+        auto add = [&](vtkIdType lane, vtkIdType word)
+        {
+          std::uint64_t value;
+          std::memcpy(&value, values + 8 * word, 8);
+          const std::uint64_t mixed = (sums[lane] ^ value) * 0x9e3779b97f4a7c15ULL;
+          sums[lane] = mixed << 29 | mixed >> 35;
+        };
+        const vtkIdType stop = std::min(words, (b + 1) * block);
+        vtkIdType word = b * block;
+        for (; word + lanes <= stop; word += lanes)
+        {
+          for (vtkIdType lane = 0; lane < lanes; ++lane)
+          {
+            add(lane, word + lane);
+          }
+        }
+        for (; word < stop; ++word)
+        {
+          add(0, word);
+        }
+        std::copy(sums, sums + lanes, print.begin() + lanes * b);
+      }
+    };
+    if (blocks < 2)
+    {
+      run(0, blocks);
+    }
+    else
+    {
+      vtkSMPTools::For(0, blocks, 1, run);
+    }
+  }
+  return print;
 }
 
 vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, const Buffer<vtkIdType>& sources)

@@ -12,8 +12,10 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkSmartPointer.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace subdivision
 {
@@ -47,6 +49,13 @@ vtkIdType ToId(double value);
 
 /// The array itself if it is contiguous, else a contiguous copy.
 vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array);
+
+/// Whether two contiguous arrays have the same type and the same values, bit for bit.
+bool HoldsSameValues(vtkDataArray* a, vtkDataArray* b);
+
+/// Numbers that tell a contiguous array from others, by its values: 8 of 64 bits for every half
+/// megabyte, so that to compare them is to read the array once, and nothing but them.
+std::vector<std::uint64_t> ComputeFingerprint(vtkDataArray* array);
 
 /// out[i] = in[sources[i]], whatever the arrays hold.
 vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, const Buffer<vtkIdType>& sources);

@@ -7,6 +7,7 @@
 #ifndef SubdivisionObjects_OperatorCache_h
 #define SubdivisionObjects_OperatorCache_h
 
+#include "Core/ComposedRows.h"
 #include "Core/RefinedCells.h"
 #include "Core/Singularities.h"
 #include "Core/Stencils.h"
@@ -31,6 +32,8 @@ public:
   virtual ~KeptSteps() = default;
   virtual void Apply(PointArrays& arrays) const = 0;
   virtual std::size_t GetMemorySize() const = 0;
+  /// Rows over the points after the last step as rows over those before the first; there are steps.
+  virtual SparseRows<int> ComposeWith(const SparseRows<int>& rows) const = 0;
   /// The strata of the last step, if there is one: of its vertices and of its edges.
   virtual const Buffer<Stratum>& GetLastVertices() const = 0;
   virtual const Buffer<Stratum>& GetLastEdges() const = 0;
@@ -50,6 +53,15 @@ public:
       arrays.Advance(step);
     }
     this->Limit.Apply(arrays);
+  }
+  SparseRows<int> ComposeWith(const SparseRows<int>& rows) const override
+  {
+    SparseRows<int> composed;
+    for (auto step = this->Steps.rbegin(); step != this->Steps.rend(); ++step)
+    {
+      composed = Compose(step == this->Steps.rbegin() ? rows : composed, *step);
+    }
+    return composed;
   }
   const Buffer<Stratum>& GetLastVertices() const override { return this->Steps.back().Vertices; }
   const Buffer<Stratum>& GetLastEdges() const override { return this->Steps.back().Edges; }
@@ -132,6 +144,11 @@ public:
   /// An update is over: forget what it did not use.
   void ForgetUnused();
 
+  /// The steps of the operator that was added first, null where there are none.
+  const KeptSteps* GetFirstSteps() const
+  {
+    return this->Operators.empty() ? nullptr : this->Operators.front()->Steps.get();
+  }
   std::size_t GetNumberOfOperators() const { return this->Operators.size(); }
   std::size_t GetMemorySize() const;
   /// How often topology was built since the cache exists.

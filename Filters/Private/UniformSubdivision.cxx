@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UniformSubdivision.h"
 
+#include "Arrays.h"
 #include "CellArrays.h"
 #include "Classification.h"
 #include "ControlComplex.h"
@@ -18,7 +19,6 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <cstring>
 #include <limits>
 
 namespace subdivision
@@ -27,14 +27,6 @@ namespace
 {
 
 constexpr const char* DimensionName = "ManifoldDimension";
-
-bool HoldsSameValues(vtkDataArray* a, vtkDataArray* b)
-{
-  return a->GetDataType() == b->GetDataType() && a->GetNumberOfValues() == b->GetNumberOfValues() &&
-    (a->GetNumberOfValues() == 0 ||
-      std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
-        static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) == 0);
-}
 
 class UniformRun
 {

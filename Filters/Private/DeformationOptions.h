@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file DeformationOptions.h
+ * What vtkSubdivisionDeformation tells its work.
+ */
+#ifndef SubdivisionObjects_DeformationOptions_h
+#define SubdivisionObjects_DeformationOptions_h
+
+#include "RunOptions.h"
+
+namespace subdivision
+{
+
+enum class OutsideRule
+{
+  Leave,
+  Nearest,
+  Error
+};
+
+struct DeformationOptions : RunOptions
+{
+  int Levels = 2;
+  OutsideRule Outside = OutsideRule::Leave;
+  bool TransformVectors = true;
+};
+
+}
+
+#endif

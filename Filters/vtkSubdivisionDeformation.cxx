@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSubdivisionDeformation.h"
+
+#include "Private/Deformation.h"
+#include "Private/vtkSubdivisionObjectsCompat.h"
+
+#include "vtkCommand.h"
+#include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <new>
+#include <set>
+#include <vector>
+
+vtkStandardNewMacro(vtkSubdivisionDeformation);
+
+vtkSubdivisionDeformation::vtkSubdivisionDeformation()
+  : Work(std::make_unique<subdivision::Deformation>())
+{
+  this->SetNumberOfInputPorts(3);
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkSubdivisionDeformation::OnStart);
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkSubdivisionDeformation::OnEnd);
+}
+
+vtkSubdivisionDeformation::~vtkSubdivisionDeformation() = default;
+
+void vtkSubdivisionDeformation::OnStart()
+{
+  if (this->UpdateDepth++ == 0)
+  {
+    this->Work->NumberOfOutsidePoints = 0;
+  }
+}
+
+void vtkSubdivisionDeformation::OnEnd()
+{
+  if (--this->UpdateDepth == 0)
+  {
+    this->Work->ForgetUnused();
+  }
+}
+
+vtkIdType vtkSubdivisionDeformation::GetNumberOfTopologyBuilds() const
+{
+  return this->Work->GetNumberOfTopologyBuilds();
+}
+
+vtkIdType vtkSubdivisionDeformation::GetNumberOfLocationBuilds() const
+{
+  return this->Work->NumberOfLocations;
+}
+
+vtkIdType vtkSubdivisionDeformation::GetNumberOfOutsidePoints() const
+{
+  return this->Work->NumberOfOutsidePoints;
+}
+
+vtkPointSet* vtkSubdivisionDeformation::GetOutput()
+{
+  return vtkPointSet::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+int vtkSubdivisionDeformation::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+    return 1;
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+int vtkSubdivisionDeformation::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPointSet");
+  return 1;
+}
+
+vtkTypeBool vtkSubdivisionDeformation::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->RequestDataObject(inputVector, outputVector);
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+int vtkSubdivisionDeformation::RequestDataObject(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkDataObject* output = info->Get(vtkDataObject::DATA_OBJECT());
+  if (!output || output->GetDataObjectType() != input->GetDataObjectType())
+  {
+    auto made = vtkSmartPointer<vtkPointSet>::Take(input->NewInstance());
+    info->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+  return 1;
+}
+
+/// The times of all inputs: VTK by itself takes over those of the first.
+int vtkSubdivisionDeformation::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  std::set<double> steps;
+  std::vector<double> range;
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkInformation* info = inputVector[port]->GetInformationObject(0);
+    if (info && info->Has(Pipeline::TIME_STEPS()))
+    {
+      const double* given = info->Get(Pipeline::TIME_STEPS());
+      steps.insert(given, given + info->Length(Pipeline::TIME_STEPS()));
+    }
+    if (info && info->Has(Pipeline::TIME_RANGE()))
+    {
+      const double* given = info->Get(Pipeline::TIME_RANGE());
+      range.insert(range.end(), given, given + 2);
+    }
+  }
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  if (!steps.empty())
+  {
+    const std::vector<double> all(steps.begin(), steps.end());
+    info->Set(Pipeline::TIME_STEPS(), all.data(), static_cast<int>(all.size()));
+  }
+  if (!range.empty())
+  {
+    const auto ends = std::minmax_element(range.begin(), range.end());
+    const double both[2] = { *ends.first, *ends.second };
+    info->Set(Pipeline::TIME_RANGE(), both, 2);
+  }
+  return 1;
+}
+
+/// Whichever part of the input is asked for, the control meshes are needed whole.
+int vtkSubdivisionDeformation::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 1; port < 3; ++port)
+  {
+    vtkInformation* info = inputVector[port]->GetInformationObject(0);
+    if (info)
+    {
+      info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+  }
+  return 1;
+}
+
+int vtkSubdivisionDeformation::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  vtkPointSet* rest = vtkPointSet::GetData(inputVector[1]);
+  vtkPointSet* deformed = vtkPointSet::GetData(inputVector[2]);
+  vtkPointSet* output = vtkPointSet::GetData(outputVector);
+  if (!input || !output)
+  {
+    vtkErrorMacro("The input is missing, or is no vtkPointSet.");
+    return 0;
+  }
+  if (!rest || !deformed)
+  {
+    output->ShallowCopy(input);
+    vtkErrorMacro("The rest mesh and the deformed mesh must each be one vtkUnstructuredGrid or "
+                  "vtkPolyData. The output is the input.");
+    return 1;
+  }
+  subdivision::DeformationOptions options;
+  options.Levels = this->NumberOfLevels;
+  options.Outside = static_cast<subdivision::OutsideRule>(this->OutsidePoints);
+  options.TransformVectors = this->TransformVectors;
+  options.OutputPointsPrecision = this->OutputPointsPrecision;
+  options.MaximumNumberOfCells = this->MaximumNumberOfCells;
+  options.Progress = [this](double done)
+  {
+    this->UpdateProgress(done);
+    return subdivision::IsAborted(this);
+  };
+  options.Warn = [this](const std::string& message) { vtkWarningMacro(<< message); };
+  options.Fail = [this](const std::string& message) { vtkErrorMacro(<< message); };
+  bool done = false;
+  try
+  {
+    done = this->ReadFeatureOptions(rest, options.Features) &&
+      this->Work->Run(input, rest, deformed, options, output);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Work->Clear();
+    options.Fail(
+      "There is not enough memory for NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
+      " and the points of the input. Use fewer levels, or deform it in parts.");
+  }
+  if (!done)
+  {
+    output->ShallowCopy(input); // nothing is lost
+  }
+  return 1;
+}
+
+void vtkSubdivisionDeformation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
+  os << indent << "OutsidePoints: " << this->OutsidePoints << "\n";
+  os << indent << "TransformVectors: " << this->TransformVectors << "\n";
+  os << indent << "Bytes kept: " << this->Work->GetMemorySize() << "\n";
+  os << indent << "NumberOfTopologyBuilds: " << this->GetNumberOfTopologyBuilds() << "\n";
+  os << indent << "NumberOfLocationBuilds: " << this->GetNumberOfLocationBuilds() << "\n";
+  os << indent << "NumberOfOutsidePoints: " << this->GetNumberOfOutsidePoints() << "\n";
+}

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSubdivisionDeformation
+ * @brief   smooth deformation of whatever lies inside a control mesh of solid cells
+ *
+ * Bends a detailed object by moving the few points of a coarse mesh of tetrahedra around it. The
+ * object is any vtkPointSet: a surface, a point cloud, a fine volume.
+ *
+ * @par Algorithm
+ * S. Schaefer, J. Hakenberg and J. Warren, "Smooth Subdivision of Tetrahedral Meshes", section 3.
+ * The control mesh at rest is subdivided NumberOfLevels times, as vtkMultiDimensionalSubdivision
+ * does it. Each point of the object is found in a cell of the result, and the barycentric
+ * coordinates that it has there are kept: with them each point is a fixed mean of control points
+ * (equation 1). The same means of the deformed control points are the deformed object. An affine
+ * map of the control mesh is the same affine map of what is inside, up to rounding; at rest nothing
+ * moves. Which cells there are, and which rules they follow, is decided at rest.
+ *
+ * @par Inputs
+ *  - port 0, what is deformed: any vtkPointSet (the output has its type), or a composite of these,
+ *    each of which is deformed by itself.
+ *  - port 1, the control mesh at rest: vtkUnstructuredGrid or vtkPolyData, with the cells, arrays
+ *    and options of features that vtkSubdivisionAlgorithm tells; the cell arrays are those of this
+ *    mesh.
+ *  - port 2, the control mesh deformed: the same points and cells in the same order.
+ * Any of the three may change with time. Every process reads the whole of both control meshes.
+ *
+ * @par Points and cells
+ * A point belongs to the tetrahedron with the smallest id of those that hold it; barycentric
+ * coordinates may be below zero by 1e-10, by 1e-5 if points are in single precision. Surfaces and
+ * curves in the control mesh hold no points, but OutsidePoints = OUTSIDE_NEAREST may bind points to
+ * them.
+ *
+ * @par Arrays
+ * All arrays of port 0 are in the output, and so are its cells. With TransformVectors the active
+ * vectors and tangents, of points and of cells, are multiplied by the Jacobian matrix of the map of
+ * the tetrahedron that holds the point, active normals by its inverse transpose and made as long as
+ * 1; if they are of a floating type. A cell takes the mean of the matrices of its points. Outside
+ * of all tetrahedra the matrix is 1. All other arrays pass unchanged.
+ *
+ * @par What is kept
+ * The operators of all levels, the subdivided mesh at rest and a search tree, for a rest mesh of
+ * equal content; and for each input of the last update its rows of at most 4 entries, or composed
+ * rows over the control points where these are fewer bytes to read. An input is known again by the
+ * content of its points (512 bits of checksum for each half megabyte). When only the deformed mesh
+ * changes, the work is one product with each operator and one with the rows.
+ *
+ * @par Complexity
+ * The first execution: linear in the size of the subdivided mesh, O(p log n) for p points in n
+ * cells. Later ones: linear in what is kept. Memory: about 52 bytes for each point, and for each
+ * tetrahedron of the subdivided mesh about 90 bytes.
+ *
+ * @par Threads and ghosts
+ * Threaded by vtkSMPTools; the output is the same, bit for bit, for any number of threads. Ghost
+ * points and cells of port 0 are deformed like all others.
+ *
+ * @par Errors
+ * An error, with the input as output, where rest and deformed mesh differ in points or cells, where
+ * a deformed control point is not finite, where OutsidePoints is OUTSIDE_ERROR and there are any,
+ * or where the rest mesh cannot be subdivided within MaximumNumberOfCells or the memory. A warning
+ * where the rest mesh has no cells (the output is the input), has inverted or flat solid cells,
+ * where the deformed mesh turns cells inside out, and, when they are found, of points outside.
+ *
+ * InterpolateIntegers and GenerateOriginalIds mean nothing here.
+ *
+ * @sa
+ * vtkMultiDimensionalSubdivision vtkSubdivisionModelSource
+ */
+#ifndef vtkSubdivisionDeformation_h
+#define vtkSubdivisionDeformation_h
+
+#include "vtkSubdivisionAlgorithm.h"
+#include "vtkSubdivisionObjectsModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+
+namespace subdivision
+{
+class Deformation;
+}
+
+class VTKSUBDIVISIONOBJECTS_EXPORT vtkSubdivisionDeformation : public vtkSubdivisionAlgorithm
+{
+public:
+  static vtkSubdivisionDeformation* New();
+  vtkTypeMacro(vtkSubdivisionDeformation, vtkSubdivisionAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Inputs 1 and 2, as connections or as data.
+   */
+  void SetRestMeshConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetRestMeshData(vtkDataObject* mesh) { this->SetInputData(1, mesh); }
+  void SetDeformedMeshConnection(vtkAlgorithmOutput* output)
+  {
+    this->SetInputConnection(2, output);
+  }
+  void SetDeformedMeshData(vtkDataObject* mesh) { this->SetInputData(2, mesh); }
+  ///@}
+
+  /**
+   * The deformed object; null if the input is a composite data set.
+   */
+  vtkPointSet* GetOutput();
+
+  ///@{
+  /**
+   * How often the control mesh is subdivided, 0 to 20, default 2. The deformation is piecewise
+   * linear on the cells of that level: more levels make it smoother, and each makes 8 times as many
+   * cells. 0: linear on the control mesh itself.
+   */
+  vtkSetClampMacro(NumberOfLevels, int, 0, 20);
+  vtkGetMacro(NumberOfLevels, int);
+  ///@}
+
+  enum OutsidePointsRules
+  {
+    OUTSIDE_LEAVE,
+    OUTSIDE_NEAREST,
+    OUTSIDE_ERROR
+  };
+  ///@{
+  /**
+   * What becomes of points outside the subdivided rest mesh: OUTSIDE_LEAVE (0, the default; they
+   * stay where they are), OUTSIDE_NEAREST (1; they move as their nearest point of the mesh does, a
+   * surface or curve counts too) or OUTSIDE_ERROR (2; an error, and the output is the input). Their
+   * number is always said. Points with coordinates that are not finite are outside, and never move.
+   */
+  vtkSetClampMacro(OutsidePoints, int, OUTSIDE_LEAVE, OUTSIDE_ERROR);
+  vtkGetMacro(OutsidePoints, int);
+  void SetOutsidePointsToLeave() { this->SetOutsidePoints(OUTSIDE_LEAVE); }
+  void SetOutsidePointsToNearest() { this->SetOutsidePoints(OUTSIDE_NEAREST); }
+  void SetOutsidePointsToError() { this->SetOutsidePoints(OUTSIDE_ERROR); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether active vectors, tangents and normals turn and stretch with the object, see above; else
+   * they pass unchanged. On by default.
+   */
+  vtkSetMacro(TransformVectors, bool);
+  vtkGetMacro(TransformVectors, bool);
+  vtkBooleanMacro(TransformVectors, bool);
+  ///@}
+
+  /**
+   * How often a rest mesh was subdivided, and how often points were looked up in it.
+   */
+  vtkIdType GetNumberOfTopologyBuilds() const;
+  vtkIdType GetNumberOfLocationBuilds() const;
+
+  /**
+   * How many points were outside in the last update.
+   */
+  vtkIdType GetNumberOfOutsidePoints() const;
+
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+protected:
+  vtkSubdivisionDeformation();
+  ~vtkSubdivisionDeformation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int NumberOfLevels = 2;
+  int OutsidePoints = OUTSIDE_LEAVE;
+  bool TransformVectors = true;
+
+private:
+  /// Updates are nested for composite inputs: blocks start and end inside the whole.
+  void OnStart();
+  void OnEnd();
+
+  std::unique_ptr<subdivision::Deformation> Work;
+  int UpdateDepth = 0;
+
+  vtkSubdivisionDeformation(const vtkSubdivisionDeformation&) = delete;
+  void operator=(const vtkSubdivisionDeformation&) = delete;
+};
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SubdivisionDeformationTools.h
+ * Cages, things inside of them, and a filter that is told the three.
+ */
+#ifndef SubdivisionObjects_SubdivisionDeformationTools_h
+#define SubdivisionObjects_SubdivisionDeformationTools_h
+
+#include "FeatureTools.h"
+
+#include "vtkSubdivisionDeformation.h"
+
+#include "vtkPolyData.h"
+
+namespace deformation_tools
+{
+
+using namespace feature_tools;
+using Map = std::function<Point(const Point&)>;
+
+/// Points in a box, one vertex cell each, with arrays of every kind.
+inline Grid MakeCloud(int size, Point low, Point high, unsigned seed, int type = VTK_DOUBLE)
+{
+  std::mt19937 random(seed);
+  std::vector<Point> points(size);
+  std::vector<Cell> cells;
+  for (int i = 0; i < size; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      points[i][c] = low[c] + (high[c] - low[c]) * (random() / 4294967296.);
+    }
+    cells.push_back({ VTK_VERTEX, { i } });
+  }
+  return MakeGrid(points, cells, type);
+}
+
+inline Grid Moved(vtkUnstructuredGrid* mesh, const Map& map)
+{
+  const Grid moved = DeepCopy(mesh);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    points->InsertNextPoint(map(GetPoint(mesh, i)).data());
+  }
+  moved->SetPoints(points);
+  return moved;
+}
+
+/// x -> a (1.1 x + 0.4 y - 0.3 z, …) + b: turns, shears and stretches.
+inline Point Affine(const Point& x)
+{
+  return { 1.1 * x[0] + 0.4 * x[1] - 0.3 * x[2] + 0.7, -0.5 * x[0] + 0.9 * x[1] + 0.2 * x[2] - 3.,
+    0.1 * x[0] - 0.6 * x[1] + 1.7 * x[2] + 0.25 };
+}
+
+inline Point Bend(const Point& x)
+{
+  return { x[0] + 0.1 * x[2] * x[2], x[1] - 0.2 * std::sin(x[2]), x[2] + 0.1 * x[0] * x[1] };
+}
+
+/// A filter that stays, and what it said.
+class Deformer
+{
+public:
+  Deformer() { this->Heard->Watch(this->Filter); }
+  vtkSubdivisionDeformation* operator->() { return this->Filter; }
+  /// A copy of the output that shares its arrays.
+  vtkSmartPointer<vtkPointSet> Run(
+    vtkDataObject* input, vtkDataObject* rest, vtkDataObject* deformed)
+  {
+    this->Filter->SetInputData(input);
+    this->Filter->SetRestMeshData(rest);
+    this->Filter->SetDeformedMeshData(deformed);
+    this->Filter->Modified();
+    this->Filter->Update();
+    vtkPointSet* output = this->Filter->GetOutput();
+    if (!output)
+    {
+      return nullptr;
+    }
+    auto copy = vtkSmartPointer<vtkPointSet>::Take(output->NewInstance());
+    copy->ShallowCopy(output);
+    return copy;
+  }
+  const std::vector<std::string>& GetWarnings() const { return this->Heard->Warnings; }
+  const std::vector<std::string>& GetErrors() const { return this->Heard->Errors; }
+  void Forget()
+  {
+    this->Heard->Warnings.clear();
+    this->Heard->Errors.clear();
+  }
+  bool WasSilent() const { return this->Heard->Warnings.empty() && this->Heard->Errors.empty(); }
+
+private:
+  vtkNew<vtkSubdivisionDeformation> Filter;
+  vtkNew<Messages> Heard;
+};
+
+/// The largest distance, in any coordinate, between the points and those of a map.
+inline double GetLargestError(vtkPointSet* result, vtkPointSet* input, const Map& map)
+{
+  EXPECT_EQ(result->GetNumberOfPoints(), input->GetNumberOfPoints());
+  double largest = 0.;
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    const Point found = GetPoint(result, i);
+    const Point wanted = map(GetPoint(input, i));
+    for (int c = 0; c < 3; ++c)
+    {
+      const double error = std::abs(found[c] - wanted[c]);
+      largest = error <= largest ? largest : error; // NaN counts
+    }
+  }
+  return largest;
+}
+
+inline std::string ComparePoints(vtkPointSet* a, vtkPointSet* b)
+{
+  return CompareValues(a->GetPoints()->GetData(), b->GetPoints()->GetData());
+}
+
+}
+
+#endif
