@@ -159,6 +159,18 @@ def red_green_section(samples):
          "time / writing", "time / writing with huge pages"], rows) if rows else []
 
 
+def deformation_section(samples):
+    rows = []
+    for (family, what, case, levels, threads), sample in sorted(samples.items()):
+        if family == "deformation":
+            limit = samples.get(("limit", "deformation", case, levels, threads)) if what == "again" else None
+            rows.append([what, str(threads), sample.text(), limit.text() if limit else "-",
+                         ratio(sample, limit), "%.1f" % sample.ns_per_cell()])
+    return ["## Deformation of one million points", ""] + table(
+        ["execution", "threads", "ms", "reading rows and operators, writing points, ms", "time / that",
+         "ns per point"], rows) if rows else []
+
+
 def peer_section(samples):
     rows = []
     for (family, what, case, levels, threads), peer in sorted(samples.items()):
@@ -228,7 +240,7 @@ def run(arguments):
              "after %.1f; %d processors." % (
                  arguments.repetitions, load, os.getloadavg()[0], os.cpu_count()), ""]
     lines += filter_section(samples, memory) + again_section(samples)
-    lines += red_green_section(samples) + peer_section(samples)
+    lines += red_green_section(samples) + deformation_section(samples) + peer_section(samples)
     lines += stage_section(samples)
     if not arguments.quick:
         lines += scaling_section(samples)

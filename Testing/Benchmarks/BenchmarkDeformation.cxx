@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BenchmarkDeformation.cxx
+ * One million points in a cage of 384 tetrahedra: the first execution, and one with moved control
+ * points. The limit of the latter: reading the operators and 4 entries of 8 + 4 bytes for each
+ * point once, and writing the points.
+ */
+#include "BenchmarkMeshes.h"
+#include "BenchmarkTools.h"
+
+#include "Private/RestMesh.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSubdivisionDeformation.h"
+
+#include <atomic>
+#include <random>
+
+namespace benchmarks
+{
+namespace
+{
+
+constexpr vtkIdType NumberOfPoints = 1000000;
+constexpr int Levels = 3;
+
+vtkPointSet* GetCage()
+{
+  static const vtkSmartPointer<vtkPointSet> cage = ToVtk(MakeCube(4));
+  return cage;
+}
+
+vtkPolyData* GetCloud()
+{
+  static const vtkSmartPointer<vtkPolyData> cloud = []
+  {
+    vtkNew<vtkDoubleArray> coordinates;
+    coordinates->SetNumberOfComponents(3);
+    coordinates->SetNumberOfTuples(NumberOfPoints);
+    std::mt19937 random(1);
+    for (vtkIdType i = 0; i < 3 * NumberOfPoints; ++i)
+    {
+      coordinates->SetValue(i, 0.2 + 0.6 * (random() / 4294967296.));
+    }
+    vtkNew<vtkPoints> points;
+    points->SetData(coordinates);
+    auto made = vtkSmartPointer<vtkPolyData>::New();
+    made->SetPoints(points);
+    return made;
+  }();
+  return cloud;
+}
+
+vtkSmartPointer<vtkPointSet> MakeDeformed()
+{
+  auto deformed = vtkSmartPointer<vtkPointSet>::Take(GetCage()->NewInstance());
+  deformed->DeepCopy(GetCage());
+  for (vtkIdType i = 0; i < deformed->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    deformed->GetPoint(i, x);
+    deformed->GetPoints()->SetPoint(i, x[0] + x[2] * x[2], x[1], x[2] - 0.3 * x[0] * x[1]);
+  }
+  return deformed;
+}
+
+Produced RunDeformation(Stopwatch& watch, bool again)
+{
+  vtkNew<vtkSubdivisionDeformation> filter;
+  filter->SetInputData(GetCloud());
+  filter->SetRestMeshData(GetCage());
+  filter->SetDeformedMeshData(GetCage());
+  filter->SetNumberOfLevels(Levels);
+  if (again)
+  {
+    filter->Update();
+    filter->SetDeformedMeshData(MakeDeformed());
+  }
+  watch.Time([&]() { filter->Update(); });
+  return { static_cast<double>(NumberOfPoints), 24. * NumberOfPoints };
+}
+
+std::size_t GetOperatorSize()
+{
+  static const std::size_t size = []
+  {
+    subdivision::DeformationOptions options;
+    options.Levels = Levels;
+    options.Warn = options.Fail = [](const std::string&) {};
+    subdivision::RestMesh rest;
+    return rest.Update(GetCage(), options) ? rest.GetOperatorSize() : 0;
+  }();
+  return size;
+}
+
+Produced RunLimit(Stopwatch& watch)
+{
+  using subdivision::Buffer;
+  const vtkIdType words =
+    static_cast<vtkIdType>(GetOperatorSize() / 8) + NumberOfPoints * 4 * (8 + 4) / 8;
+  const Buffer<long long> kept(words, 1);
+  std::atomic<long long> total{ 0 };
+  watch.Time(
+    [&]()
+    {
+      subdivision::ForRanges(words,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          long long sum = 0;
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            sum += kept[i];
+          }
+          total += sum;
+        });
+      Buffer<double> points(3 * NumberOfPoints);
+      subdivision::ForEach(3 * NumberOfPoints, [&](vtkIdType i) { points[i] = 0.5; });
+      benchmark::DoNotOptimize(points.data());
+      benchmark::ClobberMemory();
+    });
+  benchmark::DoNotOptimize(total.load());
+  return { static_cast<double>(NumberOfPoints), 24. * NumberOfPoints };
+}
+
+void RegisterDeformation()
+{
+  const std::string end = "/million/levels:" + std::to_string(Levels);
+  for (int threads : ThreadCounts)
+  {
+    Register("deformation/first" + end, threads,
+      [](Stopwatch& watch) { return RunDeformation(watch, false); });
+    Register("deformation/again" + end, threads,
+      [](Stopwatch& watch) { return RunDeformation(watch, true); });
+    Register("limit/deformation" + end, threads, RunLimit);
+  }
+}
+
+const Registration Registered(RegisterDeformation);
+
+}
+}
