@@ -7,7 +7,7 @@
 `./dev demo` builds the plugin, then runs this script with ParaView's pvpython in build/demo, where
 it writes its files: four pictures of each model (control mesh; subdivided; cut open and coloured by a
 point array; cut open and coloured by RuleDimension), both meshes as .vtu, and one contact sheet.
-After the built-in models it goes on with gallery.py, which shows the features.
+After the built-in models it goes on with gallery.py, which shows the features, and deformation.py.
 By hand:
 
     SUBDIVISIONOBJECTS_PLUGIN=<folder>/SubdivisionObjects.so pvpython --force-offscreen-rendering demo.py
@@ -20,6 +20,7 @@ import pathlib
 import sys
 import time
 
+import deformation
 import demo_pictures
 import gallery
 from paraview import servermanager, simple
@@ -162,6 +163,7 @@ def main(arguments):
     print(f"Pictures and meshes are in {os.getcwd()}; look at {sheet} first.")
     if not arguments:
         gallery.draw()
+        deformation.draw()
 
 
 if __name__ == "__main__":

@@ -15,11 +15,12 @@ from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    VTK_HEXAHEDRON, VTK_LINE, VTK_QUAD, VTK_TETRA, VTK_TRIANGLE, VTK_VERTEX, vtkPlane, vtkUnstructuredGrid)
+    VTK_HEXAHEDRON, VTK_LINE, VTK_QUAD, VTK_TETRA, VTK_TRIANGLE, VTK_VERTEX, VTK_WEDGE, vtkPlane,
+    vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
 LEVELS = 4
-KINDS = {1: VTK_VERTEX, 2: VTK_LINE, 3: VTK_TRIANGLE, 4: VTK_QUAD, 8: VTK_HEXAHEDRON}
+KINDS = {1: VTK_VERTEX, 2: VTK_LINE, 3: VTK_TRIANGLE, 4: VTK_QUAD, 6: VTK_WEDGE, 8: VTK_HEXAHEDRON}
 
 
 class Mesh:
