@@ -33,9 +33,9 @@ std::vector<vtkIdType> Choose(vtkIdType size, int count, unsigned int seed)
   return chosen;
 }
 
-/// Marks leaves of all levels: in each round those of the changed cells that the seed takes.
+/// Marks leaves of all levels: in each round one in so many of the changed cells.
 template <typename Id>
-void RefineByChance(RedGreen<Id>& state, int rounds, unsigned int seed)
+void RefineByChance(RedGreen<Id>& state, int rounds, unsigned int seed, unsigned int oneIn = 20)
 {
   std::mt19937 random(seed);
   for (vtkIdType cell : Choose(state.GetNumberOfInputCells(), 3, seed))
@@ -47,7 +47,7 @@ void RefineByChance(RedGreen<Id>& state, int rounds, unsigned int seed)
   {
     for (const auto& cell : state.GetChangedCells())
     {
-      if (random() % 20 == 0)
+      if (random() % oneIn == 0)
       {
         state.MarkCell(cell.Leaf);
       }
@@ -409,7 +409,7 @@ TEST_P(RedGreenOfFile, IsConforming)
   }
   OrderTets(simplices.Simplices, points.data(), nullptr, 0);
   RedGreen<int> state{ SimplexView(simplices.Simplices) };
-  RefineByChance(state, 6, 3);
+  RefineByChance(state, 6, 3, 35);
   const auto written = Write(state, points);
   EXPECT_GT(written.Cells.GetNumberOfSimplices(), simplices.Simplices.GetNumberOfSimplices());
   CheckArrays(simplices.Simplices, written);
