@@ -17,6 +17,9 @@
  * curve. Non-manifold vertices and edges take the rule for solids with all their neighbours (rule
  * G-2).
  *
+ * On surfaces these are the plain rules of Loop's scheme also next to boundaries and creases;
+ * vtkSurfaceSubdivision has by default others there, which depend on the number of faces.
+ *
  * @par Arrays
  * Floating point arrays, of any number of components, are smoothed like the points; so are colours
  * (unsigned char, 3 or 4 components), rounded after every level. Other integer, string and bit
