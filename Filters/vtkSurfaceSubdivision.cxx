@@ -84,6 +84,7 @@ void vtkSurfaceSubdivision::ReadOptions(subdivision::SurfaceOptions& options)
   options.GenerateNormals = this->GenerateNormals;
   options.GenerateTangents = this->GenerateTangents;
   options.Use32BitIds = this->Use32BitIds;
+  options.JoinSeams = this->JoinSeams;
   options.InterpolateIntegers = this->InterpolateIntegers;
   options.GenerateOriginalIds = this->GenerateOriginalIds;
   options.OutputPointsPrecision = this->OutputPointsPrecision;
@@ -152,6 +153,7 @@ void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateNormals: " << this->GenerateNormals << "\n";
   os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";
+  os << indent << "JoinSeams: " << this->JoinSeams << "\n";
   os << indent << "CreaseEnd: " << this->CreaseEnd << "\n";
   os << indent << "DetectFeatures: " << this->DetectFeatures << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";

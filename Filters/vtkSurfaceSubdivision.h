@@ -166,6 +166,20 @@ public:
   vtkBooleanMacro(GenerateTangents, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether points of equal coordinates are one point for the surface, if there are texture
+   * coordinates (the active ones of the point data). vtkPolyData has seams of textures as points
+   * that are there several times. The points then follow the joined surface, which stays smooth and
+   * closed across seams; texture coordinates, and all other arrays, treat a seam as a boundary,
+   * which is sharp. On by default; for LOOP, MODIFIED_BUTTERFLY and CATMULL_CLARK. Filters in a row
+   * are then filters of their own.
+   */
+  vtkSetMacro(JoinSeams, bool);
+  vtkGetMacro(JoinSeams, bool);
+  vtkBooleanMacro(JoinSeams, bool);
+  ///@}
+
   enum CreaseEnds
   {
     CORNER,
@@ -297,6 +311,7 @@ protected:
   bool ProjectToLimit = false;
   bool GenerateNormals = false;
   bool GenerateTangents = false;
+  bool JoinSeams = true;
   int CreaseEnd = CORNER;
   bool DetectFeatures = false;
   double FeatureAngle = 30.;

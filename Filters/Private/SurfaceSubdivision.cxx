@@ -3,20 +3,25 @@
 
 #include "Arrays.h"
 #include "CellArrays.h"
+#include "CellReader.h"
 #include "Core/SurfaceSteps.h"
 #include "PointArrays.h"
 #include "SizeChecks.h"
 #include "SurfaceCreases.h"
+#include "SurfaceFrames.h"
+#include "SurfaceSeams.h"
 #include "SurfaceStamp.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -27,8 +32,6 @@ namespace
 
 constexpr const char* OriginalCells = "vtkOriginalCellIds";
 constexpr const char* OriginalPoints = "vtkOriginalPointIds";
-constexpr const char* Normals = "LimitNormals";
-constexpr const char* Tangents[2] = { "LimitTangent1", "LimitTangent2" };
 
 /// What the topology of an output depends on, by content.
 struct SurfaceKey
@@ -130,13 +133,28 @@ private:
   void Reset();
   void StartPoints();
   bool Build();
+  SurfaceSteps<Id>* MakeSteps(
+    const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& kept);
+  SurfaceCreases ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level);
+  bool FindSeams()
+  {
+    return this->Options.JoinSeams && this->Input->GetPointData()->GetTCoords() &&
+      this->Scheme->HalvesEdges() &&
+      JoinEqualPoints(this->Cells, this->Points->GetCoordinates(), this->JoinedMesh);
+  }
+  vtkSmartPointer<vtkDataArray> FollowPoints();
   bool IsDescendant() const;
   std::vector<double> ReadPointValues(vtkDataArray* array, double factor) const;
   SurfaceTags<Id> Classify(const SurfaceLevel<Id>& control, const SurfaceFeatures& features);
   KeptSurface<Id>* FindKept(const SurfaceKey& key);
   bool Finish();
   bool Advance();
-  void AddTangents();
+  void AddFrames(
+    const SurfaceSteps<Id>& steps, vtkDataArray* points, const Buffer<vtkIdType>& sources)
+  {
+    AddLimitFrames(steps, points, sources, this->Options.GenerateNormals,
+      this->Options.GenerateTangents, this->Input, this->Output);
+  }
   void WriteCells();
   void CopyCellArrays();
   Buffer<vtkIdType> FindCellSources() const;
@@ -153,9 +171,11 @@ private:
   SimplicesOfCells NoCentres;
   std::vector<vtkIdType> GlobalIds;
   std::unique_ptr<PointArrays> Points;
-  std::vector<vtkIdType> Creases; ///< detected, as pairs of control points
-  std::unique_ptr<SurfaceSteps<Id>> Own;
+  std::vector<vtkIdType> Creases;                     ///< detected, as pairs of control points
+  std::vector<std::unique_ptr<SurfaceSteps<Id>>> Own; ///< steps that are not kept
   SurfaceSteps<Id>* Steps = nullptr;
+  JoinedSurface JoinedMesh;
+  SurfaceSteps<Id>* Joined = nullptr; ///< what the points follow where there are seams
   KeptSurface<Id>* Kept = nullptr;
   std::vector<Sector<Id>> ControlSectors;
 };
@@ -164,8 +184,9 @@ template <typename Id>
 void SurfaceRun<Id>::Reset()
 {
   this->MadeLevels = 0;
-  this->Own.reset();
+  this->Own.clear();
   this->Steps = nullptr;
+  this->Joined = nullptr;
   this->Kept = nullptr;
   this->Creases.clear();
 }
@@ -186,11 +207,11 @@ void SurfaceRun<Id>::StartPoints()
   }
   if (this->Options.GenerateNormals && this->Scheme->HasLimit())
   {
-    arrays.Replaced.emplace_back(Normals);
+    arrays.Replaced.emplace_back(LimitNormalsName);
   }
   if (this->Options.GenerateTangents && this->Scheme->HasLimit())
   {
-    arrays.Replaced.insert(arrays.Replaced.end(), { Tangents[0], Tangents[1] });
+    arrays.Replaced.insert(arrays.Replaced.end(), { LimitTangentNames[0], LimitTangentNames[1] });
   }
   vtkDataArray* ids = this->Input->GetPointData()->GetGlobalIds();
   this->GlobalIds.clear();
@@ -259,25 +280,88 @@ KeptSurface<Id>* SurfaceRun<Id>::FindKept(const SurfaceKey& key)
   return nullptr;
 }
 
-/// Levels and rules: kept ones where they fit.
+/// Levels and rules of `control`: kept ones where they fit. Null: stopped.
 template <typename Id>
-bool SurfaceRun<Id>::Build()
+SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
+  const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& found)
 {
-  this->StartPoints();
   SurfaceKey key{ this->Options.Scheme, this->Options.ModifiedBoundary, this->Options.Levels,
     this->NeedsLimit(), this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
+  KeptSurface<Id>* kept = nullptr;
   if (this->Options.Cache)
   {
-    key.Cells = this->Cells;
-    this->Kept = this->FindKept(key);
+    key.Cells = cells;
+    kept = this->FindKept(key);
   }
   SurfaceLevel<Id> fresh;
-  if (!this->Kept)
+  if (!kept)
   {
-    fresh = MakeControlLevel<Id>(this->GetControl());
+    fresh = MakeControlLevel<Id>(control);
   }
-  const SurfaceLevel<Id>& control = this->Kept ? this->Kept->Steps->GetLevel(0) : fresh;
-  SurfaceCreases creases = ReadSurfaceCreases(this->Options.Features, this->GetControl(), control);
+  const SurfaceLevel<Id>& first = kept ? kept->Steps->GetLevel(0) : fresh;
+  SurfaceCreases creases = this->ReadCreases(control, first);
+  if (this->Joined)
+  {
+    AddSeamCorners(first.Mesh, this->JoinedMesh, this->Joined->GetLevel(0).Tags, creases.Features);
+  }
+  SurfaceTags<Id> tags = this->Classify(first, creases.Features);
+  this->ControlSectors = tags.Sectors;
+  SurfaceSteps<Id>* steps = nullptr;
+  if (kept && kept->Steps->ReplaceSectors(tags))
+  {
+    kept->Used = true;
+    steps = kept->Steps.get();
+  }
+  else
+  {
+    if (kept)
+    {
+      kept = nullptr;
+      fresh = MakeControlLevel<Id>(control);
+    }
+    fresh.Tags = std::move(tags);
+    auto own = std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme,
+      this->GetAllLevels(), this->NeedsLimit(), this->Options.Progress);
+    steps = own.get();
+    if (steps->GetNumberOfSteps() < this->GetAllLevels())
+    {
+      return nullptr;
+    }
+    if (this->Options.Cache)
+    {
+      auto keep = std::make_unique<KeptSurface<Id>>(std::move(key));
+      keep->Steps = std::move(own);
+      kept = keep.get();
+      this->Options.Cache->Entries.push_back(std::move(keep));
+      ++this->Options.Cache->NumberOfBuilds;
+    }
+    else
+    {
+      this->Own.push_back(std::move(own));
+    }
+  }
+  const bool useSharpness = this->Scheme->HalvesEdges() && this->Scheme->UsesTags();
+  steps->SetSharpness(useSharpness ? creases.Sharpness : EdgeSharpness(),
+    [&](const std::vector<bool>& sharp)
+    {
+      SurfaceFeatures sharper = creases.Features;
+      sharper.SharpEdges.resize(sharp.size(), 0);
+      for (std::size_t e = 0; e < sharp.size(); ++e)
+      {
+        sharper.SharpEdges[e] |= sharp[e];
+      }
+      return ClassifySurface(
+        steps->GetLevel(0).Mesh, *this->Scheme, sharper, this->Points->GetCoordinates());
+    });
+  found = kept;
+  return steps;
+}
+
+/// Everything that is said of creases and corners of a control level.
+template <typename Id>
+SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level)
+{
+  SurfaceCreases creases = ReadSurfaceCreases(this->Options.Features, cells, level);
   for (double& sharpness : creases.Sharpness)
   {
     sharpness += sharpness > 0. ? this->MadeLevels : 0.;
@@ -291,54 +375,64 @@ bool SurfaceRun<Id>::Build()
   else if (this->Options.Features.DetectFeatures)
   {
     this->Creases = FindFeatureEdges(
-      control.Mesh, this->Points->GetCoordinates(), this->Options.Features.FeatureAngle);
+      level.Mesh, this->Points->GetCoordinates(), this->Options.Features.FeatureAngle);
   }
-  AddSharpEdges(control.Mesh, this->Creases, creases.Features);
-  SurfaceTags<Id> tags = this->Classify(control, creases.Features);
-  this->ControlSectors = tags.Sectors;
-  if (this->Kept && this->Kept->Steps->ReplaceSectors(tags))
+  AddSharpEdges(level.Mesh, this->Creases, creases.Features);
+  return creases;
+}
+
+template <typename Id>
+bool SurfaceRun<Id>::Build()
+{
+  this->StartPoints();
+  if (this->MadeLevels == 0 && this->FindSeams())
   {
-    this->Kept->Used = true;
-    this->Steps = this->Kept->Steps.get();
+    KeptSurface<Id>* kept = nullptr;
+    this->Joined = this->MakeSteps(this->JoinedMesh.Cells, this->JoinedMesh.Cells, kept);
+    if (!this->Joined)
+    {
+      return false;
+    }
   }
-  else
+  this->Steps = this->MakeSteps(this->Cells, this->GetControl(), this->Kept);
+  return this->Steps != nullptr;
+}
+
+/// The points at the end, which follow the joined mesh.
+template <typename Id>
+vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints()
+{
+  vtkSmartPointer<vtkDataArray> points = this->Points->GetPoints();
+  auto apply = [&points](const BlockOperator<Id>& rows)
   {
-    if (this->Kept)
+    const auto next = MakeArray(points->GetDataType(), 3, rows.GetNumberOfRows());
+    if (points->GetDataType() == VTK_FLOAT)
     {
-      this->Kept = nullptr;
-      fresh = MakeControlLevel<Id>(this->GetControl());
+      rows.Apply(static_cast<const float*>(points->GetVoidPointer(0)),
+        static_cast<float*>(next->GetVoidPointer(0)), 3);
     }
-    fresh.Tags = std::move(tags);
-    this->Own = std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme,
-      this->GetAllLevels(), this->NeedsLimit(), this->Options.Progress);
-    this->Steps = this->Own.get();
-    if (this->Steps->GetNumberOfSteps() < this->GetAllLevels())
+    else
     {
-      return false; // stopped
+      rows.Apply(static_cast<const double*>(points->GetVoidPointer(0)),
+        static_cast<double*>(next->GetVoidPointer(0)), 3);
     }
-    if (this->Options.Cache)
-    {
-      auto kept = std::make_unique<KeptSurface<Id>>(std::move(key));
-      kept->Steps = std::move(this->Own);
-      this->Kept = kept.get();
-      this->Options.Cache->Entries.push_back(std::move(kept));
-      ++this->Options.Cache->NumberOfBuilds;
-    }
+    points = next;
+  };
+  for (int step = 0; step < this->Options.Levels; ++step)
+  {
+    apply(this->Joined->GetStep(step));
   }
-  const SurfaceLevel<Id>& first = this->Steps->GetLevel(0);
-  this->Steps->SetSharpness(
-    this->Scheme->HalvesEdges() && this->Scheme->UsesTags() ? creases.Sharpness : EdgeSharpness(),
-    [&](const std::vector<bool>& sharp)
-    {
-      SurfaceFeatures sharper = creases.Features;
-      sharper.SharpEdges.resize(sharp.size(), 0);
-      for (std::size_t e = 0; e < sharp.size(); ++e)
-      {
-        sharper.SharpEdges[e] |= sharp[e];
-      }
-      return ClassifySurface(first.Mesh, *this->Scheme, sharper, this->Points->GetCoordinates());
-    });
-  return true;
+  const Buffer<vtkIdType> sources = FindJoinedVertices(this->Steps->GetLevel(this->GetAllLevels()),
+    this->Joined->GetLevel(this->GetAllLevels()), this->Cells.NumberOfPoints);
+  if (this->Options.GenerateNormals || this->Options.GenerateTangents)
+  {
+    this->AddFrames(*this->Joined, points, sources);
+  }
+  if (this->Options.ProjectToLimit && this->Scheme->HasLimit())
+  {
+    apply(this->Joined->GetLimit(LimitKind::Position));
+  }
+  return vtkDataArray::SafeDownCast(Gather(points, sources));
 }
 
 /// Whether the input is what the steps made of the control mesh.
@@ -387,6 +481,10 @@ template <typename Id>
 bool SurfaceRun<Id>::Advance()
 {
   const int levels = this->Options.Levels;
+  if (this->Joined)
+  {
+    this->Points->ReusePoints(this->FollowPoints());
+  }
   for (int step = 0; step < levels; ++step)
   {
     if (this->IsStopped(0.5 + 0.5 * (step + 1.) / (levels + 1.)))
@@ -403,9 +501,9 @@ bool SurfaceRun<Id>::Advance()
           [this](vtkIdType a, vtkIdType b) { return this->Points->IsEarlier(a, b); });
       });
   }
-  if (this->Scheme->HasLimit() && (this->Options.GenerateNormals || this->Options.GenerateTangents))
+  if (!this->Joined && this->NeedsLimit())
   {
-    this->AddTangents();
+    this->AddFrames(*this->Steps, this->Points->GetPoints(), Buffer<vtkIdType>());
   }
   if (this->Options.ProjectToLimit && this->Scheme->HasLimit())
   {
@@ -414,68 +512,6 @@ bool SurfaceRun<Id>::Advance()
   }
   this->Points->Finish(this->Output);
   return true;
-}
-
-template <typename Id>
-void SurfaceRun<Id>::AddTangents()
-{
-  const double* points = this->Points->GetCoordinates();
-  const int type = this->Points->GetPoints()->GetDataType();
-  const vtkIdType size = this->Points->GetPoints()->GetNumberOfTuples();
-  Buffer<double> tangents[2] = { Buffer<double>(3 * size), Buffer<double>(3 * size) };
-  this->Steps->GetLimit(LimitKind::Tangent1).Apply(points, tangents[0].data(), 3);
-  this->Steps->GetLimit(LimitKind::Tangent2).Apply(points, tangents[1].data(), 3);
-  auto add = [&](const char* name, const auto& value)
-  {
-    const auto array = MakeArray(type, 3, size);
-    array->SetName(name);
-    auto fill = [&](auto* out)
-    {
-      using T = typename std::remove_pointer<decltype(out)>::type;
-      ForEach(size,
-        [&](vtkIdType i)
-        {
-          double result[3];
-          value(i, result);
-          for (int c = 0; c < 3; ++c)
-          {
-            out[3 * i + c] = static_cast<T>(result[c]);
-          }
-        });
-    };
-    if (type == VTK_FLOAT)
-    {
-      fill(static_cast<float*>(array->GetVoidPointer(0)));
-    }
-    else
-    {
-      fill(static_cast<double*>(array->GetVoidPointer(0)));
-    }
-    AddInstead(this->Input->GetPointData(), array, this->Output->GetPointData());
-  };
-  if (this->Options.GenerateNormals)
-  {
-    add(Normals,
-      [&](vtkIdType i, double* n)
-      {
-        const double* a = tangents[0].data() + 3 * i;
-        const double* b = tangents[1].data() + 3 * i;
-        n[0] = a[1] * b[2] - a[2] * b[1];
-        n[1] = a[2] * b[0] - a[0] * b[2];
-        n[2] = a[0] * b[1] - a[1] * b[0];
-        const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-        for (int c = 0; c < 3; ++c)
-        {
-          n[c] = length > 0. && std::isfinite(length) ? n[c] / length : 0.;
-        }
-      });
-  }
-  for (int t = 0; t < 2 && this->Options.GenerateTangents; ++t)
-  {
-    add(Tangents[t],
-      [&](vtkIdType i, double* out)
-      { std::copy(tangents[t].data() + 3 * i, tangents[t].data() + 3 * i + 3, out); });
-  }
 }
 
 template <typename Id>
@@ -572,7 +608,7 @@ void SurfaceRun<Id>::WriteStamp()
 {
   RemoveSurfaceStamp(this->Output);
   if (this->Options.ProjectToLimit || this->GetAllLevels() == 0 || !this->Scheme->HalvesEdges() ||
-    !this->Scheme->UsesTags())
+    !this->Scheme->UsesTags() || this->Joined)
   {
     return;
   }
@@ -623,6 +659,37 @@ std::string CheckSize(vtkPolyData* input, const SurfaceCells& cells,
 
 }
 
+/// What an option asks for and the scheme does not have.
+static void WarnOfUnused(
+  vtkPolyData* input, const SurfaceScheme<int>& scheme, const SurfaceOptions& options)
+{
+  const CellReader reader(input);
+  std::vector<vtkIdType> scratch;
+  vtkIdType polygons = 0;
+  for (vtkIdType c = 0; scheme.NeedsTriangles() && c < reader.GetNumberOfCells(); ++c)
+  {
+    polygons += reader.GetCellType(c) == VTK_POLYGON && reader.GetCell(c, scratch).Size > 3;
+  }
+  if (polygons > 0)
+  {
+    options.Warn(std::to_string(polygons) +
+      " polygon(s) with more than three points were split into triangles, which this scheme "
+      "needs.");
+  }
+  if (!scheme.HasLimit() &&
+    (options.ProjectToLimit || options.GenerateNormals || options.GenerateTangents))
+  {
+    options.Warn("This scheme has no limit masks: points are not projected, and there are no limit "
+                 "normals or tangents.");
+  }
+  if (!scheme.UsesTags() &&
+    (options.Features.Singular || options.Features.Sharpness || options.Features.DetectFeatures ||
+      options.Angles || options.Flatness))
+  {
+    options.Warn("This scheme is dual and has no creases and corners: their options are ignored.");
+  }
+}
+
 bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
 {
   const auto scheme = MakeSurfaceScheme<int>(options.Scheme, options.ModifiedBoundary);
@@ -639,6 +706,7 @@ bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPoly
   {
     options.Warn(warning);
   }
+  WarnOfUnused(input, *scheme, options);
   double faces = 0.;
   const std::string tooLarge = CheckSize(input, cells, *scheme, options, faces);
   if (!tooLarge.empty())

@@ -47,6 +47,7 @@ struct SurfaceOptions : RunOptions
   bool GenerateNormals = false;
   bool GenerateTangents = false;
   bool Use32BitIds = false;
+  bool JoinSeams = true;
   /// Point arrays of the input, null where there is none: degrees, and s.
   vtkSmartPointer<vtkDataArray> Angles;
   vtkSmartPointer<vtkDataArray> Flatness;

@@ -51,6 +51,12 @@ def with_identity(made):
 
 
 def run(made, scheme, levels=1, arrays=(), **options):
+    """Without the warning that polygons become triangles."""
+    with tools.quiet():
+        return execute(made, scheme, levels, arrays, **options)
+
+
+def execute(made, scheme, levels, arrays, **options):
     subdivision = vtkSurfaceSubdivision()
     subdivision.SetInputData(made)
     subdivision.SetScheme(scheme)
@@ -595,6 +601,38 @@ class Meshes(unittest.TestCase):
         surface.Modified()
         subdivision.Update()
         np.testing.assert_array_equal(coordinates(subdivision.GetOutput()), coordinates(run(surface, LOOP, 2)))
+
+    def test_seams_of_textures(self):
+        # A tube: the seam's points are there twice, with texture coordinates 0 and 1.
+        n = 8
+        turns = 2 * np.pi * np.arange(n + 1) / n
+        turns[n] = 0
+        points = [[np.cos(t), np.sin(t), z] for z in range(4) for t in turns]
+        u = np.array([[i / n, z / 3] for z in range(4) for i in range(n + 1)])
+        faces = [[r * (n + 1) + i, r * (n + 1) + i + 1, (r + 1) * (n + 1) + i + 1, (r + 1) * (n + 1) + i]
+                 for r in range(3) for i in range(n)]
+        triangles = [half for f in faces for half in ([f[0], f[1], f[2]], [f[0], f[2], f[3]])]
+        for scheme, faces in ((LOOP, triangles), (CATMULL_CLARK, faces)):
+            surface = mesh(points, faces)
+            apart = run(surface, scheme, 2)
+            add(surface.GetPointData(), "texture", u)
+            surface.GetPointData().SetActiveTCoords("texture")
+            closed = [[a if a % (n + 1) < n else a - n for a in face] for face in faces]
+            joined = run(mesh(points, closed), scheme, 2, GenerateNormals=True)
+            out = run(surface, scheme, 2, GenerateNormals=True)
+            corners = np.concatenate(faces_of(out))
+            np.testing.assert_array_equal(corners, np.concatenate(faces_of(apart)))
+            same = np.concatenate(faces_of(joined))
+            np.testing.assert_allclose(coordinates(out)[corners], coordinates(joined)[same], atol=1e-14)
+            np.testing.assert_allclose(
+                point_array(out, "LimitNormals")[corners], point_array(joined, "LimitNormals")[same], atol=1e-14)
+            self.assertEqual(coordinates(out).shape, coordinates(apart).shape)
+            texture = point_array(out, "texture")
+            self.assertEqual(out.GetPointData().GetTCoords().GetName(), "texture")
+            self.assertEqual((texture[:, 0] == 0).sum(), (texture[:, 0] == 1).sum())
+            self.assertEqual((texture[:, 0] == 0).sum(), 13)
+            alone = run(surface, scheme, 2, JoinSeams=False)
+            np.testing.assert_array_equal(coordinates(alone), coordinates(apart))
 
     def test_bad_cells_are_passed_over(self):
         bad = mesh(coordinates(zoo()["cube"]), faces_of(zoo()["cube"]) + [[0, 1, 0, 2], [3, 3, 3]])
