@@ -3,10 +3,10 @@
 
 #include "Arrays.h"
 #include "CellArrays.h"
-#include "CellReader.h"
 #include "Core/SurfaceSteps.h"
 #include "PointArrays.h"
-#include "SizeChecks.h"
+#include "SurfaceCellArrays.h"
+#include "SurfaceChecks.h"
 #include "SurfaceCreases.h"
 #include "SurfaceFrames.h"
 #include "SurfaceSeams.h"
@@ -14,8 +14,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCellType.h"
-#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -30,7 +28,6 @@ namespace subdivision
 namespace
 {
 
-constexpr const char* OriginalCells = "vtkOriginalCellIds";
 constexpr const char* OriginalPoints = "vtkOriginalPointIds";
 
 /// What the topology of an output depends on, by content.
@@ -156,8 +153,6 @@ private:
       this->Options.GenerateTangents, this->Input, this->Output);
   }
   void WriteCells();
-  void CopyCellArrays();
-  Buffer<vtkIdType> FindCellSources() const;
   void WriteStamp();
 
   vtkPolyData* Input;
@@ -471,7 +466,8 @@ bool SurfaceRun<Id>::Finish()
   {
     return false;
   }
-  this->CopyCellArrays();
+  CopySurfaceCellArrays(
+    this->Input, this->Cells, *this->Steps, this->MadeLevels, this->Options, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
   this->WriteStamp();
   return true;
@@ -534,75 +530,6 @@ void SurfaceRun<Id>::WriteCells()
   }
 }
 
-/// The input cell of each output cell.
-template <typename Id>
-Buffer<vtkIdType> SurfaceRun<Id>::FindCellSources() const
-{
-  Buffer<vtkIdType> faces(this->Steps->GetLevel(this->MadeLevels).Mesh.NumberOfFaces);
-  std::copy(this->Cells.FaceCells.begin(), this->Cells.FaceCells.end(), faces.begin());
-  for (int step = this->MadeLevels; step < this->GetAllLevels(); ++step)
-  {
-    Buffer<vtkIdType> parents;
-    this->Scheme->GetFaceParents(this->Steps->GetLevel(step), parents);
-    ForEach(parents.size(), [&](vtkIdType i) { parents[i] = faces[parents[i]]; });
-    faces = std::move(parents);
-  }
-  const vtkIdType vertices = static_cast<vtkIdType>(this->Cells.VertexCells.size());
-  const vtkIdType segments = static_cast<vtkIdType>(this->Cells.SegmentCells.size());
-  const vtkIdType lines = this->Steps->GetLevel(this->GetAllLevels()).Lines.size();
-  Buffer<vtkIdType> sources(vertices + lines + faces.size());
-  std::copy(this->Cells.VertexCells.begin(), this->Cells.VertexCells.end(), sources.begin());
-  ForEach(lines,
-    [&](vtkIdType i) { sources[vertices + i] = this->Cells.SegmentCells[i / (lines / segments)]; });
-  std::copy(faces.begin(), faces.end(), sources.begin() + vertices + lines);
-  return sources;
-}
-
-template <typename Id>
-void SurfaceRun<Id>::CopyCellArrays()
-{
-  vtkCellData* from = this->Input->GetCellData();
-  vtkCellData* to = this->Output->GetCellData();
-  const bool carried =
-    this->Stamp.Levels > 0 && HasIds(from, OriginalCells, this->Input->GetNumberOfCells());
-  const bool originals = this->Options.GenerateOriginalIds && !carried;
-  if (from->GetNumberOfArrays() == 0 && !originals)
-  {
-    return;
-  }
-  const Buffer<vtkIdType> sources = this->FindCellSources();
-  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = from->GetAbstractArray(i);
-    const std::string name = array->GetName() ? array->GetName() : "";
-    if (array != from->GetGlobalIds() && array != from->GetPedigreeIds() &&
-      !(originals && name == OriginalCells) &&
-      HasTuples(array, this->Input->GetNumberOfCells(), "cell", this->Options.Warn))
-    {
-      AddLike(from, i, Gather(array, sources), to);
-    }
-  }
-  if (originals)
-  {
-    vtkNew<vtkIdTypeArray> ids;
-    ids->SetName(OriginalCells);
-    ids->SetNumberOfTuples(sources.size());
-    std::copy(sources.begin(), sources.end(), ids->GetPointer(0));
-    AddInstead(from, ids, to);
-  }
-  if (vtkDataArray* given = this->Options.Features.Sharpness)
-  {
-    vtkDataArray* sharpness = to->GetArray(given->GetName());
-    const vtkIdType first = static_cast<vtkIdType>(this->Cells.VertexCells.size());
-    const vtkIdType lines = this->Steps->GetLevel(this->GetAllLevels()).Lines.size();
-    for (vtkIdType i = first; sharpness && i < first + lines; ++i)
-    {
-      sharpness->SetComponent(
-        i, 0, std::max(sharpness->GetComponent(i, 0) - this->Options.Levels, 0.));
-    }
-  }
-}
-
 template <typename Id>
 void SurfaceRun<Id>::WriteStamp()
 {
@@ -635,59 +562,6 @@ void SurfaceRun<Id>::WriteStamp()
   WriteSurfaceStamp(stamp, this->Output);
 }
 
-/// An error message if the output would be too large; else how many faces there will be at most.
-std::string CheckSize(vtkPolyData* input, const SurfaceCells& cells,
-  const SurfaceScheme<int>& scheme, const SurfaceOptions& options, double& faces)
-{
-  const double lines = std::ldexp(static_cast<double>(cells.SegmentCells.size()), options.Levels);
-  faces = scheme.CountFaces(static_cast<double>(cells.GetNumberOfFaces()),
-    static_cast<double>(cells.Corners.size()), options.Levels);
-  const double all = faces + lines + static_cast<double>(cells.VertexCells.size());
-  const double bytesPerFace = scheme.NeedsTriangles() ? 32. : 40.;
-  const std::string tooMany =
-    CheckNumberOfCells(all, all * bytesPerFace, options.Levels, options.MaximumNumberOfCells);
-  if (!tooMany.empty())
-  {
-    return tooMany;
-  }
-  // A face has about one point; the levels before the last take about as much as its cells.
-  const double points = static_cast<double>(cells.NumberOfPoints) + faces + lines;
-  const double bytes = all * (2. * bytesPerFace + GetBytesPerTuple(input->GetCellData())) +
-    1.25 * points * (24. + GetBytesPerTuple(input->GetPointData()));
-  return CheckMemory(all, points, bytes, options.Levels);
-}
-
-}
-
-/// What an option asks for and the scheme does not have.
-static void WarnOfUnused(
-  vtkPolyData* input, const SurfaceScheme<int>& scheme, const SurfaceOptions& options)
-{
-  const CellReader reader(input);
-  std::vector<vtkIdType> scratch;
-  vtkIdType polygons = 0;
-  for (vtkIdType c = 0; scheme.NeedsTriangles() && c < reader.GetNumberOfCells(); ++c)
-  {
-    polygons += reader.GetCellType(c) == VTK_POLYGON && reader.GetCell(c, scratch).Size > 3;
-  }
-  if (polygons > 0)
-  {
-    options.Warn(std::to_string(polygons) +
-      " polygon(s) with more than three points were split into triangles, which this scheme "
-      "needs.");
-  }
-  if (!scheme.HasLimit() &&
-    (options.ProjectToLimit || options.GenerateNormals || options.GenerateTangents))
-  {
-    options.Warn("This scheme has no limit masks: points are not projected, and there are no limit "
-                 "normals or tangents.");
-  }
-  if (!scheme.UsesTags() &&
-    (options.Features.Singular || options.Features.Sharpness || options.Features.DetectFeatures ||
-      options.Angles || options.Flatness))
-  {
-    options.Warn("This scheme is dual and has no creases and corners: their options are ignored.");
-  }
 }
 
 bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
@@ -721,27 +595,6 @@ bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPoly
     static_cast<double>(std::numeric_limits<int>::max());
   return large ? SurfaceRun<long long>(input, options, output).Run(std::move(cells))
                : SurfaceRun<int>(input, options, output).Run(std::move(cells));
-}
-
-void SurfaceCache::ForgetUnused()
-{
-  this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
-                        [](const std::unique_ptr<Kept>& kept) { return !kept->Used; }),
-    this->Entries.end());
-  for (auto& kept : this->Entries)
-  {
-    kept->Used = false;
-  }
-}
-
-std::size_t SurfaceCache::GetMemorySize() const
-{
-  std::size_t bytes = 0;
-  for (const auto& kept : this->Entries)
-  {
-    bytes += kept->GetMemorySize();
-  }
-  return bytes;
 }
 
 }

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceCellArrays.h
+ * Cell data of surfaces go to the children.
+ */
+#ifndef SubdivisionObjects_SurfaceCellArrays_h
+#define SubdivisionObjects_SurfaceCellArrays_h
+
+#include "Core/SurfaceSteps.h"
+#include "RunOptions.h"
+#include "SurfaceCells.h"
+
+namespace subdivision
+{
+
+/// Copies every cell array of `input`, whose cells are those of level `firstStep`, to the cells of
+/// the last level. Global and pedigree ids are dropped; sharpness of lines is reduced.
+template <typename Id>
+void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
+  const SurfaceSteps<Id>& steps, int firstStep, const RunOptions& options, vtkPolyData* output);
+
+}
+
+#endif
