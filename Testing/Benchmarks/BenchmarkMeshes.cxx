@@ -186,6 +186,48 @@ FlatMesh MakeSphere(int levels)
   return mesh;
 }
 
+FlatMesh MakeQuadSphere(int n)
+{
+  FlatMesh mesh;
+  mesh.Corners = 4;
+  mesh.HasQuads = true;
+  std::map<std::array<int, 3>, int> ids; // by the place on the surface of a cube
+  auto find = [&](const std::array<int, 3>& at)
+  {
+    const auto [found, isNew] = ids.emplace(at, mesh.GetNumberOfPoints());
+    if (isNew)
+    {
+      const double x = 2. * at[0] / n - 1.;
+      const double y = 2. * at[1] / n - 1.;
+      const double z = 2. * at[2] / n - 1.;
+      const double length = std::sqrt(x * x + y * y + z * z);
+      AddPoint(mesh, x / length, y / length, z / length);
+    }
+    return found->second;
+  };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int side : { 0, n })
+    {
+      for (int i = 0; i < n * n; ++i)
+      {
+        auto corner = [&](int u, int v)
+        {
+          std::array<int, 3> at{};
+          at[axis] = side;
+          at[(axis + 1) % 3] = i % n + u;
+          at[(axis + 2) % 3] = i / n + v;
+          return find(at);
+        };
+        const int quad[4] = { corner(0, 0), side ? corner(1, 0) : corner(0, 1), corner(1, 1),
+          side ? corner(0, 1) : corner(1, 0) };
+        mesh.Cells.insert(mesh.Cells.end(), quad, quad + 4);
+      }
+    }
+  }
+  return mesh;
+}
+
 vtkSmartPointer<vtkPointSet> ToVtk(const FlatMesh& mesh)
 {
   vtkNew<vtkPoints> points;
@@ -203,7 +245,7 @@ vtkSmartPointer<vtkPointSet> ToVtk(const FlatMesh& mesh)
     cells->InsertNextCell(mesh.Corners, ids);
   }
   vtkSmartPointer<vtkPointSet> result;
-  if (mesh.Corners == 3)
+  if (mesh.Corners == 3 || mesh.HasQuads)
   {
     vtkNew<vtkPolyData> surface;
     surface->SetPolys(cells);

@@ -19,10 +19,11 @@ class vtkUnstructuredGrid;
 namespace benchmarks
 {
 
-/// Triangles or tetrahedra as other libraries want them.
+/// Triangles, quads or tetrahedra as other libraries want them.
 struct FlatMesh
 {
   int Corners = 0; ///< per cell
+  bool HasQuads = false;
   std::vector<double> Points;
   std::vector<double> Scalar;
   std::vector<int> Cells;
@@ -35,6 +36,8 @@ struct FlatMesh
 FlatMesh MakeCube(int n);
 /// A closed surface of 20 x 4^levels triangles.
 FlatMesh MakeSphere(int levels);
+/// A closed surface of 6 x n^2 quads.
+FlatMesh MakeQuadSphere(int n);
 
 /// A mesh with one double scalar on its points, and no other array.
 vtkSmartPointer<vtkPointSet> ToVtk(const FlatMesh& mesh);

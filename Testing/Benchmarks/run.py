@@ -22,6 +22,9 @@ PEER_NOTES = {
     "OpenMesh Loop": "no scalar",
     "OpenMesh sqrt3": "no scalar; 3 children per triangle and step: compared per output cell",
     "CGAL Loop": "no scalar",
+    "OpenMesh Catmull-Clark": "no scalar",
+    "CGAL Catmull-Clark": "no scalar",
+    "OpenSubdiv Catmull-Clark": "",
     "OpenSubdiv uniform + primvar": "",
     "OpenSubdiv stencil table build": "the table alone, nothing evaluated",
     "OpenSubdiv stencil table evaluate": "ready table, one component; compared with re-execution",
@@ -126,6 +129,19 @@ def filter_section(samples, memory):
          "speed-up, filter of limit"], rows)
 
 
+def surface_section(samples):
+    rows = []
+    for (family, what, case, levels, threads), sample in sorted(samples.items()):
+        if family == "surface":
+            limit = samples.get(("surfacelimit", what, case, levels, threads))
+            rows.append(["%s (%s, %d levels)" % (what, case, levels), str(threads), sample.text(),
+                         limit.text() if limit else "-", ratio(sample, limit),
+                         "%.1f" % sample.ns_per_cell()])
+    return ["## Surface subdivision, first execution", ""] + table(
+        ["scheme", "threads", "ms", "limit, 4 KiB pages, ms", "time / limit", "ns per output cell"],
+        rows)
+
+
 def again_section(samples):
     rows = []
     for (family, what, case, levels, threads), sample in sorted(samples.items()):
@@ -179,7 +195,9 @@ def peer_section(samples):
         mine = "again" if what.endswith("evaluate") else "first"
         cells = []
         for own_threads in (1, 4):
-            same = samples.get(("filter", mine, case, levels, own_threads))
+            scheme = what.split()[-1]
+            same = samples.get(("filter", mine, case, levels, own_threads)) or samples.get(
+                ("surface", scheme, case, levels, own_threads))
             same = same or samples.get(("redgreen", "core", case, levels, own_threads))
             own = same or samples.get(("filter", mine, case, 3, own_threads))
             if not own:
@@ -239,7 +257,7 @@ def run(arguments):
              "Medians of %d repetitions in random order, (min..max); load average before %.1f, "
              "after %.1f; %d processors." % (
                  arguments.repetitions, load, os.getloadavg()[0], os.cpu_count()), ""]
-    lines += filter_section(samples, memory) + again_section(samples)
+    lines += filter_section(samples, memory) + surface_section(samples) + again_section(samples)
     lines += red_green_section(samples) + deformation_section(samples) + peer_section(samples)
     lines += stage_section(samples)
     if not arguments.quick:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PeerCgal.cxx
- * CGAL: Loop subdivision of a Surface_mesh. Carries no scalar.
+ * CGAL: Loop and Catmull-Clark subdivision of a Surface_mesh. Carries no scalar.
  */
 #include "BenchmarkMeshes.h"
 #include "BenchmarkTools.h"
@@ -9,6 +9,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/subdivision_method_3.h>
+
+#include <algorithm>
+#include <vector>
 
 namespace benchmarks
 {
@@ -24,22 +27,30 @@ Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels)
   std::vector<double> points;
   std::vector<int> cells;
   watch.Start();
-  mesh.reserve(
-    input.GetNumberOfPoints(), input.GetNumberOfCells() * 3 / 2, input.GetNumberOfCells());
+  mesh.reserve(input.GetNumberOfPoints(), input.GetNumberOfCells() * input.Corners / 2,
+    input.GetNumberOfCells());
   for (int i = 0; i < input.GetNumberOfPoints(); ++i)
   {
     const double* x = input.Points.data() + 3 * i;
     mesh.add_vertex(Kernel::Point_3(x[0], x[1], x[2]));
   }
-  for (std::size_t t = 0; t < input.Cells.size(); t += 3)
+  std::vector<Mesh::Vertex_index> face(input.Corners);
+  for (auto v = input.Cells.begin(); v != input.Cells.end(); v += input.Corners)
   {
-    const int* v = input.Cells.data() + t;
-    mesh.add_face(Mesh::Vertex_index(v[0]), Mesh::Vertex_index(v[1]), Mesh::Vertex_index(v[2]));
+    std::transform(v, v + input.Corners, face.begin(), [](int i) { return Mesh::Vertex_index(i); });
+    mesh.add_face(face);
   }
-  CGAL::Subdivision_method_3::Loop_subdivision(
-    mesh, CGAL::parameters::number_of_iterations(levels));
+  const auto iterations = CGAL::parameters::number_of_iterations(levels);
+  if (input.HasQuads)
+  {
+    CGAL::Subdivision_method_3::CatmullClark_subdivision(mesh, iterations);
+  }
+  else
+  {
+    CGAL::Subdivision_method_3::Loop_subdivision(mesh, iterations);
+  }
   points.reserve(3 * mesh.number_of_vertices());
-  cells.reserve(3 * mesh.number_of_faces());
+  cells.reserve(input.Corners * mesh.number_of_faces());
   for (auto v : mesh.vertices())
   {
     const Kernel::Point_3& x = mesh.point(v);
@@ -53,7 +64,7 @@ Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels)
     }
   }
   watch.Stop();
-  return { static_cast<double>(cells.size() / 3),
+  return { static_cast<double>(mesh.number_of_faces()),
     static_cast<double>(8 * points.size() + 4 * cells.size()) };
 }
 
@@ -62,6 +73,9 @@ void RegisterCgal()
   static const FlatMesh sphere = MakeSphere(5);
   Register("peer/CGAL Loop/sphere/levels:3", 1,
     [](Stopwatch& watch) { return Subdivide(watch, sphere, 3); });
+  static const FlatMesh quads = MakeQuadSphere(58);
+  Register("peer/CGAL Catmull-Clark/quads/levels:3", 1,
+    [](Stopwatch& watch) { return Subdivide(watch, quads, 3); });
 }
 
 const Registration Registered(RegisterCgal);

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PeerOpenMesh.cxx
- * OpenMesh: Loop and sqrt(3) subdivision. Neither carries a scalar.
+ * OpenMesh: Loop, sqrt(3) and Catmull-Clark subdivision. None carries a scalar.
  */
 #include "BenchmarkMeshes.h"
 #include "BenchmarkTools.h"
 
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3T.hh>
+
+#include <algorithm>
+#include <vector>
 
 namespace benchmarks
 {
@@ -21,8 +26,9 @@ struct DoubleTraits : OpenMesh::DefaultTraits
   using Normal = OpenMesh::Vec3d;
 };
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
+using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<DoubleTraits>;
 
-template <typename Subdivider>
+template <typename Mesh, typename Subdivider>
 Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels)
 {
   Mesh mesh;
@@ -31,33 +37,35 @@ Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels)
   watch.Start();
   for (int i = 0; i < input.GetNumberOfPoints(); ++i)
   {
-    mesh.add_vertex(Mesh::Point(input.Points.data() + 3 * i));
+    mesh.add_vertex(typename Mesh::Point(input.Points.data() + 3 * i));
   }
-  for (std::size_t t = 0; t < input.Cells.size(); t += 3)
+  std::vector<typename Mesh::VertexHandle> face(input.Corners);
+  for (auto v = input.Cells.begin(); v != input.Cells.end(); v += input.Corners)
   {
-    const int* v = input.Cells.data() + t;
-    mesh.add_face(mesh.vertex_handle(v[0]), mesh.vertex_handle(v[1]), mesh.vertex_handle(v[2]));
+    std::transform(
+      v, v + input.Corners, face.begin(), [&mesh](int i) { return mesh.vertex_handle(i); });
+    mesh.add_face(face);
   }
   Subdivider subdivider;
   subdivider.attach(mesh);
   subdivider(levels);
   subdivider.detach();
   points.resize(3 * mesh.n_vertices());
-  cells.resize(3 * mesh.n_faces());
+  cells.resize(input.Corners * mesh.n_faces());
   for (auto v : mesh.vertices())
   {
     std::copy_n(mesh.point(v).data(), 3, points.data() + 3 * v.idx());
   }
   for (auto f : mesh.faces())
   {
-    int* out = cells.data() + 3 * f.idx();
+    int* out = cells.data() + input.Corners * f.idx();
     for (auto v : f.vertices())
     {
       *out++ = v.idx();
     }
   }
   watch.Stop();
-  return { static_cast<double>(cells.size() / 3),
+  return { static_cast<double>(mesh.n_faces()),
     static_cast<double>(8 * points.size() + 4 * cells.size()) };
 }
 
@@ -65,11 +73,20 @@ void RegisterOpenMesh()
 {
   static const FlatMesh sphere = MakeSphere(5);
   Register("peer/OpenMesh Loop/sphere/levels:3", 1,
+    [](Stopwatch& watch) {
+      return Subdivide<Mesh, OpenMesh::Subdivider::Uniform::LoopT<Mesh, double>>(watch, sphere, 3);
+    });
+  static const FlatMesh quads = MakeQuadSphere(58);
+  Register("peer/OpenMesh Catmull-Clark/quads/levels:3", 1,
     [](Stopwatch& watch)
-    { return Subdivide<OpenMesh::Subdivider::Uniform::LoopT<Mesh, double>>(watch, sphere, 3); });
+    {
+      return Subdivide<PolyMesh, OpenMesh::Subdivider::Uniform::CatmullClarkT<PolyMesh, double>>(
+        watch, quads, 3);
+    });
   Register("peer/OpenMesh sqrt3/sphere/levels:3", 1,
-    [](Stopwatch& watch)
-    { return Subdivide<OpenMesh::Subdivider::Uniform::Sqrt3T<Mesh, double>>(watch, sphere, 3); });
+    [](Stopwatch& watch) {
+      return Subdivide<Mesh, OpenMesh::Subdivider::Uniform::Sqrt3T<Mesh, double>>(watch, sphere, 3);
+    });
 }
 
 const Registration Registered(RegisterOpenMesh);

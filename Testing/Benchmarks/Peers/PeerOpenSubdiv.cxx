@@ -37,15 +37,16 @@ struct Values
 
 std::unique_ptr<Far::TopologyRefiner> Refine(const FlatMesh& input, int levels, bool last)
 {
-  const std::vector<int> sizes(input.GetNumberOfCells(), 3);
+  const std::vector<int> sizes(input.GetNumberOfCells(), input.Corners);
   Far::TopologyDescriptor descriptor;
   descriptor.numVertices = input.GetNumberOfPoints();
   descriptor.numFaces = input.GetNumberOfCells();
   descriptor.numVertsPerFace = sizes.data();
   descriptor.vertIndicesPerFace = input.Cells.data();
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-  std::unique_ptr<Far::TopologyRefiner> refiner(
-    Factory::Create(descriptor, Factory::Options(OpenSubdiv::Sdc::SCHEME_LOOP)));
+  std::unique_ptr<Far::TopologyRefiner> refiner(Factory::Create(descriptor,
+    Factory::Options(
+      input.HasQuads ? OpenSubdiv::Sdc::SCHEME_CATMARK : OpenSubdiv::Sdc::SCHEME_LOOP)));
   Far::TopologyRefiner::UniformOptions options(levels);
   options.fullTopologyInLastLevel = last;
   refiner->RefineUniform(options);
@@ -76,11 +77,11 @@ Produced RefineAndInterpolate(Stopwatch& watch, const FlatMesh& input, int level
   const auto coordinates = Interpolate<3>(*refiner, input.Points.data(), points, levels);
   const auto scalar = Interpolate<1>(*refiner, input.Scalar.data(), points, levels);
   const Far::TopologyLevel& last = refiner->GetLevel(levels);
-  std::vector<int> cells(3 * static_cast<std::size_t>(last.GetNumFaces()));
+  std::vector<int> cells(input.Corners * static_cast<std::size_t>(last.GetNumFaces()));
   for (int f = 0; f < last.GetNumFaces(); ++f)
   {
     const Far::ConstIndexArray vertices = last.GetFaceVertices(f);
-    std::copy(vertices.begin(), vertices.end(), cells.data() + 3 * f);
+    std::copy(vertices.begin(), vertices.end(), cells.data() + input.Corners * f);
   }
   watch.Stop();
   return { static_cast<double>(last.GetNumFaces()),
@@ -137,6 +138,9 @@ void RegisterOpenSubdiv()
   static const FlatMesh sphere = MakeSphere(5);
   Register("peer/OpenSubdiv uniform + primvar/sphere/levels:3", 1,
     [](Stopwatch& watch) { return RefineAndInterpolate(watch, sphere, 3); });
+  static const FlatMesh quads = MakeQuadSphere(58);
+  Register("peer/OpenSubdiv Catmull-Clark/quads/levels:3", 1,
+    [](Stopwatch& watch) { return RefineAndInterpolate(watch, quads, 3); });
   Register("peer/OpenSubdiv stencil table build/sphere/levels:3", 1,
     [](Stopwatch& watch) { return BuildTable(watch, sphere, 3); });
   for (int threads : ThreadCounts)
