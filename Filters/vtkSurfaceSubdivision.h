@@ -37,7 +37,7 @@
  * @par Non-manifold input
  * Edges with three and more faces, vertices where fans of faces or lines meet: Loop follows
  * Type1Rule to Type3Rule as the main filter does; the other schemes take such edges as sharp curves
- * and such vertices as corners. Surfaces need not be orientable.
+ * and such vertices as corners. Surfaces need not be orientable. Equal faces count as two.
  *
  * @par Arrays read, by SetInputArrayToProcess
  * As in vtkSubdivisionAlgorithm: 0, singular flags (cell array of integers; unset: `Singular` if

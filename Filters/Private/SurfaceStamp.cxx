@@ -117,7 +117,8 @@ void RemoveSurfaceStamp(vtkPolyData* output)
   }
 }
 
-bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp, SurfaceCells& control)
+bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp,
+  const std::function<bool(vtkIdType, vtkIdType)>& isSame, SurfaceCells& control)
 {
   const vtkIdType segments = static_cast<vtkIdType>(cells.SegmentCells.size());
   const vtkIdType pieces = vtkIdType(1) << stamp.Levels;
@@ -131,8 +132,17 @@ bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp, Surf
   {
     return false;
   }
+  auto areSame = [&isSame](const std::vector<vtkIdType>& parents, vtkIdType first, vtkIdType size)
+  {
+    return std::all_of(parents.begin() + first, parents.begin() + first + size,
+      [&](vtkIdType cell) { return isSame(parents[first], cell); });
+  };
   for (vtkIdType s = 0; s < segments; s += pieces)
   {
+    if (!areSame(cells.SegmentCells, s, pieces))
+    {
+      return false;
+    }
     control.Segments.insert(
       control.Segments.end(), { cells.Segments[2 * s], cells.Segments[2 * (s + pieces) - 1] });
     control.SegmentCells.push_back(cells.SegmentCells[s]);
@@ -143,7 +153,8 @@ bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp, Surf
   {
     const vtkIdType size = stamp.Size > 0 ? stamp.Size : stamp.Sizes[f];
     const vtkIdType total = triangles ? children : size * quads;
-    if (size < 3 || total > cells.GetNumberOfFaces() - face)
+    if (size < 3 || total > cells.GetNumberOfFaces() - face ||
+      !areSame(cells.FaceCells, face, total))
     {
       return false;
     }

@@ -15,6 +15,8 @@
 
 #include "SurfaceCells.h"
 
+#include <functional>
+
 namespace subdivision
 {
 
@@ -35,9 +37,10 @@ bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp);
 void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output);
 void RemoveSurfaceStamp(vtkPolyData* output);
 
-/// The control cells of the cells of an output. `cellsOf...` name the first child. False where they
-/// cannot be such.
-bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp, SurfaceCells& control);
+/// The control cells of the cells of an output, with the input cell of the first child of each.
+/// False where they cannot be such, or `isSame(a, b)` tells the cells of two children apart.
+bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp,
+  const std::function<bool(vtkIdType, vtkIdType)>& isSame, SurfaceCells& control);
 
 }
 

@@ -90,7 +90,9 @@ public:
     if (this->Input->GetCellData() && this->IsWhole() &&
       ReadSurfaceStamp(this->Input, this->Stamp) &&
       this->Stamp.Scheme == static_cast<int>(this->Options.Scheme) &&
-      LiftSurfaceCells(this->Cells, this->Stamp, this->Lifted))
+      LiftSurfaceCells(
+        this->Cells, this->Stamp,
+        [this](vtkIdType a, vtkIdType b) { return this->HasSameFlags(a, b); }, this->Lifted))
     {
       this->MadeLevels = this->Stamp.Levels;
       if (this->Build() && this->IsDescendant())
@@ -114,6 +116,13 @@ private:
     return this->Cells.Warnings.empty() &&
       static_cast<vtkIdType>(this->Cells.VertexCells.size() + this->Cells.SegmentCells.size() +
         this->Cells.FaceCells.size()) == this->Input->GetNumberOfCells();
+  }
+  /// Whether two cells were given the same flags and sharpness.
+  bool HasSameFlags(vtkIdType a, vtkIdType b) const
+  {
+    auto same = [a, b](vtkDataArray* array)
+    { return !array || array->GetComponent(a, 0) == array->GetComponent(b, 0); };
+    return same(this->Options.Features.Singular) && same(this->Options.Features.Sharpness);
   }
   bool NeedsLimit() const
   {

@@ -556,6 +556,23 @@ class Meshes(unittest.TestCase):
                 self.assertEqual(faces_of(row), faces_of(once))
                 self.assertEqual(lines_of(row), lines_of(once))
 
+    def test_what_was_changed_in_between_counts(self):
+        made = wheel(6)
+        lined = mesh(coordinates(made), faces_of(made), lines=[[0, 1], [0, 4]])
+        once = run(lined, LOOP, 1)
+        add(once.GetCellData(), "Singular", np.array([1, 1, 1, 0] + [0] * once.GetNumberOfPolys(), dtype=np.int32))
+        fresh = mesh(coordinates(once), faces_of(once), lines=lines_of(once))
+        fresh.GetCellData().ShallowCopy(once.GetCellData())
+        for surface in (once, fresh):
+            surface.GetPointData().Initialize()
+        a, b = run(once, LOOP, 1), run(fresh, LOOP, 1)
+        self.assertEqual(faces_of(a), faces_of(b))
+        np.testing.assert_array_equal(coordinates(a), coordinates(b))
+        moved = run(made, LOOP, 1)
+        coordinates(moved)[0] += 1
+        again = run(moved, LOOP, 1)
+        self.assertGreater(abs(coordinates(again)[0] - coordinates(run(made, LOOP, 2))[0]).max(), 0.1)
+
     def test_semi_sharp(self):
         made = wheel(6)
         crease = [[0, 1], [0, 4]]
