@@ -66,6 +66,8 @@ int FindPartner(const double* const sorted[4])
   return 1; // lengths that overflow compare with nothing
 }
 
+}
+
 void OrderTet(
   vtkIdType* tet, const double* points, const vtkIdType* globalIds, vtkIdType numberOfGlobalIds)
 {
@@ -100,8 +102,6 @@ void OrderTet(
     const vtkIdType order[3] = { tet[2], tet[3], tet[1] };
     std::copy(order, order + 3, tet + 1);
   }
-}
-
 }
 
 void OrderTets(SimplexList& simplices, const double* points, const vtkIdType* globalIds,

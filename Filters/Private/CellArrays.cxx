@@ -75,14 +75,11 @@ vtkSmartPointer<vtkAbstractArray> SpreadArray(
   return out;
 }
 
-}
-
-void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
-  const CellArrayOptions& options, vtkUnstructuredGrid* output)
+/// All arrays of the input's cells by way of `spread`, which gives an array's values to the output.
+template <typename SpreadTo>
+void CopyArrays(vtkPointSet* input, const CellArrayOptions& options, const SpreadTo& spread,
+  vtkUnstructuredGrid* output)
 {
-  const Buffer<vtkIdType> first = FindChildren(cells.Simplices, options.Levels);
-  const bool unchanged =
-    cells.ParentCells.empty() && first[first.size() - 1] == input->GetNumberOfCells();
   vtkCellData* data = input->GetCellData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
@@ -97,8 +94,7 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
     {
       continue;
     }
-    const vtkSmartPointer<vtkAbstractArray> copy =
-      unchanged ? vtkSmartPointer<vtkAbstractArray>(array) : SpreadArray(array, cells, first);
+    const vtkSmartPointer<vtkAbstractArray> copy = spread(array);
     AddLike(data, i, copy, output->GetCellData());
   }
   if (options.OriginalIds && !options.CarryOriginalIds)
@@ -108,10 +104,30 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
     ids->SetNumberOfTuples(input->GetNumberOfCells());
     vtkIdType* values = ids->GetPointer(0);
     ForEach(input->GetNumberOfCells(), [values](vtkIdType i) { values[i] = i; });
-    AddInstead(data,
-      unchanged ? vtkSmartPointer<vtkAbstractArray>(ids) : SpreadArray(ids, cells, first),
-      output->GetCellData());
+    const vtkSmartPointer<vtkAbstractArray> copy = spread(ids);
+    AddInstead(data, copy, output->GetCellData());
   }
+}
+
+}
+
+void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
+  const CellArrayOptions& options, vtkUnstructuredGrid* output)
+{
+  const Buffer<vtkIdType> first = FindChildren(cells.Simplices, options.Levels);
+  const bool unchanged =
+    cells.ParentCells.empty() && first[first.size() - 1] == input->GetNumberOfCells();
+  auto spread = [&](vtkAbstractArray* array) {
+    return unchanged ? vtkSmartPointer<vtkAbstractArray>(array) : SpreadArray(array, cells, first);
+  };
+  CopyArrays(input, options, spread, output);
+}
+
+void CopyCellArrays(vtkPointSet* input, const Buffer<vtkIdType>& sources,
+  const CellArrayOptions& options, vtkUnstructuredGrid* output)
+{
+  CopyArrays(
+    input, options, [&](vtkAbstractArray* array) { return Gather(array, sources); }, output);
 }
 
 void AddValuesOfSimplices(const unsigned char* values, const SimplexList& simplices, int levels,

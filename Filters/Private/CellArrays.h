@@ -7,6 +7,7 @@
 #define SubdivisionObjects_CellArrays_h
 
 #include "CellsToSimplices.h"
+#include "Core/Buffer.h"
 
 #include <functional>
 #include <string>
@@ -33,6 +34,10 @@ struct CellArrayOptions
 /// Copies every cell array of `input` to the children that its simplices have after some levels.
 /// Global and pedigree ids are dropped.
 void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
+  const CellArrayOptions& options, vtkUnstructuredGrid* output);
+
+/// The same where `sources` tells of each output cell the input cell that it is a part of.
+void CopyCellArrays(vtkPointSet* input, const Buffer<vtkIdType>& sources,
   const CellArrayOptions& options, vtkUnstructuredGrid* output);
 
 /// Adds a cell array that has one value for all children of each simplex.

@@ -62,7 +62,7 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
 {
   ControlMesh mesh;
   Stamp stamp;
-  mesh.IsStamped = trustStamp && ReadStamp(input, stamp);
+  mesh.IsStamped = trustStamp && ReadStamp(input, StampScheme::BoxSpline, stamp);
   vtkDataArray* carried = input->GetFieldData()->GetArray(GlobalIdsName);
   vtkDataArray* own = input->GetPointData()->GetGlobalIds();
   if (own && own->GetNumberOfTuples() < input->GetNumberOfPoints())
@@ -71,7 +71,9 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
       std::to_string(input->GetNumberOfPoints()) + " points: the point ids are used instead.");
     own = nullptr;
   }
-  const bool useCarried = mesh.IsStamped && carried;
+  const bool isOurs =
+    mesh.IsStamped || (trustStamp && ReadStamp(input, StampScheme::RedGreen, stamp));
+  const bool useCarried = isOurs && carried;
   mesh.GlobalIds = ReadGlobalIds(useCarried ? carried : own, input->GetNumberOfPoints(), warn);
   mesh.Cells = CellsToSimplices(input, mesh.IsStamped ? nullptr : mesh.GetGlobalIds());
   const bool whole = mesh.Cells.ParentCells.empty() && mesh.Cells.Warnings.empty() &&

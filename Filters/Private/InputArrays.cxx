@@ -11,21 +11,32 @@
 namespace subdivision
 {
 
+std::string GetInputArrayName(vtkAlgorithm* algorithm, int index, int& association)
+{
+  vtkInformationVector* arrays =
+    algorithm->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
+  if (!arrays || index >= arrays->GetNumberOfInformationObjects())
+  {
+    return std::string();
+  }
+  vtkInformation* array = arrays->GetInformationObject(index);
+  if (array->Has(vtkDataObject::FIELD_ASSOCIATION()))
+  {
+    association = array->Get(vtkDataObject::FIELD_ASSOCIATION());
+  }
+  const char* given = array->Get(vtkDataObject::FIELD_NAME());
+  const std::string name = given ? given : "";
+  return name == "None" ? std::string() : name;
+}
+
 bool FindInputArray(vtkAlgorithm* algorithm, vtkDataSetAttributes* data, vtkIdType size,
   const ArrayRequest& request, const std::function<void(const std::string&)>& warn,
   const std::function<void(const std::string&)>& fail, vtkDataArray*& array)
 {
   array = nullptr;
-  std::string name;
-  vtkInformationVector* arrays =
-    algorithm->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
-  if (arrays && request.Index < arrays->GetNumberOfInformationObjects())
-  {
-    const char* given =
-      arrays->GetInformationObject(request.Index)->Get(vtkDataObject::FIELD_NAME());
-    name = given ? given : "";
-  }
-  const bool named = !name.empty() && name != "None";
+  int association = 0;
+  std::string name = GetInputArrayName(algorithm, request.Index, association);
+  const bool named = !name.empty();
   if (!named)
   {
     if (!request.Fallback || !data->HasArray(request.Fallback))
@@ -44,9 +55,11 @@ bool FindInputArray(vtkAlgorithm* algorithm, vtkDataSetAttributes* data, vtkIdTy
   {
     fault = " is not there; choose one of the input's " + kind + " arrays, or None.";
   }
-  else if (!numbers || found->GetNumberOfComponents() != 1)
+  else if (!numbers || found->GetNumberOfComponents() < 1 ||
+    (!request.AnyComponents && found->GetNumberOfComponents() != 1))
   {
-    fault = " is not usable: it must hold numbers, one for each " + kind + ".";
+    fault = " is not usable: it must hold numbers" +
+      (request.AnyComponents ? std::string(".") : ", one for each " + kind + ".");
   }
   else if (found->GetNumberOfTuples() != size)
   {

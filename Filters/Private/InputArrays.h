@@ -24,7 +24,11 @@ struct ArrayRequest
   const char* Fallback; ///< the name where none is given; may be null
   bool Integral;
   bool OfPoints = false;
+  bool AnyComponents = false; ///< else one
 };
+
+/// The name set at an index, empty for none; `association`, if it is set, that of its array.
+std::string GetInputArrayName(vtkAlgorithm* algorithm, int index, int& association);
 
 /// Sets `array` to what was asked for, or null where it is unset and the fallback is not there.
 /// False, after `fail`, where a named array cannot be used. `size`: number of cells or points.

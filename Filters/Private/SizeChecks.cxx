@@ -113,11 +113,8 @@ std::string CheckMemory(const SizeEstimate& estimate)
 
 std::string CheckMemory(double cells, double points, double bytes, int levels)
 {
-  vtksys::SystemInformation system;
-  const double memory = 1024. * static_cast<double>(system.GetHostMemoryAvailable());
-  const double available =
-    std::max(0., memory - 1024. * static_cast<double>(system.GetHostMemoryUsed()));
-  if (memory <= 0. || bytes <= available) // 0: the system does not tell
+  const double available = GetAvailableMemory();
+  if (bytes <= available)
   {
     return std::string();
   }
@@ -126,6 +123,14 @@ std::string CheckMemory(double cells, double points, double bytes, int levels)
           << Whole(points) << " points, which takes about " << Bytes(bytes) << "; "
           << Bytes(available) << " are available. Use fewer levels, or a part of the input.";
   return message.str();
+}
+
+double GetAvailableMemory()
+{
+  vtksys::SystemInformation system;
+  const double memory = 1024. * static_cast<double>(system.GetHostMemoryAvailable());
+  const double used = 1024. * static_cast<double>(system.GetHostMemoryUsed());
+  return memory > 0. ? std::max(0., memory - used) : std::numeric_limits<double>::infinity();
 }
 
 double GetBytesPerTuple(vtkDataSetAttributes* data)

@@ -41,6 +41,9 @@ std::string CheckMemory(const SizeEstimate& estimate);
 
 std::string CheckMemory(double cells, double points, double bytes, int levels);
 
+/// Bytes that can still be taken; infinite where the system does not tell.
+double GetAvailableMemory();
+
 double GetBytesPerTuple(vtkDataSetAttributes* data);
 
 }

@@ -64,7 +64,7 @@ long long HashCells(vtkPointSet* mesh)
 
 }
 
-bool ReadStamp(vtkPointSet* input, Stamp& stamp)
+bool ReadStamp(vtkPointSet* input, StampScheme scheme, Stamp& stamp)
 {
   vtkDataArray* array = input->GetFieldData()->GetArray(Name);
   if (!vtkUnstructuredGrid::SafeDownCast(input) || !array || array->GetNumberOfComponents() != 1 ||
@@ -73,14 +73,17 @@ bool ReadStamp(vtkPointSet* input, Stamp& stamp)
     return false;
   }
   auto get = [array](Field field) { return ToId(array->GetComponent(field, 0)); };
-  if (get(Version) != FormatVersion || get(Scheme) != 0 || get(TetOrderIsFinal) != 1 ||
-    get(Projected) != 0 || get(Points) != input->GetNumberOfPoints() ||
-    get(Cells) != input->GetNumberOfCells() || get(Hash) != HashCells(input) || get(Levels) < 0 ||
-    get(Levels) > 20 || get(ControlPoints) < 0 || get(ControlPoints) > get(Points))
+  const bool isUniform = scheme == StampScheme::BoxSpline;
+  if (get(Version) != FormatVersion || get(Scheme) != static_cast<int>(scheme) ||
+    (isUniform && (get(TetOrderIsFinal) != 1 || get(Projected) != 0)) ||
+    get(Points) != input->GetNumberOfPoints() || get(Cells) != input->GetNumberOfCells() ||
+    get(Hash) != HashCells(input) || get(Levels) < 0 || get(Levels) > 20 ||
+    get(ControlPoints) < 0 || get(ControlPoints) > get(Points))
   {
     return false;
   }
-  stamp.Scheme = StampScheme::BoxSpline;
+  stamp.Scheme = scheme;
+  stamp.TetOrderIsFinal = get(TetOrderIsFinal) == 1;
   stamp.Levels = static_cast<int>(get(Levels));
   stamp.NumberOfControlPoints = get(ControlPoints);
   return true;
@@ -92,8 +95,8 @@ void WriteStamp(const Stamp& stamp, vtkUnstructuredGrid* output)
   array->SetName(Name);
   array->SetNumberOfTuples(NumberOfFields);
   const vtkIdType values[NumberOfFields] = { FormatVersion, static_cast<int>(stamp.Scheme),
-    stamp.Levels, stamp.Levels % 2, 1, stamp.NumberOfControlPoints, output->GetNumberOfPoints(),
-    output->GetNumberOfCells(), HashCells(output), stamp.IsProjected };
+    stamp.Levels, stamp.Levels % 2, stamp.TetOrderIsFinal, stamp.NumberOfControlPoints,
+    output->GetNumberOfPoints(), output->GetNumberOfCells(), HashCells(output), stamp.IsProjected };
   for (int i = 0; i < NumberOfFields; ++i)
   {
     array->SetValue(i, values[i]);
@@ -150,6 +153,19 @@ void WriteSingularTuples(const SimplexTuples& tuples, vtkUnstructuredGrid* outpu
       std::copy(ids.begin(), ids.end(), array->GetPointer(0));
       output->GetFieldData()->AddArray(array);
     }
+  }
+}
+
+void WriteGlobalIds(const std::vector<vtkIdType>& globalIds, vtkUnstructuredGrid* output)
+{
+  output->GetFieldData()->RemoveArray(GlobalIdsName);
+  if (!globalIds.empty())
+  {
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName(GlobalIdsName);
+    ids->SetNumberOfTuples(static_cast<vtkIdType>(globalIds.size()));
+    std::copy(globalIds.begin(), globalIds.end(), ids->GetPointer(0));
+    output->GetFieldData()->AddArray(ids);
   }
 }
 

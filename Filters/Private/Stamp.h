@@ -17,6 +17,8 @@
 #include "Core/SimplexList.h"
 #include "Core/Singularities.h"
 
+#include <vector>
+
 class vtkPointSet;
 class vtkUnstructuredGrid;
 
@@ -25,7 +27,8 @@ namespace subdivision
 
 enum class StampScheme
 {
-  BoxSpline = 0
+  BoxSpline = 0,
+  RedGreen = 1
 };
 
 /// Field array of global ids that travel with a stamped mesh.
@@ -38,11 +41,13 @@ struct Stamp
   vtkIdType NumberOfControlPoints = 0; ///< centres of split cells included
   /// Points are on the limit: no filter may go on from them as if they were control points.
   bool IsProjected = false;
+  bool TetOrderIsFinal = true; ///< else only that of tetrahedra that were made
 };
 
-/// False where there is no stamp, where it is not of this mesh (numbers or a sample of cells
-/// differ), or where the points are on the limit: such a mesh is like any other.
-bool ReadStamp(vtkPointSet* input, Stamp& stamp);
+/// False where there is no stamp of that scheme, where it is not of this mesh (numbers or a sample
+/// of cells differ), or where a box spline's points are on the limit: such a mesh is like any
+/// other.
+bool ReadStamp(vtkPointSet* input, StampScheme scheme, Stamp& stamp);
 
 /// Writes or replaces the stamp of a finished output.
 void WriteStamp(const Stamp& stamp, vtkUnstructuredGrid* output);
@@ -50,6 +55,9 @@ void WriteStamp(const Stamp& stamp, vtkUnstructuredGrid* output);
 /// The derived singular simplices that travel with a stamped mesh, as tuples of point ids.
 void ReadSingularTuples(vtkPointSet* input, SimplexTuples& tuples);
 void WriteSingularTuples(const SimplexTuples& tuples, vtkUnstructuredGrid* output);
+
+/// Writes or replaces the global ids that travel with it; none: there are none.
+void WriteGlobalIds(const std::vector<vtkIdType>& globalIds, vtkUnstructuredGrid* output);
 
 /// Reads the control mesh off its descendants. False where the cells are not such descendants.
 bool FindControlMesh(const SimplexList& descendants, const Stamp& stamp, SimplexList& control);

@@ -562,15 +562,7 @@ void UniformRun::Finish()
   stamp.IsProjected = this->Options.ProjectToLimit;
   WriteStamp(stamp, this->Output);
   WriteSingularTuples(stamp.IsProjected ? SimplexTuples() : this->Derived, this->Output);
-  this->Output->GetFieldData()->RemoveArray(GlobalIdsName);
-  if (!this->Mesh.GlobalIds.empty() && !stamp.IsProjected)
-  {
-    vtkNew<vtkIdTypeArray> ids;
-    ids->SetName(GlobalIdsName);
-    ids->SetNumberOfTuples(static_cast<vtkIdType>(this->Mesh.GlobalIds.size()));
-    std::copy(this->Mesh.GlobalIds.begin(), this->Mesh.GlobalIds.end(), ids->GetPointer(0));
-    this->Output->GetFieldData()->AddArray(ids);
-  }
+  WriteGlobalIds(stamp.IsProjected ? std::vector<vtkIdType>() : this->Mesh.GlobalIds, this->Output);
 }
 
 void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges)

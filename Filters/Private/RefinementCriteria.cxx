@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RefinementCriteria.h"
+
+#include "CellsToSimplices.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace subdivision
+{
+
+// ------------------------------------------------------------------------------------------------
+// Values at points
+
+void ContinuedArray::Start(vtkDataArray* array, const SimplicesOfCells& cells, bool smooth)
+{
+  this->Components = array->GetNumberOfComponents();
+  this->Smooth = smooth;
+  const vtkIdType given = array->GetNumberOfTuples();
+  const vtkIdType centres = cells.GetNumberOfCentres();
+  this->Values.resize(static_cast<std::size_t>(given + centres) * this->Components);
+  for (int c = 0; c < this->Components; ++c)
+  {
+    ForEach(given,
+      [&](vtkIdType i) { this->Values[i * this->Components + c] = array->GetComponent(i, c); });
+  }
+  for (vtkIdType i = 0; i < centres; ++i)
+  {
+    const vtkIdType begin = cells.CentreOffsets[i];
+    const vtkIdType end = cells.CentreOffsets[i + 1];
+    const vtkIdType* members = cells.CentreMembers.data();
+    for (int c = 0; c < this->Components; ++c)
+    {
+      double& value = this->Values[(given + i) * this->Components + c];
+      if (!smooth)
+      {
+        value = *(this->Get(*std::min_element(members + begin, members + end)) + c);
+        continue;
+      }
+      value = 0.;
+      for (vtkIdType m = begin; m < end; ++m)
+      {
+        value += *(this->Get(members[m]) + c) / static_cast<double>(end - begin);
+      }
+    }
+  }
+}
+
+double ContinuedArray::GetNorm(vtkIdType point) const
+{
+  const double* value = this->Get(point);
+  if (this->Components == 1)
+  {
+    return *value; // with its sign
+  }
+  double sum = 0.;
+  for (int c = 0; c < this->Components; ++c)
+  {
+    sum += value[c] * value[c];
+  }
+  return std::sqrt(sum);
+}
+
+double ContinuedArray::GetDistance(vtkIdType a, vtkIdType b) const
+{
+  const double* first = this->Get(a);
+  const double* second = this->Get(b);
+  double distance = 0.;
+  for (int c = 0; c < this->Components; ++c)
+  {
+    distance = std::hypot(distance, second[c] - first[c]);
+  }
+  return distance;
+}
+
+double ContinuedArray::GetRange() const
+{
+  double diagonal = 0.;
+  for (int c = 0; c < this->Components; ++c)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (vtkIdType i = 0; i < this->GetSize(); ++i)
+    {
+      const double value = this->Get(i)[c];
+      if (std::isfinite(value))
+      {
+        least = std::min(least, value);
+        most = std::max(most, value);
+      }
+    }
+    diagonal = most > least ? std::hypot(diagonal, most - least) : diagonal;
+  }
+  return diagonal;
+}
+
+// ------------------------------------------------------------------------------------------------
+// Criteria
+
+RefinementCriteria::RefinementCriteria(
+  const RefinementOptions& options, vtkPointSet* input, const SimplicesOfCells& cells)
+  : Options(options)
+{
+  auto isSmooth = [&options](vtkDataArray* array)
+  {
+    const int type = array->GetDataType();
+    const bool isColour = type == VTK_UNSIGNED_CHAR &&
+      (array->GetNumberOfComponents() == 3 || array->GetNumberOfComponents() == 4);
+    return type == VTK_FLOAT || type == VTK_DOUBLE || isColour || options.InterpolateIntegers;
+  };
+  this->Coordinates.Start(input->GetPoints()->GetData(), cells, true);
+  if (options.Attribute)
+  {
+    this->Attribute.Start(options.Attribute, cells, isSmooth(options.Attribute));
+    this->AllowedJump = options.AttributeTolerance * this->Attribute.GetRange();
+  }
+  if (options.Range && options.RangeOfCells)
+  {
+    this->Range.Start(options.Range, SimplicesOfCells(), true);
+  }
+  else if (options.Range)
+  {
+    this->Range.Start(options.Range, cells, isSmooth(options.Range));
+  }
+  this->AllowedDistance =
+    options.GeometricTolerance * (options.RelativeTolerance ? this->Coordinates.GetRange() : 1.);
+}
+
+/// As a multiple of what is allowed; what is exact is allowed always.
+double RefinementCriteria::Allow(double error, double allowed) const
+{
+  if (!(error > 0.)) // also where it is not a number
+  {
+    return 0.;
+  }
+  return allowed > 0. ? error / allowed : std::numeric_limits<double>::infinity();
+}
+
+double RefinementCriteria::GetEdgeError(vtkIdType a, vtkIdType b, bool& hasNoValue) const
+{
+  double worst = 0.;
+  if (this->Options.ByEdgeLength)
+  {
+    worst = this->Allow(this->Coordinates.GetDistance(a, b), this->Options.MaximumEdgeLength);
+  }
+  if (this->Attribute.IsSet() && !this->Options.AttributeOfLimit)
+  {
+    const double jump = this->Attribute.GetDistance(a, b);
+    hasNoValue = !std::isfinite(jump);
+    worst = hasNoValue ? worst : std::max(worst, this->Allow(jump, this->AllowedJump));
+  }
+  return worst;
+}
+
+bool RefinementCriteria::IsTooShort(vtkIdType a, vtkIdType b) const
+{
+  const double* x = this->Coordinates.Get(a);
+  const double* y = this->Coordinates.Get(b);
+  bool same[3] = { true, true, true };
+  for (int c = 0; c < 3; ++c)
+  {
+    const double middle = 0.5 * x[c] + 0.5 * y[c];
+    same[0] = same[0] && middle == x[c];
+    same[1] = same[1] && middle == y[c];
+    same[2] = same[2] && x[c] == y[c];
+  }
+  return (same[0] || same[1]) && !same[2];
+}
+
+double RefinementCriteria::GetAttributeErrorAtLimit(
+  const double* a, const double* b, const double* middle) const
+{
+  double error = 0.;
+  for (int c = 0; c < this->Attribute.GetComponents(); ++c)
+  {
+    error = std::hypot(error, 0.5 * a[c] + 0.5 * b[c] - middle[c]);
+  }
+  return std::isfinite(error) ? this->Allow(error, this->AllowedJump) : -1.;
+}
+
+double RefinementCriteria::GetGeometricError(
+  const double a[3], const double b[3], const double middle[3]) const
+{
+  double along = 0.;
+  double length = 0.;
+  for (int c = 0; c < 3; ++c)
+  {
+    along += (b[c] - a[c]) * (middle[c] - a[c]);
+    length += (b[c] - a[c]) * (b[c] - a[c]);
+  }
+  const double t = length > 0. ? std::max(0., std::min(along / length, 1.)) : 0.;
+  double distance = 0.;
+  for (int c = 0; c < 3; ++c)
+  {
+    distance = std::hypot(distance, a[c] + t * (b[c] - a[c]) - middle[c]);
+  }
+  return std::isfinite(distance) ? this->Allow(4. / 3. * distance, this->AllowedDistance) : 0.;
+}
+
+void RefinementCriteria::EvaluateFunction(
+  const Buffer<double>& centroids, Buffer<double>& values) const
+{
+  // The function for arrays: some functions are not made for several threads at a time.
+  vtkNew<vtkDoubleArray> in;
+  vtkNew<vtkDoubleArray> out;
+  values = Buffer<double>(centroids.size() / 3);
+  in->SetNumberOfComponents(3);
+  in->SetArray(const_cast<double*>(centroids.data()), centroids.size(), 1);
+  out->SetArray(values.data(), values.size(), 1);
+  this->Options.Function->FunctionValue(in, out);
+  if (out->GetNumberOfTuples() == values.size() && out->GetPointer(0) != values.data())
+  {
+    std::copy(out->GetPointer(0), out->GetPointer(0) + values.size(), values.data());
+  }
+}
+
+}
