@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RedGreenRefinementTools.h
+ * Ways to run vtkRedGreenRefinement, and a check of conformity that knows nothing of how it works.
+ */
+#ifndef SubdivisionObjects_RedGreenRefinementTools_h
+#define SubdivisionObjects_RedGreenRefinementTools_h
+
+#include "CoreZoo.h"
+#include "MultiDimensionalSubdivisionTools.h"
+
+#include "vtkRedGreenRefinement.h"
+
+#include <functional>
+#include <map>
+#include <set>
+
+namespace red_green_refinement_tools
+{
+
+using namespace multi_dimensional_subdivision_tools;
+
+using Filter = vtkRedGreenRefinement;
+using Configure = std::function<void(Filter*)>;
+
+/// Runs the filter with no criterion but those that `configure` sets; without `messages` it may not
+/// say anything.
+inline Grid Refine(vtkDataObject* input, const Configure& configure, Messages* messages = nullptr)
+{
+  vtkNew<Messages> own;
+  vtkNew<Filter> filter;
+  (messages ? messages : own.Get())->Watch(filter);
+  filter->SetInputDataObject(input);
+  filter->RefineByAttributeErrorOff();
+  configure(filter);
+  filter->Update();
+  for (const auto* list : { &own->Warnings, &own->Errors })
+  {
+    for (const std::string& text : *list)
+    {
+      ADD_FAILURE() << "unexpected: " << text;
+    }
+  }
+  return filter->GetOutput();
+}
+
+inline Grid MakeGrid(const coretest::Mesh& mesh)
+{
+  const int types[] = { VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_TETRA };
+  std::vector<Point> points(mesh.Points.size() / 3);
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    points[i / 3][i % 3] = mesh.Points[i];
+  }
+  std::vector<Cell> cells;
+  for (const coretest::Tuple& cell : coretest::GetCells(mesh.Cells))
+  {
+    cells.push_back({ types[cell.size() - 1], cell });
+  }
+  return multi_dimensional_subdivision_tools::MakeGrid(points, cells);
+}
+
+/// A lattice of n^3 cubes of side 1, in 6 tetrahedra each.
+inline Grid MakeBox(int n)
+{
+  return MakeGrid(coretest::MakeLattice("Box", n, 1., 7).Control);
+}
+
+/// The wanted level of each cell, by chance.
+inline void AddWantedLevels(vtkUnstructuredGrid* grid, int most, unsigned seed, double part = 0.2)
+{
+  std::mt19937 random(seed);
+  vtkNew<vtkIntArray> levels;
+  levels->SetName("WantedLevel");
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    const bool wanted = random() < part * 4294967296.;
+    levels->InsertNextValue(wanted ? static_cast<int>(random() % (most + 1)) : 0);
+  }
+  grid->GetCellData()->AddArray(levels);
+}
+
+/// For each point its weights over all points of this grid: refinement in the middle of edges keeps
+/// them right.
+inline void AddWeights(vtkUnstructuredGrid* grid)
+{
+  const vtkIdType points = grid->GetNumberOfPoints();
+  vtkNew<vtkDoubleArray> weights;
+  weights->SetName("Weights");
+  weights->SetNumberOfComponents(static_cast<int>(points));
+  weights->SetNumberOfTuples(points);
+  weights->Fill(0.);
+  for (vtkIdType i = 0; i < points; ++i)
+  {
+    weights->SetComponent(i, static_cast<int>(i), 1.);
+  }
+  grid->GetPointData()->AddArray(weights);
+}
+
+inline double GetVolume(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  const Ids ids = GetCell(grid, cell);
+  std::vector<Point> p;
+  for (vtkIdType id : ids)
+  {
+    p.push_back(GetPoint(grid, id));
+  }
+  Point e[3] = {};
+  for (std::size_t i = 1; i < p.size(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      e[i - 1][c] = p[i][c] - p[0][c];
+    }
+  }
+  auto cross = [](const Point& a, const Point& b)
+  {
+    return Point{ a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+  };
+  auto dot = [](const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  switch (ids.size())
+  {
+    case 1:
+      return 1.;
+    case 2:
+      return std::sqrt(dot(e[0], e[0]));
+    case 3:
+      return std::sqrt(dot(cross(e[0], e[1]), cross(e[0], e[1]))) / 2.;
+    default:
+      return dot(cross(e[0], e[1]), e[2]) / 6.;
+  }
+}
+
+/// Compares an output with the input whose points its `Weights` are about: cells fit together where
+/// those of the input do, and nowhere else.
+class Conformity
+{
+public:
+  Conformity(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
+    : Input(input)
+    , Output(output)
+  {
+  }
+
+  /// The first fault; empty if there is none.
+  std::string Check()
+  {
+    this->FindCarriers();
+    for (const Ids& cell : GetCells(this->Input))
+    {
+      this->CountFaces(cell);
+    }
+    std::map<Ids, int> facets[4];
+    std::set<Ids> closure;
+    const std::vector<Ids> cells = GetCells(this->Output);
+    for (const Ids& cell : cells)
+    {
+      for (const Ids& face : GetFaces(cell))
+      {
+        facets[cell.size() - 1][face] += face.size() + 1 == cell.size() ? 1 : 0;
+        if (cell.size() > face.size())
+        {
+          closure.insert(face);
+        }
+      }
+    }
+    for (int dimension = 1; dimension < 4; ++dimension)
+    {
+      for (const auto& [facet, count] : facets[dimension])
+      {
+        const Ids carrier = this->GetCarrier(facet);
+        const bool isInside = static_cast<int>(carrier.size()) == dimension + 1;
+        const int wanted = this->CellsAt[dimension][carrier] * (isInside ? 2 : 1);
+        if (static_cast<int>(facet.size()) == dimension && count != wanted)
+        {
+          return Say(facet) + " is in " + std::to_string(count) + " cells of dimension " +
+            std::to_string(dimension) + " instead of " + std::to_string(wanted);
+        }
+      }
+    }
+    for (const Ids& cell : cells)
+    {
+      const Ids carrier = this->GetCarrier(cell);
+      if (carrier.size() != cell.size())
+      {
+        return Say(cell) + " is not a part of one cell";
+      }
+      Ids sorted = cell;
+      std::sort(sorted.begin(), sorted.end());
+      if (this->InLarger.count(carrier) > 0 && cell.size() > 1 && closure.count(sorted) == 0)
+      {
+        return Say(cell) + " does not lie on the larger cells";
+      }
+    }
+    return this->CheckVolumes();
+  }
+
+private:
+  static std::string Say(const Ids& ids)
+  {
+    std::string text = "(";
+    for (vtkIdType id : ids)
+    {
+      text += " " + std::to_string(id);
+    }
+    return text + " )";
+  }
+  static std::vector<Ids> GetFaces(Ids cell)
+  {
+    std::sort(cell.begin(), cell.end());
+    std::vector<Ids> faces;
+    for (int pattern = 1; pattern < 1 << cell.size(); ++pattern)
+    {
+      Ids face;
+      for (std::size_t i = 0; i < cell.size(); ++i)
+      {
+        if (pattern >> i & 1)
+        {
+          face.push_back(cell[i]);
+        }
+      }
+      faces.push_back(face);
+    }
+    return faces;
+  }
+  void FindCarriers()
+  {
+    vtkDataArray* weights = this->Output->GetPointData()->GetArray("Weights");
+    this->Carriers.resize(this->Output->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < this->Output->GetNumberOfPoints(); ++i)
+    {
+      for (int c = 0; c < weights->GetNumberOfComponents(); ++c)
+      {
+        if (weights->GetComponent(i, c) > 0.)
+        {
+          this->Carriers[i].insert(c);
+        }
+      }
+    }
+  }
+  Ids GetCarrier(const Ids& points) const
+  {
+    std::set<vtkIdType> all;
+    for (vtkIdType point : points)
+    {
+      all.insert(this->Carriers[point].begin(), this->Carriers[point].end());
+    }
+    return Ids(all.begin(), all.end());
+  }
+  void CountFaces(const Ids& cell)
+  {
+    for (const Ids& face : GetFaces(cell))
+    {
+      ++this->CellsAt[cell.size() - 1][face];
+      if (face.size() < cell.size())
+      {
+        this->InLarger.insert(face);
+      }
+    }
+  }
+  std::string CheckVolumes()
+  {
+    std::vector<double> sums(this->Input->GetNumberOfCells(), 0.);
+    vtkDataArray* origins = this->Output->GetCellData()->GetArray("vtkOriginalCellIds");
+    double scale = 0.;
+    for (vtkIdType i = 0; i < this->Output->GetNumberOfCells(); ++i)
+    {
+      const auto origin = static_cast<vtkIdType>(origins->GetComponent(i, 0));
+      const double volume = GetVolume(this->Output, i);
+      const double whole = GetVolume(this->Input, origin);
+      sums[origin] += volume;
+      scale = std::max(scale, std::abs(whole));
+      if (volume * whole < 0. || (volume == 0.) != (whole == 0.))
+      {
+        return "cell " + std::to_string(i) + " is inverted or flat";
+      }
+    }
+    for (vtkIdType i = 0; i < this->Input->GetNumberOfCells(); ++i)
+    {
+      const double whole =
+        this->Input->GetCellType(i) == VTK_VERTEX ? sums[i] : GetVolume(this->Input, i);
+      if (std::abs(sums[i] - whole) > 1e-12 * scale)
+      {
+        return "the parts of cell " + std::to_string(i) + " do not add up";
+      }
+    }
+    return "";
+  }
+
+  vtkUnstructuredGrid* Input;
+  vtkUnstructuredGrid* Output;
+  std::vector<std::set<vtkIdType>> Carriers; ///< the input's simplex that each point lies inside
+  std::map<Ids, int> CellsAt[4];             ///< cells of each dimension that have a face
+  std::set<Ids> InLarger;                    ///< faces of cells of higher dimension
+};
+
+inline std::string CheckConformity(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
+{
+  return Conformity(input, output).Check();
+}
+
+/// Runs on the wanted levels of the input.
+inline Grid RefineToWanted(vtkUnstructuredGrid* input, int maximum = 3)
+{
+  return Refine(input,
+    [maximum](Filter* filter)
+    {
+      filter->RefineByWantedLevelOn();
+      filter->SetMaximumLevel(maximum);
+    });
+}
+
+inline vtkIdType CountKind(vtkUnstructuredGrid* grid, int kind)
+{
+  vtkDataArray* kinds = grid->GetCellData()->GetArray("RefinementKind");
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; i < kinds->GetNumberOfTuples(); ++i)
+  {
+    count += kinds->GetComponent(i, 0) == kind ? 1 : 0;
+  }
+  return count;
+}
+
+}
+
+#endif

@@ -1,0 +1,672 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestRedGreenRefinementCriteria.cxx
+ * vtkRedGreenRefinement: what each criterion refines, limits, bad input.
+ */
+#include "RedGreenRefinementTools.h"
+
+#include "vtkCompositeDataPipeline.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPlane.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+#include "vtkSphere.h"
+#include "vtkTrivialProducer.h"
+
+#include <limits>
+
+using namespace red_green_refinement_tools;
+
+namespace
+{
+
+/// The point array x^3 + y, whose changes differ from edge to edge.
+void AddValues(vtkUnstructuredGrid* grid, const char* name = "V")
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetName(name);
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    const Point p = GetPoint(grid, i);
+    values->InsertNextValue(p[0] * p[0] * p[0] + p[1]);
+  }
+  grid->GetPointData()->AddArray(values);
+}
+
+double GetLevel(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  return grid->GetCellData()->GetArray("RefinementLevel")->GetComponent(cell, 0);
+}
+
+double GetKind(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  return grid->GetCellData()->GetArray("RefinementKind")->GetComponent(cell, 0);
+}
+
+vtkIdType GetOrigin(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  return static_cast<vtkIdType>(
+    grid->GetCellData()->GetArray("vtkOriginalCellIds")->GetComponent(cell, 0));
+}
+
+/// act(point, point) for all edges of all cells.
+template <typename Act>
+void ForEdges(vtkUnstructuredGrid* grid, const Act& act)
+{
+  for (const Ids& cell : GetCells(grid))
+  {
+    for (std::size_t i = 0; i < cell.size(); ++i)
+    {
+      for (std::size_t k = 0; k < i; ++k)
+      {
+        act(cell[i], cell[k]);
+      }
+    }
+  }
+}
+
+TEST(RedGreenCriteria, AttributeErrorIsOnByDefaultAndIsMet)
+{
+  const Grid box = MakeBox(4);
+  AddValues(box);
+  vtkNew<Filter> filter;
+  filter->SetInputData(box);
+  filter->SetMaximumLevel(10);
+  filter->SetAttributeTolerance(0.1);
+  filter->Update();
+  const Grid output = filter->GetOutput();
+  vtkDataArray* values = output->GetPointData()->GetArray("V");
+  const double allowed = 0.1 * 68.;
+  double largest = 0.;
+  ForEdges(output,
+    [&](vtkIdType a, vtkIdType b)
+    {
+      largest =
+        std::max(largest, std::abs(values->GetComponent(a, 0) - values->GetComponent(b, 0)));
+    });
+  EXPECT_LE(largest, allowed * (1. + 1e-12));
+  EXPECT_GT(largest, allowed / 4.);
+  EXPECT_GT(output->GetNumberOfCells(), box->GetNumberOfCells());
+  EXPECT_GT(CountKind(output, 0), 0) << "not everything needs to be refined";
+}
+
+TEST(RedGreenCriteria, ASmallerDemandGivesACoarserMesh)
+{
+  const Grid box = MakeBox(3);
+  AddValues(box);
+  vtkIdType before = std::numeric_limits<vtkIdType>::max();
+  for (double tolerance : { 0.01, 0.05, 0.1, 2. })
+  {
+    const Grid output = Refine(box,
+      [tolerance](Filter* filter)
+      {
+        filter->RefineByAttributeErrorOn();
+        filter->SetAttributeTolerance(tolerance);
+      });
+    EXPECT_LT(output->GetNumberOfCells(), before);
+    before = output->GetNumberOfCells();
+  }
+  EXPECT_EQ(before, box->GetNumberOfCells());
+}
+
+TEST(RedGreenCriteria, TheArrayIsTheNamedOneTheActiveOneOrTheFirstFloatingOne)
+{
+  const Grid box = MakeBox(2);
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("labels");
+  labels->SetNumberOfTuples(box->GetNumberOfPoints());
+  labels->Fill(3);
+  box->GetPointData()->AddArray(labels);
+  AddValues(box, "first");
+  auto run = [&](const char* name)
+  {
+    return Refine(box,
+      [name](Filter* filter)
+      {
+        filter->RefineByAttributeErrorOn();
+        if (name)
+        {
+          filter->SetInputArrayToProcess(5, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+        }
+      })
+      ->GetNumberOfCells();
+  };
+  EXPECT_GT(run(nullptr), box->GetNumberOfCells());
+  EXPECT_EQ(run("labels"), box->GetNumberOfCells()); // the same everywhere
+  box->GetPointData()->SetActiveScalars("labels");
+  EXPECT_EQ(run(nullptr), box->GetNumberOfCells());
+  EXPECT_EQ(run("first"), run("first"));
+  EXPECT_GT(run("first"), box->GetNumberOfCells());
+}
+
+TEST(RedGreenCriteria, ValuesThatAreNotFiniteAreCounted)
+{
+  const Grid box = MakeBox(1);
+  AddValues(box);
+  box->GetPointData()->GetArray("V")->SetComponent(3, 0, std::numeric_limits<double>::quiet_NaN());
+  std::set<std::pair<vtkIdType, vtkIdType>> edges;
+  ForEdges(box,
+    [&](vtkIdType a, vtkIdType b)
+    {
+      if (a == 3 || b == 3)
+      {
+        edges.emplace(std::min(a, b), std::max(a, b));
+      }
+    });
+  vtkNew<Messages> messages;
+  const Grid output = Refine(
+    box,
+    [](Filter* filter)
+    {
+      filter->RefineByAttributeErrorOn();
+      filter->SetAttributeTolerance(0.6);
+      filter->SetMaximumLevel(1);
+    },
+    messages);
+  EXPECT_EQ(messages->Warnings.size(), 1u);
+  EXPECT_EQ(messages->CountWarnings(std::to_string(edges.size()) + " edges have a value"), 1);
+  EXPECT_GT(output->GetNumberOfCells(), box->GetNumberOfCells());
+}
+
+TEST(RedGreenCriteria, ArrayRangeOfCellsAndOfPoints)
+{
+  const Grid box = MakeBox(2);
+  vtkNew<vtkDoubleArray> cells;
+  cells->SetName("C");
+  for (vtkIdType i = 0; i < box->GetNumberOfCells(); ++i)
+  {
+    cells->InsertNextValue(static_cast<double>(i));
+  }
+  box->GetCellData()->AddArray(cells);
+  const Grid byCell = Refine(box,
+    [](Filter* filter)
+    {
+      filter->RefineByArrayRangeOn();
+      filter->SetArrayRange(7., 8.);
+      filter->SetMaximumLevel(2);
+      filter->SetInputArrayToProcess(6, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "C");
+    });
+  for (vtkIdType i = 0; i < byCell->GetNumberOfCells(); ++i)
+  {
+    const vtkIdType origin = GetOrigin(byCell, i);
+    if (origin == 7 || origin == 8)
+    {
+      EXPECT_EQ(GetLevel(byCell, i), 2.);
+      EXPECT_EQ(GetKind(byCell, i), 1.);
+    }
+  }
+  EXPECT_LT(byCell->GetNumberOfCells(), 64 * box->GetNumberOfCells() / 4);
+  AddValues(box);
+  const Grid byPoint = Refine(box,
+    [](Filter* filter)
+    {
+      filter->RefineByArrayRangeOn();
+      filter->SetArrayRange(9.5, 20.); // the corner edge x = 2, y = 2
+      filter->SetMaximumLevel(1);
+      filter->SetInputArrayToProcess(6, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "V");
+    });
+  for (vtkIdType i = 0; i < byPoint->GetNumberOfCells(); ++i)
+  {
+    const Ids origin = GetCell(box, GetOrigin(byPoint, i));
+    const bool isWanted = std::any_of(origin.begin(), origin.end(),
+      [&](vtkIdType p) { return box->GetPointData()->GetArray("V")->GetComponent(p, 0) > 9.5; });
+    EXPECT_TRUE(!isWanted || GetKind(byPoint, i) == 1.);
+  }
+  EXPECT_GT(CountKind(byPoint, 0), 0);
+}
+
+/// Runs with a selection of the given ids.
+Grid RefineSelected(vtkDataObject* input, int fieldType, const Ids& ids, Messages* messages)
+{
+  vtkNew<vtkIdTypeArray> list;
+  for (vtkIdType id : ids)
+  {
+    list->InsertNextValue(id);
+  }
+  vtkNew<vtkSelectionNode> node;
+  node->SetContentType(vtkSelectionNode::INDICES);
+  node->SetFieldType(fieldType);
+  node->SetSelectionList(list);
+  vtkNew<vtkSelection> selection;
+  selection->AddNode(node);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(selection);
+  return Refine(
+    input,
+    [&](Filter* filter)
+    {
+      filter->RefineBySelectionOn();
+      filter->SetSelectionConnection(producer->GetOutputPort());
+      filter->SetMaximumLevel(1);
+    },
+    messages);
+}
+
+TEST(RedGreenCriteria, SelectionOfCellsAndOfPoints)
+{
+  const Grid box = MakeBox(2);
+  const Grid cells = RefineSelected(box, vtkSelectionNode::CELL, { 4, 9 }, nullptr);
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    const vtkIdType origin = GetOrigin(cells, i);
+    EXPECT_TRUE((origin != 4 && origin != 9) || GetKind(cells, i) == 1.);
+  }
+  EXPECT_GT(CountKind(cells, 0), 0);
+  const Grid points = RefineSelected(box, vtkSelectionNode::POINT, { 5 }, nullptr);
+  for (vtkIdType i = 0; i < points->GetNumberOfCells(); ++i)
+  {
+    const Ids origin = GetCell(box, GetOrigin(points, i));
+    EXPECT_TRUE(std::count(origin.begin(), origin.end(), 5) == 0 || GetKind(points, i) == 1.);
+  }
+  EXPECT_GT(CountKind(points, 1), 0);
+}
+
+TEST(RedGreenCriteria, AnEmptySelectionIsSaid)
+{
+  const Grid box = MakeBox(1);
+  vtkNew<Messages> messages;
+  const Grid output = RefineSelected(box, vtkSelectionNode::CELL, {}, messages);
+  EXPECT_EQ(messages->CountWarnings("no cell is selected"), 1);
+  EXPECT_EQ(output->GetNumberOfCells(), box->GetNumberOfCells());
+  EXPECT_EQ(GetCells(output), GetCells(box));
+  const Grid without = Refine(
+    box, [](Filter* filter) { filter->RefineBySelectionOn(); }, messages);
+  EXPECT_EQ(messages->CountWarnings("no cell is selected"), 2);
+  EXPECT_EQ(without->GetNumberOfCells(), box->GetNumberOfCells());
+}
+
+TEST(RedGreenCriteria, ASelectionKnowsTheBlocks)
+{
+  const Grid first = MakeBox(1);
+  const Grid second = MakeBox(1);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, first);
+  blocks->SetBlock(1, second);
+  vtkNew<vtkIdTypeArray> list;
+  list->InsertNextValue(0);
+  vtkNew<vtkSelectionNode> node;
+  node->SetContentType(vtkSelectionNode::INDICES);
+  node->SetFieldType(vtkSelectionNode::CELL);
+  node->SetSelectionList(list);
+  node->GetProperties()->Set(vtkSelectionNode::COMPOSITE_INDEX(), 2);
+  vtkNew<vtkSelection> selection;
+  selection->AddNode(node);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(selection);
+  vtkNew<Filter> filter;
+  vtkNew<vtkCompositeDataPipeline> executive;
+  filter->SetExecutive(executive);
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputDataObject(blocks);
+  filter->RefineByAttributeErrorOff();
+  filter->RefineBySelectionOn();
+  filter->SetSelectionConnection(producer->GetOutputPort());
+  filter->Update();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_TRUE(output);
+  EXPECT_TRUE(messages->Warnings.empty() && messages->Errors.empty());
+  EXPECT_EQ(vtkDataSet::SafeDownCast(output->GetBlock(0))->GetNumberOfCells(), 6);
+  EXPECT_GT(vtkDataSet::SafeDownCast(output->GetBlock(1))->GetNumberOfCells(), 100);
+}
+
+TEST(RedGreenCriteria, CellsInsideAFunction)
+{
+  const Grid box = MakeBox(2);
+  vtkNew<vtkSphere> sphere;
+  sphere->SetRadius(1.);
+  vtkNew<Filter> filter;
+  filter->SetInputData(box);
+  filter->RefineByAttributeErrorOff();
+  filter->RefineByFunctionOn();
+  filter->SetImplicitFunction(sphere);
+  filter->Update();
+  for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfCells(); ++i)
+  {
+    Point centre = {};
+    const Ids ids = GetCell(filter->GetOutput(), i);
+    for (vtkIdType id : ids)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        centre[c] += GetPoint(filter->GetOutput(), id)[c] / 4.;
+      }
+    }
+    if (sphere->FunctionValue(centre.data()) < -1e-9)
+    {
+      EXPECT_EQ(GetLevel(filter->GetOutput(), i), 3.);
+    }
+  }
+  const vtkIdType before = filter->GetOutput()->GetNumberOfCells();
+  EXPECT_GT(before, box->GetNumberOfCells());
+  sphere->SetRadius(0.3); // the filter notices, and the mesh is coarser again
+  filter->Update();
+  EXPECT_LT(filter->GetOutput()->GetNumberOfCells(), before);
+}
+
+TEST(RedGreenCriteria, EdgeLength)
+{
+  const Grid box = MakeBox(1);
+  const Grid output = Refine(box,
+    [](Filter* filter)
+    {
+      filter->RefineByEdgeLengthOn();
+      filter->SetMaximumEdgeLength(0.5);
+      filter->SetMaximumLevel(10);
+    });
+  double longest = 0.;
+  ForEdges(output,
+    [&](vtkIdType a, vtkIdType b)
+    {
+      const Point p = GetPoint(output, a);
+      const Point q = GetPoint(output, b);
+      longest = std::max(longest, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+    });
+  EXPECT_LE(longest, 0.5);
+  EXPECT_GT(longest, 0.25);
+}
+
+TEST(RedGreenCriteria, WantedLevelsAreReached)
+{
+  const Grid box = MakeBox(2);
+  AddWantedLevels(box, 3, 11, 0.5);
+  const Grid output = RefineToWanted(box);
+  vtkDataArray* wanted = output->GetCellData()->GetArray("WantedLevel");
+  for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+  {
+    EXPECT_GE(GetLevel(output, i), wanted->GetComponent(i, 0));
+  }
+}
+
+TEST(RedGreenCriteria, AreOred)
+{
+  const Grid box = MakeBox(2);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.5, 0., 0.);
+  plane->SetNormal(1., 0., 0.);
+  AddWantedLevels(box, 1, 3, 0.1);
+  auto run = [&](bool byFunction, bool byLevel)
+  {
+    return Refine(box,
+      [&](Filter* filter)
+      {
+        filter->SetRefineByFunction(byFunction);
+        filter->SetImplicitFunction(plane);
+        filter->SetRefineByWantedLevel(byLevel);
+        filter->SetMaximumLevel(1);
+      });
+  };
+  const Grid both = run(true, true);
+  for (const Grid& one : { run(true, false), run(false, true) })
+  {
+    std::set<vtkIdType> red;
+    for (vtkIdType i = 0; i < one->GetNumberOfCells(); ++i)
+    {
+      if (GetKind(one, i) == 1.)
+      {
+        red.insert(GetOrigin(one, i));
+      }
+    }
+    EXPECT_FALSE(red.empty());
+    for (vtkIdType i = 0; i < both->GetNumberOfCells(); ++i)
+    {
+      EXPECT_TRUE(red.count(GetOrigin(both, i)) == 0 || GetKind(both, i) == 1.);
+    }
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+// Limits
+
+TEST(RedGreenLimits, NumberOfCells)
+{
+  const Grid box = MakeBox(2);
+  AddValues(box);
+  for (vtkIdType most : { 48, 60, 500, 5000 })
+  {
+    vtkNew<Messages> messages;
+    const Grid output = Refine(
+      box,
+      [most](Filter* filter)
+      {
+        filter->RefineByAttributeErrorOn();
+        filter->SetAttributeTolerance(0.);
+        filter->SetMaximumLevel(60);
+        filter->SetMaximumNumberOfCells(most);
+      },
+      messages);
+    EXPECT_EQ(messages->CountWarnings("which is MaximumNumberOfCells"), 1) << most;
+    EXPECT_LE(output->GetNumberOfCells(), most);
+    EXPECT_GT(2 * output->GetNumberOfCells(), most) << "nearly as many as may be";
+  }
+}
+
+TEST(RedGreenLimits, TheWorstIsRefined)
+{
+  const Grid box = MakeBox(3);
+  AddValues(box);
+  vtkNew<Messages> messages;
+  const Grid output = Refine(
+    box,
+    [](Filter* filter)
+    {
+      filter->RefineByAttributeErrorOn();
+      filter->SetAttributeTolerance(0.001);
+      filter->SetMaximumNumberOfCells(250);
+    },
+    messages);
+  EXPECT_EQ(messages->CountWarnings("the worst ones last"), 1);
+  // Where x is small the values hardly change, where it is large they do.
+  for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+  {
+    const Ids ids = GetCell(output, i);
+    if (GetKind(output, i) == 1.)
+    {
+      EXPECT_TRUE(std::all_of(
+        ids.begin(), ids.end(), [&](vtkIdType id) { return GetPoint(output, id)[0] >= 1.; }));
+    }
+  }
+  EXPECT_GT(output->GetNumberOfCells(), box->GetNumberOfCells());
+}
+
+TEST(RedGreenLimits, AnInputThatIsTooLargeStaysWhatItIs)
+{
+  const Grid box = MakeBox(2);
+  AddValues(box);
+  vtkNew<Messages> messages;
+  const Grid output = Refine(
+    box,
+    [](Filter* filter)
+    {
+      filter->RefineByAttributeErrorOn();
+      filter->SetMaximumNumberOfCells(10);
+    },
+    messages);
+  EXPECT_EQ(messages->CountWarnings("nothing is refined"), 1);
+  EXPECT_EQ(GetCells(output), GetCells(box));
+}
+
+TEST(RedGreenLimits, NumbersEnd)
+{
+  const Grid line = multi_dimensional_subdivision_tools::MakeGrid(
+    { { 1., 0., 0. }, { 2., 0., 0. } }, { { VTK_LINE, { 0, 1 } } });
+  vtkNew<vtkSphere> sphere;
+  sphere->SetCenter(1., 0., 0.);
+  vtkNew<Messages> messages;
+  sphere->SetRadius(0.);
+  const Grid output = Refine(
+    line,
+    [&](Filter* filter)
+    {
+      // The cell at the point 1: its level goes on until there is no number between.
+      filter->RefineByArrayRangeOn();
+      filter->SetArrayRange(1., 1.);
+      filter->SetMaximumLevel(60);
+      vtkNew<vtkDoubleArray> x;
+      x->SetName("x");
+      x->InsertNextValue(1.);
+      x->InsertNextValue(2.);
+      line->GetPointData()->SetScalars(x);
+    },
+    messages);
+  EXPECT_EQ(messages->CountWarnings("no number lies between"), 1);
+  EXPECT_EQ(output->GetNumberOfCells(), 53);
+}
+
+// ------------------------------------------------------------------------------------------------
+// Bad input
+
+TEST(RedGreenErrors, ArraysThatCannotBeUsed)
+{
+  const Grid box = MakeBox(1);
+  AddValues(box);
+  box->GetCellData()->AddArray(MakeArray<vtkDoubleArray>("WantedLevel", 1, 6, 0., 3., 1));
+  const std::pair<Configure, const char*> cases[] = {
+    { [](Filter* filter)
+      {
+        filter->RefineByAttributeErrorOn();
+        filter->SetInputArrayToProcess(5, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "nothing");
+      },
+      "Point array \"nothing\" (array index 5) is not there" },
+    { [](Filter* filter)
+      {
+        filter->RefineByArrayRangeOn();
+        filter->SetInputArrayToProcess(6, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "nothing");
+      },
+      "Cell array \"nothing\" (array index 6) is not there" },
+    { [](Filter* filter) { filter->RefineByArrayRangeOn(); }, "needs an array" },
+    { [](Filter* filter) { filter->RefineByFunctionOn(); }, "needs an ImplicitFunction" },
+    { [](Filter* filter)
+      {
+        filter->RefineByWantedLevelOn();
+        filter->SetInputArrayToProcess(
+          7, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "WantedLevel");
+      },
+      "must hold integers" },
+  };
+  for (const auto& [configure, text] : cases)
+  {
+    vtkNew<Messages> messages;
+    const Grid output = Refine(box, configure, messages);
+    ASSERT_FALSE(messages->Errors.empty()) << text;
+    EXPECT_NE(messages->Errors[0].find(text), std::string::npos) << messages->Errors[0];
+    EXPECT_EQ(output->GetNumberOfCells(), 0);
+  }
+}
+
+TEST(RedGreenErrors, NothingToRefineByIsSaid)
+{
+  const Grid box = MakeBox(1);
+  vtkNew<Messages> messages;
+  const Grid output = Refine(
+    box, [](Filter* filter) { filter->RefineByAttributeErrorOn(); }, messages);
+  EXPECT_EQ(messages->CountWarnings("nothing to refine by"), 1);
+  EXPECT_EQ(GetCells(output), GetCells(box));
+}
+
+// ------------------------------------------------------------------------------------------------
+// Arrays and cells
+
+TEST(RedGreenArrays, EveryArrayReachesTheOutput)
+{
+  const Grid box = MakeMixedBox(1);
+  AddArrays(box);
+  const Grid output = Refine(box,
+    [](Filter* filter)
+    {
+      filter->RefineByEdgeLengthOn();
+      filter->SetMaximumEdgeLength(0.8);
+      filter->GenerateOriginalIdsOn();
+    });
+  const Grid uniform = Subdivide(box, 1);
+  for (int i = 0; i < uniform->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* wanted = uniform->GetPointData()->GetAbstractArray(i);
+    vtkAbstractArray* array = output->GetPointData()->GetAbstractArray(wanted->GetName());
+    ASSERT_TRUE(array) << wanted->GetName();
+    EXPECT_STREQ(array->GetClassName(), wanted->GetClassName());
+    EXPECT_EQ(array->GetNumberOfComponents(), wanted->GetNumberOfComponents());
+    EXPECT_EQ(array->GetNumberOfTuples(), output->GetNumberOfPoints());
+  }
+  for (int i = 0; i < box->GetCellData()->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* in = box->GetCellData()->GetAbstractArray(i);
+    if (in == box->GetCellData()->GetGlobalIds() || in == box->GetCellData()->GetPedigreeIds())
+    {
+      continue;
+    }
+    vtkAbstractArray* array = output->GetCellData()->GetAbstractArray(in->GetName());
+    ASSERT_TRUE(array) << in->GetName();
+    for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+    {
+      const int components = in->GetNumberOfComponents();
+      EXPECT_EQ(array->GetVariantValue(cell * components).ToString(),
+        in->GetVariantValue(GetOrigin(output, cell) * components).ToString());
+    }
+  }
+  EXPECT_TRUE(output->GetPointData()->GetArray("vtkOriginalPointIds"));
+  for (int i = 0; i < box->GetFieldData()->GetNumberOfArrays(); ++i)
+  {
+    EXPECT_TRUE(output->GetFieldData()->HasArray(box->GetFieldData()->GetArrayName(i)));
+  }
+}
+
+TEST(RedGreenArrays, OldPointsKeepTheirValuesAndNewOnesAreBetween)
+{
+  const Grid box = MakeBox(2);
+  AddWeights(box);
+  AddValues(box);
+  AddWantedLevels(box, 2, 9);
+  const Grid output = RefineToWanted(box);
+  vtkDataArray* weights = output->GetPointData()->GetArray("Weights");
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double value = 0.;
+    double sum = 0.;
+    for (int c = 0; c < weights->GetNumberOfComponents(); ++c)
+    {
+      sum += weights->GetComponent(i, c);
+      value += weights->GetComponent(i, c) * box->GetPointData()->GetArray("V")->GetComponent(c, 0);
+    }
+    EXPECT_EQ(sum, 1.);
+    EXPECT_NEAR(output->GetPointData()->GetArray("V")->GetComponent(i, 0), value, 1e-12);
+    if (i < box->GetNumberOfPoints())
+    {
+      EXPECT_EQ(weights->GetComponent(i, static_cast<int>(i)), 1.);
+    }
+  }
+}
+
+TEST(RedGreenArrays, GhostTypesGoToTheChildren)
+{
+  const Grid box = MakeBox(1);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (int i = 0; i < 6; ++i)
+  {
+    ghosts->InsertNextValue(i == 2 ? vtkDataSetAttributes::DUPLICATECELL
+        : i == 4                   ? vtkDataSetAttributes::HIDDENCELL
+                                   : 0);
+  }
+  box->GetCellData()->AddArray(ghosts);
+  vtkNew<Messages> messages;
+  const Grid output = Refine(
+    box,
+    [](Filter* filter)
+    {
+      filter->RefineByEdgeLengthOn();
+      filter->SetMaximumLevel(1);
+    },
+    messages);
+  EXPECT_EQ(messages->CountWarnings("duplicate (ghost) cells"), 1);
+  std::set<vtkIdType> seen;
+  for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+  {
+    seen.insert(GetOrigin(output, i));
+    EXPECT_EQ(output->GetCellGhostArray()->GetValue(i) != 0, GetOrigin(output, i) == 2);
+  }
+  EXPECT_EQ(seen, (std::set<vtkIdType>{ 0, 1, 2, 3, 5 })) << "hidden cells take no part";
+}
+
+}

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestRedGreenRefinementLimit.cxx
+ * vtkRedGreenRefinement: points and values on the limit, and criteria that ask for it.
+ */
+#include "RedGreenRefinementTools.h"
+
+#include "vtkCellLocator.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkGenericCell.h"
+#include "vtkPolyData.h"
+#include "vtkSubdivisionModelSource.h"
+
+using namespace red_green_refinement_tools;
+
+namespace
+{
+
+Grid Project(vtkDataObject* input, int levels)
+{
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetInputDataObject(input);
+  filter->SetNumberOfLevels(levels);
+  filter->ProjectToLimitOn();
+  filter->Update();
+  return filter->GetOutput();
+}
+
+/// The largest difference between the points, and the values named `V`, of two meshes whose cells
+/// come in the same order; -1 where they do not. `sort`: their points may come in another.
+double GetDifference(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b, bool sort)
+{
+  if (a->GetNumberOfCells() != b->GetNumberOfCells())
+  {
+    return -1.;
+  }
+  double difference = 0.;
+  for (vtkIdType i = 0; i < a->GetNumberOfCells(); ++i)
+  {
+    Ids x = GetCell(a, i);
+    Ids y = GetCell(b, i);
+    if (x.size() != y.size())
+    {
+      return -1.;
+    }
+    if (sort)
+    {
+      std::sort(x.begin(), x.end());
+      std::sort(y.begin(), y.end());
+    }
+    for (std::size_t k = 0; k < x.size(); ++k)
+    {
+      const Point p = GetPoint(a, x[k]);
+      const Point q = GetPoint(b, y[k]);
+      difference = std::max(difference, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+      const double v = a->GetPointData()->GetArray("V")->GetComponent(x[k], 1);
+      const double w = b->GetPointData()->GetArray("V")->GetComponent(y[k], 1);
+      difference = std::max(difference, std::abs(v - w));
+    }
+  }
+  return difference;
+}
+
+class RedGreenLimitZoo : public testing::TestWithParam<coretest::Mesh>
+{
+};
+
+TEST_P(RedGreenLimitZoo, EverythingMarkedIsTheProjectedUniformMesh)
+{
+  const Grid input = MakeGrid(this->GetParam());
+  input->GetPointData()->AddArray(
+    MakeArray<vtkDoubleArray>("V", 2, input->GetNumberOfPoints(), -1., 1., 3));
+  for (int level = 0; level < 3; ++level)
+  {
+    const Grid output = Refine(input,
+      [level](Filter* filter)
+      {
+        filter->RefineByEdgeLengthOn();
+        filter->SetMaximumEdgeLength(0.);
+        filter->SetMaximumLevel(level);
+        filter->SetPlacementToLimit();
+      });
+    const double difference = GetDifference(output, Project(input, level), level == 0);
+    EXPECT_GE(difference, 0.) << "level " << level;
+    EXPECT_LE(difference, 1e-12) << "level " << level;
+  }
+}
+
+/// A point of a mesh that is refined here and there has the same limit as in the uniform mesh.
+TEST_P(RedGreenLimitZoo, PointsDoNotDependOnTheirNeighbourhood)
+{
+  const Grid input = MakeGrid(this->GetParam());
+  AddWeights(input); // linear placement tells which points are the same
+  AddWantedLevels(input, 3, 5, 0.3);
+  auto run = [&](int placement, bool everything)
+  {
+    return Refine(input,
+      [=](Filter* filter)
+      {
+        filter->SetRefineByWantedLevel(!everything);
+        filter->SetRefineByEdgeLength(everything);
+        filter->SetMaximumEdgeLength(0.);
+        filter->SetPlacement(placement);
+      });
+  };
+  auto getKey = [](vtkUnstructuredGrid* grid, vtkIdType point)
+  {
+    vtkDataArray* weights = grid->GetPointData()->GetArray("Weights");
+    std::vector<double> key;
+    for (int c = 0; c < weights->GetNumberOfComponents(); ++c)
+    {
+      key.push_back(weights->GetComponent(point, c));
+    }
+    return key;
+  };
+  const Grid uniform = run(Filter::LINEAR, true);
+  const Grid projected = run(Filter::LIMIT, true);
+  const Grid adaptive = run(Filter::LINEAR, false);
+  const Grid limit = run(Filter::LIMIT, false);
+  ASSERT_EQ(adaptive->GetNumberOfPoints(), limit->GetNumberOfPoints());
+  std::map<std::vector<double>, vtkIdType> known;
+  for (vtkIdType i = 0; i < uniform->GetNumberOfPoints(); ++i)
+  {
+    known[getKey(uniform, i)] = i;
+  }
+  for (vtkIdType i = 0; i < limit->GetNumberOfPoints(); ++i)
+  {
+    const auto found = known.find(getKey(adaptive, i));
+    ASSERT_NE(found, known.end()) << i;
+    const Point p = GetPoint(limit, i);
+    const Point q = GetPoint(projected, found->second);
+    EXPECT_LE(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), 1e-12) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Zoo, RedGreenLimitZoo, testing::ValuesIn(coretest::MakeZoo()),
+  [](const auto& instance) { return instance.param.Name; });
+
+// ------------------------------------------------------------------------------------------------
+// Criteria
+
+Grid GetModel(const char* name)
+{
+  vtkNew<vtkSubdivisionModelSource> source;
+  for (int i = 0; i < 7; ++i)
+  {
+    if (std::string(vtkSubdivisionModelSource::GetModelName(i)) == name)
+    {
+      source->SetModel(i);
+    }
+  }
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> GetSurface(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(grid);
+  surface->Update();
+  return surface->GetOutput();
+}
+
+/// The largest distance of the points of a fine surface from a coarse one.
+double GetDistance(vtkUnstructuredGrid* fine, vtkUnstructuredGrid* coarse)
+{
+  const auto surface = GetSurface(coarse);
+  vtkNew<vtkCellLocator> locator;
+  locator->SetDataSet(surface);
+  locator->BuildLocator();
+  vtkNew<vtkGenericCell> cell;
+  const auto points = GetSurface(fine);
+  double largest = 0.;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    Point nearest;
+    vtkIdType id = 0;
+    int part = 0;
+    double distance = 0.;
+    locator->FindClosestPoint(GetPoint(points, i).data(), nearest.data(), cell, id, part, distance);
+    largest = std::max(largest, std::sqrt(distance));
+  }
+  return largest;
+}
+
+Configure ToTolerance(double tolerance, int level)
+{
+  return [tolerance, level](Filter* filter)
+  {
+    filter->RefineByGeometricErrorOn();
+    filter->RelativeToleranceOff();
+    filter->SetGeometricTolerance(tolerance);
+    filter->SetMaximumLevel(level);
+    filter->SetPlacementToLimit();
+  };
+}
+
+TEST(RedGreenGeometricError, IsBelowTheTolerance)
+{
+  for (const char* name : { "Screw", "MechanicalPart" })
+  {
+    const Grid model = GetModel(name);
+    const Grid fine = Project(model, name == std::string("Screw") ? 5 : 4);
+    vtkIdType before = model->GetNumberOfCells();
+    for (double tolerance : { 0.05, 0.02, 0.01 })
+    {
+      const Grid output = Refine(model, ToTolerance(tolerance, 6));
+      const double error = GetDistance(fine, output);
+      EXPECT_LE(error, tolerance) << name;
+      EXPECT_GE(output->GetNumberOfCells(), before) << name;
+      before = output->GetNumberOfCells();
+    }
+  }
+}
+
+/// Kobbelt's measure: the error against the number of cells.
+TEST(RedGreenGeometricError, TakesAThirdOfTheUniformCells)
+{
+  const Grid model = GetModel("Screw");
+  const Grid uniform = Project(model, 4);
+  const Grid fine = Refine(model, ToTolerance(2e-4, 9)); // the test above has measured such errors
+  const double error = GetDistance(fine, uniform);
+  const Grid output = Refine(model, ToTolerance(1.1 * error, 8));
+  const double ours = GetDistance(fine, output);
+  this->RecordProperty("UniformCells", std::to_string(uniform->GetNumberOfCells()));
+  this->RecordProperty("Cells", std::to_string(output->GetNumberOfCells()));
+  EXPECT_LE(ours, error);
+  EXPECT_LE(3 * output->GetNumberOfCells(), uniform->GetNumberOfCells());
+}
+
+TEST(RedGreenLimitDifference, RefinesWhereValuesBend)
+{
+  // Linear values have no difference from the limit but at the boundary.
+  const Grid box = MakeBox(4);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("V");
+  for (vtkIdType i = 0; i < box->GetNumberOfPoints(); ++i)
+  {
+    const Point p = GetPoint(box, i);
+    values->InsertNextValue(p[0] < 2. ? 0. : (p[0] - 2.) * (p[0] - 2.));
+  }
+  box->GetPointData()->SetScalars(values);
+  auto run = [&](double tolerance)
+  {
+    return Refine(box,
+      [tolerance](Filter* filter)
+      {
+        filter->RefineByAttributeErrorOn();
+        filter->SetAttributeErrorKindToLimitDifference();
+        filter->SetAttributeTolerance(tolerance);
+        filter->SetMaximumLevel(5);
+      });
+  };
+  const Grid rough = run(0.05);
+  const Grid fine = run(0.01);
+  EXPECT_GT(rough->GetNumberOfCells(), box->GetNumberOfCells());
+  EXPECT_GT(fine->GetNumberOfCells(), rough->GetNumberOfCells());
+  for (vtkIdType i = 0; i < rough->GetNumberOfCells(); ++i)
+  {
+    const Ids ids = GetCell(rough, i);
+    const bool isFlat = std::all_of(
+      ids.begin(), ids.end(), [&](vtkIdType id) { return GetPoint(rough, id)[0] <= 1.; });
+    EXPECT_TRUE(
+      !isFlat || rough->GetCellData()->GetArray("RefinementKind")->GetComponent(i, 0) != 1.);
+  }
+}
+
+}

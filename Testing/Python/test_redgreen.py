@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Red-green refinement in ParaView: properties, array pickers, selections, functions, state files."""
+
+import os
+import unittest
+
+import numpy as np
+import tools
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import subdivisionobjects
+
+
+def model(name="MaterialBlock"):
+    source = simple.SubdivisionModel(Model=name)
+    source.UpdatePipeline()
+    return source
+
+
+def refine(source, **options):
+    """Without a criterion but those that are given."""
+    return simple.RedGreenRefinement(Input=source, **{"RefineByAttributeError": 0, **options})
+
+
+def updated(proxy):
+    proxy.UpdatePipeline()
+    return tools.output(proxy)
+
+
+def cells(grid, name):
+    return vtk_to_numpy(grid.GetCellData().GetArray(name))
+
+
+def offered(proxy, name):
+    domain = proxy.GetProperty(name).SMProperty.GetDomain("array_list")
+    return [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]
+
+
+class Properties(unittest.TestCase):
+    def setUp(self):
+        simple.ResetSession()
+        simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
+
+    def test_defaults_are_those_of_the_class(self):
+        proxy = simple.RedGreenRefinement(Input=model())
+        made = subdivisionobjects.vtkRedGreenRefinement()
+        names = [name[3:] for name in dir(subdivisionobjects.vtkRedGreenRefinement)
+                 if name.startswith("SetRefineBy") and "To" not in name]
+        names += ["Placement", "MaximumLevel", "AttributeErrorKind", "AttributeTolerance", "MaximumEdgeLength",
+                  "GeometricTolerance", "RelativeTolerance", "MaximumNumberOfCells"]
+        self.assertEqual(len(names), 15)
+        for name in names:
+            prop = proxy.SMProxy.GetProperty(name)
+            self.assertEqual(prop.GetElement(0), getattr(made, "Get" + name)(), name)
+        self.assertEqual(made.GetMaximumNumberOfCells(), 50000000)
+
+    def test_arrays_are_offered(self):
+        proxy = simple.RedGreenRefinement(Input=model())
+        self.assertIn("Tension", offered(proxy, "AttributeArray"))
+        self.assertNotIn("MaterialId", offered(proxy, "AttributeArray"))
+        self.assertIn("MaterialId", offered(proxy, "WantedLevelArray"))
+        self.assertIn("Tension", offered(proxy, "RangeArray"))
+        self.assertIn("MaterialId", offered(proxy, "RangeArray"))
+        self.assertEqual(proxy.AttributeArray[1], "None")
+        self.assertEqual(proxy.WantedLevelArray[1], "None")
+
+    def test_menu_and_help(self):
+        proxy = servermanager.ProxyManager().GetPrototypeProxy("filters", "RedGreenRefinement")
+        self.assertEqual(proxy.GetXMLLabel(), "Red-Green Refinement")
+        menu = proxy.GetHints().FindNestedElementByName("ShowInMenu")
+        self.assertEqual(menu.GetAttribute("category"), "Subdivision Objects")
+        self.assertGreater(len(proxy.GetDocumentation().GetDescription()), 100)
+
+    def test_every_property_reaches_the_filter(self):
+        proxy = refine(model(), RefineByEdgeLength=1, MaximumEdgeLength=0.5, MaximumLevel=5, Placement="Limit",
+                       GeometricTolerance=0.25, RelativeTolerance=0, AttributeTolerance=0.75,
+                       AttributeErrorKind="LimitDifference", ArrayRange=[2, 3], MaximumNumberOfCells=10**6)
+        proxy.UpdateVTKObjects()
+        text = str(proxy.GetClientSideObject())
+        for words in ("MaximumLevel: 5", "MaximumEdgeLength: 0.5", "Placement: 1", "GeometricTolerance: 0.25",
+                      "RelativeTolerance: 0", "AttributeTolerance: 0.75", "AttributeErrorKind: 1",
+                      "ArrayRange: 2 3", "MaximumNumberOfCells: 1000000", "RefineByAttributeError: 0"):
+            self.assertIn(words, text)
+
+
+class Criteria(unittest.TestCase):
+    def setUp(self):
+        simple.ResetSession()
+        simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
+        self.model = model()
+        self.control = tools.output(self.model)
+
+    def test_where_the_tension_changes(self):
+        coarse = updated(simple.RedGreenRefinement(Input=self.model, AttributeTolerance=0.5))
+        fine = updated(simple.RedGreenRefinement(Input=self.model, AttributeTolerance=0.2,
+                                                 AttributeArray=["POINTS", "Tension"]))
+        self.assertGreater(fine.GetNumberOfCells(), coarse.GetNumberOfCells())
+        self.assertGreater(coarse.GetNumberOfCells(), self.control.GetNumberOfCells())
+        self.assertEqual(tools.arrays(fine.GetCellData()) - tools.arrays(self.control.GetCellData()),
+                         {"RefinementLevel", "RefinementKind", "GreenParent", "vtkOriginalCellIds"})
+        origins = cells(fine, "vtkOriginalCellIds")
+        self.assertTrue((np.diff(origins) >= 0).all())
+        self.assertTrue((cells(fine, "MaterialId") == cells(self.control, "MaterialId")[origins]).all())
+
+    def test_range_of_a_cell_array(self):
+        grid = updated(refine(self.model, RefineByArrayRange=1, RangeArray=["CELLS", "MaterialId"],
+                              ArrayRange=[1, 1], MaximumLevel=1))
+        wanted = cells(grid, "MaterialId") == 1
+        self.assertTrue(wanted.any() and not wanted.all())
+        self.assertTrue((cells(grid, "RefinementKind")[wanted] == 1).all())
+        self.assertFalse((cells(grid, "RefinementKind")[~wanted] == 1).all())
+
+    def test_inside_a_sphere(self):
+        bounds = np.reshape(self.control.GetBounds(), (3, 2))
+        proxy = refine(self.model, RefineByFunction=1, ImplicitFunction="Sphere", MaximumLevel=2)
+        proxy.ImplicitFunction.Center = list(bounds[:, 0])
+        proxy.ImplicitFunction.Radius = float(np.linalg.norm(bounds[:, 1] - bounds[:, 0])) / 2
+        large = updated(proxy).GetNumberOfCells()
+        proxy.ImplicitFunction.Radius *= 0.6
+        small = updated(proxy).GetNumberOfCells()
+        self.assertGreater(large, small)
+        self.assertGreater(small, self.control.GetNumberOfCells())
+
+    def test_selection(self):
+        ids = simple.IDSelectionSource(IDs=[0, 3, 0, 5], FieldType="CELL")
+        proxy = refine(self.model, RefineBySelection=1, Selection=ids, MaximumLevel=1)
+        grid = updated(proxy)
+        wanted = np.isin(cells(grid, "vtkOriginalCellIds"), (3, 5))
+        self.assertTrue(wanted.any())
+        self.assertTrue((cells(grid, "RefinementKind")[wanted] == 1).all())
+        self.assertTrue((cells(grid, "RefinementKind") == 0).any())
+
+    def test_on_the_limit(self):
+        smooth = updated(refine(model("Screw"), RefineByGeometricError=1, GeometricTolerance=0.01,
+                                Placement="Limit", MaximumLevel=5))
+        rough = updated(refine(model("Screw"), RefineByGeometricError=1, GeometricTolerance=0.05,
+                               Placement="Limit", MaximumLevel=5))
+        self.assertGreater(smooth.GetNumberOfCells(), rough.GetNumberOfCells())
+
+    def test_filters_in_a_row_undo_green_cells(self):
+        first = refine(self.model, RefineByArrayRange=1, RangeArray=["CELLS", "MaterialId"], ArrayRange=[1, 1],
+                       MaximumLevel=1)
+        self.assertTrue((cells(updated(first), "RefinementKind") > 1).any())
+        second = refine(first, RefineByEdgeLength=1, MaximumEdgeLength=0, MaximumLevel=1)
+        self.assertTrue((cells(updated(second), "RefinementLevel") >= 1).all())
+        again = refine(first, RefineByEdgeLength=1, MaximumEdgeLength=0, MaximumLevel=0)
+        self.assertEqual(tools.numbers(updated(again)), tools.numbers(updated(first)))
+
+    def test_empty_selection(self):
+        with tools.quiet():
+            grid = updated(refine(self.model, RefineBySelection=1))
+        self.assertEqual(grid.GetNumberOfCells(), self.control.GetNumberOfCells())
+
+
+class State(unittest.TestCase):
+    def test_saved_and_loaded(self):
+        simple.ResetSession()
+        simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
+        proxy = refine(model(), RefineByFunction=1, ImplicitFunction="Sphere", MaximumLevel=2)
+        proxy.ImplicitFunction.Center = [0.25, 0.5, 0]
+        proxy.ImplicitFunction.Radius = 1.5
+        wanted = tools.numbers(updated(proxy))
+        simple.RenameSource("refined", proxy)
+        simple.SaveState(os.path.abspath("redgreen.pvsm"))
+        simple.ResetSession()
+        simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
+        simple.LoadState(os.path.abspath("redgreen.pvsm"))
+        found = simple.FindSource("refined")
+        self.assertEqual(list(found.ImplicitFunction.Center), [0.25, 0.5, 0])
+        self.assertEqual(tools.numbers(updated(found)), wanted)
+
+
+if __name__ == "__main__":
+    tools.main()
