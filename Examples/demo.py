@@ -7,8 +7,8 @@
 `./dev demo` builds the plugin, then runs this script with ParaView's pvpython in build/demo, where
 it writes its files: four pictures of each model (control mesh; subdivided; cut open and coloured by a
 point array; cut open and coloured by RuleDimension), both meshes as .vtu, and one contact sheet.
-After the built-in models it goes on with gallery.py, which shows the features, deformation.py and
-refinement.py.
+After the built-in models it goes on with gallery.py, which shows the features, gallery_surfaces.py,
+deformation.py and refinement.py.
 By hand:
 
     SUBDIVISIONOBJECTS_PLUGIN=<folder>/SubdivisionObjects.so pvpython --force-offscreen-rendering demo.py
@@ -24,6 +24,7 @@ import time
 import deformation
 import demo_pictures
 import gallery
+import gallery_surfaces
 import refinement
 from paraview import servermanager, simple
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
@@ -165,6 +166,7 @@ def main(arguments):
     print(f"Pictures and meshes are in {os.getcwd()}; look at {sheet} first.")
     if not arguments:
         gallery.draw()
+        gallery_surfaces.draw()
         deformation.draw()
         refinement.draw()
 

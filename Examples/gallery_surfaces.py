@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A cube and a tetrahedron by every scheme of Surface Subdivision: gallery_surfaces.png.
+
+`./dev demo` makes it after the features; `pvpython --force-offscreen-rendering gallery_surfaces.py`
+makes only this (see demo.py for the environment that it needs). The survey's figures 11 and 12.
+"""
+
+import os
+
+import demo_pictures as look
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+CUBE = ([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)],
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
+TETRAHEDRON = ([[1, 1, 1], [-1, -1, 1], [-1, 1, -1], [1, -1, -1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+SCHEMES = ["Loop", "ModifiedButterfly", "CatmullClark", "DooSabin", "Midedge", "FourEight", "SqrtThree"]
+LEVELS = {"FourEight": 8, "SqrtThree": 6, "Midedge": 8}
+
+
+def mesh(points, faces):
+    coordinates = vtkPoints()
+    coordinates.SetData(numpy_to_vtk(np.array(points, dtype=float), deep=True))
+    polygons = vtkCellArray()
+    for face in faces:
+        polygons.InsertNextCell(len(face), face)
+    made = vtkPolyData()
+    made.SetPoints(coordinates)
+    made.SetPolys(polygons)
+    return made
+
+
+def subdivide(control, scheme):
+    """What a scheme makes of it; None where the scheme is not available."""
+    from subdivisionobjects import vtkSurfaceSubdivision
+    subdivision = vtkSurfaceSubdivision()
+    subdivision.SetInputData(control)
+    getattr(subdivision, "SetSchemeTo" + scheme)()
+    subdivision.SetNumberOfLevels(LEVELS.get(scheme, 5))
+    subdivision.GlobalWarningDisplayOff()
+    subdivision.Update()
+    subdivision.GlobalWarningDisplayOn()
+    return subdivision.GetOutput() if subdivision.GetOutput().GetNumberOfPolys() else None
+
+
+def row(title, control):
+    points = vtk_to_numpy(control.GetPoints().GetData())
+
+    def picture(words, data, edges, heading=""):
+        labels = [look.text(words, 56, 36, 2 * look.SIZE[1] - 150), look.text(heading, 56, 36, 2 * look.SIZE[1] - 76)]
+        actor = look.polygons(data, None, edges, False)
+        actor.GetProperty().SetColor(0.62, 0.74, 0.86)
+        return look.render([actor], labels, points, (0.45, -1.0, 0.35))
+
+    images = [picture("control mesh", control, True, title)]
+    for scheme in SCHEMES:
+        data = subdivide(control, scheme)
+        if data:
+            images.append(picture(scheme, data, False))
+    return images
+
+
+def draw():
+    sheet = look.contact_sheet([row("Cube", mesh(*CUBE)), row("Tetrahedron", mesh(*TETRAHEDRON))])
+    look.write_png(sheet, "gallery_surfaces.png")
+    print(f"The schemes for surfaces are in gallery_surfaces.png in {os.getcwd()}.")
+
+
+if __name__ == "__main__":
+    import demo
+
+    demo.load_plugin()
+    draw()
