@@ -35,8 +35,8 @@
  * are no simplices are split first, see vtkSubdivisionAlgorithm. Point arrays are taken along like
  * the points (kinds as in vtkMultiDimensionalSubdivision), cell arrays (ghost types too) go to the
  * children, field arrays through. Written are the cell arrays
- *  - `RefinementLevel` (unsigned char): how often the edges of an input cell were halved here; that
- *    of a green cell is one more than that of the cell it is a part of,
+ *  - `RefinementLevel` (unsigned char): how often the edges of an input cell were halved; a green
+ *    cell has the level of the cell that it is a part of,
  *  - `RefinementKind` (unsigned char): 0 the cell as it was read, 1 red, 2 green by one edge, 3
  *    green by two opposite edges, 4 green by the three edges of a face,
  *  - `GreenParent` (vtkIdTypeArray): the tuple of `RedGreenLeaves` that a green cell is a part of,
@@ -50,19 +50,25 @@
  *
  * @par Filters in a row
  * A red-green filter that reads the output of another one undoes its green cells, and goes on from
- * the cells that they stood for. If cells were changed in between, it takes the mesh as it is.
+ * the cells that they stood for; MaximumLevel counts from there. It takes the mesh as it is where
+ * its cells were changed in between, where cell arrays have different values in green cells that
+ * were one (a warning says so), and where the limit is asked for, by Placement or a criterion: a
+ * cell with a point on its edge has none.
  *
  * @par Complexity
- * Time is linear in the size of the input and the output; a round costs in proportion to the cells
- * that it changes.
+ * Time and memory are linear in the size of the input and the output; a round costs in proportion
+ * to the cells that it changes, and where the limit is asked for, to the cells around these on all
+ * levels above.
  *
  * @par Threads and ghosts
  * Threaded by vtkSMPTools; the output is the same, bit for bit, for any number of threads. Ghost
  * types of cells go to the children; marks do not cross the borders of partitions.
  *
  * @par Errors
- * An array that is named but cannot be used is an error. What limits the refinement (MaximumLevel
- * is none of these), an empty selection, and values that are not finite are told in warnings.
+ * An array that is named but cannot be used is an error. At MaximumNumberOfCells (here 50 million
+ * by default), or where there is no more memory, refinement stops with a warning, the worst places
+ * last; so it does where no number lies between the ends of an edge. An empty selection and values
+ * that are not finite are told in warnings, too.
  *
  * @sa
  * vtkMultiDimensionalSubdivision
