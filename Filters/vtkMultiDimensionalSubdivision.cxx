@@ -45,6 +45,7 @@ int vtkMultiDimensionalSubdivision::RequestData(
 {
   subdivision::UniformOptions options;
   options.Levels = this->NumberOfLevels;
+  options.Scheme = static_cast<subdivision::StampScheme>(this->VolumeScheme);
   options.GenerateClassification = this->GenerateClassification;
   options.ProjectToLimit = this->ProjectToLimit;
   options.GenerateLimitNormals = this->GenerateLimitNormals;
@@ -62,6 +63,7 @@ void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
+  os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
   os << indent << "GenerateClassification: " << this->GenerateClassification << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";

@@ -4,9 +4,10 @@
 namespace subdivision
 {
 
-template <typename Id>
-SparseRows<int> Compose(const SparseRows<int>& rows, const Stencils<Id>& step)
+template <typename Operator>
+SparseRows<int> Compose(const SparseRows<int>& rows, const Operator& step)
 {
+  using Id = typename decltype(step.Explicit.Rows)::value_type;
   const vtkIdType size = step.GetNumberOfRows();
   constexpr vtkIdType byRule = -1;
   constexpr vtkIdType unused = -2;
@@ -54,5 +55,7 @@ SparseRows<int> Compose(const SparseRows<int>& rows, const Stencils<Id>& step)
 
 template SparseRows<int> Compose(const SparseRows<int>&, const Stencils<int>&);
 template SparseRows<int> Compose(const SparseRows<int>&, const Stencils<long long>&);
+template SparseRows<int> Compose(const SparseRows<int>&, const TetOctStencils<int>&);
+template SparseRows<int> Compose(const SparseRows<int>&, const TetOctStencils<long long>&);
 
 }

@@ -7,14 +7,15 @@
 #define SubdivisionObjects_ComposedRows_h
 
 #include "SparseRows.h"
-#include "Stencils.h"
+#include "TetOctStencils.h"
 
 namespace subdivision
 {
 
-/// rows * step. Of the step, only the rows that are named are ever written down.
-template <typename Id>
-SparseRows<int> Compose(const SparseRows<int>& rows, const Stencils<Id>& step);
+/// rows * step. Of the step, one of Stencils or TetOctStencils, only the rows that are named are ever
+/// written down.
+template <typename Operator>
+SparseRows<int> Compose(const SparseRows<int>& rows, const Operator& step);
 
 }
 

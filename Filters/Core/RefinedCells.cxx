@@ -137,7 +137,7 @@ void WriteCells(const SimplicialComplex<Id>& complex, const std::vector<CellRun>
 
 template <typename Id, typename Out>
 void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
-  const CellStorage<Out>& out)
+  const CellStorage<Out>& out, int highest)
 {
   const std::vector<CellRun> children = RefineRuns(runs, 1);
   const CellCounts counts = CountCells(children);
@@ -147,6 +147,10 @@ void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellR
   {
     const CellRun& run = runs[r];
     WriteLayout(children[r], out);
+    if (run.Dimension > highest)
+    {
+      continue;
+    }
     Out* connectivity = out.Connectivity + children[r].FirstEntry;
     switch (run.Dimension)
     {
@@ -255,7 +259,7 @@ void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<
   template void WriteCells(                                                                        \
     const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&);           \
   template void WriteChildren(                                                                     \
-    const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&);           \
+    const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&, int);      \
   template void WriteGrandchildren(                                                                \
     const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&)
 SUBDIVISION_WRITE(int, int);

@@ -37,10 +37,11 @@ template <typename Id, typename Out>
 void WriteCells(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const CellStorage<Out>& out);
 
-/// Writes the children of a level's cells; `runs` are those of the level itself.
+/// Writes the children of a level's cells; `runs` are those of the level itself. Of cells of a
+/// higher dimension than `highest` only types and offsets.
 template <typename Id, typename Out>
 void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
-  const CellStorage<Out>& out);
+  const CellStorage<Out>& out, int highest = 3);
 
 /// Writes the children of the children of a level's cells. The level has all that a further step
 /// needs, and no equal cells.

@@ -214,45 +214,10 @@ void Refiner<Id>::MakeTets()
     });
 }
 
-/// Equal cells follow their twins: own vertices by the tables, twins by their vertices.
 template <typename Id>
 void Refiner<Id>::MakeEqualCells()
 {
-  const auto& parent = this->Parent;
-  auto& child = this->Child.Complex;
-  const vtkIdType lines = parent.EqualLines.Twins.size();
-  child.EqualLines = { Buffer<Id>(4 * lines), Buffer<Id>(2 * lines) };
-  for (vtkIdType i = 0; i < lines; ++i)
-  {
-    const Id edge = parent.EqualLines.Twins[i];
-    const Id* ends = parent.EqualLines.Vertices.data() + 2 * i;
-    const Id out[4] = { ends[0], this->Ids.Midpoint(edge), this->Ids.Midpoint(edge), ends[1] };
-    std::copy(out, out + 4, child.EqualLines.Vertices.data() + 4 * i);
-    child.EqualLines.Twins[2 * i] = this->Ids.Half(edge, ends[0]);
-    child.EqualLines.Twins[2 * i + 1] = this->Ids.Half(edge, ends[1]);
-  }
-  const vtkIdType triangles = parent.EqualTriangles.Twins.size();
-  child.EqualTriangles = { Buffer<Id>(12 * triangles), Buffer<Id>(4 * triangles) };
-  for (vtkIdType i = 0; i < triangles; ++i)
-  {
-    const Id face = parent.EqualTriangles.Twins[i];
-    Id lattice[6];
-    GetEdgesOfEqualTriangle(parent, i, lattice + 3);
-    for (int k = 0; k < 3; ++k)
-    {
-      lattice[k] = parent.EqualTriangles.Vertices[3 * i + k];
-      lattice[3 + k] = this->Ids.Midpoint(lattice[3 + k]);
-    }
-    for (int c = 0; c < 4; ++c)
-    {
-      child.EqualTriangles.Twins[4 * i + c] =
-        this->Ids.Face(face, c == 3 ? 3 : parent.VertexInFace(face, lattice[c]));
-      for (int k = 0; k < 3; ++k)
-      {
-        child.EqualTriangles.Vertices[12 * i + 3 * c + k] = lattice[triangle::Children[c][k]];
-      }
-    }
-  }
+  RefineEqualLinesAndTriangles(this->Parent, this->Child.Complex);
   this->MakeEqualTets();
 }
 
@@ -299,6 +264,46 @@ template <typename Id>
 Level<Id> Refine(const Level<Id>& parent, Depth depth)
 {
   return Refiner<Id>(parent, depth).Run();
+}
+
+/// Equal cells follow their twins: own vertices by the tables, twins by their vertices.
+template <typename Id>
+void RefineEqualLinesAndTriangles(const SimplicialComplex<Id>& parent, SimplicialComplex<Id>& child)
+{
+  const ChildIds<Id> ids(parent);
+  const vtkIdType lines = parent.EqualLines.Twins.size();
+  child.EqualLines = { Buffer<Id>(4 * lines), Buffer<Id>(2 * lines) };
+  for (vtkIdType i = 0; i < lines; ++i)
+  {
+    const Id edge = parent.EqualLines.Twins[i];
+    const Id* ends = parent.EqualLines.Vertices.data() + 2 * i;
+    const Id out[4] = { ends[0], ids.Midpoint(edge), ids.Midpoint(edge), ends[1] };
+    std::copy(out, out + 4, child.EqualLines.Vertices.data() + 4 * i);
+    child.EqualLines.Twins[2 * i] = ids.Half(edge, ends[0]);
+    child.EqualLines.Twins[2 * i + 1] = ids.Half(edge, ends[1]);
+  }
+  const vtkIdType triangles = parent.EqualTriangles.Twins.size();
+  child.EqualTriangles = { Buffer<Id>(12 * triangles), Buffer<Id>(4 * triangles) };
+  for (vtkIdType i = 0; i < triangles; ++i)
+  {
+    const Id face = parent.EqualTriangles.Twins[i];
+    Id lattice[6];
+    GetEdgesOfEqualTriangle(parent, i, lattice + 3);
+    for (int k = 0; k < 3; ++k)
+    {
+      lattice[k] = parent.EqualTriangles.Vertices[3 * i + k];
+      lattice[3 + k] = ids.Midpoint(lattice[3 + k]);
+    }
+    for (int c = 0; c < 4; ++c)
+    {
+      child.EqualTriangles.Twins[4 * i + c] =
+        ids.Face(face, c == 3 ? 3 : parent.VertexInFace(face, lattice[c]));
+      for (int k = 0; k < 3; ++k)
+      {
+        child.EqualTriangles.Vertices[12 * i + 3 * c + k] = lattice[triangle::Children[c][k]];
+      }
+    }
+  }
 }
 
 template <typename Id>

@@ -44,6 +44,11 @@ void GetEdgesOfEqualTet(const SimplicialComplex<Id>& complex, vtkIdType index, I
 template <typename Id>
 void GetEdgesOfEqualTriangle(const SimplicialComplex<Id>& complex, vtkIdType index, Id edges[3]);
 
+/// Their children, and those children's twins: the same whatever solids are split into.
+template <typename Id>
+void RefineEqualLinesAndTriangles(
+  const SimplicialComplex<Id>& parent, SimplicialComplex<Id>& child);
+
 /// Numbers of simplices after a number of steps, to estimate sizes before any memory is taken.
 struct LevelCounts
 {
@@ -51,8 +56,17 @@ struct LevelCounts
   double Edges = 0;
   double Faces = 0;
   double Tets = 0;
+  double Octahedra = 0;
+  bool IsTetOct = false; ///< refined as in TetOctComplex.h
   LevelCounts Refine() const
   {
+    if (this->IsTetOct)
+    {
+      return { this->Vertices + this->Edges + this->Octahedra,
+        2 * this->Edges + 3 * this->Faces + 12 * this->Octahedra,
+        4 * this->Faces + 4 * this->Tets + 24 * this->Octahedra,
+        4 * this->Tets + 8 * this->Octahedra, this->Tets + 6 * this->Octahedra, true };
+    }
     return { this->Vertices + this->Edges, 2 * this->Edges + 3 * this->Faces + this->Tets,
       4 * this->Faces + 8 * this->Tets, 8 * this->Tets };
   }
@@ -68,6 +82,8 @@ LevelCounts CountSimplices(const SimplicialComplex<Id>& complex)
 
 #define SUBDIVISION_REFINEMENT_TEMPLATES(EXTERN, Id)                                               \
   EXTERN template Level<Id> Refine(const Level<Id>&, Depth);                                       \
+  EXTERN template void RefineEqualLinesAndTriangles(                                               \
+    const SimplicialComplex<Id>&, SimplicialComplex<Id>&);                                         \
   EXTERN template void GetEdgesOfEqualTet(const SimplicialComplex<Id>&, vtkIdType, Id[6]);         \
   EXTERN template void GetEdgesOfEqualTriangle(const SimplicialComplex<Id>&, vtkIdType, Id[3])
 SUBDIVISION_REFINEMENT_TEMPLATES(extern, int);

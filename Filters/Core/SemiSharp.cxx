@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SemiSharp.h"
 
+#include "TetOctStencils.h"
+
 #include <algorithm>
 
 namespace subdivision
@@ -14,9 +16,9 @@ struct WeightedRow
   double Sharpness;
 };
 
-template <typename Id>
-void AppendBlend(const Stencils<Id>& sharp, const Stencils<Id>& smooth, vtkIdType row,
-  double sharpness, ExplicitRows<Id>& rows)
+template <typename Operator, typename Id>
+void AppendBlend(const Operator& sharp, const Operator& smooth, vtkIdType row, double sharpness,
+  ExplicitRows<Id>& rows)
 {
   const double weight = std::min(1., sharpness);
   rows.Rows.push_back(static_cast<Id>(row));
@@ -35,11 +37,11 @@ bool IsSharpAfter(const EdgeSharpness& sharpness, int steps)
   return std::any_of(sharpness.begin(), sharpness.end(), [steps](double s) { return s > steps; });
 }
 
-template <typename Id>
-void BlendSemiSharp(const EdgeSharpness& sharpness, int steps, int depth, const Stencils<Id>& sharp,
-  Stencils<Id>& smooth)
+template <typename Operator>
+void BlendSemiSharp(
+  const EdgeSharpness& sharpness, int steps, int depth, const Operator& sharp, Operator& smooth)
 {
-  ExplicitRows<Id> rows;
+  decltype(smooth.Explicit) rows;
   std::vector<WeightedRow> edges;
   std::vector<WeightedRow> ends;
   for (std::size_t e = 0; e < sharpness.size(); ++e)
@@ -80,5 +82,9 @@ void BlendSemiSharp(const EdgeSharpness& sharpness, int steps, int depth, const 
 template void BlendSemiSharp(const EdgeSharpness&, int, int, const Stencils<int>&, Stencils<int>&);
 template void BlendSemiSharp(
   const EdgeSharpness&, int, int, const Stencils<long long>&, Stencils<long long>&);
+template void BlendSemiSharp(
+  const EdgeSharpness&, int, int, const TetOctStencils<int>&, TetOctStencils<int>&);
+template void BlendSemiSharp(
+  const EdgeSharpness&, int, int, const TetOctStencils<long long>&, TetOctStencils<long long>&);
 
 }

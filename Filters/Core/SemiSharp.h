@@ -26,11 +26,12 @@ bool IsSharpAfter(const EdgeSharpness& sharpness, int steps);
 /**
  * Replaces rows of `smooth`, the operator `steps` steps on from where `sharpness` holds, by blends
  * with those of `sharp`, the same operator with all edges singular that are then still sharp.
+ * The operator is one of Stencils or TetOctStencils.
  * `depth`: number of steps since the control mesh, to which the edges of `sharpness` belong.
  */
-template <typename Id>
-void BlendSemiSharp(const EdgeSharpness& sharpness, int steps, int depth, const Stencils<Id>& sharp,
-  Stencils<Id>& smooth);
+template <typename Operator>
+void BlendSemiSharp(
+  const EdgeSharpness& sharpness, int steps, int depth, const Operator& sharp, Operator& smooth);
 
 }
 

@@ -160,25 +160,6 @@ void SumRowsOf(const StencilRows<Id>& rows, const T* in, T* out, int components)
                : SumVertexRows<N>(rows, in, out, components);
 }
 
-template <typename Id, typename T>
-void ApplyExplicitRows(const ExplicitRows<Id>& rows, const T* in, T* out, int components)
-{
-  ForEach(static_cast<vtkIdType>(rows.Rows.size()),
-    [&](vtkIdType i)
-    {
-      for (int c = 0; c < components; ++c)
-      {
-        double sum = 0.;
-        for (Id k = rows.Offsets[i]; k < rows.Offsets[i + 1]; ++k)
-        {
-          sum += rows.Weights[k] *
-            static_cast<double>(in[static_cast<vtkIdType>(rows.Columns[k]) * components + c]);
-        }
-        out[static_cast<vtkIdType>(rows.Rows[i]) * components + c] = Store<T>(sum);
-      }
-    });
-}
-
 }
 
 template <typename Id>
@@ -247,7 +228,7 @@ void Stencils<Id>::Apply(const T* in, T* out, int components) const
                 this->EdgeRings.Members.data() },
         in, out, components);
     });
-  ApplyExplicitRows(this->Explicit, in, out, components);
+  this->Explicit.Apply(in, out, components);
 }
 
 template <typename Id>

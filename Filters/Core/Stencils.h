@@ -12,6 +12,7 @@
 #define SubdivisionObjects_Stencils_h
 
 #include "Refinement.h"
+#include "Store.h"
 
 #include <vector>
 
@@ -26,6 +27,10 @@ struct ExplicitRows
   std::vector<Id> Offsets{ 0 };
   std::vector<Id> Columns;
   std::vector<double> Weights;
+
+  /// Writes these rows of the result only.
+  template <typename T>
+  void Apply(const T* in, T* out, int components) const;
 };
 
 /// Consecutive rows, all of vertices or all of edges, as they are summed.
@@ -49,6 +54,26 @@ struct StencilRows
 /// out = rows times in, for `components` interleaved values per vertex. Integers are rounded.
 template <typename Id, typename T>
 void SumRows(const StencilRows<Id>& rows, const T* in, T* out, int components);
+
+template <typename Id>
+template <typename T>
+void ExplicitRows<Id>::Apply(const T* in, T* out, int components) const
+{
+  ForEach(static_cast<vtkIdType>(this->Rows.size()),
+    [&](vtkIdType i)
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        double sum = 0.;
+        for (Id k = this->Offsets[i]; k < this->Offsets[i + 1]; ++k)
+        {
+          sum += this->Weights[k] *
+            static_cast<double>(in[static_cast<vtkIdType>(this->Columns[k]) * components + c]);
+        }
+        out[static_cast<vtkIdType>(this->Rows[i]) * components + c] = Store<T>(sum);
+      }
+    });
+}
 
 template <typename Id>
 struct Stencils

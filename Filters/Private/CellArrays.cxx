@@ -130,6 +130,27 @@ void CopyCellArrays(vtkPointSet* input, const Buffer<vtkIdType>& sources,
     input, options, [&](vtkAbstractArray* array) { return Gather(array, sources); }, output);
 }
 
+void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
+  const std::vector<vtkIdType>& parents, const CellArrayOptions& options,
+  vtkUnstructuredGrid* output)
+{
+  if (parents.empty())
+  {
+    CopyCellArrays(input, cells, options, output);
+    return;
+  }
+  SimplicesOfCells children;
+  for (unsigned char dimension : cells.Simplices.Dimensions)
+  {
+    children.Simplices.Dimensions.insert(
+      children.Simplices.Dimensions.end(), std::size_t(1) << dimension, dimension);
+  }
+  children.ParentCells = parents;
+  CellArrayOptions further = options;
+  --further.Levels;
+  CopyCellArrays(input, children, further, output);
+}
+
 void AddValuesOfSimplices(const unsigned char* values, const SimplexList& simplices, int levels,
   const char* name, vtkPointSet* input, vtkUnstructuredGrid* output)
 {

@@ -40,6 +40,12 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
 void CopyCellArrays(vtkPointSet* input, const Buffer<vtkIdType>& sources,
   const CellArrayOptions& options, vtkUnstructuredGrid* output);
 
+/// The same where some children, `parents` one for each child of the first step, take the values of
+/// another simplex than their own parent; none: all take those of their parent.
+void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
+  const std::vector<vtkIdType>& parents, const CellArrayOptions& options,
+  vtkUnstructuredGrid* output);
+
 /// Adds a cell array that has one value for all children of each simplex.
 void AddValuesOfSimplices(const unsigned char* values, const SimplexList& simplices, int levels,
   const char* name, vtkPointSet* input, vtkUnstructuredGrid* output);

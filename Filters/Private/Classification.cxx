@@ -19,13 +19,16 @@ void AddRules(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges, vtk
   vtkNew<vtkUnsignedCharArray> types;
   rules->SetName(RuleName);
   types->SetName(TypeName);
-  const vtkIdType size = vertices.size() + edges.size();
+  const vtkIdType size = output->GetNumberOfPoints();
   rules->SetNumberOfTuples(size);
   types->SetNumberOfTuples(size);
   ForEach(size,
     [&](vtkIdType i)
     {
-      const Stratum stratum = i < vertices.size() ? vertices[i] : edges[i - vertices.size()];
+      const vtkIdType edge = i - vertices.size();
+      const Stratum stratum = edge < 0 ? vertices[i]
+        : edge < edges.size()          ? edges[edge]
+                                       : Stratum(Rule::Solid); // the centre of an octahedron
       const bool regular = stratum.GetRule() == Rule::RegularEdge;
       rules->SetValue(i, static_cast<unsigned char>(regular ? Rule::Solid : stratum.GetRule()));
       types->SetValue(i, static_cast<unsigned char>(stratum.GetType()));

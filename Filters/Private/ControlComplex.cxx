@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ControlComplex.h"
 
-#include "Core/RefinedCells.h"
+#include "Core/TetOctCells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,20 +96,27 @@ SimplexTuples Derive(const ControlMesh& mesh, const FeatureOptions& features, co
 }
 
 template <typename Id>
-bool IsWhatWasRead(const SimplexList& read, const ControlComplex<Id>& control)
+bool IsWhatWasRead(
+  const SimplexList& read, const std::vector<CellRun>& runs, const Level<Id>& level)
 {
-  const CellCounts counts = CountCells(control.Runs);
+  const CellCounts counts = CountCells(runs);
   if (counts.Cells != read.GetNumberOfSimplices() ||
-    control.Current.Complex.NumberOfVertices != read.NumberOfPoints)
+    level.Complex.NumberOfVertices != read.NumberOfPoints)
   {
     return false;
   }
   Buffer<long long> connectivity(counts.Entries);
   Buffer<long long> offsets(counts.Cells + 1);
   Buffer<unsigned char> types(counts.Cells);
-  WriteCells(control.Current.Complex, control.Runs,
+  WriteCells(level.Complex, runs,
     CellStorage<long long>{ connectivity.data(), offsets.data(), types.data() });
   return std::equal(connectivity.begin(), connectivity.end(), read.Connectivity.begin());
+}
+template <typename Id>
+bool IsWhatWasRead(
+  const SimplexList& read, const std::vector<CellRun>& runs, const TetOctLevel<Id>& level)
+{
+  return HasCells(level, runs, read);
 }
 
 }
@@ -139,9 +146,13 @@ std::vector<unsigned char> RefineFlags(
   return refined;
 }
 
+namespace
+{
+
+/// The control level itself.
 template <typename Id>
-bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
-  const double* points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control)
+bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
+  const double* points, const WarnFunction& warn, ControlComplex<Id>& control)
 {
   control = ControlComplex<Id>();
   SimplicialComplex<Id>& complex = control.Current.Complex;
@@ -166,24 +177,35 @@ bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features
   control.Current.Strata =
     BuildStrata(complex, CollectSingular(complex, control, mesh.Values.Singular),
       MakeStrataOptions(features, mesh.Values, complex, control.Runs));
-  const int made = mesh.MadeLevels;
-  for (int i = 0; i < made; ++i)
-  {
-    control.Current = Refine(control.Current, i + 1 == made ? depth : Depth::ForRefinement);
-  }
-  control.Runs = RefineRuns(control.Runs, made);
-  control.DerivedRuns = RefineRuns(control.DerivedRuns, made);
-  return made == 0 || IsWhatWasRead(mesh.Cells.Simplices, control);
+  return true;
 }
 
-namespace
+/// The steps that were made below the control level.
+template <typename AnyLevel>
+AnyLevel RefineTo(AnyLevel level, int steps, Depth depth)
 {
+  for (int i = 0; i < steps; ++i)
+  {
+    level = Refine(level, i + 1 == steps ? depth : Depth::ForRefinement);
+  }
+  return level;
+}
 
-/// The level `steps` below the current one as it is where all edges are singular that have more
-/// than some sharpness.
 template <typename Id>
-Level<Id> BuildSharpLevel(const ControlMesh& mesh, const FeatureOptions& features,
-  const ControlTraits& traits, int steps, double sharpness, Depth last)
+void Convert(Level<Id>&& control, Level<Id>& level)
+{
+  level = std::move(control);
+}
+template <typename Id>
+void Convert(Level<Id>&& control, TetOctLevel<Id>& level)
+{
+  level = MakeTetOctLevel(std::move(control));
+}
+
+/// The control level as it is where all edges are singular that have more than some sharpness.
+template <typename Id>
+Level<Id> BuildSharpControl(const ControlMesh& mesh, const FeatureOptions& features,
+  const ControlTraits& traits, double sharpness)
 {
   ControlTraits control;
   control.Derived = traits.Derived;
@@ -203,21 +225,45 @@ Level<Id> BuildSharpLevel(const ControlMesh& mesh, const FeatureOptions& feature
   }
   level.Strata = BuildStrata(
     level.Complex, singular, MakeStrataOptions(features, mesh.Values, level.Complex, control.Runs));
-  const int depth = mesh.MadeLevels + steps;
-  for (int i = 0; i < depth; ++i)
-  {
-    level = Refine(level, i + 1 == depth ? last : Depth::ForRefinement);
-  }
   return level;
 }
 
 }
 
+template <template <typename> class AnyLevel, typename Id>
+bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
+  const double* points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control,
+  AnyLevel<Id>& current)
+{
+  if (!BuildControlLevel(mesh, features, points, warn, control))
+  {
+    return false;
+  }
+  const int made = mesh.MadeLevels;
+  Convert(std::move(control.Current), current);
+  current = RefineTo(std::move(current), made, depth);
+  control.Runs = RefineRuns(control.Runs, made);
+  control.DerivedRuns = RefineRuns(control.DerivedRuns, made);
+  return made == 0 || IsWhatWasRead(mesh.Cells.Simplices, control.Runs, current);
+}
+
 template <typename Id>
-Level<Id> BuildSharpLevel(
+bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
+  const double* points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control)
+{
+  Level<Id> current;
+  const bool built = BuildControlComplex(mesh, features, points, warn, depth, control, current);
+  control.Current = std::move(current);
+  return built;
+}
+
+template <template <typename> class AnyLevel, typename Id>
+AnyLevel<Id> BuildSharpLevel(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps)
 {
-  return BuildSharpLevel<Id>(mesh, features, traits, steps, steps, Depth::ForOutput);
+  AnyLevel<Id> level;
+  Convert(BuildSharpControl<Id>(mesh, features, traits, steps), level);
+  return RefineTo(std::move(level), mesh.MadeLevels + steps, Depth::ForOutput);
 }
 
 template <typename Id>
@@ -235,8 +281,8 @@ SemiSharpStages<Id> BuildSharpStages(
   }
   for (int end : ends)
   {
-    Level<Id> level =
-      BuildSharpLevel<Id>(mesh, features, traits, steps, steps + end - 1, Depth::ForRefinement);
+    Level<Id> level = RefineTo(BuildSharpControl<Id>(mesh, features, traits, steps + end - 1),
+      mesh.MadeLevels + steps, Depth::ForRefinement);
     if (stages.Stages.empty())
     {
       // The pieces of control edge e are the edges e 2^depth and following.
@@ -256,7 +302,13 @@ SemiSharpStages<Id> BuildSharpStages(
 #define SUBDIVISION_CONTROL(Id)                                                                    \
   template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const double*,      \
     const WarnFunction&, Depth, ControlComplex<Id>&);                                              \
-  template Level<Id> BuildSharpLevel(                                                              \
+  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const double*,      \
+    const WarnFunction&, Depth, ControlComplex<Id>&, TetOctLevel<Id>&);                            \
+  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const double*,      \
+    const WarnFunction&, Depth, ControlComplex<Id>&, Level<Id>&);                                  \
+  template Level<Id> BuildSharpLevel<Level, Id>(                                                   \
+    const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
+  template TetOctLevel<Id> BuildSharpLevel<TetOctLevel, Id>(                                       \
     const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
   template SemiSharpStages<Id> BuildSharpStages(                                                   \
     const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \

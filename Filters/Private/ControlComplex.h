@@ -9,7 +9,7 @@
 
 #include "ControlMesh.h"
 #include "Core/LimitStencils.h"
-#include "Core/Refinement.h"
+#include "Core/TetOctComplex.h"
 
 #include <functional>
 #include <string>
@@ -46,10 +46,16 @@ template <typename Id>
 bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
   const double* points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control);
 
+/// The same for either kind of solids; control.Current is left empty.
+template <template <typename> class AnyLevel, typename Id>
+bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
+  const double* points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control,
+  AnyLevel<Id>& current);
+
 /// The level `steps` below the current one, for output, as it is where all edges are singular that
 /// are then still sharp.
-template <typename Id>
-Level<Id> BuildSharpLevel(
+template <template <typename> class AnyLevel, typename Id>
+AnyLevel<Id> BuildSharpLevel(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps);
 
 /// What semi-sharp creases do from the level `steps` below the current one on.

@@ -58,11 +58,15 @@ bool LiftTuples(const SimplexTuples& tuples, const Stamp& stamp, SimplexTuples& 
 }
 
 ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOptions& features,
-  const std::function<void(const std::string&)>& warn)
+  const std::function<void(const std::string&)>& warn, StampScheme scheme)
 {
   ControlMesh mesh;
   Stamp stamp;
-  mesh.IsStamped = trustStamp && ReadStamp(input, StampScheme::BoxSpline, stamp);
+  mesh.IsStamped = trustStamp && ReadStamp(input, scheme, stamp);
+  Stamp ignored;
+  mesh.IsOfOtherScheme = trustStamp && !mesh.IsStamped &&
+    ReadStamp(input,
+      scheme == StampScheme::BoxSpline ? StampScheme::TetOct : StampScheme::BoxSpline, ignored);
   vtkDataArray* carried = input->GetFieldData()->GetArray(GlobalIdsName);
   vtkDataArray* own = input->GetPointData()->GetGlobalIds();
   if (own && own->GetNumberOfTuples() < input->GetNumberOfPoints())
@@ -80,7 +84,7 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
     mesh.Cells.Simplices.GetNumberOfSimplices() == input->GetNumberOfCells();
   if (mesh.IsStamped && !whole)
   {
-    return ReadControlMesh(input, false, features, warn);
+    return ReadControlMesh(input, false, features, warn, scheme);
   }
   for (const std::string& warning : mesh.Cells.Warnings)
   {
@@ -96,7 +100,7 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
   {
     if (!FindControlMesh(mesh.Cells.Simplices, stamp, mesh.Above))
     {
-      return ReadControlMesh(input, false, features, warn);
+      return ReadControlMesh(input, false, features, warn, scheme);
     }
     // Where children were given different values since, this level itself is the control mesh.
     FeatureValues values;

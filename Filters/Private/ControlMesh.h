@@ -18,7 +18,8 @@ namespace subdivision
 
 struct ControlMesh
 {
-  SimplicesOfCells Cells; ///< the input's simplices
+  SimplicesOfCells Cells;       ///< the input's simplices
+  bool IsOfOtherScheme = false; ///< made by an earlier filter, but not by this scheme
   bool IsStamped =
     false; ///< made by an earlier filter: tetrahedra keep their order, nothing is derived
   int MadeLevels = 0;    ///< steps that earlier filters made, and that are made again by arithmetic
@@ -39,9 +40,10 @@ struct ControlMesh
   SimplexList Above; ///< the control simplices where MadeLevels > 0
 };
 
-/// Reads an input. `trustStamp`: false where its stamp has turned out to be wrong.
+/// Reads an input. `trustStamp`: false where its stamp has turned out to be wrong; that of another
+/// scheme than `scheme` is not trusted anyway.
 ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOptions& features,
-  const std::function<void(const std::string&)>& warn);
+  const std::function<void(const std::string&)>& warn, StampScheme scheme = StampScheme::BoxSpline);
 
 }
 

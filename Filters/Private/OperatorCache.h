@@ -8,14 +8,15 @@
 #define SubdivisionObjects_OperatorCache_h
 
 #include "Core/ComposedRows.h"
-#include "Core/RefinedCells.h"
 #include "Core/Singularities.h"
 #include "Core/Stencils.h"
+#include "Core/TetOctStencils.h"
 #include "LimitOperators.h"
+#include "PointArrays.h"
+#include "Stamp.h"
+#include "UniformCells.h"
 
-#include "vtkCellArray.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <functional>
 #include <memory>
@@ -39,16 +40,16 @@ public:
   virtual const Buffer<Stratum>& GetLastEdges() const = 0;
 };
 
-template <typename Id>
+template <typename Operator, typename Id>
 class KeptStepsOf : public KeptSteps
 {
 public:
-  void Add(Stencils<Id>&& stencils) { this->Steps.push_back(std::move(stencils)); }
+  void Add(Operator&& stencils) { this->Steps.push_back(std::move(stencils)); }
   /// What comes after the last step.
   void SetLimit(LimitOperators<Id>&& limit) { this->Limit = std::move(limit); }
   void Apply(PointArrays& arrays) const override
   {
-    for (const Stencils<Id>& step : this->Steps)
+    for (const Operator& step : this->Steps)
     {
       arrays.Advance(step);
     }
@@ -68,7 +69,7 @@ public:
   std::size_t GetMemorySize() const override
   {
     std::size_t bytes = this->Limit.GetMemorySize();
-    for (const Stencils<Id>& step : this->Steps)
+    for (const Operator& step : this->Steps)
     {
       bytes += step.GetMemorySize();
     }
@@ -76,7 +77,7 @@ public:
   }
 
 private:
-  std::vector<Stencils<Id>> Steps;
+  std::vector<Operator> Steps;
   LimitOperators<Id> Limit;
 };
 
@@ -84,6 +85,7 @@ private:
 struct TopologyKey
 {
   SimplexList Simplices;
+  StampScheme Scheme = StampScheme::BoxSpline;
   int MadeLevels = 0;
   vtkIdType NumberOfControlPoints = 0;
   int Levels = 0;
@@ -94,8 +96,8 @@ struct TopologyKey
   /// The same cells and steps, whatever the choices are.
   bool HasSameCells(const TopologyKey& other) const
   {
-    return this->MadeLevels == other.MadeLevels && this->Levels == other.Levels &&
-      this->NumberOfControlPoints == other.NumberOfControlPoints &&
+    return this->Scheme == other.Scheme && this->MadeLevels == other.MadeLevels &&
+      this->Levels == other.Levels && this->NumberOfControlPoints == other.NumberOfControlPoints &&
       this->Use32BitIds == other.Use32BitIds &&
       this->Simplices.NumberOfPoints == other.Simplices.NumberOfPoints &&
       this->Simplices.Dimensions == other.Simplices.Dimensions &&
@@ -112,8 +114,8 @@ struct KeptOperator
 {
   TopologyKey Key;
   std::unique_ptr<KeptSteps> Steps; ///< null for no step and no limit
-  vtkSmartPointer<vtkCellArray> Cells;
-  vtkSmartPointer<vtkUnsignedCharArray> Types;
+  UniformCells Cells;
+  std::vector<vtkIdType> Parents;           ///< whose values children take, as in UniformRun
   Buffer<Stratum> ControlStrata;            ///< of the vertices, for no step
   Buffer<unsigned char> ManifoldDimensions; ///< of each control simplex
   SimplexTuples Derived;                    ///< singular simplices, as the output names them

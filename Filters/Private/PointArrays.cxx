@@ -239,6 +239,20 @@ template void PointArrays::AdvanceSmoothed(const LocalLimit<long long>&);
 template void PointArrays::AdvanceSmoothed(const BlockOperator<int>&);
 template void PointArrays::AdvanceSmoothed(const BlockOperator<long long>&);
 
+/// Old points keep theirs; a new point takes that of an end of its edge.
+template <typename Id>
+void PointArrays::TakeOriginsOfEdges(const Buffer<Id>& edgeVertices, Buffer<vtkIdType>& next) const
+{
+  std::copy(this->Origins.begin(), this->Origins.end(), next.begin());
+  ForEach(edgeVertices.size() / 2,
+    [&](vtkIdType e)
+    {
+      const vtkIdType a = edgeVertices[2 * e];
+      const vtkIdType b = edgeVertices[2 * e + 1];
+      next[this->NumberOfPoints + e] = this->Origins[this->IsEarlier(a, b) ? a : b];
+    });
+}
+
 template <typename Id>
 void PointArrays::Advance(const Stencils<Id>& stencils)
 {
@@ -246,14 +260,7 @@ void PointArrays::Advance(const Stencils<Id>& stencils)
   if (this->HasGathered)
   {
     Buffer<vtkIdType> next(stencils.GetNumberOfRows());
-    std::copy(this->Origins.begin(), this->Origins.end(), next.begin());
-    ForEach(stencils.Edges.size(),
-      [&](vtkIdType e)
-      {
-        const vtkIdType a = stencils.EdgeVertices[2 * e];
-        const vtkIdType b = stencils.EdgeVertices[2 * e + 1];
-        next[this->NumberOfPoints + e] = this->Origins[this->IsEarlier(a, b) ? a : b];
-      });
+    this->TakeOriginsOfEdges(stencils.EdgeVertices, next);
     this->Origins = std::move(next);
   }
   this->NumberOfPoints = stencils.GetNumberOfRows();
@@ -330,6 +337,31 @@ void PointArrays::Advance(const RowsOnTheFly<Id>& operation)
 
 template void PointArrays::Advance(const RowsOnTheFly<int>&);
 template void PointArrays::Advance(const RowsOnTheFly<long long>&);
+
+template <typename Id>
+void PointArrays::Advance(const TetOctStencils<Id>& stencils)
+{
+  this->AdvanceSmoothed(stencils);
+  if (this->HasGathered)
+  {
+    Buffer<vtkIdType> next(stencils.GetNumberOfRows());
+    this->TakeOriginsOfEdges(stencils.EdgeVertices, next);
+    const vtkIdType octs = stencils.OctVertices.size() / 6;
+    ForEach(octs,
+      [&](vtkIdType o)
+      {
+        const Id* vertices = stencils.OctVertices.data() + 6 * o;
+        const Id first = *std::min_element(
+          vertices, vertices + 6, [this](Id a, Id b) { return this->IsEarlier(a, b); });
+        next[next.size() - octs + o] = this->Origins[first];
+      });
+    this->Origins = std::move(next);
+  }
+  this->NumberOfPoints = stencils.GetNumberOfRows();
+}
+
+template void PointArrays::Advance(const TetOctStencils<int>&);
+template void PointArrays::Advance(const TetOctStencils<long long>&);
 
 void PointArrays::Finish(vtkPointSet* output)
 {

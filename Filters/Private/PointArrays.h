@@ -13,6 +13,7 @@
 #include "Core/LocalLimit.h"
 #include "Core/SparseRows.h"
 #include "Core/Stencils.h"
+#include "Core/TetOctStencils.h"
 
 #include <string>
 #include <vector>
@@ -39,7 +40,8 @@ struct PointArrayOptions
 /**
  * Floating arrays, and colours (unsigned char with 3 or 4 components), are smoothed; colours are
  * rounded after each level. Other integers, strings, bits keep their values at old points; a new
- * point takes that of the end with the smaller global id. Global and pedigree ids are dropped.
+ * point takes that of the end with the smaller global id, the centre of an octahedron that of its
+ * six vertices with the smallest. Global and pedigree ids are dropped.
  */
 class PointArrays
 {
@@ -60,6 +62,8 @@ public:
   /// All arrays in one pass over the rows.
   template <typename Id>
   void Advance(const RowsOnTheFly<Id>& rows);
+  template <typename Id>
+  void Advance(const TetOctStencils<Id>& stencils);
   /// `origin(row)`: the current point whose values a row takes in arrays that are not smoothed.
   /// The operator is SparseRows, LocalLimit or BlockOperator.
   template <typename Operator, typename Origin>
@@ -90,6 +94,8 @@ private:
   bool IsSmoothed(vtkAbstractArray* array) const;
   template <typename Operator>
   void AdvanceSmoothed(const Operator& rows);
+  template <typename Id>
+  void TakeOriginsOfEdges(const Buffer<Id>& edgeVertices, Buffer<vtkIdType>& next) const;
   void StartOrigins();
   void AddOriginalIds(vtkPointSet* output) const;
 

@@ -58,7 +58,7 @@ std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType
   return message.str();
 }
 
-bool NeedsLargeIds(const SimplexList& control, int levels)
+bool NeedsLargeIds(const SimplexList& control, int levels, bool isTetOct)
 {
   double perDimension[4] = { 0., 0., 0., 0. };
   for (unsigned char dimension : control.Dimensions)
@@ -66,6 +66,7 @@ bool NeedsLargeIds(const SimplexList& control, int levels)
     ++perDimension[dimension];
   }
   LevelCounts counts;
+  counts.IsTetOct = isTetOct;
   counts.Vertices = static_cast<double>(control.NumberOfPoints);
   counts.Tets = perDimension[3];
   counts.Faces = perDimension[2] + 4. * counts.Tets;
@@ -74,6 +75,10 @@ bool NeedsLargeIds(const SimplexList& control, int levels)
   for (int i = 0; i < levels; ++i)
   {
     largest = std::max({ largest, 4. * counts.Faces, 4. * counts.Edges, 8. * counts.Tets });
+    if (isTetOct) // rings of 8 at edges, of 18 at vertices
+    {
+      largest = std::max({ largest, 8. * counts.Edges, 18. * counts.Vertices });
+    }
     counts = counts.Refine();
     largest = std::max(largest, counts.Vertices);
   }
@@ -87,7 +92,7 @@ std::string CheckMemory(const SizeEstimate& estimate)
   {
     last = last.Refine();
   }
-  const double points = last.Vertices + (estimate.Levels > 0 ? last.Edges : 0.);
+  const double points = last.Vertices + (estimate.Levels > 0 ? last.Edges + last.Octahedra : 0.);
   double cells = 0.;
   double entries = 0.;
   for (const CellRun& run : estimate.Runs)
@@ -99,7 +104,8 @@ std::string CheckMemory(const SizeEstimate& estimate)
   }
   double bytes = 8. * (entries + cells) + cells +
     estimate.BytesPerPoint * (points + last.Vertices) + estimate.BytesPerCell * cells +
-    estimate.BytesPerId * (10. * last.Tets + 13. * last.Edges);
+    estimate.BytesPerId * (10. * last.Tets + 18. * last.Octahedra + 13. * last.Edges) +
+    (last.IsTetOct ? 8. * cells : 0.); // OctahedronId
   if (estimate.Projects)
   {
     // The last level as if there were one more, and a row of all neighbours for each point.

@@ -23,7 +23,7 @@ std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdTy
 std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType maximum);
 
 /// Whether 32-bit numbers may not suffice, inside, for that many steps.
-bool NeedsLargeIds(const SimplexList& control, int levels);
+bool NeedsLargeIds(const SimplexList& control, int levels, bool isTetOct = false);
 
 struct SizeEstimate
 {

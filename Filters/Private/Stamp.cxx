@@ -73,7 +73,7 @@ bool ReadStamp(vtkPointSet* input, StampScheme scheme, Stamp& stamp)
     return false;
   }
   auto get = [array](Field field) { return ToId(array->GetComponent(field, 0)); };
-  const bool isUniform = scheme == StampScheme::BoxSpline;
+  const bool isUniform = scheme != StampScheme::RedGreen;
   if (get(Version) != FormatVersion || get(Scheme) != static_cast<int>(scheme) ||
     (isUniform && (get(TetOrderIsFinal) != 1 || get(Projected) != 0)) ||
     get(Points) != input->GetNumberOfPoints() || get(Cells) != input->GetNumberOfCells() ||

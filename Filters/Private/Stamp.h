@@ -28,7 +28,8 @@ namespace subdivision
 enum class StampScheme
 {
   BoxSpline = 0,
-  RedGreen = 1
+  RedGreen = 1,
+  TetOct = 2
 };
 
 /// Field array of global ids that travel with a stamped mesh.

@@ -5,8 +5,10 @@
 #include "CellArrays.h"
 #include "Classification.h"
 #include "ControlComplex.h"
+#include "Core/TetOctCells.h"
 #include "Core/TetOrder.h"
 #include "SizeChecks.h"
+#include "UniformCells.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -15,11 +17,9 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkTypeInt32Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <limits>
 
 namespace subdivision
 {
@@ -27,6 +27,12 @@ namespace
 {
 
 constexpr const char* DimensionName = "ManifoldDimension";
+
+template <typename Id>
+LevelCounts CountSimplices(const Level<Id>& level)
+{
+  return subdivision::CountSimplices(level.Complex);
+}
 
 class UniformRun
 {
@@ -52,20 +58,29 @@ private:
   KeptOperator* FindKept(const TopologyKey& key);
   void UseKept(KeptOperator& kept);
 
-  template <typename Id>
+  template <template <typename> class AnyLevel, typename Id>
   Outcome BuildAndStep(KeptOperator* keep);
-  template <typename Id>
-  bool HasMemoryFor(const SimplicialComplex<Id>& complex) const;
-  template <typename Id>
-  Outcome Step(Level<Id>& level, KeptOperator* keep);
+  bool HasMemoryFor(const LevelCounts& counts, double bytesPerId) const;
+  template <template <typename> class AnyLevel, typename Id>
+  Outcome Step(AnyLevel<Id>& level, KeptOperator* keep);
   template <typename Id>
   void StepTwice(const Level<Id>& level);
+  template <typename Id, typename Kept>
+  void GoToLimit(const Level<Id>& level, Kept& kept);
+  template <typename Id, typename Kept>
+  void GoToLimit(const TetOctLevel<Id>&, Kept&)
+  {
+  }
+  template <typename AnyLevel>
+  void MakeCells(const AnyLevel& level, int steps);
   template <typename Id>
-  void GoToLimit(const Level<Id>& level, KeptStepsOf<Id>& kept);
+  void PartOctahedra(const Level<Id>&)
+  {
+  }
   template <typename Id>
-  void MakeCells(const SimplicialComplex<Id>& complex, int steps);
-  template <typename Id>
-  void MakeDerived(const SimplicialComplex<Id>& complex, int steps);
+  void PartOctahedra(const TetOctLevel<Id>& level);
+  void FinishPoints(bool ownsCells);
+  bool IsTetOct() const { return this->Options.Scheme == StampScheme::TetOct; }
 
   void Finish();
   void AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges);
@@ -82,8 +97,10 @@ private:
   ControlTraits Control; ///< its runs are those of the current level
   SimplexTuples Derived; ///< singular simplices as the output names them
   std::vector<std::string> BuildWarnings;
-  const KeptOperator* SameCells = nullptr;     ///< has the output's cells, where only rules changed
-  vtkSmartPointer<vtkUnsignedCharArray> Types; ///< of the output's cells
+  const KeptOperator* SameCells = nullptr; ///< has the output's cells, where only rules changed
+  UniformCells Cells;                      ///< of the output
+  /// Where the input has octahedra: whose values the children of its cells take (FindParents).
+  std::vector<vtkIdType> Parents;
 };
 
 bool UniformRun::Run()
@@ -98,7 +115,14 @@ bool UniformRun::Run()
 
 UniformRun::Outcome UniformRun::Execute(bool trustStamp)
 {
-  this->Mesh = ReadControlMesh(this->Input, trustStamp, this->Options.Features, this->Options.Warn);
+  this->Mesh = ReadControlMesh(
+    this->Input, trustStamp, this->Options.Features, this->Options.Warn, this->Options.Scheme);
+  if (this->Mesh.IsOfOtherScheme)
+  {
+    this->Options.Warn(
+      "The input was made with another VolumeScheme. It is taken as any other mesh: "
+      "features are looked for anew, and octahedra are tetrahedra.");
+  }
   const std::string tooMany = CheckNumberOfCells(
     this->Mesh.Cells.Simplices, this->Options.Levels, this->Options.MaximumNumberOfCells);
   if (!tooMany.empty())
@@ -107,7 +131,7 @@ UniformRun::Outcome UniformRun::Execute(bool trustStamp)
     return Outcome::Stopped;
   }
   this->StartPoints();
-  if (!this->Mesh.IsStamped)
+  if (!this->Mesh.IsStamped && !this->IsTetOct()) // which has no use for an order
   {
     OrderTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates(), this->Mesh.GetGlobalIds(),
       static_cast<vtkIdType>(this->Mesh.GlobalIds.size()));
@@ -127,13 +151,23 @@ UniformRun::Outcome UniformRun::Execute(bool trustStamp)
     keep->PointsIn->DeepCopy(this->Points->GetPoints());
   }
   const int levels = this->Options.Levels + (this->Options.ReadsLimit() ? 1 : 0);
-  const bool large = NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + levels);
-  const Outcome outcome =
-    large ? this->BuildAndStep<long long>(keep.get()) : this->BuildAndStep<int>(keep.get());
+  const bool large =
+    NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + levels, this->IsTetOct());
+  Outcome outcome = Outcome::Done;
+  if (this->IsTetOct())
+  {
+    outcome = large ? this->BuildAndStep<TetOctLevel, long long>(keep.get())
+                    : this->BuildAndStep<TetOctLevel, int>(keep.get());
+  }
+  else
+  {
+    outcome = large ? this->BuildAndStep<Level, long long>(keep.get())
+                    : this->BuildAndStep<Level, int>(keep.get());
+  }
   if (outcome == Outcome::Done && keep)
   {
-    keep->Cells = this->Output->GetCells();
-    keep->Types = this->Types;
+    keep->Cells = this->Cells;
+    keep->Parents = std::move(this->Parents);
     keep->PointsOut = this->Output->GetPoints()->GetData();
     keep->Derived = std::move(this->Derived);
     keep->ControlDerived = std::move(this->Control.Derived);
@@ -179,6 +213,7 @@ TopologyKey UniformRun::MakeKey() const
 {
   TopologyKey key;
   key.Simplices = this->Mesh.Cells.Simplices;
+  key.Scheme = this->Options.Scheme;
   key.MadeLevels = this->Mesh.MadeLevels;
   key.NumberOfControlPoints = this->Mesh.GetControl().NumberOfPoints;
   key.Levels = this->Options.Levels;
@@ -220,7 +255,8 @@ void UniformRun::UseKept(KeptOperator& kept)
   {
     this->Options.Warn(warning);
   }
-  this->Output->SetCells(kept.Types, kept.Cells);
+  this->Cells = kept.Cells;
+  this->Parents = kept.Parents;
   // Normals need the points before they are projected.
   if (kept.Steps && !this->Options.GenerateLimitNormals &&
     HoldsSameValues(this->Points->GetPoints(), kept.PointsIn))
@@ -235,7 +271,8 @@ void UniformRun::UseKept(KeptOperator& kept)
   {
     kept.Steps->Apply(*this->Points);
   }
-  this->Points->Finish(this->Output);
+  this->FinishPoints(false);
+  kept.Cells = this->Cells;
   kept.PointsOut = this->Output->GetPoints()->GetData();
   if (this->Options.Levels > 0)
   {
@@ -255,10 +292,11 @@ void UniformRun::UseKept(KeptOperator& kept)
 // ------------------------------------------------------------------------------------------------
 // Building
 
-template <typename Id>
+template <template <typename> class AnyLevel, typename Id>
 UniformRun::Outcome UniformRun::BuildAndStep(KeptOperator* keep)
 {
   ControlComplex<Id> control;
+  AnyLevel<Id> level;
   const bool further = this->Options.Levels > 1 || this->Options.ReadsLimit();
   const Depth depth = further ? Depth::ForRefinement : Depth::ForOutput;
   auto warn = [this](const std::string& warning)
@@ -266,16 +304,15 @@ UniformRun::Outcome UniformRun::BuildAndStep(KeptOperator* keep)
     this->BuildWarnings.push_back(warning);
     this->Options.Warn(warning);
   };
-  if (!BuildControlComplex(
-        this->Mesh, this->Options.Features, this->Points->GetCoordinates(), warn, depth, control))
+  if (!BuildControlComplex(this->Mesh, this->Options.Features, this->Points->GetCoordinates(), warn,
+        depth, control, level))
   {
     return Outcome::NotOurs;
   }
-  Level<Id> level = std::move(control.Current);
   this->Control = std::move(static_cast<ControlTraits&>(control));
   this->SameCells =
     keep ? this->Options.Cache->FindCells(keep->Key, this->Control.Derived) : nullptr;
-  if (!this->HasMemoryFor(level.Complex))
+  if (!this->HasMemoryFor(CountSimplices(level), sizeof(Id)))
   {
     return Outcome::Stopped;
   }
@@ -287,16 +324,15 @@ UniformRun::Outcome UniformRun::BuildAndStep(KeptOperator* keep)
   return outcome;
 }
 
-template <typename Id>
-bool UniformRun::HasMemoryFor(const SimplicialComplex<Id>& complex) const
+bool UniformRun::HasMemoryFor(const LevelCounts& counts, double bytesPerId) const
 {
   SizeEstimate estimate;
-  estimate.Control = CountSimplices(complex);
+  estimate.Control = counts;
   estimate.Levels = this->Options.Levels;
   estimate.Runs = this->Control.Runs;
   estimate.BytesPerPoint = this->Points->GetBytesPerPoint();
   estimate.BytesPerCell = GetBytesPerTuple(this->Input->GetCellData());
-  estimate.BytesPerId = sizeof(Id);
+  estimate.BytesPerId = bytesPerId;
   estimate.Projects = this->Options.ReadsLimit();
   const std::string tooLarge = CheckMemory(estimate);
   if (!tooLarge.empty())
@@ -308,17 +344,19 @@ bool UniformRun::HasMemoryFor(const SimplicialComplex<Id>& complex) const
 
 /// The steps themselves. At most two levels are alive at a time, and of the last one only its cells
 /// are ever made.
-template <typename Id>
-UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
+template <template <typename> class AnyLevel, typename Id>
+UniformRun::Outcome UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
 {
+  using Operator = decltype(TakeStencils(level));
   const int steps = this->Options.Levels;
-  auto kept = std::make_unique<KeptStepsOf<Id>>();
+  auto kept = std::make_unique<KeptStepsOf<Operator, Id>>();
   if (steps == 0)
   {
-    this->MakeCells(level.Complex, 0);
-    this->MakeDerived(level.Complex, 0);
+    this->Cells = CopyCells(this->Mesh.Cells.Simplices, this->Control.Runs,
+      this->IsTetOct() ? this->Mesh.MadeLevels : -1, this->Options.Use32BitIds);
+    this->Derived = GatherTuples(level.Complex, this->Control.DerivedRuns, 0);
     this->GoToLimit(level, *kept);
-    this->Points->Finish(this->Output);
+    this->FinishPoints(true);
     this->AddClassification(level.Strata.Vertices, Buffer<Stratum>());
     if (keep)
     {
@@ -330,6 +368,7 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
     }
     return Outcome::Done;
   }
+  this->PartOctahedra(level);
   // Only what is kept, or blended, needs the last two operators as tables.
   const bool stored = keep || this->Options.ReadsLimit() || steps < 2 ||
     HasEqualCells(level.Complex) || IsSharpAfter(this->Control.Sharpness, steps - 2);
@@ -339,17 +378,20 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
     {
       return Outcome::Stopped;
     }
-    if (step + 2 == steps && !stored)
+    if constexpr (std::is_same<AnyLevel<Id>, Level<Id>>::value)
     {
-      this->StepTwice(level);
-      return Outcome::Done;
+      if (step + 2 == steps && !stored)
+      {
+        this->StepTwice(level);
+        return Outcome::Done;
+      }
     }
     const bool last = step + 1 == steps;
-    Level<Id> next;
+    AnyLevel<Id> next;
     if (last)
     {
-      this->MakeCells(level.Complex, 1);
-      this->MakeDerived(level.Complex, 1);
+      this->MakeCells(level, 1);
+      this->Derived = GatherTuples(level.Complex, this->Control.DerivedRuns, 1);
     }
     if (this->Options.ReadsLimit())
     {
@@ -364,12 +406,12 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
       this->Control.Runs = RefineRuns(this->Control.Runs, 1);
       this->Control.DerivedRuns = RefineRuns(this->Control.DerivedRuns, 1);
     }
-    Stencils<Id> stencils = TakeStencils(level);
+    Operator stencils = TakeStencils(level);
     level = std::move(next);
     if (IsSharpAfter(this->Control.Sharpness, step))
     {
-      Level<Id> sharp =
-        BuildSharpLevel<Id>(this->Mesh, this->Options.Features, this->Control, step);
+      auto sharp =
+        BuildSharpLevel<AnyLevel, Id>(this->Mesh, this->Options.Features, this->Control, step);
       BlendSemiSharp(
         this->Control.Sharpness, step, this->Mesh.MadeLevels + step, TakeStencils(sharp), stencils);
     }
@@ -377,7 +419,7 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
     if (last)
     {
       this->GoToLimit(level, *kept);
-      this->Points->Finish(this->Output);
+      this->FinishPoints(!this->SameCells);
       this->AddClassification(stencils.Vertices, stencils.Edges);
     }
     if (keep)
@@ -396,12 +438,12 @@ UniformRun::Outcome UniformRun::Step(Level<Id>& level, KeptOperator* keep)
 template <typename Id>
 void UniformRun::StepTwice(const Level<Id>& level)
 {
-  this->MakeCells(level.Complex, 2);
-  this->MakeDerived(level.Complex, 2);
+  this->MakeCells(level, 2);
+  this->Derived = GatherTuples(level.Complex, this->Control.DerivedRuns, 2);
   this->Points->Advance(LevelRows<Id>(level));
   const ChildRows<Id> last(level);
   this->Points->Advance(last);
-  this->Points->Finish(this->Output);
+  this->FinishPoints(true);
   if (!this->Options.GenerateClassification)
   {
     return;
@@ -420,8 +462,8 @@ void UniformRun::StepTwice(const Level<Id>& level)
 }
 
 /// From the vertices of the last level to their limits.
-template <typename Id>
-void UniformRun::GoToLimit(const Level<Id>& level, KeptStepsOf<Id>& kept)
+template <typename Id, typename Kept>
+void UniformRun::GoToLimit(const Level<Id>& level, Kept& kept)
 {
   if (this->Options.ReadsLimit())
   {
@@ -436,94 +478,33 @@ void UniformRun::GoToLimit(const Level<Id>& level, KeptStepsOf<Id>& kept)
 // ------------------------------------------------------------------------------------------------
 // Output
 
-/// The cells of a level after 0, 1 or 2 steps, at a place that has room for them.
-template <typename Id, typename Out>
-void WriteRefined(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps,
-  const CellStorage<Out>& storage)
+/// The cells of the last steps. Octahedra are turned when the points are known.
+template <typename AnyLevel>
+void UniformRun::MakeCells(const AnyLevel& level, int steps)
 {
-  switch (steps)
+  this->Cells = this->SameCells
+    ? this->SameCells->Cells
+    : MakeChildren(level, this->Control.Runs, steps, this->Options.Use32BitIds);
+}
+
+template <typename Id>
+void UniformRun::PartOctahedra(const TetOctLevel<Id>& level)
+{
+  if (level.Steps > 0)
   {
-    case 0:
-      WriteCells(complex, runs, storage);
-      break;
-    case 1:
-      WriteChildren(complex, runs, storage);
-      break;
-    default:
-      WriteGrandchildren(complex, runs, storage);
-      break;
+    this->Parents = FindParents(level, this->Control.Runs, this->Mesh.Cells.Simplices);
   }
 }
 
-/// The cells of a level after some steps, as the output's.
-template <typename Id>
-void UniformRun::MakeCells(const SimplicialComplex<Id>& complex, int steps)
+/// Points, point data and cells. `ownsCells`: no other output has them.
+void UniformRun::FinishPoints(bool ownsCells)
 {
-  if (this->SameCells)
+  this->Points->Finish(this->Output);
+  if (this->Cells.Octahedra && this->Options.Levels > 0)
   {
-    this->Types = this->SameCells->Types;
-    this->Output->SetCells(this->Types, this->SameCells->Cells);
-    return;
+    TurnOctahedra(this->Cells, !ownsCells, this->Output->GetPoints()->GetData());
   }
-  const CellCounts counts = CountCells(RefineRuns(this->Control.Runs, steps));
-  LevelCounts refined = CountSimplices(complex);
-  for (int step = 0; step < steps; ++step)
-  {
-    refined = refined.Refine();
-  }
-  const bool small = this->Options.Use32BitIds &&
-    std::max(static_cast<double>(counts.Entries), refined.Vertices) <
-      std::numeric_limits<int>::max();
-  const auto types = MakeArray(VTK_UNSIGNED_CHAR, 1, counts.Cells);
-  vtkNew<vtkCellArray> cells;
-  auto fill = [&](auto* offsets, auto* connectivity)
-  {
-    Allocate(offsets, 1, counts.Cells + 1);
-    Allocate(connectivity, 1, counts.Entries);
-    using Out = typename std::remove_pointer<decltype(offsets->GetPointer(0))>::type;
-    const CellStorage<Out> storage{ connectivity->GetPointer(0), offsets->GetPointer(0),
-      static_cast<unsigned char*>(types->GetVoidPointer(0)) };
-    WriteRefined(complex, this->Control.Runs, steps, storage);
-    cells->SetData(offsets, connectivity);
-  };
-  if (small)
-  {
-    vtkNew<vtkTypeInt32Array> offsets;
-    vtkNew<vtkTypeInt32Array> connectivity;
-    fill(offsets.Get(), connectivity.Get());
-  }
-  else
-  {
-    vtkNew<vtkIdTypeArray> offsets;
-    vtkNew<vtkIdTypeArray> connectivity;
-    fill(offsets.Get(), connectivity.Get());
-  }
-  this->Types = vtkUnsignedCharArray::SafeDownCast(types);
-  this->Output->SetCells(this->Types, cells);
-}
-
-/// The singular simplices that were derived, as the output names them.
-template <typename Id>
-void UniformRun::MakeDerived(const SimplicialComplex<Id>& complex, int steps)
-{
-  const CellCounts counts = CountCells(RefineRuns(this->Control.DerivedRuns, steps));
-  this->Derived = SimplexTuples();
-  if (counts.Cells == 0)
-  {
-    return;
-  }
-  Buffer<long long> connectivity(counts.Entries);
-  Buffer<long long> offsets(counts.Cells + 1);
-  Buffer<unsigned char> types(counts.Cells);
-  const CellStorage<long long> storage{ connectivity.data(), offsets.data(), types.data() };
-  WriteRefined(complex, this->Control.DerivedRuns, steps, storage);
-  for (vtkIdType i = 0; i < counts.Cells; ++i)
-  {
-    const int dimension = static_cast<int>(offsets[i + 1] - offsets[i]) - 1;
-    auto& tuples = this->Derived.Tuples[dimension];
-    tuples.insert(
-      tuples.end(), connectivity.data() + offsets[i], connectivity.data() + offsets[i + 1]);
-  }
+  this->Output->SetCells(this->Cells.Types, this->Cells.Cells);
 }
 
 /// Cell data, ghosts and the stamp.
@@ -538,12 +519,20 @@ void UniformRun::Finish()
   {
     cells.Replaced.emplace_back("vtkOriginalCellIds");
   }
+  if (this->Cells.Octahedra)
+  {
+    cells.Replaced.emplace_back(this->Cells.Octahedra->GetName());
+  }
   cells.Warn = this->Options.Warn;
   if (this->Options.GenerateClassification)
   {
     cells.Replaced.emplace_back(DimensionName);
   }
-  CopyCellArrays(this->Input, this->Mesh.Cells, cells, this->Output);
+  CopyCellArrays(this->Input, this->Mesh.Cells, this->Parents, cells, this->Output);
+  if (this->Cells.Octahedra)
+  {
+    AddInstead(this->Input->GetCellData(), this->Cells.Octahedra, this->Output->GetCellData());
+  }
   if (this->Options.GenerateClassification)
   {
     AddValuesOfSimplices(this->Control.ManifoldDimensions.data(), this->Mesh.GetControl(),
@@ -557,6 +546,7 @@ void UniformRun::Finish()
   RebuildPointGhosts(this->Input, this->Output);
 
   Stamp stamp;
+  stamp.Scheme = this->Options.Scheme;
   stamp.Levels = this->Mesh.MadeLevels + this->Options.Levels;
   stamp.NumberOfControlPoints = this->Mesh.GetControl().NumberOfPoints;
   stamp.IsProjected = this->Options.ProjectToLimit;
@@ -578,7 +568,15 @@ void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer
 bool SubdivideUniformly(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output)
 {
-  return UniformRun(input, options, output).Run();
+  UniformOptions used = options;
+  if (used.Scheme == StampScheme::TetOct && used.ReadsLimit())
+  {
+    used.Warn(
+      "ProjectToLimit and GenerateLimitNormals are not there yet for VolumeScheme = TetOct: "
+      "the points stay those of the last level, without normals.");
+    used.ProjectToLimit = used.GenerateLimitNormals = false;
+  }
+  return UniformRun(input, used, output).Run();
 }
 
 }

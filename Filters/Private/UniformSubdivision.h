@@ -18,6 +18,7 @@ namespace subdivision
 struct UniformOptions : RunOptions
 {
   int Levels = 1;
+  StampScheme Scheme = StampScheme::BoxSpline; ///< of solids
   bool GenerateClassification = false;
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TetOctCells.h
+ * The way out of a tet/oct level: its cells as tetrahedra, octahedra as four around a diagonal
+ * (SPEC 10).
+ *
+ * The cells that come from one control tetrahedron follow each other, and so do those that come
+ * from any cell in between: of a tetrahedron the four at its vertices, then the octahedron; of an
+ * octahedron the six octahedra, then the eight tetrahedra. With four for each octahedron that is
+ * always eight times as many, as if tetrahedra were split as ever: so runs (RefinedCells.h) are
+ * refined as ever too. The first four children of a tetrahedron are those of the box spline.
+ */
+#ifndef SubdivisionObjects_TetOctCells_h
+#define SubdivisionObjects_TetOctCells_h
+
+#include "RefinedCells.h"
+#include "TetOctComplex.h"
+
+namespace subdivision
+{
+
+/// Six vertices of an octahedron in the order that depends on nothing but the octahedron: in each
+/// pair and among the pairs the smallest first, but the last pair turned where orientation needs
+/// it.
+template <typename Id>
+void SortOctahedron(Id vertices[6])
+{
+  bool odd = false;
+  auto order = [&](int a, int b, int size)
+  {
+    if (vertices[b] < vertices[a])
+    {
+      std::swap_ranges(vertices + a, vertices + a + size, vertices + b);
+      odd = !odd;
+    }
+  };
+  order(0, 1, 1);
+  order(2, 3, 1);
+  order(4, 5, 1);
+  order(0, 2, 2);
+  order(2, 4, 2);
+  order(0, 2, 2);
+  if (odd)
+  {
+    std::swap(vertices[4], vertices[5]);
+  }
+}
+
+/// The four tetrahedra around the diagonal of pair 0, 1 or 2.
+template <typename Id, typename Out>
+void CutOctahedron(const Id vertices[6], int diagonal, Out tets[16])
+{
+  Id v[6];
+  for (int i = 0; i < 6; ++i)
+  {
+    v[i] = vertices[(2 * diagonal + i) % 6];
+  }
+  const Id pieces[16] = { v[1], v[4], v[0], v[2], v[1], v[3], v[0], v[4], v[1], v[5], v[0], v[3],
+    v[1], v[2], v[0], v[5] };
+  for (int i = 0; i < 16; ++i)
+  {
+    tets[i] = static_cast<Out>(pieces[i]);
+  }
+}
+
+/// The octahedron that four tetrahedra were cut from, not sorted.
+template <typename Id, typename Out>
+void JoinOctahedron(const Out tets[16], Id vertices[6])
+{
+  const Out joined[6] = { tets[2], tets[0], tets[3], tets[5], tets[1], tets[9] };
+  for (int i = 0; i < 6; ++i)
+  {
+    vertices[i] = static_cast<Id>(joined[i]);
+  }
+}
+
+/// Writes the children of a level's cells as WriteChildren does; octahedra around any diagonal.
+template <typename Id, typename Out>
+void WriteTetOctChildren(
+  const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, const CellStorage<Out>& out);
+
+/// The octahedron of each cell, numbered in their order, -1 where there is none. `runs` are those
+/// of a level `steps` steps below the control level.
+void NumberOctahedra(const std::vector<CellRun>& runs, int steps, vtkIdType* numbers);
+
+/**
+ * Turns each octahedron to its shortest diagonal. Diagonals whose squared lengths differ by less
+ * than a relative 1e-9 tie, or 1e-5 where T is float, as lattices have exact ties that rounding
+ * breaks; of these the one with the smallest vertex is taken. `octahedra` as NumberOctahedra gives
+ * them; four vertices for each of these, the first of cell i at offsets[i].
+ */
+template <typename Out, typename T>
+void TurnOctahedra(const vtkIdType* octahedra, vtkIdType cells, const Out* offsets,
+  Out* connectivity, const T* points);
+
+/// Whether all octahedra are turned so.
+template <typename Out, typename T>
+bool AreTurned(const vtkIdType* octahedra, vtkIdType cells, const Out* offsets,
+  const Out* connectivity, const T* points);
+
+/// Whether some cells are those of a level, around whichever diagonals.
+template <typename Id>
+bool HasCells(
+  const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, const SimplexList& cells);
+
+/// For each of the 2^d children that a cell of dimension d is counted to have, the cell whose
+/// values it takes: where it lies in several pieces of an octahedron, the first.
+template <typename Id>
+std::vector<vtkIdType> FindParents(
+  const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, const SimplexList& cells);
+
+}
+
+#endif

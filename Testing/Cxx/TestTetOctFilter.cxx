@@ -1,0 +1,541 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestTetOctFilter.cxx
+ * VolumeScheme = TetOct (SPEC 10) through the filter: octahedra in the output, filters in a row,
+ * arrays, features, threads.
+ */
+#include "FeatureTools.h"
+
+#include "vtkSubdivisionModelSource.h"
+
+#include "vtkSMPTools.h"
+
+using namespace feature_tools;
+
+namespace
+{
+
+Configure TetOct(const Configure& more = {})
+{
+  return [more](Filter* filter)
+  {
+    filter->SetVolumeSchemeToTetOct();
+    if (more)
+    {
+      more(filter);
+    }
+  };
+}
+
+Ids GetOctahedra(vtkUnstructuredGrid* grid)
+{
+  auto* array = vtkIdTypeArray::SafeDownCast(grid->GetCellData()->GetAbstractArray("OctahedronId"));
+  EXPECT_TRUE(array);
+  Ids ids;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    ids.push_back(array->GetValue(i));
+  }
+  return ids;
+}
+
+double GetVolume(vtkUnstructuredGrid* grid, const Ids& tet)
+{
+  Point p[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    p[i] = GetPoint(grid, tet[i]);
+  }
+  double e[3][3];
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      e[i][c] = p[i + 1][c] - p[0][c];
+    }
+  }
+  return (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+           e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+           e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0])) /
+    6.;
+}
+
+double GetLength(vtkUnstructuredGrid* grid, vtkIdType a, vtkIdType b)
+{
+  const Point p = GetPoint(grid, a);
+  const Point q = GetPoint(grid, b);
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+Grid MakeOneTet()
+{
+  return MakeGrid({ { 0, 0, 0 }, { 1, 0.1, 0 }, { 0.2, 1.3, 0 }, { 0.1, 0.2, 1.1 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } } });
+}
+
+/// 0 + 3 = 3 = 1 + 1 + 1 = 2 + 1.
+void ExpectChains(vtkUnstructuredGrid* input, const Configure& configure)
+{
+  auto run = [&](vtkUnstructuredGrid* grid, int levels)
+  { return Execute(grid, levels, TetOct(configure)); };
+  const Grid zero = run(input, 0);
+  const Grid one = run(input, 1);
+  const Grid three = run(input, 3);
+  ASSERT_GT(three->GetNumberOfCells(), 0);
+  EXPECT_EQ(Compare(three, run(zero, 3)), "");
+  EXPECT_EQ(Compare(one, run(run(zero, 1), 0)), "");
+  EXPECT_EQ(Compare(three, run(run(one, 1), 1)), "");
+  EXPECT_EQ(Compare(three, run(run(input, 2), 1)), "");
+  EXPECT_EQ(Compare(three, run(run(one, 0), 2)), "");
+}
+
+Grid MakeModel(int model, int precision)
+{
+  vtkNew<vtkSubdivisionModelSource> source;
+  source->SetModel(model);
+  source->SetOutputPointsPrecision(precision);
+  source->Update();
+  return DeepCopy(source->GetOutput());
+}
+
+class TetOctOfModel : public testing::TestWithParam<int>
+{
+};
+
+}
+
+TEST(TetOctFilter, OctahedraAreFourTetrahedraAroundTheShortestDiagonal)
+{
+  const Grid input = MakeKuhnBox(2, 0.3);
+  for (int levels = 1; levels <= 3; ++levels)
+  {
+    const Grid output = Execute(input, levels, TetOct());
+    const Ids octahedra = GetOctahedra(output);
+    const std::vector<Ids> cells = GetCells(output);
+    const vtkIdType perTet[4] = { 0, 1, 10, 84 };
+    vtkIdType found = 0;
+    ASSERT_EQ(output->GetNumberOfCells(), 48 << (3 * levels));
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      ASSERT_GT(GetVolume(output, cells[i]), 0.);
+      if (octahedra[i] < 0)
+      {
+        continue;
+      }
+      ASSERT_EQ(octahedra[i], found++); // numbered in order
+      const Ids first = cells[i];
+      const vtkIdType low = first[0];
+      const vtkIdType high = first[2];
+      Ids equator;
+      for (int k = 0; k < 4; ++k) // consecutive, (a', r, a, q)
+      {
+        ASSERT_EQ(octahedra[i + k], octahedra[i]);
+        ASSERT_EQ(cells[i + k][0], low);
+        ASSERT_EQ(cells[i + k][2], high);
+        ASSERT_EQ(cells[i + k][1], cells[i + (k + 1) % 4][3]);
+        equator.push_back(cells[i + k][1]);
+      }
+      ASSERT_EQ((std::set<vtkIdType>(equator.begin(), equator.end()).size()), 4u);
+      const double length = GetLength(output, low, high) * (1. - 1e-9);
+      ASSERT_LE(length, GetLength(output, equator[0], equator[2]));
+      ASSERT_LE(length, GetLength(output, equator[1], equator[3]));
+      i += 3;
+    }
+    EXPECT_EQ(found, 48 * perTet[levels]);
+  }
+}
+
+TEST(TetOctFilter, BoundariesAndCreasesAreAsEver)
+{
+  // A box with its boundary triangles and all edges of these, of which some are creases.
+  const Grid box = MakeKuhnBox(2, 0.3);
+  std::map<Ids, int> faces;
+  std::vector<Cell> cells;
+  for (const Ids& tet : GetCells(box))
+  {
+    cells.push_back({ VTK_TETRA, tet });
+    for (int i = 0; i < 4; ++i)
+    {
+      Ids face = tet;
+      face.erase(face.begin() + i);
+      std::sort(face.begin(), face.end());
+      ++faces[face];
+    }
+  }
+  std::vector<int> flags(cells.size(), 0);
+  for (const auto& face : faces)
+  {
+    const Ids& f = face.first;
+    if (face.second == 1)
+    {
+      cells.push_back({ VTK_TRIANGLE, { f[1], f[0], f[2] } });
+      cells.push_back({ VTK_LINE, { f[0], f[1] } });
+      flags.insert(flags.end(), { 0, f[0] + f[1] < 9 ? 1 : 0 });
+    }
+  }
+  std::vector<Point> points;
+  for (vtkIdType i = 0; i < box->GetNumberOfPoints(); ++i)
+  {
+    points.push_back(GetPoint(box, i));
+  }
+  const Grid input = With(MakeGrid(points, cells), "Singular", flags);
+  vtkNew<Messages> same; // an edge flagged once and not flagged once more: not the question here
+  for (int levels = 1; levels <= 3; ++levels)
+  {
+    const Grid solids = Execute(input, levels, TetOct(), same);
+    const Grid expected = Execute(input, levels, {}, same);
+    ASSERT_EQ(solids->GetNumberOfCells(), expected->GetNumberOfCells());
+    const Ids octahedra = GetOctahedra(solids);
+    for (vtkIdType i = 0; i < solids->GetNumberOfCells(); ++i)
+    {
+      ASSERT_EQ(solids->GetCellType(i), expected->GetCellType(i));
+      if (solids->GetCellType(i) == VTK_TETRA)
+      {
+        continue;
+      }
+      ASSERT_EQ(octahedra[i], -1);
+      const Ids a = GetCell(solids, i);
+      const Ids b = GetCell(expected, i);
+      for (std::size_t k = 0; k < a.size(); ++k) // bit for bit
+      {
+        ASSERT_EQ(GetPoint(solids, a[k]), GetPoint(expected, b[k]));
+      }
+    }
+  }
+}
+
+TEST(TetOctFilter, CellDataAreAsEver)
+{
+  const Grid input = MakeMixedBox(2);
+  AddArrays(input);
+  const Grid solids = Execute(input, 2, TetOct());
+  const Grid expected = Execute(input, 2);
+  for (vtkIdType i = 0; i < solids->GetNumberOfCells(); ++i)
+  {
+    ASSERT_EQ(solids->GetCellType(i), expected->GetCellType(i));
+  }
+  ASSERT_TRUE(solids->GetCellData()->GetArray("OctahedronId"));
+  solids->GetCellData()->RemoveArray("OctahedronId");
+  EXPECT_EQ(CompareArrays(solids->GetCellData(), expected->GetCellData(), ""), "");
+}
+
+TEST_P(TetOctOfModel, FiltersInARowGiveTheSame)
+{
+  for (int precision : { vtkAlgorithm::SINGLE_PRECISION, vtkAlgorithm::DOUBLE_PRECISION })
+  {
+    const Grid grid = MakeModel(GetParam(), precision);
+    AddArrays(grid);
+    ExpectChains(grid,
+      [](Filter* filter)
+      {
+        filter->GenerateOriginalIdsOn();
+        filter->GenerateClassificationOn();
+      });
+    AddGlobalIds(grid, 3);
+    ExpectChains(grid, [](Filter* filter) { filter->InterpolateIntegersOn(); });
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(TetOctFilter, TetOctOfModel,
+  testing::Range(0, int(vtkSubdivisionModelSource::NUMBER_OF_MODELS)),
+  [](const auto& param)
+  { return std::string(vtkSubdivisionModelSource::GetModelName(param.param)); });
+
+TEST(TetOctFilter, RandomComplexesInARow)
+{
+  for (unsigned seed = 1; seed <= 60; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    vtkNew<Messages> ignored;
+    const Configure options = TetOct(RandomOptions(seed));
+    const Grid grid = MakeRandomComplex(seed);
+    const Grid three = Execute(grid, 3, options, ignored);
+    const Grid one = Execute(grid, 1, options, ignored);
+    EXPECT_EQ(Compare(three, Execute(one, 2, options, ignored)), "");
+    EXPECT_EQ(Compare(three, Execute(Execute(one, 1, options, ignored), 1, options, ignored)), "");
+    EXPECT_TRUE(ignored->Errors.empty());
+  }
+}
+
+TEST(TetOctFilter, SemiSharpCreasesInARow)
+{
+  // A line through the inside of a solid and one on its boundary.
+  const Grid grid =
+    MakeOctahedron({ { VTK_LINE, { 5, 0 } }, { VTK_LINE, { 0, 6 } }, { VTK_LINE, { 1, 3 } } });
+  vtkNew<vtkDoubleArray> sharpness;
+  sharpness->SetName("Sharpness");
+  for (double s : { 0., 0., 0., 0., 0., 0., 0., 0., 1.5, 2., 0.75 })
+  {
+    sharpness->InsertNextValue(s);
+  }
+  grid->GetCellData()->AddArray(sharpness);
+  const Configure sharp = [](Filter* filter) { SetCellArray(filter, 4, "Sharpness"); };
+  ExpectChains(grid, sharp);
+  // The first step between the sharp and the smooth row of a vertex, an average of 1.5 and 2:
+  // sharp.
+  const MatrixRow row = Matrix(grid, TetOct(sharp)).Vertex(0);
+  EXPECT_TRUE(Near(row, CurveVertex(0, 5, 6)));
+  sharpness->SetValue(8, 0.5);
+  sharpness->SetValue(9, 0.5);
+  const MatrixRow half = Matrix(grid, TetOct(sharp)).Vertex(0);
+  const MatrixRow smooth = Matrix(MakeOctahedron(), TetOct()).Vertex(0);
+  ASSERT_EQ(half.size(), smooth.size());
+  for (const auto& entry : smooth)
+  {
+    const double crease = entry.first == 0   ? 0.75
+      : entry.first == 5 || entry.first == 6 ? 0.125
+                                             : 0.;
+    EXPECT_NEAR(half.at(entry.first), 0.5 * (crease + entry.second), 1e-15);
+  }
+}
+
+TEST(TetOctFilter, RowsOfAVertexInside)
+{
+  // Eight tetrahedra, at each edge four: 15/32 and 8 * 3 * 17/96 in six equal parts, over 8.
+  const Matrix matrix(MakeOctahedron(), TetOct());
+  MatrixRow expected = { { 0, 15. / 32 } };
+  for (vtkIdType i = 1; i <= 6; ++i)
+  {
+    expected[i] = 17. / 192;
+  }
+  for (const auto& entry : matrix.Vertex(0))
+  {
+    EXPECT_NEAR(entry.second, expected[entry.first], 1e-15);
+  }
+  EXPECT_EQ(matrix.Vertex(0).size(), 7u);
+}
+
+TEST(TetOctFilter, OrderOfVerticesAndCellsDoesNotMatter)
+{
+  const Grid grid = MakeKuhnBox(2, 0.3);
+  auto positions = [](vtkUnstructuredGrid* output)
+  {
+    std::vector<Point> points;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      Point p = GetPoint(output, i);
+      for (double& x : p)
+      {
+        x = std::round(x * 1e9) / 1e9 + 0.; // no two are that near
+      }
+      points.push_back(p);
+    }
+    std::sort(points.begin(), points.end());
+    return points;
+  };
+  const auto expected = positions(Execute(grid, 2, TetOct()));
+  const auto boxSpline = positions(Execute(grid, 2));
+  std::mt19937 random(5);
+  for (int attempt = 0; attempt < 5; ++attempt)
+  {
+    std::vector<Ids> tets = GetCells(grid);
+    std::shuffle(tets.begin(), tets.end(), random);
+    std::vector<Cell> cells;
+    for (Ids& tet : tets)
+    {
+      std::shuffle(tet.begin(), tet.end(), random);
+      cells.push_back({ VTK_TETRA, tet });
+    }
+    std::vector<Point> points;
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      points.push_back(GetPoint(grid, i));
+    }
+    const auto actual = positions(Execute(MakeGrid(points, cells), 2, TetOct()));
+    ASSERT_EQ(actual.size(), expected.size());
+    for (std::size_t i = 0; i < actual.size(); ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        ASSERT_NEAR(actual[i][c], expected[i][c], 3e-9);
+      }
+    }
+  }
+  EXPECT_NE(boxSpline, expected);
+}
+
+TEST(TetOctFilter, LabelsComeFromTheSmallestGlobalId)
+{
+  const Grid grid = MakeOneTet();
+  AddCellArray(grid, "cell", { 7 });
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("label");
+  for (int label : { 10, 11, 12, 13 })
+  {
+    labels->InsertNextValue(label);
+  }
+  grid->GetPointData()->AddArray(labels);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("GlobalIds");
+  for (vtkIdType id : { 4, 1, 3, 2 })
+  {
+    ids->InsertNextValue(id);
+  }
+  grid->GetPointData()->SetGlobalIds(ids);
+  const Grid output = Execute(grid, 2, TetOct());
+  ASSERT_EQ(output->GetNumberOfPoints(), 35);
+  vtkDataArray* out = output->GetPointData()->GetArray("label");
+  // The last point is the centre of the only octahedron: of the midpoints 4 to 9 the smallest is 4,
+  // between 0 and 1, and has the value of 1, whose global id is the smaller one.
+  EXPECT_EQ(out->GetComponent(34, 0), 11);
+  EXPECT_EQ(out->GetComponent(4, 0), 11);
+  EXPECT_EQ(out->GetComponent(9, 0), 13); // between 2 and 3
+}
+
+TEST(TetOctFilter, ChildrenTakeTheValuesOfTheirPiece)
+{
+  const Grid one = Execute(MakeOneTet(), 1, TetOct());
+  AddCellArray(one, "piece", { 0, 1, 2, 3, 4, 5, 6, 7 });
+  const Grid two = Execute(one, 1, TetOct());
+  ASSERT_EQ(two->GetNumberOfCells(), 64);
+  vtkDataArray* pieces = two->GetCellData()->GetArray("piece");
+  const Ids octahedra = GetOctahedra(two);
+  std::array<int, 8> tets = {};
+  std::map<vtkIdType, std::set<int>> ofOctahedron;
+  for (vtkIdType i = 0; i < 64; ++i)
+  {
+    const int piece = static_cast<int>(pieces->GetComponent(i, 0));
+    if (i < 32) // a tetrahedron's children follow each other
+    {
+      EXPECT_EQ(piece, i / 8);
+      continue;
+    }
+    if (octahedra[i] < 0)
+    {
+      ++tets[piece];
+      continue;
+    }
+    ofOctahedron[octahedra[i]].insert(piece);
+    // The old vertex of the octahedron, one of 4 to 9, is one of the piece's, and of none before.
+    for (vtkIdType point : GetCell(two, i))
+    {
+      for (int before = 4; point >= 4 && point < 10 && before <= piece; ++before)
+      {
+        const Ids cell = GetCell(one, before);
+        EXPECT_EQ(std::count(cell.begin(), cell.end(), point), before == piece ? 1 : 0);
+      }
+    }
+  }
+  EXPECT_EQ(tets, (std::array<int, 8>{ 0, 0, 0, 0, 2, 2, 2, 2 })); // those beside two faces each
+  EXPECT_EQ(ofOctahedron.size(), 6u);
+  for (const auto& entry : ofOctahedron)
+  {
+    EXPECT_EQ(entry.second.size(), 1u);
+  }
+}
+
+TEST(TetOctFilter, ANextFilterNeedsNeitherTheArrayNorThePoints)
+{
+  const Grid one = Execute(MakeKuhnBox(1, 0.3), 1, TetOct());
+  const Grid moved = DeepCopy(one);
+  moved->GetCellData()->RemoveArray("OctahedronId");
+  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
+  {
+    const Point p = GetPoint(moved, i);
+    moved->GetPoints()->SetPoint(i, 5. * p[0], p[1], 0.2 * p[2]); // other diagonals are shorter now
+  }
+  const Grid output = Execute(moved, 1, TetOct());
+  ASSERT_EQ(output->GetNumberOfCells(), 6 * 64);
+  const Ids octahedra = GetOctahedra(output);
+  EXPECT_EQ(*std::max_element(octahedra.begin(), octahedra.end()), 59);
+  // An affine map may come before or after.
+  const Grid after = Execute(one, 1, TetOct());
+  ASSERT_EQ(after->GetNumberOfPoints(), output->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const Point p = GetPoint(after, i);
+    const Point q = GetPoint(output, i);
+    EXPECT_NEAR(q[0], 5. * p[0], 1e-14);
+    EXPECT_NEAR(q[2], 0.2 * p[2], 1e-14);
+  }
+}
+
+TEST(TetOctFilter, TheOtherSchemeTakesPlainTetrahedra)
+{
+  const Grid grid = MakeKuhnBox(1, 0.3);
+  for (bool first : { false, true })
+  {
+    const Grid one = Execute(grid, 1, first ? TetOct() : Configure());
+    const Grid plain = DeepCopy(one);
+    RemoveStamp(plain);
+    vtkNew<Messages> messages;
+    const Configure second = first ? Configure() : TetOct();
+    const Grid actual = Execute(one, 1, second, messages);
+    EXPECT_EQ(messages->CountWarnings("VolumeScheme"), 1);
+    EXPECT_TRUE(messages->Errors.empty());
+    EXPECT_EQ(Compare(actual, Execute(plain, 1, second)), "");
+  }
+}
+
+TEST(TetOctFilter, EqualTetrahedraKeepTheirOwnOrientation)
+{
+  const Grid grid =
+    MakeGrid({ { 0, 0, 0 }, { 1, 0.1, 0 }, { 0.2, 1.3, 0 }, { 0.1, 0.2, 1.1 }, { 1, 1.2, 1.3 } },
+      { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 2, 1, 0, 3 } }, { VTK_TETRA, { 1, 2, 3, 4 } },
+        { VTK_TETRA, { 1, 2, 0, 3 } } });
+  const Grid output = Execute(grid, 3, TetOct());
+  ASSERT_EQ(output->GetNumberOfCells(), 4 * 512);
+  const Ids octahedra = GetOctahedra(output);
+  EXPECT_EQ(*std::max_element(octahedra.begin(), octahedra.end()), 4 * 84 - 1);
+  const double sign[4] = { 1., -1., 1., 1. };
+  std::set<Ids> cells[4];
+  for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+  {
+    Ids cell = GetCell(output, i);
+    EXPECT_GT(sign[i / 512] * GetVolume(output, cell), 0.);
+    std::sort(cell.begin(), cell.end());
+    cells[i / 512].insert(cell);
+  }
+  EXPECT_EQ(cells[0].size(), 512u);
+  EXPECT_EQ(cells[0], cells[1]);
+  EXPECT_EQ(cells[0], cells[3]);
+  ExpectChains(grid, {});
+}
+
+TEST(TetOctFilter, ThreadsAndNarrowIdsChangeNothing)
+{
+  const Grid grid = MakeKuhnBox(3, 0.2);
+  AddArrays(grid);
+  vtkSMPTools::Initialize(1);
+  const Grid one = Execute(grid, 3, TetOct());
+  vtkSMPTools::Initialize(4);
+  EXPECT_EQ(Compare(one, Execute(grid, 3, TetOct())), "");
+  const Grid narrow = Execute(grid, 3, TetOct([](Filter* filter) { filter->Use32BitIdsOn(); }));
+  vtkSMPTools::Initialize();
+  EXPECT_FALSE(narrow->GetCells()->IsStorage64Bit());
+  EXPECT_EQ(Compare(one, narrow), "");
+}
+
+TEST(TetOctFilter, CellsOfWrongSizesAndFlatOnesDoNotBreakIt)
+{
+  // Inverted, flat, all in one point, huge.
+  for (double scale : { 0., 1e-300, 1e150, 1e300 })
+  {
+    const Grid grid = MakeGrid(
+      { { 0, 0, 0 }, { scale, 0, 0 }, { 0, scale, 0 }, { 0, 0, -scale }, { scale, scale, 0 } },
+      { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 4 } } });
+    const Grid output = Execute(grid, 2, TetOct());
+    ASSERT_EQ(output->GetNumberOfCells(), 128);
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      for (double x : GetPoint(output, i))
+      {
+        ASSERT_TRUE(std::isfinite(x));
+      }
+    }
+  }
+}
+
+TEST(TetOctFilter, ClassificationKnowsCentres)
+{
+  const Grid output =
+    Execute(MakeOneTet(), 2, TetOct([](Filter* filter) { filter->GenerateClassificationOn(); }));
+  vtkDataArray* rules = output->GetPointData()->GetArray("RuleDimension");
+  ASSERT_EQ(rules->GetNumberOfTuples(), 35);
+  EXPECT_EQ(rules->GetComponent(34, 0), 3);
+  EXPECT_EQ(rules->GetComponent(0, 0), 2);
+  vtkNew<Filter> filter;
+  EXPECT_EQ(filter->GetVolumeScheme(), int(Filter::BOX_SPLINE));
+  filter->SetVolumeScheme(7);
+  EXPECT_EQ(filter->GetVolumeScheme(), int(Filter::TET_OCT));
+}
