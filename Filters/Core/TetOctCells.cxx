@@ -313,8 +313,13 @@ void TurnOctahedra(const vtkIdType* octahedra, vtkIdType cells, const Out* offse
         Out* tets = connectivity + offsets[i];
         vtkIdType vertices[6];
         JoinOctahedron(tets, vertices);
+        const vtkIdType first = vertices[0]; // an end of the diagonal that it has
         SortOctahedron(vertices);
-        CutOctahedron(vertices, FindShortestDiagonal(vertices, points), tets);
+        const int diagonal = FindShortestDiagonal(vertices, points);
+        if (vertices[2 * diagonal] != first && vertices[2 * diagonal + 1] != first)
+        {
+          CutOctahedron(vertices, diagonal, tets);
+        }
       }
     });
 }

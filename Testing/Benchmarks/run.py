@@ -187,6 +187,17 @@ def deformation_section(samples):
          "ns per point"], rows) if rows else []
 
 
+def tetoct_section(samples):
+    rows = []
+    for (family, what, case, levels, threads), sample in sorted(samples.items()):
+        if (family, what) == ("filter", "tetoct"):
+            box = samples.get((family, "first", case, levels, threads))
+            rows.append([case + " (a)", str(threads), sample.text(), box.text() if box else "-",
+                         ratio(sample, box)])
+    return ["## Tet/oct scheme beside the box spline, first execution", ""] + table(
+        ["case", "threads", "tet/oct, ms", "box spline, ms", "time / box spline"], rows)
+
+
 def peer_section(samples):
     rows = []
     for (family, what, case, levels, threads), peer in sorted(samples.items()):
@@ -258,6 +269,7 @@ def run(arguments):
              "after %.1f; %d processors." % (
                  arguments.repetitions, load, os.getloadavg()[0], os.cpu_count()), ""]
     lines += filter_section(samples, memory) + surface_section(samples) + again_section(samples)
+    lines += tetoct_section(samples)
     lines += red_green_section(samples) + deformation_section(samples) + peer_section(samples)
     lines += stage_section(samples)
     if not arguments.quick:
