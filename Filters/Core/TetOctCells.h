@@ -50,16 +50,12 @@ void SortOctahedron(Id vertices[6])
 template <typename Id, typename Out>
 void CutOctahedron(const Id vertices[6], int diagonal, Out tets[16])
 {
-  Id v[6];
-  for (int i = 0; i < 6; ++i)
-  {
-    v[i] = vertices[(2 * diagonal + i) % 6];
-  }
-  const Id pieces[16] = { v[1], v[4], v[0], v[2], v[1], v[3], v[0], v[4], v[1], v[5], v[0], v[3],
-    v[1], v[2], v[0], v[5] };
+  constexpr int pieces[3][16] = { { 1, 4, 0, 2, 1, 3, 0, 4, 1, 5, 0, 3, 1, 2, 0, 5 },
+    { 3, 0, 2, 4, 3, 5, 2, 0, 3, 1, 2, 5, 3, 4, 2, 1 },
+    { 5, 2, 4, 0, 5, 1, 4, 2, 5, 3, 4, 1, 5, 0, 4, 3 } };
   for (int i = 0; i < 16; ++i)
   {
-    tets[i] = static_cast<Out>(pieces[i]);
+    tets[i] = static_cast<Out>(vertices[pieces[diagonal][i]]);
   }
 }
 

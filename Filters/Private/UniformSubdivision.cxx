@@ -352,8 +352,10 @@ UniformRun::Outcome UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
   auto kept = std::make_unique<KeptStepsOf<Operator, Id>>();
   if (steps == 0)
   {
-    this->Cells = CopyCells(this->Mesh.Cells.Simplices, this->Control.Runs,
-      this->IsTetOct() ? this->Mesh.MadeLevels : -1, this->Options.Use32BitIds);
+    this->Cells = this->SameCells
+      ? this->SameCells->Cells
+      : CopyCells(this->Mesh.Cells.Simplices, this->Control.Runs,
+          this->IsTetOct() ? this->Mesh.MadeLevels : -1, this->Options.Use32BitIds);
     this->Derived = GatherTuples(level.Complex, this->Control.DerivedRuns, 0);
     this->GoToLimit(level, *kept);
     this->FinishPoints(true);
