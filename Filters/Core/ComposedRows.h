@@ -12,8 +12,8 @@
 namespace subdivision
 {
 
-/// rows * step. Of the step, one of Stencils or TetOctStencils, only the rows that are named are ever
-/// written down.
+/// rows * step. Of the step, one of Stencils or TetOctStencils, only the rows that are named are
+/// ever written down.
 template <typename Operator>
 SparseRows<int> Compose(const SparseRows<int>& rows, const Operator& step);
 

@@ -20,7 +20,6 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-
 namespace subdivision
 {
 namespace
