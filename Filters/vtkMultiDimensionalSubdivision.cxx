@@ -45,7 +45,8 @@ int vtkMultiDimensionalSubdivision::RequestData(
 {
   subdivision::UniformOptions options;
   options.Levels = this->NumberOfLevels;
-  options.Scheme = static_cast<subdivision::StampScheme>(this->VolumeScheme);
+  options.Scheme = this->VolumeScheme == TET_OCT ? subdivision::StampScheme::TetOct
+                                                 : subdivision::StampScheme::BoxSpline;
   options.GenerateClassification = this->GenerateClassification;
   options.ProjectToLimit = this->ProjectToLimit;
   options.GenerateLimitNormals = this->GenerateLimitNormals;
