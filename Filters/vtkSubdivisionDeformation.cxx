@@ -185,6 +185,7 @@ int vtkSubdivisionDeformation::RequestData(
   }
   subdivision::DeformationOptions options;
   options.Levels = this->NumberOfLevels;
+  options.Scheme = static_cast<subdivision::StampScheme>(this->VolumeScheme);
   options.Outside = static_cast<subdivision::OutsideRule>(this->OutsidePoints);
   options.TransformVectors = this->TransformVectors;
   options.OutputPointsPrecision = this->OutputPointsPrecision;
@@ -220,6 +221,7 @@ void vtkSubdivisionDeformation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
+  os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
   os << indent << "OutsidePoints: " << this->OutsidePoints << "\n";
   os << indent << "TransformVectors: " << this->TransformVectors << "\n";
   os << indent << "Bytes kept: " << this->Work->GetMemorySize() << "\n";

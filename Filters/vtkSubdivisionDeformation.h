@@ -113,6 +113,22 @@ public:
   vtkGetMacro(NumberOfLevels, int);
   ///@}
 
+  enum VolumeSchemes
+  {
+    BOX_SPLINE,
+    TET_OCT
+  };
+  ///@{
+  /**
+   * How solids are split and smoothed: BOX_SPLINE (0, the default) or TET_OCT (1; the paper's own
+   * scheme, which prefers no direction), see vtkMultiDimensionalSubdivision.
+   */
+  vtkSetClampMacro(VolumeScheme, int, BOX_SPLINE, TET_OCT);
+  vtkGetMacro(VolumeScheme, int);
+  void SetVolumeSchemeToBoxSpline() { this->SetVolumeScheme(BOX_SPLINE); }
+  void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(TET_OCT); }
+  ///@}
+
   enum OutsidePointsRules
   {
     OUTSIDE_LEAVE,
@@ -172,6 +188,7 @@ protected:
     vtkInformationVector* outputVector) override;
 
   int NumberOfLevels = 2;
+  int VolumeScheme = BOX_SPLINE;
   int OutsidePoints = OUTSIDE_LEAVE;
   bool TransformVectors = true;
 

@@ -7,6 +7,7 @@
 #define SubdivisionObjects_DeformationOptions_h
 
 #include "RunOptions.h"
+#include "Stamp.h"
 
 namespace subdivision
 {
@@ -21,6 +22,7 @@ enum class OutsideRule
 struct DeformationOptions : RunOptions
 {
   int Levels = 2;
+  StampScheme Scheme = StampScheme::BoxSpline; ///< of solids
   OutsideRule Outside = OutsideRule::Leave;
   bool TransformVectors = true;
 };

@@ -127,6 +127,7 @@ std::vector<double> ListChoices(vtkPointSet* control, const DeformationOptions& 
   std::vector<double> choices(encoded.begin(), encoded.end());
   choices.push_back(features.FeatureAngle);
   choices.push_back(options.Levels);
+  choices.push_back(static_cast<double>(options.Scheme));
   choices.push_back(static_cast<double>(options.MaximumNumberOfCells));
   for (vtkDataArray* array : { features.Singular.Get(), features.Material.Get(),
          features.Part.Get(), features.Rules.Get(), features.Sharpness.Get() })
@@ -278,7 +279,7 @@ const SimplexTree& RestMesh::GetOtherCells()
   return this->OtherCells;
 }
 
-/// The one place where a volume scheme is chosen. Null: it failed, or was stopped.
+/// Null: it failed, or was stopped.
 vtkSmartPointer<vtkUnstructuredGrid> RestMesh::Subdivide(vtkPointSet* control, int levels,
   OperatorCache& cache, const DeformationOptions& options, bool isFirst) const
 {
@@ -288,6 +289,7 @@ vtkSmartPointer<vtkUnstructuredGrid> RestMesh::Subdivide(vtkPointSet* control, i
   uniform.InterpolateIntegers = false;
   uniform.GenerateOriginalIds = levels == 0;
   uniform.Levels = levels;
+  uniform.Scheme = options.Scheme;
   uniform.Cache = &cache;
   uniform.Progress = nullptr;
   uniform.Warn = [&](const std::string& message)

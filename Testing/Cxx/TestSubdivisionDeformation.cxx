@@ -27,9 +27,9 @@ std::vector<Grid> MakeCages()
 }
 
 /// Points that are inside every subdivided mesh of a cage: near those of its cells' middles.
-Grid MakeInside(vtkUnstructuredGrid* cage, int levels, int perCell = 1)
+Grid MakeInside(vtkUnstructuredGrid* cage, int levels, int perCell = 1, int scheme = 0)
 {
-  const Grid fine = Subdivide(cage, levels);
+  const Grid fine = Execute(cage, levels, [=](Filter* f) { f->SetVolumeScheme(scheme); });
   std::vector<Point> points;
   std::vector<Cell> cells;
   std::mt19937 random(4);
@@ -75,11 +75,13 @@ TEST(SubdivisionDeformation, AffineMapsAreReproduced)
 {
   for (const Grid& cage : MakeCages())
   {
-    for (int levels : { 0, 1, 3 })
+    for (int variant = 0; variant < 6; ++variant)
     {
-      const Grid inside = MakeInside(cage, levels);
+      const int levels = std::array<int, 3>{ 0, 1, 3 }[variant / 2];
+      const Grid inside = MakeInside(cage, levels, 1, variant % 2);
       Deformer filter;
       filter->SetNumberOfLevels(levels);
+      filter->SetVolumeScheme(variant % 2);
       const auto same = filter.Run(inside, cage, cage);
       EXPECT_LT(GetLargestError(same, inside, Same), 1e-12) << levels;
       const auto moved = filter.Run(inside, cage, Moved(cage, Affine));
@@ -110,12 +112,14 @@ TEST(SubdivisionDeformation, ManyPointsTakeTheOtherWayToTheSamePlace)
     sharpness->InsertNextValue(1.5);
   }
   creased->GetCellData()->AddArray(sharpness);
-  for (const Grid& cage : { smooth, creased })
+  for (int variant = 0; variant < 4; ++variant)
   {
+    const Grid cage = variant % 2 == 0 ? smooth : creased;
     const Grid bent = Moved(cage, Bend);
     const Grid many = MakeInside(smooth, 3, 30);
     Deformer filter;
     filter->SetNumberOfLevels(3);
+    filter->SetVolumeScheme(variant / 2);
     if (cage == creased)
     {
       filter->SetInputArrayToProcess(4, 1, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "sharpness");
