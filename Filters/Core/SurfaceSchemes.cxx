@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceSchemes.h"
 
+#include "ButterflyScheme.h"
 #include "CatmullClarkScheme.h"
 #include "LoopScheme.h"
 
@@ -17,6 +18,8 @@ std::shared_ptr<const SurfaceScheme<Id>> MakeSurfaceScheme(
       return MakeLoopScheme<Id>(modifiedBoundary);
     case SurfaceSchemeKind::CatmullClark:
       return MakeCatmullClarkScheme<Id>(modifiedBoundary);
+    case SurfaceSchemeKind::ModifiedButterfly:
+      return MakeButterflyScheme<Id>();
     default:
       return nullptr;
   }
