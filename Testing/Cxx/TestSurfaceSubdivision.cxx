@@ -291,7 +291,8 @@ TEST_P(SurfaceSchemesTest, NothingInNothingOut)
 }
 
 INSTANTIATE_TEST_SUITE_P(SurfaceSubdivision, SurfaceSchemesTest,
-  testing::Values(vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::CATMULL_CLARK));
+  testing::Values(vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::CATMULL_CLARK,
+    vtkSurfaceSubdivision::MODIFIED_BUTTERFLY));
 
 TEST(SurfaceSubdivision, StripsBecomeTrianglesInPlace)
 {
