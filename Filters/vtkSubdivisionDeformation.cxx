@@ -185,7 +185,8 @@ int vtkSubdivisionDeformation::RequestData(
   }
   subdivision::DeformationOptions options;
   options.Levels = this->NumberOfLevels;
-  options.Scheme = static_cast<subdivision::StampScheme>(this->VolumeScheme);
+  options.Scheme = this->VolumeScheme == TET_OCT ? subdivision::StampScheme::TetOct
+                                                 : subdivision::StampScheme::BoxSpline;
   options.Outside = static_cast<subdivision::OutsideRule>(this->OutsidePoints);
   options.TransformVectors = this->TransformVectors;
   options.OutputPointsPrecision = this->OutputPointsPrecision;

@@ -40,7 +40,10 @@ std::vector<T> Subdivide(const Mesh& mesh, const std::vector<T>& points, int com
     std::vector<T> next(stencils.GetNumberOfRows() * components);
     stencils.Apply(values.data(), next.data(), components);
     values = std::move(next);
-    level = RefineOnce(level, step + 2 < steps ? Depth::ForRefinement : Depth::ForOutput);
+    if (step + 1 < steps)
+    {
+      level = RefineOnce(level, step + 2 < steps ? Depth::ForRefinement : Depth::ForOutput);
+    }
   }
   return values;
 }
