@@ -4,6 +4,7 @@
 #include "ButterflyScheme.h"
 #include "CatmullClarkScheme.h"
 #include "LoopScheme.h"
+#include "SqrtThreeScheme.h"
 
 namespace subdivision
 {
@@ -20,6 +21,8 @@ std::shared_ptr<const SurfaceScheme<Id>> MakeSurfaceScheme(
       return MakeCatmullClarkScheme<Id>(modifiedBoundary);
     case SurfaceSchemeKind::ModifiedButterfly:
       return MakeButterflyScheme<Id>();
+    case SurfaceSchemeKind::SqrtThree:
+      return MakeSqrtThreeScheme<Id>();
     default:
       return nullptr;
   }

@@ -97,6 +97,12 @@ void AddSharpEdges(
   for (std::size_t i = 0; i + 1 < pairs.size(); i += 2)
   {
     const Id a = static_cast<Id>(pairs[i]);
+    if (pairs[i] == pairs[i + 1])
+    {
+      features.Corners.resize(mesh.NumberOfVertices, 0);
+      features.Corners[a] = 1;
+      continue;
+    }
     CollectEdges(
       mesh, a, [&](Id e) { return mesh.GetOtherEnd(e, a) == pairs[i + 1]; }, edges);
     for (Id edge : edges)
@@ -104,6 +110,27 @@ void AddSharpEdges(
       features.SharpEdges[edge] = 1;
     }
   }
+}
+
+template <typename Id>
+std::vector<vtkIdType> ListSharpEdges(const PolygonMesh<Id>& mesh, const SurfaceFeatures& features)
+{
+  std::vector<vtkIdType> pairs;
+  for (std::size_t e = 0; e < features.SharpEdges.size(); ++e)
+  {
+    if (features.SharpEdges[e])
+    {
+      pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
+    }
+  }
+  for (std::size_t v = 0; v < features.Corners.size(); ++v)
+  {
+    if (features.Corners[v])
+    {
+      pairs.insert(pairs.end(), 2, static_cast<vtkIdType>(v));
+    }
+  }
+  return pairs;
 }
 
 template <typename Id>
@@ -170,7 +197,8 @@ SurfaceCreases ReadSurfaceCreases(
     const FeatureOptions&, const SurfaceCells&, const SurfaceLevel<Id>&);                          \
   template std::vector<vtkIdType> FindFeatureEdges(const PolygonMesh<Id>&, const double*, double); \
   template void AddSharpEdges(                                                                     \
-    const PolygonMesh<Id>&, const std::vector<vtkIdType>&, SurfaceFeatures&)
+    const PolygonMesh<Id>&, const std::vector<vtkIdType>&, SurfaceFeatures&);                      \
+  template std::vector<vtkIdType> ListSharpEdges(const PolygonMesh<Id>&, const SurfaceFeatures&)
 SUBDIVISION_CREASES(int);
 SUBDIVISION_CREASES(long long);
 

@@ -25,13 +25,16 @@ template <typename Id>
 SurfaceCreases ReadSurfaceCreases(
   const FeatureOptions& options, const SurfaceCells& cells, const SurfaceLevel<Id>& level);
 
-/// Edges where the surface turns by more than an angle in degrees, as pairs of points; and back.
+/// Edges where the surface turns by more than an angle in degrees, as pairs of points; and back. A
+/// pair of one point is a corner. All sharp edges and corners as such pairs.
 template <typename Id>
 std::vector<vtkIdType> FindFeatureEdges(
   const PolygonMesh<Id>& mesh, const double* points, double angle);
 template <typename Id>
 void AddSharpEdges(
   const PolygonMesh<Id>& mesh, const std::vector<vtkIdType>& pairs, SurfaceFeatures& features);
+template <typename Id>
+std::vector<vtkIdType> ListSharpEdges(const PolygonMesh<Id>& mesh, const SurfaceFeatures& features);
 
 }
 

@@ -20,6 +20,7 @@ constexpr const char* Name = "SubdivisionSurface";
 constexpr const char* SizesName = "SubdivisionSurfaceSizes";
 constexpr const char* AnglesName = "SubdivisionCornerAngles";
 constexpr const char* CreasesName = "SubdivisionSurfaceCreases";
+constexpr const char* CellsName = "SubdivisionSurfaceCells";
 constexpr vtkIdType FormatVersion = 1;
 constexpr int MostLevels = 20;
 
@@ -91,6 +92,7 @@ bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp)
   stamp.Sizes = ReadIds(SizesName, data);
   stamp.Angles = ReadValues(AnglesName, data);
   stamp.Creases = ReadIds(CreasesName, data);
+  stamp.Cells = ReadIds(CellsName, data);
   return std::all_of(stamp.Creases.begin(), stamp.Creases.end(),
            [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; }) &&
     (stamp.Size > 0 || static_cast<vtkIdType>(stamp.Sizes.size()) == stamp.NumberOfControlFaces);
@@ -107,19 +109,84 @@ void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output)
     SizesName, stamp.Size > 0 ? std::vector<vtkIdType>() : stamp.Sizes, data);
   WriteValues<vtkDoubleArray>(AnglesName, stamp.Angles, data);
   WriteValues<vtkIdTypeArray>(CreasesName, stamp.Creases, data);
+  WriteValues<vtkIdTypeArray>(CellsName, stamp.Cells, data);
 }
 
 void RemoveSurfaceStamp(vtkPolyData* output)
 {
-  for (const char* name : { Name, SizesName, AnglesName, CreasesName })
+  for (const char* name : { Name, SizesName, AnglesName, CreasesName, CellsName })
   {
     output->GetFieldData()->RemoveArray(name);
   }
 }
 
+namespace
+{
+
+bool AreControlPoints(const std::vector<vtkIdType>& ids, const SurfaceStamp& stamp)
+{
+  return std::all_of(ids.begin(), ids.end(),
+    [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; });
+}
+
+/// The control cells that the stamp has. Their faces have no cells of their own in the output.
+bool CopyControlCells(const SurfaceCells& cells, const SurfaceStamp& stamp, SurfaceCells& control)
+{
+  control = SurfaceCells();
+  control.NumberOfPoints = stamp.NumberOfControlPoints;
+  control.Vertices = cells.Vertices;
+  control.VertexCells = cells.VertexCells;
+  control.FaceCells.assign(stamp.NumberOfControlFaces, 0);
+  vtkIdType corners = 0;
+  const vtkIdType all = static_cast<vtkIdType>(stamp.Cells.size());
+  for (vtkIdType f = 0; f < stamp.NumberOfControlFaces; ++f)
+  {
+    const vtkIdType size = stamp.Size > 0 ? stamp.Size : stamp.Sizes[f];
+    if (size < 3 || size > all - corners)
+    {
+      return false;
+    }
+    corners += size;
+    control.FaceOffsets.push_back(corners);
+  }
+  const vtkIdType segments = (all - corners) / 2;
+  const vtkIdType children = static_cast<vtkIdType>(cells.SegmentCells.size());
+  if ((all - corners) % 2 != 0 || (segments > 0 ? children % segments != 0 : children > 0))
+  {
+    return false;
+  }
+  control.Segments.assign(stamp.Cells.begin(), stamp.Cells.begin() + 2 * segments);
+  control.Corners.assign(stamp.Cells.begin() + 2 * segments, stamp.Cells.end());
+  for (vtkIdType s = 0; s < segments; ++s)
+  {
+    if (children == 0 || control.Segments[2 * s] == control.Segments[2 * s + 1])
+    {
+      return false;
+    }
+    control.SegmentCells.push_back(cells.SegmentCells[s * (children / segments)]);
+  }
+  for (vtkIdType f = 0; f < stamp.NumberOfControlFaces; ++f)
+  {
+    std::vector<vtkIdType> face(control.Corners.begin() + control.FaceOffsets[f],
+      control.Corners.begin() + control.FaceOffsets[f + 1]);
+    std::sort(face.begin(), face.end());
+    if (std::adjacent_find(face.begin(), face.end()) != face.end())
+    {
+      return false;
+    }
+  }
+  return AreControlPoints(stamp.Cells, stamp) && AreControlPoints(cells.Vertices, stamp);
+}
+
+}
+
 bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp,
   const std::function<bool(vtkIdType, vtkIdType)>& isSame, SurfaceCells& control)
 {
+  if (!stamp.Cells.empty())
+  {
+    return CopyControlCells(cells, stamp, control);
+  }
   const vtkIdType segments = static_cast<vtkIdType>(cells.SegmentCells.size());
   const vtkIdType pieces = vtkIdType(1) << stamp.Levels;
   const bool triangles = stamp.Size == 3 && cells.Corners.size() == cells.FaceCells.size() * 3;
@@ -168,11 +235,8 @@ bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp,
     control.FaceCells.push_back(cells.FaceCells[face]);
     face += total;
   }
-  auto isControl = [&stamp](vtkIdType id) { return id < stamp.NumberOfControlPoints; };
-  return face == cells.GetNumberOfFaces() &&
-    std::all_of(control.Corners.begin(), control.Corners.end(), isControl) &&
-    std::all_of(control.Segments.begin(), control.Segments.end(), isControl) &&
-    std::all_of(control.Vertices.begin(), control.Vertices.end(), isControl);
+  return face == cells.GetNumberOfFaces() && AreControlPoints(control.Corners, stamp) &&
+    AreControlPoints(control.Segments, stamp) && AreControlPoints(control.Vertices, stamp);
 }
 
 }

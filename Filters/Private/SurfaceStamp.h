@@ -8,7 +8,9 @@
  * control face where they differ, `SubdivisionCornerAngles` the angles that were measured at
  * corners, `SubdivisionSurfaceCreases` the edges that were detected as features, as pairs of
  * control points. Control points keep their ids and children are consecutive, so the control mesh
- * is read off the cells; it is refined again and compared with them.
+ * is read off the cells; it is refined again and compared with them. Of schemes that do not halve
+ * edges, `SubdivisionSurfaceCells` has the control cells, and the creases are all that there are,
+ * with corners as pairs of one point.
  */
 #ifndef SubdivisionObjects_SurfaceStamp_h
 #define SubdivisionObjects_SurfaceStamp_h
@@ -30,6 +32,8 @@ struct SurfaceStamp
   std::vector<vtkIdType> Sizes;
   std::vector<double> Angles;
   std::vector<vtkIdType> Creases;
+  /// Segments, two points each, then the corners of the control faces; empty: from the children.
+  std::vector<vtkIdType> Cells;
 };
 
 /// False where there is no stamp, or it is not of this mesh.

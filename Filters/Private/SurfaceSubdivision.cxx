@@ -365,7 +365,14 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
 template <typename Id>
 SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level)
 {
-  SurfaceCreases creases = ReadSurfaceCreases(this->Options.Features, cells, level);
+  FeatureOptions features = this->Options.Features;
+  if (this->MadeLevels > 0 && !this->Scheme->HalvesEdges())
+  {
+    // The stamp knows them; lifted faces have no cell data.
+    features.Singular = nullptr;
+    features.Sharpness = nullptr;
+  }
+  SurfaceCreases creases = ReadSurfaceCreases(features, cells, level);
   for (double& sharpness : creases.Sharpness)
   {
     sharpness += sharpness > 0. ? this->MadeLevels : 0.;
@@ -382,6 +389,10 @@ SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const Surf
       level.Mesh, this->Points->GetCoordinates(), this->Options.Features.FeatureAngle);
   }
   AddSharpEdges(level.Mesh, this->Creases, creases.Features);
+  if (!this->Scheme->HalvesEdges())
+  {
+    this->Creases = ListSharpEdges(level.Mesh, creases.Features);
+  }
   return creases;
 }
 
@@ -543,8 +554,8 @@ template <typename Id>
 void SurfaceRun<Id>::WriteStamp()
 {
   RemoveSurfaceStamp(this->Output);
-  if (this->Options.ProjectToLimit || this->GetAllLevels() == 0 || !this->Scheme->HalvesEdges() ||
-    !this->Scheme->UsesTags() || this->Joined)
+  if (this->Options.ProjectToLimit || this->GetAllLevels() == 0 || !this->Scheme->UsesTags() ||
+    this->Joined)
   {
     return;
   }
@@ -568,6 +579,11 @@ void SurfaceRun<Id>::WriteStamp()
     stamp.Angles.push_back(sector.Flatness);
   }
   stamp.Creases = this->Creases;
+  if (!this->Scheme->HalvesEdges())
+  {
+    stamp.Cells = control.Segments;
+    stamp.Cells.insert(stamp.Cells.end(), control.Corners.begin(), control.Corners.end());
+  }
   WriteSurfaceStamp(stamp, this->Output);
 }
 

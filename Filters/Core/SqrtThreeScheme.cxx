@@ -1,0 +1,475 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SqrtThreeScheme.h"
+
+#include "CurveRows.h"
+#include "FixedEdges.h"
+#include "SqrtThreeRefinement.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+
+/// The weight of the mean of the n neighbours of a smooth vertex (Kobbelt, eq. 6).
+double GetRingWeight(int n)
+{
+  return (4. - 2. * std::cos(2. * pi / n)) / 9.;
+}
+
+template <typename Id>
+class SqrtThreeScheme : public SurfaceScheme<Id>
+{
+public:
+  bool NeedsTriangles() const override { return true; }
+  bool HalvesEdges() const override { return false; }
+  double CountFaces(double faces, double /*corners*/, int steps) const override
+  {
+    return faces * std::pow(3., steps);
+  }
+  void RestrictTags(SurfaceLevel<Id>& level) const override { FixEdges(level); }
+  void Prepare(SurfaceLevel<Id>& level) const override { CountSqrtThreePlaces(level); }
+  vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
+  {
+    return SqrtThreeTopology<Id>(level).GetNumberOfVertices();
+  }
+  void GetParents(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
+  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override
+  {
+    return RefineSqrtThree(level, depth);
+  }
+  SurfaceTags<Id> RefineTags(
+    const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override
+  {
+    return RefineSqrtThreeTags(level, tags);
+  }
+  void GetFaceParents(const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const override;
+  void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
+    vtkIdType end, RowBlock<Id>& rows) const override;
+
+  bool HasLimit() const override { return true; }
+  void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
+
+private:
+  using Topology = SqrtThreeTopology<Id>;
+  void AppendSmooth(const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const;
+  void AppendThird(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, bool second,
+    std::vector<Id>& edges, RowBlock<Id>& rows) const;
+  void AppendSmoothPosition(const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const;
+  void AppendSmoothTangent(
+    const SurfaceLevel<Id>& level, Id vertex, LimitKind kind, RowBlock<Id>& rows) const;
+  void AppendSectorTangent(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id vertex,
+    LimitKind kind, std::vector<Id>& ring, RowBlock<Id>& rows) const;
+};
+
+/// Where the even step puts no centre: the edge of the face that is fixed, as its corner; else -1.
+template <typename Id>
+Id FindFixedOpposite(const SurfaceLevel<Id>& level, const FanStep<Id>& step)
+{
+  const Id opposite = level.Mesh.Next(step.Corner);
+  return level.Step % 2 == 1 && level.Tags.Edges[level.Mesh.Edges[opposite]] == EdgeTag::Sharp
+    ? opposite
+    : -1;
+}
+
+template <typename Id>
+void SqrtThreeScheme<Id>::GetParents(
+  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const
+{
+  const Topology topology(level);
+  const vtkIdType centre = row - level.Mesh.NumberOfVertices;
+  const vtkIdType third = centre - topology.Centres;
+  if (centre < 0)
+  {
+    parents.assign({ row });
+  }
+  else if (third < 0)
+  {
+    const Id* first = level.Mesh.Vertices.data() + 3 * topology.FindFace(static_cast<Id>(centre));
+    parents.assign(first, first + 3);
+  }
+  else
+  {
+    const Id edge = topology.FindCutEdge(static_cast<Id>(row));
+    parents.assign({ level.Mesh.EdgeVertices[2 * edge], level.Mesh.EdgeVertices[2 * edge + 1] });
+  }
+}
+
+/// A child lies in two faces: the one with the smaller id counts.
+template <typename Id>
+void SqrtThreeScheme<Id>::GetFaceParents(
+  const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  parents = Buffer<vtkIdType>(mesh.GetNumberOfCorners());
+  ForEach(parents.size(),
+    [&](vtkIdType c)
+    {
+      const bool isFixed = level.Tags.Edges[mesh.Edges[c]] == EdgeTag::Sharp;
+      parents[c] = (isFixed ? c : std::min<vtkIdType>(c, mesh.Twins[c])) / 3;
+    });
+}
+
+// ------------------------------------------------------------------------------------------------
+// Rows of a step
+
+template <typename Id>
+void SqrtThreeScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
+  vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const Topology topology(level);
+  const vtkIdType vertices = mesh.NumberOfVertices;
+  const vtkIdType thirds = vertices + topology.Centres;
+  std::vector<Id> edges;
+  vtkIdType row = begin;
+  for (; row < std::min(end, vertices); ++row)
+  {
+    const Id vertex = static_cast<Id>(row);
+    if (tags.Vertices[row] == VertexTag::Smooth)
+    {
+      this->AppendSmooth(level, vertex, rows);
+    }
+    else if (topology.IsEven)
+    {
+      AppendCurveVertex(mesh, tags, vertex, 19. / 27., edges, rows);
+    }
+    else
+    {
+      rows.Add(row, 1.);
+    }
+    rows.EndRow();
+  }
+  if (row < std::min(end, thirds))
+  {
+    Id face = topology.FindFace(static_cast<Id>(row - vertices));
+    for (; row < std::min(end, thirds); ++row, ++face)
+    {
+      while (topology.GetCentre(face) < 0)
+      {
+        ++face;
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        rows.Add(mesh.Vertices[3 * face + i], 1. / 3.);
+      }
+      rows.EndRow();
+    }
+  }
+  for (; row < end; ++row)
+  {
+    const bool second = (row - thirds) % 2 == 1;
+    this->AppendThird(mesh, tags, topology.FindCutEdge(static_cast<Id>(row)), second, edges, rows);
+    rows.EndRow();
+  }
+}
+
+/// In even steps a centre next to a fixed edge ab has the ghost a + b - p there, which keeps a flat
+/// grid exact (SPEC 11).
+template <typename Id>
+void SqrtThreeScheme<Id>::AppendSmooth(
+  const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const Id start = mesh.VertexCorners[vertex];
+  int n = 0;
+  int ghosts = 0;
+  VisitCycle(mesh, start,
+    [&](const FanStep<Id>& step)
+    {
+      ++n;
+      ghosts += FindFixedOpposite(level, step) >= 0;
+    });
+  n += ghosts;
+  const double ring = GetRingWeight(n) / n;
+  rows.Add(vertex, 1. - ring * (n + ghosts));
+  VisitCycle(mesh, start,
+    [&](const FanStep<Id>& step)
+    {
+      const Id in = step.GetHalfEdgeIn(mesh);
+      rows.Add(mesh.Vertices[in == step.Corner ? mesh.Next(in) : in], ring);
+      const Id opposite = FindFixedOpposite(level, step);
+      if (opposite >= 0)
+      {
+        rows.Add(mesh.Vertices[opposite], ring);
+        rows.Add(mesh.Vertices[mesh.Next(opposite)], ring);
+      }
+    });
+}
+
+/// The point at one third of a fixed edge: cubic B-spline in thirds (Kobbelt, eq. 9); next to a
+/// vertex that stays, a third of the way.
+template <typename Id>
+void SqrtThreeScheme<Id>::AppendThird(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags,
+  Id edge, bool second, std::vector<Id>& edges, RowBlock<Id>& rows) const
+{
+  const Id near = mesh.EdgeVertices[2 * edge + (second ? 1 : 0)];
+  const Id far = mesh.EdgeVertices[2 * edge + (second ? 0 : 1)];
+  edges.clear();
+  if (tags.Vertices[near] == VertexTag::Curve)
+  {
+    CollectSharpEdges(mesh, tags, near, edges);
+  }
+  if (edges.size() != 2)
+  {
+    rows.Add(near, 2. / 3.);
+    rows.Add(far, 1. / 3.);
+    return;
+  }
+  rows.Add(near, 16. / 27.);
+  rows.Add(far, 10. / 27.);
+  rows.Add(mesh.GetOtherEnd(edges[edges[0] == edge ? 1 : 0], near), 1. / 27.);
+}
+
+// ------------------------------------------------------------------------------------------------
+// Limits
+
+template <typename Id>
+void SqrtThreeScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level,
+  const SurfaceTags<Id>& tags, LimitKind kind, vtkIdType begin, vtkIdType end,
+  RowBlock<Id>& rows) const
+{
+  std::vector<Id> edges;
+  for (vtkIdType v = begin; v < end; ++v)
+  {
+    const Id vertex = static_cast<Id>(v);
+    const bool isSmooth = tags.Vertices[v] == VertexTag::Smooth;
+    const bool isPosition = kind == LimitKind::Position;
+    if (isPosition && isSmooth)
+    {
+      this->AppendSmoothPosition(level, vertex, rows);
+    }
+    else if (isPosition)
+    {
+      AppendCurveVertex(level.Mesh, tags, vertex, 2. / 3., edges, rows);
+    }
+    else if (isSmooth)
+    {
+      this->AppendSmoothTangent(level, vertex, kind, rows);
+    }
+    else
+    {
+      this->AppendSectorTangent(level, tags, vertex, kind, edges, rows);
+    }
+    rows.EndRow();
+  }
+}
+
+/// (1 - b) p + b times the mean of the ring (Kobbelt, eq. 7). A centre next to a fixed edge has
+/// this ring only after the next step, which for the point of a face are the two thirds of that
+/// edge.
+template <typename Id>
+void SqrtThreeScheme<Id>::AppendSmoothPosition(
+  const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const Id start = mesh.VertexCorners[vertex];
+  int n = 0;
+  int ghosts = 0;
+  VisitCycle(mesh, start,
+    [&](const FanStep<Id>& step)
+    {
+      ++n;
+      ghosts += FindFixedOpposite(level, step) >= 0;
+    });
+  const double a = GetRingWeight(n + ghosts);
+  const double b = 3. * a / (1. + 3. * a);
+  auto addRing = [&](RowBlock<Id>& out, double weight)
+  {
+    VisitCycle(mesh, start,
+      [&](const FanStep<Id>& step)
+      {
+        const Id in = step.GetHalfEdgeIn(mesh);
+        out.Add(mesh.Vertices[in == step.Corner ? mesh.Next(in) : in], weight);
+      });
+  };
+  if (ghosts == 0)
+  {
+    rows.Add(vertex, 1. - b);
+    addRing(rows, b / n);
+    return;
+  }
+  RowBlock<Id> next;
+  std::vector<Id> edges;
+  auto addNext = [&](double weight)
+  {
+    for (std::size_t k = 0; k < next.GetNumberOfEntries(); ++k)
+    {
+      rows.Add(next.GetColumns()[k], weight * next.GetWeights()[k]);
+    }
+    next.Clear();
+  };
+  this->AppendSmooth(level, vertex, next);
+  addNext(1. - b);
+  const double ring = b / (n + ghosts);
+  VisitCycle(mesh, start,
+    [&](const FanStep<Id>& step)
+    {
+      const Id opposite = FindFixedOpposite(level, step);
+      if (opposite < 0)
+      {
+        for (Id c : { step.Corner, mesh.Next(step.Corner), mesh.Previous(step.Corner) })
+        {
+          rows.Add(mesh.Vertices[c], ring / 3.);
+        }
+        return;
+      }
+      for (const bool second : { false, true })
+      {
+        this->AppendThird(mesh, level.Tags, mesh.Edges[opposite], second, edges, next);
+        addNext(ring);
+      }
+    });
+}
+
+/// The ring turns by half a triangle in each step; the plane of its first wave is the limit's.
+template <typename Id>
+void SqrtThreeScheme<Id>::AppendSmoothTangent(
+  const SurfaceLevel<Id>& level, Id vertex, LimitKind kind, RowBlock<Id>& rows) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const Id start = mesh.VertexCorners[vertex];
+  int n = 0;
+  VisitCycle(mesh, start, [&n](const FanStep<Id>&) { ++n; });
+  int j = 0;
+  VisitCycle(mesh, start,
+    [&](const FanStep<Id>& step)
+    {
+      const double angle = 2. * pi * j++ / n;
+      const Id in = step.GetHalfEdgeIn(mesh);
+      rows.Add(mesh.Vertices[in == step.Corner ? mesh.Next(in) : in],
+        kind == LimitKind::Tangent1 ? std::cos(angle) : std::sin(angle));
+    });
+}
+
+/// The weights of the tangent across a curve, into a sector of k triangles on an even level: of the
+/// vertex, of both ends; inside, sin(j pi / k). A left eigenvector of two steps, with the
+/// eigenvalue (2 + 2 cos(pi / k)) / 9.
+struct TransversalMask
+{
+  explicit TransversalMask(int k)
+  {
+    double sum = 0.;
+    for (int j = 0; j <= k; ++j)
+    {
+      this->Inside.push_back(j == 0 || j == k ? 0. : std::sin(j * pi / k));
+      sum += this->Inside.back();
+    }
+    if (k == 1)
+    {
+      this->Own = -2.;
+      this->End = 1.;
+      return;
+    }
+    const double value = (2. + 2. * std::cos(pi / k)) / 9.;
+    const double determinant = (value - 1.) * (value - 1. / 9.);
+    const double end = this->Inside[1] / 9.;
+    const double own = 5. / 9. * sum;
+    this->End = ((value - 19. / 27.) * end + 4. / 27. * own) / determinant;
+    this->Own = ((value - 11. / 27.) * own + 32. / 27. * end) / determinant;
+  }
+  /// The same for the level after an odd step, whose k + 1 triangles have the centres between them.
+  void MakeOdd()
+  {
+    const double sum = std::accumulate(this->Inside.begin(), this->Inside.end(), 0.);
+    const double own = 19. / 27. * this->Own + 32. / 27. * this->End + sum / 3.;
+    this->End = 11. / 27. * this->End + 4. / 27. * this->Own;
+    this->Own = own;
+    std::vector<double> inside{ 0. };
+    for (std::size_t j = 1; j < this->Inside.size(); ++j)
+    {
+      inside.push_back((this->Inside[j - 1] + this->Inside[j]) / 3.);
+    }
+    inside.push_back(0.);
+    this->Inside = std::move(inside);
+  }
+
+  double Own = 0.;
+  double End = 0.;
+  std::vector<double> Inside; ///< from end to end, 0 for these
+};
+
+/// In the first sector of a vertex on a curve: along the curve and across it; at a corner along its
+/// two ends.
+template <typename Id>
+void SqrtThreeScheme<Id>::AppendSectorTangent(const SurfaceLevel<Id>& level,
+  const SurfaceTags<Id>& tags, Id vertex, LimitKind kind, std::vector<Id>& ring,
+  RowBlock<Id>& rows) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const bool isCurve = tags.Vertices[vertex] == VertexTag::Curve;
+  Id corner = -1;
+  VisitFans(mesh, vertex, [&corner](Id c) { corner = corner < 0 ? c : corner; });
+  const SectorEnds<Id> ends = corner < 0 ? SectorEnds<Id>() : FindSectorEnds(mesh, tags, corner);
+  if (ends.Size == 0)
+  {
+    CollectSharpEdges(mesh, tags, vertex, ring);
+    if (isCurve && kind == LimitKind::Tangent1 && ring.size() == 2)
+    {
+      rows.Add(mesh.GetOtherEnd(ring[0], vertex), 1.);
+      rows.Add(mesh.GetOtherEnd(ring[1], vertex), -1.);
+    }
+    return;
+  }
+  ring.clear();
+  FanStep<Id> step = ends.First;
+  for (int i = 0; i < ends.Size; ++i)
+  {
+    ring.push_back(mesh.GetOtherEnd(mesh.Edges[step.GetHalfEdgeIn(mesh)], vertex));
+    step.Advance(mesh);
+  }
+  ring.push_back(mesh.GetOtherEnd(mesh.Edges[ends.Last.GetHalfEdgeOut(mesh)], vertex));
+  const double turn = ends.First.Forward ? 1. : -1.;
+  if (kind == LimitKind::Tangent1)
+  {
+    rows.Add(ring.front(), 1.);
+    rows.Add(isCurve ? ring.back() : vertex, -1.);
+    return;
+  }
+  if (!isCurve)
+  {
+    const Sector<Id>* sector = nullptr;
+    for (const Sector<Id>& s : tags.Sectors)
+    {
+      sector = s.Vertex == vertex && !sector ? &s : sector;
+    }
+    const double angle = sector ? sector->Angle : pi / 2.;
+    const double first = -turn * std::cos(angle) / std::sin(angle);
+    const double last = turn / std::sin(angle);
+    rows.Add(ring.front(), first);
+    rows.Add(ring.back(), last);
+    rows.Add(vertex, -first - last);
+    return;
+  }
+  TransversalMask mask(level.Step % 2 == 0 ? ends.Size : ends.Size - 1);
+  if (level.Step % 2 == 1)
+  {
+    mask.MakeOdd();
+  }
+  rows.Add(vertex, turn * mask.Own);
+  rows.Add(ring.front(), turn * mask.End);
+  rows.Add(ring.back(), turn * mask.End);
+  for (std::size_t j = 1; j + 1 < ring.size(); ++j)
+  {
+    rows.Add(ring[j], turn * mask.Inside[j]);
+  }
+}
+
+}
+
+template <typename Id>
+std::unique_ptr<SurfaceScheme<Id>> MakeSqrtThreeScheme()
+{
+  return std::make_unique<SqrtThreeScheme<Id>>();
+}
+
+template std::unique_ptr<SurfaceScheme<int>> MakeSqrtThreeScheme();
+template std::unique_ptr<SurfaceScheme<long long>> MakeSqrtThreeScheme();
+
+}
