@@ -20,10 +20,10 @@
  * and SqrtThree split other polygons into triangles first (a warning says so). Line cells follow
  * the edges that they lie on; others are curves of their own, cubic B-splines; poly lines become
  * lines. Vertex cells stay. The output has vertices, lines and polygons, in this order, the
- * children of a cell one after another and oriented like it; those of SqrtThree lie in two cells
- * and take the cell data of the first. Points: the input's with their ids, unused ones too, then
- * the new ones level by level. Point arrays, cell arrays and field data are treated as by
- * vtkMultiDimensionalSubdivision. Cells that cannot be used are passed over with a warning.
+ * children of a cell one after another and oriented like it; those of SqrtThree and FourEight
+ * lie in two cells and take the cell data of the first. Points: the input's with their ids, unused
+ * ones too, then the new ones level by level. Point arrays, cell arrays and field data are treated
+ * as by vtkMultiDimensionalSubdivision. Cells that cannot be used are passed over with a warning.
  *
  * @par Creases and corners
  * Sharp are boundaries, edges of line cells that the array at index 0 flags, edges around flagged
@@ -34,9 +34,11 @@
  * Midedge, have no creases and corners. Corners are convex or concave by the sum of the face angles
  * in each sector, measured on the input and kept in [22.5, 157.5] and [202.5, 337.5] degrees.
  *
- * SqrtThree cuts curves into thirds in every second step, with the cubic B-spline's rule, and
- * leaves them alone in the others. It replaces all other edges, so that line cells are creases with
- * any flag or sharpness, and an end of a crease is a corner.
+ * SqrtThree and FourEight leave curves alone in odd steps; in even ones SqrtThree cuts them into
+ * thirds and FourEight in halves, by the rules of the cubic B-spline. They replace all other edges,
+ * so that line cells are creases with any flag or sharpness, and an end of a crease is a corner.
+ * FourEight has triangles on curves after odd steps, and is smooth only at boundary vertices of two
+ * and three faces. ModifiedBoundary changes nothing for these two.
  *
  * @par Non-manifold input
  * Edges with three and more faces, vertices where fans of faces or lines meet: Loop follows
@@ -57,9 +59,10 @@
  *
  * @par Filters in a row
  * Three filters of one level and the same options are one filter of three levels, bit for bit, for
- * Loop, CatmullClark and SqrtThree, whose odd and even steps go on where they were; a flatness
- * array is read anew only if there is no earlier output. After ProjectToLimit, with global ids, or
- * if cells were changed in between, the mesh is a new one.
+ * Loop, CatmullClark, SqrtThree and FourEight, of which the last two go on with the right parity
+ * and with the flags of the first input; a flatness array is read anew only if there is no earlier
+ * output. After ProjectToLimit, with global ids, or if cells were changed in between, the mesh is a
+ * new one.
  *
  * @par Complexity
  * Time and memory are linear in the size of the output; incidences are searched on the input only.

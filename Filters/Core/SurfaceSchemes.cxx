@@ -3,6 +3,7 @@
 
 #include "ButterflyScheme.h"
 #include "CatmullClarkScheme.h"
+#include "FourEightScheme.h"
 #include "LoopScheme.h"
 #include "SqrtThreeScheme.h"
 
@@ -21,6 +22,8 @@ std::shared_ptr<const SurfaceScheme<Id>> MakeSurfaceScheme(
       return MakeCatmullClarkScheme<Id>(modifiedBoundary);
     case SurfaceSchemeKind::ModifiedButterfly:
       return MakeButterflyScheme<Id>();
+    case SurfaceSchemeKind::FourEight:
+      return MakeFourEightScheme<Id>();
     case SurfaceSchemeKind::SqrtThree:
       return MakeSqrtThreeScheme<Id>();
     default:

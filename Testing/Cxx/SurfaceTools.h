@@ -450,14 +450,14 @@ inline void CheckChaining(const Model& model, int scheme)
   ExpectSameBits(single, all);
 }
 
-inline void CheckThreads(const Model& model, int scheme, int levels)
+inline void CheckThreads(const Model& model, int scheme, int levels, bool limit)
 {
   const auto input = MakeInput(model);
   vtkSmartPointer<vtkPolyData> results[2];
   for (int threads : { 1, 4 })
   {
     vtkSMPTools::Initialize(threads);
-    results[threads > 1] = RunFilter(input, scheme, levels, true);
+    results[threads > 1] = RunFilter(input, scheme, levels, limit);
   }
   vtkSMPTools::Initialize(0);
   EXPECT_GT(results[0]->GetNumberOfPolys(), 20000);

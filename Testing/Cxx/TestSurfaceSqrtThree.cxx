@@ -334,7 +334,7 @@ TEST(SurfaceSqrtThree, ThreadsDoNotChangeTheResult)
   {
     grid.Lines.push_back({ 22 * i, 22 * i + 1 });
   }
-  CheckThreads(grid, vtkSurfaceSubdivision::SQRT_THREE, 4);
+  CheckThreads(grid, vtkSurfaceSubdivision::SQRT_THREE, 4, true);
 }
 
 TEST(SurfaceSqrtThree, CellsTakeTheirDataFromTheFirstOfTheirParents)
