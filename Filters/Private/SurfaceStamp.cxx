@@ -72,6 +72,22 @@ std::vector<vtkIdType> ReadIds(const char* name, vtkFieldData* data)
 
 }
 
+void SurfaceStamp::SetControl(const SurfaceCells& control, int size, bool withCells)
+{
+  this->NumberOfControlPoints = control.NumberOfPoints;
+  this->NumberOfControlFaces = control.GetNumberOfFaces();
+  this->Size = size;
+  for (vtkIdType f = 0; size == 0 && f < control.GetNumberOfFaces(); ++f)
+  {
+    this->Sizes.push_back(control.FaceOffsets[f + 1] - control.FaceOffsets[f]);
+  }
+  if (withCells)
+  {
+    this->Cells = control.Segments;
+    this->Cells.insert(this->Cells.end(), control.Corners.begin(), control.Corners.end());
+  }
+}
+
 bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp)
 {
   vtkFieldData* data = input->GetFieldData();

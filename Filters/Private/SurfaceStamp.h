@@ -34,6 +34,9 @@ struct SurfaceStamp
   std::vector<vtkIdType> Creases;
   /// Segments, two points each, then the corners of the control faces; empty: from the children.
   std::vector<vtkIdType> Cells;
+
+  /// `size`: corners of each face, 0 if they differ; `withCells`: sets Cells, too.
+  void SetControl(const SurfaceCells& control, int size, bool withCells);
 };
 
 /// False where there is no stamp, or it is not of this mesh.

@@ -559,17 +559,11 @@ void SurfaceRun<Id>::WriteStamp()
   {
     return;
   }
-  const SurfaceCells& control = this->GetControl();
   SurfaceStamp stamp;
   stamp.Scheme = static_cast<int>(this->Options.Scheme);
   stamp.Levels = this->GetAllLevels();
-  stamp.NumberOfControlPoints = control.NumberOfPoints;
-  stamp.NumberOfControlFaces = control.GetNumberOfFaces();
-  stamp.Size = this->Steps->GetLevel(0).Mesh.Arity;
-  for (vtkIdType f = 0; stamp.Size == 0 && f < control.GetNumberOfFaces(); ++f)
-  {
-    stamp.Sizes.push_back(control.FaceOffsets[f + 1] - control.FaceOffsets[f]);
-  }
+  stamp.SetControl(
+    this->GetControl(), this->Steps->GetLevel(0).Mesh.Arity, !this->Scheme->HalvesEdges());
   for (const Sector<Id>& sector : this->ControlSectors)
   {
     stamp.Angles.push_back(sector.Angle);
@@ -579,11 +573,6 @@ void SurfaceRun<Id>::WriteStamp()
     stamp.Angles.push_back(sector.Flatness);
   }
   stamp.Creases = this->Creases;
-  if (!this->Scheme->HalvesEdges())
-  {
-    stamp.Cells = control.Segments;
-    stamp.Cells.insert(stamp.Cells.end(), control.Corners.begin(), control.Corners.end());
-  }
   WriteSurfaceStamp(stamp, this->Output);
 }
 

@@ -16,6 +16,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -448,6 +449,53 @@ inline void CheckChaining(const Model& model, int scheme)
     single = RunFilter(single, scheme, 1);
   }
   ExpectSameBits(single, all);
+}
+
+/// The same with flags on vertices, lines and faces, and with edges that are sharp by their angle.
+inline void CheckChainingOfFlags(bool triangles, int scheme)
+{
+  Model grid = MakeGrid(6, 5, triangles, { 1., 0., 0. }, { 0., 1., 0. });
+  const std::vector<Point> noise = MakeRandomPoints(grid.Points.size(), 8);
+  for (std::size_t i = 0; i < noise.size(); ++i)
+  {
+    grid.Points[i][2] = noise[i][2];
+  }
+  grid.Lines = { { 8, 9 }, { 9, 10 } };
+  const auto input = MakeInput(grid);
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell({ 24 });
+  vertices->InsertNextCell({ 25 });
+  input->SetVerts(vertices);
+  vtkNew<vtkIntArray> flags;
+  flags->SetName("Singular");
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    flags->InsertNextValue(cell == 1 || cell == 2 || cell == 12 || cell == 13 || cell == 20);
+  }
+  input->GetCellData()->AddArray(flags);
+  auto run = [scheme](vtkPolyData* from, int levels)
+  {
+    vtkNew<vtkSurfaceSubdivision> filter;
+    filter->SetInputData(from);
+    filter->SetScheme(scheme);
+    filter->SetNumberOfLevels(levels);
+    filter->SetDetectFeatures(true);
+    filter->SetFeatureAngle(60.);
+    filter->Update();
+    auto output = vtkSmartPointer<vtkPolyData>::New();
+    output->ShallowCopy(filter->GetOutput());
+    return output;
+  };
+  const auto all = run(input, 3);
+  ExpectSameBits(run(run(run(input, 1), 1), 1), all);
+  input->GetCellData()->Initialize();
+  const auto without = run(input, 3);
+  EXPECT_NE(without->GetNumberOfPoints(), 0);
+  EXPECT_NE(0,
+    std::memcmp(without->GetPoints()->GetVoidPointer(0), all->GetPoints()->GetVoidPointer(0),
+      sizeof(double) * 3 *
+        static_cast<std::size_t>(
+          std::min(without->GetNumberOfPoints(), all->GetNumberOfPoints()))));
 }
 
 inline void CheckThreads(const Model& model, int scheme, int levels, bool limit)

@@ -294,6 +294,11 @@ TEST(SurfaceFourEight, FiltersInARowAreOneFilter)
   }
 }
 
+TEST(SurfaceFourEight, FiltersInARowKeepFlags)
+{
+  CheckChainingOfFlags(false, vtkSurfaceSubdivision::FOUR_EIGHT);
+}
+
 TEST(SurfaceFourEight, ThreadsDoNotChangeTheResult)
 {
   Model grid = MakeGrid(40, 40, false, { 1., 0., 0. }, { 0., 1., 0. });

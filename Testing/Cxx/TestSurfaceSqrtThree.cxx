@@ -326,6 +326,11 @@ TEST(SurfaceSqrtThree, FiltersInARowAreOneFilter)
   }
 }
 
+TEST(SurfaceSqrtThree, FiltersInARowKeepFlags)
+{
+  CheckChainingOfFlags(true, vtkSurfaceSubdivision::SQRT_THREE);
+}
+
 TEST(SurfaceSqrtThree, ThreadsDoNotChangeTheResult)
 {
   Model grid = MakeGrid(20, 20, true, { 1., 0., 0. }, { 0., 1., 0. });
