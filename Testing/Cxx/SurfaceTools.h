@@ -363,6 +363,34 @@ inline void CheckRows(const Walk& walk)
   }
 }
 
+/// After four steps the pieces of each line follow one another from its beginning to its end.
+inline void CheckLines(SurfaceSchemeKind kind, bool triangles, vtkIdType pieces)
+{
+  for (const char* name : { "crease", "free line" })
+  {
+    const Model model = MakeZoo(triangles)[name];
+    Walk walk(model, kind);
+    for (int step = 0; step < 4; ++step)
+    {
+      walk.Step();
+    }
+    const vtkIdType lines = static_cast<vtkIdType>(model.Lines.size());
+    ASSERT_EQ(walk.Level.Lines.size(), pieces * lines);
+    for (vtkIdType line = 0; line < lines; ++line)
+    {
+      vtkIdType at = model.Lines[line][0];
+      for (vtkIdType i = 0; i < pieces; ++i)
+      {
+        const int piece = walk.Level.Lines[pieces * line + i];
+        const int* ends = walk.Level.Mesh.EdgeVertices.data() + 2 * (piece / 2);
+        EXPECT_EQ(ends[piece % 2], at);
+        at = ends[1 - piece % 2];
+      }
+      EXPECT_EQ(at, model.Lines[line][1]);
+    }
+  }
+}
+
 /// V - E + F, where free lines count as edges.
 inline vtkIdType GetEuler(const PolygonMesh<int>& mesh)
 {

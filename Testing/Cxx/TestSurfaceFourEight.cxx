@@ -81,6 +81,11 @@ TEST(SurfaceFourEight, StepsAreWhatASearchFinds)
   }
 }
 
+TEST(SurfaceFourEight, LinesStayConnected)
+{
+  CheckLines(Kind, false, 4);
+}
+
 TEST(SurfaceFourEight, CountsOfFaces)
 {
   // An odd step makes a face of each edge, two steps make four of each quad.

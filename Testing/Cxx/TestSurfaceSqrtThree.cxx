@@ -61,28 +61,7 @@ TEST(SurfaceSqrtThree, OutputAloneIsTheSame)
 
 TEST(SurfaceSqrtThree, LinesStayConnected)
 {
-  for (const char* name : { "crease", "free line" })
-  {
-    const Model model = MakeZoo(true)[name];
-    Walk walk(model, Kind);
-    for (int step = 0; step < 4; ++step)
-    {
-      walk.Step();
-    }
-    ASSERT_EQ(walk.Level.Lines.size(), static_cast<vtkIdType>(9 * model.Lines.size()));
-    for (std::size_t line = 0; line < model.Lines.size(); ++line)
-    {
-      vtkIdType at = model.Lines[line][0];
-      for (vtkIdType i = 0; i < 9; ++i)
-      {
-        const int piece = walk.Level.Lines[static_cast<vtkIdType>(9 * line) + i];
-        const int* ends = walk.Level.Mesh.EdgeVertices.data() + 2 * (piece / 2);
-        EXPECT_EQ(ends[piece % 2], at);
-        at = ends[1 - piece % 2];
-      }
-      EXPECT_EQ(at, model.Lines[line][1]);
-    }
-  }
+  CheckLines(Kind, true, 9);
 }
 
 TEST(SurfaceSqrtThree, SpectrumAroundInteriorVertices)
