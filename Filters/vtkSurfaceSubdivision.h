@@ -20,10 +20,24 @@
  * and SqrtThree split other polygons into triangles first (a warning says so). Line cells follow
  * the edges that they lie on; others are curves of their own, cubic B-splines; poly lines become
  * lines. Vertex cells stay. The output has vertices, lines and polygons, in this order, the
- * children of a cell one after another and oriented like it; those of SqrtThree and FourEight
- * lie in two cells and take the cell data of the first. Points: the input's with their ids, unused
- * ones too, then the new ones level by level. Point arrays, cell arrays and field data are treated
- * as by vtkMultiDimensionalSubdivision. Cells that cannot be used are passed over with a warning.
+ * children of a cell one after another and oriented like it (dual schemes: see below); those of
+ * SqrtThree and FourEight lie in two cells and take the cell data of the first. Points: the input's
+ * with their ids, unused ones too, then the new ones level by level. Point arrays, cell arrays and
+ * field data are treated as by vtkMultiDimensionalSubdivision. Cells that cannot be used are passed
+ * over with a warning.
+ *
+ * @par Dual schemes
+ * DooSabin makes a face inside each face, one along each edge and one around each vertex; Midedge
+ * joins the midpoints of edges. No input point is an output point: points are new and in the order
+ * of the faces' corners, and vtkOriginalPointIds is -1. The faces inside faces come first, then the
+ * others, with the cell data of the first face beside them, and oriented like it. Boundaries are
+ * quadratic B-splines (uniform, Chaikin's); sheets come apart at edges of three and more faces, and
+ * fans at vertices; a closed fan of two faces makes no face, its two edges become one. Lines and
+ * vertex cells get points of their own beside the surface, also where they lie on it: lines are
+ * cubic B-splines, ends and joints of lines and all other points without faces stay. The limit
+ * surface goes through the mean of the corners of each face of any level, not through images of
+ * points: ProjectToLimit, GenerateNormals and GenerateTangents do nothing and say so. Rows grow
+ * with the number of corners of a face: DooSabin takes time quadratic in it.
  *
  * @par Creases and corners
  * Sharp are boundaries, edges of line cells that the array at index 0 flags, edges around flagged
@@ -31,8 +45,9 @@
  * that do not have two faces. A vertex with two sharp edges lies on a curve; with three or more, or
  * if it is a flagged vertex cell, it is a corner. A smooth boundary vertex with one face is a
  * corner too for CatmullClark, ModifiedButterfly and FourEight. The dual schemes, DooSabin and
- * Midedge, have no creases and corners. Corners are convex or concave by the sum of the face angles
- * in each sector, measured on the input and kept in [22.5, 157.5] and [202.5, 337.5] degrees.
+ * Midedge, have no creases and corners: they warn of flags, sharpness and DetectFeatures. Corners
+ * are convex or concave by the sum of the face angles in each sector, measured on the input and
+ * kept in [22.5, 157.5] and [202.5, 337.5] degrees.
  *
  * SqrtThree and FourEight leave curves alone in odd steps; in even ones SqrtThree cuts them into
  * thirds and FourEight in halves, by the rules of the cubic B-spline. They replace all other edges,
@@ -59,8 +74,8 @@
  *
  * @par Filters in a row
  * Three filters of one level and the same options are one filter of three levels, bit for bit, for
- * Loop, CatmullClark, SqrtThree and FourEight, of which the last two go on with the right parity
- * and with the flags of the first input; a flatness array is read anew only if there is no earlier
+ * Loop, CatmullClark, DooSabin, SqrtThree and FourEight, of which the last two go on with the right
+ * parity and with the flags of the first input; a flatness array is read anew only if there is no earlier
  * output. After ProjectToLimit, with global ids, or if cells were changed in between, the mesh is a
  * new one.
  *

@@ -55,15 +55,21 @@ struct SurfaceTags
 };
 
 template <typename Id>
+struct DualPlaces;
+
+template <typename Id>
 struct SurfaceLevel
 {
   PolygonMesh<Id> Mesh;
   SurfaceTags<Id> Tags;
   /// Line cells: 2 edge + (1 if it runs against the edge).
   Buffer<Id> Lines;
+  /// Vertex cells: their vertices. Empty after steps of schemes that keep the ids of vertices.
+  Buffer<Id> Points;
   int Step = 0; ///< since the control mesh: odd or even steps differ in some schemes
   /// Where children begin, as far as arithmetic alone does not tell: what Prepare counted.
   Buffer<Id> Places;
+  std::shared_ptr<const DualPlaces<Id>> Dual; ///< the same for dual schemes
 };
 
 enum class LimitKind
@@ -83,6 +89,9 @@ public:
   virtual bool NeedsTriangles() const = 0;
   /// Whether creases, corners and sharpness mean anything (dual schemes: no).
   virtual bool UsesTags() const { return true; }
+  /// Whether the vertices of a level are vertices of the next, with the same ids (dual schemes:
+  /// no).
+  virtual bool KeepsVertices() const { return true; }
   /// Whether a smooth boundary vertex with one face is a corner by default.
   virtual bool HasCornersOfOneFace() const { return false; }
   /// Whether it has rules for joints that are blended (SPEC 6); else they are sharp.

@@ -4,6 +4,7 @@
 #include "ButterflyScheme.h"
 #include "CatmullClarkScheme.h"
 #include "FourEightScheme.h"
+#include "DooSabinScheme.h"
 #include "LoopScheme.h"
 #include "SqrtThreeScheme.h"
 
@@ -26,6 +27,8 @@ std::shared_ptr<const SurfaceScheme<Id>> MakeSurfaceScheme(
       return MakeFourEightScheme<Id>();
     case SurfaceSchemeKind::SqrtThree:
       return MakeSqrtThreeScheme<Id>();
+    case SurfaceSchemeKind::DooSabin:
+      return MakeDooSabinScheme<Id>();
     default:
       return nullptr;
   }

@@ -181,6 +181,12 @@ bool PointArrays::IsEarlier(vtkIdType a, vtkIdType b) const
                                                            : a < b;
 }
 
+void PointArrays::ForgetInputPoints()
+{
+  this->NumberOfGlobalIds = 0;
+  this->HasInputPoints = false;
+}
+
 void PointArrays::StartOrigins()
 {
   if (!this->HasGathered)
@@ -406,7 +412,7 @@ void PointArrays::AddOriginalIds(vtkPointSet* output) const
   vtkDataArray* carried = this->Options.CarryOriginalIds
     ? this->Input->GetPointData()->GetArray("vtkOriginalPointIds")
     : nullptr;
-  const vtkIdType given = this->Input->GetNumberOfPoints();
+  const vtkIdType given = this->HasInputPoints ? this->Input->GetNumberOfPoints() : 0;
   for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)
   {
     values[i] = i >= given ? -1 : carried ? static_cast<vtkIdType>(carried->GetComponent(i, 0)) : i;

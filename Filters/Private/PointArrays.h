@@ -75,6 +75,10 @@ public:
   /// Whether current point a has the smaller global id.
   bool IsEarlier(vtkIdType a, vtkIdType b) const;
 
+  /// From now on no point is one of the input's: global ids do not order them, none has an
+  /// original id.
+  void ForgetInputPoints();
+
   /// Normals that the filter made, to be put out with the other arrays.
   void SetNormals(vtkDataArray* normals) { this->Normals = normals; }
 
@@ -110,6 +114,7 @@ private:
   vtkSmartPointer<vtkDataArray> Normals;
   std::vector<Entry> Entries;
   bool HasGathered = false;
+  bool HasInputPoints = true;
   bool HasMoved = false;     ///< an operator was applied
   Buffer<vtkIdType> Origins; ///< the input point whose values each point takes
   Buffer<double> Coordinates;

@@ -178,7 +178,8 @@ void WriteCells(
   const vtkIdType points = static_cast<vtkIdType>(vertices.size());
   const vtkIdType lines = level.Lines.size();
   output->SetVerts(MakeCells<Array>(
-    points, points, [](vtkIdType i) { return i; }, [&](vtkIdType i) { return vertices[i]; }));
+    points, points, [](vtkIdType i) { return i; },
+    [&](vtkIdType i) { return level.Points.empty() ? vertices[i] : level.Points[i]; }));
   output->SetLines(MakeCells<Array>(
     lines, 2 * lines, [](vtkIdType i) { return 2 * i; },
     [&](vtkIdType i)
@@ -219,6 +220,7 @@ SurfaceLevel<Id> MakeControlLevel(const SurfaceCells& cells)
   list.Segments = copy(cells.Segments);
   SurfaceLevel<Id> level;
   level.Mesh = BuildPolygonMesh(std::move(list), level.Lines);
+  level.Points = copy(cells.Vertices);
   return level;
 }
 

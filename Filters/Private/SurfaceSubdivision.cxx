@@ -516,6 +516,10 @@ bool SurfaceRun<Id>::Advance()
         return *std::min_element(parents.begin(), parents.end(),
           [this](vtkIdType a, vtkIdType b) { return this->Points->IsEarlier(a, b); });
       });
+    if (!this->Scheme->KeepsVertices())
+    {
+      this->Points->ForgetInputPoints();
+    }
   }
   if (!this->Joined && this->NeedsLimit())
   {

@@ -292,7 +292,7 @@ TEST_P(SurfaceSchemesTest, NothingInNothingOut)
 
 INSTANTIATE_TEST_SUITE_P(SurfaceSubdivision, SurfaceSchemesTest,
   testing::Values(vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::CATMULL_CLARK,
-    vtkSurfaceSubdivision::MODIFIED_BUTTERFLY));
+    vtkSurfaceSubdivision::MODIFIED_BUTTERFLY, vtkSurfaceSubdivision::DOO_SABIN));
 
 TEST(SurfaceSubdivision, StripsBecomeTrianglesInPlace)
 {
