@@ -27,17 +27,19 @@
  * over with a warning.
  *
  * @par Dual schemes
- * DooSabin makes a face inside each face, one along each edge and one around each vertex; Midedge
- * joins the midpoints of edges. No input point is an output point: points are new and in the order
- * of the faces' corners, and vtkOriginalPointIds is -1. The faces inside faces come first, then the
- * others, with the cell data of the first face beside them, and oriented like it. Boundaries are
- * quadratic B-splines (uniform, Chaikin's); sheets come apart at edges of three and more faces, and
- * fans at vertices; a closed fan of two faces makes no face, its two edges become one. Lines and
- * vertex cells get points of their own beside the surface, also where they lie on it: lines are
- * cubic B-splines, ends and joints of lines and all other points without faces stay. The limit
- * surface goes through the mean of the corners of each face of any level, not through images of
- * points: ProjectToLimit, GenerateNormals and GenerateTangents do nothing and say so. Rows grow
- * with the number of corners of a face: DooSabin takes time quadratic in it.
+ * DooSabin makes a face inside each face, one along each edge and one around each vertex. Midedge
+ * joins the midpoints of edges: it makes a face inside each face and one around each vertex; odd
+ * steps keep boundary points, even ones do not. It is not smooth at faces of three sides and
+ * vertices of three faces. No input point is an output point: points are new, in the order of the
+ * corners of faces, and vtkOriginalPointIds is -1. The faces inside faces come first, then the
+ * others, with the cell data of the first face that they touch and oriented like it. Boundaries are
+ * uniform quadratic B-splines (Chaikin's scheme; for Midedge two steps of it are one of Chaikin's).
+ * Sheets come apart at edges of three and more faces, and fans at vertices. A closed fan of two
+ * faces makes no face: its two edges become one. Lines and vertex cells get points of their own,
+ * also where they lie on the surface: lines are cubic B-splines whose ends and joints stay, as do
+ * vertex cells and points that no cell uses. The limit surface goes through the mean of the corners
+ * of each face of any level: ProjectToLimit, GenerateNormals and GenerateTangents, which are of
+ * points, do nothing and say so. DooSabin takes time quadratic in the number of corners of a face.
  *
  * @par Creases and corners
  * Sharp are boundaries, edges of line cells that the array at index 0 flags, edges around flagged
@@ -74,10 +76,10 @@
  *
  * @par Filters in a row
  * Three filters of one level and the same options are one filter of three levels, bit for bit, for
- * Loop, CatmullClark, DooSabin, SqrtThree and FourEight, of which the last two go on with the right
- * parity and with the flags of the first input; a flatness array is read anew only if there is no earlier
- * output. After ProjectToLimit, with global ids, or if cells were changed in between, the mesh is a
- * new one.
+ * Loop, CatmullClark and all schemes after them; Midedge, FourEight and SqrtThree go on with the
+ * right parity, the last two with the flags of the first input. A flatness array is read anew only
+ * if there is no earlier output. After ProjectToLimit, with global ids, or if cells were changed in
+ * between, the mesh is a new one.
  *
  * @par Complexity
  * Time and memory are linear in the size of the output; incidences are searched on the input only.

@@ -7,6 +7,7 @@
 #include "DooSabinScheme.h"
 #include "LoopScheme.h"
 #include "SqrtThreeScheme.h"
+#include "MidedgeScheme.h"
 
 namespace subdivision
 {
@@ -29,6 +30,8 @@ std::shared_ptr<const SurfaceScheme<Id>> MakeSurfaceScheme(
       return MakeSqrtThreeScheme<Id>();
     case SurfaceSchemeKind::DooSabin:
       return MakeDooSabinScheme<Id>();
+    case SurfaceSchemeKind::Midedge:
+      return MakeMidedgeScheme<Id>();
     default:
       return nullptr;
   }

@@ -39,6 +39,7 @@ struct SurfaceKey
   bool Whole;
   bool Use32BitIds;
   int MadeLevels;
+  int FirstStep;
   SurfaceCells Cells;
 
   bool operator==(const SurfaceKey& other) const
@@ -48,8 +49,9 @@ struct SurfaceKey
     return this->Scheme == other.Scheme && this->ModifiedBoundary == other.ModifiedBoundary &&
       this->Levels == other.Levels && this->Whole == other.Whole &&
       this->Use32BitIds == other.Use32BitIds && this->MadeLevels == other.MadeLevels &&
-      a.NumberOfPoints == b.NumberOfPoints && a.Vertices == b.Vertices &&
-      a.Segments == b.Segments && a.FaceOffsets == b.FaceOffsets && a.Corners == b.Corners;
+      this->FirstStep == other.FirstStep && a.NumberOfPoints == b.NumberOfPoints &&
+      a.Vertices == b.Vertices && a.Segments == b.Segments && a.FaceOffsets == b.FaceOffsets &&
+      a.Corners == b.Corners;
   }
 };
 
@@ -87,7 +89,14 @@ public:
   bool Run(SurfaceCells&& cells)
   {
     this->Cells = std::move(cells);
-    if (this->Input->GetCellData() && this->IsWhole() &&
+    if (!this->Scheme->KeepsVertices())
+    {
+      // The levels of an earlier filter are not needed, only whether their number was odd.
+      const bool goesOn = this->IsWhole() && ReadSurfaceStamp(this->Input, this->Stamp) &&
+        this->Stamp.Scheme == static_cast<int>(this->Options.Scheme);
+      this->FirstStep = goesOn ? this->Stamp.Levels % 2 : 0;
+    }
+    else if (this->Input->GetCellData() && this->IsWhole() &&
       ReadSurfaceStamp(this->Input, this->Stamp) &&
       this->Stamp.Scheme == static_cast<int>(this->Options.Scheme) &&
       LiftSurfaceCells(
@@ -172,6 +181,7 @@ private:
   SurfaceCells Lifted; ///< the control cells, where earlier filters made levels
   SurfaceStamp Stamp;
   int MadeLevels = 0;
+  int FirstStep = 0; ///< of the first level; where schemes keep no vertices, steps made before
   SimplicesOfCells NoCentres;
   std::vector<vtkIdType> GlobalIds;
   std::unique_ptr<PointArrays> Points;
@@ -290,7 +300,8 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& found)
 {
   SurfaceKey key{ this->Options.Scheme, this->Options.ModifiedBoundary, this->Options.Levels,
-    this->NeedsLimit(), this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
+    this->NeedsLimit(), this->Options.Use32BitIds, this->MadeLevels, this->FirstStep,
+    SurfaceCells() };
   KeptSurface<Id>* kept = nullptr;
   if (this->Options.Cache)
   {
@@ -301,6 +312,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   if (!kept)
   {
     fresh = MakeControlLevel<Id>(control);
+    fresh.Step = this->FirstStep;
   }
   const SurfaceLevel<Id>& first = kept ? kept->Steps->GetLevel(0) : fresh;
   SurfaceCreases creases = this->ReadCreases(control, first);
@@ -322,6 +334,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
     {
       kept = nullptr;
       fresh = MakeControlLevel<Id>(control);
+      fresh.Step = this->FirstStep;
     }
     fresh.Tags = std::move(tags);
     auto own = std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme,
@@ -558,13 +571,22 @@ template <typename Id>
 void SurfaceRun<Id>::WriteStamp()
 {
   RemoveSurfaceStamp(this->Output);
+  SurfaceStamp stamp;
+  stamp.Scheme = static_cast<int>(this->Options.Scheme);
+  if (!this->Scheme->KeepsVertices())
+  {
+    stamp.Levels = (this->FirstStep + this->Options.Levels) % 2;
+    if (stamp.Levels > 0)
+    {
+      WriteSurfaceStamp(stamp, this->Output);
+    }
+    return;
+  }
   if (this->Options.ProjectToLimit || this->GetAllLevels() == 0 || !this->Scheme->UsesTags() ||
     this->Joined)
   {
     return;
   }
-  SurfaceStamp stamp;
-  stamp.Scheme = static_cast<int>(this->Options.Scheme);
   stamp.Levels = this->GetAllLevels();
   stamp.SetControl(
     this->GetControl(), this->Steps->GetLevel(0).Mesh.Arity, !this->Scheme->HalvesEdges());

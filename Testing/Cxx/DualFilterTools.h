@@ -79,7 +79,7 @@ inline void AddIds(
   }
 }
 
-inline Data Run(vtkPolyData* input, int scheme, int levels)
+inline Data Subdivide(vtkPolyData* input, int scheme, int levels)
 {
   vtkNew<vtkSurfaceSubdivision> filter;
   filter->SetInputData(input);
@@ -147,8 +147,8 @@ inline void ExpectFiltersInARow(int scheme)
     for (int levels = 1; levels <= 4; ++levels)
     {
       SCOPED_TRACE(levels);
-      step = Run(step, scheme, 1);
-      ExpectSameData(step, Run(input, scheme, levels));
+      step = Subdivide(step, scheme, 1);
+      ExpectSameData(step, Subdivide(input, scheme, levels));
     }
   }
 }
@@ -158,7 +158,7 @@ inline void ExpectLinesAndVertices(int scheme)
   // A free curve of three points, a line along an edge of the triangle, three vertex cells.
   const Points points = MakePoints(8);
   const Data input = MakeData(points, { { 0, 1, 2 } }, { { 3, 4, 5 }, { 1, 0 } }, { 2, 6, 4 });
-  const Data out = Run(input, scheme, 1);
+  const Data out = Subdivide(input, scheme, 1);
   ASSERT_EQ(out->GetNumberOfVerts(), 3);
   ASSERT_EQ(out->GetNumberOfLines(), 6);
   auto expect = [&](vtkIdType id, const std::vector<std::pair<int, double>>& row)
@@ -206,7 +206,7 @@ inline void ExpectLinesAndVertices(int scheme)
 inline void ExpectWarnings(int scheme)
 {
   const Data input = MakeData(MakePoints(4), { { 0, 1, 2 }, { 2, 1, 3 } }, { { 1, 2 } });
-  const Data plain = Run(input, scheme, 1);
+  const Data plain = Subdivide(input, scheme, 1);
   struct Ear
   {
     void Hear(vtkObject*, unsigned long, void* text)

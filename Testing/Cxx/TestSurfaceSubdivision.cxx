@@ -175,7 +175,7 @@ TEST_P(SurfaceSchemesTest, ThreadsDoNotChangeTheResult)
     vtkSMPTools::Initialize(threads);
     Filter run(sheet);
     run->SetScheme(GetParam());
-    run->SetNumberOfLevels(3);
+    run->SetNumberOfLevels(GetParam() == vtkSurfaceSubdivision::MIDEDGE ? 6 : 3);
     run->SetProjectToLimit(true);
     run->SetGenerateNormals(true);
     Surface& result = results[threads > 1];
@@ -258,7 +258,7 @@ TEST_P(SurfaceSchemesTest, NonManifoldInputIsNeverRefused)
     }
     Filter run(MakeSurface(points, faces, { { 0, 1, 5 }, { 3, 9 } }));
     run->SetScheme(GetParam());
-    run->SetNumberOfLevels(2);
+    run->SetNumberOfLevels(GetParam() == vtkSurfaceSubdivision::MIDEDGE ? 4 : 2);
     run->SetProjectToLimit(true);
     run->SetGenerateNormals(true);
     vtkPolyData* out = run();
@@ -292,7 +292,8 @@ TEST_P(SurfaceSchemesTest, NothingInNothingOut)
 
 INSTANTIATE_TEST_SUITE_P(SurfaceSubdivision, SurfaceSchemesTest,
   testing::Values(vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::CATMULL_CLARK,
-    vtkSurfaceSubdivision::MODIFIED_BUTTERFLY, vtkSurfaceSubdivision::DOO_SABIN));
+    vtkSurfaceSubdivision::MODIFIED_BUTTERFLY, vtkSurfaceSubdivision::DOO_SABIN,
+    vtkSurfaceSubdivision::MIDEDGE));
 
 TEST(SurfaceSubdivision, StripsBecomeTrianglesInPlace)
 {
