@@ -3,11 +3,11 @@
 
 #include "ButterflyScheme.h"
 #include "CatmullClarkScheme.h"
-#include "FourEightScheme.h"
 #include "DooSabinScheme.h"
+#include "FourEightScheme.h"
 #include "LoopScheme.h"
-#include "SqrtThreeScheme.h"
 #include "MidedgeScheme.h"
+#include "SqrtThreeScheme.h"
 
 namespace subdivision
 {

@@ -9,6 +9,7 @@
 #include "SurfaceChecks.h"
 #include "SurfaceCreases.h"
 #include "SurfaceFrames.h"
+#include "SurfaceKept.h"
 #include "SurfaceSeams.h"
 #include "SurfaceStamp.h"
 
@@ -29,50 +30,6 @@ namespace
 {
 
 constexpr const char* OriginalPoints = "vtkOriginalPointIds";
-
-/// What the topology of an output depends on, by content.
-struct SurfaceKey
-{
-  SurfaceSchemeKind Scheme;
-  bool ModifiedBoundary;
-  int Levels;
-  bool Whole;
-  bool Use32BitIds;
-  int MadeLevels;
-  int FirstStep;
-  SurfaceCells Cells;
-
-  bool operator==(const SurfaceKey& other) const
-  {
-    const SurfaceCells& a = this->Cells;
-    const SurfaceCells& b = other.Cells;
-    return this->Scheme == other.Scheme && this->ModifiedBoundary == other.ModifiedBoundary &&
-      this->Levels == other.Levels && this->Whole == other.Whole &&
-      this->Use32BitIds == other.Use32BitIds && this->MadeLevels == other.MadeLevels &&
-      this->FirstStep == other.FirstStep && a.NumberOfPoints == b.NumberOfPoints &&
-      a.Vertices == b.Vertices && a.Segments == b.Segments && a.FaceOffsets == b.FaceOffsets &&
-      a.Corners == b.Corners;
-  }
-};
-
-template <typename Id>
-struct KeptSurface : SurfaceCache::Kept
-{
-  explicit KeptSurface(SurfaceKey&& key)
-    : Key(std::move(key))
-  {
-  }
-  std::size_t GetMemorySize() const override
-  {
-    return (this->Steps ? this->Steps->GetMemorySize() : 0) +
-      sizeof(vtkIdType) * this->Key.Cells.Corners.size();
-  }
-  SurfaceKey Key;
-  std::unique_ptr<SurfaceSteps<Id>> Steps;
-  vtkSmartPointer<vtkCellArray> Verts;
-  vtkSmartPointer<vtkCellArray> Lines;
-  vtkSmartPointer<vtkCellArray> Polys;
-};
 
 template <typename Id>
 class SurfaceRun
