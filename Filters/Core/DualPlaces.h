@@ -48,6 +48,14 @@ struct DualPlaces
   {
     return static_cast<vtkIdType>(this->KeptVertices.size() + this->FirstLines.size());
   }
+  std::size_t GetMemorySize() const
+  {
+    return this->Sides.GetMemorySize() + this->OpenSides.GetMemorySize() +
+      this->Faces.GetMemorySize() + this->Corners.GetMemorySize() + this->Chains.GetMemorySize() +
+      this->Kept.GetMemorySize() +
+      sizeof(Id) *
+      (3 * this->KeptVertices.size() + this->Segments.size() + this->FirstLines.size());
+  }
 };
 
 /// The corners of the vertex face of a fan of k faces, a cycle or a chain; less than 3: none.

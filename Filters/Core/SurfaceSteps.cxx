@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceSteps.h"
 
+#include "DualPlaces.h"
 #include "SurfaceRings.h"
 
 #include <algorithm>
@@ -230,7 +231,8 @@ std::size_t SurfaceSteps<Id>::GetMemorySize() const
   for (const SurfaceLevel<Id>& level : this->Levels)
   {
     bytes += level.Mesh.GetMemorySize() + level.Tags.Edges.GetMemorySize() +
-      level.Tags.Vertices.GetMemorySize() + level.Lines.GetMemorySize();
+      level.Tags.Vertices.GetMemorySize() + level.Lines.GetMemorySize() +
+      level.Places.GetMemorySize() + (level.Dual ? level.Dual->GetMemorySize() : 0);
   }
   return bytes;
 }
