@@ -15,6 +15,18 @@
  * off these are the plain rules, the same everywhere. vtkMultiDimensionalSubdivision always has
  * those: the two filters agree for Loop on closed surfaces and with ModifiedBoundary off.
  *
+ * @par Modified Butterfly
+ * Section 4 of the survey: it interpolates, so points stay and are on the limit. Edges between
+ * vertices of six faces have the eight-point rule; at other vertices inside, and next to curves,
+ * the rules are those of the survey's table (two extraordinary ends: their mean), on boundaries and
+ * creases, which are boundaries on both sides, and on lines that of four points; where a curve ends
+ * it goes on straight ahead. Corners have a rule of the same kind, which halves functions that are
+ * linear in the sector: they need no flatness and have it only if it is given. Vertices where a
+ * crease ends count as extraordinary. ModifiedBoundary changes nothing. The new weights are exact
+ * for cubic functions inside regular meshes, for quadratic ones at regular curves, and for linear
+ * ones between two regular curves. On closed surfaces the points are those of
+ * vtkButterflySubdivisionFilter for vertices of three and more faces.
+ *
  * @par Input and output
  * Polygons of any size, and strips, which become triangles in their place. Loop, ModifiedButterfly
  * and SqrtThree split other polygons into triangles first (a warning says so). Line cells follow

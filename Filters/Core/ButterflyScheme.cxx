@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ButterflyScheme.h"
 
+#include "ButterflyMasks.h"
+#include "ButterflyTangents.h"
 #include "PrimalRefinement.h"
-#include "SchemeMasks.h"
 #include "SurfaceRings.h"
+
+#include <algorithm>
 
 namespace subdivision
 {
 namespace
 {
 
-/// One end of a smooth edge, as the table of the survey's section 4 sees it.
+/// What the faces at one end of a smooth edge are.
 template <typename Id>
 struct EdgeEnd
 {
-  Id Vertex;
-  FanStep<Id> Start{ 0, true }; ///< a face at the edge, entered by it
-  SectorEnds<Id> Ends;          ///< Size 0: no curve ends the walk around the vertex
-  int Size = 0;                 ///< faces around the vertex, or in the sector
-  double Angle = 0.;            ///< of a corner's sector; 0 on smooth curves
+  Id Vertex = 0;
+  Id Corner = 0;         ///< the vertex's corner in the edge's first face
+  SectorEnds<Id> Sector; ///< Size 0: faces are all around
   bool IsRegular = false;
-
-  bool IsOnCurve() const { return this->Ends.Size > 0; }
+  /// Regular on a curve: the edge's face, 0 or 1, that has an edge of the curve; else -1.
+  int CurveSide = -1;
 };
 
 template <typename Id>
@@ -30,6 +31,8 @@ class ButterflyScheme : public SurfaceScheme<Id>
 public:
   bool NeedsTriangles() const override { return true; }
   bool HasCornersOfOneFace() const override { return true; }
+  /// Counts the faces of vertices that have faces and smooth edges all around: Places. Others: 0.
+  void Prepare(SurfaceLevel<Id>& level) const override;
   vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
   {
     return level.Mesh.NumberOfVertices + level.Mesh.GetNumberOfEdges();
@@ -59,236 +62,334 @@ public:
     parents = Buffer<vtkIdType>(4 * level.Mesh.NumberOfFaces);
     ForEach(parents.size(), [&parents](vtkIdType i) { parents[i] = i / 4; });
   }
+
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
+
+  bool HasLimit() const override { return true; }
+  void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
 };
 
-/// Four points along a curve; beyond its end, the reflection there.
 template <typename Id>
-void AppendCurveEdge(
-  const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, RowBlock<Id>& rows)
+void ButterflyScheme<Id>::Prepare(SurfaceLevel<Id>& level) const
 {
-  std::vector<Id> sharp;
-  for (int end = 0; end < 2; ++end)
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  level.Places = Buffer<Id>(mesh.NumberOfVertices);
+  auto count = [&mesh, &level](Id corner)
   {
-    const Id vertex = mesh.EdgeVertices[2 * edge + end];
-    const Id other = mesh.EdgeVertices[2 * edge + 1 - end];
-    sharp.clear();
-    if (tags.Vertices[vertex] == VertexTag::Curve)
+    Id faces = 0;
+    FanStep<Id> step{ corner, true };
+    do
     {
-      CollectSharpEdges(mesh, tags, vertex, sharp);
-    }
-    if (sharp.size() == 2)
+      ++faces;
+      const Id edge = mesh.Edges[step.GetHalfEdgeIn(mesh)];
+      if (level.Tags.Edges[edge] != EdgeTag::Smooth || !step.Advance(mesh))
+      {
+        return Id(0);
+      }
+    } while (step.Corner != corner);
+    return faces;
+  };
+  ForEach(mesh.NumberOfVertices,
+    [&](vtkIdType v)
     {
-      rows.Add(vertex, FourPointEnd);
-      rows.Add(mesh.GetOtherEnd(sharp[0] == edge ? sharp[1] : sharp[0], vertex), FourPointBeyond);
-    }
-    else
-    {
-      rows.Add(vertex, FourPointEnd + 2. * FourPointBeyond);
-      rows.Add(other, -FourPointBeyond);
-    }
-  }
+      const Id corner = mesh.VertexCorners[v];
+      level.Places[v] = corner < 0 ? 0 : count(corner);
+    });
 }
 
+/// Makes the row of one edge at a time.
 template <typename Id>
-EdgeEnd<Id> DescribeEnd(
-  const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, Id vertex)
-{
-  EdgeEnd<Id> end;
-  end.Vertex = vertex;
-  const Id corner = GetCornerAt(mesh, mesh.EdgeCorners[edge], vertex);
-  end.Start = { corner, mesh.Edges[corner] == edge };
-  const VertexTag tag = tags.Vertices[vertex];
-  if (tag == VertexTag::Curve || tag == VertexTag::Corner)
-  {
-    end.Ends = FindSectorEnds(mesh, tags, corner);
-    end.Size = end.Ends.Size;
-    end.IsRegular = tag == VertexTag::Curve && end.Size == 3;
-    if (tag == VertexTag::Corner && end.Size > 0)
-    {
-      const Sector<Id>* sector = FindSector(tags, vertex, end.Ends);
-      end.Angle = sector ? sector->Angle : 0.;
-    }
-  }
-  if (!end.IsOnCurve())
-  {
-    VisitFan(mesh, corner, [&end](const FanStep<Id>&) { ++end.Size; });
-    end.IsRegular = end.Size == 6;
-  }
-  return end;
-}
-
-/// The rule of an extraordinary end, times `factor`.
-template <typename Id>
-void AppendEnd(
-  const PolygonMesh<Id>& mesh, Id edge, const EdgeEnd<Id>& end, double factor, RowBlock<Id>& rows)
-{
-  const int k = end.Size;
-  auto neighbour = [&](Id halfEdge) { return mesh.GetOtherEnd(mesh.Edges[halfEdge], end.Vertex); };
-  if (!end.IsOnCurve())
-  {
-    rows.Add(end.Vertex, factor * ButterflyCentre);
-    FanStep<Id> step = end.Start;
-    for (int j = 0; j < k; ++j)
-    {
-      rows.Add(neighbour(step.GetHalfEdgeIn(mesh)), factor * ButterflyRing(k, j));
-      step.Advance(mesh);
-    }
-    return;
-  }
-  int i = 0;
-  FanStep<Id> step = end.Ends.First;
-  while (mesh.Edges[step.GetHalfEdgeIn(mesh)] != edge)
-  {
-    ++i;
-    step.Advance(mesh);
-  }
-  double own = 1.;
-  step = end.Ends.First;
-  for (int j = 0; j <= k; ++j)
-  {
-    const Id halfEdge = j < k ? step.GetHalfEdgeIn(mesh) : end.Ends.Last.GetHalfEdgeOut(mesh);
-    const double weight =
-      end.Angle > 0. ? ButterflyCornerRing(k, end.Angle, i, j) : ButterflySectorRing(k, i, j);
-    own -= weight;
-    rows.Add(neighbour(halfEdge), factor * weight);
-    step.Advance(mesh);
-  }
-  rows.Add(end.Vertex, factor * own);
-}
-
-/// Both ends are regular: eight points, some of which curves hide.
-template <typename Id>
-class RegularEdge
+class EdgeRows
 {
 public:
-  RegularEdge(
-    const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, const EdgeEnd<Id> (&ends)[2])
+  EdgeRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, RowBlock<Id>& rows)
+    : Mesh(level.Mesh)
+    , Valences(level.Places)
+    , Tags(tags)
+    , HasOtherTags(&tags != &level.Tags)
+    , Rows(rows)
   {
-    const Id corners[2] = { mesh.EdgeCorners[edge], mesh.Twins[mesh.EdgeCorners[edge]] };
-    for (int side = 0; side < 2; ++side)
-    {
-      this->Opposite[side] = mesh.Vertices[mesh.Previous(corners[side])];
-      for (int end = 0; end < 2; ++end)
-      {
-        this->Ends[end] = ends[end].Vertex;
-        const bool atBegin = mesh.Vertices[corners[side]] == ends[end].Vertex;
-        const Id outer = atBegin ? mesh.Previous(corners[side]) : mesh.Next(corners[side]);
-        const Id twin = mesh.Twins[outer];
-        const bool hidden =
-          ends[end].IsOnCurve() && tags.Edges[mesh.Edges[outer]] != EdgeTag::Smooth;
-        this->Wings[end][side] = hidden || twin < 0 ? -1 : mesh.Vertices[mesh.Previous(twin)];
-      }
-    }
   }
 
-  void Append(RowBlock<Id>& rows) const
+  void Append(Id edge)
   {
-    const int hidden[2] = { this->FindHidden(0), this->FindHidden(1) };
-    if (hidden[0] >= 0 && hidden[0] == hidden[1])
+    if (this->Tags.Edges[edge] != EdgeTag::Smooth)
     {
-      this->AppendBothOnOneSide(1 - hidden[0], rows);
+      this->AppendCurve(edge, 1.);
+      return;
     }
-    else if ((hidden[0] >= 0) != (hidden[1] >= 0))
+    this->HalfEdges[0] = this->Mesh.EdgeCorners[edge];
+    this->HalfEdges[1] = this->Mesh.Twins[this->HalfEdges[0]];
+    const EdgeEnd<Id> ends[2] = { this->FindEnd(edge, 0), this->FindEnd(edge, 1) };
+    if (ends[0].IsRegular && ends[1].IsRegular)
     {
-      const int curve = hidden[0] >= 0 ? 0 : 1;
-      this->AppendInteriorToCurve(curve, hidden[curve], rows);
+      this->AppendRegular(ends);
+      return;
     }
-    else
+    const double factor = ends[0].IsRegular == ends[1].IsRegular ? 0.5 : 1.;
+    for (const EdgeEnd<Id>& end : ends)
     {
-      this->AppendEight(rows);
+      if (!end.IsRegular)
+      {
+        this->AppendExtraordinary(edge, end, factor);
+      }
     }
   }
 
 private:
-  int FindHidden(int end) const
+  EdgeEnd<Id> FindEnd(Id edge, int which);
+  bool HasOtherSharpEdges(Id vertex)
   {
-    return this->Wings[end][0] < 0 ? 0 : this->Wings[end][1] < 0 ? 1 : -1;
+    if (!this->HasOtherTags)
+    {
+      return false;
+    }
+    CollectSharpEdges(this->Mesh, this->Tags, vertex, this->Around);
+    return !this->Around.empty();
+  }
+  void CollectCycle(Id edge, const EdgeEnd<Id>& end);
+  void AppendCurve(Id edge, double factor);
+  void AppendRegular(const EdgeEnd<Id>* ends);
+  void AppendExtraordinary(Id edge, const EdgeEnd<Id>& end, double factor);
+  void AppendSector(Id edge, const EdgeEnd<Id>& end, double factor);
+
+  Id GetOpposite(int side) const
+  {
+    return this->Mesh.Vertices[this->Mesh.Previous(this->HalfEdges[side])];
+  }
+  /// The half-edge between an end and the opposite vertex of a face.
+  Id GetSide(int side, Id vertex) const
+  {
+    const Id halfEdge = this->HalfEdges[side];
+    return this->Mesh.Vertices[halfEdge] == vertex ? this->Mesh.Previous(halfEdge)
+                                                   : this->Mesh.Next(halfEdge);
+  }
+  /// The vertex across that half-edge.
+  void AddWing(int side, Id vertex, double weight)
+  {
+    const Id twin = this->Mesh.Twins[this->GetSide(side, vertex)];
+    this->Rows.Add(this->Mesh.Vertices[this->Mesh.Previous(twin)], weight);
   }
 
-  void AppendEight(RowBlock<Id>& rows) const
-  {
-    for (int end = 0; end < 2; ++end)
-    {
-      rows.Add(this->Ends[end], ButterflyEnd);
-      rows.Add(this->Opposite[end], ButterflyOpposite);
-      for (int side = 0; side < 2; ++side)
-      {
-        if (this->Wings[end][side] >= 0)
-        {
-          rows.Add(this->Wings[end][side], ButterflyWing);
-          continue;
-        }
-        rows.Add(this->Ends[end], ButterflyWing);
-        rows.Add(this->Opposite[side], ButterflyWing);
-        rows.Add(this->Ends[1 - end], -ButterflyWing);
-      }
-    }
-  }
-  void AppendBothOnOneSide(int side, RowBlock<Id>& rows) const
-  {
-    for (int end = 0; end < 2; ++end)
-    {
-      rows.Add(this->Ends[end], creasecrease::End);
-      rows.Add(this->Wings[end][side], creasecrease::Wing);
-    }
-    rows.Add(this->Opposite[side], creasecrease::Opposite);
-  }
-  void AppendInteriorToCurve(int curve, int hidden, RowBlock<Id>& rows) const
-  {
-    const int inside = 1 - hidden;
-    rows.Add(this->Ends[1 - curve], interiorcrease::Interior);
-    rows.Add(this->Ends[curve], interiorcrease::Crease);
-    rows.Add(this->Opposite[inside], interiorcrease::OppositeInside);
-    rows.Add(this->Opposite[hidden], interiorcrease::OppositeOnCrease);
-    rows.Add(this->Wings[1 - curve][inside], interiorcrease::WingInteriorInside);
-    rows.Add(this->Wings[1 - curve][hidden], interiorcrease::OtherWing);
-    rows.Add(this->Wings[curve][inside], interiorcrease::OtherWing);
-  }
-
-  Id Ends[2];
-  Id Opposite[2];
-  Id Wings[2][2]; ///< of each end, on each side; -1: hidden
+  const PolygonMesh<Id>& Mesh;
+  const Buffer<Id>& Valences;
+  const SurfaceTags<Id>& Tags;
+  bool HasOtherTags; ///< than those that Prepare saw: more edges are sharp
+  RowBlock<Id>& Rows;
+  Id HalfEdges[2] = { 0, 0 };
+  std::vector<Id> Around;
 };
+
+template <typename Id>
+EdgeEnd<Id> EdgeRows<Id>::FindEnd(Id edge, int which)
+{
+  EdgeEnd<Id> end;
+  end.Vertex = this->Mesh.EdgeVertices[2 * edge + which];
+  end.Corner = GetCornerAt(this->Mesh, this->HalfEdges[0], end.Vertex);
+  const VertexTag tag = this->Tags.Vertices[end.Vertex];
+  if (tag != VertexTag::Smooth)
+  {
+    end.Sector = FindSectorEnds(this->Mesh, this->Tags, end.Corner);
+  }
+  if (end.Sector.Size == 0)
+  {
+    end.IsRegular = this->Valences[end.Vertex] == 6 && !this->HasOtherSharpEdges(end.Vertex);
+  }
+  else if (tag == VertexTag::Curve && end.Sector.Size == 3)
+  {
+    end.IsRegular = true;
+    const Id first = this->Mesh.Edges[this->GetSide(0, end.Vertex)];
+    end.CurveSide = this->Tags.Edges[first] == EdgeTag::Smooth;
+  }
+  return end;
+}
+
+/// Neighbours of an end with faces all around, beginning with the edge's other end.
+template <typename Id>
+void EdgeRows<Id>::CollectCycle(Id edge, const EdgeEnd<Id>& end)
+{
+  this->Around.clear();
+  FanStep<Id> step{ end.Corner, this->Mesh.Edges[end.Corner] == edge };
+  do
+  {
+    this->Around.push_back(
+      this->Mesh.GetOtherEnd(this->Mesh.Edges[step.GetHalfEdgeIn(this->Mesh)], end.Vertex));
+  } while (step.Advance(this->Mesh) && step.Corner != end.Corner);
+}
+
+/// The four-point rule. Where the curve ends it goes on straight ahead, as far as the edge is long.
+template <typename Id>
+void EdgeRows<Id>::AppendCurve(Id edge, double factor)
+{
+  double weights[2] = { 9. / 16., 9. / 16. };
+  for (int i = 0; i < 2; ++i)
+  {
+    const Id vertex = this->Mesh.EdgeVertices[2 * edge + i];
+    this->Around.clear();
+    if (this->Tags.Vertices[vertex] == VertexTag::Curve)
+    {
+      CollectSharpEdges(this->Mesh, this->Tags, vertex, this->Around);
+    }
+    if (this->Around.size() == 2)
+    {
+      const Id beyond = this->Around[0] == edge ? this->Around[1] : this->Around[0];
+      this->Rows.Add(this->Mesh.GetOtherEnd(beyond, vertex), -factor / 16.);
+    }
+    else
+    {
+      weights[i] -= 2. / 16.;
+      weights[1 - i] += 1. / 16.;
+    }
+  }
+  this->Rows.Add(this->Mesh.EdgeVertices[2 * edge], factor * weights[0]);
+  this->Rows.Add(this->Mesh.EdgeVertices[2 * edge + 1], factor * weights[1]);
+}
+
+/// Both ends are regular.
+template <typename Id>
+void EdgeRows<Id>::AppendRegular(const EdgeEnd<Id>* ends)
+{
+  const Id a = ends[0].Vertex;
+  const Id b = ends[1].Vertex;
+  const int sides[2] = { ends[0].CurveSide, ends[1].CurveSide };
+  if (sides[0] < 0 && sides[1] < 0)
+  {
+    this->Rows.Add(a, 1. / 2.);
+    this->Rows.Add(b, 1. / 2.);
+    for (int side = 0; side < 2; ++side)
+    {
+      this->Rows.Add(this->GetOpposite(side), 1. / 8.);
+      this->AddWing(side, a, -1. / 16.);
+      this->AddWing(side, b, -1. / 16.);
+    }
+    return;
+  }
+  if (sides[0] < 0 || sides[1] < 0)
+  {
+    const Id inside = sides[0] < 0 ? a : b;
+    const Id onCurve = sides[0] < 0 ? b : a;
+    const int side = std::max(sides[0], sides[1]);
+    this->Rows.Add(inside, 5. / 8.);
+    this->Rows.Add(onCurve, 3. / 8.);
+    this->Rows.Add(this->GetOpposite(1 - side), 3. / 16.);
+    this->Rows.Add(this->GetOpposite(side), 1. / 16.);
+    this->AddWing(1 - side, inside, -1. / 8.);
+    this->AddWing(1 - side, onCurve, -1. / 16.);
+    this->AddWing(side, inside, -1. / 16.);
+    return;
+  }
+  this->Rows.Add(a, 1. / 2.);
+  this->Rows.Add(b, 1. / 2.);
+  if (sides[0] == sides[1])
+  {
+    const int side = 1 - sides[0];
+    this->Rows.Add(this->GetOpposite(side), 1. / 4.);
+    this->AddWing(side, a, -1. / 8.);
+    this->AddWing(side, b, -1. / 8.);
+    return;
+  }
+  // The missing wings complete parallelograms.
+  this->Rows.Add(this->GetOpposite(0), 1. / 16.);
+  this->Rows.Add(this->GetOpposite(1), 1. / 16.);
+  this->AddWing(sides[1], a, -1. / 16.);
+  this->AddWing(sides[0], b, -1. / 16.);
+}
+
+template <typename Id>
+void EdgeRows<Id>::AppendExtraordinary(Id edge, const EdgeEnd<Id>& end, double factor)
+{
+  if (end.Sector.Size > 0)
+  {
+    this->AppendSector(edge, end, factor);
+    return;
+  }
+  this->CollectCycle(edge, end);
+  const int k = static_cast<int>(this->Around.size());
+  this->Rows.Add(end.Vertex, factor * butterfly::Centre);
+  for (int j = 0; j < k; ++j)
+  {
+    this->Rows.Add(this->Around[j], factor * butterfly::Ring(k, j));
+  }
+}
+
+template <typename Id>
+void EdgeRows<Id>::AppendSector(Id edge, const EdgeEnd<Id>& end, double factor)
+{
+  const int k = end.Sector.Size;
+  this->Around.clear(); // edges
+  FanStep<Id> step = end.Sector.First;
+  for (int j = 0; j < k; ++j)
+  {
+    this->Around.push_back(this->Mesh.Edges[step.GetHalfEdgeIn(this->Mesh)]);
+    step.Advance(this->Mesh);
+  }
+  this->Around.push_back(this->Mesh.Edges[end.Sector.Last.GetHalfEdgeOut(this->Mesh)]);
+  const int i = static_cast<int>(
+    std::find(this->Around.begin(), this->Around.end(), edge) - this->Around.begin());
+  const Sector<Id>* corner = this->Tags.Vertices[end.Vertex] == VertexTag::Corner
+    ? FindSector(this->Tags, end.Vertex, end.Sector)
+    : nullptr;
+  const double flatness = corner ? corner->Flatness : 0.;
+  const double kept = factor * (1. - flatness);
+  double own = corner ? kept : kept * butterfly::CurveCentre(k, i);
+  for (int j = 0; j <= k; ++j)
+  {
+    const double weight = kept *
+      (corner ? butterfly::CornerRing(k, corner->Angle, i, j) : butterfly::CurveRing(k, i, j));
+    own -= corner ? weight : 0.;
+    this->Rows.Add(this->Mesh.GetOtherEnd(this->Around[j], end.Vertex), weight);
+  }
+  if (flatness > 0.)
+  {
+    // Towards the plane of the new points on the two curves.
+    const Id curves[2] = { this->Around.front(), this->Around.back() };
+    own += factor * flatness;
+    for (int last = 0; last < 2; ++last)
+    {
+      const double weight =
+        factor * flatness * butterfly::LinearInSector(k, corner->Angle, i, last == 1);
+      own -= weight;
+      this->AppendCurve(curves[last], weight);
+    }
+  }
+  this->Rows.Add(end.Vertex, own);
+}
 
 template <typename Id>
 void ButterflyScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
   vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
 {
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  for (vtkIdType row = begin; row < end; ++row)
+  const vtkIdType vertices = level.Mesh.NumberOfVertices;
+  for (vtkIdType row = begin; row < std::min(end, vertices); ++row)
   {
-    if (row < mesh.NumberOfVertices)
+    rows.Add(row, 1.);
+    rows.EndRow();
+  }
+  EdgeRows<Id> edges(level, tags, rows);
+  for (vtkIdType row = std::max(begin, vertices); row < end; ++row)
+  {
+    edges.Append(static_cast<Id>(row - vertices));
+    rows.EndRow();
+  }
+}
+
+template <typename Id>
+void ButterflyScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level,
+  const SurfaceTags<Id>& tags, LimitKind kind, vtkIdType begin, vtkIdType end,
+  RowBlock<Id>& rows) const
+{
+  ButterflyTangents<Id> tangents(level, tags, *this);
+  for (vtkIdType v = begin; v < end; ++v)
+  {
+    if (kind == LimitKind::Position)
     {
-      rows.Add(row, 1.);
-      rows.EndRow();
-      continue;
-    }
-    const Id edge = static_cast<Id>(row - mesh.NumberOfVertices);
-    const Id corner = mesh.EdgeCorners[edge];
-    if (tags.Edges[edge] != EdgeTag::Smooth || corner < 0 || mesh.Twins[corner] < 0)
-    {
-      AppendCurveEdge(mesh, tags, edge, rows);
-      rows.EndRow();
-      continue;
-    }
-    const EdgeEnd<Id> ends[2] = { DescribeEnd(mesh, tags, edge, mesh.EdgeVertices[2 * edge]),
-      DescribeEnd(mesh, tags, edge, mesh.EdgeVertices[2 * edge + 1]) };
-    if (ends[0].IsRegular && ends[1].IsRegular)
-    {
-      RegularEdge<Id>(mesh, tags, edge, ends).Append(rows);
+      rows.Add(v, 1.);
     }
     else
     {
-      const double factor = ends[0].IsRegular || ends[1].IsRegular ? 1. : 0.5;
-      for (const EdgeEnd<Id>& side : ends)
-      {
-        if (!side.IsRegular)
-        {
-          AppendEnd(mesh, edge, side, factor, rows);
-        }
-      }
+      tangents.Append(static_cast<Id>(v), kind, rows);
     }
     rows.EndRow();
   }
