@@ -9,6 +9,7 @@ import os
 
 import demo_pictures as look
 import numpy as np
+from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -33,16 +34,16 @@ def mesh(points, faces):
 
 
 def subdivide(control, scheme):
-    """What a scheme makes of it; None where the scheme is not available."""
-    from subdivisionobjects import vtkSurfaceSubdivision
-    subdivision = vtkSurfaceSubdivision()
-    subdivision.SetInputData(control)
-    getattr(subdivision, "SetSchemeTo" + scheme)()
-    subdivision.SetNumberOfLevels(LEVELS.get(scheme, 5))
-    subdivision.GlobalWarningDisplayOff()
-    subdivision.Update()
-    subdivision.GlobalWarningDisplayOn()
-    return subdivision.GetOutput() if subdivision.GetOutput().GetNumberOfPolys() else None
+    """What a scheme makes of it, by the plugin's filter."""
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(control)
+    smooth = simple.SurfaceSubdivision(Input=source, Scheme=scheme, NumberOfLevels=LEVELS.get(scheme, 5))
+    smooth.UpdatePipeline()
+    made = vtkPolyData()
+    made.ShallowCopy(smooth.GetClientSideObject().GetOutputDataObject(0))
+    simple.Delete(smooth)
+    simple.Delete(source)
+    return made
 
 
 def row(title, control):
@@ -56,9 +57,7 @@ def row(title, control):
 
     images = [picture("control mesh", control, True, title)]
     for scheme in SCHEMES:
-        data = subdivide(control, scheme)
-        if data:
-            images.append(picture(scheme, data, False))
+        images.append(picture(scheme, subdivide(control, scheme), False))
     return images
 
 

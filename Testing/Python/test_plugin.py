@@ -106,6 +106,19 @@ class Proxies(unittest.TestCase):
         for i, name in enumerate(MODELS):
             self.assertEqual(subdivisionobjects.vtkSubdivisionModelSource.GetModelName(i), name)
 
+    def test_entries_are_named_as_in_the_classes(self):
+        named = set()
+        for name, cls in vars(subdivisionobjects).items():
+            proxy = definition(name[3:]) if name.startswith("vtk") else None
+            for key, prop in properties(proxy) if proxy else ():
+                domain = prop.FindDomain("vtkSMEnumerationDomain")
+                setters = [member for member in dir(cls) if member.startswith(f"Set{key}To")]
+                if domain and setters:
+                    entries = {f"Set{key}To{domain.GetEntryText(i)}" for i in range(domain.GetNumberOfEntries())}
+                    self.assertEqual(entries, set(setters), f"{name}.{key}")
+                    named.add(key)
+        self.assertLessEqual({"Model", "Scheme", "VolumeScheme", "Placement", "OutsidePoints", "Type1Rule"}, named)
+
     def test_defaults_are_those_of_the_classes(self):
         proxy = simple.MultidimensionalSubdivision(Input=simple.SubdivisionModel())
         made = subdivisionobjects.vtkMultiDimensionalSubdivision()

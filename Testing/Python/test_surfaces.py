@@ -667,7 +667,7 @@ class Meshes(unittest.TestCase):
 class InParaView(unittest.TestCase):
     def test_pipeline(self):
         sphere = simple.Sphere()
-        surface = simple.SurfaceSubdivision(Input=sphere, Scheme="Catmull-Clark", NumberOfLevels=2, GenerateNormals=1)
+        surface = simple.SurfaceSubdivision(Input=sphere, Scheme="CatmullClark", NumberOfLevels=2, GenerateNormals=1)
         surface.UpdatePipeline()
         out = tools.output(surface)
         self.assertGreater(out.GetNumberOfPolys(), 1000)
