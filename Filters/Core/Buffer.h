@@ -43,6 +43,25 @@ inline void FaultPages(void* memory, std::size_t bytes)
 #endif
 }
 
+/// Asks for huge pages where a block that is not written yet holds whole ones. Where the kernel
+/// does not know or want them, nothing changes.
+inline void AdviseHugePages(void* memory, std::size_t bytes)
+{
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  constexpr std::size_t hugePage = std::size_t(1) << 21;
+  const std::size_t skipped =
+    (hugePage - reinterpret_cast<std::uintptr_t>(memory) % hugePage) % hugePage;
+  if (bytes >= skipped + hugePage)
+  {
+    (void)madvise(
+      static_cast<char*>(memory) + skipped, (bytes - skipped) / hugePage * hugePage, MADV_HUGEPAGE);
+  }
+#else
+  (void)memory;
+  (void)bytes;
+#endif
+}
+
 /// Bytes that free() releases. Large blocks ask the kernel for huge pages: page faults are most of
 /// what writing a large mesh costs. Where the kernel does not know or want them, nothing changes.
 inline void* AllocateBytes(std::size_t bytes)

@@ -35,7 +35,8 @@ struct SimplexView
   int GetLevel(vtkIdType simplex) const { return this->Levels ? this->Levels[simplex] : 0; }
 };
 
-/// Where simplices of mixed dimension start in their connectivity: remembered for each block.
+/// Where simplices start in their connectivity: remembered for each block, or, where all have one
+/// dimension, a product.
 class SimplexPlaces
 {
 public:
@@ -54,9 +55,14 @@ public:
           this->Sum(first, std::min(cells.NumberOfSimplices, first + BlockSize));
       });
     CountsToOffsets(this->Starts);
+    this->Corners = this->FindCorners(cells.NumberOfSimplices);
   }
   vtkIdType operator[](vtkIdType simplex) const
   {
+    if (this->Corners > 0)
+    {
+      return simplex * this->Corners;
+    }
     const vtkIdType block = simplex / BlockSize;
     return this->Starts[block] + this->Sum(block * BlockSize, simplex);
   }
@@ -71,8 +77,16 @@ private:
     }
     return entries;
   }
+  /// How many corners each simplex has; 0 where they differ.
+  vtkIdType FindCorners(vtkIdType size) const
+  {
+    const unsigned char* last = this->Dimensions + size;
+    const bool same = size > 0 && std::equal(this->Dimensions + 1, last, this->Dimensions);
+    return same ? this->Dimensions[0] + 1 : 0;
+  }
   const unsigned char* Dimensions = nullptr;
   Buffer<vtkIdType> Starts;
+  vtkIdType Corners = 0;
 };
 
 /// body(begin, end) over blocks that are each worth a thread.
@@ -125,6 +139,7 @@ template <typename Id>
 struct RedGreenOutputCell
 {
   RedGreenLeaf<Id> Leaf; ///< that it is, or is a green part of
+  Id Input = 0;          ///< the input cell at the root of its tree
   int Dimension = 0;
   int Level = 0; ///< of the leaf
   RefinementKind Kind = RefinementKind::Untouched;

@@ -14,6 +14,14 @@ template <typename Id>
 std::vector<RedGreenOutputCell<Id>> RedGreen<Id>::GetChangedCells() const
 {
   std::vector<RedGreenOutputCell<Id>> cells;
+  std::size_t most = 0;
+  for (Id index : this->LastChanges)
+  {
+    const Node& node = this->Nodes[index];
+    most += PartsOf[node.Dimension][node.Pattern].Count;
+  }
+  cells.reserve(most);
+  AdviseHugePages(cells.data(), cells.capacity() * sizeof(RedGreenOutputCell<Id>));
   for (Id index : this->LastChanges)
   {
     const Node& node = this->Nodes[index];
@@ -23,6 +31,7 @@ std::vector<RedGreenOutputCell<Id>> RedGreen<Id>::GetChangedCells() const
     const auto& parts = PartsOf[node.Dimension][node.Pattern];
     RedGreenOutputCell<Id> cell;
     cell.Leaf.Cell = this->GetPublicId(index);
+    cell.Input = node.Input;
     cell.Dimension = node.Dimension;
     cell.Level = node.Level + (red ? 1 : 0);
     cell.Kind = parts.Kind;

@@ -6,7 +6,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
@@ -75,10 +74,20 @@ vtkSmartPointer<vtkAbstractArray> SpreadArray(
   return out;
 }
 
-/// All arrays of the input's cells by way of `spread`, which gives an array's values to the output.
-template <typename SpreadTo>
+/// The ids of the input's cells.
+vtkSmartPointer<vtkDataArray> MakeIds(vtkIdType size)
+{
+  const auto ids = MakeArray(VTK_ID_TYPE, 1, size);
+  auto* values = static_cast<vtkIdType*>(ids->GetVoidPointer(0));
+  ForEach(size, [values](vtkIdType i) { values[i] = i; });
+  return ids;
+}
+
+/// All arrays of the input's cells by way of `spread`, which gives an array's values to the output;
+/// `makeIds` gives the input cell of each of its cells.
+template <typename SpreadTo, typename Ids>
 void CopyArrays(vtkPointSet* input, const CellArrayOptions& options, const SpreadTo& spread,
-  vtkUnstructuredGrid* output)
+  const Ids& makeIds, vtkUnstructuredGrid* output)
 {
   vtkCellData* data = input->GetCellData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -99,13 +108,9 @@ void CopyArrays(vtkPointSet* input, const CellArrayOptions& options, const Sprea
   }
   if (options.OriginalIds && !options.CarryOriginalIds)
   {
-    vtkNew<vtkIdTypeArray> ids;
+    const vtkSmartPointer<vtkAbstractArray> ids = makeIds();
     ids->SetName("vtkOriginalCellIds");
-    ids->SetNumberOfTuples(input->GetNumberOfCells());
-    vtkIdType* values = ids->GetPointer(0);
-    ForEach(input->GetNumberOfCells(), [values](vtkIdType i) { values[i] = i; });
-    const vtkSmartPointer<vtkAbstractArray> copy = spread(ids);
-    AddInstead(data, copy, output->GetCellData());
+    AddInstead(data, ids, output->GetCellData());
   }
 }
 
@@ -120,14 +125,23 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   auto spread = [&](vtkAbstractArray* array) {
     return unchanged ? vtkSmartPointer<vtkAbstractArray>(array) : SpreadArray(array, cells, first);
   };
-  CopyArrays(input, options, spread, output);
+  CopyArrays(
+    input, options, spread, [&]() { return spread(MakeIds(input->GetNumberOfCells())); }, output);
 }
 
 void CopyCellArrays(vtkPointSet* input, const Buffer<vtkIdType>& sources,
   const CellArrayOptions& options, vtkUnstructuredGrid* output)
 {
+  auto copySources = [&]()
+  {
+    const auto ids = MakeArray(VTK_ID_TYPE, 1, sources.size());
+    auto* values = static_cast<vtkIdType*>(ids->GetVoidPointer(0));
+    ForEach(sources.size(), [&](vtkIdType i) { values[i] = sources[i]; });
+    return ids;
+  };
   CopyArrays(
-    input, options, [&](vtkAbstractArray* array) { return Gather(array, sources); }, output);
+    input, options, [&](vtkAbstractArray* array) { return Gather(array, sources); }, copySources,
+    output);
 }
 
 void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,

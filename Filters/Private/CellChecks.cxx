@@ -84,6 +84,11 @@ bool HasRepeats(const vtkIdType* ids, vtkIdType size, std::vector<vtkIdType>& sc
     std::sort(scratch.begin(), scratch.end());
     return std::adjacent_find(scratch.begin(), scratch.end()) != scratch.end();
   }
+  if (size == 4) // most cells of most meshes
+  {
+    return ids[0] == ids[1] || ids[0] == ids[2] || ids[0] == ids[3] || ids[1] == ids[2] ||
+      ids[1] == ids[3] || ids[2] == ids[3];
+  }
   for (vtkIdType i = 1; i < size; ++i)
   {
     if (std::find(ids, ids + i, ids[i]) != ids + i)

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellReader.h"
 
+#include "Core/Buffer.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkPolyData.h"
 #include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace subdivision
@@ -23,10 +26,10 @@ bool IsSignedInteger(const vtkDataArray* array)
 
 CellReader::CellReader(vtkPointSet* input)
 {
-  this->Grid = vtkUnstructuredGrid::SafeDownCast(input);
-  if (this->Grid)
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(input))
   {
-    this->Add(this->Grid->GetCells(), VTK_EMPTY_CELL);
+    this->Add(grid->GetCells(), VTK_EMPTY_CELL);
+    this->Types = this->NumberOfCells > 0 ? grid->GetCellTypesArray()->GetPointer(0) : nullptr;
   }
   else if (auto* poly = vtkPolyData::SafeDownCast(input))
   {
@@ -37,43 +40,16 @@ CellReader::CellReader(vtkPointSet* input)
   }
 }
 
-int CellReader::GetCellType(vtkIdType cellId) const
-{
-  return this->Grid ? this->Grid->GetCellType(cellId) : this->FindPart(cellId).Type;
-}
-
-CellIds CellReader::GetCell(vtkIdType cellId, std::vector<vtkIdType>& scratch) const
-{
-  const Part& part = this->FindPart(cellId);
-  const vtkIdType begin = part.Offsets[cellId - part.Begin];
-  const vtkIdType end = part.Offsets[cellId - part.Begin + 1];
-  if (begin < 0 || end <= begin || end > part.Ids.Size)
-  {
-    return {};
-  }
-  CellIds cell;
-  cell.Size = end - begin;
-  if constexpr (sizeof(vtkIdType) == sizeof(vtkTypeInt64))
-  {
-    if (part.Ids.Data64)
-    {
-      // The same bits under another name (long or long long): readable as such.
-      cell.Ids = reinterpret_cast<const vtkIdType*>(part.Ids.Data64) + begin;
-      return cell;
-    }
-  }
-  scratch.resize(static_cast<size_t>(cell.Size));
-  for (vtkIdType i = 0; i < cell.Size; ++i)
-  {
-    scratch[i] = part.Ids[begin + i];
-  }
-  cell.Ids = scratch.data();
-  return cell;
-}
-
 void CellReader::GetAllIds(std::vector<vtkIdType>& ids) const
 {
   ids.clear();
+  vtkIdType size = 0;
+  for (const Part& part : this->Parts)
+  {
+    size += part.Offsets[part.End - part.Begin] - part.Offsets[0];
+  }
+  ids.reserve(static_cast<size_t>(size));
+  AdviseHugePages(ids.data(), ids.capacity() * sizeof(vtkIdType));
   for (const Part& part : this->Parts)
   {
     // One pass straight into fresh memory; resizing first would touch all of it twice.
@@ -126,16 +102,6 @@ void CellReader::Add(vtkCellArray* cells, int type)
   part.Type = type;
   part.Offsets.Set(cells->GetOffsetsArray());
   part.Ids.Set(cells->GetConnectivityArray());
-}
-
-const CellReader::Part& CellReader::FindPart(vtkIdType cellId) const
-{
-  size_t i = 0;
-  while (cellId >= this->Parts[i].End)
-  {
-    ++i;
-  }
-  return this->Parts[i];
 }
 
 }

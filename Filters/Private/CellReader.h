@@ -17,7 +17,6 @@
 class vtkCellArray;
 class vtkDataArray;
 class vtkPointSet;
-class vtkUnstructuredGrid;
 
 namespace subdivision
 {
@@ -45,7 +44,10 @@ public:
 
   /// A VTK cell type; POLY_VERTEX, POLY_LINE, POLYGON, TRIANGLE_STRIP for the four parts of
   /// vtkPolyData.
-  int GetCellType(vtkIdType cellId) const;
+  int GetCellType(vtkIdType cellId) const
+  {
+    return this->Types ? this->Types[cellId] : this->FindPart(cellId).Type;
+  }
 
   /// `scratch` holds the ids where they are stored in another type than vtkIdType; reuse it.
   CellIds GetCell(vtkIdType cellId, std::vector<vtkIdType>& scratch) const;
@@ -82,10 +84,49 @@ private:
   void Add(vtkCellArray* cells, int type);
   const Part& FindPart(vtkIdType cellId) const;
 
-  vtkUnstructuredGrid* Grid = nullptr;
+  const unsigned char* Types = nullptr; ///< of each cell; null for vtkPolyData
   std::vector<Part> Parts;
   vtkIdType NumberOfCells = 0;
 };
+
+inline const CellReader::Part& CellReader::FindPart(vtkIdType cellId) const
+{
+  size_t i = 0;
+  while (cellId >= this->Parts[i].End)
+  {
+    ++i;
+  }
+  return this->Parts[i];
+}
+
+inline CellIds CellReader::GetCell(vtkIdType cellId, std::vector<vtkIdType>& scratch) const
+{
+  const Part& part = this->FindPart(cellId);
+  const vtkIdType begin = part.Offsets[cellId - part.Begin];
+  const vtkIdType end = part.Offsets[cellId - part.Begin + 1];
+  if (begin < 0 || end <= begin || end > part.Ids.Size)
+  {
+    return {};
+  }
+  CellIds cell;
+  cell.Size = end - begin;
+  if constexpr (sizeof(vtkIdType) == sizeof(vtkTypeInt64))
+  {
+    if (part.Ids.Data64)
+    {
+      // The same bits under another name (long or long long): readable as such.
+      cell.Ids = reinterpret_cast<const vtkIdType*>(part.Ids.Data64) + begin;
+      return cell;
+    }
+  }
+  scratch.resize(static_cast<size_t>(cell.Size));
+  for (vtkIdType i = 0; i < cell.Size; ++i)
+  {
+    scratch[i] = part.Ids[begin + i];
+  }
+  cell.Ids = scratch.data();
+  return cell;
+}
 
 /// Calls `work(block, first cell, one past the last cell)` for all blocks.
 template <typename Work>

@@ -243,8 +243,8 @@ bool RedGreenRun::RunRounds(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<
     }
     if (round > 0 || !this->Mesh.Midpoints.empty())
     {
-      const Marks<Id> more =
-        this->FindMarksOf(ChangedCandidates<Id>(this->Mesh, *state), *state, limit, notes);
+      const Marks<Id> more = this->FindMarksOf(
+        ChangedCandidates<Id>(this->Mesh, *state, options.MaximumLevel), *state, limit, notes);
       marks.insert(marks.end(), more.begin(), more.end());
     }
     if (marks.empty())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RefinementCriteria.h"
 
+#include "Arrays.h"
 #include "CellsToSimplices.h"
 
 #include "vtkDoubleArray.h"
@@ -24,7 +25,21 @@ void ContinuedArray::Start(vtkDataArray* array, const SimplicesOfCells& cells, b
   const vtkIdType given = array->GetNumberOfTuples();
   const vtkIdType centres = cells.GetNumberOfCentres();
   this->Values.resize(static_cast<std::size_t>(given + centres) * this->Components);
-  for (int c = 0; c < this->Components; ++c)
+  const auto plain = array->GetDataType() == VTK_BIT ? nullptr : Contiguous(array);
+  if (given > 0 && plain)
+  {
+    double* values = this->Values.data();
+    auto convert = [&](const auto* from)
+    {
+      ForEach(given * this->Components,
+        [values, from](vtkIdType i) { values[i] = static_cast<double>(from[i]); });
+    };
+    switch (plain->GetDataType())
+    {
+      vtkTemplateMacro(convert(static_cast<const VTK_TT*>(plain->GetVoidPointer(0))));
+    }
+  }
+  for (int c = 0; !plain && c < this->Components; ++c)
   {
     ForEach(given,
       [&](vtkIdType i) { this->Values[i * this->Components + c] = array->GetComponent(i, c); });
@@ -127,8 +142,11 @@ RefinementCriteria::RefinementCriteria(
   {
     this->Range.Start(options.Range, cells, isSmooth(options.Range));
   }
-  this->AllowedDistance =
-    options.GeometricTolerance * (options.RelativeTolerance ? this->Coordinates.GetRange() : 1.);
+  if (options.ByGeometricError)
+  {
+    this->AllowedDistance =
+      options.GeometricTolerance * (options.RelativeTolerance ? this->Coordinates.GetRange() : 1.);
+  }
 }
 
 /// As a multiple of what is allowed; what is exact is allowed always.

@@ -57,19 +57,20 @@ private:
   const SimplexPlaces Places;
 };
 
-/// The cells that the last round changed.
+/// The cells that the last round changed, but for those that cannot be refined further.
 template <typename Id>
 class ChangedCandidates
 {
 public:
-  ChangedCandidates(const RedGreenMesh& mesh, const RedGreen<Id>& state)
+  ChangedCandidates(const RedGreenMesh& mesh, const RedGreen<Id>& state, int maximumLevel)
     : Mesh(mesh)
     , View(mesh.GetView())
     , Cells(state.GetChangedCells())
-    , Inputs(static_cast<vtkIdType>(this->Cells.size()))
   {
-    ForEach(this->GetSize(),
-      [&](vtkIdType i) { this->Inputs[i] = state.GetCell(this->Cells[i].Leaf).Input; });
+    const auto isFinal = [&](const RedGreenOutputCell<Id>& cell)
+    { return cell.Level - this->View.GetLevel(cell.Input) >= maximumLevel; };
+    this->Cells.erase(
+      std::remove_if(this->Cells.begin(), this->Cells.end(), isFinal), this->Cells.end());
   }
   bool IsInput() const { return false; }
   vtkIdType GetSize() const { return static_cast<vtkIdType>(this->Cells.size()); }
@@ -78,12 +79,15 @@ public:
     const auto& cell = this->Cells[i];
     return { cell.Vertices.data(), cell.Vertices.data() + cell.Dimension + 1 };
   }
-  vtkIdType GetInputCell(vtkIdType i) const { return this->Mesh.GetInputCell(this->Inputs[i]); }
+  vtkIdType GetInputCell(vtkIdType i) const
+  {
+    return this->Mesh.GetInputCell(this->Cells[i].Input);
+  }
   int GetLevel(vtkIdType i) const { return this->Cells[i].Level; }
   /// Red steps since the input.
   int GetSteps(vtkIdType i) const
   {
-    return this->Cells[i].Level - this->View.GetLevel(this->Inputs[i]);
+    return this->Cells[i].Level - this->View.GetLevel(this->Cells[i].Input);
   }
   bool IsOver(vtkIdType) const { return false; }
   RedGreenLeaf<Id> GetLeaf(vtkIdType i) const { return this->Cells[i].Leaf; }
@@ -91,8 +95,7 @@ public:
 private:
   const RedGreenMesh& Mesh;
   const SimplexView View;
-  const std::vector<RedGreenOutputCell<Id>> Cells;
-  Buffer<Id> Inputs;
+  std::vector<RedGreenOutputCell<Id>> Cells;
 };
 
 /// What a round found beside marks.
@@ -116,9 +119,6 @@ std::vector<RefinementMark<Id>> FindMarks(const Cells& cells, const RefinementCr
     MarksEdges = 2,
     HasNoValue = 4
   };
-  const vtkIdType size = cells.GetSize();
-  Buffer<double> errors;
-  criteria.GetCellErrors(cells, errors);
   auto forEdges = [&](vtkIdType i, const auto& act)
   {
     const auto points = cells.GetPoints(i);
@@ -135,27 +135,9 @@ std::vector<RefinementMark<Id>> FindMarks(const Cells& cells, const RefinementCr
       }
     }
   };
-  Buffer<unsigned char> found(size);
-  ForEach(size,
-    [&](vtkIdType i)
-    {
-      int flags = 0;
-      if (!cells.IsOver(i) && cells.GetSteps(i) < maximumLevel && cells.GetPoints(i).size() > 1)
-      {
-        flags = errors[i] > 1. ? MarksCell : 0;
-        forEdges(i,
-          [&flags](Id, Id, double error, bool hasNoValue)
-          { flags |= (error > 1. ? MarksEdges : 0) | (hasNoValue ? HasNoValue : 0); });
-      }
-      found[i] = static_cast<unsigned char>(flags);
-    });
   std::vector<RefinementMark<Id>> marks;
-  for (vtkIdType i = 0; i < size; ++i)
+  auto mark = [&](vtkIdType i, int flags, double cellError)
   {
-    if (found[i] == 0)
-    {
-      continue;
-    }
     bool tooShort = false;
     forEdges(i,
       [&](Id a, Id b, double error, bool hasNoValue)
@@ -166,7 +148,7 @@ std::vector<RefinementMark<Id>> FindMarks(const Cells& cells, const RefinementCr
         {
           notes.WithoutValue.emplace_back(std::min(a, b), std::max(a, b));
         }
-        if (error > 1. && !(found[i] & MarksCell))
+        if (error > 1. && !(flags & MarksCell))
         {
           notes.TooShort += isShort ? 1 : 0;
           if (!isShort)
@@ -175,12 +157,46 @@ std::vector<RefinementMark<Id>> FindMarks(const Cells& cells, const RefinementCr
           }
         }
       });
-    if (found[i] & MarksCell)
+    if (flags & MarksCell)
     {
       notes.TooShort += tooShort ? 1 : 0;
       if (!tooShort)
       {
-        marks.push_back({ errors[i], cells.GetLeaf(i), { -1, -1 } });
+        marks.push_back({ cellError, cells.GetLeaf(i), { -1, -1 } });
+      }
+    }
+  };
+  // Stretch by stretch, so that what is known of cells stays in the cache.
+  constexpr vtkIdType stretch = 262144;
+  const bool readsEdges = criteria.ReadsEdges();
+  Buffer<double> errors(std::min(stretch, cells.GetSize()));
+  Buffer<unsigned char> found(errors.size());
+  for (vtkIdType begin = 0; begin < cells.GetSize(); begin += stretch)
+  {
+    const vtkIdType size = std::min(stretch, cells.GetSize() - begin);
+    criteria.GetCellErrors(cells, begin, size, errors);
+    ForEach(size,
+      [&](vtkIdType at)
+      {
+        const vtkIdType i = begin + at;
+        int flags = 0;
+        if (!cells.IsOver(i) && cells.GetSteps(i) < maximumLevel && cells.GetPoints(i).size() > 1)
+        {
+          flags = errors[at] > 1. ? MarksCell : 0;
+          if (readsEdges)
+          {
+            forEdges(i,
+              [&flags](Id, Id, double error, bool hasNoValue)
+              { flags |= (error > 1. ? MarksEdges : 0) | (hasNoValue ? HasNoValue : 0); });
+          }
+        }
+        found[at] = static_cast<unsigned char>(flags);
+      });
+    for (vtkIdType at = 0; at < size; ++at)
+    {
+      if (found[at] != 0)
+      {
+        mark(begin + at, found[at], errors[at]);
       }
     }
   }
