@@ -145,8 +145,29 @@ private:
   const bool Equal;
 };
 
-template <typename Shape, typename Id, typename Out>
-void WriteChildrenOf(const LatticeReader<Id>& reader, vtkIdType cell, Out* out)
+/// Of a sorted octahedron.
+template <typename Id, typename T>
+int FindShortestDiagonal(const Id vertices[6], const T* points)
+{
+  constexpr double tolerance = sizeof(T) < sizeof(double) ? 1e-5 : 1e-9;
+  double lengths[3];
+  for (int pair = 0; pair < 3; ++pair)
+  {
+    const T* p = points + 3 * vtkIdType(vertices[2 * pair]);
+    const T* q = points + 3 * vtkIdType(vertices[2 * pair + 1]);
+    lengths[pair] = 0.;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double difference = static_cast<double>(p[c]) - static_cast<double>(q[c]);
+      lengths[pair] += difference * difference;
+    }
+  }
+  const double limit = std::min({ lengths[0], lengths[1], lengths[2] }) * (1. + tolerance);
+  return lengths[0] <= limit ? 0 : lengths[1] <= limit ? 1 : lengths[2] <= limit ? 2 : 0;
+}
+
+template <typename Shape, typename Id, typename Out, typename T>
+void WriteChildrenOf(const LatticeReader<Id>& reader, vtkIdType cell, const T* points, Out* out)
 {
   Id lattice[Shape::Points];
   reader.template Read<Shape>(cell, lattice);
@@ -172,7 +193,7 @@ void WriteChildrenOf(const LatticeReader<Id>& reader, vtkIdType cell, Out* out)
       vertices[i] = lattice[child[i]];
     }
     SortOctahedron(vertices);
-    CutOctahedron(vertices, 0, out);
+    CutOctahedron(vertices, points ? FindShortestDiagonal(vertices, points) : 0, out);
     out += 16;
   }
   if (Shape::Vertices == 6)
@@ -203,9 +224,9 @@ std::vector<Descendant> ListDescendants(const TetOctLevel<Id>& level, bool equal
 
 }
 
-template <typename Id, typename Out>
-void WriteTetOctChildren(
-  const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, const CellStorage<Out>& out)
+template <typename Id, typename Out, typename T>
+void WriteTetOctChildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs,
+  const T* points, const CellStorage<Out>& out)
 {
   WriteChildren(level.Complex, runs, out, 2);
   const std::vector<CellRun> children = RefineRuns(runs, 1);
@@ -226,11 +247,11 @@ void WriteTetOctChildren(
         Out* first = connectivity + i * perTet + 4 * cell.FirstChild;
         if (cell.IsOct)
         {
-          WriteChildrenOf<OctShape>(reader, number, first);
+          WriteChildrenOf<OctShape>(reader, number, points, first);
         }
         else
         {
-          WriteChildrenOf<TetShape>(reader, number, first);
+          WriteChildrenOf<TetShape>(reader, number, points, first);
         }
       });
   }
@@ -272,26 +293,6 @@ void NumberOctahedra(const std::vector<CellRun>& runs, int steps, vtkIdType* num
 
 namespace
 {
-
-template <typename T>
-int FindShortestDiagonal(const vtkIdType vertices[6], const T* points)
-{
-  constexpr double tolerance = sizeof(T) < sizeof(double) ? 1e-5 : 1e-9;
-  double lengths[3];
-  for (int pair = 0; pair < 3; ++pair)
-  {
-    const T* p = points + 3 * vertices[2 * pair];
-    const T* q = points + 3 * vertices[2 * pair + 1];
-    lengths[pair] = 0.;
-    for (int c = 0; c < 3; ++c)
-    {
-      const double difference = static_cast<double>(p[c]) - static_cast<double>(q[c]);
-      lengths[pair] += difference * difference;
-    }
-  }
-  const double limit = std::min({ lengths[0], lengths[1], lengths[2] }) * (1. + tolerance);
-  return lengths[0] <= limit ? 0 : lengths[1] <= limit ? 1 : lengths[2] <= limit ? 2 : 0;
-}
 
 /// Its pieces follow each other, four cells with the same number.
 bool IsFirstPiece(const vtkIdType* octahedra, vtkIdType cell)
@@ -506,11 +507,14 @@ std::vector<vtkIdType> FindParents(
   return parents;
 }
 
+#define SUBDIVISION_WRITE(Id, Out, T)                                                              \
+  template void WriteTetOctChildren(                                                               \
+    const TetOctLevel<Id>&, const std::vector<CellRun>&, const T*, const CellStorage<Out>&)
 #define SUBDIVISION_CELLS(Id)                                                                      \
-  template void WriteTetOctChildren(                                                               \
-    const TetOctLevel<Id>&, const std::vector<CellRun>&, const CellStorage<int>&);                 \
-  template void WriteTetOctChildren(                                                               \
-    const TetOctLevel<Id>&, const std::vector<CellRun>&, const CellStorage<long long>&);           \
+  SUBDIVISION_WRITE(Id, int, float);                                                               \
+  SUBDIVISION_WRITE(Id, int, double);                                                              \
+  SUBDIVISION_WRITE(Id, long long, float);                                                         \
+  SUBDIVISION_WRITE(Id, long long, double);                                                        \
   template bool HasCells(const TetOctLevel<Id>&, const std::vector<CellRun>&, const SimplexList&); \
   template std::vector<vtkIdType> FindParents(                                                     \
     const TetOctLevel<Id>&, const std::vector<CellRun>&, const SimplexList&)

@@ -70,10 +70,11 @@ void JoinOctahedron(const Out tets[16], Id vertices[6])
   }
 }
 
-/// Writes the children of a level's cells as WriteChildren does; octahedra around any diagonal.
-template <typename Id, typename Out>
-void WriteTetOctChildren(
-  const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, const CellStorage<Out>& out);
+/// Writes the children of a level's cells as WriteChildren does; octahedra around the diagonals
+/// that TurnOctahedra would turn them to, or, where `points` is null, around any.
+template <typename Id, typename Out, typename T>
+void WriteTetOctChildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs,
+  const T* points, const CellStorage<Out>& out);
 
 /// The octahedron of each cell, numbered in their order, -1 where there is none. `runs` are those
 /// of a level `steps` steps below the control level.

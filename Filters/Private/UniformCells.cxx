@@ -123,11 +123,21 @@ UniformCells MakeChildren(
 
 template <typename Id>
 UniformCells MakeChildren(
-  const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, int, bool small)
+  const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, vtkDataArray* points, bool small)
 {
   const std::vector<CellRun> children = RefineRuns(runs, 1);
   UniformCells made = Fill(CountCells(children), small, CountSimplices(level).Refine().Vertices,
-    [&](const auto& storage) { WriteTetOctChildren(level, runs, storage); });
+    [&](const auto& storage)
+    {
+      if (points && points->GetDataType() == VTK_FLOAT)
+      {
+        WriteTetOctChildren(
+          level, runs, static_cast<const float*>(points->GetVoidPointer(0)), storage);
+        return;
+      }
+      WriteTetOctChildren(level, runs,
+        points ? static_cast<const double*>(points->GetVoidPointer(0)) : nullptr, storage);
+    });
   AddOctahedra(children, level.Steps + 1, made);
   return made;
 }
@@ -214,7 +224,7 @@ SimplexTuples GatherTuples(
 #define SUBDIVISION_CELLS(Id)                                                                      \
   template UniformCells MakeChildren(const Level<Id>&, const std::vector<CellRun>&, int, bool);    \
   template UniformCells MakeChildren(                                                              \
-    const TetOctLevel<Id>&, const std::vector<CellRun>&, int, bool);                               \
+    const TetOctLevel<Id>&, const std::vector<CellRun>&, vtkDataArray*, bool);                     \
   template SimplexTuples GatherTuples(                                                             \
     const SimplicialComplex<Id>&, const std::vector<CellRun>&, int)
 SUBDIVISION_CELLS(int);

@@ -30,14 +30,16 @@ struct UniformCells
   vtkSmartPointer<vtkIdTypeArray> Octahedra;
 };
 
-/// A level's cells after 1 or 2 steps (octahedra: 1, around any diagonal); `runs` are those of the
-/// level. `small`: with 32-bit ids where they fit.
+/// A level's cells after 1 or 2 steps; `runs` are those of the level. `small`: with 32-bit ids
+/// where they fit.
 template <typename Id>
 UniformCells MakeChildren(
   const Level<Id>& level, const std::vector<CellRun>& runs, int steps, bool small);
+/// The same after 1 step: octahedra around their shortest diagonals if `points`, those after the
+/// step, are known already; around any if not.
 template <typename Id>
 UniformCells MakeChildren(
-  const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, int steps, bool small);
+  const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, vtkDataArray* points, bool small);
 
 /// Cells as they were read; `runs` those of the level that they are, `steps` steps below a control
 /// level of tetrahedra, or negative in a scheme without octahedra.

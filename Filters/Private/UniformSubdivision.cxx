@@ -70,8 +70,16 @@ private:
   void GoToLimit(const TetOctLevel<Id>&, Kept&)
   {
   }
-  template <typename AnyLevel>
-  void MakeCells(const AnyLevel& level, int steps);
+  template <typename Id>
+  void MakeCells(const Level<Id>& level, int steps);
+  template <typename Id>
+  void MakeCells(const TetOctLevel<Id>& level, int steps);
+  template <typename Id>
+  void MakeTurnedCells(const Level<Id>&, Stencils<Id>&)
+  {
+  }
+  template <typename Id>
+  void MakeTurnedCells(TetOctLevel<Id>& level, TetOctStencils<Id>& stencils);
   template <typename Id>
   void PartOctahedra(const Level<Id>&)
   {
@@ -98,6 +106,7 @@ private:
   std::vector<std::string> BuildWarnings;
   const KeptOperator* SameCells = nullptr; ///< has the output's cells, where only rules changed
   UniformCells Cells;                      ///< of the output
+  bool HasTurned = false;                  ///< octahedra were written around the right diagonals
   /// Where the input has octahedra: whose values the children of its cells take (FindParents).
   std::vector<vtkIdType> Parents;
 };
@@ -373,6 +382,8 @@ UniformRun::Outcome UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
   // Only what is kept, or blended, needs the last two operators as tables.
   const bool stored = keep || this->Options.ReadsLimit() || steps < 2 ||
     HasEqualCells(level.Complex) || IsSharpAfter(this->Control.Sharpness, steps - 2);
+  // Kept cells are written before any points are known, and turned for each.
+  const bool turned = this->IsTetOct() && !keep;
   for (int step = 0; step < steps; ++step)
   {
     if (this->IsStopped((step + 1.) / (steps + 1.)))
@@ -391,7 +402,10 @@ UniformRun::Outcome UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
     AnyLevel<Id> next;
     if (last)
     {
-      this->MakeCells(level, 1);
+      if (!turned)
+      {
+        this->MakeCells(level, 1);
+      }
       this->Derived = GatherTuples(level.Complex, this->Control.DerivedRuns, 1);
     }
     if (this->Options.ReadsLimit())
@@ -408,7 +422,12 @@ UniformRun::Outcome UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
       this->Control.DerivedRuns = RefineRuns(this->Control.DerivedRuns, 1);
     }
     Operator stencils = TakeStencils(level);
+    AnyLevel<Id> parent = std::move(level);
     level = std::move(next);
+    if (!last || !turned)
+    {
+      parent = AnyLevel<Id>();
+    }
     if (IsSharpAfter(this->Control.Sharpness, step))
     {
       auto sharp =
@@ -417,6 +436,10 @@ UniformRun::Outcome UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
         this->Control.Sharpness, step, this->Mesh.MadeLevels + step, TakeStencils(sharp), stencils);
     }
     this->Points->Advance(stencils);
+    if (last && turned)
+    {
+      this->MakeTurnedCells(parent, stencils);
+    }
     if (last)
     {
       this->GoToLimit(level, *kept);
@@ -480,12 +503,30 @@ void UniformRun::GoToLimit(const Level<Id>& level, Kept& kept)
 // Output
 
 /// The cells of the last steps. Octahedra are turned when the points are known.
-template <typename AnyLevel>
-void UniformRun::MakeCells(const AnyLevel& level, int steps)
+template <typename Id>
+void UniformRun::MakeCells(const Level<Id>& level, int steps)
 {
   this->Cells = this->SameCells
     ? this->SameCells->Cells
     : MakeChildren(level, this->Control.Runs, steps, this->Options.Use32BitIds);
+}
+template <typename Id>
+void UniformRun::MakeCells(const TetOctLevel<Id>& level, int)
+{
+  this->Cells = this->SameCells
+    ? this->SameCells->Cells
+    : MakeChildren(level, this->Control.Runs, nullptr, this->Options.Use32BitIds);
+}
+
+/// The same when the points are known: one pass over the cells instead of two. The operator gives
+/// back what it took of the cells.
+template <typename Id>
+void UniformRun::MakeTurnedCells(TetOctLevel<Id>& level, TetOctStencils<Id>& stencils)
+{
+  level.OctVertices = std::move(stencils.OctVertices);
+  this->Cells =
+    MakeChildren(level, this->Control.Runs, this->Points->GetPoints(), this->Options.Use32BitIds);
+  this->HasTurned = true;
 }
 
 template <typename Id>
@@ -501,7 +542,7 @@ void UniformRun::PartOctahedra(const TetOctLevel<Id>& level)
 void UniformRun::FinishPoints(bool ownsCells)
 {
   this->Points->Finish(this->Output);
-  if (this->Cells.Octahedra && this->Options.Levels > 0)
+  if (this->Cells.Octahedra && this->Options.Levels > 0 && !this->HasTurned)
   {
     TurnOctahedra(this->Cells, !ownsCells, this->Output->GetPoints()->GetData());
   }
