@@ -86,6 +86,16 @@ struct CellParts
   }
 };
 
+/// A cell at a face: where it has the face's vertices, and which of its own faces that is.
+template <typename Id>
+struct FaceSide
+{
+  Id Cell = 0; ///< a tetrahedron or an octahedron
+  bool IsTet = true;
+  int Face = 0;
+  int Corners[3] = { 0, 0, 0 };
+};
+
 template <typename Id>
 class TetOctRefiner
 {
@@ -117,8 +127,9 @@ private:
 
   template <typename Emit>
   void EmitHalfEdgeRing(Id edge, Id end, const Emit& emit) const;
+  FaceSide<Id> GetSide(Id face, Id cell) const;
   template <typename Emit>
-  void EmitInFaceRing(Id face, int corner, const Emit& emit) const;
+  void EmitInFaceRing(Id face, int corner, const FaceSide<Id> sides[2], const Emit& emit) const;
   template <typename Emit>
   void EmitSpokeRing(Id oct, int edge, const Emit& emit) const;
   template <typename Emit>

@@ -95,11 +95,32 @@ void TetOctRefiner<Id>::EmitHalfEdgeRing(Id edge, Id end, const Emit& emit) cons
   }
 }
 
+/// Where a face is in a cell at it.
+template <typename Id>
+FaceSide<Id> TetOctRefiner<Id>::GetSide(Id face, Id cell) const
+{
+  const auto& parent = this->Parent;
+  const Id* vertices = parent.FaceVertices.data() + 3 * vtkIdType(face);
+  FaceSide<Id> side;
+  side.IsTet = cell < parent.NumberOfTets;
+  side.Cell = side.IsTet ? cell : cell - parent.NumberOfTets;
+  for (int i = 0; i < 3; ++i)
+  {
+    side.Corners[i] = side.IsTet ? parent.VertexInTet(side.Cell, vertices[i])
+                                 : this->VertexInOct(side.Cell, vertices[i]);
+  }
+  side.Face = side.IsTet ? parent.FaceInTet(side.Cell, face)
+                         : octahedron::FaceOf(side.Corners[0], side.Corners[1], side.Corners[2]);
+  return side;
+}
+
 /// The edge that cuts a corner off a face: the corner and the opposite midpoint, one point in each
-/// cell beside the face; then the opposites in the octahedra there.
+/// cell beside the face; then the opposites in the octahedra there. `sides`: the two of a face of
+/// dimension 3.
 template <typename Id>
 template <typename Emit>
-void TetOctRefiner<Id>::EmitInFaceRing(Id face, int corner, const Emit& emit) const
+void TetOctRefiner<Id>::EmitInFaceRing(
+  Id face, int corner, const FaceSide<Id> sides[2], const Emit& emit) const
 {
   const auto& parent = this->Parent;
   const Rule rule = this->Strata.Faces[face].GetRule();
@@ -108,51 +129,51 @@ void TetOctRefiner<Id>::EmitInFaceRing(Id face, int corner, const Emit& emit) co
     return;
   }
   const Id* vertices = parent.FaceVertices.data() + 3 * vtkIdType(face);
-  const Id vertex = vertices[corner];
-  const Id others[2] = { vertices[(corner + 1) % 3], vertices[(corner + 2) % 3] };
-  emit(this->Ids.Face(face, corner), vertex);
+  emit(this->Ids.Face(face, corner), vertices[corner]);
   emit(this->Ids.Face(face, 3),
     this->Ids.Midpoint(parent.FaceEdges[3 * vtkIdType(face) + triangle::EdgeOpposite[corner]]));
   if (rule == Rule::Surface)
   {
     return;
   }
-  for (Id cell : parent.FaceTets[face])
+  auto emitNear = [&](const FaceSide<Id>& side)
   {
-    if (cell < parent.NumberOfTets)
+    const int a = side.Corners[corner];
+    if (side.IsTet)
     {
-      const int a = parent.VertexInTet(cell, vertex);
-      const int d = parent.FaceInTet(cell, face);
-      emit(this->Ids.Cut(cell, a),
-        this->Ids.Midpoint(parent.TetEdges[6 * vtkIdType(cell) + tetrahedron::EdgeOf[a][d]]));
-      continue;
+      emit(this->Ids.Cut(side.Cell, a),
+        this->Ids.Midpoint(
+          parent.TetEdges[6 * vtkIdType(side.Cell) + tetrahedron::EdgeOf[a][side.Face]]));
+      return;
     }
-    const Id oct = cell - parent.NumberOfTets;
-    const int a = this->VertexInOct(oct, vertex);
-    const int local =
-      octahedron::FaceOf(a, this->VertexInOct(oct, others[0]), this->VertexInOct(oct, others[1]));
-    emit(this->Ids.Fan(oct, local, CornerOf(local, a)), this->Ids.Centre(oct));
-  }
+    emit(this->Ids.Fan(side.Cell, side.Face, CornerOf(side.Face, a)), this->Ids.Centre(side.Cell));
+  };
   if (rule == Rule::Blend)
   {
+    for (Id cell : parent.FaceTets[face])
+    {
+      emitNear(this->GetSide(face, cell));
+    }
     return;
   }
-  for (Id cell : parent.FaceTets[face])
+  emitNear(sides[0]);
+  emitNear(sides[1]);
+  for (int s = 0; s < 2; ++s)
   {
+    const FaceSide<Id>& side = sides[s];
+    const int others[2] = { side.Corners[(corner + 1) % 3], side.Corners[(corner + 2) % 3] };
     for (int i = 0; i < 2; ++i)
     {
-      if (cell < parent.NumberOfTets) // opposite to the midpoint of a and others[i]
+      if (side.IsTet) // opposite to the midpoint of the corner and others[i]
       {
-        const int c = parent.VertexInTet(cell, others[1 - i]);
-        const int d = parent.FaceInTet(cell, face);
-        emit(this->Ids.OctOfTet(cell),
-          this->Ids.Midpoint(parent.TetEdges[6 * vtkIdType(cell) + tetrahedron::EdgeOf[c][d]]));
+        emit(this->Ids.OctOfTet(side.Cell),
+          this->Ids.Midpoint(parent.TetEdges[6 * vtkIdType(side.Cell) +
+            tetrahedron::EdgeOf[others[1 - i]][side.Face]]));
         continue;
       }
-      const Id oct = cell - parent.NumberOfTets;
-      const int a = this->VertexInOct(oct, vertex);
-      const int b = this->VertexInOct(oct, others[i]);
-      emit(this->Ids.OctOfOct(oct, a), this->OctMidpoint(oct, a, octahedron::Opposite(b)));
+      const int a = side.Corners[corner];
+      emit(this->Ids.OctOfOct(side.Cell, a),
+        this->OctMidpoint(side.Cell, a, octahedron::Opposite(others[i])));
     }
   }
 }
@@ -339,10 +360,20 @@ void TetOctRefiner<Id>::MakeRings()
       {
         const Id f = static_cast<Id>(i);
         const int size = this->Strata.Faces[i].GetRule() == Rule::Solid ? RegularEdgeRing : 0;
+        FaceSide<Id> sides[2]; // of a face of dimension 3, looked up once for its three edges
         for (int corner = 0; corner < 3; ++corner)
         {
           act(this->Ids.InFace(f, corner), size,
-            [&](const auto& emit) { this->EmitInFaceRing(f, corner, emit); });
+            [&](const auto& emit)
+            {
+              if (corner == 0 && size > 0)
+              {
+                const Row<Id> cells = parent.FaceTets[f];
+                sides[0] = this->GetSide(f, cells.begin()[0]);
+                sides[1] = this->GetSide(f, cells.begin()[1]);
+              }
+              this->EmitInFaceRing(f, corner, sides, emit);
+            });
         }
       });
     ForEach(octs,
