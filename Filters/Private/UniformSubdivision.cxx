@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "UniformSubdivision.h"
+#include "UniformRun.h"
 
 #include "Arrays.h"
 #include "CellArrays.h"
 #include "Classification.h"
-#include "ControlComplex.h"
 #include "Core/TetOctCells.h"
 #include "Core/TetOrder.h"
 #include "SizeChecks.h"
-#include "UniformCells.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -33,83 +31,7 @@ LevelCounts CountSimplices(const Level<Id>& level)
   return subdivision::CountSimplices(level.Complex);
 }
 
-class UniformRun
-{
-public:
-  UniformRun(vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output)
-    : Input(input)
-    , Options(options)
-    , Output(output)
-  {
-  }
-  bool Run();
-
-private:
-  enum class Outcome
-  {
-    Done,
-    Stopped,
-    NotOurs ///< the stamp fits, the cells do not
-  };
-  Outcome Execute(bool trustStamp);
-  void StartPoints();
-  TopologyKey MakeKey() const;
-  KeptOperator* FindKept(const TopologyKey& key);
-  void UseKept(KeptOperator& kept);
-
-  template <template <typename> class AnyLevel, typename Id>
-  Outcome BuildAndStep(KeptOperator* keep);
-  bool HasMemoryFor(const LevelCounts& counts, double bytesPerId) const;
-  template <template <typename> class AnyLevel, typename Id>
-  Outcome Step(AnyLevel<Id>& level, KeptOperator* keep);
-  template <typename Id>
-  void StepTwice(const Level<Id>& level);
-  template <typename Id, typename Kept>
-  void GoToLimit(const Level<Id>& level, Kept& kept);
-  template <typename Id, typename Kept>
-  void GoToLimit(const TetOctLevel<Id>&, Kept&)
-  {
-  }
-  template <typename Id>
-  void MakeCells(const Level<Id>& level, int steps);
-  template <typename Id>
-  void MakeCells(const TetOctLevel<Id>& level, int steps);
-  template <typename Id>
-  void MakeTurnedCells(const Level<Id>&, Stencils<Id>&)
-  {
-  }
-  template <typename Id>
-  void MakeTurnedCells(TetOctLevel<Id>& level, TetOctStencils<Id>& stencils);
-  template <typename Id>
-  void PartOctahedra(const Level<Id>&)
-  {
-  }
-  template <typename Id>
-  void PartOctahedra(const TetOctLevel<Id>& level);
-  void FinishPoints(bool ownsCells);
-  bool IsTetOct() const { return this->Options.Scheme == StampScheme::TetOct; }
-
-  void Finish();
-  void AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges);
-  bool IsStopped(double done) const
-  {
-    return this->Options.Progress && this->Options.Progress(done);
-  }
-
-  vtkPointSet* Input;
-  const UniformOptions& Options;
-  vtkUnstructuredGrid* Output;
-  ControlMesh Mesh;
-  std::unique_ptr<PointArrays> Points;
-  ControlTraits Control; ///< its runs are those of the current level
-  SimplexTuples Derived; ///< singular simplices as the output names them
-  std::vector<std::string> BuildWarnings;
-  const KeptOperator* SameCells = nullptr; ///< has the output's cells, where only rules changed
-  UniformCells Cells;                      ///< of the output
-  bool HasTurned = false;                  ///< octahedra were written around the right diagonals
-  /// Where the input has octahedra: whose values the children of its cells take (FindParents).
-  std::vector<vtkIdType> Parents;
-};
+}
 
 bool UniformRun::Run()
 {
@@ -174,17 +96,7 @@ UniformRun::Outcome UniformRun::Execute(bool trustStamp)
   }
   if (outcome == Outcome::Done && keep)
   {
-    keep->Cells = this->Cells;
-    keep->Parents = std::move(this->Parents);
-    keep->PointsOut = this->Output->GetPoints()->GetData();
-    keep->Derived = std::move(this->Derived);
-    keep->ControlDerived = std::move(this->Control.Derived);
-    keep->Candidates = std::move(this->Control.Candidates);
-    keep->Features = std::move(this->Control.Features);
-    keep->ManifoldDimensions = std::move(this->Control.ManifoldDimensions);
-    keep->Warnings = std::move(this->BuildWarnings);
-    ++this->Options.Cache->NumberOfBuilds;
-    this->Options.Cache->Add(std::move(keep));
+    this->Keep(std::move(keep));
   }
   return outcome;
 }
@@ -212,89 +124,6 @@ void UniformRun::StartPoints()
   }
   this->Points = std::make_unique<PointArrays>(this->Input, this->Mesh.Cells,
     this->Mesh.GetGlobalIds(), static_cast<vtkIdType>(this->Mesh.GlobalIds.size()), arrays);
-}
-
-// ------------------------------------------------------------------------------------------------
-// What is kept
-
-TopologyKey UniformRun::MakeKey() const
-{
-  TopologyKey key;
-  key.Simplices = this->Mesh.Cells.Simplices;
-  key.Scheme = this->Options.Scheme;
-  key.MadeLevels = this->Mesh.MadeLevels;
-  key.NumberOfControlPoints = this->Mesh.GetControl().NumberOfPoints;
-  key.Levels = this->Options.Levels;
-  key.Use32BitIds = this->Options.Use32BitIds;
-  key.Choices = EncodeChoices(this->Options.Features, this->Mesh.Values);
-  key.Choices.push_back(this->Mesh.IsStamped);
-  key.Choices.push_back(this->Options.ProjectToLimit);
-  key.Choices.push_back(this->Options.GenerateLimitNormals);
-  for (const auto& tuples : this->Mesh.Derived.Tuples)
-  {
-    key.Choices.push_back(static_cast<long long>(tuples.size()));
-    key.Choices.insert(key.Choices.end(), tuples.begin(), tuples.end());
-  }
-  return key;
-}
-
-/// The kept operator, if the features are still where they were.
-KeptOperator* UniformRun::FindKept(const TopologyKey& key)
-{
-  return this->Options.Cache->Find(key,
-    [this](const KeptOperator& kept)
-    {
-      const double* points = kept.Candidates.empty() ? nullptr : this->Points->GetCoordinates();
-      for (std::size_t i = 0; i < kept.Candidates.size(); ++i)
-      {
-        if (IsFeature(kept.Candidates[i], points, this->Options.Features.FeatureAngle) !=
-          kept.Features[i])
-        {
-          return false;
-        }
-      }
-      return true;
-    });
-}
-
-void UniformRun::UseKept(KeptOperator& kept)
-{
-  for (const std::string& warning : kept.Warnings)
-  {
-    this->Options.Warn(warning);
-  }
-  this->Cells = kept.Cells;
-  this->Parents = kept.Parents;
-  // Normals need the points before they are projected.
-  if (kept.Steps && !this->Options.GenerateLimitNormals &&
-    HoldsSameValues(this->Points->GetPoints(), kept.PointsIn))
-  {
-    this->Points->ReusePoints(kept.PointsOut);
-  }
-  else
-  {
-    kept.PointsIn->DeepCopy(this->Points->GetPoints());
-  }
-  if (kept.Steps)
-  {
-    kept.Steps->Apply(*this->Points);
-  }
-  this->FinishPoints(false);
-  kept.Cells = this->Cells;
-  kept.PointsOut = this->Output->GetPoints()->GetData();
-  if (this->Options.Levels > 0)
-  {
-    this->AddClassification(kept.Steps->GetLastVertices(), kept.Steps->GetLastEdges());
-  }
-  else
-  {
-    this->AddClassification(kept.ControlStrata, Buffer<Stratum>());
-  }
-  this->Derived = kept.Derived;
-  this->Control.ManifoldDimensions = Buffer<unsigned char>(kept.ManifoldDimensions.size());
-  std::copy(kept.ManifoldDimensions.begin(), kept.ManifoldDimensions.end(),
-    this->Control.ManifoldDimensions.begin());
-  this->Finish();
 }
 
 // ------------------------------------------------------------------------------------------------
@@ -603,8 +432,6 @@ void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer
   {
     AddRules(vertices, edges, this->Input, this->Output);
   }
-}
-
 }
 
 bool SubdivideUniformly(

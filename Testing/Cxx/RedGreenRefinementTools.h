@@ -321,6 +321,51 @@ inline vtkIdType CountKind(vtkUnstructuredGrid* grid, int kind)
   return count;
 }
 
+/// The point array x^3 + y, whose changes differ from edge to edge.
+inline void AddValues(vtkUnstructuredGrid* grid, const char* name = "V")
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetName(name);
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    const Point p = GetPoint(grid, i);
+    values->InsertNextValue(p[0] * p[0] * p[0] + p[1]);
+  }
+  grid->GetPointData()->AddArray(values);
+}
+
+inline double GetLevel(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  return grid->GetCellData()->GetArray("RefinementLevel")->GetComponent(cell, 0);
+}
+
+inline double GetKind(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  return grid->GetCellData()->GetArray("RefinementKind")->GetComponent(cell, 0);
+}
+
+inline vtkIdType GetOrigin(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  return static_cast<vtkIdType>(
+    grid->GetCellData()->GetArray("vtkOriginalCellIds")->GetComponent(cell, 0));
+}
+
+/// act(point, point) for all edges of all cells.
+template <typename Act>
+void ForEdges(vtkUnstructuredGrid* grid, const Act& act)
+{
+  for (const Ids& cell : GetCells(grid))
+  {
+    for (std::size_t i = 0; i < cell.size(); ++i)
+    {
+      for (std::size_t k = 0; k < i; ++k)
+      {
+        act(cell[i], cell[k]);
+      }
+    }
+  }
+}
+
 }
 
 #endif

@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 import tools
-from test_surfaces import (LOOP, add, children, coordinates, faces_of, fan, flag_corner, grid, mesh, moebius,
+from surface_tools import (LOOP, add, children, coordinates, faces_of, fan, flag_corner, grid, mesh, moebius,
                            point_array, run, spectrum, wheel, with_identity, zoo)
 from vtkmodules.vtkFiltersModeling import vtkButterflySubdivisionFilter
 
