@@ -26,43 +26,12 @@ struct EdgeEnd
 };
 
 template <typename Id>
-class ButterflyScheme : public SurfaceScheme<Id>
+class ButterflyScheme : public QuarteringScheme<Id>
 {
 public:
-  bool NeedsTriangles() const override { return true; }
   bool HasCornersOfOneFace() const override { return true; }
   /// Counts the faces of vertices that have faces and smooth edges all around: Places. Others: 0.
   void Prepare(SurfaceLevel<Id>& level) const override;
-  vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
-  {
-    return level.Mesh.NumberOfVertices + level.Mesh.GetNumberOfEdges();
-  }
-  void GetParents(
-    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
-  {
-    const vtkIdType edge = row - level.Mesh.NumberOfVertices;
-    if (edge < 0)
-    {
-      parents.assign({ row });
-      return;
-    }
-    parents.assign({ level.Mesh.EdgeVertices[2 * edge], level.Mesh.EdgeVertices[2 * edge + 1] });
-  }
-  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override
-  {
-    return RefineTriangles(level, depth);
-  }
-  SurfaceTags<Id> RefineTags(
-    const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override
-  {
-    return RefineTriangleTags(level, tags);
-  }
-  void GetFaceParents(const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const override
-  {
-    parents = Buffer<vtkIdType>(4 * level.Mesh.NumberOfFaces);
-    ForEach(parents.size(), [&parents](vtkIdType i) { parents[i] = i / 4; });
-  }
-
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
 

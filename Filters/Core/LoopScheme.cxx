@@ -17,49 +17,18 @@ namespace
 constexpr double pi = 3.14159265358979323846;
 
 template <typename Id>
-class LoopScheme : public SurfaceScheme<Id>
+class LoopScheme : public QuarteringScheme<Id>
 {
 public:
   explicit LoopScheme(bool modifiedBoundary)
     : ModifiedBoundary(modifiedBoundary)
   {
   }
-  bool NeedsTriangles() const override { return true; }
   bool BlendsJoints() const override { return true; }
   double GetThirdEigenvalue(int k, double angle) const override
   {
     return 0.5 + (std::cos(pi / k) - std::cos(angle / k)) / 4.;
   }
-  vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
-  {
-    return level.Mesh.NumberOfVertices + level.Mesh.GetNumberOfEdges();
-  }
-  void GetParents(
-    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
-  {
-    const vtkIdType edge = row - level.Mesh.NumberOfVertices;
-    if (edge < 0)
-    {
-      parents.assign({ row });
-      return;
-    }
-    parents.assign({ level.Mesh.EdgeVertices[2 * edge], level.Mesh.EdgeVertices[2 * edge + 1] });
-  }
-  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override
-  {
-    return RefineTriangles(level, depth);
-  }
-  SurfaceTags<Id> RefineTags(
-    const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override
-  {
-    return RefineTriangleTags(level, tags);
-  }
-  void GetFaceParents(const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const override
-  {
-    parents = Buffer<vtkIdType>(4 * level.Mesh.NumberOfFaces);
-    ForEach(parents.size(), [&parents](vtkIdType i) { parents[i] = i / 4; });
-  }
-
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
 

@@ -30,6 +30,44 @@ SurfaceTags<Id> RefineTriangleTags(const SurfaceLevel<Id>& level, const SurfaceT
 template <typename Id>
 SurfaceTags<Id> RefineToQuadTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
 
+/// What schemes have in common that split each triangle into four: points stay points, and each
+/// edge has a new one.
+template <typename Id>
+class QuarteringScheme : public SurfaceScheme<Id>
+{
+public:
+  bool NeedsTriangles() const override { return true; }
+  vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
+  {
+    return level.Mesh.NumberOfVertices + level.Mesh.GetNumberOfEdges();
+  }
+  void GetParents(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
+  {
+    const vtkIdType edge = row - level.Mesh.NumberOfVertices;
+    if (edge < 0)
+    {
+      parents.assign({ row });
+      return;
+    }
+    parents.assign({ level.Mesh.EdgeVertices[2 * edge], level.Mesh.EdgeVertices[2 * edge + 1] });
+  }
+  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override
+  {
+    return RefineTriangles(level, depth);
+  }
+  SurfaceTags<Id> RefineTags(
+    const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override
+  {
+    return RefineTriangleTags(level, tags);
+  }
+  void GetFaceParents(const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const override
+  {
+    parents = Buffer<vtkIdType>(4 * level.Mesh.NumberOfFaces);
+    ForEach(parents.size(), [&parents](vtkIdType i) { parents[i] = i / 4; });
+  }
+};
+
 }
 
 #endif
