@@ -16,22 +16,16 @@ import sys
 
 STANDARD = {"cube": "a", "sphere": "b", "polylines": "e"}
 PEER_NOTES = {
-    "vtkLoopSubdivisionFilter": "",
-    "vtkButterflySubdivisionFilter": "",
     "vtkSubdivideTetra": "12 children per tet, half of them inverted, points not shared; shown, not counted",
-    "OpenMesh Loop": "no scalar",
-    "OpenMesh sqrt3": "no scalar; 3 children per triangle and step: compared per output cell",
-    "CGAL Loop": "no scalar",
-    "OpenMesh Catmull-Clark": "no scalar",
-    "CGAL Catmull-Clark": "no scalar",
-    "OpenSubdiv Catmull-Clark": "",
-    "OpenSubdiv uniform + primvar": "",
     "OpenSubdiv stencil table build": "the table alone, nothing evaluated",
     "OpenSubdiv stencil table evaluate": "ready table, one component; compared with re-execution",
     "dune-uggrid local": "no scalar; the same rounds and marks",
     "dune-uggrid": "no scalar; conforming red refinement; with --quick per cell, from 2 levels",
 }
-PER_CELL = ("OpenMesh sqrt3", "vtkSubdivideTetra")
+# Which peers have which schemes for surfaces, and what they do not carry.
+SURFACE_PEERS = {"CGAL": "no scalar", "OpenMesh": "no scalar", "OpenSubdiv": "", "VTK": ""}
+SURFACE_SCHEMES = ("Loop", "Butterfly", "Catmull-Clark", "Doo-Sabin", "sqrt3")
+PER_CELL = ("vtkSubdivideTetra",)
 
 
 class Sample:
@@ -142,6 +136,29 @@ def surface_section(samples):
         rows)
 
 
+def surface_peer_section(samples):
+    """One row for each scheme and mesh: the whole filter beside each library that has the scheme."""
+    cases = sorted({(what.split(" ", 1)[1], case, levels) for family, what, case, levels, _ in samples
+                    if family == "peer" and what.split(" ", 1)[-1] in SURFACE_SCHEMES})
+    rows = []
+    for scheme, case, levels in cases:
+        own = [samples.get(("surface", scheme, case, levels, threads)) for threads in (1, 4)]
+        row = ["%s (%s, %d levels)" % (scheme, case, levels)] + [o.text() if o else "-" for o in own]
+        least = []
+        for name in SURFACE_PEERS:
+            peer = samples.get(("peer", "%s %s" % (name, scheme), case, levels, 1))
+            row.append("%.3g: %s and %s" % (1e3 * peer.median, ratio(peer, own[0]), ratio(peer, own[1]))
+                       if peer else "-")
+            if peer and own[1]:
+                least.append(peer.median / own[1].median)
+        rows.append(row + ["%.1f" % min(least) if least else "-"])
+    return ["## Surface subdivision beside other libraries", "",
+            "All of them on one thread: ms, and how much faster we are at 1 and at 4 threads. CGAL and "
+            "OpenMesh carry no scalar.", ""] + table(
+        ["scheme", "we, 1 thread, ms", "we, 4 threads, ms"] + list(SURFACE_PEERS) +
+        ["at least, 4 threads"], rows) if rows else []
+
+
 def again_section(samples):
     rows = []
     for (family, what, case, levels, threads), sample in sorted(samples.items()):
@@ -206,11 +223,13 @@ def peer_section(samples):
         mine = "again" if what.endswith("evaluate") else "first"
         cells = []
         for own_threads in (1, 4):
-            scheme = what.split()[-1]
-            same = samples.get(("filter", mine, case, levels, own_threads)) or samples.get(
-                ("surface", scheme, case, levels, own_threads))
-            same = same or samples.get(("redgreen", "core", case, levels, own_threads))
-            own = same or samples.get(("filter", mine, case, 3, own_threads))
+            scheme = what.split(" ", 1)[-1]
+            if scheme in SURFACE_SCHEMES[1:]:  # Loop is beside the main filter here
+                same = own = samples.get(("surface", scheme, case, levels, own_threads))
+            else:
+                same = samples.get(("filter", mine, case, levels, own_threads)) or samples.get(
+                    ("redgreen", "core", case, levels, own_threads))
+                own = same or samples.get(("filter", mine, case, 3, own_threads))
             if not own:
                 cells.append("-")
             elif what in PER_CELL or not same:
@@ -218,7 +237,7 @@ def peer_section(samples):
             else:
                 cells.append("%.1f" % (peer.median / own.median))
         rows.append([what, "%s, %d levels" % (case, levels), str(threads), peer.text(), "%.1f" % peer.ns_per_cell()] + cells +
-                    [PEER_NOTES.get(what, "")])
+                    [PEER_NOTES.get(what, SURFACE_PEERS.get(what.split()[0], ""))])
     return ["## Peers", ""] + table(
         ["peer", "case", "its threads", "ms", "ns per output cell", "we are faster, 1 thread",
          "we are faster, 4 threads", "note"], rows) if rows else []
@@ -269,7 +288,7 @@ def run(arguments):
              "after %.1f; %d processors." % (
                  arguments.repetitions, load, os.getloadavg()[0], os.cpu_count()), ""]
     lines += filter_section(samples, memory) + surface_section(samples) + again_section(samples)
-    lines += tetoct_section(samples)
+    lines += surface_peer_section(samples) + tetoct_section(samples)
     lines += red_green_section(samples) + deformation_section(samples) + peer_section(samples)
     lines += stage_section(samples)
     if not arguments.quick:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PeerCgal.cxx
- * CGAL: Loop and Catmull-Clark subdivision of a Surface_mesh. Carries no scalar.
+ * CGAL: Loop, sqrt(3), Catmull-Clark and Doo-Sabin subdivision of a Surface_mesh. None carries a
+ * scalar.
  */
 #include "BenchmarkMeshes.h"
 #include "BenchmarkTools.h"
@@ -21,7 +22,8 @@ namespace
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels)
+template <typename Method>
+Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels, const Method& method)
 {
   Mesh mesh;
   std::vector<double> points;
@@ -40,15 +42,7 @@ Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels)
     std::transform(v, v + input.Corners, face.begin(), [](int i) { return Mesh::Vertex_index(i); });
     mesh.add_face(face);
   }
-  const auto iterations = CGAL::parameters::number_of_iterations(levels);
-  if (input.HasQuads)
-  {
-    CGAL::Subdivision_method_3::CatmullClark_subdivision(mesh, iterations);
-  }
-  else
-  {
-    CGAL::Subdivision_method_3::Loop_subdivision(mesh, iterations);
-  }
+  method(mesh, CGAL::parameters::number_of_iterations(levels));
   points.reserve(3 * mesh.number_of_vertices());
   cells.reserve(input.Corners * mesh.number_of_faces());
   for (auto v : mesh.vertices())
@@ -70,12 +64,33 @@ Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels)
 
 void RegisterCgal()
 {
+  namespace Methods = CGAL::Subdivision_method_3;
   static const FlatMesh sphere = MakeSphere(5);
-  Register("peer/CGAL Loop/sphere/levels:3", 1,
-    [](Stopwatch& watch) { return Subdivide(watch, sphere, 3); });
   static const FlatMesh quads = MakeQuadSphere(58);
+  Register("peer/CGAL Loop/sphere/levels:3", 1,
+    [](Stopwatch& watch)
+    {
+      return Subdivide(watch, sphere, 3,
+        [](Mesh& mesh, const auto& options) { Methods::Loop_subdivision(mesh, options); });
+    });
+  Register("peer/CGAL sqrt3/sphere/levels:4", 1,
+    [](Stopwatch& watch)
+    {
+      return Subdivide(watch, sphere, 4,
+        [](Mesh& mesh, const auto& options) { Methods::Sqrt3_subdivision(mesh, options); });
+    });
   Register("peer/CGAL Catmull-Clark/quads/levels:3", 1,
-    [](Stopwatch& watch) { return Subdivide(watch, quads, 3); });
+    [](Stopwatch& watch)
+    {
+      return Subdivide(watch, quads, 3,
+        [](Mesh& mesh, const auto& options) { Methods::CatmullClark_subdivision(mesh, options); });
+    });
+  Register("peer/CGAL Doo-Sabin/quads/levels:3", 1,
+    [](Stopwatch& watch)
+    {
+      return Subdivide(watch, quads, 3,
+        [](Mesh& mesh, const auto& options) { Methods::DooSabin_subdivision(mesh, options); });
+    });
 }
 
 const Registration Registered(RegisterCgal);

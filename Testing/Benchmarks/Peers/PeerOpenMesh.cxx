@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PeerOpenMesh.cxx
- * OpenMesh: Loop, sqrt(3) and Catmull-Clark subdivision. None carries a scalar.
+ * OpenMesh: Loop, modified Butterfly, sqrt(3) and Catmull-Clark subdivision. None carries a scalar.
  */
 #include "BenchmarkMeshes.h"
 #include "BenchmarkTools.h"
@@ -10,6 +10,7 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/ModifiedButterFlyT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3T.hh>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ struct DoubleTraits : OpenMesh::DefaultTraits
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
 using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<DoubleTraits>;
 
-template <typename Mesh, typename Subdivider>
+template <typename Mesh, template <typename, typename> class Scheme>
 Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels)
 {
   Mesh mesh;
@@ -46,7 +47,7 @@ Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels)
       v, v + input.Corners, face.begin(), [&mesh](int i) { return mesh.vertex_handle(i); });
     mesh.add_face(face);
   }
-  Subdivider subdivider;
+  Scheme<Mesh, double> subdivider;
   subdivider.attach(mesh);
   subdivider(levels);
   subdivider.detach();
@@ -71,22 +72,18 @@ Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels)
 
 void RegisterOpenMesh()
 {
+  namespace Uniform = OpenMesh::Subdivider::Uniform;
   static const FlatMesh sphere = MakeSphere(5);
-  Register("peer/OpenMesh Loop/sphere/levels:3", 1,
-    [](Stopwatch& watch) {
-      return Subdivide<Mesh, OpenMesh::Subdivider::Uniform::LoopT<Mesh, double>>(watch, sphere, 3);
-    });
   static const FlatMesh quads = MakeQuadSphere(58);
-  Register("peer/OpenMesh Catmull-Clark/quads/levels:3", 1,
+  Register("peer/OpenMesh Loop/sphere/levels:3", 1,
+    [](Stopwatch& watch) { return Subdivide<Mesh, Uniform::LoopT>(watch, sphere, 3); });
+  Register("peer/OpenMesh Butterfly/sphere/levels:3", 1,
     [](Stopwatch& watch)
-    {
-      return Subdivide<PolyMesh, OpenMesh::Subdivider::Uniform::CatmullClarkT<PolyMesh, double>>(
-        watch, quads, 3);
-    });
-  Register("peer/OpenMesh sqrt3/sphere/levels:3", 1,
-    [](Stopwatch& watch) {
-      return Subdivide<Mesh, OpenMesh::Subdivider::Uniform::Sqrt3T<Mesh, double>>(watch, sphere, 3);
-    });
+    { return Subdivide<Mesh, Uniform::ModifiedButterflyT>(watch, sphere, 3); });
+  Register("peer/OpenMesh sqrt3/sphere/levels:4", 1,
+    [](Stopwatch& watch) { return Subdivide<Mesh, Uniform::Sqrt3T>(watch, sphere, 4); });
+  Register("peer/OpenMesh Catmull-Clark/quads/levels:3", 1,
+    [](Stopwatch& watch) { return Subdivide<PolyMesh, Uniform::CatmullClarkT>(watch, quads, 3); });
 }
 
 const Registration Registered(RegisterOpenMesh);

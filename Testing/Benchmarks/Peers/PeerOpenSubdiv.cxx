@@ -136,7 +136,7 @@ Produced EvaluateTable(Stopwatch& watch, const FlatMesh& input, int levels)
 void RegisterOpenSubdiv()
 {
   static const FlatMesh sphere = MakeSphere(5);
-  Register("peer/OpenSubdiv uniform + primvar/sphere/levels:3", 1,
+  Register("peer/OpenSubdiv Loop/sphere/levels:3", 1,
     [](Stopwatch& watch) { return RefineAndInterpolate(watch, sphere, 3); });
   static const FlatMesh quads = MakeQuadSphere(58);
   Register("peer/OpenSubdiv Catmull-Clark/quads/levels:3", 1,

@@ -51,10 +51,10 @@ void RegisterVtk()
   const int levels = 3;
   const std::string end = "/levels:" + std::to_string(levels);
   Register(
-    "peer/vtkLoopSubdivisionFilter/sphere" + end, 1,
+    "peer/VTK Loop/sphere" + end, 1,
     [=](Stopwatch& watch) { return SubdivideSurface<vtkLoopSubdivisionFilter>(watch, levels); }, 3);
   Register(
-    "peer/vtkButterflySubdivisionFilter/sphere" + end, 1,
+    "peer/VTK Butterfly/sphere" + end, 1,
     [=](Stopwatch& watch)
     { return SubdivideSurface<vtkButterflySubdivisionFilter>(watch, levels); },
     3);
