@@ -281,79 +281,57 @@ void RedGreenOutput<Id>::WriteLeaf(const Leaf& leaf, const RedGreenStorage<Out>&
   }
 }
 
-namespace
-{
-
-/// A row of at most four entries.
-template <typename Id>
-struct ShortRow
-{
-  int Size = 0;
-  Id Columns[4] = {};
-  double Weights[4] = {};
-
-  void Add(Id column, double weight)
-  {
-    int i = 0;
-    while (i < this->Size && this->Columns[i] != column)
-    {
-      ++i;
-    }
-    if (i == this->Size)
-    {
-      this->Columns[this->Size++] = column;
-      this->Weights[i] = 0.;
-    }
-    this->Weights[i] += weight;
-  }
-};
-
-}
-
 template <typename Id>
 SparseRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
 {
   const vtkIdType inputs = state.GetNumberOfInputVertices();
   const vtkIdType size = state.GetNumberOfVertices();
-  Buffer<ShortRow<Id>> rows(size - inputs);
   SparseRows<Id> result;
   result.NumberOfColumns = inputs;
   result.Offsets = Buffer<Id>(size + 1);
+  ForEach(inputs + 1, [&](vtkIdType v) { result.Offsets[v] = static_cast<Id>(v); });
+  // The rows of midpoints: each is made of those of its ends, which are earlier.
+  GrowingBuffer<Id> columns;
+  GrowingBuffer<double> weights;
   for (vtkIdType v = inputs; v < size; ++v)
   {
-    ShortRow<Id> row;
+    const vtkIdType first = columns.size();
+    const auto add = [&](Id column, double weight)
+    {
+      vtkIdType k = first;
+      while (k < columns.size() && columns[k] != column)
+      {
+        ++k;
+      }
+      if (k == columns.size())
+      {
+        columns.push_back(column);
+        weights.push_back(0.);
+      }
+      weights[k] += 0.5 * weight;
+    };
     for (Id end : state.GetEnds(static_cast<Id>(v)))
     {
       if (end < inputs)
       {
-        row.Add(end, 0.5);
+        add(end, 1.);
         continue;
       }
-      const ShortRow<Id>& other = rows[end - inputs];
-      for (int i = 0; i < other.Size; ++i)
+      const vtkIdType last = result.Offsets[end + 1] - inputs;
+      for (vtkIdType k = result.Offsets[end] - inputs; k < last; ++k)
       {
-        row.Add(other.Columns[i], 0.5 * other.Weights[i]);
+        add(columns[k], weights[k]);
       }
     }
-    rows[v - inputs] = row;
+    result.Offsets[v + 1] = static_cast<Id>(inputs + columns.size());
   }
-  ForEach(size, [&](vtkIdType v) { result.Offsets[v] = v < inputs ? 1 : rows[v - inputs].Size; });
-  CountsToOffsets(result.Offsets);
-  result.Columns = Buffer<Id>(result.Offsets[size]);
-  result.Weights = Buffer<double>(result.Offsets[size]);
-  ForEach(size,
-    [&](vtkIdType v)
+  result.Columns = Buffer<Id>(inputs + columns.size());
+  result.Weights = Buffer<double>(result.Columns.size());
+  ForEach(result.Columns.size(),
+    [&](vtkIdType k)
     {
-      const Id first = result.Offsets[v];
-      if (v < inputs)
-      {
-        result.Columns[first] = static_cast<Id>(v);
-        result.Weights[first] = 1.;
-        return;
-      }
-      const ShortRow<Id>& row = rows[v - inputs];
-      std::copy(row.Columns, row.Columns + row.Size, result.Columns.data() + first);
-      std::copy(row.Weights, row.Weights + row.Size, result.Weights.data() + first);
+      result.Columns[k] = k < inputs ? static_cast<Id>(k) : columns[k - inputs];
+      result.Weights[k] = k < inputs ? 1. : weights[k - inputs];
     });
   return result;
 }

@@ -91,7 +91,8 @@ private:
 };
 
 /// Placement `Linear`: the rows of all vertices in terms of the input's: one entry of weight 1 for
-/// a vertex of the input; up to four dyadic weights, which are exact, for a midpoint of midpoints.
+/// a vertex of the input; dyadic weights, which are exact, for a midpoint of midpoints: up to four,
+/// or seven where the input has midpoints itself.
 template <typename Id>
 SparseRows<Id> MakeMidpointRows(const RedGreen<Id>& state);
 

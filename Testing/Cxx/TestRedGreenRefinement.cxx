@@ -242,6 +242,28 @@ TEST(RedGreenChaining, StepsInARowAreStepsInOneFilter)
   EXPECT_EQ(CompareArrays(current->GetCellData(), direct->GetCellData(), "cell data"), "");
 }
 
+/// Points of the second filter lie between the corners of a leaf and the middles that the first has
+/// made: up to seven points of its input.
+TEST(RedGreenChaining, ThreeLevelsWhereGreenCellsWere)
+{
+  for (const char* name : { "KuhnCube", "FlushFin", "EverythingAtOnce" })
+  {
+    const Grid input = MakeGrid(coretest::FindInZoo(name));
+    AddWeights(input);
+    for (unsigned seed = 1; seed <= 4; ++seed)
+    {
+      AddWantedLevels(input, 1, seed);
+      const Grid second = Refine(RefineToWanted(input, 1),
+        [](Filter* filter)
+        {
+          filter->RefineByEdgeLengthOn();
+          filter->SetMaximumEdgeLength(0.);
+        });
+      EXPECT_EQ(CheckConformity(input, second), "") << name << " " << seed;
+    }
+  }
+}
+
 TEST(RedGreenChaining, ShapesStayGoodOverManyFilters)
 {
   const Grid box = MakeBoxWithDistance(1);
