@@ -127,8 +127,8 @@ public:
   ///@{
   /**
    * The error of an edge: JUMP (0, the default), the change of the values from one end to the
-   * other, or LIMIT_DIFFERENCE (1), the distance of the mean of the two ends' limit values from the
-   * limit value between them, the limit being that of smooth subdivision.
+   * other, or LIMIT_DIFFERENCE (1), the largest distance of the limit values along the edge from
+   * the line between those of its ends, the limit being that of smooth subdivision.
    */
   vtkSetClampMacro(AttributeErrorKind, int, JUMP, LIMIT_DIFFERENCE);
   vtkGetMacro(AttributeErrorKind, int);
@@ -208,8 +208,10 @@ public:
 
   ///@{
   /**
-   * Whether edges of curves, surfaces, and boundaries or singular surfaces of solids are split that
-   * are farther than GeometricTolerance from the limit of smooth subdivision. Off by default.
+   * Whether edges of curves, surfaces, and boundaries or singular surfaces of solids are split
+   * where they, or triangles at them, are farther than GeometricTolerance from the limit of smooth
+   * subdivision. The distance is looked at in several places of each edge and triangle. Off by
+   * default.
    */
   vtkSetMacro(RefineByGeometricError, bool);
   vtkGetMacro(RefineByGeometricError, bool);

@@ -89,25 +89,139 @@ typename RedGreenLimit<Id>::Carrier RedGreenLimit<Id>::Unite(const Carrier& a, c
   return both;
 }
 
-/// Whether an edge lies on a curve, a surface, or a boundary, joint or singular surface of a solid.
+/// Whether what a simplex carries is a curve, a surface, or a boundary, joint or singular surface
+/// of a solid.
 template <typename Id>
-bool RedGreenLimit<Id>::IsCurved(Id a, Id b) const
+bool RedGreenLimit<Id>::IsCurved(const Carrier& carrier) const
 {
-  const Carrier carrier = Unite(this->Carriers[a], this->Carriers[b]);
   return carrier[3] < 0 && std::binary_search(this->Curved.begin(), this->Curved.end(), carrier);
 }
 
 // ------------------------------------------------------------------------------------------------
-// Errors
+// Where to look
 
-/// The edges of candidates that are edges of the uniform refinement.
+/// The place between two that an edge of the uniform refinement joins.
+template <typename Id>
+Id RedGreenLimit<Id>::GetMiddle(Id a, Id b)
+{
+  const auto next = static_cast<Id>(this->FirstMiddle + this->Middles.size());
+  const Id place = this->MiddlesByEnds.FindOrAdd(a, b, next);
+  if (place == next)
+  {
+    this->Middles.push_back({ { a, b } });
+  }
+  return place;
+}
+
+template <typename Id>
+typename RedGreenLimit<Id>::EdgeOfCell RedGreenLimit<Id>::LookAt(
+  const RedGreen<Id>& state, const std::array<Id, 4>& leaf, Id a, Id b)
+{
+  EdgeOfCell edge{ { a, b }, {}, false };
+  for (int i = 0; i < 2; ++i)
+  {
+    const Id end = edge.Ends[i];
+    const bool isCorner = std::find(leaf.begin(), leaf.end(), end) != leaf.end();
+    edge.Of[i] = isCorner || end < state.GetNumberOfInputVertices()
+      ? std::array<Id, 2>{ { end, end } }
+      : state.GetEnds(end);
+  }
+  const auto& [first, second] = edge.Of;
+  edge.IsUniform = (first[0] == first[1] && second[0] == second[1]) || first[0] == second[0] ||
+    first[0] == second[1] || first[1] == second[0] || first[1] == second[1];
+  return edge;
+}
+
+/// Three places along an edge of the uniform refinement, so that a curve that crosses it is found
+/// as well; the middle of another.
+template <typename Id>
+void RedGreenLimit<Id>::AddEdge(const EdgeOfCell& edge, const std::array<Id, 4>& leaf)
+{
+  const Id a = edge.Ends[0];
+  const Id b = edge.Ends[1];
+  const Id number = this->Edges.FindOrAdd(a, b, this->NumberOfEdges);
+  if (number != this->NumberOfEdges)
+  {
+    return;
+  }
+  ++this->NumberOfEdges;
+  auto add = [&](Id place, double weight)
+  {
+    this->Samples.push_back(
+      { place, { { a, b, -1 } }, { { 1. - weight, weight, 0. } }, { { number, -1, -1 } } });
+  };
+  if (edge.IsUniform)
+  {
+    const Id middle = this->GetMiddle(a, b);
+    add(middle, 0.5);
+    add(this->GetMiddle(a, middle), 0.25);
+    add(this->GetMiddle(middle, b), 0.75);
+    return;
+  }
+  const bool isFromCorner = edge.Of[0][0] == edge.Of[0][1];
+  const bool isToCorner = edge.Of[1][0] == edge.Of[1][1];
+  if (isFromCorner || isToCorner)
+  {
+    const Id corner = isFromCorner ? a : b;
+    const auto& split = edge.Of[isFromCorner ? 1 : 0];
+    add(this->GetMiddle(this->GetMiddle(corner, split[0]), this->GetMiddle(corner, split[1])), 0.5);
+  }
+  else // between opposite edges of a tetrahedron: through its middle, where the diagonal goes
+  {
+    add(this->GetMiddle(this->GetMiddle(leaf[0], leaf[2]), this->GetMiddle(leaf[1], leaf[3])), 0.5);
+  }
+}
+
+/// Places inside a triangle of a surface.
+template <typename Id>
+void RedGreenLimit<Id>::AddTriangle(
+  const RedGreen<Id>& state, const std::array<Id, 4>& leaf, const std::array<Id, 3>& corners)
+{
+  int green = -1; // the side that no cell of the uniform refinement has, by the corner opposite
+  std::array<Id, 3> sides;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Id a = corners[(i + 1) % 3];
+    const Id b = corners[(i + 2) % 3];
+    sides[i] = this->Edges.Find(a, b);
+    green = this->LookAt(state, leaf, a, b).IsUniform ? green : i;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    const Id a = corners[(i + 1) % 3];
+    const Id b = corners[(i + 2) % 3];
+    Sample sample;
+    sample.Corners = corners;
+    sample.Weights.fill(0.25);
+    sample.Weights[i] = 0.5;
+    sample.Edges = sides;
+    if (green < 0)
+    {
+      sample.Place =
+        this->GetMiddle(this->GetMiddle(corners[i], a), this->GetMiddle(corners[i], b));
+      this->Samples.push_back(sample);
+    }
+    else if (green != i && std::find(leaf.begin(), leaf.end(), corners[i]) == leaf.end())
+    {
+      sample.Place = this->GetMiddle(corners[i], this->GetMiddle(a, b)); // half of a leaf's face
+      sample.Edges = { { sides[green], -1, -1 } };
+      this->Samples.push_back(sample);
+    }
+  }
+}
+
 template <typename Id>
 template <typename Cells>
-void RedGreenLimit<Id>::FindEdges(const RedGreen<Id>& state, const Cells& cells, int maximumLevel)
+void RedGreenLimit<Id>::FindSamples(
+  const RedGreen<Id>& state, const Cells& cells, int maximumLevel, const RefinementOptions& options)
 {
   this->Edges = PairTable<Id>();
-  this->Ends.clear();
-  const Id given = state.GetNumberOfInputVertices();
+  this->NumberOfEdges = 0;
+  this->FirstMiddle = state.GetNumberOfVertices();
+  this->MiddlesByEnds = PairTable<Id>();
+  this->Middles.clear();
+  this->Samples.clear();
+  const bool ofAttribute = options.Attribute && options.AttributeOfLimit;
   for (vtkIdType i = 0; i < cells.GetSize(); ++i)
   {
     const auto points = cells.GetPoints(i);
@@ -116,49 +230,67 @@ void RedGreenLimit<Id>::FindEdges(const RedGreen<Id>& state, const Cells& cells,
       continue;
     }
     const auto leaf = state.GetCell(cells.GetLeaf(i)).Vertices;
-    auto isCorner = [&leaf](Id v) { return std::find(leaf.begin(), leaf.end(), v) != leaf.end(); };
-    auto meet = [&](Id a, Id b) // whether two parts of leaf edges meet: vertices count as such
-    {
-      const auto none = std::array<Id, 2>{ { a, a } };
-      const auto first = isCorner(a) || a < given ? none : state.GetEnds(a);
-      const auto other = std::array<Id, 2>{ { b, b } };
-      const auto second = isCorner(b) || b < given ? other : state.GetEnds(b);
-      return first[0] == second[0] || first[0] == second[1] || first[1] == second[0] ||
-        first[1] == second[1];
-    };
     for (auto a = points.begin(); a != points.end(); ++a)
     {
       for (auto b = a + 1; b != points.end(); ++b)
       {
         const auto first = static_cast<Id>(*a);
         const auto second = static_cast<Id>(*b);
-        const auto next = static_cast<Id>(this->Ends.size());
-        if (((isCorner(first) && isCorner(second)) || meet(first, second)) &&
-          this->Edges.FindOrAdd(first, second, next) == next)
+        if (ofAttribute || this->IsCurved(Unite(this->Carriers[first], this->Carriers[second])))
         {
-          this->Ends.push_back({ { first, second } });
+          this->AddEdge(this->LookAt(state, leaf, first, second), leaf);
         }
+      }
+    }
+    const auto size = static_cast<int>(points.size());
+    for (int opposite = size == 4 ? 0 : 3; options.ByGeometricError && size > 2 && opposite < 4;
+         ++opposite)
+    {
+      std::array<Id, 3> corners;
+      auto corner = corners.begin();
+      for (int k = 0; k < size; ++k)
+      {
+        if (k != opposite)
+        {
+          *corner++ = static_cast<Id>(*(points.begin() + k));
+        }
+      }
+      const Carrier side = Unite(this->Carriers[corners[0]], this->Carriers[corners[1]]);
+      if (this->IsCurved(Unite(side, this->Carriers[corners[2]])))
+      {
+        this->AddTriangle(state, leaf, corners);
       }
     }
   }
 }
 
+// ------------------------------------------------------------------------------------------------
+// Errors
+
+/// The vertices that places depend on, numbered anew, then the middles: between which others they
+/// lie, behind the input's. The result are the numbers of all places.
 template <typename Id>
-template <typename Cells>
-void RedGreenLimit<Id>::FindErrors(const RedGreen<Id>& state, const Cells& cells, int maximumLevel,
-  const RefinementOptions& options, const RefinementCriteria& criteria)
+Buffer<Id> RedGreenLimit<Id>::NumberPlaces(
+  const RedGreen<Id>& state, std::vector<std::array<Id, 2>>& midpoints) const
 {
-  this->FindCarriers(state);
-  this->FindEdges(state, cells, maximumLevel);
-  // The vertices that edges depend on, numbered anew; then the middles of the edges.
   const Id given = state.GetNumberOfInputVertices();
-  Buffer<Id> numbers(state.GetNumberOfVertices(), Id(-1));
-  for (const auto& ends : this->Ends)
+  Buffer<Id> numbers(this->FirstMiddle + static_cast<vtkIdType>(this->Middles.size()), Id(-1));
+  for (const Sample& sample : this->Samples)
+  {
+    for (Id corner : sample.Corners)
+    {
+      if (corner >= 0)
+      {
+        numbers[corner] = 0;
+      }
+    }
+  }
+  for (const auto& ends : this->Middles)
   {
     numbers[ends[0]] = 0;
     numbers[ends[1]] = 0;
   }
-  for (Id v = state.GetNumberOfVertices() - 1; v >= given; --v)
+  for (Id v = this->FirstMiddle - 1; v >= given; --v)
   {
     if (numbers[v] == 0)
     {
@@ -167,25 +299,39 @@ void RedGreenLimit<Id>::FindErrors(const RedGreen<Id>& state, const Cells& cells
       numbers[ends[1]] = 0;
     }
   }
-  std::vector<std::array<Id, 2>> midpoints;
-  for (Id v = 0; v < state.GetNumberOfVertices(); ++v)
+  for (Id v = 0; v < static_cast<Id>(numbers.size()); ++v)
   {
     if (v < given)
     {
       numbers[v] = v;
     }
-    else if (numbers[v] == 0)
+    else if (v >= this->FirstMiddle || numbers[v] == 0)
     {
       numbers[v] = static_cast<Id>(given + midpoints.size());
-      const auto ends = state.GetEnds(v);
+      const auto ends =
+        v < this->FirstMiddle ? state.GetEnds(v) : this->Middles[v - this->FirstMiddle];
       midpoints.push_back({ { numbers[ends[0]], numbers[ends[1]] } });
     }
   }
-  const vtkIdType firstMiddle = given + static_cast<vtkIdType>(midpoints.size());
-  for (const auto& ends : this->Ends)
-  {
-    midpoints.push_back({ { numbers[ends[0]], numbers[ends[1]] } });
-  }
+  return numbers;
+}
+
+template <typename Id>
+template <typename Cells>
+void RedGreenLimit<Id>::FindErrors(const RedGreen<Id>& state, const Cells& cells, int maximumLevel,
+  const RefinementOptions& options, const RefinementCriteria& criteria)
+{
+  this->FindCarriers(state);
+  this->FindSamples(state, cells, maximumLevel, options);
+  this->Measure(state, options, criteria);
+}
+
+template <typename Id>
+void RedGreenLimit<Id>::Measure(
+  const RedGreen<Id>& state, const RefinementOptions& options, const RefinementCriteria& criteria)
+{
+  std::vector<std::array<Id, 2>> midpoints;
+  const Buffer<Id> numbers = this->NumberPlaces(state, midpoints);
   const LocalLimit<Id> limit(this->Control, this->Creases, midpoints);
   auto getLimits = [&limit](const ContinuedArray& array)
   {
@@ -197,28 +343,53 @@ void RedGreenLimit<Id>::FindErrors(const RedGreen<Id>& state, const Cells& cells
   const Buffer<double> points =
     options.ByGeometricError ? getLimits(criteria.GetCoordinates()) : Buffer<double>();
   const Buffer<double> values = ofAttribute ? getLimits(criteria.GetAttribute()) : Buffer<double>();
-  this->Errors = Buffer<double>(static_cast<vtkIdType>(this->Ends.size()));
-  ForEach(this->Errors.size(),
-    [&](vtkIdType e)
+  Buffer<double> errors(static_cast<vtkIdType>(this->Samples.size()));
+  ForEach(errors.size(),
+    [&](vtkIdType i)
     {
-      const vtkIdType rows[3] = { numbers[this->Ends[e][0]], numbers[this->Ends[e][1]],
-        firstMiddle + e };
+      const Sample& sample = this->Samples[i];
+      const int size = sample.Corners[2] < 0 ? 2 : 3;
+      auto gather = [&](const Buffer<double>& of, int components, const double** corners)
+      {
+        for (int k = 0; k < size; ++k)
+        {
+          corners[k] = of.data() + static_cast<vtkIdType>(components) * numbers[sample.Corners[k]];
+        }
+        return of.data() + static_cast<vtkIdType>(components) * numbers[sample.Place];
+      };
+      const double* corners[3];
       double error = 0.;
-      if (options.ByGeometricError && this->IsCurved(this->Ends[e][0], this->Ends[e][1]))
+      if (options.ByGeometricError &&
+        (size == 3 ||
+          this->IsCurved(
+            Unite(this->Carriers[sample.Corners[0]], this->Carriers[sample.Corners[1]]))))
       {
-        error = criteria.GetGeometricError(
-          points.data() + 3 * rows[0], points.data() + 3 * rows[1], points.data() + 3 * rows[2]);
+        const double* place = gather(points, 3, corners);
+        error = criteria.GetGeometricError(corners, size, place);
       }
-      if (ofAttribute)
+      if (ofAttribute && size == 2)
       {
-        const int components = criteria.GetAttribute().GetComponents();
+        const double* place = gather(values, criteria.GetAttribute().GetComponents(), corners);
         const double change =
-          criteria.GetAttributeErrorAtLimit(values.data() + components * rows[0],
-            values.data() + components * rows[1], values.data() + components * rows[2]);
+          criteria.GetAttributeErrorAtLimit(corners, sample.Weights.data(), place);
         error = change < 0. && error <= 1. ? change : std::max(error, change);
       }
-      this->Errors[e] = error;
+      errors[i] = error;
     });
+  this->Errors = Buffer<double>(this->NumberOfEdges, 0.);
+  for (vtkIdType i = 0; i < errors.size(); ++i)
+  {
+    for (Id edge : this->Samples[i].Edges)
+    {
+      if (edge >= 0)
+      {
+        double& worst = this->Errors[edge];
+        // A value that is not finite is told of, unless the edge is split anyway.
+        const bool isTold = std::min(worst, errors[i]) < 0. && std::max(worst, errors[i]) <= 1.;
+        worst = isTold ? -1. : std::max(worst, errors[i]);
+      }
+    }
+  }
 }
 
 #define SUBDIVISION_ERRORS(Id, Cells)                                                              \

@@ -30,8 +30,9 @@ public:
   /// From values at the control vertices to the limits of all vertices of a state.
   LocalLimit<Id> GetOperator(const RedGreen<Id>& state) const;
 
-  /// Finds the errors of the edges of candidates; those of green cells that no cell of the uniform
-  /// refinement has are left out, their leaf's own edges tell enough.
+  /// Finds the errors of the edges of candidates: the largest distance of the limit from the edge,
+  /// looked at in one to three places along it. On surfaces what lies inside a triangle counts for
+  /// its edges, too; inside a green one for the edge that only green cells have.
   template <typename Cells>
   void FindErrors(const RedGreen<Id>& state, const Cells& cells, int maximumLevel,
     const RefinementOptions& options, const RefinementCriteria& criteria);
@@ -46,12 +47,40 @@ public:
 private:
   using Carrier = std::array<Id, 4>; ///< the vertices of a control simplex, ascending; then -1
 
+  /// A place on the limit, and where the straight edge or triangle has it.
+  struct Sample
+  {
+    Id Place = 0; ///< among the vertices of the state, then the Middles
+    std::array<Id, 3> Corners{ { -1, -1, -1 } };
+    std::array<double, 3> Weights{ { 0., 0., 0. } };
+    std::array<Id, 3> Edges{ { -1, -1, -1 } }; ///< that have the error
+  };
+  /// Two vertices of a candidate, and what they are to its leaf.
+  struct EdgeOfCell
+  {
+    Id Ends[2];
+    /// The leaf's edges whose middles the ends are; twice the end itself for a corner.
+    std::array<Id, 2> Of[2];
+    /// Whether some cell of the uniform refinement has the edge.
+    bool IsUniform;
+  };
+
   void FindCurved();
   void FindCarriers(const RedGreen<Id>& state);
-  bool IsCurved(Id a, Id b) const;
+  bool IsCurved(const Carrier& carrier) const;
   static Carrier Unite(const Carrier& a, const Carrier& b);
   template <typename Cells>
-  void FindEdges(const RedGreen<Id>& state, const Cells& cells, int maximumLevel);
+  void FindSamples(const RedGreen<Id>& state, const Cells& cells, int maximumLevel,
+    const RefinementOptions& options);
+  Id GetMiddle(Id a, Id b);
+  static EdgeOfCell LookAt(const RedGreen<Id>& state, const std::array<Id, 4>& leaf, Id a, Id b);
+  void AddEdge(const EdgeOfCell& edge, const std::array<Id, 4>& leaf);
+  void AddTriangle(
+    const RedGreen<Id>& state, const std::array<Id, 4>& leaf, const std::array<Id, 3>& corners);
+  Buffer<Id> NumberPlaces(
+    const RedGreen<Id>& state, std::vector<std::array<Id, 2>>& midpoints) const;
+  void Measure(const RedGreen<Id>& state, const RefinementOptions& options,
+    const RefinementCriteria& criteria);
 
   Level<Id> Control;
   SemiSharpStages<Id> Creases;
@@ -59,8 +88,13 @@ private:
   std::vector<Carrier> Curved;
   std::vector<Carrier> Carriers; ///< of each vertex of the state so far
   PairTable<Id> Edges;
-  std::vector<std::array<Id, 2>> Ends; ///< of the edges
-  Buffer<double> Errors;
+  Buffer<double> Errors; ///< of edges
+  Id NumberOfEdges = 0;
+  // Samples of one round:
+  Id FirstMiddle = 0; ///< the number of vertices of the state
+  PairTable<Id> MiddlesByEnds;
+  std::vector<std::array<Id, 2>> Middles; ///< places that are no vertices: between which they lie
+  std::vector<Sample> Samples;
 };
 
 }

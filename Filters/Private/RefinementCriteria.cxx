@@ -117,6 +117,66 @@ double ContinuedArray::GetRange() const
 // ------------------------------------------------------------------------------------------------
 // Criteria
 
+namespace
+{
+
+/// How much larger an error may be between the places that are looked at: quarters of an edge, of
+/// which the curve is cubic, and of a triangle, inside of which the surface is nearly quadratic.
+constexpr double BetweenPlaces = 1.1;
+
+double GetDistanceFromEdge(const double* p, const double* a, const double* b)
+{
+  double along = 0.;
+  double length = 0.;
+  for (int c = 0; c < 3; ++c)
+  {
+    along += (b[c] - a[c]) * (p[c] - a[c]);
+    length += (b[c] - a[c]) * (b[c] - a[c]);
+  }
+  const double t = length > 0. ? std::max(0., std::min(along / length, 1.)) : 0.;
+  double distance = 0.;
+  for (int c = 0; c < 3; ++c)
+  {
+    distance = std::hypot(distance, a[c] + t * (b[c] - a[c]) - p[c]);
+  }
+  return distance;
+}
+
+double GetDistanceFromTriangle(const double* p, const double* const* corners)
+{
+  double normal[3];
+  double square = 0.;
+  double height = 0.;
+  for (int c = 0; c < 3; ++c)
+  {
+    const int d = (c + 1) % 3;
+    const int e = (c + 2) % 3;
+    normal[c] = (corners[1][d] - corners[0][d]) * (corners[2][e] - corners[0][e]) -
+      (corners[1][e] - corners[0][e]) * (corners[2][d] - corners[0][d]);
+    square += normal[c] * normal[c];
+    height += normal[c] * (p[c] - corners[0][c]);
+  }
+  bool isInside = square > 0. && std::isfinite(square);
+  double distance = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* a = corners[i];
+    const double* b = corners[(i + 1) % 3];
+    double side = 0.; // of the edge on which the foot of the height is
+    for (int c = 0; c < 3; ++c)
+    {
+      const int d = (c + 1) % 3;
+      const int e = (c + 2) % 3;
+      side += normal[c] * ((b[d] - a[d]) * (p[e] - a[e]) - (b[e] - a[e]) * (p[d] - a[d]));
+    }
+    isInside = isInside && side >= 0.;
+    distance = std::min(distance, GetDistanceFromEdge(p, a, b));
+  }
+  return isInside ? std::abs(height) / std::sqrt(square) : distance;
+}
+
+}
+
 RefinementCriteria::RefinementCriteria(
   const RefinementOptions& options, vtkPointSet* input, const SimplicesOfCells& cells)
   : Options(options)
@@ -191,33 +251,23 @@ bool RefinementCriteria::IsTooShort(vtkIdType a, vtkIdType b) const
 }
 
 double RefinementCriteria::GetAttributeErrorAtLimit(
-  const double* a, const double* b, const double* middle) const
+  const double* const* corners, const double* weights, const double* value) const
 {
   double error = 0.;
   for (int c = 0; c < this->Attribute.GetComponents(); ++c)
   {
-    error = std::hypot(error, 0.5 * a[c] + 0.5 * b[c] - middle[c]);
+    error = std::hypot(error, weights[0] * corners[0][c] + weights[1] * corners[1][c] - value[c]);
   }
-  return std::isfinite(error) ? this->Allow(error, this->AllowedJump) : -1.;
+  return std::isfinite(error) ? this->Allow(BetweenPlaces * error, this->AllowedJump) : -1.;
 }
 
 double RefinementCriteria::GetGeometricError(
-  const double a[3], const double b[3], const double middle[3]) const
+  const double* const* corners, int size, const double* place) const
 {
-  double along = 0.;
-  double length = 0.;
-  for (int c = 0; c < 3; ++c)
-  {
-    along += (b[c] - a[c]) * (middle[c] - a[c]);
-    length += (b[c] - a[c]) * (b[c] - a[c]);
-  }
-  const double t = length > 0. ? std::max(0., std::min(along / length, 1.)) : 0.;
-  double distance = 0.;
-  for (int c = 0; c < 3; ++c)
-  {
-    distance = std::hypot(distance, a[c] + t * (b[c] - a[c]) - middle[c]);
-  }
-  return std::isfinite(distance) ? this->Allow(4. / 3. * distance, this->AllowedDistance) : 0.;
+  const double distance = size == 2 ? GetDistanceFromEdge(place, corners[0], corners[1])
+                                    : GetDistanceFromTriangle(place, corners);
+  return std::isfinite(distance) ? this->Allow(BetweenPlaces * distance, this->AllowedDistance)
+                                 : 0.;
 }
 
 void RefinementCriteria::EvaluateFunction(

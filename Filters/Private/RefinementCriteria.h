@@ -122,11 +122,13 @@ public:
   /// Whether two points differ, but no number lies between them: nothing to split.
   bool IsTooShort(vtkIdType a, vtkIdType b) const;
 
-  /// The errors of an edge whose ends and middle are known at the limit. That of the attribute is
-  /// negative if a value is not finite. The distance of the middle from the chord stands for the
-  /// triangles at the edge, too: inside of them a quadratic surface is up to 4/3 as far.
-  double GetAttributeErrorAtLimit(const double* a, const double* b, const double* middle) const;
-  double GetGeometricError(const double a[3], const double b[3], const double middle[3]) const;
+  /// The errors at a place, made a little larger, because between places they are. That of the
+  /// attribute on an edge is how far its value is from what the two ends with these weights give;
+  /// negative if a value is not finite.
+  double GetAttributeErrorAtLimit(
+    const double* const* corners, const double* weights, const double* value) const;
+  /// The distance from the edge or triangle between two or three corners.
+  double GetGeometricError(const double* const* corners, int size, const double* place) const;
 
   /// Whether any criterion asks for errors of edges.
   bool ReadsEdges() const
