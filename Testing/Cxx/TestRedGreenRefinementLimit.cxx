@@ -217,15 +217,30 @@ TEST(RedGreenGeometricError, IsBelowTheTolerance)
 TEST(RedGreenGeometricError, TakesAThirdOfTheUniformCells)
 {
   const Grid model = GetModel("Screw");
-  const Grid uniform = Project(model, 4);
-  const Grid fine = Refine(model, ToTolerance(2e-4, 9)); // the test above has measured such errors
-  const double error = GetDistance(fine, uniform);
-  const Grid output = Refine(model, ToTolerance(1.1 * error, 8));
-  const double ours = GetDistance(fine, output);
-  this->RecordProperty("UniformCells", std::to_string(uniform->GetNumberOfCells()));
-  this->RecordProperty("Cells", std::to_string(output->GetNumberOfCells()));
-  EXPECT_LE(ours, error);
-  EXPECT_LE(3 * output->GetNumberOfCells(), uniform->GetNumberOfCells());
+  // Its points are exact; there are enough of them to find the largest distance.
+  const Grid fine = Refine(model, ToTolerance(1e-3, 9));
+  for (int level : { 3, 4 })
+  {
+    const Grid uniform = Project(model, level);
+    const double error = GetDistance(fine, uniform);
+    double ours = 0.;
+    Grid output;
+    for (double factor : { 1.2, 1.1, 1. }) // what is allowed may be more than what is found
+    {
+      output = Refine(model, ToTolerance(factor * error, 8));
+      ours = GetDistance(fine, output);
+      if (ours <= error)
+      {
+        break;
+      }
+    }
+    EXPECT_LE(ours, error) << "level " << level;
+    EXPECT_LE(3 * output->GetNumberOfCells(), uniform->GetNumberOfCells()) << "level " << level;
+    const std::string name = "Level" + std::to_string(level);
+    this->RecordProperty(name + "UniformCells", std::to_string(uniform->GetNumberOfCells()));
+    this->RecordProperty(name + "Cells", std::to_string(output->GetNumberOfCells()));
+    this->RecordProperty(name + "Errors", std::to_string(ours) + " " + std::to_string(error));
+  }
 }
 
 TEST(RedGreenLimitDifference, RefinesWhereValuesBend)
