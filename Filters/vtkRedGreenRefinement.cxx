@@ -7,7 +7,6 @@
 
 #include "vtkCellData.h"
 #include "vtkCommand.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
@@ -68,23 +67,46 @@ vtkMTimeType vtkRedGreenRefinement::GetMTime()
   return this->ImplicitFunction ? std::max(own, this->ImplicitFunction->GetMTime()) : own;
 }
 
-/// Keeps which block of a composite input is which, as long as all of them can be seen.
+/// Looks for what is selected in a composite input, as long as all of it can be seen.
 void vtkRedGreenRefinement::OnStart()
 {
   if (this->UpdateDepth++ > 0)
   {
     return;
   }
-  this->Blocks.clear();
+  this->SelectedCells.clear();
   auto* all = vtkCompositeDataSet::SafeDownCast(
     this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr);
-  if (all)
+  this->IsComposite = all != nullptr;
+  if (all && this->RefineBySelection)
   {
-    auto block = vtkSmartPointer<vtkCompositeDataIterator>::Take(all->NewIterator());
-    for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
+    this->FindSelected(all);
+  }
+}
+
+void vtkRedGreenRefinement::OnEnd()
+{
+  if (--this->UpdateDepth == 0)
+  {
+    this->SelectedCells.clear();
+  }
+}
+
+void vtkRedGreenRefinement::FindSelected(vtkDataObject* input)
+{
+  vtkDataObject* selection =
+    this->GetNumberOfInputConnections(1) > 0 ? this->GetInputDataObject(1, 0) : nullptr;
+  bool isUsable = true;
+  this->SelectedCells = subdivision::FindSelectedCells(input, vtkSelection::SafeDownCast(selection),
+    [&](const std::string& message)
     {
-      this->Blocks[block->GetCurrentDataObject()] = block->GetCurrentFlatIndex();
-    }
+      isUsable = false;
+      vtkWarningMacro("RefineBySelection: the selection cannot be used. " << message);
+    });
+  if (this->SelectedCells.empty() && isUsable)
+  {
+    vtkWarningMacro("RefineBySelection: no cell is selected, so nothing is refined for that. "
+                    "Connect a selection (input port 1) of cells or points of the input.");
   }
 }
 
@@ -148,7 +170,7 @@ bool vtkRedGreenRefinement::FindArray(
 }
 
 bool vtkRedGreenRefinement::ReadCriteria(
-  vtkPointSet* input, vtkInformationVector* selection, subdivision::RefinementOptions& options)
+  vtkPointSet* input, subdivision::RefinementOptions& options)
 {
   const bool alone = !this->RefineByArrayRange && !this->RefineBySelection &&
     !this->RefineByFunction && !this->RefineByEdgeLength && !this->RefineByGeometricError &&
@@ -190,14 +212,14 @@ bool vtkRedGreenRefinement::ReadCriteria(
   }
   if (this->RefineBySelection)
   {
-    const auto block = this->Blocks.find(input);
-    options.Selected =
-      subdivision::FindSelectedCells(input, selection ? vtkSelection::GetData(selection) : nullptr,
-        block == this->Blocks.end() ? 0 : block->second);
-    if (options.Selected.empty() && this->Blocks.empty())
+    if (!this->IsComposite)
     {
-      vtkWarningMacro("RefineBySelection: no cell is selected, so nothing is refined for that. "
-                      "Connect a selection (input port 1) of cells or points of the input.");
+      this->FindSelected(input);
+    }
+    const auto selected = this->SelectedCells.find(input);
+    if (selected != this->SelectedCells.end())
+    {
+      options.Selected = selected->second;
     }
   }
   if (this->RefineByFunction)
@@ -245,7 +267,7 @@ int vtkRedGreenRefinement::RequestData(
     "part of the input.",
     [&](vtkPointSet* input, vtkUnstructuredGrid* output)
     {
-      isUsable = this->ReadCriteria(input, inputVector[1], options.Criteria);
+      isUsable = this->ReadCriteria(input, options.Criteria);
       return isUsable && subdivision::RefineRedGreen(input, options, output);
     });
   return isUsable ? done : 0;

@@ -80,7 +80,8 @@
 #include "vtkSubdivisionAlgorithm.h"
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 
-#include <map> // for std::map
+#include <map>    // for std::map
+#include <vector> // for std::vector
 
 class vtkAlgorithmOutput;
 class vtkDataArray;
@@ -158,7 +159,9 @@ public:
   ///@{
   /**
    * Whether cells are split that the selection at input port 1 has, or that have a selected point.
-   * Off by default; a warning says so if nothing is selected.
+   * Nodes of any kind that vtkExtractSelection knows, and an expression of them; of a composite
+   * input, of some block or of all. Off by default; a warning says so if nothing is selected, or if
+   * the selection cannot be evaluated.
    */
   vtkSetMacro(RefineBySelection, bool);
   vtkGetMacro(RefineBySelection, bool);
@@ -309,19 +312,20 @@ private:
     LEVEL_ARRAY
   };
   /// The options above; false, after an error message, if an array cannot be used.
-  bool ReadCriteria(
-    vtkPointSet* input, vtkInformationVector* selection, subdivision::RefinementOptions& options);
+  bool ReadCriteria(vtkPointSet* input, subdivision::RefinementOptions& options);
   bool FindArray(vtkPointSet* input, int index, bool& ofCells, vtkDataArray*& array);
   bool FindNamed(vtkPointSet* input, int index, bool ofCells, const char* fallback, bool integral,
     vtkDataArray*& array);
 
   /// Updates are nested for composite inputs: blocks start and end inside the whole.
   void OnStart();
-  void OnEnd() { --this->UpdateDepth; }
+  void OnEnd();
+  void FindSelected(vtkDataObject* input);
 
   int UpdateDepth = 0;
-  /// The blocks of a composite input, as selections name them.
-  std::map<vtkDataObject*, unsigned int> Blocks;
+  bool IsComposite = false;
+  /// Flags of the cells of each mesh where any are selected.
+  std::map<vtkDataObject*, std::vector<unsigned char>> SelectedCells;
 
   vtkRedGreenRefinement(const vtkRedGreenRefinement&) = delete;
   void operator=(const vtkRedGreenRefinement&) = delete;

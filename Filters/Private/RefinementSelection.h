@@ -1,23 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RefinementSelection.h
- * Which cells of a mesh a vtkSelection means.
+ * Which cells a vtkSelection means.
  */
 #ifndef SubdivisionObjects_RefinementSelection_h
 #define SubdivisionObjects_RefinementSelection_h
 
+#include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
-class vtkPointSet;
+class vtkDataObject;
 class vtkSelection;
 
 namespace subdivision
 {
 
-/// 1 for each cell that is selected or has a selected point; empty if nothing is. `block`: the
-/// composite index of the mesh where it is a part of a larger one, else 0.
-std::vector<unsigned char> FindSelectedCells(
-  vtkPointSet* input, vtkSelection* selection, unsigned int block);
+/// For each mesh where there are any, 1 for each cell that is selected or has a selected point.
+using SelectedCells = std::map<vtkDataObject*, std::vector<unsigned char>>;
+
+/// The cells of a mesh, or of all meshes in a composite input. `fail` hears why a selection cannot
+/// be used.
+SelectedCells FindSelectedCells(vtkDataObject* input, vtkSelection* selection,
+  const std::function<void(const std::string&)>& fail);
 
 }
 
