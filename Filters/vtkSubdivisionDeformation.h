@@ -46,7 +46,7 @@
  *
  * @par Complexity
  * The first execution: linear in the size of the subdivided mesh, O(p log n) for p points in n
- * cells. Later ones: linear in what is kept. Memory: about 52 bytes for each point, and for each
+ * cells. Later ones: linear in what is kept. Memory: about 48 bytes for each point, and for each
  * tetrahedron of the subdivided mesh about 90 bytes.
  *
  * @par Threads and ghosts

@@ -25,28 +25,6 @@ Out CopyValue(In value)
   }
 }
 
-/// A row of four entries, the corners of a tetrahedron: sums in the order of any other row. False:
-/// a weight is 0, so that its value must not be read.
-template <typename Id, typename In, typename Out>
-bool ApplyRowOfFour(const Id* columns, const double* weights, const In* in, Out* result)
-{
-  if ((weights[0] == 0.) | (weights[1] == 0.) | (weights[2] == 0.) | (weights[3] == 0.))
-  {
-    return false;
-  }
-  double sums[3] = {};
-  for (int k = 0; k < 4; ++k)
-  {
-    const In* value = in + 3 * static_cast<vtkIdType>(columns[k]);
-    for (int c = 0; c < 3; ++c)
-    {
-      sums[c] += weights[k] * static_cast<double>(value[c]);
-    }
-  }
-  std::transform(sums, sums + 3, result, Store<Out>);
-  return true;
-}
-
 /// N components, known when this is compiled, at a time; N = 0: one after another.
 template <int N, typename Id, typename In, typename Out>
 void ApplyRows(const SparseRows<Id>& rows, const In* in, Out* out, int components)
@@ -64,13 +42,6 @@ void ApplyRows(const SparseRows<Id>& rows, const In* in, Out* out, int component
         const vtkIdType begin = offsets[row];
         const vtkIdType end = offsets[row + 1];
         Out* result = out + row * stride;
-        if constexpr (N == 3)
-        {
-          if (end - begin == 4 && ApplyRowOfFour(columns + begin, weights + begin, in, result))
-          {
-            continue;
-          }
-        }
         if (end - begin == 1 && weights[begin] == 1.)
         {
           const In* own = in + static_cast<vtkIdType>(columns[begin]) * stride;

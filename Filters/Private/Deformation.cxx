@@ -79,7 +79,7 @@ bool Deformation::Run(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* deform
                  "input. Give it a mesh of solid cells around the input.");
     return true;
   }
-  if (!this->Prepare(input, rest, deformed, options))
+  if (!this->Prepare(rest, deformed, options))
   {
     return false;
   }
@@ -101,17 +101,14 @@ bool Deformation::Run(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* deform
   }
   this->Rest.WarnOfInvertedCells(control, options);
   const bool hasVectors = options.TransformVectors && HasVectors(input);
-  vtkSmartPointer<vtkDataArray> moved;
+  const double* moved = nullptr;
   if (hasVectors || embedded->Composed.GetNumberOfRows() == 0)
   {
-    moved = this->Rest.MovePoints(rest, deformed, options);
-    if (!moved)
-    {
-      return false;
-    }
+    moved = this->Rest.MovePoints(control);
   }
-  const auto result = MoveEmbeddedPoints(
-    *embedded, control, moved, ChooseType(points, options.OutputPointsPrecision));
+  const auto result =
+    MoveEmbeddedPoints(*embedded, static_cast<const double*>(control->GetVoidPointer(0)), moved,
+      ChooseType(points, options.OutputPointsPrecision));
   CopyLooks(points, result);
   vtkNew<vtkPoints> outputPoints;
   outputPoints->SetDataType(result->GetDataType());
@@ -119,16 +116,14 @@ bool Deformation::Run(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* deform
   output->SetPoints(outputPoints);
   if (hasVectors)
   {
-    TransformVectors(ComputeJacobians(*embedded, this->Rest.GetPoints(),
-                       static_cast<const double*>(moved->GetVoidPointer(0))),
-      output);
+    TransformVectors(ComputeJacobians(*embedded, this->Rest.GetPoints(), moved), output);
   }
   return true;
 }
 
 /// Checks the meshes against each other, and subdivides the one at rest if it is new.
 bool Deformation::Prepare(
-  vtkPointSet* input, vtkPointSet* rest, vtkPointSet* deformed, const DeformationOptions& options)
+  vtkPointSet* rest, vtkPointSet* deformed, const DeformationOptions& options)
 {
   const std::string difference = CompareCells(rest, deformed);
   if (!difference.empty())
@@ -143,12 +138,6 @@ bool Deformation::Prepare(
   {
     options.Fail("Point " + std::to_string(lost) +
       " of the deformed mesh is not finite. The output is the input.");
-    return false;
-  }
-  if (input->GetNumberOfPoints() > MaximumNumberOfEmbeddedPoints)
-  {
-    options.Fail("The input has more than " + std::to_string(MaximumNumberOfEmbeddedPoints) +
-      " points. Deform it in parts.");
     return false;
   }
   const vtkIdType builds = this->Rest.NumberOfBuilds;

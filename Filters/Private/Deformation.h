@@ -32,8 +32,7 @@ public:
   std::size_t GetMemorySize() const;
 
 private:
-  bool Prepare(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* deformed,
-    const DeformationOptions& options);
+  bool Prepare(vtkPointSet* rest, vtkPointSet* deformed, const DeformationOptions& options);
   EmbeddedPoints* FindEmbedded(vtkDataArray* points, const DeformationOptions& options);
 
   RestMesh Rest;

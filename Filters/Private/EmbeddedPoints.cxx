@@ -16,28 +16,19 @@ namespace
 constexpr double Tolerance = 1e-10;
 constexpr double SingleTolerance = 1e-5;
 
-struct Found
+void SetRow(const SimplexTree& tree, const Place& place, int corners, CornerRow& row)
 {
-  int Columns[4] = { 0, 0, 0, 0 };
-  double Weights[4] = { 0., 0., 0., 0. };
-  int Size = 0;
-  bool Inside = false;
-};
-
-void SetRow(const SimplexTree& tree, const Place& place, int size, Found& found)
-{
-  const vtkIdType* corners = tree.GetCorners(place.Simplex);
-  found.Size = size;
-  for (int i = 0; i < size; ++i)
+  const vtkIdType* ids = tree.GetCorners(place.Simplex);
+  for (int i = 0; i < 4; ++i)
   {
-    found.Columns[i] = static_cast<int>(corners[i]);
-    found.Weights[i] = place.Weights[i];
+    row.Columns[i] = static_cast<int>(ids[std::min(i, corners - 1)]);
+    row.Weights[i] = i < corners ? place.Weights[i] : 0.;
   }
 }
 
 /// Among equally near cells, solids come first.
 void FindNearestCell(
-  const double x[3], const SimplexTree& tets, const SimplexTree& others, Found& found)
+  const double x[3], const SimplexTree& tets, const SimplexTree& others, CornerRow& row)
 {
   Place inTet;
   Place inOther;
@@ -47,11 +38,11 @@ void FindNearestCell(
   const bool hasOther = others.FindNearest(x, inOther, toOther);
   if (hasTet && (!hasOther || toTet <= toOther * (1. + 1e-12)))
   {
-    SetRow(tets, inTet, 4, found);
+    SetRow(tets, inTet, 4, row);
   }
   else if (hasOther)
   {
-    SetRow(others, inOther, 3, found);
+    SetRow(others, inOther, 3, row);
   }
 }
 
@@ -67,10 +58,12 @@ void AddRemainders(const EmbeddedPoints& embedded, T* points)
   for (std::size_t i = 0; i < embedded.Outside.size(); ++i)
   {
     T* point = points + 3 * embedded.Outside[i];
+    const bool isBound = !embedded.Rows.Rows[embedded.Outside[i]].IsEmpty();
     const double* remainder = embedded.Remainders.data() + 3 * i;
     for (int c = 0; c < 3; ++c)
     {
-      point[c] = Store<T>(static_cast<double>(point[c]) + remainder[c]);
+      const double mean = isBound ? static_cast<double>(point[c]) : 0.;
+      point[c] = Store<T>(mean + remainder[c]);
     }
   }
 }
@@ -86,7 +79,7 @@ void ComposeIfSmaller(const RestMesh& rest, EmbeddedPoints& embedded)
   {
     return;
   }
-  SparseRows<int> composed = rest.Compose(embedded.Rows);
+  SparseRows<int> composed = rest.Compose(embedded.Rows.ToSparseRows());
   if (static_cast<double>(composed.GetMemorySize()) < now)
   {
     embedded.Composed = std::move(composed);
@@ -104,60 +97,47 @@ std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule ru
   const SimplexTree& tets = rest.GetTets();
   const SimplexTree none;
   const SimplexTree& others = rule == OutsideRule::Nearest ? rest.GetOtherCells() : none;
-  Buffer<Found> found(size);
-  SparseRows<int>& rows = embedded->Rows;
-  rows.NumberOfColumns = rest.GetNumberOfPoints();
-  rows.Offsets = Buffer<int>(size + 1);
+  embedded->Rows.NumberOfColumns = rest.GetNumberOfPoints();
+  embedded->Rows.Rows = Buffer<CornerRow>(size);
+  Buffer<bool> isInside(size);
   ForEach(size,
     [&](vtkIdType i)
     {
       double x[3];
       points->GetTuple(i, x);
-      Found here;
+      CornerRow row;
       Place place;
-      if (IsFinite(x))
+      isInside[i] = IsFinite(x) &&
+        (tets.FindContaining(x, Tolerance, place) ||
+          (isSingle && tets.FindContaining(x, SingleTolerance, place)));
+      if (isInside[i])
       {
-        here.Inside = tets.FindContaining(x, Tolerance, place) ||
-          (isSingle && tets.FindContaining(x, SingleTolerance, place));
-        if (here.Inside)
-        {
-          SetRow(tets, place, 4, here);
-        }
-        else if (rule == OutsideRule::Nearest)
-        {
-          FindNearestCell(x, tets, others, here);
-        }
+        SetRow(tets, place, 4, row);
       }
-      found[i] = here;
-      rows.Offsets[i] = here.Size;
-    });
-  CountsToOffsets(rows.Offsets);
-  rows.Columns = Buffer<int>(rows.Offsets[size]);
-  rows.Weights = Buffer<double>(rows.Offsets[size]);
-  ForEach(size,
-    [&](vtkIdType i)
-    {
-      std::copy(
-        found[i].Columns, found[i].Columns + found[i].Size, rows.Columns.begin() + rows.Offsets[i]);
-      std::copy(
-        found[i].Weights, found[i].Weights + found[i].Size, rows.Weights.begin() + rows.Offsets[i]);
+      else if (IsFinite(x) && rule == OutsideRule::Nearest)
+      {
+        FindNearestCell(x, tets, others, row);
+      }
+      embedded->Rows.Rows[i] = row;
     });
   for (vtkIdType i = 0; i < size; ++i)
   {
-    if (!found[i].Inside)
+    if (isInside[i])
     {
-      double x[3];
-      points->GetTuple(i, x);
-      embedded->NumberNotFinite += !IsFinite(x);
-      embedded->Outside.push_back(i);
-      for (int c = 0; c < 3; ++c)
+      continue;
+    }
+    double x[3];
+    points->GetTuple(i, x);
+    embedded->NumberNotFinite += !IsFinite(x);
+    embedded->Outside.push_back(i);
+    const CornerRow& row = embedded->Rows.Rows[i];
+    for (int c = 0; c < 3; ++c)
+    {
+      for (int k = 0; k < 4 && !row.IsEmpty(); ++k)
       {
-        for (int k = 0; k < found[i].Size; ++k)
-        {
-          x[c] -= found[i].Weights[k] * rest.GetPoints()[3 * found[i].Columns[k] + c];
-        }
-        embedded->Remainders.push_back(x[c]);
+        x[c] -= row.Weights[k] * rest.GetPoints()[3 * static_cast<vtkIdType>(row.Columns[k]) + c];
       }
+      embedded->Remainders.push_back(x[c]);
     }
   }
   ComposeIfSmaller(rest, *embedded);
@@ -165,14 +145,12 @@ std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule ru
 }
 
 vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
-  const EmbeddedPoints& embedded, vtkDataArray* control, vtkDataArray* moved, int type)
+  const EmbeddedPoints& embedded, const double* control, const double* moved, int type)
 {
   const auto points = MakeArray(type, 3, embedded.Rows.GetNumberOfRows());
-  const SparseRows<int>& rows = moved ? embedded.Rows : embedded.Composed;
-  const auto* from = static_cast<const double*>((moved ? moved : control)->GetVoidPointer(0));
   auto move = [&](auto* to)
   {
-    rows.Apply(from, to, 3);
+    moved ? embedded.Rows.Apply(moved, to) : embedded.Composed.Apply(control, to, 3);
     AddRemainders(embedded, to);
   };
   if (type == VTK_FLOAT)
@@ -189,20 +167,16 @@ vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
 Buffer<double> ComputeJacobians(
   const EmbeddedPoints& embedded, const double* rest, const double* moved)
 {
-  const SparseRows<int>& rows = embedded.Rows;
-  Buffer<double> jacobians(9 * rows.GetNumberOfRows());
-  ForEach(rows.GetNumberOfRows(),
+  const Buffer<CornerRow>& rows = embedded.Rows.Rows;
+  Buffer<double> jacobians(9 * rows.size());
+  ForEach(rows.size(),
     [&](vtkIdType i)
     {
       double* jacobian = jacobians.data() + 9 * i;
-      const int* ids = rows.Columns.data() + rows.Offsets[i];
+      const int* ids = rows[i].Columns;
       for (int k = 0; k < 9; ++k)
       {
         jacobian[k] = k % 4 == 0 ? 1. : 0.;
-      }
-      if (rows.Offsets[i + 1] - rows.Offsets[i] != 4)
-      {
-        return;
       }
       const double* corners[4];
       for (int k = 0; k < 4; ++k)
@@ -210,7 +184,7 @@ Buffer<double> ComputeJacobians(
         corners[k] = rest + 3 * static_cast<vtkIdType>(ids[k]);
       }
       double gradients[4][3];
-      if (!FindGradientsInTet(corners, gradients))
+      if (!FindGradientsInTet(corners, gradients)) // it is flat, a lower cell, or there is none
       {
         return;
       }

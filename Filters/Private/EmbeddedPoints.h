@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_EmbeddedPoints_h
 #define SubdivisionObjects_EmbeddedPoints_h
 
+#include "Core/CornerRows.h"
 #include "RestMesh.h"
 
 namespace subdivision
@@ -18,7 +19,7 @@ namespace subdivision
  */
 struct EmbeddedPoints
 {
-  SparseRows<int> Rows; ///< the corners of a cell: 4, 3 of a surface or curve, none
+  CornerRows Rows; ///< of cells: 4 corners, 3 of a surface or curve, none
   /// The same over the control points, where reading these, and nothing else, is less; else empty.
   SparseRows<int> Composed;
   std::vector<vtkIdType> Outside;
@@ -30,16 +31,13 @@ struct EmbeddedPoints
   bool Used = true;
 };
 
-/// The largest number of points for which rows can be made.
-constexpr vtkIdType MaximumNumberOfEmbeddedPoints = 536870911;
-
 /// A point on faces that cells share belongs to the one with the smallest id.
 std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule rule, RestMesh& rest);
 
-/// The points as the mesh moves them: `control` and `moved` are what RestMesh makes of a shape;
-/// `moved` may be null where there are composed rows.
+/// The points as the mesh moves them, from the control points and those of the subdivided mesh in
+/// the other shape; `moved` may be null where there are composed rows.
 vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
-  const EmbeddedPoints& embedded, vtkDataArray* control, vtkDataArray* moved, int type);
+  const EmbeddedPoints& embedded, const double* control, const double* moved, int type);
 
 /// For each point the matrix (by rows) that the map of its cell is; 1 where there is no solid cell.
 Buffer<double> ComputeJacobians(

@@ -32,6 +32,9 @@ class KeptSteps
 public:
   virtual ~KeptSteps() = default;
   virtual void Apply(PointArrays& arrays) const = 0;
+  /// Other values, interleaved, of the points before the first step; there are steps. A result of
+  /// an earlier call is written over: its pages need not be cleared again.
+  virtual void Apply(const double* values, int components, Buffer<double>& result) const = 0;
   virtual std::size_t GetMemorySize() const = 0;
   /// Rows over the points after the last step as rows over those before the first; there are steps.
   virtual SparseRows<int> ComposeWith(const SparseRows<int>& rows) const = 0;
@@ -54,6 +57,19 @@ public:
       arrays.Advance(step);
     }
     this->Limit.Apply(arrays);
+  }
+  void Apply(const double* values, int components, Buffer<double>& result) const override
+  {
+    Buffer<double> current;
+    for (std::size_t i = 0; i < this->Steps.size(); ++i)
+    {
+      const vtkIdType size = components * this->Steps[i].GetNumberOfRows();
+      const bool isReused = i + 1 == this->Steps.size() && result.size() == size;
+      Buffer<double> next = isReused ? std::move(result) : Buffer<double>(size);
+      this->Steps[i].Apply(i == 0 ? values : current.data(), next.data(), components);
+      current = std::move(next);
+    }
+    result = std::move(current);
   }
   SparseRows<int> ComposeWith(const SparseRows<int>& rows) const override
   {

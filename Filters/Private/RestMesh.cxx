@@ -314,13 +314,16 @@ vtkSmartPointer<vtkDataArray> RestMesh::MoveControlPoints(
   return moved ? moved->GetPointData()->GetArray(DeformedName) : nullptr;
 }
 
-vtkSmartPointer<vtkDataArray> RestMesh::MovePoints(
-  vtkPointSet* rest, vtkPointSet* deformed, const DeformationOptions& options)
+const double* RestMesh::MovePoints(vtkDataArray* control)
 {
-  const auto control = MakeControl(rest, options.Features);
-  AddDeformed(deformed, control);
-  const auto moved = this->Subdivide(control, options.Levels, this->Operators, options, false);
-  return moved ? moved->GetPointData()->GetArray(DeformedName) : nullptr;
+  const auto* values = static_cast<const double*>(control->GetVoidPointer(0));
+  const KeptSteps* steps = this->Operators.GetFirstSteps();
+  if (!steps)
+  {
+    return values;
+  }
+  steps->Apply(values, 3, this->MovedPoints);
+  return this->MovedPoints.data();
 }
 
 void RestMesh::WarnOfInvertedCells(vtkDataArray* control, const DeformationOptions& options) const

@@ -31,9 +31,9 @@ public:
   /// Control points of another shape of the mesh: coordinates of its points, then those of centres.
   vtkSmartPointer<vtkDataArray> MoveControlPoints(
     vtkPointSet* rest, vtkPointSet* deformed, const DeformationOptions& options);
-  /// The points of the subdivided mesh in that shape, by the operators at rest; null: stopped.
-  vtkSmartPointer<vtkDataArray> MovePoints(
-    vtkPointSet* rest, vtkPointSet* deformed, const DeformationOptions& options);
+  /// The points of the subdivided mesh in that shape, by the operators at rest; valid until the
+  /// next call, and as long as `control` is.
+  const double* MovePoints(vtkDataArray* control);
 
   /// Cells of the input (of `control`, coordinates as MoveControlPoints gives them) whose volume
   /// has another sign than at rest; null: those that are inverted or flat at rest.
@@ -70,6 +70,7 @@ private:
   vtkSmartPointer<vtkUnstructuredGrid> Fine;
   vtkIdType NumberOfPoints = 0;
   const double* Points = nullptr;
+  Buffer<double> MovedPoints;
   SimplexTree Tets;
   SimplexTree OtherCells;
   bool HasOtherCells = false;
