@@ -67,6 +67,34 @@ double GetLength(vtkUnstructuredGrid* grid, vtkIdType a, vtkIdType b)
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
+/// The points of a mesh in an order of their own; no two are within 1e-9.
+std::vector<Point> GetPositions(vtkUnstructuredGrid* grid)
+{
+  std::vector<Point> points;
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    Point p = GetPoint(grid, i);
+    for (double& x : p)
+    {
+      x = std::round(x * 1e9) / 1e9 + 0.;
+    }
+    points.push_back(p);
+  }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+/// Whether two such lists are equal up to rounding.
+bool AreSamePositions(const std::vector<Point>& a, const std::vector<Point>& b)
+{
+  auto isNear = [](const Point& p, const Point& q)
+  {
+    return std::equal(
+      p.begin(), p.end(), q.begin(), [](double x, double y) { return std::abs(x - y) < 3e-9; });
+  };
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), isNear);
+}
+
 Grid MakeOneTet()
 {
   return MakeGrid({ { 0, 0, 0 }, { 1, 0.1, 0 }, { 0.2, 1.3, 0 }, { 0.1, 0.2, 1.1 } },
@@ -308,23 +336,7 @@ TEST(TetOctFilter, RowsOfAVertexInside)
 TEST(TetOctFilter, OrderOfVerticesAndCellsDoesNotMatter)
 {
   const Grid grid = MakeKuhnBox(2, 0.3);
-  auto positions = [](vtkUnstructuredGrid* output)
-  {
-    std::vector<Point> points;
-    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-    {
-      Point p = GetPoint(output, i);
-      for (double& x : p)
-      {
-        x = std::round(x * 1e9) / 1e9 + 0.; // no two are that near
-      }
-      points.push_back(p);
-    }
-    std::sort(points.begin(), points.end());
-    return points;
-  };
-  const auto expected = positions(Execute(grid, 2, TetOct()));
-  const auto boxSpline = positions(Execute(grid, 2));
+  const auto expected = GetPositions(Execute(grid, 2, TetOct()));
   std::mt19937 random(5);
   for (int attempt = 0; attempt < 5; ++attempt)
   {
@@ -341,17 +353,34 @@ TEST(TetOctFilter, OrderOfVerticesAndCellsDoesNotMatter)
     {
       points.push_back(GetPoint(grid, i));
     }
-    const auto actual = positions(Execute(MakeGrid(points, cells), 2, TetOct()));
-    ASSERT_EQ(actual.size(), expected.size());
-    for (std::size_t i = 0; i < actual.size(); ++i)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        ASSERT_NEAR(actual[i][c], expected[i][c], 3e-9);
-      }
-    }
+    const auto actual = GetPositions(Execute(MakeGrid(points, cells), 2, TetOct()));
+    EXPECT_TRUE(AreSamePositions(actual, expected));
   }
-  EXPECT_NE(boxSpline, expected);
+}
+
+TEST(TetOctFilter, ThereIsNoPreferredDirection)
+{
+  // A regular tetrahedron with other names for its points: a box spline has to choose one of three
+  // equal diagonals, by ids, and stretches along it.
+  const std::vector<Point> corners = { { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } };
+  std::vector<vtkIdType> order = { 0, 1, 2, 3 };
+  const Grid grid = MakeGrid(corners, { { VTK_TETRA, order } });
+  constexpr int levels = 3; // less have but one point inside, in the middle
+  const auto tetOct = GetPositions(Execute(grid, levels, TetOct()));
+  const auto boxSpline = GetPositions(Execute(grid, levels));
+  int others = 0;
+  do
+  {
+    std::vector<Point> points;
+    for (vtkIdType i : order)
+    {
+      points.push_back(corners[i]);
+    }
+    const Grid renamed = MakeGrid(points, { { VTK_TETRA, { 0, 1, 2, 3 } } });
+    EXPECT_TRUE(AreSamePositions(GetPositions(Execute(renamed, levels, TetOct())), tetOct));
+    others += AreSamePositions(GetPositions(Execute(renamed, levels)), boxSpline) ? 0 : 1;
+  } while (std::next_permutation(order.begin(), order.end()));
+  EXPECT_EQ(others, 16); // two of three diagonals, eight orders each
 }
 
 TEST(TetOctFilter, LabelsComeFromTheSmallestGlobalId)

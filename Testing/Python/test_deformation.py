@@ -118,6 +118,7 @@ out.SetPoints(points)
 """
         self.filter.DeformedMesh = programmable
         self.filter.UpdatePipelineInformation()
+        self.assertEqual(list(self.filter.TimestepValues), [0.0, 1.0, 2.0])
         rest = None
         for time in (0.0, 1.0, 2.0, 1.0):
             self.filter.UpdatePipeline(time)
