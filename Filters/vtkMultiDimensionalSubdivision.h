@@ -60,7 +60,9 @@
  * last of them may have ProjectToLimit on.
  *
  * @par Complexity
- * Time and memory are linear in the size of the output; links are examined on the input only.
+ * Time and memory are linear in the size of the output; links are examined on the input only. With
+ * CacheOperator off the level before the last is not stored, with either scheme: its operator is
+ * made a few rows at a time, and applied to points and all arrays in one pass.
  *
  * @par Threads and ghosts
  * Threaded by vtkSMPTools; the output is the same, bit for bit, for any back end and any number of

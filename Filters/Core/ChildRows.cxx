@@ -1,115 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChildRows.h"
 
-#include "RingEmitter.h"
-
-#include <algorithm>
-#include <array>
-#include <numeric>
+#include "RingBlock.h"
 
 namespace subdivision
 {
 namespace
 {
 
-/// Simplices whose rows are made together: their rings fit into a core's own cache.
-constexpr vtkIdType BlockSize = 256;
-
-/// block(begin, end) over blocks that cover [begin, end).
-template <typename Block>
-void ForBlocks(vtkIdType begin, vtkIdType end, const Block& block)
-{
-  for (; begin < end; begin += BlockSize)
-  {
-    block(begin, std::min(begin + BlockSize, end));
-  }
-}
-
-/// body(kind, begin, end) over ranges of some kinds of things, `counts` of each, in one go: threads
-/// do not wait for each other between two kinds.
-template <std::size_t Kinds, typename Body>
-void ForKinds(const std::array<vtkIdType, Kinds>& counts, const Body& body)
-{
-  ForRanges(std::accumulate(counts.begin(), counts.end(), vtkIdType(0)),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (std::size_t kind = 0; kind < Kinds; ++kind)
-      {
-        const vtkIdType first = std::max(begin, vtkIdType(0));
-        const vtkIdType last = std::min(end, counts[kind]);
-        if (first < last)
-        {
-          body(kind, first, last);
-        }
-        begin -= counts[kind];
-        end -= counts[kind];
-      }
-    });
-}
-
-/// Rows in the making, at most `capacity` at a time.
-template <typename Id>
-class RowBlock
-{
-public:
-  RowBlock(bool ofEdges, vtkIdType capacity)
-    : OfEdges(ofEdges)
-    , Strata(capacity)
-    , Ends(ofEdges ? 2 * capacity : 0)
-    , Offsets(capacity + 1, Id(0))
-  {
-  }
-  void Start(vtkIdType firstRow)
-  {
-    this->FirstRow = firstRow;
-    this->Count = 0;
-  }
-  /// Makes sure that so many members have room in all rings that are still open.
-  void Reserve(Id members)
-  {
-    const vtkIdType wanted = vtkIdType(this->Offsets[this->Count]) + members;
-    if (this->Members.size() < wanted)
-    {
-      Buffer<Id> larger(2 * wanted);
-      std::copy_n(this->Members.begin(), this->Offsets[this->Count], larger.begin());
-      this->Members = std::move(larger);
-    }
-  }
-  /// Where the next ring goes that follows on `before` members of open ones.
-  MemberWriter<Id> Open(Id before = 0)
-  {
-    return { this->Members.data() + this->Offsets[this->Count] + before };
-  }
-  void Close(const MemberWriter<Id>& ring, Stratum stratum)
-  {
-    this->Strata[this->Count++] = stratum;
-    this->Offsets[this->Count] = static_cast<Id>(ring.Members - this->Members.data());
-  }
-  /// The ends of the edge whose row is closed next.
-  Id* GetEnds() { return this->Ends.data() + 2 * this->Count; }
-
-  StencilRows<Id> Get() const
-  {
-    return { this->OfEdges, this->FirstRow, this->Count, this->Strata.data(), this->Ends.data(),
-      this->Offsets.data(), this->Members.data() };
-  }
-
-private:
-  const bool OfEdges;
-  vtkIdType FirstRow = 0;
-  vtkIdType Count = 0;
-  Buffer<Stratum> Strata;
-  Buffer<Id> Ends;
-  Buffer<Id> Offsets;
-  Buffer<Id> Members;
-};
-
 /// The rows of a level's children, one kind after another.
 template <typename Id>
 class ChildRowsMaker
 {
 public:
-  ChildRowsMaker(const Level<Id>& level, const RowsUser<Id>& use)
+  ChildRowsMaker(const Level<Id>& level, const RowsUser<StencilRows<Id>>& use)
     : Complex(level.Complex)
     , Strata(level.Strata)
     , Emitter(level)
@@ -145,7 +49,7 @@ public:
 private:
   void AtVertices(vtkIdType first, vtkIdType last) const
   {
-    RowBlock<Id> rows(false, BlockSize);
+    RingBlock<Id> rows(false, BlockSize);
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -164,8 +68,8 @@ private:
   /// Both halves of each edge, and its midpoint.
   void AtEdges(vtkIdType first, vtkIdType last) const
   {
-    RowBlock<Id> edges(true, 2 * BlockSize);
-    RowBlock<Id> vertices(false, BlockSize);
+    RingBlock<Id> edges(true, 2 * BlockSize);
+    RingBlock<Id> vertices(false, BlockSize);
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -194,7 +98,7 @@ private:
 
   void InFaces(vtkIdType first, vtkIdType last) const
   {
-    RowBlock<Id> rows(true, 3 * BlockSize);
+    RingBlock<Id> rows(true, 3 * BlockSize);
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -217,7 +121,7 @@ private:
 
   void OfDiagonals(vtkIdType first, vtkIdType last) const
   {
-    RowBlock<Id> rows(true, BlockSize);
+    RingBlock<Id> rows(true, BlockSize);
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -240,7 +144,7 @@ private:
   const RingEmitter<Id> Emitter;
   const ChildIds<Id> Ids;
   const vtkIdType FirstEdgeRow;
-  const RowsUser<Id>& Use;
+  const RowsUser<StencilRows<Id>>& Use;
 };
 
 }
@@ -252,7 +156,7 @@ vtkIdType LevelRows<Id>::GetNumberOfRows() const
 }
 
 template <typename Id>
-void LevelRows<Id>::ForRows(const RowsUser<Id>& use) const
+void LevelRows<Id>::ForRows(const RowsUser<StencilRows<Id>>& use) const
 {
   const auto& complex = this->Level.Complex;
   const auto& strata = this->Level.Strata;
@@ -273,15 +177,21 @@ void LevelRows<Id>::ForRows(const RowsUser<Id>& use) const
 }
 
 template <typename Id>
-vtkIdType ChildRows<Id>::GetNumberOfRows() const
+vtkIdType ChildRows<Id>::GetNumberOfVertices() const
 {
-  const auto& complex = this->Level.Complex;
-  return vtkIdType(complex.NumberOfVertices) + 3 * vtkIdType(complex.NumberOfEdges) +
-    3 * vtkIdType(complex.NumberOfFaces) + complex.NumberOfTets;
+  return LevelRows<Id>(this->Level).GetNumberOfRows();
 }
 
 template <typename Id>
-void ChildRows<Id>::ForRows(const RowsUser<Id>& use) const
+vtkIdType ChildRows<Id>::GetNumberOfEdges() const
+{
+  const auto& complex = this->Level.Complex;
+  return 2 * vtkIdType(complex.NumberOfEdges) + 3 * vtkIdType(complex.NumberOfFaces) +
+    complex.NumberOfTets;
+}
+
+template <typename Id>
+void ChildRows<Id>::ForRows(const RowsUser<StencilRows<Id>>& use) const
 {
   ChildRowsMaker<Id>(this->Level, use).Run();
 }

@@ -18,23 +18,24 @@
 namespace subdivision
 {
 
-/// Hears of all rows of an operator, some at a time, in any order and from several threads.
-template <typename Id>
-using RowsUser = std::function<void(const StencilRows<Id>&)>;
+/// Hears of all rows of an operator, some at a time, in any order and from several threads. Rows
+/// are StencilRows or TetOctRows.
+template <typename Rows>
+using RowsUser = std::function<void(const Rows&)>;
 
 /// An operator that hands its rows over.
-template <typename Id>
+template <typename Rows>
 class RowsOnTheFly
 {
 public:
   virtual ~RowsOnTheFly() = default;
   virtual vtkIdType GetNumberOfRows() const = 0;
-  virtual void ForRows(const RowsUser<Id>& use) const = 0;
+  virtual void ForRows(const RowsUser<Rows>& use) const = 0;
 };
 
 /// The operator that takes a level to the next.
 template <typename Id>
-class LevelRows : public RowsOnTheFly<Id>
+class LevelRows : public RowsOnTheFly<StencilRows<Id>>
 {
 public:
   explicit LevelRows(const subdivision::Level<Id>& level)
@@ -42,7 +43,7 @@ public:
   {
   }
   vtkIdType GetNumberOfRows() const override;
-  void ForRows(const RowsUser<Id>& use) const override;
+  void ForRows(const RowsUser<StencilRows<Id>>& use) const override;
 
 private:
   const subdivision::Level<Id>& Level;
@@ -51,15 +52,21 @@ private:
 /// The operator that takes the children of a level, which has all that a further step needs, to
 /// theirs.
 template <typename Id>
-class ChildRows : public RowsOnTheFly<Id>
+class ChildRows : public RowsOnTheFly<StencilRows<Id>>
 {
 public:
   explicit ChildRows(const subdivision::Level<Id>& level)
     : Level(level)
   {
   }
-  vtkIdType GetNumberOfRows() const override;
-  void ForRows(const RowsUser<Id>& use) const override;
+  /// Of the children: the rows of their vertices come first, then those of their edges.
+  vtkIdType GetNumberOfVertices() const;
+  vtkIdType GetNumberOfEdges() const;
+  vtkIdType GetNumberOfRows() const override
+  {
+    return this->GetNumberOfVertices() + this->GetNumberOfEdges();
+  }
+  void ForRows(const RowsUser<StencilRows<Id>>& use) const override;
 
 private:
   const subdivision::Level<Id>& Level;

@@ -206,17 +206,21 @@ void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellR
 
 template <typename Id, typename Out>
 void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
-  const CellStorage<Out>& out)
+  const CellStorage<Out>& out, int highest, Id centres)
 {
   const std::vector<CellRun> grandchildren = RefineRuns(runs, 2);
   const CellCounts counts = CountCells(grandchildren);
   out.Offsets[counts.Cells] = static_cast<Out>(counts.Entries);
   const ChildIds<Id> ids(complex);
-  const Id midpoints = complex.NumberOfVertices + complex.NumberOfEdges;
+  const Id midpoints = complex.NumberOfVertices + complex.NumberOfEdges + centres;
   for (std::size_t r = 0; r < runs.size(); ++r)
   {
     const CellRun& run = runs[r];
     WriteLayout(grandchildren[r], out);
+    if (run.Dimension > highest)
+    {
+      continue;
+    }
     Out* connectivity = out.Connectivity + grandchildren[r].FirstEntry;
     switch (run.Dimension)
     {
@@ -261,7 +265,7 @@ void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<
   template void WriteChildren(                                                                     \
     const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&, int);      \
   template void WriteGrandchildren(                                                                \
-    const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&)
+    const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&, int, Id)
 SUBDIVISION_WRITE(int, int);
 SUBDIVISION_WRITE(int, long long);
 SUBDIVISION_WRITE(long long, int);

@@ -26,12 +26,20 @@ template <typename Id>
 void SortOctahedron(Id vertices[6])
 {
   bool odd = false;
+  auto swap = [&](int a, int b, bool wanted) // no branches: they could not be foretold
+  {
+    const Id first = vertices[a];
+    const Id second = vertices[b];
+    vertices[a] = wanted ? second : first;
+    vertices[b] = wanted ? first : second;
+  };
   auto order = [&](int a, int b, int size)
   {
-    if (vertices[b] < vertices[a])
+    const bool wanted = vertices[b] < vertices[a];
+    odd ^= wanted;
+    for (int i = 0; i < size; ++i)
     {
-      std::swap_ranges(vertices + a, vertices + a + size, vertices + b);
-      odd = !odd;
+      swap(a + i, b + i, wanted);
     }
   };
   order(0, 1, 1);
@@ -40,22 +48,23 @@ void SortOctahedron(Id vertices[6])
   order(0, 2, 2);
   order(2, 4, 2);
   order(0, 2, 2);
-  if (odd)
-  {
-    std::swap(vertices[4], vertices[5]);
-  }
+  swap(4, 5, odd);
 }
 
 /// The four tetrahedra around the diagonal of pair 0, 1 or 2.
 template <typename Id, typename Out>
 void CutOctahedron(const Id vertices[6], int diagonal, Out tets[16])
 {
-  constexpr int pieces[3][16] = { { 1, 4, 0, 2, 1, 3, 0, 4, 1, 5, 0, 3, 1, 2, 0, 5 },
-    { 3, 0, 2, 4, 3, 5, 2, 0, 3, 1, 2, 5, 3, 4, 2, 1 },
-    { 5, 2, 4, 0, 5, 1, 4, 2, 5, 3, 4, 1, 5, 0, 4, 3 } };
+  constexpr int pieces[16] = { 1, 4, 0, 2, 1, 3, 0, 4, 1, 5, 0, 3, 1, 2, 0, 5 };
+  Id turned[6]; // the diagonal first
+  for (int i = 0; i < 6; ++i)
+  {
+    const int from = i + 2 * diagonal;
+    turned[i] = vertices[from < 6 ? from : from - 6];
+  }
   for (int i = 0; i < 16; ++i)
   {
-    tets[i] = static_cast<Out>(vertices[pieces[diagonal][i]]);
+    tets[i] = static_cast<Out>(turned[pieces[i]]);
   }
 }
 
@@ -74,6 +83,12 @@ void JoinOctahedron(const Out tets[16], Id vertices[6])
 /// that TurnOctahedra would turn them to, or, where `points` is null, around any.
 template <typename Id, typename Out, typename T>
 void WriteTetOctChildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs,
+  const T* points, const CellStorage<Out>& out);
+
+/// Writes the children of the children; `points` of their level. The level has all that a further
+/// step needs, and no equal cells.
+template <typename Id, typename Out, typename T>
+void WriteTetOctGrandchildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs,
   const T* points, const CellStorage<Out>& out);
 
 /// The octahedron of each cell, numbered in their order, -1 where there is none. `runs` are those

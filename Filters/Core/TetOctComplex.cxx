@@ -13,7 +13,7 @@ namespace
 struct InnerFace
 {
   int Points[3] = { 0, 0, 0 };
-  ChildEdgePart Edges[3] = {};
+  int Edges[3] = { 0, 0, 0 }; ///< PlaceOf
   int Tet = 0;
   int Oct = 0;
 
@@ -25,8 +25,8 @@ struct InnerFace
     this->Points[2] = r;
     for (int i = 0; i < 3; ++i)
     {
-      this->Edges[i] = ClassifyChildEdge<Shape>(
-        this->Points[triangle::EdgeVertices[i][0]], this->Points[triangle::EdgeVertices[i][1]]);
+      this->Edges[i] = PlaceOf<Shape>(ClassifyChildEdge<Shape>(
+        this->Points[triangle::EdgeVertices[i][0]], this->Points[triangle::EdgeVertices[i][1]]));
     }
   }
 };
@@ -229,7 +229,7 @@ void TetOctRefiner<Id>::MakeFaceCells()
           int local[3];
           for (int corner = 0; corner < 3; ++corner)
           {
-            local[corner] = this->VertexInOct(oct, vertices[corner]);
+            local[corner] = VertexInOct(this->Level, oct, vertices[corner]);
             cells[corner] = this->Ids.OctCell(this->Ids.OctOfOct(oct, local[corner]));
           }
           cells[3] = this->Ids.TetOfOct(oct, octahedron::FaceOf(local[0], local[1], local[2]));
@@ -285,11 +285,11 @@ void TetOctRefiner<Id>::MakeChildren(Id cell, Id firstTet, Id firstOct)
     {
       for (int point : cornerTable[c])
       {
-        *corner++ = parts.Lattice[point];
+        *corner++ = parts.Lattice.Points[point];
       }
-      for (const ChildEdgePart& part : edgeTable[c])
+      for (int place : edgeTable[c])
       {
-        *edge++ = parts.GetEdge(part, this->Ids);
+        *edge++ = parts.Edges[place];
       }
     }
     auto* face = faces.data() + first * vtkIdType(faceTable[0].size());
@@ -315,8 +315,8 @@ void TetOctRefiner<Id>::MakeChildren(Id cell, Id firstTet, Id firstOct)
   {
     for (int i = 0; i < 3; ++i)
     {
-      child.FaceVertices[3 * face + i] = parts.Lattice[inner.Points[i]];
-      child.FaceEdges[3 * face + i] = parts.GetEdge(inner.Edges[i], this->Ids);
+      child.FaceVertices[3 * face + i] = parts.Lattice.Points[inner.Points[i]];
+      child.FaceEdges[3 * face + i] = parts.Edges[inner.Edges[i]];
     }
     Id* cells = child.FaceTets.Items.data() + child.FaceTets.Offsets[face];
     cells[0] = firstTet + inner.Tet;
@@ -381,7 +381,7 @@ void TetOctRefiner<Id>::MakeEqualSolids()
     lattice[18] = this->Ids.Centre(twin);
     for (int v = 0; v < 6; ++v)
     {
-      local[v] = this->VertexInOct(twin, lattice[v]);
+      local[v] = VertexInOct(this->Level, twin, lattice[v]);
       write(childOcts, tets + 6 * i + v, Children<OctShape>.Octs[v], lattice,
         this->Ids.OctOfOct(twin, local[v]));
     }

@@ -14,56 +14,49 @@ namespace
 
 /// A row with all its weights, for where speed does not matter.
 template <typename Id>
-void AppendWeighted(const TetOctStencils<Id>& stencils, vtkIdType row, ExplicitRows<Id>& rows)
+void AppendWeighted(const TetOctRows<Id>& rows, vtkIdType i, ExplicitRows<Id>& out)
 {
-  auto append = [&rows](Id column, double weight)
+  auto append = [&out](Id column, double weight)
   {
     if (weight != 0.)
     {
-      rows.Columns.push_back(column);
-      rows.Weights.push_back(weight);
+      out.Columns.push_back(column);
+      out.Weights.push_back(weight);
     }
   };
-  const vtkIdType vertices = stencils.Vertices.size();
-  const vtkIdType edge = row - vertices;
-  const vtkIdType oct = edge - stencils.Edges.size();
-  if (oct >= 0)
+  const Row<Id> ring = rows.GetRing(i);
+  if (rows.OfCentres)
   {
-    for (int i = 0; i < 6; ++i)
+    for (Id vertex : ring)
     {
-      append(stencils.OctVertices[6 * oct + i], 1. / 6.);
+      append(vertex, 1. / 6.);
     }
     return;
   }
-  const Row<Id> ring =
-    row < vertices ? stencils.VertexRings.GetMembers(row) : stencils.EdgeRings.GetMembers(edge);
-  if (row < vertices && stencils.IsControlSolid(row))
+  const Id own = static_cast<Id>(rows.FirstRow + i);
+  if (rows.IsControlSolid(i))
   {
-    const Id* tets = stencils.TetsAtSpokes->data() + stencils.VertexRings.Offsets[row];
+    const Id* tets = rows.TetsAtSpokes + rows.Offsets[i];
     const double all = std::accumulate(tets, tets + ring.size(), 0.) / 3.;
-    append(static_cast<Id>(row), tetoct::TetVertexOwn);
+    append(own, tetoct::TetVertexOwn);
     for (Id member : ring)
     {
       append(member, tetoct::TetVertexOther * static_cast<double>(*tets++) / all);
     }
     return;
   }
-  const PartedMask mask = row < vertices
-    ? TetOctVertexMask(stencils.Vertices[row].GetRule(), ring.size())
-    : TetOctEdgeMask(stencils.Edges[edge].GetRule(), ring.size());
-  if (row < vertices)
+  const Rule rule = rows.Strata[i].GetRule();
+  const PartedMask mask =
+    rows.OfEdges ? TetOctEdgeMask(rule, ring.size()) : TetOctVertexMask(rule, ring.size());
+  append(rows.OfEdges ? rows.Ends[2 * i] : own, mask.Own);
+  if (rows.OfEdges)
   {
-    append(static_cast<Id>(row), mask.Own);
-  }
-  else
-  {
-    append(stencils.EdgeVertices[2 * edge], mask.Own);
-    append(stencils.EdgeVertices[2 * edge + 1], mask.Own);
+    append(rows.Ends[2 * i + 1], mask.Own);
   }
   const Id* member = ring.begin();
   for (int part = 0; part < mask.Parts; ++part)
   {
-    for (vtkIdType i = 0; i < mask.Sizes[part]; ++i)
+    for (vtkIdType k = 0; k < mask.Sizes[part]; ++k)
     {
       append(*member++, mask.Weights[part]);
     }
@@ -75,72 +68,77 @@ template <int N, typename Id, typename T>
 class RowSums
 {
 public:
-  RowSums(const TetOctStencils<Id>& stencils, const T* in, T* out, int components)
-    : Stencils(stencils)
+  RowSums(const TetOctRows<Id>& rows, const T* in, T* out, int components)
+    : Rows(rows)
     , In(in)
-    , Out(out)
+    , Out(out + rows.FirstRow * (N == 0 ? components : N))
     , Components(N == 0 ? components : N)
     , Values(N == 0 ? components : 0)
     , Partial(N == 0 ? components : 0)
   {
   }
 
-  void PutVertex(vtkIdType v)
+  void PutVertex(vtkIdType i)
   {
-    const Row<Id> ring = this->Stencils.VertexRings.GetMembers(v);
-    const T* own = this->At(v);
-    if (this->Stencils.IsControlSolid(v))
+    const Row<Id> ring = this->Rows.GetRing(i);
+    const T* own = this->At(this->Rows.FirstRow + i);
+    if (this->Rows.IsControlSolid(i))
     {
-      this->PutControlSolid(v, ring);
+      this->PutControlSolid(i, own, ring);
       return;
     }
-    const PartedMask mask = TetOctVertexMask(this->Stencils.Vertices[v].GetRule(), ring.size());
+    const Rule rule = this->Rows.Strata[i].GetRule();
+    double* sum = this->Sum();
+    if (rule == Rule::RegularEdge) // most vertices by far
+    {
+      for (int c = 0; c < this->Size(); ++c)
+      {
+        sum[c] = RegularVertexMask.Own * static_cast<double>(own[c]);
+      }
+      this->template AddRegularPart<12>(RegularVertexMask.Weights[0], ring.begin());
+      this->template AddRegularPart<6>(RegularVertexMask.Weights[1], ring.begin() + 12);
+      this->Put(i);
+      return;
+    }
+    const PartedMask mask = TetOctVertexMask(rule, ring.size());
     if (mask.Own == 1.) // also where values that are not finite must not spread
     {
-      std::copy(own, own + this->Size(), this->Out + v * this->Size());
+      std::copy(own, own + this->Size(), this->Out + i * this->Size());
       return;
     }
-    double* sum = this->Sum();
     for (int c = 0; c < this->Size(); ++c)
     {
       sum[c] = mask.Own * static_cast<double>(own[c]);
     }
     this->AddParts(mask, ring);
-    this->Put(v);
+    this->Put(i);
   }
 
-  void PutEdge(vtkIdType e)
+  void PutEdge(vtkIdType i)
   {
-    const Row<Id> ring = this->Stencils.EdgeRings.GetMembers(e);
-    const Rule rule = this->Stencils.Edges[e].GetRule();
-    const bool regular = rule == Rule::RegularEdge; // most edges by far
-    const PartedMask mask = regular ? RegularEdgeMask : TetOctEdgeMask(rule, ring.size());
-    const T* first = this->At(this->Stencils.EdgeVertices[2 * e]);
-    const T* second = this->At(this->Stencils.EdgeVertices[2 * e + 1]);
-    double* sum = this->Sum();
-    for (int c = 0; c < this->Size(); ++c)
+    const Row<Id> ring = this->Rows.GetRing(i);
+    const Rule rule = this->Rows.Strata[i].GetRule();
+    if (rule == Rule::RegularEdge) // most edges by far
     {
-      sum[c] = mask.Own * (static_cast<double>(first[c]) + static_cast<double>(second[c]));
-    }
-    if (regular)
-    {
+      this->AddEnds(i, RegularEdgeMask.Own);
       this->template AddRegularPart<4>(RegularEdgeMask.Weights[0], ring.begin());
       this->template AddRegularPart<4>(RegularEdgeMask.Weights[1], ring.begin() + 4);
     }
     else
     {
+      const PartedMask mask = TetOctEdgeMask(rule, ring.size());
+      this->AddEnds(i, mask.Own);
       this->AddParts(mask, ring);
     }
-    this->Put(this->Stencils.Vertices.size() + e);
+    this->Put(i);
   }
 
-  void PutOct(vtkIdType o)
+  void PutCentre(vtkIdType i)
   {
     double* sum = this->Sum();
     std::fill(sum, sum + this->Size(), 0.);
-    const Id* vertices = this->Stencils.OctVertices.data() + 6 * o;
-    this->AddPart(1. / 6., vertices, vertices + 6);
-    this->Put(this->Stencils.Vertices.size() + this->Stencils.Edges.size() + o);
+    this->template AddRegularPart<6>(1. / 6., this->Rows.Members + 6 * i);
+    this->Put(i);
   }
 
 private:
@@ -148,30 +146,41 @@ private:
   double* Sum() { return N == 0 ? this->Values.data() : this->FixedValues; }
   const T* At(vtkIdType column) const { return this->In + column * this->Size(); }
 
-  void PutControlSolid(vtkIdType v, Row<Id> ring)
+  void PutControlSolid(vtkIdType i, const T* own, Row<Id> ring)
   {
     double* sum = this->Sum();
-    const T* own = this->At(v);
-    const Id* tets = this->Stencils.TetsAtSpokes->data() + this->Stencils.VertexRings.Offsets[v];
+    const Id* tets = this->Rows.TetsAtSpokes + this->Rows.Offsets[i];
     double all = 0.;
-    for (vtkIdType i = 0; i < ring.size(); ++i)
+    for (vtkIdType k = 0; k < ring.size(); ++k)
     {
-      all += static_cast<double>(tets[i]) / 3.;
+      all += static_cast<double>(tets[k]) / 3.;
     }
     for (int c = 0; c < this->Size(); ++c)
     {
       sum[c] = tetoct::TetVertexOwn * static_cast<double>(own[c]);
     }
-    for (vtkIdType i = 0; i < ring.size(); ++i)
+    for (vtkIdType k = 0; k < ring.size(); ++k)
     {
-      const double weight = tetoct::TetVertexOther * static_cast<double>(tets[i]) / all;
-      const T* value = this->At(ring.begin()[i]);
+      const double weight = tetoct::TetVertexOther * static_cast<double>(tets[k]) / all;
+      const T* value = this->At(ring.begin()[k]);
       for (int c = 0; c < this->Size(); ++c)
       {
         sum[c] += weight * static_cast<double>(value[c]);
       }
     }
-    this->Put(v);
+    this->Put(i);
+  }
+
+  /// Starts the sum of an edge's row.
+  void AddEnds(vtkIdType i, double weight)
+  {
+    const T* first = this->At(this->Rows.Ends[2 * i]);
+    const T* second = this->At(this->Rows.Ends[2 * i + 1]);
+    double* sum = this->Sum();
+    for (int c = 0; c < this->Size(); ++c)
+    {
+      sum[c] = weight * (static_cast<double>(first[c]) + static_cast<double>(second[c]));
+    }
   }
 
   /// As AddPart, of a size that the compiler knows.
@@ -225,29 +234,29 @@ private:
 
   /// A row whose plain sum overflows is weighted term by term, so that finite values give a finite
   /// mean.
-  void Put(vtkIdType row)
+  void Put(vtkIdType i)
   {
     const double* sum = this->Sum();
-    T* result = this->Out + row * this->Size();
+    T* result = this->Out + i * this->Size();
     for (int c = 0; c < this->Size(); ++c)
     {
-      result[c] = Store<T>(std::isfinite(sum[c]) ? sum[c] : this->SumTermByTerm(row, c));
+      result[c] = Store<T>(std::isfinite(sum[c]) ? sum[c] : this->SumTermByTerm(i, c));
     }
   }
 
-  double SumTermByTerm(vtkIdType row, int component) const
+  double SumTermByTerm(vtkIdType i, int component) const
   {
     ExplicitRows<Id> terms;
-    AppendWeighted(this->Stencils, row, terms);
+    AppendWeighted(this->Rows, i, terms);
     double sum = 0.;
-    for (std::size_t i = 0; i < terms.Columns.size(); ++i)
+    for (std::size_t k = 0; k < terms.Columns.size(); ++k)
     {
-      sum += terms.Weights[i] * static_cast<double>(this->At(terms.Columns[i])[component]);
+      sum += terms.Weights[k] * static_cast<double>(this->At(terms.Columns[k])[component]);
     }
     return sum;
   }
 
-  const TetOctStencils<Id>& Stencils;
+  const TetOctRows<Id>& Rows;
   const T* In;
   T* Out;
   const int Components;
@@ -258,36 +267,65 @@ private:
 };
 
 template <int N, typename Id, typename T>
-void ApplyRows(const TetOctStencils<Id>& stencils, const T* in, T* out, int components)
+void SumRowsOf(const TetOctRows<Id>& rows, const T* in, T* out, int components)
 {
-  using Sums = RowSums<N, Id, T>;
-  auto each = [&](vtkIdType size, void (Sums::*put)(vtkIdType))
+  RowSums<N, Id, T> sums(rows, in, out, components);
+  if (rows.OfCentres)
   {
-    ForRanges(size,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        Sums sums(stencils, in, out, components);
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          (sums.*put)(i);
-        }
-      });
-  };
-  each(stencils.Vertices.size(), &Sums::PutVertex);
-  each(stencils.Edges.size(), &Sums::PutEdge);
-  each(stencils.OctVertices.size() / 6, &Sums::PutOct);
+    for (vtkIdType i = 0; i < rows.Count; ++i)
+    {
+      sums.PutCentre(i);
+    }
+  }
+  else if (rows.OfEdges)
+  {
+    for (vtkIdType i = 0; i < rows.Count; ++i)
+    {
+      sums.PutEdge(i);
+    }
+  }
+  else
+  {
+    for (vtkIdType i = 0; i < rows.Count; ++i)
+    {
+      sums.PutVertex(i);
+    }
+  }
 }
 
+}
+
+template <typename Id, typename T>
+void SumRows(const TetOctRows<Id>& rows, const T* in, T* out, int components)
+{
+  switch (components)
+  {
+    case 1:
+      SumRowsOf<1>(rows, in, out, components);
+      break;
+    case 3:
+      SumRowsOf<3>(rows, in, out, components);
+      break;
+    default:
+      SumRowsOf<0>(rows, in, out, components);
+      break;
+  }
 }
 
 template <typename Id>
-void TetOctStencils<Id>::AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& rows) const
+void TetOctStencils<Id>::AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& out) const
 {
-  const std::size_t before = rows.Weights.size();
-  AppendWeighted(*this, row, rows);
-  for (std::size_t i = before; i < rows.Weights.size(); ++i)
+  const std::size_t before = out.Weights.size();
+  const StoredTetOctRows<Id> rows = this->GetRows();
+  const vtkIdType edge = row - this->Vertices.size();
+  const vtkIdType centre = edge - this->Edges.size();
+  AppendWeighted(edge < 0 ? rows.OfVertices(row, row + 1)
+      : centre < 0        ? rows.OfEdges(edge, edge + 1)
+                          : rows.OfCentres(centre, centre + 1),
+    0, out);
+  for (std::size_t i = before; i < out.Weights.size(); ++i)
   {
-    rows.Weights[i] *= factor;
+    out.Weights[i] *= factor;
   }
 }
 
@@ -295,18 +333,16 @@ template <typename Id>
 template <typename T>
 void TetOctStencils<Id>::Apply(const T* in, T* out, int components) const
 {
-  switch (components)
-  {
-    case 1:
-      ApplyRows<1>(*this, in, out, components);
-      break;
-    case 3:
-      ApplyRows<3>(*this, in, out, components);
-      break;
-    default:
-      ApplyRows<0>(*this, in, out, components);
-      break;
-  }
+  const StoredTetOctRows<Id> rows = this->GetRows();
+  ForRanges(this->Vertices.size(),
+    [&](vtkIdType begin, vtkIdType end)
+    { SumRows(rows.OfVertices(begin, end), in, out, components); });
+  ForRanges(this->Edges.size(),
+    [&](vtkIdType begin, vtkIdType end)
+    { SumRows(rows.OfEdges(begin, end), in, out, components); });
+  ForRanges(rows.GetNumberOfCentres(),
+    [&](vtkIdType begin, vtkIdType end)
+    { SumRows(rows.OfCentres(begin, end), in, out, components); });
   this->Explicit.Apply(in, out, components);
 }
 
@@ -337,7 +373,9 @@ TetOctStencils<Id> TakeStencils(TetOctLevel<Id>& level)
   return stencils;
 }
 
-#define SUBDIVISION_APPLY(Id, T) template void TetOctStencils<Id>::Apply(const T*, T*, int) const
+#define SUBDIVISION_APPLY(Id, T)                                                                   \
+  template void TetOctStencils<Id>::Apply(const T*, T*, int) const;                                \
+  template void SumRows(const TetOctRows<Id>&, const T*, T*, int)
 #define SUBDIVISION_STENCILS(Id)                                                                   \
   template struct TetOctStencils<Id>;                                                              \
   template TetOctStencils<Id> TakeStencils(TetOctLevel<Id>&);                                      \

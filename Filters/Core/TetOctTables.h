@@ -35,6 +35,24 @@ constexpr int FaceOf(int a, int b, int c)
 {
   return ((a & 1) << (a >> 1)) | ((b & 1) << (b >> 1)) | ((c & 1) << (c >> 1));
 }
+/// Position of a vertex in a face.
+constexpr int CornerOf(int face, int vertex)
+{
+  const int* corners = FaceVertices[face];
+  return corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
+}
+/// The first vertex of the pair that an edge does not touch.
+constexpr int ThirdPair(int a, int b)
+{
+  return 2 * (3 - (a >> 1) - (b >> 1));
+}
+/// The first of the two faces at an edge.
+constexpr int FirstFaceAt(int edge)
+{
+  const int a = EdgeVertices[edge][0];
+  const int b = EdgeVertices[edge][1];
+  return FaceOf(a, b, ThirdPair(a, b));
+}
 }
 
 /// The shape of a cell, to write once what tetrahedra and octahedra have in common.
@@ -84,6 +102,16 @@ struct ChildEdgePart
   signed char Index = -1;
   signed char Corner = -1;
 };
+
+/// Its place among all parts of a cell's edges: two halves of each, three inside each face, spokes.
+template <typename Shape>
+constexpr int PlaceOf(ChildEdgePart part)
+{
+  constexpr int inFaces = 2 * Shape::Edges;
+  return part.Part == EdgePart::Half ? 2 * part.Index + part.Corner
+    : part.Part == EdgePart::InFace  ? inFaces + 3 * part.Index + part.Corner
+                                     : inFaces + 3 * Shape::Faces + part.Index;
+}
 
 /// What a triangle between three lattice points is a part of.
 enum class FacePart : unsigned char
@@ -198,15 +226,16 @@ constexpr ChildFacePart ClassifyChildFace(int p, int q, int r)
   return part;
 }
 
-/// The children of a cell: which lattice points they have, and what their edges and faces are.
+/// The children of a cell: which lattice points they have, and what their edges (PlaceOf) and faces
+/// are.
 template <typename Shape>
 struct ChildTable
 {
   std::array<std::array<int, 4>, Shape::ChildTets> Tets{};
   std::array<std::array<int, 6>, Shape::ChildOcts> Octs{};
-  std::array<std::array<ChildEdgePart, 6>, Shape::ChildTets> TetEdges{};
+  std::array<std::array<int, 6>, Shape::ChildTets> TetEdges{};
   std::array<std::array<ChildFacePart, 4>, Shape::ChildTets> TetFaces{};
-  std::array<std::array<ChildEdgePart, 12>, Shape::ChildOcts> OctEdges{};
+  std::array<std::array<int, 12>, Shape::ChildOcts> OctEdges{};
   std::array<std::array<ChildFacePart, 8>, Shape::ChildOcts> OctFaces{};
 
   constexpr ChildTable()
@@ -267,8 +296,8 @@ private:
   {
     for (int e = 0; e < Child::Edges; ++e)
     {
-      edges[e] = ClassifyChildEdge<Shape>(
-        corners[Child::EdgeVertices[e][0]], corners[Child::EdgeVertices[e][1]]);
+      edges[e] = PlaceOf<Shape>(ClassifyChildEdge<Shape>(
+        corners[Child::EdgeVertices[e][0]], corners[Child::EdgeVertices[e][1]]));
     }
     for (int f = 0; f < Child::Faces; ++f)
     {

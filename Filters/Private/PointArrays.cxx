@@ -275,12 +275,41 @@ void PointArrays::Advance(const Stencils<Id>& stencils)
 template void PointArrays::Advance(const Stencils<int>&);
 template void PointArrays::Advance(const Stencils<long long>&);
 
+/// The current point whose values one of the rows takes in arrays that are not smoothed.
 template <typename Id>
-void PointArrays::Advance(const RowsOnTheFly<Id>& operation)
+vtkIdType PointArrays::FindOrigin(const StencilRows<Id>& rows, vtkIdType i) const
+{
+  if (!rows.OfEdges)
+  {
+    return rows.FirstRow + i;
+  }
+  const vtkIdType a = rows.Ends[2 * i];
+  const vtkIdType b = rows.Ends[2 * i + 1];
+  return this->IsEarlier(a, b) ? a : b;
+}
+template <typename Id>
+vtkIdType PointArrays::FindOrigin(const TetOctRows<Id>& rows, vtkIdType i) const
+{
+  if (!rows.OfCentres)
+  {
+    return this->FindOrigin(static_cast<const StencilRows<Id>&>(rows), i);
+  }
+  return this->FindEarliest(rows.GetRing(i));
+}
+/// Of the vertices of an octahedron.
+template <typename Id>
+vtkIdType PointArrays::FindEarliest(Row<Id> vertices) const
+{
+  return *std::min_element(
+    vertices.begin(), vertices.end(), [this](Id a, Id b) { return this->IsEarlier(a, b); });
+}
+
+template <typename Rows>
+void PointArrays::Advance(const RowsOnTheFly<Rows>& operation)
 {
   this->Coordinates = Buffer<double>();
   const vtkIdType size = operation.GetNumberOfRows();
-  std::vector<RowsUser<Id>> users;
+  std::vector<RowsUser<Rows>> users;
   auto start = [&](vtkSmartPointer<vtkDataArray>& array)
   {
     const vtkSmartPointer<vtkDataArray> from = array;
@@ -290,8 +319,8 @@ void PointArrays::Advance(const RowsOnTheFly<Id>& operation)
     array = to;
     auto sum = [&](const auto* in, auto* out)
     {
-      users.push_back([from, in, out, components](const StencilRows<Id>& rows)
-        { SumRows(rows, in, out, components); });
+      users.push_back(
+        [from, in, out, components](const Rows& rows) { SumRows(rows, in, out, components); });
     };
     switch (from->GetDataType())
     {
@@ -314,25 +343,18 @@ void PointArrays::Advance(const RowsOnTheFly<Id>& operation)
   if (this->HasGathered)
   {
     users.push_back(
-      [&](const StencilRows<Id>& rows)
+      [&](const Rows& rows)
       {
         for (vtkIdType i = 0; i < rows.Count; ++i)
         {
-          vtkIdType from = rows.FirstRow + i;
-          if (rows.OfEdges)
-          {
-            const vtkIdType a = rows.Ends[2 * i];
-            const vtkIdType b = rows.Ends[2 * i + 1];
-            from = this->IsEarlier(a, b) ? a : b;
-          }
-          origins[rows.FirstRow + i] = this->Origins[from];
+          origins[rows.FirstRow + i] = this->Origins[this->FindOrigin(rows, i)];
         }
       });
   }
   operation.ForRows(
-    [&](const StencilRows<Id>& rows)
+    [&](const Rows& rows)
     {
-      for (const RowsUser<Id>& use : users)
+      for (const RowsUser<Rows>& use : users)
       {
         use(rows);
       }
@@ -341,8 +363,10 @@ void PointArrays::Advance(const RowsOnTheFly<Id>& operation)
   this->NumberOfPoints = size;
 }
 
-template void PointArrays::Advance(const RowsOnTheFly<int>&);
-template void PointArrays::Advance(const RowsOnTheFly<long long>&);
+template void PointArrays::Advance(const RowsOnTheFly<StencilRows<int>>&);
+template void PointArrays::Advance(const RowsOnTheFly<StencilRows<long long>>&);
+template void PointArrays::Advance(const RowsOnTheFly<TetOctRows<int>>&);
+template void PointArrays::Advance(const RowsOnTheFly<TetOctRows<long long>>&);
 
 template <typename Id>
 void PointArrays::Advance(const TetOctStencils<Id>& stencils)
@@ -357,9 +381,8 @@ void PointArrays::Advance(const TetOctStencils<Id>& stencils)
       [&](vtkIdType o)
       {
         const Id* vertices = stencils.OctVertices.data() + 6 * o;
-        const Id first = *std::min_element(
-          vertices, vertices + 6, [this](Id a, Id b) { return this->IsEarlier(a, b); });
-        next[next.size() - octs + o] = this->Origins[first];
+        next[next.size() - octs + o] =
+          this->Origins[this->FindEarliest(Row<Id>{ vertices, vertices + 6 })];
       });
     this->Origins = std::move(next);
   }

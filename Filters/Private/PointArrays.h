@@ -13,7 +13,7 @@
 #include "Core/LocalLimit.h"
 #include "Core/SparseRows.h"
 #include "Core/Stencils.h"
-#include "Core/TetOctStencils.h"
+#include "Core/TetOctChildRows.h"
 
 #include <string>
 #include <vector>
@@ -60,8 +60,8 @@ public:
   template <typename Id>
   void Advance(const Stencils<Id>& stencils);
   /// All arrays in one pass over the rows.
-  template <typename Id>
-  void Advance(const RowsOnTheFly<Id>& rows);
+  template <typename Rows>
+  void Advance(const RowsOnTheFly<Rows>& rows);
   template <typename Id>
   void Advance(const TetOctStencils<Id>& stencils);
   /// `origin(row)`: the current point whose values a row takes in arrays that are not smoothed.
@@ -100,6 +100,12 @@ private:
   void AdvanceSmoothed(const Operator& rows);
   template <typename Id>
   void TakeOriginsOfEdges(const Buffer<Id>& edgeVertices, Buffer<vtkIdType>& next) const;
+  template <typename Id>
+  vtkIdType FindOrigin(const StencilRows<Id>& rows, vtkIdType i) const;
+  template <typename Id>
+  vtkIdType FindOrigin(const TetOctRows<Id>& rows, vtkIdType i) const;
+  template <typename Id>
+  vtkIdType FindEarliest(Row<Id> vertices) const;
   void StartOrigins();
   void AddOriginalIds(vtkPointSet* output) const;
 

@@ -19,7 +19,7 @@ constexpr unsigned char TypeOfDimension[4] = { VTK_VERTEX, VTK_LINE, VTK_TRIANGL
 /// The cells of a level after 0, 1 or 2 steps, at a place that has room for them.
 template <typename Id, typename Out>
 void WriteRefined(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps,
-  const CellStorage<Out>& storage)
+  const CellStorage<Out>& storage, Id octahedra = 0)
 {
   switch (steps)
   {
@@ -30,7 +30,7 @@ void WriteRefined(const SimplicialComplex<Id>& complex, const std::vector<CellRu
       WriteChildren(complex, runs, storage);
       break;
     default:
-      WriteGrandchildren(complex, runs, storage);
+      WriteGrandchildren(complex, runs, storage, 3, octahedra);
       break;
   }
 }
@@ -66,6 +66,15 @@ UniformCells Fill(const CellCounts& counts, bool small, double points, const Wri
   }
   made.Types = vtkUnsignedCharArray::SafeDownCast(types);
   return made;
+}
+
+LevelCounts Refine(LevelCounts counts, int steps)
+{
+  for (int step = 0; step < steps; ++step)
+  {
+    counts = counts.Refine();
+  }
+  return counts;
 }
 
 void AddOctahedra(const std::vector<CellRun>& runs, int steps, UniformCells& made)
@@ -112,33 +121,35 @@ template <typename Id>
 UniformCells MakeChildren(
   const Level<Id>& level, const std::vector<CellRun>& runs, int steps, bool small)
 {
-  LevelCounts counts = CountSimplices(level.Complex);
-  for (int step = 0; step < steps; ++step)
-  {
-    counts = counts.Refine();
-  }
-  return Fill(CountCells(RefineRuns(runs, steps)), small, counts.Vertices,
+  return Fill(CountCells(RefineRuns(runs, steps)), small,
+    Refine(CountSimplices(level.Complex), steps).Vertices,
     [&](const auto& storage) { WriteRefined(level.Complex, runs, steps, storage); });
 }
 
 template <typename Id>
-UniformCells MakeChildren(
-  const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, vtkDataArray* points, bool small)
+UniformCells MakeChildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, int steps,
+  vtkDataArray* points, bool small)
 {
-  const std::vector<CellRun> children = RefineRuns(runs, 1);
-  UniformCells made = Fill(CountCells(children), small, CountSimplices(level).Refine().Vertices,
-    [&](const auto& storage)
-    {
-      if (points && points->GetDataType() == VTK_FLOAT)
+  const std::vector<CellRun> children = RefineRuns(runs, steps);
+  UniformCells made =
+    Fill(CountCells(children), small, Refine(CountSimplices(level), steps).Vertices,
+      [&](const auto& storage)
       {
-        WriteTetOctChildren(
-          level, runs, static_cast<const float*>(points->GetVoidPointer(0)), storage);
-        return;
-      }
-      WriteTetOctChildren(level, runs,
-        points ? static_cast<const double*>(points->GetVoidPointer(0)) : nullptr, storage);
-    });
-  AddOctahedra(children, level.Steps + 1, made);
+        auto write = [&](const auto* coordinates)
+        {
+          steps == 1 ? WriteTetOctChildren(level, runs, coordinates, storage)
+                     : WriteTetOctGrandchildren(level, runs, coordinates, storage);
+        };
+        if (points && points->GetDataType() == VTK_FLOAT)
+        {
+          write(static_cast<const float*>(points->GetVoidPointer(0)));
+        }
+        else
+        {
+          write(points ? static_cast<const double*>(points->GetVoidPointer(0)) : nullptr);
+        }
+      });
+  AddOctahedra(children, level.Steps + steps, made);
   return made;
 }
 
@@ -198,7 +209,7 @@ void TurnOctahedra(UniformCells& cells, bool shared, vtkDataArray* points)
 
 template <typename Id>
 SimplexTuples GatherTuples(
-  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps)
+  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps, Id octahedra)
 {
   const CellCounts counts = CountCells(RefineRuns(runs, steps));
   SimplexTuples gathered;
@@ -210,7 +221,7 @@ SimplexTuples GatherTuples(
   Buffer<long long> offsets(counts.Cells + 1);
   Buffer<unsigned char> types(counts.Cells);
   const CellStorage<long long> storage{ connectivity.data(), offsets.data(), types.data() };
-  WriteRefined(complex, runs, steps, storage);
+  WriteRefined(complex, runs, steps, storage, octahedra);
   for (vtkIdType i = 0; i < counts.Cells; ++i)
   {
     const int dimension = static_cast<int>(offsets[i + 1] - offsets[i]) - 1;
@@ -224,9 +235,9 @@ SimplexTuples GatherTuples(
 #define SUBDIVISION_CELLS(Id)                                                                      \
   template UniformCells MakeChildren(const Level<Id>&, const std::vector<CellRun>&, int, bool);    \
   template UniformCells MakeChildren(                                                              \
-    const TetOctLevel<Id>&, const std::vector<CellRun>&, vtkDataArray*, bool);                     \
+    const TetOctLevel<Id>&, const std::vector<CellRun>&, int, vtkDataArray*, bool);                \
   template SimplexTuples GatherTuples(                                                             \
-    const SimplicialComplex<Id>&, const std::vector<CellRun>&, int)
+    const SimplicialComplex<Id>&, const std::vector<CellRun>&, int, Id)
 SUBDIVISION_CELLS(int);
 SUBDIVISION_CELLS(long long);
 

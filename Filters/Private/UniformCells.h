@@ -35,11 +35,11 @@ struct UniformCells
 template <typename Id>
 UniformCells MakeChildren(
   const Level<Id>& level, const std::vector<CellRun>& runs, int steps, bool small);
-/// The same after 1 step: octahedra around their shortest diagonals if `points`, those after the
-/// step, are known already; around any if not.
+/// The same: octahedra around their shortest diagonals if `points`, those after the steps, are
+/// known already; around any if they are null.
 template <typename Id>
-UniformCells MakeChildren(
-  const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, vtkDataArray* points, bool small);
+UniformCells MakeChildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, int steps,
+  vtkDataArray* points, bool small);
 
 /// Cells as they were read; `runs` those of the level that they are, `steps` steps below a control
 /// level of tetrahedra, or negative in a scheme without octahedra.
@@ -50,10 +50,11 @@ UniformCells CopyCells(
 /// others have these cells too, the connectivity is copied first.
 void TurnOctahedra(UniformCells& cells, bool shared, vtkDataArray* points);
 
-/// Simplices of dimension 0 to 2 among a level's cells after 0, 1 or 2 steps.
+/// Simplices of dimension 0 to 2 among a level's cells after 0, 1 or 2 steps. `octahedra`: how many
+/// cells of the level have a vertex in the middle then.
 template <typename Id>
-SimplexTuples GatherTuples(
-  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps);
+SimplexTuples GatherTuples(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
+  int steps, Id octahedra = 0);
 
 }
 

@@ -51,6 +51,10 @@ private:
   Outcome Step(AnyLevel<Id>& level, KeptOperator* keep);
   template <typename Id>
   void StepTwice(const Level<Id>& level);
+  template <typename Id>
+  void StepTwice(const TetOctLevel<Id>& level);
+  template <typename Rows>
+  void FinishTwoSteps(const Rows& last);
   template <typename Id, typename Kept>
   void GoToLimit(const Level<Id>& level, Kept& kept);
   template <typename Id, typename Kept>

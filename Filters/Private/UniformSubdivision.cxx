@@ -219,13 +219,10 @@ UniformRun::Outcome UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
     {
       return Outcome::Stopped;
     }
-    if constexpr (std::is_same<AnyLevel<Id>, Level<Id>>::value)
+    if (step + 2 == steps && !stored)
     {
-      if (step + 2 == steps && !stored)
-      {
-        this->StepTwice(level);
-        return Outcome::Done;
-      }
+      this->StepTwice(level);
+      return Outcome::Done;
     }
     const bool last = step + 1 == steps;
     AnyLevel<Id> next;
@@ -296,20 +293,41 @@ void UniformRun::StepTwice(const Level<Id>& level)
   this->Points->Advance(LevelRows<Id>(level));
   const ChildRows<Id> last(level);
   this->Points->Advance(last);
+  this->FinishTwoSteps(last);
+}
+template <typename Id>
+void UniformRun::StepTwice(const TetOctLevel<Id>& level)
+{
+  this->Derived =
+    GatherTuples(level.Complex, this->Control.DerivedRuns, 2, level.NumberOfOctahedra);
+  this->Points->Advance(TetOctLevelRows<Id>(level));
+  const TetOctChildRows<Id> last(level);
+  this->Points->Advance(last);
+  this->Cells = MakeChildren(
+    level, this->Control.Runs, 2, this->Points->GetPoints(), this->Options.Use32BitIds);
+  this->HasTurned = true;
+  this->FinishTwoSteps(last);
+}
+
+template <typename Rows>
+void UniformRun::FinishTwoSteps(const Rows& last)
+{
   this->FinishPoints(true);
   if (!this->Options.GenerateClassification)
   {
     return;
   }
-  const LevelRows<Id> before(level);
-  Buffer<Stratum> vertices(before.GetNumberOfRows());
-  Buffer<Stratum> edges(last.GetNumberOfRows() - vertices.size());
+  Buffer<Stratum> vertices(last.GetNumberOfVertices());
+  Buffer<Stratum> edges(last.GetNumberOfEdges());
   last.ForRows(
-    [&](const StencilRows<Id>& rows)
+    [&](const auto& rows)
     {
-      std::copy_n(rows.Strata, rows.Count,
-        rows.OfEdges ? edges.data() + (rows.FirstRow - vertices.size())
-                     : vertices.data() + rows.FirstRow);
+      if (rows.Strata) // octahedra have none
+      {
+        std::copy_n(rows.Strata, rows.Count,
+          rows.OfEdges ? edges.data() + (rows.FirstRow - vertices.size())
+                       : vertices.data() + rows.FirstRow);
+      }
     });
   this->AddClassification(vertices, edges);
 }
@@ -344,7 +362,7 @@ void UniformRun::MakeCells(const TetOctLevel<Id>& level, int)
 {
   this->Cells = this->SameCells
     ? this->SameCells->Cells
-    : MakeChildren(level, this->Control.Runs, nullptr, this->Options.Use32BitIds);
+    : MakeChildren(level, this->Control.Runs, 1, nullptr, this->Options.Use32BitIds);
 }
 
 /// The same when the points are known: one pass over the cells instead of two. The operator gives
@@ -353,8 +371,8 @@ template <typename Id>
 void UniformRun::MakeTurnedCells(TetOctLevel<Id>& level, TetOctStencils<Id>& stencils)
 {
   level.OctVertices = std::move(stencils.OctVertices);
-  this->Cells =
-    MakeChildren(level, this->Control.Runs, this->Points->GetPoints(), this->Options.Use32BitIds);
+  this->Cells = MakeChildren(
+    level, this->Control.Runs, 1, this->Points->GetPoints(), this->Options.Use32BitIds);
   this->HasTurned = true;
 }
 

@@ -27,7 +27,7 @@ struct RowContent
 };
 
 /// All rows in order; fails when one is not handed over exactly once.
-std::vector<RowContent> Collect(const RowsOnTheFly<int>& operation, vtkIdType vertices)
+std::vector<RowContent> Collect(const RowsOnTheFly<StencilRows<int>>& operation, vtkIdType vertices)
 {
   std::vector<RowContent> all(operation.GetNumberOfRows());
   std::mutex mutex;
