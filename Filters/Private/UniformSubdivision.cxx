@@ -371,6 +371,7 @@ template <typename Id>
 void UniformRun::MakeTurnedCells(TetOctLevel<Id>& level, TetOctStencils<Id>& stencils)
 {
   level.OctVertices = std::move(stencils.OctVertices);
+  level.Complex.EdgeVertices = std::move(stencils.EdgeVertices);
   this->Cells = MakeChildren(
     level, this->Control.Runs, 1, this->Points->GetPoints(), this->Options.Use32BitIds);
   this->HasTurned = true;

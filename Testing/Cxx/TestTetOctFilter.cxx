@@ -285,6 +285,33 @@ TEST(TetOctFilter, RandomComplexesInARow)
   }
 }
 
+/// Without a cache the last operator is not stored, and cells are written where points are known.
+TEST(TetOctFilter, WhatIsNotKeptChangesNothing)
+{
+  for (unsigned seed = 1; seed <= 40; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    vtkNew<Messages> ignored;
+    const Configure options = RandomOptions(seed);
+    const Grid grid = MakeRandomComplex(seed);
+    for (int levels = 0; levels <= 3; ++levels)
+    {
+      const auto execute = [&](bool cache)
+      {
+        return Execute(grid, levels,
+          TetOct(
+            [&](Filter* filter)
+            {
+              options(filter);
+              filter->SetCacheOperator(cache);
+            }),
+          ignored);
+      };
+      EXPECT_EQ(Compare(execute(true), execute(false)), "") << levels;
+    }
+  }
+}
+
 TEST(TetOctFilter, SemiSharpCreasesInARow)
 {
   // A line through the inside of a solid and one on its boundary.
@@ -299,6 +326,12 @@ TEST(TetOctFilter, SemiSharpCreasesInARow)
   grid->GetCellData()->AddArray(sharpness);
   const Configure sharp = [](Filter* filter) { SetCellArray(filter, 4, "Sharpness"); };
   ExpectChains(grid, sharp);
+  const Configure notKept = [sharp](Filter* filter)
+  {
+    sharp(filter);
+    filter->CacheOperatorOff();
+  };
+  EXPECT_EQ(Compare(Execute(grid, 3, TetOct(sharp)), Execute(grid, 3, TetOct(notKept))), "");
   // The first step between the sharp and the smooth row of a vertex, an average of 1.5 and 2:
   // sharp.
   const MatrixRow row = Matrix(grid, TetOct(sharp)).Vertex(0);
@@ -527,12 +560,26 @@ TEST(TetOctFilter, ThreadsAndNarrowIdsChangeNothing)
   AddArrays(grid);
   vtkSMPTools::Initialize(1);
   const Grid one = Execute(grid, 3, TetOct());
-  vtkSMPTools::Initialize(4);
-  EXPECT_EQ(Compare(one, Execute(grid, 3, TetOct())), "");
-  const Grid narrow = Execute(grid, 3, TetOct([](Filter* filter) { filter->Use32BitIdsOn(); }));
+  for (bool cache : { true, false })
+  {
+    auto execute = [&](int threads, bool narrow)
+    {
+      vtkSMPTools::Initialize(threads);
+      return Execute(grid, 3,
+        TetOct(
+          [=](Filter* filter)
+          {
+            filter->SetCacheOperator(cache);
+            filter->SetUse32BitIds(narrow);
+          }));
+    };
+    EXPECT_EQ(Compare(one, execute(1, false)), "");
+    EXPECT_EQ(Compare(one, execute(4, false)), "");
+    const Grid narrow = execute(4, true);
+    EXPECT_FALSE(narrow->GetCells()->IsStorage64Bit());
+    EXPECT_EQ(Compare(one, narrow), "");
+  }
   vtkSMPTools::Initialize();
-  EXPECT_FALSE(narrow->GetCells()->IsStorage64Bit());
-  EXPECT_EQ(Compare(one, narrow), "");
 }
 
 TEST(TetOctFilter, CellsOfWrongSizesAndFlatOnesDoNotBreakIt)
