@@ -180,8 +180,8 @@ public:
   ///@{
   /**
    * Whether output points, and all arrays that are smoothed, are moved to the limit of infinitely
-   * many steps. Creases that are still sharp for some levels count as smooth. Off by default; for
-   * schemes without limit masks a warning says that nothing happens.
+   * many steps, also where creases are still sharp for some levels. Off by default; for schemes
+   * without limit masks a warning says that nothing happens.
    */
   vtkSetMacro(ProjectToLimit, bool);
   vtkGetMacro(ProjectToLimit, bool);
@@ -193,7 +193,8 @@ public:
    * Whether to output unit normals of the limit surface at the points (`LimitNormals`) or two
    * tangents (`LimitTangent1`, `LimitTangent2`, not normalised; their cross product has the
    * direction of the normal). On a crease or at a corner they are those of one sector, the first
-   * tangent along the curve. Zero where there is no tangent plane. Off by default.
+   * tangent along the curve. Zero where there is no tangent plane. On a crease that is still sharp
+   * for more than 26 levels they are as if it were for 26. Off by default.
    */
   vtkSetMacro(GenerateNormals, bool);
   vtkGetMacro(GenerateNormals, bool);

@@ -2,31 +2,39 @@
 #include "SurfaceSteps.h"
 
 #include "DualPlaces.h"
-#include "SurfaceRings.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace subdivision
 {
 namespace
 {
 
-/// One row for each that occurs, with the mean of what it was given; ascending.
-template <typename WeightedRow>
-void MergeRows(std::vector<WeightedRow>& given, std::vector<WeightedRow>& rows)
+/// The pieces of control edges that are sharp after some steps: those of edge e are e 2^step and
+/// following.
+template <typename Id>
+std::vector<SharpEdge<Id>> FindSharpEdges(const EdgeSharpness& sharpness, int step)
 {
-  std::stable_sort(given.begin(), given.end(),
-    [](const WeightedRow& a, const WeightedRow& b) { return b.Row > a.Row; });
-  for (auto at = given.begin(); at != given.end();)
+  std::vector<SharpEdge<Id>> edges;
+  for (std::size_t e = 0; e < sharpness.size(); ++e)
   {
-    double sum = 0.;
-    const auto first = at;
-    for (; at != given.end() && at->Row == first->Row; ++at)
+    const double left = sharpness[e] - step;
+    const vtkIdType first = static_cast<vtkIdType>(e) << step;
+    for (vtkIdType i = 0; left > 0. && i < vtkIdType(1) << step; ++i)
     {
-      sum += at->Sharpness;
+      edges.push_back({ static_cast<Id>(first + i), left });
     }
-    rows.push_back({ first->Row, sum / static_cast<double>(at - first) });
   }
+  return edges;
+}
+
+std::vector<bool> GetSharp(const EdgeSharpness& sharpness, int step)
+{
+  std::vector<bool> sharp(sharpness.size());
+  std::transform(
+    sharpness.begin(), sharpness.end(), sharp.begin(), [step](double s) { return s > step; });
+  return sharp;
 }
 
 }
@@ -36,6 +44,7 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   std::shared_ptr<const SurfaceScheme<Id>> scheme, int steps, bool lastIsWhole,
   const std::function<bool(double)>& stop)
   : Scheme(std::move(scheme))
+  , LastIsWhole(lastIsWhole)
 {
   this->Levels.reserve(steps + 1);
   this->Levels.push_back(std::move(control));
@@ -78,124 +87,56 @@ bool SurfaceSteps<Id>::ReplaceSectors(const SurfaceTags<Id>& control)
   return same;
 }
 
+/// Tags of a control level, as those of a later one.
 template <typename Id>
-void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
-  const std::function<SurfaceTags<Id>(const std::vector<bool>& sharpEdges)>& classify)
+SurfaceTags<Id> SurfaceSteps<Id>::RefineSharpTags(SurfaceTags<Id>&& tags, int levels) const
 {
-  this->SharpSteps.clear();
-  for (int step = 0; step < this->GetNumberOfSteps() && IsSharpAfter(sharpness, step); ++step)
-  {
-    std::vector<bool> sharp(sharpness.size());
-    std::transform(
-      sharpness.begin(), sharpness.end(), sharp.begin(), [step](double s) { return s > step; });
-    this->SharpSteps.push_back(this->MakeSharpStep(step, sharpness, classify(sharp)));
-  }
-}
-
-/// Smooth edges between which and a curve other rules work: blended as their ends on it are.
-template <typename Id>
-void SurfaceSteps<Id>::AddSmoothEdges(int step, const SurfaceTags<Id>& tags,
-  const std::vector<WeightedRow>& vertices, std::vector<WeightedRow>& rows) const
-{
-  const PolygonMesh<Id>& mesh = this->Levels[step].Mesh;
-  std::vector<WeightedRow> edges;
-  std::vector<Id> around;
-  for (const WeightedRow& vertex : vertices)
-  {
-    CollectEdges(
-      mesh, static_cast<Id>(vertex.Row), [&tags](Id e) { return tags.Edges[e] == EdgeTag::Smooth; },
-      around);
-    for (Id edge : around)
-    {
-      edges.push_back({ mesh.NumberOfVertices + edge, vertex.Sharpness });
-    }
-  }
-  MergeRows(edges, rows);
-}
-
-template <typename Id>
-typename SurfaceSteps<Id>::SharpStep SurfaceSteps<Id>::MakeSharpStep(
-  int step, const EdgeSharpness& sharpness, SurfaceTags<Id>&& tags) const
-{
-  SharpStep sharp;
-  sharp.Tags = std::move(tags);
-  for (Sector<Id>& sector : sharp.Tags.Sectors)
+  for (Sector<Id>& sector : tags.Sectors)
   {
     if (this->Levels[0].Tags.Vertices[sector.Vertex] != VertexTag::Corner)
     {
       sector.Flatness = 0.; // a corner for some levels only
     }
   }
-  for (int level = 0; level < step; ++level)
+  for (int level = 0; level < levels; ++level)
   {
-    sharp.Tags = this->Scheme->RefineTags(this->Levels[level], sharp.Tags);
+    tags = this->Scheme->RefineTags(this->Levels[level], tags);
   }
-  const PolygonMesh<Id>& mesh = this->Levels[step].Mesh;
-  std::vector<WeightedRow> ends;
-  std::vector<WeightedRow> edges;
-  for (std::size_t e = 0; e < sharpness.size(); ++e)
-  {
-    const double left = sharpness[e] - step;
-    if (!(left > 0.))
-    {
-      continue;
-    }
-    // The pieces of control edge e are the edges e 2^step and following.
-    const vtkIdType first = static_cast<vtkIdType>(e) << step;
-    for (vtkIdType piece = first; piece < first + (vtkIdType(1) << step); ++piece)
-    {
-      edges.push_back({ mesh.NumberOfVertices + piece, left });
-      const Id ids[2] = { mesh.EdgeVertices[2 * piece], mesh.EdgeVertices[2 * piece + 1] };
-      ends.push_back({ ids[0], left });
-      ends.push_back({ ids[1], left });
-    }
-  }
-  MergeRows(ends, sharp.Rows);
-  this->AddSmoothEdges(step, sharp.Tags, sharp.Rows, edges);
-  std::sort(edges.begin(), edges.end(),
-    [](const WeightedRow& a, const WeightedRow& b) { return b.Row > a.Row; });
-  sharp.Rows.insert(sharp.Rows.end(), edges.begin(), edges.end());
-  return sharp;
+  return std::move(tags);
 }
 
-/// Rows [begin, end), where some edges are still sharp: the smooth rule's and the sharp rule's.
 template <typename Id>
-void SurfaceSteps<Id>::AppendBlended(
-  int step, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
+void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
+  const std::function<SurfaceTags<Id>(const std::vector<bool>& sharpEdges)>& classify)
 {
-  const SurfaceLevel<Id>& level = this->Levels[step];
-  const SharpStep& sharp = this->SharpSteps[step];
-  auto at = std::lower_bound(sharp.Rows.begin(), sharp.Rows.end(), begin,
-    [](const WeightedRow& row, vtkIdType r) { return r > row.Row; });
-  RowBlock<Id> one;
-  auto add = [&](const SurfaceTags<Id>& tags, vtkIdType row, double factor)
+  this->SharpSteps.clear();
+  this->Limits = SharpLimits<Id>();
+  const int steps = this->GetNumberOfSteps();
+  for (int step = 0; step < steps && IsSharpAfter(sharpness, step); ++step)
   {
-    one.Clear();
-    this->Scheme->AppendRows(level, tags, row, row + 1, one);
-    for (std::size_t k = 0; k < one.GetNumberOfEntries(); ++k)
-    {
-      rows.Add(one.GetColumns()[k], factor * one.GetWeights()[k]);
-    }
-  };
-  for (vtkIdType row = begin; row < end;)
-  {
-    const vtkIdType next = at == sharp.Rows.end() ? end : std::min<vtkIdType>(end, at->Row);
-    if (next > row)
-    {
-      this->Scheme->AppendRows(level, level.Tags, row, next, rows);
-      row = next;
-      continue;
-    }
-    const double weight = std::min(1., at->Sharpness);
-    if (weight < 1.)
-    {
-      add(level.Tags, row, 1. - weight);
-    }
-    add(sharp.Tags, row, weight);
-    rows.EndRow();
-    ++row;
-    ++at;
+    this->SharpSteps.emplace_back(this->Levels[step].Mesh,
+      this->RefineSharpTags(classify(GetSharp(sharpness, step)), step),
+      FindSharpEdges<Id>(sharpness, step));
   }
+  if (!this->LastIsWhole || !this->Scheme->HasLimit() || !IsSharpAfter(sharpness, steps))
+  {
+    return;
+  }
+  // Which edges are sharp changes where the sharpness of one of them is used up.
+  std::vector<SharpTags<Id>> stages;
+  for (int step = steps; IsSharpAfter(sharpness, step) && step < steps + SharpLimits<Id>::MostSteps;
+       step = steps + stages.back().Until)
+  {
+    double least = SharpLimits<Id>::MostSteps;
+    for (double s : sharpness)
+    {
+      least = s > step ? std::min(least, s - steps) : least;
+    }
+    stages.push_back({ static_cast<int>(std::ceil(least)),
+      this->RefineSharpTags(classify(GetSharp(sharpness, step)), steps) });
+  }
+  this->Limits = SharpLimits<Id>(
+    this->Levels.back(), *this->Scheme, FindSharpEdges<Id>(sharpness, steps), std::move(stages));
 }
 
 template <typename Id>
@@ -206,8 +147,8 @@ BlockOperator<Id> SurfaceSteps<Id>::GetStep(int step) const
   if (step < static_cast<int>(this->SharpSteps.size()))
   {
     return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
-      [this, step](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
-      { this->AppendBlended(step, begin, end, block); });
+      [this, step, &level](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
+      { this->SharpSteps[step].Append(*this->Scheme, level, begin, end, block); });
   }
   return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
     [this, &level](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
@@ -221,7 +162,13 @@ BlockOperator<Id> SurfaceSteps<Id>::GetLimit(LimitKind kind) const
   const vtkIdType vertices = level.Mesh.NumberOfVertices;
   return BlockOperator<Id>(vertices, vertices,
     [this, &level, kind](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
-    { this->Scheme->AppendLimitRows(level, level.Tags, kind, begin, end, block); });
+    {
+      this->Limits.ForEachOther(
+        begin, end,
+        [&](vtkIdType first, vtkIdType last)
+        { this->Scheme->AppendLimitRows(level, level.Tags, kind, first, last, block); },
+        [&](vtkIdType at) { this->Limits.Append(at, kind, block); });
+    });
 }
 
 template <typename Id>

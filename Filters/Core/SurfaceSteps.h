@@ -8,6 +8,7 @@
 
 #include "BlockOperator.h"
 #include "SemiSharp.h"
+#include "SharpLimits.h"
 #include "SurfaceTags.h"
 
 #include <functional>
@@ -43,25 +44,13 @@ public:
   std::size_t GetMemorySize() const;
 
 private:
-  struct WeightedRow
-  {
-    vtkIdType Row;
-    double Sharpness;
-  };
-  /// What is still sharp in one step: tags with those edges, and the rows that they touch.
-  struct SharpStep
-  {
-    SurfaceTags<Id> Tags;
-    std::vector<WeightedRow> Rows; ///< ascending
-  };
-  SharpStep MakeSharpStep(int step, const EdgeSharpness& sharpness, SurfaceTags<Id>&& tags) const;
-  void AddSmoothEdges(int step, const SurfaceTags<Id>& tags,
-    const std::vector<WeightedRow>& vertices, std::vector<WeightedRow>& rows) const;
-  void AppendBlended(int step, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const;
+  SurfaceTags<Id> RefineSharpTags(SurfaceTags<Id>&& tags, int levels) const;
 
   std::vector<SurfaceLevel<Id>> Levels;
-  std::vector<SharpStep> SharpSteps; ///< as long as something is sharp
+  std::vector<SharpRows<Id>> SharpSteps; ///< as long as something is sharp
+  SharpLimits<Id> Limits;                ///< where something still is after the last step
   std::shared_ptr<const SurfaceScheme<Id>> Scheme;
+  bool LastIsWhole;
   /// The control level's tags as they were given.
   Buffer<EdgeTag> GivenEdges;
   Buffer<VertexTag> GivenVertices;
