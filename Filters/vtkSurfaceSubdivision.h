@@ -66,8 +66,9 @@
  * SqrtThree and FourEight leave curves alone in odd steps; in even ones SqrtThree cuts them into
  * thirds and FourEight in halves, by the rules of the cubic B-spline. They replace all other edges,
  * so that line cells are creases with any flag or sharpness, and an end of a crease is a corner.
- * FourEight has triangles on curves after odd steps, and is smooth only at boundary vertices of two
- * and three faces. ModifiedBoundary changes nothing for these two.
+ * FourEight has triangles on curves after odd steps. These two have no rules for the number of faces
+ * on a curve, and ModifiedBoundary changes nothing: tangent planes exist on curves for two to five
+ * (SqrtThree) and for two and three faces (FourEight), at corners for up to two and for one.
  *
  * @par Non-manifold input
  * Edges with three and more faces, vertices where fans of faces or lines meet: Loop follows

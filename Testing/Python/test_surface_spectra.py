@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""4-8 and sqrt(3): eigenvalues and eigenvectors of two steps around inner, boundary and corner vertices."""
+
+import unittest
+
+import numpy as np
+import tools
+from surface_tools import (add, coordinates, faces_of, fan, flag_corner, grid, point_array, quad_star, run, spectrum,
+                           wheel, with_identity)
+
+from subdivisionobjects import vtkSurfaceSubdivision
+
+FOUR_EIGHT = vtkSurfaceSubdivision.FOUR_EIGHT
+SQRT_THREE = vtkSurfaceSubdivision.SQRT_THREE
+
+
+def ring_of(faces, k):
+    """The faces of vertex 0, each beginning there, in order; from one end to the other if there are ends."""
+    around = {}
+    for face in faces:
+        if 0 in face:
+            at = face.index(0)
+            around[face[(at + 1) % len(face)]] = face[at:] + face[:at]
+    ends = set(around) - {face[-1] for face in around.values()}
+    at = min(ends or around)
+    ring = []
+    for _ in range(k):
+        ring.append(around[at])
+        at = around[at][-1]
+    return ring
+
+
+def find_quads(made, k, closed):
+    """Two rings of quads around vertex 0: from (sector, a, b), with a to the sector's first edge, to vertices."""
+    faces = [[int(v) for v in face] for face in faces_of(made)]
+    near = {}
+    for face in faces:
+        for i in range(4):
+            near.setdefault(frozenset((face[i], face[i - 1])), []).append(face)
+
+    def cross(a, b, here):
+        """Of the quad on the other side of an edge from a vertex: the vertices next to a and to b."""
+        face, = (f for f in near[frozenset((a, b))] if here not in f)
+        at = face.index(a)
+        after = face[at - 1] if face[(at + 1) % 4] == b else face[(at + 1) % 4]
+        return after, next(v for v in face if v not in (a, b, after))
+
+    found = {}
+    for s, (own, first, middle, last) in enumerate(ring_of(faces, k)):
+        places = {(0, 0): own, (1, 0): first, (1, 1): middle, (0, 1): last}
+        places[2, 0], places[2, 1] = cross(first, middle, own)
+        places[0, 2], places[1, 2] = cross(last, middle, own)
+        _, places[2, 2] = cross(middle, places[2, 1], first)
+        after = (s + 1) % k if closed else s + 1
+        for (a, b), vertex in places.items():
+            found[(0, 0, 0) if a == b == 0 else (after, b, 0) if a == 0 else (s, a, b)] = vertex
+    return found
+
+
+def quad_matrix(made, k, closed):
+    """What two 4-8 steps do to two rings, two steps in, where all else is regular."""
+    first = run(made, FOUR_EIGHT, 2)
+    second = run(with_identity(first), FOUR_EIGHT, 2)
+    here, there = (find_quads(level, k, closed) for level in (first, second))
+    places = sorted(here)
+    matrix = point_array(second, "e")[np.ix_([there[p] for p in places], [here[p] for p in places])]
+    np.testing.assert_allclose(matrix.sum(axis=1), 1, atol=1e-12)  # nothing from elsewhere
+    return places, matrix
+
+
+def triangle_matrix(made, k, closed):
+    """What two sqrt(3) steps do to a vertex and its neighbours."""
+    first = run(made, SQRT_THREE, 2)
+    second = run(with_identity(first), SQRT_THREE, 2)
+    rings = []
+    for level in (first, second):
+        faces = ring_of([[int(v) for v in face] for face in faces_of(level)], k)
+        rings.append([0] + [face[1] for face in faces] + ([] if closed else [faces[-1][2]]))
+    matrix = point_array(second, "e")[np.ix_(rings[1], rings[0])]
+    np.testing.assert_allclose(matrix.sum(axis=1), 1, atol=1e-12)
+    return matrix
+
+
+def is_smooth(values, along=None):
+    """1 > l1 >= l2 > |l3|; on curves with that of the curve as one of the pair: else the surface folds."""
+    rest = list(values[1:]) + [0.]
+    assert abs(values[0] - 1) < 1e-10 and rest[0] < 1 - 1e-6
+    if along is None:
+        return rest[1] > rest[2] + 1e-6
+    rest.remove(min(rest, key=lambda value: abs(value - along)))
+    return min(along, rest[0]) > rest[1] + 1e-6
+
+
+class FourEight(unittest.TestCase):
+    def test_limit_totals(self):
+        for k in range(3, 13):
+            with self.subTest(k):
+                places, matrix = quad_matrix(quad_star(k, 2 * np.pi, True), k, True)
+                values, vectors = np.linalg.eig(matrix.T)
+                mask = vectors[:, np.argmin(abs(values - 1))].real
+                totals = np.zeros(4)  # centre, edges, corners, all else
+                for (_, a, b), weight in zip(places, mask / mask.sum()):
+                    totals[3 if max(a, b) > 1 else a + b] += weight
+                np.testing.assert_allclose(120 * totals, [35, 59, 22, 4], atol=1e-9)
+
+    def test_interior(self):
+        for k in range(3, 13):
+            with self.subTest(k):
+                values = spectrum(quad_matrix(quad_star(k, 2 * np.pi, True), k, True)[1])
+                self.assertTrue(is_smooth(values))
+                self.assertAlmostEqual(values[1], values[2], 10)
+
+    def test_boundary(self):
+        for k in range(2, 9):
+            with self.subTest(k):
+                values = spectrum(quad_matrix(quad_star(k, np.pi, False), k, False)[1])
+                self.assertEqual(is_smooth(values, 1 / 2), k < 4)  # SPEC 12: for two and three faces only
+
+    def test_corners(self):
+        for k in range(1, 9):
+            with self.subTest(k):
+                made = quad_star(k, min(k, 3) * np.pi / 4, False)
+                values = spectrum(quad_matrix(made if k == 1 else flag_corner(made), k, False)[1])
+                self.assertEqual(is_smooth(values, 1 / 2), k == 1)  # there are no rules for corners
+
+
+class SqrtThree(unittest.TestCase):
+    def test_interior(self):
+        for k in range(3, 13):
+            with self.subTest(k):
+                values = spectrum(triangle_matrix(wheel(k), k, True))
+                waves = [4 / 9 * np.cos(np.pi * m / k) ** 2 for m in range(1, k)]  # Kobbelt's (4), squared
+                mean = (2 / 3 - (4 - 2 * np.cos(2 * np.pi / k)) / 9) ** 2
+                np.testing.assert_allclose(values, sorted([1, mean] + waves, reverse=True), atol=1e-7)
+                self.assertTrue(is_smooth(values))
+
+    def test_boundary(self):
+        for k in range(2, 9):
+            with self.subTest(k):
+                values = spectrum(triangle_matrix(fan(k, np.pi), k, False))
+                waves = [(2 + 2 * np.cos(np.pi * m / k)) / 9 for m in range(1, k)]
+                np.testing.assert_allclose(values, sorted([1, 1 / 3, 1 / 9] + waves, reverse=True), atol=1e-7)
+                self.assertEqual(is_smooth(values, 1 / 3), k < 6)  # SPEC 11: for up to five triangles
+
+    def test_corners(self):
+        for k in range(1, 9):
+            with self.subTest(k):
+                values = spectrum(triangle_matrix(flag_corner(fan(k, min(k, 3) * np.pi / 4)), k, False))
+                waves = [(2 + 2 * np.cos(np.pi * m / k)) / 9 for m in range(1, k)]
+                np.testing.assert_allclose(values, sorted([1, 1 / 3, 1 / 3] + waves, reverse=True), atol=1e-7)
+                self.assertEqual(is_smooth(values, 1 / 3), k < 3)  # there are no rules for corners
+
+
+class Precision(unittest.TestCase):
+    def test_quadratic_functions_on_grids(self):
+        # Up to a constant, which is that of the lattice's second moments.
+        n = 13
+        constants = {FOUR_EIGHT: [1 / 4, 0, 1 / 4], SQRT_THREE: [2 / 9, 1 / 9, 2 / 9]}
+        for scheme, found in constants.items():
+            for powers, constant in zip(((1, 0), (0, 1), (2, 0), (1, 1), (0, 2)), [0, 0] + found):
+                made = grid(n, scheme == SQRT_THREE)
+                x, y = coordinates(made)[:, :2].T
+                add(made.GetPointData(), "q", x ** powers[0] * y ** powers[1])
+                out = run(made, scheme)
+                px, py = coordinates(out)[:, :2].T
+                inside = (abs(px - n // 2) < 3.1) & (abs(py - n // 2) < 3.1)
+                self.assertGreater(inside.sum(), 70)
+                off = (point_array(out, "q") - px ** powers[0] * py ** powers[1])[inside]
+                np.testing.assert_allclose(off, constant, atol=1e-12)
+
+
+if __name__ == "__main__":
+    tools.main()
