@@ -97,6 +97,70 @@ inline void AddWeights(vtkUnstructuredGrid* grid)
   grid->GetPointData()->AddArray(weights);
 }
 
+/// Four numbers for each point instead, for large grids: a point between up to four points of a
+/// cell shows by them how much it has of each.
+inline void AddRandomNumbers(vtkUnstructuredGrid* grid)
+{
+  grid->GetPointData()->AddArray(
+    MakeArray<vtkDoubleArray>("Random", 4, grid->GetNumberOfPoints(), -1., 1., 17));
+}
+
+/// The corners of a cell that have a part in a point with these numbers; -1 is among them where the
+/// cell does not have the point.
+inline std::set<vtkIdType> FindParts(
+  vtkDataArray* numbersOfCorners, const Ids& corners, const double* numbers)
+{
+  const std::size_t size = corners.size();
+  double rows[4][5];
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      rows[k][i] = numbersOfCorners->GetComponent(corners[i], static_cast<int>(k));
+    }
+    rows[k][size] = numbers[k];
+  }
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    for (std::size_t k = i + 1; k < 4; ++k)
+    {
+      if (std::abs(rows[k][i]) > std::abs(rows[i][i]))
+      {
+        std::swap(rows[k], rows[i]);
+      }
+    }
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      const double factor = k == i ? 0. : rows[k][i] / rows[i][i];
+      for (std::size_t c = 0; c <= size; ++c)
+      {
+        rows[k][c] -= factor * rows[i][c];
+      }
+    }
+  }
+  std::set<vtkIdType> parts;
+  double sum = 0.;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const double weight = rows[i][size] / rows[i][i];
+    const double dyadic = std::round(4096. * weight) / 4096.; // of up to twelve levels
+    sum += dyadic;
+    if (std::abs(weight - dyadic) > 1e-6 || dyadic < 0.)
+    {
+      parts.insert(-1);
+    }
+    if (dyadic > 0.)
+    {
+      parts.insert(corners[i]);
+    }
+  }
+  if (sum != 1.)
+  {
+    parts.insert(-1);
+  }
+  return parts;
+}
+
 inline double GetVolume(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
   const Ids ids = GetCell(grid, cell);
@@ -129,6 +193,29 @@ inline double GetVolume(vtkUnstructuredGrid* grid, vtkIdType cell)
     default:
       return dot(cross(e[0], e[1]), e[2]) / 6.;
   }
+}
+
+/// What a cell with its longest edge may have.
+inline double GetLargestVolume(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  double longest = 0.;
+  const Ids ids = GetCell(grid, cell);
+  for (vtkIdType a : ids)
+  {
+    for (vtkIdType b : ids)
+    {
+      const Point p = GetPoint(grid, a);
+      const Point q = GetPoint(grid, b);
+      longest = std::max(longest, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+    }
+  }
+  return std::pow(longest, static_cast<double>(ids.size() - 1));
+}
+
+inline vtkIdType GetOrigin(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  return static_cast<vtkIdType>(
+    grid->GetCellData()->GetArray("vtkOriginalCellIds")->GetComponent(cell, 0));
 }
 
 /// Compares an output with the input whose points its `Weights` are about: cells fit together where
@@ -181,7 +268,7 @@ public:
     for (const Ids& cell : cells)
     {
       const Ids carrier = this->GetCarrier(cell);
-      if (carrier.size() != cell.size())
+      if (carrier.size() != cell.size() || carrier[0] < 0)
       {
         return Say(cell) + " is not a part of one cell";
       }
@@ -227,6 +314,11 @@ private:
   {
     vtkDataArray* weights = this->Output->GetPointData()->GetArray("Weights");
     this->Carriers.resize(this->Output->GetNumberOfPoints());
+    if (!weights)
+    {
+      this->FindCarriersByNumbers();
+      return;
+    }
     for (vtkIdType i = 0; i < this->Output->GetNumberOfPoints(); ++i)
     {
       for (int c = 0; c < weights->GetNumberOfComponents(); ++c)
@@ -234,6 +326,29 @@ private:
         if (weights->GetComponent(i, c) > 0.)
         {
           this->Carriers[i].insert(c);
+        }
+      }
+    }
+  }
+  void FindCarriersByNumbers()
+  {
+    vtkDataArray* given = this->Input->GetPointData()->GetArray("Random");
+    vtkDataArray* numbers = this->Output->GetPointData()->GetArray("Random");
+    for (vtkIdType i = 0; i < this->Output->GetNumberOfCells(); ++i)
+    {
+      const Ids corners = GetCell(this->Input, GetOrigin(this->Output, i));
+      for (vtkIdType point : GetCell(this->Output, i))
+      {
+        double own[4];
+        numbers->GetTuple(point, own);
+        const std::set<vtkIdType> parts = FindParts(given, corners, own);
+        if (this->Carriers[point].empty())
+        {
+          this->Carriers[point] = parts;
+        }
+        else if (this->Carriers[point] != parts)
+        {
+          this->Carriers[point].insert(-1); // its cells do not agree where it lies
         }
       }
     }
@@ -270,7 +385,8 @@ private:
       const double whole = GetVolume(this->Input, origin);
       sums[origin] += volume;
       scale = std::max(scale, std::abs(whole));
-      if (volume * whole < 0. || (volume == 0.) != (whole == 0.))
+      const bool isFlat = std::abs(whole) <= 1e-9 * GetLargestVolume(this->Input, origin);
+      if (!isFlat && volume * whole <= 0.)
       {
         return "cell " + std::to_string(i) + " is inverted or flat";
       }
@@ -310,6 +426,27 @@ inline Grid RefineToWanted(vtkUnstructuredGrid* input, int maximum = 3)
     });
 }
 
+/// One step where chance wants it, in one cell of so many; green cells of one parent want the same,
+/// as a filter needs it to undo them.
+inline Grid RefineByChance(vtkUnstructuredGrid* current, unsigned round, vtkIdType oneIn)
+{
+  const auto marked = Grid::New();
+  marked->ShallowCopy(current);
+  std::mt19937 random(round);
+  vtkNew<vtkIntArray> wanted;
+  wanted->SetName("WantedLevel");
+  vtkDataArray* parents = current->GetCellData()->GetArray("GreenParent");
+  for (vtkIdType i = 0; i < current->GetNumberOfCells(); ++i)
+  {
+    const bool goesOn = parents && i > 0 && parents->GetComponent(i, 0) >= 0 &&
+      parents->GetComponent(i, 0) == parents->GetComponent(i - 1, 0);
+    const int level = random() % oneIn == 0 ? static_cast<int>(round) + 1 : 0;
+    wanted->InsertNextValue(goesOn ? wanted->GetValue(i - 1) : level);
+  }
+  marked->GetCellData()->AddArray(wanted);
+  return RefineToWanted(marked, 1);
+}
+
 inline vtkIdType CountKind(vtkUnstructuredGrid* grid, int kind)
 {
   vtkDataArray* kinds = grid->GetCellData()->GetArray("RefinementKind");
@@ -339,15 +476,19 @@ inline double GetLevel(vtkUnstructuredGrid* grid, vtkIdType cell)
   return grid->GetCellData()->GetArray("RefinementLevel")->GetComponent(cell, 0);
 }
 
+inline int GetFinestLevel(vtkUnstructuredGrid* grid)
+{
+  double finest = 0.;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    finest = std::max(finest, GetLevel(grid, i));
+  }
+  return static_cast<int>(finest);
+}
+
 inline double GetKind(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
   return grid->GetCellData()->GetArray("RefinementKind")->GetComponent(cell, 0);
-}
-
-inline vtkIdType GetOrigin(vtkUnstructuredGrid* grid, vtkIdType cell)
-{
-  return static_cast<vtkIdType>(
-    grid->GetCellData()->GetArray("vtkOriginalCellIds")->GetComponent(cell, 0));
 }
 
 /// act(point, point) for all edges of all cells.

@@ -113,23 +113,8 @@ TEST_P(RedGreenZoo, SixFiltersInARowStayConforming)
   Grid current = input;
   for (unsigned round = 0; round < 6; ++round)
   {
-    auto marked = Grid::New();
-    marked->ShallowCopy(current);
-    // The same in green cells of one parent, as a filter needs it to undo them: by original cells.
-    std::mt19937 random(round);
-    vtkNew<vtkIntArray> wanted;
-    wanted->SetName("WantedLevel");
-    vtkDataArray* parents = current->GetCellData()->GetArray("GreenParent");
-    for (vtkIdType i = 0; i < current->GetNumberOfCells(); ++i)
-    {
-      const bool goesOn = parents && i > 0 && parents->GetComponent(i, 0) >= 0 &&
-        parents->GetComponent(i, 0) == parents->GetComponent(i - 1, 0);
-      const bool isMarked = random() % std::max<vtkIdType>(8, current->GetNumberOfCells() / 4) == 0;
-      const int level = isMarked ? static_cast<int>(round) + 1 : 0;
-      wanted->InsertNextValue(goesOn ? wanted->GetValue(i - 1) : level);
-    }
-    marked->GetCellData()->AddArray(wanted);
-    const Grid next = RefineToWanted(marked, 1);
+    const Grid next =
+      RefineByChance(current, round, std::max<vtkIdType>(8, current->GetNumberOfCells() / 4));
     ASSERT_EQ(CheckConformity(input, next), "") << "round " << round;
     ASSERT_GE(next->GetNumberOfCells(), current->GetNumberOfCells());
     current = next;

@@ -132,16 +132,6 @@ double MeasureDistance(vtkUnstructuredGrid* fine, vtkUnstructuredGrid* coarse)
   return largest;
 }
 
-int GetFinestLevel(vtkUnstructuredGrid* grid)
-{
-  double finest = 0.;
-  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
-  {
-    finest = std::max(finest, GetLevel(grid, i));
-  }
-  return static_cast<int>(finest);
-}
-
 Grid RefineAll(vtkUnstructuredGrid* input, int level, int placement)
 {
   return Refine(input,
