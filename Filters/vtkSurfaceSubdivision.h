@@ -41,8 +41,8 @@
  * @par Dual schemes
  * DooSabin makes a face inside each face, one along each edge and one around each vertex. Midedge
  * joins the midpoints of edges: it makes a face inside each face and one around each vertex; odd
- * steps keep boundary points, even ones do not. It is not smooth at faces of three sides and
- * vertices of three faces. No input point is an output point: points are new, in the order of the
+ * steps keep boundary points, even ones do not. It is not smooth at faces of three sides,
+ * vertices of three faces and boundaries. No input point is an output point: points are new, in the order of the
  * corners of faces, and vtkOriginalPointIds is -1. The faces inside faces come first, then the
  * others, with the cell data of the first face that they touch and oriented like it. Boundaries are
  * uniform quadratic B-splines (Chaikin's scheme; for Midedge two steps of it are one of Chaikin's).

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""4-8 and sqrt(3): eigenvalues and eigenvectors of two steps around inner, boundary and corner vertices."""
+"""4-8 and sqrt(3): eigenvalues and eigenvectors of two steps around inner, boundary and corner vertices; dual schemes
+at boundaries, where what repeats is not around a vertex."""
 
 import unittest
 
@@ -149,6 +150,44 @@ class SqrtThree(unittest.TestCase):
                 waves = [(2 + 2 * np.cos(np.pi * m / k)) / 9 for m in range(1, k)]
                 np.testing.assert_allclose(values, sorted([1, 1 / 3, 1 / 3] + waves, reverse=True), atol=1e-7)
                 self.assertEqual(is_smooth(values, 1 / 3), k < 3)  # there are no rules for corners
+
+
+def measure_bend(made):
+    """The largest distance between the normals of neighbouring faces, one of which is at the boundary."""
+    points, faces = coordinates(made), faces_of(made)
+    sides, normals = {}, []
+    for f, face in enumerate(faces):
+        corners = points[face] - points[face].mean(axis=0)
+        normal = np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
+        normals.append(normal / np.linalg.norm(normal))
+        for i, vertex in enumerate(face):
+            sides.setdefault(frozenset((vertex, face[i - 1])), []).append(f)
+    outside = {v for side, around in sides.items() if len(around) == 1 for v in side}
+    outer = {f for f, face in enumerate(faces) if outside & set(face)}
+    return max(np.linalg.norm(normals[a] - normals[b])
+               for a, b in (around for around in sides.values() if len(around) == 2) if a in outer or b in outer)
+
+
+class DualBoundaries(unittest.TestCase):
+    def check(self, scheme, steps, k):
+        made = quad_star(k, np.pi if k > 1 else 1., False, 1)
+        coordinates(made)[:, 2] = 0.3 * np.random.RandomState(k).rand(made.GetNumberOfPoints())
+        return [measure_bend(run(made, scheme, n)) for n in steps]
+
+    def test_doo_sabin_is_smooth(self):
+        for k in range(1, 9):
+            with self.subTest(k):
+                bends = self.check(vtkSurfaceSubdivision.DOO_SABIN, (3, 4, 5), k)
+                self.assertLess(bends[1], 0.6 * bends[0])
+                self.assertLess(bends[2], 0.6 * bends[1])
+
+    def test_midedge_is_not(self):
+        # Two steps give both ends of half of a boundary edge the direction across that its end had.
+        for k in range(1, 9):
+            with self.subTest(k):
+                bends = self.check(vtkSurfaceSubdivision.MIDEDGE, (6, 10), k)
+                self.assertGreater(bends[1], 0.8 * bends[0])
+                self.assertGreater(bends[1], 0.05)
 
 
 class Precision(unittest.TestCase):
