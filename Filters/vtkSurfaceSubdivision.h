@@ -42,16 +42,17 @@
  * DooSabin makes a face inside each face, one along each edge and one around each vertex. Midedge
  * joins the midpoints of edges: it makes a face inside each face and one around each vertex; odd
  * steps keep boundary points, even ones do not. It is not smooth at faces of three sides,
- * vertices of three faces and boundaries. No input point is an output point: points are new, in the order of the
- * corners of faces, and vtkOriginalPointIds is -1. The faces inside faces come first, then the
- * others, with the cell data of the first face that they touch and oriented like it. Boundaries are
- * uniform quadratic B-splines (Chaikin's scheme; for Midedge two steps of it are one of Chaikin's).
- * Sheets come apart at edges of three and more faces, and fans at vertices. A closed fan of two
- * faces makes no face: its two edges become one. Lines and vertex cells get points of their own,
- * also where they lie on the surface: lines are cubic B-splines whose ends and joints stay, as do
- * vertex cells and points that no cell uses. The limit surface goes through the mean of the corners
- * of each face of any level: ProjectToLimit, GenerateNormals and GenerateTangents, which are of
- * points, do nothing and say so. DooSabin takes time quadratic in the number of corners of a face.
+ * vertices of three faces and boundaries. No input point is an output point: points are new, in the
+ * order of the corners of faces, and vtkOriginalPointIds is -1. The faces inside faces come first,
+ * then the others, with the cell data of the first face that they touch and oriented like it.
+ * Boundaries are uniform quadratic B-splines (Chaikin's scheme; for Midedge two steps of it are one
+ * of Chaikin's). Sheets come apart at edges of three and more faces, and fans at vertices. A closed
+ * fan of two faces makes no face: its two edges become one. Lines and vertex cells get points of
+ * their own, also where they lie on the surface: lines are cubic B-splines whose ends and joints
+ * stay, as do vertex cells and points that no cell uses. The limit surface goes through the mean of
+ * the corners of each face of any level: ProjectToLimit, GenerateNormals and GenerateTangents,
+ * which are of points, do nothing and say so. DooSabin takes time quadratic in the number of
+ * corners of a face.
  *
  * @par Creases and corners
  * Sharp are boundaries, edges of line cells that the array at index 0 flags, edges around flagged
@@ -66,9 +67,9 @@
  * SqrtThree and FourEight leave curves alone in odd steps; in even ones SqrtThree cuts them into
  * thirds and FourEight in halves, by the rules of the cubic B-spline. They replace all other edges,
  * so that line cells are creases with any flag or sharpness, and an end of a crease is a corner.
- * FourEight has triangles on curves after odd steps. These two have no rules for the number of faces
- * on a curve, and ModifiedBoundary changes nothing: tangent planes exist on curves for two to five
- * (SqrtThree) and for two and three faces (FourEight), at corners for up to two and for one.
+ * FourEight has triangles on curves after odd steps. These two have no rules for the number of
+ * faces on a curve, and ModifiedBoundary changes nothing: tangent planes exist on curves for two to
+ * five (SqrtThree) and for two and three faces (FourEight), at corners for up to two and for one.
  *
  * @par Non-manifold input
  * Edges with three and more faces, vertices where fans of faces or lines meet: Loop follows

@@ -147,6 +147,15 @@ void ExpectSameBits(vtkPolyData* a, vtkPolyData* b)
   }
 }
 
+/// Steps that make about as many faces as `steps` of Loop.
+int FindSteps(int scheme, int steps)
+{
+  return scheme == vtkSurfaceSubdivision::MIDEDGE || scheme == vtkSurfaceSubdivision::FOUR_EIGHT
+    ? 2 * steps
+    : scheme == vtkSurfaceSubdivision::SQRT_THREE ? steps + 1
+                                                  : steps;
+}
+
 class SurfaceSchemesTest : public testing::TestWithParam<int>
 {
 };
@@ -175,7 +184,7 @@ TEST_P(SurfaceSchemesTest, ThreadsDoNotChangeTheResult)
     vtkSMPTools::Initialize(threads);
     Filter run(sheet);
     run->SetScheme(GetParam());
-    run->SetNumberOfLevels(GetParam() == vtkSurfaceSubdivision::MIDEDGE ? 6 : 3);
+    run->SetNumberOfLevels(FindSteps(GetParam(), 3));
     run->SetProjectToLimit(true);
     run->SetGenerateNormals(true);
     Surface& result = results[threads > 1];
@@ -258,7 +267,7 @@ TEST_P(SurfaceSchemesTest, NonManifoldInputIsNeverRefused)
     }
     Filter run(MakeSurface(points, faces, { { 0, 1, 5 }, { 3, 9 } }));
     run->SetScheme(GetParam());
-    run->SetNumberOfLevels(GetParam() == vtkSurfaceSubdivision::MIDEDGE ? 4 : 2);
+    run->SetNumberOfLevels(FindSteps(GetParam(), 2));
     run->SetProjectToLimit(true);
     run->SetGenerateNormals(true);
     vtkPolyData* out = run();
@@ -293,7 +302,8 @@ TEST_P(SurfaceSchemesTest, NothingInNothingOut)
 INSTANTIATE_TEST_SUITE_P(SurfaceSubdivision, SurfaceSchemesTest,
   testing::Values(vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::CATMULL_CLARK,
     vtkSurfaceSubdivision::MODIFIED_BUTTERFLY, vtkSurfaceSubdivision::DOO_SABIN,
-    vtkSurfaceSubdivision::MIDEDGE));
+    vtkSurfaceSubdivision::MIDEDGE, vtkSurfaceSubdivision::FOUR_EIGHT,
+    vtkSurfaceSubdivision::SQRT_THREE));
 
 TEST(SurfaceSubdivision, StripsBecomeTrianglesInPlace)
 {

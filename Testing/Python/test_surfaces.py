@@ -378,7 +378,8 @@ class Meshes(unittest.TestCase):
         faces = [[r * (n + 1) + i, r * (n + 1) + i + 1, (r + 1) * (n + 1) + i + 1, (r + 1) * (n + 1) + i]
                  for r in range(3) for i in range(n)]
         triangles = [half for f in faces for half in ([f[0], f[1], f[2]], [f[0], f[2], f[3]])]
-        for scheme, faces in ((LOOP, triangles), (CATMULL_CLARK, faces)):
+        for scheme, faces in ((LOOP, triangles), (vtkSurfaceSubdivision.MODIFIED_BUTTERFLY, triangles),
+                              (CATMULL_CLARK, faces)):
             surface = mesh(points, faces)
             apart = run(surface, scheme, 2)
             add(surface.GetPointData(), "texture", u)
