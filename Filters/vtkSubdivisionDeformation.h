@@ -34,8 +34,9 @@
  * All arrays of port 0 are in the output, and so are its cells. With TransformVectors the active
  * vectors and tangents, of points and of cells, are multiplied by the Jacobian matrix of the map of
  * the tetrahedron that holds the point, active normals by its inverse transpose and made as long as
- * 1; if they are of a floating type. A cell takes the mean of the matrices of its points. Outside
- * of all tetrahedra the matrix is 1. All other arrays pass unchanged.
+ * 1; if they are of a floating type. A cell takes the mean of the matrices of its points. Points
+ * outside have the matrix 1, those bound to a tetrahedron by OUTSIDE_NEAREST that of it. All other
+ * arrays pass unchanged.
  *
  * @par What is kept
  * The operators of all levels, the subdivided mesh at rest and a search tree, for a rest mesh of

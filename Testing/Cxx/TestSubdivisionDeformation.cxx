@@ -301,6 +301,7 @@ TEST(SubdivisionDeformation, ChangesAreNoticedByContent)
     const auto kept = filter.Run(cloud, cage, bent);
     Deformer fresh;
     fresh->SetNumberOfLevels(filter->GetNumberOfLevels());
+    fresh->SetVolumeScheme(filter->GetVolumeScheme());
     fresh->SetCreaseEnd(filter->GetCreaseEnd());
     EXPECT_EQ(ComparePoints(kept, fresh.Run(cloud, cage, bent)), "") << what;
     EXPECT_EQ(filter->GetNumberOfTopologyBuilds(), topologies) << what;
@@ -322,6 +323,10 @@ TEST(SubdivisionDeformation, ChangesAreNoticedByContent)
   cage->GetCellData()->AddArray(
     MakeArray<vtkIntArray>("else", 1, cage->GetNumberOfCells(), 0, 3, 1));
   expectFresh(5, 6, "an array that may not");
+  cage->GetCellData()->GetArray("MaterialId")->SetTuple1(7, 5);
+  expectFresh(6, 7, "a value that may choose rules");
+  filter->SetVolumeSchemeToTetOct();
+  expectFresh(7, 8, "the scheme");
 }
 
 TEST(SubdivisionDeformation, SameBitsForAnyThreads)
@@ -355,6 +360,8 @@ TEST(SubdivisionDeformation, TheOutputHasTheTypeOfTheInput)
   const Grid moved = Moved(cage, Affine);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToFloat();
+  points->GetData()->SetName("places");
+  points->GetData()->SetComponentName(1, "north");
   for (int i = 0; i < 27; ++i)
   {
     points->InsertNextPoint(0.8 + 0.2 * (i % 3), 0.8 + 0.2 * (i / 3 % 3), 0.8 + 0.2 * (i / 9));
@@ -381,6 +388,8 @@ TEST(SubdivisionDeformation, TheOutputHasTheTypeOfTheInput)
     EXPECT_LT(GetLargestError(output, input, Affine), 1e-6);
     EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_FLOAT);
     EXPECT_EQ(output->GetNumberOfCells(), input->GetNumberOfCells());
+    EXPECT_EQ(output->GetPoints()->GetData()->GetName(), std::string("places"));
+    EXPECT_EQ(output->GetPoints()->GetData()->GetComponentName(1), std::string("north"));
     EXPECT_EQ(CompareArrays(input->GetCellData(), output->GetCellData(), "cells"), "");
   }
   EXPECT_EQ(filter->GetNumberOfLocationBuilds(), 1); // their points are equal

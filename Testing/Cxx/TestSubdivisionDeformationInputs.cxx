@@ -192,7 +192,9 @@ TEST(SubdivisionDeformationInputs, NotFinite)
     filter->SetOutsidePoints(rule);
     const auto output = filter.Run(input, cage, Moved(cage, Affine));
     EXPECT_EQ(filter->GetNumberOfOutsidePoints(), 2);
-    ExpectOneWarning(filter, "2 of 40 points, the first is point 3");
+    ExpectOneWarning(filter,
+      "2 of 40 points, the first is point 3, are not inside the subdivided rest mesh (2 are not "
+      "finite)");
     EXPECT_TRUE(std::isnan(GetPoint(output, 3)[0]));
     EXPECT_EQ(GetPoint(output, 3)[1], 1.);
     EXPECT_EQ(GetPoint(output, 4)[0], 1.);

@@ -128,6 +128,11 @@ TEST(SubdivisionDeformationKept, OneOtherValueShowsInTheChecksum)
   }
   values.pop_back();
   EXPECT_NE(Print(values), print);
+  // Equal bytes of another type are other points.
+  vtkNew<vtkDoubleArray> zeros;
+  zeros->SetNumberOfValues(30);
+  zeros->Fill(0.);
+  EXPECT_NE(Print(std::vector<float>(60, 0.F)), subdivision::ComputeFingerprint(zeros));
 }
 
 TEST(SubdivisionDeformationKept, WhatAnUpdateDidNotUseIsForgotten)
@@ -241,4 +246,91 @@ TEST(SubdivisionDeformationKept, IntegerVectorsPass)
   const auto output = filter.Run(cloud, cage, Moved(cage, Affine));
   EXPECT_EQ(CompareArrays(cloud->GetPointData(), output->GetPointData(), "points"), "");
   EXPECT_TRUE(filter.WasSilent());
+}
+
+TEST(SubdivisionDeformationKept, RestMeshesMayBeSubdividedAlready)
+{
+  // What an earlier filter wrote down of the rest mesh is taken over: its creases, octahedra and
+  // diagonals. So one level of a mesh of one level is two levels of the first.
+  for (int scheme : { 0, 1 })
+  {
+    const Grid cage = MakeKuhnBox(2, 0.2, 5);
+    const Grid bent = Moved(cage, Bend);
+    const Grid carried = DeepCopy(cage);
+    bent->GetPoints()->GetData()->SetName("bent");
+    carried->GetPointData()->AddArray(bent->GetPoints()->GetData());
+    const Grid rest = Execute(carried, 1,
+      [scheme](Filter* f)
+      {
+        f->SetVolumeScheme(scheme);
+        f->SetDetectFeatures(true);
+        f->SetFeatureAngle(40.);
+      });
+    const Grid deformed = DeepCopy(rest);
+    deformed->GetPoints()->SetData(rest->GetPointData()->GetArray("bent"));
+    const Grid cloud = MakeCloud(200, { 0.1, 0.1, 0.1 }, { 1.9, 1.9, 1.9 }, 1);
+    Deformer filter;
+    filter->SetVolumeScheme(scheme);
+    filter->SetDetectFeatures(true);
+    filter->SetFeatureAngle(40.);
+    const auto wanted = filter.Run(cloud, cage, bent);
+    const vtkIdType outside = filter->GetNumberOfOutsidePoints();
+    filter->SetDetectFeatures(false);
+    filter->SetNumberOfLevels(1);
+    const auto found = filter.Run(cloud, rest, deformed);
+    EXPECT_EQ(filter->GetNumberOfOutsidePoints(), outside);
+    for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        ASSERT_NEAR(GetPoint(found, i)[c], GetPoint(wanted, i)[c], 1e-12);
+      }
+    }
+  }
+}
+
+TEST(SubdivisionDeformationKept, HiddenCellsHoldNothing)
+{
+  const Grid cage = MakeKuhnBox(2);
+  const Grid cloud = MakeCloud(200, { 0.3, 0.3, 0.3 }, { 1.7, 1.7, 1.7 }, 1);
+  Deformer filter;
+  filter->SetNumberOfLevels(0);
+  filter.Run(cloud, cage, cage);
+  EXPECT_EQ(filter->GetNumberOfOutsidePoints(), 0);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(cage->GetNumberOfCells());
+  ghosts->Fill(0);
+  ghosts->SetValue(3, vtkDataSetAttributes::HIDDENCELL);
+  ghosts->SetValue(4, vtkDataSetAttributes::HIDDENCELL);
+  cage->GetCellData()->AddArray(ghosts);
+  filter.Run(cloud, cage, cage);
+  EXPECT_GT(filter->GetNumberOfOutsidePoints(), 0);
+  EXPECT_LT(filter->GetNumberOfOutsidePoints(), 50);
+}
+
+TEST(SubdivisionDeformationKept, NearestPointsTurnWithTheirTetrahedron)
+{
+  // Triangles of the boundary are in the mesh too, and equally near: tetrahedra come first.
+  const Grid cage = DeepCopy(MakeKuhnBox(2));
+  const vtkIdType triangle[3] = { 2, 5, 4 };
+  cage->InsertNextCell(VTK_TRIANGLE, 3, triangle);
+  const Grid cloud = MakeCloud(60, { -0.5, -0.5, -0.5 }, { 2.5, 2.5, -0.1 }, 1);
+  cloud->GetPointData()->SetVectors(MakeArray<vtkDoubleArray>("v", 3, 60, -1, 1, 5));
+  Deformer filter;
+  filter->SetNumberOfLevels(0);
+  filter->SetOutsidePointsToNearest();
+  const auto output = filter.Run(cloud, cage, Moved(cage, Affine));
+  EXPECT_EQ(filter->GetNumberOfOutsidePoints(), 60);
+  const Point zero = Affine({ 0, 0, 0 });
+  for (vtkIdType i = 0; i < 60; ++i)
+  {
+    const double* v = cloud->GetPointData()->GetVectors()->GetTuple3(i);
+    const Point wanted = Affine({ v[0], v[1], v[2] });
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(
+        output->GetPointData()->GetVectors()->GetComponent(i, c), wanted[c] - zero[c], 1e-12);
+    }
+  }
 }
