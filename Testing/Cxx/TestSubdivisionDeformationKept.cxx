@@ -286,7 +286,48 @@ TEST(SubdivisionDeformationKept, RestMeshesMayBeSubdividedAlready)
         ASSERT_NEAR(GetPoint(found, i)[c], GetPoint(wanted, i)[c], 1e-12);
       }
     }
+    // Without what was written down it is another mesh.
+    rest->GetFieldData()->Initialize();
+    const vtkIdType builds = filter->GetNumberOfTopologyBuilds();
+    filter.Run(cloud, rest, deformed);
+    EXPECT_EQ(filter->GetNumberOfTopologyBuilds(), builds + 1);
   }
+}
+
+TEST(SubdivisionDeformationKept, GlobalIdsChooseDiagonals)
+{
+  // Two regular tetrahedra, each with three diagonals that are equally long: as in the subdivision.
+  const double far = 5. / 3.;
+  Grid fine[2];
+  for (int k : { 0, 1 })
+  {
+    const Grid cage =
+      MakeGrid({ { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 }, { far, far, -far } },
+        { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 2, 1, 4 } } });
+    vtkNew<vtkIdTypeArray> ids;
+    for (vtkIdType id : k == 0 ? Ids{ 0, 1, 2, 3, 4 } : Ids{ 0, 2, 1, 3, 4 })
+    {
+      ids->InsertNextValue(id);
+    }
+    cage->GetPointData()->SetGlobalIds(ids);
+    const Grid bent = Moved(cage, Bend);
+    bent->GetPoints()->GetData()->SetName("bent");
+    const Grid carried = DeepCopy(cage);
+    carried->GetPointData()->AddArray(bent->GetPoints()->GetData());
+    fine[k] = Execute(carried, 3);
+    Deformer filter;
+    filter->SetNumberOfLevels(3);
+    const auto found = filter.Run(fine[k], cage, bent);
+    for (vtkIdType i = 0; i < found->GetNumberOfPoints(); ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        ASSERT_NEAR(GetPoint(found, i)[c],
+          fine[k]->GetPointData()->GetArray("bent")->GetComponent(i, c), 1e-12);
+      }
+    }
+  }
+  EXPECT_NE(ComparePoints(fine[0], fine[1]), "");
 }
 
 TEST(SubdivisionDeformationKept, HiddenCellsHoldNothing)
