@@ -9,6 +9,7 @@ import tools
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 import subdivisionobjects
 
@@ -118,7 +119,9 @@ out.SetPoints(points)
 """
         self.filter.DeformedMesh = programmable
         self.filter.UpdatePipelineInformation()
-        self.assertEqual(list(self.filter.TimestepValues), [0.0, 1.0, 2.0])
+        told = self.filter.GetClientSideObject().GetOutputInformation(0)
+        times = vtkStreamingDemandDrivenPipeline.TIME_STEPS()
+        self.assertEqual([told.Get(times, i) for i in range(told.Length(times))], [0.0, 1.0, 2.0])
         rest = None
         for time in (0.0, 1.0, 2.0, 1.0):
             self.filter.UpdatePipeline(time)
