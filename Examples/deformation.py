@@ -19,7 +19,7 @@ from gallery import Mesh, subdivide
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals
 
 SHEET_COLOURS = [(0.93, 0.76, 0.55), (0.30, 0.47, 0.66)]
@@ -187,23 +187,13 @@ def draw_knot():
 
 # ---------------------------------------------------------------- the test pattern (figure 8)
 
-def cylinder(sides=8, radius=1.5, heights=(0.0, 1.0, 2.0, 3.0)):
-    """Wedges around an axis, hexahedra around these; the rims of both ends are creases."""
-    mesh = Mesh()
-
-    def at(i, k, scale=1.0):
-        angle = 2 * math.pi * i / sides
-        return scale * radius * math.cos(angle), scale * radius * math.sin(angle), heights[k]
-
-    for k in range(len(heights) - 1):
-        for i in range(sides):
-            mesh.cell(*[x for u in (k, k + 1) for x in ((0.0, 0.0, heights[u]), at(i + 1, u, 0.5), at(i, u, 0.5))])
-            mesh.cell(*[x for u in (k, k + 1) for x in
-                        (at(i, u, 0.5), at(i, u), at(i + 1, u), at(i + 1, u, 0.5))])
-    for k in (0, len(heights) - 1):
-        for i in range(sides):
-            mesh.curve(at(i, k), at(i + 1, k), singular=1)
-    return mesh.grid()
+def cylinder():
+    """The built-in model, whose rims are creases."""
+    source = simple.SubdivisionModel(Model="Cylinder")
+    source.UpdatePipeline()
+    cage = vtkUnstructuredGrid()
+    cage.ShallowCopy(source.GetClientSideObject().GetOutputDataObject(0))
+    return cage
 
 
 def sheets(radius=1.25, low=0.05, high=2.95, count=5, resolution=161):

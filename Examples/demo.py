@@ -41,6 +41,7 @@ VIEWS = {
     "MechanicalPart": ((-0.45, -1.0, 0.75), (0.0, -1.0, 0.0)),
     "Character": ((0.35, -1.0, 0.2), (0.1, -1.0, 0.0)),
     "MaterialBlock": ((0.7, -1.0, 0.5), (0.0, -1.0, 0.0)),
+    "Cylinder": ((0.6, -1.0, 0.6), (0.15, -1.0, 0.0)),
 }
 README_MODELS = ("MixedDimensions", "SpringAndValve", "Ship", "MechanicalPart")
 DEFAULT_VIEW = ((0.6, -1.0, 0.5), (0.15, -1.0, 0.0))

@@ -23,6 +23,7 @@ constexpr Entry Entries[] = {
   { "MechanicalPart", subdivision::BuildMechanicalPart },
   { "Character", subdivision::BuildCharacter },
   { "MaterialBlock", subdivision::BuildMaterialBlock },
+  { "Cylinder", subdivision::BuildCylinder },
 };
 
 static_assert(sizeof(Entries) / sizeof(Entry) == vtkSubdivisionModelSource::NUMBER_OF_MODELS,

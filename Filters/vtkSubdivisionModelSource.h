@@ -3,7 +3,7 @@
  * @class vtkSubdivisionModelSource
  * @brief built-in control meshes that mix solids, surfaces and curves
  *
- * The source makes one of seven small control meshes (fewer than 600 cells) of the kind that
+ * The source makes one of eight small control meshes (fewer than 600 cells) of the kind that
  * multi-dimensional subdivision is made for: parts of different dimensions in one simplicial
  * complex, joined where they share points. Subdivide one with vtkMultiDimensionalSubdivision to see
  * the shape that it controls.
@@ -24,6 +24,8 @@
  *   cape and ears (3), curves as antennae and hair (4), solid goggles (5). It is symmetric.
  * - MaterialBlock: a solid block of 2 x 2 x 3 cubes, six tetrahedra each, with tensions that change
  *   strongly from vertex to vertex, and two materials (0, 1) that meet in a step.
+ * - Cylinder: a solid (0) around the z axis, of radius 1.5 and height 3, whose two rims (1) are
+ *   creases, so that its ends stay flat: a control mesh for vtkSubdivisionDeformation.
  *
  * @par Output:
  * A vtkUnstructuredGrid of cells of type VTK_VERTEX, VTK_LINE, VTK_TRIANGLE and VTK_TETRA. It is a
@@ -35,10 +37,11 @@
  *   that varies in space, for subdivision to blend. It has no unit.
  * - cell data `MaterialId` (vtkIntArray, one component): the part, see the list above.
  * - cell data `Singular` (vtkIntArray, one component): 1 for vertices, lines and triangles where
- *   subdivision is to keep a corner, a crease or a flat face, else 0. Only MechanicalPart has such
- *   cells. All of them are faces of its tetrahedra: the flat top, bottom and end, the eight edges
- *   of each rim of the hole, the edges of the end and its four corners. Nothing is flagged where
- *   the plate is to become round, at the other end.
+ *   subdivision is to keep a corner, a crease or a flat face, else 0. Only two models have such
+ *   cells, all of which are faces of tetrahedra. MechanicalPart: the flat top, bottom and end, the
+ *   eight edges of each rim of the hole, the edges of the end and its four corners; nothing is
+ *   flagged where the plate is to become round, at the other end. Cylinder: the eight edges of each
+ *   rim.
  *
  * @par Errors:
  * None: every value of every option gives a mesh.
@@ -48,7 +51,7 @@
  * coordinates and tensions are multiples of 1/10000.
  *
  * @sa
- * vtkMultiDimensionalSubdivision
+ * vtkMultiDimensionalSubdivision vtkSubdivisionDeformation
  */
 #ifndef vtkSubdivisionModelSource_h
 #define vtkSubdivisionModelSource_h
@@ -75,15 +78,16 @@ public:
     MECHANICAL_PART,
     CHARACTER,
     MATERIAL_BLOCK,
+    CYLINDER,
     NUMBER_OF_MODELS
   };
 
   ///@{
   /**
-   * Which model to make, MIXED_DIMENSIONS (0) to MATERIAL_BLOCK (6); values outside are clamped.
+   * Which model to make, MIXED_DIMENSIONS (0) to CYLINDER (7); values outside are clamped.
    * The default is MIXED_DIMENSIONS.
    */
-  vtkSetClampMacro(Model, int, MIXED_DIMENSIONS, MATERIAL_BLOCK);
+  vtkSetClampMacro(Model, int, MIXED_DIMENSIONS, CYLINDER);
   vtkGetMacro(Model, int);
   void SetModelToMixedDimensions() { this->SetModel(MIXED_DIMENSIONS); }
   void SetModelToScrew() { this->SetModel(SCREW); }
@@ -92,6 +96,7 @@ public:
   void SetModelToMechanicalPart() { this->SetModel(MECHANICAL_PART); }
   void SetModelToCharacter() { this->SetModel(CHARACTER); }
   void SetModelToMaterialBlock() { this->SetModel(MATERIAL_BLOCK); }
+  void SetModelToCylinder() { this->SetModel(CYLINDER); }
   ///@}
 
   ///@{

@@ -19,6 +19,7 @@ void BuildShip(ModelBuilder& model);
 void BuildMechanicalPart(ModelBuilder& model);
 void BuildCharacter(ModelBuilder& model);
 void BuildMaterialBlock(ModelBuilder& model);
+void BuildCylinder(ModelBuilder& model);
 
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ModelsBasic.cxx
- * The flower (mixed dimensions), the screw and the block of two materials.
+ * The flower (mixed dimensions), the screw, the block of two materials and the cylinder.
  */
 #include "Models.h"
 
@@ -170,6 +170,34 @@ void BuildMaterialBlock(ModelBuilder& model)
       }
     }
   }
+}
+
+void BuildCylinder(ModelBuilder& model)
+{
+  constexpr int sides = 8;
+  model.Tension = [](const Vector& x) { return 0.5 * x[2] - 0.3 * std::hypot(x[0], x[1]); };
+  Ids axis;
+  std::vector<Ids> inner;
+  std::vector<Ids> outer;
+  for (int level = 0; level < 4; ++level)
+  {
+    axis.push_back(model.Point(0.0, 0.0, level));
+    inner.push_back(model.Ring(sides, 0.75, level));
+    outer.push_back(model.Ring(sides, 1.5, level));
+  }
+  for (int low = 0, high = 1; high < 4; ++low, ++high)
+  {
+    for (int i = 0, j = 1; i < sides; ++i, j = (j + 1) % sides)
+    {
+      model.Hexahedron({ axis[low], inner[low][i], inner[low][j], axis[low] },
+        { axis[high], inner[high][i], inner[high][j], axis[high] });
+      model.Hexahedron({ inner[low][i], outer[low][i], outer[low][j], inner[low][j] },
+        { inner[high][i], outer[high][i], outer[high][j], inner[high][j] });
+    }
+  }
+  model.Material = 1; // the rims
+  model.Polyline(outer.front(), ModelBuilder::SINGULAR, true);
+  model.Polyline(outer.back(), ModelBuilder::SINGULAR, true);
 }
 
 }

@@ -9,6 +9,7 @@
 
 #include "vtkInformation.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkSubdivisionModelSource.h"
 #include "vtkTrivialProducer.h"
 
 #include <limits>
@@ -373,5 +374,37 @@ TEST(SubdivisionDeformationKept, NearestPointsTurnWithTheirTetrahedron)
       EXPECT_NEAR(
         output->GetPointData()->GetVectors()->GetComponent(i, c), wanted[c] - zero[c], 1e-12);
     }
+  }
+}
+
+TEST(SubdivisionDeformationKept, TheCylinderHoldsWhatIsNearItsRims)
+{
+  // Its ends stay flat and round up to their rims, which are creases.
+  vtkNew<vtkSubdivisionModelSource> source;
+  source->SetModelToCylinder();
+  source->Update();
+  const Grid cage = source->GetOutput();
+  std::vector<Point> points;
+  for (int i = 0; i < 24; ++i)
+  {
+    for (double z : { 0., 3. })
+    {
+      points.push_back({ 1.34 * std::cos(0.2618 * i), 1.34 * std::sin(0.2618 * i), z });
+    }
+  }
+  const Grid cloud = MakeGrid(points, {});
+  for (int scheme : { 0, 1 })
+  {
+    Deformer filter;
+    filter->SetNumberOfLevels(3);
+    filter->SetVolumeScheme(scheme);
+    const auto moved = filter.Run(cloud, cage, Moved(cage, Affine));
+    EXPECT_EQ(filter->GetNumberOfOutsidePoints(), 0);
+    EXPECT_LT(GetLargestError(moved, cloud, Affine), 1e-12);
+    EXPECT_TRUE(filter.WasSilent());
+    const Grid smooth = DeepCopy(cage);
+    smooth->GetCellData()->GetArray("Singular")->Fill(0.);
+    filter.Run(cloud, smooth, smooth);
+    EXPECT_EQ(filter->GetNumberOfOutsidePoints(), 48); // without creases it is round
   }
 }

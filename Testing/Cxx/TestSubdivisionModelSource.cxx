@@ -251,6 +251,10 @@ TEST_P(SubdivisionModelSource, HasThePromisedParts)
       EXPECT_GE(count[VTK_LINE], 16);
       EXPECT_EQ(count[VTK_VERTEX], 4);
       break;
+    case Source::CYLINDER:
+      EXPECT_EQ(count[VTK_LINE], 16);
+      EXPECT_EQ(grid->GetNumberOfCells(), count[VTK_LINE] + count[VTK_TETRA]);
+      break;
     default:
       EXPECT_EQ(grid->GetNumberOfCells(), count[VTK_TETRA]);
   }
@@ -351,7 +355,8 @@ TEST_P(SubdivisionModelSource, CarriesItsArrays)
   EXPECT_EQ(material->GetRange()[0], 0.0);
   EXPECT_GE(material->GetRange()[1], 1.0);
   vtkDataArray* singular = grid->GetCellData()->GetArray("Singular");
-  const bool flagged = GetParam() == vtkSubdivisionModelSource::MECHANICAL_PART;
+  const bool flagged = GetParam() == vtkSubdivisionModelSource::MECHANICAL_PART ||
+    GetParam() == vtkSubdivisionModelSource::CYLINDER;
   EXPECT_EQ(singular->GetRange()[0], 0.0);
   EXPECT_EQ(singular->GetRange()[1], flagged ? 1.0 : 0.0);
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
@@ -433,14 +438,16 @@ TEST(SubdivisionModelSourceOptions, ModelsHaveNamesAndNumbers)
   EXPECT_EQ(source->GetModel(), 5);
   source->SetModelToMaterialBlock();
   EXPECT_EQ(source->GetModel(), 6);
+  source->SetModelToCylinder();
+  EXPECT_EQ(source->GetModel(), 7);
   source->SetModelToMixedDimensions();
   EXPECT_EQ(source->GetModel(), 0);
   source->SetModel(99);
-  EXPECT_STREQ(source->GetModelAsString(), "MaterialBlock");
+  EXPECT_STREQ(source->GetModelAsString(), "Cylinder");
   source->SetModel(-1);
   EXPECT_EQ(source->GetModel(), 0);
   EXPECT_EQ(vtkSubdivisionModelSource::GetModelName(-1), nullptr);
-  EXPECT_EQ(vtkSubdivisionModelSource::GetModelName(7), nullptr);
+  EXPECT_EQ(vtkSubdivisionModelSource::GetModelName(8), nullptr);
 }
 
 TEST(SubdivisionModelSourceOptions, PrecisionOfPoints)

@@ -10,7 +10,8 @@ from paraview import servermanager, simple
 import subdivisionobjects
 
 HEADERS = pathlib.Path(__file__).resolve().parents[2] / "Filters"
-MODELS = ["MixedDimensions", "Screw", "SpringAndValve", "Ship", "MechanicalPart", "Character", "MaterialBlock"]
+MODELS = ["MixedDimensions", "Screw", "SpringAndValve", "Ship", "MechanicalPart", "Character", "MaterialBlock",
+          "Cylinder"]
 
 
 def definition(name):
