@@ -143,7 +143,8 @@ public:
    * infinitely many levels: the mesh then is inscribed into the smooth object, whatever
    * NumberOfLevels is, 0 included. Each value becomes a weighted mean of the neighbours' (the left
    * eigenvector of the local subdivision matrix for the eigenvalue 1), exact to rounding, with all
-   * creases, joints and what is left of semi-sharp creases. Cells are those without the option.
+   * creases, joints and what is left of semi-sharp creases, and with either volume scheme. Cells
+   * are those without the option, but octahedra are cut around the diagonal that is shortest then.
    * Needs, on the way, about as much time and memory as one more level. The points are no control
    * points any more: another filter takes the output for a mesh like any other, and derives anew
    * what there is to derive. Off by default.

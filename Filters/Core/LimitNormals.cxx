@@ -2,6 +2,7 @@
 #include "LimitNormals.h"
 
 #include "Simplices.h"
+#include "TetOctRingEmitter.h"
 
 #include <algorithm>
 #include <array>
@@ -27,12 +28,31 @@ struct SectorPart
   std::vector<Id> Inside;
 };
 
+/// The vertex of a cell that lies behind a vertex and a face at it.
 template <typename Id>
+Id FindInside(const Level<Id>& level, Id tet, Id face, Id)
+{
+  const auto& complex = level.Complex;
+  return complex.TetVertices[4 * vtkIdType(tet) + complex.FaceInTet(tet, face)];
+}
+template <typename Id>
+Id FindInside(const TetOctLevel<Id>& level, Id cell, Id face, Id vertex)
+{
+  const auto& complex = level.Complex;
+  const Id oct = cell - complex.NumberOfTets;
+  return oct < 0
+    ? complex.TetVertices[4 * vtkIdType(cell) + complex.FaceInTet(cell, face)]
+    : level.OctVertices[6 * vtkIdType(oct) + octahedron::Opposite(VertexInOct(level, oct, vertex))];
+}
+
+/// The level is a Level or a TetOctLevel.
+template <template <typename> class AnyLevel, typename Id>
 class SectorWalker
 {
 public:
-  explicit SectorWalker(const Level<Id>& level)
-    : Complex(level.Complex)
+  explicit SectorWalker(const AnyLevel<Id>& level)
+    : Here(level)
+    , Complex(level.Complex)
     , Strata(level.Strata)
   {
     this->FindFacesAtCurves();
@@ -61,13 +81,14 @@ private:
     return edges[edges[local[0]] == edge ? local[1] : local[0]];
   }
 
+  const AnyLevel<Id>& Here;
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
   Rows<Id> FacesAtCurves; ///< of each edge that follows the rule for curves, in surfaces only
 };
 
-template <typename Id>
-void SectorWalker<Id>::FindFacesAtCurves()
+template <template <typename> class AnyLevel, typename Id>
+void SectorWalker<AnyLevel, Id>::FindFacesAtCurves()
 {
   const vtkIdType edges = this->Complex.NumberOfEdges;
   this->FacesAtCurves.Offsets = Buffer<Id>(edges + 1, 0);
@@ -93,8 +114,8 @@ void SectorWalker<Id>::FindFacesAtCurves()
 }
 
 /// From an edge over a face and on through smooth edges: around, or to the next sharp edge.
-template <typename Id>
-bool SectorWalker<Id>::Follow(Id vertex, Id edge, Id face, Walk& walk) const
+template <template <typename> class AnyLevel, typename Id>
+bool SectorWalker<AnyLevel, Id>::Follow(Id vertex, Id edge, Id face, Walk& walk) const
 {
   walk.Edges.assign(1, edge);
   walk.Faces.clear();
@@ -126,8 +147,8 @@ bool SectorWalker<Id>::Follow(Id vertex, Id edge, Id face, Walk& walk) const
   }
 }
 
-template <typename Id>
-Id SectorWalker<Id>::Append(Id vertex, SectorPart<Id>& part) const
+template <template <typename> class AnyLevel, typename Id>
+Id SectorWalker<AnyLevel, Id>::Append(Id vertex, SectorPart<Id>& part) const
 {
   const Rule rule = this->Strata.Vertices[vertex].GetRule();
   const Row<Id> ring = this->Strata.VertexRings.GetCarriers(vertex);
@@ -162,8 +183,8 @@ Id SectorWalker<Id>::Append(Id vertex, SectorPart<Id>& part) const
 }
 
 /// Whether the walk goes around the vertex like its surface triangle with the smallest number.
-template <typename Id>
-double SectorWalker<Id>::GetSign(Id vertex, const Walk& walk) const
+template <template <typename> class AnyLevel, typename Id>
+double SectorWalker<AnyLevel, Id>::GetSign(Id vertex, const Walk& walk) const
 {
   const std::size_t first =
     std::min_element(walk.Faces.begin(), walk.Faces.end()) - walk.Faces.begin();
@@ -173,8 +194,9 @@ double SectorWalker<Id>::GetSign(Id vertex, const Walk& walk) const
   return this->Complex.VertexInFace(face, ahead) == (own + 1) % 3 ? 1. : -1.;
 }
 
-template <typename Id>
-void SectorWalker<Id>::AppendSector(Id vertex, const Walk& walk, SectorPart<Id>& part) const
+template <template <typename> class AnyLevel, typename Id>
+void SectorWalker<AnyLevel, Id>::AppendSector(
+  Id vertex, const Walk& walk, SectorPart<Id>& part) const
 {
   const std::size_t size = walk.Edges.size();
   const double sign = this->GetSign(vertex, walk);
@@ -218,13 +240,12 @@ void SectorWalker<Id>::AppendSector(Id vertex, const Walk& walk, SectorPart<Id>&
   Id inside = 0;
   for (std::size_t j = 0; j < walk.Faces.size(); ++j)
   {
-    for (Id tet : this->Complex.FaceTets[walk.Faces[j]])
+    for (Id cell : this->Complex.FaceTets[walk.Faces[j]])
     {
       const Id pair[2] = { around[j], around[(j + 1) % size] };
-      const int opposite = this->Complex.FaceInTet(tet, walk.Faces[j]);
       part.Inside.push_back(pair[sign > 0. ? 0 : 1]);
       part.Inside.push_back(pair[sign > 0. ? 1 : 0]);
-      part.Inside.push_back(this->Complex.TetVertices[4 * vtkIdType(tet) + opposite]);
+      part.Inside.push_back(FindInside(this->Here, cell, walk.Faces[j], vertex));
       inside += 3;
     }
   }
@@ -260,12 +281,10 @@ Buffer<Id> JoinOffsets(
   return offsets;
 }
 
-}
-
-template <typename Id>
-LimitTangents<Id> BuildLimitTangents(const Level<Id>& level, const SemiSharpStages<Id>& creases)
+template <template <typename> class AnyLevel, typename Id>
+LimitTangents<Id> BuildTangents(const AnyLevel<Id>& level, const SemiSharpStages<Id>& creases)
 {
-  const SectorWalker<Id> walker(level);
+  const SectorWalker<AnyLevel, Id> walker(level);
   const vtkIdType vertices = level.Complex.NumberOfVertices;
   constexpr vtkIdType block = 4096;
   const vtkIdType blocks = (vertices + block - 1) / block;
@@ -303,6 +322,20 @@ LimitTangents<Id> BuildLimitTangents(const Level<Id>& level, const SemiSharpStag
   tangents.Inside.Offsets = JoinOffsets(parts, &SectorPart<Id>::InsideSizes);
   tangents.Inside.Items = Join(parts, &SectorPart<Id>::Inside);
   return tangents;
+}
+
+}
+
+template <typename Id>
+LimitTangents<Id> BuildLimitTangents(const Level<Id>& level, const SemiSharpStages<Id>& creases)
+{
+  return BuildTangents(level, creases);
+}
+template <typename Id>
+LimitTangents<Id> BuildLimitTangents(
+  const TetOctLevel<Id>& level, const SemiSharpStages<Id>& creases)
+{
+  return BuildTangents(level, creases);
 }
 
 namespace
@@ -385,6 +418,8 @@ void ComputeLimitNormals(const LimitTangents<Id>& tangents, const double* points
 
 #define SUBDIVISION_NORMALS(Id)                                                                    \
   template LimitTangents<Id> BuildLimitTangents(const Level<Id>&, const SemiSharpStages<Id>&);     \
+  template LimitTangents<Id> BuildLimitTangents(                                                   \
+    const TetOctLevel<Id>&, const SemiSharpStages<Id>&);                                           \
   template void ComputeLimitNormals(const LimitTangents<Id>&, const double*, double*)
 SUBDIVISION_NORMALS(int);
 SUBDIVISION_NORMALS(long long);

@@ -44,6 +44,10 @@ template <typename Id>
 LimitTangents<Id> BuildLimitTangents(
   const Level<Id>& level, const SemiSharpStages<Id>& creases = {});
 
+template <typename Id>
+LimitTangents<Id> BuildLimitTangents(
+  const TetOctLevel<Id>& level, const SemiSharpStages<Id>& creases = {});
+
 /// Unit normals, three numbers for each vertex, from the points of the level; outwards where the
 /// surface bounds a solid; zero where there is none.
 template <typename Id>

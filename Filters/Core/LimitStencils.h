@@ -15,13 +15,18 @@
  * The ring of a Blend edge of the input may have members with which it spans no triangle. They are
  * read in the first step only: limit = w (S P). Where creases are semi-sharp, so are the steps
  * until they are smooth: limit = w A_n ... A_1 (S P).
+ *
+ * In a tet/oct level A acts on the opposites of v in the octahedra around it too; their rows, those
+ * of the octahedra's centres, have 1/6 in the column of v.
  */
 #ifndef SubdivisionObjects_LimitStencils_h
 #define SubdivisionObjects_LimitStencils_h
 
 #include "Refinement.h"
 #include "SparseRows.h"
+#include "TetOctComplex.h"
 
+#include <memory>
 #include <vector>
 
 namespace subdivision
@@ -36,7 +41,8 @@ template <typename Id>
 struct SharpStage
 {
   int Until = 0; ///< it is in force at steps before this one, counted from the level
-  subdivision::Strata<Id> Strata; ///< rings with carriers
+  subdivision::Strata<Id> Strata;                           ///< rings with carriers
+  std::shared_ptr<const Buffer<Id>> TetsAtSpokes = nullptr; ///< of a tet/oct level
 };
 
 /// What semi-sharp creases do from a level on.
@@ -50,6 +56,10 @@ struct SemiSharpStages
 /// The limits of all vertices of a level that can be refined (Depth::ForRefinement).
 template <typename Id>
 SparseRows<Id> BuildLimitRows(const Level<Id>& level, const SemiSharpStages<Id>& creases = {});
+
+template <typename Id>
+SparseRows<Id> BuildLimitRows(
+  const TetOctLevel<Id>& level, const SemiSharpStages<Id>& creases = {});
 
 /// The limits of some vertices, one row for each.
 template <typename Id>

@@ -228,6 +228,29 @@ Level<Id> BuildSharpControl(const ControlMesh& mesh, const FeatureOptions& featu
   return level;
 }
 
+/// The level `steps` below the current one as it is where all edges are singular that have more
+/// than some sharpness.
+template <template <typename> class AnyLevel, typename Id>
+AnyLevel<Id> BuildSharpLevel(const ControlMesh& mesh, const FeatureOptions& features,
+  const ControlTraits& traits, int steps, double sharpness, Depth depth)
+{
+  AnyLevel<Id> level;
+  Convert(BuildSharpControl<Id>(mesh, features, traits, sharpness), level);
+  return RefineTo(std::move(level), mesh.MadeLevels + steps, depth);
+}
+
+/// What a stage needs of a level.
+template <typename Id>
+SharpStage<Id> TakeStage(int until, Level<Id>&& level)
+{
+  return { until, std::move(level.Strata) };
+}
+template <typename Id>
+SharpStage<Id> TakeStage(int until, TetOctLevel<Id>&& level)
+{
+  return { until, std::move(level.Strata), level.TetsAtSpokes };
+}
+
 }
 
 template <template <typename> class AnyLevel, typename Id>
@@ -261,12 +284,10 @@ template <template <typename> class AnyLevel, typename Id>
 AnyLevel<Id> BuildSharpLevel(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps)
 {
-  AnyLevel<Id> level;
-  Convert(BuildSharpControl<Id>(mesh, features, traits, steps), level);
-  return RefineTo(std::move(level), mesh.MadeLevels + steps, Depth::ForOutput);
+  return BuildSharpLevel<AnyLevel, Id>(mesh, features, traits, steps, steps, Depth::ForOutput);
 }
 
-template <typename Id>
+template <template <typename> class AnyLevel, typename Id>
 SemiSharpStages<Id> BuildSharpStages(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps)
 {
@@ -281,8 +302,8 @@ SemiSharpStages<Id> BuildSharpStages(
   }
   for (int end : ends)
   {
-    Level<Id> level = RefineTo(BuildSharpControl<Id>(mesh, features, traits, steps + end - 1),
-      mesh.MadeLevels + steps, Depth::ForRefinement);
+    auto level = BuildSharpLevel<AnyLevel, Id>(
+      mesh, features, traits, steps, steps + end - 1, Depth::ForRefinement);
     if (stages.Stages.empty())
     {
       // The pieces of control edge e are the edges e 2^depth and following.
@@ -294,7 +315,7 @@ SemiSharpStages<Id> BuildSharpStages(
         std::fill(pieces, pieces + (vtkIdType(1) << depth), traits.Sharpness[e] - steps);
       }
     }
-    stages.Stages.push_back({ end, std::move(level.Strata) });
+    stages.Stages.push_back(TakeStage(end, std::move(level)));
   }
   return stages;
 }
@@ -310,7 +331,9 @@ SemiSharpStages<Id> BuildSharpStages(
     const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
   template TetOctLevel<Id> BuildSharpLevel<TetOctLevel, Id>(                                       \
     const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
-  template SemiSharpStages<Id> BuildSharpStages(                                                   \
+  template SemiSharpStages<Id> BuildSharpStages<Level, Id>(                                        \
+    const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
+  template SemiSharpStages<Id> BuildSharpStages<TetOctLevel, Id>(                                  \
     const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
   template SingularSimplices CollectSingular(                                                      \
     const SimplicialComplex<Id>&, const ControlTraits&, const std::vector<unsigned char>&)

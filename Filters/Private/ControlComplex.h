@@ -59,7 +59,7 @@ AnyLevel<Id> BuildSharpLevel(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps);
 
 /// What semi-sharp creases do from the level `steps` below the current one on.
-template <typename Id>
+template <template <typename> class AnyLevel, typename Id>
 SemiSharpStages<Id> BuildSharpStages(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps);
 

@@ -5,8 +5,9 @@ namespace subdivision
 {
 
 template <typename Id>
+template <typename AnyLevel>
 LimitOperators<Id>::LimitOperators(
-  const Level<Id>& level, const SemiSharpStages<Id>& creases, bool project, bool generateNormals)
+  const AnyLevel& level, const SemiSharpStages<Id>& creases, bool project, bool generateNormals)
   : HasNormals(generateNormals)
 {
   if (project)
@@ -41,7 +42,13 @@ void LimitOperators<Id>::Apply(PointArrays& arrays) const
   arrays.Project(this->Rows);
 }
 
-template struct LimitOperators<int>;
-template struct LimitOperators<long long>;
+#define SUBDIVISION_LIMIT(Id)                                                                      \
+  template struct LimitOperators<Id>;                                                              \
+  template LimitOperators<Id>::LimitOperators(                                                     \
+    const Level<Id>&, const SemiSharpStages<Id>&, bool, bool);                                     \
+  template LimitOperators<Id>::LimitOperators(                                                     \
+    const TetOctLevel<Id>&, const SemiSharpStages<Id>&, bool, bool)
+SUBDIVISION_LIMIT(int);
+SUBDIVISION_LIMIT(long long);
 
 }

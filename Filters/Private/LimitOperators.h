@@ -23,8 +23,10 @@ struct LimitOperators
   bool HasNormals = false;
 
   LimitOperators() = default;
+  /// The level is a Level or a TetOctLevel.
+  template <typename AnyLevel>
   LimitOperators(
-    const Level<Id>& level, const SemiSharpStages<Id>& creases, bool project, bool generateNormals);
+    const AnyLevel& level, const SemiSharpStages<Id>& creases, bool project, bool generateNormals);
 
   /// `arrays` are those of the level.
   void Apply(PointArrays& arrays) const;

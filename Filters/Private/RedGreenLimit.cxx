@@ -17,7 +17,7 @@ bool RedGreenLimit<Id>::Build(const ControlMesh& mesh, const FeatureOptions& fea
     return false;
   }
   this->Control = std::move(control.Current);
-  this->Creases = BuildSharpStages<Id>(mesh, features, control, 0);
+  this->Creases = BuildSharpStages<Level, Id>(mesh, features, control, 0);
   this->FindCurved();
   return true;
 }

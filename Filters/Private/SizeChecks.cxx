@@ -111,8 +111,12 @@ std::string CheckMemory(const SizeEstimate& estimate)
     // The last level as if there were one more, and a row of all neighbours for each point.
     last = estimate.Levels > 0 ? last.Refine() : last;
     bytes += estimate.BytesPerId * (14. * last.Tets + 9. * last.Faces + 18. * last.Edges) +
-      (8. + estimate.BytesPerId) * (last.Vertices + 2. * last.Edges) +
+      (8. + estimate.BytesPerId) * (last.Vertices + 2. * last.Edges + 6. * last.Octahedra) +
       estimate.BytesPerPoint * points;
+    if (last.IsTetOct) // rings of 8 and of 18 with carriers
+    {
+      bytes += estimate.BytesPerId * (26. * last.Octahedra + 37. * last.Vertices + 2. * last.Edges);
+    }
   }
   return CheckMemory(cells, points, bytes, estimate.Levels);
 }

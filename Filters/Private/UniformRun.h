@@ -55,12 +55,8 @@ private:
   void StepTwice(const TetOctLevel<Id>& level);
   template <typename Rows>
   void FinishTwoSteps(const Rows& last);
-  template <typename Id, typename Kept>
-  void GoToLimit(const Level<Id>& level, Kept& kept);
-  template <typename Id, typename Kept>
-  void GoToLimit(const TetOctLevel<Id>&, Kept&)
-  {
-  }
+  template <template <typename> class AnyLevel, typename Id, typename Kept>
+  void GoToLimit(const AnyLevel<Id>& level, Kept& kept);
   template <typename Id>
   void MakeCells(const Level<Id>& level, int steps);
   template <typename Id>

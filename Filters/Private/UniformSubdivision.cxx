@@ -211,8 +211,9 @@ UniformRun::Outcome UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
   // Only what is kept, or blended, needs the last two operators as tables.
   const bool stored = keep || this->Options.ReadsLimit() || steps < 2 ||
     HasEqualCells(level.Complex) || IsSharpAfter(this->Control.Sharpness, steps - 2);
-  // Kept cells are written before any points are known, and turned for each.
-  const bool turned = this->IsTetOct() && !keep;
+  // Kept cells are written before any points are known, and turned for each; so are those whose
+  // points still go to the limit.
+  const bool turned = this->IsTetOct() && !keep && !this->Options.ReadsLimit();
   for (int step = 0; step < steps; ++step)
   {
     if (this->IsStopped((step + 1.) / (steps + 1.)))
@@ -333,13 +334,14 @@ void UniformRun::FinishTwoSteps(const Rows& last)
 }
 
 /// From the vertices of the last level to their limits.
-template <typename Id, typename Kept>
-void UniformRun::GoToLimit(const Level<Id>& level, Kept& kept)
+template <template <typename> class AnyLevel, typename Id, typename Kept>
+void UniformRun::GoToLimit(const AnyLevel<Id>& level, Kept& kept)
 {
   if (this->Options.ReadsLimit())
   {
     LimitOperators<Id> limit(level,
-      BuildSharpStages<Id>(this->Mesh, this->Options.Features, this->Control, this->Options.Levels),
+      BuildSharpStages<AnyLevel, Id>(
+        this->Mesh, this->Options.Features, this->Control, this->Options.Levels),
       this->Options.ProjectToLimit, this->Options.GenerateLimitNormals);
     limit.Apply(*this->Points);
     kept.SetLimit(std::move(limit));
@@ -456,15 +458,7 @@ void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer
 bool SubdivideUniformly(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output)
 {
-  UniformOptions used = options;
-  if (used.Scheme == StampScheme::TetOct && used.ReadsLimit())
-  {
-    used.Warn(
-      "ProjectToLimit and GenerateLimitNormals are not there yet for VolumeScheme = TetOct: "
-      "the points stay those of the last level, without normals.");
-    used.ProjectToLimit = used.GenerateLimitNormals = false;
-  }
-  return UniformRun(input, used, output).Run();
+  return UniformRun(input, options, output).Run();
 }
 
 }

@@ -8,7 +8,9 @@
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
 
+#include <array>
 #include <cmath>
+#include <map>
 
 using namespace operator_cache_tools;
 
@@ -16,6 +18,7 @@ namespace
 {
 
 const Configure Projected = [](Filter* filter) { filter->ProjectToLimitOn(); };
+const Configure TetOct = [](Filter* filter) { filter->SetVolumeSchemeToTetOct(); };
 
 /// Values that both have, at the points of the first.
 void ExpectSameAtPoints(vtkUnstructuredGrid* few, vtkUnstructuredGrid* many, double tolerance)
@@ -91,6 +94,14 @@ TEST(LimitProjection, DoesNotDependOnTheLevel)
         filter->SetCreaseEnd(Filter::DART);
       } },
     { "SemiSharp", [](Filter* filter) { SetCellArray(filter, 4, "Sharpness"); } },
+    { "TetOct", TetOct },
+    { "TetOctSharp",
+      [](Filter* filter)
+      {
+        filter->SetVolumeSchemeToTetOct();
+        filter->SetType1Rule(Filter::TYPE1_SHARP);
+        SetCellArray(filter, 4, "Sharpness");
+      } },
     { "Interfaces",
       [](Filter* filter)
       {
@@ -116,21 +127,24 @@ TEST(LimitProjection, DoesNotDependOnTheLevel)
 TEST(LimitProjection, LevelsComeCloserAndCloser)
 {
   const Grid input = MakeMixedBox(1);
-  const Grid limit = Execute(input, 0, Projected);
-  double before = 0.;
-  for (int levels = 0; levels <= 4; ++levels)
+  for (const Configure& scheme : { Configure([](Filter*) {}), TetOct })
   {
-    const Grid output = Execute(input, levels);
-    double most = 0.;
-    for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+    const Grid limit = Execute(input, 0, And(Projected, scheme));
+    double before = 0.;
+    for (int levels = 0; levels <= 4; ++levels)
     {
-      const Point a = GetPoint(limit, i);
-      const Point b = GetPoint(output, i);
-      most = std::max(most, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+      const Grid output = Execute(input, levels, scheme);
+      double most = 0.;
+      for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+      {
+        const Point a = GetPoint(limit, i);
+        const Point b = GetPoint(output, i);
+        most = std::max(most, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+      }
+      EXPECT_GT(most, 0.);
+      EXPECT_TRUE(levels == 0 || most < 0.6 * before) << levels;
+      before = most;
     }
-    EXPECT_GT(most, 0.);
-    EXPECT_TRUE(levels == 0 || most < 0.6 * before) << levels;
-    before = most;
   }
 }
 
@@ -186,13 +200,14 @@ TEST(LimitProjection, ACircleOfSplines)
 
 TEST(LimitProjection, IsKeptWithTheOperator)
 {
-  for (int levels : { 0, 2 })
+  for (const auto& run : { std::make_pair(0, false), { 2, false }, { 0, true }, { 2, true } })
   {
-    SCOPED_TRACE(levels);
+    SCOPED_TRACE(testing::PrintToString(run));
     const Configure configure = And(Projected,
-      [levels](Filter* filter)
+      [run](Filter* filter)
       {
-        filter->SetNumberOfLevels(levels);
+        filter->SetNumberOfLevels(run.first);
+        filter->SetVolumeScheme(run.second ? Filter::TET_OCT : Filter::BOX_SPLINE);
         filter->GenerateClassificationOn();
       });
     Kept filter(configure);
@@ -212,7 +227,7 @@ TEST(LimitProjection, IsKeptWithTheOperator)
     filter->ProjectToLimitOff();
     const Grid plain = filter.Update(changed);
     EXPECT_EQ(filter.CountBuilds(), 1);
-    EXPECT_TRUE(SharesCells(second, plain)) << "only rules changed";
+    EXPECT_TRUE(run.second || SharesCells(second, plain)) << "only rules changed";
     EXPECT_FALSE(SharesPoints(second, plain));
   }
 }
@@ -221,17 +236,24 @@ TEST(LimitProjection, ANextFilterTakesTheOutputForAMeshLikeAnyOther)
 {
   const Grid input = MakeMixedBox(1);
   AddGlobalIds(input, 3);
-  const Configure features = [](Filter* filter) { filter->DetectFeaturesOn(); };
-  const Grid projected = Execute(input, 1, And(Projected, features));
-  const Grid plain = DeepCopy(projected);
-  RemoveStamp(plain);
-  EXPECT_TRUE(projected->GetFieldData()->HasArray("Subdivision"));
-  EXPECT_FALSE(projected->GetFieldData()->HasArray("SubdivisionSingularLines"));
-  EXPECT_EQ(Compare(Execute(projected, 1, features), Execute(plain, 1, features)), "");
-  // The last of several filters may project.
-  const Grid once = Execute(input, 2, And(Projected, features));
-  const Grid twice = Execute(Execute(input, 1, features), 1, And(Projected, features));
-  EXPECT_EQ(Compare(once, twice), "");
+  for (int scheme : { Filter::BOX_SPLINE, Filter::TET_OCT })
+  {
+    const Configure features = [scheme](Filter* filter)
+    {
+      filter->SetVolumeScheme(scheme);
+      filter->DetectFeaturesOn();
+    };
+    const Grid projected = Execute(input, 1, And(Projected, features));
+    const Grid plain = DeepCopy(projected);
+    RemoveStamp(plain);
+    EXPECT_TRUE(projected->GetFieldData()->HasArray("Subdivision"));
+    EXPECT_FALSE(projected->GetFieldData()->HasArray("SubdivisionSingularLines"));
+    EXPECT_EQ(Compare(Execute(projected, 1, features), Execute(plain, 1, features)), "");
+    // The last of several filters may project.
+    const Grid once = Execute(input, 2, And(Projected, features));
+    const Grid twice = Execute(Execute(input, 1, features), 1, And(Projected, features));
+    EXPECT_EQ(Compare(once, twice), "");
+  }
 }
 
 TEST(LimitProjection, SameBitsForAnyNumberOfThreads)
@@ -239,10 +261,13 @@ TEST(LimitProjection, SameBitsForAnyNumberOfThreads)
   const Grid input = MakeKuhnBox(6, 0.2, 3);
   const std::string before = vtkSMPTools::GetBackend();
   ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
-  vtkSMPTools::Initialize(1);
-  const Grid one = Execute(input, 1, Projected);
-  vtkSMPTools::Initialize(3);
-  EXPECT_EQ(Compare(Execute(input, 1, Projected), one), "");
+  for (const Configure& configure : { Projected, And(Projected, TetOct) })
+  {
+    vtkSMPTools::Initialize(1);
+    const Grid one = Execute(input, 1, configure);
+    vtkSMPTools::Initialize(3);
+    EXPECT_EQ(Compare(Execute(input, 1, configure), one), "");
+  }
   vtkSMPTools::SetBackend(before.c_str());
   vtkSMPTools::Initialize(0);
 }
@@ -291,6 +316,59 @@ TEST(LimitProjection, NormalsOfASphere)
       }
       EXPECT_FALSE(Execute(input, levels)->GetPointData()->HasArray("LimitNormals"));
     }
+  }
+}
+
+/// Boundaries of solids are the same surfaces with either scheme, and so are their normals.
+TEST(LimitProjection, BoundariesAreThoseOfTheOtherScheme)
+{
+  const Grid input = MakeKuhnBox(3, 0.2, 5);
+  const Configure normals = And(Projected,
+    [](Filter* filter)
+    {
+      filter->GenerateLimitNormalsOn();
+      filter->GenerateClassificationOn();
+    });
+  for (int levels = 0; levels <= 3; ++levels)
+  {
+    SCOPED_TRACE(levels);
+    const Grid box = Execute(input, levels, normals);
+    const Grid tetOct = Execute(input, levels, And(normals, TetOct));
+    std::map<std::array<long, 3>, vtkIdType> places; // on a grid: rounding differs
+    auto placeOf = [](const Point& p)
+    {
+      return std::array<long, 3>{ std::lround(1e9 * p[0] + 0.3), std::lround(1e9 * p[1] + 0.3),
+        std::lround(1e9 * p[2] + 0.3) };
+    };
+    auto isSurface = [](vtkUnstructuredGrid* grid, vtkIdType i)
+    { return grid->GetPointData()->GetArray("RuleDimension")->GetComponent(i, 0) == 2.; };
+    for (vtkIdType i = 0; i < box->GetNumberOfPoints(); ++i)
+    {
+      if (isSurface(box, i))
+      {
+        places[placeOf(GetPoint(box, i))] = i;
+      }
+    }
+    std::size_t found = 0;
+    for (vtkIdType i = 0; i < tetOct->GetNumberOfPoints(); ++i)
+    {
+      double length = 0.;
+      const auto twin =
+        isSurface(tetOct, i) ? places.find(placeOf(GetPoint(tetOct, i))) : places.end();
+      for (int c = 0; c < 3; ++c)
+      {
+        const double normal = tetOct->GetPointData()->GetArray("LimitNormals")->GetComponent(i, c);
+        length += normal * normal;
+        if (twin != places.end())
+        {
+          ASSERT_NEAR(normal,
+            box->GetPointData()->GetArray("LimitNormals")->GetComponent(twin->second, c), 1e-9);
+        }
+      }
+      ASSERT_NEAR(length, isSurface(tetOct, i) ? 1. : 0., 1e-12) << i;
+      found += twin != places.end() ? 1 : 0;
+    }
+    EXPECT_EQ(found, places.size());
   }
 }
 
