@@ -251,7 +251,8 @@ public:
 
   ///@{
   /**
-   * How often the edges of an input cell may be halved, 0 to 60. Default 3.
+   * How often the edges of an input cell may be halved, 0 to 60. Default 3. Filters in a row: up to
+   * 255 times in all.
    */
   vtkSetClampMacro(MaximumLevel, int, 0, 60);
   vtkGetMacro(MaximumLevel, int);

@@ -3,6 +3,9 @@
 
 #include "RedGreenTables.h"
 
+#include <stdexcept>
+#include <string>
+
 namespace subdivision
 {
 
@@ -100,6 +103,11 @@ void RedGreen<Id>::Expand(Id index)
   }
   const Node node = this->Nodes[index];
   const int dimension = node.Dimension;
+  if (node.Level == LastLevel)
+  {
+    throw std::invalid_argument("The cells below cell " + std::to_string(node.Input) +
+      " do not end: midpoints that were given do not fit together.");
+  }
   Id lattice[10];
   this->GetLattice(node, lattice);
   // Edges between lattice points, each looked up once.

@@ -56,7 +56,9 @@ public:
   explicit RedGreen(const SimplexView& cells, std::function<void(vtkIdType*)> orderTet = nullptr);
 
   /// For a mesh whose green cells were replaced by their leaves: a vertex of the input that is the
-  /// midpoint of an edge of a leaf. Before any mark; the next Close() heeds it.
+  /// midpoint of an edge of a leaf. Before any mark; the next Close() heeds it. Midpoints that no
+  /// refinement can have made may lead to cells without end: marks and Close() throw
+  /// std::invalid_argument at LastLevel then.
   void AddMidpoint(Id end0, Id end1, Id midpoint);
 
   /// @name A round

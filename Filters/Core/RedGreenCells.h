@@ -15,6 +15,9 @@
 namespace subdivision
 {
 
+/// Levels, which are kept in a byte, end here.
+constexpr int LastLevel = 255;
+
 /// Simplices in arrays that somebody else keeps.
 struct SimplexView
 {

@@ -12,7 +12,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cstring>
+#include <stdexcept>
 
 namespace subdivision
 {
@@ -102,7 +102,9 @@ bool GreenUndo::ReadLeaf(vtkIdType index, int dimension)
   {
     this->Leaf[c] = ToId(this->Leaves->GetComponent(index, c));
     const bool isNeeded = c <= dimension;
-    if (this->Leaf[c] >= this->Read.NumberOfPoints || (isNeeded && this->Leaf[c] < 0))
+    const bool isRepeated =
+      isNeeded && std::find(this->Leaf, this->Leaf + c, this->Leaf[c]) != this->Leaf + c;
+    if (this->Leaf[c] >= this->Read.NumberOfPoints || (isNeeded && this->Leaf[c] < 0) || isRepeated)
     {
       return false;
     }
@@ -214,7 +216,14 @@ bool IsWhatWasRead(const SimplexList& read, const RedGreenMesh& mesh)
     state.AddMidpoint(
       static_cast<Id>(midpoint[0]), static_cast<Id>(midpoint[1]), static_cast<Id>(midpoint[2]));
   }
-  state.Close();
+  try
+  {
+    state.Close();
+  }
+  catch (const std::invalid_argument&)
+  {
+    return false;
+  }
   const RedGreenOutput<Id> output(state);
   const CellCounts counts = output.GetCounts();
   if (state.GetNumberOfVertices() != read.NumberOfPoints ||
@@ -242,8 +251,8 @@ RedGreenMesh ReadRedGreenMesh(vtkPointSet* input, const FeatureOptions& features
   mesh.TetOrderIsFinal = mesh.Control.IsStamped;
   Stamp stamp;
   const auto& cells = mesh.Control.Cells;
-  if (!undo || !ReadStamp(input, StampScheme::RedGreen, stamp) || !cells.ParentCells.empty() ||
-    cells.GetNumberOfCentres() > 0)
+  if (!undo || !trustStamp || !ReadStamp(input, StampScheme::RedGreen, stamp) ||
+    !cells.ParentCells.empty() || cells.GetNumberOfCentres() > 0)
   {
     return mesh;
   }

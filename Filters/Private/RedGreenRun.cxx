@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 
 namespace subdivision
 {
@@ -101,7 +102,15 @@ private:
 
 bool RedGreenRun::Run()
 {
-  Outcome outcome = this->Execute(true);
+  Outcome outcome = Outcome::NotOurs;
+  try
+  {
+    outcome = this->Execute(true);
+  }
+  catch (const std::invalid_argument&) // of midpoints that do not fit together
+  {
+    this->Output->Initialize();
+  }
   if (outcome == Outcome::NotOurs)
   {
     outcome = this->Execute(false);

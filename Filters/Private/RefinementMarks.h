@@ -180,7 +180,8 @@ std::vector<RefinementMark<Id>> FindMarks(const Cells& cells, const RefinementCr
       {
         const vtkIdType i = begin + at;
         int flags = 0;
-        if (!cells.IsOver(i) && cells.GetSteps(i) < maximumLevel && cells.GetPoints(i).size() > 1)
+        if (!cells.IsOver(i) && cells.GetSteps(i) < maximumLevel && cells.GetLevel(i) < LastLevel &&
+          cells.GetPoints(i).size() > 1)
         {
           flags = errors[at] > 1. ? MarksCell : 0;
           if (readsEdges)
