@@ -101,8 +101,8 @@ TEST(RedGreenCells, ThatAreNoSimplicesAreSplitFirst)
   AddLevels(mixed, levels);
   const Grid output = RefineToWanted(mixed);
   // The simplices as a mesh of their own.
-  const Grid split = Refine(
-    mixed, [](Filter* filter) { filter->RefineByWantedLevelOn(), filter->SetMaximumLevel(0); });
+  AddLevels(mixed, std::vector<int>(levels.size(), 0));
+  const Grid split = RefineToWanted(mixed);
   EXPECT_GT(split->GetNumberOfCells(), mixed->GetNumberOfCells());
   const Grid simplices = Grid::New();
   simplices->CopyStructure(split);
