@@ -92,4 +92,20 @@ TEST(PeerCgal, LoopWhereTheWeightsAgree)
     });
 }
 
+TEST(PeerCgal, PlainBoundary)
+{
+  ExpectSameOnTube(vtkSurfaceSubdivision::LOOP, true,
+    [](const Model& model, int levels)
+    {
+      return SubdivideTheirs(model, levels,
+        [](Mesh& mesh, const auto& options) { Methods::Loop_subdivision(mesh, options); });
+    });
+  ExpectSameOnTube(vtkSurfaceSubdivision::CATMULL_CLARK, false,
+    [](const Model& model, int levels)
+    {
+      return SubdivideTheirs(model, levels,
+        [](Mesh& mesh, const auto& options) { Methods::CatmullClark_subdivision(mesh, options); });
+    });
+}
+
 }

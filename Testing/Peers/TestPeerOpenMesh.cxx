@@ -85,4 +85,10 @@ TEST(PeerOpenMesh, LoopWhereTheWeightsAgree)
   ExpectLoopWithOtherWeights(SubdivideTheirs<Triangles, Uniform::LoopT>);
 }
 
+// Its Catmull-Clark has a boundary of its own: (1, 4, 1) / 6 at vertices.
+TEST(PeerOpenMesh, PlainBoundary)
+{
+  ExpectSameOnTube(vtkSurfaceSubdivision::LOOP, true, SubdivideTheirs<Triangles, Uniform::LoopT>);
+}
+
 }

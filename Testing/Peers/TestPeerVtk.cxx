@@ -56,4 +56,9 @@ TEST(PeerVtk, LoopWhereTheWeightsAgree)
   ExpectLoopWithOtherWeights(SubdivideTheirs<vtkLoopSubdivisionFilter>);
 }
 
+TEST(PeerVtk, PlainBoundary)
+{
+  ExpectSameOnTube(vtkSurfaceSubdivision::LOOP, true, SubdivideTheirs<vtkLoopSubdivisionFilter>);
+}
+
 }

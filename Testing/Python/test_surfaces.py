@@ -112,7 +112,7 @@ class Spectra(unittest.TestCase):
         self.assertGreater(values[2], 0.5)
 
     def test_corners(self):
-        shapes = [(k, a * np.pi) for k in range(1, 9) for a in (0.25, 0.5, 0.75, 1.25, 1.5, 1.75) if a < 0.9 * k]
+        shapes = [(k, a * np.pi) for k in range(1, 9) for a in (0.2, 0.5, 0.85, 1.15, 1.5, 1.85) if a < 0.9 * k]
         for (k, angle), scheme in itertools.product(shapes, (LOOP, CATMULL_CLARK)):
             with self.subTest(k=k, angle=angle, scheme=scheme):
                 made = fan(k, angle) if scheme == LOOP else quad_star(k, angle, False)
@@ -131,6 +131,16 @@ class Spectra(unittest.TestCase):
                     np.testing.assert_allclose(matrix @ vector, np.array(vector) / 2, atol=1e-10)
                 if angle > np.pi:
                     self.assertLess(values[3] if len(values) > 3 else 0, 0.25 + 1e-9)
+
+    def test_angles_that_are_clamped(self):
+        for angle, used in ((0.05, 1 / 8), (0.95, 7 / 8), (1.05, 9 / 8), (1.95, 15 / 8)):
+            made = flag_corner(fan(4, 0.6 * np.pi))
+            add(made.GetPointData(), "angle", np.full(made.GetNumberOfPoints(), 180. * angle))
+            matrix = local_matrix(made, LOOP, arrays=[(5, 0, "angle")])
+            turns = np.arange(5) * used * np.pi / 4
+            for wave in (np.cos, np.sin):
+                vector = np.array([0, *wave(turns)])
+                np.testing.assert_allclose(matrix @ vector, vector / 2, atol=1e-10)
 
     def test_given_angle_and_flatness(self):
         made = flag_corner(fan(4, np.pi / 2))
@@ -219,7 +229,10 @@ class Limits(unittest.TestCase):
 
 class Meshes(unittest.TestCase):
     def test_loop_is_the_main_filter_without_boundary_rules(self):
-        for name, surface in zoo().items():
+        # The ends of the edge of three faces have a common neighbour that is in none of them.
+        book = mesh(np.random.RandomState(6).rand(6, 3),
+                    [[0, 1, 2], [0, 1, 3], [1, 0, 4], [0, 2, 5], [1, 5, 3]])
+        for name, surface in {**zoo(), "book with a relief": book}.items():
             with self.subTest(name):
                 main = vtkMultiDimensionalSubdivision()
                 main.SetInputData(surface)
@@ -347,6 +360,25 @@ class Meshes(unittest.TestCase):
                 left = vtk_to_numpy(run(tagged, LOOP, 1, arrays=[(4, 1, "s")]).GetCellData().GetArray("s"))
                 self.assertEqual(list(left[:4]), [0.5] * 4)
 
+    def test_semi_sharp_rows_are_means(self):
+        made = wheel(6)
+        crease = [[0, 1], [0, 4]]
+        tagged = with_identity(mesh(coordinates(made), faces_of(made), lines=crease))
+        faces = [0.] * made.GetNumberOfPolys()
+        smooth = point_array(run(tagged, LOOP), "e")
+        add(tagged.GetCellData(), "Singular", np.array([1, 1] + [0] * len(faces), dtype=np.int32))
+        sharp = point_array(run(tagged, LOOP), "e")
+        tagged.GetCellData().RemoveArray("Singular")
+        middle = children(made, run(made, LOOP), LOOP)
+        for sharpness in ((0.2, 0.6), (0.5, 0.5), (0.3, 1.4)):
+            add(tagged.GetCellData(), "s", np.array([*sharpness, *faces]))
+            rows = point_array(run(tagged, LOOP, arrays=[(4, 1, "s")]), "e")
+            # A vertex has the mean of its edges, an edge its own, a smooth edge that of its end on the crease.
+            mean = sum(sharpness) / 2
+            for row, weight in ((0, mean), (middle[frozenset((0, 1))], sharpness[0]),
+                                (middle[frozenset((0, 4))], min(1, sharpness[1])), (middle[frozenset((0, 2))], mean)):
+                np.testing.assert_allclose(rows[row], (1 - weight) * smooth[row] + weight * sharp[row], atol=1e-15)
+
     def test_cache_gives_what_a_fresh_filter_gives(self):
         surface = flag_corner(fan(4, 0.6 * np.pi))
         subdivision = vtkSurfaceSubdivision()
@@ -362,11 +394,26 @@ class Meshes(unittest.TestCase):
             np.testing.assert_array_equal(
                 coordinates(subdivision.GetOutput()), coordinates(run(surface, LOOP, 2)))
         self.assertEqual(subdivision.GetNumberOfTopologyBuilds(), 1)
+        for name, value in (("ModifiedBoundary", False), ("NumberOfLevels", 1), ("Scheme", CATMULL_CLARK),
+                            ("ModifiedBoundary", True), ("CreaseEnd", 1), ("Scheme", LOOP), ("NumberOfLevels", 2)):
+            getattr(subdivision, "Set" + name)(value)
+            subdivision.Update()
+            fresh = run(surface, subdivision.GetScheme(), subdivision.GetNumberOfLevels(), CacheOperator=False,
+                        ModifiedBoundary=subdivision.GetModifiedBoundary(), CreaseEnd=subdivision.GetCreaseEnd())
+            np.testing.assert_array_equal(coordinates(subdivision.GetOutput()), coordinates(fresh))
         surface.GetCellData().GetArray("Singular").SetValue(0, 0)
         surface.GetCellData().GetArray("Singular").Modified()
         surface.Modified()
         subdivision.Update()
         np.testing.assert_array_equal(coordinates(subdivision.GetOutput()), coordinates(run(surface, LOOP, 2)))
+
+    def test_vertices_of_one_face(self):
+        corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, 1, 0]])
+        quad = mesh(corners, [[0, 1, 2, 3]])
+        for scheme in (CATMULL_CLARK, vtkSurfaceSubdivision.FOUR_EIGHT, vtkSurfaceSubdivision.MODIFIED_BUTTERFLY):
+            np.testing.assert_array_equal(coordinates(run(quad, scheme, 2))[:4], corners)
+        for scheme in (LOOP, vtkSurfaceSubdivision.SQRT_THREE):  # smooth there
+            self.assertGreater(abs(coordinates(run(quad, scheme, 2))[:4] - corners)[[1, 3]].max(), 0.1)
 
     def test_seams_of_textures(self):
         # A tube: the seam's points are there twice, with texture coordinates 0 and 1.
