@@ -15,12 +15,6 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-/// The weight of the mean of the n neighbours of a smooth vertex (Kobbelt, eq. 6).
-double GetRingWeight(int n)
-{
-  return (4. - 2. * std::cos(2. * pi / n)) / 9.;
-}
-
 template <typename Id>
 class SqrtThreeScheme : public SurfaceScheme<Id>
 {
@@ -187,7 +181,7 @@ void SqrtThreeScheme<Id>::AppendSmooth(
       ghosts += FindFixedOpposite(level, step) >= 0;
     });
   n += ghosts;
-  const double ring = GetRingWeight(n) / n;
+  const double ring = GetSqrtThreeRingWeight(n) / n;
   rows.Add(vertex, 1. - ring * (n + ghosts));
   VisitCycle(mesh, start,
     [&](const FanStep<Id>& step)
@@ -278,7 +272,7 @@ void SqrtThreeScheme<Id>::AppendSmoothPosition(
       ++n;
       ghosts += FindFixedOpposite(level, step) >= 0;
     });
-  const double a = GetRingWeight(n + ghosts);
+  const double a = GetSqrtThreeRingWeight(n + ghosts);
   const double b = 3. * a / (1. + 3. * a);
   auto addRing = [&](RowBlock<Id>& out, double weight)
   {
@@ -461,6 +455,11 @@ void SqrtThreeScheme<Id>::AppendSectorTangent(const SurfaceLevel<Id>& level,
   }
 }
 
+}
+
+double GetSqrtThreeRingWeight(int n)
+{
+  return (4. - 2. * std::cos(2. * pi / n)) / 9.;
 }
 
 template <typename Id>
