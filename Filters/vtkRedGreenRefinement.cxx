@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRedGreenRefinement.h"
 
-#include "Private/InputArrays.h"
 #include "Private/RedGreenRun.h"
+#include "Private/RefinementInput.h"
 #include "Private/RefinementSelection.h"
 
-#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkSelection.h"
 #include "vtkUnstructuredGrid.h"
@@ -113,102 +111,20 @@ void vtkRedGreenRefinement::FindSelected(vtkDataObject* input)
 // ------------------------------------------------------------------------------------------------
 // Criteria
 
-/// The array named at an index; null where none is.
-bool vtkRedGreenRefinement::FindNamed(vtkPointSet* input, int index, bool ofCells,
-  const char* fallback, bool integral, vtkDataArray*& array)
-{
-  vtkDataSetAttributes* data = ofCells ? static_cast<vtkDataSetAttributes*>(input->GetCellData())
-                                       : static_cast<vtkDataSetAttributes*>(input->GetPointData());
-  return subdivision::FindInputArray(
-    this, data, ofCells ? input->GetNumberOfCells() : input->GetNumberOfPoints(),
-    { index, fallback, integral, !ofCells, !integral },
-    [this](const std::string& message) { vtkWarningMacro(<< message); },
-    [this](const std::string& message) { vtkErrorMacro(<< message); }, array);
-}
-
-/// The array at index 5 or 6: named, or the active scalars; of index 5, else the first floating
-/// one.
-bool vtkRedGreenRefinement::FindArray(
-  vtkPointSet* input, int index, bool& ofCells, vtkDataArray*& array)
-{
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  const bool named = !subdivision::GetInputArrayName(this, index, association).empty();
-  ofCells = named && index == RANGE_ARRAY && association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  if (named)
-  {
-    return this->FindNamed(input, index, ofCells, nullptr, false, array);
-  }
-  auto isUsable = [](vtkDataArray* candidate, vtkIdType tuples)
-  {
-    return candidate && candidate->GetNumberOfTuples() == tuples &&
-      candidate->GetNumberOfComponents() > 0;
-  };
-  vtkPointData* data = input->GetPointData();
-  array = data->GetScalars();
-  if (isUsable(array, input->GetNumberOfPoints()))
-  {
-    return true;
-  }
-  if (index == RANGE_ARRAY)
-  {
-    array = input->GetCellData()->GetScalars();
-    ofCells = isUsable(array, input->GetNumberOfCells());
-    array = ofCells ? array : nullptr;
-    return true;
-  }
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    array = data->GetArray(i);
-    if (isUsable(array, input->GetNumberOfPoints()) &&
-      (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE))
-    {
-      return true;
-    }
-  }
-  array = nullptr;
-  return true;
-}
-
 bool vtkRedGreenRefinement::ReadCriteria(
   vtkPointSet* input, subdivision::RefinementOptions& options)
 {
-  const bool alone = !this->RefineByArrayRange && !this->RefineBySelection &&
-    !this->RefineByFunction && !this->RefineByEdgeLength && !this->RefineByGeometricError &&
-    !this->RefineByWantedLevel;
-  options.MaximumLevel = this->MaximumLevel;
-  options.InterpolateIntegers = this->InterpolateIntegers;
-  bool ofCells = false;
-  vtkDataArray* array = nullptr;
-  if (this->RefineByAttributeError)
+  const subdivision::RefinementSettings settings{ this->RefineByAttributeError,
+    this->AttributeTolerance, this->AttributeErrorKind == LIMIT_DIFFERENCE,
+    this->RefineByArrayRange, this->ArrayRange, this->RefineByEdgeLength, this->MaximumEdgeLength,
+    this->RefineByGeometricError, this->GeometricTolerance, this->RelativeTolerance,
+    this->RefineByWantedLevel, this->MaximumLevel, this->InterpolateIntegers,
+    this->RefineBySelection || this->RefineByFunction, ATTRIBUTE_ARRAY, RANGE_ARRAY, LEVEL_ARRAY };
+  if (!subdivision::ReadRefinementOptions(
+        this, input, settings, [this](const std::string& message) { vtkWarningMacro(<< message); },
+        [this](const std::string& message) { vtkErrorMacro(<< message); }, options))
   {
-    if (!this->FindArray(input, ATTRIBUTE_ARRAY, ofCells, array))
-    {
-      return false;
-    }
-    if (!array && alone)
-    {
-      vtkWarningMacro("There is nothing to refine by: the input has neither active point scalars "
-                      "nor a floating point array of points. Choose an array (index 5), or another "
-                      "criterion.");
-    }
-    options.Attribute = array;
-    options.AttributeTolerance = this->AttributeTolerance;
-    options.AttributeOfLimit = this->AttributeErrorKind == LIMIT_DIFFERENCE;
-  }
-  if (this->RefineByArrayRange)
-  {
-    if (!this->FindArray(input, RANGE_ARRAY, options.RangeOfCells, array))
-    {
-      return false;
-    }
-    if (!array)
-    {
-      vtkErrorMacro("RefineByArrayRange needs an array: set array index 6.");
-      return false;
-    }
-    options.Range = array;
-    options.Least = this->ArrayRange[0];
-    options.Most = this->ArrayRange[1];
+    return false;
   }
   if (this->RefineBySelection)
   {
@@ -230,25 +146,6 @@ bool vtkRedGreenRefinement::ReadCriteria(
       return false;
     }
     options.Function = this->ImplicitFunction;
-  }
-  options.ByEdgeLength = this->RefineByEdgeLength;
-  options.MaximumEdgeLength = this->MaximumEdgeLength;
-  options.ByGeometricError = this->RefineByGeometricError;
-  options.GeometricTolerance = this->GeometricTolerance;
-  options.RelativeTolerance = this->RelativeTolerance;
-  if (this->RefineByWantedLevel)
-  {
-    if (!this->FindNamed(input, LEVEL_ARRAY, true, "WantedLevel", true, array))
-    {
-      return false;
-    }
-    if (!array)
-    {
-      vtkErrorMacro("RefineByWantedLevel needs an integer cell array: set array index 7, or name "
-                    "the array WantedLevel.");
-      return false;
-    }
-    options.WantedLevel = array;
   }
   return true;
 }

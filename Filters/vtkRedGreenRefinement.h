@@ -84,7 +84,6 @@
 #include <vector> // for std::vector
 
 class vtkAlgorithmOutput;
-class vtkDataArray;
 class vtkImplicitFunction;
 namespace subdivision
 {
@@ -314,9 +313,6 @@ private:
   };
   /// The options above; false, after an error message, if an array cannot be used.
   bool ReadCriteria(vtkPointSet* input, subdivision::RefinementOptions& options);
-  bool FindArray(vtkPointSet* input, int index, bool& ofCells, vtkDataArray*& array);
-  bool FindNamed(vtkPointSet* input, int index, bool ofCells, const char* fallback, bool integral,
-    vtkDataArray*& array);
 
   /// Updates are nested for composite inputs: blocks start and end inside the whole.
   void OnStart();

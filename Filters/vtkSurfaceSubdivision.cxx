@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceSubdivision.h"
 
+#include "Private/AdaptiveSurface.h"
 #include "Private/InputArrays.h"
+#include "Private/RefinementInput.h"
 #include "Private/SurfaceSubdivision.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
@@ -98,6 +100,31 @@ void vtkSurfaceSubdivision::ReadOptions(subdivision::SurfaceOptions& options)
   options.Cache = this->CacheOperator ? this->Cache.get() : nullptr;
 }
 
+bool vtkSurfaceSubdivision::Execute(
+  vtkPolyData* input, const subdivision::SurfaceOptions& options, vtkPolyData* output)
+{
+  if (!this->Adaptive || this->Scheme != SQRT_THREE)
+  {
+    if (this->Adaptive)
+    {
+      options.Warn("Adaptive is for the scheme SqrtThree only: this one is applied everywhere, "
+                   "NumberOfLevels times. For adaptive Loop subdivision use "
+                   "vtkRedGreenRefinement with its Placement Limit.");
+    }
+    return subdivision::SubdivideSurface(input, options, output);
+  }
+  const subdivision::RefinementSettings settings{ this->RefineByAttributeError,
+    this->AttributeTolerance, this->AttributeErrorKind == LIMIT_DIFFERENCE,
+    this->RefineByArrayRange, this->ArrayRange, this->RefineByEdgeLength, this->MaximumEdgeLength,
+    this->RefineByGeometricError, this->GeometricTolerance, this->RelativeTolerance,
+    this->RefineByWantedLevel, this->MaximumLevel, this->InterpolateIntegers, false,
+    ATTRIBUTE_ARRAY, RANGE_ARRAY, LEVEL_ARRAY };
+  subdivision::RefinementOptions criteria;
+  return subdivision::ReadRefinementOptions(
+           this, input, settings, options.Warn, options.Fail, criteria) &&
+    subdivision::RefineSurface(input, options, criteria, output);
+}
+
 int vtkSurfaceSubdivision::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -129,13 +156,15 @@ int vtkSurfaceSubdivision::RequestData(
   bool done = false;
   try
   {
-    done =
-      this->ReadArrays(input, options) && subdivision::SubdivideSurface(input, options, output);
+    done = this->ReadArrays(input, options) && this->Execute(input, options, output);
   }
   catch (const std::bad_alloc&)
   {
-    options.Fail("There is not enough memory for NumberOfLevels = " +
-      std::to_string(this->NumberOfLevels) + ". Use fewer levels, or a part of the input.");
+    options.Fail(this->Adaptive && this->Scheme == SQRT_THREE
+        ? "There is not enough memory for this refinement. Lower MaximumNumberOfCells or "
+          "MaximumLevel, raise the tolerances, or use a part of the input."
+        : "There is not enough memory for NumberOfLevels = " +
+          std::to_string(this->NumberOfLevels) + ". Use fewer levels, or a part of the input.");
   }
   if (!done)
   {
@@ -149,6 +178,19 @@ void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Scheme: " << this->Scheme << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
+  os << indent << "Adaptive: " << this->Adaptive << "\n";
+  os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
+  os << indent << "RefineByAttributeError: " << this->RefineByAttributeError << "\n";
+  os << indent << "AttributeTolerance: " << this->AttributeTolerance << "\n";
+  os << indent << "AttributeErrorKind: " << this->AttributeErrorKind << "\n";
+  os << indent << "RefineByArrayRange: " << this->RefineByArrayRange << "\n";
+  os << indent << "ArrayRange: " << this->ArrayRange[0] << " " << this->ArrayRange[1] << "\n";
+  os << indent << "RefineByEdgeLength: " << this->RefineByEdgeLength << "\n";
+  os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
+  os << indent << "RefineByGeometricError: " << this->RefineByGeometricError << "\n";
+  os << indent << "GeometricTolerance: " << this->GeometricTolerance << "\n";
+  os << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n";
+  os << indent << "RefineByWantedLevel: " << this->RefineByWantedLevel << "\n";
   os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateNormals: " << this->GenerateNormals << "\n";

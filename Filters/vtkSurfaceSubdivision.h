@@ -170,6 +170,138 @@ public:
 
   ///@{
   /**
+   * Whether triangles are only split where the criteria below want it, instead of NumberOfLevels
+   * times everywhere. Off by default. For SQRT_THREE; other schemes do what they do without it, and
+   * a warning says so: adaptive Loop is vtkRedGreenRefinement with its Placement LIMIT.
+   */
+  vtkSetMacro(Adaptive, bool);
+  vtkGetMacro(Adaptive, bool);
+  vtkBooleanMacro(Adaptive, bool);
+  ///@}
+
+  ///@{
+  /**
+   * With Adaptive, how many steps a triangle may have behind it, 0 to 60. Default 3. NumberOfLevels
+   * is not used then. Lines are cut in every second step.
+   */
+  vtkSetClampMacro(MaximumLevel, int, 0, 60);
+  vtkGetMacro(MaximumLevel, int);
+  ///@}
+
+  ///@{
+  /**
+   * With Adaptive, whether triangles are split along whose edges the point array at index 7 has an
+   * error (AttributeErrorKind) above AttributeTolerance. Several components are taken as a vector.
+   * Values that are not finite have no error; a warning says how many edges have them. On by
+   * default.
+   */
+  vtkSetMacro(RefineByAttributeError, bool);
+  vtkGetMacro(RefineByAttributeError, bool);
+  vtkBooleanMacro(RefineByAttributeError, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The error that an edge may have, as a part of the array's range (of several components: the
+   * diagonal of the box of their ranges), 0 or more. Default 0.1.
+   */
+  vtkSetClampMacro(AttributeTolerance, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(AttributeTolerance, double);
+  ///@}
+
+  enum AttributeErrorKinds
+  {
+    JUMP,
+    LIMIT_DIFFERENCE
+  };
+  ///@{
+  /**
+   * The error of an edge: JUMP (0, the default), the change of the limit values from one end to the
+   * other, or LIMIT_DIFFERENCE (1), the distance of their mean from the limit value between them.
+   */
+  vtkSetClampMacro(AttributeErrorKind, int, JUMP, LIMIT_DIFFERENCE);
+  vtkGetMacro(AttributeErrorKind, int);
+  void SetAttributeErrorKindToJump() { this->SetAttributeErrorKind(JUMP); }
+  void SetAttributeErrorKindToLimitDifference() { this->SetAttributeErrorKind(LIMIT_DIFFERENCE); }
+  ///@}
+
+  ///@{
+  /**
+   * With Adaptive, whether triangles are split whose value in the array at index 8 lies in
+   * ArrayRange (its ends included): of a point array, that of any of the triangle's points; of
+   * several components, their Euclidean norm. Off by default.
+   */
+  vtkSetMacro(RefineByArrayRange, bool);
+  vtkGetMacro(RefineByArrayRange, bool);
+  vtkBooleanMacro(RefineByArrayRange, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The values that RefineByArrayRange looks for. Default 0 to 1.
+   */
+  vtkSetVector2Macro(ArrayRange, double);
+  vtkGetVector2Macro(ArrayRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * With Adaptive, whether triangles are split that have an edge longer than MaximumEdgeLength. Off
+   * by default.
+   */
+  vtkSetMacro(RefineByEdgeLength, bool);
+  vtkGetMacro(RefineByEdgeLength, bool);
+  vtkBooleanMacro(RefineByEdgeLength, bool);
+  ///@}
+
+  ///@{
+  /**
+   * In the units of the coordinates. Default 1.
+   */
+  vtkSetClampMacro(MaximumEdgeLength, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * With Adaptive, whether triangles and lines are split that are farther than GeometricTolerance
+   * from the limit. Off by default.
+   */
+  vtkSetMacro(RefineByGeometricError, bool);
+  vtkGetMacro(RefineByGeometricError, bool);
+  vtkBooleanMacro(RefineByGeometricError, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The distance that RefineByGeometricError allows. Default 0.001.
+   */
+  vtkSetClampMacro(GeometricTolerance, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(GeometricTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether GeometricTolerance is a part of the diagonal of the input's bounding box (on, the
+   * default) or in the units of the coordinates.
+   */
+  vtkSetMacro(RelativeTolerance, bool);
+  vtkGetMacro(RelativeTolerance, bool);
+  vtkBooleanMacro(RelativeTolerance, bool);
+  ///@}
+
+  ///@{
+  /**
+   * With Adaptive, whether cells are split until the level that the array at index 9 gives their
+   * input cell. Off by default.
+   */
+  vtkSetMacro(RefineByWantedLevel, bool);
+  vtkGetMacro(RefineByWantedLevel, bool);
+  vtkBooleanMacro(RefineByWantedLevel, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether the rules near boundaries, creases and corners depend on the number of faces and the
    * angle there, without which surfaces are not smooth at boundary vertices of many faces and fold
    * at concave corners. On by default; off gives the plain rules.
@@ -307,7 +439,8 @@ public:
   ///@{
   /**
    * The filter stops with an error, before it takes any memory for them, if the output would have
-   * more cells than this. Default 500 million.
+   * more cells than this. With Adaptive, refinement stops, the worst places last, and a warning
+   * says so. Default 500 million.
    */
   vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);
@@ -347,6 +480,19 @@ protected:
 
   int Scheme = LOOP;
   int NumberOfLevels = 1;
+  bool Adaptive = false;
+  int MaximumLevel = 3;
+  bool RefineByAttributeError = true;
+  double AttributeTolerance = 0.1;
+  int AttributeErrorKind = JUMP;
+  bool RefineByArrayRange = false;
+  double ArrayRange[2] = { 0., 1. };
+  bool RefineByEdgeLength = false;
+  double MaximumEdgeLength = 1.;
+  bool RefineByGeometricError = false;
+  double GeometricTolerance = 0.001;
+  bool RelativeTolerance = true;
+  bool RefineByWantedLevel = false;
   bool ModifiedBoundary = true;
   bool ProjectToLimit = false;
   bool GenerateNormals = false;
@@ -366,8 +512,15 @@ protected:
   bool Use32BitIds = false;
 
 private:
+  enum CriterionArrays
+  {
+    ATTRIBUTE_ARRAY = 7,
+    RANGE_ARRAY,
+    LEVEL_ARRAY
+  };
   bool ReadArrays(vtkPolyData* input, subdivision::SurfaceOptions& options);
   void ReadOptions(subdivision::SurfaceOptions& options);
+  bool Execute(vtkPolyData* input, const subdivision::SurfaceOptions& options, vtkPolyData* output);
   /// Updates are nested for composite inputs: blocks start and end inside the whole.
   void OnStart() { ++this->UpdateDepth; }
   void OnEnd();

@@ -165,6 +165,18 @@ void AdaptiveSqrtThree<Id>::PushMissing(Id face, std::vector<Id>& stack) const
   }
 }
 
+/// At an end of the parent segment: the other half of that child is across an edge of the face that
+/// was cut there.
+template <typename Id>
+Id AdaptiveSqrtThree<Id>::FindMissingSide(const Segment& segment, Id i) const
+{
+  const Segment& parent = this->Segments[segment.Parent];
+  const Id cut = 3 * this->GetChild(this->Sides[parent.FirstSide + i]);
+  const bool isFirst = &segment == &this->Segments[parent.Children];
+  const bool atBegin = this->Vertices[cut] == parent.Ends[isFirst ? 0 : 1];
+  return this->Twins[atBegin ? Previous(cut) : Next(cut)] / 3;
+}
+
 template <typename Id>
 void AdaptiveSqrtThree<Id>::PushMissingSides(const Segment& segment, std::vector<Id>& stack) const
 {
@@ -173,13 +185,7 @@ void AdaptiveSqrtThree<Id>::PushMissingSides(const Segment& segment, std::vector
     const Id side = this->Sides[segment.FirstSide + i];
     if (side < 0)
     {
-      // At an end of the parent segment: the other half of that child is across an edge of the
-      // face that was cut there.
-      const Segment& parent = this->Segments[segment.Parent];
-      const Id cut = 3 * this->GetChild(this->Sides[parent.FirstSide + i]);
-      const bool isFirst = &segment == &this->Segments[parent.Children];
-      const bool atBegin = this->Vertices[cut] == parent.Ends[isFirst ? 0 : 1];
-      stack.push_back(this->Twins[atBegin ? Previous(cut) : Next(cut)] / 3);
+      stack.push_back(this->FindMissingSide(segment, i));
     }
     else if (!this->IsSplit(side / 3))
     {

@@ -82,6 +82,10 @@ public:
 
   vtkIdType GetNumberOfSegments() const { return static_cast<vtkIdType>(this->Segments.size()); }
   const Segment& GetSegmentAt(Id segment) const { return this->Segments[segment]; }
+  /// The i-th face on a segment, on its level, as a corner; -1: it is not there yet.
+  /// FindMissingSide: the face that has to be split for it.
+  Id GetSide(const Segment& segment, Id i) const { return this->Sides[segment.FirstSide + i]; }
+  Id FindMissingSide(const Segment& segment, Id i) const;
   /// Of a control edge; -1: it is not fixed.
   Id GetSegmentOfEdge(Id edge) const { return this->EdgeSegments[edge]; }
 

@@ -2,6 +2,7 @@
 #include "Arrays.h"
 
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 
@@ -87,6 +88,18 @@ bool HasIds(vtkDataSetAttributes* data, const char* name, vtkIdType tuples)
   vtkDataArray* array = data->GetArray(name);
   return array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == tuples &&
     array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+}
+
+std::vector<vtkIdType> ReadIdsOf(vtkDataSetAttributes* data, vtkIdType tuples)
+{
+  vtkDataArray* array = data->GetGlobalIds();
+  std::vector<vtkIdType> ids;
+  vtkIdTypeArray* exact = vtkIdTypeArray::SafeDownCast(array);
+  for (vtkIdType i = 0; array && array->GetNumberOfTuples() == tuples && i < tuples; ++i)
+  {
+    ids.push_back(exact ? exact->GetValue(i) : ToId(array->GetComponent(i, 0)));
+  }
+  return ids;
 }
 
 vtkIdType ToId(double value)

@@ -44,6 +44,9 @@ bool HasTuples(vtkAbstractArray* array, vtkIdType wanted, const char* kind,
 /// Whether there is an array of integers by that name, one for each of `tuples` points or cells.
 bool HasIds(vtkDataSetAttributes* data, const char* name, vtkIdType tuples);
 
+/// The global ids of points or cells; empty unless there is one for each.
+std::vector<vtkIdType> ReadIdsOf(vtkDataSetAttributes* data, vtkIdType tuples);
+
 /// A number as an id; -1 where it is none.
 vtkIdType ToId(double value);
 

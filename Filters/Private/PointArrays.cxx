@@ -244,6 +244,8 @@ template void PointArrays::AdvanceSmoothed(const LocalLimit<int>&);
 template void PointArrays::AdvanceSmoothed(const LocalLimit<long long>&);
 template void PointArrays::AdvanceSmoothed(const BlockOperator<int>&);
 template void PointArrays::AdvanceSmoothed(const BlockOperator<long long>&);
+template void PointArrays::AdvanceSmoothed(const AdaptiveSqrtThreeLimit<int>&);
+template void PointArrays::AdvanceSmoothed(const AdaptiveSqrtThreeLimit<long long>&);
 
 /// Old points keep theirs; a new point takes that of an end of its edge.
 template <typename Id>

@@ -8,6 +8,7 @@
 
 #include "Arrays.h"
 #include "CellsToSimplices.h"
+#include "Core/AdaptiveSqrtThreeRows.h"
 #include "Core/BlockOperator.h"
 #include "Core/ChildRows.h"
 #include "Core/LocalLimit.h"
@@ -65,7 +66,7 @@ public:
   template <typename Id>
   void Advance(const TetOctStencils<Id>& stencils);
   /// `origin(row)`: the current point whose values a row takes in arrays that are not smoothed.
-  /// The operator is SparseRows, LocalLimit or BlockOperator.
+  /// The operator is SparseRows, LocalLimit, BlockOperator or AdaptiveSqrtThreeLimit.
   template <typename Operator, typename Origin>
   void Advance(const Operator& rows, const Origin& origin);
   /// Moves each point by a row of its own, without new points; no rows: nothing happens.

@@ -266,8 +266,27 @@ double RefinementCriteria::GetGeometricError(
 {
   const double distance = size == 2 ? GetDistanceFromEdge(place, corners[0], corners[1])
                                     : GetDistanceFromTriangle(place, corners);
+  return this->GetGeometricError(distance);
+}
+
+double RefinementCriteria::GetGeometricError(double distance) const
+{
   return std::isfinite(distance) ? this->Allow(BetweenPlaces * distance, this->AllowedDistance)
                                  : 0.;
+}
+
+std::vector<ContinuedArray*> RefinementCriteria::GetPointArrays()
+{
+  std::vector<ContinuedArray*> arrays{ &this->Coordinates };
+  if (this->Attribute.IsSet())
+  {
+    arrays.push_back(&this->Attribute);
+  }
+  if (this->Range.IsSet() && !this->Options.RangeOfCells)
+  {
+    arrays.push_back(&this->Range);
+  }
+  return arrays;
 }
 
 void RefinementCriteria::EvaluateFunction(

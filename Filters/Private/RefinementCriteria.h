@@ -78,6 +78,13 @@ public:
   {
     return this->Values.data() + point * this->Components;
   }
+  bool IsSmooth() const { return this->Smooth; }
+  /// All values, made room for `size` points.
+  double* Grow(vtkIdType size)
+  {
+    this->Values.resize(static_cast<std::size_t>(size) * this->Components);
+    return this->Values.data();
+  }
   double GetNorm(vtkIdType point) const;
   double GetDistance(vtkIdType a, vtkIdType b) const;
   /// The diagonal of the box of all values that are finite.
@@ -112,6 +119,10 @@ public:
     }
   }
 
+  /// The arrays of points: coordinates, then those of the other criteria. For meshes whose points
+  /// move: tolerances are of the input all the same.
+  std::vector<ContinuedArray*> GetPointArrays();
+
   const ContinuedArray& GetCoordinates() const { return this->Coordinates; }
   const ContinuedArray& GetAttribute() const { return this->Attribute; }
 
@@ -129,6 +140,8 @@ public:
     const double* const* corners, const double* weights, const double* value) const;
   /// The distance from the edge or triangle between two or three corners.
   double GetGeometricError(const double* const* corners, int size, const double* place) const;
+  /// The same where the distance is known.
+  double GetGeometricError(double distance) const;
 
   /// Whether any criterion asks for errors of edges.
   bool ReadsEdges() const

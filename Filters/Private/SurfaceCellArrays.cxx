@@ -44,19 +44,11 @@ Buffer<vtkIdType> FindSources(
 
 }
 
-template <typename Id>
-void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
-  const SurfaceSteps<Id>& steps, int firstStep, const RunOptions& options, vtkPolyData* output)
+void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources, bool originals,
+  const RunOptions& options, vtkPolyData* output)
 {
   vtkCellData* from = input->GetCellData();
   vtkCellData* to = output->GetCellData();
-  const bool carried = firstStep > 0 && HasIds(from, OriginalCells, input->GetNumberOfCells());
-  const bool originals = options.GenerateOriginalIds && !carried;
-  if (from->GetNumberOfArrays() == 0 && !originals)
-  {
-    return;
-  }
-  const Buffer<vtkIdType> sources = FindSources(cells, steps, firstStep);
   for (int i = 0; i < from->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = from->GetAbstractArray(i);
@@ -76,9 +68,23 @@ void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
     std::copy(sources.begin(), sources.end(), ids->GetPointer(0));
     AddInstead(from, ids, to);
   }
+}
+
+template <typename Id>
+void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
+  const SurfaceSteps<Id>& steps, int firstStep, const RunOptions& options, vtkPolyData* output)
+{
+  vtkCellData* from = input->GetCellData();
+  const bool carried = firstStep > 0 && HasIds(from, OriginalCells, input->GetNumberOfCells());
+  const bool originals = options.GenerateOriginalIds && !carried;
+  if (from->GetNumberOfArrays() == 0 && !originals)
+  {
+    return;
+  }
+  CopySurfaceCellArrays(input, FindSources(cells, steps, firstStep), originals, options, output);
   if (vtkDataArray* given = options.Features.Sharpness)
   {
-    vtkDataArray* sharpness = to->GetArray(given->GetName());
+    vtkDataArray* sharpness = output->GetCellData()->GetArray(given->GetName());
     const vtkIdType first = static_cast<vtkIdType>(cells.VertexCells.size());
     const vtkIdType lines = steps.GetLevel(steps.GetNumberOfSteps()).Lines.size();
     for (vtkIdType i = first; sharpness && i < first + lines; ++i)

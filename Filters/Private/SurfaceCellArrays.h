@@ -13,6 +13,11 @@
 namespace subdivision
 {
 
+/// Copies every cell array of `input` to cells that come from `sources`, with `vtkOriginalCellIds`
+/// if `originals`. Global and pedigree ids are dropped.
+void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources, bool originals,
+  const RunOptions& options, vtkPolyData* output);
+
 /// Copies every cell array of `input`, whose cells are those of level `firstStep`, to the cells of
 /// the last level. Global and pedigree ids are dropped; sharpness of lines is reduced.
 template <typename Id>

@@ -184,17 +184,7 @@ void SurfaceRun<Id>::StartPoints()
   {
     arrays.Replaced.insert(arrays.Replaced.end(), { LimitTangentNames[0], LimitTangentNames[1] });
   }
-  vtkDataArray* ids = this->Input->GetPointData()->GetGlobalIds();
-  this->GlobalIds.clear();
-  if (ids && ids->GetNumberOfTuples() == this->Input->GetNumberOfPoints())
-  {
-    this->GlobalIds.resize(ids->GetNumberOfTuples());
-    vtkIdTypeArray* exact = vtkIdTypeArray::SafeDownCast(ids);
-    for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
-    {
-      this->GlobalIds[i] = exact ? exact->GetValue(i) : ToId(ids->GetComponent(i, 0));
-    }
-  }
+  this->GlobalIds = ReadIdsOf(this->Input->GetPointData(), this->Input->GetNumberOfPoints());
   this->NoCentres.Simplices.NumberOfPoints = this->Input->GetNumberOfPoints();
   this->Points = std::make_unique<PointArrays>(this->Input, this->NoCentres,
     this->GlobalIds.empty() ? nullptr : this->GlobalIds.data(),

@@ -1,0 +1,464 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AdaptiveSurfaceMarks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace subdivision
+{
+
+/// Faces, or segments, as the criteria of cells see them.
+template <typename Id>
+class AdaptiveSurfaceMarks<Id>::Candidates
+{
+public:
+  Candidates(const AdaptiveSurfaceMarks& marks, bool isFaces)
+    : Marks(marks)
+    , IsFaces(isFaces)
+  {
+  }
+  const std::vector<Id>& GetAll() const
+  {
+    return this->IsFaces ? this->Marks.Faces : this->Marks.Segments;
+  }
+  vtkIdType GetSize() const { return static_cast<vtkIdType>(this->GetAll().size()); }
+  Id Get(vtkIdType i) const { return this->GetAll()[i]; }
+  Row<Id> GetPoints(vtkIdType i) const
+  {
+    const Id* points = this->IsFaces ? this->Marks.Mesh.GetVertices(this->Get(i))
+                                     : this->Marks.Mesh.GetSegmentAt(this->Get(i)).Ends;
+    return { points, points + (this->IsFaces ? 3 : 2) };
+  }
+  vtkIdType GetInputCell(vtkIdType i) const
+  {
+    return this->IsFaces ? this->Marks.FaceCells[this->Marks.Sources[this->Get(i)]]
+                         : this->Marks.SegmentCells[this->GetRoot(this->Get(i))];
+  }
+  int GetLevel(vtkIdType i) const
+  {
+    return this->IsFaces ? this->Marks.Mesh.GetLevel(this->Get(i))
+                         : this->Marks.Mesh.GetSegmentAt(this->Get(i)).Level;
+  }
+  /// Levels that a split goes down.
+  int GetStep() const { return this->IsFaces ? 1 : 2; }
+
+private:
+  Id GetRoot(Id segment) const
+  {
+    while (this->Marks.Mesh.GetSegmentAt(segment).Parent >= 0)
+    {
+      segment = this->Marks.Mesh.GetSegmentAt(segment).Parent;
+    }
+    return segment;
+  }
+
+  const AdaptiveSurfaceMarks& Marks;
+  const bool IsFaces; ///< or segments
+};
+
+template <typename Id>
+AdaptiveSurfaceMarks<Id>::AdaptiveSurfaceMarks(const AdaptiveSqrtThree<Id>& mesh,
+  const AdaptiveSqrtThreeRows<Id>& rows, const RefinementOptions& options,
+  RefinementCriteria& criteria, const std::vector<vtkIdType>& faceCells,
+  const std::vector<vtkIdType>& segmentCells)
+  : Mesh(mesh)
+  , Options(options)
+  , Criteria(criteria)
+  , FaceCells(faceCells)
+  , SegmentCells(segmentCells)
+{
+  for (ContinuedArray* array : criteria.GetPointArrays())
+  {
+    const bool isCoordinates = this->Arrays.empty();
+    const bool isAttribute = array == &criteria.GetAttribute();
+    const bool ofLimit =
+      isCoordinates ? options.ByGeometricError : isAttribute && options.AttributeOfLimit;
+    this->Attribute = isAttribute ? static_cast<int>(this->Arrays.size()) : this->Attribute;
+    this->Arrays.emplace_back(mesh, rows, *array, ofLimit);
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+// What is new
+
+/// A face lies in two of the level above: the first counts.
+template <typename Id>
+void AdaptiveSurfaceMarks<Id>::FindSources()
+{
+  const vtkIdType given = this->Mesh.GetNumberOfControlFaces();
+  this->Sources.resize(this->Mesh.GetNumberOfFaces());
+  for (const Id face : this->Faces)
+  {
+    if (face < given)
+    {
+      this->Sources[face] = face;
+      continue;
+    }
+    const Id parent = this->Mesh.GetParent(face);
+    const Id corner = 3 * parent + (face - this->Mesh.GetChild(3 * parent));
+    const Id twin = this->Mesh.GetTwin(corner);
+    const bool isOfOther = twin >= 0 && this->Mesh.IsBefore(twin / 3, parent);
+    this->Sources[face] = this->Sources[isOfOther ? twin / 3 : parent];
+  }
+}
+
+/// Takes in everything that came into being since the last time.
+template <typename Id>
+void AdaptiveSurfaceMarks<Id>::Update()
+{
+  const auto& made = this->Mesh.GetNewFaces();
+  const vtkIdType given = this->Mesh.GetNumberOfControlVertices();
+  this->Faces.assign(made.begin() + this->KnownFaces, made.end());
+  const bool isFirst = this->KnownVertices == 0;
+  for (vtkIdType f = this->Mesh.GetNumberOfControlFaces() - 1; isFirst && f >= 0; --f)
+  {
+    this->Faces.push_back(static_cast<Id>(f));
+  }
+  std::sort(this->Faces.begin(), this->Faces.end(),
+    [this](Id a, Id b)
+    {
+      const int first = this->Mesh.GetLevel(a);
+      const int second = this->Mesh.GetLevel(b);
+      return first != second ? second > first : b > a;
+    });
+  this->KnownFaces = static_cast<vtkIdType>(made.size());
+  this->FindSources();
+  std::vector<Id> vertices;
+  for (vtkIdType v = this->KnownVertices; v < this->Mesh.GetNumberOfVertices(); ++v)
+  {
+    vertices.push_back(static_cast<Id>(v));
+  }
+  std::stable_sort(vertices.begin(), vertices.end(),
+    [&](Id a, Id b)
+    {
+      const int first = a < given ? -1 : this->Mesh.GetAdded(a).Level;
+      const int second = b < given ? -1 : this->Mesh.GetAdded(b).Level;
+      return second > first;
+    });
+  for (AdaptiveSurfaceValues<Id>& values : this->Arrays)
+  {
+    values.Add(vertices, this->Faces, this->KnownSegments);
+  }
+  this->KnownVertices = this->Mesh.GetNumberOfVertices();
+  this->Segments.clear();
+  this->Open.clear();
+  for (; this->KnownSegments < this->Mesh.GetNumberOfSegments(); ++this->KnownSegments)
+  {
+    const auto& segment = this->Mesh.GetSegmentAt(static_cast<Id>(this->KnownSegments));
+    bool isOpen = false;
+    for (Id i = 0; i < segment.NumberOfSides; ++i)
+    {
+      isOpen = isOpen || this->Mesh.GetSide(segment, i) < 0;
+    }
+    if (isOpen || segment.NumberOfSides == 0)
+    {
+      (isOpen ? this->Open : this->Segments).push_back(static_cast<Id>(this->KnownSegments));
+    }
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+// Errors
+
+namespace
+{
+
+/// Only the middles of edges and the centres of faces are looked at: how much larger an error may
+/// be beside them, over what RefinementCriteria adds for many places.
+constexpr double FewPlaces = 1.2;
+constexpr double Halves[2] = { 0.5, 0.5 };
+
+/// How far a point is above the plane of a triangle.
+double GetHeight(const double a[3], const double b[3], const double c[3], const double point[3])
+{
+  double normal[3];
+  double length = 0.;
+  double height = 0.;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    normal[i] = (b[j] - a[j]) * (c[k] - a[k]) - (b[k] - a[k]) * (c[j] - a[j]);
+    length += normal[i] * normal[i];
+    height += normal[i] * (point[i] - a[i]);
+  }
+  return length > 0. ? height / std::sqrt(length) : 0.;
+}
+
+}
+
+/// How far a face is from a place at the limit.
+template <typename Id>
+double AdaptiveSurfaceMarks<Id>::GetErrorAt(Id face, const double* place) const
+{
+  const Id* vertices = this->Mesh.GetVertices(face);
+  const double* const corners[3] = { this->Arrays[0].GetLimit(vertices[0]),
+    this->Arrays[0].GetLimit(vertices[1]), this->Arrays[0].GetLimit(vertices[2]) };
+  return FewPlaces * this->Criteria.GetGeometricError(corners, 3, place);
+}
+
+/// The error of an edge for criteria that ask for the limit.
+template <typename Id>
+double AdaptiveSurfaceMarks<Id>::GetLimitError(
+  Id corner, std::vector<double>& middle, bool& hasNoValue) const
+{
+  if (this->Mesh.IsFixed(corner))
+  {
+    return this->GetSegmentError(this->Mesh.GetSegment(corner), middle, hasNoValue);
+  }
+  const AdaptiveSurfaceValues<Id>& points = this->Arrays[0];
+  double error = 0.;
+  if (points.IsOfLimit() && points.FindMiddle(corner, middle.data()))
+  {
+    error = std::numeric_limits<double>::infinity();
+    for (const Id face : { corner / 3, this->Mesh.GetTwin(corner) / 3 })
+    {
+      error = std::min(error, this->GetErrorAt(face, middle.data()));
+    }
+  }
+  if (this->Attribute >= 0 && this->Arrays[this->Attribute].IsOfLimit())
+  {
+    const AdaptiveSurfaceValues<Id>& values = this->Arrays[this->Attribute];
+    if (values.FindMiddle(corner, middle.data()))
+    {
+      const double* const ends[2] = { values.GetLimit(this->Mesh.GetVertex(corner)),
+        values.GetLimit(this->Mesh.GetVertex(this->Mesh.Next(corner))) };
+      const double change =
+        FewPlaces * this->Criteria.GetAttributeErrorAtLimit(ends, Halves, middle.data());
+      hasNoValue = hasNoValue || change < 0.;
+      error = std::max(error, change);
+    }
+  }
+  return error;
+}
+
+/// The same for an edge on a curve.
+template <typename Id>
+double AdaptiveSurfaceMarks<Id>::GetSegmentError(
+  Id segment, std::vector<double>& middle, bool& hasNoValue) const
+{
+  const Id* ends = this->Mesh.GetSegmentAt(segment).Ends;
+  double error = 0.;
+  for (std::size_t i = 0; i < this->Arrays.size(); ++i)
+  {
+    const AdaptiveSurfaceValues<Id>& values = this->Arrays[i];
+    if (!values.IsOfLimit())
+    {
+      continue;
+    }
+    const double* const chord[2] = { values.GetLimit(ends[0]), values.GetLimit(ends[1]) };
+    values.FindMiddleOfSegment(segment, middle.data());
+    const double own = FewPlaces *
+      (i == 0 ? this->Criteria.GetGeometricError(chord, 2, middle.data())
+              : this->Criteria.GetAttributeErrorAtLimit(chord, Halves, middle.data()));
+    hasNoValue = hasNoValue || own < 0.;
+    error = std::max(error, own);
+  }
+  return error;
+}
+
+template <typename Id>
+void AdaptiveSurfaceMarks<Id>::JudgeEdge(
+  Id a, Id b, double atLimit, bool noValueAtLimit, int bit, Verdict& verdict) const
+{
+  bool hasNoValue = false;
+  const double error = std::max(atLimit, this->Criteria.GetEdgeError(a, b, hasNoValue));
+  verdict.HasNoValue = verdict.HasNoValue || hasNoValue || noValueAtLimit;
+  verdict.IsTooShort = verdict.IsTooShort || this->Criteria.IsTooShort(a, b);
+  verdict.Error = std::max(verdict.Error, error);
+  verdict.Edges |= static_cast<unsigned char>(error > 1. ? 1 << bit : 0);
+}
+
+template <typename Id>
+typename AdaptiveSurfaceMarks<Id>::Verdict AdaptiveSurfaceMarks<Id>::JudgeFace(
+  Id face, std::vector<double>& middle) const
+{
+  Verdict verdict;
+  const Id* corners = this->Mesh.GetVertices(face);
+  for (int i = 0; i < 3; ++i)
+  {
+    bool hasNoValue = false;
+    const double atLimit =
+      this->Options.ReadsLimit() ? this->GetLimitError(3 * face + i, middle, hasNoValue) : 0.;
+    this->JudgeEdge(corners[i], corners[(i + 1) % 3], atLimit, hasNoValue, i, verdict);
+  }
+  if (this->Arrays[0].IsOfLimit() && !this->Mesh.IsCut(face))
+  {
+    this->JudgeInside(face, middle, verdict);
+  }
+  return verdict;
+}
+
+/// The centre of a face; and the thirds of the face that stay where the faces across its edges are
+/// not split. Over them the limit is taken for quadratic: heights over the middles of the edges say
+/// all.
+template <typename Id>
+void AdaptiveSurfaceMarks<Id>::JudgeInside(
+  Id face, std::vector<double>& middle, Verdict& verdict) const
+{
+  const AdaptiveSurfaceValues<Id>& points = this->Arrays[0];
+  const Id* corners = this->Mesh.GetVertices(face);
+  const double* x[3] = { points.GetLimit(corners[0]), points.GetLimit(corners[1]),
+    points.GetLimit(corners[2]) };
+  verdict.Error = std::max(verdict.Error, this->GetErrorAt(face, points.GetCentre(face)));
+  if (verdict.Error <= 1.)
+  {
+    return;
+  }
+  double heights[3];
+  // The height of the centre is 4/9 of their sum, which tells that of an edge without other face.
+  double rest = 9. / 4. * GetHeight(x[0], x[1], x[2], points.GetCentre(face));
+  int unknown = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const bool isKnown = points.FindMiddle(3 * face + i, middle.data());
+    heights[i] = isKnown ? GetHeight(x[0], x[1], x[2], middle.data()) : 0.;
+    rest -= heights[i];
+    unknown += isKnown ? 0 : 1;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    heights[i] += this->Mesh.GetTwin(3 * face + i) == -1 ? rest / unknown : 0.;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    const double own = heights[i];
+    const double next = heights[(i + 1) % 3];
+    const double last = heights[(i + 2) % 3];
+    const double fromBegin = 2. / 9. * (own + last) - next / 9.;
+    const double fromEnd = 2. / 9. * (own + next) - last / 9.;
+    const double largest = std::max({ std::abs(own), std::abs(fromBegin), std::abs(fromEnd),
+      4. / 9. * std::abs(own + fromBegin + fromEnd) });
+    const double error = FewPlaces * this->Criteria.GetGeometricError(largest);
+    verdict.Edges |= static_cast<unsigned char>(error > 1. ? 1 << i : 0);
+  }
+}
+
+template <typename Id>
+typename AdaptiveSurfaceMarks<Id>::Verdict AdaptiveSurfaceMarks<Id>::JudgeSegment(
+  Id segment, std::vector<double>& middle) const
+{
+  Verdict verdict;
+  const Id* ends = this->Mesh.GetSegmentAt(segment).Ends;
+  bool hasNoValue = false;
+  const double atLimit = this->GetSegmentError(segment, middle, hasNoValue);
+  this->JudgeEdge(ends[0], ends[1], atLimit, hasNoValue, 0, verdict);
+  return verdict;
+}
+
+template <typename Id>
+std::vector<AdaptiveMark<Id>> AdaptiveSurfaceMarks<Id>::Find(AdaptiveNotes& notes)
+{
+  this->Update();
+  std::size_t components = 1;
+  for (const AdaptiveSurfaceValues<Id>& values : this->Arrays)
+  {
+    components = std::max(components, static_cast<std::size_t>(values.GetComponents()));
+  }
+  std::vector<AdaptiveMark<Id>> marks;
+  for (const bool isFaces : { true, false })
+  {
+    const Candidates candidates(*this, isFaces);
+    const vtkIdType size = candidates.GetSize();
+    Buffer<double> errors(size);
+    Buffer<Verdict> verdicts(size);
+    this->Criteria.GetCellErrors(candidates, 0, size, errors);
+    ForRanges(size,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        std::vector<double> middle(components);
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const Id at = candidates.Get(i);
+          verdicts[i] = isFaces ? this->JudgeFace(at, middle) : this->JudgeSegment(at, middle);
+          if (errors[i] > 1.)
+          {
+            verdicts[i].Edges = 7; // no part of it is to stay
+          }
+          verdicts[i].Error = std::max(verdicts[i].Error, errors[i]);
+        }
+      });
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const Verdict& verdict = verdicts[i];
+      if (verdict.HasNoValue && candidates.GetLevel(i) == 0)
+      {
+        this->AddWithoutValue(candidates.GetPoints(i), notes);
+      }
+      if (candidates.GetLevel(i) + candidates.GetStep() <= this->Options.MaximumLevel &&
+        verdict.Error > 1.)
+      {
+        // Limits of control vertices may coincide, and the surface goes on beside them.
+        if (verdict.IsTooShort && candidates.GetLevel(i) > 0)
+        {
+          ++notes.TooShort;
+          continue;
+        }
+        this->AddMarks(candidates.Get(i), isFaces, verdict, marks);
+      }
+    }
+  }
+  std::vector<double> middle(components);
+  this->AddMarksOfOpen(middle, marks);
+  return marks;
+}
+
+/// No face tells of the error of a segment that is an edge of a part of a face only.
+template <typename Id>
+void AdaptiveSurfaceMarks<Id>::AddMarksOfOpen(
+  std::vector<double>& middle, std::vector<AdaptiveMark<Id>>& marks) const
+{
+  for (const Id at : this->Open)
+  {
+    const auto& segment = this->Mesh.GetSegmentAt(at);
+    const Verdict verdict = this->JudgeSegment(at, middle);
+    for (Id i = 0; i < segment.NumberOfSides; ++i)
+    {
+      if (verdict.Error > 1. && !verdict.IsTooShort &&
+        segment.Level + 2 <= this->Options.MaximumLevel && this->Mesh.GetSide(segment, i) < 0)
+      {
+        marks.push_back({ verdict.Error, this->Mesh.FindMissingSide(segment, i) });
+      }
+    }
+  }
+}
+
+/// A face is split with those across edges whose error is too large: only then these are no more.
+template <typename Id>
+void AdaptiveSurfaceMarks<Id>::AddMarks(
+  Id at, bool isFace, const Verdict& verdict, std::vector<AdaptiveMark<Id>>& marks) const
+{
+  marks.push_back({ verdict.Error, isFace ? at : -1 - at });
+  for (int e = 0; e < 3 && isFace; ++e)
+  {
+    const Id twin = this->Mesh.GetTwin(3 * at + e);
+    if ((verdict.Edges & (1 << e)) != 0 && twin >= 0)
+    {
+      marks.push_back({ verdict.Error, twin / 3 });
+    }
+  }
+}
+
+/// Notes the edges of an input cell whose values are not finite.
+template <typename Id>
+void AdaptiveSurfaceMarks<Id>::AddWithoutValue(const Row<Id>& points, AdaptiveNotes& notes) const
+{
+  for (auto a = points.begin(); a != points.end(); ++a)
+  {
+    for (auto b = a + 1; b != points.end(); ++b)
+    {
+      bool hasNoValue = false;
+      this->Criteria.GetEdgeError(*a, *b, hasNoValue);
+      if (hasNoValue || this->Options.AttributeOfLimit)
+      {
+        notes.WithoutValue.emplace_back(std::min(*a, *b), std::max(*a, *b));
+      }
+    }
+  }
+}
+
+template class AdaptiveSurfaceMarks<int>;
+template class AdaptiveSurfaceMarks<long long>;
+
+}

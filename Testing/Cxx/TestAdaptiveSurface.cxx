@@ -1,0 +1,506 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkSurfaceSubdivision with Adaptive: criteria, arrays, limits, bad input.
+
+#include "MultiDimensionalSubdivisionTools.h"
+#include "SurfaceTools.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImplicitPolyDataDistance.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <functional>
+#include <limits>
+
+using namespace surfacetools;
+
+namespace
+{
+
+using Filter = vtkSurfaceSubdivision;
+using PolyData = vtkSmartPointer<vtkPolyData>;
+using multi_dimensional_subdivision_tools::Messages;
+
+/// A filter that refines by nothing, as `configure` changes it.
+PolyData Refine(
+  vtkPolyData* input, const std::function<void(Filter*)>& configure, Messages* messages = nullptr)
+{
+  vtkNew<Messages> own;
+  vtkNew<Filter> filter;
+  (messages ? messages : own.Get())->Watch(filter);
+  filter->SetInputData(input);
+  filter->SetSchemeToSqrtThree();
+  filter->AdaptiveOn();
+  filter->RefineByAttributeErrorOff();
+  configure(filter);
+  filter->Update();
+  for (const auto& warning : own->Warnings)
+  {
+    ADD_FAILURE() << warning;
+  }
+  auto output = PolyData::New();
+  output->ShallowCopy(filter->GetOutput());
+  return output;
+}
+
+void WantLevel(vtkPolyData* input, int level)
+{
+  vtkNew<vtkIntArray> wanted;
+  wanted->SetName("WantedLevel");
+  wanted->SetNumberOfTuples(input->GetNumberOfCells());
+  wanted->FillValue(level);
+  input->GetCellData()->AddArray(wanted);
+}
+
+/// A round hill on a grid, with arrays of all kinds.
+PolyData MakeHill(int size)
+{
+  Model grid = MakeGrid(size, size, true, { 1., 0., 0. }, { 0.5, 0.8, 0. });
+  for (Point& p : grid.Points)
+  {
+    const double x = p[0] / size - 0.75;
+    const double y = p[1] / size - 0.4;
+    p[2] = 0.3 * size * std::exp(-20. * (x * x + y * y));
+  }
+  grid.Lines = { { 1, 2 }, { 2, 3 } };
+  PolyData input = MakeInput(grid);
+  const vtkIdType points = input->GetNumberOfPoints();
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Value");
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("Label");
+  vtkNew<vtkStringArray> names;
+  names->SetName("Name");
+  for (vtkIdType i = 0; i < points; ++i)
+  {
+    values->InsertNextValue(static_cast<float>(input->GetPoint(i)[2]));
+    labels->InsertNextValue(static_cast<int>(i % 5));
+    names->InsertNextValue(std::to_string(i));
+  }
+  vtkNew<vtkDoubleArray> ofCells;
+  ofCells->SetName("OfCell");
+  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
+  {
+    ofCells->InsertNextValue(0.5 * static_cast<double>(i));
+  }
+  input->GetPointData()->SetScalars(values);
+  input->GetPointData()->AddArray(labels);
+  input->GetPointData()->AddArray(names);
+  input->GetCellData()->AddArray(ofCells);
+  return input;
+}
+
+double GetLargestDistance(vtkPolyData* from, vtkPolyData* to)
+{
+  vtkNew<vtkPolyData> faces;
+  faces->SetPoints(to->GetPoints());
+  faces->SetPolys(to->GetPolys());
+  vtkNew<vtkImplicitPolyDataDistance> distance;
+  distance->SetInput(faces);
+  double largest = 0.;
+  for (vtkIdType i = 0; i < from->GetNumberOfPoints(); ++i)
+  {
+    largest = std::max(largest, std::abs(distance->EvaluateFunction(from->GetPoint(i))));
+  }
+  return largest;
+}
+
+double GetLongestEdge(vtkPolyData* mesh)
+{
+  double longest = 0.;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    vtkNew<vtkIdList> scratch;
+    mesh->GetCellPoints(cell, size, ids, scratch);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      Point a;
+      Point b;
+      mesh->GetPoint(ids[i], a.data());
+      mesh->GetPoint(ids[(i + 1) % size], b.data());
+      longest = std::max(longest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+    }
+  }
+  return longest;
+}
+
+}
+
+TEST(AdaptiveSurface, EverythingWantedIsTheUniformMeshAtTheLimit)
+{
+  std::map<std::string, PolyData> inputs;
+  for (const auto& [name, model] : MakeZoo(true))
+  {
+    inputs[name] = MakeInput(model);
+  }
+  inputs.erase("pillow"); // its points have the same limit, so that nothing is worth a split
+  inputs["hill"] = MakeHill(6);
+  for (const auto& [name, input] : inputs)
+  {
+    for (int level : { 0, 1, 2, 5 })
+    {
+      SCOPED_TRACE(name + ", level " + std::to_string(level));
+      const PolyData uniform = RunFilter(input, Filter::SQRT_THREE, level, true);
+      auto marked = PolyData::New();
+      marked->ShallowCopy(input);
+      WantLevel(marked, 7);
+      const PolyData output = Refine(marked,
+        [level](Filter* filter)
+        {
+          filter->RefineByWantedLevelOn();
+          filter->SetMaximumLevel(level);
+        });
+      ASSERT_EQ(output->GetNumberOfPoints(), uniform->GetNumberOfPoints());
+      ASSERT_EQ(output->GetNumberOfPolys(), uniform->GetNumberOfPolys());
+      ASSERT_EQ(output->GetNumberOfLines(), uniform->GetNumberOfLines());
+      for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+      {
+        Point a;
+        Point b;
+        output->GetPoint(i, a.data());
+        uniform->GetPoint(i, b.data());
+        ASSERT_LT(GetDistance(a, b), 1e-12 * std::max(1., input->GetLength()));
+      }
+      for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+      {
+        vtkNew<vtkIdList> a;
+        vtkNew<vtkIdList> b;
+        output->GetCellPoints(i, a);
+        uniform->GetCellPoints(i, b);
+        ASSERT_EQ(a->GetNumberOfIds(), b->GetNumberOfIds());
+        for (vtkIdType p = 0; p < a->GetNumberOfIds(); ++p)
+        {
+          ASSERT_EQ(a->GetId(p), b->GetId(p)) << "cell " << i;
+        }
+      }
+      for (const char* array : { "OfCell", "Label", "Name" })
+      {
+        vtkAbstractArray* a = output->GetCellData()->GetAbstractArray(array);
+        vtkAbstractArray* b = uniform->GetCellData()->GetAbstractArray(array);
+        a = a ? a : output->GetPointData()->GetAbstractArray(array);
+        b = b ? b : uniform->GetPointData()->GetAbstractArray(array);
+        ASSERT_EQ(a != nullptr, b != nullptr);
+        for (vtkIdType i = 0; a && i < a->GetNumberOfTuples(); ++i)
+        {
+          ASSERT_EQ(a->GetVariantValue(i), b->GetVariantValue(i)) << array << " " << i;
+        }
+      }
+    }
+  }
+}
+
+TEST(AdaptiveSurface, TheGeometricErrorIsBelowTheTolerance)
+{
+  const PolyData input = MakeHill(10);
+  auto run = [&](double tolerance)
+  {
+    return Refine(input,
+      [tolerance](Filter* filter)
+      {
+        filter->RefineByGeometricErrorOn();
+        filter->RelativeToleranceOff();
+        filter->SetGeometricTolerance(tolerance);
+        filter->SetMaximumLevel(20);
+      });
+  };
+  const PolyData fine = run(5e-4);
+  vtkIdType before = input->GetNumberOfCells();
+  for (double tolerance : { 0.1, 0.03, 0.01 })
+  {
+    const PolyData output = run(tolerance);
+    const double error = GetLargestDistance(fine, output);
+    EXPECT_LE(error, tolerance);
+    EXPECT_GE(error, 0.2 * tolerance);
+    EXPECT_GT(output->GetNumberOfCells(), before);
+    before = output->GetNumberOfCells();
+    // The plain around the hill stays as it is.
+    auto* generations =
+      vtkUnsignedCharArray::SafeDownCast(output->GetCellData()->GetArray("Generation"));
+    ASSERT_NE(generations, nullptr);
+    EXPECT_EQ(generations->GetValueRange()[0], 0);
+    EXPECT_GT(generations->GetValueRange()[1], 1);
+  }
+  // Uniform steps to the same error take more.
+  const PolyData uniform = RunFilter(input, Filter::SQRT_THREE, 4, true);
+  const double error = GetLargestDistance(fine, uniform);
+  const PolyData output = run(error);
+  EXPECT_LE(GetLargestDistance(fine, output), error);
+  EXPECT_LT(2 * output->GetNumberOfPolys(), uniform->GetNumberOfPolys());
+}
+
+TEST(AdaptiveSurface, EdgesGetShortEnough)
+{
+  const PolyData input = MakeHill(5);
+  for (double length : { 0.7, 0.2, 0.05 })
+  {
+    const PolyData output = Refine(input,
+      [length](Filter* filter)
+      {
+        filter->RefineByEdgeLengthOn();
+        filter->SetMaximumEdgeLength(length);
+        filter->SetMaximumLevel(20);
+      });
+    EXPECT_LE(GetLongestEdge(output), length);
+    EXPECT_GT(GetLongestEdge(output), 0.2 * length);
+  }
+}
+
+TEST(AdaptiveSurface, AttributesAreMetAndTheRestIsLeftAlone)
+{
+  const PolyData input = MakeHill(8);
+  const double range = input->GetPointData()->GetScalars()->GetRange()[1];
+  for (double tolerance : { 0.2, 0.05 })
+  {
+    const PolyData output = Refine(input,
+      [tolerance](Filter* filter)
+      {
+        filter->RefineByAttributeErrorOn();
+        filter->SetAttributeTolerance(tolerance);
+        filter->SetMaximumLevel(20);
+      });
+    vtkDataArray* values = output->GetPointData()->GetArray("Value");
+    EXPECT_EQ(output->GetPointData()->GetScalars(), values);
+    double largest = 0.;
+    for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+    {
+      vtkNew<vtkIdList> ids;
+      output->GetCellPoints(cell, ids);
+      for (vtkIdType i = 1; i < ids->GetNumberOfIds(); ++i)
+      {
+        largest = std::max(largest,
+          std::abs(
+            values->GetComponent(ids->GetId(i), 0) - values->GetComponent(ids->GetId(0), 0)));
+      }
+    }
+    EXPECT_LE(largest, tolerance * range * (1. + 1e-6));
+    EXPECT_EQ(output->GetCellData()->GetArray("Generation")->GetRange()[0], 0.);
+    // The height is an attribute, too.
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      ASSERT_NEAR(values->GetComponent(i, 0), output->GetPoint(i)[2], 1e-6);
+    }
+  }
+  const PolyData limit = Refine(input,
+    [](Filter* filter)
+    {
+      filter->RefineByAttributeErrorOn();
+      filter->SetAttributeErrorKindToLimitDifference();
+      filter->SetAttributeTolerance(0.002);
+      filter->SetMaximumLevel(20);
+    });
+  const PolyData geometric = Refine(input,
+    [range](Filter* filter)
+    {
+      filter->RefineByGeometricErrorOn();
+      filter->RelativeToleranceOff();
+      filter->SetGeometricTolerance(0.002 * range);
+      filter->SetMaximumLevel(20);
+    });
+  EXPECT_GT(limit->GetNumberOfCells(), input->GetNumberOfCells());
+  EXPECT_GT(2 * limit->GetNumberOfCells(), geometric->GetNumberOfCells());
+  EXPECT_LT(limit->GetNumberOfCells(), 4 * geometric->GetNumberOfCells());
+}
+
+TEST(AdaptiveSurface, RangesAndLevelsOfCells)
+{
+  const PolyData input = MakeHill(6);
+  auto run = [&](int association)
+  {
+    return Refine(input,
+      [association](Filter* filter)
+      {
+        filter->RefineByArrayRangeOn();
+        filter->SetInputArrayToProcess(8, 0, 0, association, association == 1 ? "OfCell" : "Value");
+        filter->SetArrayRange(association == 1 ? 10. : 1., association == 1 ? 10. : 9.);
+        filter->SetMaximumLevel(4);
+      });
+  };
+  const PolyData ofCells = run(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  vtkDataArray* cells = ofCells->GetCellData()->GetArray("OfCell");
+  auto* originals =
+    vtkIdTypeArray::SafeDownCast(ofCells->GetCellData()->GetArray("vtkOriginalCellIds"));
+  ASSERT_NE(originals, nullptr);
+  vtkIdType finest = 0;
+  for (vtkIdType i = 0; i < ofCells->GetNumberOfCells(); ++i)
+  {
+    EXPECT_EQ(cells->GetComponent(i, 0), 0.5 * static_cast<double>(originals->GetValue(i)));
+    finest += ofCells->GetCellData()->GetArray("Generation")->GetComponent(i, 0) == 8. ? 1 : 0;
+  }
+  EXPECT_GT(finest, 40);
+  EXPECT_LT(ofCells->GetNumberOfCells(), input->GetNumberOfCells() + 400);
+  const PolyData ofPoints = run(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  vtkDataArray* values = ofPoints->GetPointData()->GetArray("Value");
+  for (vtkIdType i = 0; i < ofPoints->GetNumberOfCells(); ++i)
+  {
+    vtkNew<vtkIdList> ids;
+    ofPoints->GetCellPoints(i, ids);
+    for (vtkIdType p = 0; p < ids->GetNumberOfIds(); ++p)
+    {
+      if (values->GetComponent(ids->GetId(p), 0) > 1.01 && ids->GetNumberOfIds() == 3)
+      {
+        EXPECT_GE(ofPoints->GetCellData()->GetArray("Generation")->GetComponent(i, 0), 7.);
+      }
+    }
+  }
+}
+
+TEST(AdaptiveSurface, StopsAtItsLimitsAndSaysSo)
+{
+  const PolyData input = MakeHill(6);
+  for (vtkIdType most : { 20, 100, 500, 3000 })
+  {
+    vtkNew<Messages> messages;
+    const PolyData output = Refine(
+      input,
+      [most](Filter* filter)
+      {
+        filter->RefineByGeometricErrorOn();
+        filter->SetGeometricTolerance(0.);
+        filter->SetMaximumLevel(60);
+        filter->SetMaximumNumberOfCells(most);
+      },
+      messages);
+    EXPECT_LE(output->GetNumberOfCells(), std::max(most, input->GetNumberOfCells()));
+    EXPECT_GT(output->GetNumberOfCells(), most - 10);
+    EXPECT_EQ(messages->CountWarnings("MaximumNumberOfCells"), most == 20 ? 2 : 1);
+    EXPECT_TRUE(messages->Errors.empty());
+  }
+  // One triangle, as deep as numbers go.
+  vtkNew<Messages> messages;
+  const PolyData triangle =
+    MakeInput({ { { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1., 0. } }, { { 0, 1, 2 } }, {}, {} });
+  const PolyData output = Refine(
+    triangle,
+    [](Filter* filter)
+    {
+      filter->RefineByEdgeLengthOn();
+      filter->SetMaximumEdgeLength(0.);
+      filter->SetMaximumLevel(60);
+      filter->SetMaximumNumberOfCells(20000);
+    },
+    messages);
+  EXPECT_LE(output->GetNumberOfCells(), 20000);
+  EXPECT_EQ(messages->CountWarnings("MaximumNumberOfCells"), 1);
+}
+
+TEST(AdaptiveSurface, SameBitsForAnyNumberOfThreads)
+{
+  const PolyData input = MakeHill(30);
+  PolyData results[2];
+  for (int threads : { 1, 4 })
+  {
+    vtkSMPTools::Initialize(threads);
+    results[threads > 1] = Refine(input,
+      [](Filter* filter)
+      {
+        filter->RefineByGeometricErrorOn();
+        filter->SetGeometricTolerance(2e-5);
+        filter->RefineByAttributeErrorOn();
+        filter->SetAttributeTolerance(0.01);
+        filter->SetMaximumLevel(12);
+      });
+  }
+  vtkSMPTools::Initialize(0);
+  EXPECT_GT(results[0]->GetNumberOfPolys(), 20000);
+  EXPECT_EQ(results[0]->GetPointData()->GetAbstractArray("Name")->GetNumberOfTuples(),
+    results[0]->GetNumberOfPoints());
+  for (PolyData& result : results)
+  {
+    result->GetPointData()->RemoveArray("Name");
+  }
+  ExpectSameBits(results[0], results[1]);
+}
+
+TEST(AdaptiveSurface, BadInputIsToldOrTaken)
+{
+  vtkNew<Messages> messages;
+  // Another scheme.
+  const PolyData loop = Refine(
+    MakeHill(3), [](Filter* filter) { filter->SetSchemeToLoop(); }, messages);
+  EXPECT_EQ(messages->CountWarnings("vtkRedGreenRefinement"), 1);
+  EXPECT_EQ(loop->GetNumberOfPolys(), 4 * 18);
+  // Nothing to refine by.
+  messages->Warnings.clear();
+  PolyData input = MakeHill(3);
+  input->GetPointData()->Initialize();
+  Refine(
+    input, [](Filter* filter) { filter->RefineByAttributeErrorOn(); }, messages);
+  EXPECT_EQ(messages->CountWarnings("nothing to refine by"), 1);
+  // Arrays that are not there.
+  Refine(
+    input, [](Filter* filter) { filter->RefineByArrayRangeOn(); }, messages);
+  EXPECT_FALSE(messages->Errors.empty());
+  messages->Errors.clear();
+  Refine(
+    input, [](Filter* filter) { filter->RefineByWantedLevelOn(); }, messages);
+  EXPECT_FALSE(messages->Errors.empty());
+  // Values and coordinates that are not finite.
+  for (double bad :
+    { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+  {
+    messages->Warnings.clear();
+    input = MakeHill(4);
+    input->GetPointData()->GetScalars()->SetComponent(7, 0, bad);
+    PolyData output = Refine(
+      input,
+      [](Filter* filter)
+      {
+        filter->RefineByAttributeErrorOn();
+        filter->SetMaximumLevel(6);
+      },
+      messages);
+    EXPECT_EQ(messages->CountWarnings("not finite"), 1);
+    EXPECT_GT(output->GetNumberOfCells(), input->GetNumberOfCells());
+    Point point;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      output->GetPoint(i, point.data());
+      ASSERT_TRUE(std::isfinite(point[0] + point[1] + point[2]));
+    }
+    input->GetPoints()->SetPoint(3, bad, 0., 0.);
+    output = Refine(
+      input,
+      [](Filter* filter)
+      {
+        filter->RefineByGeometricErrorOn();
+        filter->SetMaximumLevel(6);
+      },
+      messages);
+    EXPECT_GE(output->GetNumberOfCells(), input->GetNumberOfCells());
+  }
+  // No cells, and no points.
+  const PolyData empty = PolyData::New();
+  EXPECT_EQ(Refine(empty, [](Filter*) {})->GetNumberOfPoints(), 0);
+  empty->SetPoints(vtkNew<vtkPoints>());
+  EXPECT_EQ(Refine(empty, [](Filter*) {})->GetNumberOfCells(), 0);
+  empty->GetPoints()->InsertNextPoint(1., 2., 3.);
+  EXPECT_EQ(Refine(empty, [](Filter*) {})->GetNumberOfPoints(), 1);
+}
+
+TEST(AdaptiveSurface, AValenceOf2000AndFreeLines)
+{
+  const PolyData fan = MakeInput(MakeFan(2000, false));
+  const PolyData output = Refine(fan,
+    [](Filter* filter)
+    {
+      filter->RefineByEdgeLengthOn();
+      filter->SetMaximumEdgeLength(0.3);
+      filter->SetMaximumLevel(10);
+    });
+  EXPECT_GT(output->GetNumberOfPolys(), 6000);
+  const PolyData lines = MakeInput(MakeZoo(true)["free line"]);
+  const PolyData cut = Refine(lines,
+    [](Filter* filter)
+    {
+      filter->RefineByGeometricErrorOn();
+      filter->SetGeometricTolerance(1e-3);
+      filter->SetMaximumLevel(10);
+    });
+  EXPECT_GT(cut->GetNumberOfLines(), 3 * lines->GetNumberOfLines());
+  EXPECT_EQ(
+    cut->GetCellData()->GetArray("Generation")->GetNumberOfTuples(), cut->GetNumberOfCells());
+}
