@@ -27,10 +27,10 @@ from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkPolyData, vtkUnstructure
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance, vtkTriangleFilter
 
 MODELS = ("MechanicalPart", "SpringAndValve")
-QUICK = (1e-2, 3e-3, 1e-3, 3e-4)
+QUICK = (1e-2, 1e-3)
 MOST = 50_000_000  # cells that a mesh may have
-MOST_TO_MEASURE = 6_000_000  # cells of a mesh whose points errors are measured with
-SAMPLES = 200_000
+MOST_TO_MEASURE = 6_000_000  # cells of the mesh whose points an error is measured with; nan beyond
+SAMPLES = 100_000
 
 
 def triangles_of(grid, solids_only=False):

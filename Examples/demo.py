@@ -8,7 +8,7 @@
 it writes its files: four pictures of each model (control mesh; subdivided; cut open and coloured by a
 point array; cut open and coloured by RuleDimension), both meshes as .vtu, and one contact sheet.
 After the built-in models it goes on with gallery.py, which shows the features, gallery_surfaces.py,
-deformation.py and refinement.py.
+deformation.py, refinement.py and adaptive_surfaces.py.
 By hand:
 
     SUBDIVISIONOBJECTS_PLUGIN=<folder>/SubdivisionObjects.so pvpython --force-offscreen-rendering demo.py
@@ -21,6 +21,7 @@ import pathlib
 import sys
 import time
 
+import adaptive_surfaces
 import deformation
 import demo_pictures
 import gallery
@@ -170,6 +171,7 @@ def main(arguments):
         gallery_surfaces.draw()
         deformation.draw()
         refinement.draw()
+        adaptive_surfaces.draw()
 
 
 if __name__ == "__main__":

@@ -76,17 +76,44 @@
  * Type1Rule to Type3Rule as the main filter does; the other schemes take such edges as sharp curves
  * and such vertices as corners. Surfaces need not be orientable. Equal faces count as two.
  *
+ * @par Adaptive refinement
+ * With Adaptive and SqrtThree, triangles are split only where a criterion wants it (Kobbelt,
+ * section 4): the criteria, their names and defaults are those of vtkRedGreenRefinement, or-ed;
+ * switch RefineByAttributeError off, which is on by default, if only the shape is to count. A split
+ * puts a point at a triangle's centre; an edge between two triangles of the same generation that
+ * are both split is flipped. Every triangle is one of the uniform mesh of its generation, or a
+ * third of one, so that shapes do not get worse with the number of rounds, and there is never a
+ * hanging node. Before a triangle is split its neighbours are brought to its generation;
+ * boundaries, creases and lines are cut into thirds in every second step, on all their sides at
+ * once. All points, and all arrays that are smoothed, are on the limit, exact to rounding, as if
+ * ProjectToLimit were on: where everything is split they are those of the uniform mesh, with the
+ * same ids. The geometric error of a triangle is its distance from the limit at its centre and at
+ * the middles of its edges, of a boundary edge or line that of its middle, each made larger by a
+ * third for what lies between; GeometricTolerance allows it. The criteria look at limits
+ * (vtkRedGreenRefinement: at the control mesh, for edge lengths and jumps). A triangle that is
+ * wanted by a criterion of cells is split with those across its edges. The output is a mesh of its
+ * own for the next filter; a triangulation and limits of the same kind for Loop subdivision come
+ * from vtkRedGreenRefinement with Placement LIMIT. NumberOfLevels, CacheOperator, GenerateNormals
+ * and GenerateTangents are not used. Rounds cost in proportion to what they split, and about 250
+ * bytes are needed for each triangle of the output.
+ *
  * @par Arrays read, by SetInputArrayToProcess
  * As in vtkSubdivisionAlgorithm: 0, singular flags (cell array of integers; unset: `Singular` if
  * there), and 4, sharpness of lines (cell array of numbers: a crease of sharpness s stays sharp for
  * s levels). Also 5, corner angles (point array, degrees; where it is not negative it replaces the
  * measured angle of a corner with one sector), and 6, flatness (point array of s in [0, 1];
- * negative: 0 at convex corners, at concave ones what makes them tangent plane continuous).
+ * negative: 0 at convex corners, at concave ones what makes them tangent plane continuous). With
+ * Adaptive: 7, the point array for RefineByAttributeError (unset: the active scalars, else the
+ * first floating point array), 8, the cell or point array for RefineByArrayRange (unset: the active
+ * scalars of the points, else of the cells), 9, the integer cell array for RefineByWantedLevel
+ * (unset: `WantedLevel` if there).
  *
  * @par Arrays written
  * On request `LimitNormals`, `LimitTangent1`, `LimitTangent2` (points, 3 components), and
- * `vtkOriginalPointIds`, `vtkOriginalCellIds`. Field arrays `SubdivisionSurface...` by which this
- * filter recognises its own output.
+ * `vtkOriginalPointIds`, `vtkOriginalCellIds`. With Adaptive the cell arrays `Generation` (unsigned
+ * char: two for each step that a cell has behind it; odd: one of the three parts of a triangle the
+ * edge of which is still there) and `vtkOriginalCellIds`. Field arrays `SubdivisionSurface...` by
+ * which this filter recognises its own output.
  *
  * @par Filters in a row
  * Three filters of one level and the same options are one filter of three levels, bit for bit, for
@@ -105,10 +132,12 @@
  *
  * @par Errors
  * The filter stops, with an error and an empty output, if the output would have more than
- * MaximumNumberOfCells cells or take more memory than there is. Topology is never an error.
+ * MaximumNumberOfCells cells or take more memory than there is; with Adaptive it refines less then,
+ * the worst places first, and warns. Topology is never an error.
  *
  * @sa
- * vtkMultiDimensionalSubdivision vtkLoopSubdivisionFilter vtkButterflySubdivisionFilter
+ * vtkMultiDimensionalSubdivision vtkRedGreenRefinement vtkLoopSubdivisionFilter
+ * vtkButterflySubdivisionFilter
  */
 #ifndef vtkSurfaceSubdivision_h
 #define vtkSurfaceSubdivision_h

@@ -471,5 +471,34 @@ class InParaView(unittest.TestCase):
         self.assertIn("LimitNormals", tools.arrays(out.GetPointData()))
 
 
+    def test_adaptive(self):
+        sphere = simple.Sphere(ThetaResolution=12, PhiResolution=12)
+        surface = simple.SurfaceSubdivision(
+            Input=sphere, Scheme="SqrtThree", Adaptive=1, RefineByAttributeError=0, RefineByGeometricError=1,
+            GeometricTolerance=1e-3, MaximumLevel=10)
+        surface.UpdatePipeline()
+        out = tools.output(surface)
+        coarse = out.GetNumberOfPolys()
+        generations = vtk_to_numpy(out.GetCellData().GetArray("Generation"))
+        self.assertGreater(generations.max(), 1)
+        triangles = vtk_to_numpy(out.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        edges = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+        self.assertTrue((np.unique(edges, axis=0, return_counts=True)[1] == 2).all())
+        surface.GeometricTolerance = 1e-4
+        surface.UpdatePipeline()
+        self.assertGreater(tools.output(surface).GetNumberOfPolys(), 4 * coarse)
+        # Arrays are chosen by their properties, also in a trace.
+        surface = simple.SurfaceSubdivision(
+            Input=sphere, Scheme="SqrtThree", Adaptive=1, AttributeArray=["POINTS", "Normals"], AttributeTolerance=0.05,
+            MaximumLevel=8)
+        surface.UpdatePipeline()
+        out = tools.output(surface)
+        triangles = vtk_to_numpy(out.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        normals = vtk_to_numpy(out.GetPointData().GetArray("Normals")).astype(float)
+        change = np.linalg.norm(normals[triangles] - normals[triangles[:, [1, 2, 0]]], axis=2).max()
+        self.assertLess(change, 0.05 * 2 * np.sqrt(3))
+        self.assertGreater(out.GetNumberOfPolys(), 1000)
+
+
 if __name__ == "__main__":
     tools.main()
