@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AdaptiveSqrtThreeRows.h"
 
-#include "SqrtThreeScheme.h"
+#include "SqrtThreeMasks.h"
 
 #include <cmath>
 
@@ -303,6 +303,103 @@ void AdaptiveSqrtThreeRows<Id>::AppendThirdLimit(
   rows.EndRow();
 }
 
+// ------------------------------------------------------------------------------------------------
+// Tangents
+
+template <typename Id>
+void AdaptiveSqrtThreeRows<Id>::AppendTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows) const
+{
+  if (vertex < this->Mesh.GetNumberOfControlVertices())
+  {
+    this->Scheme.AppendLimitRows(this->Control, this->Control.Tags, kind, vertex, vertex + 1, rows);
+    return;
+  }
+  const auto& added = this->Mesh.GetAdded(vertex);
+  if (added.Source < 0)
+  {
+    this->AddThirdTangent(vertex, kind, rows);
+  }
+  else
+  {
+    this->AddCentreTangent(added.Source, kind, rows);
+  }
+  rows.EndRow();
+}
+
+/// The first wave of the ring: of that at which the centre of a face comes into being, or of the
+/// next one if the face has fixed edges.
+template <typename Id>
+void AdaptiveSqrtThreeRows<Id>::AddCentreTangent(Id face, LimitKind kind, RowBlock<Id>& rows) const
+{
+  const int level = this->Mesh.GetLevel(face) + 1;
+  const bool hasFixed = this->HasFixedEdges(face);
+  for (int i = 0; i < 3; ++i)
+  {
+    const Id corner = 3 * face + i;
+    const Id ends[2] = { this->Mesh.GetVertex(corner),
+      this->Mesh.GetVertex(this->Mesh.Next(corner)) };
+    for (int j = 0; j < 2; ++j)
+    {
+      const double angle = (2 * i + j) * std::acos(-1.) / 3.;
+      const double weight = kind == LimitKind::Tangent1 ? std::cos(angle) : std::sin(angle);
+      if (!hasFixed && j == 0)
+      {
+        this->AddPosition(ends[0], level, weight, rows);
+      }
+      else if (!hasFixed)
+      {
+        this->AddApexAcross(corner, weight, rows);
+      }
+      else if (this->Mesh.IsFixed(corner))
+      {
+        const Id segment = this->Mesh.GetSegment(corner);
+        this->AddThird(segment, this->Mesh.GetSegmentAt(segment).Ends[0] != ends[j], weight, rows);
+      }
+      else
+      {
+        this->AddPosition(ends[j], level, weight / 3., rows);
+        this->AddApexAcross(corner, weight / 3., rows);
+        this->AddCorners(face, weight / 3., rows);
+      }
+    }
+  }
+}
+
+/// Along the curve; and into the first of its sides, where three triangles meet the point.
+template <typename Id>
+void AdaptiveSqrtThreeRows<Id>::AddThirdTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows) const
+{
+  const auto& added = this->Mesh.GetAdded(vertex);
+  const Id segment = -1 - added.Source;
+  const auto& piece = this->Mesh.GetSegmentAt(segment);
+  const Id end = piece.Ends[added.IsSecond ? 1 : 0];
+  Id cut = -1;
+  bool isAtBegin = !added.IsSecond;
+  if (piece.NumberOfSides > 0)
+  {
+    cut = 3 * this->Mesh.GetChild(this->Mesh.GetSide(piece, 0));
+    isAtBegin = this->Mesh.GetVertex(cut) == end;
+  }
+  if (kind == LimitKind::Tangent1)
+  {
+    const double turn = isAtBegin ? 1. : -1.;
+    this->AddThird(segment, !added.IsSecond, turn, rows);
+    this->AddPosition(end, added.Level, -turn, rows);
+    return;
+  }
+  if (cut >= 0)
+  {
+    const SqrtThreeTransversalMask mask(3);
+    this->AddThird(segment, added.IsSecond, mask.Own, rows);
+    this->AddThird(segment, !added.IsSecond, mask.End, rows);
+    this->AddPosition(end, added.Level, mask.End, rows);
+    this->AddPosition(
+      this->Mesh.GetVertex(this->Mesh.Previous(cut)), added.Level, mask.Inside[1], rows);
+    this->AddApexAcross(
+      isAtBegin ? this->Mesh.Previous(cut) : this->Mesh.Next(cut), mask.Inside[2], rows);
+  }
+}
+
 template <typename Id>
 Buffer<double> AdaptiveSqrtThreeLimit<Id>::GetValues(const Buffer<double>& in, int components) const
 {
@@ -328,6 +425,25 @@ Buffer<double> AdaptiveSqrtThreeLimit<Id>::GetValues(const Buffer<double>& in, i
       });
   }
   return values;
+}
+
+template <typename Id>
+void AdaptiveSqrtThreeLimit<Id>::ApplyTangent(
+  const Buffer<double>& in, LimitKind kind, double* out, int components) const
+{
+  const Buffer<double> values = this->GetValues(in, components);
+  const vtkIdType given = this->GetNumberOfColumns();
+  ForRanges(this->GetNumberOfRows(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      RowBlock<Id> rows;
+      for (vtkIdType v = begin; v < end; ++v)
+      {
+        rows.Clear();
+        this->Rows.AppendTangent(static_cast<Id>(v), kind, rows);
+        ApplyRows(rows, given > v ? in.data() : values.data(), out + v * components, components);
+      }
+    });
 }
 
 template class AdaptiveSqrtThreeRows<int>;

@@ -36,6 +36,9 @@ public:
   /// The same for one of the points that cut a segment.
   void AppendThirdLimit(Id segment, bool isSecond, RowBlock<Id>& rows) const;
 
+  /// The row of a tangent, with the columns of AppendVertex; the first along a curve.
+  void AppendTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows) const;
+
 private:
   bool HasFixedEdges(Id face) const;
   void AddPosition(Id vertex, int level, double weight, RowBlock<Id>& rows) const;
@@ -46,6 +49,8 @@ private:
   void AddThirdLimit(Id segment, bool isSecond, double weight, RowBlock<Id>& rows) const;
   void AddCentreLimit(Id face, double weight, RowBlock<Id>& rows) const;
   void AddRegularLimit(Id face, double weight, RowBlock<Id>& rows) const;
+  void AddCentreTangent(Id face, LimitKind kind, RowBlock<Id>& rows) const;
+  void AddThirdTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows) const;
   void AddNextOfFixed(Id face, double weight, RowBlock<Id>& rows) const;
 
   const AdaptiveSqrtThree<Id>& Mesh;
@@ -71,6 +76,8 @@ public:
   /// What is between is in double.
   template <typename T>
   void Apply(const T* in, T* out, int components) const;
+  /// Tangents instead of positions.
+  void ApplyTangent(const Buffer<double>& in, LimitKind kind, double* out, int components) const;
 
 private:
   Buffer<double> GetValues(const Buffer<double>& in, int components) const;

@@ -3,10 +3,10 @@
 
 #include "CurveRows.h"
 #include "FixedEdges.h"
+#include "SqrtThreeMasks.h"
 #include "SqrtThreeRefinement.h"
 
 #include <cmath>
-#include <numeric>
 
 namespace subdivision
 {
@@ -342,53 +342,6 @@ void SqrtThreeScheme<Id>::AppendSmoothTangent(
     });
 }
 
-/// The weights of the tangent across a curve, into a sector of k triangles on an even level: of the
-/// vertex, of both ends; inside, sin(j pi / k). A left eigenvector of two steps, with the
-/// eigenvalue (2 + 2 cos(pi / k)) / 9.
-struct TransversalMask
-{
-  explicit TransversalMask(int k)
-  {
-    double sum = 0.;
-    for (int j = 0; j <= k; ++j)
-    {
-      this->Inside.push_back(j == 0 || j == k ? 0. : std::sin(j * pi / k));
-      sum += this->Inside.back();
-    }
-    if (k == 1)
-    {
-      this->Own = -2.;
-      this->End = 1.;
-      return;
-    }
-    const double value = (2. + 2. * std::cos(pi / k)) / 9.;
-    const double determinant = (value - 1.) * (value - 1. / 9.);
-    const double end = this->Inside[1] / 9.;
-    const double own = 5. / 9. * sum;
-    this->End = ((value - 19. / 27.) * end + 4. / 27. * own) / determinant;
-    this->Own = ((value - 11. / 27.) * own + 32. / 27. * end) / determinant;
-  }
-  /// The same for the level after an odd step, whose k + 1 triangles have the centres between them.
-  void MakeOdd()
-  {
-    const double sum = std::accumulate(this->Inside.begin(), this->Inside.end(), 0.);
-    const double own = 19. / 27. * this->Own + 32. / 27. * this->End + sum / 3.;
-    this->End = 11. / 27. * this->End + 4. / 27. * this->Own;
-    this->Own = own;
-    std::vector<double> inside{ 0. };
-    for (std::size_t j = 1; j < this->Inside.size(); ++j)
-    {
-      inside.push_back((this->Inside[j - 1] + this->Inside[j]) / 3.);
-    }
-    inside.push_back(0.);
-    this->Inside = std::move(inside);
-  }
-
-  double Own = 0.;
-  double End = 0.;
-  std::vector<double> Inside; ///< from end to end, 0 for these
-};
-
 /// In the first sector of a vertex on a curve: along the curve and across it; at a corner along its
 /// two ends.
 template <typename Id>
@@ -441,7 +394,7 @@ void SqrtThreeScheme<Id>::AppendSectorTangent(const SurfaceLevel<Id>& level,
     rows.Add(vertex, -first - last);
     return;
   }
-  TransversalMask mask(level.Step % 2 == 0 ? ends.Size : ends.Size - 1);
+  SqrtThreeTransversalMask mask(level.Step % 2 == 0 ? ends.Size : ends.Size - 1);
   if (level.Step % 2 == 1)
   {
     mask.MakeOdd();
@@ -455,11 +408,6 @@ void SqrtThreeScheme<Id>::AppendSectorTangent(const SurfaceLevel<Id>& level,
   }
 }
 
-}
-
-double GetSqrtThreeRingWeight(int n)
-{
-  return (4. - 2. * std::cos(2. * pi / n)) / 9.;
 }
 
 template <typename Id>

@@ -25,9 +25,6 @@ namespace subdivision
 template <typename Id>
 std::unique_ptr<SurfaceScheme<Id>> MakeSqrtThreeScheme();
 
-/// The weight of the mean of the n neighbours of a smooth vertex (Kobbelt, eq. 6).
-double GetSqrtThreeRingWeight(int n);
-
 }
 
 #endif

@@ -10,6 +10,7 @@
 #include "SurfaceCellArrays.h"
 #include "SurfaceChecks.h"
 #include "SurfaceCreases.h"
+#include "SurfaceFrames.h"
 #include "SurfaceStamp.h"
 
 #include "vtkCellData.h"
@@ -60,6 +61,13 @@ private:
   std::vector<vtkIdType> FindSegmentCells() const;
   void WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan);
   void WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan);
+  static Buffer<double> GetTangents(
+    const AdaptiveSqrtThreeLimit<Id>& limit, const Buffer<double>& points, LimitKind kind)
+  {
+    Buffer<double> tangents(3 * limit.GetNumberOfRows());
+    limit.ApplyTangent(points, kind, tangents.data(), 3);
+    return tangents;
+  }
 
   vtkPolyData* Input;
   const SurfaceOptions& Options;
@@ -86,6 +94,14 @@ void AdaptiveRun<Id>::StartPoints()
   if (arrays.OriginalIds)
   {
     arrays.Replaced.emplace_back(OriginalPoints);
+  }
+  if (this->Options.GenerateNormals)
+  {
+    arrays.Replaced.emplace_back(LimitNormalsName);
+  }
+  if (this->Options.GenerateTangents)
+  {
+    arrays.Replaced.insert(arrays.Replaced.end(), { LimitTangentNames[0], LimitTangentNames[1] });
   }
   this->GlobalIds = ReadIdsOf(this->Input->GetPointData(), this->Input->GetNumberOfPoints());
   this->Points = std::make_unique<PointArrays>(this->Input, this->NoCentres,
@@ -282,7 +298,17 @@ void AdaptiveRun<Id>::WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan)
       [this](Id a, Id b) { return this->Points->IsEarlier(a, b); });
     origins[v - given] = static_cast<Id>(origin(parent));
   }
-  this->Points->Advance(AdaptiveSqrtThreeLimit<Id>(*this->Rows, plan.GetVertexLevels()), origin);
+  const AdaptiveSqrtThreeLimit<Id> limit(*this->Rows, plan.GetVertexLevels());
+  if (this->Options.GenerateNormals || this->Options.GenerateTangents)
+  {
+    Buffer<double> points(3 * given);
+    std::copy_n(this->Points->GetCoordinates(), points.size(), points.begin());
+    const Buffer<double> tangents[2] = { this->GetTangents(limit, points, LimitKind::Tangent1),
+      this->GetTangents(limit, points, LimitKind::Tangent2) };
+    AddLimitFrames(tangents, this->Points->GetPoints()->GetDataType(), Buffer<vtkIdType>(),
+      this->Options.GenerateNormals, this->Options.GenerateTangents, this->Input, this->Output);
+  }
+  this->Points->Advance(limit, origin);
   this->Points->Finish(this->Output);
 }
 
@@ -316,10 +342,6 @@ bool RefineSurface(vtkPolyData* input, const SurfaceOptions& options,
     options.Warn(warning);
   }
   WarnOfUnused(input, *MakeSurfaceScheme<int>(options.Scheme, true), options);
-  if (options.GenerateNormals || options.GenerateTangents)
-  {
-    options.Warn("Adaptive refinement has no limit normals and tangents yet: they are left out.");
-  }
   const auto given = static_cast<double>(cells.FaceCells.size() + cells.SegmentCells.size());
   bool memoryIsLimit = false;
   const double most = FindMostCells(input, cells, options, criteria.MaximumLevel, memoryIsLimit);

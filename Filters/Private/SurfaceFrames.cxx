@@ -11,24 +11,10 @@
 namespace subdivision
 {
 
-template <typename Id>
-void AddLimitFrames(const SurfaceSteps<Id>& steps, vtkDataArray* points,
-  const Buffer<vtkIdType>& sources, bool normals, bool twoTangents, vtkPolyData* input,
-  vtkPolyData* output)
+void AddLimitFrames(const Buffer<double> (&tangents)[2], int type, const Buffer<vtkIdType>& sources,
+  bool normals, bool twoTangents, vtkPolyData* input, vtkPolyData* output)
 {
-  const int type = points->GetDataType();
-  const vtkIdType rows = points->GetNumberOfTuples();
-  const vtkIdType size = sources.empty() ? rows : sources.size();
-  Buffer<double> tangents[2] = { Buffer<double>(3 * rows), Buffer<double>(3 * rows) };
-  Buffer<double> x(3 * rows);
-  ForEach(3 * rows,
-    [&](vtkIdType i)
-    {
-      x[i] = type == VTK_FLOAT ? static_cast<const float*>(points->GetVoidPointer(0))[i]
-                               : static_cast<const double*>(points->GetVoidPointer(0))[i];
-    });
-  steps.GetLimit(LimitKind::Tangent1).Apply(x.data(), tangents[0].data(), 3);
-  steps.GetLimit(LimitKind::Tangent2).Apply(x.data(), tangents[1].data(), 3);
+  const vtkIdType size = sources.empty() ? tangents[0].size() / 3 : sources.size();
   auto add = [&](const char* name, const auto& value)
   {
     const auto array = MakeArray(type, 3, size);
@@ -80,6 +66,26 @@ void AddLimitFrames(const SurfaceSteps<Id>& steps, vtkDataArray* points,
       [&](vtkIdType i, double* out)
       { std::copy(tangents[t].data() + 3 * i, tangents[t].data() + 3 * i + 3, out); });
   }
+}
+
+template <typename Id>
+void AddLimitFrames(const SurfaceSteps<Id>& steps, vtkDataArray* points,
+  const Buffer<vtkIdType>& sources, bool normals, bool twoTangents, vtkPolyData* input,
+  vtkPolyData* output)
+{
+  const int type = points->GetDataType();
+  const vtkIdType rows = points->GetNumberOfTuples();
+  Buffer<double> tangents[2] = { Buffer<double>(3 * rows), Buffer<double>(3 * rows) };
+  Buffer<double> x(3 * rows);
+  ForEach(3 * rows,
+    [&](vtkIdType i)
+    {
+      x[i] = type == VTK_FLOAT ? static_cast<const float*>(points->GetVoidPointer(0))[i]
+                               : static_cast<const double*>(points->GetVoidPointer(0))[i];
+    });
+  steps.GetLimit(LimitKind::Tangent1).Apply(x.data(), tangents[0].data(), 3);
+  steps.GetLimit(LimitKind::Tangent2).Apply(x.data(), tangents[1].data(), 3);
+  AddLimitFrames(tangents, type, sources, normals, twoTangents, input, output);
 }
 
 template void AddLimitFrames(const SurfaceSteps<int>&, vtkDataArray*, const Buffer<vtkIdType>&,

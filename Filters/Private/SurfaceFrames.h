@@ -17,6 +17,10 @@ namespace subdivision
 constexpr const char* LimitNormalsName = "LimitNormals";
 constexpr const char* LimitTangentNames[2] = { "LimitTangent1", "LimitTangent2" };
 
+/// From two tangents of each point, of a mesh with points of `type`.
+void AddLimitFrames(const Buffer<double> (&tangents)[2], int type, const Buffer<vtkIdType>& sources,
+  bool normals, bool twoTangents, vtkPolyData* input, vtkPolyData* output);
+
 /// `points`: of the last level, float or double. `sources`: whose frame each output point takes;
 /// empty: its own.
 template <typename Id>

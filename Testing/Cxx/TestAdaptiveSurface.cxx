@@ -348,6 +348,48 @@ TEST(AdaptiveSurface, RangesAndLevelsOfCells)
   }
 }
 
+TEST(AdaptiveSurface, NormalsAreThoseOfTheUniformMesh)
+{
+  std::map<std::string, PolyData> inputs;
+  for (const char* name : { "triangle", "two triangles", "tetrahedron", "bow tie", "free line" })
+  {
+    inputs[name] = MakeInput(MakeZoo(true)[name]);
+  }
+  inputs["hill"] = MakeHill(6);
+  for (const auto& [name, input] : inputs)
+  {
+    for (int level : { 0, 1, 2, 3, 4 })
+    {
+      SCOPED_TRACE(name + ", level " + std::to_string(level));
+      const PolyData uniform = RunFilter(input, Filter::SQRT_THREE, level, true);
+      auto marked = PolyData::New();
+      marked->ShallowCopy(input);
+      WantLevel(marked, 9);
+      const PolyData output = Refine(marked,
+        [level](Filter* filter)
+        {
+          filter->RefineByWantedLevelOn();
+          filter->SetMaximumLevel(level);
+          filter->GenerateNormalsOn();
+          filter->GenerateTangentsOn();
+        });
+      vtkDataArray* normals = output->GetPointData()->GetArray("LimitNormals");
+      vtkDataArray* expected = uniform->GetPointData()->GetArray("LimitNormals");
+      ASSERT_NE(normals, nullptr);
+      ASSERT_EQ(normals->GetNumberOfTuples(), expected->GetNumberOfTuples());
+      for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+      {
+        Point a;
+        Point b;
+        normals->GetTuple(i, a.data());
+        expected->GetTuple(i, b.data());
+        ASSERT_LT(GetDistance(a, b), 1e-9) << "point " << i;
+      }
+      EXPECT_NE(output->GetPointData()->GetArray("LimitTangent2"), nullptr);
+    }
+  }
+}
+
 TEST(AdaptiveSurface, StopsAtItsLimitsAndSaysSo)
 {
   const PolyData input = MakeHill(6);
