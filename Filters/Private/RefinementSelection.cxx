@@ -154,7 +154,9 @@ std::string FindFault(vtkDataObject* input, vtkSelectionNode* node)
   }
   if (content < 0 || content > vtkSelectionNode::BLOCKS)
   {
-    return "has a content type (" + std::to_string(content) + ") that is not supported";
+    return content == vtkSelectionNode::QUERY
+      ? "is a query in words: freeze the selection first, so that it consists of ids"
+      : "has a content type (" + std::to_string(content) + ") that is not supported";
   }
   if (!list)
   {

@@ -366,6 +366,49 @@ TEST(RedGreen, OrdersTetrahedraWhenTheyAreNeeded)
   CheckConforming(mesh.Cells, Write(state, mesh.Points));
 }
 
+/// Round for round the same few cells, however large the mesh is and however many rounds there
+/// were.
+TEST(RedGreen, WorkIsThatOfTheCellsThatChange)
+{
+  std::vector<std::size_t> changes;
+  for (int n : { 4, 16 })
+  {
+    const Mesh mesh = MakeLattice("Lattice", n, 1., 3).Control;
+    const auto corner =
+      std::min_element(mesh.Points.begin(), mesh.Points.end()); // of its x at least
+    const auto vertex = static_cast<int>((corner - mesh.Points.begin()) / 3);
+    RedGreen<int> state{ SimplexView(mesh.Cells) };
+    const std::size_t before = state.GetMemorySize();
+    const auto cells = GetCells(mesh.Cells);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      if (std::count(cells[i].begin(), cells[i].end(), vertex) > 0)
+      {
+        state.MarkCell({ static_cast<int>(i), -1 });
+      }
+    }
+    state.Close();
+    std::size_t most = 0;
+    for (int round = 1; round < 30; ++round)
+    {
+      const auto changed = state.GetChangedCells();
+      most = std::max(most, changed.size());
+      for (const auto& cell : changed)
+      {
+        if (std::count(cell.Vertices.begin(), cell.Vertices.end(), vertex) > 0)
+        {
+          state.MarkCell(cell.Leaf);
+        }
+      }
+      state.Close();
+    }
+    EXPECT_LT(most, 1500u);
+    EXPECT_LT(state.GetMemorySize() - before, 30u * 1500u * 300u);
+    changes.push_back(most);
+  }
+  EXPECT_LT(changes[1], 3 * changes[0]);
+}
+
 class RedGreenOfFile : public testing::TestWithParam<const char*>
 {
 };

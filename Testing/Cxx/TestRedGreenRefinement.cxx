@@ -330,11 +330,14 @@ TEST(RedGreenThreads, SameBits)
     auto run = [&]
     {
       return Refine(models->GetOutput(),
-        [](Filter* filter)
+        [model](Filter* filter)
         {
           filter->RefineByAttributeErrorOn();
           filter->SetAttributeTolerance(0.05);
-          filter->SetMaximumLevel(4);
+          filter->SetMaximumLevel(model % 2 ? 3 : 4);
+          filter->SetPlacement(model % 2);
+          filter->SetRefineByGeometricError(model % 2 > 0);
+          filter->SetGeometricTolerance(0.005);
         });
     };
     const char* before = vtkSMPTools::GetBackend();

@@ -11,6 +11,8 @@
 #include "vtkXMLUnstructuredGridReader.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
+#include <limits>
+
 using namespace red_green_refinement_tools;
 
 namespace
@@ -144,6 +146,16 @@ TEST(RedGreenLeaves, TravelThroughFiles)
       }
     }
   }
+}
+
+/// Values that are not numbers are the same as each other.
+TEST(RedGreenLeaves, AreUndoneWhereNothingIsKnown)
+{
+  const Grid green = DeepCopy(MakeGreen());
+  auto unknown = MakeArray<vtkDoubleArray>("Unknown", 1, green->GetNumberOfCells(), 0., 1., 1);
+  unknown->Fill(std::numeric_limits<double>::quiet_NaN());
+  green->GetCellData()->AddArray(unknown);
+  EXPECT_EQ(GetCells(RefineEverywhere(green, 1)), GetCells(RefineEverywhere(MakeGreen(), 1)));
 }
 
 /// Leaves that are not those of the cells: as if they were not there, whatever they say.

@@ -131,6 +131,47 @@ class Criteria(unittest.TestCase):
         self.assertTrue((cells(grid, "RefinementKind")[wanted] == 1).all())
         self.assertTrue((cells(grid, "RefinementKind") == 0).any())
 
+    def refined(self, selection, source=None):
+        """The cells of the input that a selection makes red."""
+        grid = updated(refine(source or self.model, RefineBySelection=1, Selection=selection, MaximumLevel=1))
+        return set(cells(grid, "vtkOriginalCellIds")[cells(grid, "RefinementKind") == 1])
+
+    def test_selections_by_values_and_places(self):
+        ids = cells(self.control, "MaterialId")
+        ones = set(np.flatnonzero(ids == 1))
+        values = simple.ThresholdSelectionSource(ArrayName="MaterialId", FieldType="CELL", Thresholds=[1, 1])
+        self.assertTrue(ones <= self.refined(values) and ones)
+        values.InsideOut = 1
+        self.assertTrue(set(np.flatnonzero(ids != 1)) <= self.refined(values))
+        points = vtk_to_numpy(self.control.GetPoints().GetData())
+        tet = vtk_to_numpy(self.control.GetCells().GetConnectivityArray())[8:12]
+        place = simple.LocationSelectionSource(FieldType="CELL", Locations=list(points[tet].mean(axis=0)))
+        self.assertIn(2, self.refined(place))
+        self.assertLess(len(self.refined(place)), self.control.GetNumberOfCells())
+
+    def test_selections_by_an_expression(self):
+        some = simple.IDSelectionSource(IDs=[-1, 3, -1, 5, -1, 8], FieldType="CELL")
+        others = simple.IDSelectionSource(IDs=[-1, 5, -1, 8], FieldType="CELL")
+        both = simple.AppendSelections(Input=[some, others], Expression="s0 & !s1", SelectionNames=["s0", "s1"])
+        alone = simple.IDSelectionSource(IDs=[-1, 3], FieldType="CELL")
+        self.assertEqual(self.refined(both), self.refined(alone))
+        self.assertNotEqual(self.refined(both), self.refined(some))
+
+    def test_a_block_is_selected(self):
+        blocks = simple.GroupDatasets(Input=[self.model, model("Screw")])
+        chosen = simple.BlockSelectionSource(Blocks=[2])
+        proxy = refine(blocks, RefineBySelection=1, Selection=chosen, MaximumLevel=1)
+        proxy.UpdatePipeline()
+        grid = proxy.GetClientSideObject().GetOutputDataObject(0)
+        self.assertTrue(grid.IsA("vtkCompositeDataSet"), grid.GetClassName())
+        iterator = grid.NewIterator()
+        sizes = []
+        while not iterator.IsDoneWithTraversal():
+            sizes.append(iterator.GetCurrentDataObject().GetNumberOfCells())
+            iterator.GoToNextItem()
+        screw = tools.output(model("Screw"))
+        self.assertEqual(sizes, [self.control.GetNumberOfCells(), tools.cells_after(screw, 1)])
+
     def test_on_the_limit(self):
         smooth = updated(refine(model("Screw"), RefineByGeometricError=1, GeometricTolerance=0.01,
                                 Placement="Limit", MaximumLevel=5))
