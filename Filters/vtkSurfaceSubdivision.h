@@ -130,6 +130,12 @@
  * Threaded by vtkSMPTools; the output is the same, bit for bit, for any number of threads. Hidden
  * cells take no part; ghost cells are subdivided like others.
  *
+ * @par Other libraries
+ * On closed meshes the points are those of VTK (Butterfly), OpenMesh (Butterfly, Catmull-Clark,
+ * sqrt(3)) and CGAL (Catmull-Clark, Doo-Sabin, sqrt(3)). Loop has Warren's weights, which are those
+ * of Loop's thesis, and so of these libraries, at vertices of three and six faces only. Their
+ * boundaries are those without ModifiedBoundary, but for OpenMesh's Catmull-Clark.
+ *
  * @par Errors
  * The filter stops, with an error and an empty output, if the output would have more than
  * MaximumNumberOfCells cells or take more memory than there is; with Adaptive it refines less then,
