@@ -322,7 +322,8 @@ void SqrtThreeScheme<Id>::AppendSmoothPosition(
     });
 }
 
-/// The ring turns by half a triangle in each step; the plane of its first wave is the limit's.
+/// The ring turns by half a triangle in each step; the plane of its first wave is the limit's. Of a
+/// centre next to a fixed edge the ring is that after the next step, as for the position.
 template <typename Id>
 void SqrtThreeScheme<Id>::AppendSmoothTangent(
   const SurfaceLevel<Id>& level, Id vertex, LimitKind kind, RowBlock<Id>& rows) const
@@ -330,15 +331,51 @@ void SqrtThreeScheme<Id>::AppendSmoothTangent(
   const PolygonMesh<Id>& mesh = level.Mesh;
   const Id start = mesh.VertexCorners[vertex];
   int n = 0;
-  VisitCycle(mesh, start, [&n](const FanStep<Id>&) { ++n; });
-  int j = 0;
+  int ghosts = 0;
   VisitCycle(mesh, start,
     [&](const FanStep<Id>& step)
     {
-      const double angle = 2. * pi * j++ / n;
+      ++n;
+      ghosts += FindFixedOpposite(level, step) >= 0;
+    });
+  int j = 0;
+  auto getNext = [&]
+  {
+    const double angle = 2. * pi * j++ / (n + ghosts);
+    return kind == LimitKind::Tangent1 ? std::cos(angle) : std::sin(angle);
+  };
+  std::vector<Id> edges;
+  RowBlock<Id> third;
+  VisitCycle(mesh, start,
+    [&](const FanStep<Id>& step)
+    {
       const Id in = step.GetHalfEdgeIn(mesh);
-      rows.Add(mesh.Vertices[in == step.Corner ? mesh.Next(in) : in],
-        kind == LimitKind::Tangent1 ? std::cos(angle) : std::sin(angle));
+      const Id first = mesh.Vertices[in == step.Corner ? mesh.Next(in) : in];
+      const Id opposite = FindFixedOpposite(level, step);
+      if (ghosts == 0)
+      {
+        rows.Add(first, getNext());
+      }
+      else if (opposite < 0)
+      {
+        const double weight = getNext() / 3.;
+        for (Id c : { step.Corner, mesh.Next(step.Corner), mesh.Previous(step.Corner) })
+        {
+          rows.Add(mesh.Vertices[c], weight);
+        }
+      }
+      for (int end = 0; end < 2 && opposite >= 0; ++end)
+      {
+        const Id edge = mesh.Edges[opposite];
+        const bool isFirst = mesh.EdgeVertices[2 * edge] == first;
+        third.Clear();
+        this->AppendThird(mesh, level.Tags, edge, isFirst == (end == 1), edges, third);
+        const double weight = getNext();
+        for (std::size_t k = 0; k < third.GetNumberOfEntries(); ++k)
+        {
+          rows.Add(third.GetColumns()[k], weight * third.GetWeights()[k]);
+        }
+      }
     });
 }
 

@@ -154,6 +154,50 @@ TEST(AdaptiveSqrtThree, RandomSplitsAreAConformingPartOfTheUniformHierarchy)
   }
 }
 
+/// Edges of many faces, pinched vertices, equal faces, free lines.
+TEST(AdaptiveSqrtThree, RandomFacesAreAPartOfTheUniformHierarchy)
+{
+  std::mt19937 random(5);
+  for (unsigned trial = 0; trial < 25; ++trial)
+  {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    Model model;
+    model.Points = MakeRandomPoints(12, trial);
+    model.Lines = { { 0, 1 }, { 3, 9 } };
+    for (int i = 0; i < 20; ++i)
+    {
+      const vtkIdType first = static_cast<vtkIdType>(random() % 12);
+      const vtkIdType second = static_cast<vtkIdType>((first + 1 + random() % 11) % 12);
+      const vtkIdType third = static_cast<vtkIdType>(random() % 12);
+      if (third != first && third != second)
+      {
+        model.Faces.push_back({ first, second, third });
+      }
+    }
+    Walk uniform(model, SurfaceSchemeKind::SqrtThree);
+    for (int level = 0; level < 4; ++level)
+    {
+      uniform.Step();
+    }
+    Adaptive everywhere(model);
+    everywhere.SplitTo(4);
+    const Adaptive::Result all = everywhere.Finish();
+    const std::vector<Point> limit = uniform.GetLimit();
+    ASSERT_EQ(limit.size(), all.Points.size());
+    for (std::size_t i = 0; i < limit.size(); ++i)
+    {
+      ASSERT_LT(GetDistance(all.Points[i], limit[i]), 1e-12) << "vertex " << i;
+    }
+    Adaptive adaptive(model);
+    adaptive.SplitAtRandom(trial, 8, 3);
+    const Adaptive::Result result = adaptive.Finish();
+    for (int face = 0; face < adaptive.Mesh.GetNumberOfControlFaces(); ++face)
+    {
+      CompareBranch(adaptive, result, face, everywhere, all, face);
+    }
+  }
+}
+
 TEST(AdaptiveSqrtThree, TheOrderOfSplitsDoesNotMatter)
 {
   for (const auto& [name, model] : MakeAdaptiveZoo())
