@@ -134,16 +134,16 @@ def draw():
         compare(name, surface, QUICK)
         for scheme, words in ((sqrt3, "sqrt(3)"), (loop, "Loop")):
             mesh, _ = updated(scheme(surface, 3e-3))
-            frame = look.used_points(mesh)
-            images.append(picture(mesh, f"{name}, {words}: {mesh.GetNumberOfCells():,} triangles", frame))
+            images.append(picture(mesh, f"{name}, {words}: {mesh.GetNumberOfCells():,} triangles"))
     look.write_png(look.shrunk(look.append(images, 0), 0.5), "adaptive_surfaces.png")
     print(f"Both are in adaptive_surfaces.png in {os.getcwd()}.")
 
 
-def picture(mesh, words, frame):
-    import refinement
-
-    return refinement.picture(mesh, words, frame, (1.0, -1.6, 0.7))
+def picture(mesh, words):
+    actor = look.polygons(mesh, None, True, False)
+    actor.GetProperty().SetColor(0.87, 0.83, 0.73)
+    title = look.text(words, 56, 36, 2 * look.SIZE[1] - 76)
+    return look.render([actor], [title], look.points_of(mesh).astype(float), (1.0, -1.6, 0.7))
 
 
 def main(arguments):
