@@ -7,8 +7,7 @@ namespace subdivision
 {
 
 template <typename Id>
-template <typename T>
-void BlockOperator<Id>::Apply(const T* in, T* out, int components) const
+void BlockOperator<Id>::ForRows(const User& use) const
 {
   ForRanges(this->NumberOfRows,
     [&](vtkIdType begin, vtkIdType end)
@@ -19,19 +18,7 @@ void BlockOperator<Id>::Apply(const T* in, T* out, int components) const
       {
         block.Clear();
         this->AppendRows(first, std::min(end, first + rowsPerBlock), block);
-        T* result = out + first * components;
-        switch (components)
-        {
-          case 1:
-            block.template Apply<1>(in, result, components);
-            break;
-          case 3:
-            block.template Apply<3>(in, result, components);
-            break;
-          default:
-            block.template Apply<0>(in, result, components);
-            break;
-        }
+        use(block, first);
       }
     });
 }
@@ -57,23 +44,7 @@ SparseRows<Id> BlockOperator<Id>::Store() const
   return rows;
 }
 
-#define SUBDIVISION_APPLY(Id, T) template void BlockOperator<Id>::Apply(const T*, T*, int) const
-#define SUBDIVISION_BLOCK_OPERATOR(Id)                                                             \
-  template class BlockOperator<Id>;                                                                \
-  SUBDIVISION_APPLY(Id, float);                                                                    \
-  SUBDIVISION_APPLY(Id, double);                                                                   \
-  SUBDIVISION_APPLY(Id, char);                                                                     \
-  SUBDIVISION_APPLY(Id, signed char);                                                              \
-  SUBDIVISION_APPLY(Id, unsigned char);                                                            \
-  SUBDIVISION_APPLY(Id, short);                                                                    \
-  SUBDIVISION_APPLY(Id, unsigned short);                                                           \
-  SUBDIVISION_APPLY(Id, int);                                                                      \
-  SUBDIVISION_APPLY(Id, unsigned int);                                                             \
-  SUBDIVISION_APPLY(Id, long);                                                                     \
-  SUBDIVISION_APPLY(Id, unsigned long);                                                            \
-  SUBDIVISION_APPLY(Id, long long);                                                                \
-  SUBDIVISION_APPLY(Id, unsigned long long)
-SUBDIVISION_BLOCK_OPERATOR(int);
-SUBDIVISION_BLOCK_OPERATOR(long long);
+template class BlockOperator<int>;
+template class BlockOperator<long long>;
 
 }

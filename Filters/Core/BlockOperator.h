@@ -30,9 +30,18 @@ public:
   vtkIdType GetNumberOfColumns() const { return this->NumberOfColumns; }
   vtkIdType GetNumberOfRows() const { return this->NumberOfRows; }
 
+  /// Hears of all rows, some at a time, those from row `first` on; in any order and from many
+  /// threads.
+  using User = std::function<void(const RowBlock<Id>& rows, vtkIdType first)>;
+  void ForRows(const User& use) const;
+
   /// out = S in, for `components` interleaved values per column. Integers are rounded.
   template <typename T>
-  void Apply(const T* in, T* out, int components) const;
+  void Apply(const T* in, T* out, int components) const
+  {
+    this->ForRows([in, out, components](const RowBlock<Id>& rows, vtkIdType first)
+      { rows.Apply(in, out + first * components, components); });
+  }
 
   /// The same as stored rows.
   SparseRows<Id> Store() const;

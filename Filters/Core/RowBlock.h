@@ -46,7 +46,26 @@ public:
   const Id* GetColumns() const { return this->Columns.data(); }
   const double* GetWeights() const { return this->Weights.data(); }
 
-  /// out[row] = the rows times in; a row of one entry of weight 1 copies.
+  /// out[row] = the rows times in, for `components` interleaved values per column; a row of one
+  /// entry of weight 1 copies.
+  template <typename T>
+  void Apply(const T* in, T* out, int components) const
+  {
+    switch (components)
+    {
+      case 1:
+        this->template Apply<1>(in, out, components);
+        break;
+      case 3:
+        this->template Apply<3>(in, out, components);
+        break;
+      default:
+        this->template Apply<0>(in, out, components);
+        break;
+    }
+  }
+
+  /// N components; N = 0: their number is known at run time only.
   template <int N, typename T>
   void Apply(const T* in, T* out, int components) const;
 
@@ -57,7 +76,6 @@ private:
   std::size_t Size = 0;
 };
 
-/// N components; N = 0: their number is known at run time only.
 template <typename Id>
 template <int N, typename T>
 void RowBlock<Id>::Apply(const T* in, T* out, int components) const

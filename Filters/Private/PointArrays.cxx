@@ -205,37 +205,72 @@ void PointArrays::StartOrigins()
   }
 }
 
-template <typename Operator>
-void PointArrays::AdvanceSmoothed(const Operator& rows)
+/// Gives each array that is smoothed `size` tuples, which make(from, in, out, components) fills.
+template <typename Make>
+void PointArrays::ReplaceSmoothed(vtkIdType size, const Make& make)
 {
   this->Coordinates = Buffer<double>();
-  this->HasMoved = true;
-  auto advance = [&](vtkSmartPointer<vtkDataArray>& array)
+  auto replace = [&](vtkSmartPointer<vtkDataArray>& array)
   {
-    const int components = array->GetNumberOfComponents();
-    const auto next = MakeArray(array->GetDataType(), components, rows.GetNumberOfRows());
-    if (next->GetNumberOfValues() > 0)
+    const vtkSmartPointer<vtkDataArray> from = array;
+    const int components = from->GetNumberOfComponents();
+    array = MakeArray(from->GetDataType(), components, size);
+    CopyLooks(from, array);
+    if (array->GetNumberOfValues() > 0)
     {
-      switch (array->GetDataType())
+      switch (from->GetDataType())
       {
-        vtkTemplateMacro(rows.Apply(static_cast<const VTK_TT*>(array->GetVoidPointer(0)),
-          static_cast<VTK_TT*>(next->GetVoidPointer(0)), components));
+        vtkTemplateMacro(make(from, static_cast<const VTK_TT*>(from->GetVoidPointer(0)),
+          static_cast<VTK_TT*>(array->GetVoidPointer(0)), components));
       }
     }
-    CopyLooks(array, next);
-    array = next;
   };
   if (!this->FinalPoints)
   {
-    advance(this->Points);
+    replace(this->Points);
   }
   for (Entry& entry : this->Entries)
   {
     if (entry.Current)
     {
-      advance(entry.Current);
+      replace(entry.Current);
     }
   }
+}
+
+template <typename Operator>
+void PointArrays::AdvanceSmoothed(const Operator& rows)
+{
+  this->HasMoved = true;
+  this->ReplaceSmoothed(rows.GetNumberOfRows(),
+    [&rows](vtkDataArray*, const auto* in, auto* out, int components)
+    { rows.Apply(in, out, components); });
+}
+
+/// All arrays in one pass over the rows, which are made only once.
+template <typename Id>
+void PointArrays::AdvanceSmoothed(const BlockOperator<Id>& rows)
+{
+  this->HasMoved = true;
+  std::vector<typename BlockOperator<Id>::User> users;
+  this->ReplaceSmoothed(rows.GetNumberOfRows(),
+    [&users](const vtkSmartPointer<vtkDataArray>& from, const auto* in, auto* out, int components)
+    {
+      users.push_back([from, in, out, components](const RowBlock<Id>& block, vtkIdType first)
+        { block.Apply(in, out + first * components, components); });
+    });
+  if (users.empty())
+  {
+    return;
+  }
+  rows.ForRows(
+    [&users](const RowBlock<Id>& block, vtkIdType first)
+    {
+      for (const auto& use : users)
+      {
+        use(block, first);
+      }
+    });
 }
 
 template void PointArrays::AdvanceSmoothed(const SparseRows<int>&);
@@ -309,38 +344,14 @@ vtkIdType PointArrays::FindEarliest(Row<Id> vertices) const
 template <typename Rows>
 void PointArrays::Advance(const RowsOnTheFly<Rows>& operation)
 {
-  this->Coordinates = Buffer<double>();
   const vtkIdType size = operation.GetNumberOfRows();
   std::vector<RowsUser<Rows>> users;
-  auto start = [&](vtkSmartPointer<vtkDataArray>& array)
-  {
-    const vtkSmartPointer<vtkDataArray> from = array;
-    const int components = from->GetNumberOfComponents();
-    const auto to = MakeArray(from->GetDataType(), components, size);
-    CopyLooks(from, to);
-    array = to;
-    auto sum = [&](const auto* in, auto* out)
+  this->ReplaceSmoothed(size,
+    [&users](const vtkSmartPointer<vtkDataArray>& from, const auto* in, auto* out, int components)
     {
       users.push_back(
         [from, in, out, components](const Rows& rows) { SumRows(rows, in, out, components); });
-    };
-    switch (from->GetDataType())
-    {
-      vtkTemplateMacro(sum(static_cast<const VTK_TT*>(from->GetVoidPointer(0)),
-        static_cast<VTK_TT*>(to->GetVoidPointer(0))));
-    }
-  };
-  if (!this->FinalPoints)
-  {
-    start(this->Points);
-  }
-  for (Entry& entry : this->Entries)
-  {
-    if (entry.Current)
-    {
-      start(entry.Current);
-    }
-  }
+    });
   Buffer<vtkIdType> origins(this->HasGathered ? size : 0);
   if (this->HasGathered)
   {

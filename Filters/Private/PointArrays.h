@@ -97,8 +97,12 @@ private:
 
   vtkSmartPointer<vtkDataArray> Start(vtkDataArray* array, int valueType) const;
   bool IsSmoothed(vtkAbstractArray* array) const;
+  template <typename Make>
+  void ReplaceSmoothed(vtkIdType size, const Make& make);
   template <typename Operator>
   void AdvanceSmoothed(const Operator& rows);
+  template <typename Id>
+  void AdvanceSmoothed(const BlockOperator<Id>& rows);
   template <typename Id>
   void TakeOriginsOfEdges(const Buffer<Id>& edgeVertices, Buffer<vtkIdType>& next) const;
   template <typename Id>
