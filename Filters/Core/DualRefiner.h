@@ -21,7 +21,7 @@ protected:
     : Level(level)
     , Mesh(level.Mesh)
     , Places(*level.Dual)
-    , Whole(depth == Depth::ForRefinement)
+    , Whole(depth != Depth::ForOutput)
   {
   }
   ~DualRefiner() = default;

@@ -369,7 +369,7 @@ template <typename Id>
 SurfaceLevel<Id> RefineTriangles(const SurfaceLevel<Id>& level, Depth depth)
 {
   SurfaceLevel<Id> next = PrimalRefiner<Id, TriangleSplit<Id>>(level).Run(depth);
-  if (depth == Depth::ForRefinement)
+  if (depth != Depth::ForOutput)
   {
     next.Tags = RefineTriangleTags(level, level.Tags);
   }
@@ -380,7 +380,7 @@ template <typename Id>
 SurfaceLevel<Id> RefineToQuads(const SurfaceLevel<Id>& level, Depth depth)
 {
   SurfaceLevel<Id> next = PrimalRefiner<Id, QuadSplit<Id>>(level).Run(depth);
-  if (depth == Depth::ForRefinement)
+  if (depth != Depth::ForOutput)
   {
     next.Tags = RefineToQuadTags(level, level.Tags);
   }

@@ -31,6 +31,8 @@ enum class Depth
 {
   /// Everything that a further step needs.
   ForRefinement,
+  /// Of surfaces: everything that the last step needs, whose level is ForOutput.
+  ForLastStep,
   /// Only what moves points and writes cells: no faces but the triangle cells, no incidences.
   ForOutput
 };

@@ -15,9 +15,24 @@ namespace subdivision
 {
 
 /// The weight of the mean of the n neighbours of a smooth vertex (Kobbelt, eq. 6).
-inline double GetSqrtThreeRingWeight(int n)
+inline double ComputeSqrtThreeRingWeight(int n)
 {
   return (4. - 2. * std::cos(2. * std::acos(-1.) / n)) / 9.;
+}
+
+/// The same, without a cosine for usual valences.
+inline double GetSqrtThreeRingWeight(int n)
+{
+  static const std::vector<double> usual = []()
+  {
+    std::vector<double> weights{ 0. };
+    while (weights.size() <= 16)
+    {
+      weights.push_back(ComputeSqrtThreeRingWeight(static_cast<int>(weights.size())));
+    }
+    return weights;
+  }();
+  return n < static_cast<int>(usual.size()) ? usual[n] : ComputeSqrtThreeRingWeight(n);
 }
 
 /// The weights of the tangent across a curve, into a sector of k triangles on an even level: of the

@@ -28,30 +28,41 @@ public:
     const vtkIdType corners = 3 * out.NumberOfFaces;
     const vtkIdType edges = this->Children.GetNumberOfEdges();
     out.Vertices = Buffer<Id>(corners);
-    const bool isWhole = depth == Depth::ForRefinement;
+    const bool isWhole =
+      depth == Depth::ForRefinement || (depth == Depth::ForLastStep && this->Children.HasFixed);
     if (isWhole || !this->Level.Lines.empty())
     {
       out.EdgeVertices = Buffer<Id>(2 * edges);
       this->SetEdgeVertices(out);
     }
-    ForEach(this->Mesh.GetNumberOfCorners(),
-      [&](vtkIdType c) { this->SetVertices(static_cast<Id>(c), out); });
     if (isWhole)
     {
       out.Edges = Buffer<Id>(corners);
-      out.Twins = Buffer<Id>(corners);
       out.EdgeCorners = Buffer<Id>(edges);
-      out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
-      ForEach(this->Mesh.NumberOfFaces,
-        [&](vtkIdType f)
-        {
-          for (int i = 0; i < 3; ++i)
-          {
-            this->SetAcross(static_cast<Id>(3 * f + i), out);
-          }
-          this->SetInside(static_cast<Id>(f), out);
-        });
       this->SetFreeEdges(out);
+    }
+    if (depth != Depth::ForOutput)
+    {
+      out.Twins = Buffer<Id>(corners);
+      out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
+    }
+    ForEach(this->Mesh.NumberOfFaces,
+      [&](vtkIdType f)
+      {
+        const Id face = static_cast<Id>(f);
+        this->SetVertices(face, out);
+        if (isWhole)
+        {
+          this->SetAcross(face, out);
+          this->SetInside(face, out);
+        }
+        else if (depth != Depth::ForOutput)
+        {
+          this->SetTwins(face, out);
+        }
+      });
+    if (depth != Depth::ForOutput)
+    {
       this->SetVertexCorners(out);
       this->SplitJoints(out);
     }
@@ -71,8 +82,15 @@ private:
   }
   bool IsSharp(vtkIdType edge) const { return this->Level.Tags.Edges[edge] == EdgeTag::Sharp; }
 
+  void SetVertices(Id face, PolygonMesh<Id>& out) const
+  {
+    for (Id corner = 3 * face; corner < 3 * face + 3; ++corner)
+    {
+      this->SetChild(corner, out);
+    }
+  }
   /// The child across the edge of a corner.
-  void SetVertices(Id corner, PolygonMesh<Id>& out) const
+  void SetChild(Id corner, PolygonMesh<Id>& out) const
   {
     const Id next = this->Mesh.Next(corner);
     const Id a = this->Mesh.Vertices[corner];
@@ -102,17 +120,33 @@ private:
     child[2] = isSecond ? other : own;
   }
 
-  /// The half-edge that takes the place of a corner's: between the apexes, or on the fixed edge.
-  void SetAcross(Id corner, PolygonMesh<Id>& out) const
+  /// The half-edges that take the place of a face's: between apexes, or on fixed edges.
+  void SetAcross(Id face, PolygonMesh<Id>& out) const
   {
-    const Id edge = this->Mesh.Edges[corner];
-    const Id twin = this->Mesh.Twins[corner];
-    const Id side = this->IsFixed(corner) ? 0 : 1;
-    out.Edges[3 * corner + side] = edge;
-    out.Twins[3 * corner + side] = twin < 0 ? -1 : 3 * twin + side;
-    if (this->Mesh.EdgeCorners[edge] == corner)
+    for (Id corner = 3 * face; corner < 3 * face + 3; ++corner)
     {
-      out.EdgeCorners[edge] = 3 * corner + side;
+      const Id edge = this->Mesh.Edges[corner];
+      const Id twin = this->Mesh.Twins[corner];
+      const Id side = this->IsFixed(corner) ? 0 : 1;
+      out.Edges[3 * corner + side] = edge;
+      out.Twins[3 * corner + side] = twin < 0 ? -1 : 3 * twin + side;
+      if (this->Mesh.EdgeCorners[edge] == corner)
+      {
+        out.EdgeCorners[edge] = 3 * corner + side;
+      }
+    }
+  }
+
+  /// What a last step needs of half-edges where no edge is fixed.
+  void SetTwins(Id face, PolygonMesh<Id>& out) const
+  {
+    for (Id corner = 3 * face; corner < 3 * face + 3; ++corner)
+    {
+      out.Twins[3 * corner + 1] = 3 * this->Mesh.Twins[corner] + 1;
+      const Id a = this->Children.GetSideAtBegin(corner);
+      const Id b = this->Children.GetSideAtEnd(this->Mesh.Previous(corner));
+      out.Twins[a] = b;
+      out.Twins[b] = a;
     }
   }
 
@@ -378,7 +412,8 @@ void CountSqrtThreePlaces(SurfaceLevel<Id>& level)
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const Buffer<EdgeTag>& tags = level.Tags.Edges;
-  if (level.Step % 2 == 0 || std::find(tags.begin(), tags.end(), EdgeTag::Sharp) == tags.end())
+  level.HasCurves = std::find(tags.begin(), tags.end(), EdgeTag::Sharp) != tags.end();
+  if (level.Step % 2 == 0 || !level.HasCurves)
   {
     return;
   }
@@ -445,7 +480,7 @@ template <typename Id>
 SurfaceLevel<Id> RefineSqrtThree(const SurfaceLevel<Id>& level, Depth depth)
 {
   SurfaceLevel<Id> next = SqrtThreeRefiner<Id>(level).Run(depth);
-  if (depth == Depth::ForRefinement)
+  if (depth != Depth::ForOutput)
   {
     next.Tags = RefineSqrtThreeTags(level, level.Tags);
   }

@@ -53,6 +53,7 @@ public:
 private:
   using Topology = SqrtThreeTopology<Id>;
   void AppendSmooth(const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const;
+  bool AppendCentre(const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const;
   void AppendThird(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, bool second,
     std::vector<Id>& edges, RowBlock<Id>& rows) const;
   void AppendSmoothPosition(const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const;
@@ -66,10 +67,12 @@ private:
 template <typename Id>
 Id FindFixedOpposite(const SurfaceLevel<Id>& level, const FanStep<Id>& step)
 {
+  if (level.Places.empty())
+  {
+    return -1;
+  }
   const Id opposite = level.Mesh.Next(step.Corner);
-  return level.Step % 2 == 1 && level.Tags.Edges[level.Mesh.Edges[opposite]] == EdgeTag::Sharp
-    ? opposite
-    : -1;
+  return level.Tags.Edges[level.Mesh.Edges[opposite]] == EdgeTag::Sharp ? opposite : -1;
 }
 
 template <typename Id>
@@ -100,13 +103,13 @@ template <typename Id>
 void SqrtThreeScheme<Id>::GetFaceParents(
   const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const
 {
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  parents = Buffer<vtkIdType>(mesh.GetNumberOfCorners());
+  const Topology topology(level);
+  parents = Buffer<vtkIdType>(level.Mesh.GetNumberOfCorners());
   ForEach(parents.size(),
     [&](vtkIdType c)
     {
-      const bool isFixed = level.Tags.Edges[mesh.Edges[c]] == EdgeTag::Sharp;
-      parents[c] = (isFixed ? c : std::min<vtkIdType>(c, mesh.Twins[c])) / 3;
+      const bool isFixed = topology.IsFixed(static_cast<Id>(c));
+      parents[c] = (isFixed ? c : std::min<vtkIdType>(c, level.Mesh.Twins[c])) / 3;
     });
 }
 
@@ -170,31 +173,66 @@ template <typename Id>
 void SqrtThreeScheme<Id>::AppendSmooth(
   const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const
 {
+  if (this->AppendCentre(level, vertex, rows))
+  {
+    return;
+  }
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const Id start = mesh.VertexCorners[vertex];
   int n = 0;
   int ghosts = 0;
-  VisitCycle(mesh, start,
+  const std::size_t own = rows.GetNumberOfEntries();
+  rows.Add(vertex, 0.); // weights follow when all entries are known
+  VisitCycle(mesh, mesh.VertexCorners[vertex],
     [&](const FanStep<Id>& step)
     {
       ++n;
-      ghosts += FindFixedOpposite(level, step) >= 0;
-    });
-  n += ghosts;
-  const double ring = GetSqrtThreeRingWeight(n) / n;
-  rows.Add(vertex, 1. - ring * (n + ghosts));
-  VisitCycle(mesh, start,
-    [&](const FanStep<Id>& step)
-    {
       const Id in = step.GetHalfEdgeIn(mesh);
-      rows.Add(mesh.Vertices[in == step.Corner ? mesh.Next(in) : in], ring);
+      rows.Add(mesh.Vertices[in == step.Corner ? mesh.Next(in) : in], 0.);
       const Id opposite = FindFixedOpposite(level, step);
       if (opposite >= 0)
       {
-        rows.Add(mesh.Vertices[opposite], ring);
-        rows.Add(mesh.Vertices[mesh.Next(opposite)], ring);
+        ++ghosts;
+        rows.Add(mesh.Vertices[opposite], 0.);
+        rows.Add(mesh.Vertices[mesh.Next(opposite)], 0.);
       }
     });
+  n += ghosts;
+  const double ring = GetSqrtThreeRingWeight(n) / n;
+  rows.SetWeight(own, 1. - ring * (n + ghosts));
+  for (std::size_t entry = own + 1; entry < rows.GetNumberOfEntries(); ++entry)
+  {
+    rows.SetWeight(entry, ring);
+  }
+}
+
+/// The same, without a walk, where the vertex came as the centre of a face without fixed edges: the
+/// three children of that face have all of its ring, in the same order. False: it is another one.
+template <typename Id>
+bool SqrtThreeScheme<Id>::AppendCentre(
+  const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const
+{
+  const Id corner = level.Mesh.VertexCorners[vertex];
+  if (level.Step == 0 || corner % 9 != 2)
+  {
+    return false;
+  }
+  const Id* faces = level.Mesh.Vertices.data() + (corner - 2);
+  for (int i = 0; i < 9; i += 3)
+  {
+    if (faces[i + 2] != vertex || faces[i + 1] == faces[(i + 3) % 9])
+    {
+      return false;
+    }
+  }
+  constexpr int n = 6;
+  const double ring = GetSqrtThreeRingWeight(n) / n;
+  rows.Add(vertex, 1. - ring * n);
+  for (int i = 0; i < 9; i += 3)
+  {
+    rows.Add(faces[i], ring);
+    rows.Add(faces[i + 1], ring);
+  }
+  return true;
 }
 
 /// The point at one third of a fixed edge: cubic B-spline in thirds (Kobbelt, eq. 9); next to a

@@ -28,6 +28,7 @@ public:
     , Tags(level.Tags)
     , Places(level.Places.empty() ? nullptr : level.Places.data())
     , IsEven(level.Step % 2 == 1)
+    , HasFixed(level.HasCurves)
   {
     const vtkIdType edges = this->Mesh.GetNumberOfEdges();
     if (this->Places)
@@ -54,7 +55,7 @@ public:
 
   bool IsFixed(Id corner) const
   {
-    return this->Tags.Edges[this->Mesh.Edges[corner]] == EdgeTag::Sharp;
+    return this->HasFixed && this->Tags.Edges[this->Mesh.Edges[corner]] == EdgeTag::Sharp;
   }
   /// Whether edges are cut into thirds.
   bool HasThirds() const { return this->Thirds > 0; }
@@ -149,8 +150,9 @@ public:
   const SurfaceTags<Id>& Tags;
   const Id* Places;
   const bool IsEven;
-  Id Centres = 0; ///< number of faces that get a centre
-  Id Thirds = 0;  ///< number of edges that are cut into thirds
+  const bool HasFixed; ///< whether any edge is
+  Id Centres = 0;      ///< number of faces that get a centre
+  Id Thirds = 0;       ///< number of edges that are cut into thirds
 
   /// The face of a centre, by its number.
   Id FindFace(Id centre) const

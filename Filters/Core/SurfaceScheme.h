@@ -66,6 +66,8 @@ struct SurfaceLevel
   Buffer<Id> Lines;
   /// Vertex cells: their vertices. Empty after steps of schemes that keep the ids of vertices.
   Buffer<Id> Points;
+  /// Whether edges may be sharp, in schemes in which no step makes the first: what Prepare found.
+  bool HasCurves = true;
   int Step = 0; ///< since the control mesh: odd or even steps differ in some schemes
   /// Where children begin, as far as arithmetic alone does not tell: what Prepare counted.
   Buffer<Id> Places;
@@ -122,7 +124,7 @@ public:
   virtual void GetParents(
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const = 0;
   /// The next level; ForOutput: only faces (NumberOf..., Arity, FaceOffsets, Vertices) and Lines
-  /// with EdgeVertices.
+  /// with EdgeVertices; ForLastStep: all that a step needs which is ForOutput, and GetFaceParents.
   virtual SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const = 0;
   /// Tags of the next level from those of this one (there may be several sets for one level).
   virtual SurfaceTags<Id> RefineTags(

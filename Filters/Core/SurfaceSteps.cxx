@@ -56,10 +56,11 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   this->Scheme->RestrictTags(this->Levels[0]);
   for (int step = 0; step < steps && !(stop && stop(0.5 * step / steps)); ++step)
   {
-    const bool whole = step + 1 < steps || lastIsWhole;
+    const Depth depth = lastIsWhole || step + 2 < steps ? Depth::ForRefinement
+      : step + 2 == steps                               ? Depth::ForLastStep
+                                                        : Depth::ForOutput;
     this->Scheme->Prepare(this->Levels.back());
-    this->Levels.push_back(
-      this->Scheme->Refine(this->Levels.back(), whole ? Depth::ForRefinement : Depth::ForOutput));
+    this->Levels.push_back(this->Scheme->Refine(this->Levels.back(), depth));
   }
   if (lastIsWhole)
   {
