@@ -45,6 +45,10 @@ SurfaceCells ReadSimplices(vtkPolyData* input, const vtkIdType* globalIds)
   SurfaceCells cells;
   cells.NumberOfPoints = simplices.Simplices.NumberOfPoints;
   cells.Warnings = simplices.Warnings;
+  const std::size_t size = simplices.Simplices.Dimensions.size();
+  cells.Corners.reserve(simplices.Simplices.Connectivity.size());
+  cells.FaceOffsets.reserve(size + 1);
+  cells.FaceCells.reserve(size);
   const vtkIdType* ids = simplices.Simplices.Connectivity.data();
   for (vtkIdType i = 0; i < simplices.Simplices.GetNumberOfSimplices(); ++i)
   {

@@ -83,6 +83,7 @@ void SurfaceStamp::SetControl(const SurfaceCells& control, int size, bool withCe
   }
   if (withCells)
   {
+    this->Cells.reserve(control.Segments.size() + control.Corners.size());
     this->Cells = control.Segments;
     this->Cells.insert(this->Cells.end(), control.Corners.begin(), control.Corners.end());
   }
