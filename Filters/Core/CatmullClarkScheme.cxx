@@ -64,6 +64,15 @@ public:
   {
     return RefineToQuads(level, depth);
   }
+  bool WritesFaces() const override { return true; }
+  void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override
+  {
+    WriteQuads(level, ids);
+  }
+  void WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const override
+  {
+    WriteQuads(level, ids);
+  }
   SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override
   {

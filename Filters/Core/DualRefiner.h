@@ -21,7 +21,7 @@ protected:
     : Level(level)
     , Mesh(level.Mesh)
     , Places(*level.Dual)
-    , Whole(depth != Depth::ForOutput)
+    , Whole(!IsLast(depth))
   {
   }
   ~DualRefiner() = default;

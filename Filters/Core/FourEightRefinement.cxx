@@ -22,7 +22,7 @@ public:
     SurfaceLevel<Id> next;
     next.Step = this->Level.Step + 1;
     PolygonMesh<Id>& out = next.Mesh;
-    const bool isWhole = depth != Depth::ForOutput;
+    const bool isWhole = !IsLast(depth);
     const vtkIdType corners = this->Children.GetNumberOfCorners();
     const vtkIdType edges = this->Children.GetNumberOfEdges();
     out.NumberOfVertices = this->Children.GetNumberOfVertices();
@@ -382,7 +382,7 @@ template <typename Id>
 SurfaceLevel<Id> RefineFourEight(const SurfaceLevel<Id>& level, Depth depth)
 {
   SurfaceLevel<Id> next = FourEightRefiner<Id>(level).Run(depth);
-  if (depth != Depth::ForOutput)
+  if (!IsLast(depth))
   {
     next.Tags = RefineFourEightTags(level, level.Tags);
   }

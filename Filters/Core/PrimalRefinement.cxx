@@ -31,7 +31,8 @@ struct TriangleSplit
     return 12 * (corner / 3) + ends[corner % 3];
   }
 
-  void SetVertices(vtkIdType face, Buffer<Id>& out) const
+  template <typename Out>
+  void SetVertices(vtkIdType face, Out* out) const
   {
     const Id* x = this->Mesh.Vertices.data() + 3 * face;
     const Id* e = this->Mesh.Edges.data() + 3 * face;
@@ -40,7 +41,7 @@ struct TriangleSplit
     const Id x12 = first + e[1];
     const Id x02 = first + e[2];
     const Id children[12] = { x[0], x01, x02, x01, x[1], x12, x02, x12, x[2], x01, x12, x02 };
-    std::copy(children, children + 12, out.data() + 12 * face);
+    std::copy(children, children + 12, out + 12 * face);
   }
 
   /// Half-edges inside a face: their edges and twins.
@@ -88,7 +89,8 @@ struct QuadSplit
   Id GetStart(Id corner) const { return 4 * corner; }
   Id GetEnd(Id corner) const { return 4 * this->Mesh.Next(corner) + 3; }
 
-  void SetVertices(vtkIdType face, Buffer<Id>& out) const
+  template <typename Out>
+  void SetVertices(vtkIdType face, Out* out) const
   {
     const Id f = static_cast<Id>(face);
     const Id first = this->Mesh.GetFirst(f);
@@ -99,7 +101,7 @@ struct QuadSplit
     for (Id c = first; c <= last; ++c)
     {
       const Id after = vertices + this->Mesh.Edges[c];
-      Id* quad = out.data() + 4 * static_cast<vtkIdType>(c);
+      Out* quad = out + 4 * static_cast<vtkIdType>(c);
       quad[0] = this->Mesh.Vertices[c];
       quad[1] = after;
       quad[2] = middle;
@@ -157,26 +159,27 @@ public:
     out.NumberOfVertices = this->Children.GetNumberOfVertices();
     out.NumberOfFaces = this->Children.GetNumberOfFaces();
     const vtkIdType corners = out.NumberOfFaces * Split::Arity;
-    out.Vertices = Buffer<Id>(corners);
     const vtkIdType edges = 2 * this->Mesh.GetNumberOfEdges() + this->Mesh.GetNumberOfCorners();
-    out.EdgeVertices =
-      Buffer<Id>(2 * (depth == Depth::ForOutput && this->Level.Lines.empty() ? 0 : edges));
+    const bool isWhole = !IsLast(depth);
+    if (depth != Depth::ForCounts)
+    {
+      out.Vertices = Buffer<Id>(corners);
+    }
     if (depth == Depth::ForOutput)
     {
-      ForEach(this->Mesh.NumberOfFaces,
-        [&](vtkIdType f) { this->Children.SetVertices(f, out.Vertices); });
-      if (!this->Level.Lines.empty())
-      {
-        this->SplitEdgeVertices(out);
-      }
+      this->WriteFaces(out.Vertices.data());
     }
-    else
+    if (isWhole || !this->Level.Lines.empty())
+    {
+      out.EdgeVertices = Buffer<Id>(2 * edges);
+      this->SplitEdgeVertices(out);
+    }
+    if (isWhole)
     {
       out.Edges = Buffer<Id>(corners);
       out.Twins = Buffer<Id>(corners);
       out.EdgeCorners = Buffer<Id>(edges);
       out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
-      this->SplitEdgeVertices(out);
       this->SplitFaces(out);
       this->SplitEdges(out);
       this->SplitJoints(out);
@@ -185,13 +188,19 @@ public:
     return next;
   }
 
+  template <typename Out>
+  void WriteFaces(Out* ids) const
+  {
+    ForEach(this->Mesh.NumberOfFaces, [&](vtkIdType f) { this->Children.SetVertices(f, ids); });
+  }
+
 private:
   void SplitFaces(PolygonMesh<Id>& out) const
   {
     ForEach(this->Mesh.NumberOfFaces,
       [&](vtkIdType f)
       {
-        this->Children.SetVertices(f, out.Vertices);
+        this->Children.SetVertices(f, out.Vertices.data());
         this->Children.SetInside(f, out);
         this->Children.SetFacePoint(f, out);
         const Id first = this->Mesh.GetFirst(static_cast<Id>(f));
@@ -369,7 +378,7 @@ template <typename Id>
 SurfaceLevel<Id> RefineTriangles(const SurfaceLevel<Id>& level, Depth depth)
 {
   SurfaceLevel<Id> next = PrimalRefiner<Id, TriangleSplit<Id>>(level).Run(depth);
-  if (depth != Depth::ForOutput)
+  if (!IsLast(depth))
   {
     next.Tags = RefineTriangleTags(level, level.Tags);
   }
@@ -380,7 +389,7 @@ template <typename Id>
 SurfaceLevel<Id> RefineToQuads(const SurfaceLevel<Id>& level, Depth depth)
 {
   SurfaceLevel<Id> next = PrimalRefiner<Id, QuadSplit<Id>>(level).Run(depth);
-  if (depth != Depth::ForOutput)
+  if (!IsLast(depth))
   {
     next.Tags = RefineToQuadTags(level, level.Tags);
   }
@@ -399,9 +408,25 @@ SurfaceTags<Id> RefineToQuadTags(const SurfaceLevel<Id>& level, const SurfaceTag
   return InheritTags<Id, QuadSplit<Id>>(level, tags);
 }
 
+template <typename Id, typename Out>
+void WriteTriangles(const SurfaceLevel<Id>& level, Out* ids)
+{
+  PrimalRefiner<Id, TriangleSplit<Id>>(level).WriteFaces(ids);
+}
+
+template <typename Id, typename Out>
+void WriteQuads(const SurfaceLevel<Id>& level, Out* ids)
+{
+  PrimalRefiner<Id, QuadSplit<Id>>(level).WriteFaces(ids);
+}
+
 #define SUBDIVISION_PRIMAL(Id)                                                                     \
   template SurfaceLevel<Id> RefineTriangles(const SurfaceLevel<Id>&, Depth);                       \
   template SurfaceLevel<Id> RefineToQuads(const SurfaceLevel<Id>&, Depth);                         \
+  template void WriteTriangles(const SurfaceLevel<Id>&, int*);                                     \
+  template void WriteTriangles(const SurfaceLevel<Id>&, long long*);                               \
+  template void WriteQuads(const SurfaceLevel<Id>&, int*);                                         \
+  template void WriteQuads(const SurfaceLevel<Id>&, long long*);                                   \
   template SurfaceTags<Id> RefineTriangleTags(const SurfaceLevel<Id>&, const SurfaceTags<Id>&);    \
   template SurfaceTags<Id> RefineToQuadTags(const SurfaceLevel<Id>&, const SurfaceTags<Id>&)
 SUBDIVISION_PRIMAL(int);

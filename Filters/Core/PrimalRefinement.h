@@ -24,6 +24,12 @@ SurfaceLevel<Id> RefineTriangles(const SurfaceLevel<Id>& level, Depth depth);
 template <typename Id>
 SurfaceLevel<Id> RefineToQuads(const SurfaceLevel<Id>& level, Depth depth);
 
+/// The vertices of the faces of the next level, one face after the other.
+template <typename Id, typename Out>
+void WriteTriangles(const SurfaceLevel<Id>& level, Out* ids);
+template <typename Id, typename Out>
+void WriteQuads(const SurfaceLevel<Id>& level, Out* ids);
+
 /// Pieces of an edge, and what a step makes on it, have its tag; everything else is smooth.
 template <typename Id>
 SurfaceTags<Id> RefineTriangleTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
@@ -55,6 +61,15 @@ public:
   SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override
   {
     return RefineTriangles(level, depth);
+  }
+  bool WritesFaces() const override { return true; }
+  void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override
+  {
+    WriteTriangles(level, ids);
+  }
+  void WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const override
+  {
+    WriteTriangles(level, ids);
   }
   SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override

@@ -34,7 +34,9 @@ enum class Depth
   /// Of surfaces: everything that the last step needs, whose level is ForOutput.
   ForLastStep,
   /// Only what moves points and writes cells: no faces but the triangle cells, no incidences.
-  ForOutput
+  ForOutput,
+  /// Of surfaces: not even these, because they are written where they are to be.
+  ForCounts
 };
 
 template <typename Id>

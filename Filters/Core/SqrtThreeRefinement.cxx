@@ -27,9 +27,13 @@ public:
     out.NumberOfFaces = 3 * this->Mesh.NumberOfFaces;
     const vtkIdType corners = 3 * out.NumberOfFaces;
     const vtkIdType edges = this->Children.GetNumberOfEdges();
-    out.Vertices = Buffer<Id>(corners);
-    const bool isWhole =
-      depth == Depth::ForRefinement || (depth == Depth::ForLastStep && this->Children.HasFixed);
+    const bool isLast = IsLast(depth);
+    const bool isWhole = !isLast && (depth == Depth::ForRefinement || this->Children.HasFixed);
+    if (depth != Depth::ForCounts)
+    {
+      out.Vertices = Buffer<Id>(corners);
+      this->WriteFaces(out.Vertices.data());
+    }
     if (isWhole || !this->Level.Lines.empty())
     {
       out.EdgeVertices = Buffer<Id>(2 * edges);
@@ -41,33 +45,36 @@ public:
       out.EdgeCorners = Buffer<Id>(edges);
       this->SetFreeEdges(out);
     }
-    if (depth != Depth::ForOutput)
+    if (!isLast)
     {
       out.Twins = Buffer<Id>(corners);
       out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
-    }
-    ForEach(this->Mesh.NumberOfFaces,
-      [&](vtkIdType f)
-      {
-        const Id face = static_cast<Id>(f);
-        this->SetVertices(face, out);
-        if (isWhole)
+      ForEach(this->Mesh.NumberOfFaces,
+        [&](vtkIdType f)
         {
-          this->SetAcross(face, out);
-          this->SetInside(face, out);
-        }
-        else if (depth != Depth::ForOutput)
-        {
-          this->SetTwins(face, out);
-        }
-      });
-    if (depth != Depth::ForOutput)
-    {
+          const Id face = static_cast<Id>(f);
+          if (isWhole)
+          {
+            this->SetAcross(face, out);
+            this->SetInside(face, out);
+          }
+          else
+          {
+            this->SetTwins(face, out);
+          }
+        });
       this->SetVertexCorners(out);
       this->SplitJoints(out);
     }
     this->SplitLines(next.Lines);
     return next;
+  }
+
+  template <typename Out>
+  void WriteFaces(Out* ids) const
+  {
+    ForEach(this->Mesh.GetNumberOfCorners(),
+      [&](vtkIdType c) { this->SetChild(static_cast<Id>(c), ids + 3 * c); });
   }
 
 private:
@@ -82,20 +89,13 @@ private:
   }
   bool IsSharp(vtkIdType edge) const { return this->Level.Tags.Edges[edge] == EdgeTag::Sharp; }
 
-  void SetVertices(Id face, PolygonMesh<Id>& out) const
-  {
-    for (Id corner = 3 * face; corner < 3 * face + 3; ++corner)
-    {
-      this->SetChild(corner, out);
-    }
-  }
   /// The child across the edge of a corner.
-  void SetChild(Id corner, PolygonMesh<Id>& out) const
+  template <typename Out>
+  void SetChild(Id corner, Out* child) const
   {
     const Id next = this->Mesh.Next(corner);
     const Id a = this->Mesh.Vertices[corner];
     const Id b = this->Mesh.Vertices[next];
-    Id* child = out.Vertices.data() + 3 * static_cast<vtkIdType>(corner);
     if (this->IsCut(corner))
     {
       const Id edge = this->Mesh.Edges[corner];
@@ -480,13 +480,23 @@ template <typename Id>
 SurfaceLevel<Id> RefineSqrtThree(const SurfaceLevel<Id>& level, Depth depth)
 {
   SurfaceLevel<Id> next = SqrtThreeRefiner<Id>(level).Run(depth);
-  if (depth != Depth::ForOutput)
+  if (!IsLast(depth))
   {
     next.Tags = RefineSqrtThreeTags(level, level.Tags);
   }
   return next;
 }
 
+template <typename Id, typename Out>
+void WriteSqrtThree(const SurfaceLevel<Id>& level, Out* ids)
+{
+  SqrtThreeRefiner<Id>(level).WriteFaces(ids);
+}
+
+template void WriteSqrtThree(const SurfaceLevel<int>&, int*);
+template void WriteSqrtThree(const SurfaceLevel<int>&, long long*);
+template void WriteSqrtThree(const SurfaceLevel<long long>&, int*);
+template void WriteSqrtThree(const SurfaceLevel<long long>&, long long*);
 template void CountSqrtThreePlaces(SurfaceLevel<int>&);
 template void CountSqrtThreePlaces(SurfaceLevel<long long>&);
 template SurfaceLevel<int> RefineSqrtThree(const SurfaceLevel<int>&, Depth);

@@ -18,6 +18,10 @@ void CountSqrtThreePlaces(SurfaceLevel<Id>& level);
 template <typename Id>
 SurfaceLevel<Id> RefineSqrtThree(const SurfaceLevel<Id>& level, Depth depth);
 
+/// The vertices of the faces of the next level, one face after the other.
+template <typename Id, typename Out>
+void WriteSqrtThree(const SurfaceLevel<Id>& level, Out* ids);
+
 /// Pieces of fixed edges, and what cuts them, lie on the curve; everything else new is smooth.
 template <typename Id>
 SurfaceTags<Id> RefineSqrtThreeTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);

@@ -37,6 +37,15 @@ public:
   {
     return RefineSqrtThree(level, depth);
   }
+  bool WritesFaces() const override { return true; }
+  void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override
+  {
+    WriteSqrtThree(level, ids);
+  }
+  void WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const override
+  {
+    WriteSqrtThree(level, ids);
+  }
   SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override
   {

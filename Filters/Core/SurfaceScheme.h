@@ -74,6 +74,12 @@ struct SurfaceLevel
   std::shared_ptr<const DualPlaces<Id>> Dual; ///< the same for dual schemes
 };
 
+/// Whether no further step follows.
+inline bool IsLast(Depth depth)
+{
+  return depth == Depth::ForOutput || depth == Depth::ForCounts;
+}
+
 enum class LimitKind
 {
   Position,
@@ -126,6 +132,11 @@ public:
   /// The next level; ForOutput: only faces (NumberOf..., Arity, FaceOffsets, Vertices) and Lines
   /// with EdgeVertices; ForLastStep: all that a step needs which is ForOutput, and GetFaceParents.
   virtual SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const = 0;
+  /// Whether it has ForCounts, which is ForOutput without Vertices, and WriteFaces for these: the
+  /// vertices of the next level's faces, one face after the other.
+  virtual bool WritesFaces() const { return false; }
+  virtual void WriteFaces(const SurfaceLevel<Id>& /*level*/, int* /*ids*/) const {}
+  virtual void WriteFaces(const SurfaceLevel<Id>& /*level*/, long long* /*ids*/) const {}
   /// Tags of the next level from those of this one (there may be several sets for one level).
   virtual SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const = 0;

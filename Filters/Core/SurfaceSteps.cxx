@@ -58,6 +58,7 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   {
     const Depth depth = lastIsWhole || step + 2 < steps ? Depth::ForRefinement
       : step + 2 == steps                               ? Depth::ForLastStep
+      : this->Scheme->WritesFaces()                     ? Depth::ForCounts
                                                         : Depth::ForOutput;
     this->Scheme->Prepare(this->Levels.back());
     this->Levels.push_back(this->Scheme->Refine(this->Levels.back(), depth));
@@ -66,6 +67,26 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   {
     this->Scheme->Prepare(this->Levels.back());
   }
+}
+
+template <typename Id>
+vtkIdType SurfaceSteps<Id>::GetNumberOfCorners(int level) const
+{
+  const PolygonMesh<Id>& mesh = this->Levels[level].Mesh;
+  return mesh.Arity ? mesh.Arity * mesh.NumberOfFaces : mesh.FaceOffsets[mesh.NumberOfFaces];
+}
+
+template <typename Id>
+template <typename Out>
+void SurfaceSteps<Id>::WriteFaces(int level, Out* ids) const
+{
+  const Buffer<Id>& vertices = this->Levels[level].Mesh.Vertices;
+  if (vertices.empty() && this->GetNumberOfCorners(level) > 0)
+  {
+    this->Scheme->WriteFaces(this->Levels[level - 1], ids);
+    return;
+  }
+  ForEach(vertices.size(), [&](vtkIdType c) { ids[c] = static_cast<Out>(vertices[c]); });
 }
 
 template <typename Id>
@@ -187,5 +208,9 @@ std::size_t SurfaceSteps<Id>::GetMemorySize() const
 
 template class SurfaceSteps<int>;
 template class SurfaceSteps<long long>;
+template void SurfaceSteps<int>::WriteFaces(int, int*) const;
+template void SurfaceSteps<int>::WriteFaces(int, long long*) const;
+template void SurfaceSteps<long long>::WriteFaces(int, int*) const;
+template void SurfaceSteps<long long>::WriteFaces(int, long long*) const;
 
 }

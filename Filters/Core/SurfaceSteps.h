@@ -35,6 +35,10 @@ public:
 
   int GetNumberOfSteps() const { return static_cast<int>(this->Levels.size()) - 1; }
   const SurfaceLevel<Id>& GetLevel(int level) const { return this->Levels[level]; }
+  /// The vertices of a level's faces, one face after the other: the last level may have none.
+  vtkIdType GetNumberOfCorners(int level) const;
+  template <typename Out>
+  void WriteFaces(int level, Out* ids) const;
   const SurfaceScheme<Id>& GetScheme() const { return *this->Scheme; }
 
   BlockOperator<Id> GetStep(int step) const;

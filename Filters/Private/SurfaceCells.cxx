@@ -155,10 +155,10 @@ SurfaceCells ReadPolygons(vtkPolyData* input)
   return cells;
 }
 
-/// A cell array of equal or given sizes; `get(i)` is entry i of its connectivity.
-template <typename Array, typename GetOffset, typename GetId>
+/// A cell array of equal or given sizes; `fill` writes its connectivity.
+template <typename Array, typename GetOffset, typename Fill>
 vtkSmartPointer<vtkCellArray> MakeCells(
-  vtkIdType cells, vtkIdType entries, const GetOffset& getOffset, const GetId& getId)
+  vtkIdType cells, vtkIdType entries, const GetOffset& getOffset, const Fill& fill)
 {
   vtkNew<Array> offsets;
   vtkNew<Array> ids;
@@ -166,9 +166,8 @@ vtkSmartPointer<vtkCellArray> MakeCells(
   Allocate(ids, 1, entries);
   using Value = typename Array::ValueType;
   Value* offset = offsets->GetPointer(0);
-  Value* id = ids->GetPointer(0);
   ForEach(cells + 1, [&](vtkIdType i) { offset[i] = static_cast<Value>(getOffset(i)); });
-  ForEach(entries, [&](vtkIdType i) { id[i] = static_cast<Value>(getId(i)); });
+  fill(ids->GetPointer(0));
   auto array = vtkSmartPointer<vtkCellArray>::New();
   array->SetData(offsets, ids);
   return array;
@@ -176,29 +175,41 @@ vtkSmartPointer<vtkCellArray> MakeCells(
 
 template <typename Array, typename Id>
 void WriteCells(
-  const SurfaceLevel<Id>& level, const std::vector<vtkIdType>& vertices, vtkPolyData* output)
+  const SurfaceSteps<Id>& steps, const std::vector<vtkIdType>& vertices, vtkPolyData* output)
 {
+  using Value = typename Array::ValueType;
+  const int last = steps.GetNumberOfSteps();
+  const SurfaceLevel<Id>& level = steps.GetLevel(last);
   const PolygonMesh<Id>& mesh = level.Mesh;
   const vtkIdType points = static_cast<vtkIdType>(vertices.size());
-  const vtkIdType lines = level.Lines.size();
   output->SetVerts(MakeCells<Array>(
     points, points, [](vtkIdType i) { return i; },
-    [&](vtkIdType i) { return level.Points.empty() ? vertices[i] : level.Points[i]; }));
+    [&](Value* ids)
+    {
+      for (vtkIdType i = 0; i < points; ++i)
+      {
+        ids[i] = static_cast<Value>(level.Points.empty() ? vertices[i] : level.Points[i]);
+      }
+    }));
+  const vtkIdType lines = level.Lines.size();
   output->SetLines(MakeCells<Array>(
     lines, 2 * lines, [](vtkIdType i) { return 2 * i; },
-    [&](vtkIdType i)
+    [&](Value* ids)
     {
-      const Id line = level.Lines[i / 2];
-      return mesh.EdgeVertices[2 * (line / 2) + (line % 2 + i % 2) % 2];
+      ForEach(2 * lines,
+        [&](vtkIdType i)
+        {
+          const Id line = level.Lines[i / 2];
+          ids[i] = static_cast<Value>(mesh.EdgeVertices[2 * (line / 2) + (line % 2 + i % 2) % 2]);
+        });
     }));
-  const vtkIdType corners = mesh.Vertices.size();
-  auto getVertex = [&](vtkIdType i) { return mesh.Vertices[i]; };
+  const vtkIdType corners = steps.GetNumberOfCorners(last);
+  auto fill = [&](Value* ids) { steps.WriteFaces(last, ids); };
   output->SetPolys(mesh.Arity
       ? MakeCells<Array>(
-          mesh.NumberOfFaces, corners, [&](vtkIdType i) { return mesh.Arity * i; }, getVertex)
+          mesh.NumberOfFaces, corners, [&](vtkIdType i) { return mesh.Arity * i; }, fill)
       : MakeCells<Array>(
-          mesh.NumberOfFaces, corners, [&](vtkIdType i) { return mesh.FaceOffsets[i]; },
-          getVertex));
+          mesh.NumberOfFaces, corners, [&](vtkIdType i) { return mesh.FaceOffsets[i]; }, fill));
 }
 
 }
@@ -229,27 +240,28 @@ SurfaceLevel<Id> MakeControlLevel(const SurfaceCells& cells)
 }
 
 template <typename Id>
-void WriteSurfaceCells(const SurfaceLevel<Id>& level, const std::vector<vtkIdType>& vertices,
+void WriteSurfaceCells(const SurfaceSteps<Id>& steps, const std::vector<vtkIdType>& vertices,
   bool use32BitIds, vtkPolyData* output)
 {
+  const int last = steps.GetNumberOfSteps();
   const bool small = use32BitIds &&
-    std::max(level.Mesh.Vertices.size(), level.Mesh.NumberOfVertices) <
+    std::max(steps.GetNumberOfCorners(last), steps.GetLevel(last).Mesh.NumberOfVertices) <
       std::numeric_limits<int>::max();
   if (small)
   {
-    WriteCells<vtkTypeInt32Array>(level, vertices, output);
+    WriteCells<vtkTypeInt32Array>(steps, vertices, output);
   }
   else
   {
-    WriteCells<vtkIdTypeArray>(level, vertices, output);
+    WriteCells<vtkIdTypeArray>(steps, vertices, output);
   }
 }
 
 template SurfaceLevel<int> MakeControlLevel(const SurfaceCells&);
 template SurfaceLevel<long long> MakeControlLevel(const SurfaceCells&);
 template void WriteSurfaceCells(
-  const SurfaceLevel<int>&, const std::vector<vtkIdType>&, bool, vtkPolyData*);
+  const SurfaceSteps<int>&, const std::vector<vtkIdType>&, bool, vtkPolyData*);
 template void WriteSurfaceCells(
-  const SurfaceLevel<long long>&, const std::vector<vtkIdType>&, bool, vtkPolyData*);
+  const SurfaceSteps<long long>&, const std::vector<vtkIdType>&, bool, vtkPolyData*);
 
 }

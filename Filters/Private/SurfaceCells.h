@@ -6,7 +6,7 @@
 #ifndef SubdivisionObjects_SurfaceCells_h
 #define SubdivisionObjects_SurfaceCells_h
 
-#include "Core/SurfaceScheme.h"
+#include "Core/SurfaceSteps.h"
 
 #include <string>
 #include <vector>
@@ -45,9 +45,9 @@ SurfaceCells ReadSurfaceCells(vtkPolyData* input, bool triangles, const vtkIdTyp
 template <typename Id>
 SurfaceLevel<Id> MakeControlLevel(const SurfaceCells& cells);
 
-/// The cells of a level as the output's. `vertices` stay what they are.
+/// The cells of the last level as the output's. `vertices` stay what they are.
 template <typename Id>
-void WriteSurfaceCells(const SurfaceLevel<Id>& level, const std::vector<vtkIdType>& vertices,
+void WriteSurfaceCells(const SurfaceSteps<Id>& steps, const std::vector<vtkIdType>& vertices,
   bool use32BitIds, vtkPolyData* output);
 
 }

@@ -96,8 +96,11 @@ void AddSeamCorners(const PolygonMesh<Id>& mesh, const JoinedSurface& joined,
 
 template <typename Id>
 Buffer<vtkIdType> FindJoinedVertices(
-  const SurfaceLevel<Id>& level, const SurfaceLevel<Id>& joined, vtkIdType numberOfPoints)
+  const SurfaceSteps<Id>& steps, const SurfaceSteps<Id>& joinedSteps, vtkIdType numberOfPoints)
 {
+  const int last = steps.GetNumberOfSteps();
+  const SurfaceLevel<Id>& level = steps.GetLevel(last);
+  const SurfaceLevel<Id>& joined = joinedSteps.GetLevel(last);
   Buffer<vtkIdType> vertices(level.Mesh.NumberOfVertices, 0);
   // Control points keep their ids; cells are split in the same order whatever their points are.
   std::iota(vertices.begin(), vertices.begin() + numberOfPoints, vtkIdType(0));
@@ -110,9 +113,13 @@ Buffer<vtkIdType> FindJoinedVertices(
     };
     vertices[end(level)] = end(joined);
   }
-  for (vtkIdType c = 0; c < level.Mesh.Vertices.size(); ++c)
+  Buffer<vtkIdType> corners(steps.GetNumberOfCorners(last));
+  Buffer<vtkIdType> joinedCorners(corners.size());
+  steps.WriteFaces(last, corners.data());
+  joinedSteps.WriteFaces(last, joinedCorners.data());
+  for (vtkIdType c = 0; c < corners.size(); ++c)
   {
-    vertices[level.Mesh.Vertices[c]] = joined.Mesh.Vertices[c];
+    vertices[corners[c]] = joinedCorners[c];
   }
   return vertices;
 }
@@ -121,7 +128,7 @@ Buffer<vtkIdType> FindJoinedVertices(
   template void AddSeamCorners(                                                                    \
     const PolygonMesh<Id>&, const JoinedSurface&, const SurfaceTags<Id>&, SurfaceFeatures&);       \
   template Buffer<vtkIdType> FindJoinedVertices(                                                   \
-    const SurfaceLevel<Id>&, const SurfaceLevel<Id>&, vtkIdType)
+    const SurfaceSteps<Id>&, const SurfaceSteps<Id>&, vtkIdType)
 SUBDIVISION_SEAMS(int);
 SUBDIVISION_SEAMS(long long);
 

@@ -29,11 +29,11 @@ template <typename Id>
 void AddSeamCorners(const PolygonMesh<Id>& mesh, const JoinedSurface& joined,
   const SurfaceTags<Id>& tags, SurfaceFeatures& features);
 
-/// The vertex of a joined level that each vertex of the same level with seams is; the control
-/// points are the first `numberOfPoints`.
+/// The vertex of the last joined level that each vertex of the last level with seams is; the
+/// control points are the first `numberOfPoints`.
 template <typename Id>
 Buffer<vtkIdType> FindJoinedVertices(
-  const SurfaceLevel<Id>& level, const SurfaceLevel<Id>& joined, vtkIdType numberOfPoints);
+  const SurfaceSteps<Id>& steps, const SurfaceSteps<Id>& joined, vtkIdType numberOfPoints);
 
 }
 

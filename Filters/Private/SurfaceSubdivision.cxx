@@ -397,8 +397,8 @@ vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints()
   {
     apply(this->Joined->GetStep(step));
   }
-  const Buffer<vtkIdType> sources = FindJoinedVertices(this->Steps->GetLevel(this->GetAllLevels()),
-    this->Joined->GetLevel(this->GetAllLevels()), this->Cells.NumberOfPoints);
+  const Buffer<vtkIdType> sources =
+    FindJoinedVertices(*this->Steps, *this->Joined, this->Cells.NumberOfPoints);
   if (this->Options.GenerateNormals || this->Options.GenerateTangents)
   {
     this->AddFrames(*this->Joined, points, sources);
@@ -417,9 +417,10 @@ bool SurfaceRun<Id>::IsDescendant() const
   const SurfaceLevel<Id>& level = this->Steps->GetLevel(this->MadeLevels);
   const PolygonMesh<Id>& mesh = level.Mesh;
   const SurfaceCells& cells = this->Cells;
+  Buffer<vtkIdType> corners(this->Steps->GetNumberOfCorners(this->MadeLevels));
   if (mesh.NumberOfVertices != cells.NumberOfPoints ||
     mesh.NumberOfFaces != cells.GetNumberOfFaces() ||
-    mesh.Vertices.size() != static_cast<vtkIdType>(cells.Corners.size()) ||
+    corners.size() != static_cast<vtkIdType>(cells.Corners.size()) ||
     2 * level.Lines.size() != static_cast<vtkIdType>(cells.Segments.size()))
   {
     return false;
@@ -432,7 +433,8 @@ bool SurfaceRun<Id>::IsDescendant() const
       return false;
     }
   }
-  return std::equal(mesh.Vertices.begin(), mesh.Vertices.end(), cells.Corners.begin());
+  this->Steps->WriteFaces(this->MadeLevels, corners.data());
+  return std::equal(corners.begin(), corners.end(), cells.Corners.begin());
 }
 
 // ------------------------------------------------------------------------------------------------
@@ -504,8 +506,7 @@ void SurfaceRun<Id>::WriteCells()
     this->Output->SetPolys(this->Kept->Polys);
     return;
   }
-  WriteSurfaceCells(this->Steps->GetLevel(this->GetAllLevels()), this->Cells.Vertices,
-    this->Options.Use32BitIds, this->Output);
+  WriteSurfaceCells(*this->Steps, this->Cells.Vertices, this->Options.Use32BitIds, this->Output);
   if (this->Kept)
   {
     this->Kept->Verts = this->Output->GetVerts();
