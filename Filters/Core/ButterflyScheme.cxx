@@ -276,10 +276,20 @@ void EdgeRows<Id>::AppendExtraordinary(Id edge, const EdgeEnd<Id>& end, double f
   }
   this->CollectCycle(edge, end);
   const int k = static_cast<int>(this->Around.size());
+  // An edge's ring has all neighbours: the weights are kept for the vertex's other edges.
+  thread_local std::vector<double> weights;
+  if (static_cast<int>(weights.size()) != k)
+  {
+    weights.resize(k);
+    for (int j = 0; j < k; ++j)
+    {
+      weights[j] = butterfly::Ring(k, j);
+    }
+  }
   this->Rows.Add(end.Vertex, factor * butterfly::Centre);
   for (int j = 0; j < k; ++j)
   {
-    this->Rows.Add(this->Around[j], factor * butterfly::Ring(k, j));
+    this->Rows.Add(this->Around[j], factor * weights[j]);
   }
 }
 
