@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BenchmarkRedGreen.cxx
- * Red-green refinement with Core directly, from the cells in memory to all arrays of the output:
- * cells, cell arrays, points and one scalar.
+ * Red-green refinement, with Core directly and with the filter, from the cells in memory to all
+ * arrays of the output: cells, cell arrays, points and one scalar.
  *  - corner: unit cube of 12^3 x 6 tetrahedra, 4 rounds, marked where the centroid lies within 0.21
  *    of the corner;
  *  - percent: 1 % of 5 million tetrahedra, those around the centre; scattered: any 1 %.
@@ -11,6 +11,17 @@
 
 #include "Core/RedGreenOutput.h"
 #include "Core/TetOrder.h"
+
+#include "vtkRedGreenRefinement.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkSphere.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <cmath>
 #include <memory>
@@ -22,6 +33,8 @@ namespace
 
 using namespace subdivision;
 using Leaf = RedGreenLeaf<int>;
+
+constexpr int LargeCube = 94; ///< 5 million tetrahedra
 
 struct Input
 {
@@ -157,40 +170,21 @@ Output RefinePercent(const Input& input, const std::vector<int>& marks)
   return MakeOutput(state, input);
 }
 
-/// What is measured, made when it is first needed, and the size of its output.
-struct LocalCase
+/// The radius of a ball that has 1 % of the unit cube's volume.
+double GetPercentRadius()
 {
-  std::string Name;
-  std::function<std::function<Output()>()> Make;
-  std::function<Output()> Run;
-  OutputSize Size;
-
-  void Prepare()
-  {
-    if (!this->Run)
-    {
-      this->Run = this->Make();
-      const Output output = this->Run();
-      this->Size.Cells = static_cast<double>(output.Types.size());
-      this->Size.Points = static_cast<double>(output.Scalar.size());
-      this->Size.Arrays = output.GetSizes();
-      for (std::size_t bytes : this->Size.Arrays)
-      {
-        this->Size.Bytes += static_cast<double>(bytes);
-      }
-    }
-  }
-};
+  return std::cbrt(0.01 * 3. / (4. * 3.14159265358979));
+}
 
 std::function<Output()> MakePercent(bool scattered)
 {
   static std::shared_ptr<const Input> shared;
   if (!shared)
   {
-    shared = std::make_shared<const Input>(MakeInput(94));
+    shared = std::make_shared<const Input>(MakeInput(LargeCube));
   }
   const auto input = shared;
-  const double squaredRadius = std::pow(0.01 * 3. / (4. * 3.14159265358979), 2. / 3.);
+  const double squaredRadius = GetPercentRadius() * GetPercentRadius();
   std::vector<int> marks;
   const int cells = static_cast<int>(input->Cells.GetNumberOfSimplices());
   for (int cell = 0; cell < cells; ++cell)
@@ -206,46 +200,136 @@ std::function<Output()> MakePercent(bool scattered)
   return [input, marks]() { return RefinePercent(*input, marks); };
 }
 
+/// A run of what is measured, timed, and the sizes of its output's arrays.
+using Work = std::function<OutputSize(Stopwatch&)>;
+
+OutputSize AddUp(OutputSize size)
+{
+  for (std::size_t bytes : size.Arrays)
+  {
+    size.Bytes += static_cast<double>(bytes);
+  }
+  return size;
+}
+
+Work RunCore(const std::function<Output()>& run)
+{
+  return [run](Stopwatch& watch)
+  {
+    Output output;
+    watch.Time([&]() { output = run(); });
+    OutputSize size;
+    size.Cells = static_cast<double>(output.Types.size());
+    size.Points = static_cast<double>(output.Scalar.size());
+    size.Arrays = output.GetSizes();
+    return AddUp(size);
+  };
+}
+
+/// The whole filter: cells whose centroid is inside a ball.
+Work RunFilter(int n, int levels, double centre, double radius)
+{
+  const auto input = ToVtk(MakeCube(n));
+  return [=](Stopwatch& watch)
+  {
+    vtkNew<vtkSphere> ball;
+    ball->SetCenter(centre, centre, centre);
+    ball->SetRadius(radius);
+    vtkNew<vtkRedGreenRefinement> filter;
+    filter->SetInputData(input);
+    filter->RefineByAttributeErrorOff();
+    filter->RefineByFunctionOn();
+    filter->SetImplicitFunction(ball);
+    filter->SetMaximumLevel(levels);
+    watch.Time([&]() { filter->Update(); });
+    vtkUnstructuredGrid* output = filter->GetOutput();
+    OutputSize size;
+    size.Cells = static_cast<double>(output->GetNumberOfCells());
+    size.Points = static_cast<double>(output->GetNumberOfPoints());
+    auto add = [&size](vtkDataArray* array)
+    {
+      size.Arrays.push_back(
+        static_cast<std::size_t>(array->GetNumberOfValues()) * array->GetDataTypeSize());
+    };
+    add(output->GetPoints()->GetData());
+    add(output->GetPointData()->GetScalars());
+    add(output->GetCells()->GetConnectivityArray());
+    add(output->GetCells()->GetOffsetsArray());
+    add(output->GetCellTypesArray());
+    for (int i = 0; i < output->GetCellData()->GetNumberOfArrays(); ++i)
+    {
+      add(output->GetCellData()->GetArray(i));
+    }
+    return AddUp(size);
+  };
+}
+
+/// What is measured, made when it is first needed, and the size of its output.
+struct LocalCase
+{
+  std::string What;
+  std::string Name;
+  std::function<Work()> Make;
+  Work Run;
+  OutputSize Size;
+
+  void Prepare()
+  {
+    if (!this->Run)
+    {
+      Stopwatch unused;
+      this->Run = this->Make();
+      this->Size = this->Run(unused);
+    }
+  }
+};
+
 void RegisterRedGreen()
 {
-  static LocalCase corner{ "corner/levels:4",
-    []()
-    {
-      const auto input = std::make_shared<const Input>(MakeInput(12));
-      return [input]() { return RefineCorner(*input, 4, 0.21); };
-    },
-    nullptr, {} };
-  static LocalCase percent{ "percent/levels:1", []() { return MakePercent(false); }, nullptr, {} };
-  static LocalCase scattered{ "scattered/levels:1", []() { return MakePercent(true); }, nullptr,
-    {} };
-  for (LocalCase* which : { &corner, &percent, &scattered })
+  static LocalCase cases[] = {
+    { "core", "corner/levels:4",
+      []()
+      {
+        const auto input = std::make_shared<const Input>(MakeInput(12));
+        return RunCore([input]() { return RefineCorner(*input, 4, 0.21); });
+      },
+      nullptr, {} },
+    { "core", "percent/levels:1", []() { return RunCore(MakePercent(false)); }, nullptr, {} },
+    { "core", "scattered/levels:1", []() { return RunCore(MakePercent(true)); }, nullptr, {} },
+    { "filter", "corner/levels:4", []() { return RunFilter(12, 4, 0., 0.21); }, nullptr, {} },
+    { "filter", "percent/levels:1", []() { return RunFilter(LargeCube, 1, 0.5, GetPercentRadius()); },
+      nullptr, {} },
+  };
+  for (LocalCase& which : cases)
   {
-    if (IsQuick() && which != &corner)
+    const bool isSmall = which.Name.compare(0, 6, "corner") == 0;
+    if (IsQuick() && which.What == "core" && !isSmall)
     {
-      continue;
+      continue; // the filter does the same and more
     }
     for (int threads : ThreadCounts)
     {
-      Register("redgreen/core/" + which->Name, threads,
-        [which](Stopwatch& watch)
+      Register("redgreen/" + which.What + "/" + which.Name, threads,
+        [&which](Stopwatch& watch)
         {
-          which->Prepare();
-          Output output;
-          watch.Time([&]() { output = which->Run(); });
-          return Produced{ which->Size.Cells, which->Size.Bytes };
+          which.Prepare();
+          which.Run(watch);
+          return Produced{ which.Size.Cells, which.Size.Bytes };
         });
-      Register("limit/small/" + which->Name, threads,
-        [which](Stopwatch& watch)
-        {
-          which->Prepare();
-          return RunLimit(watch, which->Size, Pages::Small);
-        });
-      Register("limit/huge/" + which->Name, threads,
-        [which](Stopwatch& watch)
-        {
-          which->Prepare();
-          return RunLimit(watch, which->Size, Pages::Huge);
-        });
+      const struct
+      {
+        const char* Name;
+        Pages Kind;
+      } limits[] = { { "small", Pages::Small }, { "huge", Pages::Huge } };
+      for (const auto& limit : limits)
+      {
+        Register("redgreen-limit/" + which.What + "-" + limit.Name + "/" + which.Name, threads,
+          [&which, limit](Stopwatch& watch)
+          {
+            which.Prepare();
+            return RunLimit(watch, which.Size, limit.Kind);
+          });
+      }
     }
   }
 }

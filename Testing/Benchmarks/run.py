@@ -181,8 +181,8 @@ def red_green_section(samples):
     for (family, what, case, levels, threads), sample in sorted(samples.items()):
         if family != "redgreen":
             continue
-        small = samples.get(("limit", "small", case, levels, threads))
-        huge = samples.get(("limit", "huge", case, levels, threads))
+        small = samples.get(("redgreen-limit", what + "-small", case, levels, threads))
+        huge = samples.get(("redgreen-limit", what + "-huge", case, levels, threads))
         rows.append([case, what, str(threads), "%.3g" % sample.cells, sample.text(),
                      small.text() if small else "-", ratio(sample, small), ratio(sample, huge)])
     return ["## Red-green refinement", "",
