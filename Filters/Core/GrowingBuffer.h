@@ -46,6 +46,13 @@ public:
     this->Values = std::move(larger);
   }
   void pop_back() { --this->Size; }
+  /// The elements, in a buffer that has no room for more.
+  Buffer<T> Copy() const
+  {
+    Buffer<T> copy(this->Size);
+    std::copy(this->Values.begin(), this->Values.begin() + this->Size, copy.begin());
+    return copy;
+  }
   std::size_t GetMemorySize() const { return this->Values.GetMemorySize(); }
 
 private:

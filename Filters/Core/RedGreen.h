@@ -38,6 +38,7 @@
 #include "RedGreenCells.h"
 
 #include <functional>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -74,9 +75,11 @@ public:
   ///@}
 
   /// The cells that the output would have and that it did not have before the last Close(), in no
-  /// special order: where criteria need to look before the next round. In the first round, each
-  /// input cell is to be looked at: it is the leaf { cell, -1 } unless IsRed.
-  std::vector<RedGreenOutputCell<Id>> GetChangedCells() const;
+  /// special order: where criteria need to look before the next round. Those that are `steps` red
+  /// steps or more from the input are left out. In the first round, each input cell is to be looked
+  /// at: it is the leaf { cell, -1 } unless IsRed.
+  Buffer<RedGreenOutputCell<Id>> GetChangedCells(
+    int steps = std::numeric_limits<int>::max()) const;
   bool IsRed(Id cell) const;
 
   vtkIdType GetNumberOfInputCells() const { return this->Input.NumberOfSimplices; }
@@ -136,6 +139,8 @@ private:
   {
     return cell < this->Roots.size() ? this->Roots[cell] : this->GetChildNode(cell);
   }
+  template <typename Use>
+  void ForChangedParts(Id index, int steps, const Use& use) const;
   Id GetChildNode(Id cell) const { return cell - static_cast<Id>(this->Roots.size()); }
   Id GetPublicId(Id node) const
   {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RedGreenCells.h
- * What red-green refinement reads and hands out: cells in the arrays of somebody else, leaves,
- * cells of the forest, origins of vertices.
+ * What red-green refinement hands out: leaves, cells of the forest, origins of vertices; and how it
+ * finds its way in cells of mixed dimension.
  */
 #ifndef SubdivisionObjects_RedGreenCells_h
 #define SubdivisionObjects_RedGreenCells_h
@@ -17,26 +17,6 @@ namespace subdivision
 
 /// Levels, which are kept in a byte, end here.
 constexpr int LastLevel = 255;
-
-/// Simplices in arrays that somebody else keeps.
-struct SimplexView
-{
-  vtkIdType NumberOfPoints = 0;
-  vtkIdType NumberOfSimplices = 0;
-  const unsigned char* Dimensions = nullptr; ///< 0..3 of each simplex
-  const vtkIdType* Connectivity = nullptr;   ///< dimension + 1 points each, one after the other
-  const unsigned char* Levels = nullptr;     ///< of each simplex; none: all 0
-
-  SimplexView() = default;
-  explicit SimplexView(const SimplexList& list)
-    : NumberOfPoints(list.NumberOfPoints)
-    , NumberOfSimplices(list.GetNumberOfSimplices())
-    , Dimensions(list.Dimensions.data())
-    , Connectivity(list.Connectivity.data())
-  {
-  }
-  int GetLevel(vtkIdType simplex) const { return this->Levels ? this->Levels[simplex] : 0; }
-};
 
 /// Where simplices start in their connectivity: remembered for each block, or, where all have one
 /// dimension, a product.

@@ -282,18 +282,19 @@ void RedGreenOutput<Id>::WriteLeaf(const Leaf& leaf, const RedGreenStorage<Out>&
 }
 
 template <typename Id>
-SparseRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
+MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
 {
-  const vtkIdType inputs = state.GetNumberOfInputVertices();
-  const vtkIdType size = state.GetNumberOfVertices();
-  SparseRows<Id> result;
-  result.NumberOfColumns = inputs;
-  result.Offsets = Buffer<Id>(size + 1);
-  ForEach(inputs + 1, [&](vtkIdType v) { result.Offsets[v] = static_cast<Id>(v); });
-  // The rows of midpoints: each is made of those of its ends, which are earlier.
+  const Id inputs = state.GetNumberOfInputVertices();
+  const vtkIdType size = state.GetNumberOfVertices() - inputs;
+  MidpointRows<Id> result;
+  SparseRows<Id>& added = result.Added;
+  added.NumberOfColumns = inputs;
+  added.Offsets = Buffer<Id>(size + 1);
+  added.Offsets[0] = 0;
+  // Each row is made of those of its ends, which are earlier.
   GrowingBuffer<Id> columns;
   GrowingBuffer<double> weights;
-  for (vtkIdType v = inputs; v < size; ++v)
+  for (vtkIdType row = 0; row < size; ++row)
   {
     const vtkIdType first = columns.size();
     const auto add = [&](Id column, double weight)
@@ -310,29 +311,23 @@ SparseRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
       }
       weights[k] += 0.5 * weight;
     };
-    for (Id end : state.GetEnds(static_cast<Id>(v)))
+    for (Id end : state.GetEnds(static_cast<Id>(inputs + row)))
     {
       if (end < inputs)
       {
         add(end, 1.);
         continue;
       }
-      const vtkIdType last = result.Offsets[end + 1] - inputs;
-      for (vtkIdType k = result.Offsets[end] - inputs; k < last; ++k)
+      const vtkIdType last = added.Offsets[end - inputs + 1];
+      for (vtkIdType k = added.Offsets[end - inputs]; k < last; ++k)
       {
         add(columns[k], weights[k]);
       }
     }
-    result.Offsets[v + 1] = static_cast<Id>(inputs + columns.size());
+    added.Offsets[row + 1] = static_cast<Id>(columns.size());
   }
-  result.Columns = Buffer<Id>(inputs + columns.size());
-  result.Weights = Buffer<double>(result.Columns.size());
-  ForEach(result.Columns.size(),
-    [&](vtkIdType k)
-    {
-      result.Columns[k] = k < inputs ? static_cast<Id>(k) : columns[k - inputs];
-      result.Weights[k] = k < inputs ? 1. : weights[k - inputs];
-    });
+  added.Columns = columns.Copy();
+  added.Weights = weights.Copy();
   return result;
 }
 
@@ -340,7 +335,7 @@ SparseRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
   template class RedGreenOutput<Id>;                                                               \
   template void RedGreenOutput<Id>::Write(const RedGreenStorage<int>&) const;                      \
   template void RedGreenOutput<Id>::Write(const RedGreenStorage<long long>&) const;                \
-  template SparseRows<Id> MakeMidpointRows(const RedGreen<Id>&)
+  template MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>&)
 SUBDIVISION_RED_GREEN_OUTPUT(int);
 SUBDIVISION_RED_GREEN_OUTPUT(long long);
 

@@ -90,11 +90,30 @@ private:
   Buffer<vtkIdType> Greens; ///< among the leaves
 };
 
-/// Placement `Linear`: the rows of all vertices in terms of the input's: one entry of weight 1 for
-/// a vertex of the input; dyadic weights, which are exact, for a midpoint of midpoints: up to four,
-/// or seven where the input has midpoints itself.
+/// Placement `Linear`: vertices of the input stay where they are, those after them have rows of
+/// dyadic weights, which are exact: up to four, or seven where the input has midpoints itself.
 template <typename Id>
-SparseRows<Id> MakeMidpointRows(const RedGreen<Id>& state);
+struct MidpointRows
+{
+  SparseRows<Id> Added;
+
+  vtkIdType GetNumberOfRows() const
+  {
+    return this->Added.NumberOfColumns + this->Added.GetNumberOfRows();
+  }
+  /// As in SparseRows.
+  template <typename T>
+  void Apply(const T* in, T* out, int components) const
+  {
+    const vtkIdType given = this->Added.NumberOfColumns * components;
+    ForRanges(
+      given, [=](vtkIdType begin, vtkIdType end) { std::copy(in + begin, in + end, out + begin); });
+    this->Added.Apply(in, out + given, components);
+  }
+};
+
+template <typename Id>
+MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state);
 
 }
 

@@ -10,45 +10,70 @@ using redgreen::Full;
 using redgreen::NumberOfEdges;
 using redgreen::PartsOf;
 
+/// use(part) for each part of a changed node that is itself what has changed.
 template <typename Id>
-std::vector<RedGreenOutputCell<Id>> RedGreen<Id>::GetChangedCells() const
+template <typename Use>
+void RedGreen<Id>::ForChangedParts(Id index, int steps, const Use& use) const
 {
-  std::vector<RedGreenOutputCell<Id>> cells;
-  std::size_t most = 0;
-  for (Id index : this->LastChanges)
+  const Node& node = this->Nodes[index];
+  const bool red = this->IsNodeRed(node);
+  if (node.Level + (red ? 1 : 0) - this->Input.GetLevel(node.Input) >= steps)
   {
-    const Node& node = this->Nodes[index];
-    most += PartsOf[node.Dimension][node.Pattern].Count;
+    return;
   }
-  cells.reserve(most);
-  AdviseHugePages(cells.data(), cells.capacity() * sizeof(RedGreenOutputCell<Id>));
-  for (Id index : this->LastChanges)
+  for (int part = 0; part < PartsOf[node.Dimension][node.Pattern].Count; ++part)
   {
-    const Node& node = this->Nodes[index];
-    const bool red = this->IsNodeRed(node);
-    Id lattice[10];
-    this->GetLattice(node, lattice);
-    const auto& parts = PartsOf[node.Dimension][node.Pattern];
-    RedGreenOutputCell<Id> cell;
-    cell.Leaf.Cell = this->GetPublicId(index);
-    cell.Input = node.Input;
-    cell.Dimension = node.Dimension;
-    cell.Level = node.Level + (red ? 1 : 0);
-    cell.Kind = parts.Kind;
-    for (int part = 0; part < parts.Count; ++part)
+    if (!red || node.FirstChild < 0 || this->Nodes[node.FirstChild + part].Pattern == 0)
     {
-      if (red && node.FirstChild >= 0 && this->Nodes[node.FirstChild + part].Pattern != 0)
-      {
-        continue; // it has changed itself
-      }
-      cell.Leaf.Child = red ? part : -1;
-      for (int i = 0; i <= node.Dimension; ++i)
-      {
-        cell.Vertices[i] = lattice[parts.Vertices[part][i]];
-      }
-      cells.push_back(cell);
+      use(part);
     }
   }
+}
+
+template <typename Id>
+Buffer<RedGreenOutputCell<Id>> RedGreen<Id>::GetChangedCells(int steps) const
+{
+  const auto changes = static_cast<vtkIdType>(this->LastChanges.size());
+  Buffer<vtkIdType> places(changes + 1);
+  ForEach(changes,
+    [&](vtkIdType i)
+    {
+      places[i] = 0;
+      this->ForChangedParts(this->LastChanges[i], steps, [&](int) { ++places[i]; });
+    });
+  CountsToOffsets(places);
+  Buffer<RedGreenOutputCell<Id>> cells(places[changes]);
+  ForEach(changes,
+    [&](vtkIdType i)
+    {
+      if (places[i] == places[i + 1])
+      {
+        return;
+      }
+      const Id index = this->LastChanges[i];
+      const Node& node = this->Nodes[index];
+      const bool red = this->IsNodeRed(node);
+      const auto& parts = PartsOf[node.Dimension][node.Pattern];
+      Id lattice[10];
+      this->GetLattice(node, lattice);
+      RedGreenOutputCell<Id> cell;
+      cell.Leaf.Cell = this->GetPublicId(index);
+      cell.Input = node.Input;
+      cell.Dimension = node.Dimension;
+      cell.Level = node.Level + (red ? 1 : 0);
+      cell.Kind = parts.Kind;
+      vtkIdType place = places[i];
+      this->ForChangedParts(index, steps,
+        [&](int part)
+        {
+          cell.Leaf.Child = red ? part : -1;
+          for (int k = 0; k <= node.Dimension; ++k)
+          {
+            cell.Vertices[k] = lattice[parts.Vertices[part][k]];
+          }
+          cells[place++] = cell;
+        });
+    });
   return cells;
 }
 

@@ -26,6 +26,26 @@ struct SimplexList
   vtkIdType GetNumberOfSimplices() const { return static_cast<vtkIdType>(this->Dimensions.size()); }
 };
 
+/// Simplices in arrays that somebody else keeps.
+struct SimplexView
+{
+  vtkIdType NumberOfPoints = 0;
+  vtkIdType NumberOfSimplices = 0;
+  const unsigned char* Dimensions = nullptr; ///< 0..3 of each simplex
+  const vtkIdType* Connectivity = nullptr;   ///< dimension + 1 points each, one after the other
+  const unsigned char* Levels = nullptr;     ///< of each simplex; none: all 0
+
+  SimplexView() = default;
+  explicit SimplexView(const SimplexList& list)
+    : NumberOfPoints(list.NumberOfPoints)
+    , NumberOfSimplices(list.GetNumberOfSimplices())
+    , Dimensions(list.Dimensions.data())
+    , Connectivity(list.Connectivity.data())
+  {
+  }
+  int GetLevel(vtkIdType simplex) const { return this->Levels ? this->Levels[simplex] : 0; }
+};
+
 }
 
 #endif

@@ -209,7 +209,7 @@ std::vector<std::uint64_t> ComputeFingerprint(vtkDataArray* array)
   return print;
 }
 
-vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, const Buffer<vtkIdType>& sources)
+vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, Row<vtkIdType> sources)
 {
   vtkDataArray* data = vtkDataArray::SafeDownCast(in);
   if (data && data->GetDataType() != VTK_BIT)
@@ -222,8 +222,25 @@ vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, const Buffer<vtkI
     {
       const char* input = static_cast<const char*>(from->GetVoidPointer(0));
       char* output = static_cast<char*>(out->GetVoidPointer(0));
-      ForEach(sources.size(),
-        [&](vtkIdType i) { std::memcpy(output + i * bytes, input + sources[i] * bytes, bytes); });
+      auto copy = [&](auto size)
+      {
+        ForEach(sources.size(), [=](vtkIdType i)
+          { std::memcpy(output + i * size, input + sources.First[i] * size, size); });
+      };
+      switch (bytes)
+      {
+        case 1: // a size that the compiler knows is one instruction
+          copy(std::integral_constant<std::size_t, 1>());
+          break;
+        case 4:
+          copy(std::integral_constant<std::size_t, 4>());
+          break;
+        case 8:
+          copy(std::integral_constant<std::size_t, 8>());
+          break;
+        default:
+          copy(bytes);
+      }
     }
     CopyLooks(in, out);
     return out;
@@ -233,7 +250,7 @@ vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, const Buffer<vtkI
   out->SetNumberOfTuples(sources.size());
   for (vtkIdType i = 0; i < sources.size(); ++i)
   {
-    out->SetTuple(i, sources[i], in);
+    out->SetTuple(i, sources.First[i], in);
   }
   CopyLooks(in, out);
   return out;

@@ -61,7 +61,7 @@ bool HoldsSameValues(vtkDataArray* a, vtkDataArray* b);
 std::vector<std::uint64_t> ComputeFingerprint(vtkDataArray* array);
 
 /// out[i] = in[sources[i]], whatever the arrays hold.
-vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, const Buffer<vtkIdType>& sources);
+vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, Row<vtkIdType> sources);
 
 }
 

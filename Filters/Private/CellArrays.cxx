@@ -6,6 +6,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
@@ -57,7 +58,7 @@ vtkSmartPointer<vtkAbstractArray> SpreadArray(
     ForEach(first.size() - 1,
       [&](vtkIdType i)
       { std::fill(sources.data() + first[i], sources.data() + first[i + 1], parent(i)); });
-    return Gather(array, sources);
+    return Gather(array, { sources.begin(), sources.end() });
   }
   const auto from = Contiguous(data);
   const int components = from->GetNumberOfComponents();
@@ -129,19 +130,14 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
     input, options, spread, [&]() { return spread(MakeIds(input->GetNumberOfCells())); }, output);
 }
 
-void CopyCellArrays(vtkPointSet* input, const Buffer<vtkIdType>& sources,
-  const CellArrayOptions& options, vtkUnstructuredGrid* output)
+void CopyCellArrays(vtkPointSet* input, vtkIdTypeArray* sources, const CellArrayOptions& options,
+  vtkUnstructuredGrid* output)
 {
-  auto copySources = [&]()
-  {
-    const auto ids = MakeArray(VTK_ID_TYPE, 1, sources.size());
-    auto* values = static_cast<vtkIdType*>(ids->GetVoidPointer(0));
-    ForEach(sources.size(), [&](vtkIdType i) { values[i] = sources[i]; });
-    return ids;
-  };
+  const vtkIdType* first = sources->GetPointer(0);
+  const Row<vtkIdType> row{ first, first + sources->GetNumberOfTuples() };
   CopyArrays(
-    input, options, [&](vtkAbstractArray* array) { return Gather(array, sources); }, copySources,
-    output);
+    input, options, [&](vtkAbstractArray* array) { return Gather(array, row); },
+    [&]() { return vtkSmartPointer<vtkAbstractArray>(sources); }, output);
 }
 
 void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+class vtkIdTypeArray;
 class vtkPointSet;
 class vtkUnstructuredGrid;
 
@@ -36,9 +37,10 @@ struct CellArrayOptions
 void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   const CellArrayOptions& options, vtkUnstructuredGrid* output);
 
-/// The same where `sources` tells of each output cell the input cell that it is a part of.
-void CopyCellArrays(vtkPointSet* input, const Buffer<vtkIdType>& sources,
-  const CellArrayOptions& options, vtkUnstructuredGrid* output);
+/// The same where `sources` tells of each output cell the input cell that it is a part of; it
+/// becomes `vtkOriginalCellIds` itself.
+void CopyCellArrays(vtkPointSet* input, vtkIdTypeArray* sources, const CellArrayOptions& options,
+  vtkUnstructuredGrid* output);
 
 /// The same where some children, `parents` one for each child of the first step, take the values of
 /// another simplex than their own parent; none: all take those of their parent.

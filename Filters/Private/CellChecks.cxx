@@ -200,25 +200,20 @@ public:
   {
     if (this->Ghosts && (this->Ghosts[cellId] & vtkDataSetAttributes::HIDDENCELL))
     {
-      this->AllSimplices = false;
       return CellState::Hidden;
     }
     const int type = this->Cells.GetCellType(cellId);
     const int required = GetRequiredSize(type);
     if (required == 0)
     {
-      this->AllSimplices = false;
       return CellState::UnsupportedType;
     }
     const CellIds cell = this->Cells.GetCell(cellId, this->Ids);
     const CellState state = this->CheckIds(type, required, cell);
-    this->AllSimplices =
-      this->AllSimplices && state == CellState::Good && GetSimplexDimension(type, cell.Size) >= 0;
     this->HasQuads = this->HasQuads || (TakesPart(state) && subdivision::HasQuads(type, cell.Size));
     return state;
   }
 
-  bool AllSimplices = true;
   bool HasQuads = false;
 
 private:
@@ -254,13 +249,6 @@ private:
   std::vector<vtkIdType> Ids;
   std::vector<vtkIdType> Scratch;
 };
-
-const unsigned char* GetGhosts(vtkPointSet* input, vtkIdType numberOfCells)
-{
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-    input->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  return ghosts && ghosts->GetNumberOfValues() >= numberOfCells ? ghosts->GetPointer(0) : nullptr;
-}
 
 struct Tally
 {
@@ -351,25 +339,11 @@ std::string DescribeRepeats(const Tally& whole, const Tally& partly, const CellR
 
 }
 
-int GetSimplexDimension(int cellType, vtkIdType size)
+const unsigned char* GetGhosts(vtkPointSet* input, vtkIdType numberOfCells)
 {
-  switch (cellType)
-  {
-    case VTK_VERTEX:
-    case VTK_POLY_VERTEX:
-      return size == 1 ? 0 : -1;
-    case VTK_LINE:
-    case VTK_POLY_LINE:
-      return size == 2 ? 1 : -1;
-    case VTK_TRIANGLE:
-    case VTK_TRIANGLE_STRIP:
-    case VTK_POLYGON:
-      return size == 3 ? 2 : -1;
-    case VTK_TETRA:
-      return size == 4 ? 3 : -1;
-    default:
-      return -1;
-  }
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    input->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  return ghosts && ghosts->GetNumberOfValues() >= numberOfCells ? ghosts->GetPointer(0) : nullptr;
 }
 
 CheckedCells CheckCells(vtkPointSet* input, const CellReader& cells)
@@ -379,7 +353,7 @@ CheckedCells CheckCells(vtkPointSet* input, const CellReader& cells)
   checked.States.resize(static_cast<size_t>(size));
   const std::vector<unsigned char> finite = FindFinitePoints(input);
   const unsigned char* ghosts = GetGhosts(input, size);
-  std::vector<std::array<bool, 2>> flags(static_cast<size_t>(cells.GetNumberOfBlocks()));
+  std::vector<unsigned char> haveQuads(static_cast<size_t>(cells.GetNumberOfBlocks()));
   ForBlocks(cells,
     [&](vtkIdType block, vtkIdType begin, vtkIdType end)
     {
@@ -388,23 +362,15 @@ CheckedCells CheckCells(vtkPointSet* input, const CellReader& cells)
       {
         checked.States[i] = checker.Check(i);
       }
-      flags[block] = { checker.AllSimplices, checker.HasQuads };
+      haveQuads[block] = checker.HasQuads ? 1 : 0;
     });
-  for (const auto& flag : flags)
-  {
-    checked.AllSimplices = checked.AllSimplices && flag[0];
-    checked.HasQuads = checked.HasQuads || flag[1];
-  }
+  checked.HasQuads = std::find(haveQuads.begin(), haveQuads.end(), 1) != haveQuads.end();
   return checked;
 }
 
 std::vector<std::string> DescribePassedOver(const CellReader& cells, const CheckedCells& checked)
 {
   std::vector<std::string> warnings;
-  if (checked.AllSimplices)
-  {
-    return warnings;
-  }
   std::array<Tally, static_cast<size_t>(CellState::NumberOfStates)> tallies;
   for (vtkIdType i = 0; i < cells.GetNumberOfCells(); ++i)
   {

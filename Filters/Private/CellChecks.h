@@ -38,14 +38,12 @@ constexpr bool TakesPart(CellState state)
 struct CheckedCells
 {
   std::vector<CellState> States;
-  /// Every cell is good and has the ids of one simplex: the output is a copy of the input.
-  bool AllSimplices = true;
   /// Some cell that takes part is, or has for a face, a quad.
   bool HasQuads = false;
 };
 
-/// Dimension of the simplex that has exactly this cell's points in this order, or -1.
-int GetSimplexDimension(int cellType, vtkIdType size);
+/// Ghost types of the cells, or null.
+const unsigned char* GetGhosts(vtkPointSet* input, vtkIdType numberOfCells);
 
 CheckedCells CheckCells(vtkPointSet* input, const CellReader& cells);
 

@@ -66,6 +66,20 @@ void CellReader::GetAllIds(std::vector<vtkIdType>& ids) const
   }
 }
 
+const vtkIdType* CellReader::FindAllIds() const
+{
+  if (this->Parts.size() != 1)
+  {
+    return nullptr;
+  }
+  const Part& part = this->Parts[0];
+  if (part.Ids.IsCopy || part.Ids.Owner->GetDataTypeSize() != sizeof(vtkIdType))
+  {
+    return nullptr;
+  }
+  return static_cast<const vtkIdType*>(part.Ids.Owner->GetVoidPointer(0)) + part.Offsets[0];
+}
+
 void CellReader::Integers::Set(vtkDataArray* array)
 {
   this->Owner = array;
@@ -73,6 +87,7 @@ void CellReader::Integers::Set(vtkDataArray* array)
   if (!plain)
   {
     // Offsets that follow a formula, or arrays in parts: rare enough to be written out once.
+    this->IsCopy = true;
     this->Owner = vtkSmartPointer<vtkTypeInt64Array>::New();
     this->Owner->DeepCopy(array);
   }

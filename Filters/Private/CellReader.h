@@ -54,12 +54,18 @@ public:
 
   /// All ids of all cells, in cell order.
   void GetAllIds(std::vector<vtkIdType>& ids) const;
+  /// The same where they are; null if they are not stored one after the other as vtkIdType.
+  const vtkIdType* FindAllIds() const;
 
-private:
   /// An integer array of either size behind a plain pointer.
   struct Integers
   {
     void Set(vtkDataArray* array);
+    template <typename Work>
+    auto Visit(const Work& work) const
+    {
+      return this->Data64 ? work(this->Data64) : work(this->Data32);
+    }
     vtkIdType operator[](vtkIdType i) const
     {
       return this->Data64 ? static_cast<vtkIdType>(this->Data64[i])
@@ -69,22 +75,27 @@ private:
     const vtkTypeInt64* Data64 = nullptr;
     const vtkTypeInt32* Data32 = nullptr;
     vtkIdType Size = 0;
+    bool IsCopy = false; ///< the array could not be read as it is
     vtkSmartPointer<vtkDataArray> Owner;
   };
 
+  /// A vtkCellArray.
   struct Part
   {
     vtkIdType End = 0; ///< one past its last cell
     vtkIdType Begin = 0;
-    int Type = 0;
+    int Type = 0; ///< of vtkPolyData's cells
     Integers Offsets;
     Integers Ids;
   };
-
-  void Add(vtkCellArray* cells, int type);
   const Part& FindPart(vtkIdType cellId) const;
+  /// Of each cell; null for vtkPolyData.
+  const unsigned char* GetTypes() const { return this->Types; }
 
-  const unsigned char* Types = nullptr; ///< of each cell; null for vtkPolyData
+private:
+  void Add(vtkCellArray* cells, int type);
+
+  const unsigned char* Types = nullptr;
   std::vector<Part> Parts;
   vtkIdType NumberOfCells = 0;
 };
@@ -140,6 +151,11 @@ void ForBlocks(const CellReader& cells, const Work& work)
         std::min(cells.GetNumberOfCells(), (block + 1) * CellsPerBlock));
     }
   };
+  if (cells.GetNumberOfBlocks() < 3) // not worth starting threads for
+  {
+    range(0, cells.GetNumberOfBlocks());
+    return;
+  }
   vtkSMPTools::For(0, cells.GetNumberOfBlocks(), range);
 }
 

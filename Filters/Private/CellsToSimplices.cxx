@@ -7,6 +7,7 @@
 
 #include "CellChecks.h"
 #include "CellReader.h"
+#include "PlainSimplices.h"
 #include "PolygonEars.h"
 #include "QuadDiagonals.h"
 #include "SolidCells.h"
@@ -360,23 +361,6 @@ void DescribeContested(std::vector<ContestedQuad>&& quads, std::vector<std::stri
     "Look for overlapping cells.");
 }
 
-/// Every cell is a simplex: nothing to decide, the ids are copied as they stand.
-void CopySimplices(const CellReader& cells, SimplexList& simplices)
-{
-  cells.GetAllIds(simplices.Connectivity);
-  simplices.Dimensions.resize(static_cast<size_t>(cells.GetNumberOfCells()));
-  ForBlocks(cells,
-    [&](vtkIdType, vtkIdType begin, vtkIdType end)
-    {
-      std::vector<vtkIdType> ids;
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        simplices.Dimensions[i] = static_cast<unsigned char>(
-          GetSimplexDimension(cells.GetCellType(i), cells.GetCell(i, ids).Size));
-      }
-    });
-}
-
 void SplitCells(const CellReader& cells, vtkPoints* points, const CheckedCells& checked,
   const QuadDiagonals& diagonals, SimplicesOfCells& output)
 {
@@ -404,18 +388,38 @@ void SplitCells(const CellReader& cells, vtkPoints* points, const CheckedCells& 
 
 }
 
-SimplicesOfCells CellsToSimplices(vtkPointSet* input, const vtkIdType* globalIds)
+void SimplicesOfCells::TakeIds()
+{
+  if (this->InPlace)
+  {
+    vtkIdType size = 0;
+    for (unsigned char dimension : this->Simplices.Dimensions)
+    {
+      size += dimension + 1;
+    }
+    this->Simplices.Connectivity.assign(this->InPlace, this->InPlace + size);
+    this->InPlace = nullptr;
+  }
+}
+
+SimplicesOfCells CellsToSimplices(
+  vtkPointSet* input, const vtkIdType* globalIds, PlainIds ids)
 {
   SimplicesOfCells output;
   output.Simplices.NumberOfPoints = input->GetNumberOfPoints();
   const CellReader cells(input);
-  const CheckedCells checked = CheckCells(input, cells);
-  output.Warnings = DescribePassedOver(cells, checked);
-  if (checked.AllSimplices)
+  if (ReadPlainSimplices(input, cells, output.Simplices.Dimensions))
   {
-    CopySimplices(cells, output.Simplices);
+    // Nothing to decide: the ids stay as they stand.
+    output.InPlace = ids == PlainIds::InPlace ? cells.FindAllIds() : nullptr;
+    if (!output.InPlace)
+    {
+      cells.GetAllIds(output.Simplices.Connectivity);
+    }
     return output;
   }
+  const CheckedCells checked = CheckCells(input, cells);
+  output.Warnings = DescribePassedOver(cells, checked);
   QuadDiagonals diagonals(PointOrder{ globalIds });
   if (checked.HasQuads)
   {

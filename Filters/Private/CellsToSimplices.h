@@ -20,6 +20,8 @@ struct SimplicesOfCells
 {
   /// The simplices, in input cell order; NumberOfPoints counts the added centres too.
   SimplexList Simplices;
+  /// The ids, where they were left where they are: Simplices.Connectivity is empty then.
+  const vtkIdType* InPlace = nullptr;
   /// The input cell each simplex is a piece of. Empty: simplex i is cell i.
   std::vector<vtkIdType> ParentCells;
   /// CSR: centre c (point id = number of input points + c) is the mean of the input points
@@ -33,6 +35,21 @@ struct SimplicesOfCells
   {
     return static_cast<vtkIdType>(this->CentreOffsets.size()) - 1;
   }
+  SimplexView GetView() const
+  {
+    SimplexView view(this->Simplices);
+    view.Connectivity = this->InPlace ? this->InPlace : view.Connectivity;
+    return view;
+  }
+  /// Copies ids that are in place.
+  void TakeIds();
+};
+
+/// What becomes of the ids of an input whose cells are simplices all.
+enum class PlainIds
+{
+  Copied,
+  InPlace ///< if the input stores them as vtkIdType: it must outlive the result
 };
 
 /**
@@ -44,7 +61,8 @@ struct SimplicesOfCells
  * polygons. Cells that cannot be used are left out with a warning, hidden ones (vtkGhostType)
  * without; neither has any influence on the others.
  */
-SimplicesOfCells CellsToSimplices(vtkPointSet* input, const vtkIdType* globalIds);
+SimplicesOfCells CellsToSimplices(vtkPointSet* input, const vtkIdType* globalIds,
+  PlainIds ids = PlainIds::Copied);
 
 }
 

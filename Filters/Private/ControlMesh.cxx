@@ -46,7 +46,7 @@ bool LiftTuples(const SimplexTuples& tuples, const Stamp& stamp, SimplexTuples& 
     fine.Dimensions.assign(
       fine.Connectivity.size() / (dimension + 1), static_cast<unsigned char>(dimension));
     SimplexList coarse;
-    if (!FindControlMesh(fine, stamp, coarse))
+    if (!FindControlMesh(SimplexView(fine), stamp, coarse))
     {
       return false;
     }
@@ -58,7 +58,7 @@ bool LiftTuples(const SimplexTuples& tuples, const Stamp& stamp, SimplexTuples& 
 }
 
 ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOptions& features,
-  const std::function<void(const std::string&)>& warn, StampScheme scheme)
+  const std::function<void(const std::string&)>& warn, StampScheme scheme, PlainIds ids)
 {
   ControlMesh mesh;
   Stamp stamp;
@@ -79,12 +79,12 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
     mesh.IsStamped || (trustStamp && ReadStamp(input, StampScheme::RedGreen, stamp));
   const bool useCarried = isOurs && carried;
   mesh.GlobalIds = ReadGlobalIds(useCarried ? carried : own, input->GetNumberOfPoints(), warn);
-  mesh.Cells = CellsToSimplices(input, mesh.IsStamped ? nullptr : mesh.GetGlobalIds());
+  mesh.Cells = CellsToSimplices(input, mesh.IsStamped ? nullptr : mesh.GetGlobalIds(), ids);
   const bool whole = mesh.Cells.ParentCells.empty() && mesh.Cells.Warnings.empty() &&
     mesh.Cells.Simplices.GetNumberOfSimplices() == input->GetNumberOfCells();
   if (mesh.IsStamped && !whole)
   {
-    return ReadControlMesh(input, false, features, warn, scheme);
+    return ReadControlMesh(input, false, features, warn, scheme, ids);
   }
   for (const std::string& warning : mesh.Cells.Warnings)
   {
@@ -98,9 +98,9 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
   ReadSingularTuples(input, mesh.Derived);
   if (stamp.Levels > 0)
   {
-    if (!FindControlMesh(mesh.Cells.Simplices, stamp, mesh.Above))
+    if (!FindControlMesh(mesh.Cells.GetView(), stamp, mesh.Above))
     {
-      return ReadControlMesh(input, false, features, warn, scheme);
+      return ReadControlMesh(input, false, features, warn, scheme, ids);
     }
     // Where children were given different values since, this level itself is the control mesh.
     FeatureValues values;

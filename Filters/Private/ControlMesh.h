@@ -41,9 +41,10 @@ struct ControlMesh
 };
 
 /// Reads an input. `trustStamp`: false where its stamp has turned out to be wrong; that of another
-/// scheme than `scheme` is not trusted anyway.
+/// scheme than `scheme` is not trusted anyway. `ids`: as in CellsToSimplices.
 ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOptions& features,
-  const std::function<void(const std::string&)>& warn, StampScheme scheme = StampScheme::BoxSpline);
+  const std::function<void(const std::string&)>& warn, StampScheme scheme = StampScheme::BoxSpline,
+  PlainIds ids = PlainIds::Copied);
 
 }
 

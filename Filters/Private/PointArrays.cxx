@@ -275,6 +275,8 @@ void PointArrays::AdvanceSmoothed(const BlockOperator<Id>& rows)
 
 template void PointArrays::AdvanceSmoothed(const SparseRows<int>&);
 template void PointArrays::AdvanceSmoothed(const SparseRows<long long>&);
+template void PointArrays::AdvanceSmoothed(const MidpointRows<int>&);
+template void PointArrays::AdvanceSmoothed(const MidpointRows<long long>&);
 template void PointArrays::AdvanceSmoothed(const LocalLimit<int>&);
 template void PointArrays::AdvanceSmoothed(const LocalLimit<long long>&);
 template void PointArrays::AdvanceSmoothed(const BlockOperator<int>&);
@@ -425,7 +427,7 @@ void PointArrays::Finish(vtkPointSet* output)
     if (!unchanged)
     {
       array = entry.Current ? vtkSmartPointer<vtkAbstractArray>(entry.Current)
-                            : Gather(source, this->Origins);
+                            : Gather(source, { this->Origins.begin(), this->Origins.end() });
     }
     AddLike(from, entry.Source, array, output->GetPointData());
   }

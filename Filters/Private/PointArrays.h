@@ -12,6 +12,7 @@
 #include "Core/BlockOperator.h"
 #include "Core/ChildRows.h"
 #include "Core/LocalLimit.h"
+#include "Core/RedGreenOutput.h"
 #include "Core/SparseRows.h"
 #include "Core/Stencils.h"
 #include "Core/TetOctChildRows.h"
@@ -65,8 +66,10 @@ public:
   void Advance(const RowsOnTheFly<Rows>& rows);
   template <typename Id>
   void Advance(const TetOctStencils<Id>& stencils);
+  /// Whether some array is not smoothed.
+  bool GathersSome() const { return this->HasGathered; }
   /// `origin(row)`: the current point whose values a row takes in arrays that are not smoothed.
-  /// The operator is SparseRows, LocalLimit, BlockOperator or AdaptiveSqrtThreeLimit.
+  /// The operator is SparseRows, MidpointRows, LocalLimit, BlockOperator or AdaptiveSqrtThreeLimit.
   template <typename Operator, typename Origin>
   void Advance(const Operator& rows, const Origin& origin);
   /// Moves each point by a row of its own, without new points; no rows: nothing happens.

@@ -52,13 +52,17 @@ public:
   GreenUndo(vtkPointSet* input, RedGreenMesh& mesh)
     : Input(input)
     , Mesh(mesh)
-    , Read(mesh.Control.Cells.Simplices)
+    , Read(mesh.Control.Cells.GetView())
   {
   }
 
   /// False, and nothing happens, where the cells are not what the arrays say; `fault` says why if
   /// the user should know.
   bool Run(std::string& fault);
+  /// What was read, before and after.
+  const SimplexView& GetRead() const { return this->Read; }
+  /// Puts it back.
+  void Revert();
 
 private:
   bool FindArrays();
@@ -68,7 +72,7 @@ private:
 
   vtkPointSet* Input;
   RedGreenMesh& Mesh;
-  const SimplexList& Read;
+  const SimplexView Read;
   vtkDataArray* Levels = nullptr;
   vtkDataArray* Parents = nullptr;
   vtkDataArray* Leaves = nullptr;
@@ -161,9 +165,9 @@ bool GreenUndo::Run(std::string& fault)
   {
     return false;
   }
-  const vtkIdType size = this->Read.GetNumberOfSimplices();
+  const vtkIdType size = this->Read.NumberOfSimplices;
   this->Undone.Control.Cells.Simplices.NumberOfPoints = this->Read.NumberOfPoints;
-  const vtkIdType* points = this->Read.Connectivity.data();
+  const vtkIdType* points = this->Read.Connectivity;
   vtkIdType leaves = 0;
   for (vtkIdType i = 0; i < size;)
   {
@@ -200,15 +204,22 @@ bool GreenUndo::Run(std::string& fault)
   {
     return false;
   }
-  this->Mesh.Control.Cells = std::move(this->Undone.Control.Cells);
+  std::swap(this->Mesh.Control.Cells, this->Undone.Control.Cells);
   this->Mesh.Levels = std::move(this->Undone.Levels);
   this->Mesh.Midpoints = std::move(midpoints);
   return true;
 }
 
+void GreenUndo::Revert()
+{
+  std::swap(this->Mesh.Control.Cells, this->Undone.Control.Cells);
+  this->Mesh.Levels.clear();
+  this->Mesh.Midpoints.clear();
+}
+
 /// Whether the green cells of the leaves are, one by one, the cells that were read.
 template <typename Id>
-bool IsWhatWasRead(const SimplexList& read, const RedGreenMesh& mesh)
+bool IsWhatWasRead(const SimplexView& read, const RedGreenMesh& mesh)
 {
   RedGreen<Id> state(mesh.GetView());
   for (const auto& midpoint : mesh.Midpoints)
@@ -227,8 +238,8 @@ bool IsWhatWasRead(const SimplexList& read, const RedGreenMesh& mesh)
   const RedGreenOutput<Id> output(state);
   const CellCounts counts = output.GetCounts();
   if (state.GetNumberOfVertices() != read.NumberOfPoints ||
-    counts.Cells != read.GetNumberOfSimplices() ||
-    counts.Entries != static_cast<vtkIdType>(read.Connectivity.size()))
+    counts.Cells != read.NumberOfSimplices ||
+    counts.Entries != SimplexPlaces(read)[read.NumberOfSimplices])
   {
     return false;
   }
@@ -238,7 +249,7 @@ bool IsWhatWasRead(const SimplexList& read, const RedGreenMesh& mesh)
   RedGreenStorage<vtkIdType> storage;
   storage.Cells = { connectivity.data(), offsets.data(), types.data() };
   output.Write(storage);
-  return std::equal(connectivity.begin(), connectivity.end(), read.Connectivity.begin());
+  return std::equal(connectivity.begin(), connectivity.end(), read.Connectivity);
 }
 
 }
@@ -247,7 +258,8 @@ RedGreenMesh ReadRedGreenMesh(vtkPointSet* input, const FeatureOptions& features
   bool undo, const std::function<void(const std::string&)>& warn)
 {
   RedGreenMesh mesh;
-  mesh.Control = ReadControlMesh(input, trustStamp, features, warn);
+  mesh.Control = ReadControlMesh(
+    input, trustStamp, features, warn, StampScheme::BoxSpline, PlainIds::InPlace);
   mesh.TetOrderIsFinal = mesh.Control.IsStamped;
   Stamp stamp;
   const auto& cells = mesh.Control.Cells;
@@ -256,10 +268,10 @@ RedGreenMesh ReadRedGreenMesh(vtkPointSet* input, const FeatureOptions& features
   {
     return mesh;
   }
-  const SimplexList read = cells.Simplices;
-  const SimplicesOfCells plain = cells;
+  GreenUndo greens(input, mesh);
+  const SimplexView read = greens.GetRead();
   std::string fault;
-  if (!GreenUndo(input, mesh).Run(fault))
+  if (!greens.Run(fault))
   {
     if (!fault.empty())
     {
@@ -267,12 +279,10 @@ RedGreenMesh ReadRedGreenMesh(vtkPointSet* input, const FeatureOptions& features
     }
     return mesh;
   }
-  const double largest = 16. * static_cast<double>(read.Connectivity.size());
+  const double largest = 64. * static_cast<double>(read.NumberOfSimplices);
   if (!(largest < 2e9 ? IsWhatWasRead<int>(read, mesh) : IsWhatWasRead<long long>(read, mesh)))
   {
-    mesh.Control.Cells = plain;
-    mesh.Levels.clear();
-    mesh.Midpoints.clear();
+    greens.Revert();
     return mesh;
   }
   mesh.IsContinued = true;

@@ -44,7 +44,7 @@ struct RedGreenMesh
   }
   SimplexView GetView() const
   {
-    SimplexView view(this->Control.Cells.Simplices);
+    SimplexView view = this->Control.Cells.GetView();
     view.Levels = this->Levels.empty() ? nullptr : this->Levels.data();
     return view;
   }

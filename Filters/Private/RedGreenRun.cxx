@@ -356,6 +356,7 @@ bool RedGreenRun::BuildLimit(RedGreenLimit<Id>& limit)
 {
   // Cells of the output keep their order, and their points' numbers are those of any placement.
   ControlMesh ordered = this->Mesh.Control;
+  ordered.Cells.TakeIds();
   const double* points = this->Points->GetCoordinates();
   if (!this->Mesh.TetOrderIsFinal)
   {
@@ -412,10 +413,10 @@ void RedGreenRun::MakePoints(const RedGreen<Id>& state, const RedGreenLimit<Id>&
 {
   const Id given = state.GetNumberOfInputVertices();
   const Id size = state.GetNumberOfVertices();
-  Buffer<Id> origins(size - given);
+  Buffer<Id> origins(this->Points->GathersSome() ? size - given : 0);
   auto origin = [&](vtkIdType point)
   { return point < given ? point : static_cast<vtkIdType>(origins[point - given]); };
-  for (Id v = given; v < size; ++v)
+  for (Id v = given; v < given + origins.size(); ++v)
   {
     const auto ends = state.GetEnds(v);
     const bool isFirst = this->Points->IsEarlier(ends[0], ends[1]);
@@ -451,20 +452,22 @@ void RedGreenRun::MakeCells(const RedGreenOutput<Id>& plan)
   levels->SetName(LevelName);
   kinds->SetName(KindName);
   parents->SetName(GreenParentName);
-  Buffer<vtkIdType> sources(counts.Cells);
+  vtkNew<vtkIdTypeArray> sources;
+  Allocate(sources, 1, counts.Cells);
   RedGreenStorage<vtkIdType> storage;
   storage.Cells = { connectivity->GetPointer(0), offsets->GetPointer(0), types->GetPointer(0) };
   storage.Levels = levels->GetPointer(0);
   storage.Kinds = kinds->GetPointer(0);
   storage.GreenParents = parents->GetPointer(0);
-  storage.InputCells = sources.data();
+  storage.InputCells = sources->GetPointer(0);
   plan.Write(storage);
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
   this->Output->SetCells(types, cells);
   if (!this->Mesh.Control.Cells.ParentCells.empty())
   {
-    ForEach(sources.size(), [&](vtkIdType i) { sources[i] = this->Mesh.GetInputCell(sources[i]); });
+    vtkIdType* ids = sources->GetPointer(0);
+    ForEach(counts.Cells, [&](vtkIdType i) { ids[i] = this->Mesh.GetInputCell(ids[i]); });
   }
   CellArrayOptions options;
   options.OriginalIds = true;

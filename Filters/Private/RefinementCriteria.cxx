@@ -10,6 +10,8 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
+#include <cstring>
+#include <iterator>
 #include <limits>
 
 namespace subdivision
@@ -23,12 +25,19 @@ void ContinuedArray::Start(vtkDataArray* array, const SimplicesOfCells& cells, b
   this->Components = array->GetNumberOfComponents();
   this->Smooth = smooth;
   const vtkIdType given = array->GetNumberOfTuples();
-  const vtkIdType centres = cells.GetNumberOfCentres();
-  this->Values.resize(static_cast<std::size_t>(given + centres) * this->Components);
+  this->Given = given + cells.GetNumberOfCentres();
   const auto plain = array->GetDataType() == VTK_BIT ? nullptr : Contiguous(array);
+  if (plain && plain->GetDataType() == VTK_DOUBLE && given > 0 && this->Given == given)
+  {
+    this->Array = plain;
+    this->Values = static_cast<const double*>(plain->GetVoidPointer(0));
+    return;
+  }
+  this->Converted = Buffer<double>(this->Given * this->Components);
+  double* values = this->Converted.data();
+  this->Values = values;
   if (given > 0 && plain)
   {
-    double* values = this->Values.data();
     auto convert = [&](const auto* from)
     {
       ForEach(given * this->Components,
@@ -41,18 +50,23 @@ void ContinuedArray::Start(vtkDataArray* array, const SimplicesOfCells& cells, b
   }
   for (int c = 0; !plain && c < this->Components; ++c)
   {
-    ForEach(given,
-      [&](vtkIdType i) { this->Values[i * this->Components + c] = array->GetComponent(i, c); });
+    ForEach(
+      given, [&](vtkIdType i) { values[i * this->Components + c] = array->GetComponent(i, c); });
   }
-  for (vtkIdType i = 0; i < centres; ++i)
+  this->FillCentres(cells, given);
+}
+
+void ContinuedArray::FillCentres(const SimplicesOfCells& cells, vtkIdType given)
+{
+  for (vtkIdType i = 0; i < cells.GetNumberOfCentres(); ++i)
   {
     const vtkIdType begin = cells.CentreOffsets[i];
     const vtkIdType end = cells.CentreOffsets[i + 1];
     const vtkIdType* members = cells.CentreMembers.data();
     for (int c = 0; c < this->Components; ++c)
     {
-      double& value = this->Values[(given + i) * this->Components + c];
-      if (!smooth)
+      double& value = this->Converted[(given + i) * this->Components + c];
+      if (!this->Smooth)
       {
         value = *(this->Get(*std::min_element(members + begin, members + end)) + c);
         continue;
@@ -289,20 +303,29 @@ std::vector<ContinuedArray*> RefinementCriteria::GetPointArrays()
   return arrays;
 }
 
-void RefinementCriteria::EvaluateFunction(
-  const Buffer<double>& centroids, Buffer<double>& values) const
+/// Functions that keep nothing from one point to the next. Others, like those of a data set or a
+/// collection, may: they are asked one point after another.
+bool RefinementCriteria::IsFunctionForThreads() const
 {
-  // The function for arrays: some functions are not made for several threads at a time.
+  const char* const names[] = { "vtkBox", "vtkCone", "vtkCylinder", "vtkPlane", "vtkQuadric",
+    "vtkSphere" };
+  return std::any_of(std::begin(names), std::end(names),
+    [this](const char* name)
+    { return std::strcmp(name, this->Options.Function->GetClassName()) == 0; });
+}
+
+void RefinementCriteria::EvaluateFunction(
+  double* centroids, vtkIdType size, double* values) const
+{
   vtkNew<vtkDoubleArray> in;
   vtkNew<vtkDoubleArray> out;
-  values = Buffer<double>(centroids.size() / 3);
   in->SetNumberOfComponents(3);
-  in->SetArray(const_cast<double*>(centroids.data()), centroids.size(), 1);
-  out->SetArray(values.data(), values.size(), 1);
+  in->SetArray(centroids, 3 * size, 1);
+  out->SetArray(values, size, 1);
   this->Options.Function->FunctionValue(in, out);
-  if (out->GetNumberOfTuples() == values.size() && out->GetPointer(0) != values.data())
+  if (out->GetNumberOfTuples() == size && out->GetPointer(0) != values)
   {
-    std::copy(out->GetPointer(0), out->GetPointer(0) + values.size(), values.data());
+    std::copy(out->GetPointer(0), out->GetPointer(0) + size, values);
   }
 }
 

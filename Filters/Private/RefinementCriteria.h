@@ -60,7 +60,8 @@ struct RefinementOptions
   }
 };
 
-/// An array of points in double, continued to points that are added between others.
+/// An array of points in double, continued to points that are added between others. The array's own
+/// values are read where they are if they are double.
 class ContinuedArray
 {
 public:
@@ -71,12 +72,14 @@ public:
   int GetComponents() const { return this->Components; }
   vtkIdType GetSize() const
   {
-    return this->Components == 0 ? 0
-                                 : static_cast<vtkIdType>(this->Values.size()) / this->Components;
+    return this->Components == 0
+      ? 0
+      : this->Given + static_cast<vtkIdType>(this->Added.size()) / this->Components;
   }
   const double* Get(vtkIdType point) const
   {
-    return this->Values.data() + point * this->Components;
+    return point < this->Given ? this->Values + point * this->Components
+                               : this->Added.data() + (point - this->Given) * this->Components;
   }
   bool IsSmooth() const { return this->Smooth; }
   /// All values, made room for `size` points.
@@ -95,7 +98,13 @@ public:
   void Continue(vtkIdType size, const Ends& ends);
 
 private:
-  std::vector<double> Values;
+  void FillCentres(const SimplicesOfCells& cells, vtkIdType given);
+
+  vtkSmartPointer<vtkDataArray> Array; ///< as long as it is read
+  Buffer<double> Converted;
+  const double* Values = nullptr; ///< the array's, or converted ones
+  vtkIdType Given = 0;            ///< so many of them, with centres; the others are added
+  std::vector<double> Added;
   int Components = 0;
   bool Smooth = true;
 };
@@ -149,17 +158,24 @@ public:
     return this->Options.ByEdgeLength || this->Options.Attribute || this->Options.ReadsLimit();
   }
 
-  /// errors[i] of cell first + i, for each i < size. Cells tell GetPoints(i) (a range of ids),
-  /// GetInputCell(i), GetLevel(i).
+  /// Whether there is an implicit function, and whether it may be asked in several threads.
+  bool ReadsFunction() const { return this->Options.Function != nullptr; }
+  bool IsFunctionForThreads() const;
+  /// The function at the centroids of cells from `first` to `last`; `centroids` is room for them.
   template <typename Cells>
-  void GetCellErrors(
-    const Cells& cells, vtkIdType first, vtkIdType size, Buffer<double>& errors) const;
+  void EvaluateFunction(const Cells& cells, vtkIdType first, vtkIdType last,
+    Buffer<double>& centroids, Buffer<double>& values) const;
+
+  /// The error of a cell. Cells tell GetInputCell(i), GetLevel(i). `value`: of the function.
+  template <typename Cells, typename Points>
+  double GetCellError(
+    const Cells& cells, vtkIdType i, const Points& points, const double* value) const;
 
 private:
   double Allow(double error, double allowed) const;
   template <typename Points>
   bool IsInRange(const Points& points, vtkIdType inputCell) const;
-  void EvaluateFunction(const Buffer<double>& centroids, Buffer<double>& values) const;
+  void EvaluateFunction(double* centroids, vtkIdType size, double* values) const;
 
   const RefinementOptions& Options;
   ContinuedArray Coordinates;
@@ -179,16 +195,16 @@ void ContinuedArray::Continue(vtkIdType size, const Ends& ends)
   {
     return;
   }
-  this->Values.resize(static_cast<std::size_t>(size) * this->Components);
-  double* values = this->Values.data();
+  this->Added.resize(static_cast<std::size_t>(size - this->Given) * this->Components);
+  double* value = this->Added.data() + (old - this->Given) * this->Components;
   for (vtkIdType i = old; i < size; ++i)
   {
     const auto [first, second] = ends(i);
+    const double* a = this->Get(first);
+    const double* b = this->Get(second);
     for (int c = 0; c < this->Components; ++c)
     {
-      const double a = values[static_cast<vtkIdType>(first) * this->Components + c];
-      const double b = values[static_cast<vtkIdType>(second) * this->Components + c];
-      values[i * this->Components + c] = this->Smooth ? 0.5 * a + 0.5 * b : a;
+      *value++ = this->Smooth ? 0.5 * a[c] + 0.5 * b[c] : a[c];
     }
   }
 }
@@ -207,45 +223,41 @@ bool RefinementCriteria::IsInRange(const Points& points, vtkIdType inputCell) co
 }
 
 template <typename Cells>
-void RefinementCriteria::GetCellErrors(
-  const Cells& cells, vtkIdType first, vtkIdType size, Buffer<double>& errors) const
+void RefinementCriteria::EvaluateFunction(const Cells& cells, vtkIdType first, vtkIdType last,
+  Buffer<double>& centroids, Buffer<double>& values) const
 {
-  Buffer<double> values;
-  if (this->Options.Function)
-  {
-    Buffer<double> centroids(3 * size);
-    ForEach(size,
-      [&](vtkIdType i)
-      {
-        const auto points = cells.GetPoints(first + i);
-        double* centroid = centroids.data() + 3 * i;
-        std::fill(centroid, centroid + 3, 0.);
-        for (auto point : points)
-        {
-          const double* x = this->Coordinates.Get(point);
-          for (int c = 0; c < 3; ++c)
-          {
-            // A quarter is exact, and much faster than a division.
-            centroid[c] +=
-              points.size() == 4 ? 0.25 * x[c] : x[c] / static_cast<double>(points.size());
-          }
-        }
-      });
-    this->EvaluateFunction(centroids, values);
-  }
-  ForEach(size,
-    [&](vtkIdType i)
+  double* centroid = centroids.data();
+  cells.ForPoints(first, last,
+    [&](vtkIdType, const auto& points)
     {
-      const vtkIdType inputCell = cells.GetInputCell(first + i);
-      const int level = cells.GetLevel(first + i);
-      const bool wanted = (!this->Options.Selected.empty() && this->Options.Selected[inputCell]) ||
-        (this->Options.WantedLevel &&
-          this->Options.WantedLevel->GetComponent(inputCell, 0) > level) ||
-        (!values.empty() && values[i] <= 0.) ||
-        (this->Options.Range && this->IsInRange(cells.GetPoints(first + i), inputCell));
-      // Of cells that are wanted the coarse ones come first, each level as bad again as the next.
-      errors[i] = wanted ? std::ldexp(1.5, std::max(this->Options.MaximumLevel - level, 0)) : 0.;
+      std::fill(centroid, centroid + 3, 0.);
+      for (auto point : points)
+      {
+        const double* x = this->Coordinates.Get(point);
+        for (int c = 0; c < 3; ++c)
+        {
+          // A quarter is exact, and much faster than a division.
+          centroid[c] +=
+            points.size() == 4 ? 0.25 * x[c] : x[c] / static_cast<double>(points.size());
+        }
+      }
+      centroid += 3;
     });
+  this->EvaluateFunction(centroids.data(), last - first, values.data());
+}
+
+template <typename Cells, typename Points>
+double RefinementCriteria::GetCellError(
+  const Cells& cells, vtkIdType i, const Points& points, const double* value) const
+{
+  const vtkIdType inputCell = cells.GetInputCell(i);
+  const int level = cells.GetLevel(i);
+  const bool wanted = (value && *value <= 0.) ||
+    (!this->Options.Selected.empty() && this->Options.Selected[inputCell]) ||
+    (this->Options.WantedLevel && this->Options.WantedLevel->GetComponent(inputCell, 0) > level) ||
+    (this->Options.Range && this->IsInRange(points, inputCell));
+  // Of cells that are wanted the coarse ones come first, each level as bad again as the next.
+  return wanted ? std::ldexp(1.5, std::max(this->Options.MaximumLevel - level, 0)) : 0.;
 }
 
 }

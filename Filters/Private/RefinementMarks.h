@@ -45,6 +45,21 @@ public:
     return { first, first + this->View.Dimensions[i] + 1 };
   }
   vtkIdType GetInputCell(vtkIdType i) const { return this->Mesh.GetInputCell(i); }
+  /// body(i, points) for each cell i from `begin` to `end`.
+  template <typename Body>
+  void ForPoints(vtkIdType begin, vtkIdType end, const Body& body) const
+  {
+    if (begin < end)
+    {
+      const vtkIdType* first = this->View.Connectivity + this->Places[begin];
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const vtkIdType* last = first + this->View.Dimensions[i] + 1;
+        body(i, Row<vtkIdType>{ first, last });
+        first = last;
+      }
+    }
+  }
   int GetLevel(vtkIdType i) const { return this->View.GetLevel(i); }
   int GetSteps(vtkIdType) const { return 0; }
   bool IsOver(vtkIdType i) const { return this->State.IsRed(static_cast<Id>(i)); }
@@ -65,19 +80,23 @@ public:
   ChangedCandidates(const RedGreenMesh& mesh, const RedGreen<Id>& state, int maximumLevel)
     : Mesh(mesh)
     , View(mesh.GetView())
-    , Cells(state.GetChangedCells())
+    , Cells(state.GetChangedCells(maximumLevel))
   {
-    const auto isFinal = [&](const RedGreenOutputCell<Id>& cell)
-    { return cell.Level - this->View.GetLevel(cell.Input) >= maximumLevel; };
-    this->Cells.erase(
-      std::remove_if(this->Cells.begin(), this->Cells.end(), isFinal), this->Cells.end());
   }
   bool IsInput() const { return false; }
-  vtkIdType GetSize() const { return static_cast<vtkIdType>(this->Cells.size()); }
+  vtkIdType GetSize() const { return this->Cells.size(); }
   Row<Id> GetPoints(vtkIdType i) const
   {
     const auto& cell = this->Cells[i];
     return { cell.Vertices.data(), cell.Vertices.data() + cell.Dimension + 1 };
+  }
+  template <typename Body>
+  void ForPoints(vtkIdType begin, vtkIdType end, const Body& body) const
+  {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      body(i, this->GetPoints(i));
+    }
   }
   vtkIdType GetInputCell(vtkIdType i) const
   {
@@ -95,7 +114,7 @@ public:
 private:
   const RedGreenMesh& Mesh;
   const SimplexView View;
-  std::vector<RedGreenOutputCell<Id>> Cells;
+  const Buffer<RedGreenOutputCell<Id>> Cells;
 };
 
 /// What a round found beside marks.
@@ -110,98 +129,173 @@ struct MarkNotes
 /// `limitError(a, b)`: the error of an edge for criteria that ask for the limit, negative where a
 /// value is not finite.
 template <typename Id, typename Cells, typename LimitError>
-std::vector<RefinementMark<Id>> FindMarks(const Cells& cells, const RefinementCriteria& criteria,
-  int maximumLevel, const LimitError& limitError, MarkNotes& notes)
+class MarkFinder
 {
-  enum
+public:
+  using Mark = RefinementMark<Id>;
+
+  MarkFinder(const Cells& cells, const RefinementCriteria& criteria, int maximumLevel,
+    const LimitError& limitError)
+    : Candidates(cells)
+    , Criteria(criteria)
+    , MaximumLevel(maximumLevel)
+    , ErrorAtLimit(limitError)
   {
-    MarksCell = 1,
-    MarksEdges = 2,
-    HasNoValue = 4
+  }
+
+  /// The marks, in the order of the cells.
+  std::vector<Mark> Run(MarkNotes& notes) const
+  {
+    // Stretch by stretch where the function has to be asked before.
+    const bool isSerial = this->Criteria.ReadsFunction() && !this->Criteria.IsFunctionForThreads();
+    const vtkIdType size = this->Candidates.GetSize();
+    const vtkIdType stretch = std::min(size, isSerial ? vtkIdType(65536) : size);
+    Buffer<double> centroids(isSerial ? 3 * stretch : 0);
+    Buffer<double> values(isSerial ? stretch : 0);
+    std::vector<Mark> marks;
+    for (vtkIdType begin = 0; begin < size; begin += stretch)
+    {
+      const vtkIdType end = std::min(size, begin + stretch);
+      if (isSerial)
+      {
+        this->Criteria.EvaluateFunction(this->Candidates, begin, end, centroids, values);
+      }
+      this->Look(begin, end, values, marks, notes);
+    }
+    return marks;
+  }
+
+private:
+  static constexpr vtkIdType BlockSize = 1024;
+
+  struct Found
+  {
+    std::vector<Mark> Marks;
+    MarkNotes Notes;
   };
-  auto forEdges = [&](vtkIdType i, const auto& act)
+
+  /// Looks at cells in threads; `values`: of the function, where it cannot be asked there.
+  void Look(vtkIdType begin, vtkIdType end, const Buffer<double>& values, std::vector<Mark>& marks,
+    MarkNotes& notes) const
   {
-    const auto points = cells.GetPoints(i);
+    std::vector<Found> found((end - begin + BlockSize - 1) / BlockSize);
+    const auto blocks = [&](vtkIdType firstBlock, vtkIdType lastBlock)
+    {
+      const bool reads = this->Criteria.ReadsFunction() && values.empty();
+      Buffer<double> centroids(reads ? 3 * BlockSize : 0);
+      Buffer<double> own(reads ? BlockSize : 0);
+      for (vtkIdType block = firstBlock; block < lastBlock; ++block)
+      {
+        const vtkIdType first = begin + block * BlockSize;
+        const vtkIdType last = std::min(end, first + BlockSize);
+        const double* value = values.empty() ? nullptr : values.data() + block * BlockSize;
+        if (reads)
+        {
+          this->Criteria.EvaluateFunction(this->Candidates, first, last, centroids, own);
+          value = own.data();
+        }
+        this->Candidates.ForPoints(first, last,
+          [&](vtkIdType i, const auto& points)
+          { this->LookAt(i, points, value ? value + (i - first) : nullptr, found[block]); });
+      }
+    };
+    ForBlocks(static_cast<vtkIdType>(found.size()), blocks);
+    for (const Found& part : found)
+    {
+      marks.insert(marks.end(), part.Marks.begin(), part.Marks.end());
+      notes.WithoutValue.insert(notes.WithoutValue.end(), part.Notes.WithoutValue.begin(),
+        part.Notes.WithoutValue.end());
+      notes.TooShort += part.Notes.TooShort;
+    }
+  }
+
+  template <typename Points>
+  void LookAt(vtkIdType i, const Points& points, const double* value, Found& found) const
+  {
+    if (points.size() < 2)
+    {
+      return;
+    }
+    const double cellError = this->Criteria.GetCellError(this->Candidates, i, points, value);
+    if (!(cellError > 1.) && !this->Criteria.ReadsEdges())
+    {
+      return;
+    }
+    if (this->Candidates.GetSteps(i) >= this->MaximumLevel ||
+      this->Candidates.GetLevel(i) >= LastLevel || this->Candidates.IsOver(i))
+    {
+      return;
+    }
+    if (cellError > 1.)
+    {
+      this->MarkCell(i, points, cellError, found);
+    }
+    if (this->Criteria.ReadsEdges())
+    {
+      this->LookAtEdges(i, points, cellError > 1., found);
+    }
+  }
+
+  template <typename Points>
+  void MarkCell(vtkIdType i, const Points& points, double error, Found& found) const
+  {
+    bool tooShort = false;
     for (auto a = points.begin(); a != points.end(); ++a)
     {
       for (auto b = a + 1; b != points.end(); ++b)
       {
+        tooShort = tooShort || this->Criteria.IsTooShort(*a, *b);
+      }
+    }
+    found.Notes.TooShort += tooShort ? 1 : 0;
+    if (!tooShort)
+    {
+      found.Marks.push_back({ error, this->Candidates.GetLeaf(i), { -1, -1 } });
+    }
+  }
+
+  template <typename Points>
+  void LookAtEdges(vtkIdType i, const Points& points, bool isMarked, Found& found) const
+  {
+    for (auto a = points.begin(); a != points.end(); ++a)
+    {
+      for (auto b = a + 1; b != points.end(); ++b)
+      {
+        const auto first = static_cast<Id>(*a);
+        const auto second = static_cast<Id>(*b);
         bool hasNoValue = false;
-        double error = criteria.GetEdgeError(*a, *b, hasNoValue);
-        const double atLimit = limitError(static_cast<Id>(*a), static_cast<Id>(*b));
+        double error = this->Criteria.GetEdgeError(first, second, hasNoValue);
+        const double atLimit = this->ErrorAtLimit(first, second);
         hasNoValue = hasNoValue || atLimit < 0.;
         error = std::max(error, atLimit);
-        act(static_cast<Id>(*a), static_cast<Id>(*b), error, hasNoValue);
-      }
-    }
-  };
-  std::vector<RefinementMark<Id>> marks;
-  auto mark = [&](vtkIdType i, int flags, double cellError)
-  {
-    bool tooShort = false;
-    forEdges(i,
-      [&](Id a, Id b, double error, bool hasNoValue)
-      {
-        const bool isShort = criteria.IsTooShort(a, b);
-        tooShort = tooShort || isShort;
-        if (hasNoValue && cells.IsInput())
+        if (hasNoValue && this->Candidates.IsInput())
         {
-          notes.WithoutValue.emplace_back(std::min(a, b), std::max(a, b));
+          found.Notes.WithoutValue.emplace_back(std::min(first, second), std::max(first, second));
         }
-        if (error > 1. && !(flags & MarksCell))
+        if (error > 1. && !isMarked)
         {
-          notes.TooShort += isShort ? 1 : 0;
+          const bool isShort = this->Criteria.IsTooShort(first, second);
+          found.Notes.TooShort += isShort ? 1 : 0;
           if (!isShort)
           {
-            marks.push_back({ error, cells.GetLeaf(i), { a, b } });
+            found.Marks.push_back({ error, this->Candidates.GetLeaf(i), { first, second } });
           }
         }
-      });
-    if (flags & MarksCell)
-    {
-      notes.TooShort += tooShort ? 1 : 0;
-      if (!tooShort)
-      {
-        marks.push_back({ cellError, cells.GetLeaf(i), { -1, -1 } });
-      }
-    }
-  };
-  // Stretch by stretch, so that what is known of cells stays in the cache.
-  constexpr vtkIdType stretch = 262144;
-  const bool readsEdges = criteria.ReadsEdges();
-  Buffer<double> errors(std::min(stretch, cells.GetSize()));
-  Buffer<unsigned char> found(errors.size());
-  for (vtkIdType begin = 0; begin < cells.GetSize(); begin += stretch)
-  {
-    const vtkIdType size = std::min(stretch, cells.GetSize() - begin);
-    criteria.GetCellErrors(cells, begin, size, errors);
-    ForEach(size,
-      [&](vtkIdType at)
-      {
-        const vtkIdType i = begin + at;
-        int flags = 0;
-        if (!cells.IsOver(i) && cells.GetSteps(i) < maximumLevel && cells.GetLevel(i) < LastLevel &&
-          cells.GetPoints(i).size() > 1)
-        {
-          flags = errors[at] > 1. ? MarksCell : 0;
-          if (readsEdges)
-          {
-            forEdges(i,
-              [&flags](Id, Id, double error, bool hasNoValue)
-              { flags |= (error > 1. ? MarksEdges : 0) | (hasNoValue ? HasNoValue : 0); });
-          }
-        }
-        found[at] = static_cast<unsigned char>(flags);
-      });
-    for (vtkIdType at = 0; at < size; ++at)
-    {
-      if (found[at] != 0)
-      {
-        mark(begin + at, found[at], errors[at]);
       }
     }
   }
-  return marks;
+
+  const Cells& Candidates;
+  const RefinementCriteria& Criteria;
+  const int MaximumLevel;
+  const LimitError& ErrorAtLimit;
+};
+
+template <typename Id, typename Cells, typename LimitError>
+std::vector<RefinementMark<Id>> FindMarks(const Cells& cells, const RefinementCriteria& criteria,
+  int maximumLevel, const LimitError& limitError, MarkNotes& notes)
+{
+  return MarkFinder<Id, Cells, LimitError>(cells, criteria, maximumLevel, limitError).Run(notes);
 }
 
 }

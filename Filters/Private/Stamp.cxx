@@ -169,18 +169,18 @@ void WriteGlobalIds(const std::vector<vtkIdType>& globalIds, vtkUnstructuredGrid
   }
 }
 
-bool FindControlMesh(const SimplexList& descendants, const Stamp& stamp, SimplexList& control)
+bool FindControlMesh(const SimplexView& descendants, const Stamp& stamp, SimplexList& control)
 {
   control = SimplexList();
   control.NumberOfPoints = stamp.NumberOfControlPoints;
-  const vtkIdType size = descendants.GetNumberOfSimplices();
+  const vtkIdType size = descendants.NumberOfSimplices;
   vtkIdType entry = 0;
   for (vtkIdType i = 0; i < size;)
   {
     const int dimension = descendants.Dimensions[i];
     const vtkIdType children = vtkIdType(1) << (dimension * stamp.Levels);
     if (children > size - i ||
-      std::any_of(descendants.Dimensions.begin() + i, descendants.Dimensions.begin() + i + children,
+      std::any_of(descendants.Dimensions + i, descendants.Dimensions + i + children,
         [dimension](unsigned char d) { return d != dimension; }))
     {
       return false;

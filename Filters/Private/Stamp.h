@@ -61,7 +61,7 @@ void WriteSingularTuples(const SimplexTuples& tuples, vtkUnstructuredGrid* outpu
 void WriteGlobalIds(const std::vector<vtkIdType>& globalIds, vtkUnstructuredGrid* output);
 
 /// Reads the control mesh off its descendants. False where the cells are not such descendants.
-bool FindControlMesh(const SimplexList& descendants, const Stamp& stamp, SimplexList& control);
+bool FindControlMesh(const SimplexView& descendants, const Stamp& stamp, SimplexList& control);
 
 }
 

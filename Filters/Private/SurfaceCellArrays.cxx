@@ -57,7 +57,7 @@ void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources,
       !(originals && name == OriginalCells) &&
       HasTuples(array, input->GetNumberOfCells(), "cell", options.Warn))
     {
-      AddLike(from, i, Gather(array, sources), to);
+      AddLike(from, i, Gather(array, { sources.begin(), sources.end() }), to);
     }
   }
   if (originals)

@@ -407,7 +407,7 @@ vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints()
   {
     apply(this->Joined->GetLimit(LimitKind::Position));
   }
-  return vtkDataArray::SafeDownCast(Gather(points, sources));
+  return vtkDataArray::SafeDownCast(Gather(points, { sources.begin(), sources.end() }));
 }
 
 /// Whether the input is what the steps made of the control mesh.
