@@ -45,6 +45,16 @@ public:
     }
     this->Values = std::move(larger);
   }
+  /// Adds so many elements, which are not initialised, and says where they are.
+  T* Extend(vtkIdType count)
+  {
+    if (this->Size + count > this->Values.size())
+    {
+      this->Reserve(std::max(this->Size + count, 2 * this->Size));
+    }
+    this->Size += count;
+    return this->Values.data() + this->Size - count;
+  }
   void pop_back() { --this->Size; }
   /// The elements, in a buffer that has no room for more.
   Buffer<T> Copy() const
@@ -53,6 +63,7 @@ public:
     std::copy(this->Values.begin(), this->Values.begin() + this->Size, copy.begin());
     return copy;
   }
+  const T* data() const { return this->Values.data(); }
   std::size_t GetMemorySize() const { return this->Values.GetMemorySize(); }
 
 private:

@@ -25,7 +25,7 @@ public:
   {
     if (2 * this->Size >= this->Slots.size())
     {
-      this->Grow();
+      this->Grow(std::max<vtkIdType>(1024, 4 * this->Slots.size()));
     }
     Slot& slot = this->Slots[this->Locate(a, b)];
     if (slot.Value < 0)
@@ -34,6 +34,19 @@ public:
       ++this->Size;
     }
     return slot.Value;
+  }
+  /// Room for so many pairs in all.
+  void Reserve(vtkIdType size)
+  {
+    vtkIdType slots = std::max<vtkIdType>(1024, this->Slots.size());
+    while (slots < 2 * size)
+    {
+      slots *= 2;
+    }
+    if (slots > this->Slots.size())
+    {
+      this->Grow(slots);
+    }
   }
   std::size_t GetMemorySize() const { return this->Slots.GetMemorySize(); }
 
@@ -63,10 +76,10 @@ private:
     }
     return i;
   }
-  void Grow()
+  void Grow(vtkIdType slots)
   {
     const Buffer<Slot> old = std::move(this->Slots);
-    this->Slots = Buffer<Slot>(std::max<vtkIdType>(1024, 4 * old.size()), Slot{ 0, 0, -1 });
+    this->Slots = Buffer<Slot>(slots, Slot{ 0, 0, -1 });
     for (const Slot& slot : old)
     {
       if (slot.Value >= 0)

@@ -23,9 +23,6 @@ RedGreen<Id>::RedGreen(const SimplexView& cells, std::function<void(vtkIdType*)>
   , Roots(cells.NumberOfSimplices)
   , Flags(cells.NumberOfPoints)
 {
-  ForRanges(this->Roots.size(),
-    [&](vtkIdType begin, vtkIdType end)
-    { std::fill(this->Roots.data() + begin, this->Roots.data() + end, Id(-1)); });
   std::fill(this->Flags.begin(), this->Flags.end(), static_cast<unsigned char>(0));
 }
 

@@ -20,12 +20,13 @@
  *
  * Cost: a cell of the input is read when a mark comes near, and stored (*active*) when two of its
  * vertices are ends of split edges: only such a cell can have a split edge. Which cells these are
- * is found by scanning the cells for flagged vertices, in threads; after a few scans an incidence
- * from vertices to cells takes over. Red children are stored when something happens to one of them.
+ * is found by scanning for flagged vertices, in threads, those blocks of cells whose range of
+ * vertices has newly flagged ones; after a few times all cells an incidence from vertices to cells
+ * takes over. Red children are stored when something happens to one of them.
  * So work and memory are those of the cells that change, plus a few passes at memory speed.
  * Threads: scans, and all that RedGreenOutput does; spreading from cell to cell is sequential, and
- * so the same whatever their number. Memory (Id int): 4 bytes per input cell, 1 per input point; 88
- * bytes per stored cell, 24 per edge of these that is looked up, 12 to 96 for its place in the
+ * so the same whatever their number. Memory (Id int): 1 byte per input point, 4 per input cell of
+ * each page of 4096 where one is stored; 88 bytes per stored cell, 24 per edge of these that is looked up, 12 to 96 for its place in the
  * index, 4 per new vertex: 200 to 300 bytes per stored cell in all, that is some 50 per cell of an
  * output that is refined all over. Lists grow by doubling. Id int is enough for 300 million stored
  * cells.
@@ -36,6 +37,7 @@
 #include "GrowingBuffer.h"
 #include "PairTable.h"
 #include "RedGreenCells.h"
+#include "SparseIds.h"
 
 #include <functional>
 #include <limits>
@@ -64,6 +66,8 @@ public:
 
   /// @name A round
   ///@{
+  /// Cells of the input that are about to be marked: to store them together is faster.
+  void Expect(const std::vector<Id>& cells);
   /// All edges of a leaf: it becomes red. A cell that is red already is left alone.
   void MarkCell(const Leaf& leaf);
   /// An edge of the cells that the output would have in place of a leaf. A red or green edge inside
@@ -152,6 +156,7 @@ private:
   void ReadInput(Id cell, vtkIdType* vertices) const;
 
   // cells come into being
+  void StoreInputs(const std::vector<Id>& cells);
   Id Activate(Id cell);
   Id GetStored(const Leaf& leaf);
   void LookUpEdges(Id node);
@@ -181,7 +186,13 @@ private:
   int CountFlagged(const vtkIdType* vertices, int corners) const;
   bool IsNearFlags(vtkIdType cell, int flagged) const;
   void ActivateNearFlags();
-  std::vector<Id> ScanCells() const;
+  struct Range
+  {
+    Id Least;
+    Id Most;
+  };
+  static Range FindRange(const vtkIdType* vertices, vtkIdType size);
+  std::vector<Id> ScanCells();
   std::vector<Id> FollowIncidence();
   void BuildIncidence();
 
@@ -191,7 +202,7 @@ private:
   Id InputVertices = 0;
   vtkIdType OutputCells = 0;
 
-  Buffer<Id> Roots; ///< the node of each input cell, -1
+  SparseIds<Id> Roots; ///< the node of each input cell, -1
   GrowingBuffer<Node> Nodes;
   GrowingBuffer<Edge> Edges;
   PairTable<Id> EdgesByEnds; ///< but for the halves of edges of this run
@@ -205,7 +216,8 @@ private:
   bool InnerEdgesSplit = false; ///< whether any edge between midpoints may be
   Buffer<unsigned char> Flags;  ///< of input vertices: end of a split edge
   std::vector<Id> NewFlags;
-  int Scans = 0;
+  Buffer<Range> BlockRanges;  ///< the vertices that blocks of input cells have
+  vtkIdType ScannedCells = 0; ///< in all scans
   Rows<Id> Incidence; ///< cells at each input vertex; empty until it is needed
 };
 

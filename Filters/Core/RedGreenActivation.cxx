@@ -25,31 +25,63 @@ void RedGreen<Id>::ReadInput(Id cell, vtkIdType* vertices) const
   }
 }
 
+/// Makes the nodes of input cells that have none.
+template <typename Id>
+void RedGreen<Id>::StoreInputs(const std::vector<Id>& cells)
+{
+  const Id first = static_cast<Id>(this->Nodes.size());
+  std::vector<Id> fresh;
+  fresh.reserve(cells.size());
+  for (Id cell : cells)
+  {
+    if (this->Roots[cell] < 0)
+    {
+      this->Roots.Set(cell, first + static_cast<Id>(fresh.size()));
+      fresh.push_back(cell);
+    }
+  }
+  Node* nodes = this->Nodes.Extend(static_cast<vtkIdType>(fresh.size()));
+  ForEach(static_cast<vtkIdType>(fresh.size()),
+    [&](vtkIdType i)
+    {
+      const Id cell = fresh[i];
+      Node node{};
+      node.Input = cell;
+      node.Parent = -1;
+      node.FirstChild = -1;
+      node.Dimension = this->Input.Dimensions[cell];
+      node.Level = static_cast<unsigned char>(this->Input.GetLevel(cell));
+      vtkIdType vertices[4];
+      this->ReadInput(cell, vertices);
+      for (int k = 0; k <= node.Dimension; ++k)
+      {
+        node.Vertices[k] = static_cast<Id>(vertices[k]);
+      }
+      std::fill(node.Edges, node.Edges + 6, Id(-1));
+      nodes[i] = node;
+    });
+}
+
+template <typename Id>
+void RedGreen<Id>::Expect(const std::vector<Id>& cells)
+{
+  // A cell that becomes red in the inside of others has little more than one edge to itself.
+  const vtkIdType edges = this->Edges.size() + static_cast<vtkIdType>(cells.size()) * 3 / 2;
+  this->Nodes.Reserve(this->Nodes.size() + 2 * static_cast<vtkIdType>(cells.size()));
+  this->Edges.Reserve(edges);
+  this->EdgesByEnds.Reserve(edges);
+  this->StoreInputs(cells);
+}
+
 /// The node of an input cell, made if need be.
 template <typename Id>
 Id RedGreen<Id>::Activate(Id cell)
 {
-  if (this->Roots[cell] >= 0)
+  if (this->Roots[cell] < 0)
   {
-    this->LookUpEdges(this->Roots[cell]);
-    return this->Roots[cell];
+    this->StoreInputs({ cell });
   }
-  const Id index = static_cast<Id>(this->Nodes.size());
-  Node node{};
-  node.Input = cell;
-  node.Parent = -1;
-  node.FirstChild = -1;
-  node.Dimension = this->Input.Dimensions[cell];
-  node.Level = static_cast<unsigned char>(this->Input.GetLevel(cell));
-  vtkIdType vertices[4];
-  this->ReadInput(cell, vertices);
-  for (int i = 0; i <= node.Dimension; ++i)
-  {
-    node.Vertices[i] = static_cast<Id>(vertices[i]);
-  }
-  std::fill(node.Edges, node.Edges + 6, Id(-1));
-  this->Roots[cell] = index;
-  this->Nodes.push_back(node);
+  const Id index = this->Roots[cell];
   this->LookUpEdges(index);
   return index;
 }
@@ -116,11 +148,11 @@ void RedGreen<Id>::FlagEnds(const Edge& edge)
 template <typename Id>
 void RedGreen<Id>::ActivateNearFlags()
 {
-  constexpr int scansWorthIncidence = 4;
-  const std::vector<Id> cells =
-    this->Scans++ < scansWorthIncidence ? this->ScanCells() : this->FollowIncidence();
+  constexpr vtkIdType scansWorthIncidence = 4;
+  const bool scans = this->ScannedCells < scansWorthIncidence * this->Input.NumberOfSimplices;
+  const std::vector<Id> cells = scans ? this->ScanCells() : this->FollowIncidence();
   this->NewFlags.clear();
-  this->Nodes.Reserve(this->Nodes.size() + static_cast<vtkIdType>(cells.size()));
+  this->StoreInputs(cells);
   for (Id cell : cells)
   {
     this->Activate(cell);
@@ -142,40 +174,114 @@ int RedGreen<Id>::CountFlagged(const vtkIdType* vertices, int corners) const
 template <typename Id>
 bool RedGreen<Id>::IsNearFlags(vtkIdType cell, int flagged) const
 {
-  return flagged >= 2 &&
-    (this->Roots[cell] < 0 || this->Nodes[this->Roots[cell]].Flagged < flagged);
+  if (flagged < 2)
+  {
+    return false;
+  }
+  const Id root = this->Roots[cell];
+  return root < 0 || this->Nodes[root].Flagged < flagged;
 }
 
-template <typename Id>
-std::vector<Id> RedGreen<Id>::ScanCells() const
+namespace
 {
-  constexpr vtkIdType blockSize = 256 * SimplexPlaces::BlockSize;
+
+/// How many ids of a list are in a range, nearly: they are counted by buckets.
+template <typename Id>
+class RangeCounts
+{
+public:
+  RangeCounts(const std::vector<Id>& ids, Id size)
+    : Counts(size / BucketSize + vtkIdType(2), Id(0))
+  {
+    for (Id id : ids)
+    {
+      ++this->Counts[id / BucketSize];
+    }
+    CountsToOffsets(this->Counts);
+  }
+  /// False only if there is none from `least` to `most`.
+  bool HasAny(Id least, Id most) const
+  {
+    return this->Counts[least / BucketSize] < this->Counts[most / BucketSize + vtkIdType(1)];
+  }
+
+private:
+  static constexpr Id BucketSize = 64;
+  Buffer<Id> Counts;
+};
+
+}
+
+/// The cells near new flags, by way of the blocks that have such vertices.
+template <typename Id>
+std::vector<Id> RedGreen<Id>::ScanCells()
+{
+  constexpr vtkIdType blockSize = 64 * SimplexPlaces::BlockSize;
   const vtkIdType size = this->Input.NumberOfSimplices;
-  std::vector<std::vector<Id>> found((size + blockSize - 1) / blockSize);
+  const RangeCounts<Id> news(this->NewFlags, this->InputVertices);
+  const bool isFirst = this->BlockRanges.empty();
+  if (isFirst)
+  {
+    this->BlockRanges = Buffer<Range>((size + blockSize - 1) / blockSize);
+  }
+  std::vector<vtkIdType> blocks;
+  for (vtkIdType block = 0; block < this->BlockRanges.size(); ++block)
+  {
+    const Range& range = this->BlockRanges[block];
+    if (isFirst || news.HasAny(range.Least, range.Most))
+    {
+      blocks.push_back(block);
+    }
+  }
+  std::vector<std::vector<Id>> found(blocks.size());
   const auto scan = [&](vtkIdType begin, vtkIdType end)
   {
-    for (vtkIdType block = begin; block < end; ++block)
+    for (vtkIdType i = begin; i < end; ++i)
     {
-      const vtkIdType last = std::min(size, (block + 1) * blockSize);
-      const vtkIdType* vertices = this->Input.Connectivity + this->Places[block * blockSize];
-      for (vtkIdType cell = block * blockSize; cell < last; ++cell)
+      const vtkIdType first = blocks[i] * blockSize;
+      const vtkIdType last = std::min(size, first + blockSize);
+      const vtkIdType* vertices = this->Input.Connectivity + this->Places[first];
+      Range& range = this->BlockRanges[blocks[i]];
+      if (isFirst)
+      {
+        range = FindRange(vertices, this->Places[last] - this->Places[first]);
+        if (!news.HasAny(range.Least, range.Most))
+        {
+          continue;
+        }
+      }
+      for (vtkIdType cell = first; cell < last; ++cell)
       {
         const int corners = this->Input.Dimensions[cell] + 1;
         if (this->IsNearFlags(cell, this->CountFlagged(vertices, corners)))
         {
-          found[block].push_back(static_cast<Id>(cell));
+          found[i].push_back(static_cast<Id>(cell));
         }
         vertices += corners;
       }
     }
   };
-  ForBlocks(static_cast<vtkIdType>(found.size()), scan);
+  ForBlocks(static_cast<vtkIdType>(blocks.size()), scan);
+  this->ScannedCells += blockSize * static_cast<vtkIdType>(blocks.size());
   std::vector<Id> cells;
   for (const auto& block : found)
   {
     cells.insert(cells.end(), block.begin(), block.end());
   }
   return cells;
+}
+
+template <typename Id>
+typename RedGreen<Id>::Range RedGreen<Id>::FindRange(const vtkIdType* vertices, vtkIdType size)
+{
+  Id least = static_cast<Id>(vertices[0]);
+  Id most = least;
+  for (vtkIdType i = 1; i < size; ++i)
+  {
+    least = std::min(least, static_cast<Id>(vertices[i]));
+    most = std::max(most, static_cast<Id>(vertices[i]));
+  }
+  return { least, most };
 }
 
 template <typename Id>

@@ -11,6 +11,7 @@
 #include "SimplexList.h"
 
 #include <array>
+#include <cstring>
 
 namespace subdivision
 {
@@ -28,8 +29,13 @@ public:
   SimplexPlaces() = default;
   explicit SimplexPlaces(const SimplexView& cells)
     : Dimensions(cells.Dimensions)
-    , Starts((cells.NumberOfSimplices + BlockSize - 1) / BlockSize + 1)
+    , Corners(FindCorners(cells))
   {
+    if (this->Corners > 0)
+    {
+      return;
+    }
+    this->Starts = Buffer<vtkIdType>((cells.NumberOfSimplices + BlockSize - 1) / BlockSize + 1);
     ForEach(this->Starts.size() - 1,
       [&](vtkIdType block)
       {
@@ -38,7 +44,6 @@ public:
           this->Sum(first, std::min(cells.NumberOfSimplices, first + BlockSize));
       });
     CountsToOffsets(this->Starts);
-    this->Corners = this->FindCorners(cells.NumberOfSimplices);
   }
   vtkIdType operator[](vtkIdType simplex) const
   {
@@ -61,15 +66,17 @@ private:
     return entries;
   }
   /// How many corners each simplex has; 0 where they differ.
-  vtkIdType FindCorners(vtkIdType size) const
+  static vtkIdType FindCorners(const SimplexView& cells)
   {
-    const unsigned char* last = this->Dimensions + size;
-    const bool same = size > 0 && std::equal(this->Dimensions + 1, last, this->Dimensions);
-    return same ? this->Dimensions[0] + 1 : 0;
+    const vtkIdType size = cells.NumberOfSimplices;
+    const unsigned char* first = cells.Dimensions;
+    const bool same =
+      size > 0 && std::memcmp(first + 1, first, static_cast<std::size_t>(size - 1)) == 0;
+    return same ? *first + 1 : 0;
   }
   const unsigned char* Dimensions = nullptr;
-  Buffer<vtkIdType> Starts;
   vtkIdType Corners = 0;
+  Buffer<vtkIdType> Starts;
 };
 
 /// body(begin, end) over blocks that are each worth a thread.

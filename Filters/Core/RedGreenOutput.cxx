@@ -76,18 +76,15 @@ RedGreenOutput<Id>::RedGreenOutput(const RedGreen<Id>& state)
 template <typename Id>
 void RedGreenOutput<Id>::FindTrees()
 {
-  constexpr vtkIdType blockSize = 65536;
-  const vtkIdType size = this->State.Roots.size();
-  std::vector<std::vector<Id>> found((size + blockSize - 1) / blockSize);
-  Buffer<vtkIdType> starts(static_cast<vtkIdType>(found.size()) + 1);
+  const auto& roots = this->State.Roots;
+  std::vector<std::vector<Id>> found(roots.GetNumberOfPages());
+  Buffer<vtkIdType> starts(roots.GetNumberOfPages() + 1);
   const auto find = [&](vtkIdType begin, vtkIdType end)
   {
     for (vtkIdType block = begin; block < end; ++block)
     {
-      const vtkIdType last = std::min(size, (block + 1) * blockSize);
-      for (vtkIdType cell = block * blockSize; cell < last; ++cell)
+      for (Id root : roots.GetPage(block))
       {
-        const Id root = this->State.Roots[cell];
         if (root >= 0 && this->State.Nodes[root].Pattern != 0)
         {
           found[block].push_back(root);

@@ -297,8 +297,7 @@ void WriteRedGreenFields(const RedGreenMesh& mesh, const RedGreenOutput<Id>& pla
   const vtkIdType leaves = plan.GetNumberOfGreenLeaves();
   vtkNew<vtkIdTypeArray> array;
   array->SetName(LeavesName);
-  array->SetNumberOfComponents(LeafComponents);
-  array->SetNumberOfTuples(leaves);
+  Allocate(array, LeafComponents, leaves);
   vtkIdType* tuples = leaves > 0 ? array->GetPointer(0) : nullptr;
   ForEach(leaves,
     [&](vtkIdType i)

@@ -200,6 +200,17 @@ std::unique_ptr<RedGreen<Id>> RedGreenRun::StartState()
 template <typename Id>
 void Apply(const std::vector<RefinementMark<Id>>& marks, std::size_t count, RedGreen<Id>& state)
 {
+  std::vector<Id> inputs;
+  inputs.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (marks[i].Leaf.Cell < state.GetNumberOfInputCells() &&
+      (inputs.empty() || inputs.back() != marks[i].Leaf.Cell))
+    {
+      inputs.push_back(marks[i].Leaf.Cell);
+    }
+  }
+  state.Expect(inputs);
   for (std::size_t i = 0; i < count; ++i)
   {
     if (marks[i].Ends[0] < 0)

@@ -8,7 +8,7 @@
 #ifndef SubdivisionObjects_RefinementCriteria_h
 #define SubdivisionObjects_RefinementCriteria_h
 
-#include "Core/Buffer.h"
+#include "Core/GrowingBuffer.h"
 
 #include "vtkDataArray.h"
 #include "vtkImplicitFunction.h"
@@ -74,7 +74,7 @@ public:
   {
     return this->Components == 0
       ? 0
-      : this->Given + static_cast<vtkIdType>(this->Added.size()) / this->Components;
+      : this->Given + this->Added.size() / this->Components;
   }
   const double* Get(vtkIdType point) const
   {
@@ -104,7 +104,7 @@ private:
   Buffer<double> Converted;
   const double* Values = nullptr; ///< the array's, or converted ones
   vtkIdType Given = 0;            ///< so many of them, with centres; the others are added
-  std::vector<double> Added;
+  GrowingBuffer<double> Added;
   int Components = 0;
   bool Smooth = true;
 };
@@ -161,6 +161,12 @@ public:
   /// Whether there is an implicit function, and whether it may be asked in several threads.
   bool ReadsFunction() const { return this->Options.Function != nullptr; }
   bool IsFunctionForThreads() const;
+  /// Whether nothing else is to be looked at where it is positive.
+  bool ReadsFunctionOnly() const
+  {
+    return this->ReadsFunction() && !this->ReadsEdges() && this->Options.Selected.empty() &&
+      !this->Options.WantedLevel && !this->Options.Range;
+  }
   /// The function at the centroids of cells from `first` to `last`; `centroids` is room for them.
   template <typename Cells>
   void EvaluateFunction(const Cells& cells, vtkIdType first, vtkIdType last,
@@ -195,8 +201,7 @@ void ContinuedArray::Continue(vtkIdType size, const Ends& ends)
   {
     return;
   }
-  this->Added.resize(static_cast<std::size_t>(size - this->Given) * this->Components);
-  double* value = this->Added.data() + (old - this->Given) * this->Components;
+  double* value = this->Added.Extend((size - old) * this->Components);
   for (vtkIdType i = old; i < size; ++i)
   {
     const auto [first, second] = ends(i);
@@ -230,15 +235,26 @@ void RefinementCriteria::EvaluateFunction(const Cells& cells, vtkIdType first, v
   cells.ForPoints(first, last,
     [&](vtkIdType, const auto& points)
     {
-      std::fill(centroid, centroid + 3, 0.);
-      for (auto point : points)
+      if (points.size() == 4) // a quarter is exact, and much faster than a division
       {
-        const double* x = this->Coordinates.Get(point);
+        const double* x[4];
+        std::transform(points.begin(), points.end(), x,
+          [this](auto point) { return this->Coordinates.Get(point); });
         for (int c = 0; c < 3; ++c)
         {
-          // A quarter is exact, and much faster than a division.
-          centroid[c] +=
-            points.size() == 4 ? 0.25 * x[c] : x[c] / static_cast<double>(points.size());
+          centroid[c] = 0.25 * x[0][c] + 0.25 * x[1][c] + 0.25 * x[2][c] + 0.25 * x[3][c];
+        }
+      }
+      else
+      {
+        std::fill(centroid, centroid + 3, 0.);
+        for (auto point : points)
+        {
+          const double* x = this->Coordinates.Get(point);
+          for (int c = 0; c < 3; ++c)
+          {
+            centroid[c] += x[c] / static_cast<double>(points.size());
+          }
         }
       }
       centroid += 3;

@@ -194,6 +194,17 @@ private:
           this->Criteria.EvaluateFunction(this->Candidates, first, last, centroids, own);
           value = own.data();
         }
+        if (this->Criteria.ReadsFunctionOnly())
+        {
+          for (vtkIdType i = first; i < last; ++i)
+          {
+            if (value[i - first] <= 0.)
+            {
+              this->LookAt(i, this->Candidates.GetPoints(i), value + (i - first), found[block]);
+            }
+          }
+          continue;
+        }
         this->Candidates.ForPoints(first, last,
           [&](vtkIdType i, const auto& points)
           { this->LookAt(i, points, value ? value + (i - first) : nullptr, found[block]); });
