@@ -26,10 +26,10 @@
  * So work and memory are those of the cells that change, plus a few passes at memory speed.
  * Threads: scans, and all that RedGreenOutput does; spreading from cell to cell is sequential, and
  * so the same whatever their number. Memory (Id int): 1 byte per input point, 4 per input cell of
- * each page of 4096 where one is stored; 88 bytes per stored cell, 24 per edge of these that is looked up, 12 to 96 for its place in the
- * index, 4 per new vertex: 200 to 300 bytes per stored cell in all, that is some 50 per cell of an
- * output that is refined all over. Lists grow by doubling. Id int is enough for 300 million stored
- * cells.
+ * each page of 4096 where one is stored; 88 bytes per stored cell, 24 per edge of these that is
+ * looked up, 12 to 96 for its place in the index, 4 per new vertex: 200 to 300 bytes per stored
+ * cell in all, that is some 50 per cell of an output that is refined all over. Lists grow by
+ * doubling. Id int is enough for 300 million stored cells.
  */
 #ifndef SubdivisionObjects_RedGreen_h
 #define SubdivisionObjects_RedGreen_h
@@ -82,8 +82,7 @@ public:
   /// special order: where criteria need to look before the next round. Those that are `steps` red
   /// steps or more from the input are left out. In the first round, each input cell is to be looked
   /// at: it is the leaf { cell, -1 } unless IsRed.
-  Buffer<RedGreenOutputCell<Id>> GetChangedCells(
-    int steps = std::numeric_limits<int>::max()) const;
+  Buffer<RedGreenOutputCell<Id>> GetChangedCells(int steps = std::numeric_limits<int>::max()) const;
   bool IsRed(Id cell) const;
 
   vtkIdType GetNumberOfInputCells() const { return this->Input.NumberOfSimplices; }
@@ -218,7 +217,7 @@ private:
   std::vector<Id> NewFlags;
   Buffer<Range> BlockRanges;  ///< the vertices that blocks of input cells have
   vtkIdType ScannedCells = 0; ///< in all scans
-  Rows<Id> Incidence; ///< cells at each input vertex; empty until it is needed
+  Rows<Id> Incidence;         ///< cells at each input vertex; empty until it is needed
 };
 
 #define SUBDIVISION_RED_GREEN(EXTERN, Id) EXTERN template class RedGreen<Id>

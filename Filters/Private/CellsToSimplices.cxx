@@ -402,8 +402,7 @@ void SimplicesOfCells::TakeIds()
   }
 }
 
-SimplicesOfCells CellsToSimplices(
-  vtkPointSet* input, const vtkIdType* globalIds, PlainIds ids)
+SimplicesOfCells CellsToSimplices(vtkPointSet* input, const vtkIdType* globalIds, PlainIds ids)
 {
   SimplicesOfCells output;
   output.Simplices.NumberOfPoints = input->GetNumberOfPoints();

@@ -61,8 +61,8 @@ enum class PlainIds
  * polygons. Cells that cannot be used are left out with a warning, hidden ones (vtkGhostType)
  * without; neither has any influence on the others.
  */
-SimplicesOfCells CellsToSimplices(vtkPointSet* input, const vtkIdType* globalIds,
-  PlainIds ids = PlainIds::Copied);
+SimplicesOfCells CellsToSimplices(
+  vtkPointSet* input, const vtkIdType* globalIds, PlainIds ids = PlainIds::Copied);
 
 }
 

@@ -332,7 +332,21 @@ void RedGreenLimit<Id>::Measure(
 {
   std::vector<std::array<Id, 2>> midpoints;
   const Buffer<Id> numbers = this->NumberPlaces(state, midpoints);
-  const LocalLimit<Id> limit(this->Control, this->Creases, midpoints);
+  // No more limits than samples read: of late rounds, a part of the mesh.
+  Buffer<unsigned char> wanted(
+    state.GetNumberOfInputVertices() + static_cast<vtkIdType>(midpoints.size()), 0);
+  for (const auto& sample : this->Samples)
+  {
+    wanted[numbers[sample.Place]] = 1;
+    for (Id corner : sample.Corners)
+    {
+      if (corner >= 0)
+      {
+        wanted[numbers[corner]] = 1;
+      }
+    }
+  }
+  const LocalLimit<Id> limit(this->Control, this->Creases, midpoints, wanted);
   auto getLimits = [&limit](const ContinuedArray& array)
   {
     Buffer<double> limits(limit.GetNumberOfRows() * array.GetComponents());

@@ -258,8 +258,8 @@ RedGreenMesh ReadRedGreenMesh(vtkPointSet* input, const FeatureOptions& features
   bool undo, const std::function<void(const std::string&)>& warn)
 {
   RedGreenMesh mesh;
-  mesh.Control = ReadControlMesh(
-    input, trustStamp, features, warn, StampScheme::BoxSpline, PlainIds::InPlace);
+  mesh.Control =
+    ReadControlMesh(input, trustStamp, features, warn, StampScheme::BoxSpline, PlainIds::InPlace);
   mesh.TetOrderIsFinal = mesh.Control.IsStamped;
   Stamp stamp;
   const auto& cells = mesh.Control.Cells;

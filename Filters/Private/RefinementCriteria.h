@@ -72,9 +72,7 @@ public:
   int GetComponents() const { return this->Components; }
   vtkIdType GetSize() const
   {
-    return this->Components == 0
-      ? 0
-      : this->Given + this->Added.size() / this->Components;
+    return this->Components == 0 ? 0 : this->Given + this->Added.size() / this->Components;
   }
   const double* Get(vtkIdType point) const
   {
@@ -89,7 +87,8 @@ public:
     return this->Values.data();
   }
   double GetNorm(vtkIdType point) const;
-  double GetDistance(vtkIdType a, vtkIdType b) const;
+  /// To the last bit where it is not clearly below `allowed`.
+  double GetDistance(vtkIdType a, vtkIdType b, double allowed) const;
   /// The diagonal of the box of all values that are finite.
   double GetRange() const;
   /// ends(i): the two points that the i-th added one lies between, the earlier one first. They are

@@ -214,8 +214,8 @@ private:
     for (const Found& part : found)
     {
       marks.insert(marks.end(), part.Marks.begin(), part.Marks.end());
-      notes.WithoutValue.insert(notes.WithoutValue.end(), part.Notes.WithoutValue.begin(),
-        part.Notes.WithoutValue.end());
+      notes.WithoutValue.insert(
+        notes.WithoutValue.end(), part.Notes.WithoutValue.begin(), part.Notes.WithoutValue.end());
       notes.TooShort += part.Notes.TooShort;
     }
   }

@@ -297,8 +297,8 @@ void RegisterRedGreen()
     { "core", "percent/levels:1", []() { return RunCore(MakePercent(false)); }, nullptr, {} },
     { "core", "scattered/levels:1", []() { return RunCore(MakePercent(true)); }, nullptr, {} },
     { "filter", "corner/levels:4", []() { return RunFilter(12, 4, 0., 0.21); }, nullptr, {} },
-    { "filter", "percent/levels:1", []() { return RunFilter(LargeCube, 1, 0.5, GetPercentRadius()); },
-      nullptr, {} },
+    { "filter", "percent/levels:1",
+      []() { return RunFilter(LargeCube, 1, 0.5, GetPercentRadius()); }, nullptr, {} },
   };
   for (LocalCase& which : cases)
   {

@@ -228,7 +228,7 @@ def peer_section(samples):
                 same = own = samples.get(("surface", scheme, case, levels, own_threads))
             else:
                 same = samples.get(("filter", mine, case, levels, own_threads)) or samples.get(
-                    ("redgreen", "core", case, levels, own_threads))
+                    ("redgreen", "filter", case, levels, own_threads))
                 own = same or samples.get(("filter", mine, case, 3, own_threads))
             if not own:
                 cells.append("-")
