@@ -13,6 +13,8 @@
 #include "BenchmarkFilter.h"
 #include "BenchmarkTools.h"
 
+#include "Core/Buffer.h"
+
 #include "vtkPointSet.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -99,6 +101,25 @@ void ReturnFreeMemory()
   mallopt(M_TRIM_THRESHOLD, 128 * 1024);
   malloc_trim(0);
 #endif
+}
+
+void TouchFreeMemory(std::size_t bytes)
+{
+  // Each thread frees its own: processors keep what was freed on them.
+  constexpr vtkIdType block = 1 << 20;
+  auto touch = [](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      subdivision::Buffer<long long> memory(block, i);
+      benchmark::DoNotOptimize(memory.data());
+      benchmark::ClobberMemory();
+    }
+  };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(bytes / (block * sizeof(long long))), 1, touch);
+  // Nothing of it is to be in the caches.
+  static subdivision::Buffer<long long> others(16 * block, 1);
+  subdivision::ForEach(others.size(), [&](vtkIdType i) { ++others[i]; });
 }
 
 }

@@ -45,6 +45,11 @@ private:
 /// Gives the system back what earlier measurements freed, so that none of them finds warm memory.
 void ReturnFreeMemory();
 
+/// Writes to memory of that size and gives it back, and leaves nothing of it in the caches. In a
+/// virtual machine a page that its host has yet to find costs milliseconds; what is measured next
+/// gets none of these, which else is chance.
+void TouchFreeMemory(std::size_t bytes);
+
 /// Whether this process measures the peers, or all the rest.
 bool IsForPeers();
 
