@@ -63,6 +63,7 @@ public:
     std::copy(this->Values.begin(), this->Values.begin() + this->Size, copy.begin());
     return copy;
   }
+  T* data() { return this->Values.data(); }
   const T* data() const { return this->Values.data(); }
   std::size_t GetMemorySize() const { return this->Values.GetMemorySize(); }
 

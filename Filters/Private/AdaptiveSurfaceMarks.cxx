@@ -30,6 +30,14 @@ public:
                                      : this->Marks.Mesh.GetSegmentAt(this->Get(i)).Ends;
     return { points, points + (this->IsFaces ? 3 : 2) };
   }
+  template <typename Body>
+  void ForPoints(vtkIdType begin, vtkIdType end, const Body& body) const
+  {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      body(i, this->GetPoints(i));
+    }
+  }
   vtkIdType GetInputCell(vtkIdType i) const
   {
     return this->IsFaces ? this->Marks.FaceCells[this->Marks.Sources[this->Get(i)]]
@@ -361,9 +369,13 @@ std::vector<AdaptiveMark<Id>> AdaptiveSurfaceMarks<Id>::Find(AdaptiveNotes& note
   {
     const Candidates candidates(*this, isFaces);
     const vtkIdType size = candidates.GetSize();
-    Buffer<double> errors(size);
+    Buffer<double> values(this->Criteria.ReadsFunction() ? size : 0);
+    if (!values.empty())
+    {
+      Buffer<double> centroids(3 * size);
+      this->Criteria.EvaluateFunction(candidates, 0, size, centroids, values);
+    }
     Buffer<Verdict> verdicts(size);
-    this->Criteria.GetCellErrors(candidates, 0, size, errors);
     ForRanges(size,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -372,11 +384,13 @@ std::vector<AdaptiveMark<Id>> AdaptiveSurfaceMarks<Id>::Find(AdaptiveNotes& note
         {
           const Id at = candidates.Get(i);
           verdicts[i] = isFaces ? this->JudgeFace(at, middle) : this->JudgeSegment(at, middle);
-          if (errors[i] > 1.)
+          const double error = this->Criteria.GetCellError(
+            candidates, i, candidates.GetPoints(i), values.empty() ? nullptr : values.data() + i);
+          if (error > 1.)
           {
             verdicts[i].Edges = 7; // no part of it is to stay
           }
-          verdicts[i].Error = std::max(verdicts[i].Error, errors[i]);
+          verdicts[i].Error = std::max(verdicts[i].Error, error);
         }
       });
     for (vtkIdType i = 0; i < size; ++i)

@@ -80,6 +80,31 @@ void ContinuedArray::FillCentres(const SimplicesOfCells& cells, vtkIdType given)
   }
 }
 
+double* ContinuedArray::Grow(vtkIdType size)
+{
+  if (this->Given > 0)
+  {
+    const vtkIdType known = this->GetSize();
+    GrowingBuffer<double> own;
+    own.Reserve(std::max(known, size) * this->Components);
+    for (vtkIdType point = 0; point < known; ++point)
+    {
+      std::copy_n(this->Get(point), this->Components, own.Extend(this->Components));
+    }
+    this->Added = std::move(own);
+    this->Given = 0;
+    this->Array = nullptr;
+    this->Converted = {};
+    this->Values = nullptr;
+  }
+  const vtkIdType missing = size * this->Components - this->Added.size();
+  if (missing > 0)
+  {
+    std::fill_n(this->Added.Extend(missing), missing, 0.);
+  }
+  return this->Added.data();
+}
+
 double ContinuedArray::GetNorm(vtkIdType point) const
 {
   const double* value = this->Get(point);

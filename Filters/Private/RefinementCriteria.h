@@ -80,12 +80,8 @@ public:
                                : this->Added.data() + (point - this->Given) * this->Components;
   }
   bool IsSmooth() const { return this->Smooth; }
-  /// All values, made room for `size` points.
-  double* Grow(vtkIdType size)
-  {
-    this->Values.resize(static_cast<std::size_t>(size) * this->Components);
-    return this->Values.data();
-  }
+  /// All values, from here on to be changed too, and room for those of `size` points.
+  double* Grow(vtkIdType size);
   double GetNorm(vtkIdType point) const;
   /// To the last bit where it is not clearly below `allowed`.
   double GetDistance(vtkIdType a, vtkIdType b, double allowed) const;

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 namespace subdivision
 {
@@ -173,13 +174,12 @@ vtkSmartPointer<vtkCellArray> MakeCells(
   return array;
 }
 
-template <typename Array, typename Id>
-void WriteCells(
-  const SurfaceSteps<Id>& steps, const std::vector<vtkIdType>& vertices, vtkPolyData* output)
+/// `writeFaces(ids)`: the vertices of all faces.
+template <typename Array, typename Id, typename WriteFaces>
+void WriteCells(const SurfaceLevel<Id>& level, vtkIdType corners,
+  const std::vector<vtkIdType>& vertices, const WriteFaces& writeFaces, vtkPolyData* output)
 {
   using Value = typename Array::ValueType;
-  const int last = steps.GetNumberOfSteps();
-  const SurfaceLevel<Id>& level = steps.GetLevel(last);
   const PolygonMesh<Id>& mesh = level.Mesh;
   const vtkIdType points = static_cast<vtkIdType>(vertices.size());
   output->SetVerts(MakeCells<Array>(
@@ -203,13 +203,29 @@ void WriteCells(
           ids[i] = static_cast<Value>(mesh.EdgeVertices[2 * (line / 2) + (line % 2 + i % 2) % 2]);
         });
     }));
-  const vtkIdType corners = steps.GetNumberOfCorners(last);
-  auto fill = [&](Value* ids) { steps.WriteFaces(last, ids); };
   output->SetPolys(mesh.Arity
       ? MakeCells<Array>(
-          mesh.NumberOfFaces, corners, [&](vtkIdType i) { return mesh.Arity * i; }, fill)
+          mesh.NumberOfFaces, corners, [&](vtkIdType i) { return mesh.Arity * i; }, writeFaces)
       : MakeCells<Array>(
-          mesh.NumberOfFaces, corners, [&](vtkIdType i) { return mesh.FaceOffsets[i]; }, fill));
+          mesh.NumberOfFaces, corners, [&](vtkIdType i) { return mesh.FaceOffsets[i]; },
+          writeFaces));
+}
+
+template <typename Id, typename WriteFaces>
+void WriteCells(const SurfaceLevel<Id>& level, vtkIdType corners,
+  const std::vector<vtkIdType>& vertices, bool use32BitIds, const WriteFaces& writeFaces,
+  vtkPolyData* output)
+{
+  const bool small = use32BitIds &&
+    std::max<vtkIdType>(corners, level.Mesh.NumberOfVertices) < std::numeric_limits<int>::max();
+  if (small)
+  {
+    WriteCells<vtkTypeInt32Array>(level, corners, vertices, writeFaces, output);
+  }
+  else
+  {
+    WriteCells<vtkIdTypeArray>(level, corners, vertices, writeFaces, output);
+  }
 }
 
 }
@@ -244,21 +260,32 @@ void WriteSurfaceCells(const SurfaceSteps<Id>& steps, const std::vector<vtkIdTyp
   bool use32BitIds, vtkPolyData* output)
 {
   const int last = steps.GetNumberOfSteps();
-  const bool small = use32BitIds &&
-    std::max(steps.GetNumberOfCorners(last), steps.GetLevel(last).Mesh.NumberOfVertices) <
-      std::numeric_limits<int>::max();
-  if (small)
-  {
-    WriteCells<vtkTypeInt32Array>(steps, vertices, output);
-  }
-  else
-  {
-    WriteCells<vtkIdTypeArray>(steps, vertices, output);
-  }
+  WriteCells(
+    steps.GetLevel(last), steps.GetNumberOfCorners(last), vertices, use32BitIds,
+    [&](auto* ids) { steps.WriteFaces(last, ids); }, output);
+}
+
+template <typename Id>
+void WriteSurfaceCells(const SurfaceLevel<Id>& level, const std::vector<vtkIdType>& vertices,
+  bool use32BitIds, vtkPolyData* output)
+{
+  const Buffer<Id>& corners = level.Mesh.Vertices;
+  WriteCells(
+    level, corners.size(), vertices, use32BitIds,
+    [&](auto* ids)
+    {
+      using Value = std::remove_reference_t<decltype(*ids)>;
+      ForEach(corners.size(), [&](vtkIdType c) { ids[c] = static_cast<Value>(corners[c]); });
+    },
+    output);
 }
 
 template SurfaceLevel<int> MakeControlLevel(const SurfaceCells&);
 template SurfaceLevel<long long> MakeControlLevel(const SurfaceCells&);
+template void WriteSurfaceCells(
+  const SurfaceLevel<int>&, const std::vector<vtkIdType>&, bool, vtkPolyData*);
+template void WriteSurfaceCells(
+  const SurfaceLevel<long long>&, const std::vector<vtkIdType>&, bool, vtkPolyData*);
 template void WriteSurfaceCells(
   const SurfaceSteps<int>&, const std::vector<vtkIdType>&, bool, vtkPolyData*);
 template void WriteSurfaceCells(

@@ -49,6 +49,10 @@ SurfaceLevel<Id> MakeControlLevel(const SurfaceCells& cells);
 template <typename Id>
 void WriteSurfaceCells(const SurfaceSteps<Id>& steps, const std::vector<vtkIdType>& vertices,
   bool use32BitIds, vtkPolyData* output);
+/// The same of a level.
+template <typename Id>
+void WriteSurfaceCells(const SurfaceLevel<Id>& level, const std::vector<vtkIdType>& vertices,
+  bool use32BitIds, vtkPolyData* output);
 
 }
 

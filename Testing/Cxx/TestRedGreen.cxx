@@ -392,7 +392,7 @@ TEST(RedGreen, WorkIsThatOfTheCellsThatChange)
     for (int round = 1; round < 30; ++round)
     {
       const auto changed = state.GetChangedCells();
-      most = std::max(most, changed.size());
+      most = std::max(most, static_cast<std::size_t>(changed.size()));
       for (const auto& cell : changed)
       {
         if (std::count(cell.Vertices.begin(), cell.Vertices.end(), vertex) > 0)
