@@ -118,8 +118,9 @@ bool vtkRedGreenRefinement::ReadCriteria(
     this->AttributeTolerance, this->AttributeErrorKind == LIMIT_DIFFERENCE,
     this->RefineByArrayRange, this->ArrayRange, this->RefineByEdgeLength, this->MaximumEdgeLength,
     this->RefineByGeometricError, this->GeometricTolerance, this->RelativeTolerance,
-    this->RefineByWantedLevel, this->MaximumLevel, this->InterpolateIntegers,
-    this->RefineBySelection || this->RefineByFunction, ATTRIBUTE_ARRAY, RANGE_ARRAY, LEVEL_ARRAY };
+    this->RefineByCurvature, this->MaximumAngle, this->RefineByWantedLevel, this->MaximumLevel,
+    this->InterpolateIntegers, this->RefineBySelection || this->RefineByFunction, ATTRIBUTE_ARRAY,
+    RANGE_ARRAY, LEVEL_ARRAY };
   if (!subdivision::ReadRefinementOptions(
         this, input, settings, [this](const std::string& message) { vtkWarningMacro(<< message); },
         [this](const std::string& message) { vtkErrorMacro(<< message); }, options))
@@ -186,6 +187,8 @@ void vtkRedGreenRefinement::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RefineByGeometricError: " << this->RefineByGeometricError << "\n";
   os << indent << "GeometricTolerance: " << this->GeometricTolerance << "\n";
   os << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n";
+  os << indent << "RefineByCurvature: " << this->RefineByCurvature << "\n";
+  os << indent << "MaximumAngle: " << this->MaximumAngle << "\n";
   os << indent << "RefineByWantedLevel: " << this->RefineByWantedLevel << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
   os << indent << "Placement: " << this->Placement << "\n";

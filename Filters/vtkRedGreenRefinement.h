@@ -240,6 +240,25 @@ public:
 
   ///@{
   /**
+   * Whether edges of curves, surfaces, and boundaries or singular surfaces of solids are split over
+   * which the limit of smooth subdivision turns by more than MaximumAngle. Off by default.
+   */
+  vtkSetMacro(RefineByCurvature, bool);
+  vtkGetMacro(RefineByCurvature, bool);
+  vtkBooleanMacro(RefineByCurvature, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The angle that RefineByCurvature allows, in degrees: that of the circle's arc which is as far
+   * from its chord as the limit from the edge. Whatever the size of the mesh. Default 10.
+   */
+  vtkSetClampMacro(MaximumAngle, double, 0., 360.);
+  vtkGetMacro(MaximumAngle, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether cells are split whose level (the array `RefinementLevel` of the output) is below the
    * value of the array at index 7. Off by default.
    */
@@ -300,6 +319,8 @@ protected:
   bool RefineByGeometricError = false;
   double GeometricTolerance = 0.001;
   bool RelativeTolerance = true;
+  bool RefineByCurvature = false;
+  double MaximumAngle = 10.;
   bool RefineByWantedLevel = false;
   int MaximumLevel = 3;
   int Placement = LINEAR;

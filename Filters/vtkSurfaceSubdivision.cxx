@@ -117,8 +117,8 @@ bool vtkSurfaceSubdivision::Execute(
     this->AttributeTolerance, this->AttributeErrorKind == LIMIT_DIFFERENCE,
     this->RefineByArrayRange, this->ArrayRange, this->RefineByEdgeLength, this->MaximumEdgeLength,
     this->RefineByGeometricError, this->GeometricTolerance, this->RelativeTolerance,
-    this->RefineByWantedLevel, this->MaximumLevel, this->InterpolateIntegers, false,
-    ATTRIBUTE_ARRAY, RANGE_ARRAY, LEVEL_ARRAY };
+    this->RefineByCurvature, this->MaximumAngle, this->RefineByWantedLevel, this->MaximumLevel,
+    this->InterpolateIntegers, false, ATTRIBUTE_ARRAY, RANGE_ARRAY, LEVEL_ARRAY };
   subdivision::RefinementOptions criteria;
   return subdivision::ReadRefinementOptions(
            this, input, settings, options.Warn, options.Fail, criteria) &&
@@ -190,6 +190,8 @@ void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RefineByGeometricError: " << this->RefineByGeometricError << "\n";
   os << indent << "GeometricTolerance: " << this->GeometricTolerance << "\n";
   os << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n";
+  os << indent << "RefineByCurvature: " << this->RefineByCurvature << "\n";
+  os << indent << "MaximumAngle: " << this->MaximumAngle << "\n";
   os << indent << "RefineByWantedLevel: " << this->RefineByWantedLevel << "\n";
   os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";

@@ -327,6 +327,25 @@ public:
 
   ///@{
   /**
+   * With Adaptive, whether triangles and lines are split over whose edges the limit turns by more
+   * than MaximumAngle. Off by default.
+   */
+  vtkSetMacro(RefineByCurvature, bool);
+  vtkGetMacro(RefineByCurvature, bool);
+  vtkBooleanMacro(RefineByCurvature, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The angle that RefineByCurvature allows, in degrees: that of the circle's arc which is as far
+   * from its chord as the limit from the edge. Whatever the size of the mesh. Default 10.
+   */
+  vtkSetClampMacro(MaximumAngle, double, 0., 360.);
+  vtkGetMacro(MaximumAngle, double);
+  ///@}
+
+  ///@{
+  /**
    * With Adaptive, whether cells are split until the level that the array at index 9 gives their
    * input cell. Off by default.
    */
@@ -527,6 +546,8 @@ protected:
   bool RefineByGeometricError = false;
   double GeometricTolerance = 0.001;
   bool RelativeTolerance = true;
+  bool RefineByCurvature = false;
+  double MaximumAngle = 10.;
   bool RefineByWantedLevel = false;
   bool ModifiedBoundary = true;
   bool ProjectToLimit = false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AdaptiveSurfaceMarks.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -81,7 +83,7 @@ AdaptiveSurfaceMarks<Id>::AdaptiveSurfaceMarks(const AdaptiveSqrtThree<Id>& mesh
     const bool isCoordinates = this->Arrays.empty();
     const bool isAttribute = array == &criteria.GetAttribute();
     const bool ofLimit =
-      isCoordinates ? options.ByGeometricError : isAttribute && options.AttributeOfLimit;
+      isCoordinates ? options.ReadsShape() : isAttribute && options.AttributeOfLimit;
     this->Attribute = isAttribute ? static_cast<int>(this->Arrays.size()) : this->Attribute;
     this->Arrays.emplace_back(mesh, rows, *array, ofLimit);
   }
@@ -329,6 +331,11 @@ void AdaptiveSurfaceMarks<Id>::JudgeInside(
   {
     heights[i] += this->Mesh.GetTwin(3 * face + i) == -1 ? rest / unknown : 0.;
   }
+  double length = 0.;
+  for (int i = 0; i < 3; ++i)
+  {
+    length = std::max(length, std::sqrt(vtkMath::Distance2BetweenPoints(x[i], x[(i + 1) % 3])));
+  }
   for (int i = 0; i < 3; ++i)
   {
     const double own = heights[i];
@@ -338,7 +345,7 @@ void AdaptiveSurfaceMarks<Id>::JudgeInside(
     const double fromEnd = 2. / 9. * (own + next) - last / 9.;
     const double largest = std::max({ std::abs(own), std::abs(fromBegin), std::abs(fromEnd),
       4. / 9. * std::abs(own + fromBegin + fromEnd) });
-    const double error = FewPlaces * this->Criteria.GetGeometricError(largest);
+    const double error = FewPlaces * this->Criteria.GetGeometricError(largest, length);
     verdict.Edges |= static_cast<unsigned char>(error > 1. ? 1 << i : 0);
   }
 }

@@ -243,7 +243,7 @@ void RedGreenLimit<Id>::FindSamples(
       }
     }
     const auto size = static_cast<int>(points.size());
-    for (int opposite = size == 4 ? 0 : 3; options.ByGeometricError && size > 2 && opposite < 4;
+    for (int opposite = size == 4 ? 0 : 3; options.ReadsShape() && size > 2 && opposite < 4;
          ++opposite)
     {
       std::array<Id, 3> corners;
@@ -355,7 +355,7 @@ void RedGreenLimit<Id>::Measure(
   };
   const bool ofAttribute = options.Attribute && options.AttributeOfLimit;
   const Buffer<double> points =
-    options.ByGeometricError ? getLimits(criteria.GetCoordinates()) : Buffer<double>();
+    options.ReadsShape() ? getLimits(criteria.GetCoordinates()) : Buffer<double>();
   const Buffer<double> values = ofAttribute ? getLimits(criteria.GetAttribute()) : Buffer<double>();
   Buffer<double> errors(static_cast<vtkIdType>(this->Samples.size()));
   ForEach(errors.size(),
@@ -373,7 +373,7 @@ void RedGreenLimit<Id>::Measure(
       };
       const double* corners[3];
       double error = 0.;
-      if (options.ByGeometricError &&
+      if (options.ReadsShape() &&
         (size == 3 ||
           this->IsCurved(
             Unite(this->Carriers[sample.Corners[0]], this->Carriers[sample.Corners[1]]))))

@@ -5,6 +5,7 @@
 #include "CellsToSimplices.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -319,13 +320,31 @@ double RefinementCriteria::GetGeometricError(
 {
   const double distance = size == 2 ? GetDistanceFromEdge(place, corners[0], corners[1])
                                     : GetDistanceFromTriangle(place, corners);
-  return this->GetGeometricError(distance);
+  double length = 0.;
+  for (int i = 0; this->Options.ByCurvature && i < size; ++i)
+  {
+    const double* a = corners[i];
+    const double* b = corners[(i + 1) % size];
+    length = std::max(length, std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
+  }
+  return this->GetGeometricError(distance, length);
 }
 
-double RefinementCriteria::GetGeometricError(double distance) const
+double RefinementCriteria::GetGeometricError(double distance, double length) const
 {
-  return std::isfinite(distance) ? this->Allow(BetweenPlaces * distance, this->AllowedDistance)
-                                 : 0.;
+  if (!std::isfinite(distance))
+  {
+    return 0.;
+  }
+  const double most = BetweenPlaces * distance;
+  double error = this->Options.ByGeometricError ? this->Allow(most, this->AllowedDistance) : 0.;
+  if (this->Options.ByCurvature)
+  {
+    // An arc of angle t over a chord of length c rises to c tan(t / 4) / 2.
+    const double angle = 4. * vtkMath::DegreesFromRadians(std::atan2(2. * most, length));
+    error = std::max(error, this->Allow(angle, this->Options.MaximumAngle));
+  }
+  return error;
 }
 
 std::vector<ContinuedArray*> RefinementCriteria::GetPointArrays()

@@ -48,15 +48,19 @@ struct RefinementOptions
   double GeometricTolerance = 0.001;
   bool RelativeTolerance = true; ///< to the bounding box of the input
 
+  bool ByCurvature = false;
+  double MaximumAngle = 10.; ///< in degrees
+
   vtkSmartPointer<vtkDataArray> WantedLevel; ///< of cells
   int MaximumLevel = 3;
   /// How integers are taken along to new points, see PointArrays.
   bool InterpolateIntegers = false;
 
-  /// Whether some criterion asks for the limit.
+  /// Whether some criterion asks for the limit's shape, or for the limit of anything.
+  bool ReadsShape() const { return this->ByGeometricError || this->ByCurvature; }
   bool ReadsLimit() const
   {
-    return this->ByGeometricError || (this->Attribute && this->AttributeOfLimit);
+    return this->ReadsShape() || (this->Attribute && this->AttributeOfLimit);
   }
 };
 
@@ -144,8 +148,8 @@ public:
     const double* const* corners, const double* weights, const double* value) const;
   /// The distance from the edge or triangle between two or three corners.
   double GetGeometricError(const double* const* corners, int size, const double* place) const;
-  /// The same where the distance is known.
-  double GetGeometricError(double distance) const;
+  /// The same where the distance is known, and the length of the longest edge.
+  double GetGeometricError(double distance, double length) const;
 
   /// Whether any criterion asks for errors of edges.
   bool ReadsEdges() const

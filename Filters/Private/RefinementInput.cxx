@@ -103,7 +103,7 @@ bool Reader::Run(RefinementOptions& options)
   const RefinementSettings& settings = this->Settings;
   const bool alone = !settings.HasOthers && !settings.RefineByArrayRange &&
     !settings.RefineByEdgeLength && !settings.RefineByGeometricError &&
-    !settings.RefineByWantedLevel;
+    !settings.RefineByCurvature && !settings.RefineByWantedLevel;
   options.MaximumLevel = settings.MaximumLevel;
   options.InterpolateIntegers = settings.InterpolateIntegers;
   bool ofCells = false;
@@ -145,6 +145,8 @@ bool Reader::Run(RefinementOptions& options)
   options.ByGeometricError = settings.RefineByGeometricError;
   options.GeometricTolerance = settings.GeometricTolerance;
   options.RelativeTolerance = settings.RelativeTolerance;
+  options.ByCurvature = settings.RefineByCurvature;
+  options.MaximumAngle = settings.MaximumAngle;
   if (settings.RefineByWantedLevel)
   {
     if (!this->FindNamed(settings.LevelIndex, true, "WantedLevel", true, array))

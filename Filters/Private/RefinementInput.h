@@ -26,6 +26,8 @@ struct RefinementSettings
   bool RefineByGeometricError;
   double GeometricTolerance;
   bool RelativeTolerance;
+  bool RefineByCurvature;
+  double MaximumAngle; ///< in degrees
   bool RefineByWantedLevel;
   int MaximumLevel;
   bool InterpolateIntegers;

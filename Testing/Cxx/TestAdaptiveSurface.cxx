@@ -8,7 +8,9 @@
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImplicitPolyDataDistance.h"
+#include "vtkMath.h"
 #include "vtkStringArray.h"
+#include "vtkTriangle.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <functional>
@@ -246,6 +248,56 @@ TEST(AdaptiveSurface, EdgesGetShortEnough)
       });
     EXPECT_LE(GetLongestEdge(output), length);
     EXPECT_GT(GetLongestEdge(output), 0.2 * length);
+  }
+}
+
+/// An octahedron; where all faces are as small, adjacent ones are the flatter for it.
+TEST(AdaptiveSurface, CurvatureIsMetWhateverTheSize)
+{
+  auto run = [](double size, double angle)
+  {
+    Model octahedron;
+    octahedron.Points = { { size, 0., 0. }, { 0., size, 0. }, { -size, 0., 0. }, { 0., -size, 0. },
+      { 0., 0., size }, { 0., 0., -size } };
+    octahedron.Faces = { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 }, { 1, 0, 5 },
+      { 2, 1, 5 }, { 3, 2, 5 }, { 0, 3, 5 } };
+    return Refine(MakeInput(octahedron),
+      [angle](Filter* filter)
+      {
+        filter->RefineByCurvatureOn();
+        filter->SetMaximumAngle(angle);
+        filter->SetMaximumLevel(14);
+      });
+  };
+  for (double angle : { 30., 9. })
+  {
+    const PolyData output = run(1., angle);
+    output->BuildLinks();
+    auto getNormal = [&output](vtkIdType cell, double* normal)
+    {
+      vtkTriangle::ComputeNormal(
+        output->GetPoints(), 3, output->GetCell(cell)->PointIds->GetPointer(0), normal);
+    };
+    double largest = 0.;
+    for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+    {
+      double own[3];
+      double other[3];
+      getNormal(cell, own);
+      vtkNew<vtkIdList> ids;
+      output->GetCellPoints(cell, ids);
+      for (vtkIdType k = 0; k < 3; ++k)
+      {
+        vtkNew<vtkIdList> others;
+        output->GetCellEdgeNeighbors(cell, ids->GetId(k), ids->GetId((k + 1) % 3), others);
+        ASSERT_EQ(others->GetNumberOfIds(), 1);
+        getNormal(others->GetId(0), other);
+        largest = std::max(largest, vtkMath::AngleBetweenVectors(own, other));
+      }
+    }
+    EXPECT_LE(vtkMath::DegreesFromRadians(largest), angle);
+    EXPECT_GT(vtkMath::DegreesFromRadians(largest), 0.2 * angle);
+    EXPECT_EQ(run(64., angle)->GetNumberOfCells(), output->GetNumberOfCells());
   }
 }
 

@@ -6,6 +6,8 @@
  */
 #include "RedGreenRefinementTools.h"
 
+#include "vtkMath.h"
+
 #include <limits>
 
 using namespace red_green_refinement_tools;
@@ -224,6 +226,105 @@ TEST(RedGreenTolerance, InTheUnitsOfTheMeshOrOfItsSize)
     std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
   EXPECT_EQ(
     GetCells(RefineTo(small, 0.004, true)), GetCells(RefineTo(small, 0.004 * diagonal, false)));
+}
+
+/// Angles between the normals of triangles that share an edge, in degrees.
+double MeasureLargestTurn(vtkUnstructuredGrid* grid)
+{
+  std::map<Ids, std::vector<Point>> normals;
+  for (const Ids& ids : GetCells(grid))
+  {
+    const Point a = GetPoint(grid, ids[0]);
+    const Point u = Minus(GetPoint(grid, ids[1]), a);
+    const Point v = Minus(GetPoint(grid, ids[2]), a);
+    const Point normal = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+      u[0] * v[1] - u[1] * v[0] };
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      normals[{ std::min(ids[k], ids[(k + 1) % 3]), std::max(ids[k], ids[(k + 1) % 3]) }].push_back(
+        normal);
+    }
+  }
+  double largest = 0.;
+  for (const auto& [edge, pair] : normals)
+  {
+    EXPECT_EQ(pair.size(), 2u);
+    const double cosine =
+      Dot(pair[0], pair[1]) / std::sqrt(Dot(pair[0], pair[0]) * Dot(pair[1], pair[1]));
+    largest = std::max(largest, vtkMath::DegreesFromRadians(std::acos(std::min(1., cosine))));
+  }
+  return largest;
+}
+
+TEST(RedGreenTolerance, CurvatureIsMetWhateverTheSize)
+{
+  const Grid small = MakeGrid(coretest::FindInZoo("Icosahedron"));
+  const Grid large = DeepCopy(small);
+  for (vtkIdType i = 0; i < small->GetNumberOfPoints(); ++i)
+  {
+    const Point p = GetPoint(small, i);
+    large->GetPoints()->SetPoint(i, 64. * p[0], 64. * p[1], 64. * p[2]);
+  }
+  auto refineTo = [](vtkUnstructuredGrid* input, double angle)
+  {
+    return Refine(input,
+      [angle](Filter* filter)
+      {
+        filter->RefineByCurvatureOn();
+        filter->SetMaximumAngle(angle);
+        filter->SetMaximumLevel(8);
+        filter->SetPlacementToLimit();
+      });
+  };
+  for (double angle : { 30., 9. })
+  {
+    const Grid output = refineTo(small, angle);
+    EXPECT_LE(MeasureLargestTurn(output), angle);
+    EXPECT_GT(MeasureLargestTurn(output), 0.2 * angle);
+    EXPECT_EQ(GetCells(output), GetCells(refineTo(large, angle)));
+  }
+}
+
+TEST(RedGreenTolerance, CurvatureOfCurvesIsMetAndStraightOnesStay)
+{
+  const Grid zigzag = Refine(MakeZigzag(),
+    [](Filter* filter)
+    {
+      filter->RefineByCurvatureOn();
+      filter->SetMaximumAngle(6.);
+      filter->SetMaximumLevel(9);
+      filter->SetPlacementToLimit();
+    });
+  EXPECT_LT(GetFinestLevel(zigzag), 9);
+  std::map<vtkIdType, Ids> neighbours;
+  for (const Ids& ids : GetCells(zigzag))
+  {
+    neighbours[ids[0]].push_back(ids[1]);
+    neighbours[ids[1]].push_back(ids[0]);
+  }
+  double largest = 0.;
+  for (const auto& [point, others] : neighbours)
+  {
+    if (others.size() == 2)
+    {
+      const Point u = Minus(GetPoint(zigzag, point), GetPoint(zigzag, others[0]));
+      const Point v = Minus(GetPoint(zigzag, others[1]), GetPoint(zigzag, point));
+      const double cosine = Dot(u, v) / std::sqrt(Dot(u, u) * Dot(v, v));
+      largest = std::max(largest, vtkMath::DegreesFromRadians(std::acos(std::min(1., cosine))));
+    }
+  }
+  EXPECT_LE(largest, 6.);
+  EXPECT_GT(largest, 1.);
+  const Grid straight = multi_dimensional_subdivision_tools::MakeGrid(
+    { { 0., 0., 0. }, { 1., 0., 0. }, { 3., 0., 0. } },
+    { { VTK_LINE, { 0, 1 } }, { VTK_LINE, { 1, 2 } } });
+  const Grid same = Refine(straight,
+    [](Filter* filter)
+    {
+      filter->RefineByCurvatureOn();
+      filter->SetMaximumAngle(0.001);
+    });
+  EXPECT_EQ(same->GetNumberOfCells(), 2);
 }
 
 /// The differences of values along the edges of a mesh from those of a finer one, at eighths; of

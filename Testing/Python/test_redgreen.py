@@ -48,8 +48,8 @@ class Properties(unittest.TestCase):
         names = [name[3:] for name in dir(subdivisionobjects.vtkRedGreenRefinement)
                  if name.startswith("SetRefineBy") and "To" not in name]
         names += ["Placement", "MaximumLevel", "AttributeErrorKind", "AttributeTolerance", "MaximumEdgeLength",
-                  "GeometricTolerance", "RelativeTolerance", "MaximumNumberOfCells"]
-        self.assertEqual(len(names), 15)
+                  "GeometricTolerance", "RelativeTolerance", "MaximumAngle", "MaximumNumberOfCells"]
+        self.assertEqual(len(names), 17)
         for name in names:
             prop = proxy.SMProxy.GetProperty(name)
             self.assertEqual(prop.GetElement(0), getattr(made, "Get" + name)(), name)
