@@ -114,16 +114,15 @@ double GetLongestEdge(vtkPolyData* mesh)
   double longest = 0.;
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    vtkNew<vtkIdList> scratch;
-    mesh->GetCellPoints(cell, size, ids, scratch);
+    vtkNew<vtkIdList> ids;
+    mesh->GetCellPoints(cell, ids);
+    const vtkIdType size = ids->GetNumberOfIds();
     for (vtkIdType i = 0; i < size; ++i)
     {
       Point a;
       Point b;
-      mesh->GetPoint(ids[i], a.data());
-      mesh->GetPoint(ids[(i + 1) % size], b.data());
+      mesh->GetPoint(ids->GetId(i), a.data());
+      mesh->GetPoint(ids->GetId((i + 1) % size), b.data());
       longest = std::max(longest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
     }
   }
