@@ -178,6 +178,21 @@ std::string FindFault(vtkDataObject* input, vtkSelectionNode* node)
   return "";
 }
 
+/// Whether VTK can read the expression; its filter does not survive all others.
+bool IsReadable(vtkSelection* selection)
+{
+  std::vector<vtkSmartPointer<vtkSignedCharArray>> arrays;
+  std::vector<vtkSignedCharArray*> values;
+  for (unsigned int i = 0; i < selection->GetNumberOfNodes(); ++i)
+  {
+    arrays.push_back(vtkSmartPointer<vtkSignedCharArray>::New());
+    arrays.back()->InsertNextValue(0);
+    values.push_back(arrays.back());
+  }
+  const auto result = selection->Evaluate(values.data(), static_cast<unsigned int>(values.size()));
+  return result != nullptr;
+}
+
 struct ErrorCounter
 {
   int Errors = 0;
@@ -264,6 +279,11 @@ SelectedCells FindSelectedCells(vtkDataObject* input, vtkSelection* selection,
       fail("Node " + std::to_string(i) + " " + fault + ".");
       return found;
     }
+  }
+  if (!IsReadable(selection))
+  {
+    fail("Its expression \"" + selection->GetExpression() + "\" cannot be read.");
+    return found;
   }
   const auto bare = MakeBare(input);
   bool isOfOneKind = true;
