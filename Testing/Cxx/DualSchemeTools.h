@@ -14,6 +14,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dualtools
@@ -359,6 +360,68 @@ inline void ExpectDualSteps(subdivision::SurfaceSchemeKind kind, int levels)
       }
       points = moved;
     }
+  }
+}
+
+/// Twice `stepsOfOne` steps: each time the boundary is that of one step of Chaikin's.
+inline void ExpectChaikinBoundary(subdivision::SurfaceSchemeKind kind, int stepsOfOne)
+{
+  for (const Shape& shape : MakeShapes())
+  {
+    if (!shape.Orientation || shape.Name == "three sheets" || shape.Name == "pinched")
+    {
+      continue; // half-edges of the boundary do not follow one another
+    }
+    SCOPED_TRACE(shape.Name);
+    const Steps steps(MakeLevel(shape.NumberOfVertices, shape.Polygons), kind, 2 * stepsOfOne);
+    Points points = MakePoints(shape.NumberOfVertices);
+    for (int first : { 0, stepsOfOne })
+    {
+      Points next = points;
+      for (int step = first; step < first + stepsOfOne; ++step)
+      {
+        next = steps.Apply(step, next);
+      }
+      ExpectChaikin(
+        GetBoundary(steps[first], points), GetBoundary(steps[first + stepsOfOne], next));
+      points = next;
+    }
+  }
+}
+
+/// Inside a plane grid the points of the second step are odd multiples of 1 / scale, each once.
+inline void ExpectRegularGrid(subdivision::SurfaceSchemeKind kind, double scale, std::size_t count)
+{
+  const Steps steps(MakeLevel(30, MakeGrid(5, 4)), kind, 2);
+  Points points;
+  for (int i = 0; i < 30; ++i)
+  {
+    points.push_back({ i % 6 * 1., i / 6 * 1., i % 6 * 2. - i / 6 });
+  }
+  points = steps.Apply(1, steps.Apply(0, points));
+  std::set<std::pair<double, double>> seen;
+  for (const auto& p : points)
+  {
+    EXPECT_NEAR(p[2], 2. * p[0] - p[1], 1e-14);
+    if (p[0] > 1. && p[0] < 4. && p[1] > 1. && p[1] < 3.)
+    {
+      EXPECT_EQ(std::fmod(scale * p[0], 2.), 1.);
+      EXPECT_EQ(std::fmod(scale * p[1], 2.), 1.);
+      EXPECT_TRUE(seen.emplace(p[0], p[1]).second);
+    }
+  }
+  EXPECT_EQ(seen.size(), count);
+}
+
+/// Open and closed fans of 2,000 triangles.
+inline void ExpectLargeFans(subdivision::SurfaceSchemeKind kind, int levels)
+{
+  for (const bool open : { false, true })
+  {
+    const Steps steps(MakeLevel(2002, MakeFan(2000, open)), kind, levels);
+    ExpectAverages(steps.GetRows(levels - 1));
+    ExpectConforming(steps[levels]);
+    EXPECT_EQ(GetEuler(steps[levels]), 1);
   }
 }
 

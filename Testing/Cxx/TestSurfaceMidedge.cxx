@@ -184,46 +184,12 @@ TEST(SurfaceMidedge, Counts)
 
 TEST(SurfaceMidedge, TwoStepsMakeTheBoundaryTheQuadraticSpline)
 {
-  for (const Shape& shape : MakeShapes())
-  {
-    if (!shape.Orientation || shape.Name == "three sheets" || shape.Name == "pinched")
-    {
-      continue; // half-edges of the boundary do not follow one another
-    }
-    SCOPED_TRACE(shape.Name);
-    const Steps steps(MakeLevel(shape.NumberOfVertices, shape.Polygons), Kind, 4);
-    Points points = MakePoints(shape.NumberOfVertices);
-    for (int step = 0; step < 4; step += 2)
-    {
-      const Points next = steps.Apply(step + 1, steps.Apply(step, points));
-      ExpectChaikin(GetBoundary(steps[step], points), GetBoundary(steps[step + 2], next));
-      points = next;
-    }
-  }
+  ExpectChaikinBoundary(Kind, 2);
 }
 
 TEST(SurfaceMidedge, RegularGridStaysRegular)
 {
-  const Steps steps(MakeLevel(30, MakeGrid(5, 4)), Kind, 2);
-  Points points;
-  for (int i = 0; i < 30; ++i)
-  {
-    points.push_back({ i % 6 * 1., i / 6 * 1., i % 6 * 2. - i / 6 });
-  }
-  points = steps.Apply(1, steps.Apply(0, points));
-  // Inside, points of the second step are odd multiples of 1/4, each once.
-  std::set<std::pair<double, double>> seen;
-  for (const auto& p : points)
-  {
-    EXPECT_NEAR(p[2], 2. * p[0] - p[1], 1e-14);
-    if (p[0] > 1. && p[0] < 4. && p[1] > 1. && p[1] < 3.)
-    {
-      EXPECT_EQ(std::fmod(4. * p[0], 2.), 1.);
-      EXPECT_EQ(std::fmod(4. * p[1], 2.), 1.);
-      EXPECT_TRUE(seen.emplace(p[0], p[1]).second);
-    }
-  }
-  EXPECT_EQ(seen.size(), 6u * 4u);
+  ExpectRegularGrid(Kind, 4., 6u * 4u);
 }
 
 TEST(SurfaceMidedge, SheetsComeApartAtEdgesOfThreeFaces)
@@ -235,13 +201,7 @@ TEST(SurfaceMidedge, SheetsComeApartAtEdgesOfThreeFaces)
 
 TEST(SurfaceMidedge, Valence2000)
 {
-  for (const bool open : { false, true })
-  {
-    const Steps steps(MakeLevel(2002, MakeFan(2000, open)), Kind, 4);
-    ExpectAverages(steps.GetRows(3));
-    ExpectConforming(steps[4]);
-    EXPECT_EQ(GetEuler(steps[4]), 1);
-  }
+  ExpectLargeFans(Kind, 4);
 }
 
 TEST(SurfaceMidedge, FiltersInARow)
