@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SparseRows.h"
 
+#include "ScalarTypes.h"
 #include "Store.h"
 
 #include <unordered_map>
@@ -170,20 +171,8 @@ SparseRows<Id> Multiply(const SparseRows<Id>& outer, const SparseRows<Id>& inner
 #define SUBDIVISION_SPARSE_ROWS(Id)                                                                \
   template struct SparseRows<Id>;                                                                  \
   template SparseRows<Id> Multiply(const SparseRows<Id>&, const SparseRows<Id>&);                  \
-  SUBDIVISION_APPLY(Id, float);                                                                    \
-  SUBDIVISION_APPLY(Id, double);                                                                   \
   SUBDIVISION_APPLY_TO(Id, double, float);                                                         \
-  SUBDIVISION_APPLY(Id, char);                                                                     \
-  SUBDIVISION_APPLY(Id, signed char);                                                              \
-  SUBDIVISION_APPLY(Id, unsigned char);                                                            \
-  SUBDIVISION_APPLY(Id, short);                                                                    \
-  SUBDIVISION_APPLY(Id, unsigned short);                                                           \
-  SUBDIVISION_APPLY(Id, int);                                                                      \
-  SUBDIVISION_APPLY(Id, unsigned int);                                                             \
-  SUBDIVISION_APPLY(Id, long);                                                                     \
-  SUBDIVISION_APPLY(Id, unsigned long);                                                            \
-  SUBDIVISION_APPLY(Id, long long);                                                                \
-  SUBDIVISION_APPLY(Id, unsigned long long)
+  SUBDIVISION_FOR_SCALARS(SUBDIVISION_APPLY, Id)
 SUBDIVISION_SPARSE_ROWS(int);
 SUBDIVISION_SPARSE_ROWS(long long);
 

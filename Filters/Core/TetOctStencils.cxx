@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetOctStencils.h"
 
+#include "ScalarTypes.h"
 #include "Store.h"
 #include "TetOctMasks.h"
 
@@ -379,19 +380,7 @@ TetOctStencils<Id> TakeStencils(TetOctLevel<Id>& level)
 #define SUBDIVISION_STENCILS(Id)                                                                   \
   template struct TetOctStencils<Id>;                                                              \
   template TetOctStencils<Id> TakeStencils(TetOctLevel<Id>&);                                      \
-  SUBDIVISION_APPLY(Id, float);                                                                    \
-  SUBDIVISION_APPLY(Id, double);                                                                   \
-  SUBDIVISION_APPLY(Id, char);                                                                     \
-  SUBDIVISION_APPLY(Id, signed char);                                                              \
-  SUBDIVISION_APPLY(Id, unsigned char);                                                            \
-  SUBDIVISION_APPLY(Id, short);                                                                    \
-  SUBDIVISION_APPLY(Id, unsigned short);                                                           \
-  SUBDIVISION_APPLY(Id, int);                                                                      \
-  SUBDIVISION_APPLY(Id, unsigned int);                                                             \
-  SUBDIVISION_APPLY(Id, long);                                                                     \
-  SUBDIVISION_APPLY(Id, unsigned long);                                                            \
-  SUBDIVISION_APPLY(Id, long long);                                                                \
-  SUBDIVISION_APPLY(Id, unsigned long long)
+  SUBDIVISION_FOR_SCALARS(SUBDIVISION_APPLY, Id)
 SUBDIVISION_STENCILS(int);
 SUBDIVISION_STENCILS(long long);
 
