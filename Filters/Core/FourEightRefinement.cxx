@@ -125,8 +125,7 @@ private:
       {
         const Id face = static_cast<Id>(f);
         const Id apex = this->Children.GetApex(face);
-        this->VisitSpokes(face,
-          [&](Id corner)
+        this->VisitSpokes(face, [&](Id corner)
           { set(this->Children.GetSpoke(face, corner), apex, this->Mesh.Vertices[corner]); });
       });
   }
@@ -364,8 +363,7 @@ SurfaceTags<Id> RefineFourEightTags(const SurfaceLevel<Id>& level, const Surface
   SurfaceTags<Id> out;
   out.Edges = Buffer<EdgeTag>(children.GetNumberOfEdges());
   out.Vertices = Buffer<VertexTag>(children.GetNumberOfVertices());
-  ForEach(out.Edges.size(),
-    [&](vtkIdType e)
+  ForEach(out.Edges.size(), [&](vtkIdType e)
     { out.Edges[e] = e < children.GetNumberOfPieces() ? EdgeTag::Sharp : EdgeTag::Smooth; });
   ForEach(out.Vertices.size(),
     [&](vtkIdType v)

@@ -254,7 +254,7 @@ void SectorWalker<AnyLevel, Id>::AppendSector(
 
 /// One buffer of what several parts hold.
 template <typename Id, typename T>
-Buffer<T> Join(const std::vector<SectorPart<Id>>& parts, std::vector<T> SectorPart<Id>::*values)
+Buffer<T> Join(const std::vector<SectorPart<Id>>& parts, std::vector<T> SectorPart<Id>::* values)
 {
   vtkIdType size = 0;
   for (const SectorPart<Id>& part : parts)
@@ -272,7 +272,7 @@ Buffer<T> Join(const std::vector<SectorPart<Id>>& parts, std::vector<T> SectorPa
 
 template <typename Id>
 Buffer<Id> JoinOffsets(
-  const std::vector<SectorPart<Id>>& parts, std::vector<Id> SectorPart<Id>::*sizes)
+  const std::vector<SectorPart<Id>>& parts, std::vector<Id> SectorPart<Id>::* sizes)
 {
   const Buffer<Id> joined = Join(parts, sizes);
   Buffer<Id> offsets(joined.size() + 1);

@@ -314,7 +314,7 @@ void LimitRowMaker<Star>::FindSharpEdges()
   this->MostSharpness = 0.;
   for (auto at = std::lower_bound(
          this->SharpEdges.begin(), this->SharpEdges.end(), std::make_pair(this->Vertex, Id(0)));
-       at != this->SharpEdges.end() && at->first == this->Vertex; ++at)
+    at != this->SharpEdges.end() && at->first == this->Vertex; ++at)
   {
     this->MostSharpness = std::max(this->MostSharpness, this->Creases.Sharpness[at->second]);
   }
@@ -350,7 +350,7 @@ double LimitRowMaker<Star>::GetSharpness(int item, int step) const
   int count = 0;
   for (auto at = std::lower_bound(
          this->SharpEdges.begin(), this->SharpEdges.end(), std::make_pair(this->Vertex, Id(0)));
-       at != this->SharpEdges.end() && at->first == this->Vertex; ++at)
+    at != this->SharpEdges.end() && at->first == this->Vertex; ++at)
   {
     const double sharpness = left(at->second);
     if (sharpness > 0.)
@@ -383,8 +383,7 @@ void LimitRowMaker<Star>::ForEachEntry(
       return static_cast<int>(this->Members.size()) - 1;
     });
   const int* row = this->Numbers.data();
-  Star::Weigh(row, item == 0 ? 0 : 1,
-    [&](int member, double weight)
+  Star::Weigh(row, item == 0 ? 0 : 1, [&](int member, double weight)
     { emit(this->Members[member].Key, this->Members[member].Vertex, weight); });
 }
 

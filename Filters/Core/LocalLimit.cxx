@@ -320,8 +320,7 @@ bool LocalLimit<Id>::Builder::Build(
     part.Level.Strata = restriction.Restrict(level->Strata);
     part.Creases = restriction.Restrict(*levelCreases);
     part.Whole = Buffer<unsigned char>(old.size());
-    ForEach(old.size(),
-      [&](vtkIdType v)
+    ForEach(old.size(), [&](vtkIdType v)
       { part.Whole[v] = support[old[v]] && (current.Whole.empty() || current.Whole[old[v]]); });
     this->FollowVertices(part.Level.Complex, restriction, l);
     Trace& next = traces[l + 1];
@@ -486,8 +485,7 @@ SparseRows<Id> LocalLimit<Id>::BuildRows() const
     for (std::size_t l = 0; l < parts.size(); ++l)
     {
       const std::vector<Id>& vertices = this->Steps[l].Vertices;
-      ForEach(static_cast<vtkIdType>(vertices.size()),
-        [&](vtkIdType i)
+      ForEach(static_cast<vtkIdType>(vertices.size()), [&](vtkIdType i)
         { act(vertices[i], parts[l], parts[l].Offsets[i], parts[l].Offsets[i + 1]); });
     }
   };

@@ -70,7 +70,8 @@ private:
       };
     }
     ForEach(vertices,
-      [this](vtkIdType v) {
+      [this](vtkIdType v)
+      {
         std::sort(this->Entries.data() + this->First[v], this->Entries.data() + this->First[v + 1]);
       });
   }
@@ -227,10 +228,7 @@ void FindFans(PolygonMesh<Id>& mesh)
   {
     return;
   }
-  auto jointOf = [&mesh](Id v) -> auto&
-  {
-    return mesh.Joints[-2 - mesh.VertexCorners[v]];
-  };
+  auto jointOf = [&mesh](Id v) -> auto& { return mesh.Joints[-2 - mesh.VertexCorners[v]]; };
   for (Id edge : freeEdges)
   {
     jointOf(mesh.EdgeVertices[2 * edge]).FreeEdges.push_back(edge);

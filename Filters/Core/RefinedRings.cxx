@@ -13,8 +13,7 @@ void Refiner<Id>::CountRings()
   auto& vertices = this->Child.Strata.VertexRings;
   edges.Offsets = Buffer<Id>(vtkIdType(this->Child.Complex.NumberOfEdges) + 1);
   vertices.Offsets = Buffer<Id>(vtkIdType(this->Child.Complex.NumberOfVertices) + 1);
-  ForEach(parent.NumberOfVertices,
-    [&](vtkIdType v)
+  ForEach(parent.NumberOfVertices, [&](vtkIdType v)
     { vertices.Offsets[v] = static_cast<Id>(this->Strata.VertexRings.GetSize(v)); });
   ForEach(parent.NumberOfEdges,
     [&](vtkIdType i)

@@ -226,8 +226,7 @@ void SharpLimits<Id>::FindVertices(
   std::vector<Id> around;
   for (Id end : ends)
   {
-    CollectEdges(
-      level.Mesh, end, [](Id) { return true; }, around);
+    CollectEdges(level.Mesh, end, [](Id) { return true; }, around);
     for (Id edge : around)
     {
       this->Vertices.push_back(level.Mesh.GetOtherEnd(edge, end));

@@ -232,10 +232,9 @@ Strata<Id> StrataBuilder<Id>::Build()
     [&](vtkIdType e, Id face) { return this->Complex.VertexOpposite(face, static_cast<Id>(e)); },
     this->CollectReliefs(edgeDecisions));
   strata.VertexRings = MakeRings(
-    this->Around.VertexEdges,
-    [&](vtkIdType v, Id edge) { return this->IsInVertexRing(edge, vertexDecisions[v]); },
-    [&](vtkIdType v, Id edge) { return this->Complex.OtherEnd(edge, static_cast<Id>(v)); },
-    std::vector<std::vector<Id>>());
+    this->Around.VertexEdges, [&](vtkIdType v, Id edge)
+    { return this->IsInVertexRing(edge, vertexDecisions[v]); }, [&](vtkIdType v, Id edge)
+    { return this->Complex.OtherEnd(edge, static_cast<Id>(v)); }, std::vector<std::vector<Id>>());
   return strata;
 }
 

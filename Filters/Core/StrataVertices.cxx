@@ -189,7 +189,8 @@ bool StrataBuilder<Id>::IsInVertexRing(Id edge, const Decision& decision) const
       }
       const Row<Id> faces = this->Around.EdgeFaces[edge];
       return std::any_of(faces.begin(), faces.end(),
-        [&](Id face) {
+        [&](Id face)
+        {
           return this->Complex.FaceTets[face].size() == 0 &&
             this->PartOfFace(face) == decision.Part;
         });
@@ -226,7 +227,8 @@ int StrataBuilder<Id>::FindPartAtVertex(Id vertex, int k) const
     const bool goesOn = *part >= 0 &&
       (k == 1 ? next - part == 2
               : this->Around.IsClosedFan(vertex,
-                  [&](Id face) {
+                  [&](Id face)
+                  {
                     return this->Complex.FaceTets[face].size() == 0 &&
                       this->PartOfFace(face) == *part;
                   }));

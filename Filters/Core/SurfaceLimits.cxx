@@ -231,8 +231,7 @@ template <typename Id>
 void LimitFinder<Id>::AppendBlend(Id vertex, RowBlock<Id>& rows)
 {
   this->Around = Star();
-  CollectEdges(
-    this->Mesh, vertex, [](Id) { return true; }, this->Around.Edges);
+  CollectEdges(this->Mesh, vertex, [](Id) { return true; }, this->Around.Edges);
   for (Id edge : this->Around.Edges)
   {
     this->Around.Ends.push_back(this->Mesh.GetOtherEnd(edge, vertex));

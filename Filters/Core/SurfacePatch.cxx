@@ -53,10 +53,7 @@ void SurfacePatch<Id>::Collect(const PolygonMesh<Id>& whole, const std::vector<I
   std::vector<Id> inside = vertices;
   std::vector<Id> around;
   auto collectEdges = [&](Id vertex)
-  {
-    CollectEdges(
-      whole, vertex, [](Id) { return true; }, around);
-  };
+  { CollectEdges(whole, vertex, [](Id) { return true; }, around); };
   for (Id vertex : vertices)
   {
     collectEdges(vertex);

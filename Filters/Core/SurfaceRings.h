@@ -75,8 +75,7 @@ template <typename Id>
 void CollectSharpEdges(
   const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex, std::vector<Id>& edges)
 {
-  CollectEdges(
-    mesh, vertex, [&tags](Id e) { return tags.Edges[e] == EdgeTag::Sharp; }, edges);
+  CollectEdges(mesh, vertex, [&tags](Id e) { return tags.Edges[e] == EdgeTag::Sharp; }, edges);
 }
 
 /// The faces around a vertex from one sharp edge to the next.

@@ -147,7 +147,7 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
   // Which edges are sharp changes where the sharpness of one of them is used up.
   std::vector<SharpTags<Id>> stages;
   for (int step = steps; IsSharpAfter(sharpness, step) && step < steps + SharpLimits<Id>::MostSteps;
-       step = steps + stages.back().Until)
+    step = steps + stages.back().Until)
   {
     double least = SharpLimits<Id>::MostSteps;
     for (double s : sharpness)
@@ -186,8 +186,7 @@ BlockOperator<Id> SurfaceSteps<Id>::GetLimit(LimitKind kind) const
     [this, &level, kind](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
     {
       this->Limits.ForEachOther(
-        begin, end,
-        [&](vtkIdType first, vtkIdType last)
+        begin, end, [&](vtkIdType first, vtkIdType last)
         { this->Scheme->AppendLimitRows(level, level.Tags, kind, first, last, block); },
         [&](vtkIdType at) { this->Limits.Append(at, kind, block); });
     });

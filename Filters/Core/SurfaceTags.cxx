@@ -95,8 +95,7 @@ private:
     {
       return VertexTag::Corner;
     }
-    CollectEdges(
-      this->Mesh, vertex, [this](Id e) { return this->IsFlagged(e); }, edges);
+    CollectEdges(this->Mesh, vertex, [this](Id e) { return this->IsFlagged(e); }, edges);
     const std::size_t flagged = edges.size();
     if (joint)
     {
@@ -135,8 +134,7 @@ private:
     {
       return this->Blends(this->Features.Type1) ? VertexTag::Blend : VertexTag::Corner;
     }
-    CollectEdges(
-      this->Mesh, joint.Vertex, [this](Id e) { return this->IsSheaf(e); }, edges);
+    CollectEdges(this->Mesh, joint.Vertex, [this](Id e) { return this->IsSheaf(e); }, edges);
     if (edges.empty())
     {
       return this->Blends(this->Features.Type3) ? VertexTag::Blend : VertexTag::Corner;

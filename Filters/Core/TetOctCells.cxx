@@ -216,8 +216,7 @@ void NumberOctahedra(const std::vector<CellRun>& runs, int steps, vtkIdType* num
     vtkIdType* first = numbers + run.FirstCell;
     if (run.Dimension < 3 || steps == 0)
     {
-      ForRanges(run.Count,
-        [first](vtkIdType begin, vtkIdType end)
+      ForRanges(run.Count, [first](vtkIdType begin, vtkIdType end)
         { std::fill(first + begin, first + end, vtkIdType(-1)); });
       continue;
     }

@@ -335,14 +335,11 @@ template <typename T>
 void TetOctStencils<Id>::Apply(const T* in, T* out, int components) const
 {
   const StoredTetOctRows<Id> rows = this->GetRows();
-  ForRanges(this->Vertices.size(),
-    [&](vtkIdType begin, vtkIdType end)
+  ForRanges(this->Vertices.size(), [&](vtkIdType begin, vtkIdType end)
     { SumRows(rows.OfVertices(begin, end), in, out, components); });
-  ForRanges(this->Edges.size(),
-    [&](vtkIdType begin, vtkIdType end)
+  ForRanges(this->Edges.size(), [&](vtkIdType begin, vtkIdType end)
     { SumRows(rows.OfEdges(begin, end), in, out, components); });
-  ForRanges(rows.GetNumberOfCentres(),
-    [&](vtkIdType begin, vtkIdType end)
+  ForRanges(rows.GetNumberOfCentres(), [&](vtkIdType begin, vtkIdType end)
     { SumRows(rows.OfCentres(begin, end), in, out, components); });
   this->Explicit.Apply(in, out, components);
 }

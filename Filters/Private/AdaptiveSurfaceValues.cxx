@@ -94,8 +94,7 @@ void AdaptiveSurfaceValues<Id>::AddCentres(const std::vector<Id>& faces, vtkIdTy
     },
     this->Centres.data(), [&](vtkIdType i) { return static_cast<vtkIdType>(faces[i]); });
   forRanges(
-    2 * (this->Mesh.GetNumberOfSegments() - firstSegment),
-    [&](vtkIdType i, RowBlock<Id>& rows)
+    2 * (this->Mesh.GetNumberOfSegments() - firstSegment), [&](vtkIdType i, RowBlock<Id>& rows)
     { this->Rows.AppendThirdLimit(static_cast<Id>(firstSegment + i / 2), i % 2 == 1, rows); },
     this->Thirds.data(), [&](vtkIdType i) { return 2 * firstSegment + i; });
 }

@@ -224,8 +224,7 @@ vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, Row<vtkIdType> so
       char* output = static_cast<char*>(out->GetVoidPointer(0));
       auto copy = [&](auto size)
       {
-        ForEach(sources.size(),
-          [=](vtkIdType i)
+        ForEach(sources.size(), [=](vtkIdType i)
           { std::memcpy(output + i * size, input + sources.First[i] * size, size); });
       };
       switch (bytes)

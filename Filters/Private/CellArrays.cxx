@@ -55,8 +55,7 @@ vtkSmartPointer<vtkAbstractArray> SpreadArray(
   if (!data || data->GetDataType() == VTK_BIT)
   {
     Buffer<vtkIdType> sources(children);
-    ForEach(first.size() - 1,
-      [&](vtkIdType i)
+    ForEach(first.size() - 1, [&](vtkIdType i)
       { std::fill(sources.data() + first[i], sources.data() + first[i + 1], parent(i)); });
     return Gather(array, { sources.begin(), sources.end() });
   }
@@ -123,7 +122,8 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   const Buffer<vtkIdType> first = FindChildren(cells.Simplices, options.Levels);
   const bool unchanged =
     cells.ParentCells.empty() && first[first.size() - 1] == input->GetNumberOfCells();
-  auto spread = [&](vtkAbstractArray* array) {
+  auto spread = [&](vtkAbstractArray* array)
+  {
     return unchanged ? vtkSmartPointer<vtkAbstractArray>(array) : SpreadArray(array, cells, first);
   };
   CopyArrays(

@@ -163,7 +163,8 @@ void BuildMaterialBlock(ModelBuilder& model)
       for (int i = 0; i < 2; ++i)
       {
         model.Material = k > i ? 1 : 0; // the interface is a step
-        const auto quad = [&](int z) {
+        const auto quad = [&](int z)
+        {
           return Ids{ grid[i][j][z], grid[i + 1][j][z], grid[i + 1][j + 1][z], grid[i][j + 1][z] };
         };
         model.Hexahedron(quad(k), quad(k + 1));

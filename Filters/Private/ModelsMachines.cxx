@@ -235,7 +235,8 @@ void Handle(ModelBuilder& model, const Ids& from, const Ids& to)
   for (const auto& station : path)
   {
     const double angle = vtkMath::RadiansFromDegrees(station[2]);
-    const auto corner = [&](double out, double y) {
+    const auto corner = [&](double out, double y)
+    {
       return model.Point(station[0] + out * std::cos(angle), y, station[1] + out * std::sin(angle));
     };
     const Ids section{ corner(0.38, -0.5), corner(0.38, 0.5), corner(-0.38, 0.5),

@@ -244,7 +244,7 @@ void RedGreenLimit<Id>::FindSamples(
     }
     const auto size = static_cast<int>(points.size());
     for (int opposite = size == 4 ? 0 : 3; options.ReadsShape() && size > 2 && opposite < 4;
-         ++opposite)
+      ++opposite)
     {
       std::array<Id, 3> corners;
       auto corner = corners.begin();

@@ -367,8 +367,7 @@ bool RefinementCriteria::IsFunctionForThreads() const
 {
   const char* const names[] = { "vtkBox", "vtkCone", "vtkCylinder", "vtkPlane", "vtkQuadric",
     "vtkSphere" };
-  return std::any_of(std::begin(names), std::end(names),
-    [this](const char* name)
+  return std::any_of(std::begin(names), std::end(names), [this](const char* name)
     { return std::strcmp(name, this->Options.Function->GetClassName()) == 0; });
 }
 

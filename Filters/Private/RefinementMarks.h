@@ -205,8 +205,7 @@ private:
           }
           continue;
         }
-        this->Candidates.ForPoints(first, last,
-          [&](vtkIdType i, const auto& points)
+        this->Candidates.ForPoints(first, last, [&](vtkIdType i, const auto& points)
           { this->LookAt(i, points, value ? value + (i - first) : nullptr, found[block]); });
       }
     };

@@ -103,8 +103,7 @@ void AddSharpEdges(
       features.Corners[a] = 1;
       continue;
     }
-    CollectEdges(
-      mesh, a, [&](Id e) { return mesh.GetOtherEnd(e, a) == pairs[i + 1]; }, edges);
+    CollectEdges(mesh, a, [&](Id e) { return mesh.GetOtherEnd(e, a) == pairs[i + 1]; }, edges);
     for (Id edge : edges)
     {
       features.SharpEdges[edge] = 1;

@@ -62,8 +62,7 @@ void AddLimitFrames(const Buffer<double> (&tangents)[2], int type, const Buffer<
   }
   for (int t = 0; t < 2 && twoTangents; ++t)
   {
-    add(LimitTangentNames[t],
-      [&](vtkIdType i, double* out)
+    add(LimitTangentNames[t], [&](vtkIdType i, double* out)
       { std::copy(tangents[t].data() + 3 * i, tangents[t].data() + 3 * i + 3, out); });
   }
 }

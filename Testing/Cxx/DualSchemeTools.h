@@ -279,8 +279,7 @@ inline void ExpectChaikin(const std::vector<Segment>& coarse, const std::vector<
   };
   auto has = [&](const std::array<double, 3>& a, const std::array<double, 3>& b)
   {
-    return std::any_of(fine.begin(), fine.end(),
-      [&](const Segment& s)
+    return std::any_of(fine.begin(), fine.end(), [&](const Segment& s)
       { return (IsNear(s[0], a) && IsNear(s[1], b)) || (IsNear(s[0], b) && IsNear(s[1], a)); });
   };
   for (const Segment& s : coarse)

@@ -244,8 +244,7 @@ public:
   std::vector<int> GetNeighbours(int vertex) const
   {
     std::vector<int> ends;
-    CollectEdges(
-      this->Level.Mesh, vertex, [](int) { return true; }, ends);
+    CollectEdges(this->Level.Mesh, vertex, [](int) { return true; }, ends);
     for (int& end : ends)
     {
       end = this->Level.Mesh.GetOtherEnd(end, vertex);
@@ -317,10 +316,8 @@ inline void CheckIncidences(const SurfaceLevel<int>& level)
     VisitFans(mesh, v, [&](int corner) { EXPECT_EQ(mesh.Vertices[corner], v); });
     std::vector<int> own;
     std::vector<int> others;
-    CollectEdges(
-      mesh, v, [](int) { return true; }, own);
-    CollectEdges(
-      found.Mesh, v, [](int) { return true; }, others);
+    CollectEdges(mesh, v, [](int) { return true; }, own);
+    CollectEdges(found.Mesh, v, [](int) { return true; }, others);
     EXPECT_EQ(own.size(), others.size());
   }
 }
@@ -350,9 +347,8 @@ inline void CheckRows(const Walk& walk)
       EXPECT_NE(std::find(begin, end, parent), end) << "row " << row;
     }
   }
-  auto map = [](const Point& p) {
-    return Point{ 2. * p[0] - p[2] + 3., p[1] + p[0], 0.5 * p[2] - 1. + p[1] };
-  };
+  auto map = [](const Point& p)
+  { return Point{ 2. * p[0] - p[2] + 3., p[1] + p[0], 0.5 * p[2] - 1. + p[1] }; };
   std::vector<Point> moved = walk.Points;
   std::transform(moved.begin(), moved.end(), moved.begin(), map);
   const std::vector<Point> a = Walk::Apply(rows, moved);

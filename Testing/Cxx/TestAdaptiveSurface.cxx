@@ -512,24 +512,21 @@ TEST(AdaptiveSurface, BadInputIsToldOrTaken)
 {
   vtkNew<Messages> messages;
   // Another scheme.
-  const PolyData loop = Refine(
-    MakeHill(3), [](Filter* filter) { filter->SetSchemeToLoop(); }, messages);
+  const PolyData loop =
+    Refine(MakeHill(3), [](Filter* filter) { filter->SetSchemeToLoop(); }, messages);
   EXPECT_EQ(messages->CountWarnings("vtkRedGreenRefinement"), 1);
   EXPECT_EQ(loop->GetNumberOfPolys(), 4 * 18);
   // Nothing to refine by.
   messages->Warnings.clear();
   PolyData input = MakeHill(3);
   input->GetPointData()->Initialize();
-  Refine(
-    input, [](Filter* filter) { filter->RefineByAttributeErrorOn(); }, messages);
+  Refine(input, [](Filter* filter) { filter->RefineByAttributeErrorOn(); }, messages);
   EXPECT_EQ(messages->CountWarnings("nothing to refine by"), 1);
   // Arrays that are not there.
-  Refine(
-    input, [](Filter* filter) { filter->RefineByArrayRangeOn(); }, messages);
+  Refine(input, [](Filter* filter) { filter->RefineByArrayRangeOn(); }, messages);
   EXPECT_FALSE(messages->Errors.empty());
   messages->Errors.clear();
-  Refine(
-    input, [](Filter* filter) { filter->RefineByWantedLevelOn(); }, messages);
+  Refine(input, [](Filter* filter) { filter->RefineByWantedLevelOn(); }, messages);
   EXPECT_FALSE(messages->Errors.empty());
   // Values and coordinates that are not finite.
   for (double bad :

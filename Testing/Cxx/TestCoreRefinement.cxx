@@ -125,9 +125,8 @@ void ExpectSameStrata(const Level<int>& inherited, const Level<int>& derived, in
 void ExpectConsistent(const Level<int>& level)
 {
   const auto& complex = level.Complex;
-  auto ends = [&](int e) {
-    return Sorted({ complex.EdgeVertices[2 * e], complex.EdgeVertices[2 * e + 1] });
-  };
+  auto ends = [&](int e)
+  { return Sorted({ complex.EdgeVertices[2 * e], complex.EdgeVertices[2 * e + 1] }); };
   auto face = [&](int f)
   {
     const int* v = complex.FaceVertices.data() + 3 * f;

@@ -236,8 +236,7 @@ TEST(FeaturesSingular, FlagsOf3DCellsAreIgnoredWithOneWarning)
   const Grid grid = MakeOctahedron({ { VTK_LINE, { 0, 5 } } });
   AddCellArray(grid, "Cracks", flags);
   vtkNew<Messages> messages;
-  const Matrix matrix(
-    grid, [](Filter* filter) { SetCellArray(filter, 0, "Cracks"); }, messages);
+  const Matrix matrix(grid, [](Filter* filter) { SetCellArray(filter, 0, "Cracks"); }, messages);
   ASSERT_EQ(messages->Warnings.size(), 1u);
   EXPECT_EQ(messages->Errors.size(), 0u);
   EXPECT_EQ(messages->CountWarnings("\"Cracks\""), 1);

@@ -366,12 +366,10 @@ struct Pieces
 Pieces MakePieces()
 {
   Pieces p;
-  auto triangle = [](vtkIdType a, vtkIdType b, vtkIdType c) {
-    return Cell{ VTK_TRIANGLE, { a, b, c } };
-  };
-  auto tet = [](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d) {
-    return Cell{ VTK_TETRA, { a, b, c, d } };
-  };
+  auto triangle = [](vtkIdType a, vtkIdType b, vtkIdType c)
+  { return Cell{ VTK_TRIANGLE, { a, b, c } }; };
+  auto tet = [](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d)
+  { return Cell{ VTK_TETRA, { a, b, c, d } }; };
   auto line = [](vtkIdType a, vtkIdType b) { return Cell{ VTK_LINE, { a, b } }; };
   // A curve, a vertex in it and one of its own, an unused point.
   p.Add(5, { line(0, 1), line(1, 2), { VTK_VERTEX, { 1 } }, { VTK_VERTEX, { 3 } } }, { 1, 1, 1, 0 },

@@ -225,8 +225,7 @@ TEST(RedGreenCriteria, AnEmptySelectionIsSaid)
   EXPECT_EQ(messages->CountWarnings("no cell is selected"), 1);
   EXPECT_EQ(output->GetNumberOfCells(), box->GetNumberOfCells());
   EXPECT_EQ(GetCells(output), GetCells(box));
-  const Grid without = Refine(
-    box, [](Filter* filter) { filter->RefineBySelectionOn(); }, messages);
+  const Grid without = Refine(box, [](Filter* filter) { filter->RefineBySelectionOn(); }, messages);
   EXPECT_EQ(messages->CountWarnings("no cell is selected"), 2);
   EXPECT_EQ(without->GetNumberOfCells(), box->GetNumberOfCells());
 }

@@ -158,8 +158,8 @@ TEST(RedGreenErrors, NothingToRefineByIsSaid)
 {
   const Grid box = MakeBox(1);
   vtkNew<Messages> messages;
-  const Grid output = Refine(
-    box, [](Filter* filter) { filter->RefineByAttributeErrorOn(); }, messages);
+  const Grid output =
+    Refine(box, [](Filter* filter) { filter->RefineByAttributeErrorOn(); }, messages);
   EXPECT_EQ(messages->CountWarnings("nothing to refine by"), 1);
   EXPECT_EQ(GetCells(output), GetCells(box));
 }

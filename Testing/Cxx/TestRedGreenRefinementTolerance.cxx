@@ -439,8 +439,8 @@ TEST(RedGreenTolerance, NoneAtAllIsStoppedByTheLimits)
       filter->SetMaximumNumberOfCells(cells);
     };
     vtkNew<Messages> messages;
-    const Grid byCells = Refine(
-      input, [&](Filter* filter) { configure(filter, 60, 3000); }, messages);
+    const Grid byCells =
+      Refine(input, [&](Filter* filter) { configure(filter, 60, 3000); }, messages);
     EXPECT_EQ(messages->Warnings.size(), 1u) << kind;
     EXPECT_EQ(messages->CountWarnings("which is MaximumNumberOfCells"), 1) << kind;
     EXPECT_LE(byCells->GetNumberOfCells(), 3000);

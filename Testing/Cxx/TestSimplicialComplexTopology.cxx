@@ -306,8 +306,7 @@ TEST(SimplicialComplexTopology, JointRules)
     });
   EXPECT_EQ(RuleOf(part, { 0, 1 }), 2);
   Flag(sheets, { 0, 2, 0 }, "rules");
-  const Grid regional = Probe(sheets,
-    [](vtkSubdivisionAlgorithm* filter)
+  const Grid regional = Probe(sheets, [](vtkSubdivisionAlgorithm* filter)
     { filter->SetInputArrayToProcess(3, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "rules"); });
   EXPECT_EQ(RuleOf(regional, { 0, 1 }), 1);
   const Grid bow = MakeComplex(5, { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 0, 3, 4 } } });
@@ -326,7 +325,8 @@ TEST(SimplicialComplexTopology, SemiSharpEdgesShowTheSmoothRule)
   sharpness->SetValue(9, std::numeric_limits<double>::infinity());
   input->GetCellData()->AddArray(sharpness);
   const Grid probe = Probe(input,
-    [](vtkSubdivisionAlgorithm* filter) {
+    [](vtkSubdivisionAlgorithm* filter)
+    {
       filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "sharpness");
     });
   EXPECT_EQ(SingularCells(probe), (std::vector<Ids>{ { 5, 6 } }));

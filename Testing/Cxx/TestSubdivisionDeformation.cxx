@@ -230,9 +230,7 @@ TEST(SubdivisionDeformation, IsSmoothAcrossInputFaces)
   // level 0 jump there, and grow as 1/h; the smooth map's stay, and converge.
   const Grid cage = MakeKuhnBox(4);
   const Grid bent = Moved(cage,
-    [](const Point& x) {
-      return Point{ x[0] + 0.3 * std::sin(2. * x[0]) * x[1], x[1], x[2] };
-    });
+    [](const Point& x) { return Point{ x[0] + 0.3 * std::sin(2. * x[0]) * x[1], x[1], x[2] }; });
   constexpr double step = 0.0625;
   for (int scheme : { 0, 1 })
   {
@@ -276,10 +274,8 @@ TEST(SubdivisionDeformation, OnlyMovedControlPointsBuildNothing)
     for (int time = 0; time < 4; ++time)
     {
       // Other objects of equal content: neither pointers nor times are alike.
-      const Grid bent = Moved(cage,
-        [=](const Point& x) {
-          return Point{ x[0], x[1] + time * x[0] * x[2], x[2] };
-        });
+      const Grid bent =
+        Moved(cage, [=](const Point& x) { return Point{ x[0], x[1] + time * x[0] * x[2], x[2] }; });
       const auto kept = filter.Run(DeepCopy(cloud), DeepCopy(cage), bent);
       Deformer fresh;
       EXPECT_EQ(ComparePoints(kept, fresh.Run(cloud, cage, bent)), "") << time;
@@ -467,10 +463,8 @@ TEST(SubdivisionDeformation, ControlMeshesMayBePolyDataOrWithoutSolids)
   filter.Forget();
   filter->SetOutsidePointsToNearest();
   const auto moved = filter.Run(cloud, sheet, lifted);
-  EXPECT_LT(GetLargestError(moved, cloud,
-              [](const Point& x) {
-                return Point{ x[0] + 1., x[1], x[2] + 2. };
-              }),
+  EXPECT_LT(GetLargestError(
+              moved, cloud, [](const Point& x) { return Point{ x[0] + 1., x[1], x[2] + 2. }; }),
     1e-12);
   EXPECT_EQ(filter.GetWarnings().size(), 1U);
 }

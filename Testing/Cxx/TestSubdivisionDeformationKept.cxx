@@ -71,9 +71,8 @@ TEST(SubdivisionDeformationKept, BothKindsOfRowsAreAffine)
   for (int scheme : { 0, 1 })
   {
     const Grid cage = MakeKuhnBox(2, 0.2, 3);
-    const auto cloud = [](int size) {
-      return MakeCloud(size, { 0.7, 0.7, 0.7 }, { 1.3, 1.3, 1.3 }, 1);
-    };
+    const auto cloud = [](int size)
+    { return MakeCloud(size, { 0.7, 0.7, 0.7 }, { 1.3, 1.3, 1.3 }, 1); };
     Embedding few(cage, scheme, cloud(50));
     ASSERT_EQ(few.Points->Composed.GetNumberOfRows(), 50);
     EXPECT_LT(few.Points->Composed.GetMemorySize(), few.Rest.GetOperatorSize());
@@ -93,9 +92,8 @@ TEST(SubdivisionDeformationKept, MovedPointsAreWrittenOver)
     MakeKuhnBox(2, 0.2, 3), 0, MakeCloud(100, { 0.7, 0.7, 0.7 }, { 1.3, 1.3, 1.3 }, 1));
   for (int time = 0; time < 3; ++time)
   {
-    auto map = [time](const Point& x) {
-      return Point{ x[0] + time * x[1], x[1] - time, x[2] * (1 + time) };
-    };
+    auto map = [time](const Point& x)
+    { return Point{ x[0] + time * x[1], x[1] - time, x[2] * (1 + time) }; };
     EXPECT_LT(embedding.GetError(map, false), 1e-12);
   }
 }

@@ -167,9 +167,8 @@ bool Disjoint(const Simplex& a, const Simplex& b)
 /// Whether an edge passes through the triangle, its border included.
 bool EdgeCrossesTriangle(const Complex& c, const Simplex& edge, const Simplex& t)
 {
-  const auto side = [&c](vtkIdType i, vtkIdType j, vtkIdType k, vtkIdType l) {
-    return c.Volume({ i, j, k, l });
-  };
+  const auto side = [&c](vtkIdType i, vtkIdType j, vtkIdType k, vtkIdType l)
+  { return c.Volume({ i, j, k, l }); };
   const double p = side(t[0], t[1], t[2], edge[0]);
   const double q = side(t[0], t[1], t[2], edge[1]);
   if (p * q >= 0.0 || std::min(std::abs(p), std::abs(q)) < 1e-9)

@@ -106,8 +106,7 @@ TEST(SurfaceSqrtThree, RowsHaveTheRingInTheOrderOfTheFan)
           continue;
         }
         std::vector<int> ring{ v };
-        VisitCycle(mesh, mesh.VertexCorners[v],
-          [&](const FanStep<int>& at)
+        VisitCycle(mesh, mesh.VertexCorners[v], [&](const FanStep<int>& at)
           { ring.push_back(mesh.GetOtherEnd(mesh.Edges[at.GetHalfEdgeIn(mesh)], v)); });
         const std::vector<int> columns(
           rows.GetColumns() + rows.GetBegin(v), rows.GetColumns() + rows.GetEnd(v));

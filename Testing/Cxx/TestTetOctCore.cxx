@@ -104,9 +104,8 @@ TEST(TetOctCore, IncidencesAreThoseOfTheVertices)
       {
         level = RefineOnce(level);
         const auto& complex = level.Level.Complex;
-        auto edge = [&complex](int e) {
-          return Sorted({ complex.EdgeVertices[2 * e], complex.EdgeVertices[2 * e + 1] });
-        };
+        auto edge = [&complex](int e)
+        { return Sorted({ complex.EdgeVertices[2 * e], complex.EdgeVertices[2 * e + 1] }); };
         auto face = [&complex](int f)
         {
           const int* v = complex.FaceVertices.data() + 3 * f;

@@ -45,8 +45,7 @@ TEST_P(TetOctOfModel, FiltersInARowGiveTheSame)
 }
 
 INSTANTIATE_TEST_SUITE_P(TetOctFilter, TetOctOfModel,
-  testing::Range(0, int(vtkSubdivisionModelSource::NUMBER_OF_MODELS)),
-  [](const auto& param)
+  testing::Range(0, int(vtkSubdivisionModelSource::NUMBER_OF_MODELS)), [](const auto& param)
   { return std::string(vtkSubdivisionModelSource::GetModelName(param.param)); });
 
 TEST(TetOctFilter, RandomComplexesInARow)

@@ -77,8 +77,7 @@ void RegisterOpenMesh()
   static const FlatMesh quads = MakeQuadSphere(58);
   Register("peer/OpenMesh Loop/sphere/levels:3", 1,
     [](Stopwatch& watch) { return Subdivide<Mesh, Uniform::LoopT>(watch, sphere, 3); });
-  Register("peer/OpenMesh Butterfly/sphere/levels:3", 1,
-    [](Stopwatch& watch)
+  Register("peer/OpenMesh Butterfly/sphere/levels:3", 1, [](Stopwatch& watch)
     { return Subdivide<Mesh, Uniform::ModifiedButterflyT>(watch, sphere, 3); });
   Register("peer/OpenMesh sqrt3/sphere/levels:4", 1,
     [](Stopwatch& watch) { return Subdivide<Mesh, Uniform::Sqrt3T>(watch, sphere, 4); });

@@ -54,10 +54,8 @@ void RegisterVtk()
     "peer/VTK Loop/sphere" + end, 1,
     [=](Stopwatch& watch) { return SubdivideSurface<vtkLoopSubdivisionFilter>(watch, levels); }, 3);
   Register(
-    "peer/VTK Butterfly/sphere" + end, 1,
-    [=](Stopwatch& watch)
-    { return SubdivideSurface<vtkButterflySubdivisionFilter>(watch, levels); },
-    3);
+    "peer/VTK Butterfly/sphere" + end, 1, [=](Stopwatch& watch)
+    { return SubdivideSurface<vtkButterflySubdivisionFilter>(watch, levels); }, 3);
   Register(
     "peer/vtkSubdivideTetra/cube" + end, 1,
     [=](Stopwatch& watch) { return SubdivideTetra(watch, levels); }, 3);
