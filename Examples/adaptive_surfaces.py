@@ -39,7 +39,7 @@ def triangles_of(grid, solids_only=False):
         only_solids = vtkUnstructuredGrid()
         only_solids.SetPoints(grid.GetPoints())
         only_solids.Allocate(grid.GetNumberOfCells())
-        for cell in np.flatnonzero(vtk_to_numpy(grid.GetCellTypesArray()) == VTK_TETRA):
+        for cell in np.flatnonzero(look.cell_types(grid) == VTK_TETRA):
             only_solids.InsertNextCell(VTK_TETRA, grid.GetCell(int(cell)).GetPointIds())
         grid = only_solids
     faces = vtkTriangleFilter()

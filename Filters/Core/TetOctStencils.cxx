@@ -137,7 +137,7 @@ public:
   void PutCentre(vtkIdType i)
   {
     double* sum = this->Sum();
-    std::fill(sum, sum + this->Size(), 0.);
+    std::fill_n(sum, this->Size(), 0.);
     this->template AddRegularPart<6>(1. / 6., this->Rows.Members + 6 * i);
     this->Put(i);
   }
@@ -218,7 +218,7 @@ private:
   {
     double* sum = this->Sum();
     double* partial = N == 0 ? this->Partial.data() : this->FixedPartial;
-    std::fill(partial, partial + this->Size(), 0.);
+    std::fill_n(partial, this->Size(), 0.);
     for (const Id* member = first; member != last; ++member)
     {
       const T* value = this->At(*member);
@@ -299,18 +299,8 @@ void SumRowsOf(const TetOctRows<Id>& rows, const T* in, T* out, int components)
 template <typename Id, typename T>
 void SumRows(const TetOctRows<Id>& rows, const T* in, T* out, int components)
 {
-  switch (components)
-  {
-    case 1:
-      SumRowsOf<1>(rows, in, out, components);
-      break;
-    case 3:
-      SumRowsOf<3>(rows, in, out, components);
-      break;
-    default:
-      SumRowsOf<0>(rows, in, out, components);
-      break;
-  }
+  ForComponents<T>(
+    components, [&](auto size) { SumRowsOf<decltype(size)::value>(rows, in, out, components); });
 }
 
 template <typename Id>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellReader.h"
 
+#include "vtkSubdivisionObjectsCompat.h"
+
 #include "Core/Buffer.h"
 
 #include "vtkCellArray.h"
@@ -29,7 +31,8 @@ CellReader::CellReader(vtkPointSet* input)
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(input))
   {
     this->Add(grid->GetCells(), VTK_EMPTY_CELL);
-    this->Types = this->NumberOfCells > 0 ? grid->GetCellTypesArray()->GetPointer(0) : nullptr;
+    this->TypesOwner = subdivision::GetCellTypes(grid);
+    this->Types = this->NumberOfCells > 0 ? this->TypesOwner->GetPointer(0) : nullptr;
   }
   else if (auto* poly = vtkPolyData::SafeDownCast(input))
   {

@@ -10,6 +10,7 @@
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <vector>
@@ -96,6 +97,7 @@ private:
   void Add(vtkCellArray* cells, int type);
 
   const unsigned char* Types = nullptr;
+  vtkSmartPointer<vtkUnsignedCharArray> TypesOwner;
   std::vector<Part> Parts;
   vtkIdType NumberOfCells = 0;
 };

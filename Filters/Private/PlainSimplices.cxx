@@ -189,8 +189,8 @@ bool ReadPlainSimplices(
             types;
         }
         good = dimension >= 0 && IsPlain(part, dimension, begin, next, numberOfPoints);
-        std::fill(dimensions.begin() + begin, dimensions.begin() + next,
-          static_cast<unsigned char>(dimension));
+        std::fill_n(
+          dimensions.begin() + begin, next - begin, static_cast<unsigned char>(dimension));
         begin = next;
       }
       if (!good)

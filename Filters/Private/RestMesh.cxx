@@ -3,6 +3,7 @@
 
 #include "Arrays.h"
 #include "UniformSubdivision.h"
+#include "vtkSubdivisionObjectsCompat.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -45,8 +46,8 @@ bool StoresSameCells(vtkPointSet* a, vtkPointSet* b)
   auto* otherGrid = vtkUnstructuredGrid::SafeDownCast(b);
   if (grid && otherGrid)
   {
-    vtkDataArray* types = grid->GetCellTypesArray();
-    vtkDataArray* otherTypes = otherGrid->GetCellTypesArray();
+    const auto types = GetCellTypes(grid);
+    const auto otherTypes = GetCellTypes(otherGrid);
     return (types == otherTypes || (types && otherTypes && HoldsSameValues(types, otherTypes))) &&
       HasSameCellArray(grid->GetCells(), otherGrid->GetCells());
   }

@@ -7,6 +7,9 @@
 #define vtkSubdivisionObjectsCompat_h
 
 #include "vtkAlgorithm.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 
 #ifndef VTK_VERSION_NUMBER
@@ -24,6 +27,24 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
   return algorithm->CheckAbort();
 #else
   return algorithm->GetAbortExecute() != 0;
+#endif
+}
+
+/// The types of all cells as plain values; null in a grid without any. From 9.6 on VTK may keep
+/// them in an array of another kind, one number for all for instance: then they are a copy.
+inline vtkSmartPointer<vtkUnsignedCharArray> GetCellTypes(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  vtkDataArray* stored = grid->GetCellTypes();
+  vtkSmartPointer<vtkUnsignedCharArray> types = vtkUnsignedCharArray::SafeDownCast(stored);
+  if (stored && !types)
+  {
+    types = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    types->DeepCopy(stored);
+  }
+  return types;
+#else
+  return grid->GetCellTypesArray();
 #endif
 }
 

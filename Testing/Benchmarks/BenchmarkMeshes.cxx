@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkMeshes.h"
 
+#include "Private/vtkSubdivisionObjectsCompat.h"
+
 #include "vtkMultiDimensionalSubdivision.h"
 
 #include "vtkCellArray.h"
@@ -366,7 +368,7 @@ OutputSize MeasureOutput(vtkUnstructuredGrid* output)
   size.Bytes = 1024. * static_cast<double>(output->GetActualMemorySize());
   size.Arrays = { bytes(output->GetPoints()->GetData()),
     bytes(output->GetPointData()->GetScalars()), bytes(output->GetCells()->GetConnectivityArray()),
-    bytes(output->GetCells()->GetOffsetsArray()), bytes(output->GetCellTypesArray()) };
+    bytes(output->GetCells()->GetOffsetsArray()), bytes(subdivision::GetCellTypes(output)) };
   return size;
 }
 

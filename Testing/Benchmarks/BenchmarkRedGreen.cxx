@@ -11,6 +11,7 @@
 
 #include "Core/RedGreenOutput.h"
 #include "Core/TetOrder.h"
+#include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkRedGreenRefinement.h"
 
@@ -255,7 +256,7 @@ Work RunFilter(int n, int levels, double centre, double radius)
     add(output->GetPointData()->GetScalars());
     add(output->GetCells()->GetConnectivityArray());
     add(output->GetCells()->GetOffsetsArray());
-    add(output->GetCellTypesArray());
+    add(subdivision::GetCellTypes(output));
     for (int i = 0; i < output->GetCellData()->GetNumberOfArrays(); ++i)
     {
       add(output->GetCellData()->GetArray(i));

@@ -8,6 +8,8 @@
 
 #include "FeatureTools.h"
 
+#include "Private/vtkSubdivisionObjectsCompat.h"
+
 #include <sstream>
 
 namespace operator_cache_tools
@@ -77,7 +79,7 @@ inline bool SharesCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
 {
   return a->GetCells()->GetConnectivityArray() == b->GetCells()->GetConnectivityArray() &&
     a->GetCells()->GetOffsetsArray() == b->GetCells()->GetOffsetsArray() &&
-    a->GetCellTypesArray() == b->GetCellTypesArray();
+    subdivision::GetCellTypes(a) == subdivision::GetCellTypes(b);
 }
 
 inline bool SharesPoints(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)

@@ -202,7 +202,7 @@ TEST(OperatorCache, ChangedCellsWithTheSamePointers)
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_QUAD, { 0, 1, 2, 3 } } });
   filter.Update(line);
   filter.CountBuilds();
-  line->GetCellTypesArray()->SetValue(0, VTK_TETRA);
+  subdivision::GetCellTypes(line)->SetValue(0, VTK_TETRA);
   EXPECT_EQ(Compare(filter.Update(line), Fresh(line)), "");
   EXPECT_EQ(filter.CountBuilds(), 1);
 }

@@ -5,6 +5,8 @@
  */
 #include "SubdivisionDeformationTools.h"
 
+#include "Private/vtkSubdivisionObjectsCompat.h"
+
 #include <limits>
 
 using namespace deformation_tools;
@@ -60,7 +62,7 @@ TEST(SubdivisionDeformationInputs, MeshesThatDiffer)
   const Ids ids = GetCell(cage, 17);
   const vtkIdType turned[4] = { ids[1], ids[2], ids[0], ids[3] };
   cells->ReplaceCellAtId(17, 4, turned);
-  other->SetCells(cage->GetCellTypesArray(), cells);
+  other->SetCells(subdivision::GetCellTypes(cage), cells);
   ExpectUntouched(filter.Run(input, cage, other), input);
   ExpectOneError(filter, "Cell 17 is the first that differs");
   // A point more, a cell less.
