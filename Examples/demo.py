@@ -70,7 +70,11 @@ def open_file(name):
     source.UpdatePipeline()
     data = source.GetClientSideObject().GetOutputDataObject(0)
     if data is None or data.GetNumberOfCells() == 0:
-        sys.exit(f"demo: {name} has no cells, or is no valid {os.path.splitext(name)[1]} file")
+        reason = ""
+        if b"<AppendedData" in pathlib.Path(name).read_bytes():
+            reason = ("; it has appended data, which ParaView 5.11 cannot read on an up-to-date Debian 12:"
+                      " save it with Data Mode 'Binary' instead of 'Appended'")
+        sys.exit(f"demo: {name} has no cells, or is no valid {os.path.splitext(name)[1]} file{reason}")
     return source
 
 
@@ -106,7 +110,7 @@ def write_grid(grid, file_name):
     writer = vtkXMLUnstructuredGridWriter()
     writer.SetInputData(grid)
     writer.SetFileName(file_name)
-    writer.EncodeAppendedDataOff()
+    writer.SetDataModeToBinary()  # appended data are what ParaView 5.11 cannot read on all systems
     writer.SetCompressorTypeToLZ4()
     if not writer.Write():
         sys.exit(f"demo: cannot write {os.path.abspath(file_name)}")

@@ -7,6 +7,7 @@
 #ifndef SubdivisionObjects_RowBlock_h
 #define SubdivisionObjects_RowBlock_h
 
+#include "ScalarTypes.h"
 #include "SparseRows.h"
 #include "Store.h"
 
@@ -51,18 +52,8 @@ public:
   template <typename T>
   void Apply(const T* in, T* out, int components) const
   {
-    switch (components)
-    {
-      case 1:
-        this->template Apply<1>(in, out, components);
-        break;
-      case 3:
-        this->template Apply<3>(in, out, components);
-        break;
-      default:
-        this->template Apply<0>(in, out, components);
-        break;
-    }
+    ForComponents<T>(components,
+      [&](auto size) { this->template Apply<decltype(size)::value>(in, out, components); });
   }
 
   /// N components; N = 0: their number is known at run time only.

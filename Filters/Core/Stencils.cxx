@@ -195,18 +195,8 @@ void Stencils<Id>::AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& row
 template <typename Id, typename T>
 void SumRows(const StencilRows<Id>& rows, const T* in, T* out, int components)
 {
-  switch (components)
-  {
-    case 1:
-      SumRowsOf<1>(rows, in, out, components);
-      break;
-    case 3:
-      SumRowsOf<3>(rows, in, out, components);
-      break;
-    default:
-      SumRowsOf<0>(rows, in, out, components);
-      break;
-  }
+  ForComponents<T>(
+    components, [&](auto size) { SumRowsOf<decltype(size)::value>(rows, in, out, components); });
 }
 
 template <typename Id>

@@ -376,9 +376,23 @@ inline std::vector<Mesh> MakeZoo()
   return zoo;
 }
 
+/// Made when it is first asked for: CTest starts a process for each test, most of which need no
+/// zoo.
+inline const std::vector<Mesh>& GetZoo()
+{
+  static const std::vector<Mesh> zoo = MakeZoo();
+  return zoo;
+}
+
+/// A mesh of the zoo, or the one that MakeRandom makes of the seed in "Random<seed>".
 inline Mesh FindInZoo(const std::string& name)
 {
-  for (const Mesh& mesh : MakeZoo())
+  const std::string random = "Random";
+  if (name.compare(0, random.size(), random) == 0)
+  {
+    return MakeRandom(static_cast<unsigned int>(std::stoi(name.substr(random.size()))));
+  }
+  for (const Mesh& mesh : GetZoo())
   {
     if (mesh.Name == name)
     {
@@ -388,10 +402,24 @@ inline Mesh FindInZoo(const std::string& name)
   return Mesh("missing: " + name);
 }
 
-/// For parametrised tests.
+/// For parametrised tests: the names of the zoo's meshes and of so many random ones.
+inline std::vector<std::string> GetNamesOfZoo(unsigned int randoms)
+{
+  std::vector<std::string> names;
+  for (const Mesh& mesh : GetZoo())
+  {
+    names.push_back(mesh.Name);
+  }
+  for (unsigned int seed = 1; seed <= randoms; ++seed)
+  {
+    names.push_back("Random" + std::to_string(seed));
+  }
+  return names;
+}
+
 inline std::vector<Mesh> MakeZooAndRandom()
 {
-  std::vector<Mesh> meshes = MakeZoo();
+  std::vector<Mesh> meshes = GetZoo();
   for (unsigned int seed = 1; seed <= 60; ++seed)
   {
     meshes.push_back(MakeRandom(seed));

@@ -1,42 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellsToSimplicesTools.h"
-
-#include "vtkXMLUnstructuredGridReader.h"
+#include "FileTools.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <string>
 #include <vector>
 
 using namespace cells_to_simplices_tools;
+using namespace file_tools;
 
 namespace
 {
-
-std::string SharedFile(const std::string& name)
-{
-  const char* folder = std::getenv("SUBDIVISIONOBJECTS_SHARED_DATA");
-  return std::string(folder ? folder : "../shared/data") + "/" + name;
-}
-
-bool Exists(const std::string& file)
-{
-  return std::ifstream(file).good();
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> Read(const std::string& file)
-{
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
 
 std::vector<Point> GetPoints(vtkPointSet* input)
 {
@@ -82,12 +61,12 @@ class CellsToSimplicesOfFile : public testing::TestWithParam<SharedMesh>
 TEST_P(CellsToSimplicesOfFile, GivesWhatIsExpected)
 {
   const SharedMesh& expected = GetParam();
-  const std::string file = SharedFile(expected.Name);
-  if (!Exists(file))
+  const std::string file = GetSharedFile(expected.Name);
+  if (const std::string reason = WhyNotRead(file); !reason.empty())
   {
-    GTEST_SKIP() << file << " is missing";
+    GTEST_SKIP() << reason;
   }
-  const auto grid = Read(file);
+  const auto grid = ReadGrid(file);
   const auto result = CellsToSimplices(grid, nullptr);
   ExpectSound(result, grid->GetNumberOfCells());
   auto count = CountByDimension(result);
@@ -144,13 +123,13 @@ INSTANTIATE_TEST_SUITE_P(Shared, CellsToSimplicesOfFile,
 
 TEST(CellsToSimplicesFiles, HybridBoxThatDoesNotConformAsFound)
 {
-  const std::string file = SharedFile("hex_geos_box_hybrid.vtu");
-  if (!Exists(file))
+  const std::string file = GetSharedFile("hex_geos_box_hybrid.vtu");
+  if (const std::string reason = WhyNotRead(file); !reason.empty())
   {
-    GTEST_SKIP() << file << " is missing";
+    GTEST_SKIP() << reason;
   }
   // 1232 quads meet two triangles. Conforming means: what only one tet has lies on the box.
-  const auto grid = Read(file);
+  const auto grid = ReadGrid(file);
   const auto result = CellsToSimplices(grid, nullptr);
   double b[6];
   grid->GetBounds(b);

@@ -5,14 +5,12 @@
  * one piece, planar where they were.
  */
 #include "FeatureTools.h"
+#include "FileTools.h"
 
-#include "vtkXMLUnstructuredGridReader.h"
-
-#include <cstdlib>
-#include <fstream>
 #include <set>
 
 using namespace feature_tools;
+using namespace file_tools;
 
 namespace
 {
@@ -29,17 +27,12 @@ class FeaturesFiles : public testing::TestWithParam<File>
 protected:
   void SetUp() override
   {
-    const char* folder = std::getenv("SUBDIVISIONOBJECTS_SHARED_DATA");
-    const std::string path =
-      std::string(folder ? folder : "") + "/" + this->GetParam().Name + ".vtu";
-    if (!std::ifstream(path).good())
+    const std::string path = GetSharedFile(std::string(this->GetParam().Name) + ".vtu");
+    if (const std::string reason = WhyNotRead(path); !reason.empty())
     {
-      GTEST_SKIP() << path << " is not there";
+      GTEST_SKIP() << reason;
     }
-    vtkNew<vtkXMLUnstructuredGridReader> reader;
-    reader->SetFileName(path.c_str());
-    reader->Update();
-    this->Input = DeepCopy(reader->GetOutput());
+    this->Input = DeepCopy(ReadGrid(path));
     ASSERT_TRUE(this->Input->GetCellData()->GetArray(this->GetParam().Array));
   }
   vtkIdType GetValue(vtkUnstructuredGrid* grid, vtkIdType cell) const

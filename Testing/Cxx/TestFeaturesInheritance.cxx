@@ -5,11 +5,10 @@
  * filters in a row are one filter, with every option on.
  */
 #include "FeatureTools.h"
-
-#include "vtkXMLUnstructuredGridReader.h"
-#include "vtkXMLUnstructuredGridWriter.h"
+#include "FileTools.h"
 
 using namespace feature_tools;
+using namespace file_tools;
 
 namespace
 {
@@ -61,19 +60,6 @@ void ExpectSameClasses(vtkUnstructuredGrid* grid, int levels, const Configure& o
       ASSERT_EQ(a->GetTuple1(i), b->GetTuple1(i)) << name << " of point " << i;
     }
   }
-}
-
-Grid WriteAndRead(vtkUnstructuredGrid* grid)
-{
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(grid);
-  writer->WriteToOutputStringOn();
-  EXPECT_EQ(writer->Write(), 1);
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(writer->GetOutputString());
-  reader->Update();
-  return reader->GetOutput();
 }
 
 void ExpectChains(vtkUnstructuredGrid* grid, const Configure& options)

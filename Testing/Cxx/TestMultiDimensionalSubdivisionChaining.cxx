@@ -3,6 +3,7 @@
  * @file TestMultiDimensionalSubdivisionChaining.cxx
  * Filters in a row give what one filter gives, bit for bit; what was changed in between is noticed.
  */
+#include "FileTools.h"
 #include "MultiDimensionalSubdivisionTools.h"
 
 #include "vtkSubdivisionModelSource.h"
@@ -13,9 +14,8 @@
 #include "vtkPlane.h"
 #include "vtkSphereSource.h"
 #include "vtkThreshold.h"
-#include "vtkXMLUnstructuredGridReader.h"
-#include "vtkXMLUnstructuredGridWriter.h"
 
+using namespace file_tools;
 using namespace multi_dimensional_subdivision_tools;
 
 namespace
@@ -28,19 +28,6 @@ Grid MakeModel(int model, int precision)
   source->SetOutputPointsPrecision(precision);
   source->Update();
   return DeepCopy(source->GetOutput());
-}
-
-Grid WriteAndRead(vtkUnstructuredGrid* grid)
-{
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(grid);
-  writer->WriteToOutputStringOn();
-  EXPECT_EQ(writer->Write(), 1);
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(writer->GetOutputString());
-  reader->Update();
-  return reader->GetOutput();
 }
 
 /// 0 + 3 = 3 = 1 + 1 + 1 = 2 + 1, with files in between too.

@@ -3,17 +3,12 @@
  * @file TestMultiDimensionalSubdivisionFiles.cxx
  * Files from elsewhere, where they are there: sizes, warnings, and nothing that is not finite.
  */
+#include "FileTools.h"
 #include "MultiDimensionalSubdivisionTools.h"
 
 #include "Private/CellsToSimplices.h"
 
-#include "vtkPolyData.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLUnstructuredGridReader.h"
-
-#include <cstdlib>
-#include <fstream>
-
+using namespace file_tools;
 using namespace multi_dimensional_subdivision_tools;
 
 namespace
@@ -31,15 +26,6 @@ void PrintTo(const File& file, std::ostream* out)
   *out << file.Name;
 }
 
-template <typename Reader>
-vtkSmartPointer<vtkPointSet> ReadWith(const std::string& name)
-{
-  vtkNew<Reader> reader;
-  reader->SetFileName(name.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
-
 class SubdivisionOfFile : public testing::TestWithParam<File>
 {
 };
@@ -49,15 +35,12 @@ class SubdivisionOfFile : public testing::TestWithParam<File>
 TEST_P(SubdivisionOfFile, IsComplete)
 {
   const File& file = GetParam();
-  const char* folder = std::getenv("SUBDIVISIONOBJECTS_SHARED_DATA");
-  const std::string name = std::string(folder ? folder : "../shared/data") + "/" + file.Name;
-  if (!std::ifstream(name).good())
+  const std::string path = GetSharedFile(file.Name);
+  if (const std::string reason = WhyNotRead(path); !reason.empty())
   {
-    GTEST_SKIP() << name << " is missing";
+    GTEST_SKIP() << reason;
   }
-  const bool poly = name.substr(name.size() - 3) == "vtp";
-  const auto input =
-    poly ? ReadWith<vtkXMLPolyDataReader>(name) : ReadWith<vtkXMLUnstructuredGridReader>(name);
+  const auto input = ReadFile(path);
   const auto simplices = subdivision::CellsToSimplices(input, nullptr);
   for (int levels = 1; levels <= file.Levels; ++levels)
   {

@@ -4,6 +4,7 @@
  * Patterns, the closure as a closure, starting again from leaves, threads, files from elsewhere.
  */
 #include "CoreZoo.h"
+#include "FileTools.h"
 #include "RedGreenChecks.h"
 
 #include "Core/RedGreenTables.h"
@@ -11,11 +12,8 @@
 
 #include "vtkNew.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkXMLUnstructuredGridReader.h"
 
-#include <cstdlib>
-#include <fstream>
-
+using namespace file_tools;
 using namespace redgreen_reference;
 
 namespace
@@ -129,19 +127,18 @@ void AddMidpoints(RedGreen<Id>& state, const LeafMesh& mesh)
   }
 }
 
-std::vector<Mesh> MakeSolids()
+std::vector<std::string> GetNames()
 {
-  std::vector<Mesh> meshes = { FindInZoo("KuhnLattice"), FindInZoo("EverythingAtOnce"),
-    FindInZoo("CrowdOfTets"), FindInZoo("FinInRegularEdge"), FindInZoo("RepeatedTets"),
-    FindInZoo("FollowerLines"), FindInZoo("ThreeSheets") };
+  std::vector<std::string> names = { "KuhnLattice", "EverythingAtOnce", "CrowdOfTets",
+    "FinInRegularEdge", "RepeatedTets", "FollowerLines", "ThreeSheets" };
   for (unsigned int seed = 1; seed <= 12; ++seed)
   {
-    meshes.push_back(MakeRandom(seed));
+    names.push_back("Random" + std::to_string(seed));
   }
-  return meshes;
+  return names;
 }
 
-class RedGreenOfMesh : public testing::TestWithParam<Mesh>
+class RedGreenOfMesh : public testing::TestWithParam<std::string>
 {
 };
 
@@ -210,7 +207,7 @@ TEST(RedGreen, EverythingMarkedIsUniform)
 /// The order of marks and their distribution over rounds do not matter.
 TEST_P(RedGreenOfMesh, IsAClosure)
 {
-  const Mesh& mesh = GetParam();
+  const Mesh mesh = FindInZoo(GetParam());
   const auto marks = Choose(mesh.Cells.GetNumberOfSimplices(), 8, 7);
   RedGreen<int> together{ SimplexView(mesh.Cells) };
   RedGreen<int> single{ SimplexView(mesh.Cells) };
@@ -230,7 +227,7 @@ TEST_P(RedGreenOfMesh, IsAClosure)
 
 TEST_P(RedGreenOfMesh, StartsAgainFromLeaves)
 {
-  const Mesh& mesh = GetParam();
+  const Mesh mesh = FindInZoo(GetParam());
   RedGreen<int> first{ SimplexView(mesh.Cells) };
   RefineByChance(first, 3, 11);
   const auto written = Write(first, mesh.Points);
@@ -315,8 +312,8 @@ TEST_P(RedGreenOfMesh, StartsAgainFromLeaves)
   EXPECT_EQ(result.Keys.size(), expected.Keys.size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, RedGreenOfMesh, testing::ValuesIn(MakeSolids()),
-  [](const testing::TestParamInfo<Mesh>& mesh) { return mesh.param.Name; });
+INSTANTIATE_TEST_SUITE_P(Meshes, RedGreenOfMesh, testing::ValuesIn(GetNames()),
+  [](const auto& instance) { return instance.param; });
 
 /// Large enough for threads, and for more than one block of the scans.
 TEST(RedGreen, SameBitsForAnyNumberOfThreads)
@@ -415,16 +412,12 @@ class RedGreenOfFile : public testing::TestWithParam<const char*>
 
 TEST_P(RedGreenOfFile, IsConforming)
 {
-  const char* folder = std::getenv("SUBDIVISIONOBJECTS_SHARED_DATA");
-  const std::string name = std::string(folder ? folder : "../shared/data") + "/" + GetParam();
-  if (!std::ifstream(name).good())
+  const std::string path = GetSharedFile(GetParam());
+  if (const std::string reason = WhyNotRead(path); !reason.empty())
   {
-    GTEST_SKIP() << name << " is missing";
+    GTEST_SKIP() << reason;
   }
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(name.c_str());
-  reader->Update();
-  vtkUnstructuredGrid* grid = reader->GetOutput();
+  const auto grid = ReadGrid(path);
   auto simplices = CellsToSimplices(grid, nullptr);
   std::vector<double> points(3 * static_cast<std::size_t>(simplices.Simplices.NumberOfPoints));
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)

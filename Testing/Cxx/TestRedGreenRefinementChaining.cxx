@@ -4,35 +4,18 @@
  * vtkRedGreenRefinement: what travels with an output so that the next filter can undo its green
  * cells: through files, and when it is damaged.
  */
+#include "FileTools.h"
 #include "RedGreenRefinementTools.h"
 
 #include "Core/RedGreenTables.h"
 
-#include "vtkXMLUnstructuredGridReader.h"
-#include "vtkXMLUnstructuredGridWriter.h"
-
 #include <limits>
 
+using namespace file_tools;
 using namespace red_green_refinement_tools;
 
 namespace
 {
-
-Grid WriteAndRead(vtkUnstructuredGrid* grid, int mode, bool narrow)
-{
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(grid);
-  writer->SetDataMode(mode);
-  narrow ? writer->SetHeaderTypeToUInt32() : writer->SetHeaderTypeToUInt64();
-  narrow ? writer->SetIdTypeToInt32() : writer->SetIdTypeToInt64();
-  writer->WriteToOutputStringOn();
-  writer->Write();
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(writer->GetOutputString());
-  reader->Update();
-  return reader->GetOutput();
-}
 
 Grid RefineEverywhere(vtkUnstructuredGrid* grid, int levels, Messages* messages = nullptr)
 {
@@ -131,6 +114,10 @@ TEST(RedGreenLeaves, TravelThroughFiles)
   EXPECT_LT(direct->GetNumberOfCells(), 64 * green->GetNumberOfCells()) << "undone";
   for (int mode : { vtkXMLWriter::Ascii, vtkXMLWriter::Binary, vtkXMLWriter::Appended })
   {
+    if (mode == vtkXMLWriter::Appended && !ReadsAppendedData())
+    {
+      continue;
+    }
     for (bool narrow : { false, true })
     {
       const Grid read = WriteAndRead(green, mode, narrow);

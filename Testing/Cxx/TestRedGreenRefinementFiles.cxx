@@ -4,17 +4,14 @@
  * vtkRedGreenRefinement on files from elsewhere, where they are there: six filters in a row, marked
  * by chance, stay conforming and well shaped; hostile ones are survived by every criterion.
  */
+#include "FileTools.h"
 #include "RedGreenChecks.h"
 #include "RedGreenRefinementTools.h"
 
 #include "vtkPolyData.h"
 #include "vtkSphere.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLUnstructuredGridReader.h"
 
-#include <cstdlib>
-#include <fstream>
-
+using namespace file_tools;
 using namespace red_green_refinement_tools;
 
 namespace
@@ -23,28 +20,17 @@ namespace
 class RedGreenFilterOfFile : public testing::TestWithParam<const char*>
 {
 protected:
-  /// Null where the file is missing.
-  static vtkSmartPointer<vtkPointSet> Read(const std::string& file)
+  void SetUp() override
   {
-    const char* folder = std::getenv("SUBDIVISIONOBJECTS_SHARED_DATA");
-    const std::string name = std::string(folder ? folder : "../shared/data") + "/" + file;
-    if (!std::ifstream(name).good())
+    const std::string path = GetSharedFile(GetParam());
+    if (const std::string reason = WhyNotRead(path); !reason.empty())
     {
-      return nullptr;
+      GTEST_SKIP() << reason;
     }
-    return name.substr(name.size() - 3) == "vtp" ? ReadWith<vtkXMLPolyDataReader>(name)
-                                                 : ReadWith<vtkXMLUnstructuredGridReader>(name);
+    this->Mesh = ReadFile(path);
   }
 
-private:
-  template <typename Reader>
-  static vtkSmartPointer<vtkPointSet> ReadWith(const std::string& name)
-  {
-    vtkNew<Reader> reader;
-    reader->SetFileName(name.c_str());
-    reader->Update();
-    return reader->GetOutput();
-  }
+  vtkSmartPointer<vtkPointSet> Mesh;
 };
 
 using RedGreenFilterOfHostileFile = RedGreenFilterOfFile;
@@ -102,12 +88,7 @@ std::string CheckShapes(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
 
 TEST_P(RedGreenFilterOfFile, SixRoundsStayConformingAndWellShaped)
 {
-  const auto mesh = Read(GetParam());
-  if (!mesh)
-  {
-    GTEST_SKIP() << GetParam() << " is missing";
-  }
-  const Grid input = GetSimplices(mesh);
+  const Grid input = GetSimplices(this->Mesh);
   AddRandomNumbers(input);
   Grid current = input;
   for (unsigned round = 0; round < 6; ++round)
@@ -142,11 +123,7 @@ INSTANTIATE_TEST_SUITE_P(Shared, RedGreenFilterOfFile,
 
 TEST_P(RedGreenFilterOfHostileFile, EveryCriterionSurvives)
 {
-  const auto input = Read(GetParam());
-  if (!input)
-  {
-    GTEST_SKIP() << GetParam() << " is missing";
-  }
+  vtkPointSet* input = this->Mesh;
   vtkNew<vtkSphere> sphere;
   sphere->SetRadius(1.);
   input->GetPointData()->AddArray(

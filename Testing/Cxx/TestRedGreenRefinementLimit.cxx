@@ -61,13 +61,13 @@ double GetDifference(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b, bool sort)
   return difference;
 }
 
-class RedGreenLimitZoo : public testing::TestWithParam<coretest::Mesh>
+class RedGreenLimitZoo : public testing::TestWithParam<std::string>
 {
 };
 
 TEST_P(RedGreenLimitZoo, EverythingMarkedIsTheProjectedUniformMesh)
 {
-  const Grid input = MakeGrid(this->GetParam());
+  const Grid input = MakeGrid(coretest::FindInZoo(this->GetParam()));
   input->GetPointData()->AddArray(
     MakeArray<vtkDoubleArray>("V", 2, input->GetNumberOfPoints(), -1., 1., 3));
   for (int level = 0; level < 3; ++level)
@@ -89,7 +89,7 @@ TEST_P(RedGreenLimitZoo, EverythingMarkedIsTheProjectedUniformMesh)
 /// A point of a mesh that is refined here and there has the same limit as in the uniform mesh.
 TEST_P(RedGreenLimitZoo, PointsDoNotDependOnTheirNeighbourhood)
 {
-  const Grid input = MakeGrid(this->GetParam());
+  const Grid input = MakeGrid(coretest::FindInZoo(this->GetParam()));
   AddWeights(input); // linear placement tells which points are the same
   AddWantedLevels(input, 3, 5, 0.3);
   auto run = [&](int placement, bool everything)
@@ -133,8 +133,8 @@ TEST_P(RedGreenLimitZoo, PointsDoNotDependOnTheirNeighbourhood)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Zoo, RedGreenLimitZoo, testing::ValuesIn(coretest::MakeZoo()),
-  [](const auto& instance) { return instance.param.Name; });
+INSTANTIATE_TEST_SUITE_P(Zoo, RedGreenLimitZoo, testing::ValuesIn(coretest::GetNamesOfZoo(0)),
+  [](const auto& instance) { return instance.param; });
 
 // ------------------------------------------------------------------------------------------------
 // Criteria

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python lines of README for ParaView are run as they stand there, one block after the other."""
+
+import os
+import sys
+
+import readme
+
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+plugin = os.environ.get("SUBDIVISIONOBJECTS_PLUGIN", "")
+if not os.path.isfile(plugin):
+    sys.exit(f"SUBDIVISIONOBJECTS_PLUGIN names no file: '{plugin}'")
+
+
+def make_what_readme_speaks_of():
+    os.makedirs("build", exist_ok=True)
+    if not os.path.islink("build/plugin"):  # as ./dev makes it
+        os.symlink(os.path.dirname(plugin), "build/plugin")
+    sphere = vtkSphereSource()
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputConnection(sphere.GetOutputPort())
+    writer.SetFileName("bunny.vtp")
+    writer.SetDataModeToBinary()
+    writer.Write()
+
+
+make_what_readme_speaks_of()
+blocks = readme.blocks("python", before="## In Python, without ParaView")
+assert len(blocks) == 6, len(blocks)
+for block in blocks:  # here and not in a function, as in a script
+    exec(compile(block, "README.md", "exec"))
+assert os.path.isfile("volume.png")
+for name in ("smooth", "solids", "bent", "screw", "bunny"):
+    proxy = globals()[name]
+    proxy.UpdatePipeline()
+    assert proxy.GetDataInformation().GetNumberOfCells() > 0, name
