@@ -1,0 +1,2 @@
+# shellcheck shell=bash
+package() { die "not yet"; }

@@ -1,0 +1,58 @@
+# shellcheck shell=bash
+# Which Debian packages each command of ./dev needs, by suite: the only place that names them.
+# Sourced by ./dev. Version numbers of VTK and ParaView stand here and nowhere else.
+
+# What this system calls itself: bookworm, trixie, forky, or something that we have no list for.
+# shellcheck disable=SC2153
+system_suite() { (. /etc/os-release 2>/dev/null && echo "${VERSION_CODENAME:-unknown}") || echo unknown; }
+system_name() { (. /etc/os-release 2>/dev/null && echo "${PRETTY_NAME:-an unknown system}") || echo "an unknown system"; }
+
+# For a system without lists, with --no-install: what is there under its usual name.
+formatter=clang-format
+tools=() paraview_packages=() vtk_packages=() compared_packages=() peer_packages=() docs_packages=() debian_packages=()
+
+# package_lists SUITE: sets the lists below, and vtk_version; false for a suite that is not known.
+package_lists()
+{
+  tools=(cmake g++ ninja-build libgtest-dev)
+  docs_packages=(doxygen)
+  debian_packages=(dpkg-dev file lintian)
+  # Other libraries that tests and benchmarks compare with; without them the tests say "skipped".
+  compared_packages=(libopenmesh-dev libcgal-dev)
+  peer_packages=(libosd-dev libopenmesh-dev libcgal-dev libdune-grid-dev libdune-uggrid-dev)
+
+  # What the CMake files of VTK and ParaView look for and their packages do not bring.
+  local beneath=(libopenmpi-dev libpython3-dev libtbb-dev libeigen3-dev libdouble-conversion-dev libexpat1-dev liblz4-dev
+    liblzma-dev zlib1g-dev libutfcpp-dev)
+  local qt5=(qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev)
+  local qt6=(qt6-base-dev qt6-tools-dev qt6-svg-dev)
+  paraview_packages=(paraview-dev python3-paraview python3-numpy openmpi-bin xvfb)
+  # Up to Debian 13 ParaView has a VTK of its own, and its Python excludes that of plain VTK.
+  paraview_has_own_vtk=yes
+  vtk_conflicts=yes
+  case $1 in
+    bookworm)
+      vtk_version=9.1
+      formatter=clang-format-19
+      paraview_packages+=("${qt5[@]}" qtxmlpatterns5-dev-tools)
+      ;;
+    trixie)
+      vtk_version=9.3
+      formatter=clang-format-19
+      paraview_packages+=("${qt6[@]}" qtxmlpatterns5-dev-tools)
+      ;;
+    forky)
+      vtk_version=9.6
+      formatter=clang-format-22
+      paraview_packages+=("${qt6[@]}" xsltproc)
+      paraview_has_own_vtk=no
+      vtk_conflicts=no
+      beneath+=(nlohmann-json3-dev libjsoncpp-dev)
+      ;;
+    *) return 1 ;;
+  esac
+  vtk_libraries=("libvtk$vtk_version" "libvtk$vtk_version-qt" vtk9)
+  vtk_packages=("${tools[@]}" "${beneath[@]}" python3 "${vtk_libraries[@]}")
+  paraview_packages+=("${tools[@]}" "${beneath[@]}")
+  [ $paraview_has_own_vtk = yes ] || paraview_packages+=("${vtk_libraries[@]}")
+}
