@@ -67,6 +67,11 @@ fresh() # [OPTION...] [SUITE [COMMAND...]]
   fi
   seconds=$((SECONDS - started))
   cp "$target/$home/$folder"/build/demo/*.png "$place/pictures/" 2>/dev/null || true
+  if [ -d "$target/$home/$folder/build/packages" ]; then
+    rm -rf "$place/packages"
+    cp -a "$target/$home/$folder/build/packages" "$place/packages"
+    chown -R root: "$place/packages"
+  fi
   fresh_report "$@"
   [ $keep = yes ] || rm -rf "$target"
   return $status

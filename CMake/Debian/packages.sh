@@ -11,12 +11,13 @@ system_name() { (. /etc/os-release 2>/dev/null && echo "${PRETTY_NAME:-an unknow
 formatter=clang-format
 tools=() paraview_packages=() vtk_packages=() compared_packages=() peer_packages=() docs_packages=() debian_packages=()
 
-# package_lists SUITE: sets the lists below, and vtk_version; false for a suite that is not known.
+# package_lists SUITE: sets the lists below, vtk_version, and debian_revision of our packages (sorted
+# so that those of a newer suite are newer); false for a suite that is not known.
 package_lists()
 {
   tools=(cmake g++ ninja-build libgtest-dev)
   docs_packages=(doxygen)
-  debian_packages=(dpkg-dev file lintian)
+  debian_packages=(dpkg-dev file gzip lintian)
   # Other libraries that tests and benchmarks compare with; without them the tests say "skipped".
   compared_packages=(libopenmesh-dev libcgal-dev)
   peer_packages=(libosd-dev libopenmesh-dev libcgal-dev libdune-grid-dev libdune-uggrid-dev)
@@ -33,16 +34,19 @@ package_lists()
   case $1 in
     bookworm)
       vtk_version=9.1
+      debian_revision=1~deb12
       formatter=clang-format-19
       paraview_packages+=("${qt5[@]}" qtxmlpatterns5-dev-tools)
       ;;
     trixie)
       vtk_version=9.3
+      debian_revision=1~deb13
       formatter=clang-format-19
       paraview_packages+=("${qt6[@]}" qtxmlpatterns5-dev-tools)
       ;;
     forky)
       vtk_version=9.6
+      debian_revision=1~deb14
       formatter=clang-format-22
       paraview_packages+=("${qt6[@]}" xsltproc)
       paraview_has_own_vtk=no
