@@ -64,7 +64,8 @@ package_flavour()
   link=$(package_flags LDFLAGS)
   configure "$preset" "$@" "-DCMAKE_CXX_FLAGS=$compile \"-ffile-prefix-map=$root=.\"" \
     "-DCMAKE_SHARED_LINKER_FLAGS=$link" "-DCMAKE_MODULE_LINKER_FLAGS=$link" \
-    "-DSUBDIVISIONOBJECTS_SYSTEM=$(system_suite)" "-DSUBDIVISIONOBJECTS_DEBIAN_REVISION=$debian_revision"
+    "-DSUBDIVISIONOBJECTS_SYSTEM=$(system_suite)" "-DSUBDIVISIONOBJECTS_DEBIAN_SUITE=$(system_suite)" \
+    "-DSUBDIVISIONOBJECTS_DEBIAN_REVISION=$debian_revision"
   package_pack "$preset" TGZ -DSUBDIVISIONOBJECTS_DEBIAN=OFF
   package_pack "$preset" DEB -DSUBDIVISIONOBJECTS_DEBIAN=ON
 }
