@@ -54,15 +54,17 @@ macro (control_file component file)
 endmacro ()
 
 set(CPACK_COMPONENTS_ALL)
-set(about "SubdivisionObjects makes smooth objects of coarse meshes: one filter subdivides solids,
-surfaces and curves in one mesh, with creases, materials and joints, on the limit if
-wanted; others refine it locally, deform things by it, and make subdivision surfaces.")
+set(about "SubdivisionObjects makes smooth objects of coarse meshes. One filter
+subdivides solids, surfaces and curves in one mesh, with creases,
+materials and joints; others refine a mesh locally, deform things by it,
+and make subdivision surfaces.")
 if (SUBDIVISIONOBJECTS_BUILD_PLUGIN)
   debian_package(plugin paraview-plugin-subdivisionobjects science
     "ParaView plugin for multi-dimensional subdivision
 ${about}
 .
-This package holds the plugin, which ParaView, pvpython and pvserver load when they start.")
+This package holds the plugin, which ParaView, pvpython and pvserver
+load when they start.")
   # A plugin works only in the ParaView that it was built against; libraries do not say so, packages can.
   math(EXPR next "${ParaView_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PLUGIN_PACKAGE_DEPENDS
@@ -73,7 +75,8 @@ This package holds the plugin, which ParaView, pvpython and pvserver load when t
   configure_file("${templates}/paraview.conf.in" "${debian_dir}/paraview.conf" @ONLY)
   install(FILES "${debian_dir}/paraview.conf" DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT plugin)
 else ()
-  debian_package(runtime libvtksubdivisionobjects0 libs
+  set(library "libvtksubdivisionobjects${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}") # after the soname
+  debian_package(runtime "${library}" libs
     "VTK filters for multi-dimensional subdivision - library
 ${about}
 .
@@ -82,14 +85,14 @@ This package holds the shared library, a module of VTK.")
     "VTK filters for multi-dimensional subdivision - development files
 ${about}
 .
-This package holds the headers, and the files for CMake: find_package(SubdivisionObjects).")
+This package holds the headers and the files for CMake.")
   set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
   set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
   # Where dpkg-shlibdeps finds the library that the Python module is linked to.
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
   math(EXPR next "${VTK_MINOR_VERSION} + 1")
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libvtksubdivisionobjects0 (= ${version}), libvtk9-dev (>= ${VTK_MAJOR_VERSION}.${VTK_MINOR_VERSION}), libvtk9-dev (<< ${VTK_MAJOR_VERSION}.${next}~)")
+    "${library} (= ${version}), libvtk9-dev (>= ${VTK_MAJOR_VERSION}.${VTK_MINOR_VERSION}), libvtk9-dev (<< ${VTK_MAJOR_VERSION}.${next}~)")
   control_file(runtime "${templates}/triggers")
   if (python_dir)
     debian_package(python python3-subdivisionobjects python
@@ -99,7 +102,7 @@ ${about}
 This package holds the Python package subdivisionobjects.")
     math(EXPR next "${Python3_VERSION_MINOR} + 1")
     set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-      "libvtksubdivisionobjects0 (= ${version}), python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next}), python3-vtk9")
+      "${library} (= ${version}), python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next}), python3-vtk9")
     # Compiled Python is made when it is installed, and has to go with it.
     foreach (script postinst prerm)
       configure_file("${templates}/python-${script}" "${debian_dir}/python/${script}" COPYONLY)
