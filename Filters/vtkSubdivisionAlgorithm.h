@@ -173,7 +173,8 @@ public:
   ///@{
   /**
    * The angle between the planes of two triangles, in degrees (0 = flat, to 180), above which their
-   * common edge is a feature. Default 30.
+   * common edge is a feature; an angle that differs by no more than rounding is not above. Default
+   * 30.
    */
   vtkSetClampMacro(FeatureAngle, double, 0., 180.);
   vtkGetMacro(FeatureAngle, double);

@@ -173,11 +173,11 @@ std::vector<FeatureCandidate> FindFeatureCandidates(const SimplicialComplex<Id>&
   return candidates;
 }
 
-bool IsFeature(const FeatureCandidate& candidate, const double* points, double degrees)
+bool IsFeature(const FeatureCandidate& candidate, const Coordinates& points, double degrees)
 {
-  const double* a = points + 3 * candidate.Ends[0];
-  const double* others[3] = { points + 3 * candidate.Ends[1], points + 3 * candidate.Opposite[0],
-    points + 3 * candidate.Opposite[1] };
+  const double* a = points.Values + 3 * candidate.Ends[0];
+  const double* others[3] = { points.Values + 3 * candidate.Ends[1],
+    points.Values + 3 * candidate.Opposite[0], points.Values + 3 * candidate.Opposite[1] };
   double sides[3][3]; // from a, scaled so that squares neither vanish nor overflow
   double scale = 0.;
   for (int k = 0; k < 3; ++k)
@@ -219,7 +219,7 @@ bool IsFeature(const FeatureCandidate& candidate, const double* points, double d
     return false; // a triangle without size has no plane
   }
   constexpr double degreesPerRadian = 57.29577951308232;
-  return std::atan2(sine, cosine) * degreesPerRadian > degrees;
+  return std::atan2(sine, cosine) * degreesPerRadian > degrees + 180. * points.Tie;
 }
 
 template <typename Id>

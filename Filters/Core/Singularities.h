@@ -7,6 +7,7 @@
 #ifndef SubdivisionObjects_Singularities_h
 #define SubdivisionObjects_Singularities_h
 
+#include "Coordinates.h"
 #include "SimplicialComplex.h"
 #include "Strata.h"
 
@@ -54,8 +55,9 @@ struct FeatureCandidate
 template <typename Id>
 std::vector<FeatureCandidate> FindFeatureCandidates(const SimplicialComplex<Id>& complex);
 
-/// Whether the angle between the two triangles' planes (0 = flat) exceeds `degrees`.
-bool IsFeature(const FeatureCandidate& candidate, const double* points, double degrees);
+/// Whether the angle between the two triangles' planes (0 = flat) exceeds `degrees`, by more than
+/// what may be rounding.
+bool IsFeature(const FeatureCandidate& candidate, const Coordinates& points, double degrees);
 
 /// Adds the flags of flagged cells: `flags` has one for each simplex in output order.
 template <typename Id>

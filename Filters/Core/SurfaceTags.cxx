@@ -12,11 +12,12 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Not so flat and not so closed that the rules degenerate (SPEC 12).
-double ClampAngle(double angle)
+/// Not so flat and not so closed that the rules degenerate (SPEC 12). What is straight but for
+/// rounding counts as convex.
+double ClampAngle(double angle, double tie)
 {
-  return angle < pi ? std::max(pi / 8., std::min(angle, 7. * pi / 8.))
-                    : std::max(9. * pi / 8., std::min(angle, 15. * pi / 8.));
+  return angle < pi * (1. + tie) ? std::max(pi / 8., std::min(angle, 7. * pi / 8.))
+                                 : std::max(9. * pi / 8., std::min(angle, 15. * pi / 8.));
 }
 
 template <typename Id>
@@ -24,7 +25,7 @@ class Classification
 {
 public:
   Classification(const PolygonMesh<Id>& mesh, const SurfaceScheme<Id>& scheme,
-    const SurfaceFeatures& features, const double* points)
+    const SurfaceFeatures& features, const Coordinates& points)
     : Mesh(mesh)
     , Scheme(scheme)
     , Features(features)
@@ -201,10 +202,10 @@ private:
     FanStep<Id> step = FindSectorEnds(this->Mesh, this->Tags, sector.First).First;
     for (int i = 0; i < sector.Size; ++i)
     {
-      const double* x = this->Points + 3 * static_cast<vtkIdType>(sector.Vertex);
-      const double* a = this->Points +
+      const double* x = this->Points.Values + 3 * static_cast<vtkIdType>(sector.Vertex);
+      const double* a = this->Points.Values +
         3 * static_cast<vtkIdType>(this->Mesh.Vertices[this->Mesh.Next(step.Corner)]);
-      const double* b = this->Points +
+      const double* b = this->Points.Values +
         3 * static_cast<vtkIdType>(this->Mesh.Vertices[this->Mesh.Previous(step.Corner)]);
       double dot = 0.;
       double aa = 0.;
@@ -228,7 +229,7 @@ private:
   {
     const double alpha =
       isOnly && !this->Features.Angles.empty() ? this->Features.Angles[sector.Vertex] : -1.;
-    sector.Angle = ClampAngle(alpha >= 0. ? alpha : this->MeasureAngle(sector));
+    sector.Angle = ClampAngle(alpha >= 0. ? alpha : this->MeasureAngle(sector), this->Points.Tie);
     const double given =
       this->Features.Flatness.empty() ? -1. : this->Features.Flatness[sector.Vertex];
     if (given >= 0.)
@@ -245,7 +246,7 @@ private:
   const PolygonMesh<Id>& Mesh;
   const SurfaceScheme<Id>& Scheme;
   const SurfaceFeatures& Features;
-  const double* Points;
+  const Coordinates Points;
   SurfaceTags<Id> Tags;
 };
 
@@ -253,14 +254,14 @@ private:
 
 template <typename Id>
 SurfaceTags<Id> ClassifySurface(const PolygonMesh<Id>& mesh, const SurfaceScheme<Id>& scheme,
-  const SurfaceFeatures& features, const double* points)
+  const SurfaceFeatures& features, const Coordinates& points)
 {
   return Classification<Id>(mesh, scheme, features, points).Run();
 }
 
 template SurfaceTags<int> ClassifySurface(
-  const PolygonMesh<int>&, const SurfaceScheme<int>&, const SurfaceFeatures&, const double*);
+  const PolygonMesh<int>&, const SurfaceScheme<int>&, const SurfaceFeatures&, const Coordinates&);
 template SurfaceTags<long long> ClassifySurface(const PolygonMesh<long long>&,
-  const SurfaceScheme<long long>&, const SurfaceFeatures&, const double*);
+  const SurfaceScheme<long long>&, const SurfaceFeatures&, const Coordinates&);
 
 }

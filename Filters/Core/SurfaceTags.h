@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_SurfaceTags_h
 #define SubdivisionObjects_SurfaceTags_h
 
+#include "Coordinates.h"
 #include "Strata.h"
 #include "SurfaceScheme.h"
 
@@ -33,7 +34,7 @@ struct SurfaceFeatures
 /// `points`: three coordinates of each vertex, from which the angles of corners are measured.
 template <typename Id>
 SurfaceTags<Id> ClassifySurface(const PolygonMesh<Id>& mesh, const SurfaceScheme<Id>& scheme,
-  const SurfaceFeatures& features, const double* points);
+  const SurfaceFeatures& features, const Coordinates& points);
 
 }
 

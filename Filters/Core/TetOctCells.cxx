@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetOctCells.h"
 
+#include "Coordinates.h"
 #include "TetOctDescendants.h"
 
 #include <atomic>
@@ -14,7 +15,7 @@ namespace
 template <typename Id, typename T>
 int FindShortestDiagonal(const Id vertices[6], const T* points)
 {
-  constexpr double tolerance = sizeof(T) < sizeof(double) ? 1e-5 : 1e-9;
+  constexpr double tolerance = sizeof(T) < sizeof(double) ? SingleTie : DoubleTie;
   double lengths[3];
   for (int pair = 0; pair < 3; ++pair)
   {

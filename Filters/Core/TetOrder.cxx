@@ -12,10 +12,6 @@ namespace subdivision
 namespace
 {
 
-/// Lengths this close, relative to the shortest, are equal: lattices have exact ties that floating
-/// point breaks.
-constexpr double Tolerance = 1e-9;
-
 double SquaredLength(const double* a, const double* b)
 {
   double sum = 0.;
@@ -26,8 +22,9 @@ double SquaredLength(const double* a, const double* b)
   return sum;
 }
 
-/// The partner (1 to 3) of the smallest of four sorted vertices in the marked pair of edges.
-int FindPartner(const double* const sorted[4])
+/// The partner (1 to 3) of the smallest of four sorted vertices in the marked pair of edges;
+/// lengths that differ by less than `tie`, relative to the shortest, are equal.
+int FindPartner(const double* const sorted[4], double tie)
 {
   double diagonals[4] = {};
   double edges[4] = {};
@@ -50,15 +47,15 @@ int FindPartner(const double* const sorted[4])
   double shortestEdge = std::numeric_limits<double>::max();
   for (int partner = 1; partner < 4; ++partner)
   {
-    if (diagonals[partner] <= shortestDiagonal * (1. + Tolerance))
+    if (diagonals[partner] <= shortestDiagonal * (1. + tie))
     {
       shortestEdge = std::min(shortestEdge, edges[partner]);
     }
   }
   for (int partner = 1; partner < 4; ++partner)
   {
-    if (diagonals[partner] <= shortestDiagonal * (1. + Tolerance) &&
-      edges[partner] <= shortestEdge * (1. + Tolerance))
+    if (diagonals[partner] <= shortestDiagonal * (1. + tie) &&
+      edges[partner] <= shortestEdge * (1. + tie))
     {
       return partner;
     }
@@ -68,8 +65,8 @@ int FindPartner(const double* const sorted[4])
 
 }
 
-void OrderTet(
-  vtkIdType* tet, const double* points, const vtkIdType* globalIds, vtkIdType numberOfGlobalIds)
+void OrderTet(vtkIdType* tet, const Coordinates& points, const vtkIdType* globalIds,
+  vtkIdType numberOfGlobalIds)
 {
   int sorted[4] = { 0, 1, 2, 3 };
   auto key = [&](int i) // by index where global ids are missing, or not unique
@@ -83,7 +80,7 @@ void OrderTet(
   {
     corners[i] = points + 3 * tet[sorted[i]];
   }
-  const int partner = FindPartner(corners);
+  const int partner = FindPartner(corners, points.Tie);
   // The partner of the tetrahedron's own first vertex.
   int pairs[4];
   const int c = partner == 1 ? 2 : 1;
@@ -104,7 +101,7 @@ void OrderTet(
   }
 }
 
-void OrderTets(SimplexList& simplices, const double* points, const vtkIdType* globalIds,
+void OrderTets(SimplexList& simplices, const Coordinates& points, const vtkIdType* globalIds,
   vtkIdType numberOfGlobalIds)
 {
   const vtkIdType size = simplices.GetNumberOfSimplices();

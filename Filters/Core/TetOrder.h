@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_TetOrder_h
 #define SubdivisionObjects_TetOrder_h
 
+#include "Coordinates.h"
 #include "SimplexList.h"
 
 namespace subdivision
@@ -14,12 +15,11 @@ namespace subdivision
 /**
  * Re-orders one tetrahedron, or all, so that its marked edges, those whose midpoints are nearest to
  * each other, are 02 and 13. The first vertex stays first, the orientation stays; that leaves one
- * order. `points` has three coordinates per point; `globalIds` breaks ties (null: the index does);
- * points without one come after the others.
+ * order. `globalIds` breaks ties (null: the index does); points without one come after the others.
  */
-void OrderTet(
-  vtkIdType* tet, const double* points, const vtkIdType* globalIds, vtkIdType numberOfGlobalIds);
-void OrderTets(SimplexList& simplices, const double* points, const vtkIdType* globalIds,
+void OrderTet(vtkIdType* tet, const Coordinates& points, const vtkIdType* globalIds,
+  vtkIdType numberOfGlobalIds);
+void OrderTets(SimplexList& simplices, const Coordinates& points, const vtkIdType* globalIds,
   vtkIdType numberOfGlobalIds);
 
 }

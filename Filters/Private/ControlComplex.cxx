@@ -62,8 +62,8 @@ SimplicialComplex<Id> BuildComplexWith(const SimplexList& simplices, ControlTrai
 
 /// Singular simplices that follow from the mesh (SPEC 7); an earlier filter's are taken over.
 template <typename Id>
-SimplexTuples Derive(const ControlMesh& mesh, const FeatureOptions& features, const double* points,
-  ControlComplex<Id>& control)
+SimplexTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
+  const Coordinates& points, ControlComplex<Id>& control)
 {
   if (mesh.IsStamped)
   {
@@ -152,7 +152,7 @@ namespace
 /// The control level itself.
 template <typename Id>
 bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
-  const double* points, const WarnFunction& warn, ControlComplex<Id>& control)
+  const Coordinates& points, const WarnFunction& warn, ControlComplex<Id>& control)
 {
   control = ControlComplex<Id>();
   SimplicialComplex<Id>& complex = control.Current.Complex;
@@ -255,7 +255,7 @@ SharpStage<Id> TakeStage(int until, TetOctLevel<Id>&& level)
 
 template <template <typename> class AnyLevel, typename Id>
 bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
-  const double* points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control,
+  const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control,
   AnyLevel<Id>& current)
 {
   if (!BuildControlLevel(mesh, features, points, warn, control))
@@ -272,7 +272,7 @@ bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features
 
 template <typename Id>
 bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
-  const double* points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control)
+  const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control)
 {
   Level<Id> current;
   const bool built = BuildControlComplex(mesh, features, points, warn, depth, control, current);
@@ -321,11 +321,11 @@ SemiSharpStages<Id> BuildSharpStages(
 }
 
 #define SUBDIVISION_CONTROL(Id)                                                                    \
-  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const double*,      \
+  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const Coordinates&, \
     const WarnFunction&, Depth, ControlComplex<Id>&);                                              \
-  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const double*,      \
+  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const Coordinates&, \
     const WarnFunction&, Depth, ControlComplex<Id>&, TetOctLevel<Id>&);                            \
-  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const double*,      \
+  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const Coordinates&, \
     const WarnFunction&, Depth, ControlComplex<Id>&, Level<Id>&);                                  \
   template Level<Id> BuildSharpLevel<Level, Id>(                                                   \
     const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \

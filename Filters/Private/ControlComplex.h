@@ -44,12 +44,12 @@ using WarnFunction = std::function<void(const std::string&)>;
 /// levels and these do not lead to the simplices that were read.
 template <typename Id>
 bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
-  const double* points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control);
+  const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control);
 
 /// The same for either kind of solids; control.Current is left empty.
 template <template <typename> class AnyLevel, typename Id>
 bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
-  const double* points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control,
+  const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control,
   AnyLevel<Id>& current);
 
 /// The level `steps` below the current one, for output, as it is where all edges are singular that

@@ -2,6 +2,7 @@
 #include "EmbeddedPoints.h"
 
 #include "Arrays.h"
+#include "Core/Coordinates.h"
 #include "Core/Store.h"
 
 #include <cmath>
@@ -11,10 +12,10 @@ namespace subdivision
 namespace
 {
 
-/// Weights may be this much below 0. Points in single precision are where they are only to 1e-7,
-/// so that those on a boundary may seem to be outside.
+/// Weights may be this much below 0. Points in single precision, of the object or of the mesh
+/// around it, are where they are only to 1e-7, so that those on a boundary may seem to be outside.
 constexpr double Tolerance = 1e-10;
-constexpr double SingleTolerance = 1e-5;
+constexpr double SingleTolerance = SingleTie;
 
 void SetRow(const SimplexTree& tree, const Place& place, int corners, CornerRow& row)
 {
@@ -28,7 +29,7 @@ void SetRow(const SimplexTree& tree, const Place& place, int corners, CornerRow&
 
 /// Among equally near cells, solids come first.
 void FindNearestCell(
-  const double x[3], const SimplexTree& tets, const SimplexTree& others, CornerRow& row)
+  const double x[3], const SimplexTree& tets, const SimplexTree& others, double tie, CornerRow& row)
 {
   Place inTet;
   Place inOther;
@@ -36,7 +37,7 @@ void FindNearestCell(
   double toOther;
   const bool hasTet = tets.FindNearest(x, inTet, toTet);
   const bool hasOther = others.FindNearest(x, inOther, toOther);
-  if (hasTet && (!hasOther || toTet <= toOther * (1. + 1e-12)))
+  if (hasTet && (!hasOther || toTet <= toOther * (1. + tie)))
   {
     SetRow(tets, inTet, 4, row);
   }
@@ -93,7 +94,8 @@ std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule ru
   auto embedded = std::make_unique<EmbeddedPoints>();
   embedded->Rule = rule;
   const vtkIdType size = points->GetNumberOfTuples();
-  const bool isSingle = points->GetDataType() == VTK_FLOAT;
+  const bool isSingle = points->GetDataType() == VTK_FLOAT || rest.IsSingle();
+  const double tie = isSingle ? SingleTie : DoubleTie;
   const SimplexTree& tets = rest.GetTets();
   const SimplexTree none;
   const SimplexTree& others = rule == OutsideRule::Nearest ? rest.GetOtherCells() : none;
@@ -116,7 +118,7 @@ std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule ru
       }
       else if (IsFinite(x) && rule == OutsideRule::Nearest)
       {
-        FindNearestCell(x, tets, others, row);
+        FindNearestCell(x, tets, others, tie, row);
       }
       embedded->Rows.Rows[i] = row;
     });

@@ -82,6 +82,7 @@ PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
     : options.Precision == vtkAlgorithm::DOUBLE_PRECISION              ? VTK_DOUBLE
     : given == VTK_FLOAT                                               ? VTK_FLOAT
                                                                        : VTK_DOUBLE;
+  this->Tie = given == VTK_FLOAT || type == VTK_FLOAT ? SingleTie : DoubleTie;
   this->Points = this->Start(points, type);
   vtkPointData* data = input->GetPointData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -161,17 +162,16 @@ vtkSmartPointer<vtkDataArray> PointArrays::Start(vtkDataArray* array, int valueT
   return start;
 }
 
-const double* PointArrays::GetCoordinates()
+Coordinates PointArrays::GetCoordinates()
 {
   if (this->Points->GetDataType() == VTK_DOUBLE)
   {
-    return static_cast<const double*>(this->Points->GetVoidPointer(0));
+    return { static_cast<const double*>(this->Points->GetVoidPointer(0)), this->Tie };
   }
   const vtkIdType values = 3 * this->NumberOfPoints;
-  this->Coordinates = Buffer<double>(values);
-  Convert(
-    static_cast<const float*>(this->Points->GetVoidPointer(0)), this->Coordinates.data(), values);
-  return this->Coordinates.data();
+  this->Doubles = Buffer<double>(values);
+  Convert(static_cast<const float*>(this->Points->GetVoidPointer(0)), this->Doubles.data(), values);
+  return { this->Doubles.data(), this->Tie };
 }
 
 bool PointArrays::IsEarlier(vtkIdType a, vtkIdType b) const
@@ -209,7 +209,7 @@ void PointArrays::StartOrigins()
 template <typename Make>
 void PointArrays::ReplaceSmoothed(vtkIdType size, const Make& make)
 {
-  this->Coordinates = Buffer<double>();
+  this->Doubles = Buffer<double>();
   auto replace = [&](vtkSmartPointer<vtkDataArray>& array)
   {
     const vtkSmartPointer<vtkDataArray> from = array;

@@ -11,6 +11,7 @@
 #include "Core/AdaptiveSqrtThreeRows.h"
 #include "Core/BlockOperator.h"
 #include "Core/ChildRows.h"
+#include "Core/Coordinates.h"
 #include "Core/LocalLimit.h"
 #include "Core/RedGreenOutput.h"
 #include "Core/SparseRows.h"
@@ -52,8 +53,10 @@ public:
   PointArrays(vtkPointSet* input, const SimplicesOfCells& cells, const vtkIdType* globalIds,
     vtkIdType numberOfGlobalIds, const PointArrayOptions& options);
 
-  /// Coordinates of the current points in double, for choices that depend on them.
-  const double* GetCoordinates();
+  /// Coordinates of the current points in double, for choices that depend on them. They are as
+  /// exact as the less exact of the input's points and the output's.
+  Coordinates GetCoordinates();
+  double GetTie() const { return this->Tie; }
 
   /// The points at the current level; ReusePoints: what they will be at the end is known.
   vtkDataArray* GetPoints() const { return this->Points; }
@@ -123,6 +126,7 @@ private:
   vtkIdType NumberOfGlobalIds;
   PointArrayOptions Options;
   vtkIdType NumberOfPoints;
+  double Tie;
   vtkSmartPointer<vtkDataArray> Points;
   vtkSmartPointer<vtkDataArray> FinalPoints; ///< null unless they are known beforehand
   vtkSmartPointer<vtkDataArray> Normals;
@@ -131,7 +135,7 @@ private:
   bool HasInputPoints = true;
   bool HasMoved = false;     ///< an operator was applied
   Buffer<vtkIdType> Origins; ///< the input point whose values each point takes
-  Buffer<double> Coordinates;
+  Buffer<double> Doubles;    ///< the points, where they are not in double
 };
 
 template <typename Operator, typename Origin>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonEars.h"
 
+#include "Core/Coordinates.h"
+
 #include "vtkPoints.h"
 
 #include <algorithm>
@@ -13,10 +15,6 @@ namespace
 {
 
 using Vector3 = std::array<double, 3>;
-
-/// Lengths that differ by less count as equal; sines below count as zero.
-constexpr double LengthTolerance = 1e-9;
-constexpr double AngleTolerance = 1e-10;
 
 Vector3 Cross(const Vector3& a, const Vector3& b)
 {
@@ -75,7 +73,7 @@ Vector3 MeanNormal(const std::vector<Vector3>& points)
 }
 
 /// Where the loop encloses no area: any plane that shows it as wide as possible.
-Vector3 WidestNormal(const std::vector<Vector3>& points)
+Vector3 WidestNormal(const std::vector<Vector3>& points, double leastSine)
 {
   const auto longest = std::max_element(points.begin(), points.end(),
     [](const Vector3& a, const Vector3& b) { return Dot(a, a) < Dot(b, b); });
@@ -88,7 +86,7 @@ Vector3 WidestNormal(const std::vector<Vector3>& points)
       normal = c;
     }
   }
-  if (Dot(normal, normal) < AngleTolerance * AngleTolerance)
+  if (Dot(normal, normal) < leastSine * leastSine)
   {
     // All on one line. A plane that contains it: across the axis that it follows least.
     Vector3 axis{};
@@ -111,12 +109,22 @@ double Distance2(const double* a, const double* b)
   return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
 }
 
-/// Twice the area over the product of two sides; beyond the tolerance the sign can be trusted.
-bool IsBeyond(double cross, double length2a, double length2b, double sign)
-{
-  return sign * cross > AngleTolerance * std::sqrt(length2a * length2b);
 }
 
+PolygonEars::PolygonEars(vtkPoints* points, const PointOrder& order)
+  : Points(points)
+  , Order(order)
+{
+  // In double precision a sine, which is not squared, can be told from 0 before lengths can be told
+  // from each other.
+  const bool isSingle = points && points->GetDataType() == VTK_FLOAT;
+  this->Tie = isSingle ? SingleTie : DoubleTie;
+  this->LeastSine = isSingle ? SingleTie : DoubleTie / 10.;
+}
+
+bool PolygonEars::IsBeyond(double cross, double length2a, double length2b, double sign) const
+{
+  return sign * cross > this->LeastSine * std::sqrt(length2a * length2b);
 }
 
 const std::vector<std::array<vtkIdType, 3>>& PolygonEars::Cut(const vtkIdType* loop, vtkIdType size)
@@ -150,16 +158,16 @@ const std::vector<std::array<vtkIdType, 3>>& PolygonEars::Cut(const vtkIdType* l
 
 void PolygonEars::Project(const vtkIdType* loop, vtkIdType size)
 {
-  this->Coordinates.resize(static_cast<size_t>(size));
+  this->Loop.resize(static_cast<size_t>(size));
   for (vtkIdType i = 0; i < size; ++i)
   {
-    this->Points->GetPoint(loop[i], this->Coordinates[i].data());
+    this->Points->GetPoint(loop[i], this->Loop[i].data());
   }
-  Normalize(this->Coordinates);
-  Vector3 normal = MeanNormal(this->Coordinates);
-  if (Dot(normal, normal) < AngleTolerance * AngleTolerance)
+  Normalize(this->Loop);
+  Vector3 normal = MeanNormal(this->Loop);
+  if (Dot(normal, normal) < this->LeastSine * this->LeastSine)
   {
-    normal = WidestNormal(this->Coordinates);
+    normal = WidestNormal(this->Loop, this->LeastSine);
   }
   Scale(normal, 1 / std::sqrt(Dot(normal, normal)));
   Vector3 axis{};
@@ -174,8 +182,8 @@ void PolygonEars::Project(const vtkIdType* loop, vtkIdType size)
   for (vtkIdType i = 0; i < size; ++i)
   {
     Corner& corner = this->Corners[i];
-    corner.X[0] = Dot(this->Coordinates[i], u);
-    corner.X[1] = Dot(this->Coordinates[i], v);
+    corner.X[0] = Dot(this->Loop[i], u);
+    corner.X[1] = Dot(this->Loop[i], v);
     corner.Id = loop[i];
     corner.Next = (i + 1) % size;
     corner.Previous = (i + size - 1) % size;
@@ -236,7 +244,7 @@ vtkIdType PolygonEars::FindBestEar(vtkIdType start) const
   do
   {
     const Corner& corner = this->Corners[i];
-    if (corner.IsEar && corner.Diagonal2 <= shortest * (1 + 2 * LengthTolerance) &&
+    if (corner.IsEar && corner.Diagonal2 <= shortest * (1 + 2 * this->Tie) &&
       (best < 0 || this->Order(corner.Id, this->Corners[best].Id)))
     {
       best = i;

@@ -9,7 +9,7 @@ namespace subdivision
 
 template <typename Id>
 bool RedGreenLimit<Id>::Build(const ControlMesh& mesh, const FeatureOptions& features,
-  const double* points, const WarnFunction& warn)
+  const Coordinates& points, const WarnFunction& warn)
 {
   ControlComplex<Id> control;
   if (!BuildControlComplex(mesh, features, points, warn, Depth::ForRefinement, control))

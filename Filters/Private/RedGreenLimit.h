@@ -24,7 +24,7 @@ class RedGreenLimit
 {
 public:
   /// False where a stamp that is trusted leads to other cells than those that were read.
-  bool Build(const ControlMesh& mesh, const FeatureOptions& features, const double* points,
+  bool Build(const ControlMesh& mesh, const FeatureOptions& features, const Coordinates& points,
     const WarnFunction& warn);
 
   /// From values at the control vertices to the limits of all vertices of a state.

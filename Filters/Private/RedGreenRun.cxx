@@ -176,7 +176,7 @@ std::unique_ptr<RedGreen<Id>> RedGreenRun::StartState()
   std::function<void(vtkIdType*)> order;
   if (!this->Mesh.TetOrderIsFinal)
   {
-    const double* points = this->Points->GetCoordinates();
+    const Coordinates points = this->Points->GetCoordinates();
     const ControlMesh& control = this->Mesh.Control;
     order = [points, &control](vtkIdType* tet)
     {
@@ -368,7 +368,7 @@ bool RedGreenRun::BuildLimit(RedGreenLimit<Id>& limit)
   // Cells of the output keep their order, and their points' numbers are those of any placement.
   ControlMesh ordered = this->Mesh.Control;
   ordered.Cells.TakeIds();
-  const double* points = this->Points->GetCoordinates();
+  const Coordinates points = this->Points->GetCoordinates();
   if (!this->Mesh.TetOrderIsFinal)
   {
     OrderTets(ordered.Cells.Simplices, points, ordered.GetGlobalIds(),

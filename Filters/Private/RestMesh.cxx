@@ -238,6 +238,11 @@ bool RestMesh::Update(vtkPointSet* mesh, const DeformationOptions& options)
   return true;
 }
 
+bool RestMesh::IsSingle() const
+{
+  return this->Kept && this->Kept->GetPoints()->GetDataType() == VTK_FLOAT;
+}
+
 void RestMesh::Clear()
 {
   const vtkIdType builds = this->NumberOfBuilds;

@@ -43,6 +43,8 @@ public:
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
   const double* GetPoints() const { return this->Points; }
   bool HasCells() const;
+  /// Whether the mesh has points in single precision.
+  bool IsSingle() const;
   const SimplexTree& GetTets() const { return this->Tets; }
   /// Triangles, lines and vertices; made when they are first asked for.
   const SimplexTree& GetOtherCells();

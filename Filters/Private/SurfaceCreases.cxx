@@ -52,9 +52,10 @@ Vector FindHeight(const PolygonMesh<Id>& mesh, Id corner, const double* points)
 
 template <typename Id>
 std::vector<vtkIdType> FindFeatureEdges(
-  const PolygonMesh<Id>& mesh, const double* points, double angle)
+  const PolygonMesh<Id>& mesh, const Coordinates& points, double angle)
 {
   constexpr double degree = 3.14159265358979323846 / 180.;
+  const double least = (angle + 180. * points.Tie) * degree; // more than may be rounding
   Buffer<unsigned char> turns(mesh.GetNumberOfEdges());
   ForEach(turns.size(),
     [&](vtkIdType e)
@@ -71,7 +72,7 @@ std::vector<vtkIdType> FindFeatureEdges(
       if (lengths > 0. && std::isfinite(lengths))
       {
         const double cosine = std::max(-1., std::min(-Dot(a, b) / lengths, 1.));
-        turns[e] = std::acos(cosine) > angle * degree;
+        turns[e] = std::acos(cosine) > least;
       }
     });
   std::vector<vtkIdType> pairs;
@@ -194,7 +195,8 @@ SurfaceCreases ReadSurfaceCreases(
 #define SUBDIVISION_CREASES(Id)                                                                    \
   template SurfaceCreases ReadSurfaceCreases(                                                      \
     const FeatureOptions&, const SurfaceCells&, const SurfaceLevel<Id>&);                          \
-  template std::vector<vtkIdType> FindFeatureEdges(const PolygonMesh<Id>&, const double*, double); \
+  template std::vector<vtkIdType> FindFeatureEdges(                                                \
+    const PolygonMesh<Id>&, const Coordinates&, double);                                           \
   template void AddSharpEdges(                                                                     \
     const PolygonMesh<Id>&, const std::vector<vtkIdType>&, SurfaceFeatures&);                      \
   template std::vector<vtkIdType> ListSharpEdges(const PolygonMesh<Id>&, const SurfaceFeatures&)

@@ -29,7 +29,7 @@ SurfaceCreases ReadSurfaceCreases(
 /// pair of one point is a corner. All sharp edges and corners as such pairs.
 template <typename Id>
 std::vector<vtkIdType> FindFeatureEdges(
-  const PolygonMesh<Id>& mesh, const double* points, double angle);
+  const PolygonMesh<Id>& mesh, const Coordinates& points, double angle);
 template <typename Id>
 void AddSharpEdges(
   const PolygonMesh<Id>& mesh, const std::vector<vtkIdType>& pairs, SurfaceFeatures& features);

@@ -37,7 +37,8 @@ KeptOperator* UniformRun::FindKept(const TopologyKey& key)
   return this->Options.Cache->Find(key,
     [this](const KeptOperator& kept)
     {
-      const double* points = kept.Candidates.empty() ? nullptr : this->Points->GetCoordinates();
+      const Coordinates points =
+        kept.Candidates.empty() ? Coordinates(nullptr) : this->Points->GetCoordinates();
       for (std::size_t i = 0; i < kept.Candidates.size(); ++i)
       {
         if (IsFeature(kept.Candidates[i], points, this->Options.Features.FeatureAngle) !=
