@@ -207,15 +207,19 @@ void WriteTetOctGrandchildren(const TetOctLevel<Id>& level, const std::vector<Ce
 
 void NumberOctahedra(const std::vector<CellRun>& runs, int steps, vtkIdType* numbers)
 {
-  const std::vector<Descendant> parents = ListDescendants(vtkIdType(0), std::max(steps - 1, 0));
+  // Of one tetrahedron, where there is one: 8^steps cells.
+  const bool hasSolids = std::any_of(runs.begin(), runs.end(),
+    [](const CellRun& run) { return run.Dimension == 3 && run.Count > 0; });
+  const std::vector<Descendant> parents =
+    hasSolids && steps > 0 ? ListDescendants(vtkIdType(0), steps - 1) : std::vector<Descendant>();
   const vtkIdType cellsPerTet = vtkIdType(1) << (3 * steps);
   const vtkIdType octsPerTet =
-    steps == 0 ? 0 : parents.back().FirstOct + (parents.back().IsOct ? 6 : 1);
+    parents.empty() ? 0 : parents.back().FirstOct + (parents.back().IsOct ? 6 : 1);
   vtkIdType before = 0;
   for (const CellRun& run : runs)
   {
     vtkIdType* first = numbers + run.FirstCell;
-    if (run.Dimension < 3 || steps == 0)
+    if (run.Dimension < 3 || parents.empty())
     {
       ForRanges(run.Count, [first](vtkIdType begin, vtkIdType end)
         { std::fill(first + begin, first + end, vtkIdType(-1)); });

@@ -302,7 +302,7 @@ void AdaptiveRun<Id>::WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan)
   if (this->Options.GenerateNormals || this->Options.GenerateTangents)
   {
     Buffer<double> points(3 * given);
-    std::copy_n(this->Points->GetCoordinates().Values, points.size(), points.begin());
+    std::copy_n(this->Points->GetCoordinates(), points.size(), points.begin());
     const Buffer<double> tangents[2] = { this->GetTangents(limit, points, LimitKind::Tangent1),
       this->GetTangents(limit, points, LimitKind::Tangent2) };
     AddLimitFrames(tangents, this->Points->GetPoints()->GetDataType(), Buffer<vtkIdType>(),

@@ -437,3 +437,15 @@ TEST(TetOctFilter, ClassificationKnowsCentres)
   filter->SetVolumeScheme(7);
   EXPECT_EQ(filter->GetVolumeScheme(), int(Filter::TET_OCT));
 }
+
+TEST(TetOctFilter, CurvesAndSurfacesCostNoSolids)
+{
+  // One tetrahedron would have 8^14 cells: nothing of that size may be asked for.
+  const Grid line = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 } }, { { VTK_LINE, { 0, 1 } } });
+  const Grid lines = Execute(line, 14, TetOct());
+  EXPECT_EQ(lines->GetNumberOfCells(), 1 << 14);
+  EXPECT_EQ(GetOctahedra(lines), Ids(1 << 14, -1));
+  const Grid triangle =
+    MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } });
+  EXPECT_EQ(Execute(Execute(triangle, 7, TetOct()), 2, TetOct())->GetNumberOfCells(), 1 << 18);
+}
