@@ -236,9 +236,13 @@ bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp,
   for (vtkIdType f = 0; f < stamp.NumberOfControlFaces; ++f)
   {
     const vtkIdType size = stamp.Size > 0 ? stamp.Size : stamp.Sizes[f];
+    const vtkIdType left = cells.GetNumberOfFaces() - face;
+    if (size < 3 || (triangles ? children > left : size > left / quads))
+    {
+      return false; // nor could it be multiplied: sizes are whatever a file says
+    }
     const vtkIdType total = triangles ? children : size * quads;
-    if (size < 3 || total > cells.GetNumberOfFaces() - face ||
-      !areSame(cells.FaceCells, face, total))
+    if (!areSame(cells.FaceCells, face, total))
     {
       return false;
     }
