@@ -381,8 +381,10 @@ public:
    * Whether to output unit normals of the limit surface at the points (`LimitNormals`) or two
    * tangents (`LimitTangent1`, `LimitTangent2`, not normalised; their cross product has the
    * direction of the normal). On a crease or at a corner they are those of one sector, the first
-   * tangent along the curve. Zero where there is no tangent plane. On a crease that is still sharp
-   * for more than 26 levels they are as if it were for 26. Off by default.
+   * tangent along the curve. Where faces are turned over against each other they have the side of
+   * the first face of their part, all that can be reached over edges of two faces. Zero where there
+   * is no tangent plane, and where the tangents are parallel but for rounding. On a crease that is
+   * still sharp for more than 26 levels they are as if it were for 26. Off by default.
    */
   vtkSetMacro(GenerateNormals, bool);
   vtkGetMacro(GenerateNormals, bool);

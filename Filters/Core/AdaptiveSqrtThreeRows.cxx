@@ -428,10 +428,10 @@ Buffer<double> AdaptiveSqrtThreeLimit<Id>::GetValues(const Buffer<double>& in, i
 }
 
 template <typename Id>
-void AdaptiveSqrtThreeLimit<Id>::ApplyTangent(
-  const Buffer<double>& in, LimitKind kind, double* out, int components) const
+void AdaptiveSqrtThreeLimit<Id>::FindTangents(
+  const Buffer<double>& in, TangentPairs& tangents) const
 {
-  const Buffer<double> values = this->GetValues(in, components);
+  const Buffer<double> values = this->GetValues(in, 3);
   const vtkIdType given = this->GetNumberOfColumns();
   ForRanges(this->GetNumberOfRows(),
     [&](vtkIdType begin, vtkIdType end)
@@ -439,9 +439,15 @@ void AdaptiveSqrtThreeLimit<Id>::ApplyTangent(
       RowBlock<Id> rows;
       for (vtkIdType v = begin; v < end; ++v)
       {
-        rows.Clear();
-        this->Rows.AppendTangent(static_cast<Id>(v), kind, rows);
-        ApplyRows(rows, given > v ? in.data() : values.data(), out + v * components, components);
+        const double* points = given > v ? in.data() : values.data();
+        for (int t = 0; t < 2; ++t)
+        {
+          rows.Clear();
+          this->Rows.AppendTangent(
+            static_cast<Id>(v), t == 0 ? LimitKind::Tangent1 : LimitKind::Tangent2, rows);
+          rows.template Apply<3>(points, tangents.Values[t].data() + 3 * v, 3);
+          tangents.Errors[v] += GetTangentError(rows, 0, points, DoubleUnit);
+        }
       }
     });
 }

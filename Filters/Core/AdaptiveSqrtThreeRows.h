@@ -16,6 +16,7 @@
 #define SubdivisionObjects_AdaptiveSqrtThreeRows_h
 
 #include "AdaptiveSqrtThree.h"
+#include "TangentErrors.h"
 
 namespace subdivision
 {
@@ -76,8 +77,8 @@ public:
   /// What is between is in double.
   template <typename T>
   void Apply(const T* in, T* out, int components) const;
-  /// Tangents instead of positions.
-  void ApplyTangent(const Buffer<double>& in, LimitKind kind, double* out, int components) const;
+  /// Tangents instead of positions, of three coordinates for each control vertex.
+  void FindTangents(const Buffer<double>& in, TangentPairs& tangents) const;
 
 private:
   Buffer<double> GetValues(const Buffer<double>& in, int components) const;

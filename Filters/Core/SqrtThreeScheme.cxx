@@ -465,11 +465,7 @@ void SqrtThreeScheme<Id>::AppendSectorTangent(const SurfaceLevel<Id>& level,
   }
   if (!isCurve)
   {
-    const Sector<Id>* sector = nullptr;
-    for (const Sector<Id>& s : tags.Sectors)
-    {
-      sector = s.Vertex == vertex && !sector ? &s : sector;
-    }
+    const Sector<Id>* sector = FindFirstSector(tags, vertex);
     const double angle = sector ? sector->Angle : pi / 2.;
     const double first = -turn * std::cos(angle) / std::sin(angle);
     const double last = turn / std::sin(angle);

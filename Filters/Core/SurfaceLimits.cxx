@@ -96,6 +96,7 @@ bool LimitFinder<Id>::FindSectorStar(Id vertex)
   this->Around.Edges.push_back(last);
   this->Around.Ends.push_back(this->Mesh.GetOtherEnd(last, vertex));
   this->Around.Clockwise = !ends.First.Forward;
+  this->Around.Corner = FindSector(this->Tags, vertex, ends);
   return true;
 }
 
@@ -107,13 +108,21 @@ bool LimitFinder<Id>::IsUniform() const
   {
     return false;
   }
-  return !this->ModifiedBoundary ||
-    std::all_of(this->Around.Ends.begin(), this->Around.Ends.end(),
-      [this](Id v)
-      {
-        return this->Tags.Vertices[v] == VertexTag::Smooth ||
-          this->Tags.Vertices[v] == VertexTag::Blend;
-      });
+  if (!this->ModifiedBoundary)
+  {
+    return true;
+  }
+  // Curves change the rules of edges that end there, concave corners those of their faces too.
+  const bool isNearCurve = std::any_of(this->Around.Ends.begin(), this->Around.Ends.end(),
+    [this](Id v)
+    {
+      return this->Tags.Vertices[v] == VertexTag::Curve ||
+        this->Tags.Vertices[v] == VertexTag::Corner;
+    });
+  const bool isNearCorner = this->Quads &&
+    std::any_of(this->Around.Opposite.begin(), this->Around.Opposite.end(),
+      [this](Id v) { return this->Tags.Vertices[v] == VertexTag::Corner; });
+  return !isNearCurve && !isNearCorner;
 }
 
 /// Adds the mask: of this level's points, or of those that the step makes of them.
@@ -427,14 +436,7 @@ void LimitFinder<Id>::AppendSectorTangent(Id vertex, LimitKind kind, RowBlock<Id
     rows.Add(vertex, -1.);
     return;
   }
-  const Sector<Id>* sector = nullptr;
-  for (const Sector<Id>& s : this->Tags.Sectors)
-  {
-    if (s.Vertex == vertex && !sector)
-    {
-      sector = &s;
-    }
-  }
+  const Sector<Id>* sector = this->Around.Corner;
   const double angle = sector ? sector->Angle : pi / 2.;
   const double a = -std::cos(angle) / std::sin(angle);
   const double b = 1. / std::sin(angle);

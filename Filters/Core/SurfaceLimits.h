@@ -34,6 +34,7 @@ private:
     std::vector<Id> Faces; ///< face j lies between edges j and j + 1
     std::vector<Id> Opposite;
     bool Clockwise = false;
+    const Sector<Id>* Corner = nullptr; ///< where it is the sector of a corner
   };
   /// A row in terms of a star.
   struct Mask

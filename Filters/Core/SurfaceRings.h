@@ -119,12 +119,28 @@ SectorEnds<Id> FindSectorEnds(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>
   return ends;
 }
 
+/// The first sectors of a vertex or, if it has none, of one after it.
+template <typename Id>
+auto FindSectors(const SurfaceTags<Id>& tags, Id vertex)
+{
+  return std::lower_bound(tags.Sectors.begin(), tags.Sectors.end(), vertex,
+    [](const Sector<Id>& sector, Id v) { return sector.Vertex < v; });
+}
+
+/// The sector in which the corner lies that VisitFans visits first; null if there is none. Known on
+/// all levels, also where sectors name corners of the control level.
+template <typename Id>
+const Sector<Id>* FindFirstSector(const SurfaceTags<Id>& tags, Id vertex)
+{
+  const auto at = FindSectors(tags, vertex);
+  return at != tags.Sectors.end() && at->Vertex == vertex ? &*at : nullptr;
+}
+
 /// The sector of a corner vertex that begins or ends in a face; null if there is none.
 template <typename Id>
 const Sector<Id>* FindSector(const SurfaceTags<Id>& tags, Id vertex, const SectorEnds<Id>& ends)
 {
-  auto at = std::lower_bound(tags.Sectors.begin(), tags.Sectors.end(), vertex,
-    [](const Sector<Id>& sector, Id v) { return sector.Vertex < v; });
+  auto at = FindSectors(tags, vertex);
   for (; at != tags.Sectors.end() && at->Vertex == vertex; ++at)
   {
     if (at->First == ends.First.Corner || at->First == ends.Last.Corner)

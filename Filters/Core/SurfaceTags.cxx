@@ -181,19 +181,22 @@ private:
     }
   }
 
+  /// First the sector of the corner itself: the one that FindFirstSector finds on every level.
   void AddSectorsOfFan(Id corner)
   {
-    VisitFan(this->Mesh, corner,
-      [this](const FanStep<Id>& step)
-      {
-        const SectorEnds<Id> ends = FindSectorEnds(this->Mesh, this->Tags, step.Corner);
-        const Id vertex = this->Mesh.Vertices[step.Corner];
-        if (ends.Size > 0 && !FindSector(this->Tags, vertex, ends))
-        {
-          this->Tags.Sectors.push_back(
-            { vertex, ends.First.Corner, ends.Last.Corner, ends.Size, 0., 0. });
-        }
-      });
+    this->AddSector(corner);
+    VisitFan(this->Mesh, corner, [this](const FanStep<Id>& step) { this->AddSector(step.Corner); });
+  }
+
+  void AddSector(Id corner)
+  {
+    const SectorEnds<Id> ends = FindSectorEnds(this->Mesh, this->Tags, corner);
+    const Id vertex = this->Mesh.Vertices[corner];
+    if (ends.Size > 0 && !FindSector(this->Tags, vertex, ends))
+    {
+      this->Tags.Sectors.push_back(
+        { vertex, ends.First.Corner, ends.Last.Corner, ends.Size, 0., 0. });
+    }
   }
 
   double MeasureAngle(const Sector<Id>& sector) const

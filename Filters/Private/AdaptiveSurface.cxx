@@ -61,13 +61,6 @@ private:
   std::vector<vtkIdType> FindSegmentCells() const;
   void WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan);
   void WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan);
-  static Buffer<double> GetTangents(
-    const AdaptiveSqrtThreeLimit<Id>& limit, const Buffer<double>& points, LimitKind kind)
-  {
-    Buffer<double> tangents(3 * limit.GetNumberOfRows());
-    limit.ApplyTangent(points, kind, tangents.data(), 3);
-    return tangents;
-  }
 
   vtkPolyData* Input;
   const SurfaceOptions& Options;
@@ -302,9 +295,9 @@ void AdaptiveRun<Id>::WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan)
   if (this->Options.GenerateNormals || this->Options.GenerateTangents)
   {
     Buffer<double> points(3 * given);
-    std::copy_n(this->Points->GetCoordinates(), points.size(), points.begin());
-    const Buffer<double> tangents[2] = { this->GetTangents(limit, points, LimitKind::Tangent1),
-      this->GetTangents(limit, points, LimitKind::Tangent2) };
+    std::copy_n(this->Points->GetCoordinates().Values, points.size(), points.begin());
+    TangentPairs tangents(limit.GetNumberOfRows());
+    limit.FindTangents(points, tangents);
     AddLimitFrames(tangents, this->Points->GetPoints()->GetDataType(), Buffer<vtkIdType>(),
       this->Options.GenerateNormals, this->Options.GenerateTangents, this->Input, this->Output);
   }

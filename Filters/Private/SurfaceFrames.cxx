@@ -2,19 +2,18 @@
 #include "SurfaceFrames.h"
 
 #include "Arrays.h"
+#include "Core/SurfaceSides.h"
 
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <cmath>
-
 namespace subdivision
 {
 
-void AddLimitFrames(const Buffer<double> (&tangents)[2], int type, const Buffer<vtkIdType>& sources,
+void AddLimitFrames(const TangentPairs& tangents, int type, const Buffer<vtkIdType>& sources,
   bool normals, bool twoTangents, vtkPolyData* input, vtkPolyData* output)
 {
-  const vtkIdType size = sources.empty() ? tangents[0].size() / 3 : sources.size();
+  const vtkIdType size = sources.empty() ? tangents.Errors.size() : sources.size();
   auto add = [&](const char* name, const auto& value)
   {
     const auto array = MakeArray(type, 3, size);
@@ -48,22 +47,14 @@ void AddLimitFrames(const Buffer<double> (&tangents)[2], int type, const Buffer<
     add(LimitNormalsName,
       [&](vtkIdType i, double* n)
       {
-        const double* a = tangents[0].data() + 3 * i;
-        const double* b = tangents[1].data() + 3 * i;
-        n[0] = a[1] * b[2] - a[2] * b[1];
-        n[1] = a[2] * b[0] - a[0] * b[2];
-        n[2] = a[0] * b[1] - a[1] * b[0];
-        const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-        for (int c = 0; c < 3; ++c)
-        {
-          n[c] = length > 0. && std::isfinite(length) ? n[c] / length : 0.;
-        }
+        FindNormal(tangents.Values[0].data() + 3 * i, tangents.Values[1].data() + 3 * i,
+          tangents.Errors[i], n);
       });
   }
   for (int t = 0; t < 2 && twoTangents; ++t)
   {
-    add(LimitTangentNames[t], [&](vtkIdType i, double* out)
-      { std::copy(tangents[t].data() + 3 * i, tangents[t].data() + 3 * i + 3, out); });
+    add(LimitTangentNames[t],
+      [&](vtkIdType i, double* out) { std::copy_n(tangents.Values[t].data() + 3 * i, 3, out); });
   }
 }
 
@@ -74,7 +65,7 @@ void AddLimitFrames(const SurfaceSteps<Id>& steps, vtkDataArray* points,
 {
   const int type = points->GetDataType();
   const vtkIdType rows = points->GetNumberOfTuples();
-  Buffer<double> tangents[2] = { Buffer<double>(3 * rows), Buffer<double>(3 * rows) };
+  TangentPairs tangents(rows);
   Buffer<double> x(3 * rows);
   ForEach(3 * rows,
     [&](vtkIdType i)
@@ -82,8 +73,33 @@ void AddLimitFrames(const SurfaceSteps<Id>& steps, vtkDataArray* points,
       x[i] = type == VTK_FLOAT ? static_cast<const float*>(points->GetVoidPointer(0))[i]
                                : static_cast<const double*>(points->GetVoidPointer(0))[i];
     });
-  steps.GetLimit(LimitKind::Tangent1).Apply(x.data(), tangents[0].data(), 3);
-  steps.GetLimit(LimitKind::Tangent2).Apply(x.data(), tangents[1].data(), 3);
+  const double unit = type == VTK_FLOAT ? SingleUnit : DoubleUnit;
+  auto apply = [&](LimitKind kind, double* values)
+  {
+    steps.GetLimit(kind).ForRows(
+      [&](const RowBlock<Id>& block, vtkIdType first)
+      {
+        block.Apply(x.data(), values + 3 * first, 3);
+        for (std::size_t row = 0; row < block.GetNumberOfRows(); ++row)
+        {
+          tangents.Errors[first + static_cast<vtkIdType>(row)] +=
+            GetTangentError(block, row, x.data(), unit);
+        }
+      });
+  };
+  apply(LimitKind::Tangent1, tangents.Values[0].data());
+  apply(LimitKind::Tangent2, tangents.Values[1].data());
+  const SurfaceLevel<Id>& level = steps.GetLevel(steps.GetNumberOfSteps());
+  const Buffer<unsigned char> turned = FindTurnedFaces(level.Mesh);
+  ForEach(turned.empty() ? 0 : rows,
+    [&](vtkIdType v)
+    {
+      const Id face = FindFaceOfTangents(level.Mesh, level.Tags, static_cast<Id>(v));
+      for (vtkIdType i = 3 * v; i < 3 * v + 3 && face >= 0 && turned[face]; ++i)
+      {
+        tangents.Values[1][i] = -tangents.Values[1][i];
+      }
+    });
   AddLimitFrames(tangents, type, sources, normals, twoTangents, input, output);
 }
 

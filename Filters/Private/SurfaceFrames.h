@@ -7,6 +7,7 @@
 #define SubdivisionObjects_SurfaceFrames_h
 
 #include "Core/SurfaceSteps.h"
+#include "Core/TangentErrors.h"
 
 class vtkDataArray;
 class vtkPolyData;
@@ -17,8 +18,8 @@ namespace subdivision
 constexpr const char* LimitNormalsName = "LimitNormals";
 constexpr const char* LimitTangentNames[2] = { "LimitTangent1", "LimitTangent2" };
 
-/// From two tangents of each point, of a mesh with points of `type`.
-void AddLimitFrames(const Buffer<double> (&tangents)[2], int type, const Buffer<vtkIdType>& sources,
+/// From the tangents of each point, of a mesh with points of `type`.
+void AddLimitFrames(const TangentPairs& tangents, int type, const Buffer<vtkIdType>& sources,
   bool normals, bool twoTangents, vtkPolyData* input, vtkPolyData* output);
 
 /// `points`: of the last level, float or double. `sources`: whose frame each output point takes;
