@@ -41,7 +41,9 @@
  *  - 2, parts for FollowPart: integers, negative = no part; unset: none.
  *  - 3, rules of regions: integers; 0 = the options Type1Rule to Type3Rule, 1 = Blend, 2 = Sharp,
  *    3 to 5 = FollowDimension1 to FollowDimension3, 6 = FollowPart. At a joint the maximal cell
- * with the smallest id that has a non-zero value decides. Unset: none.
+ *    with the smallest id that has a non-zero value decides. Unset: none.
+ *  - 4, sharpness of lines: numbers; a crease of sharpness s stays sharp for s levels, the last, if
+ *    s is no whole number, in part; infinite = flagged. Unset: none.
  *
  * @par Ghosts
  * Hidden cells take no part and are not in the output. Cell ghost types go to the children, point

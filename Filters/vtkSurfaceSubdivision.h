@@ -93,8 +93,8 @@
  * (vtkRedGreenRefinement: at the control mesh, for edge lengths and jumps). A triangle that is
  * wanted by a criterion of cells is split with those across its edges. The output is a mesh of its
  * own for the next filter; a triangulation and limits of the same kind for Loop subdivision come
- * from vtkRedGreenRefinement with Placement LIMIT. NumberOfLevels, CacheOperator, GenerateNormals
- * and GenerateTangents are not used. Rounds cost in proportion to what they split, and about 250
+ * from vtkRedGreenRefinement with Placement LIMIT. NumberOfLevels and CacheOperator are not used.
+ * Rounds cost in proportion to what they split, and about 250
  * bytes are needed for each triangle of the output.
  *
  * @par Arrays read, by SetInputArrayToProcess

@@ -520,7 +520,8 @@ void RedGreenRun::WarnOfReplaced() const
 
 bool RefineRedGreen(vtkPointSet* input, const RedGreenOptions& options, vtkUnstructuredGrid* output)
 {
-  return RedGreenRun(input, options, output).Run();
+  const RedGreenOptions once = WarningOnce(options);
+  return RedGreenRun(input, once, output).Run();
 }
 
 }

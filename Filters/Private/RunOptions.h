@@ -9,6 +9,8 @@
 #include "Features.h"
 
 #include <functional>
+#include <memory>
+#include <set>
 #include <string>
 
 namespace subdivision
@@ -26,6 +28,23 @@ struct RunOptions
   std::function<void(const std::string&)> Warn;
   std::function<void(const std::string&)> Fail;
 };
+
+/// The same options for one run, which says nothing twice: where a stamp turns out to be wrong, the
+/// input is read again.
+template <typename Options>
+Options WarningOnce(const Options& options)
+{
+  Options once = options;
+  once.Warn = [warn = options.Warn, told = std::make_shared<std::set<std::string>>()](
+                const std::string& message)
+  {
+    if (told->insert(message).second)
+    {
+      warn(message);
+    }
+  };
+  return once;
+}
 
 }
 

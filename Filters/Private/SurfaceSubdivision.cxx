@@ -552,8 +552,9 @@ void SurfaceRun<Id>::WriteStamp()
 
 }
 
-bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
+bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& given, vtkPolyData* output)
 {
+  const SurfaceOptions options = WarningOnce(given);
   const auto scheme = MakeSurfaceScheme<int>(options.Scheme, options.ModifiedBoundary);
   if (!scheme)
   {

@@ -400,7 +400,8 @@ void Probe::AddNumbers(const ComplexDescription<Id>& description)
 
 bool ProbeTopology(vtkPointSet* input, const ProbeOptions& options, vtkUnstructuredGrid* output)
 {
-  return Probe(input, options, output).Run();
+  const ProbeOptions once = WarningOnce(options);
+  return Probe(input, once, output).Run();
 }
 
 }

@@ -458,7 +458,8 @@ void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer
 bool SubdivideUniformly(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output)
 {
-  return UniformRun(input, options, output).Run();
+  const UniformOptions once = WarningOnce(options);
+  return UniformRun(input, once, output).Run();
 }
 
 }

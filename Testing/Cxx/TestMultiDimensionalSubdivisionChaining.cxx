@@ -3,8 +3,8 @@
  * @file TestMultiDimensionalSubdivisionChaining.cxx
  * Filters in a row give what one filter gives, bit for bit; what was changed in between is noticed.
  */
+#include "FeatureTools.h"
 #include "FileTools.h"
-#include "MultiDimensionalSubdivisionTools.h"
 
 #include "vtkSubdivisionModelSource.h"
 
@@ -362,4 +362,31 @@ TEST(MultiDimensionalSubdivisionStamp, MadeUpStampsDoNoHarm)
   const Grid plain = DeepCopy(ours);
   RemoveStamp(plain);
   EXPECT_EQ(Compare(Subdivide(text, options), Subdivide(plain, options)), "");
+}
+
+TEST(MultiDimensionalSubdivisionChaining, AStampThatIsFoundOutLaterWarnsOnce)
+{
+  // So many cells that the stamp's sample does not have the two that are swapped.
+  const Grid refined = Subdivide(feature_tools::MakeKuhnBox(2), 3);
+  const vtkIdType size = refined->GetNumberOfCells();
+  ASSERT_GT(size, 4 * 4096);
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    const Ids cell = GetCell(refined, i == 1 ? 2 : i == 2 ? 1 : i);
+    cells->InsertNextCell(4, cell.data());
+  }
+  refined->SetCells(VTK_TETRA, cells);
+  vtkNew<vtkIntArray> flags; // of all children of the first cell, as solids cannot have them
+  flags->SetName("Singular");
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    flags->InsertNextValue(i < 512);
+  }
+  refined->GetCellData()->AddArray(flags);
+  vtkNew<Messages> messages;
+  Options options;
+  options.Levels = 1;
+  Subdivide(refined, options, messages);
+  EXPECT_EQ(messages->CountWarnings("cannot be singular"), 1);
 }
