@@ -46,8 +46,13 @@
  * component names and active attributes are kept. Written are, with VolumeScheme = TET_OCT, the
  * cell array `OctahedronId`; on request, `vtkOriginalCellIds`, `vtkOriginalPointIds`,
  * `LimitNormals`, and the classification arrays; always the field array `Subdivision` (and
- * `SubdivisionGlobalIds`, if the input had global ids), by which a next filter recognises this
- * output.
+ * `SubdivisionGlobalIds`, if the input had global ids, `SubdivisionInvertedCells`, if it had
+ * inverted or flat solids), by which a next filter recognises this output.
+ *
+ * @par Solids that are turned inside out
+ * Smoothing may turn solids inside out where the control mesh is very thin. One warning says how
+ * many of the output's solids have another orientation than the control cell they come from;
+ * GenerateClassification marks them. Make the control mesh less flat there, or take fewer levels.
  *
  * @par Output
  * Points: all input points with their ids (unused ones too), then centres of split cells, then the
@@ -129,8 +134,8 @@ public:
    * of the rule that the next level would use for the vertex; 4 = blended) and `NonManifoldType`
    * (0: manifold; 1: objects of different dimension meet; 2: more than two branches; 3: boundaries
    * touch). Cell array: `ManifoldDimension` (0 to 3: the dimension of the maximal simplex that the
-   * cell is, or is a face of; the largest, if several). All vtkUnsignedCharArray with one
-   * component. Off by default.
+   * cell is, or is a face of; the largest, if several) and `Inverted` (1 for solids that smoothing
+   * turned inside out). All vtkUnsignedCharArray with one component. Off by default.
    */
   vtkSetMacro(GenerateClassification, bool);
   vtkGetMacro(GenerateClassification, bool);
@@ -158,12 +163,14 @@ public:
   /**
    * Whether to output the point array `LimitNormals` (3 components, of the type of the points):
    * unit normals of the limit surface where each point ends up, whether it is projected there or
-   * not. On surfaces they follow the orientation of the triangles (of the first one at a point, if
-   * they differ), on the boundary of a solid they point out of it. A point on a crease or on the
+   * not. On surfaces they follow the orientation of the triangles (of the first one of a part, if
+   * they differ; a part is what can be reached over edges of two triangles), on the boundary of a
+   * solid they point out of it, as the control mesh says. A point on a crease or on the
    * border of a surface has the mean of the normals of its one or two sides. Where there is no
    * tangent plane the normal is zero: inside solids, on curves, at corners, darts and non-manifold
-   * joints, on surfaces inside a solid, and on semi-sharp creases that are still sharp on the last
-   * level. Off by default.
+   * joints, on creases and borders with seven and more triangles on a side, where tangents are
+   * parallel but for rounding, on surfaces inside a solid, and on semi-sharp creases that are still
+   * sharp on the last level. Off by default.
    */
   vtkSetMacro(GenerateLimitNormals, bool);
   vtkGetMacro(GenerateLimitNormals, bool);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <vector>
 
@@ -24,25 +25,104 @@ struct SectorPart
   std::vector<Id> Columns;
   std::vector<double> First;
   std::vector<double> Second;
-  std::vector<Id> InsideSizes;
-  std::vector<Id> Inside;
+  std::vector<vtkIdType> SideSizes;
+  std::vector<vtkIdType> Sides;
 };
 
-/// The vertex of a cell that lies behind a vertex and a face at it.
-template <typename Id>
-Id FindInside(const Level<Id>& level, Id tet, Id face, Id)
+/// Of a permutation: 1 for even, -1 for odd.
+template <int Size>
+int GetParity(const int (&places)[Size])
 {
-  const auto& complex = level.Complex;
-  return complex.TetVertices[4 * vtkIdType(tet) + complex.FaceInTet(tet, face)];
+  int sign = 1;
+  for (int i = 0; i < Size; ++i)
+  {
+    for (int j = i + 1; j < Size; ++j)
+    {
+      sign = places[i] > places[j] ? -sign : sign;
+    }
+  }
+  return sign;
+}
+
+/// Whether a triangle on the boundary of a tetrahedron goes around counterclockwise, seen from
+/// outside, if its vertices are taken in this order: 1; clockwise: -1.
+template <typename Id>
+int GetTurn(const SimplicialComplex<Id>& complex, Id tet, const Id (&triangle)[3])
+{
+  int places[4];
+  places[3] = 6;
+  for (int k = 0; k < 3; ++k)
+  {
+    places[k] = complex.VertexInTet(tet, triangle[k]);
+    places[3] -= places[k];
+  }
+  return -GetParity(places);
 }
 template <typename Id>
-Id FindInside(const TetOctLevel<Id>& level, Id cell, Id face, Id vertex)
+int GetTurn(const Level<Id>& level, Id tet, const Id (&triangle)[3])
 {
-  const auto& complex = level.Complex;
-  const Id oct = cell - complex.NumberOfTets;
-  return oct < 0
-    ? complex.TetVertices[4 * vtkIdType(cell) + complex.FaceInTet(cell, face)]
-    : level.OctVertices[6 * vtkIdType(oct) + octahedron::Opposite(VertexInOct(level, oct, vertex))];
+  return GetTurn(level.Complex, tet, triangle);
+}
+template <typename Id>
+int GetTurn(const TetOctLevel<Id>& level, Id cell, const Id (&triangle)[3])
+{
+  const Id oct = cell - level.Complex.NumberOfTets;
+  if (oct < 0)
+  {
+    return GetTurn(level.Complex, cell, triangle);
+  }
+  // From the centre: the first vertices of its three pairs are a positive system of axes.
+  int axes[3];
+  int sign = 1;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int place = VertexInOct(level, oct, triangle[k]);
+    axes[k] = place / 2;
+    sign = place % 2 ? -sign : sign;
+  }
+  return sign * GetParity(axes);
+}
+
+/// Numbers of tetrahedra and octahedra on all levels from the control level on (TetOctComplex.h).
+using SolidCounts = std::vector<std::array<vtkIdType, 2>>;
+
+template <typename Id>
+SolidCounts CountSolids(const Level<Id>&)
+{
+  return {};
+}
+template <typename Id>
+SolidCounts CountSolids(const TetOctLevel<Id>& level)
+{
+  const vtkIdType all = level.Complex.NumberOfTets + 4 * vtkIdType(level.NumberOfOctahedra);
+  SolidCounts counts = { { all >> (3 * level.Steps), 0 } };
+  for (int step = 0; step < level.Steps; ++step)
+  {
+    const std::array<vtkIdType, 2> last = counts.back();
+    counts.push_back({ 4 * last[0] + 8 * last[1], last[0] + 6 * last[1] });
+  }
+  return counts;
+}
+
+/// The control tetrahedron that a solid is a part of.
+template <typename Id>
+vtkIdType FindControlTet(const Level<Id>&, Id tet, int steps, const SolidCounts&)
+{
+  return static_cast<vtkIdType>(tet) >> (3 * steps);
+}
+template <typename Id>
+vtkIdType FindControlTet(const TetOctLevel<Id>& level, Id solid, int, const SolidCounts& counts)
+{
+  bool isOct = solid >= level.Complex.NumberOfTets;
+  vtkIdType cell = isOct ? solid - level.Complex.NumberOfTets : solid;
+  for (int step = level.Steps; step-- > 0;)
+  {
+    const vtkIdType ofTets = isOct ? counts[step][0] : 4 * counts[step][0];
+    const bool isOfTet = cell < ofTets;
+    cell = isOfTet ? cell / (isOct ? 1 : 4) : (cell - ofTets) / (isOct ? 6 : 8);
+    isOct = !isOfTet;
+  }
+  return cell;
 }
 
 /// The level is a Level or a TetOctLevel.
@@ -50,12 +130,15 @@ template <template <typename> class AnyLevel, typename Id>
 class SectorWalker
 {
 public:
-  explicit SectorWalker(const AnyLevel<Id>& level)
+  SectorWalker(const AnyLevel<Id>& level, const ControlSolids& solids)
     : Here(level)
     , Complex(level.Complex)
     , Strata(level.Strata)
+    , Solids(solids)
+    , Counts(CountSolids(level))
   {
     this->FindFacesAtCurves();
+    this->FindTurnedFaces();
   }
 
   /// Appends the sectors of a vertex, and says how many they are.
@@ -70,8 +153,16 @@ private:
   };
 
   void FindFacesAtCurves();
+  bool FindPair(Id edge, Id (&faces)[2]) const;
+  bool Contradict(Id edge, const Id (&faces)[2]) const;
+  void FindTurnedFaces();
+  void OrientPart(Id first);
+  /// The most triangles that a sector with a tangent plane has.
+  static constexpr std::size_t MostTriangles = 6;
   bool Follow(Id vertex, Id edge, Id face, Walk& walk) const;
   void AppendSector(Id vertex, const Walk& walk, SectorPart<Id>& part) const;
+  void AppendSides(
+    Id vertex, const Walk& walk, const std::vector<Id>& around, SectorPart<Id>& part) const;
   double GetSign(Id vertex, const Walk& walk) const;
   Rule RuleOf(Id edge) const { return this->Strata.Edges[edge].GetRule(); }
   Id EdgeAcross(Id face, Id edge, Id vertex) const
@@ -84,7 +175,12 @@ private:
   const AnyLevel<Id>& Here;
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
+  const ControlSolids& Solids;
+  const SolidCounts Counts;
   Rows<Id> FacesAtCurves; ///< of each edge that follows the rule for curves, in surfaces only
+  /// 1 for triangles of surfaces that are turned over against the first of their part; may be
+  /// empty.
+  Buffer<unsigned char> Turned;
 };
 
 template <template <typename> class AnyLevel, typename Id>
@@ -172,7 +268,7 @@ Id SectorWalker<AnyLevel, Id>::Append(Id vertex, SectorPart<Id>& part) const
     {
       // Each sector is found from both of its ends: once is enough.
       if (edge < other && this->Follow(vertex, edge, face, walk) && !walk.IsClosed &&
-        walk.Edges.back() == other)
+        walk.Edges.back() == other && walk.Faces.size() <= MostTriangles)
       {
         this->AppendSector(vertex, walk, part);
         ++sectors;
@@ -182,16 +278,131 @@ Id SectorWalker<AnyLevel, Id>::Append(Id vertex, SectorPart<Id>& part) const
   return sectors;
 }
 
-/// Whether the walk goes around the vertex like its surface triangle with the smallest number.
+/// The two maximal triangles between which a surface goes on, smooth or creased.
+template <template <typename> class AnyLevel, typename Id>
+bool SectorWalker<AnyLevel, Id>::FindPair(Id edge, Id (&faces)[2]) const
+{
+  const Row<Id> row = this->RuleOf(edge) == Rule::Surface ? this->Strata.EdgeRings.GetCarriers(edge)
+                                                          : this->FacesAtCurves[edge];
+  if (row.size() != 2)
+  {
+    return false;
+  }
+  std::copy(row.begin(), row.end(), faces);
+  return faces[0] >= 0 && faces[1] >= 0 && this->Complex.FaceTets[faces[0]].size() == 0 &&
+    this->Complex.FaceTets[faces[1]].size() == 0;
+}
+
+/// Whether both triangles run along their edge in the same direction.
+template <template <typename> class AnyLevel, typename Id>
+bool SectorWalker<AnyLevel, Id>::Contradict(Id edge, const Id (&faces)[2]) const
+{
+  const Id* ends = this->Complex.EdgeVertices.data() + 2 * vtkIdType(edge);
+  auto runsAlong = [&](Id face)
+  {
+    return (this->Complex.VertexInFace(face, ends[0]) + 1) % 3 ==
+      this->Complex.VertexInFace(face, ends[1]);
+  };
+  return runsAlong(faces[0]) == runsAlong(faces[1]);
+}
+
+template <template <typename> class AnyLevel, typename Id>
+void SectorWalker<AnyLevel, Id>::FindTurnedFaces()
+{
+  std::atomic<bool> found(false);
+  ForEach(this->Complex.NumberOfEdges,
+    [&](vtkIdType e)
+    {
+      Id faces[2];
+      const Id edge = static_cast<Id>(e);
+      if (this->FindPair(edge, faces) && this->Contradict(edge, faces))
+      {
+        found.store(true, std::memory_order_relaxed);
+      }
+    });
+  if (!found)
+  {
+    return;
+  }
+  this->Turned = Buffer<unsigned char>(this->Complex.NumberOfFaces, 2);
+  for (Id face = 0; face < this->Complex.NumberOfFaces; ++face)
+  {
+    if (this->Turned[face] == 2 && this->Complex.FaceTets[face].size() == 0)
+    {
+      this->OrientPart(face);
+    }
+  }
+}
+
+/// All triangles that can be reached from one; those of parts that have one side only stay.
+template <template <typename> class AnyLevel, typename Id>
+void SectorWalker<AnyLevel, Id>::OrientPart(Id first)
+{
+  std::vector<Id> part = { first };
+  this->Turned[first] = 0;
+  bool isOrientable = true;
+  for (std::size_t i = 0; i < part.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      Id faces[2];
+      const Id edge = this->Complex.FaceEdges[3 * vtkIdType(part[i]) + k];
+      if (!this->FindPair(edge, faces))
+      {
+        continue;
+      }
+      const Id other = faces[faces[0] == part[i] ? 1 : 0];
+      const unsigned char side =
+        static_cast<unsigned char>(this->Turned[part[i]] ^ (this->Contradict(edge, faces) ? 1 : 0));
+      if (this->Turned[other] == 2)
+      {
+        this->Turned[other] = side;
+        part.push_back(other);
+      }
+      isOrientable = isOrientable && this->Turned[other] == side;
+    }
+  }
+  for (const Id face : part)
+  {
+    this->Turned[face] = isOrientable ? this->Turned[face] : 0;
+  }
+}
+
+/// The solids behind the triangles of a walk.
+template <template <typename> class AnyLevel, typename Id>
+void SectorWalker<AnyLevel, Id>::AppendSides(
+  Id vertex, const Walk& walk, const std::vector<Id>& around, SectorPart<Id>& part) const
+{
+  const std::size_t before = part.Sides.size();
+  for (std::size_t j = 0; j < walk.Faces.size(); ++j)
+  {
+    const Id triangle[3] = { vertex, around[j], around[(j + 1) % around.size()] };
+    for (Id cell : this->Complex.FaceTets[walk.Faces[j]])
+    {
+      const vtkIdType tet = FindControlTet(this->Here, cell, this->Solids.Steps, this->Counts);
+      const vtkIdType number = this->Solids.Numbers.empty() ? tet : this->Solids.Numbers[tet];
+      part.Sides.push_back(2 * number + (GetTurn(this->Here, cell, triangle) < 0 ? 1 : 0));
+    }
+  }
+  part.SideSizes.push_back(static_cast<vtkIdType>(part.Sides.size() - before));
+}
+
+/// 1 where a walk on a surface goes around counterclockwise, seen from where the first triangle of
+/// its part does; else -1. On the boundary of a solid always 1.
 template <template <typename> class AnyLevel, typename Id>
 double SectorWalker<AnyLevel, Id>::GetSign(Id vertex, const Walk& walk) const
 {
+  if (this->Complex.FaceTets[walk.Faces.front()].size() > 0)
+  {
+    return 1.;
+  }
   const std::size_t first =
     std::min_element(walk.Faces.begin(), walk.Faces.end()) - walk.Faces.begin();
   const Id face = walk.Faces[first];
   const Id ahead = this->Complex.OtherEnd(walk.Edges[first], vertex);
   const int own = this->Complex.VertexInFace(face, vertex);
-  return this->Complex.VertexInFace(face, ahead) == (own + 1) % 3 ? 1. : -1.;
+  const bool isTurned = !this->Turned.empty() && this->Turned[face] == 1;
+  return (this->Complex.VertexInFace(face, ahead) == (own + 1) % 3) != isTurned ? 1. : -1.;
 }
 
 template <template <typename> class AnyLevel, typename Id>
@@ -199,18 +410,19 @@ void SectorWalker<AnyLevel, Id>::AppendSector(
   Id vertex, const Walk& walk, SectorPart<Id>& part) const
 {
   const std::size_t size = walk.Edges.size();
+  std::vector<Id> around;
+  for (Id edge : walk.Edges)
+  {
+    around.push_back(this->Complex.OtherEnd(edge, vertex));
+  }
   const double sign = this->GetSign(vertex, walk);
+  this->AppendSides(vertex, walk, around, part);
   auto append = [&](Id column, double first, double second)
   {
     part.Columns.push_back(column);
     part.First.push_back(first);
     part.Second.push_back(sign * second);
   };
-  std::vector<Id> around;
-  for (Id edge : walk.Edges)
-  {
-    around.push_back(this->Complex.OtherEnd(edge, vertex));
-  }
   if (walk.IsClosed)
   {
     for (std::size_t j = 0; j < size; ++j)
@@ -237,19 +449,6 @@ void SectorWalker<AnyLevel, Id>::AppendSector(
     append(vertex, 0., -2. * end - sum);
     part.Sizes.push_back(static_cast<Id>(size + 1));
   }
-  Id inside = 0;
-  for (std::size_t j = 0; j < walk.Faces.size(); ++j)
-  {
-    for (Id cell : this->Complex.FaceTets[walk.Faces[j]])
-    {
-      const Id pair[2] = { around[j], around[(j + 1) % size] };
-      part.Inside.push_back(pair[sign > 0. ? 0 : 1]);
-      part.Inside.push_back(pair[sign > 0. ? 1 : 0]);
-      part.Inside.push_back(FindInside(this->Here, cell, walk.Faces[j], vertex));
-      inside += 3;
-    }
-  }
-  part.InsideSizes.push_back(inside);
 }
 
 /// One buffer of what several parts hold.
@@ -270,21 +469,22 @@ Buffer<T> Join(const std::vector<SectorPart<Id>>& parts, std::vector<T> SectorPa
   return joined;
 }
 
-template <typename Id>
-Buffer<Id> JoinOffsets(
-  const std::vector<SectorPart<Id>>& parts, std::vector<Id> SectorPart<Id>::* sizes)
+template <typename Id, typename T>
+Buffer<T> JoinOffsets(
+  const std::vector<SectorPart<Id>>& parts, std::vector<T> SectorPart<Id>::* sizes)
 {
-  const Buffer<Id> joined = Join(parts, sizes);
-  Buffer<Id> offsets(joined.size() + 1);
+  const Buffer<T> joined = Join(parts, sizes);
+  Buffer<T> offsets(joined.size() + 1);
   std::copy(joined.begin(), joined.end(), offsets.begin());
   CountsToOffsets(offsets);
   return offsets;
 }
 
 template <template <typename> class AnyLevel, typename Id>
-LimitTangents<Id> BuildTangents(const AnyLevel<Id>& level, const SemiSharpStages<Id>& creases)
+LimitTangents<Id> BuildTangents(
+  const AnyLevel<Id>& level, const SemiSharpStages<Id>& creases, const ControlSolids& solids)
 {
-  const SectorWalker<AnyLevel, Id> walker(level);
+  const SectorWalker<AnyLevel, Id> walker(level, solids);
   const vtkIdType vertices = level.Complex.NumberOfVertices;
   constexpr vtkIdType block = 4096;
   const vtkIdType blocks = (vertices + block - 1) / block;
@@ -319,108 +519,31 @@ LimitTangents<Id> BuildTangents(const AnyLevel<Id>& level, const SemiSharpStages
   tangents.Second.Offsets = JoinOffsets(parts, &SectorPart<Id>::Sizes);
   tangents.Second.Columns = Join(parts, &SectorPart<Id>::Columns);
   tangents.Second.Weights = Join(parts, &SectorPart<Id>::Second);
-  tangents.Inside.Offsets = JoinOffsets(parts, &SectorPart<Id>::InsideSizes);
-  tangents.Inside.Items = Join(parts, &SectorPart<Id>::Inside);
+  tangents.SideOffsets = JoinOffsets(parts, &SectorPart<Id>::SideSizes);
+  tangents.Sides = Join(parts, &SectorPart<Id>::Sides);
   return tangents;
 }
 
 }
 
 template <typename Id>
-LimitTangents<Id> BuildLimitTangents(const Level<Id>& level, const SemiSharpStages<Id>& creases)
+LimitTangents<Id> BuildLimitTangents(
+  const Level<Id>& level, const SemiSharpStages<Id>& creases, const ControlSolids& solids)
 {
-  return BuildTangents(level, creases);
+  return BuildTangents(level, creases, solids);
 }
 template <typename Id>
 LimitTangents<Id> BuildLimitTangents(
-  const TetOctLevel<Id>& level, const SemiSharpStages<Id>& creases)
+  const TetOctLevel<Id>& level, const SemiSharpStages<Id>& creases, const ControlSolids& solids)
 {
-  return BuildTangents(level, creases);
-}
-
-namespace
-{
-
-using Vector = std::array<double, 3>;
-
-inline Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-inline double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline double Length(const Vector& a)
-{
-  return std::hypot(a[0], a[1], a[2]);
-}
-
-/// Of unit length; zero if it is shorter than `least`, or not finite.
-inline Vector Normalise(const Vector& a, double least)
-{
-  const double length = Length(a);
-  return length > least && std::isfinite(length)
-    ? Vector{ a[0] / length, a[1] / length, a[2] / length }
-    : Vector{ 0., 0., 0. };
-}
-
-}
-
-template <typename Id>
-void ComputeLimitNormals(const LimitTangents<Id>& tangents, const double* points, double* normals)
-{
-  const vtkIdType sectors = tangents.GetNumberOfSectors();
-  Buffer<double> first(3 * sectors);
-  Buffer<double> second(3 * sectors);
-  tangents.First.Apply(points, first.data(), 3);
-  tangents.Second.Apply(points, second.data(), 3);
-  auto read = [](const double* at) { return Vector{ at[0], at[1], at[2] }; };
-  auto normalOf = [&](vtkIdType sector, vtkIdType vertex)
-  {
-    const Vector u = read(first.data() + 3 * sector);
-    const Vector w = read(second.data() + 3 * sector);
-    const Vector normal = Normalise(Cross(u, w), 1e-12 * Length(u) * Length(w));
-    const Row<Id> inside = tangents.Inside[sector];
-    double volume = 0.;
-    for (const Id* triple = inside.begin(); triple != inside.end(); triple += 3)
-    {
-      Vector sides[3];
-      for (int k = 0; k < 3; ++k)
-      {
-        sides[k] = read(points + 3 * vtkIdType(triple[k]));
-        for (int c = 0; c < 3; ++c)
-        {
-          sides[k][c] -= points[3 * vertex + c];
-        }
-      }
-      volume += Dot(Cross(sides[0], sides[1]), sides[2]);
-    }
-    const double sign = volume > 0. ? -1. : 1.; // the solid lies behind
-    return Vector{ sign * normal[0], sign * normal[1], sign * normal[2] };
-  };
-  ForEach(tangents.Sectors.GetNumberOfRows(),
-    [&](vtkIdType v)
-    {
-      Vector sum = { 0., 0., 0. };
-      for (vtkIdType s = tangents.Sectors.Offsets[v]; s < tangents.Sectors.Offsets[v + 1]; ++s)
-      {
-        const Vector normal = normalOf(s, v);
-        for (int c = 0; c < 3; ++c)
-        {
-          sum[c] += normal[c];
-        }
-      }
-      const Vector normal = Normalise(sum, 1e-12);
-      std::copy(normal.begin(), normal.end(), normals + 3 * v);
-    });
+  return BuildTangents(level, creases, solids);
 }
 
 #define SUBDIVISION_NORMALS(Id)                                                                    \
-  template LimitTangents<Id> BuildLimitTangents(const Level<Id>&, const SemiSharpStages<Id>&);     \
   template LimitTangents<Id> BuildLimitTangents(                                                   \
-    const TetOctLevel<Id>&, const SemiSharpStages<Id>&);                                           \
-  template void ComputeLimitNormals(const LimitTangents<Id>&, const double*, double*)
+    const Level<Id>&, const SemiSharpStages<Id>&, const ControlSolids&);                           \
+  template LimitTangents<Id> BuildLimitTangents(                                                   \
+    const TetOctLevel<Id>&, const SemiSharpStages<Id>&, const ControlSolids&)
 SUBDIVISION_NORMALS(int);
 SUBDIVISION_NORMALS(long long);
 

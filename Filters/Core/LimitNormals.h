@@ -8,13 +8,18 @@
  * from one sharp edge to the next; the tangents of a sector of k triangles are along the curve, p_0
  * - p_k, and across it, with the weights sin(pi j/k) of p_1 to p_k-1 and those of the ends and of
  * the vertex that make it a left eigenvector (of 3/8 + 1/4 cos(pi/k)). Several sectors: the mean of
- * their normals. Corners, curves, the inside of solids, joints, darts, and vertices of semi-sharp
- * creases that are still sharp have no normal.
+ * their normals. From 7 triangles on a sector has no tangent plane: the second wave, of eigenvalue
+ * 3/8 + 1/4 cos(2 pi/k), then shrinks more slowly than the curve, by more than 1/2. Corners,
+ * curves, the inside of solids, joints, darts, and vertices of semi-sharp creases that are still
+ * sharp have no normal.
  */
 #ifndef SubdivisionObjects_LimitNormals_h
 #define SubdivisionObjects_LimitNormals_h
 
+#include "Coordinates.h"
 #include "LimitStencils.h"
+
+#include <vector>
 
 namespace subdivision
 {
@@ -23,35 +28,48 @@ template <typename Id>
 struct LimitTangents
 {
   Rows<Id> Sectors; ///< of each vertex; Items are not used: sectors are numbered through
-  /// One row for each sector; their cross product has the orientation of the surface's triangle
-  /// with the smallest number.
+  /// One row for each sector; their cross product has the orientation of the first triangle of its
+  /// part or, where it bounds a solid, that of the walk around the vertex.
   SparseRows<Id> First;
   SparseRows<Id> Second;
-  /// Where it bounds a solid: three vertices for each triangle of the sector, those beside the
-  /// vertex in the order in which the cross product sees them, and the one inside.
-  Rows<Id> Inside;
+  /// Where it bounds a solid: of each of its triangles twice the number of the control tetrahedron
+  /// behind it, and one more if that is in front where the cross product points, as far as the
+  /// order of vertices tells. So smoothing, which may turn solids inside out, turns no normal.
+  Buffer<vtkIdType> SideOffsets;
+  Buffer<vtkIdType> Sides;
 
   vtkIdType GetNumberOfSectors() const { return this->First.GetNumberOfRows(); }
   std::size_t GetMemorySize() const
   {
     return this->Sectors.GetMemorySize() + this->First.GetMemorySize() +
-      this->Second.GetMemorySize() + this->Inside.GetMemorySize();
+      this->Second.GetMemorySize() + this->SideOffsets.GetMemorySize() +
+      this->Sides.GetMemorySize();
   }
+};
+
+/// What the tetrahedra of the control mesh are called, in the order of the complex (empty: their
+/// numbers there), and how many steps there are from the control level to the level.
+struct ControlSolids
+{
+  std::vector<vtkIdType> Numbers;
+  int Steps = 0;
 };
 
 /// The tangents at all vertices of a level that can be refined (Depth::ForRefinement).
 template <typename Id>
-LimitTangents<Id> BuildLimitTangents(
-  const Level<Id>& level, const SemiSharpStages<Id>& creases = {});
+LimitTangents<Id> BuildLimitTangents(const Level<Id>& level,
+  const SemiSharpStages<Id>& creases = {}, const ControlSolids& solids = {});
 
 template <typename Id>
-LimitTangents<Id> BuildLimitTangents(
-  const TetOctLevel<Id>& level, const SemiSharpStages<Id>& creases = {});
+LimitTangents<Id> BuildLimitTangents(const TetOctLevel<Id>& level,
+  const SemiSharpStages<Id>& creases = {}, const ControlSolids& solids = {});
 
-/// Unit normals, three numbers for each vertex, from the points of the level; outwards where the
-/// surface bounds a solid; zero where there is none.
+/// Unit normals, three numbers for each vertex, from the points of the level; zero where there is
+/// none. `inverted`: twice the number of each control tetrahedron that has a negative volume,
+/// ascending; odd numbers mean nothing.
 template <typename Id>
-void ComputeLimitNormals(const LimitTangents<Id>& tangents, const double* points, double* normals);
+void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& points,
+  const std::vector<vtkIdType>& inverted, double* normals);
 
 }
 

@@ -44,14 +44,14 @@ struct TetFrame
     this->Volume = Dot(this->Edges[0], this->Normals[0]);
   }
   /// Whether the volume is nothing but rounding.
-  bool IsFlat() const
+  bool IsFlat(double least = 1e-14) const
   {
     double product = 1.;
     for (const Vector& edge : this->Edges)
     {
       product *= std::sqrt(Dot(edge, edge));
     }
-    return !(std::abs(this->Volume) > 1e-14 * product);
+    return !(std::abs(this->Volume) > least * product);
   }
 
   Vector Edges[3];
@@ -216,10 +216,10 @@ bool FindGradientsInTet(const double* const corners[4], double gradients[4][3])
   return !tet.IsFlat();
 }
 
-int GetOrientationOfTet(const double* const corners[4])
+int GetOrientationOfTet(const double* const corners[4], double least)
 {
   const TetFrame tet(corners);
-  return tet.IsFlat() ? 0 : tet.Volume > 0. ? 1 : -1;
+  return tet.IsFlat(least) ? 0 : tet.Volume > 0. ? 1 : -1;
 }
 
 // ------------------------------------------------------------------------------------------------

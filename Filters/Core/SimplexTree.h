@@ -30,8 +30,9 @@ bool FindWeightsInTet(const double* const corners[4], const double x[3], double 
 /// How the weights change along the axes; false if the tetrahedron is flat.
 bool FindGradientsInTet(const double* const corners[4], double gradients[4][3]);
 
-/// The sign of the volume: 0 where it is next to nothing against the lengths of the edges.
-int GetOrientationOfTet(const double* const corners[4]);
+/// The sign of the volume: 0 where it is next to nothing, `least`, against the lengths of the
+/// edges.
+int GetOrientationOfTet(const double* const corners[4], double least = 1e-14);
 
 class SimplexTree
 {

@@ -149,6 +149,22 @@ std::vector<unsigned char> RefineFlags(
 namespace
 {
 
+/// The simplex that each control tetrahedron is, in the order of the complex.
+template <typename Id>
+std::vector<vtkIdType> NumberSolids(
+  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs)
+{
+  std::vector<vtkIdType> numbers(static_cast<std::size_t>(complex.NumberOfTets));
+  for (const CellRun& run : runs)
+  {
+    for (vtkIdType i = 0; run.Dimension == 3 && !run.Equal && i < run.Count; ++i)
+    {
+      numbers[run.First + i] = run.FirstCell + i;
+    }
+  }
+  return numbers;
+}
+
 /// The control level itself.
 template <typename Id>
 bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
@@ -174,6 +190,7 @@ bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
   }
   control.ManifoldDimensions = FindManifoldDimensions(complex, control.Runs);
   control.Sharpness = FindEdgeSharpness(mesh.Values, complex, control.Runs);
+  control.Solids = NumberSolids(complex, control.Runs);
   control.Current.Strata =
     BuildStrata(complex, CollectSingular(complex, control, mesh.Values.Singular),
       MakeStrataOptions(features, mesh.Values, complex, control.Runs));

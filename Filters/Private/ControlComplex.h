@@ -28,6 +28,7 @@ struct ControlTraits
   std::vector<FeatureCandidate> Candidates;
   std::vector<bool> Features;
   EdgeSharpness Sharpness;                  ///< of control edges
+  std::vector<vtkIdType> Solids;            ///< the simplex of each control tetrahedron
   Buffer<unsigned char> ManifoldDimensions; ///< of control simplices
 };
 

@@ -55,6 +55,23 @@ bool LiftTuples(const SimplexTuples& tuples, const Stamp& stamp, SimplexTuples& 
   return true;
 }
 
+/// The control simplices that an earlier filter found to be inverted.
+std::vector<vtkIdType> ReadInverted(vtkPointSet* input, const SimplexList& control)
+{
+  std::vector<vtkIdType> inverted;
+  vtkDataArray* array = input->GetFieldData()->GetArray(InvertedCellsName);
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    const vtkIdType simplex = ToId(array->GetComponent(i, 0));
+    if (simplex >= 0 && simplex / 2 < control.GetNumberOfSimplices() &&
+      (inverted.empty() || simplex > inverted.back()))
+    {
+      inverted.push_back(simplex);
+    }
+  }
+  return inverted;
+}
+
 }
 
 ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOptions& features,
@@ -111,6 +128,7 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
       mesh.MadeLevels = stamp.Levels;
       mesh.Values = std::move(values);
       mesh.Derived = std::move(derived);
+      mesh.Inverted = ReadInverted(input, mesh.Above);
     }
   }
   return mesh;

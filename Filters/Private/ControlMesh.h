@@ -25,6 +25,9 @@ struct ControlMesh
   int MadeLevels = 0;    ///< steps that earlier filters made, and that are made again by arithmetic
   FeatureValues Values;  ///< of the control simplices
   SimplexTuples Derived; ///< singular simplices among them that an earlier filter derived
+  /// Control simplices of negative and of no volume (SolidOrientation.h); until points are known
+  /// those that an earlier filter found.
+  std::vector<vtkIdType> Inverted;
   std::vector<vtkIdType> GlobalIds; ///< of the first control points; empty: the index
 
   /// The control simplices.

@@ -6,8 +6,8 @@ namespace subdivision
 
 template <typename Id>
 template <typename AnyLevel>
-LimitOperators<Id>::LimitOperators(
-  const AnyLevel& level, const SemiSharpStages<Id>& creases, bool project, bool generateNormals)
+LimitOperators<Id>::LimitOperators(const AnyLevel& level, const SemiSharpStages<Id>& creases,
+  const ControlSolids& solids, bool project, bool generateNormals)
   : HasNormals(generateNormals)
 {
   if (project)
@@ -16,18 +16,18 @@ LimitOperators<Id>::LimitOperators(
   }
   if (generateNormals)
   {
-    this->Tangents = BuildLimitTangents(level, creases);
+    this->Tangents = BuildLimitTangents(level, creases, solids);
   }
 }
 
 template <typename Id>
-void LimitOperators<Id>::Apply(PointArrays& arrays) const
+void LimitOperators<Id>::Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const
 {
   if (this->HasNormals)
   {
     const vtkIdType size = arrays.GetPoints()->GetNumberOfTuples();
     Buffer<double> normals(3 * size);
-    ComputeLimitNormals(this->Tangents, arrays.GetCoordinates(), normals.data());
+    ComputeLimitNormals(this->Tangents, arrays.GetCoordinates(), inverted, normals.data());
     const auto array = MakeArray(arrays.GetPoints()->GetDataType(), 3, size);
     array->SetName(LimitNormalsName);
     auto fill = [&](auto* out)
@@ -45,9 +45,9 @@ void LimitOperators<Id>::Apply(PointArrays& arrays) const
 #define SUBDIVISION_LIMIT(Id)                                                                      \
   template struct LimitOperators<Id>;                                                              \
   template LimitOperators<Id>::LimitOperators(                                                     \
-    const Level<Id>&, const SemiSharpStages<Id>&, bool, bool);                                     \
+    const Level<Id>&, const SemiSharpStages<Id>&, const ControlSolids&, bool, bool);               \
   template LimitOperators<Id>::LimitOperators(                                                     \
-    const TetOctLevel<Id>&, const SemiSharpStages<Id>&, bool, bool)
+    const TetOctLevel<Id>&, const SemiSharpStages<Id>&, const ControlSolids&, bool, bool)
 SUBDIVISION_LIMIT(int);
 SUBDIVISION_LIMIT(long long);
 

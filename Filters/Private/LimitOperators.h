@@ -25,11 +25,11 @@ struct LimitOperators
   LimitOperators() = default;
   /// The level is a Level or a TetOctLevel.
   template <typename AnyLevel>
-  LimitOperators(
-    const AnyLevel& level, const SemiSharpStages<Id>& creases, bool project, bool generateNormals);
+  LimitOperators(const AnyLevel& level, const SemiSharpStages<Id>& creases,
+    const ControlSolids& solids, bool project, bool generateNormals);
 
-  /// `arrays` are those of the level.
-  void Apply(PointArrays& arrays) const;
+  /// `arrays` are those of the level; `inverted` as in ComputeLimitNormals.
+  void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const;
   std::size_t GetMemorySize() const
   {
     return this->Rows.GetMemorySize() + this->Tangents.GetMemorySize();

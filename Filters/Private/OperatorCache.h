@@ -31,7 +31,8 @@ class KeptSteps
 {
 public:
   virtual ~KeptSteps() = default;
-  virtual void Apply(PointArrays& arrays) const = 0;
+  /// `inverted` as in ComputeLimitNormals.
+  virtual void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const = 0;
   /// Other values, interleaved, of the points before the first step; there are steps. A result of
   /// an earlier call is written over: its pages need not be cleared again.
   virtual void Apply(const double* values, int components, Buffer<double>& result) const = 0;
@@ -50,13 +51,13 @@ public:
   void Add(Operator&& stencils) { this->Steps.push_back(std::move(stencils)); }
   /// What comes after the last step.
   void SetLimit(LimitOperators<Id>&& limit) { this->Limit = std::move(limit); }
-  void Apply(PointArrays& arrays) const override
+  void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const override
   {
     for (const Operator& step : this->Steps)
     {
       arrays.Advance(step);
     }
-    this->Limit.Apply(arrays);
+    this->Limit.Apply(arrays, inverted);
   }
   void Apply(const double* values, int components, Buffer<double>& result) const override
   {

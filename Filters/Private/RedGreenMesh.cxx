@@ -315,7 +315,8 @@ void WriteRedGreenFields(const RedGreenMesh& mesh, const RedGreenOutput<Id>& pla
   stamp.IsProjected = isProjected;
   stamp.TetOrderIsFinal = mesh.TetOrderIsFinal;
   WriteStamp(stamp, output);
-  WriteGlobalIds(mesh.Control.GlobalIds, output);
+  WriteIds(GlobalIdsName, mesh.Control.GlobalIds, output);
+  WriteIds(InvertedCellsName, {}, output);
 }
 
 template void WriteRedGreenFields(

@@ -156,16 +156,16 @@ void WriteSingularTuples(const SimplexTuples& tuples, vtkUnstructuredGrid* outpu
   }
 }
 
-void WriteGlobalIds(const std::vector<vtkIdType>& globalIds, vtkUnstructuredGrid* output)
+void WriteIds(const char* name, const std::vector<vtkIdType>& ids, vtkUnstructuredGrid* output)
 {
-  output->GetFieldData()->RemoveArray(GlobalIdsName);
-  if (!globalIds.empty())
+  output->GetFieldData()->RemoveArray(name);
+  if (!ids.empty())
   {
-    vtkNew<vtkIdTypeArray> ids;
-    ids->SetName(GlobalIdsName);
-    ids->SetNumberOfTuples(static_cast<vtkIdType>(globalIds.size()));
-    std::copy(globalIds.begin(), globalIds.end(), ids->GetPointer(0));
-    output->GetFieldData()->AddArray(ids);
+    vtkNew<vtkIdTypeArray> array;
+    array->SetName(name);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(ids.size()));
+    std::copy(ids.begin(), ids.end(), array->GetPointer(0));
+    output->GetFieldData()->AddArray(array);
   }
 }
 

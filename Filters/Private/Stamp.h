@@ -5,7 +5,8 @@
  * what one filter would have given.
  *
  * Field data `Subdivision` holds the numbers below, `SubdivisionGlobalIds` the global ids of the
- * first input's points where it had some, `SubdivisionSingularVertices`, `...Lines`, `...Triangles`
+ * first input's points where it had some, `SubdivisionInvertedCells` its simplices of negative
+ * and of no volume (SolidOrientation.h), `SubdivisionSingularVertices`, `...Lines`, `...Triangles`
  * the singular simplices that were derived from the first input. The control mesh itself needs no
  * copy: its vertices keep their ids and its simplices' children are consecutive, so it is read off
  * the cells, refined by arithmetic and compared with them. Whatever was changed in between is found
@@ -34,6 +35,8 @@ enum class StampScheme
 
 /// Field array of global ids that travel with a stamped mesh.
 constexpr const char* GlobalIdsName = "SubdivisionGlobalIds";
+/// The same of control simplices that are inverted.
+constexpr const char* InvertedCellsName = "SubdivisionInvertedCells";
 
 struct Stamp
 {
@@ -57,8 +60,8 @@ void WriteStamp(const Stamp& stamp, vtkUnstructuredGrid* output);
 void ReadSingularTuples(vtkPointSet* input, SimplexTuples& tuples);
 void WriteSingularTuples(const SimplexTuples& tuples, vtkUnstructuredGrid* output);
 
-/// Writes or replaces the global ids that travel with it; none: there are none.
-void WriteGlobalIds(const std::vector<vtkIdType>& globalIds, vtkUnstructuredGrid* output);
+/// Writes or replaces ids that travel with it; none: there are none.
+void WriteIds(const char* name, const std::vector<vtkIdType>& ids, vtkUnstructuredGrid* output);
 
 /// Reads the control mesh off its descendants. False where the cells are not such descendants.
 bool FindControlMesh(const SimplexView& descendants, const Stamp& stamp, SimplexList& control);

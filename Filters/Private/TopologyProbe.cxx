@@ -382,6 +382,7 @@ void Probe::AddNumbers(const ComplexDescription<Id>& description)
   WriteSingularTuples(SimplexTuples(), this->Output);
   fields->RemoveArray("Subdivision");
   fields->RemoveArray(GlobalIdsName);
+  fields->RemoveArray(InvertedCellsName);
   auto add = [fields](const char* name, const vtkIdType* values, int size)
   {
     vtkNew<vtkIdTypeArray> array;

@@ -71,7 +71,7 @@ void UniformRun::UseKept(KeptOperator& kept)
   }
   if (kept.Steps)
   {
-    kept.Steps->Apply(*this->Points);
+    kept.Steps->Apply(*this->Points, this->Mesh.Inverted);
   }
   this->FinishPoints(false);
   kept.Cells = this->Cells;

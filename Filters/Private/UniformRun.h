@@ -77,6 +77,7 @@ private:
   bool IsTetOct() const { return this->Options.Scheme == StampScheme::TetOct; }
 
   void Finish();
+  void CheckOrientation();
   void AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges);
   bool IsStopped(double done) const
   {

@@ -7,6 +7,7 @@
 #include "Core/TetOctCells.h"
 #include "Core/TetOrder.h"
 #include "SizeChecks.h"
+#include "SolidOrientation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -24,6 +25,7 @@ namespace
 {
 
 constexpr const char* DimensionName = "ManifoldDimension";
+constexpr const char* InvertedName = "Inverted";
 
 template <typename Id>
 LevelCounts CountSimplices(const Level<Id>& level)
@@ -61,6 +63,11 @@ UniformRun::Outcome UniformRun::Execute(bool trustStamp)
     return Outcome::Stopped;
   }
   this->StartPoints();
+  if (this->Mesh.MadeLevels == 0)
+  {
+    this->Mesh.Inverted =
+      FindInvertedTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates());
+  }
   if (!this->Mesh.IsStamped && !this->IsTetOct()) // which has no use for an order
   {
     OrderTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates(), this->Mesh.GetGlobalIds(),
@@ -342,8 +349,9 @@ void UniformRun::GoToLimit(const AnyLevel<Id>& level, Kept& kept)
     LimitOperators<Id> limit(level,
       BuildSharpStages<AnyLevel, Id>(
         this->Mesh, this->Options.Features, this->Control, this->Options.Levels),
+      { this->Control.Solids, this->Mesh.MadeLevels + this->Options.Levels },
       this->Options.ProjectToLimit, this->Options.GenerateLimitNormals);
-    limit.Apply(*this->Points);
+    limit.Apply(*this->Points, this->Mesh.Inverted);
     kept.SetLimit(std::move(limit));
   }
 }
@@ -419,6 +427,7 @@ void UniformRun::Finish()
   if (this->Options.GenerateClassification)
   {
     cells.Replaced.emplace_back(DimensionName);
+    cells.Replaced.emplace_back(InvertedName);
   }
   CopyCellArrays(this->Input, this->Mesh.Cells, this->Parents, cells, this->Output);
   if (this->Cells.Octahedra)
@@ -430,6 +439,7 @@ void UniformRun::Finish()
     AddValuesOfSimplices(this->Control.ManifoldDimensions.data(), this->Mesh.GetControl(),
       this->Mesh.MadeLevels + this->Options.Levels, DimensionName, this->Input, this->Output);
   }
+  this->CheckOrientation();
   if (this->Options.Features.Sharpness)
   {
     ReduceSharpness(
@@ -444,7 +454,41 @@ void UniformRun::Finish()
   stamp.IsProjected = this->Options.ProjectToLimit;
   WriteStamp(stamp, this->Output);
   WriteSingularTuples(stamp.IsProjected ? SimplexTuples() : this->Derived, this->Output);
-  WriteGlobalIds(stamp.IsProjected ? std::vector<vtkIdType>() : this->Mesh.GlobalIds, this->Output);
+  const std::vector<vtkIdType> none;
+  WriteIds(GlobalIdsName, stamp.IsProjected ? none : this->Mesh.GlobalIds, this->Output);
+  WriteIds(InvertedCellsName, stamp.IsProjected ? none : this->Mesh.Inverted, this->Output);
+}
+
+/// Whether smoothing turned solids inside out.
+void UniformRun::CheckOrientation()
+{
+  vtkSmartPointer<vtkUnsignedCharArray> marks;
+  if (this->Options.GenerateClassification)
+  {
+    marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    marks->SetName(InvertedName);
+    marks->SetNumberOfTuples(this->Output->GetNumberOfCells());
+    marks->FillValue(0);
+    AddInstead(this->Input->GetCellData(), marks, this->Output->GetCellData());
+  }
+  const int levels = this->Mesh.MadeLevels + this->Options.Levels;
+  const bool hasMoved = this->Options.Levels > 0 || this->Options.ProjectToLimit;
+  if (!hasMoved && (levels == 0 || !marks))
+  {
+    return;
+  }
+  const InvertedCells found =
+    FindInvertedCells(this->Mesh.GetControl(), levels, this->Mesh.Inverted, this->Points->GetTie(),
+      this->Output, marks ? marks->GetPointer(0) : nullptr);
+  if (found.Count > 0 && hasMoved)
+  {
+    this->Options.Warn(std::to_string(found.Count) + " of " +
+      std::to_string(this->Output->GetNumberOfCells()) +
+      " cells are solids that smoothing turned inside out, the first is cell " +
+      std::to_string(found.First) +
+      ": the control mesh is too thin there. Make its solids less flat, or take fewer levels; "
+      "GenerateClassification marks these cells (Inverted).");
+  }
 }
 
 void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges)

@@ -108,8 +108,12 @@ public:
   vtkTypeMacro(Messages, vtkCommand);
   void Execute(vtkObject*, unsigned long event, void* data) override
   {
-    auto& list = event == vtkCommand::WarningEvent ? this->Warnings : this->Errors;
-    list.emplace_back(static_cast<const char*>(data));
+    const std::string text = static_cast<const char*>(data);
+    const bool isOfShape = text.find("smoothing turned inside out") != std::string::npos;
+    auto& list = event != vtkCommand::WarningEvent ? this->Errors
+      : isOfShape                                  ? this->Inversions
+                                                   : this->Warnings;
+    list.push_back(text);
   }
   void Watch(vtkAlgorithm* filter)
   {
@@ -125,6 +129,8 @@ public:
 
   std::vector<std::string> Warnings;
   std::vector<std::string> Errors;
+  /// Warnings that depend on shapes alone: random meshes have solids too thin to be smoothed.
+  std::vector<std::string> Inversions;
 };
 
 struct Options
@@ -364,6 +370,7 @@ inline void RemoveStamp(vtkUnstructuredGrid* grid)
 {
   grid->GetFieldData()->RemoveArray("Subdivision");
   grid->GetFieldData()->RemoveArray("SubdivisionGlobalIds");
+  grid->GetFieldData()->RemoveArray("SubdivisionInvertedCells");
 }
 
 inline Grid DeepCopy(vtkUnstructuredGrid* grid)

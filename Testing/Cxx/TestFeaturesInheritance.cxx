@@ -15,8 +15,9 @@ namespace
 
 void Strip(vtkUnstructuredGrid* grid)
 {
-  for (const char* name : { "Subdivision", "SubdivisionGlobalIds", "SubdivisionSingularVertices",
-         "SubdivisionSingularLines", "SubdivisionSingularTriangles" })
+  for (const char* name :
+    { "Subdivision", "SubdivisionGlobalIds", "SubdivisionInvertedCells",
+      "SubdivisionSingularVertices", "SubdivisionSingularLines", "SubdivisionSingularTriangles" })
   {
     grid->GetFieldData()->RemoveArray(name);
   }

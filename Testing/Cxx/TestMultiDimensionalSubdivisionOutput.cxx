@@ -436,7 +436,8 @@ TEST(MultiDimensionalSubdivisionClassification, IsThatOfEveryPiece)
     ASSERT_EQ(types->GetNumberOfValues(), result->GetNumberOfPoints());
     ASSERT_EQ(dimensions->GetNumberOfValues(), result->GetNumberOfCells());
     EXPECT_EQ(result->GetPointData()->GetNumberOfArrays(), 2);
-    EXPECT_EQ(result->GetCellData()->GetNumberOfArrays(), 1);
+    EXPECT_TRUE(result->GetCellData()->HasArray("Inverted"));
+    EXPECT_EQ(result->GetCellData()->GetNumberOfArrays(), 2);
     for (const Expected& expected : pieces.Vertices)
     {
       for (vtkIdType id : expected.Points)

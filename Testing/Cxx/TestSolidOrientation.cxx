@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestSolidOrientation.cxx
+ * Solids that smoothing turns inside out, and normals of the limit, which do not follow them.
+ */
+#include "FeatureTools.h"
+
+using namespace feature_tools;
+
+namespace
+{
+
+double GetVolume(vtkUnstructuredGrid* grid, const Ids& tet)
+{
+  const Point o = GetPoint(grid, tet[0]);
+  double sides[3][3];
+  for (int k = 0; k < 3; ++k)
+  {
+    const Point p = GetPoint(grid, tet[k + 1]);
+    for (int c = 0; c < 3; ++c)
+    {
+      sides[k][c] = p[c] - o[c];
+    }
+  }
+  return sides[0][0] * (sides[1][1] * sides[2][2] - sides[1][2] * sides[2][1]) -
+    sides[0][1] * (sides[1][0] * sides[2][2] - sides[1][2] * sides[2][0]) +
+    sides[0][2] * (sides[1][0] * sides[2][1] - sides[1][1] * sides[2][0]);
+}
+
+/// Positive solids, some of them very thin: those of a box of cubes the points of which were moved.
+Grid MakeThinSolids(unsigned seed)
+{
+  const Grid box = MakeKuhnBox(2, 1.6, seed);
+  std::vector<Point> points;
+  std::vector<Cell> cells;
+  for (vtkIdType i = 0; i < box->GetNumberOfPoints(); ++i)
+  {
+    points.push_back(GetPoint(box, i));
+  }
+  for (const Ids& cell : GetCells(box))
+  {
+    if (GetVolume(box, cell) > 0.)
+    {
+      cells.push_back({ VTK_TETRA, cell });
+    }
+  }
+  return MakeGrid(points, cells);
+}
+
+Ids FindNegative(vtkUnstructuredGrid* grid)
+{
+  Ids found;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    if (grid->GetCellType(i) == VTK_TETRA && GetVolume(grid, GetCell(grid, i)) < 0.)
+    {
+      found.push_back(i);
+    }
+  }
+  return found;
+}
+
+Point GetNormal(vtkUnstructuredGrid* grid, vtkIdType i)
+{
+  Point normal;
+  grid->GetPointData()->GetArray("LimitNormals")->GetTuple(i, normal.data());
+  return normal;
+}
+
+double Dot(const Point& a, const Point& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Grid RunWithNormals(vtkUnstructuredGrid* grid, int levels, int scheme)
+{
+  vtkNew<Messages> messages; // of what is turned inside out
+  return Execute(
+    grid, levels,
+    [scheme](Filter* filter)
+    {
+      filter->SetVolumeScheme(scheme);
+      filter->GenerateLimitNormalsOn();
+    },
+    messages);
+}
+
+}
+
+TEST(SolidOrientation, NormalsAreThoseOfAllLevels)
+{
+  vtkIdType some = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed)
+  {
+    for (const int scheme : { Filter::BOX_SPLINE, Filter::TET_OCT })
+    {
+      const Grid solids = MakeThinSolids(seed);
+      // Control cells may be inverted too: these as well as all others, or alone.
+      const Grid mixed = DeepCopy(solids);
+      vtkNew<vtkCellArray> turned;
+      for (vtkIdType i = 0; i < solids->GetNumberOfCells(); ++i)
+      {
+        Ids ids = GetCell(solids, i);
+        if (i % 3 == 0)
+        {
+          std::swap(ids[0], ids[1]);
+        }
+        turned->InsertNextCell(4, ids.data());
+      }
+      mixed->SetCells(VTK_TETRA, turned);
+      const Grid first = RunWithNormals(solids, 0, scheme);
+      const Grid second = RunWithNormals(mixed, 0, scheme);
+      for (int levels = 1; levels < 4; ++levels)
+      {
+        const Grid later = RunWithNormals(solids, levels, scheme);
+        const Grid other = RunWithNormals(mixed, levels, scheme);
+        const Grid chained = RunWithNormals(RunWithNormals(mixed, levels - 1, scheme), 1, scheme);
+        for (vtkIdType i = 0; i < solids->GetNumberOfPoints(); ++i)
+        {
+          const Point normal = GetNormal(first, i);
+          some += Dot(normal, normal) > 0.5;
+          EXPECT_NEAR(Dot(normal, GetNormal(later, i)), Dot(normal, normal), 1e-7) << i;
+          EXPECT_NEAR(Dot(normal, GetNormal(second, i)), Dot(normal, normal), 1e-7) << i;
+          EXPECT_NEAR(Dot(normal, GetNormal(other, i)), Dot(normal, normal), 1e-7) << i;
+          EXPECT_EQ(GetNormal(chained, i), GetNormal(other, i)) << i;
+        }
+      }
+    }
+  }
+  EXPECT_GT(some, 1000);
+}
+
+TEST(SolidOrientation, NormalsOfSurfacesThatAreTurnedOverInPart)
+{
+  std::vector<Point> points;
+  std::vector<Cell> cells;
+  for (int i = 0; i < 36; ++i)
+  {
+    points.push_back({ 1. * (i % 6), 1. * (i / 6), 0. });
+  }
+  for (vtkIdType i = 0; i < 25; ++i)
+  {
+    const vtkIdType p = i % 5 + 6 * (i / 5);
+    cells.push_back({ VTK_TRIANGLE, { p, p + 1, p + 6 } });
+    cells.push_back({ VTK_TRIANGLE, { p + 1, p + 7, p + 6 } });
+  }
+  for (std::size_t i = 1; i < cells.size(); ++i)
+  {
+    if (i * 7 % 5 < 2)
+    {
+      std::swap(cells[i].Points[0], cells[i].Points[1]);
+    }
+  }
+  const Grid grid = MakeGrid(points, cells);
+  for (int levels = 0; levels < 3; ++levels)
+  {
+    const Grid result = RunWithNormals(grid, levels, Filter::BOX_SPLINE);
+    for (vtkIdType i = 0; i < result->GetNumberOfPoints(); ++i)
+    {
+      EXPECT_NEAR(GetNormal(result, i)[2], 1., 1e-9) << "level " << levels << " point " << i;
+    }
+  }
+}
+
+TEST(SolidOrientation, InvertedCellsAreCountedAndMarked)
+{
+  vtkIdType all = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed)
+  {
+    const Grid solids = MakeThinSolids(seed);
+    for (int levels = 0; levels < 4; ++levels)
+    {
+      vtkNew<Messages> messages;
+      const Grid result = Execute(
+        solids, levels, [](Filter* filter) { filter->GenerateClassificationOn(); }, messages);
+      const Ids expected = FindNegative(result);
+      all += static_cast<vtkIdType>(expected.size());
+      EXPECT_TRUE(messages->Warnings.empty());
+      ASSERT_EQ(messages->Inversions.size(), expected.empty() ? 0u : 1u);
+      if (!expected.empty())
+      {
+        EXPECT_EQ(messages->Inversions[0]
+                    .substr(messages->Inversions[0].find("): ") + 3)
+                    .find(std::to_string(expected.size()) + " of " +
+                      std::to_string(result->GetNumberOfCells()) + " cells"),
+          0u);
+      }
+      vtkDataArray* marks = result->GetCellData()->GetArray("Inverted");
+      ASSERT_TRUE(marks);
+      ASSERT_EQ(marks->GetNumberOfTuples(), result->GetNumberOfCells());
+      for (vtkIdType i = 0; i < result->GetNumberOfCells(); ++i)
+      {
+        EXPECT_EQ(
+          marks->GetComponent(i, 0) == 1., std::binary_search(expected.begin(), expected.end(), i));
+      }
+      // One level after the other finds the same.
+      if (levels > 0)
+      {
+        vtkNew<Messages> others;
+        const Grid before = Execute(solids, levels - 1, {}, others);
+        others->Inversions.clear();
+        const Grid chained =
+          Execute(before, 1, [](Filter* filter) { filter->GenerateClassificationOn(); }, others);
+        EXPECT_EQ(others->Inversions.size(), messages->Inversions.size());
+        EXPECT_EQ(Compare(chained, result), "");
+      }
+    }
+  }
+  EXPECT_GT(all, 10);
+  // Cells that were inverted before are not smoothing's doing.
+  const Grid box = MakeKuhnBox(2);
+  for (vtkIdType i = 0; i < box->GetNumberOfPoints(); ++i)
+  {
+    const Point p = GetPoint(box, i);
+    box->GetPoints()->SetPoint(i, -p[0], p[1], p[2]);
+  }
+  EXPECT_FALSE(FindNegative(Execute(box, 2)).empty());
+}
+
+TEST(SolidOrientation, BordersOfManyTrianglesHaveNoTangentPlane)
+{
+  for (int k = 2; k < 12; ++k)
+  {
+    std::vector<Point> points = { { 0., 0., 0. } };
+    std::vector<Cell> cells;
+    std::mt19937 random(static_cast<unsigned>(k));
+    for (int i = 0; i <= k; ++i)
+    {
+      const double t = 3.141592653589793 * i / k;
+      points.push_back({ std::cos(t), std::sin(t), random() / 4294967296. });
+    }
+    for (vtkIdType i = 1; i <= k; ++i)
+    {
+      cells.push_back({ VTK_TRIANGLE, { 0, i, i + 1 } });
+    }
+    const Grid fan = MakeGrid(points, cells);
+    const Point normal = GetNormal(RunWithNormals(fan, 1, Filter::BOX_SPLINE), 0);
+    EXPECT_NEAR(Dot(normal, normal), k < 7 ? 1. : 0., 1e-12) << k;
+  }
+}
