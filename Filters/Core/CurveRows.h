@@ -20,7 +20,7 @@ void AppendCurveVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags,
   edges.clear();
   if (tags.Vertices[vertex] == VertexTag::Curve)
   {
-    CollectSharpEdges(mesh, tags, vertex, edges);
+    CollectCurveEdges(mesh, tags, vertex, edges);
   }
   if (edges.size() != 2)
   {

@@ -380,7 +380,7 @@ void LimitFinder<Id>::AppendCurvePosition(Id vertex, RowBlock<Id>& rows)
   this->Scratch.clear();
   if (this->Tags.Vertices[vertex] == VertexTag::Curve)
   {
-    CollectSharpEdges(this->Mesh, this->Tags, vertex, this->Scratch);
+    CollectCurveEdges(this->Mesh, this->Tags, vertex, this->Scratch);
   }
   if (this->Scratch.size() != 2)
   {
@@ -398,7 +398,7 @@ void LimitFinder<Id>::AppendSectorTangent(Id vertex, LimitKind kind, RowBlock<Id
   const bool isCurve = this->Tags.Vertices[vertex] == VertexTag::Curve;
   if (!this->FindSectorStar(vertex))
   {
-    CollectSharpEdges(this->Mesh, this->Tags, vertex, this->Scratch);
+    CollectCurveEdges(this->Mesh, this->Tags, vertex, this->Scratch);
     if (isCurve && kind == LimitKind::Tangent1 && this->Scratch.size() == 2)
     {
       rows.Add(this->Mesh.GetOtherEnd(this->Scratch[0], vertex), 1.);

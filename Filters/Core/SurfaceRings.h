@@ -78,6 +78,29 @@ void CollectSharpEdges(
   CollectEdges(mesh, vertex, [&tags](Id e) { return tags.Edges[e] == EdgeTag::Sharp; }, edges);
 }
 
+template <typename Id>
+bool IsSheaf(const PolygonMesh<Id>& mesh, Id edge)
+{
+  const auto at = std::lower_bound(mesh.Sheaves.begin(), mesh.Sheaves.end(), edge,
+    [](const auto& sheaf, Id e) { return sheaf.Edge < e; });
+  return at != mesh.Sheaves.end() && at->Edge == edge;
+}
+
+/// The two edges along which a curve goes through its vertex: where borders meet a joint that is
+/// sharp, the edges of the joint. Not two: it stays.
+template <typename Id>
+void CollectCurveEdges(
+  const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex, std::vector<Id>& edges)
+{
+  CollectSharpEdges(mesh, tags, vertex, edges);
+  if (edges.size() > 2 && mesh.FindJoint(vertex))
+  {
+    edges.erase(
+      std::remove_if(edges.begin(), edges.end(), [&mesh](Id edge) { return !IsSheaf(mesh, edge); }),
+      edges.end());
+  }
+}
+
 /// The faces around a vertex from one sharp edge to the next.
 template <typename Id>
 struct SectorEnds

@@ -100,9 +100,11 @@ private:
     const std::size_t flagged = edges.size();
     if (joint)
     {
-      return flagged == 2 ? VertexTag::Curve
-        : flagged > 0     ? VertexTag::Corner
-                          : this->FindTagOfJoint(*joint, edges);
+      const bool isDart =
+        flagged == 1 && this->Features.DartEnds && !this->LiesOnBoundary(*joint, edges);
+      return flagged == 2        ? VertexTag::Curve
+        : flagged > 0 && !isDart ? VertexTag::Corner
+                                 : this->FindTagOfJoint(*joint, edges);
     }
     CollectSharpEdges(this->Mesh, this->Tags, vertex, edges);
     switch (edges.size())
@@ -131,29 +133,32 @@ private:
         : branches > 2 && this->Blends(this->Features.Type2) ? VertexTag::Blend
                                                              : VertexTag::Corner;
     }
-    if (hasCurves)
-    {
-      return this->Blends(this->Features.Type1) ? VertexTag::Blend : VertexTag::Corner;
-    }
-    CollectEdges(this->Mesh, joint.Vertex, [this](Id e) { return this->IsSheaf(e); }, edges);
-    if (edges.empty())
-    {
-      return this->Blends(this->Features.Type3) ? VertexTag::Blend : VertexTag::Corner;
-    }
-    if (this->Blends(this->Features.Type2))
+    CollectEdges(this->Mesh, joint.Vertex, [this](Id e) { return IsSheaf(this->Mesh, e); }, edges);
+    const JointRule rule = hasCurves ? this->Features.Type1
+      : edges.empty()                ? this->Features.Type3
+                                     : this->Features.Type2;
+    if (this->Blends(rule))
     {
       return VertexTag::Blend;
     }
-    CollectSharpEdges(this->Mesh, this->Tags, joint.Vertex, edges);
-    return edges.size() == 2 ? VertexTag::Curve : VertexTag::Corner;
+    // Those that are sharp as joints: creases and borders do not count.
+    const auto sharp = std::count_if(edges.begin(), edges.end(),
+      [this](Id e) { return this->Tags.Edges[e] == EdgeTag::Sharp && !this->IsFlagged(e); });
+    return sharp == 2 ? VertexTag::Curve : VertexTag::Corner;
   }
 
-  bool IsSheaf(Id edge) const
+  /// Whether a surface or a curve ends at a vertex.
+  bool LiesOnBoundary(const typename PolygonMesh<Id>::Joint& joint, std::vector<Id>& edges) const
   {
-    const auto& sheaves = this->Mesh.Sheaves;
-    const auto at = std::lower_bound(
-      sheaves.begin(), sheaves.end(), edge, [](const auto& sheaf, Id e) { return sheaf.Edge < e; });
-    return at != sheaves.end() && at->Edge == edge;
+    CollectEdges(
+      this->Mesh, joint.Vertex,
+      [this](Id e)
+      {
+        const Id corner = this->Mesh.EdgeCorners[e];
+        return corner >= 0 && this->Mesh.Twins[corner] < 0 && !IsSheaf(this->Mesh, e);
+      },
+      edges);
+    return !edges.empty() || joint.FreeEdges.size() == 1;
   }
 
   bool HasOneFace(Id vertex) const
