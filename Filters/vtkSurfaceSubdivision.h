@@ -99,11 +99,13 @@
  *
  * @par Arrays read, by SetInputArrayToProcess
  * As in vtkSubdivisionAlgorithm: 0, singular flags (cell array of integers; unset: `Singular` if
- * there), and 4, sharpness of lines (cell array of numbers: a crease of sharpness s stays sharp for
- * s levels). Also 5, corner angles (point array, degrees; where it is not negative it replaces the
- * measured angle of a corner with one sector), and 6, flatness (point array of s in [0, 1];
- * negative: 0 at convex corners, at concave ones what makes them tangent plane continuous). With
- * Adaptive: 7, the point array for RefineByAttributeError (unset: the active scalars, else the
+ * there), and 4, sharpness of lines (cell array of numbers: for floor(s) levels a crease of
+ * sharpness s is one that is flagged, with its ends, crossings and all near it; in the next one in
+ * part, s - floor(s), between the rows without and with all creases that are left in part; an
+ * infinite one is flagged). Also 5, corner angles (point array, degrees; where it is not negative
+ * it replaces the measured angle of a corner with one sector), and 6, flatness (point array of s in
+ * [0, 1]; negative: 0 at convex corners, at concave ones what makes them tangent plane continuous).
+ * With Adaptive: 7, the point array for RefineByAttributeError (unset: the active scalars, else the
  * first floating point array), 8, the cell or point array for RefineByArrayRange (unset: the active
  * scalars of the points, else of the cells), 9, the integer cell array for RefineByWantedLevel
  * (unset: `WantedLevel` if there).

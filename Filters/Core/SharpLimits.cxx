@@ -13,6 +13,22 @@ namespace subdivision
 namespace
 {
 
+/// The ends of sharp edges and, as the rules of their edges and faces too depend on them, what is
+/// around; tangents may see as far as the next ring.
+template <typename Id>
+std::vector<Id> CollectNear(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
+{
+  std::vector<Id> ends;
+  for (const SharpEdge<Id>& edge : edges)
+  {
+    ends.push_back(mesh.EdgeVertices[2 * edge.Edge]);
+    ends.push_back(mesh.EdgeVertices[2 * edge.Edge + 1]);
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return CollectWithNeighbours(mesh, CollectWithNeighbours(mesh, ends));
+}
+
 /// The surroundings of some vertices, step by step, until there is nothing sharp in them.
 template <typename Id>
 class Descent
@@ -70,11 +86,14 @@ private:
       this->Stages.erase(this->Stages.begin());
     }
     const SurfaceLevel<Id> level = std::move(this->Patch->Level);
-    const SharpRows<Id> sharp(level.Mesh, this->CopyTags(this->Stages.front().Tags), this->Edges);
+    const SharpTagPair<Id>& tags = this->Stages.front().Tags;
+    const SharpRows<Id> sharp(
+      level, { this->CopyTags(tags.Whole), this->CopyTags(tags.All) }, this->Edges);
     SurfaceLevel<Id> next = this->Scheme.Refine(level, Depth::ForRefinement);
     for (SharpTags<Id>& stage : this->Stages)
     {
-      stage.Tags = this->Scheme.RefineTags(level, stage.Tags);
+      stage.Tags = { this->Scheme.RefineTags(level, stage.Tags.Whole),
+        this->Scheme.RefineTags(level, stage.Tags.All) };
     }
     std::vector<SharpEdge<Id>> halves;
     for (const SharpEdge<Id>& edge : this->Edges)
@@ -132,21 +151,13 @@ private:
   void FinishSmooth(int step)
   {
     const PolygonMesh<Id>& mesh = this->Patch->Level.Mesh;
-    std::vector<bool> isSharp(static_cast<std::size_t>(mesh.NumberOfVertices), false);
-    for (const SharpEdge<Id>& edge : this->Edges)
-    {
-      isSharp[mesh.EdgeVertices[2 * edge.Edge]] = true;
-      isSharp[mesh.EdgeVertices[2 * edge.Edge + 1]] = true;
-    }
-    std::vector<Id> around;
+    const std::vector<Id> near = CollectNear(mesh, this->Edges);
     std::vector<Id> rest[2];
     std::vector<std::size_t> owners[2];
     for (std::size_t i = 0; i < this->Vertices.size(); ++i)
     {
       const Id vertex = this->Vertices[i];
-      CollectEdges(
-        mesh, vertex, [&](Id e) { return isSharp[mesh.GetOtherEnd(e, vertex)]; }, around);
-      const int stays = isSharp[vertex] || !around.empty();
+      const int stays = std::binary_search(near.begin(), near.end(), vertex);
       rest[stays].push_back(vertex);
       owners[stays].push_back(this->Owners[i]);
     }
@@ -182,7 +193,8 @@ private:
     }
     for (SharpTags<Id>& stage : this->Stages)
     {
-      stage.Tags = this->Patch->CropTags(level, stage.Tags);
+      stage.Tags = { this->Patch->CropTags(level, stage.Tags.Whole),
+        this->Patch->CropTags(level, stage.Tags.All) };
     }
     std::vector<SharpEdge<Id>> kept;
     for (const SharpEdge<Id>& edge : this->Edges)
@@ -209,39 +221,11 @@ private:
 
 }
 
-/// The ends of sharp edges and, as the rules of their edges too depend on them, their neighbours.
-template <typename Id>
-void SharpLimits<Id>::FindVertices(
-  const SurfaceLevel<Id>& level, const std::vector<SharpEdge<Id>>& edges)
-{
-  std::vector<Id> ends;
-  for (const SharpEdge<Id>& edge : edges)
-  {
-    ends.push_back(level.Mesh.EdgeVertices[2 * edge.Edge]);
-    ends.push_back(level.Mesh.EdgeVertices[2 * edge.Edge + 1]);
-  }
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  this->Vertices = ends;
-  std::vector<Id> around;
-  for (Id end : ends)
-  {
-    CollectEdges(level.Mesh, end, [](Id) { return true; }, around);
-    for (Id edge : around)
-    {
-      this->Vertices.push_back(level.Mesh.GetOtherEnd(edge, end));
-    }
-  }
-  std::sort(this->Vertices.begin(), this->Vertices.end());
-  this->Vertices.erase(
-    std::unique(this->Vertices.begin(), this->Vertices.end()), this->Vertices.end());
-}
-
 template <typename Id>
 SharpLimits<Id>::SharpLimits(const SurfaceLevel<Id>& level, const SurfaceScheme<Id>& scheme,
   const std::vector<SharpEdge<Id>>& edges, std::vector<SharpTags<Id>> stages)
 {
-  this->FindVertices(level, edges);
+  this->Vertices = CollectNear(level.Mesh, edges);
   for (auto& rows : this->Rows)
   {
     rows.resize(this->Vertices.size());

@@ -19,12 +19,12 @@
 namespace subdivision
 {
 
-/// Tags with all edges sharp that still are.
+/// Tags of some steps.
 template <typename Id>
 struct SharpTags
 {
   int Until = 0; ///< the tags hold in steps before this one
-  SurfaceTags<Id> Tags;
+  SharpTagPair<Id> Tags;
 };
 
 template <typename Id>
@@ -61,8 +61,6 @@ public:
   void Append(vtkIdType row, LimitKind kind, RowBlock<Id>& rows) const;
 
 private:
-  void FindVertices(const SurfaceLevel<Id>& level, const std::vector<SharpEdge<Id>>& edges);
-
   std::vector<Id> Vertices;      ///< ascending
   std::vector<LimitRow> Rows[3]; ///< of each kind
 };

@@ -7,32 +7,88 @@
 
 namespace subdivision
 {
+namespace
+{
+
+template <typename Id>
+void SortUnique(std::vector<Id>& ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+template <typename Id>
+void AppendCorners(const PolygonMesh<Id>& mesh, Id face, std::vector<Id>& vertices)
+{
+  const Id* first = mesh.Vertices.data() + mesh.GetFirst(face);
+  vertices.insert(vertices.end(), first, first + mesh.GetSize(face));
+}
+
+/// The ends of edges, ascending.
+template <typename Id>
+std::vector<Id> CollectEnds(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
+{
+  std::vector<Id> ends;
+  for (const SharpEdge<Id>& edge : edges)
+  {
+    const Id* both = mesh.EdgeVertices.data() + 2 * static_cast<vtkIdType>(edge.Edge);
+    ends.insert(ends.end(), both, both + 2);
+  }
+  SortUnique(ends);
+  return ends;
+}
+
+}
+
+template <typename Id>
+std::vector<Id> CollectWithNeighbours(const PolygonMesh<Id>& mesh, const std::vector<Id>& vertices)
+{
+  std::vector<Id> all = vertices;
+  std::vector<Id> edges;
+  for (const Id vertex : vertices)
+  {
+    CollectEdges(mesh, vertex, [](Id) { return true; }, edges);
+    for (const Id edge : edges)
+    {
+      all.push_back(mesh.GetOtherEnd(edge, vertex));
+    }
+    VisitFans(mesh, vertex,
+      [&](Id corner)
+      {
+        VisitFan(mesh, corner,
+          [&](const FanStep<Id>& step) { AppendCorners(mesh, mesh.GetFace(step.Corner), all); });
+      });
+  }
+  SortUnique(all);
+  return all;
+}
 
 template <typename Id>
 SharpRows<Id>::SharpRows(
-  const PolygonMesh<Id>& mesh, SurfaceTags<Id>&& tags, const std::vector<SharpEdge<Id>>& edges)
+  const SurfaceLevel<Id>& level, SharpTagPair<Id>&& tags, const std::vector<SharpEdge<Id>>& edges)
   : Tags(std::move(tags))
 {
-  std::vector<WeightedRow> ends;
-  std::vector<WeightedRow> rows;
-  for (const SharpEdge<Id>& edge : edges)
-  {
-    const vtkIdType e = edge.Edge;
-    rows.push_back({ mesh.NumberOfVertices + e, edge.Left });
-    ends.push_back({ mesh.EdgeVertices[2 * e], edge.Left });
-    ends.push_back({ mesh.EdgeVertices[2 * e + 1], edge.Left });
-  }
-  Merge(ends, this->Rows);
-  this->AddSmoothEdges(mesh, rows);
-  std::sort(rows.begin(), rows.end(),
+  this->AddVertices(level.Mesh, edges);
+  this->AddEdges(level.Mesh, edges);
+  this->AddFaces(level.Mesh);
+  std::sort(this->Rows.begin(), this->Rows.end(),
     [](const WeightedRow& a, const WeightedRow& b) { return b.Row > a.Row; });
-  this->Rows.insert(this->Rows.end(), rows.begin(), rows.end());
 }
 
-/// One row for each that occurs, with the mean of what it was given; ascending.
+/// Ends of sharp edges; first of those that are sharp in part, with the mean of their parts.
 template <typename Id>
-void SharpRows<Id>::Merge(std::vector<WeightedRow>& given, std::vector<WeightedRow>& rows)
+void SharpRows<Id>::AddVertices(
+  const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
 {
+  std::vector<WeightedRow> given;
+  for (const SharpEdge<Id>& edge : edges)
+  {
+    for (int end = 0; end < 2 && edge.Left < 1.; ++end)
+    {
+      given.push_back(
+        { mesh.EdgeVertices[2 * static_cast<vtkIdType>(edge.Edge) + end], edge.Left });
+    }
+  }
   std::stable_sort(given.begin(), given.end(),
     [](const WeightedRow& a, const WeightedRow& b) { return b.Row > a.Row; });
   for (auto at = given.begin(); at != given.end();)
@@ -41,30 +97,115 @@ void SharpRows<Id>::Merge(std::vector<WeightedRow>& given, std::vector<WeightedR
     const auto first = at;
     for (; at != given.end() && at->Row == first->Row; ++at)
     {
-      sum += at->Sharpness;
+      sum += at->Part;
     }
-    rows.push_back({ first->Row, sum / static_cast<double>(at - first) });
+    this->Parts.push_back({ first->Row, sum / static_cast<double>(at - first) });
+  }
+  for (const Id end : CollectEnds(mesh, edges))
+  {
+    this->Rows.push_back({ end, this->GetPart({ end }) });
   }
 }
 
-/// Smooth edges between which and a curve other rules work: blended as their ends on it are.
+/// The mean of the parts of some vertices that have one; 0: none has.
 template <typename Id>
-void SharpRows<Id>::AddSmoothEdges(
-  const PolygonMesh<Id>& mesh, std::vector<WeightedRow>& rows) const
+double SharpRows<Id>::GetPart(const std::vector<Id>& vertices) const
 {
-  std::vector<WeightedRow> edges;
-  std::vector<Id> around;
-  for (const WeightedRow& vertex : this->Rows)
+  double sum = 0.;
+  int count = 0;
+  for (const Id vertex : vertices)
   {
-    CollectEdges(
-      mesh, static_cast<Id>(vertex.Row),
-      [this](Id e) { return this->Tags.Edges[e] == EdgeTag::Smooth; }, around);
-    for (Id edge : around)
+    const auto at = std::lower_bound(this->Parts.begin(), this->Parts.end(), vertex,
+      [](const WeightedRow& row, vtkIdType v) { return row.Row < v; });
+    if (at != this->Parts.end() && at->Row == vertex)
     {
-      edges.push_back({ mesh.NumberOfVertices + edge, vertex.Sharpness });
+      sum += at->Part;
+      ++count;
     }
   }
-  Merge(edges, rows);
+  return count > 0 ? sum / count : 0.;
+}
+
+template <typename Id>
+std::vector<Id> SharpRows<Id>::CollectFaces(const PolygonMesh<Id>& mesh, Id vertex) const
+{
+  std::vector<Id> faces;
+  VisitFans(mesh, vertex,
+    [&](Id corner)
+    {
+      VisitFan(
+        mesh, corner, [&](const FanStep<Id>& step) { faces.push_back(mesh.GetFace(step.Corner)); });
+    });
+  return faces;
+}
+
+/// Sharp edges, and all at their ends and across from these: rules there differ next to a curve.
+/// They go with their ends, or else with what is across.
+template <typename Id>
+void SharpRows<Id>::AddEdges(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
+{
+  std::vector<Id> near;
+  std::vector<Id> around;
+  for (const Id end : CollectEnds(mesh, edges))
+  {
+    CollectEdges(mesh, end, [](Id) { return true; }, around);
+    near.insert(near.end(), around.begin(), around.end());
+    for (const Id face : this->CollectFaces(mesh, end))
+    {
+      const Id* first = mesh.Edges.data() + mesh.GetFirst(face);
+      near.insert(near.end(), first, first + mesh.GetSize(face));
+    }
+  }
+  SortUnique(near);
+  auto sharp = edges.begin();
+  for (const Id edge : near)
+  {
+    while (sharp != edges.end() && sharp->Edge < edge)
+    {
+      ++sharp;
+    }
+    const Id* ends = mesh.EdgeVertices.data() + 2 * static_cast<vtkIdType>(edge);
+    double part = this->GetPart({ ends[0], ends[1] });
+    const Id corner = mesh.EdgeCorners[edge];
+    if (sharp != edges.end() && sharp->Edge == edge)
+    {
+      part = sharp->Left < 1. ? sharp->Left : 0.;
+    }
+    else if (part == 0. && corner >= 0)
+    {
+      std::vector<Id> across;
+      AppendCorners(mesh, mesh.GetFace(corner), across);
+      if (mesh.Twins[corner] >= 0)
+      {
+        AppendCorners(mesh, mesh.GetFace(mesh.Twins[corner]), across);
+      }
+      SortUnique(across);
+      part = this->GetPart(across);
+    }
+    this->Rows.push_back({ mesh.NumberOfVertices + edge, part });
+  }
+}
+
+template <typename Id>
+void SharpRows<Id>::AddFaces(const PolygonMesh<Id>& mesh)
+{
+  std::vector<Id> faces;
+  for (const WeightedRow& row : this->Rows)
+  {
+    if (row.Row < mesh.NumberOfVertices)
+    {
+      const std::vector<Id> own = this->CollectFaces(mesh, static_cast<Id>(row.Row));
+      faces.insert(faces.end(), own.begin(), own.end());
+    }
+  }
+  SortUnique(faces);
+  for (const Id face : faces)
+  {
+    std::vector<Id> corners;
+    AppendCorners(mesh, face, corners);
+    this->Rows.push_back(
+      { mesh.NumberOfVertices + mesh.GetNumberOfEdges() + face, this->GetPart(corners) });
+  }
 }
 
 template <typename Id>
@@ -92,13 +233,16 @@ void SharpRows<Id>::Append(const SurfaceScheme<Id>& scheme, const SurfaceLevel<I
       row = next;
       continue;
     }
-    const double weight = std::min(1., at->Sharpness);
-    if (weight < 1.)
+    if (at->Part > 0.)
     {
-      add(level.Tags, row, 1. - weight);
+      add(this->Tags.Whole, row, 1. - at->Part);
+      add(this->Tags.All, row, at->Part);
+      rows.EndRow();
     }
-    add(this->Tags, row, weight);
-    rows.EndRow();
+    else
+    {
+      scheme.AppendRows(level, this->Tags.Whole, row, row + 1, rows);
+    }
     ++row;
     ++at;
   }
@@ -106,5 +250,8 @@ void SharpRows<Id>::Append(const SurfaceScheme<Id>& scheme, const SurfaceLevel<I
 
 template class SharpRows<int>;
 template class SharpRows<long long>;
+template std::vector<int> CollectWithNeighbours(const PolygonMesh<int>&, const std::vector<int>&);
+template std::vector<long long> CollectWithNeighbours(
+  const PolygonMesh<long long>&, const std::vector<long long>&);
 
 }

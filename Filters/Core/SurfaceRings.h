@@ -174,6 +174,21 @@ const Sector<Id>* FindSector(const SurfaceTags<Id>& tags, Id vertex, const Secto
   return nullptr;
 }
 
+/// The sector of the same faces in other tags of the same level; null if there is none.
+template <typename Id>
+const Sector<Id>* FindEqualSector(const SurfaceTags<Id>& tags, const Sector<Id>& sector)
+{
+  for (auto at = FindSectors(tags, sector.Vertex);
+    at != tags.Sectors.end() && at->Vertex == sector.Vertex; ++at)
+  {
+    if (at->First == sector.First && at->Size == sector.Size)
+    {
+      return &*at;
+    }
+  }
+  return nullptr;
+}
+
 /// theta of SPEC 12 at one end of a smooth edge: the angle that one face takes in its sector; 0
 /// where the plain rule works.
 template <typename Id>

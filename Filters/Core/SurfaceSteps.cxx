@@ -29,12 +29,27 @@ std::vector<SharpEdge<Id>> FindSharpEdges(const EdgeSharpness& sharpness, int st
   return edges;
 }
 
-std::vector<bool> GetSharp(const EdgeSharpness& sharpness, int step)
+/// Edges that have at least, or more than, so much.
+std::vector<bool> GetSharp(const EdgeSharpness& sharpness, double least, bool more)
 {
   std::vector<bool> sharp(sharpness.size());
-  std::transform(
-    sharpness.begin(), sharpness.end(), sharp.begin(), [step](double s) { return s > step; });
+  std::transform(sharpness.begin(), sharpness.end(), sharp.begin(),
+    [least, more](double s) { return more ? s > least : s >= least; });
   return sharp;
+}
+
+/// After a step, the first before which it is not the same edges that are sharp, wholly or in part.
+int FindEndOfStage(const EdgeSharpness& sharpness, int step, int most)
+{
+  double end = most;
+  for (const double s : sharpness)
+  {
+    for (const double change : { std::floor(s), std::ceil(s) })
+    {
+      end = change > step ? std::min(end, change) : end;
+    }
+  }
+  return static_cast<int>(end);
 }
 
 }
@@ -109,22 +124,21 @@ bool SurfaceSteps<Id>::ReplaceSectors(const SurfaceTags<Id>& control)
   return same;
 }
 
-/// Tags of a control level, as those of a later one.
+/// The tags of a step as those of a level.
 template <typename Id>
-SurfaceTags<Id> SurfaceSteps<Id>::RefineSharpTags(SurfaceTags<Id>&& tags, int levels) const
+SharpTagPair<Id> SurfaceSteps<Id>::FindSharpTags(
+  const EdgeSharpness& sharpness, int step, int level, const Classify& classify) const
 {
-  for (Sector<Id>& sector : tags.Sectors)
+  SharpTagPair<Id> tags = { classify(GetSharp(sharpness, step + 1, false)),
+    classify(GetSharp(sharpness, step, true)) };
+  for (SurfaceTags<Id>* both : { &tags.Whole, &tags.All })
   {
-    if (this->Levels[0].Tags.Vertices[sector.Vertex] != VertexTag::Corner)
+    for (int i = 0; i < level; ++i)
     {
-      sector.Flatness = 0.; // a corner for some levels only
+      *both = this->Scheme->RefineTags(this->Levels[i], *both);
     }
   }
-  for (int level = 0; level < levels; ++level)
-  {
-    tags = this->Scheme->RefineTags(this->Levels[level], tags);
-  }
-  return std::move(tags);
+  return tags;
 }
 
 template <typename Id>
@@ -136,9 +150,8 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
   const int steps = this->GetNumberOfSteps();
   for (int step = 0; step < steps && IsSharpAfter(sharpness, step); ++step)
   {
-    this->SharpSteps.emplace_back(this->Levels[step].Mesh,
-      this->RefineSharpTags(classify(GetSharp(sharpness, step)), step),
-      FindSharpEdges<Id>(sharpness, step));
+    this->SharpSteps.emplace_back(this->Levels[step],
+      this->FindSharpTags(sharpness, step, step, classify), FindSharpEdges<Id>(sharpness, step));
   }
   if (!this->LastIsWhole || !this->Scheme->HasLimit() || !IsSharpAfter(sharpness, steps))
   {
@@ -146,16 +159,12 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
   }
   // Which edges are sharp changes where the sharpness of one of them is used up.
   std::vector<SharpTags<Id>> stages;
-  for (int step = steps; IsSharpAfter(sharpness, step) && step < steps + SharpLimits<Id>::MostSteps;
+  const int most = steps + SharpLimits<Id>::MostSteps;
+  for (int step = steps; IsSharpAfter(sharpness, step) && step < most;
     step = steps + stages.back().Until)
   {
-    double least = SharpLimits<Id>::MostSteps;
-    for (double s : sharpness)
-    {
-      least = s > step ? std::min(least, s - steps) : least;
-    }
-    stages.push_back({ static_cast<int>(std::ceil(least)),
-      this->RefineSharpTags(classify(GetSharp(sharpness, step)), steps) });
+    stages.push_back({ FindEndOfStage(sharpness, step, most) - steps,
+      this->FindSharpTags(sharpness, step, steps, classify) });
   }
   this->Limits = SharpLimits<Id>(
     this->Levels.back(), *this->Scheme, FindSharpEdges<Id>(sharpness, steps), std::move(stages));

@@ -48,7 +48,9 @@ public:
   std::size_t GetMemorySize() const;
 
 private:
-  SurfaceTags<Id> RefineSharpTags(SurfaceTags<Id>&& tags, int levels) const;
+  using Classify = std::function<SurfaceTags<Id>(const std::vector<bool>& sharpEdges)>;
+  SharpTagPair<Id> FindSharpTags(
+    const EdgeSharpness& sharpness, int step, int level, const Classify& classify) const;
 
   std::vector<SurfaceLevel<Id>> Levels;
   std::vector<SharpRows<Id>> SharpSteps; ///< as long as something is sharp

@@ -210,24 +210,9 @@ private:
     FanStep<Id> step = FindSectorEnds(this->Mesh, this->Tags, sector.First).First;
     for (int i = 0; i < sector.Size; ++i)
     {
-      const double* x = this->Points.Values + 3 * static_cast<vtkIdType>(sector.Vertex);
-      const double* a = this->Points.Values +
-        3 * static_cast<vtkIdType>(this->Mesh.Vertices[this->Mesh.Next(step.Corner)]);
-      const double* b = this->Points.Values +
-        3 * static_cast<vtkIdType>(this->Mesh.Vertices[this->Mesh.Previous(step.Corner)]);
-      double dot = 0.;
-      double aa = 0.;
-      double bb = 0.;
-      for (int c = 0; c < 3; ++c)
-      {
-        dot += (a[c] - x[c]) * (b[c] - x[c]);
-        aa += (a[c] - x[c]) * (a[c] - x[c]);
-        bb += (b[c] - x[c]) * (b[c] - x[c]);
-      }
-      const double lengths = std::sqrt(aa) * std::sqrt(bb);
-      sum += lengths > 0. && std::isfinite(dot / lengths)
-        ? std::acos(std::max(-1., std::min(dot / lengths, 1.)))
-        : 0.;
+      const double known =
+        this->Features.FaceAngles.empty() ? -1. : this->Features.FaceAngles[step.Corner];
+      sum += known >= 0. ? known : MeasureFaceAngle(this->Mesh, step.Corner, this->Points.Values);
       step.Advance(this->Mesh);
     }
     return sum;
@@ -261,12 +246,35 @@ private:
 }
 
 template <typename Id>
+double MeasureFaceAngle(const PolygonMesh<Id>& mesh, Id corner, const double* points)
+{
+  const double* x = points + 3 * static_cast<vtkIdType>(mesh.Vertices[corner]);
+  const double* a = points + 3 * static_cast<vtkIdType>(mesh.Vertices[mesh.Next(corner)]);
+  const double* b = points + 3 * static_cast<vtkIdType>(mesh.Vertices[mesh.Previous(corner)]);
+  double dot = 0.;
+  double aa = 0.;
+  double bb = 0.;
+  for (int c = 0; c < 3; ++c)
+  {
+    dot += (a[c] - x[c]) * (b[c] - x[c]);
+    aa += (a[c] - x[c]) * (a[c] - x[c]);
+    bb += (b[c] - x[c]) * (b[c] - x[c]);
+  }
+  const double lengths = std::sqrt(aa) * std::sqrt(bb);
+  return lengths > 0. && std::isfinite(dot / lengths)
+    ? std::acos(std::max(-1., std::min(dot / lengths, 1.)))
+    : 0.;
+}
+
+template <typename Id>
 SurfaceTags<Id> ClassifySurface(const PolygonMesh<Id>& mesh, const SurfaceScheme<Id>& scheme,
   const SurfaceFeatures& features, const Coordinates& points)
 {
   return Classification<Id>(mesh, scheme, features, points).Run();
 }
 
+template double MeasureFaceAngle(const PolygonMesh<int>&, int, const double*);
+template double MeasureFaceAngle(const PolygonMesh<long long>&, long long, const double*);
 template SurfaceTags<int> ClassifySurface(
   const PolygonMesh<int>&, const SurfaceScheme<int>&, const SurfaceFeatures&, const Coordinates&);
 template SurfaceTags<long long> ClassifySurface(const PolygonMesh<long long>&,

@@ -24,6 +24,8 @@ struct SurfaceFeatures
   /// number: from the mesh. May be empty.
   std::vector<double> Angles;
   std::vector<double> Flatness;
+  /// The angle of each corner of a face, negative: from the mesh. May be empty.
+  std::vector<double> FaceAngles;
   bool DartEnds = false;
   /// Blend or Sharp. Schemes without rules for joints take Sharp.
   JointRule Type1 = JointRule::Blend;
@@ -31,7 +33,11 @@ struct SurfaceFeatures
   JointRule Type3 = JointRule::Blend;
 };
 
-/// `points`: three coordinates of each vertex, from which the angles of corners are measured.
+/// The angle of a face at one of its corners, in radians.
+template <typename Id>
+double MeasureFaceAngle(const PolygonMesh<Id>& mesh, Id corner, const double* points);
+
+/// `points`: of each vertex; the angles of corners are measured there.
 template <typename Id>
 SurfaceTags<Id> ClassifySurface(const PolygonMesh<Id>& mesh, const SurfaceScheme<Id>& scheme,
   const SurfaceFeatures& features, const Coordinates& points);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceCreases.h"
 
+#include "Arrays.h"
 #include "Core/SurfaceRings.h"
 
 #include <algorithm>
@@ -192,7 +193,81 @@ SurfaceCreases ReadSurfaceCreases(
   return creases;
 }
 
+template <typename Id>
+void WriteSharpCorners(const PolygonMesh<Id>& mesh, const SurfaceCreases& creases,
+  const double* points, SurfaceStamp& stamp)
+{
+  stamp.FaceAngles.clear();
+  stamp.GivenCorners.clear();
+  std::vector<unsigned char> isEnd(static_cast<std::size_t>(mesh.NumberOfVertices), 0);
+  for (std::size_t e = 0; e < creases.Sharpness.size(); ++e)
+  {
+    for (std::size_t i = 2 * e; i < 2 * e + 2 && creases.Sharpness[e] > 0.; ++i)
+    {
+      isEnd[mesh.EdgeVertices[static_cast<vtkIdType>(i)]] = 1;
+    }
+  }
+  const SurfaceFeatures& features = creases.Features;
+  for (std::size_t v = 0; v < isEnd.size(); ++v)
+  {
+    if (isEnd[v])
+    {
+      stamp.GivenCorners.insert(stamp.GivenCorners.end(),
+        { static_cast<double>(v), features.Angles.empty() ? -1. : features.Angles[v],
+          features.Flatness.empty() ? -1. : features.Flatness[v] });
+    }
+  }
+  for (vtkIdType c = 0; c < mesh.GetNumberOfCorners() && !stamp.GivenCorners.empty(); ++c)
+  {
+    if (isEnd[mesh.Vertices[c]])
+    {
+      stamp.FaceAngles.insert(stamp.FaceAngles.end(),
+        { static_cast<double>(c), MeasureFaceAngle(mesh, static_cast<Id>(c), points) });
+    }
+  }
+}
+
+template <typename Id>
+void ReadSharpCorners(
+  const SurfaceStamp& stamp, const PolygonMesh<Id>& mesh, SurfaceFeatures& features)
+{
+  auto set = [](std::vector<double>& values, vtkIdType size, double place, double value)
+  {
+    const vtkIdType at = ToId(place);
+    if (at >= 0 && at < size)
+    {
+      values.resize(static_cast<std::size_t>(size), -1.);
+      values[at] = value;
+    }
+  };
+  for (std::size_t i = 0; i + 2 < stamp.GivenCorners.size(); i += 3)
+  {
+    const double* given = stamp.GivenCorners.data() + i;
+    set(features.Angles, mesh.NumberOfVertices, given[0], given[1]);
+    set(features.Flatness, mesh.NumberOfVertices, given[0], given[2]);
+  }
+  for (std::size_t i = 0; i + 1 < stamp.FaceAngles.size(); i += 2)
+  {
+    set(
+      features.FaceAngles, mesh.GetNumberOfCorners(), stamp.FaceAngles[i], stamp.FaceAngles[i + 1]);
+  }
+}
+
+std::vector<double> ReadPointValues(vtkDataArray* array, vtkIdType points, double factor)
+{
+  std::vector<double> values;
+  for (vtkIdType i = 0; array && i < points; ++i)
+  {
+    const double value = array->GetComponent(i, 0);
+    values.push_back(value >= 0. ? value * factor : -1.);
+  }
+  return values;
+}
+
 #define SUBDIVISION_CREASES(Id)                                                                    \
+  template void WriteSharpCorners(                                                                 \
+    const PolygonMesh<Id>&, const SurfaceCreases&, const double*, SurfaceStamp&);                  \
+  template void ReadSharpCorners(const SurfaceStamp&, const PolygonMesh<Id>&, SurfaceFeatures&);   \
   template SurfaceCreases ReadSurfaceCreases(                                                      \
     const FeatureOptions&, const SurfaceCells&, const SurfaceLevel<Id>&);                          \
   template std::vector<vtkIdType> FindFeatureEdges(                                                \

@@ -10,6 +10,7 @@
 #include "Core/SurfaceTags.h"
 #include "Features.h"
 #include "SurfaceCells.h"
+#include "SurfaceStamp.h"
 
 namespace subdivision
 {
@@ -24,6 +25,19 @@ struct SurfaceCreases
 template <typename Id>
 SurfaceCreases ReadSurfaceCreases(
   const FeatureOptions& options, const SurfaceCells& cells, const SurfaceLevel<Id>& level);
+
+/// What is measured and given of the corners at creases that are sharp for some levels, from a
+/// control mesh to the stamp, and back in a filter that goes on from there.
+template <typename Id>
+void WriteSharpCorners(const PolygonMesh<Id>& mesh, const SurfaceCreases& creases,
+  const double* points, SurfaceStamp& stamp);
+template <typename Id>
+void ReadSharpCorners(
+  const SurfaceStamp& stamp, const PolygonMesh<Id>& mesh, SurfaceFeatures& features);
+
+/// A value for each of the first points of an array, times a factor; -1 where there is none. No
+/// array: no values.
+std::vector<double> ReadPointValues(vtkDataArray* array, vtkIdType points, double factor);
 
 /// Edges where the surface turns by more than an angle in degrees, as pairs of points; and back. A
 /// pair of one point is a corner. All sharp edges and corners as such pairs.

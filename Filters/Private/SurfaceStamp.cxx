@@ -19,6 +19,8 @@ namespace
 constexpr const char* Name = "SubdivisionSurface";
 constexpr const char* SizesName = "SubdivisionSurfaceSizes";
 constexpr const char* AnglesName = "SubdivisionCornerAngles";
+constexpr const char* FaceAnglesName = "SubdivisionSharpAngles";
+constexpr const char* GivenCornersName = "SubdivisionSharpCorners";
 constexpr const char* CreasesName = "SubdivisionSurfaceCreases";
 constexpr const char* CellsName = "SubdivisionSurfaceCells";
 constexpr vtkIdType FormatVersion = 1;
@@ -108,6 +110,8 @@ bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp)
   stamp.Size = static_cast<int>(std::min<vtkIdType>(numbers[FaceSize], 1 << 30));
   stamp.Sizes = ReadIds(SizesName, data);
   stamp.Angles = ReadValues(AnglesName, data);
+  stamp.FaceAngles = ReadValues(FaceAnglesName, data);
+  stamp.GivenCorners = ReadValues(GivenCornersName, data);
   stamp.Creases = ReadIds(CreasesName, data);
   stamp.Cells = ReadIds(CellsName, data);
   return std::all_of(stamp.Creases.begin(), stamp.Creases.end(),
@@ -125,13 +129,16 @@ void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output)
   WriteValues<vtkIdTypeArray>(
     SizesName, stamp.Size > 0 ? std::vector<vtkIdType>() : stamp.Sizes, data);
   WriteValues<vtkDoubleArray>(AnglesName, stamp.Angles, data);
+  WriteValues<vtkDoubleArray>(FaceAnglesName, stamp.FaceAngles, data);
+  WriteValues<vtkDoubleArray>(GivenCornersName, stamp.GivenCorners, data);
   WriteValues<vtkIdTypeArray>(CreasesName, stamp.Creases, data);
   WriteValues<vtkIdTypeArray>(CellsName, stamp.Cells, data);
 }
 
 void RemoveSurfaceStamp(vtkPolyData* output)
 {
-  for (const char* name : { Name, SizesName, AnglesName, CreasesName, CellsName })
+  for (const char* name :
+    { Name, SizesName, AnglesName, FaceAnglesName, GivenCornersName, CreasesName, CellsName })
   {
     output->GetFieldData()->RemoveArray(name);
   }

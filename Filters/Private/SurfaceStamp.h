@@ -6,11 +6,12 @@
  *
  * Field data `SubdivisionSurface` holds numbers, `SubdivisionSurfaceSizes` the corners of each
  * control face where they differ, `SubdivisionCornerAngles` the angles that were measured at
- * corners, `SubdivisionSurfaceCreases` the edges that were detected as features, as pairs of
- * control points. Control points keep their ids and children are consecutive, so the control mesh
- * is read off the cells; it is refined again and compared with them. Of schemes that do not halve
- * edges, `SubdivisionSurfaceCells` has the control cells, and the creases are all that there are,
- * with corners as pairs of one point.
+ * corners, `SubdivisionSharpAngles` those of faces, and `SubdivisionSharpCorners` what was given of
+ * vertices, where creases are sharp for some levels, `SubdivisionSurfaceCreases` the edges that
+ * were detected as features, as pairs of control points. Control points keep their ids and children
+ * are consecutive, so the control mesh is read off the cells; it is refined again and compared with
+ * them. Of schemes that do not halve edges, `SubdivisionSurfaceCells` has the control cells, and
+ * the creases are all that there are, with corners as pairs of one point.
  */
 #ifndef SubdivisionObjects_SurfaceStamp_h
 #define SubdivisionObjects_SurfaceStamp_h
@@ -31,6 +32,11 @@ struct SurfaceStamp
   int Size = 0; ///< corners of each control face; 0: see Sizes
   std::vector<vtkIdType> Sizes;
   std::vector<double> Angles;
+  /// Where creases end after some levels there are other corners in each, whose angles are those of
+  /// the first input too: pairs of a corner of a control face and its angle; three numbers for each
+  /// control point, itself and the angle and flatness that were given or -1.
+  std::vector<double> FaceAngles;
+  std::vector<double> GivenCorners;
   std::vector<vtkIdType> Creases;
   /// Segments, two points each, then the corners of the control faces; empty: from the children.
   std::vector<vtkIdType> Cells;

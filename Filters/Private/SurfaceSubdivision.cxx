@@ -3,6 +3,7 @@
 
 #include "Arrays.h"
 #include "CellArrays.h"
+#include "Core/SurfaceRings.h"
 #include "Core/SurfaceSteps.h"
 #include "PointArrays.h"
 #include "SurfaceCellArrays.h"
@@ -116,7 +117,6 @@ private:
   }
   vtkSmartPointer<vtkDataArray> FollowPoints();
   bool IsDescendant() const;
-  std::vector<double> ReadPointValues(vtkDataArray* array, double factor) const;
   SurfaceTags<Id> Classify(const SurfaceLevel<Id>& control, const SurfaceFeatures& features);
   KeptSurface<Id>* FindKept(const SurfaceKey& key);
   bool Finish();
@@ -189,23 +189,6 @@ void SurfaceRun<Id>::StartPoints()
   this->Points = std::make_unique<PointArrays>(this->Input, this->NoCentres,
     this->GlobalIds.empty() ? nullptr : this->GlobalIds.data(),
     static_cast<vtkIdType>(this->GlobalIds.size()), arrays);
-}
-
-/// A value for each control point; -1 where there is none.
-template <typename Id>
-std::vector<double> SurfaceRun<Id>::ReadPointValues(vtkDataArray* array, double factor) const
-{
-  std::vector<double> values;
-  if (array)
-  {
-    values.resize(this->GetControl().NumberOfPoints);
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      const double value = array->GetComponent(static_cast<vtkIdType>(i), 0);
-      values[i] = value >= 0. ? value * factor : -1.;
-    }
-  }
-  return values;
 }
 
 template <typename Id>
@@ -314,8 +297,16 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
       {
         sharper.SharpEdges[e] |= sharp[e];
       }
-      return ClassifySurface(
-        steps->GetLevel(0).Mesh, *this->Scheme, sharper, this->Points->GetCoordinates());
+      const SurfaceLevel<Id>& made = steps->GetLevel(0);
+      SurfaceTags<Id> more =
+        ClassifySurface(made.Mesh, *this->Scheme, sharper, this->Points->GetCoordinates());
+      for (Sector<Id>& sector : more.Sectors) // shapes of corners that they do not change
+      {
+        const Sector<Id>* known = FindEqualSector(made.Tags, sector);
+        sector.Angle = known ? known->Angle : sector.Angle;
+        sector.Flatness = known ? known->Flatness : sector.Flatness;
+      }
+      return more;
     });
   found = kept;
   return steps;
@@ -337,8 +328,17 @@ SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const Surf
   {
     sharpness += sharpness > 0. ? this->MadeLevels : 0.;
   }
-  creases.Features.Angles = this->ReadPointValues(this->Options.Angles, std::acos(-1.) / 180.);
-  creases.Features.Flatness = this->ReadPointValues(this->Options.Flatness, 1.);
+  const vtkIdType points = this->GetControl().NumberOfPoints;
+  creases.Features.Angles = ReadPointValues(this->Options.Angles, points, std::acos(-1.) / 180.);
+  creases.Features.Flatness = ReadPointValues(this->Options.Flatness, points, 1.);
+  if (this->MadeLevels > 0)
+  {
+    ReadSharpCorners(this->Stamp, level.Mesh, creases.Features);
+  }
+  else
+  {
+    WriteSharpCorners(level.Mesh, creases, this->Points->GetCoordinates(), this->Stamp);
+  }
   if (this->MadeLevels > 0)
   {
     this->Creases = this->Stamp.Creases;
@@ -546,6 +546,8 @@ void SurfaceRun<Id>::WriteStamp()
   {
     stamp.Angles.push_back(sector.Flatness);
   }
+  stamp.FaceAngles = this->Stamp.FaceAngles;
+  stamp.GivenCorners = this->Stamp.GivenCorners;
   stamp.Creases = this->Creases;
   WriteSurfaceStamp(stamp, this->Output);
 }

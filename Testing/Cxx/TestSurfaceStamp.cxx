@@ -40,3 +40,90 @@ TEST(SurfaceStamp, AForgedStampIsNotBelieved)
     }
   }
 }
+
+namespace
+{
+
+/// A bumpy grid with three creases that meet inside, two at its boundary, and their sharpness.
+vtkSmartPointer<vtkPolyData> MakeCreased(bool triangles, bool flagged)
+{
+  Model grid = MakeGrid(4, 4, triangles, { 1., 0., 0. }, { 0.2, 1., 0. });
+  const std::vector<Point> noise = MakeRandomPoints(grid.Points.size(), 5);
+  for (std::size_t i = 0; i < noise.size(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      grid.Points[i][c] += 0.3 * noise[i][c];
+    }
+  }
+  grid.Lines = { { 12, 13 }, { 12, 7 }, { 12, 11 }, { 11, 10 }, { 2, 7 } };
+  const auto input = MakeInput(grid);
+  vtkNew<vtkIntArray> flags;
+  flags->SetName("Singular");
+  vtkNew<vtkDoubleArray> sharpness;
+  sharpness->SetName("Sharpness");
+  const double values[] = { 2.5, 1.3, 4., 0.7, 1. };
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    flags->InsertNextValue(flagged && cell < 3);
+    sharpness->InsertNextValue(cell < 5 ? values[cell] : 0.);
+  }
+  input->GetCellData()->AddArray(flags);
+  input->GetCellData()->AddArray(sharpness);
+  // Angles and flatness that are given, for some.
+  vtkNew<vtkDoubleArray> angles;
+  angles->SetName("Angles");
+  vtkNew<vtkDoubleArray> flatness;
+  flatness->SetName("Flatness");
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    angles->InsertNextValue(i % 3 == 0 ? 100. : -1.);
+    flatness->InsertNextValue(i % 4 == 0 ? 0.3 : -1.);
+  }
+  input->GetPointData()->AddArray(angles);
+  input->GetPointData()->AddArray(flatness);
+  return input;
+}
+
+vtkSmartPointer<vtkPolyData> RunCreased(
+  vtkPolyData* input, int scheme, int levels, bool limit, bool shapes)
+{
+  vtkNew<vtkSurfaceSubdivision> filter;
+  filter->SetInputData(input);
+  filter->SetScheme(scheme);
+  filter->SetNumberOfLevels(levels);
+  filter->SetProjectToLimit(limit);
+  filter->GenerateOriginalIdsOn();
+  filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Sharpness");
+  if (shapes)
+  {
+    filter->SetInputArrayToProcess(5, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Angles");
+    filter->SetInputArrayToProcess(6, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Flatness");
+  }
+  filter->Update();
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->ShallowCopy(filter->GetOutput());
+  return output;
+}
+
+}
+
+TEST(SurfaceStamp, SharpAndFlaggedCornersChain)
+{
+  for (const int scheme : { vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::CATMULL_CLARK,
+         vtkSurfaceSubdivision::MODIFIED_BUTTERFLY })
+  {
+    for (const bool flagged : { false, true })
+    {
+      for (const bool shapes : { false, true })
+      {
+        const auto input = MakeCreased(scheme != vtkSurfaceSubdivision::CATMULL_CLARK, flagged);
+        auto chained = RunCreased(input, scheme, 1, false, shapes);
+        chained = RunCreased(chained, scheme, 1, false, shapes);
+        ExpectSameBits(chained, RunCreased(input, scheme, 2, false, shapes));
+        ExpectSameBits(
+          RunCreased(chained, scheme, 1, true, shapes), RunCreased(input, scheme, 3, true, shapes));
+      }
+    }
+  }
+}
