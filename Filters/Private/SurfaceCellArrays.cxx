@@ -72,10 +72,11 @@ void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources,
 
 template <typename Id>
 void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
-  const SurfaceSteps<Id>& steps, int firstStep, const RunOptions& options, vtkPolyData* output)
+  const SurfaceSteps<Id>& steps, int firstStep, bool goesOn, const RunOptions& options,
+  vtkPolyData* output)
 {
   vtkCellData* from = input->GetCellData();
-  const bool carried = firstStep > 0 && HasIds(from, OriginalCells, input->GetNumberOfCells());
+  const bool carried = goesOn && HasIds(from, OriginalCells, input->GetNumberOfCells());
   const bool originals = options.GenerateOriginalIds && !carried;
   if (from->GetNumberOfArrays() == 0 && !originals)
   {
@@ -96,8 +97,8 @@ void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
 }
 
 template void CopySurfaceCellArrays(vtkPolyData*, const SurfaceCells&, const SurfaceSteps<int>&,
-  int, const RunOptions&, vtkPolyData*);
+  int, bool, const RunOptions&, vtkPolyData*);
 template void CopySurfaceCellArrays(vtkPolyData*, const SurfaceCells&,
-  const SurfaceSteps<long long>&, int, const RunOptions&, vtkPolyData*);
+  const SurfaceSteps<long long>&, int, bool, const RunOptions&, vtkPolyData*);
 
 }

@@ -19,10 +19,12 @@ void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources,
   const RunOptions& options, vtkPolyData* output);
 
 /// Copies every cell array of `input`, whose cells are those of level `firstStep`, to the cells of
-/// the last level. Global and pedigree ids are dropped; sharpness of lines is reduced.
+/// the last level. Global and pedigree ids are dropped; sharpness of lines is reduced. `goesOn`: an
+/// earlier filter made the input, whose original ids are kept.
 template <typename Id>
 void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
-  const SurfaceSteps<Id>& steps, int firstStep, const RunOptions& options, vtkPolyData* output);
+  const SurfaceSteps<Id>& steps, int firstStep, bool goesOn, const RunOptions& options,
+  vtkPolyData* output);
 
 }
 

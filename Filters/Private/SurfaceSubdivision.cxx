@@ -52,9 +52,11 @@ public:
       // The levels of an earlier filter are not needed, only whether their number was odd.
       const bool goesOn = this->IsWhole() && ReadSurfaceStamp(this->Input, this->Stamp) &&
         this->Stamp.Scheme == static_cast<int>(this->Options.Scheme);
-      this->FirstStep = goesOn ? this->Stamp.Levels % 2 : 0;
+      this->Stamp = goesOn ? std::move(this->Stamp) : SurfaceStamp();
+      this->FirstStep = this->Stamp.Levels % 2;
+      return this->Build() && this->Finish();
     }
-    else if (this->Input->GetCellData() && this->IsWhole() &&
+    if (this->Input->GetCellData() && this->IsWhole() &&
       ReadSurfaceStamp(this->Input, this->Stamp) &&
       this->Stamp.Scheme == static_cast<int>(this->Options.Scheme) &&
       LiftSurfaceCells(
@@ -448,8 +450,8 @@ bool SurfaceRun<Id>::Finish()
   {
     return false;
   }
-  CopySurfaceCellArrays(
-    this->Input, this->Cells, *this->Steps, this->MadeLevels, this->Options, this->Output);
+  CopySurfaceCellArrays(this->Input, this->Cells, *this->Steps, this->MadeLevels,
+    this->Stamp.Levels > 0, this->Options, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
   this->WriteStamp();
   return true;
@@ -523,7 +525,9 @@ void SurfaceRun<Id>::WriteStamp()
   stamp.Scheme = static_cast<int>(this->Options.Scheme);
   if (!this->Scheme->KeepsVertices())
   {
-    stamp.Levels = (this->FirstStep + this->Options.Levels) % 2;
+    // Not how many there were, only whether any, and whether their number was odd.
+    const int levels = this->Stamp.Levels + this->Options.Levels;
+    stamp.Levels = levels > 2 ? 2 - levels % 2 : levels;
     if (stamp.Levels > 0)
     {
       WriteSurfaceStamp(stamp, this->Output);

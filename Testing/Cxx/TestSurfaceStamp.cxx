@@ -127,3 +127,40 @@ TEST(SurfaceStamp, SharpAndFlaggedCornersChain)
     }
   }
 }
+
+TEST(SurfaceStamp, OriginalCellsAreThoseOfTheFirstInput)
+{
+  for (int scheme = vtkSurfaceSubdivision::LOOP; scheme <= vtkSurfaceSubdivision::SQRT_THREE;
+    ++scheme)
+  {
+    const Model cube = MakeZoo(false)["cube"];
+    const auto input = MakeInput(cube);
+    vtkNew<vtkIntArray> numbers;
+    numbers->SetName("Number");
+    for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+    {
+      numbers->InsertNextValue(static_cast<int>(cell));
+    }
+    input->GetCellData()->AddArray(numbers);
+    vtkSmartPointer<vtkPolyData> chained = input;
+    for (int levels = 1; levels < 5; ++levels)
+    {
+      vtkNew<vtkSurfaceSubdivision> filter;
+      filter->SetInputData(chained);
+      filter->SetScheme(scheme);
+      filter->SetNumberOfLevels(1);
+      filter->GenerateOriginalIdsOn();
+      filter->Update();
+      chained = vtkSmartPointer<vtkPolyData>::New();
+      chained->ShallowCopy(filter->GetOutput());
+      vtkDataArray* ids = chained->GetCellData()->GetArray("vtkOriginalCellIds");
+      vtkDataArray* known = chained->GetCellData()->GetArray("Number");
+      ASSERT_TRUE(ids && known);
+      for (vtkIdType cell = 0; cell < chained->GetNumberOfCells(); ++cell)
+      {
+        ASSERT_EQ(ids->GetComponent(cell, 0), known->GetComponent(cell, 0))
+          << "scheme " << scheme << " level " << levels;
+      }
+    }
+  }
+}
