@@ -87,6 +87,21 @@ Configure Regions(bool sharp)
 
 // ---------------------------------------------------------------- type 1
 
+/// An edge of a solid and of three triangles, which are no faces of it: those who follow the
+/// triangles blend with these alone.
+TEST(FeaturesJoints, AnInnerJointIsCutToItsDimension)
+{
+  const Grid mesh = MakeGrid({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0.1, 0.2 }, { 0.9, -0.3, 0.8 },
+                               { -1, 0.2, 0.3 }, { -0.8, 1, 0.6 }, { -0.7, -1, 0.4 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 4 } }, { VTK_TRIANGLE, { 0, 1, 5 } },
+      { VTK_TRIANGLE, { 0, 1, 6 } } });
+  EXPECT_TRUE(Near(Matrix(mesh).Edge(0, 1), SolidEdge(0, 1, { 2, 3, 4, 5, 6 })));
+  EXPECT_TRUE(Near(
+    Matrix(mesh, Type1(Filter::TYPE1_FOLLOW_DIMENSION2)).Edge(0, 1), SolidEdge(0, 1, { 4, 5, 6 })));
+  EXPECT_TRUE(
+    Near(Matrix(mesh, Type1(Filter::TYPE1_FOLLOW_DIMENSION3)).Edge(0, 1), SurfaceEdge(0, 1, 2, 3)));
+}
+
 TEST(FeaturesJoints, Type1Vertex)
 {
   const Grid flag = MakeFlag();
