@@ -144,7 +144,7 @@ class Proxies(unittest.TestCase):
         self.assertEqual(tools.arrays(output.GetPointData()),
                          {"Tension", "RuleDimension", "NonManifoldType", "vtkOriginalPointIds"})
         self.assertEqual(tools.arrays(output.GetCellData()),
-                         {"MaterialId", "Singular", "ManifoldDimension", "vtkOriginalCellIds"})
+                         {"MaterialId", "Singular", "ManifoldDimension", "Inverted", "vtkOriginalCellIds"})
         self.assertEqual(source.GetClientSideObject().GetOutputDataObject(0).GetPoints().GetDataType(), 10)
         self.assertEqual(output.GetPoints().GetDataType(), 11)
 

@@ -365,19 +365,27 @@ class Meshes(unittest.TestCase):
         crease = [[0, 1], [0, 4]]
         tagged = with_identity(mesh(coordinates(made), faces_of(made), lines=crease))
         faces = [0.] * made.GetNumberOfPolys()
-        smooth = point_array(run(tagged, LOOP), "e")
-        add(tagged.GetCellData(), "Singular", np.array([1, 1] + [0] * len(faces), dtype=np.int32))
-        sharp = point_array(run(tagged, LOOP), "e")
-        tagged.GetCellData().RemoveArray("Singular")
+
+        def flagged(edges):
+            add(tagged.GetCellData(), "Singular", np.array([*edges] + [0] * len(faces), dtype=np.int32))
+            rows = point_array(run(tagged, LOOP), "e")
+            tagged.GetCellData().RemoveArray("Singular")
+            return rows
+
         middle = children(made, run(made, LOOP), LOOP)
         for sharpness in ((0.2, 0.6), (0.5, 0.5), (0.3, 1.4)):
             add(tagged.GetCellData(), "s", np.array([*sharpness, *faces]))
             rows = point_array(run(tagged, LOOP, arrays=[(4, 1, "s")]), "e")
-            # A vertex has the mean of its edges, an edge its own, a smooth edge that of its end on the crease.
-            mean = sum(sharpness) / 2
+            tagged.GetCellData().RemoveArray("s")
+            # Between the creases that are sharp for the whole step, as if flagged, and all of them: a vertex
+            # has the mean of its edges that are sharp in part, an edge its own, a smooth edge that of its end.
+            whole, all_of_them = flagged([s >= 1 for s in sharpness]), flagged([1, 1])
+            parts = [s for s in sharpness if s < 1]
+            mean = sum(parts) / len(parts)
             for row, weight in ((0, mean), (middle[frozenset((0, 1))], sharpness[0]),
                                 (middle[frozenset((0, 4))], min(1, sharpness[1])), (middle[frozenset((0, 2))], mean)):
-                np.testing.assert_allclose(rows[row], (1 - weight) * smooth[row] + weight * sharp[row], atol=1e-15)
+                expected = (1 - weight) * whole[row] + weight * all_of_them[row]
+                np.testing.assert_allclose(rows[row], expected, atol=1e-15)
 
     def test_cache_gives_what_a_fresh_filter_gives(self):
         surface = flag_corner(fan(4, 0.6 * np.pi))
