@@ -228,14 +228,14 @@ fresh_report() # COMMAND...
   return 0
 }
 
-# The table is kept sorted, one row for each suite, command and user.
-record_row() # TABLE ROW
+# The table, the only one of seven columns, is kept sorted, one row for each suite, command and user.
+record_row() # FILE ROW
 {
-  local key rows
+  local key
   key=$(cut -d'|' -f2-4 <<<"$2")
-  rows=$( (grep '^| [a-z]' "$1" | grep -vF "|$key|" || true; printf '%s\n' "$2") | LC_ALL=C sort)
-  { sed '/^| [a-z]/d' "$1"; printf '%s\n' "$rows"; } >"$1.new"
-  mv "$1.new" "$1"
+  { (grep '^| [a-z]* | `' "$1" || true) | (grep -vF "|$key|" || true); printf '%s\n' "$2"; } | LC_ALL=C sort >"$1.rows"
+  sed -i -e '/^| [a-z]* | `/d' -e "/^|---|---|---|---|---|---|---|\$/r $1.rows" "$1"
+  rm "$1.rows"
 }
 
 fresh_versions()
