@@ -116,7 +116,7 @@ double SharpRows<Id>::GetPart(const std::vector<Id>& vertices) const
   for (const Id vertex : vertices)
   {
     const auto at = std::lower_bound(this->Parts.begin(), this->Parts.end(), vertex,
-      [](const WeightedRow& row, vtkIdType v) { return row.Row < v; });
+      [](const WeightedRow& row, vtkIdType v) { return v > row.Row; });
     if (at != this->Parts.end() && at->Row == vertex)
     {
       sum += at->Part;
@@ -192,7 +192,7 @@ void SharpRows<Id>::AddFaces(const PolygonMesh<Id>& mesh)
   std::vector<Id> faces;
   for (const WeightedRow& row : this->Rows)
   {
-    if (row.Row < mesh.NumberOfVertices)
+    if (mesh.NumberOfVertices > row.Row)
     {
       const std::vector<Id> own = this->CollectFaces(mesh, static_cast<Id>(row.Row));
       faces.insert(faces.end(), own.begin(), own.end());
