@@ -3,6 +3,7 @@
 # modules, so the check is switched off for those that are missing, by what CMake's generated files
 # look at: a target whose "xcframework" is a folder is taken to be there.
 # Included before find_package(ParaView), at the same level.
+set(given_dir "${ParaView_DIR}")
 find_package(ParaView 999 QUIET) # refuses all, but tells where it looked
 foreach (config IN LISTS ParaView_CONSIDERED_CONFIGS)
   get_filename_component(folder "${config}" DIRECTORY)
@@ -16,3 +17,6 @@ foreach (config IN LISTS ParaView_CONSIDERED_CONFIGS)
   endforeach ()
 endforeach ()
 unset(ParaView_DIR CACHE)
+if (given_dir)
+  set(ParaView_DIR "${given_dir}" CACHE PATH "Folder of paraview-config.cmake")
+endif ()
