@@ -100,6 +100,25 @@ inline Point GetPoint(vtkPointSet* grid, vtkIdType i)
   return p;
 }
 
+/// Of a tetrahedron; negative where it is inverted.
+inline double GetSignedVolume(vtkPointSet* grid, const Ids& tet)
+{
+  const Point p = GetPoint(grid, tet[0]);
+  double d[3][3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const Point q = GetPoint(grid, tet[i + 1]);
+    for (int c = 0; c < 3; ++c)
+    {
+      d[i][c] = q[c] - p[c];
+    }
+  }
+  return (d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
+           d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
+           d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0])) /
+    6.;
+}
+
 /// What a filter said.
 class Messages : public vtkCommand
 {

@@ -29,6 +29,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <random>
 #include <set>
@@ -421,8 +422,8 @@ inline vtkSmartPointer<vtkPolyData> MakeInput(const Model& model)
   return input;
 }
 
-inline vtkSmartPointer<vtkPolyData> RunFilter(
-  vtkPolyData* input, int scheme, int levels, bool limit = false)
+inline vtkSmartPointer<vtkPolyData> RunFilter(vtkPolyData* input, int scheme, int levels,
+  bool limit = false, const std::function<void(vtkSurfaceSubdivision*)>& configure = nullptr)
 {
   vtkNew<vtkSurfaceSubdivision> filter;
   filter->SetInputData(input);
@@ -430,6 +431,10 @@ inline vtkSmartPointer<vtkPolyData> RunFilter(
   filter->SetNumberOfLevels(levels);
   filter->SetProjectToLimit(limit);
   filter->SetGenerateNormals(limit);
+  if (configure)
+  {
+    configure(filter);
+  }
   filter->Update();
   auto output = vtkSmartPointer<vtkPolyData>::New();
   output->ShallowCopy(filter->GetOutput());

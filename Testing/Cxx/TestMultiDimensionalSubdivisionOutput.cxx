@@ -103,23 +103,6 @@ Grid SubdivideZoo(Options options)
   return result;
 }
 
-double Volume(vtkUnstructuredGrid* grid, const Ids& tet)
-{
-  double d[3][3];
-  const Point p = GetPoint(grid, tet[0]);
-  for (int i = 0; i < 3; ++i)
-  {
-    const Point q = GetPoint(grid, tet[i + 1]);
-    for (int k = 0; k < 3; ++k)
-    {
-      d[i][k] = q[k] - p[k];
-    }
-  }
-  return d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
-    d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
-    d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
-}
-
 bool IsEven(const Ids& from, const Ids& to)
 {
   Ids rest = to;
@@ -263,7 +246,7 @@ TEST(MultiDimensionalSubdivisionOutput, OrientationIsKept)
     {
       for (const Ids& tet : GetCells(current))
       {
-        ASSERT_EQ(Volume(current, tet) < 0, turned);
+        ASSERT_EQ(GetSignedVolume(current, tet) < 0, turned);
       }
       current = Subdivide(current, 1);
     }

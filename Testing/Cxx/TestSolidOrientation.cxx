@@ -10,23 +10,6 @@ using namespace feature_tools;
 namespace
 {
 
-double GetVolume(vtkUnstructuredGrid* grid, const Ids& tet)
-{
-  const Point o = GetPoint(grid, tet[0]);
-  double sides[3][3];
-  for (int k = 0; k < 3; ++k)
-  {
-    const Point p = GetPoint(grid, tet[k + 1]);
-    for (int c = 0; c < 3; ++c)
-    {
-      sides[k][c] = p[c] - o[c];
-    }
-  }
-  return sides[0][0] * (sides[1][1] * sides[2][2] - sides[1][2] * sides[2][1]) -
-    sides[0][1] * (sides[1][0] * sides[2][2] - sides[1][2] * sides[2][0]) +
-    sides[0][2] * (sides[1][0] * sides[2][1] - sides[1][1] * sides[2][0]);
-}
-
 /// Positive solids, some of them very thin: those of a box of cubes the points of which were moved.
 Grid MakeThinSolids(unsigned seed)
 {
@@ -39,7 +22,7 @@ Grid MakeThinSolids(unsigned seed)
   }
   for (const Ids& cell : GetCells(box))
   {
-    if (GetVolume(box, cell) > 0.)
+    if (GetSignedVolume(box, cell) > 0.)
     {
       cells.push_back({ VTK_TETRA, cell });
     }
@@ -52,7 +35,7 @@ Ids FindNegative(vtkUnstructuredGrid* grid)
   Ids found;
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
-    if (grid->GetCellType(i) == VTK_TETRA && GetVolume(grid, GetCell(grid, i)) < 0.)
+    if (grid->GetCellType(i) == VTK_TETRA && GetSignedVolume(grid, GetCell(grid, i)) < 0.)
     {
       found.push_back(i);
     }

@@ -62,17 +62,11 @@ vtkSmartPointer<vtkPolyData> Crease(
   }
   input->GetCellData()->AddArray(values);
   input->GetCellData()->AddArray(flags);
-  vtkNew<vtkSurfaceSubdivision> filter;
-  filter->SetInputData(input);
-  filter->SetScheme(scheme);
-  filter->SetNumberOfLevels(levels);
-  filter->SetProjectToLimit(limit);
-  filter->SetGenerateNormals(limit);
-  filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Sharpness");
-  filter->Update();
-  auto output = vtkSmartPointer<vtkPolyData>::New();
-  output->ShallowCopy(filter->GetOutput());
-  return output;
+  return RunFilter(input, scheme, levels, limit,
+    [](vtkSurfaceSubdivision* filter)
+    {
+      filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Sharpness");
+    });
 }
 
 double GetDifference(vtkPolyData* a, vtkPolyData* b, vtkIdType points)

@@ -13,27 +13,6 @@ using namespace tet_oct_filter_tools;
 namespace
 {
 
-double GetVolume(vtkUnstructuredGrid* grid, const Ids& tet)
-{
-  Point p[4];
-  for (int i = 0; i < 4; ++i)
-  {
-    p[i] = GetPoint(grid, tet[i]);
-  }
-  double e[3][3];
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      e[i][c] = p[i + 1][c] - p[0][c];
-    }
-  }
-  return (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
-           e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-           e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0])) /
-    6.;
-}
-
 double GetLength(vtkUnstructuredGrid* grid, vtkIdType a, vtkIdType b)
 {
   const Point p = GetPoint(grid, a);
@@ -86,7 +65,7 @@ TEST(TetOctFilter, OctahedraAreFourTetrahedraAroundTheShortestDiagonal)
     ASSERT_EQ(output->GetNumberOfCells(), 48 << (3 * levels));
     for (std::size_t i = 0; i < cells.size(); ++i)
     {
-      ASSERT_GT(GetVolume(output, cells[i]), 0.);
+      ASSERT_GT(GetSignedVolume(output, cells[i]), 0.);
       if (octahedra[i] < 0)
       {
         continue;
@@ -366,7 +345,7 @@ TEST(TetOctFilter, EqualTetrahedraKeepTheirOwnOrientation)
   for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
   {
     Ids cell = GetCell(output, i);
-    EXPECT_GT(sign[i / 512] * GetVolume(output, cell), 0.);
+    EXPECT_GT(sign[i / 512] * GetSignedVolume(output, cell), 0.);
     std::sort(cell.begin(), cell.end());
     cells[i / 512].insert(cell);
   }
