@@ -19,7 +19,7 @@
 #ifndef SubdivisionObjects_AdaptiveSqrtThree_h
 #define SubdivisionObjects_AdaptiveSqrtThree_h
 
-#include "SurfaceScheme.h"
+#include "SqrtThreeTopology.h"
 
 #include <limits>
 #include <vector>
@@ -110,6 +110,12 @@ public:
 
   /// Whether a face comes before another of the same level in the order of the uniform mesh.
   bool IsBefore(Id face, Id other) const;
+  /// Whether the child across an edge has its apexes exchanged (SqrtThreeTopology.h).
+  bool IsExchanged(Id corner) const
+  {
+    const Id twin = this->Twins[corner];
+    return twin >= 0 && this->RunsWith(corner, twin) && this->IsBefore(twin / 3, corner / 3);
+  }
 
   /// Gives the added vertices new numbers: vertex v becomes numbers[v].
   void Renumber(const Buffer<Id>& numbers);
@@ -150,6 +156,19 @@ private:
   std::vector<Vertex> Added;
   std::vector<Id> NewFaces;
 };
+
+/// Where the child across an edge lies, from where the faces of its level do.
+template <typename Id, typename Carriers>
+Carrier<Id> CarryAdaptiveSqrtThree(
+  const AdaptiveSqrtThree<Id>& mesh, Id corner, const Carriers& carriers)
+{
+  const Id face = corner / 3;
+  const Id twin = mesh.GetTwin(corner);
+  const bool isExchanged = mesh.IsExchanged(corner);
+  return mesh.GetLevel(face) % 2 == 1
+    ? PartSqrtThree(carriers[face], corner % 3, isExchanged)
+    : JoinSqrtThree(carriers[face], carriers[twin < 0 ? face : twin / 3], isExchanged);
+}
 
 }
 

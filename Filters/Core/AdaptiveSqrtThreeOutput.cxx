@@ -12,7 +12,7 @@ AdaptiveSqrtThreeOutput<Id>::AdaptiveSqrtThreeOutput(AdaptiveSqrtThree<Id>& mesh
   this->CountTriangles();
 }
 
-/// Level by level. A child lies in two faces: the first counts.
+/// Level by level.
 template <typename Id>
 void AdaptiveSqrtThreeOutput<Id>::NumberVertices()
 {
@@ -24,12 +24,12 @@ void AdaptiveSqrtThreeOutput<Id>::NumberVertices()
     numbers[v] = v;
   }
   this->VertexLevels = { 0, given };
-  this->ControlFaces = Buffer<Id>(mesh.GetNumberOfFaces());
+  this->Carriers = Buffer<Carrier<Id>>(mesh.GetNumberOfFaces());
   std::vector<Id> faces(mesh.GetNumberOfControlFaces());
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     faces[f] = static_cast<Id>(f);
-    this->ControlFaces[f] = faces[f];
+    this->Carriers[f] = { faces[f], faces[f] };
   }
   std::vector<Id> segments;
   for (vtkIdType s = 0; s < mesh.GetNumberOfSegments(); ++s)
@@ -39,14 +39,9 @@ void AdaptiveSqrtThreeOutput<Id>::NumberVertices()
       segments.push_back(static_cast<Id>(s));
     }
   }
-  Buffer<Id> places(mesh.GetNumberOfFaces()); // in their level
   Id next = given;
   for (int level = 0; !faces.empty() || !segments.empty(); ++level)
   {
-    for (std::size_t i = 0; i < faces.size(); ++i)
-    {
-      places[faces[i]] = static_cast<Id>(i);
-    }
     std::vector<Id> children;
     for (const Id face : faces)
     {
@@ -61,12 +56,9 @@ void AdaptiveSqrtThreeOutput<Id>::NumberVertices()
       for (Id corner = 3 * face; corner < 3 * face + 3; ++corner)
       {
         const Id child = mesh.GetChild(corner);
-        const Id other = mesh.GetTwin(corner) / 3;
-        const bool isThere = mesh.IsThere(child);
-        const bool isOfOther = isThere && !mesh.IsFixed(corner) && places[face] > places[other];
-        this->ControlFaces[child] = this->ControlFaces[isOfOther ? other : face];
-        if (isThere)
+        if (mesh.IsThere(child))
         {
+          this->Carriers[child] = CarryAdaptiveSqrtThree(mesh, corner, this->Carriers);
           children.push_back(child);
         }
       }
@@ -144,6 +136,16 @@ void AdaptiveSqrtThreeOutput<Id>::CountTriangles()
   this->Triangles = next;
 }
 
+/// Half of a child, that in a face, is there until the other half is.
+template <typename Id>
+Id AdaptiveSqrtThreeOutput<Id>::GetSourceOfHalf(Id face, int corner) const
+{
+  const Carrier<Id>& carrier = this->Carriers[face];
+  const bool runsFromCentreToCentre = corner == 1;
+  return runsFromCentreToCentre ? carrier.GetSmallest()
+                                : PartSqrtThree(carrier, corner, false).First;
+}
+
 template <typename Id>
 template <typename Value>
 void AdaptiveSqrtThreeOutput<Id>::WriteTriangles(
@@ -155,17 +157,18 @@ void AdaptiveSqrtThreeOutput<Id>::WriteTriangles(
     {
       const Id face = static_cast<Id>(f);
       const Id* corners = mesh.GetVertices(face);
-      auto write = [&](Id at, Id a, Id b, Id c, int generation)
+      auto write = [&](Id at, Id a, Id b, Id c, int generation, Id source)
       {
         const Id triangle[3] = { a, b, c };
         std::copy(triangle, triangle + 3, vertices + 3 * static_cast<vtkIdType>(at));
         generations[at] = static_cast<unsigned char>(generation);
-        faces[at] = this->ControlFaces[f];
+        faces[at] = source;
       };
       const int generation = 2 * mesh.GetLevel(face);
       if (mesh.IsThere(face) && !mesh.IsSplit(face))
       {
-        write(this->Offsets[f], corners[0], corners[1], corners[2], generation);
+        write(this->Offsets[f], corners[0], corners[1], corners[2], generation,
+          this->Carriers[f].GetSmallest());
         return;
       }
       for (int i = 0; i < 3 && mesh.IsSplit(face); ++i)
@@ -174,7 +177,7 @@ void AdaptiveSqrtThreeOutput<Id>::WriteTriangles(
         if (!mesh.IsThere(mesh.GetChild(corner)))
         {
           write(this->Offsets[mesh.GetChild(corner)], corners[i], corners[(i + 1) % 3],
-            mesh.GetApex(corner), generation + 1);
+            mesh.GetApex(corner), generation + 1, this->GetSourceOfHalf(face, i));
         }
       }
     });

@@ -40,14 +40,15 @@ public:
 private:
   void NumberVertices();
   void CountTriangles();
+  Id GetSourceOfHalf(Id face, int corner) const;
   void NumberThirds(std::vector<Id>& segments, Buffer<Id>& numbers, Id& next) const;
 
   AdaptiveSqrtThree<Id>& Mesh;
   std::vector<Id> VertexLevels;
   vtkIdType Triangles = 0;
-  Buffer<Id> Counts;  ///< of triangles in each face
-  Buffer<Id> Offsets; ///< the first of them
-  Buffer<Id> ControlFaces;
+  Buffer<Id> Counts;            ///< of triangles in each face
+  Buffer<Id> Offsets;           ///< the first of them
+  Buffer<Carrier<Id>> Carriers; ///< of each face, on the control mesh
 };
 
 }

@@ -78,11 +78,12 @@ public:
   {
     return RefineToQuadTags(level, tags);
   }
-  void GetFaceParents(const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const override
+  void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool,
+    Buffer<Carrier<Id>>& children) const override
   {
-    parents = Buffer<vtkIdType>(level.Mesh.GetNumberOfCorners());
-    ForEach(
-      parents.size(), [&](vtkIdType i) { parents[i] = level.Mesh.GetFace(static_cast<Id>(i)); });
+    children = Buffer<Carrier<Id>>(level.Mesh.GetNumberOfCorners());
+    ForEach(children.size(),
+      [&](vtkIdType i) { children[i] = faces[level.Mesh.GetFace(static_cast<Id>(i))]; });
   }
 
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,

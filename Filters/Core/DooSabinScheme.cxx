@@ -52,7 +52,9 @@ public:
   {
     return {};
   }
-  void GetFaceParents(const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const override;
+  int GetCarrierPeriod() const override { return 0; }
+  void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool areWhole,
+    Buffer<Carrier<Id>>& children) const override;
 
 private:
   static vtkIdType GetFirstLone(const SurfaceLevel<Id>& level)
@@ -264,25 +266,31 @@ SurfaceLevel<Id> DooSabinScheme<Id>::Refine(const SurfaceLevel<Id>& level, Depth
 }
 
 template <typename Id>
-void DooSabinScheme<Id>::GetFaceParents(
-  const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const
+void DooSabinScheme<Id>::CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
+  bool, Buffer<Carrier<Id>>& children) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const DualPlaces<Id>& places = *level.Dual;
-  const vtkIdType faces = mesh.NumberOfFaces;
   const vtkIdType sides = places.GetNumberOfSides();
-  parents = Buffer<vtkIdType>(faces + sides + places.GetNumberOfFaces());
-  ForEach(faces, [&](vtkIdType f) { parents[f] = f; });
+  children = Buffer<Carrier<Id>>(mesh.NumberOfFaces + sides + places.GetNumberOfFaces());
+  std::copy(faces.begin(), faces.end(), children.begin());
+  Carrier<Id>* ofSides = children.data() + mesh.NumberOfFaces;
   ForEach(mesh.GetNumberOfCorners(),
     [&](vtkIdType c)
     {
       const Id corner = static_cast<Id>(c);
       if (GetFirstOfSide(mesh, corner) == corner)
       {
-        parents[faces + places.Sides[c]] = mesh.GetFace(corner);
+        CommonCarrier<Id> common;
+        common.Add(faces[mesh.GetFace(corner)]);
+        if (mesh.Twins[c] >= 0)
+        {
+          common.Add(faces[mesh.GetFace(mesh.Twins[c])]);
+        }
+        ofSides[places.Sides[c]] = common.Get();
       }
     });
-  AddFanParents(level, parents.data() + faces + sides, GetVertexFaceSize);
+  CarryFans<Id>(level, faces, GetVertexFaceSize, ofSides + sides);
 }
 
 }

@@ -207,21 +207,28 @@ void RefineLines(const SurfaceLevel<Id>& level, vtkIdType first, SurfaceLevel<Id
 }
 
 template <typename Id>
-void AddFanParents(const SurfaceLevel<Id>& level, vtkIdType* parents, const VertexFaceSize& size)
+void CarryFans(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
+  const VertexFaceSize& size, Carrier<Id>* fans)
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   ForEach(mesh.NumberOfVertices,
     [&](vtkIdType v)
     {
-      vtkIdType* parent = parents + level.Dual->Faces[v];
+      Carrier<Id>* fan = fans + level.Dual->Faces[v];
       VisitFansOf(mesh, static_cast<Id>(v),
         [&](Id corner)
         {
           vtkIdType k = 0;
-          const bool cycle = VisitFanForward(mesh, corner, [&k](const FanStep<Id>&) { ++k; });
+          CommonCarrier<Id> common;
+          const bool cycle = VisitFanForward(mesh, corner,
+            [&](const FanStep<Id>& step)
+            {
+              common.Add(faces[mesh.GetFace(step.Corner)]);
+              ++k;
+            });
           if (size(k, cycle) >= 3)
           {
-            *parent++ = mesh.GetFace(corner);
+            *fan++ = common.Get();
           }
         });
     });
@@ -233,7 +240,8 @@ void AddFanParents(const SurfaceLevel<Id>& level, vtkIdType* parents, const Vert
   template void AppendLoneRow(const SurfaceLevel<Id>&, vtkIdType, RowBlock<Id>&);                  \
   template void GetLoneParents(const SurfaceLevel<Id>&, vtkIdType, std::vector<vtkIdType>&);       \
   template void RefineLines(const SurfaceLevel<Id>&, vtkIdType, SurfaceLevel<Id>&);                \
-  template void AddFanParents(const SurfaceLevel<Id>&, vtkIdType*, const VertexFaceSize&)
+  template void CarryFans(                                                                         \
+    const SurfaceLevel<Id>&, const Buffer<Carrier<Id>>&, const VertexFaceSize&, Carrier<Id>*)
 SUBDIVISION_DUAL(int);
 SUBDIVISION_DUAL(long long);
 

@@ -74,9 +74,10 @@ void GetLoneParents(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vt
 template <typename Id>
 void RefineLines(const SurfaceLevel<Id>& level, vtkIdType first, SurfaceLevel<Id>& next);
 
-/// The face from which each vertex face takes its cell data: that of the fan's first corner.
+/// Writes the carriers of vertex faces: what the faces of their fans share.
 template <typename Id>
-void AddFanParents(const SurfaceLevel<Id>& level, vtkIdType* parents, const VertexFaceSize& size);
+void CarryFans(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
+  const VertexFaceSize& size, Carrier<Id>* fans);
 
 /// Which one is the i-th that was counted.
 template <typename Id>

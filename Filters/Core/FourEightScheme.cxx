@@ -38,7 +38,9 @@ public:
   }
   void GetParents(
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
-  void GetFaceParents(const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const override;
+  int GetCarrierPeriod() const override { return 2; }
+  void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool areWhole,
+    Buffer<Carrier<Id>>& children) const override;
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
 
@@ -71,21 +73,30 @@ void FourEightScheme<Id>::GetParents(
   }
 }
 
-/// A child lies in two faces: the first one counts.
+/// First the faces of the two new corners, the last and the second one. All edges that are not
+/// fixed then end at one of these, and their children lie in its face.
 template <typename Id>
-void FourEightScheme<Id>::GetFaceParents(
-  const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const
+void FourEightScheme<Id>::CarryFaces(const SurfaceLevel<Id>& level,
+  const Buffer<Carrier<Id>>& faces, bool areWhole, Buffer<Carrier<Id>>& children) const
 {
+  const PolygonMesh<Id>& mesh = level.Mesh;
   const FourEightTopology<Id> topology(level);
-  parents = Buffer<vtkIdType>(topology.GetNumberOfFaces());
-  ForEach(level.Mesh.GetNumberOfCorners(),
+  children = Buffer<Carrier<Id>>(topology.GetNumberOfFaces());
+  ForEach(mesh.GetNumberOfCorners(),
     [&](vtkIdType c)
     {
       const Id corner = static_cast<Id>(c);
-      if (topology.HasChild(corner))
+      if (!topology.HasChild(corner))
       {
-        parents[topology.GetChild(corner)] = level.Mesh.GetFace(corner);
+        return;
       }
+      const Id face = mesh.GetFace(corner);
+      const Id other = topology.IsFixed(corner) ? face : mesh.GetFace(mesh.Twins[corner]);
+      const bool isOfLast = corner - mesh.GetFirst(face) >= 2;
+      const Id carrier = isOfLast ? faces[face].First : faces[face].Second;
+      children[topology.GetChild(corner)] = areWhole
+        ? Carrier<Id>{ faces[face].First, faces[other].First }
+        : Carrier<Id>{ carrier, carrier };
     });
 }
 

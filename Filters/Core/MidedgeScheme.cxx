@@ -55,13 +55,15 @@ public:
   {
     return {};
   }
-  void GetFaceParents(const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const override
+  int GetCarrierPeriod() const override { return 0; }
+  void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool,
+    Buffer<Carrier<Id>>& children) const override
   {
-    const vtkIdType faces = level.Mesh.NumberOfFaces;
-    parents = Buffer<vtkIdType>(faces + level.Dual->GetNumberOfFaces());
-    ForEach(faces, [&](vtkIdType f) { parents[f] = f; });
-    AddFanParents<Id>(level, parents.data() + faces,
-      [&level](vtkIdType k, bool cycle) { return GetVertexFaceSize(level, k, cycle); });
+    children = Buffer<Carrier<Id>>(faces.size() + level.Dual->GetNumberOfFaces());
+    std::copy(faces.begin(), faces.end(), children.begin());
+    CarryFans<Id>(
+      level, faces, [&level](vtkIdType k, bool cycle)
+      { return GetVertexFaceSize(level, k, cycle); }, children.data() + faces.size());
   }
 
 private:

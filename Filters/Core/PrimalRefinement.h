@@ -76,10 +76,11 @@ public:
   {
     return RefineTriangleTags(level, tags);
   }
-  void GetFaceParents(const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const override
+  void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool,
+    Buffer<Carrier<Id>>& children) const override
   {
-    parents = Buffer<vtkIdType>(4 * level.Mesh.NumberOfFaces);
-    ForEach(parents.size(), [&parents](vtkIdType i) { parents[i] = i / 4; });
+    children = Buffer<Carrier<Id>>(4 * level.Mesh.NumberOfFaces);
+    ForEach(children.size(), [&](vtkIdType i) { children[i] = faces[i / 4]; });
   }
 };
 

@@ -51,7 +51,9 @@ public:
   {
     return RefineSqrtThreeTags(level, tags);
   }
-  void GetFaceParents(const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const override;
+  int GetCarrierPeriod() const override { return 2; }
+  void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool areWhole,
+    Buffer<Carrier<Id>>& children) const override;
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
 
@@ -107,18 +109,23 @@ void SqrtThreeScheme<Id>::GetParents(
   }
 }
 
-/// A child lies in two faces: the one with the smaller id counts.
 template <typename Id>
-void SqrtThreeScheme<Id>::GetFaceParents(
-  const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const
+void SqrtThreeScheme<Id>::CarryFaces(const SurfaceLevel<Id>& level,
+  const Buffer<Carrier<Id>>& faces, bool areWhole, Buffer<Carrier<Id>>& children) const
 {
   const Topology topology(level);
-  parents = Buffer<vtkIdType>(level.Mesh.GetNumberOfCorners());
-  ForEach(parents.size(),
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  children = Buffer<Carrier<Id>>(mesh.GetNumberOfCorners());
+  ForEach(children.size(),
     [&](vtkIdType c)
     {
-      const bool isFixed = topology.IsFixed(static_cast<Id>(c));
-      parents[c] = (isFixed ? c : std::min<vtkIdType>(c, level.Mesh.Twins[c])) / 3;
+      const Id corner = static_cast<Id>(c);
+      const Carrier<Id>& own = faces[corner / 3];
+      const bool isFixed = topology.IsFixed(corner);
+      const Id twin = isFixed ? corner : mesh.Twins[corner];
+      const bool isSecond = !isFixed && topology.RunsWith(corner, twin) && twin < corner;
+      children[c] = areWhole ? JoinSqrtThree(own, faces[twin / 3], isSecond)
+                             : PartSqrtThree(own, corner % 3, isSecond);
     });
 }
 

@@ -19,6 +19,24 @@
 namespace subdivision
 {
 
+/// The carrier of the child across an edge, where the faces there lie in one face each: that of its
+/// last corner, which is new, first and then that of the corner before, which is new too.
+/// `isSecond`: these two are exchanged in the child (see above).
+template <typename Id>
+Carrier<Id> JoinSqrtThree(const Carrier<Id>& own, const Carrier<Id>& other, bool isSecond)
+{
+  return isSecond ? Carrier<Id>{ other.First, own.First } : Carrier<Id>{ own.First, other.First };
+}
+/// A step later, for the edge that begins with a corner, it is the one face of a new corner: of
+/// that where the child is, if the edge joins two.
+template <typename Id>
+Carrier<Id> PartSqrtThree(const Carrier<Id>& own, int corner, bool isSecond)
+{
+  const bool isOfLast = corner == 2 || (corner == 1 && isSecond);
+  const Id face = isOfLast ? own.First : own.Second;
+  return { face, face };
+}
+
 template <typename Id>
 class SqrtThreeTopology
 {

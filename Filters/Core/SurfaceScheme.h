@@ -7,6 +7,7 @@
 #ifndef SubdivisionObjects_SurfaceScheme_h
 #define SubdivisionObjects_SurfaceScheme_h
 
+#include "Carriers.h"
 #include "PolygonMesh.h"
 #include "Refinement.h"
 #include "RowBlock.h"
@@ -130,7 +131,7 @@ public:
   virtual void GetParents(
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const = 0;
   /// The next level; ForOutput: only faces (NumberOf..., Arity, FaceOffsets, Vertices) and Lines
-  /// with EdgeVertices; ForLastStep: all that a step needs which is ForOutput, and GetFaceParents.
+  /// with EdgeVertices; ForLastStep: all that a step needs which is ForOutput, and CarryFaces.
   virtual SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const = 0;
   /// Whether it has ForCounts, which is ForOutput without Vertices, and WriteFaces for these: the
   /// vertices of the next level's faces, one face after the other.
@@ -140,8 +141,12 @@ public:
   /// Tags of the next level from those of this one (there may be several sets for one level).
   virtual SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const = 0;
-  /// Which face of this level each face of the next takes its cell data from.
-  virtual void GetFaceParents(const SurfaceLevel<Id>& level, Buffer<vtkIdType>& parents) const = 0;
+  /// After how many steps each face lies in exactly one face of before; 0: never.
+  virtual int GetCarrierPeriod() const { return 1; }
+  /// Where the faces of the next level lie, from where those of this level do. `areWhole`: a number
+  /// of steps is over after which each lies in one face.
+  virtual void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
+    bool areWhole, Buffer<Carrier<Id>>& children) const = 0;
 
   /// One row for each vertex of the level: its limit position, or a tangent there.
   virtual bool HasLimit() const { return false; }

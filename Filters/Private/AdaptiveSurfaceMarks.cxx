@@ -42,7 +42,7 @@ public:
   }
   vtkIdType GetInputCell(vtkIdType i) const
   {
-    return this->IsFaces ? this->Marks.FaceCells[this->Marks.Sources[this->Get(i)]]
+    return this->IsFaces ? this->Marks.FaceCells[this->Marks.Carriers[this->Get(i)].GetSmallest()]
                          : this->Marks.SegmentCells[this->GetRoot(this->Get(i))];
   }
   int GetLevel(vtkIdType i) const
@@ -92,24 +92,21 @@ AdaptiveSurfaceMarks<Id>::AdaptiveSurfaceMarks(const AdaptiveSqrtThree<Id>& mesh
 // ------------------------------------------------------------------------------------------------
 // What is new
 
-/// A face lies in two of the level above: the first counts.
 template <typename Id>
-void AdaptiveSurfaceMarks<Id>::FindSources()
+void AdaptiveSurfaceMarks<Id>::FindCarriers()
 {
   const vtkIdType given = this->Mesh.GetNumberOfControlFaces();
-  this->Sources.resize(this->Mesh.GetNumberOfFaces());
+  this->Carriers.resize(this->Mesh.GetNumberOfFaces());
   for (const Id face : this->Faces)
   {
     if (face < given)
     {
-      this->Sources[face] = face;
+      this->Carriers[face] = { face, face };
       continue;
     }
     const Id parent = this->Mesh.GetParent(face);
     const Id corner = 3 * parent + (face - this->Mesh.GetChild(3 * parent));
-    const Id twin = this->Mesh.GetTwin(corner);
-    const bool isOfOther = twin >= 0 && this->Mesh.IsBefore(twin / 3, parent);
-    this->Sources[face] = this->Sources[isOfOther ? twin / 3 : parent];
+    this->Carriers[face] = CarryAdaptiveSqrtThree(this->Mesh, corner, this->Carriers);
   }
 }
 
@@ -133,7 +130,7 @@ void AdaptiveSurfaceMarks<Id>::Update()
       return first != second ? second > first : b > a;
     });
   this->KnownFaces = static_cast<vtkIdType>(made.size());
-  this->FindSources();
+  this->FindCarriers();
   std::vector<Id> vertices;
   for (vtkIdType v = this->KnownVertices; v < this->Mesh.GetNumberOfVertices(); ++v)
   {

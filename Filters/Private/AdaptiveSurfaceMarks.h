@@ -55,7 +55,7 @@ private:
   };
 
   void Update();
-  void FindSources();
+  void FindCarriers();
   double GetErrorAt(Id face, const double* place) const;
   double GetLimitError(Id corner, std::vector<double>& middle, bool& hasNoValue) const;
   void JudgeEdge(Id a, Id b, double atLimit, bool noValueAtLimit, int bit, Verdict& verdict) const;
@@ -75,7 +75,7 @@ private:
   const std::vector<vtkIdType>& SegmentCells;
   std::vector<AdaptiveSurfaceValues<Id>> Arrays; ///< coordinates first
   int Attribute = -1;                            ///< which of them
-  std::vector<Id> Sources;                       ///< the control face of each face
+  std::vector<Carrier<Id>> Carriers;             ///< of each face, on the control mesh
   std::vector<Id> Faces;                         ///< those that are new
   std::vector<Id> Segments;                      ///< the same of segments without faces,
   std::vector<Id> Open;                          ///< and of those of which a face is not there yet

@@ -9,6 +9,7 @@
 #include "Core/SurfaceSteps.h"
 #include "RunOptions.h"
 #include "SurfaceCells.h"
+#include "SurfaceStamp.h"
 
 namespace subdivision
 {
@@ -20,11 +21,12 @@ void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources,
 
 /// Copies every cell array of `input`, whose cells are those of level `firstStep`, to the cells of
 /// the last level. Global and pedigree ids are dropped; sharpness of lines is reduced. `goesOn`: an
-/// earlier filter made the input, whose original ids are kept.
+/// earlier filter made the input, whose original ids are kept, and left `carried`; this becomes
+/// what the next filter needs.
 template <typename Id>
 void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceSteps<Id>& steps, int firstStep, bool goesOn, const RunOptions& options,
-  vtkPolyData* output);
+  CarriedCells& carried, vtkPolyData* output);
 
 }
 

@@ -27,7 +27,6 @@ struct SurfaceKey
   bool Whole;
   bool Use32BitIds;
   int MadeLevels;
-  int FirstStep;
   SurfaceCells Cells;
 
   bool operator==(const SurfaceKey& other) const
@@ -37,9 +36,8 @@ struct SurfaceKey
     return this->Scheme == other.Scheme && this->ModifiedBoundary == other.ModifiedBoundary &&
       this->Levels == other.Levels && this->Whole == other.Whole &&
       this->Use32BitIds == other.Use32BitIds && this->MadeLevels == other.MadeLevels &&
-      this->FirstStep == other.FirstStep && a.NumberOfPoints == b.NumberOfPoints &&
-      a.Vertices == b.Vertices && a.Segments == b.Segments && a.FaceOffsets == b.FaceOffsets &&
-      a.Corners == b.Corners;
+      a.NumberOfPoints == b.NumberOfPoints && a.Vertices == b.Vertices &&
+      a.Segments == b.Segments && a.FaceOffsets == b.FaceOffsets && a.Corners == b.Corners;
   }
 };
 

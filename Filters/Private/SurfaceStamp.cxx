@@ -10,6 +10,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace subdivision
 {
@@ -23,7 +24,8 @@ constexpr const char* FaceAnglesName = "SubdivisionSharpAngles";
 constexpr const char* GivenCornersName = "SubdivisionSharpCorners";
 constexpr const char* CreasesName = "SubdivisionSurfaceCreases";
 constexpr const char* CellsName = "SubdivisionSurfaceCells";
-constexpr vtkIdType FormatVersion = 1;
+const std::string CarriedPrefix = "SubdivisionCarried:";
+constexpr vtkIdType FormatVersion = 2;
 constexpr int MostLevels = 20;
 
 enum Field
@@ -64,6 +66,31 @@ std::vector<double> ReadValues(const char* name, vtkFieldData* data)
   return values;
 }
 
+bool IsCarried(vtkAbstractArray* array)
+{
+  return array->GetName() && std::string(array->GetName()).rfind(CarriedPrefix, 0) == 0;
+}
+
+CarriedCells ReadCarried(vtkFieldData* data, int levels)
+{
+  CarriedCells carried;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    if (IsCarried(array))
+    {
+      const std::string text = std::string(array->GetName()).substr(CarriedPrefix.size());
+      char* end = nullptr;
+      const long level = std::strtol(text.c_str(), &end, 10);
+      if (*end == ':' && level >= 0 && level < levels)
+      {
+        carried.Entries.push_back({ end + 1, static_cast<int>(level), array });
+      }
+    }
+  }
+  return carried;
+}
+
 std::vector<vtkIdType> ReadIds(const char* name, vtkFieldData* data)
 {
   const std::vector<double> values = ReadValues(name, data);
@@ -72,6 +99,13 @@ std::vector<vtkIdType> ReadIds(const char* name, vtkFieldData* data)
   return ids;
 }
 
+}
+
+const CarriedCells::Entry* CarriedCells::Find(const char* name) const
+{
+  const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
+    [name](const Entry& entry) { return name && entry.Name == name; });
+  return found == this->Entries.end() ? nullptr : &*found;
 }
 
 void SurfaceStamp::SetControl(const SurfaceCells& control, int size, bool withCells)
@@ -85,9 +119,9 @@ void SurfaceStamp::SetControl(const SurfaceCells& control, int size, bool withCe
   }
   if (withCells)
   {
-    this->Cells.reserve(control.Segments.size() + control.Corners.size());
     this->Cells = control.Segments;
     this->Cells.insert(this->Cells.end(), control.Corners.begin(), control.Corners.end());
+    this->Cells.insert(this->Cells.end(), control.Vertices.begin(), control.Vertices.end());
   }
 }
 
@@ -114,6 +148,7 @@ bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp)
   stamp.GivenCorners = ReadValues(GivenCornersName, data);
   stamp.Creases = ReadIds(CreasesName, data);
   stamp.Cells = ReadIds(CellsName, data);
+  stamp.Carried = ReadCarried(data, stamp.Levels);
   return std::all_of(stamp.Creases.begin(), stamp.Creases.end(),
            [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; }) &&
     (stamp.Size > 0 || static_cast<vtkIdType>(stamp.Sizes.size()) == stamp.NumberOfControlFaces);
@@ -133,14 +168,30 @@ void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output)
   WriteValues<vtkDoubleArray>(GivenCornersName, stamp.GivenCorners, data);
   WriteValues<vtkIdTypeArray>(CreasesName, stamp.Creases, data);
   WriteValues<vtkIdTypeArray>(CellsName, stamp.Cells, data);
+  for (const CarriedCells::Entry& entry : stamp.Carried.Entries)
+  {
+    // Arrays may be those of an earlier output, whose names are not ours to change.
+    const auto copy = vtkSmartPointer<vtkAbstractArray>::Take(entry.Array->NewInstance());
+    copy->DeepCopy(entry.Array);
+    copy->SetName((CarriedPrefix + std::to_string(entry.Level) + ":" + entry.Name).c_str());
+    data->AddArray(copy);
+  }
 }
 
 void RemoveSurfaceStamp(vtkPolyData* output)
 {
+  vtkFieldData* data = output->GetFieldData();
   for (const char* name :
     { Name, SizesName, AnglesName, FaceAnglesName, GivenCornersName, CreasesName, CellsName })
   {
-    output->GetFieldData()->RemoveArray(name);
+    data->RemoveArray(name);
+  }
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (IsCarried(data->GetAbstractArray(i)))
+    {
+      data->RemoveArray(i);
+    }
   }
 }
 
@@ -158,7 +209,6 @@ bool CopyControlCells(const SurfaceCells& cells, const SurfaceStamp& stamp, Surf
 {
   control = SurfaceCells();
   control.NumberOfPoints = stamp.NumberOfControlPoints;
-  control.Vertices = cells.Vertices;
   control.VertexCells = cells.VertexCells;
   control.FaceCells.assign(stamp.NumberOfControlFaces, 0);
   vtkIdType corners = 0;
@@ -173,14 +223,17 @@ bool CopyControlCells(const SurfaceCells& cells, const SurfaceStamp& stamp, Surf
     corners += size;
     control.FaceOffsets.push_back(corners);
   }
-  const vtkIdType segments = (all - corners) / 2;
+  const vtkIdType ends = all - corners - static_cast<vtkIdType>(cells.VertexCells.size());
+  const vtkIdType segments = ends / 2;
   const vtkIdType children = static_cast<vtkIdType>(cells.SegmentCells.size());
-  if ((all - corners) % 2 != 0 || (segments > 0 ? children % segments != 0 : children > 0))
+  if (ends < 0 || ends % 2 != 0 || (segments > 0 ? children % segments != 0 : children > 0))
   {
     return false;
   }
-  control.Segments.assign(stamp.Cells.begin(), stamp.Cells.begin() + 2 * segments);
-  control.Corners.assign(stamp.Cells.begin() + 2 * segments, stamp.Cells.end());
+  const auto first = stamp.Cells.begin();
+  control.Segments.assign(first, first + ends);
+  control.Corners.assign(first + ends, first + ends + corners);
+  control.Vertices.assign(first + ends + corners, stamp.Cells.end());
   for (vtkIdType s = 0; s < segments; ++s)
   {
     if (children == 0 || control.Segments[2 * s] == control.Segments[2 * s + 1])
@@ -199,7 +252,7 @@ bool CopyControlCells(const SurfaceCells& cells, const SurfaceStamp& stamp, Surf
       return false;
     }
   }
-  return AreControlPoints(stamp.Cells, stamp) && AreControlPoints(cells.Vertices, stamp);
+  return AreControlPoints(stamp.Cells, stamp);
 }
 
 }

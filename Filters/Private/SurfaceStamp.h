@@ -11,17 +11,38 @@
  * were detected as features, as pairs of control points. Control points keep their ids and children
  * are consecutive, so the control mesh is read off the cells; it is refined again and compared with
  * them. Of schemes that do not halve edges, `SubdivisionSurfaceCells` has the control cells, and
- * the creases are all that there are, with corners as pairs of one point.
+ * the creases are all that there are, with corners as pairs of one point. Where some faces have no
+ * cells of their own, `SubdivisionCarried:LEVEL:NAME` is the cell array NAME of all faces of a
+ * level (SPEC 1).
  */
 #ifndef SubdivisionObjects_SurfaceStamp_h
 #define SubdivisionObjects_SurfaceStamp_h
 
 #include "SurfaceCells.h"
 
+#include "vtkAbstractArray.h"
+#include "vtkSmartPointer.h"
+
 #include <functional>
+#include <string>
 
 namespace subdivision
 {
+
+/// The cell data of earlier faces: a cell that lies in two of them shows those of one only.
+struct CarriedCells
+{
+  struct Entry
+  {
+    std::string Name;
+    int Level; ///< of the faces
+    vtkSmartPointer<vtkAbstractArray> Array;
+  };
+  std::vector<Entry> Entries;
+
+  /// Null where nothing is carried by that name.
+  const Entry* Find(const char* name) const;
+};
 
 struct SurfaceStamp
 {
@@ -38,8 +59,10 @@ struct SurfaceStamp
   std::vector<double> FaceAngles;
   std::vector<double> GivenCorners;
   std::vector<vtkIdType> Creases;
-  /// Segments, two points each, then the corners of the control faces; empty: from the children.
+  /// Segments, two points each, the corners of the control faces, vertices; empty: from the
+  /// children.
   std::vector<vtkIdType> Cells;
+  CarriedCells Carried;
 
   /// `size`: corners of each face, 0 if they differ; `withCells`: sets Cells, too.
   void SetControl(const SurfaceCells& control, int size, bool withCells);

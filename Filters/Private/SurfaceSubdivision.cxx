@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace subdivision
 {
@@ -47,18 +48,8 @@ public:
   bool Run(SurfaceCells&& cells)
   {
     this->Cells = std::move(cells);
-    if (!this->Scheme->KeepsVertices())
-    {
-      // The levels of an earlier filter are not needed, only whether their number was odd.
-      const bool goesOn = this->IsWhole() && ReadSurfaceStamp(this->Input, this->Stamp) &&
-        this->Stamp.Scheme == static_cast<int>(this->Options.Scheme);
-      this->Stamp = goesOn ? std::move(this->Stamp) : SurfaceStamp();
-      this->FirstStep = this->Stamp.Levels % 2;
-      return this->Build() && this->Finish();
-    }
-    if (this->Input->GetCellData() && this->IsWhole() &&
-      ReadSurfaceStamp(this->Input, this->Stamp) &&
-      this->Stamp.Scheme == static_cast<int>(this->Options.Scheme) &&
+    if (this->IsWhole() && ReadSurfaceStamp(this->Input, this->Stamp) &&
+      this->Stamp.Scheme == static_cast<int>(this->Options.Scheme) && this->FitsStamp() &&
       LiftSurfaceCells(
         this->Cells, this->Stamp,
         [this](vtkIdType a, vtkIdType b) { return this->HasSameFlags(a, b); }, this->Lifted))
@@ -85,6 +76,15 @@ private:
     return this->Cells.Warnings.empty() &&
       static_cast<vtkIdType>(this->Cells.VertexCells.size() + this->Cells.SegmentCells.size() +
         this->Cells.FaceCells.size()) == this->Input->GetNumberOfCells();
+  }
+  /// Whether so many levels of a control mesh can be this input: a stamp may claim anything.
+  bool FitsStamp() const
+  {
+    const double corners = std::accumulate(this->Stamp.Sizes.begin(), this->Stamp.Sizes.end(),
+      static_cast<double>(this->Stamp.Size) * this->Stamp.NumberOfControlFaces);
+    const double faces = this->Scheme->CountFaces(
+      static_cast<double>(this->Stamp.NumberOfControlFaces), corners, this->Stamp.Levels);
+    return faces <= 8. * static_cast<double>(this->Cells.GetNumberOfFaces()) + 1000.;
   }
   /// Whether two cells were given the same flags and sharpness.
   bool HasSameFlags(vtkIdType a, vtkIdType b) const
@@ -140,7 +140,6 @@ private:
   SurfaceCells Lifted; ///< the control cells, where earlier filters made levels
   SurfaceStamp Stamp;
   int MadeLevels = 0;
-  int FirstStep = 0; ///< of the first level; where schemes keep no vertices, steps made before
   SimplicesOfCells NoCentres;
   std::vector<vtkIdType> GlobalIds;
   std::unique_ptr<PointArrays> Points;
@@ -232,8 +231,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& found)
 {
   SurfaceKey key{ this->Options.Scheme, this->Options.ModifiedBoundary, this->Options.Levels,
-    this->NeedsLimit(), this->Options.Use32BitIds, this->MadeLevels, this->FirstStep,
-    SurfaceCells() };
+    this->NeedsLimit(), this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
   KeptSurface<Id>* kept = nullptr;
   if (this->Options.Cache)
   {
@@ -244,7 +242,6 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   if (!kept)
   {
     fresh = MakeControlLevel<Id>(control);
-    fresh.Step = this->FirstStep;
   }
   const SurfaceLevel<Id>& first = kept ? kept->Steps->GetLevel(0) : fresh;
   SurfaceCreases creases = this->ReadCreases(control, first);
@@ -266,7 +263,6 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
     {
       kept = nullptr;
       fresh = MakeControlLevel<Id>(control);
-      fresh.Step = this->FirstStep;
     }
     fresh.Tags = std::move(tags);
     auto own = std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme,
@@ -451,7 +447,7 @@ bool SurfaceRun<Id>::Finish()
     return false;
   }
   CopySurfaceCellArrays(this->Input, this->Cells, *this->Steps, this->MadeLevels,
-    this->Stamp.Levels > 0, this->Options, this->Output);
+    this->Stamp.Levels > 0, this->Options, this->Stamp.Carried, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
   this->WriteStamp();
   return true;
@@ -523,19 +519,8 @@ void SurfaceRun<Id>::WriteStamp()
   RemoveSurfaceStamp(this->Output);
   SurfaceStamp stamp;
   stamp.Scheme = static_cast<int>(this->Options.Scheme);
-  if (!this->Scheme->KeepsVertices())
-  {
-    // Not how many there were, only whether any, and whether their number was odd.
-    const int levels = this->Stamp.Levels + this->Options.Levels;
-    stamp.Levels = levels > 2 ? 2 - levels % 2 : levels;
-    if (stamp.Levels > 0)
-    {
-      WriteSurfaceStamp(stamp, this->Output);
-    }
-    return;
-  }
-  if (this->Options.ProjectToLimit || this->GetAllLevels() == 0 || !this->Scheme->UsesTags() ||
-    this->Joined)
+  const bool isLimit = this->Options.ProjectToLimit && this->Scheme->HasLimit();
+  if (isLimit || this->GetAllLevels() == 0 || this->Joined)
   {
     return;
   }
@@ -570,6 +555,7 @@ bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& given, vtkPolyDa
   vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(input->GetPointData()->GetGlobalIds());
   const bool hasIds = ids && ids->GetNumberOfTuples() == input->GetNumberOfPoints();
   SurfaceCells cells =
+  stamp.Carried = this->Stamp.Carried;
     ReadSurfaceCells(input, scheme->NeedsTriangles(), hasIds ? ids->GetPointer(0) : nullptr);
   for (const std::string& warning : cells.Warnings)
   {

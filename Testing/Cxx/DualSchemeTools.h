@@ -161,11 +161,14 @@ public:
     operation.Apply(in.data()->data(), out.data()->data(), 3);
     return out;
   }
-  std::vector<vtkIdType> GetFaceParents(int step) const
+  /// Of the faces after a step, on those before it.
+  std::vector<subdivision::Carrier<int>> GetCarriers(int step) const
   {
-    subdivision::Buffer<vtkIdType> parents;
-    this->Values->GetScheme().GetFaceParents((*this)[step], parents);
-    return std::vector<vtkIdType>(parents.begin(), parents.end());
+    const Level& level = (*this)[step];
+    subdivision::Buffer<subdivision::Carrier<int>> carriers;
+    this->Values->GetScheme().CarryFaces(
+      level, subdivision::MakeCarriers<int>(level.Mesh.NumberOfFaces), true, carriers);
+    return { carriers.begin(), carriers.end() };
   }
 
 private:
@@ -351,11 +354,13 @@ inline void ExpectDualSteps(subdivision::SurfaceSchemeKind kind, int levels)
         EXPECT_EQ(next.Mesh.GetSize(f), steps[step].Mesh.GetSize(f));
         EXPECT_TRUE(IsNear(GetCentre(steps[step].Mesh, f, points), GetCentre(next.Mesh, f, moved)));
       }
-      const auto parents = steps.GetFaceParents(step);
-      ASSERT_EQ(static_cast<vtkIdType>(parents.size()), next.Mesh.NumberOfFaces);
-      for (const vtkIdType parent : parents)
+      const auto carriers = steps.GetCarriers(step);
+      ASSERT_EQ(static_cast<vtkIdType>(carriers.size()), next.Mesh.NumberOfFaces);
+      const int faces = static_cast<int>(steps[step].Mesh.NumberOfFaces);
+      for (const auto& carrier : carriers)
       {
-        EXPECT_TRUE(parent >= 0 && parent < steps[step].Mesh.NumberOfFaces);
+        EXPECT_TRUE(carrier.First >= 0 && carrier.First < faces);
+        EXPECT_TRUE(carrier.Second >= -1 && carrier.Second < faces);
       }
       points = moved;
     }

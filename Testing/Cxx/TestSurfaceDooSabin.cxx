@@ -122,22 +122,25 @@ TEST(SurfaceDooSabin, Valence2000)
   ExpectLargeFans(Kind, 2);
 }
 
-TEST(SurfaceDooSabin, CellDataComeFromTheFirstFace)
+TEST(SurfaceDooSabin, FacesBetweenOthersBelongToBoth)
 {
   const Steps steps(MakeLevel(6, MakeGrid(2, 1)), Kind, 1);
-  const auto parents = steps.GetFaceParents(0);
+  const auto carriers = steps.GetCarriers(0);
   const Mesh& mesh = steps[1].Mesh;
   for (int f = 0; f < mesh.NumberOfFaces; ++f)
   {
-    vtkIdType smallest = 2;
+    int smallest = 2;
+    int largest = -1;
     for (int c = mesh.GetFirst(f); c < mesh.GetFirst(f) + mesh.GetSize(f); ++c)
     {
       if (mesh.Vertices[c] < 8)
       {
-        smallest = std::min<vtkIdType>(smallest, mesh.Vertices[c] / 4);
+        smallest = std::min(smallest, mesh.Vertices[c] / 4);
+        largest = std::max(largest, mesh.Vertices[c] / 4);
       }
     }
-    EXPECT_EQ(parents[f], smallest);
+    EXPECT_EQ(carriers[f].First, smallest);
+    EXPECT_EQ(carriers[f].Second, largest);
   }
 }
 

@@ -68,10 +68,11 @@ TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevels)
         ExpectEqual(rows.Offsets, expected.Offsets);
         ExpectEqual(rows.Columns, expected.Columns);
         ExpectEqual(rows.Weights, expected.Weights);
-        Buffer<vtkIdType> parents[2];
-        brief.GetScheme().GetFaceParents(brief.GetLevel(step), parents[0]);
-        full.GetScheme().GetFaceParents(full.GetLevel(step), parents[1]);
-        ExpectEqual(parents[0], parents[1]);
+        const auto faces = MakeCarriers<int>(full.GetLevel(step).Mesh.NumberOfFaces);
+        Buffer<Carrier<int>> carriers[2];
+        brief.GetScheme().CarryFaces(brief.GetLevel(step), faces, true, carriers[0]);
+        full.GetScheme().CarryFaces(full.GetLevel(step), faces, true, carriers[1]);
+        ExpectEqual(carriers[0], carriers[1]);
       }
     }
   }
