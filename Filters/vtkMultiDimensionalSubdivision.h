@@ -161,16 +161,20 @@ public:
 
   ///@{
   /**
-   * Whether to output the point array `LimitNormals` (3 components, of the type of the points):
-   * unit normals of the limit surface where each point ends up, whether it is projected there or
-   * not. On surfaces they follow the orientation of the triangles (of the first one of a part, if
-   * they differ; a part is what can be reached over edges of two triangles), on the boundary of a
-   * solid they point out of it, as the control mesh says. A point on a crease or on the
-   * border of a surface has the mean of the normals of its one or two sides. Where there is no
-   * tangent plane the normal is zero: inside solids, on curves, at corners, darts and non-manifold
-   * joints, on creases and borders with seven and more triangles on a side, where tangents are
-   * parallel but for rounding, on surfaces inside a solid, and on semi-sharp creases that are still
-   * sharp on the last level. Off by default.
+   * Whether to output the point array `LimitNormals` (3 components, of the type of the points), the
+   * active normals of the output: unit normals of the limit surface where each point ends up,
+   * whether it is projected there or not. On surfaces they follow the orientation of the triangles
+   * (of the first one of a part, if they differ; a part is what can be reached over edges of two
+   * triangles), on the boundary of a solid they point out of it, as the control mesh says. A point
+   * on a crease or on the border of a surface has the mean of the normals of its one or two sides.
+   *
+   * There is no tangent plane on curves, at corners, darts and non-manifold joints, on creases and
+   * borders with seven and more triangles on a side, on surfaces inside a solid, and on semi-sharp
+   * creases that are still sharp on the last level. So that nothing is drawn black, points with
+   * triangles there (those of surfaces and of the boundaries of solids) have the mean of the
+   * triangles' normals, weighted by area (of the first one where they cancel), points of curves a
+   * direction across the first line, and single points the z axis. Normals are zero only inside
+   * solids and where tangents are parallel but for rounding. Off by default.
    */
   vtkSetMacro(GenerateLimitNormals, bool);
   vtkGetMacro(GenerateLimitNormals, bool);

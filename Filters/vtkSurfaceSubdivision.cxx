@@ -83,7 +83,7 @@ void vtkSurfaceSubdivision::ReadOptions(subdivision::SurfaceOptions& options)
   options.Levels = this->NumberOfLevels;
   options.ModifiedBoundary = this->ModifiedBoundary;
   options.ProjectToLimit = this->ProjectToLimit;
-  options.GenerateNormals = this->GenerateNormals;
+  options.GenerateLimitNormals = this->GenerateLimitNormals;
   options.GenerateTangents = this->GenerateTangents;
   options.Use32BitIds = this->Use32BitIds;
   options.JoinSeams = this->JoinSeams;
@@ -195,7 +195,7 @@ void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RefineByWantedLevel: " << this->RefineByWantedLevel << "\n";
   os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
-  os << indent << "GenerateNormals: " << this->GenerateNormals << "\n";
+  os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
   os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";
   os << indent << "JoinSeams: " << this->JoinSeams << "\n";
   os << indent << "CreaseEnd: " << this->CreaseEnd << "\n";

@@ -32,11 +32,19 @@
  * and SqrtThree split other polygons into triangles first (a warning says so). Line cells follow
  * the edges that they lie on; others are curves of their own, cubic B-splines; poly lines become
  * lines. Vertex cells stay. The output has vertices, lines and polygons, in this order, the
- * children of a cell one after another and oriented like it (dual schemes: see below); those of
- * SqrtThree and FourEight lie in two cells and take the cell data of the first. Points: the input's
- * with their ids, unused ones too, then the new ones level by level. Point arrays, cell arrays and
- * field data are treated as by vtkMultiDimensionalSubdivision. Cells that cannot be used are passed
- * over with a warning.
+ * children of a cell one after another and oriented like it (dual schemes: see below). Points: the
+ * input's with their ids, unused ones too, then the new ones level by level. Point arrays, cell
+ * arrays and field data are treated as by vtkMultiDimensionalSubdivision. Cells that cannot be used
+ * are passed over with a warning.
+ *
+ * @par Cell data of cells that lie in several
+ * Odd steps of SqrtThree and FourEight and all steps of the dual schemes make cells that lie in
+ * several of those before. Each belongs to the input cell, or to the edge or vertex between input
+ * cells, in which its centre lies in the parameters, and shows the data of the input cell with the
+ * smallest id there. Nothing inherits that choice, so that regions keep their areas but for one row
+ * of cells. Filters in a row give what one filter gives: where some input cells have no cell of
+ * their own, their data go on in field data, `SubdivisionCarried:LEVEL:NAME`, for as long as the
+ * cells show no other data.
  *
  * @par Dual schemes
  * DooSabin makes a face inside each face, one along each edge and one around each vertex. Midedge
@@ -44,15 +52,14 @@
  * steps keep boundary points, even ones do not. It is not smooth at faces of three sides,
  * vertices of three faces and boundaries. No input point is an output point: points are new, in the
  * order of the corners of faces, and vtkOriginalPointIds is -1. The faces inside faces come first,
- * then the others, with the cell data of the first face that they touch and oriented like it.
- * Boundaries are uniform quadratic B-splines (Chaikin's scheme; for Midedge two steps of it are one
- * of Chaikin's). Sheets come apart at edges of three and more faces, and fans at vertices. A closed
- * fan of two faces makes no face: its two edges become one. Lines and vertex cells get points of
- * their own, also where they lie on the surface: lines are cubic B-splines whose ends and joints
- * stay, as do vertex cells and points that no cell uses. The limit surface goes through the mean of
- * the corners of each face of any level: ProjectToLimit, GenerateNormals and GenerateTangents,
- * which are of points, do nothing and say so. DooSabin takes time quadratic in the number of
- * corners of a face.
+ * then the others, oriented like the first face that they touch. Boundaries are uniform quadratic
+ * B-splines (Chaikin's scheme; for Midedge two steps of it are one of Chaikin's). Sheets come apart
+ * at edges of three and more faces, and fans at vertices. A closed fan of two faces makes no face:
+ * its two edges become one. Lines and vertex cells get points of their own, also where they lie on
+ * the surface: lines are cubic B-splines whose ends and joints stay, as do vertex cells and points
+ * that no cell uses. The limit surface goes through the mean of the corners of each face of any
+ * level: ProjectToLimit, GenerateLimitNormals and GenerateTangents, which are of points, do nothing
+ * and say so. DooSabin takes time quadratic in the number of corners of a face.
  *
  * @par Creases and corners
  * Sharp are boundaries, edges of line cells that the array at index 0 flags, edges around flagged
@@ -380,20 +387,35 @@ public:
 
   ///@{
   /**
-   * Whether to output unit normals of the limit surface at the points (`LimitNormals`) or two
-   * tangents (`LimitTangent1`, `LimitTangent2`, not normalised; their cross product has the
-   * direction of the normal). On a crease or at a corner they are those of one sector, the first
-   * tangent along the curve. Where faces are turned over against each other they have the side of
-   * the first face of their part, all that can be reached over edges of two faces. Zero where there
-   * is no tangent plane, and where the tangents are parallel but for rounding. On a crease that is
-   * still sharp for more than 26 levels they are as if it were for 26. Off by default.
+   * Whether to output unit normals of the limit surface at the points (`LimitNormals`, the active
+   * normals of the output) or two tangents (`LimitTangent1`, `LimitTangent2`, not normalised; their
+   * cross product has the direction of the normal). On a crease or at a corner they are those of
+   * one sector, the first tangent along the curve. Where faces are turned over against each other
+   * they have the side of the first face of their part, all that can be reached over edges of two
+   * faces. On a crease that is still sharp for more than 26 levels they are as if it were for 26.
+   *
+   * Where there are no tangents normals are not zero all the same, so that nothing is drawn black:
+   * at joints and all other points with faces they are the mean of the normals of these, weighted
+   * by area (of the first one where they cancel), on curves a direction across the curve, and at
+   * single points the z axis. They are zero only where the tangents are parallel but for rounding.
+   * Off by default.
    */
-  vtkSetMacro(GenerateNormals, bool);
-  vtkGetMacro(GenerateNormals, bool);
-  vtkBooleanMacro(GenerateNormals, bool);
+  vtkSetMacro(GenerateLimitNormals, bool);
+  vtkGetMacro(GenerateLimitNormals, bool);
+  vtkBooleanMacro(GenerateLimitNormals, bool);
   vtkSetMacro(GenerateTangents, bool);
   vtkGetMacro(GenerateTangents, bool);
   vtkBooleanMacro(GenerateTangents, bool);
+  ///@}
+
+  ///@{
+  /**
+   * An older name of GenerateLimitNormals.
+   */
+  void SetGenerateNormals(bool on) { this->SetGenerateLimitNormals(on); }
+  bool GetGenerateNormals() { return this->GetGenerateLimitNormals(); }
+  void GenerateNormalsOn() { this->GenerateLimitNormalsOn(); }
+  void GenerateNormalsOff() { this->GenerateLimitNormalsOff(); }
   ///@}
 
   ///@{
@@ -555,7 +577,7 @@ protected:
   bool RefineByWantedLevel = false;
   bool ModifiedBoundary = true;
   bool ProjectToLimit = false;
-  bool GenerateNormals = false;
+  bool GenerateLimitNormals = false;
   bool GenerateTangents = false;
   bool JoinSeams = true;
   int CreaseEnd = CORNER;

@@ -83,6 +83,11 @@ void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& p
       const Vector normal = Normalise(sum, 1e-12);
       std::copy(normal.begin(), normal.end(), normals + 3 * v);
     });
+  Buffer<unsigned char> missing(tangents.Sectors.GetNumberOfRows());
+  ForEach(missing.size(), [&](vtkIdType v)
+    { missing[v] = tangents.Sectors.Offsets[v] == tangents.Sectors.Offsets[v + 1]; });
+  ShadingNormals shading(points.Values, missing, normals);
+  tangents.Shading.Fill(shading);
 }
 
 template void ComputeLimitNormals(

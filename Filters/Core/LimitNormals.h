@@ -11,13 +11,14 @@
  * their normals. From 7 triangles on a sector has no tangent plane: the second wave, of eigenvalue
  * 3/8 + 1/4 cos(2 pi/k), then shrinks more slowly than the curve, by more than 1/2. Corners,
  * curves, the inside of solids, joints, darts, and vertices of semi-sharp creases that are still
- * sharp have no normal.
+ * sharp have no tangent plane, and take a normal for shading from what is around them.
  */
 #ifndef SubdivisionObjects_LimitNormals_h
 #define SubdivisionObjects_LimitNormals_h
 
 #include "Coordinates.h"
 #include "LimitStencils.h"
+#include "ShadingNormals.h"
 
 #include <vector>
 
@@ -37,13 +38,15 @@ struct LimitTangents
   /// order of vertices tells. So smoothing, which may turn solids inside out, turns no normal.
   Buffer<vtkIdType> SideOffsets;
   Buffer<vtkIdType> Sides;
+  /// At the vertices that have no sector.
+  ShadingFacets<Id> Shading;
 
   vtkIdType GetNumberOfSectors() const { return this->First.GetNumberOfRows(); }
   std::size_t GetMemorySize() const
   {
     return this->Sectors.GetMemorySize() + this->First.GetMemorySize() +
       this->Second.GetMemorySize() + this->SideOffsets.GetMemorySize() +
-      this->Sides.GetMemorySize();
+      this->Sides.GetMemorySize() + this->Shading.GetMemorySize();
   }
 };
 
@@ -64,9 +67,9 @@ template <typename Id>
 LimitTangents<Id> BuildLimitTangents(const TetOctLevel<Id>& level,
   const SemiSharpStages<Id>& creases = {}, const ControlSolids& solids = {});
 
-/// Unit normals, three numbers for each vertex, from the points of the level; zero where there is
-/// none. `inverted`: twice the number of each control tetrahedron that has a negative volume,
-/// ascending; odd numbers mean nothing.
+/// Unit normals, three numbers for each vertex, from the points of the level. Where there is none,
+/// one for shading (ShadingNormals.h), but zero inside solids. `inverted`: twice the number of each
+/// control tetrahedron that has a negative volume, ascending; odd numbers mean nothing.
 template <typename Id>
 void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& points,
   const std::vector<vtkIdType>& inverted, double* normals);

@@ -59,8 +59,8 @@ private:
   bool RunRounds(double mostCells, bool memoryIsLimit);
   void TellNotes(AdaptiveNotes& notes) const;
   std::vector<vtkIdType> FindSegmentCells() const;
-  void WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan);
-  void WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan);
+  SurfaceLevel<Id> WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan);
+  void WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan, const SurfaceLevel<Id>& level);
 
   vtkPolyData* Input;
   const SurfaceOptions& Options;
@@ -88,7 +88,7 @@ void AdaptiveRun<Id>::StartPoints()
   {
     arrays.Replaced.emplace_back(OriginalPoints);
   }
-  if (this->Options.GenerateNormals)
+  if (this->Options.GenerateLimitNormals)
   {
     arrays.Replaced.emplace_back(LimitNormalsName);
   }
@@ -131,12 +131,12 @@ bool AdaptiveRun<Id>::Run(double mostCells, bool memoryIsLimit)
     return false;
   }
   const AdaptiveSqrtThreeOutput<Id> plan(*this->Mesh);
-  this->WriteCells(plan);
+  const SurfaceLevel<Id> level = this->WriteCells(plan);
   if (this->IsStopped(0.8))
   {
     return false;
   }
-  this->WritePoints(plan);
+  this->WritePoints(plan, level);
   RebuildPointGhosts(this->Input, this->Output);
   RemoveSurfaceStamp(this->Output);
   return true;
@@ -233,7 +233,7 @@ void AdaptiveRun<Id>::TellNotes(AdaptiveNotes& notes) const
 // Output
 
 template <typename Id>
-void AdaptiveRun<Id>::WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan)
+SurfaceLevel<Id> AdaptiveRun<Id>::WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan)
 {
   using Piece = typename AdaptiveSqrtThreeOutput<Id>::Piece;
   std::vector<Piece> pieces;
@@ -272,10 +272,12 @@ void AdaptiveRun<Id>::WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan)
   WriteSurfaceCells(level, this->Cells.Vertices, this->Options.Use32BitIds, this->Output);
   CopySurfaceCellArrays(this->Input, sources, true, this->Options, this->Output);
   AddInstead(this->Input->GetCellData(), generations, this->Output->GetCellData());
+  return level;
 }
 
 template <typename Id>
-void AdaptiveRun<Id>::WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan)
+void AdaptiveRun<Id>::WritePoints(
+  const AdaptiveSqrtThreeOutput<Id>& plan, const SurfaceLevel<Id>& level)
 {
   const vtkIdType given = this->Mesh->GetNumberOfControlVertices();
   const vtkIdType size = this->Mesh->GetNumberOfVertices();
@@ -292,17 +294,27 @@ void AdaptiveRun<Id>::WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan)
     origins[v - given] = static_cast<Id>(origin(parent));
   }
   const AdaptiveSqrtThreeLimit<Id> limit(*this->Rows, plan.GetVertexLevels());
-  if (this->Options.GenerateNormals || this->Options.GenerateTangents)
+  const bool wantsFrames = this->Options.GenerateLimitNormals || this->Options.GenerateTangents;
+  TangentPairs tangents(wantsFrames ? limit.GetNumberOfRows() : 0);
+  if (wantsFrames)
   {
     Buffer<double> points(3 * given);
     std::copy_n(this->Points->GetCoordinates().Values, points.size(), points.begin());
-    TangentPairs tangents(limit.GetNumberOfRows());
     limit.FindTangents(points, tangents);
-    AddLimitFrames(tangents, this->Points->GetPoints()->GetDataType(), Buffer<vtkIdType>(),
-      this->Options.GenerateNormals, this->Options.GenerateTangents, this->Input, this->Output);
   }
   this->Points->Advance(limit, origin);
+  if (wantsFrames)
+  {
+    AddLimitFrames(
+      tangents, this->Points->GetPoints(), {}, this->Options.GenerateLimitNormals,
+      this->Options.GenerateTangents, [&level](ShadingNormals& normals)
+      { AddShadingCells(level, normals); }, this->Input, this->Output);
+  }
   this->Points->Finish(this->Output);
+  if (this->Options.GenerateLimitNormals)
+  {
+    this->Output->GetPointData()->SetActiveNormals(LimitNormalsName);
+  }
 }
 
 /// How many cells the output may have: by the option, by what MaximumLevel can make of the input,

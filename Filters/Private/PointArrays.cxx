@@ -434,6 +434,7 @@ void PointArrays::Finish(vtkPointSet* output)
   if (this->Normals)
   {
     AddInstead(from, this->Normals, output->GetPointData());
+    output->GetPointData()->SetActiveNormals(this->Normals->GetName());
   }
   if (this->Options.OriginalIds)
   {

@@ -53,7 +53,7 @@ void WarnOfUnused(
       "needs.");
   }
   if (!scheme.HasLimit() &&
-    (options.ProjectToLimit || options.GenerateNormals || options.GenerateTangents))
+    (options.ProjectToLimit || options.GenerateLimitNormals || options.GenerateTangents))
   {
     options.Warn("This scheme has no limit masks: points are not projected, and there are no limit "
                  "normals or tangents.");

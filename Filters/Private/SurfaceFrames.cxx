@@ -10,9 +10,54 @@
 namespace subdivision
 {
 
-void AddLimitFrames(const TangentPairs& tangents, int type, const Buffer<vtkIdType>& sources,
-  bool normals, bool twoTangents, vtkPolyData* input, vtkPolyData* output)
+namespace
 {
+
+/// Three numbers for each point, whatever type they are stored in.
+Buffer<double> ReadPoints(vtkDataArray* points)
+{
+  const vtkIdType size = points->GetNumberOfValues();
+  Buffer<double> values(size);
+  const void* stored = points->GetVoidPointer(0);
+  const bool isSingle = points->GetDataType() == VTK_FLOAT;
+  ForEach(size,
+    [&](vtkIdType i)
+    {
+      values[i] =
+        isSingle ? static_cast<const float*>(stored)[i] : static_cast<const double*>(stored)[i];
+    });
+  return values;
+}
+
+}
+
+template <typename Id>
+void AddShadingCells(const SurfaceLevel<Id>& level, ShadingNormals& normals)
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const Buffer<unsigned char> turned =
+    mesh.Twins.empty() ? Buffer<unsigned char>() : FindTurnedFaces(mesh);
+  for (vtkIdType f = 0; f < mesh.NumberOfFaces; ++f)
+  {
+    const Id face = static_cast<Id>(f);
+    normals.AddFacet(mesh.Vertices.data() + mesh.GetFirst(face),
+      static_cast<int>(mesh.GetSize(face)), !turned.empty() && turned[f] != 0);
+  }
+  for (const Id line : level.Lines)
+  {
+    normals.AddLine(mesh.EdgeVertices[2 * (line / 2)], mesh.EdgeVertices[2 * (line / 2) + 1]);
+  }
+  for (vtkIdType v = 0; v < mesh.NumberOfVertices; ++v)
+  {
+    normals.AddPoint(v);
+  }
+}
+
+void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
+  const Buffer<vtkIdType>& sources, bool normals, bool twoTangents,
+  const std::function<void(ShadingNormals&)>& addCells, vtkPolyData* input, vtkPolyData* output)
+{
+  const int type = points->GetDataType();
   const vtkIdType size = sources.empty() ? tangents.Errors.size() : sources.size();
   auto add = [&](const char* name, const auto& value)
   {
@@ -44,12 +89,24 @@ void AddLimitFrames(const TangentPairs& tangents, int type, const Buffer<vtkIdTy
   };
   if (normals)
   {
-    add(LimitNormalsName,
-      [&](vtkIdType i, double* n)
+    Buffer<double> values(3 * tangents.Errors.size());
+    Buffer<unsigned char> missing(tangents.Errors.size());
+    ForEach(missing.size(),
+      [&](vtkIdType i)
       {
-        FindNormal(tangents.Values[0].data() + 3 * i, tangents.Values[1].data() + 3 * i,
-          tangents.Errors[i], n);
+        const double* first = tangents.Values[0].data() + 3 * i;
+        const double* second = tangents.Values[1].data() + 3 * i;
+        auto isZero = [](double value) { return value == 0.; };
+        missing[i] =
+          std::all_of(first, first + 3, isZero) && std::all_of(second, second + 3, isZero);
+        FindNormal(first, second, tangents.Errors[i], values.data() + 3 * i);
       });
+    const Buffer<double> places = ReadPoints(points);
+    ShadingNormals shading(places.data(), missing, values.data());
+    addCells(shading);
+    shading.Fill();
+    add(
+      LimitNormalsName, [&](vtkIdType i, double* n) { std::copy_n(values.data() + 3 * i, 3, n); });
   }
   for (int t = 0; t < 2 && twoTangents; ++t)
   {
@@ -59,20 +116,12 @@ void AddLimitFrames(const TangentPairs& tangents, int type, const Buffer<vtkIdTy
 }
 
 template <typename Id>
-void AddLimitFrames(const SurfaceSteps<Id>& steps, vtkDataArray* points,
-  const Buffer<vtkIdType>& sources, bool normals, bool twoTangents, vtkPolyData* input,
-  vtkPolyData* output)
+TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, vtkDataArray* points)
 {
   const int type = points->GetDataType();
   const vtkIdType rows = points->GetNumberOfTuples();
   TangentPairs tangents(rows);
-  Buffer<double> x(3 * rows);
-  ForEach(3 * rows,
-    [&](vtkIdType i)
-    {
-      x[i] = type == VTK_FLOAT ? static_cast<const float*>(points->GetVoidPointer(0))[i]
-                               : static_cast<const double*>(points->GetVoidPointer(0))[i];
-    });
+  const Buffer<double> x = ReadPoints(points);
   const double unit = type == VTK_FLOAT ? SingleUnit : DoubleUnit;
   auto apply = [&](LimitKind kind, double* values)
   {
@@ -100,12 +149,12 @@ void AddLimitFrames(const SurfaceSteps<Id>& steps, vtkDataArray* points,
         tangents.Values[1][i] = -tangents.Values[1][i];
       }
     });
-  AddLimitFrames(tangents, type, sources, normals, twoTangents, input, output);
+  return tangents;
 }
 
-template void AddLimitFrames(const SurfaceSteps<int>&, vtkDataArray*, const Buffer<vtkIdType>&,
-  bool, bool, vtkPolyData*, vtkPolyData*);
-template void AddLimitFrames(const SurfaceSteps<long long>&, vtkDataArray*,
-  const Buffer<vtkIdType>&, bool, bool, vtkPolyData*, vtkPolyData*);
+template void AddShadingCells(const SurfaceLevel<int>&, ShadingNormals&);
+template void AddShadingCells(const SurfaceLevel<long long>&, ShadingNormals&);
+template TangentPairs FindLimitTangents(const SurfaceSteps<int>&, vtkDataArray*);
+template TangentPairs FindLimitTangents(const SurfaceSteps<long long>&, vtkDataArray*);
 
 }

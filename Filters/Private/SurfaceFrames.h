@@ -6,8 +6,11 @@
 #ifndef SubdivisionObjects_SurfaceFrames_h
 #define SubdivisionObjects_SurfaceFrames_h
 
+#include "Core/ShadingNormals.h"
 #include "Core/SurfaceSteps.h"
 #include "Core/TangentErrors.h"
+
+#include <functional>
 
 class vtkDataArray;
 class vtkPolyData;
@@ -18,16 +21,20 @@ namespace subdivision
 constexpr const char* LimitNormalsName = "LimitNormals";
 constexpr const char* LimitTangentNames[2] = { "LimitTangent1", "LimitTangent2" };
 
-/// From the tangents of each point, of a mesh with points of `type`.
-void AddLimitFrames(const TangentPairs& tangents, int type, const Buffer<vtkIdType>& sources,
-  bool normals, bool twoTangents, vtkPolyData* input, vtkPolyData* output);
-
-/// `points`: of the last level, float or double. `sources`: whose frame each output point takes;
-/// empty: its own.
+/// The tangents at the points of the last level, which are float or double, before they go to the
+/// limit.
 template <typename Id>
-void AddLimitFrames(const SurfaceSteps<Id>& steps, vtkDataArray* points,
-  const Buffer<vtkIdType>& sources, bool normals, bool twoTangents, vtkPolyData* input,
-  vtkPolyData* output);
+TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, vtkDataArray* points);
+
+/// Adds the arrays. `points`: where they are in the end; `sources`: whose frame each output point
+/// takes; empty: its own; `addCells` adds the cells there to normals for shading.
+void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
+  const Buffer<vtkIdType>& sources, bool normals, bool twoTangents,
+  const std::function<void(ShadingNormals&)>& addCells, vtkPolyData* input, vtkPolyData* output);
+
+/// The faces and lines of a level; all other points are single.
+template <typename Id>
+void AddShadingCells(const SurfaceLevel<Id>& level, ShadingNormals& normals);
 
 }
 

@@ -95,7 +95,7 @@ private:
   }
   bool NeedsLimit() const
   {
-    return (this->Options.ProjectToLimit || this->Options.GenerateNormals ||
+    return (this->Options.ProjectToLimit || this->Options.GenerateLimitNormals ||
              this->Options.GenerateTangents) &&
       this->Scheme->HasLimit();
   }
@@ -123,11 +123,19 @@ private:
   KeptSurface<Id>* FindKept(const SurfaceKey& key);
   bool Finish();
   bool Advance();
-  void AddFrames(
-    const SurfaceSteps<Id>& steps, vtkDataArray* points, const Buffer<vtkIdType>& sources)
+  bool WantsFrames() const
   {
-    AddLimitFrames(steps, points, sources, this->Options.GenerateNormals,
-      this->Options.GenerateTangents, this->Input, this->Output);
+    return (this->Options.GenerateLimitNormals || this->Options.GenerateTangents) &&
+      this->Scheme->HasLimit();
+  }
+  void AddFrames(const SurfaceSteps<Id>& steps, const TangentPairs& tangents, vtkDataArray* points,
+    const Buffer<vtkIdType>& sources)
+  {
+    const SurfaceLevel<Id>& level = steps.GetLevel(steps.GetNumberOfSteps());
+    AddLimitFrames(
+      tangents, points, sources, this->Options.GenerateLimitNormals, this->Options.GenerateTangents,
+      [&level](ShadingNormals& normals) { AddShadingCells(level, normals); }, this->Input,
+      this->Output);
   }
   void WriteCells();
   void WriteStamp();
@@ -177,7 +185,7 @@ void SurfaceRun<Id>::StartPoints()
   {
     arrays.Replaced.emplace_back(OriginalPoints);
   }
-  if (this->Options.GenerateNormals && this->Scheme->HasLimit())
+  if (this->Options.GenerateLimitNormals && this->Scheme->HasLimit())
   {
     arrays.Replaced.emplace_back(LimitNormalsName);
   }
@@ -397,13 +405,15 @@ vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints()
   }
   const Buffer<vtkIdType> sources =
     FindJoinedVertices(*this->Steps, *this->Joined, this->Cells.NumberOfPoints);
-  if (this->Options.GenerateNormals || this->Options.GenerateTangents)
-  {
-    this->AddFrames(*this->Joined, points, sources);
-  }
+  const TangentPairs tangents =
+    this->WantsFrames() ? FindLimitTangents(*this->Joined, points) : TangentPairs(0);
   if (this->Options.ProjectToLimit && this->Scheme->HasLimit())
   {
     apply(this->Joined->GetLimit(LimitKind::Position));
+  }
+  if (this->WantsFrames())
+  {
+    this->AddFrames(*this->Joined, tangents, points, sources);
   }
   return vtkDataArray::SafeDownCast(Gather(points, { sources.begin(), sources.end() }));
 }
@@ -481,16 +491,23 @@ bool SurfaceRun<Id>::Advance()
       this->Points->ForgetInputPoints();
     }
   }
-  if (!this->Joined && this->NeedsLimit())
-  {
-    this->AddFrames(*this->Steps, this->Points->GetPoints(), Buffer<vtkIdType>());
-  }
+  const bool addFrames = !this->Joined && this->WantsFrames();
+  const TangentPairs tangents =
+    addFrames ? FindLimitTangents(*this->Steps, this->Points->GetPoints()) : TangentPairs(0);
   if (this->Options.ProjectToLimit && this->Scheme->HasLimit())
   {
     this->Points->Advance(
       this->Steps->GetLimit(LimitKind::Position), [](vtkIdType row) { return row; });
   }
+  if (addFrames)
+  {
+    this->AddFrames(*this->Steps, tangents, this->Points->GetPoints(), Buffer<vtkIdType>());
+  }
   this->Points->Finish(this->Output);
+  if (this->Options.GenerateLimitNormals && this->Scheme->HasLimit())
+  {
+    this->Output->GetPointData()->SetActiveNormals(LimitNormalsName);
+  }
   return true;
 }
 
@@ -538,6 +555,7 @@ void SurfaceRun<Id>::WriteStamp()
   stamp.FaceAngles = this->Stamp.FaceAngles;
   stamp.GivenCorners = this->Stamp.GivenCorners;
   stamp.Creases = this->Creases;
+  stamp.Carried = this->Stamp.Carried;
   WriteSurfaceStamp(stamp, this->Output);
 }
 
@@ -555,7 +573,6 @@ bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& given, vtkPolyDa
   vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(input->GetPointData()->GetGlobalIds());
   const bool hasIds = ids && ids->GetNumberOfTuples() == input->GetNumberOfPoints();
   SurfaceCells cells =
-  stamp.Carried = this->Stamp.Carried;
     ReadSurfaceCells(input, scheme->NeedsTriangles(), hasIds ? ids->GetPointer(0) : nullptr);
   for (const std::string& warning : cells.Warnings)
   {

@@ -44,7 +44,7 @@ struct SurfaceOptions : RunOptions
   int Levels = 1;
   bool ModifiedBoundary = true;
   bool ProjectToLimit = false;
-  bool GenerateNormals = false;
+  bool GenerateLimitNormals = false;
   bool GenerateTangents = false;
   bool Use32BitIds = false;
   bool JoinSeams = true;

@@ -430,7 +430,7 @@ inline vtkSmartPointer<vtkPolyData> RunFilter(vtkPolyData* input, int scheme, in
   filter->SetScheme(scheme);
   filter->SetNumberOfLevels(levels);
   filter->SetProjectToLimit(limit);
-  filter->SetGenerateNormals(limit);
+  filter->SetGenerateLimitNormals(limit);
   if (configure)
   {
     configure(filter);

@@ -421,7 +421,7 @@ TEST(AdaptiveSurface, NormalsAreThoseOfTheUniformMesh)
         {
           filter->RefineByWantedLevelOn();
           filter->SetMaximumLevel(level);
-          filter->GenerateNormalsOn();
+          filter->GenerateLimitNormalsOn();
           filter->GenerateTangentsOn();
         });
       vtkDataArray* normals = output->GetPointData()->GetArray("LimitNormals");

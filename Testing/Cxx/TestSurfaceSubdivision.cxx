@@ -186,7 +186,7 @@ TEST_P(SurfaceSchemesTest, ThreadsDoNotChangeTheResult)
     run->SetScheme(GetParam());
     run->SetNumberOfLevels(FindSteps(GetParam(), 3));
     run->SetProjectToLimit(true);
-    run->SetGenerateNormals(true);
+    run->SetGenerateLimitNormals(true);
     Surface& result = results[threads > 1];
     result = Surface::New();
     result->ShallowCopy(run());
@@ -269,7 +269,7 @@ TEST_P(SurfaceSchemesTest, NonManifoldInputIsNeverRefused)
     run->SetScheme(GetParam());
     run->SetNumberOfLevels(FindSteps(GetParam(), 2));
     run->SetProjectToLimit(true);
-    run->SetGenerateNormals(true);
+    run->SetGenerateLimitNormals(true);
     vtkPolyData* out = run();
     EXPECT_TRUE(run.Errors.empty());
     EXPECT_GE(out->GetNumberOfPolys(), static_cast<vtkIdType>(faces.size()) * 9);

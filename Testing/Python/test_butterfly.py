@@ -263,7 +263,7 @@ class Tangents(unittest.TestCase):
                 continue
             with self.subTest(name):
                 size = surface.GetNumberOfPoints()
-                exact = point_array(run(surface, BUTTERFLY, 0, GenerateNormals=True, **options), "LimitNormals")
+                exact = point_array(run(surface, BUTTERFLY, 0, GenerateLimitNormals=True, **options), "LimitNormals")
                 fine = run(surface, BUTTERFLY, 6, **options)
                 points = coordinates(fine)
                 sums = np.zeros((size, 3))
@@ -314,7 +314,7 @@ class Meshes(unittest.TestCase):
         closed = mesh(points, [[0, 1 + i, 1 + (i + 1) % k] for i in range(k)])
         half = mesh(points, [[0, 1 + i, 2 + i] for i in range(k - 1)])
         for surface in (closed, half):
-            out = run(surface, BUTTERFLY, 1, GenerateNormals=True)
+            out = run(surface, BUTTERFLY, 1, GenerateLimitNormals=True)
             self.assertTrue(np.isfinite(coordinates(out)).all())
             self.assertLess(abs(coordinates(out)).max(), 2)
             self.assertEqual(out.GetNumberOfPolys(), 4 * surface.GetNumberOfPolys())

@@ -72,7 +72,7 @@ def bumpy(made, seed):
 
 class TwelveFurtherLevels(unittest.TestCase):
     def check(self, made, scheme, vertices, normals=True, **options):
-        named = {"GenerateNormals": True} if normals else {}
+        named = {"GenerateLimitNormals": True} if normals else {}
         exact = run(with_identity(made), scheme, 0, ProjectToLimit=True, **named, **options)
         made.GetPointData().Initialize()
         for vertex in vertices:
@@ -164,7 +164,7 @@ class StillSharp(unittest.TestCase):
             with self.subTest(name, scheme=scheme, **option):
                 size = made.GetNumberOfPoints()
                 surface = tagged(made, lines, "s", sharpness)
-                found = [run(surface, scheme, n, arrays, ProjectToLimit=True, GenerateNormals=True, **option)
+                found = [run(surface, scheme, n, arrays, ProjectToLimit=True, GenerateLimitNormals=True, **option)
                          for n in range(5)]
                 for later in found[:-1]:
                     np.testing.assert_allclose(coordinates(later)[:size], coordinates(found[-1])[:size], atol=1e-12)
@@ -193,7 +193,7 @@ class StillSharp(unittest.TestCase):
         made = bumpy(wheel(5, 2), 8)
         for scheme, sharpness in itertools.product((LOOP, CATMULL_CLARK), ([1.5, 2.5], [4., 4.])):
             surface = tagged(made, [[1, 0], [0, 3]], "s", sharpness)
-            exact = run(with_identity(surface), scheme, 0, [(4, 1, "s")], ProjectToLimit=True, GenerateNormals=True)
+            exact = run(with_identity(surface), scheme, 0, [(4, 1, "s")], ProjectToLimit=True, GenerateLimitNormals=True)
             surface.GetPointData().Initialize()
             for vertex in (0, 1, 2):
                 part = descend(surface, scheme, vertex, 12, arrays=[(4, 1, "s")])

@@ -49,7 +49,7 @@ def topology(made):
 class EveryScheme(unittest.TestCase):
     def outputs(self, make, levels):
         for name, scheme in SCHEMES.items():
-            yield name, run(make(name), scheme, levels, ProjectToLimit=True, GenerateNormals=True)
+            yield name, run(make(name), scheme, levels, ProjectToLimit=True, GenerateLimitNormals=True)
 
     def test_one_triangle(self):
         corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]])

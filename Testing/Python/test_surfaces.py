@@ -203,8 +203,8 @@ class Limits(unittest.TestCase):
                 continue
             with self.subTest(name, scheme=scheme):
                 size = surface.GetNumberOfPoints()
-                exact = point_array(run(surface, scheme, 0, GenerateNormals=True, **options), "LimitNormals")
-                later = point_array(run(surface, scheme, 2, GenerateNormals=True, **options), "LimitNormals")
+                exact = point_array(run(surface, scheme, 0, GenerateLimitNormals=True, **options), "LimitNormals")
+                later = point_array(run(surface, scheme, 2, GenerateLimitNormals=True, **options), "LimitNormals")
                 np.testing.assert_allclose(later[:size], exact, atol=1e-5)
                 fine = run(surface, scheme, 6, **options)
                 points = coordinates(fine)
@@ -220,7 +220,7 @@ class Limits(unittest.TestCase):
                 self.assertGreater((sums * exact).sum(axis=1).min(), 0.99)
 
     def test_tangents_span_the_plane(self):
-        out = run(wheel(7), LOOP, 1, GenerateNormals=True, GenerateTangents=True)
+        out = run(wheel(7), LOOP, 1, GenerateLimitNormals=True, GenerateTangents=True)
         normals = point_array(out, "LimitNormals")
         for name in ("LimitTangent1", "LimitTangent2"):
             np.testing.assert_allclose((point_array(out, name) * normals).sum(axis=1), 0, atol=1e-12)
@@ -440,8 +440,8 @@ class Meshes(unittest.TestCase):
             add(surface.GetPointData(), "texture", u)
             surface.GetPointData().SetActiveTCoords("texture")
             closed = [[a if a % (n + 1) < n else a - n for a in face] for face in faces]
-            joined = run(mesh(points, closed), scheme, 2, GenerateNormals=True)
-            out = run(surface, scheme, 2, GenerateNormals=True)
+            joined = run(mesh(points, closed), scheme, 2, GenerateLimitNormals=True)
+            out = run(surface, scheme, 2, GenerateLimitNormals=True)
             corners = np.concatenate(faces_of(out))
             np.testing.assert_array_equal(corners, np.concatenate(faces_of(apart)))
             same = np.concatenate(faces_of(joined))
@@ -472,7 +472,7 @@ class Meshes(unittest.TestCase):
 class InParaView(unittest.TestCase):
     def test_pipeline(self):
         sphere = simple.Sphere()
-        surface = simple.SurfaceSubdivision(Input=sphere, Scheme="CatmullClark", NumberOfLevels=2, GenerateNormals=1)
+        surface = simple.SurfaceSubdivision(Input=sphere, Scheme="CatmullClark", NumberOfLevels=2, GenerateLimitNormals=1)
         surface.UpdatePipeline()
         out = tools.output(surface)
         self.assertGreater(out.GetNumberOfPolys(), 1000)
