@@ -5,6 +5,7 @@ import numpy as np
 import tools
 import unittest
 from paraview import simple
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 
@@ -39,12 +40,30 @@ class Limit(unittest.TestCase):
             with self.subTest(model):
                 source = simple.SubdivisionModel(Model=model)
                 smooth = subdivide(source, 1, GenerateLimitNormals=1, GenerateClassification=1)
-                normals = vtk_to_numpy(smooth.GetPointData().GetArray("LimitNormals"))
-                lengths = np.linalg.norm(normals, axis=1)
+                self.assertEqual(smooth.GetPointData().GetNormals().GetName(), "LimitNormals")
+                lengths = self.lengths(smooth)
                 self.assertTrue(np.logical_or(lengths == 0, abs(lengths - 1) < 1e-6).all())
+                # Inside solids there is none, but whatever can be seen is shaded.
                 rules = vtk_to_numpy(smooth.GetPointData().GetArray("RuleDimension"))
-                self.assertTrue((lengths[np.isin(rules, (0, 3, 4))] == 0).all())
-                self.assertGreater((lengths > 0).sum(), 0)
+                self.assertTrue((lengths[rules == 3] == 0).all())
+                seen = vtkDataSetSurfaceFilter()
+                seen.SetInputData(smooth)
+                seen.Update()
+                self.assertGreater(self.lengths(seen.GetOutput()).min(), 0.)
+
+    def test_the_older_name(self):
+        for name, value in (("GenerateLimitNormals", 1), ("GenerateNormals", 1), ("GenerateNormals", [1])):
+            with self.subTest(name):
+                surface = simple.SurfaceSubdivision(Input=simple.Sphere(), **{name: value})
+                surface.UpdatePipeline()
+                self.assertTrue(tools.output(surface).GetPointData().HasArray("LimitNormals"))
+        surface = simple.SurfaceSubdivision(Input=simple.Sphere())
+        surface.UpdatePipeline()
+        self.assertFalse(tools.output(surface).GetPointData().HasArray("LimitNormals"))
+
+    @staticmethod
+    def lengths(data):
+        return np.linalg.norm(vtk_to_numpy(data.GetPointData().GetArray("LimitNormals")), axis=1)
 
 
 if __name__ == "__main__":
