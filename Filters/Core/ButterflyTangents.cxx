@@ -14,9 +14,8 @@ constexpr double pi = 3.14159265358979323846;
 template <typename Id>
 void ButterflyTangents<Id>::Append(Id vertex, LimitKind kind, RowBlock<Id>& rows)
 {
-  Id corner = -1;
-  VisitFans(this->Mesh, vertex, [&](Id c) { corner = corner < 0 ? c : corner; });
-  const bool isCurve = this->Tags.Vertices[vertex] == VertexTag::Curve;
+  const Id corner = FindTangentCorner(this->Mesh, this->Tags, vertex);
+  const bool isCurve = IsOnCurve(this->Mesh, this->Tags, vertex);
   if (corner < 0)
   {
     CollectSharpEdges(this->Mesh, this->Tags, vertex, this->Edges);

@@ -441,9 +441,8 @@ void SqrtThreeScheme<Id>::AppendSectorTangent(const SurfaceLevel<Id>& level,
   RowBlock<Id>& rows) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const bool isCurve = tags.Vertices[vertex] == VertexTag::Curve;
-  Id corner = -1;
-  VisitFans(mesh, vertex, [&corner](Id c) { corner = corner < 0 ? c : corner; });
+  const bool isCurve = IsOnCurve(mesh, tags, vertex);
+  const Id corner = FindTangentCorner(mesh, tags, vertex);
   const SectorEnds<Id> ends = corner < 0 ? SectorEnds<Id>() : FindSectorEnds(mesh, tags, corner);
   if (ends.Size == 0)
   {

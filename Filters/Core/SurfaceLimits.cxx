@@ -75,8 +75,7 @@ template <typename Id>
 bool LimitFinder<Id>::FindSectorStar(Id vertex)
 {
   this->Around = Star();
-  Id corner = -1;
-  VisitFans(this->Mesh, vertex, [&](Id c) { corner = corner < 0 ? c : corner; });
+  const Id corner = FindTangentCorner(this->Mesh, this->Tags, vertex);
   if (corner < 0)
   {
     return false;
@@ -395,7 +394,7 @@ void LimitFinder<Id>::AppendCurvePosition(Id vertex, RowBlock<Id>& rows)
 template <typename Id>
 void LimitFinder<Id>::AppendSectorTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows)
 {
-  const bool isCurve = this->Tags.Vertices[vertex] == VertexTag::Curve;
+  const bool isCurve = IsOnCurve(this->Mesh, this->Tags, vertex);
   if (!this->FindSectorStar(vertex))
   {
     CollectCurveEdges(this->Mesh, this->Tags, vertex, this->Scratch);

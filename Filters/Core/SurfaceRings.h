@@ -142,6 +142,45 @@ SectorEnds<Id> FindSectorEnds(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>
   return ends;
 }
 
+/// Whether a curve goes through a vertex; at joints not every vertex with that tag moves along one.
+template <typename Id>
+bool IsOnCurve(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex)
+{
+  if (tags.Vertices[vertex] != VertexTag::Curve || !mesh.FindJoint(vertex))
+  {
+    return tags.Vertices[vertex] == VertexTag::Curve;
+  }
+  std::vector<Id> edges;
+  CollectCurveEdges(mesh, tags, vertex, edges);
+  return edges.size() == 2;
+}
+
+/// A corner in the sector whose tangents are those of a vertex: the first fan's or, where a curve
+/// goes through a joint, the first one between the two edges of the curve. -1: there is none.
+template <typename Id>
+Id FindTangentCorner(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex)
+{
+  std::vector<Id> curve;
+  const bool isAtJoint = mesh.FindJoint(vertex) && IsOnCurve(mesh, tags, vertex);
+  if (isAtJoint)
+  {
+    CollectCurveEdges(mesh, tags, vertex, curve);
+  }
+  auto isOnCurve = [&](Id halfEdge)
+  { return std::find(curve.begin(), curve.end(), mesh.Edges[halfEdge]) != curve.end(); };
+  Id found = -1;
+  VisitFans(mesh, vertex,
+    [&](Id corner)
+    {
+      const SectorEnds<Id> ends = isAtJoint ? FindSectorEnds(mesh, tags, corner) : SectorEnds<Id>();
+      const bool isBetween = !isAtJoint ||
+        (ends.Size > 0 && isOnCurve(ends.First.GetHalfEdgeIn(mesh)) &&
+          isOnCurve(ends.Last.GetHalfEdgeOut(mesh)));
+      found = found < 0 && isBetween ? corner : found;
+    });
+  return found;
+}
+
 /// The first sectors of a vertex or, if it has none, of one after it.
 template <typename Id>
 auto FindSectors(const SurfaceTags<Id>& tags, Id vertex)

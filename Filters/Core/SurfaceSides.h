@@ -87,8 +87,7 @@ Buffer<unsigned char> FindTurnedFaces(const PolygonMesh<Id>& mesh)
 template <typename Id>
 Id FindFaceOfTangents(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex)
 {
-  Id corner = -1;
-  VisitFans(mesh, vertex, [&corner](Id c) { corner = corner < 0 ? c : corner; });
+  const Id corner = FindTangentCorner(mesh, tags, vertex);
   if (corner < 0)
   {
     return -1;

@@ -98,7 +98,7 @@ void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
         const double* second = tangents.Values[1].data() + 3 * i;
         auto isZero = [](double value) { return value == 0.; };
         missing[i] =
-          std::all_of(first, first + 3, isZero) && std::all_of(second, second + 3, isZero);
+          std::all_of(first, first + 3, isZero) || std::all_of(second, second + 3, isZero);
         FindNormal(first, second, tangents.Errors[i], values.data() + 3 * i);
       });
     const Buffer<double> places = ReadPoints(points);

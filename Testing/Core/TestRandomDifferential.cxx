@@ -496,6 +496,13 @@ struct SurfaceOptions
     return text.str();
   }
 
+  /// Known: at some joints those of ModifiedButterfly and SqrtThree depend on the level.
+  bool HasExactNormals() const
+  {
+    return this->Scheme == vtkSurfaceSubdivision::LOOP ||
+      this->Scheme == vtkSurfaceSubdivision::CATMULL_CLARK;
+  }
+
   Data Run(vtkPointSet* mesh, int levels) const
   {
     vtkNew<Messages> messages;
@@ -562,59 +569,10 @@ double Length(const Point& p)
   return std::hypot(p[0], p[1], p[2]);
 }
 
-/// Points with faces all around them, and no line.
-std::set<vtkIdType> FindInnerPoints(vtkPolyData* surface)
+/// Where there is a tangent plane.
+void ExpectSameNormals(vtkPointSet* control, vtkPointSet* later, vtkIdType points)
 {
-  std::map<std::pair<vtkIdType, vtkIdType>, int> edges;
-  std::set<vtkIdType> others;
-  std::map<vtkIdType, int> faces;
-  vtkDataArray* flags = surface->GetCellData()->GetArray("Singular");
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
-  {
-    surface->GetCellPoints(cell, ids);
-    const vtkIdType size = ids->GetNumberOfIds();
-    const bool isFace =
-      surface->GetCellType(cell) != VTK_LINE && flags->GetComponent(cell, 0) == 0.;
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      const vtkIdType a = ids->GetId(i);
-      const vtkIdType b = ids->GetId((i + 1) % size);
-      ++faces[a];
-      ++edges[{ std::min(a, b), std::max(a, b) }];
-      if (!isFace)
-      {
-        others.insert(a);
-      }
-    }
-  }
-  std::map<vtkIdType, int> spokes;
-  for (const auto& edge : edges)
-  {
-    for (const vtkIdType end : { edge.first.first, edge.first.second })
-    {
-      ++spokes[end];
-      if (edge.second != 2)
-      {
-        others.insert(end);
-      }
-    }
-  }
-  std::set<vtkIdType> inner;
-  for (const auto& point : faces)
-  {
-    if (others.count(point.first) == 0 && point.second > 2 && spokes[point.first] == point.second)
-    {
-      inner.insert(point.first);
-    }
-  }
-  return inner;
-}
-
-/// Where there is a tangent plane; on curves it is that of one side, and not always of the same.
-void ExpectSameNormals(vtkPointSet* control, vtkPointSet* later, const std::set<vtkIdType>& points)
-{
-  for (const vtkIdType i : points)
+  for (vtkIdType i = 0; i < points; ++i)
   {
     const Point a = GetVector(control, "LimitTangent1", i);
     const Point b = GetVector(control, "LimitTangent2", i);
@@ -622,6 +580,10 @@ void ExpectSameNormals(vtkPointSet* control, vtkPointSet* later, const std::set<
     for (int c = 0; c < 3; ++c)
     {
       across[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
+    }
+    if (Length(a) == 0. || Length(b) == 0.)
+    {
+      EXPECT_NEAR(Length(GetVector(control, "LimitNormals", i)), 1., 1e-6) << "for shading: " << i;
     }
     if (Length(across) > 1e-3 * Length(a) * Length(b) && Length(a) > 1e-6 && Length(b) > 1e-6)
     {
@@ -646,9 +608,6 @@ TEST(RandomDifferential, LimitsOfSurfaces)
       // Known: beside blended edges of three and more faces some limits depend on the level.
       options.Rules[1] = vtkSurfaceSubdivision::SHARP;
       SCOPED_TRACE(options.Describe());
-      const std::set<vtkIdType> inner = options.DetectFeatures
-        ? std::set<vtkIdType>()
-        : FindInnerPoints(vtkPolyData::SafeDownCast(surface));
       const Data control = options.Run(surface, 0);
       for (int levels = 1; levels <= 2; ++levels)
       {
@@ -656,7 +615,10 @@ TEST(RandomDifferential, LimitsOfSurfaces)
         const Data later = options.Run(surface, levels);
         const vtkIdType points = surface->GetNumberOfPoints();
         ExpectSamePoints(control, later, points, 1e-9, Same);
-        ExpectSameNormals(control, later, inner);
+        if (options.HasExactNormals())
+        {
+          ExpectSameNormals(control, later, points);
+        }
       }
       const int level = Draw(chance, 2);
       ExpectTheSame(
