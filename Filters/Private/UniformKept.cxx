@@ -7,6 +7,9 @@
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace subdivision
 {
 
@@ -26,7 +29,8 @@ TopologyKey UniformRun::MakeKey() const
   for (const auto& tuples : this->Mesh.Derived.Tuples)
   {
     key.Choices.push_back(static_cast<long long>(tuples.size()));
-    key.Choices.insert(key.Choices.end(), tuples.begin(), tuples.end());
+    // GCC 14 takes the length of an insert of a range for a negative one.
+    std::copy(tuples.begin(), tuples.end(), std::back_inserter(key.Choices));
   }
   return key;
 }
