@@ -13,7 +13,10 @@
  * on the number of faces in the sector and, at corners, on its angle; at concave corners the points
  * around are also flattened, so that the surface does not fold (section 3.2). With ModifiedBoundary
  * off these are the plain rules, the same everywhere. vtkMultiDimensionalSubdivision always has
- * those: the two filters agree for Loop on closed surfaces and with ModifiedBoundary off.
+ * those: the two filters agree for Loop on closed surfaces without creases and, also where parts
+ * meet, with ModifiedBoundary off. They differ where creases touch the boundary of a single part,
+ * which counts as a crease here; in flagged polygons that touch boundaries or other parts; in equal
+ * faces; and in the last level of a sharpness that is no whole number.
  *
  * @par Modified Butterfly
  * Section 4 of the survey: it interpolates, so points stay and are on the limit. Edges between

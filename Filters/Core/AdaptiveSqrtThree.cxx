@@ -32,7 +32,7 @@ void AdaptiveSqrtThree<Id>::AddSegments(const SurfaceLevel<Id>& control)
   for (vtkIdType e = 0; e < edges; ++e)
   {
     const bool isSheaf = sheaf != mesh.Sheaves.end() && sheaf->Edge == e;
-    if (control.Tags.Edges[e] == EdgeTag::Sharp)
+    if (IsSharp(control.Tags.Edges[e]))
     {
       this->EdgeSegments[e] = static_cast<Id>(this->Segments.size());
       Segment segment;

@@ -70,7 +70,7 @@ private:
   using Joint = typename PolygonMesh<Id>::Joint;
   using Sheaf = typename PolygonMesh<Id>::Sheaf;
 
-  bool IsSharp(vtkIdType edge) const { return this->Level.Tags.Edges[edge] == EdgeTag::Sharp; }
+  bool IsSharp(vtkIdType edge) const { return subdivision::IsSharp(this->Level.Tags.Edges[edge]); }
 
   /// The child across the edge of a corner: a, the apex beyond, b, the apex here; or a, b, apex.
   void SetVertices(Id corner, PolygonMesh<Id>& out) const
@@ -319,8 +319,7 @@ void CountFourEightPlaces(SurfaceLevel<Id>& level)
   const PolygonMesh<Id>& mesh = level.Mesh;
   const bool isEven = level.Step % 2 == 1;
   const vtkIdType corners = mesh.GetNumberOfCorners();
-  auto isFixed = [&](vtkIdType corner)
-  { return level.Tags.Edges[mesh.Edges[corner]] == EdgeTag::Sharp; };
+  auto isFixed = [&](vtkIdType corner) { return IsSharp(level.Tags.Edges[mesh.Edges[corner]]); };
   Buffer<Id> children(corners + 1);
   Buffer<Id> centres(mesh.NumberOfFaces + 1);
   Buffer<Id> fixed(mesh.GetNumberOfEdges() + 1);
@@ -337,8 +336,7 @@ void CountFourEightPlaces(SurfaceLevel<Id>& level)
         centres[f] = isFixed(c) ? 0 : centres[f];
       }
     });
-  ForEach(mesh.GetNumberOfEdges(),
-    [&](vtkIdType e) { fixed[e] = level.Tags.Edges[e] == EdgeTag::Sharp; });
+  ForEach(mesh.GetNumberOfEdges(), [&](vtkIdType e) { fixed[e] = IsSharp(level.Tags.Edges[e]); });
   if (!isEven && std::find(fixed.begin(), fixed.end() - 1, Id(1)) != fixed.end() - 1)
   {
     starts = Buffer<Id>(corners + 1);

@@ -57,10 +57,7 @@ public:
   }
   bool HasTriangles() const { return this->StartsBefore != nullptr; }
 
-  bool IsFixed(Id corner) const
-  {
-    return this->Tags.Edges[this->Mesh.Edges[corner]] == EdgeTag::Sharp;
-  }
+  bool IsFixed(Id corner) const { return IsSharp(this->Tags.Edges[this->Mesh.Edges[corner]]); }
   /// Whether the child across a corner's edge is counted here.
   bool HasChild(Id corner) const
   {

@@ -112,17 +112,16 @@ void LoopScheme<Id>::AppendEdge(const SurfaceLevel<Id>& level, const SurfaceTags
   const PolygonMesh<Id>& mesh = level.Mesh;
   const Id a = mesh.EdgeVertices[2 * edge];
   const Id b = mesh.EdgeVertices[2 * edge + 1];
-  switch (tags.Edges[edge])
+  if (IsSharp(tags.Edges[edge]))
   {
-    case EdgeTag::Sharp:
-      rows.Add(a, 0.5);
-      rows.Add(b, 0.5);
-      return;
-    case EdgeTag::Blend:
-      this->AppendBlendEdge(level, edge, ring, rows);
-      return;
-    default:
-      break;
+    rows.Add(a, 0.5);
+    rows.Add(b, 0.5);
+    return;
+  }
+  if (tags.Edges[edge] == EdgeTag::Blend)
+  {
+    this->AppendBlendEdge(level, edge, ring, rows);
+    return;
   }
   auto isOnCurve = [&tags](Id v)
   { return tags.Vertices[v] == VertexTag::Curve || tags.Vertices[v] == VertexTag::Corner; };

@@ -357,9 +357,9 @@ SurfaceTags<Id> InheritTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>
       const EdgeTag tag = tags.Edges[e];
       out.Edges[2 * e] = tag;
       out.Edges[2 * e + 1] = tag;
-      out.Vertices[vertices + e] = tag == EdgeTag::Sharp ? VertexTag::Curve
-        : tag == EdgeTag::Blend                          ? VertexTag::Blend
-                                                         : VertexTag::Smooth;
+      out.Vertices[vertices + e] = IsSharp(tag) ? VertexTag::Curve
+        : tag == EdgeTag::Blend                 ? VertexTag::Blend
+                                                : VertexTag::Smooth;
     });
   std::fill(out.Edges.begin() + 2 * edges, out.Edges.end(), EdgeTag::Smooth);
   std::fill(out.Vertices.begin() + vertices + edges, out.Vertices.end(), VertexTag::Smooth);

@@ -87,7 +87,7 @@ private:
   {
     return this->Mesh.EdgeVertices[2 * this->Mesh.Edges[corner]] == this->Mesh.Vertices[corner];
   }
-  bool IsSharp(vtkIdType edge) const { return this->Level.Tags.Edges[edge] == EdgeTag::Sharp; }
+  bool IsSharp(vtkIdType edge) const { return subdivision::IsSharp(this->Level.Tags.Edges[edge]); }
 
   /// The child across the edge of a corner.
   template <typename Out>
@@ -412,7 +412,7 @@ void CountSqrtThreePlaces(SurfaceLevel<Id>& level)
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const Buffer<EdgeTag>& tags = level.Tags.Edges;
-  level.HasCurves = std::find(tags.begin(), tags.end(), EdgeTag::Sharp) != tags.end();
+  level.HasCurves = std::any_of(tags.begin(), tags.end(), IsSharp);
   if (level.Step % 2 == 0 || !level.HasCurves)
   {
     return;
@@ -427,13 +427,11 @@ void CountSqrtThreePlaces(SurfaceLevel<Id>& level)
       cuts[f] = -1;
       for (int i = 0; i < 3; ++i)
       {
-        cuts[f] =
-          tags[mesh.Edges[3 * f + i]] == EdgeTag::Sharp ? static_cast<signed char>(i) : cuts[f];
+        cuts[f] = IsSharp(tags[mesh.Edges[3 * f + i]]) ? static_cast<signed char>(i) : cuts[f];
       }
       centres[f] = cuts[f] < 0 ? 1 : 0;
     });
-  ForEach(
-    mesh.GetNumberOfEdges(), [&](vtkIdType e) { thirds[e] = tags[e] == EdgeTag::Sharp ? 1 : 0; });
+  ForEach(mesh.GetNumberOfEdges(), [&](vtkIdType e) { thirds[e] = IsSharp(tags[e]) ? 1 : 0; });
   CountsToOffsets(centres);
   CountsToOffsets(thirds);
   const Id vertices = static_cast<Id>(mesh.NumberOfVertices);

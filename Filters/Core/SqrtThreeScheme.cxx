@@ -83,7 +83,7 @@ Id FindFixedOpposite(const SurfaceLevel<Id>& level, const FanStep<Id>& step)
     return -1;
   }
   const Id opposite = level.Mesh.Next(step.Corner);
-  return level.Tags.Edges[level.Mesh.Edges[opposite]] == EdgeTag::Sharp ? opposite : -1;
+  return IsSharp(level.Tags.Edges[level.Mesh.Edges[opposite]]) ? opposite : -1;
 }
 
 template <typename Id>

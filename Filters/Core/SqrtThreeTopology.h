@@ -73,7 +73,7 @@ public:
 
   bool IsFixed(Id corner) const
   {
-    return this->HasFixed && this->Tags.Edges[this->Mesh.Edges[corner]] == EdgeTag::Sharp;
+    return this->HasFixed && IsSharp(this->Tags.Edges[this->Mesh.Edges[corner]]);
   }
   /// Whether edges are cut into thirds.
   bool HasThirds() const { return this->Thirds > 0; }

@@ -51,6 +51,14 @@ enum class JointRule : unsigned char
   FollowPart
 };
 
+/// Of a vertex in which so many creases meet or, if they do not decide, so many edges that became
+/// sharp as joints (SPEC 4, 6): a curve goes through it along two of them, else it stays. Whatever
+/// else is a curve there, boundaries for instance, does not count.
+constexpr Rule RuleOfCurves(std::size_t edges)
+{
+  return edges == 2 ? Rule::Curve : Rule::Corner;
+}
+
 struct StrataOptions
 {
   JointRule Type1 = JointRule::Blend;

@@ -4,6 +4,16 @@
 
 namespace subdivision
 {
+namespace
+{
+
+Decision DecideCurves(std::size_t edges, RingKind ring, int type)
+{
+  const Rule rule = RuleOfCurves(edges);
+  return { Stratum(rule, type), rule == Rule::Curve ? ring : RingKind::None, 0, 0 };
+}
+
+}
 
 template <typename Id>
 Decision StrataBuilder<Id>::DecideVertex(Id vertex) const
@@ -52,22 +62,17 @@ bool StrataBuilder<Id>::DecideSingularVertex(Id vertex, int type, Decision& deci
     decision = corner;
     return true;
   }
-  int creases = 0;
+  std::size_t creases = 0;
   bool onSingularFace = false;
   for (Id edge : this->Around.VertexEdges[vertex])
   {
     creases += this->IsCrease(edge) ? 1 : 0;
     onSingularFace = onSingularFace || this->CountSingularFaces(edge) > 0;
   }
-  if (creases == 2)
+  const bool isDart = creases == 1 && this->Options.DartEnds && !this->LiesOnBoundaryCurve(vertex);
+  if (creases > 0 && !isDart)
   {
-    decision = { Stratum(Rule::Curve, type), RingKind::Creases, 0, 0 };
-    return true;
-  }
-  if (creases > 2 ||
-    (creases == 1 && (!this->Options.DartEnds || this->LiesOnBoundaryCurve(vertex))))
-  {
-    decision = corner;
+    decision = DecideCurves(creases, RingKind::Creases, type);
     return true;
   }
   if (onSingularFace)
@@ -102,13 +107,12 @@ Decision StrataBuilder<Id>::DecideJointVertex(
   {
     case JointRule::Sharp:
     {
-      int sharp = 0;
+      std::size_t sharp = 0;
       for (Id edge : this->Around.VertexEdges[vertex])
       {
         sharp += this->IsSharpJoint(edge) ? 1 : 0;
       }
-      return sharp == 2 ? Decision{ Stratum(Rule::Curve, type), RingKind::SharpJoints, 0, 0 }
-                        : Decision{ Stratum(Rule::Corner, type), RingKind::None, 0, 0 };
+      return DecideCurves(sharp, RingKind::SharpJoints, type);
     }
     case JointRule::FollowDimension1:
     case JointRule::FollowDimension2:

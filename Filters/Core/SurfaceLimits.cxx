@@ -274,9 +274,9 @@ void LimitFinder<Id>::AppendBlend(Id vertex, RowBlock<Id>& rows)
   {
     matrix[1 + j] = own.Ring;
     const EdgeTag tag = this->Tags.Edges[this->Around.Edges[j]];
-    const Rule rule = tag == EdgeTag::Sharp ? Rule::Curve
-      : tag == EdgeTag::Blend               ? Rule::Blend
-                                            : Rule::Surface;
+    const Rule rule = IsSharp(tag) ? Rule::Curve
+      : tag == EdgeTag::Blend      ? Rule::Blend
+                                   : Rule::Surface;
     const subdivision::Mask edge = EdgeMask(rule, static_cast<vtkIdType>(joined[j].size()));
     matrix[(1 + j) * n] = edge.Own;
     matrix[(1 + j) * n + 1 + j] = edge.Own;

@@ -75,7 +75,7 @@ template <typename Id>
 void CollectSharpEdges(
   const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex, std::vector<Id>& edges)
 {
-  CollectEdges(mesh, vertex, [&tags](Id e) { return tags.Edges[e] == EdgeTag::Sharp; }, edges);
+  CollectEdges(mesh, vertex, [&tags](Id e) { return IsSharp(tags.Edges[e]); }, edges);
 }
 
 template <typename Id>
@@ -86,18 +86,21 @@ bool IsSheaf(const PolygonMesh<Id>& mesh, Id edge)
   return at != mesh.Sheaves.end() && at->Edge == edge;
 }
 
-/// The two edges along which a curve goes through its vertex: where borders meet a joint that is
-/// sharp, the edges of the joint. Not two: it stays.
+/// The two edges along which a curve goes through its vertex: where more are sharp the creases or,
+/// if there are not two, the edges of the joint (SPEC 4, 6). Not two: it stays.
 template <typename Id>
 void CollectCurveEdges(
   const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex, std::vector<Id>& edges)
 {
   CollectSharpEdges(mesh, tags, vertex, edges);
-  if (edges.size() > 2 && mesh.FindJoint(vertex))
+  for (const EdgeTag kind : { EdgeTag::Crease, EdgeTag::Joint })
   {
-    edges.erase(
-      std::remove_if(edges.begin(), edges.end(), [&mesh](Id edge) { return !IsSheaf(mesh, edge); }),
-      edges.end());
+    auto isOther = [&tags, kind](Id edge) { return tags.Edges[edge] != kind; };
+    if (std::count_if(edges.begin(), edges.end(), isOther) + 2 ==
+      static_cast<std::ptrdiff_t>(edges.size()))
+    {
+      edges.erase(std::remove_if(edges.begin(), edges.end(), isOther), edges.end());
+    }
   }
 }
 

@@ -22,14 +22,22 @@ namespace subdivision
 enum class EdgeTag : unsigned char
 {
   Smooth,
-  Sharp, ///< part of a curve: boundary, crease, free line, joint
-  Blend  ///< non-manifold, rule G-2 (SPEC 6)
+  Blend, ///< non-manifold, rule G-2 (SPEC 6)
+  // Parts of curves. Where they meet, creases count before joints, and these before the rest.
+  Sharp, ///< boundary, free line
+  Joint, ///< non-manifold, rule G-1
+  Crease ///< flagged, whatever else it is
 };
+
+constexpr bool IsSharp(EdgeTag tag)
+{
+  return tag >= EdgeTag::Sharp;
+}
 
 enum class VertexTag : unsigned char
 {
   Smooth, ///< one closed fan; also the end of a crease that fades out
-  Curve,  ///< exactly two sharp edges, along which the curve rule works
+  Curve,  ///< two of its sharp edges, along which the curve rule works
   Corner, ///< does not move
   Blend
 };

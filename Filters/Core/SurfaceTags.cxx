@@ -59,17 +59,16 @@ private:
       [this](vtkIdType e)
       {
         const Id corner = this->Mesh.EdgeCorners[e];
-        const bool isCurve = corner < 0 || this->Mesh.Twins[corner] < 0;
-        this->Tags.Edges[e] =
-          isCurve || this->IsFlagged(static_cast<Id>(e)) ? EdgeTag::Sharp : EdgeTag::Smooth;
+        const bool isBorder = corner < 0 || this->Mesh.Twins[corner] < 0;
+        this->Tags.Edges[e] = this->IsFlagged(static_cast<Id>(e)) ? EdgeTag::Crease
+          : isBorder                                              ? EdgeTag::Sharp
+                                                                  : EdgeTag::Smooth;
       });
-    if (this->Blends(this->Features.Type2))
+    const EdgeTag joint = this->Blends(this->Features.Type2) ? EdgeTag::Blend : EdgeTag::Joint;
+    for (const auto& sheaf : this->Mesh.Sheaves)
     {
-      for (const auto& sheaf : this->Mesh.Sheaves)
-      {
-        this->Tags.Edges[sheaf.Edge] =
-          this->IsFlagged(sheaf.Edge) ? EdgeTag::Sharp : EdgeTag::Blend;
-      }
+      EdgeTag& tag = this->Tags.Edges[sheaf.Edge];
+      tag = tag == EdgeTag::Crease ? tag : joint;
     }
   }
 
@@ -96,55 +95,55 @@ private:
     {
       return VertexTag::Corner;
     }
-    CollectEdges(this->Mesh, vertex, [this](Id e) { return this->IsFlagged(e); }, edges);
-    const std::size_t flagged = edges.size();
-    if (joint)
-    {
-      const bool isDart =
-        flagged == 1 && this->Features.DartEnds && !this->LiesOnBoundary(*joint, edges);
-      return flagged == 2        ? VertexTag::Curve
-        : flagged > 0 && !isDart ? VertexTag::Corner
-                                 : this->FindTagOfJoint(*joint, edges);
-    }
-    CollectSharpEdges(this->Mesh, this->Tags, vertex, edges);
-    switch (edges.size())
-    {
-      case 0:
-        return VertexTag::Smooth;
-      case 1:
-        return this->Features.DartEnds ? VertexTag::Smooth : VertexTag::Corner;
-      case 2:
-        return this->HasOneFace(vertex) && this->Scheme.HasCornersOfOneFace() ? VertexTag::Corner
-                                                                              : VertexTag::Curve;
-      default:
-        return VertexTag::Corner;
-    }
+    return joint ? this->FindTagOfJoint(*joint, edges) : this->FindTagOfFan(vertex, edges);
   }
 
-  /// A vertex in which branches, boundaries or curves and surfaces meet (SPEC 6).
+  static VertexTag GetTagOfCurves(std::size_t edges)
+  {
+    return RuleOfCurves(edges) == Rule::Curve ? VertexTag::Curve : VertexTag::Corner;
+  }
+
+  /// A vertex of one fan, where boundaries and creases count alike (SPEC 12).
+  VertexTag FindTagOfFan(Id vertex, std::vector<Id>& edges) const
+  {
+    CollectSharpEdges(this->Mesh, this->Tags, vertex, edges);
+    if (edges.empty() || (edges.size() == 1 && this->Features.DartEnds))
+    {
+      return VertexTag::Smooth;
+    }
+    const bool isLoneFace =
+      edges.size() == 2 && this->HasOneFace(vertex) && this->Scheme.HasCornersOfOneFace();
+    return isLoneFace ? VertexTag::Corner : GetTagOfCurves(edges.size());
+  }
+
+  /// A vertex in which branches, boundaries or curves and surfaces meet: creases count before
+  /// joints (SPEC 4), and neither counts boundaries (SPEC 6).
   VertexTag FindTagOfJoint(
     const typename PolygonMesh<Id>::Joint& joint, std::vector<Id>& edges) const
   {
-    const bool hasCurves = !joint.FreeEdges.empty();
-    if (joint.Fans.empty())
+    auto isCrease = [this](Id e) { return this->Tags.Edges[e] == EdgeTag::Crease; };
+    CollectEdges(this->Mesh, joint.Vertex, isCrease, edges);
+    const std::size_t creases = edges.size();
+    const bool isDart =
+      creases == 1 && this->Features.DartEnds && !this->LiesOnBoundary(joint, edges);
+    if (creases > 0 && !isDart)
     {
-      const std::size_t branches = joint.FreeEdges.size();
-      return branches == 2                                   ? VertexTag::Curve
-        : branches > 2 && this->Blends(this->Features.Type2) ? VertexTag::Blend
-                                                             : VertexTag::Corner;
+      return GetTagOfCurves(creases);
+    }
+    const std::size_t branches = joint.FreeEdges.size();
+    if (joint.Fans.empty() && branches < 3)
+    {
+      return GetTagOfCurves(branches); // on a curve, with nothing else
     }
     CollectEdges(this->Mesh, joint.Vertex, [this](Id e) { return IsSheaf(this->Mesh, e); }, edges);
-    const JointRule rule = hasCurves ? this->Features.Type1
-      : edges.empty()                ? this->Features.Type3
-                                     : this->Features.Type2;
-    if (this->Blends(rule))
-    {
-      return VertexTag::Blend;
-    }
-    // Those that are sharp as joints: creases and borders do not count.
-    const auto sharp = std::count_if(edges.begin(), edges.end(),
-      [this](Id e) { return this->Tags.Edges[e] == EdgeTag::Sharp && !this->IsFlagged(e); });
-    return sharp == 2 ? VertexTag::Curve : VertexTag::Corner;
+    const bool meetsCurves = branches > 0 && !joint.Fans.empty();
+    const bool hasBranches = branches > 0 || !edges.empty();
+    const JointRule rule = meetsCurves ? this->Features.Type1
+      : hasBranches                    ? this->Features.Type2
+                                       : this->Features.Type3;
+    auto isJoint = [this](Id e) { return this->Tags.Edges[e] == EdgeTag::Joint; };
+    return this->Blends(rule) ? VertexTag::Blend
+                              : GetTagOfCurves(std::count_if(edges.begin(), edges.end(), isJoint));
   }
 
   /// Whether a surface or a curve ends at a vertex.
