@@ -70,7 +70,8 @@ void LimitFinder<Id>::FindStar(Id vertex)
     [&](const FanStep<Id>& step) { this->AddStep(step, vertex); });
 }
 
-/// The star of the first sector of a vertex on a curve; false if there is none.
+/// The star of the first sector of a vertex on a curve; false if there is none, or no tangent plane
+/// because it ends at an edge that blends.
 template <typename Id>
 bool LimitFinder<Id>::FindSectorStar(Id vertex)
 {
@@ -96,7 +97,7 @@ bool LimitFinder<Id>::FindSectorStar(Id vertex)
   this->Around.Ends.push_back(this->Mesh.GetOtherEnd(last, vertex));
   this->Around.Clockwise = !ends.First.Forward;
   this->Around.Corner = FindSector(this->Tags, vertex, ends);
-  return true;
+  return IsSharp(this->Tags.Edges[this->Around.Edges.front()]) && IsSharp(this->Tags.Edges[last]);
 }
 
 /// Whether the rules around the star are those of all further levels.
@@ -104,6 +105,13 @@ template <typename Id>
 bool LimitFinder<Id>::IsUniform() const
 {
   if (this->Quads && this->Mesh.Arity != 4)
+  {
+    return false;
+  }
+  // On the input, edges that blend may have members in their rings that lie on no face with them.
+  if (this->Level.Step == 0 &&
+    std::any_of(this->Around.Edges.begin(), this->Around.Edges.end(),
+      [this](Id e) { return this->Tags.Edges[e] == EdgeTag::Blend; }))
   {
     return false;
   }

@@ -26,10 +26,11 @@ struct Options
 };
 
 template <typename Filter>
-void Run(Filter* filter, vtkPolyData* input, const Options& options, int levels)
+void Run(Filter* filter, vtkPolyData* input, const Options& options, int levels, bool limit = false)
 {
   filter->SetInputData(input);
   filter->SetNumberOfLevels(levels);
+  filter->SetProjectToLimit(limit);
   filter->SetType1Rule(options.Joints[0]);
   filter->SetType2Rule(options.Joints[1]);
   filter->SetType3Rule(options.Joints[2]);
@@ -148,13 +149,13 @@ std::vector<Point> CollectPoints(vtkPointSet* mesh, vtkIdType inputPoints)
   return points;
 }
 
-void ExpectSameSurfaces(vtkPolyData* input, const Options& options, int levels)
+void ExpectSameSurfaces(vtkPolyData* input, const Options& options, int levels, bool limit = false)
 {
   vtkNew<vtkSurfaceSubdivision> loop;
   loop->ModifiedBoundaryOff(); // which the main filter does not have
-  Run(loop.Get(), input, options, levels);
+  Run(loop.Get(), input, options, levels, limit);
   vtkNew<vtkMultiDimensionalSubdivision> main;
-  Run(main.Get(), input, options, levels);
+  Run(main.Get(), input, options, levels, limit);
   ASSERT_GT(main->GetOutput()->GetNumberOfPoints(), input->GetNumberOfPoints());
   const std::vector<Point> a = CollectPoints(loop->GetOutput(), input->GetNumberOfPoints());
   const std::vector<Point> b = CollectPoints(main->GetOutput(), input->GetNumberOfPoints());
@@ -164,7 +165,43 @@ void ExpectSameSurfaces(vtkPolyData* input, const Options& options, int levels)
   {
     difference = std::max(difference, GetDistance(a[i], b[i]));
   }
-  EXPECT_LT(difference, 1e-12) << "levels " << levels;
+  EXPECT_LT(difference, 1e-12) << "levels " << levels << (limit ? ", limits" : "");
+}
+
+/// Of two tangents, which may be missing or parallel: then 0.
+Point FindNormal(const Point& a, const Point& b)
+{
+  Point normal = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+    a[0] * b[1] - a[1] * b[0] };
+  const double length = std::hypot(normal[0], normal[1], normal[2]);
+  const double scale = std::hypot(a[0], a[1], a[2]) * std::hypot(b[0], b[1], b[2]);
+  for (double& value : normal)
+  {
+    value = length > 1e-9 * scale ? value / length : 0.;
+  }
+  return normal;
+}
+
+/// Of each point of the input, where it is on the limit surface, and the normal there.
+std::vector<Point> FindLimits(
+  vtkPolyData* input, const Options& options, int levels, bool modifiedBoundary)
+{
+  vtkNew<vtkSurfaceSubdivision> loop;
+  loop->SetModifiedBoundary(modifiedBoundary);
+  loop->GenerateTangentsOn();
+  Run(loop.Get(), input, options, levels, true);
+  vtkPolyData* output = loop->GetOutput();
+  std::vector<Point> limits;
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    Point point;
+    Point tangents[2];
+    output->GetPoint(i, point.data());
+    output->GetPointData()->GetArray("LimitTangent1")->GetTuple(i, tangents[0].data());
+    output->GetPointData()->GetArray("LimitTangent2")->GetTuple(i, tangents[1].data());
+    limits.insert(limits.end(), { point, FindNormal(tangents[0], tangents[1]) });
+  }
+  return limits;
 }
 
 struct RandomCase
@@ -193,6 +230,25 @@ TEST(SurfaceJoints, RandomMeshesAreThoseOfTheMainFilter)
     const RandomCase random(seed);
     ExpectSameSurfaces(random.Input, random.Rules, 1);
     ExpectSameSurfaces(random.Input, random.Rules, 2);
+    ExpectSameSurfaces(random.Input, random.Rules, 1, true);
+  }
+}
+
+TEST(SurfaceJoints, LimitsAreThoseOfAllLevels)
+{
+  for (unsigned seed = 0; seed < 60; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const RandomCase random(seed);
+    for (const bool modifiedBoundary : { false, true })
+    {
+      const auto early = FindLimits(random.Input, random.Rules, 0, modifiedBoundary);
+      const auto late = FindLimits(random.Input, random.Rules, 2, modifiedBoundary);
+      for (std::size_t i = 0; i < early.size(); ++i)
+      {
+        EXPECT_LT(GetDistance(early[i], late[i]), i % 2 ? 1e-7 : 1e-12) << "of point " << i / 2;
+      }
+    }
   }
 }
 
