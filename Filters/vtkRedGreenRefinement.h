@@ -212,8 +212,9 @@ public:
   /**
    * Whether edges of curves, surfaces, and boundaries or singular surfaces of solids are split
    * where they, or triangles at them, are farther than GeometricTolerance from the limit of smooth
-   * subdivision. The distance is looked at in several places of each edge and triangle. Off by
-   * default.
+   * subdivision. The distance is looked at in several places of each edge and triangle: an estimate
+   * and no bound. Where a cell of the input ends, the limit of the edge has to be near the edge,
+   * inside of a cell near its surface. Off by default.
    */
   vtkSetMacro(RefineByGeometricError, bool);
   vtkGetMacro(RefineByGeometricError, bool);

@@ -145,6 +145,8 @@ void RedGreenLimit<Id>::AddEdge(const EdgeOfCell& edge, const std::array<Id, 4>&
     return;
   }
   ++this->NumberOfEdges;
+  this->Sides.emplace_back();
+  this->Sides.back().IsBorder = Unite(this->Carriers[a], this->Carriers[b])[2] < 0;
   auto add = [&](Id place, double weight)
   {
     this->Samples.push_back(
@@ -172,10 +174,30 @@ void RedGreenLimit<Id>::AddEdge(const EdgeOfCell& edge, const std::array<Id, 4>&
   }
 }
 
+/// A triangle at an edge; that between two solids comes from both.
+template <typename Id>
+void RedGreenLimit<Id>::AddSide(Id edge, Id opposite, bool isOfSolid)
+{
+  SidesOfEdge& sides = this->Sides[edge];
+  for (Id& side : sides.Opposites)
+  {
+    if (side == opposite && isOfSolid)
+    {
+      return;
+    }
+    if (side < 0)
+    {
+      side = opposite;
+      return;
+    }
+  }
+  sides.IsBorder = true; // of more than two
+}
+
 /// Places inside a triangle of a surface.
 template <typename Id>
-void RedGreenLimit<Id>::AddTriangle(
-  const RedGreen<Id>& state, const std::array<Id, 4>& leaf, const std::array<Id, 3>& corners)
+void RedGreenLimit<Id>::AddTriangle(const RedGreen<Id>& state, const std::array<Id, 4>& leaf,
+  const std::array<Id, 3>& corners, bool isOfSolid)
 {
   int green = -1; // the side that no cell of the uniform refinement has, by the corner opposite
   std::array<Id, 3> sides;
@@ -184,6 +206,10 @@ void RedGreenLimit<Id>::AddTriangle(
     const Id a = corners[(i + 1) % 3];
     const Id b = corners[(i + 2) % 3];
     sides[i] = this->Edges.Find(a, b);
+    if (sides[i] >= 0)
+    {
+      this->AddSide(sides[i], corners[i], isOfSolid);
+    }
     green = this->LookAt(state, leaf, a, b).IsUniform ? green : i;
   }
   for (int i = 0; i < 3; ++i)
@@ -217,6 +243,7 @@ void RedGreenLimit<Id>::FindSamples(
 {
   this->Edges = PairTable<Id>();
   this->NumberOfEdges = 0;
+  this->Sides.clear();
   this->FirstMiddle = state.GetNumberOfVertices();
   this->MiddlesByEnds = PairTable<Id>();
   this->Middles.clear();
@@ -258,7 +285,7 @@ void RedGreenLimit<Id>::FindSamples(
       const Carrier side = Unite(this->Carriers[corners[0]], this->Carriers[corners[1]]);
       if (this->IsCurved(Unite(side, this->Carriers[corners[2]])))
       {
-        this->AddTriangle(state, leaf, corners);
+        this->AddTriangle(state, leaf, corners, size == 4);
       }
     }
   }
@@ -326,6 +353,30 @@ void RedGreenLimit<Id>::FindErrors(const RedGreen<Id>& state, const Cells& cells
   this->Measure(state, options, criteria);
 }
 
+/// The error of the shape at a place over an edge. Where a triangle at it is not known, it is one
+/// that did not change, with which the edge was looked at before.
+template <typename Id>
+double RedGreenLimit<Id>::GetErrorOfEdge(const Sample& sample, const double* const* corners,
+  const double* place, const Buffer<double>& limits, const Buffer<Id>& numbers,
+  const RefinementCriteria& criteria) const
+{
+  const SidesOfEdge& sides = this->Sides[sample.Edges[0]];
+  if (sides.IsBorder)
+  {
+    return criteria.GetGeometricError(corners, 2, place);
+  }
+  const double* opposites[2] = { nullptr, nullptr };
+  int triangles = 0;
+  for (const Id opposite : sides.Opposites)
+  {
+    if (opposite >= 0)
+    {
+      opposites[triangles++] = limits.data() + 3 * static_cast<vtkIdType>(numbers[opposite]);
+    }
+  }
+  return criteria.GetErrorOverEdge(corners, opposites, triangles, place);
+}
+
 template <typename Id>
 void RedGreenLimit<Id>::Measure(
   const RedGreen<Id>& state, const RefinementOptions& options, const RefinementCriteria& criteria)
@@ -379,7 +430,8 @@ void RedGreenLimit<Id>::Measure(
             Unite(this->Carriers[sample.Corners[0]], this->Carriers[sample.Corners[1]]))))
       {
         const double* place = gather(points, 3, corners);
-        error = criteria.GetGeometricError(corners, size, place);
+        error = size == 3 ? criteria.GetGeometricError(corners, size, place)
+                          : this->GetErrorOfEdge(sample, corners, place, points, numbers, criteria);
       }
       if (ofAttribute && size == 2)
       {

@@ -31,8 +31,9 @@ public:
   LocalLimit<Id> GetOperator(const RedGreen<Id>& state) const;
 
   /// Finds the errors of the edges of candidates: the largest distance of the limit from the edge,
-  /// looked at in one to three places along it. On surfaces what lies inside a triangle counts for
-  /// its edges, too; inside a green one for the edge that only green cells have.
+  /// looked at in one to three places along it; inside a surface, from its triangles. What lies
+  /// inside a triangle counts for its edges, too; inside a green one for the edge that only green
+  /// cells have.
   template <typename Cells>
   void FindErrors(const RedGreen<Id>& state, const Cells& cells, int maximumLevel,
     const RefinementOptions& options, const RefinementCriteria& criteria);
@@ -65,9 +66,22 @@ private:
     bool IsUniform;
   };
 
+  /// The triangles of a surface at an edge.
+  struct SidesOfEdge
+  {
+    Id Opposites[2] = { -1, -1 };
+    /// On an edge of the control mesh: cells of the input end there, so that what lies beside it is
+    /// off both.
+    bool IsBorder = false;
+  };
+
   void FindCurved();
   void FindCarriers(const RedGreen<Id>& state);
   bool IsCurved(const Carrier& carrier) const;
+  void AddSide(Id edge, Id opposite, bool isOfSolid);
+  double GetErrorOfEdge(const Sample& sample, const double* const* corners, const double* place,
+    const Buffer<double>& limits, const Buffer<Id>& numbers,
+    const RefinementCriteria& criteria) const;
   static Carrier Unite(const Carrier& a, const Carrier& b);
   template <typename Cells>
   void FindSamples(const RedGreen<Id>& state, const Cells& cells, int maximumLevel,
@@ -75,8 +89,8 @@ private:
   Id GetMiddle(Id a, Id b);
   static EdgeOfCell LookAt(const RedGreen<Id>& state, const std::array<Id, 4>& leaf, Id a, Id b);
   void AddEdge(const EdgeOfCell& edge, const std::array<Id, 4>& leaf);
-  void AddTriangle(
-    const RedGreen<Id>& state, const std::array<Id, 4>& leaf, const std::array<Id, 3>& corners);
+  void AddTriangle(const RedGreen<Id>& state, const std::array<Id, 4>& leaf,
+    const std::array<Id, 3>& corners, bool isOfSolid);
   Buffer<Id> NumberPlaces(
     const RedGreen<Id>& state, std::vector<std::array<Id, 2>>& midpoints) const;
   void Measure(const RedGreen<Id>& state, const RefinementOptions& options,
@@ -88,7 +102,8 @@ private:
   std::vector<Carrier> Curved;
   std::vector<Carrier> Carriers; ///< of each vertex of the state so far
   PairTable<Id> Edges;
-  Buffer<double> Errors; ///< of edges
+  Buffer<double> Errors;          ///< of edges
+  std::vector<SidesOfEdge> Sides; ///< of edges
   Id NumberOfEdges = 0;
   // Samples of one round:
   Id FirstMiddle = 0; ///< the number of vertices of the state

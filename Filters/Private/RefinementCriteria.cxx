@@ -195,11 +195,12 @@ double GetDistanceFromEdge(const double* p, const double* a, const double* b)
   return distance;
 }
 
-double GetDistanceFromTriangle(const double* p, const double* const* corners)
+/// Whether a place is over a triangle; its height over the plane, with a sign.
+bool FindHeight(const double* p, const double* const* corners, double& height)
 {
   double normal[3];
   double square = 0.;
-  double height = 0.;
+  height = 0.;
   for (int c = 0; c < 3; ++c)
   {
     const int d = (c + 1) % 3;
@@ -209,8 +210,8 @@ double GetDistanceFromTriangle(const double* p, const double* const* corners)
     square += normal[c] * normal[c];
     height += normal[c] * (p[c] - corners[0][c]);
   }
-  bool isInside = square > 0. && std::isfinite(square);
-  double distance = std::numeric_limits<double>::infinity();
+  height = square > 0. ? height / std::sqrt(square) : 0.;
+  bool isOver = square > 0. && std::isfinite(square);
   for (int i = 0; i < 3; ++i)
   {
     const double* a = corners[i];
@@ -222,10 +223,38 @@ double GetDistanceFromTriangle(const double* p, const double* const* corners)
       const int e = (c + 2) % 3;
       side += normal[c] * ((b[d] - a[d]) * (p[e] - a[e]) - (b[e] - a[e]) * (p[d] - a[d]));
     }
-    isInside = isInside && side >= 0.;
-    distance = std::min(distance, GetDistanceFromEdge(p, a, b));
+    isOver = isOver && side >= 0.;
   }
-  return isInside ? std::abs(height) / std::sqrt(square) : distance;
+  return isOver;
+}
+
+double GetDistanceFromTriangle(const double* p, const double* const* corners)
+{
+  double height = 0.;
+  if (FindHeight(p, corners, height))
+  {
+    return std::abs(height);
+  }
+  double distance = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i)
+  {
+    distance = std::min(distance, GetDistanceFromEdge(p, corners[i], corners[(i + 1) % 3]));
+  }
+  return distance;
+}
+
+/// Whether two triangles are folded over at their edge by more than a right angle.
+bool IsFold(const double* const ends[2], const double* const opposites[2])
+{
+  double along[3];
+  double sides[2][3];
+  vtkMath::Subtract(ends[1], ends[0], along);
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkMath::Subtract(opposites[i], ends[0], sides[i]);
+  }
+  return vtkMath::Dot(sides[0], sides[1]) * vtkMath::Dot(along, along) >
+    vtkMath::Dot(sides[0], along) * vtkMath::Dot(sides[1], along);
 }
 
 }
@@ -345,6 +374,43 @@ double RefinementCriteria::GetGeometricError(double distance, double length) con
     error = std::max(error, this->Allow(angle, this->Options.MaximumAngle));
   }
   return error;
+}
+
+double RefinementCriteria::GetHeight(const double* const* corners, const double* place)
+{
+  double height = 0.;
+  FindHeight(place, corners, height);
+  return height;
+}
+
+double RefinementCriteria::GetErrorOverEdge(const double* const ends[2],
+  const double* const opposites[2], int triangles, const double* place) const
+{
+  double distance = 0.;
+  bool isOver = false;
+  for (int i = 0; i < triangles; ++i)
+  {
+    const double* const corners[3] = { ends[0], ends[1], opposites[i] };
+    double height = 0.;
+    isOver = FindHeight(place, corners, height) || isOver;
+    distance = std::max(distance, std::abs(height));
+  }
+  if (triangles == 2 && IsFold(ends, opposites))
+  {
+    distance = GetDistanceFromEdge(place, ends[0], ends[1]);
+  }
+  else if (triangles == 2 && !isOver)
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 2; ++i)
+    {
+      const double* const corners[3] = { ends[0], ends[1], opposites[i] };
+      nearest = std::min(nearest, GetDistanceFromTriangle(place, corners));
+    }
+    distance = std::max(distance, nearest);
+  }
+  return this->GetGeometricError(
+    distance, std::sqrt(vtkMath::Distance2BetweenPoints(ends[0], ends[1])));
 }
 
 std::vector<ContinuedArray*> RefinementCriteria::GetPointArrays()

@@ -150,6 +150,16 @@ public:
   double GetGeometricError(const double* const* corners, int size, const double* place) const;
   /// The same where the distance is known, and the length of the longest edge.
   double GetGeometricError(double distance, double length) const;
+  /**
+   * The same over an edge inside a surface; `opposites`: the third corners of its one or two
+   * triangles that are known. The surface has to be near one of two triangles, and each plane near
+   * the surface. A place beside the edge, in the planes of the triangles, is no error of a surface,
+   * unless they are folded over: then the surface ends beside the edge.
+   */
+  double GetErrorOverEdge(const double* const ends[2], const double* const opposites[2],
+    int triangles, const double* place) const;
+  /// Of a place over the plane of three corners, with a sign.
+  static double GetHeight(const double* const* corners, const double* place);
 
   /// Whether any criterion asks for errors of edges.
   bool ReadsEdges() const
