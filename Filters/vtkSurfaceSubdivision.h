@@ -98,13 +98,15 @@
  * once. All points, and all arrays that are smoothed, are on the limit, exact to rounding, as if
  * ProjectToLimit were on: where everything is split they are those of the uniform mesh, with the
  * same ids. The geometric error of a triangle is its distance from the limit at its centre and at
- * the middles of its edges, of a boundary edge or line that of its middle, each made larger by a
- * third for what lies between; GeometricTolerance allows it. The criteria look at limits
+ * three places of each of its edges, of a boundary edge or line that of these, each made larger by
+ * a third for what lies between; GeometricTolerance allows it. This is an estimate and no bound;
+ * with 100 rough random meshes and four tolerances for each, mesh and limit were nowhere farther
+ * from each other than 0.98 times GeometricTolerance. The criteria look at limits
  * (vtkRedGreenRefinement: at the control mesh, for edge lengths and jumps). A triangle that is
  * wanted by a criterion of cells is split with those across its edges. The output is a mesh of its
  * own for the next filter; a triangulation and limits of the same kind for Loop subdivision come
  * from vtkRedGreenRefinement with Placement LIMIT. NumberOfLevels and CacheOperator are not used.
- * Rounds cost in proportion to what they split, and about 250
+ * Rounds cost in proportion to what they split, and about 280
  * bytes are needed for each triangle of the output.
  *
  * @par Arrays read, by SetInputArrayToProcess
@@ -264,7 +266,8 @@ public:
   ///@{
   /**
    * The error of an edge: JUMP (0, the default), the change of the limit values from one end to the
-   * other, or LIMIT_DIFFERENCE (1), the distance of their mean from the limit value between them.
+   * other, or LIMIT_DIFFERENCE (1), the largest distance of the limit values between them, in three
+   * places, from the line between those of its ends.
    */
   vtkSetClampMacro(AttributeErrorKind, int, JUMP, LIMIT_DIFFERENCE);
   vtkGetMacro(AttributeErrorKind, int);
@@ -312,7 +315,7 @@ public:
   ///@{
   /**
    * With Adaptive, whether triangles and lines are split that are farther than GeometricTolerance
-   * from the limit. Off by default.
+   * from the limit, as far as some places of each tell. Off by default.
    */
   vtkSetMacro(RefineByGeometricError, bool);
   vtkGetMacro(RefineByGeometricError, bool);

@@ -70,28 +70,34 @@ bool AdaptiveSqrtThreeRows<Id>::HasFixedEdges(Id face) const
 // ------------------------------------------------------------------------------------------------
 // Positions
 
+template <typename Id>
+double AdaptiveSqrtThreeRows<Id>::GetPart(Id vertex, int level) const
+{
+  if (vertex < this->Mesh.GetNumberOfControlVertices())
+  {
+    const double factor = this->Factors[vertex];
+    return factor < 0. ? GetRegularPower(level - level % 2) : std::pow(factor, level);
+  }
+  const auto& added = this->Mesh.GetAdded(vertex);
+  const int steps = level - added.Level;
+  return GetRegularPower(added.Source < 0 ? steps - steps % 2 : steps);
+}
+
 /// Where a vertex is on a level.
 template <typename Id>
 void AdaptiveSqrtThreeRows<Id>::AddPosition(
   Id vertex, int level, double weight, RowBlock<Id>& rows) const
 {
-  double own = 0.;
-  if (vertex < this->Mesh.GetNumberOfControlVertices())
-  {
-    const double factor = this->Factors[vertex];
-    own = factor < 0. ? GetRegularPower(level - level % 2) : std::pow(factor, level);
-  }
-  else
+  if (vertex >= this->Mesh.GetNumberOfControlVertices())
   {
     const auto& added = this->Mesh.GetAdded(vertex);
-    const int steps = level - added.Level;
-    if (steps == 0 && added.Source >= 0 && this->HasFixedEdges(added.Source))
+    if (level == added.Level && added.Source >= 0 && this->HasFixedEdges(added.Source))
     {
       this->AddCorners(added.Source, weight, rows);
       return;
     }
-    own = GetRegularPower(added.Source < 0 ? steps - steps % 2 : steps);
   }
+  const double own = this->GetPart(vertex, level);
   rows.Add(2 * static_cast<vtkIdType>(vertex), weight * own);
   if (own < 1.)
   {
@@ -180,7 +186,7 @@ void AdaptiveSqrtThreeRows<Id>::AddCentreLimit(Id face, double weight, RowBlock<
   // The ring after the next step: centres, and the thirds of fixed edges.
   const int level = this->Mesh.GetLevel(face) + 1;
   const double ring = weight * LimitOfRing / 6.;
-  this->AddNextOfFixed(face, weight * (1. - LimitOfRing), rows);
+  this->AddNext(face, weight * (1. - LimitOfRing), rows);
   for (Id corner = 3 * face; corner < 3 * face + 3; ++corner)
   {
     if (this->Mesh.IsFixed(corner))
@@ -226,10 +232,10 @@ void AdaptiveSqrtThreeRows<Id>::AddRegularLimit(Id face, double weight, RowBlock
   }
 }
 
-/// Where the centre of a face with fixed edges is one step after it came into being: each fixed
-/// edge ab gives it the ghost a + b - p.
+/// Where the centre of a face is one step after it came into being: each fixed edge ab gives it the
+/// ghost a + b - p.
 template <typename Id>
-void AdaptiveSqrtThreeRows<Id>::AddNextOfFixed(Id face, double weight, RowBlock<Id>& rows) const
+void AdaptiveSqrtThreeRows<Id>::AddNext(Id face, double weight, RowBlock<Id>& rows) const
 {
   const int level = this->Mesh.GetLevel(face) + 1;
   const double ring = weight * StepOfRing / 6.;
@@ -250,6 +256,25 @@ void AdaptiveSqrtThreeRows<Id>::AddNextOfFixed(Id face, double weight, RowBlock<
     }
   }
   this->AddCorners(face, own, rows);
+}
+
+/// Of the two faces of the next level beside the one at an end of an edge: what the centre of the
+/// one in a face with this edge at this end is made of, but for the centre of that face and the
+/// end.
+template <typename Id>
+void AdaptiveSqrtThreeRows<Id>::AddSideAt(
+  Id vertex, Id corner, double weight, RowBlock<Id>& rows) const
+{
+  const Id face = corner / 3;
+  if (this->Mesh.IsFixed(corner))
+  {
+    const Id segment = this->Mesh.GetSegment(corner);
+    this->AddThird(segment, this->Mesh.GetSegmentAt(segment).Ends[0] != vertex, weight, rows);
+    return;
+  }
+  this->AddApexAcross(corner, weight / 3., rows);
+  this->AddCorners(face, weight / 3., rows);
+  this->AddPosition(vertex, this->Mesh.GetLevel(face) + 1, weight / 3., rows);
 }
 
 // ------------------------------------------------------------------------------------------------
@@ -277,7 +302,7 @@ void AdaptiveSqrtThreeRows<Id>::AppendVertex(Id vertex, RowBlock<Id>& rows) cons
   if (this->HasFixedEdges(added.Source))
   {
     // After a step it is to be where it is: a third of this, two thirds of the limit.
-    this->AddNextOfFixed(added.Source, 3., rows);
+    this->AddNext(added.Source, 3., rows);
     this->AddCentreLimit(added.Source, -2., rows);
   }
   else
@@ -289,9 +314,48 @@ void AdaptiveSqrtThreeRows<Id>::AppendVertex(Id vertex, RowBlock<Id>& rows) cons
 }
 
 template <typename Id>
+void AdaptiveSqrtThreeRows<Id>::AppendCentre(Id face, RowBlock<Id>& rows) const
+{
+  this->AddCorners(face, 1., rows);
+  rows.EndRow();
+}
+
+template <typename Id>
 void AdaptiveSqrtThreeRows<Id>::AppendCentreLimit(Id face, RowBlock<Id>& rows) const
 {
   this->AddCentreLimit(face, 1., rows);
+  rows.EndRow();
+}
+
+/// As AddRegularLimit of the face (P, Q, a) between the centres P and Q of the two faces of an edge
+/// ab, on the next level.
+template <typename Id>
+void AdaptiveSqrtThreeRows<Id>::AppendLimitOnEdge(
+  Id corner, bool isFromEnd, RowBlock<Id>& rows) const
+{
+  const Id twin = this->Mesh.GetTwin(corner);
+  Id a = this->Mesh.GetVertex(corner);
+  Id b = this->Mesh.GetVertex(this->Mesh.Next(corner));
+  if (isFromEnd)
+  {
+    std::swap(a, b);
+  }
+  const int level = this->Mesh.GetLevel(corner / 3) + 1;
+  const double ring = LimitOfRing / 6.;
+  const double own = (1. - LimitOfRing + ring) / 3.; // in the face and in that across PQ
+  for (const Id face : { corner / 3, twin / 3 })
+  {
+    this->AddCorners(face, own, rows);
+    this->AddNext(face, ring, rows);
+  }
+  this->AddPosition(a, level, (1. - LimitOfRing) / 3., rows);
+  this->AddPosition(a, level + 1, ring, rows);
+  this->AddPosition(b, level, ring / 3., rows);
+  for (const Id side : { corner, twin })
+  {
+    const bool isFirst = this->Mesh.GetVertex(side) == a;
+    this->AddSideAt(a, isFirst ? this->Mesh.Previous(side) : this->Mesh.Next(side), ring, rows);
+  }
   rows.EndRow();
 }
 

@@ -32,13 +32,23 @@ public:
   /// others have 2 v for the first value of vertex v and 2 v + 1 for its limit.
   void AppendVertex(Id vertex, RowBlock<Id>& rows) const;
 
-  /// The row of the limit of the centre that a face has or would have; it must not be cut.
+  /// The rows of the centre that a face has or would have, as it comes into being, and of its
+  /// limit; the face must not be cut.
+  void AppendCentre(Id face, RowBlock<Id>& rows) const;
   void AppendCentreLimit(Id face, RowBlock<Id>& rows) const;
+  /// The same a third along an edge, from the end at `corner` or from the other one: the centre of
+  /// a face of the next level, which is there or would be. The twin has to be there, and neither
+  /// face may be cut.
+  void AppendLimitOnEdge(Id corner, bool isFromEnd, RowBlock<Id>& rows) const;
   /// The same for one of the points that cut a segment.
   void AppendThirdLimit(Id segment, bool isSecond, RowBlock<Id>& rows) const;
 
   /// The row of a tangent, with the columns of AppendVertex; the first along a curve.
   void AppendTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows) const;
+
+  /// How much of its first value a vertex has on a level; the rest is its limit. Not for a centre
+  /// of a face with fixed edges on the level on which it came into being.
+  double GetPart(Id vertex, int level) const;
 
 private:
   bool HasFixedEdges(Id face) const;
@@ -52,7 +62,8 @@ private:
   void AddRegularLimit(Id face, double weight, RowBlock<Id>& rows) const;
   void AddCentreTangent(Id face, LimitKind kind, RowBlock<Id>& rows) const;
   void AddThirdTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows) const;
-  void AddNextOfFixed(Id face, double weight, RowBlock<Id>& rows) const;
+  void AddNext(Id face, double weight, RowBlock<Id>& rows) const;
+  void AddSideAt(Id vertex, Id corner, double weight, RowBlock<Id>& rows) const;
 
   const AdaptiveSqrtThree<Id>& Mesh;
   const SurfaceLevel<Id>& Control;

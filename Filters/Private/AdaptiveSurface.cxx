@@ -323,7 +323,7 @@ double FindMostCells(vtkPolyData* input, const SurfaceCells& cells, const Surfac
   int maximumLevel, bool& memoryIsLimit)
 {
   // Connectivity and offset, faces of all levels, values and limits; a point for two cells.
-  const double perCell = 32. + 75. + 130. + GetBytesPerTuple(input->GetCellData()) +
+  const double perCell = 32. + 75. + 165. + GetBytesPerTuple(input->GetCellData()) +
     (24. + 3. * GetBytesPerTuple(input->GetPointData())) / 2.;
   const double fitting = GetAvailableMemory() / perCell;
   const auto given = static_cast<double>(cells.FaceCells.size() + cells.SegmentCells.size());

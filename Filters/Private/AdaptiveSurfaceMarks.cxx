@@ -171,26 +171,25 @@ void AdaptiveSurfaceMarks<Id>::Update()
 namespace
 {
 
-/// Only the middles of edges and the centres of faces are looked at: how much larger an error may
-/// be beside them, over what RefinementCriteria adds for many places.
+/// Edges are looked at in three places, faces in their centres only: how much larger an error may
+/// be beside them, over what RefinementCriteria adds for many places. It is measured, nothing
+/// bounds it: with 1.1 a few of 200 random meshes have errors that are too large, with this none
+/// has.
 constexpr double FewPlaces = 1.2;
-constexpr double Halves[2] = { 0.5, 0.5 };
 
-/// How far a point is above the plane of a triangle.
-double GetHeight(const double a[3], const double b[3], const double c[3], const double point[3])
+/// Whether a place is not over a triangle, but beyond one of its edges.
+bool IsBeyond(const double* const x[3], int edge, const double* place)
 {
+  double sides[3][3];
   double normal[3];
-  double length = 0.;
-  double height = 0.;
-  for (int i = 0; i < 3; ++i)
-  {
-    const int j = (i + 1) % 3;
-    const int k = (i + 2) % 3;
-    normal[i] = (b[j] - a[j]) * (c[k] - a[k]) - (b[k] - a[k]) * (c[j] - a[j]);
-    length += normal[i] * normal[i];
-    height += normal[i] * (point[i] - a[i]);
-  }
-  return length > 0. ? height / std::sqrt(length) : 0.;
+  double toPlace[3];
+  const double* begin = x[edge];
+  vtkMath::Subtract(x[(edge + 1) % 3], begin, sides[0]);
+  vtkMath::Subtract(x[(edge + 2) % 3], begin, sides[1]);
+  vtkMath::Subtract(place, begin, sides[2]);
+  vtkMath::Cross(sides[0], sides[1], normal);
+  vtkMath::Cross(sides[0], sides[2], toPlace);
+  return vtkMath::Dot(normal, toPlace) < 0.;
 }
 
 }
@@ -205,37 +204,65 @@ double AdaptiveSurfaceMarks<Id>::GetErrorAt(Id face, const double* place) const
   return FewPlaces * this->Criteria.GetGeometricError(corners, 3, place);
 }
 
+/// The error of the shape over an edge between two faces.
+template <typename Id>
+double AdaptiveSurfaceMarks<Id>::GetShapeError(Id corner, Scratch& scratch) const
+{
+  const AdaptiveSurfaceValues<Id>& points = this->Arrays[0];
+  const int size = points.FindPlaces(corner, scratch.Rows, scratch.Places.data());
+  if (size == 0)
+  {
+    return 0.;
+  }
+  auto getLimit = [&](Id at) { return points.GetLimit(this->Mesh.GetVertex(at)); };
+  const double* const ends[2] = { getLimit(corner), getLimit(this->Mesh.Next(corner)) };
+  const double* const opposites[2] = { getLimit(this->Mesh.Previous(corner)),
+    getLimit(this->Mesh.Previous(this->Mesh.GetTwin(corner))) };
+  double error = 0.;
+  for (int i = 0; i < size; ++i)
+  {
+    error = std::max(
+      error, this->Criteria.GetErrorOverEdge(ends, opposites, 2, scratch.Places.data() + 3 * i));
+  }
+  return FewPlaces * error;
+}
+
+/// The largest difference of values over a chord from those on it.
+template <typename Id>
+double AdaptiveSurfaceMarks<Id>::GetAttributeError(
+  const double* const ends[2], int size, const double* places, bool& hasNoValue) const
+{
+  const AdaptiveSurfaceValues<Id>& values = this->Arrays[this->Attribute];
+  double error = 0.;
+  for (int i = 0; i < size; ++i)
+  {
+    const double at = AdaptiveSurfaceValues<Id>::Places[i];
+    const double weights[2] = { 1. - at, at };
+    const double own = FewPlaces *
+      this->Criteria.GetAttributeErrorAtLimit(ends, weights, places + i * values.GetComponents());
+    hasNoValue = hasNoValue || own < 0.;
+    error = std::max(error, own);
+  }
+  return error;
+}
+
 /// The error of an edge for criteria that ask for the limit.
 template <typename Id>
-double AdaptiveSurfaceMarks<Id>::GetLimitError(
-  Id corner, std::vector<double>& middle, bool& hasNoValue) const
+double AdaptiveSurfaceMarks<Id>::GetLimitError(Id corner, Scratch& scratch, bool& hasNoValue) const
 {
   if (this->Mesh.IsFixed(corner))
   {
-    return this->GetSegmentError(this->Mesh.GetSegment(corner), middle, hasNoValue);
+    return this->GetSegmentError(this->Mesh.GetSegment(corner), scratch, hasNoValue);
   }
-  const AdaptiveSurfaceValues<Id>& points = this->Arrays[0];
-  double error = 0.;
-  if (points.IsOfLimit() && points.FindMiddle(corner, middle.data()))
-  {
-    error = std::numeric_limits<double>::infinity();
-    for (const Id face : { corner / 3, this->Mesh.GetTwin(corner) / 3 })
-    {
-      error = std::min(error, this->GetErrorAt(face, middle.data()));
-    }
-  }
+  double error = this->Arrays[0].IsOfLimit() ? this->GetShapeError(corner, scratch) : 0.;
   if (this->Attribute >= 0 && this->Arrays[this->Attribute].IsOfLimit())
   {
     const AdaptiveSurfaceValues<Id>& values = this->Arrays[this->Attribute];
-    if (values.FindMiddle(corner, middle.data()))
-    {
-      const double* const ends[2] = { values.GetLimit(this->Mesh.GetVertex(corner)),
-        values.GetLimit(this->Mesh.GetVertex(this->Mesh.Next(corner))) };
-      const double change =
-        FewPlaces * this->Criteria.GetAttributeErrorAtLimit(ends, Halves, middle.data());
-      hasNoValue = hasNoValue || change < 0.;
-      error = std::max(error, change);
-    }
+    const double* const ends[2] = { values.GetLimit(this->Mesh.GetVertex(corner)),
+      values.GetLimit(this->Mesh.GetVertex(this->Mesh.Next(corner))) };
+    double* places = scratch.Places.data();
+    const int size = values.FindPlaces(corner, scratch.Rows, places);
+    error = std::max(error, this->GetAttributeError(ends, size, places, hasNoValue));
   }
   return error;
 }
@@ -243,7 +270,7 @@ double AdaptiveSurfaceMarks<Id>::GetLimitError(
 /// The same for an edge on a curve.
 template <typename Id>
 double AdaptiveSurfaceMarks<Id>::GetSegmentError(
-  Id segment, std::vector<double>& middle, bool& hasNoValue) const
+  Id segment, Scratch& scratch, bool& hasNoValue) const
 {
   const Id* ends = this->Mesh.GetSegmentAt(segment).Ends;
   double error = 0.;
@@ -255,12 +282,17 @@ double AdaptiveSurfaceMarks<Id>::GetSegmentError(
       continue;
     }
     const double* const chord[2] = { values.GetLimit(ends[0]), values.GetLimit(ends[1]) };
-    values.FindMiddleOfSegment(segment, middle.data());
-    const double own = FewPlaces *
-      (i == 0 ? this->Criteria.GetGeometricError(chord, 2, middle.data())
-              : this->Criteria.GetAttributeErrorAtLimit(chord, Halves, middle.data()));
-    hasNoValue = hasNoValue || own < 0.;
-    error = std::max(error, own);
+    const double* places = scratch.Places.data();
+    const int size = values.FindPlacesOfSegment(segment, scratch.Places.data());
+    for (int k = 0; i == 0 && k < size; ++k)
+    {
+      error =
+        std::max(error, FewPlaces * this->Criteria.GetGeometricError(chord, 2, places + 3 * k));
+    }
+    if (i > 0)
+    {
+      error = std::max(error, this->GetAttributeError(chord, size, places, hasNoValue));
+    }
   }
   return error;
 }
@@ -279,7 +311,7 @@ void AdaptiveSurfaceMarks<Id>::JudgeEdge(
 
 template <typename Id>
 typename AdaptiveSurfaceMarks<Id>::Verdict AdaptiveSurfaceMarks<Id>::JudgeFace(
-  Id face, std::vector<double>& middle) const
+  Id face, Scratch& scratch) const
 {
   Verdict verdict;
   const Id* corners = this->Mesh.GetVertices(face);
@@ -287,12 +319,12 @@ typename AdaptiveSurfaceMarks<Id>::Verdict AdaptiveSurfaceMarks<Id>::JudgeFace(
   {
     bool hasNoValue = false;
     const double atLimit =
-      this->Options.ReadsLimit() ? this->GetLimitError(3 * face + i, middle, hasNoValue) : 0.;
+      this->Options.ReadsLimit() ? this->GetLimitError(3 * face + i, scratch, hasNoValue) : 0.;
     this->JudgeEdge(corners[i], corners[(i + 1) % 3], atLimit, hasNoValue, i, verdict);
   }
   if (this->Arrays[0].IsOfLimit() && !this->Mesh.IsCut(face))
   {
-    this->JudgeInside(face, middle, verdict);
+    this->JudgeInside(face, scratch, verdict);
   }
   return verdict;
 }
@@ -301,8 +333,7 @@ typename AdaptiveSurfaceMarks<Id>::Verdict AdaptiveSurfaceMarks<Id>::JudgeFace(
 /// not split. Over them the limit is taken for quadratic: heights over the middles of the edges say
 /// all.
 template <typename Id>
-void AdaptiveSurfaceMarks<Id>::JudgeInside(
-  Id face, std::vector<double>& middle, Verdict& verdict) const
+void AdaptiveSurfaceMarks<Id>::JudgeInside(Id face, Scratch& scratch, Verdict& verdict) const
 {
   const AdaptiveSurfaceValues<Id>& points = this->Arrays[0];
   const Id* corners = this->Mesh.GetVertices(face);
@@ -315,12 +346,12 @@ void AdaptiveSurfaceMarks<Id>::JudgeInside(
   }
   double heights[3];
   // The height of the centre is 4/9 of their sum, which tells that of an edge without other face.
-  double rest = 9. / 4. * GetHeight(x[0], x[1], x[2], points.GetCentre(face));
+  double rest = 9. / 4. * RefinementCriteria::GetHeight(x, points.GetCentre(face));
   int unknown = 0;
   for (int i = 0; i < 3; ++i)
   {
-    const bool isKnown = points.FindMiddle(3 * face + i, middle.data());
-    heights[i] = isKnown ? GetHeight(x[0], x[1], x[2], middle.data()) : 0.;
+    const bool isKnown = points.FindPlaces(3 * face + i, scratch.Rows, scratch.Places.data()) > 0;
+    heights[i] = isKnown ? RefinementCriteria::GetHeight(x, scratch.Places.data()) : 0.;
     rest -= heights[i];
     unknown += isKnown ? 0 : 1;
   }
@@ -343,18 +374,20 @@ void AdaptiveSurfaceMarks<Id>::JudgeInside(
     const double largest = std::max({ std::abs(own), std::abs(fromBegin), std::abs(fromEnd),
       4. / 9. * std::abs(own + fromBegin + fromEnd) });
     const double error = FewPlaces * this->Criteria.GetGeometricError(largest, length);
-    verdict.Edges |= static_cast<unsigned char>(error > 1. ? 1 << i : 0);
+    // A third whose centre is beyond its edge would lie over the face across this.
+    const bool isTooFar = error > 1. || IsBeyond(x, i, points.GetCentre(face));
+    verdict.Edges |= static_cast<unsigned char>(isTooFar ? 1 << i : 0);
   }
 }
 
 template <typename Id>
 typename AdaptiveSurfaceMarks<Id>::Verdict AdaptiveSurfaceMarks<Id>::JudgeSegment(
-  Id segment, std::vector<double>& middle) const
+  Id segment, Scratch& scratch) const
 {
   Verdict verdict;
   const Id* ends = this->Mesh.GetSegmentAt(segment).Ends;
   bool hasNoValue = false;
-  const double atLimit = this->GetSegmentError(segment, middle, hasNoValue);
+  const double atLimit = this->GetSegmentError(segment, scratch, hasNoValue);
   this->JudgeEdge(ends[0], ends[1], atLimit, hasNoValue, 0, verdict);
   return verdict;
 }
@@ -383,11 +416,12 @@ std::vector<AdaptiveMark<Id>> AdaptiveSurfaceMarks<Id>::Find(AdaptiveNotes& note
     ForRanges(size,
       [&](vtkIdType begin, vtkIdType end)
       {
-        std::vector<double> middle(components);
+        Scratch scratch;
+        scratch.Places.resize(3 * components);
         for (vtkIdType i = begin; i < end; ++i)
         {
           const Id at = candidates.Get(i);
-          verdicts[i] = isFaces ? this->JudgeFace(at, middle) : this->JudgeSegment(at, middle);
+          verdicts[i] = isFaces ? this->JudgeFace(at, scratch) : this->JudgeSegment(at, scratch);
           const double error = this->Criteria.GetCellError(
             candidates, i, candidates.GetPoints(i), values.empty() ? nullptr : values.data() + i);
           if (error > 1.)
@@ -417,20 +451,21 @@ std::vector<AdaptiveMark<Id>> AdaptiveSurfaceMarks<Id>::Find(AdaptiveNotes& note
       }
     }
   }
-  std::vector<double> middle(components);
-  this->AddMarksOfOpen(middle, marks);
+  Scratch scratch;
+  scratch.Places.resize(3 * components);
+  this->AddMarksOfOpen(scratch, marks);
   return marks;
 }
 
 /// No face tells of the error of a segment that is an edge of a part of a face only.
 template <typename Id>
 void AdaptiveSurfaceMarks<Id>::AddMarksOfOpen(
-  std::vector<double>& middle, std::vector<AdaptiveMark<Id>>& marks) const
+  Scratch& scratch, std::vector<AdaptiveMark<Id>>& marks) const
 {
   for (const Id at : this->Open)
   {
     const auto& segment = this->Mesh.GetSegmentAt(at);
-    const Verdict verdict = this->JudgeSegment(at, middle);
+    const Verdict verdict = this->JudgeSegment(at, scratch);
     for (Id i = 0; i < segment.NumberOfSides; ++i)
     {
       if (verdict.Error > 1. && !verdict.IsTooShort &&

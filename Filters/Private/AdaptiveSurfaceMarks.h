@@ -2,7 +2,7 @@
 /**
  * @file AdaptiveSurfaceMarks.h
  * What criteria want of an adaptive sqrt(3) mesh: the faces that are to be split. All edges lie on
- * the limit; how far they are from it between their ends follows from points of the next level.
+ * the limit; how far they are from it between their ends follows from points of later levels.
  */
 #ifndef SubdivisionObjects_AdaptiveSurfaceMarks_h
 #define SubdivisionObjects_AdaptiveSurfaceMarks_h
@@ -53,17 +53,26 @@ private:
     bool IsTooShort = false;
     bool HasNoValue = false;
   };
+  /// What a thread needs to find limits between vertices.
+  struct Scratch
+  {
+    RowBlock<Id> Rows;
+    std::vector<double> Places;
+  };
 
   void Update();
   void FindCarriers();
   double GetErrorAt(Id face, const double* place) const;
-  double GetLimitError(Id corner, std::vector<double>& middle, bool& hasNoValue) const;
+  double GetShapeError(Id corner, Scratch& scratch) const;
+  double GetAttributeError(
+    const double* const ends[2], int size, const double* places, bool& hasNoValue) const;
+  double GetLimitError(Id corner, Scratch& scratch, bool& hasNoValue) const;
   void JudgeEdge(Id a, Id b, double atLimit, bool noValueAtLimit, int bit, Verdict& verdict) const;
-  Verdict JudgeFace(Id face, std::vector<double>& middle) const;
-  void JudgeInside(Id face, std::vector<double>& middle, Verdict& verdict) const;
-  Verdict JudgeSegment(Id segment, std::vector<double>& middle) const;
-  double GetSegmentError(Id segment, std::vector<double>& middle, bool& hasNoValue) const;
-  void AddMarksOfOpen(std::vector<double>& middle, std::vector<AdaptiveMark<Id>>& marks) const;
+  Verdict JudgeFace(Id face, Scratch& scratch) const;
+  void JudgeInside(Id face, Scratch& scratch, Verdict& verdict) const;
+  Verdict JudgeSegment(Id segment, Scratch& scratch) const;
+  double GetSegmentError(Id segment, Scratch& scratch, bool& hasNoValue) const;
+  void AddMarksOfOpen(Scratch& scratch, std::vector<AdaptiveMark<Id>>& marks) const;
   void AddMarks(
     Id at, bool isFace, const Verdict& verdict, std::vector<AdaptiveMark<Id>>& marks) const;
   void AddWithoutValue(const Row<Id>& points, AdaptiveNotes& notes) const;

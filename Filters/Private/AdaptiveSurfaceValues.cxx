@@ -68,6 +68,7 @@ void AdaptiveSurfaceValues<Id>::AddCentres(const std::vector<Id>& faces, vtkIdTy
 {
   const int components = this->Components;
   this->Centres.resize(static_cast<std::size_t>(this->Mesh.GetNumberOfFaces() * components));
+  this->FirstCentres.resize(this->Centres.size());
   this->Thirds.resize(static_cast<std::size_t>(2 * this->Mesh.GetNumberOfSegments() * components));
   auto forRanges = [&](vtkIdType size, const auto& append, double* out, const auto& place)
   {
@@ -83,58 +84,131 @@ void AdaptiveSurfaceValues<Id>::AddCentres(const std::vector<Id>& faces, vtkIdTy
         }
       });
   };
-  forRanges(
-    static_cast<vtkIdType>(faces.size()),
-    [&](vtkIdType i, RowBlock<Id>& rows)
-    {
-      if (!this->Mesh.IsCut(faces[i]))
+  auto ofFaces = [&](auto append, double* out)
+  {
+    forRanges(
+      static_cast<vtkIdType>(faces.size()),
+      [&](vtkIdType i, RowBlock<Id>& rows)
       {
-        this->Rows.AppendCentreLimit(faces[i], rows);
-      }
-    },
-    this->Centres.data(), [&](vtkIdType i) { return static_cast<vtkIdType>(faces[i]); });
+        if (!this->Mesh.IsCut(faces[i]))
+        {
+          (this->Rows.*append)(faces[i], rows);
+        }
+      },
+      out, [&](vtkIdType i) { return static_cast<vtkIdType>(faces[i]); });
+  };
+  ofFaces(&AdaptiveSqrtThreeRows<Id>::AppendCentreLimit, this->Centres.data());
+  ofFaces(&AdaptiveSqrtThreeRows<Id>::AppendCentre, this->FirstCentres.data());
   forRanges(
     2 * (this->Mesh.GetNumberOfSegments() - firstSegment), [&](vtkIdType i, RowBlock<Id>& rows)
     { this->Rows.AppendThirdLimit(static_cast<Id>(firstSegment + i / 2), i % 2 == 1, rows); },
     this->Thirds.data(), [&](vtkIdType i) { return 2 * firstSegment + i; });
 }
 
-/// The limit in the middle of a segment.
+/// By the cubic curve through the ends and the thirds of an edge.
 template <typename Id>
-void AdaptiveSurfaceValues<Id>::FindMiddleOfSegment(Id segment, double* middle) const
+void AdaptiveSurfaceValues<Id>::FindMiddleOfThirds(
+  Id begin, Id end, const double* thirds, double* middle) const
 {
-  const Id* ends = this->Mesh.GetSegmentAt(segment).Ends;
-  const double* a = this->GetLimit(ends[0]);
-  const double* b = this->GetLimit(ends[1]);
-  const double* p = this->GetThird(segment, false);
-  const double* q = this->GetThird(segment, true);
+  const double* a = this->GetLimit(begin);
+  const double* b = this->GetLimit(end);
   for (int c = 0; c < this->Components; ++c)
   {
-    middle[c] = (9. * (p[c] + q[c]) - a[c] - b[c]) / 16.;
+    middle[c] = (9. * (thirds[c] + thirds[this->Components + c]) - a[c] - b[c]) / 16.;
   }
+}
+
+/// Adds where a vertex is on a level after it came into being.
+template <typename Id>
+void AdaptiveSurfaceValues<Id>::AddPosition(Id vertex, int level, double weight, double* sum) const
+{
+  const double part = this->Rows.GetPart(vertex, level);
+  const double* values = this->Nodes.data() + 2 * static_cast<vtkIdType>(vertex) * this->Components;
+  this->Add(values, weight * part, sum);
+  this->Add(values + this->Components, weight * (1. - part), sum);
+}
+
+/// What AppendLimitOnEdge comes to where all six faces around the edge are there, and none is at a
+/// curve: much faster. False elsewhere.
+template <typename Id>
+bool AdaptiveSurfaceValues<Id>::FindRegularThirds(Id corner, double* thirds) const
+{
+  const Id twin = this->Mesh.GetTwin(corner);
+  const Id ends[2] = { this->Mesh.GetVertex(corner),
+    this->Mesh.GetVertex(this->Mesh.Next(corner)) };
+  const bool turns = this->Mesh.GetVertex(twin) == ends[0];
+  const Id before = this->Mesh.Previous(twin);
+  const Id after = this->Mesh.Next(twin);
+  const Id around[2][2] = { { this->Mesh.Previous(corner), turns ? before : after },
+    { this->Mesh.Next(corner), turns ? after : before } };
+  const int level = this->Mesh.GetLevel(corner / 3) + 1;
+  std::fill(thirds, thirds + 2 * this->Components, 0.);
+  for (int end = 0; end < 2; ++end)
+  {
+    double* third = thirds + end * this->Components;
+    for (const Id edge : around[end])
+    {
+      const Id across = this->Mesh.GetTwin(edge);
+      if (across < 0 || this->Mesh.IsCut(across / 3))
+      {
+        return false;
+      }
+      this->Add(this->GetFirstCentre(across / 3), 1. / 36., third);
+    }
+    for (const Id face : { corner / 3, twin / 3 })
+    {
+      this->Add(this->GetFirstCentre(face), 1. / 4., third);
+      this->Add(this->GetCentre(face), 1. / 18., third);
+    }
+    this->AddPosition(ends[end], level, 2. / 9., third);
+    this->AddPosition(ends[end], level + 1, 1. / 12., third);
+    this->AddPosition(ends[1 - end], level, 1. / 36., third);
+  }
+  return true;
+}
+
+template <typename Id>
+int AdaptiveSurfaceValues<Id>::FindPlacesOfSegment(Id segment, double* places) const
+{
+  const Id* ends = this->Mesh.GetSegmentAt(segment).Ends;
+  std::copy_n(this->GetThird(segment, false), 2 * this->Components, places + this->Components);
+  this->FindMiddleOfThirds(ends[0], ends[1], places + this->Components, places);
+  return 3;
+}
+
+template <typename Id>
+int AdaptiveSurfaceValues<Id>::FindPlaces(Id corner, RowBlock<Id>& rows, double* places) const
+{
+  const Id twin = this->Mesh.GetTwin(corner);
+  if (this->Mesh.IsFixed(corner))
+  {
+    return this->FindPlacesOfSegment(this->Mesh.GetSegment(corner), places);
+  }
+  if (twin < 0 || this->Mesh.IsCut(corner / 3) || this->Mesh.IsCut(twin / 3))
+  {
+    return this->FindMiddle(corner, places) ? 1 : 0;
+  }
+  if (!this->FindRegularThirds(corner, places + this->Components))
+  {
+    rows.Clear();
+    this->Rows.AppendLimitOnEdge(corner, false, rows);
+    this->Rows.AppendLimitOnEdge(corner, true, rows);
+    ApplyRows(rows, this->Nodes.data(), places + this->Components, this->Components);
+  }
+  this->FindMiddleOfThirds(this->Mesh.GetVertex(corner),
+    this->Mesh.GetVertex(this->Mesh.Next(corner)), places + this->Components, places);
+  return 3;
 }
 
 /// The limit in the middle of an edge; false where its other face is not there.
 template <typename Id>
 bool AdaptiveSurfaceValues<Id>::FindMiddle(Id corner, double* middle) const
 {
-  if (this->Mesh.IsFixed(corner))
-  {
-    this->FindMiddleOfSegment(this->Mesh.GetSegment(corner), middle);
-    return true;
-  }
   const Id twin = this->Mesh.GetTwin(corner);
   if (twin < 0)
   {
     return false;
   }
-  auto add = [&](const double* value, double weight)
-  {
-    for (int c = 0; c < this->Components; ++c)
-    {
-      middle[c] += weight * value[c];
-    }
-  };
   auto getThird = [&](Id at)
   {
     bool isSecond = false;
@@ -149,12 +223,12 @@ bool AdaptiveSurfaceValues<Id>::FindMiddle(Id corner, double* middle) const
     if (isCut[i])
     {
       // Nothing is known beyond a curve.
-      add(getThird(corners[i]), isCut[1 - i] ? 1. / 2. : 3. / 8.);
+      this->Add(getThird(corners[i]), isCut[1 - i] ? 1. / 2. : 3. / 8., middle);
       continue;
     }
-    add(this->GetCentre(corners[i] / 3), isCut[1 - i] ? 3. / 4. : 9. / 16.);
-    add(this->GetLimit(this->Mesh.GetVertex(this->Mesh.Previous(corners[i]))),
-      isCut[1 - i] ? -1. / 8. : -1. / 16.);
+    this->Add(this->GetCentre(corners[i] / 3), isCut[1 - i] ? 3. / 4. : 9. / 16., middle);
+    this->Add(this->GetLimit(this->Mesh.GetVertex(this->Mesh.Previous(corners[i]))),
+      isCut[1 - i] ? -1. / 8. : -1. / 16., middle);
   }
   return true;
 }

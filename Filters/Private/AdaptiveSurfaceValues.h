@@ -57,17 +57,39 @@ public:
     return this->Thirds.data() +
       (2 * static_cast<vtkIdType>(segment) + (isSecond ? 1 : 0)) * this->Components;
   }
+  /// Where FindPlaces looks, between the ends of an edge.
+  static constexpr double Places[3] = { 1. / 2., 1. / 3., 2. / 3. };
   /**
-   * The limit in the middle of an edge, false where its other face is not there; it follows from
-   * points of the next level. The centres P and Q of the two faces and the opposite vertices C and
-   * D lie at equal distances on a line that crosses the middle of the edge, so that this is 9/16 (P
-   * + Q) - 1/16 (C + D), up to fourth order; the same with the ends and the thirds of an edge on a
-   * curve.
+   * The limits at Places, and how many of them are known: none where the other face of the edge is
+   * not there, the middle only where a face is cut. The thirds are points of later levels and
+   * exact, the middle follows from them and the ends (FindMiddleOfThirds). In all three no cubic
+   * curve is on its chord unless it is straight.
+   */
+  int FindPlaces(Id corner, RowBlock<Id>& rows, double* places) const;
+  int FindPlacesOfSegment(Id segment, double* places) const;
+  /**
+   * The middle alone, from points of the next level; false where the other face is not there. The
+   * centres P and Q of the two faces and the opposite vertices C and D lie at equal distances on a
+   * line that crosses the middle of the edge, so that this is 9/16 (P + Q) - 1/16 (C + D), up to
+   * fourth order.
    */
   bool FindMiddle(Id corner, double* middle) const;
-  void FindMiddleOfSegment(Id segment, double* middle) const;
 
 private:
+  const double* GetFirstCentre(Id face) const
+  {
+    return this->FirstCentres.data() + static_cast<vtkIdType>(face) * this->Components;
+  }
+  void Add(const double* value, double weight, double* sum) const
+  {
+    for (int c = 0; c < this->Components; ++c)
+    {
+      sum[c] += weight * value[c];
+    }
+  }
+  void AddPosition(Id vertex, int level, double weight, double* sum) const;
+  bool FindRegularThirds(Id corner, double* thirds) const;
+  void FindMiddleOfThirds(Id begin, Id end, const double* thirds, double* middle) const;
   void AddVertices(const std::vector<Id>& vertices);
   void AddCentres(const std::vector<Id>& faces, vtkIdType firstSegment);
 
@@ -79,7 +101,8 @@ private:
   bool OfLimit;
   std::vector<double> Nodes; ///< as AdaptiveSqrtThreeRows numbers them
   std::vector<double> Centres;
-  std::vector<double> Thirds; ///< two for each segment
+  std::vector<double> FirstCentres; ///< as they come into being
+  std::vector<double> Thirds;       ///< two for each segment
 };
 
 }

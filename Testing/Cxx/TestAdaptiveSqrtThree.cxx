@@ -3,6 +3,14 @@
 
 #include "AdaptiveSurfaceTools.h"
 
+#include "Private/AdaptiveSurfaceValues.h"
+#include "Private/CellsToSimplices.h"
+
+#include "vtkDoubleArray.h"
+
+#include <memory>
+#include <numeric>
+
 using namespace surfacetools;
 
 namespace
@@ -196,6 +204,126 @@ TEST(AdaptiveSqrtThree, RandomFacesAreAPartOfTheUniformHierarchy)
       CompareBranch(adaptive, result, face, everywhere, all, face);
     }
   }
+}
+
+namespace
+{
+
+/// The limits of an adaptive mesh, as the criteria see them.
+class LimitsBetween
+{
+public:
+  LimitsBetween(const Adaptive& adaptive)
+    : Mesh(adaptive.Mesh)
+    , Rows(Mesh, adaptive.Control.Level, *adaptive.Control.Scheme)
+  {
+    vtkNew<vtkDoubleArray> points;
+    points->SetNumberOfComponents(3);
+    for (const Point& point : adaptive.Control.Points)
+    {
+      points->InsertNextTuple(point.data());
+    }
+    this->Array.Start(points, SimplicesOfCells(), true);
+    this->Values = std::make_unique<AdaptiveSurfaceValues<int>>(Mesh, Rows, Array, true);
+    std::vector<int> vertices(static_cast<std::size_t>(Mesh.GetNumberOfVertices()));
+    std::iota(vertices.begin(), vertices.end(), 0);
+    std::vector<int> faces;
+    for (int face = 0; face < Mesh.GetNumberOfFaces(); ++face)
+    {
+      if (Mesh.IsThere(face))
+      {
+        faces.push_back(face);
+      }
+    }
+    this->Values->Add(vertices, faces, 0);
+  }
+  int Find(int corner, std::array<Point, 3>& places)
+  {
+    return this->Values->FindPlaces(corner, this->Scratch, places[0].data());
+  }
+
+private:
+  const AdaptiveSqrtThree<int>& Mesh;
+  AdaptiveSqrtThreeRows<int> Rows;
+  ContinuedArray Array;
+  std::unique_ptr<AdaptiveSurfaceValues<int>> Values;
+  RowBlock<int> Scratch;
+};
+
+/// The centre of the child across an edge that has a certain vertex.
+Point GetCentreOfChild(const Adaptive& mesh, const Adaptive::Result& result, int corner, int vertex)
+{
+  for (const int side : { corner, mesh.Mesh.GetTwin(corner) })
+  {
+    const int child = mesh.Mesh.GetChild(side);
+    const int* corners = mesh.Mesh.GetVertices(child);
+    if (std::find(corners, corners + 3, vertex) != corners + 3)
+    {
+      return result.Points[mesh.Mesh.GetApex(3 * child)];
+    }
+  }
+  ADD_FAILURE() << "no child at corner " << corner;
+  return {};
+}
+
+/// Follows the same path in both meshes, as CompareBranch, and compares the limits at the thirds of
+/// edges. The number of edges where they are known.
+int CompareThirds(const Adaptive& adaptive, LimitsBetween& limits, int face,
+  const Adaptive& uniform, const Adaptive::Result& all, int same)
+{
+  int compared = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int corner = 3 * face + i;
+    std::array<Point, 3> places;
+    if (!adaptive.Mesh.IsFixed(corner) && limits.Find(corner, places) == 3)
+    {
+      for (int end = 0; end < 2; ++end)
+      {
+        const int vertex = uniform.Mesh.GetVertices(same)[(i + end) % 3];
+        const Point expected = GetCentreOfChild(uniform, all, 3 * same + i, vertex);
+        EXPECT_LT(GetDistance(places[static_cast<std::size_t>(1 + end)], expected), 1e-12);
+      }
+      ++compared;
+    }
+    const int child = adaptive.Mesh.IsSplit(face) ? adaptive.Mesh.GetChild(corner) : -1;
+    if (child >= 0 && adaptive.Mesh.IsThere(child))
+    {
+      compared +=
+        CompareThirds(adaptive, limits, child, uniform, all, uniform.Mesh.GetChild(3 * same + i));
+    }
+  }
+  return compared;
+}
+
+}
+
+TEST(AdaptiveSqrtThree, LimitsAtThirdsOfEdgesAreThoseOfTheUniformHierarchy)
+{
+  int compared = 0;
+  for (const auto& [name, model] : MakeAdaptiveZoo())
+  {
+    if (name == "pillow") // several edges between the same vertices
+    {
+      continue;
+    }
+    Adaptive uniform(model);
+    uniform.SplitTo(6);
+    const Adaptive::Result all = uniform.Finish();
+    for (unsigned seed = 0; seed < 6; ++seed)
+    {
+      SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+      Adaptive adaptive(model);
+      adaptive.SplitAtRandom(seed, 12, 4);
+      adaptive.Finish();
+      LimitsBetween limits(adaptive);
+      for (int face = 0; face < adaptive.Mesh.GetNumberOfControlFaces(); ++face)
+      {
+        compared += CompareThirds(adaptive, limits, face, uniform, all, face);
+      }
+    }
+  }
+  EXPECT_GT(compared, 1000);
 }
 
 TEST(AdaptiveSqrtThree, TheOrderOfSplitsDoesNotMatter)
