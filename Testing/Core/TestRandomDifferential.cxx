@@ -605,8 +605,6 @@ TEST(RandomDifferential, LimitsOfSurfaces)
         vtkSurfaceSubdivision::MODIFIED_BUTTERFLY, vtkSurfaceSubdivision::SQRT_THREE };
       options.Scheme = schemes[Draw(chance, 4)];
       options.Limit = true;
-      // Known: beside blended edges of three and more faces some limits depend on the level.
-      options.Rules[1] = vtkSurfaceSubdivision::SHARP;
       SCOPED_TRACE(options.Describe());
       const Data control = options.Run(surface, 0);
       for (int levels = 1; levels <= 2; ++levels)
