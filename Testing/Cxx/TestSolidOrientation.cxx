@@ -129,6 +129,39 @@ TEST(SolidOrientation, NormalsAreThoseOfAllLevels)
   EXPECT_GT(some, 1000);
 }
 
+/// Flagged corners have no tangent plane: for shading they look away from the solid, whichever way
+/// round its cells are.
+TEST(SolidOrientation, NormalsOfCornersPointOutOfTheSolid)
+{
+  const std::vector<Point> points = { { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1., 0. },
+    { 0., 0., 1. } };
+  for (const Ids& tet : { Ids{ 0, 1, 2, 3 }, Ids{ 1, 0, 2, 3 } })
+  {
+    std::vector<Cell> cells = { { VTK_TETRA, tet } };
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      cells.push_back({ VTK_VERTEX, { i } });
+    }
+    const Grid solid = With(MakeGrid(points, cells), "Singular", FlagsAfter(1, 4));
+    for (const int scheme : { Filter::BOX_SPLINE, Filter::TET_OCT })
+    {
+      for (int levels = 0; levels < 3; ++levels)
+      {
+        const Grid result = RunWithNormals(solid, levels, scheme);
+        for (vtkIdType i = 0; i < 4; ++i)
+        {
+          Point away = points[i];
+          for (double& value : away)
+          {
+            value -= 0.25;
+          }
+          EXPECT_GT(Dot(GetNormal(result, i), away), 0.5 * std::sqrt(Dot(away, away))) << i;
+        }
+      }
+    }
+  }
+}
+
 TEST(SolidOrientation, NormalsOfSurfacesThatAreTurnedOverInPart)
 {
   std::vector<Point> points;
