@@ -169,6 +169,68 @@ TEST_P(SurfaceCarriers, RegionsOfACubeKeepTheirAreas)
   }
 }
 
+/// Whether a point of the plane lies in a convex polygon, or on its border.
+bool IsIn(const Point& p, vtkPolyData* data, vtkIdType cell)
+{
+  vtkNew<vtkIdList> ids;
+  data->GetCellPoints(cell, ids);
+  const vtkIdType size = ids->GetNumberOfIds();
+  bool isIn = true;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    const Point a = GetPoint(data, ids->GetId(i));
+    const Point b = GetPoint(data, ids->GetId((i + 1) % size));
+    const double side = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+    isIn = isIn && side > -1e-9;
+  }
+  return isIn;
+}
+
+/// In a regular plane grid, of which nothing moves but its border, the parameters are the plane.
+TEST_P(SurfaceCarriers, CellsLieInThoseWhoseDataTheyHave)
+{
+  const bool triangles = GetParam() == vtkSurfaceSubdivision::SQRT_THREE;
+  constexpr int size = 8;
+  const double height = triangles ? std::sqrt(3.) / 2. : 1.;
+  const Data grid = MakeInput(
+    MakeGrid(size, size, triangles, { 1., 0., 0. }, { triangles ? 0.5 : 0., height, 0. }));
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName(Numbers);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    numbers->InsertNextValue(static_cast<int>(cell));
+  }
+  grid->GetCellData()->AddArray(numbers);
+  for (int levels = 1; levels <= 4; ++levels)
+  {
+    const Data output = Refine(grid, GetParam(), levels);
+    const std::vector<int> found = GetNumbers(output);
+    vtkNew<vtkIdList> ids;
+    int inside = 0;
+    for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+    {
+      output->GetCellPoints(cell, ids);
+      Point centre{};
+      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+      {
+        const Point p = GetPoint(output, ids->GetId(i));
+        for (int c = 0; c < 2; ++c)
+        {
+          centre[c] += p[c] / static_cast<double>(ids->GetNumberOfIds());
+        }
+      }
+      const double row = centre[1] / height;
+      const double column = centre[0] - (triangles ? 0.5 * row : 0.);
+      if (std::min(row, column) > 2.5 && std::max(row, column) < size - 2.5)
+      {
+        ++inside;
+        ASSERT_TRUE(IsIn(centre, grid, found[cell])) << levels << ", cell " << cell;
+      }
+    }
+    EXPECT_GT(inside, 8);
+  }
+}
+
 /// After two steps each cell lies in one of those before: none can be lost, even one of a triangle.
 TEST_P(SurfaceCarriers, EveryCellHasItsPart)
 {
