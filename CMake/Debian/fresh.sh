@@ -154,8 +154,9 @@ fresh_clone()
   local clone=$target/$home/$folder
   [ -z "$(git -C "$root" status --porcelain)" ] || say "note: what is not committed is not in the clone"
   if [ -d "$clone" ]; then
-    git -C "$clone" fetch --quiet "$root" HEAD
-    git -C "$clone" reset --quiet --hard FETCH_HEAD
+    # It may belong to the visitor.
+    git -c safe.directory="$clone" -C "$clone" fetch --quiet "$root" HEAD
+    git -c safe.directory="$clone" -C "$clone" reset --quiet --hard FETCH_HEAD
   else
     git clone --quiet --no-hardlinks "$root" "$clone"
   fi
