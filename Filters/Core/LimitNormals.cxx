@@ -480,57 +480,6 @@ Buffer<T> JoinOffsets(
   return offsets;
 }
 
-/// A vertex of a solid that a face of it does not have.
-template <typename Id>
-Id FindInside(const Level<Id>& level, Id cell, const Id* face)
-{
-  const Id* first = level.Complex.TetVertices.data() + 4 * vtkIdType(cell);
-  return *std::find_if(
-    first, first + 3, [face](Id v) { return std::find(face, face + 3, v) == face + 3; });
-}
-template <typename Id>
-Id FindInside(const TetOctLevel<Id>& level, Id cell, const Id* face)
-{
-  const Id tets = level.Complex.NumberOfTets;
-  const Id* first = cell < tets ? level.Complex.TetVertices.data() + 4 * vtkIdType(cell)
-                                : level.OctVertices.data() + 6 * vtkIdType(cell - tets);
-  return *std::find_if(first, first + (cell < tets ? 3 : 5),
-    [face](Id v) { return std::find(face, face + 3, v) == face + 3; });
-}
-
-/// The triangles that can be seen, lines and single points at vertices without sectors.
-template <template <typename> class AnyLevel, typename Id>
-ShadingFacets<Id> FindShadingFacets(const AnyLevel<Id>& level, const Rows<Id>& sectors)
-{
-  const SimplicialComplex<Id>& complex = level.Complex;
-  ShadingFacets<Id> facets;
-  auto hasNone = [&sectors](Id vertex)
-  { return sectors.Offsets[vertex] == sectors.Offsets[vertex + 1]; };
-  for (Id f = 0; f < complex.NumberOfFaces; ++f)
-  {
-    const Row<Id> cells = complex.FaceTets[f];
-    const Id* corners = complex.FaceVertices.data() + 3 * vtkIdType(f);
-    if ((cells.size() < 2 || f < complex.NumberOfTriangleCells) &&
-      std::any_of(corners, corners + 3, hasNone))
-    {
-      facets.Triangles.insert(facets.Triangles.end(), corners, corners + 3);
-      facets.Triangles.push_back(
-        cells.size() == 1 ? FindInside(level, *cells.begin(), corners) : -1);
-    }
-  }
-  for (Id e = 0; e < complex.NumberOfLineCells; ++e)
-  {
-    const Id* ends = complex.EdgeVertices.data() + 2 * vtkIdType(e);
-    if (std::any_of(ends, ends + 2, hasNone))
-    {
-      facets.Lines.insert(facets.Lines.end(), ends, ends + 2);
-    }
-  }
-  std::copy_if(complex.VertexCells.begin(), complex.VertexCells.end(),
-    std::back_inserter(facets.Points), hasNone);
-  return facets;
-}
-
 template <template <typename> class AnyLevel, typename Id>
 LimitTangents<Id> BuildTangents(
   const AnyLevel<Id>& level, const SemiSharpStages<Id>& creases, const ControlSolids& solids)

@@ -18,7 +18,7 @@
 
 #include "Coordinates.h"
 #include "LimitStencils.h"
-#include "ShadingNormals.h"
+#include "ShadingFacets.h"
 
 #include <vector>
 

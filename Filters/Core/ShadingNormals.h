@@ -100,38 +100,6 @@ private:
   std::unordered_map<vtkIdType, Sum> Sums;
 };
 
-/// What points without a normal have, as ids.
-template <typename Id>
-struct ShadingFacets
-{
-  std::vector<Id> Triangles; ///< three corners, then another vertex of the solid behind, or -1
-  std::vector<Id> Lines;     ///< two ends
-  std::vector<Id> Points;
-
-  void Fill(ShadingNormals& normals) const
-  {
-    for (std::size_t i = 0; i < this->Triangles.size(); i += 4)
-    {
-      const Id* corners = this->Triangles.data() + i;
-      corners[3] < 0 ? normals.AddFacet(corners, 3, false)
-                     : normals.AddFacetOfSolid(corners, corners[3]);
-    }
-    for (std::size_t i = 0; i < this->Lines.size(); i += 2)
-    {
-      normals.AddLine(this->Lines[i], this->Lines[i + 1]);
-    }
-    for (const Id point : this->Points)
-    {
-      normals.AddPoint(point);
-    }
-    normals.Fill();
-  }
-  std::size_t GetMemorySize() const
-  {
-    return sizeof(Id) * (this->Triangles.size() + this->Lines.size() + this->Points.size());
-  }
-};
-
 }
 
 #endif
