@@ -8,317 +8,15 @@
  * Every run draws anew, for SUBDIVISIONOBJECTS_RANDOM_SECONDS (60 by default, all tests together).
  * A failure names its seed; SUBDIVISIONOBJECTS_RANDOM_SEED=SEED draws that one alone.
  */
-#include "FeatureTools.h"
+#include "RandomTools.h"
 #include "SurfaceTools.h"
 
-#include "vtkIdTypeArray.h"
 #include "vtkRedGreenRefinement.h"
-#include "vtkStaticPointLocator.h"
 
-#include <chrono>
-#include <cstdlib>
-
-using namespace feature_tools;
+using namespace random_tools;
 
 namespace
 {
-
-using Data = vtkSmartPointer<vtkPointSet>;
-using Chance = std::mt19937;
-
-int Draw(Chance& chance, int n)
-{
-  return static_cast<int>(chance() % static_cast<unsigned>(n));
-}
-
-double DrawNumber(Chance& chance)
-{
-  return chance() / 4294967296.;
-}
-
-/// Calls test(seed) again and again for a part of the time, or once for the seed that is asked for.
-template <typename Test>
-void ForSeeds(double part, const Test& test)
-{
-  if (const char* seed = std::getenv("SUBDIVISIONOBJECTS_RANDOM_SEED"))
-  {
-    test(static_cast<unsigned>(std::strtoul(seed, nullptr, 10)));
-    return;
-  }
-  const char* given = std::getenv("SUBDIVISIONOBJECTS_RANDOM_SECONDS");
-  const double seconds = part * (given ? std::atof(given) : 60.);
-  const auto start = std::chrono::steady_clock::now();
-  const unsigned first = std::random_device()();
-  unsigned seed = first;
-  auto isOver = [&]
-  {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    return passed.count() > seconds;
-  };
-  do
-  {
-    SCOPED_TRACE("SUBDIVISIONOBJECTS_RANDOM_SEED=" + std::to_string(seed));
-    test(seed++);
-  } while (!isOver() && !testing::Test::HasFailure());
-  std::cout << "seeds " << first << " to " << seed - 1 << " (" << seed - first << ")\n";
-}
-
-// ------------------------------------------------------------------------------------------------
-// The same mesh in another way
-
-Data Copy(vtkPointSet* mesh)
-{
-  auto copy = Data::Take(mesh->NewInstance());
-  copy->DeepCopy(mesh);
-  return copy;
-}
-
-/// Each point by `map`, in `type`.
-template <typename Map>
-Data WithPoints(vtkPointSet* mesh, int type, const Map& map)
-{
-  const Data copy = Copy(mesh);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(type);
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    Point p;
-    mesh->GetPoint(i, p.data());
-    const Point q = map(p);
-    points->InsertNextPoint(q.data());
-  }
-  copy->SetPoints(points);
-  return copy;
-}
-
-Data InType(vtkPointSet* mesh, int type)
-{
-  return WithPoints(mesh, type, [](const Point& p) { return p; });
-}
-
-Data Mirror(vtkPointSet* mesh)
-{
-  return WithPoints(mesh, VTK_DOUBLE, [](const Point& p) { return Point{ -p[0], p[1], p[2] }; });
-}
-
-void MapIds(vtkCellArray* cells, const Ids& map)
-{
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType c = 0; cells && c < cells->GetNumberOfCells(); ++c)
-  {
-    cells->GetCellAtId(c, ids);
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-    {
-      ids->SetId(i, map[ids->GetId(i)]);
-    }
-    cells->ReplaceCellAtId(c, ids);
-  }
-}
-
-/// Point i becomes map[i]; its global id stays i.
-Data Renumber(vtkPointSet* mesh, const Ids& map)
-{
-  const Data copy = Copy(mesh);
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("GlobalIds");
-  ids->SetNumberOfTuples(mesh->GetNumberOfPoints());
-  vtkNew<vtkPoints> points;
-  points->SetDataType(mesh->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(mesh->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    points->SetPoint(map[i], mesh->GetPoint(i));
-    ids->SetValue(map[i], i);
-  }
-  copy->SetPoints(points);
-  copy->GetPointData()->SetGlobalIds(ids);
-  if (auto* surface = vtkPolyData::SafeDownCast(copy))
-  {
-    for (vtkCellArray* cells : { surface->GetVerts(), surface->GetLines(), surface->GetPolys() })
-    {
-      MapIds(cells, map);
-    }
-  }
-  else
-  {
-    auto* grid = vtkUnstructuredGrid::SafeDownCast(copy);
-    MapIds(grid->GetCells(), map);
-  }
-  return copy;
-}
-
-// ------------------------------------------------------------------------------------------------
-// Comparisons
-
-double GetSize(vtkPointSet* mesh)
-{
-  return std::max(1e-12, mesh->GetLength());
-}
-
-void ExpectNear(const Point& a, const Point& b, double tolerance, const std::string& what)
-{
-  for (int c = 0; c < 3; ++c)
-  {
-    ASSERT_NEAR(a[c], b[c], tolerance) << what;
-  }
-}
-
-Point At(vtkPointSet* mesh, vtkIdType point)
-{
-  Point p;
-  mesh->GetPoint(point, p.data());
-  return p;
-}
-
-/// Point by point.
-template <typename Map>
-void ExpectSamePoints(
-  vtkPointSet* a, vtkPointSet* b, vtkIdType count, double tolerance, const Map& map)
-{
-  ASSERT_TRUE(count <= a->GetNumberOfPoints() && count <= b->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    ExpectNear(map(At(a, i)), At(b, i), tolerance, "point " + std::to_string(i));
-    if (testing::Test::HasFatalFailure())
-    {
-      return;
-    }
-  }
-}
-
-Point Same(const Point& p)
-{
-  return p;
-}
-
-/// Whether every point of one mesh is at a point of the other.
-void ExpectSamePlaces(vtkPointSet* a, vtkPointSet* b, double tolerance)
-{
-  ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(a);
-  locator->BuildLocator();
-  for (vtkIdType i = 0; i < b->GetNumberOfPoints(); ++i)
-  {
-    const Point p = At(b, i);
-    ExpectNear(
-      At(a, locator->FindClosestPoint(p.data())), p, tolerance, "point " + std::to_string(i));
-  }
-}
-
-/// Corner by corner: points may have other ids. Not those of tetrahedra that octahedra are cut
-/// into: ids tell which of them is the first.
-void ExpectSameCorners(vtkPointSet* a, vtkPointSet* b, double tolerance, bool withSolids)
-{
-  ASSERT_EQ(a->GetNumberOfCells(), b->GetNumberOfCells());
-  vtkNew<vtkIdList> first;
-  vtkNew<vtkIdList> second;
-  for (vtkIdType cell = 0; cell < a->GetNumberOfCells(); ++cell)
-  {
-    a->GetCellPoints(cell, first);
-    b->GetCellPoints(cell, second);
-    ASSERT_EQ(first->GetNumberOfIds(), second->GetNumberOfIds());
-    if (!withSolids && a->GetCellType(cell) == VTK_TETRA)
-    {
-      continue;
-    }
-    for (vtkIdType i = 0; i < first->GetNumberOfIds(); ++i)
-    {
-      ExpectNear(At(a, first->GetId(i)), At(b, second->GetId(i)), tolerance,
-        "cell " + std::to_string(cell) + " corner " + std::to_string(i));
-      if (testing::Test::HasFatalFailure())
-      {
-        return;
-      }
-    }
-  }
-}
-
-Ids Shuffle(vtkIdType size, Chance& chance)
-{
-  Ids map(size);
-  std::iota(map.begin(), map.end(), 0);
-  std::shuffle(map.begin(), map.end(), chance);
-  return map;
-}
-
-using Run = std::function<Data(vtkPointSet* mesh, int levels)>;
-
-double GetLargestDifference(vtkPointSet* a, vtkPointSet* b)
-{
-  double largest = 0.;
-  for (vtkIdType i = 0; i < a->GetNumberOfPoints(); ++i)
-  {
-    const Point p = At(a, i);
-    const Point q = At(b, i);
-    for (int c = 0; c < 3; ++c)
-    {
-      largest = std::max(largest, std::abs(p[c] - q[c]));
-    }
-  }
-  return largest;
-}
-
-/// Whether points that are moved as far as single precision allows for make another object: where
-/// two diagonals are as long but for that, or an angle is just the one that decides.
-bool IsUndecided(vtkPointSet* mesh, int levels, const Run& run, Chance& chance)
-{
-  const Data output = run(mesh, levels);
-  const double size = GetSize(mesh);
-  auto move = [&](const Point& p)
-  {
-    Point q;
-    for (int c = 0; c < 3; ++c)
-    {
-      q[c] = p[c] + 6e-5 * size * (DrawNumber(chance) - 0.5);
-    }
-    return q;
-  };
-  for (int trial = 0; trial < 32; ++trial)
-  {
-    const Data other = run(WithPoints(mesh, VTK_DOUBLE, move), levels);
-    if (other->GetNumberOfPoints() != output->GetNumberOfPoints() ||
-      GetLargestDifference(other, output) > 3e-3 * size)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-void ExpectSameInSinglePrecision(
-  vtkPointSet* mesh, int levels, const Run& run, vtkPointSet* output, Chance& chance)
-{
-  const Data single = run(InType(mesh, VTK_FLOAT), levels);
-  const bool isSame = single->GetNumberOfPoints() == output->GetNumberOfPoints() &&
-    GetLargestDifference(single, output) <= 1e-5 * GetSize(mesh);
-  EXPECT_TRUE(isSame || IsUndecided(mesh, levels, run, chance));
-}
-
-/// What every filter has to keep. Coordinates are those of single precision numbers. `keepsOrder`:
-/// of cells, whatever numbers points have.
-void ExpectTheSame(vtkPointSet* mesh, int levels, const Run& run, Chance& chance,
-  bool hasOctahedra = false, bool keepsOrder = true)
-{
-  const Data output = run(mesh, levels);
-  const double exact = 1e-11 * GetSize(mesh);
-  {
-    SCOPED_TRACE("mirrored");
-    ExpectSamePoints(output, run(Mirror(mesh), levels), output->GetNumberOfPoints(), exact,
-      [](const Point& p) { return Point{ -p[0], p[1], p[2] }; });
-  }
-  {
-    SCOPED_TRACE("other numbers");
-    const Data other = run(Renumber(mesh, Shuffle(mesh->GetNumberOfPoints(), chance)), levels);
-    if (keepsOrder)
-    {
-      ExpectSameCorners(output, other, exact, !hasOctahedra);
-    }
-    ExpectSamePlaces(output, other, exact);
-  }
-  SCOPED_TRACE("single precision");
-  ExpectSameInSinglePrecision(mesh, levels, run, output, chance);
-}
 
 // ------------------------------------------------------------------------------------------------
 // Cells of all dimensions
@@ -336,30 +34,43 @@ Grid MakeObject(Chance& chance)
   return vtkUnstructuredGrid::SafeDownCast(InType(InType(grid, VTK_FLOAT), VTK_DOUBLE));
 }
 
-Configure DrawOptions(Chance& chance, bool& isTetOct)
+struct ObjectOptions
 {
-  const Configure basic = RandomOptions(chance());
-  isTetOct = Draw(chance, 2) == 0;
-  const bool hasSharpness = Draw(chance, 2) == 0;
-  return [basic, hasSharpness, hasOctahedra = isTetOct](Filter* filter)
-  {
-    basic(filter);
-    filter->SetVolumeScheme(hasOctahedra ? Filter::TET_OCT : Filter::BOX_SPLINE);
-    SetCellArray(filter, 4, hasSharpness ? "Sharpness" : "None");
-  };
-}
+  Configure Basic;
+  bool IsTetOct;
+  bool HasSharpness;
+  bool Limit = false;
 
-Data RunObject(vtkPointSet* mesh, int levels, const Configure& configure)
+  explicit ObjectOptions(Chance& chance)
+    : Basic(RandomOptions(chance()))
+    , IsTetOct(Draw(chance, 2) == 0)
+    , HasSharpness(Draw(chance, 2) == 0)
+  {
+  }
+
+  Data Run(vtkPointSet* mesh, int levels) const
+  {
+    vtkNew<Messages> messages; // of inverted cells, which random solids have
+    vtkNew<Filter> filter;
+    messages->Watch(filter);
+    filter->SetInputDataObject(mesh);
+    filter->SetNumberOfLevels(levels);
+    this->Basic(filter);
+    filter->SetVolumeScheme(this->IsTetOct ? Filter::TET_OCT : Filter::BOX_SPLINE);
+    SetCellArray(filter, 4, this->HasSharpness ? "Sharpness" : "None");
+    filter->SetProjectToLimit(this->Limit);
+    filter->SetGenerateLimitNormals(this->Limit);
+    filter->Update();
+    EXPECT_TRUE(messages->Errors.empty());
+    return filter->GetOutput();
+  }
+};
+
+void ExpectTheSameOf(vtkPointSet* grid, int levels, const ObjectOptions& options, Chance& chance)
 {
-  vtkNew<Messages> messages; // of inverted cells, which random solids have
-  vtkNew<Filter> filter;
-  messages->Watch(filter);
-  filter->SetInputDataObject(mesh);
-  filter->SetNumberOfLevels(levels);
-  configure(filter);
-  filter->Update();
-  EXPECT_TRUE(messages->Errors.empty());
-  return filter->GetOutput();
+  ExpectTheSame(
+    grid, levels, [&](vtkPointSet* mesh, int n) { return options.Run(mesh, n); }, chance,
+    options.IsTetOct);
 }
 
 TEST(RandomDifferential, Objects)
@@ -369,19 +80,16 @@ TEST(RandomDifferential, Objects)
     {
       Chance chance(seed);
       const Grid grid = MakeObject(chance);
-      bool isTetOct = false;
-      const Configure options = DrawOptions(chance, isTetOct);
+      const ObjectOptions options(chance);
       const int levels = 1 + Draw(chance, 2);
-      ExpectTheSame(
-        grid, levels, [&](vtkPointSet* mesh, int n) { return RunObject(mesh, n, options); }, chance,
-        isTetOct);
+      ExpectTheSameOf(grid, levels, options, chance);
       Data chained = grid;
       for (int level = 0; level < levels; ++level)
       {
-        chained = RunObject(chained, 1, options);
+        chained = options.Run(chained, 1);
       }
       EXPECT_EQ(Compare(vtkUnstructuredGrid::SafeDownCast(chained),
-                  vtkUnstructuredGrid::SafeDownCast(RunObject(grid, levels, options))),
+                  vtkUnstructuredGrid::SafeDownCast(options.Run(grid, levels))),
         "");
     });
 }
@@ -393,27 +101,19 @@ TEST(RandomDifferential, LimitsOfObjects)
     {
       Chance chance(seed);
       const Grid grid = MakeObject(chance);
-      bool isTetOct = false;
-      const Configure options = DrawOptions(chance, isTetOct);
-      const Configure limit = [&options](Filter* filter)
-      {
-        options(filter);
-        filter->SetProjectToLimit(true);
-        filter->SetGenerateLimitNormals(true);
-      };
-      const Data control = RunObject(grid, 0, limit);
+      ObjectOptions options(chance);
+      options.Limit = true;
+      const Data control = options.Run(grid, 0);
       for (int levels = 1; levels <= 2; ++levels)
       {
         SCOPED_TRACE(levels);
-        const Data later = RunObject(grid, levels, limit);
+        const Data later = options.Run(grid, levels);
         ExpectSamePoints(control, later, grid->GetNumberOfPoints(), 1e-9, Same);
         vtkDataArray* normals = later->GetPointData()->GetArray("LimitNormals");
+        EXPECT_NE(normals, nullptr);
         EXPECT_EQ(normals, later->GetPointData()->GetNormals());
       }
-      const int level = Draw(chance, 2);
-      ExpectTheSame(
-        grid, level, [&](vtkPointSet* mesh, int n) { return RunObject(mesh, n, limit); }, chance,
-        isTetOct);
+      ExpectTheSameOf(grid, Draw(chance, 2), options, chance);
     });
 }
 

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkSurfaceSubdivision with Adaptive: criteria, arrays, limits, bad input.
 
-#include "MultiDimensionalSubdivisionTools.h"
-#include "RandomSurfaces.h"
-
-#include "vtkMultiDimensionalSubdivision.h"
-#include "vtkRedGreenRefinement.h"
+#include "AdaptiveFilterTools.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
-#include "vtkImplicitPolyDataDistance.h"
 #include "vtkMath.h"
 #include "vtkStringArray.h"
 #include "vtkTriangle.h"
@@ -19,98 +14,10 @@
 #include <functional>
 #include <limits>
 
-using namespace surfacetools;
+using namespace adaptive_filter_tools;
 
 namespace
 {
-
-using Filter = vtkSurfaceSubdivision;
-using PolyData = vtkSmartPointer<vtkPolyData>;
-using multi_dimensional_subdivision_tools::Messages;
-
-/// A filter that refines by nothing, as `configure` changes it.
-PolyData Refine(
-  vtkPolyData* input, const std::function<void(Filter*)>& configure, Messages* messages = nullptr)
-{
-  vtkNew<Messages> own;
-  vtkNew<Filter> filter;
-  (messages ? messages : own.Get())->Watch(filter);
-  filter->SetInputData(input);
-  filter->SetSchemeToSqrtThree();
-  filter->AdaptiveOn();
-  filter->RefineByAttributeErrorOff();
-  configure(filter);
-  filter->Update();
-  for (const auto& warning : own->Warnings)
-  {
-    ADD_FAILURE() << warning;
-  }
-  auto output = PolyData::New();
-  output->ShallowCopy(filter->GetOutput());
-  return output;
-}
-
-void WantLevel(vtkPolyData* input, int level)
-{
-  vtkNew<vtkIntArray> wanted;
-  wanted->SetName("WantedLevel");
-  wanted->SetNumberOfTuples(input->GetNumberOfCells());
-  wanted->FillValue(level);
-  input->GetCellData()->AddArray(wanted);
-}
-
-/// A round hill on a grid, with arrays of all kinds.
-PolyData MakeHill(int size)
-{
-  Model grid = MakeGrid(size, size, true, { 1., 0., 0. }, { 0.5, 0.8, 0. });
-  for (Point& p : grid.Points)
-  {
-    const double x = p[0] / size - 0.75;
-    const double y = p[1] / size - 0.4;
-    p[2] = 0.3 * size * std::exp(-20. * (x * x + y * y));
-  }
-  grid.Lines = { { 1, 2 }, { 2, 3 } };
-  PolyData input = MakeInput(grid);
-  const vtkIdType points = input->GetNumberOfPoints();
-  vtkNew<vtkFloatArray> values;
-  values->SetName("Value");
-  vtkNew<vtkIntArray> labels;
-  labels->SetName("Label");
-  vtkNew<vtkStringArray> names;
-  names->SetName("Name");
-  for (vtkIdType i = 0; i < points; ++i)
-  {
-    values->InsertNextValue(static_cast<float>(input->GetPoint(i)[2]));
-    labels->InsertNextValue(static_cast<int>(i % 5));
-    names->InsertNextValue(std::to_string(i));
-  }
-  vtkNew<vtkDoubleArray> ofCells;
-  ofCells->SetName("OfCell");
-  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
-  {
-    ofCells->InsertNextValue(0.5 * static_cast<double>(i));
-  }
-  input->GetPointData()->SetScalars(values);
-  input->GetPointData()->AddArray(labels);
-  input->GetPointData()->AddArray(names);
-  input->GetCellData()->AddArray(ofCells);
-  return input;
-}
-
-double GetLargestDistance(vtkPolyData* from, vtkPolyData* to)
-{
-  vtkNew<vtkPolyData> faces;
-  faces->SetPoints(to->GetPoints());
-  faces->SetPolys(to->GetPolys());
-  vtkNew<vtkImplicitPolyDataDistance> distance;
-  distance->SetInput(faces);
-  double largest = 0.;
-  for (vtkIdType i = 0; i < from->GetNumberOfPoints(); ++i)
-  {
-    largest = std::max(largest, std::abs(distance->EvaluateFunction(from->GetPoint(i))));
-  }
-  return largest;
-}
 
 double GetLongestEdge(vtkPolyData* mesh)
 {
@@ -197,150 +104,6 @@ TEST(AdaptiveSurface, EverythingWantedIsTheUniformMeshAtTheLimit)
   }
 }
 
-TEST(AdaptiveSurface, TheGeometricErrorIsBelowTheTolerance)
-{
-  const PolyData input = MakeHill(10);
-  auto run = [&](double tolerance)
-  {
-    return Refine(input,
-      [tolerance](Filter* filter)
-      {
-        filter->RefineByGeometricErrorOn();
-        filter->RelativeToleranceOff();
-        filter->SetGeometricTolerance(tolerance);
-        filter->SetMaximumLevel(20);
-      });
-  };
-  const PolyData fine = run(5e-4);
-  vtkIdType before = input->GetNumberOfCells();
-  for (double tolerance : { 0.1, 0.03, 0.01 })
-  {
-    const PolyData output = run(tolerance);
-    const double error = GetLargestDistance(fine, output);
-    EXPECT_LE(error, tolerance);
-    EXPECT_GE(error, 0.2 * tolerance);
-    EXPECT_GT(output->GetNumberOfCells(), before);
-    before = output->GetNumberOfCells();
-    // The plain around the hill stays as it is.
-    auto* generations =
-      vtkUnsignedCharArray::SafeDownCast(output->GetCellData()->GetArray("Generation"));
-    ASSERT_NE(generations, nullptr);
-    EXPECT_EQ(generations->GetValueRange()[0], 0);
-    EXPECT_GT(generations->GetValueRange()[1], 1);
-  }
-  // Uniform steps to the same error take more.
-  const PolyData uniform = RunFilter(input, Filter::SQRT_THREE, 4, true);
-  const double error = GetLargestDistance(fine, uniform);
-  const PolyData output = run(error);
-  EXPECT_LE(GetLargestDistance(fine, output), error);
-  EXPECT_LT(2 * output->GetNumberOfPolys(), uniform->GetNumberOfPolys());
-}
-
-namespace
-{
-
-/// The middles of the edges of all triangles, and their centres.
-PolyData MakePlaces(vtkPolyData* mesh)
-{
-  vtkNew<vtkPoints> places;
-  places->SetDataTypeToDouble();
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
-  {
-    vtkNew<vtkIdList> ids;
-    mesh->GetCellPoints(cell, ids);
-    Point x[3];
-    Point centre{};
-    for (int i = 0; i < 3; ++i)
-    {
-      mesh->GetPoint(ids->GetId(i), x[i].data());
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const Point& next = x[(i + 1) % 3];
-      places->InsertNextPoint(
-        0.5 * (x[i][0] + next[0]), 0.5 * (x[i][1] + next[1]), 0.5 * (x[i][2] + next[2]));
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        centre[c] += x[i][c] / 3.;
-      }
-    }
-    places->InsertNextPoint(centre.data());
-  }
-  auto points = PolyData::New();
-  points->SetPoints(places);
-  return points;
-}
-
-/// How far a mesh and its limit are from each other; `limit`: a fine mesh on it.
-double MeasureError(vtkPolyData* mesh, vtkPolyData* limit)
-{
-  return std::max(GetLargestDistance(limit, mesh), GetLargestDistance(MakePlaces(mesh), limit));
-}
-
-/// The triangles of a grid.
-PolyData MakeSurface(vtkUnstructuredGrid* grid)
-{
-  auto surface = PolyData::New();
-  surface->SetPoints(grid->GetPoints());
-  surface->SetPolys(grid->GetCells());
-  return surface;
-}
-
-PolyData RefineLoop(vtkPolyData* input, double tolerance)
-{
-  vtkNew<vtkRedGreenRefinement> filter;
-  filter->SetInputData(input);
-  filter->SetPlacementToLimit();
-  filter->RefineByAttributeErrorOff();
-  filter->RefineByGeometricErrorOn();
-  filter->SetGeometricTolerance(tolerance);
-  filter->SetMaximumLevel(8);
-  filter->Update();
-  return MakeSurface(filter->GetOutput());
-}
-
-PolyData MakeLoopLimit(vtkPolyData* input, int levels)
-{
-  vtkNew<vtkMultiDimensionalSubdivision> filter;
-  filter->SetInputData(input);
-  filter->ProjectToLimitOn();
-  filter->SetNumberOfLevels(levels);
-  filter->Update();
-  return MakeSurface(vtkUnstructuredGrid::SafeDownCast(filter->GetOutput()));
-}
-
-}
-
-/// The estimate is no bound, but on rough meshes it does not fail; and adaptive Loop subdivision,
-/// for which the same is true, takes about as many triangles.
-TEST(AdaptiveSurface, RandomMeshesAreWithinTheTolerance)
-{
-  constexpr double tolerance = 0.01;
-  vtkIdType triangles = 0;
-  vtkIdType ofLoop = 0;
-  for (unsigned seed = 1; seed <= 40; ++seed)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const PolyData input = MakeInput(RandomSurface(seed).Get());
-    const double allowed = tolerance * input->GetLength();
-    const PolyData output = Refine(input,
-      [](Filter* filter)
-      {
-        filter->RefineByGeometricErrorOn();
-        filter->SetGeometricTolerance(tolerance);
-        filter->SetMaximumLevel(12);
-      });
-    EXPECT_LE(MeasureError(output, RunFilter(input, Filter::SQRT_THREE, 6, true)), allowed);
-    const PolyData loop = RefineLoop(input, tolerance);
-    EXPECT_LE(MeasureError(loop, MakeLoopLimit(input, 4)), allowed);
-    triangles += output->GetNumberOfPolys();
-    ofLoop += loop->GetNumberOfPolys();
-  }
-  const double ratio = static_cast<double>(ofLoop) / static_cast<double>(triangles);
-  EXPECT_GT(ratio, 0.9);
-  EXPECT_LT(ratio, 1.1);
-}
-
 TEST(AdaptiveSurface, EdgesGetShortEnough)
 {
   const PolyData input = MakeHill(5);
@@ -356,34 +119,6 @@ TEST(AdaptiveSurface, EdgesGetShortEnough)
     EXPECT_LE(GetLongestEdge(output), length);
     EXPECT_GT(GetLongestEdge(output), 0.2 * length);
   }
-}
-
-/// Every edge has an inflection in its middle, where its limit is on it.
-TEST(AdaptiveSurface, LinesThatTheLimitCrossesInTheMiddleAreSeen)
-{
-  Model zigzag;
-  for (vtkIdType i = 0; i < 12; ++i)
-  {
-    zigzag.Points.push_back({ 1. * static_cast<double>(i), i % 2 ? 1. : -1., 0. });
-    if (i > 0)
-    {
-      zigzag.Lines.push_back({ i - 1, i });
-    }
-  }
-  const PolyData input = MakeInput(zigzag);
-  auto run = [&](double tolerance)
-  {
-    return Refine(input,
-      [tolerance](Filter* filter)
-      {
-        filter->RefineByGeometricErrorOn();
-        filter->RelativeToleranceOff();
-        filter->SetGeometricTolerance(tolerance);
-        filter->SetMaximumLevel(20);
-      });
-  };
-  EXPECT_LT(run(0.1)->GetNumberOfLines(), 2 * input->GetNumberOfLines());
-  EXPECT_GE(run(0.003)->GetNumberOfLines(), 9 * input->GetNumberOfLines());
 }
 
 /// An octahedron; where all faces are as small, adjacent ones are the flatter for it.
