@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiDimensionalSubdivision.h"
 
-#include "Private/UniformSubdivision.h"
+#include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"

@@ -28,14 +28,15 @@
  * split, points of dimension 3 move to the mean over the cells around them of a weighted centroid
  * (figure 4). The limit is C2 in the interior and across the faces of control tetrahedra; along
  * their edges condition (24) holds for 3 to 10 tetrahedra and fails from 11 on. Points of lower
- * dimension, and blended ones, follow the same rules as ever, so that boundaries and creases are
- * the same. In the output an octahedron is four tetrahedra around its shortest diagonal (diagonals
- * within a relative 1e-9, of single precision points 1e-5, tie; then the smallest point id
- * decides), one after another, with a common number in the cell array `OctahedronId`
- * (vtkIdTypeArray; -1 for all other cells). A next filter of the same scheme puts them together
- * again, whatever has become of the points and that array. Their children take cell data from the
- * piece that they lie in, the first where they lie in several. If flags or values that choose rules
- * have been changed in between, the octahedra are taken as the tetrahedra that they are.
+ * dimension, and blended ones, follow the same rules as in the box-spline scheme, so that
+ * boundaries and creases are the same. In the output an octahedron is four tetrahedra around its
+ * shortest diagonal (diagonals within a relative 1e-9, of single precision points 1e-5, tie; then
+ * the smallest point id decides), one after another, with a common number in the cell array
+ * `OctahedronId` (vtkIdTypeArray; -1 for all other cells). A next filter of the same scheme puts
+ * them together again, whatever has become of the points and that array. Their children take cell
+ * data from the piece that they lie in, the first where they lie in several. If flags or values
+ * that choose rules have been changed in between, the octahedra are taken as the tetrahedra that
+ * they are.
  *
  * @par Arrays
  * Floating point arrays, of any number of components, are smoothed like the points; so are colours
@@ -66,8 +67,9 @@
  *
  * @par Complexity
  * Time and memory are linear in the size of the output; links are examined on the input only. With
- * CacheOperator off the level before the last is not stored, with either scheme: its operator is
- * made a few rows at a time, and applied to points and all arrays in one pass.
+ * CacheOperator off the operator of the level before the last is not stored, with either scheme: it
+ * is made a few rows at a time, and applied to points and all arrays in one pass. It is stored if
+ * there is one level only, limits are asked for, cells are equal, or creases are still sharp then.
  *
  * @par Threads and ghosts
  * Threaded by vtkSMPTools; the output is the same, bit for bit, for any back end and any number of

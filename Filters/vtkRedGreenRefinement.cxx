@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRedGreenRefinement.h"
 
-#include "Private/RedGreenRun.h"
-#include "Private/RefinementInput.h"
-#include "Private/RefinementSelection.h"
+#include "Private/Criteria/RefinementInput.h"
+#include "Private/Criteria/RefinementSelection.h"
+#include "Private/RedGreen/RedGreenRun.h"
 
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"

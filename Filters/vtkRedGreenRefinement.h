@@ -22,7 +22,8 @@
  * a smaller demand gives a coarser mesh.
  *
  * @par Input arrays to process
- * Besides those of vtkSubdivisionAlgorithm (0 to 4, used where Placement is LIMIT):
+ * Besides those of vtkSubdivisionAlgorithm (0 to 4, used where Placement is LIMIT or a criterion
+ * asks for the limit):
  *  - 5, point array for RefineByAttributeError. Unset: the active scalars, else the first floating
  *    point array.
  *  - 6, cell or point array for RefineByArrayRange. Unset: the active scalars of the points, else

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSimplicialComplexTopology.h"
 
-#include "Private/TopologyProbe.h"
+#include "Private/Topology/TopologyProbe.h"
 
 #include "vtkObjectFactory.h"
 

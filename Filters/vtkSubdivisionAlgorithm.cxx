@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionAlgorithm.h"
 
-#include "Private/InputArrays.h"
-#include "Private/RunOptions.h"
+#include "Private/ArrayNames.h"
+#include "Private/Control/RunOptions.h"
+#include "Private/Reading/InputArrays.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkAlgorithm.h"
@@ -101,7 +102,8 @@ bool vtkSubdivisionAlgorithm::ReadFeatureOptions(
 {
   using subdivision::JointRule;
   vtkDataArray* arrays[5];
-  if (!this->FindCellArray(input, SINGULAR_ARRAY, "Singular", true, arrays[SINGULAR_ARRAY]) ||
+  if (!this->FindCellArray(
+        input, SINGULAR_ARRAY, subdivision::SingularName, true, arrays[SINGULAR_ARRAY]) ||
     !this->FindCellArray(input, MATERIAL_ARRAY, "MaterialId", false, arrays[MATERIAL_ARRAY]) ||
     !this->FindCellArray(input, PART_ARRAY, nullptr, true, arrays[PART_ARRAY]) ||
     !this->FindCellArray(input, RULE_ARRAY, nullptr, true, arrays[RULE_ARRAY]) ||

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionDeformation.h"
 
-#include "Private/Deformation.h"
+#include "Private/Deformation/Deformation.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkCommand.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionModelSource.h"
 
-#include "Private/Models.h"
+#include "Private/Models/Models.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceSubdivision.h"
 
-#include "Private/AdaptiveSurface.h"
-#include "Private/InputArrays.h"
-#include "Private/RefinementInput.h"
-#include "Private/SurfaceSubdivision.h"
+#include "Private/AdaptiveSurface/AdaptiveSurface.h"
+#include "Private/ArrayNames.h"
+#include "Private/Criteria/RefinementInput.h"
+#include "Private/Reading/InputArrays.h"
+#include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkCellData.h"
@@ -69,7 +70,7 @@ bool vtkSurfaceSubdivision::ReadArrays(vtkPolyData* input, subdivision::SurfaceO
     result = array;
     return usable;
   };
-  return find({ 0, "Singular", true }, options.Features.Singular) &&
+  return find({ 0, subdivision::SingularName, true }, options.Features.Singular) &&
     find({ 4, nullptr, false }, options.Features.Sharpness) &&
     find({ 5, nullptr, false, true }, options.Angles) &&
     find({ 6, nullptr, false, true }, options.Flatness);

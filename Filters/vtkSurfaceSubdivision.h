@@ -100,14 +100,14 @@
  * same ids. The geometric error of a triangle is its distance from the limit at its centre and at
  * three places of each of its edges, of a boundary edge or line that of these, each made larger by
  * a third for what lies between; GeometricTolerance allows it. This is an estimate and no bound;
- * with 100 rough random meshes and four tolerances for each, mesh and limit were nowhere farther
- * from each other than 0.98 times GeometricTolerance. The criteria look at limits
+ * in 580 runs on 160 rough random meshes mesh and limit were nowhere farther from each other than
+ * 0.98 times GeometricTolerance. The criteria look at limits
  * (vtkRedGreenRefinement: at the control mesh, for edge lengths and jumps). A triangle that is
  * wanted by a criterion of cells is split with those across its edges. The output is a mesh of its
  * own for the next filter; a triangulation and limits of the same kind for Loop subdivision come
  * from vtkRedGreenRefinement with Placement LIMIT. NumberOfLevels and CacheOperator are not used.
- * Rounds cost in proportion to what they split, and about 280
- * bytes are needed for each triangle of the output.
+ * Rounds cost in proportion to what they split, and about 280 bytes are needed for each triangle of
+ * the output.
  *
  * @par Arrays read, by SetInputArrayToProcess
  * As in vtkSubdivisionAlgorithm: 0, singular flags (cell array of integers; unset: `Singular` if

@@ -8,7 +8,7 @@
 #include "BenchmarkMeshes.h"
 #include "BenchmarkTools.h"
 
-#include "Private/RestMesh.h"
+#include "Private/Deformation/RestMesh.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"

@@ -8,7 +8,7 @@
 
 #include "BenchmarkMeshes.h"
 
-#include "Core/Buffer.h"
+#include "Core/Memory/Buffer.h"
 
 #include <new>
 

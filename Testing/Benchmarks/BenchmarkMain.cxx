@@ -13,7 +13,7 @@
 #include "BenchmarkFilter.h"
 #include "BenchmarkTools.h"
 
-#include "Core/Buffer.h"
+#include "Core/Memory/Buffer.h"
 
 #include "vtkPointSet.h"
 #include "vtkUnstructuredGrid.h"

@@ -9,8 +9,8 @@
  */
 #include "BenchmarkLimit.h"
 
-#include "Core/RedGreenOutput.h"
-#include "Core/TetOrder.h"
+#include "Core/Solids/Complex/TetOrder.h"
+#include "Core/Solids/RedGreen/RedGreenOutput.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkRedGreenRefinement.h"

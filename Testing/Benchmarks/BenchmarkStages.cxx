@@ -8,10 +8,10 @@
 #include "BenchmarkMeshes.h"
 #include "BenchmarkTools.h"
 
-#include "Core/RefinedCells.h"
-#include "Core/Stencils.h"
-#include "Core/TetOrder.h"
-#include "Private/CellsToSimplices.h"
+#include "Core/Solids/BoxSpline/RefinedCells.h"
+#include "Core/Solids/BoxSpline/Stencils.h"
+#include "Core/Solids/Complex/TetOrder.h"
+#include "Private/Reading/CellsToSimplices.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Modified Butterfly (SPEC 12): the spectrum of one step around inner and boundary vertices."""
+"""Modified Butterfly (Mathematics 12): the spectrum of one step around inner and boundary vertices."""
 
 import unittest
 

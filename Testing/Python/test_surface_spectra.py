@@ -115,7 +115,7 @@ class FourEight(unittest.TestCase):
         for k in range(2, 9):
             with self.subTest(k):
                 values = spectrum(quad_matrix(quad_star(k, np.pi, False), k, False)[1])
-                self.assertEqual(is_smooth(values, 1 / 2), k < 4)  # SPEC 12: for two and three faces only
+                self.assertEqual(is_smooth(values, 1 / 2), k < 4)  # Mathematics 12: for two and three faces only
 
     def test_corners(self):
         for k in range(1, 9):
@@ -141,7 +141,7 @@ class SqrtThree(unittest.TestCase):
                 values = spectrum(triangle_matrix(fan(k, np.pi), k, False))
                 waves = [(2 + 2 * np.cos(np.pi * m / k)) / 9 for m in range(1, k)]
                 np.testing.assert_allclose(values, sorted([1, 1 / 3, 1 / 9] + waves, reverse=True), atol=1e-7)
-                self.assertEqual(is_smooth(values, 1 / 3), k < 6)  # SPEC 11: for up to five triangles
+                self.assertEqual(is_smooth(values, 1 / 3), k < 6)  # Mathematics 11: for up to five triangles
 
     def test_corners(self):
         for k in range(1, 9):

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file GrowingBuffer.h
+ * A Buffer that grows at its end, for lists whose length is not known before.
+ */
+#ifndef SubdivisionObjects_GrowingBuffer_h
+#define SubdivisionObjects_GrowingBuffer_h
+
+#include "Core/Memory/Buffer.h"
+
+#include <cstring>
+
+namespace subdivision
+{
+
+template <typename T>
+class GrowingBuffer
+{
+public:
+  vtkIdType size() const { return this->Size; }
+  bool empty() const { return this->Size == 0; }
+  T& operator[](vtkIdType i) { return this->Values[i]; }
+  const T& operator[](vtkIdType i) const { return this->Values[i]; }
+  T& back() { return this->Values[this->Size - 1]; }
+  void push_back(T value)
+  {
+    if (this->Size == this->Values.size())
+    {
+      this->Reserve(std::max<vtkIdType>(256, 2 * this->Size));
+    }
+    this->Values[this->Size++] = value;
+  }
+  /// Room for so many elements in all.
+  void Reserve(vtkIdType size)
+  {
+    if (size <= this->Values.size())
+    {
+      return;
+    }
+    Buffer<T> larger(size);
+    if (this->Size > 0)
+    {
+      std::memcpy(static_cast<void*>(larger.data()), this->Values.data(),
+        sizeof(T) * static_cast<std::size_t>(this->Size));
+    }
+    this->Values = std::move(larger);
+  }
+  /// Adds so many elements, which are not initialised, and says where they are.
+  T* Extend(vtkIdType count)
+  {
+    if (this->Size + count > this->Values.size())
+    {
+      this->Reserve(std::max(this->Size + count, 2 * this->Size));
+    }
+    this->Size += count;
+    return this->Values.data() + this->Size - count;
+  }
+  void pop_back() { --this->Size; }
+  /// The elements, in a buffer that has no room for more.
+  Buffer<T> Copy() const
+  {
+    Buffer<T> copy(this->Size);
+    std::copy(this->Values.begin(), this->Values.begin() + this->Size, copy.begin());
+    return copy;
+  }
+  T* data() { return this->Values.data(); }
+  const T* data() const { return this->Values.data(); }
+  std::size_t GetMemorySize() const { return this->Values.GetMemorySize(); }
+
+private:
+  Buffer<T> Values;
+  vtkIdType Size = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TupleIndex.h
+ * Gives equal vertex sets one number: how edges, faces and equal cells of the input are found.
+ */
+#ifndef SubdivisionObjects_TupleIndex_h
+#define SubdivisionObjects_TupleIndex_h
+
+#include "Core/Memory/Buffer.h"
+
+#include <array>
+
+namespace subdivision
+{
+
+/// A vertex set of N members, smallest first.
+template <int N, typename Id>
+std::array<Id, N> SortedTuple(const Id* vertices)
+{
+  std::array<Id, N> tuple;
+  std::copy(vertices, vertices + N, tuple.begin());
+  std::sort(tuple.begin(), tuple.end());
+  return tuple;
+}
+
+template <typename Id>
+struct TupleNumbers
+{
+  Buffer<Id> Numbers;         ///< the number of each tuple
+  Buffer<Id> Representatives; ///< the first tuple that has each number
+};
+
+/**
+ * Numbers the distinct tuples: first those that occur among the first `leading` tuples, in their
+ * order; then the others by their vertices. Tuples are grouped by their smallest vertex, so the
+ * groups are sorted in parallel and the result depends on nothing but the input.
+ */
+template <int N, typename Id>
+TupleNumbers<Id> NumberTuples(
+  const Buffer<std::array<Id, N>>& tuples, Id numberOfVertices, vtkIdType leading)
+{
+  const vtkIdType size = tuples.size();
+  Buffer<Id> starts(numberOfVertices + 1, Id(0));
+  for (const auto& tuple : tuples)
+  {
+    ++starts[tuple[0]];
+  }
+  CountsToOffsets(starts);
+  Buffer<Id> grouped(size);
+  {
+    Buffer<Id> next(numberOfVertices);
+    std::copy(starts.begin(), starts.end() - 1, next.begin());
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      grouped[next[tuples[i][0]]++] = static_cast<Id>(i);
+    }
+  }
+  // Sort each group; let every tuple know the first one that equals it.
+  TupleNumbers<Id> result;
+  Buffer<Id> first(size);
+  Buffer<Id> newcomers(numberOfVertices + 1, Id(0)); // first tuples that are not leading, by group
+  ForEach(numberOfVertices,
+    [&](vtkIdType v)
+    {
+      Id* begin = grouped.data() + starts[v];
+      Id* end = grouped.data() + starts[v + 1];
+      std::sort(begin, end,
+        [&](Id a, Id b) { return tuples[a] != tuples[b] ? tuples[a] < tuples[b] : a < b; });
+      Id count = 0;
+      for (Id* i = begin; i != end; ++i)
+      {
+        const bool isFirst = i == begin || tuples[*i] != tuples[*(i - 1)];
+        first[*i] = isFirst ? *i : first[*(i - 1)];
+        count += isFirst && *i >= leading ? 1 : 0;
+      }
+      newcomers[v] = count;
+    });
+  CountsToOffsets(newcomers);
+  result.Numbers = Buffer<Id>(size);
+  Id leaders = 0;
+  for (vtkIdType i = 0; i < leading; ++i)
+  {
+    result.Numbers[i] = first[i] == i ? leaders++ : result.Numbers[first[i]];
+  }
+  result.Representatives = Buffer<Id>(leaders + newcomers[numberOfVertices]);
+  ForEach(leading,
+    [&](vtkIdType i)
+    {
+      if (first[i] == i)
+      {
+        result.Representatives[result.Numbers[i]] = static_cast<Id>(i);
+      }
+    });
+  ForEach(numberOfVertices,
+    [&](vtkIdType v)
+    {
+      Id number = leaders + newcomers[v];
+      for (Id k = starts[v]; k < starts[v + 1]; ++k)
+      {
+        const Id i = grouped[k];
+        if (i < leading)
+        {
+          continue;
+        }
+        if (first[i] == i)
+        {
+          result.Representatives[number] = i;
+          result.Numbers[i] = number++;
+        }
+        else
+        {
+          result.Numbers[i] = result.Numbers[first[i]];
+        }
+      }
+    });
+  return result;
+}
+
+}
+
+#endif

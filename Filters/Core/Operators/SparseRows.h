@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SparseRows.h
+ * An operator whose rows have weights of their own: what rings and rules (Stencils.h) cannot say.
+ *
+ * Each row is summed in double, in the order of its entries, and stored in the type of the array.
+ */
+#ifndef SubdivisionObjects_SparseRows_h
+#define SubdivisionObjects_SparseRows_h
+
+#include "Core/Memory/Buffer.h"
+
+namespace subdivision
+{
+
+template <typename Id>
+struct SparseRows
+{
+  vtkIdType NumberOfColumns = 0;
+  Buffer<Id> Offsets; ///< one more than rows
+  Buffer<Id> Columns;
+  Buffer<double> Weights;
+
+  vtkIdType GetNumberOfColumns() const { return this->NumberOfColumns; }
+  vtkIdType GetNumberOfRows() const { return this->Offsets.empty() ? 0 : this->Offsets.size() - 1; }
+  std::size_t GetMemorySize() const
+  {
+    return this->Offsets.GetMemorySize() + this->Columns.GetMemorySize() +
+      this->Weights.GetMemorySize();
+  }
+
+  /// out = S in, for `components` interleaved values per column. Integers are rounded. A row of one
+  /// entry of weight 1 copies; an entry of weight 0 is not read.
+  template <typename In, typename Out>
+  void Apply(const In* in, Out* out, int components) const;
+};
+
+/// The rows of `outer` in terms of the columns of `inner`: applying the product is applying first
+/// `inner`, then `outer`, up to rounding. Entries of a row are in the order in which they are met.
+template <typename Id>
+SparseRows<Id> Multiply(const SparseRows<Id>& outer, const SparseRows<Id>& inner);
+
+}
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Masks.h
+ * The weights (Mathematics 5). A mask has one weight for what is refined (a vertex, or each end of
+ * an edge) and one for each member of its ring; which weights depends on the rule and the ring's
+ * size.
+ */
+#ifndef SubdivisionObjects_Masks_h
+#define SubdivisionObjects_Masks_h
+
+#include "Core/Rules/Rule.h"
+
+#include "vtkType.h"
+
+namespace subdivision
+{
+
+struct Mask
+{
+  double Own;
+  double Ring;
+};
+
+inline Mask VertexMask(Rule rule, vtkIdType ringSize)
+{
+  const double m = static_cast<double>(ringSize);
+  switch (rule)
+  {
+    case Rule::Curve:
+      return { 3. / 4., 1. / 8. };
+    case Rule::Surface: // eq. 16
+      return ringSize == 3 ? Mask{ 7. / 16., 3. / 16. } : Mask{ 5. / 8., 3. / (8. * m) };
+    case Rule::Solid: // eq. 17
+    case Rule::Blend:
+    case Rule::RegularEdge:
+      return { 9. / 16., 7. / (16. * m) };
+    default:
+      return { 1., 0. };
+  }
+}
+
+inline Mask EdgeMask(Rule rule, vtkIdType ringSize)
+{
+  if (ringSize == 0)
+  {
+    return { 1. / 2., 0. };
+  }
+  switch (rule)
+  {
+    case Rule::Surface:
+      return { 3. / 8., 1. / 8. };
+    case Rule::RegularEdge: // eq. 15
+      return { 1. / 4., 1. / 8. };
+    case Rule::Solid: // eq. 18
+    case Rule::Blend:
+      return { 5. / 16., 3. / (8. * static_cast<double>(ringSize)) };
+    default:
+      return { 1. / 2., 0. };
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/BoxSpline/ChildRows.h"
+
+#include "Core/Solids/BoxSpline/RingBlock.h"
+
+namespace subdivision
+{
+namespace
+{
+
+/// The rows of a level's children, one kind after another.
+template <typename Id>
+class ChildRowsMaker
+{
+public:
+  ChildRowsMaker(const Level<Id>& level, const RowsUser<StencilRows<Id>>& use)
+    : Complex(level.Complex)
+    , Strata(level.Strata)
+    , Emitter(level)
+    , Ids(level.Complex)
+    , FirstEdgeRow(vtkIdType(level.Complex.NumberOfVertices) + level.Complex.NumberOfEdges)
+    , Use(use)
+  {
+  }
+  void Run() const
+  {
+    ForKinds<4>({ this->Complex.NumberOfVertices, this->Complex.NumberOfEdges,
+                  this->Complex.NumberOfFaces, this->Complex.NumberOfTets },
+      [this](std::size_t dimension, vtkIdType begin, vtkIdType end)
+      {
+        switch (dimension)
+        {
+          case 0:
+            this->AtVertices(begin, end);
+            break;
+          case 1:
+            this->AtEdges(begin, end);
+            break;
+          case 2:
+            this->InFaces(begin, end);
+            break;
+          default:
+            this->OfDiagonals(begin, end);
+            break;
+        }
+      });
+  }
+
+private:
+  void AtVertices(vtkIdType first, vtkIdType last) const
+  {
+    RingBlock<Id> rows(false, BlockSize);
+    ForBlocks(first, last,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        rows.Start(begin);
+        for (vtkIdType v = begin; v < end; ++v)
+        {
+          rows.Reserve(static_cast<Id>(this->Strata.VertexRings.GetSize(v)));
+          auto ring = rows.Open();
+          this->Emitter.EmitVertex(static_cast<Id>(v), ring);
+          rows.Close(ring, this->Strata.Vertices[v]);
+        }
+        this->Use(rows.Get());
+      });
+  }
+
+  /// Both halves of each edge, and its midpoint.
+  void AtEdges(vtkIdType first, vtkIdType last) const
+  {
+    RingBlock<Id> edges(true, 2 * BlockSize);
+    RingBlock<Id> vertices(false, BlockSize);
+    ForBlocks(first, last,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        edges.Start(this->FirstEdgeRow + 2 * begin);
+        vertices.Start(this->Complex.NumberOfVertices + begin);
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const Id e = static_cast<Id>(i);
+          const Id size = this->Emitter.CountHalf(e);
+          edges.Reserve(2 * size);
+          vertices.Reserve(this->Emitter.CountAtMost(e));
+          MemberWriter<Id> halves[2] = { edges.Open(), edges.Open(size) };
+          auto midpoint = vertices.Open();
+          this->Emitter.EmitAtEdge(e, halves, midpoint);
+          vertices.Close(midpoint, this->Emitter.MidpointStratum(e));
+          for (int half = 0; half < 2; ++half)
+          {
+            this->Emitter.GetHalfEnds(e, half, edges.GetEnds());
+            edges.Close(halves[half], this->Strata.Edges[e]);
+          }
+        }
+        this->Use(edges.Get());
+        this->Use(vertices.Get());
+      });
+  }
+
+  void InFaces(vtkIdType first, vtkIdType last) const
+  {
+    RingBlock<Id> rows(true, 3 * BlockSize);
+    ForBlocks(first, last,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        rows.Start(this->FirstEdgeRow + this->Ids.InFace(static_cast<Id>(begin), 0));
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const Id f = static_cast<Id>(i);
+          for (int corner = 0; corner < 3; ++corner)
+          {
+            rows.Reserve(2 + 2 * static_cast<Id>(this->Complex.FaceTets[f].size()));
+            auto ring = rows.Open();
+            this->Emitter.EmitInFace(f, corner, ring);
+            this->Emitter.GetInFaceEnds(f, corner, rows.GetEnds());
+            rows.Close(ring, this->Emitter.InFaceStratum(f, corner));
+          }
+        }
+        this->Use(rows.Get());
+      });
+  }
+
+  void OfDiagonals(vtkIdType first, vtkIdType last) const
+  {
+    RingBlock<Id> rows(true, BlockSize);
+    ForBlocks(first, last,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        rows.Start(this->FirstEdgeRow + this->Ids.Diagonal(static_cast<Id>(begin)));
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const Id t = static_cast<Id>(i);
+          rows.Reserve(4);
+          auto ring = rows.Open();
+          this->Emitter.EmitDiagonal(t, ring);
+          this->Emitter.GetDiagonalEnds(t, rows.GetEnds());
+          rows.Close(ring, Stratum(Rule::RegularEdge));
+        }
+        this->Use(rows.Get());
+      });
+  }
+
+  const SimplicialComplex<Id>& Complex;
+  const subdivision::Strata<Id>& Strata;
+  const RingEmitter<Id> Emitter;
+  const ChildIds<Id> Ids;
+  const vtkIdType FirstEdgeRow;
+  const RowsUser<StencilRows<Id>>& Use;
+};
+
+}
+
+template <typename Id>
+vtkIdType LevelRows<Id>::GetNumberOfRows() const
+{
+  return vtkIdType(this->Level.Complex.NumberOfVertices) + this->Level.Complex.NumberOfEdges;
+}
+
+template <typename Id>
+void LevelRows<Id>::ForRows(const RowsUser<StencilRows<Id>>& use) const
+{
+  const auto& complex = this->Level.Complex;
+  const auto& strata = this->Level.Strata;
+  const vtkIdType vertices = complex.NumberOfVertices;
+  ForKinds<2>({ vertices, complex.NumberOfEdges },
+    [&](std::size_t kind, vtkIdType first, vtkIdType last)
+    {
+      const Rings<Id>& rings = kind == 0 ? strata.VertexRings : strata.EdgeRings;
+      const Stratum* rules = (kind == 0 ? strata.Vertices : strata.Edges).data();
+      ForBlocks(first, last,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          use({ kind == 1, kind == 0 ? begin : vertices + begin, end - begin, rules + begin,
+            complex.EdgeVertices.data() + (kind == 0 ? 0 : 2 * begin), rings.Offsets.data() + begin,
+            rings.Members.data() });
+        });
+    });
+}
+
+template <typename Id>
+vtkIdType ChildRows<Id>::GetNumberOfVertices() const
+{
+  return LevelRows<Id>(this->Level).GetNumberOfRows();
+}
+
+template <typename Id>
+vtkIdType ChildRows<Id>::GetNumberOfEdges() const
+{
+  const auto& complex = this->Level.Complex;
+  return 2 * vtkIdType(complex.NumberOfEdges) + 3 * vtkIdType(complex.NumberOfFaces) +
+    complex.NumberOfTets;
+}
+
+template <typename Id>
+void ChildRows<Id>::ForRows(const RowsUser<StencilRows<Id>>& use) const
+{
+  ChildRowsMaker<Id>(this->Level, use).Run();
+}
+
+template class LevelRows<int>;
+template class LevelRows<long long>;
+template class ChildRows<int>;
+template class ChildRows<long long>;
+
+}

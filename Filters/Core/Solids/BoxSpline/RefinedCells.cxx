@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/BoxSpline/RefinedCells.h"
+
+#include "Core/Solids/BoxSpline/Children.h"
+
+#include "vtkCellType.h"
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr unsigned char TypeOfDimension[4] = { VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_TETRA };
+
+/// Types and offsets of a run.
+template <typename Out>
+void WriteLayout(const CellRun& run, const CellStorage<Out>& out)
+{
+  const vtkIdType corners = run.Dimension + 1;
+  const vtkIdType firstEntry = run.FirstEntry;
+  unsigned char* types = out.Types + run.FirstCell;
+  Out* offsets = out.Offsets + run.FirstCell;
+  ForRanges(run.Count,
+    [=](vtkIdType begin, vtkIdType end)
+    {
+      std::fill(types + begin, types + end, TypeOfDimension[run.Dimension]);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        offsets[i] = static_cast<Out>(firstEntry + corners * i);
+      }
+    });
+}
+
+/// The vertices of the cells that a run takes.
+template <typename Id>
+const Id* GetVertices(const SimplicialComplex<Id>& complex, const CellRun& run)
+{
+  const Buffer<Id>* lists[4][2] = { { &complex.VertexCells, nullptr },
+    { &complex.EdgeVertices, &complex.EqualLines.Vertices },
+    { &complex.FaceVertices, &complex.EqualTriangles.Vertices },
+    { &complex.TetVertices, &complex.EqualTets.Vertices } };
+  return lists[run.Dimension][run.Equal]->data() + (run.Dimension + 1) * run.First;
+}
+
+/// Writes the children of some cells, given by their lattice points: those of `Parents` cells at a
+/// time.
+template <int Parents, int Children, int Corners, typename Out, typename Lattice>
+void WriteChildrenOfRun(
+  const CellRun& run, const int (&table)[Children][Corners], Out* out, const Lattice& lattice)
+{
+  constexpr int size = Corners == 4 ? 10 : Corners * (Corners + 1) / 2; // of a lattice
+  ForEach(run.Count,
+    [&](vtkIdType i)
+    {
+      Out points[Parents * size];
+      lattice(run.First + i, points);
+      Out* next = out + i * (Parents * Children * Corners);
+      for (int parent = 0; parent < Parents; ++parent)
+      {
+        for (const auto& child : table)
+        {
+          for (int corner : child)
+          {
+            *next++ = points[parent * size + corner];
+          }
+        }
+      }
+    });
+}
+
+/// The lattice points of `count` cells: their vertices, then the midpoints of their edges.
+template <int Corners, typename Id, typename Out>
+void CopyLattices(const Id* vertices, const Id* edges, int count, Id midpoints, Out* points)
+{
+  constexpr int edgesOfCell = Corners * (Corners - 1) / 2;
+  for (int i = 0; i < count; ++i)
+  {
+    for (int k = 0; k < Corners; ++k)
+    {
+      *points++ = static_cast<Out>(vertices[Corners * i + k]);
+    }
+    for (int k = 0; k < edgesOfCell; ++k)
+    {
+      *points++ = static_cast<Out>(midpoints + edges[edgesOfCell * i + k]);
+    }
+  }
+}
+
+constexpr int VertexChildren[1][1] = { { 0 } };
+constexpr int LineChildren[2][2] = { { 0, 2 }, { 2, 1 } };
+
+}
+
+std::vector<CellRun> RefineRuns(const std::vector<CellRun>& runs, int levels)
+{
+  std::vector<CellRun> refined = runs;
+  vtkIdType cell = 0;
+  vtkIdType entry = 0;
+  for (CellRun& run : refined)
+  {
+    const int shift = run.Dimension * levels;
+    run.First <<= shift;
+    run.Count <<= shift;
+    run.FirstCell = cell;
+    run.FirstEntry = entry;
+    cell += run.Count;
+    entry += run.Count * (run.Dimension + 1);
+  }
+  return refined;
+}
+
+CellCounts CountCells(const std::vector<CellRun>& runs)
+{
+  CellCounts counts;
+  for (const CellRun& run : runs)
+  {
+    counts.Cells += run.Count;
+    counts.Entries += run.Count * (run.Dimension + 1);
+  }
+  return counts;
+}
+
+template <typename Id, typename Out>
+void WriteCells(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
+  const CellStorage<Out>& out)
+{
+  const CellCounts counts = CountCells(runs);
+  out.Offsets[counts.Cells] = static_cast<Out>(counts.Entries);
+  for (const CellRun& run : runs)
+  {
+    WriteLayout(run, out);
+    const Id* vertices = GetVertices(complex, run);
+    ForEach(run.Count * (run.Dimension + 1),
+      [&](vtkIdType i) { out.Connectivity[run.FirstEntry + i] = static_cast<Out>(vertices[i]); });
+  }
+}
+
+template <typename Id, typename Out>
+void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
+  const CellStorage<Out>& out, int highest)
+{
+  const std::vector<CellRun> children = RefineRuns(runs, 1);
+  const CellCounts counts = CountCells(children);
+  out.Offsets[counts.Cells] = static_cast<Out>(counts.Entries);
+  const Id midpoints = complex.NumberOfVertices;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+  {
+    const CellRun& run = runs[r];
+    WriteLayout(children[r], out);
+    if (run.Dimension > highest)
+    {
+      continue;
+    }
+    Out* connectivity = out.Connectivity + children[r].FirstEntry;
+    switch (run.Dimension)
+    {
+      case 0:
+        WriteChildrenOfRun<1>(run, VertexChildren, connectivity,
+          [&](vtkIdType i, Out* points) { points[0] = static_cast<Out>(complex.VertexCells[i]); });
+        break;
+      case 1:
+        WriteChildrenOfRun<1>(run, LineChildren, connectivity,
+          [&](vtkIdType i, Out* points)
+          {
+            const Id edge = run.Equal ? complex.EqualLines.Twins[i] : static_cast<Id>(i);
+            const Id* ends =
+              (run.Equal ? complex.EqualLines.Vertices : complex.EdgeVertices).data() + 2 * i;
+            CopyLattices<2>(ends, &edge, 1, midpoints, points);
+          });
+        break;
+      case 2:
+        WriteChildrenOfRun<1>(run, triangle::Children, connectivity,
+          [&](vtkIdType i, Out* points)
+          {
+            Id own[3];
+            const Id* vertices = complex.FaceVertices.data() + 3 * i;
+            const Id* edges = complex.FaceEdges.data() + 3 * i;
+            if (run.Equal)
+            {
+              GetEdgesOfEqualTriangle(complex, i, own);
+              vertices = complex.EqualTriangles.Vertices.data() + 3 * i;
+              edges = own;
+            }
+            CopyLattices<3>(vertices, edges, 1, midpoints, points);
+          });
+        break;
+      default:
+        WriteChildrenOfRun<1>(run, tetrahedron::Children, connectivity,
+          [&](vtkIdType i, Out* points)
+          {
+            Id own[6];
+            const Id* vertices = complex.TetVertices.data() + 4 * i;
+            const Id* edges = complex.TetEdges.data() + 6 * i;
+            if (run.Equal)
+            {
+              GetEdgesOfEqualTet(complex, i, own);
+              vertices = complex.EqualTets.Vertices.data() + 4 * i;
+              edges = own;
+            }
+            CopyLattices<4>(vertices, edges, 1, midpoints, points);
+          });
+        break;
+    }
+  }
+}
+
+template <typename Id, typename Out>
+void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
+  const CellStorage<Out>& out, int highest, Id centres)
+{
+  const std::vector<CellRun> grandchildren = RefineRuns(runs, 2);
+  const CellCounts counts = CountCells(grandchildren);
+  out.Offsets[counts.Cells] = static_cast<Out>(counts.Entries);
+  const ChildIds<Id> ids(complex);
+  const Id midpoints = complex.NumberOfVertices + complex.NumberOfEdges + centres;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+  {
+    const CellRun& run = runs[r];
+    WriteLayout(grandchildren[r], out);
+    if (run.Dimension > highest)
+    {
+      continue;
+    }
+    Out* connectivity = out.Connectivity + grandchildren[r].FirstEntry;
+    switch (run.Dimension)
+    {
+      case 0:
+        WriteChildrenOfRun<1>(run, VertexChildren, connectivity,
+          [&](vtkIdType i, Out* points) { points[0] = static_cast<Out>(complex.VertexCells[i]); });
+        break;
+      case 1:
+        WriteChildrenOfRun<2>(run, LineChildren, connectivity,
+          [&](vtkIdType i, Out* points)
+          {
+            const Id e = static_cast<Id>(i);
+            const Id* ends = complex.EdgeVertices.data() + 2 * i;
+            const Id vertices[4] = { ends[0], ids.Midpoint(e), ids.Midpoint(e), ends[1] };
+            const Id edges[2] = { 2 * e, 2 * e + 1 };
+            CopyLattices<2>(vertices, edges, 2, midpoints, points);
+          });
+        break;
+      case 2:
+        WriteChildrenOfRun<4>(run, triangle::Children, connectivity,
+          [&](vtkIdType i, Out* points)
+          {
+            const TriangleChildren<Id> children(complex, ids, static_cast<Id>(i));
+            CopyLattices<3>(children.Vertices, children.Edges, 4, midpoints, points);
+          });
+        break;
+      default:
+        WriteChildrenOfRun<8>(run, tetrahedron::Children, connectivity,
+          [&](vtkIdType i, Out* points)
+          {
+            const TetChildren<Id> children(TetParts<Id>(complex, ids, static_cast<Id>(i)), ids);
+            CopyLattices<4>(children.Vertices, children.Edges, 8, midpoints, points);
+          });
+        break;
+    }
+  }
+}
+
+#define SUBDIVISION_WRITE(Id, Out)                                                                 \
+  template void WriteCells(                                                                        \
+    const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&);           \
+  template void WriteChildren(                                                                     \
+    const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&, int);      \
+  template void WriteGrandchildren(                                                                \
+    const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&, int, Id)
+SUBDIVISION_WRITE(int, int);
+SUBDIVISION_WRITE(int, long long);
+SUBDIVISION_WRITE(long long, int);
+SUBDIVISION_WRITE(long long, long long);
+
+}

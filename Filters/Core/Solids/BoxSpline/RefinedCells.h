@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RefinedCells.h
+ * Output: connectivity, offsets and types of a level's cells, in output order.
+ */
+#ifndef SubdivisionObjects_RefinedCells_h
+#define SubdivisionObjects_RefinedCells_h
+
+#include "Core/Solids/BoxSpline/Refinement.h"
+
+#include <vector>
+
+namespace subdivision
+{
+
+/// Where the cells go; the sizes are those that CountCells tells.
+template <typename Out>
+struct CellStorage
+{
+  Out* Connectivity;
+  Out* Offsets; ///< one more than there are cells
+  unsigned char* Types;
+};
+
+struct CellCounts
+{
+  vtkIdType Cells = 0;
+  vtkIdType Entries = 0; ///< of the connectivity
+};
+
+/// The runs as they are after `levels` steps: counts and places.
+std::vector<CellRun> RefineRuns(const std::vector<CellRun>& runs, int levels);
+CellCounts CountCells(const std::vector<CellRun>& runs);
+
+/// Writes the cells of a level.
+template <typename Id, typename Out>
+void WriteCells(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
+  const CellStorage<Out>& out);
+
+/// Writes the children of a level's cells; `runs` are those of the level itself. Of cells of a
+/// higher dimension than `highest` only types and offsets.
+template <typename Id, typename Out>
+void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
+  const CellStorage<Out>& out, int highest = 3);
+
+/// Writes the children of the children of a level's cells, as WriteChildren does. The level has all
+/// that a further step needs, and no equal cells. `centres`: how many vertices its children have
+/// beside its own and the midpoints of its edges.
+template <typename Id, typename Out>
+void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
+  const CellStorage<Out>& out, int highest = 3, Id centres = 0);
+
+/// Whether some cells equal earlier ones.
+template <typename Id>
+bool HasEqualCells(const SimplicialComplex<Id>& complex)
+{
+  return !complex.EqualLines.Twins.empty() || !complex.EqualTriangles.Twins.empty() ||
+    !complex.EqualTets.Twins.empty();
+}
+
+}
+
+#endif

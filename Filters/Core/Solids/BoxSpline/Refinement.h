@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Refinement.h
+ * One uniform step (Mathematics 2): all ids of children are arithmetic, all classes are inherited.
+ *
+ * With V vertices, E edges, F faces and T tetrahedra on a level, the next one has
+ *  - vertices: v stays v; the point of edge e is V + e;
+ *  - edges: 2e, 2e + 1 the halves of e; 2E + 3f + i inside face f near its vertex i;
+ *    2E + 3F + t the diagonal of tetrahedron t;
+ *  - faces: 4f + i near vertex i of f, 4f + 3 its middle; 4F + 8t + i inside tetrahedron t
+ *    (tetrahedron::InteriorFaces);
+ *  - tetrahedra: 8t + i (tetrahedron::Children).
+ * Every loop writes its own range, so the result does not depend on threads.
+ */
+#ifndef SubdivisionObjects_Refinement_h
+#define SubdivisionObjects_Refinement_h
+
+#include "Core/Rules/Depth.h"
+#include "Core/Solids/Strata/Strata.h"
+
+namespace subdivision
+{
+
+template <typename Id>
+struct Level
+{
+  SimplicialComplex<Id> Complex;
+  subdivision::Strata<Id> Strata;
+};
+
+template <typename Id>
+Level<Id> Refine(const Level<Id>& parent, Depth depth);
+
+/// The edges of an equal tetrahedron or triangle in its own vertex order, looked up in its twin.
+template <typename Id>
+void GetEdgesOfEqualTet(const SimplicialComplex<Id>& complex, vtkIdType index, Id edges[6]);
+template <typename Id>
+void GetEdgesOfEqualTriangle(const SimplicialComplex<Id>& complex, vtkIdType index, Id edges[3]);
+
+/// Their children, and those children's twins: the same whatever solids are split into.
+template <typename Id>
+void RefineEqualLinesAndTriangles(
+  const SimplicialComplex<Id>& parent, SimplicialComplex<Id>& child);
+
+/// Numbers of simplices after a number of steps, to estimate sizes before any memory is taken.
+struct LevelCounts
+{
+  double Vertices = 0;
+  double Edges = 0;
+  double Faces = 0;
+  double Tets = 0;
+  double Octahedra = 0;
+  bool IsTetOct = false; ///< refined as in TetOctComplex.h
+  LevelCounts Refine() const
+  {
+    if (this->IsTetOct)
+    {
+      return { this->Vertices + this->Edges + this->Octahedra,
+        2 * this->Edges + 3 * this->Faces + 12 * this->Octahedra,
+        4 * this->Faces + 4 * this->Tets + 24 * this->Octahedra,
+        4 * this->Tets + 8 * this->Octahedra, this->Tets + 6 * this->Octahedra, true };
+    }
+    return { this->Vertices + this->Edges, 2 * this->Edges + 3 * this->Faces + this->Tets,
+      4 * this->Faces + 8 * this->Tets, 8 * this->Tets };
+  }
+};
+
+template <typename Id>
+LevelCounts CountSimplices(const SimplicialComplex<Id>& complex)
+{
+  return { static_cast<double>(complex.NumberOfVertices),
+    static_cast<double>(complex.NumberOfEdges), static_cast<double>(complex.NumberOfFaces),
+    static_cast<double>(complex.NumberOfTets) };
+}
+
+#define SUBDIVISION_REFINEMENT_TEMPLATES(EXTERN, Id)                                               \
+  EXTERN template Level<Id> Refine(const Level<Id>&, Depth);                                       \
+  EXTERN template void RefineEqualLinesAndTriangles(                                               \
+    const SimplicialComplex<Id>&, SimplicialComplex<Id>&);                                         \
+  EXTERN template void GetEdgesOfEqualTet(const SimplicialComplex<Id>&, vtkIdType, Id[6]);         \
+  EXTERN template void GetEdgesOfEqualTriangle(const SimplicialComplex<Id>&, vtkIdType, Id[3])
+SUBDIVISION_REFINEMENT_TEMPLATES(extern, int);
+SUBDIVISION_REFINEMENT_TEMPLATES(extern, long long);
+
+}
+
+#endif

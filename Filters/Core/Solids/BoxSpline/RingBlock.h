@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RingBlock.h
+ * Rows that are made a few at a time, and the loops over what they are made of.
+ */
+#ifndef SubdivisionObjects_RingBlock_h
+#define SubdivisionObjects_RingBlock_h
+
+#include "Core/Solids/BoxSpline/RingEmitter.h"
+#include "Core/Solids/BoxSpline/Stencils.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace subdivision
+{
+
+/// Simplices whose rows are made together: their rings fit into a core's own cache.
+constexpr vtkIdType BlockSize = 256;
+
+/// block(begin, end) over blocks of at most `size` that cover [begin, end).
+template <typename Block>
+void ForBlocks(vtkIdType begin, vtkIdType end, const Block& block, vtkIdType size = BlockSize)
+{
+  for (; begin < end; begin += size)
+  {
+    block(begin, std::min(begin + size, end));
+  }
+}
+
+/// body(kind, begin, end) over ranges of some kinds of things, `counts` of each, in one go: threads
+/// do not wait for each other between two kinds.
+template <std::size_t Kinds, typename Body>
+void ForKinds(const std::array<vtkIdType, Kinds>& counts, const Body& body)
+{
+  ForRanges(std::accumulate(counts.begin(), counts.end(), vtkIdType(0)),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (std::size_t kind = 0; kind < Kinds; ++kind)
+      {
+        const vtkIdType first = std::max(begin, vtkIdType(0));
+        const vtkIdType last = std::min(end, counts[kind]);
+        if (first < last)
+        {
+          body(kind, first, last);
+        }
+        begin -= counts[kind];
+        end -= counts[kind];
+      }
+    });
+}
+
+/// Rows in the making, at most `capacity` at a time.
+template <typename Id>
+class RingBlock
+{
+public:
+  RingBlock(bool ofEdges, vtkIdType capacity)
+    : OfEdges(ofEdges)
+    , Strata(capacity)
+    , Ends(ofEdges ? 2 * capacity : 0)
+    , Offsets(capacity + 1, Id(0))
+  {
+  }
+  void Start(vtkIdType firstRow)
+  {
+    this->FirstRow = firstRow;
+    this->Count = 0;
+  }
+  /// Makes sure that so many members have room in all rings that are still open.
+  void Reserve(Id members)
+  {
+    const vtkIdType wanted = vtkIdType(this->Offsets[this->Count]) + members;
+    if (this->Members.size() < wanted)
+    {
+      Buffer<Id> larger(2 * wanted);
+      std::copy_n(this->Members.begin(), this->Offsets[this->Count], larger.begin());
+      this->Members = std::move(larger);
+    }
+  }
+  /// Where the next ring goes that follows on `before` members of open ones.
+  MemberWriter<Id> Open(Id before = 0)
+  {
+    return { this->Members.data() + this->Offsets[this->Count] + before };
+  }
+  void Close(const MemberWriter<Id>& ring, Stratum stratum)
+  {
+    this->Strata[this->Count++] = stratum;
+    this->Offsets[this->Count] = static_cast<Id>(ring.Members - this->Members.data());
+  }
+  /// The ends of the edge whose row is closed next.
+  Id* GetEnds() { return this->Ends.data() + 2 * this->Count; }
+
+  StencilRows<Id> Get() const
+  {
+    return { this->OfEdges, this->FirstRow, this->Count, this->Strata.data(), this->Ends.data(),
+      this->Offsets.data(), this->Members.data() };
+  }
+
+private:
+  const bool OfEdges;
+  vtkIdType FirstRow = 0;
+  vtkIdType Count = 0;
+  Buffer<Stratum> Strata;
+  Buffer<Id> Ends;
+  Buffer<Id> Offsets;
+  Buffer<Id> Members;
+};
+
+}
+
+#endif

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SimplicialComplex.h
+ * Vertices, edges, faces and tetrahedra of one level, and how they lie on each other.
+ *
+ * Built from the input once, by sorting; from then on refined by arithmetic (Refinement.h):
+ * line cells are the first edges and triangle cells the first faces, in output order and with the
+ * vertex order of the cell, and so are their children. Cells that equal an earlier one are kept
+ * apart as *followers*: they change nothing, and are split along with their twin.
+ */
+#ifndef SubdivisionObjects_SimplicialComplex_h
+#define SubdivisionObjects_SimplicialComplex_h
+
+#include "Core/Memory/Buffer.h"
+#include "Core/Memory/SimplexList.h"
+#include "Core/Solids/Complex/Simplices.h"
+
+namespace subdivision
+{
+
+/// Cells that equal an earlier cell: their own vertex order, and their twin.
+template <typename Id>
+struct EqualCells
+{
+  Buffer<Id> Vertices; ///< dimension + 1 for each
+  Buffer<Id> Twins;    ///< edge, face or tetrahedron
+};
+
+template <typename Id>
+struct SimplicialComplex
+{
+  Id NumberOfVertices = 0;
+  Id NumberOfEdges = 0;
+  Id NumberOfFaces = 0;
+  Id NumberOfTets = 0;
+  Id NumberOfLineCells = 0;     ///< the first edges
+  Id NumberOfTriangleCells = 0; ///< the first faces
+
+  Buffer<Id> VertexCells;  ///< the vertex of each vertex cell
+  Buffer<Id> EdgeVertices; ///< 2 for each edge
+  Buffer<Id> FaceVertices; ///< 3 for each face
+  Buffer<Id> FaceEdges;    ///< 3 for each face, as in triangle::EdgeVertices
+  Buffer<Id> TetVertices;  ///< 4 for each tetrahedron
+  Buffer<Id> TetEdges;     ///< 6 for each tetrahedron, as in tetrahedron::EdgeVertices
+  Buffer<Id> TetFaces;     ///< 4 for each tetrahedron, opposite to its vertices
+  Rows<Id> FaceTets;       ///< the tetrahedra at each face
+  EqualCells<Id> EqualLines;
+  EqualCells<Id> EqualTriangles;
+  EqualCells<Id> EqualTets;
+
+  Id OtherEnd(Id edge, Id vertex) const
+  {
+    const Id* ends = this->EdgeVertices.data() + 2 * edge;
+    return ends[0] == vertex ? ends[1] : ends[0];
+  }
+  /// Position 0..2 of a vertex in a face, of an edge in a face; 0..3 of a face in a tetrahedron.
+  int VertexInFace(Id face, Id vertex) const
+  {
+    return Find<3>(this->FaceVertices.data() + 3 * face, vertex);
+  }
+  int EdgeInFace(Id face, Id edge) const
+  {
+    return Find<3>(this->FaceEdges.data() + 3 * face, edge);
+  }
+  int FaceInTet(Id tet, Id face) const { return Find<4>(this->TetFaces.data() + 4 * tet, face); }
+  int VertexInTet(Id tet, Id vertex) const
+  {
+    return Find<4>(this->TetVertices.data() + 4 * tet, vertex);
+  }
+  int EdgeInTet(Id tet, Id edge) const { return Find<6>(this->TetEdges.data() + 6 * tet, edge); }
+  /// The vertex of a face that does not lie on one of its edges.
+  Id VertexOpposite(Id face, Id edge) const;
+  /// The other edge of a face at a vertex.
+  Id OtherEdge(Id face, Id edge, Id vertex) const;
+
+private:
+  /// The place of a value that is in the list. No branches: no processor could predict them.
+  template <int Size>
+  static int Find(const Id* list, Id wanted)
+  {
+    int place = 0;
+    for (int i = 1; i < Size; ++i)
+    {
+      place += list[i] == wanted ? i : 0;
+    }
+    return place;
+  }
+};
+
+/// A stretch of output cells that come one after another in the complex too.
+struct CellRun
+{
+  int Dimension = 0;
+  bool Equal = false; ///< counts in the list of equal cells
+  vtkIdType First = 0;
+  vtkIdType Count = 0;
+  vtkIdType FirstCell = 0;  ///< place of the first among all simplices
+  vtkIdType FirstEntry = 0; ///< place of its first vertex in the connectivity
+};
+
+/// Sorts the simplices into a complex; `runs` tells the order in which the output has them.
+template <typename Id>
+SimplicialComplex<Id> BuildComplex(const SimplexList& simplices, std::vector<CellRun>& runs);
+
+/// For each simplex in output order: the dimension of the maximal simplex that it is, or is a face
+/// of; the largest if there are several.
+template <typename Id>
+Buffer<unsigned char> FindManifoldDimensions(
+  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs);
+
+extern template SimplicialComplex<int> BuildComplex(const SimplexList&, std::vector<CellRun>&);
+extern template SimplicialComplex<long long> BuildComplex(
+  const SimplexList&, std::vector<CellRun>&);
+
+template <typename Id>
+Id SimplicialComplex<Id>::OtherEdge(Id face, Id edge, Id vertex) const
+{
+  const int* edges = triangle::EdgesAt[this->VertexInFace(face, vertex)];
+  const Id first = this->FaceEdges[3 * vtkIdType(face) + edges[0]];
+  return first == edge ? this->FaceEdges[3 * vtkIdType(face) + edges[1]] : first;
+}
+
+template <typename Id>
+Id SimplicialComplex<Id>::VertexOpposite(Id face, Id edge) const
+{
+  const Id* vertices = this->FaceVertices.data() + 3 * face;
+  const Id* edges = this->FaceEdges.data() + 3 * face;
+  return edges[0] == edge ? vertices[2] : edges[1] == edge ? vertices[0] : vertices[1];
+}
+
+}
+
+#endif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Normals from the tangents of LimitNormals.h.
+#include "Core/Operators/TangentErrors.h"
+#include "Core/Solids/Limits/LimitNormals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace subdivision
+{
+namespace
+{
+
+using Vector = std::array<double, 3>;
+
+inline double Length(const Vector& a)
+{
+  return std::hypot(a[0], a[1], a[2]);
+}
+
+/// Of unit length; zero if it is shorter than `least`, or not finite.
+inline Vector Normalise(const Vector& a, double least)
+{
+  const double length = Length(a);
+  return length > least && std::isfinite(length)
+    ? Vector{ a[0] / length, a[1] / length, a[2] / length }
+    : Vector{ 0., 0., 0. };
+}
+
+}
+
+template <typename Id>
+void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& points,
+  const std::vector<vtkIdType>& inverted, double* normals)
+{
+  const vtkIdType sectors = tangents.GetNumberOfSectors();
+  Buffer<double> first(3 * sectors);
+  Buffer<double> second(3 * sectors);
+  tangents.First.Apply(points.Values, first.data(), 3);
+  tangents.Second.Apply(points.Values, second.data(), 3);
+  auto getError = [&points](const SparseRows<Id>& rows, vtkIdType sector)
+  {
+    const vtkIdType begin = rows.Offsets[sector];
+    return GetTangentError(rows.Columns.data() + begin, rows.Weights.data() + begin,
+      rows.Offsets[sector + 1] - begin, points.Values, points.GetUnit());
+  };
+  // Whether most triangles have their solid behind them.
+  auto isOutwards = [&](vtkIdType sector)
+  {
+    vtkIdType outwards = 0;
+    for (vtkIdType i = tangents.SideOffsets[sector]; i < tangents.SideOffsets[sector + 1]; ++i)
+    {
+      const vtkIdType side = tangents.Sides[i];
+      const bool isInverted = std::binary_search(inverted.begin(), inverted.end(), side - side % 2);
+      outwards += (side % 2 == 1) == isInverted ? 1 : -1;
+    }
+    return outwards >= 0;
+  };
+  auto normalOf = [&](vtkIdType sector)
+  {
+    Vector normal;
+    FindNormal(first.data() + 3 * sector, second.data() + 3 * sector,
+      getError(tangents.First, sector) + getError(tangents.Second, sector), normal.data());
+    if (!isOutwards(sector))
+    {
+      normal = { -normal[0], -normal[1], -normal[2] };
+    }
+    return normal;
+  };
+  ForEach(tangents.Sectors.GetNumberOfRows(),
+    [&](vtkIdType v)
+    {
+      Vector sum = { 0., 0., 0. };
+      for (vtkIdType s = tangents.Sectors.Offsets[v]; s < tangents.Sectors.Offsets[v + 1]; ++s)
+      {
+        const Vector normal = normalOf(s);
+        for (int c = 0; c < 3; ++c)
+        {
+          sum[c] += normal[c];
+        }
+      }
+      const Vector normal = Normalise(sum, 1e-12);
+      std::copy(normal.begin(), normal.end(), normals + 3 * v);
+    });
+  Buffer<unsigned char> missing(tangents.Sectors.GetNumberOfRows());
+  ForEach(missing.size(), [&](vtkIdType v)
+    { missing[v] = tangents.Sectors.Offsets[v] == tangents.Sectors.Offsets[v + 1]; });
+  ShadingNormals shading(points.Values, missing, normals);
+  tangents.Shading.Fill(shading);
+}
+
+template void ComputeLimitNormals(
+  const LimitTangents<int>&, const Coordinates&, const std::vector<vtkIdType>&, double*);
+template void ComputeLimitNormals(
+  const LimitTangents<long long>&, const Coordinates&, const std::vector<vtkIdType>&, double*);
+
+}

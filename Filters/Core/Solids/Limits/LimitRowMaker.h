@@ -1,0 +1,528 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LimitRowMaker.h
+ * Limit rows (LimitStencils.h), whatever the solids of a level are: what is around a vertex, a
+ * *star*, tells the rows of its items.
+ *
+ * Item 0 is the vertex itself, the others are parts of the level at it, each named by a key, and
+ * stand for the vertices at their far ends: edges; in a tet/oct level octahedra too. A star has
+ *  - IdType, LevelType, and a constructor from a level;
+ *  - GetRules(), those of the level; GetFarEnd(vertex, key);
+ *  - ReadRow(rules, vertex, key, first, rows, number): appends the row of an item, of the vertex if
+ *    the key is negative, as numbers: some, then what number(key, vertex) says of each member.
+ *    Members that only the `first` step has come with a negative key. False: left some out;
+ *  - Weigh(row, item, add): add(item, weight) for each entry of such a row, which is moved to the
+ *    next one.
+ */
+#ifndef SubdivisionObjects_LimitRowMaker_h
+#define SubdivisionObjects_LimitRowMaker_h
+
+#include "Core/Solids/Limits/LimitStencils.h"
+
+#include "vtkSMPThreadLocal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace subdivision
+{
+
+/// What a level, or a stage of it, says of rings.
+template <typename Id>
+struct StarRules
+{
+  const subdivision::Strata<Id>& Strata;
+  const Buffer<Id>* TetsAtSpokes; ///< of a tet/oct level
+};
+
+/// Numbers ids in the order in which they come. A hub may have very many.
+template <typename Id>
+class Numbering
+{
+public:
+  int GetNumber(Id id)
+  {
+    if (2 * (this->Ids.size() + 1) > this->Slots.size())
+    {
+      this->Slots.assign(2 * this->Slots.size(), -1);
+      for (std::size_t i = 0; i < this->Ids.size(); ++i)
+      {
+        this->Find(this->Ids[i]) = static_cast<int>(i);
+      }
+    }
+    int& slot = this->Find(id);
+    if (slot < 0)
+    {
+      slot = static_cast<int>(this->Ids.size());
+      this->Ids.push_back(id);
+    }
+    return slot;
+  }
+  void Clear()
+  {
+    this->Ids.clear();
+    this->Slots.assign(64, -1);
+  }
+
+  std::vector<Id> Ids;
+
+private:
+  int& Find(Id id)
+  {
+    std::size_t at = (static_cast<std::uint64_t>(id) * 0x9e3779b97f4a7c15u) >> 32;
+    for (;; ++at)
+    {
+      int& slot = this->Slots[at & (this->Slots.size() - 1)];
+      if (slot < 0 || this->Ids[slot] == id)
+      {
+        return slot;
+      }
+    }
+  }
+
+  std::vector<int> Slots = std::vector<int>(64, -1);
+};
+
+/// The rows of all items, one after another, as numbers.
+using Neighbourhood = std::vector<int>;
+
+struct HashNeighbourhood
+{
+  std::size_t operator()(const Neighbourhood& neighbourhood) const
+  {
+    std::uint64_t hash = 14695981039346656037u;
+    for (int value : neighbourhood)
+    {
+      hash = (hash ^ static_cast<std::uint64_t>(value)) * 1099511628211u;
+    }
+    return static_cast<std::size_t>(hash ^ (hash >> 32));
+  }
+};
+
+/// w of a neighbourhood by elimination of one item after the other, in the way of W. Grassmann,
+/// M. Taksar and D. Heyman (1985), which subtracts nothing: exact to rounding.
+template <typename Star>
+std::vector<double> EliminateItems(const Neighbourhood& rows, int items)
+{
+  std::vector<double> a(static_cast<std::size_t>(items) * items, 0.);
+  const int* row = rows.data();
+  for (int i = 0; i < items; ++i)
+  {
+    Star::Weigh(row, i, [&](int item, double weight) { a[i * items + item] += weight; });
+  }
+  for (int k = items - 1; k > 0; --k)
+  {
+    const double* last = a.data() + k * items;
+    const double sum = std::accumulate(last, last + k, 0.);
+    for (int i = 0; i < k; ++i)
+    {
+      const double factor = a[i * items + k] /= sum;
+      for (int j = 0; factor != 0. && j < k; ++j)
+      {
+        a[i * items + j] += factor * last[j];
+      }
+    }
+  }
+  std::vector<double> w(items, 0.);
+  w[0] = 1.;
+  for (int k = 1; k < items; ++k)
+  {
+    for (int i = 0; i < k; ++i)
+    {
+      w[k] += w[i] * a[i * items + k];
+    }
+  }
+  return w;
+}
+
+/// w of a neighbourhood by the series.
+template <typename Star>
+std::vector<double> SumSeries(const Neighbourhood& rows, int items)
+{
+  std::vector<double> sum(items, 0.);
+  std::vector<double> term(items, 0.);
+  std::vector<double> next(items);
+  const int* row = rows.data();
+  Star::Weigh(row, 0, [&](int item, double weight) { term[item] += weight; });
+  const int* const edges = row;
+  double total = 1.;
+  for (double left = 1.; left > 1e-20 * total; total += left)
+  {
+    row = edges;
+    left = 0.;
+    std::fill(next.begin(), next.end(), 0.);
+    for (int i = 1; i < items; ++i)
+    {
+      sum[i] += term[i];
+      left += term[i];
+      Star::Weigh(row, i, [&](int item, double weight) { next[item] += term[i] * weight; });
+    }
+    term.swap(next);
+  }
+  sum[0] = 1.;
+  return sum;
+}
+
+/// w of a neighbourhood, one weight for each item. A hub of many spokes has too many for a matrix.
+template <typename Star>
+std::vector<double> SolveLimit(const Neighbourhood& rows, std::size_t items)
+{
+  const int size = static_cast<int>(items);
+  std::vector<double> w =
+    size <= 48 ? EliminateItems<Star>(rows, size) : SumSeries<Star>(rows, size);
+  const double total = std::accumulate(w.begin(), w.end(), 0.);
+  for (double& weight : w)
+  {
+    weight /= total;
+  }
+  return w;
+}
+
+/// A row under way.
+template <typename Id>
+struct LimitRow
+{
+  std::vector<Id> Columns;
+  std::vector<double> Weights;
+};
+
+template <typename Star>
+class LimitRowMaker
+{
+public:
+  using Id = typename Star::IdType;
+
+  LimitRowMaker(const typename Star::LevelType& level, const SemiSharpStages<Id>& creases,
+    const std::vector<std::pair<Id, Id>>& sharpEdges)
+    : Here(level)
+    , Creases(creases)
+    , SharpEdges(sharpEdges)
+  {
+  }
+
+  void Make(Id vertex, LimitRow<Id>& row);
+
+private:
+  /// What a row reads: an item, or a vertex that is none.
+  struct Member
+  {
+    Id Key; ///< negative: the vertex that is looked at, or none of the items
+    Id Vertex;
+  };
+
+  void ReadNeighbourhood();
+  void FindSharpEdges();
+  void StepBack(int step);
+  void TakeFirstStep();
+  StarRules<Id> GetStage(int step) const;
+  double GetSharpness(int item, int step) const;
+  template <typename Emit>
+  void ForEachEntry(const StarRules<Id>& rules, int item, bool first, const Emit& emit);
+  template <typename Emit>
+  void ForEachBlendedEntry(int item, int step, const Emit& emit);
+
+  const Star Here;
+  const SemiSharpStages<Id>& Creases;
+  const std::vector<std::pair<Id, Id>>& SharpEdges; ///< (vertex, edge), sorted
+  std::unordered_map<Neighbourhood, std::vector<double>, HashNeighbourhood> Solved;
+  // Of the vertex that is looked at:
+  Id Vertex = 0;
+  Numbering<Id> Keys; ///< item i is key i - 1
+  Neighbourhood Local;
+  bool HasRelief = false;
+  double MostSharpness = 0.;
+  std::vector<double> Weights; ///< of the items
+  std::vector<double> NextWeights;
+  Numbering<Id> Vertices; ///< of the row
+  // Of one row:
+  Neighbourhood Numbers;
+  std::vector<Member> Members;
+};
+
+template <typename Star>
+void LimitRowMaker<Star>::Make(Id vertex, LimitRow<Id>& row)
+{
+  this->Vertex = vertex;
+  row.Columns.clear();
+  row.Weights.clear();
+  this->FindSharpEdges();
+  if (this->MostSharpness <= 0. &&
+    this->Here.GetRules().Strata.Vertices[vertex].GetRule() == Rule::Corner)
+  {
+    row.Columns.push_back(vertex);
+    row.Weights.push_back(1.);
+    return;
+  }
+  this->ReadNeighbourhood();
+  std::vector<double>& solved = this->Solved[this->Local];
+  if (solved.empty())
+  {
+    solved = SolveLimit<Star>(this->Local, this->Keys.Ids.size() + 1);
+  }
+  this->Weights = solved;
+  if (this->Solved.size() > 4096) // none of a mesh's refined parts has that many kinds
+  {
+    this->Solved.clear();
+  }
+  if (this->MostSharpness <= 0. && !this->HasRelief)
+  {
+    row.Columns.push_back(vertex);
+    for (Id key : this->Keys.Ids)
+    {
+      row.Columns.push_back(this->Here.GetFarEnd(vertex, key));
+    }
+    row.Weights = this->Weights;
+    return;
+  }
+  const int steps =
+    static_cast<int>(std::ceil(std::min<double>(this->MostSharpness, SharpForever)));
+  for (int step = steps - 1; step > 0; --step)
+  {
+    this->StepBack(step);
+  }
+  this->TakeFirstStep();
+  row.Columns = this->Vertices.Ids;
+  row.Weights = this->NextWeights;
+}
+
+/// The rows that repeat: without reliefs, and smooth.
+template <typename Star>
+void LimitRowMaker<Star>::ReadNeighbourhood()
+{
+  this->Keys.Clear();
+  this->Local.clear();
+  this->HasRelief = false;
+  const StarRules<Id> rules = this->Here.GetRules();
+  auto number = [this](Id key, Id) { return 1 + this->Keys.GetNumber(key); };
+  this->Here.ReadRow(rules, this->Vertex, Id(-1), false, this->Local, number);
+  for (std::size_t i = 0; i < this->Keys.Ids.size(); ++i) // grows
+  {
+    const bool all =
+      this->Here.ReadRow(rules, this->Vertex, this->Keys.Ids[i], false, this->Local, number);
+    this->HasRelief = this->HasRelief || !all;
+  }
+}
+
+template <typename Star>
+void LimitRowMaker<Star>::FindSharpEdges()
+{
+  this->MostSharpness = 0.;
+  for (auto at = std::lower_bound(
+         this->SharpEdges.begin(), this->SharpEdges.end(), std::make_pair(this->Vertex, Id(0)));
+    at != this->SharpEdges.end() && at->first == this->Vertex; ++at)
+  {
+    this->MostSharpness = std::max(this->MostSharpness, this->Creases.Sharpness[at->second]);
+  }
+}
+
+template <typename Star>
+StarRules<typename Star::IdType> LimitRowMaker<Star>::GetStage(int step) const
+{
+  const auto& stages = this->Creases.Stages;
+  const auto found = std::find_if(stages.begin(), stages.end(),
+    [step](const SharpStage<Id>& stage) { return stage.Until > step; });
+  const SharpStage<Id>& stage = found == stages.end() ? stages.back() : *found;
+  return { stage.Strata, stage.TetsAtSpokes.get() };
+}
+
+/// The weight of the sharp row of an item (SemiSharp.h).
+template <typename Star>
+double LimitRowMaker<Star>::GetSharpness(int item, int step) const
+{
+  if (this->MostSharpness <= step)
+  {
+    return 0.;
+  }
+  auto left = [&](Id edge)
+  { return std::min<double>(this->Creases.Sharpness[edge], SharpForever) - step; };
+  if (item > 0)
+  {
+    const Id key = this->Keys.Ids[item - 1];
+    const bool isEdge = key < this->Creases.Sharpness.size();
+    return isEdge ? std::max(0., std::min(1., left(key))) : 0.;
+  }
+  double sum = 0.;
+  int count = 0;
+  for (auto at = std::lower_bound(
+         this->SharpEdges.begin(), this->SharpEdges.end(), std::make_pair(this->Vertex, Id(0)));
+    at != this->SharpEdges.end() && at->first == this->Vertex; ++at)
+  {
+    const double sharpness = left(at->second);
+    if (sharpness > 0.)
+    {
+      sum += sharpness;
+      ++count;
+    }
+  }
+  return std::min(1., sum / count);
+}
+
+/// emit(key, vertex, weight) for each entry of an item's row; the key is negative for the vertex
+/// itself and for reliefs, which only the `first` step has.
+template <typename Star>
+template <typename Emit>
+void LimitRowMaker<Star>::ForEachEntry(
+  const StarRules<Id>& rules, int item, bool first, const Emit& emit)
+{
+  const Id own = item == 0 ? Id(-1) : this->Keys.Ids[item - 1];
+  this->Numbers.clear();
+  this->Members.assign(1, { Id(-1), this->Vertex });
+  if (item > 0)
+  {
+    this->Members.push_back({ own, this->Here.GetFarEnd(this->Vertex, own) });
+  }
+  this->Here.ReadRow(rules, this->Vertex, own, first, this->Numbers,
+    [this](Id key, Id vertex)
+    {
+      this->Members.push_back({ key, vertex });
+      return static_cast<int>(this->Members.size()) - 1;
+    });
+  const int* row = this->Numbers.data();
+  Star::Weigh(row, item == 0 ? 0 : 1, [&](int member, double weight)
+    { emit(this->Members[member].Key, this->Members[member].Vertex, weight); });
+}
+
+/// The row of an item as it is while creases are sharp.
+template <typename Star>
+template <typename Emit>
+void LimitRowMaker<Star>::ForEachBlendedEntry(int item, int step, const Emit& emit)
+{
+  const double sharp = this->GetSharpness(item, step);
+  auto scaled = [&](double factor)
+  {
+    return [&emit, factor](Id key, Id vertex, double weight)
+    { emit(key, vertex, factor * weight); };
+  };
+  if (sharp < 1.)
+  {
+    this->ForEachEntry(this->Here.GetRules(), item, step == 0, scaled(1. - sharp));
+  }
+  if (sharp > 0.)
+  {
+    this->ForEachEntry(this->GetStage(step), item, step == 0, scaled(sharp));
+  }
+}
+
+/// Weights <- Weights A, with the A of a later step. Sharp rings may bring further items.
+template <typename Star>
+void LimitRowMaker<Star>::StepBack(int step)
+{
+  this->NextWeights.assign(this->Weights.size(), 0.);
+  for (std::size_t i = 0; i < this->Weights.size(); ++i)
+  {
+    this->ForEachBlendedEntry(static_cast<int>(i), step,
+      [&](Id key, Id, double weight)
+      {
+        const std::size_t item = key < 0 ? 0 : 1 + this->Keys.GetNumber(key);
+        if (item >= this->NextWeights.size())
+        {
+          this->NextWeights.resize(item + 1, 0.);
+        }
+        this->NextWeights[item] += this->Weights[i] * weight;
+      });
+  }
+  this->Weights.swap(this->NextWeights);
+}
+
+/// NextWeights <- Weights S, over Vertices.
+template <typename Star>
+void LimitRowMaker<Star>::TakeFirstStep()
+{
+  this->Vertices.Clear();
+  this->NextWeights.clear();
+  for (std::size_t i = 0; i < this->Weights.size(); ++i)
+  {
+    this->ForEachBlendedEntry(static_cast<int>(i), 0,
+      [&](Id, Id vertex, double weight)
+      {
+        const std::size_t column = this->Vertices.GetNumber(vertex);
+        if (column >= this->NextWeights.size())
+        {
+          this->NextWeights.resize(column + 1, 0.);
+        }
+        this->NextWeights[column] += this->Weights[i] * weight;
+      });
+  }
+}
+
+/// Sharp edges at each of their ends.
+template <typename Id>
+std::vector<std::pair<Id, Id>> FindSharpEdges(
+  const SimplicialComplex<Id>& complex, const SemiSharpStages<Id>& creases)
+{
+  std::vector<std::pair<Id, Id>> found;
+  for (vtkIdType e = 0; e < creases.Sharpness.size(); ++e)
+  {
+    if (creases.Sharpness[e] > 0.)
+    {
+      found.emplace_back(complex.EdgeVertices[2 * e], static_cast<Id>(e));
+      found.emplace_back(complex.EdgeVertices[2 * e + 1], static_cast<Id>(e));
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// Rows of `size` vertices, which `vertex` names; blocks of them are made one by one and then put
+/// together.
+template <typename Star, typename Id, typename Vertex>
+SparseRows<Id> MakeLimitRows(const typename Star::LevelType& level,
+  const SemiSharpStages<Id>& creases, vtkIdType size, const Vertex& vertex)
+{
+  const std::vector<std::pair<Id, Id>> sharpEdges = FindSharpEdges(level.Complex, creases);
+  constexpr vtkIdType block = 4096;
+  const vtkIdType blocks = (size + block - 1) / block;
+  std::vector<LimitRow<Id>> parts(blocks);
+  SparseRows<Id> rows;
+  rows.NumberOfColumns = level.Complex.NumberOfVertices;
+  rows.Offsets = Buffer<Id>(size + 1);
+  vtkSMPThreadLocal<std::shared_ptr<LimitRowMaker<Star>>> makers; // what is solved is solved
+  auto makeBlocks = [&](vtkIdType begin, vtkIdType end)
+  {
+    auto& maker = makers.Local();
+    if (!maker)
+    {
+      maker = std::make_shared<LimitRowMaker<Star>>(level, creases, sharpEdges);
+    }
+    LimitRow<Id> row;
+    for (vtkIdType b = begin; b < end; ++b)
+    {
+      for (vtkIdType i = b * block; i < std::min(size, (b + 1) * block); ++i)
+      {
+        maker->Make(vertex(i), row);
+        rows.Offsets[i] = static_cast<Id>(row.Columns.size());
+        LimitRow<Id>& part = parts[b];
+        part.Columns.insert(part.Columns.end(), row.Columns.begin(), row.Columns.end());
+        part.Weights.insert(part.Weights.end(), row.Weights.begin(), row.Weights.end());
+      }
+    }
+  };
+  if (blocks > 2)
+  {
+    vtkSMPTools::For(0, blocks, 1, makeBlocks);
+  }
+  else
+  {
+    makeBlocks(0, blocks);
+  }
+  CountsToOffsets(rows.Offsets);
+  rows.Columns = Buffer<Id>(rows.Offsets[size]);
+  rows.Weights = Buffer<double>(rows.Offsets[size]);
+  for (vtkIdType b = 0; b < blocks; ++b)
+  {
+    const vtkIdType first = rows.Offsets[b * block];
+    std::copy(parts[b].Columns.begin(), parts[b].Columns.end(), rows.Columns.begin() + first);
+    std::copy(parts[b].Weights.begin(), parts[b].Weights.end(), rows.Weights.begin() + first);
+    parts[b] = LimitRow<Id>();
+  }
+  return rows;
+}
+
+}
+
+#endif

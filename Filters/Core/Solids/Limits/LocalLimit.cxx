@@ -1,0 +1,523 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/Limits/LocalLimit.h"
+
+#include "Core/Solids/BoxSpline/Stencils.h"
+#include "Core/Solids/Limits/Restriction.h"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace subdivision
+{
+
+/**
+ * Forward: levels, each made of a part of the one before, and the limits that are wanted on them.
+ * Backward: which values these need.
+ */
+template <typename Id>
+class LocalLimit<Id>::Builder
+{
+public:
+  Builder(
+    Id first, const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted);
+
+  /// False: the parts were too small.
+  bool Build(const Level<Id>& control, const SemiSharpStages<Id>& creases, int rings,
+    std::vector<Step>& steps);
+
+private:
+  /// A level, or a part of one.
+  struct Piece
+  {
+    subdivision::Level<Id> Level;
+    SemiSharpStages<Id> Creases;
+    Buffer<unsigned char> Whole; ///< vertices at which nothing is missing
+  };
+  /// What remains of a level: limits over its vertices, and rows that lead to it.
+  struct Trace
+  {
+    SparseRows<Id> Limits;
+    // On the control level there are none of these:
+    Buffer<Id> Columns; ///< what the operators' columns are on the level before
+    Stencils<Id> Smooth;
+    Stencils<Id> Sharp;          ///< where creases are still sharp
+    std::vector<double> Weights; ///< of the sharp rows; empty: all 0
+    Buffer<unsigned char> Whole; ///< rows of which nothing is missing
+  };
+
+  void FindLevels();
+  void FindCarriers();
+  Buffer<unsigned char> FlagSupport(
+    const SimplicialComplex<Id>& complex, std::size_t level, int rings) const;
+  void FollowVertices(
+    const SimplicialComplex<Id>& part, const Restriction<Id>& restriction, std::size_t level);
+  SparseRows<Id> MakeLimits(
+    const Level<Id>& level, const SemiSharpStages<Id>& creases, std::size_t number) const;
+  static SemiSharpStages<Id> RefineCreases(Piece& part, vtkIdType childEdges);
+  static void TakeOperators(Piece& part, Trace& trace);
+  static void AppendRow(const Trace& trace, vtkIdType row, ExplicitRows<Id>& rows);
+  bool FollowBack(std::vector<Trace>& traces, Id columns, std::vector<Step>& steps) const;
+
+  const Id First; ///< the number of the first midpoint
+  const std::vector<std::array<Id, 2>>& Midpoints;
+  std::vector<int> Levels;               ///< on which vertices first exist
+  std::vector<std::vector<Id>> Born;     ///< vertices by level
+  std::vector<std::vector<Id>> Wanted;   ///< those whose limits are
+  std::vector<std::vector<Id>> Carriers; ///< by level: its vertices whose cells hold later ones
+  std::vector<Id> At;                    ///< numbers of carriers on the current level
+};
+
+template <typename Id>
+LocalLimit<Id>::Builder::Builder(
+  Id first, const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted)
+  : First(first)
+  , Midpoints(midpoints)
+{
+  this->FindLevels();
+  this->FindCarriers();
+  this->Wanted.resize(this->Born.size());
+  for (std::size_t level = 0; level < this->Born.size(); ++level)
+  {
+    std::copy_if(this->Born[level].begin(), this->Born[level].end(),
+      std::back_inserter(this->Wanted[level]),
+      [&wanted](Id vertex) { return wanted.empty() || wanted[vertex]; });
+  }
+}
+
+template <typename Id>
+void LocalLimit<Id>::Builder::FindLevels()
+{
+  this->Levels.assign(this->Midpoints.size() + this->First, 0);
+  this->Born.resize(1);
+  for (Id v = 0; v < this->First; ++v)
+  {
+    this->Born[0].push_back(v);
+  }
+  for (std::size_t i = 0; i < this->Midpoints.size(); ++i)
+  {
+    const Id vertex = this->First + static_cast<Id>(i);
+    const auto [a, b] = this->Midpoints[i];
+    if (a < 0 || b < 0 || a >= vertex || b >= vertex)
+    {
+      throw std::invalid_argument("Midpoint " + std::to_string(vertex) + " has the ends " +
+        std::to_string(a) + " and " + std::to_string(b) + ", which must be earlier vertices.");
+    }
+    const std::size_t level = 1 + std::max(this->Levels[a], this->Levels[b]);
+    this->Levels[vertex] = static_cast<int>(level);
+    this->Born.resize(std::max(this->Born.size(), level + 1));
+    this->Born[level].push_back(vertex);
+  }
+}
+
+/// The ends of what is born on the next level, and the next level's carriers that are there
+/// already.
+template <typename Id>
+void LocalLimit<Id>::Builder::FindCarriers()
+{
+  this->Carriers.resize(this->Born.size());
+  std::vector<bool> carries(this->Levels.size(), false);
+  for (std::size_t level = this->Born.size() - 1; level-- > 0;)
+  {
+    std::vector<Id>& carriers = this->Carriers[level];
+    auto add = [&](Id vertex)
+    {
+      if (this->Levels[vertex] <= static_cast<int>(level) && !carries[vertex])
+      {
+        carries[vertex] = true;
+        carriers.push_back(vertex);
+      }
+    };
+    for (Id vertex : this->Carriers[level + 1])
+    {
+      add(vertex);
+    }
+    for (Id vertex : this->Born[level + 1])
+    {
+      add(this->Midpoints[vertex - this->First][0]);
+      add(this->Midpoints[vertex - this->First][1]);
+    }
+    for (Id vertex : carriers)
+    {
+      carries[vertex] = false;
+    }
+  }
+}
+
+/// Carriers and `rings` rings of neighbours around them.
+template <typename Id>
+Buffer<unsigned char> LocalLimit<Id>::Builder::FlagSupport(
+  const SimplicialComplex<Id>& complex, std::size_t level, int rings) const
+{
+  Buffer<unsigned char> flags(complex.NumberOfVertices, 0);
+  for (Id vertex : this->Carriers[level])
+  {
+    flags[this->At[vertex]] = 1;
+  }
+  for (int ring = 1; ring <= rings; ++ring)
+  {
+    for (Id e = 0; e < complex.NumberOfEdges; ++e)
+    {
+      const Id* ends = complex.EdgeVertices.data() + 2 * vtkIdType(e);
+      for (int i = 0; i < 2; ++i)
+      {
+        if (flags[ends[i]] > 0 && flags[ends[i]] <= ring && flags[ends[1 - i]] == 0)
+        {
+          flags[ends[1 - i]] = static_cast<unsigned char>(std::min(ring + 1, 255));
+        }
+      }
+    }
+  }
+  return flags;
+}
+
+/// Where carriers, and what is born of them, are on the next level.
+template <typename Id>
+void LocalLimit<Id>::Builder::FollowVertices(
+  const SimplicialComplex<Id>& part, const Restriction<Id>& restriction, std::size_t level)
+{
+  std::vector<unsigned char> carries(part.NumberOfVertices, 0);
+  for (Id vertex : this->Carriers[level])
+  {
+    this->At[vertex] = restriction.GetNewVertices()[this->At[vertex]];
+    carries[this->At[vertex]] = 1;
+  }
+  std::vector<std::tuple<Id, Id, Id>> edges;
+  for (Id e = 0; e < part.NumberOfEdges; ++e)
+  {
+    const auto [a, b] =
+      std::minmax(part.EdgeVertices[2 * vtkIdType(e)], part.EdgeVertices[2 * vtkIdType(e) + 1]);
+    if (carries[a] && carries[b])
+    {
+      edges.emplace_back(a, b, e);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  for (Id vertex : this->Born[level + 1])
+  {
+    const std::array<Id, 2>& ends = this->Midpoints[vertex - this->First];
+    const auto [a, b] = std::minmax(this->At[ends[0]], this->At[ends[1]]);
+    const auto edge = std::lower_bound(edges.begin(), edges.end(), std::make_tuple(a, b, Id(0)));
+    if (edge == edges.end() || std::get<0>(*edge) != a || std::get<1>(*edge) != b)
+    {
+      throw std::invalid_argument("There is no edge between the vertices " +
+        std::to_string(ends[0]) + " and " + std::to_string(ends[1]) + " on level " +
+        std::to_string(level) + ".");
+    }
+    this->At[vertex] = part.NumberOfVertices + std::get<2>(*edge);
+  }
+}
+
+template <typename Id>
+SparseRows<Id> LocalLimit<Id>::Builder::MakeLimits(
+  const Level<Id>& level, const SemiSharpStages<Id>& creases, std::size_t number) const
+{
+  const std::vector<Id>& wanted = this->Wanted[number];
+  Buffer<Id> vertices(static_cast<vtkIdType>(wanted.size()));
+  std::transform(
+    wanted.begin(), wanted.end(), vertices.begin(), [this](Id vertex) { return this->At[vertex]; });
+  return BuildLimitRows(level, creases, vertices);
+}
+
+template <typename Id>
+SemiSharpStages<Id> LocalLimit<Id>::Builder::RefineCreases(Piece& part, vtkIdType childEdges)
+{
+  SemiSharpStages<Id> refined;
+  const Buffer<double>& sharpness = part.Creases.Sharpness;
+  if (std::none_of(sharpness.begin(), sharpness.end(), [](double s) { return s > 1.; }))
+  {
+    return refined;
+  }
+  refined.Sharpness = Buffer<double>(childEdges, 0.);
+  for (vtkIdType e = 0; e < sharpness.size(); ++e)
+  {
+    refined.Sharpness[2 * e] = refined.Sharpness[2 * e + 1] = std::max(0., sharpness[e] - 1.);
+  }
+  for (SharpStage<Id>& stage : part.Creases.Stages)
+  {
+    if (stage.Until > 1)
+    {
+      std::swap(part.Level.Strata, stage.Strata);
+      refined.Stages.push_back(
+        { stage.Until - 1, Refine(part.Level, Depth::ForRefinement).Strata });
+      std::swap(part.Level.Strata, stage.Strata);
+    }
+  }
+  return refined;
+}
+
+/// The step from a part to its refinement; the part is used up.
+template <typename Id>
+void LocalLimit<Id>::Builder::TakeOperators(Piece& part, Trace& trace)
+{
+  const SimplicialComplex<Id>& complex = part.Level.Complex;
+  const vtkIdType vertices = complex.NumberOfVertices;
+  const vtkIdType edges = complex.NumberOfEdges;
+  trace.Whole = Buffer<unsigned char>(vertices + edges);
+  std::copy(part.Whole.begin(), part.Whole.end(), trace.Whole.begin());
+  for (vtkIdType e = 0; e < edges; ++e)
+  {
+    const Id* ends = complex.EdgeVertices.data() + 2 * e;
+    trace.Whole[vertices + e] = part.Whole[ends[0]] || part.Whole[ends[1]];
+  }
+  const Buffer<double>& sharpness = part.Creases.Sharpness;
+  if (std::any_of(sharpness.begin(), sharpness.end(), [](double s) { return s > 0.; }))
+  {
+    // As BlendSemiSharp does.
+    trace.Weights.assign(vertices + edges, 0.);
+    std::vector<int> counts(vertices, 0);
+    Level<Id> sharp;
+    sharp.Complex.EdgeVertices = Buffer<Id>(2 * edges);
+    std::copy_n(complex.EdgeVertices.begin(), 2 * edges, sharp.Complex.EdgeVertices.begin());
+    for (vtkIdType e = 0; e < edges; ++e)
+    {
+      trace.Weights[vertices + e] = std::min(1., sharpness[e]);
+      for (int i = 0; sharpness[e] > 0. && i < 2; ++i)
+      {
+        const Id end = complex.EdgeVertices[2 * e + i];
+        trace.Weights[end] += sharpness[e];
+        ++counts[end];
+      }
+    }
+    for (vtkIdType v = 0; v < vertices; ++v)
+    {
+      trace.Weights[v] = counts[v] ? std::min(1., trace.Weights[v] / counts[v]) : 0.;
+    }
+    sharp.Strata = std::move(part.Creases.Stages.front().Strata);
+    trace.Sharp = TakeStencils(sharp);
+  }
+  trace.Smooth = TakeStencils(part.Level);
+}
+
+template <typename Id>
+bool LocalLimit<Id>::Builder::Build(
+  const Level<Id>& control, const SemiSharpStages<Id>& creases, int rings, std::vector<Step>& steps)
+{
+  this->At.assign(this->Midpoints.size() + this->First, -1);
+  for (Id v = 0; v < this->First; ++v)
+  {
+    this->At[v] = v;
+  }
+  std::vector<Trace> traces(this->Born.size());
+  const Level<Id>* level = &control;
+  const SemiSharpStages<Id>* levelCreases = &creases;
+  Piece current; // what the two point to from level 1 on
+  for (std::size_t l = 0; l < this->Born.size(); ++l)
+  {
+    traces[l].Limits = this->MakeLimits(*level, *levelCreases, l);
+    if (l + 1 == this->Born.size())
+    {
+      break;
+    }
+    const Buffer<unsigned char> support = this->FlagSupport(level->Complex, l, rings);
+    const Restriction<Id> restriction(level->Complex, support);
+    const Buffer<Id>& old = restriction.GetOldVertices();
+    Piece part;
+    part.Level.Complex = restriction.Restrict(level->Complex);
+    part.Level.Strata = restriction.Restrict(level->Strata);
+    part.Creases = restriction.Restrict(*levelCreases);
+    part.Whole = Buffer<unsigned char>(old.size());
+    ForEach(old.size(), [&](vtkIdType v)
+      { part.Whole[v] = support[old[v]] && (current.Whole.empty() || current.Whole[old[v]]); });
+    this->FollowVertices(part.Level.Complex, restriction, l);
+    Trace& next = traces[l + 1];
+    next.Columns = Buffer<Id>(old.size());
+    std::copy(old.begin(), old.end(), next.Columns.begin());
+    current.Level = Refine(part.Level, Depth::ForRefinement);
+    current.Creases = RefineCreases(part, current.Level.Complex.NumberOfEdges);
+    TakeOperators(part, next);
+    current.Whole = Buffer<unsigned char>(next.Whole.size());
+    std::copy(next.Whole.begin(), next.Whole.end(), current.Whole.begin());
+    level = &current.Level;
+    levelCreases = &current.Creases;
+  }
+  return this->FollowBack(traces, this->First, steps);
+}
+
+/// A row that leads to a level, with columns on the level before.
+template <typename Id>
+void LocalLimit<Id>::Builder::AppendRow(const Trace& trace, vtkIdType row, ExplicitRows<Id>& rows)
+{
+  const std::size_t begin = rows.Columns.size();
+  const double sharp = trace.Weights.empty() ? 0. : trace.Weights[row];
+  if (sharp < 1.)
+  {
+    trace.Smooth.AppendRow(row, 1. - sharp, rows);
+  }
+  if (sharp > 0.)
+  {
+    trace.Sharp.AppendRow(row, sharp, rows);
+  }
+  for (std::size_t k = begin; k < rows.Columns.size(); ++k)
+  {
+    rows.Columns[k] = trace.Columns[rows.Columns[k]];
+  }
+  rows.Offsets.push_back(static_cast<Id>(rows.Columns.size()));
+}
+
+/// Keeps the rows that the limits need, level by level; false where something is missing in one.
+template <typename Id>
+bool LocalLimit<Id>::Builder::FollowBack(
+  std::vector<Trace>& traces, Id columns, std::vector<Step>& steps) const
+{
+  auto copy = [](const auto& from)
+  {
+    Buffer<std::decay_t<decltype(from[0])>> to(static_cast<vtkIdType>(from.size()));
+    std::copy(from.begin(), from.end(), to.begin());
+    return to;
+  };
+  steps.clear();
+  steps.resize(traces.size());
+  for (std::size_t l = traces.size(); l-- > 0;)
+  {
+    // The columns that are read on this level, in ascending order, and their new numbers.
+    SparseRows<Id>& limits = traces[l].Limits;
+    Buffer<Id> numbers(limits.NumberOfColumns, -1);
+    for (Id column : limits.Columns)
+    {
+      numbers[column] = 0;
+    }
+    const bool isLast = l + 1 == traces.size();
+    for (Id column : isLast
+        ? Row<Id>()
+        : Row<Id>{ steps[l + 1].Rows.Columns.begin(), steps[l + 1].Rows.Columns.end() })
+    {
+      numbers[column] = 0;
+    }
+    ExplicitRows<Id> rows;
+    Id count = 0;
+    for (vtkIdType v = 0; v < numbers.size(); ++v)
+    {
+      if (numbers[v] < 0)
+      {
+        continue;
+      }
+      numbers[v] = count++;
+      if (l == 0)
+      {
+        rows.Columns.push_back(static_cast<Id>(v));
+        rows.Weights.push_back(1.);
+        rows.Offsets.push_back(count);
+        continue;
+      }
+      if (!traces[l].Whole[v])
+      {
+        return false;
+      }
+      AppendRow(traces[l], v, rows);
+    }
+    auto renumber = [&](SparseRows<Id>& to)
+    {
+      to.NumberOfColumns = count;
+      ForEach(to.Columns.size(), [&](vtkIdType k) { to.Columns[k] = numbers[to.Columns[k]]; });
+    };
+    renumber(limits);
+    if (!isLast)
+    {
+      renumber(steps[l + 1].Rows);
+    }
+    steps[l].Rows.NumberOfColumns = columns; // of level 0; others are told by the next turn
+    steps[l].Rows.Offsets = copy(rows.Offsets);
+    steps[l].Rows.Columns = copy(rows.Columns);
+    steps[l].Rows.Weights = copy(rows.Weights);
+    steps[l].Limits = std::move(limits);
+    steps[l].Vertices = this->Wanted[l];
+  }
+  return true;
+}
+
+template <typename Id>
+LocalLimit<Id>::LocalLimit(const Level<Id>& control, const SemiSharpStages<Id>& creases,
+  const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted, int rings)
+  : NumberOfRows(control.Complex.NumberOfVertices + static_cast<vtkIdType>(midpoints.size()))
+  , NumberOfColumns(control.Complex.NumberOfVertices)
+{
+  Builder builder(control.Complex.NumberOfVertices, midpoints, wanted);
+  while (!builder.Build(control, creases, rings, this->Steps))
+  {
+    ++rings;
+  }
+}
+
+template <typename Id>
+void LocalLimit<Id>::ApplyInDouble(const double* in, double* out, int components) const
+{
+  Buffer<double> values;
+  for (const Step& step : this->Steps)
+  {
+    Buffer<double> next(step.Rows.GetNumberOfRows() * components);
+    step.Rows.Apply(&step == &this->Steps[0] ? in : values.data(), next.data(), components);
+    values = std::move(next);
+    Buffer<double> limits(step.Limits.GetNumberOfRows() * components);
+    step.Limits.Apply(values.data(), limits.data(), components);
+    ForEach(limits.size() / components,
+      [&](vtkIdType i)
+      {
+        std::copy_n(limits.data() + i * components, components,
+          out + static_cast<vtkIdType>(step.Vertices[i]) * components);
+      });
+  }
+}
+
+template <typename Id>
+SparseRows<Id> LocalLimit<Id>::BuildRows() const
+{
+  std::vector<SparseRows<Id>> parts;
+  SparseRows<Id> product;
+  for (const Step& step : this->Steps)
+  {
+    const bool isFirst = parts.empty();
+    if (!isFirst)
+    {
+      const bool isSecond = parts.size() == 1;
+      product = Multiply(step.Rows, isSecond ? this->Steps[0].Rows : product);
+    }
+    parts.push_back(Multiply(step.Limits, isFirst ? step.Rows : product));
+  }
+  SparseRows<Id> rows;
+  rows.NumberOfColumns = this->NumberOfColumns;
+  rows.Offsets = Buffer<Id>(this->NumberOfRows + 1, 0);
+  auto forRows = [&](const auto& act)
+  {
+    for (std::size_t l = 0; l < parts.size(); ++l)
+    {
+      const std::vector<Id>& vertices = this->Steps[l].Vertices;
+      ForEach(static_cast<vtkIdType>(vertices.size()), [&](vtkIdType i)
+        { act(vertices[i], parts[l], parts[l].Offsets[i], parts[l].Offsets[i + 1]); });
+    }
+  };
+  forRows(
+    [&](Id row, const SparseRows<Id>&, Id begin, Id end) { rows.Offsets[row] = end - begin; });
+  CountsToOffsets(rows.Offsets);
+  rows.Columns = Buffer<Id>(rows.Offsets[this->NumberOfRows]);
+  rows.Weights = Buffer<double>(rows.Offsets[this->NumberOfRows]);
+  forRows(
+    [&](Id row, const SparseRows<Id>& part, Id begin, Id end)
+    {
+      const Id first = rows.Offsets[row];
+      std::copy(
+        part.Columns.begin() + begin, part.Columns.begin() + end, rows.Columns.begin() + first);
+      std::copy(
+        part.Weights.begin() + begin, part.Weights.begin() + end, rows.Weights.begin() + first);
+    });
+  return rows;
+}
+
+template <typename Id>
+vtkIdType LocalLimit<Id>::GetNumberOfSupportValues() const
+{
+  vtkIdType values = 0;
+  for (const Step& step : this->Steps)
+  {
+    values += step.Rows.GetNumberOfRows();
+  }
+  return values;
+}
+
+template class LocalLimit<int>;
+template class LocalLimit<long long>;
+
+}

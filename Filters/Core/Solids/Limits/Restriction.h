@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Restriction.h
+ * A part of a level as a level of its own, to be refined where detail is needed.
+ */
+#ifndef SubdivisionObjects_Restriction_h
+#define SubdivisionObjects_Restriction_h
+
+#include "Core/Solids/Limits/LimitStencils.h"
+
+namespace subdivision
+{
+
+/// What a part keeps of a level: all simplices at some vertices, and the faces of these. Numbers
+/// are given in the order of the level.
+template <typename Id>
+class Restriction
+{
+public:
+  /// `complex` was made with Depth::ForRefinement; `at`: whether all that lies at a vertex is kept.
+  Restriction(const SimplicialComplex<Id>& complex, const Buffer<unsigned char>& at);
+
+  /// The part's cells; none counts as a cell of the output.
+  SimplicialComplex<Id> Restrict(const SimplicialComplex<Id>& complex) const;
+  /// Rings lose what is not kept: those of the part's border are not whole, and so are rows made
+  /// of them.
+  Strata<Id> Restrict(const Strata<Id>& strata) const;
+  SemiSharpStages<Id> Restrict(const SemiSharpStages<Id>& creases) const;
+
+  /// Numbers in the part, -1 for what is not kept; and back.
+  const Buffer<Id>& GetNewVertices() const { return this->Vertices.New; }
+  const Buffer<Id>& GetOldVertices() const { return this->Vertices.Old; }
+
+private:
+  struct Numbers
+  {
+    Buffer<Id> New;
+    Buffer<Id> Old;
+  };
+  static Numbers Number(const Buffer<unsigned char>& kept);
+  static Rings<Id> Restrict(
+    const Rings<Id>& rings, const Numbers& owners, const Numbers& carriers, const Numbers& members);
+
+  Numbers Vertices;
+  Numbers Edges;
+  Numbers Faces;
+  Numbers Tets;
+};
+
+}
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ShadingFacets.h
+ * What a level has at vertices without tangents, from which they take normals for shading
+ * (ShadingNormals.h).
+ */
+#ifndef SubdivisionObjects_ShadingFacets_h
+#define SubdivisionObjects_ShadingFacets_h
+
+#include "Core/Operators/ShadingNormals.h"
+#include "Core/Solids/BoxSpline/Refinement.h"
+#include "Core/Solids/TetOct/TetOctComplex.h"
+
+#include <vector>
+
+namespace subdivision
+{
+
+/// As ids of vertices.
+template <typename Id>
+struct ShadingFacets
+{
+  std::vector<Id> Triangles; ///< three corners, then another vertex of the solid behind, or -1
+  std::vector<Id> Lines;     ///< two ends
+  std::vector<Id> Points;
+
+  void Fill(ShadingNormals& normals) const
+  {
+    for (std::size_t i = 0; i < this->Triangles.size(); i += 4)
+    {
+      const Id* corners = this->Triangles.data() + i;
+      corners[3] < 0 ? normals.AddFacet(corners, 3, false)
+                     : normals.AddFacetOfSolid(corners, corners[3]);
+    }
+    for (std::size_t i = 0; i < this->Lines.size(); i += 2)
+    {
+      normals.AddLine(this->Lines[i], this->Lines[i + 1]);
+    }
+    for (const Id point : this->Points)
+    {
+      normals.AddPoint(point);
+    }
+    normals.Fill();
+  }
+  std::size_t GetMemorySize() const
+  {
+    return sizeof(Id) * (this->Triangles.size() + this->Lines.size() + this->Points.size());
+  }
+};
+
+/// The triangles that can be seen, lines and single points at vertices whose row of `sectors` is
+/// empty. Linear in the size of the level.
+template <typename Id>
+ShadingFacets<Id> FindShadingFacets(const Level<Id>& level, const Rows<Id>& sectors);
+template <typename Id>
+ShadingFacets<Id> FindShadingFacets(const TetOctLevel<Id>& level, const Rows<Id>& sectors);
+
+}
+
+#endif

@@ -1,0 +1,483 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/Location/SimplexTree.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace subdivision
+{
+namespace
+{
+
+using Vector = std::array<double, 3>;
+
+Vector Subtract(const double* a, const double* b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+double Dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector Cross(const Vector& a, const Vector& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+/// The edges at the first corner, the normals of their planes, and six times the volume.
+struct TetFrame
+{
+  explicit TetFrame(const double* const corners[4])
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Edges[i] = Subtract(corners[i + 1], corners[0]);
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Normals[i] = Cross(this->Edges[(i + 1) % 3], this->Edges[(i + 2) % 3]);
+    }
+    this->Volume = Dot(this->Edges[0], this->Normals[0]);
+  }
+  /// Whether the volume is nothing but rounding.
+  bool IsFlat(double least = 1e-14) const
+  {
+    double product = 1.;
+    for (const Vector& edge : this->Edges)
+    {
+      product *= std::sqrt(Dot(edge, edge));
+    }
+    return !(std::abs(this->Volume) > least * product);
+  }
+
+  Vector Edges[3];
+  Vector Normals[3];
+  double Volume;
+};
+
+/// A number that grows along a curve through all cells of a lattice of 2^21 cells in each
+/// direction: the bits of the coordinates in turns.
+std::uint64_t Interleave(const double x[3], const double low[3], const double scale[3])
+{
+  constexpr double cells = 2097151.;
+  std::uint64_t code = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double place = (x[c] - low[c]) * scale[c] * cells;
+    std::uint64_t bits = place > 0. ? static_cast<std::uint64_t>(std::min(place, cells)) : 0;
+    bits = (bits | bits << 32) & 0x001f00000000ffffULL;
+    bits = (bits | bits << 16) & 0x001f0000ff0000ffULL;
+    bits = (bits | bits << 8) & 0x100f00f00f00f00fULL;
+    bits = (bits | bits << 4) & 0x10c30c30c30c30c3ULL;
+    bits = (bits | bits << 2) & 0x1249249249249249ULL;
+    code |= bits << c;
+  }
+  return code;
+}
+
+/// The nearest place in the simplex of the first `count` corners; returns the squared distance.
+double FindNearestPlace(
+  const double* const* corners, int count, const double x[3], double* weights);
+
+/// The nearest place in a facet that x is beyond: where the corner opposite to it has a negative
+/// weight, or in any facet of a flat simplex.
+double FindNearestInFacets(
+  const double* const* corners, int count, const double x[3], const double* beyond, double* weights)
+{
+  double best = std::numeric_limits<double>::infinity();
+  for (int omitted = 0; omitted < count; ++omitted)
+  {
+    if (beyond && beyond[omitted] >= 0.)
+    {
+      continue;
+    }
+    const double* facet[3];
+    double found[3];
+    for (int i = 0; i + 1 < count; ++i)
+    {
+      facet[i] = corners[i + (i >= omitted)];
+    }
+    const double distance2 = FindNearestPlace(facet, count - 1, x, found);
+    if (distance2 < best)
+    {
+      best = distance2;
+      for (int i = 0; i < count; ++i)
+      {
+        weights[i] = i == omitted ? 0. : found[i - (i > omitted)];
+      }
+    }
+  }
+  return best;
+}
+
+/// Weights of the projection of x to the line or plane of 2 or 3 corners; false if degenerate.
+bool Project(const double* const* corners, int count, const double x[3], double* weights)
+{
+  const Vector d = Subtract(x, corners[0]);
+  const Vector u = Subtract(corners[1], corners[0]);
+  const double uu = Dot(u, u);
+  if (count == 2)
+  {
+    weights[1] = Dot(d, u) / uu;
+    weights[0] = 1. - weights[1];
+    return uu > 0.;
+  }
+  const Vector v = Subtract(corners[2], corners[0]);
+  const double vv = Dot(v, v);
+  const Vector normal = Cross(u, v);
+  const double nn = Dot(normal, normal);
+  if (!(nn > 1e-28 * uu * vv))
+  {
+    return false;
+  }
+  weights[1] = Dot(Cross(d, v), normal) / nn;
+  weights[2] = Dot(Cross(u, d), normal) / nn;
+  weights[0] = 1. - weights[1] - weights[2];
+  return true;
+}
+
+double FindNearestPlace(const double* const* corners, int count, const double x[3], double* weights)
+{
+  bool solved = true;
+  if (count == 1)
+  {
+    weights[0] = 1.;
+  }
+  else
+  {
+    solved =
+      count == 4 ? FindWeightsInTet(corners, x, weights) : Project(corners, count, x, weights);
+  }
+  if (!solved || std::any_of(weights, weights + count, [](double w) { return w < 0.; }))
+  {
+    double beyond[4];
+    std::copy(weights, weights + count, beyond);
+    return FindNearestInFacets(corners, count, x, solved ? beyond : nullptr, weights);
+  }
+  double distance2 = 0.;
+  for (int c = 0; c < 3; ++c)
+  {
+    double difference = x[c];
+    for (int i = 0; i < count; ++i)
+    {
+      difference -= weights[i] * corners[i][c];
+    }
+    distance2 += difference * difference;
+  }
+  return distance2;
+}
+
+}
+
+bool FindWeightsInTet(const double* const corners[4], const double x[3], double weights[4])
+{
+  const TetFrame tet(corners);
+  if (tet.IsFlat())
+  {
+    return false;
+  }
+  Vector rest = Subtract(x, corners[0]);
+  double found[3] = { 0., 0., 0. };
+  for (int round = 0; round < 2; ++round) // the second takes away what rounding left, in thin cells
+  {
+    Vector left = rest;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double step = Dot(rest, tet.Normals[i]) / tet.Volume;
+      found[i] += step;
+      for (int c = 0; c < 3; ++c)
+      {
+        left[c] -= step * tet.Edges[i][c];
+      }
+    }
+    rest = left;
+  }
+  weights[0] = 1. - found[0] - found[1] - found[2];
+  std::copy(found, found + 3, weights + 1);
+  return true;
+}
+
+bool FindGradientsInTet(const double* const corners[4], double gradients[4][3])
+{
+  const TetFrame tet(corners);
+  for (int c = 0; c < 3; ++c)
+  {
+    gradients[0][c] = 0.;
+    for (int i = 0; i < 3; ++i)
+    {
+      gradients[i + 1][c] = tet.Normals[i][c] / tet.Volume;
+      gradients[0][c] -= gradients[i + 1][c];
+    }
+  }
+  return !tet.IsFlat();
+}
+
+int GetOrientationOfTet(const double* const corners[4], double least)
+{
+  const TetFrame tet(corners);
+  return tet.IsFlat(least) ? 0 : tet.Volume > 0. ? 1 : -1;
+}
+
+// ------------------------------------------------------------------------------------------------
+
+SimplexTree::SimplexTree(const double* points, int corners, Buffer<vtkIdType>&& ids)
+  : Points(points)
+  , Corners(corners)
+  , Ids(std::move(ids))
+  , Order(this->Ids.size() / corners)
+{
+  this->Sort();
+  this->MakeBoxes();
+}
+
+void SimplexTree::GetPoints(vtkIdType simplex, const double* corners[4]) const
+{
+  const vtkIdType* ids = this->GetCorners(simplex);
+  for (int i = 0; i < this->Corners; ++i)
+  {
+    corners[i] = this->Points + 3 * ids[i];
+  }
+}
+
+SimplexTree::Box SimplexTree::GetBox(vtkIdType simplex) const
+{
+  const double* corners[4];
+  this->GetPoints(simplex, corners);
+  Box box;
+  for (int c = 0; c < 3; ++c)
+  {
+    box.Low[c] = box.High[c] = corners[0][c];
+    for (int i = 1; i < this->Corners; ++i)
+    {
+      box.Low[c] = std::min(box.Low[c], corners[i][c]);
+      box.High[c] = std::max(box.High[c], corners[i][c]);
+    }
+  }
+  return box;
+}
+
+void SimplexTree::Sort()
+{
+  const vtkIdType size = this->Order.size();
+  Box all;
+  for (int c = 0; c < 3; ++c)
+  {
+    all.Low[c] = std::numeric_limits<double>::infinity();
+    all.High[c] = -all.Low[c];
+  }
+  for (vtkIdType id : this->Ids)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      all.Low[c] = std::min(all.Low[c], this->Points[3 * id + c]);
+      all.High[c] = std::max(all.High[c], this->Points[3 * id + c]);
+    }
+  }
+  double scale[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    scale[c] = all.High[c] > all.Low[c] ? 1. / (all.High[c] - all.Low[c]) : 0.;
+  }
+  struct Item
+  {
+    std::uint64_t Code;
+    vtkIdType Simplex;
+    bool operator<(const Item& other) const
+    {
+      return this->Code != other.Code ? this->Code < other.Code : this->Simplex < other.Simplex;
+    }
+  };
+  Buffer<Item> items(size);
+  ForEach(size,
+    [&](vtkIdType i)
+    {
+      const Box box = this->GetBox(i);
+      double middle[3];
+      for (int c = 0; c < 3; ++c)
+      {
+        middle[c] = 0.5 * box.Low[c] + 0.5 * box.High[c];
+      }
+      items[i] = { Interleave(middle, all.Low, scale), i };
+    });
+  vtkSMPTools::Sort(items.begin(), items.end());
+  ForEach(size, [&](vtkIdType i) { this->Order[i] = items[i].Simplex; });
+}
+
+/// Boxes are a little wider than what they hold, for the tolerance.
+void SimplexTree::MakeBoxes()
+{
+  auto join = [](Box& box, const Box& other)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      box.Low[c] = std::min(box.Low[c], other.Low[c]);
+      box.High[c] = std::max(box.High[c], other.High[c]);
+    }
+  };
+  vtkIdType size = this->Order.size();
+  while (size > 0 && (this->Levels.empty() || size > 1))
+  {
+    const vtkIdType below = size;
+    const Buffer<Box>* children = this->Levels.empty() ? nullptr : &this->Levels.back();
+    size = (size + Width - 1) / Width;
+    Buffer<Box> boxes(size);
+    ForEach(size,
+      [&](vtkIdType node)
+      {
+        const vtkIdType end = std::min(below, (node + 1) * Width);
+        for (vtkIdType i = node * Width; i < end; ++i)
+        {
+          Box box = children ? (*children)[i] : this->GetBox(this->Order[i]);
+          for (int c = 0; c < 3 && !children; ++c)
+          {
+            const double more = 1e-3 * (box.High[c] - box.Low[c]);
+            box.Low[c] -= more;
+            box.High[c] += more;
+          }
+          if (i == node * Width)
+          {
+            boxes[node] = box;
+          }
+          join(boxes[node], box);
+        }
+      });
+    this->Levels.push_back(std::move(boxes));
+  }
+}
+
+bool SimplexTree::FindContaining(const double x[3], double tolerance, PlaceInSimplex& place) const
+{
+  place.Simplex = -1;
+  if (this->Levels.empty() || this->Corners != 4)
+  {
+    return false;
+  }
+  struct Node
+  {
+    int Level;
+    vtkIdType Index;
+  };
+  Node open[256]; // at most Width - 1 more on each level than the one that is visited
+  int count = 0;
+  open[count++] = { static_cast<int>(this->Levels.size()) - 1, 0 };
+  while (count > 0)
+  {
+    const Node node = open[--count];
+    const Box& box = this->Levels[node.Level][node.Index];
+    if (!(x[0] >= box.Low[0] && x[0] <= box.High[0] && x[1] >= box.Low[1] && x[1] <= box.High[1] &&
+          x[2] >= box.Low[2] && x[2] <= box.High[2]))
+    {
+      continue;
+    }
+    const vtkIdType below =
+      node.Level > 0 ? this->Levels[node.Level - 1].size() : this->Order.size();
+    const vtkIdType end = std::min(below, (node.Index + 1) * Width);
+    for (vtkIdType i = node.Index * Width; i < end; ++i)
+    {
+      if (node.Level > 0)
+      {
+        open[count++] = { node.Level - 1, i };
+        continue;
+      }
+      const vtkIdType simplex = this->Order[i];
+      if (place.Simplex >= 0 && simplex > place.Simplex)
+      {
+        continue;
+      }
+      const double* corners[4];
+      double weights[4];
+      this->GetPoints(simplex, corners);
+      if (FindWeightsInTet(corners, x, weights) &&
+        *std::min_element(weights, weights + 4) >= -tolerance)
+      {
+        place.Simplex = simplex;
+        std::copy(weights, weights + 4, place.Weights);
+      }
+    }
+  }
+  return place.Simplex >= 0;
+}
+
+// ------------------------------------------------------------------------------------------------
+
+struct SimplexTree::Nearest
+{
+  const double* X;
+  PlaceInSimplex Found;
+  double Distance2 = std::numeric_limits<double>::infinity();
+};
+
+double SimplexTree::GetDistance2(const Box& box, const double x[3])
+{
+  double sum = 0.;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double outside = std::max({ box.Low[c] - x[c], 0., x[c] - box.High[c] });
+    sum += outside * outside;
+  }
+  return sum;
+}
+
+void SimplexTree::Visit(std::size_t level, vtkIdType node, Nearest& nearest) const
+{
+  const vtkIdType below = level > 0 ? this->Levels[level - 1].size() : this->Order.size();
+  const vtkIdType first = node * Width;
+  const vtkIdType end = std::min(below, first + Width);
+  if (level > 0)
+  {
+    std::pair<double, vtkIdType> children[Width]; // by distance
+    for (vtkIdType i = first; i < end; ++i)
+    {
+      const std::pair<double, vtkIdType> child{ GetDistance2(this->Levels[level - 1][i], nearest.X),
+        i };
+      vtkIdType at = i - first;
+      for (; at > 0 && child < children[at - 1]; --at)
+      {
+        children[at] = children[at - 1];
+      }
+      children[at] = child;
+    }
+    for (vtkIdType i = 0; i < end - first; ++i)
+    {
+      if (children[i].first <= nearest.Distance2) // equally near ones may come first
+      {
+        this->Visit(level - 1, children[i].second, nearest);
+      }
+    }
+    return;
+  }
+  for (vtkIdType i = first; i < end; ++i)
+  {
+    const vtkIdType simplex = this->Order[i];
+    const double* corners[4];
+    double weights[4] = { 0., 0., 0., 0. };
+    this->GetPoints(simplex, corners);
+    const double distance2 = FindNearestPlace(corners, this->Corners, nearest.X, weights);
+    if (distance2 < nearest.Distance2 ||
+      (distance2 == nearest.Distance2 && simplex < nearest.Found.Simplex))
+    {
+      nearest.Distance2 = distance2;
+      nearest.Found.Simplex = simplex;
+      std::copy(weights, weights + 4, nearest.Found.Weights);
+    }
+  }
+}
+
+bool SimplexTree::FindNearest(const double x[3], PlaceInSimplex& place, double& distance2) const
+{
+  Nearest nearest;
+  nearest.X = x;
+  if (!this->Levels.empty())
+  {
+    this->Visit(this->Levels.size() - 1, 0, nearest);
+  }
+  place = nearest.Found;
+  distance2 = nearest.Distance2;
+  return place.Simplex >= 0;
+}
+
+}

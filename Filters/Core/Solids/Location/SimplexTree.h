@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SimplexTree.h
+ * Which simplex holds a point, or is nearest to it: a tree of boxes over simplices in the order of
+ * a space-filling curve.
+ *
+ * Built and asked in any number of threads, with the same answers. Where several simplices answer,
+ * the one with the smallest index does.
+ */
+#ifndef SubdivisionObjects_SimplexTree_h
+#define SubdivisionObjects_SimplexTree_h
+
+#include "Core/Memory/Buffer.h"
+
+#include <vector>
+
+namespace subdivision
+{
+
+/// A place in a simplex: its index and the weights of its corners, which sum to 1.
+struct PlaceInSimplex
+{
+  vtkIdType Simplex = -1;
+  double Weights[4] = { 0., 0., 0., 0. };
+};
+
+/// Weights of the corners of a tetrahedron that give x; false if it is flat.
+bool FindWeightsInTet(const double* const corners[4], const double x[3], double weights[4]);
+
+/// How the weights change along the axes; false if the tetrahedron is flat.
+bool FindGradientsInTet(const double* const corners[4], double gradients[4][3]);
+
+/// The sign of the volume: 0 where it is next to nothing, `least`, against the lengths of the
+/// edges.
+int GetOrientationOfTet(const double* const corners[4], double least = 1e-14);
+
+class SimplexTree
+{
+public:
+  SimplexTree() = default;
+  /// `corners` ids for each simplex: 4, or 3 for triangles, lines and vertices, whose last corners
+  /// are repeated. The points must outlive the tree, and be finite where simplices use them.
+  SimplexTree(const double* points, int corners, Buffer<vtkIdType>&& ids);
+
+  vtkIdType GetNumberOfSimplices() const { return this->Order.size(); }
+  const vtkIdType* GetCorners(vtkIdType simplex) const
+  {
+    return this->Ids.data() + simplex * this->Corners;
+  }
+
+  /// The first of the tetrahedra that hold x: no weight is below -tolerance. Tolerances are up to
+  /// 1e-4.
+  bool FindContaining(const double x[3], double tolerance, PlaceInSimplex& place) const;
+  /// The first of the nearest simplices, the nearest place in it and the squared distance.
+  bool FindNearest(const double x[3], PlaceInSimplex& place, double& distance2) const;
+
+private:
+  struct Box
+  {
+    double Low[3];
+    double High[3];
+  };
+  void Sort();
+  void MakeBoxes();
+  Box GetBox(vtkIdType simplex) const;
+  void GetPoints(vtkIdType simplex, const double* corners[4]) const;
+  struct Nearest;
+  void Visit(std::size_t level, vtkIdType node, Nearest& nearest) const;
+  static double GetDistance2(const Box& box, const double x[3]);
+
+  static constexpr vtkIdType Width = 4; ///< children of a node, simplices of a leaf
+
+  const double* Points = nullptr;
+  int Corners = 4;
+  Buffer<vtkIdType> Ids;
+  Buffer<vtkIdType> Order;         ///< simplices along the curve
+  std::vector<Buffer<Box>> Levels; ///< of Width simplices each, of Width boxes each, …, one
+};
+
+}
+
+#endif

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/RedGreen/RedGreenOutput.h"
+
+#include "Core/Solids/RedGreen/RedGreenTables.h"
+
+#include "vtkCellType.h"
+
+#include <utility>
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr unsigned char TypeOfDimension[4] = { VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_TETRA };
+
+RefinementKind KindOfUnsplit(int level)
+{
+  return level > 0 ? RefinementKind::Red : RefinementKind::Untouched;
+}
+
+/// Input cells that stay as they are, from `cell` to `end`.
+template <typename Out>
+void CopyRun(const SimplexView& input, vtkIdType cell, vtkIdType end, vtkIdType from, vtkIdType to,
+  vtkIdType toEntry, const RedGreenStorage<Out>& out)
+{
+  vtkIdType entry = toEntry;
+  for (vtkIdType i = cell; i < end; ++i)
+  {
+    const vtkIdType target = to + (i - cell);
+    const int dimension = input.Dimensions[i];
+    out.Cells.Types[target] = TypeOfDimension[dimension];
+    out.Cells.Offsets[target] = static_cast<Out>(entry);
+    entry += dimension + 1;
+  }
+  for (vtkIdType i = 0; i < entry - toEntry; ++i)
+  {
+    out.Cells.Connectivity[toEntry + i] = static_cast<Out>(input.Connectivity[from + i]);
+  }
+  const vtkIdType size = end - cell;
+  for (vtkIdType i = 0; out.Levels && i < size; ++i)
+  {
+    out.Levels[to + i] = static_cast<unsigned char>(input.GetLevel(cell + i));
+  }
+  for (vtkIdType i = 0; out.Kinds && i < size; ++i)
+  {
+    out.Kinds[to + i] = static_cast<unsigned char>(KindOfUnsplit(input.GetLevel(cell + i)));
+  }
+  if (out.GreenParents)
+  {
+    std::fill(out.GreenParents + to, out.GreenParents + to + size, vtkIdType(-1));
+  }
+  for (vtkIdType i = 0; out.InputCells && i < size; ++i)
+  {
+    out.InputCells[to + i] = cell + i;
+  }
+}
+
+}
+
+template <typename Id>
+RedGreenOutput<Id>::RedGreenOutput(const RedGreen<Id>& state)
+  : State(state)
+{
+  this->FindTrees();
+  this->PlaceTrees();
+  ForEach(this->Trees.size(),
+    [&](vtkIdType i)
+    {
+      Tree next = this->Trees[i];
+      this->PlaceLeaves(next.Root, next);
+    });
+}
+
+/// The trees where something happened, in input order, and their sizes.
+template <typename Id>
+void RedGreenOutput<Id>::FindTrees()
+{
+  const auto& roots = this->State.Roots;
+  std::vector<std::vector<Id>> found(roots.GetNumberOfPages());
+  Buffer<vtkIdType> starts(roots.GetNumberOfPages() + 1);
+  const auto find = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType block = begin; block < end; ++block)
+    {
+      for (Id root : roots.GetPage(block))
+      {
+        if (root >= 0 && this->State.Nodes[root].Pattern != 0)
+        {
+          found[block].push_back(root);
+        }
+      }
+      starts[block] = static_cast<vtkIdType>(found[block].size());
+    }
+  };
+  const auto count = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType block = begin; block < end; ++block)
+    {
+      Tree* tree = this->Trees.data() + starts[block];
+      for (Id root : found[block])
+      {
+        *tree = { root, this->State.Nodes[root].Input, 0, 0, 0, 0 };
+        this->CountLeaves(root, *tree++);
+      }
+    }
+  };
+  ForBlocks(static_cast<vtkIdType>(found.size()), find);
+  CountsToOffsets(starts);
+  this->Trees = Buffer<Tree>(starts[starts.size() - 1]);
+  ForBlocks(static_cast<vtkIdType>(found.size()), count);
+}
+
+template <typename Id>
+void RedGreenOutput<Id>::CountLeaves(Id index, Tree& tree) const
+{
+  const auto& node = this->State.Nodes[index];
+  const auto& parts = redgreen::PartsOf[node.Dimension][node.Pattern];
+  if (node.FirstChild >= 0)
+  {
+    for (int child = 0; child < parts.Count; ++child)
+    {
+      this->CountLeaves(node.FirstChild + child, tree);
+    }
+    return;
+  }
+  tree.Cells += parts.Count;
+  tree.Entries += parts.Count * (node.Dimension + 1);
+  ++tree.Leaves;
+  tree.Greens += parts.Kind >= RefinementKind::GreenI ? 1 : 0;
+}
+
+/// From sizes to places; between trees there are input cells that stay as they are.
+template <typename Id>
+void RedGreenOutput<Id>::PlaceTrees()
+{
+  vtkIdType cell = 0; // of the input, up to which all has its place
+  vtkIdType entry = 0;
+  vtkIdType leaves = 0;
+  vtkIdType greens = 0;
+  for (Tree& tree : this->Trees)
+  {
+    const vtkIdType place = this->State.Places[tree.Input];
+    this->Counts.Cells += tree.Input - cell;
+    this->Counts.Entries += place - entry;
+    cell = tree.Input + vtkIdType(1);
+    entry = place + this->State.Input.Dimensions[tree.Input] + 1;
+    const vtkIdType cells = std::exchange(tree.Cells, this->Counts.Cells);
+    const vtkIdType entries = std::exchange(tree.Entries, this->Counts.Entries);
+    this->Counts.Cells += cells;
+    this->Counts.Entries += entries;
+    leaves += std::exchange(tree.Leaves, leaves);
+    greens += std::exchange(tree.Greens, greens);
+  }
+  this->Counts.Cells += this->State.Input.NumberOfSimplices - cell;
+  this->Counts.Entries += this->State.Places[this->State.Input.NumberOfSimplices] - entry;
+  this->Leaves = Buffer<Leaf>(leaves);
+  this->Greens = Buffer<vtkIdType>(greens);
+}
+
+template <typename Id>
+void RedGreenOutput<Id>::PlaceLeaves(Id index, Tree& next)
+{
+  const auto& node = this->State.Nodes[index];
+  const auto& parts = redgreen::PartsOf[node.Dimension][node.Pattern];
+  if (node.FirstChild >= 0)
+  {
+    for (int child = 0; child < parts.Count; ++child)
+    {
+      this->PlaceLeaves(node.FirstChild + child, next);
+    }
+    return;
+  }
+  const bool green = parts.Kind >= RefinementKind::GreenI;
+  if (green)
+  {
+    this->Greens[next.Greens] = next.Leaves;
+  }
+  this->Leaves[next.Leaves++] = { index, next.Cells, next.Entries,
+    green ? next.Greens++ : vtkIdType(-1) };
+  next.Cells += parts.Count;
+  next.Entries += parts.Count * (node.Dimension + 1);
+}
+
+template <typename Id>
+GreenLeaf<Id> RedGreenOutput<Id>::GetGreenLeaf(vtkIdType i) const
+{
+  const Leaf& place = this->Leaves[this->Greens[i]];
+  const auto& node = this->State.Nodes[place.Node];
+  GreenLeaf<Id> leaf;
+  leaf.Input = node.Input;
+  leaf.Dimension = node.Dimension;
+  leaf.Level = node.Level;
+  leaf.FirstCell = place.FirstCell;
+  leaf.NumberOfCells = redgreen::PartsOf[node.Dimension][node.Pattern].Count;
+  Id lattice[10];
+  this->State.GetLattice(node, lattice);
+  std::copy(lattice, lattice + node.Dimension + 1, leaf.Vertices.begin());
+  std::copy(lattice + node.Dimension + 1,
+    lattice + node.Dimension + 1 + redgreen::NumberOfEdges[node.Dimension], leaf.Midpoints.begin());
+  return leaf;
+}
+
+template <typename Id>
+template <typename Out>
+void RedGreenOutput<Id>::Write(const RedGreenStorage<Out>& out) const
+{
+  const SimplexView& input = this->State.Input;
+  ForEach(this->Leaves.size(), [&](vtkIdType i) { this->WriteLeaf(this->Leaves[i], out); });
+  constexpr vtkIdType blockSize = 64 * SimplexPlaces::BlockSize;
+  const auto copyBlocks = [&](vtkIdType begin, vtkIdType end)
+  {
+    begin *= blockSize;
+    end = std::min(input.NumberOfSimplices, end * blockSize);
+    // The trees in this stretch: each says where the cells after the one before it go.
+    auto tree = std::lower_bound(this->Trees.begin(), this->Trees.end(), begin,
+      [](const Tree& t, vtkIdType cell) { return t.Input < cell; });
+    while (begin < end)
+    {
+      const bool last = tree == this->Trees.end();
+      const vtkIdType stop = last ? end : std::min<vtkIdType>(end, tree->Input);
+      if (begin < stop)
+      {
+        // Counted back from the next tree, or from the end.
+        const vtkIdType from = this->State.Places[begin];
+        const vtkIdType next = last ? input.NumberOfSimplices : vtkIdType(tree->Input);
+        const CellCounts place = last ? this->Counts : CellCounts{ tree->Cells, tree->Entries };
+        CopyRun(input, begin, stop, from, place.Cells - (next - begin),
+          place.Entries - (this->State.Places[next] - from), out);
+      }
+      begin = stop + 1;
+      tree += last ? 0 : 1;
+    }
+  };
+  const vtkIdType blocks = (input.NumberOfSimplices + blockSize - 1) / blockSize;
+  ForBlocks(blocks, copyBlocks);
+  out.Cells.Offsets[this->Counts.Cells] = static_cast<Out>(this->Counts.Entries);
+}
+
+/// The cells in the place of a leaf, or of a red cell whose children are not stored.
+template <typename Id>
+template <typename Out>
+void RedGreenOutput<Id>::WriteLeaf(const Leaf& leaf, const RedGreenStorage<Out>& out) const
+{
+  const auto& node = this->State.Nodes[leaf.Node];
+  const auto& parts = redgreen::PartsOf[node.Dimension][node.Pattern];
+  const bool red = parts.Kind == RefinementKind::Red;
+  const int level = node.Level + (red ? 1 : 0);
+  const RefinementKind kind = node.Pattern == 0 ? KindOfUnsplit(level) : parts.Kind;
+  Id lattice[10];
+  this->State.GetLattice(node, lattice);
+  vtkIdType entry = leaf.FirstEntry;
+  for (int part = 0; part < parts.Count; ++part)
+  {
+    const vtkIdType cell = leaf.FirstCell + part;
+    out.Cells.Types[cell] = TypeOfDimension[node.Dimension];
+    out.Cells.Offsets[cell] = static_cast<Out>(entry);
+    for (int i = 0; i <= node.Dimension; ++i)
+    {
+      out.Cells.Connectivity[entry++] = static_cast<Out>(lattice[parts.Vertices[part][i]]);
+    }
+    if (out.Levels)
+    {
+      out.Levels[cell] = static_cast<unsigned char>(level);
+    }
+    if (out.Kinds)
+    {
+      out.Kinds[cell] = static_cast<unsigned char>(kind);
+    }
+    if (out.GreenParents)
+    {
+      out.GreenParents[cell] = leaf.Green;
+    }
+    if (out.InputCells)
+    {
+      out.InputCells[cell] = node.Input;
+    }
+  }
+}
+
+template <typename Id>
+MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
+{
+  const Id inputs = state.GetNumberOfInputVertices();
+  const vtkIdType size = state.GetNumberOfVertices() - inputs;
+  MidpointRows<Id> result;
+  SparseRows<Id>& added = result.Added;
+  added.NumberOfColumns = inputs;
+  added.Offsets = Buffer<Id>(size + 1);
+  added.Offsets[0] = 0;
+  // Each row is made of those of its ends, which are earlier.
+  GrowingBuffer<Id> columns;
+  GrowingBuffer<double> weights;
+  for (vtkIdType row = 0; row < size; ++row)
+  {
+    const vtkIdType first = columns.size();
+    const auto add = [&](Id column, double weight)
+    {
+      vtkIdType k = first;
+      while (k < columns.size() && columns[k] != column)
+      {
+        ++k;
+      }
+      if (k == columns.size())
+      {
+        columns.push_back(column);
+        weights.push_back(0.);
+      }
+      weights[k] += 0.5 * weight;
+    };
+    for (Id end : state.GetEnds(static_cast<Id>(inputs + row)))
+    {
+      if (end < inputs)
+      {
+        add(end, 1.);
+        continue;
+      }
+      const vtkIdType last = added.Offsets[end - inputs + 1];
+      for (vtkIdType k = added.Offsets[end - inputs]; k < last; ++k)
+      {
+        add(columns[k], weights[k]);
+      }
+    }
+    added.Offsets[row + 1] = static_cast<Id>(columns.size());
+  }
+  added.Columns = columns.Copy();
+  added.Weights = weights.Copy();
+  return result;
+}
+
+#define SUBDIVISION_RED_GREEN_OUTPUT(Id)                                                           \
+  template class RedGreenOutput<Id>;                                                               \
+  template void RedGreenOutput<Id>::Write(const RedGreenStorage<int>&) const;                      \
+  template void RedGreenOutput<Id>::Write(const RedGreenStorage<long long>&) const;                \
+  template MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>&)
+SUBDIVISION_RED_GREEN_OUTPUT(int);
+SUBDIVISION_RED_GREEN_OUTPUT(long long);
+
+}

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/Strata/Strata.h"
+
+#include "Core/Solids/Strata/StrataBuilder.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace subdivision
+{
+namespace
+{
+
+/// Rings of those carriers in `around` that `accept` takes, and after them the `reliefs`.
+template <typename Id, typename Accept, typename Member>
+Rings<Id> MakeRings(const Rows<Id>& around, const Accept& accept, const Member& member,
+  const std::vector<std::vector<Id>>& reliefs)
+{
+  const vtkIdType size = around.GetNumberOfRows();
+  Rings<Id> rings;
+  rings.Offsets = Buffer<Id>(size + 1);
+  ForEach(size,
+    [&](vtkIdType i)
+    {
+      const Row<Id> row = around[i];
+      const auto count =
+        std::count_if(row.begin(), row.end(), [&](Id carrier) { return accept(i, carrier); });
+      rings.Offsets[i] = static_cast<Id>(count + (reliefs.empty() ? 0 : reliefs[i].size()));
+    });
+  CountsToOffsets(rings.Offsets);
+  rings.Members = Buffer<Id>(rings.Offsets[size]);
+  rings.Carriers = Buffer<Id>(rings.Offsets[size]);
+  ForEach(size,
+    [&](vtkIdType i)
+    {
+      Id out = rings.Offsets[i];
+      for (Id carrier : around[i])
+      {
+        if (accept(i, carrier))
+        {
+          rings.Members[out] = member(i, carrier);
+          rings.Carriers[out++] = carrier;
+        }
+      }
+      if (!reliefs.empty())
+      {
+        for (Id vertex : reliefs[i])
+        {
+          rings.Members[out] = vertex;
+          rings.Carriers[out++] = -1;
+        }
+      }
+    });
+  return rings;
+}
+
+}
+
+/// Type 1: in C_k and C_l. Otherwise what the only C_k says.
+template <typename Id>
+int StrataBuilder<Id>::TypeOf(unsigned char dimensions, const Place places[4]) const
+{
+  if (dimensions & (dimensions - 1))
+  {
+    return 1;
+  }
+  for (int k = 1; k <= 3; ++k)
+  {
+    if (dimensions == DimensionBit(k))
+    {
+      return places[k] == Place::Type2 ? 2 : places[k] == Place::Type3 ? 3 : 0;
+    }
+  }
+  return 0;
+}
+
+template <typename Id>
+JointRule StrataBuilder<Id>::Choice(int type, unsigned char regional) const
+{
+  JointRule rule = type == 1 ? this->Options.Type1
+    : type == 2              ? this->Options.Type2
+                             : this->Options.Type3;
+  if (regional)
+  {
+    rule = static_cast<JointRule>(regional - 1);
+  }
+  const bool follows = rule != JointRule::Blend && rule != JointRule::Sharp;
+  const bool exists = !follows || (type == 1 && rule != JointRule::FollowPart) ||
+    (type == 2 && rule == JointRule::FollowPart);
+  return exists ? rule : JointRule::Blend;
+}
+
+template <typename Id>
+int StrataBuilder<Id>::CountSingularFaces(Id edge) const
+{
+  int count = 0;
+  if (!this->Singular.Faces.empty())
+  {
+    for (Id face : this->Around.EdgeFaces[edge])
+    {
+      count += this->IsSingularFace(face) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+template <typename Id>
+Stratum StrataBuilder<Id>::DecideFace(Id face) const
+{
+  const vtkIdType tets = this->Complex.FaceTets[face].size();
+  const int type = tets > 2 ? 2 : 0;
+  if (tets < 2 || this->IsSingularFace(face))
+  {
+    return Stratum(Rule::Surface, type);
+  }
+  if (tets == 2)
+  {
+    return Stratum(Rule::Solid);
+  }
+  return Stratum(this->Options.Type2 == JointRule::Sharp ? Rule::Curve : Rule::Blend, type);
+}
+
+/// Common neighbours of the ends of a Blend edge that lie on no face with it.
+template <typename Id>
+void StrataBuilder<Id>::CollectRelief(
+  Id edge, const Decision& decision, std::vector<Id>& relief) const
+{
+  // From the end with fewer neighbours, so that a hub of many spokes is not searched at each.
+  auto valence = [this](Id vertex) { return this->Around.VertexEdges[vertex].size(); };
+  auto areJoined = [&](Id a, Id b)
+  {
+    const Id from = valence(a) < valence(b) ? a : b;
+    const Row<Id> edges = this->Around.VertexEdges[from];
+    return std::any_of(edges.begin(), edges.end(),
+      [&](Id other)
+      {
+        return (this->Around.EdgeDimensions(other) & decision.Dimensions) &&
+          this->Complex.OtherEnd(other, from) == (from == a ? b : a);
+      });
+  };
+  const Id* ends = this->Complex.EdgeVertices.data() + 2 * vtkIdType(edge);
+  const Id near = valence(ends[0]) < valence(ends[1]) ? ends[0] : ends[1];
+  const Id far = this->Complex.OtherEnd(edge, near);
+  std::vector<Id> common;
+  for (Id other : this->Around.VertexEdges[near])
+  {
+    const Id neighbour = this->Complex.OtherEnd(other, near);
+    if (neighbour != far && (this->Around.EdgeDimensions(other) & decision.Dimensions) &&
+      areJoined(neighbour, far))
+    {
+      common.push_back(neighbour);
+    }
+  }
+  std::sort(common.begin(), common.end());
+  std::vector<Id> spanned;
+  for (Id face : this->Around.EdgeFaces[edge])
+  {
+    if (this->IsInEdgeRing(face, decision))
+    {
+      spanned.push_back(this->Complex.VertexOpposite(face, edge));
+    }
+  }
+  std::sort(spanned.begin(), spanned.end());
+  std::set_difference(
+    common.begin(), common.end(), spanned.begin(), spanned.end(), std::back_inserter(relief));
+}
+
+/// The reliefs of all edges; empty where no edge has one.
+template <typename Id>
+std::vector<std::vector<Id>> StrataBuilder<Id>::CollectReliefs(const Buffer<Decision>& edges) const
+{
+  std::vector<std::vector<Id>> reliefs;
+  if (std::none_of(edges.begin(), edges.end(),
+        [](const Decision& decision) { return decision.Result.GetRule() == Rule::Blend; }))
+  {
+    return reliefs;
+  }
+  reliefs.resize(edges.size());
+  ForEach(edges.size(),
+    [&](vtkIdType e)
+    {
+      if (edges[e].Result.GetRule() == Rule::Blend)
+      {
+        this->CollectRelief(static_cast<Id>(e), edges[e], reliefs[e]);
+      }
+    });
+  if (std::all_of(reliefs.begin(), reliefs.end(), [](const auto& r) { return r.empty(); }))
+  {
+    reliefs.clear();
+  }
+  return reliefs;
+}
+
+template <typename Id>
+Strata<Id> StrataBuilder<Id>::Build()
+{
+  const vtkIdType edges = this->Complex.NumberOfEdges;
+  const vtkIdType vertices = this->Complex.NumberOfVertices;
+  Strata<Id> strata;
+  this->EdgePlaces = Buffer<Place>(edges);
+  ForEach(edges,
+    [&](vtkIdType e) { this->EdgePlaces[e] = this->Around.PlaceEdge(static_cast<Id>(e), 3); });
+
+  Buffer<Decision> edgeDecisions(edges);
+  this->EdgeMarks = Buffer<unsigned char>(edges);
+  strata.Edges = Buffer<Stratum>(edges);
+  ForEach(edges,
+    [&](vtkIdType e)
+    {
+      const Decision decision = this->DecideEdge(static_cast<Id>(e));
+      edgeDecisions[e] = decision;
+      strata.Edges[e] = decision.Result;
+      this->EdgeMarks[e] = decision.Ring == RingKind::Creases ? 1
+        : decision.Ring == RingKind::SharpJoints              ? 2
+                                                              : 0;
+    });
+  Buffer<Decision> vertexDecisions(vertices);
+  strata.Vertices = Buffer<Stratum>(vertices);
+  ForEach(vertices,
+    [&](vtkIdType v)
+    {
+      vertexDecisions[v] = this->DecideVertex(static_cast<Id>(v));
+      strata.Vertices[v] = vertexDecisions[v].Result;
+    });
+  strata.Faces = Buffer<Stratum>(this->Complex.NumberOfFaces);
+  ForEach(this->Complex.NumberOfFaces,
+    [&](vtkIdType f) { strata.Faces[f] = this->DecideFace(static_cast<Id>(f)); });
+
+  strata.EdgeRings = MakeRings(
+    this->Around.EdgeFaces,
+    [&](vtkIdType e, Id face) { return this->IsInEdgeRing(face, edgeDecisions[e]); },
+    [&](vtkIdType e, Id face) { return this->Complex.VertexOpposite(face, static_cast<Id>(e)); },
+    this->CollectReliefs(edgeDecisions));
+  strata.VertexRings = MakeRings(
+    this->Around.VertexEdges, [&](vtkIdType v, Id edge)
+    { return this->IsInVertexRing(edge, vertexDecisions[v]); }, [&](vtkIdType v, Id edge)
+    { return this->Complex.OtherEnd(edge, static_cast<Id>(v)); }, std::vector<std::vector<Id>>());
+  return strata;
+}
+
+template class StrataBuilder<int>;
+template class StrataBuilder<long long>;
+
+template <typename Id>
+Strata<Id> BuildStrata(const SimplicialComplex<Id>& complex, const SingularSimplices& singular,
+  const StrataOptions& options)
+{
+  return StrataBuilder<Id>(complex, singular, options).Build();
+}
+
+template Strata<int> BuildStrata(
+  const SimplicialComplex<int>&, const SingularSimplices&, const StrataOptions&);
+template Strata<long long> BuildStrata(
+  const SimplicialComplex<long long>&, const SingularSimplices&, const StrataOptions&);
+
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Strata.h
+ * Which rule does each vertex and edge follow, and with which ring (Mathematics 3, 4, 6).
+ *
+ * Links are examined once, on the input complex. Children inherit (Refinement.h): what lies inside
+ * an edge or a face of the input has the stratum of that simplex, what lies inside a tetrahedron
+ * the rule of solids.
+ */
+#ifndef SubdivisionObjects_Strata_h
+#define SubdivisionObjects_Strata_h
+
+#include "Core/Rules/Rule.h"
+#include "Core/Solids/Complex/SimplicialComplex.h"
+
+namespace subdivision
+{
+
+/// The rule of a vertex or edge and its non-manifold type (0 manifold, else 1 to 3), in one byte.
+class Stratum
+{
+public:
+  Stratum() = default;
+  constexpr explicit Stratum(Rule rule, int type = 0)
+    : Code(static_cast<unsigned char>(static_cast<int>(rule) | type << 4))
+  {
+  }
+  constexpr Rule GetRule() const { return static_cast<Rule>(this->Code & 15); }
+  constexpr int GetType() const { return this->Code >> 4; }
+
+private:
+  unsigned char Code;
+};
+
+/// Singular simplices: a flag for each vertex, edge and face; an empty buffer means none.
+struct SingularSimplices
+{
+  Buffer<unsigned char> Vertices;
+  Buffer<unsigned char> Edges;
+  Buffer<unsigned char> Faces;
+};
+
+struct StrataOptions
+{
+  JointRule Type1 = JointRule::Blend;
+  JointRule Type2 = JointRule::Blend;
+  JointRule Type3 = JointRule::Blend;
+  /// At the end of a crease: false, a corner; true, as if the crease were not there (Hoppe's dart).
+  bool DartEnds = false;
+  /// Part of each maximal edge and face, negative for none; may be empty.
+  Buffer<int> EdgeParts;
+  Buffer<int> FaceParts;
+  /// 1 + JointRule where a region wants another choice than the three above, else 0; may be empty.
+  Buffer<unsigned char> VertexChoices;
+  Buffer<unsigned char> EdgeChoices;
+};
+
+/// The rings of all vertices or all edges of a level, as compressed rows.
+template <typename Id>
+struct Rings
+{
+  Buffer<Id> Offsets;
+  /// Vertices.
+  Buffer<Id> Members;
+  /// What joins each member: for a vertex's ring the edge, for an edge's ring the face that both
+  /// span, or -1 where there is none (the relief ring of a Blend edge of the input may have such
+  /// members). Empty on a level that is not refined further.
+  Buffer<Id> Carriers;
+
+  vtkIdType GetSize(vtkIdType i) const { return this->Offsets[i + 1] - this->Offsets[i]; }
+  Row<Id> GetMembers(vtkIdType i) const { return this->GetRow(this->Members, i); }
+  Row<Id> GetCarriers(vtkIdType i) const { return this->GetRow(this->Carriers, i); }
+  std::size_t GetMemorySize() const
+  {
+    return this->Offsets.GetMemorySize() + this->Members.GetMemorySize() +
+      this->Carriers.GetMemorySize();
+  }
+
+private:
+  Row<Id> GetRow(const Buffer<Id>& items, vtkIdType i) const
+  {
+    return { items.data() + this->Offsets[i], items.data() + this->Offsets[i + 1] };
+  }
+};
+
+template <typename Id>
+struct Strata
+{
+  Buffer<Stratum> Vertices;
+  Buffer<Stratum> Edges;
+  /// What the edges and vertices inside a face follow: Surface, Solid, Blend (or Curve: each edge
+  /// by itself sharp). Not kept on a level that is not refined further.
+  Buffer<Stratum> Faces;
+  Rings<Id> VertexRings;
+  Rings<Id> EdgeRings;
+};
+
+template <typename Id>
+Strata<Id> BuildStrata(const SimplicialComplex<Id>& complex, const SingularSimplices& singular,
+  const StrataOptions& options);
+
+extern template Strata<int> BuildStrata(
+  const SimplicialComplex<int>&, const SingularSimplices&, const StrataOptions&);
+extern template Strata<long long> BuildStrata(
+  const SimplicialComplex<long long>&, const SingularSimplices&, const StrataOptions&);
+
+}
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file StrataBuilder.h
+ * The decisions behind Strata.h: edges first (StrataEdges.cxx), then vertices (StrataVertices.cxx).
+ */
+#ifndef SubdivisionObjects_StrataBuilder_h
+#define SubdivisionObjects_StrataBuilder_h
+
+#include "Core/Solids/Complex/Links.h"
+#include "Core/Solids/Strata/Strata.h"
+
+namespace subdivision
+{
+
+/// Which edges at a vertex, or faces at an edge, make its ring.
+enum class RingKind : unsigned char
+{
+  None,
+  Creases,         ///< edges that are singular lines
+  SingularFaces,   ///< singular faces, and the edges on them
+  SharpJoints,     ///< edges that became d = 1 by the rule Sharp
+  InDimensions,    ///< all edges or faces in one of the C_k of a set
+  BoundaryOfSolid, ///< boundary faces of C_3 and their edges
+  BoundaryOfSurface,
+  Part ///< lines or triangles of one part
+};
+
+struct Decision
+{
+  Stratum Result;
+  RingKind Ring;
+  unsigned char Dimensions;
+  int Part;
+};
+
+constexpr Rule RuleOfDimension(int d)
+{
+  return static_cast<Rule>(d);
+}
+
+template <typename Id>
+class StrataBuilder
+{
+public:
+  StrataBuilder(const SimplicialComplex<Id>& complex, const SingularSimplices& singular,
+    const StrataOptions& options)
+    : Complex(complex)
+    , Singular(singular)
+    , Options(options)
+    , Around(complex)
+  {
+  }
+
+  Strata<Id> Build();
+
+private:
+  // Edges.
+  Decision DecideEdge(Id edge) const;
+  Decision DecideJointEdge(Id edge, int type, unsigned char dimensions, JointRule rule) const;
+  Decision DecideEdgeIn(Id edge, int k, Place place, int type, bool follow) const;
+  bool IsRegular(Id edge) const;
+  bool IsInEdgeRing(Id face, const Decision& decision) const;
+  // Vertices.
+  Decision DecideVertex(Id vertex) const;
+  bool DecideSingularVertex(Id vertex, int type, Decision& decision) const;
+  Decision DecideJointVertex(Id vertex, int type, unsigned char dimensions, JointRule rule) const;
+  Decision DecideVertexIn(Id vertex, int k, Place place, int type, bool follow) const;
+  bool IsInVertexRing(Id edge, const Decision& decision) const;
+  bool LiesOnBoundaryCurve(Id vertex) const;
+  int FindPartAtVertex(Id vertex, int k) const;
+  int FindPartAtEdge(Id edge) const;
+  // Shared.
+  int TypeOf(unsigned char dimensions, const Place places[4]) const;
+  JointRule Choice(int type, unsigned char regional) const;
+  Stratum DecideFace(Id face) const;
+  int CountSingularFaces(Id edge) const;
+  int PartOfEdge(Id e) const
+  {
+    return this->Options.EdgeParts.empty() ? -1 : this->Options.EdgeParts[e];
+  }
+  int PartOfFace(Id f) const
+  {
+    return this->Options.FaceParts.empty() ? -1 : this->Options.FaceParts[f];
+  }
+  bool IsSingularFace(Id face) const
+  {
+    return !this->Singular.Faces.empty() && this->Singular.Faces[face];
+  }
+  bool IsCrease(Id edge) const { return this->EdgeMarks[edge] & 1; }
+  bool IsSharpJoint(Id edge) const { return this->EdgeMarks[edge] & 2; }
+  std::vector<std::vector<Id>> CollectReliefs(const Buffer<Decision>& edges) const;
+  void CollectRelief(Id edge, const Decision& decision, std::vector<Id>& relief) const;
+
+  const SimplicialComplex<Id>& Complex;
+  const SingularSimplices& Singular;
+  const StrataOptions& Options;
+  const Links<Id> Around;
+  Buffer<Place> EdgePlaces; ///< in C_3
+  Buffer<unsigned char> EdgeMarks;
+};
+
+extern template class StrataBuilder<int>;
+extern template class StrataBuilder<long long>;
+
+}
+
+#endif

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edges (Mathematics 4).
+#include "Core/Solids/Complex/Simplices.h"
+#include "Core/Solids/Strata/StrataBuilder.h"
+
+#include <limits>
+
+namespace subdivision
+{
+
+template <typename Id>
+Decision StrataBuilder<Id>::DecideEdge(Id edge) const
+{
+  const unsigned char dimensions = this->Around.EdgeDimensions(edge);
+  Place places[4] = {};
+  for (int k = 1; k <= 3; ++k)
+  {
+    places[k] = k == 3 ? this->EdgePlaces[edge] : this->Around.PlaceEdge(edge, k);
+  }
+  const int type = this->TypeOf(dimensions, places);
+  const int singularFaces = this->CountSingularFaces(edge);
+  const bool flagged = !this->Singular.Edges.empty() && this->Singular.Edges[edge];
+  if (flagged || singularFaces == 1 || singularFaces > 2)
+  {
+    return { Stratum(Rule::Curve, type), RingKind::Creases, 0, 0 };
+  }
+  if (singularFaces == 2)
+  {
+    return { Stratum(Rule::Surface, type), RingKind::SingularFaces, 0, 0 };
+  }
+  if (type)
+  {
+    const unsigned char regional =
+      this->Options.EdgeChoices.empty() ? 0 : this->Options.EdgeChoices[edge];
+    return this->DecideJointEdge(edge, type, dimensions, this->Choice(type, regional));
+  }
+  const int k = dimensions == 1 ? 1 : dimensions == 2 ? 2 : 3;
+  return this->DecideEdgeIn(edge, k, places[k], 0, false);
+}
+
+template <typename Id>
+Decision StrataBuilder<Id>::DecideJointEdge(
+  Id edge, int type, unsigned char dimensions, JointRule rule) const
+{
+  switch (rule)
+  {
+    case JointRule::Sharp:
+      return { Stratum(Rule::Curve, type), RingKind::SharpJoints, 0, 0 };
+    case JointRule::FollowDimension1:
+    case JointRule::FollowDimension2:
+    case JointRule::FollowDimension3:
+    {
+      const int k = 1 + static_cast<int>(rule) - static_cast<int>(JointRule::FollowDimension1);
+      if (dimensions & DimensionBit(k))
+      {
+        const Place place = k == 3 ? this->EdgePlaces[edge] : this->Around.PlaceEdge(edge, k);
+        return this->DecideEdgeIn(edge, k, place, type, true);
+      }
+      break;
+    }
+    case JointRule::FollowPart:
+    {
+      const int part = this->FindPartAtEdge(edge);
+      if (part >= 0)
+      {
+        return { Stratum(Rule::Surface, type), RingKind::Part, DimensionBit(2), part };
+      }
+      break;
+    }
+    default:
+      break;
+  }
+  return { Stratum(Rule::Blend, type), RingKind::InDimensions, AllDimensions, 0 };
+}
+
+/// The rule of an edge at some place of one C_k; `follow`: the others are there and are ignored.
+template <typename Id>
+Decision StrataBuilder<Id>::DecideEdgeIn(Id edge, int k, Place place, int type, bool follow) const
+{
+  if (k == 1)
+  {
+    return { Stratum(Rule::Curve, type), RingKind::None, 0, 0 };
+  }
+  switch (place)
+  {
+    case Place::Boundary:
+      return k == 3 ? Decision{ Stratum(Rule::Surface, type), RingKind::BoundaryOfSolid, 0, 0 }
+                    : Decision{ Stratum(Rule::Curve, type), RingKind::BoundaryOfSurface, 0, 0 };
+    case Place::Interior:
+    {
+      const Rule rule = k == 2  ? Rule::Surface
+        : this->IsRegular(edge) ? Rule::RegularEdge
+                                : Rule::Solid;
+      return { Stratum(rule, type), RingKind::InDimensions, DimensionBit(k), 0 };
+    }
+    default:
+      break;
+  }
+  const int inner = place == Place::Type2 ? 2 : 3;
+  const unsigned char regional =
+    follow && !this->Options.EdgeChoices.empty() ? this->Options.EdgeChoices[edge] : 0;
+  Decision decision =
+    this->DecideJointEdge(edge, type, DimensionBit(k), this->Choice(inner, regional));
+  if (decision.Ring == RingKind::InDimensions)
+  {
+    decision.Dimensions = DimensionBit(k);
+  }
+  return decision;
+}
+
+/// An interior edge with exactly four tetrahedra that is marked in all four.
+template <typename Id>
+bool StrataBuilder<Id>::IsRegular(Id edge) const
+{
+  int faces = 0;
+  for (Id face : this->Around.EdgeFaces[edge])
+  {
+    const Row<Id> tets = this->Complex.FaceTets[face];
+    if (tets.size() == 0)
+    {
+      continue; // a maximal triangle, which an edge that follows C_3 ignores
+    }
+    ++faces;
+    for (Id tet : tets)
+    {
+      if (!tetrahedron::IsMarked(this->Complex.EdgeInTet(tet, edge)))
+      {
+        return false;
+      }
+    }
+  }
+  return faces == 4;
+}
+
+template <typename Id>
+bool StrataBuilder<Id>::IsInEdgeRing(Id face, const Decision& decision) const
+{
+  switch (decision.Ring)
+  {
+    case RingKind::SingularFaces:
+      return this->IsSingularFace(face);
+    case RingKind::InDimensions:
+      return this->Around.FaceDimension(face) & decision.Dimensions;
+    case RingKind::BoundaryOfSolid:
+      return this->Complex.FaceTets[face].size() == 1;
+    case RingKind::Part:
+      return this->Complex.FaceTets[face].size() == 0 && this->PartOfFace(face) == decision.Part;
+    default:
+      return false;
+  }
+}
+
+/// The part with the smallest id that has exactly two of the triangles at an edge, or -1.
+template <typename Id>
+int StrataBuilder<Id>::FindPartAtEdge(Id edge) const
+{
+  int best = std::numeric_limits<int>::max();
+  for (Id face : this->Around.EdgeFaces[edge])
+  {
+    const int part = this->PartOfFace(face);
+    if (part < 0 || part >= best || this->Complex.FaceTets[face].size() > 0)
+    {
+      continue;
+    }
+    int count = 0;
+    for (Id other : this->Around.EdgeFaces[edge])
+    {
+      count += this->Complex.FaceTets[other].size() == 0 && this->PartOfFace(other) == part ? 1 : 0;
+    }
+    best = count == 2 ? part : best;
+  }
+  return best == std::numeric_limits<int>::max() ? -1 : best;
+}
+
+template class StrataBuilder<int>;
+template class StrataBuilder<long long>;
+
+}

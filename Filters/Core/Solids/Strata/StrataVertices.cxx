@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Vertices (Mathematics 4).
+#include "Core/Solids/Strata/StrataBuilder.h"
+
+namespace subdivision
+{
+namespace
+{
+
+Decision DecideCurves(std::size_t edges, RingKind ring, int type)
+{
+  const Rule rule = RuleOfCurves(edges);
+  return { Stratum(rule, type), rule == Rule::Curve ? ring : RingKind::None, 0, 0 };
+}
+
+}
+
+template <typename Id>
+Decision StrataBuilder<Id>::DecideVertex(Id vertex) const
+{
+  const unsigned char dimensions = this->Around.VertexDimensions(vertex);
+  Place places[4] = {};
+  for (int k = 1; k <= 3; ++k)
+  {
+    if (dimensions & DimensionBit(k))
+    {
+      places[k] = this->Around.PlaceVertex(vertex, k, this->EdgePlaces);
+    }
+  }
+  const int type = this->TypeOf(dimensions, places);
+  Decision decision;
+  if (this->DecideSingularVertex(vertex, type, decision))
+  {
+    return decision;
+  }
+  if (dimensions == 0) // isolated
+  {
+    return { Stratum(Rule::Corner), RingKind::None, 0, 0 };
+  }
+  if (type)
+  {
+    const unsigned char regional =
+      this->Options.VertexChoices.empty() ? 0 : this->Options.VertexChoices[vertex];
+    return this->DecideJointVertex(vertex, type, dimensions, this->Choice(type, regional));
+  }
+  const int k = dimensions == 1 ? 1 : dimensions == 2 ? 2 : 3;
+  return this->DecideVertexIn(vertex, k, places[k], 0, false);
+}
+
+/// Lines 1 to 3: singular vertices, creases, singular surfaces. False when none of them applies.
+template <typename Id>
+bool StrataBuilder<Id>::DecideSingularVertex(Id vertex, int type, Decision& decision) const
+{
+  if (this->Singular.Vertices.empty() && this->Singular.Edges.empty() &&
+    this->Singular.Faces.empty())
+  {
+    return false;
+  }
+  const Decision corner = { Stratum(Rule::Corner, type), RingKind::None, 0, 0 };
+  if (!this->Singular.Vertices.empty() && this->Singular.Vertices[vertex])
+  {
+    decision = corner;
+    return true;
+  }
+  std::size_t creases = 0;
+  bool onSingularFace = false;
+  for (Id edge : this->Around.VertexEdges[vertex])
+  {
+    creases += this->IsCrease(edge) ? 1 : 0;
+    onSingularFace = onSingularFace || this->CountSingularFaces(edge) > 0;
+  }
+  const bool isDart = creases == 1 && this->Options.DartEnds && !this->LiesOnBoundaryCurve(vertex);
+  if (creases > 0 && !isDart)
+  {
+    decision = DecideCurves(creases, RingKind::Creases, type);
+    return true;
+  }
+  if (onSingularFace)
+  {
+    const bool closed =
+      this->Around.IsClosedFan(vertex, [this](Id face) { return this->IsSingularFace(face); });
+    decision =
+      closed ? Decision{ Stratum(Rule::Surface, type), RingKind::SingularFaces, 0, 0 } : corner;
+    return true;
+  }
+  return false;
+}
+
+template <typename Id>
+bool StrataBuilder<Id>::LiesOnBoundaryCurve(Id vertex) const
+{
+  for (Id edge : this->Around.VertexEdges[vertex])
+  {
+    if (this->Around.PlaceEdge(edge, 2) == Place::Boundary || (this->CountSingularFaces(edge) == 1))
+    {
+      return true;
+    }
+  }
+  return this->Around.PlaceVertex(vertex, 1, this->EdgePlaces) == Place::Boundary;
+}
+
+template <typename Id>
+Decision StrataBuilder<Id>::DecideJointVertex(
+  Id vertex, int type, unsigned char dimensions, JointRule rule) const
+{
+  switch (rule)
+  {
+    case JointRule::Sharp:
+    {
+      std::size_t sharp = 0;
+      for (Id edge : this->Around.VertexEdges[vertex])
+      {
+        sharp += this->IsSharpJoint(edge) ? 1 : 0;
+      }
+      return DecideCurves(sharp, RingKind::SharpJoints, type);
+    }
+    case JointRule::FollowDimension1:
+    case JointRule::FollowDimension2:
+    case JointRule::FollowDimension3:
+    {
+      const int k = 1 + static_cast<int>(rule) - static_cast<int>(JointRule::FollowDimension1);
+      if (dimensions & DimensionBit(k))
+      {
+        const Place place = this->Around.PlaceVertex(vertex, k, this->EdgePlaces);
+        return this->DecideVertexIn(vertex, k, place, type, true);
+      }
+      break;
+    }
+    case JointRule::FollowPart:
+    {
+      const int k = dimensions & DimensionBit(1) ? 1 : 2;
+      const int part = dimensions & DimensionBit(k) ? this->FindPartAtVertex(vertex, k) : -1;
+      if (part >= 0)
+      {
+        return { Stratum(RuleOfDimension(k), type), RingKind::Part, DimensionBit(k), part };
+      }
+      break;
+    }
+    default:
+      break;
+  }
+  return { Stratum(Rule::Blend, type), RingKind::InDimensions, AllDimensions, 0 };
+}
+
+template <typename Id>
+Decision StrataBuilder<Id>::DecideVertexIn(
+  Id vertex, int k, Place place, int type, bool follow) const
+{
+  if (place == Place::Interior)
+  {
+    return { Stratum(RuleOfDimension(k), type), RingKind::InDimensions, DimensionBit(k), 0 };
+  }
+  if (place == Place::Boundary)
+  {
+    const RingKind rings[4] = { RingKind::None, RingKind::None, RingKind::BoundaryOfSurface,
+      RingKind::BoundaryOfSolid };
+    return { Stratum(RuleOfDimension(k - 1), type), rings[k], 0, 0 };
+  }
+  const int inner = place == Place::Type2 ? 2 : 3;
+  const unsigned char regional =
+    follow && !this->Options.VertexChoices.empty() ? this->Options.VertexChoices[vertex] : 0;
+  Decision decision =
+    this->DecideJointVertex(vertex, type, DimensionBit(k), this->Choice(inner, regional));
+  if (decision.Ring == RingKind::InDimensions)
+  {
+    decision.Dimensions = DimensionBit(k);
+  }
+  return decision;
+}
+
+template <typename Id>
+bool StrataBuilder<Id>::IsInVertexRing(Id edge, const Decision& decision) const
+{
+  switch (decision.Ring)
+  {
+    case RingKind::Creases:
+      return this->IsCrease(edge);
+    case RingKind::SharpJoints:
+      return this->IsSharpJoint(edge);
+    case RingKind::SingularFaces:
+      return this->CountSingularFaces(edge) > 0;
+    case RingKind::InDimensions:
+      return this->Around.EdgeDimensions(edge) & decision.Dimensions;
+    case RingKind::BoundaryOfSolid:
+      return this->EdgePlaces[edge] == Place::Boundary;
+    case RingKind::BoundaryOfSurface:
+      return this->Around.PlaceEdge(edge, 2) == Place::Boundary;
+    case RingKind::Part:
+    {
+      if (decision.Dimensions == DimensionBit(1))
+      {
+        return this->Around.EdgeFaces[edge].size() == 0 && this->PartOfEdge(edge) == decision.Part;
+      }
+      const Row<Id> faces = this->Around.EdgeFaces[edge];
+      return std::any_of(faces.begin(), faces.end(),
+        [&](Id face)
+        {
+          return this->Complex.FaceTets[face].size() == 0 &&
+            this->PartOfFace(face) == decision.Part;
+        });
+    }
+    default:
+      return false;
+  }
+}
+
+/// The part with the smallest id that goes on through a vertex: two of its lines, or triangles of
+/// it that close around the vertex; -1 if there is none.
+template <typename Id>
+int StrataBuilder<Id>::FindPartAtVertex(Id vertex, int k) const
+{
+  std::vector<int> parts;
+  for (Id edge : this->Around.VertexEdges[vertex])
+  {
+    if (k == 1 && this->Around.EdgeFaces[edge].size() == 0)
+    {
+      parts.push_back(this->PartOfEdge(edge));
+    }
+    for (Id face : this->Around.EdgeFaces[edge])
+    {
+      if (k == 2 && this->Complex.FaceTets[face].size() == 0)
+      {
+        parts.push_back(this->PartOfFace(face));
+      }
+    }
+  }
+  std::sort(parts.begin(), parts.end());
+  for (auto part = parts.begin(); part != parts.end();)
+  {
+    const auto next = std::upper_bound(part, parts.end(), *part);
+    const bool goesOn = *part >= 0 &&
+      (k == 1 ? next - part == 2
+              : this->Around.IsClosedFan(vertex,
+                  [&](Id face)
+                  {
+                    return this->Complex.FaceTets[face].size() == 0 &&
+                      this->PartOfFace(face) == *part;
+                  }));
+    if (goesOn)
+    {
+      return *part;
+    }
+    part = next;
+  }
+  return -1;
+}
+
+template class StrataBuilder<int>;
+template class StrataBuilder<long long>;
+
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/TetOct/SemiSharp.h"
+
+#include "Core/Solids/TetOct/TetOctStencils.h"
+
+#include <algorithm>
+
+namespace subdivision
+{
+namespace
+{
+
+struct WeightedRow
+{
+  vtkIdType Row;
+  double Sharpness;
+};
+
+template <typename Operator, typename Id>
+void AppendBlend(const Operator& sharp, const Operator& smooth, vtkIdType row, double sharpness,
+  ExplicitRows<Id>& rows)
+{
+  const double weight = std::min(1., sharpness);
+  rows.Rows.push_back(static_cast<Id>(row));
+  if (weight < 1.)
+  {
+    smooth.AppendRow(row, 1. - weight, rows);
+  }
+  sharp.AppendRow(row, weight, rows);
+  rows.Offsets.push_back(static_cast<Id>(rows.Columns.size()));
+}
+
+}
+
+template <typename Operator>
+void BlendSemiSharp(
+  const EdgeSharpness& sharpness, int steps, int depth, const Operator& sharp, Operator& smooth)
+{
+  decltype(smooth.Explicit) rows;
+  std::vector<WeightedRow> edges;
+  std::vector<WeightedRow> ends;
+  for (std::size_t e = 0; e < sharpness.size(); ++e)
+  {
+    const double left = sharpness[e] - steps;
+    if (!(left > 0.))
+    {
+      continue;
+    }
+    // The pieces of control edge e are the edges e 2^depth and following.
+    const vtkIdType first = static_cast<vtkIdType>(e) << depth;
+    for (vtkIdType piece = first; piece < first + (vtkIdType(1) << depth); ++piece)
+    {
+      edges.push_back({ smooth.GetNumberOfColumns() + piece, left });
+      ends.push_back({ smooth.EdgeVertices[2 * piece], left });
+      ends.push_back({ smooth.EdgeVertices[2 * piece + 1], left });
+    }
+  }
+  std::stable_sort(ends.begin(), ends.end(),
+    [](const WeightedRow& a, const WeightedRow& b) { return a.Row < b.Row; });
+  for (auto end = ends.begin(); end != ends.end();)
+  {
+    double sum = 0.;
+    const auto first = end;
+    for (; end != ends.end() && end->Row == first->Row; ++end)
+    {
+      sum += end->Sharpness;
+    }
+    AppendBlend(sharp, smooth, first->Row, sum / static_cast<double>(end - first), rows);
+  }
+  for (const WeightedRow& edge : edges)
+  {
+    AppendBlend(sharp, smooth, edge.Row, edge.Sharpness, rows);
+  }
+  smooth.Explicit = std::move(rows);
+}
+
+template void BlendSemiSharp(const EdgeSharpness&, int, int, const Stencils<int>&, Stencils<int>&);
+template void BlendSemiSharp(
+  const EdgeSharpness&, int, int, const Stencils<long long>&, Stencils<long long>&);
+template void BlendSemiSharp(
+  const EdgeSharpness&, int, int, const TetOctStencils<int>&, TetOctStencils<int>&);
+template void BlendSemiSharp(
+  const EdgeSharpness&, int, int, const TetOctStencils<long long>&, TetOctStencils<long long>&);
+
+}

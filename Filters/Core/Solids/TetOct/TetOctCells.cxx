@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/TetOct/TetOctCells.h"
+
+#include "Core/Memory/Coordinates.h"
+#include "Core/Solids/TetOct/TetOctDescendants.h"
+
+#include <atomic>
+
+namespace subdivision
+{
+namespace
+{
+
+/// Of a sorted octahedron.
+template <typename Id, typename T>
+int FindShortestDiagonal(const Id vertices[6], const T* points)
+{
+  constexpr double tolerance = sizeof(T) < sizeof(double) ? SingleTie : DoubleTie;
+  double lengths[3];
+  for (int pair = 0; pair < 3; ++pair)
+  {
+    const T* p = points + 3 * vtkIdType(vertices[2 * pair]);
+    const T* q = points + 3 * vtkIdType(vertices[2 * pair + 1]);
+    lengths[pair] = 0.;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double difference = static_cast<double>(p[c]) - static_cast<double>(q[c]);
+      lengths[pair] += difference * difference;
+    }
+  }
+  const double limit = std::min({ lengths[0], lengths[1], lengths[2] }) * (1. + tolerance);
+  int shortest = lengths[2] <= limit ? 2 : 0; // no branches: no processor could predict them
+  shortest = lengths[1] <= limit ? 1 : shortest;
+  return lengths[0] <= limit ? 0 : shortest;
+}
+
+/// The children of a cell with these lattice points; returns where the next goes.
+template <typename Shape, typename Id, typename Out, typename T>
+Out* WritePieces(const Id* lattice, const T* points, Out* out)
+{
+  auto writeTets = [&]()
+  {
+    for (const auto& child : Children<Shape>.Tets)
+    {
+      for (int point : child)
+      {
+        *out++ = static_cast<Out>(lattice[point]);
+      }
+    }
+  };
+  if (Shape::Vertices == 4)
+  {
+    writeTets();
+  }
+  for (const auto& child : Children<Shape>.Octs)
+  {
+    Id vertices[6];
+    for (int i = 0; i < 6; ++i)
+    {
+      vertices[i] = lattice[child[i]];
+    }
+    SortOctahedron(vertices);
+    CutOctahedron(vertices, points ? FindShortestDiagonal(vertices, points) : 0, out);
+    out += 16;
+  }
+  if (Shape::Vertices == 6)
+  {
+    writeTets();
+  }
+  return out;
+}
+
+/// Writes the children of the children of a cell.
+template <typename Id, typename Out, typename T>
+class GrandchildrenWriter
+{
+public:
+  GrandchildrenWriter(const TetOctLevel<Id>& level, const T* points)
+    : Level(level)
+    , Ids(level)
+    , Midpoints(this->Ids.Centre(level.NumberOfOctahedra))
+    , Centres(this->Midpoints + 2 * level.Complex.NumberOfEdges + 3 * level.Complex.NumberOfFaces +
+        12 * level.NumberOfOctahedra)
+    , Points(points)
+  {
+  }
+  void Write(Id cell, bool isOct, Out* out) const
+  {
+    if (isOct)
+    {
+      const CellParts<OctShape, Id> parts(this->Level, this->Ids, cell);
+      out = this->WriteOcts(parts, this->Ids.OctOfOct(cell, 0), out);
+      this->WriteTets(parts, out);
+    }
+    else
+    {
+      const CellParts<TetShape, Id> parts(this->Level, this->Ids, cell);
+      out = this->WriteTets(parts, out);
+      this->WriteOcts(parts, this->Ids.OctOfTet(cell), out);
+    }
+  }
+
+private:
+  template <typename Child, typename Parts, typename Corners, typename Edges>
+  void GetLattice(const Parts& parts, const Corners& corners, const Edges& edges, Id* lattice) const
+  {
+    for (int i = 0; i < Child::Vertices; ++i)
+    {
+      lattice[i] = parts.Lattice.Points[corners[i]];
+    }
+    for (int e = 0; e < Child::Edges; ++e)
+    {
+      lattice[Child::Vertices + e] = this->Midpoints + parts.Edges[edges[e]];
+    }
+  }
+  template <typename Shape>
+  Out* WriteTets(const CellParts<Shape, Id>& parts, Out* out) const
+  {
+    const auto& table = Children<Shape>;
+    for (int c = 0; c < Shape::ChildTets; ++c)
+    {
+      Id lattice[TetShape::Points];
+      this->template GetLattice<TetShape>(parts, table.Tets[c], table.TetEdges[c], lattice);
+      out = WritePieces<TetShape>(lattice, this->Points, out);
+    }
+    return out;
+  }
+  template <typename Shape>
+  Out* WriteOcts(const CellParts<Shape, Id>& parts, Id firstOct, Out* out) const
+  {
+    const auto& table = Children<Shape>;
+    for (int c = 0; c < Shape::ChildOcts; ++c)
+    {
+      Id lattice[OctShape::Points];
+      this->template GetLattice<OctShape>(parts, table.Octs[c], table.OctEdges[c], lattice);
+      lattice[OctShape::Points - 1] = this->Centres + firstOct + c;
+      out = WritePieces<OctShape>(lattice, this->Points, out);
+    }
+    return out;
+  }
+
+  const TetOctLevel<Id>& Level;
+  const TetOctIds<Id> Ids;
+  const Id Midpoints; ///< of the edges of the children
+  const Id Centres;
+  const T* Points;
+};
+
+/// write(is it one of the equal ones, cell, is it an octahedron, where its descendants after
+/// `steps` steps go) for each solid of a level.
+template <typename Id, typename Out, typename Write>
+void ForSolids(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, int steps,
+  Out* connectivity, const Write& write)
+{
+  const std::vector<CellRun> descendants = RefineRuns(runs, steps);
+  const vtkIdType perChild = vtkIdType(4) << (3 * (steps - 1)); // entries of the connectivity
+  const vtkIdType perTet = vtkIdType(4) << (3 * (level.Steps + steps));
+  for (std::size_t r = 0; r < runs.size(); ++r)
+  {
+    if (runs[r].Dimension < 3)
+    {
+      continue;
+    }
+    const bool equal = runs[r].Equal;
+    const SolidRun run = ToControl(runs[r], level.Steps);
+    Out* first = connectivity + descendants[r].FirstEntry;
+    ForDescendants(ListDescendants(level, equal), run.Count,
+      [&](const Descendant& cell, vtkIdType i)
+      {
+        write(equal, static_cast<Id>(cell.Base + cell.Stride * (run.First + i)), cell.IsOct,
+          first + i * perTet + perChild * cell.FirstChild);
+      });
+  }
+}
+
+}
+
+template <typename Id, typename Out, typename T>
+void WriteTetOctChildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs,
+  const T* points, const CellStorage<Out>& out)
+{
+  WriteChildren(level.Complex, runs, out, 2);
+  const LatticeReader<Id> readers[2] = { { level, false }, { level, true } };
+  ForSolids(level, runs, 1, out.Connectivity,
+    [&](bool equal, Id cell, bool isOct, Out* first)
+    {
+      if (isOct)
+      {
+        WritePieces<OctShape>(readers[equal].template Read<OctShape>(cell).Points, points, first);
+      }
+      else
+      {
+        WritePieces<TetShape>(readers[equal].template Read<TetShape>(cell).Points, points, first);
+      }
+    });
+}
+
+template <typename Id, typename Out, typename T>
+void WriteTetOctGrandchildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs,
+  const T* points, const CellStorage<Out>& out)
+{
+  WriteGrandchildren(level.Complex, runs, out, 2, level.NumberOfOctahedra);
+  const GrandchildrenWriter<Id, Out, T> writer(level, points);
+  ForSolids(level, runs, 2, out.Connectivity,
+    [&](bool, Id cell, bool isOct, Out* first) { writer.Write(cell, isOct, first); });
+}
+
+void NumberOctahedra(const std::vector<CellRun>& runs, int steps, vtkIdType* numbers)
+{
+  // Of one tetrahedron, where there is one: 8^steps cells.
+  const bool hasSolids = std::any_of(runs.begin(), runs.end(),
+    [](const CellRun& run) { return run.Dimension == 3 && run.Count > 0; });
+  const std::vector<Descendant> parents =
+    hasSolids && steps > 0 ? ListDescendants(vtkIdType(0), steps - 1) : std::vector<Descendant>();
+  const vtkIdType cellsPerTet = vtkIdType(1) << (3 * steps);
+  const vtkIdType octsPerTet =
+    parents.empty() ? 0 : parents.back().FirstOct + (parents.back().IsOct ? 6 : 1);
+  vtkIdType before = 0;
+  for (const CellRun& run : runs)
+  {
+    vtkIdType* first = numbers + run.FirstCell;
+    if (run.Dimension < 3 || parents.empty())
+    {
+      ForRanges(run.Count, [first](vtkIdType begin, vtkIdType end)
+        { std::fill(first + begin, first + end, vtkIdType(-1)); });
+      continue;
+    }
+    const vtkIdType tets = ToControl(run, steps).Count;
+    ForDescendants(parents, tets,
+      [&](const Descendant& parent, vtkIdType i)
+      {
+        vtkIdType* out = first + i * cellsPerTet + parent.FirstChild;
+        vtkIdType* octs = parent.IsOct ? out : out + 4;
+        std::fill_n(parent.IsOct ? out + 24 : out, parent.IsOct ? 8 : 4, vtkIdType(-1));
+        const vtkIdType number = before + i * octsPerTet + parent.FirstOct;
+        for (int oct = 0; oct < (parent.IsOct ? 6 : 1); ++oct)
+        {
+          std::fill_n(octs + 4 * oct, 4, number + oct);
+        }
+      });
+    before += tets * octsPerTet;
+  }
+}
+
+namespace
+{
+
+/// Its pieces follow each other, four cells with the same number.
+bool IsFirstPiece(const vtkIdType* octahedra, vtkIdType cell)
+{
+  return octahedra[cell] >= 0 && (cell == 0 || octahedra[cell - 1] != octahedra[cell]);
+}
+
+}
+
+template <typename Out, typename T>
+void TurnOctahedra(const vtkIdType* octahedra, vtkIdType cells, const Out* offsets,
+  Out* connectivity, const T* points)
+{
+  ForEach(cells,
+    [&](vtkIdType i)
+    {
+      if (IsFirstPiece(octahedra, i))
+      {
+        Out* tets = connectivity + offsets[i];
+        vtkIdType vertices[6];
+        JoinOctahedron(tets, vertices);
+        const vtkIdType first = vertices[0]; // an end of the diagonal that it has
+        SortOctahedron(vertices);
+        const int diagonal = FindShortestDiagonal(vertices, points);
+        if (vertices[2 * diagonal] != first && vertices[2 * diagonal + 1] != first)
+        {
+          CutOctahedron(vertices, diagonal, tets);
+        }
+      }
+    });
+}
+
+template <typename Out, typename T>
+bool AreTurned(const vtkIdType* octahedra, vtkIdType cells, const Out* offsets,
+  const Out* connectivity, const T* points)
+{
+  std::atomic<bool> turned(true);
+  ForEach(cells,
+    [&](vtkIdType i)
+    {
+      if (IsFirstPiece(octahedra, i))
+      {
+        const Out* tets = connectivity + offsets[i];
+        vtkIdType vertices[6];
+        vtkIdType wanted[16];
+        JoinOctahedron(tets, vertices);
+        SortOctahedron(vertices);
+        CutOctahedron(vertices, FindShortestDiagonal(vertices, points), wanted);
+        if (!std::equal(tets, tets + 16, wanted))
+        {
+          turned.store(false, std::memory_order_relaxed);
+        }
+      }
+    });
+  return turned;
+}
+
+#define SUBDIVISION_WRITE(Id, Out, T)                                                              \
+  template void WriteTetOctChildren(                                                               \
+    const TetOctLevel<Id>&, const std::vector<CellRun>&, const T*, const CellStorage<Out>&);       \
+  template void WriteTetOctGrandchildren(                                                          \
+    const TetOctLevel<Id>&, const std::vector<CellRun>&, const T*, const CellStorage<Out>&)
+#define SUBDIVISION_CELLS(Id)                                                                      \
+  SUBDIVISION_WRITE(Id, int, float);                                                               \
+  SUBDIVISION_WRITE(Id, int, double);                                                              \
+  SUBDIVISION_WRITE(Id, long long, float);                                                         \
+  SUBDIVISION_WRITE(Id, long long, double)
+SUBDIVISION_CELLS(int);
+SUBDIVISION_CELLS(long long);
+
+#define SUBDIVISION_TURN(Out, T)                                                                   \
+  template void TurnOctahedra(const vtkIdType*, vtkIdType, const Out*, Out*, const T*);            \
+  template bool AreTurned(const vtkIdType*, vtkIdType, const Out*, const Out*, const T*)
+SUBDIVISION_TURN(int, float);
+SUBDIVISION_TURN(int, double);
+SUBDIVISION_TURN(long long, float);
+SUBDIVISION_TURN(long long, double);
+
+}

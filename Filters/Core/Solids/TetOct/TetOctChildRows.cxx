@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/TetOct/TetOctChildRows.h"
+
+#include "Core/Solids/BoxSpline/RingBlock.h"
+#include "Core/Solids/TetOct/TetOctChildren.h"
+#include "Core/Solids/TetOct/TetOctRingEmitter.h"
+
+namespace subdivision
+{
+namespace
+{
+
+/// The rows of a level's children, one kind after another.
+template <typename Id>
+class TetOctRowsMaker
+{
+public:
+  TetOctRowsMaker(const TetOctLevel<Id>& level, vtkIdType vertices, vtkIdType edges,
+    const RowsUser<TetOctRows<Id>>& use)
+    : Level(level)
+    , Complex(level.Complex)
+    , Strata(level.Strata)
+    , Emitter(level)
+    , Ids(level)
+    , FirstEdgeRow(vertices)
+    , FirstCentreRow(vertices + edges)
+    , Use(use)
+  {
+  }
+  void Run() const
+  {
+    ForKinds<5>(
+      { this->Complex.NumberOfVertices, this->Complex.NumberOfEdges, this->Complex.NumberOfFaces,
+        this->Complex.NumberOfTets, this->Level.NumberOfOctahedra },
+      [this](std::size_t kind, vtkIdType begin, vtkIdType end)
+      {
+        switch (kind)
+        {
+          case 0:
+            this->AtVertices(begin, end);
+            break;
+          case 1:
+            this->AtEdges(begin, end);
+            break;
+          case 2:
+            this->InFaces(begin, end);
+            break;
+          case 3:
+            this->InTets(begin, end);
+            break;
+          default:
+            this->InOctahedra(begin, end);
+            break;
+        }
+      });
+  }
+
+private:
+  void AtVertices(vtkIdType first, vtkIdType last) const
+  {
+    const Rings<Id>& rings = this->Strata.VertexRings;
+    const vtkIdType control = this->Level.NumberOfControlVertices;
+    RingBlock<Id> rows(false, BlockSize);
+    ForBlocks(first, last,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        rows.Start(begin);
+        for (vtkIdType v = begin; v < end; ++v)
+        {
+          rows.Reserve(static_cast<Id>(rings.GetSize(v)));
+          auto ring = rows.Open();
+          this->Emitter.EmitVertex(static_cast<Id>(v), ring);
+          rows.Close(ring, this->Strata.Vertices[v]);
+        }
+        // Rings keep their sizes, and so control vertices their places among all spokes.
+        const Id* tets =
+          begin < control ? this->Level.TetsAtSpokes->data() + rings.Offsets[begin] : nullptr;
+        this->Use(TetOctRows<Id>{ rows.Get(), false, control - begin, tets });
+      });
+  }
+
+  /// Both halves of each edge, and its midpoint.
+  void AtEdges(vtkIdType first, vtkIdType last) const
+  {
+    RingBlock<Id> edges(true, 2 * BlockSize);
+    RingBlock<Id> vertices(false, BlockSize);
+    ForBlocks(first, last,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        edges.Start(this->FirstEdgeRow + 2 * begin);
+        vertices.Start(this->Ids.Midpoint(static_cast<Id>(begin)));
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const Id e = static_cast<Id>(i);
+          const Id size = this->Emitter.CountHalf(e);
+          edges.Reserve(2 * size);
+          vertices.Reserve(this->Emitter.CountMidpoint(e));
+          MemberWriter<Id> halves[2] = { edges.Open(), edges.Open(size) };
+          auto midpoint = vertices.Open();
+          this->Emitter.EmitAtEdge(e, halves, midpoint);
+          vertices.Close(midpoint, this->Strata.Edges[e]);
+          for (int half = 0; half < 2; ++half)
+          {
+            this->Emitter.GetHalfEnds(e, half, edges.GetEnds());
+            edges.Close(halves[half], this->Strata.Edges[e]);
+          }
+        }
+        this->Use({ edges.Get() });
+        this->Use({ vertices.Get() });
+      });
+  }
+
+  void InFaces(vtkIdType first, vtkIdType last) const
+  {
+    RingBlock<Id> rows(true, 3 * BlockSize);
+    ForBlocks(first, last,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        rows.Start(this->FirstEdgeRow + this->Ids.InFace(static_cast<Id>(begin), 0));
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const Id f = static_cast<Id>(i);
+          const Id size = this->Emitter.CountInFace(f);
+          rows.Reserve(3 * size);
+          MemberWriter<Id> corners[3] = { rows.Open(), rows.Open(size), rows.Open(2 * size) };
+          this->Emitter.EmitInFace(f, corners);
+          for (int corner = 0; corner < 3; ++corner)
+          {
+            this->Emitter.GetInFaceEnds(f, corner, rows.GetEnds());
+            rows.Close(corners[corner], this->Emitter.InFaceStratum(f));
+          }
+        }
+        this->Use({ rows.Get() });
+      });
+  }
+
+  /// The centres of the octahedra that tetrahedra have in the middle.
+  void InTets(vtkIdType first, vtkIdType last) const
+  {
+    Buffer<Id> octs(6 * BlockSize);
+    ForBlocks(first, last,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        Id* vertex = octs.data();
+        for (vtkIdType t = begin; t < end; ++t)
+        {
+          const CellLattice<TetShape, Id> lattice(this->Level, this->Ids, static_cast<Id>(t));
+          for (int point : Children<TetShape>.Octs[0])
+          {
+            *vertex++ = lattice.Points[point];
+          }
+        }
+        this->UseCentres(this->Ids.OctOfTet(static_cast<Id>(begin)), end - begin, octs.data());
+      });
+  }
+
+  /// Spokes and centre of each, and the centres of the octahedra at its vertices.
+  void InOctahedra(vtkIdType first, vtkIdType last) const
+  {
+    constexpr vtkIdType blockSize = BlockSize / 8; // each has many rows
+    RingBlock<Id> spokes(true, 12 * blockSize);
+    RingBlock<Id> vertices(false, blockSize);
+    Buffer<Id> octs(36 * blockSize);
+    ForBlocks(
+      first, last,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        const Id firstOct = static_cast<Id>(begin);
+        spokes.Start(this->FirstEdgeRow + this->Ids.Spoke(firstOct, 0));
+        vertices.Start(this->Ids.Centre(firstOct));
+        Id* vertex = octs.data();
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const Id o = static_cast<Id>(i);
+          spokes.Reserve(12 * RegularEdgeRing);
+          for (int e = 0; e < 12; ++e)
+          {
+            auto spoke = spokes.Open();
+            this->Emitter.EmitSpoke(o, e, spoke);
+            this->Emitter.GetSpokeEnds(o, e, spokes.GetEnds());
+            spokes.Close(spoke, Stratum(Rule::RegularEdge));
+          }
+          vertices.Reserve(RegularVertexRing);
+          auto centre = vertices.Open();
+          this->Emitter.EmitCentre(o, centre);
+          vertices.Close(centre, Stratum(Rule::RegularEdge));
+          const CellLattice<OctShape, Id> lattice(this->Level, this->Ids, o);
+          for (const auto& child : Children<OctShape>.Octs)
+          {
+            for (int point : child)
+            {
+              *vertex++ = lattice.Points[point];
+            }
+          }
+        }
+        this->Use({ spokes.Get() });
+        this->Use({ vertices.Get() });
+        this->UseCentres(this->Ids.OctOfOct(firstOct, 0), 6 * (end - begin), octs.data());
+      },
+      blockSize);
+  }
+
+  void UseCentres(vtkIdType first, vtkIdType count, const Id* octs) const
+  {
+    this->Use({ StencilRows<Id>{
+                  false, this->FirstCentreRow + first, count, nullptr, nullptr, nullptr, octs },
+      true });
+  }
+
+  const TetOctLevel<Id>& Level;
+  const SimplicialComplex<Id>& Complex;
+  const subdivision::Strata<Id>& Strata;
+  const TetOctRingEmitter<Id> Emitter;
+  const TetOctIds<Id> Ids;
+  const vtkIdType FirstEdgeRow;
+  const vtkIdType FirstCentreRow;
+  const RowsUser<TetOctRows<Id>>& Use;
+};
+
+}
+
+template <typename Id>
+TetOctLevelRows<Id>::TetOctLevelRows(const TetOctLevel<Id>& level)
+  : Stored{ level.Strata.Vertices, level.Strata.Edges, level.Complex.EdgeVertices,
+    level.OctVertices, level.Strata.VertexRings, level.Strata.EdgeRings, *level.TetsAtSpokes,
+    level.NumberOfControlVertices }
+{
+}
+
+template <typename Id>
+void TetOctLevelRows<Id>::ForRows(const RowsUser<TetOctRows<Id>>& use) const
+{
+  const StoredTetOctRows<Id>& rows = this->Stored;
+  ForKinds<3>({ rows.Vertices.size(), rows.Edges.size(), rows.GetNumberOfCentres() },
+    [&](std::size_t kind, vtkIdType first, vtkIdType last)
+    {
+      ForBlocks(first, last,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          use(kind == 0   ? rows.OfVertices(begin, end)
+              : kind == 1 ? rows.OfEdges(begin, end)
+                          : rows.OfCentres(begin, end));
+        });
+    });
+}
+
+template <typename Id>
+vtkIdType TetOctChildRows<Id>::GetNumberOfVertices() const
+{
+  return TetOctLevelRows<Id>(this->Level).GetNumberOfRows();
+}
+
+template <typename Id>
+vtkIdType TetOctChildRows<Id>::GetNumberOfEdges() const
+{
+  const auto& complex = this->Level.Complex;
+  return 2 * vtkIdType(complex.NumberOfEdges) + 3 * vtkIdType(complex.NumberOfFaces) +
+    12 * vtkIdType(this->Level.NumberOfOctahedra);
+}
+
+template <typename Id>
+vtkIdType TetOctChildRows<Id>::GetNumberOfRows() const
+{
+  return this->GetNumberOfVertices() + this->GetNumberOfEdges() + this->Level.Complex.NumberOfTets +
+    6 * vtkIdType(this->Level.NumberOfOctahedra);
+}
+
+template <typename Id>
+void TetOctChildRows<Id>::ForRows(const RowsUser<TetOctRows<Id>>& use) const
+{
+  TetOctRowsMaker<Id>(this->Level, this->GetNumberOfVertices(), this->GetNumberOfEdges(), use)
+    .Run();
+}
+
+template class TetOctLevelRows<int>;
+template class TetOctLevelRows<long long>;
+template class TetOctChildRows<int>;
+template class TetOctChildRows<long long>;
+
+}

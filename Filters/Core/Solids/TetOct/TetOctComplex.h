@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TetOctComplex.h
+ * A level whose solids are tetrahedra and octahedra, and one uniform step of it (Mathematics 10).
+ *
+ * Nothing but its cells is new: lines, triangles and followers are those of SimplicialComplex,
+ * rules and rings those of Strata, decided on the control mesh, where all solids are tetrahedra,
+ * and inherited. With V vertices, E edges, F faces, T tetrahedra and O octahedra the next level has
+ *  - vertices: v stays v; V + e in edge e; V + E + o the centre of octahedron o;
+ *  - edges: 2e, 2e + 1 the halves of e; 2E + 3f + i inside face f near its vertex i;
+ *    2E + 3F + 12o + e from the centre of o to the midpoint of its edge e;
+ *  - faces: 4f + i near vertex i of f, 4f + 3 its middle; 4F + 4t + i cuts vertex i off t;
+ *    4F + 4T + 24o + 3k + i at the centre of o, over what cuts corner i off its face k;
+ *  - tetrahedra: 4t + i at vertex i of t; 4T + 8o + k at face k of o;
+ *  - octahedra: t in the middle of t; T + 6o + i at vertex i of o.
+ *
+ * Inside solids all edges but those that are parts of control edges are regular: two tetrahedra
+ * and two octahedra lie at them. So are all vertices but those in control edges: eight and six.
+ */
+#ifndef SubdivisionObjects_TetOctComplex_h
+#define SubdivisionObjects_TetOctComplex_h
+
+#include "Core/Solids/BoxSpline/Refinement.h"
+
+#include <memory>
+
+namespace subdivision
+{
+
+/**
+ * Rings (Mathematics 10): Strata.VertexRings of a vertex of dimension 3 has its neighbours by
+ * edges, then the opposite vertices of its octahedra, whose carriers are these octahedra; first the
+ * neighbours along the control edge where it lies in one. Strata.EdgeRings of a regular edge has
+ * the vertices opposite to it in its four faces, then for each of its two octahedra the opposites
+ * of its ends, the octahedron as carrier of both. Rule::RegularEdge says regular of vertices too.
+ * All other rings are as in the box-spline scheme.
+ */
+template <typename Id>
+struct TetOctLevel
+{
+  /// FaceTets has octahedra too: o as NumberOfTets + o.
+  SimplicialComplex<Id> Complex;
+  subdivision::Strata<Id> Strata;
+  Id NumberOfOctahedra = 0;
+  Buffer<Id> OctVertices; ///< 6 for each octahedron, opposite ones side by side
+  Buffer<Id> OctEdges;    ///< 12, as in octahedron::EdgeVertices
+  Buffer<Id> OctFaces;    ///< 8, as in octahedron::FaceVertices
+  EqualCells<Id> EqualOcts;
+  /// Of each member of a control vertex's ring the number of tetrahedra at the edge to it: the same
+  /// on all levels, as control vertices are the first and keep their tetrahedra.
+  std::shared_ptr<const Buffer<Id>> TetsAtSpokes;
+  Id NumberOfControlVertices = 0;
+  int Steps = 0; ///< since the control level
+};
+
+template <typename Id>
+LevelCounts CountSimplices(const TetOctLevel<Id>& level)
+{
+  LevelCounts counts = CountSimplices(level.Complex);
+  counts.Octahedra = static_cast<double>(level.NumberOfOctahedra);
+  counts.IsTetOct = true;
+  return counts;
+}
+
+/// The control level, whose cells are tetrahedra.
+template <typename Id>
+TetOctLevel<Id> MakeTetOctLevel(Level<Id>&& control);
+
+template <typename Id>
+TetOctLevel<Id> Refine(const TetOctLevel<Id>& parent, Depth depth);
+
+/// Ids of the next level, seen from the parent.
+template <typename Id>
+class TetOctIds
+{
+public:
+  explicit TetOctIds(const TetOctLevel<Id>& parent)
+    : Parent(parent.Complex)
+    , CentreStart(Parent.NumberOfVertices + Parent.NumberOfEdges)
+    , InFaceStart(2 * Parent.NumberOfEdges)
+    , SpokeStart(InFaceStart + 3 * Parent.NumberOfFaces)
+    , CutStart(4 * Parent.NumberOfFaces)
+    , FanStart(CutStart + 4 * Parent.NumberOfTets)
+    , OctTetStart(4 * Parent.NumberOfTets)
+    , OctStart(Parent.NumberOfTets)
+    , FirstOctCell(4 * Parent.NumberOfTets + 8 * parent.NumberOfOctahedra)
+  {
+  }
+  Id Midpoint(Id edge) const { return this->Parent.NumberOfVertices + edge; }
+  Id Centre(Id oct) const { return this->CentreStart + oct; }
+  Id Half(Id edge, Id end) const
+  {
+    return 2 * edge + (this->Parent.EdgeVertices[2 * edge + vtkIdType(1)] == end ? 1 : 0);
+  }
+  Id InFace(Id face, int corner) const { return this->InFaceStart + 3 * face + corner; }
+  Id Spoke(Id oct, int edge) const { return this->SpokeStart + 12 * oct + edge; }
+  Id Face(Id face, int child) const { return 4 * face + child; }
+  Id Cut(Id tet, int vertex) const { return this->CutStart + 4 * tet + vertex; }
+  Id Fan(Id oct, int face, int corner) const
+  {
+    return this->FanStart + 24 * oct + 3 * face + corner;
+  }
+  Id TetOfTet(Id tet, int vertex) const { return 4 * tet + vertex; }
+  Id TetOfOct(Id oct, int face) const { return this->OctTetStart + 8 * oct + face; }
+  Id OctOfTet(Id tet) const { return tet; }
+  Id OctOfOct(Id oct, int vertex) const { return this->OctStart + 6 * oct + vertex; }
+  /// An octahedron among the cells at a face.
+  Id OctCell(Id childOct) const { return this->FirstOctCell + childOct; }
+
+private:
+  const SimplicialComplex<Id>& Parent;
+  const Id CentreStart;
+  const Id InFaceStart;
+  const Id SpokeStart;
+  const Id CutStart;
+  const Id FanStart;
+  const Id OctTetStart;
+  const Id OctStart;
+  const Id FirstOctCell;
+};
+
+/// The edges of an equal octahedron in its own vertex order, looked up in its twin.
+template <typename Id>
+void GetEdgesOfEqualOct(const TetOctLevel<Id>& level, vtkIdType index, Id edges[12]);
+
+#define SUBDIVISION_TETOCT_TEMPLATES(EXTERN, Id)                                                   \
+  EXTERN template TetOctLevel<Id> MakeTetOctLevel(Level<Id>&&);                                    \
+  EXTERN template TetOctLevel<Id> Refine(const TetOctLevel<Id>&, Depth);                           \
+  EXTERN template void GetEdgesOfEqualOct(const TetOctLevel<Id>&, vtkIdType, Id[12])
+SUBDIVISION_TETOCT_TEMPLATES(extern, int);
+SUBDIVISION_TETOCT_TEMPLATES(extern, long long);
+
+}
+
+#endif

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells that were read, compared with those of a tet/oct level.
+#include "Core/Solids/TetOct/TetOctCells.h"
+
+#include "Core/Solids/TetOct/TetOctDescendants.h"
+
+namespace subdivision
+{
+namespace
+{
+
+/// Calls solid(cell of the level, is it an octahedron, reader, place of its first output cell) and
+/// low(run) for the cells of a level; false as soon as one of them says so.
+template <typename Id, typename Solid>
+bool EachSolid(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, const Solid& solid)
+{
+  for (const CellRun& run : runs)
+  {
+    if (run.Dimension < 3)
+    {
+      continue;
+    }
+    const SolidRun tets = ToControl(run, level.Steps);
+    const std::vector<Descendant> list = ListDescendants(level, run.Equal);
+    const LatticeReader<Id> reader(level, run.Equal);
+    vtkIdType place = run.FirstCell;
+    for (vtkIdType i = 0; i < tets.Count; ++i)
+    {
+      for (const Descendant& cell : list)
+      {
+        const vtkIdType number = cell.Base + cell.Stride * (tets.First + i);
+        if (!solid(reader.GetVertices(number, cell.IsOct), cell.IsOct, place))
+        {
+          return false;
+        }
+        place += cell.IsOct ? 4 : 1;
+      }
+    }
+  }
+  return true;
+}
+
+/// Where the vertices of each cell are in the connectivity of a list.
+std::vector<vtkIdType> FindEntries(const SimplexList& cells)
+{
+  std::vector<vtkIdType> entries;
+  entries.reserve(cells.Dimensions.size());
+  vtkIdType entry = 0;
+  for (unsigned char dimension : cells.Dimensions)
+  {
+    entries.push_back(entry);
+    entry += dimension + 1;
+  }
+  return entries;
+}
+
+template <typename Id>
+void CopySorted(const Id* vertices, vtkIdType sorted[6])
+{
+  std::copy(vertices, vertices + 6, sorted);
+  SortOctahedron(sorted);
+}
+
+}
+
+template <typename Id>
+bool HasCells(
+  const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, const SimplexList& cells)
+{
+  const CellCounts counts = CountCells(runs);
+  if (counts.Cells != cells.GetNumberOfSimplices() ||
+    level.Complex.NumberOfVertices != cells.NumberOfPoints)
+  {
+    return false;
+  }
+  const std::vector<vtkIdType> entries = FindEntries(cells);
+  const vtkIdType* connectivity = cells.Connectivity.data();
+  for (const CellRun& run : runs)
+  {
+    if (run.Dimension < 3)
+    {
+      const std::vector<CellRun> alone = RefineRuns({ run }, 0);
+      Buffer<long long> written(run.Count * (run.Dimension + 1));
+      Buffer<long long> offsets(run.Count + 1);
+      Buffer<unsigned char> types(run.Count);
+      WriteCells(level.Complex, alone,
+        CellStorage<long long>{ written.data(), offsets.data(), types.data() });
+      if (!std::equal(written.begin(), written.end(), connectivity + run.FirstEntry))
+      {
+        return false;
+      }
+    }
+  }
+  return EachSolid(level, runs,
+    [&](const Id* vertices, bool isOct, vtkIdType place)
+    {
+      const vtkIdType* read = connectivity + entries[place];
+      if (!isOct)
+      {
+        return std::equal(vertices, vertices + 4, read);
+      }
+      vtkIdType sorted[6];
+      CopySorted(vertices, sorted);
+      for (int diagonal = 0; diagonal < 3; ++diagonal)
+      {
+        vtkIdType tets[16];
+        CutOctahedron(sorted, diagonal, tets);
+        if (std::equal(tets, tets + 16, read))
+        {
+          return true;
+        }
+      }
+      return false;
+    });
+}
+
+template <typename Id>
+std::vector<vtkIdType> FindParents(
+  const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, const SimplexList& cells)
+{
+  std::vector<vtkIdType> parents;
+  std::vector<vtkIdType> firsts;
+  for (std::size_t i = 0; i < cells.Dimensions.size(); ++i)
+  {
+    firsts.push_back(static_cast<vtkIdType>(parents.size()));
+    parents.insert(parents.end(), std::size_t(1) << cells.Dimensions[i], static_cast<vtkIdType>(i));
+  }
+  const std::vector<vtkIdType> entries = FindEntries(cells);
+  EachSolid(level, runs,
+    [&](const Id* vertices, bool isOct, vtkIdType place)
+    {
+      if (!isOct)
+      {
+        return true;
+      }
+      const vtkIdType* tets = cells.Connectivity.data() + entries[place];
+      auto findPiece = [&](std::initializer_list<int> corners)
+      {
+        int piece = 0;
+        auto lies = [&](int corner)
+        {
+          const vtkIdType* tet = tets + 4 * piece;
+          return std::find(tet, tet + 4, static_cast<vtkIdType>(vertices[corner])) != tet + 4;
+        };
+        while (piece < 3 && !std::all_of(corners.begin(), corners.end(), lies))
+        {
+          ++piece;
+        }
+        return place + piece;
+      };
+      vtkIdType* out = parents.data() + firsts[place];
+      for (int v = 0; v < 6; ++v)
+      {
+        std::fill_n(out + 4 * v, 4, findPiece({ v }));
+      }
+      for (int f = 0; f < 8; ++f)
+      {
+        const int* corners = octahedron::FaceVertices[f];
+        out[24 + f] = findPiece({ corners[0], corners[1], corners[2] });
+      }
+      return true;
+    });
+  return parents;
+}
+
+#define SUBDIVISION_CELLS(Id)                                                                      \
+  template bool HasCells(const TetOctLevel<Id>&, const std::vector<CellRun>&, const SimplexList&); \
+  template std::vector<vtkIdType> FindParents(                                                     \
+    const TetOctLevel<Id>&, const std::vector<CellRun>&, const SimplexList&)
+SUBDIVISION_CELLS(int);
+SUBDIVISION_CELLS(long long);
+
+}

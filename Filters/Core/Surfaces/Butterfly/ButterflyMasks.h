@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ButterflyMasks.h
+ * Weights of the modified Butterfly scheme (Mathematics 12). k is the number of faces around a
+ * vertex, or in its sector between two sharp edges; neighbours j of a sector are 0 to k.
+ */
+#ifndef SubdivisionObjects_ButterflyMasks_h
+#define SubdivisionObjects_ButterflyMasks_h
+
+#include "Core/Rules/Pi.h"
+
+#include <cmath>
+
+namespace subdivision
+{
+namespace butterfly
+{
+
+/// The weight of an extraordinary vertex inside the surface, and that of its neighbour j, counted
+/// from the edge. The survey has no vertices of two faces: constants and functions linear along the
+/// edge.
+constexpr double Centre = 3. / 4.;
+inline double Ring(int k, int j)
+{
+  constexpr double two[2] = { 3. / 8., -1. / 8. };
+  constexpr double three[3] = { 5. / 12., -1. / 12., -1. / 12. };
+  constexpr double four[4] = { 3. / 8., 0., -1. / 8., 0. };
+  switch (k)
+  {
+    case 2:
+      return two[j];
+    case 3:
+      return three[j];
+    case 4:
+      return four[j];
+    default:
+      return (1. / 4. + std::cos(2. * Pi * j / k) + std::cos(4. * Pi * j / k) / 2.) / k;
+  }
+}
+
+/// Edge i, 0 < i < k, of a sector on a smooth curve: the weight of the vertex ...
+inline double CurveCentre(int k, int i)
+{
+  const double t = Pi / k;
+  return 1. - std::sin(t) * std::sin(i * t) / (k * (1. - std::cos(t)));
+}
+
+/// ... and of neighbour j.
+inline double CurveRing(int k, int i, int j)
+{
+  const double t = Pi / k;
+  if (j == 0 || j == k)
+  {
+    const double end = std::cos(i * t) / 4. -
+      std::sin(2. * t) * std::sin(2. * i * t) / (4. * k * (std::cos(t) - std::cos(2. * t)));
+    return j == 0 ? end : -end;
+  }
+  return (std::sin(i * t) * std::sin(j * t) + std::sin(2. * i * t) * std::sin(2. * j * t) / 2.) / k;
+}
+
+/// Neighbour i of a function that is linear in a sector of an angle and 1 at one of the two sharp
+/// edges (`last`: the last one), 0 at the other and at the corner.
+inline double LinearInSector(int k, double angle, int i, bool last)
+{
+  return std::sin((last ? i : k - i) * angle / k) / std::sin(angle);
+}
+
+/// The same as CurveRing for a sector of an angle at a corner; the corner has the rest. The survey
+/// has no such rule. This one does to a corner what that one does to a curve: functions that are
+/// linear in the sector are halved, the first wave that vanishes at both sharp edges is quartered,
+/// and nothing else is left.
+inline double CornerRing(int k, double angle, int i, int j)
+{
+  auto wave = [k](int m) { return std::sin(m * Pi / k); };
+  if (j > 0 && j < k)
+  {
+    return wave(i) * wave(j) / (2. * k);
+  }
+  double inWave = 0.;
+  for (int m = 1; m < k; ++m)
+  {
+    inWave += wave(m) * LinearInSector(k, angle, m, j == k);
+  }
+  return LinearInSector(k, angle, i, j == k) / 2. - wave(i) * inWave / (2. * k);
+}
+
+}
+}
+
+#endif

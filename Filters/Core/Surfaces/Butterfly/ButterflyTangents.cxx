@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/Butterfly/ButterflyTangents.h"
+
+#include "Core/Rules/Pi.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace subdivision
+{
+template <typename Id>
+void ButterflyTangents<Id>::Append(Id vertex, LimitKind kind, RowBlock<Id>& rows)
+{
+  const Id corner = FindTangentCorner(this->Mesh, this->Tags, vertex);
+  const bool isCurve = IsOnCurve(this->Mesh, this->Tags, vertex);
+  if (corner < 0)
+  {
+    CollectSharpEdges(this->Mesh, this->Tags, vertex, this->Edges);
+    if (isCurve && this->Edges.size() == 2 && kind == LimitKind::Tangent1)
+    {
+      this->AppendOnCurve(vertex, kind, 1., rows);
+    }
+    return;
+  }
+  const SectorEnds<Id> ends = FindSectorEnds(this->Mesh, this->Tags, corner);
+  this->CollectFaces(ends.Size > 0 ? ends.First : FanStep<Id>{ corner, true }, ends.Size);
+  const double turn = ends.Size > 0 && !ends.First.Forward ? -1. : 1.;
+  if (ends.Size == 0)
+  {
+    this->AppendInside(vertex, kind, rows);
+  }
+  else if (isCurve)
+  {
+    this->AppendOnCurve(vertex, kind, turn, rows);
+  }
+  else
+  {
+    this->AppendAtCorner(vertex, kind, ends, turn, rows);
+  }
+}
+
+/// `size`: of a sector, which has one edge more than faces; 0: all around.
+template <typename Id>
+void ButterflyTangents<Id>::CollectFaces(FanStep<Id> step, int size)
+{
+  this->Edges.clear();
+  this->Across.clear();
+  const Id first = step.Corner;
+  int faces = 0;
+  do
+  {
+    this->Edges.push_back(this->Mesh.Edges[step.GetHalfEdgeIn(this->Mesh)]);
+    this->Across.push_back(this->Mesh.Edges[this->Mesh.Next(step.Corner)]);
+    if (++faces == size)
+    {
+      this->Edges.push_back(this->Mesh.Edges[step.GetHalfEdgeOut(this->Mesh)]);
+      return;
+    }
+  } while (step.Advance(this->Mesh) && step.Corner != first);
+}
+
+template <typename Id>
+void ButterflyTangents<Id>::AddPoint(Id edge, double weight, RowBlock<Id>& rows)
+{
+  const vtkIdType row = this->Mesh.NumberOfVertices + edge;
+  this->Next.Clear();
+  this->Scheme.AppendRows(this->Level, this->Tags, row, row + 1, this->Next);
+  for (std::size_t k = 0; k < this->Next.GetNumberOfEntries(); ++k)
+  {
+    rows.Add(this->Next.GetColumns()[k], weight * this->Next.GetWeights()[k]);
+  }
+}
+
+/// The derivative of the four-point rule's limit at the end of a curve.
+template <typename Id>
+void ButterflyTangents<Id>::AddAlongCurve(Id vertex, Id edge, double weight, RowBlock<Id>& rows)
+{
+  this->AddPoint(edge, 8. * weight, rows);
+  rows.Add(this->Mesh.GetOtherEnd(edge, vertex), -weight);
+  rows.Add(vertex, -7. * weight);
+}
+
+template <typename Id>
+void ButterflyTangents<Id>::AppendInside(Id vertex, LimitKind kind, RowBlock<Id>& rows)
+{
+  const auto sharp = std::find_if(this->Edges.begin(), this->Edges.end(),
+    [this](Id e) { return this->Tags.Edges[e] != EdgeTag::Smooth; });
+  if (sharp != this->Edges.end())
+  {
+    // The end of a crease: along it, and across.
+    if (kind == LimitKind::Tangent1)
+    {
+      this->AddAlongCurve(vertex, *sharp, 1., rows);
+      return;
+    }
+    std::rotate(this->Edges.begin(), sharp, this->Edges.end());
+  }
+  const std::size_t k = this->Edges.size();
+  auto wave = [kind, k](std::size_t j)
+  {
+    const double angle = 2. * Pi * static_cast<double>(j) / static_cast<double>(k);
+    return kind == LimitKind::Tangent1 ? std::cos(angle) : std::sin(angle);
+  };
+  if (this->Level.Places[vertex] != 6)
+  {
+    for (std::size_t j = 0; j < k; ++j)
+    {
+      this->AddPoint(this->Edges[j], wave(j), rows);
+    }
+    return;
+  }
+  for (std::size_t j = 0; j < k; ++j)
+  {
+    this->AddPoint(this->Edges[j], 16. * wave(j), rows);
+    rows.Add(this->Mesh.GetOtherEnd(this->Edges[j], vertex), wave(j));
+    this->AddPoint(this->Across[j], -8. / 3. * (wave(j) + wave(j + 1)), rows);
+  }
+}
+
+template <typename Id>
+void ButterflyTangents<Id>::AppendOnCurve(
+  Id vertex, LimitKind kind, double turn, RowBlock<Id>& rows)
+{
+  const std::size_t k = this->Edges.size() - 1;
+  if (kind == LimitKind::Tangent1)
+  {
+    this->AddAlongCurve(vertex, this->Edges.front(), 1., rows);
+    this->AddAlongCurve(vertex, this->Edges.back(), -1., rows);
+    return;
+  }
+  if (k == 1)
+  {
+    // Nothing says how such a sector goes on: the plane of the face.
+    this->AddPoint(this->Edges[0], turn, rows);
+    this->AddPoint(this->Edges[1], turn, rows);
+    rows.Add(vertex, -2. * turn);
+    return;
+  }
+  if (k == 3)
+  {
+    this->AppendAcrossRegularCurve(vertex, turn, rows);
+    return;
+  }
+  double sum = 0.;
+  for (std::size_t j = 1; j < k; ++j)
+  {
+    const double weight = turn * std::sin(static_cast<double>(j) * Pi / static_cast<double>(k));
+    this->AddPoint(this->Edges[j], weight, rows);
+    sum += weight;
+  }
+  rows.Add(vertex, -sum);
+}
+
+template <typename Id>
+void ButterflyTangents<Id>::AppendAcrossRegularCurve(Id vertex, double turn, RowBlock<Id>& rows)
+{
+  constexpr double near[4] = { -2., 30., 30., -2. };
+  constexpr double far[4] = { 1., 4., 4., 1. };
+  constexpr double across[3] = { -6., -20., -6. };
+  rows.Add(vertex, -34. * turn);
+  for (std::size_t j = 0; j < 4; ++j)
+  {
+    this->AddPoint(this->Edges[j], near[j] * turn, rows);
+    rows.Add(this->Mesh.GetOtherEnd(this->Edges[j], vertex), far[j] * turn);
+  }
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    this->AddPoint(this->Across[j], across[j] * turn, rows);
+  }
+}
+
+/// Along the first edge, and at a right angle to it in the plane of both.
+template <typename Id>
+void ButterflyTangents<Id>::AppendAtCorner(
+  Id vertex, LimitKind kind, const SectorEnds<Id>& ends, double turn, RowBlock<Id>& rows)
+{
+  if (kind == LimitKind::Tangent1)
+  {
+    this->AddAlongCurve(vertex, this->Edges.front(), 1., rows);
+    return;
+  }
+  const Sector<Id>* sector = FindSector(this->Tags, vertex, ends);
+  const double angle = sector ? sector->Angle : Pi / 2.;
+  this->AddAlongCurve(vertex, this->Edges.front(), -turn * std::cos(angle) / std::sin(angle), rows);
+  this->AddAlongCurve(vertex, this->Edges.back(), turn / std::sin(angle), rows);
+}
+
+template class ButterflyTangents<int>;
+template class ButterflyTangents<long long>;
+
+}

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/CatmullClark/CatmullClarkScheme.h"
+
+#include "Core/Rules/Pi.h"
+#include "Core/Surfaces/Scheme/CurveRows.h"
+#include "Core/Surfaces/Scheme/PrimalRefinement.h"
+#include "Core/Surfaces/Scheme/SectorRows.h"
+#include "Core/Surfaces/Scheme/SurfaceLimits.h"
+
+#include <cmath>
+
+namespace subdivision
+{
+namespace
+{
+
+template <typename Id>
+class CatmullClarkScheme : public SurfaceScheme<Id>
+{
+public:
+  explicit CatmullClarkScheme(bool modifiedBoundary)
+    : ModifiedBoundary(modifiedBoundary)
+  {
+  }
+  bool NeedsTriangles() const override { return false; }
+  bool HasCornersOfOneFace() const override { return true; }
+  double GetThirdEigenvalue(int k, double angle) const override
+  {
+    const double c = std::cos(Pi / k);
+    const double g = 3. / 8. - std::cos(angle / k) / 4.;
+    const double half = g + c / 8. - 0.25;
+    return (g + c / 8. + 0.25 + std::sqrt(half * half + (1. + c) / 8.)) / 2.;
+  }
+  double CountFaces(double faces, double corners, int steps) const override
+  {
+    return steps > 0 ? corners * std::pow(4., steps - 1) : faces;
+  }
+  vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
+  {
+    return level.Mesh.NumberOfVertices + level.Mesh.GetNumberOfEdges() + level.Mesh.NumberOfFaces;
+  }
+  void GetParents(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
+  {
+    const PolygonMesh<Id>& mesh = level.Mesh;
+    const vtkIdType edge = row - mesh.NumberOfVertices;
+    const vtkIdType face = edge - mesh.GetNumberOfEdges();
+    if (edge < 0)
+    {
+      parents.assign({ row });
+    }
+    else if (face < 0)
+    {
+      parents.assign({ mesh.EdgeVertices[2 * edge], mesh.EdgeVertices[2 * edge + 1] });
+    }
+    else
+    {
+      const Id* first = mesh.Vertices.data() + mesh.GetFirst(static_cast<Id>(face));
+      parents.assign(first, first + mesh.GetSize(static_cast<Id>(face)));
+    }
+  }
+  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override
+  {
+    return RefineToQuads(level, depth);
+  }
+  bool WritesFaces() const override { return true; }
+  void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override
+  {
+    WriteQuads(level, ids);
+  }
+  void WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const override
+  {
+    WriteQuads(level, ids);
+  }
+  SurfaceTags<Id> RefineTags(
+    const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override
+  {
+    return RefineToQuadTags(level, tags);
+  }
+  void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool,
+    Buffer<Carrier<Id>>& children) const override
+  {
+    children = Buffer<Carrier<Id>>(level.Mesh.GetNumberOfCorners());
+    ForEach(children.size(),
+      [&](vtkIdType i) { children[i] = faces[level.Mesh.GetFace(static_cast<Id>(i))]; });
+  }
+
+  void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
+    vtkIdType end, RowBlock<Id>& rows) const override;
+
+  bool HasLimit() const override { return true; }
+  void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    LimitFinder<Id> finder(level, tags, *this, this->ModifiedBoundary);
+    for (vtkIdType v = begin; v < end; ++v)
+    {
+      finder.Append(static_cast<Id>(v), kind, rows);
+      rows.EndRow();
+    }
+  }
+
+private:
+  void AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex,
+    std::vector<Id>& edges, RowBlock<Id>& rows) const;
+  void AppendEdge(
+    const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, RowBlock<Id>& rows) const;
+  void AppendFace(
+    const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id face, RowBlock<Id>& rows) const;
+
+  bool ModifiedBoundary;
+};
+
+/// The mean of a face's corners, times a factor.
+template <typename Id>
+void AppendMean(const PolygonMesh<Id>& mesh, Id face, double factor, RowBlock<Id>& rows)
+{
+  const Id first = mesh.GetFirst(face);
+  const Id size = mesh.GetSize(face);
+  for (Id c = first; c < first + size; ++c)
+  {
+    rows.Add(mesh.Vertices[c], factor / size);
+  }
+}
+
+template <typename Id>
+void CatmullClarkScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
+  vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
+{
+  const vtkIdType vertices = level.Mesh.NumberOfVertices;
+  const vtkIdType edges = vertices + level.Mesh.GetNumberOfEdges();
+  std::vector<Id> scratch;
+  for (vtkIdType row = begin; row < end; ++row)
+  {
+    if (row < vertices)
+    {
+      this->AppendVertex(level.Mesh, tags, static_cast<Id>(row), scratch, rows);
+    }
+    else if (row < edges)
+    {
+      this->AppendEdge(level.Mesh, tags, static_cast<Id>(row - vertices), rows);
+    }
+    else
+    {
+      this->AppendFace(level.Mesh, tags, static_cast<Id>(row - edges), rows);
+    }
+    rows.EndRow();
+  }
+}
+
+template <typename Id>
+void CatmullClarkScheme<Id>::AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags,
+  Id vertex, std::vector<Id>& edges, RowBlock<Id>& rows) const
+{
+  if (tags.Vertices[vertex] != VertexTag::Smooth)
+  {
+    AppendCurveVertex(mesh, tags, vertex, 3. / 4., edges, rows);
+    return;
+  }
+  const Id start = mesh.VertexCorners[vertex];
+  int k = 0;
+  VisitCycle(mesh, start, [&k](const FanStep<Id>&) { ++k; });
+  const double edge = 1. / (static_cast<double>(k) * k);
+  double own = static_cast<double>(k - 2) / k;
+  const std::size_t at = rows.GetNumberOfEntries();
+  rows.Add(vertex, 0.);
+  if (mesh.Arity == 4)
+  {
+    // Each face is seen from its first edge: it has a quarter of its four corners.
+    own += edge * k / 4.;
+    VisitCycle(mesh, start,
+      [&](const FanStep<Id>& step)
+      {
+        const Id next = mesh.Next(step.Corner);
+        const Id previous = mesh.Previous(step.Corner);
+        rows.Add(mesh.Vertices[step.Forward ? next : previous], 1.5 * edge);
+        rows.Add(mesh.Vertices[mesh.Next(next)], 0.25 * edge);
+      });
+  }
+  else
+  {
+    VisitCycle(mesh, start,
+      [&](const FanStep<Id>& step)
+      {
+        rows.Add(
+          mesh.Vertices[step.Forward ? mesh.Next(step.Corner) : mesh.Previous(step.Corner)], edge);
+        AppendMean(mesh, mesh.GetFace(step.Corner), edge, rows);
+      });
+  }
+  rows.SetWeight(at, own);
+}
+
+template <typename Id>
+void CatmullClarkScheme<Id>::AppendEdge(
+  const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, RowBlock<Id>& rows) const
+{
+  const Id ends[2] = { mesh.EdgeVertices[2 * edge], mesh.EdgeVertices[2 * edge + 1] };
+  if (tags.Edges[edge] != EdgeTag::Smooth)
+  {
+    rows.Add(ends[0], 0.5);
+    rows.Add(ends[1], 0.5);
+    return;
+  }
+  const Id corner = mesh.EdgeCorners[edge];
+  const Id twin = mesh.Twins[corner];
+  double weights[2] = { 0., 0. };
+  FlatPoint<Id> flats[2];
+  int asking = 0;
+  int flat = 0;
+  for (int end = 0; end < 2 && this->ModifiedBoundary; ++end)
+  {
+    if (tags.Vertices[ends[end]] == VertexTag::Smooth)
+    {
+      continue;
+    }
+    const Id at = GetCornerAt(mesh, corner, ends[end]);
+    const double angle = FindAngleOfFace(mesh, tags, ends[end], at);
+    const double gamma = angle > 0. ? 3. / 8. - std::cos(angle) / 4. : 3. / 8.;
+    weights[end] += 5. / 8. - gamma;
+    weights[1 - end] += gamma - 1. / 8.;
+    ++asking;
+    flats[end] = FindFlatPoint(mesh, tags, ends[end], at, edge, false);
+    flat += flats[end].Flatness > 0.;
+  }
+  if (asking == 0)
+  {
+    weights[0] = weights[1] = 0.25;
+    asking = 1;
+  }
+  double kept = 1.; // of the point before the flatness modification
+  for (const FlatPoint<Id>& point : flats)
+  {
+    kept -= point.Flatness / std::max(1, flat);
+  }
+  if (mesh.Arity == 4)
+  {
+    // The ends are in both faces.
+    rows.Add(ends[0], kept * (weights[0] / asking + 1. / 8.));
+    rows.Add(ends[1], kept * (weights[1] / asking + 1. / 8.));
+    for (const Id halfEdge : { corner, twin })
+    {
+      const Id before = mesh.Previous(halfEdge);
+      rows.Add(mesh.Vertices[before], kept / 16.);
+      rows.Add(mesh.Vertices[mesh.Previous(before)], kept / 16.);
+    }
+  }
+  else
+  {
+    rows.Add(ends[0], kept * weights[0] / asking);
+    rows.Add(ends[1], kept * weights[1] / asking);
+    AppendMean(mesh, mesh.GetFace(corner), kept / 4., rows);
+    AppendMean(mesh, mesh.GetFace(twin), kept / 4., rows);
+  }
+  for (const FlatPoint<Id>& point : flats)
+  {
+    if (point.Flatness > 0.)
+    {
+      point.Append(rows, point.Flatness / flat);
+    }
+  }
+}
+
+template <typename Id>
+void CatmullClarkScheme<Id>::AppendFace(
+  const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id face, RowBlock<Id>& rows) const
+{
+  double kept = 1.;
+  std::vector<FlatPoint<Id>> flats;
+  if (this->ModifiedBoundary && !tags.Sectors.empty())
+  {
+    const Id first = mesh.GetFirst(face);
+    for (Id c = first; c < first + mesh.GetSize(face); ++c)
+    {
+      const FlatPoint<Id> point = FindFlatPoint(mesh, tags, mesh.Vertices[c], c, Id(-1), true);
+      if (point.Flatness > 0.)
+      {
+        flats.push_back(point);
+      }
+    }
+    for (const FlatPoint<Id>& point : flats)
+    {
+      kept -= point.Flatness / static_cast<double>(flats.size());
+    }
+  }
+  AppendMean(mesh, face, kept, rows);
+  for (const FlatPoint<Id>& point : flats)
+  {
+    point.Append(rows, point.Flatness / static_cast<double>(flats.size()));
+  }
+}
+
+}
+
+template <typename Id>
+std::unique_ptr<SurfaceScheme<Id>> MakeCatmullClarkScheme(bool modifiedBoundary)
+{
+  return std::make_unique<CatmullClarkScheme<Id>>(modifiedBoundary);
+}
+
+template std::unique_ptr<SurfaceScheme<int>> MakeCatmullClarkScheme(bool);
+template std::unique_ptr<SurfaceScheme<long long>> MakeCatmullClarkScheme(bool);
+
+}

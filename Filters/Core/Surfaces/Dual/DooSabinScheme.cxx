@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/Dual/DooSabinScheme.h"
+
+#include "Core/Rules/Pi.h"
+#include "Core/Surfaces/Dual/DualRefiner.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace subdivision
+{
+namespace
+{
+
+/// A boundary edge is a quad whose long sides coincide: what its points have of the nearer end.
+constexpr double NearEnd = 3. / 4.;
+
+/// A closed fan has its corners; a chain also the points of its two open sides.
+vtkIdType GetVertexFaceSize(vtkIdType k, bool cycle)
+{
+  return cycle ? k : k + 2;
+}
+
+template <typename Id>
+class DooSabinScheme : public SurfaceScheme<Id>
+{
+public:
+  bool NeedsTriangles() const override { return false; }
+  bool UsesTags() const override { return false; }
+  bool KeepsVertices() const override { return false; }
+  bool HalvesEdges() const override { return false; }
+  double CountFaces(double faces, double corners, int steps) const override
+  {
+    return steps > 0 ? corners * std::pow(4., steps - 1) : faces;
+  }
+
+  void Prepare(SurfaceLevel<Id>& level) const override
+  {
+    level.Dual = CountDualPlaces(level, GetVertexFaceSize);
+  }
+  vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
+  {
+    return GetFirstLone(level) + level.Dual->GetNumberOfLoneRows();
+  }
+  void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
+    vtkIdType end, RowBlock<Id>& rows) const override;
+  void GetParents(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
+  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override;
+  SurfaceTags<Id> RefineTags(const SurfaceLevel<Id>&, const SurfaceTags<Id>&) const override
+  {
+    return {};
+  }
+  int GetCarrierPeriod() const override { return 0; }
+  void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool areWhole,
+    Buffer<Carrier<Id>>& children) const override;
+
+private:
+  static vtkIdType GetFirstLone(const SurfaceLevel<Id>& level)
+  {
+    return level.Mesh.GetNumberOfCorners() + 2 * level.Dual->GetNumberOfOpenSides();
+  }
+  /// The open side that has a row, and whether the row is near its first end.
+  static Id FindOpenSide(const SurfaceLevel<Id>& level, vtkIdType row, bool& isFirst)
+  {
+    const vtkIdType point = row - level.Mesh.GetNumberOfCorners();
+    isFirst = point % 2 == 0;
+    return FindByCount(level.Dual->OpenSides, point / 2);
+  }
+};
+
+/// The weights of a face's corners, counted from the one where the new vertex is.
+void FindCornerWeights(vtkIdType k, std::vector<double>& weights)
+{
+  weights.resize(k);
+  const double size = static_cast<double>(k);
+  weights[0] = 1. / 4. + 5. / (4. * size);
+  for (vtkIdType j = 1; j < k; ++j)
+  {
+    const double angle = 2. * Pi * static_cast<double>(std::min(j, k - j)) / size;
+    weights[j] = (3. + 2. * std::cos(angle)) / (4. * size);
+  }
+}
+
+template <typename Id>
+void DooSabinScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&,
+  vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const vtkIdType corners = mesh.GetNumberOfCorners();
+  const vtkIdType lone = GetFirstLone(level);
+  std::vector<double> weights;
+  for (vtkIdType row = begin; row < end; ++row)
+  {
+    if (row >= lone)
+    {
+      AppendLoneRow(level, row - lone, rows);
+    }
+    else if (row >= corners)
+    {
+      bool isFirst = false;
+      const Id corner = FindOpenSide(level, row, isFirst);
+      rows.Add(mesh.Vertices[corner], isFirst ? NearEnd : 1. - NearEnd);
+      rows.Add(mesh.Vertices[mesh.Next(corner)], isFirst ? 1. - NearEnd : NearEnd);
+    }
+    else
+    {
+      const Id corner = static_cast<Id>(row);
+      const vtkIdType size = mesh.GetSize(mesh.GetFace(corner));
+      if (static_cast<vtkIdType>(weights.size()) != size)
+      {
+        FindCornerWeights(size, weights);
+      }
+      Id at = corner;
+      for (const double weight : weights)
+      {
+        rows.Add(mesh.Vertices[at], weight);
+        at = mesh.Next(at);
+      }
+    }
+    rows.EndRow();
+  }
+}
+
+template <typename Id>
+void DooSabinScheme<Id>::GetParents(
+  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const vtkIdType lone = GetFirstLone(level);
+  if (row >= lone)
+  {
+    GetLoneParents(level, row - lone, parents);
+  }
+  else if (row >= mesh.GetNumberOfCorners())
+  {
+    bool isFirst = false;
+    const Id corner = FindOpenSide(level, row, isFirst);
+    parents.assign({ mesh.Vertices[corner], mesh.Vertices[mesh.Next(corner)] });
+  }
+  else
+  {
+    const Id face = mesh.GetFace(static_cast<Id>(row));
+    const Id* first = mesh.Vertices.data() + mesh.GetFirst(face);
+    parents.assign(first, first + mesh.GetSize(face));
+  }
+}
+
+template <typename Id>
+class DooSabinRefiner : DualRefiner<Id>
+{
+public:
+  DooSabinRefiner(const SurfaceLevel<Id>& level, Depth depth)
+    : DualRefiner<Id>(level, depth)
+    , Corners(level.Mesh.GetNumberOfCorners())
+  {
+  }
+
+  SurfaceLevel<Id> Run()
+  {
+    const vtkIdType sides = this->Places.GetNumberOfSides();
+    this->Start(this->Corners + 2 * this->Places.GetNumberOfOpenSides(),
+      this->Mesh.NumberOfFaces + sides, this->Corners + 4 * sides);
+    this->SetInnerFaces();
+    ForEach(this->Corners, [this](vtkIdType c) { this->SetCorner(static_cast<Id>(c)); });
+    this->SetVertexFaces(
+      [this](Id vertex, Id corner, Id at) { return this->SetFan(vertex, corner, at); });
+    return std::move(this->Next);
+  }
+
+private:
+  Id GetSideStart(Id first) const
+  {
+    return static_cast<Id>(this->Corners) + 4 * this->Places.Sides[first];
+  }
+  /// The point of an open side that is near a vertex.
+  Id GetOpenPoint(Id corner, Id vertex) const
+  {
+    return static_cast<Id>(this->Corners) + 2 * this->Places.OpenSides[corner] +
+      (this->Mesh.Vertices[corner] == vertex ? 0 : 1);
+  }
+  /// The half-edge across a side near one of its ends.
+  Id GetAcross(Id corner, Id vertex) const
+  {
+    const Id first = GetFirstOfSide(this->Mesh, corner);
+    return this->GetSideStart(first) + (this->Mesh.Vertices[first] == vertex ? 1 : 3);
+  }
+
+  /// The vertex at a corner, and the face along the side that begins with it.
+  void SetCorner(Id corner)
+  {
+    Buffer<Id>& vertices = this->Next.Mesh.Vertices;
+    vertices[corner] = corner;
+    this->SetVertexCorner(corner, corner);
+    if (GetFirstOfSide(this->Mesh, corner) != corner)
+    {
+      return;
+    }
+    const Id twin = this->Mesh.Twins[corner];
+    const Id start = this->GetSideStart(corner);
+    this->SetFace(this->Mesh.NumberOfFaces + this->Places.Sides[corner], start, 4);
+    vertices[start] = this->Mesh.Next(corner);
+    vertices[start + 1] = corner;
+    this->Join(start, corner);
+    if (twin < 0)
+    {
+      for (Id end = 0; end < 2; ++end)
+      {
+        const Id point = this->GetOpenPoint(corner, this->Mesh.Vertices[corner]) + end;
+        vertices[start + 2 + end] = point;
+        this->SetVertexCorner(point, start + 2 + end);
+      }
+      this->Open(start + 2);
+      return;
+    }
+    const bool sameWay = this->Mesh.Vertices[twin] == this->Mesh.Vertices[corner];
+    const Id next = this->Mesh.Next(twin);
+    vertices[start + 2] = sameWay ? twin : next;
+    vertices[start + 3] = sameWay ? next : twin;
+    this->Join(start + 2, twin);
+  }
+
+  vtkIdType SetFan(Id vertex, Id corner, Id at)
+  {
+    Id first = -1; // half-edge by which the fan begins
+    Id crossed[2] = { -1, -1 };
+    vtkIdType k = 0;
+    const bool cycle = VisitFanForward(this->Mesh, corner,
+      [&](const FanStep<Id>& step)
+      {
+        first = k == 0 ? step.GetHalfEdgeIn(this->Mesh) : first;
+        crossed[0] = crossed[1];
+        crossed[1] = step.GetHalfEdgeOut(this->Mesh);
+        ++k;
+      });
+    if (GetVertexFaceSize(k, cycle) < 3)
+    {
+      this->Join(this->GetAcross(crossed[0], vertex), this->GetAcross(crossed[1], vertex));
+      return 0;
+    }
+    Buffer<Id>& vertices = this->Next.Mesh.Vertices;
+    VisitFanForward(this->Mesh, corner,
+      [&](const FanStep<Id>& step)
+      {
+        vertices[at] = step.Corner;
+        this->Join(at++, this->GetAcross(step.GetHalfEdgeOut(this->Mesh), vertex));
+      });
+    if (!cycle)
+    {
+      vertices[at] = this->GetOpenPoint(crossed[1], vertex);
+      this->Open(at++);
+      vertices[at] = this->GetOpenPoint(first, vertex);
+      this->Join(at, this->GetAcross(first, vertex));
+    }
+    return GetVertexFaceSize(k, cycle);
+  }
+
+  const vtkIdType Corners;
+};
+
+template <typename Id>
+SurfaceLevel<Id> DooSabinScheme<Id>::Refine(const SurfaceLevel<Id>& level, Depth depth) const
+{
+  return DooSabinRefiner<Id>(level, depth).Run();
+}
+
+template <typename Id>
+void DooSabinScheme<Id>::CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
+  bool, Buffer<Carrier<Id>>& children) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const DualPlaces<Id>& places = *level.Dual;
+  const vtkIdType sides = places.GetNumberOfSides();
+  children = Buffer<Carrier<Id>>(mesh.NumberOfFaces + sides + places.GetNumberOfFaces());
+  std::copy(faces.begin(), faces.end(), children.begin());
+  Carrier<Id>* ofSides = children.data() + mesh.NumberOfFaces;
+  ForEach(mesh.GetNumberOfCorners(),
+    [&](vtkIdType c)
+    {
+      const Id corner = static_cast<Id>(c);
+      if (GetFirstOfSide(mesh, corner) == corner)
+      {
+        CommonCarrier<Id> common;
+        common.Add(faces[mesh.GetFace(corner)]);
+        if (mesh.Twins[c] >= 0)
+        {
+          common.Add(faces[mesh.GetFace(mesh.Twins[c])]);
+        }
+        ofSides[places.Sides[c]] = common.Get();
+      }
+    });
+  CarryFans<Id>(level, faces, GetVertexFaceSize, ofSides + sides);
+}
+
+}
+
+template <typename Id>
+std::unique_ptr<SurfaceScheme<Id>> MakeDooSabinScheme()
+{
+  return std::make_unique<DooSabinScheme<Id>>();
+}
+
+template std::unique_ptr<SurfaceScheme<int>> MakeDooSabinScheme();
+template std::unique_ptr<SurfaceScheme<long long>> MakeDooSabinScheme();
+
+}

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/Dual/DualPlaces.h"
+
+namespace subdivision
+{
+namespace
+{
+
+template <typename Id>
+Id GetLineEnd(const SurfaceLevel<Id>& level, Id line, int end)
+{
+  const Id value = level.Lines[line];
+  return level.Mesh.EdgeVertices[2 * (value / 2) + (value % 2 + end) % 2];
+}
+
+template <typename Id>
+void CountSides(const PolygonMesh<Id>& mesh, DualPlaces<Id>& places)
+{
+  const vtkIdType corners = mesh.GetNumberOfCorners();
+  places.Sides = Buffer<Id>(corners + 1);
+  places.OpenSides = Buffer<Id>(corners + 1);
+  ForEach(corners,
+    [&](vtkIdType c)
+    {
+      const Id corner = static_cast<Id>(c);
+      places.Sides[c] = GetFirstOfSide(mesh, corner) == corner;
+      places.OpenSides[c] = mesh.Twins[c] < 0;
+    });
+  CountsToOffsets(places.Sides);
+  CountsToOffsets(places.OpenSides);
+}
+
+template <typename Id>
+void CountFans(const PolygonMesh<Id>& mesh, const VertexFaceSize& size, DualPlaces<Id>& places)
+{
+  const vtkIdType vertices = mesh.NumberOfVertices;
+  places.Faces = Buffer<Id>(vertices + 1);
+  places.Corners = Buffer<Id>(vertices + 1);
+  places.Chains = Buffer<Id>(vertices + 1);
+  places.Kept = Buffer<Id>(vertices + 1);
+  ForEach(vertices,
+    [&](vtkIdType v)
+    {
+      Id faces = 0;
+      Id corners = 0;
+      Id chains = 0;
+      Id fans = 0;
+      VisitFansOf(mesh, static_cast<Id>(v),
+        [&](Id corner)
+        {
+          vtkIdType k = 0;
+          const bool cycle = VisitFanForward(mesh, corner, [&k](const FanStep<Id>&) { ++k; });
+          const vtkIdType face = size(k, cycle);
+          faces += face >= 3;
+          corners += face >= 3 ? static_cast<Id>(face) : 0;
+          chains += !cycle;
+          ++fans;
+        });
+      places.Faces[v] = faces;
+      places.Corners[v] = corners;
+      places.Chains[v] = chains;
+      places.Kept[v] = fans == 0;
+    });
+  CountsToOffsets(places.Faces);
+  CountsToOffsets(places.Corners);
+  CountsToOffsets(places.Chains);
+}
+
+template <typename Id>
+void CountLines(const SurfaceLevel<Id>& level, DualPlaces<Id>& places)
+{
+  const Id lines = static_cast<Id>(level.Lines.size());
+  for (Id point : level.Points)
+  {
+    places.Kept[point] = 1;
+  }
+  for (Id line = 0; line < lines; ++line)
+  {
+    places.Kept[GetLineEnd(level, line, 0)] = 1;
+    places.Kept[GetLineEnd(level, line, 1)] = 1;
+  }
+  CountsToOffsets(places.Kept);
+  const vtkIdType vertices = level.Mesh.NumberOfVertices;
+  places.KeptVertices.resize(places.Kept[vertices]);
+  ForEach(vertices,
+    [&places](vtkIdType v)
+    {
+      if (places.Kept[v] < places.Kept[v + 1])
+      {
+        places.KeptVertices[places.Kept[v]] = static_cast<Id>(v);
+      }
+    });
+  std::vector<Id> segments(lines > 0 ? level.Mesh.GetNumberOfEdges() : 0, -1);
+  for (Id line = 0; line < lines; ++line)
+  {
+    Id& segment = segments[level.Lines[line] / 2];
+    if (segment < 0)
+    {
+      segment = static_cast<Id>(places.FirstLines.size());
+      places.FirstLines.push_back(line);
+    }
+    places.Segments.push_back(segment);
+  }
+  places.Around.assign(2 * places.KeptVertices.size(), -1);
+  std::vector<Id> degrees(places.KeptVertices.size(), 0);
+  for (Id line : places.FirstLines)
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      const Id kept = places.Kept[GetLineEnd(level, line, end)];
+      if (degrees[kept] < 2)
+      {
+        places.Around[2 * kept + degrees[kept]] = GetLineEnd(level, line, 1 - end);
+      }
+      ++degrees[kept];
+    }
+  }
+  for (std::size_t k = 0; k < degrees.size(); ++k)
+  {
+    if (degrees[k] != 2)
+    {
+      places.Around[2 * k] = -1; // an end, or where curves meet: stays
+    }
+  }
+}
+
+}
+
+template <typename Id>
+std::shared_ptr<const DualPlaces<Id>> CountDualPlaces(
+  const SurfaceLevel<Id>& level, const VertexFaceSize& size)
+{
+  auto places = std::make_shared<DualPlaces<Id>>();
+  CountSides(level.Mesh, *places);
+  CountFans(level.Mesh, size, *places);
+  CountLines(level, *places);
+  return places;
+}
+
+template <typename Id>
+void AppendLoneRow(const SurfaceLevel<Id>& level, vtkIdType row, RowBlock<Id>& rows)
+{
+  const DualPlaces<Id>& places = *level.Dual;
+  const vtkIdType kept = static_cast<vtkIdType>(places.KeptVertices.size());
+  if (row >= kept)
+  {
+    const Id line = places.FirstLines[row - kept];
+    rows.Add(GetLineEnd(level, line, 0), 0.5);
+    rows.Add(GetLineEnd(level, line, 1), 0.5);
+    return;
+  }
+  if (places.Around[2 * row] < 0)
+  {
+    rows.Add(places.KeptVertices[row], 1.);
+    return;
+  }
+  rows.Add(places.KeptVertices[row], 0.75);
+  rows.Add(places.Around[2 * row], 0.125);
+  rows.Add(places.Around[2 * row + 1], 0.125);
+}
+
+template <typename Id>
+void GetLoneParents(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
+{
+  const DualPlaces<Id>& places = *level.Dual;
+  const vtkIdType kept = static_cast<vtkIdType>(places.KeptVertices.size());
+  if (row < kept)
+  {
+    parents.assign({ places.KeptVertices[row] });
+    return;
+  }
+  const Id line = places.FirstLines[row - kept];
+  parents.assign({ GetLineEnd(level, line, 0), GetLineEnd(level, line, 1) });
+}
+
+template <typename Id>
+void RefineLines(const SurfaceLevel<Id>& level, vtkIdType first, SurfaceLevel<Id>& next)
+{
+  const DualPlaces<Id>& places = *level.Dual;
+  next.Points = Buffer<Id>(level.Points.size());
+  ForEach(level.Points.size(),
+    [&](vtkIdType i) { next.Points[i] = static_cast<Id>(first + places.Kept[level.Points[i]]); });
+  const vtkIdType segments = static_cast<vtkIdType>(places.FirstLines.size());
+  const vtkIdType middles = first + static_cast<vtkIdType>(places.KeptVertices.size());
+  next.Mesh.EdgeVertices = Buffer<Id>(4 * segments);
+  next.Mesh.EdgeCorners = Buffer<Id>(2 * segments, static_cast<Id>(-1));
+  ForEach(segments,
+    [&](vtkIdType s)
+    {
+      const Id line = places.FirstLines[s];
+      Id* ids = next.Mesh.EdgeVertices.data() + 4 * s;
+      ids[0] = static_cast<Id>(first + places.Kept[GetLineEnd(level, line, 0)]);
+      ids[1] = ids[2] = static_cast<Id>(middles + s);
+      ids[3] = static_cast<Id>(first + places.Kept[GetLineEnd(level, line, 1)]);
+    });
+  next.Lines = Buffer<Id>(2 * level.Lines.size());
+  ForEach(level.Lines.size(),
+    [&](vtkIdType i)
+    {
+      const Id line = static_cast<Id>(i);
+      const Id segment = places.Segments[i];
+      const Id against =
+        GetLineEnd(level, line, 0) != GetLineEnd(level, places.FirstLines[segment], 0);
+      next.Lines[2 * i] = 2 * (2 * segment + against) + against;
+      next.Lines[2 * i + 1] = 2 * (2 * segment + 1 - against) + against;
+    });
+}
+
+template <typename Id>
+void CarryFans(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
+  const VertexFaceSize& size, Carrier<Id>* fans)
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  ForEach(mesh.NumberOfVertices,
+    [&](vtkIdType v)
+    {
+      Carrier<Id>* fan = fans + level.Dual->Faces[v];
+      VisitFansOf(mesh, static_cast<Id>(v),
+        [&](Id corner)
+        {
+          vtkIdType k = 0;
+          CommonCarrier<Id> common;
+          const bool cycle = VisitFanForward(mesh, corner,
+            [&](const FanStep<Id>& step)
+            {
+              common.Add(faces[mesh.GetFace(step.Corner)]);
+              ++k;
+            });
+          if (size(k, cycle) >= 3)
+          {
+            *fan++ = common.Get();
+          }
+        });
+    });
+}
+
+#define SUBDIVISION_DUAL(Id)                                                                       \
+  template std::shared_ptr<const DualPlaces<Id>> CountDualPlaces(                                  \
+    const SurfaceLevel<Id>&, const VertexFaceSize&);                                               \
+  template void AppendLoneRow(const SurfaceLevel<Id>&, vtkIdType, RowBlock<Id>&);                  \
+  template void GetLoneParents(const SurfaceLevel<Id>&, vtkIdType, std::vector<vtkIdType>&);       \
+  template void RefineLines(const SurfaceLevel<Id>&, vtkIdType, SurfaceLevel<Id>&);                \
+  template void CarryFans(                                                                         \
+    const SurfaceLevel<Id>&, const Buffer<Carrier<Id>>&, const VertexFaceSize&, Carrier<Id>*)
+SUBDIVISION_DUAL(int);
+SUBDIVISION_DUAL(long long);
+
+}

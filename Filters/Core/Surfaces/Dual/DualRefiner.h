@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file DualRefiner.h
+ * How a dual step writes faces and joins their half-edges.
+ */
+#ifndef SubdivisionObjects_DualRefiner_h
+#define SubdivisionObjects_DualRefiner_h
+
+#include "Core/Surfaces/Dual/DualPlaces.h"
+
+#include <algorithm>
+
+namespace subdivision
+{
+
+template <typename Id>
+class DualRefiner
+{
+protected:
+  DualRefiner(const SurfaceLevel<Id>& level, Depth depth)
+    : Level(level)
+    , Mesh(level.Mesh)
+    , Places(*level.Dual)
+    , Whole(!IsLast(depth))
+  {
+  }
+  ~DualRefiner() = default;
+
+  /// The next level with so many vertices on faces, faces and corners; vertex faces are the last.
+  void Start(vtkIdType vertices, vtkIdType faces, vtkIdType corners)
+  {
+    this->FirstVertexFace = faces;
+    this->FirstVertexCorner = corners;
+    this->Next.Step = this->Level.Step + 1;
+    RefineLines(this->Level, vertices, this->Next);
+    PolygonMesh<Id>& out = this->Next.Mesh;
+    out.NumberOfVertices = vertices + this->Places.GetNumberOfLoneRows();
+    out.NumberOfFaces = faces + this->Places.GetNumberOfFaces();
+    const vtkIdType size = corners + this->Places.GetNumberOfCorners();
+    out.Vertices = Buffer<Id>(size);
+    out.FaceOffsets = Buffer<Id>(out.NumberOfFaces + 1);
+    out.FaceOffsets[out.NumberOfFaces] = static_cast<Id>(size);
+    if (this->Whole)
+    {
+      out.Twins = Buffer<Id>(size);
+      out.CornerFaces = Buffer<Id>(size);
+      out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
+      std::fill(out.VertexCorners.begin() + vertices, out.VertexCorners.end(), static_cast<Id>(-1));
+    }
+  }
+
+  void SetFace(vtkIdType face, vtkIdType first, vtkIdType size)
+  {
+    PolygonMesh<Id>& out = this->Next.Mesh;
+    out.FaceOffsets[face] = static_cast<Id>(first);
+    if (this->Whole)
+    {
+      std::fill(out.CornerFaces.begin() + first, out.CornerFaces.begin() + first + size,
+        static_cast<Id>(face));
+    }
+  }
+  /// The faces inside faces.
+  void SetInnerFaces()
+  {
+    ForEach(this->Mesh.NumberOfFaces,
+      [this](vtkIdType f)
+      {
+        const Id face = static_cast<Id>(f);
+        this->SetFace(face, this->Mesh.GetFirst(face), this->Mesh.GetSize(face));
+      });
+  }
+  /// `setFan(vertex, corner, at)` writes the face of the fan of a corner, from corner `at` on, and
+  /// returns how many corners it has, or 0. Fans of a vertex come one after another.
+  template <typename SetFan>
+  void SetVertexFaces(const SetFan& setFan)
+  {
+    ForEach(this->Mesh.NumberOfVertices,
+      [&](vtkIdType v)
+      {
+        const Id vertex = static_cast<Id>(v);
+        vtkIdType face = this->FirstVertexFace + this->Places.Faces[v];
+        vtkIdType at = this->FirstVertexCorner + this->Places.Corners[v];
+        VisitFansOf(this->Mesh, vertex,
+          [&](Id corner)
+          {
+            const vtkIdType size = setFan(vertex, corner, static_cast<Id>(at));
+            if (size > 0)
+            {
+              this->SetFace(face++, at, size);
+              at += size;
+            }
+          });
+      });
+  }
+
+  void Join(Id a, Id b)
+  {
+    if (this->Whole)
+    {
+      this->Next.Mesh.Twins[a] = b;
+      this->Next.Mesh.Twins[b] = a;
+    }
+  }
+  void Open(Id corner)
+  {
+    if (this->Whole)
+    {
+      this->Next.Mesh.Twins[corner] = -1;
+    }
+  }
+  void SetVertexCorner(Id vertex, Id corner)
+  {
+    if (this->Whole)
+    {
+      this->Next.Mesh.VertexCorners[vertex] = corner;
+    }
+  }
+
+  const SurfaceLevel<Id>& Level;
+  const PolygonMesh<Id>& Mesh;
+  const DualPlaces<Id>& Places;
+  const bool Whole;
+  vtkIdType FirstVertexFace = 0;
+  vtkIdType FirstVertexCorner = 0;
+  SurfaceLevel<Id> Next;
+};
+
+}
+
+#endif

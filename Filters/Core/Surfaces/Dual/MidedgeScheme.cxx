@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/Dual/MidedgeScheme.h"
+
+#include "Core/Surfaces/Dual/DualRefiner.h"
+
+#include <cmath>
+
+namespace subdivision
+{
+namespace
+{
+
+/// Whether the vertices of chains are kept in the step from a level, as corners of their faces.
+template <typename Id>
+bool KeepsChains(const SurfaceLevel<Id>& level)
+{
+  return level.Step % 2 == 0; // the first step is an odd one
+}
+
+/// The sides of the fan, and the vertex of a chain if it is kept.
+template <typename Id>
+vtkIdType GetVertexFaceSize(const SurfaceLevel<Id>& level, vtkIdType k, bool cycle)
+{
+  return cycle ? k : k + 1 + KeepsChains(level);
+}
+
+template <typename Id>
+class MidedgeScheme : public SurfaceScheme<Id>
+{
+public:
+  bool NeedsTriangles() const override { return false; }
+  bool UsesTags() const override { return false; }
+  bool KeepsVertices() const override { return false; }
+  bool HalvesEdges() const override { return false; }
+  double CountFaces(double faces, double corners, int steps) const override
+  {
+    return steps > 0 ? corners * std::pow(2., steps - 2) : faces;
+  }
+
+  void Prepare(SurfaceLevel<Id>& level) const override
+  {
+    level.Dual = CountDualPlaces(
+      level, [&level](vtkIdType k, bool cycle) { return GetVertexFaceSize(level, k, cycle); });
+  }
+  vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
+  {
+    return GetFirstLone(level) + level.Dual->GetNumberOfLoneRows();
+  }
+  void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
+    vtkIdType end, RowBlock<Id>& rows) const override;
+  void GetParents(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
+  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override;
+  SurfaceTags<Id> RefineTags(const SurfaceLevel<Id>&, const SurfaceTags<Id>&) const override
+  {
+    return {};
+  }
+  int GetCarrierPeriod() const override { return 0; }
+  void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool,
+    Buffer<Carrier<Id>>& children) const override
+  {
+    children = Buffer<Carrier<Id>>(faces.size() + level.Dual->GetNumberOfFaces());
+    std::copy(faces.begin(), faces.end(), children.begin());
+    CarryFans<Id>(
+      level, faces, [&level](vtkIdType k, bool cycle)
+      { return GetVertexFaceSize(level, k, cycle); }, children.data() + faces.size());
+  }
+
+private:
+  static vtkIdType GetFirstLone(const SurfaceLevel<Id>& level)
+  {
+    return level.Dual->GetNumberOfSides() +
+      (KeepsChains(level) ? level.Dual->GetNumberOfChains() : 0);
+  }
+};
+
+template <typename Id>
+void MidedgeScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&,
+  vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const DualPlaces<Id>& places = *level.Dual;
+  const vtkIdType sides = places.GetNumberOfSides();
+  const vtkIdType lone = GetFirstLone(level);
+  Id corner = begin < sides ? FindByCount(places.Sides, begin) : 0;
+  for (vtkIdType row = begin; row < end; ++row)
+  {
+    if (row >= lone)
+    {
+      AppendLoneRow(level, row - lone, rows);
+    }
+    else if (row >= sides)
+    {
+      rows.Add(FindByCount(places.Chains, row - sides), 1.);
+    }
+    else
+    {
+      while (places.Sides[corner + 1] <= row)
+      {
+        ++corner;
+      }
+      rows.Add(mesh.Vertices[corner], 0.5);
+      rows.Add(mesh.Vertices[mesh.Next(corner)], 0.5);
+    }
+    rows.EndRow();
+  }
+}
+
+template <typename Id>
+void MidedgeScheme<Id>::GetParents(
+  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const vtkIdType sides = level.Dual->GetNumberOfSides();
+  const vtkIdType lone = GetFirstLone(level);
+  if (row >= lone)
+  {
+    GetLoneParents(level, row - lone, parents);
+  }
+  else if (row >= sides)
+  {
+    parents.assign({ FindByCount(level.Dual->Chains, row - sides) });
+  }
+  else
+  {
+    const Id corner = FindByCount(level.Dual->Sides, row);
+    parents.assign({ mesh.Vertices[corner], mesh.Vertices[mesh.Next(corner)] });
+  }
+}
+
+template <typename Id>
+class MidedgeRefiner : DualRefiner<Id>
+{
+public:
+  MidedgeRefiner(const SurfaceLevel<Id>& level, Depth depth)
+    : DualRefiner<Id>(level, depth)
+    , Sides(level.Dual->GetNumberOfSides())
+    , Keeps(KeepsChains(level))
+  {
+  }
+
+  SurfaceLevel<Id> Run()
+  {
+    const vtkIdType corners = this->Mesh.GetNumberOfCorners();
+    this->Start(this->Sides + (this->Keeps ? this->Places.GetNumberOfChains() : 0),
+      this->Mesh.NumberOfFaces, corners);
+    this->SetInnerFaces();
+    ForEach(corners,
+      [this](vtkIdType c)
+      {
+        const Id corner = static_cast<Id>(c);
+        const Id first = GetFirstOfSide(this->Mesh, corner);
+        this->Next.Mesh.Vertices[c] = this->Places.Sides[first];
+        if (first == corner)
+        {
+          this->SetVertexCorner(this->Places.Sides[first], corner);
+        }
+      });
+    this->SetVertexFaces(
+      [this](Id vertex, Id corner, Id at) { return this->SetFan(vertex, corner, at); });
+    return std::move(this->Next);
+  }
+
+private:
+  Id GetSide(Id corner) const { return this->Places.Sides[GetFirstOfSide(this->Mesh, corner)]; }
+  /// The vertex that is kept for a chain of a vertex: they are in the order of its fans.
+  Id GetChainVertex(Id vertex, Id corner) const
+  {
+    Id chain = static_cast<Id>(this->Sides) + this->Places.Chains[vertex];
+    bool found = false;
+    VisitFansOf(this->Mesh, vertex,
+      [&](Id other)
+      {
+        found = found || other == corner;
+        chain += !found && !VisitFanForward(this->Mesh, other, [](const FanStep<Id>&) {});
+      });
+    return chain;
+  }
+
+  vtkIdType SetFan(Id vertex, Id corner, Id at)
+  {
+    Id last = -1;
+    Id inside[2] = { -1, -1 }; // half-edges of inner faces that look at the vertex
+    vtkIdType k = 0;
+    const bool cycle = VisitFanForward(this->Mesh, corner,
+      [&](const FanStep<Id>& step)
+      {
+        last = step.GetHalfEdgeOut(this->Mesh);
+        inside[0] = inside[1];
+        inside[1] = this->Mesh.Previous(step.Corner);
+        ++k;
+      });
+    const vtkIdType size = GetVertexFaceSize(this->Level, k, cycle);
+    if (size < 3 && cycle)
+    {
+      this->Join(inside[0], inside[1]);
+    }
+    else if (size < 3)
+    {
+      this->Open(inside[1]);
+    }
+    if (size < 3)
+    {
+      return 0;
+    }
+    Buffer<Id>& vertices = this->Next.Mesh.Vertices;
+    VisitFanForward(this->Mesh, corner,
+      [&](const FanStep<Id>& step)
+      {
+        vertices[at] = this->GetSide(step.GetHalfEdgeIn(this->Mesh));
+        this->Join(at++, this->Mesh.Previous(step.Corner));
+      });
+    if (!cycle)
+    {
+      vertices[at] = this->GetSide(last);
+      this->Open(at++);
+    }
+    if (!cycle && this->Keeps)
+    {
+      vertices[at] = this->GetChainVertex(vertex, corner);
+      this->SetVertexCorner(vertices[at], at);
+      this->Open(at);
+    }
+    return size;
+  }
+
+  const vtkIdType Sides;
+  const bool Keeps;
+};
+
+template <typename Id>
+SurfaceLevel<Id> MidedgeScheme<Id>::Refine(const SurfaceLevel<Id>& level, Depth depth) const
+{
+  return MidedgeRefiner<Id>(level, depth).Run();
+}
+
+}
+
+template <typename Id>
+std::unique_ptr<SurfaceScheme<Id>> MakeMidedgeScheme()
+{
+  return std::make_unique<MidedgeScheme<Id>>();
+}
+
+template std::unique_ptr<SurfaceScheme<int>> MakeMidedgeScheme();
+template std::unique_ptr<SurfaceScheme<long long>> MakeMidedgeScheme();
+
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file MidedgeScheme.h
+ * The midedge scheme (Mathematics 12; Zorin, section 4.1): the simplest dual scheme. Each side
+ * becomes a vertex, its midpoint.
+ *
+ * With S sides (DualPlaces.h), the next level has
+ *  - vertices: s on side s; in odd steps (the first is odd) then the vertex of each chain, which
+ *    stays; then those without faces;
+ *  - faces: f inside face f, with its corners: the vertex of corner c is that of c's side; then one
+ *    for each fan, unless it would have two edges: then these are one.
+ * Two steps cut a boundary as Chaikin's scheme does.
+ */
+#ifndef SubdivisionObjects_MidedgeScheme_h
+#define SubdivisionObjects_MidedgeScheme_h
+
+#include "Core/Surfaces/Scheme/SurfaceScheme.h"
+
+namespace subdivision
+{
+
+template <typename Id>
+std::unique_ptr<SurfaceScheme<Id>> MakeMidedgeScheme();
+
+}
+
+#endif

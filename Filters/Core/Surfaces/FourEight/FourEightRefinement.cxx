@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/FourEight/FourEightRefinement.h"
+
+namespace subdivision
+{
+namespace
+{
+
+template <typename Id>
+class FourEightRefiner
+{
+public:
+  explicit FourEightRefiner(const SurfaceLevel<Id>& level)
+    : Level(level)
+    , Mesh(level.Mesh)
+    , Children(level)
+  {
+  }
+
+  SurfaceLevel<Id> Run(Depth depth)
+  {
+    SurfaceLevel<Id> next;
+    next.Step = this->Level.Step + 1;
+    PolygonMesh<Id>& out = next.Mesh;
+    const bool isWhole = !IsLast(depth);
+    const vtkIdType corners = this->Children.GetNumberOfCorners();
+    const vtkIdType edges = this->Children.GetNumberOfEdges();
+    out.NumberOfVertices = this->Children.GetNumberOfVertices();
+    out.NumberOfFaces = this->Children.GetNumberOfFaces();
+    out.Arity = this->Children.HasTriangles() ? 0 : 4;
+    if (out.Arity == 0)
+    {
+      out.FaceOffsets = Buffer<Id>(out.NumberOfFaces + 1);
+      out.CornerFaces = Buffer<Id>(corners);
+      out.FaceOffsets[out.NumberOfFaces] = static_cast<Id>(corners);
+    }
+    out.Vertices = Buffer<Id>(corners);
+    if (isWhole || !this->Level.Lines.empty())
+    {
+      out.EdgeVertices = Buffer<Id>(2 * edges);
+      this->SetEdgeVertices(out);
+    }
+    ForEach(this->Mesh.GetNumberOfCorners(),
+      [&](vtkIdType c) { this->SetVertices(static_cast<Id>(c), out); });
+    if (isWhole)
+    {
+      out.Edges = Buffer<Id>(corners);
+      out.Twins = Buffer<Id>(corners);
+      out.EdgeCorners = Buffer<Id>(edges);
+      out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
+      ForEach(
+        this->Mesh.NumberOfFaces, [&](vtkIdType f) { this->SetInside(static_cast<Id>(f), out); });
+      ForEach(this->Mesh.GetNumberOfEdges(),
+        [&](vtkIdType e)
+        {
+          if (this->Mesh.EdgeCorners[e] < 0)
+          {
+            out.EdgeCorners[this->Children.GetPiece(static_cast<Id>(e), 0)] = -1;
+            out.EdgeCorners[this->Children.GetPiece(static_cast<Id>(e), 1)] = -1;
+          }
+        });
+      this->SetVertexCorners(out);
+      this->SplitJoints(out);
+    }
+    this->SplitLines(next.Lines);
+    return next;
+  }
+
+private:
+  using Joint = typename PolygonMesh<Id>::Joint;
+  using Sheaf = typename PolygonMesh<Id>::Sheaf;
+
+  bool IsSharp(vtkIdType edge) const { return subdivision::IsSharp(this->Level.Tags.Edges[edge]); }
+
+  /// The child across the edge of a corner: a, the apex beyond, b, the apex here; or a, b, apex.
+  void SetVertices(Id corner, PolygonMesh<Id>& out) const
+  {
+    if (!this->Children.HasChild(corner))
+    {
+      return;
+    }
+    const Id start = this->Children.GetStart(corner);
+    const bool isFixed = this->Children.IsFixed(corner);
+    const Id b = this->Mesh.Vertices[this->Mesh.Next(corner)];
+    Id* child = out.Vertices.data() + start;
+    *child++ = this->Mesh.Vertices[corner];
+    if (!isFixed)
+    {
+      *child++ = this->Children.GetApex(this->Mesh.GetFace(this->Mesh.Twins[corner]));
+    }
+    *child++ = b;
+    *child++ = this->Children.GetApex(this->Mesh.GetFace(corner));
+    if (out.Arity == 0)
+    {
+      const Id face = this->Children.GetChild(corner);
+      out.FaceOffsets[face] = start;
+      std::fill_n(out.CornerFaces.begin() + start, isFixed ? 3 : 4, face);
+    }
+  }
+
+  void SetEdgeVertices(PolygonMesh<Id>& out) const
+  {
+    auto set = [&out](Id edge, Id from, Id to)
+    {
+      out.EdgeVertices[2 * edge] = from;
+      out.EdgeVertices[2 * edge + 1] = to;
+    };
+    ForEach(this->Mesh.GetNumberOfEdges(),
+      [&](vtkIdType e)
+      {
+        const Id edge = static_cast<Id>(e);
+        const Id ends[2] = { this->Mesh.EdgeVertices[2 * e], this->Mesh.EdgeVertices[2 * e + 1] };
+        if (this->IsSharp(e) && this->Children.IsEven)
+        {
+          set(this->Children.GetPiece(edge, 0), ends[0], this->Children.GetMiddle(edge));
+          set(this->Children.GetPiece(edge, 1), this->Children.GetMiddle(edge), ends[1]);
+        }
+        else if (this->IsSharp(e))
+        {
+          set(this->Children.GetPiece(edge, 0), ends[0], ends[1]);
+        }
+      });
+    ForEach(this->Mesh.NumberOfFaces,
+      [&](vtkIdType f)
+      {
+        const Id face = static_cast<Id>(f);
+        const Id apex = this->Children.GetApex(face);
+        this->VisitSpokes(face, [&](Id corner)
+          { set(this->Children.GetSpoke(face, corner), apex, this->Mesh.Vertices[corner]); });
+      });
+  }
+  /// visit(corner) for each corner that an edge joins to the apex of its face.
+  template <typename Visit>
+  void VisitSpokes(Id face, const Visit& visit) const
+  {
+    if (this->Children.IsCut(face))
+    {
+      visit(this->Mesh.Previous(this->Children.GetCutCorner(face)));
+      return;
+    }
+    const Id first = this->Mesh.GetFirst(face);
+    for (Id corner = first; corner < first + this->Mesh.GetSize(face); ++corner)
+    {
+      visit(corner);
+    }
+  }
+
+  /// Half-edges that lie in, or on the fixed edges of, a face of this level.
+  void SetInside(Id face, PolygonMesh<Id>& out) const
+  {
+    this->VisitSpokes(face,
+      [&](Id corner)
+      {
+        const Id vertex = this->Mesh.Vertices[corner];
+        const Id a = this->Children.GetSide(corner, vertex);
+        const Id b = this->Children.GetSide(this->Mesh.Previous(corner), vertex);
+        const Id spoke = this->Children.GetSpoke(face, corner);
+        out.Edges[a] = spoke;
+        out.Edges[b] = spoke;
+        out.Twins[a] = b;
+        out.Twins[b] = a;
+        out.EdgeCorners[spoke] = std::min(a, b);
+      });
+    const Id first = this->Mesh.GetFirst(face);
+    for (Id corner = first; corner < first + this->Mesh.GetSize(face); ++corner)
+    {
+      for (int end = 0; end < 2 && this->Children.IsFixed(corner); ++end)
+      {
+        this->SetPiece(corner, end, out);
+      }
+    }
+  }
+  void SetPiece(Id corner, int end, PolygonMesh<Id>& out) const
+  {
+    const Id edge = this->Mesh.Edges[corner];
+    const Id twin = this->Mesh.Twins[corner];
+    const Id piece = this->Children.GetPiece(edge, end);
+    const Id halfEdge = this->GetOnPiece(corner, end);
+    out.Edges[halfEdge] = piece;
+    out.Twins[halfEdge] = twin < 0 ? -1 : this->GetOnPiece(twin, end);
+    if (this->Mesh.EdgeCorners[edge] == corner)
+    {
+      out.EdgeCorners[piece] = halfEdge;
+    }
+  }
+  /// The half-edge on a fixed edge, or on its half at one end.
+  Id GetOnPiece(Id corner, int end) const
+  {
+    return this->Children.IsEven
+      ? this->Children.GetHalf(corner, this->Mesh.EdgeVertices[2 * this->Mesh.Edges[corner] + end])
+      : this->Children.GetStart(corner);
+  }
+
+  /// That end of a half-edge which is a vertex.
+  Id GetCornerAt(Id halfEdge, Id vertex, const PolygonMesh<Id>& out) const
+  {
+    return out.Vertices[halfEdge] == vertex ? halfEdge : out.Next(halfEdge);
+  }
+
+  void SetVertexCorners(PolygonMesh<Id>& out) const
+  {
+    ForEach(this->Mesh.NumberOfVertices,
+      [&](vtkIdType v)
+      {
+        const Id corner = this->Mesh.VertexCorners[v];
+        out.VertexCorners[v] = corner < 0
+          ? corner
+          : this->GetCornerAt(this->Children.GetHalfEdgeAt(corner), static_cast<Id>(v), out);
+      });
+    ForEach(this->Mesh.NumberOfFaces,
+      [&](vtkIdType f)
+      {
+        const Id face = static_cast<Id>(f);
+        if (!this->Children.IsCut(face))
+        {
+          const Id first = this->Mesh.GetFirst(face);
+          const Id apex = this->Children.GetApex(face);
+          out.VertexCorners[apex] =
+            this->GetCornerAt(this->Children.GetSide(first, this->Mesh.Vertices[first]), apex, out);
+        }
+      });
+    ForEach(this->Children.IsEven ? this->Mesh.GetNumberOfEdges() : 0,
+      [&](vtkIdType e)
+      {
+        if (this->IsSharp(e))
+        {
+          const Id corner = this->Mesh.EdgeCorners[e];
+          const Id middle = this->Children.GetMiddle(static_cast<Id>(e));
+          out.VertexCorners[middle] =
+            corner < 0 ? -1 : this->GetCornerAt(this->GetOnPiece(corner, 0), middle, out);
+        }
+      });
+  }
+
+  /// Joints and sheaves stay what they are; the middles of their edges are such too.
+  void SplitJoints(PolygonMesh<Id>& out) const
+  {
+    std::vector<Id> freeEdges;
+    for (const Joint& joint : this->Mesh.Joints)
+    {
+      Joint child{ joint.Vertex, {}, {} };
+      for (Id corner : joint.Fans)
+      {
+        child.Fans.push_back(
+          this->GetCornerAt(this->Children.GetHalfEdgeAt(corner), joint.Vertex, out));
+      }
+      for (Id edge : joint.FreeEdges)
+      {
+        const int end = this->Children.GetEnd(edge, joint.Vertex);
+        child.FreeEdges.push_back(this->Children.GetPiece(edge, end));
+        if (end == 0)
+        {
+          freeEdges.push_back(edge);
+        }
+      }
+      out.Joints.push_back(std::move(child));
+    }
+    auto addJoint = [&](Id edge, std::vector<Id> fans, std::vector<Id> edges)
+    {
+      const Id middle = this->Children.GetMiddle(edge);
+      out.VertexCorners[middle] = static_cast<Id>(-2 - static_cast<vtkIdType>(out.Joints.size()));
+      out.Joints.push_back({ middle, std::move(fans), std::move(edges) });
+    };
+    const int pieces = this->Children.IsEven ? 2 : 1;
+    for (std::size_t i = 0; i < freeEdges.size() && pieces == 2; ++i)
+    {
+      const Id edge = freeEdges[i];
+      addJoint(edge, {}, { this->Children.GetPiece(edge, 0), this->Children.GetPiece(edge, 1) });
+    }
+    for (const Sheaf& sheaf : this->Mesh.Sheaves)
+    {
+      for (int end = 0; end < pieces; ++end)
+      {
+        Sheaf piece{ this->Children.GetPiece(sheaf.Edge, end), {} };
+        for (Id corner : sheaf.Corners)
+        {
+          piece.Corners.push_back(this->GetOnPiece(corner, end));
+        }
+        out.Sheaves.push_back(std::move(piece));
+      }
+      if (pieces == 2)
+      {
+        std::vector<Id> fans;
+        for (Id corner : sheaf.Corners)
+        {
+          fans.push_back(this->GetCornerAt(
+            this->GetOnPiece(corner, 0), this->Children.GetMiddle(sheaf.Edge), out));
+        }
+        addJoint(sheaf.Edge, std::move(fans), {});
+      }
+    }
+  }
+
+  void SplitLines(Buffer<Id>& lines) const
+  {
+    const Buffer<Id>& old = this->Level.Lines;
+    const int pieces = this->Children.IsEven ? 2 : 1;
+    lines = Buffer<Id>(pieces * old.size());
+    ForEach(lines.size(),
+      [&](vtkIdType i)
+      {
+        const Id line = old[i / pieces];
+        const Id against = line % 2;
+        const int end = static_cast<int>((i % pieces + against) % 2);
+        lines[i] = 2 * this->Children.GetPiece(line / 2, end) + against;
+      });
+  }
+
+  const SurfaceLevel<Id>& Level;
+  const PolygonMesh<Id>& Mesh;
+  FourEightTopology<Id> Children;
+};
+
+}
+
+template <typename Id>
+void CountFourEightPlaces(SurfaceLevel<Id>& level)
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const bool isEven = level.Step % 2 == 1;
+  const vtkIdType corners = mesh.GetNumberOfCorners();
+  auto isFixed = [&](vtkIdType corner) { return IsSharp(level.Tags.Edges[mesh.Edges[corner]]); };
+  Buffer<Id> children(corners + 1);
+  Buffer<Id> centres(mesh.NumberOfFaces + 1);
+  Buffer<Id> fixed(mesh.GetNumberOfEdges() + 1);
+  Buffer<Id> starts;
+  ForEach(corners, [&](vtkIdType c) { children[c] = isFixed(c) ? !isEven : mesh.Twins[c] > c; });
+  ForEach(mesh.NumberOfFaces,
+    [&](vtkIdType f)
+    {
+      centres[f] = 1;
+      const vtkIdType first = mesh.GetFirst(static_cast<Id>(f));
+      const vtkIdType end = first + mesh.GetSize(static_cast<Id>(f));
+      for (vtkIdType c = first; c < end && isEven; ++c)
+      {
+        centres[f] = isFixed(c) ? 0 : centres[f];
+      }
+    });
+  ForEach(mesh.GetNumberOfEdges(), [&](vtkIdType e) { fixed[e] = IsSharp(level.Tags.Edges[e]); });
+  if (!isEven && std::find(fixed.begin(), fixed.end() - 1, Id(1)) != fixed.end() - 1)
+  {
+    starts = Buffer<Id>(corners + 1);
+    ForEach(corners, [&](vtkIdType c) { starts[c] = isFixed(c) ? 3 : 4 * children[c]; });
+    CountsToOffsets(starts);
+  }
+  CountsToOffsets(children);
+  CountsToOffsets(centres);
+  CountsToOffsets(fixed);
+  level.Places = Buffer<Id>(children.size() + centres.size() + fixed.size() + starts.size());
+  Id* place = level.Places.begin();
+  for (const Buffer<Id>* part : { &children, &centres, &fixed, &starts })
+  {
+    place = std::copy(part->begin(), part->end(), place);
+  }
+}
+
+template <typename Id>
+SurfaceTags<Id> RefineFourEightTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags)
+{
+  const FourEightTopology<Id> children(level);
+  SurfaceTags<Id> out;
+  out.Edges = Buffer<EdgeTag>(children.GetNumberOfEdges());
+  out.Vertices = Buffer<VertexTag>(children.GetNumberOfVertices());
+  ForEach(out.Edges.size(), [&](vtkIdType e)
+    { out.Edges[e] = e < children.GetNumberOfPieces() ? EdgeTag::Sharp : EdgeTag::Smooth; });
+  ForEach(out.Vertices.size(),
+    [&](vtkIdType v)
+    {
+      out.Vertices[v] = v < level.Mesh.NumberOfVertices ? tags.Vertices[v]
+        : v < children.GetFirstMiddle()                 ? VertexTag::Smooth
+                                                        : VertexTag::Curve;
+    });
+  out.Sectors = tags.Sectors; // their corners are those of the control level
+  return out;
+}
+
+template <typename Id>
+SurfaceLevel<Id> RefineFourEight(const SurfaceLevel<Id>& level, Depth depth)
+{
+  SurfaceLevel<Id> next = FourEightRefiner<Id>(level).Run(depth);
+  if (!IsLast(depth))
+  {
+    next.Tags = RefineFourEightTags(level, level.Tags);
+  }
+  return next;
+}
+
+template void CountFourEightPlaces(SurfaceLevel<int>&);
+template void CountFourEightPlaces(SurfaceLevel<long long>&);
+template SurfaceLevel<int> RefineFourEight(const SurfaceLevel<int>&, Depth);
+template SurfaceLevel<long long> RefineFourEight(const SurfaceLevel<long long>&, Depth);
+template SurfaceTags<int> RefineFourEightTags(const SurfaceLevel<int>&, const SurfaceTags<int>&);
+template SurfaceTags<long long> RefineFourEightTags(
+  const SurfaceLevel<long long>&, const SurfaceTags<long long>&);
+
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FourEightTopology.h
+ * Where the children of a level are in a step of the 4-8 scheme (FourEightScheme.h): arithmetic on
+ * the counts in SurfaceLevel::Places.
+ */
+#ifndef SubdivisionObjects_FourEightTopology_h
+#define SubdivisionObjects_FourEightTopology_h
+
+#include "Core/Surfaces/Scheme/SurfaceScheme.h"
+
+#include <algorithm>
+
+namespace subdivision
+{
+
+template <typename Id>
+class FourEightTopology
+{
+public:
+  explicit FourEightTopology(const SurfaceLevel<Id>& level)
+    : Mesh(level.Mesh)
+    , Tags(level.Tags)
+    , IsEven(level.Step % 2 == 1)
+    , ChildrenBefore(level.Places.data())
+    , CentresBefore(this->ChildrenBefore + this->Mesh.GetNumberOfCorners() + 1)
+    , FixedBefore(this->CentresBefore + this->Mesh.NumberOfFaces + 1)
+    , StartsBefore(level.Places.size() > CountCommon(this->Mesh)
+          ? this->FixedBefore + this->Mesh.GetNumberOfEdges() + 1
+          : nullptr)
+  {
+  }
+  /// Entries of Places: children before each corner, centres before each face, fixed edges before
+  /// each edge; where some children are triangles, also their corners before each corner.
+  static vtkIdType CountCommon(const PolygonMesh<Id>& mesh)
+  {
+    return mesh.GetNumberOfCorners() + mesh.NumberOfFaces + mesh.GetNumberOfEdges() + 3;
+  }
+
+  Id GetNumberOfCentres() const { return this->CentresBefore[this->Mesh.NumberOfFaces]; }
+  Id GetNumberOfFixed() const { return this->FixedBefore[this->Mesh.GetNumberOfEdges()]; }
+  Id GetNumberOfVertices() const
+  {
+    return this->GetFirstMiddle() + (this->IsEven ? this->GetNumberOfFixed() : 0);
+  }
+  Id GetNumberOfFaces() const { return this->ChildrenBefore[this->Mesh.GetNumberOfCorners()]; }
+  Id GetNumberOfCorners() const
+  {
+    return this->GetStart(static_cast<Id>(this->Mesh.GetNumberOfCorners()));
+  }
+  Id GetNumberOfPieces() const { return (this->IsEven ? 2 : 1) * this->GetNumberOfFixed(); }
+  Id GetNumberOfEdges() const
+  {
+    return this->GetNumberOfPieces() +
+      this->CountSpokesBefore(static_cast<Id>(this->Mesh.NumberOfFaces),
+        static_cast<Id>(this->Mesh.GetNumberOfCorners()));
+  }
+  bool HasTriangles() const { return this->StartsBefore != nullptr; }
+
+  bool IsFixed(Id corner) const { return IsSharp(this->Tags.Edges[this->Mesh.Edges[corner]]); }
+  /// Whether the child across a corner's edge is counted here.
+  bool HasChild(Id corner) const
+  {
+    return this->IsFixed(corner) ? !this->IsEven : corner < this->Mesh.Twins[corner];
+  }
+  Id GetChild(Id corner) const { return this->ChildrenBefore[corner]; }
+  /// The first corner of that child.
+  Id GetStart(Id corner) const
+  {
+    return this->StartsBefore ? this->StartsBefore[corner] : 4 * this->ChildrenBefore[corner];
+  }
+
+  Id GetFirstCentre() const { return static_cast<Id>(this->Mesh.NumberOfVertices); }
+  Id GetFirstMiddle() const { return this->GetFirstCentre() + this->GetNumberOfCentres(); }
+  bool IsCut(Id face) const { return this->CentresBefore[face] == this->CentresBefore[face + 1]; }
+  /// In even steps: the fixed edge of a face, as its corner.
+  Id GetCutCorner(Id face) const
+  {
+    Id corner = this->Mesh.GetFirst(face);
+    while (!this->IsFixed(corner))
+    {
+      ++corner;
+    }
+    return corner;
+  }
+  Id GetMiddle(Id edge) const { return this->GetFirstMiddle() + this->FixedBefore[edge]; }
+  /// The centre of a face, or what stands for it.
+  Id GetApex(Id face) const
+  {
+    return this->IsCut(face) ? this->GetMiddle(this->Mesh.Edges[this->GetCutCorner(face)])
+                             : this->GetFirstCentre() + this->CentresBefore[face];
+  }
+
+  /// A fixed edge, or its half at one end, on the next level.
+  Id GetPiece(Id edge, int end) const
+  {
+    return this->IsEven ? 2 * this->FixedBefore[edge] + end : this->FixedBefore[edge];
+  }
+  int GetEnd(Id edge, Id vertex) const
+  {
+    return this->Mesh.EdgeVertices[2 * edge] == vertex ? 0 : 1;
+  }
+  /// From a face's centre to the vertex of a corner; of a cut face, to the one opposite to the cut.
+  Id GetSpoke(Id face, Id corner) const
+  {
+    const Id first = this->Mesh.GetFirst(face);
+    return this->GetNumberOfPieces() + this->CountSpokesBefore(face, first) +
+      (this->IsCut(face) ? 0 : corner - first);
+  }
+
+  /// The half-edge of the next level between the apex of a corner's face and one end of the
+  /// corner's edge, in the child across that edge. In even steps not for fixed edges.
+  Id GetSide(Id corner, Id vertex) const
+  {
+    if (this->IsFixed(corner))
+    {
+      return this->GetStart(corner) + (this->Mesh.Vertices[corner] == vertex ? 2 : 1);
+    }
+    const Id owner = std::min(corner, this->Mesh.Twins[corner]);
+    const bool isFirst = this->Mesh.Vertices[owner] == vertex;
+    return this->GetStart(owner) + (corner == owner ? (isFirst ? 3 : 2) : (isFirst ? 0 : 1));
+  }
+  /// In even steps: half of a fixed edge, in the face of one of its corners.
+  Id GetHalf(Id cut, Id vertex) const
+  {
+    return this->GetSide(
+      this->Mesh.Vertices[cut] == vertex ? this->Mesh.Previous(cut) : this->Mesh.Next(cut), vertex);
+  }
+  /// A half-edge of the next level at the vertex of a corner, in the same fan.
+  Id GetHalfEdgeAt(Id corner) const
+  {
+    const Id vertex = this->Mesh.Vertices[corner];
+    return this->IsEven && this->IsFixed(corner) ? this->GetHalf(corner, vertex)
+                                                 : this->GetSide(corner, vertex);
+  }
+
+  /// The face of a centre, the edge of a middle, by their numbers.
+  Id FindFace(Id centre) const
+  {
+    return Find(this->CentresBefore, this->Mesh.NumberOfFaces, centre);
+  }
+  Id FindFixed(Id number) const
+  {
+    return Find(this->FixedBefore, this->Mesh.GetNumberOfEdges(), number);
+  }
+
+  const PolygonMesh<Id>& Mesh;
+  const SurfaceTags<Id>& Tags;
+  const bool IsEven;
+
+private:
+  static Id Find(const Id* before, vtkIdType size, Id number)
+  {
+    return static_cast<Id>(std::upper_bound(before, before + size, number) - before - 1);
+  }
+  /// Each face has one for each corner, cut triangles one.
+  Id CountSpokesBefore(Id face, Id firstCorner) const
+  {
+    return firstCorner - 2 * (face - this->CentresBefore[face]);
+  }
+
+  const Id* ChildrenBefore;
+  const Id* CentresBefore;
+  const Id* FixedBefore;
+  const Id* StartsBefore;
+};
+
+}
+
+#endif

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/Loop/LoopScheme.h"
+
+#include "Core/Rules/Masks.h"
+#include "Core/Rules/Pi.h"
+#include "Core/Surfaces/Scheme/CurveRows.h"
+#include "Core/Surfaces/Scheme/PrimalRefinement.h"
+#include "Core/Surfaces/Scheme/SectorRows.h"
+#include "Core/Surfaces/Scheme/SurfaceLimits.h"
+
+#include <cmath>
+
+namespace subdivision
+{
+namespace
+{
+
+template <typename Id>
+class LoopScheme : public QuarteringScheme<Id>
+{
+public:
+  explicit LoopScheme(bool modifiedBoundary)
+    : ModifiedBoundary(modifiedBoundary)
+  {
+  }
+  bool BlendsJoints() const override { return true; }
+  double GetThirdEigenvalue(int k, double angle) const override
+  {
+    return 0.5 + (std::cos(Pi / k) - std::cos(angle / k)) / 4.;
+  }
+  void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
+    vtkIdType end, RowBlock<Id>& rows) const override;
+
+  bool HasLimit() const override { return true; }
+  void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
+
+private:
+  void AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex,
+    std::vector<Id>& ring, RowBlock<Id>& rows) const;
+  void AppendEdge(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id edge,
+    std::vector<Id>& ring, RowBlock<Id>& rows) const;
+  void AppendBlendEdge(
+    const SurfaceLevel<Id>& level, Id edge, std::vector<Id>& ring, RowBlock<Id>& rows) const;
+  void AppendEdgeAtCurve(
+    const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, RowBlock<Id>& rows) const;
+
+  bool ModifiedBoundary;
+};
+
+template <typename Id>
+void LoopScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
+  vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
+{
+  const vtkIdType vertices = level.Mesh.NumberOfVertices;
+  std::vector<Id> ring;
+  for (vtkIdType row = begin; row < std::min(end, vertices); ++row)
+  {
+    this->AppendVertex(level.Mesh, tags, static_cast<Id>(row), ring, rows);
+    rows.EndRow();
+  }
+  for (vtkIdType row = std::max(begin, vertices); row < end; ++row)
+  {
+    this->AppendEdge(level, tags, static_cast<Id>(row - vertices), ring, rows);
+    rows.EndRow();
+  }
+}
+
+template <typename Id>
+void LoopScheme<Id>::AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags,
+  Id vertex, std::vector<Id>& ring, RowBlock<Id>& rows) const
+{
+  const VertexTag tag = tags.Vertices[vertex];
+  if (tag == VertexTag::Curve || tag == VertexTag::Corner)
+  {
+    AppendCurveVertex(mesh, tags, vertex, 3. / 4., ring, rows);
+    return;
+  }
+  Rule rule = Rule::Surface;
+  if (tag == VertexTag::Blend)
+  {
+    rule = Rule::Blend;
+    CollectEdges(mesh, vertex, [](Id) { return true; }, ring);
+    for (Id& member : ring)
+    {
+      member = mesh.GetOtherEnd(member, vertex);
+    }
+  }
+  else
+  {
+    ring.clear();
+    VisitCycle(mesh, mesh.VertexCorners[vertex],
+      [&](const FanStep<Id>& step)
+      {
+        ring.push_back(
+          mesh.Vertices[step.Forward ? mesh.Next(step.Corner) : mesh.Previous(step.Corner)]);
+      });
+  }
+  const Mask mask = VertexMask(rule, static_cast<vtkIdType>(ring.size()));
+  rows.Add(vertex, mask.Own);
+  for (Id member : ring)
+  {
+    rows.Add(member, mask.Ring);
+  }
+}
+
+template <typename Id>
+void LoopScheme<Id>::AppendEdge(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id edge,
+  std::vector<Id>& ring, RowBlock<Id>& rows) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const Id a = mesh.EdgeVertices[2 * edge];
+  const Id b = mesh.EdgeVertices[2 * edge + 1];
+  if (IsSharp(tags.Edges[edge]))
+  {
+    rows.Add(a, 0.5);
+    rows.Add(b, 0.5);
+    return;
+  }
+  if (tags.Edges[edge] == EdgeTag::Blend)
+  {
+    this->AppendBlendEdge(level, edge, ring, rows);
+    return;
+  }
+  auto isOnCurve = [&tags](Id v)
+  { return tags.Vertices[v] == VertexTag::Curve || tags.Vertices[v] == VertexTag::Corner; };
+  if (isOnCurve(a) || isOnCurve(b))
+  {
+    this->AppendEdgeAtCurve(mesh, tags, edge, rows);
+    return;
+  }
+  const Id corner = mesh.EdgeCorners[edge];
+  rows.Add(a, 3. / 8.);
+  rows.Add(b, 3. / 8.);
+  rows.Add(mesh.Vertices[mesh.Previous(corner)], 1. / 8.);
+  rows.Add(mesh.Vertices[mesh.Previous(mesh.Twins[corner])], 1. / 8.);
+}
+
+/// A smooth edge with one end, or both, on sharp curves: the mean of what the ends ask for.
+template <typename Id>
+void LoopScheme<Id>::AppendEdgeAtCurve(
+  const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, RowBlock<Id>& rows) const
+{
+  const Id corner = mesh.EdgeCorners[edge];
+  double weights[2] = { 0., 0. };
+  FlatPoint<Id> flats[2];
+  int asking = 0;
+  int flat = 0;
+  for (int end = 0; end < 2; ++end)
+  {
+    const Id vertex = mesh.EdgeVertices[2 * edge + end];
+    if (tags.Vertices[vertex] != VertexTag::Curve && tags.Vertices[vertex] != VertexTag::Corner)
+    {
+      continue;
+    }
+    const Id at = GetCornerAt(mesh, corner, vertex);
+    const double angle = this->ModifiedBoundary ? FindAngleOfFace(mesh, tags, vertex, at) : 0.;
+    const double gamma = angle > 0. ? 0.5 - std::cos(angle) / 4. : 3. / 8.;
+    weights[end] += 0.75 - gamma;
+    weights[1 - end] += gamma;
+    ++asking;
+    if (this->ModifiedBoundary)
+    {
+      flats[end] = FindFlatPoint(mesh, tags, vertex, at, edge, false);
+      flat += flats[end].Flatness > 0.;
+    }
+  }
+  double kept = 1.; // of the point before the flatness modification
+  for (const FlatPoint<Id>& point : flats)
+  {
+    kept -= point.Flatness / std::max(1, flat);
+  }
+  rows.Add(mesh.EdgeVertices[2 * edge], kept * weights[0] / asking);
+  rows.Add(mesh.EdgeVertices[2 * edge + 1], kept * weights[1] / asking);
+  rows.Add(mesh.Vertices[mesh.Previous(corner)], kept / 8.);
+  rows.Add(mesh.Vertices[mesh.Previous(mesh.Twins[corner])], kept / 8.);
+  for (const FlatPoint<Id>& point : flats)
+  {
+    if (point.Flatness > 0.)
+    {
+      point.Append(rows, point.Flatness / flat);
+    }
+  }
+}
+
+/// The relief ring (Mathematics 6): the opposite vertices of all faces; on the input also other
+/// common neighbours of the ends.
+template <typename Id>
+void LoopScheme<Id>::AppendBlendEdge(
+  const SurfaceLevel<Id>& level, Id edge, std::vector<Id>& ring, RowBlock<Id>& rows) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const Id ends[2] = { mesh.EdgeVertices[2 * edge], mesh.EdgeVertices[2 * edge + 1] };
+  ring.clear();
+  if (level.Step == 0)
+  {
+    std::vector<Id> around[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      CollectEdges(mesh, ends[i], [](Id) { return true; }, around[i]);
+      for (Id& member : around[i])
+      {
+        member = mesh.GetOtherEnd(member, ends[i]);
+      }
+      std::sort(around[i].begin(), around[i].end());
+    }
+    std::set_intersection(around[0].begin(), around[0].end(), around[1].begin(), around[1].end(),
+      std::back_inserter(ring));
+  }
+  else
+  {
+    const auto sheaf = std::lower_bound(mesh.Sheaves.begin(), mesh.Sheaves.end(), edge,
+      [](const auto& s, Id e) { return s.Edge < e; });
+    for (Id corner : sheaf->Corners)
+    {
+      ring.push_back(mesh.Vertices[mesh.Previous(corner)]);
+    }
+  }
+  const Mask mask = EdgeMask(Rule::Blend, static_cast<vtkIdType>(ring.size()));
+  rows.Add(ends[0], mask.Own);
+  rows.Add(ends[1], mask.Own);
+  for (Id member : ring)
+  {
+    rows.Add(member, mask.Ring);
+  }
+}
+
+/// Weights of a limit row: of the vertex, of its edges' other ends (Mathematics 8).
+template <typename Id>
+void LoopScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
+  LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
+{
+  LimitFinder<Id> finder(level, tags, *this, this->ModifiedBoundary);
+  for (vtkIdType v = begin; v < end; ++v)
+  {
+    finder.Append(static_cast<Id>(v), kind, rows);
+    rows.EndRow();
+  }
+}
+
+}
+
+template <typename Id>
+std::unique_ptr<SurfaceScheme<Id>> MakeLoopScheme(bool modifiedBoundary)
+{
+  return std::make_unique<LoopScheme<Id>>(modifiedBoundary);
+}
+
+template std::unique_ptr<SurfaceScheme<int>> MakeLoopScheme(bool);
+template std::unique_ptr<SurfaceScheme<long long>> MakeLoopScheme(bool);
+
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LoopScheme.h
+ * Loop's scheme, piecewise smooth (Mathematics 5, 6, 12).
+ */
+#ifndef SubdivisionObjects_LoopScheme_h
+#define SubdivisionObjects_LoopScheme_h
+
+#include "Core/Surfaces/Scheme/SurfaceScheme.h"
+
+namespace subdivision
+{
+
+/// `modifiedBoundary`: the rules of Mathematics 12 near curves; else those of Mathematics 5.
+template <typename Id>
+std::unique_ptr<SurfaceScheme<Id>> MakeLoopScheme(bool modifiedBoundary);
+
+}
+
+#endif

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PolygonMesh.h
+ * One level of a surface: polygons, their edges, and how to walk around a vertex.
+ *
+ * A corner of a face is also the half-edge to the face's next corner. Corners of a face are
+ * consecutive. Two corners on the same edge are twins if no other face has the edge; whether both
+ * run in the same direction does not matter, so nothing has to be orientable. A fan is what twins
+ * join around a vertex: a cycle, or a chain between two edges without twins. Edges without any face
+ * (free lines) are edges too.
+ *
+ * Incidence is searched once, on the input (BuildPolygonMesh); a step makes the next level by
+ * arithmetic.
+ */
+#ifndef SubdivisionObjects_PolygonMesh_h
+#define SubdivisionObjects_PolygonMesh_h
+
+#include "Core/Memory/Buffer.h"
+
+#include <vector>
+
+namespace subdivision
+{
+
+template <typename Id>
+struct PolygonMesh
+{
+  vtkIdType NumberOfVertices = 0;
+  vtkIdType NumberOfFaces = 0;
+  /// Corners of each face, 3 or 4; 0: they differ or are more, and FaceOffsets and CornerFaces say
+  /// so.
+  int Arity = 0;
+  Buffer<Id> FaceOffsets;
+  Buffer<Id> CornerFaces;
+
+  Buffer<Id> Vertices;     ///< of each corner
+  Buffer<Id> Edges;        ///< of each corner: to the next one's vertex
+  Buffer<Id> Twins;        ///< of each corner: the other one on the edge; -1 for none
+  Buffer<Id> EdgeVertices; ///< two for each edge
+  Buffer<Id> EdgeCorners;  ///< one for each edge: its first corner; -1: it has no face
+  /// Of each vertex: a corner of its fan. -1: it has neither faces nor edges. Less: it has several
+  /// fans, or edges without faces, or edges of three and more faces: joint -2 - value.
+  Buffer<Id> VertexCorners;
+
+  /// Vertices that are not exactly one fan: also those of edges without faces.
+  struct Joint
+  {
+    Id Vertex;
+    std::vector<Id> Fans;      ///< one corner of each
+    std::vector<Id> FreeEdges; ///< edges without faces
+  };
+  std::vector<Joint> Joints;
+  /// Edges of three and more faces, with all their corners.
+  struct Sheaf
+  {
+    Id Edge;
+    std::vector<Id> Corners;
+  };
+  std::vector<Sheaf> Sheaves; ///< ascending by edge
+
+  vtkIdType GetNumberOfCorners() const { return this->Vertices.size(); }
+  vtkIdType GetNumberOfEdges() const { return this->EdgeCorners.size(); }
+
+  Id GetFace(Id corner) const
+  {
+    return this->Arity ? corner / this->Arity : this->CornerFaces[corner];
+  }
+  Id GetFirst(Id face) const { return this->Arity ? face * this->Arity : this->FaceOffsets[face]; }
+  Id GetSize(Id face) const
+  {
+    return this->Arity ? this->Arity : this->FaceOffsets[face + 1] - this->FaceOffsets[face];
+  }
+  Id Next(Id corner) const
+  {
+    switch (this->Arity)
+    {
+      case 3:
+        return corner % 3 == 2 ? corner - 2 : corner + 1;
+      case 4:
+        return corner % 4 == 3 ? corner - 3 : corner + 1;
+      default:
+      {
+        const Id face = this->CornerFaces[corner];
+        return corner + 1 == this->FaceOffsets[face + 1] ? this->FaceOffsets[face] : corner + 1;
+      }
+    }
+  }
+  Id Previous(Id corner) const
+  {
+    switch (this->Arity)
+    {
+      case 3:
+        return corner % 3 == 0 ? corner + 2 : corner - 1;
+      case 4:
+        return corner % 4 == 0 ? corner + 3 : corner - 1;
+      default:
+      {
+        const Id face = this->CornerFaces[corner];
+        return corner == this->FaceOffsets[face] ? this->FaceOffsets[face + 1] - 1 : corner - 1;
+      }
+    }
+  }
+  /// The end of an edge that is not `vertex`.
+  Id GetOtherEnd(Id edge, Id vertex) const
+  {
+    const Id first = this->EdgeVertices[2 * edge];
+    return first == vertex ? this->EdgeVertices[2 * edge + 1] : first;
+  }
+  const Joint* FindJoint(Id vertex) const
+  {
+    const Id corner = this->VertexCorners[vertex];
+    return corner < -1 ? &this->Joints[-2 - corner] : nullptr;
+  }
+  std::size_t GetMemorySize() const;
+};
+
+/// A face on the way around a vertex: its corner there, and its two edges, entered and left.
+template <typename Id>
+struct FanStep
+{
+  Id Corner;
+  bool Forward; ///< enters by the edge to the next corner, leaves by that from the previous one
+
+  Id GetHalfEdgeIn(const PolygonMesh<Id>& mesh) const
+  {
+    return this->Forward ? this->Corner : mesh.Previous(this->Corner);
+  }
+  Id GetHalfEdgeOut(const PolygonMesh<Id>& mesh) const
+  {
+    return this->Forward ? mesh.Previous(this->Corner) : this->Corner;
+  }
+  FanStep Turn() const { return { this->Corner, !this->Forward }; }
+  /// The next face around the vertex; false where there is none.
+  bool Advance(const PolygonMesh<Id>& mesh)
+  {
+    const Id out = this->GetHalfEdgeOut(mesh);
+    const Id twin = mesh.Twins[out];
+    if (twin < 0)
+    {
+      return false;
+    }
+    const Id vertex = mesh.Vertices[this->Corner];
+    this->Forward = mesh.Vertices[twin] == vertex;
+    this->Corner = this->Forward ? twin : mesh.Next(twin);
+    return true;
+  }
+};
+
+/// Where to begin around a corner's vertex: at the end of a chain that walking forward reaches, or,
+/// in a cycle, at the corner itself.
+template <typename Id>
+FanStep<Id> FindFanStart(const PolygonMesh<Id>& mesh, Id corner)
+{
+  FanStep<Id> step{ corner, true };
+  while (step.Advance(mesh))
+  {
+    if (step.Corner == corner)
+    {
+      return { corner, true };
+    }
+  }
+  return step.Turn();
+}
+
+/// visit(step) for each face of the fan of a corner; a chain from one of its ends. True: a cycle.
+template <typename Id, typename Visit>
+bool VisitFan(const PolygonMesh<Id>& mesh, Id corner, const Visit& visit)
+{
+  FanStep<Id> step = FindFanStart(mesh, corner);
+  const Id first = step.Corner;
+  do
+  {
+    visit(step);
+    if (!step.Advance(mesh))
+    {
+      return false;
+    }
+  } while (step.Corner != first);
+  return true;
+}
+
+/// visit(step) for each face of a fan that is a cycle, beginning with the corner's.
+template <typename Id, typename Visit>
+void VisitCycle(const PolygonMesh<Id>& mesh, Id corner, const Visit& visit)
+{
+  FanStep<Id> step{ corner, true };
+  do
+  {
+    visit(step);
+  } while (step.Advance(mesh) && step.Corner != corner);
+}
+
+/// The input as corners: any vertices, each face at least three different ones.
+template <typename Id>
+struct PolygonList
+{
+  vtkIdType NumberOfVertices = 0;
+  Buffer<Id> FaceOffsets;
+  Buffer<Id> Vertices;
+  /// Segments of line cells, two vertices each.
+  Buffer<Id> Segments;
+};
+
+/// `segmentEdges`: where each segment lies, 2 edge + (1 if it runs against the edge).
+template <typename Id>
+PolygonMesh<Id> BuildPolygonMesh(PolygonList<Id>&& list, Buffer<Id>& segmentEdges);
+
+}
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CurveRows.h
+ * Rows that Loop and Catmull-Clark share: curves and corners.
+ */
+#ifndef SubdivisionObjects_CurveRows_h
+#define SubdivisionObjects_CurveRows_h
+
+#include "Core/Surfaces/Scheme/SurfaceRings.h"
+
+namespace subdivision
+{
+
+/// A vertex that is not smooth: cubic B-spline along its two sharp edges, with the weight `own` for
+/// the vertex; or it stays.
+template <typename Id>
+void AppendCurveVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex,
+  double own, std::vector<Id>& edges, RowBlock<Id>& rows)
+{
+  edges.clear();
+  if (tags.Vertices[vertex] == VertexTag::Curve)
+  {
+    CollectCurveEdges(mesh, tags, vertex, edges);
+  }
+  if (edges.size() != 2)
+  {
+    rows.Add(vertex, 1.);
+    return;
+  }
+  rows.Add(vertex, own);
+  rows.Add(mesh.GetOtherEnd(edges[0], vertex), (1. - own) / 2.);
+  rows.Add(mesh.GetOtherEnd(edges[1], vertex), (1. - own) / 2.);
+}
+
+}
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SectorRows.h
+ * The flatness modification (Mathematics 12): in a sector of a corner, new points move towards the
+ * plane of the corner's two curves.
+ */
+#ifndef SubdivisionObjects_SectorRows_h
+#define SubdivisionObjects_SectorRows_h
+
+#include "Core/Surfaces/Scheme/SurfaceRings.h"
+
+#include <cmath>
+
+namespace subdivision
+{
+
+/// Where the modification puts a point: at own + first + second, weights of the corner and of the
+/// other ends of its two sharp edges; and how far towards there the point goes.
+template <typename Id>
+struct FlatPoint
+{
+  double Flatness = 0.; ///< s; 0: there is no modification
+  Id Corner = 0;
+  Id Ends[2] = { 0, 0 };
+  double Weights[2] = { 0., 0. };
+
+  void Append(RowBlock<Id>& rows, double factor) const
+  {
+    rows.Add(this->Corner, factor * (1. - this->Weights[0] - this->Weights[1]));
+    rows.Add(this->Ends[0], factor * this->Weights[0]);
+    rows.Add(this->Ends[1], factor * this->Weights[1]);
+  }
+};
+
+/// Of the new point on the edge of a half-edge out of the corner vertex, or (isFace) of the new
+/// point inside the face of `corner`.
+template <typename Id>
+FlatPoint<Id> FindFlatPoint(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex,
+  Id corner, Id edge, bool isFace)
+{
+  FlatPoint<Id> flat;
+  if (tags.Vertices[vertex] != VertexTag::Corner || tags.Sectors.empty())
+  {
+    return flat;
+  }
+  const SectorEnds<Id> ends = FindSectorEnds(mesh, tags, corner);
+  const Sector<Id>* sector = ends.Size > 0 ? FindSector(tags, vertex, ends) : nullptr;
+  if (!sector || !(sector->Flatness > 0.))
+  {
+    return flat;
+  }
+  int j = 0;
+  FanStep<Id> step = ends.First;
+  while (isFace ? step.Corner != corner : mesh.Edges[step.GetHalfEdgeIn(mesh)] != edge)
+  {
+    if (++j > ends.Size)
+    {
+      return flat; // it belongs to another sector
+    }
+    step.Advance(mesh);
+  }
+  const double t = sector->Angle / ends.Size;
+  const double c = isFace ? std::cos(j * t) + std::cos((j + 1) * t) : std::cos(j * t);
+  const double s = isFace ? std::sin(j * t) + std::sin((j + 1) * t) : std::sin(j * t);
+  // The curve's points after the step are half way to the next vertices.
+  flat.Weights[0] = (c - s * std::cos(sector->Angle) / std::sin(sector->Angle)) / 2.;
+  flat.Weights[1] = s / std::sin(sector->Angle) / 2.;
+  flat.Flatness = sector->Flatness;
+  flat.Corner = vertex;
+  flat.Ends[0] = mesh.GetOtherEnd(mesh.Edges[ends.First.GetHalfEdgeIn(mesh)], vertex);
+  flat.Ends[1] = mesh.GetOtherEnd(mesh.Edges[ends.Last.GetHalfEdgeOut(mesh)], vertex);
+  return flat;
+}
+
+}
+
+#endif

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/Scheme/SharpRows.h"
+
+#include "Core/Surfaces/Scheme/SurfaceRings.h"
+
+#include <algorithm>
+
+namespace subdivision
+{
+namespace
+{
+
+template <typename Id>
+void SortUnique(std::vector<Id>& ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+template <typename Id>
+void AppendCorners(const PolygonMesh<Id>& mesh, Id face, std::vector<Id>& vertices)
+{
+  const Id* first = mesh.Vertices.data() + mesh.GetFirst(face);
+  vertices.insert(vertices.end(), first, first + mesh.GetSize(face));
+}
+
+/// The ends of edges, ascending.
+template <typename Id>
+std::vector<Id> CollectEnds(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
+{
+  std::vector<Id> ends;
+  for (const SharpEdge<Id>& edge : edges)
+  {
+    const Id* both = mesh.EdgeVertices.data() + 2 * static_cast<vtkIdType>(edge.Edge);
+    ends.insert(ends.end(), both, both + 2);
+  }
+  SortUnique(ends);
+  return ends;
+}
+
+}
+
+template <typename Id>
+std::vector<Id> CollectWithNeighbours(const PolygonMesh<Id>& mesh, const std::vector<Id>& vertices)
+{
+  std::vector<Id> all = vertices;
+  std::vector<Id> edges;
+  for (const Id vertex : vertices)
+  {
+    CollectEdges(mesh, vertex, [](Id) { return true; }, edges);
+    for (const Id edge : edges)
+    {
+      all.push_back(mesh.GetOtherEnd(edge, vertex));
+    }
+    VisitFans(mesh, vertex,
+      [&](Id corner)
+      {
+        VisitFan(mesh, corner,
+          [&](const FanStep<Id>& step) { AppendCorners(mesh, mesh.GetFace(step.Corner), all); });
+      });
+  }
+  SortUnique(all);
+  return all;
+}
+
+template <typename Id>
+SharpRows<Id>::SharpRows(
+  const SurfaceLevel<Id>& level, SharpTagPair<Id>&& tags, const std::vector<SharpEdge<Id>>& edges)
+  : Tags(std::move(tags))
+{
+  this->AddVertices(level.Mesh, edges);
+  this->AddEdges(level.Mesh, edges);
+  this->AddFaces(level.Mesh);
+  std::sort(this->Rows.begin(), this->Rows.end(),
+    [](const WeightedRow& a, const WeightedRow& b) { return b.Row > a.Row; });
+}
+
+/// Ends of sharp edges; first of those that are sharp in part, with the mean of their parts.
+template <typename Id>
+void SharpRows<Id>::AddVertices(
+  const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
+{
+  std::vector<WeightedRow> given;
+  for (const SharpEdge<Id>& edge : edges)
+  {
+    for (int end = 0; end < 2 && edge.Left < 1.; ++end)
+    {
+      given.push_back(
+        { mesh.EdgeVertices[2 * static_cast<vtkIdType>(edge.Edge) + end], edge.Left });
+    }
+  }
+  std::stable_sort(given.begin(), given.end(),
+    [](const WeightedRow& a, const WeightedRow& b) { return b.Row > a.Row; });
+  for (auto at = given.begin(); at != given.end();)
+  {
+    double sum = 0.;
+    const auto first = at;
+    for (; at != given.end() && at->Row == first->Row; ++at)
+    {
+      sum += at->Part;
+    }
+    this->Parts.push_back({ first->Row, sum / static_cast<double>(at - first) });
+  }
+  for (const Id end : CollectEnds(mesh, edges))
+  {
+    this->Rows.push_back({ end, this->GetPart({ end }) });
+  }
+}
+
+/// The mean of the parts of some vertices that have one; 0: none has.
+template <typename Id>
+double SharpRows<Id>::GetPart(const std::vector<Id>& vertices) const
+{
+  double sum = 0.;
+  int count = 0;
+  for (const Id vertex : vertices)
+  {
+    const auto at = std::lower_bound(this->Parts.begin(), this->Parts.end(), vertex,
+      [](const WeightedRow& row, vtkIdType v) { return v > row.Row; });
+    if (at != this->Parts.end() && at->Row == vertex)
+    {
+      sum += at->Part;
+      ++count;
+    }
+  }
+  return count > 0 ? sum / count : 0.;
+}
+
+template <typename Id>
+std::vector<Id> SharpRows<Id>::CollectFaces(const PolygonMesh<Id>& mesh, Id vertex) const
+{
+  std::vector<Id> faces;
+  VisitFans(mesh, vertex,
+    [&](Id corner)
+    {
+      VisitFan(
+        mesh, corner, [&](const FanStep<Id>& step) { faces.push_back(mesh.GetFace(step.Corner)); });
+    });
+  return faces;
+}
+
+/// Sharp edges, and all at their ends and across from these: rules there differ next to a curve.
+/// They go with their ends, or else with what is across.
+template <typename Id>
+void SharpRows<Id>::AddEdges(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
+{
+  std::vector<Id> near;
+  std::vector<Id> around;
+  for (const Id end : CollectEnds(mesh, edges))
+  {
+    CollectEdges(mesh, end, [](Id) { return true; }, around);
+    near.insert(near.end(), around.begin(), around.end());
+    for (const Id face : this->CollectFaces(mesh, end))
+    {
+      const Id* first = mesh.Edges.data() + mesh.GetFirst(face);
+      near.insert(near.end(), first, first + mesh.GetSize(face));
+    }
+  }
+  SortUnique(near);
+  auto sharp = edges.begin();
+  for (const Id edge : near)
+  {
+    while (sharp != edges.end() && sharp->Edge < edge)
+    {
+      ++sharp;
+    }
+    const Id* ends = mesh.EdgeVertices.data() + 2 * static_cast<vtkIdType>(edge);
+    double part = this->GetPart({ ends[0], ends[1] });
+    const Id corner = mesh.EdgeCorners[edge];
+    if (sharp != edges.end() && sharp->Edge == edge)
+    {
+      part = sharp->Left < 1. ? sharp->Left : 0.;
+    }
+    else if (part == 0. && corner >= 0)
+    {
+      std::vector<Id> across;
+      AppendCorners(mesh, mesh.GetFace(corner), across);
+      if (mesh.Twins[corner] >= 0)
+      {
+        AppendCorners(mesh, mesh.GetFace(mesh.Twins[corner]), across);
+      }
+      SortUnique(across);
+      part = this->GetPart(across);
+    }
+    this->Rows.push_back({ mesh.NumberOfVertices + edge, part });
+  }
+}
+
+template <typename Id>
+void SharpRows<Id>::AddFaces(const PolygonMesh<Id>& mesh)
+{
+  std::vector<Id> faces;
+  for (const WeightedRow& row : this->Rows)
+  {
+    if (mesh.NumberOfVertices > row.Row)
+    {
+      const std::vector<Id> own = this->CollectFaces(mesh, static_cast<Id>(row.Row));
+      faces.insert(faces.end(), own.begin(), own.end());
+    }
+  }
+  SortUnique(faces);
+  for (const Id face : faces)
+  {
+    std::vector<Id> corners;
+    AppendCorners(mesh, face, corners);
+    this->Rows.push_back(
+      { mesh.NumberOfVertices + mesh.GetNumberOfEdges() + face, this->GetPart(corners) });
+  }
+}
+
+template <typename Id>
+void SharpRows<Id>::Append(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
+  vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
+{
+  auto at = std::lower_bound(this->Rows.begin(), this->Rows.end(), begin,
+    [](const WeightedRow& row, vtkIdType r) { return r > row.Row; });
+  RowBlock<Id> one;
+  auto add = [&](const SurfaceTags<Id>& tags, vtkIdType row, double factor)
+  {
+    one.Clear();
+    scheme.AppendRows(level, tags, row, row + 1, one);
+    for (std::size_t k = 0; k < one.GetNumberOfEntries(); ++k)
+    {
+      rows.Add(one.GetColumns()[k], factor * one.GetWeights()[k]);
+    }
+  };
+  for (vtkIdType row = begin; row < end;)
+  {
+    const vtkIdType next = at == this->Rows.end() ? end : std::min<vtkIdType>(end, at->Row);
+    if (next > row)
+    {
+      scheme.AppendRows(level, level.Tags, row, next, rows);
+      row = next;
+      continue;
+    }
+    if (at->Part > 0.)
+    {
+      add(this->Tags.Whole, row, 1. - at->Part);
+      add(this->Tags.All, row, at->Part);
+      rows.EndRow();
+    }
+    else
+    {
+      scheme.AppendRows(level, this->Tags.Whole, row, row + 1, rows);
+    }
+    ++row;
+    ++at;
+  }
+}
+
+template class SharpRows<int>;
+template class SharpRows<long long>;
+template std::vector<int> CollectWithNeighbours(const PolygonMesh<int>&, const std::vector<int>&);
+template std::vector<long long> CollectWithNeighbours(
+  const PolygonMesh<long long>&, const std::vector<long long>&);
+
+}

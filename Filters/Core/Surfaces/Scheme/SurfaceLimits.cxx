@@ -1,0 +1,504 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/Scheme/SurfaceLimits.h"
+
+#include "Core/Rules/Masks.h"
+#include "Core/Rules/Pi.h"
+#include "Core/Surfaces/Scheme/SurfaceRings.h"
+
+#include <cmath>
+
+namespace subdivision
+{
+template <typename Id>
+LimitFinder<Id>::LimitFinder(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
+  const SurfaceScheme<Id>& scheme, bool modifiedBoundary)
+  : Level(level)
+  , Mesh(level.Mesh)
+  , Tags(tags)
+  , Scheme(scheme)
+  , ModifiedBoundary(modifiedBoundary)
+  , Quads(!scheme.NeedsTriangles())
+{
+}
+
+template <typename Id>
+void LimitFinder<Id>::Append(Id vertex, LimitKind kind, RowBlock<Id>& rows)
+{
+  switch (this->Tags.Vertices[vertex])
+  {
+    case VertexTag::Smooth:
+      this->AppendSmooth(vertex, kind, rows);
+      return;
+    case VertexTag::Blend:
+      if (kind == LimitKind::Position)
+      {
+        this->AppendBlend(vertex, rows);
+      }
+      return;
+    default:
+      if (kind == LimitKind::Position)
+      {
+        this->AppendCurvePosition(vertex, rows);
+      }
+      else
+      {
+        this->AppendSectorTangent(vertex, kind, rows);
+      }
+  }
+}
+
+template <typename Id>
+void LimitFinder<Id>::AddStep(const FanStep<Id>& step, Id vertex)
+{
+  const Id edge = this->Mesh.Edges[step.GetHalfEdgeIn(this->Mesh)];
+  this->Around.Edges.push_back(edge);
+  this->Around.Ends.push_back(this->Mesh.GetOtherEnd(edge, vertex));
+  this->Around.Faces.push_back(this->Mesh.GetFace(step.Corner));
+  this->Around.Opposite.push_back(
+    this->Mesh.Vertices[this->Mesh.Next(this->Mesh.Next(step.Corner))]);
+}
+
+template <typename Id>
+void LimitFinder<Id>::FindStar(Id vertex)
+{
+  this->Around = Star();
+  VisitCycle(this->Mesh, this->Mesh.VertexCorners[vertex],
+    [&](const FanStep<Id>& step) { this->AddStep(step, vertex); });
+}
+
+/// The star of the first sector of a vertex on a curve; false if there is none, or no tangent plane
+/// because it ends at an edge that blends.
+template <typename Id>
+bool LimitFinder<Id>::FindSectorStar(Id vertex)
+{
+  this->Around = Star();
+  const Id corner = FindTangentCorner(this->Mesh, this->Tags, vertex);
+  if (corner < 0)
+  {
+    return false;
+  }
+  const SectorEnds<Id> ends = FindSectorEnds(this->Mesh, this->Tags, corner);
+  if (ends.Size == 0)
+  {
+    return false;
+  }
+  FanStep<Id> step = ends.First;
+  for (int i = 0; i < ends.Size; ++i)
+  {
+    this->AddStep(step, vertex);
+    step.Advance(this->Mesh);
+  }
+  const Id last = this->Mesh.Edges[ends.Last.GetHalfEdgeOut(this->Mesh)];
+  this->Around.Edges.push_back(last);
+  this->Around.Ends.push_back(this->Mesh.GetOtherEnd(last, vertex));
+  this->Around.Clockwise = !ends.First.Forward;
+  this->Around.Corner = FindSector(this->Tags, vertex, ends);
+  return IsSharp(this->Tags.Edges[this->Around.Edges.front()]) && IsSharp(this->Tags.Edges[last]);
+}
+
+/// Whether the rules around the star are those of all further levels.
+template <typename Id>
+bool LimitFinder<Id>::IsUniform() const
+{
+  if (this->Quads && this->Mesh.Arity != 4)
+  {
+    return false;
+  }
+  // On the input, edges that blend may have members in their rings that lie on no face with them.
+  if (this->Level.Step == 0 &&
+    std::any_of(this->Around.Edges.begin(), this->Around.Edges.end(),
+      [this](Id e) { return this->Tags.Edges[e] == EdgeTag::Blend; }))
+  {
+    return false;
+  }
+  if (!this->ModifiedBoundary)
+  {
+    return true;
+  }
+  // Curves change the rules of edges that end there, concave corners those of their faces too.
+  const bool isNearCurve = std::any_of(this->Around.Ends.begin(), this->Around.Ends.end(),
+    [this](Id v)
+    {
+      return this->Tags.Vertices[v] == VertexTag::Curve ||
+        this->Tags.Vertices[v] == VertexTag::Corner;
+    });
+  const bool isNearCorner = this->Quads &&
+    std::any_of(this->Around.Opposite.begin(), this->Around.Opposite.end(),
+      [this](Id v) { return this->Tags.Vertices[v] == VertexTag::Corner; });
+  return !isNearCurve && !isNearCorner;
+}
+
+/// Adds the mask: of this level's points, or of those that the step makes of them.
+template <typename Id>
+void LimitFinder<Id>::AppendMask(Id vertex, RowBlock<Id>& rows)
+{
+  const Mask& mask = this->Row;
+  if (this->IsUniform())
+  {
+    rows.Add(vertex, mask.Own);
+    for (std::size_t j = 0; j < mask.Edges.size(); ++j)
+    {
+      rows.Add(this->Around.Ends[j], mask.Edges[j]);
+    }
+    for (std::size_t j = 0; j < mask.Faces.size(); ++j)
+    {
+      rows.Add(this->Around.Opposite[j], mask.Faces[j]);
+    }
+    return;
+  }
+  auto add = [&](vtkIdType row, double weight)
+  {
+    if (weight == 0.)
+    {
+      return;
+    }
+    this->Next.Clear();
+    this->Scheme.AppendRows(this->Level, this->Tags, row, row + 1, this->Next);
+    for (std::size_t k = 0; k < this->Next.GetNumberOfEntries(); ++k)
+    {
+      rows.Add(this->Next.GetColumns()[k], weight * this->Next.GetWeights()[k]);
+    }
+  };
+  const vtkIdType edges = this->Mesh.NumberOfVertices;
+  const vtkIdType faces = edges + this->Mesh.GetNumberOfEdges();
+  add(vertex, mask.Own);
+  for (std::size_t j = 0; j < mask.Edges.size(); ++j)
+  {
+    add(edges + this->Around.Edges[j], mask.Edges[j]);
+  }
+  for (std::size_t j = 0; j < mask.Faces.size(); ++j)
+  {
+    add(faces + this->Around.Faces[j], mask.Faces[j]);
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+// Inside the surface
+
+template <typename Id>
+void LimitFinder<Id>::SetSmoothMask(LimitKind kind)
+{
+  const std::size_t m = this->Around.Edges.size();
+  const double k = static_cast<double>(m);
+  Mask& mask = this->Row;
+  mask.Edges.assign(m, 0.);
+  mask.Faces.assign(this->Quads ? m : 0, 0.);
+  mask.Own = 0.;
+  if (kind == LimitKind::Position)
+  {
+    const double c = VertexMask(Rule::Surface, static_cast<vtkIdType>(m)).Ring;
+    const double edge = this->Quads ? 4. / (k * (k + 5.)) : 8. * c / (3. + 8. * k * c);
+    std::fill(mask.Edges.begin(), mask.Edges.end(), edge);
+    std::fill(mask.Faces.begin(), mask.Faces.end(), edge / 4.);
+    mask.Own = this->Quads ? k / (k + 5.) : 1. - k * edge;
+    return;
+  }
+  auto wave = [kind, k](std::size_t j)
+  {
+    const double angle = 2. * Pi * static_cast<double>(j) / k;
+    return kind == LimitKind::Tangent1 ? std::cos(angle) : std::sin(angle);
+  };
+  const double factor = this->Quads
+    ? 1. + std::cos(2. * Pi / k) + std::cos(Pi / k) * std::sqrt(2. * (9. + std::cos(2. * Pi / k)))
+    : 1.;
+  for (std::size_t j = 0; j < m; ++j)
+  {
+    mask.Edges[j] = factor * wave(j);
+    if (this->Quads)
+    {
+      mask.Faces[j] = wave(j) + wave(j + 1);
+    }
+  }
+}
+
+template <typename Id>
+void LimitFinder<Id>::AppendSmooth(Id vertex, LimitKind kind, RowBlock<Id>& rows)
+{
+  this->FindStar(vertex);
+  Star& star = this->Around;
+  const auto sharp = std::find_if(star.Edges.begin(), star.Edges.end(),
+    [this](Id e) { return this->Tags.Edges[e] != EdgeTag::Smooth; });
+  const bool isDart = sharp != star.Edges.end();
+  if (isDart)
+  {
+    // Beginning with the crease, first guesses are symmetric or antisymmetric, and stay so.
+    const auto turn = sharp - star.Edges.begin();
+    std::rotate(star.Edges.begin(), star.Edges.begin() + turn, star.Edges.end());
+    std::rotate(star.Ends.begin(), star.Ends.begin() + turn, star.Ends.end());
+    std::rotate(star.Faces.begin(), star.Faces.begin() + turn, star.Faces.end());
+    std::rotate(star.Opposite.begin(), star.Opposite.begin() + turn, star.Opposite.end());
+  }
+  this->SetSmoothMask(kind);
+  if (isDart)
+  {
+    const double k = static_cast<double>(star.Edges.size());
+    const subdivision::Mask own =
+      VertexMask(Rule::Surface, static_cast<vtkIdType>(star.Edges.size()));
+    this->Solve(kind, this->MakeMatrix(this->Quads ? 1. - 7. / (4. * k) : own.Own, own.Ring));
+  }
+  this->AppendMask(vertex, rows);
+}
+
+template <typename Id>
+void LimitFinder<Id>::AppendBlend(Id vertex, RowBlock<Id>& rows)
+{
+  this->Around = Star();
+  CollectEdges(this->Mesh, vertex, [](Id) { return true; }, this->Around.Edges);
+  for (Id edge : this->Around.Edges)
+  {
+    this->Around.Ends.push_back(this->Mesh.GetOtherEnd(edge, vertex));
+  }
+  const subdivision::Mask own =
+    VertexMask(Rule::Blend, static_cast<vtkIdType>(this->Around.Edges.size()));
+  // The triangles between the edges.
+  const std::size_t m = this->Around.Edges.size();
+  const std::size_t n = m + 1;
+  std::vector<std::vector<std::size_t>> joined(m);
+  VisitFans(this->Mesh, vertex,
+    [&](Id corner)
+    {
+      VisitFan(this->Mesh, corner,
+        [&](const FanStep<Id>& step)
+        {
+          const auto& edges = this->Around.Edges;
+          auto find = [&edges](Id edge)
+          {
+            return static_cast<std::size_t>(
+              std::lower_bound(edges.begin(), edges.end(), edge) - edges.begin());
+          };
+          const std::size_t a = find(this->Mesh.Edges[step.GetHalfEdgeIn(this->Mesh)]);
+          const std::size_t b = find(this->Mesh.Edges[step.GetHalfEdgeOut(this->Mesh)]);
+          joined[a].push_back(b);
+          joined[b].push_back(a);
+        });
+    });
+  std::vector<double> matrix(n * n, 0.);
+  matrix[0] = own.Own;
+  for (std::size_t j = 0; j < m; ++j)
+  {
+    matrix[1 + j] = own.Ring;
+    const EdgeTag tag = this->Tags.Edges[this->Around.Edges[j]];
+    const Rule rule = IsSharp(tag) ? Rule::Curve
+      : tag == EdgeTag::Blend      ? Rule::Blend
+                                   : Rule::Surface;
+    const subdivision::Mask edge = EdgeMask(rule, static_cast<vtkIdType>(joined[j].size()));
+    matrix[(1 + j) * n] = edge.Own;
+    matrix[(1 + j) * n + 1 + j] = edge.Own;
+    for (std::size_t other : joined[j])
+    {
+      matrix[(1 + j) * n + 1 + other] += edge.Ring;
+    }
+  }
+  this->Row.Edges.assign(m, 1. / static_cast<double>(n));
+  this->Row.Faces.clear();
+  this->Row.Own = 1. / static_cast<double>(n);
+  this->Solve(LimitKind::Position, matrix);
+  this->AppendMask(vertex, rows);
+}
+
+/// The matrix around a smooth vertex of which some edges are sharp: vertex, edges, faces.
+template <typename Id>
+std::vector<double> LimitFinder<Id>::MakeMatrix(double own, double ring) const
+{
+  const std::size_t m = this->Around.Edges.size();
+  const std::size_t n = this->Quads ? 2 * m + 1 : m + 1;
+  const double k = static_cast<double>(m);
+  std::vector<double> matrix(n * n, 0.);
+  matrix[0] = own;
+  for (std::size_t j = 0; j < m; ++j)
+  {
+    const std::size_t after = 1 + (j + 1) % m;
+    const std::size_t before = 1 + (j + m - 1) % m;
+    double* row = matrix.data() + (1 + j) * n;
+    matrix[1 + j] = this->Quads ? 3. / (2. * k * k) : ring;
+    if (this->Quads)
+    {
+      double* face = matrix.data() + (1 + m + j) * n;
+      matrix[1 + m + j] = 1. / (4. * k * k);
+      face[0] = face[1 + j] = face[after] = face[1 + m + j] = 0.25;
+    }
+    if (this->Tags.Edges[this->Around.Edges[j]] != EdgeTag::Smooth)
+    {
+      row[0] = row[1 + j] = 0.5;
+      continue;
+    }
+    const double side = this->Quads ? 1. / 16. : 1. / 8.;
+    row[0] = row[1 + j] = 3. / 8.;
+    row[after] += side;
+    row[before] += side;
+    if (this->Quads)
+    {
+      row[1 + m + j] += side;
+      row[m + before] += side;
+    }
+  }
+  return matrix;
+}
+
+/// From the mask as a first guess to a left eigenvector: that of eigenvalue 1, whose entries sum to
+/// 1, or one of the next two, whose entries sum to 0.
+template <typename Id>
+void LimitFinder<Id>::Solve(LimitKind kind, const std::vector<double>& matrix)
+{
+  Mask& mask = this->Row;
+  std::vector<double> left{ mask.Own };
+  left.insert(left.end(), mask.Edges.begin(), mask.Edges.end());
+  left.insert(left.end(), mask.Faces.begin(), mask.Faces.end());
+  const std::size_t n = left.size();
+  std::vector<double> next(n);
+  for (int iteration = 0; iteration < 200; ++iteration)
+  {
+    std::fill(next.begin(), next.end(), 0.);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      for (std::size_t j = 0; j < n; ++j)
+      {
+        next[j] += left[i] * matrix[i * n + j];
+      }
+    }
+    double sum = 0.;
+    double largest = 0.;
+    for (double value : next)
+    {
+      sum += value;
+      largest = std::max(largest, std::abs(value));
+    }
+    const bool isPosition = kind == LimitKind::Position;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      left[i] = isPosition ? next[i] / sum : (next[i] - sum / static_cast<double>(n)) / largest;
+    }
+  }
+  mask.Own = left[0];
+  std::copy(left.begin() + 1, left.begin() + 1 + mask.Edges.size(), mask.Edges.begin());
+  std::copy(left.begin() + 1 + mask.Edges.size(), left.end(), mask.Faces.begin());
+}
+
+// ------------------------------------------------------------------------------------------------
+// On curves
+
+template <typename Id>
+void LimitFinder<Id>::AppendCurvePosition(Id vertex, RowBlock<Id>& rows)
+{
+  this->Scratch.clear();
+  if (this->Tags.Vertices[vertex] == VertexTag::Curve)
+  {
+    CollectCurveEdges(this->Mesh, this->Tags, vertex, this->Scratch);
+  }
+  if (this->Scratch.size() != 2)
+  {
+    rows.Add(vertex, 1.);
+    return;
+  }
+  rows.Add(vertex, 2. / 3.);
+  rows.Add(this->Mesh.GetOtherEnd(this->Scratch[0], vertex), 1. / 6.);
+  rows.Add(this->Mesh.GetOtherEnd(this->Scratch[1], vertex), 1. / 6.);
+}
+
+template <typename Id>
+void LimitFinder<Id>::AppendSectorTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows)
+{
+  const bool isCurve = IsOnCurve(this->Mesh, this->Tags, vertex);
+  if (!this->FindSectorStar(vertex))
+  {
+    CollectCurveEdges(this->Mesh, this->Tags, vertex, this->Scratch);
+    if (isCurve && kind == LimitKind::Tangent1 && this->Scratch.size() == 2)
+    {
+      rows.Add(this->Mesh.GetOtherEnd(this->Scratch[0], vertex), 1.);
+      rows.Add(this->Mesh.GetOtherEnd(this->Scratch[1], vertex), -1.);
+    }
+    return;
+  }
+  const Id first = this->Around.Ends.front();
+  const Id last = this->Around.Ends.back();
+  const double turn = this->Around.Clockwise ? -1. : 1.;
+  if (isCurve)
+  {
+    if (kind == LimitKind::Tangent1)
+    {
+      rows.Add(first, 1.);
+      rows.Add(last, -1.);
+      return;
+    }
+    this->SetTransversalMask();
+    this->Row.Own *= turn;
+    for (double& weight : this->Row.Edges)
+    {
+      weight *= turn;
+    }
+    for (double& weight : this->Row.Faces)
+    {
+      weight *= turn;
+    }
+    this->AppendMask(vertex, rows);
+    return;
+  }
+  if (kind == LimitKind::Tangent1)
+  {
+    rows.Add(first, 1.);
+    rows.Add(vertex, -1.);
+    return;
+  }
+  const Sector<Id>* sector = this->Around.Corner;
+  const double angle = sector ? sector->Angle : Pi / 2.;
+  const double a = -std::cos(angle) / std::sin(angle);
+  const double b = 1. / std::sin(angle);
+  rows.Add(first, turn * a);
+  rows.Add(last, turn * b);
+  rows.Add(vertex, -turn * (a + b));
+}
+
+/// Across a curve, into its sector of k faces: entries sin(j pi / k) at edge j inside.
+template <typename Id>
+void LimitFinder<Id>::SetTransversalMask()
+{
+  const std::size_t k = this->Around.Edges.size() - 1;
+  Mask& mask = this->Row;
+  mask.Edges.assign(k + 1, 0.);
+  mask.Faces.assign(this->Quads ? k : 0, 0.);
+  if (k == 1)
+  {
+    mask.Own = -2.;
+    mask.Edges = { 1., 1. };
+    return;
+  }
+  const double t = Pi / static_cast<double>(k);
+  const double cosine = std::cos(t);
+  const double plain = 3. / 8.;
+  const double g = !this->ModifiedBoundary ? plain : (this->Quads ? 3. / 8. : 0.5) - cosine / 4.;
+  const double a = g + cosine / 8.;
+  const double value = this->Quads
+    ? (a + 0.25 + std::sqrt((a - 0.25) * (a - 0.25) + (1. + cosine) / 8.)) / 2.
+    : g + cosine / 4.;
+  const double sum = 1. / std::tan(t / 2.);
+  const double faces = this->Quads ? 1. / (16. * (value - 0.25)) : 0.;
+  const double h = std::sin(t) * (this->Quads ? 0.5 + 2. * faces : 1.);
+  const double rest = (0.75 - g) * sum + faces * sum / 2.;
+  const double d = value - 0.5;
+  double end = 0.;
+  if (std::abs(d) < 1e-12)
+  {
+    mask.Own = -h;
+    end = (value - 0.75) * mask.Own - rest;
+  }
+  else
+  {
+    mask.Own = (h / (8. * d) + rest) / (value - 0.75 - 1. / (8. * d));
+    end = (mask.Own + h) / (8. * d);
+  }
+  for (std::size_t j = 1; j < k; ++j)
+  {
+    mask.Edges[j] = std::sin(static_cast<double>(j) * t);
+  }
+  mask.Edges[0] = mask.Edges[k] = end;
+  for (std::size_t j = 0; j < mask.Faces.size(); ++j)
+  {
+    mask.Faces[j] =
+      faces * (std::sin(static_cast<double>(j) * t) + std::sin(static_cast<double>(j + 1) * t));
+  }
+}
+
+template class LimitFinder<int>;
+template class LimitFinder<long long>;
+
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceLimits.h
+ * Limit positions and tangents of Loop and Catmull-Clark surfaces (Mathematics 8, 12).
+ *
+ * A limit row is a left eigenvector of the matrix that a step applies to a vertex, the other ends
+ * of its edges and, for quads, the opposite corners of its faces. It holds from the level on where
+ * the same rules work around the vertex in all further steps: where curves near by ask for others,
+ * the row is that of the next level times the step.
+ */
+#ifndef SubdivisionObjects_SurfaceLimits_h
+#define SubdivisionObjects_SurfaceLimits_h
+
+#include "Core/Surfaces/Scheme/SurfaceScheme.h"
+
+namespace subdivision
+{
+
+template <typename Id>
+class LimitFinder
+{
+public:
+  LimitFinder(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
+    const SurfaceScheme<Id>& scheme, bool modifiedBoundary);
+
+  /// Adds the entries of a vertex's row. A tangent that does not exist has none.
+  void Append(Id vertex, LimitKind kind, RowBlock<Id>& rows);
+
+private:
+  struct Star
+  {
+    std::vector<Id> Edges;
+    std::vector<Id> Ends;  ///< of the edges
+    std::vector<Id> Faces; ///< face j lies between edges j and j + 1
+    std::vector<Id> Opposite;
+    bool Clockwise = false;
+    const Sector<Id>* Corner = nullptr; ///< where it is the sector of a corner
+  };
+  /// A row in terms of a star.
+  struct Mask
+  {
+    double Own = 0.;
+    std::vector<double> Edges;
+    std::vector<double> Faces;
+  };
+
+  void AppendSmooth(Id vertex, LimitKind kind, RowBlock<Id>& rows);
+  void AppendBlend(Id vertex, RowBlock<Id>& rows);
+  void AppendCurvePosition(Id vertex, RowBlock<Id>& rows);
+  void AppendSectorTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows);
+
+  void FindStar(Id vertex);
+  bool FindSectorStar(Id vertex);
+  void AddStep(const FanStep<Id>& step, Id vertex);
+  void SetSmoothMask(LimitKind kind);
+  void SetTransversalMask();
+  void Solve(LimitKind kind, const std::vector<double>& matrix);
+  std::vector<double> MakeMatrix(double own, double ring) const;
+  void AppendMask(Id vertex, RowBlock<Id>& rows);
+  bool IsUniform() const;
+
+  const SurfaceLevel<Id>& Level;
+  const PolygonMesh<Id>& Mesh;
+  const SurfaceTags<Id>& Tags;
+  const SurfaceScheme<Id>& Scheme;
+  bool ModifiedBoundary;
+  bool Quads;
+  Star Around;
+  Mask Row;
+  RowBlock<Id> Next;
+  std::vector<Id> Scratch;
+};
+
+}
+
+#endif

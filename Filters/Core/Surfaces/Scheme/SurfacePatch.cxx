@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/Scheme/SurfacePatch.h"
+
+#include "Core/Surfaces/Scheme/SurfaceRings.h"
+
+#include <algorithm>
+
+namespace subdivision
+{
+namespace
+{
+
+template <typename Id>
+void SortUnique(std::vector<Id>& ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+}
+
+template <typename Id>
+SurfacePatch<Id>::SurfacePatch(const SurfaceLevel<Id>& whole, const std::vector<Id>& vertices)
+{
+  this->Level.Step = whole.Step;
+  this->Level.Lines = Buffer<Id>(0);
+  this->Collect(whole.Mesh, vertices);
+  this->CropFaces(whole.Mesh);
+  this->CropEdges(whole.Mesh);
+  this->CropVertices(whole.Mesh);
+  this->Level.Tags = this->CropTags(whole, whole.Tags);
+}
+
+template <typename Id>
+Id SurfacePatch<Id>::Find(const std::vector<Id>& ids, Id id)
+{
+  const auto at = std::lower_bound(ids.begin(), ids.end(), id);
+  return at != ids.end() && *at == id ? static_cast<Id>(at - ids.begin()) : Id(-1);
+}
+
+template <typename Id>
+Id SurfacePatch<Id>::FindCorner(const PolygonMesh<Id>& whole, Id corner) const
+{
+  const Id face = whole.GetFace(corner);
+  const Id own = Find(this->Faces, face);
+  return own < 0 ? own : this->Level.Mesh.GetFirst(own) + corner - whole.GetFirst(face);
+}
+
+/// What is inside, then everything that touches it.
+template <typename Id>
+void SurfacePatch<Id>::Collect(const PolygonMesh<Id>& whole, const std::vector<Id>& vertices)
+{
+  std::vector<Id> inside = vertices;
+  std::vector<Id> around;
+  auto collectEdges = [&](Id vertex)
+  { CollectEdges(whole, vertex, [](Id) { return true; }, around); };
+  for (Id vertex : vertices)
+  {
+    collectEdges(vertex);
+    for (Id edge : around)
+    {
+      inside.push_back(whole.GetOtherEnd(edge, vertex));
+    }
+  }
+  SortUnique(inside);
+  for (Id vertex : inside)
+  {
+    collectEdges(vertex); // those without faces too
+    this->Edges.insert(this->Edges.end(), around.begin(), around.end());
+    VisitFans(whole, vertex,
+      [&](Id corner)
+      {
+        VisitFan(whole, corner,
+          [&](const FanStep<Id>& step) { this->Faces.push_back(whole.GetFace(step.Corner)); });
+      });
+  }
+  SortUnique(this->Faces);
+  for (Id face : this->Faces)
+  {
+    const Id* corners = whole.Edges.data() + whole.GetFirst(face);
+    this->Edges.insert(this->Edges.end(), corners, corners + whole.GetSize(face));
+  }
+  SortUnique(this->Edges);
+  this->Vertices = inside;
+  for (Id edge : this->Edges)
+  {
+    const Id* ends = whole.EdgeVertices.data() + 2 * static_cast<vtkIdType>(edge);
+    this->Vertices.insert(this->Vertices.end(), ends, ends + 2);
+  }
+  SortUnique(this->Vertices);
+  this->IsInside.resize(this->Vertices.size());
+  for (std::size_t v = 0; v < this->Vertices.size(); ++v)
+  {
+    this->IsInside[v] = Find(inside, this->Vertices[v]) >= 0;
+  }
+}
+
+template <typename Id>
+void SurfacePatch<Id>::CropFaces(const PolygonMesh<Id>& whole)
+{
+  PolygonMesh<Id>& mesh = this->Level.Mesh;
+  mesh.Arity = whole.Arity;
+  mesh.NumberOfFaces = static_cast<vtkIdType>(this->Faces.size());
+  vtkIdType corners = 0;
+  mesh.FaceOffsets = Buffer<Id>(mesh.Arity ? 0 : mesh.NumberOfFaces + 1);
+  for (vtkIdType f = 0; f < mesh.NumberOfFaces; ++f)
+  {
+    if (!mesh.Arity)
+    {
+      mesh.FaceOffsets[f] = static_cast<Id>(corners);
+      mesh.FaceOffsets[f + 1] = static_cast<Id>(corners) + whole.GetSize(this->Faces[f]);
+    }
+    corners += whole.GetSize(this->Faces[f]);
+  }
+  mesh.CornerFaces = Buffer<Id>(mesh.Arity ? 0 : corners);
+  mesh.Vertices = Buffer<Id>(corners);
+  mesh.Edges = Buffer<Id>(corners);
+  mesh.Twins = Buffer<Id>(corners);
+  for (vtkIdType f = 0; f < mesh.NumberOfFaces; ++f)
+  {
+    const Id from = whole.GetFirst(this->Faces[f]);
+    const Id to = mesh.GetFirst(static_cast<Id>(f));
+    for (Id i = 0; i < whole.GetSize(this->Faces[f]); ++i)
+    {
+      if (!mesh.Arity)
+      {
+        mesh.CornerFaces[to + i] = static_cast<Id>(f);
+      }
+      mesh.Vertices[to + i] = Find(this->Vertices, whole.Vertices[from + i]);
+      mesh.Edges[to + i] = Find(this->Edges, whole.Edges[from + i]);
+      const Id twin = whole.Twins[from + i];
+      mesh.Twins[to + i] = twin < 0 ? twin : this->FindCorner(whole, twin);
+    }
+  }
+}
+
+template <typename Id>
+void SurfacePatch<Id>::CropEdges(const PolygonMesh<Id>& whole)
+{
+  PolygonMesh<Id>& mesh = this->Level.Mesh;
+  const vtkIdType edges = static_cast<vtkIdType>(this->Edges.size());
+  mesh.EdgeVertices = Buffer<Id>(2 * edges);
+  mesh.EdgeCorners = Buffer<Id>(edges);
+  for (vtkIdType e = 0; e < edges; ++e)
+  {
+    const Id edge = this->Edges[e];
+    mesh.EdgeVertices[2 * e] = Find(this->Vertices, whole.EdgeVertices[2 * edge]);
+    mesh.EdgeVertices[2 * e + 1] = Find(this->Vertices, whole.EdgeVertices[2 * edge + 1]);
+    mesh.EdgeCorners[e] = -1;
+  }
+  for (vtkIdType c = mesh.GetNumberOfCorners(); c-- > 0;)
+  {
+    mesh.EdgeCorners[mesh.Edges[c]] = static_cast<Id>(c); // the first one remains
+  }
+  for (const auto& sheaf : whole.Sheaves)
+  {
+    typename PolygonMesh<Id>::Sheaf own{ Find(this->Edges, sheaf.Edge), {} };
+    for (Id corner : sheaf.Corners)
+    {
+      own.Corners.push_back(this->FindCorner(whole, corner));
+    }
+    if (own.Edge >= 0 && *std::min_element(own.Corners.begin(), own.Corners.end()) >= 0)
+    {
+      mesh.Sheaves.push_back(std::move(own));
+    }
+  }
+}
+
+template <typename Id>
+void SurfacePatch<Id>::CropVertices(const PolygonMesh<Id>& whole)
+{
+  PolygonMesh<Id>& mesh = this->Level.Mesh;
+  mesh.NumberOfVertices = static_cast<vtkIdType>(this->Vertices.size());
+  mesh.VertexCorners = Buffer<Id>(mesh.NumberOfVertices);
+  std::fill(mesh.VertexCorners.begin(), mesh.VertexCorners.end(), Id(-1));
+  for (vtkIdType c = mesh.GetNumberOfCorners(); c-- > 0;)
+  {
+    mesh.VertexCorners[mesh.Vertices[c]] = static_cast<Id>(c);
+  }
+  for (vtkIdType v = 0; v < mesh.NumberOfVertices; ++v)
+  {
+    if (!this->IsInside[v])
+    {
+      continue;
+    }
+    const Id corner = whole.VertexCorners[this->Vertices[v]];
+    mesh.VertexCorners[v] = corner < 0 ? corner : this->FindCorner(whole, corner);
+    if (const auto* joint = whole.FindJoint(this->Vertices[v]))
+    {
+      typename PolygonMesh<Id>::Joint own{ static_cast<Id>(v), {}, {} };
+      for (Id fan : joint->Fans)
+      {
+        own.Fans.push_back(this->FindCorner(whole, fan));
+      }
+      for (Id edge : joint->FreeEdges)
+      {
+        own.FreeEdges.push_back(Find(this->Edges, edge));
+      }
+      mesh.VertexCorners[v] = static_cast<Id>(-2 - static_cast<vtkIdType>(mesh.Joints.size()));
+      mesh.Joints.push_back(std::move(own));
+    }
+  }
+}
+
+template <typename Id>
+SurfaceTags<Id> SurfacePatch<Id>::CropTags(
+  const SurfaceLevel<Id>& whole, const SurfaceTags<Id>& tags) const
+{
+  const PolygonMesh<Id>& mesh = this->Level.Mesh;
+  SurfaceTags<Id> own;
+  own.Edges = Buffer<EdgeTag>(mesh.GetNumberOfEdges());
+  for (vtkIdType e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const bool isInside =
+      this->IsInside[mesh.EdgeVertices[2 * e]] || this->IsInside[mesh.EdgeVertices[2 * e + 1]];
+    own.Edges[e] = isInside ? tags.Edges[this->Edges[e]] : EdgeTag::Sharp;
+  }
+  own.Vertices = Buffer<VertexTag>(mesh.NumberOfVertices);
+  for (vtkIdType v = 0; v < mesh.NumberOfVertices; ++v)
+  {
+    own.Vertices[v] = this->IsInside[v] ? tags.Vertices[this->Vertices[v]] : VertexTag::Corner;
+  }
+  for (Sector<Id> sector : tags.Sectors)
+  {
+    sector.Vertex = Find(this->Vertices, sector.Vertex);
+    if (sector.Vertex >= 0 && this->IsInside[sector.Vertex])
+    {
+      sector.First = this->FindCorner(whole.Mesh, sector.First);
+      sector.Last = this->FindCorner(whole.Mesh, sector.Last);
+      own.Sectors.push_back(sector);
+    }
+  }
+  return own;
+}
+
+template class SurfacePatch<int>;
+template class SurfacePatch<long long>;
+
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SqrtThreeMasks.h
+ * Weights of the sqrt(3) scheme (Mathematics 11).
+ */
+#ifndef SubdivisionObjects_SqrtThreeMasks_h
+#define SubdivisionObjects_SqrtThreeMasks_h
+
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace subdivision
+{
+
+/// The weight of the mean of the n neighbours of a smooth vertex (Kobbelt, eq. 6).
+inline double ComputeSqrtThreeRingWeight(int n)
+{
+  return (4. - 2. * std::cos(2. * std::acos(-1.) / n)) / 9.;
+}
+
+/// The same, without a cosine for usual valences.
+inline double GetSqrtThreeRingWeight(int n)
+{
+  static const std::vector<double> usual = []()
+  {
+    std::vector<double> weights{ 0. };
+    while (weights.size() <= 16)
+    {
+      weights.push_back(ComputeSqrtThreeRingWeight(static_cast<int>(weights.size())));
+    }
+    return weights;
+  }();
+  return n < static_cast<int>(usual.size()) ? usual[n] : ComputeSqrtThreeRingWeight(n);
+}
+
+/// The weights of the tangent across a curve, into a sector of k triangles on an even level: of the
+/// vertex, of both ends; inside, sin(j pi / k). A left eigenvector of two steps, with the
+/// eigenvalue (2 + 2 cos(pi / k)) / 9.
+struct SqrtThreeTransversalMask
+{
+  explicit SqrtThreeTransversalMask(int k)
+  {
+    const double pi = std::acos(-1.);
+    double sum = 0.;
+    for (int j = 0; j <= k; ++j)
+    {
+      this->Inside.push_back(j == 0 || j == k ? 0. : std::sin(j * pi / k));
+      sum += this->Inside.back();
+    }
+    if (k == 1)
+    {
+      this->Own = -2.;
+      this->End = 1.;
+      return;
+    }
+    const double value = (2. + 2. * std::cos(pi / k)) / 9.;
+    const double determinant = (value - 1.) * (value - 1. / 9.);
+    const double end = this->Inside[1] / 9.;
+    const double own = 5. / 9. * sum;
+    this->End = ((value - 19. / 27.) * end + 4. / 27. * own) / determinant;
+    this->Own = ((value - 11. / 27.) * own + 32. / 27. * end) / determinant;
+  }
+  /// The same for the level after an odd step, whose k + 1 triangles have the centres between them.
+  void MakeOdd()
+  {
+    const double sum = std::accumulate(this->Inside.begin(), this->Inside.end(), 0.);
+    const double own = 19. / 27. * this->Own + 32. / 27. * this->End + sum / 3.;
+    this->End = 11. / 27. * this->End + 4. / 27. * this->Own;
+    this->Own = own;
+    std::vector<double> inside{ 0. };
+    for (std::size_t j = 1; j < this->Inside.size(); ++j)
+    {
+      inside.push_back((this->Inside[j - 1] + this->Inside[j]) / 3.);
+    }
+    inside.push_back(0.);
+    this->Inside = std::move(inside);
+  }
+
+  double Own = 0.;
+  double End = 0.;
+  std::vector<double> Inside; ///< from end to end, 0 for these
+};
+
+}
+
+#endif

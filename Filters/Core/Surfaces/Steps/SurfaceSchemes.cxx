@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/Steps/SurfaceSchemes.h"
+
+#include "Core/Surfaces/Butterfly/ButterflyScheme.h"
+#include "Core/Surfaces/CatmullClark/CatmullClarkScheme.h"
+#include "Core/Surfaces/Dual/DooSabinScheme.h"
+#include "Core/Surfaces/Dual/MidedgeScheme.h"
+#include "Core/Surfaces/FourEight/FourEightScheme.h"
+#include "Core/Surfaces/Loop/LoopScheme.h"
+#include "Core/Surfaces/SqrtThree/SqrtThreeScheme.h"
+
+namespace subdivision
+{
+
+template <typename Id>
+std::shared_ptr<const SurfaceScheme<Id>> MakeSurfaceScheme(
+  SurfaceSchemeKind kind, bool modifiedBoundary)
+{
+  switch (kind)
+  {
+    case SurfaceSchemeKind::Loop:
+      return MakeLoopScheme<Id>(modifiedBoundary);
+    case SurfaceSchemeKind::CatmullClark:
+      return MakeCatmullClarkScheme<Id>(modifiedBoundary);
+    case SurfaceSchemeKind::ModifiedButterfly:
+      return MakeButterflyScheme<Id>();
+    case SurfaceSchemeKind::FourEight:
+      return MakeFourEightScheme<Id>();
+    case SurfaceSchemeKind::SqrtThree:
+      return MakeSqrtThreeScheme<Id>();
+    case SurfaceSchemeKind::DooSabin:
+      return MakeDooSabinScheme<Id>();
+    case SurfaceSchemeKind::Midedge:
+      return MakeMidedgeScheme<Id>();
+    default:
+      return nullptr;
+  }
+}
+
+template std::shared_ptr<const SurfaceScheme<int>> MakeSurfaceScheme(SurfaceSchemeKind, bool);
+template std::shared_ptr<const SurfaceScheme<long long>> MakeSurfaceScheme(SurfaceSchemeKind, bool);
+
+}

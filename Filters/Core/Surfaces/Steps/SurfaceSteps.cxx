@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/Steps/SurfaceSteps.h"
+
+#include "Core/Surfaces/Dual/DualPlaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace subdivision
+{
+namespace
+{
+
+/// The pieces of control edges that are sharp after some steps: those of edge e are e 2^step and
+/// following.
+template <typename Id>
+std::vector<SharpEdge<Id>> FindSharpEdges(const EdgeSharpness& sharpness, int step)
+{
+  std::vector<SharpEdge<Id>> edges;
+  for (std::size_t e = 0; e < sharpness.size(); ++e)
+  {
+    const double left = sharpness[e] - step;
+    const vtkIdType first = static_cast<vtkIdType>(e) << step;
+    for (vtkIdType i = 0; left > 0. && i < vtkIdType(1) << step; ++i)
+    {
+      edges.push_back({ static_cast<Id>(first + i), left });
+    }
+  }
+  return edges;
+}
+
+/// Edges that have at least, or more than, so much.
+std::vector<bool> GetSharp(const EdgeSharpness& sharpness, double least, bool more)
+{
+  std::vector<bool> sharp(sharpness.size());
+  std::transform(sharpness.begin(), sharpness.end(), sharp.begin(),
+    [least, more](double s) { return more ? s > least : s >= least; });
+  return sharp;
+}
+
+/// After a step, the first before which it is not the same edges that are sharp, wholly or in part.
+int FindEndOfStage(const EdgeSharpness& sharpness, int step, int most)
+{
+  double end = most;
+  for (const double s : sharpness)
+  {
+    for (const double change : { std::floor(s), std::ceil(s) })
+    {
+      end = change > step ? std::min(end, change) : end;
+    }
+  }
+  return static_cast<int>(end);
+}
+
+}
+
+template <typename Id>
+SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
+  std::shared_ptr<const SurfaceScheme<Id>> scheme, int steps, bool lastIsWhole,
+  const std::function<bool(double)>& stop)
+  : Scheme(std::move(scheme))
+  , LastIsWhole(lastIsWhole)
+{
+  this->Levels.reserve(steps + 1);
+  this->Levels.push_back(std::move(control));
+  const SurfaceTags<Id>& given = this->Levels[0].Tags;
+  this->GivenEdges = Buffer<EdgeTag>(given.Edges.size());
+  this->GivenVertices = Buffer<VertexTag>(given.Vertices.size());
+  std::copy(given.Edges.begin(), given.Edges.end(), this->GivenEdges.begin());
+  std::copy(given.Vertices.begin(), given.Vertices.end(), this->GivenVertices.begin());
+  this->Scheme->RestrictTags(this->Levels[0]);
+  for (int step = 0; step < steps && !(stop && stop(0.5 * step / steps)); ++step)
+  {
+    const Depth depth = lastIsWhole || step + 2 < steps ? Depth::ForRefinement
+      : step + 2 == steps                               ? Depth::ForLastStep
+      : this->Scheme->WritesFaces()                     ? Depth::ForCounts
+                                                        : Depth::ForOutput;
+    this->Scheme->Prepare(this->Levels.back());
+    this->Levels.push_back(this->Scheme->Refine(this->Levels.back(), depth));
+  }
+  if (lastIsWhole)
+  {
+    this->Scheme->Prepare(this->Levels.back());
+  }
+}
+
+template <typename Id>
+vtkIdType SurfaceSteps<Id>::GetNumberOfCorners(int level) const
+{
+  const PolygonMesh<Id>& mesh = this->Levels[level].Mesh;
+  return mesh.Arity ? mesh.Arity * mesh.NumberOfFaces : mesh.FaceOffsets[mesh.NumberOfFaces];
+}
+
+template <typename Id>
+template <typename Out>
+void SurfaceSteps<Id>::WriteFaces(int level, Out* ids) const
+{
+  const Buffer<Id>& vertices = this->Levels[level].Mesh.Vertices;
+  if (vertices.empty() && this->GetNumberOfCorners(level) > 0)
+  {
+    this->Scheme->WriteFaces(this->Levels[level - 1], ids);
+    return;
+  }
+  ForEach(vertices.size(), [&](vtkIdType c) { ids[c] = static_cast<Out>(vertices[c]); });
+}
+
+template <typename Id>
+bool SurfaceSteps<Id>::ReplaceSectors(const SurfaceTags<Id>& control)
+{
+  const bool same = this->GivenEdges.size() == control.Edges.size() &&
+    this->GivenVertices.size() == control.Vertices.size() &&
+    this->Levels[0].Tags.Sectors.size() == control.Sectors.size() &&
+    std::equal(control.Edges.begin(), control.Edges.end(), this->GivenEdges.begin()) &&
+    std::equal(control.Vertices.begin(), control.Vertices.end(), this->GivenVertices.begin());
+  for (SurfaceLevel<Id>& level : this->Levels)
+  {
+    std::vector<Sector<Id>>& sectors = level.Tags.Sectors; // in the same order on all levels
+    for (std::size_t s = 0; same && s < sectors.size(); ++s)
+    {
+      sectors[s].Angle = control.Sectors[s].Angle;
+      sectors[s].Flatness = control.Sectors[s].Flatness;
+    }
+  }
+  return same;
+}
+
+/// The tags of a step as those of a level.
+template <typename Id>
+SharpTagPair<Id> SurfaceSteps<Id>::FindSharpTags(
+  const EdgeSharpness& sharpness, int step, int level, const Classify& classify) const
+{
+  SharpTagPair<Id> tags = { classify(GetSharp(sharpness, step + 1, false)),
+    classify(GetSharp(sharpness, step, true)) };
+  for (SurfaceTags<Id>* both : { &tags.Whole, &tags.All })
+  {
+    for (int i = 0; i < level; ++i)
+    {
+      *both = this->Scheme->RefineTags(this->Levels[i], *both);
+    }
+  }
+  return tags;
+}
+
+template <typename Id>
+void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
+  const std::function<SurfaceTags<Id>(const std::vector<bool>& sharpEdges)>& classify)
+{
+  this->SharpSteps.clear();
+  this->Limits = SharpLimits<Id>();
+  const int steps = this->GetNumberOfSteps();
+  for (int step = 0; step < steps && IsSharpAfter(sharpness, step); ++step)
+  {
+    this->SharpSteps.emplace_back(this->Levels[step],
+      this->FindSharpTags(sharpness, step, step, classify), FindSharpEdges<Id>(sharpness, step));
+  }
+  if (!this->LastIsWhole || !this->Scheme->HasLimit() || !IsSharpAfter(sharpness, steps))
+  {
+    return;
+  }
+  // Which edges are sharp changes where the sharpness of one of them is used up.
+  std::vector<SharpTags<Id>> stages;
+  const int most = steps + SharpLimits<Id>::MostSteps;
+  for (int step = steps; IsSharpAfter(sharpness, step) && step < most;
+    step = steps + stages.back().Until)
+  {
+    stages.push_back({ FindEndOfStage(sharpness, step, most) - steps,
+      this->FindSharpTags(sharpness, step, steps, classify) });
+  }
+  this->Limits = SharpLimits<Id>(
+    this->Levels.back(), *this->Scheme, FindSharpEdges<Id>(sharpness, steps), std::move(stages));
+}
+
+template <typename Id>
+BlockOperator<Id> SurfaceSteps<Id>::GetStep(int step) const
+{
+  const SurfaceLevel<Id>& level = this->Levels[step];
+  const vtkIdType rows = this->Scheme->GetNumberOfRows(level);
+  if (step < static_cast<int>(this->SharpSteps.size()))
+  {
+    return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
+      [this, step, &level](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
+      { this->SharpSteps[step].Append(*this->Scheme, level, begin, end, block); });
+  }
+  return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
+    [this, &level](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
+    { this->Scheme->AppendRows(level, level.Tags, begin, end, block); });
+}
+
+template <typename Id>
+BlockOperator<Id> SurfaceSteps<Id>::GetLimit(LimitKind kind) const
+{
+  const SurfaceLevel<Id>& level = this->Levels.back();
+  const vtkIdType vertices = level.Mesh.NumberOfVertices;
+  return BlockOperator<Id>(vertices, vertices,
+    [this, &level, kind](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
+    {
+      this->Limits.ForEachOther(
+        begin, end, [&](vtkIdType first, vtkIdType last)
+        { this->Scheme->AppendLimitRows(level, level.Tags, kind, first, last, block); },
+        [&](vtkIdType at) { this->Limits.Append(at, kind, block); });
+    });
+}
+
+template <typename Id>
+std::size_t SurfaceSteps<Id>::GetMemorySize() const
+{
+  std::size_t bytes = 0;
+  for (const SurfaceLevel<Id>& level : this->Levels)
+  {
+    bytes += level.Mesh.GetMemorySize() + level.Tags.Edges.GetMemorySize() +
+      level.Tags.Vertices.GetMemorySize() + level.Lines.GetMemorySize() +
+      level.Places.GetMemorySize() + (level.Dual ? level.Dual->GetMemorySize() : 0);
+  }
+  return bytes;
+}
+
+template class SurfaceSteps<int>;
+template class SurfaceSteps<long long>;
+template void SurfaceSteps<int>::WriteFaces(int, int*) const;
+template void SurfaceSteps<int>::WriteFaces(int, long long*) const;
+template void SurfaceSteps<long long>::WriteFaces(int, int*) const;
+template void SurfaceSteps<long long>::WriteFaces(int, long long*) const;
+
+}

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/AdaptiveSurface/AdaptiveSurface.h"
+
+#include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeOutput.h"
+#include "Private/AdaptiveSurface/AdaptiveSurfaceMarks.h"
+#include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
+#include "Private/Arrays/CellArrays.h"
+#include "Private/Arrays/PointArrays.h"
+#include "Private/Control/SizeChecks.h"
+#include "Private/Surface/SurfaceCellArrays.h"
+#include "Private/Surface/SurfaceChecks.h"
+#include "Private/Surface/SurfaceCreases.h"
+#include "Private/Surface/SurfaceFrames.h"
+#include "Private/Surface/SurfaceStamp.h"
+
+#include "vtkCellData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace subdivision
+{
+namespace
+{
+
+template <typename Id>
+class AdaptiveRun
+{
+public:
+  AdaptiveRun(vtkPolyData* input, const SurfaceOptions& options, const RefinementOptions& criteria,
+    const SurfaceCells& cells, vtkPolyData* output)
+    : Input(input)
+    , Options(options)
+    , Wanted(criteria)
+    , Cells(cells)
+    , Output(output)
+    , Scheme(MakeSurfaceScheme<Id>(options.Scheme, options.ModifiedBoundary))
+  {
+    this->NoCentres.Simplices.NumberOfPoints = input->GetNumberOfPoints();
+  }
+
+  bool Run(double mostCells, bool memoryIsLimit);
+
+private:
+  bool IsStopped(double done) const
+  {
+    return this->Options.Progress && this->Options.Progress(done);
+  }
+  void StartPoints();
+  void ReadControl();
+  bool RunRounds(double mostCells, bool memoryIsLimit);
+  void TellNotes(AdaptiveNotes& notes) const;
+  std::vector<vtkIdType> FindSegmentCells() const;
+  SurfaceLevel<Id> WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan);
+  void WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan, const SurfaceLevel<Id>& level);
+
+  vtkPolyData* Input;
+  const SurfaceOptions& Options;
+  const RefinementOptions& Wanted;
+  const SurfaceCells& Cells;
+  vtkPolyData* Output;
+  std::shared_ptr<const SurfaceScheme<Id>> Scheme;
+  SimplicesOfCells NoCentres;
+  std::vector<vtkIdType> GlobalIds;
+  std::unique_ptr<PointArrays> Points;
+  SurfaceLevel<Id> Control;
+  std::unique_ptr<AdaptiveSqrtThree<Id>> Mesh;
+  std::unique_ptr<AdaptiveSqrtThreeRows<Id>> Rows;
+};
+
+template <typename Id>
+void AdaptiveRun<Id>::StartPoints()
+{
+  PointArrayOptions arrays;
+  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
+  arrays.OriginalIds = this->Options.GenerateOriginalIds;
+  arrays.Warn = this->Options.Warn;
+  arrays.Precision = this->Options.OutputPointsPrecision;
+  if (arrays.OriginalIds)
+  {
+    arrays.Replaced.emplace_back(OriginalPointIdsName);
+  }
+  if (this->Options.GenerateLimitNormals)
+  {
+    arrays.Replaced.emplace_back(LimitNormalsName);
+  }
+  if (this->Options.GenerateTangents)
+  {
+    arrays.Replaced.insert(arrays.Replaced.end(), { LimitTangentNames[0], LimitTangentNames[1] });
+  }
+  this->GlobalIds = ReadIdsOf(this->Input->GetPointData(), this->Input->GetNumberOfPoints());
+  this->Points = std::make_unique<PointArrays>(this->Input, this->NoCentres,
+    this->GlobalIds.empty() ? nullptr : this->GlobalIds.data(),
+    static_cast<vtkIdType>(this->GlobalIds.size()), arrays);
+}
+
+template <typename Id>
+void AdaptiveRun<Id>::ReadControl()
+{
+  this->Control = MakeControlLevel<Id>(this->Cells);
+  SurfaceCreases creases = ReadSurfaceCreases(this->Options.Features, this->Cells, this->Control);
+  const Coordinates points = this->Points->GetCoordinates();
+  if (this->Options.Features.DetectFeatures)
+  {
+    AddSharpEdges(this->Control.Mesh,
+      FindFeatureEdges(this->Control.Mesh, points, this->Options.Features.FeatureAngle),
+      creases.Features);
+  }
+  this->Control.Tags = ClassifySurface(this->Control.Mesh, *this->Scheme, creases.Features, points);
+  this->Scheme->RestrictTags(this->Control);
+  this->Mesh = std::make_unique<AdaptiveSqrtThree<Id>>(this->Control);
+  this->Rows =
+    std::make_unique<AdaptiveSqrtThreeRows<Id>>(*this->Mesh, this->Control, *this->Scheme);
+}
+
+template <typename Id>
+bool AdaptiveRun<Id>::Run(double mostCells, bool memoryIsLimit)
+{
+  this->StartPoints();
+  this->ReadControl();
+  if (this->IsStopped(0.1) || !this->RunRounds(mostCells, memoryIsLimit) || this->IsStopped(0.7))
+  {
+    return false;
+  }
+  const AdaptiveSqrtThreeOutput<Id> plan(*this->Mesh);
+  const SurfaceLevel<Id> level = this->WriteCells(plan);
+  if (this->IsStopped(0.8))
+  {
+    return false;
+  }
+  this->WritePoints(plan, level);
+  RebuildPointGhosts(this->Input, this->Output);
+  RemoveSurfaceStamp(this->Output);
+  return true;
+}
+
+// ------------------------------------------------------------------------------------------------
+// Rounds
+
+/// For each segment, an input cell on it; -1: there is none.
+template <typename Id>
+std::vector<vtkIdType> AdaptiveRun<Id>::FindSegmentCells() const
+{
+  std::vector<vtkIdType> cells(this->Mesh->GetNumberOfSegments(), -1);
+  for (vtkIdType line = this->Control.Lines.size() - 1; line >= 0; --line)
+  {
+    const Id segment = this->Mesh->GetSegmentOfEdge(this->Control.Lines[line] / 2);
+    cells[segment] = this->Cells.SegmentCells[line];
+  }
+  return cells;
+}
+
+/// False: stopped from outside.
+template <typename Id>
+bool AdaptiveRun<Id>::RunRounds(double mostCells, bool memoryIsLimit)
+{
+  RefinementCriteria criteria(this->Wanted, this->Input, this->NoCentres);
+  const std::vector<vtkIdType> segmentCells = this->FindSegmentCells();
+  AdaptiveSurfaceMarks<Id> finder(
+    *this->Mesh, *this->Rows, this->Wanted, criteria, this->Cells.FaceCells, segmentCells);
+  AdaptiveNotes notes;
+  const auto most = static_cast<vtkIdType>(mostCells);
+  vtkIdType left = 0;
+  for (int round = 0; left == 0; ++round)
+  {
+    if (this->IsStopped(0.1 + 0.6 * round / (round + 5.)))
+    {
+      return false;
+    }
+    std::vector<AdaptiveMark<Id>> marks = finder.Find(notes);
+    if (marks.empty())
+    {
+      break;
+    }
+    std::stable_sort(marks.begin(), marks.end(),
+      [](const AdaptiveMark<Id>& a, const AdaptiveMark<Id>& b) { return a.Error > b.Error; });
+    for (const AdaptiveMark<Id>& mark : marks)
+    {
+      const bool isDone = left == 0 &&
+        (mark.Face < 0 ? this->Mesh->Cut(-1 - mark.Face, most)
+                       : this->Mesh->Split(mark.Face, most));
+      left += !isDone && (mark.Face < 0 || !this->Mesh->IsSplit(mark.Face)) ? 1 : 0;
+    }
+  }
+  if (left > 0)
+  {
+    std::string what = std::to_string(left) +
+      " places that the criteria ask for were not refined, the worst ones last: the output would "
+      "have more than " +
+      std::to_string(most) + " cells, ";
+    what += memoryIsLimit ? "for which there is not enough memory. Use weaker criteria, a lower "
+                            "MaximumLevel, or a part of the input."
+                          : "which is MaximumNumberOfCells. Raise it, or use weaker criteria or a "
+                            "lower MaximumLevel.";
+    this->Options.Warn(what);
+  }
+  this->TellNotes(notes);
+  return true;
+}
+
+template <typename Id>
+void AdaptiveRun<Id>::TellNotes(AdaptiveNotes& notes) const
+{
+  auto& edges = notes.WithoutValue;
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  if (!edges.empty())
+  {
+    vtkDataArray* array = this->Wanted.Attribute;
+    this->Options.Warn(std::to_string(edges.size()) + " edges have a value of the point array \"" +
+      (array->GetName() ? array->GetName() : "") +
+      "\" that is not finite at the limit of an end, the first is " +
+      std::to_string(edges[0].first) + " " + std::to_string(edges[0].second) +
+      ": they were not refined by RefineByAttributeError.");
+  }
+  if (notes.TooShort > 0)
+  {
+    this->Options.Warn(std::to_string(notes.TooShort) +
+      " cells that the criteria ask for were not refined: they are so small that no number lies "
+      "between the coordinates of their points.");
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+// Output
+
+template <typename Id>
+SurfaceLevel<Id> AdaptiveRun<Id>::WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan)
+{
+  using Piece = typename AdaptiveSqrtThreeOutput<Id>::Piece;
+  std::vector<Piece> pieces;
+  std::vector<vtkIdType> lineCells;
+  for (vtkIdType line = 0; line < this->Control.Lines.size(); ++line)
+  {
+    plan.AppendPieces(this->Control.Lines[line], pieces);
+    lineCells.resize(pieces.size(), this->Cells.SegmentCells[line]);
+  }
+  SurfaceLevel<Id> level;
+  level.Mesh.Arity = 3;
+  level.Mesh.NumberOfVertices = this->Mesh->GetNumberOfVertices();
+  level.Mesh.NumberOfFaces = plan.GetNumberOfTriangles();
+  level.Mesh.Vertices = Buffer<Id>(3 * level.Mesh.NumberOfFaces);
+  level.Mesh.EdgeVertices = Buffer<Id>(static_cast<vtkIdType>(2 * pieces.size()));
+  level.Lines = Buffer<Id>(static_cast<vtkIdType>(pieces.size()));
+  const vtkIdType points = static_cast<vtkIdType>(this->Cells.Vertices.size());
+  const vtkIdType before = points + level.Lines.size();
+  vtkNew<vtkUnsignedCharArray> generations;
+  generations->SetName(GenerationName);
+  Allocate(generations, 1, before + level.Mesh.NumberOfFaces);
+  Buffer<vtkIdType> sources(before + level.Mesh.NumberOfFaces);
+  unsigned char* generation = generations->GetPointer(0);
+  std::copy(this->Cells.VertexCells.begin(), this->Cells.VertexCells.end(), sources.begin());
+  std::fill(generation, generation + points, static_cast<unsigned char>(0));
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    level.Lines[i] = static_cast<Id>(2 * i);
+    std::copy_n(pieces[i].Ends, 2, level.Mesh.EdgeVertices.data() + 2 * i);
+    generation[points + i] = static_cast<unsigned char>(pieces[i].Generation);
+    sources[points + i] = lineCells[i];
+  }
+  plan.WriteTriangles(level.Mesh.Vertices.data(), generation + before, sources.data() + before);
+  ForEach(level.Mesh.NumberOfFaces,
+    [&](vtkIdType i) { sources[before + i] = this->Cells.FaceCells[sources[before + i]]; });
+  WriteSurfaceCells(level, this->Cells.Vertices, this->Options.Use32BitIds, this->Output);
+  CopySurfaceCellArrays(this->Input, sources, true, this->Options, this->Output);
+  AddInstead(this->Input->GetCellData(), generations, this->Output->GetCellData());
+  return level;
+}
+
+template <typename Id>
+void AdaptiveRun<Id>::WritePoints(
+  const AdaptiveSqrtThreeOutput<Id>& plan, const SurfaceLevel<Id>& level)
+{
+  const vtkIdType given = this->Mesh->GetNumberOfControlVertices();
+  const vtkIdType size = this->Mesh->GetNumberOfVertices();
+  Buffer<Id> origins(size - given);
+  auto origin = [&](vtkIdType point)
+  { return point < given ? point : static_cast<vtkIdType>(origins[point - given]); };
+  for (vtkIdType v = given; v < size; ++v)
+  {
+    const Id source = this->Mesh->GetAdded(static_cast<Id>(v)).Source;
+    const Id* parents =
+      source >= 0 ? this->Mesh->GetVertices(source) : this->Mesh->GetSegmentAt(-1 - source).Ends;
+    const Id parent = *std::min_element(parents, parents + (source >= 0 ? 3 : 2),
+      [this](Id a, Id b) { return this->Points->IsEarlier(a, b); });
+    origins[v - given] = static_cast<Id>(origin(parent));
+  }
+  const AdaptiveSqrtThreeLimit<Id> limit(*this->Rows, plan.GetVertexLevels());
+  const bool wantsFrames = this->Options.GenerateLimitNormals || this->Options.GenerateTangents;
+  TangentPairs tangents(wantsFrames ? limit.GetNumberOfRows() : 0);
+  if (wantsFrames)
+  {
+    Buffer<double> points(3 * given);
+    std::copy_n(this->Points->GetCoordinates().Values, points.size(), points.begin());
+    limit.FindTangents(points, tangents);
+  }
+  this->Points->Advance(limit, origin);
+  if (wantsFrames)
+  {
+    AddLimitFrames(
+      tangents, this->Points->GetPoints(), {}, this->Options.GenerateLimitNormals,
+      this->Options.GenerateTangents, [&level](ShadingNormals& normals)
+      { AddShadingCells(level, normals); }, this->Input, this->Output);
+  }
+  this->Points->Finish(this->Output);
+  if (this->Options.GenerateLimitNormals)
+  {
+    this->Output->GetPointData()->SetActiveNormals(LimitNormalsName);
+  }
+}
+
+/// How many cells the output may have: by the option, by what MaximumLevel can make of the input,
+/// and by the memory that there is.
+double FindMostCells(vtkPolyData* input, const SurfaceCells& cells, const SurfaceOptions& options,
+  int maximumLevel, bool& memoryIsLimit)
+{
+  // Connectivity and offset, faces of all levels, values and limits; a point for two cells.
+  const double perCell = 32. + 75. + 165. + GetBytesPerTuple(input->GetCellData()) +
+    (24. + 3. * GetBytesPerTuple(input->GetPointData())) / 2.;
+  const double fitting = GetAvailableMemory() / perCell;
+  const auto given = static_cast<double>(cells.FaceCells.size() + cells.SegmentCells.size());
+  const double wanted = std::min(
+    static_cast<double>(options.MaximumNumberOfCells) - static_cast<double>(cells.Vertices.size()),
+    given * std::pow(3., maximumLevel));
+  memoryIsLimit = fitting < wanted;
+  return std::min(fitting, wanted);
+}
+
+}
+
+bool RefineSurface(vtkPolyData* input, const SurfaceOptions& options,
+  const RefinementOptions& criteria, vtkPolyData* output)
+{
+  vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(input->GetPointData()->GetGlobalIds());
+  const bool hasIds = ids && ids->GetNumberOfTuples() == input->GetNumberOfPoints();
+  const SurfaceCells cells = ReadSurfaceCells(input, true, hasIds ? ids->GetPointer(0) : nullptr);
+  for (const std::string& warning : cells.Warnings)
+  {
+    options.Warn(warning);
+  }
+  WarnOfUnused(input, *MakeSurfaceScheme<int>(options.Scheme, true), options);
+  const auto given = static_cast<double>(cells.FaceCells.size() + cells.SegmentCells.size());
+  bool memoryIsLimit = false;
+  const double most = FindMostCells(input, cells, options, criteria.MaximumLevel, memoryIsLimit);
+  if (given > most && memoryIsLimit)
+  {
+    options.Fail("There is not enough memory for the " +
+      std::to_string(static_cast<vtkIdType>(given)) + " cells of the input. Use a part of it.");
+    return false;
+  }
+  if (given > most)
+  {
+    options.Warn("The input has more than MaximumNumberOfCells cells: nothing is refined. Raise "
+                 "it.");
+  }
+  const double points = static_cast<double>(cells.NumberOfPoints);
+  const bool isLarge =
+    6. * (std::max(most, given) + points) > static_cast<double>(std::numeric_limits<int>::max());
+  return isLarge
+    ? AdaptiveRun<long long>(input, options, criteria, cells, output).Run(most, memoryIsLimit)
+    : AdaptiveRun<int>(input, options, criteria, cells, output).Run(most, memoryIsLimit);
+}
+
+}

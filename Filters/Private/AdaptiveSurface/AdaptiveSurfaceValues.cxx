@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/AdaptiveSurface/AdaptiveSurfaceValues.h"
+
+#include <algorithm>
+
+namespace subdivision
+{
+
+/// The vertices' two values, which only need those of earlier levels; the array gets the limit.
+template <typename Id>
+void AdaptiveSurfaceValues<Id>::AddVertices(const std::vector<Id>& vertices)
+{
+  const vtkIdType size = this->Mesh.GetNumberOfVertices();
+  const int components = this->Components;
+  const vtkIdType given = this->Mesh.GetNumberOfControlVertices();
+  double* limits = this->Array.Grow(size);
+  if (!this->IsSmooth)
+  {
+    for (const Id v : vertices) // in the order in which they came into being
+    {
+      if (v >= given)
+      {
+        const Id source = this->Mesh.GetAdded(v).Source;
+        const Id* parents =
+          source >= 0 ? this->Mesh.GetVertices(source) : this->Mesh.GetSegmentAt(-1 - source).Ends;
+        const Id parent = *std::min_element(parents, parents + (source >= 0 ? 3 : 2));
+        std::copy_n(limits + static_cast<vtkIdType>(parent) * components, components,
+          limits + static_cast<vtkIdType>(v) * components);
+      }
+    }
+    return;
+  }
+  this->Nodes.resize(static_cast<std::size_t>(2 * size * components));
+  const bool isFirst = !vertices.empty() && vertices[0] < given;
+  std::vector<double> control(
+    isFirst ? limits : nullptr, isFirst ? limits + given * components : nullptr);
+  auto getLevel = [&](Id v) { return v < given ? -1 : int(this->Mesh.GetAdded(v).Level); };
+  for (std::size_t begin = 0; begin < vertices.size();)
+  {
+    std::size_t end = begin;
+    while (end < vertices.size() && getLevel(vertices[end]) == getLevel(vertices[begin]))
+    {
+      ++end;
+    }
+    double* nodes = this->Nodes.data();
+    const double* from = getLevel(vertices[begin]) < 0 ? control.data() : nodes;
+    ForRanges(static_cast<vtkIdType>(end - begin),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        RowBlock<Id> rows;
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          const vtkIdType v = vertices[begin + i];
+          double* out = nodes + 2 * v * components;
+          rows.Clear();
+          this->Rows.AppendVertex(static_cast<Id>(v), rows);
+          ApplyRows(rows, from, out, components);
+          std::copy_n(out + components, components, limits + v * components);
+        }
+      });
+    begin = end;
+  }
+}
+
+/// The limits of the points that new faces and segments would get.
+template <typename Id>
+void AdaptiveSurfaceValues<Id>::AddCentres(const std::vector<Id>& faces, vtkIdType firstSegment)
+{
+  const int components = this->Components;
+  this->Centres.resize(static_cast<std::size_t>(this->Mesh.GetNumberOfFaces() * components));
+  this->FirstCentres.resize(this->Centres.size());
+  this->Thirds.resize(static_cast<std::size_t>(2 * this->Mesh.GetNumberOfSegments() * components));
+  auto forRanges = [&](vtkIdType size, const auto& append, double* out, const auto& place)
+  {
+    ForRanges(size,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        RowBlock<Id> rows;
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          rows.Clear();
+          append(i, rows);
+          ApplyRows(rows, this->Nodes.data(), out + place(i) * components, components);
+        }
+      });
+  };
+  auto ofFaces = [&](auto append, double* out)
+  {
+    forRanges(
+      static_cast<vtkIdType>(faces.size()),
+      [&](vtkIdType i, RowBlock<Id>& rows)
+      {
+        if (!this->Mesh.IsCut(faces[i]))
+        {
+          (this->Rows.*append)(faces[i], rows);
+        }
+      },
+      out, [&](vtkIdType i) { return static_cast<vtkIdType>(faces[i]); });
+  };
+  ofFaces(&AdaptiveSqrtThreeRows<Id>::AppendCentreLimit, this->Centres.data());
+  ofFaces(&AdaptiveSqrtThreeRows<Id>::AppendCentre, this->FirstCentres.data());
+  forRanges(
+    2 * (this->Mesh.GetNumberOfSegments() - firstSegment), [&](vtkIdType i, RowBlock<Id>& rows)
+    { this->Rows.AppendThirdLimit(static_cast<Id>(firstSegment + i / 2), i % 2 == 1, rows); },
+    this->Thirds.data(), [&](vtkIdType i) { return 2 * firstSegment + i; });
+}
+
+/// By the cubic curve through the ends and the thirds of an edge.
+template <typename Id>
+void AdaptiveSurfaceValues<Id>::FindMiddleOfThirds(
+  Id begin, Id end, const double* thirds, double* middle) const
+{
+  const double* a = this->GetLimit(begin);
+  const double* b = this->GetLimit(end);
+  for (int c = 0; c < this->Components; ++c)
+  {
+    middle[c] = (9. * (thirds[c] + thirds[this->Components + c]) - a[c] - b[c]) / 16.;
+  }
+}
+
+/// Adds where a vertex is on a level after it came into being.
+template <typename Id>
+void AdaptiveSurfaceValues<Id>::AddPosition(Id vertex, int level, double weight, double* sum) const
+{
+  const double part = this->Rows.GetPart(vertex, level);
+  const double* values = this->Nodes.data() + 2 * static_cast<vtkIdType>(vertex) * this->Components;
+  this->Add(values, weight * part, sum);
+  this->Add(values + this->Components, weight * (1. - part), sum);
+}
+
+/// What AppendLimitOnEdge comes to where all six faces around the edge are there, and none is at a
+/// curve: much faster. False elsewhere.
+template <typename Id>
+bool AdaptiveSurfaceValues<Id>::FindRegularThirds(Id corner, double* thirds) const
+{
+  const Id twin = this->Mesh.GetTwin(corner);
+  const Id ends[2] = { this->Mesh.GetVertex(corner),
+    this->Mesh.GetVertex(this->Mesh.Next(corner)) };
+  const bool turns = this->Mesh.GetVertex(twin) == ends[0];
+  const Id before = this->Mesh.Previous(twin);
+  const Id after = this->Mesh.Next(twin);
+  const Id around[2][2] = { { this->Mesh.Previous(corner), turns ? before : after },
+    { this->Mesh.Next(corner), turns ? after : before } };
+  const int level = this->Mesh.GetLevel(corner / 3) + 1;
+  std::fill(thirds, thirds + 2 * this->Components, 0.);
+  for (int end = 0; end < 2; ++end)
+  {
+    double* third = thirds + end * this->Components;
+    for (const Id edge : around[end])
+    {
+      const Id across = this->Mesh.GetTwin(edge);
+      if (across < 0 || this->Mesh.IsCut(across / 3))
+      {
+        return false;
+      }
+      this->Add(this->GetFirstCentre(across / 3), 1. / 36., third);
+    }
+    for (const Id face : { corner / 3, twin / 3 })
+    {
+      this->Add(this->GetFirstCentre(face), 1. / 4., third);
+      this->Add(this->GetCentre(face), 1. / 18., third);
+    }
+    this->AddPosition(ends[end], level, 2. / 9., third);
+    this->AddPosition(ends[end], level + 1, 1. / 12., third);
+    this->AddPosition(ends[1 - end], level, 1. / 36., third);
+  }
+  return true;
+}
+
+template <typename Id>
+int AdaptiveSurfaceValues<Id>::FindPlacesOfSegment(Id segment, double* places) const
+{
+  const Id* ends = this->Mesh.GetSegmentAt(segment).Ends;
+  std::copy_n(this->GetThird(segment, false), 2 * this->Components, places + this->Components);
+  this->FindMiddleOfThirds(ends[0], ends[1], places + this->Components, places);
+  return 3;
+}
+
+template <typename Id>
+int AdaptiveSurfaceValues<Id>::FindPlaces(Id corner, RowBlock<Id>& rows, double* places) const
+{
+  const Id twin = this->Mesh.GetTwin(corner);
+  if (this->Mesh.IsFixed(corner))
+  {
+    return this->FindPlacesOfSegment(this->Mesh.GetSegment(corner), places);
+  }
+  if (twin < 0 || this->Mesh.IsCut(corner / 3) || this->Mesh.IsCut(twin / 3))
+  {
+    return this->FindMiddle(corner, places) ? 1 : 0;
+  }
+  if (!this->FindRegularThirds(corner, places + this->Components))
+  {
+    rows.Clear();
+    this->Rows.AppendLimitOnEdge(corner, false, rows);
+    this->Rows.AppendLimitOnEdge(corner, true, rows);
+    ApplyRows(rows, this->Nodes.data(), places + this->Components, this->Components);
+  }
+  this->FindMiddleOfThirds(this->Mesh.GetVertex(corner),
+    this->Mesh.GetVertex(this->Mesh.Next(corner)), places + this->Components, places);
+  return 3;
+}
+
+/// The limit in the middle of an edge; false where its other face is not there.
+template <typename Id>
+bool AdaptiveSurfaceValues<Id>::FindMiddle(Id corner, double* middle) const
+{
+  const Id twin = this->Mesh.GetTwin(corner);
+  if (twin < 0)
+  {
+    return false;
+  }
+  auto getThird = [&](Id at)
+  {
+    bool isSecond = false;
+    const Id segment = this->Mesh.GetThirdAcross(at, isSecond);
+    return this->GetThird(segment, isSecond);
+  };
+  std::fill(middle, middle + this->Components, 0.);
+  const Id corners[2] = { corner, twin };
+  const bool isCut[2] = { this->Mesh.IsCut(corner / 3), this->Mesh.IsCut(twin / 3) };
+  for (int i = 0; i < 2; ++i)
+  {
+    if (isCut[i])
+    {
+      // Nothing is known beyond a curve.
+      this->Add(getThird(corners[i]), isCut[1 - i] ? 1. / 2. : 3. / 8., middle);
+      continue;
+    }
+    this->Add(this->GetCentre(corners[i] / 3), isCut[1 - i] ? 3. / 4. : 9. / 16., middle);
+    this->Add(this->GetLimit(this->Mesh.GetVertex(this->Mesh.Previous(corners[i]))),
+      isCut[1 - i] ? -1. / 8. : -1. / 16., middle);
+  }
+  return true;
+}
+
+template class AdaptiveSurfaceValues<int>;
+template class AdaptiveSurfaceValues<long long>;
+
+}

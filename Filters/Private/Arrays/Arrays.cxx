@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Arrays/Arrays.h"
+
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+
+#include <atomic>
+#include <cstring>
+
+namespace subdivision
+{
+
+vtkSmartPointer<vtkDataArray> MakeArray(int valueType, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(valueType));
+  Allocate(array, components, tuples);
+  return array;
+}
+
+void Allocate(vtkDataArray* array, int components, vtkIdType tuples)
+{
+  array->SetNumberOfComponents(components);
+  const vtkIdType values = tuples * components;
+  if (values > 0)
+  {
+    const std::size_t bytes = static_cast<std::size_t>(values) * array->GetDataTypeSize();
+    array->SetVoidArray(AllocateBytes(bytes), values, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+  }
+}
+
+void CopyLooks(vtkAbstractArray* from, vtkAbstractArray* to)
+{
+  to->SetName(from->GetName());
+  to->CopyComponentNames(from);
+  if (from->HasInformation())
+  {
+    to->CopyInformation(from->GetInformation(), /*deep=*/1);
+  }
+}
+
+void AddLike(
+  vtkDataSetAttributes* from, int source, vtkAbstractArray* array, vtkDataSetAttributes* to)
+{
+  const int added = to->AddArray(array);
+  for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+  {
+    if (from->GetAbstractAttribute(type) == from->GetAbstractArray(source))
+    {
+      to->SetActiveAttribute(added, type);
+    }
+  }
+}
+
+void AddInstead(vtkDataSetAttributes* from, vtkAbstractArray* array, vtkDataSetAttributes* to)
+{
+  int source = -1;
+  if (from->GetAbstractArray(array->GetName(), source))
+  {
+    AddLike(from, source, array, to);
+  }
+  else
+  {
+    to->AddArray(array);
+  }
+}
+
+bool HasTuples(vtkAbstractArray* array, vtkIdType wanted, const char* kind,
+  const std::function<void(const std::string&)>& warn)
+{
+  if (array->GetNumberOfTuples() == wanted)
+  {
+    return true;
+  }
+  if (warn)
+  {
+    warn(std::string("The ") + kind + " array \"" + (array->GetName() ? array->GetName() : "") +
+      "\" has " + std::to_string(array->GetNumberOfTuples()) + " tuples for " +
+      std::to_string(wanted) + " " + kind +
+      "s: it is not in the output. Give it one tuple for each.");
+  }
+  return false;
+}
+
+bool HasIds(vtkDataSetAttributes* data, const char* name, vtkIdType tuples)
+{
+  vtkDataArray* array = data->GetArray(name);
+  return array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == tuples &&
+    array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+}
+
+std::vector<vtkIdType> ReadIdsOf(vtkDataSetAttributes* data, vtkIdType tuples)
+{
+  vtkDataArray* array = data->GetGlobalIds();
+  std::vector<vtkIdType> ids;
+  vtkIdTypeArray* exact = vtkIdTypeArray::SafeDownCast(array);
+  for (vtkIdType i = 0; array && array->GetNumberOfTuples() == tuples && i < tuples; ++i)
+  {
+    ids.push_back(exact ? exact->GetValue(i) : ToId(array->GetComponent(i, 0)));
+  }
+  return ids;
+}
+
+vtkIdType ToId(double value)
+{
+  constexpr double exact = 9007199254740992.; // 2^53
+  return value >= -exact && value <= exact ? static_cast<vtkIdType>(value) : -1;
+}
+
+vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
+{
+  if (array->HasStandardMemoryLayout())
+  {
+    return array;
+  }
+  auto copy =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(array->GetDataType()));
+  copy->DeepCopy(array);
+  CopyLooks(array, copy);
+  return copy;
+}
+
+bool HoldsSameValues(vtkDataArray* a, vtkDataArray* b)
+{
+  if (a->GetDataType() != b->GetDataType() || a->GetNumberOfValues() != b->GetNumberOfValues())
+  {
+    return false;
+  }
+  if (a == b || a->GetNumberOfValues() == 0)
+  {
+    return true;
+  }
+  const auto* first = static_cast<const char*>(a->GetVoidPointer(0));
+  const auto* second = static_cast<const char*>(b->GetVoidPointer(0));
+  const vtkIdType size = a->GetDataTypeSize();
+  std::atomic<bool> same{ true };
+  ForRanges(a->GetNumberOfValues(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      if (same &&
+        std::memcmp(first + begin * size, second + begin * size,
+          static_cast<std::size_t>((end - begin) * size)) != 0)
+      {
+        same = false;
+      }
+    });
+  return same;
+}
+
+std::vector<std::uint64_t> ComputeFingerprint(vtkDataArray* array)
+{
+  constexpr vtkIdType lanes = 8;
+  constexpr vtkIdType block = 65536; // words
+  const vtkIdType bytes = array->GetNumberOfValues() * array->GetDataTypeSize();
+  const vtkIdType words = bytes / 8;
+  const vtkIdType blocks = (words + block - 1) / block;
+  std::vector<std::uint64_t> print(lanes * blocks + 3);
+  if (bytes > 0)
+  {
+    const auto* values = static_cast<const char*>(array->GetVoidPointer(0));
+    std::uint64_t* last = print.data() + lanes * blocks;
+    std::memcpy(last, values + 8 * words, static_cast<std::size_t>(bytes - 8 * words));
+    last[1] = static_cast<std::uint64_t>(bytes);
+    last[2] = static_cast<std::uint64_t>(array->GetDataType());
+    auto run = [&](vtkIdType first, vtkIdType end)
+    {
+      for (vtkIdType b = first; b < end; ++b)
+      {
+        // Every step can be undone: one word that differs always shows. Two words for each product,
+        // which would else take longer than to read them.
+        std::uint64_t sums[lanes] = { 1, 2, 3, 4, 5, 6, 7, 8 };
+        auto add = [&](vtkIdType lane, std::uint64_t one, std::uint64_t other)
+        {
+          const std::uint64_t mixed = (sums[lane] ^ one) * 0x9e3779b97f4a7c15ULL + other;
+          sums[lane] = mixed << 29 | mixed >> 35;
+        };
+        auto read = [values](vtkIdType word)
+        {
+          std::uint64_t value;
+          std::memcpy(&value, values + 8 * word, 8);
+          return value;
+        };
+        const vtkIdType stop = std::min(words, (b + 1) * block);
+        vtkIdType word = b * block;
+        for (; word + 2 * lanes <= stop; word += 2 * lanes)
+        {
+          for (vtkIdType lane = 0; lane < lanes; ++lane)
+          {
+            add(lane, read(word + lane), read(word + lanes + lane));
+          }
+        }
+        for (; word < stop; ++word)
+        {
+          add(0, read(word), 0);
+        }
+        std::copy(sums, sums + lanes, print.begin() + lanes * b);
+      }
+    };
+    if (blocks < 2)
+    {
+      run(0, blocks);
+    }
+    else
+    {
+      vtkSMPTools::For(0, blocks, 1, run);
+    }
+  }
+  return print;
+}
+
+vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, Row<vtkIdType> sources)
+{
+  vtkDataArray* data = vtkDataArray::SafeDownCast(in);
+  if (data && data->GetDataType() != VTK_BIT)
+  {
+    const auto from = Contiguous(data);
+    const int components = from->GetNumberOfComponents();
+    const auto out = MakeArray(from->GetDataType(), components, sources.size());
+    const std::size_t bytes = static_cast<std::size_t>(from->GetDataTypeSize()) * components;
+    if (sources.size() > 0 && bytes > 0)
+    {
+      const char* input = static_cast<const char*>(from->GetVoidPointer(0));
+      char* output = static_cast<char*>(out->GetVoidPointer(0));
+      auto copy = [&](auto size)
+      {
+        ForEach(sources.size(), [=](vtkIdType i)
+          { std::memcpy(output + i * size, input + sources.First[i] * size, size); });
+      };
+      switch (bytes)
+      {
+        case 1: // a size that the compiler knows is one instruction
+          copy(std::integral_constant<std::size_t, 1>());
+          break;
+        case 4:
+          copy(std::integral_constant<std::size_t, 4>());
+          break;
+        case 8:
+          copy(std::integral_constant<std::size_t, 8>());
+          break;
+        default:
+          copy(bytes);
+      }
+    }
+    CopyLooks(in, out);
+    return out;
+  }
+  auto out = vtkSmartPointer<vtkAbstractArray>::Take(in->NewInstance());
+  out->SetNumberOfComponents(in->GetNumberOfComponents());
+  out->SetNumberOfTuples(sources.size());
+  for (vtkIdType i = 0; i < sources.size(); ++i)
+  {
+    out->SetTuple(i, sources.First[i], in);
+  }
+  CopyLooks(in, out);
+  return out;
+}
+
+}

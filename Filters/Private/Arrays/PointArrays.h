@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PointArrays.h
+ * Points and point data on their way through the levels, each array by its kind.
+ */
+#ifndef SubdivisionObjects_PointArrays_h
+#define SubdivisionObjects_PointArrays_h
+
+#include "Core/Memory/Coordinates.h"
+#include "Core/Operators/BlockOperator.h"
+#include "Core/Operators/SparseRows.h"
+#include "Core/Solids/BoxSpline/ChildRows.h"
+#include "Core/Solids/BoxSpline/Stencils.h"
+#include "Core/Solids/Limits/LocalLimit.h"
+#include "Core/Solids/RedGreen/RedGreenOutput.h"
+#include "Core/Solids/TetOct/TetOctChildRows.h"
+#include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeRows.h"
+#include "Private/Arrays/Arrays.h"
+#include "Private/Reading/CellsToSimplices.h"
+
+#include <string>
+#include <vector>
+
+class vtkPointSet;
+
+namespace subdivision
+{
+
+struct PointArrayOptions
+{
+  bool InterpolateIntegers = false;
+  /// Output `vtkOriginalPointIds`; `CarryOriginalIds`: the input has them from an earlier filter.
+  bool OriginalIds = false;
+  bool CarryOriginalIds = false;
+  /// Arrays that the filter makes itself: the input's are left out.
+  std::vector<std::string> Replaced;
+  /// As in vtkAlgorithm.
+  int Precision = 2;
+  /// Is told which arrays cannot be used.
+  std::function<void(const std::string&)> Warn;
+};
+
+/**
+ * Floating arrays, and colours (unsigned char with 3 or 4 components), are smoothed; colours are
+ * rounded after each level. Other integers, strings, bits keep their values at old points; a new
+ * point takes that of the end with the smaller global id, the centre of an octahedron that of its
+ * six vertices with the smallest. Global and pedigree ids are dropped.
+ */
+class PointArrays
+{
+public:
+  /// `globalIds` orders the first `numberOfGlobalIds` points; those after come in index order.
+  PointArrays(vtkPointSet* input, const SimplicesOfCells& cells, const vtkIdType* globalIds,
+    vtkIdType numberOfGlobalIds, const PointArrayOptions& options);
+
+  /// Coordinates of the current points in double, for choices that depend on them. They are as
+  /// exact as the less exact of the input's points and the output's.
+  Coordinates GetCoordinates();
+  double GetTie() const { return this->Tie; }
+
+  /// The points at the current level; ReusePoints: what they will be at the end is known.
+  vtkDataArray* GetPoints() const { return this->Points; }
+  void ReusePoints(vtkDataArray* result) { this->FinalPoints = result; }
+
+  template <typename Id>
+  void Advance(const Stencils<Id>& stencils);
+  /// All arrays in one pass over the rows.
+  template <typename Rows>
+  void Advance(const RowsOnTheFly<Rows>& rows);
+  template <typename Id>
+  void Advance(const TetOctStencils<Id>& stencils);
+  /// Whether some array is not smoothed.
+  bool GathersSome() const { return this->HasGathered; }
+  /// `origin(row)`: the current point whose values a row takes in arrays that are not smoothed.
+  /// The operator is SparseRows, MidpointRows, LocalLimit, BlockOperator or AdaptiveSqrtThreeLimit.
+  template <typename Operator, typename Origin>
+  void Advance(const Operator& rows, const Origin& origin);
+  /// Moves each point by a row of its own, without new points; no rows: nothing happens.
+  template <typename Id>
+  void Project(const SparseRows<Id>& rows);
+
+  /// Whether current point a has the smaller global id.
+  bool IsEarlier(vtkIdType a, vtkIdType b) const;
+
+  /// From now on no point is one of the input's: global ids do not order them, none has an
+  /// original id.
+  void ForgetInputPoints();
+
+  /// Normals that the filter made, to be put out with the other arrays.
+  void SetNormals(vtkDataArray* normals) { this->Normals = normals; }
+
+  void Finish(vtkPointSet* output);
+
+  /// Bytes that one point takes, to estimate sizes.
+  double GetBytesPerPoint() const;
+
+private:
+  struct Entry
+  {
+    int Source;                            ///< index in the input's point data
+    vtkSmartPointer<vtkDataArray> Current; ///< smoothed so far; null: gathered at the end
+  };
+
+  vtkSmartPointer<vtkDataArray> Start(vtkDataArray* array, int valueType) const;
+  bool IsSmoothed(vtkAbstractArray* array) const;
+  template <typename Make>
+  void ReplaceSmoothed(vtkIdType size, const Make& make);
+  template <typename Operator>
+  void AdvanceSmoothed(const Operator& rows);
+  template <typename Id>
+  void AdvanceSmoothed(const BlockOperator<Id>& rows);
+  template <typename Id>
+  void TakeOriginsOfEdges(const Buffer<Id>& edgeVertices, Buffer<vtkIdType>& next) const;
+  template <typename Id>
+  vtkIdType FindOrigin(const StencilRows<Id>& rows, vtkIdType i) const;
+  template <typename Id>
+  vtkIdType FindOrigin(const TetOctRows<Id>& rows, vtkIdType i) const;
+  template <typename Id>
+  vtkIdType FindEarliest(Row<Id> vertices) const;
+  void StartOrigins();
+  void AddOriginalIds(vtkPointSet* output) const;
+
+  vtkPointSet* Input;
+  const SimplicesOfCells& Cells;
+  const vtkIdType* GlobalIds;
+  vtkIdType NumberOfGlobalIds;
+  PointArrayOptions Options;
+  vtkIdType NumberOfPoints;
+  double Tie;
+  vtkSmartPointer<vtkDataArray> Points;
+  vtkSmartPointer<vtkDataArray> FinalPoints; ///< null unless they are known beforehand
+  vtkSmartPointer<vtkDataArray> Normals;
+  std::vector<Entry> Entries;
+  bool HasGathered = false;
+  bool HasInputPoints = true;
+  bool HasMoved = false;     ///< an operator was applied
+  Buffer<vtkIdType> Origins; ///< the input point whose values each point takes
+  Buffer<double> Doubles;    ///< the points, where they are not in double
+};
+
+template <typename Operator, typename Origin>
+void PointArrays::Advance(const Operator& rows, const Origin& origin)
+{
+  this->AdvanceSmoothed(rows);
+  if (this->HasGathered)
+  {
+    Buffer<vtkIdType> next(rows.GetNumberOfRows());
+    ForEach(next.size(), [&](vtkIdType row) { next[row] = this->Origins[origin(row)]; });
+    this->Origins = std::move(next);
+  }
+  this->NumberOfPoints = rows.GetNumberOfRows();
+}
+
+template <typename Id>
+void PointArrays::Project(const SparseRows<Id>& rows)
+{
+  if (rows.GetNumberOfRows() > 0)
+  {
+    this->AdvanceSmoothed(rows);
+  }
+}
+
+}
+
+#endif

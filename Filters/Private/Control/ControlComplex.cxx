@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Control/ControlComplex.h"
+
+#include "Core/Solids/TetOct/TetOctCells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace subdivision
+{
+namespace
+{
+
+/// Parts runs at a simplex: those before it stay; those from it on are returned, with places of
+/// their own.
+std::vector<CellRun> SplitRuns(std::vector<CellRun>& runs, vtkIdType at)
+{
+  std::vector<CellRun> before;
+  std::vector<CellRun> after;
+  for (CellRun run : runs)
+  {
+    const vtkIdType count = std::min(std::max<vtkIdType>(at - run.FirstCell, 0), run.Count);
+    CellRun rest = run;
+    run.Count = count;
+    rest.First += count;
+    rest.Count -= count;
+    if (run.Count > 0)
+    {
+      before.push_back(run);
+    }
+    if (rest.Count > 0)
+    {
+      after.push_back(rest);
+    }
+  }
+  runs = before;
+  return RefineRuns(after, 0);
+}
+
+/// The complex; derived simplices count as cells of it that were not read.
+template <typename Id>
+SimplicialComplex<Id> BuildComplexWith(const SimplexList& simplices, ControlTraits& traits)
+{
+  traits.DerivedRuns.clear();
+  if (traits.Derived.IsEmpty())
+  {
+    return BuildComplex<Id>(simplices, traits.Runs);
+  }
+  SimplexList all = simplices;
+  for (int dimension = 0; dimension < 3; ++dimension)
+  {
+    const auto& tuples = traits.Derived.Tuples[dimension];
+    all.Connectivity.insert(all.Connectivity.end(), tuples.begin(), tuples.end());
+    all.Dimensions.insert(
+      all.Dimensions.end(), tuples.size() / (dimension + 1), static_cast<unsigned char>(dimension));
+  }
+  SimplicialComplex<Id> complex = BuildComplex<Id>(all, traits.Runs);
+  traits.DerivedRuns = SplitRuns(traits.Runs, simplices.GetNumberOfSimplices());
+  return complex;
+}
+
+/// Singular simplices that follow from the mesh (Mathematics 7); an earlier filter's are taken
+/// over.
+template <typename Id>
+SimplexTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
+  const Coordinates& points, ControlComplex<Id>& control)
+{
+  if (mesh.IsStamped)
+  {
+    return mesh.Derived;
+  }
+  const SimplicialComplex<Id>& complex = control.Current.Complex;
+  SimplexTuples derived;
+  if (features.Embedded != EmbeddedRule::Follow)
+  {
+    const bool inside = features.Embedded == EmbeddedRule::SingularInside;
+    DeriveEmbedded(complex, control.Runs, inside, derived);
+  }
+  if (features.PreserveInterfaces)
+  {
+    DeriveInterfaces(complex, control.Runs, mesh.Values.Material.data(), derived);
+  }
+  if (features.DetectFeatures)
+  {
+    control.Candidates = FindFeatureCandidates(complex);
+    for (const FeatureCandidate& candidate : control.Candidates)
+    {
+      control.Features.push_back(IsFeature(candidate, points, features.FeatureAngle));
+      if (control.Features.back())
+      {
+        derived.Tuples[1].insert(derived.Tuples[1].end(), candidate.Ends, candidate.Ends + 2);
+      }
+    }
+  }
+  return derived;
+}
+
+template <typename Id>
+bool IsWhatWasRead(
+  const SimplexList& read, const std::vector<CellRun>& runs, const Level<Id>& level)
+{
+  const CellCounts counts = CountCells(runs);
+  if (counts.Cells != read.GetNumberOfSimplices() ||
+    level.Complex.NumberOfVertices != read.NumberOfPoints)
+  {
+    return false;
+  }
+  Buffer<long long> connectivity(counts.Entries);
+  Buffer<long long> offsets(counts.Cells + 1);
+  Buffer<unsigned char> types(counts.Cells);
+  WriteCells(level.Complex, runs,
+    CellStorage<long long>{ connectivity.data(), offsets.data(), types.data() });
+  return std::equal(connectivity.begin(), connectivity.end(), read.Connectivity.begin());
+}
+template <typename Id>
+bool IsWhatWasRead(
+  const SimplexList& read, const std::vector<CellRun>& runs, const TetOctLevel<Id>& level)
+{
+  return HasCells(level, runs, read);
+}
+
+}
+
+template <typename Id>
+SingularSimplices CollectSingular(const SimplicialComplex<Id>& complex, const ControlTraits& traits,
+  const std::vector<unsigned char>& flags)
+{
+  SingularSimplices singular;
+  if (!flags.empty())
+  {
+    FlagSimplices(complex, traits.Runs, flags.data(), singular);
+  }
+  const std::vector<unsigned char> all(CountCells(traits.DerivedRuns).Cells, 1);
+  FlagSimplices(complex, traits.DerivedRuns, all.data(), singular);
+  return singular;
+}
+
+std::vector<unsigned char> RefineFlags(
+  const SimplexList& simplices, int levels, const std::vector<unsigned char>& flags)
+{
+  std::vector<unsigned char> refined;
+  for (std::size_t i = 0; i < flags.size(); ++i)
+  {
+    refined.insert(refined.end(), std::size_t(1) << (simplices.Dimensions[i] * levels), flags[i]);
+  }
+  return refined;
+}
+
+namespace
+{
+
+/// The simplex that each control tetrahedron is, in the order of the complex.
+template <typename Id>
+std::vector<vtkIdType> NumberSolids(
+  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs)
+{
+  std::vector<vtkIdType> numbers(static_cast<std::size_t>(complex.NumberOfTets));
+  for (const CellRun& run : runs)
+  {
+    for (vtkIdType i = 0; run.Dimension == 3 && !run.Equal && i < run.Count; ++i)
+    {
+      numbers[run.First + i] = run.FirstCell + i;
+    }
+  }
+  return numbers;
+}
+
+/// The control level itself.
+template <typename Id>
+bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
+  const Coordinates& points, const WarnFunction& warn, ControlComplex<Id>& control)
+{
+  control = ControlComplex<Id>();
+  SimplicialComplex<Id>& complex = control.Current.Complex;
+  complex = BuildComplexWith<Id>(mesh.GetControl(), control);
+  control.Derived = Derive(mesh, features, points, control);
+  if (!control.Derived.IsEmpty())
+  {
+    const Id edges = complex.NumberOfEdges;
+    const Id faces = complex.NumberOfFaces;
+    complex = BuildComplexWith<Id>(mesh.GetControl(), control);
+    if (complex.NumberOfEdges != edges || complex.NumberOfFaces != faces)
+    {
+      return false; // singular simplices that travelled with the mesh, but are not of it
+    }
+  }
+  if (!mesh.IsStamped)
+  {
+    WarnOfContradictions(features, mesh.Values, mesh.Cells, complex, control.Runs, warn);
+  }
+  control.ManifoldDimensions = FindManifoldDimensions(complex, control.Runs);
+  control.Sharpness = FindEdgeSharpness(mesh.Values, complex, control.Runs);
+  control.Solids = NumberSolids(complex, control.Runs);
+  control.Current.Strata =
+    BuildStrata(complex, CollectSingular(complex, control, mesh.Values.Singular),
+      MakeStrataOptions(features, mesh.Values, complex, control.Runs));
+  return true;
+}
+
+/// The steps that were made below the control level.
+template <typename AnyLevel>
+AnyLevel RefineTo(AnyLevel level, int steps, Depth depth)
+{
+  for (int i = 0; i < steps; ++i)
+  {
+    level = Refine(level, i + 1 == steps ? depth : Depth::ForRefinement);
+  }
+  return level;
+}
+
+template <typename Id>
+void Convert(Level<Id>&& control, Level<Id>& level)
+{
+  level = std::move(control);
+}
+template <typename Id>
+void Convert(Level<Id>&& control, TetOctLevel<Id>& level)
+{
+  level = MakeTetOctLevel(std::move(control));
+}
+
+/// The control level as it is where all edges are singular that have more than some sharpness.
+template <typename Id>
+Level<Id> BuildSharpControl(const ControlMesh& mesh, const FeatureOptions& features,
+  const ControlTraits& traits, double sharpness)
+{
+  ControlTraits control;
+  control.Derived = traits.Derived;
+  Level<Id> level;
+  level.Complex = BuildComplexWith<Id>(mesh.GetControl(), control);
+  SingularSimplices singular = CollectSingular(level.Complex, control, mesh.Values.Singular);
+  if (singular.Edges.empty())
+  {
+    singular.Edges = Buffer<unsigned char>(level.Complex.NumberOfEdges, 0);
+  }
+  for (std::size_t e = 0; e < traits.Sharpness.size(); ++e)
+  {
+    if (traits.Sharpness[e] > sharpness)
+    {
+      singular.Edges[static_cast<vtkIdType>(e)] = 1;
+    }
+  }
+  level.Strata = BuildStrata(
+    level.Complex, singular, MakeStrataOptions(features, mesh.Values, level.Complex, control.Runs));
+  return level;
+}
+
+/// The level `steps` below the current one as it is where all edges are singular that have more
+/// than some sharpness.
+template <template <typename> class AnyLevel, typename Id>
+AnyLevel<Id> BuildSharpLevel(const ControlMesh& mesh, const FeatureOptions& features,
+  const ControlTraits& traits, int steps, double sharpness, Depth depth)
+{
+  AnyLevel<Id> level;
+  Convert(BuildSharpControl<Id>(mesh, features, traits, sharpness), level);
+  return RefineTo(std::move(level), mesh.MadeLevels + steps, depth);
+}
+
+/// What a stage needs of a level.
+template <typename Id>
+SharpStage<Id> TakeStage(int until, Level<Id>&& level)
+{
+  return { until, std::move(level.Strata) };
+}
+template <typename Id>
+SharpStage<Id> TakeStage(int until, TetOctLevel<Id>&& level)
+{
+  return { until, std::move(level.Strata), level.TetsAtSpokes };
+}
+
+}
+
+template <template <typename> class AnyLevel, typename Id>
+bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
+  const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control,
+  AnyLevel<Id>& current)
+{
+  if (!BuildControlLevel(mesh, features, points, warn, control))
+  {
+    return false;
+  }
+  const int made = mesh.MadeLevels;
+  Convert(std::move(control.Current), current);
+  current = RefineTo(std::move(current), made, depth);
+  control.Runs = RefineRuns(control.Runs, made);
+  control.DerivedRuns = RefineRuns(control.DerivedRuns, made);
+  return made == 0 || IsWhatWasRead(mesh.Cells.Simplices, control.Runs, current);
+}
+
+template <typename Id>
+bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
+  const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control)
+{
+  Level<Id> current;
+  const bool built = BuildControlComplex(mesh, features, points, warn, depth, control, current);
+  control.Current = std::move(current);
+  return built;
+}
+
+template <template <typename> class AnyLevel, typename Id>
+AnyLevel<Id> BuildSharpLevel(
+  const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps)
+{
+  return BuildSharpLevel<AnyLevel, Id>(mesh, features, traits, steps, steps, Depth::ForOutput);
+}
+
+template <template <typename> class AnyLevel, typename Id>
+SemiSharpStages<Id> BuildSharpStages(
+  const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps)
+{
+  SemiSharpStages<Id> stages;
+  std::set<int> ends;
+  for (double sharpness : traits.Sharpness)
+  {
+    if (sharpness > steps)
+    {
+      ends.insert(static_cast<int>(std::ceil(std::min<double>(sharpness - steps, SharpForever))));
+    }
+  }
+  for (int end : ends)
+  {
+    auto level = BuildSharpLevel<AnyLevel, Id>(
+      mesh, features, traits, steps, steps + end - 1, Depth::ForRefinement);
+    if (stages.Stages.empty())
+    {
+      // The pieces of control edge e are the edges e 2^depth and following.
+      const int depth = mesh.MadeLevels + steps;
+      stages.Sharpness = Buffer<double>(level.Complex.NumberOfEdges, 0.);
+      for (std::size_t e = 0; e < traits.Sharpness.size(); ++e)
+      {
+        double* pieces = stages.Sharpness.data() + (static_cast<vtkIdType>(e) << depth);
+        std::fill(pieces, pieces + (vtkIdType(1) << depth), traits.Sharpness[e] - steps);
+      }
+    }
+    stages.Stages.push_back(TakeStage(end, std::move(level)));
+  }
+  return stages;
+}
+
+#define SUBDIVISION_CONTROL(Id)                                                                    \
+  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const Coordinates&, \
+    const WarnFunction&, Depth, ControlComplex<Id>&);                                              \
+  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const Coordinates&, \
+    const WarnFunction&, Depth, ControlComplex<Id>&, TetOctLevel<Id>&);                            \
+  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const Coordinates&, \
+    const WarnFunction&, Depth, ControlComplex<Id>&, Level<Id>&);                                  \
+  template Level<Id> BuildSharpLevel<Level, Id>(                                                   \
+    const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
+  template TetOctLevel<Id> BuildSharpLevel<TetOctLevel, Id>(                                       \
+    const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
+  template SemiSharpStages<Id> BuildSharpStages<Level, Id>(                                        \
+    const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
+  template SemiSharpStages<Id> BuildSharpStages<TetOctLevel, Id>(                                  \
+    const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
+  template SingularSimplices CollectSingular(                                                      \
+    const SimplicialComplex<Id>&, const ControlTraits&, const std::vector<unsigned char>&)
+SUBDIVISION_CONTROL(int);
+SUBDIVISION_CONTROL(long long);
+
+}

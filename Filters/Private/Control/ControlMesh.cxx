@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Control/ControlMesh.h"
+
+#include "Private/Arrays/Arrays.h"
+
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+
+namespace subdivision
+{
+namespace
+{
+
+/// Empty, so that the index counts, where they cannot be used.
+std::vector<vtkIdType> ReadGlobalIds(
+  vtkDataArray* ids, vtkIdType points, const std::function<void(const std::string&)>& warn)
+{
+  std::vector<vtkIdType> values;
+  if (ids && (ids->GetNumberOfComponents() != 1 || ids->GetNumberOfTuples() > points))
+  {
+    warn("The global ids are " + std::to_string(ids->GetNumberOfTuples()) + " tuples of " +
+      std::to_string(ids->GetNumberOfComponents()) + " components for " + std::to_string(points) +
+      " points: the point ids are used instead.");
+  }
+  else if (ids)
+  {
+    values.resize(ids->GetNumberOfTuples());
+    vtkIdTypeArray* exact = vtkIdTypeArray::SafeDownCast(ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+    {
+      values[i] = exact ? exact->GetValue(i) : ToId(ids->GetComponent(i, 0));
+    }
+  }
+  return values;
+}
+
+/// Tuples of a refined level seen as simplices, lifted to the control level.
+bool LiftTuples(const SimplexTuples& tuples, const Stamp& stamp, SimplexTuples& lifted)
+{
+  for (int dimension = 0; dimension < 3; ++dimension)
+  {
+    SimplexList fine;
+    fine.Connectivity = tuples.Tuples[dimension];
+    fine.Dimensions.assign(
+      fine.Connectivity.size() / (dimension + 1), static_cast<unsigned char>(dimension));
+    SimplexList coarse;
+    if (!FindControlMesh(SimplexView(fine), stamp, coarse))
+    {
+      return false;
+    }
+    lifted.Tuples[dimension] = coarse.Connectivity;
+  }
+  return true;
+}
+
+/// The control simplices that an earlier filter found to be inverted.
+std::vector<vtkIdType> ReadInverted(vtkPointSet* input, const SimplexList& control)
+{
+  std::vector<vtkIdType> inverted;
+  vtkDataArray* array = input->GetFieldData()->GetArray(InvertedCellsName);
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    const vtkIdType simplex = ToId(array->GetComponent(i, 0));
+    if (simplex >= 0 && simplex / 2 < control.GetNumberOfSimplices() &&
+      (inverted.empty() || simplex > inverted.back()))
+    {
+      inverted.push_back(simplex);
+    }
+  }
+  return inverted;
+}
+
+}
+
+ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOptions& features,
+  const std::function<void(const std::string&)>& warn, StampScheme scheme, PlainIds ids)
+{
+  ControlMesh mesh;
+  Stamp stamp;
+  mesh.IsStamped = trustStamp && ReadStamp(input, scheme, stamp);
+  Stamp ignored;
+  mesh.IsOfOtherScheme = trustStamp && !mesh.IsStamped &&
+    ReadStamp(input,
+      scheme == StampScheme::BoxSpline ? StampScheme::TetOct : StampScheme::BoxSpline, ignored);
+  vtkDataArray* carried = input->GetFieldData()->GetArray(GlobalIdsName);
+  vtkDataArray* own = input->GetPointData()->GetGlobalIds();
+  if (own && own->GetNumberOfTuples() < input->GetNumberOfPoints())
+  {
+    warn("There are " + std::to_string(own->GetNumberOfTuples()) + " global ids for " +
+      std::to_string(input->GetNumberOfPoints()) + " points: the point ids are used instead.");
+    own = nullptr;
+  }
+  const bool isOurs =
+    mesh.IsStamped || (trustStamp && ReadStamp(input, StampScheme::RedGreen, stamp));
+  const bool useCarried = isOurs && carried;
+  mesh.GlobalIds = ReadGlobalIds(useCarried ? carried : own, input->GetNumberOfPoints(), warn);
+  mesh.Cells = CellsToSimplices(input, mesh.IsStamped ? nullptr : mesh.GetGlobalIds(), ids);
+  const bool whole = mesh.Cells.ParentCells.empty() && mesh.Cells.Warnings.empty() &&
+    mesh.Cells.Simplices.GetNumberOfSimplices() == input->GetNumberOfCells();
+  if (mesh.IsStamped && !whole)
+  {
+    return ReadControlMesh(input, false, features, warn, scheme, ids);
+  }
+  for (const std::string& warning : mesh.Cells.Warnings)
+  {
+    warn(warning);
+  }
+  mesh.Values = ReadFeatureValues(features, mesh.Cells, warn);
+  if (!mesh.IsStamped)
+  {
+    return mesh;
+  }
+  ReadSingularTuples(input, mesh.Derived);
+  if (stamp.Levels > 0)
+  {
+    if (!FindControlMesh(mesh.Cells.GetView(), stamp, mesh.Above))
+    {
+      return ReadControlMesh(input, false, features, warn, scheme, ids);
+    }
+    // Where children were given different values since, this level itself is the control mesh.
+    FeatureValues values;
+    SimplexTuples derived;
+    if (LiftFeatureValues(mesh.Above, stamp.Levels, mesh.Values, values) &&
+      LiftTuples(mesh.Derived, stamp, derived))
+    {
+      mesh.MadeLevels = stamp.Levels;
+      mesh.Values = std::move(values);
+      mesh.Derived = std::move(derived);
+      mesh.Inverted = ReadInverted(input, mesh.Above);
+    }
+  }
+  return mesh;
+}
+
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ControlMesh.h
+ * What is to be subdivided, whatever it was read from: cells of any kind, or the output of an
+ * earlier filter.
+ */
+#ifndef SubdivisionObjects_ControlMesh_h
+#define SubdivisionObjects_ControlMesh_h
+
+#include "Private/Control/Features.h"
+#include "Private/Control/Stamp.h"
+#include "Private/Reading/CellsToSimplices.h"
+
+class vtkPointSet;
+
+namespace subdivision
+{
+
+struct ControlMesh
+{
+  SimplicesOfCells Cells;       ///< the input's simplices
+  bool IsOfOtherScheme = false; ///< made by an earlier filter, but not by this scheme
+  bool IsStamped =
+    false; ///< made by an earlier filter: tetrahedra keep their order, nothing is derived
+  int MadeLevels = 0;    ///< steps that earlier filters made, and that are made again by arithmetic
+  FeatureValues Values;  ///< of the control simplices
+  SimplexTuples Derived; ///< singular simplices among them that an earlier filter derived
+  /// Control simplices of negative and of no volume (SolidOrientation.h); until points are known
+  /// those that an earlier filter found.
+  std::vector<vtkIdType> Inverted;
+  std::vector<vtkIdType> GlobalIds; ///< of the first control points; empty: the index
+
+  /// The control simplices.
+  const SimplexList& GetControl() const
+  {
+    return this->MadeLevels > 0 ? this->Above : this->Cells.Simplices;
+  }
+  const vtkIdType* GetGlobalIds() const
+  {
+    return this->GlobalIds.empty() ? nullptr : this->GlobalIds.data();
+  }
+
+  SimplexList Above; ///< the control simplices where MadeLevels > 0
+};
+
+/// Reads an input. `trustStamp`: false where its stamp has turned out to be wrong; that of another
+/// scheme than `scheme` is not trusted anyway. `ids`: as in CellsToSimplices.
+ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOptions& features,
+  const std::function<void(const std::string&)>& warn, StampScheme scheme = StampScheme::BoxSpline,
+  PlainIds ids = PlainIds::Copied);
+
+}
+
+#endif

@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Control/Features.h"
+
+#include "vtkVariant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <sstream>
+#include <unordered_map>
+
+namespace subdivision
+{
+namespace
+{
+
+template <typename Value, typename Get>
+std::vector<Value> ReadValues(vtkDataArray* array, const SimplicesOfCells& cells, const Get& get)
+{
+  std::vector<Value> values;
+  if (array)
+  {
+    values.resize(cells.Simplices.Dimensions.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const vtkIdType cell =
+        cells.ParentCells.empty() ? static_cast<vtkIdType>(i) : cells.ParentCells[i];
+      values[i] = get(array->GetComponent(cell, 0));
+    }
+  }
+  return values;
+}
+
+/// Materials; 64-bit integers, which a double cannot always tell apart, as numbers of their own.
+std::vector<double> ReadMaterials(vtkDataArray* array, const SimplicesOfCells& cells)
+{
+  std::vector<double> values = ReadValues<double>(array, cells,
+    [](double v) { return std::isnan(v) ? std::numeric_limits<double>::lowest() : v; });
+  if (array && array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE)
+  {
+    std::unordered_map<long long, double> numbers;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const vtkIdType cell =
+        cells.ParentCells.empty() ? static_cast<vtkIdType>(i) : cells.ParentCells[i];
+      const long long value = array->GetVariantValue(cell).ToLongLong();
+      values[i] = numbers.emplace(value, static_cast<double>(numbers.size())).first->second;
+    }
+  }
+  return values;
+}
+
+/// Counts simplices that `accept` takes and says so once, naming the cell of the first.
+template <typename Accept>
+void WarnOfFirst(vtkDataArray* array, const SimplicesOfCells& cells, const Accept& accept,
+  const std::string& what, const std::function<void(const std::string&)>& warn)
+{
+  vtkIdType count = 0;
+  vtkIdType first = -1;
+  for (std::size_t i = 0; i < cells.Simplices.Dimensions.size(); ++i)
+  {
+    if (accept(i))
+    {
+      const vtkIdType cell =
+        cells.ParentCells.empty() ? static_cast<vtkIdType>(i) : cells.ParentCells[i];
+      first = count++ == 0 ? cell : first;
+    }
+  }
+  if (count > 0)
+  {
+    std::ostringstream message;
+    message << "Cell array \"" << array->GetName() << "\": " << what << ", " << count
+            << " in all, first in cell " << first << ".";
+    warn(message.str());
+  }
+}
+
+template <typename Value>
+bool LiftValues(const SimplexList& control, int levels, const std::vector<Value>& values,
+  std::vector<Value>& lifted)
+{
+  lifted.clear();
+  if (values.empty())
+  {
+    return true;
+  }
+  auto first = values.begin();
+  for (unsigned char dimension : control.Dimensions)
+  {
+    const auto last = first + (std::ptrdiff_t(1) << (dimension * levels));
+    if (std::any_of(first, last, [&first](const Value& value) { return value != *first; }))
+    {
+      return false;
+    }
+    lifted.push_back(*first);
+    first = last;
+  }
+  return true;
+}
+
+template <typename Value>
+void Encode(const std::vector<Value>& values, std::vector<long long>& out)
+{
+  out.push_back(static_cast<long long>(values.size()));
+  for (const Value& value : values)
+  {
+    long long bits = 0;
+    std::memcpy(&bits, &value, sizeof(Value));
+    out.push_back(bits);
+  }
+}
+
+}
+
+namespace
+{
+
+/// Sharpness of lines; what is infinite is singular.
+void ReadSharpness(const FeatureOptions& options, const SimplicesOfCells& cells,
+  const std::function<void(const std::string&)>& warn, FeatureValues& values)
+{
+  values.Sharpness = ReadValues<double>(options.Sharpness, cells, [](double v) { return v; });
+  const auto& dimensions = cells.Simplices.Dimensions;
+  if (options.Sharpness)
+  {
+    WarnOfFirst(
+      options.Sharpness, cells,
+      [&](std::size_t i) { return dimensions[i] == 1 && !(values.Sharpness[i] >= 0.); },
+      "values that are negative or no numbers are taken as 0", warn);
+    WarnOfFirst(
+      options.Sharpness, cells,
+      [&](std::size_t i) { return dimensions[i] != 1 && values.Sharpness[i] > 0.; },
+      "only lines have a sharpness, so that of other cells is ignored", warn);
+  }
+  bool any = false;
+  for (std::size_t i = 0; i < values.Sharpness.size(); ++i)
+  {
+    double& sharpness = values.Sharpness[i];
+    sharpness = dimensions[i] == 1 && sharpness > 0. ? sharpness : 0.;
+    if (std::isinf(sharpness))
+    {
+      values.Singular.resize(dimensions.size(), 0);
+      values.Singular[i] = 1;
+      sharpness = 0.;
+    }
+    any = any || sharpness > 0.;
+  }
+  if (!any)
+  {
+    values.Sharpness.clear();
+  }
+}
+
+}
+
+FeatureValues ReadFeatureValues(const FeatureOptions& options, const SimplicesOfCells& cells,
+  const std::function<void(const std::string&)>& warn)
+{
+  FeatureValues values;
+  values.Singular = ReadValues<unsigned char>(
+    options.Singular, cells, [](double v) { return static_cast<unsigned char>(v != 0.); });
+  if (options.Singular)
+  {
+    WarnOfFirst(
+      options.Singular, cells,
+      [&](std::size_t i) { return values.Singular[i] && cells.Simplices.Dimensions[i] == 3; },
+      "3D cells cannot be singular, so their flags are ignored; flag vertices, lines or faces "
+      "instead",
+      warn);
+    for (std::size_t i = 0; i < values.Singular.size(); ++i)
+    {
+      values.Singular[i] = values.Singular[i] && cells.Simplices.Dimensions[i] < 3;
+    }
+  }
+  ReadSharpness(options, cells, warn, values);
+  if (std::none_of(values.Singular.begin(), values.Singular.end(), [](auto v) { return v; }))
+  {
+    values.Singular.clear();
+  }
+  values.Material =
+    ReadMaterials(options.PreserveInterfaces ? options.Material.Get() : nullptr, cells);
+  values.Part = ReadValues<int>(options.Part, cells,
+    [](double v) { return v < 0. ? -1 : static_cast<int>(std::min(v, 2147483646.)); });
+  auto isRule = [](double v) { return v >= 0. && v <= 6.; };
+  values.Rules = ReadValues<unsigned char>(options.Rules, cells,
+    [&](double v) { return static_cast<unsigned char>(isRule(v) ? v : 255.); });
+  if (options.Rules)
+  {
+    WarnOfFirst(
+      options.Rules, cells, [&](std::size_t i) { return values.Rules[i] == 255; },
+      "values outside 0 to 6 are no rules and are taken as 0", warn);
+    std::replace(values.Rules.begin(), values.Rules.end(), static_cast<unsigned char>(255),
+      static_cast<unsigned char>(0));
+  }
+  return values;
+}
+
+bool LiftFeatureValues(
+  const SimplexList& control, int levels, const FeatureValues& values, FeatureValues& lifted)
+{
+  return LiftValues(control, levels, values.Singular, lifted.Singular) &&
+    LiftValues(control, levels, values.Material, lifted.Material) &&
+    LiftValues(control, levels, values.Part, lifted.Part) &&
+    LiftValues(control, levels, values.Rules, lifted.Rules) &&
+    LiftValues(control, levels, values.Sharpness, lifted.Sharpness);
+}
+
+std::vector<long long> EncodeChoices(const FeatureOptions& options, const FeatureValues& values)
+{
+  std::vector<long long> choices = { options.DartEnds, static_cast<int>(options.Embedded),
+    options.PreserveInterfaces, options.DetectFeatures, static_cast<int>(options.Type1),
+    static_cast<int>(options.Type2), static_cast<int>(options.Type3) };
+  Encode(values.Singular, choices);
+  Encode(values.Material, choices);
+  Encode(values.Part, choices);
+  Encode(values.Rules, choices);
+  Encode(values.Sharpness, choices);
+  return choices;
+}
+
+namespace
+{
+
+/// Gives each vertex and edge the choice of the first maximal cell at it that has one.
+template <typename Id>
+void SpreadChoices(const FeatureValues& values, const SimplicialComplex<Id>& complex,
+  const std::vector<CellRun>& runs, StrataOptions& strata)
+{
+  strata.VertexChoices = Buffer<unsigned char>(complex.NumberOfVertices, 0);
+  strata.EdgeChoices = Buffer<unsigned char>(complex.NumberOfEdges, 0);
+  Buffer<bool> hasFace(complex.NumberOfEdges, false);
+  for (Id edge : complex.FaceEdges)
+  {
+    hasFace[edge] = true;
+  }
+  auto give = [](Buffer<unsigned char>& choices, const Id* begin, int count, unsigned char choice)
+  {
+    for (const Id* i = begin; i != begin + count; ++i)
+    {
+      choices[*i] = choices[*i] ? choices[*i] : choice;
+    }
+  };
+  for (const CellRun& run : runs)
+  {
+    for (vtkIdType i = 0; !run.Equal && i < run.Count; ++i)
+    {
+      const unsigned char choice = values.Rules[run.FirstCell + i];
+      const vtkIdType entity = run.First + i;
+      if (!choice)
+      {
+        continue;
+      }
+      if (run.Dimension == 3)
+      {
+        give(strata.VertexChoices, complex.TetVertices.data() + 4 * entity, 4, choice);
+        give(strata.EdgeChoices, complex.TetEdges.data() + 6 * entity, 6, choice);
+      }
+      else if (run.Dimension == 2 && complex.FaceTets[entity].size() == 0)
+      {
+        give(strata.VertexChoices, complex.FaceVertices.data() + 3 * entity, 3, choice);
+        give(strata.EdgeChoices, complex.FaceEdges.data() + 3 * entity, 3, choice);
+      }
+      else if (run.Dimension == 1 && !hasFace[entity])
+      {
+        const Id edge = static_cast<Id>(entity);
+        give(strata.VertexChoices, complex.EdgeVertices.data() + 2 * entity, 2, choice);
+        give(strata.EdgeChoices, &edge, 1, choice);
+      }
+    }
+  }
+}
+
+}
+
+template <typename Id>
+StrataOptions MakeStrataOptions(const FeatureOptions& options, const FeatureValues& values,
+  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs)
+{
+  StrataOptions strata;
+  strata.Type1 = options.Type1;
+  strata.Type2 = options.Type2;
+  strata.Type3 = options.Type3;
+  strata.DartEnds = options.DartEnds;
+  if (!values.Part.empty())
+  {
+    auto parts = [&](int dimension)
+    {
+      const Buffer<vtkIdType> simplices = FindSimplicesOf(complex, runs, dimension);
+      Buffer<int> result(simplices.size());
+      std::transform(simplices.begin(), simplices.end(), result.begin(),
+        [&](vtkIdType simplex) { return simplex < 0 ? -1 : values.Part[simplex]; });
+      return result;
+    };
+    strata.EdgeParts = parts(1);
+    strata.FaceParts = parts(2);
+  }
+  if (!values.Rules.empty())
+  {
+    SpreadChoices(values, complex, runs, strata);
+  }
+  return strata;
+}
+
+template <typename Id>
+void WarnOfContradictions(const FeatureOptions& options, const FeatureValues& values,
+  const SimplicesOfCells& cells, const SimplicialComplex<Id>& complex,
+  const std::vector<CellRun>& runs, const std::function<void(const std::string&)>& warn)
+{
+  if (values.Singular.empty() || !options.Singular)
+  {
+    return;
+  }
+  auto cellOf = [&](vtkIdType i) { return cells.ParentCells.empty() ? i : cells.ParentCells[i]; };
+  const EqualCells<Id>* equals[3] = { nullptr, &complex.EqualLines, &complex.EqualTriangles };
+  vtkIdType count = 0;
+  std::ostringstream message;
+  for (int dimension = 0; dimension < 3; ++dimension)
+  {
+    // Of equal lines and triangles the first, of equal vertices the last.
+    const Buffer<vtkIdType> simplices = FindSimplicesOf(complex, runs, dimension);
+    for (const CellRun& run : runs)
+    {
+      const bool mayBeEqual = run.Dimension == dimension && (run.Equal || dimension == 0);
+      for (vtkIdType i = 0; mayBeEqual && i < run.Count; ++i)
+      {
+        const vtkIdType own = run.FirstCell + i;
+        const vtkIdType twin = dimension == 0 ? simplices[complex.VertexCells[run.First + i]]
+                                              : simplices[equals[dimension]->Twins[run.First + i]];
+        if (values.Singular[own] != values.Singular[twin] && count++ == 0)
+        {
+          message << "Cell array \"" << options.Singular->GetName() << "\": cells "
+                  << cellOf(std::min(own, twin)) << " and " << cellOf(std::max(own, twin))
+                  << " are equal, but only one of them is flagged; they are taken as singular";
+        }
+      }
+    }
+  }
+  if (count > 0)
+  {
+    message << ". There are " << count << " such pairs; give equal cells the same flag.";
+    warn(message.str());
+  }
+}
+
+template <typename Id>
+EdgeSharpness FindEdgeSharpness(const FeatureValues& values, const SimplicialComplex<Id>& complex,
+  const std::vector<CellRun>& runs)
+{
+  EdgeSharpness sharpness;
+  if (!values.Sharpness.empty())
+  {
+    sharpness.assign(complex.NumberOfEdges, 0.);
+    for (const CellRun& run : runs)
+    {
+      for (vtkIdType i = 0; run.Dimension == 1 && i < run.Count; ++i)
+      {
+        const vtkIdType edge = run.Equal
+          ? static_cast<vtkIdType>(complex.EqualLines.Twins[run.First + i])
+          : run.First + i;
+        sharpness[edge] = std::max(sharpness[edge], values.Sharpness[run.FirstCell + i]);
+      }
+    }
+  }
+  return sharpness;
+}
+
+#define SUBDIVISION_FEATURES(Id)                                                                   \
+  template void WarnOfContradictions(const FeatureOptions&, const FeatureValues&,                  \
+    const SimplicesOfCells&, const SimplicialComplex<Id>&, const std::vector<CellRun>&,            \
+    const std::function<void(const std::string&)>&);                                               \
+  template EdgeSharpness FindEdgeSharpness(                                                        \
+    const FeatureValues&, const SimplicialComplex<Id>&, const std::vector<CellRun>&)
+SUBDIVISION_FEATURES(int);
+SUBDIVISION_FEATURES(long long);
+
+template StrataOptions MakeStrataOptions(const FeatureOptions&, const FeatureValues&,
+  const SimplicialComplex<int>&, const std::vector<CellRun>&);
+template StrataOptions MakeStrataOptions(const FeatureOptions&, const FeatureValues&,
+  const SimplicialComplex<long long>&, const std::vector<CellRun>&);
+
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Features.h
+ * What the user says of singularities, materials and joints: options, and cell arrays as values of
+ * simplices.
+ */
+#ifndef SubdivisionObjects_Features_h
+#define SubdivisionObjects_Features_h
+
+#include "Core/Solids/Strata/Singularities.h"
+#include "Core/Solids/Strata/Strata.h"
+#include "Core/Solids/TetOct/SemiSharp.h"
+#include "Private/Reading/CellsToSimplices.h"
+
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace subdivision
+{
+
+enum class EmbeddedRule
+{
+  Follow,
+  SingularInside,
+  Singular
+};
+
+struct FeatureOptions
+{
+  bool DartEnds = false;
+  EmbeddedRule Embedded = EmbeddedRule::Follow;
+  bool PreserveInterfaces = false;
+  bool DetectFeatures = false;
+  double FeatureAngle = 30.;
+  JointRule Type1 = JointRule::Blend;
+  JointRule Type2 = JointRule::Blend;
+  JointRule Type3 = JointRule::Blend;
+  /// Cell arrays of the input, null where there is none; the right length and type.
+  vtkSmartPointer<vtkDataArray> Singular;
+  vtkSmartPointer<vtkDataArray> Material;
+  vtkSmartPointer<vtkDataArray> Part;
+  vtkSmartPointer<vtkDataArray> Rules;
+  vtkSmartPointer<vtkDataArray> Sharpness;
+
+  bool Derives() const
+  {
+    return this->Embedded != EmbeddedRule::Follow || this->PreserveInterfaces ||
+      this->DetectFeatures;
+  }
+};
+
+/// One value for each simplex; empty where the array is not set or not used.
+struct FeatureValues
+{
+  std::vector<unsigned char> Singular;
+  std::vector<double> Material;
+  std::vector<int> Part;
+  std::vector<unsigned char> Rules;
+  std::vector<double> Sharpness; ///< finite and not negative, lines only
+};
+
+/// Reads the arrays for the simplices of the input. `warn` is told of flags that mean nothing.
+FeatureValues ReadFeatureValues(const FeatureOptions& options, const SimplicesOfCells& cells,
+  const std::function<void(const std::string&)>& warn);
+
+/// Warns of equal cells of which one is flagged as singular and the other is not.
+template <typename Id>
+void WarnOfContradictions(const FeatureOptions& options, const FeatureValues& values,
+  const SimplicesOfCells& cells, const SimplicialComplex<Id>& complex,
+  const std::vector<CellRun>& runs, const std::function<void(const std::string&)>& warn);
+
+/// The sharpness of each edge of the complex; empty where there is none.
+template <typename Id>
+EdgeSharpness FindEdgeSharpness(const FeatureValues& values, const SimplicialComplex<Id>& complex,
+  const std::vector<CellRun>& runs);
+
+/// The values of the control simplices, `levels` steps above. False if children differ.
+bool LiftFeatureValues(
+  const SimplexList& control, int levels, const FeatureValues& values, FeatureValues& lifted);
+
+/// Numbers that tell all choices apart, for a cache.
+std::vector<long long> EncodeChoices(const FeatureOptions& options, const FeatureValues& values);
+
+/// Options for BuildStrata; `runs` are those of the simplices that the values belong to.
+template <typename Id>
+StrataOptions MakeStrataOptions(const FeatureOptions& options, const FeatureValues& values,
+  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs);
+
+}
+
+#endif

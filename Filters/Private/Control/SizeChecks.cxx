@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Control/SizeChecks.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkDataSetAttributes.h"
+
+#include "vtksys/SystemInformation.hxx"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace subdivision
+{
+namespace
+{
+
+/// Connectivity and type of a tetrahedron, and its offset.
+constexpr double BytesPerTet = 8. * 4. + 8. + 1.;
+
+/// A whole number, also where none of the integer types holds it.
+std::string Whole(double value)
+{
+  constexpr double most = 9e18;
+  return value < most ? std::to_string(static_cast<vtkIdType>(value))
+                      : "more than " + std::to_string(static_cast<vtkIdType>(most));
+}
+
+std::string Bytes(double bytes)
+{
+  return Whole(bytes) + " bytes (" + Whole(bytes / 1e6) + " MB)";
+}
+
+}
+
+std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdType maximum)
+{
+  double cells = 0.;
+  for (unsigned char dimension : simplices.Dimensions)
+  {
+    cells += std::ldexp(1., dimension * levels);
+  }
+  return CheckNumberOfCells(cells, cells * BytesPerTet, levels, maximum);
+}
+
+std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType maximum)
+{
+  if (cells <= static_cast<double>(maximum))
+  {
+    return std::string();
+  }
+  std::ostringstream message;
+  message << "NumberOfLevels = " << levels << " would make " << Whole(cells) << " cells (up to "
+          << Bytes(bytes) << " for the cells alone), which is above "
+          << "MaximumNumberOfCells = " << maximum
+          << ". Use fewer levels, or raise MaximumNumberOfCells.";
+  return message.str();
+}
+
+bool NeedsLargeIds(const SimplexList& control, int levels, bool isTetOct)
+{
+  double perDimension[4] = { 0., 0., 0., 0. };
+  for (unsigned char dimension : control.Dimensions)
+  {
+    ++perDimension[dimension];
+  }
+  LevelCounts counts;
+  counts.IsTetOct = isTetOct;
+  counts.Vertices = static_cast<double>(control.NumberOfPoints);
+  counts.Tets = perDimension[3];
+  counts.Faces = perDimension[2] + 4. * counts.Tets;
+  counts.Edges = perDimension[1] + 3. * counts.Faces;
+  double largest = std::max(4. * counts.Faces, 4. * counts.Edges);
+  for (int i = 0; i < levels; ++i)
+  {
+    largest = std::max({ largest, 4. * counts.Faces, 4. * counts.Edges, 8. * counts.Tets });
+    if (isTetOct) // rings of 8 at edges, of 18 at vertices
+    {
+      largest = std::max({ largest, 8. * counts.Edges, 18. * counts.Vertices });
+    }
+    counts = counts.Refine();
+    largest = std::max(largest, counts.Vertices);
+  }
+  return largest > static_cast<double>(std::numeric_limits<int>::max());
+}
+
+std::string CheckMemory(const SizeEstimate& estimate)
+{
+  LevelCounts last = estimate.Control;
+  for (int i = 1; i < estimate.Levels; ++i)
+  {
+    last = last.Refine();
+  }
+  const double points = last.Vertices + (estimate.Levels > 0 ? last.Edges + last.Octahedra : 0.);
+  double cells = 0.;
+  double entries = 0.;
+  for (const CellRun& run : estimate.Runs)
+  {
+    const double children =
+      std::ldexp(static_cast<double>(run.Count), run.Dimension * estimate.Levels);
+    cells += children;
+    entries += children * (run.Dimension + 1);
+  }
+  double bytes = 8. * (entries + cells) + cells +
+    estimate.BytesPerPoint * (points + last.Vertices) + estimate.BytesPerCell * cells +
+    estimate.BytesPerId * (10. * last.Tets + 18. * last.Octahedra + 13. * last.Edges) +
+    (last.IsTetOct ? 8. * cells : 0.); // OctahedronId
+  if (estimate.Projects)
+  {
+    // The last level as if there were one more, and a row of all neighbours for each point.
+    last = estimate.Levels > 0 ? last.Refine() : last;
+    bytes += estimate.BytesPerId * (14. * last.Tets + 9. * last.Faces + 18. * last.Edges) +
+      (8. + estimate.BytesPerId) * (last.Vertices + 2. * last.Edges + 6. * last.Octahedra) +
+      estimate.BytesPerPoint * points;
+    if (last.IsTetOct) // rings of 8 and of 18 with carriers
+    {
+      bytes += estimate.BytesPerId * (26. * last.Octahedra + 37. * last.Vertices + 2. * last.Edges);
+    }
+  }
+  return CheckMemory(cells, points, bytes, estimate.Levels);
+}
+
+std::string CheckMemory(double cells, double points, double bytes, int levels)
+{
+  const double available = GetAvailableMemory();
+  if (bytes <= available)
+  {
+    return std::string();
+  }
+  std::ostringstream message;
+  message << "NumberOfLevels = " << levels << " would make " << Whole(cells) << " cells and "
+          << Whole(points) << " points, which takes about " << Bytes(bytes) << "; "
+          << Bytes(available) << " are available. Use fewer levels, or a part of the input.";
+  return message.str();
+}
+
+double GetAvailableMemory()
+{
+  vtksys::SystemInformation system;
+  const double memory = 1024. * static_cast<double>(system.GetHostMemoryAvailable());
+  const double used = 1024. * static_cast<double>(system.GetHostMemoryUsed());
+  return memory > 0. ? std::max(0., memory - used) : std::numeric_limits<double>::infinity();
+}
+
+double GetBytesPerTuple(vtkDataSetAttributes* data)
+{
+  double bytes = 0.;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    bytes += static_cast<double>(array->GetDataTypeSize()) * array->GetNumberOfComponents();
+  }
+  return bytes;
+}
+
+}

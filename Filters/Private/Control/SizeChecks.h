@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SizeChecks.h
+ * How large an output will be, asked before any memory is taken for it.
+ */
+#ifndef SubdivisionObjects_SizeChecks_h
+#define SubdivisionObjects_SizeChecks_h
+
+#include "Core/Solids/BoxSpline/RefinedCells.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataSetAttributes;
+
+namespace subdivision
+{
+
+/// An error message if the children of `simplices` after `levels` steps are more than `maximum`.
+std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdType maximum);
+
+/// The same for cells that are counted already, and the bytes that they take.
+std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType maximum);
+
+/// Whether 32-bit numbers may not suffice, inside, for that many steps.
+bool NeedsLargeIds(const SimplexList& control, int levels, bool isTetOct = false);
+
+struct SizeEstimate
+{
+  LevelCounts Control; ///< simplices of the current level
+  int Levels = 0;
+  std::vector<CellRun> Runs; ///< cells of the current level
+  double BytesPerPoint = 0;
+  double BytesPerCell = 0; ///< of cell data
+  double BytesPerId = 4;
+  bool Projects = false; ///< with limit rows of the last level
+};
+
+/// An error message if the peak, the output and what the last step needs beside it, does not fit.
+std::string CheckMemory(const SizeEstimate& estimate);
+
+std::string CheckMemory(double cells, double points, double bytes, int levels);
+
+/// Bytes that can still be taken; infinite where the system does not tell.
+double GetAvailableMemory();
+
+double GetBytesPerTuple(vtkDataSetAttributes* data);
+
+}
+
+#endif

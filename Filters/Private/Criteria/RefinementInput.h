@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RefinementInput.h
+ * From the settings of a filter that refines, and its arrays, to its criteria.
+ */
+#ifndef SubdivisionObjects_RefinementInput_h
+#define SubdivisionObjects_RefinementInput_h
+
+#include "Private/Criteria/RefinementCriteria.h"
+
+class vtkAlgorithm;
+
+namespace subdivision
+{
+
+/// What filters have as options of the same names.
+struct RefinementSettings
+{
+  bool RefineByAttributeError;
+  double AttributeTolerance;
+  bool AttributeErrorOfLimit;
+  bool RefineByArrayRange;
+  const double* ArrayRange;
+  bool RefineByEdgeLength;
+  double MaximumEdgeLength;
+  bool RefineByGeometricError;
+  double GeometricTolerance;
+  bool RelativeTolerance;
+  bool RefineByCurvature;
+  double MaximumAngle; ///< in degrees
+  bool RefineByWantedLevel;
+  int MaximumLevel;
+  bool InterpolateIntegers;
+  /// Whether there are criteria beside these.
+  bool HasOthers;
+  /// Where SetInputArrayToProcess has their arrays.
+  int AttributeIndex;
+  int RangeIndex;
+  int LevelIndex;
+};
+
+/// False, after `fail`, if an array cannot be used.
+bool ReadRefinementOptions(vtkAlgorithm* filter, vtkPointSet* input,
+  const RefinementSettings& settings, const std::function<void(const std::string&)>& warn,
+  const std::function<void(const std::string&)>& fail, RefinementOptions& options);
+
+}
+
+#endif

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Criteria/RefinementSelection.h"
+
+#include "Private/Reading/CellReader.h"
+
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkExecutive.h"
+#include "vtkExtractSelection.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+#include "vtkSignedCharArray.h"
+
+#include <algorithm>
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr const char* InsideName = "vtkInsidedness";
+
+/// act(mesh, mesh of `other` in the same place) for all meshes of a data object.
+template <typename Act>
+void ForMeshes(vtkDataObject* object, vtkDataObject* other, const Act& act)
+{
+  auto* all = vtkCompositeDataSet::SafeDownCast(object);
+  auto* others = vtkCompositeDataSet::SafeDownCast(other);
+  if (!all)
+  {
+    act(vtkPointSet::SafeDownCast(object), other);
+    return;
+  }
+  auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(all->NewIterator());
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    auto* mesh = vtkPointSet::SafeDownCast(at->GetCurrentDataObject());
+    if (mesh)
+    {
+      act(mesh, others ? others->GetDataSet(at) : nullptr);
+    }
+  }
+}
+
+vtkSmartPointer<vtkPointSet> MakeBare(vtkPointSet* mesh)
+{
+  auto bare = vtkSmartPointer<vtkPointSet>::Take(mesh->NewInstance());
+  bare->ShallowCopy(mesh);
+  bare->GetCellData()->RemoveArray(InsideName);
+  bare->GetPointData()->RemoveArray(InsideName);
+  return bare;
+}
+
+/// The input without arrays by the name that the answer will have.
+vtkSmartPointer<vtkDataObject> MakeBare(vtkDataObject* input)
+{
+  auto* all = vtkCompositeDataSet::SafeDownCast(input);
+  if (!all)
+  {
+    return MakeBare(vtkPointSet::SafeDownCast(input));
+  }
+  auto bare = vtkSmartPointer<vtkCompositeDataSet>::Take(all->NewInstance());
+  bare->CopyStructure(all);
+  auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(all->NewIterator());
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    auto* mesh = vtkPointSet::SafeDownCast(at->GetCurrentDataObject());
+    bare->SetDataSet(at, mesh ? MakeBare(mesh).Get() : at->GetCurrentDataObject());
+  }
+  return bare;
+}
+
+vtkDataArray* GetInsidedness(vtkDataSetAttributes* data, vtkIdType tuples)
+{
+  vtkDataArray* array = data->GetArray(InsideName);
+  return array && array->GetNumberOfTuples() == tuples ? array : nullptr;
+}
+
+/// The cells of a mesh that the answer has, or has a point of; empty if there are none.
+std::vector<unsigned char> ReadAnswer(vtkPointSet* mesh, vtkDataSet* answer)
+{
+  std::vector<unsigned char> selected;
+  vtkDataArray* ofCells = GetInsidedness(answer->GetCellData(), mesh->GetNumberOfCells());
+  vtkDataArray* ofPoints = GetInsidedness(answer->GetPointData(), mesh->GetNumberOfPoints());
+  if (!ofCells && !ofPoints)
+  {
+    return selected;
+  }
+  const CellReader cells(mesh);
+  selected.resize(mesh->GetNumberOfCells(), 0);
+  std::vector<vtkIdType> scratch;
+  for (vtkIdType i = 0; i < cells.GetNumberOfCells(); ++i)
+  {
+    const CellIds ids = cells.GetCell(i, scratch);
+    selected[i] = (ofCells && ofCells->GetComponent(i, 0) > 0) ||
+      (!ofCells &&
+        std::any_of(ids.Ids, ids.Ids + ids.Size,
+          [&](vtkIdType point)
+          {
+            return point >= 0 && point < ofPoints->GetNumberOfTuples() &&
+              ofPoints->GetComponent(point, 0) > 0;
+          }));
+  }
+  if (std::none_of(selected.begin(), selected.end(), [](unsigned char s) { return s != 0; }))
+  {
+    selected.clear();
+  }
+  return selected;
+}
+
+bool IsOfNumbers(vtkAbstractArray* array)
+{
+  return vtkDataArray::SafeDownCast(array) != nullptr;
+}
+
+/// Whether the values of a node can be compared with those of the input.
+bool IsComparable(vtkDataObject* input, vtkSelectionNode* node)
+{
+  vtkAbstractArray* list = node->GetSelectionList();
+  const bool areIds = node->GetContentType() == vtkSelectionNode::PEDIGREEIDS;
+  if (!areIds && node->GetContentType() != vtkSelectionNode::VALUES)
+  {
+    return IsOfNumbers(list);
+  }
+  bool isComparable = true;
+  ForMeshes(input, nullptr,
+    [&](vtkPointSet* mesh, vtkDataObject*)
+    {
+      vtkDataSetAttributes* data =
+        mesh->GetAttributes(node->GetFieldType() == vtkSelectionNode::CELL ? vtkDataObject::CELL
+                                                                           : vtkDataObject::POINT);
+      vtkAbstractArray* array = areIds ? data->GetPedigreeIds()
+        : list->GetName()              ? data->GetAbstractArray(list->GetName())
+                                       : data->GetScalars();
+      isComparable = isComparable && (!array || IsOfNumbers(array) == IsOfNumbers(list));
+    });
+  return isComparable;
+}
+
+/// What VTK cannot evaluate, or would not survive.
+std::string FindFault(vtkDataObject* input, vtkSelectionNode* node)
+{
+  const int content = node->GetContentType();
+  const int field = node->GetFieldType();
+  vtkAbstractArray* list = node->GetSelectionList();
+  if (field != vtkSelectionNode::CELL && field != vtkSelectionNode::POINT)
+  {
+    return "is neither of cells nor of points";
+  }
+  if (content < 0 || content > vtkSelectionNode::BLOCKS)
+  {
+    return content == vtkSelectionNode::QUERY
+      ? "is a query in words: freeze the selection first, so that it consists of ids"
+      : "has a content type (" + std::to_string(content) + ") that is not supported";
+  }
+  if (!list)
+  {
+    return "has no list";
+  }
+  if (content == vtkSelectionNode::FRUSTUM &&
+    (list->GetNumberOfValues() != 32 || list->GetDataType() != VTK_DOUBLE))
+  {
+    return "is a frustum of other than 32 numbers in double precision";
+  }
+  if (content == vtkSelectionNode::THRESHOLDS && list->GetNumberOfValues() % 2 > 0)
+  {
+    return "has a threshold of one number instead of two";
+  }
+  if (!IsComparable(input, node))
+  {
+    return "has words where the input has numbers, or numbers for words";
+  }
+  return "";
+}
+
+/// Whether VTK can read the expression; its filter does not survive all others.
+bool IsReadable(vtkSelection* selection)
+{
+  std::vector<vtkSmartPointer<vtkSignedCharArray>> arrays;
+  std::vector<vtkSignedCharArray*> values;
+  for (unsigned int i = 0; i < selection->GetNumberOfNodes(); ++i)
+  {
+    arrays.push_back(vtkSmartPointer<vtkSignedCharArray>::New());
+    arrays.back()->InsertNextValue(0);
+    values.push_back(arrays.back());
+  }
+  const auto result = selection->Evaluate(values.data(), static_cast<unsigned int>(values.size()));
+  return result != nullptr;
+}
+
+struct ErrorCounter
+{
+  int Errors = 0;
+  void Count(vtkObject*, unsigned long, void*) { ++this->Errors; }
+};
+
+/// What VTK says of a selection whose nodes are all of cells, or all of points.
+SelectedCells Extract(vtkDataObject* input, vtkDataObject* bare, vtkSelection* selection,
+  const std::function<void(const std::string&)>& fail)
+{
+  vtkNew<vtkExtractSelection> extract;
+  ErrorCounter counter;
+  extract->AddObserver(vtkCommand::ErrorEvent, &counter, &ErrorCounter::Count);
+  extract->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, &counter, &ErrorCounter::Count);
+  extract->SetPreserveTopology(true);
+  extract->SetInputData(0, bare);
+  extract->SetInputData(1, selection);
+  extract->Update();
+  if (counter.Errors > 0)
+  {
+    fail(
+      "Its nodes or its expression \"" + selection->GetExpression() + "\" do not fit the input.");
+    return SelectedCells();
+  }
+  SelectedCells found;
+  ForMeshes(input, extract->GetOutputDataObject(0),
+    [&found](vtkPointSet* mesh, vtkDataObject* object)
+    {
+      vtkDataSet* answer = vtkDataSet::SafeDownCast(object);
+      std::vector<unsigned char> cells =
+        answer ? ReadAnswer(mesh, answer) : std::vector<unsigned char>();
+      if (!cells.empty())
+      {
+        found[mesh] = std::move(cells);
+      }
+    });
+  return found;
+}
+
+/// By what the expression says of each node's cells.
+std::vector<unsigned char> Combine(
+  vtkSelection* selection, vtkPointSet* mesh, const std::vector<SelectedCells>& byNode)
+{
+  std::vector<vtkSmartPointer<vtkSignedCharArray>> arrays;
+  std::vector<vtkSignedCharArray*> values;
+  for (const SelectedCells& node : byNode)
+  {
+    arrays.push_back(vtkSmartPointer<vtkSignedCharArray>::New());
+    arrays.back()->SetNumberOfValues(mesh->GetNumberOfCells());
+    arrays.back()->FillValue(0);
+    const auto cells = node.find(mesh);
+    if (cells != node.end())
+    {
+      std::copy(cells->second.begin(), cells->second.end(), arrays.back()->GetPointer(0));
+    }
+    values.push_back(arrays.back());
+  }
+  std::vector<unsigned char> selected;
+  const auto result = selection->Evaluate(values.data(), static_cast<unsigned int>(values.size()));
+  if (result && result->GetNumberOfValues() == mesh->GetNumberOfCells() &&
+    result->GetValueRange()[1] > 0)
+  {
+    selected.assign(result->GetPointer(0), result->GetPointer(0) + result->GetNumberOfValues());
+  }
+  return selected;
+}
+
+}
+
+SelectedCells FindSelectedCells(vtkDataObject* input, vtkSelection* selection,
+  const std::function<void(const std::string&)>& fail)
+{
+  const unsigned int nodes = selection ? selection->GetNumberOfNodes() : 0;
+  SelectedCells found;
+  if (nodes == 0)
+  {
+    return found;
+  }
+  for (unsigned int i = 0; i < nodes; ++i)
+  {
+    const std::string fault = FindFault(input, selection->GetNode(i));
+    if (!fault.empty())
+    {
+      fail("Node " + std::to_string(i) + " " + fault + ".");
+      return found;
+    }
+  }
+  if (!IsReadable(selection))
+  {
+    fail("Its expression \"" + selection->GetExpression() + "\" cannot be read.");
+    return found;
+  }
+  const auto bare = MakeBare(input);
+  bool isOfOneKind = true;
+  for (unsigned int i = 1; i < nodes; ++i)
+  {
+    isOfOneKind =
+      isOfOneKind && selection->GetNode(i)->GetFieldType() == selection->GetNode(0)->GetFieldType();
+  }
+  if (isOfOneKind)
+  {
+    return Extract(input, bare, selection, fail);
+  }
+  // VTK takes no points and cells together: each node by itself.
+  std::vector<SelectedCells> byNode;
+  for (unsigned int i = 0; i < nodes; ++i)
+  {
+    vtkNew<vtkSelection> one;
+    one->AddNode(selection->GetNode(i));
+    byNode.push_back(Extract(input, bare, one, fail));
+  }
+  ForMeshes(input, nullptr,
+    [&](vtkPointSet* mesh, vtkDataObject*)
+    {
+      std::vector<unsigned char> cells = Combine(selection, mesh, byNode);
+      if (!cells.empty())
+      {
+        found[mesh] = std::move(cells);
+      }
+    });
+  return found;
+}
+
+}

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Deformation/Deformation.h"
+
+#include "Private/Arrays/Arrays.h"
+#include "Private/Deformation/DeformedVectors.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+
+#include <cmath>
+#include <limits>
+
+namespace subdivision
+{
+namespace
+{
+
+int ChooseType(vtkDataArray* points, int precision)
+{
+  return precision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT
+    : precision == vtkAlgorithm::DOUBLE_PRECISION    ? VTK_DOUBLE
+    : points->GetDataType() == VTK_FLOAT             ? VTK_FLOAT
+                                                     : VTK_DOUBLE;
+}
+
+bool HasPoints(vtkPointSet* data)
+{
+  return data->GetPoints() && data->GetNumberOfPoints() > 0;
+}
+
+/// The first control point that is finite at rest and not in the deformed mesh; -1: none.
+vtkIdType FindLostPoint(vtkPointSet* rest, vtkPointSet* deformed)
+{
+  auto isFinite = [](vtkPointSet* mesh, vtkIdType i)
+  {
+    double x[3];
+    mesh->GetPoint(i, x);
+    return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+  };
+  for (vtkIdType i = 0; i < rest->GetNumberOfPoints(); ++i)
+  {
+    if (!isFinite(deformed, i) && isFinite(rest, i))
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
+/// How many points are outside, and what becomes of them.
+std::string DescribeOutside(const EmbeddedPoints& embedded)
+{
+  const auto outside = static_cast<vtkIdType>(embedded.Outside.size());
+  std::string text = std::to_string(outside) + " of " +
+    std::to_string(embedded.Rows.GetNumberOfRows()) + " points, the first is point " +
+    std::to_string(embedded.Outside[0]) + ", are not inside the subdivided rest mesh";
+  if (embedded.NumberNotFinite > 0)
+  {
+    text += " (" + std::to_string(embedded.NumberNotFinite) + " are not finite)";
+  }
+  return text;
+}
+
+}
+
+bool Deformation::Run(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* deformed,
+  const DeformationOptions& options, vtkPointSet* output)
+{
+  output->ShallowCopy(input);
+  if (!HasPoints(input))
+  {
+    return true;
+  }
+  if (!HasPoints(rest) || rest->GetNumberOfCells() == 0)
+  {
+    options.Warn("The rest mesh has no cells, so that nothing is inside of it: the output is the "
+                 "input. Give it a mesh of solid cells around the input.");
+    return true;
+  }
+  if (!this->Prepare(rest, deformed, options))
+  {
+    return false;
+  }
+  if (!this->Rest.HasCells())
+  {
+    options.Warn("The rest mesh has no cell that can be used: the output is the input.");
+    return true;
+  }
+  vtkDataArray* points = input->GetPoints()->GetData();
+  EmbeddedPoints* embedded = this->FindEmbedded(Contiguous(points), options);
+  if (!embedded)
+  {
+    return false;
+  }
+  const auto control = this->Rest.MoveControlPoints(rest, deformed, options);
+  if (!control)
+  {
+    return false;
+  }
+  this->Rest.WarnOfInvertedCells(control, options);
+  const bool hasVectors = options.TransformVectors && HasVectors(input);
+  const double* moved = nullptr;
+  if (hasVectors || embedded->Composed.GetNumberOfRows() == 0)
+  {
+    moved = this->Rest.MovePoints(control);
+  }
+  const auto result =
+    MoveEmbeddedPoints(*embedded, static_cast<const double*>(control->GetVoidPointer(0)), moved,
+      ChooseType(points, options.OutputPointsPrecision));
+  CopyLooks(points, result);
+  vtkNew<vtkPoints> outputPoints;
+  outputPoints->SetDataType(result->GetDataType());
+  outputPoints->SetData(result);
+  output->SetPoints(outputPoints);
+  if (hasVectors)
+  {
+    TransformVectors(ComputeJacobians(*embedded, this->Rest.GetPoints(), moved), output);
+  }
+  return true;
+}
+
+/// Checks the meshes against each other, and subdivides the one at rest if it is new.
+bool Deformation::Prepare(
+  vtkPointSet* rest, vtkPointSet* deformed, const DeformationOptions& options)
+{
+  const std::string difference = CompareCells(rest, deformed);
+  if (!difference.empty())
+  {
+    options.Fail("The deformed mesh must have the points and cells of the rest mesh, in the same "
+                 "order; only coordinates may differ. " +
+      difference + " The output is the input.");
+    return false;
+  }
+  const vtkIdType lost = FindLostPoint(rest, deformed);
+  if (lost >= 0)
+  {
+    options.Fail("Point " + std::to_string(lost) +
+      " of the deformed mesh is not finite. The output is the input.");
+    return false;
+  }
+  const vtkIdType builds = this->Rest.NumberOfBuilds;
+  if (!this->Rest.Update(rest, options))
+  {
+    return false;
+  }
+  if (this->Rest.GetNumberOfPoints() > std::numeric_limits<int>::max())
+  {
+    options.Fail("The subdivided rest mesh would have " +
+      std::to_string(this->Rest.GetNumberOfPoints()) + " points. Use fewer levels.");
+    this->Clear();
+    return false;
+  }
+  if (this->Rest.NumberOfBuilds != builds)
+  {
+    this->Embedded.clear();
+    if (this->Rest.HasCells())
+    {
+      this->Rest.WarnOfInvertedCells(nullptr, options);
+    }
+  }
+  return !options.Progress || !options.Progress(0.5);
+}
+
+/// Those that are kept for equal points, or new ones; null: some are outside, and that is an error.
+EmbeddedPoints* Deformation::FindEmbedded(vtkDataArray* points, const DeformationOptions& options)
+{
+  EmbeddedPoints* embedded = nullptr;
+  std::vector<std::uint64_t> fingerprint = ComputeFingerprint(points);
+  for (const auto& kept : this->Embedded)
+  {
+    if (kept->Rule == options.Outside && kept->Fingerprint == fingerprint)
+    {
+      embedded = kept.get();
+      break;
+    }
+  }
+  const bool isNew = !embedded;
+  if (isNew)
+  {
+    ++this->NumberOfLocations;
+    this->Embedded.push_back(EmbedPoints(points, options.Outside, this->Rest));
+    embedded = this->Embedded.back().get();
+    embedded->Fingerprint = std::move(fingerprint);
+  }
+  embedded->Used = true;
+  this->NumberOfOutsidePoints += static_cast<vtkIdType>(embedded->Outside.size());
+  if (embedded->Outside.empty())
+  {
+    return embedded;
+  }
+  const std::string text = DescribeOutside(*embedded);
+  if (options.Outside == OutsideRule::Error)
+  {
+    options.Fail(text +
+      ". The output is the input. Make the rest mesh larger, or set OutsidePoints to Leave or "
+      "Nearest.");
+    return nullptr;
+  }
+  if (isNew)
+  {
+    options.Warn(text +
+      (options.Outside == OutsideRule::Leave
+          ? ": they are left where they are (OutsidePoints)."
+          : ": they go with the nearest place in it (OutsidePoints); those that are not finite are "
+            "left."));
+  }
+  return embedded;
+}
+
+void Deformation::ForgetUnused()
+{
+  this->Embedded.erase(std::remove_if(this->Embedded.begin(), this->Embedded.end(),
+                         [](const auto& kept) { return !kept->Used; }),
+    this->Embedded.end());
+  for (const auto& kept : this->Embedded)
+  {
+    kept->Used = false;
+  }
+}
+
+void Deformation::Clear()
+{
+  this->Embedded.clear();
+  this->Rest.Clear();
+}
+
+std::size_t Deformation::GetMemorySize() const
+{
+  std::size_t bytes = this->Rest.GetOperatorSize();
+  for (const auto& kept : this->Embedded)
+  {
+    bytes += kept->Rows.GetMemorySize() + kept->Composed.GetMemorySize();
+  }
+  return bytes;
+}
+
+}

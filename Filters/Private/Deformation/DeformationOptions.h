@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file DeformationOptions.h
+ * What vtkSubdivisionDeformation tells its work.
+ */
+#ifndef SubdivisionObjects_DeformationOptions_h
+#define SubdivisionObjects_DeformationOptions_h
+
+#include "Private/Control/RunOptions.h"
+#include "Private/Control/Stamp.h"
+
+namespace subdivision
+{
+
+enum class OutsideRule
+{
+  Leave,
+  Nearest,
+  Error
+};
+
+struct DeformationOptions : RunOptions
+{
+  int Levels = 2;
+  StampScheme Scheme = StampScheme::BoxSpline; ///< of solids
+  OutsideRule Outside = OutsideRule::Leave;
+  bool TransformVectors = true;
+};
+
+}
+
+#endif

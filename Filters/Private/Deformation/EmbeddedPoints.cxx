@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Deformation/EmbeddedPoints.h"
+
+#include "Core/Memory/Coordinates.h"
+#include "Core/Memory/Store.h"
+#include "Private/Arrays/Arrays.h"
+
+#include <cmath>
+
+namespace subdivision
+{
+namespace
+{
+
+/// Weights may be this much below 0. Points in single precision, of the object or of the mesh
+/// around it, are where they are only to 1e-7, so that those on a boundary may seem to be outside.
+constexpr double Tolerance = 1e-10;
+constexpr double SingleTolerance = SingleTie;
+
+void SetRow(const SimplexTree& tree, const PlaceInSimplex& place, int corners, CornerRow& row)
+{
+  const vtkIdType* ids = tree.GetCorners(place.Simplex);
+  for (int i = 0; i < 4; ++i)
+  {
+    row.Columns[i] = static_cast<int>(ids[std::min(i, corners - 1)]);
+    row.Weights[i] = i < corners ? place.Weights[i] : 0.;
+  }
+}
+
+/// Among equally near cells, solids come first.
+void FindNearestCell(
+  const double x[3], const SimplexTree& tets, const SimplexTree& others, double tie, CornerRow& row)
+{
+  PlaceInSimplex inTet;
+  PlaceInSimplex inOther;
+  double toTet;
+  double toOther;
+  const bool hasTet = tets.FindNearest(x, inTet, toTet);
+  const bool hasOther = others.FindNearest(x, inOther, toOther);
+  if (hasTet && (!hasOther || toTet <= toOther * (1. + tie)))
+  {
+    SetRow(tets, inTet, 4, row);
+  }
+  else if (hasOther)
+  {
+    SetRow(others, inOther, 3, row);
+  }
+}
+
+bool IsFinite(const double x[3])
+{
+  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+}
+
+/// Adds to points outside what their rows do not say.
+template <typename T>
+void AddRemainders(const EmbeddedPoints& embedded, T* points)
+{
+  for (std::size_t i = 0; i < embedded.Outside.size(); ++i)
+  {
+    T* point = points + 3 * embedded.Outside[i];
+    const bool isBound = !embedded.Rows.Rows[embedded.Outside[i]].IsEmpty();
+    const double* remainder = embedded.Remainders.data() + 3 * i;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double mean = isBound ? static_cast<double>(point[c]) : 0.;
+      point[c] = Store<T>(mean + remainder[c]);
+    }
+  }
+}
+
+/// Composed rows, if reading them is less than reading rows and operators. Few have fewer entries
+/// than 16; more points than 4 million could need more than 2^31 entries on the way.
+void ComposeIfSmaller(const RestMesh& rest, EmbeddedPoints& embedded)
+{
+  const vtkIdType points = embedded.Rows.GetNumberOfRows();
+  const double now = static_cast<double>(rest.GetOperatorSize() + embedded.Rows.GetMemorySize());
+  const double least = 16. * (sizeof(int) + sizeof(double)) * static_cast<double>(points);
+  if (rest.GetOperatorSize() == 0 || points > 4000000 || least > now)
+  {
+    return;
+  }
+  SparseRows<int> composed = rest.Compose(embedded.Rows.ToSparseRows());
+  if (static_cast<double>(composed.GetMemorySize()) < now)
+  {
+    embedded.Composed = std::move(composed);
+  }
+}
+
+}
+
+std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule rule, RestMesh& rest)
+{
+  auto embedded = std::make_unique<EmbeddedPoints>();
+  embedded->Rule = rule;
+  const vtkIdType size = points->GetNumberOfTuples();
+  const bool isSingle = points->GetDataType() == VTK_FLOAT || rest.IsSingle();
+  const double tie = isSingle ? SingleTie : DoubleTie;
+  const SimplexTree& tets = rest.GetTets();
+  const SimplexTree none;
+  const SimplexTree& others = rule == OutsideRule::Nearest ? rest.GetOtherCells() : none;
+  embedded->Rows.NumberOfColumns = rest.GetNumberOfPoints();
+  embedded->Rows.Rows = Buffer<CornerRow>(size);
+  Buffer<bool> isInside(size);
+  ForEach(size,
+    [&](vtkIdType i)
+    {
+      double x[3];
+      points->GetTuple(i, x);
+      CornerRow row;
+      PlaceInSimplex place;
+      isInside[i] = IsFinite(x) &&
+        (tets.FindContaining(x, Tolerance, place) ||
+          (isSingle && tets.FindContaining(x, SingleTolerance, place)));
+      if (isInside[i])
+      {
+        SetRow(tets, place, 4, row);
+      }
+      else if (IsFinite(x) && rule == OutsideRule::Nearest)
+      {
+        FindNearestCell(x, tets, others, tie, row);
+      }
+      embedded->Rows.Rows[i] = row;
+    });
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    if (isInside[i])
+    {
+      continue;
+    }
+    double x[3];
+    points->GetTuple(i, x);
+    embedded->NumberNotFinite += !IsFinite(x);
+    embedded->Outside.push_back(i);
+    const CornerRow& row = embedded->Rows.Rows[i];
+    for (int c = 0; c < 3; ++c)
+    {
+      for (int k = 0; k < 4 && !row.IsEmpty(); ++k)
+      {
+        x[c] -= row.Weights[k] * rest.GetPoints()[3 * static_cast<vtkIdType>(row.Columns[k]) + c];
+      }
+      embedded->Remainders.push_back(x[c]);
+    }
+  }
+  ComposeIfSmaller(rest, *embedded);
+  return embedded;
+}
+
+vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
+  const EmbeddedPoints& embedded, const double* control, const double* moved, int type)
+{
+  const auto points = MakeArray(type, 3, embedded.Rows.GetNumberOfRows());
+  auto move = [&](auto* to)
+  {
+    moved ? embedded.Rows.Apply(moved, to) : embedded.Composed.Apply(control, to, 3);
+    AddRemainders(embedded, to);
+  };
+  if (type == VTK_FLOAT)
+  {
+    move(static_cast<float*>(points->GetVoidPointer(0)));
+  }
+  else
+  {
+    move(static_cast<double*>(points->GetVoidPointer(0)));
+  }
+  return points;
+}
+
+Buffer<double> ComputeJacobians(
+  const EmbeddedPoints& embedded, const double* rest, const double* moved)
+{
+  const Buffer<CornerRow>& rows = embedded.Rows.Rows;
+  Buffer<double> jacobians(9 * rows.size());
+  ForEach(rows.size(),
+    [&](vtkIdType i)
+    {
+      double* jacobian = jacobians.data() + 9 * i;
+      const int* ids = rows[i].Columns;
+      for (int k = 0; k < 9; ++k)
+      {
+        jacobian[k] = k % 4 == 0 ? 1. : 0.;
+      }
+      const double* corners[4];
+      for (int k = 0; k < 4; ++k)
+      {
+        corners[k] = rest + 3 * static_cast<vtkIdType>(ids[k]);
+      }
+      double gradients[4][3];
+      if (!FindGradientsInTet(corners, gradients)) // it is flat, a lower cell, or there is none
+      {
+        return;
+      }
+      for (int c = 0; c < 3; ++c)
+      {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          double sum = 0.;
+          for (int k = 0; k < 4; ++k)
+          {
+            sum += gradients[k][axis] * moved[3 * static_cast<vtkIdType>(ids[k]) + c];
+          }
+          jacobian[3 * c + axis] = sum;
+        }
+      }
+    });
+  return jacobians;
+}
+
+}

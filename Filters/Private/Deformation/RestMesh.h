@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RestMesh.h
+ * The control mesh of a deformation: subdivided at rest once, and then as often as its points move.
+ */
+#ifndef SubdivisionObjects_RestMesh_h
+#define SubdivisionObjects_RestMesh_h
+
+#include "Core/Operators/SparseRows.h"
+#include "Core/Solids/Location/SimplexTree.h"
+#include "Private/Deformation/DeformationOptions.h"
+#include "Private/Uniform/OperatorCache.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkPointSet;
+class vtkUnstructuredGrid;
+
+namespace subdivision
+{
+
+/// Where the cells of two meshes differ first, as a sentence; empty: nowhere.
+std::string CompareCells(vtkPointSet* rest, vtkPointSet* deformed);
+
+class RestMesh
+{
+public:
+  /// Subdivides the mesh, unless an equal one is kept. False: it could not be; Fail knows why.
+  bool Update(vtkPointSet* mesh, const DeformationOptions& options);
+
+  /// Control points of another shape of the mesh: coordinates of its points, then those of centres.
+  vtkSmartPointer<vtkDataArray> MoveControlPoints(
+    vtkPointSet* rest, vtkPointSet* deformed, const DeformationOptions& options);
+  /// The points of the subdivided mesh in that shape, by the operators at rest; valid until the
+  /// next call, and as long as `control` is.
+  const double* MovePoints(vtkDataArray* control);
+
+  /// Cells of the input (of `control`, coordinates as MoveControlPoints gives them) whose volume
+  /// has another sign than at rest; null: those that are inverted or flat at rest.
+  void WarnOfInvertedCells(vtkDataArray* control, const DeformationOptions& options) const;
+
+  /// Points of the subdivided mesh at rest, and its cells.
+  vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
+  const double* GetPoints() const { return this->Points; }
+  bool HasCells() const;
+  /// Whether the mesh has points in single precision.
+  bool IsSingle() const;
+  const SimplexTree& GetTets() const { return this->Tets; }
+  /// Triangles, lines and vertices; made when they are first asked for.
+  const SimplexTree& GetOtherCells();
+
+  /// Rows over the subdivided mesh as rows over the control points (those of MoveControlPoints);
+  /// not for level 0, where operators have no size.
+  SparseRows<int> Compose(const SparseRows<int>& rows) const;
+  /// Bytes that MovePoints reads of operators.
+  std::size_t GetOperatorSize() const;
+
+  void Clear();
+  /// How often a mesh was subdivided anew.
+  vtkIdType NumberOfBuilds = 0;
+
+private:
+  bool Build(vtkPointSet* control, const DeformationOptions& options);
+  vtkSmartPointer<vtkUnstructuredGrid> Subdivide(vtkPointSet* control, int levels,
+    OperatorCache& cache, const DeformationOptions& options, bool isFirst) const;
+
+  vtkSmartPointer<vtkPointSet> Kept; ///< a copy of all that the operators depend on
+  std::vector<double> Choices;
+  OperatorCache Operators;        ///< of all levels
+  OperatorCache ControlOperators; ///< of no level: the control simplices
+  vtkSmartPointer<vtkUnstructuredGrid> Control;
+  vtkSmartPointer<vtkUnstructuredGrid> Fine;
+  vtkIdType NumberOfPoints = 0;
+  const double* Points = nullptr;
+  Buffer<double> MovedPoints;
+  SimplexTree Tets;
+  SimplexTree OtherCells;
+  bool HasOtherCells = false;
+};
+
+}
+
+#endif

@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Reading/CellChecks.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkCell.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <cmath>
+
+namespace subdivision
+{
+
+namespace
+{
+
+/// Number of points of a cell type; negative: at least so many; 0: not supported.
+int GetRequiredSize(int cellType)
+{
+  switch (cellType)
+  {
+    case VTK_VERTEX:
+      return 1;
+    case VTK_POLY_VERTEX:
+      return -1;
+    case VTK_LINE:
+      return 2;
+    case VTK_POLY_LINE:
+      return -2;
+    case VTK_TRIANGLE:
+      return 3;
+    case VTK_TRIANGLE_STRIP:
+    case VTK_POLYGON:
+      return -3;
+    case VTK_PIXEL:
+    case VTK_QUAD:
+    case VTK_TETRA:
+      return 4;
+    case VTK_PYRAMID:
+      return 5;
+    case VTK_WEDGE:
+      return 6;
+    case VTK_VOXEL:
+    case VTK_HEXAHEDRON:
+      return 8;
+    default:
+      return 0;
+  }
+}
+
+bool HasQuads(int cellType, vtkIdType size)
+{
+  switch (cellType)
+  {
+    case VTK_PIXEL:
+    case VTK_QUAD:
+    case VTK_PYRAMID:
+    case VTK_WEDGE:
+    case VTK_VOXEL:
+    case VTK_HEXAHEDRON:
+      return true;
+    case VTK_POLYGON:
+      return size >= 4; // larger ones may collapse to quads
+    default:
+      return false;
+  }
+}
+
+bool HasRepeats(const vtkIdType* ids, vtkIdType size, std::vector<vtkIdType>& scratch)
+{
+  if (size > 16)
+  {
+    scratch.assign(ids, ids + size);
+    std::sort(scratch.begin(), scratch.end());
+    return std::adjacent_find(scratch.begin(), scratch.end()) != scratch.end();
+  }
+  if (size == 4) // most cells of most meshes
+  {
+    return ids[0] == ids[1] || ids[0] == ids[2] || ids[0] == ids[3] || ids[1] == ids[2] ||
+      ids[1] == ids[3] || ids[2] == ids[3];
+  }
+  for (vtkIdType i = 1; i < size; ++i)
+  {
+    if (std::find(ids, ids + i, ids[i]) != ids + i)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+CellState FindRepeats(int cellType, const CellIds& cell, std::vector<vtkIdType>& scratch)
+{
+  const vtkIdType* ids = cell.Ids;
+  const vtkIdType window = cellType == VTK_POLY_LINE ? 2 : 3;
+  switch (cellType)
+  {
+    case VTK_VERTEX:
+    case VTK_POLY_VERTEX: // its pieces are single points, which cannot be degenerate
+      return CellState::Good;
+    case VTK_POLY_LINE: // may pass through a point twice: only each piece matters
+    case VTK_TRIANGLE_STRIP:
+      for (vtkIdType i = 0; i + window <= cell.Size; ++i)
+      {
+        if (HasRepeats(ids + i, window, scratch))
+        {
+          return CellState::PartlyRepeated;
+        }
+      }
+      return CellState::Good;
+    case VTK_POLYGON:
+    case VTK_VOXEL:
+    case VTK_HEXAHEDRON:
+    case VTK_WEDGE:
+    case VTK_PYRAMID:
+      return HasRepeats(ids, cell.Size, scratch) ? CellState::PartlyRepeated : CellState::Good;
+    default:
+      return HasRepeats(ids, cell.Size, scratch) ? CellState::Repeated : CellState::Good;
+  }
+}
+
+/// One byte per point, 0 where a coordinate is infinite or not a number.
+struct FiniteWorker
+{
+  template <typename Array>
+  void operator()(Array* array, unsigned char* finite, unsigned char* blocks)
+  {
+    const auto tuples = vtk::DataArrayTupleRange(array);
+    const vtkIdType size = tuples.size();
+    const auto work = [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType block = begin; block < end; ++block)
+      {
+        unsigned char all = 1;
+        const vtkIdType last = std::min(size, (block + 1) * CellsPerBlock);
+        for (vtkIdType i = block * CellsPerBlock; i < last; ++i)
+        {
+          unsigned char good = 1;
+          for (const auto x : tuples[i])
+          {
+            good &= std::isfinite(static_cast<double>(x)) ? 1 : 0;
+          }
+          finite[i] = good;
+          all &= good;
+        }
+        blocks[block] = all;
+      }
+    };
+    vtkSMPTools::For(0, (size + CellsPerBlock - 1) / CellsPerBlock, work);
+  }
+};
+
+/// Empty if all points are finite.
+std::vector<unsigned char> FindFinitePoints(vtkPointSet* input)
+{
+  const vtkIdType size = input->GetNumberOfPoints();
+  std::vector<unsigned char> finite(static_cast<size_t>(size), 1);
+  if (size > 0)
+  {
+    std::vector<unsigned char> blocks(static_cast<size_t>(size / CellsPerBlock + 1), 1);
+    vtkDataArray* array = input->GetPoints()->GetData();
+    using Dispatch = vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>;
+    FiniteWorker worker;
+    if (!Dispatch::Execute(array, worker, finite.data(), blocks.data()))
+    {
+      worker(array, finite.data(), blocks.data());
+    }
+    if (std::find(blocks.begin(), blocks.end(), 0) == blocks.end())
+    {
+      finite.clear();
+    }
+  }
+  return finite;
+}
+
+/// Checks one cell after the other; one object per task.
+class Checker
+{
+public:
+  Checker(const CellReader& cells, vtkIdType numberOfPoints,
+    const std::vector<unsigned char>& finite, const unsigned char* ghosts)
+    : Cells(cells)
+    , NumberOfPoints(numberOfPoints)
+    , Finite(finite.empty() ? nullptr : finite.data())
+    , Ghosts(ghosts)
+  {
+  }
+
+  CellState Check(vtkIdType cellId)
+  {
+    if (this->Ghosts && (this->Ghosts[cellId] & vtkDataSetAttributes::HIDDENCELL))
+    {
+      return CellState::Hidden;
+    }
+    const int type = this->Cells.GetCellType(cellId);
+    const int required = GetRequiredSize(type);
+    if (required == 0)
+    {
+      return CellState::UnsupportedType;
+    }
+    const CellIds cell = this->Cells.GetCell(cellId, this->Ids);
+    const CellState state = this->CheckIds(type, required, cell);
+    this->HasQuads = this->HasQuads || (TakesPart(state) && subdivision::HasQuads(type, cell.Size));
+    return state;
+  }
+
+  bool HasQuads = false;
+
+private:
+  CellState CheckIds(int type, int required, const CellIds& cell)
+  {
+    if (required < 0 ? cell.Size < -required : cell.Size != required)
+    {
+      return CellState::WrongSize;
+    }
+    bool inRange = true;
+    for (vtkIdType i = 0; i < cell.Size; ++i)
+    {
+      inRange = inRange && cell.Ids[i] >= 0 && cell.Ids[i] < this->NumberOfPoints;
+    }
+    if (!inRange)
+    {
+      return CellState::OutOfRange;
+    }
+    for (vtkIdType i = 0; this->Finite && i < cell.Size; ++i)
+    {
+      if (!this->Finite[cell.Ids[i]])
+      {
+        return CellState::NonFinite;
+      }
+    }
+    return FindRepeats(type, cell, this->Scratch);
+  }
+
+  const CellReader& Cells;
+  const vtkIdType NumberOfPoints;
+  const unsigned char* Finite;
+  const unsigned char* Ghosts;
+  std::vector<vtkIdType> Ids;
+  std::vector<vtkIdType> Scratch;
+};
+
+struct Tally
+{
+  vtkIdType Count = 0;
+  vtkIdType First = -1;
+};
+
+/// "3 cells ... (first: cell 12, type 24, vtkQuadraticTetra)"
+std::string Subject(const Tally& tally, const CellReader& cells)
+{
+  const int type = cells.GetCellType(tally.First);
+  std::string text = tally.Count == 1 ? "1 cell" : std::to_string(tally.Count) + " cells";
+  text += tally.Count == 1 ? " (cell " : " (the first is cell ";
+  text += std::to_string(tally.First) + ", type " + std::to_string(type);
+  const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+  return text + (cell ? std::string(", ") + cell->GetClassName() : std::string()) + ")";
+}
+
+std::string DescribeUnsupported(
+  const Tally& tally, const CellReader& cells, const CheckedCells& checked)
+{
+  std::bitset<256> types;
+  for (vtkIdType i = tally.First; i < cells.GetNumberOfCells(); ++i)
+  {
+    if (checked.States[i] == CellState::UnsupportedType)
+    {
+      types.set(static_cast<size_t>(cells.GetCellType(i) & 255));
+    }
+  }
+  bool curved = false;
+  bool solid = false;
+  for (int type = 0; type < 256; ++type)
+  {
+    if (types[type])
+    {
+      const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+      curved = curved || (cell && !cell->IsLinear());
+      solid = solid || (cell && cell->IsLinear() && cell->GetCellDimension() == 3);
+    }
+  }
+  std::string text = "Passed over " + Subject(tally, cells) +
+    " of a type that is not supported. Supported are vertices, lines, poly lines, triangles, "
+    "strips, "
+    "pixels, quads, polygons, tetrahedra, voxels, hexahedra, wedges and pyramids.";
+  text += curved ? " Apply Tessellate (vtkTessellatorFilter) first to have quadratic and other "
+                   "higher-order cells split into linear ones."
+                 : "";
+  text += solid
+    ? " Apply Tetrahedralize (vtkDataSetTriangleFilter) first to have prisms and polyhedra "
+      "split into tetrahedra."
+    : "";
+  return text;
+}
+
+const char* Reason(CellState state)
+{
+  switch (state)
+  {
+    case CellState::WrongSize:
+      return " whose number of points does not fit the cell type. Correct the cells in the program "
+             "that wrote them.";
+    case CellState::OutOfRange:
+      return " with a point id that is negative or not below the number of points. Correct the "
+             "cells "
+             "in the program that wrote them.";
+    case CellState::NonFinite:
+      return " with a point whose coordinates are infinite or not a number. Correct the "
+             "coordinates, "
+             "or remove these cells.";
+    default:
+      return "";
+  }
+}
+
+std::string DescribeRepeats(const Tally& whole, const Tally& partly, const CellReader& cells)
+{
+  Tally all;
+  all.Count = whole.Count + partly.Count;
+  all.First =
+    whole.Count && (!partly.Count || whole.First < partly.First) ? whole.First : partly.First;
+  std::string text = "Passed over ";
+  text += partly.Count == 0 ? ""
+    : whole.Count == 0      ? "the degenerate pieces of "
+                            : "all or part of ";
+  return text + Subject(all, cells) +
+    " with repeated point ids. Clean the mesh of collapsed cells if they are not intended.";
+}
+
+}
+
+const unsigned char* GetGhosts(vtkPointSet* input, vtkIdType numberOfCells)
+{
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    input->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  return ghosts && ghosts->GetNumberOfValues() >= numberOfCells ? ghosts->GetPointer(0) : nullptr;
+}
+
+CheckedCells CheckCells(vtkPointSet* input, const CellReader& cells)
+{
+  CheckedCells checked;
+  const vtkIdType size = cells.GetNumberOfCells();
+  checked.States.resize(static_cast<size_t>(size));
+  const std::vector<unsigned char> finite = FindFinitePoints(input);
+  const unsigned char* ghosts = GetGhosts(input, size);
+  std::vector<unsigned char> haveQuads(static_cast<size_t>(cells.GetNumberOfBlocks()));
+  ForBlocks(cells,
+    [&](vtkIdType block, vtkIdType begin, vtkIdType end)
+    {
+      Checker checker(cells, input->GetNumberOfPoints(), finite, ghosts);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        checked.States[i] = checker.Check(i);
+      }
+      haveQuads[block] = checker.HasQuads ? 1 : 0;
+    });
+  checked.HasQuads = std::find(haveQuads.begin(), haveQuads.end(), 1) != haveQuads.end();
+  return checked;
+}
+
+std::vector<std::string> DescribePassedOver(const CellReader& cells, const CheckedCells& checked)
+{
+  std::vector<std::string> warnings;
+  std::array<Tally, static_cast<size_t>(CellState::NumberOfStates)> tallies;
+  for (vtkIdType i = 0; i < cells.GetNumberOfCells(); ++i)
+  {
+    Tally& tally = tallies[static_cast<size_t>(checked.States[i])];
+    tally.First = tally.Count++ ? tally.First : i;
+  }
+  const auto of = [&](CellState state) -> const Tally&
+  { return tallies[static_cast<size_t>(state)]; };
+  if (of(CellState::UnsupportedType).Count)
+  {
+    warnings.push_back(DescribeUnsupported(of(CellState::UnsupportedType), cells, checked));
+  }
+  for (const CellState state :
+    { CellState::WrongSize, CellState::OutOfRange, CellState::NonFinite })
+  {
+    if (of(state).Count)
+    {
+      warnings.push_back("Passed over " + Subject(of(state), cells) + Reason(state));
+    }
+  }
+  const Tally& whole = of(CellState::Repeated);
+  const Tally& partly = of(CellState::PartlyRepeated);
+  if (whole.Count || partly.Count)
+  {
+    warnings.push_back(DescribeRepeats(whole, partly, cells));
+  }
+  return warnings;
+}
+
+}

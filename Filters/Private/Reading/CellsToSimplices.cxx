@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Check every cell, find the triangles that fix diagonals, count the pieces of every block of
+// cells, then let every block write its own part of the output. No step looks at what another
+// thread does.
+#include "Private/Reading/CellsToSimplices.h"
+
+#include "Private/Reading/CellChecks.h"
+#include "Private/Reading/CellReader.h"
+#include "Private/Reading/PlainSimplices.h"
+#include "Private/Reading/PolygonEars.h"
+#include "Private/Reading/QuadDiagonals.h"
+#include "Private/Reading/SolidCells.h"
+#include "Private/Reading/TrianglesNearQuads.h"
+
+#include "vtkCellType.h"
+#include "vtkPointSet.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace subdivision
+{
+
+namespace
+{
+
+bool IsRepeated(const vtkIdType* ids, int size)
+{
+  for (int i = 1; i < size; ++i)
+  {
+    if (std::find(ids, ids + i, ids[i]) != ids + i)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// What every block has, and later where it begins.
+struct Amounts
+{
+  vtkIdType Simplices = 0;
+  vtkIdType Ids = 0;
+  vtkIdType Centres = 0;
+  vtkIdType Members = 0;
+
+  void operator+=(const Amounts& other)
+  {
+    this->Simplices += other.Simplices;
+    this->Ids += other.Ids;
+    this->Centres += other.Centres;
+    this->Members += other.Members;
+  }
+};
+
+struct ContestedQuad
+{
+  QuadKey Key;
+  vtkIdType CellId;
+  bool operator<(const ContestedQuad& other) const
+  {
+    return this->Key != other.Key ? this->Key < other.Key : this->CellId < other.CellId;
+  }
+};
+
+/// First run: how much there will be.
+class Counter
+{
+public:
+  static constexpr bool Counts = true;
+
+  void AddSimplex(vtkIdType, const vtkIdType*, int size)
+  {
+    ++this->Total.Simplices;
+    this->Total.Ids += size;
+  }
+  vtkIdType AddCentre(const vtkIdType*, int size)
+  {
+    ++this->Total.Centres;
+    this->Total.Members += size;
+    return 0;
+  }
+  void AddContested(const vtkIdType* quad, vtkIdType cellId)
+  {
+    this->AddContested(MakeQuadKey(quad), cellId);
+  }
+  void AddContested(const QuadKey& key, vtkIdType cellId)
+  {
+    this->Contested.push_back({ key, cellId });
+  }
+
+  Amounts Total;
+  std::vector<ContestedQuad> Contested;
+};
+
+/// Second run: writes to where the counts say.
+class Writer
+{
+public:
+  static constexpr bool Counts = false;
+
+  Writer(SimplicesOfCells& output, const Amounts& start, vtkIdType firstCentre)
+    : Output(output)
+    , At(start)
+    , FirstCentre(firstCentre)
+  {
+  }
+
+  void AddSimplex(vtkIdType cellId, const vtkIdType* ids, int size)
+  {
+    this->Output.Simplices.Dimensions[this->At.Simplices] = static_cast<unsigned char>(size - 1);
+    std::copy(ids, ids + size, this->Output.Simplices.Connectivity.begin() + this->At.Ids);
+    if (!this->Output.ParentCells.empty())
+    {
+      this->Output.ParentCells[this->At.Simplices] = cellId;
+    }
+    ++this->At.Simplices;
+    this->At.Ids += size;
+  }
+  vtkIdType AddCentre(const vtkIdType* ids, int size)
+  {
+    std::copy(ids, ids + size, this->Output.CentreMembers.begin() + this->At.Members);
+    this->At.Members += size;
+    this->Output.CentreOffsets[this->At.Centres + 1] = this->At.Members;
+    return this->FirstCentre + this->At.Centres++;
+  }
+  template <typename Quad>
+  void AddContested(const Quad&, vtkIdType)
+  {
+  }
+
+private:
+  SimplicesOfCells& Output;
+  Amounts At;
+  const vtkIdType FirstCentre;
+};
+
+/// Splits one cell after the other into a Counter or a Writer; one object per task.
+template <typename Sink>
+class Splitter
+{
+public:
+  Splitter(const CellReader& cells, vtkPoints* points, const QuadDiagonals& diagonals, Sink& sink)
+    : Cells(cells)
+    , Diagonals(diagonals)
+    , Ears(points, diagonals.GetOrder())
+    , Out(sink)
+  {
+  }
+
+  void Split(vtkIdType cellId, CellState state)
+  {
+    if (!TakesPart(state))
+    {
+      return;
+    }
+    this->CellId = cellId;
+    this->IsGood = state == CellState::Good;
+    const int type = this->Cells.GetCellType(cellId);
+    const CellIds cell = this->Cells.GetCell(cellId, this->Ids);
+    switch (type)
+    {
+      case VTK_VERTEX:
+      case VTK_POLY_VERTEX:
+        this->AddWindows(cell, 1);
+        break;
+      case VTK_LINE:
+      case VTK_POLY_LINE:
+        this->AddWindows(cell, 2);
+        break;
+      case VTK_TRIANGLE:
+        this->Add(cell.Ids, 3);
+        break;
+      case VTK_TRIANGLE_STRIP:
+        this->SplitStrip(cell);
+        break;
+      case VTK_PIXEL:
+      case VTK_QUAD:
+        vtkIdType quad[4];
+        GetQuad(type, cell.Ids, quad);
+        this->SplitQuad(quad);
+        break;
+      case VTK_POLYGON:
+        this->SplitPolygon(cell);
+        break;
+      case VTK_TETRA:
+        this->Add(cell.Ids, 4);
+        break;
+      default:
+        this->SplitSolidCell(type, cell.Ids);
+        break;
+    }
+  }
+
+private:
+  void Add(const vtkIdType* ids, int size)
+  {
+    if (this->IsGood || !IsRepeated(ids, size))
+    {
+      this->Out.AddSimplex(this->CellId, ids, size);
+    }
+  }
+
+  void AddWindows(const CellIds& cell, int size)
+  {
+    for (vtkIdType i = 0; i + size <= cell.Size; ++i)
+    {
+      this->Add(cell.Ids + i, size);
+    }
+  }
+
+  void SplitStrip(const CellIds& cell)
+  {
+    for (vtkIdType i = 0; i + 2 < cell.Size; ++i)
+    {
+      vtkIdType triangle[3];
+      GetStripTriangle(cell.Ids, i, triangle);
+      this->Add(triangle, 3);
+    }
+  }
+
+  void SplitQuad(const vtkIdType* quad)
+  {
+    if (IsFolded(quad))
+    {
+      return;
+    }
+    const QuadDiagonals::Choice choice = this->Diagonals.Choose(quad);
+    if (choice.Contested)
+    {
+      this->Out.AddContested(quad, this->CellId);
+    }
+    const int last = choice.Diagonal == 0 ? 2 : 3;
+    const vtkIdType first[3] = { quad[0], quad[1], quad[last] };
+    const vtkIdType second[3] = { quad[last - 2], quad[2], quad[3] };
+    this->Add(first, 3);
+    this->Add(second, 3);
+  }
+
+  void SplitPolygon(CellIds cell)
+  {
+    if (!this->IsGood)
+    {
+      this->Loop.assign(cell.Ids, cell.Ids + cell.Size);
+      cell.Size = CollapseLoop(this->Loop.data(), cell.Size);
+      cell.Ids = this->Loop.data();
+    }
+    if (cell.Size == 3)
+    {
+      this->Add(cell.Ids, 3);
+    }
+    else if (cell.Size == 4)
+    {
+      this->SplitQuad(cell.Ids);
+    }
+    else if (cell.Size > 4 && Sink::Counts && this->IsGood)
+    {
+      for (vtkIdType i = 2; i < cell.Size; ++i)
+      {
+        this->Add(cell.Ids, 3); // only their number matters here
+      }
+    }
+    else if (cell.Size > 4)
+    {
+      for (const auto& triangle : this->Ears.Cut(cell.Ids, cell.Size))
+      {
+        this->Add(triangle.data(), 3);
+      }
+    }
+  }
+
+  void SplitSolidCell(int type, const vtkIdType* ids)
+  {
+    SolidSplit split = SplitSolid(type, ids, this->Diagonals);
+    for (int i = 0; i < split.NumberOfContested; ++i)
+    {
+      this->Out.AddContested(split.Contested[i], this->CellId);
+    }
+    const vtkIdType centre =
+      split.HasCentre ? this->Out.AddCentre(split.Points, split.NumberOfPoints) : 0;
+    for (int i = 0; i < split.NumberOfTets; ++i)
+    {
+      if (split.HasCentre)
+      {
+        split.Tets[i][0] = centre;
+      }
+      this->Out.AddSimplex(this->CellId, split.Tets[i], 4); // has no repeated ids
+    }
+  }
+
+  const CellReader& Cells;
+  const QuadDiagonals& Diagonals;
+  PolygonEars Ears;
+  Sink& Out;
+  vtkIdType CellId = 0;
+  bool IsGood = true;
+  std::vector<vtkIdType> Ids;
+  std::vector<vtkIdType> Loop;
+};
+
+struct Counts
+{
+  std::vector<Amounts> Starts; ///< of each block
+  Amounts Total;
+  bool OnePerCell = true; ///< every cell gives exactly one simplex
+  std::vector<ContestedQuad> Contested;
+};
+
+Counts CountPieces(const CellReader& cells, vtkPoints* points, const CheckedCells& checked,
+  const QuadDiagonals& diagonals)
+{
+  const size_t blocks = static_cast<size_t>(cells.GetNumberOfBlocks());
+  std::vector<Counter> counters(blocks);
+  std::vector<unsigned char> onePerCell(blocks, 1);
+  ForBlocks(cells,
+    [&](vtkIdType block, vtkIdType begin, vtkIdType end)
+    {
+      Counter counter; // a local one: neighbours in the vector would share cache lines
+      Splitter<Counter> splitter(cells, points, diagonals, counter);
+      for (vtkIdType cellId = begin; cellId < end; ++cellId)
+      {
+        splitter.Split(cellId, checked.States[cellId]);
+        if (counter.Total.Simplices != cellId - begin + 1)
+        {
+          onePerCell[block] = 0;
+        }
+      }
+      counters[block] = std::move(counter);
+    });
+  Counts counts;
+  for (size_t block = 0; block < blocks; ++block)
+  {
+    const Counter& counter = counters[block];
+    counts.Starts.push_back(counts.Total);
+    counts.Total += counter.Total;
+    counts.OnePerCell = counts.OnePerCell && onePerCell[block];
+    counts.Contested.insert(
+      counts.Contested.end(), counter.Contested.begin(), counter.Contested.end());
+  }
+  return counts;
+}
+
+void DescribeContested(std::vector<ContestedQuad>&& quads, std::vector<std::string>& warnings)
+{
+  if (quads.empty())
+  {
+    return;
+  }
+  std::sort(quads.begin(), quads.end());
+  quads.erase(std::unique(quads.begin(), quads.end(),
+                [](const ContestedQuad& a, const ContestedQuad& b) { return a.Key == b.Key; }),
+    quads.end());
+  const auto first = std::min_element(quads.begin(), quads.end(),
+    [](const ContestedQuad& a, const ContestedQuad& b) { return a.CellId < b.CellId; });
+  const bool one = quads.size() == 1;
+  warnings.push_back((one ? "1 quad touches" : std::to_string(quads.size()) + " quads touch") +
+    " triangles on both diagonals (" + (one ? "" : "the first ") + "in cell " +
+    std::to_string(first->CellId) +
+    "): the diagonal through the smallest point id was taken, and the mesh does not conform there. "
+    "Look for overlapping cells.");
+}
+
+void SplitCells(const CellReader& cells, vtkPoints* points, const CheckedCells& checked,
+  const QuadDiagonals& diagonals, SimplicesOfCells& output)
+{
+  Counts counts = CountPieces(cells, points, checked, diagonals);
+  DescribeContested(std::move(counts.Contested), output.Warnings);
+  const auto size = [](vtkIdType amount) { return static_cast<size_t>(amount); };
+  output.Simplices.Dimensions.resize(size(counts.Total.Simplices));
+  output.Simplices.Connectivity.resize(size(counts.Total.Ids));
+  output.ParentCells.resize(counts.OnePerCell ? 0 : size(counts.Total.Simplices));
+  output.CentreOffsets.resize(size(counts.Total.Centres) + 1);
+  output.CentreMembers.resize(size(counts.Total.Members));
+  const vtkIdType firstCentre = output.Simplices.NumberOfPoints;
+  ForBlocks(cells,
+    [&](vtkIdType block, vtkIdType begin, vtkIdType end)
+    {
+      Writer writer(output, counts.Starts[block], firstCentre);
+      Splitter<Writer> splitter(cells, points, diagonals, writer);
+      for (vtkIdType cellId = begin; cellId < end; ++cellId)
+      {
+        splitter.Split(cellId, checked.States[cellId]);
+      }
+    });
+  output.Simplices.NumberOfPoints += counts.Total.Centres;
+}
+
+}
+
+void SimplicesOfCells::TakeIds()
+{
+  if (this->InPlace)
+  {
+    vtkIdType size = 0;
+    for (unsigned char dimension : this->Simplices.Dimensions)
+    {
+      size += dimension + 1;
+    }
+    this->Simplices.Connectivity.assign(this->InPlace, this->InPlace + size);
+    this->InPlace = nullptr;
+  }
+}
+
+SimplicesOfCells CellsToSimplices(vtkPointSet* input, const vtkIdType* globalIds, PlainIds ids)
+{
+  SimplicesOfCells output;
+  output.Simplices.NumberOfPoints = input->GetNumberOfPoints();
+  const CellReader cells(input);
+  if (ReadPlainSimplices(input, cells, output.Simplices.Dimensions))
+  {
+    // Nothing to decide: the ids stay as they stand.
+    output.InPlace = ids == PlainIds::InPlace ? cells.FindAllIds() : nullptr;
+    if (!output.InPlace)
+    {
+      cells.GetAllIds(output.Simplices.Connectivity);
+    }
+    return output;
+  }
+  const CheckedCells checked = CheckCells(input, cells);
+  output.Warnings = DescribePassedOver(cells, checked);
+  QuadDiagonals diagonals(PointOrder{ globalIds });
+  if (checked.HasQuads)
+  {
+    const vtkIdType numberOfPoints = input->GetNumberOfPoints();
+    diagonals.SetTriangles(FindTrianglesNearQuads(cells, checked, numberOfPoints), numberOfPoints);
+  }
+  SplitCells(cells, input->GetPoints(), checked, diagonals, output);
+  return output;
+}
+
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CellsToSimplices.h
+ * Input: the cells of a vtkUnstructuredGrid or vtkPolyData as ordered simplices.
+ */
+#ifndef SubdivisionObjects_CellsToSimplices_h
+#define SubdivisionObjects_CellsToSimplices_h
+
+#include "Core/Memory/SimplexList.h"
+
+#include <string>
+#include <vector>
+
+class vtkPointSet;
+
+namespace subdivision
+{
+
+struct SimplicesOfCells
+{
+  /// The simplices, in input cell order; NumberOfPoints counts the added centres too.
+  SimplexList Simplices;
+  /// The ids, where they were left where they are: Simplices.Connectivity is empty then.
+  const vtkIdType* InPlace = nullptr;
+  /// The input cell each simplex is a piece of. Empty: simplex i is cell i.
+  std::vector<vtkIdType> ParentCells;
+  /// CSR: centre c (point id = number of input points + c) is the mean of the input points
+  /// CentreMembers[CentreOffsets[c] .. CentreOffsets[c + 1]).
+  std::vector<vtkIdType> CentreOffsets{ 0 };
+  std::vector<vtkIdType> CentreMembers;
+  /// One sentence for each kind of cell that was passed over or is worth a word.
+  std::vector<std::string> Warnings;
+
+  vtkIdType GetNumberOfCentres() const
+  {
+    return static_cast<vtkIdType>(this->CentreOffsets.size()) - 1;
+  }
+  SimplexView GetView() const
+  {
+    SimplexView view(this->Simplices);
+    view.Connectivity = this->InPlace ? this->InPlace : view.Connectivity;
+    return view;
+  }
+  /// Copies ids that are in place.
+  void TakeIds();
+};
+
+/// What becomes of the ids of an input whose cells are simplices all.
+enum class PlainIds
+{
+  Copied,
+  InPlace ///< if the input stores them as vtkIdType: it must outlive the result
+};
+
+/**
+ * Splits every cell of `input` (vtkUnstructuredGrid or vtkPolyData) into simplices, conformingly.
+ * `globalIds` orders the points (null: the index does). The pieces of a cell are consecutive and
+ * have its orientation; a cell that is a simplex keeps the order of its points. All cells that have
+ * a quad take the diagonal that triangles of the mesh have, else the one through its smallest
+ * point; see SolidCells.h for what follows from that inside a solid, PolygonEars.h for larger
+ * polygons. Cells that cannot be used are left out with a warning, hidden ones (vtkGhostType)
+ * without; neither has any influence on the others.
+ */
+SimplicesOfCells CellsToSimplices(
+  vtkPointSet* input, const vtkIdType* globalIds, PlainIds ids = PlainIds::Copied);
+
+}
+
+#endif

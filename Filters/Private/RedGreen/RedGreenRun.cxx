@@ -1,0 +1,525 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/RedGreen/RedGreenRun.h"
+
+#include "Core/Solids/Complex/TetOrder.h"
+#include "Private/ArrayNames.h"
+#include "Private/Arrays/CellArrays.h"
+#include "Private/Arrays/PointArrays.h"
+#include "Private/Control/SizeChecks.h"
+#include "Private/RedGreen/RedGreenLimit.h"
+#include "Private/RedGreen/RedGreenMesh.h"
+#include "Private/RedGreen/RefinementMarks.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+namespace subdivision
+{
+namespace
+{
+
+class RedGreenRun
+{
+public:
+  RedGreenRun(vtkPointSet* input, const RedGreenOptions& options, vtkUnstructuredGrid* output)
+    : Input(input)
+    , Options(options)
+    , Output(output)
+  {
+  }
+  bool Run();
+
+private:
+  enum class Outcome
+  {
+    Done,
+    Stopped,
+    NotOurs ///< the stamp fits, the cells do not
+  };
+  template <typename Id>
+  using Marks = std::vector<RefinementMark<Id>>;
+
+  Outcome Execute(bool trustStamp);
+
+  void StartPoints();
+  void FindLimit();
+  template <typename Id>
+  Outcome Refine();
+  template <typename Id>
+  bool BuildLimit(RedGreenLimit<Id>& limit);
+  template <typename Id>
+  std::unique_ptr<RedGreen<Id>> StartState();
+  template <typename Id>
+  bool RunRounds(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<Id>& limit);
+  template <typename Id, typename Cells>
+  Marks<Id> FindMarksOf(const Cells& cells, const RedGreen<Id>& state, RedGreenLimit<Id>& limit,
+    MarkNotes& notes) const;
+  template <typename Id>
+  void StopAtLimit(std::vector<Marks<Id>>& rounds, std::unique_ptr<RedGreen<Id>>& state);
+  void TellNotes(MarkNotes& notes) const;
+
+  template <typename Id>
+  void MakePoints(const RedGreen<Id>& state, const RedGreenLimit<Id>& limit);
+  template <typename Id>
+  void MakeCells(const RedGreenOutput<Id>& plan);
+  void WarnOfReplaced() const;
+  bool CarriesOriginals(vtkDataSetAttributes* data, const char* name, vtkIdType size) const
+  {
+    return (this->Mesh.IsContinued || this->Mesh.Control.IsStamped) && HasIds(data, name, size);
+  }
+  bool ReadsLimit() const
+  {
+    return this->Options.LimitPlacement || this->Options.Criteria.ReadsLimit();
+  }
+  bool IsStopped(double done) const
+  {
+    return this->Options.Progress && this->Options.Progress(done);
+  }
+
+  vtkPointSet* Input;
+  const RedGreenOptions& Options;
+  vtkUnstructuredGrid* Output;
+  RedGreenMesh Mesh;
+  std::unique_ptr<PointArrays> Points;
+  std::unique_ptr<RefinementCriteria> Criteria;
+  double MostCells = 0.; ///< that the output may have
+  bool MemoryIsLimit = false;
+};
+
+bool RedGreenRun::Run()
+{
+  Outcome outcome = Outcome::NotOurs;
+  try
+  {
+    outcome = this->Execute(true);
+  }
+  catch (const std::invalid_argument&) // of midpoints that do not fit together
+  {
+    this->Output->Initialize();
+  }
+  if (outcome == Outcome::NotOurs)
+  {
+    outcome = this->Execute(false);
+  }
+  return outcome == Outcome::Done;
+}
+
+RedGreenRun::Outcome RedGreenRun::Execute(bool trustStamp)
+{
+  // Cells that hang on others' edges have no limit: where it is asked for, green ones stay.
+  this->Mesh = ReadRedGreenMesh(
+    this->Input, this->Options.Features, trustStamp, !this->ReadsLimit(), this->Options.Warn);
+  this->StartPoints();
+  this->FindLimit();
+  if (this->IsStopped(0.1))
+  {
+    return Outcome::Stopped;
+  }
+  const double simplices =
+    static_cast<double>(this->Mesh.Control.Cells.Simplices.GetNumberOfSimplices());
+  const double largest = 12. * (simplices + this->MostCells);
+  return largest < static_cast<double>(std::numeric_limits<int>::max()) ? this->Refine<int>()
+                                                                        : this->Refine<long long>();
+}
+
+void RedGreenRun::StartPoints()
+{
+  PointArrayOptions arrays;
+  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
+  arrays.CarryOriginalIds = this->CarriesOriginals(
+    this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
+  arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;
+  arrays.Warn = this->Options.Warn;
+  arrays.Precision = this->Options.OutputPointsPrecision;
+  if (arrays.OriginalIds)
+  {
+    arrays.Replaced.emplace_back(OriginalPointIdsName);
+  }
+  const ControlMesh& control = this->Mesh.Control;
+  this->Points = std::make_unique<PointArrays>(this->Input, control.Cells, control.GetGlobalIds(),
+    static_cast<vtkIdType>(control.GlobalIds.size()), arrays);
+}
+
+/// How many cells the output may have, by the option and by the memory that there is.
+void RedGreenRun::FindLimit()
+{
+  // Connectivity, offset, type, our own arrays, what refinement keeps; a point for five cells.
+  const double perCell = 41. + 18. + 130. + GetBytesPerTuple(this->Input->GetCellData()) +
+    (this->Points->GetBytesPerPoint() + 40.) / 5.;
+  const double fitting = GetAvailableMemory() / perCell;
+  const auto wanted = static_cast<double>(this->Options.MaximumNumberOfCells);
+  this->MemoryIsLimit = fitting < wanted;
+  this->MostCells = std::min(fitting, wanted);
+}
+
+// ------------------------------------------------------------------------------------------------
+// Rounds
+
+/// The state before any mark.
+template <typename Id>
+std::unique_ptr<RedGreen<Id>> RedGreenRun::StartState()
+{
+  std::function<void(vtkIdType*)> order;
+  if (!this->Mesh.TetOrderIsFinal)
+  {
+    const Coordinates points = this->Points->GetCoordinates();
+    const ControlMesh& control = this->Mesh.Control;
+    order = [points, &control](vtkIdType* tet)
+    {
+      OrderTet(
+        tet, points, control.GetGlobalIds(), static_cast<vtkIdType>(control.GlobalIds.size()));
+    };
+  }
+  auto state = std::make_unique<RedGreen<Id>>(this->Mesh.GetView(), order);
+  for (const auto& middle : this->Mesh.Midpoints)
+  {
+    state->AddMidpoint(
+      static_cast<Id>(middle[0]), static_cast<Id>(middle[1]), static_cast<Id>(middle[2]));
+  }
+  if (!this->Mesh.Midpoints.empty())
+  {
+    state->Close();
+  }
+  return state;
+}
+
+template <typename Id>
+void Apply(const std::vector<RefinementMark<Id>>& marks, std::size_t count, RedGreen<Id>& state)
+{
+  std::vector<Id> inputs;
+  inputs.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (marks[i].Leaf.Cell < state.GetNumberOfInputCells() &&
+      (inputs.empty() || inputs.back() != marks[i].Leaf.Cell))
+    {
+      inputs.push_back(marks[i].Leaf.Cell);
+    }
+  }
+  state.Expect(inputs);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (marks[i].Ends[0] < 0)
+    {
+      state.MarkCell(marks[i].Leaf);
+    }
+    else
+    {
+      state.MarkEdge(marks[i].Leaf, marks[i].Ends[0], marks[i].Ends[1]);
+    }
+  }
+  state.Close();
+}
+
+template <typename Id, typename Cells>
+RedGreenRun::Marks<Id> RedGreenRun::FindMarksOf(
+  const Cells& cells, const RedGreen<Id>& state, RedGreenLimit<Id>& limit, MarkNotes& notes) const
+{
+  const RefinementOptions& options = this->Options.Criteria;
+  const bool atLimit = options.ReadsLimit();
+  if (atLimit)
+  {
+    limit.FindErrors(state, cells, options.MaximumLevel, options, *this->Criteria);
+  }
+  return FindMarks<Id>(
+    cells, *this->Criteria, options.MaximumLevel,
+    [&](Id a, Id b) { return atLimit ? limit.GetError(a, b) : 0.; }, notes);
+}
+
+/// False: stopped from outside.
+template <typename Id>
+bool RedGreenRun::RunRounds(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<Id>& limit)
+{
+  const RefinementOptions& options = this->Options.Criteria;
+  this->Criteria =
+    std::make_unique<RefinementCriteria>(options, this->Input, this->Mesh.Control.Cells);
+  const PointArrays& order = *this->Points;
+  std::vector<Marks<Id>> rounds;
+  MarkNotes notes;
+  for (int round = 0;; ++round)
+  {
+    if (this->IsStopped(0.1 + 0.6 * round / (round + 3.)))
+    {
+      return false;
+    }
+    Marks<Id> marks;
+    if (round == 0)
+    {
+      marks = this->FindMarksOf(InputCandidates<Id>(this->Mesh, *state), *state, limit, notes);
+    }
+    if (round > 0 || !this->Mesh.Midpoints.empty())
+    {
+      const Marks<Id> more = this->FindMarksOf(
+        ChangedCandidates<Id>(this->Mesh, *state, options.MaximumLevel), *state, limit, notes);
+      marks.insert(marks.end(), more.begin(), more.end());
+    }
+    if (marks.empty())
+    {
+      break;
+    }
+    Apply(marks, marks.size(), *state);
+    rounds.push_back(std::move(marks));
+    if (static_cast<double>(state->GetNumberOfCells()) > this->MostCells)
+    {
+      this->StopAtLimit(rounds, state);
+      break;
+    }
+    this->Criteria->Continue(state->GetNumberOfVertices(),
+      [&](vtkIdType vertex)
+      {
+        auto ends = state->GetEnds(static_cast<Id>(vertex));
+        if (!order.IsEarlier(ends[0], ends[1]))
+        {
+          std::swap(ends[0], ends[1]);
+        }
+        return ends;
+      });
+  }
+  this->TellNotes(notes);
+  return true;
+}
+
+/// The last round made too many cells: takes it back but for its worst marks. Marks can be applied
+/// again from the start, because what they lead to does not depend on anything else.
+template <typename Id>
+void RedGreenRun::StopAtLimit(std::vector<Marks<Id>>& rounds, std::unique_ptr<RedGreen<Id>>& state)
+{
+  Marks<Id> last = std::move(rounds.back());
+  rounds.pop_back();
+  std::stable_sort(last.begin(), last.end(),
+    [](const RefinementMark<Id>& a, const RefinementMark<Id>& b) { return a.Error > b.Error; });
+  auto replay = [&](std::size_t count)
+  {
+    state = this->StartState<Id>();
+    for (const Marks<Id>& marks : rounds)
+    {
+      Apply(marks, marks.size(), *state);
+    }
+    if (count > 0)
+    {
+      Apply(last, count, *state);
+    }
+    return static_cast<double>(state->GetNumberOfCells()) <= this->MostCells;
+  };
+  std::size_t fits = 0;
+  std::size_t exceeds = last.size();
+  const std::size_t exact = std::max<std::size_t>(1, last.size() / 1024);
+  while (exceeds - fits > exact)
+  {
+    const std::size_t middle = fits + (exceeds - fits) / 2;
+    (replay(middle) ? fits : exceeds) = middle;
+  }
+  replay(fits);
+  std::string what = std::to_string(last.size() - fits) +
+    " places that the criteria ask for were not refined, the worst ones last: the output would "
+    "have "
+    "more than " +
+    std::to_string(static_cast<vtkIdType>(this->MostCells)) + " cells, ";
+  what += this->MemoryIsLimit
+    ? "for which there is not enough memory. Use weaker criteria, a lower "
+      "MaximumLevel, or a part of the input."
+    : "which is MaximumNumberOfCells. Raise it, or use weaker criteria or a "
+      "lower MaximumLevel.";
+  this->Options.Warn(what);
+}
+
+void RedGreenRun::TellNotes(MarkNotes& notes) const
+{
+  auto& edges = notes.WithoutValue;
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  if (!edges.empty())
+  {
+    vtkDataArray* array = this->Options.Criteria.Attribute;
+    this->Options.Warn(std::to_string(edges.size()) + " edges have a value of the point array \"" +
+      (array->GetName() ? array->GetName() : "") +
+      "\" at an end that is not finite, the first is " + std::to_string(edges[0].first) + " " +
+      std::to_string(edges[0].second) + ": they were not refined by RefineByAttributeError.");
+  }
+  if (notes.TooShort > 0)
+  {
+    this->Options.Warn(std::to_string(notes.TooShort) +
+      " edges or cells that the criteria ask for were not refined: they are so small that no "
+      "number "
+      "lies between the coordinates of their points.");
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+// Output
+
+template <typename Id>
+bool RedGreenRun::BuildLimit(RedGreenLimit<Id>& limit)
+{
+  // Cells of the output keep their order, and their points' numbers are those of any placement.
+  ControlMesh ordered = this->Mesh.Control;
+  ordered.Cells.TakeIds();
+  const Coordinates points = this->Points->GetCoordinates();
+  if (!this->Mesh.TetOrderIsFinal)
+  {
+    OrderTets(ordered.Cells.Simplices, points, ordered.GetGlobalIds(),
+      static_cast<vtkIdType>(ordered.GlobalIds.size()));
+  }
+  return limit.Build(ordered, this->Options.Features, points, this->Options.Warn);
+}
+
+template <typename Id>
+RedGreenRun::Outcome RedGreenRun::Refine()
+{
+  RedGreenLimit<Id> limit;
+  if (this->ReadsLimit() && !this->BuildLimit(limit))
+  {
+    return Outcome::NotOurs;
+  }
+  std::unique_ptr<RedGreen<Id>> state = this->StartState<Id>();
+  const bool isTooLarge = static_cast<double>(state->GetNumberOfCells()) > this->MostCells;
+  if (isTooLarge && this->MemoryIsLimit)
+  {
+    this->Options.Fail("There is not enough memory for the " +
+      std::to_string(state->GetNumberOfCells()) + " cells of the input. Use a part of it.");
+    return Outcome::Stopped;
+  }
+  if (isTooLarge)
+  {
+    this->Options.Warn("The input has " + std::to_string(state->GetNumberOfCells()) +
+      " cells, which is more than MaximumNumberOfCells: nothing is refined. Raise it.");
+  }
+  else if (!this->RunRounds(state, limit))
+  {
+    return Outcome::Stopped;
+  }
+  this->Criteria.reset();
+  if (this->IsStopped(0.75))
+  {
+    return Outcome::Stopped;
+  }
+  const RedGreenOutput<Id> plan(*state);
+  this->MakeCells(plan);
+  if (this->IsStopped(0.9))
+  {
+    return Outcome::Stopped;
+  }
+  this->MakePoints(*state, limit);
+  RebuildPointGhosts(this->Input, this->Output);
+  WriteRedGreenFields(this->Mesh, plan, this->Options.LimitPlacement, this->Output);
+  return Outcome::Done;
+}
+
+template <typename Id>
+void RedGreenRun::MakePoints(const RedGreen<Id>& state, const RedGreenLimit<Id>& limit)
+{
+  const Id given = state.GetNumberOfInputVertices();
+  const Id size = state.GetNumberOfVertices();
+  Buffer<Id> origins(this->Points->GathersSome() ? size - given : 0);
+  auto origin = [&](vtkIdType point)
+  { return point < given ? point : static_cast<vtkIdType>(origins[point - given]); };
+  for (Id v = given; v < given + origins.size(); ++v)
+  {
+    const auto ends = state.GetEnds(v);
+    const bool isFirst = this->Points->IsEarlier(ends[0], ends[1]);
+    origins[v - given] = static_cast<Id>(origin(isFirst ? ends[0] : ends[1]));
+  }
+  if (this->Options.LimitPlacement)
+  {
+    this->Points->Advance(limit.GetOperator(state), origin);
+  }
+  else if (size > given)
+  {
+    this->Points->Advance(MakeMidpointRows(state), origin);
+  }
+  this->Points->Finish(this->Output);
+}
+
+template <typename Id>
+void RedGreenRun::MakeCells(const RedGreenOutput<Id>& plan)
+{
+  const CellCounts counts = plan.GetCounts();
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> connectivity;
+  vtkNew<vtkUnsignedCharArray> types;
+  vtkNew<vtkUnsignedCharArray> levels;
+  vtkNew<vtkUnsignedCharArray> kinds;
+  vtkNew<vtkIdTypeArray> parents;
+  Allocate(offsets, 1, counts.Cells + 1);
+  Allocate(connectivity, 1, counts.Entries);
+  Allocate(types, 1, counts.Cells);
+  Allocate(levels, 1, counts.Cells);
+  Allocate(kinds, 1, counts.Cells);
+  Allocate(parents, 1, counts.Cells);
+  levels->SetName(LevelName);
+  kinds->SetName(KindName);
+  parents->SetName(GreenParentName);
+  vtkNew<vtkIdTypeArray> sources;
+  Allocate(sources, 1, counts.Cells);
+  RedGreenStorage<vtkIdType> storage;
+  storage.Cells = { connectivity->GetPointer(0), offsets->GetPointer(0), types->GetPointer(0) };
+  storage.Levels = levels->GetPointer(0);
+  storage.Kinds = kinds->GetPointer(0);
+  storage.GreenParents = parents->GetPointer(0);
+  storage.InputCells = sources->GetPointer(0);
+  plan.Write(storage);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  this->Output->SetCells(types, cells);
+  if (!this->Mesh.Control.Cells.ParentCells.empty())
+  {
+    vtkIdType* ids = sources->GetPointer(0);
+    ForEach(counts.Cells, [&](vtkIdType i) { ids[i] = this->Mesh.GetInputCell(ids[i]); });
+  }
+  CellArrayOptions options;
+  options.OriginalIds = true;
+  options.CarryOriginalIds = this->CarriesOriginals(
+    this->Input->GetCellData(), OriginalCellIdsName, this->Input->GetNumberOfCells());
+  options.Replaced = { LevelName, KindName, GreenParentName };
+  if (!options.CarryOriginalIds)
+  {
+    options.Replaced.emplace_back(OriginalCellIdsName);
+  }
+  options.Warn = this->Options.Warn;
+  this->WarnOfReplaced();
+  CopyCellArrays(this->Input, sources, options, this->Output);
+  for (vtkDataArray* own : { static_cast<vtkDataArray*>(levels), static_cast<vtkDataArray*>(kinds),
+         static_cast<vtkDataArray*>(parents) })
+  {
+    AddInstead(this->Input->GetCellData(), own, this->Output->GetCellData());
+  }
+}
+
+/// What an input that no filter of ours made has by the names that are ours.
+void RedGreenRun::WarnOfReplaced() const
+{
+  if (this->Mesh.IsContinued)
+  {
+    return;
+  }
+  for (const char* name : { LevelName, KindName, GreenParentName })
+  {
+    if (this->Input->GetCellData()->HasArray(name))
+    {
+      this->Options.Warn(std::string("The input's cell array \"") + name +
+        "\" is replaced by this filter's own of that name. Rename it to keep it.");
+    }
+  }
+}
+
+}
+
+bool RefineRedGreen(vtkPointSet* input, const RedGreenOptions& options, vtkUnstructuredGrid* output)
+{
+  const RedGreenOptions once = WarningOnce(options);
+  return RedGreenRun(input, once, output).Run();
+}
+
+}

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Surface/SurfaceCellArrays.h"
+
+#include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
+
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace subdivision
+{
+namespace
+{
+
+/// Whether two arrays of one type and shape have the same values.
+bool HoldSame(vtkAbstractArray* a, vtkAbstractArray* b)
+{
+  vtkDataArray* first = vtkDataArray::SafeDownCast(a);
+  vtkDataArray* second = vtkDataArray::SafeDownCast(b);
+  if (first && second && first->GetDataType() != VTK_BIT)
+  {
+    return HoldsSameValues(first, second);
+  }
+  bool same = a->GetNumberOfValues() == b->GetNumberOfValues();
+  for (vtkIdType i = 0; same && i < a->GetNumberOfValues(); ++i)
+  {
+    same = a->GetVariantValue(i) == b->GetVariantValue(i);
+  }
+  return same;
+}
+
+/// The faces of level `first` on which those of level `last` lie.
+template <typename Id>
+Buffer<Carrier<Id>> FindCarriers(const SurfaceSteps<Id>& steps, int first, int last)
+{
+  const int period = steps.GetScheme().GetCarrierPeriod();
+  auto carriers = MakeCarriers<Id>(steps.GetLevel(first).Mesh.NumberOfFaces);
+  for (int step = first; step < last; ++step)
+  {
+    const bool areWhole = period > 0 && (step - first) % period == 0;
+    Buffer<Carrier<Id>> children;
+    steps.GetScheme().CarryFaces(steps.GetLevel(step), carriers, areWhole, children);
+    carriers = std::move(children);
+  }
+  return carriers;
+}
+
+/// The face of level `first` of which each face of level `last` shows the cell data: of several
+/// that with the smallest id on the control level.
+template <typename Id>
+Buffer<vtkIdType> FindFaceSources(const SurfaceSteps<Id>& steps, int first, int last)
+{
+  const Buffer<Carrier<Id>> carriers = FindCarriers(steps, first, last);
+  const auto controls = first > 0 ? FindCarriers(steps, 0, first) : Buffer<Carrier<Id>>();
+  auto isBefore = [&controls](Id a, Id b)
+  {
+    const Id control[2] = { controls.empty() ? 0 : controls[a].First,
+      controls.empty() ? 0 : controls[b].First };
+    return control[0] != control[1] ? control[0] < control[1] : a < b;
+  };
+  Buffer<vtkIdType> sources(carriers.size());
+  ForEach(sources.size(),
+    [&](vtkIdType i)
+    {
+      const Carrier<Id>& carrier = carriers[i];
+      const bool isSecond = carrier.Second >= 0 && isBefore(carrier.Second, carrier.First);
+      sources[i] = isSecond ? carrier.Second : carrier.First;
+    });
+  return sources;
+}
+
+/// From which tuples, and of what, the cells of an output take their data: vertices and lines from
+/// those of the input, faces from those of the input or, where these do not show all, of an earlier
+/// level.
+template <typename Id>
+class SurfaceSources
+{
+public:
+  SurfaceSources(const SurfaceCells& cells, const SurfaceSteps<Id>& steps, int firstStep,
+    const CarriedCells& carried)
+    : Cells(cells)
+    , Steps(steps)
+    , FirstStep(firstStep)
+    , Carried(carried)
+  {
+  }
+
+  /// An array of the input for the output; adds what the filter after this one needs of it to
+  /// `next`.
+  vtkSmartPointer<vtkAbstractArray> Copy(vtkAbstractArray* array, CarriedCells& next)
+  {
+    const CarriedCells::Entry* base = this->FindBase(array);
+    const int level = base ? base->Level : this->FirstStep;
+    if (array->GetName() && !this->IsWholeAfter(level))
+    {
+      next.Entries.push_back(
+        { array->GetName(), level, base ? base->Array : this->GatherFaces(array) });
+    }
+    if (!base)
+    {
+      return Gather(array, Whole(this->GetSources()));
+    }
+    const vtkIdType tuples = array->GetNumberOfTuples();
+    std::vector<vtkIdType> all(tuples);
+    std::iota(all.begin(), all.end(), 0);
+    const auto both = Gather(array, { all.data(), all.data() + tuples });
+    both->InsertTuples(tuples, base->Array->GetNumberOfTuples(), 0, base->Array);
+    const Buffer<vtkIdType>& faces = this->FindSources(level, this->Steps.GetNumberOfSteps());
+    return Gather(both, Whole(this->Join([&](vtkIdType f) { return tuples + faces[f]; })));
+  }
+  /// The ids of the input's cells for the output, as an array of that name.
+  vtkSmartPointer<vtkIdTypeArray> CopyIds(const char* name, CarriedCells& next)
+  {
+    const auto ids = MakeIds(name, this->GetSources());
+    if (!this->IsWholeAfter(this->FirstStep))
+    {
+      next.Entries.push_back({ name, this->FirstStep, MakeIds(name, this->Cells.FaceCells) });
+    }
+    return ids;
+  }
+
+private:
+  static Row<vtkIdType> Whole(const Buffer<vtkIdType>& sources)
+  {
+    return { sources.begin(), sources.end() };
+  }
+  template <typename List>
+  static vtkSmartPointer<vtkIdTypeArray> MakeIds(const char* name, const List& values)
+  {
+    auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+    ids->SetName(name);
+    ids->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), ids->GetPointer(0));
+    return ids;
+  }
+  /// Whether each face of the last level lies in one of an earlier level.
+  bool IsWholeAfter(int level) const
+  {
+    const int period = this->Steps.GetScheme().GetCarrierPeriod();
+    const int steps = this->Steps.GetNumberOfSteps() - level;
+    return steps == 0 || (period > 0 && steps % period == 0);
+  }
+  vtkSmartPointer<vtkAbstractArray> GatherFaces(vtkAbstractArray* array) const
+  {
+    const std::vector<vtkIdType>& faces = this->Cells.FaceCells;
+    return Gather(array, { faces.data(), faces.data() + faces.size() });
+  }
+  /// `ofFace(f)` for each face, after vertices and lines.
+  template <typename OfFace>
+  Buffer<vtkIdType> Join(const OfFace& ofFace) const
+  {
+    const SurfaceCells& cells = this->Cells;
+    const SurfaceLevel<Id>& last = this->Steps.GetLevel(this->Steps.GetNumberOfSteps());
+    const vtkIdType vertices = static_cast<vtkIdType>(cells.VertexCells.size());
+    const vtkIdType segments = static_cast<vtkIdType>(cells.SegmentCells.size());
+    const vtkIdType lines = last.Lines.size();
+    Buffer<vtkIdType> sources(vertices + lines + last.Mesh.NumberOfFaces);
+    std::copy(cells.VertexCells.begin(), cells.VertexCells.end(), sources.begin());
+    ForEach(lines,
+      [&](vtkIdType i) { sources[vertices + i] = cells.SegmentCells[i / (lines / segments)]; });
+    ForEach(
+      last.Mesh.NumberOfFaces, [&](vtkIdType f) { sources[vertices + lines + f] = ofFace(f); });
+    return sources;
+  }
+  /// The face of one level for each face of another.
+  const Buffer<vtkIdType>& FindSources(int first, int last)
+  {
+    Buffer<vtkIdType>& sources = this->Known[{ first, last }];
+    if (sources.empty())
+    {
+      sources = FindFaceSources(this->Steps, first, last);
+    }
+    return sources;
+  }
+  /// The input cell of each output cell.
+  const Buffer<vtkIdType>& GetSources()
+  {
+    if (this->Sources.empty())
+    {
+      const Buffer<vtkIdType>& faces =
+        this->FindSources(this->FirstStep, this->Steps.GetNumberOfSteps());
+      this->Sources = this->Join([&](vtkIdType f) { return this->Cells.FaceCells[faces[f]]; });
+    }
+    return this->Sources;
+  }
+
+  /// The data of earlier faces, if the input still shows them. Null: the input's count.
+  const CarriedCells::Entry* FindBase(vtkAbstractArray* array)
+  {
+    const CarriedCells::Entry* base = this->Carried.Find(array->GetName());
+    if (!base || base->Level >= this->FirstStep ||
+      base->Array->GetDataType() != array->GetDataType() ||
+      base->Array->GetNumberOfComponents() != array->GetNumberOfComponents() ||
+      base->Array->GetNumberOfTuples() != this->Steps.GetLevel(base->Level).Mesh.NumberOfFaces)
+    {
+      return nullptr;
+    }
+    const auto shown = Gather(base->Array, Whole(this->FindSources(base->Level, this->FirstStep)));
+    return HoldSame(shown, this->GatherFaces(array)) ? base : nullptr;
+  }
+
+  const SurfaceCells& Cells;
+  const SurfaceSteps<Id>& Steps;
+  const int FirstStep;
+  const CarriedCells& Carried;
+  Buffer<vtkIdType> Sources;
+  std::map<std::pair<int, int>, Buffer<vtkIdType>> Known;
+};
+
+/// Calls use(array, i) for each array of `input` that can be used.
+template <typename Use>
+void ForEachArray(vtkPolyData* input, bool originals, const RunOptions& options, const Use& use)
+{
+  vtkCellData* from = input->GetCellData();
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = from->GetAbstractArray(i);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    if (array != from->GetGlobalIds() && array != from->GetPedigreeIds() &&
+      !(originals && name == OriginalCellIdsName) &&
+      HasTuples(array, input->GetNumberOfCells(), "cell", options.Warn))
+    {
+      use(array, i);
+    }
+  }
+}
+
+}
+
+void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources, bool originals,
+  const RunOptions& options, vtkPolyData* output)
+{
+  vtkCellData* from = input->GetCellData();
+  vtkCellData* to = output->GetCellData();
+  ForEachArray(input, originals, options, [&](vtkAbstractArray* array, int i)
+    { AddLike(from, i, Gather(array, { sources.begin(), sources.end() }), to); });
+  if (originals)
+  {
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName(OriginalCellIdsName);
+    ids->SetNumberOfTuples(sources.size());
+    std::copy(sources.begin(), sources.end(), ids->GetPointer(0));
+    AddInstead(from, ids, to);
+  }
+}
+
+template <typename Id>
+void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
+  const SurfaceSteps<Id>& steps, int firstStep, bool goesOn, const RunOptions& options,
+  CarriedCells& carried, vtkPolyData* output)
+{
+  vtkCellData* from = input->GetCellData();
+  vtkCellData* to = output->GetCellData();
+  const bool hasOriginals = goesOn && HasIds(from, OriginalCellIdsName, input->GetNumberOfCells());
+  const bool originals = options.GenerateOriginalIds && !hasOriginals;
+  SurfaceSources<Id> sources(cells, steps, firstStep, carried);
+  CarriedCells next;
+  ForEachArray(input, originals, options,
+    [&](vtkAbstractArray* array, int i) { AddLike(from, i, sources.Copy(array, next), to); });
+  if (originals)
+  {
+    AddInstead(from, sources.CopyIds(OriginalCellIdsName, next), to);
+  }
+  carried = std::move(next);
+  if (vtkDataArray* given = options.Features.Sharpness)
+  {
+    vtkDataArray* sharpness = to->GetArray(given->GetName());
+    const vtkIdType first = static_cast<vtkIdType>(cells.VertexCells.size());
+    const vtkIdType lines = steps.GetLevel(steps.GetNumberOfSteps()).Lines.size();
+    for (vtkIdType i = first; sharpness && i < first + lines; ++i)
+    {
+      sharpness->SetComponent(
+        i, 0, std::max(sharpness->GetComponent(i, 0) - (steps.GetNumberOfSteps() - firstStep), 0.));
+    }
+  }
+}
+
+template void CopySurfaceCellArrays(vtkPolyData*, const SurfaceCells&, const SurfaceSteps<int>&,
+  int, bool, const RunOptions&, CarriedCells&, vtkPolyData*);
+template void CopySurfaceCellArrays(vtkPolyData*, const SurfaceCells&,
+  const SurfaceSteps<long long>&, int, bool, const RunOptions&, CarriedCells&, vtkPolyData*);
+
+}

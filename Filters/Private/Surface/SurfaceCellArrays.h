@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceCellArrays.h
+ * Cell data of surfaces go to the children.
+ */
+#ifndef SubdivisionObjects_SurfaceCellArrays_h
+#define SubdivisionObjects_SurfaceCellArrays_h
+
+#include "Core/Surfaces/Steps/SurfaceSteps.h"
+#include "Private/Control/RunOptions.h"
+#include "Private/Surface/SurfaceCells.h"
+#include "Private/Surface/SurfaceStamp.h"
+
+namespace subdivision
+{
+
+/// Copies every cell array of `input` to cells that come from `sources`, with `vtkOriginalCellIds`
+/// if `originals`. Global and pedigree ids are dropped.
+void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources, bool originals,
+  const RunOptions& options, vtkPolyData* output);
+
+/// Copies every cell array of `input`, whose cells are those of level `firstStep`, to the cells of
+/// the last level. Global and pedigree ids are dropped; sharpness of lines is reduced. `goesOn`: an
+/// earlier filter made the input, whose original ids are kept, and left `carried`; this becomes
+/// what the next filter needs.
+template <typename Id>
+void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
+  const SurfaceSteps<Id>& steps, int firstStep, bool goesOn, const RunOptions& options,
+  CarriedCells& carried, vtkPolyData* output);
+
+}
+
+#endif

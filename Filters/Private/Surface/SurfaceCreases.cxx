@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Surface/SurfaceCreases.h"
+
+#include "Core/Rules/Pi.h"
+#include "Core/Surfaces/Scheme/SurfaceRings.h"
+#include "Private/Arrays/Arrays.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace subdivision
+{
+namespace
+{
+
+using Vector = std::array<double, 3>;
+
+Vector Cross(const Vector& a, const Vector& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+double Dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// From the edge of a half-edge into its face: the face's mean normal times the half-edge.
+template <typename Id>
+Vector FindHeight(const PolygonMesh<Id>& mesh, Id corner, const double* points)
+{
+  auto between = [&](Id from, Id to)
+  {
+    const double* a = points + 3 * static_cast<vtkIdType>(mesh.Vertices[from]);
+    const double* b = points + 3 * static_cast<vtkIdType>(mesh.Vertices[to]);
+    return Vector{ b[0] - a[0], b[1] - a[1], b[2] - a[2] };
+  };
+  Vector normal{ 0., 0., 0. };
+  const Id after = mesh.Next(corner);
+  for (Id c = mesh.Next(after); c != corner; c = mesh.Next(c))
+  {
+    const Id before = mesh.Previous(c);
+    const Vector part = Cross(between(corner, before), between(corner, c));
+    for (int i = 0; i < 3; ++i)
+    {
+      normal[i] += part[i];
+    }
+  }
+  return Cross(normal, between(corner, after));
+}
+
+}
+
+template <typename Id>
+std::vector<vtkIdType> FindFeatureEdges(
+  const PolygonMesh<Id>& mesh, const Coordinates& points, double angle)
+{
+  constexpr double degree = Pi / 180.;
+  const double least = (angle + 180. * points.Tie) * degree; // more than may be rounding
+  Buffer<unsigned char> turns(mesh.GetNumberOfEdges());
+  ForEach(turns.size(),
+    [&](vtkIdType e)
+    {
+      turns[e] = 0;
+      const Id corner = mesh.EdgeCorners[e];
+      if (corner < 0 || mesh.Twins[corner] < 0)
+      {
+        return;
+      }
+      const Vector a = FindHeight(mesh, corner, points);
+      const Vector b = FindHeight(mesh, mesh.Twins[corner], points);
+      const double lengths = std::sqrt(Dot(a, a)) * std::sqrt(Dot(b, b));
+      if (lengths > 0. && std::isfinite(lengths))
+      {
+        const double cosine = std::max(-1., std::min(-Dot(a, b) / lengths, 1.));
+        turns[e] = std::acos(cosine) > least;
+      }
+    });
+  std::vector<vtkIdType> pairs;
+  for (vtkIdType e = 0; e < turns.size(); ++e)
+  {
+    if (turns[e])
+    {
+      pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
+    }
+  }
+  return pairs;
+}
+
+template <typename Id>
+void AddSharpEdges(
+  const PolygonMesh<Id>& mesh, const std::vector<vtkIdType>& pairs, SurfaceFeatures& features)
+{
+  if (!pairs.empty())
+  {
+    features.SharpEdges.resize(mesh.GetNumberOfEdges(), 0);
+  }
+  std::vector<Id> edges;
+  for (std::size_t i = 0; i + 1 < pairs.size(); i += 2)
+  {
+    const Id a = static_cast<Id>(pairs[i]);
+    if (pairs[i] == pairs[i + 1])
+    {
+      features.Corners.resize(mesh.NumberOfVertices, 0);
+      features.Corners[a] = 1;
+      continue;
+    }
+    CollectEdges(mesh, a, [&](Id e) { return mesh.GetOtherEnd(e, a) == pairs[i + 1]; }, edges);
+    for (Id edge : edges)
+    {
+      features.SharpEdges[edge] = 1;
+    }
+  }
+}
+
+template <typename Id>
+std::vector<vtkIdType> ListSharpEdges(const PolygonMesh<Id>& mesh, const SurfaceFeatures& features)
+{
+  std::vector<vtkIdType> pairs;
+  for (std::size_t e = 0; e < features.SharpEdges.size(); ++e)
+  {
+    if (features.SharpEdges[e])
+    {
+      pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
+    }
+  }
+  for (std::size_t v = 0; v < features.Corners.size(); ++v)
+  {
+    if (features.Corners[v])
+    {
+      pairs.insert(pairs.end(), 2, static_cast<vtkIdType>(v));
+    }
+  }
+  return pairs;
+}
+
+template <typename Id>
+SurfaceCreases ReadSurfaceCreases(
+  const FeatureOptions& options, const SurfaceCells& cells, const SurfaceLevel<Id>& level)
+{
+  SurfaceCreases creases;
+  SurfaceFeatures& features = creases.Features;
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  features.DartEnds = options.DartEnds;
+  features.Type1 = options.Type1;
+  features.Type2 = options.Type2;
+  features.Type3 = options.Type3;
+  if (vtkDataArray* flags = options.Singular)
+  {
+    features.SharpEdges.assign(mesh.GetNumberOfEdges(), 0);
+    features.Corners.assign(mesh.NumberOfVertices, 0);
+    auto isFlagged = [flags](vtkIdType cell) { return flags->GetComponent(cell, 0) != 0.; };
+    for (std::size_t i = 0; i < cells.Vertices.size(); ++i)
+    {
+      features.Corners[cells.Vertices[i]] |= isFlagged(cells.VertexCells[i]);
+    }
+    // Around flagged faces: edges that have not exactly two of them.
+    std::vector<unsigned char> counts(mesh.GetNumberOfEdges(), 0);
+    for (vtkIdType c = 0; c < mesh.GetNumberOfCorners(); ++c)
+    {
+      unsigned char& count = counts[mesh.Edges[c]];
+      count = static_cast<unsigned char>(
+        std::min(3, count + isFlagged(cells.FaceCells[mesh.GetFace(static_cast<Id>(c))])));
+    }
+    for (std::size_t e = 0; e < counts.size(); ++e)
+    {
+      features.SharpEdges[e] = counts[e] == 1 || counts[e] > 2;
+    }
+    for (vtkIdType s = 0; s < level.Lines.size(); ++s)
+    {
+      features.SharpEdges[level.Lines[s] / 2] |= isFlagged(cells.SegmentCells[s]);
+    }
+  }
+  if (vtkDataArray* sharpness = options.Sharpness)
+  {
+    creases.Sharpness.assign(mesh.GetNumberOfEdges(), 0.);
+    for (vtkIdType s = 0; s < level.Lines.size(); ++s)
+    {
+      const double value = sharpness->GetComponent(cells.SegmentCells[s], 0);
+      double& edge = creases.Sharpness[level.Lines[s] / 2];
+      edge = value > edge ? value : edge;
+    }
+    for (std::size_t e = 0; e < creases.Sharpness.size(); ++e)
+    {
+      if (std::isinf(creases.Sharpness[e]))
+      {
+        features.SharpEdges.resize(creases.Sharpness.size(), 0);
+        features.SharpEdges[e] = 1;
+        creases.Sharpness[e] = 0.;
+      }
+    }
+  }
+  return creases;
+}
+
+template <typename Id>
+void WriteSharpCorners(const PolygonMesh<Id>& mesh, const SurfaceCreases& creases,
+  const double* points, SurfaceStamp& stamp)
+{
+  stamp.FaceAngles.clear();
+  stamp.GivenCorners.clear();
+  std::vector<unsigned char> isEnd(static_cast<std::size_t>(mesh.NumberOfVertices), 0);
+  for (std::size_t e = 0; e < creases.Sharpness.size(); ++e)
+  {
+    for (std::size_t i = 2 * e; i < 2 * e + 2 && creases.Sharpness[e] > 0.; ++i)
+    {
+      isEnd[mesh.EdgeVertices[static_cast<vtkIdType>(i)]] = 1;
+    }
+  }
+  const SurfaceFeatures& features = creases.Features;
+  for (std::size_t v = 0; v < isEnd.size(); ++v)
+  {
+    if (isEnd[v])
+    {
+      stamp.GivenCorners.insert(stamp.GivenCorners.end(),
+        { static_cast<double>(v), features.Angles.empty() ? -1. : features.Angles[v],
+          features.Flatness.empty() ? -1. : features.Flatness[v] });
+    }
+  }
+  for (vtkIdType c = 0; c < mesh.GetNumberOfCorners() && !stamp.GivenCorners.empty(); ++c)
+  {
+    if (isEnd[mesh.Vertices[c]])
+    {
+      stamp.FaceAngles.insert(stamp.FaceAngles.end(),
+        { static_cast<double>(c), MeasureFaceAngle(mesh, static_cast<Id>(c), points) });
+    }
+  }
+}
+
+template <typename Id>
+void ReadSharpCorners(
+  const SurfaceStamp& stamp, const PolygonMesh<Id>& mesh, SurfaceFeatures& features)
+{
+  auto set = [](std::vector<double>& values, vtkIdType size, double place, double value)
+  {
+    const vtkIdType at = ToId(place);
+    if (at >= 0 && at < size)
+    {
+      values.resize(static_cast<std::size_t>(size), -1.);
+      values[at] = value;
+    }
+  };
+  for (std::size_t i = 0; i + 2 < stamp.GivenCorners.size(); i += 3)
+  {
+    const double* given = stamp.GivenCorners.data() + i;
+    set(features.Angles, mesh.NumberOfVertices, given[0], given[1]);
+    set(features.Flatness, mesh.NumberOfVertices, given[0], given[2]);
+  }
+  for (std::size_t i = 0; i + 1 < stamp.FaceAngles.size(); i += 2)
+  {
+    set(
+      features.FaceAngles, mesh.GetNumberOfCorners(), stamp.FaceAngles[i], stamp.FaceAngles[i + 1]);
+  }
+}
+
+std::vector<double> ReadPointValues(vtkDataArray* array, vtkIdType points, double factor)
+{
+  std::vector<double> values;
+  for (vtkIdType i = 0; array && i < points; ++i)
+  {
+    const double value = array->GetComponent(i, 0);
+    values.push_back(value >= 0. ? value * factor : -1.);
+  }
+  return values;
+}
+
+#define SUBDIVISION_CREASES(Id)                                                                    \
+  template void WriteSharpCorners(                                                                 \
+    const PolygonMesh<Id>&, const SurfaceCreases&, const double*, SurfaceStamp&);                  \
+  template void ReadSharpCorners(const SurfaceStamp&, const PolygonMesh<Id>&, SurfaceFeatures&);   \
+  template SurfaceCreases ReadSurfaceCreases(                                                      \
+    const FeatureOptions&, const SurfaceCells&, const SurfaceLevel<Id>&);                          \
+  template std::vector<vtkIdType> FindFeatureEdges(                                                \
+    const PolygonMesh<Id>&, const Coordinates&, double);                                           \
+  template void AddSharpEdges(                                                                     \
+    const PolygonMesh<Id>&, const std::vector<vtkIdType>&, SurfaceFeatures&);                      \
+  template std::vector<vtkIdType> ListSharpEdges(const PolygonMesh<Id>&, const SurfaceFeatures&)
+SUBDIVISION_CREASES(int);
+SUBDIVISION_CREASES(long long);
+
+}

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Surface/SurfaceFrames.h"
+
+#include "Core/Surfaces/Scheme/SurfaceSides.h"
+#include "Private/Arrays/Arrays.h"
+
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+namespace subdivision
+{
+
+namespace
+{
+
+/// Three numbers for each point, whatever type they are stored in.
+Buffer<double> ReadPoints(vtkDataArray* points)
+{
+  const vtkIdType size = points->GetNumberOfValues();
+  Buffer<double> values(size);
+  const void* stored = points->GetVoidPointer(0);
+  const bool isSingle = points->GetDataType() == VTK_FLOAT;
+  ForEach(size,
+    [&](vtkIdType i)
+    {
+      values[i] =
+        isSingle ? static_cast<const float*>(stored)[i] : static_cast<const double*>(stored)[i];
+    });
+  return values;
+}
+
+}
+
+template <typename Id>
+void AddShadingCells(const SurfaceLevel<Id>& level, ShadingNormals& normals)
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const Buffer<unsigned char> turned =
+    mesh.Twins.empty() ? Buffer<unsigned char>() : FindTurnedFaces(mesh);
+  for (vtkIdType f = 0; f < mesh.NumberOfFaces; ++f)
+  {
+    const Id face = static_cast<Id>(f);
+    normals.AddFacet(mesh.Vertices.data() + mesh.GetFirst(face),
+      static_cast<int>(mesh.GetSize(face)), !turned.empty() && turned[f] != 0);
+  }
+  for (const Id line : level.Lines)
+  {
+    normals.AddLine(mesh.EdgeVertices[2 * (line / 2)], mesh.EdgeVertices[2 * (line / 2) + 1]);
+  }
+  for (vtkIdType v = 0; v < mesh.NumberOfVertices; ++v)
+  {
+    normals.AddPoint(v);
+  }
+}
+
+void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
+  const Buffer<vtkIdType>& sources, bool normals, bool twoTangents,
+  const std::function<void(ShadingNormals&)>& addCells, vtkPolyData* input, vtkPolyData* output)
+{
+  const int type = points->GetDataType();
+  const vtkIdType size = sources.empty() ? tangents.Errors.size() : sources.size();
+  auto add = [&](const char* name, const auto& value)
+  {
+    const auto array = MakeArray(type, 3, size);
+    array->SetName(name);
+    auto fill = [&](auto* out)
+    {
+      using T = typename std::remove_pointer<decltype(out)>::type;
+      ForEach(size,
+        [&](vtkIdType i)
+        {
+          double result[3];
+          value(sources.empty() ? i : sources[i], result);
+          for (int c = 0; c < 3; ++c)
+          {
+            out[3 * i + c] = static_cast<T>(result[c]);
+          }
+        });
+    };
+    if (type == VTK_FLOAT)
+    {
+      fill(static_cast<float*>(array->GetVoidPointer(0)));
+    }
+    else
+    {
+      fill(static_cast<double*>(array->GetVoidPointer(0)));
+    }
+    AddInstead(input->GetPointData(), array, output->GetPointData());
+  };
+  if (normals)
+  {
+    Buffer<double> values(3 * tangents.Errors.size());
+    Buffer<unsigned char> missing(tangents.Errors.size());
+    ForEach(missing.size(),
+      [&](vtkIdType i)
+      {
+        const double* first = tangents.Values[0].data() + 3 * i;
+        const double* second = tangents.Values[1].data() + 3 * i;
+        auto isZero = [](double value) { return value == 0.; };
+        missing[i] =
+          std::all_of(first, first + 3, isZero) || std::all_of(second, second + 3, isZero);
+        FindNormal(first, second, tangents.Errors[i], values.data() + 3 * i);
+      });
+    const Buffer<double> places = ReadPoints(points);
+    ShadingNormals shading(places.data(), missing, values.data());
+    addCells(shading);
+    shading.Fill();
+    add(
+      LimitNormalsName, [&](vtkIdType i, double* n) { std::copy_n(values.data() + 3 * i, 3, n); });
+  }
+  for (int t = 0; t < 2 && twoTangents; ++t)
+  {
+    add(LimitTangentNames[t],
+      [&](vtkIdType i, double* out) { std::copy_n(tangents.Values[t].data() + 3 * i, 3, out); });
+  }
+}
+
+template <typename Id>
+TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, vtkDataArray* points)
+{
+  const int type = points->GetDataType();
+  const vtkIdType rows = points->GetNumberOfTuples();
+  TangentPairs tangents(rows);
+  const Buffer<double> x = ReadPoints(points);
+  const double unit = type == VTK_FLOAT ? SingleUnit : DoubleUnit;
+  auto apply = [&](LimitKind kind, double* values)
+  {
+    steps.GetLimit(kind).ForRows(
+      [&](const RowBlock<Id>& block, vtkIdType first)
+      {
+        block.Apply(x.data(), values + 3 * first, 3);
+        for (std::size_t row = 0; row < block.GetNumberOfRows(); ++row)
+        {
+          tangents.Errors[first + static_cast<vtkIdType>(row)] +=
+            GetTangentError(block, row, x.data(), unit);
+        }
+      });
+  };
+  apply(LimitKind::Tangent1, tangents.Values[0].data());
+  apply(LimitKind::Tangent2, tangents.Values[1].data());
+  const SurfaceLevel<Id>& level = steps.GetLevel(steps.GetNumberOfSteps());
+  const Buffer<unsigned char> turned = FindTurnedFaces(level.Mesh);
+  ForEach(turned.empty() ? 0 : rows,
+    [&](vtkIdType v)
+    {
+      const Id face = FindFaceOfTangents(level.Mesh, level.Tags, static_cast<Id>(v));
+      for (vtkIdType i = 3 * v; i < 3 * v + 3 && face >= 0 && turned[face]; ++i)
+      {
+        tangents.Values[1][i] = -tangents.Values[1][i];
+      }
+    });
+  return tangents;
+}
+
+template void AddShadingCells(const SurfaceLevel<int>&, ShadingNormals&);
+template void AddShadingCells(const SurfaceLevel<long long>&, ShadingNormals&);
+template TangentPairs FindLimitTangents(const SurfaceSteps<int>&, vtkDataArray*);
+template TangentPairs FindLimitTangents(const SurfaceSteps<long long>&, vtkDataArray*);
+
+}

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Surface/SurfaceSeams.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace subdivision
+{
+namespace
+{
+
+/// The first point, by id, of all that have the same coordinates.
+std::vector<vtkIdType> FindFirstPoints(vtkIdType size, const double* x)
+{
+  std::vector<vtkIdType> firsts(size);
+  std::iota(firsts.begin(), firsts.end(), vtkIdType(0));
+  std::vector<vtkIdType> order = firsts;
+  auto isBefore = [x](vtkIdType a, vtkIdType b)
+  { return std::lexicographical_compare(x + 3 * a, x + 3 * a + 3, x + 3 * b, x + 3 * b + 3); };
+  auto isBad = [x](vtkIdType p)
+  { return !std::all_of(x + 3 * p, x + 3 * p + 3, [](double v) { return std::isfinite(v); }); };
+  order.erase(std::remove_if(order.begin(), order.end(), isBad), order.end());
+  std::stable_sort(order.begin(), order.end(), isBefore);
+  for (std::size_t i = 1; i < order.size(); ++i)
+  {
+    if (!isBefore(order[i - 1], order[i]))
+    {
+      firsts[order[i]] = firsts[order[i - 1]];
+    }
+  }
+  return firsts;
+}
+
+}
+
+bool JoinEqualPoints(const SurfaceCells& cells, const double* points, JoinedSurface& joined)
+{
+  joined.FirstPoints = FindFirstPoints(cells.NumberOfPoints, points);
+  std::vector<vtkIdType>& firsts = joined.FirstPoints;
+  // Points of one face stay apart, so that it keeps its corners.
+  auto separate = [&firsts](const vtkIdType* ids, vtkIdType size)
+  {
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      for (vtkIdType j = 0; j < i; ++j)
+      {
+        if (firsts[ids[i]] == firsts[ids[j]])
+        {
+          firsts[ids[i]] = ids[i];
+          firsts[ids[j]] = ids[j];
+        }
+      }
+    }
+  };
+  for (vtkIdType f = 0; f < cells.GetNumberOfFaces(); ++f)
+  {
+    separate(
+      cells.Corners.data() + cells.FaceOffsets[f], cells.FaceOffsets[f + 1] - cells.FaceOffsets[f]);
+  }
+  for (std::size_t s = 0; s < cells.SegmentCells.size(); ++s)
+  {
+    separate(cells.Segments.data() + 2 * s, 2);
+  }
+  joined.Cells = cells;
+  for (auto* ids : { &joined.Cells.Corners, &joined.Cells.Segments, &joined.Cells.Vertices })
+  {
+    for (vtkIdType& id : *ids)
+    {
+      id = firsts[id];
+    }
+  }
+  return joined.Cells.Corners != cells.Corners || joined.Cells.Segments != cells.Segments;
+}
+
+template <typename Id>
+void AddSeamCorners(const PolygonMesh<Id>& mesh, const JoinedSurface& joined,
+  const SurfaceTags<Id>& tags, SurfaceFeatures& features)
+{
+  std::vector<int> copies(joined.FirstPoints.size(), 0);
+  for (vtkIdType first : joined.FirstPoints)
+  {
+    ++copies[first];
+  }
+  features.Corners.resize(mesh.NumberOfVertices, 0);
+  for (vtkIdType v = 0; v < mesh.NumberOfVertices; ++v)
+  {
+    const Id corner = mesh.VertexCorners[v];
+    const bool isInside = corner >= 0 && VisitFan(mesh, corner, [](const FanStep<Id>&) {});
+    const vtkIdType first = joined.FirstPoints[v];
+    const bool wasSmooth = tags.Vertices[first] == VertexTag::Smooth;
+    const bool goesThrough = wasSmooth ? copies[first] == 2 : copies[first] == 1;
+    features.Corners[v] |= corner != -1 && !isInside && !goesThrough;
+  }
+}
+
+template <typename Id>
+Buffer<vtkIdType> FindJoinedVertices(
+  const SurfaceSteps<Id>& steps, const SurfaceSteps<Id>& joinedSteps, vtkIdType numberOfPoints)
+{
+  const int last = steps.GetNumberOfSteps();
+  const SurfaceLevel<Id>& level = steps.GetLevel(last);
+  const SurfaceLevel<Id>& joined = joinedSteps.GetLevel(last);
+  Buffer<vtkIdType> vertices(level.Mesh.NumberOfVertices, 0);
+  // Control points keep their ids; cells are split in the same order whatever their points are.
+  std::iota(vertices.begin(), vertices.begin() + numberOfPoints, vtkIdType(0));
+  for (vtkIdType i = 0; i < 2 * level.Lines.size(); ++i)
+  {
+    auto end = [i](const SurfaceLevel<Id>& of)
+    {
+      const Id line = of.Lines[i / 2];
+      return of.Mesh.EdgeVertices[2 * (line / 2) + (line % 2 + i % 2) % 2];
+    };
+    vertices[end(level)] = end(joined);
+  }
+  Buffer<vtkIdType> corners(steps.GetNumberOfCorners(last));
+  Buffer<vtkIdType> joinedCorners(corners.size());
+  steps.WriteFaces(last, corners.data());
+  joinedSteps.WriteFaces(last, joinedCorners.data());
+  for (vtkIdType c = 0; c < corners.size(); ++c)
+  {
+    vertices[corners[c]] = joinedCorners[c];
+  }
+  return vertices;
+}
+
+#define SUBDIVISION_SEAMS(Id)                                                                      \
+  template void AddSeamCorners(                                                                    \
+    const PolygonMesh<Id>&, const JoinedSurface&, const SurfaceTags<Id>&, SurfaceFeatures&);       \
+  template Buffer<vtkIdType> FindJoinedVertices(                                                   \
+    const SurfaceSteps<Id>&, const SurfaceSteps<Id>&, vtkIdType)
+SUBDIVISION_SEAMS(int);
+SUBDIVISION_SEAMS(long long);
+
+}

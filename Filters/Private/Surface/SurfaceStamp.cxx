@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Surface/SurfaceStamp.h"
+
+#include "Private/Arrays/Arrays.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr const char* Name = "SubdivisionSurface";
+constexpr const char* SizesName = "SubdivisionSurfaceSizes";
+constexpr const char* AnglesName = "SubdivisionCornerAngles";
+constexpr const char* FaceAnglesName = "SubdivisionSharpAngles";
+constexpr const char* GivenCornersName = "SubdivisionSharpCorners";
+constexpr const char* CreasesName = "SubdivisionSurfaceCreases";
+constexpr const char* CellsName = "SubdivisionSurfaceCells";
+const std::string CarriedPrefix = "SubdivisionCarried:";
+constexpr vtkIdType FormatVersion = 2;
+constexpr int MostLevels = 20;
+
+enum Field
+{
+  Version,
+  Scheme,
+  Levels,
+  ControlPoints,
+  ControlFaces,
+  FaceSize,
+  Points,
+  Cells,
+  NumberOfFields
+};
+
+template <typename Array, typename Value>
+void WriteValues(const char* name, const std::vector<Value>& values, vtkFieldData* data)
+{
+  data->RemoveArray(name);
+  if (!values.empty())
+  {
+    vtkNew<Array> array;
+    array->SetName(name);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    data->AddArray(array);
+  }
+}
+
+std::vector<double> ReadValues(const char* name, vtkFieldData* data)
+{
+  std::vector<double> values;
+  vtkDataArray* array = data->GetArray(name);
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetComponent(i, 0));
+  }
+  return values;
+}
+
+bool IsCarried(vtkAbstractArray* array)
+{
+  return array->GetName() && std::string(array->GetName()).rfind(CarriedPrefix, 0) == 0;
+}
+
+CarriedCells ReadCarried(vtkFieldData* data, int levels)
+{
+  CarriedCells carried;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    if (IsCarried(array))
+    {
+      const std::string text = std::string(array->GetName()).substr(CarriedPrefix.size());
+      char* end = nullptr;
+      const long level = std::strtol(text.c_str(), &end, 10);
+      if (*end == ':' && level >= 0 && level < levels)
+      {
+        carried.Entries.push_back({ end + 1, static_cast<int>(level), array });
+      }
+    }
+  }
+  return carried;
+}
+
+std::vector<vtkIdType> ReadIds(const char* name, vtkFieldData* data)
+{
+  const std::vector<double> values = ReadValues(name, data);
+  std::vector<vtkIdType> ids(values.size());
+  std::transform(values.begin(), values.end(), ids.begin(), ToId);
+  return ids;
+}
+
+}
+
+const CarriedCells::Entry* CarriedCells::Find(const char* name) const
+{
+  const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
+    [name](const Entry& entry) { return name && entry.Name == name; });
+  return found == this->Entries.end() ? nullptr : &*found;
+}
+
+void SurfaceStamp::SetControl(const SurfaceCells& control, int size, bool withCells)
+{
+  this->NumberOfControlPoints = control.NumberOfPoints;
+  this->NumberOfControlFaces = control.GetNumberOfFaces();
+  this->Size = size;
+  for (vtkIdType f = 0; size == 0 && f < control.GetNumberOfFaces(); ++f)
+  {
+    this->Sizes.push_back(control.FaceOffsets[f + 1] - control.FaceOffsets[f]);
+  }
+  if (withCells)
+  {
+    this->Cells = control.Segments;
+    this->Cells.insert(this->Cells.end(), control.Corners.begin(), control.Corners.end());
+    this->Cells.insert(this->Cells.end(), control.Vertices.begin(), control.Vertices.end());
+  }
+}
+
+bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp)
+{
+  vtkFieldData* data = input->GetFieldData();
+  const std::vector<vtkIdType> numbers = ReadIds(Name, data);
+  if (numbers.size() != NumberOfFields || numbers[Version] != FormatVersion ||
+    numbers[Points] != input->GetNumberOfPoints() || numbers[Cells] != input->GetNumberOfCells() ||
+    numbers[Levels] < 0 || numbers[Levels] > MostLevels || numbers[ControlPoints] < 0 ||
+    numbers[ControlPoints] > numbers[Points] || numbers[ControlFaces] < 0 ||
+    numbers[ControlFaces] > numbers[Cells] || numbers[FaceSize] < 0)
+  {
+    return false;
+  }
+  stamp.Scheme = static_cast<int>(numbers[Scheme]);
+  stamp.Levels = static_cast<int>(numbers[Levels]);
+  stamp.NumberOfControlPoints = numbers[ControlPoints];
+  stamp.NumberOfControlFaces = numbers[ControlFaces];
+  stamp.Size = static_cast<int>(std::min<vtkIdType>(numbers[FaceSize], 1 << 30));
+  stamp.Sizes = ReadIds(SizesName, data);
+  stamp.Angles = ReadValues(AnglesName, data);
+  stamp.FaceAngles = ReadValues(FaceAnglesName, data);
+  stamp.GivenCorners = ReadValues(GivenCornersName, data);
+  stamp.Creases = ReadIds(CreasesName, data);
+  stamp.Cells = ReadIds(CellsName, data);
+  stamp.Carried = ReadCarried(data, stamp.Levels);
+  return std::all_of(stamp.Creases.begin(), stamp.Creases.end(),
+           [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; }) &&
+    (stamp.Size > 0 || static_cast<vtkIdType>(stamp.Sizes.size()) == stamp.NumberOfControlFaces);
+}
+
+void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output)
+{
+  const std::vector<vtkIdType> numbers{ FormatVersion, stamp.Scheme, stamp.Levels,
+    stamp.NumberOfControlPoints, stamp.NumberOfControlFaces, stamp.Size,
+    output->GetNumberOfPoints(), output->GetNumberOfCells() };
+  vtkFieldData* data = output->GetFieldData();
+  WriteValues<vtkIdTypeArray>(Name, numbers, data);
+  WriteValues<vtkIdTypeArray>(
+    SizesName, stamp.Size > 0 ? std::vector<vtkIdType>() : stamp.Sizes, data);
+  WriteValues<vtkDoubleArray>(AnglesName, stamp.Angles, data);
+  WriteValues<vtkDoubleArray>(FaceAnglesName, stamp.FaceAngles, data);
+  WriteValues<vtkDoubleArray>(GivenCornersName, stamp.GivenCorners, data);
+  WriteValues<vtkIdTypeArray>(CreasesName, stamp.Creases, data);
+  WriteValues<vtkIdTypeArray>(CellsName, stamp.Cells, data);
+  for (const CarriedCells::Entry& entry : stamp.Carried.Entries)
+  {
+    // Arrays may be those of an earlier output, whose names are not ours to change.
+    const auto copy = vtkSmartPointer<vtkAbstractArray>::Take(entry.Array->NewInstance());
+    copy->DeepCopy(entry.Array);
+    copy->SetName((CarriedPrefix + std::to_string(entry.Level) + ":" + entry.Name).c_str());
+    data->AddArray(copy);
+  }
+}
+
+void RemoveSurfaceStamp(vtkPolyData* output)
+{
+  vtkFieldData* data = output->GetFieldData();
+  for (const char* name :
+    { Name, SizesName, AnglesName, FaceAnglesName, GivenCornersName, CreasesName, CellsName })
+  {
+    data->RemoveArray(name);
+  }
+  for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (IsCarried(data->GetAbstractArray(i)))
+    {
+      data->RemoveArray(i);
+    }
+  }
+}
+
+namespace
+{
+
+bool AreControlPoints(const std::vector<vtkIdType>& ids, const SurfaceStamp& stamp)
+{
+  return std::all_of(ids.begin(), ids.end(),
+    [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; });
+}
+
+/// The control cells that the stamp has. Their faces have no cells of their own in the output.
+bool CopyControlCells(const SurfaceCells& cells, const SurfaceStamp& stamp, SurfaceCells& control)
+{
+  control = SurfaceCells();
+  control.NumberOfPoints = stamp.NumberOfControlPoints;
+  control.VertexCells = cells.VertexCells;
+  control.FaceCells.assign(stamp.NumberOfControlFaces, 0);
+  vtkIdType corners = 0;
+  const vtkIdType all = static_cast<vtkIdType>(stamp.Cells.size());
+  for (vtkIdType f = 0; f < stamp.NumberOfControlFaces; ++f)
+  {
+    const vtkIdType size = stamp.Size > 0 ? stamp.Size : stamp.Sizes[f];
+    if (size < 3 || size > all - corners)
+    {
+      return false;
+    }
+    corners += size;
+    control.FaceOffsets.push_back(corners);
+  }
+  const vtkIdType ends = all - corners - static_cast<vtkIdType>(cells.VertexCells.size());
+  const vtkIdType segments = ends / 2;
+  const vtkIdType children = static_cast<vtkIdType>(cells.SegmentCells.size());
+  if (ends < 0 || ends % 2 != 0 || (segments > 0 ? children % segments != 0 : children > 0))
+  {
+    return false;
+  }
+  const auto first = stamp.Cells.begin();
+  control.Segments.assign(first, first + ends);
+  control.Corners.assign(first + ends, first + ends + corners);
+  control.Vertices.assign(first + ends + corners, stamp.Cells.end());
+  for (vtkIdType s = 0; s < segments; ++s)
+  {
+    if (children == 0 || control.Segments[2 * s] == control.Segments[2 * s + 1])
+    {
+      return false;
+    }
+    control.SegmentCells.push_back(cells.SegmentCells[s * (children / segments)]);
+  }
+  for (vtkIdType f = 0; f < stamp.NumberOfControlFaces; ++f)
+  {
+    std::vector<vtkIdType> face(control.Corners.begin() + control.FaceOffsets[f],
+      control.Corners.begin() + control.FaceOffsets[f + 1]);
+    std::sort(face.begin(), face.end());
+    if (std::adjacent_find(face.begin(), face.end()) != face.end())
+    {
+      return false;
+    }
+  }
+  return AreControlPoints(stamp.Cells, stamp);
+}
+
+}
+
+bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp,
+  const std::function<bool(vtkIdType, vtkIdType)>& isSame, SurfaceCells& control)
+{
+  if (!stamp.Cells.empty())
+  {
+    return CopyControlCells(cells, stamp, control);
+  }
+  const vtkIdType segments = static_cast<vtkIdType>(cells.SegmentCells.size());
+  const vtkIdType pieces = vtkIdType(1) << stamp.Levels;
+  const bool triangles = stamp.Size == 3 && cells.Corners.size() == cells.FaceCells.size() * 3;
+  const vtkIdType quads = vtkIdType(1) << (2 * std::max(0, stamp.Levels - 1)); // of one corner
+  control = SurfaceCells();
+  control.NumberOfPoints = stamp.NumberOfControlPoints;
+  control.Vertices = cells.Vertices;
+  control.VertexCells = cells.VertexCells;
+  if (segments % pieces != 0)
+  {
+    return false;
+  }
+  auto areSame = [&isSame](const std::vector<vtkIdType>& parents, vtkIdType first, vtkIdType size)
+  {
+    return std::all_of(parents.begin() + first, parents.begin() + first + size,
+      [&](vtkIdType cell) { return isSame(parents[first], cell); });
+  };
+  for (vtkIdType s = 0; s < segments; s += pieces)
+  {
+    if (!areSame(cells.SegmentCells, s, pieces))
+    {
+      return false;
+    }
+    control.Segments.insert(
+      control.Segments.end(), { cells.Segments[2 * s], cells.Segments[2 * (s + pieces) - 1] });
+    control.SegmentCells.push_back(cells.SegmentCells[s]);
+  }
+  vtkIdType face = 0;
+  const vtkIdType children = vtkIdType(1) << (2 * stamp.Levels);
+  for (vtkIdType f = 0; f < stamp.NumberOfControlFaces; ++f)
+  {
+    const vtkIdType size = stamp.Size > 0 ? stamp.Size : stamp.Sizes[f];
+    const vtkIdType left = cells.GetNumberOfFaces() - face;
+    if (size < 3 || (triangles ? children > left : size > left / quads))
+    {
+      return false; // nor could it be multiplied: sizes are whatever a file says
+    }
+    const vtkIdType total = triangles ? children : size * quads;
+    if (!areSame(cells.FaceCells, face, total))
+    {
+      return false;
+    }
+    for (vtkIdType c = 0; c < size; ++c)
+    {
+      // Corner c is corner c of child c of child c ..., or the first of the first quad there.
+      const vtkIdType child = face + c * (triangles ? (children - 1) / 3 : quads);
+      control.Corners.push_back(cells.Corners[cells.FaceOffsets[child] + (triangles ? c : 0)]);
+    }
+    control.FaceOffsets.push_back(static_cast<vtkIdType>(control.Corners.size()));
+    control.FaceCells.push_back(cells.FaceCells[face]);
+    face += total;
+  }
+  return face == cells.GetNumberOfFaces() && AreControlPoints(control.Corners, stamp) &&
+    AreControlPoints(control.Segments, stamp) && AreControlPoints(control.Vertices, stamp);
+}
+
+}

@@ -1,0 +1,597 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Surface/SurfaceSubdivision.h"
+
+#include "Core/Surfaces/Scheme/SurfaceRings.h"
+#include "Core/Surfaces/Steps/SurfaceSteps.h"
+#include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
+#include "Private/Arrays/CellArrays.h"
+#include "Private/Arrays/PointArrays.h"
+#include "Private/Surface/SurfaceCellArrays.h"
+#include "Private/Surface/SurfaceChecks.h"
+#include "Private/Surface/SurfaceCreases.h"
+#include "Private/Surface/SurfaceFrames.h"
+#include "Private/Surface/SurfaceKept.h"
+#include "Private/Surface/SurfaceSeams.h"
+#include "Private/Surface/SurfaceStamp.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace subdivision
+{
+namespace
+{
+
+template <typename Id>
+class SurfaceRun
+{
+public:
+  SurfaceRun(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
+    : Input(input)
+    , Options(options)
+    , Output(output)
+    , Scheme(MakeSurfaceScheme<Id>(options.Scheme, options.ModifiedBoundary))
+  {
+  }
+
+  bool Run(SurfaceCells&& cells)
+  {
+    this->Cells = std::move(cells);
+    if (this->IsWhole() && ReadSurfaceStamp(this->Input, this->Stamp) &&
+      this->Stamp.Scheme == static_cast<int>(this->Options.Scheme) && this->FitsStamp() &&
+      LiftSurfaceCells(
+        this->Cells, this->Stamp,
+        [this](vtkIdType a, vtkIdType b) { return this->HasSameFlags(a, b); }, this->Lifted))
+    {
+      this->MadeLevels = this->Stamp.Levels;
+      if (this->Build() && this->IsDescendant())
+      {
+        return this->Finish();
+      }
+      this->Reset();
+    }
+    this->Stamp = SurfaceStamp();
+    return this->Build() && this->Finish();
+  }
+
+private:
+  const SurfaceCells& GetControl() const
+  {
+    return this->MadeLevels > 0 ? this->Lifted : this->Cells;
+  }
+  /// Every cell of the input takes part as it is.
+  bool IsWhole() const
+  {
+    return this->Cells.Warnings.empty() &&
+      static_cast<vtkIdType>(this->Cells.VertexCells.size() + this->Cells.SegmentCells.size() +
+        this->Cells.FaceCells.size()) == this->Input->GetNumberOfCells();
+  }
+  /// Whether so many levels of a control mesh can be this input: a stamp may claim anything.
+  bool FitsStamp() const
+  {
+    const double corners = std::accumulate(this->Stamp.Sizes.begin(), this->Stamp.Sizes.end(),
+      static_cast<double>(this->Stamp.Size) * this->Stamp.NumberOfControlFaces);
+    const double faces = this->Scheme->CountFaces(
+      static_cast<double>(this->Stamp.NumberOfControlFaces), corners, this->Stamp.Levels);
+    return faces <= 8. * static_cast<double>(this->Cells.GetNumberOfFaces()) + 1000.;
+  }
+  /// Whether two cells were given the same flags and sharpness.
+  bool HasSameFlags(vtkIdType a, vtkIdType b) const
+  {
+    auto same = [a, b](vtkDataArray* array)
+    { return !array || array->GetComponent(a, 0) == array->GetComponent(b, 0); };
+    return same(this->Options.Features.Singular) && same(this->Options.Features.Sharpness);
+  }
+  bool NeedsLimit() const
+  {
+    return (this->Options.ProjectToLimit || this->Options.GenerateLimitNormals ||
+             this->Options.GenerateTangents) &&
+      this->Scheme->HasLimit();
+  }
+  bool IsStopped(double done) const
+  {
+    return this->Options.Progress && this->Options.Progress(done);
+  }
+  int GetAllLevels() const { return this->MadeLevels + this->Options.Levels; }
+
+  void Reset();
+  void StartPoints();
+  bool Build();
+  SurfaceSteps<Id>* MakeSteps(
+    const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& kept);
+  SurfaceCreases ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level);
+  bool FindSeams()
+  {
+    return this->Options.JoinSeams && this->Input->GetPointData()->GetTCoords() &&
+      this->Scheme->HalvesEdges() &&
+      JoinEqualPoints(this->Cells, this->Points->GetCoordinates(), this->JoinedMesh);
+  }
+  vtkSmartPointer<vtkDataArray> FollowPoints();
+  bool IsDescendant() const;
+  SurfaceTags<Id> Classify(const SurfaceLevel<Id>& control, const SurfaceFeatures& features);
+  KeptSurface<Id>* FindKept(const SurfaceKey& key);
+  bool Finish();
+  bool Advance();
+  bool WantsFrames() const
+  {
+    return (this->Options.GenerateLimitNormals || this->Options.GenerateTangents) &&
+      this->Scheme->HasLimit();
+  }
+  void AddFrames(const SurfaceSteps<Id>& steps, const TangentPairs& tangents, vtkDataArray* points,
+    const Buffer<vtkIdType>& sources)
+  {
+    const SurfaceLevel<Id>& level = steps.GetLevel(steps.GetNumberOfSteps());
+    AddLimitFrames(
+      tangents, points, sources, this->Options.GenerateLimitNormals, this->Options.GenerateTangents,
+      [&level](ShadingNormals& normals) { AddShadingCells(level, normals); }, this->Input,
+      this->Output);
+  }
+  void WriteCells();
+  void WriteStamp();
+
+  vtkPolyData* Input;
+  const SurfaceOptions& Options;
+  vtkPolyData* Output;
+  std::shared_ptr<const SurfaceScheme<Id>> Scheme;
+  SurfaceCells Cells;
+  SurfaceCells Lifted; ///< the control cells, where earlier filters made levels
+  SurfaceStamp Stamp;
+  int MadeLevels = 0;
+  SimplicesOfCells NoCentres;
+  std::vector<vtkIdType> GlobalIds;
+  std::unique_ptr<PointArrays> Points;
+  std::vector<vtkIdType> Creases;                     ///< detected, as pairs of control points
+  std::vector<std::unique_ptr<SurfaceSteps<Id>>> Own; ///< steps that are not kept
+  SurfaceSteps<Id>* Steps = nullptr;
+  JoinedSurface JoinedMesh;
+  SurfaceSteps<Id>* Joined = nullptr; ///< what the points follow where there are seams
+  KeptSurface<Id>* Kept = nullptr;
+  std::vector<Sector<Id>> ControlSectors;
+};
+
+template <typename Id>
+void SurfaceRun<Id>::Reset()
+{
+  this->MadeLevels = 0;
+  this->Own.clear();
+  this->Steps = nullptr;
+  this->Joined = nullptr;
+  this->Kept = nullptr;
+  this->Creases.clear();
+}
+
+template <typename Id>
+void SurfaceRun<Id>::StartPoints()
+{
+  PointArrayOptions arrays;
+  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
+  arrays.CarryOriginalIds = this->Stamp.Levels > 0 &&
+    HasIds(this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
+  arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;
+  arrays.Warn = this->Options.Warn;
+  arrays.Precision = this->Options.OutputPointsPrecision;
+  if (arrays.OriginalIds)
+  {
+    arrays.Replaced.emplace_back(OriginalPointIdsName);
+  }
+  if (this->Options.GenerateLimitNormals && this->Scheme->HasLimit())
+  {
+    arrays.Replaced.emplace_back(LimitNormalsName);
+  }
+  if (this->Options.GenerateTangents && this->Scheme->HasLimit())
+  {
+    arrays.Replaced.insert(arrays.Replaced.end(), { LimitTangentNames[0], LimitTangentNames[1] });
+  }
+  this->GlobalIds = ReadIdsOf(this->Input->GetPointData(), this->Input->GetNumberOfPoints());
+  this->NoCentres.Simplices.NumberOfPoints = this->Input->GetNumberOfPoints();
+  this->Points = std::make_unique<PointArrays>(this->Input, this->NoCentres,
+    this->GlobalIds.empty() ? nullptr : this->GlobalIds.data(),
+    static_cast<vtkIdType>(this->GlobalIds.size()), arrays);
+}
+
+template <typename Id>
+SurfaceTags<Id> SurfaceRun<Id>::Classify(
+  const SurfaceLevel<Id>& control, const SurfaceFeatures& features)
+{
+  SurfaceTags<Id> tags =
+    ClassifySurface(control.Mesh, *this->Scheme, features, this->Points->GetCoordinates());
+  // Angles are those of the first input.
+  const std::size_t size = tags.Sectors.size();
+  if (this->MadeLevels > 0 && this->Stamp.Angles.size() == 2 * size)
+  {
+    for (std::size_t s = 0; s < size; ++s)
+    {
+      tags.Sectors[s].Angle = this->Stamp.Angles[s];
+      tags.Sectors[s].Flatness = this->Stamp.Angles[size + s];
+    }
+  }
+  return tags;
+}
+
+template <typename Id>
+KeptSurface<Id>* SurfaceRun<Id>::FindKept(const SurfaceKey& key)
+{
+  for (auto& entry : this->Options.Cache->Entries)
+  {
+    auto* kept = dynamic_cast<KeptSurface<Id>*>(entry.get());
+    if (kept && !kept->Used && kept->Key == key)
+    {
+      return kept;
+    }
+  }
+  return nullptr;
+}
+
+/// Levels and rules of `control`: kept ones where they fit. Null: stopped.
+template <typename Id>
+SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
+  const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& found)
+{
+  SurfaceKey key{ this->Options.Scheme, this->Options.ModifiedBoundary, this->Options.Levels,
+    this->NeedsLimit(), this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
+  KeptSurface<Id>* kept = nullptr;
+  if (this->Options.Cache)
+  {
+    key.Cells = cells;
+    kept = this->FindKept(key);
+  }
+  SurfaceLevel<Id> fresh;
+  if (!kept)
+  {
+    fresh = MakeControlLevel<Id>(control);
+  }
+  const SurfaceLevel<Id>& first = kept ? kept->Steps->GetLevel(0) : fresh;
+  SurfaceCreases creases = this->ReadCreases(control, first);
+  if (this->Joined)
+  {
+    AddSeamCorners(first.Mesh, this->JoinedMesh, this->Joined->GetLevel(0).Tags, creases.Features);
+  }
+  SurfaceTags<Id> tags = this->Classify(first, creases.Features);
+  this->ControlSectors = tags.Sectors;
+  SurfaceSteps<Id>* steps = nullptr;
+  if (kept && kept->Steps->ReplaceSectors(tags))
+  {
+    kept->Used = true;
+    steps = kept->Steps.get();
+  }
+  else
+  {
+    if (kept)
+    {
+      kept = nullptr;
+      fresh = MakeControlLevel<Id>(control);
+    }
+    fresh.Tags = std::move(tags);
+    auto own = std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme,
+      this->GetAllLevels(), this->NeedsLimit(), this->Options.Progress);
+    steps = own.get();
+    if (steps->GetNumberOfSteps() < this->GetAllLevels())
+    {
+      return nullptr;
+    }
+    if (this->Options.Cache)
+    {
+      auto keep = std::make_unique<KeptSurface<Id>>(std::move(key));
+      keep->Steps = std::move(own);
+      kept = keep.get();
+      this->Options.Cache->Entries.push_back(std::move(keep));
+      ++this->Options.Cache->NumberOfBuilds;
+    }
+    else
+    {
+      this->Own.push_back(std::move(own));
+    }
+  }
+  const bool useSharpness = this->Scheme->HalvesEdges() && this->Scheme->UsesTags();
+  steps->SetSharpness(useSharpness ? creases.Sharpness : EdgeSharpness(),
+    [&](const std::vector<bool>& sharp)
+    {
+      SurfaceFeatures sharper = creases.Features;
+      sharper.SharpEdges.resize(sharp.size(), 0);
+      for (std::size_t e = 0; e < sharp.size(); ++e)
+      {
+        sharper.SharpEdges[e] |= sharp[e];
+      }
+      const SurfaceLevel<Id>& made = steps->GetLevel(0);
+      SurfaceTags<Id> more =
+        ClassifySurface(made.Mesh, *this->Scheme, sharper, this->Points->GetCoordinates());
+      for (Sector<Id>& sector : more.Sectors) // shapes of corners that they do not change
+      {
+        const Sector<Id>* known = FindEqualSector(made.Tags, sector);
+        sector.Angle = known ? known->Angle : sector.Angle;
+        sector.Flatness = known ? known->Flatness : sector.Flatness;
+      }
+      return more;
+    });
+  found = kept;
+  return steps;
+}
+
+/// Everything that is said of creases and corners of a control level.
+template <typename Id>
+SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level)
+{
+  FeatureOptions features = this->Options.Features;
+  if (this->MadeLevels > 0 && !this->Scheme->HalvesEdges())
+  {
+    // The stamp knows them; lifted faces have no cell data.
+    features.Singular = nullptr;
+    features.Sharpness = nullptr;
+  }
+  SurfaceCreases creases = ReadSurfaceCreases(features, cells, level);
+  for (double& sharpness : creases.Sharpness)
+  {
+    sharpness += sharpness > 0. ? this->MadeLevels : 0.;
+  }
+  const vtkIdType points = this->GetControl().NumberOfPoints;
+  creases.Features.Angles = ReadPointValues(this->Options.Angles, points, std::acos(-1.) / 180.);
+  creases.Features.Flatness = ReadPointValues(this->Options.Flatness, points, 1.);
+  if (this->MadeLevels > 0)
+  {
+    ReadSharpCorners(this->Stamp, level.Mesh, creases.Features);
+  }
+  else
+  {
+    WriteSharpCorners(level.Mesh, creases, this->Points->GetCoordinates(), this->Stamp);
+  }
+  if (this->MadeLevels > 0)
+  {
+    this->Creases = this->Stamp.Creases;
+  }
+  else if (this->Options.Features.DetectFeatures)
+  {
+    this->Creases = FindFeatureEdges(
+      level.Mesh, this->Points->GetCoordinates(), this->Options.Features.FeatureAngle);
+  }
+  AddSharpEdges(level.Mesh, this->Creases, creases.Features);
+  if (!this->Scheme->HalvesEdges())
+  {
+    this->Creases = ListSharpEdges(level.Mesh, creases.Features);
+  }
+  return creases;
+}
+
+template <typename Id>
+bool SurfaceRun<Id>::Build()
+{
+  this->StartPoints();
+  if (this->MadeLevels == 0 && this->FindSeams())
+  {
+    KeptSurface<Id>* kept = nullptr;
+    this->Joined = this->MakeSteps(this->JoinedMesh.Cells, this->JoinedMesh.Cells, kept);
+    if (!this->Joined)
+    {
+      return false;
+    }
+  }
+  this->Steps = this->MakeSteps(this->Cells, this->GetControl(), this->Kept);
+  return this->Steps != nullptr;
+}
+
+/// The points at the end, which follow the joined mesh.
+template <typename Id>
+vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints()
+{
+  vtkSmartPointer<vtkDataArray> points = this->Points->GetPoints();
+  auto apply = [&points](const BlockOperator<Id>& rows)
+  {
+    const auto next = MakeArray(points->GetDataType(), 3, rows.GetNumberOfRows());
+    if (points->GetDataType() == VTK_FLOAT)
+    {
+      rows.Apply(static_cast<const float*>(points->GetVoidPointer(0)),
+        static_cast<float*>(next->GetVoidPointer(0)), 3);
+    }
+    else
+    {
+      rows.Apply(static_cast<const double*>(points->GetVoidPointer(0)),
+        static_cast<double*>(next->GetVoidPointer(0)), 3);
+    }
+    points = next;
+  };
+  for (int step = 0; step < this->Options.Levels; ++step)
+  {
+    apply(this->Joined->GetStep(step));
+  }
+  const Buffer<vtkIdType> sources =
+    FindJoinedVertices(*this->Steps, *this->Joined, this->Cells.NumberOfPoints);
+  const TangentPairs tangents =
+    this->WantsFrames() ? FindLimitTangents(*this->Joined, points) : TangentPairs(0);
+  if (this->Options.ProjectToLimit && this->Scheme->HasLimit())
+  {
+    apply(this->Joined->GetLimit(LimitKind::Position));
+  }
+  if (this->WantsFrames())
+  {
+    this->AddFrames(*this->Joined, tangents, points, sources);
+  }
+  return vtkDataArray::SafeDownCast(Gather(points, { sources.begin(), sources.end() }));
+}
+
+/// Whether the input is what the steps made of the control mesh.
+template <typename Id>
+bool SurfaceRun<Id>::IsDescendant() const
+{
+  const SurfaceLevel<Id>& level = this->Steps->GetLevel(this->MadeLevels);
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const SurfaceCells& cells = this->Cells;
+  Buffer<vtkIdType> corners(this->Steps->GetNumberOfCorners(this->MadeLevels));
+  if (mesh.NumberOfVertices != cells.NumberOfPoints ||
+    mesh.NumberOfFaces != cells.GetNumberOfFaces() ||
+    corners.size() != static_cast<vtkIdType>(cells.Corners.size()) ||
+    2 * level.Lines.size() != static_cast<vtkIdType>(cells.Segments.size()))
+  {
+    return false;
+  }
+  for (vtkIdType i = 0; i < 2 * level.Lines.size(); ++i)
+  {
+    const Id line = level.Lines[i / 2];
+    if (mesh.EdgeVertices[2 * (line / 2) + (line % 2 + i % 2) % 2] != cells.Segments[i])
+    {
+      return false;
+    }
+  }
+  this->Steps->WriteFaces(this->MadeLevels, corners.data());
+  return std::equal(corners.begin(), corners.end(), cells.Corners.begin());
+}
+
+// ------------------------------------------------------------------------------------------------
+// Output
+
+template <typename Id>
+bool SurfaceRun<Id>::Finish()
+{
+  this->WriteCells();
+  if (!this->Advance())
+  {
+    return false;
+  }
+  CopySurfaceCellArrays(this->Input, this->Cells, *this->Steps, this->MadeLevels,
+    this->Stamp.Levels > 0, this->Options, this->Stamp.Carried, this->Output);
+  RebuildPointGhosts(this->Input, this->Output);
+  this->WriteStamp();
+  return true;
+}
+
+template <typename Id>
+bool SurfaceRun<Id>::Advance()
+{
+  const int levels = this->Options.Levels;
+  if (this->Joined)
+  {
+    this->Points->ReusePoints(this->FollowPoints());
+  }
+  for (int step = 0; step < levels; ++step)
+  {
+    if (this->IsStopped(0.5 + 0.5 * (step + 1.) / (levels + 1.)))
+    {
+      return false;
+    }
+    const SurfaceLevel<Id>& level = this->Steps->GetLevel(this->MadeLevels + step);
+    this->Points->Advance(this->Steps->GetStep(this->MadeLevels + step),
+      [&](vtkIdType row)
+      {
+        thread_local std::vector<vtkIdType> parents;
+        this->Scheme->GetParents(level, row, parents);
+        return *std::min_element(parents.begin(), parents.end(),
+          [this](vtkIdType a, vtkIdType b) { return this->Points->IsEarlier(a, b); });
+      });
+    if (!this->Scheme->KeepsVertices())
+    {
+      this->Points->ForgetInputPoints();
+    }
+  }
+  const bool addFrames = !this->Joined && this->WantsFrames();
+  const TangentPairs tangents =
+    addFrames ? FindLimitTangents(*this->Steps, this->Points->GetPoints()) : TangentPairs(0);
+  if (this->Options.ProjectToLimit && this->Scheme->HasLimit())
+  {
+    this->Points->Advance(
+      this->Steps->GetLimit(LimitKind::Position), [](vtkIdType row) { return row; });
+  }
+  if (addFrames)
+  {
+    this->AddFrames(*this->Steps, tangents, this->Points->GetPoints(), Buffer<vtkIdType>());
+  }
+  this->Points->Finish(this->Output);
+  if (this->Options.GenerateLimitNormals && this->Scheme->HasLimit())
+  {
+    this->Output->GetPointData()->SetActiveNormals(LimitNormalsName);
+  }
+  return true;
+}
+
+template <typename Id>
+void SurfaceRun<Id>::WriteCells()
+{
+  if (this->Kept && this->Kept->Polys)
+  {
+    this->Output->SetVerts(this->Kept->Verts);
+    this->Output->SetLines(this->Kept->Lines);
+    this->Output->SetPolys(this->Kept->Polys);
+    return;
+  }
+  WriteSurfaceCells(*this->Steps, this->Cells.Vertices, this->Options.Use32BitIds, this->Output);
+  if (this->Kept)
+  {
+    this->Kept->Verts = this->Output->GetVerts();
+    this->Kept->Lines = this->Output->GetLines();
+    this->Kept->Polys = this->Output->GetPolys();
+  }
+}
+
+template <typename Id>
+void SurfaceRun<Id>::WriteStamp()
+{
+  RemoveSurfaceStamp(this->Output);
+  SurfaceStamp stamp;
+  stamp.Scheme = static_cast<int>(this->Options.Scheme);
+  const bool isLimit = this->Options.ProjectToLimit && this->Scheme->HasLimit();
+  if (isLimit || this->GetAllLevels() == 0 || this->Joined)
+  {
+    return;
+  }
+  stamp.Levels = this->GetAllLevels();
+  stamp.SetControl(
+    this->GetControl(), this->Steps->GetLevel(0).Mesh.Arity, !this->Scheme->HalvesEdges());
+  for (const Sector<Id>& sector : this->ControlSectors)
+  {
+    stamp.Angles.push_back(sector.Angle);
+  }
+  for (const Sector<Id>& sector : this->ControlSectors)
+  {
+    stamp.Angles.push_back(sector.Flatness);
+  }
+  stamp.FaceAngles = this->Stamp.FaceAngles;
+  stamp.GivenCorners = this->Stamp.GivenCorners;
+  stamp.Creases = this->Creases;
+  stamp.Carried = this->Stamp.Carried;
+  WriteSurfaceStamp(stamp, this->Output);
+}
+
+}
+
+bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& given, vtkPolyData* output)
+{
+  const SurfaceOptions options = WarningOnce(given);
+  const auto scheme = MakeSurfaceScheme<int>(options.Scheme, options.ModifiedBoundary);
+  if (!scheme)
+  {
+    options.Fail("This scheme is not available.");
+    return false;
+  }
+  vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(input->GetPointData()->GetGlobalIds());
+  const bool hasIds = ids && ids->GetNumberOfTuples() == input->GetNumberOfPoints();
+  SurfaceCells cells =
+    ReadSurfaceCells(input, scheme->NeedsTriangles(), hasIds ? ids->GetPointer(0) : nullptr);
+  for (const std::string& warning : cells.Warnings)
+  {
+    options.Warn(warning);
+  }
+  WarnOfUnused(input, *scheme, options);
+  double faces = 0.;
+  const std::string tooLarge = CheckSize(input, cells, *scheme, options, faces);
+  if (!tooLarge.empty())
+  {
+    options.Fail(tooLarge);
+    return false;
+  }
+  const bool large = 16. *
+      (faces + static_cast<double>(cells.Corners.size()) +
+        static_cast<double>(cells.NumberOfPoints) +
+        std::ldexp(static_cast<double>(cells.Segments.size()), options.Levels)) >
+    static_cast<double>(std::numeric_limits<int>::max());
+  return large ? SurfaceRun<long long>(input, options, output).Run(std::move(cells))
+               : SurfaceRun<int>(input, options, output).Run(std::move(cells));
+}
+
+}

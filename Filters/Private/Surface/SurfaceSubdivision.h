@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceSubdivision.h
+ * From input to output: what vtkSurfaceSubdivision does.
+ */
+#ifndef SubdivisionObjects_SurfaceSubdivision_h
+#define SubdivisionObjects_SurfaceSubdivision_h
+
+#include "Core/Surfaces/Steps/SurfaceSchemes.h"
+#include "Private/Control/RunOptions.h"
+
+#include <memory>
+#include <vector>
+
+class vtkPolyData;
+
+namespace subdivision
+{
+
+/// What a surface filter keeps between executions: the levels of each mesh that it saw in its last
+/// update.
+class SurfaceCache
+{
+public:
+  /// The levels of one mesh, whatever its ids are.
+  struct Kept
+  {
+    virtual ~Kept() = default;
+    virtual std::size_t GetMemorySize() const = 0;
+    bool Used = true;
+  };
+  std::vector<std::unique_ptr<Kept>> Entries;
+  /// How often topology was built since the cache exists.
+  vtkIdType NumberOfBuilds = 0;
+
+  /// An update is over: forget what it did not use.
+  void ForgetUnused();
+  std::size_t GetMemorySize() const;
+};
+
+struct SurfaceOptions : RunOptions
+{
+  SurfaceSchemeKind Scheme = SurfaceSchemeKind::Loop;
+  int Levels = 1;
+  bool ModifiedBoundary = true;
+  bool ProjectToLimit = false;
+  bool GenerateLimitNormals = false;
+  bool GenerateTangents = false;
+  bool Use32BitIds = false;
+  bool JoinSeams = true;
+  /// Point arrays of the input, null where there is none: degrees, and s.
+  vtkSmartPointer<vtkDataArray> Angles;
+  vtkSmartPointer<vtkDataArray> Flatness;
+  /// Where levels are kept; null: nowhere.
+  SurfaceCache* Cache = nullptr;
+};
+
+/// False: stopped by an error (told to Fail) or by Progress. The output is then to be emptied.
+bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output);
+
+}
+
+#endif

@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Topology/TopologyProbe.h"
+
+#include "Core/Solids/Strata/ComplexDescription.h"
+#include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
+#include "Private/Arrays/CellArrays.h"
+#include "Private/Arrays/PointArrays.h"
+#include "Private/Control/ControlComplex.h"
+#include "Private/Control/SizeChecks.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSignedCharArray.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <memory>
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr unsigned char DuplicateCell = vtkDataSetAttributes::DUPLICATECELL;
+
+/// Ghost types of vertices, edges and faces.
+struct GhostTypes
+{
+  Buffer<unsigned char> Of[3];
+};
+
+/// A cell that is no duplicate: neither are its faces. `cell` counts vertex cells, edges, faces or
+/// tetrahedra.
+template <typename Id>
+void MarkAsOwn(
+  const SimplicialComplex<Id>& complex, int dimension, vtkIdType cell, GhostTypes& types)
+{
+  auto own = [&types](int faceDimension, const Id* begin, int count)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      types.Of[faceDimension][begin[i]] = 0;
+    }
+  };
+  switch (dimension)
+  {
+    case 0:
+      own(0, complex.VertexCells.data() + cell, 1);
+      break;
+    case 1:
+      own(0, complex.EdgeVertices.data() + 2 * cell, 2);
+      types.Of[1][cell] = 0;
+      break;
+    case 2:
+      own(0, complex.FaceVertices.data() + 3 * cell, 3);
+      own(1, complex.FaceEdges.data() + 3 * cell, 3);
+      types.Of[2][cell] = 0;
+      break;
+    default:
+      own(0, complex.TetVertices.data() + 4 * cell, 4);
+      own(1, complex.TetEdges.data() + 6 * cell, 6);
+      own(2, complex.TetFaces.data() + 4 * cell, 4);
+      break;
+  }
+}
+
+class Probe
+{
+public:
+  Probe(vtkPointSet* input, const ProbeOptions& options, vtkUnstructuredGrid* output)
+    : Input(input)
+    , Options(options)
+    , Output(output)
+  {
+  }
+  bool Run();
+
+private:
+  enum class Outcome
+  {
+    Done,
+    Stopped,
+    NotOurs ///< the stamp fits, the cells do not
+  };
+  Outcome Execute(bool trustStamp);
+  template <typename Id>
+  Outcome Describe(PointArrays& points);
+  template <typename Id>
+  void Select(const ComplexDescription<Id>& description);
+  template <typename Id>
+  void MakeCells(const SimplicialComplex<Id>& complex);
+  template <typename Id>
+  void AddFacts(const ComplexDescription<Id>& description);
+  template <typename Id>
+  void AddOriginalIds(const ControlComplex<Id>& control);
+  template <typename Id>
+  void AddGhosts(const ControlComplex<Id>& control);
+  template <typename Id>
+  void AddNumbers(const ComplexDescription<Id>& description);
+
+  vtkIdType GetNumberOfCells() const
+  {
+    return this->Chosen[0].size() + this->Chosen[1].size() + this->Chosen[2].size();
+  }
+  vtkIdType GetInputCell(vtkIdType simplex) const
+  {
+    const auto& parents = this->Mesh.Cells.ParentCells;
+    return parents.empty() ? simplex : parents[simplex];
+  }
+  /// act(output cell, dimension, number of the simplex in the complex)
+  template <typename Act>
+  void ForOutputCells(const Act& act) const
+  {
+    vtkIdType first = 0;
+    for (int dimension = 0; dimension < 3; ++dimension)
+    {
+      const Buffer<vtkIdType>& chosen = this->Chosen[dimension];
+      ForEach(chosen.size(), [&](vtkIdType i) { act(first + i, dimension, chosen[i]); });
+      first += chosen.size();
+    }
+  }
+  /// Adds a cell array with get(dimension, simplex) for each output cell.
+  template <typename Array, typename Get>
+  void AddCellArray(const char* name, const Get& get)
+  {
+    vtkNew<Array> array;
+    array->SetName(name);
+    array->SetNumberOfTuples(this->GetNumberOfCells());
+    auto* values = array->GetPointer(0);
+    this->ForOutputCells([&](vtkIdType cell, int dimension, vtkIdType simplex)
+      { values[cell] = static_cast<typename Array::ValueType>(get(dimension, simplex)); });
+    this->Output->GetCellData()->AddArray(array);
+  }
+  bool IsStopped(double done) const
+  {
+    return this->Options.Progress && this->Options.Progress(done);
+  }
+
+  vtkPointSet* Input;
+  const ProbeOptions& Options;
+  vtkUnstructuredGrid* Output;
+  ControlMesh Mesh;
+  Buffer<vtkIdType> Chosen[3]; ///< the vertices, edges, faces that are output cells, in order
+};
+
+bool Probe::Run()
+{
+  Outcome outcome = this->Execute(true);
+  if (outcome == Outcome::NotOurs)
+  {
+    outcome = this->Execute(false);
+  }
+  return outcome == Outcome::Done;
+}
+
+Probe::Outcome Probe::Execute(bool trustStamp)
+{
+  this->Mesh = ReadControlMesh(this->Input, trustStamp, this->Options.Features, this->Options.Warn);
+  PointArrayOptions arrays;
+  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
+  arrays.OriginalIds = this->Options.GenerateOriginalIds;
+  arrays.CarryOriginalIds = this->Mesh.IsStamped &&
+    HasIds(this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
+  arrays.Precision = this->Options.OutputPointsPrecision;
+  if (arrays.OriginalIds)
+  {
+    arrays.Replaced.emplace_back(OriginalPointIdsName);
+  }
+  PointArrays points(this->Input, this->Mesh.Cells, this->Mesh.GetGlobalIds(),
+    static_cast<vtkIdType>(this->Mesh.GlobalIds.size()), arrays);
+  // One level more: here all faces of the last one are made.
+  const bool large = NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + 1);
+  return large ? this->Describe<long long>(points) : this->Describe<int>(points);
+}
+
+template <typename Id>
+Probe::Outcome Probe::Describe(PointArrays& points)
+{
+  if (this->IsStopped(0.1))
+  {
+    return Outcome::Stopped;
+  }
+  ControlComplex<Id> control;
+  if (!BuildControlComplex(this->Mesh, this->Options.Features, points.GetCoordinates(),
+        this->Options.Warn, Depth::ForRefinement, control))
+  {
+    return Outcome::NotOurs;
+  }
+  if (this->IsStopped(0.5))
+  {
+    return Outcome::Stopped;
+  }
+  const SimplicialComplex<Id>& complex = control.Current.Complex;
+  const SingularSimplices singular = CollectSingular(complex, control,
+    RefineFlags(this->Mesh.GetControl(), this->Mesh.MadeLevels, this->Mesh.Values.Singular));
+  const ComplexDescription<Id> description =
+    DescribeComplex(complex, control.Current.Strata, singular);
+  this->Select(description);
+  if (this->GetNumberOfCells() > this->Options.MaximumNumberOfCells)
+  {
+    this->Options.Fail("The complex has " + std::to_string(this->GetNumberOfCells()) +
+      " vertices, edges and triangles to output, which is above MaximumNumberOfCells = " +
+      std::to_string(this->Options.MaximumNumberOfCells) +
+      ". Turn SpecialOnly on, take a part of the input, or raise MaximumNumberOfCells.");
+    return Outcome::Stopped;
+  }
+  if (this->IsStopped(0.8))
+  {
+    return Outcome::Stopped;
+  }
+  points.Finish(this->Output);
+  this->MakeCells(complex);
+  this->AddFacts(description);
+  this->AddOriginalIds(control);
+  this->AddGhosts(control);
+  this->AddNumbers(description);
+  return Outcome::Done;
+}
+
+template <typename Id>
+void Probe::Select(const ComplexDescription<Id>& description)
+{
+  for (int dimension = 0; dimension < 3; ++dimension)
+  {
+    const Buffer<Id>& order = description.Order[dimension];
+    Buffer<vtkIdType> places(order.size() + 1);
+    ForEach(order.size(),
+      [&](vtkIdType i)
+      {
+        const SimplexFacts& facts = description.Facts[dimension][order[i]];
+        places[i] = !this->Options.SpecialOnly || facts.IsSpecial() ? 1 : 0;
+      });
+    CountsToOffsets(places);
+    this->Chosen[dimension] = Buffer<vtkIdType>(places[order.size()]);
+    ForEach(order.size(),
+      [&](vtkIdType i)
+      {
+        if (places[i] < places[i + 1])
+        {
+          this->Chosen[dimension][places[i]] = order[i];
+        }
+      });
+  }
+}
+
+/// The vertices of every cell smallest first.
+template <typename Id>
+void Probe::MakeCells(const SimplicialComplex<Id>& complex)
+{
+  const Buffer<Id>* vertices[3] = { nullptr, &complex.EdgeVertices, &complex.FaceVertices };
+  const unsigned char typeOf[3] = { VTK_VERTEX, VTK_LINE, VTK_TRIANGLE };
+  const vtkIdType size = this->GetNumberOfCells();
+  const vtkIdType firstEdge = this->Chosen[0].size();
+  const vtkIdType firstFace = firstEdge + this->Chosen[1].size();
+  vtkNew<vtkIdTypeArray> connectivity;
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkUnsignedCharArray> types;
+  connectivity->SetNumberOfValues(
+    firstEdge + 2 * this->Chosen[1].size() + 3 * this->Chosen[2].size());
+  offsets->SetNumberOfValues(size + 1);
+  types->SetNumberOfValues(size);
+  vtkIdType* ids = connectivity->GetPointer(0);
+  vtkIdType* starts = offsets->GetPointer(0);
+  unsigned char* kinds = types->GetPointer(0);
+  this->ForOutputCells(
+    [&](vtkIdType cell, int dimension, vtkIdType simplex)
+    {
+      const vtkIdType start =
+        cell + std::max<vtkIdType>(cell - firstEdge, 0) + std::max<vtkIdType>(cell - firstFace, 0);
+      starts[cell] = start;
+      kinds[cell] = typeOf[dimension];
+      if (dimension == 0)
+      {
+        ids[start] = simplex;
+        return;
+      }
+      const Id* from = vertices[dimension]->data() + (dimension + 1) * simplex;
+      std::copy(from, from + dimension + 1, ids + start);
+      std::sort(ids + start, ids + start + dimension + 1);
+    });
+  starts[size] = connectivity->GetNumberOfValues();
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, connectivity);
+  this->Output->SetCells(types, cells);
+}
+
+template <typename Id>
+void Probe::AddFacts(const ComplexDescription<Id>& description)
+{
+  auto facts = [&](int dimension, vtkIdType simplex) -> const SimplexFacts&
+  { return description.Facts[dimension][simplex]; };
+  this->AddCellArray<vtkUnsignedCharArray>(
+    "SimplexDimension", [](int dimension, vtkIdType) { return dimension; });
+  this->AddCellArray<vtkUnsignedCharArray>(
+    "ManifoldDimensions", [&](int d, vtkIdType i) { return facts(d, i).ManifoldDimensions; });
+  this->AddCellArray<vtkUnsignedCharArray>(
+    "Boundary", [&](int d, vtkIdType i) { return facts(d, i).Boundary; });
+  this->AddCellArray<vtkUnsignedCharArray>(
+    "NonManifoldType", [&](int d, vtkIdType i) { return facts(d, i).NonManifoldType; });
+  this->AddCellArray<vtkUnsignedCharArray>(
+    SingularName, [&](int d, vtkIdType i) { return facts(d, i).Singular; });
+  this->AddCellArray<vtkIntArray>(
+    "Valence", [&](int d, vtkIdType i) { return facts(d, i).Valence; });
+  this->AddCellArray<vtkSignedCharArray>(
+    "RuleDimension", [&](int d, vtkIdType i) { return facts(d, i).RuleDimension; });
+}
+
+/// The first input cell that each simplex is, or is a piece of.
+template <typename Id>
+void Probe::AddOriginalIds(const ControlComplex<Id>& control)
+{
+  if (!this->Options.GenerateOriginalIds)
+  {
+    return;
+  }
+  const SimplicialComplex<Id>& complex = control.Current.Complex;
+  Buffer<vtkIdType> simplices[3] = { Buffer<vtkIdType>(complex.NumberOfVertices, -1),
+    FindSimplicesOf(complex, control.Runs, 1), FindSimplicesOf(complex, control.Runs, 2) };
+  for (auto run = control.Runs.rbegin(); run != control.Runs.rend(); ++run)
+  {
+    for (vtkIdType i = run->Count - 1; run->Dimension == 0 && i >= 0; --i)
+    {
+      simplices[0][complex.VertexCells[run->First + i]] = run->FirstCell + i;
+    }
+  }
+  const char* name = OriginalCellIdsName;
+  vtkDataArray* carried =
+    this->Mesh.IsStamped ? this->Input->GetCellData()->GetArray(name) : nullptr;
+  this->AddCellArray<vtkIdTypeArray>(name,
+    [&](int dimension, vtkIdType i)
+    {
+      const vtkIdType simplex = simplices[dimension][i];
+      const vtkIdType cell = simplex < 0 ? -1 : this->GetInputCell(simplex);
+      return cell >= 0 && carried ? static_cast<vtkIdType>(carried->GetComponent(cell, 0)) : cell;
+    });
+}
+
+/// A simplex is a duplicate if all cells that it lies on are.
+template <typename Id>
+void Probe::AddGhosts(const ControlComplex<Id>& control)
+{
+  const char* name = vtkDataSetAttributes::GhostArrayName();
+  auto* ghosts =
+    vtkUnsignedCharArray::SafeDownCast(this->Input->GetCellData()->GetAbstractArray(name));
+  if (ghosts)
+  {
+    const SimplicialComplex<Id>& complex = control.Current.Complex;
+    GhostTypes kinds = { { Buffer<unsigned char>(complex.NumberOfVertices, DuplicateCell),
+      Buffer<unsigned char>(complex.NumberOfEdges, DuplicateCell),
+      Buffer<unsigned char>(complex.NumberOfFaces, DuplicateCell) } };
+    const Buffer<Id>* twins[4] = { nullptr, &complex.EqualLines.Twins,
+      &complex.EqualTriangles.Twins, &complex.EqualTets.Twins };
+    for (const CellRun& run : control.Runs)
+    {
+      for (vtkIdType i = 0; i < run.Count; ++i)
+      {
+        if (!(ghosts->GetValue(this->GetInputCell(run.FirstCell + i)) & DuplicateCell))
+        {
+          const vtkIdType at = run.First + i;
+          MarkAsOwn(complex, run.Dimension, run.Equal ? (*twins[run.Dimension])[at] : at, kinds);
+        }
+      }
+    }
+    this->AddCellArray<vtkUnsignedCharArray>(
+      name, [&](int dimension, vtkIdType i) { return kinds.Of[dimension][i]; });
+  }
+  RebuildPointGhosts(this->Input, this->Output);
+}
+
+/// Numbers of the whole complex. What an earlier filter wrote about its cells goes.
+template <typename Id>
+void Probe::AddNumbers(const ComplexDescription<Id>& description)
+{
+  vtkFieldData* fields = this->Output->GetFieldData();
+  WriteSingularTuples(SimplexTuples(), this->Output);
+  fields->RemoveArray(StampName);
+  fields->RemoveArray(GlobalIdsName);
+  fields->RemoveArray(InvertedCellsName);
+  auto add = [fields](const char* name, const vtkIdType* values, int size)
+  {
+    vtkNew<vtkIdTypeArray> array;
+    array->SetName(name);
+    array->SetNumberOfTuples(size);
+    std::copy(values, values + size, array->GetPointer(0));
+    fields->AddArray(array);
+  };
+  const vtkIdType euler = description.GetEulerCharacteristic();
+  add("SimplexCounts", description.Counts, 4);
+  add("EulerCharacteristic", &euler, 1);
+  add("ManifoldComponents", description.Components, 4);
+}
+
+}
+
+bool ProbeTopology(vtkPointSet* input, const ProbeOptions& options, vtkUnstructuredGrid* output)
+{
+  const ProbeOptions once = WarningOnce(options);
+  return Probe(input, once, output).Run();
+}
+
+}

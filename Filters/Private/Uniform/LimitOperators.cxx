@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Uniform/LimitOperators.h"
+
+namespace subdivision
+{
+
+template <typename Id>
+template <typename AnyLevel>
+LimitOperators<Id>::LimitOperators(const AnyLevel& level, const SemiSharpStages<Id>& creases,
+  const ControlSolids& solids, bool project, bool generateNormals)
+  : HasNormals(generateNormals)
+{
+  if (project)
+  {
+    this->Rows = BuildLimitRows(level, creases);
+  }
+  if (generateNormals)
+  {
+    this->Tangents = BuildLimitTangents(level, creases, solids);
+  }
+}
+
+template <typename Id>
+void LimitOperators<Id>::Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const
+{
+  if (this->HasNormals)
+  {
+    const vtkIdType size = arrays.GetPoints()->GetNumberOfTuples();
+    Buffer<double> normals(3 * size);
+    ComputeLimitNormals(this->Tangents, arrays.GetCoordinates(), inverted, normals.data());
+    const auto array = MakeArray(arrays.GetPoints()->GetDataType(), 3, size);
+    array->SetName(LimitNormalsName);
+    auto fill = [&](auto* out)
+    {
+      using T = std::remove_pointer_t<decltype(out)>;
+      ForEach(3 * size, [&](vtkIdType i) { out[i] = static_cast<T>(normals[i]); });
+    };
+    array->GetDataType() == VTK_FLOAT ? fill(static_cast<float*>(array->GetVoidPointer(0)))
+                                      : fill(static_cast<double*>(array->GetVoidPointer(0)));
+    arrays.SetNormals(array);
+  }
+  arrays.Project(this->Rows);
+}
+
+#define SUBDIVISION_LIMIT(Id)                                                                      \
+  template struct LimitOperators<Id>;                                                              \
+  template LimitOperators<Id>::LimitOperators(                                                     \
+    const Level<Id>&, const SemiSharpStages<Id>&, const ControlSolids&, bool, bool);               \
+  template LimitOperators<Id>::LimitOperators(                                                     \
+    const TetOctLevel<Id>&, const SemiSharpStages<Id>&, const ControlSolids&, bool, bool)
+SUBDIVISION_LIMIT(int);
+SUBDIVISION_LIMIT(long long);
+
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LimitOperators.h
+ * What comes after the last step: points and arrays on the limit, and its normals.
+ */
+#ifndef SubdivisionObjects_LimitOperators_h
+#define SubdivisionObjects_LimitOperators_h
+
+#include "Core/Solids/Limits/LimitNormals.h"
+#include "Core/Solids/Limits/LimitStencils.h"
+#include "Private/ArrayNames.h"
+#include "Private/Arrays/PointArrays.h"
+
+namespace subdivision
+{
+
+template <typename Id>
+struct LimitOperators
+{
+  SparseRows<Id> Rows; ///< none: points stay where they are
+  LimitTangents<Id> Tangents;
+  bool HasNormals = false;
+
+  LimitOperators() = default;
+  /// The level is a Level or a TetOctLevel.
+  template <typename AnyLevel>
+  LimitOperators(const AnyLevel& level, const SemiSharpStages<Id>& creases,
+    const ControlSolids& solids, bool project, bool generateNormals);
+
+  /// `arrays` are those of the level; `inverted` as in ComputeLimitNormals.
+  void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const;
+  std::size_t GetMemorySize() const
+  {
+    return this->Rows.GetMemorySize() + this->Tangents.GetMemorySize();
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file OperatorCache.h
+ * What a filter keeps between executions: for each mesh that it saw in its last update, the
+ * operators of all levels and the output's cells.
+ */
+#ifndef SubdivisionObjects_OperatorCache_h
+#define SubdivisionObjects_OperatorCache_h
+
+#include "Core/Solids/BoxSpline/Stencils.h"
+#include "Core/Solids/Strata/Singularities.h"
+#include "Core/Solids/TetOct/ComposedRows.h"
+#include "Core/Solids/TetOct/TetOctStencils.h"
+#include "Private/Arrays/PointArrays.h"
+#include "Private/Control/Stamp.h"
+#include "Private/Uniform/LimitOperators.h"
+#include "Private/Uniform/UniformCells.h"
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace subdivision
+{
+
+/// The operators of some steps in a row, whatever their ids are.
+class KeptSteps
+{
+public:
+  virtual ~KeptSteps() = default;
+  /// `inverted` as in ComputeLimitNormals.
+  virtual void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const = 0;
+  /// Other values, interleaved, of the points before the first step; there are steps. A result of
+  /// an earlier call is written over: its pages need not be cleared again.
+  virtual void Apply(const double* values, int components, Buffer<double>& result) const = 0;
+  virtual std::size_t GetMemorySize() const = 0;
+  /// Rows over the points after the last step as rows over those before the first; there are steps.
+  virtual SparseRows<int> ComposeWith(const SparseRows<int>& rows) const = 0;
+  /// The strata of the last step, if there is one: of its vertices and of its edges.
+  virtual const Buffer<Stratum>& GetLastVertices() const = 0;
+  virtual const Buffer<Stratum>& GetLastEdges() const = 0;
+};
+
+template <typename Operator, typename Id>
+class KeptStepsOf : public KeptSteps
+{
+public:
+  void Add(Operator&& stencils) { this->Steps.push_back(std::move(stencils)); }
+  /// What comes after the last step.
+  void SetLimit(LimitOperators<Id>&& limit) { this->Limit = std::move(limit); }
+  void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const override
+  {
+    for (const Operator& step : this->Steps)
+    {
+      arrays.Advance(step);
+    }
+    this->Limit.Apply(arrays, inverted);
+  }
+  void Apply(const double* values, int components, Buffer<double>& result) const override
+  {
+    Buffer<double> current;
+    for (std::size_t i = 0; i < this->Steps.size(); ++i)
+    {
+      const vtkIdType size = components * this->Steps[i].GetNumberOfRows();
+      const bool isReused = i + 1 == this->Steps.size() && result.size() == size;
+      Buffer<double> next = isReused ? std::move(result) : Buffer<double>(size);
+      this->Steps[i].Apply(i == 0 ? values : current.data(), next.data(), components);
+      current = std::move(next);
+    }
+    result = std::move(current);
+  }
+  SparseRows<int> ComposeWith(const SparseRows<int>& rows) const override
+  {
+    SparseRows<int> composed;
+    for (auto step = this->Steps.rbegin(); step != this->Steps.rend(); ++step)
+    {
+      composed = Compose(step == this->Steps.rbegin() ? rows : composed, *step);
+    }
+    return composed;
+  }
+  const Buffer<Stratum>& GetLastVertices() const override { return this->Steps.back().Vertices; }
+  const Buffer<Stratum>& GetLastEdges() const override { return this->Steps.back().Edges; }
+  std::size_t GetMemorySize() const override
+  {
+    std::size_t bytes = this->Limit.GetMemorySize();
+    for (const Operator& step : this->Steps)
+    {
+      bytes += step.GetMemorySize();
+    }
+    return bytes;
+  }
+
+private:
+  std::vector<Operator> Steps;
+  LimitOperators<Id> Limit;
+};
+
+/// Everything that the topology of an output depends on, by content.
+struct TopologyKey
+{
+  SimplexList Simplices;
+  StampScheme Scheme = StampScheme::BoxSpline;
+  int MadeLevels = 0;
+  vtkIdType NumberOfControlPoints = 0;
+  int Levels = 0;
+  bool Use32BitIds = false;
+  /// Options, flags and values that choose rules, in a fixed order.
+  std::vector<long long> Choices;
+
+  /// The same cells and steps, whatever the choices are.
+  bool HasSameCells(const TopologyKey& other) const
+  {
+    return this->Scheme == other.Scheme && this->MadeLevels == other.MadeLevels &&
+      this->Levels == other.Levels && this->NumberOfControlPoints == other.NumberOfControlPoints &&
+      this->Use32BitIds == other.Use32BitIds &&
+      this->Simplices.NumberOfPoints == other.Simplices.NumberOfPoints &&
+      this->Simplices.Dimensions == other.Simplices.Dimensions &&
+      this->Simplices.Connectivity == other.Simplices.Connectivity;
+  }
+  bool operator==(const TopologyKey& other) const
+  {
+    return this->Choices == other.Choices && this->HasSameCells(other);
+  }
+  std::size_t GetMemorySize() const;
+};
+
+struct KeptOperator
+{
+  TopologyKey Key;
+  std::unique_ptr<KeptSteps> Steps; ///< null for no step and no limit
+  UniformCells Cells;
+  std::vector<vtkIdType> Parents;           ///< whose values children take, as in UniformRun
+  Buffer<Stratum> ControlStrata;            ///< of the vertices, for no step
+  Buffer<unsigned char> ManifoldDimensions; ///< of each control simplex
+  SimplexTuples Derived;                    ///< singular simplices, as the output names them
+  SimplexTuples ControlDerived;             ///< the same, as the control mesh names them
+  /// Where features may be, and which of them are: to be asked again when points move.
+  std::vector<FeatureCandidate> Candidates;
+  std::vector<bool> Features;
+  /// What was said of the input when it was built.
+  std::vector<std::string> Warnings;
+  /// Points that went in (a copy), and what came out.
+  vtkSmartPointer<vtkDataArray> PointsIn;
+  vtkSmartPointer<vtkDataArray> PointsOut;
+  bool Used = true;
+};
+
+class OperatorCache
+{
+public:
+  /// A kept operator of an equal key that `accept` takes, marked as used, or null. Each serves one
+  /// input of an update, so that two blocks with equal cells keep what they know of their points.
+  KeptOperator* Find(
+    const TopologyKey& key, const std::function<bool(const KeptOperator&)>& accept);
+  /// One whose output cells are those of `key` too, though rules differ; or null. Ids depend on the
+  /// cells and on the derived singular simplices, on nothing else.
+  const KeptOperator* FindCells(const TopologyKey& key, const SimplexTuples& derived) const;
+  void Add(std::unique_ptr<KeptOperator> kept) { this->Operators.push_back(std::move(kept)); }
+  void Clear() { this->Operators.clear(); }
+  /// An update is over: forget what it did not use.
+  void ForgetUnused();
+
+  /// The steps of the operator that was added first, null where there are none.
+  const KeptSteps* GetFirstSteps() const
+  {
+    return this->Operators.empty() ? nullptr : this->Operators.front()->Steps.get();
+  }
+  std::size_t GetNumberOfOperators() const { return this->Operators.size(); }
+  std::size_t GetMemorySize() const;
+  /// How often topology was built since the cache exists.
+  vtkIdType NumberOfBuilds = 0;
+
+private:
+  std::vector<std::unique_ptr<KeptOperator>> Operators;
+};
+
+}
+
+#endif

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Uniform/UniformCells.h"
+
+#include "Core/Solids/TetOct/TetOctCells.h"
+#include "Private/Arrays/Arrays.h"
+
+#include "vtkNew.h"
+#include "vtkTypeInt32Array.h"
+
+#include <limits>
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr unsigned char TypeOfDimension[4] = { VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_TETRA };
+
+/// The cells of a level after 0, 1 or 2 steps, at a place that has room for them.
+template <typename Id, typename Out>
+void WriteRefined(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps,
+  const CellStorage<Out>& storage, Id octahedra = 0)
+{
+  switch (steps)
+  {
+    case 0:
+      WriteCells(complex, runs, storage);
+      break;
+    case 1:
+      WriteChildren(complex, runs, storage);
+      break;
+    default:
+      WriteGrandchildren(complex, runs, storage, 3, octahedra);
+      break;
+  }
+}
+
+/// Makes room for cells and lets `write` fill it.
+template <typename Write>
+UniformCells Fill(const CellCounts& counts, bool small, double points, const Write& write)
+{
+  UniformCells made;
+  made.Cells = vtkSmartPointer<vtkCellArray>::New();
+  const auto types = MakeArray(VTK_UNSIGNED_CHAR, 1, counts.Cells);
+  auto fill = [&](auto* offsets, auto* connectivity)
+  {
+    Allocate(offsets, 1, counts.Cells + 1);
+    Allocate(connectivity, 1, counts.Entries);
+    using Out = typename std::remove_pointer<decltype(offsets->GetPointer(0))>::type;
+    write(CellStorage<Out>{ connectivity->GetPointer(0), offsets->GetPointer(0),
+      static_cast<unsigned char*>(types->GetVoidPointer(0)) });
+    made.Cells->SetData(offsets, connectivity);
+  };
+  if (small &&
+    std::max(static_cast<double>(counts.Entries), points) < std::numeric_limits<int>::max())
+  {
+    vtkNew<vtkTypeInt32Array> offsets;
+    vtkNew<vtkTypeInt32Array> connectivity;
+    fill(offsets.Get(), connectivity.Get());
+  }
+  else
+  {
+    vtkNew<vtkIdTypeArray> offsets;
+    vtkNew<vtkIdTypeArray> connectivity;
+    fill(offsets.Get(), connectivity.Get());
+  }
+  made.Types = vtkUnsignedCharArray::SafeDownCast(types);
+  return made;
+}
+
+LevelCounts Refine(LevelCounts counts, int steps)
+{
+  for (int step = 0; step < steps; ++step)
+  {
+    counts = counts.Refine();
+  }
+  return counts;
+}
+
+void AddOctahedra(const std::vector<CellRun>& runs, int steps, UniformCells& made)
+{
+  made.Octahedra = vtkSmartPointer<vtkIdTypeArray>::New();
+  made.Octahedra->SetName("OctahedronId");
+  Allocate(made.Octahedra, 1, CountCells(runs).Cells);
+  NumberOctahedra(runs, steps, made.Octahedra->GetPointer(0));
+}
+
+/// act(offsets, connectivity, coordinates) with the values as they are stored.
+template <typename Out, typename Act>
+void WithPoints(vtkDataArray* offsets, vtkDataArray* ids, vtkDataArray* points, const Act& act)
+{
+  const Out* first = static_cast<const Out*>(offsets->GetVoidPointer(0));
+  Out* connectivity = static_cast<Out*>(ids->GetVoidPointer(0));
+  if (points->GetDataType() == VTK_FLOAT)
+  {
+    act(first, connectivity, static_cast<const float*>(points->GetVoidPointer(0)));
+  }
+  else
+  {
+    act(first, connectivity, static_cast<const double*>(points->GetVoidPointer(0)));
+  }
+}
+template <typename Act>
+void WithCells(vtkCellArray* cells, vtkDataArray* points, const Act& act)
+{
+  vtkDataArray* offsets = cells->GetOffsetsArray();
+  vtkDataArray* connectivity = cells->GetConnectivityArray();
+  if (cells->IsStorage64Bit())
+  {
+    WithPoints<long long>(offsets, connectivity, points, act);
+  }
+  else
+  {
+    WithPoints<int>(offsets, connectivity, points, act);
+  }
+}
+
+}
+
+template <typename Id>
+UniformCells MakeChildren(
+  const Level<Id>& level, const std::vector<CellRun>& runs, int steps, bool small)
+{
+  return Fill(CountCells(RefineRuns(runs, steps)), small,
+    Refine(CountSimplices(level.Complex), steps).Vertices,
+    [&](const auto& storage) { WriteRefined(level.Complex, runs, steps, storage); });
+}
+
+template <typename Id>
+UniformCells MakeChildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, int steps,
+  vtkDataArray* points, bool small)
+{
+  const std::vector<CellRun> children = RefineRuns(runs, steps);
+  UniformCells made =
+    Fill(CountCells(children), small, Refine(CountSimplices(level), steps).Vertices,
+      [&](const auto& storage)
+      {
+        auto write = [&](const auto* coordinates)
+        {
+          steps == 1 ? WriteTetOctChildren(level, runs, coordinates, storage)
+                     : WriteTetOctGrandchildren(level, runs, coordinates, storage);
+        };
+        if (points && points->GetDataType() == VTK_FLOAT)
+        {
+          write(static_cast<const float*>(points->GetVoidPointer(0)));
+        }
+        else
+        {
+          write(points ? static_cast<const double*>(points->GetVoidPointer(0)) : nullptr);
+        }
+      });
+  AddOctahedra(children, level.Steps + steps, made);
+  return made;
+}
+
+UniformCells CopyCells(
+  const SimplexList& cells, const std::vector<CellRun>& runs, int steps, bool small)
+{
+  const CellCounts counts{ cells.GetNumberOfSimplices(),
+    static_cast<vtkIdType>(cells.Connectivity.size()) };
+  UniformCells made = Fill(counts, small, static_cast<double>(cells.NumberOfPoints),
+    [&](const auto& storage)
+    {
+      using Out = typename std::remove_reference<decltype(*storage.Offsets)>::type;
+      Out entry = 0;
+      for (vtkIdType i = 0; i < counts.Cells; ++i)
+      {
+        storage.Types[i] = TypeOfDimension[cells.Dimensions[i]];
+        storage.Offsets[i] = entry;
+        entry += cells.Dimensions[i] + 1;
+      }
+      storage.Offsets[counts.Cells] = entry;
+      ForEach(counts.Entries,
+        [&](vtkIdType i) { storage.Connectivity[i] = static_cast<Out>(cells.Connectivity[i]); });
+    });
+  if (steps >= 0)
+  {
+    AddOctahedra(runs, steps, made);
+  }
+  return made;
+}
+
+void TurnOctahedra(UniformCells& cells, bool shared, vtkDataArray* points)
+{
+  const vtkIdType* octahedra = cells.Octahedra->GetPointer(0);
+  const vtkIdType size = cells.Octahedra->GetNumberOfTuples();
+  if (shared)
+  {
+    bool turned = false;
+    WithCells(cells.Cells, points,
+      [&](const auto* offsets, const auto* connectivity, const auto* coordinates)
+      { turned = AreTurned(octahedra, size, offsets, connectivity, coordinates); });
+    if (turned)
+    {
+      return;
+    }
+    vtkDataArray* connectivity = cells.Cells->GetConnectivityArray();
+    vtkSmartPointer<vtkDataArray> copy;
+    copy.TakeReference(connectivity->NewInstance());
+    copy->DeepCopy(connectivity);
+    vtkNew<vtkCellArray> copied;
+    copied->SetData(cells.Cells->GetOffsetsArray(), copy);
+    cells.Cells = copied;
+  }
+  WithCells(cells.Cells, points,
+    [&](const auto* offsets, auto* connectivity, const auto* coordinates)
+    { TurnOctahedra(octahedra, size, offsets, connectivity, coordinates); });
+}
+
+template <typename Id>
+SimplexTuples GatherTuples(
+  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps, Id octahedra)
+{
+  const CellCounts counts = CountCells(RefineRuns(runs, steps));
+  SimplexTuples gathered;
+  if (counts.Cells == 0)
+  {
+    return gathered;
+  }
+  Buffer<long long> connectivity(counts.Entries);
+  Buffer<long long> offsets(counts.Cells + 1);
+  Buffer<unsigned char> types(counts.Cells);
+  const CellStorage<long long> storage{ connectivity.data(), offsets.data(), types.data() };
+  WriteRefined(complex, runs, steps, storage, octahedra);
+  for (vtkIdType i = 0; i < counts.Cells; ++i)
+  {
+    const int dimension = static_cast<int>(offsets[i + 1] - offsets[i]) - 1;
+    auto& tuples = gathered.Tuples[dimension];
+    tuples.insert(
+      tuples.end(), connectivity.data() + offsets[i], connectivity.data() + offsets[i + 1]);
+  }
+  return gathered;
+}
+
+#define SUBDIVISION_CELLS(Id)                                                                      \
+  template UniformCells MakeChildren(const Level<Id>&, const std::vector<CellRun>&, int, bool);    \
+  template UniformCells MakeChildren(                                                              \
+    const TetOctLevel<Id>&, const std::vector<CellRun>&, int, vtkDataArray*, bool);                \
+  template SimplexTuples GatherTuples(                                                             \
+    const SimplicialComplex<Id>&, const std::vector<CellRun>&, int, Id)
+SUBDIVISION_CELLS(int);
+SUBDIVISION_CELLS(long long);
+
+}

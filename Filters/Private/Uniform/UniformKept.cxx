@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a uniform subdivision keeps for the next execution, and how that is used.
+#include "Private/Uniform/UniformRun.h"
+
+#include "Private/Arrays/Arrays.h"
+
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace subdivision
+{
+
+TopologyKey UniformRun::MakeKey() const
+{
+  TopologyKey key;
+  key.Simplices = this->Mesh.Cells.Simplices;
+  key.Scheme = this->Options.Scheme;
+  key.MadeLevels = this->Mesh.MadeLevels;
+  key.NumberOfControlPoints = this->Mesh.GetControl().NumberOfPoints;
+  key.Levels = this->Options.Levels;
+  key.Use32BitIds = this->Options.Use32BitIds;
+  key.Choices = EncodeChoices(this->Options.Features, this->Mesh.Values);
+  key.Choices.push_back(this->Mesh.IsStamped);
+  key.Choices.push_back(this->Options.ProjectToLimit);
+  key.Choices.push_back(this->Options.GenerateLimitNormals);
+  for (const auto& tuples : this->Mesh.Derived.Tuples)
+  {
+    key.Choices.push_back(static_cast<long long>(tuples.size()));
+    // GCC 14 takes the length of an insert of a range for a negative one.
+    std::copy(tuples.begin(), tuples.end(), std::back_inserter(key.Choices));
+  }
+  return key;
+}
+
+/// The kept operator, if the features are still where they were.
+KeptOperator* UniformRun::FindKept(const TopologyKey& key)
+{
+  return this->Options.Cache->Find(key,
+    [this](const KeptOperator& kept)
+    {
+      const Coordinates points =
+        kept.Candidates.empty() ? Coordinates(nullptr) : this->Points->GetCoordinates();
+      for (std::size_t i = 0; i < kept.Candidates.size(); ++i)
+      {
+        if (IsFeature(kept.Candidates[i], points, this->Options.Features.FeatureAngle) !=
+          kept.Features[i])
+        {
+          return false;
+        }
+      }
+      return true;
+    });
+}
+
+void UniformRun::UseKept(KeptOperator& kept)
+{
+  for (const std::string& warning : kept.Warnings)
+  {
+    this->Options.Warn(warning);
+  }
+  this->Cells = kept.Cells;
+  this->Parents = kept.Parents;
+  // Normals need the points before they are projected.
+  if (kept.Steps && !this->Options.GenerateLimitNormals &&
+    HoldsSameValues(this->Points->GetPoints(), kept.PointsIn))
+  {
+    this->Points->ReusePoints(kept.PointsOut);
+  }
+  else
+  {
+    kept.PointsIn->DeepCopy(this->Points->GetPoints());
+  }
+  if (kept.Steps)
+  {
+    kept.Steps->Apply(*this->Points, this->Mesh.Inverted);
+  }
+  this->FinishPoints(false);
+  kept.Cells = this->Cells;
+  kept.PointsOut = this->Output->GetPoints()->GetData();
+  if (this->Options.Levels > 0)
+  {
+    this->AddClassification(kept.Steps->GetLastVertices(), kept.Steps->GetLastEdges());
+  }
+  else
+  {
+    this->AddClassification(kept.ControlStrata, Buffer<Stratum>());
+  }
+  this->Derived = kept.Derived;
+  this->Control.ManifoldDimensions = Buffer<unsigned char>(kept.ManifoldDimensions.size());
+  std::copy(kept.ManifoldDimensions.begin(), kept.ManifoldDimensions.end(),
+    this->Control.ManifoldDimensions.begin());
+  this->Finish();
+}
+
+/// After a run that built everything.
+void UniformRun::Keep(std::unique_ptr<KeptOperator> keep)
+{
+  keep->Cells = this->Cells;
+  keep->Parents = std::move(this->Parents);
+  keep->PointsOut = this->Output->GetPoints()->GetData();
+  keep->Derived = std::move(this->Derived);
+  keep->ControlDerived = std::move(this->Control.Derived);
+  keep->Candidates = std::move(this->Control.Candidates);
+  keep->Features = std::move(this->Control.Features);
+  keep->ManifoldDimensions = std::move(this->Control.ManifoldDimensions);
+  keep->Warnings = std::move(this->BuildWarnings);
+  ++this->Options.Cache->NumberOfBuilds;
+  this->Options.Cache->Add(std::move(keep));
+}
+
+}

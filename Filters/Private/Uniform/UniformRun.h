@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file UniformRun.h
+ * One execution of a uniform subdivision: its steps (UniformSubdivision.cxx), and what it keeps for
+ * the next (UniformKept.cxx).
+ */
+#ifndef SubdivisionObjects_UniformRun_h
+#define SubdivisionObjects_UniformRun_h
+
+#include "Private/Arrays/PointArrays.h"
+#include "Private/Control/ControlComplex.h"
+#include "Private/Uniform/UniformCells.h"
+#include "Private/Uniform/UniformSubdivision.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace subdivision
+{
+
+class UniformRun
+{
+public:
+  UniformRun(vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output)
+    : Input(input)
+    , Options(options)
+    , Output(output)
+  {
+  }
+  bool Run();
+
+private:
+  enum class Outcome
+  {
+    Done,
+    Stopped,
+    NotOurs ///< the stamp fits, the cells do not
+  };
+  Outcome Execute(bool trustStamp);
+  void StartPoints();
+  TopologyKey MakeKey() const;
+  KeptOperator* FindKept(const TopologyKey& key);
+  void UseKept(KeptOperator& kept);
+  void Keep(std::unique_ptr<KeptOperator> keep);
+
+  template <template <typename> class AnyLevel, typename Id>
+  Outcome BuildAndStep(KeptOperator* keep);
+  bool HasMemoryFor(const LevelCounts& counts, double bytesPerId) const;
+  template <template <typename> class AnyLevel, typename Id>
+  Outcome Step(AnyLevel<Id>& level, KeptOperator* keep);
+  template <typename Id>
+  void StepTwice(const Level<Id>& level);
+  template <typename Id>
+  void StepTwice(const TetOctLevel<Id>& level);
+  template <typename Rows>
+  void FinishTwoSteps(const Rows& last);
+  template <template <typename> class AnyLevel, typename Id, typename Kept>
+  void GoToLimit(const AnyLevel<Id>& level, Kept& kept);
+  template <typename Id>
+  void MakeCells(const Level<Id>& level, int steps);
+  template <typename Id>
+  void MakeCells(const TetOctLevel<Id>& level, int steps);
+  template <typename Id>
+  void MakeTurnedCells(const Level<Id>&, Stencils<Id>&)
+  {
+  }
+  template <typename Id>
+  void MakeTurnedCells(TetOctLevel<Id>& level, TetOctStencils<Id>& stencils);
+  template <typename Id>
+  void PartOctahedra(const Level<Id>&)
+  {
+  }
+  template <typename Id>
+  void PartOctahedra(const TetOctLevel<Id>& level);
+  void FinishPoints(bool ownsCells);
+  bool IsTetOct() const { return this->Options.Scheme == StampScheme::TetOct; }
+
+  void Finish();
+  void CheckOrientation();
+  void AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges);
+  bool IsStopped(double done) const
+  {
+    return this->Options.Progress && this->Options.Progress(done);
+  }
+
+  vtkPointSet* Input;
+  const UniformOptions& Options;
+  vtkUnstructuredGrid* Output;
+  ControlMesh Mesh;
+  std::unique_ptr<PointArrays> Points;
+  ControlTraits Control; ///< its runs are those of the current level
+  SimplexTuples Derived; ///< singular simplices as the output names them
+  std::vector<std::string> BuildWarnings;
+  const KeptOperator* SameCells = nullptr; ///< has the output's cells, where only rules changed
+  UniformCells Cells;                      ///< of the output
+  bool HasTurned = false;                  ///< octahedra were written around the right diagonals
+  /// Where the input has octahedra: whose values the children of its cells take (FindParents).
+  std::vector<vtkIdType> Parents;
+};
+
+}
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file UniformSubdivision.h
+ * From input to output in uniform steps: what vtkMultiDimensionalSubdivision does.
+ */
+#ifndef SubdivisionObjects_UniformSubdivision_h
+#define SubdivisionObjects_UniformSubdivision_h
+
+#include "Private/Control/RunOptions.h"
+#include "Private/Uniform/OperatorCache.h"
+
+class vtkPointSet;
+class vtkUnstructuredGrid;
+
+namespace subdivision
+{
+
+struct UniformOptions : RunOptions
+{
+  int Levels = 1;
+  StampScheme Scheme = StampScheme::BoxSpline; ///< of solids
+  bool GenerateClassification = false;
+  bool ProjectToLimit = false;
+  bool GenerateLimitNormals = false;
+  bool ReadsLimit() const { return this->ProjectToLimit || this->GenerateLimitNormals; }
+  bool Use32BitIds = false;
+  /// Where operators are kept; null: nowhere.
+  OperatorCache* Cache = nullptr;
+};
+
+/// False: stopped by an error (told to Fail) or by Progress. The output is then to be emptied.
+bool SubdivideUniformly(
+  vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output);
+
+}
+
+#endif

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Limits of some vertices of the uniform refinement against the uniform refinement itself.
+#include "LimitTools.h"
+
+#include "Core/Solids/Limits/LocalLimit.h"
+#include "Core/Solids/Limits/Restriction.h"
+#include "Core/Solids/RedGreen/RedGreenOutput.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+using namespace coretest;
+
+namespace
+{
+
+/// Vertices of the uniform refinement that are asked for: all edges of some level, or some of them
+/// and so on down; each with its number there.
+struct Asked
+{
+  std::vector<std::array<int, 2>> Ends;
+  std::vector<int> Uniform; ///< number in the uniform refinement, control vertices included
+};
+
+/// `take(level, edge)`: whether the point of an edge whose ends are asked for is asked for too.
+template <typename Take>
+Asked Ask(const std::vector<Level<int>>& levels, const Take& take)
+{
+  Asked asked;
+  std::map<int, int> numbers; // number of a uniform vertex among those asked for
+  for (int v = 0; v < levels[0].Complex.NumberOfVertices; ++v)
+  {
+    numbers[v] = v;
+    asked.Uniform.push_back(v);
+  }
+  for (std::size_t l = 0; l + 1 < levels.size(); ++l)
+  {
+    const auto& complex = levels[l].Complex;
+    std::map<int, int> next = numbers;
+    for (int e = 0; e < complex.NumberOfEdges; ++e)
+    {
+      const auto a = numbers.find(complex.EdgeVertices[2 * e]);
+      const auto b = numbers.find(complex.EdgeVertices[2 * e + 1]);
+      if (a != numbers.end() && b != numbers.end() && take(static_cast<int>(l), e))
+      {
+        next[complex.NumberOfVertices + e] = static_cast<int>(asked.Uniform.size());
+        asked.Uniform.push_back(complex.NumberOfVertices + e);
+        asked.Ends.push_back({ a->second, b->second });
+      }
+    }
+    numbers = next;
+  }
+  return asked;
+}
+
+/// Values on all levels.
+std::vector<std::vector<double>> SubdivideValues(
+  const std::vector<Level<int>>& levels, const std::vector<double>& values)
+{
+  std::vector<std::vector<double>> all = { values };
+  for (std::size_t l = 0; l + 1 < levels.size(); ++l)
+  {
+    all.push_back(ApplyTo(CopyStencils(levels[l]), all.back(), 2));
+  }
+  return all;
+}
+
+void ExpectUniformLimits(const Asked& asked, const LocalLimit<int>& local,
+  const std::vector<double>& values, const std::vector<double>& uniform)
+{
+  ASSERT_EQ(local.GetNumberOfRows(), static_cast<vtkIdType>(asked.Uniform.size()));
+  std::vector<double> limits(2 * asked.Uniform.size());
+  local.Apply(values.data(), limits.data(), 2);
+  const SparseRows<int> rows = local.BuildRows();
+  ASSERT_EQ(rows.GetNumberOfColumns(), static_cast<vtkIdType>(values.size() / 2));
+  const std::vector<double> byRows = ApplyTo(rows, values, 2);
+  for (std::size_t i = 0; i < limits.size(); ++i)
+  {
+    const double expected = uniform[2 * asked.Uniform[i / 2] + i % 2];
+    ASSERT_NEAR(limits[i], expected, 1e-13) << "vertex " << i / 2;
+    ASSERT_NEAR(byRows[i], expected, 1e-13) << "vertex " << i / 2;
+  }
+}
+
+std::vector<Level<int>> MakeLevels(const Mesh& mesh, const std::string& options, int steps)
+{
+  std::vector<Level<int>> levels;
+  levels.push_back(std::move(BuildNamed<int>(mesh, options).Level));
+  for (int i = 0; i < steps; ++i)
+  {
+    levels.push_back(Refine(levels.back(), Depth::ForRefinement));
+  }
+  return levels;
+}
+
+}
+
+TEST(LocalLimit, EqualsTheUniformRefinementOnTheWholeZoo)
+{
+  std::mt19937 random(5);
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    for (const char* options : OptionNames)
+    {
+      SCOPED_TRACE(mesh.Name + " " + options);
+      const int steps = mesh.Cells.GetNumberOfSimplices() > 30 ? 2 : 3;
+      const auto levels = MakeLevels(mesh, options, steps);
+      const std::vector<double> values = MakeValues(2 * levels[0].Complex.NumberOfVertices, 3);
+      const auto all = SubdivideValues(levels, values);
+      const auto uniform = ApplyTo(BuildLimitRows(levels.back()), all.back(), 2);
+      const unsigned int rarely = 1 + random() % 6;
+      const Asked asked = Ask(levels, [&](int, int) { return random() % rarely == 0; });
+      for (int rings = 0; rings < 2; ++rings) // without a ring, solids have to try again
+      {
+        const LocalLimit<int> local(levels[0], {}, asked.Ends, {}, rings);
+        ExpectUniformLimits(asked, local, values, uniform);
+      }
+    }
+  }
+}
+
+/// Red-green refinement with every cell marked, level by level, is the uniform refinement.
+TEST(LocalLimit, RedGreenRefinementOfEverything)
+{
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    SCOPED_TRACE(mesh.Name);
+    RedGreen<int> state{ SimplexView(mesh.Cells) };
+    for (vtkIdType cell = 0; cell < mesh.Cells.GetNumberOfSimplices(); ++cell)
+    {
+      state.MarkCell({ static_cast<int>(cell), -1 });
+    }
+    state.Close();
+    for (const auto& cell : state.GetChangedCells())
+    {
+      state.MarkCell(cell.Leaf);
+    }
+    state.Close();
+    std::vector<std::array<int, 2>> ends;
+    for (int v = state.GetNumberOfInputVertices(); v < state.GetNumberOfVertices(); ++v)
+    {
+      ends.push_back(state.GetEnds(v));
+    }
+    const RedGreenOutput<int> output(state);
+    WrittenCells written(output.GetCounts());
+    RedGreenStorage<long long> storage;
+    storage.Cells = written.GetStorage();
+    output.Write(storage);
+    const auto control = Build<int>(mesh.Cells, mesh.Singular);
+    const auto once = RefineOnce(control);
+    const auto twice = RefineOnce(once);
+    const SimplexList cells = ReadCells(twice);
+    ASSERT_EQ(written.ToList(0).Dimensions, cells.Dimensions);
+    const std::vector<double> values = MakeValues(mesh.Cells.NumberOfPoints, 4);
+    const auto uniform = ApplyTo(BuildLimitRows(twice.Level),
+      ApplyTo(CopyStencils(once.Level), ApplyTo(CopyStencils(control.Level), values, 1), 1), 1);
+    const LocalLimit<int> local(control.Level, {}, ends);
+    std::vector<double> limits(local.GetNumberOfRows());
+    local.Apply(values.data(), limits.data(), 1);
+    for (std::size_t k = 0; k < cells.Connectivity.size(); ++k)
+    {
+      ASSERT_NEAR(limits[written.Connectivity[k]], uniform[cells.Connectivity[k]], 1e-13);
+    }
+  }
+}
+
+TEST(LocalLimit, OnlyWhatIsWanted)
+{
+  const auto levels = MakeLevels(FindInZoo("KuhnLattice"), "Blend", 2);
+  const std::vector<double> values = MakeValues(levels[0].Complex.NumberOfVertices, 3);
+  const Asked asked = Ask(levels, [](int, int edge) { return edge % 2 == 0; });
+  const LocalLimit<int> all(levels[0], {}, asked.Ends);
+  const vtkIdType size = all.GetNumberOfRows();
+  std::vector<double> expected(size);
+  all.Apply(values.data(), expected.data(), 1);
+  Buffer<unsigned char> wanted(size, 0);
+  for (vtkIdType i = 0; i < size; i += 7)
+  {
+    wanted[i] = 1;
+  }
+  const LocalLimit<int> some(levels[0], {}, asked.Ends, wanted);
+  std::vector<double> limits(size, -7.);
+  some.Apply(values.data(), limits.data(), 1);
+  const SparseRows<int> rows = some.BuildRows();
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    EXPECT_EQ(limits[i], i % 7 == 0 ? expected[i] : -7.) << i;
+    EXPECT_EQ(rows.Offsets[i + 1] > rows.Offsets[i], i % 7 == 0) << i;
+  }
+  // Nothing at all but one vertex of the control mesh.
+  Buffer<unsigned char> one(size, 0);
+  one[13] = 1;
+  EXPECT_LT(LocalLimit<int>(levels[0], {}, asked.Ends, one).GetNumberOfSupportValues(), 16);
+}
+
+TEST(LocalLimit, SemiSharpCreases)
+{
+  std::mt19937 random(6);
+  unsigned int seed = 0;
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    SCOPED_TRACE(mesh.Name);
+    ++seed;
+    const SemiSharpMesh semi(mesh, OptionNames[seed % 8], seed);
+    std::vector<Level<int>> levels;
+    const std::vector<double> values = MakeValues(2 * mesh.Cells.NumberOfPoints, 3);
+    std::vector<double> uniform = values;
+    for (int l = 0; l <= 2; ++l)
+    {
+      levels.push_back(semi.MakeSmoothLevel(l));
+      uniform = l < 2 ? ApplyTo(semi.MakeStencils(l), uniform, 2) : uniform;
+    }
+    uniform = ApplyTo(BuildLimitRows(levels[2], semi.MakeStages(2)), uniform, 2);
+    const Asked asked = Ask(levels, [&](int, int) { return random() % 3 > 0; });
+    const LocalLimit<int> local(levels[0], semi.MakeStages(0), asked.Ends);
+    ExpectUniformLimits(asked, local, values, uniform);
+  }
+}
+
+/// Creases that are sharp for ever are sharp.
+TEST(LocalLimit, InfinitelySharpCreases)
+{
+  const Mesh mesh = FindInZoo("Icosahedron");
+  SemiSharpMesh semi(mesh, "Blend", 1);
+  const Level<int> smooth = semi.MakeSmoothLevel(0);
+  SemiSharpStages<int> creases;
+  creases.Sharpness = Buffer<double>(smooth.Complex.NumberOfEdges, 0.);
+  std::fill(semi.Sharpness.begin(), semi.Sharpness.end(), 0.);
+  for (int e = 0; e < smooth.Complex.NumberOfEdges; e += 3)
+  {
+    creases.Sharpness[e] = semi.Sharpness[e] = std::numeric_limits<double>::infinity();
+  }
+  creases.Stages.push_back({ SharpForever, semi.MakeLevel(0, 0.).Strata });
+  const Level<int> sharp = semi.MakeLevel(0, 0.);
+  std::vector<std::array<int, 2>> ends;
+  for (int e = 0; e < smooth.Complex.NumberOfEdges; ++e)
+  {
+    const int vertex = smooth.Complex.NumberOfVertices + 2 * e;
+    ends.push_back({ smooth.Complex.EdgeVertices[2 * e], smooth.Complex.EdgeVertices[2 * e + 1] });
+    ends.push_back({ smooth.Complex.EdgeVertices[2 * e], vertex });
+  }
+  const LocalLimit<int> local(smooth, creases, ends);
+  const LocalLimit<int> flagged(sharp, {}, ends);
+  const std::vector<double> values = MakeValues(smooth.Complex.NumberOfVertices, 2);
+  std::vector<double> a(local.GetNumberOfRows());
+  std::vector<double> b(a.size());
+  local.Apply(values.data(), a.data(), 1);
+  flagged.Apply(values.data(), b.data(), 1);
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    EXPECT_NEAR(a[i], b[i], 1e-13) << i;
+  }
+}
+
+/// Twelve steps of nothing but the cells at a vertex: its value comes to its limit, and what the
+/// rows of the last level say of it is what those of the first said.
+TEST(LocalLimit, TwelveLevelsAroundAVertex)
+{
+  std::mt19937 random(8);
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    for (const char* options : OptionNames)
+    {
+      SCOPED_TRACE(mesh.Name + " " + options);
+      Level<int> level = std::move(BuildNamed<int>(mesh, options).Level);
+      if (level.Complex.NumberOfVertices == 0)
+      {
+        continue;
+      }
+      int vertex = static_cast<int>(random() % level.Complex.NumberOfVertices);
+      std::vector<double> values = MakeValues(level.Complex.NumberOfVertices, 3);
+      const double limit = ApplyTo(BuildLimitRows(level), values, 1)[vertex];
+      for (int step = 0; step < 12; ++step)
+      {
+        Buffer<unsigned char> at(level.Complex.NumberOfVertices, 0);
+        at[vertex] = 1;
+        const Restriction<int> restriction(level.Complex, at);
+        Level<int> part;
+        part.Complex = restriction.Restrict(level.Complex);
+        part.Strata = restriction.Restrict(level.Strata);
+        std::vector<double> kept;
+        for (int old : restriction.GetOldVertices())
+        {
+          kept.push_back(values[old]);
+        }
+        vertex = restriction.GetNewVertices()[vertex];
+        values = ApplyTo(CopyStencils(part), kept, 1);
+        level = Refine(part, Depth::ForRefinement);
+      }
+      EXPECT_LT(level.Complex.NumberOfVertices, 600);
+      EXPECT_NEAR(values[vertex], limit, 2. * std::pow(0.75, 12));
+      EXPECT_NEAR(ApplyTo(BuildLimitRows(level), values, 1)[vertex], limit, 1e-13);
+    }
+  }
+}
+
+TEST(LocalLimit, CostsWhatIsAskedFor)
+{
+  const Lattice lattice = MakeLattice("Lattice", 8, 1., 4);
+  const auto control = Build<int>(lattice.Control.Cells);
+  const auto& complex = control.Level.Complex;
+  // Straight down to one vertex in the middle.
+  const auto middle =
+    std::find(lattice.Positions.begin(), lattice.Positions.end(), std::array<int, 3>{ 4, 4, 4 });
+  const int near = static_cast<int>(middle - lattice.Positions.begin());
+  int edge = 0;
+  while (complex.EdgeVertices[2 * edge] != near && complex.EdgeVertices[2 * edge + 1] != near)
+  {
+    ++edge;
+  }
+  std::vector<std::array<int, 2>> ends;
+  int far = complex.OtherEnd(edge, near);
+  for (int i = 0; i < 10; ++i)
+  {
+    ends.push_back({ near, far });
+    far = complex.NumberOfVertices + i;
+  }
+  const LocalLimit<int> local(control.Level, {}, ends);
+  EXPECT_LT(local.GetNumberOfSupportValues(), complex.NumberOfVertices + 10 * 200);
+}
+
+TEST(LocalLimit, EdgesThatDoNotExist)
+{
+  const auto control = Build<int>(FindInZoo("OpenPolyline").Cells);
+  using Ends = std::vector<std::array<int, 2>>;
+  EXPECT_THROW(LocalLimit<int>(control.Level, {}, Ends{ { 0, 2 } }), std::invalid_argument);
+  EXPECT_THROW(LocalLimit<int>(control.Level, {}, Ends{ { 0, 5 } }), std::invalid_argument);
+  EXPECT_THROW(LocalLimit<int>(control.Level, {}, Ends{ { -1, 1 } }), std::invalid_argument);
+  EXPECT_THROW(
+    LocalLimit<int>(control.Level, {}, Ends{ { 0, 1 }, { 5, 2 } }), std::invalid_argument);
+  EXPECT_NO_THROW(LocalLimit<int>(control.Level, {}, Ends{ { 0, 1 }, { 5, 0 }, { 1, 0 } }));
+}

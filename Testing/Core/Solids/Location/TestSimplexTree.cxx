@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The search tree against a look at every simplex.
+#include "Core/Solids/Location/SimplexTree.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace
+{
+
+using subdivision::Buffer;
+using subdivision::PlaceInSimplex;
+using subdivision::SimplexTree;
+
+struct Mesh
+{
+  std::vector<double> Points;
+  std::vector<vtkIdType> Ids;
+  int Corners;
+
+  SimplexTree MakeTree() const
+  {
+    Buffer<vtkIdType> ids(static_cast<vtkIdType>(this->Ids.size()));
+    std::copy(this->Ids.begin(), this->Ids.end(), ids.begin());
+    return SimplexTree(this->Points.data(), this->Corners, std::move(ids));
+  }
+  vtkIdType GetSize() const { return static_cast<vtkIdType>(this->Ids.size()) / this->Corners; }
+  void Get(vtkIdType simplex, const double* corners[4]) const
+  {
+    for (int k = 0; k < this->Corners; ++k)
+    {
+      corners[k] = this->Points.data() + 3 * this->Ids[this->Corners * simplex + k];
+    }
+  }
+};
+
+/// Simplices between random points: they overlap as they like.
+Mesh MakeRandomMesh(int points, int simplices, int corners, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> coordinate(-1., 1.);
+  std::uniform_int_distribution<vtkIdType> id(0, points - 1);
+  Mesh mesh;
+  mesh.Corners = corners;
+  for (int i = 0; i < 3 * points; ++i)
+  {
+    mesh.Points.push_back(coordinate(random));
+  }
+  for (int i = 0; i < corners * simplices; ++i)
+  {
+    mesh.Ids.push_back(id(random));
+  }
+  return mesh;
+}
+
+std::array<double, 3> Combine(const Mesh& mesh, const PlaceInSimplex& place)
+{
+  const double* corners[4];
+  mesh.Get(place.Simplex, corners);
+  std::array<double, 3> x = { 0., 0., 0. };
+  for (int k = 0; k < mesh.Corners; ++k)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      x[c] += place.Weights[k] * corners[k][c];
+    }
+  }
+  return x;
+}
+
+double Distance2(const double* a, const double* b)
+{
+  double sum = 0.;
+  for (int c = 0; c < 3; ++c)
+  {
+    sum += (a[c] - b[c]) * (a[c] - b[c]);
+  }
+  return sum;
+}
+
+/// The distance to a triangle, by a fine grid of places in it: never smaller than the true one.
+double SampleDistance2(const double* const corners[3], const double* x)
+{
+  constexpr int n = 60;
+  double best = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; i + j <= n; ++j)
+    {
+      double y[3];
+      for (int c = 0; c < 3; ++c)
+      {
+        y[c] = (i * corners[0][c] + j * corners[1][c] + (n - i - j) * corners[2][c]) / n;
+      }
+      best = std::min(best, Distance2(x, y));
+    }
+  }
+  return best;
+}
+
+}
+
+TEST(CoreSimplexTree, FindsTheFirstTetrahedronThatHoldsAPoint)
+{
+  for (int size : { 1, 2, 5, 17, 300 })
+  {
+    const Mesh mesh = MakeRandomMesh(60, size, 4, static_cast<unsigned>(size));
+    const SimplexTree tree = mesh.MakeTree();
+    ASSERT_EQ(tree.GetNumberOfSimplices(), size);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> coordinate(-1., 1.);
+    int inside = 0;
+    for (int i = 0; i < 500; ++i)
+    {
+      const double x[3] = { coordinate(random), coordinate(random), coordinate(random) };
+      vtkIdType expected = -1;
+      for (vtkIdType s = 0; s < size && expected < 0; ++s)
+      {
+        const double* corners[4];
+        double weights[4];
+        mesh.Get(s, corners);
+        if (subdivision::FindWeightsInTet(corners, x, weights) &&
+          *std::min_element(weights, weights + 4) >= -1e-10)
+        {
+          expected = s;
+        }
+      }
+      PlaceInSimplex place;
+      EXPECT_EQ(tree.FindContaining(x, 1e-10, place), expected >= 0);
+      ASSERT_EQ(place.Simplex, expected);
+      if (expected >= 0)
+      {
+        ++inside;
+        const auto y = Combine(mesh, place);
+        EXPECT_LT(Distance2(y.data(), x), 1e-28);
+      }
+    }
+    EXPECT_TRUE(size < 300 || inside > 100) << inside;
+  }
+}
+
+TEST(CoreSimplexTree, FindsTheNearestPlace)
+{
+  for (int corners : { 3, 4 })
+  {
+    Mesh mesh = MakeRandomMesh(80, 40, corners, 11);
+    if (corners == 3)
+    {
+      mesh.Ids[2] = mesh.Ids[1];               // a line
+      mesh.Ids[4] = mesh.Ids[5] = mesh.Ids[3]; // a vertex
+    }
+    const SimplexTree tree = mesh.MakeTree();
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> coordinate(-2., 2.);
+    for (int i = 0; i < 60; ++i)
+    {
+      const double x[3] = { coordinate(random), coordinate(random), coordinate(random) };
+      PlaceInSimplex place;
+      double distance2 = 0.;
+      ASSERT_TRUE(tree.FindNearest(x, place, distance2));
+      const auto y = Combine(mesh, place);
+      EXPECT_NEAR(Distance2(y.data(), x), distance2, 1e-12);
+      for (double weight : place.Weights)
+      {
+        EXPECT_GE(weight, 0.);
+      }
+      double sampled = std::numeric_limits<double>::infinity();
+      for (vtkIdType s = 0; s < mesh.GetSize(); ++s)
+      {
+        const double* all[4];
+        mesh.Get(s, all);
+        for (int omitted = 0; omitted < (corners == 4 ? 4 : 1); ++omitted)
+        {
+          const double* facet[3];
+          for (int k = 0; k < 3; ++k)
+          {
+            facet[k] = all[corners == 4 && k >= omitted ? k + 1 : k];
+          }
+          sampled = std::min(sampled, SampleDistance2(facet, x));
+        }
+      }
+      PlaceInSimplex inside;
+      if (corners == 3 || !tree.FindContaining(x, 0., inside))
+      {
+        EXPECT_LE(distance2, sampled + 1e-12);
+        EXPECT_NEAR(std::sqrt(distance2), std::sqrt(sampled), 0.02);
+      }
+      else
+      {
+        EXPECT_LT(distance2, 1e-24);
+      }
+    }
+  }
+}
+
+TEST(CoreSimplexTree, EqualAnswersComeFromTheFirst)
+{
+  Mesh mesh;
+  mesh.Corners = 4;
+  mesh.Points = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1 };
+  for (int i = 0; i < 9; ++i) // above and below the triangle 0 1 2, in turns
+  {
+    for (vtkIdType id : { 0, 1, 2, i % 2 == 0 ? 3 : 4 })
+    {
+      mesh.Ids.push_back(id);
+    }
+  }
+  const SimplexTree tree = mesh.MakeTree();
+  PlaceInSimplex place;
+  double distance2 = 0.;
+  const double onFace[3] = { 0.25, 0.25, 0. };
+  const double below[3] = { 0.1, 0.1, -0.1 };
+  const double beside[3] = { 0.25, -3., 0. };
+  EXPECT_TRUE(tree.FindContaining(onFace, 1e-10, place));
+  EXPECT_EQ(place.Simplex, 0);
+  EXPECT_TRUE(tree.FindContaining(below, 1e-10, place));
+  EXPECT_EQ(place.Simplex, 1);
+  EXPECT_TRUE(tree.FindNearest(beside, place, distance2));
+  EXPECT_EQ(place.Simplex, 0);
+  EXPECT_DOUBLE_EQ(distance2, 9.);
+}
+
+TEST(CoreSimplexTree, FlatCellsAndNoCells)
+{
+  const Mesh nothing = { {}, {}, 4 };
+  const double x[3] = { 0.3, 0.2, 0. };
+  PlaceInSimplex place;
+  double distance2 = 0.;
+  EXPECT_FALSE(nothing.MakeTree().FindContaining(x, 1e-10, place));
+  EXPECT_FALSE(nothing.MakeTree().FindNearest(x, place, distance2));
+  EXPECT_FALSE(SimplexTree().FindContaining(x, 1e-10, place));
+  const Mesh flat = { { 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0 }, { 0, 1, 2, 3, 0, 0, 0, 0 }, 4 };
+  EXPECT_FALSE(flat.MakeTree().FindContaining(x, 1e-10, place));
+  EXPECT_TRUE(flat.MakeTree().FindNearest(x, place, distance2));
+  EXPECT_NEAR(distance2, 0., 1e-30);
+  const double* corners[4];
+  flat.Get(0, corners);
+  EXPECT_EQ(subdivision::GetOrientationOfTet(corners), 0);
+}
+
+TEST(CoreSimplexTree, GradientsAreDifferencesOfWeights)
+{
+  const Mesh mesh = MakeRandomMesh(4, 1, 4, 9);
+  const Mesh tet = { mesh.Points, { 0, 1, 2, 3 }, 4 };
+  const double* corners[4];
+  tet.Get(0, corners);
+  double gradients[4][3];
+  ASSERT_TRUE(subdivision::FindGradientsInTet(corners, gradients));
+  const double x[3] = { 0.3, -0.2, 0.1 };
+  double weights[4];
+  ASSERT_TRUE(subdivision::FindWeightsInTet(corners, x, weights));
+  for (int c = 0; c < 3; ++c)
+  {
+    double y[3] = { x[0], x[1], x[2] };
+    y[c] += 1.;
+    double others[4];
+    ASSERT_TRUE(subdivision::FindWeightsInTet(corners, y, others));
+    for (int k = 0; k < 4; ++k)
+    {
+      EXPECT_NEAR(
+        gradients[k][c], others[k] - weights[k], 1e-12 * (1. + std::abs(gradients[k][c])));
+    }
+  }
+}

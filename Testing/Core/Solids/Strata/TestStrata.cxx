@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mathematics 3 and 4: types and rules on complexes whose answers are known by hand.
+#include "CoreZoo.h"
+
+#include <gtest/gtest.h>
+
+using namespace coretest;
+
+namespace
+{
+
+/// A simplex, its rule, its type and the size of its ring.
+struct Known
+{
+  Tuple Simplex;
+  Rule FollowedRule;
+  int Type;
+  vtkIdType RingSize;
+};
+
+void ExpectKnown(const std::string& name, std::initializer_list<Known> known)
+{
+  SCOPED_TRACE(name);
+  const Mesh mesh = FindInZoo(name);
+  ASSERT_EQ(mesh.Name, name);
+  const Subdivided<int> built = Build<int>(mesh.Cells, mesh.Singular);
+  const auto& strata = built.Level.Strata;
+  for (const Known& k : known)
+  {
+    const bool isVertex = k.Simplex.size() == 1;
+    const vtkIdType i =
+      isVertex ? k.Simplex[0] : FindEdge(built.Level.Complex, k.Simplex[0], k.Simplex[1]);
+    const std::string label =
+      std::to_string(k.Simplex[0]) + (isVertex ? "" : " " + std::to_string(k.Simplex[1]));
+    ASSERT_GE(i, 0) << label;
+    const Stratum stratum = isVertex ? strata.Vertices[i] : strata.Edges[i];
+    EXPECT_EQ(static_cast<int>(stratum.GetRule()), static_cast<int>(k.FollowedRule)) << label;
+    EXPECT_EQ(stratum.GetType(), k.Type) << label;
+    EXPECT_EQ((isVertex ? strata.VertexRings : strata.EdgeRings).GetSize(i), k.RingSize) << label;
+  }
+}
+
+std::vector<unsigned char> FindDimensions(const std::string& name)
+{
+  const Mesh mesh = FindInZoo(name);
+  const Subdivided<int> built = Build<int>(mesh.Cells);
+  const auto found = FindManifoldDimensions(built.Level.Complex, built.Runs);
+  return std::vector<unsigned char>(found.begin(), found.end());
+}
+
+}
+
+TEST(CoreStrata, Curves)
+{
+  ExpectKnown("IsolatedVertex",
+    { { { 0 }, Rule::Corner, 0, 0 }, { { 1 }, Rule::Corner, 0, 0 }, { { 3 }, Rule::Corner, 0, 0 },
+      { { 1, 2 }, Rule::Curve, 0, 0 } });
+  ExpectKnown("OpenPolyline",
+    { { { 0 }, Rule::Corner, 0, 0 }, { { 1 }, Rule::Curve, 0, 2 },
+      { { 2, 3 }, Rule::Curve, 0, 0 } });
+  ExpectKnown("CrossingLines",
+    { { { 0 }, Rule::Blend, 2, 4 }, { { 1 }, Rule::Corner, 0, 0 },
+      { { 0, 1 }, Rule::Curve, 0, 0 } });
+  ExpectKnown("RepeatedLines", { { { 1 }, Rule::Curve, 0, 2 }, { { 0 }, Rule::Corner, 0, 0 } });
+}
+
+TEST(CoreStrata, Surfaces)
+{
+  ExpectKnown("Icosahedron", { { { 0 }, Rule::Surface, 0, 5 }, { { 0, 1 }, Rule::Surface, 0, 2 } });
+  ExpectKnown("OpenFan",
+    { { { 0 }, Rule::Curve, 0, 2 }, { { 2 }, Rule::Curve, 0, 2 }, { { 0, 2 }, Rule::Surface, 0, 2 },
+      { { 1, 2 }, Rule::Curve, 0, 0 } });
+  ExpectKnown("BowTie",
+    { { { 0 }, Rule::Blend, 3, 6 }, { { 2 }, Rule::Curve, 0, 2 }, { { 0, 2 }, Rule::Surface, 0, 2 },
+      { { 0, 1 }, Rule::Curve, 0, 0 } });
+  ExpectKnown("TwoTouchingTriangles", { { { 2 }, Rule::Blend, 3, 4 } });
+  ExpectKnown("ThreeSheets",
+    { { { 0, 1 }, Rule::Blend, 2, 3 }, { { 0 }, Rule::Blend, 2, 4 }, { { 4 }, Rule::Curve, 0, 2 },
+      { { 0, 4 }, Rule::Curve, 0, 0 } });
+  ExpectKnown(
+    "RepeatedTriangles", { { { 1, 2 }, Rule::Surface, 0, 2 }, { { 0, 1 }, Rule::Curve, 0, 0 } });
+  ExpectKnown(
+    "FollowerLines", { { { 0, 2 }, Rule::Surface, 0, 2 }, { { 0 }, Rule::Surface, 0, 4 } });
+  ExpectKnown("LineThroughSurface",
+    { { { 0 }, Rule::Blend, 1, 6 }, { { 1 }, Rule::Blend, 1, 5 }, { { 0, 2 }, Rule::Surface, 0, 2 },
+      { { 0, 1 }, Rule::Curve, 0, 0 }, { { 6 }, Rule::Corner, 0, 0 } });
+}
+
+TEST(CoreStrata, Solids)
+{
+  ExpectKnown("SingleTet", { { { 0 }, Rule::Surface, 0, 3 }, { { 1, 2 }, Rule::Surface, 0, 2 } });
+  ExpectKnown("TetsSharingVertex",
+    { { { 0 }, Rule::Blend, 3, 6 }, { { 4 }, Rule::Surface, 0, 3 },
+      { { 0, 4 }, Rule::Surface, 0, 2 } });
+  ExpectKnown("TetsSharingEdge",
+    { { { 0, 1 }, Rule::Blend, 3, 4 }, { { 0 }, Rule::Blend, 3, 5 }, { { 2 }, Rule::Surface, 0, 3 },
+      { { 0, 2 }, Rule::Surface, 0, 2 } });
+  ExpectKnown("PinchedTets",
+    { { { 4, 5 }, Rule::Blend, 3, 4 }, { { 2, 3 }, Rule::Blend, 3, 4 },
+      { { 0 }, Rule::Blend, 3, 8 }, { { 2 }, Rule::Blend, 3, 5 } });
+  // Three tetrahedra on the triangle 012: its edges and vertices are type 2.
+  ExpectKnown("CrowdOfTets",
+    { { { 0, 1 }, Rule::Blend, 2, 4 }, { { 0 }, Rule::Blend, 2, 5 }, { { 3 }, Rule::Surface, 0, 3 },
+      { { 0, 3 }, Rule::Surface, 0, 2 } });
+  ExpectKnown("Valence4",
+    { { { 4 }, Rule::Solid, 0, 4 }, { { 4, 0 }, Rule::Solid, 0, 3 },
+      { { 0 }, Rule::Surface, 0, 3 } });
+  ExpectKnown(
+    "Octahedron", { { { 0, 1 }, Rule::RegularEdge, 0, 4 }, { { 0 }, Rule::Surface, 0, 4 } });
+  ExpectKnown("OctahedronMixedMarks", { { { 0, 1 }, Rule::Solid, 0, 4 } });
+  ExpectKnown("FollowerTriangles",
+    { { { 0, 1 }, Rule::Surface, 0, 2 }, { { 0, 3 }, Rule::Surface, 0, 2 },
+      { { 0 }, Rule::Surface, 0, 3 } });
+  ExpectKnown(
+    "RepeatedTets", { { { 1, 2 }, Rule::Surface, 0, 2 }, { { 1 }, Rule::Surface, 0, 4 } });
+}
+
+TEST(CoreStrata, Joints)
+{
+  ExpectKnown("FinOnEdge",
+    { { { 0, 1 }, Rule::Blend, 1, 3 }, { { 0 }, Rule::Blend, 1, 4 }, { { 4 }, Rule::Curve, 0, 2 },
+      { { 0, 4 }, Rule::Curve, 0, 0 }, { { 2 }, Rule::Surface, 0, 3 } });
+  ExpectKnown("FinAtVertex",
+    { { { 0 }, Rule::Blend, 1, 5 }, { { 0, 4 }, Rule::Curve, 0, 0 },
+      { { 0, 1 }, Rule::Surface, 0, 2 } });
+  ExpectKnown("LineOnTet",
+    { { { 3 }, Rule::Blend, 1, 4 }, { { 4 }, Rule::Curve, 0, 2 }, { { 5 }, Rule::Corner, 0, 0 },
+      { { 3, 0 }, Rule::Surface, 0, 2 }, { { 3, 4 }, Rule::Curve, 0, 0 } });
+  ExpectKnown("FinInside",
+    { { { 4, 0 }, Rule::Blend, 1, 4 }, { { 4 }, Rule::Blend, 1, 5 },
+      { { 4, 1 }, Rule::Solid, 0, 3 } });
+  // A regular edge with fins is a joint: eq. 15 does not apply.
+  ExpectKnown(
+    "FinInRegularEdge", { { { 0, 1 }, Rule::Blend, 1, 6 }, { { 0 }, Rule::Blend, 1, 7 } });
+  ExpectKnown("EverythingAtOnce",
+    { { { 0 }, Rule::Blend, 1, 7 }, { { 0, 3 }, Rule::Surface, 0, 2 },
+      { { 0, 2 }, Rule::Curve, 0, 0 }, { { 1 }, Rule::Corner, 0, 0 } });
+}
+
+TEST(CoreStrata, Singularities)
+{
+  ExpectKnown("CreasedSurface",
+    { { { 2 }, Rule::Curve, 0, 2 }, { { 0 }, Rule::Corner, 0, 0 }, { { 5 }, Rule::Corner, 0, 0 },
+      { { 0, 2 }, Rule::Curve, 0, 0 } });
+  ExpectKnown("SingularSheetInside",
+    { { { 0, 1 }, Rule::Surface, 0, 2 }, { { 0, 2 }, Rule::Curve, 0, 0 },
+      { { 0 }, Rule::Curve, 0, 2 }, { { 2 }, Rule::Curve, 0, 2 }, { { 3 }, Rule::Surface, 0, 4 } });
+  ExpectKnown("SingularLineInside",
+    { { { 0, 1 }, Rule::Curve, 0, 0 }, { { 0 }, Rule::Corner, 0, 0 }, { { 2 }, Rule::Curve, 0, 2 },
+      { { 3 }, Rule::Corner, 0, 0 } });
+  // The closed surface of a tetrahedron among others.
+  const Mesh mesh = FindInZoo("SingularFaceInside");
+  const Subdivided<int> built = Build<int>(mesh.Cells, mesh.Singular);
+  const Tuple first = GetCells(mesh.Cells)[0];
+  for (vtkIdType v : first)
+  {
+    EXPECT_EQ(built.Level.Strata.Vertices[v].GetRule(), Rule::Surface);
+    EXPECT_EQ(built.Level.Strata.VertexRings.GetSize(v), 3);
+  }
+}
+
+TEST(CoreStrata, AnnulusAndSuspendedTorusAreType3)
+{
+  // Vertex links that are connected 2-manifolds, but neither sphere nor disk.
+  Mesh annulus = MakeSpread("Annulus", 7);
+  Mesh torus = MakeSpread("Torus", 8);
+  for (int i = 0; i < 3; ++i) // a prism ring without top and bottom, coned to 0
+  {
+    const int a = 1 + i;
+    const int b = 1 + (i + 1) % 3;
+    annulus.AddCells({ { 0, a, b, a + 3 }, { 0, b, b + 3, a + 3 } });
+  }
+  for (int i = 0; i < 7; ++i) // the torus with seven vertices, coned to 7
+  {
+    torus.AddCells({ { 7, i, (i + 1) % 7, (i + 3) % 7 }, { 7, i, (i + 2) % 7, (i + 3) % 7 } });
+  }
+  const Subdivided<int> ring = Build<int>(annulus.Cells);
+  EXPECT_EQ(ring.Level.Strata.Vertices[0].GetType(), 3);
+  EXPECT_EQ(ring.Level.Strata.Vertices[0].GetRule(), Rule::Blend);
+  EXPECT_EQ(ring.Level.Strata.Vertices[1].GetType(), 0);
+  const Subdivided<int> cone = Build<int>(torus.Cells);
+  EXPECT_EQ(cone.Level.Strata.Vertices[7].GetType(), 3);
+  EXPECT_EQ(cone.Level.Strata.Vertices[7].GetRule(), Rule::Blend);
+  EXPECT_EQ(cone.Level.Strata.Vertices[0].GetType(), 0);
+  EXPECT_EQ(cone.Level.Strata.Vertices[0].GetRule(), Rule::Surface);
+}
+
+TEST(CoreStrata, ManifoldDimensions)
+{
+  using Dimensions = std::vector<unsigned char>;
+  EXPECT_EQ(FindDimensions("IsolatedVertex"), (Dimensions{ 0, 1, 1, 1 }));
+  EXPECT_EQ(FindDimensions("FollowerTriangles"), (Dimensions{ 3, 3, 3, 3, 3 }));
+  EXPECT_EQ(FindDimensions("FollowerLines"), (Dimensions{ 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2 }));
+  EXPECT_EQ(FindDimensions("EverythingAtOnce"), (Dimensions{ 3, 1, 2, 2, 2, 3, 3 }));
+  EXPECT_EQ(FindDimensions("RepeatedTets"), (Dimensions{ 3, 3, 3, 3, 3 }));
+  EXPECT_EQ(FindDimensions("TentOnTet"), (Dimensions{ 3, 1, 1 }));
+}

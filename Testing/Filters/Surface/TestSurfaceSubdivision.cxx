@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The surface filter as a filter: threads, messages, storage, hostile input. The algebra of its
+// operator is tested in Python (test_surfaces.py).
+#include "vtkSurfaceSubdivision.h"
+
+#include "Core/Surfaces/Loop/LoopScheme.h"
+#include "Core/Surfaces/Scheme/SurfaceRings.h"
+#include "Core/Surfaces/Steps/SurfaceSteps.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using Surface = vtkSmartPointer<vtkPolyData>;
+using Ids = std::vector<vtkIdType>;
+
+Surface MakeSurface(const std::vector<std::array<double, 3>>& points, const std::vector<Ids>& faces,
+  const std::vector<Ids>& lines = {})
+{
+  vtkNew<vtkPoints> coordinates;
+  coordinates->SetDataTypeToDouble();
+  for (const auto& point : points)
+  {
+    coordinates->InsertNextPoint(point.data());
+  }
+  auto fill = [](const std::vector<Ids>& from)
+  {
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    for (const Ids& ids : from)
+    {
+      cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    }
+    return cells;
+  };
+  auto surface = Surface::New();
+  surface->SetPoints(coordinates);
+  surface->SetPolys(fill(faces));
+  surface->SetLines(fill(lines));
+  return surface;
+}
+
+/// A bumpy sheet of quads, some of them two triangles.
+Surface MakeSheet(int n)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> height(0., 1.);
+  std::vector<std::array<double, 3>> points;
+  for (int y = 0; y <= n; ++y)
+  {
+    for (int x = 0; x <= n; ++x)
+    {
+      points.push_back({ x * 1., y * 1., height(random) });
+    }
+  }
+  std::vector<Ids> faces;
+  for (int y = 0; y < n; ++y)
+  {
+    for (int x = 0; x < n; ++x)
+    {
+      const vtkIdType a = y * (n + 1) + x;
+      const vtkIdType b = a + n + 1;
+      if ((x + y) % 3 == 0)
+      {
+        faces.push_back({ a, a + 1, b + 1 });
+        faces.push_back({ a, b + 1, b });
+      }
+      else
+      {
+        faces.push_back({ a, a + 1, b + 1, b });
+      }
+    }
+  }
+  return MakeSurface(points, faces);
+}
+
+/// Runs the filter and keeps what it says.
+class Filter
+{
+public:
+  explicit Filter(vtkPolyData* input)
+  {
+    this->Object->SetInputData(input);
+    for (const unsigned long event : { vtkCommand::WarningEvent, vtkCommand::ErrorEvent })
+    {
+      this->Object->AddObserver(event, this, &Filter::Hear);
+    }
+  }
+  vtkPolyData* operator()()
+  {
+    this->Object->Update();
+    return this->Object->GetOutput();
+  }
+  vtkSurfaceSubdivision* operator->() { return this->Object; }
+  std::vector<std::string> Warnings;
+  std::vector<std::string> Errors;
+
+private:
+  void Hear(vtkObject*, unsigned long event, void* text)
+  {
+    (event == vtkCommand::ErrorEvent ? this->Errors : this->Warnings)
+      .emplace_back(static_cast<const char*>(text));
+  }
+  vtkNew<vtkSurfaceSubdivision> Object;
+};
+
+void ExpectSameBits(vtkPolyData* a, vtkPolyData* b)
+{
+  auto same = [](vtkDataArray* p, vtkDataArray* q)
+  {
+    ASSERT_EQ(p->GetNumberOfValues(), q->GetNumberOfValues());
+    ASSERT_EQ(p->GetDataType(), q->GetDataType());
+    EXPECT_EQ(0,
+      std::memcmp(p->GetVoidPointer(0), q->GetVoidPointer(0),
+        static_cast<std::size_t>(p->GetNumberOfValues()) * p->GetDataTypeSize()));
+  };
+  same(a->GetPoints()->GetData(), b->GetPoints()->GetData());
+  same(a->GetPolys()->GetConnectivityArray(), b->GetPolys()->GetConnectivityArray());
+  same(a->GetPolys()->GetOffsetsArray(), b->GetPolys()->GetOffsetsArray());
+  ASSERT_EQ(a->GetPointData()->GetNumberOfArrays(), b->GetPointData()->GetNumberOfArrays());
+  for (int i = 0; i < a->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    same(a->GetPointData()->GetArray(i), b->GetPointData()->GetArray(i));
+  }
+}
+
+/// Steps that make about as many faces as `steps` of Loop.
+int FindSteps(int scheme, int steps)
+{
+  return scheme == vtkSurfaceSubdivision::MIDEDGE || scheme == vtkSurfaceSubdivision::FOUR_EIGHT
+    ? 2 * steps
+    : scheme == vtkSurfaceSubdivision::SQRT_THREE ? steps + 1
+                                                  : steps;
+}
+
+class SurfaceSchemesTest : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(SurfaceSchemesTest, ThreadsDoNotChangeTheResult)
+{
+  const Surface sheet = MakeSheet(40);
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetName("colours");
+  colours->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < 3 * sheet->GetNumberOfPoints(); ++i)
+  {
+    colours->InsertNextValue(static_cast<unsigned char>(37 * i));
+  }
+  sheet->GetPointData()->AddArray(colours);
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("labels");
+  for (vtkIdType i = 0; i < sheet->GetNumberOfPoints(); ++i)
+  {
+    labels->InsertNextValue(static_cast<int>(i % 7));
+  }
+  sheet->GetPointData()->AddArray(labels);
+  Surface results[2];
+  for (int threads : { 1, 4 })
+  {
+    vtkSMPTools::Initialize(threads);
+    Filter run(sheet);
+    run->SetScheme(GetParam());
+    run->SetNumberOfLevels(FindSteps(GetParam(), 3));
+    run->SetProjectToLimit(true);
+    run->SetGenerateLimitNormals(true);
+    Surface& result = results[threads > 1];
+    result = Surface::New();
+    result->ShallowCopy(run());
+    EXPECT_TRUE(run.Errors.empty());
+  }
+  vtkSMPTools::Initialize(0);
+  EXPECT_GT(results[0]->GetNumberOfPolys(), 60000);
+  ExpectSameBits(results[0], results[1]);
+}
+
+TEST_P(SurfaceSchemesTest, CacheGivesTheSameBits)
+{
+  const Surface sheet = MakeSheet(6);
+  Filter kept(sheet);
+  kept->SetScheme(GetParam());
+  kept->SetNumberOfLevels(2);
+  Surface before = Surface::New();
+  before->ShallowCopy(kept());
+  sheet->GetPoints()->SetPoint(8, 3., 2., 7.);
+  sheet->GetPoints()->Modified();
+  sheet->Modified();
+  vtkPolyData* after = kept();
+  EXPECT_EQ(kept->GetNumberOfTopologyBuilds(), 1);
+  EXPECT_EQ(after->GetPolys(), before->GetPolys());
+  Filter fresh(sheet);
+  fresh->SetScheme(GetParam());
+  fresh->SetNumberOfLevels(2);
+  fresh->SetCacheOperator(false);
+  ExpectSameBits(fresh(), after);
+  EXPECT_EQ(fresh->GetNumberOfTopologyBuilds(), 0);
+}
+
+TEST_P(SurfaceSchemesTest, NarrowIdsHoldTheSame)
+{
+  const Surface sheet = MakeSheet(4);
+  Filter wide(sheet);
+  Filter narrow(sheet);
+  wide->SetScheme(GetParam());
+  narrow->SetScheme(GetParam());
+  narrow->SetUse32BitIds(true);
+  ASSERT_EQ(wide()->GetNumberOfPolys(), narrow()->GetNumberOfPolys());
+  EXPECT_FALSE(narrow()->GetPolys()->IsStorage64Bit());
+  for (vtkIdType c = 0; c < wide()->GetNumberOfCells(); ++c)
+  {
+    vtkNew<vtkIdList> a;
+    vtkNew<vtkIdList> b;
+    wide()->GetCellPoints(c, a);
+    narrow()->GetCellPoints(c, b);
+    ASSERT_EQ(a->GetNumberOfIds(), b->GetNumberOfIds());
+    for (vtkIdType i = 0; i < a->GetNumberOfIds(); ++i)
+    {
+      EXPECT_EQ(a->GetId(i), b->GetId(i));
+    }
+  }
+}
+
+TEST_P(SurfaceSchemesTest, NonManifoldInputIsNeverRefused)
+{
+  // Random triangles on few points: edges of many faces, pinched vertices, equal triangles.
+  std::mt19937 random(11);
+  std::uniform_int_distribution<vtkIdType> point(0, 11);
+  std::uniform_real_distribution<double> coordinate(-1., 1.);
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    std::vector<std::array<double, 3>> points(12);
+    for (auto& p : points)
+    {
+      p = { coordinate(random), coordinate(random), coordinate(random) };
+    }
+    std::vector<Ids> faces;
+    for (int i = 0; i < 25; ++i)
+    {
+      const Ids ids{ point(random), point(random), point(random) };
+      if (ids[0] != ids[1] && ids[1] != ids[2] && ids[2] != ids[0])
+      {
+        faces.push_back(ids);
+      }
+    }
+    Filter run(MakeSurface(points, faces, { { 0, 1, 5 }, { 3, 9 } }));
+    run->SetScheme(GetParam());
+    run->SetNumberOfLevels(FindSteps(GetParam(), 2));
+    run->SetProjectToLimit(true);
+    run->SetGenerateLimitNormals(true);
+    vtkPolyData* out = run();
+    EXPECT_TRUE(run.Errors.empty());
+    EXPECT_GE(out->GetNumberOfPolys(), static_cast<vtkIdType>(faces.size()) * 9);
+    double bounds[6];
+    out->GetPoints()->GetBounds(bounds);
+    for (double bound : bounds)
+    {
+      EXPECT_LT(std::abs(bound), 4.);
+    }
+    for (vtkIdType i = 0; i < out->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      out->GetPoint(i, x);
+      EXPECT_TRUE(std::isfinite(x[0] + x[1] + x[2]));
+    }
+  }
+}
+
+TEST_P(SurfaceSchemesTest, NothingInNothingOut)
+{
+  Filter run(Surface::New());
+  run->SetScheme(GetParam());
+  EXPECT_EQ(run()->GetNumberOfPoints(), 0);
+  Filter points(MakeSurface({ { 1., 2., 3. } }, {}));
+  points->SetScheme(GetParam());
+  EXPECT_EQ(points()->GetNumberOfPoints(), 1);
+  EXPECT_TRUE(run.Errors.empty() && points.Errors.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(SurfaceSubdivision, SurfaceSchemesTest,
+  testing::Values(vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::CATMULL_CLARK,
+    vtkSurfaceSubdivision::MODIFIED_BUTTERFLY, vtkSurfaceSubdivision::DOO_SABIN,
+    vtkSurfaceSubdivision::MIDEDGE, vtkSurfaceSubdivision::FOUR_EIGHT,
+    vtkSurfaceSubdivision::SQRT_THREE));
+
+TEST(SurfaceSubdivision, StripsBecomeTrianglesInPlace)
+{
+  const Surface strip =
+    MakeSurface({ { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1., 0. }, { 1., 1., 0. } }, {});
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({ 0, 1, 2, 3 });
+  strip->SetStrips(strips);
+  for (int scheme : { vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::CATMULL_CLARK })
+  {
+    Filter run(strip);
+    run->SetScheme(scheme);
+    run->SetNumberOfLevels(0);
+    vtkPolyData* out = run();
+    ASSERT_EQ(out->GetNumberOfPolys(), 2);
+    vtkNew<vtkIdList> ids;
+    out->GetCellPoints(1, ids);
+    EXPECT_EQ(ids->GetId(0), 2);
+    EXPECT_EQ(ids->GetId(1), 1);
+    EXPECT_EQ(ids->GetId(2), 3);
+  }
+}
+
+TEST(SurfaceSubdivision, UnusableArraysAreNamed)
+{
+  const Surface sheet = MakeSheet(2);
+  vtkNew<vtkDoubleArray> flags;
+  flags->SetName("flags");
+  flags->SetNumberOfTuples(sheet->GetNumberOfCells());
+  flags->FillValue(0.);
+  sheet->GetCellData()->AddArray(flags);
+  Filter run(sheet);
+  run->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "flags");
+  EXPECT_EQ(run()->GetNumberOfPoints(), 0);
+  ASSERT_FALSE(run.Errors.empty());
+  EXPECT_NE(run.Errors.front().find("\"flags\""), std::string::npos);
+  Filter missing(sheet);
+  missing->SetInputArrayToProcess(6, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "no such");
+  missing();
+  ASSERT_FALSE(missing.Errors.empty());
+  EXPECT_NE(missing.Errors.front().find("Point array \"no such\""), std::string::npos);
+}
+
+TEST(SurfaceSubdivision, FanWalksTurnAtFlippedFaces)
+{
+  // A closed fan of four triangles, every other one the wrong way round.
+  subdivision::PolygonList<int> list;
+  list.NumberOfVertices = 5;
+  const int corners[12] = { 0, 1, 2, 0, 3, 2, 0, 3, 4, 0, 1, 4 };
+  list.Vertices = subdivision::Buffer<int>(12);
+  std::copy(corners, corners + 12, list.Vertices.begin());
+  list.FaceOffsets = subdivision::Buffer<int>(5);
+  for (int f = 0; f < 5; ++f)
+  {
+    list.FaceOffsets[f] = 3 * f;
+  }
+  list.Segments = subdivision::Buffer<int>(0);
+  subdivision::Buffer<int> segments;
+  const auto mesh = subdivision::BuildPolygonMesh(std::move(list), segments);
+  EXPECT_EQ(mesh.GetNumberOfEdges(), 8);
+  EXPECT_TRUE(mesh.Joints.empty());
+  std::vector<int> faces;
+  EXPECT_TRUE(subdivision::VisitFan(mesh, mesh.VertexCorners[0],
+    [&](const subdivision::FanStep<int>& step) { faces.push_back(mesh.GetFace(step.Corner)); }));
+  EXPECT_EQ(faces.size(), 4u);
+  faces.clear();
+  EXPECT_FALSE(subdivision::VisitFan(mesh, mesh.VertexCorners[2],
+    [&](const subdivision::FanStep<int>& step) { faces.push_back(mesh.GetFace(step.Corner)); }));
+  EXPECT_EQ(faces.size(), 2u);
+}
+
+}

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LimitTools.h
+ * Rule options for any mesh, by name, and semi-sharp creases of a mesh on all levels.
+ */
+#ifndef SubdivisionObjects_LimitTools_h
+#define SubdivisionObjects_LimitTools_h
+
+#include "CoreZoo.h"
+
+#include "Core/Solids/Limits/LimitStencils.h"
+#include "Core/Solids/TetOct/SemiSharp.h"
+
+namespace coretest
+{
+
+/// Choices of rules that together reach every line of Mathematics 4 and 6.
+const char* const OptionNames[] = { "Blend", "Dart", "Sharp", "Follow1", "Follow2", "Follow3",
+  "FollowPart", "Regional" };
+
+template <typename Id>
+StrataOptions MakeOptions(const std::string& name, const SimplicialComplex<Id>& complex)
+{
+  StrataOptions options;
+  std::mt19937 random(7);
+  auto fill = [&random](auto& buffer, vtkIdType size, int choices, int offset)
+  {
+    buffer = std::decay_t<decltype(buffer)>(size);
+    for (auto& value : buffer)
+    {
+      value =
+        static_cast<std::decay_t<decltype(value)>>(offset + static_cast<int>(random() % choices));
+    }
+  };
+  options.DartEnds = name == "Dart" || name == "Regional";
+  if (name == "Sharp")
+  {
+    options.Type1 = options.Type2 = options.Type3 = JointRule::Sharp;
+  }
+  for (int k = 1; k <= 3; ++k)
+  {
+    if (name == "Follow" + std::to_string(k))
+    {
+      options.Type1 = static_cast<JointRule>(static_cast<int>(JointRule::FollowDimension1) + k - 1);
+      options.Type3 = JointRule::Sharp;
+    }
+  }
+  if (name == "FollowPart")
+  {
+    options.Type2 = JointRule::FollowPart;
+    fill(options.EdgeParts, complex.NumberOfEdges, 2, 0);
+    fill(options.FaceParts, complex.NumberOfFaces, 2, 0);
+  }
+  if (name == "Regional")
+  {
+    fill(options.VertexChoices, complex.NumberOfVertices, 6, 0);
+    fill(options.EdgeChoices, complex.NumberOfEdges, 6, 0);
+  }
+  return options;
+}
+
+template <typename Id>
+Subdivided<Id> BuildNamed(const Mesh& mesh, const std::string& options)
+{
+  Subdivided<Id> built;
+  built.Level.Complex = BuildComplex<Id>(mesh.Cells, built.Runs);
+  built.Level.Strata = BuildStrata(built.Level.Complex,
+    FlagSingular(built.Level.Complex, mesh.Singular), MakeOptions(options, built.Level.Complex));
+  return built;
+}
+
+/// A mesh whose edges have a sharpness, on any level.
+class SemiSharpMesh
+{
+public:
+  /// Sharpness by chance: none, or some number up to 3.5.
+  SemiSharpMesh(const Mesh& mesh, std::string options, unsigned int seed)
+    : Control(mesh)
+    , Options(std::move(options))
+  {
+    std::vector<CellRun> runs;
+    std::mt19937 random(seed);
+    this->Sharpness.resize(BuildComplex<int>(mesh.Cells, runs).NumberOfEdges);
+    for (double& s : this->Sharpness)
+    {
+      s = random() % 2 ? 0. : 0.25 * (random() % 15);
+    }
+  }
+  /// A level as it is where all edges are singular that are sharper than `sharpness`.
+  Level<int> MakeLevel(int steps, double sharpness, Depth depth = Depth::ForRefinement) const
+  {
+    std::vector<CellRun> runs;
+    Level<int> level;
+    level.Complex = BuildComplex<int>(this->Control.Cells, runs);
+    SingularSimplices singular = FlagSingular(level.Complex, this->Control.Singular);
+    if (singular.Edges.empty())
+    {
+      singular.Edges = Buffer<unsigned char>(level.Complex.NumberOfEdges, 0);
+    }
+    for (std::size_t e = 0; e < this->Sharpness.size(); ++e)
+    {
+      singular.Edges[e] |= this->Sharpness[e] > sharpness ? 1 : 0;
+    }
+    level.Strata = BuildStrata(level.Complex, singular, MakeOptions(this->Options, level.Complex));
+    for (int i = 0; i < steps; ++i)
+    {
+      level = Refine(level, i + 1 == steps ? depth : Depth::ForRefinement);
+    }
+    return level;
+  }
+  Level<int> MakeSmoothLevel(int steps) const { return this->MakeLevel(steps, 1e9); }
+  SemiSharpStages<int> MakeStages(int steps) const
+  {
+    SemiSharpStages<int> stages;
+    const Level<int> level = this->MakeSmoothLevel(steps);
+    stages.Sharpness = Buffer<double>(level.Complex.NumberOfEdges, 0.);
+    double most = 0.;
+    for (std::size_t e = 0; e < this->Sharpness.size(); ++e)
+    {
+      most = std::max(most, this->Sharpness[e]);
+      for (std::size_t piece = e << steps; piece < (e + 1) << steps; ++piece)
+      {
+        stages.Sharpness[piece] = std::max(0., this->Sharpness[e] - steps);
+      }
+    }
+    for (int step = steps; step < most; ++step)
+    {
+      stages.Stages.push_back({ step + 1 - steps, this->MakeLevel(steps, step).Strata });
+    }
+    return stages;
+  }
+  Stencils<int> MakeStencils(int steps) const
+  {
+    Level<int> smooth = this->MakeSmoothLevel(steps);
+    Level<int> sharp = this->MakeLevel(steps, steps);
+    Stencils<int> stencils = TakeStencils(smooth);
+    BlendSemiSharp(this->Sharpness, steps, steps, TakeStencils(sharp), stencils);
+    return stencils;
+  }
+
+  Mesh Control;
+  EdgeSharpness Sharpness;
+
+private:
+  std::string Options;
+};
+
+/// Values that nothing is hidden in.
+inline std::vector<double> MakeValues(vtkIdType size, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> value(-1., 1.);
+  std::vector<double> values(size);
+  std::generate(values.begin(), values.end(), [&] { return value(random); });
+  return values;
+}
+
+template <typename Operator>
+std::vector<double> ApplyTo(const Operator& rows, const std::vector<double>& values, int components)
+{
+  std::vector<double> result(rows.GetNumberOfRows() * components);
+  rows.Apply(values.data(), result.data(), components);
+  return result;
+}
+
+/// The weight of a vertex in a row.
+template <typename Id>
+double GetWeight(const SparseRows<Id>& rows, vtkIdType row, vtkIdType column)
+{
+  double sum = 0.;
+  for (vtkIdType k = rows.Offsets[row]; k < rows.Offsets[row + 1]; ++k)
+  {
+    sum += rows.Columns[k] == column ? rows.Weights[k] : 0.;
+  }
+  return sum;
+}
+
+}
+
+#endif
