@@ -217,13 +217,6 @@ struct SurfaceOptions
     return text.str();
   }
 
-  /// Known: at some joints those of ModifiedButterfly and SqrtThree depend on the level.
-  bool HasExactNormals() const
-  {
-    return this->Scheme == vtkSurfaceSubdivision::LOOP ||
-      this->Scheme == vtkSurfaceSubdivision::CATMULL_CLARK;
-  }
-
   Data Run(vtkPointSet* mesh, int levels) const
   {
     vtkNew<Messages> messages;
@@ -290,8 +283,52 @@ double Length(const Point& p)
   return std::hypot(p[0], p[1], p[2]);
 }
 
+/// Whether some part of a surface cannot be oriented, like a Moebius band: all of a part can be
+/// reached over edges of two faces.
+bool IsOneSided(vtkPointSet* surface)
+{
+  using Edge = std::pair<vtkIdType, vtkIdType>;
+  std::map<Edge, std::vector<std::pair<vtkIdType, bool>>> facesAt; // and whether they run forward
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    vtkIdList* ids = surface->GetCell(cell)->GetPointIds();
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds() && ids->GetNumberOfIds() > 2; ++i)
+    {
+      const vtkIdType a = ids->GetId(i);
+      const vtkIdType b = ids->GetId((i + 1) % ids->GetNumberOfIds());
+      facesAt[std::minmax(a, b)].emplace_back(cell, a < b);
+    }
+  }
+  std::vector<int> sides(surface->GetNumberOfCells(), 0);
+  for (vtkIdType first = 0; first < surface->GetNumberOfCells(); ++first)
+  {
+    bool isNew = sides[first] == 0;
+    sides[first] = isNew ? 1 : sides[first];
+    while (isNew) // until nothing more can be reached
+    {
+      isNew = false;
+      for (const auto& entry : facesAt)
+      {
+        const auto& faces = entry.second;
+        for (std::size_t i = 0; i < 2 && faces.size() == 2; ++i)
+        {
+          const int side = sides[faces[i].first] * (faces[0].second == faces[1].second ? -1 : 1);
+          int& other = sides[faces[1 - i].first];
+          if (side * other < 0)
+          {
+            return true;
+          }
+          isNew = isNew || side != other;
+          other = side != 0 ? side : other;
+        }
+      }
+    }
+  }
+  return false;
+}
+
 /// Where there is a tangent plane.
-void ExpectSameNormals(vtkPointSet* control, vtkPointSet* later, vtkIdType points)
+void ExpectSameNormals(vtkPointSet* control, vtkPointSet* later, vtkIdType points, bool hasSides)
 {
   for (vtkIdType i = 0; i < points; ++i)
   {
@@ -308,13 +345,18 @@ void ExpectSameNormals(vtkPointSet* control, vtkPointSet* later, vtkIdType point
     }
     if (Length(across) > 1e-3 * Length(a) * Length(b) && Length(a) > 1e-6 && Length(b) > 1e-6)
     {
-      ExpectNear(GetVector(control, "LimitNormals", i), GetVector(later, "LimitNormals", i), 1e-6,
-        "normal " + std::to_string(i));
+      const Point normal = GetVector(control, "LimitNormals", i);
+      Point other = GetVector(later, "LimitNormals", i);
+      if (!hasSides && normal[0] * other[0] + normal[1] * other[1] + normal[2] * other[2] < 0.)
+      {
+        other = { -other[0], -other[1], -other[2] };
+      }
+      ExpectNear(normal, other, 1e-6, "normal " + std::to_string(i));
     }
   }
 }
 
-void CheckLimitsOfSurface(unsigned seed, bool withNormals)
+void CheckLimitsOfSurface(unsigned seed)
 {
   Chance chance(seed);
   const Data surface = MakeSurface(chance);
@@ -325,16 +367,16 @@ void CheckLimitsOfSurface(unsigned seed, bool withNormals)
   options.Limit = true;
   SCOPED_TRACE(options.Describe());
   const Data control = options.Run(surface, 0);
+  // The faces of sqrt(3) come in another order on each level, and with them the sides of a Moebius
+  // band.
+  const bool hasSides = options.Scheme != vtkSurfaceSubdivision::SQRT_THREE || !IsOneSided(surface);
   for (int levels = 1; levels <= 2; ++levels)
   {
     SCOPED_TRACE(levels);
     const Data later = options.Run(surface, levels);
     const vtkIdType points = surface->GetNumberOfPoints();
     ExpectSamePoints(control, later, points, 1e-9, Same);
-    if (withNormals && options.HasExactNormals())
-    {
-      ExpectSameNormals(control, later, points);
-    }
+    ExpectSameNormals(control, later, points, hasSides);
   }
   const int level = Draw(chance, 2);
   ExpectTheSame(
@@ -343,17 +385,17 @@ void CheckLimitsOfSurface(unsigned seed, bool withNormals)
 
 TEST(RandomDifferential, LimitsOfSurfaces)
 {
-  ForSeeds(0.15, [](unsigned seed) { CheckLimitsOfSurface(seed, false); });
+  ForSeeds(0.15, CheckLimitsOfSurface);
 }
 
-/// Always the same ones. Known: of 40,000 surfaces one had a normal at a curve that was another on
-/// the control level (3817636649).
-TEST(RandomDifferential, NormalsOfSurfaces)
+/// Surfaces whose limits or normals once depended on the level: curves of creases that go through
+/// joints, one face in a sector of Butterfly, a corner across a quad beside a semi-sharp crease.
+TEST(RandomDifferential, LimitsOfSurfacesThatOnceDiffered)
 {
-  for (unsigned seed = 1; seed <= 300; ++seed)
+  for (const unsigned seed : { 24u, 129u, 153u, 176u, 200u, 245u, 3817636649u })
   {
     SCOPED_TRACE(seed);
-    CheckLimitsOfSurface(seed, true);
+    CheckLimitsOfSurface(seed);
   }
 }
 

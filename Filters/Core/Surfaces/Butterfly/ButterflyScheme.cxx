@@ -188,7 +188,8 @@ void EdgeRows<Id>::CollectCycle(Id edge, const EdgeEnd<Id>& end)
   } while (step.Advance(this->Mesh) && step.Corner != end.Corner);
 }
 
-/// The four-point rule. Where the curve ends it goes on straight ahead, as far as the edge is long.
+/// The four-point rule along the curve that an edge is a part of. Where that ends it goes on
+/// straight ahead, as far as the edge is long.
 template <typename Id>
 void EdgeRows<Id>::AppendCurve(Id edge, double factor)
 {
@@ -199,11 +200,11 @@ void EdgeRows<Id>::AppendCurve(Id edge, double factor)
     this->Around.clear();
     if (this->Tags.Vertices[vertex] == VertexTag::Curve)
     {
-      CollectSharpEdges(this->Mesh, this->Tags, vertex, this->Around);
+      CollectCurveEdges(this->Mesh, this->Tags, vertex, this->Around);
     }
-    if (this->Around.size() == 2)
+    if (this->Around.size() == 2 && (this->Around[0] == edge || this->Around[1] == edge))
     {
-      const Id beyond = this->Around[0] == edge ? this->Around[1] : this->Around[0];
+      const Id beyond = this->Around[this->Around[0] == edge ? 1 : 0];
       this->Rows.Add(this->Mesh.GetOtherEnd(beyond, vertex), -factor / 16.);
     }
     else

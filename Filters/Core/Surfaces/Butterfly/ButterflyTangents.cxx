@@ -130,10 +130,14 @@ void ButterflyTangents<Id>::AppendOnCurve(
   }
   if (k == 1)
   {
-    // Nothing says how such a sector goes on: the plane of the face.
-    this->AddPoint(this->Edges[0], turn, rows);
-    this->AddPoint(this->Edges[1], turn, rows);
-    rows.Add(vertex, -2. * turn);
+    // The face has the plane in which the curve bends: the second difference of the next level less
+    // a quarter of this one's is what the four-point rule quarters and does not add to.
+    for (const Id edge : this->Edges)
+    {
+      this->AddPoint(edge, turn, rows);
+      rows.Add(this->Mesh.GetOtherEnd(edge, vertex), -turn / 4.);
+    }
+    rows.Add(vertex, -3. / 2. * turn);
     return;
   }
   if (k == 3)

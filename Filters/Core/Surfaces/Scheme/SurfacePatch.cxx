@@ -46,7 +46,8 @@ Id SurfacePatch<Id>::FindCorner(const PolygonMesh<Id>& whole, Id corner) const
   return own < 0 ? own : this->Level.Mesh.GetFirst(own) + corner - whole.GetFirst(face);
 }
 
-/// What is inside, then everything that touches it.
+/// What is inside, the vertices whose rules the rows of edges and faces at `vertices` read; then
+/// everything that touches it.
 template <typename Id>
 void SurfacePatch<Id>::Collect(const PolygonMesh<Id>& whole, const std::vector<Id>& vertices)
 {
@@ -54,6 +55,14 @@ void SurfacePatch<Id>::Collect(const PolygonMesh<Id>& whole, const std::vector<I
   std::vector<Id> around;
   auto collectEdges = [&](Id vertex)
   { CollectEdges(whole, vertex, [](Id) { return true; }, around); };
+  auto forFaces = [&](Id vertex, const auto& act)
+  {
+    VisitFans(whole, vertex,
+      [&](Id corner)
+      {
+        VisitFan(whole, corner, [&](const FanStep<Id>& step) { act(whole.GetFace(step.Corner)); });
+      });
+  };
   for (Id vertex : vertices)
   {
     collectEdges(vertex);
@@ -61,18 +70,20 @@ void SurfacePatch<Id>::Collect(const PolygonMesh<Id>& whole, const std::vector<I
     {
       inside.push_back(whole.GetOtherEnd(edge, vertex));
     }
+    // A concave corner moves the points of its faces, also where it is no neighbour.
+    forFaces(vertex,
+      [&](Id face)
+      {
+        const Id* corners = whole.Vertices.data() + whole.GetFirst(face);
+        inside.insert(inside.end(), corners, corners + whole.GetSize(face));
+      });
   }
   SortUnique(inside);
   for (Id vertex : inside)
   {
     collectEdges(vertex); // those without faces too
     this->Edges.insert(this->Edges.end(), around.begin(), around.end());
-    VisitFans(whole, vertex,
-      [&](Id corner)
-      {
-        VisitFan(whole, corner,
-          [&](const FanStep<Id>& step) { this->Faces.push_back(whole.GetFace(step.Corner)); });
-      });
+    forFaces(vertex, [&](Id face) { this->Faces.push_back(face); });
   }
   SortUnique(this->Faces);
   for (Id face : this->Faces)
