@@ -398,7 +398,9 @@ public:
    * cross product has the direction of the normal). On a crease or at a corner they are those of
    * one sector, the first tangent along the curve. Where faces are turned over against each other
    * they have the side of the first face of their part, all that can be reached over edges of two
-   * faces. On a crease that is still sharp for more than 26 levels they are as if it were for 26.
+   * faces; on a part with one side only, like a Moebius band, that of a face at the point, which
+   * with SqrtThree may be another one on another level. On a crease that is still sharp for more
+   * than 26 levels they are as if it were for 26.
    *
    * Where there are no tangents normals are not zero all the same, so that nothing is drawn black:
    * at joints and all other points with faces they are the mean of the normals of these, weighted
