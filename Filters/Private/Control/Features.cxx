@@ -222,13 +222,14 @@ std::vector<long long> EncodeChoices(const FeatureOptions& options, const Featur
 namespace
 {
 
-/// Gives each vertex and edge the choice of the first maximal cell at it that has one.
+/// Gives each vertex, edge and face the choice of the first maximal cell at it that has one.
 template <typename Id>
 void SpreadChoices(const FeatureValues& values, const SimplicialComplex<Id>& complex,
   const std::vector<CellRun>& runs, StrataOptions& strata)
 {
   strata.VertexChoices = Buffer<unsigned char>(complex.NumberOfVertices, 0);
   strata.EdgeChoices = Buffer<unsigned char>(complex.NumberOfEdges, 0);
+  strata.FaceChoices = Buffer<unsigned char>(complex.NumberOfFaces, 0);
   Buffer<bool> hasFace(complex.NumberOfEdges, false);
   for (Id edge : complex.FaceEdges)
   {
@@ -255,6 +256,7 @@ void SpreadChoices(const FeatureValues& values, const SimplicialComplex<Id>& com
       {
         give(strata.VertexChoices, complex.TetVertices.data() + 4 * entity, 4, choice);
         give(strata.EdgeChoices, complex.TetEdges.data() + 6 * entity, 6, choice);
+        give(strata.FaceChoices, complex.TetFaces.data() + 4 * entity, 4, choice);
       }
       else if (run.Dimension == 2 && complex.FaceTets[entity].size() == 0)
       {

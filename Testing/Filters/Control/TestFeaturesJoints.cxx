@@ -287,6 +287,27 @@ TEST(FeaturesJoints, RegionsChoose)
   }
 }
 
+/// What a step makes inside a triangle of three tetrahedra follows its region too.
+TEST(FeaturesJoints, RegionsChooseInsideTriangles)
+{
+  const Grid mesh = MakeGrid(First(6),
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 4 } },
+      { VTK_TETRA, { 0, 1, 2, 5 } } });
+  for (const bool sharp : { false, true })
+  {
+    const Grid regions = With(With(mesh, "Part", { 0, 0, 0 }), "Rule", { sharp ? 2 : 1, 0, 0 });
+    const Grid byRegion = Execute(regions, 2, Regions(!sharp));
+    const Grid byOption = Execute(mesh, 2, Type2(sharp));
+    for (vtkIdType i = 0; i < byOption->GetNumberOfPoints(); ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        EXPECT_EQ(byRegion->GetPoint(i)[c], byOption->GetPoint(i)[c]) << sharp << ", point " << i;
+      }
+    }
+  }
+}
+
 TEST(FeaturesJoints, RegionsChooseForType1)
 {
   auto vertex = [](int onTriangle, int onLine, bool sharp, bool lineFirst)

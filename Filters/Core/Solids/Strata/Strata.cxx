@@ -117,7 +117,10 @@ Stratum StrataBuilder<Id>::DecideFace(Id face) const
   {
     return Stratum(Rule::Solid);
   }
-  return Stratum(this->Options.Type2 == JointRule::Sharp ? Rule::Curve : Rule::Blend, type);
+  const unsigned char regional =
+    this->Options.FaceChoices.empty() ? 0 : this->Options.FaceChoices[face];
+  const bool isSharp = this->Choice(type, regional) == JointRule::Sharp;
+  return Stratum(isSharp ? Rule::Curve : Rule::Blend, type);
 }
 
 /// Common neighbours of the ends of a Blend edge that lie on no face with it.

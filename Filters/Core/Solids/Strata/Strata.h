@@ -53,6 +53,7 @@ struct StrataOptions
   /// 1 + JointRule where a region wants another choice than the three above, else 0; may be empty.
   Buffer<unsigned char> VertexChoices;
   Buffer<unsigned char> EdgeChoices;
+  Buffer<unsigned char> FaceChoices; ///< for what a step makes inside faces
 };
 
 /// The rings of all vertices or all edges of a level, as compressed rows.
