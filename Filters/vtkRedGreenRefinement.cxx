@@ -114,13 +114,8 @@ void vtkRedGreenRefinement::FindSelected(vtkDataObject* input)
 bool vtkRedGreenRefinement::ReadCriteria(
   vtkPointSet* input, subdivision::RefinementOptions& options)
 {
-  const subdivision::RefinementSettings settings{ this->RefineByAttributeError,
-    this->AttributeTolerance, this->AttributeErrorKind == LIMIT_DIFFERENCE,
-    this->RefineByArrayRange, this->ArrayRange, this->RefineByEdgeLength, this->MaximumEdgeLength,
-    this->RefineByGeometricError, this->GeometricTolerance, this->RelativeTolerance,
-    this->RefineByCurvature, this->MaximumAngle, this->RefineByWantedLevel, this->MaximumLevel,
-    this->InterpolateIntegers, this->RefineBySelection || this->RefineByFunction, ATTRIBUTE_ARRAY,
-    RANGE_ARRAY, LEVEL_ARRAY };
+  const subdivision::RefinementSettings settings = subdivision::GetRefinementSettings(
+    this, ATTRIBUTE_ARRAY, this->RefineBySelection || this->RefineByFunction);
   if (!subdivision::ReadRefinementOptions(
         this, input, settings, [this](const std::string& message) { vtkWarningMacro(<< message); },
         [this](const std::string& message) { vtkErrorMacro(<< message); }, options))

@@ -114,12 +114,8 @@ bool vtkSurfaceSubdivision::Execute(
     }
     return subdivision::SubdivideSurface(input, options, output);
   }
-  const subdivision::RefinementSettings settings{ this->RefineByAttributeError,
-    this->AttributeTolerance, this->AttributeErrorKind == LIMIT_DIFFERENCE,
-    this->RefineByArrayRange, this->ArrayRange, this->RefineByEdgeLength, this->MaximumEdgeLength,
-    this->RefineByGeometricError, this->GeometricTolerance, this->RelativeTolerance,
-    this->RefineByCurvature, this->MaximumAngle, this->RefineByWantedLevel, this->MaximumLevel,
-    this->InterpolateIntegers, false, ATTRIBUTE_ARRAY, RANGE_ARRAY, LEVEL_ARRAY };
+  const subdivision::RefinementSettings settings =
+    subdivision::GetRefinementSettings(this, ATTRIBUTE_ARRAY, false);
   subdivision::RefinementOptions criteria;
   return subdivision::ReadRefinementOptions(
            this, input, settings, options.Warn, options.Fail, criteria) &&

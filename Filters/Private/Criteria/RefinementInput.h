@@ -39,6 +39,34 @@ struct RefinementSettings
   int LevelIndex;
 };
 
+/// The options of a filter. Its arrays have the indices from `firstIndex` on: for attributes, the
+/// range, wanted levels. The settings point into the filter.
+template <typename Filter>
+RefinementSettings GetRefinementSettings(Filter* filter, int firstIndex, bool hasOthers)
+{
+  RefinementSettings settings;
+  settings.RefineByAttributeError = filter->GetRefineByAttributeError();
+  settings.AttributeTolerance = filter->GetAttributeTolerance();
+  settings.AttributeErrorOfLimit = filter->GetAttributeErrorKind() == Filter::LIMIT_DIFFERENCE;
+  settings.RefineByArrayRange = filter->GetRefineByArrayRange();
+  settings.ArrayRange = filter->GetArrayRange();
+  settings.RefineByEdgeLength = filter->GetRefineByEdgeLength();
+  settings.MaximumEdgeLength = filter->GetMaximumEdgeLength();
+  settings.RefineByGeometricError = filter->GetRefineByGeometricError();
+  settings.GeometricTolerance = filter->GetGeometricTolerance();
+  settings.RelativeTolerance = filter->GetRelativeTolerance();
+  settings.RefineByCurvature = filter->GetRefineByCurvature();
+  settings.MaximumAngle = filter->GetMaximumAngle();
+  settings.RefineByWantedLevel = filter->GetRefineByWantedLevel();
+  settings.MaximumLevel = filter->GetMaximumLevel();
+  settings.InterpolateIntegers = filter->GetInterpolateIntegers();
+  settings.HasOthers = hasOthers;
+  settings.AttributeIndex = firstIndex;
+  settings.RangeIndex = firstIndex + 1;
+  settings.LevelIndex = firstIndex + 2;
+  return settings;
+}
+
 /// False, after `fail`, if an array cannot be used.
 bool ReadRefinementOptions(vtkAlgorithm* filter, vtkPointSet* input,
   const RefinementSettings& settings, const std::function<void(const std::string&)>& warn,
