@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/AdaptiveSurface/AdaptiveSurface.h"
 
+#include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeOutput.h"
 #include "Private/AdaptiveSurface/AdaptiveSurfaceMarks.h"
 #include "Private/ArrayNames.h"
@@ -294,20 +295,30 @@ void AdaptiveRun<Id>::WritePoints(
   }
   const AdaptiveSqrtThreeLimit<Id> limit(*this->Rows, plan.GetVertexLevels());
   const bool wantsFrames = this->Options.GenerateLimitNormals || this->Options.GenerateTangents;
+  const Buffer<unsigned char> turned =
+    wantsFrames ? FindTurnedFaces(this->Control.Mesh) : Buffer<unsigned char>();
   TangentPairs tangents(wantsFrames ? limit.GetNumberOfRows() : 0);
   if (wantsFrames)
   {
     Buffer<double> points(3 * given);
     std::copy_n(this->Points->GetCoordinates().Values, points.size(), points.begin());
     limit.FindTangents(points, tangents);
+    TurnTangents(
+      turned, [this](vtkIdType v) { return this->Rows->FindFaceOfTangents(static_cast<Id>(v)); },
+      tangents);
   }
   this->Points->Advance(limit, origin);
   if (wantsFrames)
   {
     AddLimitFrames(
       tangents, this->Points->GetPoints(), {}, this->Options.GenerateLimitNormals,
-      this->Options.GenerateTangents, [&level](ShadingNormals& normals)
-      { AddShadingCells(level, normals); }, this->Input, this->Output);
+      this->Options.GenerateTangents,
+      [&](ShadingNormals& normals)
+      {
+        AddShadingCells(level,
+          turned.empty() ? Buffer<unsigned char>() : plan.SpreadToTriangles(turned), normals);
+      },
+      this->Input, this->Output);
   }
   this->Points->Finish(this->Output);
   if (this->Options.GenerateLimitNormals)

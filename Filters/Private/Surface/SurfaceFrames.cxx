@@ -32,11 +32,10 @@ Buffer<double> ReadPoints(vtkDataArray* points)
 }
 
 template <typename Id>
-void AddShadingCells(const SurfaceLevel<Id>& level, ShadingNormals& normals)
+void AddShadingCells(
+  const SurfaceLevel<Id>& level, const Buffer<unsigned char>& turned, ShadingNormals& normals)
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const Buffer<unsigned char> turned =
-    mesh.Twins.empty() ? Buffer<unsigned char>() : FindTurnedFaces(mesh);
   for (vtkIdType f = 0; f < mesh.NumberOfFaces; ++f)
   {
     const Id face = static_cast<Id>(f);
@@ -139,21 +138,16 @@ TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, vtkDataArray* poin
   apply(LimitKind::Tangent1, tangents.Values[0].data());
   apply(LimitKind::Tangent2, tangents.Values[1].data());
   const SurfaceLevel<Id>& level = steps.GetLevel(steps.GetNumberOfSteps());
-  const Buffer<unsigned char> turned = FindTurnedFaces(level.Mesh);
-  ForEach(turned.empty() ? 0 : rows,
-    [&](vtkIdType v)
-    {
-      const Id face = FindFaceOfTangents(level.Mesh, level.Tags, static_cast<Id>(v));
-      for (vtkIdType i = 3 * v; i < 3 * v + 3 && face >= 0 && turned[face]; ++i)
-      {
-        tangents.Values[1][i] = -tangents.Values[1][i];
-      }
-    });
+  TurnTangents(
+    FindTurnedFaces(level.Mesh), [&level](vtkIdType v)
+    { return FindFaceOfTangents(level.Mesh, level.Tags, static_cast<Id>(v)); }, tangents);
   return tangents;
 }
 
-template void AddShadingCells(const SurfaceLevel<int>&, ShadingNormals&);
-template void AddShadingCells(const SurfaceLevel<long long>&, ShadingNormals&);
+template void AddShadingCells(
+  const SurfaceLevel<int>&, const Buffer<unsigned char>&, ShadingNormals&);
+template void AddShadingCells(
+  const SurfaceLevel<long long>&, const Buffer<unsigned char>&, ShadingNormals&);
 template TangentPairs FindLimitTangents(const SurfaceSteps<int>&, vtkDataArray*);
 template TangentPairs FindLimitTangents(const SurfaceSteps<long long>&, vtkDataArray*);
 

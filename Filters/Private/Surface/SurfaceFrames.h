@@ -26,15 +26,32 @@ constexpr const char* LimitTangentNames[2] = { "LimitTangent1", "LimitTangent2" 
 template <typename Id>
 TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, vtkDataArray* points);
 
+/// Turns the second tangent of each vertex whose face, `faceOf(vertex)` or -1, is turned over, so
+/// that normals have one side in each part; `turned`: as of FindTurnedFaces.
+template <typename FaceOf>
+void TurnTangents(const Buffer<unsigned char>& turned, const FaceOf& faceOf, TangentPairs& tangents)
+{
+  ForEach(turned.empty() ? 0 : tangents.Errors.size(),
+    [&](vtkIdType v)
+    {
+      const vtkIdType face = faceOf(v);
+      for (vtkIdType i = 3 * v; i < 3 * v + 3 && face >= 0 && turned[face]; ++i)
+      {
+        tangents.Values[1][i] = -tangents.Values[1][i];
+      }
+    });
+}
+
 /// Adds the arrays. `points`: where they are in the end; `sources`: whose frame each output point
 /// takes; empty: its own; `addCells` adds the cells there to normals for shading.
 void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
   const Buffer<vtkIdType>& sources, bool normals, bool twoTangents,
   const std::function<void(ShadingNormals&)>& addCells, vtkPolyData* input, vtkPolyData* output);
 
-/// The faces and lines of a level; all other points are single.
+/// The faces and lines of a level; all other points are single. `turned`: as of FindTurnedFaces.
 template <typename Id>
-void AddShadingCells(const SurfaceLevel<Id>& level, ShadingNormals& normals);
+void AddShadingCells(
+  const SurfaceLevel<Id>& level, const Buffer<unsigned char>& turned, ShadingNormals& normals);
 
 }
 

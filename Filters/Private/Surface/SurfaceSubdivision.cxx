@@ -2,6 +2,7 @@
 #include "Private/Surface/SurfaceSubdivision.h"
 
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
+#include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
@@ -133,8 +134,8 @@ private:
     const SurfaceLevel<Id>& level = steps.GetLevel(steps.GetNumberOfSteps());
     AddLimitFrames(
       tangents, points, sources, this->Options.GenerateLimitNormals, this->Options.GenerateTangents,
-      [&level](ShadingNormals& normals) { AddShadingCells(level, normals); }, this->Input,
-      this->Output);
+      [&level](ShadingNormals& normals)
+      { AddShadingCells(level, FindTurnedFaces(level.Mesh), normals); }, this->Input, this->Output);
   }
   void WriteCells();
   void WriteStamp();

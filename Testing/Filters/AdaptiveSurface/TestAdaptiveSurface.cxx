@@ -270,6 +270,22 @@ TEST(AdaptiveSurface, RangesAndLevelsOfCells)
   }
 }
 
+/// Every second face runs around the other way.
+PolyData TurnSomeFaces(vtkPolyData* input)
+{
+  const auto turned = PolyData::New();
+  turned->DeepCopy(input);
+  turned->BuildCells();
+  for (vtkIdType cell = 0; cell < turned->GetNumberOfCells(); cell += 2)
+  {
+    if (turned->GetCellType(cell) == VTK_TRIANGLE)
+    {
+      turned->ReverseCell(cell);
+    }
+  }
+  return turned;
+}
+
 TEST(AdaptiveSurface, NormalsAreThoseOfTheUniformMesh)
 {
   std::map<std::string, PolyData> inputs;
@@ -278,6 +294,17 @@ TEST(AdaptiveSurface, NormalsAreThoseOfTheUniformMesh)
     inputs[name] = MakeInput(MakeZoo(true)[name]);
   }
   inputs["hill"] = MakeHill(6);
+  for (const char* name : { "hill", "tetrahedron", "two triangles" })
+  {
+    inputs[std::string("turned ") + name] = TurnSomeFaces(inputs[name]);
+  }
+  // A part of two triangles, one of them turned over, with a third one at their edge.
+  Model book = MakeZoo(true)["two triangles"];
+  book.Faces[1] = { book.Faces[1][0], book.Faces[1][2], book.Faces[1][1] };
+  book.Points.push_back({ 0.4, 0.3, 1. });
+  const int last = static_cast<int>(book.Points.size()) - 1;
+  book.Faces.push_back({ book.Faces[0][0], book.Faces[0][1], last });
+  inputs["book"] = MakeInput(book);
   for (const auto& [name, input] : inputs)
   {
     for (int level : { 0, 1, 2, 3, 4 })

@@ -60,6 +60,15 @@ public:
   bool IsSplit(Id face) const { return this->Children[face] >= 0; }
   Id GetChild(Id corner) const { return this->Children[corner / 3] + corner % 3; }
   Id GetParent(Id face) const { return this->Parents[this->GetTriple(face)]; }
+  /// The control face from which a face has its orientation.
+  Id GetControlFace(Id face) const
+  {
+    while (face >= this->ControlFaces)
+    {
+      face = this->GetParent(face);
+    }
+    return face;
+  }
   int GetLevel(Id face) const { return this->Levels[face]; }
   const Id* GetVertices(Id face) const { return this->Vertices.data() + 3 * vtkIdType(face); }
   Id GetVertex(Id corner) const { return this->Vertices[corner]; }

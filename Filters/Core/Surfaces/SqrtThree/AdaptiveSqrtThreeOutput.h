@@ -10,6 +10,8 @@
 
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThree.h"
 
+#include <algorithm>
+
 namespace subdivision
 {
 
@@ -28,6 +30,20 @@ public:
   /// lie in two, the first.
   template <typename Value>
   void WriteTriangles(Value* vertices, unsigned char* generations, vtkIdType* faces) const;
+
+  /// For each triangle, the value of the control face from which it has its orientation.
+  template <typename Value>
+  Buffer<Value> SpreadToTriangles(const Buffer<Value>& ofControlFaces) const
+  {
+    Buffer<Value> values(this->Triangles);
+    ForEach(this->Mesh.GetNumberOfControlFaces(),
+      [&](vtkIdType f)
+      {
+        Value* first = values.data() + this->Offsets[f];
+        std::fill(first, first + this->Counts[f], ofControlFaces[f]);
+      });
+    return values;
+  }
 
   /// The pieces of a control line (2 edge + 1 if it runs against the edge), from its beginning.
   struct Piece

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeRows.h"
 
+#include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeMasks.h"
 
 #include <cmath>
@@ -429,6 +430,26 @@ void AdaptiveSqrtThreeRows<Id>::AddCentreTangent(Id face, LimitKind kind, RowBlo
   }
 }
 
+template <typename Id>
+Id AdaptiveSqrtThreeRows<Id>::FindFaceOfTangents(Id vertex) const
+{
+  if (vertex < this->Mesh.GetNumberOfControlVertices())
+  {
+    return subdivision::FindFaceOfTangents(this->Control.Mesh, this->Control.Tags, vertex);
+  }
+  const auto& added = this->Mesh.GetAdded(vertex);
+  const Id face = added.Source >= 0 ? added.Source : this->FindCutFace(added);
+  return face < 0 ? face : this->Mesh.GetControlFace(face);
+}
+
+/// The first triangle beside a point that cuts a segment; -1: the segment has no faces.
+template <typename Id>
+Id AdaptiveSqrtThreeRows<Id>::FindCutFace(const typename AdaptiveSqrtThree<Id>::Vertex& added) const
+{
+  const auto& piece = this->Mesh.GetSegmentAt(-1 - added.Source);
+  return piece.NumberOfSides > 0 ? this->Mesh.GetChild(this->Mesh.GetSide(piece, 0)) : -1;
+}
+
 /// Along the curve; and into the first of its sides, where three triangles meet the point.
 template <typename Id>
 void AdaptiveSqrtThreeRows<Id>::AddThirdTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows) const
@@ -437,13 +458,9 @@ void AdaptiveSqrtThreeRows<Id>::AddThirdTangent(Id vertex, LimitKind kind, RowBl
   const Id segment = -1 - added.Source;
   const auto& piece = this->Mesh.GetSegmentAt(segment);
   const Id end = piece.Ends[added.IsSecond ? 1 : 0];
-  Id cut = -1;
-  bool isAtBegin = !added.IsSecond;
-  if (piece.NumberOfSides > 0)
-  {
-    cut = 3 * this->Mesh.GetChild(this->Mesh.GetSide(piece, 0));
-    isAtBegin = this->Mesh.GetVertex(cut) == end;
-  }
+  const Id face = this->FindCutFace(added);
+  const Id cut = 3 * face; // the first corner
+  const bool isAtBegin = face < 0 ? !added.IsSecond : this->Mesh.GetVertex(cut) == end;
   if (kind == LimitKind::Tangent1)
   {
     const double turn = isAtBegin ? 1. : -1.;
@@ -451,7 +468,7 @@ void AdaptiveSqrtThreeRows<Id>::AddThirdTangent(Id vertex, LimitKind kind, RowBl
     this->AddPosition(end, added.Level, -turn, rows);
     return;
   }
-  if (cut >= 0)
+  if (face >= 0)
   {
     const SqrtThreeTransversalMask mask(3);
     this->AddThird(segment, added.IsSecond, mask.Own, rows);

@@ -45,6 +45,8 @@ public:
 
   /// The row of a tangent, with the columns of AppendVertex; the first along a curve.
   void AppendTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows) const;
+  /// The control face whose orientation the tangents of a vertex have; -1: it has no face.
+  Id FindFaceOfTangents(Id vertex) const;
 
   /// How much of its first value a vertex has on a level; the rest is its limit. Not for a centre
   /// of a face with fixed edges on the level on which it came into being.
@@ -62,6 +64,7 @@ private:
   void AddRegularLimit(Id face, double weight, RowBlock<Id>& rows) const;
   void AddCentreTangent(Id face, LimitKind kind, RowBlock<Id>& rows) const;
   void AddThirdTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows) const;
+  Id FindCutFace(const typename AdaptiveSqrtThree<Id>::Vertex& added) const;
   void AddNext(Id face, double weight, RowBlock<Id>& rows) const;
   void AddSideAt(Id vertex, Id corner, double weight, RowBlock<Id>& rows) const;
 
