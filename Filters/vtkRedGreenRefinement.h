@@ -21,7 +21,7 @@
  * wants a cell marks all of its edges. Refinement always follows from the input and the criteria:
  * a smaller demand gives a coarser mesh.
  *
- * @par Input arrays to process
+ * @par Arrays read, by SetInputArrayToProcess
  * Besides those of vtkSubdivisionAlgorithm (0 to 4, used where Placement is LIMIT or a criterion
  * asks for the limit):
  *  - 5, point array for RefineByAttributeError. Unset: the active scalars, else the first floating
@@ -203,7 +203,7 @@ public:
 
   ///@{
   /**
-   * In the units of the coordinates. Default 1.
+   * The length for RefineByEdgeLength, in the units of the coordinates, 0 or more. Default 1.
    */
   vtkSetClampMacro(MaximumEdgeLength, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumEdgeLength, double);
@@ -224,7 +224,7 @@ public:
 
   ///@{
   /**
-   * The distance that RefineByGeometricError allows. Default 0.001.
+   * The distance that RefineByGeometricError allows, 0 or more. Default 0.001.
    */
   vtkSetClampMacro(GeometricTolerance, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(GeometricTolerance, double);
@@ -232,8 +232,8 @@ public:
 
   ///@{
   /**
-   * Whether GeometricTolerance is a part of the diagonal of the input's bounding box (on, the
-   * default) or in the units of the coordinates.
+   * Whether GeometricTolerance is a part of the diagonal of the input's bounding box; else it is in
+   * the units of the coordinates. On by default.
    */
   vtkSetMacro(RelativeTolerance, bool);
   vtkGetMacro(RelativeTolerance, bool);
@@ -252,8 +252,9 @@ public:
 
   ///@{
   /**
-   * The angle that RefineByCurvature allows, in degrees: that of the circle's arc which is as far
-   * from its chord as the limit from the edge. Whatever the size of the mesh. Default 10.
+   * The angle that RefineByCurvature allows: that of the circle's arc which is as far from its
+   * chord as the limit from the edge. Whatever the size of the mesh. In degrees, 0 to 360. Default
+   * 10.
    */
   vtkSetClampMacro(MaximumAngle, double, 0., 360.);
   vtkGetMacro(MaximumAngle, double);

@@ -98,8 +98,8 @@ public:
 
   ///@{
   /**
-   * Precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (that of the input; the
-   * default), SINGLE_PRECISION or DOUBLE_PRECISION.
+   * Precision of the output points, as in vtkAlgorithm: SINGLE_PRECISION (0), DOUBLE_PRECISION (1)
+   * or DEFAULT_PRECISION (2, the default; that of the input).
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -108,7 +108,7 @@ public:
   ///@{
   /**
    * The filter stops with an error, before it takes any memory for them, if the output would have
-   * more cells than this. Default 500 million.
+   * more cells than this, 1 or more. Default 500 million.
    */
   vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);
@@ -174,9 +174,9 @@ public:
 
   ///@{
   /**
-   * The angle between the planes of two triangles, in degrees (0 = flat, to 180), above which their
-   * common edge is a feature; an angle that differs by no more than rounding is not above. Default
-   * 30.
+   * The angle between the planes of two triangles (flat: 0) above which their common edge is a
+   * feature; an angle that differs by no more than rounding is not above. In degrees, 0 to 180.
+   * Default 30.
    */
   vtkSetClampMacro(FeatureAngle, double, 0., 180.);
   vtkGetMacro(FeatureAngle, double);

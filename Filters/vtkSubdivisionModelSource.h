@@ -84,8 +84,7 @@ public:
 
   ///@{
   /**
-   * Which model to make, MIXED_DIMENSIONS (0) to CYLINDER (7); values outside are clamped.
-   * The default is MIXED_DIMENSIONS.
+   * Which model to make, MIXED_DIMENSIONS (0, the default) to CYLINDER (7).
    */
   vtkSetClampMacro(Model, int, MIXED_DIMENSIONS, CYLINDER);
   vtkGetMacro(Model, int);
@@ -109,9 +108,8 @@ public:
 
   ///@{
   /**
-   * The type of the output's coordinates: vtkAlgorithm::SINGLE_PRECISION (0) for float,
-   * vtkAlgorithm::DOUBLE_PRECISION (1) or vtkAlgorithm::DEFAULT_PRECISION (2) for double. The
-   * default is DOUBLE_PRECISION.
+   * Precision of the output points, as in vtkAlgorithm: SINGLE_PRECISION (0) for float,
+   * DOUBLE_PRECISION (1, the default) or DEFAULT_PRECISION (2) for double.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);

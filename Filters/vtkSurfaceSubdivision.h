@@ -110,24 +110,29 @@
  * the output.
  *
  * @par Arrays read, by SetInputArrayToProcess
- * As in vtkSubdivisionAlgorithm: 0, singular flags (cell array of integers; unset: `Singular` if
- * there), and 4, sharpness of lines (cell array of numbers: for floor(s) levels a crease of
- * sharpness s is one that is flagged, with its ends, crossings and all near it; in the next one in
- * part, s - floor(s), between the rows without and with all creases that are left in part; an
- * infinite one is flagged). Also 5, corner angles (point array, degrees; where it is not negative
- * it replaces the measured angle of a corner with one sector), and 6, flatness (point array of s in
- * [0, 1]; negative: 0 at convex corners, at concave ones what makes them tangent plane continuous).
- * With Adaptive: 7, the point array for RefineByAttributeError (unset: the active scalars, else the
- * first floating point array), 8, the cell or point array for RefineByArrayRange (unset: the active
- * scalars of the points, else of the cells), 9, the integer cell array for RefineByWantedLevel
- * (unset: `WantedLevel` if there).
+ * Names and errors are as in vtkSubdivisionAlgorithm; 7 to 9 are read with Adaptive only.
+ *  - 0, singular flags: cell array of integers. Unset: `Singular` if there.
+ *  - 4, sharpness of lines: cell array of numbers. For floor(s) levels a crease of sharpness s is
+ *    one that is flagged, with its ends, crossings and all near it. In the next level it is so in
+ *    part, s - floor(s), between the rows without and with all creases that are left in part. An
+ *    infinite one is flagged. Unset: none.
+ *  - 5, corner angles: point array, in degrees. Where it is not negative it replaces the measured
+ *    angle of a corner with one sector. Unset: none.
+ *  - 6, flatness: point array of s in [0, 1]. Negative: 0 at convex corners, at concave ones what
+ *    makes them tangent plane continuous. Unset: none.
+ *  - 7, point array for RefineByAttributeError. Unset: the active scalars, else the first floating
+ *    point array.
+ *  - 8, cell or point array for RefineByArrayRange. Unset: the active scalars of the points, else
+ *    those of the cells.
+ *  - 9, integer cell array for RefineByWantedLevel. Unset: `WantedLevel` if there.
  *
  * @par Arrays written
- * On request `LimitNormals`, `LimitTangent1`, `LimitTangent2` (points, 3 components), and
- * `vtkOriginalPointIds`, `vtkOriginalCellIds`. With Adaptive the cell arrays `Generation` (unsigned
- * char: two for each step that a cell has behind it; odd: one of the three parts of a triangle the
- * edge of which is still there) and `vtkOriginalCellIds`. Field arrays `SubdivisionSurface...` by
- * which this filter recognises its own output.
+ * On request, with and without Adaptive: `LimitNormals`, `LimitTangent1`, `LimitTangent2` (points,
+ * 3 components), `vtkOriginalPointIds`, and `vtkOriginalCellIds`. With Adaptive always
+ * `vtkOriginalCellIds`, and the cell array `Generation` (unsigned char: two for each step that a
+ * cell has behind it; odd: one of the three parts of a triangle the edge of which is still there).
+ * Without Adaptive field arrays `SubdivisionSurface...`, by which this filter recognises its own
+ * output.
  *
  * @par Filters in a row
  * Three filters of one level and the same options are one filter of three levels, bit for bit, for
@@ -306,7 +311,7 @@ public:
 
   ///@{
   /**
-   * In the units of the coordinates. Default 1.
+   * The length for RefineByEdgeLength, in the units of the coordinates, 0 or more. Default 1.
    */
   vtkSetClampMacro(MaximumEdgeLength, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumEdgeLength, double);
@@ -324,7 +329,7 @@ public:
 
   ///@{
   /**
-   * The distance that RefineByGeometricError allows. Default 0.001.
+   * The distance that RefineByGeometricError allows, 0 or more. Default 0.001.
    */
   vtkSetClampMacro(GeometricTolerance, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(GeometricTolerance, double);
@@ -332,8 +337,8 @@ public:
 
   ///@{
   /**
-   * Whether GeometricTolerance is a part of the diagonal of the input's bounding box (on, the
-   * default) or in the units of the coordinates.
+   * Whether GeometricTolerance is a part of the diagonal of the input's bounding box; else it is in
+   * the units of the coordinates. On by default.
    */
   vtkSetMacro(RelativeTolerance, bool);
   vtkGetMacro(RelativeTolerance, bool);
@@ -352,8 +357,9 @@ public:
 
   ///@{
   /**
-   * The angle that RefineByCurvature allows, in degrees: that of the circle's arc which is as far
-   * from its chord as the limit from the edge. Whatever the size of the mesh. Default 10.
+   * The angle that RefineByCurvature allows: that of the circle's arc which is as far from its
+   * chord as the limit from the edge. Whatever the size of the mesh. In degrees, 0 to 360. Default
+   * 10.
    */
   vtkSetClampMacro(MaximumAngle, double, 0., 360.);
   vtkGetMacro(MaximumAngle, double);
@@ -399,8 +405,10 @@ public:
    * one sector, the first tangent along the curve. Where faces are turned over against each other
    * they have the side of the first face of their part, all that can be reached over edges of two
    * faces; on a part with one side only, like a Moebius band, that of a face at the point, which
-   * with SqrtThree may be another one on another level. On a crease that is still sharp for more
-   * than 26 levels they are as if it were for 26.
+   * with SqrtThree may be another one on another level. Adaptive turns no faces for this: an input
+   * point has the side of a face at it, a new one that of the triangle in which, or on an edge of
+   * which, it was made. On a crease that is still sharp for more than 26 levels they are as if it
+   * were for 26.
    *
    * Where there are no tangents normals are not zero all the same, so that nothing is drawn black:
    * at joints and all other points with faces they are the mean of the normals of these, weighted
@@ -468,8 +476,8 @@ public:
 
   ///@{
   /**
-   * The angle between the planes of two faces, in degrees (0 = flat, to 180), above which their
-   * common edge is a feature. Default 30.
+   * The angle between the planes of two faces (flat: 0) above which their common edge is a feature.
+   * In degrees, 0 to 180. Default 30.
    */
   vtkSetClampMacro(FeatureAngle, double, 0., 180.);
   vtkGetMacro(FeatureAngle, double);
@@ -517,8 +525,8 @@ public:
 
   ///@{
   /**
-   * Precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (that of the input; the
-   * default), SINGLE_PRECISION or DOUBLE_PRECISION.
+   * Precision of the output points, as in vtkAlgorithm: SINGLE_PRECISION (0), DOUBLE_PRECISION (1)
+   * or DEFAULT_PRECISION (2, the default; that of the input).
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -528,7 +536,7 @@ public:
   /**
    * The filter stops with an error, before it takes any memory for them, if the output would have
    * more cells than this. With Adaptive, refinement stops, the worst places last, and a warning
-   * says so. Default 500 million.
+   * says so. 1 or more. Default 500 million.
    */
   vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);
