@@ -405,10 +405,8 @@ public:
    * one sector, the first tangent along the curve. Where faces are turned over against each other
    * they have the side of the first face of their part, all that can be reached over edges of two
    * faces; on a part with one side only, like a Moebius band, that of a face at the point, which
-   * with SqrtThree may be another one on another level. Adaptive turns no faces for this: an input
-   * point has the side of a face at it, a new one that of the triangle in which, or on an edge of
-   * which, it was made. On a crease that is still sharp for more than 26 levels they are as if it
-   * were for 26.
+   * with SqrtThree may be another one on another level. On a crease that is still sharp for more
+   * than 26 levels they are as if it were for 26.
    *
    * Where there are no tangents normals are not zero all the same, so that nothing is drawn black:
    * at joints and all other points with faces they are the mean of the normals of these, weighted
