@@ -231,8 +231,7 @@ protected:
   bool Use32BitIds = false;
 
 private:
-  /// The update of a composite input sends StartEvent and EndEvent once for the whole and once for
-  /// each block; UpdateDepth counts how deep they are nested.
+  /// Counts nested updates: a composite input starts one update, each of its blocks another in it.
   void OnStart() { ++this->UpdateDepth; }
   void OnEnd();
 

@@ -338,8 +338,7 @@ private:
   /// Reads the criteria. Returns false, after an error message, if an array cannot be used.
   bool ReadCriteria(vtkPointSet* input, subdivision::RefinementOptions& options);
 
-  /// The update of a composite input sends StartEvent and EndEvent once for the whole and once for
-  /// each block; UpdateDepth counts how deep they are nested.
+  /// Counts nested updates: a composite input starts one update, each of its blocks another in it.
   void OnStart();
   void OnEnd();
   void FindSelected(vtkDataObject* input);

@@ -196,8 +196,7 @@ protected:
   bool TransformVectors = true;
 
 private:
-  /// The update of a composite input sends StartEvent and EndEvent once for the whole and once for
-  /// each block; UpdateDepth counts how deep they are nested.
+  /// Counts nested updates: a composite input starts one update, each of its blocks another in it.
   void OnStart();
   void OnEnd();
 
