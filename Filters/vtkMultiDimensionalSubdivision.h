@@ -14,8 +14,8 @@
  * each new value is a weighted mean of the values around it. Which weights (equations 13 to 18) and
  * which neighbours depends on the dimension of the rule that a vertex or edge follows: the
  * dimension of the manifold that it lies inside of, one less on a boundary, zero for the end of a
- * curve. Non-manifold vertices and edges take the rule for solids with all their neighbours (rule
- * G-2).
+ * curve. By default non-manifold vertices and edges take the rule for solids with all their
+ * neighbours (rule G-2).
  *
  * On surfaces these are the plain rules of Loop's scheme also next to boundaries and creases;
  * vtkSurfaceSubdivision has by default others there, which depend on the number of faces.
@@ -32,23 +32,24 @@
  * boundaries and creases are the same. In the output an octahedron is four tetrahedra around its
  * shortest diagonal (diagonals within a relative 1e-9, of single precision points 1e-5, tie; then
  * the smallest point id decides), one after another, with a common number in the cell array
- * `OctahedronId` (vtkIdTypeArray; -1 for all other cells). A next filter of the same scheme puts
- * them together again, whatever has become of the points and that array. Their children take cell
- * data from the piece that they lie in, the first where they lie in several. If flags or values
- * that choose rules have been changed in between, the octahedra are taken as the tetrahedra that
- * they are.
+ * `OctahedronId` (vtkIdTypeArray; -1 for all other cells). The next filter of the same scheme takes
+ * the four as one octahedron again, even if points or that array were changed. Children of an
+ * octahedron take cell data from the tetrahedron that they lie in, the first where they lie in
+ * several. If flags or values that choose rules were changed in between, the next filter takes each
+ * octahedron as four tetrahedra.
  *
  * @par Arrays
  * Floating point arrays, of any number of components, are smoothed like the points; so are colours
  * (unsigned char, 3 or 4 components), rounded after every level. Other integer, string and bit
  * point arrays keep their values at old points; a new point takes that of the end of its edge, or
  * of the vertex of its octahedron, whose global id is smallest. Global and pedigree ids are
- * dropped: see GenerateOriginalIds. Cell arrays go to the children, field data through. Names,
- * component names and active attributes are kept. Written are, with VolumeScheme = TET_OCT, the
- * cell array `OctahedronId`; on request, `vtkOriginalCellIds`, `vtkOriginalPointIds`,
- * `LimitNormals`, and the classification arrays; always the field array `Subdivision` (and
- * `SubdivisionGlobalIds`, if the input had global ids, `SubdivisionInvertedCells`, if it had
- * inverted or flat solids), by which a next filter recognises this output.
+ * dropped: see GenerateOriginalIds. Children take the cell arrays of their cell; field data pass
+ * through. Names, component names and active attributes are kept. The filter adds, with
+ * VolumeScheme = TET_OCT, the cell array `OctahedronId`; on request, `vtkOriginalCellIds`,
+ * `vtkOriginalPointIds`, `LimitNormals`, and the classification arrays; always the field array
+ * `Subdivision` (and `SubdivisionGlobalIds`, if the input had global ids,
+ * `SubdivisionInvertedCells`, if it had inverted or flat solids), by which the next filter
+ * recognises this output.
  *
  * @par Solids that are turned inside out
  * Smoothing may turn solids inside out where the control mesh is very thin. One warning says how
@@ -59,17 +60,17 @@
  * Points: all input points with their ids (unused ones too), then centres of split cells, then the
  * new points level by level. Cells: in the order of the input, the children of a cell one after
  * another and oriented like it. A cell that is a face of another, or equals an earlier one, is
- * split along in its place and changes nothing.
+ * split in its place, but changes no rule unless it is singular.
  *
  * @par Filters in a row
- * Three filters of one level are one filter of three levels, bit for bit, in every array; only the
- * last of them may have ProjectToLimit on.
+ * Three filters of one level give what one filter of three levels gives, bit for bit, in every
+ * array. Only the last of them may have ProjectToLimit on.
  *
  * @par Complexity
  * Time and memory are linear in the size of the output; links are examined on the input only. With
- * CacheOperator off the operator of the level before the last is not stored, with either scheme: it
- * is made a few rows at a time, and applied to points and all arrays in one pass. It is stored if
- * there is one level only, limits are asked for, cells are equal, or creases are still sharp then.
+ * CacheOperator off the operators of the last two levels are not stored: the filter makes a few
+ * rows at a time and applies them to points and all arrays in one pass. It stores them if there is
+ * one level only, limits are asked for, cells are equal, or creases are still sharp then.
  *
  * @par Threads and ghosts
  * Threaded by vtkSMPTools; the output is the same, bit for bit, for any back end and any number of
@@ -132,12 +133,13 @@ public:
 
   ///@{
   /**
-   * Whether to output how the mesh was understood. Point arrays: `RuleDimension` (dimension 0 to 3
-   * of the rule that the next level would use for the vertex; 4 = blended) and `NonManifoldType`
-   * (0: manifold; 1: objects of different dimension meet; 2: more than two branches; 3: boundaries
-   * touch). Cell array: `ManifoldDimension` (0 to 3: the dimension of the maximal simplex that the
-   * cell is, or is a face of; the largest, if several) and `Inverted` (1 for solids that smoothing
-   * turned inside out). All vtkUnsignedCharArray with one component. Off by default.
+   * Whether to output how the filter classified the mesh. Point arrays: `RuleDimension` (dimension
+   * 0 to 3 of the rule that the next level would use for the vertex; 4 = blended) and
+   * `NonManifoldType` (0: manifold; 1: objects of different dimension meet; 2: more than two
+   * branches; 3: boundaries touch). Cell array: `ManifoldDimension` (0 to 3: the dimension of the
+   * maximal simplex that the cell is, or is a face of; the largest, if several) and `Inverted` (1
+   * for solids that smoothing turned inside out). All vtkUnsignedCharArray with one component. Off
+   * by default.
    */
   vtkSetMacro(GenerateClassification, bool);
   vtkGetMacro(GenerateClassification, bool);
@@ -153,8 +155,7 @@ public:
    * creases, joints and what is left of semi-sharp creases, and with either volume scheme. Cells
    * are those without the option, but octahedra are cut around the diagonal that is shortest then.
    * Needs, on the way, about as much time and memory as one more level. The points are no control
-   * points any more: another filter takes the output for a mesh like any other, and derives anew
-   * what there is to derive. Off by default.
+   * points any more: the next filter reads the output like any other mesh. Off by default.
    */
   vtkSetMacro(ProjectToLimit, bool);
   vtkGetMacro(ProjectToLimit, bool);
@@ -230,7 +231,7 @@ protected:
   bool Use32BitIds = false;
 
 private:
-  /// Updates are nested for composite inputs: blocks start and end inside the whole.
+  /// Counts nested updates: a composite input starts one update, each of its blocks another in it.
   void OnStart() { ++this->UpdateDepth; }
   void OnEnd();
 

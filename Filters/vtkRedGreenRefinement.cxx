@@ -65,7 +65,8 @@ vtkMTimeType vtkRedGreenRefinement::GetMTime()
   return this->ImplicitFunction ? std::max(own, this->ImplicitFunction->GetMTime()) : own;
 }
 
-/// Looks for what is selected in a composite input, as long as all of it can be seen.
+/// Finds the selected cells of a composite input now, before VTK executes the filter for each
+/// block: only here all blocks can be seen.
 void vtkRedGreenRefinement::OnStart()
 {
   if (this->UpdateDepth++ > 0)
@@ -155,7 +156,7 @@ int vtkRedGreenRefinement::RequestData(
   options.LimitPlacement = this->Placement == LIMIT;
   bool isUsable = true;
   const int done = this->Run(inputVector, outputVector, options,
-    "Partitions are refined each by itself: at their borders they may not fit.",
+    "Each partition is refined by itself, so that cells may not fit together at its borders.",
     "this refinement. Lower MaximumNumberOfCells or MaximumLevel, raise the tolerances, or use a "
     "part of the input.",
     [&](vtkPointSet* input, vtkUnstructuredGrid* output)

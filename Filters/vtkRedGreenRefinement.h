@@ -14,12 +14,12 @@
  * subdivision (red: a line into 2, a triangle into 4, a tetrahedron into 8), the others so that
  * they fit (green: a triangle into 2, a tetrahedron into 2 or 4). Before the next round all green
  * cells are undone, so that only red cells are ever refined: shapes do not get worse with the
- * number of rounds. The rounds end when no criterion wants anything, or at a limit.
+ * number of rounds. The rounds end when no criterion marks anything, or at a limit.
  *
  * @par Criteria
- * A cell or edge is refined where any criterion that is switched on wants it; a criterion that
- * wants a cell marks all of its edges. Refinement always follows from the input and the criteria:
- * a smaller demand gives a coarser mesh.
+ * An edge is marked where any criterion that is switched on asks for it; a criterion that asks for
+ * a cell marks all of its edges. Each execution starts from the input, so that weaker criteria give
+ * a coarser mesh.
  *
  * @par Arrays read, by SetInputArrayToProcess
  * Besides those of vtkSubdivisionAlgorithm (0 to 4, used where Placement is LIMIT or a criterion
@@ -33,33 +33,33 @@
  * @par Output
  * Points: those of the input with their ids, then centres of split cells, then the new ones. Cells:
  * in the order of the input, children in the place of their parent and oriented like it. Cells that
- * are no simplices are split first, see vtkSubdivisionAlgorithm. Point arrays are taken along like
- * the points (kinds as in vtkMultiDimensionalSubdivision), cell arrays (ghost types too) go to the
- * children, field arrays through. Written are the cell arrays
+ * are no simplices are split first, see vtkSubdivisionAlgorithm. Point arrays get values at new
+ * points (by their type, as in vtkMultiDimensionalSubdivision), children take the cell arrays of
+ * their cell (ghost types too), field arrays pass through. The filter adds the cell arrays
  *  - `RefinementLevel` (unsigned char): how often the edges of an input cell were halved; a green
  *    cell has the level of the cell that it is a part of,
  *  - `RefinementKind` (unsigned char): 0 the cell as it was read, 1 red, 2 green by one edge, 3
  *    green by two opposite edges, 4 green by the three edges of a face,
  *  - `GreenParent` (vtkIdTypeArray): the tuple of `RedGreenLeaves` that a green cell is a part of,
  *    -1 for others,
- *  - `vtkOriginalCellIds` (vtkIdTypeArray): the cell of the input; on the output of another filter
- *    of this kind it is carried on, and levels and kinds go on too,
+ *  - `vtkOriginalCellIds` (vtkIdTypeArray): the cell of the input; if another filter of this kind
+ *    made the input, that of its input, and levels and kinds count on from there,
  *
  * and the field arrays `RedGreenLeaves` (vtkIdTypeArray, ten components: the points of a cell that
- * green cells stand for, and the points on its edges 01, 02, 03, 12, 13, 23; -1 for none) and
+ * was split green, and those on its edges 01, 02, 03, 12, 13, 23; -1 for none) and
  * `Subdivision` (the stamp by which the next filter recognises this output).
  *
  * @par Filters in a row
- * A red-green filter that reads the output of another one undoes its green cells, and goes on from
- * the cells that they stood for; MaximumLevel counts from there. It takes the mesh as it is where
- * its cells were changed in between, where cell arrays have different values in green cells that
- * were one (a warning says so), and where the limit is asked for, by Placement or a criterion: a
- * cell with a point on its edge has none.
+ * A red-green filter that reads the output of another one replaces its green cells by the cells of
+ * which they are parts, and refines these; MaximumLevel counts from there. It leaves green cells as
+ * they are if cells were changed in between, if cell arrays have different values in the green
+ * parts of one cell (a warning says so), and if Placement or a criterion asks for the limit, which
+ * does not exist for a mesh with points inside edges.
  *
  * @par Complexity
  * Time and memory are linear in the size of the input and the output; a round costs in proportion
- * to the cells that it changes, and where the limit is asked for, to the cells around these on all
- * levels above.
+ * to the cells that it changes and, where the limit is asked for, to the cells around these on all
+ * levels before.
  *
  * @par Threads and ghosts
  * Threaded by vtkSMPTools; the output is the same, bit for bit, for any number of threads. Ghost
@@ -67,9 +67,9 @@
  *
  * @par Errors
  * An array that is named but cannot be used is an error. At MaximumNumberOfCells (here 50 million
- * by default), or where there is no more memory, refinement stops with a warning, the worst places
- * last; so it does where no number lies between the ends of an edge. An empty selection and values
- * that are not finite are told in warnings, too.
+ * by default), or where there is no more memory, refinement stops with a warning; the places with
+ * the largest errors were refined first. It also stops with a warning where no number lies between
+ * the ends of an edge. An empty selection and values that are not finite give warnings, too.
  *
  * @sa
  * vtkMultiDimensionalSubdivision
@@ -128,8 +128,8 @@ public:
   ///@{
   /**
    * The error of an edge: JUMP (0, the default), the change of the values from one end to the
-   * other, or LIMIT_DIFFERENCE (1), the largest distance of the limit values along the edge from
-   * the line between those of its ends, the limit being that of smooth subdivision.
+   * other, or LIMIT_DIFFERENCE (1), the largest difference between limit values along the edge and
+   * the straight line between those of its ends, the limit being that of smooth subdivision.
    */
   vtkSetClampMacro(AttributeErrorKind, int, JUMP, LIMIT_DIFFERENCE);
   vtkGetMacro(AttributeErrorKind, int);
@@ -213,9 +213,9 @@ public:
   /**
    * Whether edges of curves, surfaces, and boundaries or singular surfaces of solids are split
    * where they, or triangles at them, are farther than GeometricTolerance from the limit of smooth
-   * subdivision. The distance is looked at in several places of each edge and triangle: an estimate
-   * and no bound. Where a cell of the input ends, the limit of the edge has to be near the edge,
-   * inside of a cell near its surface. Off by default.
+   * subdivision. The distance is measured in several places of each edge and triangle: an estimate
+   * and no bound. On edges of input cells it is the distance of the limit from the edge, inside an
+   * input triangle that from the triangles there. Off by default.
    */
   vtkSetMacro(RefineByGeometricError, bool);
   vtkGetMacro(RefineByGeometricError, bool);
@@ -253,8 +253,8 @@ public:
   ///@{
   /**
    * The angle that RefineByCurvature allows: that of the circle's arc which is as far from its
-   * chord as the limit from the edge. Whatever the size of the mesh. In degrees, 0 to 360. Default
-   * 10.
+   * chord as the limit from the edge. It does not depend on the size of the mesh. In degrees, 0 to
+   * 360. Default 10.
    */
   vtkSetClampMacro(MaximumAngle, double, 0., 360.);
   vtkGetMacro(MaximumAngle, double);
@@ -298,7 +298,7 @@ public:
   void SetPlacementToLimit() { this->SetPlacement(LIMIT); }
   ///@}
 
-  /// That of the implicit function, if newer.
+  /// The time of the last change, also of the implicit function.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -335,10 +335,10 @@ private:
     RANGE_ARRAY,
     LEVEL_ARRAY
   };
-  /// The options above; false, after an error message, if an array cannot be used.
+  /// Reads the criteria. Returns false, after an error message, if an array cannot be used.
   bool ReadCriteria(vtkPointSet* input, subdivision::RefinementOptions& options);
 
-  /// Updates are nested for composite inputs: blocks start and end inside the whole.
+  /// Counts nested updates: a composite input starts one update, each of its blocks another in it.
   void OnStart();
   void OnEnd();
   void FindSelected(vtkDataObject* input);

@@ -17,7 +17,7 @@ int vtkSimplicialComplexTopology::RequestData(
   options.SpecialOnly = this->SpecialOnly;
   return this->Run(inputVector, outputVector, options,
     "Counts, and results at the borders of partitions, are those of this partition alone.",
-    "the simplices of the input. Use a part of it.",
+    "the simplices of the input. Use a part of the input.",
     [&options](vtkPointSet* input, vtkUnstructuredGrid* output)
     { return subdivision::ProbeTopology(input, options, output); });
 }

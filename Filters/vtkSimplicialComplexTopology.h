@@ -3,19 +3,19 @@
  * @class   vtkSimplicialComplexTopology
  * @brief   shows how the subdivision filters understand a mesh
  *
- * Outputs every vertex, edge and triangle of the simplicial complex that a mesh is, with what it
- * is: which manifolds it lies in, whether it is boundary, non-manifold or singular, and which rule
- * the subdivision filters use for it. Nothing is subdivided and no point moves. Open it to see why
- * a mesh behaves as it does.
+ * Outputs every vertex, edge and triangle of the simplicial complex of a mesh, with facts about it:
+ * in which manifolds it lies, whether it is boundary, non-manifold or singular, and which rule the
+ * subdivision filters use for it. The filter subdivides nothing and moves no point. It helps to see
+ * why a mesh is subdivided as it is.
  *
  * @par Algorithm
  * Y.-S. Chang and H. Qin, "A Framework for Multi-dimensional Adaptive Subdivision Objects",
  * sections 2 and 3. The complex C is made of the cells and all their faces. A cell is maximal if it
  * is a face of no other; C_k is made of the maximal k-simplices and their faces. Links inside each
- * C_k tell the interior, the boundary and what is no manifold; from this, from what is singular and
- * from the options follow the rules. It is the same code that vtkMultiDimensionalSubdivision runs:
- * give both the same options, and the rules are those of its first level. Where a mesh comes from
- * that filter, rules and singular simplices are those of its next level.
+ * C_k tell the interior, the boundary and what is no manifold; the rules follow from this, from
+ * what is singular and from the options. vtkMultiDimensionalSubdivision runs the same code: with
+ * the same options, the rules are those of its first level. If that filter made the mesh, rules and
+ * singular simplices are those of its next level.
  *
  * @par Input
  * vtkUnstructuredGrid or vtkPolyData; cells, bad cells and the cell arrays that are read: see

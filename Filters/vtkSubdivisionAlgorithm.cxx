@@ -42,7 +42,7 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   }
   if (!input->GetPoints())
   {
-    return 1; // nothing at all: so is the output
+    return 1; // without points the output is empty
   }
   vtkUnsignedCharArray* types = input->GetCellGhostArray();
   if (types &&
@@ -87,7 +87,8 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   return failed ? 0 : 1;
 }
 
-/// The cell array at an index, or null where it is unset and `fallback` is not there.
+/// Finds the cell array at an index; null where it is unset and `fallback` is not there. Returns
+/// false, after an error message, if it cannot be used.
 bool vtkSubdivisionAlgorithm::FindCellArray(
   vtkPointSet* input, int index, const char* fallback, bool integral, vtkDataArray*& array)
 {

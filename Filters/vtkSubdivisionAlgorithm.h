@@ -9,27 +9,27 @@
  * VTK_TRIANGLE and VTK_TETRA cells.
  *
  * @par Cells
- * Read are VTK_VERTEX, VTK_POLY_VERTEX, VTK_LINE, VTK_POLY_LINE, VTK_TRIANGLE, VTK_TRIANGLE_STRIP,
- * VTK_PIXEL, VTK_QUAD, VTK_POLYGON, VTK_TETRA, VTK_VOXEL, VTK_HEXAHEDRON, VTK_WEDGE and
- * VTK_PYRAMID. What is no simplex is split conformingly: two cells that share a quad take the same
- * diagonal, which is the one that the triangles of a neighbour have already, else the one through
- * the smallest global id (the point id where the input has no global ids). Polygons are cut by ears
- * in their mean plane. A centre point is added only to a solid cell whose face diagonals allow no
- * other split.
+ * The filters read VTK_VERTEX, VTK_POLY_VERTEX, VTK_LINE, VTK_POLY_LINE, VTK_TRIANGLE,
+ * VTK_TRIANGLE_STRIP, VTK_PIXEL, VTK_QUAD, VTK_POLYGON, VTK_TETRA, VTK_VOXEL, VTK_HEXAHEDRON,
+ * VTK_WEDGE and VTK_PYRAMID. Cells that are no simplices are split conformingly: two cells that
+ * share a quad take the same diagonal, which is the one that triangles of a neighbour have already,
+ * else the one through the smallest global id (the point id where the input has no global ids).
+ * Polygons are cut by ears in their mean plane. A centre point is added only to a solid cell whose
+ * face diagonals allow no other split.
  *
  * @par Bad cells
- * Passed over, with one warning for each kind that counts them and names the first: cells of
- * another type, with point ids out of range, with a point that is not finite, or with repeated
- * point ids (of a solid, polygon, poly line or strip only the degenerate pieces go). Their
- * neighbours act as if they were not there. Cells that are inverted or have no size are kept, and
- * so are unused points.
+ * The filters leave out cells of another type, with point ids out of range, with a point that is
+ * not finite, or with repeated point ids (of a solid, polygon, poly line or strip only the
+ * degenerate pieces). One warning for each of these faults counts the cells and names the first.
+ * Cells that are left out have no effect on their neighbours. Cells that are inverted or have no
+ * size are kept, and so are unused points.
  *
  * @par Singular simplices
- * Singular are, all at once: the vertex, line and triangle cells that the array at index 0 flags;
- * cells embedded in others, by EmbeddedCells; with PreserveInterfaces the interfaces between
- * materials; with DetectFeatures the sharp edges. A singular vertex does not move, singular lines
- * are curves (creases), singular triangles surfaces inside the solid, smooth by themselves; where
- * more than two singular lines meet there is a corner.
+ * The following simplices are singular, together: the vertex, line and triangle cells that the
+ * array at index 0 flags; cells embedded in others, by EmbeddedCells; with PreserveInterfaces the
+ * interfaces between materials; with DetectFeatures the edges with a large angle. A singular vertex
+ * does not move, singular lines become smooth curves (creases), and singular triangles become
+ * smooth surfaces inside the solid. Where more than two singular lines meet there is a corner.
  *
  * @par Cell arrays read, by SetInputArrayToProcess
  * A name that is empty or "None" means unset; a named array that is missing, or has the wrong type,
@@ -46,9 +46,10 @@
  *    s is no whole number, in part; infinite = flagged. Unset: none.
  *
  * @par Ghosts
- * Hidden cells take no part and are not in the output. Cell ghost types go to the children, point
- * ghost types are rebuilt from the cells'. Results at the borders of partitions are not yet the
- * same as without partitions; a warning says so where there are duplicate cells.
+ * Hidden cells have no effect and are not in the output. Children take the ghost type of their
+ * cell; the ghost types of points are derived from those of cells. Results at the borders of
+ * partitions are not yet the same as without partitions; a warning says so where there are
+ * duplicate cells.
  */
 #ifndef vtkSubdivisionAlgorithm_h
 #define vtkSubdivisionAlgorithm_h
@@ -254,11 +255,13 @@ protected:
     RULE_ARRAY,
     SHARPNESS_ARRAY
   };
-  /// The options and arrays above; false, after an error message, if an array cannot be used.
+  /// Reads the options and arrays above. Returns false, after an error message, if an array cannot
+  /// be used.
   bool ReadFeatureOptions(vtkPointSet* input, subdivision::FeatureOptions& options);
-  /// The head and tail of RequestData: fills in the shared options and the messages of `options`,
-  /// calls `run`, which says whether it finished, and empties the output of a run that did not.
-  /// `ghosts`: what duplicate cells mean for the result; `memory`: what was too large.
+  /// Does what RequestData has in common in all filters: sets the shared options, and the functions
+  /// of `options` for messages and progress; calls `run`, which returns whether it finished;
+  /// empties the output if it did not. `ghosts`: what duplicate cells mean for the result;
+  /// `memory`: what there is not enough memory for, and what helps.
   int Run(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     subdivision::RunOptions& options, const char* ghosts, const std::string& memory,
     const std::function<bool(vtkPointSet*, vtkUnstructuredGrid*)>& run);

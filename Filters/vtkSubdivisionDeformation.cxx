@@ -110,7 +110,7 @@ int vtkSubdivisionDeformation::RequestDataObject(
   return 1;
 }
 
-/// The times of all inputs: VTK by itself takes over those of the first.
+/// Offers the times of all three inputs. Without this VTK would offer those of the first only.
 int vtkSubdivisionDeformation::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -209,11 +209,11 @@ int vtkSubdivisionDeformation::RequestData(
     this->Work->Clear();
     options.Fail(
       "There is not enough memory for NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
-      " and the points of the input. Use fewer levels, or deform it in parts.");
+      " and the points of the input. Use fewer levels, or a part of the input.");
   }
   if (!done)
   {
-    output->ShallowCopy(input); // nothing is lost
+    output->ShallowCopy(input); // the object as it was
   }
   return 1;
 }

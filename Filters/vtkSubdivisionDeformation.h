@@ -19,8 +19,8 @@
  *  - port 0, what is deformed: any vtkPointSet (the output has its type), or a composite of these,
  *    each of which is deformed by itself.
  *  - port 1, the control mesh at rest: vtkUnstructuredGrid or vtkPolyData, with the cells, arrays
- *    and options of features that vtkSubdivisionAlgorithm tells; the cell arrays are those of this
- *    mesh.
+ *    and options of features that vtkSubdivisionAlgorithm describes; the cell arrays are those of
+ *    this mesh.
  *  - port 2, the control mesh deformed: the same points and cells in the same order.
  * Any of the three may change with time. Every process reads the whole of both control meshes.
  *
@@ -34,16 +34,16 @@
  * All arrays of port 0 are in the output, and so are its cells. With TransformVectors the active
  * vectors and tangents, of points and of cells, are multiplied by the Jacobian matrix of the map of
  * the tetrahedron that holds the point, active normals by its inverse transpose and made as long as
- * 1; if they are of a floating type. A cell takes the mean of the matrices of its points. Points
- * outside have the matrix 1, those bound to a tetrahedron by OUTSIDE_NEAREST that of it. All other
- * arrays pass unchanged.
+ * 1, if they are of a floating type. A cell takes the mean of the matrices of its points. A point
+ * outside has the identity matrix or, if OUTSIDE_NEAREST binds it to a tetrahedron, that of the
+ * tetrahedron. All other arrays pass unchanged.
  *
  * @par What is kept
  * The operators of all levels, the subdivided mesh at rest and a search tree, for a rest mesh of
- * equal content; and for each input of the last update its rows of at most 4 entries, or composed
- * rows over the control points where these are fewer bytes to read. An input is known again by the
- * content of its points (512 bits of checksum for each half megabyte). When only the deformed mesh
- * changes, the work is one product with each operator and one with the rows.
+ * equal content; and for each input of the last update its rows of at most 4 entries, and composed
+ * rows over the control points where these are fewer bytes to read. The filter recognises an input
+ * by the content of its points (512 bits of checksum for each half megabyte). When only the
+ * deformed mesh changes, the work is one product with each operator and one with the rows.
  *
  * @par Complexity
  * The first execution: linear in the size of the subdivided mesh, O(p log n) for p points in n
@@ -55,13 +55,14 @@
  * points and cells of port 0 are deformed like all others.
  *
  * @par Errors
- * An error, with the input as output, where rest and deformed mesh differ in points or cells, where
- * a deformed control point is not finite, where OutsidePoints is OUTSIDE_ERROR and there are any,
- * or where the rest mesh cannot be subdivided within MaximumNumberOfCells or the memory. A warning
- * where the rest mesh has no cells (the output is the input), has inverted or flat solid cells,
- * where the deformed mesh turns cells inside out, and, when they are found, of points outside.
+ * The filter gives an error, with the input as output, if rest and deformed mesh differ in points
+ * or cells, if a deformed control point is not finite, if there are points outside and
+ * OutsidePoints is OUTSIDE_ERROR, or if the rest mesh cannot be subdivided within
+ * MaximumNumberOfCells or the memory. It warns if the rest mesh has no cells (the output is the
+ * input), or inverted or flat solid cells, if the deformed mesh turns cells inside out, and of
+ * points outside when they are looked up for the first time.
  *
- * InterpolateIntegers and GenerateOriginalIds mean nothing here.
+ * InterpolateIntegers and GenerateOriginalIds have no effect here.
  *
  * @sa
  * vtkMultiDimensionalSubdivision vtkSubdivisionModelSource
@@ -140,8 +141,9 @@ public:
   /**
    * What becomes of points outside the subdivided rest mesh: OUTSIDE_LEAVE (0, the default; they
    * stay where they are), OUTSIDE_NEAREST (1; they move as their nearest point of the mesh does, a
-   * surface or curve counts too) or OUTSIDE_ERROR (2; an error, and the output is the input). Their
-   * number is always said. Points with coordinates that are not finite are outside, and never move.
+   * surface or curve counts too) or OUTSIDE_ERROR (2; an error, and the output is the input).
+   * GetNumberOfOutsidePoints tells their number. Points with coordinates that are not finite are
+   * outside, and never move.
    */
   vtkSetClampMacro(OutsidePoints, int, OUTSIDE_LEAVE, OUTSIDE_ERROR);
   vtkGetMacro(OutsidePoints, int);
@@ -194,7 +196,7 @@ protected:
   bool TransformVectors = true;
 
 private:
-  /// Updates are nested for composite inputs: blocks start and end inside the whole.
+  /// Counts nested updates: a composite input starts one update, each of its blocks another in it.
   void OnStart();
   void OnEnd();
 

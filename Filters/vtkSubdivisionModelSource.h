@@ -67,7 +67,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The models, see the table in the description of the class.
+   * The models. The description of the class has a list of them.
    */
   enum ModelType
   {

@@ -108,8 +108,8 @@ bool vtkSurfaceSubdivision::Execute(
   {
     if (this->Adaptive)
     {
-      options.Warn("Adaptive is for the scheme SqrtThree only: this one is applied everywhere, "
-                   "NumberOfLevels times. For adaptive Loop subdivision use "
+      options.Warn("Adaptive is for the scheme SqrtThree only: the filter applies this scheme "
+                   "everywhere, NumberOfLevels times. For adaptive Loop subdivision use "
                    "vtkRedGreenRefinement with its Placement Limit.");
     }
     return subdivision::SubdivideSurface(input, options, output);
@@ -134,7 +134,7 @@ int vtkSurfaceSubdivision::RequestData(
   }
   if (!input->GetPoints())
   {
-    return 1; // nothing at all: so is the output
+    return 1; // without points the output is empty
   }
   subdivision::SurfaceOptions options;
   this->ReadOptions(options);

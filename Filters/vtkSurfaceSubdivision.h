@@ -11,43 +11,44 @@
  * D. Zorin, "Subdivision on Arbitrary Meshes: Algorithms and Theory", sections 3 and 4, and for
  * sqrt(3) L. Kobbelt, "sqrt(3)-Subdivision". Next to a boundary, crease or corner the rules depend
  * on the number of faces in the sector and, at corners, on its angle; at concave corners the points
- * around are also flattened, so that the surface does not fold (section 3.2). With ModifiedBoundary
- * off these are the plain rules, the same everywhere. vtkMultiDimensionalSubdivision always has
- * those: the two filters agree for Loop on closed surfaces without creases and, also where parts
- * meet, with ModifiedBoundary off. They differ where creases touch the boundary of a single part,
- * which counts as a crease here; in flagged polygons that touch boundaries or other parts; in equal
- * faces; and in the last level of a sharpness that is no whole number.
+ * around are also flattened, so that the surface does not fold (section 3.2). ModifiedBoundary off
+ * gives the plain rules, which vtkMultiDimensionalSubdivision always has. For Loop the two filters
+ * agree on closed surfaces without creases and, with ModifiedBoundary off, on all others, also
+ * where parts meet, but for four things: here a boundary counts like a crease where creases meet
+ * it; flagged polygons at boundaries and joints do not replace these; equal faces count as two; and
+ * the last level of a sharpness that is no whole number has other weights.
  *
  * @par Modified Butterfly
- * Section 4 of the survey: it interpolates, so points stay and are on the limit. Edges between
- * vertices of six faces have the eight-point rule; at other vertices inside, and next to curves,
- * the rules are those of the survey's table (two extraordinary ends: their mean), on boundaries and
- * creases, which are boundaries on both sides, and on lines that of four points; where a curve ends
- * it goes on straight ahead. Corners have a rule of the same kind, which halves functions that are
- * linear in the sector: they need no flatness and have it only if it is given. Vertices where a
- * crease ends count as extraordinary. ModifiedBoundary changes nothing. The new weights are exact
- * for cubic functions inside regular meshes, for quadratic ones at regular curves, and for linear
- * ones between two regular curves. On closed surfaces the points are those of
- * vtkButterflySubdivisionFilter for vertices of three and more faces.
+ * Section 4 of the survey. Points stay, because the scheme interpolates, and are on the limit. New
+ * points have the eight-point rule on edges between vertices of six faces, and the rules of the
+ * survey's table at other vertices inside and next to curves (the mean of two if both ends are
+ * extraordinary). On boundaries, creases and lines they have the four-point rule, which continues a
+ * curve straight beyond its end; a crease is a boundary for both its sides. Corners have a rule of
+ * the same kind, which halves functions that are linear in the sector: they need no flatness and
+ * have it only if it is given. Vertices where a crease ends count as extraordinary.
+ * ModifiedBoundary changes nothing. The new weights are exact for cubic functions inside regular
+ * meshes, for quadratic ones at regular curves, and for linear ones between two regular curves. On
+ * closed surfaces the points are those of vtkButterflySubdivisionFilter for vertices of three and
+ * more faces.
  *
  * @par Input and output
  * Polygons of any size, and strips, which become triangles in their place. Loop, ModifiedButterfly
- * and SqrtThree split other polygons into triangles first (a warning says so). Line cells follow
- * the edges that they lie on; others are curves of their own, cubic B-splines; poly lines become
- * lines. Vertex cells stay. The output has vertices, lines and polygons, in this order, the
- * children of a cell one after another and oriented like it (dual schemes: see below). Points: the
- * input's with their ids, unused ones too, then the new ones level by level. Point arrays, cell
- * arrays and field data are treated as by vtkMultiDimensionalSubdivision. Cells that cannot be used
- * are passed over with a warning.
+ * and SqrtThree split other polygons into triangles first (a warning says so). A line cell that
+ * lies on an edge follows it; others are curves of their own, cubic B-splines. Poly lines become
+ * lines, vertex cells stay. The output has vertices, lines and polygons, in this order, the
+ * children of a cell one after another and oriented like it (dual schemes: see below). Points:
+ * those of the input with their ids, unused ones too, then the new ones level by level. Arrays and
+ * field data are treated as by vtkMultiDimensionalSubdivision. Cells that cannot be used are left
+ * out with a warning.
  *
- * @par Cell data of cells that lie in several
+ * @par Cell data of cells that lie in several input cells
  * Odd steps of SqrtThree and FourEight and all steps of the dual schemes make cells that lie in
- * several of those before. Each belongs to the input cell, or to the edge or vertex between input
- * cells, in which its centre lies in the parameters, and shows the data of the input cell with the
- * smallest id there. Nothing inherits that choice, so that regions keep their areas but for one row
- * of cells. Filters in a row give what one filter gives: where some input cells have no cell of
- * their own, their data go on in field data, `SubdivisionCarried:LEVEL:NAME`, for as long as the
- * cells show no other data.
+ * several cells of the level before. Each belongs to the input cell, or to the edge or vertex
+ * between input cells, in which its centre lies in the parameters, and shows the data of the input
+ * cell with the smallest id there. Children do not inherit this choice, so that regions keep their
+ * areas but for one row of cells. Where an input cell has no cell of its own, the field array
+ * `SubdivisionCarried:LEVEL:NAME` has its data for the next filter, as long as cells show no
+ * others.
  *
  * @par Dual schemes
  * DooSabin makes a face inside each face, one along each edge and one around each vertex. Midedge
@@ -61,8 +62,8 @@
  * its two edges become one. Lines and vertex cells get points of their own, also where they lie on
  * the surface: lines are cubic B-splines whose ends and joints stay, as do vertex cells and points
  * that no cell uses. The limit surface goes through the mean of the corners of each face of any
- * level: ProjectToLimit, GenerateLimitNormals and GenerateTangents, which are of points, do nothing
- * and say so. DooSabin takes time quadratic in the number of corners of a face.
+ * level: ProjectToLimit, GenerateLimitNormals and GenerateTangents, which are of points, have no
+ * effect, and a warning says so. DooSabin takes time quadratic in the number of corners of a face.
  *
  * @par Creases and corners
  * Sharp are boundaries, edges of line cells that the array at index 0 flags, edges around flagged
@@ -70,7 +71,7 @@
  * that do not have two faces. A vertex with two sharp edges lies on a curve; with three or more, or
  * if it is a flagged vertex cell, it is a corner. A smooth boundary vertex with one face is a
  * corner too for CatmullClark, ModifiedButterfly and FourEight. The dual schemes, DooSabin and
- * Midedge, have no creases and corners: they warn of flags, sharpness and DetectFeatures. Corners
+ * Midedge, have no creases and corners: with a warning they ignore what asks for them. Corners
  * are convex or concave by the sum of the face angles in each sector, measured on the input and
  * kept in [22.5, 157.5] and [202.5, 337.5] degrees.
  *
@@ -87,11 +88,11 @@
  * and such vertices as corners. Surfaces need not be orientable. Equal faces count as two.
  *
  * @par Adaptive refinement
- * With Adaptive and SqrtThree, triangles are split only where a criterion wants it (Kobbelt,
- * section 4): the criteria, their names and defaults are those of vtkRedGreenRefinement, or-ed;
- * switch RefineByAttributeError off, which is on by default, if only the shape is to count. A split
- * puts a point at a triangle's centre; an edge between two triangles of the same generation that
- * are both split is flipped. Every triangle is one of the uniform mesh of its generation, or a
+ * With Adaptive and SqrtThree, triangles are split only where a criterion asks for it (Kobbelt,
+ * section 4). The criteria, their names and defaults are those of vtkRedGreenRefinement; one is
+ * enough. Switch RefineByAttributeError off, which is on by default, if only the shape is to count.
+ * A split puts a point at a triangle's centre; an edge between two triangles of the same generation
+ * that are both split is flipped. Every triangle is one of the uniform mesh of its generation, or a
  * third of one, so that shapes do not get worse with the number of rounds, and there is never a
  * hanging node. Before a triangle is split its neighbours are brought to its generation;
  * boundaries, creases and lines are cut into thirds in every second step, on all their sides at
@@ -101,13 +102,12 @@
  * three places of each of its edges, of a boundary edge or line that of these, each made larger by
  * a third for what lies between; GeometricTolerance allows it. This is an estimate and no bound;
  * in 580 runs on 160 rough random meshes mesh and limit were nowhere farther from each other than
- * 0.98 times GeometricTolerance. The criteria look at limits
- * (vtkRedGreenRefinement: at the control mesh, for edge lengths and jumps). A triangle that is
- * wanted by a criterion of cells is split with those across its edges. The output is a mesh of its
- * own for the next filter; a triangulation and limits of the same kind for Loop subdivision come
- * from vtkRedGreenRefinement with Placement LIMIT. NumberOfLevels and CacheOperator are not used.
- * Rounds cost in proportion to what they split, and about 280 bytes are needed for each triangle of
- * the output.
+ * 0.98 times GeometricTolerance. All criteria look at limits (in vtkRedGreenRefinement edge lengths
+ * and jumps are those of the mesh before the limit). Where a criterion of cells asks for a
+ * triangle, those across its edges are split too. The next filter takes the output for a mesh like
+ * any other. For Loop subdivision vtkRedGreenRefinement with Placement LIMIT does the same.
+ * NumberOfLevels and CacheOperator are not used. Rounds cost in proportion to what they split, and
+ * about 280 bytes are needed for each triangle of the output.
  *
  * @par Arrays read, by SetInputArrayToProcess
  * Names and errors are as in vtkSubdivisionAlgorithm; 7 to 9 are read with Adaptive only.
@@ -129,17 +129,17 @@
  * @par Arrays written
  * On request, with and without Adaptive: `LimitNormals`, `LimitTangent1`, `LimitTangent2` (points,
  * 3 components), `vtkOriginalPointIds`, and `vtkOriginalCellIds`. With Adaptive always
- * `vtkOriginalCellIds`, and the cell array `Generation` (unsigned char: two for each step that a
- * cell has behind it; odd: one of the three parts of a triangle the edge of which is still there).
+ * `vtkOriginalCellIds`, and the cell array `Generation` (unsigned char: twice the number of steps
+ * that made a cell, plus 1 if it is a third of a split triangle whose old edge is still there).
  * Without Adaptive field arrays `SubdivisionSurface...`, by which this filter recognises its own
  * output.
  *
  * @par Filters in a row
- * Three filters of one level and the same options are one filter of three levels, bit for bit, for
- * Loop, CatmullClark and all schemes after them; Midedge, FourEight and SqrtThree go on with the
- * right parity, the last two with the flags of the first input. A flatness array is read anew only
- * if there is no earlier output. After ProjectToLimit, with global ids, or if cells were changed in
- * between, the mesh is a new one.
+ * Three filters of one level and the same options give what one filter of three levels gives, bit
+ * for bit, for every scheme; Midedge, FourEight and SqrtThree continue with the right parity, the
+ * last two with the flags of the first input. Angles and flatness of corners are those of the first
+ * input. After ProjectToLimit, or if cells were changed in between, the next filter takes the mesh
+ * for a new one. Only the first filter knows global ids.
  *
  * @par Complexity
  * Time and memory are linear in the size of the output; incidences are searched on the input only.
@@ -147,7 +147,7 @@
  *
  * @par Threads and ghosts
  * Threaded by vtkSMPTools; the output is the same, bit for bit, for any number of threads. Hidden
- * cells take no part; ghost cells are subdivided like others.
+ * cells are left out; ghost cells are subdivided like others.
  *
  * @par Other libraries
  * On closed meshes the points are those of VTK (Butterfly), OpenMesh (Butterfly, Catmull-Clark,
@@ -358,8 +358,8 @@ public:
   ///@{
   /**
    * The angle that RefineByCurvature allows: that of the circle's arc which is as far from its
-   * chord as the limit from the edge. Whatever the size of the mesh. In degrees, 0 to 360. Default
-   * 10.
+   * chord as the limit from the edge. It does not depend on the size of the mesh. In degrees, 0 to
+   * 360. Default 10.
    */
   vtkSetClampMacro(MaximumAngle, double, 0., 360.);
   vtkGetMacro(MaximumAngle, double);
@@ -402,9 +402,9 @@ public:
    * Whether to output unit normals of the limit surface at the points (`LimitNormals`, the active
    * normals of the output) or two tangents (`LimitTangent1`, `LimitTangent2`, not normalised; their
    * cross product has the direction of the normal). On a crease or at a corner they are those of
-   * one sector, the first tangent along the curve. Where faces are turned over against each other
-   * they have the side of the first face of their part, all that can be reached over edges of two
-   * faces; on a part with one side only, like a Moebius band, that of a face at the point, which
+   * one sector, the first tangent along the curve. Where orientations of faces differ they have
+   * the side of the first face of their part (all faces that can be reached over edges of two
+   * faces); on a part with one side only, like a Moebius band, that of a face at the point, which
    * with SqrtThree may be another one on another level. On a crease that is still sharp for more
    * than 26 levels they are as if it were for 26.
    *
@@ -435,11 +435,11 @@ public:
   ///@{
   /**
    * Whether points of equal coordinates are one point for the surface, if there are texture
-   * coordinates (the active ones of the point data). vtkPolyData has seams of textures as points
-   * that are there several times. The points then follow the joined surface, which stays smooth and
-   * closed across seams; texture coordinates, and all other arrays, treat a seam as a boundary,
-   * which is sharp. On by default; for LOOP, MODIFIED_BUTTERFLY and CATMULL_CLARK. Filters in a row
-   * are then filters of their own.
+   * coordinates (the active ones of the point data). At seams of a texture a vtkPolyData has points
+   * several times, once for each side. The points then follow the joined surface, which stays
+   * smooth and closed across seams; texture coordinates, and all other arrays, treat a seam as a
+   * boundary, which is sharp. On by default; for LOOP, MODIFIED_BUTTERFLY and CATMULL_CLARK.
+   * Filters in a row are then filters of their own.
    */
   vtkSetMacro(JoinSeams, bool);
   vtkGetMacro(JoinSeams, bool);
@@ -617,7 +617,7 @@ private:
   bool ReadArrays(vtkPolyData* input, subdivision::SurfaceOptions& options);
   void ReadOptions(subdivision::SurfaceOptions& options);
   bool Execute(vtkPolyData* input, const subdivision::SurfaceOptions& options, vtkPolyData* output);
-  /// Updates are nested for composite inputs: blocks start and end inside the whole.
+  /// Counts nested updates: a composite input starts one update, each of its blocks another in it.
   void OnStart() { ++this->UpdateDepth; }
   void OnEnd();
 

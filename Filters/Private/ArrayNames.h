@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ArrayNames.h
- * The names of all arrays that more than one file reads or writes.
+ * Names of arrays that several folders read or write.
  */
 #ifndef SubdivisionObjects_ArrayNames_h
 #define SubdivisionObjects_ArrayNames_h
@@ -13,7 +13,8 @@ constexpr const char* OriginalPointIdsName = "vtkOriginalPointIds";
 constexpr const char* OriginalCellIdsName = "vtkOriginalCellIds";
 constexpr const char* SingularName = "Singular";
 constexpr const char* LimitNormalsName = "LimitNormals";
-/// In field data; the names of all that this project writes there begin so.
+/// The field array of the stamp. The names of the other field arrays that belong to a stamp of
+/// Stamp.h or SurfaceStamp.h begin with it.
 constexpr const char* StampName = "Subdivision";
 
 }

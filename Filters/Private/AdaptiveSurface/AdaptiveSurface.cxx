@@ -158,7 +158,7 @@ std::vector<vtkIdType> AdaptiveRun<Id>::FindSegmentCells() const
   return cells;
 }
 
-/// False: stopped from outside.
+/// Returns false if Progress asks to stop.
 template <typename Id>
 bool AdaptiveRun<Id>::RunRounds(double mostCells, bool memoryIsLimit)
 {
@@ -193,8 +193,8 @@ bool AdaptiveRun<Id>::RunRounds(double mostCells, bool memoryIsLimit)
   if (left > 0)
   {
     std::string what = std::to_string(left) +
-      " places that the criteria ask for were not refined, the worst ones last: the output would "
-      "have more than " +
+      " places that the criteria ask for were not refined. The filter leaves out those with the "
+      "smallest errors first, the worst ones last: the output would have more than " +
       std::to_string(most) + " cells, ";
     what += memoryIsLimit ? "for which there is not enough memory. Use weaker criteria, a lower "
                             "MaximumLevel, or a part of the input."
@@ -215,11 +215,12 @@ void AdaptiveRun<Id>::TellNotes(AdaptiveNotes& notes) const
   if (!edges.empty())
   {
     vtkDataArray* array = this->Wanted.Attribute;
-    this->Options.Warn(std::to_string(edges.size()) + " edges have a value of the point array \"" +
+    this->Options.Warn(std::to_string(edges.size()) +
+      " edges are at or next to a value of the point array \"" +
       (array->GetName() ? array->GetName() : "") +
-      "\" that is not finite at the limit of an end, the first is " +
-      std::to_string(edges[0].first) + " " + std::to_string(edges[0].second) +
-      ": they were not refined by RefineByAttributeError.");
+      "\" that is not finite on the limit, the first joins points " +
+      std::to_string(edges[0].first) + " and " + std::to_string(edges[0].second) +
+      ": RefineByAttributeError does not refine them.");
   }
   if (notes.TooShort > 0)
   {
@@ -363,13 +364,14 @@ bool RefineSurface(vtkPolyData* input, const SurfaceOptions& options,
   if (given > most && memoryIsLimit)
   {
     options.Fail("There is not enough memory for the " +
-      std::to_string(static_cast<vtkIdType>(given)) + " cells of the input. Use a part of it.");
+      std::to_string(static_cast<vtkIdType>(given)) +
+      " cells of the input. Use a part of the input.");
     return false;
   }
   if (given > most)
   {
     options.Warn("The input has more than MaximumNumberOfCells cells: nothing is refined. Raise "
-                 "it.");
+                 "MaximumNumberOfCells.");
   }
   const double points = static_cast<double>(cells.NumberOfPoints);
   const bool isLarge =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AdaptiveSurface.h
- * From input to output in rounds of local splits: what vtkSurfaceSubdivision does with Adaptive.
+ * Does the work of vtkSurfaceSubdivision with Adaptive: refines an input in rounds of local splits.
  */
 #ifndef SubdivisionObjects_AdaptiveSurface_h
 #define SubdivisionObjects_AdaptiveSurface_h
@@ -14,7 +14,8 @@ namespace subdivision
 
 constexpr const char* GenerationName = "Generation";
 
-/// False: stopped by an error (told to Fail) or by Progress. The output is then to be emptied.
+/// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then
+/// empties the output.
 bool RefineSurface(vtkPolyData* input, const SurfaceOptions& options,
   const RefinementOptions& criteria, vtkPolyData* output);
 

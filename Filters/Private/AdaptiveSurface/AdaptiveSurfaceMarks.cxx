@@ -10,7 +10,8 @@
 namespace subdivision
 {
 
-/// Faces, or segments, as the criteria of cells see them.
+/// The new faces, or the new segments without faces, in the form in which RefinementCriteria reads
+/// cells.
 template <typename Id>
 class AdaptiveSurfaceMarks<Id>::Candidates
 {
@@ -50,7 +51,7 @@ public:
     return this->IsFaces ? this->Marks.Mesh.GetLevel(this->Get(i))
                          : this->Marks.Mesh.GetSegmentAt(this->Get(i)).Level;
   }
-  /// Levels that a split goes down.
+  /// The number of levels between a face or segment and the parts that a split makes of it.
   int GetStep() const { return this->IsFaces ? 1 : 2; }
 
 private:
@@ -110,7 +111,7 @@ void AdaptiveSurfaceMarks<Id>::FindCarriers()
   }
 }
 
-/// Takes in everything that came into being since the last time.
+/// Adds the faces, vertices and segments that are new since the last call.
 template <typename Id>
 void AdaptiveSurfaceMarks<Id>::Update()
 {
@@ -171,13 +172,13 @@ void AdaptiveSurfaceMarks<Id>::Update()
 namespace
 {
 
-/// Edges are looked at in three places, faces in their centres only: how much larger an error may
-/// be beside them, over what RefinementCriteria adds for many places. It is measured, nothing
-/// bounds it: with 1.1 a few of 200 random meshes have errors that are too large, with this none
-/// has.
+/// The factor by which an error may be larger beside the places where it is measured: three on an
+/// edge, but only the centre of a face. It multiplies the factor of RefinementCriteria. It comes
+/// from experiments and is no bound: with 1.1 a few of 200 random meshes have errors that are too
+/// large, with this value none has.
 constexpr double FewPlaces = 1.2;
 
-/// Whether a place is not over a triangle, but beyond one of its edges.
+/// Whether the foot of the perpendicular from a place lies beyond an edge of a triangle.
 bool IsBeyond(const double* const x[3], int edge, const double* place)
 {
   double sides[3][3];
@@ -194,7 +195,7 @@ bool IsBeyond(const double* const x[3], int edge, const double* place)
 
 }
 
-/// How far a face is from a place at the limit.
+/// The geometric error of a face at a place on the limit.
 template <typename Id>
 double AdaptiveSurfaceMarks<Id>::GetErrorAt(Id face, const double* place) const
 {
@@ -204,7 +205,7 @@ double AdaptiveSurfaceMarks<Id>::GetErrorAt(Id face, const double* place) const
   return FewPlaces * this->Criteria.GetGeometricError(corners, 3, place);
 }
 
-/// The error of the shape over an edge between two faces.
+/// The geometric error over an edge between two faces.
 template <typename Id>
 double AdaptiveSurfaceMarks<Id>::GetShapeError(Id corner, Scratch& scratch) const
 {
@@ -227,7 +228,8 @@ double AdaptiveSurfaceMarks<Id>::GetShapeError(Id corner, Scratch& scratch) cons
   return FewPlaces * error;
 }
 
-/// The largest difference of values over a chord from those on it.
+/// The attribute error of an edge: the largest difference between values on the limit and the
+/// linear interpolation between its ends.
 template <typename Id>
 double AdaptiveSurfaceMarks<Id>::GetAttributeError(
   const double* const ends[2], int size, const double* places, bool& hasNoValue) const
@@ -329,9 +331,10 @@ typename AdaptiveSurfaceMarks<Id>::Verdict AdaptiveSurfaceMarks<Id>::JudgeFace(
   return verdict;
 }
 
-/// The centre of a face; and the thirds of the face that stay where the faces across its edges are
-/// not split. Over them the limit is taken for quadratic: heights over the middles of the edges say
-/// all.
+/// Measures a face at its centre. If the error is too large the face is to be split, and a third of
+/// it remains as a triangle at each edge whose other face is not split. So this also finds the
+/// edges whose third would have too large an error. Over the thirds the limit is taken as
+/// quadratic: its heights over the middles of the three edges determine it.
 template <typename Id>
 void AdaptiveSurfaceMarks<Id>::JudgeInside(Id face, Scratch& scratch, Verdict& verdict) const
 {
@@ -345,7 +348,8 @@ void AdaptiveSurfaceMarks<Id>::JudgeInside(Id face, Scratch& scratch, Verdict& v
     return;
   }
   double heights[3];
-  // The height of the centre is 4/9 of their sum, which tells that of an edge without other face.
+  // The height of the centre is 4/9 of the sum of these heights, which gives the height over an
+  // edge whose other face is not there.
   double rest = 9. / 4. * RefinementCriteria::GetHeight(x, points.GetCentre(face));
   int unknown = 0;
   for (int i = 0; i < 3; ++i)
@@ -374,7 +378,8 @@ void AdaptiveSurfaceMarks<Id>::JudgeInside(Id face, Scratch& scratch, Verdict& v
     const double largest = std::max({ std::abs(own), std::abs(fromBegin), std::abs(fromEnd),
       4. / 9. * std::abs(own + fromBegin + fromEnd) });
     const double error = FewPlaces * this->Criteria.GetGeometricError(largest, length);
-    // A third whose centre is beyond its edge would lie over the face across this.
+    // If the centre of the face is beyond edge i, the third there would overlap the face across
+    // this edge.
     const bool isTooFar = error > 1. || IsBeyond(x, i, points.GetCentre(face));
     verdict.Edges |= static_cast<unsigned char>(isTooFar ? 1 << i : 0);
   }
@@ -426,7 +431,7 @@ std::vector<AdaptiveMark<Id>> AdaptiveSurfaceMarks<Id>::Find(AdaptiveNotes& note
             candidates, i, candidates.GetPoints(i), values.empty() ? nullptr : values.data() + i);
           if (error > 1.)
           {
-            verdicts[i].Edges = 7; // no part of it is to stay
+            verdicts[i].Edges = 7; // no third of it is to remain
           }
           verdicts[i].Error = std::max(verdicts[i].Error, error);
         }
@@ -441,7 +446,8 @@ std::vector<AdaptiveMark<Id>> AdaptiveSurfaceMarks<Id>::Find(AdaptiveNotes& note
       if (candidates.GetLevel(i) + candidates.GetStep() <= this->Options.MaximumLevel &&
         verdict.Error > 1.)
       {
-        // Limits of control vertices may coincide, and the surface goes on beside them.
+        // On level 0 this is no reason: limits of control vertices may be close together where the
+        // surface between them is large.
         if (verdict.IsTooShort && candidates.GetLevel(i) > 0)
         {
           ++notes.TooShort;
@@ -457,7 +463,8 @@ std::vector<AdaptiveMark<Id>> AdaptiveSurfaceMarks<Id>::Find(AdaptiveNotes& note
   return marks;
 }
 
-/// No face tells of the error of a segment that is an edge of a part of a face only.
+/// Marks the faces that are missing at segments whose error is too large. No new face has such a
+/// segment as an edge, so that none of the marks above comes from it.
 template <typename Id>
 void AdaptiveSurfaceMarks<Id>::AddMarksOfOpen(
   Scratch& scratch, std::vector<AdaptiveMark<Id>>& marks) const
@@ -477,7 +484,8 @@ void AdaptiveSurfaceMarks<Id>::AddMarksOfOpen(
   }
 }
 
-/// A face is split with those across edges whose error is too large: only then these are no more.
+/// Marks a face or segment, and the faces across those edges of a face whose error is too large: an
+/// edge is replaced only when both of its faces are split.
 template <typename Id>
 void AdaptiveSurfaceMarks<Id>::AddMarks(
   Id at, bool isFace, const Verdict& verdict, std::vector<AdaptiveMark<Id>>& marks) const
@@ -493,7 +501,8 @@ void AdaptiveSurfaceMarks<Id>::AddMarks(
   }
 }
 
-/// Notes the edges of an input cell whose values are not finite.
+/// Notes the edges of an input cell with a value that is not finite. For errors at the limit these
+/// are all its edges, because the value may belong to a point near the cell.
 template <typename Id>
 void AdaptiveSurfaceMarks<Id>::AddWithoutValue(const Row<Id>& points, AdaptiveNotes& notes) const
 {

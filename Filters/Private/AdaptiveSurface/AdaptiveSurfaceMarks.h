@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AdaptiveSurfaceMarks.h
- * What criteria want of an adaptive sqrt(3) mesh: the faces that are to be split. All edges lie on
- * the limit; how far they are from it between their ends follows from points of later levels.
+ * Finds the faces of an adaptive sqrt(3) mesh that the criteria ask to split. All vertices lie on
+ * the limit. How far an edge is from it between its ends follows from points of later levels.
  */
 #ifndef SubdivisionObjects_AdaptiveSurfaceMarks_h
 #define SubdivisionObjects_AdaptiveSurfaceMarks_h
@@ -23,7 +23,7 @@ struct AdaptiveMark
   Id Face;      ///< -1 - segment
 };
 
-/// What was found beside marks.
+/// What was found that the user is told.
 struct AdaptiveNotes
 {
   /// Edges of the input with a value that is not finite.
@@ -41,7 +41,7 @@ public:
     const RefinementOptions& options, RefinementCriteria& criteria,
     const std::vector<vtkIdType>& faceCells, const std::vector<vtkIdType>& segmentCells);
 
-  /// The marks on all that came into being since the last call.
+  /// The marks on faces and segments that are new since the last call.
   std::vector<AdaptiveMark<Id>> Find(AdaptiveNotes& notes);
 
 private:
@@ -85,11 +85,11 @@ private:
   std::vector<AdaptiveSurfaceValues<Id>> Arrays; ///< coordinates first
   int Attribute = -1;                            ///< which of them
   std::vector<Carrier<Id>> Carriers;             ///< of each face, on the control mesh
-  std::vector<Id> Faces;                         ///< those that are new
-  std::vector<Id> Segments;                      ///< the same of segments without faces,
-  std::vector<Id> Open;                          ///< and of those of which a face is not there yet
+  std::vector<Id> Faces;                         ///< new faces
+  std::vector<Id> Segments;                      ///< new segments without faces
+  std::vector<Id> Open;                          ///< new segments of which a face is not there yet
   vtkIdType KnownVertices = 0;
-  vtkIdType KnownFaces = 0; ///< of the list of new ones
+  vtkIdType KnownFaces = 0; ///< how many of GetNewFaces were read
   vtkIdType KnownSegments = 0;
 };
 

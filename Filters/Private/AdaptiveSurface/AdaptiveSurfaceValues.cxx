@@ -6,7 +6,8 @@
 namespace subdivision
 {
 
-/// The vertices' two values, which only need those of earlier levels; the array gets the limit.
+/// Computes the first value and the limit of each new vertex from vertices of earlier levels. The
+/// array gets the limit.
 template <typename Id>
 void AdaptiveSurfaceValues<Id>::AddVertices(const std::vector<Id>& vertices)
 {
@@ -62,7 +63,7 @@ void AdaptiveSurfaceValues<Id>::AddVertices(const std::vector<Id>& vertices)
   }
 }
 
-/// The limits of the points that new faces and segments would get.
+/// Computes the limits of the points that new faces and segments would get if they were split.
 template <typename Id>
 void AdaptiveSurfaceValues<Id>::AddCentres(const std::vector<Id>& faces, vtkIdType firstSegment)
 {
@@ -105,7 +106,7 @@ void AdaptiveSurfaceValues<Id>::AddCentres(const std::vector<Id>& faces, vtkIdTy
     this->Thirds.data(), [&](vtkIdType i) { return 2 * firstSegment + i; });
 }
 
-/// By the cubic curve through the ends and the thirds of an edge.
+/// The middle of an edge, on the cubic curve through its ends and its thirds.
 template <typename Id>
 void AdaptiveSurfaceValues<Id>::FindMiddleOfThirds(
   Id begin, Id end, const double* thirds, double* middle) const
@@ -118,7 +119,7 @@ void AdaptiveSurfaceValues<Id>::FindMiddleOfThirds(
   }
 }
 
-/// Adds where a vertex is on a level after it came into being.
+/// Adds the position of a vertex on a given level, times `weight`.
 template <typename Id>
 void AdaptiveSurfaceValues<Id>::AddPosition(Id vertex, int level, double weight, double* sum) const
 {
@@ -128,8 +129,8 @@ void AdaptiveSurfaceValues<Id>::AddPosition(Id vertex, int level, double weight,
   this->Add(values + this->Components, weight * (1. - part), sum);
 }
 
-/// What AppendLimitOnEdge comes to where all six faces around the edge are there, and none is at a
-/// curve: much faster. False elsewhere.
+/// The result of AppendLimitOnEdge, computed much faster, where all six faces around the edge are
+/// there and none is at a curve. Returns false elsewhere.
 template <typename Id>
 bool AdaptiveSurfaceValues<Id>::FindRegularThirds(Id corner, double* thirds) const
 {
@@ -222,7 +223,8 @@ bool AdaptiveSurfaceValues<Id>::FindMiddle(Id corner, double* middle) const
   {
     if (isCut[i])
     {
-      // Nothing is known beyond a curve.
+      // A face that is cut has no centre, and nothing lies beyond its curve: the point on the curve
+      // is used.
       this->Add(getThird(corners[i]), isCut[1 - i] ? 1. / 2. : 3. / 8., middle);
       continue;
     }

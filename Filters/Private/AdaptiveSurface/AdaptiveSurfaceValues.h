@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AdaptiveSurfaceValues.h
- * The values of an array at the limit of an adaptive sqrt(3) mesh, while it grows: at its points
- * and at those that its faces would get.
+ * Computes the limit values of an array while an adaptive sqrt(3) mesh grows: at its vertices, and
+ * at the points that its faces would get if they were split.
  */
 #ifndef SubdivisionObjects_AdaptiveSurfaceValues_h
 #define SubdivisionObjects_AdaptiveSurfaceValues_h
@@ -19,8 +19,8 @@ template <typename Id>
 class AdaptiveSurfaceValues
 {
 public:
-  /// `array` has control values, and will have limits. `ofLimit`: what points of the next level
-  /// would have is asked for.
+  /// `array` has the values of the control vertices and gets the limits of all vertices. `ofLimit`:
+  /// a criterion also needs limits at the points that faces would get.
   AdaptiveSurfaceValues(const AdaptiveSqrtThree<Id>& mesh, const AdaptiveSqrtThreeRows<Id>& rows,
     ContinuedArray& array, bool ofLimit)
     : Mesh(mesh)
@@ -34,7 +34,8 @@ public:
   int GetComponents() const { return this->Components; }
   bool IsOfLimit() const { return this->OfLimit; }
 
-  /// Takes in new vertices and faces, both level by level, and new segments.
+  /// Computes the values of new vertices and faces, both sorted by level, and of the segments from
+  /// `firstSegment` on.
   void Add(const std::vector<Id>& vertices, const std::vector<Id>& faces, vtkIdType firstSegment)
   {
     this->AddVertices(vertices);
@@ -57,13 +58,13 @@ public:
     return this->Thirds.data() +
       (2 * static_cast<vtkIdType>(segment) + (isSecond ? 1 : 0)) * this->Components;
   }
-  /// Where FindPlaces looks, between the ends of an edge.
+  /// The parameters on an edge at which FindPlaces gives limits.
   static constexpr double Places[3] = { 1. / 2., 1. / 3., 2. / 3. };
   /**
-   * The limits at Places, and how many of them are known: none where the other face of the edge is
-   * not there, the middle only where a face is cut. The thirds are points of later levels and
-   * exact, the middle follows from them and the ends (FindMiddleOfThirds). In all three no cubic
-   * curve is on its chord unless it is straight.
+   * Writes the limits at Places and returns how many of them are known: none where the other face
+   * of the edge is not there, only the middle where a face is cut, else three. The thirds are
+   * points of later levels and so exact; the middle follows from them and the ends
+   * (FindMiddleOfThirds). A cubic curve that meets its chord in all three places is straight.
    */
   int FindPlaces(Id corner, RowBlock<Id>& rows, double* places) const;
   int FindPlacesOfSegment(Id segment, double* places) const;
@@ -99,9 +100,9 @@ private:
   int Components;
   bool IsSmooth;
   bool OfLimit;
-  std::vector<double> Nodes; ///< as AdaptiveSqrtThreeRows numbers them
+  std::vector<double> Nodes; ///< first value and limit of each vertex
   std::vector<double> Centres;
-  std::vector<double> FirstCentres; ///< as they come into being
+  std::vector<double> FirstCentres; ///< their first values
   std::vector<double> Thirds;       ///< two for each segment
 };
 

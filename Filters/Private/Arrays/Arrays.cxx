@@ -78,7 +78,7 @@ bool HasTuples(vtkAbstractArray* array, vtkIdType wanted, const char* kind,
     warn(std::string("The ") + kind + " array \"" + (array->GetName() ? array->GetName() : "") +
       "\" has " + std::to_string(array->GetNumberOfTuples()) + " tuples for " +
       std::to_string(wanted) + " " + kind +
-      "s: it is not in the output. Give it one tuple for each.");
+      "s, so the filter leaves it out of the output. Give it one tuple for each.");
   }
   return false;
 }
@@ -167,8 +167,9 @@ std::vector<std::uint64_t> ComputeFingerprint(vtkDataArray* array)
     {
       for (vtkIdType b = first; b < end; ++b)
       {
-        // Every step can be undone: one word that differs always shows. Two words for each product,
-        // which would else take longer than to read them.
+        // Each step is invertible, so that arrays that differ in one word always have different
+        // fingerprints. One product serves two words, because a product for each word would take
+        // longer than reading them.
         std::uint64_t sums[lanes] = { 1, 2, 3, 4, 5, 6, 7, 8 };
         auto add = [&](vtkIdType lane, std::uint64_t one, std::uint64_t other)
         {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Arrays.h
- * Small helpers for VTK arrays: making them, and giving a copy the looks of its original.
+ * Helpers for VTK arrays: to make, copy and compare them.
  */
 #ifndef SubdivisionObjects_Arrays_h
 #define SubdivisionObjects_Arrays_h
@@ -26,18 +26,19 @@ vtkSmartPointer<vtkDataArray> MakeArray(int valueType, int components, vtkIdType
 /// Gives an empty array room for tuples, not initialised.
 void Allocate(vtkDataArray* array, int components, vtkIdType tuples);
 
-/// Name, component names and information keys.
+/// Copies the name, the component names and the information keys.
 void CopyLooks(vtkAbstractArray* from, vtkAbstractArray* to);
 
 /// Adds `array`, which stands for the array `source` of `from`, with the same active attribute.
 void AddLike(
   vtkDataSetAttributes* from, int source, vtkAbstractArray* array, vtkDataSetAttributes* to);
 
-/// Adds an array of the filter's own making in the place of one that `from` may have by its name.
+/// Adds an array that the filter made. If `from` has an array of this name, the new one takes its
+/// place as active attribute.
 void AddInstead(vtkDataSetAttributes* from, vtkAbstractArray* array, vtkDataSetAttributes* to);
 
-/// Whether an array has a tuple for each point or cell; if not it cannot be used, and `warn` hears
-/// so.
+/// Whether an array has a tuple for each point or cell. If not, it cannot be used, and `warn` gets
+/// a message.
 bool HasTuples(vtkAbstractArray* array, vtkIdType wanted, const char* kind,
   const std::function<void(const std::string&)>& warn);
 
@@ -47,7 +48,7 @@ bool HasIds(vtkDataSetAttributes* data, const char* name, vtkIdType tuples);
 /// The global ids of points or cells; empty unless there is one for each.
 std::vector<vtkIdType> ReadIdsOf(vtkDataSetAttributes* data, vtkIdType tuples);
 
-/// A number as an id; -1 where it is none.
+/// Converts a number to an id; -1 if it is NaN or so large that a double is not exact.
 vtkIdType ToId(double value);
 
 /// The array itself if it is contiguous, else a contiguous copy.
@@ -56,8 +57,8 @@ vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array);
 /// Whether two contiguous arrays have the same type and the same values, bit for bit.
 bool HoldsSameValues(vtkDataArray* a, vtkDataArray* b);
 
-/// Numbers that tell a contiguous array from others, by its values: 8 of 64 bits for every half
-/// megabyte, so that to compare them is to read the array once, and nothing but them.
+/// A fingerprint of the values of a contiguous array: 8 hashes of 64 bits for every half megabyte.
+/// Two fingerprints tell whether an array changed without a copy of the old array.
 std::vector<std::uint64_t> ComputeFingerprint(vtkDataArray* array);
 
 /// out[i] = in[sources[i]], whatever the arrays hold.

@@ -84,8 +84,8 @@ vtkSmartPointer<vtkDataArray> MakeIds(vtkIdType size)
   return ids;
 }
 
-/// All arrays of the input's cells by way of `spread`, which gives an array's values to the output;
-/// `makeIds` gives the input cell of each of its cells.
+/// Copies all cell arrays of the input. `spread` makes an array of the output from one of the
+/// input; `makeIds` makes the array of the input cell that each output cell comes from.
 template <typename SpreadTo, typename Ids>
 void CopyArrays(vtkPointSet* input, const CellArrayOptions& options, const SpreadTo& spread,
   const Ids& makeIds, vtkUnstructuredGrid* output)

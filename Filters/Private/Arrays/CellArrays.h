@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CellArrays.h
- * Cell data go to the children.
+ * Copies cell data from the cells of the input to their children.
  */
 #ifndef SubdivisionObjects_CellArrays_h
 #define SubdivisionObjects_CellArrays_h
@@ -23,7 +23,8 @@ namespace subdivision
 struct CellArrayOptions
 {
   int Levels = 0;
-  /// Output `vtkOriginalCellIds`; `CarryOriginalIds`: the input has them from an earlier filter.
+  /// Adds the cell array `vtkOriginalCellIds`, unless `CarryOriginalIds` says that the input has it
+  /// from an earlier filter: then it is copied like other arrays.
   bool OriginalIds = false;
   bool CarryOriginalIds = false;
   /// Arrays that the filter makes itself: the input's are left out.
@@ -37,13 +38,13 @@ struct CellArrayOptions
 void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   const CellArrayOptions& options, vtkUnstructuredGrid* output);
 
-/// The same where `sources` tells of each output cell the input cell that it is a part of; it
-/// becomes `vtkOriginalCellIds` itself.
+/// The same for an output where `sources` has, for each cell, the input cell that it is a part of.
+/// `sources` itself becomes `vtkOriginalCellIds`.
 void CopyCellArrays(vtkPointSet* input, vtkIdTypeArray* sources, const CellArrayOptions& options,
   vtkUnstructuredGrid* output);
 
-/// The same where some children, `parents` one for each child of the first step, take the values of
-/// another simplex than their own parent; none: all take those of their parent.
+/// The same where a child may take its values from another cell than its parent: `parents` has this
+/// cell for each child of the first step. Empty: all children take the values of their parent.
 void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   const std::vector<vtkIdType>& parents, const CellArrayOptions& options,
   vtkUnstructuredGrid* output);
@@ -52,11 +53,12 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
 void AddValuesOfSimplices(const unsigned char* values, const SimplexList& simplices, int levels,
   const char* name, vtkPointSet* input, vtkUnstructuredGrid* output);
 
-/// Takes `levels` from the sharpness that lines carry, down to 0.
+/// Subtracts `levels` from the sharpness of lines, down to 0: what is left of it after so many
+/// steps.
 void ReduceSharpness(const char* name, int levels, vtkUnstructuredGrid* output);
 
-/// Point ghost types from the cells': a point is a duplicate if all of its cells are. Does nothing
-/// if the input has no ghost types.
+/// Derives the ghost types of points from those of cells: a point is a duplicate if all of its
+/// cells are. A point without cells keeps its type. Does nothing without ghost types.
 void RebuildPointGhosts(vtkPointSet* input, vtkPointSet* output);
 
 }

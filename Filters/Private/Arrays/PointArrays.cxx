@@ -19,7 +19,8 @@ namespace subdivision
 namespace
 {
 
-/// Mean of the members of each centre, in double, in the array's own type; integers are rounded.
+/// Gives each centre the mean of its members. The mean is computed in double and stored in the type
+/// of the array; integers are rounded.
 template <typename T>
 void FillCentres(T* values, int components, const SimplicesOfCells& cells, vtkIdType first)
 {
@@ -248,7 +249,7 @@ void PointArrays::AdvanceSmoothed(const Operator& rows)
     { rows.Apply(in, out, components); });
 }
 
-/// All arrays in one pass over the rows, which are made only once.
+/// Applies the rows to all arrays in one pass, so that each row is made only once.
 template <typename Id>
 void PointArrays::AdvanceSmoothed(const BlockOperator<Id>& rows)
 {
@@ -285,7 +286,8 @@ template void PointArrays::AdvanceSmoothed(const BlockOperator<long long>&);
 template void PointArrays::AdvanceSmoothed(const AdaptiveSqrtThreeLimit<int>&);
 template void PointArrays::AdvanceSmoothed(const AdaptiveSqrtThreeLimit<long long>&);
 
-/// Old points keep theirs; a new point takes that of an end of its edge.
+/// Finds the origins after a step: an old point keeps its origin, a new one takes that of the end
+/// of its edge with the smaller global id.
 template <typename Id>
 void PointArrays::TakeOriginsOfEdges(const Buffer<Id>& edgeVertices, Buffer<vtkIdType>& next) const
 {
@@ -336,7 +338,7 @@ vtkIdType PointArrays::FindOrigin(const TetOctRows<Id>& rows, vtkIdType i) const
   }
   return this->FindEarliest(rows.GetRing(i));
 }
-/// Of the vertices of an octahedron.
+/// The vertex of an octahedron with the smallest global id.
 template <typename Id>
 vtkIdType PointArrays::FindEarliest(Row<Id> vertices) const
 {

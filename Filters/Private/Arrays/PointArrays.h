@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PointArrays.h
- * Points and point data on their way through the levels, each array by its kind.
+ * Takes points and point data from level to level. The type of an array decides whether it is
+ * smoothed, gathered or dropped.
  */
 #ifndef SubdivisionObjects_PointArrays_h
 #define SubdivisionObjects_PointArrays_h
@@ -29,7 +30,8 @@ namespace subdivision
 struct PointArrayOptions
 {
   bool InterpolateIntegers = false;
-  /// Output `vtkOriginalPointIds`; `CarryOriginalIds`: the input has them from an earlier filter.
+  /// Adds the point array `vtkOriginalPointIds`; `CarryOriginalIds`: with the values that the input
+  /// has from an earlier filter.
   bool OriginalIds = false;
   bool CarryOriginalIds = false;
   /// Arrays that the filter makes itself: the input's are left out.
@@ -41,30 +43,32 @@ struct PointArrayOptions
 };
 
 /**
- * Floating arrays, and colours (unsigned char with 3 or 4 components), are smoothed; colours are
- * rounded after each level. Other integers, strings, bits keep their values at old points; a new
- * point takes that of the end with the smaller global id, the centre of an octahedron that of its
- * six vertices with the smallest. Global and pedigree ids are dropped.
+ * Arrays of floating point numbers, and colours (unsigned char with 3 or 4 components), are
+ * smoothed; colours are rounded after each level. Other integers, strings and bits are gathered: an
+ * old point keeps its value, a new point on an edge takes that of the end with the smaller global
+ * id, the centre of an octahedron that of the vertex with the smallest one. Global and pedigree ids
+ * are dropped.
  */
 class PointArrays
 {
 public:
-  /// `globalIds` orders the first `numberOfGlobalIds` points; those after come in index order.
+  /// `globalIds` orders the first `numberOfGlobalIds` points; the index orders all others.
   PointArrays(vtkPointSet* input, const SimplicesOfCells& cells, const vtkIdType* globalIds,
     vtkIdType numberOfGlobalIds, const PointArrayOptions& options);
 
-  /// Coordinates of the current points in double, for choices that depend on them. They are as
-  /// exact as the less exact of the input's points and the output's.
+  /// Coordinates of the current points in double, for choices that depend on them. Their tie is
+  /// that of single precision if the points of the input or of the output are.
   Coordinates GetCoordinates();
   double GetTie() const { return this->Tie; }
 
-  /// The points at the current level; ReusePoints: what they will be at the end is known.
+  /// The points at the current level. ReusePoints gives the points of the output where they are
+  /// known from an earlier execution, so that no step is applied to points.
   vtkDataArray* GetPoints() const { return this->Points; }
   void ReusePoints(vtkDataArray* result) { this->FinalPoints = result; }
 
   template <typename Id>
   void Advance(const Stencils<Id>& stencils);
-  /// All arrays in one pass over the rows.
+  /// Applies the rows to all arrays in one pass.
   template <typename Rows>
   void Advance(const RowsOnTheFly<Rows>& rows);
   template <typename Id>
@@ -75,18 +79,19 @@ public:
   /// The operator is SparseRows, MidpointRows, LocalLimit, BlockOperator or AdaptiveSqrtThreeLimit.
   template <typename Operator, typename Origin>
   void Advance(const Operator& rows, const Origin& origin);
-  /// Moves each point by a row of its own, without new points; no rows: nothing happens.
+  /// Applies an operator that has one row for each point, such as limit rows. Does nothing if there
+  /// are no rows.
   template <typename Id>
   void Project(const SparseRows<Id>& rows);
 
   /// Whether current point a has the smaller global id.
   bool IsEarlier(vtkIdType a, vtkIdType b) const;
 
-  /// From now on no point is one of the input's: global ids do not order them, none has an
-  /// original id.
+  /// Says that the current points are no points of the input: global ids do not order them, and
+  /// their original id is -1.
   void ForgetInputPoints();
 
-  /// Normals that the filter made, to be put out with the other arrays.
+  /// Sets normals that the filter made. Finish adds them to the output.
   void SetNormals(vtkDataArray* normals) { this->Normals = normals; }
 
   void Finish(vtkPointSet* output);

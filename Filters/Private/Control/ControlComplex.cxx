@@ -12,8 +12,8 @@ namespace subdivision
 namespace
 {
 
-/// Parts runs at a simplex: those before it stay; those from it on are returned, with places of
-/// their own.
+/// Splits runs at simplex `at`: `runs` keeps those before it. Those from it on are returned, with
+/// cells that count from 0.
 std::vector<CellRun> SplitRuns(std::vector<CellRun>& runs, vtkIdType at)
 {
   std::vector<CellRun> before;
@@ -38,7 +38,8 @@ std::vector<CellRun> SplitRuns(std::vector<CellRun>& runs, vtkIdType at)
   return RefineRuns(after, 0);
 }
 
-/// The complex; derived simplices count as cells of it that were not read.
+/// Builds the complex. Derived simplices are added to the simplices that were read, as cells with
+/// runs of their own.
 template <typename Id>
 SimplicialComplex<Id> BuildComplexWith(const SimplexList& simplices, ControlTraits& traits)
 {
@@ -60,8 +61,8 @@ SimplicialComplex<Id> BuildComplexWith(const SimplexList& simplices, ControlTrai
   return complex;
 }
 
-/// Singular simplices that follow from the mesh (Mathematics 7); an earlier filter's are taken
-/// over.
+/// Finds the singular simplices that follow from embedded cells, materials and angles (Mathematics
+/// 7). Those of a stamped mesh were derived by an earlier filter and are taken over.
 template <typename Id>
 SimplexTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
   const Coordinates& points, ControlComplex<Id>& control)
@@ -150,7 +151,7 @@ std::vector<unsigned char> RefineFlags(
 namespace
 {
 
-/// The simplex that each control tetrahedron is, in the order of the complex.
+/// For each tetrahedron of the control complex, the simplex of the control mesh that it is.
 template <typename Id>
 std::vector<vtkIdType> NumberSolids(
   const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs)
@@ -166,7 +167,7 @@ std::vector<vtkIdType> NumberSolids(
   return numbers;
 }
 
-/// The control level itself.
+/// Builds the control level: complex, singular simplices and strata.
 template <typename Id>
 bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
   const Coordinates& points, const WarnFunction& warn, ControlComplex<Id>& control)
@@ -182,7 +183,7 @@ bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
     complex = BuildComplexWith<Id>(mesh.GetControl(), control);
     if (complex.NumberOfEdges != edges || complex.NumberOfFaces != faces)
     {
-      return false; // singular simplices that travelled with the mesh, but are not of it
+      return false; // the field data name singular simplices that the mesh does not have
     }
   }
   if (!mesh.IsStamped)
@@ -198,7 +199,7 @@ bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
   return true;
 }
 
-/// The steps that were made below the control level.
+/// Makes `steps` steps, the last one in the given depth.
 template <typename AnyLevel>
 AnyLevel RefineTo(AnyLevel level, int steps, Depth depth)
 {
@@ -220,7 +221,7 @@ void Convert(Level<Id>&& control, TetOctLevel<Id>& level)
   level = MakeTetOctLevel(std::move(control));
 }
 
-/// The control level as it is where all edges are singular that have more than some sharpness.
+/// Builds the control level as if all edges with a larger sharpness than `sharpness` were singular.
 template <typename Id>
 Level<Id> BuildSharpControl(const ControlMesh& mesh, const FeatureOptions& features,
   const ControlTraits& traits, double sharpness)
@@ -246,8 +247,8 @@ Level<Id> BuildSharpControl(const ControlMesh& mesh, const FeatureOptions& featu
   return level;
 }
 
-/// The level `steps` below the current one as it is where all edges are singular that have more
-/// than some sharpness.
+/// Builds the level `steps` steps after the current one as if all edges with a larger sharpness
+/// than `sharpness` were singular.
 template <template <typename> class AnyLevel, typename Id>
 AnyLevel<Id> BuildSharpLevel(const ControlMesh& mesh, const FeatureOptions& features,
   const ControlTraits& traits, int steps, double sharpness, Depth depth)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ControlComplex.h
- * From a control mesh to the complex of the level that was read, with its singular simplices and
- * the rules that its vertices and edges follow.
+ * Builds the complex of the level that was read, with its singular simplices and the rules that its
+ * vertices and edges follow. It refines the complex of the control mesh.
  */
 #ifndef SubdivisionObjects_ControlComplex_h
 #define SubdivisionObjects_ControlComplex_h
@@ -18,13 +18,13 @@
 namespace subdivision
 {
 
-/// What is known of a control mesh whatever its ids are.
+/// The part of ControlComplex that does not depend on the type of ids.
 struct ControlTraits
 {
   std::vector<CellRun> Runs;        ///< the simplices that were read
   std::vector<CellRun> DerivedRuns; ///< singular simplices that follow from the mesh
-  SimplexTuples Derived;            ///< the same, as the control mesh names them
-  /// Where features were looked for, and which of them are.
+  SimplexTuples Derived;            ///< the same as tuples of control points
+  /// The edges that were tested for the feature angle, and which of them exceed it.
   std::vector<FeatureCandidate> Candidates;
   std::vector<bool> Features;
   EdgeSharpness Sharpness;                  ///< of control edges
@@ -35,40 +35,42 @@ struct ControlTraits
 template <typename Id>
 struct ControlComplex : ControlTraits
 {
-  Level<Id> Current; ///< the control level, or the steps that were made below it
+  Level<Id> Current; ///< the level that was read: MadeLevels steps after the control level
 };
 
 using WarnFunction = std::function<void(const std::string&)>;
 
-/// `points` are coordinates at the control points, read for features only; `warn` is told of flags
-/// that contradict each other; `depth` is that of the current level. False where the mesh has made
-/// levels and these do not lead to the simplices that were read.
+/// `points` are coordinates of the control points, read for features only; `warn` gets messages on
+/// flags that contradict each other; `depth` is that of the current level. Returns false if the
+/// stamp is wrong: its levels do not lead from the control mesh to the simplices that were read, or
+/// the mesh does not have its singular simplices.
 template <typename Id>
 bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
   const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control);
 
-/// The same for either kind of solids; control.Current is left empty.
+/// The same for a Level or a TetOctLevel, which goes to `current`; control.Current is left empty.
 template <template <typename> class AnyLevel, typename Id>
 bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
   const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control,
   AnyLevel<Id>& current);
 
-/// The level `steps` below the current one, for output, as it is where all edges are singular that
-/// are then still sharp.
+/// Builds the level `steps` steps after the current one, for output. Edges that are still sharp on
+/// it are singular.
 template <template <typename> class AnyLevel, typename Id>
 AnyLevel<Id> BuildSharpLevel(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps);
 
-/// What semi-sharp creases do from the level `steps` below the current one on.
+/// The stages of semi-sharp creases from the level `steps` steps after the current one on.
 template <template <typename> class AnyLevel, typename Id>
 SemiSharpStages<Id> BuildSharpStages(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps);
 
-/// Flags of control simplices, given to their children.
+/// Gives the flags of control simplices to their children after `levels` steps.
 std::vector<unsigned char> RefineFlags(
   const SimplexList& simplices, int levels, const std::vector<unsigned char>& flags);
 
-/// Flagged simplices, `flags` one for each that was read, and derived ones.
+/// Collects the singular simplices: the derived ones, and those with a flag; `flags` has one for
+/// each simplex that was read.
 template <typename Id>
 SingularSimplices CollectSingular(const SimplicialComplex<Id>& complex, const ControlTraits& traits,
   const std::vector<unsigned char>& flags);

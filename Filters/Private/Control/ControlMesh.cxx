@@ -13,16 +13,16 @@ namespace subdivision
 namespace
 {
 
-/// Empty, so that the index counts, where they cannot be used.
+/// The global ids of points; empty where they cannot be used, so that the index takes their place.
 std::vector<vtkIdType> ReadGlobalIds(
   vtkDataArray* ids, vtkIdType points, const std::function<void(const std::string&)>& warn)
 {
   std::vector<vtkIdType> values;
   if (ids && (ids->GetNumberOfComponents() != 1 || ids->GetNumberOfTuples() > points))
   {
-    warn("The global ids are " + std::to_string(ids->GetNumberOfTuples()) + " tuples of " +
+    warn("The global ids have " + std::to_string(ids->GetNumberOfTuples()) + " tuples of " +
       std::to_string(ids->GetNumberOfComponents()) + " components for " + std::to_string(points) +
-      " points: the point ids are used instead.");
+      " points: the filter uses the point ids instead.");
   }
   else if (ids)
   {
@@ -36,7 +36,8 @@ std::vector<vtkIdType> ReadGlobalIds(
   return values;
 }
 
-/// Tuples of a refined level seen as simplices, lifted to the control level.
+/// Lifts tuples of points from a refined level to the control level, where the tuples are the
+/// children of simplices. Returns false where they are not.
 bool LiftTuples(const SimplexTuples& tuples, const Stamp& stamp, SimplexTuples& lifted)
 {
   for (int dimension = 0; dimension < 3; ++dimension)
@@ -55,7 +56,8 @@ bool LiftTuples(const SimplexTuples& tuples, const Stamp& stamp, SimplexTuples& 
   return true;
 }
 
-/// The control simplices that an earlier filter found to be inverted.
+/// The inverted and flat control simplices that an earlier filter found, as FindInvertedTets gives
+/// them.
 std::vector<vtkIdType> ReadInverted(vtkPointSet* input, const SimplexList& control)
 {
   std::vector<vtkIdType> inverted;
@@ -89,7 +91,8 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
   if (own && own->GetNumberOfTuples() < input->GetNumberOfPoints())
   {
     warn("There are " + std::to_string(own->GetNumberOfTuples()) + " global ids for " +
-      std::to_string(input->GetNumberOfPoints()) + " points: the point ids are used instead.");
+      std::to_string(input->GetNumberOfPoints()) +
+      " points: the filter uses the point ids instead.");
     own = nullptr;
   }
   const bool isOurs =
@@ -119,7 +122,8 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
     {
       return ReadControlMesh(input, false, features, warn, scheme, ids);
     }
-    // Where children were given different values since, this level itself is the control mesh.
+    // If children of a control simplex have different values by now, this level itself is the
+    // control mesh.
     FeatureValues values;
     SimplexTuples derived;
     if (LiftFeatureValues(mesh.Above, stamp.Levels, mesh.Values, values) &&

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ControlMesh.h
- * What is to be subdivided, whatever it was read from: cells of any kind, or the output of an
- * earlier filter.
+ * Reads the mesh that a filter subdivides: the simplices of the input or, if an earlier filter of
+ * this project made the input, the control mesh of that filter.
  */
 #ifndef SubdivisionObjects_ControlMesh_h
 #define SubdivisionObjects_ControlMesh_h
@@ -22,13 +22,13 @@ struct ControlMesh
   bool IsOfOtherScheme = false; ///< made by an earlier filter, but not by this scheme
   bool IsStamped =
     false; ///< made by an earlier filter: tetrahedra keep their order, nothing is derived
-  int MadeLevels = 0;    ///< steps that earlier filters made, and that are made again by arithmetic
+  int MadeLevels = 0;    ///< steps that earlier filters made; this filter repeats them on ids
   FeatureValues Values;  ///< of the control simplices
   SimplexTuples Derived; ///< singular simplices among them that an earlier filter derived
-  /// Control simplices of negative and of no volume (SolidOrientation.h); until points are known
-  /// those that an earlier filter found.
+  /// Control simplices of negative and of no volume, as FindInvertedTets gives them; first those
+  /// that an earlier filter found.
   std::vector<vtkIdType> Inverted;
-  std::vector<vtkIdType> GlobalIds; ///< of the first control points; empty: the index
+  std::vector<vtkIdType> GlobalIds; ///< of the first control points; empty: the index is used
 
   /// The control simplices.
   const SimplexList& GetControl() const
@@ -43,8 +43,8 @@ struct ControlMesh
   SimplexList Above; ///< the control simplices where MadeLevels > 0
 };
 
-/// Reads an input. `trustStamp`: false where its stamp has turned out to be wrong; that of another
-/// scheme than `scheme` is not trusted anyway. `ids`: as in CellsToSimplices.
+/// Reads an input. `trustStamp`: false if its stamp has turned out to be wrong. A stamp of another
+/// scheme than `scheme` never leads to a control mesh. `ids`: as in CellsToSimplices.
 ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOptions& features,
   const std::function<void(const std::string&)>& warn, StampScheme scheme = StampScheme::BoxSpline,
   PlainIds ids = PlainIds::Copied);

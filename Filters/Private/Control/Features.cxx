@@ -32,7 +32,8 @@ std::vector<Value> ReadValues(vtkDataArray* array, const SimplicesOfCells& cells
   return values;
 }
 
-/// Materials; 64-bit integers, which a double cannot always tell apart, as numbers of their own.
+/// The material of each simplex. Integers of 64 bits are replaced by running numbers, because a
+/// double cannot tell all of them apart.
 std::vector<double> ReadMaterials(vtkDataArray* array, const SimplicesOfCells& cells)
 {
   std::vector<double> values = ReadValues<double>(array, cells,
@@ -51,7 +52,8 @@ std::vector<double> ReadMaterials(vtkDataArray* array, const SimplicesOfCells& c
   return values;
 }
 
-/// Counts simplices that `accept` takes and says so once, naming the cell of the first.
+/// Warns once of all simplices for which `accept` is true, with their number and the cell of the
+/// first.
 template <typename Accept>
 void WarnOfFirst(vtkDataArray* array, const SimplicesOfCells& cells, const Accept& accept,
   const std::string& what, const std::function<void(const std::string&)>& warn)
@@ -116,7 +118,7 @@ void Encode(const std::vector<Value>& values, std::vector<long long>& out)
 namespace
 {
 
-/// Sharpness of lines; what is infinite is singular.
+/// Reads the sharpness of lines. A line whose sharpness is infinite becomes singular.
 void ReadSharpness(const FeatureOptions& options, const SimplicesOfCells& cells,
   const std::function<void(const std::string&)>& warn, FeatureValues& values)
 {
@@ -127,11 +129,11 @@ void ReadSharpness(const FeatureOptions& options, const SimplicesOfCells& cells,
     WarnOfFirst(
       options.Sharpness, cells,
       [&](std::size_t i) { return dimensions[i] == 1 && !(values.Sharpness[i] >= 0.); },
-      "values that are negative or no numbers are taken as 0", warn);
+      "the filter takes values that are negative or not a number as 0", warn);
     WarnOfFirst(
       options.Sharpness, cells,
       [&](std::size_t i) { return dimensions[i] != 1 && values.Sharpness[i] > 0.; },
-      "only lines have a sharpness, so that of other cells is ignored", warn);
+      "only lines have a sharpness, so the filter ignores that of other cells", warn);
   }
   bool any = false;
   for (std::size_t i = 0; i < values.Sharpness.size(); ++i)
@@ -165,8 +167,8 @@ FeatureValues ReadFeatureValues(const FeatureOptions& options, const SimplicesOf
     WarnOfFirst(
       options.Singular, cells,
       [&](std::size_t i) { return values.Singular[i] && cells.Simplices.Dimensions[i] == 3; },
-      "3D cells cannot be singular, so their flags are ignored; flag vertices, lines or faces "
-      "instead",
+      "3D cells cannot be singular, so the filter ignores their flags; flag vertices, lines or "
+      "faces instead",
       warn);
     for (std::size_t i = 0; i < values.Singular.size(); ++i)
     {
@@ -189,7 +191,7 @@ FeatureValues ReadFeatureValues(const FeatureOptions& options, const SimplicesOf
   {
     WarnOfFirst(
       options.Rules, cells, [&](std::size_t i) { return values.Rules[i] == 255; },
-      "values outside 0 to 6 are no rules and are taken as 0", warn);
+      "values outside 0 to 6 are no rules; the filter takes them as 0", warn);
     std::replace(values.Rules.begin(), values.Rules.end(), static_cast<unsigned char>(255),
       static_cast<unsigned char>(0));
   }
@@ -319,7 +321,7 @@ void WarnOfContradictions(const FeatureOptions& options, const FeatureValues& va
   std::ostringstream message;
   for (int dimension = 0; dimension < 3; ++dimension)
   {
-    // Of equal lines and triangles the first, of equal vertices the last.
+    // FindSimplicesOf gives the first of equal lines and triangles, the last of equal vertices.
     const Buffer<vtkIdType> simplices = FindSimplicesOf(complex, runs, dimension);
     for (const CellRun& run : runs)
     {
@@ -331,9 +333,10 @@ void WarnOfContradictions(const FeatureOptions& options, const FeatureValues& va
                                               : simplices[equals[dimension]->Twins[run.First + i]];
         if (values.Singular[own] != values.Singular[twin] && count++ == 0)
         {
-          message << "Cell array \"" << options.Singular->GetName() << "\": cells "
-                  << cellOf(std::min(own, twin)) << " and " << cellOf(std::max(own, twin))
-                  << " are equal, but only one of them is flagged; they are taken as singular";
+          message
+            << "Cell array \"" << options.Singular->GetName() << "\": cells "
+            << cellOf(std::min(own, twin)) << " and " << cellOf(std::max(own, twin))
+            << " are equal, but only one of them is flagged; the filter takes both as singular";
         }
       }
     }

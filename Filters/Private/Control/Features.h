@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Features.h
- * What the user says of singularities, materials and joints: options, and cell arrays as values of
- * simplices.
+ * What the user says about singularities, materials and joints: options, and cell arrays read as
+ * one value for each simplex.
  */
 #ifndef SubdivisionObjects_Features_h
 #define SubdivisionObjects_Features_h
@@ -39,7 +39,7 @@ struct FeatureOptions
   JointRule Type1 = JointRule::Blend;
   JointRule Type2 = JointRule::Blend;
   JointRule Type3 = JointRule::Blend;
-  /// Cell arrays of the input, null where there is none; the right length and type.
+  /// Cell arrays of the input, null where there is none. Their length and type were checked.
   vtkSmartPointer<vtkDataArray> Singular;
   vtkSmartPointer<vtkDataArray> Material;
   vtkSmartPointer<vtkDataArray> Part;
@@ -63,7 +63,7 @@ struct FeatureValues
   std::vector<double> Sharpness; ///< finite and not negative, lines only
 };
 
-/// Reads the arrays for the simplices of the input. `warn` is told of flags that mean nothing.
+/// Reads the arrays for the simplices of the input. `warn` gets messages on values without effect.
 FeatureValues ReadFeatureValues(const FeatureOptions& options, const SimplicesOfCells& cells,
   const std::function<void(const std::string&)>& warn);
 
@@ -78,11 +78,13 @@ template <typename Id>
 EdgeSharpness FindEdgeSharpness(const FeatureValues& values, const SimplicialComplex<Id>& complex,
   const std::vector<CellRun>& runs);
 
-/// The values of the control simplices, `levels` steps above. False if children differ.
+/// Lifts values to the control simplices from their children after `levels` steps. Returns false if
+/// children of one simplex have different values.
 bool LiftFeatureValues(
   const SimplexList& control, int levels, const FeatureValues& values, FeatureValues& lifted);
 
-/// Numbers that tell all choices apart, for a cache.
+/// Encodes all choices but FeatureAngle as numbers, which a cache compares. Instead of the angle
+/// the cache compares which edges are features.
 std::vector<long long> EncodeChoices(const FeatureOptions& options, const FeatureValues& values);
 
 /// Options for BuildStrata; `runs` are those of the simplices that the values belong to.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RunOptions.h
- * What every filter tells its work: the options that they share, and whom to tell what happens.
+ * The options that all filters share, and the functions through which their work reports progress,
+ * warnings and errors.
  */
 #ifndef SubdivisionObjects_RunOptions_h
 #define SubdivisionObjects_RunOptions_h
@@ -23,14 +24,14 @@ struct RunOptions
   int OutputPointsPrecision = 2;
   vtkIdType MaximumNumberOfCells = 500000000;
   FeatureOptions Features;
-  /// Called with the part of the work that is done; true: stop.
+  /// Called with the fraction of the work that is done. Returns true if the work must stop.
   std::function<bool(double)> Progress;
   std::function<void(const std::string&)> Warn;
   std::function<void(const std::string&)> Fail;
 };
 
-/// The same options for one run, which says nothing twice: where a stamp turns out to be wrong, the
-/// input is read again.
+/// The same options for one execution, in which Warn drops a message that it has given before. A
+/// run reads the input twice if the stamp turns out to be wrong.
 template <typename Options>
 Options WarningOnce(const Options& options)
 {

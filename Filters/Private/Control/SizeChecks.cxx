@@ -19,7 +19,7 @@ namespace
 /// Connectivity and type of a tetrahedron, and its offset.
 constexpr double BytesPerTet = 8. * 4. + 8. + 1.;
 
-/// A whole number, also where none of the integer types holds it.
+/// The text of a whole number, or "more than" where it does not fit vtkIdType.
 std::string Whole(double value)
 {
   constexpr double most = 9e18;
@@ -108,7 +108,8 @@ std::string CheckMemory(const SizeEstimate& estimate)
     (last.IsTetOct ? 8. * cells : 0.); // OctahedronId
   if (estimate.Projects)
   {
-    // The last level as if there were one more, and a row of all neighbours for each point.
+    // Limit rows need the last level in the depth for one more step, and a row of all neighbours
+    // for each point.
     last = estimate.Levels > 0 ? last.Refine() : last;
     bytes += estimate.BytesPerId * (14. * last.Tets + 9. * last.Faces + 18. * last.Edges) +
       (8. + estimate.BytesPerId) * (last.Vertices + 2. * last.Edges + 6. * last.Octahedra) +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SizeChecks.h
- * How large an output will be, asked before any memory is taken for it.
+ * Estimates how large an output will be, before memory is taken for it.
  */
 #ifndef SubdivisionObjects_SizeChecks_h
 #define SubdivisionObjects_SizeChecks_h
@@ -22,7 +22,7 @@ std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdTy
 /// The same for cells that are counted already, and the bytes that they take.
 std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType maximum);
 
-/// Whether 32-bit numbers may not suffice, inside, for that many steps.
+/// Whether ids inside the program may need more than 32 bits in so many steps.
 bool NeedsLargeIds(const SimplexList& control, int levels, bool isTetOct = false);
 
 struct SizeEstimate
@@ -41,7 +41,7 @@ std::string CheckMemory(const SizeEstimate& estimate);
 
 std::string CheckMemory(double cells, double points, double bytes, int levels);
 
-/// Bytes that can still be taken; infinite where the system does not tell.
+/// The free memory in bytes; infinite where the system does not tell.
 double GetAvailableMemory();
 
 double GetBytesPerTuple(vtkDataSetAttributes* data);

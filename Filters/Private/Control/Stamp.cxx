@@ -35,8 +35,8 @@ enum Field
   NumberOfFields
 };
 
-/// A hash of types and connectivity of up to 4096 evenly spaced cells, small enough to survive as a
-/// double.
+/// A hash of types and connectivity of up to 4096 evenly spaced cells. It has 48 bits, so that a
+/// double holds it exactly.
 long long HashCells(vtkPointSet* mesh)
 {
   constexpr vtkIdType samples = 4096;
@@ -186,7 +186,8 @@ bool FindControlMesh(const SimplexView& descendants, const Stamp& stamp, Simplex
       return false;
     }
     control.Dimensions.push_back(static_cast<unsigned char>(dimension));
-    // Corner c is corner c of child c of child c ...
+    // Corner c of a simplex is corner c of its child c, which is corner c of child c of that child,
+    // and so on.
     const vtkIdType others = dimension == 0 ? 0 : (children - 1) / ((1 << dimension) - 1);
     for (int corner = 0; corner <= dimension; ++corner)
     {

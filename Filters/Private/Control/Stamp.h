@@ -4,13 +4,14 @@
  * How a filter recognises a mesh that this project made (Mathematics 2), so that filters in a row
  * give what one filter would have given.
  *
- * Field data `Subdivision` holds the numbers below, `SubdivisionGlobalIds` the global ids of the
- * first input's points where it had some, `SubdivisionInvertedCells` its simplices of negative
- * and of no volume (SolidOrientation.h), `SubdivisionSingularVertices`, `...Lines`, `...Triangles`
- * the singular simplices that were derived from the first input. The control mesh itself needs no
- * copy: its vertices keep their ids and its simplices' children are consecutive, so it is read off
- * the cells, refined by arithmetic and compared with them. Whatever was changed in between is found
- * out.
+ * The field array `Subdivision` holds the numbers of Stamp, and others that tell whether the mesh
+ * was changed. `SubdivisionGlobalIds` has the global ids of the first input's points, if there were
+ * some; `SubdivisionInvertedCells` its simplices of negative and of no volume (SolidOrientation.h);
+ * `SubdivisionSingularVertices`, `...Lines` and `...Triangles` the singular simplices that were
+ * derived from it. The control mesh itself is not stored: its vertices keep their ids, and the
+ * children of a simplex are consecutive. So the next filter reads the control mesh off the cells,
+ * refines it again and compares the result with the cells. This finds every change of cells; points
+ * may move.
  */
 #ifndef SubdivisionObjects_Stamp_h
 #define SubdivisionObjects_Stamp_h
@@ -33,37 +34,38 @@ enum class StampScheme
   TetOct = 2
 };
 
-/// Field array of global ids that travel with a stamped mesh.
+/// The field array with the global ids of control points.
 constexpr const char* GlobalIdsName = "SubdivisionGlobalIds";
-/// The same of control simplices that are inverted.
+/// The field array with the inverted and flat control simplices.
 constexpr const char* InvertedCellsName = "SubdivisionInvertedCells";
 
 struct Stamp
 {
   StampScheme Scheme = StampScheme::BoxSpline;
-  int Levels = 0;                      ///< since the control mesh
+  int Levels = 0;                      ///< steps since the control mesh
   vtkIdType NumberOfControlPoints = 0; ///< centres of split cells included
-  /// Points are on the limit: no filter may go on from them as if they were control points.
+  /// Whether points are on the limit. Then no filter may take them for points of a level.
   bool IsProjected = false;
-  bool TetOrderIsFinal = true; ///< else only that of tetrahedra that were made
+  bool TetOrderIsFinal = true; ///< if false, only that of tetrahedra which a filter made
 };
 
-/// False where there is no stamp of that scheme, where it is not of this mesh (numbers or a sample
-/// of cells differ), or where a uniform scheme's points are on the limit or its tetrahedra have no
-/// final order: such a mesh is like any other.
+/// Returns false if there is no stamp of that scheme, or if numbers or a sample of cells differ
+/// from it. For uniform schemes also if points are on the limit, or if tetrahedra do not have their
+/// final order. Such a mesh is read like any other.
 bool ReadStamp(vtkPointSet* input, StampScheme scheme, Stamp& stamp);
 
 /// Writes or replaces the stamp of a finished output.
 void WriteStamp(const Stamp& stamp, vtkUnstructuredGrid* output);
 
-/// The derived singular simplices that travel with a stamped mesh, as tuples of point ids.
+/// Reads or writes the derived singular simplices in the field data, as tuples of point ids.
 void ReadSingularTuples(vtkPointSet* input, SimplexTuples& tuples);
 void WriteSingularTuples(const SimplexTuples& tuples, vtkUnstructuredGrid* output);
 
-/// Writes or replaces ids that travel with it; none: there are none.
+/// Writes or replaces a field array of ids; removes it if there are no ids.
 void WriteIds(const char* name, const std::vector<vtkIdType>& ids, vtkUnstructuredGrid* output);
 
-/// Reads the control mesh off its descendants. False where the cells are not such descendants.
+/// Finds the control mesh from its descendants. Returns false if the cells are no descendants of
+/// simplices after stamp.Levels steps.
 bool FindControlMesh(const SimplexView& descendants, const Stamp& stamp, SimplexList& control);
 
 }

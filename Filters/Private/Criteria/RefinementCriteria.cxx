@@ -134,7 +134,7 @@ double ContinuedArray::GetDistance(vtkIdType a, vtkIdType b, double allowed) con
   {
     square += (second[c] - first[c]) * (second[c] - first[c]);
   }
-  if (square < 0.999 * allowed * allowed) // most edges, and much faster; not where it overflows
+  if (square < 0.999 * allowed * allowed) // for most edges; std::hypot is slower, never overflows
   {
     return std::sqrt(square);
   }
@@ -173,8 +173,8 @@ double ContinuedArray::GetRange() const
 namespace
 {
 
-/// How much larger an error may be between the places that are looked at: quarters of an edge, of
-/// which the curve is cubic, and of a triangle, inside of which the surface is nearly quadratic.
+/// The factor by which an error may be larger between the places where it is measured: quarters of
+/// an edge, along which the limit is cubic, and of a triangle, in which it is nearly quadratic.
 constexpr double BetweenPlaces = 1.1;
 
 double GetDistanceFromEdge(const double* p, const double* a, const double* b)
@@ -195,7 +195,8 @@ double GetDistanceFromEdge(const double* p, const double* a, const double* b)
   return distance;
 }
 
-/// Whether a place is over a triangle; its height over the plane, with a sign.
+/// Whether the foot of the perpendicular from `p` lies in the triangle; `height` is the signed
+/// distance from its plane.
 bool FindHeight(const double* p, const double* const* corners, double& height)
 {
   double normal[3];
@@ -216,7 +217,7 @@ bool FindHeight(const double* p, const double* const* corners, double& height)
   {
     const double* a = corners[i];
     const double* b = corners[(i + 1) % 3];
-    double side = 0.; // of the edge on which the foot of the height is
+    double side = 0.; // positive if the foot is on the inner side of the edge ab
     for (int c = 0; c < 3; ++c)
     {
       const int d = (c + 1) % 3;
@@ -243,7 +244,7 @@ double GetDistanceFromTriangle(const double* p, const double* const* corners)
   return distance;
 }
 
-/// Whether two triangles are folded over at their edge by more than a right angle.
+/// Whether the surface turns by more than a right angle at the common edge of two triangles.
 bool IsFold(const double* const ends[2], const double* const opposites[2])
 {
   double along[3];
@@ -291,7 +292,7 @@ RefinementCriteria::RefinementCriteria(
   }
 }
 
-/// As a multiple of what is allowed; what is exact is allowed always.
+/// The error as a multiple of the allowed one. No error gives 0, even if none is allowed.
 double RefinementCriteria::Allow(double error, double allowed) const
 {
   if (!(error > 0.)) // also where it is not a number
@@ -427,8 +428,8 @@ std::vector<ContinuedArray*> RefinementCriteria::GetPointArrays()
   return arrays;
 }
 
-/// Functions that keep nothing from one point to the next. Others, like those of a data set or a
-/// collection, may: they are asked one point after another.
+/// Whether several threads may evaluate the function. These classes keep no state from point to
+/// point; others, such as vtkImplicitDataSet, may.
 bool RefinementCriteria::IsFunctionForThreads() const
 {
   const char* const names[] = { "vtkBox", "vtkCone", "vtkCylinder", "vtkPlane", "vtkQuadric",

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RefinementCriteria.h
- * Where a mesh is to be refined, whatever refines it: criteria on edges (two points) and on cells
- * (lists of points). Errors are told as multiples of what is allowed, so that the worst can be
- * found: above 1 means refine.
+ * Tells where a mesh is to be refined, for all kinds of refinement: by criteria on edges (two
+ * points) and on cells (lists of points). An error is a multiple of what is allowed, so that the
+ * worst can be found; where it is above 1 the mesh is refined.
  */
 #ifndef SubdivisionObjects_RefinementCriteria_h
 #define SubdivisionObjects_RefinementCriteria_h
@@ -26,7 +26,8 @@ namespace subdivision
 
 struct SimplicesOfCells;
 
-/// A criterion is on where its array, function or tolerance is there.
+/// The criteria. One that has an array, a selection or a function is on if that is set; the others
+/// have flags.
 struct RefinementOptions
 {
   vtkSmartPointer<vtkDataArray> Attribute; ///< of points
@@ -53,7 +54,7 @@ struct RefinementOptions
 
   vtkSmartPointer<vtkDataArray> WantedLevel; ///< of cells
   int MaximumLevel = 3;
-  /// How integers are taken along to new points, see PointArrays.
+  /// Whether integers at new points are interpolated, as in PointArrays.
   bool InterpolateIntegers = false;
 
   /// Whether some criterion asks for the limit's shape, or for the limit of anything.
@@ -64,13 +65,13 @@ struct RefinementOptions
   }
 };
 
-/// An array of points in double, continued to points that are added between others. The array's own
-/// values are read where they are if they are double.
+/// The values of a point array in double, extended to points that refinement adds. Values that are
+/// in double already are read in place.
 class ContinuedArray
 {
 public:
-  /// The array itself, then the mean over the members of each centre. Arrays that are not
-  /// interpolated take the value of one point: `smooth` is false.
+  /// Takes the values of the array, then those of the centres: the mean of the members or, if
+  /// `smooth` is false, the value of the first member.
   void Start(vtkDataArray* array, const SimplicesOfCells& cells, bool smooth);
   bool IsSet() const { return this->Components > 0; }
   int GetComponents() const { return this->Components; }
@@ -84,25 +85,26 @@ public:
                                : this->Added.data() + (point - this->Given) * this->Components;
   }
   bool IsSmooth() const { return this->Smooth; }
-  /// All values, from here on to be changed too, and room for those of `size` points.
+  /// All values, with room for `size` points. From here on they are a copy, which the caller may
+  /// change.
   double* Grow(vtkIdType size);
   double GetNorm(vtkIdType point) const;
-  /// To the last bit where it is not clearly below `allowed`.
+  /// The distance between two values, by std::hypot unless it is clearly below `allowed`.
   double GetDistance(vtkIdType a, vtkIdType b, double allowed) const;
   /// The diagonal of the box of all values that are finite.
   double GetRange() const;
-  /// ends(i): the two points that the i-th added one lies between, the earlier one first. They are
-  /// old, or added before it.
+  /// Adds values for the points up to `size`. ends(i): the two points between which point i lies,
+  /// the one with the smaller global id first; both come before i.
   template <typename Ends>
   void Continue(vtkIdType size, const Ends& ends);
 
 private:
   void FillCentres(const SimplicesOfCells& cells, vtkIdType given);
 
-  vtkSmartPointer<vtkDataArray> Array; ///< as long as it is read
+  vtkSmartPointer<vtkDataArray> Array; ///< null once its values are copied
   Buffer<double> Converted;
   const double* Values = nullptr; ///< the array's, or converted ones
-  vtkIdType Given = 0;            ///< so many of them, with centres; the others are added
+  vtkIdType Given = 0; ///< number of points in Values, centres included; the rest is in Added
   GrowingBuffer<double> Added;
   int Components = 0;
   bool Smooth = true;
@@ -111,11 +113,11 @@ private:
 class RefinementCriteria
 {
 public:
-  /// `cells` say which points were added to the input's.
+  /// `cells` has the centres that were added to the input's points.
   RefinementCriteria(
     const RefinementOptions& options, vtkPointSet* input, const SimplicesOfCells& cells);
 
-  /// Points that were added since, up to `size`.
+  /// Extends the arrays to points that were added since, up to `size`; `ends` as in ContinuedArray.
   template <typename Ends>
   void Continue(vtkIdType size, const Ends& ends)
   {
@@ -127,38 +129,41 @@ public:
     }
   }
 
-  /// The arrays of points: coordinates, then those of the other criteria. For meshes whose points
-  /// move: tolerances are of the input all the same.
+  /// The point arrays: coordinates, then those of the other criteria. Where refinement moves points
+  /// it writes to them; relative tolerances stay those of the input.
   std::vector<ContinuedArray*> GetPointArrays();
 
   const ContinuedArray& GetCoordinates() const { return this->Coordinates; }
   const ContinuedArray& GetAttribute() const { return this->Attribute; }
 
-  /// The error of an edge for the criteria that do not ask for the limit. Values that are not
-  /// finite have no error; `hasNoValue` tells of them.
+  /// The error of an edge for the criteria that do not ask for the limit. A value that is not
+  /// finite gives no error and sets `hasNoValue`.
   double GetEdgeError(vtkIdType a, vtkIdType b, bool& hasNoValue) const;
 
-  /// Whether two points differ, but no number lies between them: nothing to split.
+  /// Whether two points differ but no number lies between their coordinates, so that the edge
+  /// between them cannot be split.
   bool IsTooShort(vtkIdType a, vtkIdType b) const;
 
-  /// The errors at a place, made a little larger, because between places they are. That of the
-  /// attribute on an edge is how far its value is from what the two ends with these weights give;
-  /// negative if a value is not finite.
+  /// The error of the attribute at a place on an edge: the difference between its value on the
+  /// limit and the mean of the ends with these weights. It is enlarged a little, because between
+  /// places it may be larger. Negative if a value is not finite.
   double GetAttributeErrorAtLimit(
     const double* const* corners, const double* weights, const double* value) const;
-  /// The distance from the edge or triangle between two or three corners.
+  /// The geometric error at a place: its distance from the edge or triangle with these two or three
+  /// corners, enlarged in the same way.
   double GetGeometricError(const double* const* corners, int size, const double* place) const;
   /// The same where the distance is known, and the length of the longest edge.
   double GetGeometricError(double distance, double length) const;
   /**
-   * The same over an edge inside a surface; `opposites`: the third corners of its one or two
-   * triangles that are known. The surface has to be near one of two triangles, and each plane near
-   * the surface. A place beside the edge, in the planes of the triangles, is no error of a surface,
-   * unless they are folded over: then the surface ends beside the edge.
+   * The same at a place over an edge inside a surface; `opposites`: the third corners of those of
+   * its two triangles that are known. The place must be near one of the two triangles and near the
+   * planes of both. A place that is beside the edge but in these planes has no error, because the
+   * surface goes on there. Where the triangles are folded over the surface ends at the edge, and
+   * the distance from the edge counts.
    */
   double GetErrorOverEdge(const double* const ends[2], const double* const opposites[2],
     int triangles, const double* place) const;
-  /// Of a place over the plane of three corners, with a sign.
+  /// The signed distance of a place from the plane of three corners.
   static double GetHeight(const double* const* corners, const double* place);
 
   /// Whether any criterion asks for errors of edges.
@@ -167,21 +172,22 @@ public:
     return this->Options.ByEdgeLength || this->Options.Attribute || this->Options.ReadsLimit();
   }
 
-  /// Whether there is an implicit function, and whether it may be asked in several threads.
+  /// Whether there is an implicit function, and whether several threads may evaluate it.
   bool ReadsFunction() const { return this->Options.Function != nullptr; }
   bool IsFunctionForThreads() const;
-  /// Whether nothing else is to be looked at where it is positive.
+  /// Whether the function is the only criterion, so that cells where it is positive need no look.
   bool ReadsFunctionOnly() const
   {
     return this->ReadsFunction() && !this->ReadsEdges() && this->Options.Selected.empty() &&
       !this->Options.WantedLevel && !this->Options.Range;
   }
-  /// The function at the centroids of cells from `first` to `last`; `centroids` is room for them.
+  /// Evaluates the function at the centroids of the cells [first, last); `centroids` is memory for
+  /// them.
   template <typename Cells>
   void EvaluateFunction(const Cells& cells, vtkIdType first, vtkIdType last,
     Buffer<double>& centroids, Buffer<double>& values) const;
 
-  /// The error of a cell. Cells tell GetInputCell(i), GetLevel(i). `value`: of the function.
+  /// The error of cell i for the criteria on cells. `value`: that of the function, or null.
   template <typename Cells, typename Points>
   double GetCellError(
     const Cells& cells, vtkIdType i, const Points& points, const double* value) const;
@@ -281,7 +287,8 @@ double RefinementCriteria::GetCellError(
     (!this->Options.Selected.empty() && this->Options.Selected[inputCell]) ||
     (this->Options.WantedLevel && this->Options.WantedLevel->GetComponent(inputCell, 0) > level) ||
     (this->Options.Range && this->IsInRange(points, inputCell));
-  // Of cells that are wanted the coarse ones come first, each level as bad again as the next.
+  // The error doubles for each level that a cell is coarser, so that coarse cells are refined
+  // first.
   return wanted ? std::ldexp(1.5, std::max(this->Options.MaximumLevel - level, 0)) : 0.;
 }
 

@@ -40,7 +40,7 @@ private:
   const Tell& Fail;
 };
 
-/// The array named at an index; null where none is.
+/// The array that the user chose for an index, else the fallback, else null.
 bool Reader::FindNamed(
   int index, bool ofCells, const char* fallback, bool integral, vtkDataArray*& array)
 {
@@ -55,8 +55,8 @@ bool Reader::FindNamed(
     { index, fallback, integral, !ofCells, !integral }, this->Warn, this->Fail, array);
 }
 
-/// The array for attribute or range: named, or the active scalars; for attributes, else the first
-/// floating one.
+/// The array for attribute or range: the one that the user chose, else the active scalars; for the
+/// attribute else the first array of floating point numbers.
 bool Reader::FindArray(int index, bool& ofCells, vtkDataArray*& array)
 {
   const bool isRange = index == this->Settings.RangeIndex;

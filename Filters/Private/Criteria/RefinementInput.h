@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RefinementInput.h
- * From the settings of a filter that refines, and its arrays, to its criteria.
+ * Reads the criteria of a filter from its settings and its arrays.
  */
 #ifndef SubdivisionObjects_RefinementInput_h
 #define SubdivisionObjects_RefinementInput_h
@@ -13,7 +13,7 @@ class vtkAlgorithm;
 namespace subdivision
 {
 
-/// What filters have as options of the same names.
+/// The options that both refining filters have by these names.
 struct RefinementSettings
 {
   bool RefineByAttributeError;
@@ -33,7 +33,7 @@ struct RefinementSettings
   bool InterpolateIntegers;
   /// Whether there are criteria beside these.
   bool HasOthers;
-  /// Where SetInputArrayToProcess has their arrays.
+  /// The indices of their arrays in SetInputArrayToProcess.
   int AttributeIndex;
   int RangeIndex;
   int LevelIndex;

@@ -56,7 +56,8 @@ vtkSmartPointer<vtkPointSet> MakeBare(vtkPointSet* mesh)
   return bare;
 }
 
-/// The input without arrays by the name that the answer will have.
+/// A shallow copy of the input without arrays of the name InsideName, which VTK gives to its
+/// result.
 vtkSmartPointer<vtkDataObject> MakeBare(vtkDataObject* input)
 {
   auto* all = vtkCompositeDataSet::SafeDownCast(input);
@@ -81,7 +82,8 @@ vtkDataArray* GetInsidedness(vtkDataSetAttributes* data, vtkIdType tuples)
   return array && array->GetNumberOfTuples() == tuples ? array : nullptr;
 }
 
-/// The cells of a mesh that the answer has, or has a point of; empty if there are none.
+/// Flags the cells of a mesh that are selected in the answer of VTK, or have a selected point;
+/// empty if there are none.
 std::vector<unsigned char> ReadAnswer(vtkPointSet* mesh, vtkDataSet* answer)
 {
   std::vector<unsigned char> selected;
@@ -142,7 +144,7 @@ bool IsComparable(vtkDataObject* input, vtkSelectionNode* node)
   return isComparable;
 }
 
-/// What VTK cannot evaluate, or would not survive.
+/// Why VTK cannot evaluate a node, or would crash on it; empty if it can.
 std::string FindFault(vtkDataObject* input, vtkSelectionNode* node)
 {
   const int content = node->GetContentType();
@@ -155,7 +157,7 @@ std::string FindFault(vtkDataObject* input, vtkSelectionNode* node)
   if (content < 0 || content > vtkSelectionNode::BLOCKS)
   {
     return content == vtkSelectionNode::QUERY
-      ? "is a query in words: freeze the selection first, so that it consists of ids"
+      ? "is a query in text form: freeze the selection first, so that it consists of ids"
       : "has a content type (" + std::to_string(content) + ") that is not supported";
   }
   if (!list)
@@ -165,20 +167,20 @@ std::string FindFault(vtkDataObject* input, vtkSelectionNode* node)
   if (content == vtkSelectionNode::FRUSTUM &&
     (list->GetNumberOfValues() != 32 || list->GetDataType() != VTK_DOUBLE))
   {
-    return "is a frustum of other than 32 numbers in double precision";
+    return "is a frustum, but does not have 32 numbers in double precision";
   }
   if (content == vtkSelectionNode::THRESHOLDS && list->GetNumberOfValues() % 2 > 0)
   {
-    return "has a threshold of one number instead of two";
+    return "has a threshold with one number instead of two";
   }
   if (!IsComparable(input, node))
   {
-    return "has words where the input has numbers, or numbers for words";
+    return "has text where the input has numbers, or numbers where it has text";
   }
   return "";
 }
 
-/// Whether VTK can read the expression; its filter does not survive all others.
+/// Whether VTK can read the expression. Its filter may crash on one that it cannot read.
 bool IsReadable(vtkSelection* selection)
 {
   std::vector<vtkSmartPointer<vtkSignedCharArray>> arrays;
@@ -199,7 +201,7 @@ struct ErrorCounter
   void Count(vtkObject*, unsigned long, void*) { ++this->Errors; }
 };
 
-/// What VTK says of a selection whose nodes are all of cells, or all of points.
+/// Lets VTK evaluate a selection whose nodes are all of cells, or all of points.
 SelectedCells Extract(vtkDataObject* input, vtkDataObject* bare, vtkSelection* selection,
   const std::function<void(const std::string&)>& fail)
 {
@@ -232,7 +234,7 @@ SelectedCells Extract(vtkDataObject* input, vtkDataObject* bare, vtkSelection* s
   return found;
 }
 
-/// By what the expression says of each node's cells.
+/// Combines the cells of the nodes by the expression of the selection.
 std::vector<unsigned char> Combine(
   vtkSelection* selection, vtkPointSet* mesh, const std::vector<SelectedCells>& byNode)
 {
@@ -296,7 +298,8 @@ SelectedCells FindSelectedCells(vtkDataObject* input, vtkSelection* selection,
   {
     return Extract(input, bare, selection, fail);
   }
-  // VTK takes no points and cells together: each node by itself.
+  // VTK cannot evaluate nodes of points together with nodes of cells, so each node is evaluated by
+  // itself.
   std::vector<SelectedCells> byNode;
   for (unsigned int i = 0; i < nodes; ++i)
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RefinementSelection.h
- * Which cells a vtkSelection means.
+ * Finds the cells that a vtkSelection selects.
  */
 #ifndef SubdivisionObjects_RefinementSelection_h
 #define SubdivisionObjects_RefinementSelection_h
@@ -20,8 +20,8 @@ namespace subdivision
 /// For each mesh where there are any, 1 for each cell that is selected or has a selected point.
 using SelectedCells = std::map<vtkDataObject*, std::vector<unsigned char>>;
 
-/// The cells of a mesh, or of all meshes in a composite input. `fail` hears why a selection cannot
-/// be used.
+/// Finds the selected cells of a mesh, or of all meshes in a composite input. If the selection
+/// cannot be used, `fail` gets the reason.
 SelectedCells FindSelectedCells(vtkDataObject* input, vtkSelection* selection,
   const std::function<void(const std::string&)>& fail);
 

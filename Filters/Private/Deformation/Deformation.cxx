@@ -49,7 +49,7 @@ vtkIdType FindLostPoint(vtkPointSet* rest, vtkPointSet* deformed)
   return -1;
 }
 
-/// How many points are outside, and what becomes of them.
+/// How many points are outside, which is the first, and how many are not finite.
 std::string DescribeOutside(const EmbeddedPoints& embedded)
 {
   const auto outside = static_cast<vtkIdType>(embedded.Outside.size());
@@ -163,7 +163,8 @@ bool Deformation::Prepare(
   return !options.Progress || !options.Progress(0.5);
 }
 
-/// Those that are kept for equal points, or new ones; null: some are outside, and that is an error.
+/// Finds the embedded points that are kept for equal points, or embeds the points. Returns null if
+/// points are outside and OutsidePoints makes that an error.
 EmbeddedPoints* Deformation::FindEmbedded(vtkDataArray* points, const DeformationOptions& options)
 {
   EmbeddedPoints* embedded = nullptr;
@@ -202,9 +203,9 @@ EmbeddedPoints* Deformation::FindEmbedded(vtkDataArray* points, const Deformatio
   {
     options.Warn(text +
       (options.Outside == OutsideRule::Leave
-          ? ": they are left where they are (OutsidePoints)."
-          : ": they go with the nearest place in it (OutsidePoints); those that are not finite are "
-            "left."));
+          ? ": the filter leaves them where they are (OutsidePoints)."
+          : ": the filter moves each like the nearest place in this mesh (OutsidePoints), and "
+            "leaves those that are not finite."));
   }
   return embedded;
 }

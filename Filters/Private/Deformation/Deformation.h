@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Deformation.h
- * What vtkSubdivisionDeformation does, and what it keeps between executions.
+ * Does the work of vtkSubdivisionDeformation, and keeps what it needs between executions.
  */
 #ifndef SubdivisionObjects_Deformation_h
 #define SubdivisionObjects_Deformation_h
@@ -14,17 +14,17 @@ namespace subdivision
 class Deformation
 {
 public:
-  /// `output` has the type of `input`. False: stopped by an error (told to Fail); the output is
-  /// then the input as it is.
+  /// `output` has the type of `input`. Returns false after an error (passed to Fail) or if Progress
+  /// asks to stop; the output is then the unchanged input.
   bool Run(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* deformed,
     const DeformationOptions& options, vtkPointSet* output);
 
-  /// An update is over: forget the points that it did not use.
+  /// Forgets the points that were not used since the last call.
   void ForgetUnused();
   void Clear();
 
   vtkIdType GetNumberOfTopologyBuilds() const { return this->Rest.NumberOfBuilds; }
-  /// How often points were looked up.
+  /// How often the cells of points were searched.
   vtkIdType NumberOfLocations = 0;
   /// In all executions of the last update.
   vtkIdType NumberOfOutsidePoints = 0;

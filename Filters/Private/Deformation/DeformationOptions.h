@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DeformationOptions.h
- * What vtkSubdivisionDeformation tells its work.
+ * The options of vtkSubdivisionDeformation.
  */
 #ifndef SubdivisionObjects_DeformationOptions_h
 #define SubdivisionObjects_DeformationOptions_h

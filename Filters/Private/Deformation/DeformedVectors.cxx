@@ -39,8 +39,9 @@ void Multiply(const double* matrix, const double in[3], double out[3])
   }
 }
 
-/// By the inverse transpose: the matrix of cofactors, up to a factor whose sign is the
-/// determinant's. What becomes nothing stays as it was.
+/// Multiplies a normal by the inverse transpose and makes its length 1. The inverse transpose is
+/// the matrix of cofactors over the determinant, of which only the sign matters. A normal that
+/// becomes 0 stays as it was.
 void MultiplyNormal(const double* matrix, const double in[3], double out[3])
 {
   double cofactors[9];
@@ -110,7 +111,7 @@ void TransformAttributes(const Buffer<double>& jacobians, vtkDataSetAttributes* 
     {
       ++source;
     }
-    if (!array->GetName()) // would not be replaced
+    if (!array->GetName()) // AddLike replaces arrays by name only
     {
       data->SetAttribute(nullptr, attribute);
     }

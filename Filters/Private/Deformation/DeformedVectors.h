@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DeformedVectors.h
- * Vectors and normals of a deformed data set, by the derivatives of the map.
+ * Transforms vectors and normals of a deformed data set by the derivatives of the deformation.
  */
 #ifndef SubdivisionObjects_DeformedVectors_h
 #define SubdivisionObjects_DeformedVectors_h
@@ -17,9 +17,10 @@ namespace subdivision
 bool HasVectors(vtkPointSet* data);
 
 /**
- * Replaces those of the output, which are the input's so far. `jacobians` are 9 numbers for each
- * point, a matrix by rows; a cell takes the mean of its points'. Vectors and tangents are
- * multiplied by it, normals by its inverse transpose and made as long as 1.
+ * Transforms the active vectors, tangents and normals of the output, which are those of the input
+ * before. `jacobians` has the Jacobian matrix of the deformation for each point: 9 numbers, row by
+ * row. A cell takes the mean of its points. Vectors and tangents are multiplied by the matrix,
+ * normals by its inverse transpose, and normals get the length 1.
  */
 void TransformVectors(const Buffer<double>& jacobians, vtkPointSet* output);
 

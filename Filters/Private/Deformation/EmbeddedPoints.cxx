@@ -12,8 +12,9 @@ namespace subdivision
 namespace
 {
 
-/// Weights may be this much below 0. Points in single precision, of the object or of the mesh
-/// around it, are where they are only to 1e-7, so that those on a boundary may seem to be outside.
+/// A point is inside a cell if its weights are not further below 0 than this. Points in single
+/// precision, of the object or of the rest mesh, are exact to 1e-7 only, so that those on a
+/// boundary may seem to be outside.
 constexpr double Tolerance = 1e-10;
 constexpr double SingleTolerance = SingleTie;
 
@@ -27,7 +28,7 @@ void SetRow(const SimplexTree& tree, const PlaceInSimplex& place, int corners, C
   }
 }
 
-/// Among equally near cells, solids come first.
+/// The row of the nearest cell; among equally near ones a solid cell.
 void FindNearestCell(
   const double x[3], const SimplexTree& tets, const SimplexTree& others, double tie, CornerRow& row)
 {
@@ -52,7 +53,7 @@ bool IsFinite(const double x[3])
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
 }
 
-/// Adds to points outside what their rows do not say.
+/// Adds their remainders to points outside.
 template <typename T>
 void AddRemainders(const EmbeddedPoints& embedded, T* points)
 {
@@ -69,8 +70,9 @@ void AddRemainders(const EmbeddedPoints& embedded, T* points)
   }
 }
 
-/// Composed rows, if reading them is less than reading rows and operators. Few have fewer entries
-/// than 16; more points than 4 million could need more than 2^31 entries on the way.
+/// Stores composed rows, if these are smaller than rows and operators together and so are read
+/// faster. Few composed rows have fewer than 16 entries; with more than 4 million points
+/// intermediate results could need more than 2^31 entries.
 void ComposeIfSmaller(const RestMesh& rest, EmbeddedPoints& embedded)
 {
   const vtkIdType points = embedded.Rows.GetNumberOfRows();
@@ -186,7 +188,7 @@ Buffer<double> ComputeJacobians(
         corners[k] = rest + 3 * static_cast<vtkIdType>(ids[k]);
       }
       double gradients[4][3];
-      if (!FindGradientsInTet(corners, gradients)) // it is flat, a lower cell, or there is none
+      if (!FindGradientsInTet(corners, gradients)) // the cell is flat, no solid, or missing
       {
         return;
       }

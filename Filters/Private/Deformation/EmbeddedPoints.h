@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file EmbeddedPoints.h
- * How points hang in the subdivided rest mesh of a deformation.
+ * Binds points to the cells of the subdivided rest mesh of a deformation.
  */
 #ifndef SubdivisionObjects_EmbeddedPoints_h
 #define SubdivisionObjects_EmbeddedPoints_h
@@ -13,14 +13,16 @@ namespace subdivision
 {
 
 /**
- * Each point is its row times the points of the subdivided mesh, plus, if it is outside, a
- * remainder that does not change: for a point that is left alone all of it (the row is empty), for
- * one that goes with its nearest place what is between the two.
+ * A point inside is its row times the points of the subdivided mesh. A point outside also has a
+ * remainder that does not change. If it is left where it is the row is empty and the remainder is
+ * the point; if it moves like the nearest place in the mesh the remainder is the difference between
+ * the two.
  */
 struct EmbeddedPoints
 {
-  CornerRows Rows; ///< of cells: 4 corners, 3 of a surface or curve, none
-  /// The same over the control points, where reading these, and nothing else, is less; else empty.
+  CornerRows Rows; ///< corners of cells: 4 of a solid, 3 of another cell, or none
+  /// The same rows over the control points, if they are read faster than rows and operators; else
+  /// empty.
   SparseRows<int> Composed;
   std::vector<vtkIdType> Outside;
   std::vector<double> Remainders; ///< 3 for each point outside
@@ -31,15 +33,16 @@ struct EmbeddedPoints
   bool Used = true;
 };
 
-/// A point on faces that cells share belongs to the one with the smallest id.
+/// Embeds points. A point on a common face of cells belongs to the one with the smallest id.
 std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule rule, RestMesh& rest);
 
-/// The points as the mesh moves them, from the control points and those of the subdivided mesh in
-/// the other shape; `moved` may be null where there are composed rows.
+/// Moves the points. `control`: control points of the deformed mesh; `moved`: points of the
+/// subdivided deformed mesh, or null where there are composed rows.
 vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
   const EmbeddedPoints& embedded, const double* control, const double* moved, int type);
 
-/// For each point the matrix (by rows) that the map of its cell is; 1 where there is no solid cell.
+/// For each point the Jacobian matrix (row by row) of the affine map of its cell; the identity
+/// where it has no solid cell.
 Buffer<double> ComputeJacobians(
   const EmbeddedPoints& embedded, const double* rest, const double* moved);
 

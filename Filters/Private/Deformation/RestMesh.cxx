@@ -39,7 +39,7 @@ bool HasSameCellArray(vtkCellArray* a, vtkCellArray* b)
       HoldsSameValues(a->GetConnectivityArray(), b->GetConnectivityArray()));
 }
 
-/// Whether the cells are stored alike; if not they may be equal all the same.
+/// Whether the arrays of the cells are equal. If not, the cells may still be equal.
 bool StoresSameCells(vtkPointSet* a, vtkPointSet* b)
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(a);
@@ -143,7 +143,7 @@ std::vector<double> ListChoices(vtkPointSet* control, const DeformationOptions& 
   return choices;
 }
 
-/// Adds the points of the deformed mesh as an array, to be moved like the points.
+/// Adds the points of the deformed mesh as a point array, so that it is subdivided like the points.
 void AddDeformed(vtkPointSet* deformed, vtkPointSet* control)
 {
   const vtkIdType size = deformed->GetNumberOfPoints();
@@ -154,7 +154,7 @@ void AddDeformed(vtkPointSet* deformed, vtkPointSet* control)
   control->GetPointData()->AddArray(array);
 }
 
-/// The corners of the cells of a dimension, one cell after another; lower ones as triangles.
+/// The corners of all tetrahedra, or of all other cells as triangles with repeated corners.
 Buffer<vtkIdType> GatherCorners(vtkUnstructuredGrid* grid, bool tets)
 {
   const vtkIdType cells = grid->GetNumberOfCells();
@@ -165,7 +165,7 @@ Buffer<vtkIdType> GatherCorners(vtkUnstructuredGrid* grid, bool tets)
   const vtkIdType corners = tets ? 4 : 3;
   Buffer<vtkIdType> ids(corners * places[cells]);
   auto values = [](vtkDataArray* array)
-  { return static_cast<const vtkIdType*>(array->GetVoidPointer(0)); }; // not the narrow storage
+  { return static_cast<const vtkIdType*>(array->GetVoidPointer(0)); }; // Use32BitIds is off here
   const vtkIdType* connectivity = values(grid->GetCells()->GetConnectivityArray());
   const vtkIdType* offsets = values(grid->GetCells()->GetOffsetsArray());
   ForEach(cells,
@@ -285,7 +285,7 @@ const SimplexTree& RestMesh::GetOtherCells()
   return this->OtherCells;
 }
 
-/// Null: it failed, or was stopped.
+/// Returns null after an error.
 vtkSmartPointer<vtkUnstructuredGrid> RestMesh::Subdivide(vtkPointSet* control, int levels,
   OperatorCache& cache, const DeformationOptions& options, bool isFirst) const
 {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RestMesh.h
- * The control mesh of a deformation: subdivided at rest once, and then as often as its points move.
+ * The control mesh of a deformation. It is subdivided once, at rest; its operators then apply to
+ * the deformed mesh as often as that changes.
  */
 #ifndef SubdivisionObjects_RestMesh_h
 #define SubdivisionObjects_RestMesh_h
@@ -19,24 +20,26 @@ class vtkUnstructuredGrid;
 namespace subdivision
 {
 
-/// Where the cells of two meshes differ first, as a sentence; empty: nowhere.
+/// Says in a sentence where the cells of two meshes first differ; empty if they are equal.
 std::string CompareCells(vtkPointSet* rest, vtkPointSet* deformed);
 
 class RestMesh
 {
 public:
-  /// Subdivides the mesh, unless an equal one is kept. False: it could not be; Fail knows why.
+  /// Subdivides the mesh, unless an equal one is kept. Returns false after an error (passed to
+  /// Fail).
   bool Update(vtkPointSet* mesh, const DeformationOptions& options);
 
-  /// Control points of another shape of the mesh: coordinates of its points, then those of centres.
+  /// The control points of the deformed mesh: its points, then the centres of split cells.
   vtkSmartPointer<vtkDataArray> MoveControlPoints(
     vtkPointSet* rest, vtkPointSet* deformed, const DeformationOptions& options);
-  /// The points of the subdivided mesh in that shape, by the operators at rest; valid until the
-  /// next call, and as long as `control` is.
+  /// The points of the subdivided deformed mesh, from its control points by the operators of the
+  /// rest mesh. Valid until the next call, and as long as `control` is.
   const double* MovePoints(vtkDataArray* control);
 
-  /// Cells of the input (of `control`, coordinates as MoveControlPoints gives them) whose volume
-  /// has another sign than at rest; null: those that are inverted or flat at rest.
+  /// Warns of input cells whose volume in the deformed mesh has another sign than at rest;
+  /// `control` as MoveControlPoints gives it. Null: warns of cells that are inverted or flat at
+  /// rest.
   void WarnOfInvertedCells(vtkDataArray* control, const DeformationOptions& options) const;
 
   /// Points of the subdivided mesh at rest, and its cells.
@@ -49,8 +52,8 @@ public:
   /// Triangles, lines and vertices; made when they are first asked for.
   const SimplexTree& GetOtherCells();
 
-  /// Rows over the subdivided mesh as rows over the control points (those of MoveControlPoints);
-  /// not for level 0, where operators have no size.
+  /// Turns rows over the subdivided mesh into rows over the control points (those of
+  /// MoveControlPoints). Not for level 0, which has no operators.
   SparseRows<int> Compose(const SparseRows<int>& rows) const;
   /// Bytes that MovePoints reads of operators.
   std::size_t GetOperatorSize() const;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ModelBuilder.h
- * A small kit for control meshes: points, simplices, and hexahedra that split conformingly, so that
- * the built-in models read like descriptions.
+ * Builds control meshes from points, simplices, and hexahedra that are split conformingly.
  */
 #ifndef SubdivisionObjects_ModelBuilder_h
 #define SubdivisionObjects_ModelBuilder_h
@@ -38,7 +37,7 @@ public:
 
   ///@{
   /// Add points. Coordinates and tensions are rounded to four decimals, so that a model has the
-  /// same bits on every machine and survives a text file.
+  /// same bits on every machine and after it was written to a text file.
   vtkIdType Point(const Vector& x);
   vtkIdType Point(double x, double y, double z) { return this->Point(Vector{ x, y, z }); }
   ///@}

@@ -24,7 +24,8 @@ namespace subdivision
 namespace
 {
 
-/// Number of points of a cell type; negative: at least so many; 0: not supported.
+/// The number of points that a cell of this type has. A negative result -n means n or more points,
+/// 0 a type that is not supported.
 int GetRequiredSize(int cellType)
 {
   switch (cellType)
@@ -108,7 +109,7 @@ CellState FindRepeats(int cellType, const CellIds& cell, std::vector<vtkIdType>&
     case VTK_VERTEX:
     case VTK_POLY_VERTEX: // its pieces are single points, which cannot be degenerate
       return CellState::Good;
-    case VTK_POLY_LINE: // may pass through a point twice: only each piece matters
+    case VTK_POLY_LINE: // may pass through a point twice; only the points of one piece must differ
     case VTK_TRIANGLE_STRIP:
       for (vtkIdType i = 0; i + window <= cell.Size; ++i)
       {
@@ -129,7 +130,8 @@ CellState FindRepeats(int cellType, const CellIds& cell, std::vector<vtkIdType>&
   }
 }
 
-/// One byte per point, 0 where a coordinate is infinite or not a number.
+/// Writes to `finite` one byte per point, 0 where a coordinate is infinite or not a number, and to
+/// `blocks` one byte per block of points, 0 where the block has such a point.
 struct FiniteWorker
 {
   template <typename Array>
@@ -160,7 +162,8 @@ struct FiniteWorker
   }
 };
 
-/// Empty if all points are finite.
+/// One byte per point, 0 where a coordinate is infinite or not a number; empty if there is no such
+/// point.
 std::vector<unsigned char> FindFinitePoints(vtkPointSet* input)
 {
   const vtkIdType size = input->GetNumberOfPoints();
@@ -256,7 +259,7 @@ struct Tally
   vtkIdType First = -1;
 };
 
-/// "3 cells ... (first: cell 12, type 24, vtkQuadraticTetra)"
+/// "3 cells (the first is cell 12, type 24, vtkQuadraticTetra)"
 std::string Subject(const Tally& tally, const CellReader& cells)
 {
   const int type = cells.GetCellType(tally.First);
@@ -334,7 +337,7 @@ std::string DescribeRepeats(const Tally& whole, const Tally& partly, const CellR
     : whole.Count == 0      ? "the degenerate pieces of "
                             : "all or part of ";
   return text + Subject(all, cells) +
-    " with repeated point ids. Clean the mesh of collapsed cells if they are not intended.";
+    " with repeated point ids. Remove collapsed cells from the mesh if they are not intended.";
 }
 
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CellChecks.h
- * Which cells take part, and what the user is told about the others.
+ * Finds out which cells of the input a filter uses, and words the warnings about the others.
  */
 #ifndef SubdivisionObjects_CellChecks_h
 #define SubdivisionObjects_CellChecks_h
@@ -16,7 +16,8 @@ class vtkPointSet;
 namespace subdivision
 {
 
-/// In order of precedence: a cell with several faults is reported for the first.
+/// What CheckCells found. The faults are in order of precedence: a cell with several faults has the
+/// state of the first one.
 enum class CellState : unsigned char
 {
   Good,
@@ -38,7 +39,8 @@ constexpr bool TakesPart(CellState state)
 struct CheckedCells
 {
   std::vector<CellState> States;
-  /// Some cell that takes part is, or has for a face, a quad.
+  /// Whether a cell that takes part is a quad, has a quad as a face, or is a polygon of four or
+  /// more points, which may be a quad after repeated points are dropped.
   bool HasQuads = false;
 };
 
@@ -47,7 +49,7 @@ const unsigned char* GetGhosts(vtkPointSet* input, vtkIdType numberOfCells);
 
 CheckedCells CheckCells(vtkPointSet* input, const CellReader& cells);
 
-/// One sentence for each kind of cell that was passed over.
+/// The warnings, one for each kind of fault.
 std::vector<std::string> DescribePassedOver(const CellReader& cells, const CheckedCells& checked);
 
 }

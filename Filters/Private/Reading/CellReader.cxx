@@ -89,7 +89,8 @@ void CellReader::Integers::Set(vtkDataArray* array)
   const bool plain = array->HasStandardMemoryLayout() && IsSignedInteger(array);
   if (!plain)
   {
-    // Offsets that follow a formula, or arrays in parts: rare enough to be written out once.
+    // Offsets that VTK computes by a formula, or an array of another type or layout. Both are rare,
+    // so the values are copied.
     this->IsCopy = true;
     this->Owner = vtkSmartPointer<vtkTypeInt64Array>::New();
     this->Owner->DeepCopy(array);

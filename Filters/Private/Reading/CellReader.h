@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CellReader.h
- * The cells of a vtkUnstructuredGrid or vtkPolyData by cell id, for many threads at once. Nothing
- * is built inside the data set, and no id is trusted: a cell may name points that do not exist.
+ * Reads the cells of a vtkUnstructuredGrid or vtkPolyData by cell id, in several threads at once.
+ * It builds nothing inside the data set, which threads share. It does not check point ids: a cell
+ * may name points that do not exist.
  */
 #ifndef SubdivisionObjects_CellReader_h
 #define SubdivisionObjects_CellReader_h
@@ -29,7 +30,8 @@ struct CellIds
   vtkIdType Size = 0;
 };
 
-/// Cells per task. Tasks have fixed bounds, so that what they find does not depend on the threads.
+/// The number of cells in a block, which one task reads. The bounds of blocks are fixed, so that
+/// results do not depend on the number of threads.
 constexpr vtkIdType CellsPerBlock = 4096;
 
 class CellReader
@@ -43,22 +45,24 @@ public:
     return (this->NumberOfCells + CellsPerBlock - 1) / CellsPerBlock;
   }
 
-  /// A VTK cell type; POLY_VERTEX, POLY_LINE, POLYGON, TRIANGLE_STRIP for the four parts of
-  /// vtkPolyData.
+  /// The VTK cell type. In a vtkPolyData it is POLY_VERTEX, POLY_LINE, POLYGON or TRIANGLE_STRIP,
+  /// by the vtkCellArray that has the cell.
   int GetCellType(vtkIdType cellId) const
   {
     return this->Types ? this->Types[cellId] : this->FindPart(cellId).Type;
   }
 
-  /// `scratch` holds the ids where they are stored in another type than vtkIdType; reuse it.
+  /// The result points into the input or, where ids are stored in another type than vtkIdType, into
+  /// `scratch`, which callers reuse. It is empty where the offsets of the cell are not valid.
   CellIds GetCell(vtkIdType cellId, std::vector<vtkIdType>& scratch) const;
 
   /// All ids of all cells, in cell order.
   void GetAllIds(std::vector<vtkIdType>& ids) const;
-  /// The same where they are; null if they are not stored one after the other as vtkIdType.
+  /// The same without a copy, as a pointer into the input; null if the input does not have them in
+  /// one array of vtkIdType.
   const vtkIdType* FindAllIds() const;
 
-  /// An integer array of either size behind a plain pointer.
+  /// An array of integers of 32 or 64 bits, read through a plain pointer.
   struct Integers
   {
     void Set(vtkDataArray* array);
@@ -80,7 +84,7 @@ public:
     vtkSmartPointer<vtkDataArray> Owner;
   };
 
-  /// A vtkCellArray.
+  /// The cells of one vtkCellArray: an unstructured grid has one part, a vtkPolyData up to four.
   struct Part
   {
     vtkIdType End = 0; ///< one past its last cell
@@ -127,7 +131,7 @@ inline CellIds CellReader::GetCell(vtkIdType cellId, std::vector<vtkIdType>& scr
   {
     if (part.Ids.Data64)
     {
-      // The same bits under another name (long or long long): readable as such.
+      // vtkTypeInt64 and vtkIdType may be `long` and `long long`, two types with the same bits.
       cell.Ids = reinterpret_cast<const vtkIdType*>(part.Ids.Data64) + begin;
       return cell;
     }

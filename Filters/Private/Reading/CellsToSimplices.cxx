@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Check every cell, find the triangles that fix diagonals, count the pieces of every block of
-// cells, then let every block write its own part of the output. No step looks at what another
-// thread does.
+// The steps: check every cell; find the triangles that decide the diagonals of quads; count the
+// pieces that each block of cells will have; let each block write its pieces to the places that
+// follow from the counts. No block reads what another one writes.
 #include "Private/Reading/CellsToSimplices.h"
 
 #include "Private/Reading/CellChecks.h"
@@ -37,7 +37,8 @@ bool IsRepeated(const vtkIdType* ids, int size)
   return false;
 }
 
-/// What every block has, and later where it begins.
+/// How much a block of cells gives, or all blocks before it: simplices, their point ids, centres,
+/// and the points whose means the centres are.
 struct Amounts
 {
   vtkIdType Simplices = 0;
@@ -357,8 +358,8 @@ void DescribeContested(std::vector<ContestedQuad>&& quads, std::vector<std::stri
   warnings.push_back((one ? "1 quad touches" : std::to_string(quads.size()) + " quads touch") +
     " triangles on both diagonals (" + (one ? "" : "the first ") + "in cell " +
     std::to_string(first->CellId) +
-    "): the diagonal through the smallest point id was taken, and the mesh does not conform there. "
-    "Look for overlapping cells.");
+    "): the filter takes the diagonal through the smallest point id, and cells do not fit together "
+    "there. Look for overlapping cells.");
 }
 
 void SplitCells(const CellReader& cells, vtkPoints* points, const CheckedCells& checked,
@@ -409,7 +410,7 @@ SimplicesOfCells CellsToSimplices(vtkPointSet* input, const vtkIdType* globalIds
   const CellReader cells(input);
   if (ReadPlainSimplices(input, cells, output.Simplices.Dimensions))
   {
-    // Nothing to decide: the ids stay as they stand.
+    // Each cell is one simplex, so that its ids are used as they are.
     output.InPlace = ids == PlainIds::InPlace ? cells.FindAllIds() : nullptr;
     if (!output.InPlace)
     {

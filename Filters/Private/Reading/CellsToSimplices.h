@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CellsToSimplices.h
- * Input: the cells of a vtkUnstructuredGrid or vtkPolyData as ordered simplices.
+ * Reads the cells of a vtkUnstructuredGrid or vtkPolyData as ordered simplices: lists of points
+ * whose order counts.
  */
 #ifndef SubdivisionObjects_CellsToSimplices_h
 #define SubdivisionObjects_CellsToSimplices_h
@@ -20,7 +21,8 @@ struct SimplicesOfCells
 {
   /// The simplices, in input cell order; NumberOfPoints counts the added centres too.
   SimplexList Simplices;
-  /// The ids, where they were left where they are: Simplices.Connectivity is empty then.
+  /// The point ids of the simplices inside the input, if they were not copied;
+  /// Simplices.Connectivity is empty then.
   const vtkIdType* InPlace = nullptr;
   /// The input cell each simplex is a piece of. Empty: simplex i is cell i.
   std::vector<vtkIdType> ParentCells;
@@ -28,7 +30,8 @@ struct SimplicesOfCells
   /// CentreMembers[CentreOffsets[c] .. CentreOffsets[c + 1]).
   std::vector<vtkIdType> CentreOffsets{ 0 };
   std::vector<vtkIdType> CentreMembers;
-  /// One sentence for each kind of cell that was passed over or is worth a word.
+  /// Warnings for the user: one for each kind of fault of cells, one for quads with triangles on
+  /// both diagonals.
   std::vector<std::string> Warnings;
 
   vtkIdType GetNumberOfCentres() const
@@ -53,13 +56,13 @@ enum class PlainIds
 };
 
 /**
- * Splits every cell of `input` (vtkUnstructuredGrid or vtkPolyData) into simplices, conformingly.
- * `globalIds` orders the points (null: the index does). The pieces of a cell are consecutive and
- * have its orientation; a cell that is a simplex keeps the order of its points. All cells that have
- * a quad take the diagonal that triangles of the mesh have, else the one through its smallest
- * point; see SolidCells.h for what follows from that inside a solid, PolygonEars.h for larger
- * polygons. Cells that cannot be used are left out with a warning, hidden ones (vtkGhostType)
- * without; neither has any influence on the others.
+ * Splits every cell of `input` (vtkUnstructuredGrid or vtkPolyData) into simplices that fit
+ * together across cells. `globalIds` orders the points (null: the index does). The pieces of a cell
+ * are consecutive and have its orientation; a cell that is a simplex keeps the order of its points.
+ * All cells at a quad split it by the same diagonal: the one on which a triangle of the mesh lies,
+ * else the one through the smallest point of the quad. See SolidCells.h for the inside of solids,
+ * PolygonEars.h for polygons of five and more points. Cells that cannot be used are left out with a
+ * warning, hidden ones (vtkGhostType) without. Neither have any influence on the other cells.
  */
 SimplicesOfCells CellsToSimplices(
   vtkPointSet* input, const vtkIdType* globalIds, PlainIds ids = PlainIds::Copied);

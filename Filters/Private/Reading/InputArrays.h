@@ -21,17 +21,19 @@ namespace subdivision
 struct ArrayRequest
 {
   int Index;
-  const char* Fallback; ///< the name where none is given; may be null
+  const char* Fallback; ///< the array to take where the user chose none; may be null
   bool Integral;
   bool OfPoints = false;
-  bool AnyComponents = false; ///< else one
+  bool AnyComponents = false; ///< if false, the array must have one component
 };
 
-/// The name set at an index, empty for none; `association`, if it is set, that of its array.
+/// The name that SetInputArrayToProcess gave to `index`; empty if it gave none, or None. If an
+/// association was given too, `association` is set to it.
 std::string GetInputArrayName(vtkAlgorithm* algorithm, int index, int& association);
 
-/// Sets `array` to what was asked for, or null where it is unset and the fallback is not there.
-/// False, after `fail`, where a named array cannot be used. `size`: number of cells or points.
+/// Sets `array` to the array that the user chose, or else to the fallback; null if there is
+/// neither. A chosen array that cannot be used calls `fail` and returns false. A fallback that
+/// cannot be used calls `warn` and is ignored. `size`: number of cells or points.
 bool FindInputArray(vtkAlgorithm* algorithm, vtkDataSetAttributes* data, vtkIdType size,
   const ArrayRequest& request, const std::function<void(const std::string&)>& warn,
   const std::function<void(const std::string&)>& fail, vtkDataArray*& array);

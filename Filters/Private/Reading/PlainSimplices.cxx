@@ -20,7 +20,8 @@ namespace subdivision
 namespace
 {
 
-/// Dimension of the simplex that a cell of this type is, if it has as many points; or -1.
+/// The dimension d of the simplex that a cell of this type is if it has d + 1 points; -1 if it
+/// never is one.
 int GetSimplexDimension(int cellType)
 {
   switch (cellType)
@@ -42,7 +43,8 @@ int GetSimplexDimension(int cellType)
   }
 }
 
-/// Numbers whose exponent has all bits set are infinite or none: one more carries to the sign.
+/// Whether all values are finite. A number that is infinite or NaN has all bits of its exponent
+/// set, so that adding 1 to the exponent carries into the sign.
 template <typename Bits, int Mantissa, typename Number>
 bool AreFinite(const Number* values, vtkIdType begin, vtkIdType end)
 {
@@ -60,7 +62,8 @@ bool AreFinite(const Number* values, vtkIdType begin, vtkIdType end)
   return (found & sign) == 0;
 }
 
-/// Also false where it is not known.
+/// Whether all values are finite; false also for arrays of a layout or type that this test cannot
+/// read.
 bool AreFinite(vtkDataArray* array)
 {
   const bool isDouble = array->GetDataType() == VTK_DOUBLE;
@@ -84,14 +87,14 @@ bool AreFinite(vtkDataArray* array)
   return finite;
 }
 
-/// Whether cells of `Corners` different points each name points that exist.
+/// Whether each cell has `Corners` ids that are all different and ids of existing points.
 template <int Corners, typename Id>
 bool AreSimplices(const Id* ids, vtkIdType cells, vtkIdType numberOfPoints)
 {
   using Bits = std::make_unsigned_t<Id>;
   constexpr vtkIdType largest = std::numeric_limits<Id>::max();
   const Bits last = static_cast<Bits>(std::min(numberOfPoints - 1, largest));
-  Bits signs = 0; // of ids, and of what is left above them
+  Bits signs = 0; // the sign bit is set if an id, or `last` minus an id, is negative
   bool repeats = false;
   for (vtkIdType cell = 0; cell < cells; ++cell, ids += Corners)
   {
@@ -123,7 +126,7 @@ bool AreSimplices(int dimension, const Id* ids, vtkIdType cells, vtkIdType numbe
   }
 }
 
-/// Cells of one type: whether they are simplices of a dimension and without fault.
+/// Whether the cells [begin, end), all of one type, are simplices of this dimension without fault.
 bool IsPlain(const CellReader::Part& part, int dimension, vtkIdType begin, vtkIdType end,
   vtkIdType numberOfPoints)
 {

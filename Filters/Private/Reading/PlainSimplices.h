@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlainSimplices.h
- * The usual input, read at the speed of memory: cells that are simplices all, none with a fault.
+ * Reads the most common input fast: one in which all cells are simplices and none has a fault.
  */
 #ifndef SubdivisionObjects_PlainSimplices_h
 #define SubdivisionObjects_PlainSimplices_h
@@ -13,8 +13,8 @@
 namespace subdivision
 {
 
-/// Finds the dimension of each cell. False, and none, where some cell is hidden, has a fault or is
-/// not a simplex, or where some coordinate is not finite: CheckCells tells what is the matter.
+/// Finds the dimension of each cell. Returns false, and no dimensions, if a cell is hidden, has a
+/// fault or is not a simplex, or if a coordinate is not finite; CheckCells then finds out which.
 bool ReadPlainSimplices(
   vtkPointSet* input, const CellReader& cells, std::vector<unsigned char>& dimensions);
 

@@ -38,7 +38,8 @@ void Scale(Vector3& a, double factor)
 /// are.
 void Normalize(std::vector<Vector3>& points)
 {
-  // First by the largest coordinate: the difference of two huge ones may not be a number any more.
+  // Scaling comes first, because the difference of two huge coordinates may overflow. The second
+  // pass scales the differences.
   for (int pass = 0; pass < 2; ++pass)
   {
     double largest = 0;
@@ -88,7 +89,8 @@ Vector3 WidestNormal(const std::vector<Vector3>& points, double leastSine)
   }
   if (Dot(normal, normal) < leastSine * leastSine)
   {
-    // All on one line. A plane that contains it: across the axis that it follows least.
+    // All points lie on one line: take a plane that contains it, spanned by the line and the
+    // coordinate axis that it follows least.
     Vector3 axis{};
     const auto& d = *longest;
     const auto least = std::min_element(

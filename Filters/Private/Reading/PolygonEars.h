@@ -20,10 +20,10 @@ namespace subdivision
 
 /**
  * An ear is a convex corner whose triangle contains no other corner of the polygon. The ear with
- * the shortest diagonal is cut first, among equal ones (to 1e-9, of points
- * in single precision to 1e-5) that with the smallest point.
- * Polygons without ears (collinear, crossing themselves) are cut all the same: n points always give
- * n - 2 triangles. One object serves one thread and keeps its memory from polygon to polygon.
+ * the shortest diagonal is cut off first; among equal ones (to a relative 1e-9, for points in
+ * single precision 1e-5) the one with the smallest point. A polygon without ears, because it is
+ * collinear or crosses itself, is cut all the same: n points always give n - 2 triangles. Each
+ * thread needs an object of its own, which reuses its memory for all polygons.
  */
 class PolygonEars
 {
@@ -56,9 +56,9 @@ private:
   vtkPoints* Points;
   PointOrder Order;
   double Tie;       ///< lengths that differ by less, relatively, are equal
-  double LeastSine; ///< what is below counts as zero
+  double LeastSine; ///< sines below this count as zero
   std::vector<Corner> Corners;
-  std::vector<std::array<double, 3>> Loop; ///< of the loop
+  std::vector<std::array<double, 3>> Loop; ///< coordinates of the points of the loop
   std::vector<std::array<vtkIdType, 3>> Triangles;
 };
 

@@ -50,7 +50,8 @@ public:
   const PointOrder& GetOrder() const { return this->Order; }
 
 private:
-  /// Bit 0, 1: some triangle has three of the quad's points, and so is on diagonal 0, 1.
+  /// Bit d is set if a triangle of the mesh has diagonal d as an edge and its third point in the
+  /// quad.
   unsigned FindTriangles(const vtkIdType* quad) const;
   bool HasTriangle(const TriangleKey& key) const;
 

@@ -32,12 +32,13 @@ bool Contains(const Triangle& triangle, vtkIdType point)
   return triangle[0] == point || triangle[1] == point || triangle[2] == point;
 }
 
-/// The boundary of a cell as outward triangles, and what its quads say about its points.
+/// The boundary of a cell as outward triangles, with counts of the diagonals at each point.
 struct Surface
 {
   int Size = 0;
   Triangle Triangles[12];
-  /// Per entry of SolidSplit::Points: quads whose diagonal has, or avoids, the point.
+  /// For each entry of SolidSplit::Points: the number of quads at this point whose diagonal ends at
+  /// it, and of those whose diagonal does not.
   int Diagonals[8] = {};
   int Avoided[8] = {};
 
@@ -103,7 +104,8 @@ void AddFaces(const FaceTable& table, const vtkIdType* ids, const QuadDiagonals&
   }
 }
 
-/// A collapsed cell may have the same triangle twice, facing both ways; nothing is between the two.
+/// Removes pairs of equal triangles that face opposite ways. A collapsed cell may have them, with
+/// no volume in between.
 void CancelOppositeTriangles(Surface& surface)
 {
   for (int i = 0; i < surface.Size; ++i)
@@ -127,7 +129,8 @@ void CancelOppositeTriangles(Surface& surface)
   }
 }
 
-/// Outward triangles joined to a point inside or on the boundary make positive tets.
+/// Makes a tet of the apex and each triangle without it. The tets are positive because the
+/// triangles face outward and the apex is inside or on the boundary.
 void Cone(vtkIdType apex, const Surface& surface, SolidSplit& split)
 {
   for (int i = 0; i < surface.Size; ++i)
@@ -142,7 +145,8 @@ void Cone(vtkIdType apex, const Surface& surface, SolidSplit& split)
   }
 }
 
-/// The smallest point that no quad's diagonal avoids: the boundary can be coned from it. Or -1.
+/// The index of the smallest point at which the diagonals of all its quads end; -1 if there is
+/// none. Tets from such a point to the triangles without it fill the cell.
 int FindApex(const SolidSplit& split, const Surface& surface, const PointOrder& order)
 {
   int apex = -1;
@@ -156,11 +160,11 @@ int FindApex(const SolidSplit& split, const Surface& surface, const PointOrder& 
   return apex;
 }
 
-/// Cuts the corner off whose three quads' diagonals avoid it: one tet, and a triangle in its place.
+/// Cuts off a corner at which none of the diagonals of its three quads ends: one tet, and one
+/// triangle in place of the three at the corner.
 void CutCorner(vtkIdType corner, Surface& surface, SolidSplit& split)
 {
-  // Around the corner the three triangles (corner, a, b) follow each other: their edges ab close
-  // up.
+  // In the three triangles (corner, a, b) the edges ab form a closed loop, the `link`.
   Triangle link{};
   Surface rest;
   for (int i = 0; i < surface.Size; ++i)

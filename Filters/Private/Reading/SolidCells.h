@@ -45,7 +45,7 @@ struct SolidSplit
   /// The different points of the cell, whose mean is the centre.
   int NumberOfPoints = 0;
   vtkIdType Points[8] = {};
-  /// Quads on both diagonals of which the mesh has triangles.
+  /// Quads for which the mesh has triangles on both diagonals.
   int NumberOfContested = 0;
   QuadKey Contested[6] = {};
 };
@@ -54,9 +54,10 @@ struct SolidSplit
  * Splits a cell with a face table. The tets of a cell that is oriented as VTK wants it are
  * positive. Repeated ids are allowed: the pieces that would have no volume are left out.
  *
- * A centre is added only where the diagonals allow nothing else. For a wedge these are the 2 of 8
- * choices in which no point has two diagonals, for a hexahedron 18 of 64 (a test compares with an
- * exhaustive search). With all diagonals through the smallest id there is none.
+ * A centre is added only where the diagonals allow nothing else. This is so for 2 of the 8 choices
+ * of diagonals in a wedge (those in which no point has two diagonals) and for 18 of the 64 in a
+ * hexahedron; a test compares with an exhaustive search. If each diagonal goes through the smallest
+ * point of its quad, no centre is needed.
  */
 SolidSplit SplitSolid(int cellType, const vtkIdType* ids, const QuadDiagonals& diagonals);
 

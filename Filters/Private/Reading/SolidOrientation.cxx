@@ -16,7 +16,8 @@ namespace subdivision
 namespace
 {
 
-/// The first corner of each simplex in the connectivity; or the first of its children.
+/// Running sums of `count`: where the corners of each simplex begin in the connectivity, or where
+/// its children begin among the cells of the output.
 template <typename Count>
 Buffer<vtkIdType> FindFirsts(const SimplexList& simplices, const Count& count)
 {
@@ -26,7 +27,7 @@ Buffer<vtkIdType> FindFirsts(const SimplexList& simplices, const Count& count)
   return firsts;
 }
 
-/// Looks at the tetrahedra with numbers [begin, end) of an output.
+/// Tells the orientation of tetrahedra of an output.
 template <typename Out, typename T>
 class CellCheck
 {
@@ -140,7 +141,8 @@ InvertedCells FindInvertedCells(const SimplexList& control, int levels,
           }
         }
       };
-      // By cells, so that one control tetrahedron with many children is shared out too.
+      // The ranges are of output cells, so that several threads share the children of one control
+      // tetrahedron.
       ForRanges(firsts[size],
         [&](vtkIdType begin, vtkIdType end)
         {

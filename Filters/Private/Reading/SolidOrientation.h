@@ -17,8 +17,8 @@ class vtkUnstructuredGrid;
 namespace subdivision
 {
 
-/// Twice the number of each simplex that is a tetrahedron of negative volume, by more than may be
-/// rounding, and one more of each that is flat; ascending.
+/// Finds the tetrahedra that are inverted or flat. The result has 2i for each simplex i of negative
+/// volume, and 2i + 1 for each one whose volume is zero but for rounding; it is ascending.
 std::vector<vtkIdType> FindInvertedTets(const SimplexList& simplices, const Coordinates& points);
 
 struct InvertedCells
@@ -27,10 +27,10 @@ struct InvertedCells
   vtkIdType First = -1; ///< a cell of the output; -1: there is none
 };
 
-/// The tetrahedra of an output, `levels` steps below a control mesh, the volume of which has
-/// another sign than that of the control tetrahedron they come from, if this is not flat;
-/// `inverted` as FindInvertedTets gives them, `tie` as in Coordinates. `marks`: one for each cell,
-/// or null.
+/// Finds the tetrahedra of an output, `levels` steps after a control mesh, whose volume has another
+/// sign than that of their control tetrahedron; children of flat ones are left out. `inverted` is
+/// the result of FindInvertedTets, `tie` that of Coordinates. `marks`: one for each cell of the
+/// output, set to 1 for those that were found; may be null.
 InvertedCells FindInvertedCells(const SimplexList& control, int levels,
   const std::vector<vtkIdType>& inverted, double tie, vtkUnstructuredGrid* output,
   unsigned char* marks);

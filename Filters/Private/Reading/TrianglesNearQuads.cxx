@@ -61,13 +61,15 @@ void ForEachFace(int cellType, const CellIds& cell, std::vector<vtkIdType>& scra
   }
 }
 
-/// Whole types that have no quad; the quick way past most cells.
+/// Cell types that never have a quad, so that most cells are skipped without a look at their
+/// points.
 bool NeverHasQuads(int cellType)
 {
   return cellType == VTK_TETRA || cellType == VTK_TRIANGLE || cellType == VTK_TRIANGLE_STRIP;
 }
 
-/// Points of quads, marked by several threads at once: all write the same.
+/// One byte per point, 1 for the points of quads. They are atomic because several threads may write
+/// the same byte; all write 1.
 using PointMarks = std::vector<std::atomic<unsigned char>>;
 
 void MarkQuadPoints(const CellReader& cells, const CheckedCells& checked, PointMarks& marks)

@@ -20,16 +20,17 @@ namespace subdivision
 /// The boundary of a PIXEL or QUAD in order.
 void GetQuad(int cellType, const vtkIdType* ids, vtkIdType* quad);
 
-/// Triangle `i` of a strip; every second one turns the other way round.
+/// Triangle `i` of a strip. Two points of every second one are exchanged, so that all triangles are
+/// oriented alike.
 void GetStripTriangle(const vtkIdType* ids, vtkIdType i, vtkIdType* triangle);
 
-/// Whether the quad consists of two edges that are there twice.
+/// Whether two opposite points of the quad are equal. It has no area then: its boundary runs along
+/// two edges, twice along each.
 bool IsFolded(const vtkIdType* quad);
 
 /**
- * The triangles of the mesh, cells as well as faces (also those of collapsed cells), that have
- * three points of quads. Where solids and shells meet these are few of many; all others cannot
- * touch a diagonal.
+ * The triangles of the mesh (cells and faces of cells, also of collapsed ones) whose three points
+ * are points of quads. No other triangle can lie on a diagonal, and these are usually few.
  */
 std::vector<TriangleKey> FindTrianglesNearQuads(
   const CellReader& cells, const CheckedCells& checked, vtkIdType numberOfPoints);

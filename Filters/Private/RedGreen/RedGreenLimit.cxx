@@ -89,8 +89,8 @@ typename RedGreenLimit<Id>::Carrier RedGreenLimit<Id>::Unite(const Carrier& a, c
   return both;
 }
 
-/// Whether what a simplex carries is a curve, a surface, or a boundary, joint or singular surface
-/// of a solid.
+/// Whether the limit of a control simplex is a curve, a surface, or a boundary, joint or singular
+/// surface of a solid.
 template <typename Id>
 bool RedGreenLimit<Id>::IsCurved(const Carrier& carrier) const
 {
@@ -100,7 +100,7 @@ bool RedGreenLimit<Id>::IsCurved(const Carrier& carrier) const
 // ------------------------------------------------------------------------------------------------
 // Where to look
 
-/// The place between two that an edge of the uniform refinement joins.
+/// The place in the middle of an edge of the uniform refinement, which is given by its ends.
 template <typename Id>
 Id RedGreenLimit<Id>::GetMiddle(Id a, Id b)
 {
@@ -132,8 +132,8 @@ typename RedGreenLimit<Id>::EdgeOfCell RedGreenLimit<Id>::LookAt(
   return edge;
 }
 
-/// Three places along an edge of the uniform refinement, so that a curve that crosses it is found
-/// as well; the middle of another.
+/// Adds the places at which an edge is measured: three on an edge of the uniform refinement, so
+/// that a curve is noticed that crosses the edge in its middle; on any other edge its middle.
 template <typename Id>
 void RedGreenLimit<Id>::AddEdge(const EdgeOfCell& edge, const std::array<Id, 4>& leaf)
 {
@@ -168,13 +168,13 @@ void RedGreenLimit<Id>::AddEdge(const EdgeOfCell& edge, const std::array<Id, 4>&
     const auto& split = edge.Of[isFromCorner ? 1 : 0];
     add(this->GetMiddle(this->GetMiddle(corner, split[0]), this->GetMiddle(corner, split[1])), 0.5);
   }
-  else // between opposite edges of a tetrahedron: through its middle, where the diagonal goes
+  else // between midpoints of opposite edges: in the middle of the leaf, like the diagonal
   {
     add(this->GetMiddle(this->GetMiddle(leaf[0], leaf[2]), this->GetMiddle(leaf[1], leaf[3])), 0.5);
   }
 }
 
-/// A triangle at an edge; that between two solids comes from both.
+/// Adds a triangle to an edge. A face of two tetrahedra is added by both and counts once.
 template <typename Id>
 void RedGreenLimit<Id>::AddSide(Id edge, Id opposite, bool isOfSolid)
 {
@@ -191,15 +191,15 @@ void RedGreenLimit<Id>::AddSide(Id edge, Id opposite, bool isOfSolid)
       return;
     }
   }
-  sides.IsBorder = true; // of more than two
+  sides.IsBorder = true; // more than two triangles
 }
 
-/// Places inside a triangle of a surface.
+/// Adds the places at which the inside of a triangle of a surface is measured.
 template <typename Id>
 void RedGreenLimit<Id>::AddTriangle(const RedGreen<Id>& state, const std::array<Id, 4>& leaf,
   const std::array<Id, 3>& corners, bool isOfSolid)
 {
-  int green = -1; // the side that no cell of the uniform refinement has, by the corner opposite
+  int green = -1; // the corner opposite to the side that is no edge of the uniform refinement
   std::array<Id, 3> sides;
   for (int i = 0; i < 3; ++i)
   {
@@ -294,8 +294,9 @@ void RedGreenLimit<Id>::FindSamples(
 // ------------------------------------------------------------------------------------------------
 // Errors
 
-/// The vertices that places depend on, numbered anew, then the middles: between which others they
-/// lie, behind the input's. The result are the numbers of all places.
+/// Numbers the vertices that places depend on, then the middles. Vertices of the input keep their
+/// numbers; `midpoints` gets the ends of the later ones. Returns the new number of each vertex and
+/// middle, -1 for those that are not needed.
 template <typename Id>
 Buffer<Id> RedGreenLimit<Id>::NumberPlaces(
   const RedGreen<Id>& state, std::vector<std::array<Id, 2>>& midpoints) const
@@ -353,8 +354,8 @@ void RedGreenLimit<Id>::FindErrors(const RedGreen<Id>& state, const Cells& cells
   this->Measure(state, options, criteria);
 }
 
-/// The error of the shape at a place over an edge. Where a triangle at it is not known, it is one
-/// that did not change, with which the edge was looked at before.
+/// The geometric error at a place over an edge. A triangle at the edge that is not known did not
+/// change in the last round; the edge was measured with it before.
 template <typename Id>
 double RedGreenLimit<Id>::GetErrorOfEdge(const Sample& sample, const double* const* corners,
   const double* place, const Buffer<double>& limits, const Buffer<Id>& numbers,
@@ -383,7 +384,7 @@ void RedGreenLimit<Id>::Measure(
 {
   std::vector<std::array<Id, 2>> midpoints;
   const Buffer<Id> numbers = this->NumberPlaces(state, midpoints);
-  // No more limits than samples read: of late rounds, a part of the mesh.
+  // Only the limits that samples read are computed: in late rounds those of a part of the mesh.
   Buffer<unsigned char> wanted(
     state.GetNumberOfInputVertices() + static_cast<vtkIdType>(midpoints.size()), 0);
   for (const auto& sample : this->Samples)
@@ -450,7 +451,7 @@ void RedGreenLimit<Id>::Measure(
       if (edge >= 0)
       {
         double& worst = this->Errors[edge];
-        // A value that is not finite is told of, unless the edge is split anyway.
+        // -1 reports a value that is not finite, unless the edge is split anyway.
         const bool isTold = std::min(worst, errors[i]) < 0. && std::max(worst, errors[i]) <= 1.;
         worst = isTold ? -1. : std::max(worst, errors[i]);
       }

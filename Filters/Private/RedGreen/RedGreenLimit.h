@@ -31,9 +31,9 @@ public:
   LocalLimit<Id> GetOperator(const RedGreen<Id>& state) const;
 
   /// Finds the errors of the edges of candidates: the largest distance of the limit from the edge,
-  /// looked at in one to three places along it; inside a surface, from its triangles. What lies
-  /// inside a triangle counts for its edges, too; inside a green one for the edge that only green
-  /// cells have.
+  /// measured at one to three places along it; inside a surface the distance from the triangles at
+  /// the edge. The error inside a triangle counts for its three edges, inside a green triangle for
+  /// the edge that is no edge of the uniform refinement.
   template <typename Cells>
   void FindErrors(const RedGreen<Id>& state, const Cells& cells, int maximumLevel,
     const RefinementOptions& options, const RefinementCriteria& criteria);
@@ -48,19 +48,21 @@ public:
 private:
   using Carrier = std::array<Id, 4>; ///< the vertices of a control simplex, ascending; then -1
 
-  /// A place on the limit, and where the straight edge or triangle has it.
+  /// A place on the limit at which the error is measured, and the point of the straight edge or
+  /// triangle that stands for it.
   struct Sample
   {
     Id Place = 0; ///< among the vertices of the state, then the Middles
     std::array<Id, 3> Corners{ { -1, -1, -1 } };
     std::array<double, 3> Weights{ { 0., 0., 0. } };
-    std::array<Id, 3> Edges{ { -1, -1, -1 } }; ///< that have the error
+    std::array<Id, 3> Edges{ { -1, -1, -1 } }; ///< the edges that get the error
   };
-  /// Two vertices of a candidate, and what they are to its leaf.
+  /// An edge of a candidate, and how its ends lie in the leaf of the candidate.
   struct EdgeOfCell
   {
     Id Ends[2];
-    /// The leaf's edges whose middles the ends are; twice the end itself for a corner.
+    /// For each end the edge of the leaf whose midpoint it is; for a corner of the leaf twice the
+    /// corner.
     std::array<Id, 2> Of[2];
     /// Whether some cell of the uniform refinement has the edge.
     bool IsUniform;
@@ -70,8 +72,8 @@ private:
   struct SidesOfEdge
   {
     Id Opposites[2] = { -1, -1 };
-    /// On an edge of the control mesh: cells of the input end there, so that what lies beside it is
-    /// off both.
+    /// Whether errors are distances from the edge and not from triangles. So it is if the edge lies
+    /// on a control edge, where input cells end, or has more than two triangles.
     bool IsBorder = false;
   };
 
@@ -98,7 +100,8 @@ private:
 
   Level<Id> Control;
   SemiSharpStages<Id> Creases;
-  /// Edges and faces of the control mesh that are not merely the inside of a solid; sorted.
+  /// Edges and faces of the control mesh that do not follow the rule for the inside of a solid;
+  /// sorted.
   std::vector<Carrier> Curved;
   std::vector<Carrier> Carriers; ///< of each vertex of the state so far
   PairTable<Id> Edges;
@@ -108,7 +111,7 @@ private:
   // Samples of one round:
   Id FirstMiddle = 0; ///< the number of vertices of the state
   PairTable<Id> MiddlesByEnds;
-  std::vector<std::array<Id, 2>> Middles; ///< places that are no vertices: between which they lie
+  std::vector<std::array<Id, 2>> Middles; ///< ends of each place that is no vertex
   std::vector<Sample> Samples;
 };
 

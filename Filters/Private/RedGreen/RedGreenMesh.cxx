@@ -59,9 +59,9 @@ public:
   /// False, and nothing happens, where the cells are not what the arrays say; `fault` says why if
   /// the user should know.
   bool Run(std::string& fault);
-  /// What was read, before and after.
+  /// The simplices that were read, also after Run replaced them.
   const SimplexView& GetRead() const { return this->Read; }
-  /// Puts it back.
+  /// Undoes what Run did.
   void Revert();
 
 private:
@@ -95,7 +95,7 @@ bool GreenUndo::FindArrays()
     this->Levels->GetRange(0)[0] >= 0. && this->Levels->GetRange(0)[1] <= 255.;
 }
 
-/// The points of a leaf, and the middles of its edges.
+/// Reads a leaf and the midpoints of its edges. Returns false if the ids are not valid.
 bool GreenUndo::ReadLeaf(vtkIdType index, int dimension)
 {
   if (index >= this->Leaves->GetNumberOfTuples() || dimension < 2)
@@ -128,7 +128,7 @@ bool GreenUndo::ReadLeaf(vtkIdType index, int dimension)
   return true;
 }
 
-/// Cells that were one get one cell's values: they must be the same.
+/// Whether two green cells of a leaf have the same cell data. Only then can the leaf take them.
 bool GreenUndo::HasSameData(vtkIdType first, vtkIdType cell, std::string& fault) const
 {
   vtkCellData* data = this->Input->GetCellData();
@@ -142,8 +142,8 @@ bool GreenUndo::HasSameData(vtkIdType first, vtkIdType cell, std::string& fault)
       fault = std::string("The cell array \"") + (array->GetName() ? array->GetName() : "") +
         "\" has different values in green cells " + std::to_string(first) + " and " +
         std::to_string(cell) +
-        ", which were one: so that none is lost, green cells are kept and refined as they are. "
-        "Compute it after the last refinement to avoid thin cells.";
+        ", which are parts of one cell: the filter keeps both values, and so refines green cells "
+        "as they are. Compute the array after the last refinement to avoid thin cells.";
       return false;
     }
   }

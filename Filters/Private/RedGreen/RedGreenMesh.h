@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RedGreenMesh.h
- * What red-green refinement starts from: an input's simplices, or, where an earlier filter of this
- * kind made the input, the cells that its green cells stand for; and what travels with an output so
- * that the next filter knows them.
+ * Reads the mesh that red-green refinement starts from: the simplices of the input or, if an
+ * earlier filter of this kind made the input, with the leaves in the place of their green parts.
+ * Writes the field arrays from which the next filter can tell the leaves.
  */
 #ifndef SubdivisionObjects_RedGreenMesh_h
 #define SubdivisionObjects_RedGreenMesh_h
@@ -32,9 +32,9 @@ struct RedGreenMesh
 {
   ControlMesh Control; ///< as read; where green cells are undone, its cells are the leaves
   bool TetOrderIsFinal = false;
-  bool IsContinued = false;          ///< an earlier filter's cells and levels go on
+  bool IsContinued = false; ///< green cells of an earlier filter were undone, its levels are kept
   std::vector<unsigned char> Levels; ///< of the simplices; empty: all 0
-  /// Ends and middle of the edges that are split already.
+  /// Ends and midpoint of each edge of a leaf that is split already.
   std::vector<std::array<vtkIdType, 3>> Midpoints;
 
   vtkIdType GetInputCell(vtkIdType simplex) const
@@ -50,8 +50,9 @@ struct RedGreenMesh
   }
 };
 
-/// Reads an input. `trustStamp`: as in ReadControlMesh; `undo`: false where its green cells are to
-/// be taken as they are. `warn` hears why they are although it has some of an earlier filter's.
+/// Reads an input. `trustStamp`: as in ReadControlMesh; `undo`: false if green cells are to be
+/// taken as they are. `warn` gets the reason if the green cells of an earlier filter cannot be
+/// undone.
 RedGreenMesh ReadRedGreenMesh(vtkPointSet* input, const FeatureOptions& features, bool trustStamp,
   bool undo, const std::function<void(const std::string&)>& warn);
 

@@ -105,7 +105,7 @@ bool RedGreenRun::Run()
   {
     outcome = this->Execute(true);
   }
-  catch (const std::invalid_argument&) // of midpoints that do not fit together
+  catch (const std::invalid_argument&) // the midpoints of the stamp do not fit together
   {
     this->Output->Initialize();
   }
@@ -118,7 +118,8 @@ bool RedGreenRun::Run()
 
 RedGreenRun::Outcome RedGreenRun::Execute(bool trustStamp)
 {
-  // Cells that hang on others' edges have no limit: where it is asked for, green ones stay.
+  // Leaves in the place of their green parts do not conform, and then there is no limit. Where
+  // limits are needed, green cells are not undone.
   this->Mesh = ReadRedGreenMesh(
     this->Input, this->Options.Features, trustStamp, !this->ReadsLimit(), this->Options.Warn);
   this->StartPoints();
@@ -238,7 +239,7 @@ RedGreenRun::Marks<Id> RedGreenRun::FindMarksOf(
     [&](Id a, Id b) { return atLimit ? limit.GetError(a, b) : 0.; }, notes);
 }
 
-/// False: stopped from outside.
+/// Returns false if Progress asks to stop.
 template <typename Id>
 bool RedGreenRun::RunRounds(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<Id>& limit)
 {
@@ -291,8 +292,8 @@ bool RedGreenRun::RunRounds(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<
   return true;
 }
 
-/// The last round made too many cells: takes it back but for its worst marks. Marks can be applied
-/// again from the start, because what they lead to does not depend on anything else.
+/// The last round made too many cells: goes back and applies only as many of its worst marks as
+/// fit. It starts from the input and applies all marks again, which gives the same state as before.
 template <typename Id>
 void RedGreenRun::StopAtLimit(std::vector<Marks<Id>>& rounds, std::unique_ptr<RedGreen<Id>>& state)
 {
@@ -323,9 +324,8 @@ void RedGreenRun::StopAtLimit(std::vector<Marks<Id>>& rounds, std::unique_ptr<Re
   }
   replay(fits);
   std::string what = std::to_string(last.size() - fits) +
-    " places that the criteria ask for were not refined, the worst ones last: the output would "
-    "have "
-    "more than " +
+    " places that the criteria ask for were not refined. The filter leaves out those with the "
+    "smallest errors first, the worst ones last: the output would have more than " +
     std::to_string(static_cast<vtkIdType>(this->MostCells)) + " cells, ";
   what += this->MemoryIsLimit
     ? "for which there is not enough memory. Use weaker criteria, a lower "
@@ -345,8 +345,9 @@ void RedGreenRun::TellNotes(MarkNotes& notes) const
     vtkDataArray* array = this->Options.Criteria.Attribute;
     this->Options.Warn(std::to_string(edges.size()) + " edges have a value of the point array \"" +
       (array->GetName() ? array->GetName() : "") +
-      "\" at an end that is not finite, the first is " + std::to_string(edges[0].first) + " " +
-      std::to_string(edges[0].second) + ": they were not refined by RefineByAttributeError.");
+      "\" that is not finite at one of their ends, the first joins points " +
+      std::to_string(edges[0].first) + " and " + std::to_string(edges[0].second) +
+      ": RefineByAttributeError does not refine them.");
   }
   if (notes.TooShort > 0)
   {
@@ -363,7 +364,8 @@ void RedGreenRun::TellNotes(MarkNotes& notes) const
 template <typename Id>
 bool RedGreenRun::BuildLimit(RedGreenLimit<Id>& limit)
 {
-  // Cells of the output keep their order, and their points' numbers are those of any placement.
+  // Tetrahedra are ordered in a copy, so that cells of the output keep the order of their points,
+  // and new points have the same ids with either placement.
   ControlMesh ordered = this->Mesh.Control;
   ordered.Cells.TakeIds();
   const Coordinates points = this->Points->GetCoordinates();
@@ -388,13 +390,14 @@ RedGreenRun::Outcome RedGreenRun::Refine()
   if (isTooLarge && this->MemoryIsLimit)
   {
     this->Options.Fail("There is not enough memory for the " +
-      std::to_string(state->GetNumberOfCells()) + " cells of the input. Use a part of it.");
+      std::to_string(state->GetNumberOfCells()) + " cells of the input. Use a part of the input.");
     return Outcome::Stopped;
   }
   if (isTooLarge)
   {
     this->Options.Warn("The input has " + std::to_string(state->GetNumberOfCells()) +
-      " cells, which is more than MaximumNumberOfCells: nothing is refined. Raise it.");
+      " cells, which is more than MaximumNumberOfCells: nothing is refined. Raise "
+      "MaximumNumberOfCells.");
   }
   else if (!this->RunRounds(state, limit))
   {
@@ -497,7 +500,7 @@ void RedGreenRun::MakeCells(const RedGreenOutput<Id>& plan)
   }
 }
 
-/// What an input that no filter of ours made has by the names that are ours.
+/// Warns if an input that no filter of this kind made has arrays with the names of the output's.
 void RedGreenRun::WarnOfReplaced() const
 {
   if (this->Mesh.IsContinued)
@@ -509,7 +512,7 @@ void RedGreenRun::WarnOfReplaced() const
     if (this->Input->GetCellData()->HasArray(name))
     {
       this->Options.Warn(std::string("The input's cell array \"") + name +
-        "\" is replaced by this filter's own of that name. Rename it to keep it.");
+        "\" is replaced: the filter writes an array of this name. Rename it to keep it.");
     }
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RedGreenRun.h
- * From input to output in rounds of local refinement: what vtkRedGreenRefinement does.
+ * Does the work of vtkRedGreenRefinement: refines an input in rounds and writes the output.
  */
 #ifndef SubdivisionObjects_RedGreenRun_h
 #define SubdivisionObjects_RedGreenRun_h
@@ -21,7 +21,8 @@ struct RedGreenOptions : RunOptions
   bool LimitPlacement = false;
 };
 
-/// False: stopped by an error (told to Fail) or by Progress. The output is then to be emptied.
+/// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then
+/// empties the output.
 bool RefineRedGreen(
   vtkPointSet* input, const RedGreenOptions& options, vtkUnstructuredGrid* output);
 

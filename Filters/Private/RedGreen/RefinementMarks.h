@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RefinementMarks.h
- * What criteria mark among the cells that a red-green state shows them.
+ * Finds the edges and cells that the criteria mark in one round of red-green refinement.
  */
 #ifndef SubdivisionObjects_RefinementMarks_h
 #define SubdivisionObjects_RefinementMarks_h
@@ -25,7 +25,8 @@ struct RefinementMark
   Id Ends[2] = { -1, -1 }; ///< -1: all edges
 };
 
-/// The cells of the input that are not red.
+/// The cells of the input, which are the candidates for marks in the first round. IsOver says which
+/// of them are red already.
 template <typename Id>
 class InputCandidates
 {
@@ -117,7 +118,7 @@ private:
   const Buffer<RedGreenOutputCell<Id>> Cells;
 };
 
-/// What a round found beside marks.
+/// What a round found that the user is told.
 struct MarkNotes
 {
   /// Edges of the input with a value that is not finite.
@@ -146,7 +147,8 @@ public:
   /// The marks, in the order of the cells.
   std::vector<Mark> Run(MarkNotes& notes) const
   {
-    // Stretch by stretch where the function has to be asked before.
+    // A function that threads may not evaluate is evaluated before them, for a stretch of cells at
+    // a time.
     const bool isSerial = this->Criteria.ReadsFunction() && !this->Criteria.IsFunctionForThreads();
     const vtkIdType size = this->Candidates.GetSize();
     const vtkIdType stretch = std::min(size, isSerial ? vtkIdType(65536) : size);
@@ -174,7 +176,7 @@ private:
     MarkNotes Notes;
   };
 
-  /// Looks at cells in threads; `values`: of the function, where it cannot be asked there.
+  /// Looks at cells in threads; `values`: those of the function if threads may not evaluate it.
   void Look(vtkIdType begin, vtkIdType end, const Buffer<double>& values, std::vector<Mark>& marks,
     MarkNotes& notes) const
   {

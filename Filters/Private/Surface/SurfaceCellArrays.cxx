@@ -37,7 +37,7 @@ bool HoldSame(vtkAbstractArray* a, vtkAbstractArray* b)
   return same;
 }
 
-/// The faces of level `first` on which those of level `last` lie.
+/// For each face of level `last` its carrier on level `first`.
 template <typename Id>
 Buffer<Carrier<Id>> FindCarriers(const SurfaceSteps<Id>& steps, int first, int last)
 {
@@ -53,8 +53,8 @@ Buffer<Carrier<Id>> FindCarriers(const SurfaceSteps<Id>& steps, int first, int l
   return carriers;
 }
 
-/// The face of level `first` of which each face of level `last` shows the cell data: of several
-/// that with the smallest id on the control level.
+/// For each face of level `last` the face of level `first` whose cell data it shows. Of the two
+/// faces of an edge it is the one that lies in the control face with the smaller id.
 template <typename Id>
 Buffer<vtkIdType> FindFaceSources(const SurfaceSteps<Id>& steps, int first, int last)
 {
@@ -77,9 +77,9 @@ Buffer<vtkIdType> FindFaceSources(const SurfaceSteps<Id>& steps, int first, int 
   return sources;
 }
 
-/// From which tuples, and of what, the cells of an output take their data: vertices and lines from
-/// those of the input, faces from those of the input or, where these do not show all, of an earlier
-/// level.
+/// Finds the tuples from which the cells of an output take their data: vertices and lines from
+/// those of the input; faces from those of the input or, where these do not show the data of all
+/// earlier faces, from faces of an earlier level.
 template <typename Id>
 class SurfaceSources
 {
@@ -93,8 +93,8 @@ public:
   {
   }
 
-  /// An array of the input for the output; adds what the filter after this one needs of it to
-  /// `next`.
+  /// Makes an array of the output from one of the input, and adds to `next` what the next filter
+  /// needs of it.
   vtkSmartPointer<vtkAbstractArray> Copy(vtkAbstractArray* array, CarriedCells& next)
   {
     const CarriedCells::Entry* base = this->FindBase(array);
@@ -116,7 +116,7 @@ public:
     const Buffer<vtkIdType>& faces = this->FindSources(level, this->Steps.GetNumberOfSteps());
     return Gather(both, Whole(this->Join([&](vtkIdType f) { return tuples + faces[f]; })));
   }
-  /// The ids of the input's cells for the output, as an array of that name.
+  /// Makes the array of the input cell that each output cell comes from.
   vtkSmartPointer<vtkIdTypeArray> CopyIds(const char* name, CarriedCells& next)
   {
     const auto ids = MakeIds(name, this->GetSources());
@@ -141,7 +141,7 @@ private:
     std::copy(values.begin(), values.end(), ids->GetPointer(0));
     return ids;
   }
-  /// Whether each face of the last level lies in one of an earlier level.
+  /// Whether each face of the last level lies in a single face of `level`.
   bool IsWholeAfter(int level) const
   {
     const int period = this->Steps.GetScheme().GetCarrierPeriod();
@@ -153,7 +153,7 @@ private:
     const std::vector<vtkIdType>& faces = this->Cells.FaceCells;
     return Gather(array, { faces.data(), faces.data() + faces.size() });
   }
-  /// `ofFace(f)` for each face, after vertices and lines.
+  /// The sources of vertices and lines, then `ofFace(f)` for each face f of the last level.
   template <typename OfFace>
   Buffer<vtkIdType> Join(const OfFace& ofFace) const
   {
@@ -170,7 +170,7 @@ private:
       last.Mesh.NumberOfFaces, [&](vtkIdType f) { sources[vertices + lines + f] = ofFace(f); });
     return sources;
   }
-  /// The face of one level for each face of another.
+  /// FindFaceSources, stored for the next array.
   const Buffer<vtkIdType>& FindSources(int first, int last)
   {
     Buffer<vtkIdType>& sources = this->Known[{ first, last }];
@@ -192,7 +192,8 @@ private:
     return this->Sources;
   }
 
-  /// The data of earlier faces, if the input still shows them. Null: the input's count.
+  /// The carried data of earlier faces for an array, if the input still shows them. Null if there
+  /// are none or the array was changed since: then the values of the input are used.
   const CarriedCells::Entry* FindBase(vtkAbstractArray* array)
   {
     const CarriedCells::Entry* base = this->Carried.Find(array->GetName());

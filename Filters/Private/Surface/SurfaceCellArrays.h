@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceCellArrays.h
- * Cell data of surfaces go to the children.
+ * Copies cell data of surfaces from cells to their children.
  */
 #ifndef SubdivisionObjects_SurfaceCellArrays_h
 #define SubdivisionObjects_SurfaceCellArrays_h
@@ -20,9 +20,9 @@ void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources,
   const RunOptions& options, vtkPolyData* output);
 
 /// Copies every cell array of `input`, whose cells are those of level `firstStep`, to the cells of
-/// the last level. Global and pedigree ids are dropped; sharpness of lines is reduced. `goesOn`: an
-/// earlier filter made the input, whose original ids are kept, and left `carried`; this becomes
-/// what the next filter needs.
+/// the last level. Global and pedigree ids are dropped; the sharpness of lines is reduced.
+/// `goesOn`: an earlier filter made the input, so that its original ids are kept. `carried`: before
+/// the call what that filter left, afterwards what the next filter needs.
 template <typename Id>
 void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceSteps<Id>& steps, int firstStep, bool goesOn, const RunOptions& options,

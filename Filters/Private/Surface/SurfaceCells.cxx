@@ -72,7 +72,7 @@ SurfaceCells ReadSimplices(vtkPolyData* input, const vtkIdType* globalIds)
   return cells;
 }
 
-/// Without points that follow themselves.
+/// Removes points that repeat the one before them in the loop.
 void RemoveRepeated(std::vector<vtkIdType>& loop)
 {
   loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
@@ -150,13 +150,13 @@ SurfaceCells ReadPolygons(vtkPolyData* input)
   if (crossing > 0)
   {
     cells.Warnings.push_back(std::to_string(crossing) +
-      " polygon(s) come to a point twice and were passed over, first cell " +
-      std::to_string(first) + ".");
+      " polygon(s) pass through a point twice, and the filter leaves them out. The first is cell " +
+      std::to_string(first) + ". Split them where they touch themselves.");
   }
   return cells;
 }
 
-/// A cell array of equal or given sizes; `fill` writes its connectivity.
+/// Makes a vtkCellArray with the offsets getOffset(i); `fill` writes its connectivity.
 template <typename Array, typename GetOffset, typename Fill>
 vtkSmartPointer<vtkCellArray> MakeCells(
   vtkIdType cells, vtkIdType entries, const GetOffset& getOffset, const Fill& fill)

@@ -28,16 +28,16 @@ struct SurfaceCells
   std::vector<vtkIdType> VertexCells;
   std::vector<vtkIdType> SegmentCells;
   std::vector<vtkIdType> FaceCells;
-  /// One sentence for each kind of cell that was passed over or is worth a word.
+  /// Warnings for the user, one for each kind of fault.
   std::vector<std::string> Warnings;
 
   vtkIdType GetNumberOfFaces() const { return static_cast<vtkIdType>(this->FaceCells.size()); }
 };
 
 /**
- * Poly vertices and poly lines are taken apart, strips become triangles; with `triangles` other
- * polygons too (PolygonEars.h, QuadDiagonals.h). Cells that cannot be used are left out with a
- * warning, hidden ones without.
+ * Reads the cells of a vtkPolyData. Poly vertices become vertices, poly lines segments, strips
+ * triangles; with `triangles` polygons become triangles too (PolygonEars.h, QuadDiagonals.h). Cells
+ * that cannot be used are left out with a warning, hidden ones without.
  */
 SurfaceCells ReadSurfaceCells(vtkPolyData* input, bool triangles, const vtkIdType* globalIds);
 
@@ -45,7 +45,8 @@ SurfaceCells ReadSurfaceCells(vtkPolyData* input, bool triangles, const vtkIdTyp
 template <typename Id>
 SurfaceLevel<Id> MakeControlLevel(const SurfaceCells& cells);
 
-/// The cells of the last level as the output's. `vertices` stay what they are.
+/// Writes the cells of the last level. `vertices` are the points of vertex cells where steps keep
+/// ids; else the level has them.
 template <typename Id>
 void WriteSurfaceCells(const SurfaceSteps<Id>& steps, const std::vector<vtkIdType>& vertices,
   bool use32BitIds, vtkPolyData* output);

@@ -49,20 +49,22 @@ void WarnOfUnused(
   if (polygons > 0)
   {
     options.Warn(std::to_string(polygons) +
-      " polygon(s) with more than three points were split into triangles, which this scheme "
-      "needs.");
+      " polygon(s) have more than three points: the filter splits them into triangles, which this "
+      "scheme needs.");
   }
   if (!scheme.HasLimit() &&
     (options.ProjectToLimit || options.GenerateLimitNormals || options.GenerateTangents))
   {
-    options.Warn("This scheme has no limit masks: points are not projected, and there are no limit "
-                 "normals or tangents.");
+    options.Warn("The filter computes no limits for this scheme: it ignores ProjectToLimit, "
+                 "GenerateLimitNormals and GenerateTangents. Use Loop, CatmullClark, "
+                 "ModifiedButterfly or SqrtThree.");
   }
   if (!scheme.UsesTags() &&
     (options.Features.Singular || options.Features.Sharpness || options.Features.DetectFeatures ||
       options.Angles || options.Flatness))
   {
-    options.Warn("This scheme is dual and has no creases and corners: their options are ignored.");
+    options.Warn("This scheme is dual and has no creases and corners: the filter ignores flags, "
+                 "sharpness, DetectFeatures, and angles and flatness of corners.");
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceChecks.h
- * What is asked of a surface and its options before anything is made.
+ * Checks the size of the output, and whether the scheme can do what options ask for.
  */
 #ifndef SubdivisionObjects_SurfaceChecks_h
 #define SubdivisionObjects_SurfaceChecks_h
@@ -18,7 +18,7 @@ namespace subdivision
 std::string CheckSize(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceScheme<int>& scheme, const SurfaceOptions& options, double& faces);
 
-/// Says what an option asks for and the scheme does not have.
+/// Warns of options that the scheme ignores, and of polygons that it splits.
 void WarnOfUnused(
   vtkPolyData* input, const SurfaceScheme<int>& scheme, const SurfaceOptions& options);
 

@@ -26,7 +26,8 @@ double Dot(const Vector& a, const Vector& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// From the edge of a half-edge into its face: the face's mean normal times the half-edge.
+/// A vector in the plane of a face that points from the edge of `corner` into the face: the mean
+/// normal of the face times the edge.
 template <typename Id>
 Vector FindHeight(const PolygonMesh<Id>& mesh, Id corner, const double* points)
 {
@@ -155,7 +156,7 @@ SurfaceCreases ReadSurfaceCreases(
     {
       features.Corners[cells.Vertices[i]] |= isFlagged(cells.VertexCells[i]);
     }
-    // Around flagged faces: edges that have not exactly two of them.
+    // An edge of flagged faces is sharp unless it has exactly two of them.
     std::vector<unsigned char> counts(mesh.GetNumberOfEdges(), 0);
     for (vtkIdType c = 0; c < mesh.GetNumberOfCorners(); ++c)
     {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceCreases.h
- * What the user says of creases and corners of a surface: cell arrays and options as values of the
- * control mesh.
+ * What the user says about creases and corners of a surface: cell arrays and options as values of
+ * the control mesh.
  */
 #ifndef SubdivisionObjects_SurfaceCreases_h
 #define SubdivisionObjects_SurfaceCreases_h
@@ -21,13 +21,15 @@ struct SurfaceCreases
   EdgeSharpness Sharpness; ///< of each edge; empty where there is none
 };
 
-/// What the arrays say; `level` was made from `cells`.
+/// Reads the cell arrays; `level` was made from `cells`.
 template <typename Id>
 SurfaceCreases ReadSurfaceCreases(
   const FeatureOptions& options, const SurfaceCells& cells, const SurfaceLevel<Id>& level);
 
-/// What is measured and given of the corners at creases that are sharp for some levels, from a
-/// control mesh to the stamp, and back in a filter that goes on from there.
+/// Creases with a finite sharpness end after some levels, and then there are other corners.
+/// WriteSharpCorners puts into the stamp what these need of the control mesh: measured angles of
+/// faces, and angles and flatness that the user gave. ReadSharpCorners takes it from there in the
+/// next filter.
 template <typename Id>
 void WriteSharpCorners(const PolygonMesh<Id>& mesh, const SurfaceCreases& creases,
   const double* points, SurfaceStamp& stamp);
@@ -35,18 +37,19 @@ template <typename Id>
 void ReadSharpCorners(
   const SurfaceStamp& stamp, const PolygonMesh<Id>& mesh, SurfaceFeatures& features);
 
-/// A value for each of the first points of an array, times a factor; -1 where there is none. No
-/// array: no values.
+/// The values of the first `points` points, times a factor; -1 for a negative value. Empty without
+/// an array.
 std::vector<double> ReadPointValues(vtkDataArray* array, vtkIdType points, double factor);
 
-/// Edges where the surface turns by more than an angle in degrees, as pairs of points; and back. A
-/// pair of one point is a corner. All sharp edges and corners as such pairs.
+/// The edges at which the surface turns by more than an angle in degrees, as pairs of points.
 template <typename Id>
 std::vector<vtkIdType> FindFeatureEdges(
   const PolygonMesh<Id>& mesh, const Coordinates& points, double angle);
+/// Makes edges sharp that are given as pairs of points; a point twice makes this point a corner.
 template <typename Id>
 void AddSharpEdges(
   const PolygonMesh<Id>& mesh, const std::vector<vtkIdType>& pairs, SurfaceFeatures& features);
+/// All sharp edges and corners as such pairs.
 template <typename Id>
 std::vector<vtkIdType> ListSharpEdges(const PolygonMesh<Id>& mesh, const SurfaceFeatures& features);
 

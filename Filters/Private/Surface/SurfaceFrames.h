@@ -21,8 +21,8 @@ namespace subdivision
 
 constexpr const char* LimitTangentNames[2] = { "LimitTangent1", "LimitTangent2" };
 
-/// The tangents at the points of the last level, which are float or double, before they go to the
-/// limit.
+/// The tangents at the limits of the vertices of the last level. `points`: the vertices before they
+/// are moved to the limit, float or double.
 template <typename Id>
 TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, vtkDataArray* points);
 
@@ -42,13 +42,15 @@ void TurnTangents(const Buffer<unsigned char>& turned, const FaceOf& faceOf, Tan
     });
 }
 
-/// Adds the arrays. `points`: where they are in the end; `sources`: whose frame each output point
-/// takes; empty: its own; `addCells` adds the cells there to normals for shading.
+/// Adds the arrays of normals and tangents to the output. `points`: where the vertices are in the
+/// end. `sources`: the vertex whose normal and tangents each output point takes; empty: its own.
+/// `addCells` adds the cells from which normals for shading are made.
 void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
   const Buffer<vtkIdType>& sources, bool normals, bool twoTangents,
   const std::function<void(ShadingNormals&)>& addCells, vtkPolyData* input, vtkPolyData* output);
 
-/// The faces and lines of a level; all other points are single. `turned`: as of FindTurnedFaces.
+/// Adds the faces and lines of a level; all other vertices count as single points. `turned`: as
+/// of FindTurnedFaces.
 template <typename Id>
 void AddShadingCells(
   const SurfaceLevel<Id>& level, const Buffer<unsigned char>& turned, ShadingNormals& normals);

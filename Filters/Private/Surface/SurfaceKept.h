@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceKept.h
- * What a surface filter keeps for its next execution, and what it is found by.
+ * What a surface filter keeps for its next execution, and the key by which it finds it.
  */
 #ifndef SubdivisionObjects_SurfaceKept_h
 #define SubdivisionObjects_SurfaceKept_h
@@ -18,7 +18,7 @@
 namespace subdivision
 {
 
-/// What the topology of an output depends on, by content.
+/// The cells and options on which the levels depend. Keys are compared by content.
 struct SurfaceKey
 {
   SurfaceSchemeKind Scheme;

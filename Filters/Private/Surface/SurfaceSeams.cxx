@@ -10,7 +10,7 @@ namespace subdivision
 namespace
 {
 
-/// The first point, by id, of all that have the same coordinates.
+/// For each point the first one, by id, with the same coordinates.
 std::vector<vtkIdType> FindFirstPoints(vtkIdType size, const double* x)
 {
   std::vector<vtkIdType> firsts(size);
@@ -102,7 +102,7 @@ Buffer<vtkIdType> FindJoinedVertices(
   const SurfaceLevel<Id>& level = steps.GetLevel(last);
   const SurfaceLevel<Id>& joined = joinedSteps.GetLevel(last);
   Buffer<vtkIdType> vertices(level.Mesh.NumberOfVertices, 0);
-  // Control points keep their ids; cells are split in the same order whatever their points are.
+  // Control points keep their ids, and both meshes split their cells in the same order.
   std::iota(vertices.begin(), vertices.begin() + numberOfPoints, vtkIdType(0));
   for (vtkIdType i = 0; i < 2 * level.Lines.size(); ++i)
   {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceSeams.h
- * Seams of texture coordinates: points that are there several times, once for each side. The
- * surface follows the mesh in which they are joined, everything else the mesh as it is.
+ * Seams of texture coordinates: curves along which points exist several times, once for each side.
+ * Coordinates, normals and tangents follow the mesh in which equal points are joined, all else the
+ * mesh as it is.
  */
 #ifndef SubdivisionObjects_SurfaceSeams_h
 #define SubdivisionObjects_SurfaceSeams_h
@@ -29,7 +30,7 @@ template <typename Id>
 void AddSeamCorners(const PolygonMesh<Id>& mesh, const JoinedSurface& joined,
   const SurfaceTags<Id>& tags, SurfaceFeatures& features);
 
-/// The vertex of the last joined level that each vertex of the last level with seams is; the
+/// For each vertex of the last level with seams the vertex of the last joined level that it is; the
 /// control points are the first `numberOfPoints`.
 template <typename Id>
 Buffer<vtkIdType> FindJoinedVertices(

@@ -170,7 +170,7 @@ void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output)
   WriteValues<vtkIdTypeArray>(CellsName, stamp.Cells, data);
   for (const CarriedCells::Entry& entry : stamp.Carried.Entries)
   {
-    // Arrays may be those of an earlier output, whose names are not ours to change.
+    // The array may belong to an earlier output, so that only a copy can be renamed.
     const auto copy = vtkSmartPointer<vtkAbstractArray>::Take(entry.Array->NewInstance());
     copy->DeepCopy(entry.Array);
     copy->SetName((CarriedPrefix + std::to_string(entry.Level) + ":" + entry.Name).c_str());
@@ -204,7 +204,8 @@ bool AreControlPoints(const std::vector<vtkIdType>& ids, const SurfaceStamp& sta
     [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; });
 }
 
-/// The control cells that the stamp has. Their faces have no cells of their own in the output.
+/// Copies the control cells from the stamp. Their FaceCells mean nothing: the output has no
+/// children of single faces.
 bool CopyControlCells(const SurfaceCells& cells, const SurfaceStamp& stamp, SurfaceCells& control)
 {
   control = SurfaceCells();
@@ -299,7 +300,7 @@ bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp,
     const vtkIdType left = cells.GetNumberOfFaces() - face;
     if (size < 3 || (triangles ? children > left : size > left / quads))
     {
-      return false; // nor could it be multiplied: sizes are whatever a file says
+      return false; // also keeps the product below from overflowing: a file may claim any size
     }
     const vtkIdType total = triangles ? children : size * quads;
     if (!areSame(cells.FaceCells, face, total))
@@ -308,7 +309,8 @@ bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp,
     }
     for (vtkIdType c = 0; c < size; ++c)
     {
-      // Corner c is corner c of child c of child c ..., or the first of the first quad there.
+      // Corner c of a triangle is corner c of its child c, and so on; of a polygon it is the first
+      // corner of the first quad at c.
       const vtkIdType child = face + c * (triangles ? (children - 1) / 3 : quads);
       control.Corners.push_back(cells.Corners[cells.FaceOffsets[child] + (triangles ? c : 0)]);
     }

@@ -4,16 +4,19 @@
  * How vtkSurfaceSubdivision recognises its own output, so that filters in a row give what one
  * filter would have given (Mathematics 2).
  *
- * Field data `SubdivisionSurface` holds numbers, `SubdivisionSurfaceSizes` the corners of each
- * control face where they differ, `SubdivisionCornerAngles` the angles that were measured at
- * corners, `SubdivisionSharpAngles` those of faces, and `SubdivisionSharpCorners` what was given of
- * vertices, where creases are sharp for some levels, `SubdivisionSurfaceCreases` the edges that
- * were detected as features, as pairs of control points. Control points keep their ids and children
- * are consecutive, so the control mesh is read off the cells; it is refined again and compared with
- * them. Of schemes that do not halve edges, `SubdivisionSurfaceCells` has the control cells, and
- * the creases are all that there are, with corners as pairs of one point. Where some faces have no
- * cells of their own, `SubdivisionCarried:LEVEL:NAME` is the cell array NAME of all faces of a
- * level (Mathematics 1).
+ * Field arrays:
+ *  - `SubdivisionSurface`: scheme, levels and counts.
+ *  - `SubdivisionSurfaceSizes`: number of corners of each control face, where they differ.
+ *  - `SubdivisionCornerAngles`: angles and flatness of the sectors at corners.
+ *  - `SubdivisionSharpAngles`, `SubdivisionSharpCorners`: FaceAngles and GivenCorners below.
+ *  - `SubdivisionSurfaceCreases`: edges that were detected as features, as pairs of control points.
+ *    For schemes that do not halve edges all sharp edges, and corners as pairs of equal points.
+ *  - `SubdivisionSurfaceCells`: the control cells, for schemes that do not halve edges.
+ *  - `SubdivisionCarried:LEVEL:NAME`: cell array NAME of all faces of a level, where the cells of
+ *    the output do not show the data of each of them (Mathematics 1).
+ *
+ * Where edges are halved, control points keep their ids and children are consecutive, so that the
+ * control mesh is read off the cells. It is refined again and compared with them.
  */
 #ifndef SubdivisionObjects_SurfaceStamp_h
 #define SubdivisionObjects_SurfaceStamp_h
@@ -29,7 +32,8 @@
 namespace subdivision
 {
 
-/// The cell data of earlier faces: a cell that lies in two of them shows those of one only.
+/// The cell data of the faces of an earlier level. They are stored because a cell that lies in two
+/// of these faces shows the data of one only.
 struct CarriedCells
 {
   struct Entry
@@ -53,14 +57,14 @@ struct SurfaceStamp
   int Size = 0; ///< corners of each control face; 0: see Sizes
   std::vector<vtkIdType> Sizes;
   std::vector<double> Angles;
-  /// Where creases end after some levels there are other corners in each, whose angles are those of
-  /// the first input too: pairs of a corner of a control face and its angle; three numbers for each
-  /// control point, itself and the angle and flatness that were given or -1.
+  /// See WriteSharpCorners: pairs of a corner of a control face and its angle on the first input;
+  /// and for control points three numbers, the point and the angle and flatness that the user gave,
+  /// or -1.
   std::vector<double> FaceAngles;
   std::vector<double> GivenCorners;
   std::vector<vtkIdType> Creases;
-  /// Segments, two points each, the corners of the control faces, vertices; empty: from the
-  /// children.
+  /// The control cells: segments (two points each), corners of faces, vertices. Empty if they can
+  /// be found from their children.
   std::vector<vtkIdType> Cells;
   CarriedCells Carried;
 
@@ -73,8 +77,9 @@ bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp);
 void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output);
 void RemoveSurfaceStamp(vtkPolyData* output);
 
-/// The control cells of the cells of an output, with the input cell of the first child of each.
-/// False where they cannot be such, or `isSame(a, b)` tells the cells of two children apart.
+/// Finds the control cells of the cells of an output, with the input cell of the first child of
+/// each. Returns false if the cells are no children of such cells, or if `isSame(a, b)` is false
+/// for two children of one cell.
 bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp,
   const std::function<bool(vtkIdType, vtkIdType)>& isSame, SurfaceCells& control);
 

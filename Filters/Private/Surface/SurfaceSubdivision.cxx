@@ -70,14 +70,14 @@ private:
   {
     return this->MadeLevels > 0 ? this->Lifted : this->Cells;
   }
-  /// Every cell of the input takes part as it is.
+  /// Whether every cell of the input is used, and used as it is.
   bool IsWhole() const
   {
     return this->Cells.Warnings.empty() &&
       static_cast<vtkIdType>(this->Cells.VertexCells.size() + this->Cells.SegmentCells.size() +
         this->Cells.FaceCells.size()) == this->Input->GetNumberOfCells();
   }
-  /// Whether so many levels of a control mesh can be this input: a stamp may claim anything.
+  /// Whether the stamp can belong to an input of this size. The stamp of a file may claim anything.
   bool FitsStamp() const
   {
     const double corners = std::accumulate(this->Stamp.Sizes.begin(), this->Stamp.Sizes.end(),
@@ -151,7 +151,7 @@ private:
   SimplicesOfCells NoCentres;
   std::vector<vtkIdType> GlobalIds;
   std::unique_ptr<PointArrays> Points;
-  std::vector<vtkIdType> Creases;                     ///< detected, as pairs of control points
+  std::vector<vtkIdType> Creases;                     ///< SubdivisionSurfaceCreases of the stamp
   std::vector<std::unique_ptr<SurfaceSteps<Id>>> Own; ///< steps that are not kept
   SurfaceSteps<Id>* Steps = nullptr;
   JoinedSurface JoinedMesh;
@@ -233,7 +233,8 @@ KeptSurface<Id>* SurfaceRun<Id>::FindKept(const SurfaceKey& key)
   return nullptr;
 }
 
-/// Levels and rules of `control`: kept ones where they fit. Null: stopped.
+/// Makes the levels and rules of `control`, or finds kept ones that fit. Null if Progress asks to
+/// stop.
 template <typename Id>
 SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& found)
@@ -306,7 +307,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
       const SurfaceLevel<Id>& made = steps->GetLevel(0);
       SurfaceTags<Id> more =
         ClassifySurface(made.Mesh, *this->Scheme, sharper, this->Points->GetCoordinates());
-      for (Sector<Id>& sector : more.Sectors) // shapes of corners that they do not change
+      for (Sector<Id>& sector : more.Sectors) // corners that stay what they were
       {
         const Sector<Id>* known = FindEqualSector(made.Tags, sector);
         sector.Angle = known ? known->Angle : sector.Angle;
@@ -318,14 +319,14 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   return steps;
 }
 
-/// Everything that is said of creases and corners of a control level.
+/// Collects creases and corners of a control level from arrays, angles and the stamp.
 template <typename Id>
 SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level)
 {
   FeatureOptions features = this->Options.Features;
   if (this->MadeLevels > 0 && !this->Scheme->HalvesEdges())
   {
-    // The stamp knows them; lifted faces have no cell data.
+    // The stamp has the creases; lifted faces have no cell data to read them from.
     features.Singular = nullptr;
     features.Sharpness = nullptr;
   }
@@ -379,7 +380,7 @@ bool SurfaceRun<Id>::Build()
   return this->Steps != nullptr;
 }
 
-/// The points at the end, which follow the joined mesh.
+/// Computes the points of the output on the joined mesh, and their normals and tangents.
 template <typename Id>
 vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints()
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceSubdivision.h
- * From input to output: what vtkSurfaceSubdivision does.
+ * Does the work of vtkSurfaceSubdivision without Adaptive.
  */
 #ifndef SubdivisionObjects_SurfaceSubdivision_h
 #define SubdivisionObjects_SurfaceSubdivision_h
@@ -22,7 +22,7 @@ namespace subdivision
 class SurfaceCache
 {
 public:
-  /// The levels of one mesh, whatever its ids are.
+  /// The levels of one mesh, for either type of ids.
   struct Kept
   {
     virtual ~Kept() = default;
@@ -33,7 +33,7 @@ public:
   /// How often topology was built since the cache exists.
   vtkIdType NumberOfBuilds = 0;
 
-  /// An update is over: forget what it did not use.
+  /// Forgets the levels that were not used since the last call.
   void ForgetUnused();
   std::size_t GetMemorySize() const;
 };
@@ -48,14 +48,15 @@ struct SurfaceOptions : RunOptions
   bool GenerateTangents = false;
   bool Use32BitIds = false;
   bool JoinSeams = true;
-  /// Point arrays of the input, null where there is none: degrees, and s.
+  /// Point arrays of the input, null where there is none: angles in degrees, flatness s.
   vtkSmartPointer<vtkDataArray> Angles;
   vtkSmartPointer<vtkDataArray> Flatness;
   /// Where levels are kept; null: nowhere.
   SurfaceCache* Cache = nullptr;
 };
 
-/// False: stopped by an error (told to Fail) or by Progress. The output is then to be emptied.
+/// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then
+/// empties the output.
 bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output);
 
 }

@@ -37,8 +37,8 @@ struct GhostTypes
   Buffer<unsigned char> Of[3];
 };
 
-/// A cell that is no duplicate: neither are its faces. `cell` counts vertex cells, edges, faces or
-/// tetrahedra.
+/// Marks a cell that is no duplicate, and its faces, as no duplicates. `cell` is its number among
+/// vertex cells, edges, faces or tetrahedra.
 template <typename Id>
 void MarkAsOwn(
   const SimplicialComplex<Id>& complex, int dimension, vtkIdType cell, GhostTypes& types)
@@ -251,7 +251,7 @@ void Probe::Select(const ComplexDescription<Id>& description)
   }
 }
 
-/// The vertices of every cell smallest first.
+/// Writes the cells. The vertices of each are in ascending order.
 template <typename Id>
 void Probe::MakeCells(const SimplicialComplex<Id>& complex)
 {
@@ -375,7 +375,8 @@ void Probe::AddGhosts(const ControlComplex<Id>& control)
   RebuildPointGhosts(this->Input, this->Output);
 }
 
-/// Numbers of the whole complex. What an earlier filter wrote about its cells goes.
+/// Adds field arrays with numbers of the whole complex, and removes the stamp of an earlier filter,
+/// which belongs to other cells.
 template <typename Id>
 void Probe::AddNumbers(const ComplexDescription<Id>& description)
 {

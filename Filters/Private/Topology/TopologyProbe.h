@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TopologyProbe.h
- * The simplices of a mesh as cells, and what they are: what vtkSimplicialComplexTopology does.
+ * Does the work of vtkSimplicialComplexTopology: writes the simplices of a mesh as cells, and facts
+ * about them as arrays.
  */
 #ifndef SubdivisionObjects_TopologyProbe_h
 #define SubdivisionObjects_TopologyProbe_h
@@ -19,7 +20,8 @@ struct ProbeOptions : RunOptions
   bool SpecialOnly = false;
 };
 
-/// False: stopped by an error (told to Fail) or by Progress. The output is then to be emptied.
+/// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then
+/// empties the output.
 bool ProbeTopology(vtkPointSet* input, const ProbeOptions& options, vtkUnstructuredGrid* output);
 
 }

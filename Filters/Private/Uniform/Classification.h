@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Classification.h
- * How the mesh was understood, as point arrays.
+ * Adds the point arrays of GenerateClassification.
  */
 #ifndef SubdivisionObjects_Classification_h
 #define SubdivisionObjects_Classification_h
@@ -17,7 +17,8 @@ namespace subdivision
 constexpr const char* RuleName = "RuleDimension";
 constexpr const char* TypeName = "NonManifoldType";
 
-/// Adds both arrays: the rules and types of old vertices, then of the edges whose points are new.
+/// Adds both arrays. `vertices` and `edges` are the strata of the level before, whose edges have
+/// the new points.
 void AddRules(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges, vtkPointSet* input,
   vtkUnstructuredGrid* output);
 

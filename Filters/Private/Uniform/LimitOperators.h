@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LimitOperators.h
- * What comes after the last step: points and arrays on the limit, and its normals.
+ * The operators that follow the last step: they move points and arrays to the limit, and compute
+ * its normals.
  */
 #ifndef SubdivisionObjects_LimitOperators_h
 #define SubdivisionObjects_LimitOperators_h

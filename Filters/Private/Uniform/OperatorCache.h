@@ -26,20 +26,22 @@
 namespace subdivision
 {
 
-/// The operators of some steps in a row, whatever their ids are.
+/// The operators of consecutive steps, for either type of ids.
 class KeptSteps
 {
 public:
   virtual ~KeptSteps() = default;
   /// `inverted` as in ComputeLimitNormals.
   virtual void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const = 0;
-  /// Other values, interleaved, of the points before the first step; there are steps. A result of
-  /// an earlier call is written over: its pages need not be cleared again.
+  /// Applies the steps to other values: `components` numbers for each point before the first step.
+  /// There must be a step. The memory of an earlier `result` is reused, because clearing new pages
+  /// takes time.
   virtual void Apply(const double* values, int components, Buffer<double>& result) const = 0;
   virtual std::size_t GetMemorySize() const = 0;
-  /// Rows over the points after the last step as rows over those before the first; there are steps.
+  /// Turns rows over the points after the last step into rows over those before the first. There
+  /// must be a step.
   virtual SparseRows<int> ComposeWith(const SparseRows<int>& rows) const = 0;
-  /// The strata of the last step, if there is one: of its vertices and of its edges.
+  /// The strata of the vertices and edges on which the last step works. There must be a step.
   virtual const Buffer<Stratum>& GetLastVertices() const = 0;
   virtual const Buffer<Stratum>& GetLastEdges() const = 0;
 };
@@ -49,7 +51,7 @@ class KeptStepsOf : public KeptSteps
 {
 public:
   void Add(Operator&& stencils) { this->Steps.push_back(std::move(stencils)); }
-  /// What comes after the last step.
+  /// Sets the operators that follow the last step.
   void SetLimit(LimitOperators<Id>&& limit) { this->Limit = std::move(limit); }
   void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const override
   {
@@ -98,7 +100,8 @@ private:
   LimitOperators<Id> Limit;
 };
 
-/// Everything that the topology of an output depends on, by content.
+/// The cells and choices on which the operators depend. Keys are compared by content; feature edges
+/// are compared apart from them.
 struct TopologyKey
 {
   SimplexList Simplices;
@@ -133,14 +136,15 @@ struct KeptOperator
   std::unique_ptr<KeptSteps> Steps; ///< null for no step and no limit
   UniformCells Cells;
   std::vector<vtkIdType> Parents;           ///< whose values children take, as in UniformRun
-  Buffer<Stratum> ControlStrata;            ///< of the vertices, for no step
+  Buffer<Stratum> ControlStrata;            ///< of the vertices, if there are no steps
   Buffer<unsigned char> ManifoldDimensions; ///< of each control simplex
-  SimplexTuples Derived;                    ///< singular simplices, as the output names them
-  SimplexTuples ControlDerived;             ///< the same, as the control mesh names them
-  /// Where features may be, and which of them are: to be asked again when points move.
+  SimplexTuples Derived;                    ///< derived singular simplices: points of the output
+  SimplexTuples ControlDerived;             ///< the same: points of the control mesh
+  /// The edges that were tested for the feature angle, and which of them exceed it. They are tested
+  /// again when points move.
   std::vector<FeatureCandidate> Candidates;
   std::vector<bool> Features;
-  /// What was said of the input when it was built.
+  /// The warnings that building gave.
   std::vector<std::string> Warnings;
   /// Points that went in (a copy), and what came out.
   vtkSmartPointer<vtkDataArray> PointsIn;
@@ -151,16 +155,17 @@ struct KeptOperator
 class OperatorCache
 {
 public:
-  /// A kept operator of an equal key that `accept` takes, marked as used, or null. Each serves one
-  /// input of an update, so that two blocks with equal cells keep what they know of their points.
+  /// Finds an operator of an equal key that is not used yet and that `accept` takes, and marks it
+  /// as used; null if there is none. Each operator serves one input of an update, so that two
+  /// blocks with equal cells each keep one with their own points.
   KeptOperator* Find(
     const TopologyKey& key, const std::function<bool(const KeptOperator&)>& accept);
-  /// One whose output cells are those of `key` too, though rules differ; or null. Ids depend on the
-  /// cells and on the derived singular simplices, on nothing else.
+  /// Finds an operator with the output cells of `key`, whose rules may differ; null if there is
+  /// none. The ids of cells depend only on the input cells and the derived singular simplices.
   const KeptOperator* FindCells(const TopologyKey& key, const SimplexTuples& derived) const;
   void Add(std::unique_ptr<KeptOperator> kept) { this->Operators.push_back(std::move(kept)); }
   void Clear() { this->Operators.clear(); }
-  /// An update is over: forget what it did not use.
+  /// Forgets the operators that were not used since the last call.
   void ForgetUnused();
 
   /// The steps of the operator that was added first, null where there are none.

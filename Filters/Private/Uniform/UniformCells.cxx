@@ -16,7 +16,7 @@ namespace
 
 constexpr unsigned char TypeOfDimension[4] = { VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_TETRA };
 
-/// The cells of a level after 0, 1 or 2 steps, at a place that has room for them.
+/// Writes the cells of a level after 0, 1 or 2 steps to a storage of the right size.
 template <typename Id, typename Out>
 void WriteRefined(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps,
   const CellStorage<Out>& storage, Id octahedra = 0)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file UniformCells.h
- * The output's cells: those of a level's children, whatever its solids are.
+ * Makes the cells of the output: the children of the cells of a level, in either volume scheme.
  */
 #ifndef SubdivisionObjects_UniformCells_h
 #define SubdivisionObjects_UniformCells_h
@@ -35,23 +35,23 @@ struct UniformCells
 template <typename Id>
 UniformCells MakeChildren(
   const Level<Id>& level, const std::vector<CellRun>& runs, int steps, bool small);
-/// The same: octahedra around their shortest diagonals if `points`, those after the steps, are
-/// known already; around any if they are null.
+/// The same for the tet/oct scheme. Octahedra are cut around their shortest diagonal if `points`,
+/// those after the steps, are given; if they are null, around any diagonal, for TurnOctahedra.
 template <typename Id>
 UniformCells MakeChildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, int steps,
   vtkDataArray* points, bool small);
 
-/// Cells as they were read; `runs` those of the level that they are, `steps` steps below a control
-/// level of tetrahedra, or negative in a scheme without octahedra.
+/// Copies cells as they were read. `runs`: those of their level. `steps`: number of steps behind
+/// this level in the tet/oct scheme, negative in the other one.
 UniformCells CopyCells(
   const SimplexList& cells, const std::vector<CellRun>& runs, int steps, bool small);
 
-/// Turns octahedra to their shortest diagonal. Where that changes something and `shared` says that
-/// others have these cells too, the connectivity is copied first.
+/// Cuts octahedra around their shortest diagonals. If that changes cells and `shared` says that
+/// other outputs have them too, the connectivity is copied first.
 void TurnOctahedra(UniformCells& cells, bool shared, vtkDataArray* points);
 
-/// Simplices of dimension 0 to 2 among a level's cells after 0, 1 or 2 steps. `octahedra`: how many
-/// cells of the level have a vertex in the middle then.
+/// The simplices of dimension 0 to 2 in `runs` of a level after 0, 1 or 2 steps. `octahedra`:
+/// number of octahedra of the level, whose centres are vertices after two steps.
 template <typename Id>
 SimplexTuples GatherTuples(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   int steps, Id octahedra = 0);

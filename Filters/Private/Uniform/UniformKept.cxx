@@ -35,7 +35,7 @@ TopologyKey UniformRun::MakeKey() const
   return key;
 }
 
-/// The kept operator, if the features are still where they were.
+/// The kept operator, if the same edges exceed the feature angle as when it was built.
 KeptOperator* UniformRun::FindKept(const TopologyKey& key)
 {
   return this->Options.Cache->Find(key,
@@ -95,7 +95,7 @@ void UniformRun::UseKept(KeptOperator& kept)
   this->Finish();
 }
 
-/// After a run that built everything.
+/// Stores what this run built for the next execution.
 void UniformRun::Keep(std::unique_ptr<KeptOperator> keep)
 {
   keep->Cells = this->Cells;

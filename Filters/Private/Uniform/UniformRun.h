@@ -90,12 +90,13 @@ private:
   ControlMesh Mesh;
   std::unique_ptr<PointArrays> Points;
   ControlTraits Control; ///< its runs are those of the current level
-  SimplexTuples Derived; ///< singular simplices as the output names them
+  SimplexTuples Derived; ///< derived singular simplices: points of the output
   std::vector<std::string> BuildWarnings;
-  const KeptOperator* SameCells = nullptr; ///< has the output's cells, where only rules changed
+  const KeptOperator* SameCells = nullptr; ///< kept, with the cells of the output
   UniformCells Cells;                      ///< of the output
-  bool HasTurned = false;                  ///< octahedra were written around the right diagonals
-  /// Where the input has octahedra: whose values the children of its cells take (FindParents).
+  bool HasTurned = false;                  ///< octahedra are cut around their shortest diagonals
+  /// For an input with octahedra: the cells whose values the children of its cells take
+  /// (FindParents).
   std::vector<vtkIdType> Parents;
 };
 

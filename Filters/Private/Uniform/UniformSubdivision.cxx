@@ -53,8 +53,8 @@ UniformRun::Outcome UniformRun::Execute(bool trustStamp)
   if (this->Mesh.IsOfOtherScheme)
   {
     this->Options.Warn(
-      "The input was made with another VolumeScheme. It is taken as any other mesh: "
-      "features are looked for anew, and octahedra are tetrahedra.");
+      "An earlier filter made the input with another VolumeScheme. This filter takes it as any "
+      "other mesh: it looks for features again, and octahedra are four tetrahedra each.");
   }
   const std::string tooMany = CheckNumberOfCells(
     this->Mesh.Cells.Simplices, this->Options.Levels, this->Options.MaximumNumberOfCells);
@@ -69,7 +69,7 @@ UniformRun::Outcome UniformRun::Execute(bool trustStamp)
     this->Mesh.Inverted =
       FindInvertedTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates());
   }
-  if (!this->Mesh.IsStamped && !this->IsTetOct()) // which has no use for an order
+  if (!this->Mesh.IsStamped && !this->IsTetOct()) // the tet/oct scheme does not use this order
   {
     OrderTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates(), this->Mesh.GetGlobalIds(),
       static_cast<vtkIdType>(this->Mesh.GlobalIds.size()));
@@ -187,8 +187,8 @@ bool UniformRun::HasMemoryFor(const LevelCounts& counts, double bytesPerId) cons
   return tooLarge.empty();
 }
 
-/// The steps themselves. At most two levels are alive at a time, and of the last one only its cells
-/// are made, unless the limit is read.
+/// Makes the steps. At most two levels are in memory at a time, and of the last one only the cells
+/// are made, unless limits are needed.
 template <template <typename> class AnyLevel, typename Id>
 UniformRun::Outcome UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
 {
@@ -216,11 +216,13 @@ UniformRun::Outcome UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
     return Outcome::Done;
   }
   this->PartOctahedra(level);
-  // Only what is kept, or blended, needs the last two operators as tables.
+  // Whether the last two operators are stored. If not, StepTwice makes the last two steps at once,
+  // row by row; it cannot where operators are kept or blended, or the last level is needed.
   const bool stored = keep || this->Options.ReadsLimit() || steps < 2 ||
     HasEqualCells(level.Complex) || IsSharpAfter(this->Control.Sharpness, steps - 2);
-  // Kept cells are written before any points are known, and turned for each; so are those whose
-  // points still go to the limit.
+  // Whether octahedra are cut around their shortest diagonals when they are written. Kept cells are
+  // written before the points are known, and octahedra are turned afterwards in each execution; so
+  // are those whose points still move to the limit.
   const bool turned = this->IsTetOct() && !keep && !this->Options.ReadsLimit();
   for (int step = 0; step < steps; ++step)
   {
@@ -331,7 +333,7 @@ void UniformRun::FinishTwoSteps(const Rows& last)
   last.ForRows(
     [&](const auto& rows)
     {
-      if (rows.Strata) // octahedra have none
+      if (rows.Strata) // rows of centres have none
       {
         std::copy_n(rows.Strata, rows.Count,
           rows.OfEdges ? edges.data() + (rows.FirstRow - vertices.size())
@@ -341,7 +343,7 @@ void UniformRun::FinishTwoSteps(const Rows& last)
   this->AddClassification(vertices, edges);
 }
 
-/// From the vertices of the last level to their limits.
+/// Moves the vertices of the last level to their limits, and computes normals.
 template <template <typename> class AnyLevel, typename Id, typename Kept>
 void UniformRun::GoToLimit(const AnyLevel<Id>& level, Kept& kept)
 {
@@ -360,7 +362,7 @@ void UniformRun::GoToLimit(const AnyLevel<Id>& level, Kept& kept)
 // ------------------------------------------------------------------------------------------------
 // Output
 
-/// The cells of the last steps. Octahedra are turned when the points are known.
+/// Makes the cells of the output before the points are known. Octahedra are turned later.
 template <typename Id>
 void UniformRun::MakeCells(const Level<Id>& level, int steps)
 {
@@ -376,8 +378,8 @@ void UniformRun::MakeCells(const TetOctLevel<Id>& level, int)
     : MakeChildren(level, this->Control.Runs, 1, nullptr, this->Options.Use32BitIds);
 }
 
-/// The same when the points are known: one pass over the cells instead of two. The operator gives
-/// back what it took of the cells.
+/// The same when the points are known, in one pass over the cells instead of two. The operator
+/// gives back the arrays that it took from the level.
 template <typename Id>
 void UniformRun::MakeTurnedCells(TetOctLevel<Id>& level, TetOctStencils<Id>& stencils)
 {
@@ -397,7 +399,7 @@ void UniformRun::PartOctahedra(const TetOctLevel<Id>& level)
   }
 }
 
-/// Points, point data and cells. `ownsCells`: no other output has them.
+/// Writes points, point data and cells. `ownsCells`: no other output has these cells.
 void UniformRun::FinishPoints(bool ownsCells)
 {
   this->Points->Finish(this->Output);
@@ -408,7 +410,7 @@ void UniformRun::FinishPoints(bool ownsCells)
   this->Output->SetCells(this->Cells.Types, this->Cells.Cells);
 }
 
-/// Cell data, ghosts and the stamp.
+/// Writes cell data, ghost types and the stamp.
 void UniformRun::Finish()
 {
   CellArrayOptions cells;
@@ -460,7 +462,7 @@ void UniformRun::Finish()
   WriteIds(InvertedCellsName, stamp.IsProjected ? none : this->Mesh.Inverted, this->Output);
 }
 
-/// Whether smoothing turned solids inside out.
+/// Warns of solids that smoothing turned inside out, and marks them (Inverted).
 void UniformRun::CheckOrientation()
 {
   vtkSmartPointer<vtkUnsignedCharArray> marks;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file UniformSubdivision.h
- * From input to output in uniform steps: what vtkMultiDimensionalSubdivision does.
+ * Does the work of vtkMultiDimensionalSubdivision.
  */
 #ifndef SubdivisionObjects_UniformSubdivision_h
 #define SubdivisionObjects_UniformSubdivision_h
@@ -28,7 +28,8 @@ struct UniformOptions : RunOptions
   OperatorCache* Cache = nullptr;
 };
 
-/// False: stopped by an error (told to Fail) or by Progress. The output is then to be emptied.
+/// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then
+/// empties the output.
 bool SubdivideUniformly(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output);
 
