@@ -24,6 +24,7 @@ constexpr const char* FaceAnglesName = "SubdivisionSharpAngles";
 constexpr const char* GivenCornersName = "SubdivisionSharpCorners";
 constexpr const char* CreasesName = "SubdivisionSurfaceCreases";
 constexpr const char* CellsName = "SubdivisionSurfaceCells";
+constexpr const char* PointIdsName = "SubdivisionSurfaceGlobalIds";
 const std::string CarriedPrefix = "SubdivisionCarried:";
 constexpr vtkIdType FormatVersion = 2;
 constexpr int MostLevels = 20;
@@ -148,10 +149,13 @@ bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp)
   stamp.GivenCorners = ReadValues(GivenCornersName, data);
   stamp.Creases = ReadIds(CreasesName, data);
   stamp.Cells = ReadIds(CellsName, data);
+  stamp.GlobalIds = ReadIds(PointIdsName, data);
   stamp.Carried = ReadCarried(data, stamp.Levels);
   return std::all_of(stamp.Creases.begin(), stamp.Creases.end(),
            [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; }) &&
-    (stamp.Size > 0 || static_cast<vtkIdType>(stamp.Sizes.size()) == stamp.NumberOfControlFaces);
+    (stamp.Size > 0 || static_cast<vtkIdType>(stamp.Sizes.size()) == stamp.NumberOfControlFaces) &&
+    (stamp.GlobalIds.empty() ||
+      static_cast<vtkIdType>(stamp.GlobalIds.size()) == stamp.NumberOfControlPoints);
 }
 
 void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output)
@@ -168,6 +172,7 @@ void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output)
   WriteValues<vtkDoubleArray>(GivenCornersName, stamp.GivenCorners, data);
   WriteValues<vtkIdTypeArray>(CreasesName, stamp.Creases, data);
   WriteValues<vtkIdTypeArray>(CellsName, stamp.Cells, data);
+  WriteValues<vtkIdTypeArray>(PointIdsName, stamp.GlobalIds, data);
   for (const CarriedCells::Entry& entry : stamp.Carried.Entries)
   {
     // The array may belong to an earlier output, so that only a copy can be renamed.
@@ -181,8 +186,8 @@ void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output)
 void RemoveSurfaceStamp(vtkPolyData* output)
 {
   vtkFieldData* data = output->GetFieldData();
-  for (const char* name :
-    { Name, SizesName, AnglesName, FaceAnglesName, GivenCornersName, CreasesName, CellsName })
+  for (const char* name : { Name, SizesName, AnglesName, FaceAnglesName, GivenCornersName,
+         CreasesName, CellsName, PointIdsName })
   {
     data->RemoveArray(name);
   }

@@ -11,6 +11,8 @@
  *  - `SubdivisionSharpAngles`, `SubdivisionSharpCorners`: FaceAngles and GivenCorners below.
  *  - `SubdivisionSurfaceCreases`: edges that were detected as features, as pairs of control points.
  *    For schemes that do not halve edges all sharp edges, and corners as pairs of equal points.
+ *  - `SubdivisionSurfaceGlobalIds`: global ids of the control points. The output has no global ids,
+ *    but a new point takes integers and strings from the parent with the smallest one.
  *  - `SubdivisionSurfaceCells`: the control cells, for schemes that do not halve edges.
  *  - `SubdivisionCarried:LEVEL:NAME`: cell array NAME of all faces of a level, where the cells of
  *    the output do not show the data of each of them (Mathematics 1).
@@ -63,6 +65,9 @@ struct SurfaceStamp
   std::vector<double> FaceAngles;
   std::vector<double> GivenCorners;
   std::vector<vtkIdType> Creases;
+  /// Of the control points, on the first input; empty: it had none, or the scheme keeps no
+  /// vertices.
+  std::vector<vtkIdType> GlobalIds;
   /// The control cells: segments (two points each), corners of faces, vertices. Empty if they can
   /// be found from their children.
   std::vector<vtkIdType> Cells;

@@ -193,7 +193,9 @@ void SurfaceRun<Id>::StartPoints()
   {
     arrays.Replaced.insert(arrays.Replaced.end(), { LimitTangentNames[0], LimitTangentNames[1] });
   }
-  this->GlobalIds = ReadIdsOf(this->Input->GetPointData(), this->Input->GetNumberOfPoints());
+  this->GlobalIds = this->Stamp.GlobalIds.empty()
+    ? ReadIdsOf(this->Input->GetPointData(), this->Input->GetNumberOfPoints())
+    : this->Stamp.GlobalIds;
   this->NoCentres.Simplices.NumberOfPoints = this->Input->GetNumberOfPoints();
   this->Points = std::make_unique<PointArrays>(this->Input, this->NoCentres,
     this->GlobalIds.empty() ? nullptr : this->GlobalIds.data(),
@@ -556,6 +558,10 @@ void SurfaceRun<Id>::WriteStamp()
   stamp.FaceAngles = this->Stamp.FaceAngles;
   stamp.GivenCorners = this->Stamp.GivenCorners;
   stamp.Creases = this->Creases;
+  if (this->Scheme->KeepsVertices())
+  {
+    stamp.GlobalIds = this->MadeLevels > 0 ? this->Stamp.GlobalIds : this->GlobalIds;
+  }
   stamp.Carried = this->Stamp.Carried;
   WriteSurfaceStamp(stamp, this->Output);
 }

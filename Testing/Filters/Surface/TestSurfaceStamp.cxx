@@ -69,6 +69,46 @@ TEST(SurfaceStamp, AForgedStampIsNotBelieved)
   }
 }
 
+/// New points take integers and strings from the parent with the smallest global id; outputs have
+/// none.
+TEST(SurfaceStamp, GlobalIdsGoOn)
+{
+  for (int scheme = 0; scheme <= vtkSurfaceSubdivision::SQRT_THREE; ++scheme)
+  {
+    const auto input = MakeInput(MakeGrid(
+      4, 4, scheme != vtkSurfaceSubdivision::CATMULL_CLARK, { 1., 0., 0. }, { 0.2, 1., 0. }));
+    const vtkIdType size = input->GetNumberOfPoints();
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName("Ids");
+    vtkNew<vtkIntArray> numbers;
+    numbers->SetName("Number");
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      ids->InsertNextValue(1000 - 7 * i);
+      numbers->InsertNextValue(static_cast<int>(i));
+    }
+    input->GetPointData()->AddArray(numbers);
+    const auto withoutIds = RunFilter(input, scheme, 3);
+    input->GetPointData()->SetGlobalIds(ids);
+    const auto direct = RunFilter(input, scheme, 3);
+    auto chained = RunFilter(input, scheme, 1);
+    chained = RunFilter(chained, scheme, 1);
+    chained = RunFilter(chained, scheme, 1);
+    auto getNumbers = [](vtkPolyData* output)
+    {
+      vtkDataArray* array = output->GetPointData()->GetArray("Number");
+      std::vector<int> values;
+      for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+      {
+        values.push_back(static_cast<int>(array->GetTuple1(i)));
+      }
+      return values;
+    };
+    EXPECT_EQ(getNumbers(chained), getNumbers(direct)) << scheme;
+    EXPECT_NE(getNumbers(withoutIds), getNumbers(direct)) << scheme;
+  }
+}
+
 namespace
 {
 
