@@ -195,7 +195,7 @@ bool AdaptiveRun<Id>::RunRounds(double mostCells, bool memoryIsLimit)
     std::string what = std::to_string(left) +
       " places that the criteria ask for were not refined. The filter leaves out those with the "
       "smallest errors first, the worst ones last: the output would have more than " +
-      std::to_string(most) + " cells, ";
+      std::to_string(most + static_cast<vtkIdType>(this->Cells.Vertices.size())) + " cells, ";
     what += memoryIsLimit ? "for which there is not enough memory. Use weaker criteria, a lower "
                             "MaximumLevel, or a part of the input."
                           : "which is MaximumNumberOfCells. Raise it, or use weaker criteria or a "
