@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Buffer.h
- * Plain memory and plain loops: uninitialised arrays, compressed rows, parallel ranges and scans.
+ * Memory and loops for large meshes: uninitialised arrays, compressed rows, parallel loops and a
+ * parallel prefix sum.
  */
 #ifndef SubdivisionObjects_Buffer_h
 #define SubdivisionObjects_Buffer_h
@@ -24,8 +25,9 @@
 namespace subdivision
 {
 
-/// Asks the kernel for all pages of a block at once, which costs a fraction of as many page faults.
-/// Several threads rather share the faults. Where the kernel does not know how, nothing changes.
+/// Asks the kernel to map all pages of a block in one call, which is much cheaper than one page
+/// fault for each page. Does nothing for a small block, if there are several threads, which share
+/// the page faults, or if the kernel has no such call.
 inline void FaultPages(void* memory, std::size_t bytes)
 {
 #if defined(__linux__) && defined(MADV_POPULATE_WRITE)
@@ -43,8 +45,8 @@ inline void FaultPages(void* memory, std::size_t bytes)
 #endif
 }
 
-/// Asks for huge pages where a block that is not written yet holds whole ones. Where the kernel
-/// does not know or want them, nothing changes.
+/// Asks the kernel for huge pages in that part of a block which consists of whole huge pages. Call
+/// it before the block is written. Does nothing if the kernel has no huge pages.
 inline void AdviseHugePages(void* memory, std::size_t bytes)
 {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
@@ -62,8 +64,8 @@ inline void AdviseHugePages(void* memory, std::size_t bytes)
 #endif
 }
 
-/// Bytes that free() releases. Large blocks ask the kernel for huge pages: page faults are most of
-/// what writing a large mesh costs. Where the kernel does not know or want them, nothing changes.
+/// Allocates memory that std::free releases. Large blocks get huge pages if the kernel has them:
+/// most of the time for writing a large mesh goes into page faults.
 inline void* AllocateBytes(std::size_t bytes)
 {
   constexpr std::size_t hugePage = std::size_t(1) << 21;
@@ -97,8 +99,8 @@ inline void* AllocateBytes(std::size_t bytes)
   return memory;
 }
 
-/// A fixed-size array whose elements are not initialised: each is written once, by the thread that
-/// makes it.
+/// An array of fixed size. Without a value its elements are not initialised, so that the thread
+/// which computes an element is the first to write it.
 template <typename T>
 class Buffer
 {
@@ -150,7 +152,7 @@ private:
   vtkIdType Size = 0;
 };
 
-/// A span of a row of a Rows object.
+/// A view of one row of a Rows object.
 template <typename Id>
 struct Row
 {
@@ -182,7 +184,8 @@ struct Rows
 /// Loops shorter than this are not worth starting threads for, which takes some 0.1 ms.
 constexpr vtkIdType WorthThreads = 8192;
 
-/// body(begin, end) over disjoint ranges that cover [0, size), in threads when it is worth it.
+/// Calls body(begin, end) for disjoint ranges that cover [0, size); in several threads if `size`
+/// exceeds WorthThreads.
 template <typename Body>
 void ForRanges(vtkIdType size, const Body& body)
 {
@@ -195,7 +198,7 @@ void ForRanges(vtkIdType size, const Body& body)
   vtkSMPTools::For(0, size, ranges);
 }
 
-/// body(i) for each i of [0, size).
+/// Calls body(i) for each i of [0, size), as ForRanges does.
 template <typename Body>
 void ForEach(vtkIdType size, const Body& body)
 {
@@ -209,7 +212,8 @@ void ForEach(vtkIdType size, const Body& body)
     });
 }
 
-/// Turns counts in offsets[0 .. size - 1) into offsets: their exclusive sums, the total last.
+/// Replaces the counts in offsets[0 .. size - 1) by their exclusive prefix sums, and the last
+/// element by the total.
 template <typename Id>
 void CountsToOffsets(Buffer<Id>& offsets)
 {

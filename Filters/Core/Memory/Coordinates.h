@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Coordinates.h
- * Coordinates in double that know how exact they are: choices that depend on them compare lengths
- * and angles, and lattices have exact ties that rounding breaks (Mathematics 2).
+ * Coordinates in double, with the tolerance for comparing lengths and angles made of them. Lattices
+ * have exact ties of lengths, which rounding would break (Mathematics 2).
  */
 #ifndef SubdivisionObjects_Coordinates_h
 #define SubdivisionObjects_Coordinates_h
@@ -10,7 +10,8 @@
 namespace subdivision
 {
 
-/// Relative differences that count as none: of points in double, and in single precision.
+/// Lengths that differ relatively by no more than this tie: for points in double and in single
+/// precision.
 constexpr double DoubleTie = 1e-9;
 constexpr double SingleTie = 1e-5;
 
@@ -19,8 +20,7 @@ constexpr double SingleTie = 1e-5;
 constexpr double DoubleUnit = 1.1102230246251565e-16;
 constexpr double SingleUnit = 5.9604644775390625e-8;
 
-/// Three numbers for each point, and the relative difference up to which lengths made of them are
-/// equal.
+/// Three numbers for each point, and the relative difference up to which lengths tie.
 struct Coordinates
 {
   Coordinates(const double* values, double tie = DoubleTie)

@@ -30,7 +30,7 @@ public:
     }
     this->Values[this->Size++] = value;
   }
-  /// Room for so many elements in all.
+  /// Makes room for `size` elements in all.
   void Reserve(vtkIdType size)
   {
     if (size <= this->Values.size())
@@ -45,7 +45,7 @@ public:
     }
     this->Values = std::move(larger);
   }
-  /// Adds so many elements, which are not initialised, and says where they are.
+  /// Appends `count` elements without initialising them, and returns the first.
   T* Extend(vtkIdType count)
   {
     if (this->Size + count > this->Values.size())
@@ -56,7 +56,7 @@ public:
     return this->Values.data() + this->Size - count;
   }
   void pop_back() { --this->Size; }
-  /// The elements, in a buffer that has no room for more.
+  /// A copy of the elements in a buffer of exactly their size.
   Buffer<T> Copy() const
   {
     Buffer<T> copy(this->Size);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PairTable.h
- * Finds the number of a pair of ids: a hash table that grows, without removal.
+ * A hash table from unordered pairs of ids, such as the ends of an edge, to numbers. It grows, and
+ * pairs are never removed.
  */
 #ifndef SubdivisionObjects_PairTable_h
 #define SubdivisionObjects_PairTable_h
@@ -35,7 +36,7 @@ public:
     }
     return slot.Value;
   }
-  /// Room for so many pairs in all.
+  /// Makes room for `size` pairs in all.
   void Reserve(vtkIdType size)
   {
     vtkIdType slots = std::max<vtkIdType>(1024, this->Slots.size());
@@ -58,7 +59,7 @@ private:
     Id Value; ///< -1: empty
   };
 
-  /// Where the pair is, or would be.
+  /// The slot that has the pair, or the empty one where it belongs.
   vtkIdType Locate(Id a, Id b) const
   {
     const Id smaller = std::min(a, b);
@@ -89,7 +90,7 @@ private:
     }
   }
 
-  Buffer<Slot> Slots; ///< a power of two, at most half of them in use
+  Buffer<Slot> Slots; ///< their number is a power of two, and at most half of them are in use
   vtkIdType Size = 0;
 };
 

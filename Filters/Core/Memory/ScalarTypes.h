@@ -27,10 +27,10 @@
 namespace subdivision
 {
 
-/// Calls sum(N), with N a std::integral_constant: the number of components where values are of a
-/// usual type and have 1 or 3, so that the compiler unrolls the loops over them; else 0, which
-/// stands for a number that is known at run time only. More would take longer to compile than it
-/// could save.
+/// Calls sum(N) with a std::integral_constant N. N is 1 or 3 for values of a frequent type with
+/// that many components, so that the compiler unrolls loops over components. In all other cases N
+/// is 0, and the number is known at run time only. More cases would cost compile time and gain
+/// little.
 template <typename T, typename Sum>
 void ForComponents(int components, const Sum& sum)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SimplexList.h
- * Ordered simplices of mixed dimension, in the order in which the output has them (Mathematics 2:
- * the order of a simplex's vertices is inherited by its children).
+ * Lists of simplices of mixed dimension. The simplices have the order of the output cells. The
+ * order of the vertices of a simplex counts too, because its children inherit it (Mathematics 2).
  */
 #ifndef SubdivisionObjects_SimplexList_h
 #define SubdivisionObjects_SimplexList_h
@@ -26,14 +26,14 @@ struct SimplexList
   vtkIdType GetNumberOfSimplices() const { return static_cast<vtkIdType>(this->Dimensions.size()); }
 };
 
-/// Simplices in arrays that somebody else keeps.
+/// A view of simplices in arrays that the caller owns.
 struct SimplexView
 {
   vtkIdType NumberOfPoints = 0;
   vtkIdType NumberOfSimplices = 0;
   const unsigned char* Dimensions = nullptr; ///< 0..3 of each simplex
   const vtkIdType* Connectivity = nullptr;   ///< dimension + 1 points each, one after the other
-  const unsigned char* Levels = nullptr;     ///< of each simplex; none: all 0
+  const unsigned char* Levels = nullptr;     ///< of each simplex; null: all are 0
 
   SimplexView() = default;
   explicit SimplexView(const SimplexList& list)

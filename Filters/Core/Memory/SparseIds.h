@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SparseIds.h
- * An id for each of a few among many things, which lie near each other: an array in pages, of which
- * those without any id take no memory.
+ * An array of ids most of which are -1. It consists of pages, and a page whose ids are all -1 takes
+ * no memory.
  */
 #ifndef SubdivisionObjects_SparseIds_h
 #define SubdivisionObjects_SparseIds_h
@@ -14,7 +14,8 @@
 namespace subdivision
 {
 
-/// An id for each of many, -1 for most of them: room is taken page by page, where there are others.
+/// Ids of the indices 0 to size - 1. This saves memory where the indices with an id lie near each
+/// other.
 template <typename Id>
 class SparseIds
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Store.h
- * From a sum in double to the type of an array.
+ * Converts a sum in double to the type of an array.
  */
 #ifndef SubdivisionObjects_Store_h
 #define SubdivisionObjects_Store_h

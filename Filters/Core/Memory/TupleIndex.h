@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TupleIndex.h
- * Gives equal vertex sets one number: how edges, faces and equal cells of the input are found.
+ * Numbers sets of vertices, equal sets alike. So BuildComplex finds the edges and faces of cells,
+ * and cells that are equal.
  */
 #ifndef SubdivisionObjects_TupleIndex_h
 #define SubdivisionObjects_TupleIndex_h
@@ -31,9 +32,9 @@ struct TupleNumbers
 };
 
 /**
- * Numbers the distinct tuples: first those that occur among the first `leading` tuples, in their
- * order; then the others by their vertices. Tuples are grouped by their smallest vertex, so the
- * groups are sorted in parallel and the result depends on nothing but the input.
+ * Numbers the distinct tuples: first those that occur among the first `leading` tuples, in the
+ * order of their first occurrence; then all others in lexicographic order. Tuples are grouped by
+ * their smallest vertex. Threads sort the groups, and the result does not depend on their number.
  */
 template <int N, typename Id>
 TupleNumbers<Id> NumberTuples(
@@ -58,7 +59,7 @@ TupleNumbers<Id> NumberTuples(
   // Sort each group; let every tuple know the first one that equals it.
   TupleNumbers<Id> result;
   Buffer<Id> first(size);
-  Buffer<Id> newcomers(numberOfVertices + 1, Id(0)); // first tuples that are not leading, by group
+  Buffer<Id> newcomers(numberOfVertices + 1, Id(0)); // new tuples of a group beyond `leading`
   ForEach(numberOfVertices,
     [&](vtkIdType v)
     {

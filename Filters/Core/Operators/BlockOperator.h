@@ -30,8 +30,8 @@ public:
   vtkIdType GetNumberOfColumns() const { return this->NumberOfColumns; }
   vtkIdType GetNumberOfRows() const { return this->NumberOfRows; }
 
-  /// Is called with all rows, some at a time, those from row `first` on; in any order and from many
-  /// threads.
+  /// Receives a block of consecutive rows, the first of which is row `first`. ForRows passes each
+  /// row exactly once, in any order and from many threads.
   using User = std::function<void(const RowBlock<Id>& rows, vtkIdType first)>;
   void ForRows(const User& use) const;
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CornerRows.h
- * An operator all of whose rows are means of the corners of a simplex. Nearly all have four: no
- * offsets, and a loop whose length is known, so that a row costs little more than to read it.
+ * An operator whose rows are weighted means of the corners of a simplex. Nearly all simplices have
+ * four corners. So each row has room for four entries, needs no offsets, and is summed in a loop of
+ * fixed length.
  */
 #ifndef SubdivisionObjects_CornerRows_h
 #define SubdivisionObjects_CornerRows_h
@@ -32,12 +33,13 @@ struct CornerRows
   vtkIdType GetNumberOfRows() const { return this->Rows.size(); }
   std::size_t GetMemorySize() const { return this->Rows.GetMemorySize(); }
 
-  /// out = S in, for three components. Unlike those of SparseRows, entries of weight 0 are read:
-  /// what an empty row gives means nothing.
+  /// out = S in, for three components. Entries of weight 0 are read, unlike in SparseRows. The
+  /// result of an empty row has no meaning.
   template <typename Out>
   void Apply(const double* in, Out* out) const;
 
-  /// The same without entries of weight 0; there are less than 2^29 rows.
+  /// The same operator without entries of weight 0. It needs less than 2^29 rows, so that offsets
+  /// fit in int.
   SparseRows<int> ToSparseRows() const;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RowBlock.h
- * A few rows of an operator, made and used at once: they never leave the cache, so that an operator
- * which is quickly made needs no memory.
+ * A few rows of an operator, which are used as soon as they are made. They stay in the processor's
+ * cache, so that an operator whose rows are cheap to make need not be stored.
  */
 #ifndef SubdivisionObjects_RowBlock_h
 #define SubdivisionObjects_RowBlock_h
@@ -47,8 +47,8 @@ public:
   const Id* GetColumns() const { return this->Columns.data(); }
   const double* GetWeights() const { return this->Weights.data(); }
 
-  /// out[row] = the rows times in, for `components` interleaved values per column; a row of one
-  /// entry of weight 1 copies.
+  /// out = S in for these rows, with `components` interleaved values per column. A row whose only
+  /// entry has weight 1 copies.
   template <typename T>
   void Apply(const T* in, T* out, int components) const
   {

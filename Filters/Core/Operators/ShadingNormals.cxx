@@ -94,7 +94,8 @@ void ShadingNormals::Write(const Sum& sum, double normal[3]) const
   }
   else if (IsLong(sum.Line, 0.))
   {
-    // Across the line, in the plane of the axis that it is farthest from.
+    // Perpendicular to the line, in the plane of the line and that axis to which it is least
+    // parallel.
     double line[3];
     Normalise(sum.Line, line);
     const auto far = std::min_element(

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadingNormals.h
- * Normals for points that have no tangents, so that they are not drawn black.
+ * Normals for points without tangent plane, which would be drawn black without a normal
+ * (Mathematics 8).
  *
- * At joints, corners and whatever else has facets: the mean of the facets' normals, weighted by
- * area, or, where they cancel, that of the first facet that has one. On curves a direction across
- * the first line, and at single points the z axis: nothing is more right there than anything else.
+ * A point with facets (polygons) gets the mean of their normals weighted by area, or, where these
+ * cancel, the normal of the first facet that has an area. A point with lines only gets a direction
+ * perpendicular to the first line that has a length; a point without facets and lines gets the z
+ * axis. These two directions are arbitrary, as no other is better.
  */
 #ifndef SubdivisionObjects_ShadingNormals_h
 #define SubdivisionObjects_ShadingNormals_h
@@ -20,8 +22,8 @@ namespace subdivision
 class ShadingNormals
 {
 public:
-  /// Three coordinates and three numbers of the normal for each point; `missing`: whether it is to
-  /// be written.
+  /// `points` and `normals` have three numbers for each point. Only normals of points in `missing`
+  /// are written.
   ShadingNormals(const double* points, const Buffer<unsigned char>& missing, double* normals)
     : Points(points)
     , Missing(missing)
@@ -31,7 +33,8 @@ public:
 
   bool IsMissing(vtkIdType point) const { return this->Missing[point] != 0; }
 
-  /// In the order of the facets; `turned`: the normal has the other direction.
+  /// Adds a polygon; the order of calls decides which facet is the first. `turned` reverses the
+  /// normal.
   template <typename Id>
   void AddFacet(const Id* corners, int size, bool turned)
   {
@@ -57,7 +60,8 @@ public:
       }
     }
   }
-  /// A triangle with a solid behind it, which has the vertex `inside`.
+  /// Adds a boundary triangle of the solid whose fourth vertex is `inside`. Its normal points out
+  /// of the solid.
   template <typename Id>
   void AddFacetOfSolid(const Id* corners, Id inside)
   {
@@ -78,7 +82,7 @@ public:
       this->Sums[point];
     }
   }
-  /// Writes the normals of all points that were added and had none.
+  /// Writes the normals of all missing points at which something was added.
   void Fill();
 
 private:

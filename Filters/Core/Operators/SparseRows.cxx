@@ -26,7 +26,8 @@ Out CopyValue(In value)
   }
 }
 
-/// N components, known when this is compiled, at a time; N = 0: one after another.
+/// N > 0: there are N components, which are summed together. N = 0: `components` are summed one
+/// after another.
 template <int N, typename Id, typename In, typename Out>
 void ApplyRows(const SparseRows<Id>& rows, const In* in, Out* out, int components)
 {
@@ -55,7 +56,7 @@ void ApplyRows(const SparseRows<Id>& rows, const In* in, Out* out, int component
           for (vtkIdType k = begin; k < end; ++k)
           {
             const double weight = weights[k];
-            if (weight == 0.) // values that are not finite must not spread
+            if (weight == 0.) // 0 times a value that is not finite is not 0
             {
               continue;
             }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SparseRows.h
- * An operator whose rows have weights of their own: what rings and rules (Stencils.h) cannot say.
+ * An operator with explicit weights, for rows that rings and rules (Stencils.h) cannot express.
  *
  * Each row is summed in double, in the order of its entries, and stored in the type of the array.
  */
@@ -35,8 +35,8 @@ struct SparseRows
   void Apply(const In* in, Out* out, int components) const;
 };
 
-/// The rows of `outer` in terms of the columns of `inner`: applying the product is applying first
-/// `inner`, then `outer`, up to rounding. Entries of a row are in the order in which they are met.
+/// The product outer * inner: to apply it is to apply first `inner`, then `outer`, up to rounding.
+/// The columns of a row stand in the order in which the sum over `outer` first reaches them.
 template <typename Id>
 SparseRows<Id> Multiply(const SparseRows<Id>& outer, const SparseRows<Id>& inner);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TangentErrors.h
- * How exact tangents are, and the normal of two of them: none where it would be rounding only.
+ * Bounds for the errors of tangents, and the normal of two tangents, which is zero where it would
+ * consist of rounding errors only.
  */
 #ifndef SubdivisionObjects_TangentErrors_h
 #define SubdivisionObjects_TangentErrors_h
@@ -28,11 +29,11 @@ struct TangentPairs
 };
 
 /**
- * How far from w p the sum over a row's weights w and points p may be. `unit` is the largest
- * relative error of a stored coordinate: what one level adds is at most unit |w| |p|; of what the
- * level before added a tangent has half, as it has of all else, and so on: together twice that. A
- * sum of m products in double is off by m 2^-53 |w| |p|. Weights are sums and products of a few
- * sines, and off by 2^-51 even where they are nothing but rounding.
+ * A bound for the error of a tangent, the sum over a row's weights w and points p. `unit` is the
+ * largest relative error of a stored coordinate, so that storing the points of one level adds at
+ * most unit |w| |p|. Errors of the level before count half, as a step halves tangents, and so on:
+ * together at most 2 unit |w| |p|. Summing m products in double adds m 2^-53 |w| |p|. Each weight
+ * is computed from a few sines, with an absolute error up to 2^-51 even if it should be 0.
  */
 template <typename Id>
 double GetTangentError(
@@ -56,8 +57,8 @@ double GetTangentError(const RowBlock<Id>& rows, std::size_t row, const double* 
     static_cast<vtkIdType>(rows.GetEnd(row) - begin), points, unit);
 }
 
-/// The unit normal of two tangents. Where they may be parallel but for their error there is no
-/// plane, and it is zero.
+/// The unit normal of two tangents, or zero where the tangents may be parallel within `error` and
+/// so span no plane.
 inline void FindNormal(const double* a, const double* b, double error, double normal[3])
 {
   normal[0] = a[1] * b[2] - a[2] * b[1];

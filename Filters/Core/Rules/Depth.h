@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Depth.h
- * How much of a level is made: the last one needs less than those that are refined further.
+ * How much of a level a step computes. The last level needs less than a level that is refined
+ * further, and it is the largest.
  */
 #ifndef SubdivisionObjects_Depth_h
 #define SubdivisionObjects_Depth_h
@@ -13,11 +14,11 @@ enum class Depth
 {
   /// Everything that a further step needs.
   ForRefinement,
-  /// Of surfaces: everything that the last step needs, whose level is ForOutput.
+  /// Surfaces only, for the last level but one: everything that the last step reads.
   ForLastStep,
   /// Only what moves points and writes cells: no faces but the triangle cells, no incidences.
   ForOutput,
-  /// Of surfaces: not even these, because they are written where they are to be.
+  /// Surfaces only: counts, but no faces. SurfaceSteps writes the faces straight into the output.
   ForCounts
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Masks.h
- * The weights (Mathematics 5). A mask has one weight for what is refined (a vertex, or each end of
- * an edge) and one for each member of its ring; which weights depends on the rule and the ring's
- * size.
+ * The weights of the rules (Mathematics 5). A mask has two weights: one for the vertex itself, or
+ * for each of the two ends of an edge, and one for each member of the ring. Both follow from the
+ * rule and the size of the ring.
  */
 #ifndef SubdivisionObjects_Masks_h
 #define SubdivisionObjects_Masks_h

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Pi.h
- * The number that C++17 has no name for.
+ * The number pi, for which the library of C++17 has no constant.
  */
 #ifndef SubdivisionObjects_Pi_h
 #define SubdivisionObjects_Pi_h

@@ -11,7 +11,8 @@
 namespace subdivision
 {
 
-/// The rule that a vertex or an edge follows: its dimension, or one of two others in dimension 3.
+/// The rule that a vertex or an edge follows. Values 0 to 3 are the dimension d; the other two are
+/// special rules of dimension 3.
 enum class Rule : unsigned char
 {
   Corner = 0,     ///< d = 0: does not move
@@ -19,12 +20,13 @@ enum class Rule : unsigned char
   Surface = 2,    ///< d = 2: Loop, eq. 16
   Solid = 3,      ///< d = 3: eq. 17, 18
   Blend = 4,      ///< rule G-2: the weights of d = 3 with the relief ring
-  RegularEdge = 5 ///< d = 3: the valence-4 direction of the box spline, eq. 15: edges;
-                  ///< in tet/oct levels regular vertices and centres too
+  RegularEdge = 5 ///< d = 3: an edge of the box spline in the direction of valence 4, eq. 15; in
+                  ///< tet/oct levels also any regular edge, vertex or centre
 };
 
-/// What non-manifold vertices and edges do (Mathematics 6). FollowDimension1..3 are for type 1,
-/// FollowPart for type 2; where a choice does not exist for a type it means Blend.
+/// The user's choice for non-manifold vertices and edges (Mathematics 6). FollowDimension1 to
+/// FollowDimension3 exist for type 1, FollowPart for type 2. A choice that does not exist for a
+/// type means Blend.
 enum class JointRule : unsigned char
 {
   Blend,
@@ -35,9 +37,9 @@ enum class JointRule : unsigned char
   FollowPart
 };
 
-/// Of a vertex in which so many creases meet or, if they do not decide, so many edges that became
-/// sharp as joints (Mathematics 4, 6): a curve goes through it along two of them, else it stays.
-/// Whatever else is a curve there, boundaries for instance, does not count.
+/// The rule of a vertex with `edges` creases, or, if creases do not decide, with `edges` edges that
+/// the choice Sharp made sharp (Mathematics 4, 6). Two such edges form a curve through the vertex;
+/// otherwise it is a corner. Other curves at the vertex, such as boundaries, do not count.
 constexpr Rule RuleOfCurves(std::size_t edges)
 {
   return edges == 2 ? Rule::Curve : Rule::Corner;

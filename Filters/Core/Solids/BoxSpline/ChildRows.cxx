@@ -8,7 +8,8 @@ namespace subdivision
 namespace
 {
 
-/// The rows of a level's children, one kind after another.
+/// Makes the rows of ChildRows: those at vertices, at edges, in faces and in tetrahedra of the
+/// given level.
 template <typename Id>
 class ChildRowsMaker
 {

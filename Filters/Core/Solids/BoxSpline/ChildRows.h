@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ChildRows.h
- * The operators of a level and of its children, applied without being stored.
+ * The operators of the last two steps, applied without being stored.
  *
- * The last step needs nothing of its level but its cells and one product with its operator. So that
- * level is never made: a few rows of its operator at a time are made from the level before, in
- * memory that stays in the cache, and summed for all arrays. They are the rows, in rings of the
- * same order, that Refine would store.
+ * Let a level be given from which two more steps are made. LevelRows is its own operator, ChildRows
+ * the operator of the next level. This next level is never made: ChildRows makes a few rows at a
+ * time from the given level, in memory that stays in the processor's cache, and all arrays are
+ * summed with them at once. The rows and the order of their rings are those that Refine would
+ * store.
  */
 #ifndef SubdivisionObjects_ChildRows_h
 #define SubdivisionObjects_ChildRows_h
@@ -18,12 +19,12 @@
 namespace subdivision
 {
 
-/// Is called with all rows of an operator, some at a time, in any order and from several threads.
-/// Rows are StencilRows or TetOctRows.
+/// Receives a block of rows (StencilRows or TetOctRows). ForRows passes each row exactly once, in
+/// any order and from several threads.
 template <typename Rows>
 using RowsUser = std::function<void(const Rows&)>;
 
-/// An operator that hands its rows over.
+/// An operator that passes its rows block by block to a function.
 template <typename Rows>
 class RowsOnTheFly
 {
@@ -49,8 +50,8 @@ private:
   const subdivision::Level<Id>& Level;
 };
 
-/// The operator that takes the children of a level, which has all that a further step needs, to
-/// theirs.
+/// The operator that takes values on the children of `level` to their children. `level` was made
+/// with Depth::ForRefinement, or is the control level.
 template <typename Id>
 class ChildRows : public RowsOnTheFly<StencilRows<Id>>
 {
@@ -59,7 +60,8 @@ public:
     : Level(level)
   {
   }
-  /// Of the children: the rows of their vertices come first, then those of their edges.
+  /// Numbers of vertices and edges of the children: first come the rows of the vertices, then those
+  /// of the edges.
   vtkIdType GetNumberOfVertices() const;
   vtkIdType GetNumberOfEdges() const;
   vtkIdType GetNumberOfRows() const override

@@ -42,15 +42,16 @@ private:
   const Id InteriorStart;
 };
 
-/// The parts of one tetrahedron's refinement that lie on its edges and faces.
+/// The ids of what one step makes on the edges and faces of one tetrahedron. Indices are local
+/// numbers in the tetrahedron.
 template <typename Id>
 struct TetParts
 {
   Id Lattice[10];
-  Id Halves[6][4];  ///< edge, vertex
-  Id InFaces[4][4]; ///< face, vertex
-  Id Corners[4][4]; ///< face, vertex: child triangles
-  Id Middles[4];    ///< face: child triangle
+  Id Halves[6][4];  ///< edge, vertex: the half at the vertex
+  Id InFaces[4][4]; ///< face, vertex: the child edge that cuts the vertex off
+  Id Corners[4][4]; ///< face, vertex: the child triangle at the vertex
+  Id Middles[4];    ///< face: the child triangle in the middle
   Id Tet;
 
   TetParts(const SimplicialComplex<Id>& complex, const ChildIds<Id>& ids, Id tet)

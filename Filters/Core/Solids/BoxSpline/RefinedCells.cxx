@@ -42,8 +42,8 @@ const Id* GetVertices(const SimplicialComplex<Id>& complex, const CellRun& run)
   return lists[run.Dimension][run.Equal]->data() + (run.Dimension + 1) * run.First;
 }
 
-/// Writes the children of some cells, given by their lattice points: those of `Parents` cells at a
-/// time.
+/// Writes the children of a run's cells by `table`. lattice(i, points) gives the lattice points of
+/// the `Parents` cells that cell i of the complex consists of: itself, or its children.
 template <int Parents, int Children, int Corners, typename Out, typename Lattice>
 void WriteChildrenOfRun(
   const CellRun& run, const int (&table)[Children][Corners], Out* out, const Lattice& lattice)

@@ -43,9 +43,9 @@ template <typename Id, typename Out>
 void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const CellStorage<Out>& out, int highest = 3);
 
-/// Writes the children of the children of a level's cells, as WriteChildren does. The level has all
-/// that a further step needs, and no equal cells. `centres`: how many vertices its children have
-/// beside its own and the midpoints of its edges.
+/// Writes the children of the children of a level's cells, as WriteChildren does. The level was
+/// made with Depth::ForRefinement and has no equal cells. `centres` is the number of its octahedra,
+/// whose centres are vertices of the next level.
 template <typename Id, typename Out>
 void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const CellStorage<Out>& out, int highest = 3, Id centres = 0);

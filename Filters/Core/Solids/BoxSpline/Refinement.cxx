@@ -266,7 +266,8 @@ Level<Id> Refine(const Level<Id>& parent, Depth depth)
   return Refiner<Id>(parent, depth).Run();
 }
 
-/// Equal cells follow their twins: own vertices by the tables, twins by their vertices.
+/// The tables give the vertices of a child of an equal cell; its twin is the child of the parent's
+/// twin that has the same vertices.
 template <typename Id>
 void RefineEqualLinesAndTriangles(const SimplicialComplex<Id>& parent, SimplicialComplex<Id>& child)
 {

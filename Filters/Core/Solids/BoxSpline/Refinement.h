@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Refinement.h
- * One uniform step (Mathematics 2): all ids of children are arithmetic, all classes are inherited.
+ * One uniform step of the box-spline scheme (Mathematics 2). All ids of children follow by
+ * arithmetic, and children inherit strata.
  *
  * With V vertices, E edges, F faces and T tetrahedra on a level, the next one has
  *  - vertices: v stays v; the point of edge e is V + e;
@@ -10,7 +11,7 @@
  *  - faces: 4f + i near vertex i of f, 4f + 3 its middle; 4F + 8t + i inside tetrahedron t
  *    (tetrahedron::InteriorFaces);
  *  - tetrahedra: 8t + i (tetrahedron::Children).
- * Every loop writes its own range, so the result does not depend on threads.
+ * Every iteration writes a range of its own, so the result does not depend on threads.
  */
 #ifndef SubdivisionObjects_Refinement_h
 #define SubdivisionObjects_Refinement_h
@@ -31,13 +32,14 @@ struct Level
 template <typename Id>
 Level<Id> Refine(const Level<Id>& parent, Depth depth);
 
-/// The edges of an equal tetrahedron or triangle in its own vertex order, looked up in its twin.
+/// The edges of an EqualCells tetrahedron or triangle in its own vertex order, taken from its twin.
 template <typename Id>
 void GetEdgesOfEqualTet(const SimplicialComplex<Id>& complex, vtkIdType index, Id edges[6]);
 template <typename Id>
 void GetEdgesOfEqualTriangle(const SimplicialComplex<Id>& complex, vtkIdType index, Id edges[3]);
 
-/// Their children, and those children's twins: the same whatever solids are split into.
+/// Makes the children of equal lines and triangles, and finds the twins of these children. Both
+/// volume schemes use it, as it does not depend on how solids are split.
 template <typename Id>
 void RefineEqualLinesAndTriangles(
   const SimplicialComplex<Id>& parent, SimplicialComplex<Id>& child);

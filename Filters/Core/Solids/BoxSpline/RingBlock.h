@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RingBlock.h
- * Rows that are made a few at a time, and the loops over what they are made of.
+ * Makes rows block by block for operators that are not stored, and loops over blocks.
  */
 #ifndef SubdivisionObjects_RingBlock_h
 #define SubdivisionObjects_RingBlock_h
@@ -29,8 +29,8 @@ void ForBlocks(vtkIdType begin, vtkIdType end, const Block& block, vtkIdType siz
   }
 }
 
-/// body(kind, begin, end) over ranges of some kinds of things, `counts` of each, in one go: threads
-/// do not wait for each other between two kinds.
+/// Calls body(kind, begin, end) for ranges that cover [0, counts[kind]) for each kind. This is one
+/// parallel loop, so that threads do not wait for each other between two kinds.
 template <std::size_t Kinds, typename Body>
 void ForKinds(const std::array<vtkIdType, Kinds>& counts, const Body& body)
 {
@@ -51,7 +51,8 @@ void ForKinds(const std::array<vtkIdType, Kinds>& counts, const Body& body)
     });
 }
 
-/// Rows in the making, at most `capacity` at a time.
+/// A block of at most `capacity` rows that is filled row by row: Reserve, Open, write the members,
+/// Close.
 template <typename Id>
 class RingBlock
 {
@@ -68,7 +69,8 @@ public:
     this->FirstRow = firstRow;
     this->Count = 0;
   }
-  /// Makes sure that so many members have room in all rings that are still open.
+  /// Makes room for `members` further members, in all rings together that are opened before the
+  /// next call.
   void Reserve(Id members)
   {
     const vtkIdType wanted = vtkIdType(this->Offsets[this->Count]) + members;
@@ -79,7 +81,7 @@ public:
       this->Members = std::move(larger);
     }
   }
-  /// Where the next ring goes that follows on `before` members of open ones.
+  /// Opens a ring behind the closed ones and behind `before` members of rings that are still open.
   MemberWriter<Id> Open(Id before = 0)
   {
     return { this->Members.data() + this->Offsets[this->Count] + before };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RingEmitter.h
- * The rings of a level's children, member by member, whether they are stored (RefinedRings.cxx) or
- * summed at once and forgotten (ChildRows.cxx).
+ * Computes the rings of the next level from a level and passes them on member by member. Refine
+ * stores them (RefinedRings.cxx); ChildRows sums with them at once (ChildRows.cxx).
  */
 #ifndef SubdivisionObjects_RingEmitter_h
 #define SubdivisionObjects_RingEmitter_h
@@ -13,7 +13,7 @@
 namespace subdivision
 {
 
-/// Puts members, and the carriers that are wanted, one after another.
+/// Stores the members of a ring and, if wanted, their carriers.
 template <typename Id>
 struct RingWriter
 {
@@ -29,7 +29,7 @@ struct RingWriter
   }
 };
 
-/// Puts members only.
+/// Stores the members of a ring without carriers.
 template <typename Id>
 struct MemberWriter
 {
@@ -77,7 +77,8 @@ public:
     this->EmitAtEdge(edge, halves, midpoint);
     return midpoint.Size;
   }
-  /// No ring of what is new on an edge is larger; found without walking around it.
+  /// An upper bound for the sizes of the rings of an edge's midpoint and halves, found without
+  /// searching the tetrahedra at the edge.
   Id CountAtMost(Id edge) const
   {
     const Rule rule = this->Strata.Edges[edge].GetRule();
@@ -100,14 +101,15 @@ public:
     return counter.Size;
   }
 
-  /// What is new on an edge. Each half keeps the edge's ring: the midpoints towards its members.
-  /// The midpoint has the ends; on each face of the edge's ring two midpoints; and the far end of
-  /// each diagonal that starts here.
+  /// Emits the rings of the two halves and of the midpoint of an edge. For each face that carries a
+  /// member of the edge's ring, the ring of a half has the midpoint of the other edge of the face
+  /// at this half's end. The ring of the midpoint has the two ends; for each such face the
+  /// midpoints of both other edges; and the other end of each diagonal that ends at the midpoint.
   template <typename Emit>
   void EmitAtEdge(Id edge, Emit (&emitHalves)[2], Emit& emitMidpoint) const;
 
-  /// The edge that cuts a corner off a face: the corner and the opposite midpoint, then what is
-  /// around it in the tetrahedra beside the face.
+  /// Emits the ring of the edge that cuts a corner off a face: the corner, the midpoint opposite to
+  /// it, and then one or two midpoints in each tetrahedron at the face (FaceCutLinks).
   template <typename Emit>
   void EmitInFace(Id face, int corner, Emit& emit) const;
 
@@ -123,7 +125,7 @@ public:
     }
   }
 
-  /// An old vertex keeps its ring: the midpoints towards its members.
+  /// Emits the ring of an old vertex: the midpoints of the edges to the members of its old ring.
   template <typename Emit>
   void EmitVertex(Id vertex, Emit& emit) const
   {

@@ -114,7 +114,7 @@ void SumVertexRows(const StencilRows<Id>& rows, const T* in, T* out, int compone
     const Mask mask = masks.Get(rows.Strata[i], ring.size());
     const T* own = in + (rows.FirstRow + i) * size;
     T* result = out + (rows.FirstRow + i) * size;
-    if (mask.Ring == 0.) // also where values that are not finite must not spread
+    if (mask.Ring == 0.) // do not read the ring: 0 times a value that is not finite is not 0
     {
       std::copy(own, own + size, result);
       continue;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Stencils.h
- * The one operator (Mathematics 1): a row-stochastic matrix that takes the values at the vertices
- * of a level to those of the next, whatever the values are.
+ * The operator of the box-spline scheme (Mathematics 1): the matrix that takes values at the
+ * vertices of a level, coordinates or any array, to those at the vertices of the next.
  *
- * Rows come as rings: which weights a row has follows from its rule and the size of its ring
- * (Masks.h), so only vertex ids are stored. Vertex rows first, then edge rows. Each row is summed
- * in double, in the order of the ring, and stored in the type of the array.
+ * Rows are stored as rules and rings without weights, which follow from the rule and the size of
+ * the ring (Masks.h). Vertex rows come first, then edge rows. Each row is summed in double, in the
+ * order of the ring, and stored in the type of the array.
  */
 #ifndef SubdivisionObjects_Stencils_h
 #define SubdivisionObjects_Stencils_h
@@ -19,7 +19,7 @@
 namespace subdivision
 {
 
-/// Rows with weights of their own, which stand in for those that rules give.
+/// Rows with explicit weights, which replace those that rules and rings give.
 template <typename Id>
 struct ExplicitRows
 {
@@ -38,7 +38,7 @@ template <typename Id>
 struct StencilRows
 {
   bool OfEdges;
-  vtkIdType FirstRow; ///< of a vertex: the vertex itself
+  vtkIdType FirstRow; ///< number of the first row; for a vertex its id
   vtkIdType Count;
   const Stratum* Strata;
   const Id* Ends;    ///< 2 for each edge
@@ -97,7 +97,8 @@ struct Stencils
   void Apply(const T* in, T* out, int components) const;
 };
 
-/// Takes the operator out of a level that is not refined any more. What writes cells stays.
+/// Moves the operator out of a level that is not refined any more. Write its cells first, because
+/// line cells need the vertices of edges.
 template <typename Id>
 Stencils<Id> TakeStencils(Level<Id>& level);
 

@@ -125,7 +125,9 @@ Place Links<Id>::PlaceEdgeInSolid(Id edge) const
   return ends == 0 ? Place::Interior : Place::Boundary;
 }
 
-/// Walks around an edge, from an end of the link if there is one, and counts the faces met.
+/// Whether the link of an edge in C_3 is connected. Walks around the edge, from an end of the link
+/// if there is one, and compares the number of faces on the way with `faces`. No face has more than
+/// two tetrahedra.
 template <typename Id>
 bool Links<Id>::IsConnectedAround(Id edge, vtkIdType faces) const
 {
@@ -224,8 +226,9 @@ Place Links<Id>::PlaceVertexInSurface(Id vertex) const
   return ends == 0 ? Place::Interior : Place::Boundary;
 }
 
-/// Walks through the triangles around a vertex, from an end of the link if there is one, and counts
-/// the edges met; at each are at most two triangles.
+/// Whether the triangles at a vertex form one fan. Walks through them, from an end of the link if
+/// there is one, and compares the number of edges on the way with `edges`. No edge has more than
+/// two triangles.
 template <typename Id>
 bool Links<Id>::IsOneFan(Id vertex, vtkIdType edges) const
 {
@@ -266,7 +269,8 @@ Place Links<Id>::PlaceVertexInSolid(Id vertex, const Buffer<Place>& edgePlaces) 
 {
   vtkIdType vertices = 0;
   vtkIdType twiceEdges = 0;
-  vtkIdType sixTriangles = 0; // each tetrahedron is met at its three edges, on two faces each
+  vtkIdType sixTriangles = 0; // six times their number: the loops below meet a tetrahedron at three
+                              // edges, and there on two faces
   vtkIdType ends = 0;
   bool severalPieces = false;
   for (Id edge : this->VertexEdges[vertex])

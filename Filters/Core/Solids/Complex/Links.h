@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Links.h
- * The links of vertices and edges inside one C_k, and what they say: interior, boundary, or a
- * non-manifold type (the table of Mathematics 3).
+ * The links of vertices and edges inside one C_k. A link tells whether the vertex or edge is
+ * interior, on the boundary, or non-manifold (the table of Mathematics 3).
  */
 #ifndef SubdivisionObjects_Links_h
 #define SubdivisionObjects_Links_h
@@ -41,7 +41,7 @@ public:
   Rows<Id> VertexEdges; ///< all edges at a vertex, in order
   Rows<Id> EdgeFaces;   ///< all faces at an edge, in order
 
-  /// The dimensions k in whose C_k a simplex lies.
+  /// The set of dimensions k for which a simplex lies in C_k, as DimensionBit.
   unsigned char FaceDimension(Id face) const
   {
     return DimensionBit(this->Complex.FaceTets[face].size() > 0 ? 3 : 2);
@@ -52,7 +52,7 @@ public:
   /// How an edge lies in C_k.
   Place PlaceEdge(Id edge, int k) const;
 
-  /// How a vertex lies in C_k; `edgePlaces` has what PlaceEdge says in C_3 of all edges.
+  /// How a vertex lies in C_k. `edgePlaces` has PlaceEdge(e, 3) for each edge e.
   Place PlaceVertex(Id vertex, int k, const Buffer<Place>& edgePlaces) const;
 
   /// Whether the faces at a vertex that `accept` takes form one closed fan around it.
@@ -80,7 +80,7 @@ template <typename Accept>
 int Links<Id>::CountPieces(Id vertex, const Accept& accept) const
 {
   const Row<Id> edges = this->VertexEdges[vertex];
-  static thread_local std::vector<vtkIdType> parents; // kept, to allocate but once
+  static thread_local std::vector<vtkIdType> parents; // reused by all calls
   parents.assign(edges.size(), -1);                   // -1: on no accepted face
   auto root = [](vtkIdType i)
   {
@@ -111,7 +111,7 @@ int Links<Id>::CountPieces(Id vertex, const Accept& accept) const
       }
       const Id* faceEdges = this->Complex.FaceEdges.data() + 3 * face;
       const Id other =
-        faceEdges[(this->Complex.VertexInFace(face, far) + 1) % 3]; // not through far
+        faceEdges[(this->Complex.VertexInFace(face, far) + 1) % 3]; // the edge opposite to far
       const vtkIdType j = std::lower_bound(edges.begin(), edges.end(), other) - edges.begin();
       touch(i);
       touch(j);

@@ -5,8 +5,8 @@
  *
  * Local names. Edges of a triangle: 01, 12, 02. Edges of a tetrahedron: 01, 02, 03, 12, 13, 23.
  * Face i of a tetrahedron is opposite to vertex i. A *lattice point* of a simplex is one of its
- * vertices, or the midpoint of one of its edges: vertices first, then edges.
- * The marked edges of a tetrahedron are 02 and 13; the diagonal joins their midpoints.
+ * vertices, or the midpoint of one of its edges: vertices first, then edges. The marked edges of a
+ * tetrahedron are 02 and 13; the diagonal joins their midpoints.
  */
 #ifndef SubdivisionObjects_Simplices_h
 #define SubdivisionObjects_Simplices_h
@@ -19,7 +19,7 @@ namespace subdivision
 namespace triangle
 {
 constexpr int EdgeVertices[3][2] = { { 0, 1 }, { 1, 2 }, { 0, 2 } };
-/// The two edges at a vertex, in the order of their other ends' positions.
+/// The two edges at a vertex; the one whose other end has the smaller local number comes first.
 constexpr int EdgesAt[3][2] = { { 0, 2 }, { 0, 1 }, { 2, 1 } };
 /// The vertex opposite to an edge, and the edge opposite to a vertex.
 constexpr int VertexOpposite[3] = { 2, 0, 1 };
@@ -75,7 +75,8 @@ enum class FaceOrigin : unsigned char
 {
   FaceCorner, ///< Index = face, Corner = vertex
   FaceMiddle, ///< Index = face
-  Interior    ///< Index = 0..3: cuts off that vertex; 4 + q: diagonal and equator point q
+  Interior    ///< Index = 0..3: cuts off that vertex; 4 + q: spans the diagonal and the midpoint of
+              ///< EquatorEdges[q]
 };
 struct ChildFace
 {
@@ -175,8 +176,8 @@ constexpr auto MakeChildFaces()
 constexpr auto ChildEdges = MakeChildEdges();
 constexpr auto ChildFaces = MakeChildFaces();
 
-/// The eight triangles inside a split tetrahedron, as edges whose midpoints they join; the two
-/// children of the tetrahedron beside each.
+/// A triangle inside a split tetrahedron: the edges whose midpoints are its vertices, and the two
+/// child tetrahedra at it. There are eight, numbered as FaceOrigin::Interior says.
 struct InteriorFace
 {
   int Edges[3] = { 0, 0, 0 };
@@ -214,7 +215,7 @@ constexpr auto MakeInteriorFaces()
 }
 constexpr auto InteriorFaces = MakeInteriorFaces();
 
-/// The children that hold the middle triangle of each face.
+/// For each face the child tetrahedron that has the middle triangle of this face.
 constexpr auto MakeMiddleChildren()
 {
   std::array<int, 4> table{};
@@ -232,12 +233,13 @@ constexpr auto MakeMiddleChildren()
 }
 constexpr auto MiddleChildren = MakeMiddleChildren();
 
-/// Seen from the edge that cuts vertex `corner` off face `face`: the part of its link inside the
-/// tetrahedron. Always the midpoint of (corner, face); where the diagonal touches the edge, also
-/// the diagonal's other end.
+/// FaceCutLinks[corner][face] is the part inside the tetrahedron of the link of a child edge: of
+/// the one that cuts vertex `corner` off face `face`. The link always has the midpoint of the edge
+/// from vertex `corner` to vertex `face`. If the diagonal ends on the child edge, the link has its
+/// other end too.
 struct FaceCutLink
 {
-  int CutEdge = -1;         ///< its midpoint is in the link
+  int CutEdge = -1;         ///< its midpoint is in the link, across interior face `corner`
   bool HasDiagonal = false; ///< then also:
   int DiagonalEdge = -1;    ///< the midpoint of this marked edge,
   int DiagonalFace = -1;    ///< across this interior face

@@ -41,7 +41,7 @@ CellsOfDimension<N, Id> GatherCells(const SimplexList& simplices, const Buffer<v
   return cells;
 }
 
-/// Parts the cells into those that are the first of their kind (returned, in order) and the others.
+/// Returns the cells that equal no earlier one, in order, and moves the others to `equal`.
 template <int N, typename Id>
 Buffer<std::array<Id, N>> TakeFirsts(
   CellsOfDimension<N, Id>& cells, const TupleNumbers<Id>& numbers, EqualCells<Id>& equal)
@@ -202,7 +202,7 @@ void FindFaceTets(SimplicialComplex<Id>& complex)
   }
 }
 
-/// The output order as runs of one dimension and kind.
+/// Makes the runs of the output: each has one dimension, and either followers only or none.
 template <typename Id>
 std::vector<CellRun> MakeRuns(const SimplexList& simplices, const CellsOfDimension<1, Id>& vertices,
   const CellsOfDimension<2, Id>& lines, const CellsOfDimension<3, Id>& triangles,

@@ -3,10 +3,11 @@
  * @file SimplicialComplex.h
  * Vertices, edges, faces and tetrahedra of one level, and how they lie on each other.
  *
- * Built from the input once, by sorting; from then on refined by arithmetic (Refinement.h):
- * line cells are the first edges and triangle cells the first faces, in output order and with the
- * vertex order of the cell, and so are their children. Cells that equal an earlier one are kept
- * apart as *followers*: they change nothing, and are split along with their twin.
+ * BuildComplex builds it from the control mesh by sorting; Refine (Refinement.h) then computes all
+ * ids of children by arithmetic. The line cells are the first edges and the triangle cells the
+ * first faces, in output order and with the vertex order of the cell; so are their children. Cells
+ * that equal an earlier cell, their *twin*, are stored apart as *followers*: they change no rule
+ * and are split like their twin. Here the word follower means these only (Mathematics 2 has more).
  */
 #ifndef SubdivisionObjects_SimplicialComplex_h
 #define SubdivisionObjects_SimplicialComplex_h
@@ -53,7 +54,7 @@ struct SimplicialComplex
     const Id* ends = this->EdgeVertices.data() + 2 * edge;
     return ends[0] == vertex ? ends[1] : ends[0];
   }
-  /// Position 0..2 of a vertex in a face, of an edge in a face; 0..3 of a face in a tetrahedron.
+  /// The local number of a vertex, edge or face in a face or tetrahedron that has it.
   int VertexInFace(Id face, Id vertex) const
   {
     return Find<3>(this->FaceVertices.data() + 3 * face, vertex);
@@ -74,7 +75,8 @@ struct SimplicialComplex
   Id OtherEdge(Id face, Id edge, Id vertex) const;
 
 private:
-  /// The place of a value that is in the list. No branches: no processor could predict them.
+  /// The position of a value that is in the list. There are no branches, because the processor
+  /// would mispredict them.
   template <int Size>
   static int Find(const Id* list, Id wanted)
   {
@@ -87,18 +89,19 @@ private:
   }
 };
 
-/// A stretch of output cells that come one after another in the complex too.
+/// Consecutive output cells of one dimension that are consecutive in the complex too. So runs tell
+/// the order of the output without a table.
 struct CellRun
 {
   int Dimension = 0;
-  bool Equal = false; ///< counts in the list of equal cells
+  bool Equal = false; ///< whether they are in EqualCells, where First then counts
   vtkIdType First = 0;
   vtkIdType Count = 0;
-  vtkIdType FirstCell = 0;  ///< place of the first among all simplices
-  vtkIdType FirstEntry = 0; ///< place of its first vertex in the connectivity
+  vtkIdType FirstCell = 0;  ///< position of the first among all output cells
+  vtkIdType FirstEntry = 0; ///< position of its first vertex in the connectivity
 };
 
-/// Sorts the simplices into a complex; `runs` tells the order in which the output has them.
+/// Builds the complex of the simplices. `runs` receives the order in which the output lists them.
 template <typename Id>
 SimplicialComplex<Id> BuildComplex(const SimplexList& simplices, std::vector<CellRun>& runs);
 

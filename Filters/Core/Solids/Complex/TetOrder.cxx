@@ -22,8 +22,9 @@ double SquaredLength(const double* a, const double* b)
   return sum;
 }
 
-/// The partner (1 to 3) of the smallest of four sorted vertices in the marked pair of edges;
-/// lengths that differ by less than `tie`, relative to the shortest, are equal.
+/// Finds the marked pair of edges among four vertices sorted by id: returns the position (1 to 3)
+/// of the vertex that a marked edge joins with the first. Squared lengths that exceed the least by
+/// no more than a relative `tie` count as equal to it.
 int FindPartner(const double* const sorted[4], double tie)
 {
   double diagonals[4] = {};
@@ -60,7 +61,7 @@ int FindPartner(const double* const sorted[4], double tie)
       return partner;
     }
   }
-  return 1; // lengths that overflow compare with nothing
+  return 1; // only if lengths are NaN
 }
 
 }
@@ -81,7 +82,7 @@ void OrderTet(vtkIdType* tet, const Coordinates& points, const vtkIdType* global
     corners[i] = points + 3 * tet[sorted[i]];
   }
   const int partner = FindPartner(corners, points.Tie);
-  // The partner of the tetrahedron's own first vertex.
+  // pairs[i] is the vertex that a marked edge joins with vertex i of the tetrahedron.
   int pairs[4];
   const int c = partner == 1 ? 2 : 1;
   const int d = 6 - partner - c;
@@ -89,7 +90,7 @@ void OrderTet(vtkIdType* tet, const Coordinates& points, const vtkIdType* global
   pairs[sorted[partner]] = sorted[0];
   pairs[sorted[c]] = sorted[d];
   pairs[sorted[d]] = sorted[c];
-  if (pairs[0] == 1) // even permutations of the last three
+  if (pairs[0] == 1) // even permutations of the last three bring pairs[0] to position 2
   {
     const vtkIdType order[3] = { tet[3], tet[1], tet[2] };
     std::copy(order, order + 3, tet + 1);

@@ -13,9 +13,10 @@ namespace subdivision
 {
 
 /**
- * Re-orders one tetrahedron, or all, so that its marked edges, those whose midpoints are nearest to
- * each other, are 02 and 13. The first vertex stays first, the orientation stays; that leaves one
- * order. `globalIds` breaks ties (null: the index does); points without one come after the others.
+ * Re-orders the vertices of one tetrahedron, or of all, so that its marked edges become 02 and 13.
+ * Marked is the pair of opposite edges whose midpoints are nearest to each other. The first vertex
+ * stays first and the orientation stays, so that only one order is possible. Global ids break ties
+ * (null: indices do); points beyond `numberOfGlobalIds` come after the others.
  */
 void OrderTet(vtkIdType* tet, const Coordinates& points, const vtkIdType* globalIds,
   vtkIdType numberOfGlobalIds);

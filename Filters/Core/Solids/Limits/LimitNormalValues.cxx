@@ -45,7 +45,7 @@ void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& p
     return GetTangentError(rows.Columns.data() + begin, rows.Weights.data() + begin,
       rows.Offsets[sector + 1] - begin, points.Values, points.GetUnit());
   };
-  // Whether most triangles have their solid behind them.
+  // Whether most triangles of a sector have their solid behind them; true without solids.
   auto isOutwards = [&](vtkIdType sector)
   {
     vtkIdType outwards = 0;

@@ -43,8 +43,8 @@ int GetParity(const int (&places)[Size])
   return sign;
 }
 
-/// Whether a triangle on the boundary of a tetrahedron goes around counterclockwise, seen from
-/// outside, if its vertices are taken in this order: 1; clockwise: -1.
+/// The direction of a face of a solid, seen from outside a positive solid: 1 if its vertices in
+/// this order run counterclockwise, -1 if clockwise.
 template <typename Id>
 int GetTurn(const SimplicialComplex<Id>& complex, Id tet, const Id (&triangle)[3])
 {
@@ -70,7 +70,7 @@ int GetTurn(const TetOctLevel<Id>& level, Id cell, const Id (&triangle)[3])
   {
     return GetTurn(level.Complex, cell, triangle);
   }
-  // From the centre: the first vertices of its three pairs are a positive system of axes.
+  // Seen from the centre, the first vertices of the three pairs are positive axes.
   int axes[3];
   int sign = 1;
   for (int k = 0; k < 3; ++k)
@@ -176,9 +176,9 @@ private:
   const subdivision::Strata<Id>& Strata;
   const ControlSolids& Solids;
   const SolidCounts Counts;
-  Rows<Id> FacesAtCurves; ///< of each edge that follows the rule for curves, in surfaces only
-  /// 1 for triangles of surfaces that are turned over against the first of their part; may be
-  /// empty.
+  Rows<Id> FacesAtCurves; ///< the faces of less than two tetrahedra at each edge with d = 1
+  /// For each triangle of a surface whether its orientation is opposite to that of the first
+  /// triangle of its part (LimitTangents::First). Empty if that is so for none.
   Buffer<unsigned char> Turned;
 };
 
@@ -208,7 +208,8 @@ void SectorWalker<AnyLevel, Id>::FindFacesAtCurves()
   forPairs([&](Id edge, Id face) { this->FacesAtCurves.Items[next[edge]++] = face; });
 }
 
-/// From an edge over a face and on through smooth edges: around, or to the next sharp edge.
+/// Walks around a vertex from an edge over a face and further smooth edges, back to the first edge
+/// or to the next sharp edge. Returns whether the faces on the way are a sector.
 template <template <typename> class AnyLevel, typename Id>
 bool SectorWalker<AnyLevel, Id>::Follow(Id vertex, Id edge, Id face, Walk& walk) const
 {
@@ -277,7 +278,8 @@ Id SectorWalker<AnyLevel, Id>::Append(Id vertex, SectorPart<Id>& part) const
   return sectors;
 }
 
-/// The two maximal triangles between which a surface goes on, smooth or creased.
+/// Finds the two maximal triangles that continue each other across an edge, smooth or crease.
+/// Returns false if there are not exactly two.
 template <template <typename> class AnyLevel, typename Id>
 bool SectorWalker<AnyLevel, Id>::FindPair(Id edge, Id (&faces)[2]) const
 {
@@ -333,7 +335,8 @@ void SectorWalker<AnyLevel, Id>::FindTurnedFaces()
   }
 }
 
-/// All triangles that can be reached from one; those of parts that have one side only stay.
+/// Sets Turned for the part of a triangle: all triangles that are reached over FindPair. If the
+/// part is not orientable, no triangle of it counts as turned.
 template <template <typename> class AnyLevel, typename Id>
 void SectorWalker<AnyLevel, Id>::OrientPart(Id first)
 {
@@ -367,7 +370,7 @@ void SectorWalker<AnyLevel, Id>::OrientPart(Id first)
   }
 }
 
-/// The solids behind the triangles of a walk.
+/// Appends LimitTangents::Sides for the triangles of a walk.
 template <template <typename> class AnyLevel, typename Id>
 void SectorWalker<AnyLevel, Id>::AppendSides(
   Id vertex, const Walk& walk, const std::vector<Id>& around, SectorPart<Id>& part) const
@@ -386,8 +389,8 @@ void SectorWalker<AnyLevel, Id>::AppendSides(
   part.SideSizes.push_back(static_cast<vtkIdType>(part.Sides.size() - before));
 }
 
-/// 1 where a walk on a surface goes around counterclockwise, seen from where the first triangle of
-/// its part does; else -1. On the boundary of a solid always 1.
+/// 1 if a walk on a surface has the orientation of the first triangle of its part, else -1. On the
+/// boundary of a solid always 1.
 template <template <typename> class AnyLevel, typename Id>
 double SectorWalker<AnyLevel, Id>::GetSign(Id vertex, const Walk& walk) const
 {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LimitNormals.h
- * Tangents and normals of limit surfaces: of surfaces and of the boundaries of solids (Mathematics
- * 8).
+ * Tangents and normals at the limit, of surfaces and of the boundaries of solids (Mathematics 8).
  *
- * The vertex and its neighbours in cyclic order p_0, p_1, ... have the tangents sum cos(2 pi j/m)
- * p_j and sum sin(2 pi j/m) p_j. A vertex on a boundary or crease has one or two *sectors*, each
- * from one sharp edge to the next; the tangents of a sector of k triangles are along the curve, p_0
- * - p_k, and across it, with the weights sin(pi j/k) of p_1 to p_k-1 and those of the ends and of
- * the vertex that make it a left eigenvector (of 3/8 + 1/4 cos(pi/k)). Several sectors: the mean of
- * their normals. From 7 triangles on a sector has no tangent plane: the second wave, of eigenvalue
- * 3/8 + 1/4 cos(2 pi/k), then shrinks more slowly than the curve, by more than 1/2. Corners,
- * curves, joints, darts, and vertices of semi-sharp creases that are still sharp have no tangent
- * plane, and take a normal for shading from what is around them. Inside solids it is zero.
+ * A vertex inside a surface with neighbours p_0, p_1, ... in cyclic order has the tangents sum
+ * cos(2 pi j/m) p_j and sum sin(2 pi j/m) p_j; all its triangles count as one *sector*. A vertex on
+ * a boundary or crease has one or two sectors, each from one sharp edge to the next. The tangents
+ * of a sector of k triangles are p_0 - p_k along the curve, and one across it with the weights
+ * sin(pi j/k) of p_1 to p_k-1; the weights of p_0, p_k and the vertex make it a left eigenvector
+ * for the eigenvalue 3/8 + 1/4 cos(pi/k). The normal of a vertex is the mean of those of its
+ * sectors. A sector of 7 or more triangles has no tangent plane: the eigenvalue 3/8 + 1/4 cos(2
+ * pi/k) is then larger than 1/2, that of the tangent along the curve. Corners, curves, joints,
+ * darts, and vertices of creases that are still sharp have no tangent plane either; they take a
+ * normal for shading from the triangles and lines at them. Inside solids the normal is zero.
  */
 #ifndef SubdivisionObjects_LimitNormals_h
 #define SubdivisionObjects_LimitNormals_h
@@ -29,18 +29,20 @@ namespace subdivision
 template <typename Id>
 struct LimitTangents
 {
-  Rows<Id> Sectors; ///< of each vertex; Items are not used: sectors are numbered
-                    ///< consecutively over all vertices
-  /// One row for each sector; their cross product has the orientation of the first triangle of its
-  /// part or, where it bounds a solid, that of the walk around the vertex.
+  Rows<Id> Sectors; ///< the sectors of each vertex by Offsets; Items is empty, because sectors are
+                    ///< numbered vertex by vertex
+  /// The two tangents of each sector, one row each. On a surface their cross product has the
+  /// direction that fits the first triangle of the part (all that is reached over edges of two
+  /// triangles); on the boundary of a solid that of the walk around the vertex.
   SparseRows<Id> First;
   SparseRows<Id> Second;
-  /// Where it bounds a solid: of each of its triangles twice the number of the control tetrahedron
-  /// behind it, and one more if that is in front where the cross product points, as far as the
-  /// order of vertices tells. So smoothing, which may turn solids inside out, turns no normal.
+  /// For a sector on the boundary of a solid, one entry for each triangle: twice the number of the
+  /// control tetrahedron in which the solid lies, plus 1 if by the order of its vertices this
+  /// tetrahedron lies on the side to which the cross product points. The side is decided on the
+  /// control mesh, because smoothing may turn solids inside out and must not turn normals.
   Buffer<vtkIdType> SideOffsets;
   Buffer<vtkIdType> Sides;
-  /// At the vertices that have no sector.
+  /// What gives normals for shading to the vertices without sector.
   ShadingFacets<Id> Shading;
 
   vtkIdType GetNumberOfSectors() const { return this->First.GetNumberOfRows(); }
@@ -52,8 +54,9 @@ struct LimitTangents
   }
 };
 
-/// What the tetrahedra of the control mesh are called, in the order of the complex (empty: their
-/// numbers there), and how many steps there are from the control level to the level.
+/// The tetrahedra of the control mesh: the number that LimitTangents::Sides uses for each, in the
+/// order of the complex (empty: its number there), and the number of steps from the control level
+/// to the level.
 struct ControlSolids
 {
   std::vector<vtkIdType> Numbers;
@@ -69,9 +72,10 @@ template <typename Id>
 LimitTangents<Id> BuildLimitTangents(const TetOctLevel<Id>& level,
   const SemiSharpStages<Id>& creases = {}, const ControlSolids& solids = {});
 
-/// Unit normals, three numbers for each vertex, from the points of the level. Where there is none,
-/// one for shading (ShadingNormals.h), but zero inside solids. `inverted`: twice the number of each
-/// control tetrahedron that has a negative volume, ascending; odd numbers mean nothing.
+/// Computes unit normals, three numbers for each vertex, from the points of the level. Vertices
+/// without sector get a normal for shading (ShadingNormals.h), or zero inside solids; vertices
+/// whose tangents are parallel within rounding get zero. `inverted` has, in ascending order, twice
+/// the number of each control tetrahedron with negative volume; odd numbers in it are ignored.
 template <typename Id>
 void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& points,
   const std::vector<vtkIdType>& inverted, double* normals);

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LimitRowMaker.h
- * Limit rows (LimitStencils.h), whatever the solids of a level are: what is around a vertex, a
- * *star*, tells the rows of its items.
+ * Makes limit rows (LimitStencils.h) for levels of both volume schemes. A template parameter, the
+ * *star*, reads the rows of a vertex and of what lies around it, its *items*.
  *
- * Item 0 is the vertex itself, the others are parts of the level at it, each named by a key, and
- * stand for the vertices at their far ends: edges; in a tet/oct level octahedra too. A star has
+ * Item 0 is the vertex itself. The other items are the edges at it, and in a tet/oct level its
+ * octahedra; each is named by a key and stands for the vertex at its far end. A star has
  *  - IdType, LevelType, and a constructor from a level;
  *  - GetRules(), those of the level; GetFarEnd(vertex, key);
- *  - ReadRow(rules, vertex, key, first, rows, number): appends the row of an item, of the vertex if
- *    the key is negative, as numbers: some, then what number(key, vertex) says of each member.
- *    Members that only the `first` step has come with a negative key. False: left some out;
- *  - Weigh(row, item, add): add(item, weight) for each entry of such a row, which is moved to the
- *    next one.
+ *  - ReadRow(rules, vertex, key, first, rows, number): appends the row of an item (of the vertex if
+ *    the key is negative) to `rows` as numbers, among them number(key of member, member) for each
+ *    member of the ring. Members without face, which only the first step reads, have a negative
+ *    key; they are left out unless `first`, and then ReadRow returns false;
+ *  - Weigh(row, item, add): calls add(number of member, weight) for each entry of such a row, and
+ *    moves `row` to the next one.
  */
 #ifndef SubdivisionObjects_LimitRowMaker_h
 #define SubdivisionObjects_LimitRowMaker_h
@@ -32,7 +33,7 @@
 namespace subdivision
 {
 
-/// What a level, or a stage of it, says of rings.
+/// The strata of a level, or of a SharpStage of it.
 template <typename Id>
 struct StarRules
 {
@@ -40,7 +41,8 @@ struct StarRules
   const Buffer<Id>* TetsAtSpokes; ///< of a tet/oct level
 };
 
-/// Numbers ids in the order in which they come. A hub may have very many.
+/// Numbers ids in the order in which they first come, with a hash table, as a vertex may have very
+/// many edges.
 template <typename Id>
 class Numbering
 {
@@ -88,7 +90,8 @@ private:
   std::vector<int> Slots = std::vector<int>(64, -1);
 };
 
-/// The rows of all items, one after another, as numbers.
+/// The rows of all items of a star as numbers, which name items by their order. Equal ones have
+/// equal limit weights.
 using Neighbourhood = std::vector<int>;
 
 struct HashNeighbourhood
@@ -104,8 +107,8 @@ struct HashNeighbourhood
   }
 };
 
-/// w of a neighbourhood by elimination of one item after the other, in the way of W. Grassmann,
-/// M. Taksar and D. Heyman (1985), which subtracts nothing: exact to rounding.
+/// The weights w of a neighbourhood (LimitStencils.h) by elimination. The algorithm of W.
+/// Grassmann, M. Taksar and D. Heyman (1985) subtracts nothing and so is exact to rounding.
 template <typename Star>
 std::vector<double> EliminateItems(const Neighbourhood& rows, int items)
 {
@@ -140,7 +143,7 @@ std::vector<double> EliminateItems(const Neighbourhood& rows, int items)
   return w;
 }
 
-/// w of a neighbourhood by the series.
+/// The weights w of a neighbourhood, not normalised, by the series of LimitStencils.h.
 template <typename Star>
 std::vector<double> SumSeries(const Neighbourhood& rows, int items)
 {
@@ -168,7 +171,8 @@ std::vector<double> SumSeries(const Neighbourhood& rows, int items)
   return sum;
 }
 
-/// w of a neighbourhood, one weight for each item. A hub of many spokes has too many for a matrix.
+/// The weights w of a neighbourhood, one for each item. The series serves vertices with many edges,
+/// for which elimination in a full matrix takes too long.
 template <typename Star>
 std::vector<double> SolveLimit(const Neighbourhood& rows, std::size_t items)
 {
@@ -183,7 +187,7 @@ std::vector<double> SolveLimit(const Neighbourhood& rows, std::size_t items)
   return w;
 }
 
-/// A row under way.
+/// A row that is being made.
 template <typename Id>
 struct LimitRow
 {
@@ -208,10 +212,10 @@ public:
   void Make(Id vertex, LimitRow<Id>& row);
 
 private:
-  /// What a row reads: an item, or a vertex that is none.
+  /// A vertex that a row reads: the far end of an item, or a vertex that belongs to no item.
   struct Member
   {
-    Id Key; ///< negative: the vertex that is looked at, or none of the items
+    Id Key; ///< of the item; negative: the current vertex, or no item
     Id Vertex;
   };
 
@@ -230,7 +234,7 @@ private:
   const SemiSharpStages<Id>& Creases;
   const std::vector<std::pair<Id, Id>>& SharpEdges; ///< (vertex, edge), sorted
   std::unordered_map<Neighbourhood, std::vector<double>, HashNeighbourhood> Solved;
-  // Of the vertex that is looked at:
+  // Of the current vertex:
   Id Vertex = 0;
   Numbering<Id> Keys; ///< item i is key i - 1
   Neighbourhood Local;
@@ -265,7 +269,7 @@ void LimitRowMaker<Star>::Make(Id vertex, LimitRow<Id>& row)
     solved = SolveLimit<Star>(this->Local, this->Keys.Ids.size() + 1);
   }
   this->Weights = solved;
-  if (this->Solved.size() > 4096) // none of a mesh's refined parts has that many kinds
+  if (this->Solved.size() > 4096) // bounds the memory; refined levels have far fewer
   {
     this->Solved.clear();
   }
@@ -290,7 +294,7 @@ void LimitRowMaker<Star>::Make(Id vertex, LimitRow<Id>& row)
   row.Weights = this->NextWeights;
 }
 
-/// The rows that repeat: without reliefs, and smooth.
+/// Reads the smooth rows of all items, without members that only the first step reads.
 template <typename Star>
 void LimitRowMaker<Star>::ReadNeighbourhood()
 {
@@ -300,7 +304,7 @@ void LimitRowMaker<Star>::ReadNeighbourhood()
   const StarRules<Id> rules = this->Here.GetRules();
   auto number = [this](Id key, Id) { return 1 + this->Keys.GetNumber(key); };
   this->Here.ReadRow(rules, this->Vertex, Id(-1), false, this->Local, number);
-  for (std::size_t i = 0; i < this->Keys.Ids.size(); ++i) // grows
+  for (std::size_t i = 0; i < this->Keys.Ids.size(); ++i) // the list grows meanwhile
   {
     const bool all =
       this->Here.ReadRow(rules, this->Vertex, this->Keys.Ids[i], false, this->Local, number);
@@ -362,8 +366,8 @@ double LimitRowMaker<Star>::GetSharpness(int item, int step) const
   return std::min(1., sum / count);
 }
 
-/// emit(key, vertex, weight) for each entry of an item's row; the key is negative for the vertex
-/// itself and for reliefs, which only the `first` step has.
+/// Calls emit(key, vertex, weight) for each entry of an item's row. The key is negative for the
+/// current vertex and for reliefs, which only the `first` step reads.
 template <typename Star>
 template <typename Emit>
 void LimitRowMaker<Star>::ForEachEntry(
@@ -387,7 +391,8 @@ void LimitRowMaker<Star>::ForEachEntry(
     { emit(this->Members[member].Key, this->Members[member].Vertex, weight); });
 }
 
-/// The row of an item as it is while creases are sharp.
+/// Calls emit for the blended row of an item in a step: (1 - weight) * smooth row + weight * sharp
+/// row.
 template <typename Star>
 template <typename Emit>
 void LimitRowMaker<Star>::ForEachBlendedEntry(int item, int step, const Emit& emit)
@@ -408,7 +413,7 @@ void LimitRowMaker<Star>::ForEachBlendedEntry(int item, int step, const Emit& em
   }
 }
 
-/// Weights <- Weights A, with the A of a later step. Sharp rings may bring further items.
+/// Replaces Weights by Weights A, where A is the matrix of `step` > 0. Sharp rings may add items.
 template <typename Star>
 void LimitRowMaker<Star>::StepBack(int step)
 {
@@ -429,7 +434,8 @@ void LimitRowMaker<Star>::StepBack(int step)
   this->Weights.swap(this->NextWeights);
 }
 
-/// NextWeights <- Weights S, over Vertices.
+/// Sets NextWeights to Weights S, where S is the operator of the first step. Its columns are
+/// Vertices.
 template <typename Star>
 void LimitRowMaker<Star>::TakeFirstStep()
 {
@@ -450,7 +456,7 @@ void LimitRowMaker<Star>::TakeFirstStep()
   }
 }
 
-/// Sharp edges at each of their ends.
+/// The edges that are still sharp, as sorted pairs (end, edge).
 template <typename Id>
 std::vector<std::pair<Id, Id>> FindSharpEdges(
   const SimplicialComplex<Id>& complex, const SemiSharpStages<Id>& creases)
@@ -468,8 +474,8 @@ std::vector<std::pair<Id, Id>> FindSharpEdges(
   return found;
 }
 
-/// Rows of `size` vertices, which `vertex` names; blocks of them are made one by one and then put
-/// together.
+/// The limit rows of the vertices vertex(0) to vertex(size - 1). Threads make blocks of rows, which
+/// are then joined.
 template <typename Star, typename Id, typename Vertex>
 SparseRows<Id> MakeLimitRows(const typename Star::LevelType& level,
   const SemiSharpStages<Id>& creases, vtkIdType size, const Vertex& vertex)
@@ -481,7 +487,7 @@ SparseRows<Id> MakeLimitRows(const typename Star::LevelType& level,
   SparseRows<Id> rows;
   rows.NumberOfColumns = level.Complex.NumberOfVertices;
   rows.Offsets = Buffer<Id>(size + 1);
-  vtkSMPThreadLocal<std::shared_ptr<LimitRowMaker<Star>>> makers; // what is solved is solved
+  vtkSMPThreadLocal<std::shared_ptr<LimitRowMaker<Star>>> makers; // each keeps its solutions
   auto makeBlocks = [&](vtkIdType begin, vtkIdType end)
   {
     auto& maker = makers.Local();

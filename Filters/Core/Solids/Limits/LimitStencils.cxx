@@ -9,7 +9,7 @@ namespace subdivision
 namespace
 {
 
-/// What is around a vertex: its edges.
+/// The star of a vertex of a Level (LimitRowMaker.h): its items are its edges.
 template <typename Id>
 class LevelStar
 {
@@ -24,7 +24,7 @@ public:
   StarRules<Id> GetRules() const { return { this->Here.Strata, nullptr }; }
   Id GetFarEnd(Id vertex, Id edge) const { return this->Here.Complex.OtherEnd(edge, vertex); }
 
-  /// The rule, the size of the ring, the ring.
+  /// The numbers of a row are the rule, the size of the ring, and the ring.
   template <typename Number>
   bool ReadRow(const StarRules<Id>& rules, Id vertex, Id edge, bool first, Neighbourhood& rows,
     const Number& number) const

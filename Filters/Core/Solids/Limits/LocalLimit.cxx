@@ -15,8 +15,8 @@ namespace subdivision
 {
 
 /**
- * Forward: levels, each made of a part of the one before, and the limits that are wanted on them.
- * Backward: which values these need.
+ * Builds the steps of a LocalLimit. Forward it makes the levels, each from a part of the one
+ * before, and the wanted limit rows on them; backward it finds the rows that these need.
  */
 template <typename Id>
 class LocalLimit<Id>::Builder
@@ -37,12 +37,13 @@ private:
     SemiSharpStages<Id> Creases;
     Buffer<unsigned char> Whole; ///< vertices at which nothing is missing
   };
-  /// What remains of a level: limits over its vertices, and rows that lead to it.
+  /// What is kept of a level: limit rows over its vertices, and the rows of the step that leads to
+  /// it.
   struct Trace
   {
     SparseRows<Id> Limits;
-    // On the control level there are none of these:
-    Buffer<Id> Columns; ///< what the operators' columns are on the level before
+    // These are empty on the control level:
+    Buffer<Id> Columns; ///< the vertices of the level before to which the operators' columns belong
     Stencils<Id> Smooth;
     Stencils<Id> Sharp;          ///< where creases are still sharp
     std::vector<double> Weights; ///< of the sharp rows; empty: all 0
@@ -66,9 +67,9 @@ private:
   const std::vector<std::array<Id, 2>>& Midpoints;
   std::vector<int> Levels;               ///< on which vertices first exist
   std::vector<std::vector<Id>> Born;     ///< vertices by level
-  std::vector<std::vector<Id>> Wanted;   ///< those whose limits are
-  std::vector<std::vector<Id>> Carriers; ///< by level: its vertices whose cells hold later ones
-  std::vector<Id> At;                    ///< numbers of carriers on the current level
+  std::vector<std::vector<Id>> Wanted;   ///< those of them whose limits are wanted
+  std::vector<std::vector<Id>> Carriers; ///< by level; later vertices arise between these
+  std::vector<Id> At; ///< number on the current part of each carrier and newest vertex
 };
 
 template <typename Id>
@@ -113,8 +114,8 @@ void LocalLimit<Id>::Builder::FindLevels()
   }
 }
 
-/// The ends of what is born on the next level, and the next level's carriers that are there
-/// already.
+/// The carriers of a level are the ends of the edges whose midpoints first exist on the next level,
+/// and those carriers of the next level that exist already.
 template <typename Id>
 void LocalLimit<Id>::Builder::FindCarriers()
 {
@@ -147,7 +148,7 @@ void LocalLimit<Id>::Builder::FindCarriers()
   }
 }
 
-/// Carriers and `rings` rings of neighbours around them.
+/// Flags the carriers and all vertices within `rings` edges of them.
 template <typename Id>
 Buffer<unsigned char> LocalLimit<Id>::Builder::FlagSupport(
   const SimplicialComplex<Id>& complex, std::size_t level, int rings) const
@@ -174,7 +175,8 @@ Buffer<unsigned char> LocalLimit<Id>::Builder::FlagSupport(
   return flags;
 }
 
-/// Where carriers, and what is born of them, are on the next level.
+/// Finds the numbers of the carriers in the part, and of the vertices that first exist on the next
+/// level.
 template <typename Id>
 void LocalLimit<Id>::Builder::FollowVertices(
   const SimplicialComplex<Id>& part, const Restriction<Id>& restriction, std::size_t level)
@@ -249,7 +251,7 @@ SemiSharpStages<Id> LocalLimit<Id>::Builder::RefineCreases(Piece& part, vtkIdTyp
   return refined;
 }
 
-/// The step from a part to its refinement; the part is used up.
+/// Moves the operators out of a part that was refined.
 template <typename Id>
 void LocalLimit<Id>::Builder::TakeOperators(Piece& part, Trace& trace)
 {
@@ -358,7 +360,7 @@ void LocalLimit<Id>::Builder::AppendRow(const Trace& trace, vtkIdType row, Expli
   rows.Offsets.push_back(static_cast<Id>(rows.Columns.size()));
 }
 
-/// Keeps the rows that the limits need, level by level; false where something is missing in one.
+/// Keeps the rows that the limits need, level by level. Returns false if one of them lacks entries.
 template <typename Id>
 bool LocalLimit<Id>::Builder::FollowBack(
   std::vector<Trace>& traces, Id columns, std::vector<Step>& steps) const
@@ -419,7 +421,8 @@ bool LocalLimit<Id>::Builder::FollowBack(
     {
       renumber(steps[l + 1].Rows);
     }
-    steps[l].Rows.NumberOfColumns = columns; // of level 0; others are told by the next turn
+    // Final for level 0; renumber() sets it for the others in the next pass.
+    steps[l].Rows.NumberOfColumns = columns;
     steps[l].Rows.Offsets = copy(rows.Offsets);
     steps[l].Rows.Columns = copy(rows.Columns);
     steps[l].Rows.Weights = copy(rows.Weights);

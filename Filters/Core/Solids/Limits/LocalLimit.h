@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LocalLimit.h
- * Limits of vertices of the uniform refinement of a level, without the uniform refinement: of
- * each step only a neighbourhood of what is asked for is made.
+ * Computes limits of some vertices of the uniform refinement of a level. It makes only those parts
+ * of the refined levels that these limits depend on.
  *
- * A vertex is named by the edge whose point it is, an edge by its two ends: so vertices need
- * neither their level nor their number in the uniform refinement, which would overflow on deep
- * levels. Step by step, the level is restricted to the cells around those that hold vertices of
- * later steps (Restriction.h), and the part is refined like any level, with the same rules and
- * rings. The limit of a vertex is that of the level on which it first exists (LimitStencils.h).
- * Which rows are needed is then followed back from the limits to the control level, and no other is
- * kept; each of them is whole, or the part is made larger.
+ * The caller names a vertex by the two ends of the edge whose midpoint it is. So it needs no ids of
+ * the uniform refinement, which would overflow on deep levels. In each step the current part of the
+ * level is restricted to the cells around *carriers*, the vertices between which later vertices
+ * arise (Restriction.h), and refined with the usual rules and rings. The limit row of a vertex is
+ * taken on the level on which the vertex first exists (LimitStencils.h). Then the program goes back
+ * from the limits to the control level and keeps only the rows that are needed. If the part was too
+ * small for one of these, so that the row lacks entries, all is repeated with a larger part.
  */
 #ifndef SubdivisionObjects_LocalLimit_h
 #define SubdivisionObjects_LocalLimit_h
@@ -31,13 +31,13 @@ class LocalLimit
 {
 public:
   /**
-   * Vertices 0 to V - 1 are those of `control` (made with Depth::ForRefinement, or the input),
-   * which has V; vertex V + i is the point of the edge between the vertices `midpoints[i]`, both
-   * smaller than V + i, which must be an edge of the uniform refinement (RedGreen::GetEnds). The
-   * same edge may be named again. Throws std::invalid_argument for an edge that does not exist.
-   * `wanted`: a flag for each vertex whose limit is asked for; empty: all. Nothing is computed for
-   * the others, and Apply leaves them as they are. `rings`: how many rings of neighbours are tried
-   * first around what holds later vertices.
+   * Vertices 0 to V - 1 are those of `control` (made with Depth::ForRefinement, or the control
+   * level), which has V. Vertex V + i is the edge point of the edge between the vertices
+   * `midpoints[i]`, both smaller than V + i. It must be an edge of a level of the uniform
+   * refinement (RedGreen::GetEnds); else std::invalid_argument is thrown. The same edge may occur
+   * again. `wanted` flags the vertices whose limits are computed (empty: all); Apply leaves the
+   * values of the others. `rings`: at first a part has all vertices within this number of edges of
+   * its carriers.
    */
   LocalLimit(const Level<Id>& control, const SemiSharpStages<Id>& creases,
     const std::vector<std::array<Id, 2>>& midpoints,
@@ -47,22 +47,22 @@ public:
   vtkIdType GetNumberOfRows() const { return this->NumberOfRows; }
   vtkIdType GetNumberOfColumns() const { return this->NumberOfColumns; }
 
-  /// out = limits of all vertices, from values at the control vertices, of type T; what is between
-  /// is in double.
+  /// Computes `out`, the limits at all wanted vertices, from `in`, values at the control vertices.
+  /// Values of levels between are in double.
   template <typename T>
   void Apply(const T* in, T* out, int components) const;
 
-  /// The same as one operator. A row has as many entries as control vertices have an influence.
+  /// The same as one operator. A row has one entry for each control vertex with an influence on it.
   SparseRows<Id> BuildRows() const;
 
-  /// How many values are computed on the way, on all levels: the work of an Apply.
+  /// The number of values that Apply computes on all levels, as a measure of its work.
   vtkIdType GetNumberOfSupportValues() const;
 
 private:
-  /// One step and the limits of what is new on its level.
+  /// One step, and the limits of the wanted vertices that first exist on its level.
   struct Step
   {
-    SparseRows<Id> Rows;   ///< from the values of the step before; the first step's copy
+    SparseRows<Id> Rows;   ///< from values of the step before; in the first step copies
     SparseRows<Id> Limits; ///< from this step's values
     std::vector<Id> Vertices;
   };

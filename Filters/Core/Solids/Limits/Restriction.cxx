@@ -6,7 +6,7 @@ namespace subdivision
 namespace
 {
 
-/// Keeps simplices at a kept vertex; then what they consist of.
+/// Flags the simplices that have a vertex flagged in `at`. FlagParts then flags their faces.
 template <typename Id>
 Buffer<unsigned char> FlagAt(
   const Buffer<unsigned char>& at, const Buffer<Id>& vertices, int corners, vtkIdType size)

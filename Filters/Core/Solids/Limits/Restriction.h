@@ -11,8 +11,8 @@
 namespace subdivision
 {
 
-/// What a part keeps of a level: all simplices at some vertices, and the faces of these. Numbers
-/// are given in the order of the level.
+/// Chooses the part: all simplices at some vertices, and the faces of these simplices. Simplices
+/// keep their order.
 template <typename Id>
 class Restriction
 {
@@ -22,12 +22,12 @@ public:
 
   /// The part's cells; none counts as a cell of the output.
   SimplicialComplex<Id> Restrict(const SimplicialComplex<Id>& complex) const;
-  /// Rings lose what is not kept: those of the part's border are not whole, and so are rows made
-  /// of them.
+  /// Rings lose members that are not kept. So rings at the border of the part, and rows made from
+  /// them, lack entries.
   Strata<Id> Restrict(const Strata<Id>& strata) const;
   SemiSharpStages<Id> Restrict(const SemiSharpStages<Id>& creases) const;
 
-  /// Numbers in the part, -1 for what is not kept; and back.
+  /// The number in the part of each vertex of the level (-1 if it is not kept), and the inverse.
   const Buffer<Id>& GetNewVertices() const { return this->Vertices.New; }
   const Buffer<Id>& GetOldVertices() const { return this->Vertices.Old; }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadingFacets.h
- * What a level has at vertices without tangents, from which they take normals for shading
- * (ShadingNormals.h).
+ * The triangles, lines and points of a level at vertices without tangents, from which these take
+ * normals for shading (ShadingNormals.h).
  */
 #ifndef SubdivisionObjects_ShadingFacets_h
 #define SubdivisionObjects_ShadingFacets_h
@@ -20,7 +20,7 @@ namespace subdivision
 template <typename Id>
 struct ShadingFacets
 {
-  std::vector<Id> Triangles; ///< three corners, then another vertex of the solid behind, or -1
+  std::vector<Id> Triangles; ///< three corners, then another vertex of the bounded solid, or -1
   std::vector<Id> Lines;     ///< two ends
   std::vector<Id> Points;
 
@@ -48,8 +48,8 @@ struct ShadingFacets
   }
 };
 
-/// The triangles that can be seen, lines and single points at vertices whose row of `sectors` is
-/// empty. Linear in the size of the level.
+/// Finds the triangle cells, the triangles of boundaries, the line cells and the vertex cells at
+/// vertices whose row of `sectors` is empty. Takes time linear in the size of the level.
 template <typename Id>
 ShadingFacets<Id> FindShadingFacets(const Level<Id>& level, const Rows<Id>& sectors);
 template <typename Id>

@@ -9,13 +9,13 @@ namespace subdivision
 namespace
 {
 
-/// Rows that follow none of the rules: of the centres of octahedra, and of control vertices of
-/// dimension 3, where the tetrahedra at each spoke come after the ring.
+/// Numbers beyond Rule for rows of two kinds: of the centres of octahedra, and of control vertices
+/// with d = 3. The latter have behind the ring the number of tetrahedra at the edge to each member.
 constexpr int CentreRow = 16;
 constexpr int ControlRow = 17;
 
-/// What is around a vertex: its edges and octahedra. The key of octahedron o is that of the edge
-/// that would follow on o others.
+/// The star of a vertex of a TetOctLevel (LimitRowMaker.h): its items are its edges and octahedra.
+/// The key of octahedron o is NumberOfEdges + o.
 template <typename Id>
 class TetOctStar
 {
@@ -34,7 +34,8 @@ public:
     return oct < 0 ? this->Here.Complex.OtherEnd(key, vertex) : this->GetOpposite(oct, vertex);
   }
 
-  /// The rule, the size of the ring, the ring.
+  /// The numbers of a row are the rule, or one of the two above, the size of the ring, and the
+  /// ring.
   template <typename Number>
   bool ReadRow(const StarRules<Id>& rules, Id vertex, Id key, bool first, Neighbourhood& rows,
     const Number& number) const
@@ -123,7 +124,7 @@ private:
     return this->Here.OctEdges[12 * vtkIdType(oct) + octahedron::EdgeOf[a][b]];
   }
 
-  /// Of the vertex itself: edges, then octahedra.
+  /// Appends the row of the vertex itself: members at edges, then members in octahedra.
   template <typename Add>
   void ReadVertexRow(
     const StarRules<Id>& rules, Id vertex, Neighbourhood& rows, const Add& add) const
@@ -147,7 +148,8 @@ private:
     }
   }
 
-  /// Of an edge: one member on each face, then in each known octahedron the opposites of its ends.
+  /// Appends the row of an edge: one member on each face, then, if it is regular, in each
+  /// octahedron the opposites of its two ends.
   template <typename Number, typename Add>
   bool ReadEdgeRow(const subdivision::Strata<Id>& strata, Id vertex, Id edge, bool first,
     Neighbourhood& rows, const Number& number, const Add& add) const

@@ -28,7 +28,8 @@ Vector Cross(const Vector& a, const Vector& b)
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
 
-/// The edges at the first corner, the normals of their planes, and six times the volume.
+/// The three edges at the first corner, for each of them the cross product of the two others, and
+/// six times the volume.
 struct TetFrame
 {
   explicit TetFrame(const double* const corners[4])
@@ -59,8 +60,8 @@ struct TetFrame
   double Volume;
 };
 
-/// A number that grows along a curve through all cells of a lattice of 2^21 cells in each
-/// direction: the bits of the coordinates in turns.
+/// The Morton code of a point: it interleaves the bits of the three coordinates, rounded to 21
+/// bits, and so numbers cells of a lattice along a space-filling curve.
 std::uint64_t Interleave(const double x[3], const double low[3], const double scale[3])
 {
   constexpr double cells = 2097151.;
@@ -79,12 +80,14 @@ std::uint64_t Interleave(const double x[3], const double low[3], const double sc
   return code;
 }
 
-/// The nearest place in the simplex of the first `count` corners; returns the squared distance.
+/// Finds the weights of the point of a simplex of `count` corners that is nearest to x; returns the
+/// squared distance.
 double FindNearestPlace(
   const double* const* corners, int count, const double x[3], double* weights);
 
-/// The nearest place in a facet that x is beyond: where the corner opposite to it has a negative
-/// weight, or in any facet of a flat simplex.
+/// The same for the nearest of some facets of the simplex: those whose opposite corner has a
+/// negative weight in `beyond`, because x lies on their other side; all facets if `beyond` is null,
+/// for a flat simplex.
 double FindNearestInFacets(
   const double* const* corners, int count, const double x[3], const double* beyond, double* weights)
 {
@@ -443,7 +446,8 @@ void SimplexTree::Visit(std::size_t level, vtkIdType node, Nearest& nearest) con
     }
     for (vtkIdType i = 0; i < end - first; ++i)
     {
-      if (children[i].first <= nearest.Distance2) // equally near ones may come first
+      // not <: an equally near simplex may have a smaller index
+      if (children[i].first <= nearest.Distance2)
       {
         this->Visit(level - 1, children[i].second, nearest);
       }

@@ -4,8 +4,8 @@
  * Which simplex holds a point, or is nearest to it: a tree of boxes over simplices in the order of
  * a space-filling curve.
  *
- * Built and asked in any number of threads, with the same answers. Where several simplices answer,
- * the one with the smallest index does.
+ * Several threads may build and ask the tree; the answers do not depend on their number. If several
+ * simplices contain a point or are equally near, the answer is the one with the smallest index.
  */
 #ifndef SubdivisionObjects_SimplexTree_h
 #define SubdivisionObjects_SimplexTree_h
@@ -27,11 +27,11 @@ struct PlaceInSimplex
 /// Weights of the corners of a tetrahedron that give x; false if it is flat.
 bool FindWeightsInTet(const double* const corners[4], const double x[3], double weights[4]);
 
-/// How the weights change along the axes; false if the tetrahedron is flat.
+/// The gradients of these weights as functions of x; false if the tetrahedron is flat.
 bool FindGradientsInTet(const double* const corners[4], double gradients[4][3]);
 
-/// The sign of the volume: 0 where it is next to nothing, `least`, against the lengths of the
-/// edges.
+/// The sign of the volume; 0 if six times the volume is at most `least` times the product of the
+/// lengths of the three edges at the first corner.
 int GetOrientationOfTet(const double* const corners[4], double least = 1e-14);
 
 class SimplexTree
@@ -74,7 +74,8 @@ private:
   int Corners = 4;
   Buffer<vtkIdType> Ids;
   Buffer<vtkIdType> Order;         ///< simplices along the curve
-  std::vector<Buffer<Box>> Levels; ///< of Width simplices each, of Width boxes each, …, one
+  std::vector<Buffer<Box>> Levels; ///< boxes of Width simplices each, then of Width boxes of the
+                                   ///< level before each; the last level has one
 };
 
 }

@@ -63,7 +63,7 @@ void RedGreen<Id>::AddUse(Id index, int k)
   edge.FirstUse = 6 * index + k;
 }
 
-/// What the midpoints that are there already make of a new node.
+/// Applies midpoints that exist already to a new node, or to one whose edges were looked up.
 template <typename Id>
 void RedGreen<Id>::Settle(Id index)
 {
@@ -183,7 +183,7 @@ Id RedGreen<Id>::GetHalf(Id index, int side)
   if (this->Edges[index].Halves[0] < 0)
   {
     const Edge edge = this->Edges[index];
-    // Those of the input may be known as edges of cells.
+    // If the midpoint is an input vertex, the halves may be edges of input cells already.
     const bool known = edge.Midpoint < this->InputVertices;
     for (int i = 0; i < 2; ++i)
     {
@@ -280,7 +280,7 @@ void RedGreen<Id>::Split(Id index)
   this->FlagEnds(edge);
 }
 
-/// Adds split edges to those of a node.
+/// Adds split edges to the pattern of a node, closes the pattern and splits its edges.
 template <typename Id>
 void RedGreen<Id>::SetPattern(Id index, unsigned int pattern)
 {
@@ -313,7 +313,7 @@ void RedGreen<Id>::MakeRed(Id node)
   this->SetPattern(node, Full[this->Nodes[node].Dimension]);
 }
 
-/// Tells the cells around a split edge.
+/// Passes a split edge on to the cells at it.
 template <typename Id>
 void RedGreen<Id>::Spread(Id edge)
 {
@@ -327,7 +327,9 @@ void RedGreen<Id>::Spread(Id edge)
   this->SpreadToParents(edge);
 }
 
-/// An edge of a red child: whoever has what it is a part of becomes red.
+/// If a split edge can only be an edge of a red child, its parents must be red. It is a half of an
+/// edge, and all cells with that edge become red, or it joins the midpoints of two edges, and all
+/// cells with both edges become red.
 template <typename Id>
 void RedGreen<Id>::SpreadToParents(Id edge)
 {
@@ -351,7 +353,7 @@ void RedGreen<Id>::SpreadToParents(Id edge)
   }
 }
 
-/// The nodes that have an edge and, if not -1, a second one.
+/// Makes all nodes red that have an edge and, unless it is -1, a second one.
 template <typename Id>
 void RedGreen<Id>::MakeUsersRed(Id edge, Id second)
 {
@@ -383,7 +385,7 @@ void RedGreen<Id>::AddMidpoint(Id end0, Id end1, Id midpoint)
   }
   this->Edges[edge].Midpoint = midpoint;
   this->KnownMidpoints.emplace(midpoint, edge);
-  this->InnerEdgesSplit = true; // for all that is known here
+  this->InnerEdgesSplit = true; // is not known, so assume it
   this->GetHalf(edge, 0);
   this->Queue.push_back(edge);
   this->FlagEnds(this->Edges[edge]);
@@ -412,7 +414,7 @@ void RedGreen<Id>::MarkEdge(const Leaf& leaf, Id end0, Id end1)
     }
   }
   this->MakeRed(index);
-  // Is it an edge of a red child? Then it stays, and is split.
+  // An edge of a red child stays and is split; any other edge vanishes.
   const Id parents[2] = { this->FindMidpointEdge(end0), this->FindMidpointEdge(end1) };
   const Id ends[2] = { end0, end1 };
   auto has = [&](Id edge)

@@ -4,32 +4,35 @@
  * Local refinement of a mixed-dimension complex that stays conforming (Mathematics 13; section 4.2
  * and figure 17 of Chang & Qin).
  *
- * The state is a forest: its trees are the input cells and their *red* children (Mathematics 2: the
- * order of the vertices, and with it the diagonal, is inherited), its *leaves* the cells that are
- * not red. Beside it there is nothing but the set of edges that have a midpoint. Green children are
- * never part of the state: they are what the midpoints on its edges make of a leaf, written with
- * the output and forgotten.
+ * The state is a forest and a set of split edges, which are edges with a midpoint. Each input cell
+ * is the root of a tree, in which the children of a *red* cell are its red children (children
+ * inherit the order of vertices, and with it the diagonal: Mathematics 2). The cells that are not
+ * red are the *leaves*. Green cells are not part of the state: RedGreenOutput cuts each leaf with
+ * split edges into them when it writes the output.
  *
- * A round: marks, then Close(). Closing makes the set of midpoints the smallest that contains the
- * marks and has
+ * A round consists of marks and then Close(), which makes the set of split edges the smallest that
+ * contains the marks and has
  *  - on each triangle, and so on each face of a tetrahedron, 0, 1 or 3 split edges;
  *  - no leaf with an edge of which a half is split, or with a face of three split edges where an
- *    edge between their midpoints is split: such leaves become red.
- * The set is a closure: it does not depend on the order of marks or rounds. The numbers of new
- * vertices do, and on nothing else.
+ *    edge between their midpoints is split, or with a split diagonal, which an equal tetrahedron
+ *    may have: such leaves become red.
+ * This set does not depend on the order of marks or rounds. Only the ids of new vertices depend on
+ * that order, and on nothing else.
  *
- * Cost: a cell of the input is read when a mark comes near, and stored (*active*) when two of its
- * vertices are ends of split edges: only such a cell can have a split edge. Which cells these are
- * is found by scanning for flagged vertices, in threads, those blocks of cells whose range of
- * vertices has newly flagged ones; after a few times all cells an incidence from vertices to cells
- * takes over. Red children are stored when something happens to one of them.
- * So work and memory are those of the cells that change, plus a few passes at memory speed.
- * Threads: scans, and all that RedGreenOutput does; spreading from cell to cell is sequential, and
- * so the same whatever their number. Memory (Id int): 1 byte per input point, 4 per input cell of
- * each page of 4096 where one is stored; 88 bytes per stored cell, 24 per edge of these that is
- * looked up, 12 to 96 for its place in the index, 4 per new vertex: 200 to 300 bytes per stored
- * cell in all, that is some 50 per cell of an output that is refined all over. Lists grow by
- * doubling. Id int is enough for 300 million stored cells.
+ * Cost: an input cell is stored (is *active*) if it is marked, or if two of its vertices are
+ * flagged as ends of split edges, because only such a cell can have a split edge. To find these
+ * cells, threads scan those blocks of cells whose range of vertices has newly flagged ones. After
+ * scans of four times all cells an incidence from vertices to cells replaces them. The red children
+ * of a cell are stored when one of them is marked or gets a split edge. So work and memory are
+ * proportional to the cells that change, but for a few passes over all cells. Threads do the scans
+ * and all of RedGreenOutput; one thread passes splits on from cell to cell, so that the result does
+ * not depend on the number of threads.
+ *
+ * Memory (Id int): 1 byte per input point, 4 per input cell of each page of 4096 where one is
+ * stored; 84 bytes per stored cell, 24 per edge of these that is looked up, 24 to 96 for its entry
+ * in the index, 4 per new vertex: 200 to 300 bytes per stored cell in all, that is some 50 per cell
+ * of an output that is refined all over. Lists grow by doubling. Id int is enough for 300 million
+ * stored cells.
  */
 #ifndef SubdivisionObjects_RedGreen_h
 #define SubdivisionObjects_RedGreen_h
@@ -54,34 +57,35 @@ public:
   using Leaf = RedGreenLeaf<Id>;
   using Cell = RedGreenCell<Id>;
 
-  /// The arrays of the view must stay; `orderTet` puts the vertices of an input tetrahedron of
-  /// level 0 into their final order (TetOrder.h) when it is first needed; none: they are in order.
+  /// The arrays of the view must outlive this object. `orderTet` puts the vertices of an input
+  /// tetrahedron of level 0 into their final order (TetOrder.h); null: they are in it.
   explicit RedGreen(const SimplexView& cells, std::function<void(vtkIdType*)> orderTet = nullptr);
 
-  /// For a mesh whose green cells were replaced by their leaves: a vertex of the input that is the
-  /// midpoint of an edge of a leaf. Before any mark; the next Close() heeds it. Midpoints that no
-  /// refinement can have made may lead to cells without end: marks and Close() throw
-  /// std::invalid_argument at LastLevel then.
+  /// Tells that an input vertex is the midpoint of an edge of a leaf. This is for an input whose
+  /// green cells were replaced by their leaves. Call it before any mark; the next Close() takes it
+  /// into account. Midpoints that no refinement can have made may require endless splitting: then
+  /// marks and Close() throw std::invalid_argument at LastLevel.
   void AddMidpoint(Id end0, Id end1, Id midpoint);
 
   /// @name A round
   ///@{
   /// Cells of the input that are about to be marked: to store them together is faster.
   void Expect(const std::vector<Id>& cells);
-  /// All edges of a leaf: it becomes red. A cell that is red already is left alone.
+  /// Marks all edges of a leaf, which becomes red. Does nothing if it is red already.
   void MarkCell(const Leaf& leaf);
-  /// An edge of the cells that the output would have in place of a leaf. A red or green edge inside
-  /// the leaf makes it red: that edge vanishes, or it is an edge between two midpoints and is
-  /// split.
+  /// Marks an edge of a leaf, or of the cells into which the output would cut the leaf. An edge
+  /// that only these cells have makes the leaf red. If the edge is an edge of a red child it is
+  /// split too; otherwise it vanishes.
   void MarkEdge(const Leaf& leaf, Id end0, Id end1);
-  /// To the fixed point. Says whether any edge was split since the Close() before.
+  /// Splits until nothing more has to be split. Returns whether any edge was split since the
+  /// previous Close().
   bool Close();
   ///@}
 
-  /// The cells that the output would have and that it did not have before the last Close(), in no
-  /// special order: where criteria need to look before the next round. Those that are `steps` red
-  /// steps or more from the input are left out. In the first round, each input cell is to be looked
-  /// at: it is the leaf { cell, -1 } unless IsRed.
+  /// The cells that the output would have now and would not have had before the last Close(), in no
+  /// particular order: before the next round criteria need to look at these only. Cells that are
+  /// `steps` red splits or more from their input cell are left out. In the first round criteria
+  /// have to look at all input cells instead: a cell is the leaf { cell, -1 } unless IsRed(cell).
   Buffer<RedGreenOutputCell<Id>> GetChangedCells(int steps = std::numeric_limits<int>::max()) const;
   bool IsRed(Id cell) const;
 
@@ -96,16 +100,16 @@ public:
 
   /// @name Where vertices and cells come from
   ///@{
-  /// The ends of the edge whose midpoint a vertex is that refinement added (vertex >= input
-  /// vertices). Both are smaller than the vertex.
+  /// The ends of the edge whose midpoint is `vertex`, a vertex that this object added (vertex >=
+  /// GetNumberOfInputVertices()). The ids of both ends are smaller.
   std::array<Id, 2> GetEnds(Id vertex) const;
-  /// The same as an edge of a tree cell: in the uniform refinement of the input, `vertex` is the
-  /// edge point of local edge `Edge` (Simplices.h) of the cell `Cell`, which has level
-  /// GetCell(Cell).Level; on the next level it is a vertex for the first time.
+  /// The same edge as local edge `Edge` (Simplices.h) of a cell `Cell` of the forest. In the
+  /// uniform refinement of the input that cell exists on level GetCell(Cell).Level, and `vertex`
+  /// first exists on the next level.
   RedGreenOrigin<Id> GetOrigin(Id vertex) const;
-  /// A tree cell: an input cell (cell < input cells), or a red child that is stored.
+  /// A cell of the forest: an input cell (cell < GetNumberOfInputCells()), or a stored red child.
   Cell GetCell(Id cell) const;
-  /// A leaf as the cell that it is; `Parent` and `Child` tell its place in the tree.
+  /// A leaf as a cell of the forest, also if it is not stored.
   Cell GetCell(const Leaf& leaf) const;
   ///@}
 
@@ -117,15 +121,15 @@ private:
   struct Edge
   {
     Id Ends[2];
-    Id Midpoint;  ///< -1: whole
-    Id Halves[2]; ///< beside each end; -1: not needed yet
-    Id FirstUse;  ///< list of the nodes that have it: 6 * node + local edge
+    Id Midpoint;  ///< -1: not split
+    Id Halves[2]; ///< the half at each end; -1: not needed yet
+    Id FirstUse;  ///< start of the list of nodes that have it, as 6 * node + local edge
   };
   /// A stored cell of the forest.
   struct Node
   {
     Id Vertices[4];
-    Id Edges[6]; ///< -1: not looked up, because no cell can have split it
+    Id Edges[6]; ///< -1: not looked up, because it cannot be split yet
     Id NextUse[6];
     Id Input;
     Id Parent;     ///< node, -1
@@ -204,19 +208,19 @@ private:
   SparseIds<Id> Roots; ///< the node of each input cell, -1
   GrowingBuffer<Node> Nodes;
   GrowingBuffer<Edge> Edges;
-  PairTable<Id> EdgesByEnds; ///< but for the halves of edges of this run
+  PairTable<Id> EdgesByEnds; ///< without the halves of edges that this object split
   GrowingBuffer<Id> MidpointEdges;
-  std::unordered_map<Id, Id> KnownMidpoints; ///< edges, by vertices of the input
+  std::unordered_map<Id, Id> KnownMidpoints; ///< edge whose midpoint an input vertex is
 
-  GrowingBuffer<Id> Queue;      ///< edges that were split, and whose cells do not know yet
+  GrowingBuffer<Id> Queue;      ///< split edges that were not passed on to the cells at them
   std::vector<Id> ChangedNodes; ///< since the last Close()
-  std::vector<Id> LastChanges;  ///< from the Close() before that to the last
+  std::vector<Id> LastChanges;  ///< ChangedNodes of the last Close()
 
-  bool InnerEdgesSplit = false; ///< whether any edge between midpoints may be
+  bool InnerEdgesSplit = false; ///< whether an edge between midpoints may be split
   Buffer<unsigned char> Flags;  ///< of input vertices: end of a split edge
   std::vector<Id> NewFlags;
-  Buffer<Range> BlockRanges;  ///< the vertices that blocks of input cells have
-  vtkIdType ScannedCells = 0; ///< in all scans
+  Buffer<Range> BlockRanges;  ///< the least and largest vertex of each block of input cells
+  vtkIdType ScannedCells = 0; ///< number, in all scans together
   Rows<Id> Incidence;         ///< cells at each input vertex; empty until it is needed
 };
 

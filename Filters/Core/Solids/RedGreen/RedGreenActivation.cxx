@@ -65,7 +65,7 @@ void RedGreen<Id>::StoreInputs(const std::vector<Id>& cells)
 template <typename Id>
 void RedGreen<Id>::Expect(const std::vector<Id>& cells)
 {
-  // A cell that becomes red in the inside of others has little more than one edge to itself.
+  // A mesh of tetrahedra has little more than one edge for each cell.
   const vtkIdType edges = this->Edges.size() + static_cast<vtkIdType>(cells.size()) * 3 / 2;
   this->Nodes.Reserve(this->Nodes.size() + 2 * static_cast<vtkIdType>(cells.size()));
   this->Edges.Reserve(edges);
@@ -185,7 +185,7 @@ bool RedGreen<Id>::IsNearFlags(vtkIdType cell, int flagged) const
 namespace
 {
 
-/// How many ids of a list are in a range, nearly: they are counted by buckets.
+/// Tells whether a list may have ids in a range. It counts ids in buckets of 64.
 template <typename Id>
 class RangeCounts
 {
@@ -212,7 +212,8 @@ private:
 
 }
 
-/// The cells near new flags, by way of the blocks that have such vertices.
+/// The input cells with newly flagged vertices to be stored. Scans the blocks of cells whose range
+/// of vertices has newly flagged ones.
 template <typename Id>
 std::vector<Id> RedGreen<Id>::ScanCells()
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RedGreenCells.h
- * What red-green refinement hands out: leaves, cells of the forest, origins of vertices; and how it
- * finds its way in cells of mixed dimension.
+ * Types of red-green refinement: leaves, cells of the forest, output cells, origins of vertices,
+ * and positions in the connectivity of cells of mixed dimension.
  */
 #ifndef SubdivisionObjects_RedGreenCells_h
 #define SubdivisionObjects_RedGreenCells_h
@@ -16,11 +16,11 @@
 namespace subdivision
 {
 
-/// Levels, which are kept in a byte, end here.
+/// The largest level: levels are stored in one byte.
 constexpr int LastLevel = 255;
 
-/// Where simplices start in their connectivity: remembered for each block, or, where all have one
-/// dimension, a product.
+/// The positions in the connectivity where simplices start. They are stored for each block of
+/// simplices only; if all simplices have one dimension none is stored.
 class SimplexPlaces
 {
 public:
@@ -79,7 +79,8 @@ private:
   Buffer<vtkIdType> Starts;
 };
 
-/// body(begin, end) over blocks that are each worth a thread.
+/// Calls body(begin, end) for ranges of blocks, in several threads: a single block is worth a
+/// thread.
 template <typename Body>
 void ForBlocks(vtkIdType blocks, const Body& body)
 {
@@ -94,11 +95,11 @@ void ForBlocks(vtkIdType blocks, const Body& body)
   }
 }
 
-/// What became of a leaf; the values of the cell array `RefinementKind`.
+/// How a cell of the output came into being; the values of the cell array `RefinementKind`.
 enum class RefinementKind : unsigned char
 {
   Untouched = 0, ///< a cell of the input as it was, of level 0
-  Red = 1,       ///< a red child; or a cell of the input that was one
+  Red = 1,       ///< a red child, also an unsplit input cell that an earlier filter made as one
   GreenI = 2,    ///< one edge split; triangles too
   GreenII = 3,   ///< two opposite edges
   GreenIII = 4   ///< the edges of one face

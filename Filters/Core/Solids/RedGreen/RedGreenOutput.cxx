@@ -19,7 +19,8 @@ RefinementKind KindOfUnsplit(int level)
   return level > 0 ? RefinementKind::Red : RefinementKind::Untouched;
 }
 
-/// Input cells that stay as they are, from `cell` to `end`.
+/// Copies the unsplit input cells `cell` to `end` - 1. Their connectivity starts at `from`; cell
+/// `to` of the output is the first, with its connectivity at `toEntry`.
 template <typename Out>
 void CopyRun(const SimplexView& input, vtkIdType cell, vtkIdType end, vtkIdType from, vtkIdType to,
   vtkIdType toEntry, const RedGreenStorage<Out>& out)
@@ -72,7 +73,7 @@ RedGreenOutput<Id>::RedGreenOutput(const RedGreen<Id>& state)
     });
 }
 
-/// The trees where something happened, in input order, and their sizes.
+/// Finds the trees with split edges, in input order, and counts their cells.
 template <typename Id>
 void RedGreenOutput<Id>::FindTrees()
 {
@@ -130,11 +131,11 @@ void RedGreenOutput<Id>::CountLeaves(Id index, Tree& tree) const
   tree.Greens += parts.Kind >= RefinementKind::GreenI ? 1 : 0;
 }
 
-/// From sizes to places; between trees there are input cells that stay as they are.
+/// Turns the counts of trees into positions. Between trees there are unsplit input cells.
 template <typename Id>
 void RedGreenOutput<Id>::PlaceTrees()
 {
-  vtkIdType cell = 0; // of the input, up to which all has its place
+  vtkIdType cell = 0; // input cells before this one have a position
   vtkIdType entry = 0;
   vtkIdType leaves = 0;
   vtkIdType greens = 0;
@@ -212,7 +213,7 @@ void RedGreenOutput<Id>::Write(const RedGreenStorage<Out>& out) const
   {
     begin *= blockSize;
     end = std::min(input.NumberOfSimplices, end * blockSize);
-    // The trees in this stretch: each says where the cells after the one before it go.
+    // The first tree from `begin` on.
     auto tree = std::lower_bound(this->Trees.begin(), this->Trees.end(), begin,
       [](const Tree& t, vtkIdType cell) { return t.Input < cell; });
     while (begin < end)
@@ -221,7 +222,7 @@ void RedGreenOutput<Id>::Write(const RedGreenStorage<Out>& out) const
       const vtkIdType stop = last ? end : std::min<vtkIdType>(end, tree->Input);
       if (begin < stop)
       {
-        // Counted back from the next tree, or from the end.
+        // Positions are counted back from those of the next tree, or from the end of the output.
         const vtkIdType from = this->State.Places[begin];
         const vtkIdType next = last ? input.NumberOfSimplices : vtkIdType(tree->Input);
         const CellCounts place = last ? this->Counts : CellCounts{ tree->Cells, tree->Entries };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RedGreenOutput.h
- * The output of red-green refinement: cells with their green children, in input order; the leaves
- * that have green children; the rows that put new vertices at midpoints.
+ * The output of red-green refinement: its cells, where leaves with split edges are cut into green
+ * parts; a list of these leaves; and the rows that put new vertices at midpoints.
  */
 #ifndef SubdivisionObjects_RedGreenOutput_h
 #define SubdivisionObjects_RedGreenOutput_h
@@ -14,18 +14,20 @@
 namespace subdivision
 {
 
-/// Where the cells go. Null: not wanted. Sizes: RedGreenOutput::GetCounts().
+/// The arrays that receive the output; RedGreenOutput::GetCounts() tells their sizes. Arrays other
+/// than Cells may be null and are not written then.
 template <typename Out>
 struct RedGreenStorage
 {
   CellStorage<Out> Cells{ nullptr, nullptr, nullptr };
   unsigned char* Levels = nullptr;   ///< of the leaf that a cell is, or is a green part of
   unsigned char* Kinds = nullptr;    ///< RefinementKind
-  vtkIdType* GreenParents = nullptr; ///< index for GetGreenLeaf(), -1
+  vtkIdType* GreenParents = nullptr; ///< argument for GetGreenLeaf(), -1: no green part
   vtkIdType* InputCells = nullptr;   ///< of which each cell is a part
 };
 
-/// A leaf that the output has in parts. Another run starts from these: RedGreen::AddMidpoint.
+/// A leaf that the output has cut into green parts. The next filter replaces the parts by the leaf
+/// and its midpoints (RedGreen::AddMidpoint).
 template <typename Id>
 struct GreenLeaf
 {
@@ -39,10 +41,10 @@ struct GreenLeaf
 };
 
 /**
- * Plans the output of a state, which must not change while the plan is used. Cells stay in input
- * order, children stand together in the place of their parent, in the order of Simplices.h; the
- * vertices of green children stand where those of their leaf stood, so that orientation is kept.
- * Cells that nothing happened to are copied in threads.
+ * Computes the positions of all output cells of a state, which must not change while this object is
+ * used. Cells have the order of their input cells; the children of a cell are consecutive, in the
+ * order of Simplices.h. A green part is its leaf with midpoints in the places of some vertices, and
+ * so has the orientation of the leaf.
  */
 template <typename Id>
 class RedGreenOutput
@@ -58,15 +60,16 @@ public:
   void Write(const RedGreenStorage<Out>& storage) const;
 
 private:
-  /// A leaf of a tree where something happened, or a red cell whose children are not stored.
+  /// A leaf of a tree with split edges, or a red cell whose children are not stored.
   struct Leaf
   {
     Id Node;
     vtkIdType FirstCell;
     vtkIdType FirstEntry;
-    vtkIdType Green; ///< its number among the green ones, -1
+    vtkIdType Green; ///< its number among the leaves with green parts, or -1
   };
-  /// Such a tree: sizes while they are counted, then where its parts start.
+  /// A tree with split edges. Cells to Greens are first its counts, and after PlaceTrees the
+  /// positions where it starts.
   struct Tree
   {
     Id Root;
@@ -87,11 +90,12 @@ private:
   CellCounts Counts;
   Buffer<Tree> Trees; ///< in input order
   Buffer<Leaf> Leaves;
-  Buffer<vtkIdType> Greens; ///< among the leaves
+  Buffer<vtkIdType> Greens; ///< those of the leaves that have green parts
 };
 
-/// Placement `Linear`: vertices of the input stay where they are, those after them have rows of
-/// dyadic weights, which are exact: up to four, or seven where the input has midpoints itself.
+/// The operator of Placement `Linear`: input vertices stay, and new vertices are means of input
+/// vertices. The weights are multiples of powers of 1/2, and so exact. A row has up to four
+/// entries, or up to seven if the input has midpoints (RedGreen::AddMidpoint).
 template <typename Id>
 struct MidpointRows
 {

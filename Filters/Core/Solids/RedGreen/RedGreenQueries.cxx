@@ -10,7 +10,8 @@ using redgreen::Full;
 using redgreen::NumberOfEdges;
 using redgreen::PartsOf;
 
-/// use(part) for each part of a changed node that is itself what has changed.
+/// Calls use(part) for each part of a changed node that is a cell of the output, and not itself a
+/// changed node.
 template <typename Id>
 template <typename Use>
 void RedGreen<Id>::ForChangedParts(Id index, int steps, const Use& use) const

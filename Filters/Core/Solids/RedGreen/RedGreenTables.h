@@ -73,7 +73,8 @@ struct Parts
   signed char Vertices[8][4] = {};
 };
 
-/// Green: each vertex is replaced in place.
+/// Green-I and green-II: each split edge doubles the parts; in one half of them the midpoint
+/// replaces one end of the edge, in the other half the other end.
 constexpr void SetGreen(Parts& parts, int dimension, unsigned int pattern)
 {
   parts.Count = 1;

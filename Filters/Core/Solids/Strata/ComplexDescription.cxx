@@ -19,7 +19,7 @@ signed char GetDimension(Rule rule)
   return static_cast<signed char>(rule == Rule::RegularEdge ? Rule::Solid : rule);
 }
 
-/// Describes vertices and edges: `boundary` is what the links say.
+/// Describes vertex or edge i; `boundary` tells whether its link in some C_k is that of a boundary.
 SimplexFacts Describe(unsigned char dimensions, vtkIdType valence, bool boundary, Stratum stratum,
   const Buffer<unsigned char>& singular, vtkIdType i)
 {
@@ -114,7 +114,7 @@ Buffer<Id> SortSimplices(const Buffer<Id>& vertices, Id numberOfVertices)
   return order;
 }
 
-/// The vertices that a simplex has; unused points are none of the complex.
+/// The vertices of simplices; other points do not belong to the complex.
 template <typename Id>
 Buffer<Id> FindUsedVertices(const Links<Id>& links)
 {

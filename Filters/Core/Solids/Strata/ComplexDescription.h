@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ComplexDescription.h
- * Everything there is to say about the vertices, edges and faces of a complex: the table of
- * Mathematics 3, what is singular, the rules of Mathematics 4, and numbers of the whole.
+ * A report on a complex for the user: for each vertex, edge and face the columns of the table of
+ * Mathematics 3, whether it is singular, and its rule (Mathematics 4); and counts of the whole
+ * complex.
  */
 #ifndef SubdivisionObjects_ComplexDescription_h
 #define SubdivisionObjects_ComplexDescription_h
@@ -19,17 +20,19 @@ struct SimplexFacts
   unsigned char ManifoldDimensions; ///< bit k - 1: lies in C_k
   unsigned char NonManifoldType;    ///< 0 to 3
   signed char RuleDimension;        ///< 0 to 3, 4 blended; -1 for faces
-  bool Boundary;                    ///< lies on the boundary of a C_k, as a manifold
-  bool Singular;                    ///< flagged or derived itself
+  bool Boundary;                    ///< in some C_k it lies on the boundary and is manifold
+  bool Singular; ///< itself flagged or derived, and not only a face of such a simplex
 
-  /// False inside one C_k where nothing is singular and the rule is that of dimension k.
+  /// False for a simplex that lies in the interior of exactly one C_k, is not singular and follows
+  /// the rule of dimension k (faces have no rule).
   bool IsSpecial() const;
 };
 
 template <typename Id>
 struct ComplexDescription
 {
-  /// The vertices that simplices have, edges, faces; lexicographic by sorted vertices.
+  /// The used vertices, the edges and the faces, each list in the lexicographic order of sorted
+  /// vertices.
   Buffer<Id> Order[3];
   /// Of each vertex (used or not), edge, face, by its number in the complex.
   Buffer<SimplexFacts> Facts[3];

@@ -12,7 +12,8 @@ namespace subdivision
 namespace
 {
 
-/// act(place in output order, entity) for each cell of a dimension; vertex cells give the vertex.
+/// Calls act(position in output order, entity, whether it equals an earlier cell) for each cell of
+/// a dimension. The entity is the number in the complex of the vertex, edge, face or tetrahedron.
 template <typename Id, typename Act>
 void ForCells(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int dimension,
   const Act& act)
@@ -178,7 +179,7 @@ bool IsFeature(const FeatureCandidate& candidate, const Coordinates& points, dou
   const double* a = points.Values + 3 * candidate.Ends[0];
   const double* others[3] = { points.Values + 3 * candidate.Ends[1],
     points.Values + 3 * candidate.Opposite[0], points.Values + 3 * candidate.Opposite[1] };
-  double sides[3][3]; // from a, scaled so that squares neither vanish nor overflow
+  double sides[3][3]; // from a; divided by `scale` below, so that no square vanishes or overflows
   double scale = 0.;
   for (int k = 0; k < 3; ++k)
   {

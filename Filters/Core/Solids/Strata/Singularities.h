@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Singularities.h
- * Singular simplices that follow from the mesh itself (Mathematics 7): embedded cells, material
- * interfaces, features.
+ * Derives singular simplices from the mesh (Mathematics 7): embedded cells, material interfaces,
+ * features.
  */
 #ifndef SubdivisionObjects_Singularities_h
 #define SubdivisionObjects_Singularities_h
@@ -16,7 +16,8 @@
 namespace subdivision
 {
 
-/// Simplices as vertex tuples of dimension + 1 ids, by dimension.
+/// Vertices, edges and triangles as vertex ids: Tuples[d] has d + 1 ids for each simplex of
+/// dimension d.
 struct SimplexTuples
 {
   std::vector<vtkIdType> Tuples[3];
@@ -26,20 +27,21 @@ struct SimplexTuples
   }
 };
 
-/// The simplex, by its place in the output order, that each edge, face or tetrahedron is; -1 for
-/// those that are no cell.
+/// For each vertex, edge, face or tetrahedron the position in output order of the cell that it is,
+/// or -1 if it is no cell. Followers are not looked at.
 template <typename Id>
 Buffer<vtkIdType> FindSimplicesOf(
   const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int dimension);
 
-/// Lower-dimensional cells that are faces of others; `inside`: only those in the interior of a C_k
-/// of higher dimension.
+/// Derives singular simplices from embedded cells: those that are faces of other cells. `inside`:
+/// only from those that lie in the interior of one C_k and in no other.
 template <typename Id>
 void DeriveEmbedded(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   bool inside, SimplexTuples& derived);
 
-/// Faces between two tetrahedra, edges between two maximal triangles, with different values;
-/// `values` has one for each simplex in output order.
+/// Derives singular simplices from material interfaces: faces of exactly two tetrahedra, and edges
+/// of exactly two triangles, both maximal, that have different values. `values` has one for each
+/// simplex in output order.
 template <typename Id>
 void DeriveInterfaces(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const double* values, SimplexTuples& derived);

@@ -11,7 +11,9 @@ namespace subdivision
 namespace
 {
 
-/// Rings of those carriers in `around` that `accept` takes, and after them the `reliefs`.
+/// Makes the ring of each row i of `around`. Its carriers are those for which accept(i, carrier) is
+/// true, with member(i, carrier) as members; the vertices of reliefs[i] follow, with the carrier
+/// -1.
 template <typename Id, typename Accept, typename Member>
 Rings<Id> MakeRings(const Rows<Id>& around, const Accept& accept, const Member& member,
   const std::vector<std::vector<Id>>& reliefs)
@@ -56,7 +58,8 @@ Rings<Id> MakeRings(const Rows<Id>& around, const Accept& accept, const Member& 
 
 }
 
-/// Type 1: in C_k and C_l. Otherwise what the only C_k says.
+/// The non-manifold type: 1 in several C_k, otherwise that of the place in the only C_k, 0 for
+/// manifold.
 template <typename Id>
 int StrataBuilder<Id>::TypeOf(unsigned char dimensions, const Place places[4]) const
 {
@@ -128,7 +131,8 @@ template <typename Id>
 void StrataBuilder<Id>::CollectRelief(
   Id edge, const Decision& decision, std::vector<Id>& relief) const
 {
-  // From the end with fewer neighbours, so that a hub of many spokes is not searched at each.
+  // Search at the end with fewer edges: otherwise a vertex of high valence would be searched once
+  // for each of its edges.
   auto valence = [this](Id vertex) { return this->Around.VertexEdges[vertex].size(); };
   auto areJoined = [&](Id a, Id b)
   {

@@ -3,9 +3,9 @@
  * @file Strata.h
  * Which rule does each vertex and edge follow, and with which ring (Mathematics 3, 4, 6).
  *
- * Links are examined once, on the input complex. Children inherit (Refinement.h): what lies inside
- * an edge or a face of the input has the stratum of that simplex, what lies inside a tetrahedron
- * the rule of solids.
+ * BuildStrata examines links once, on the control mesh. Children inherit strata (Refinement.h): a
+ * child inside an edge or a face has the stratum of that edge or face, a child inside a tetrahedron
+ * follows the rule of solids.
  */
 #ifndef SubdivisionObjects_Strata_h
 #define SubdivisionObjects_Strata_h
@@ -45,12 +45,15 @@ struct StrataOptions
   JointRule Type1 = JointRule::Blend;
   JointRule Type2 = JointRule::Blend;
   JointRule Type3 = JointRule::Blend;
-  /// At the end of a crease: false, a corner; true, as if the crease were not there (Hoppe's dart).
+  /// Whether the end of a crease is a dart, that is, follows the rule that it would have without
+  /// the crease. Otherwise it is a corner.
   bool DartEnds = false;
-  /// Part of each maximal edge and face, negative for none; may be empty.
+  /// The part of each maximal edge and face for the choice FollowPart, negative for none; may be
+  /// empty.
   Buffer<int> EdgeParts;
   Buffer<int> FaceParts;
-  /// 1 + JointRule where a region wants another choice than the three above, else 0; may be empty.
+  /// 1 + the JointRule that replaces the three choices above at this vertex or edge, or 0 to keep
+  /// them; may be empty.
   Buffer<unsigned char> VertexChoices;
   Buffer<unsigned char> EdgeChoices;
   Buffer<unsigned char> FaceChoices; ///< for what a step makes inside faces
@@ -63,9 +66,10 @@ struct Rings
   Buffer<Id> Offsets;
   /// Vertices.
   Buffer<Id> Members;
-  /// What joins each member: for a vertex's ring the edge, for an edge's ring the face that both
-  /// span, or -1 where there is none (the relief ring of a Blend edge of the input may have such
-  /// members). Empty on a level that is not refined further.
+  /// What joins each member: in the ring of a vertex the edge to the member; in the ring of an edge
+  /// the face that edge and member span, or -1 if there is none, which occurs at Blend edges of the
+  /// control mesh. Tet/oct levels also have octahedra here (TetOctComplex.h). Empty on a level that
+  /// is not refined further.
   Buffer<Id> Carriers;
 
   vtkIdType GetSize(vtkIdType i) const { return this->Offsets[i + 1] - this->Offsets[i]; }
@@ -89,8 +93,9 @@ struct Strata
 {
   Buffer<Stratum> Vertices;
   Buffer<Stratum> Edges;
-  /// What the edges and vertices inside a face follow: Surface, Solid, Blend (or Curve: each edge
-  /// by itself sharp). Not kept on a level that is not refined further.
+  /// What the edges that a step makes inside a face follow: Surface, Solid (some of these edges are
+  /// then regular), Blend, or Curve, which means that each such edge is sharp. Empty on a level
+  /// that is not refined further.
   Buffer<Stratum> Faces;
   Rings<Id> VertexRings;
   Rings<Id> EdgeRings;

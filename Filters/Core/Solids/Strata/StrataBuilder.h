@@ -12,17 +12,18 @@
 namespace subdivision
 {
 
-/// Which edges at a vertex, or faces at an edge, make its ring.
+/// Which edges at a vertex, or faces at an edge, give the members of its ring. Edges of the kinds
+/// None, Creases, SharpJoints and BoundaryOfSurface have d = 1 and an empty ring.
 enum class RingKind : unsigned char
 {
   None,
-  Creases,         ///< edges that are singular lines
+  Creases,         ///< edges with d = 1 because they or triangles at them are singular
   SingularFaces,   ///< singular faces, and the edges on them
-  SharpJoints,     ///< edges that became d = 1 by the rule Sharp
-  InDimensions,    ///< all edges or faces in one of the C_k of a set
+  SharpJoints,     ///< joint edges with d = 1 by the choice Sharp
+  InDimensions,    ///< all edges or faces in the C_k of Decision::Dimensions
   BoundaryOfSolid, ///< boundary faces of C_3 and their edges
   BoundaryOfSurface,
-  Part ///< lines or triangles of one part
+  Part ///< lines or triangles of Decision::Part
 };
 
 struct Decision

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges (Mathematics 4).
+// Decides the rules and rings of edges (Mathematics 4, 6).
 #include "Core/Solids/Complex/Simplices.h"
 #include "Core/Solids/Strata/StrataBuilder.h"
 
@@ -73,7 +73,8 @@ Decision StrataBuilder<Id>::DecideJointEdge(
   return { Stratum(Rule::Blend, type), RingKind::InDimensions, AllDimensions, 0 };
 }
 
-/// The rule of an edge at some place of one C_k; `follow`: the others are there and are ignored.
+/// Decides an edge inside C_k alone, where it has the given place. `follow` tells that it lies in
+/// other C_k too, which the choice FollowDimension ignores.
 template <typename Id>
 Decision StrataBuilder<Id>::DecideEdgeIn(Id edge, int k, Place place, int type, bool follow) const
 {
@@ -118,7 +119,7 @@ bool StrataBuilder<Id>::IsRegular(Id edge) const
     const Row<Id> tets = this->Complex.FaceTets[face];
     if (tets.size() == 0)
     {
-      continue; // a maximal triangle, which an edge that follows C_3 ignores
+      continue; // a maximal triangle: the edge lies in C_2 too and follows C_3
     }
     ++faces;
     for (Id tet : tets)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vertices (Mathematics 4).
+// Decides the rules and rings of vertices (Mathematics 4, 6).
 #include "Core/Solids/Strata/StrataBuilder.h"
 
 namespace subdivision
@@ -47,7 +47,8 @@ Decision StrataBuilder<Id>::DecideVertex(Id vertex) const
   return this->DecideVertexIn(vertex, k, places[k], 0, false);
 }
 
-/// Lines 1 to 3: singular vertices, creases, singular surfaces. False when none of them applies.
+/// Items 1 to 3 of the list for vertices in Mathematics 4: singular vertices, creases, singular
+/// triangles. Returns false if none of them applies.
 template <typename Id>
 bool StrataBuilder<Id>::DecideSingularVertex(Id vertex, int type, Decision& decision) const
 {
@@ -204,8 +205,9 @@ bool StrataBuilder<Id>::IsInVertexRing(Id edge, const Decision& decision) const
   }
 }
 
-/// The part with the smallest id that goes on through a vertex: two of its lines, or triangles of
-/// it that close around the vertex; -1 if there is none.
+/// The part with the smallest id that is a manifold inside C_k (k = 1 or 2) at a vertex: it has
+/// exactly two lines there, or its triangles form one closed fan. Returns -1 if there is no such
+/// part.
 template <typename Id>
 int StrataBuilder<Id>::FindPartAtVertex(Id vertex, int k) const
 {

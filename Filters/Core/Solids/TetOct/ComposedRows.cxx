@@ -11,7 +11,7 @@ SparseRows<int> Compose(const SparseRows<int>& rows, const Operator& step)
   const vtkIdType size = step.GetNumberOfRows();
   constexpr vtkIdType byRule = -1;
   constexpr vtkIdType unused = -2;
-  Buffer<vtkIdType> sources(size, unused); // of each row: unused, by its rule, or an explicit row
+  Buffer<vtkIdType> sources(size, unused); // of each row: one of these two, or an explicit row
   for (int column : rows.Columns)
   {
     sources[column] = byRule;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ComposedRows.h
- * Rows over the points of a level, as rows over those of the level above.
+ * Turns rows over the vertices of a level into rows over the vertices of the level before it.
  */
 #ifndef SubdivisionObjects_ComposedRows_h
 #define SubdivisionObjects_ComposedRows_h
@@ -12,8 +12,8 @@
 namespace subdivision
 {
 
-/// rows * step. Of the step, one of Stencils or TetOctStencils, only the rows that are named are
-/// ever written down.
+/// The product rows * step. `step` is Stencils or TetOctStencils; of its rows only those that
+/// columns of `rows` name are made.
 template <typename Operator>
 SparseRows<int> Compose(const SparseRows<int>& rows, const Operator& step);
 

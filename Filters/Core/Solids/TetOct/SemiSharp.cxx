@@ -46,7 +46,7 @@ void BlendSemiSharp(
     {
       continue;
     }
-    // The pieces of control edge e are the edges e 2^depth and following.
+    // Control edge e has become the 2^depth edges from e * 2^depth on.
     const vtkIdType first = static_cast<vtkIdType>(e) << depth;
     for (vtkIdType piece = first; piece < first + (vtkIdType(1) << depth); ++piece)
     {

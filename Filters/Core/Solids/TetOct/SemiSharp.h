@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SemiSharp.h
- * Creases that are sharp for some levels: rows between the smooth and the sharp rule.
+ * Rows of semi-sharp creases: blends of the smooth and the sharp rows (Mathematics 5).
  *
- * An edge of sharpness s follows the sharp rule for s levels, the last, if s is no whole number, in
- * part; then the smooth rule. A vertex follows the sharp rule with all edges that are still sharp,
- * with the weight min(1, mean of their sharpness).
+ * The weight of an edge's sharp row is min(1, remaining sharpness of the edge). The sharp row of a
+ * vertex has all edges as creases that are still sharp, and its weight is min(1, mean of their
+ * remaining sharpness).
  */
 #ifndef SubdivisionObjects_SemiSharp_h
 #define SubdivisionObjects_SemiSharp_h
@@ -17,10 +17,11 @@ namespace subdivision
 {
 
 /**
- * Replaces rows of `smooth`, the operator `steps` steps on from where `sharpness` holds, by blends
- * with those of `sharp`, the same operator with all edges singular that are then still sharp.
- * The operator is one of Stencils or TetOctStencils.
- * `depth`: number of steps since the control mesh, to which the edges of `sharpness` belong.
+ * Replaces rows of `smooth` by blends with rows of `sharp`, which is the same operator with all
+ * edges singular that are still sharp. Operators are Stencils or TetOctStencils. `sharpness` has
+ * one value for each control edge. Since it was given `steps` steps have been made, so that value -
+ * steps remains. `depth` is the number of steps since the control mesh: a control edge has become
+ * 2^depth edges.
  */
 template <typename Operator>
 void BlendSemiSharp(

@@ -11,7 +11,7 @@ namespace subdivision
 namespace
 {
 
-/// Of a sorted octahedron.
+/// The pair with the shortest diagonal of a sorted octahedron; the first pair of those that tie.
 template <typename Id, typename T>
 int FindShortestDiagonal(const Id vertices[6], const T* points)
 {
@@ -29,7 +29,8 @@ int FindShortestDiagonal(const Id vertices[6], const T* points)
     }
   }
   const double limit = std::min({ lengths[0], lengths[1], lengths[2] }) * (1. + tolerance);
-  int shortest = lengths[2] <= limit ? 2 : 0; // no branches: no processor could predict them
+  // Without branches, which the processor would mispredict.
+  int shortest = lengths[2] <= limit ? 2 : 0;
   shortest = lengths[1] <= limit ? 1 : shortest;
   return lengths[0] <= limit ? 0 : shortest;
 }
@@ -146,8 +147,9 @@ private:
   const T* Points;
 };
 
-/// write(is it one of the equal ones, cell, is it an octahedron, where its descendants after
-/// `steps` steps go) for each solid of a level.
+/// Calls write(whether the solid is in EqualCells, its number there or in the level, whether it is
+/// an octahedron, the position in the connectivity of its descendants after `steps` steps) for each
+/// solid of a level.
 template <typename Id, typename Out, typename Write>
 void ForSolids(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, int steps,
   Out* connectivity, const Write& write)
@@ -207,7 +209,8 @@ void WriteTetOctGrandchildren(const TetOctLevel<Id>& level, const std::vector<Ce
 
 void NumberOctahedra(const std::vector<CellRun>& runs, int steps, vtkIdType* numbers)
 {
-  // Of one tetrahedron, where there is one: 8^steps cells.
+  // The solids one step before the output, among the descendants of one control tetrahedron. Each
+  // control tetrahedron becomes 8^steps output cells.
   const bool hasSolids = std::any_of(runs.begin(), runs.end(),
     [](const CellRun& run) { return run.Dimension == 3 && run.Count > 0; });
   const std::vector<Descendant> parents =
@@ -245,7 +248,8 @@ void NumberOctahedra(const std::vector<CellRun>& runs, int steps, vtkIdType* num
 namespace
 {
 
-/// Its pieces follow each other, four cells with the same number.
+/// Whether a cell is the first of the four pieces of an octahedron, which are consecutive and have
+/// the same number.
 bool IsFirstPiece(const vtkIdType* octahedra, vtkIdType cell)
 {
   return octahedra[cell] >= 0 && (cell == 0 || octahedra[cell - 1] != octahedra[cell]);

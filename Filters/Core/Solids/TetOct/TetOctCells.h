@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetOctCells.h
- * The output of a tet/oct level: its cells as tetrahedra, octahedra as four around a diagonal
- * (Mathematics 10).
+ * Writes the cells of a tet/oct level as tetrahedra: each octahedron becomes four tetrahedra around
+ * a diagonal (Mathematics 10), which are called its pieces.
  *
- * The cells that come from one control tetrahedron follow each other, and so do those that come
- * from any cell in between: of a tetrahedron the four at its vertices, then the octahedron; of an
- * octahedron the six octahedra, then the eight tetrahedra. With four for each octahedron that is
- * always eight times as many, as if tetrahedra were split as by the box spline: so runs (CellRun in
- * SimplicialComplex.h) are refined as there too. The first four children of a tetrahedron are those
- * of the box spline.
+ * The descendants of one control tetrahedron are consecutive in the output, and so are those of
+ * each cell of a level between: of a tetrahedron first the four tetrahedra at its vertices, then
+ * the octahedron; of an octahedron first the six octahedra, then the eight tetrahedra. As an
+ * octahedron counts as four cells, a step makes eight cells out of each cell, as in the box-spline
+ * scheme, and RefineRuns serves both. The first four children of a tetrahedron are those of the box
+ * spline.
  */
 #ifndef SubdivisionObjects_TetOctCells_h
 #define SubdivisionObjects_TetOctCells_h
@@ -20,14 +20,15 @@
 namespace subdivision
 {
 
-/// Six vertices of an octahedron in the order that depends on nothing but the octahedron: in each
-/// pair and among the pairs the smallest first, but the last pair turned where orientation needs
-/// it.
+/// Sorts the six vertices of an octahedron into an order that depends on its vertices and
+/// orientation only: the smaller one first in each pair, the pairs by their first vertices, and the
+/// last pair swapped if the orientation requires it.
 template <typename Id>
 void SortOctahedron(Id vertices[6])
 {
   bool odd = false;
-  auto swap = [&](int a, int b, bool wanted) // no branches: no processor could predict them
+  // Without branches, which the processor would mispredict.
+  auto swap = [&](int a, int b, bool wanted)
   {
     const Id first = vertices[a];
     const Id second = vertices[b];
@@ -80,44 +81,47 @@ void JoinOctahedron(const Out tets[16], Id vertices[6])
   }
 }
 
-/// Writes the children of a level's cells as WriteChildren does; octahedra around the diagonals
-/// that TurnOctahedra would turn them to, or, where `points` is null, around any.
+/// Writes the children of a level's cells as WriteChildren does. `points` are those of the next
+/// level: each octahedron is cut around its shortest diagonal, as TurnOctahedra does. If `points`
+/// is null it is cut around any.
 template <typename Id, typename Out, typename T>
 void WriteTetOctChildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs,
   const T* points, const CellStorage<Out>& out);
 
-/// Writes the children of the children; `points` of their level. The level has all that a further
-/// step needs, and no equal cells.
+/// Writes the children of the children likewise; `points` are those two steps later. The level was
+/// made with Depth::ForRefinement and has no equal cells.
 template <typename Id, typename Out, typename T>
 void WriteTetOctGrandchildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs,
   const T* points, const CellStorage<Out>& out);
 
-/// The octahedron of each cell, numbered in their order, -1 where there is none. `runs` are those
-/// of a level `steps` steps below the control level.
+/// Writes for each output cell the number of the octahedron that it is a piece of, or -1. Octahedra
+/// are numbered in output order. `runs` are those of the output, `steps` steps after the control
+/// level.
 void NumberOctahedra(const std::vector<CellRun>& runs, int steps, vtkIdType* numbers);
 
 /**
- * Turns each octahedron to its shortest diagonal. Diagonals whose squared lengths differ by less
- * than a relative 1e-9 tie, or 1e-5 where T is float, as lattices have exact ties that rounding
- * breaks; of these the one with the smallest vertex is taken. `octahedra` as NumberOctahedra gives
- * them; four vertices for each of these, the first of cell i at offsets[i].
+ * Cuts each octahedron anew, around its shortest diagonal. Diagonals whose squared lengths differ
+ * by no more than a relative 1e-9 (1e-5 if T is float) tie, because lattices have exact ties that
+ * rounding breaks. Of those that tie the one with the smallest vertex is taken. `octahedra` is the
+ * result of NumberOctahedra; the connectivity of cell i starts at offsets[i].
  */
 template <typename Out, typename T>
 void TurnOctahedra(const vtkIdType* octahedra, vtkIdType cells, const Out* offsets,
   Out* connectivity, const T* points);
 
-/// Whether all octahedra are turned so.
+/// Whether all octahedra are already cut as TurnOctahedra would cut them.
 template <typename Out, typename T>
 bool AreTurned(const vtkIdType* octahedra, vtkIdType cells, const Out* offsets,
   const Out* connectivity, const T* points);
 
-/// Whether some cells are those of a level, around whichever diagonals.
+/// Whether `cells` are the cells of a level, with octahedra cut around any diagonals.
 template <typename Id>
 bool HasCells(
   const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, const SimplexList& cells);
 
-/// For each of the 2^d children that a cell of dimension d is counted to have, the cell whose
-/// values it takes: where it lies in several pieces of an octahedron, the first.
+/// For each child cell the cell of `cells` whose values it takes. A cell of dimension d counts as
+/// having 2^d children. A child of an octahedron takes the values of the piece that it lies in, or
+/// of the first if there are several.
 template <typename Id>
 std::vector<vtkIdType> FindParents(
   const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, const SimplexList& cells);

@@ -10,7 +10,8 @@ namespace subdivision
 namespace
 {
 
-/// The rows of a level's children, one kind after another.
+/// Makes the rows of TetOctChildRows: those at vertices, at edges, in faces, tetrahedra and
+/// octahedra of the given level.
 template <typename Id>
 class TetOctRowsMaker
 {
@@ -72,7 +73,8 @@ private:
           this->Emitter.EmitVertex(static_cast<Id>(v), ring);
           rows.Close(ring, this->Strata.Vertices[v]);
         }
-        // Rings keep their sizes, and so control vertices their places among all spokes.
+        // Rings of control vertices keep their sizes and come first, so that offsets into
+        // TetsAtSpokes are the same on all levels.
         const Id* tets =
           begin < control ? this->Level.TetsAtSpokes->data() + rings.Offsets[begin] : nullptr;
         this->Use(TetOctRows<Id>{ rows.Get(), false, control - begin, tets });
@@ -134,7 +136,7 @@ private:
       });
   }
 
-  /// The centres of the octahedra that tetrahedra have in the middle.
+  /// The rows of the centres of those child octahedra that lie in the middle of tetrahedra.
   void InTets(vtkIdType first, vtkIdType last) const
   {
     Buffer<Id> octs(6 * BlockSize);
@@ -154,7 +156,8 @@ private:
       });
   }
 
-  /// Spokes and centre of each, and the centres of the octahedra at its vertices.
+  /// The rows of the spokes and the centre of each octahedron, and of the centres of the child
+  /// octahedra at its vertices.
   void InOctahedra(vtkIdType first, vtkIdType last) const
   {
     constexpr vtkIdType blockSize = BlockSize / 8; // each has many rows

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetOctChildRows.h
- * The operators of a tet/oct level and of its children, applied without being stored, as those of
- * ChildRows.h are.
+ * The same as ChildRows.h for tet/oct levels: the operators of the last two steps, applied without
+ * being stored.
  */
 #ifndef SubdivisionObjects_TetOctChildRows_h
 #define SubdivisionObjects_TetOctChildRows_h
@@ -26,8 +26,8 @@ private:
   const StoredTetOctRows<Id> Stored;
 };
 
-/// The operator that takes the children of a level, which has all that a further step needs, to
-/// theirs.
+/// The operator that takes values on the children of `level` to their children. `level` was made
+/// with Depth::ForRefinement, or is the control level.
 template <typename Id>
 class TetOctChildRows : public RowsOnTheFly<TetOctRows<Id>>
 {
@@ -36,7 +36,8 @@ public:
     : Level(level)
   {
   }
-  /// Of the children: the rows of their vertices come first, then those of their edges.
+  /// Numbers of vertices and edges of the children: first come the rows of the vertices, then those
+  /// of the edges, then those of the octahedron centres.
   vtkIdType GetNumberOfVertices() const;
   vtkIdType GetNumberOfEdges() const;
   vtkIdType GetNumberOfRows() const override;

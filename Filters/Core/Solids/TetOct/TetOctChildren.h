@@ -39,7 +39,8 @@ struct CellLattice
   }
 };
 
-/// The parts of one cell's refinement that lie on its edges and faces.
+/// The ids of what one step makes on the edges and faces of one cell, and of its spokes.
+/// Corners[f][i] is the child triangle of face f at its vertex i, Middles[f] the one in the middle.
 template <typename Shape, typename Id>
 struct CellParts
 {

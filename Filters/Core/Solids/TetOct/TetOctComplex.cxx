@@ -13,7 +13,7 @@ namespace
 struct InnerFace
 {
   int Points[3] = { 0, 0, 0 };
-  int Edges[3] = { 0, 0, 0 }; ///< PlaceOf
+  int Edges[3] = { 0, 0, 0 }; ///< as numbered by PlaceOf
   int Tet = 0;
   int Oct = 0;
 
@@ -163,7 +163,7 @@ void TetOctRefiner<Id>::MakeFaces()
   const vtkIdType split = this->Full ? parent.NumberOfFaces : parent.NumberOfTriangleCells;
   child.FaceVertices = Buffer<Id>(3 * vtkIdType(child.NumberOfFaces));
   child.FaceEdges = Buffer<Id>(3 * vtkIdType(child.NumberOfFaces));
-  constexpr int middleEdgeCorner[3] = { 1, 2, 0 }; // that each edge of the middle child cuts off
+  constexpr int middleEdgeCorner[3] = { 1, 2, 0 }; // which each edge of the middle child cuts off
   ForEach(split,
     [&](vtkIdType i)
     {
@@ -189,7 +189,8 @@ void TetOctRefiner<Id>::MakeFaces()
   }
 }
 
-/// The strata of faces and the cells at them.
+/// Makes the strata of all faces, and finds the cells at those that lie in faces of the parent.
+/// MakeChildren adds the cells at the others.
 template <typename Id>
 void TetOctRefiner<Id>::MakeFaceCells()
 {
@@ -332,7 +333,8 @@ void TetOctRefiner<Id>::MakeEqualCells()
   this->MakeEqualSolids();
 }
 
-/// Equal solids follow their twins: own vertices by the tables, twins by where these vertices are.
+/// The tables give the vertices of a child of an equal solid; its twin is the child of the parent's
+/// twin at the same vertex or face.
 template <typename Id>
 void TetOctRefiner<Id>::MakeEqualSolids()
 {
@@ -423,7 +425,7 @@ TetOctLevel<Id> MakeTetOctLevel(Level<Id>&& control)
   level.EqualOcts = { Buffer<Id>(0), Buffer<Id>(0) };
   auto& edges = level.Strata.Edges;
   ForEach(edges.size(),
-    [&](vtkIdType e) // what is regular here is not what the box spline takes for it
+    [&](vtkIdType e) // edges that are regular for the box spline are not regular in this scheme
     {
       const bool regular = edges[e].GetRule() == Rule::RegularEdge;
       edges[e] = regular ? Stratum(Rule::Solid, edges[e].GetType()) : edges[e];

@@ -3,19 +3,20 @@
  * @file TetOctComplex.h
  * A level whose solids are tetrahedra and octahedra, and one uniform step of it (Mathematics 10).
  *
- * Nothing but its cells is new: lines, triangles and followers are those of SimplicialComplex,
- * rules and rings those of Strata, decided on the control mesh, where all solids are tetrahedra,
- * and inherited. With V vertices, E edges, F faces, T tetrahedra and O octahedra the next level has
+ * Only the octahedra are new: all else is stored in SimplicialComplex and Strata. Rules and rings
+ * are decided on the control mesh, where all solids are tetrahedra, and inherited. With V vertices,
+ * E edges, F faces, T tetrahedra and O octahedra the next level has
  *  - vertices: v stays v; V + e in edge e; V + E + o the centre of octahedron o;
  *  - edges: 2e, 2e + 1 the halves of e; 2E + 3f + i inside face f near its vertex i;
  *    2E + 3F + 12o + e from the centre of o to the midpoint of its edge e;
  *  - faces: 4f + i near vertex i of f, 4f + 3 its middle; 4F + 4t + i cuts vertex i off t;
- *    4F + 4T + 24o + 3k + i at the centre of o, over what cuts corner i off its face k;
+ *    4F + 4T + 24o + 3k + i joins the centre of o and the edge that cuts corner i off face k of o;
  *  - tetrahedra: 4t + i at vertex i of t; 4T + 8o + k at face k of o;
  *  - octahedra: t in the middle of t; T + 6o + i at vertex i of o.
  *
- * Inside solids all edges but those that are parts of control edges are regular: two tetrahedra
- * and two octahedra lie at them. So are all vertices but those in control edges: eight and six.
+ * Inside C_3 all edges that are no parts of control edges are regular: two tetrahedra and two
+ * octahedra lie at them. All vertices that lie in no control edge are regular too: eight tetrahedra
+ * and six octahedra lie at them.
  */
 #ifndef SubdivisionObjects_TetOctComplex_h
 #define SubdivisionObjects_TetOctComplex_h
@@ -28,12 +29,13 @@ namespace subdivision
 {
 
 /**
- * Rings (Mathematics 10): Strata.VertexRings of a vertex of dimension 3 has its neighbours by
- * edges, then the opposite vertices of its octahedra, whose carriers are these octahedra; first the
- * neighbours along the control edge where it lies in one. Strata.EdgeRings of a regular edge has
- * the vertices opposite to it in its four faces, then for each of its two octahedra the opposites
- * of its ends, the octahedron as carrier of both. Rule::RegularEdge says regular of vertices too.
- * All other rings are as in the box-spline scheme.
+ * A level of tetrahedra and octahedra. Its rings (Mathematics 10): the ring of a vertex with d = 3
+ * has its neighbours by edges and then the vertices opposite to it in its octahedra, with the
+ * octahedron as carrier. If the vertex lies in a control edge, the two neighbours along this edge
+ * come first. The ring of a regular edge has the vertices opposite to it in its four faces, and
+ * then for each of its two octahedra the vertices opposite to its ends, with the octahedron as
+ * carrier of both. Regular vertices have Rule::RegularEdge too. All other rings are as in the
+ * box-spline scheme.
  */
 template <typename Id>
 struct TetOctLevel
@@ -46,8 +48,8 @@ struct TetOctLevel
   Buffer<Id> OctEdges;    ///< 12, as in octahedron::EdgeVertices
   Buffer<Id> OctFaces;    ///< 8, as in octahedron::FaceVertices
   EqualCells<Id> EqualOcts;
-  /// Of each member of a control vertex's ring the number of tetrahedra at the edge to it: the same
-  /// on all levels, as control vertices are the first and keep their tetrahedra.
+  /// For each member of the ring of a control vertex the number of tetrahedra at the edge to it,
+  /// here called a spoke. It is the same on all levels, so that they share one list.
   std::shared_ptr<const Buffer<Id>> TetsAtSpokes;
   Id NumberOfControlVertices = 0;
   int Steps = 0; ///< since the control level
@@ -104,7 +106,7 @@ public:
   Id TetOfOct(Id oct, int face) const { return this->OctTetStart + 8 * oct + face; }
   Id OctOfTet(Id tet) const { return tet; }
   Id OctOfOct(Id oct, int vertex) const { return this->OctStart + 6 * oct + vertex; }
-  /// An octahedron among the cells at a face.
+  /// The number by which FaceTets of the next level names a child octahedron.
   Id OctCell(Id childOct) const { return this->FirstOctCell + childOct; }
 
 private:
@@ -119,7 +121,7 @@ private:
   const Id FirstOctCell;
 };
 
-/// The edges of an equal octahedron in its own vertex order, looked up in its twin.
+/// The edges of an octahedron of EqualOcts in its own vertex order, taken from its twin.
 template <typename Id>
 void GetEdgesOfEqualOct(const TetOctLevel<Id>& level, vtkIdType index, Id edges[12]);
 

@@ -26,7 +26,8 @@ struct Descendant
   vtkIdType FirstOct;   ///< the same among octahedra
 };
 
-/// The descendants in output order; `tets` control tetrahedra in all.
+/// The descendants of a control tetrahedron in output order, `steps` steps later. `tets` is the
+/// number of all control tetrahedra.
 inline std::vector<Descendant> ListDescendants(vtkIdType tets, int steps)
 {
   std::vector<Descendant> list = { { 0, 1, false, 0, 0 } };
@@ -93,7 +94,7 @@ void ForDescendants(const std::vector<Descendant>& list, vtkIdType tets, const A
     });
 }
 
-/// The vertices of one cell and the midpoints of its edges, whether it has a twin or not.
+/// Reads the lattice points of cells of a level or, if `equal`, of its EqualCells.
 template <typename Id>
 class LatticeReader
 {
@@ -139,7 +140,7 @@ private:
   const bool Equal;
 };
 
-/// Runs of solids in units of control tetrahedra.
+/// A run of solids, counted in control tetrahedra.
 struct SolidRun
 {
   vtkIdType First;

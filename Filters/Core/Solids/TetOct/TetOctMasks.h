@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetOctMasks.h
- * The weights of dimension 3 in the tet/oct scheme (Mathematics 10): linear subdivision, then the
- * mean over the fine cells at a point of a centroid (Schaefer, Hakenberg and Warren, figure 4).
+ * The weights of d = 3 in the tet/oct scheme (Mathematics 10). First comes linear subdivision; then
+ * a point moves to the mean, over the fine cells at it, of a weighted centroid of each (Schaefer,
+ * Hakenberg and Warren, figure 4).
  *
  * The fine cells at a point lie in the coarse cells at the vertex or edge that it comes from, so
  * both passes together are one row over the vertices of these. Each coarse cell gives the same
@@ -26,22 +27,23 @@ constexpr double OctOwn = 3. / 8.;
 constexpr double OctNear = 1. / 12.;
 constexpr double OctFar = 7. / 24.;
 
-/// What a coarse tetrahedron gives to its vertex, which has one fine cell in it, the tetrahedron at
-/// the corner: for the vertex and for each of the other three.
+/// The share of a coarse tetrahedron in the row of its vertex, for the vertex and for each of the
+/// other three. One fine cell of it lies at the vertex: the tetrahedron there.
 constexpr double TetVertexOwn = TetOwn + 3. * TetOther / 2.;
 constexpr double TetVertexOther = TetOther / 2.;
-/// An octahedron, one fine cell, whose far vertex is the centre: for the vertex, each of its four
-/// neighbours, its opposite.
+/// The share of a coarse octahedron: for the vertex, each of its four neighbours, its opposite. One
+/// fine cell of it lies at the vertex: an octahedron whose opposite vertex is the centre.
 constexpr double OctVertexOwn = OctOwn + 4. * OctNear / 2. + OctFar / 6.;
 constexpr double OctVertexNear = OctNear / 2. + OctFar / 6.;
 constexpr double OctVertexFar = OctFar / 6.;
 
-/// What a tetrahedron gives to the midpoint of its edge, which has three fine cells in it: two
-/// tetrahedra and the octahedron: for each end, and for each of the other two.
+/// The share of a coarse tetrahedron in the row of its edge's midpoint, for each end and for each
+/// of the other two vertices. Three fine cells of it lie at the midpoint: two tetrahedra and the
+/// octahedron.
 constexpr double TetEdgeEnd = TetOwn + OctOwn / 2. + 2. * TetOther + OctNear;
 constexpr double TetEdgeOther = TetOther + OctNear + OctFar / 2.;
-/// An octahedron, two fine cells of each kind: for each end, each common neighbour of the ends,
-/// each opposite of an end.
+/// The share of a coarse octahedron: for each end, each common neighbour of the ends, each opposite
+/// of an end. Two fine cells of each kind lie at the midpoint.
 constexpr double OctEdgeCentre = (2. * OctNear + 2. * TetOther) / 6.;
 constexpr double OctEdgeEnd =
   OctOwn + TetOwn + OctNear + OctEdgeCentre + OctNear + TetOther + OctFar / 2.;
@@ -49,7 +51,8 @@ constexpr double OctEdgeNear = OctEdgeCentre + OctNear + TetOther;
 constexpr double OctEdgeFar = OctEdgeCentre + OctFar / 2.;
 }
 
-/// A mask for a ring in up to three parts that follow each other.
+/// A mask for a ring that consists of up to three sections, each with a size and a weight of its
+/// own.
 struct PartedMask
 {
   double Own;
@@ -70,16 +73,17 @@ constexpr PartedMask RegularVertexMask{
   { 2. * (tetoct::TetVertexOther + tetoct::OctVertexNear) / 14., tetoct::OctVertexFar / 14., 0. }
 };
 
-/// Two of each: a ring of four, and the opposites of the ends.
+/// A regular edge has two cells of each kind: four vertices of its faces, then four opposites of
+/// its ends.
 constexpr PartedMask RegularEdgeMask{ 2. * (tetoct::TetEdgeEnd + tetoct::OctEdgeEnd) / 14., 2,
   { 4, 4, 0 }, { 2. * tetoct::TetEdgeOther / 14., tetoct::OctEdgeFar / 14., 0. } };
 static_assert(tetoct::OctEdgeNear - tetoct::TetEdgeOther < 1e-15 &&
     tetoct::TetEdgeOther - tetoct::OctEdgeNear < 1e-15,
   "a member of the ring has the same weight on both sides of its face");
 
-/// A vertex in a control edge of n tetrahedra: 2n tetrahedra and n octahedra around it; two
-/// neighbours along the edge, two in each face, an opposite in each octahedron. Control vertices
-/// are not asked for here.
+/// The mask of a vertex that is no control vertex with d = 3. In a control edge of n tetrahedra it
+/// has 2n tetrahedra and n octahedra around it; two neighbours along the edge, two in each face,
+/// and an opposite in each octahedron.
 inline PartedMask TetOctVertexMask(Rule rule, vtkIdType ringSize)
 {
   if (rule == Rule::RegularEdge)
@@ -98,7 +102,8 @@ inline PartedMask TetOctVertexMask(Rule rule, vtkIdType ringSize)
       tetoct::OctVertexFar / cells } };
 }
 
-/// A control edge of n tetrahedra has the weights of its n faces, which have two each.
+/// The mask of an edge. Each vertex in the ring of a control edge of n tetrahedra lies in two of
+/// them.
 inline PartedMask TetOctEdgeMask(Rule rule, vtkIdType ringSize)
 {
   if (rule == Rule::RegularEdge)

@@ -9,8 +9,9 @@ namespace subdivision
 namespace
 {
 
-/// Calls solid(cell of the level, is it an octahedron, reader, place of its first output cell) and
-/// low(run) for the cells of a level; false as soon as one of them says so.
+/// Calls solid(its vertices, whether it is an octahedron, the position of its first output cell)
+/// for each solid of a level in output order. Stops and returns false as soon as a call returns
+/// false.
 template <typename Id, typename Solid>
 bool EachSolid(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, const Solid& solid)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetOctRingEmitter.h
- * The rings of a tet/oct level's children (TetOctComplex.h), member by member, whether they are
- * stored (TetOctRings.cxx) or summed at once and forgotten (TetOctChildRows.cxx).
+ * Computes the rings of the next level (TetOctComplex.h) from a tet/oct level and passes them on
+ * member by member. Refine stores them (TetOctRings.cxx); TetOctChildRows sums with them at once.
  */
 #ifndef SubdivisionObjects_TetOctRingEmitter_h
 #define SubdivisionObjects_TetOctRingEmitter_h
@@ -15,12 +15,14 @@
 namespace subdivision
 {
 
-/// Sizes of regular rings, and of the faces at a regular edge, of which two octahedra are known.
+/// The number of faces at a regular edge, and the sizes of the rings of a regular edge and vertex.
+/// The first carriers of a regular edge's ring are its faces, the others its two octahedra.
 constexpr int RegularFaces = 4;
 constexpr int RegularEdgeRing = 8;
 constexpr int RegularVertexRing = 18;
 
-/// The place of a value that is in the list. No branches: no processor could predict them.
+/// The position of a value that is in the list. There are no branches, because the processor would
+/// mispredict them.
 template <int Size, typename Id>
 int FindPlace(const Id* list, Id wanted)
 {
@@ -82,23 +84,28 @@ public:
                                : 2 + static_cast<Id>(this->Parent.FaceTets[face].size());
   }
 
-  /// An old vertex keeps its ring: midpoints towards neighbours, centres towards opposites.
+  /// Emits the ring of an old vertex: the midpoints of the edges to its neighbours, and the centres
+  /// of the octahedra with its opposites.
   template <typename Emit>
   void EmitVertex(Id vertex, Emit& emit) const;
 
-  /// What is new on an edge. Each half keeps the edge's ring: the midpoints towards its members; of
-  /// an octahedron that is half as large the centre is opposite to the end. The midpoint has the
-  /// ends; on each face of the edge's ring two midpoints; the centre of each octahedron; then what
-  /// is opposite in the octahedra around it.
+  /// Emits the rings of the two halves and of the midpoint of an edge. For each face that carries a
+  /// member of the edge's ring, the ring of a half has the midpoint of the other edge of the face
+  /// at this half's end; for each octahedron of a regular edge it has the two opposites of the
+  /// half's ends in the child octahedron there, the first of which is the centre. The ring of the
+  /// midpoint has the two ends; for each such face the midpoints of both other edges; the centre of
+  /// each octahedron; then the opposites of the midpoint in the child octahedra around it.
   template <typename Emit>
   void EmitAtEdge(Id edge, Emit (&emitHalves)[2], Emit& emitMidpoint) const;
 
-  /// The edges that cut the corners off a face: the corner and the opposite midpoint, one point in
-  /// each cell beside the face; then the opposites in the octahedra there.
+  /// Emits the rings of the three edges that cut the corners off a face: the corner, the midpoint
+  /// opposite to it, one point in each cell at the face; then the opposites in the child octahedra
+  /// there.
   template <typename Emit>
   void EmitInFace(Id face, Emit (&emitCorners)[3]) const;
 
-  /// From the centre of an octahedron to the midpoint of its edge.
+  /// Emits the ring of a spoke, the edge from the centre of an octahedron to the midpoint of its
+  /// edge.
   template <typename Emit>
   void EmitSpoke(Id oct, int edge, Emit& emit) const;
 
@@ -137,7 +144,8 @@ private:
     Id Cell;
     int Local;
   };
-  /// A cell at a face: where it has the face's vertices, and which of its own faces that is.
+  /// A solid at a face; `Face` and `Corners` are the local numbers in it of the face and of the
+  /// face's vertices.
   struct FaceSide
   {
     Id Cell; ///< a tetrahedron or an octahedron
@@ -287,7 +295,7 @@ void TetOctRingEmitter<Id>::EmitAtEdge(Id edge, Emit (&emitHalves)[2], Emit& emi
   emitMidpoint = midpoint;
 }
 
-/// What the midpoint of an edge has in the cells around it.
+/// Emits those members of the ring of an edge's midpoint that lie inside the solids at the edge.
 template <typename Id>
 template <typename Emit>
 void TetOctRingEmitter<Id>::EmitAround(Id edge, Rule rule, Emit& midpoint) const
@@ -358,7 +366,7 @@ typename TetOctRingEmitter<Id>::FaceSide TetOctRingEmitter<Id>::GetSide(Id face,
   return side;
 }
 
-/// One point inside the cell for each corner.
+/// Emits, for each of the three edges inside a face, the one point that its ring has inside a cell.
 template <typename Id>
 template <typename Emit>
 void TetOctRingEmitter<Id>::EmitNear(const FaceSide& side, Emit (&corners)[3]) const
@@ -380,7 +388,8 @@ void TetOctRingEmitter<Id>::EmitNear(const FaceSide& side, Emit (&corners)[3]) c
   }
 }
 
-/// The opposites of both ends in the cell's octahedron there.
+/// Emits, for each of the three edges inside a face, the opposites of its ends in the child
+/// octahedron of a cell.
 template <typename Id>
 template <typename Emit>
 void TetOctRingEmitter<Id>::EmitFar(const FaceSide& side, Emit (&corners)[3]) const

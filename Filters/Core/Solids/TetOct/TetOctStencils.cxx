@@ -102,7 +102,7 @@ public:
       return;
     }
     const PartedMask mask = TetOctVertexMask(rule, ring.size());
-    if (mask.Own == 1.) // also where values that are not finite must not spread
+    if (mask.Own == 1.) // do not read the ring: 0 times a value that is not finite is not 0
     {
       std::copy(own, own + this->Size(), this->Out + i * this->Size());
       return;

@@ -2,9 +2,9 @@
 /**
  * @file TetOctStencils.h
  * The operator of the tet/oct scheme (Mathematics 10): linear subdivision and smoothing as one
- * row-stochastic matrix. As in Stencils.h rows come as rings, and weights follow from rules
- * (TetOctMasks.h). Vertex rows first, then edge rows, then those of octahedron centres, which are
- * the mean of six: by symmetry smoothing leaves them where they are.
+ * matrix. As in Stencils.h, rows are stored as rules and rings, from which weights follow
+ * (TetOctMasks.h). Vertex rows come first, then edge rows, then rows of octahedron centres. A
+ * centre is the mean of six vertices; by symmetry smoothing does not move it.
  */
 #ifndef SubdivisionObjects_TetOctStencils_h
 #define SubdivisionObjects_TetOctStencils_h
@@ -15,13 +15,15 @@
 namespace subdivision
 {
 
-/// Rows of vertices or of edges as in the box-spline scheme, or of the centres of octahedra.
+/// A view of consecutive rows, all of vertices, of edges, or of octahedron centres.
 template <typename Id>
 struct TetOctRows : StencilRows<Id>
 {
-  bool OfCentres = false; ///< the ring of each is the octahedron, without Strata and Offsets
-  /// Of vertices: those of the control mesh have weights of their own. They come first, up to this
-  /// many, with a number beside each member of their rings.
+  /// If true, each ring is the six vertices of an octahedron, and Strata and Offsets are null.
+  bool OfCentres = false;
+  /// For rows of vertices: the first rows up to this number belong to control vertices. Their
+  /// weights depend on the number of tetrahedra at each edge, which TetsAtSpokes has for each
+  /// member of their rings.
   vtkIdType NumberOfControlVertices = 0;
   const Id* TetsAtSpokes = nullptr;
 
@@ -40,7 +42,7 @@ struct TetOctRows : StencilRows<Id>
 template <typename Id, typename T>
 void SumRows(const TetOctRows<Id>& rows, const T* in, T* out, int components);
 
-/// Rows that are stored, in an operator or in the level that it is taken from.
+/// The stored rows of an operator, or of a level from which no operator was taken yet.
 template <typename Id>
 struct StoredTetOctRows
 {
@@ -59,7 +61,7 @@ struct StoredTetOctRows
   }
   vtkIdType GetNumberOfCentres() const { return this->OctVertices.size() / 6; }
 
-  /// Some of the vertices, edges, octahedra.
+  /// The rows of a range of vertices, of edges, or of octahedron centres.
   TetOctRows<Id> OfVertices(vtkIdType begin, vtkIdType end) const
   {
     return { StencilRows<Id>{ false, begin, end - begin, this->Vertices.data() + begin, nullptr,
@@ -102,7 +104,7 @@ struct TetOctStencils
   vtkIdType GetNumberOfRows() const { return this->GetRows().GetNumberOfRows(); }
   std::size_t GetMemorySize() const;
 
-  /// Appends columns and weights of a vertex's or edge's row, each weight times `factor`.
+  /// Appends columns and weights of the row that rule and ring give, each weight times `factor`.
   void AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& rows) const;
 
   /// out = S in, for `components` interleaved values per vertex. Integers are rounded.

@@ -28,7 +28,7 @@ constexpr int EdgeVertices[12][2] = { { 0, 2 }, { 0, 3 }, { 0, 4 }, { 0, 5 }, { 
 constexpr int EdgeOf[6][6] = { { -1, -1, 0, 1, 2, 3 }, { -1, -1, 4, 5, 6, 7 },
   { 0, 4, -1, -1, 8, 9 }, { 1, 5, -1, -1, 10, 11 }, { 2, 6, 8, 10, -1, -1 },
   { 3, 7, 9, 11, -1, -1 } };
-/// Seen from outside all faces turn the same way.
+/// Seen from outside a positive octahedron, the vertices of each face run counterclockwise.
 constexpr int FaceVertices[8][3] = { { 0, 2, 4 }, { 1, 4, 2 }, { 0, 4, 3 }, { 1, 3, 4 },
   { 0, 5, 2 }, { 1, 2, 5 }, { 0, 3, 5 }, { 1, 5, 3 } };
 /// The face with these vertices, one of each pair in any order.
@@ -104,7 +104,8 @@ struct ChildEdgePart
   signed char Corner = -1;
 };
 
-/// Its place among all parts of a cell's edges: two halves of each, three inside each face, spokes.
+/// The position of a child edge in CellParts::Edges: first the two halves of each edge, then the
+/// three edges inside each face, then the spokes.
 template <typename Shape>
 constexpr int PlaceOf(ChildEdgePart part)
 {
@@ -119,8 +120,8 @@ enum class FacePart : unsigned char
 {
   Corner,  ///< Index = face, Corner = position in FaceVertices
   Middle,  ///< Index = face
-  Interior ///< of a tetrahedron: cuts off vertex Index; of an octahedron: at the centre, over the
-           ///< edge that cuts corner Corner off face Index
+  Interior ///< of a tetrahedron: cuts off vertex Index; of an octahedron: spanned by the centre and
+           ///< the edge that cuts corner Corner off face Index
 };
 struct ChildFacePart
 {

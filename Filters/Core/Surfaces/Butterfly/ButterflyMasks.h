@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ButterflyMasks.h
- * Weights of the modified Butterfly scheme (Mathematics 12). k is the number of faces around a
- * vertex, or in its sector between two sharp edges; neighbours j of a sector are 0 to k.
+ * The weights of the modified Butterfly scheme (Mathematics 12). k is the number of faces around a
+ * vertex or in its sector. Neighbours j of a sector are 0 to k, neighbours 0 and k the other ends
+ * of its sharp edges.
  */
 #ifndef SubdivisionObjects_ButterflyMasks_h
 #define SubdivisionObjects_ButterflyMasks_h
@@ -17,8 +18,8 @@ namespace butterfly
 {
 
 /// The weight of an extraordinary vertex inside the surface, and that of its neighbour j, counted
-/// from the edge. The survey has no vertices of two faces: constants and functions linear along the
-/// edge.
+/// from the other end of the edge. Zorin's survey has no weights for k = 2; those here are exact
+/// for constants and for functions that are linear along the edge.
 constexpr double Centre = 3. / 4.;
 inline double Ring(int k, int j)
 {
@@ -38,14 +39,14 @@ inline double Ring(int k, int j)
   }
 }
 
-/// Edge i, 0 < i < k, of a sector on a smooth curve: the weight of the vertex ...
+/// The weight of the vertex in the row of edge i, 0 < i < k, of a sector on a smooth curve.
 inline double CurveCentre(int k, int i)
 {
   const double t = Pi / k;
   return 1. - std::sin(t) * std::sin(i * t) / (k * (1. - std::cos(t)));
 }
 
-/// ... and of neighbour j.
+/// The weight of neighbour j in the same row.
 inline double CurveRing(int k, int i, int j)
 {
   const double t = Pi / k;
@@ -58,17 +59,18 @@ inline double CurveRing(int k, int i, int j)
   return (std::sin(i * t) * std::sin(j * t) + std::sin(2. * i * t) * std::sin(2. * j * t) / 2.) / k;
 }
 
-/// Neighbour i of a function that is linear in a sector of an angle and 1 at one of the two sharp
-/// edges (`last`: the last one), 0 at the other and at the corner.
+/// The value at neighbour i of the function that is linear in a sector of this angle, 1 at the
+/// other end of one sharp edge (the last one if `last`), and 0 at that of the other and at the
+/// corner.
 inline double LinearInSector(int k, double angle, int i, bool last)
 {
   return std::sin((last ? i : k - i) * angle / k) / std::sin(angle);
 }
 
-/// The same as CurveRing for a sector of an angle at a corner; the corner has the rest. The survey
-/// has no such rule. This one does to a corner what that one does to a curve: functions that are
-/// linear in the sector are halved, the first wave that vanishes at both sharp edges is quartered,
-/// and nothing else is left.
+/// As CurveRing, for a sector of this angle at a corner; the corner itself has the rest of the
+/// weights. Zorin's survey has no such rule. Like the rule for curves it multiplies functions that
+/// are linear in the sector by 1/2 and the first wave that is 0 at both sharp edges by 1/4, and
+/// removes all else.
 inline double CornerRing(int k, double angle, int i, int j)
 {
   auto wave = [k](int m) { return std::sin(m * Pi / k); };

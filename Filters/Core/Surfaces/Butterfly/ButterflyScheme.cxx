@@ -13,7 +13,7 @@ namespace subdivision
 namespace
 {
 
-/// What the faces at one end of a smooth edge are.
+/// One end of a smooth edge, and the faces around it.
 template <typename Id>
 struct EdgeEnd
 {
@@ -21,7 +21,8 @@ struct EdgeEnd
   Id Corner = 0;         ///< the vertex's corner in the edge's first face
   SectorEnds<Id> Sector; ///< Size 0: faces are all around
   bool IsRegular = false;
-  /// Regular on a curve: the edge's face, 0 or 1, that has an edge of the curve; else -1.
+  /// At a regular end on a curve: which of the edge's two faces, 0 or 1, has an edge of the curve.
+  /// Otherwise -1.
   int CurveSide = -1;
 };
 
@@ -30,7 +31,8 @@ class ButterflyScheme : public QuarteringScheme<Id>
 {
 public:
   bool HasCornersOfOneFace() const override { return true; }
-  /// Counts the faces of vertices that have faces and smooth edges all around: Places. Others: 0.
+  /// Sets Places: for each vertex with one closed fan and smooth edges only the number of its
+  /// faces, otherwise 0.
   void Prepare(SurfaceLevel<Id>& level) const override;
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
@@ -145,7 +147,7 @@ private:
   const PolygonMesh<Id>& Mesh;
   const Buffer<Id>& Valences;
   const SurfaceTags<Id>& Tags;
-  bool HasOtherTags; ///< than those that Prepare saw: more edges are sharp
+  bool HasOtherTags; ///< whether more edges are sharp than Prepare saw
   RowBlock<Id>& Rows;
   Id HalfEdges[2] = { 0, 0 };
   std::vector<Id> Around;
@@ -188,8 +190,8 @@ void EdgeRows<Id>::CollectCycle(Id edge, const EdgeEnd<Id>& end)
   } while (step.Advance(this->Mesh) && step.Corner != end.Corner);
 }
 
-/// The four-point rule along the curve that an edge is a part of. Where that ends it goes on
-/// straight ahead, as far as the edge is long.
+/// Appends the four-point rule along the curve of an edge vw. Where the curve ends at v, the
+/// missing point is 2v - w.
 template <typename Id>
 void EdgeRows<Id>::AppendCurve(Id edge, double factor)
 {
@@ -277,7 +279,7 @@ void EdgeRows<Id>::AppendExtraordinary(Id edge, const EdgeEnd<Id>& end, double f
   }
   this->CollectCycle(edge, end);
   const int k = static_cast<int>(this->Around.size());
-  // An edge's ring has all neighbours: the weights are kept for the vertex's other edges.
+  // The weights depend on k only; they are stored for further edges with the same k.
   thread_local std::vector<double> weights;
   if (static_cast<int>(weights.size()) != k)
   {
@@ -323,7 +325,7 @@ void EdgeRows<Id>::AppendSector(Id edge, const EdgeEnd<Id>& end, double factor)
   }
   if (flatness > 0.)
   {
-    // Towards the plane of the new points on the two curves.
+    // Move towards the plane of the new points on the two sharp edges.
     const Id curves[2] = { this->Around.front(), this->Around.back() };
     own += factor * flatness;
     for (int last = 0; last < 2; ++last)

@@ -3,9 +3,10 @@
  * @file ButterflyScheme.h
  * The modified Butterfly scheme, piecewise smooth (Mathematics 12): it interpolates.
  *
- * The row of an edge depends on the faces around its two ends, from one sharp edge to the next.
- * Ends are regular if they have six faces inside the surface or three in a sector of a curve; edges
- * between regular ends have rows of their own, all others take those of their ends.
+ * The row of an edge depends on the faces around each of its ends, or in the end's sector. An end
+ * is regular if it has six faces inside the surface or three in a sector of a curve. An edge
+ * between two regular ends has a row of its own; any other edge has the row of its extraordinary
+ * end, or the mean of the rows of both.
  */
 #ifndef SubdivisionObjects_ButterflyScheme_h
 #define SubdivisionObjects_ButterflyScheme_h

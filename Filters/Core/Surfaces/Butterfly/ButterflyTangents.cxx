@@ -39,7 +39,8 @@ void ButterflyTangents<Id>::Append(Id vertex, LimitKind kind, RowBlock<Id>& rows
   }
 }
 
-/// `size`: of a sector, which has one edge more than faces; 0: all around.
+/// `size` is the number of faces of the sector, which has one edge more; 0 means all around the
+/// vertex.
 template <typename Id>
 void ButterflyTangents<Id>::CollectFaces(FanStep<Id> step, int size)
 {
@@ -71,7 +72,9 @@ void ButterflyTangents<Id>::AddPoint(Id edge, double weight, RowBlock<Id>& rows)
   }
 }
 
-/// The derivative of the four-point rule's limit at the end of a curve.
+/// Adds, times a weight, the derivative at `vertex` of the limit of the four-point rule along
+/// `edge`, as if the curve ended at the vertex. The difference of two of these is the derivative of
+/// a curve that goes on.
 template <typename Id>
 void ButterflyTangents<Id>::AddAlongCurve(Id vertex, Id edge, double weight, RowBlock<Id>& rows)
 {
@@ -87,7 +90,7 @@ void ButterflyTangents<Id>::AppendInside(Id vertex, LimitKind kind, RowBlock<Id>
     [this](Id e) { return this->Tags.Edges[e] != EdgeTag::Smooth; });
   if (sharp != this->Edges.end())
   {
-    // The end of a crease: along it, and across.
+    // A dart: the first tangent is along the crease, the second across it.
     if (kind == LimitKind::Tangent1)
     {
       this->AddAlongCurve(vertex, *sharp, 1., rows);
@@ -130,8 +133,9 @@ void ButterflyTangents<Id>::AppendOnCurve(
   }
   if (k == 1)
   {
-    // The face has the plane in which the curve bends: the second difference of the next level less
-    // a quarter of this one's is what the four-point rule quarters and does not add to.
+    // With one face the tangent plane is that in which the curve bends. The second difference on
+    // the next level minus a quarter of that on this level is a vector of this plane, which the
+    // four-point rule multiplies by 1/4 without adding anything.
     for (const Id edge : this->Edges)
     {
       this->AddPoint(edge, turn, rows);
@@ -173,7 +177,8 @@ void ButterflyTangents<Id>::AppendAcrossRegularCurve(Id vertex, double turn, Row
   }
 }
 
-/// Along the first edge, and at a right angle to it in the plane of both.
+/// The tangents at a corner: along the first sharp edge of the sector, and perpendicular to it in
+/// the plane of both.
 template <typename Id>
 void ButterflyTangents<Id>::AppendAtCorner(
   Id vertex, LimitKind kind, const SectorEnds<Id>& ends, double turn, RowBlock<Id>& rows)

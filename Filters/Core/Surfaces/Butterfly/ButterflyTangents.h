@@ -3,10 +3,11 @@
  * @file ButterflyTangents.h
  * Tangents of modified Butterfly surfaces.
  *
- * A tangent is a left eigenvector, of eigenvalue 1/2, of the step around a vertex. Around regular
- * vertices it reaches two rings (the survey's figure 8), along curves two vertices; else one ring.
- * It is taken one level further on, where the rules around every vertex are those of all further
- * levels, and multiplied by the step.
+ * A tangent is a left eigenvector for the eigenvalue 1/2 of the step around a vertex. At regular
+ * vertices it has weights for all vertices within two edges (figure 8 of Zorin's survey), along
+ * curves for two vertices on each side, otherwise for the neighbours. It is taken on the next
+ * level, from which on the rules around each vertex stay the same, and multiplied by the rows of
+ * this step.
  */
 #ifndef SubdivisionObjects_ButterflyTangents_h
 #define SubdivisionObjects_ButterflyTangents_h
@@ -33,9 +34,10 @@ public:
   void Append(Id vertex, LimitKind kind, RowBlock<Id>& rows);
 
 private:
-  /// Edges around the vertex or through its sector, and edge j across from face j.
+  /// Collects the edges around the vertex or in its sector, and in Across for each face there its
+  /// edge opposite to the vertex.
   void CollectFaces(FanStep<Id> step, int size);
-  /// The row of the next level's point on an edge, or of a vertex, which stays.
+  /// Adds the row of the edge point of an edge, times a weight.
   void AddPoint(Id edge, double weight, RowBlock<Id>& rows);
   void AddAlongCurve(Id vertex, Id edge, double weight, RowBlock<Id>& rows);
   void AppendInside(Id vertex, LimitKind kind, RowBlock<Id>& rows);

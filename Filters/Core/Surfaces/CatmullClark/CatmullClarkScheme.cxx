@@ -166,7 +166,8 @@ void CatmullClarkScheme<Id>::AppendVertex(const PolygonMesh<Id>& mesh, const Sur
   rows.Add(vertex, 0.);
   if (mesh.Arity == 4)
   {
-    // Each face is seen from its first edge: it has a quarter of its four corners.
+    // Each face point is a quarter of the face's four corners, and each neighbour lies in two
+    // faces.
     own += edge * k / 4.;
     VisitCycle(mesh, start,
       [&](const FanStep<Id>& step)
@@ -227,7 +228,7 @@ void CatmullClarkScheme<Id>::AppendEdge(
     weights[0] = weights[1] = 0.25;
     asking = 1;
   }
-  double kept = 1.; // of the point before the flatness modification
+  double kept = 1.; // weight of the point before Flatness moves it
   for (const FlatPoint<Id>& point : flats)
   {
     kept -= point.Flatness / std::max(1, flat);

@@ -11,8 +11,8 @@
 namespace subdivision
 {
 
-/// `modifiedBoundary`: the rules of Mathematics 12 near curves; else smooth edges are the same
-/// everywhere.
+/// `modifiedBoundary` selects the rules of Mathematics 12 for edges and faces near curves;
+/// otherwise all smooth edges have the same rule.
 template <typename Id>
 std::unique_ptr<SurfaceScheme<Id>> MakeCatmullClarkScheme(bool modifiedBoundary);
 

@@ -12,10 +12,12 @@ namespace subdivision
 namespace
 {
 
-/// A boundary edge is a quad whose long sides coincide: what its points have of the nearer end.
+/// A boundary edge counts as a quad without width. This is the weight of the nearer end in each of
+/// its two points.
 constexpr double NearEnd = 3. / 4.;
 
-/// A closed fan has its corners; a chain also the points of its two open sides.
+/// The face of a cycle has one corner in each face of the fan; that of a chain also the points of
+/// its two open sides.
 vtkIdType GetVertexFaceSize(vtkIdType k, bool cycle)
 {
   return cycle ? k : k + 2;
@@ -60,7 +62,8 @@ private:
   {
     return level.Mesh.GetNumberOfCorners() + 2 * level.Dual->GetNumberOfOpenSides();
   }
-  /// The open side that has a row, and whether the row is near its first end.
+  /// The open side to which a row belongs; `isFirst` tells whether the point is near the beginning
+  /// of its half-edge.
   static Id FindOpenSide(const SurfaceLevel<Id>& level, vtkIdType row, bool& isFirst)
   {
     const vtkIdType point = row - level.Mesh.GetNumberOfCorners();
@@ -173,20 +176,20 @@ private:
   {
     return static_cast<Id>(this->Corners) + 4 * this->Places.Sides[first];
   }
-  /// The point of an open side that is near a vertex.
+  /// The point on an open side that is nearer to a vertex.
   Id GetOpenPoint(Id corner, Id vertex) const
   {
     return static_cast<Id>(this->Corners) + 2 * this->Places.OpenSides[corner] +
       (this->Mesh.Vertices[corner] == vertex ? 0 : 1);
   }
-  /// The half-edge across a side near one of its ends.
+  /// The half-edge of the face along a side that lies at one end of the side.
   Id GetAcross(Id corner, Id vertex) const
   {
     const Id first = GetFirstOfSide(this->Mesh, corner);
     return this->GetSideStart(first) + (this->Mesh.Vertices[first] == vertex ? 1 : 3);
   }
 
-  /// The vertex at a corner, and the face along the side that begins with it.
+  /// Sets the vertex at a corner, and the face along its side if it is the first corner there.
   void SetCorner(Id corner)
   {
     Buffer<Id>& vertices = this->Next.Mesh.Vertices;

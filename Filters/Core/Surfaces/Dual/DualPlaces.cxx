@@ -119,7 +119,7 @@ void CountLines(const SurfaceLevel<Id>& level, DualPlaces<Id>& places)
   {
     if (degrees[k] != 2)
     {
-      places.Around[2 * k] = -1; // an end, or where curves meet: stays
+      places.Around[2 * k] = -1; // an end of a curve, or a point where curves meet, stays
     }
   }
 }

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DualPlaces.h
- * What the dual schemes share (Mathematics 12): where the children of a step begin, and what
- * becomes of lines and of vertices without faces.
+ * What the dual schemes share (Mathematics 12): running counts from which the ids of children
+ * follow, and the steps of lines and of vertices without faces.
  *
- * A dual step makes a vertex face of each fan, and no vertex keeps its place. A side is an edge
- * as faces see it: two twins, or a corner without twin, so that sheets come apart at edges of three
- * and more faces. Vertices without faces, and those of line and vertex cells, are kept beside the
- * surface: lines become curves of their own, by the d = 1 rule of Mathematics 5.
+ * A dual step makes out of each fan a face, its *vertex face*. A *side* is two twins, or a corner
+ * without twin (an *open* side); so an edge of three or more faces is several sides, and the
+ * surface comes apart there. Vertices without faces, and vertices of line and vertex cells, are
+ * *kept*: they have a child of their own beside the surface, and lines become curves by the rule d
+ * = 1 of Mathematics 5. Children of kept vertices and midpoints of lines are the *lone* vertices,
+ * which no face uses.
  *
- * Everything is numbered in the order of corners, vertices and lines, never of edges: a level is
- * the same whether it was refined or built anew from its cells. Refined levels know edges of lines
- * only: they have no Edges, and vertices without faces are no joints.
+ * All numbers follow from the order of corners, vertices and lines, not of edges. So a level is the
+ * same whether it was refined or built from its cells. A refined level has no PolygonMesh::Edges,
+ * its only edges are those of lines, and its vertices without faces are no joints.
  */
 #ifndef SubdivisionObjects_DualPlaces_h
 #define SubdivisionObjects_DualPlaces_h
@@ -29,21 +31,22 @@ struct DualPlaces
 {
   Buffer<Id> Sides; ///< of each corner: how many sides there are whose first corner is before it
   Buffer<Id> OpenSides; ///< the same for corners without twins
-  Buffer<Id> Faces;     ///< of each vertex: the vertex faces before its own
-  Buffer<Id> Corners;   ///< and their corners
-  Buffer<Id> Chains;    ///< and how many fans before its own are chains
-  Buffer<Id> Kept;      ///< and how many vertices are kept before it
+  Buffer<Id> Faces;     ///< of each vertex: the number of vertex faces at vertices before it
+  Buffer<Id> Corners;   ///< of each vertex: the number of corners of these faces
+  Buffer<Id> Chains;    ///< of each vertex: the number of chains at vertices before it
+  Buffer<Id> Kept;      ///< of each vertex: the number of kept vertices before it
   std::vector<Id> KeptVertices;
   std::vector<Id> Segments;   ///< of each line; lines on one edge are one segment
   std::vector<Id> FirstLines; ///< of each segment
-  std::vector<Id> Around;     ///< two for each kept vertex: its neighbours on a curve, or -1
+  std::vector<Id> Around; ///< for each kept vertex its two neighbours on a curve; the first is -1
+                          ///< if it is on none
 
   vtkIdType GetNumberOfSides() const { return this->Sides[this->Sides.size() - 1]; }
   vtkIdType GetNumberOfOpenSides() const { return this->OpenSides[this->OpenSides.size() - 1]; }
   vtkIdType GetNumberOfFaces() const { return this->Faces[this->Faces.size() - 1]; }
   vtkIdType GetNumberOfCorners() const { return this->Corners[this->Corners.size() - 1]; }
   vtkIdType GetNumberOfChains() const { return this->Chains[this->Chains.size() - 1]; }
-  /// Vertices of the next level that no face uses.
+  /// The number of lone vertices of the next level.
   vtkIdType GetNumberOfLoneRows() const
   {
     return static_cast<vtkIdType>(this->KeptVertices.size() + this->FirstLines.size());
@@ -65,12 +68,13 @@ template <typename Id>
 std::shared_ptr<const DualPlaces<Id>> CountDualPlaces(
   const SurfaceLevel<Id>& level, const VertexFaceSize& size);
 
-/// The rows of vertices that are kept (cubic B-splines along curves), then of midpoints of lines.
+/// Appends the row of lone vertex `row`: first come the children of kept vertices (cubic B-splines
+/// on curves), then the midpoints of lines.
 template <typename Id>
 void AppendLoneRow(const SurfaceLevel<Id>& level, vtkIdType row, RowBlock<Id>& rows);
 template <typename Id>
 void GetLoneParents(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents);
-/// Lines and vertex cells of the next level, whose lone vertices begin with `first`.
+/// Makes the lines and vertex cells of the next level. `first` is its first lone vertex.
 template <typename Id>
 void RefineLines(const SurfaceLevel<Id>& level, vtkIdType first, SurfaceLevel<Id>& next);
 
@@ -79,7 +83,7 @@ template <typename Id>
 void CarryFans(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
   const VertexFaceSize& size, Carrier<Id>* fans);
 
-/// Which one is the i-th that was counted.
+/// The position of the counted thing number i in the running counts `before`.
 template <typename Id>
 Id FindByCount(const Buffer<Id>& before, vtkIdType i)
 {
@@ -112,8 +116,9 @@ void VisitFansOf(const PolygonMesh<Id>& mesh, Id vertex, const Visit& visit)
   }
 }
 
-/// visit(step) for each face of the fan of a corner, in the direction in which the corner's face
-/// goes forward: the vertices of a vertex face in this order are oriented as that face is. True: a
+/// Calls visit(step) for each face of the fan of a corner. A cycle begins with the face of the
+/// corner. The walk has the direction in which the corner's face is entered forward, so that a
+/// vertex face made in this order has the orientation of that face. Returns whether the fan is a
 /// cycle.
 template <typename Id, typename Visit>
 bool VisitFanForward(const PolygonMesh<Id>& mesh, Id corner, const Visit& visit)

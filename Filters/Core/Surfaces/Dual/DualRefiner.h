@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DualRefiner.h
- * How a dual step writes faces and joins their half-edges.
+ * Base class of the refiners of dual schemes: writes faces of the next level and joins their
+ * half-edges.
  */
 #ifndef SubdivisionObjects_DualRefiner_h
 #define SubdivisionObjects_DualRefiner_h
@@ -26,7 +27,8 @@ protected:
   }
   ~DualRefiner() = default;
 
-  /// The next level with so many vertices on faces, faces and corners; vertex faces are the last.
+  /// Prepares the next level. It has `vertices` vertices besides the lone ones, and `faces` faces
+  /// with `corners` corners besides the vertex faces, which come last.
   void Start(vtkIdType vertices, vtkIdType faces, vtkIdType corners)
   {
     this->FirstVertexFace = faces;
@@ -59,7 +61,7 @@ protected:
         static_cast<Id>(face));
     }
   }
-  /// The faces inside faces.
+  /// Sets the sizes of the faces inside old faces.
   void SetInnerFaces()
   {
     ForEach(this->Mesh.NumberOfFaces,
@@ -69,8 +71,9 @@ protected:
         this->SetFace(face, this->Mesh.GetFirst(face), this->Mesh.GetSize(face));
       });
   }
-  /// `setFan(vertex, corner, at)` writes the face of the fan of a corner, from corner `at` on, and
-  /// returns how many corners it has, or 0. Fans of a vertex come one after another.
+  /// Makes the vertex faces. setFan(vertex, corner, at) writes the face of the fan of `corner`,
+  /// from corner `at` of the next level on, and returns the number of its corners, or 0 if there is
+  /// no face.
   template <typename SetFan>
   void SetVertexFaces(const SetFan& setFan)
   {

@@ -163,7 +163,8 @@ public:
 
 private:
   Id GetSide(Id corner) const { return this->Places.Sides[GetFirstOfSide(this->Mesh, corner)]; }
-  /// The vertex that is kept for a chain of a vertex: they are in the order of its fans.
+  /// The vertex of the next level that is kept for the chain of a corner. Chains of a vertex are
+  /// numbered in the order of its fans.
   Id GetChainVertex(Id vertex, Id corner) const
   {
     Id chain = static_cast<Id>(this->Sides) + this->Places.Chains[vertex];
@@ -180,7 +181,7 @@ private:
   vtkIdType SetFan(Id vertex, Id corner, Id at)
   {
     Id last = -1;
-    Id inside[2] = { -1, -1 }; // half-edges of inner faces that look at the vertex
+    Id inside[2] = { -1, -1 }; // half-edges of the two last inner faces towards the vertex
     vtkIdType k = 0;
     const bool cycle = VisitFanForward(this->Mesh, corner,
       [&](const FanStep<Id>& step)

@@ -72,7 +72,8 @@ private:
 
   bool IsSharp(vtkIdType edge) const { return subdivision::IsSharp(this->Level.Tags.Edges[edge]); }
 
-  /// The child across the edge of a corner: a, the apex beyond, b, the apex here; or a, b, apex.
+  /// Sets the vertices of the child across the edge ab of a corner: a, the apex of the other face,
+  /// b, the apex of this face; at a fixed edge a, b, apex.
   void SetVertices(Id corner, PolygonMesh<Id>& out) const
   {
     if (!this->Children.HasChild(corner))
@@ -129,7 +130,7 @@ private:
           { set(this->Children.GetSpoke(face, corner), apex, this->Mesh.Vertices[corner]); });
       });
   }
-  /// visit(corner) for each corner that an edge joins to the apex of its face.
+  /// Calls visit(corner) for each corner of a face that a spoke joins to the apex.
   template <typename Visit>
   void VisitSpokes(Id face, const Visit& visit) const
   {
@@ -145,7 +146,7 @@ private:
     }
   }
 
-  /// Half-edges that lie in, or on the fixed edges of, a face of this level.
+  /// Sets the half-edges of the next level that lie inside a face, or on its fixed edges.
   void SetInside(Id face, PolygonMesh<Id>& out) const
   {
     this->VisitSpokes(face,
@@ -191,7 +192,8 @@ private:
       : this->Children.GetStart(corner);
   }
 
-  /// That end of a half-edge which is a vertex.
+  /// The corner at `vertex` of a face of the next level, of which a half-edge begins or ends at the
+  /// vertex.
   Id GetCornerAt(Id halfEdge, Id vertex, const PolygonMesh<Id>& out) const
   {
     return out.Vertices[halfEdge] == vertex ? halfEdge : out.Next(halfEdge);
@@ -232,7 +234,8 @@ private:
       });
   }
 
-  /// Joints and sheaves stay what they are; the middles of their edges are such too.
+  /// The children of joints are joints, and sheaves or their halves are sheaves. In even steps the
+  /// middles of sheaves and free edges become joints.
   void SplitJoints(PolygonMesh<Id>& out) const
   {
     std::vector<Id> freeEdges;

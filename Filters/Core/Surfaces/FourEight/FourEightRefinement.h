@@ -11,14 +11,15 @@
 namespace subdivision
 {
 
-/// Counts where the children of a level come.
+/// Sets SurfaceLevel::Places, the running counts of FourEightTopology.h.
 template <typename Id>
 void CountFourEightPlaces(SurfaceLevel<Id>& level);
 
 template <typename Id>
 SurfaceLevel<Id> RefineFourEight(const SurfaceLevel<Id>& level, Depth depth);
 
-/// Fixed edges, their halves and their middles lie on the curve; everything else new is smooth.
+/// Tags of the next level: fixed edges, or their halves, are sharp, and their midpoints lie on
+/// curves. Old vertices keep their tags, and all else is smooth.
 template <typename Id>
 SurfaceTags<Id> RefineFourEightTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
 

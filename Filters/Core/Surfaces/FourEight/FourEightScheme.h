@@ -3,17 +3,18 @@
  * @file FourEightScheme.h
  * The 4-8 scheme on polygons (Mathematics 12): a quad for each edge that is not fixed.
  *
- * Odd steps: a vertex at the centre of each face; each edge becomes the quad between its ends and
- * the centres beside it, a fixed edge (boundary, crease, line) a triangle on each side. Even steps
- * do the same, but halve fixed edges, whose middle is the centre of the triangles on them.
+ * An odd step puts a vertex at the centre of each face. Each edge becomes the quad between its ends
+ * and the two centres beside it, and a fixed edge (FixedEdges.h) a triangle on each side. An even
+ * step does the same, but halves fixed edges: a triangle on a fixed edge gets no centre, and the
+ * middle of the edge takes its place.
  *
  * With V vertices on a level, the next one has
  *  - vertices: v stays v; then the centres of faces that have one, in the order of the faces; in
- * even steps then the middle of each fixed edge;
- *  - faces: one for each corner that is the first on its edge, in the order of the corners; in odd
- *    steps one for each corner on a fixed edge, too;
- *  - edges: the fixed ones, in even steps both halves of each; then from each centre to the corners
- *    of its face.
+ *    even steps then the middle of each fixed edge;
+ *  - faces: one for each edge that is not fixed, in the order of the first corners of these edges;
+ *    in odd steps also one for each corner on a fixed edge, in the same order of corners;
+ *  - edges: the fixed ones, in even steps both halves of each; then those from each centre to the
+ *    corners of its face, or from the middle in its place to the corner opposite to it.
  */
 #ifndef SubdivisionObjects_FourEightScheme_h
 #define SubdivisionObjects_FourEightScheme_h

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FourEightTopology.h
- * Where the children of a level are in a step of the 4-8 scheme (FourEightScheme.h): arithmetic on
- * the counts in SurfaceLevel::Places.
+ * Computes the ids of children in a step of the 4-8 scheme (FourEightScheme.h) from the running
+ * counts in SurfaceLevel::Places.
  */
 #ifndef SubdivisionObjects_FourEightTopology_h
 #define SubdivisionObjects_FourEightTopology_h
@@ -30,8 +30,9 @@ public:
           : nullptr)
   {
   }
-  /// Entries of Places: children before each corner, centres before each face, fixed edges before
-  /// each edge; where some children are triangles, also their corners before each corner.
+  /// The number of entries that Places always has: the number of child faces before each corner, of
+  /// centres before each face, and of fixed edges before each edge, with the totals. If some
+  /// children are triangles it also has the number of corners of child faces before each corner.
   static vtkIdType CountCommon(const PolygonMesh<Id>& mesh)
   {
     return mesh.GetNumberOfCorners() + mesh.NumberOfFaces + mesh.GetNumberOfEdges() + 3;
@@ -58,7 +59,7 @@ public:
   bool HasTriangles() const { return this->StartsBefore != nullptr; }
 
   bool IsFixed(Id corner) const { return IsSharp(this->Tags.Edges[this->Mesh.Edges[corner]]); }
-  /// Whether the child across a corner's edge is counted here.
+  /// Whether the child face across a corner's edge belongs to this corner, and not to its twin.
   bool HasChild(Id corner) const
   {
     return this->IsFixed(corner) ? !this->IsEven : corner < this->Mesh.Twins[corner];
@@ -84,7 +85,7 @@ public:
     return corner;
   }
   Id GetMiddle(Id edge) const { return this->GetFirstMiddle() + this->FixedBefore[edge]; }
-  /// The centre of a face, or what stands for it.
+  /// The *apex* of a face: its centre or, in a cut face, the middle of its fixed edge.
   Id GetApex(Id face) const
   {
     return this->IsCut(face) ? this->GetMiddle(this->Mesh.Edges[this->GetCutCorner(face)])
@@ -100,7 +101,8 @@ public:
   {
     return this->Mesh.EdgeVertices[2 * edge] == vertex ? 0 : 1;
   }
-  /// From a face's centre to the vertex of a corner; of a cut face, to the one opposite to the cut.
+  /// The *spoke*, an edge of the next level, from the apex of a face to the vertex of a corner. A
+  /// cut face has one spoke only, to the vertex opposite to its fixed edge.
   Id GetSpoke(Id face, Id corner) const
   {
     const Id first = this->Mesh.GetFirst(face);
@@ -109,7 +111,7 @@ public:
   }
 
   /// The half-edge of the next level between the apex of a corner's face and one end of the
-  /// corner's edge, in the child across that edge. In even steps not for fixed edges.
+  /// corner's edge, in the child across that edge. Not for fixed edges in even steps.
   Id GetSide(Id corner, Id vertex) const
   {
     if (this->IsFixed(corner))
@@ -134,7 +136,7 @@ public:
                                                  : this->GetSide(corner, vertex);
   }
 
-  /// The face of a centre, the edge of a middle, by their numbers.
+  /// The face of a centre and the fixed edge of a middle, by their running numbers.
   Id FindFace(Id centre) const
   {
     return Find(this->CentresBefore, this->Mesh.NumberOfFaces, centre);
@@ -153,7 +155,7 @@ private:
   {
     return static_cast<Id>(std::upper_bound(before, before + size, number) - before - 1);
   }
-  /// Each face has one for each corner, cut triangles one.
+  /// A face has one spoke for each corner, a cut triangle only one.
   Id CountSpokesBefore(Id face, Id firstCorner) const
   {
     return firstCorner - 2 * (face - this->CentresBefore[face]);

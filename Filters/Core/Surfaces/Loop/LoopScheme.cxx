@@ -136,7 +136,8 @@ void LoopScheme<Id>::AppendEdge(const SurfaceLevel<Id>& level, const SurfaceTags
   rows.Add(mesh.Vertices[mesh.Previous(mesh.Twins[corner])], 1. / 8.);
 }
 
-/// A smooth edge with one end, or both, on sharp curves: the mean of what the ends ask for.
+/// Appends the row of a smooth edge with one or both ends on curves or corners: the mean of the
+/// masks of these ends (Mathematics 12).
 template <typename Id>
 void LoopScheme<Id>::AppendEdgeAtCurve(
   const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, RowBlock<Id>& rows) const
@@ -165,7 +166,7 @@ void LoopScheme<Id>::AppendEdgeAtCurve(
       flat += flats[end].Flatness > 0.;
     }
   }
-  double kept = 1.; // of the point before the flatness modification
+  double kept = 1.; // weight of the point before Flatness moves it
   for (const FlatPoint<Id>& point : flats)
   {
     kept -= point.Flatness / std::max(1, flat);
@@ -183,8 +184,8 @@ void LoopScheme<Id>::AppendEdgeAtCurve(
   }
 }
 
-/// The relief ring (Mathematics 6): the opposite vertices of all faces; on the input also other
-/// common neighbours of the ends.
+/// Appends the row of a Blend edge with its relief ring (Mathematics 6): the opposite vertices of
+/// all its faces and, on the control mesh, all other common neighbours of its ends.
 template <typename Id>
 void LoopScheme<Id>::AppendBlendEdge(
   const SurfaceLevel<Id>& level, Id edge, std::vector<Id>& ring, RowBlock<Id>& rows) const
@@ -225,7 +226,6 @@ void LoopScheme<Id>::AppendBlendEdge(
   }
 }
 
-/// Weights of a limit row: of the vertex, of its edges' other ends (Mathematics 8).
 template <typename Id>
 void LoopScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
   LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Carriers.h
- * Where the cells of a refined surface lie on the mesh that it came from (Mathematics 1).
+ * The *carrier* of a cell of a refined surface: the face, edge or vertex of the control mesh in
+ * which its parametric centre lies (Mathematics 1).
  *
- * Some schemes make cells that span several of those before. Such a cell belongs to the face, edge
- * or vertex of that mesh in which its parametric centre lies: its carrier. Only the output chooses
- * one of the faces there, whose cell data it shows; nothing inherits that choice, so that regions
- * keep their areas.
+ * Some schemes make cells that span several control faces. The output chooses one face at the
+ * carrier, whose cell data the cell shows. No child inherits this choice, so that regions of equal
+ * data keep their areas.
  */
 #ifndef SubdivisionObjects_Carriers_h
 #define SubdivisionObjects_Carriers_h
@@ -18,7 +18,8 @@
 namespace subdivision
 {
 
-/// A face (twice the same), an edge (its two faces), or a vertex (its first face, then -1).
+/// A face (twice its number), an edge (the numbers of its two faces), or a vertex (the smallest
+/// number of the faces that were compared, then -1).
 template <typename Id>
 struct Carrier
 {
@@ -48,8 +49,9 @@ Buffer<Carrier<Id>> MakeCarriers(vtkIdType faces)
   return carriers;
 }
 
-/// The carrier of a cell at the common edge or vertex of others: the one of highest dimension.
-/// Where several have that, what they share: two faces an edge, all else a vertex.
+/// The carrier of a cell at the common edge or vertex of other cells, whose carriers are added: the
+/// carrier of highest dimension. If several have this dimension it is what they share: an edge for
+/// two faces, otherwise a vertex.
 template <typename Id>
 class CommonCarrier
 {

@@ -8,7 +8,8 @@ namespace subdivision
 namespace
 {
 
-/// Finds edges by their smaller end: each corner and each segment is an entry of that vertex.
+/// Finds the edges of half-edges and segments. Each of these is an entry in the list of the smaller
+/// one of its two ends, and entries with the same other end are one edge.
 template <typename Id>
 class EdgeSearch
 {
@@ -147,7 +148,7 @@ private:
     }
   }
 
-  /// Entries of edges with three and more faces, which are few.
+  /// Lists the edges of three or more faces.
   void FindSheaves()
   {
     for (vtkIdType k = 0; k < this->Size; ++k)
@@ -178,7 +179,7 @@ private:
   Buffer<Entry> Entries;
 };
 
-/// Which vertices are one fan, and what the others are.
+/// Sets VertexCorners and Joints.
 template <typename Id>
 void FindFans(PolygonMesh<Id>& mesh)
 {

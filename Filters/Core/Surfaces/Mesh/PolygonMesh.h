@@ -3,11 +3,12 @@
  * @file PolygonMesh.h
  * One level of a surface: polygons, their edges, and how to walk around a vertex.
  *
- * A corner of a face is also the half-edge to the face's next corner. Corners of a face are
- * consecutive. Two corners on the same edge are twins if no other face has the edge; whether both
- * run in the same direction does not matter, so nothing has to be orientable. A fan is what twins
- * join around a vertex: a cycle, or a chain between two edges without twins. Edges without any face
- * (free lines) are edges too.
+ * A corner is a vertex of one face, and at the same time the half-edge from it to the face's next
+ * corner. Corners of a face are consecutive. Two half-edges on the same edge are twins if no other
+ * face has the edge. They may run in the same direction, so that the surface need not be
+ * orientable. A fan is a set of faces around a vertex that follow one another across twins: a
+ * cycle, or a chain between two edges without twins. Edges without faces (free edges, from line
+ * cells) are edges too.
  *
  * Incidence is searched once, on the input (BuildPolygonMesh); a step makes the next level by
  * arithmetic.
@@ -27,8 +28,8 @@ struct PolygonMesh
 {
   vtkIdType NumberOfVertices = 0;
   vtkIdType NumberOfFaces = 0;
-  /// Corners of each face, 3 or 4; 0: they differ or are more, and FaceOffsets and CornerFaces say
-  /// so.
+  /// The number of corners of each face if all have 3 or all have 4. Otherwise 0; then FaceOffsets
+  /// and CornerFaces are used.
   int Arity = 0;
   Buffer<Id> FaceOffsets;
   Buffer<Id> CornerFaces;
@@ -38,11 +39,12 @@ struct PolygonMesh
   Buffer<Id> Twins;        ///< of each corner: the other one on the edge; -1 for none
   Buffer<Id> EdgeVertices; ///< two for each edge
   Buffer<Id> EdgeCorners;  ///< one for each edge: its first corner; -1: it has no face
-  /// Of each vertex: a corner of its fan. -1: it has neither faces nor edges. Less: it has several
-  /// fans, or edges without faces, or edges of three and more faces: joint -2 - value.
+  /// Of each vertex: a corner of its fan, or -1 if it has neither faces nor edges. A smaller value
+  /// means that the vertex is number -2 - value of Joints.
   Buffer<Id> VertexCorners;
 
-  /// Vertices that are not exactly one fan: also those of edges without faces.
+  /// A vertex that is not exactly one fan: it has several fans, a free edge, or an edge of three or
+  /// more faces. This is wider than a joint of Mathematics 3.
   struct Joint
   {
     Id Vertex;
@@ -114,7 +116,8 @@ struct PolygonMesh
   std::size_t GetMemorySize() const;
 };
 
-/// A face on the way around a vertex: its corner there, and its two edges, entered and left.
+/// A face on a walk around a vertex: its corner there, and the direction of the walk, which enters
+/// the face by one edge at the vertex and leaves it by the other.
 template <typename Id>
 struct FanStep
 {
@@ -146,8 +149,8 @@ struct FanStep
   }
 };
 
-/// Where to begin around a corner's vertex: at the end of a chain that walking forward reaches, or,
-/// in a cycle, at the corner itself.
+/// The first step of a walk through the fan of a corner: in a cycle at the corner itself, in a
+/// chain at that end which a walk forward from the corner reaches.
 template <typename Id>
 FanStep<Id> FindFanStart(const PolygonMesh<Id>& mesh, Id corner)
 {
@@ -162,7 +165,8 @@ FanStep<Id> FindFanStart(const PolygonMesh<Id>& mesh, Id corner)
   return step.Turn();
 }
 
-/// visit(step) for each face of the fan of a corner; a chain from one of its ends. True: a cycle.
+/// Calls visit(step) for each face of the fan of a corner, from FindFanStart on. Returns whether
+/// the fan is a cycle.
 template <typename Id, typename Visit>
 bool VisitFan(const PolygonMesh<Id>& mesh, Id corner, const Visit& visit)
 {
@@ -190,7 +194,7 @@ void VisitCycle(const PolygonMesh<Id>& mesh, Id corner, const Visit& visit)
   } while (step.Advance(mesh) && step.Corner != corner);
 }
 
-/// The input as corners: any vertices, each face at least three different ones.
+/// The polygons and lines of the input. Each face has at least three different vertices.
 template <typename Id>
 struct PolygonList
 {

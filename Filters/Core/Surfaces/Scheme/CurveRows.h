@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CurveRows.h
- * Rows that Loop and Catmull-Clark share: curves and corners.
+ * The rows of vertices on curves and of corners in Loop and Catmull-Clark.
  */
 #ifndef SubdivisionObjects_CurveRows_h
 #define SubdivisionObjects_CurveRows_h
@@ -11,8 +11,8 @@
 namespace subdivision
 {
 
-/// A vertex that is not smooth: cubic B-spline along its two sharp edges, with the weight `own` for
-/// the vertex; or it stays.
+/// Appends the row of a vertex that is not smooth. On a curve it is that of a cubic B-spline along
+/// its two sharp edges, with the weight `own` for the vertex itself; otherwise the vertex stays.
 template <typename Id>
 void AppendCurveVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex,
   double own, std::vector<Id>& edges, RowBlock<Id>& rows)

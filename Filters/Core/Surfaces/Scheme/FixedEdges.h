@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FixedEdges.h
- * Curves in schemes that replace the other edges (sqrt(3), 4-8): there the topology depends on
- * which edges are sharp.
+ * Finds the *fixed* edges of sqrt(3) and 4-8. These schemes replace all other edges, so that the
+ * topology of a step depends on which edges are sharp.
  */
 #ifndef SubdivisionObjects_FixedEdges_h
 #define SubdivisionObjects_FixedEdges_h
@@ -13,9 +13,9 @@ namespace subdivision
 {
 
 /**
- * Edges without a twin and edges that carry line cells become sharp, all others keep their tags; a
- * vertex is smooth (one closed fan, no sharp edge), on a curve (exactly two sharp edges) or a
- * corner.
+ * Makes edges without twin and edges with line cells sharp; all other edges keep their tags. Then a
+ * vertex that is no corner already becomes smooth (one closed fan without sharp edges), a vertex on
+ * a curve (exactly two sharp edges) or a corner (all else).
  */
 template <typename Id>
 void FixEdges(SurfaceLevel<Id>& level);

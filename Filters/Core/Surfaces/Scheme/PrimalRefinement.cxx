@@ -22,8 +22,8 @@ struct TriangleSplit
   }
   vtkIdType GetNumberOfFaces() const { return 4 * this->Mesh.NumberOfFaces; }
 
-  /// Half-edge children of a half-edge; the first also is the child corner at its vertex, the
-  /// second a corner at the edge point.
+  /// The two halves of a half-edge, as corners of the next level: the first at its vertex, the
+  /// second at the edge point.
   Id GetStart(Id corner) const { return 12 * (corner / 3) + 4 * (corner % 3); }
   Id GetEnd(Id corner) const
   {
@@ -271,7 +271,8 @@ private:
       });
   }
 
-  /// Joints and sheaves stay what they are; the points of their edges are such too.
+  /// The children of joints are joints, and the halves of a sheaf are sheaves. The edge points of
+  /// sheaves and free edges become joints.
   void SplitJoints(PolygonMesh<Id>& out) const
   {
     std::vector<Id> freeEdges;

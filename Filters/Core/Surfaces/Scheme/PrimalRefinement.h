@@ -30,14 +30,14 @@ void WriteTriangles(const SurfaceLevel<Id>& level, Out* ids);
 template <typename Id, typename Out>
 void WriteQuads(const SurfaceLevel<Id>& level, Out* ids);
 
-/// Pieces of an edge, and what a step makes on it, have its tag; everything else is smooth.
+/// Tags of the next level. Halves of an edge have its tag, its midpoint the vertex tag that
+/// corresponds to it, and old vertices keep theirs. All other edges and vertices are smooth.
 template <typename Id>
 SurfaceTags<Id> RefineTriangleTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
 template <typename Id>
 SurfaceTags<Id> RefineToQuadTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
 
-/// What schemes have in common that split each triangle into four: points stay points, and each
-/// edge has a new one.
+/// Base class of the schemes that split each triangle into four, with one new vertex on each edge.
 template <typename Id>
 class QuarteringScheme : public SurfaceScheme<Id>
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SectorRows.h
- * The flatness modification (Mathematics 12): in a sector of a corner, new points move towards the
- * plane of the corner's two curves.
+ * The flatness of corners (Mathematics 12): in a sector of a corner, new points move towards the
+ * plane of its two sharp edges.
  */
 #ifndef SubdivisionObjects_SectorRows_h
 #define SubdivisionObjects_SectorRows_h
@@ -14,8 +14,8 @@
 namespace subdivision
 {
 
-/// Where the modification puts a point: at own + first + second, weights of the corner and of the
-/// other ends of its two sharp edges; and how far towards there the point goes.
+/// The point of the plane towards which a new point moves, and how far it moves (Flatness). Weights
+/// belong to the other ends of the two sharp edges; the corner itself has the rest.
 template <typename Id>
 struct FlatPoint
 {
@@ -32,8 +32,8 @@ struct FlatPoint
   }
 };
 
-/// Of the new point on the edge of a half-edge out of the corner vertex, or (isFace) of the new
-/// point inside the face of `corner`.
+/// Finds the FlatPoint of the new point on `edge` or, if `isFace`, of the new point in the face of
+/// `corner`. `corner` is a corner at `vertex`, and `edge` ends at `vertex`.
 template <typename Id>
 FlatPoint<Id> FindFlatPoint(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex,
   Id corner, Id edge, bool isFace)
@@ -62,7 +62,7 @@ FlatPoint<Id> FindFlatPoint(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& 
   const double t = sector->Angle / ends.Size;
   const double c = isFace ? std::cos(j * t) + std::cos((j + 1) * t) : std::cos(j * t);
   const double s = isFace ? std::sin(j * t) + std::sin((j + 1) * t) : std::sin(j * t);
-  // The curve's points after the step are half way to the next vertices.
+  // Halved, because after the step the new points of the two sharp edges are at their midpoints.
   flat.Weights[0] = (c - s * std::cos(sector->Angle) / std::sin(sector->Angle)) / 2.;
   flat.Weights[1] = s / std::sin(sector->Angle) / 2.;
   flat.Flatness = sector->Flatness;

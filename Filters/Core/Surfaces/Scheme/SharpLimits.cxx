@@ -13,8 +13,9 @@ namespace subdivision
 namespace
 {
 
-/// The ends of sharp edges and, as the rules of their edges and faces too depend on them, what is
-/// around; tangents may see as far as the next ring.
+/// Collects the vertices whose limits depend on sharp edges: the ends of these edges, their
+/// neighbours, because the rules of edges and faces there depend on them, and the neighbours of
+/// these, because of tangents.
 template <typename Id>
 std::vector<Id> CollectNear(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
 {
@@ -29,7 +30,8 @@ std::vector<Id> CollectNear(const PolygonMesh<Id>& mesh, const std::vector<Sharp
   return CollectWithNeighbours(mesh, CollectWithNeighbours(mesh, ends));
 }
 
-/// The surroundings of some vertices, step by step, until there is nothing sharp in them.
+/// Refines the surroundings of some vertices step by step, and takes the limit rows of each vertex
+/// as soon as no sharp edge is near it.
 template <typename Id>
 class Descent
 {
@@ -140,14 +142,14 @@ private:
     }
   }
 
-  /// Each step halves tangents.
+  /// Scales tangents by 2^step, because each step halves them.
   void KeepTangents(int step)
   {
     this->Keep(LimitKind::Tangent1, std::ldexp(1., step));
     this->Keep(LimitKind::Tangent2, std::ldexp(1., step));
   }
 
-  /// Takes the limits of vertices that have nothing sharp around them any more.
+  /// Takes the limit rows of those vertices that have no sharp edge near them any more.
   void FinishSmooth(int step)
   {
     const PolygonMesh<Id>& mesh = this->Patch->Level.Mesh;
@@ -183,7 +185,7 @@ private:
     return copy;
   }
 
-  /// Everything in terms of a level becomes that in terms of its part around the vertices.
+  /// Replaces a level by its patch around Vertices, and renumbers Vertices, Stages and Edges.
   void Crop(const SurfaceLevel<Id>& level)
   {
     this->Patch = std::make_unique<SurfacePatch<Id>>(level, this->Vertices);
@@ -211,11 +213,11 @@ private:
 
   const SurfaceScheme<Id>& Scheme;
   std::vector<Id> Vertices;        ///< of the patch
-  std::vector<std::size_t> Owners; ///< of what they become: rows of Limits
+  std::vector<std::size_t> Owners; ///< the row of Limits that each vertex belongs to
   std::vector<SharpEdge<Id>> Edges;
   std::vector<SharpTags<Id>> Stages;
   std::unique_ptr<SurfacePatch<Id>> Patch;
-  SparseRows<Id> Rows;           ///< from the whole level's vertices to the patch's
+  SparseRows<Id> Rows;           ///< the operator from the level's vertices to those of the patch
   std::vector<LimitRow>* Limits; ///< of each kind
 };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SharpLimits.h
- * Limit positions and tangents where creases are still sharp for some steps.
+ * Limit positions and tangents of vertices near creases that are still sharp for some steps.
  *
- * The steps in which they are sharp are done for a patch around the creases only. It is cropped to
- * the same vertices and what is around them after each, and so stays as small as it was. A limit
- * row of what comes out, times all these steps, is a row over the level's vertices.
+ * These steps are made for a patch around the creases only (SurfacePatch.h). After each step the
+ * patch is cropped to the surroundings of the same vertices, so that it does not grow. A limit row
+ * on the last patch times the operators of all these steps is a row over the vertices of the level.
  */
 #ifndef SubdivisionObjects_SharpLimits_h
 #define SubdivisionObjects_SharpLimits_h
@@ -31,8 +31,9 @@ template <typename Id>
 class SharpLimits
 {
 public:
-  /// What is sharper is no sharper: the surface around a vertex is then 2^-52 of what it was. For
-  /// tangents, which are differences of points so near, rounding errors are then as large.
+  /// Larger sharpness counts as this number of steps: the neighbourhood of a vertex is then 2^-52
+  /// of its first size. Tangents are differences of points as near as this, so that for them
+  /// rounding errors allow half as many steps only.
   static constexpr int MostSteps = 52;
   static constexpr int MostStepsOfTangents = 26;
 
@@ -44,8 +45,8 @@ public:
   SharpLimits(const SurfaceLevel<Id>& level, const SurfaceScheme<Id>& scheme,
     const std::vector<SharpEdge<Id>>& edges, std::vector<SharpTags<Id>> stages);
 
-  /// Goes through vertices [begin, end): own(row) for each that has a row of this, in between
-  /// others(first, last).
+  /// Goes through vertices [begin, end): calls own(row) for each vertex that has a row in this
+  /// object, and others(first, last) for the ranges between.
   template <typename Others, typename Own>
   void ForEachOther(vtkIdType begin, vtkIdType end, const Others& others, const Own& own) const
   {

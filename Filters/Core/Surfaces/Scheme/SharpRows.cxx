@@ -75,7 +75,8 @@ SharpRows<Id>::SharpRows(
     [](const WeightedRow& a, const WeightedRow& b) { return b.Row > a.Row; });
 }
 
-/// Ends of sharp edges; first of those that are sharp in part, with the mean of their parts.
+/// Sets Parts, for each end of edges that are sharp in part the mean of their parts, and adds the
+/// rows of the ends of all sharp edges.
 template <typename Id>
 void SharpRows<Id>::AddVertices(
   const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
@@ -139,8 +140,9 @@ std::vector<Id> SharpRows<Id>::CollectFaces(const PolygonMesh<Id>& mesh, Id vert
   return faces;
 }
 
-/// Sharp edges, and all at their ends and across from these: rules there differ next to a curve.
-/// They go with their ends, or else with what is across.
+/// Adds the rows of the edges whose rules depend on sharp edges: these themselves, all edges at
+/// their ends, and the other edges of the faces there. A sharp edge has its own part; another edge
+/// has the part of its ends or, if these have none, that of the other corners of its faces.
 template <typename Id>
 void SharpRows<Id>::AddEdges(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
 {

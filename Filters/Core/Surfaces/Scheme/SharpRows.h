@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SharpRows.h
- * Steps in which some edges are still sharp: rows between those of the sharp and of the smooth
- * rules.
+ * The rows of a step in which semi-sharp creases are still sharp (Mathematics 12, Sharpness).
  *
- * An edge of sharpness s is a crease like any other for floor(s) steps, and so are its ends, its
- * crossings and all that lies near. In the step after these it is one in part, s - floor(s): rows
- * lie between those without and those with all such edges, near several by the mean of their parts.
+ * An edge of sharpness s is a flagged crease for floor(s) steps, with all rules at and near it. In
+ * the next step it is sharp in part, s - floor(s): rows near it are blends of the rows without and
+ * with the creases that are sharp in part. Near several such edges the weight is the mean of their
+ * parts.
  */
 #ifndef SubdivisionObjects_SharpRows_h
 #define SubdivisionObjects_SharpRows_h
@@ -18,7 +18,7 @@
 namespace subdivision
 {
 
-/// A piece of a semi-sharp crease, and for how many steps it is still sharp.
+/// An edge of a semi-sharp crease and its remaining sharpness.
 template <typename Id>
 struct SharpEdge
 {
@@ -26,8 +26,8 @@ struct SharpEdge
   double Left;
 };
 
-/// Tags of a step: with all edges sharp that are for the whole of it, and with those too that are
-/// only in part.
+/// The two sets of tags of a step: `Whole` has as creases the edges that are sharp for the whole
+/// step, `All` also those that are sharp in part.
 template <typename Id>
 struct SharpTagPair
 {
@@ -51,7 +51,7 @@ private:
   struct WeightedRow
   {
     vtkIdType Row;
-    double Part; ///< of the tags with all edges
+    double Part; ///< weight of the row with the tags `All`
   };
   void AddVertices(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges);
   void AddEdges(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges);

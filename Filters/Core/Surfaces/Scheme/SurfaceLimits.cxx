@@ -66,8 +66,8 @@ void LimitFinder<Id>::FindStar(Id vertex)
     [&](const FanStep<Id>& step) { this->AddStep(step, vertex); });
 }
 
-/// The star of the first sector of a vertex on a curve; false if there is none, or no tangent plane
-/// because it ends at an edge that blends.
+/// Finds the star of the sector of FindTangentCorner at a vertex on a curve or a corner. Returns
+/// false if there is no such sector, or if it ends at a Blend edge and so has no tangent plane.
 template <typename Id>
 bool LimitFinder<Id>::FindSectorStar(Id vertex)
 {
@@ -104,7 +104,7 @@ bool LimitFinder<Id>::IsUniform() const
   {
     return false;
   }
-  // On the input, edges that blend may have members in their rings that lie on no face with them.
+  // The ring of a Blend edge of the control mesh may have members that span no face with it.
   if (this->Level.Step == 0 &&
     std::any_of(this->Around.Edges.begin(), this->Around.Edges.end(),
       [this](Id e) { return this->Tags.Edges[e] == EdgeTag::Blend; }))
@@ -115,7 +115,8 @@ bool LimitFinder<Id>::IsUniform() const
   {
     return true;
   }
-  // Curves change the rules of edges that end there, concave corners those of their faces too.
+  // The end of an edge on a curve changes the rule of the edge; the flatness of a corner changes
+  // those of its faces too.
   const bool isNearCurve = std::any_of(this->Around.Ends.begin(), this->Around.Ends.end(),
     [this](Id v)
     {
@@ -128,7 +129,8 @@ bool LimitFinder<Id>::IsUniform() const
   return !isNearCurve && !isNearCorner;
 }
 
-/// Adds the mask: of this level's points, or of those that the step makes of them.
+/// Adds the mask: over the vertices of this level if rules stay the same, else over those of the
+/// next level, times the rows of the step.
 template <typename Id>
 void LimitFinder<Id>::AppendMask(Id vertex, RowBlock<Id>& rows)
 {
@@ -221,7 +223,8 @@ void LimitFinder<Id>::AppendSmooth(Id vertex, LimitKind kind, RowBlock<Id>& rows
   const bool isDart = sharp != star.Edges.end();
   if (isDart)
   {
-    // Beginning with the crease, first guesses are symmetric or antisymmetric, and stay so.
+    // The crease comes first: so the first guesses of the tangents are symmetric and antisymmetric
+    // about it, and the iteration preserves that.
     const auto turn = sharp - star.Edges.begin();
     std::rotate(star.Edges.begin(), star.Edges.begin() + turn, star.Edges.end());
     std::rotate(star.Ends.begin(), star.Ends.begin() + turn, star.Ends.end());
@@ -250,7 +253,7 @@ void LimitFinder<Id>::AppendBlend(Id vertex, RowBlock<Id>& rows)
   }
   const subdivision::Mask own =
     VertexMask(Rule::Blend, static_cast<vtkIdType>(this->Around.Edges.size()));
-  // The triangles between the edges.
+  // For each edge the edges with which it spans a triangle.
   const std::size_t m = this->Around.Edges.size();
   const std::size_t n = m + 1;
   std::vector<std::vector<std::size_t>> joined(m);
@@ -296,7 +299,7 @@ void LimitFinder<Id>::AppendBlend(Id vertex, RowBlock<Id>& rows)
   this->AppendMask(vertex, rows);
 }
 
-/// The matrix around a smooth vertex of which some edges are sharp: vertex, edges, faces.
+/// The local subdivision matrix of a dart: of the vertex, its edges and, for quads, its faces.
 template <typename Id>
 std::vector<double> LimitFinder<Id>::MakeMatrix(double own, double ring) const
 {
@@ -335,8 +338,9 @@ std::vector<double> LimitFinder<Id>::MakeMatrix(double own, double ring) const
   return matrix;
 }
 
-/// From the mask as a first guess to a left eigenvector: that of eigenvalue 1, whose entries sum to
-/// 1, or one of the next two, whose entries sum to 0.
+/// Turns the mask, a first guess, into a left eigenvector by power iteration: for a position that
+/// of the eigenvalue 1, whose entries sum to 1, for a tangent one of the next two, whose entries
+/// sum to 0.
 template <typename Id>
 void LimitFinder<Id>::Solve(LimitKind kind, const std::vector<double>& matrix)
 {
@@ -448,7 +452,8 @@ void LimitFinder<Id>::AppendSectorTangent(Id vertex, LimitKind kind, RowBlock<Id
   rows.Add(vertex, -turn * (a + b));
 }
 
-/// Across a curve, into its sector of k faces: entries sin(j pi / k) at edge j inside.
+/// Sets the mask of the tangent across a curve in a sector of k faces, with the weight sin(j pi /
+/// k) for inner edge j.
 template <typename Id>
 void LimitFinder<Id>::SetTransversalMask()
 {

@@ -4,9 +4,9 @@
  * Limit positions and tangents of Loop and Catmull-Clark surfaces (Mathematics 8, 12).
  *
  * A limit row is a left eigenvector of the matrix that a step applies to a vertex, the other ends
- * of its edges and, for quads, the opposite corners of its faces. It holds from the level on where
- * the same rules work around the vertex in all further steps: where curves near by ask for others,
- * the row is that of the next level times the step.
+ * of its edges and, for quads, the opposite corners of its faces. It requires that the rules around
+ * the vertex are the same in all further steps. Where the first step has other rules, because
+ * curves are near, the row is the limit row of the next level times this step.
  */
 #ifndef SubdivisionObjects_SurfaceLimits_h
 #define SubdivisionObjects_SurfaceLimits_h
@@ -34,9 +34,9 @@ private:
     std::vector<Id> Faces; ///< face j lies between edges j and j + 1
     std::vector<Id> Opposite;
     bool Clockwise = false;
-    const Sector<Id>* Corner = nullptr; ///< where it is the sector of a corner
+    const Sector<Id>* Corner = nullptr; ///< its record if it is the sector of a corner
   };
-  /// A row in terms of a star.
+  /// Weights for the vertex, the ends of its edges and the opposite corners of its faces.
   struct Mask
   {
     double Own = 0.;

@@ -46,8 +46,8 @@ Id SurfacePatch<Id>::FindCorner(const PolygonMesh<Id>& whole, Id corner) const
   return own < 0 ? own : this->Level.Mesh.GetFirst(own) + corner - whole.GetFirst(face);
 }
 
-/// What is inside, the vertices whose rules the rows of edges and faces at `vertices` read; then
-/// everything that touches it.
+/// Collects first the inside vertices, whose rules the rows of edges and faces at `vertices` read,
+/// and then everything at them.
 template <typename Id>
 void SurfacePatch<Id>::Collect(const PolygonMesh<Id>& whole, const std::vector<Id>& vertices)
 {
@@ -70,7 +70,8 @@ void SurfacePatch<Id>::Collect(const PolygonMesh<Id>& whole, const std::vector<I
     {
       inside.push_back(whole.GetOtherEnd(edge, vertex));
     }
-    // A concave corner moves the points of its faces, also where it is no neighbour.
+    // The flatness of a corner moves the points of its faces, also those in which it is no
+    // neighbour of the vertex.
     forFaces(vertex,
       [&](Id face)
       {
@@ -81,7 +82,7 @@ void SurfacePatch<Id>::Collect(const PolygonMesh<Id>& whole, const std::vector<I
   SortUnique(inside);
   for (Id vertex : inside)
   {
-    collectEdges(vertex); // those without faces too
+    collectEdges(vertex); // free edges too
     this->Edges.insert(this->Edges.end(), around.begin(), around.end());
     forFaces(vertex, [&](Id face) { this->Faces.push_back(face); });
   }

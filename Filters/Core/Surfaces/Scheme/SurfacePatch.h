@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfacePatch.h
- * Part of a level: what lies around some of its vertices, as a level of its own.
+ * Copies the part of a level around some vertices as a level of its own.
  */
 #ifndef SubdivisionObjects_SurfacePatch_h
 #define SubdivisionObjects_SurfacePatch_h
@@ -13,9 +13,10 @@
 namespace subdivision
 {
 
-/// The faces that touch some vertices or their neighbours: these vertices are inside, and all rules
-/// at them and at their edges are those of the whole level. The patch ends in corners and sharp
-/// edges. It keeps the order of everything.
+/// The given vertices and all vertices that share an edge or a face with one of them are *inside*;
+/// the patch has all edges and faces at inside vertices. Inside vertices and their edges have the
+/// rules of the whole level. All other vertices of the patch become corners, and all other edges
+/// sharp. Vertices, edges and faces keep their order.
 template <typename Id>
 class SurfacePatch
 {
@@ -26,7 +27,8 @@ public:
   /// Tags of the whole level as tags of the patch.
   SurfaceTags<Id> CropTags(const SurfaceLevel<Id>& whole, const SurfaceTags<Id>& tags) const;
 
-  /// Where something of the whole level is in the patch; -1: it is not there.
+  /// The position of an id in one of the lists below, that is, its number in the patch; -1 if it is
+  /// not there.
   static Id Find(const std::vector<Id>& ids, Id id);
 
   SurfaceLevel<Id> Level;   ///< with the tags of the whole level

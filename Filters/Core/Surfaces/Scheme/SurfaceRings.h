@@ -88,8 +88,9 @@ bool IsSheaf(const PolygonMesh<Id>& mesh, Id edge)
   return at != mesh.Sheaves.end() && at->Edge == edge;
 }
 
-/// The two edges along which a curve goes through its vertex: where more are sharp the creases or,
-/// if there are not two, the edges of the joint (Mathematics 4, 6). Not two: it stays.
+/// Collects the two edges along which a curve goes through a vertex: its two creases or, if it has
+/// not exactly two, its two EdgeTag::Joint edges, or else its sharp edges (Mathematics 4, 6). If
+/// the result has not two edges, there is no curve.
 template <typename Id>
 void CollectCurveEdges(
   const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex, std::vector<Id>& edges)
@@ -106,16 +107,17 @@ void CollectCurveEdges(
   }
 }
 
-/// The faces around a vertex from one sharp edge to the next.
+/// The ends of a sector: of the faces around a vertex from one edge that is not smooth to the next.
 template <typename Id>
 struct SectorEnds
 {
-  FanStep<Id> First{ 0, true }; ///< the first face, entered by the sharp edge
+  FanStep<Id> First{ 0, true }; ///< the first face, entered by the edge that begins the sector
   FanStep<Id> Last{ 0, true };
-  int Size = 0; ///< 0: no sharp edge ends it, or the same one on both sides
+  int Size = 0; ///< number of faces; 0: no edge ends the sector, or the same edge on both sides
 };
 
-/// The sector of the face of a corner. It begins where walking forward from the corner ends.
+/// Finds the sector of the face of a corner. It begins at the edge that a walk forward from the
+/// corner reaches.
 template <typename Id>
 SectorEnds<Id> FindSectorEnds(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id corner)
 {
@@ -186,7 +188,7 @@ Id FindTangentCorner(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, I
   return found;
 }
 
-/// The first sectors of a vertex or, if it has none, of one after it.
+/// An iterator to the first sector of a vertex or, if it has none, of a later vertex.
 template <typename Id>
 auto FindSectors(const SurfaceTags<Id>& tags, Id vertex)
 {
@@ -194,8 +196,8 @@ auto FindSectors(const SurfaceTags<Id>& tags, Id vertex)
     [](const Sector<Id>& sector, Id v) { return sector.Vertex < v; });
 }
 
-/// The sector in which the corner lies that VisitFans visits first; null if there is none. Known on
-/// all levels, also where sectors name corners of the control level.
+/// The sector of that corner which VisitFans visits first; null if there is none. This works on all
+/// levels, also in schemes whose sectors keep the corners of the control level.
 template <typename Id>
 const Sector<Id>* FindFirstSector(const SurfaceTags<Id>& tags, Id vertex)
 {
@@ -203,7 +205,7 @@ const Sector<Id>* FindFirstSector(const SurfaceTags<Id>& tags, Id vertex)
   return at != tags.Sectors.end() && at->Vertex == vertex ? &*at : nullptr;
 }
 
-/// The sector of a corner vertex that begins or ends in a face; null if there is none.
+/// The record of the sector with these ends, in either order; null if there is none.
 template <typename Id>
 const Sector<Id>* FindSector(const SurfaceTags<Id>& tags, Id vertex, const SectorEnds<Id>& ends)
 {
@@ -233,8 +235,8 @@ const Sector<Id>* FindEqualSector(const SurfaceTags<Id>& tags, const Sector<Id>&
   return nullptr;
 }
 
-/// theta of Mathematics 12 at one end of a smooth edge: the angle that one face takes in its
-/// sector; 0 where the plain rule works.
+/// The angle t of one face of a sector (Mathematics 12) at `vertex`, one end of a smooth edge; 0 if
+/// the plain rule applies there.
 template <typename Id>
 double FindAngleOfFace(
   const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex, Id corner)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceScheme.h
- * What a subdivision scheme for surfaces is (Mathematics 11, 12): from a level to the rows of the
- * operator and to the next level.
+ * The interface of a surface scheme (Mathematics 11, 12), which makes from a level the rows of the
+ * operator and the next level.
  */
 #ifndef SubdivisionObjects_SurfaceScheme_h
 #define SubdivisionObjects_SurfaceScheme_h
@@ -24,7 +24,8 @@ enum class EdgeTag : unsigned char
 {
   Smooth,
   Blend, ///< non-manifold, rule G-2 (Mathematics 6)
-  // Parts of curves. Where they meet, creases count before joints, and these before the rest.
+  // The tags from here on are sharp. At a vertex creases count before joints, and joints before the
+  // rest.
   Sharp, ///< boundary, free line
   Joint, ///< non-manifold, rule G-1
   Crease ///< flagged, whatever else it is
@@ -37,14 +38,14 @@ constexpr bool IsSharp(EdgeTag tag)
 
 enum class VertexTag : unsigned char
 {
-  Smooth, ///< one closed fan; also the end of a crease that fades out
-  Curve,  ///< two of its sharp edges, along which the curve rule works
+  Smooth, ///< one closed fan without sharp edges; or a dart
+  Curve,  ///< on a curve along two of its sharp edges
   Corner, ///< does not move
   Blend
 };
 
-/// The faces between two sharp edges at a corner. There are none on curves: those that a step makes
-/// are all alike.
+/// A sector at a vertex with VertexTag::Corner: the faces from one sharp edge to the next. Vertices
+/// on curves have no such records, because the angle of their sectors is always pi.
 template <typename Id>
 struct Sector
 {
@@ -72,14 +73,16 @@ struct SurfaceLevel
 {
   PolygonMesh<Id> Mesh;
   SurfaceTags<Id> Tags;
-  /// Line cells: 2 edge + (1 if it runs against the edge).
+  /// The segments of line cells: 2 edge + (1 if the segment runs against the edge).
   Buffer<Id> Lines;
-  /// Vertex cells: their vertices. Empty after steps of schemes that keep the ids of vertices.
+  /// The vertices of vertex cells. Empty after a step of a scheme that keeps the ids of vertices.
   Buffer<Id> Points;
-  /// Whether edges may be sharp, in schemes in which no step makes the first: what Prepare found.
+  /// Whether there may be sharp edges. Prepare sets it in schemes whose steps make none where there
+  /// were none.
   bool HasCurves = true;
-  int Step = 0; ///< since the control mesh: odd or even steps differ in some schemes
-  /// Where children begin, as far as arithmetic alone does not tell: what Prepare counted.
+  int Step = 0; ///< steps since the control mesh; odd and even steps differ in some schemes
+  /// What Prepare counts: running counts, from which ids of children follow where arithmetic alone
+  /// is not enough; in Butterfly the valences of smooth vertices.
   Buffer<Id> Places;
   std::shared_ptr<const DualPlaces<Id>> Dual; ///< the same for dual schemes
 };
@@ -114,14 +117,16 @@ public:
   virtual bool HasCornersOfOneFace() const { return false; }
   /// Whether it has rules for joints that are blended (Mathematics 6); else they are sharp.
   virtual bool BlendsJoints() const { return false; }
-  /// The largest eigenvalue beside those of the tangent plane, at a corner of k faces and an angle.
+  /// The eigenvalue l3, the next one after those of the tangent plane, at a corner whose sector has
+  /// k faces and an angle (Mathematics 12, Flatness).
   virtual double GetThirdEigenvalue(int /*k*/, double /*angle*/) const { return 0.; }
 
-  /// Called once, for the control level: makes tags as strict as the scheme takes them.
+  /// Replaces tags for which the scheme has no rules. Is called once, for the control level.
   virtual void RestrictTags(SurfaceLevel<Id>& /*level*/) const {}
-  /// Called for each level before anything else is asked of it: counts what its children need.
+  /// Counts what rows or the ids of children need. Is called for each level before all other
+  /// methods.
   virtual void Prepare(SurfaceLevel<Id>& /*level*/) const {}
-  /// Whether the two halves of edge e are edges 2e and 2e + 1: sharpness can then be given to them.
+  /// Whether the two halves of edge e are edges 2e and 2e + 1, so that they can inherit sharpness.
   virtual bool HalvesEdges() const { return true; }
 
   /// About how many faces there are after some steps, to estimate sizes.
@@ -139,25 +144,28 @@ public:
   /// averaged: from the one with the smallest global id.
   virtual void GetParents(
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const = 0;
-  /// The next level; ForOutput: only faces (NumberOf..., Arity, FaceOffsets, Vertices) and Lines
-  /// with EdgeVertices; ForLastStep: all that a step needs which is ForOutput, and CarryFaces.
+  /// The next level. With ForOutput it has only faces (NumberOf..., Arity, FaceOffsets, Vertices)
+  /// and Lines with EdgeVertices; with ForLastStep all that a further step with ForOutput and
+  /// CarryFaces read.
   virtual SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const = 0;
-  /// Whether it has ForCounts, which is ForOutput without Vertices, and WriteFaces for these: the
-  /// vertices of the next level's faces, one face after the other.
+  /// Whether Refine knows ForCounts, which is ForOutput without Vertices. WriteFaces then writes
+  /// the vertices of the next level's faces, one face after the other.
   virtual bool WritesFaces() const { return false; }
   virtual void WriteFaces(const SurfaceLevel<Id>& /*level*/, int* /*ids*/) const {}
   virtual void WriteFaces(const SurfaceLevel<Id>& /*level*/, long long* /*ids*/) const {}
   /// Tags of the next level from those of this one (there may be several sets for one level).
   virtual SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const = 0;
-  /// After how many steps each face lies in exactly one face of before; 0: never.
+  /// The number of steps after which each face lies in one face of the level that many steps
+  /// before; 0: there is none.
   virtual int GetCarrierPeriod() const { return 1; }
-  /// Where the faces of the next level lie, from where those of this level do. `areWhole`: a number
-  /// of steps is over after which each lies in one face.
+  /// Computes the carriers of the faces of the next level from those of this level's faces.
+  /// `areWhole` tells that the step ends a carrier period, after which each face lies in one face.
   virtual void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
     bool areWhole, Buffer<Carrier<Id>>& children) const = 0;
 
-  /// One row for each vertex of the level: its limit position, or a tangent there.
+  /// Whether the scheme has limits. AppendLimitRows then appends one row for each vertex from
+  /// `begin` to `end` - 1: its limit position, or a tangent there.
   virtual bool HasLimit() const { return false; }
   virtual void AppendLimitRows(const SurfaceLevel<Id>& /*level*/, const SurfaceTags<Id>& /*tags*/,
     LimitKind /*kind*/, vtkIdType /*begin*/, vtkIdType /*end*/, RowBlock<Id>& /*rows*/) const

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceSides.h
- * Which side of a surface is up: faces that are turned over against the rest of their part.
+ * Finds the upper side of a surface: which faces have the opposite orientation to the rest of their
+ * part.
  */
 #ifndef SubdivisionObjects_SurfaceSides_h
 #define SubdivisionObjects_SurfaceSides_h
@@ -14,10 +15,11 @@ namespace subdivision
 {
 
 /**
- * 1 for each face that is turned over against the first face of its part, which is all that can be
- * reached over edges of two faces; parts that cannot be oriented stay as they are. Empty where no
- * two faces contradict each other. Children keep the order and the orientation of their parents, so
- * that it is the same on all levels.
+ * 1 for each face whose orientation is opposite to that of the first face of its part, else 0. A
+ * part is all that can be reached over edges of two faces; in a part that is not orientable no face
+ * counts as turned. The result is empty if no two neighbouring faces are oriented differently.
+ * Children keep the order and the orientation of their parents, so that the sides are the same on
+ * all levels.
  */
 template <typename Id>
 Buffer<unsigned char> FindTurnedFaces(const PolygonMesh<Id>& mesh)
@@ -82,8 +84,8 @@ Buffer<unsigned char> FindTurnedFaces(const PolygonMesh<Id>& mesh)
   return turned;
 }
 
-/// The face whose orientation the tangents of a vertex have: that of its first corner or, on a
-/// curve, the first of the sector in which this lies; -1: it has no face.
+/// The face whose orientation the tangents of a vertex have: the face of FindTangentCorner or, on a
+/// curve or at a corner, the first face of the sector of that face; -1 if there is none.
 template <typename Id>
 Id FindFaceOfTangents(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex)
 {

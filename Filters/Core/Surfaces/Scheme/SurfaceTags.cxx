@@ -11,8 +11,8 @@ namespace subdivision
 namespace
 {
 
-/// Not so flat and not so closed that the rules degenerate (Mathematics 12). What is straight but
-/// for rounding counts as convex.
+/// Keeps the angle of a sector away from 0, pi and 2 pi, where the rules degenerate (Mathematics
+/// 12). An angle that is pi within rounding counts as convex.
 double ClampAngle(double angle, double tie)
 {
   return angle < Pi * (1. + tie) ? std::max(Pi / 8., std::min(angle, 7. * Pi / 8.))
@@ -115,8 +115,8 @@ private:
     return isLoneFace ? VertexTag::Corner : GetTagOfCurves(edges.size());
   }
 
-  /// A vertex in which branches, boundaries or curves and surfaces meet: creases count before
-  /// joints (Mathematics 4), and neither counts boundaries (Mathematics 6).
+  /// The tag of a vertex in PolygonMesh::Joints. Creases count before joints (Mathematics 4), and
+  /// boundaries count for neither (Mathematics 6).
   VertexTag FindTagOfJoint(
     const typename PolygonMesh<Id>::Joint& joint, std::vector<Id>& edges) const
   {
@@ -132,7 +132,7 @@ private:
     const std::size_t branches = joint.FreeEdges.size();
     if (joint.Fans.empty() && branches < 3)
     {
-      return GetTagOfCurves(branches); // on a curve, with nothing else
+      return GetTagOfCurves(branches); // a vertex of one or two lines, and of nothing else
     }
     CollectEdges(this->Mesh, joint.Vertex, [this](Id e) { return IsSheaf(this->Mesh, e); }, edges);
     const bool meetsCurves = branches > 0 && !joint.Fans.empty();

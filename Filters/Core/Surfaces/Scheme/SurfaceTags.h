@@ -20,8 +20,8 @@ struct SurfaceFeatures
   /// 1 for each edge that is a crease and each vertex that is a corner; may be empty.
   std::vector<unsigned char> SharpEdges;
   std::vector<unsigned char> Corners;
-  /// Of each vertex: alpha of its sector in radians, if it has just one, and s; negative or not a
-  /// number: from the mesh. May be empty.
+  /// For each vertex the angle alpha in radians, which counts only if the vertex has exactly one
+  /// sector, and the flatness s. Where a value is negative or NaN the mesh decides. May be empty.
   std::vector<double> Angles;
   std::vector<double> Flatness;
   /// The angle of each corner of a face, negative: from the mesh. May be empty.

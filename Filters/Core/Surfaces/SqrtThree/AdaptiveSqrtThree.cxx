@@ -105,8 +105,8 @@ Id AdaptiveSqrtThree<Id>::GetApex(Id corner) const
   return this->Segments[segment].Thirds + (isSecond ? 1 : 0);
 }
 
-/// The corner of the next level whose edge joins the apex to the beginning of a corner's edge, in
-/// the child across that edge; one of a vacant place where there is no child.
+/// The half-edge of the next level between the apex and the beginning of a corner's edge, in the
+/// child across that edge. It belongs to a vacant number if this child does not exist.
 template <typename Id>
 Id AdaptiveSqrtThree<Id>::GetSideAtBegin(Id corner) const
 {
@@ -132,8 +132,9 @@ Id AdaptiveSqrtThree<Id>::GetSideAtEnd(Id corner) const
   return isFirst ? this->GetBase(twin) + 2 : this->GetBase(corner);
 }
 
-/// Each edge of a child that may lack its twin lies in one of the two faces that it was made of,
-/// at the child's vertex that is not new.
+/// An edge of a child may lack its twin only if it lies inside one of the faces that the child was
+/// made of. The twin belongs to the child across the other edge of this face at the same old
+/// vertex.
 template <typename Id>
 Id AdaptiveSqrtThree<Id>::FindMissing(Id corner) const
 {
@@ -165,8 +166,8 @@ void AdaptiveSqrtThree<Id>::PushMissing(Id face, std::vector<Id>& stack) const
   }
 }
 
-/// At an end of the parent segment: the other half of that child is across an edge of the face that
-/// was cut there.
+/// The missing face lies at an end of the parent segment. One of its two parents was cut there; the
+/// other one lies across an edge of that parent and must be split.
 template <typename Id>
 Id AdaptiveSqrtThree<Id>::FindMissingSide(const Segment& segment, Id i) const
 {
@@ -397,7 +398,7 @@ void AdaptiveSqrtThree<Id>::Join(Id a, Id b)
   }
 }
 
-/// A corner of a child gets a segment's side; on even levels the segment gets to know it.
+/// Joins a half-edge of a child and a segment, of which it becomes side `index`.
 template <typename Id>
 void AdaptiveSqrtThree<Id>::SetOuterSide(Id corner, Id segment, Id index)
 {

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AdaptiveSqrtThree.h
- * The sqrt(3) split where it is asked for, and only there (Mathematics 11; Kobbelt, section 4): a
- * part of the uniform hierarchy.
+ * Adaptive sqrt(3) refinement (Mathematics 11; Kobbelt, section 4): splits the faces that are asked
+ * for, and those that must be split before. The result is a part of the uniform hierarchy.
  *
- * A face of level k is one of the uniform mesh after k steps. The paper's index of it is 2k; the
- * three parts of a face that is split, as long as the face across their edge is not, are triangles
- * of index 2k + 1, which are no faces here. A face of level k + 1 comes into being when the two
- * faces of level k between which it lies are both split, or at once at a fixed edge
- * (SqrtThreeTopology.h says where each child is). So what there is follows from the set of faces
- * that are split, and the recursion of the paper is the closure of this set:
- *  - before a face is split, its neighbours across edges that are not fixed have to be there (the
- *    rule for smoothing: older odd neighbours first);
- *  - before a face of an odd level with a fixed edge is cut, those on the other sides of this edge
- *    have to be there, too, and all of them are cut at once.
+ * A face of level k is a face of the uniform mesh after k steps; its *generation*, which the paper
+ * calls index, is 2k. If a face is split and the face across one of its edges is not, the third of
+ * the split face at this edge is a triangle of generation 2k + 1. Only the output has it, as it is
+ * no face here. A face of level k + 1 exists if both faces of level k between which it lies are
+ * split; at a fixed edge it exists as soon as its one parent is split (SqrtThreeTopology.h says
+ * where children lie). So the mesh follows from the set of split faces. The recursion of the paper
+ * is the closure of this set:
+ *  - before a face is split, its neighbours across edges that are not fixed must exist (in the
+ *    paper, odd neighbours of smaller index are split first);
+ *  - before a face of an odd level cuts its fixed edge, the faces on the other sides of this edge
+ *    must exist too, and all of them cut it at once.
  * The set does not depend on the order in which splits are asked for.
  */
 #ifndef SubdivisionObjects_AdaptiveSqrtThree_h
@@ -31,16 +32,16 @@ template <typename Id>
 class AdaptiveSqrtThree
 {
 public:
-  /// `control`: triangles, with the tags of FixEdges; it is at an even level.
+  /// `control` is a level of triangles after an even number of steps, with the tags of FixEdges.
   explicit AdaptiveSqrtThree(const SurfaceLevel<Id>& control);
 
-  /// A piece of a fixed edge, on an even level.
+  /// A fixed edge of an even level: a control edge, or a third of a segment of two levels before.
   struct Segment
   {
     Id Ends[2];
     Id Thirds = -1;   ///< the first of the two points that cut it; -1: it is whole
     Id Children = -1; ///< the first of three: at Ends[0], at Ends[1], between
-    Id FirstSide = 0; ///< its faces on even levels: Sides
+    Id FirstSide = 0; ///< its half-edges, one for each face at it, start here in Sides
     Id NumberOfSides = 0;
     Id Parent = -1;
     int NumberOfLines = 0; ///< line cells on it
@@ -53,8 +54,8 @@ public:
     bool IsSecond;       ///< of the two on a segment
   };
 
-  // Corners are 3 face + i. Faces come in threes, the places of the children of a face: one across
-  // each of its edges. A place may be vacant.
+  // Corners are 3 face + i. The three children of a split face, one across each of its edges, have
+  // consecutive numbers. Numbers whose child does not exist yet are vacant.
   vtkIdType GetNumberOfFaces() const { return static_cast<vtkIdType>(this->Levels.size()); }
   bool IsThere(Id face) const { return this->Vertices[3 * static_cast<vtkIdType>(face)] >= 0; }
   bool IsSplit(Id face) const { return this->Children[face] >= 0; }
@@ -72,18 +73,20 @@ public:
   int GetLevel(Id face) const { return this->Levels[face]; }
   const Id* GetVertices(Id face) const { return this->Vertices.data() + 3 * vtkIdType(face); }
   Id GetVertex(Id corner) const { return this->Vertices[corner]; }
-  /// The other corner on an edge; -1: it is not there yet; less: the edge is fixed.
+  /// The other half-edge on the edge of a corner; -1: its face does not exist yet; less: the edge
+  /// is fixed.
   Id GetTwin(Id corner) const { return this->Twins[corner]; }
   bool IsFixed(Id corner) const { return this->Twins[corner] < -1; }
   Id GetSegment(Id corner) const { return this->SideSegments[-2 - this->Twins[corner]]; }
-  /// Whether a split cuts the first edge of a face instead of making a centre.
+  /// Whether the split of a face cuts its first edge, which is fixed, instead of making a centre.
   bool IsCut(Id face) const { return this->Levels[face] % 2 == 1 && this->IsFixed(3 * face); }
-  /// The segment and which of its points stands, in a face that is cut, across an edge that is not.
+  /// The apex of a cut face across the edge of a corner, as a segment and whether it is the second
+  /// point on it.
   Id GetThirdAcross(Id corner, bool& isSecond) const;
-  /// The point across an edge in a face that is split.
+  /// The apex of a split face across the edge of a corner (SqrtThreeTopology.h).
   Id GetApex(Id corner) const;
-  /// The corner on the parents' level across whose edge lies the face that has to be split for the
-  /// twin of a corner to be there.
+  /// For a corner whose twin does not exist yet, the half-edge on the parents' level across which
+  /// lies the face that must be split for it.
   Id FindMissing(Id corner) const;
 
   static Id Next(Id corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
@@ -91,8 +94,8 @@ public:
 
   vtkIdType GetNumberOfSegments() const { return static_cast<vtkIdType>(this->Segments.size()); }
   const Segment& GetSegmentAt(Id segment) const { return this->Segments[segment]; }
-  /// The i-th face on a segment, on its level, as a corner; -1: it is not there yet.
-  /// FindMissingSide: the face that has to be split for it.
+  /// The half-edge of the i-th face at a segment, on the segment's level; -1: this face does not
+  /// exist yet. FindMissingSide then returns the face that must be split for it.
   Id GetSide(const Segment& segment, Id i) const { return this->Sides[segment.FirstSide + i]; }
   Id FindMissingSide(const Segment& segment, Id i) const;
   /// Of a control edge; -1: it is not fixed.
@@ -104,17 +107,18 @@ public:
   {
     return this->ControlVertices + static_cast<vtkIdType>(this->Added.size());
   }
-  /// Of those that were added.
+  /// The record of a vertex that was added.
   const Vertex& GetAdded(Id vertex) const { return this->Added[vertex - this->ControlVertices]; }
-  /// Triangles, those of odd index too, and pieces of line cells.
+  /// The number of triangles, including those of odd generation, and of pieces of line cells.
   vtkIdType GetNumberOfCells() const { return this->Cells; }
 
-  /// Splits a face, or cuts a segment without faces, and before this what has to be. False: there
-  /// would be more than `mostCells`, so only a part of that was done.
+  /// Splits a face, and before it all faces that must be split first; Cut cuts a segment without
+  /// faces. They return false if there would be more than `mostCells` cells; then they have stopped
+  /// halfway.
   bool Split(Id face, vtkIdType mostCells = std::numeric_limits<vtkIdType>::max());
   bool Cut(Id segment, vtkIdType mostCells = std::numeric_limits<vtkIdType>::max());
 
-  /// Faces in the order in which they came into being, without those of the control mesh.
+  /// All faces but those of the control mesh, in the order in which they were made.
   const std::vector<Id>& GetNewFaces() const { return this->NewFaces; }
 
   /// Whether a face comes before another of the same level in the order of the uniform mesh.
@@ -153,20 +157,21 @@ private:
   vtkIdType ControlFaces;
   vtkIdType Cells;
   std::vector<Id> Vertices; ///< of corners
-  std::vector<Id> Twins;    ///< of corners; less than -1: -2 - side
+  std::vector<Id> Twins;    ///< of corners; on a fixed edge -2 - the position in Sides
   std::vector<Id> Children; ///< of faces: the first
   std::vector<unsigned char> Levels;
   std::vector<Id> Parents; ///< of triples
-  std::vector<Id> Centres; ///< of triples: the vertex; -1: the face was cut
+  std::vector<Id> Centres; ///< of triples: the centre of the parent; -1: the parent was cut
   std::vector<Segment> Segments;
   std::vector<Id> EdgeSegments; ///< of control edges
-  std::vector<Id> Sides;        ///< corners on even levels; -1: not there yet
+  std::vector<Id> Sides;        ///< of segments: half-edges on even levels; -1: does not exist yet
   std::vector<Id> SideSegments;
   std::vector<Vertex> Added;
   std::vector<Id> NewFaces;
 };
 
-/// Where the child across an edge lies, from where the faces of its level do.
+/// The carrier of the child across the edge of a corner, from the carriers of the faces at the
+/// edge.
 template <typename Id, typename Carriers>
 Carrier<Id> CarryAdaptiveSqrtThree(
   const AdaptiveSqrtThree<Id>& mesh, Id corner, const Carriers& carriers)

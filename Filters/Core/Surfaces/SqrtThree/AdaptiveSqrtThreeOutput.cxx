@@ -12,7 +12,7 @@ AdaptiveSqrtThreeOutput<Id>::AdaptiveSqrtThreeOutput(AdaptiveSqrtThree<Id>& mesh
   this->CountTriangles();
 }
 
-/// Level by level.
+/// Numbers vertices level by level, and finds the carriers of faces.
 template <typename Id>
 void AdaptiveSqrtThreeOutput<Id>::NumberVertices()
 {
@@ -76,7 +76,8 @@ void AdaptiveSqrtThreeOutput<Id>::NumberVertices()
   mesh.Renumber(numbers);
 }
 
-/// Of all segments of a level; makes of them those of the next.
+/// Numbers the points that cut the segments of a level, and replaces the segments by their
+/// children.
 template <typename Id>
 void AdaptiveSqrtThreeOutput<Id>::NumberThirds(
   std::vector<Id>& segments, Buffer<Id>& numbers, Id& next) const
@@ -98,7 +99,8 @@ void AdaptiveSqrtThreeOutput<Id>::NumberThirds(
   segments = std::move(children);
 }
 
-/// Children come after their face: from the last one, so that they are counted before.
+/// Children have larger numbers than their parent. So counting goes from the last face to the
+/// first, and offsets go from the first to the last.
 template <typename Id>
 void AdaptiveSqrtThreeOutput<Id>::CountTriangles()
 {
@@ -136,7 +138,8 @@ void AdaptiveSqrtThreeOutput<Id>::CountTriangles()
   this->Triangles = next;
 }
 
-/// Half of a child, that in a face, is there until the other half is.
+/// The control face whose data the third of a split face at `corner` shows. This triangle of odd
+/// generation is in the output while the face across the edge is not split.
 template <typename Id>
 Id AdaptiveSqrtThreeOutput<Id>::GetSourceOfHalf(Id face, int corner) const
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AdaptiveSqrtThreeOutput.h
- * The triangles and lines of an adaptive sqrt(3) mesh, in an order that depends on nothing but on
- * which faces are split: the children of a face one after another. Where every face of a level is
- * split, faces and vertices have the numbers of the uniform mesh.
+ * Writes the triangles and lines of an adaptive sqrt(3) mesh. Their order depends only on which
+ * faces are split: the children of a face are consecutive. If all faces are split equally often,
+ * faces and vertices have the numbers of the uniform mesh.
  */
 #ifndef SubdivisionObjects_AdaptiveSqrtThreeOutput_h
 #define SubdivisionObjects_AdaptiveSqrtThreeOutput_h
@@ -26,8 +26,8 @@ public:
   const std::vector<Id>& GetVertexLevels() const { return this->VertexLevels; }
 
   vtkIdType GetNumberOfTriangles() const { return this->Triangles; }
-  /// Three vertices, the index of the paper, and the control face of each triangle: of those that
-  /// lie in two, the first.
+  /// Writes three vertices, the generation, and the control face of each triangle; of a triangle
+  /// that lies in two control faces, the one with the smaller number.
   template <typename Value>
   void WriteTriangles(Value* vertices, unsigned char* generations, vtkIdType* faces) const;
 
@@ -45,7 +45,8 @@ public:
     return values;
   }
 
-  /// The pieces of a control line (2 edge + 1 if it runs against the edge), from its beginning.
+  /// AppendPieces appends the pieces of a control line, from its beginning. `line` is 2 edge + (1
+  /// if the line runs against the edge).
   struct Piece
   {
     Id Ends[2];

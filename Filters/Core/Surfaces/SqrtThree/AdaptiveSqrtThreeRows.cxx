@@ -11,7 +11,8 @@ namespace subdivision
 namespace
 {
 
-/// Regular vertices, and over two steps curves: a third for each step.
+/// The power g^steps for g = 1/3. This is the g of regular vertices; on curves two steps together
+/// have g^2 = 1/9.
 double GetRegularPower(int steps)
 {
   constexpr int tabled = 64;
@@ -32,8 +33,8 @@ double GetRegularPower(int steps)
   return table.Powers[std::min(steps, tabled - 1)];
 }
 
-/// Vertices that are added have six neighbours, which have this part of the limit (eq. 7), and this
-/// part of a step (eq. 2).
+/// Added vertices have six neighbours. These are the weights of the mean of the neighbours in the
+/// limit (eq. 7) and in a step (eq. 2).
 constexpr double LimitOfRing = 1. / 2.;
 constexpr double StepOfRing = 1. / 3.;
 
@@ -131,8 +132,8 @@ void AdaptiveSqrtThreeRows<Id>::AddApex(Id corner, double weight, RowBlock<Id>& 
   this->AddCorners(corner / 3, weight, rows);
 }
 
-/// The same for the face on the other side of the edge. Where this is not there yet, the face that
-/// has to be split for it is.
+/// The same for the face on the other side of the edge. If this does not exist yet, it is computed
+/// from the face that must be split for it.
 template <typename Id>
 void AdaptiveSqrtThreeRows<Id>::AddApexAcross(Id corner, double weight, RowBlock<Id>& rows) const
 {
@@ -203,8 +204,8 @@ void AdaptiveSqrtThreeRows<Id>::AddCentreLimit(Id face, double weight, RowBlock<
   }
 }
 
-/// (1 - b) p + b times the mean of the ring, which are the corners of the face and the centres of
-/// its neighbours.
+/// Adds (1 - b) p + b mean(ring). The ring of the centre p of a face are the corners of the face
+/// and the centres of its neighbours.
 template <typename Id>
 void AdaptiveSqrtThreeRows<Id>::AddRegularLimit(Id face, double weight, RowBlock<Id>& rows) const
 {
@@ -233,8 +234,8 @@ void AdaptiveSqrtThreeRows<Id>::AddRegularLimit(Id face, double weight, RowBlock
   }
 }
 
-/// Where the centre of a face is one step after it came into being: each fixed edge ab gives it the
-/// ghost a + b - p.
+/// Adds the value of the centre p of a face one step after its first level. Each fixed edge ab of
+/// the face gives it a ghost neighbour a + b - p (Mathematics 11).
 template <typename Id>
 void AdaptiveSqrtThreeRows<Id>::AddNext(Id face, double weight, RowBlock<Id>& rows) const
 {
@@ -259,9 +260,9 @@ void AdaptiveSqrtThreeRows<Id>::AddNext(Id face, double weight, RowBlock<Id>& ro
   this->AddCorners(face, own, rows);
 }
 
-/// Of the two faces of the next level beside the one at an end of an edge: what the centre of the
-/// one in a face with this edge at this end is made of, but for the centre of that face and the
-/// end.
+/// Adds a neighbour of the centre of the face (P, Q, a) of AppendLimitOnEdge, where `vertex` is a
+/// and `corner` the other edge at a of one of the two faces: the centre of the child across that
+/// edge or, if it is fixed, the point on it that is nearer to a.
 template <typename Id>
 void AdaptiveSqrtThreeRows<Id>::AddSideAt(
   Id vertex, Id corner, double weight, RowBlock<Id>& rows) const
@@ -302,7 +303,7 @@ void AdaptiveSqrtThreeRows<Id>::AppendVertex(Id vertex, RowBlock<Id>& rows) cons
   }
   if (this->HasFixedEdges(added.Source))
   {
-    // After a step it is to be where it is: a third of this, two thirds of the limit.
+    // One step later its value is a third of this first value and two thirds of the limit.
     this->AddNext(added.Source, 3., rows);
     this->AddCentreLimit(added.Source, -2., rows);
   }
@@ -391,8 +392,9 @@ void AdaptiveSqrtThreeRows<Id>::AppendTangent(Id vertex, LimitKind kind, RowBloc
   rows.EndRow();
 }
 
-/// The first wave of the ring: of that at which the centre of a face comes into being, or of the
-/// next one if the face has fixed edges.
+/// Adds the tangent of the centre of a face: the sum over its ring with the weights cos or sin of
+/// the angle. The ring is that of its first level or, if the face has fixed edges, of the next
+/// level.
 template <typename Id>
 void AdaptiveSqrtThreeRows<Id>::AddCentreTangent(Id face, LimitKind kind, RowBlock<Id>& rows) const
 {
@@ -450,7 +452,8 @@ Id AdaptiveSqrtThreeRows<Id>::FindCutFace(const typename AdaptiveSqrtThree<Id>::
   return piece.NumberOfSides > 0 ? this->Mesh.GetChild(this->Mesh.GetSide(piece, 0)) : -1;
 }
 
-/// Along the curve; and into the first of its sides, where three triangles meet the point.
+/// Adds the tangent of a point that cuts a segment: along the curve, or across it into the first
+/// face at the segment, in which three triangles lie at the point.
 template <typename Id>
 void AdaptiveSqrtThreeRows<Id>::AddThirdTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows) const
 {

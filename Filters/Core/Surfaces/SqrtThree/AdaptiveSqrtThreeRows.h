@@ -3,14 +3,15 @@
  * @file AdaptiveSqrtThreeRows.h
  * Limits of the vertices of an adaptive sqrt(3) mesh (Mathematics 11; Kobbelt, section 4).
  *
- * A vertex has two values: the one with which it came into being, and its limit. They give the one
- * that it has on any level: g^m of the first, the rest of the limit, after m steps (eq. 8). So each
- * vertex is a sum of values of vertices of earlier levels, those of the face whose centre it is and
- * of that face's neighbours, and no level of the uniform mesh is ever made. A point on a curve
- * needs only the two ends of the segment that it cuts: what lies beyond is in their limits.
+ * Two values are stored for each vertex: its first value, which it has on the level where it first
+ * exists, and its limit. They give its value m steps later: g^m of the first value, and the rest of
+ * the limit (eq. 8). So both values of a vertex are weighted sums of values of vertices of earlier
+ * levels: of the face whose centre the vertex is, and of the neighbours of this face. No level of
+ * the uniform mesh is made. A point on a curve needs only the two ends of the segment that it cuts,
+ * because their limits contain what lies beyond.
  *
- * The first value of a centre whose face has fixed edges is not the one with which it came into
- * being, for which the formula does not hold, but the one for which it holds from then on.
+ * For the centre of a face with fixed edges the formula does not hold on its first level. The first
+ * value that is stored for it is the one with which the formula holds on all later levels.
  */
 #ifndef SubdivisionObjects_AdaptiveSqrtThreeRows_h
 #define SubdivisionObjects_AdaptiveSqrtThreeRows_h
@@ -28,28 +29,32 @@ public:
   AdaptiveSqrtThreeRows(const AdaptiveSqrtThree<Id>& mesh, const SurfaceLevel<Id>& control,
     const SurfaceScheme<Id>& scheme);
 
-  /// Both rows of a vertex. Those of control vertices have control vertices as columns; those of
-  /// others have 2 v for the first value of vertex v and 2 v + 1 for its limit.
+  /// Appends both rows of a vertex, that of the first value and that of the limit. For control
+  /// vertices the columns are control vertices; for others column 2 v is the first value of vertex
+  /// v, and 2 v + 1 its limit.
   void AppendVertex(Id vertex, RowBlock<Id>& rows) const;
 
-  /// The rows of the centre that a face has or would have, as it comes into being, and of its
-  /// limit; the face must not be cut.
+  /// AppendCentre appends the row of the centre that a face has, or would have if it were split, on
+  /// its first level; AppendCentreLimit that of its limit. The face must not be one that cuts its
+  /// edge.
   void AppendCentre(Id face, RowBlock<Id>& rows) const;
   void AppendCentreLimit(Id face, RowBlock<Id>& rows) const;
-  /// The same a third along an edge, from the end at `corner` or from the other one: the centre of
-  /// a face of the next level, which is there or would be. The twin has to be there, and neither
-  /// face may be cut.
+  /// Appends the row of a limit at one third of an edge, from its beginning or, if `isFromEnd`,
+  /// from its end: that of the centre of a face of the next level, whether this exists or not. The
+  /// twin must exist, and neither face may be one that cuts its edge.
   void AppendLimitOnEdge(Id corner, bool isFromEnd, RowBlock<Id>& rows) const;
-  /// The same for one of the points that cut a segment.
+  /// Appends the row of the limit of one of the points that cut a segment, whether they exist or
+  /// not.
   void AppendThirdLimit(Id segment, bool isSecond, RowBlock<Id>& rows) const;
 
-  /// The row of a tangent, with the columns of AppendVertex; the first along a curve.
+  /// Appends the row of a tangent, with the columns of AppendVertex. On a curve the first tangent
+  /// is along the curve.
   void AppendTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows) const;
   /// The control face whose orientation the tangents of a vertex have; -1: it has no face.
   Id FindFaceOfTangents(Id vertex) const;
 
-  /// How much of its first value a vertex has on a level; the rest is its limit. Not for a centre
-  /// of a face with fixed edges on the level on which it came into being.
+  /// The weight of the first value in the value of a vertex on a level; the limit has the rest. Not
+  /// for the centre of a face with fixed edges on its first level.
   double GetPart(Id vertex, int level) const;
 
 private:
@@ -71,11 +76,12 @@ private:
   const AdaptiveSqrtThree<Id>& Mesh;
   const SurfaceLevel<Id>& Control;
   const SurfaceScheme<Id>& Scheme;
-  std::vector<double> Factors; ///< g of control vertices; negative: on a curve, or a corner
+  std::vector<double> Factors; ///< g of each control vertex; negative on curves and at corners
 };
 
-/// Limits of all vertices of a mesh as an operator on arrays of control values. Vertices are
-/// numbered level by level: `levels` has the first of each level, and their number at the end.
+/// The limits of all vertices of a mesh as an operator on arrays of control values. Vertices must
+/// be numbered level by level (AdaptiveSqrtThreeOutput); `levels` has the first one of each level,
+/// and their number at the end.
 template <typename Id>
 class AdaptiveSqrtThreeLimit
 {

@@ -35,9 +35,9 @@ inline double GetSqrtThreeRingWeight(int n)
   return n < static_cast<int>(usual.size()) ? usual[n] : ComputeSqrtThreeRingWeight(n);
 }
 
-/// The weights of the tangent across a curve, into a sector of k triangles on an even level: of the
-/// vertex, of both ends; inside, sin(j pi / k). A left eigenvector of two steps, with the
-/// eigenvalue (2 + 2 cos(pi / k)) / 9.
+/// The weights of the tangent across a curve in a sector of k triangles, on a level after an even
+/// number of steps: of the vertex, of both end neighbours, and of the inner neighbours, sin(j pi /
+/// k). They are a left eigenvector of two steps for the eigenvalue (2 + 2 cos(pi / k)) / 9.
 struct SqrtThreeTransversalMask
 {
   explicit SqrtThreeTransversalMask(int k)
@@ -62,7 +62,8 @@ struct SqrtThreeTransversalMask
     this->End = ((value - 19. / 27.) * end + 4. / 27. * own) / determinant;
     this->Own = ((value - 11. / 27.) * own + 32. / 27. * end) / determinant;
   }
-  /// The same for the level after an odd step, whose k + 1 triangles have the centres between them.
+  /// Changes the weights to those for the level one step later. There the sector has k + 1
+  /// triangles, and its inner neighbours are the centres of the k triangles.
   void MakeOdd()
   {
     const double sum = std::accumulate(this->Inside.begin(), this->Inside.end(), 0.);
@@ -80,7 +81,7 @@ struct SqrtThreeTransversalMask
 
   double Own = 0.;
   double End = 0.;
-  std::vector<double> Inside; ///< from end to end, 0 for these
+  std::vector<double> Inside; ///< of all neighbours from end to end, 0 for the two ends
 };
 
 }

@@ -120,7 +120,8 @@ private:
     child[2] = isSecond ? other : own;
   }
 
-  /// The half-edges that take the place of a face's: between apexes, or on fixed edges.
+  /// Sets the half-edges of the next level that are not inside a face: those on flipped edges,
+  /// between two apexes, and those on fixed edges or their middle thirds.
   void SetAcross(Id face, PolygonMesh<Id>& out) const
   {
     for (Id corner = 3 * face; corner < 3 * face + 3; ++corner)
@@ -137,7 +138,7 @@ private:
     }
   }
 
-  /// What a last step needs of half-edges where no edge is fixed.
+  /// Sets the twins only, which is all that a last step reads if no edge is fixed.
   void SetTwins(Id face, PolygonMesh<Id>& out) const
   {
     for (Id corner = 3 * face; corner < 3 * face + 3; ++corner)
@@ -150,7 +151,7 @@ private:
     }
   }
 
-  /// Two half-edges inside a face of this level.
+  /// Joins two half-edges inside a face to an edge of the next level.
   void Join(Id a, Id b, Id edge, PolygonMesh<Id>& out) const
   {
     out.Edges[a] = edge;
@@ -274,7 +275,7 @@ private:
       });
   }
 
-  /// The corner of a vertex in the fan of one of its old corners.
+  /// A corner of the next level at the vertex of an old corner, in the same fan.
   Id GetCornerInFan(Id corner, const PolygonMesh<Id>& out) const
   {
     const Id side = this->Children.GetSideOfCorner(corner);
@@ -305,7 +306,7 @@ private:
         const Id corner = this->Mesh.EdgeCorners[e];
         if (this->IsSharp(e))
         {
-          for (int i = 0; i < 2; ++i) // without faces: until SplitJoints
+          for (int i = 0; i < 2; ++i) // -1 for free edges until SplitJoints
           {
             out.VertexCorners[this->Children.GetThird(static_cast<Id>(e)) + i] =
               corner < 0 ? -1 : this->GetCornerOfThird(corner, i);
@@ -318,7 +319,8 @@ private:
     return 3 * cut + (this->RunsAlong(cut) ? third : 1 - third);
   }
 
-  /// Joints and sheaves stay what they are; the points that cut their edges are such too.
+  /// The children of joints are joints, and sheaves or their thirds are sheaves. In even steps the
+  /// points that cut sheaves and free edges become joints.
   void SplitJoints(PolygonMesh<Id>& out) const
   {
     const bool cuts = this->Children.HasThirds();
@@ -417,7 +419,7 @@ void CountSqrtThreePlaces(SurfaceLevel<Id>& level)
   {
     return;
   }
-  // An odd step has left each triangle at most one fixed edge.
+  // After an odd step each triangle has at most one fixed edge.
   Buffer<signed char> cuts(mesh.NumberOfFaces);
   Buffer<Id> centres(mesh.NumberOfFaces + 1);
   Buffer<Id> thirds(mesh.GetNumberOfEdges() + 1);

@@ -11,7 +11,8 @@
 namespace subdivision
 {
 
-/// Even steps cut fixed edges: counts where the centres and thirds come.
+/// Sets SurfaceLevel::HasCurves and, for even steps with fixed edges, SurfaceLevel::Places: the ids
+/// of centres and of the points on fixed edges.
 template <typename Id>
 void CountSqrtThreePlaces(SurfaceLevel<Id>& level);
 
@@ -22,7 +23,8 @@ SurfaceLevel<Id> RefineSqrtThree(const SurfaceLevel<Id>& level, Depth depth);
 template <typename Id, typename Out>
 void WriteSqrtThree(const SurfaceLevel<Id>& level, Out* ids);
 
-/// Pieces of fixed edges, and what cuts them, lie on the curve; everything else new is smooth.
+/// Tags of the next level: thirds of fixed edges are sharp, and the points that cut them lie on
+/// curves. Old vertices and edges keep their tags, and all else is smooth.
 template <typename Id>
 SurfaceTags<Id> RefineSqrtThreeTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
 

@@ -73,7 +73,8 @@ private:
     LimitKind kind, std::vector<Id>& ring, RowBlock<Id>& rows) const;
 };
 
-/// Where the even step puts no centre: the edge of the face that is fixed, as its corner; else -1.
+/// In an even step, the edge opposite to the vertex in the face of a step around it, as its corner,
+/// if this edge is fixed; otherwise -1.
 template <typename Id>
 Id FindFixedOpposite(const SurfaceLevel<Id>& level, const FanStep<Id>& step)
 {
@@ -182,8 +183,8 @@ void SqrtThreeScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Surfac
   }
 }
 
-/// In even steps a centre next to a fixed edge ab has the ghost a + b - p there, which keeps a flat
-/// grid exact (Mathematics 11).
+/// Appends the row of a smooth vertex p. In even steps it has a ghost neighbour a + b - p beyond
+/// each fixed edge ab opposite to it, which keeps a flat grid exact (Mathematics 11).
 template <typename Id>
 void SqrtThreeScheme<Id>::AppendSmooth(
   const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const
@@ -220,8 +221,9 @@ void SqrtThreeScheme<Id>::AppendSmooth(
   }
 }
 
-/// The same, without a walk, where the vertex came as the centre of a face without fixed edges: the
-/// three children of that face have all of its ring, in the same order. False: it is another one.
+/// Appends the same row without a walk if the vertex is the centre of a face without fixed edges:
+/// the three children of that face have all its neighbours, in the same order. Returns false for
+/// other vertices.
 template <typename Id>
 bool SqrtThreeScheme<Id>::AppendCentre(
   const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const
@@ -250,8 +252,8 @@ bool SqrtThreeScheme<Id>::AppendCentre(
   return true;
 }
 
-/// The point at one third of a fixed edge: cubic B-spline in thirds (Kobbelt, eq. 9); next to a
-/// vertex that stays, a third of the way.
+/// Appends the row of the point at one third of a fixed edge: that of a cubic B-spline cut into
+/// thirds (Kobbelt, eq. 9) or, next to a vertex that stays, 2/3 and 1/3.
 template <typename Id>
 void SqrtThreeScheme<Id>::AppendThird(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags,
   Id edge, bool second, std::vector<Id>& edges, RowBlock<Id>& rows) const
@@ -308,9 +310,9 @@ void SqrtThreeScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level,
   }
 }
 
-/// (1 - b) p + b times the mean of the ring (Kobbelt, eq. 7). A centre next to a fixed edge has
-/// this ring only after the next step, which for the point of a face are the two thirds of that
-/// edge.
+/// Appends the limit (1 - b) p + b mean(ring) (Kobbelt, eq. 7). Before an even step, a vertex p
+/// opposite to a fixed edge has the ring for which this holds only after the step: there the two
+/// points on the fixed edge take the place of the centre of the face.
 template <typename Id>
 void SqrtThreeScheme<Id>::AppendSmoothPosition(
   const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const
@@ -375,8 +377,9 @@ void SqrtThreeScheme<Id>::AppendSmoothPosition(
     });
 }
 
-/// The ring turns by half a triangle in each step; the plane of its first wave is the limit's. Of a
-/// centre next to a fixed edge the ring is that after the next step, as for the position.
+/// Appends a tangent: the sum over the ring with the weights cos or sin of the angle. A step turns
+/// the ring by half a triangle, which does not change the plane of both tangents. For a vertex
+/// opposite to a fixed edge the ring is that after the next step, as for the position.
 template <typename Id>
 void SqrtThreeScheme<Id>::AppendSmoothTangent(
   const SurfaceLevel<Id>& level, Id vertex, LimitKind kind, RowBlock<Id>& rows) const
@@ -432,8 +435,9 @@ void SqrtThreeScheme<Id>::AppendSmoothTangent(
     });
 }
 
-/// In the first sector of a vertex on a curve: along the curve and across it; at a corner along its
-/// two ends.
+/// Appends a tangent of a vertex on a curve or of a corner, in the sector of FindTangentCorner:
+/// along the curve and across it; at a corner along the first sharp edge of the sector, and
+/// perpendicular to that in the plane of both.
 template <typename Id>
 void SqrtThreeScheme<Id>::AppendSectorTangent(const SurfaceLevel<Id>& level,
   const SurfaceTags<Id>& tags, Id vertex, LimitKind kind, std::vector<Id>& ring,

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SqrtThreeTopology.h
- * Where the children of a level are in a step of the sqrt(3) scheme (SqrtThreeScheme.h): everything
- * by arithmetic.
+ * Computes the ids of children in a step of the sqrt(3) scheme (SqrtThreeScheme.h).
  *
- * The child across edge ab of a face with apex P (its centre, or in even steps the third of its
- * fixed edge that is nearer to ab), Q the apex on the other side, is (a, Q, P). If the other face
- * runs along the edge in the same direction, the first of the two has that child at a, and the
- * second (b, its own apex, the other): there it keeps its own orientation.
+ * The *apex* P of a face across its edge ab is its centre; in even steps, in a face with a fixed
+ * edge, that one of the two points on the fixed edge which is nearer to ab. With Q the apex of the
+ * other face across ab, the child of the face across ab is (a, Q, P). If both faces run along ab in
+ * the same direction, the face with the smaller number has this child, and the other one the child
+ * (b, P, Q), where P is its own apex. So each child has the orientation of its own face.
  */
 #ifndef SubdivisionObjects_SqrtThreeTopology_h
 #define SubdivisionObjects_SqrtThreeTopology_h
@@ -19,16 +19,18 @@
 namespace subdivision
 {
 
-/// The carrier of the child across an edge, where the faces there lie in one face each: that of its
-/// last corner, which is new, first and then that of the corner before, which is new too.
-/// `isSecond`: these two are exchanged in the child (see above).
+/// The carrier of the child across an edge if both faces at the edge lie in one control face each:
+/// First is the control face of its last corner, Second that of the corner before, which are both
+/// new. `isSecond` tells that the child is that of the second face, (b, P, Q), in which P and Q are
+/// exchanged.
 template <typename Id>
 Carrier<Id> JoinSqrtThree(const Carrier<Id>& own, const Carrier<Id>& other, bool isSecond)
 {
   return isSecond ? Carrier<Id>{ other.First, own.First } : Carrier<Id>{ own.First, other.First };
 }
-/// A step later, for the edge that begins with a corner, it is the one face of a new corner: of
-/// that where the child is, if the edge joins two.
+/// The carrier of a child one step later, across the edge that begins with corner 0 to 2 of a face
+/// with the carrier `own`: the control face of the one new corner of that face at the edge. If the
+/// edge joins both new corners, it is that at which the child lies.
 template <typename Id>
 Carrier<Id> PartSqrtThree(const Carrier<Id>& own, int corner, bool isSecond)
 {
@@ -79,7 +81,7 @@ public:
   bool HasThirds() const { return this->Thirds > 0; }
   /// The first of the two points that cut a fixed edge.
   Id GetThird(Id edge) const { return this->Places[this->Mesh.NumberOfFaces + edge]; }
-  /// That which is nearer to one of its ends.
+  /// The one of these two that is nearer to an end of the edge.
   Id GetThirdNear(Id edge, Id vertex) const
   {
     return this->GetThird(edge) + (this->Mesh.EdgeVertices[2 * edge] == vertex ? 0 : 1);
@@ -98,10 +100,10 @@ public:
       : this->Places[face] >= 0 ? this->Places[face]
                                 : -1;
   }
-  /// The edge of a face that is cut into thirds, as its corner.
+  /// The fixed edge of a face that gets no centre, as its corner.
   Id GetCutCorner(Id face) const { return 3 * face + (-1 - this->Places[face]) % 3; }
 
-  /// What stands across an edge of a face that is not fixed.
+  /// The apex of a corner's face across the corner's edge, which is not fixed.
   Id GetApex(Id corner) const
   {
     const Id face = corner / 3;
@@ -121,8 +123,8 @@ public:
     return this->Mesh.Vertices[corner] == this->Mesh.Vertices[twin];
   }
 
-  /// The corner of the next level whose edge joins the apex of a corner's face to the beginning, or
-  /// to the end, of the corner's edge, in the child across that edge.
+  /// The half-edge of the next level between the apex of a corner's face and the beginning, or the
+  /// end, of the corner's edge, in the child across that edge.
   Id GetSideAtBegin(Id corner) const
   {
     if (this->IsFixed(corner))
@@ -141,24 +143,25 @@ public:
     const Id twin = this->Mesh.Twins[corner];
     return !this->RunsWith(corner, twin) ? 3 * twin : corner < twin ? 3 * twin + 2 : 3 * corner;
   }
-  /// In even steps, for a fixed edge: the same for its outer thirds.
+  /// In even steps, the half-edge on the outer third of a fixed edge at its beginning, or at its
+  /// end.
   Id GetOuterSideAtBegin(Id cut) const { return this->GetSideAtEnd(this->Mesh.Previous(cut)); }
   Id GetOuterSideAtEnd(Id cut) const { return this->GetSideAtBegin(this->Mesh.Next(cut)); }
 
-  /// The half-edge of the next level between a corner's vertex and the apex, or the third, that
-  /// comes after it.
+  /// A half-edge of the next level at the vertex of a corner, in the same fan: to the apex across
+  /// the corner's edge or, if this edge is cut, to the point on it.
   Id GetSideOfCorner(Id corner) const
   {
     const bool isCut = this->GetCentre(corner / 3) < 0 && this->GetCutCorner(corner / 3) == corner;
     return isCut ? this->GetOuterSideAtBegin(corner) : this->GetSideAtBegin(corner);
   }
 
-  /// The edge of the next level from the apex across a corner's edge to the beginning, or to the
-  /// end, of that edge.
+  /// The edge of the next level between the apex of a corner's face across the corner's edge and
+  /// the beginning, or the end, of that edge.
   Id GetSpokeAtBegin(Id corner) const { return this->GetSpoke(corner, corner); }
   Id GetSpokeAtEnd(Id corner) const { return this->GetSpoke(corner, this->Mesh.Next(corner)); }
-  /// In even steps: from the vertex opposite to a cut edge to the third nearer to its beginning, or
-  /// to its end.
+  /// In even steps the edge between the point on a cut edge that is nearer to its beginning, or to
+  /// its end, and the vertex opposite to the cut edge.
   Id GetCutSpoke(Id cut, bool atEnd) const
   {
     return this->GetFirstSpoke(cut / 3) + (atEnd ? 1 : 0);
@@ -184,7 +187,7 @@ public:
     }
     return this->Places ? first : centre;
   }
-  /// The edge of a vertex that cuts it into thirds.
+  /// The edge that a vertex cuts into thirds.
   Id FindCutEdge(Id vertex) const
   {
     const Id* first = this->Places + this->Mesh.NumberOfFaces;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceSchemes.h
- * The schemes by name.
+ * Makes a surface scheme by its number.
  */
 #ifndef SubdivisionObjects_SurfaceSchemes_h
 #define SubdivisionObjects_SurfaceSchemes_h
@@ -11,7 +11,7 @@
 namespace subdivision
 {
 
-/// As vtkSurfaceSubdivision numbers them.
+/// The schemes in the order of vtkSurfaceSubdivision::Schemes. Stamps in files hold these numbers.
 enum class SurfaceSchemeKind
 {
   Loop,

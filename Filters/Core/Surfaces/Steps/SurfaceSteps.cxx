@@ -11,8 +11,8 @@ namespace subdivision
 namespace
 {
 
-/// The pieces of control edges that are sharp after some steps: those of edge e are e 2^step and
-/// following.
+/// Lists the edges of level `step` that are still sharp. Control edge e has become the 2^step edges
+/// from e * 2^step on.
 template <typename Id>
 std::vector<SharpEdge<Id>> FindSharpEdges(const EdgeSharpness& sharpness, int step)
 {
@@ -29,7 +29,7 @@ std::vector<SharpEdge<Id>> FindSharpEdges(const EdgeSharpness& sharpness, int st
   return edges;
 }
 
-/// Edges that have at least, or more than, so much.
+/// Flags the edges whose sharpness is at least `least` or, if `more`, larger.
 std::vector<bool> GetSharp(const EdgeSharpness& sharpness, double least, bool more)
 {
   std::vector<bool> sharp(sharpness.size());
@@ -38,7 +38,8 @@ std::vector<bool> GetSharp(const EdgeSharpness& sharpness, double least, bool mo
   return sharp;
 }
 
-/// After a step, the first before which it is not the same edges that are sharp, wholly or in part.
+/// The first step after `step` (but at most `most`) in which other edges are sharp, wholly or in
+/// part, than in `step`.
 int FindEndOfStage(const EdgeSharpness& sharpness, int step, int most)
 {
   double end = most;
@@ -124,7 +125,7 @@ bool SurfaceSteps<Id>::ReplaceSectors(const SurfaceTags<Id>& control)
   return same;
 }
 
-/// The tags of a step as those of a level.
+/// The tags that hold in `step`, with the edges of level `level`.
 template <typename Id>
 SharpTagPair<Id> SurfaceSteps<Id>::FindSharpTags(
   const EdgeSharpness& sharpness, int step, int level, const Classify& classify) const
@@ -157,7 +158,7 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
   {
     return;
   }
-  // Which edges are sharp changes where the sharpness of one of them is used up.
+  // One stage for each range of steps in which the same edges are sharp, wholly or in part.
   std::vector<SharpTags<Id>> stages;
   const int most = steps + SharpLimits<Id>::MostSteps;
   for (int step = steps; IsSharpAfter(sharpness, step) && step < most;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceSteps.h
- * The levels of a surface and the operators between them; creases that are sharp for some levels.
+ * The levels of a surface and the operators between them, with semi-sharp creases.
  */
 #ifndef SubdivisionObjects_SurfaceSteps_h
 #define SubdivisionObjects_SurfaceSteps_h
@@ -20,29 +20,32 @@ template <typename Id>
 class SurfaceSteps
 {
 public:
-  /// `control` with tags. The last level has what its cells need, or with `lastIsWhole` all.
-  /// `stop(part)`: true to give up; then there are too few levels.
+  /// Makes the levels. `control` is level 0 with its tags. The last level gets only what its cells
+  /// need, or, if `lastIsWhole`, everything, so that limits can be computed. `stop(part)` receives
+  /// the progress and returns true to stop; then there are fewer levels than asked for.
   SurfaceSteps(SurfaceLevel<Id>&& control, std::shared_ptr<const SurfaceScheme<Id>> scheme,
     int steps, bool lastIsWhole, const std::function<bool(double)>& stop);
 
-  /// The same levels with other angles and flatness of corners. False if the tags differ otherwise.
+  /// Replaces angles and flatness of the sectors by those of `control` on all levels. Returns
+  /// false, and changes nothing, if other tags differ.
   bool ReplaceSectors(const SurfaceTags<Id>& control);
 
-  /// Creases that are sharp for some levels: one value for each control edge, or nothing;
-  /// `classify` gives the control level's tags with other edges sharp too.
+  /// Sets the semi-sharp creases: one sharpness for each control edge, or none at all.
+  /// classify(edges) returns the tags of the control level with these edges as creases too.
   void SetSharpness(const EdgeSharpness& sharpness,
     const std::function<SurfaceTags<Id>(const std::vector<bool>& sharpEdges)>& classify);
 
   int GetNumberOfSteps() const { return static_cast<int>(this->Levels.size()) - 1; }
   const SurfaceLevel<Id>& GetLevel(int level) const { return this->Levels[level]; }
-  /// The vertices of a level's faces, one face after the other: the last level may have none.
+  /// The number of corners of a level, and the vertex of each. The last level may not store them
+  /// (Depth::ForCounts); WriteFaces then computes them.
   vtkIdType GetNumberOfCorners(int level) const;
   template <typename Out>
   void WriteFaces(int level, Out* ids) const;
   const SurfaceScheme<Id>& GetScheme() const { return *this->Scheme; }
 
   BlockOperator<Id> GetStep(int step) const;
-  /// Of the vertices of the last level, which is to be whole.
+  /// The limits of the vertices of the last level, which must have been made with `lastIsWhole`.
   BlockOperator<Id> GetLimit(LimitKind kind) const;
 
   std::size_t GetMemorySize() const;
@@ -53,8 +56,8 @@ private:
     const EdgeSharpness& sharpness, int step, int level, const Classify& classify) const;
 
   std::vector<SurfaceLevel<Id>> Levels;
-  std::vector<SharpRows<Id>> SharpSteps; ///< as long as something is sharp
-  SharpLimits<Id> Limits;                ///< where something still is after the last step
+  std::vector<SharpRows<Id>> SharpSteps; ///< the first steps, in which edges are still sharp
+  SharpLimits<Id> Limits; ///< at vertices near edges that are still sharp after the last step
   std::shared_ptr<const SurfaceScheme<Id>> Scheme;
   bool LastIsWhole;
   /// The control level's tags as they were given.
