@@ -71,9 +71,27 @@ load when they start.")
     "paraview (>= ${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}), paraview (<< ${ParaView_VERSION_MAJOR}.${next}~)")
   set(CPACK_DEBIAN_PLUGIN_PACKAGE_RECOMMENDS "python3-paraview")
 
-  # ParaView reads from a file beside the executable which plugins are distributed with it.
-  configure_file("${templates}/paraview.conf.in" "${debian_dir}/paraview.conf" @ONLY)
-  install(FILES "${debian_dir}/paraview.conf" DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT plugin)
+  # ParaView reads from paraview.conf which plugins it has: from the one in its folder of libraries, which
+  # Debian's package brings (from Debian 13 on), or else from one beside the executable. Debian's is put
+  # aside for one that has a line more: scripts of the package do that, and undo it.
+  string(REGEX REPLACE "/[^/]*$" "" conf_dir "${PARAVIEW_PLUGIN_SUBDIR}")
+  set(conf_dir "${CMAKE_INSTALL_FULL_LIBDIR}/${conf_dir}")
+  set(conf_lines "")
+  if (EXISTS "${conf_dir}/paraview.conf")
+    file(READ "${conf_dir}/paraview.conf" conf_lines)
+    string(STRIP "${conf_lines}\n" conf_lines)
+    string(APPEND conf_lines "\n")
+    foreach (script preinst postrm)
+      configure_file("${templates}/plugin-${script}.in" "${debian_dir}/plugin/${script}" @ONLY)
+      control_file(plugin "${debian_dir}/plugin/${script}")
+    endforeach ()
+  else ()
+    set(conf_dir "${CMAKE_INSTALL_FULL_BINDIR}")
+  endif ()
+  file(RELATIVE_PATH conf_plugins "${conf_dir}"
+    "${CMAKE_INSTALL_FULL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/subdivisionobjects.plugins.xml")
+  file(WRITE "${debian_dir}/paraview.conf" "${conf_lines}${conf_plugins}\n")
+  install(FILES "${debian_dir}/paraview.conf" DESTINATION "${conf_dir}" COMPONENT plugin)
 else ()
   set(library "libvtksubdivisionobjects${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}") # after the soname
   debian_package(runtime "${library}" libs
