@@ -14,7 +14,8 @@
 namespace subdivision
 {
 
-/// Integers are rounded and stay in range; a finite number never becomes infinite.
+/// Integers are rounded and stay in range, and are 0 for what is not a number; a finite number
+/// never becomes infinite.
 template <typename T>
 T Store(double value)
 {
@@ -31,10 +32,12 @@ T Store(double value)
   {
     constexpr double low = static_cast<double>(std::numeric_limits<T>::lowest());
     constexpr double high = static_cast<double>(std::numeric_limits<T>::max());
-    const double rounded = std::floor(value + 0.5);
-    return rounded <= low ? std::numeric_limits<T>::lowest()
-      : rounded >= high   ? std::numeric_limits<T>::max()
-                          : static_cast<T>(rounded);
+    const double below = std::floor(value); // value + 0.5 would be rounded itself
+    const double rounded = value - below >= 0.5 ? below + 1. : below;
+    return std::isnan(value) ? T(0)
+      : rounded <= low       ? std::numeric_limits<T>::lowest()
+      : rounded >= high      ? std::numeric_limits<T>::max()
+                             : static_cast<T>(rounded);
   }
 }
 

@@ -101,6 +101,23 @@ TEST(CoreStore, LargeIntegersAreExact)
   EXPECT_EQ(StoreUnknown<long long>(4503599627370495.), 4503599627370495ll);
 }
 
+/// What is added to round a number is not to be rounded itself.
+TEST(CoreStore, RoundingIsExact)
+{
+  const long long odd = (1LL << 52) + 1;
+  EXPECT_EQ(Store<long long>(static_cast<double>(odd)), odd);
+  EXPECT_EQ(Store<long long>(static_cast<double>(-odd)), -odd);
+  EXPECT_EQ(Store<int>(std::nextafter(0.5, 0.)), 0);
+  EXPECT_EQ(Store<int>(std::nextafter(-0.5, -1.)), -1);
+}
+
+/// No integer stands for what is not a number: 0, on any machine.
+TEST(CoreStore, NotANumberIsZero)
+{
+  EXPECT_EQ(StoreUnknown<int>(std::numeric_limits<double>::quiet_NaN()), 0);
+  EXPECT_EQ(StoreUnknown<unsigned char>(std::numeric_limits<double>::quiet_NaN()), 0);
+}
+
 TEST(CoreStore, FiniteStaysFinite)
 {
   constexpr float most = std::numeric_limits<float>::max();
