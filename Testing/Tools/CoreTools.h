@@ -45,47 +45,19 @@ struct Mesh
     : Name(std::move(name))
   {
   }
-  vtkIdType AddPoint(double x, double y, double z)
-  {
-    this->Points.push_back(x);
-    this->Points.push_back(y);
-    this->Points.push_back(z);
-    return this->Cells.NumberOfPoints++;
-  }
-  void AddPoints(std::initializer_list<std::array<double, 3>> points)
-  {
-    for (const auto& p : points)
-    {
-      this->AddPoint(p[0], p[1], p[2]);
-    }
-  }
+  vtkIdType AddPoint(double x, double y, double z);
+  void AddPoints(std::initializer_list<std::array<double, 3>> points);
   void AddCell(const Tuple& vertices)
   {
     this->Cells.Dimensions.push_back(static_cast<unsigned char>(vertices.size() - 1));
     this->Cells.Connectivity.insert(
       this->Cells.Connectivity.end(), vertices.begin(), vertices.end());
   }
-  void AddCells(std::initializer_list<Tuple> cells)
-  {
-    for (const Tuple& cell : cells)
-    {
-      this->AddCell(cell);
-    }
-  }
+  void AddCells(std::initializer_list<Tuple> cells);
 };
 
 /// The cells of a list one by one, in their own vertex order.
-inline std::vector<Tuple> GetCells(const SimplexList& list)
-{
-  std::vector<Tuple> cells;
-  auto next = list.Connectivity.begin();
-  for (unsigned char dimension : list.Dimensions)
-  {
-    cells.emplace_back(next, next + dimension + 1);
-    next += dimension + 1;
-  }
-  return cells;
-}
+std::vector<Tuple> GetCells(const SimplexList& list);
 
 template <typename Id>
 SingularSimplices FlagSingular(
@@ -156,18 +128,7 @@ public:
     return { this->Connectivity.data(), this->Offsets.data(), this->Types.data() };
   }
   /// Dimensions are read from the offsets, so that these are tested too.
-  SimplexList ToList(vtkIdType numberOfPoints) const
-  {
-    SimplexList list;
-    list.NumberOfPoints = numberOfPoints;
-    for (std::size_t i = 0; i + 1 < this->Offsets.size(); ++i)
-    {
-      const auto corners = this->Offsets[i + 1] - this->Offsets[i];
-      list.Dimensions.push_back(static_cast<unsigned char>(corners - 1));
-    }
-    list.Connectivity.assign(this->Connectivity.begin(), this->Connectivity.end());
-    return list;
-  }
+  SimplexList ToList(vtkIdType numberOfPoints) const;
 
   std::vector<long long> Connectivity;
   std::vector<long long> Offsets;

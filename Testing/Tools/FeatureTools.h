@@ -24,28 +24,8 @@ using Configure = std::function<void(Filter*)>;
 using MatrixRow = std::map<vtkIdType, double>;
 
 /// Runs the filter; without `messages` it may not say anything.
-inline Grid Execute(
-  vtkDataObject* input, int levels, const Configure& configure = {}, Messages* messages = nullptr)
-{
-  vtkNew<Messages> own;
-  vtkNew<Filter> filter;
-  (messages ? messages : own.Get())->Watch(filter);
-  filter->SetInputDataObject(input);
-  filter->SetNumberOfLevels(levels);
-  if (configure)
-  {
-    configure(filter);
-  }
-  filter->Update();
-  for (const auto* list : { &own->Warnings, &own->Errors })
-  {
-    for (const std::string& text : *list)
-    {
-      ADD_FAILURE() << "unexpected: " << text;
-    }
-  }
-  return filter->GetOutput();
-}
+Grid Execute(
+  vtkDataObject* input, int levels, const Configure& configure = {}, Messages* messages = nullptr);
 
 inline void SetCellArray(Filter* filter, int index, const char* name)
 {
@@ -73,24 +53,7 @@ inline Grid With(vtkUnstructuredGrid* grid, const char* name, const std::vector<
 }
 
 /// Vertices and edges of cells, as sorted tuples.
-inline std::set<std::pair<vtkIdType, vtkIdType>> GetEdges(vtkUnstructuredGrid* grid)
-{
-  std::set<std::pair<vtkIdType, vtkIdType>> edges;
-  for (const Ids& cell : GetCells(grid))
-  {
-    for (vtkIdType a : cell)
-    {
-      for (vtkIdType b : cell)
-      {
-        if (a < b)
-        {
-          edges.emplace(a, b);
-        }
-      }
-    }
-  }
-  return edges;
-}
+std::set<std::pair<vtkIdType, vtkIdType>> GetEdges(vtkUnstructuredGrid* grid);
 
 /// One step's matrix, by a one-hot array.
 class Matrix
@@ -100,73 +63,21 @@ public:
     : Matrix(input, configure, nullptr)
   {
   }
-  Matrix(vtkUnstructuredGrid* input, const Configure& configure, Messages* messages)
-    : Size(input->GetNumberOfPoints())
-  {
-    const Grid copy = DeepCopy(input);
-    vtkNew<vtkDoubleArray> impulses;
-    impulses->SetName("impulses");
-    impulses->SetNumberOfComponents(static_cast<int>(this->Size));
-    impulses->SetNumberOfTuples(this->Size);
-    impulses->Fill(0.);
-    for (vtkIdType i = 0; i < this->Size; ++i)
-    {
-      impulses->SetComponent(i, static_cast<int>(i), 1.);
-    }
-    copy->GetPointData()->AddArray(impulses);
-    this->Output = Execute(copy, 1, configure, messages);
-    this->Edges = GetEdges(this->Output);
-  }
+  Matrix(vtkUnstructuredGrid* input, const Configure& configure, Messages* messages);
   MatrixRow Vertex(vtkIdType v) const { return this->GetRow(v); }
   /// The row of an edge's point: the only new point that is joined to both ends.
-  MatrixRow Edge(vtkIdType a, vtkIdType b) const
-  {
-    for (vtkIdType i = this->Size; i < this->Output->GetNumberOfPoints(); ++i)
-    {
-      if (this->Edges.count({ a, i }) && this->Edges.count({ b, i }))
-      {
-        return this->GetRow(i);
-      }
-    }
-    ADD_FAILURE() << "no edge " << a << " " << b;
-    return {};
-  }
+  MatrixRow Edge(vtkIdType a, vtkIdType b) const;
   vtkUnstructuredGrid* GetOutput() const { return this->Output; }
 
 private:
-  MatrixRow GetRow(vtkIdType point) const
-  {
-    MatrixRow row;
-    vtkDataArray* impulses = this->Output->GetPointData()->GetArray("impulses");
-    for (vtkIdType i = 0; i < this->Size; ++i)
-    {
-      const double weight = impulses->GetComponent(point, static_cast<int>(i));
-      if (weight != 0.)
-      {
-        row[i] = weight;
-      }
-    }
-    return row;
-  }
+  MatrixRow GetRow(vtkIdType point) const;
 
   vtkIdType Size;
   Grid Output;
   std::set<std::pair<vtkIdType, vtkIdType>> Edges;
 };
 
-inline MatrixRow MakeRow(const Ids& own, double ownWeight, const Ids& ring, double ringWeight)
-{
-  MatrixRow row;
-  for (vtkIdType i : own)
-  {
-    row[i] = ownWeight;
-  }
-  for (vtkIdType i : ring)
-  {
-    row[i] = ringWeight;
-  }
-  return row;
-}
+MatrixRow MakeRow(const Ids& own, double ownWeight, const Ids& ring, double ringWeight);
 
 // Mathematics 5, by hand.
 inline MatrixRow Corner(vtkIdType v)
@@ -200,67 +111,17 @@ inline MatrixRow SolidEdge(vtkIdType a, vtkIdType b, const Ids& ring)
   return MakeRow({ a, b }, 5. / 16, ring, 3. / 8 / static_cast<double>(ring.size()));
 }
 
-inline testing::AssertionResult Near(const MatrixRow& actual, const MatrixRow& expected)
-{
-  bool same = actual.size() == expected.size();
-  for (const auto& entry : expected)
-  {
-    const auto found = actual.find(entry.first);
-    same = same && found != actual.end() && std::abs(found->second - entry.second) <= 2e-16;
-  }
-  if (same)
-  {
-    return testing::AssertionSuccess();
-  }
-  auto result = testing::AssertionFailure();
-  for (const auto* row : { &actual, &expected })
-  {
-    result << (row == &actual ? "is" : ", not");
-    for (const auto& entry : *row)
-    {
-      result << " " << entry.first << ":" << entry.second;
-    }
-  }
-  return result;
-}
+testing::AssertionResult Near(const MatrixRow& actual, const MatrixRow& expected);
 
 // ------------------------------------------------------------------------------------------------
 // The smallest complexes
 
 /// Vertex 0 inside `n` triangles, not flat; cell i - 1 is (0, i, i + 1), ring 1 to n.
-inline Grid MakeFan(int n, const std::vector<Cell>& more = {})
-{
-  std::vector<Point> points = { { 0, 0, 0.3 } };
-  std::vector<Cell> cells;
-  for (vtkIdType i = 1; i <= n; ++i)
-  {
-    const double t = 6.283185307179586 * static_cast<double>(i) / n;
-    points.push_back({ std::cos(t), std::sin(t), i % 2 ? 0.01 : 0. });
-    cells.push_back({ VTK_TRIANGLE, { 0, i, i % n + 1 } });
-  }
-  cells.insert(cells.end(), more.begin(), more.end());
-  return MakeGrid(points, cells);
-}
+Grid MakeFan(int n, const std::vector<Cell>& more = {});
 
 /// Eight tetrahedra around vertex 0; 1, 2 = +x, -x; 3, 4 = +y, -y; 5, 6 = +z, -z. The first four
 /// cells are the upper ones, in turn between 1 3, 3 2, 2 4, 4 1; so are the others below.
-inline Grid MakeOctahedron(const std::vector<Cell>& more = {})
-{
-  const std::vector<Point> points = { { 0.01, 0.02, 0.03 }, { 1, 0, 0 }, { -1.1, 0, 0 },
-    { 0, 1.2, 0 }, { 0, -1.3, 0 }, { 0, 0, 1.4 }, { 0, 0, -1.5 } };
-  const vtkIdType around[5] = { 1, 3, 2, 4, 1 };
-  std::vector<Cell> cells;
-  for (int i = 0; i < 4; ++i)
-  {
-    cells.push_back({ VTK_TETRA, { 0, around[i], around[i + 1], 5 } });
-  }
-  for (int i = 0; i < 4; ++i)
-  {
-    cells.push_back({ VTK_TETRA, { 0, around[i + 1], around[i], 6 } });
-  }
-  cells.insert(cells.end(), more.begin(), more.end());
-  return MakeGrid(points, cells);
-}
+Grid MakeOctahedron(const std::vector<Cell>& more = {});
 
 /// `cells` after `before` cells that are not flagged, all flagged.
 inline std::vector<int> FlagsAfter(int before, std::size_t flagged)
@@ -281,120 +142,14 @@ inline Grid MakeFlaggedOctahedron(const std::vector<Cell>& flagged)
 }
 
 /// n^3 cubes of six tetrahedra each (Kuhn), in [0, n]^3, moved a little by `noise` inside.
-inline Grid MakeKuhnBox(int n, double noise = 0., unsigned seed = 1)
-{
-  std::vector<Point> points;
-  std::vector<Cell> cells;
-  std::mt19937 random(seed);
-  for (int k = 0; k <= n; ++k)
-  {
-    for (int j = 0; j <= n; ++j)
-    {
-      for (int i = 0; i <= n; ++i)
-      {
-        auto shift = [&] { return noise * (random() / 4294967296. - 0.5); };
-        points.push_back({ i + shift(), j + shift(), k + shift() });
-      }
-    }
-  }
-  auto at = [n](const std::array<int, 3>& p)
-  { return vtkIdType(p[0] + (n + 1) * (p[1] + (n + 1) * p[2])); };
-  for (int cube = 0; cube < n * n * n; ++cube)
-  {
-    std::array<int, 3> axes = { 0, 1, 2 };
-    do
-    {
-      std::array<int, 3> corner = { cube % n, cube / n % n, cube / n / n };
-      Ids tet = { at(corner) };
-      for (int axis : axes)
-      {
-        ++corner[axis];
-        tet.push_back(at(corner));
-      }
-      const bool odd = (axes[0] > axes[1]) ^ (axes[0] > axes[2]) ^ (axes[1] > axes[2]);
-      if (odd)
-      {
-        std::swap(tet[2], tet[3]);
-      }
-      cells.push_back({ VTK_TETRA, tet });
-    } while (std::next_permutation(axes.begin(), axes.end()));
-  }
-  return MakeGrid(points, cells);
-}
+Grid MakeKuhnBox(int n, double noise = 0., unsigned seed = 1);
 
 /// A random complex on `n` points: cells of all dimensions, joints of every type, followers, equal
 /// cells; with arrays Singular, MaterialId, Part and Rule.
-inline Grid MakeRandomComplex(unsigned seed, bool withSolids = true)
-{
-  std::mt19937 random(seed);
-  auto draw = [&random](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
-  const int n = 7 + draw(8);
-  std::vector<Point> points;
-  for (int i = 0; i < n; ++i)
-  {
-    points.push_back({ random() / 4294967296., random() / 4294967296., random() / 4294967296. });
-  }
-  const int types[4] = { VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_TETRA };
-  std::vector<Cell> cells;
-  std::vector<int> flags;
-  std::map<Ids, int> flagOf; // the same for equal cells
-  const int count = 6 + draw(20);
-  for (int i = 0; i < count; ++i)
-  {
-    const int dimension = draw(withSolids ? 4 : 3);
-    Ids ids(n);
-    std::iota(ids.begin(), ids.end(), 0);
-    std::shuffle(ids.begin(), ids.end(), random);
-    ids.resize(dimension + 1);
-    if (i > 0 && draw(3) == 0) // a face of an earlier cell
-    {
-      ids = cells[draw(i)].Points;
-      ids.resize(std::min<std::size_t>(ids.size(), dimension + 1));
-    }
-    cells.push_back({ types[ids.size() - 1], ids });
-    std::sort(ids.begin(), ids.end());
-    flags.push_back(flagOf.emplace(ids, ids.size() < 4 && draw(4) == 0).first->second);
-  }
-  const Grid grid = MakeGrid(points, cells);
-  AddCellArray(grid, "Singular", flags);
-  std::vector<int> materials;
-  std::vector<int> parts;
-  std::vector<int> rules;
-  for (int i = 0; i < count; ++i)
-  {
-    materials.push_back(draw(2));
-    parts.push_back(draw(4) - 1);
-    rules.push_back(draw(2) ? 0 : draw(7));
-  }
-  AddCellArray(grid, "MaterialId", materials);
-  AddCellArray(grid, "Part", parts);
-  AddCellArray(grid, "Rule", rules);
-  return grid;
-}
+Grid MakeRandomComplex(unsigned seed, bool withSolids = true);
 
 /// Options of every kind from bits of a random number.
-inline Configure RandomOptions(unsigned seed)
-{
-  std::mt19937 random(seed);
-  std::array<int, 9> bits;
-  for (int& bit : bits)
-  {
-    bit = static_cast<int>(random() >> 8);
-  }
-  return [bits](Filter* filter)
-  {
-    filter->SetGenerateClassification(true);
-    filter->SetCreaseEnd(bits[0] % 2);
-    filter->SetEmbeddedCells(bits[1] % 3);
-    filter->SetPreserveInterfaces(bits[2] % 2);
-    filter->SetType1Rule(bits[3] % 5);
-    filter->SetType2Rule(bits[4] % 3);
-    filter->SetType3Rule(bits[5] % 2);
-    SetCellArray(filter, 2, bits[6] % 2 ? "Part" : "None");
-    SetCellArray(filter, 3, bits[7] % 2 ? "Rule" : "None");
-    filter->SetDetectFeatures(bits[8] % 2);
-  };
-}
+Configure RandomOptions(unsigned seed);
 
 }
 

@@ -10,8 +10,6 @@
 
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
-#include <sstream>
-
 namespace operator_cache_tools
 {
 
@@ -21,32 +19,12 @@ using namespace feature_tools;
 class Kept
 {
 public:
-  explicit Kept(const Configure& configure = {})
-  {
-    this->Heard->Watch(this->Cached);
-    this->Cached->SetNumberOfLevels(2);
-    if (configure)
-    {
-      configure(this->Cached);
-    }
-  }
-  ~Kept()
-  {
-    EXPECT_TRUE(this->Heard->Errors.empty());
-    EXPECT_TRUE(this->Heard->Warnings.empty());
-  }
+  explicit Kept(const Configure& configure = {});
+  ~Kept();
   Filter* operator->() { return this->Cached; }
   Filter* Get() { return this->Cached; }
   /// A copy of the output that shares its arrays.
-  Grid Update(vtkDataObject* input)
-  {
-    this->Cached->SetInputDataObject(input);
-    this->Cached->Modified();
-    this->Cached->Update();
-    const auto output = Grid::New();
-    output->ShallowCopy(this->Cached->GetOutputDataObject(0));
-    return output;
-  }
+  Grid Update(vtkDataObject* input);
   /// How often topology was built since the last question.
   vtkIdType CountBuilds()
   {
@@ -62,38 +40,16 @@ private:
 };
 
 /// The output of a new filter without a cache.
-inline Grid Fresh(vtkDataObject* input, const Configure& configure = {})
-{
-  return Execute(input, 2,
-    [&](Filter* filter)
-    {
-      filter->CacheOperatorOff();
-      if (configure)
-      {
-        configure(filter);
-      }
-    });
-}
+Grid Fresh(vtkDataObject* input, const Configure& configure = {});
 
-inline bool SharesCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
-{
-  return a->GetCells()->GetConnectivityArray() == b->GetCells()->GetConnectivityArray() &&
-    a->GetCells()->GetOffsetsArray() == b->GetCells()->GetOffsetsArray() &&
-    subdivision::GetCellTypes(a) == subdivision::GetCellTypes(b);
-}
+bool SharesCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b);
 
 inline bool SharesPoints(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
 {
   return a->GetPoints()->GetData() == b->GetPoints()->GetData();
 }
 
-inline Grid MakeInput(unsigned seed = 1)
-{
-  const Grid grid = MakeKuhnBox(2, 0.2, seed);
-  grid->GetPointData()->AddArray(
-    MakeArray<vtkDoubleArray>("scalar", 1, grid->GetNumberOfPoints(), 0., 1., seed));
-  return grid;
-}
+Grid MakeInput(unsigned seed = 1);
 
 inline void MovePoint(vtkUnstructuredGrid* grid, vtkIdType i, double x, double y, double z)
 {
@@ -101,12 +57,7 @@ inline void MovePoint(vtkUnstructuredGrid* grid, vtkIdType i, double x, double y
   grid->GetPoints()->Modified();
 }
 
-inline std::string Print(Filter* filter)
-{
-  std::ostringstream text;
-  filter->Print(text);
-  return text.str();
-}
+std::string Print(Filter* filter);
 
 inline bool HoldsNothing(Filter* filter)
 {

@@ -13,10 +13,6 @@
 #include "Core/Solids/Complex/Simplices.h"
 #include "Core/Solids/RedGreen/RedGreenOutput.h"
 
-#include <cmath>
-#include <map>
-#include <random>
-
 namespace redgreen_reference
 {
 
@@ -25,32 +21,10 @@ using namespace coretest;
 /// A point of the input complex: weights of input vertices, sorted. Dyadic, hence exact.
 using Key = std::vector<std::pair<vtkIdType, double>>;
 
-inline Key Middle(const Key& a, const Key& b)
-{
-  std::map<vtkIdType, double> sum;
-  for (const Key* key : { &a, &b })
-  {
-    for (const auto& entry : *key)
-    {
-      sum[entry.first] += 0.5 * entry.second;
-    }
-  }
-  return Key(sum.begin(), sum.end());
-}
+Key Middle(const Key& a, const Key& b);
 
 /// The input vertices of the smallest simplex that holds some points.
-inline Tuple Support(const std::vector<Key>& points)
-{
-  std::set<vtkIdType> support;
-  for (const Key& point : points)
-  {
-    for (const auto& entry : point)
-    {
-      support.insert(entry.first);
-    }
-  }
-  return Tuple(support.begin(), support.end());
-}
+Tuple Support(const std::vector<Key>& points);
 
 using Cell = std::vector<Key>;
 using Pair = std::pair<Key, Key>;
@@ -61,23 +35,7 @@ inline Pair MakePair(const Key& a, const Key& b)
 }
 
 /// The children of Mathematics 2, as pairs of corners whose middles they join.
-inline std::vector<Cell> RedChildren(const Cell& c)
-{
-  auto m = [&c](int i, int j) { return Middle(c[i], c[j]); };
-  if (c.size() == 2)
-  {
-    return { { c[0], m(0, 1) }, { m(0, 1), c[1] } };
-  }
-  if (c.size() == 3)
-  {
-    return { { c[0], m(0, 1), m(0, 2) }, { m(0, 1), c[1], m(1, 2) }, { m(0, 2), m(1, 2), c[2] },
-      { m(0, 1), m(1, 2), m(0, 2) } };
-  }
-  return { { c[0], m(0, 1), m(0, 2), m(0, 3) }, { m(0, 1), c[1], m(1, 2), m(1, 3) },
-    { m(0, 2), m(1, 2), c[2], m(2, 3) }, { m(0, 3), m(1, 3), m(2, 3), c[3] },
-    { m(0, 1), m(0, 2), m(0, 3), m(1, 3) }, { m(1, 2), m(0, 2), m(0, 1), m(1, 3) },
-    { m(0, 2), m(0, 3), m(1, 3), m(2, 3) }, { m(1, 3), m(1, 2), m(0, 2), m(2, 3) } };
-}
+std::vector<Cell> RedChildren(const Cell& c);
 
 /// A leaf of the definition.
 struct NaiveLeaf
@@ -96,152 +54,24 @@ struct NaiveLeaf
 class NaiveRedGreen
 {
 public:
-  explicit NaiveRedGreen(const SimplexList& input)
-  {
-    vtkIdType i = 0;
-    for (const Tuple& cell : GetCells(input))
-    {
-      NaiveLeaf leaf{ i++, 0, {} };
-      for (vtkIdType v : cell)
-      {
-        leaf.Points.push_back({ { v, 1. } });
-      }
-      this->Leaves.insert(leaf);
-    }
-  }
+  explicit NaiveRedGreen(const SimplexList& input);
 
   std::set<NaiveLeaf> Leaves;
   std::set<Pair> Splits;
 
-  void MarkCell(const NaiveLeaf& leaf)
-  {
-    for (const Pair& edge : EdgesOf(leaf.Points))
-    {
-      this->Splits.insert(edge);
-    }
-  }
+  void MarkCell(const NaiveLeaf& leaf);
   /// A cell that will be a leaf.
-  void MarkLater(const Cell& cell)
-  {
-    for (const Pair& edge : EdgesOf(cell))
-    {
-      this->Pending.push_back(edge);
-    }
-  }
+  void MarkLater(const Cell& cell);
   /// An edge of a cell of the output in a leaf.
-  void MarkEdge(const NaiveLeaf& leaf, const Pair& edge)
-  {
-    for (const NaiveLeaf& other : this->Leaves)
-    {
-      if (EdgesOf(other.Points).count(edge))
-      {
-        this->Splits.insert(edge);
-        return;
-      }
-    }
-    this->MarkCell(leaf);
-    this->Pending.push_back(edge);
-  }
-  void Close()
-  {
-    for (bool again = true; again;)
-    {
-      while (this->Sweep())
-      {
-      }
-      again = false;
-      std::set<Pair> edges;
-      for (const NaiveLeaf& leaf : this->Leaves)
-      {
-        const auto own = EdgesOf(leaf.Points);
-        edges.insert(own.begin(), own.end());
-      }
-      for (const Pair& edge : this->Pending)
-      {
-        again = (edges.count(edge) && this->Splits.insert(edge).second) || again;
-      }
-      this->Pending.clear();
-    }
-  }
+  void MarkEdge(const NaiveLeaf& leaf, const Pair& edge);
+  void Close();
 
-  static std::set<Pair> EdgesOf(const Cell& cell)
-  {
-    std::set<Pair> edges;
-    for (std::size_t i = 0; i < cell.size(); ++i)
-    {
-      for (std::size_t j = 0; j < i; ++j)
-      {
-        edges.insert(MakePair(cell[i], cell[j]));
-      }
-    }
-    return edges;
-  }
+  static std::set<Pair> EdgesOf(const Cell& cell);
 
 private:
   bool IsSplit(const Key& a, const Key& b) const { return this->Splits.count(MakePair(a, b)) > 0; }
   /// All leaves once; says whether anything changed.
-  bool Sweep()
-  {
-    bool changed = false;
-    std::vector<NaiveLeaf> red;
-    for (const NaiveLeaf& leaf : this->Leaves)
-    {
-      const auto edges = EdgesOf(leaf.Points);
-      bool all = !edges.empty();
-      bool must = false;
-      for (const Pair& edge : edges)
-      {
-        all = all && this->Splits.count(edge) > 0;
-        const Key m = Middle(edge.first, edge.second);
-        must = must ||
-          (this->Splits.count(edge) &&
-            (this->IsSplit(edge.first, m) || this->IsSplit(edge.second, m)));
-      }
-      const Cell& p = leaf.Points;
-      const int size = static_cast<int>(p.size());
-      for (int i = 0; i < size; ++i)
-      {
-        for (int j = 0; j < i; ++j)
-        {
-          for (int k = 0; k < j; ++k)
-          {
-            const int split =
-              this->IsSplit(p[i], p[j]) + this->IsSplit(p[j], p[k]) + this->IsSplit(p[i], p[k]);
-            if (split == 2)
-            {
-              this->Splits.insert(MakePair(p[i], p[j]));
-              this->Splits.insert(MakePair(p[j], p[k]));
-              this->Splits.insert(MakePair(p[i], p[k]));
-              changed = true;
-            }
-            const Key a = Middle(p[i], p[j]);
-            const Key b = Middle(p[j], p[k]);
-            const Key c = Middle(p[i], p[k]);
-            must = must ||
-              (split == 3 && (this->IsSplit(a, b) || this->IsSplit(b, c) || this->IsSplit(a, c)));
-          }
-        }
-      }
-      if (must && !all)
-      {
-        this->Splits.insert(edges.begin(), edges.end());
-        changed = true;
-      }
-      if (all)
-      {
-        red.push_back(leaf);
-      }
-    }
-    for (const NaiveLeaf& leaf : red)
-    {
-      this->Leaves.erase(leaf);
-      for (const Cell& child : RedChildren(leaf.Points))
-      {
-        this->Leaves.insert({ leaf.Input, leaf.Level + 1, child });
-      }
-    }
-    return changed || !red.empty();
-  }
+  bool Sweep();
 
   std::vector<Pair> Pending;
 };
@@ -367,42 +197,10 @@ using Matrix4 = std::array<std::array<double, 4>, 4>;
 
 /// Determinant of the rows from `row` on and the columns of a mask, by expansion: exact for dyadic
 /// numbers of a few bits.
-inline double Determinant(const Matrix4& m, int size, int row = 0, unsigned int used = 0)
-{
-  if (row >= std::min(size, 4))
-  {
-    return 1.;
-  }
-  double sum = 0.;
-  double sign = 1.;
-  for (int column = 0; column < size; ++column)
-  {
-    if ((used >> column & 1u) == 0)
-    {
-      if (m[row][column] != 0.)
-      {
-        sum += sign * m[row][column] * Determinant(m, size, row + 1, used | 1u << column);
-      }
-      sign = -sign;
-    }
-  }
-  return sum;
-}
+double Determinant(const Matrix4& m, int size, int row = 0, unsigned int used = 0);
 
 /// Barycentric coordinates of up to four points in a simplex of the input, vertices in order.
-inline Matrix4 Coordinates(const Cell& points, const Tuple& simplex)
-{
-  Matrix4 rows{};
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    for (const auto& entry : points[i])
-    {
-      rows[i][std::find(simplex.begin(), simplex.end(), entry.first) - simplex.begin()] +=
-        entry.second;
-    }
-  }
-  return rows;
-}
+Matrix4 Coordinates(const Cell& points, const Tuple& simplex);
 
 }
 

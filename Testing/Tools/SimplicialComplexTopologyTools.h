@@ -20,72 +20,19 @@ using namespace multi_dimensional_subdivision_tools;
 using Configure = std::function<void(vtkSubdivisionAlgorithm*)>;
 
 /// Runs the filter. Without `messages` it may not say anything.
-inline Grid Probe(vtkDataObject* input, const Configure& setup = nullptr, bool special = false,
-  Messages* messages = nullptr)
-{
-  vtkNew<Messages> own;
-  vtkNew<vtkSimplicialComplexTopology> filter;
-  (messages ? messages : own.Get())->Watch(filter);
-  filter->SetInputDataObject(input);
-  filter->SetSpecialOnly(special);
-  if (setup)
-  {
-    setup(filter);
-  }
-  filter->Update();
-  for (const auto* list : { &own->Warnings, &own->Errors })
-  {
-    for (const std::string& text : *list)
-    {
-      ADD_FAILURE() << "unexpected: " << text;
-    }
-  }
-  return filter->GetOutput();
-}
+Grid Probe(vtkDataObject* input, const Configure& setup = nullptr, bool special = false,
+  Messages* messages = nullptr);
 
 /// Points in general position; only their number matters.
-inline Grid MakeComplex(int points, const std::vector<Cell>& cells)
-{
-  std::vector<Point> positions;
-  for (int i = 0; i < points; ++i)
-  {
-    positions.push_back({ i * 1., i * i * 1., i * i * i * 1. });
-  }
-  return MakeGrid(positions, cells);
-}
+Grid MakeComplex(int points, const std::vector<Cell>& cells);
 
-inline void Flag(
-  vtkUnstructuredGrid* grid, const std::vector<int>& flags, const char* name = "Singular")
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  for (int flag : flags)
-  {
-    array->InsertNextValue(flag);
-  }
-  grid->GetCellData()->AddArray(array);
-}
+void Flag(vtkUnstructuredGrid* grid, const std::vector<int>& flags, const char* name = "Singular");
 
 inline const char* const Names[] = { "ManifoldDimensions", "Boundary", "NonManifoldType",
   "Singular", "Valence", "RuleDimension" };
 
 /// The six values of a simplex, in the order of `Names`; empty where it is no cell.
-inline std::vector<int> Values(vtkUnstructuredGrid* probe, const Ids& simplex)
-{
-  for (vtkIdType i = 0; i < probe->GetNumberOfCells(); ++i)
-  {
-    if (GetCell(probe, i) == simplex)
-    {
-      std::vector<int> values;
-      for (const char* name : Names)
-      {
-        values.push_back(static_cast<int>(probe->GetCellData()->GetArray(name)->GetTuple1(i)));
-      }
-      return values;
-    }
-  }
-  return {};
-}
+std::vector<int> Values(vtkUnstructuredGrid* probe, const Ids& simplex);
 
 inline int RuleOf(vtkUnstructuredGrid* probe, const Ids& simplex)
 {
@@ -99,18 +46,7 @@ inline int SingularOf(vtkUnstructuredGrid* probe, const Ids& simplex)
   return values.empty() ? -9 : values[3];
 }
 
-inline std::vector<Ids> SingularCells(vtkUnstructuredGrid* probe)
-{
-  std::vector<Ids> cells;
-  for (vtkIdType i = 0; i < probe->GetNumberOfCells(); ++i)
-  {
-    if (probe->GetCellData()->GetArray("Singular")->GetTuple1(i) != 0)
-    {
-      cells.push_back(GetCell(probe, i));
-    }
-  }
-  return cells;
-}
+std::vector<Ids> SingularCells(vtkUnstructuredGrid* probe);
 
 inline Ids Field(vtkUnstructuredGrid* probe, const char* name)
 {
@@ -119,13 +55,7 @@ inline Ids Field(vtkUnstructuredGrid* probe, const char* name)
                : Ids();
 }
 
-inline void ExpectNumbers(vtkUnstructuredGrid* probe, const Ids& counts, const Ids& components)
-{
-  EXPECT_EQ(Field(probe, "SimplexCounts"), counts);
-  EXPECT_EQ(
-    Field(probe, "EulerCharacteristic"), Ids{ counts[0] - counts[1] + counts[2] - counts[3] });
-  EXPECT_EQ(Field(probe, "ManifoldComponents"), components);
-}
+void ExpectNumbers(vtkUnstructuredGrid* probe, const Ids& counts, const Ids& components);
 
 using V = std::vector<int>;
 
@@ -133,29 +63,9 @@ using V = std::vector<int>;
 inline const std::vector<Point> BallPoints = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 },
   { 0, 0, 1 }, { 0, 0, -1 }, { 0, 0, 0 } };
 
-inline std::vector<Cell> BallCells(bool solid)
-{
-  std::vector<Cell> cells;
-  for (vtkIdType a : { 0, 1 })
-  {
-    for (vtkIdType b : { 2, 3 })
-    {
-      for (vtkIdType c : { 4, 5 })
-      {
-        cells.push_back(
-          solid ? Cell{ VTK_TETRA, { 6, a, b, c } } : Cell{ VTK_TRIANGLE, { a, b, c } });
-      }
-    }
-  }
-  return cells;
-}
+std::vector<Cell> BallCells(bool solid);
 
-inline Grid MakeBall(std::vector<Cell> more = {})
-{
-  std::vector<Cell> cells = BallCells(true);
-  cells.insert(cells.end(), more.begin(), more.end());
-  return MakeGrid(BallPoints, cells);
-}
+Grid MakeBall(std::vector<Cell> more = {});
 
 }
 

@@ -19,34 +19,9 @@ using namespace feature_tools;
 using Map = std::function<Point(const Point&)>;
 
 /// Points in a box, one vertex cell each, with arrays of every kind.
-inline Grid MakeCloud(int size, Point low, Point high, unsigned seed, int type = VTK_DOUBLE)
-{
-  std::mt19937 random(seed);
-  std::vector<Point> points(size);
-  std::vector<Cell> cells;
-  for (int i = 0; i < size; ++i)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      points[i][c] = low[c] + (high[c] - low[c]) * (random() / 4294967296.);
-    }
-    cells.push_back({ VTK_VERTEX, { i } });
-  }
-  return MakeGrid(points, cells, type);
-}
+Grid MakeCloud(int size, Point low, Point high, unsigned seed, int type = VTK_DOUBLE);
 
-inline Grid Moved(vtkUnstructuredGrid* mesh, const Map& map)
-{
-  const Grid moved = DeepCopy(mesh);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    points->InsertNextPoint(map(GetPoint(mesh, i)).data());
-  }
-  moved->SetPoints(points);
-  return moved;
-}
+Grid Moved(vtkUnstructuredGrid* mesh, const Map& map);
 
 /// x -> a (1.1 x + 0.4 y - 0.3 z, …) + b: turns, shears and stretches.
 inline Point Affine(const Point& x)
@@ -68,22 +43,7 @@ public:
   vtkSubdivisionDeformation* operator->() { return this->Filter; }
   /// A copy of the output that shares its arrays.
   vtkSmartPointer<vtkPointSet> Run(
-    vtkDataObject* input, vtkDataObject* rest, vtkDataObject* deformed)
-  {
-    this->Filter->SetInputData(input);
-    this->Filter->SetRestMeshData(rest);
-    this->Filter->SetDeformedMeshData(deformed);
-    this->Filter->Modified();
-    this->Filter->Update();
-    vtkPointSet* output = this->Filter->GetOutput();
-    if (!output)
-    {
-      return nullptr;
-    }
-    auto copy = vtkSmartPointer<vtkPointSet>::Take(output->NewInstance());
-    copy->ShallowCopy(output);
-    return copy;
-  }
+    vtkDataObject* input, vtkDataObject* rest, vtkDataObject* deformed);
   const std::vector<std::string>& GetWarnings() const { return this->Heard->Warnings; }
   const std::vector<std::string>& GetErrors() const { return this->Heard->Errors; }
   void Forget()
@@ -99,22 +59,7 @@ private:
 };
 
 /// The largest distance, in any coordinate, between the points and those of a map.
-inline double GetLargestError(vtkPointSet* result, vtkPointSet* input, const Map& map)
-{
-  EXPECT_EQ(result->GetNumberOfPoints(), input->GetNumberOfPoints());
-  double largest = 0.;
-  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
-  {
-    const Point found = GetPoint(result, i);
-    const Point wanted = map(GetPoint(input, i));
-    for (int c = 0; c < 3; ++c)
-    {
-      const double error = std::abs(found[c] - wanted[c]);
-      largest = error <= largest ? largest : error; // NaN counts
-    }
-  }
-  return largest;
-}
+double GetLargestError(vtkPointSet* result, vtkPointSet* input, const Map& map);
 
 inline std::string ComparePoints(vtkPointSet* a, vtkPointSet* b)
 {

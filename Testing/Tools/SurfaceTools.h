@@ -9,9 +9,8 @@
 
 #include "vtkSurfaceSubdivision.h"
 
-#include "Core/Operators/BlockOperator.h"
+#include "Core/Operators/RowBlock.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
-#include "Core/Surfaces/Scheme/SurfaceTags.h"
 #include "Core/Surfaces/Steps/SurfaceSchemes.h"
 
 #include "vtkCellArray.h"
@@ -19,7 +18,6 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
@@ -28,7 +26,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <map>
 #include <random>
@@ -51,115 +48,16 @@ struct Model
   std::vector<vtkIdType> Corners;
 };
 
-inline std::vector<Point> MakeRandomPoints(std::size_t count, unsigned seed)
-{
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> coordinate(-1., 1.);
-  std::vector<Point> points(count);
-  for (Point& point : points)
-  {
-    point = { coordinate(random), coordinate(random), coordinate(random) };
-  }
-  return points;
-}
+std::vector<Point> MakeRandomPoints(std::size_t count, unsigned seed);
 
 /// n triangles around point 0; open: half of a disk, with point 0 on the boundary.
-inline Model MakeFan(int n, bool open)
-{
-  Model model;
-  const double turn = (open ? 1. : 2.) * std::acos(-1.) / n;
-  model.Points.push_back({ 0., 0., 0. });
-  for (int j = 0; j < n + (open ? 1 : 0); ++j)
-  {
-    model.Points.push_back({ std::cos(j * turn), std::sin(j * turn), 0. });
-  }
-  for (int j = 0; j < n; ++j)
-  {
-    model.Faces.push_back({ 0, 1 + j, open ? 2 + j : 1 + (j + 1) % n });
-  }
-  return model;
-}
+Model MakeFan(int n, bool open);
 
 /// A grid over the unit cells of two vectors, with its four corners flagged.
-inline Model MakeGrid(int width, int height, bool triangles, Point a, Point b)
-{
-  Model model;
-  for (int y = 0; y <= height; ++y)
-  {
-    for (int x = 0; x <= width; ++x)
-    {
-      model.Points.push_back({ x * a[0] + y * b[0], x * a[1] + y * b[1], x * a[2] + y * b[2] });
-    }
-  }
-  for (int y = 0; y < height; ++y)
-  {
-    for (int x = 0; x < width; ++x)
-    {
-      const vtkIdType p = y * (width + 1) + x;
-      const vtkIdType q = p + width + 1;
-      if (triangles)
-      {
-        model.Faces.push_back({ p, p + 1, q });
-        model.Faces.push_back({ p + 1, q + 1, q });
-      }
-      else
-      {
-        model.Faces.push_back({ p, p + 1, q + 1, q });
-      }
-    }
-  }
-  const vtkIdType last = static_cast<vtkIdType>(model.Points.size()) - 1;
-  model.Corners = { 0, width, last - width, last };
-  return model;
-}
+Model MakeGrid(int width, int height, bool triangles, Point a, Point b);
 
 /// Random positions for the topologies that matter.
-inline std::map<std::string, Model> MakeZoo(bool triangles)
-{
-  std::map<std::string, Model> zoo;
-  if (triangles)
-  {
-    zoo["triangle"].Faces = { { 0, 1, 2 } };
-    zoo["two triangles"].Faces = { { 0, 1, 2 }, { 2, 1, 3 } };
-    zoo["tetrahedron"].Faces = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } };
-    zoo["moebius"].Faces = { { 0, 1, 2 }, { 1, 2, 3 }, { 2, 3, 4 }, { 3, 4, 0 }, { 4, 0, 1 } };
-    zoo["flipped fan"].Faces = { { 0, 1, 2 }, { 0, 3, 2 }, { 0, 3, 4 }, { 0, 1, 4 } };
-    zoo["book"].Faces = { { 0, 1, 2 }, { 0, 1, 3 }, { 1, 0, 4 }, { 0, 4, 5 } };
-    zoo["bow tie"].Faces = { { 0, 1, 2 }, { 0, 3, 4 } };
-    zoo["touching tetrahedra"].Faces = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 },
-      { 0, 4, 5 }, { 0, 5, 6 }, { 0, 6, 4 }, { 4, 6, 5 } };
-    zoo["pillow"].Faces = { { 0, 1, 2 }, { 0, 2, 1 } };
-  }
-  else
-  {
-    zoo["quad"].Faces = { { 0, 1, 2, 3 } };
-    zoo["pentagon and triangle"].Faces = { { 0, 1, 2, 3, 4 }, { 1, 0, 5 } };
-    zoo["cube"].Faces = { { 0, 1, 2, 3 }, { 7, 6, 5, 4 }, { 0, 4, 5, 1 }, { 1, 5, 6, 2 },
-      { 2, 6, 7, 3 }, { 3, 7, 4, 0 } };
-    zoo["moebius"].Faces = { { 0, 2, 3, 1 }, { 2, 4, 5, 3 }, { 4, 1, 0, 5 } };
-    zoo["flipped quads"].Faces = { { 0, 1, 2, 3 }, { 1, 2, 5, 4 }, { 3, 2, 5, 6 } };
-    zoo["book"].Faces = { { 0, 1, 2, 3 }, { 0, 1, 4, 5 }, { 1, 0, 6, 7 }, { 0, 7, 8 } };
-    zoo["bow tie"].Faces = { { 0, 1, 2, 3 }, { 0, 4, 5, 6 } };
-  }
-  zoo["crease"] = MakeGrid(3, 2, triangles, { 1., 0., 0. }, { 0., 1., 0. });
-  zoo["crease"].Lines = { { 4, 5 }, { 6, 5 }, { 6, 7 }, { 5, 9 } };
-  zoo["free line"].Faces = { { 0, 1, 2 } };
-  zoo["free line"].Lines = { { 0, 3 }, { 4, 3 }, { 4, 5 }, { 3, 6 }, { 1, 2 } };
-  unsigned seed = 0;
-  for (auto& entry : zoo)
-  {
-    vtkIdType size = 1; // and one that is not used
-    for (const Polygons* cells : { &entry.second.Faces, &entry.second.Lines })
-    {
-      for (const auto& cell : *cells)
-      {
-        size = std::max(size, 2 + *std::max_element(cell.begin(), cell.end()));
-      }
-    }
-    entry.second.Points = MakeRandomPoints(static_cast<std::size_t>(size), ++seed);
-  }
-  return zoo;
-}
+std::map<std::string, Model> MakeZoo(bool triangles);
 
 template <typename T>
 Buffer<int> ToBuffer(const T& values)
@@ -169,89 +67,21 @@ Buffer<int> ToBuffer(const T& values)
   return buffer;
 }
 
-inline SurfaceLevel<int> MakeLevel(std::size_t points, const Polygons& faces, const Polygons& lines)
-{
-  std::vector<vtkIdType> offsets{ 0 };
-  std::vector<vtkIdType> corners;
-  std::vector<vtkIdType> segments;
-  for (const auto& face : faces)
-  {
-    corners.insert(corners.end(), face.begin(), face.end());
-    offsets.push_back(static_cast<vtkIdType>(corners.size()));
-  }
-  for (const auto& line : lines)
-  {
-    segments.insert(segments.end(), line.begin(), line.end());
-  }
-  PolygonList<int> list;
-  list.NumberOfVertices = static_cast<vtkIdType>(points);
-  list.FaceOffsets = ToBuffer(offsets);
-  list.Vertices = ToBuffer(corners);
-  list.Segments = ToBuffer(segments);
-  SurfaceLevel<int> level;
-  level.Mesh = BuildPolygonMesh(std::move(list), level.Lines);
-  return level;
-}
+SurfaceLevel<int> MakeLevel(std::size_t points, const Polygons& faces, const Polygons& lines);
 
 /// A surface that is subdivided step by step.
 class Walk
 {
 public:
-  Walk(const Model& model, SurfaceSchemeKind kind)
-    : Scheme(MakeSurfaceScheme<int>(kind, true))
-    , Points(model.Points)
-    , Level(MakeLevel(model.Points.size(), model.Faces, model.Lines))
-  {
-    SurfaceFeatures features;
-    features.Corners.assign(model.Points.size(), 0);
-    for (vtkIdType corner : model.Corners)
-    {
-      features.Corners[corner] = 1;
-    }
-    this->Level.Tags =
-      ClassifySurface(this->Level.Mesh, *this->Scheme, features, this->Points.data()->data());
-    this->Scheme->RestrictTags(this->Level);
-    this->Scheme->Prepare(this->Level);
-  }
+  Walk(const Model& model, SurfaceSchemeKind kind);
 
-  RowBlock<int> GetRows() const
-  {
-    RowBlock<int> rows;
-    this->Scheme->AppendRows(
-      this->Level, this->Level.Tags, 0, this->Scheme->GetNumberOfRows(this->Level), rows);
-    return rows;
-  }
-  static std::vector<Point> Apply(const RowBlock<int>& rows, const std::vector<Point>& in)
-  {
-    std::vector<Point> out(rows.GetNumberOfRows());
-    rows.Apply<3>(in.data()->data(), out.data()->data(), 3);
-    return out;
-  }
-  std::vector<Point> GetLimit(LimitKind kind = LimitKind::Position) const
-  {
-    RowBlock<int> rows;
-    this->Scheme->AppendLimitRows(
-      this->Level, this->Level.Tags, kind, 0, this->Level.Mesh.NumberOfVertices, rows);
-    return Apply(rows, this->Points);
-  }
-  void Step()
-  {
-    this->Points = Apply(this->GetRows(), this->Points);
-    this->Level = this->Scheme->Refine(this->Level, Depth::ForRefinement);
-    this->Scheme->Prepare(this->Level);
-  }
+  RowBlock<int> GetRows() const;
+  static std::vector<Point> Apply(const RowBlock<int>& rows, const std::vector<Point>& in);
+  std::vector<Point> GetLimit(LimitKind kind = LimitKind::Position) const;
+  void Step();
 
   /// The other ends of a vertex's edges.
-  std::vector<int> GetNeighbours(int vertex) const
-  {
-    std::vector<int> ends;
-    CollectEdges(this->Level.Mesh, vertex, [](int) { return true; }, ends);
-    for (int& end : ends)
-    {
-      end = this->Level.Mesh.GetOtherEnd(end, vertex);
-    }
-    return ends;
-  }
+  std::vector<int> GetNeighbours(int vertex) const;
 
   std::shared_ptr<const SurfaceScheme<int>> Scheme;
   std::vector<Point> Points;
@@ -264,129 +94,13 @@ inline double GetDistance(const Point& a, const Point& b)
 }
 
 /// The incidences of a level are those that a search over its faces finds.
-inline void CheckIncidences(const SurfaceLevel<int>& level)
-{
-  const PolygonMesh<int>& mesh = level.Mesh;
-  Polygons faces;
-  for (int f = 0; f < mesh.NumberOfFaces; ++f)
-  {
-    const int* first = mesh.Vertices.data() + mesh.GetFirst(f);
-    faces.emplace_back(first, first + mesh.GetSize(f));
-    const std::set<vtkIdType> different(faces.back().begin(), faces.back().end());
-    ASSERT_EQ(different.size(), faces.back().size());
-  }
-  Polygons lines;
-  for (int e = 0; e < mesh.GetNumberOfEdges(); ++e)
-  {
-    lines.push_back({ mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
-  }
-  const SurfaceLevel<int> found =
-    MakeLevel(static_cast<std::size_t>(mesh.NumberOfVertices), faces, lines);
-  ASSERT_EQ(found.Mesh.GetNumberOfEdges(), mesh.GetNumberOfEdges());
-  EXPECT_EQ(found.Mesh.Joints.size(), mesh.Joints.size());
-  EXPECT_EQ(found.Mesh.Sheaves.size(), mesh.Sheaves.size());
-  for (int c = 0; c < mesh.GetNumberOfCorners(); ++c)
-  {
-    ASSERT_EQ(found.Mesh.Twins[c], mesh.Twins[c]) << "corner " << c;
-    const std::set<int> ends{ mesh.Vertices[c], mesh.Vertices[mesh.Next(c)] };
-    const int edge = mesh.Edges[c];
-    EXPECT_EQ(
-      ends, (std::set<int>{ mesh.EdgeVertices[2 * edge], mesh.EdgeVertices[2 * edge + 1] }));
-    ASSERT_GE(mesh.EdgeCorners[edge], 0);
-    EXPECT_EQ(mesh.Edges[mesh.EdgeCorners[edge]], edge);
-  }
-  for (std::size_t s = 0; s < mesh.Sheaves.size(); ++s)
-  {
-    EXPECT_TRUE(s == 0 || mesh.Sheaves[s].Edge > mesh.Sheaves[s - 1].Edge);
-    EXPECT_GE(mesh.Sheaves[s].Corners.size(), 3u);
-    for (int corner : mesh.Sheaves[s].Corners)
-    {
-      EXPECT_EQ(mesh.Edges[corner], mesh.Sheaves[s].Edge);
-    }
-  }
-  for (int v = 0; v < mesh.NumberOfVertices; ++v)
-  {
-    const auto* joint = mesh.FindJoint(v);
-    ASSERT_EQ(found.Mesh.FindJoint(v) != nullptr, joint != nullptr) << "vertex " << v;
-    if (joint)
-    {
-      EXPECT_EQ(joint->Vertex, v);
-      EXPECT_EQ(found.Mesh.FindJoint(v)->Fans.size(), joint->Fans.size());
-      EXPECT_EQ(found.Mesh.FindJoint(v)->FreeEdges.size(), joint->FreeEdges.size());
-    }
-    VisitFans(mesh, v, [&](int corner) { EXPECT_EQ(mesh.Vertices[corner], v); });
-    std::vector<int> own;
-    std::vector<int> others;
-    CollectEdges(mesh, v, [](int) { return true; }, own);
-    CollectEdges(found.Mesh, v, [](int) { return true; }, others);
-    EXPECT_EQ(own.size(), others.size());
-  }
-}
+void CheckIncidences(const SurfaceLevel<int>& level);
 
 /// Rows sum to 1, whatever the input is; a step commutes with affine maps.
-inline void CheckRows(const Walk& walk)
-{
-  const RowBlock<int> rows = walk.GetRows();
-  ASSERT_EQ(
-    static_cast<vtkIdType>(rows.GetNumberOfRows()), walk.Scheme->GetNumberOfRows(walk.Level));
-  for (std::size_t row = 0; row < rows.GetNumberOfRows(); ++row)
-  {
-    double sum = 0.;
-    for (std::size_t k = rows.GetBegin(row); k < rows.GetEnd(row); ++k)
-    {
-      sum += rows.GetWeights()[k];
-      ASSERT_LT(rows.GetColumns()[k], walk.Level.Mesh.NumberOfVertices);
-    }
-    EXPECT_NEAR(sum, 1., 1e-14) << "row " << row;
-    std::vector<vtkIdType> parents;
-    walk.Scheme->GetParents(walk.Level, static_cast<vtkIdType>(row), parents);
-    ASSERT_FALSE(parents.empty());
-    for (vtkIdType parent : parents)
-    {
-      const int* begin = rows.GetColumns() + rows.GetBegin(row);
-      const int* end = rows.GetColumns() + rows.GetEnd(row);
-      EXPECT_NE(std::find(begin, end, parent), end) << "row " << row;
-    }
-  }
-  auto map = [](const Point& p)
-  { return Point{ 2. * p[0] - p[2] + 3., p[1] + p[0], 0.5 * p[2] - 1. + p[1] }; };
-  std::vector<Point> moved = walk.Points;
-  std::transform(moved.begin(), moved.end(), moved.begin(), map);
-  const std::vector<Point> a = Walk::Apply(rows, moved);
-  const std::vector<Point> b = Walk::Apply(rows, walk.Points);
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    EXPECT_LT(GetDistance(a[i], map(b[i])), 1e-13);
-  }
-}
+void CheckRows(const Walk& walk);
 
 /// After four steps the pieces of each line follow one another from its beginning to its end.
-inline void CheckLines(SurfaceSchemeKind kind, bool triangles, vtkIdType pieces)
-{
-  for (const char* name : { "crease", "free line" })
-  {
-    const Model model = MakeZoo(triangles)[name];
-    Walk walk(model, kind);
-    for (int step = 0; step < 4; ++step)
-    {
-      walk.Step();
-    }
-    const vtkIdType lines = static_cast<vtkIdType>(model.Lines.size());
-    ASSERT_EQ(walk.Level.Lines.size(), pieces * lines);
-    for (vtkIdType line = 0; line < lines; ++line)
-    {
-      vtkIdType at = model.Lines[line][0];
-      for (vtkIdType i = 0; i < pieces; ++i)
-      {
-        const int piece = walk.Level.Lines[pieces * line + i];
-        const int* ends = walk.Level.Mesh.EdgeVertices.data() + 2 * (piece / 2);
-        EXPECT_EQ(ends[piece % 2], at);
-        at = ends[1 - piece % 2];
-      }
-      EXPECT_EQ(at, model.Lines[line][1]);
-    }
-  }
-}
+void CheckLines(SurfaceSchemeKind kind, bool triangles, vtkIdType pieces);
 
 /// V - E + F, where free lines count as edges.
 inline vtkIdType GetEuler(const PolygonMesh<int>& mesh)
@@ -397,191 +111,23 @@ inline vtkIdType GetEuler(const PolygonMesh<int>& mesh)
 // ------------------------------------------------------------------------------------------------
 // Through the filter
 
-inline vtkSmartPointer<vtkPolyData> MakeInput(const Model& model)
-{
-  auto input = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Point& point : model.Points)
-  {
-    points->InsertNextPoint(point.data());
-  }
-  input->SetPoints(points);
-  vtkNew<vtkCellArray> faces;
-  vtkNew<vtkCellArray> lines;
-  for (const auto& face : model.Faces)
-  {
-    faces->InsertNextCell(static_cast<vtkIdType>(face.size()), face.data());
-  }
-  for (const auto& line : model.Lines)
-  {
-    lines->InsertNextCell(static_cast<vtkIdType>(line.size()), line.data());
-  }
-  input->SetPolys(faces);
-  input->SetLines(lines);
-  return input;
-}
+vtkSmartPointer<vtkPolyData> MakeInput(const Model& model);
 
-inline vtkSmartPointer<vtkPolyData> RunFilter(vtkPolyData* input, int scheme, int levels,
-  bool limit = false, const std::function<void(vtkSurfaceSubdivision*)>& configure = nullptr)
-{
-  vtkNew<vtkSurfaceSubdivision> filter;
-  filter->SetInputData(input);
-  filter->SetScheme(scheme);
-  filter->SetNumberOfLevels(levels);
-  filter->SetProjectToLimit(limit);
-  filter->SetGenerateLimitNormals(limit);
-  if (configure)
-  {
-    configure(filter);
-  }
-  filter->Update();
-  auto output = vtkSmartPointer<vtkPolyData>::New();
-  output->ShallowCopy(filter->GetOutput());
-  return output;
-}
+vtkSmartPointer<vtkPolyData> RunFilter(vtkPolyData* input, int scheme, int levels,
+  bool limit = false, const std::function<void(vtkSurfaceSubdivision*)>& configure = nullptr);
 
-inline void ExpectSameBits(vtkPolyData* a, vtkPolyData* b)
-{
-  auto same = [](vtkDataArray* p, vtkDataArray* q)
-  {
-    ASSERT_EQ(p->GetNumberOfValues(), q->GetNumberOfValues());
-    EXPECT_EQ(0,
-      std::memcmp(p->GetVoidPointer(0), q->GetVoidPointer(0),
-        static_cast<std::size_t>(p->GetNumberOfValues()) * p->GetDataTypeSize()));
-  };
-  same(a->GetPoints()->GetData(), b->GetPoints()->GetData());
-  same(a->GetPolys()->GetConnectivityArray(), b->GetPolys()->GetConnectivityArray());
-  same(a->GetPolys()->GetOffsetsArray(), b->GetPolys()->GetOffsetsArray());
-  ASSERT_EQ(a->GetNumberOfLines(), b->GetNumberOfLines());
-  if (a->GetNumberOfLines() > 0)
-  {
-    same(a->GetLines()->GetConnectivityArray(), b->GetLines()->GetConnectivityArray());
-  }
-  ASSERT_EQ(a->GetPointData()->GetNumberOfArrays(), b->GetPointData()->GetNumberOfArrays());
-  for (int i = 0; i < a->GetPointData()->GetNumberOfArrays(); ++i)
-  {
-    same(a->GetPointData()->GetArray(i), b->GetPointData()->GetArray(i));
-  }
-}
+void ExpectSameBits(vtkPolyData* a, vtkPolyData* b);
 
 /// One level after the other gives what several at once give, wherever the cut is.
-inline void CheckChaining(const Model& model, int scheme)
-{
-  const auto input = MakeInput(model);
-  const auto all = RunFilter(input, scheme, 4);
-  auto single = RunFilter(input, scheme, 1);
-  const auto rest = RunFilter(single, scheme, 3);
-  ExpectSameBits(rest, all);
-  for (int i = 1; i < 4; ++i)
-  {
-    single = RunFilter(single, scheme, 1);
-  }
-  ExpectSameBits(single, all);
-}
+void CheckChaining(const Model& model, int scheme);
 
 /// The same with flags on vertices, lines and faces, and with edges that are sharp by their angle.
-inline void CheckChainingOfFlags(bool triangles, int scheme)
-{
-  Model grid = MakeGrid(6, 5, triangles, { 1., 0., 0. }, { 0., 1., 0. });
-  const std::vector<Point> noise = MakeRandomPoints(grid.Points.size(), 8);
-  for (std::size_t i = 0; i < noise.size(); ++i)
-  {
-    grid.Points[i][2] = noise[i][2];
-  }
-  grid.Lines = { { 8, 9 }, { 9, 10 } };
-  const auto input = MakeInput(grid);
-  vtkNew<vtkCellArray> vertices;
-  vertices->InsertNextCell({ 24 });
-  vertices->InsertNextCell({ 25 });
-  input->SetVerts(vertices);
-  vtkNew<vtkIntArray> flags;
-  flags->SetName("Singular");
-  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
-  {
-    flags->InsertNextValue(cell == 1 || cell == 2 || cell == 12 || cell == 13 || cell == 20);
-  }
-  input->GetCellData()->AddArray(flags);
-  auto run = [scheme](vtkPolyData* from, int levels)
-  {
-    vtkNew<vtkSurfaceSubdivision> filter;
-    filter->SetInputData(from);
-    filter->SetScheme(scheme);
-    filter->SetNumberOfLevels(levels);
-    filter->SetDetectFeatures(true);
-    filter->SetFeatureAngle(60.);
-    filter->Update();
-    auto output = vtkSmartPointer<vtkPolyData>::New();
-    output->ShallowCopy(filter->GetOutput());
-    return output;
-  };
-  const auto all = run(input, 3);
-  ExpectSameBits(run(run(run(input, 1), 1), 1), all);
-  input->GetCellData()->Initialize();
-  const auto without = run(input, 3);
-  EXPECT_NE(without->GetNumberOfPoints(), 0);
-  EXPECT_NE(0,
-    std::memcmp(without->GetPoints()->GetVoidPointer(0), all->GetPoints()->GetVoidPointer(0),
-      sizeof(double) * 3 *
-        static_cast<std::size_t>(
-          std::min(without->GetNumberOfPoints(), all->GetNumberOfPoints()))));
-}
+void CheckChainingOfFlags(bool triangles, int scheme);
 
-inline void CheckThreads(const Model& model, int scheme, int levels, bool limit)
-{
-  const auto input = MakeInput(model);
-  vtkSmartPointer<vtkPolyData> results[2];
-  for (int threads : { 1, 4 })
-  {
-    vtkSMPTools::Initialize(threads);
-    results[threads > 1] = RunFilter(input, scheme, levels, limit);
-  }
-  vtkSMPTools::Initialize(0);
-  EXPECT_GT(results[0]->GetNumberOfPolys(), 20000);
-  ExpectSameBits(results[0], results[1]);
-}
+void CheckThreads(const Model& model, int scheme, int levels, bool limit);
 
 /// Random faces on few points: edges of many faces, pinched vertices, equal faces, free lines.
-inline void CheckRandomFaces(SurfaceSchemeKind kind, bool triangles)
-{
-  std::mt19937 random(11);
-  std::uniform_int_distribution<vtkIdType> point(0, 11);
-  for (unsigned trial = 0; trial < 30; ++trial)
-  {
-    Model model;
-    model.Points = MakeRandomPoints(12, trial);
-    model.Lines = { { 0, 1 }, { 3, 9 } };
-    for (int i = 0; i < 20; ++i)
-    {
-      std::vector<vtkIdType> ids(triangles ? 3 : 3 + i % 3);
-      std::generate(ids.begin(), ids.end(), [&] { return point(random); });
-      if (std::set<vtkIdType>(ids.begin(), ids.end()).size() == ids.size())
-      {
-        model.Faces.push_back(ids);
-      }
-    }
-    Walk walk(model, kind);
-    const vtkIdType euler = GetEuler(walk.Level.Mesh);
-    for (int step = 0; step < 4; ++step)
-    {
-      CheckRows(walk);
-      walk.Step();
-      const PolygonMesh<int>& mesh = walk.Level.Mesh;
-      EXPECT_EQ(GetEuler(mesh), euler);
-      for (int c = 0; c < mesh.GetNumberOfCorners(); ++c)
-      {
-        const int twin = mesh.Twins[c];
-        ASSERT_TRUE(twin < 0 || (mesh.Twins[twin] == c && mesh.Edges[twin] == mesh.Edges[c]));
-      }
-      for (const Point& p : walk.Points)
-      {
-        EXPECT_LT(std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) }), 2.);
-      }
-    }
-    const auto output = RunFilter(MakeInput(model), static_cast<int>(kind), 2);
-    EXPECT_GT(output->GetNumberOfPolys(), static_cast<vtkIdType>(2 * model.Faces.size()));
-  }
-}
+void CheckRandomFaces(SurfaceSchemeKind kind, bool triangles);
 
 }
 
