@@ -4,6 +4,7 @@
 
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Loop/LoopScheme.h"
+#include "Core/Surfaces/Scheme/SurfaceTags.h"
 
 #include <algorithm>
 #include <memory>
