@@ -9,6 +9,7 @@
  * A failure names its seed; SUBDIVISIONOBJECTS_RANDOM_SEED=SEED draws that one alone.
  */
 #include "RandomTools.h"
+#include "SubdivisionDeformationTools.h"
 #include "SurfaceTools.h"
 
 #include "vtkRedGreenRefinement.h"
@@ -75,7 +76,7 @@ void ExpectTheSameOf(vtkPointSet* grid, int levels, const ObjectOptions& options
 
 TEST(RandomDifferential, Objects)
 {
-  ForSeeds(0.3,
+  ForSeeds(0.25,
     [](unsigned seed)
     {
       Chance chance(seed);
@@ -96,7 +97,7 @@ TEST(RandomDifferential, Objects)
 
 TEST(RandomDifferential, LimitsOfObjects)
 {
-  ForSeeds(0.2,
+  ForSeeds(0.15,
     [](unsigned seed)
     {
       Chance chance(seed);
@@ -249,7 +250,7 @@ void ExpectSameSurface(vtkPointSet* a, vtkPointSet* b)
 
 TEST(RandomDifferential, Surfaces)
 {
-  ForSeeds(0.25,
+  ForSeeds(0.2,
     [](unsigned seed)
     {
       Chance chance(seed);
@@ -432,6 +433,91 @@ TEST(RandomDifferential, RedGreen)
         return filter->GetOutput();
       };
       ExpectTheSame(grid, 2, run, chance);
+    });
+}
+
+/// Triangles are wanted by level: errors at the edge of a tolerance are not decided by the mesh
+/// alone.
+TEST(RandomDifferential, AdaptiveSurfaces)
+{
+  ForSeeds(0.1,
+    [](unsigned seed)
+    {
+      Chance chance(seed);
+      const Data surface = MakeSurface(chance);
+      vtkNew<vtkIntArray> wanted;
+      wanted->SetName("WantedLevel");
+      for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+      {
+        wanted->InsertNextValue(Draw(chance, 4));
+      }
+      surface->GetCellData()->AddArray(wanted);
+      auto run = [](vtkPointSet* mesh, int levels) -> Data
+      {
+        vtkNew<Messages> messages;
+        vtkNew<vtkSurfaceSubdivision> filter;
+        messages->Watch(filter);
+        filter->SetInputDataObject(mesh);
+        filter->SetSchemeToSqrtThree();
+        filter->AdaptiveOn();
+        filter->RefineByAttributeErrorOff();
+        filter->RefineByWantedLevelOn();
+        filter->SetMaximumLevel(levels);
+        filter->Update();
+        EXPECT_TRUE(messages->Errors.empty());
+        return filter->GetOutput();
+      };
+      ExpectTheSame(surface, 3, run, chance);
+    });
+}
+
+// ------------------------------------------------------------------------------------------------
+// Deformation
+
+TEST(RandomDifferential, Deformations)
+{
+  ForSeeds(0.05,
+    [](unsigned seed)
+    {
+      Chance chance(seed);
+      const Data rest = MakeKuhnBox(2, 0.3, seed);
+      const double bend = 0.4 * DrawNumber(chance);
+      auto deform = [bend](vtkPointSet* mesh)
+      {
+        return WithPoints(mesh, mesh->GetPoints()->GetDataType(), [bend](const Point& p)
+          { return Point{ p[0] + bend * p[1] * p[2], p[1] - bend * p[2], p[2] + bend * p[0] }; });
+      };
+      const Data deformed = deform(rest);
+      const Data cloud = deformation_tools::MakeCloud(40, { 0., 0., 0. }, { 1., 1., 1. }, seed);
+      const int levels = Draw(chance, 3);
+      const int scheme = Draw(chance, 2);
+      auto run = [levels, scheme](vtkPointSet* object, vtkPointSet* from, vtkPointSet* to)
+      {
+        deformation_tools::Deformer deformer;
+        deformer->SetNumberOfLevels(levels);
+        deformer->SetVolumeScheme(scheme);
+        const Data output = deformer.Run(object, from, to);
+        EXPECT_TRUE(deformer.GetErrors().empty());
+        return output;
+      };
+      const Data output = run(cloud, rest, deformed);
+      const vtkIdType size = output->GetNumberOfPoints();
+      EXPECT_EQ(size, 40);
+      {
+        SCOPED_TRACE("mirrored");
+        ExpectSamePoints(output, run(Mirror(cloud), Mirror(rest), Mirror(deformed)), size, 1e-9,
+          [](const Point& p) { return Point{ -p[0], p[1], p[2] }; });
+      }
+      {
+        SCOPED_TRACE("other numbers");
+        const Ids map = Shuffle(rest->GetNumberOfPoints(), chance);
+        ExpectSamePoints(
+          output, run(cloud, Renumber(rest, map), Renumber(deformed, map)), size, 1e-9, Same);
+      }
+      SCOPED_TRACE("single precision");
+      ExpectSameInSinglePrecision(
+        rest, levels, [&](vtkPointSet* mesh, int) { return run(cloud, mesh, deform(mesh)); },
+        output, chance);
     });
 }
 
