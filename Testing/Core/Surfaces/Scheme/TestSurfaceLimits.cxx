@@ -404,13 +404,13 @@ TEST(SurfaceLimitRows, RowsSumToOneAndTangentsToZero)
       {
         continue;
       }
-      auto check = [&name = name](const RowBlock<int>& rows, double expected)
+      auto check = [&mesh = name](const RowBlock<int>& rows, double expected)
       {
         for (std::size_t row = 0; row < rows.GetNumberOfRows(); ++row)
         {
           const double sum = std::accumulate(
             rows.GetWeights() + rows.GetBegin(row), rows.GetWeights() + rows.GetEnd(row), 0.);
-          EXPECT_NEAR(sum, expected, 1e-13) << name << " row " << row;
+          EXPECT_NEAR(sum, expected, 1e-13) << mesh << " row " << row;
         }
       };
       RowBlock<int> rows;
