@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mathematics 12: the rows of Catmull and Clark's scheme, number by number.
-#include "SurfaceTools.h"
+#include "SchemeTools.h"
 
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/CatmullClark/CatmullClarkScheme.h"
-#include "Core/Surfaces/Scheme/SurfaceTags.h"
 
 #include <algorithm>
-#include <memory>
 #include <tuple>
 
 using namespace surfacetools;
@@ -15,84 +13,14 @@ using namespace surfacetools;
 namespace
 {
 
-using Weights = std::map<int, double>; ///< by column
-
-/// A surface with features, and rows of Catmull-Clark with either option.
-class Surface
+class Surface : public SchemeRows
 {
 public:
-  explicit Surface(const Model& model, SurfaceFeatures features = SurfaceFeatures())
-    : Level(MakeLevel(model.Points.size(), model.Faces, model.Lines))
+  explicit Surface(const Model& model, const SurfaceFeatures& features = SurfaceFeatures())
+    : SchemeRows(SurfaceSchemeKind::CatmullClark, model, features)
   {
-    features.Corners.assign(model.Points.size(), 0);
-    for (vtkIdType corner : model.Corners)
-    {
-      features.Corners[corner] = 1;
-    }
-    features.SharpEdges.assign(static_cast<std::size_t>(this->Level.Mesh.GetNumberOfEdges()), 0);
-    for (int line : this->Level.Lines)
-    {
-      features.SharpEdges[line / 2] = 1;
-    }
-    this->Level.Tags =
-      ClassifySurface(this->Level.Mesh, *this->Modified, features, model.Points.data()->data());
-  }
-
-  /// Of a vertex; of edges and faces by where they stand behind the vertices.
-  Weights GetRow(vtkIdType at, bool modified = true) const
-  {
-    RowBlock<int> rows;
-    const auto& scheme = modified ? this->Modified : this->Plain;
-    scheme->AppendRows(this->Level, this->Level.Tags, at, at + 1, rows);
-    Weights weights;
-    for (std::size_t i = 0; i < rows.GetNumberOfEntries(); ++i)
-    {
-      weights[rows.GetColumns()[i]] += rows.GetWeights()[i];
-    }
-    return weights;
-  }
-  Weights GetEdgeRow(int a, int b, bool modified = true) const
-  {
-    return this->GetRow(this->Level.Mesh.NumberOfVertices + this->FindEdge(a, b), modified);
-  }
-  Weights GetFaceRow(int face, bool modified = true) const
-  {
-    const PolygonMesh<int>& mesh = this->Level.Mesh;
-    return this->GetRow(mesh.NumberOfVertices + mesh.GetNumberOfEdges() + face, modified);
-  }
-
-  SurfaceLevel<int> Level;
-  const std::unique_ptr<SurfaceScheme<int>> Modified = MakeCatmullClarkScheme<int>(true);
-  const std::unique_ptr<SurfaceScheme<int>> Plain = MakeCatmullClarkScheme<int>(false);
-
-private:
-  int FindEdge(int a, int b) const
-  {
-    const PolygonMesh<int>& mesh = this->Level.Mesh;
-    int e = 0;
-    while (e < mesh.GetNumberOfEdges() &&
-      std::minmax(mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1]) != std::minmax(a, b))
-    {
-      ++e;
-    }
-    EXPECT_LT(e, mesh.GetNumberOfEdges()) << "no edge " << a << " " << b;
-    return e % static_cast<int>(mesh.GetNumberOfEdges());
   }
 };
-
-/// Columns that one of them does not name have the weight 0.
-void ExpectRow(const Weights& row, const Weights& expected, const std::string& what)
-{
-  Weights differences = expected;
-  for (const auto& entry : row)
-  {
-    differences[entry.first] -= entry.second;
-  }
-  for (const auto& entry : differences)
-  {
-    EXPECT_NEAR(entry.second, 0., 1e-14) << what << ", column " << entry.first;
-  }
-}
 
 /// Quads around vertex 0, all around it: edges lead to 1 to n, quad j lies between edges j and
 /// j + 1, opposite corners are n + 1 to 2n. n quads more behind them, around vertex 2n + 1.

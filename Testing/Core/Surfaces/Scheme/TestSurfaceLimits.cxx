@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mathematics 8 and 12: limit positions and tangents of Loop and of Catmull and Clark, number by
 // number, and as left eigenvectors of a step.
-#include "SurfaceTools.h"
+#include "SchemeTools.h"
 
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/CatmullClark/CatmullClarkScheme.h"
 #include "Core/Surfaces/Loop/LoopScheme.h"
-#include "Core/Surfaces/Scheme/SurfaceTags.h"
 
 #include <algorithm>
 #include <memory>
@@ -16,8 +15,6 @@ using namespace surfacetools;
 
 namespace
 {
-
-using Weights = std::map<int, double>; ///< by column
 
 /// Faces around vertex 0, between edges j and j + 1 for j = 0 ... Edges lead to 1, 2, ...; opposite
 /// corners of quads follow. As many faces more behind them, so that the ends of edges that are not
@@ -63,14 +60,7 @@ public:
     : Scheme(triangles ? MakeLoopScheme<int>(modified) : MakeCatmullClarkScheme<int>(modified))
     , Level(MakeLevel(model.Points.size(), model.Faces, {}))
   {
-    SurfaceFeatures features;
-    features.Corners.assign(model.Points.size(), 0);
-    for (vtkIdType corner : model.Corners)
-    {
-      features.Corners[corner] = 1;
-    }
-    this->Level.Tags =
-      ClassifySurface(this->Level.Mesh, *this->Scheme, features, model.Points.data()->data());
+    ClassifyModel(model, *this->Scheme, SurfaceFeatures(), this->Level);
   }
   Weights GetRow(LimitKind kind) const
   {
@@ -111,32 +101,7 @@ public:
 
   const std::shared_ptr<const SurfaceScheme<int>> Scheme;
   SurfaceLevel<int> Level;
-
-private:
-  static Weights ToWeights(const RowBlock<int>& rows)
-  {
-    Weights weights;
-    for (std::size_t i = 0; i < rows.GetNumberOfEntries(); ++i)
-    {
-      weights[rows.GetColumns()[i]] += rows.GetWeights()[i];
-    }
-    return weights;
-  }
 };
-
-/// Columns that one of them does not name have the weight 0.
-void ExpectRow(const Weights& row, const Weights& expected, const std::string& what)
-{
-  Weights differences = expected;
-  for (const auto& entry : row)
-  {
-    differences[entry.first] -= entry.second;
-  }
-  for (const auto& entry : differences)
-  {
-    EXPECT_NEAR(entry.second, 0., 1e-14) << what << ", column " << entry.first;
-  }
-}
 
 Weights Scale(Weights row, double factor)
 {

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceRun.h
+ * One execution of vtkSurfaceSubdivision: from the cells that were read to the output.
+ */
+#ifndef SubdivisionObjects_SurfaceRun_h
+#define SubdivisionObjects_SurfaceRun_h
+
+#include "Core/Surfaces/Scheme/SurfaceSides.h"
+#include "Core/Surfaces/Steps/SurfaceSteps.h"
+#include "Private/Arrays/PointArrays.h"
+#include "Private/Surface/SurfaceCreases.h"
+#include "Private/Surface/SurfaceFrames.h"
+#include "Private/Surface/SurfaceKept.h"
+#include "Private/Surface/SurfaceSeams.h"
+#include "Private/Surface/SurfaceStamp.h"
+#include "Private/Surface/SurfaceSubdivision.h"
+
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <memory>
+#include <numeric>
+#include <vector>
+
+namespace subdivision
+{
+
+template <typename Id>
+class SurfaceRun
+{
+public:
+  SurfaceRun(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
+    : Input(input)
+    , Options(options)
+    , Output(output)
+    , Scheme(MakeSurfaceScheme<Id>(options.Scheme, options.ModifiedBoundary))
+  {
+  }
+
+  bool Run(SurfaceCells&& cells)
+  {
+    this->Cells = std::move(cells);
+    if (this->IsWhole() && ReadSurfaceStamp(this->Input, this->Stamp) &&
+      this->Stamp.Scheme == static_cast<int>(this->Options.Scheme) && this->FitsStamp() &&
+      LiftSurfaceCells(
+        this->Cells, this->Stamp,
+        [this](vtkIdType a, vtkIdType b) { return this->HasSameFlags(a, b); }, this->Lifted))
+    {
+      this->MadeLevels = this->Stamp.Levels;
+      if (this->Build() && this->IsDescendant())
+      {
+        return this->Finish();
+      }
+      this->Reset();
+    }
+    this->Stamp = SurfaceStamp();
+    return this->Build() && this->Finish();
+  }
+
+private:
+  const SurfaceCells& GetControl() const
+  {
+    return this->MadeLevels > 0 ? this->Lifted : this->Cells;
+  }
+  /// Whether every cell of the input is used, and used as it is.
+  bool IsWhole() const
+  {
+    return this->Cells.Warnings.empty() &&
+      static_cast<vtkIdType>(this->Cells.VertexCells.size() + this->Cells.SegmentCells.size() +
+        this->Cells.FaceCells.size()) == this->Input->GetNumberOfCells();
+  }
+  /// Whether the stamp can belong to an input of this size. The stamp of a file may claim anything.
+  bool FitsStamp() const
+  {
+    const double corners = std::accumulate(this->Stamp.Sizes.begin(), this->Stamp.Sizes.end(),
+      static_cast<double>(this->Stamp.Size) * this->Stamp.NumberOfControlFaces);
+    const double faces = this->Scheme->CountFaces(
+      static_cast<double>(this->Stamp.NumberOfControlFaces), corners, this->Stamp.Levels);
+    return faces <= 8. * static_cast<double>(this->Cells.GetNumberOfFaces()) + 1000.;
+  }
+  /// Whether two cells were given the same flags and sharpness.
+  bool HasSameFlags(vtkIdType a, vtkIdType b) const
+  {
+    auto same = [a, b](vtkDataArray* array)
+    { return !array || array->GetComponent(a, 0) == array->GetComponent(b, 0); };
+    return same(this->Options.Features.Singular) && same(this->Options.Features.Sharpness);
+  }
+  bool NeedsLimit() const
+  {
+    return (this->Options.ProjectToLimit || this->Options.GenerateLimitNormals ||
+             this->Options.GenerateTangents) &&
+      this->Scheme->HasLimit();
+  }
+  bool IsStopped(double done) const
+  {
+    return this->Options.Progress && this->Options.Progress(done);
+  }
+  int GetAllLevels() const { return this->MadeLevels + this->Options.Levels; }
+
+  void Reset();
+  void StartPoints();
+  bool Build();
+  SurfaceSteps<Id>* MakeSteps(
+    const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& kept);
+  SurfaceCreases ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level);
+  bool FindSeams()
+  {
+    return this->Options.JoinSeams && this->Input->GetPointData()->GetTCoords() &&
+      this->Scheme->HalvesEdges() &&
+      JoinEqualPoints(this->Cells, this->Points->GetCoordinates(), this->JoinedMesh);
+  }
+  vtkSmartPointer<vtkDataArray> FollowPoints();
+  bool IsDescendant() const;
+  SurfaceTags<Id> Classify(const SurfaceLevel<Id>& control, const SurfaceFeatures& features);
+  KeptSurface<Id>* FindKept(const SurfaceKey& key);
+  bool Finish();
+  bool Advance();
+  bool WantsFrames() const
+  {
+    return (this->Options.GenerateLimitNormals || this->Options.GenerateTangents) &&
+      this->Scheme->HasLimit();
+  }
+  void AddFrames(const SurfaceSteps<Id>& steps, const TangentPairs& tangents, vtkDataArray* points,
+    const Buffer<vtkIdType>& sources)
+  {
+    const SurfaceLevel<Id>& level = steps.GetLevel(steps.GetNumberOfSteps());
+    AddLimitFrames(
+      tangents, points, sources, this->Options.GenerateLimitNormals, this->Options.GenerateTangents,
+      [&level](ShadingNormals& normals)
+      { AddShadingCells(level, FindTurnedFaces(level.Mesh), normals); }, this->Input, this->Output);
+  }
+  void WriteCells();
+  void WriteStamp();
+
+  vtkPolyData* Input;
+  const SurfaceOptions& Options;
+  vtkPolyData* Output;
+  std::shared_ptr<const SurfaceScheme<Id>> Scheme;
+  SurfaceCells Cells;
+  SurfaceCells Lifted; ///< the control cells, where earlier filters made levels
+  SurfaceStamp Stamp;
+  int MadeLevels = 0;
+  SimplicesOfCells NoCentres;
+  std::vector<vtkIdType> GlobalIds;
+  std::unique_ptr<PointArrays> Points;
+  std::vector<vtkIdType> Creases;                     ///< SubdivisionSurfaceCreases of the stamp
+  std::vector<std::unique_ptr<SurfaceSteps<Id>>> Own; ///< steps that are not kept
+  SurfaceSteps<Id>* Steps = nullptr;
+  JoinedSurface JoinedMesh;
+  SurfaceSteps<Id>* Joined = nullptr; ///< what the points follow where there are seams
+  KeptSurface<Id>* Kept = nullptr;
+  std::vector<Sector<Id>> ControlSectors;
+};
+
+}
+
+#endif
