@@ -112,14 +112,12 @@ void vtkRedGreenRefinement::FindSelected(vtkDataObject* input)
 // ------------------------------------------------------------------------------------------------
 // Criteria
 
-bool vtkRedGreenRefinement::ReadCriteria(
-  vtkPointSet* input, subdivision::RefinementOptions& options)
+bool vtkRedGreenRefinement::ReadCriteria(vtkPointSet* input, subdivision::RedGreenOptions& run)
 {
   const subdivision::RefinementSettings settings = subdivision::GetRefinementSettings(
     this, ATTRIBUTE_ARRAY, this->RefineBySelection || this->RefineByFunction);
-  if (!subdivision::ReadRefinementOptions(
-        this, input, settings, [this](const std::string& message) { vtkWarningMacro(<< message); },
-        [this](const std::string& message) { vtkErrorMacro(<< message); }, options))
+  subdivision::RefinementOptions& options = run.Criteria;
+  if (!subdivision::ReadRefinementOptions(this, input, settings, run.Warn, run.Fail, options))
   {
     return false;
   }
@@ -139,7 +137,7 @@ bool vtkRedGreenRefinement::ReadCriteria(
   {
     if (!this->ImplicitFunction)
     {
-      vtkErrorMacro("RefineByFunction needs an ImplicitFunction.");
+      run.Fail("RefineByFunction needs an ImplicitFunction.");
       return false;
     }
     options.Function = this->ImplicitFunction;
@@ -154,17 +152,15 @@ int vtkRedGreenRefinement::RequestData(
 {
   subdivision::RedGreenOptions options;
   options.LimitPlacement = this->Placement == LIMIT;
-  bool isUsable = true;
-  const int done = this->Run(inputVector, outputVector, options,
+  return this->Run(inputVector, outputVector, options,
     "Each partition is refined by itself, so that cells may not fit together at its borders.",
     "this refinement. Lower MaximumNumberOfCells or MaximumLevel, raise the tolerances, or use a "
     "part of the input.",
     [&](vtkPointSet* input, vtkUnstructuredGrid* output)
     {
-      isUsable = this->ReadCriteria(input, options.Criteria);
-      return isUsable && subdivision::RefineRedGreen(input, options, output);
+      return this->ReadCriteria(input, options) &&
+        subdivision::RefineRedGreen(input, options, output);
     });
-  return isUsable ? done : 0;
 }
 
 void vtkRedGreenRefinement::PrintSelf(ostream& os, vtkIndent indent)

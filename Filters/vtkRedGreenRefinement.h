@@ -88,7 +88,7 @@ class vtkAlgorithmOutput;
 class vtkImplicitFunction;
 namespace subdivision
 {
-struct RefinementOptions;
+struct RedGreenOptions;
 }
 
 class VTKSUBDIVISIONOBJECTS_EXPORT vtkRedGreenRefinement : public vtkSubdivisionAlgorithm
@@ -336,7 +336,7 @@ private:
     LEVEL_ARRAY
   };
   /// Reads the criteria. Returns false, after an error message, if an array cannot be used.
-  bool ReadCriteria(vtkPointSet* input, subdivision::RefinementOptions& options);
+  bool ReadCriteria(vtkPointSet* input, subdivision::RedGreenOptions& run);
 
   /// Counts nested updates: a composite input starts one update, each of its blocks another in it.
   void OnStart();

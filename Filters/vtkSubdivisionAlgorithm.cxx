@@ -2,21 +2,14 @@
 #include "vtkSubdivisionAlgorithm.h"
 
 #include "Private/ArrayNames.h"
-#include "Private/Control/RunOptions.h"
+#include "Private/Control/FilterRun.h"
 #include "Private/Reading/InputArrays.h"
-#include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
-#include "vtkDataObject.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkPointSet.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-
-#include <algorithm>
-#include <new>
 
 vtkSubdivisionAlgorithm::vtkSubdivisionAlgorithm() = default;
 vtkSubdivisionAlgorithm::~vtkSubdivisionAlgorithm() = default;
@@ -33,85 +26,33 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, subdivision::RunOptions& options, const char* ghosts,
   const std::string& memory, const std::function<bool(vtkPointSet*, vtkUnstructuredGrid*)>& run)
 {
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  if (!input || !output)
-  {
-    vtkErrorMacro("The input is missing, or is neither a vtkUnstructuredGrid nor a vtkPolyData.");
-    return 0;
-  }
-  if (!input->GetPoints())
-  {
-    return 1; // without points the output is empty
-  }
-  vtkUnsignedCharArray* types = input->GetCellGhostArray();
-  if (types &&
-    std::any_of(types->GetPointer(0), types->GetPointer(0) + types->GetNumberOfTuples(),
-      [](unsigned char type) { return type & vtkDataSetAttributes::DUPLICATECELL; }))
-  {
-    vtkWarningMacro("The input has duplicate (ghost) cells. " << ghosts);
-  }
-  options.InterpolateIntegers = this->InterpolateIntegers;
-  options.GenerateOriginalIds = this->GenerateOriginalIds;
-  options.OutputPointsPrecision = this->OutputPointsPrecision;
-  options.MaximumNumberOfCells = this->MaximumNumberOfCells;
-  if (!this->ReadFeatureOptions(input, options.Features))
-  {
-    return 0;
-  }
-  options.Progress = [this](double done)
-  {
-    this->UpdateProgress(done);
-    return subdivision::IsAborted(this);
-  };
-  options.Warn = [this](const std::string& message) { vtkWarningMacro(<< message); };
-  bool failed = false;
-  options.Fail = [this, &failed](const std::string& message)
-  {
-    vtkErrorMacro(<< message);
-    failed = true;
-  };
-  bool done = false;
-  try
-  {
-    done = run(input, output);
-  }
-  catch (const std::bad_alloc&)
-  {
-    options.Fail("There is not enough memory for " + memory);
-  }
-  if (!done)
-  {
-    output->Initialize();
-  }
-  return failed ? 0 : 1;
+  subdivision::FilterTraits traits;
+  traits.WrongInput =
+    "The input is missing, or is neither a vtkUnstructuredGrid nor a vtkPolyData.";
+  traits.Ghosts = ghosts;
+  traits.Memory = memory;
+  subdivision::ReadSharedOptions(this, options);
+  return subdivision::RunFilter<vtkPointSet, vtkUnstructuredGrid>(this, inputVector, outputVector,
+    traits, options, [&](vtkPointSet* input, vtkUnstructuredGrid* output)
+    { return this->ReadFeatureOptions(input, options) && run(input, output); });
 }
 
-/// Finds the cell array at an index; null where it is unset and `fallback` is not there. Returns
-/// false, after an error message, if it cannot be used.
-bool vtkSubdivisionAlgorithm::FindCellArray(
-  vtkPointSet* input, int index, const char* fallback, bool integral, vtkDataArray*& array)
-{
-  return subdivision::FindInputArray(
-    this, input->GetCellData(), input->GetNumberOfCells(), { index, fallback, integral },
-    [this](const std::string& message) { vtkWarningMacro(<< message); },
-    [this](const std::string& message) { vtkErrorMacro(<< message); }, array);
-}
-
-bool vtkSubdivisionAlgorithm::ReadFeatureOptions(
-  vtkPointSet* input, subdivision::FeatureOptions& options)
+bool vtkSubdivisionAlgorithm::ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& run)
 {
   using subdivision::JointRule;
   vtkDataArray* arrays[5];
-  if (!this->FindCellArray(
-        input, SINGULAR_ARRAY, subdivision::SingularName, true, arrays[SINGULAR_ARRAY]) ||
-    !this->FindCellArray(input, MATERIAL_ARRAY, "MaterialId", false, arrays[MATERIAL_ARRAY]) ||
-    !this->FindCellArray(input, PART_ARRAY, nullptr, true, arrays[PART_ARRAY]) ||
-    !this->FindCellArray(input, RULE_ARRAY, nullptr, true, arrays[RULE_ARRAY]) ||
-    !this->FindCellArray(input, SHARPNESS_ARRAY, nullptr, false, arrays[SHARPNESS_ARRAY]))
+  auto find = [&](int index, const char* fallback, bool integral)
+  {
+    return subdivision::FindInputArray(this, input->GetCellData(), input->GetNumberOfCells(),
+      { index, fallback, integral }, run.Warn, run.Fail, arrays[index]);
+  };
+  if (!find(SINGULAR_ARRAY, subdivision::SingularName, true) ||
+    !find(MATERIAL_ARRAY, "MaterialId", false) || !find(PART_ARRAY, nullptr, true) ||
+    !find(RULE_ARRAY, nullptr, true) || !find(SHARPNESS_ARRAY, nullptr, false))
   {
     return false;
   }
+  subdivision::FeatureOptions& options = run.Features;
   options.Singular = arrays[SINGULAR_ARRAY];
   options.Material = arrays[MATERIAL_ARRAY];
   options.Part = arrays[PART_ARRAY];
@@ -119,8 +60,8 @@ bool vtkSubdivisionAlgorithm::ReadFeatureOptions(
   options.Sharpness = arrays[SHARPNESS_ARRAY];
   if (this->PreserveInterfaces && !options.Material)
   {
-    vtkErrorMacro("PreserveInterfaces needs a cell array of materials: set array index 1, or name "
-                  "the array MaterialId.");
+    run.Fail("PreserveInterfaces needs a cell array of materials: set array index 1, or name the "
+             "array MaterialId.");
     return false;
   }
   options.DartEnds = this->CreaseEnd == DART;

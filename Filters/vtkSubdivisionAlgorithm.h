@@ -60,12 +60,10 @@
 #include <functional> // for std::function
 #include <string>     // for std::string
 
-class vtkDataArray;
 class vtkPointSet;
 class vtkUnstructuredGrid;
 namespace subdivision
 {
-struct FeatureOptions;
 struct RunOptions;
 }
 
@@ -255,9 +253,9 @@ protected:
     RULE_ARRAY,
     SHARPNESS_ARRAY
   };
-  /// Reads the options and arrays above. Returns false, after an error message, if an array cannot
-  /// be used.
-  bool ReadFeatureOptions(vtkPointSet* input, subdivision::FeatureOptions& options);
+  /// Sets options.Features from the options above and the arrays of `input`. Returns false, after
+  /// an error (passed to Fail), if an array cannot be used.
+  bool ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options);
   /// Does what RequestData has in common in all filters: sets the shared options, and the functions
   /// of `options` for messages and progress; calls `run`, which returns whether it finished;
   /// empties the output if it did not. `ghosts`: what duplicate cells mean for the result;
@@ -280,9 +278,6 @@ protected:
   int Type3Rule = TYPE3_BLEND;
 
 private:
-  bool FindCellArray(
-    vtkPointSet* input, int index, const char* fallback, bool integral, vtkDataArray*& array);
-
   vtkSubdivisionAlgorithm(const vtkSubdivisionAlgorithm&) = delete;
   void operator=(const vtkSubdivisionAlgorithm&) = delete;
 };

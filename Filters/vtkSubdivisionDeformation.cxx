@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionDeformation.h"
 
+#include "Private/Control/FilterRun.h"
 #include "Private/Deformation/Deformation.h"
-#include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
@@ -14,8 +14,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <new>
 #include <set>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkSubdivisionDeformation);
@@ -167,55 +167,33 @@ int vtkSubdivisionDeformation::RequestUpdateExtent(
 int vtkSubdivisionDeformation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
-  vtkPointSet* rest = vtkPointSet::GetData(inputVector[1]);
-  vtkPointSet* deformed = vtkPointSet::GetData(inputVector[2]);
-  vtkPointSet* output = vtkPointSet::GetData(outputVector);
-  if (!input || !output)
-  {
-    vtkErrorMacro("The input is missing, or is no vtkPointSet.");
-    return 0;
-  }
-  if (!rest || !deformed)
-  {
-    output->ShallowCopy(input);
-    vtkErrorMacro("The rest mesh and the deformed mesh must each be one vtkUnstructuredGrid or "
-                  "vtkPolyData. The output is the input.");
-    return 1;
-  }
   subdivision::DeformationOptions options;
   options.Levels = this->NumberOfLevels;
   options.Scheme = this->VolumeScheme == TET_OCT ? subdivision::StampScheme::TetOct
                                                  : subdivision::StampScheme::BoxSpline;
   options.Outside = static_cast<subdivision::OutsideRule>(this->OutsidePoints);
   options.TransformVectors = this->TransformVectors;
-  options.OutputPointsPrecision = this->OutputPointsPrecision;
-  options.MaximumNumberOfCells = this->MaximumNumberOfCells;
-  options.Progress = [this](double done)
-  {
-    this->UpdateProgress(done);
-    return subdivision::IsAborted(this);
-  };
-  options.Warn = [this](const std::string& message) { vtkWarningMacro(<< message); };
-  options.Fail = [this](const std::string& message) { vtkErrorMacro(<< message); };
-  bool done = false;
-  try
-  {
-    done = this->ReadFeatureOptions(rest, options.Features) &&
-      this->Work->Run(input, rest, deformed, options, output);
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Work->Clear();
-    options.Fail(
-      "There is not enough memory for NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
-      " and the points of the input. Use fewer levels, or a part of the input.");
-  }
-  if (!done)
-  {
-    output->ShallowCopy(input); // the object as it was
-  }
-  return 1;
+  subdivision::ReadSharedOptions(this, options);
+  subdivision::FilterTraits traits;
+  traits.WrongInput = "The input is missing, or is no vtkPointSet.";
+  traits.Memory = "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
+    " and the points of the input. Use fewer levels, or a part of the input.";
+  traits.FallsBackToInput = true;
+  return subdivision::RunFilter<vtkPointSet, vtkPointSet>(this, inputVector, outputVector, traits,
+    options,
+    [&](vtkPointSet* input, vtkPointSet* output)
+    {
+      vtkPointSet* rest = vtkPointSet::GetData(inputVector[1]);
+      vtkPointSet* deformed = vtkPointSet::GetData(inputVector[2]);
+      if (!rest || !deformed)
+      {
+        options.Fail("The rest mesh and the deformed mesh must each be one vtkUnstructuredGrid or "
+                     "vtkPolyData. The output is the input.");
+        return false;
+      }
+      return this->ReadFeatureOptions(rest, options) &&
+        this->Work->Run(input, rest, deformed, options, output);
+    });
 }
 
 void vtkSubdivisionDeformation::PrintSelf(ostream& os, vtkIndent indent)

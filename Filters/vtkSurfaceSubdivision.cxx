@@ -3,10 +3,10 @@
 
 #include "Private/AdaptiveSurface/AdaptiveSurface.h"
 #include "Private/ArrayNames.h"
+#include "Private/Control/FilterRun.h"
 #include "Private/Criteria/RefinementInput.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Surface/SurfaceSubdivision.h"
-#include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkCellData.h"
 #include "vtkCommand.h"
@@ -16,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <new>
 #include <string>
 
 vtkStandardNewMacro(vtkSurfaceSubdivision);
@@ -88,10 +87,7 @@ void vtkSurfaceSubdivision::ReadOptions(subdivision::SurfaceOptions& options)
   options.GenerateTangents = this->GenerateTangents;
   options.Use32BitIds = this->Use32BitIds;
   options.JoinSeams = this->JoinSeams;
-  options.InterpolateIntegers = this->InterpolateIntegers;
-  options.GenerateOriginalIds = this->GenerateOriginalIds;
-  options.OutputPointsPrecision = this->OutputPointsPrecision;
-  options.MaximumNumberOfCells = this->MaximumNumberOfCells;
+  subdivision::ReadSharedOptions(this, options);
   options.Features.DartEnds = this->CreaseEnd == DART;
   options.Features.DetectFeatures = this->DetectFeatures;
   options.Features.FeatureAngle = this->FeatureAngle;
@@ -125,49 +121,18 @@ bool vtkSurfaceSubdivision::Execute(
 int vtkSurfaceSubdivision::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (!input || !output)
-  {
-    vtkErrorMacro("The input is missing, or is no vtkPolyData.");
-    return 0;
-  }
-  if (!input->GetPoints())
-  {
-    return 1; // without points the output is empty
-  }
   subdivision::SurfaceOptions options;
   this->ReadOptions(options);
-  bool failed = false;
-  options.Warn = [this](const std::string& message) { vtkWarningMacro(<< message); };
-  options.Fail = [this, &failed](const std::string& message)
-  {
-    vtkErrorMacro(<< message);
-    failed = true;
-  };
-  options.Progress = [this](double done)
-  {
-    this->UpdateProgress(done);
-    return subdivision::IsAborted(this);
-  };
-  bool done = false;
-  try
-  {
-    done = this->ReadArrays(input, options) && this->Execute(input, options, output);
-  }
-  catch (const std::bad_alloc&)
-  {
-    options.Fail(this->Adaptive && this->Scheme == SQRT_THREE
-        ? "There is not enough memory for this refinement. Lower MaximumNumberOfCells or "
-          "MaximumLevel, raise the tolerances, or use a part of the input."
-        : "There is not enough memory for NumberOfLevels = " +
-          std::to_string(this->NumberOfLevels) + ". Use fewer levels, or a part of the input.");
-  }
-  if (!done)
-  {
-    output->Initialize();
-  }
-  return failed ? 0 : 1;
+  subdivision::FilterTraits traits;
+  traits.WrongInput = "The input is missing, or is no vtkPolyData.";
+  traits.Memory = this->Adaptive && this->Scheme == SQRT_THREE
+    ? "this refinement. Lower MaximumNumberOfCells or MaximumLevel, raise the tolerances, or use a "
+      "part of the input."
+    : "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
+      ". Use fewer levels, or a part of the input.";
+  return subdivision::RunFilter<vtkPolyData, vtkPolyData>(this, inputVector, outputVector, traits,
+    options, [&](vtkPolyData* input, vtkPolyData* output)
+    { return this->ReadArrays(input, options) && this->Execute(input, options, output); });
 }
 
 void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)

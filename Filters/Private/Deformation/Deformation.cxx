@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <limits>
+#include <new>
 
 namespace subdivision
 {
@@ -66,6 +67,20 @@ std::string DescribeOutside(const EmbeddedPoints& embedded)
 }
 
 bool Deformation::Run(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* deformed,
+  const DeformationOptions& options, vtkPointSet* output)
+{
+  try
+  {
+    return this->Deform(input, rest, deformed, options, output);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Clear(); // what is kept may be incomplete
+    throw;
+  }
+}
+
+bool Deformation::Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* deformed,
   const DeformationOptions& options, vtkPointSet* output)
 {
   output->ShallowCopy(input);

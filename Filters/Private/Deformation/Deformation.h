@@ -32,6 +32,8 @@ public:
   std::size_t GetMemorySize() const;
 
 private:
+  bool Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* deformed,
+    const DeformationOptions& options, vtkPointSet* output);
   bool Prepare(vtkPointSet* rest, vtkPointSet* deformed, const DeformationOptions& options);
   EmbeddedPoints* FindEmbedded(vtkDataArray* points, const DeformationOptions& options);
 

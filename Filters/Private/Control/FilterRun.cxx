@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Control/FilterRun.h"
+
+#include "Private/vtkSubdivisionObjectsCompat.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkPointSet.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <new>
+
+namespace subdivision
+{
+namespace
+{
+
+bool HasDuplicateCells(vtkPointSet* input)
+{
+  vtkUnsignedCharArray* types = input->GetCellGhostArray();
+  return types &&
+    std::any_of(types->GetPointer(0), types->GetPointer(0) + types->GetNumberOfTuples(),
+      [](unsigned char type) { return type & vtkDataSetAttributes::DUPLICATECELL; });
+}
+
+}
+
+int RunFilter(vtkAlgorithm* filter, vtkPointSet* input, vtkPointSet* output,
+  const FilterTraits& traits, RunOptions& options, const FilterWork& work)
+{
+  bool failed = false;
+  options.Warn = [filter](const std::string& message)
+  { vtkWarningWithObjectMacro(filter, << message); };
+  options.Fail = [filter, &failed](const std::string& message)
+  {
+    vtkErrorWithObjectMacro(filter, << message);
+    failed = true;
+  };
+  options.Progress = [filter](double done)
+  {
+    filter->UpdateProgress(done);
+    return IsAborted(filter);
+  };
+  if (!input || !output)
+  {
+    options.Fail(traits.WrongInput);
+    return 0;
+  }
+  if (!input->GetPoints() && !traits.FallsBackToInput)
+  {
+    return 1; // without points the output is empty
+  }
+  if (traits.Ghosts && HasDuplicateCells(input))
+  {
+    options.Warn(std::string("The input has duplicate (ghost) cells. ") + traits.Ghosts);
+  }
+  bool done = false;
+  try
+  {
+    done = work(input, output);
+  }
+  catch (const std::bad_alloc&)
+  {
+    options.Fail("There is not enough memory for " + traits.Memory);
+  }
+  if (traits.FallsBackToInput)
+  {
+    if (!done)
+    {
+      output->ShallowCopy(input);
+    }
+    return 1;
+  }
+  if (!done)
+  {
+    output->Initialize();
+  }
+  return failed ? 0 : 1;
+}
+
+}

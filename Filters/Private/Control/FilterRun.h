@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FilterRun.h
+ * What RequestData does alike in all filters: it connects the work of one filter on one input to
+ * VTK.
+ */
+#ifndef SubdivisionObjects_FilterRun_h
+#define SubdivisionObjects_FilterRun_h
+
+#include "Private/Control/RunOptions.h"
+
+#include <functional>
+#include <string>
+
+class vtkAlgorithm;
+class vtkInformationVector;
+class vtkPointSet;
+
+namespace subdivision
+{
+
+/// What filters that run alike say and do differently.
+struct FilterTraits
+{
+  /// The error message where the input or the output is missing, or is of another type.
+  const char* WrongInput;
+  /// What duplicate cells of the input mean for the result; null: the filter does not warn of them.
+  const char* Ghosts = nullptr;
+  /// For what there may be too little memory, and what helps then.
+  std::string Memory;
+  /// What the output is after an error: the input, or else empty. An input without points is worked
+  /// on only in the first case.
+  bool FallsBackToInput = false;
+};
+
+/// Does the work of one filter: reads the arrays of the input, and writes the output. Returns
+/// whether it finished. It may be called with other data sets than those of the pipeline.
+using FilterWork = std::function<bool(vtkPointSet*, vtkPointSet*)>;
+
+/// Sets the functions of `options` for messages and progress, and calls `work`. Returns what
+/// RequestData returns. An error, too little memory, or a user who stops the filter lead to the
+/// output that `traits` says.
+int RunFilter(vtkAlgorithm* filter, vtkPointSet* input, vtkPointSet* output,
+  const FilterTraits& traits, RunOptions& options, const FilterWork& work);
+
+/// The same with the data sets that the pipeline has, for a filter of other types.
+template <typename Input, typename Output, typename Work>
+int RunFilter(vtkAlgorithm* filter, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, const FilterTraits& traits, RunOptions& options,
+  const Work& work)
+{
+  return RunFilter(filter, Input::GetData(inputVector[0]), Output::GetData(outputVector), traits,
+    options, [&work](vtkPointSet* input, vtkPointSet* output)
+    { return work(static_cast<Input*>(input), static_cast<Output*>(output)); });
+}
+
+/// Copies the options that all filters have under the same names.
+template <typename Filter>
+void ReadSharedOptions(Filter* filter, RunOptions& options)
+{
+  options.InterpolateIntegers = filter->GetInterpolateIntegers();
+  options.GenerateOriginalIds = filter->GetGenerateOriginalIds();
+  options.OutputPointsPrecision = filter->GetOutputPointsPrecision();
+  options.MaximumNumberOfCells = filter->GetMaximumNumberOfCells();
+}
+
+}
+
+#endif
