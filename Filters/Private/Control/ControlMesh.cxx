@@ -77,9 +77,10 @@ std::vector<vtkIdType> ReadInverted(vtkPointSet* input, const SimplexList& contr
 }
 
 ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOptions& features,
-  const std::function<void(const std::string&)>& warn, StampScheme scheme, PlainIds ids)
+  StampScheme scheme, PlainIds ids)
 {
   ControlMesh mesh;
+  auto warn = [&mesh](const std::string& warning) { mesh.Warnings.push_back(warning); };
   Stamp stamp;
   mesh.IsStamped = trustStamp && ReadStamp(input, scheme, stamp);
   Stamp ignored;
@@ -104,12 +105,9 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
     mesh.Cells.Simplices.GetNumberOfSimplices() == input->GetNumberOfCells();
   if (mesh.IsStamped && !whole)
   {
-    return ReadControlMesh(input, false, features, warn, scheme, ids);
+    return ReadControlMesh(input, false, features, scheme, ids);
   }
-  for (const std::string& warning : mesh.Cells.Warnings)
-  {
-    warn(warning);
-  }
+  mesh.Warnings.insert(mesh.Warnings.end(), mesh.Cells.Warnings.begin(), mesh.Cells.Warnings.end());
   mesh.Values = ReadFeatureValues(features, mesh.Cells, warn);
   if (!mesh.IsStamped)
   {
@@ -120,7 +118,7 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
   {
     if (!FindControlMesh(mesh.Cells.GetView(), stamp, mesh.Above))
     {
-      return ReadControlMesh(input, false, features, warn, scheme, ids);
+      return ReadControlMesh(input, false, features, scheme, ids);
     }
     // If children of a control simplex have different values by now, this level itself is the
     // control mesh.

@@ -11,6 +11,9 @@
 #include "Private/Control/Stamp.h"
 #include "Private/Reading/CellsToSimplices.h"
 
+#include <string>
+#include <vector>
+
 class vtkPointSet;
 
 namespace subdivision
@@ -41,13 +44,15 @@ struct ControlMesh
   }
 
   SimplexList Above; ///< the control simplices where MadeLevels > 0
+  /// Warnings for the user. Until it is known whether the stamp is true, they are not told.
+  std::vector<std::string> Warnings;
 };
 
-/// Reads an input. `trustStamp`: false if its stamp has turned out to be wrong. A stamp of another
-/// scheme than `scheme` never leads to a control mesh. `ids`: as in CellsToSimplices.
+/// Reads an input. `trustStamp`: false if its stamp has turned out to be wrong, which
+/// BuildControlComplex finds. A stamp of another scheme than `scheme` never leads to a control
+/// mesh. `ids`: as in CellsToSimplices.
 ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOptions& features,
-  const std::function<void(const std::string&)>& warn, StampScheme scheme = StampScheme::BoxSpline,
-  PlainIds ids = PlainIds::Copied);
+  StampScheme scheme = StampScheme::BoxSpline, PlainIds ids = PlainIds::Copied);
 
 }
 

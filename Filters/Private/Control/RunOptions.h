@@ -10,9 +10,8 @@
 #include "Private/Control/Features.h"
 
 #include <functional>
-#include <memory>
-#include <set>
 #include <string>
+#include <vector>
 
 namespace subdivision
 {
@@ -30,21 +29,14 @@ struct RunOptions
   std::function<void(const std::string&)> Fail;
 };
 
-/// The same options for one execution, in which Warn drops a message that it has given before. A
-/// run reads the input twice if the stamp turns out to be wrong.
-template <typename Options>
-Options WarningOnce(const Options& options)
+/// Passes warnings that were collected to Warn, and forgets them.
+inline void Tell(std::vector<std::string>& warnings, const RunOptions& options)
 {
-  Options once = options;
-  once.Warn = [warn = options.Warn, told = std::make_shared<std::set<std::string>>()](
-                const std::string& message)
+  for (const std::string& warning : warnings)
   {
-    if (told->insert(message).second)
-    {
-      warn(message);
-    }
-  };
-  return once;
+    options.Warn(warning);
+  }
+  warnings.clear();
 }
 
 }

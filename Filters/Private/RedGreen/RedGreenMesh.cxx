@@ -254,12 +254,12 @@ bool IsWhatWasRead(const SimplexView& read, const RedGreenMesh& mesh)
 
 }
 
-RedGreenMesh ReadRedGreenMesh(vtkPointSet* input, const FeatureOptions& features, bool trustStamp,
-  bool undo, const std::function<void(const std::string&)>& warn)
+RedGreenMesh ReadRedGreenMesh(
+  vtkPointSet* input, const FeatureOptions& features, bool trustStamp, bool undo)
 {
   RedGreenMesh mesh;
   mesh.Control =
-    ReadControlMesh(input, trustStamp, features, warn, StampScheme::BoxSpline, PlainIds::InPlace);
+    ReadControlMesh(input, trustStamp, features, StampScheme::BoxSpline, PlainIds::InPlace);
   mesh.TetOrderIsFinal = mesh.Control.IsStamped;
   Stamp stamp;
   const auto& cells = mesh.Control.Cells;
@@ -275,7 +275,7 @@ RedGreenMesh ReadRedGreenMesh(vtkPointSet* input, const FeatureOptions& features
   {
     if (!fault.empty())
     {
-      warn(fault);
+      mesh.Control.Warnings.push_back(fault);
     }
     return mesh;
   }

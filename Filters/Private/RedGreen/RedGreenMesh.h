@@ -12,8 +12,6 @@
 #include "Private/Control/ControlMesh.h"
 
 #include <array>
-#include <functional>
-#include <string>
 #include <vector>
 
 class vtkPointSet;
@@ -51,10 +49,10 @@ struct RedGreenMesh
 };
 
 /// Reads an input. `trustStamp`: as in ReadControlMesh; `undo`: false if green cells are to be
-/// taken as they are. `warn` gets the reason if the green cells of an earlier filter cannot be
-/// undone.
-RedGreenMesh ReadRedGreenMesh(vtkPointSet* input, const FeatureOptions& features, bool trustStamp,
-  bool undo, const std::function<void(const std::string&)>& warn);
+/// taken as they are. The warnings of the control mesh have the reason if the green cells of an
+/// earlier filter cannot be undone.
+RedGreenMesh ReadRedGreenMesh(
+  vtkPointSet* input, const FeatureOptions& features, bool trustStamp, bool undo);
 
 /// Writes or replaces the stamp, the leaves and the global ids of a finished output.
 template <typename Id>

@@ -42,23 +42,20 @@ public:
   bool Run();
 
 private:
-  enum class Outcome
-  {
-    Done,
-    Stopped,
-    NotOurs ///< the stamp fits, the cells do not
-  };
   template <typename Id>
   using Marks = std::vector<RefinementMark<Id>>;
 
-  Outcome Execute(bool trustStamp);
-
+  void Read(bool trustStamp);
   void StartPoints();
   void FindLimit();
   template <typename Id>
-  Outcome Refine();
+  bool Refine();
+  template <typename Id>
+  bool Plan(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<Id>& limit);
   template <typename Id>
   bool BuildLimit(RedGreenLimit<Id>& limit);
+  template <typename Id>
+  bool FindCells(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<Id>& limit);
   template <typename Id>
   std::unique_ptr<RedGreen<Id>> StartState();
   template <typename Id>
@@ -68,7 +65,7 @@ private:
     MarkNotes& notes) const;
   template <typename Id>
   void StopAtLimit(std::vector<Marks<Id>>& rounds, std::unique_ptr<RedGreen<Id>>& state);
-  void TellNotes(MarkNotes& notes) const;
+  void WarnOfNotes(MarkNotes& notes);
 
   template <typename Id>
   void MakePoints(const RedGreen<Id>& state, const RedGreenLimit<Id>& limit);
@@ -83,6 +80,8 @@ private:
   {
     return this->Options.LimitPlacement || this->Options.Criteria.ReadsLimit();
   }
+  /// Adds a warning. Warnings are told when it is known that the stamp is true.
+  void Warn(const std::string& warning) { this->Mesh.Control.Warnings.push_back(warning); }
   bool IsStopped(double done) const
   {
     return this->Options.Progress && this->Options.Progress(done);
@@ -100,39 +99,31 @@ private:
 
 bool RedGreenRun::Run()
 {
-  Outcome outcome = Outcome::NotOurs;
-  try
+  this->Read(true);
+  if (this->IsStopped(0.1))
   {
-    outcome = this->Execute(true);
+    return false;
   }
-  catch (const std::invalid_argument&) // the midpoints of the stamp do not fit together
-  {
-    this->Output->Initialize();
-  }
-  if (outcome == Outcome::NotOurs)
-  {
-    outcome = this->Execute(false);
-  }
-  return outcome == Outcome::Done;
+  // There are as many simplices as input cells, or more, if the stamp turns out to be wrong.
+  const vtkIdType simplices = std::max(
+    this->Mesh.Control.Cells.Simplices.GetNumberOfSimplices(), this->Input->GetNumberOfCells());
+  const double largest = 12. * (static_cast<double>(simplices) + this->MostCells);
+  return largest < static_cast<double>(std::numeric_limits<int>::max()) ? this->Refine<int>()
+                                                                        : this->Refine<long long>();
 }
 
-RedGreenRun::Outcome RedGreenRun::Execute(bool trustStamp)
+// ------------------------------------------------------------------------------------------------
+// Planning
+
+/// Reads the mesh, starts its points, and finds how many cells the output may have.
+void RedGreenRun::Read(bool trustStamp)
 {
   // Leaves in the place of their green parts do not conform, and then there is no limit. Where
   // limits are needed, green cells are not undone.
-  this->Mesh = ReadRedGreenMesh(
-    this->Input, this->Options.Features, trustStamp, !this->ReadsLimit(), this->Options.Warn);
+  this->Mesh =
+    ReadRedGreenMesh(this->Input, this->Options.Features, trustStamp, !this->ReadsLimit());
   this->StartPoints();
   this->FindLimit();
-  if (this->IsStopped(0.1))
-  {
-    return Outcome::Stopped;
-  }
-  const double simplices =
-    static_cast<double>(this->Mesh.Control.Cells.Simplices.GetNumberOfSimplices());
-  const double largest = 12. * (simplices + this->MostCells);
-  return largest < static_cast<double>(std::numeric_limits<int>::max()) ? this->Refine<int>()
-                                                                        : this->Refine<long long>();
 }
 
 void RedGreenRun::StartPoints()
@@ -142,7 +133,7 @@ void RedGreenRun::StartPoints()
   arrays.CarryOriginalIds = this->CarriesOriginals(
     this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
   arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;
-  arrays.Warn = this->Options.Warn;
+  arrays.Warn = [this](const std::string& warning) { this->Warn(warning); };
   arrays.Precision = this->Options.OutputPointsPrecision;
   if (arrays.OriginalIds)
   {
@@ -165,8 +156,78 @@ void RedGreenRun::FindLimit()
   this->MostCells = std::min(fitting, wanted);
 }
 
-// ------------------------------------------------------------------------------------------------
-// Rounds
+/// Decides whether the stamp is true, and which cells the output has. Tells the warnings of all
+/// that. Returns false after an error or if Progress asks to stop.
+template <typename Id>
+bool RedGreenRun::Plan(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<Id>& limit)
+{
+  bool isTrue = false;
+  bool isFound = false;
+  try
+  {
+    isTrue = this->BuildLimit(limit);
+    isFound = isTrue && this->FindCells(state, limit);
+  }
+  catch (const std::invalid_argument&) // the midpoints of the stamp do not fit together
+  {
+    isTrue = false;
+  }
+  if (!isTrue)
+  {
+    this->Read(false);
+    limit = RedGreenLimit<Id>();
+    this->BuildLimit(limit);
+    isFound = this->FindCells(state, limit);
+  }
+  this->Criteria.reset();
+  Tell(this->Mesh.Control.Warnings, this->Options);
+  return isFound;
+}
+
+/// Builds what puts vertices on the limit, if that is needed. Returns false if the stamp is wrong.
+template <typename Id>
+bool RedGreenRun::BuildLimit(RedGreenLimit<Id>& limit)
+{
+  if (!this->ReadsLimit())
+  {
+    return true;
+  }
+  // Tetrahedra are ordered in a copy, so that cells of the output keep the order of their points,
+  // and new points have the same ids with either placement.
+  ControlMesh ordered = this->Mesh.Control;
+  ordered.Cells.TakeIds();
+  const Coordinates points = this->Points->GetCoordinates();
+  if (!this->Mesh.TetOrderIsFinal)
+  {
+    OrderTets(ordered.Cells.Simplices, points, ordered.GetGlobalIds(),
+      static_cast<vtkIdType>(ordered.GlobalIds.size()));
+  }
+  return limit.Build(ordered, this->Options.Features, points,
+    [this](const std::string& warning) { this->Warn(warning); });
+}
+
+/// Runs the rounds.
+template <typename Id>
+bool RedGreenRun::FindCells(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<Id>& limit)
+{
+  state = this->StartState<Id>();
+  const bool isTooLarge = static_cast<double>(state->GetNumberOfCells()) > this->MostCells;
+  if (isTooLarge && this->MemoryIsLimit)
+  {
+    Tell(this->Mesh.Control.Warnings, this->Options);
+    this->Options.Fail("There is not enough memory for the " +
+      std::to_string(state->GetNumberOfCells()) + " cells of the input. Use a part of the input.");
+    return false;
+  }
+  if (!isTooLarge)
+  {
+    return this->RunRounds(state, limit);
+  }
+  this->Warn("The input has " + std::to_string(state->GetNumberOfCells()) +
+    " cells, which is more than MaximumNumberOfCells: nothing is refined. Raise "
+    "MaximumNumberOfCells.");
+  return true;
+}
 
 /// The state before any mark.
 template <typename Id>
@@ -288,7 +349,7 @@ bool RedGreenRun::RunRounds(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<
         return ends;
       });
   }
-  this->TellNotes(notes);
+  this->WarnOfNotes(notes);
   return true;
 }
 
@@ -332,10 +393,10 @@ void RedGreenRun::StopAtLimit(std::vector<Marks<Id>>& rounds, std::unique_ptr<Re
       "MaximumLevel, or a part of the input."
     : "which is MaximumNumberOfCells. Raise it, or use weaker criteria or a "
       "lower MaximumLevel.";
-  this->Options.Warn(what);
+  this->Warn(what);
 }
 
-void RedGreenRun::TellNotes(MarkNotes& notes) const
+void RedGreenRun::WarnOfNotes(MarkNotes& notes)
 {
   auto& edges = notes.WithoutValue;
   std::sort(edges.begin(), edges.end());
@@ -343,7 +404,7 @@ void RedGreenRun::TellNotes(MarkNotes& notes) const
   if (!edges.empty())
   {
     vtkDataArray* array = this->Options.Criteria.Attribute;
-    this->Options.Warn(std::to_string(edges.size()) + " edges have a value of the point array \"" +
+    this->Warn(std::to_string(edges.size()) + " edges have a value of the point array \"" +
       (array->GetName() ? array->GetName() : "") +
       "\" that is not finite at one of their ends, the first joins points " +
       std::to_string(edges[0].first) + " and " + std::to_string(edges[0].second) +
@@ -351,7 +412,7 @@ void RedGreenRun::TellNotes(MarkNotes& notes) const
   }
   if (notes.TooShort > 0)
   {
-    this->Options.Warn(std::to_string(notes.TooShort) +
+    this->Warn(std::to_string(notes.TooShort) +
       " edges or cells that the criteria ask for were not refined: they are so small that no "
       "number "
       "lies between the coordinates of their points.");
@@ -362,62 +423,24 @@ void RedGreenRun::TellNotes(MarkNotes& notes) const
 // Output
 
 template <typename Id>
-bool RedGreenRun::BuildLimit(RedGreenLimit<Id>& limit)
-{
-  // Tetrahedra are ordered in a copy, so that cells of the output keep the order of their points,
-  // and new points have the same ids with either placement.
-  ControlMesh ordered = this->Mesh.Control;
-  ordered.Cells.TakeIds();
-  const Coordinates points = this->Points->GetCoordinates();
-  if (!this->Mesh.TetOrderIsFinal)
-  {
-    OrderTets(ordered.Cells.Simplices, points, ordered.GetGlobalIds(),
-      static_cast<vtkIdType>(ordered.GlobalIds.size()));
-  }
-  return limit.Build(ordered, this->Options.Features, points, this->Options.Warn);
-}
-
-template <typename Id>
-RedGreenRun::Outcome RedGreenRun::Refine()
+bool RedGreenRun::Refine()
 {
   RedGreenLimit<Id> limit;
-  if (this->ReadsLimit() && !this->BuildLimit(limit))
+  std::unique_ptr<RedGreen<Id>> state;
+  if (!this->Plan(state, limit) || this->IsStopped(0.75))
   {
-    return Outcome::NotOurs;
-  }
-  std::unique_ptr<RedGreen<Id>> state = this->StartState<Id>();
-  const bool isTooLarge = static_cast<double>(state->GetNumberOfCells()) > this->MostCells;
-  if (isTooLarge && this->MemoryIsLimit)
-  {
-    this->Options.Fail("There is not enough memory for the " +
-      std::to_string(state->GetNumberOfCells()) + " cells of the input. Use a part of the input.");
-    return Outcome::Stopped;
-  }
-  if (isTooLarge)
-  {
-    this->Options.Warn("The input has " + std::to_string(state->GetNumberOfCells()) +
-      " cells, which is more than MaximumNumberOfCells: nothing is refined. Raise "
-      "MaximumNumberOfCells.");
-  }
-  else if (!this->RunRounds(state, limit))
-  {
-    return Outcome::Stopped;
-  }
-  this->Criteria.reset();
-  if (this->IsStopped(0.75))
-  {
-    return Outcome::Stopped;
+    return false;
   }
   const RedGreenOutput<Id> plan(*state);
   this->MakeCells(plan);
   if (this->IsStopped(0.9))
   {
-    return Outcome::Stopped;
+    return false;
   }
   this->MakePoints(*state, limit);
   RebuildPointGhosts(this->Input, this->Output);
   WriteRedGreenFields(this->Mesh, plan, this->Options.LimitPlacement, this->Output);
-  return Outcome::Done;
+  return true;
 }
 
 template <typename Id>
@@ -521,8 +544,7 @@ void RedGreenRun::WarnOfReplaced() const
 
 bool RefineRedGreen(vtkPointSet* input, const RedGreenOptions& options, vtkUnstructuredGrid* output)
 {
-  const RedGreenOptions once = WarningOnce(options);
-  return RedGreenRun(input, once, output).Run();
+  return RedGreenRun(input, options, output).Run();
 }
 
 }

@@ -21,6 +21,7 @@
 
 #include <memory>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace subdivision
@@ -41,21 +42,12 @@ public:
   bool Run(SurfaceCells&& cells)
   {
     this->Cells = std::move(cells);
-    if (this->IsWhole() && ReadSurfaceStamp(this->Input, this->Stamp) &&
-      this->Stamp.Scheme == static_cast<int>(this->Options.Scheme) && this->FitsStamp() &&
-      LiftSurfaceCells(
-        this->Cells, this->Stamp,
-        [this](vtkIdType a, vtkIdType b) { return this->HasSameFlags(a, b); }, this->Lifted))
+    if (!this->Plan() || !this->Execute())
     {
-      this->MadeLevels = this->Stamp.Levels;
-      if (this->Build() && this->IsDescendant())
-      {
-        return this->Finish();
-      }
-      this->Reset();
+      return false;
     }
-    this->Stamp = SurfaceStamp();
-    return this->Build() && this->Finish();
+    this->Write();
+    return true;
   }
 
 private:
@@ -98,7 +90,9 @@ private:
   }
   int GetAllLevels() const { return this->MadeLevels + this->Options.Levels; }
 
-  void Reset();
+  bool Plan();
+  bool ReadStamp();
+  void ForgetStamp();
   void StartPoints();
   bool Build();
   SurfaceSteps<Id>* MakeSteps(
@@ -114,8 +108,8 @@ private:
   bool IsDescendant() const;
   SurfaceTags<Id> Classify(const SurfaceLevel<Id>& control, const SurfaceFeatures& features);
   KeptSurface<Id>* FindKept(const SurfaceKey& key);
-  bool Finish();
-  bool Advance();
+  bool Execute();
+  void Write();
   bool WantsFrames() const
   {
     return (this->Options.GenerateLimitNormals || this->Options.GenerateTangents) &&
@@ -141,6 +135,7 @@ private:
   SurfaceCells Lifted; ///< the control cells, where earlier filters made levels
   SurfaceStamp Stamp;
   int MadeLevels = 0;
+  std::vector<std::string> Warnings; ///< not told until it is known whether the stamp is true
   SimplicesOfCells NoCentres;
   std::vector<vtkIdType> GlobalIds;
   std::unique_ptr<PointArrays> Points;

@@ -19,10 +19,49 @@
 
 namespace subdivision
 {
+
+// ------------------------------------------------------------------------------------------------
+// Planning
+
+/// Decides whether the stamp is true, and makes or finds the levels. Returns false if Progress asks
+/// to stop.
 template <typename Id>
-void SurfaceRun<Id>::Reset()
+bool SurfaceRun<Id>::Plan()
 {
+  const bool isStamped = this->ReadStamp();
+  bool isDone = this->Build();
+  if (isDone && isStamped && !this->IsDescendant())
+  {
+    this->ForgetStamp();
+    isDone = this->Build();
+  }
+  Tell(this->Warnings, this->Options);
+  return isDone;
+}
+
+/// Finds the control mesh of an earlier filter. Returns false if there is none.
+template <typename Id>
+bool SurfaceRun<Id>::ReadStamp()
+{
+  const bool isStamped = this->IsWhole() && ReadSurfaceStamp(this->Input, this->Stamp) &&
+    this->Stamp.Scheme == static_cast<int>(this->Options.Scheme) && this->FitsStamp() &&
+    LiftSurfaceCells(
+      this->Cells, this->Stamp,
+      [this](vtkIdType a, vtkIdType b) { return this->HasSameFlags(a, b); }, this->Lifted);
+  if (!isStamped)
+  {
+    this->Stamp = SurfaceStamp();
+  }
+  this->MadeLevels = this->Stamp.Levels;
+  return isStamped;
+}
+
+template <typename Id>
+void SurfaceRun<Id>::ForgetStamp()
+{
+  this->Stamp = SurfaceStamp();
   this->MadeLevels = 0;
+  this->Warnings.clear();
   this->Own.clear();
   this->Steps = nullptr;
   this->Joined = nullptr;
@@ -38,7 +77,7 @@ void SurfaceRun<Id>::StartPoints()
   arrays.CarryOriginalIds = this->Stamp.Levels > 0 &&
     HasIds(this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
   arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;
-  arrays.Warn = this->Options.Warn;
+  arrays.Warn = [this](const std::string& warning) { this->Warnings.push_back(warning); };
   arrays.Precision = this->Options.OutputPointsPrecision;
   if (arrays.OriginalIds)
   {
@@ -310,24 +349,11 @@ bool SurfaceRun<Id>::IsDescendant() const
 // ------------------------------------------------------------------------------------------------
 // Output
 
+/// Makes the cells and points of the output. Returns false if Progress asks to stop.
 template <typename Id>
-bool SurfaceRun<Id>::Finish()
+bool SurfaceRun<Id>::Execute()
 {
   this->WriteCells();
-  if (!this->Advance())
-  {
-    return false;
-  }
-  CopySurfaceCellArrays(this->Input, this->Cells, *this->Steps, this->MadeLevels,
-    this->Stamp.Levels > 0, this->Options, this->Stamp.Carried, this->Output);
-  RebuildPointGhosts(this->Input, this->Output);
-  this->WriteStamp();
-  return true;
-}
-
-template <typename Id>
-bool SurfaceRun<Id>::Advance()
-{
   const int levels = this->Options.Levels;
   if (this->Joined)
   {
@@ -371,6 +397,16 @@ bool SurfaceRun<Id>::Advance()
     this->Output->GetPointData()->SetActiveNormals(LimitNormalsName);
   }
   return true;
+}
+
+/// Writes cell data, ghost types and the stamp.
+template <typename Id>
+void SurfaceRun<Id>::Write()
+{
+  CopySurfaceCellArrays(this->Input, this->Cells, *this->Steps, this->MadeLevels,
+    this->Stamp.Levels > 0, this->Options, this->Stamp.Carried, this->Output);
+  RebuildPointGhosts(this->Input, this->Output);
+  this->WriteStamp();
 }
 
 template <typename Id>
@@ -425,9 +461,8 @@ void SurfaceRun<Id>::WriteStamp()
   WriteSurfaceStamp(stamp, this->Output);
 }
 
-bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& given, vtkPolyData* output)
+bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
 {
-  const SurfaceOptions options = WarningOnce(given);
   const auto scheme = MakeSurfaceScheme<int>(options.Scheme, options.ModifiedBoundary);
   if (!scheme)
   {

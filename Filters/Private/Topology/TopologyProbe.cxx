@@ -23,6 +23,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <memory>
+#include <variant>
 
 namespace subdivision
 {
@@ -84,15 +85,12 @@ public:
   bool Run();
 
 private:
-  enum class Outcome
-  {
-    Done,
-    Stopped,
-    NotOurs ///< the stamp fits, the cells do not
-  };
-  Outcome Execute(bool trustStamp);
+  void Read(bool trustStamp);
+  bool Build();
   template <typename Id>
-  Outcome Describe(PointArrays& points);
+  bool BuildAs();
+  template <typename Id>
+  bool Describe(const ControlComplex<Id>& control);
   template <typename Id>
   void Select(const ComplexDescription<Id>& description);
   template <typename Id>
@@ -148,22 +146,30 @@ private:
   const ProbeOptions& Options;
   vtkUnstructuredGrid* Output;
   ControlMesh Mesh;
+  std::unique_ptr<PointArrays> Points;
+  std::variant<ControlComplex<int>, ControlComplex<long long>> Control;
   Buffer<vtkIdType> Chosen[3]; ///< the vertices, edges, faces that are output cells, in order
 };
 
 bool Probe::Run()
 {
-  Outcome outcome = this->Execute(true);
-  if (outcome == Outcome::NotOurs)
+  this->Read(true);
+  if (this->IsStopped(0.1))
   {
-    outcome = this->Execute(false);
+    return false;
   }
-  return outcome == Outcome::Done;
+  if (!this->Build()) // the stamp is wrong
+  {
+    this->Read(false);
+    this->Build();
+  }
+  Tell(this->Mesh.Warnings, this->Options);
+  return std::visit([this](const auto& control) { return this->Describe(control); }, this->Control);
 }
 
-Probe::Outcome Probe::Execute(bool trustStamp)
+void Probe::Read(bool trustStamp)
 {
-  this->Mesh = ReadControlMesh(this->Input, trustStamp, this->Options.Features, this->Options.Warn);
+  this->Mesh = ReadControlMesh(this->Input, trustStamp, this->Options.Features);
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
   arrays.OriginalIds = this->Options.GenerateOriginalIds;
@@ -174,29 +180,35 @@ Probe::Outcome Probe::Execute(bool trustStamp)
   {
     arrays.Replaced.emplace_back(OriginalPointIdsName);
   }
-  PointArrays points(this->Input, this->Mesh.Cells, this->Mesh.GetGlobalIds(),
-    static_cast<vtkIdType>(this->Mesh.GlobalIds.size()), arrays);
+  this->Points = std::make_unique<PointArrays>(this->Input, this->Mesh.Cells,
+    this->Mesh.GetGlobalIds(), static_cast<vtkIdType>(this->Mesh.GlobalIds.size()), arrays);
+}
+
+/// Builds the complex. Returns false if the stamp is wrong.
+bool Probe::Build()
+{
   // One level more: here all faces of the last one are made.
-  const bool large = NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + 1);
-  return large ? this->Describe<long long>(points) : this->Describe<int>(points);
+  return NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + 1)
+    ? this->BuildAs<long long>()
+    : this->BuildAs<int>();
 }
 
 template <typename Id>
-Probe::Outcome Probe::Describe(PointArrays& points)
+bool Probe::BuildAs()
 {
-  if (this->IsStopped(0.1))
-  {
-    return Outcome::Stopped;
-  }
-  ControlComplex<Id> control;
-  if (!BuildControlComplex(this->Mesh, this->Options.Features, points.GetCoordinates(),
-        this->Options.Warn, Depth::ForRefinement, control))
-  {
-    return Outcome::NotOurs;
-  }
+  return BuildControlComplex(
+    this->Mesh, this->Options.Features, this->Points->GetCoordinates(),
+    [this](const std::string& warning) { this->Mesh.Warnings.push_back(warning); },
+    Depth::ForRefinement, this->Control.emplace<ControlComplex<Id>>());
+}
+
+/// Writes the output. Returns false after an error or if Progress asks to stop.
+template <typename Id>
+bool Probe::Describe(const ControlComplex<Id>& control)
+{
   if (this->IsStopped(0.5))
   {
-    return Outcome::Stopped;
+    return false;
   }
   const SimplicialComplex<Id>& complex = control.Current.Complex;
   const SingularSimplices singular = CollectSingular(complex, control,
@@ -210,19 +222,19 @@ Probe::Outcome Probe::Describe(PointArrays& points)
       " vertices, edges and triangles to output, which is above MaximumNumberOfCells = " +
       std::to_string(this->Options.MaximumNumberOfCells) +
       ". Turn SpecialOnly on, take a part of the input, or raise MaximumNumberOfCells.");
-    return Outcome::Stopped;
+    return false;
   }
   if (this->IsStopped(0.8))
   {
-    return Outcome::Stopped;
+    return false;
   }
-  points.Finish(this->Output);
+  this->Points->Finish(this->Output);
   this->MakeCells(complex);
   this->AddFacts(description);
   this->AddOriginalIds(control);
   this->AddGhosts(control);
   this->AddNumbers(description);
-  return Outcome::Done;
+  return true;
 }
 
 template <typename Id>
@@ -403,8 +415,7 @@ void Probe::AddNumbers(const ComplexDescription<Id>& description)
 
 bool ProbeTopology(vtkPointSet* input, const ProbeOptions& options, vtkUnstructuredGrid* output)
 {
-  const ProbeOptions once = WarningOnce(options);
-  return Probe(input, once, output).Run();
+  return Probe(input, options, output).Run();
 }
 
 }

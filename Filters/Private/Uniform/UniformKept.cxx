@@ -57,10 +57,6 @@ KeptOperator* UniformRun::FindKept(const TopologyKey& key)
 
 void UniformRun::UseKept(KeptOperator& kept)
 {
-  for (const std::string& warning : kept.Warnings)
-  {
-    this->Options.Warn(warning);
-  }
   this->Cells = kept.Cells;
   this->Parents = kept.Parents;
   // Normals need the points before they are projected.
@@ -92,23 +88,26 @@ void UniformRun::UseKept(KeptOperator& kept)
   this->Control.ManifoldDimensions = Buffer<unsigned char>(kept.ManifoldDimensions.size());
   std::copy(kept.ManifoldDimensions.begin(), kept.ManifoldDimensions.end(),
     this->Control.ManifoldDimensions.begin());
-  this->Finish();
 }
 
 /// Stores what this run built for the next execution.
-void UniformRun::Keep(std::unique_ptr<KeptOperator> keep)
+void UniformRun::Keep()
 {
-  keep->Cells = this->Cells;
-  keep->Parents = std::move(this->Parents);
-  keep->PointsOut = this->Output->GetPoints()->GetData();
-  keep->Derived = std::move(this->Derived);
-  keep->ControlDerived = std::move(this->Control.Derived);
-  keep->Candidates = std::move(this->Control.Candidates);
-  keep->Features = std::move(this->Control.Features);
-  keep->ManifoldDimensions = std::move(this->Control.ManifoldDimensions);
-  keep->Warnings = std::move(this->BuildWarnings);
+  if (!this->ToKeep)
+  {
+    return;
+  }
+  this->ToKeep->Cells = this->Cells;
+  this->ToKeep->Parents = std::move(this->Parents);
+  this->ToKeep->PointsOut = this->Output->GetPoints()->GetData();
+  this->ToKeep->Derived = std::move(this->Derived);
+  this->ToKeep->ControlDerived = std::move(this->Control.Derived);
+  this->ToKeep->Candidates = std::move(this->Control.Candidates);
+  this->ToKeep->Features = std::move(this->Control.Features);
+  this->ToKeep->ManifoldDimensions = std::move(this->Control.ManifoldDimensions);
+  this->ToKeep->Warnings = std::move(this->BuildWarnings);
   ++this->Options.Cache->NumberOfBuilds;
-  this->Options.Cache->Add(std::move(keep));
+  this->Options.Cache->Add(std::move(this->ToKeep));
 }
 
 }

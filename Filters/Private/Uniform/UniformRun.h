@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file UniformRun.h
- * One execution of a uniform subdivision: its steps (UniformSubdivision.cxx), and what it keeps for
- * the next (UniformKept.cxx).
+ * One execution of a uniform subdivision: it reads and plans, makes the steps, and writes
+ * (UniformSubdivision.cxx); and what it keeps for the next (UniformKept.cxx).
  */
 #ifndef SubdivisionObjects_UniformRun_h
 #define SubdivisionObjects_UniformRun_h
@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace subdivision
@@ -31,24 +32,22 @@ public:
   bool Run();
 
 private:
-  enum class Outcome
-  {
-    Done,
-    Stopped,
-    NotOurs ///< the stamp fits, the cells do not
-  };
-  Outcome Execute(bool trustStamp);
+  bool Plan();
+  void Read(bool trustStamp);
   void StartPoints();
+  bool FindKeptOrBuild();
   TopologyKey MakeKey() const;
   KeptOperator* FindKept(const TopologyKey& key);
-  void UseKept(KeptOperator& kept);
-  void Keep(std::unique_ptr<KeptOperator> keep);
-
+  bool Build();
   template <template <typename> class AnyLevel, typename Id>
-  Outcome BuildAndStep(KeptOperator* keep);
+  bool BuildLevel();
   bool HasMemoryFor(const LevelCounts& counts, double bytesPerId) const;
+
+  bool Execute();
+  void UseKept(KeptOperator& kept);
+  void Keep();
   template <template <typename> class AnyLevel, typename Id>
-  Outcome Step(AnyLevel<Id>& level, KeptOperator* keep);
+  bool Step(AnyLevel<Id>& level, KeptOperator* keep);
   template <typename Id>
   void StepTwice(const Level<Id>& level);
   template <typename Id>
@@ -76,7 +75,7 @@ private:
   void FinishPoints(bool ownsCells);
   bool IsTetOct() const { return this->Options.Scheme == StampScheme::TetOct; }
 
-  void Finish();
+  void Write();
   void CheckOrientation();
   void AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges);
   bool IsStopped(double done) const
@@ -89,6 +88,11 @@ private:
   vtkUnstructuredGrid* Output;
   ControlMesh Mesh;
   std::unique_ptr<PointArrays> Points;
+  TopologyKey Key;                      ///< for the cache
+  KeptOperator* Found = nullptr;        ///< what an earlier execution kept, if it fits
+  std::unique_ptr<KeptOperator> ToKeep; ///< what this one will keep; null: nothing
+  /// The current level, if nothing kept fits.
+  std::variant<Level<int>, Level<long long>, TetOctLevel<int>, TetOctLevel<long long>> Current;
   ControlTraits Control; ///< its runs are those of the current level
   SimplexTuples Derived; ///< derived singular simplices: points of the output
   std::vector<std::string> BuildWarnings;

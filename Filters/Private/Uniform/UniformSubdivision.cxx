@@ -38,77 +38,63 @@ LevelCounts CountSimplices(const Level<Id>& level)
 
 bool UniformRun::Run()
 {
-  Outcome outcome = this->Execute(true);
-  if (outcome == Outcome::NotOurs)
+  if (!this->Plan() || !this->Execute())
   {
-    outcome = this->Execute(false);
+    return false;
   }
-  return outcome == Outcome::Done;
+  this->Write();
+  this->Keep();
+  return true;
 }
 
-UniformRun::Outcome UniformRun::Execute(bool trustStamp)
+// ------------------------------------------------------------------------------------------------
+// Planning
+
+/// Reads the input, decides whether its stamp is true, and checks sizes. Tells the warnings of all
+/// that. Returns false after an error.
+bool UniformRun::Plan()
 {
-  this->Mesh = ReadControlMesh(
-    this->Input, trustStamp, this->Options.Features, this->Options.Warn, this->Options.Scheme);
-  if (this->Mesh.IsOfOtherScheme)
-  {
-    this->Options.Warn(
-      "An earlier filter made the input with another VolumeScheme. This filter takes it as any "
-      "other mesh: it looks for features again, and octahedra are four tetrahedra each.");
-  }
+  this->Read(true);
   const std::string tooMany = CheckNumberOfCells(
     this->Mesh.Cells.Simplices, this->Options.Levels, this->Options.MaximumNumberOfCells);
   if (!tooMany.empty())
   {
+    Tell(this->Mesh.Warnings, this->Options);
     this->Options.Fail(tooMany);
-    return Outcome::Stopped;
+    return false;
   }
   this->StartPoints();
-  if (this->Mesh.MadeLevels == 0)
+  if (!this->FindKeptOrBuild()) // the stamp is wrong
   {
-    this->Mesh.Inverted =
-      FindInvertedTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates());
+    this->Read(false);
+    this->StartPoints();
+    this->FindKeptOrBuild();
   }
-  if (!this->Mesh.IsStamped && !this->IsTetOct()) // the tet/oct scheme does not use this order
+  Tell(this->Mesh.Warnings, this->Options);
+  for (const std::string& warning : this->Found ? this->Found->Warnings : this->BuildWarnings)
   {
-    OrderTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates(), this->Mesh.GetGlobalIds(),
-      static_cast<vtkIdType>(this->Mesh.GlobalIds.size()));
+    this->Options.Warn(warning);
   }
-  std::unique_ptr<KeptOperator> keep;
-  if (this->Options.Cache)
-  {
-    TopologyKey key = this->MakeKey();
-    if (KeptOperator* kept = this->FindKept(key))
-    {
-      this->UseKept(*kept);
-      return Outcome::Done;
-    }
-    keep = std::make_unique<KeptOperator>();
-    keep->Key = std::move(key);
-    keep->PointsIn.TakeReference(this->Points->GetPoints()->NewInstance());
-    keep->PointsIn->DeepCopy(this->Points->GetPoints());
-  }
-  const int levels = this->Options.Levels + (this->Options.ReadsLimit() ? 1 : 0);
-  const bool large =
-    NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + levels, this->IsTetOct());
-  Outcome outcome = Outcome::Done;
-  if (this->IsTetOct())
-  {
-    outcome = large ? this->BuildAndStep<TetOctLevel, long long>(keep.get())
-                    : this->BuildAndStep<TetOctLevel, int>(keep.get());
-  }
-  else
-  {
-    outcome = large ? this->BuildAndStep<Level, long long>(keep.get())
-                    : this->BuildAndStep<Level, int>(keep.get());
-  }
-  if (outcome == Outcome::Done && keep)
-  {
-    this->Keep(std::move(keep));
-  }
-  return outcome;
+  return this->Found ||
+    std::visit([this](const auto& level)
+      { return this->HasMemoryFor(CountSimplices(level), sizeof(level.Complex.NumberOfVertices)); },
+      this->Current);
 }
 
+/// Reads the control mesh.
+void UniformRun::Read(bool trustStamp)
+{
+  this->Mesh =
+    ReadControlMesh(this->Input, trustStamp, this->Options.Features, this->Options.Scheme);
+  if (this->Mesh.IsOfOtherScheme)
+  {
+    this->Mesh.Warnings.emplace_back(
+      "An earlier filter made the input with another VolumeScheme. This filter takes it as any "
+      "other mesh: it looks for features again, and octahedra are four tetrahedra each.");
+  }
+}
+
+/// Starts points and arrays, and does what needs coordinates of the control mesh.
 void UniformRun::StartPoints()
 {
   PointArrayOptions arrays;
@@ -116,7 +102,7 @@ void UniformRun::StartPoints()
   arrays.CarryOriginalIds = this->Mesh.IsStamped &&
     HasIds(this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
   arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;
-  arrays.Warn = this->Options.Warn;
+  arrays.Warn = [this](const std::string& warning) { this->Mesh.Warnings.push_back(warning); };
   arrays.Precision = this->Options.OutputPointsPrecision;
   if (arrays.OriginalIds)
   {
@@ -132,41 +118,55 @@ void UniformRun::StartPoints()
   }
   this->Points = std::make_unique<PointArrays>(this->Input, this->Mesh.Cells,
     this->Mesh.GetGlobalIds(), static_cast<vtkIdType>(this->Mesh.GlobalIds.size()), arrays);
+  if (this->Mesh.MadeLevels == 0)
+  {
+    this->Mesh.Inverted =
+      FindInvertedTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates());
+  }
+  if (!this->Mesh.IsStamped && !this->IsTetOct()) // the tet/oct scheme does not use this order
+  {
+    OrderTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates(), this->Mesh.GetGlobalIds(),
+      static_cast<vtkIdType>(this->Mesh.GlobalIds.size()));
+  }
 }
 
-// ------------------------------------------------------------------------------------------------
-// Building
+/// Finds what was kept for this mesh, or builds the current level. Returns false if the stamp is
+/// wrong.
+bool UniformRun::FindKeptOrBuild()
+{
+  if (this->Options.Cache)
+  {
+    this->Key = this->MakeKey();
+    this->Found = this->FindKept(this->Key);
+  }
+  return this->Found || this->Build();
+}
+
+bool UniformRun::Build()
+{
+  const int levels = this->Options.Levels + (this->Options.ReadsLimit() ? 1 : 0);
+  const bool large =
+    NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + levels, this->IsTetOct());
+  if (this->IsTetOct())
+  {
+    return large ? this->BuildLevel<TetOctLevel, long long>()
+                 : this->BuildLevel<TetOctLevel, int>();
+  }
+  return large ? this->BuildLevel<Level, long long>() : this->BuildLevel<Level, int>();
+}
 
 template <template <typename> class AnyLevel, typename Id>
-UniformRun::Outcome UniformRun::BuildAndStep(KeptOperator* keep)
+bool UniformRun::BuildLevel()
 {
   ControlComplex<Id> control;
-  AnyLevel<Id> level;
   const bool further = this->Options.Levels > 1 || this->Options.ReadsLimit();
-  const Depth depth = further ? Depth::ForRefinement : Depth::ForOutput;
-  auto warn = [this](const std::string& warning)
-  {
-    this->BuildWarnings.push_back(warning);
-    this->Options.Warn(warning);
-  };
-  if (!BuildControlComplex(this->Mesh, this->Options.Features, this->Points->GetCoordinates(), warn,
-        depth, control, level))
-  {
-    return Outcome::NotOurs;
-  }
+  const bool isTrue = BuildControlComplex(
+    this->Mesh, this->Options.Features, this->Points->GetCoordinates(),
+    [this](const std::string& warning) { this->BuildWarnings.push_back(warning); },
+    further ? Depth::ForRefinement : Depth::ForOutput, control,
+    this->Current.emplace<AnyLevel<Id>>());
   this->Control = std::move(static_cast<ControlTraits&>(control));
-  this->SameCells =
-    keep ? this->Options.Cache->FindCells(keep->Key, this->Control.Derived) : nullptr;
-  if (!this->HasMemoryFor(CountSimplices(level), sizeof(Id)))
-  {
-    return Outcome::Stopped;
-  }
-  const Outcome outcome = this->Step(level, keep);
-  if (outcome == Outcome::Done)
-  {
-    this->Finish();
-  }
-  return outcome;
+  return isTrue;
 }
 
 bool UniformRun::HasMemoryFor(const LevelCounts& counts, double bytesPerId) const
@@ -187,10 +187,33 @@ bool UniformRun::HasMemoryFor(const LevelCounts& counts, double bytesPerId) cons
   return tooLarge.empty();
 }
 
+// ------------------------------------------------------------------------------------------------
+// Execution
+
+/// Makes points and cells of the output. Returns false if Progress asks to stop.
+bool UniformRun::Execute()
+{
+  if (this->Found)
+  {
+    this->UseKept(*this->Found);
+    return true;
+  }
+  if (this->Options.Cache)
+  {
+    this->SameCells = this->Options.Cache->FindCells(this->Key, this->Control.Derived);
+    this->ToKeep = std::make_unique<KeptOperator>();
+    this->ToKeep->Key = std::move(this->Key);
+    this->ToKeep->PointsIn.TakeReference(this->Points->GetPoints()->NewInstance());
+    this->ToKeep->PointsIn->DeepCopy(this->Points->GetPoints());
+  }
+  return std::visit(
+    [this](auto& level) { return this->Step(level, this->ToKeep.get()); }, this->Current);
+}
+
 /// Makes the steps. At most two levels are in memory at a time, and of the last one only the cells
-/// are made, unless limits are needed.
+/// are made, unless limits are needed. Returns false if Progress asks to stop.
 template <template <typename> class AnyLevel, typename Id>
-UniformRun::Outcome UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
+bool UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
 {
   using Operator = decltype(TakeStencils(level));
   const int steps = this->Options.Levels;
@@ -213,7 +236,7 @@ UniformRun::Outcome UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
         keep->Steps = std::move(kept);
       }
     }
-    return Outcome::Done;
+    return true;
   }
   this->PartOctahedra(level);
   // Whether the last two operators are stored. If not, StepTwice makes the last two steps at once,
@@ -228,12 +251,12 @@ UniformRun::Outcome UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
   {
     if (this->IsStopped((step + 1.) / (steps + 1.)))
     {
-      return Outcome::Stopped;
+      return false;
     }
     if (step + 2 == steps && !stored)
     {
       this->StepTwice(level);
-      return Outcome::Done;
+      return true;
     }
     const bool last = step + 1 == steps;
     AnyLevel<Id> next;
@@ -292,7 +315,7 @@ UniformRun::Outcome UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
   {
     keep->Steps = std::move(kept);
   }
-  return Outcome::Done;
+  return true;
 }
 
 /// The last two steps without the level between them.
@@ -411,7 +434,7 @@ void UniformRun::FinishPoints(bool ownsCells)
 }
 
 /// Writes cell data, ghost types and the stamp.
-void UniformRun::Finish()
+void UniformRun::Write()
 {
   CellArrayOptions cells;
   cells.Levels = this->Options.Levels;
@@ -505,8 +528,7 @@ void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer
 bool SubdivideUniformly(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output)
 {
-  const UniformOptions once = WarningOnce(options);
-  return UniformRun(input, once, output).Run();
+  return UniformRun(input, options, output).Run();
 }
 
 }
