@@ -2,6 +2,7 @@
 #include "Private/Control/ControlMesh.h"
 
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/StampFields.h"
 
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -61,10 +62,8 @@ bool LiftTuples(const SimplexTuples& tuples, const Stamp& stamp, SimplexTuples& 
 std::vector<vtkIdType> ReadInverted(vtkPointSet* input, const SimplexList& control)
 {
   std::vector<vtkIdType> inverted;
-  vtkDataArray* array = input->GetFieldData()->GetArray(InvertedCellsName);
-  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  for (vtkIdType simplex : ReadFieldIds(InvertedCellsName, input->GetFieldData()))
   {
-    const vtkIdType simplex = ToId(array->GetComponent(i, 0));
     if (simplex >= 0 && simplex / 2 < control.GetNumberOfSimplices() &&
       (inverted.empty() || simplex > inverted.back()))
     {

@@ -2,9 +2,8 @@
 #include "Private/Control/Stamp.h"
 
 #include "Private/ArrayNames.h"
-#include "Private/Arrays/Arrays.h"
+#include "Private/Control/StampFields.h"
 
-#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -18,9 +17,8 @@ namespace subdivision
 namespace
 {
 
-constexpr int FormatVersion = 1;
-
-enum Field
+/// The numbers of a stamp.
+enum Number
 {
   Version,
   Scheme,
@@ -32,8 +30,10 @@ enum Field
   Cells,
   Hash,
   Projected,
-  NumberOfFields
+  NumberOfNumbers
 };
+
+constexpr StampFormat Format{ StampName, 1, NumberOfNumbers, Levels, ControlPoints, Points, Cells };
 
 /// A hash of types and connectivity of up to 4096 evenly spaced cells. It has 48 bits, so that a
 /// double holds it exactly.
@@ -66,42 +66,31 @@ long long HashCells(vtkPointSet* mesh)
 
 bool ReadStamp(vtkPointSet* input, StampScheme scheme, Stamp& stamp)
 {
-  vtkDataArray* array = input->GetFieldData()->GetArray(StampName);
-  if (!vtkUnstructuredGrid::SafeDownCast(input) || !array || array->GetNumberOfComponents() != 1 ||
-    array->GetNumberOfTuples() != NumberOfFields)
+  if (!vtkUnstructuredGrid::SafeDownCast(input))
   {
     return false;
   }
-  auto get = [array](Field field) { return ToId(array->GetComponent(field, 0)); };
+  const std::vector<vtkIdType> numbers = ReadStampNumbers(input, Format);
   const bool isUniform = scheme != StampScheme::RedGreen;
-  if (get(Version) != FormatVersion || get(Scheme) != static_cast<int>(scheme) ||
-    (isUniform && (get(TetOrderIsFinal) != 1 || get(Projected) != 0)) ||
-    get(Points) != input->GetNumberOfPoints() || get(Cells) != input->GetNumberOfCells() ||
-    get(Hash) != HashCells(input) || get(Levels) < 0 || get(Levels) > 20 ||
-    get(ControlPoints) < 0 || get(ControlPoints) > get(Points))
+  if (numbers.empty() || numbers[Scheme] != static_cast<int>(scheme) ||
+    (isUniform && (numbers[TetOrderIsFinal] != 1 || numbers[Projected] != 0)) ||
+    numbers[Hash] != HashCells(input))
   {
     return false;
   }
   stamp.Scheme = scheme;
-  stamp.TetOrderIsFinal = get(TetOrderIsFinal) == 1;
-  stamp.Levels = static_cast<int>(get(Levels));
-  stamp.NumberOfControlPoints = get(ControlPoints);
+  stamp.TetOrderIsFinal = numbers[TetOrderIsFinal] == 1;
+  stamp.Levels = static_cast<int>(numbers[Levels]);
+  stamp.NumberOfControlPoints = numbers[ControlPoints];
   return true;
 }
 
 void WriteStamp(const Stamp& stamp, vtkUnstructuredGrid* output)
 {
-  vtkNew<vtkTypeInt64Array> array;
-  array->SetName(StampName);
-  array->SetNumberOfTuples(NumberOfFields);
-  const vtkIdType values[NumberOfFields] = { FormatVersion, static_cast<int>(stamp.Scheme),
+  const std::vector<vtkIdType> numbers{ Format.Version, static_cast<int>(stamp.Scheme),
     stamp.Levels, stamp.Levels % 2, stamp.TetOrderIsFinal, stamp.NumberOfControlPoints,
     output->GetNumberOfPoints(), output->GetNumberOfCells(), HashCells(output), stamp.IsProjected };
-  for (int i = 0; i < NumberOfFields; ++i)
-  {
-    array->SetValue(i, values[i]);
-  }
-  output->GetFieldData()->AddArray(array);
+  output->GetFieldData()->AddArray(MakeField<vtkTypeInt64Array>(Format.Name, numbers));
 }
 
 namespace
@@ -112,24 +101,11 @@ constexpr const char* SingularNames[3] = { "SubdivisionSingularVertices",
 
 void ReadSingularTuples(vtkPointSet* input, SimplexTuples& tuples)
 {
+  const vtkIdType points = input->GetNumberOfPoints();
   for (int dimension = 0; dimension < 3; ++dimension)
   {
     std::vector<vtkIdType>& ids = tuples.Tuples[dimension];
-    ids.clear();
-    vtkDataArray* array = input->GetFieldData()->GetArray(SingularNames[dimension]);
-    if (!array || array->GetNumberOfComponents() != dimension + 1)
-    {
-      continue;
-    }
-    ids.resize(array->GetNumberOfValues());
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-    {
-      for (int c = 0; c <= dimension; ++c)
-      {
-        ids[i * (dimension + 1) + c] = ToId(array->GetComponent(i, c));
-      }
-    }
-    const vtkIdType points = input->GetNumberOfPoints();
+    ids = ReadFieldIds(SingularNames[dimension], input->GetFieldData(), dimension + 1);
     if (std::any_of(
           ids.begin(), ids.end(), [points](vtkIdType id) { return id < 0 || id >= points; }))
     {
@@ -142,31 +118,14 @@ void WriteSingularTuples(const SimplexTuples& tuples, vtkUnstructuredGrid* outpu
 {
   for (int dimension = 0; dimension < 3; ++dimension)
   {
-    const std::vector<vtkIdType>& ids = tuples.Tuples[dimension];
-    output->GetFieldData()->RemoveArray(SingularNames[dimension]);
-    if (!ids.empty())
-    {
-      vtkNew<vtkIdTypeArray> array;
-      array->SetName(SingularNames[dimension]);
-      array->SetNumberOfComponents(dimension + 1);
-      array->SetNumberOfTuples(static_cast<vtkIdType>(ids.size()) / (dimension + 1));
-      std::copy(ids.begin(), ids.end(), array->GetPointer(0));
-      output->GetFieldData()->AddArray(array);
-    }
+    WriteField<vtkIdTypeArray>(
+      SingularNames[dimension], tuples.Tuples[dimension], output->GetFieldData(), dimension + 1);
   }
 }
 
 void WriteIds(const char* name, const std::vector<vtkIdType>& ids, vtkUnstructuredGrid* output)
 {
-  output->GetFieldData()->RemoveArray(name);
-  if (!ids.empty())
-  {
-    vtkNew<vtkIdTypeArray> array;
-    array->SetName(name);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(ids.size()));
-    std::copy(ids.begin(), ids.end(), array->GetPointer(0));
-    output->GetFieldData()->AddArray(array);
-  }
+  WriteField<vtkIdTypeArray>(name, ids, output->GetFieldData());
 }
 
 bool FindControlMesh(const SimplexView& descendants, const Stamp& stamp, SimplexList& control)

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceStamp.h"
 
-#include "Private/Arrays/Arrays.h"
+#include "Private/Control/StampFields.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -26,10 +24,9 @@ constexpr const char* CreasesName = "SubdivisionSurfaceCreases";
 constexpr const char* CellsName = "SubdivisionSurfaceCells";
 constexpr const char* PointIdsName = "SubdivisionSurfaceGlobalIds";
 const std::string CarriedPrefix = "SubdivisionCarried:";
-constexpr vtkIdType FormatVersion = 2;
-constexpr int MostLevels = 20;
 
-enum Field
+/// The numbers of a stamp.
+enum Number
 {
   Version,
   Scheme,
@@ -39,33 +36,10 @@ enum Field
   FaceSize,
   Points,
   Cells,
-  NumberOfFields
+  NumberOfNumbers
 };
 
-template <typename Array, typename Value>
-void WriteValues(const char* name, const std::vector<Value>& values, vtkFieldData* data)
-{
-  data->RemoveArray(name);
-  if (!values.empty())
-  {
-    vtkNew<Array> array;
-    array->SetName(name);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-    std::copy(values.begin(), values.end(), array->GetPointer(0));
-    data->AddArray(array);
-  }
-}
-
-std::vector<double> ReadValues(const char* name, vtkFieldData* data)
-{
-  std::vector<double> values;
-  vtkDataArray* array = data->GetArray(name);
-  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
-  {
-    values.push_back(array->GetComponent(i, 0));
-  }
-  return values;
-}
+constexpr StampFormat Format{ Name, 2, NumberOfNumbers, Levels, ControlPoints, Points, Cells };
 
 bool IsCarried(vtkAbstractArray* array)
 {
@@ -90,14 +64,6 @@ CarriedCells ReadCarried(vtkFieldData* data, int levels)
     }
   }
   return carried;
-}
-
-std::vector<vtkIdType> ReadIds(const char* name, vtkFieldData* data)
-{
-  const std::vector<double> values = ReadValues(name, data);
-  std::vector<vtkIdType> ids(values.size());
-  std::transform(values.begin(), values.end(), ids.begin(), ToId);
-  return ids;
 }
 
 }
@@ -129,12 +95,9 @@ void SurfaceStamp::SetControl(const SurfaceCells& control, int size, bool withCe
 bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp)
 {
   vtkFieldData* data = input->GetFieldData();
-  const std::vector<vtkIdType> numbers = ReadIds(Name, data);
-  if (numbers.size() != NumberOfFields || numbers[Version] != FormatVersion ||
-    numbers[Points] != input->GetNumberOfPoints() || numbers[Cells] != input->GetNumberOfCells() ||
-    numbers[Levels] < 0 || numbers[Levels] > MostLevels || numbers[ControlPoints] < 0 ||
-    numbers[ControlPoints] > numbers[Points] || numbers[ControlFaces] < 0 ||
-    numbers[ControlFaces] > numbers[Cells] || numbers[FaceSize] < 0)
+  const std::vector<vtkIdType> numbers = ReadStampNumbers(input, Format);
+  if (numbers.empty() || numbers[ControlFaces] < 0 || numbers[ControlFaces] > numbers[Cells] ||
+    numbers[FaceSize] < 0)
   {
     return false;
   }
@@ -143,13 +106,13 @@ bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp)
   stamp.NumberOfControlPoints = numbers[ControlPoints];
   stamp.NumberOfControlFaces = numbers[ControlFaces];
   stamp.Size = static_cast<int>(std::min<vtkIdType>(numbers[FaceSize], 1 << 30));
-  stamp.Sizes = ReadIds(SizesName, data);
-  stamp.Angles = ReadValues(AnglesName, data);
-  stamp.FaceAngles = ReadValues(FaceAnglesName, data);
-  stamp.GivenCorners = ReadValues(GivenCornersName, data);
-  stamp.Creases = ReadIds(CreasesName, data);
-  stamp.Cells = ReadIds(CellsName, data);
-  stamp.GlobalIds = ReadIds(PointIdsName, data);
+  stamp.Sizes = ReadFieldIds(SizesName, data);
+  stamp.Angles = ReadFieldValues(AnglesName, data);
+  stamp.FaceAngles = ReadFieldValues(FaceAnglesName, data);
+  stamp.GivenCorners = ReadFieldValues(GivenCornersName, data);
+  stamp.Creases = ReadFieldIds(CreasesName, data);
+  stamp.Cells = ReadFieldIds(CellsName, data);
+  stamp.GlobalIds = ReadFieldIds(PointIdsName, data);
   stamp.Carried = ReadCarried(data, stamp.Levels);
   return std::all_of(stamp.Creases.begin(), stamp.Creases.end(),
            [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; }) &&
@@ -160,19 +123,19 @@ bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp)
 
 void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output)
 {
-  const std::vector<vtkIdType> numbers{ FormatVersion, stamp.Scheme, stamp.Levels,
+  const std::vector<vtkIdType> numbers{ Format.Version, stamp.Scheme, stamp.Levels,
     stamp.NumberOfControlPoints, stamp.NumberOfControlFaces, stamp.Size,
     output->GetNumberOfPoints(), output->GetNumberOfCells() };
   vtkFieldData* data = output->GetFieldData();
-  WriteValues<vtkIdTypeArray>(Name, numbers, data);
-  WriteValues<vtkIdTypeArray>(
+  WriteField<vtkIdTypeArray>(Name, numbers, data);
+  WriteField<vtkIdTypeArray>(
     SizesName, stamp.Size > 0 ? std::vector<vtkIdType>() : stamp.Sizes, data);
-  WriteValues<vtkDoubleArray>(AnglesName, stamp.Angles, data);
-  WriteValues<vtkDoubleArray>(FaceAnglesName, stamp.FaceAngles, data);
-  WriteValues<vtkDoubleArray>(GivenCornersName, stamp.GivenCorners, data);
-  WriteValues<vtkIdTypeArray>(CreasesName, stamp.Creases, data);
-  WriteValues<vtkIdTypeArray>(CellsName, stamp.Cells, data);
-  WriteValues<vtkIdTypeArray>(PointIdsName, stamp.GlobalIds, data);
+  WriteField<vtkDoubleArray>(AnglesName, stamp.Angles, data);
+  WriteField<vtkDoubleArray>(FaceAnglesName, stamp.FaceAngles, data);
+  WriteField<vtkDoubleArray>(GivenCornersName, stamp.GivenCorners, data);
+  WriteField<vtkIdTypeArray>(CreasesName, stamp.Creases, data);
+  WriteField<vtkIdTypeArray>(CellsName, stamp.Cells, data);
+  WriteField<vtkIdTypeArray>(PointIdsName, stamp.GlobalIds, data);
   for (const CarriedCells::Entry& entry : stamp.Carried.Entries)
   {
     // The array may belong to an earlier output, so that only a copy can be renamed.
