@@ -69,6 +69,38 @@ void Convert(const From* from, To* to, vtkIdType size)
 
 }
 
+vtkSmartPointer<vtkDataArray> StartValues(
+  vtkDataArray* array, int valueType, const SimplicesOfCells& cells)
+{
+  const vtkIdType given = array->GetNumberOfTuples();
+  const vtkIdType points = cells.Simplices.NumberOfPoints;
+  const auto source = Contiguous(array);
+  if (given == points && array->GetDataType() == valueType)
+  {
+    return source;
+  }
+  const int components = array->GetNumberOfComponents();
+  const auto start = MakeArray(valueType, components, points);
+  if (start->GetNumberOfValues() > 0)
+  {
+    auto fill = [&](auto* values)
+    {
+      switch (source->GetDataType())
+      {
+        vtkTemplateMacro(Convert(
+          static_cast<const VTK_TT*>(source->GetVoidPointer(0)), values, given * components));
+      }
+      FillCentres(values, components, cells, given);
+    };
+    switch (valueType)
+    {
+      vtkTemplateMacro(fill(static_cast<VTK_TT*>(start->GetVoidPointer(0))));
+    }
+  }
+  CopyLooks(array, start);
+  return start;
+}
+
 PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   const vtkIdType* globalIds, vtkIdType numberOfGlobalIds, const PointArrayOptions& options)
   : Input(input)
@@ -85,7 +117,7 @@ PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
     : given == VTK_FLOAT                                               ? VTK_FLOAT
                                                                        : VTK_DOUBLE;
   this->Tie = given == VTK_FLOAT || type == VTK_FLOAT ? SingleTie : DoubleTie;
-  this->Points = this->Start(points, type);
+  this->Points = StartValues(points, type, cells);
   vtkPointData* data = input->GetPointData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
@@ -104,7 +136,7 @@ PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
     Entry entry{ i, nullptr };
     if (this->IsSmoothed(array))
     {
-      entry.Current = this->Start(vtkDataArray::SafeDownCast(array), array->GetDataType());
+      entry.Current = StartValues(vtkDataArray::SafeDownCast(array), array->GetDataType(), cells);
     }
     this->HasGathered = this->HasGathered || !entry.Current;
     this->Entries.push_back(entry);
@@ -131,37 +163,6 @@ bool PointArrays::IsSmoothed(vtkAbstractArray* array) const
     default:
       return this->Options.InterpolateIntegers;
   }
-}
-
-/// The array at level 0, contiguous: the input's own where nothing has to be added or converted.
-vtkSmartPointer<vtkDataArray> PointArrays::Start(vtkDataArray* array, int valueType) const
-{
-  const vtkIdType given = array->GetNumberOfTuples();
-  const auto source = Contiguous(array);
-  if (given == this->NumberOfPoints && array->GetDataType() == valueType)
-  {
-    return source;
-  }
-  const int components = array->GetNumberOfComponents();
-  const auto start = MakeArray(valueType, components, this->NumberOfPoints);
-  if (start->GetNumberOfValues() > 0)
-  {
-    auto fill = [&](auto* values)
-    {
-      switch (source->GetDataType())
-      {
-        vtkTemplateMacro(Convert(
-          static_cast<const VTK_TT*>(source->GetVoidPointer(0)), values, given * components));
-      }
-      FillCentres(values, components, this->Cells, given);
-    };
-    switch (valueType)
-    {
-      vtkTemplateMacro(fill(static_cast<VTK_TT*>(start->GetVoidPointer(0))));
-    }
-  }
-  CopyLooks(array, start);
-  return start;
 }
 
 Coordinates PointArrays::GetCoordinates()

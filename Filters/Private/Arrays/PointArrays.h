@@ -42,6 +42,11 @@ struct PointArrayOptions
   std::function<void(const std::string&)> Warn;
 };
 
+/// The values of a point array of the input as a contiguous array of type `valueType`, followed by
+/// those of the centres that `cells` adds. It is the array itself if there is nothing to do.
+vtkSmartPointer<vtkDataArray> StartValues(
+  vtkDataArray* array, int valueType, const SimplicesOfCells& cells);
+
 /**
  * Arrays of floating point numbers, and colours (unsigned char with 3 or 4 components), are
  * smoothed; colours are rounded after each level. Other integers, strings and bits are gathered: an
@@ -106,7 +111,6 @@ private:
     vtkSmartPointer<vtkDataArray> Current; ///< smoothed so far; null: gathered at the end
   };
 
-  vtkSmartPointer<vtkDataArray> Start(vtkDataArray* array, int valueType) const;
   bool IsSmoothed(vtkAbstractArray* array) const;
   template <typename Make>
   void ReplaceSmoothed(vtkIdType size, const Make& make);

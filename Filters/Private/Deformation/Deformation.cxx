@@ -109,11 +109,7 @@ bool Deformation::Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* def
   {
     return false;
   }
-  const auto control = this->Rest.MoveControlPoints(rest, deformed, options);
-  if (!control)
-  {
-    return false;
-  }
+  const auto control = this->Rest.MoveControlPoints(deformed);
   this->Rest.WarnOfInvertedCells(control, options);
   const bool hasVectors = options.TransformVectors && HasVectors(input);
   const double* moved = nullptr;

@@ -3,7 +3,7 @@
 
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Uniform/UniformSubdivision.h"
+#include "Private/Arrays/PointArrays.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkAlgorithm.h"
@@ -12,7 +12,6 @@
 #include "vtkCellType.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -26,8 +25,6 @@ namespace subdivision
 {
 namespace
 {
-
-constexpr const char* DeformedName = "DeformedPoints";
 
 // ------------------------------------------------------------------------------------------------
 // Equal meshes
@@ -143,22 +140,12 @@ std::vector<double> ListChoices(vtkPointSet* control, const DeformationOptions& 
   return choices;
 }
 
-/// Adds the points of the deformed mesh as a point array, so that it is subdivided like the points.
-void AddDeformed(vtkPointSet* deformed, vtkPointSet* control)
-{
-  const vtkIdType size = deformed->GetNumberOfPoints();
-  const auto array = MakeArray(VTK_DOUBLE, 3, size);
-  array->SetName(DeformedName);
-  double* to = static_cast<double*>(array->GetVoidPointer(0));
-  ForEach(size, [&](vtkIdType i) { deformed->GetPoints()->GetData()->GetTuple(i, to + 3 * i); });
-  control->GetPointData()->AddArray(array);
-}
-
 /// The corners of all tetrahedra, or of all other cells as triangles with repeated corners.
-Buffer<vtkIdType> GatherCorners(vtkUnstructuredGrid* grid, bool tets)
+Buffer<vtkIdType> GatherCorners(const UniformCells& made, bool tets)
 {
-  const vtkIdType cells = grid->GetNumberOfCells();
-  auto isWanted = [&](vtkIdType i) { return (grid->GetCellType(i) == VTK_TETRA) == tets; };
+  const vtkIdType cells = made.Cells->GetNumberOfCells();
+  const unsigned char* types = made.Types->GetPointer(0);
+  auto isWanted = [&](vtkIdType i) { return (types[i] == VTK_TETRA) == tets; };
   Buffer<vtkIdType> places(cells + 1);
   ForEach(cells, [&](vtkIdType i) { places[i] = isWanted(i) ? 1 : 0; });
   CountsToOffsets(places);
@@ -166,8 +153,8 @@ Buffer<vtkIdType> GatherCorners(vtkUnstructuredGrid* grid, bool tets)
   Buffer<vtkIdType> ids(corners * places[cells]);
   auto values = [](vtkDataArray* array)
   { return static_cast<const vtkIdType*>(array->GetVoidPointer(0)); }; // Use32BitIds is off here
-  const vtkIdType* connectivity = values(grid->GetCells()->GetConnectivityArray());
-  const vtkIdType* offsets = values(grid->GetCells()->GetOffsetsArray());
+  const vtkIdType* connectivity = values(made.Cells->GetConnectivityArray());
+  const vtkIdType* offsets = values(made.Cells->GetOffsetsArray());
   ForEach(cells,
     [&](vtkIdType i)
     {
@@ -228,12 +215,13 @@ bool RestMesh::Update(vtkPointSet* mesh, const DeformationOptions& options)
   }
   this->Clear();
   ++this->NumberOfBuilds;
-  if (!this->Build(control, options))
+  auto kept = vtkSmartPointer<vtkPointSet>::Take(control->NewInstance());
+  kept->DeepCopy(control);
+  if (!this->Build(kept, options))
   {
     return false;
   }
-  this->Kept.TakeReference(control->NewInstance());
-  this->Kept->DeepCopy(control);
+  this->Kept = kept;
   this->Choices = std::move(choices);
   return true;
 }
@@ -252,113 +240,97 @@ void RestMesh::Clear()
 
 bool RestMesh::Build(vtkPointSet* control, const DeformationOptions& options)
 {
-  this->Control = this->Subdivide(control, 0, this->ControlOperators, options, false);
-  if (this->Control)
-  {
-    this->Fine = this->Subdivide(control, options.Levels, this->Operators, options, true);
-  }
-  if (!this->Fine)
+  UniformOptions uniform;
+  static_cast<RunOptions&>(uniform) = options;
+  uniform.OutputPointsPrecision = vtkAlgorithm::DOUBLE_PRECISION;
+  uniform.InterpolateIntegers = false;
+  uniform.GenerateOriginalIds = false;
+  uniform.Levels = options.Levels;
+  uniform.Scheme = options.Scheme;
+  uniform.Progress = nullptr;
+  uniform.Warn = [&](const std::string& message) { options.Warn("Rest mesh: " + message); };
+  if (!FindUniformOperators(control, uniform, this->Operators))
   {
     return false;
   }
-  this->NumberOfPoints = this->Fine->GetNumberOfPoints();
-  this->Points = static_cast<const double*>(this->Fine->GetPoints()->GetVoidPointer(0));
+  this->ControlPoints = this->MoveControlPoints(control);
   if (this->HasCells())
   {
-    this->Tets = SimplexTree(this->Points, 4, GatherCorners(this->Fine, true));
+    this->Tets = SimplexTree(this->GetPoints(), 4, GatherCorners(this->Operators.Cells, true));
   }
   return true;
 }
 
+vtkIdType RestMesh::GetNumberOfPoints() const
+{
+  return this->Operators.Points->GetNumberOfTuples();
+}
+
+const double* RestMesh::GetPoints() const
+{
+  return static_cast<const double*>(this->Operators.Points->GetVoidPointer(0));
+}
+
 bool RestMesh::HasCells() const
 {
-  return this->Fine && this->Fine->GetNumberOfCells() > 0;
+  return this->Operators.Cells.Cells && this->Operators.Cells.Cells->GetNumberOfCells() > 0;
 }
 
 const SimplexTree& RestMesh::GetOtherCells()
 {
   if (!this->HasOtherCells && this->HasCells())
   {
-    this->OtherCells = SimplexTree(this->Points, 3, GatherCorners(this->Fine, false));
+    this->OtherCells =
+      SimplexTree(this->GetPoints(), 3, GatherCorners(this->Operators.Cells, false));
     this->HasOtherCells = true;
   }
   return this->OtherCells;
 }
 
-/// Returns null after an error.
-vtkSmartPointer<vtkUnstructuredGrid> RestMesh::Subdivide(vtkPointSet* control, int levels,
-  OperatorCache& cache, const DeformationOptions& options, bool isFirst) const
+vtkSmartPointer<vtkDataArray> RestMesh::MoveControlPoints(vtkPointSet* deformed) const
 {
-  UniformOptions uniform;
-  static_cast<RunOptions&>(uniform) = options;
-  uniform.OutputPointsPrecision = vtkAlgorithm::DOUBLE_PRECISION;
-  uniform.InterpolateIntegers = false;
-  uniform.GenerateOriginalIds = levels == 0;
-  uniform.Levels = levels;
-  uniform.Scheme = options.Scheme;
-  uniform.Cache = &cache;
-  uniform.Progress = nullptr;
-  uniform.Warn = [&](const std::string& message)
-  {
-    if (isFirst)
-    {
-      options.Warn("Rest mesh: " + message);
-    }
-  };
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  const bool done = SubdivideUniformly(control, uniform, grid);
-  cache.ForgetUnused();
-  return done ? grid : nullptr;
-}
-
-vtkSmartPointer<vtkDataArray> RestMesh::MoveControlPoints(
-  vtkPointSet* rest, vtkPointSet* deformed, const DeformationOptions& options)
-{
-  const auto control = MakeControl(rest, options.Features);
-  AddDeformed(deformed, control);
-  const auto moved = this->Subdivide(control, 0, this->ControlOperators, options, false);
-  return moved ? moved->GetPointData()->GetArray(DeformedName) : nullptr;
+  return StartValues(deformed->GetPoints()->GetData(), VTK_DOUBLE, this->Operators.Control);
 }
 
 const double* RestMesh::MovePoints(vtkDataArray* control)
 {
   const auto* values = static_cast<const double*>(control->GetVoidPointer(0));
-  const KeptSteps* steps = this->Operators.GetFirstSteps();
-  if (!steps)
+  if (!this->Operators.Steps)
   {
     return values;
   }
-  steps->Apply(values, 3, this->MovedPoints);
+  this->Operators.Steps->Apply(values, 3, this->MovedPoints);
   return this->MovedPoints.data();
 }
 
 void RestMesh::WarnOfInvertedCells(vtkDataArray* control, const DeformationOptions& options) const
 {
-  const auto* rest = static_cast<const double*>(this->Control->GetPoints()->GetVoidPointer(0));
-  const auto* moved = control ? static_cast<const double*>(control->GetVoidPointer(0)) : nullptr;
-  const auto* parents =
-    vtkIdTypeArray::SafeDownCast(this->Control->GetCellData()->GetArray(OriginalCellIdsName));
-  vtkNew<vtkIdList> ids;
+  auto values = [](vtkDataArray* array)
+  { return static_cast<const double*>(array->GetVoidPointer(0)); };
+  const double* rest = values(this->ControlPoints);
+  const double* moved = control ? values(control) : nullptr;
+  const SimplexList& simplices = this->Operators.Control.Simplices;
+  const auto& parents = this->Operators.Control.ParentCells;
   std::vector<vtkIdType> found;
-  for (vtkIdType i = 0; i < this->Control->GetNumberOfCells(); ++i)
+  const vtkIdType* ids = simplices.Connectivity.data();
+  for (vtkIdType i = 0; i < simplices.GetNumberOfSimplices(); ids += simplices.Dimensions[i++] + 1)
   {
-    if (this->Control->GetCellType(i) != VTK_TETRA)
+    if (simplices.Dimensions[i] != 3)
     {
       continue;
     }
-    this->Control->GetCellPoints(i, ids);
     auto orient = [&](const double* points)
     {
       const double* corners[4];
       for (int k = 0; k < 4; ++k)
       {
-        corners[k] = points + 3 * ids->GetId(k);
+        corners[k] = points + 3 * ids[k];
       }
       return GetOrientationOfTet(corners);
     };
     const int before = orient(rest);
     const bool isWrong = moved ? before != 0 && orient(moved) != before : before <= 0;
-    const vtkIdType cell = parents ? parents->GetValue(i) : i;
+    const vtkIdType cell = parents.empty() ? i : parents[i];
     if (isWrong && (found.empty() || found.back() != cell)) // pieces of a cell are consecutive
     {
       found.push_back(cell);
@@ -377,13 +349,12 @@ void RestMesh::WarnOfInvertedCells(vtkDataArray* control, const DeformationOptio
 
 std::size_t RestMesh::GetOperatorSize() const
 {
-  const KeptSteps* steps = this->Operators.GetFirstSteps();
-  return steps ? steps->GetMemorySize() : 0;
+  return this->Operators.Steps ? this->Operators.Steps->GetMemorySize() : 0;
 }
 
 SparseRows<int> RestMesh::Compose(const SparseRows<int>& rows) const
 {
-  return this->Operators.GetFirstSteps()->ComposeWith(rows);
+  return this->Operators.Steps->ComposeWith(rows);
 }
 
 }

@@ -10,12 +10,11 @@
 #include "Core/Operators/SparseRows.h"
 #include "Core/Solids/Location/SimplexTree.h"
 #include "Private/Deformation/DeformationOptions.h"
-#include "Private/Uniform/OperatorCache.h"
+#include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkSmartPointer.h"
 
 class vtkPointSet;
-class vtkUnstructuredGrid;
 
 namespace subdivision
 {
@@ -31,8 +30,7 @@ public:
   bool Update(vtkPointSet* mesh, const DeformationOptions& options);
 
   /// The control points of the deformed mesh: its points, then the centres of split cells.
-  vtkSmartPointer<vtkDataArray> MoveControlPoints(
-    vtkPointSet* rest, vtkPointSet* deformed, const DeformationOptions& options);
+  vtkSmartPointer<vtkDataArray> MoveControlPoints(vtkPointSet* deformed) const;
   /// The points of the subdivided deformed mesh, from its control points by the operators of the
   /// rest mesh. Valid until the next call, and as long as `control` is.
   const double* MovePoints(vtkDataArray* control);
@@ -43,8 +41,8 @@ public:
   void WarnOfInvertedCells(vtkDataArray* control, const DeformationOptions& options) const;
 
   /// Points of the subdivided mesh at rest, and its cells.
-  vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
-  const double* GetPoints() const { return this->Points; }
+  vtkIdType GetNumberOfPoints() const;
+  const double* GetPoints() const;
   bool HasCells() const;
   /// Whether the mesh has points in single precision.
   bool IsSingle() const;
@@ -64,17 +62,11 @@ public:
 
 private:
   bool Build(vtkPointSet* control, const DeformationOptions& options);
-  vtkSmartPointer<vtkUnstructuredGrid> Subdivide(vtkPointSet* control, int levels,
-    OperatorCache& cache, const DeformationOptions& options, bool isFirst) const;
 
   vtkSmartPointer<vtkPointSet> Kept; ///< a copy of all that the operators depend on
   std::vector<double> Choices;
-  OperatorCache Operators;        ///< of all levels
-  OperatorCache ControlOperators; ///< of no level: the control simplices
-  vtkSmartPointer<vtkUnstructuredGrid> Control;
-  vtkSmartPointer<vtkUnstructuredGrid> Fine;
-  vtkIdType NumberOfPoints = 0;
-  const double* Points = nullptr;
+  UniformOperators Operators;
+  vtkSmartPointer<vtkDataArray> ControlPoints; ///< at rest
   Buffer<double> MovedPoints;
   SimplexTree Tets;
   SimplexTree OtherCells;

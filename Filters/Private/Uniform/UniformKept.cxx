@@ -110,4 +110,19 @@ void UniformRun::Keep()
   this->Options.Cache->Add(std::move(this->ToKeep));
 }
 
+bool UniformRun::FindOperators(UniformOperators& operators)
+{
+  this->ToKeep = std::make_unique<KeptOperator>();
+  if (!this->Plan() || !this->Execute())
+  {
+    return false;
+  }
+  this->CheckOrientation();
+  operators.Control = std::move(this->Mesh.Cells);
+  operators.Steps = std::move(this->ToKeep->Steps);
+  operators.Cells = std::move(this->Cells);
+  operators.Points = this->Output->GetPoints()->GetData();
+  return true;
+}
+
 }

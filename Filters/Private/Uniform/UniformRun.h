@@ -30,6 +30,8 @@ public:
   {
   }
   bool Run();
+  /// The same for the operators alone. The output gets no more than points and cells.
+  bool FindOperators(UniformOperators& operators);
 
 private:
   bool Plan();

@@ -531,4 +531,11 @@ bool SubdivideUniformly(
   return UniformRun(input, options, output).Run();
 }
 
+bool FindUniformOperators(
+  vtkPointSet* input, const UniformOptions& options, UniformOperators& operators)
+{
+  vtkNew<vtkUnstructuredGrid> scratch;
+  return UniformRun(input, options, scratch).FindOperators(operators);
+}
+
 }

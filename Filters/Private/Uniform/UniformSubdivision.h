@@ -33,6 +33,20 @@ struct UniformOptions : RunOptions
 bool SubdivideUniformly(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output);
 
+/// The operators of the steps from one mesh, and what they make of it.
+struct UniformOperators
+{
+  SimplicesOfCells Control;             ///< the cells of the mesh as simplices
+  std::unique_ptr<KeptSteps> Steps;     ///< null for no step
+  UniformCells Cells;                   ///< after the steps
+  vtkSmartPointer<vtkDataArray> Points; ///< of these; for no step maybe those of the mesh
+};
+
+/// Finds the operators without an output. Returns false after an error (passed to Fail) or if
+/// Progress asks to stop.
+bool FindUniformOperators(
+  vtkPointSet* input, const UniformOptions& options, UniformOperators& operators);
+
 }
 
 #endif
