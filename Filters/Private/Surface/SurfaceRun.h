@@ -22,6 +22,7 @@
 #include <memory>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace subdivision
@@ -31,11 +32,12 @@ template <typename Id>
 class SurfaceRun
 {
 public:
-  SurfaceRun(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
+  SurfaceRun(vtkPolyData* input, const SurfaceOptions& options,
+    std::shared_ptr<const SurfaceScheme<Id>> scheme, vtkPolyData* output)
     : Input(input)
     , Options(options)
     , Output(output)
-    , Scheme(MakeSurfaceScheme<Id>(options.Scheme, options.ModifiedBoundary))
+    , Scheme(std::move(scheme))
   {
   }
 

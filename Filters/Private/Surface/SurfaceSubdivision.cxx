@@ -490,8 +490,12 @@ bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPoly
         static_cast<double>(cells.NumberOfPoints) +
         std::ldexp(static_cast<double>(cells.Segments.size()), options.Levels)) >
     static_cast<double>(std::numeric_limits<int>::max());
-  return large ? SurfaceRun<long long>(input, options, output).Run(std::move(cells))
-               : SurfaceRun<int>(input, options, output).Run(std::move(cells));
+  if (large)
+  {
+    const auto largeScheme = MakeSurfaceScheme<long long>(options.Scheme, options.ModifiedBoundary);
+    return SurfaceRun<long long>(input, options, largeScheme, output).Run(std::move(cells));
+  }
+  return SurfaceRun<int>(input, options, scheme, output).Run(std::move(cells));
 }
 
 }
