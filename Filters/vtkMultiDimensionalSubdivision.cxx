@@ -70,7 +70,7 @@ void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
   os << indent << "Use32BitIds: " << this->Use32BitIds << "\n";
   os << indent << "CacheOperator: " << this->CacheOperator << "\n";
-  os << indent << "Operators kept: " << this->Cache->GetNumberOfOperators() << " ("
+  os << indent << "Operators kept: " << this->Cache->GetNumberOfEntries() << " ("
      << this->Cache->GetMemorySize() << " bytes)\n";
   os << indent << "NumberOfTopologyBuilds: " << this->Cache->NumberOfBuilds << "\n";
 }

@@ -53,7 +53,7 @@ vtkIdType vtkSubdivisionDeformation::GetNumberOfTopologyBuilds() const
 
 vtkIdType vtkSubdivisionDeformation::GetNumberOfLocationBuilds() const
 {
-  return this->Work->NumberOfLocations;
+  return this->Work->GetNumberOfLocationBuilds();
 }
 
 vtkIdType vtkSubdivisionDeformation::GetNumberOfOutsidePoints() const

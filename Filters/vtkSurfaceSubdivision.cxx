@@ -42,7 +42,7 @@ void vtkSurfaceSubdivision::SetCacheOperator(bool cache)
   if (this->CacheOperator != cache)
   {
     this->CacheOperator = cache;
-    this->Cache->Entries.clear();
+    this->Cache->Clear();
     this->Modified();
   }
 }

@@ -165,7 +165,7 @@ bool Deformation::Prepare(
   }
   if (this->Rest.NumberOfBuilds != builds)
   {
-    this->Embedded.clear();
+    this->Embedded.Clear();
     if (this->Rest.HasCells())
     {
       this->Rest.WarnOfInvertedCells(nullptr, options);
@@ -178,22 +178,14 @@ bool Deformation::Prepare(
 /// points are outside and OutsidePoints makes that an error.
 EmbeddedPoints* Deformation::FindEmbedded(vtkDataArray* points, const DeformationOptions& options)
 {
-  EmbeddedPoints* embedded = nullptr;
   std::vector<std::uint64_t> fingerprint = ComputeFingerprint(points);
-  for (const auto& kept : this->Embedded)
-  {
-    if (kept->Rule == options.Outside && kept->Fingerprint == fingerprint)
-    {
-      embedded = kept.get();
-      break;
-    }
-  }
+  EmbeddedPoints* embedded = this->Embedded.Find([&](const EmbeddedPoints& kept)
+    { return kept.Rule == options.Outside && kept.Fingerprint == fingerprint; });
   const bool isNew = !embedded;
   if (isNew)
   {
-    ++this->NumberOfLocations;
-    this->Embedded.push_back(EmbedPoints(points, options.Outside, this->Rest));
-    embedded = this->Embedded.back().get();
+    ++this->Embedded.NumberOfBuilds;
+    embedded = this->Embedded.Add(EmbedPoints(points, options.Outside, this->Rest));
     embedded->Fingerprint = std::move(fingerprint);
   }
   embedded->Used = true;
@@ -221,31 +213,15 @@ EmbeddedPoints* Deformation::FindEmbedded(vtkDataArray* points, const Deformatio
   return embedded;
 }
 
-void Deformation::ForgetUnused()
-{
-  this->Embedded.erase(std::remove_if(this->Embedded.begin(), this->Embedded.end(),
-                         [](const auto& kept) { return !kept->Used; }),
-    this->Embedded.end());
-  for (const auto& kept : this->Embedded)
-  {
-    kept->Used = false;
-  }
-}
-
 void Deformation::Clear()
 {
-  this->Embedded.clear();
+  this->Embedded.Clear();
   this->Rest.Clear();
 }
 
 std::size_t Deformation::GetMemorySize() const
 {
-  std::size_t bytes = this->Rest.GetOperatorSize();
-  for (const auto& kept : this->Embedded)
-  {
-    bytes += kept->Rows.GetMemorySize() + kept->Composed.GetMemorySize();
-  }
-  return bytes;
+  return this->Rest.GetOperatorSize() + this->Embedded.GetMemorySize();
 }
 
 }

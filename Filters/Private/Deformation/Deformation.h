@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_Deformation_h
 #define SubdivisionObjects_Deformation_h
 
+#include "Private/Control/KeptEntries.h"
 #include "Private/Deformation/EmbeddedPoints.h"
 
 namespace subdivision
@@ -20,12 +21,12 @@ public:
     const DeformationOptions& options, vtkPointSet* output);
 
   /// Forgets the points that were not used since the last call.
-  void ForgetUnused();
+  void ForgetUnused() { this->Embedded.ForgetUnused(); }
   void Clear();
 
   vtkIdType GetNumberOfTopologyBuilds() const { return this->Rest.NumberOfBuilds; }
   /// How often the cells of points were searched.
-  vtkIdType NumberOfLocations = 0;
+  vtkIdType GetNumberOfLocationBuilds() const { return this->Embedded.NumberOfBuilds; }
   /// In all executions of the last update.
   vtkIdType NumberOfOutsidePoints = 0;
 
@@ -38,7 +39,7 @@ private:
   EmbeddedPoints* FindEmbedded(vtkDataArray* points, const DeformationOptions& options);
 
   RestMesh Rest;
-  std::vector<std::unique_ptr<EmbeddedPoints>> Embedded;
+  KeptEntries<EmbeddedPoints> Embedded;
 };
 
 }

@@ -31,6 +31,11 @@ struct EmbeddedPoints
   std::vector<std::uint64_t> Fingerprint; ///< of the points
   OutsideRule Rule = OutsideRule::Leave;
   bool Used = true;
+
+  std::size_t GetMemorySize() const
+  {
+    return this->Rows.GetMemorySize() + this->Composed.GetMemorySize();
+  }
 };
 
 /// Embeds points. A point on a common face of cells belongs to the one with the smallest id.

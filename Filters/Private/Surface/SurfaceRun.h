@@ -11,7 +11,6 @@
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Surface/SurfaceCreases.h"
 #include "Private/Surface/SurfaceFrames.h"
-#include "Private/Surface/SurfaceKept.h"
 #include "Private/Surface/SurfaceSeams.h"
 #include "Private/Surface/SurfaceStamp.h"
 #include "Private/Surface/SurfaceSubdivision.h"
@@ -98,7 +97,7 @@ private:
   void StartPoints();
   bool Build();
   SurfaceSteps<Id>* MakeSteps(
-    const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& kept);
+    const SurfaceCells& cells, const SurfaceCells& control, KeptSurface*& kept);
   SurfaceCreases ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level);
   bool FindSeams()
   {
@@ -109,7 +108,7 @@ private:
   vtkSmartPointer<vtkDataArray> FollowPoints();
   bool IsDescendant() const;
   SurfaceTags<Id> Classify(const SurfaceLevel<Id>& control, const SurfaceFeatures& features);
-  KeptSurface<Id>* FindKept(const SurfaceKey& key);
+  KeptSurfaceOf<Id>* FindKept(const SurfaceKey& key);
   bool Execute();
   void Write();
   bool WantsFrames() const
@@ -146,7 +145,7 @@ private:
   SurfaceSteps<Id>* Steps = nullptr;
   JoinedSurface JoinedMesh;
   SurfaceSteps<Id>* Joined = nullptr; ///< what the points follow where there are seams
-  KeptSurface<Id>* Kept = nullptr;
+  KeptSurface* Kept = nullptr;
   std::vector<Sector<Id>> ControlSectors;
 };
 

@@ -120,28 +120,22 @@ SurfaceTags<Id> SurfaceRun<Id>::Classify(
 }
 
 template <typename Id>
-KeptSurface<Id>* SurfaceRun<Id>::FindKept(const SurfaceKey& key)
+KeptSurfaceOf<Id>* SurfaceRun<Id>::FindKept(const SurfaceKey& key)
 {
-  for (auto& entry : this->Options.Cache->Entries)
-  {
-    auto* kept = dynamic_cast<KeptSurface<Id>*>(entry.get());
-    if (kept && !kept->Used && kept->Key == key)
-    {
-      return kept;
-    }
-  }
-  return nullptr;
+  return dynamic_cast<KeptSurfaceOf<Id>*>(
+    this->Options.Cache->FindUnused([&key](const KeptSurface& kept)
+      { return dynamic_cast<const KeptSurfaceOf<Id>*>(&kept) && kept.Key == key; }));
 }
 
 /// Makes the levels and rules of `control`, or finds kept ones that fit. Null if Progress asks to
 /// stop.
 template <typename Id>
 SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
-  const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& found)
+  const SurfaceCells& cells, const SurfaceCells& control, KeptSurface*& found)
 {
   SurfaceKey key{ this->Options.Scheme, this->Options.ModifiedBoundary, this->Options.Levels,
     this->NeedsLimit(), this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
-  KeptSurface<Id>* kept = nullptr;
+  KeptSurfaceOf<Id>* kept = nullptr;
   if (this->Options.Cache)
   {
     key.Cells = cells;
@@ -183,10 +177,11 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
     }
     if (this->Options.Cache)
     {
-      auto keep = std::make_unique<KeptSurface<Id>>(std::move(key));
+      auto keep = std::make_unique<KeptSurfaceOf<Id>>();
+      keep->Key = std::move(key);
       keep->Steps = std::move(own);
       kept = keep.get();
-      this->Options.Cache->Entries.push_back(std::move(keep));
+      this->Options.Cache->Add(std::move(keep));
       ++this->Options.Cache->NumberOfBuilds;
     }
     else
@@ -269,7 +264,7 @@ bool SurfaceRun<Id>::Build()
   this->StartPoints();
   if (this->MadeLevels == 0 && this->FindSeams())
   {
-    KeptSurface<Id>* kept = nullptr;
+    KeptSurface* kept = nullptr;
     this->Joined = this->MakeSteps(this->JoinedMesh.Cells, this->JoinedMesh.Cells, kept);
     if (!this->Joined)
     {

@@ -6,37 +6,13 @@
 #ifndef SubdivisionObjects_SurfaceSubdivision_h
 #define SubdivisionObjects_SurfaceSubdivision_h
 
-#include "Core/Surfaces/Steps/SurfaceSchemes.h"
 #include "Private/Control/RunOptions.h"
-
-#include <memory>
-#include <vector>
+#include "Private/Surface/SurfaceCache.h"
 
 class vtkPolyData;
 
 namespace subdivision
 {
-
-/// What a surface filter keeps between executions: the levels of each mesh that it saw in its last
-/// update.
-class SurfaceCache
-{
-public:
-  /// The levels of one mesh, for either type of ids.
-  struct Kept
-  {
-    virtual ~Kept() = default;
-    virtual std::size_t GetMemorySize() const = 0;
-    bool Used = true;
-  };
-  std::vector<std::unique_ptr<Kept>> Entries;
-  /// How often topology was built since the cache exists.
-  vtkIdType NumberOfBuilds = 0;
-
-  /// Forgets the levels that were not used since the last call.
-  void ForgetUnused();
-  std::size_t GetMemorySize() const;
-};
 
 struct SurfaceOptions : RunOptions
 {

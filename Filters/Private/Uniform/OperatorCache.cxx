@@ -12,52 +12,21 @@ std::size_t TopologyKey::GetMemorySize() const
     sizeof(vtkIdType) * (this->Simplices.Connectivity.size() + this->Choices.size());
 }
 
-KeptOperator* OperatorCache::Find(
-  const TopologyKey& key, const std::function<bool(const KeptOperator&)>& accept)
+std::size_t KeptOperator::GetMemorySize() const
 {
-  for (const auto& kept : this->Operators)
-  {
-    if (!kept->Used && kept->Key == key && accept(*kept))
-    {
-      kept->Used = true;
-      return kept.get();
-    }
-  }
-  return nullptr;
+  return this->Key.GetMemorySize() + (this->Steps ? this->Steps->GetMemorySize() : 0) +
+    this->ControlStrata.GetMemorySize() + this->ManifoldDimensions.GetMemorySize();
 }
 
 const KeptOperator* OperatorCache::FindCells(
   const TopologyKey& key, const SimplexTuples& derived) const
 {
-  const auto found = std::find_if(this->Operators.begin(), this->Operators.end(),
-    [&](const auto& kept)
+  return this->Find(
+    [&](const KeptOperator& kept)
     {
-      return kept->Key.HasSameCells(key) &&
-        std::equal(derived.Tuples, derived.Tuples + 3, kept->ControlDerived.Tuples);
+      return kept.Key.HasSameCells(key) &&
+        std::equal(derived.Tuples, derived.Tuples + 3, kept.ControlDerived.Tuples);
     });
-  return found == this->Operators.end() ? nullptr : found->get();
-}
-
-void OperatorCache::ForgetUnused()
-{
-  this->Operators.erase(std::remove_if(this->Operators.begin(), this->Operators.end(),
-                          [](const auto& kept) { return !kept->Used; }),
-    this->Operators.end());
-  for (const auto& kept : this->Operators)
-  {
-    kept->Used = false;
-  }
-}
-
-std::size_t OperatorCache::GetMemorySize() const
-{
-  std::size_t bytes = 0;
-  for (const auto& kept : this->Operators)
-  {
-    bytes += kept->Key.GetMemorySize() + (kept->Steps ? kept->Steps->GetMemorySize() : 0) +
-      kept->ControlStrata.GetMemorySize() + kept->ManifoldDimensions.GetMemorySize();
-  }
-  return bytes;
 }
 
 }

@@ -12,13 +12,13 @@
 #include "Core/Solids/TetOct/ComposedRows.h"
 #include "Core/Solids/TetOct/TetOctStencils.h"
 #include "Private/Arrays/PointArrays.h"
+#include "Private/Control/KeptEntries.h"
 #include "Private/Control/Stamp.h"
 #include "Private/Uniform/LimitOperators.h"
 #include "Private/Uniform/UniformCells.h"
 
 #include "vtkSmartPointer.h"
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -150,36 +150,16 @@ struct KeptOperator
   vtkSmartPointer<vtkDataArray> PointsIn;
   vtkSmartPointer<vtkDataArray> PointsOut;
   bool Used = true;
+
+  std::size_t GetMemorySize() const;
 };
 
-class OperatorCache
+class OperatorCache : public KeptEntries<KeptOperator>
 {
 public:
-  /// Finds an operator of an equal key that is not used yet and that `accept` takes, and marks it
-  /// as used; null if there is none. Each operator serves one input of an update, so that two
-  /// blocks with equal cells each keep one with their own points.
-  KeptOperator* Find(
-    const TopologyKey& key, const std::function<bool(const KeptOperator&)>& accept);
   /// Finds an operator with the output cells of `key`, whose rules may differ; null if there is
   /// none. The ids of cells depend only on the input cells and the derived singular simplices.
   const KeptOperator* FindCells(const TopologyKey& key, const SimplexTuples& derived) const;
-  void Add(std::unique_ptr<KeptOperator> kept) { this->Operators.push_back(std::move(kept)); }
-  void Clear() { this->Operators.clear(); }
-  /// Forgets the operators that were not used since the last call.
-  void ForgetUnused();
-
-  /// The steps of the operator that was added first, null where there are none.
-  const KeptSteps* GetFirstSteps() const
-  {
-    return this->Operators.empty() ? nullptr : this->Operators.front()->Steps.get();
-  }
-  std::size_t GetNumberOfOperators() const { return this->Operators.size(); }
-  std::size_t GetMemorySize() const;
-  /// How often topology was built since the cache exists.
-  vtkIdType NumberOfBuilds = 0;
-
-private:
-  std::vector<std::unique_ptr<KeptOperator>> Operators;
 };
 
 }

@@ -38,9 +38,13 @@ TopologyKey UniformRun::MakeKey() const
 /// The kept operator, if the same edges exceed the feature angle as when it was built.
 KeptOperator* UniformRun::FindKept(const TopologyKey& key)
 {
-  return this->Options.Cache->Find(key,
-    [this](const KeptOperator& kept)
+  KeptOperator* found = this->Options.Cache->FindUnused(
+    [&](const KeptOperator& kept)
     {
+      if (!(kept.Key == key))
+      {
+        return false;
+      }
       const Coordinates points =
         kept.Candidates.empty() ? Coordinates(nullptr) : this->Points->GetCoordinates();
       for (std::size_t i = 0; i < kept.Candidates.size(); ++i)
@@ -53,6 +57,11 @@ KeptOperator* UniformRun::FindKept(const TopologyKey& key)
       }
       return true;
     });
+  if (found)
+  {
+    found->Used = true;
+  }
+  return found;
 }
 
 void UniformRun::UseKept(KeptOperator& kept)

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file SurfaceKept.h
- * What a surface filter keeps for its next execution, and the key by which it finds it.
+ * @file SurfaceCache.h
+ * What a surface filter keeps between executions: for each mesh that it saw in its last update, the
+ * levels and the output's cells.
  */
-#ifndef SubdivisionObjects_SurfaceKept_h
-#define SubdivisionObjects_SurfaceKept_h
+#ifndef SubdivisionObjects_SurfaceCache_h
+#define SubdivisionObjects_SurfaceCache_h
 
+#include "Core/Surfaces/Steps/SurfaceSchemes.h"
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
+#include "Private/Control/KeptEntries.h"
 #include "Private/Surface/SurfaceCells.h"
-#include "Private/Surface/SurfaceSubdivision.h"
 
 #include "vtkCellArray.h"
 #include "vtkSmartPointer.h"
@@ -21,12 +23,12 @@ namespace subdivision
 /// The cells and options on which the levels depend. Keys are compared by content.
 struct SurfaceKey
 {
-  SurfaceSchemeKind Scheme;
-  bool ModifiedBoundary;
-  int Levels;
-  bool Whole;
-  bool Use32BitIds;
-  int MadeLevels;
+  SurfaceSchemeKind Scheme = SurfaceSchemeKind::Loop;
+  bool ModifiedBoundary = true;
+  int Levels = 0;
+  bool Whole = false;
+  bool Use32BitIds = false;
+  int MadeLevels = 0;
   SurfaceCells Cells;
 
   bool operator==(const SurfaceKey& other) const
@@ -41,23 +43,32 @@ struct SurfaceKey
   }
 };
 
-template <typename Id>
-struct KeptSurface : SurfaceCache::Kept
+/// The levels of one mesh, for either type of ids.
+struct KeptSurface
 {
-  explicit KeptSurface(SurfaceKey&& key)
-    : Key(std::move(key))
-  {
-  }
+  virtual ~KeptSurface() = default;
+  virtual std::size_t GetMemorySize() const = 0;
+
+  SurfaceKey Key;
+  vtkSmartPointer<vtkCellArray> Verts; ///< the cells of the output, once they are written
+  vtkSmartPointer<vtkCellArray> Lines;
+  vtkSmartPointer<vtkCellArray> Polys;
+  bool Used = true;
+};
+
+template <typename Id>
+struct KeptSurfaceOf : KeptSurface
+{
   std::size_t GetMemorySize() const override
   {
     return (this->Steps ? this->Steps->GetMemorySize() : 0) +
       sizeof(vtkIdType) * this->Key.Cells.Corners.size();
   }
-  SurfaceKey Key;
   std::unique_ptr<SurfaceSteps<Id>> Steps;
-  vtkSmartPointer<vtkCellArray> Verts;
-  vtkSmartPointer<vtkCellArray> Lines;
-  vtkSmartPointer<vtkCellArray> Polys;
+};
+
+class SurfaceCache : public KeptEntries<KeptSurface>
+{
 };
 
 }
