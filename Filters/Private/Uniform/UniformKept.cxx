@@ -69,13 +69,14 @@ void UniformRun::UseKept(KeptOperator& kept)
   this->Cells = kept.Cells;
   this->Parents = kept.Parents;
   // Normals need the points before they are projected.
-  if (kept.Steps && !this->Options.GenerateLimitNormals &&
+  if (kept.Steps && kept.PointsOut && !this->Options.GenerateLimitNormals &&
     HoldsSameValues(this->Points->GetPoints(), kept.PointsIn))
   {
     this->Points->ReusePoints(kept.PointsOut);
   }
   else
   {
+    kept.PointsOut = nullptr; // until they are those of PointsIn: memory may not suffice
     kept.PointsIn->DeepCopy(this->Points->GetPoints());
   }
   if (kept.Steps)
