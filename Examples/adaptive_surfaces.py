@@ -66,8 +66,8 @@ def read(name):
 
 
 def sqrt3(surface, tolerance):
-    return simple.SurfaceSubdivision(
-        Input=surface, Scheme="SqrtThree", Adaptive=1, RefineByAttributeError=0, RefineByGeometricError=1,
+    return simple.AdaptiveSurfaceSubdivision(
+        Input=surface, RefineByAttributeError=0, RefineByGeometricError=1,
         GeometricTolerance=tolerance, MaximumLevel=40, MaximumNumberOfCells=MOST, OutputPointsPrecision="Double")
 
 

@@ -5,6 +5,7 @@
 
 #include "vtkCommand.h"
 #include "vtkObjectFactory.h"
+#include "vtkUnstructuredGrid.h"
 
 vtkStandardNewMacro(vtkMultiDimensionalSubdivision);
 
@@ -56,8 +57,11 @@ int vtkMultiDimensionalSubdivision::RequestData(
     "Results at the borders of partitions are not yet exactly those of the whole mesh.",
     "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
       ". Use fewer levels, or a part of the input.",
-    [&options](vtkPointSet* input, vtkUnstructuredGrid* output)
-    { return subdivision::SubdivideUniformly(input, options, output); });
+    [&options](vtkPointSet* input, vtkPointSet* output)
+    {
+      return subdivision::SubdivideUniformly(
+        input, options, vtkUnstructuredGrid::SafeDownCast(output));
+    });
 }
 
 void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)

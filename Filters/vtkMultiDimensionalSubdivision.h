@@ -103,6 +103,9 @@ public:
   vtkTypeMacro(vtkMultiDimensionalSubdivision, vtkSubdivisionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// The output.
+  vtkUnstructuredGrid* GetOutput() { return this->GetUnstructuredGridOutput(); }
+
   ///@{
   /**
    * Number of subdivision steps, 0 to 20, default 1. Each makes 8 times as many tetrahedra, 4 times

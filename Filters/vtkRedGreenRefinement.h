@@ -17,18 +17,12 @@
  * number of rounds. The rounds end when no criterion marks anything, or at a limit.
  *
  * @par Criteria
- * An edge is marked where any criterion that is switched on asks for it; a criterion that asks for
- * a cell marks all of its edges. Each execution starts from the input, so that weaker criteria give
- * a coarser mesh.
- *
- * @par Arrays read, by SetInputArrayToProcess
- * Besides those of vtkSubdivisionAlgorithm (0 to 4, used where Placement is LIMIT or a criterion
- * asks for the limit):
- *  - 5, point array for RefineByAttributeError. Unset: the active scalars, else the first floating
- *    point array.
- *  - 6, cell or point array for RefineByArrayRange. Unset: the active scalars of the points, else
- *    those of the cells.
- *  - 7, integer cell array for RefineByWantedLevel. Unset: `WantedLevel` if there.
+ * They are those of vtkRefinementAlgorithm, with its arrays (5 to 7). The arrays of
+ * vtkSubdivisionAlgorithm (0 to 4) are used where Placement is LIMIT or a criterion asks for the
+ * limit. RefineByGeometricError measures on edges of input cells the distance of the limit from the
+ * edge, inside an input triangle that from the triangles there. A level is one halving of edges,
+ * that of a cell the array `RefinementLevel` of the output; filters in a row halve an edge up to
+ * 255 times in all.
  *
  * @par Output
  * Points: those of the input with their ids, then centres of split cells, then the new ones. Cells:
@@ -66,218 +60,26 @@
  * types of cells go to the children; marks do not cross the borders of partitions.
  *
  * @par Errors
- * An array that is named but cannot be used is an error. At MaximumNumberOfCells (here 50 million
- * by default), or where there is no more memory, refinement stops with a warning; the places with
- * the largest errors were refined first. It also stops with a warning where no number lies between
- * the ends of an edge. An empty selection and values that are not finite give warnings, too.
+ * See vtkRefinementAlgorithm.
  *
  * @sa
- * vtkMultiDimensionalSubdivision
+ * vtkMultiDimensionalSubdivision vtkAdaptiveSurfaceSubdivision
  */
 #ifndef vtkRedGreenRefinement_h
 #define vtkRedGreenRefinement_h
 
-#include "vtkSmartPointer.h" // for vtkSmartPointer
-#include "vtkSubdivisionAlgorithm.h"
+#include "vtkRefinementAlgorithm.h"
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 
-#include <map>    // for std::map
-#include <vector> // for std::vector
-
-class vtkAlgorithmOutput;
-class vtkImplicitFunction;
-namespace subdivision
-{
-struct RedGreenOptions;
-}
-
-class VTKSUBDIVISIONOBJECTS_EXPORT vtkRedGreenRefinement : public vtkSubdivisionAlgorithm
+class VTKSUBDIVISIONOBJECTS_EXPORT vtkRedGreenRefinement : public vtkRefinementAlgorithm
 {
 public:
   static vtkRedGreenRefinement* New();
-  vtkTypeMacro(vtkRedGreenRefinement, vtkSubdivisionAlgorithm);
+  vtkTypeMacro(vtkRedGreenRefinement, vtkRefinementAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /**
-   * Whether edges are split along which the point array at index 5 has an error
-   * (AttributeErrorKind) above AttributeTolerance. Several components are taken as a vector. An
-   * edge with a value that is not finite is not split for this reason; a warning says how many
-   * there are. On by default.
-   */
-  vtkSetMacro(RefineByAttributeError, bool);
-  vtkGetMacro(RefineByAttributeError, bool);
-  vtkBooleanMacro(RefineByAttributeError, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The error that an edge may have, as a part of the array's range (of several components: the
-   * diagonal of the box of their ranges), 0 or more. Default 0.1. With 0 every edge is split that
-   * has any error.
-   */
-  vtkSetClampMacro(AttributeTolerance, double, 0., VTK_DOUBLE_MAX);
-  vtkGetMacro(AttributeTolerance, double);
-  ///@}
-
-  enum AttributeErrorKinds
-  {
-    JUMP,
-    LIMIT_DIFFERENCE
-  };
-  ///@{
-  /**
-   * The error of an edge: JUMP (0, the default), the change of the values from one end to the
-   * other, or LIMIT_DIFFERENCE (1), the largest difference between limit values along the edge and
-   * the straight line between those of its ends, the limit being that of smooth subdivision.
-   */
-  vtkSetClampMacro(AttributeErrorKind, int, JUMP, LIMIT_DIFFERENCE);
-  vtkGetMacro(AttributeErrorKind, int);
-  void SetAttributeErrorKindToJump() { this->SetAttributeErrorKind(JUMP); }
-  void SetAttributeErrorKindToLimitDifference() { this->SetAttributeErrorKind(LIMIT_DIFFERENCE); }
-  ///@}
-
-  ///@{
-  /**
-   * Whether cells are split whose value in the array at index 6 lies in ArrayRange (its ends
-   * included): of a point array, that of any of the cell's points; of several components, their
-   * Euclidean norm. Off by default.
-   */
-  vtkSetMacro(RefineByArrayRange, bool);
-  vtkGetMacro(RefineByArrayRange, bool);
-  vtkBooleanMacro(RefineByArrayRange, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The values that RefineByArrayRange looks for. Default 0 to 1.
-   */
-  vtkSetVector2Macro(ArrayRange, double);
-  vtkGetVector2Macro(ArrayRange, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether cells are split that the selection at input port 1 has, or that have a selected point.
-   * Nodes of any kind that vtkExtractSelection knows, and an expression of them; of a composite
-   * input, of some block or of all. Off by default; a warning says so if nothing is selected, or if
-   * the selection cannot be evaluated.
-   */
-  vtkSetMacro(RefineBySelection, bool);
-  vtkGetMacro(RefineBySelection, bool);
-  vtkBooleanMacro(RefineBySelection, bool);
-  ///@}
-
-  /**
-   * Connects a vtkSelection, for RefineBySelection.
-   */
-  void SetSelectionConnection(vtkAlgorithmOutput* output);
-
-  ///@{
-  /**
-   * Whether cells are split whose centroid lies inside the ImplicitFunction (where it is negative
-   * or 0). Off by default.
-   */
-  vtkSetMacro(RefineByFunction, bool);
-  vtkGetMacro(RefineByFunction, bool);
-  vtkBooleanMacro(RefineByFunction, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The function for RefineByFunction; none by default. Changes of it count as changes of the
-   * filter.
-   */
-  virtual void SetImplicitFunction(vtkImplicitFunction* function);
-  vtkImplicitFunction* GetImplicitFunction() const;
-  ///@}
-
-  ///@{
-  /**
-   * Whether edges are split that are longer than MaximumEdgeLength. Off by default.
-   */
-  vtkSetMacro(RefineByEdgeLength, bool);
-  vtkGetMacro(RefineByEdgeLength, bool);
-  vtkBooleanMacro(RefineByEdgeLength, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The length for RefineByEdgeLength, in the units of the coordinates, 0 or more. Default 1.
-   */
-  vtkSetClampMacro(MaximumEdgeLength, double, 0., VTK_DOUBLE_MAX);
-  vtkGetMacro(MaximumEdgeLength, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether edges of curves, surfaces, and boundaries or singular surfaces of solids are split
-   * where they, or triangles at them, are farther than GeometricTolerance from the limit of smooth
-   * subdivision. The distance is measured in several places of each edge and triangle: an estimate
-   * and no bound. On edges of input cells it is the distance of the limit from the edge, inside an
-   * input triangle that from the triangles there. Off by default.
-   */
-  vtkSetMacro(RefineByGeometricError, bool);
-  vtkGetMacro(RefineByGeometricError, bool);
-  vtkBooleanMacro(RefineByGeometricError, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The distance that RefineByGeometricError allows, 0 or more. Default 0.001.
-   */
-  vtkSetClampMacro(GeometricTolerance, double, 0., VTK_DOUBLE_MAX);
-  vtkGetMacro(GeometricTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether GeometricTolerance is a part of the diagonal of the input's bounding box; else it is in
-   * the units of the coordinates. On by default.
-   */
-  vtkSetMacro(RelativeTolerance, bool);
-  vtkGetMacro(RelativeTolerance, bool);
-  vtkBooleanMacro(RelativeTolerance, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether edges of curves, surfaces, and boundaries or singular surfaces of solids are split over
-   * which the limit of smooth subdivision turns by more than MaximumAngle. Off by default.
-   */
-  vtkSetMacro(RefineByCurvature, bool);
-  vtkGetMacro(RefineByCurvature, bool);
-  vtkBooleanMacro(RefineByCurvature, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The angle that RefineByCurvature allows: that of the circle's arc which is as far from its
-   * chord as the limit from the edge. It does not depend on the size of the mesh. In degrees, 0 to
-   * 360. Default 10.
-   */
-  vtkSetClampMacro(MaximumAngle, double, 0., 360.);
-  vtkGetMacro(MaximumAngle, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether cells are split whose level (the array `RefinementLevel` of the output) is below the
-   * value of the array at index 7. Off by default.
-   */
-  vtkSetMacro(RefineByWantedLevel, bool);
-  vtkGetMacro(RefineByWantedLevel, bool);
-  vtkBooleanMacro(RefineByWantedLevel, bool);
-  ///@}
-
-  ///@{
-  /**
-   * How often the edges of an input cell may be halved, 0 to 60. Default 3. Filters in a row: up to
-   * 255 times in all.
-   */
-  vtkSetClampMacro(MaximumLevel, int, 0, 60);
-  vtkGetMacro(MaximumLevel, int);
-  ///@}
+  /// The output.
+  vtkUnstructuredGrid* GetOutput() { return this->GetUnstructuredGridOutput(); }
 
   enum Placements
   {
@@ -298,56 +100,16 @@ public:
   void SetPlacementToLimit() { this->SetPlacement(LIMIT); }
   ///@}
 
-  /// The time of the last change, also of the implicit function.
-  vtkMTimeType GetMTime() override;
-
 protected:
   vtkRedGreenRefinement();
   ~vtkRedGreenRefinement() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  bool RefineByAttributeError = true;
-  double AttributeTolerance = 0.1;
-  int AttributeErrorKind = JUMP;
-  bool RefineByArrayRange = false;
-  double ArrayRange[2] = { 0., 1. };
-  bool RefineBySelection = false;
-  bool RefineByFunction = false;
-  vtkSmartPointer<vtkImplicitFunction> ImplicitFunction;
-  bool RefineByEdgeLength = false;
-  double MaximumEdgeLength = 1.;
-  bool RefineByGeometricError = false;
-  double GeometricTolerance = 0.001;
-  bool RelativeTolerance = true;
-  bool RefineByCurvature = false;
-  double MaximumAngle = 10.;
-  bool RefineByWantedLevel = false;
-  int MaximumLevel = 3;
   int Placement = LINEAR;
 
 private:
-  enum ArrayIndicesHere
-  {
-    ATTRIBUTE_ARRAY = 5,
-    RANGE_ARRAY,
-    LEVEL_ARRAY
-  };
-  /// Reads the criteria. Returns false, after an error message, if an array cannot be used.
-  bool ReadCriteria(vtkPointSet* input, subdivision::RedGreenOptions& run);
-
-  /// Counts nested updates: a composite input starts one update, each of its blocks another in it.
-  void OnStart();
-  void OnEnd();
-  void FindSelected(vtkDataObject* input);
-
-  int UpdateDepth = 0;
-  bool IsComposite = false;
-  /// Flags of the cells of each mesh where any are selected.
-  std::map<vtkDataObject*, std::vector<unsigned char>> SelectedCells;
-
   vtkRedGreenRefinement(const vtkRedGreenRefinement&) = delete;
   void operator=(const vtkRedGreenRefinement&) = delete;
 };

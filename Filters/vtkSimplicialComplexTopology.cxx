@@ -4,6 +4,7 @@
 #include "Private/Topology/TopologyProbe.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkUnstructuredGrid.h"
 
 vtkStandardNewMacro(vtkSimplicialComplexTopology);
 
@@ -18,8 +19,10 @@ int vtkSimplicialComplexTopology::RequestData(
   return this->Run(inputVector, outputVector, options,
     "Counts, and results at the borders of partitions, are those of this partition alone.",
     "the simplices of the input. Use a part of the input.",
-    [&options](vtkPointSet* input, vtkUnstructuredGrid* output)
-    { return subdivision::ProbeTopology(input, options, output); });
+    [&options](vtkPointSet* input, vtkPointSet* output)
+    {
+      return subdivision::ProbeTopology(input, options, vtkUnstructuredGrid::SafeDownCast(output));
+    });
 }
 
 void vtkSimplicialComplexTopology::PrintSelf(ostream& os, vtkIndent indent)

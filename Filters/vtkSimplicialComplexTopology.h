@@ -91,6 +91,9 @@ public:
   vtkTypeMacro(vtkSimplicialComplexTopology, vtkSubdivisionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// The output.
+  vtkUnstructuredGrid* GetOutput() { return this->GetUnstructuredGridOutput(); }
+
   ///@{
   /**
    * Whether only what is special is output: simplices that are non-manifold, on a boundary or

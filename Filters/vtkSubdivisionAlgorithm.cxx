@@ -7,9 +7,9 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkPointSet.h"
-#include "vtkUnstructuredGrid.h"
 
 vtkSubdivisionAlgorithm::vtkSubdivisionAlgorithm() = default;
 vtkSubdivisionAlgorithm::~vtkSubdivisionAlgorithm() = default;
@@ -22,18 +22,29 @@ int vtkSubdivisionAlgorithm::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+int vtkSubdivisionAlgorithm::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+int vtkSubdivisionAlgorithm::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  return 1;
+}
+
 int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, subdivision::RunOptions& options, const char* ghosts,
-  const std::string& memory, const std::function<bool(vtkPointSet*, vtkUnstructuredGrid*)>& run)
+  const std::string& memory, const std::function<bool(vtkPointSet*, vtkPointSet*)>& run)
 {
   subdivision::FilterTraits traits;
-  traits.WrongInput =
-    "The input is missing, or is neither a vtkUnstructuredGrid nor a vtkPolyData.";
+  traits.WrongInput = "The input is missing, or is of a type that this filter does not read.";
   traits.Ghosts = ghosts;
   traits.Memory = memory;
   subdivision::ReadSharedOptions(this, options);
-  return subdivision::RunFilter<vtkPointSet, vtkUnstructuredGrid>(this, inputVector, outputVector,
-    traits, options, [&](vtkPointSet* input, vtkUnstructuredGrid* output)
+  return subdivision::RunFilter<vtkPointSet, vtkPointSet>(this, inputVector, outputVector, traits,
+    options, [&](vtkPointSet* input, vtkPointSet* output)
     { return this->ReadFeatureOptions(input, options) && run(input, output); });
 }
 

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSubdivisionAlgorithm
- * @brief   what the subdivision filters for unstructured grids have in common
+ * @brief   what all filters that subdivide have in common
  *
  * The input is a vtkUnstructuredGrid or vtkPolyData, seen as a simplicial complex whose cells may
  * have any dimension from 0 to 3 (Chang & Qin, "A Framework for Multi-dimensional Adaptive
  * Subdivision Objects", section 2). The output is a vtkUnstructuredGrid of VTK_VERTEX, VTK_LINE,
  * VTK_TRIANGLE and VTK_TETRA cells.
+ *
+ * @par Surface filters
+ * vtkSurfaceSubdivision and vtkAdaptiveSurfaceSubdivision have these options, too. They read and
+ * write vtkPolyData, and their own documentation says what cells and creases are there. With a
+ * warning they ignore what they have no rules for: EmbeddedCells, PreserveInterfaces, rules for
+ * joints other than Blend and Sharp, and the arrays at the indices 1 to 3.
  *
  * @par Cells
  * The filters read VTK_VERTEX, VTK_POLY_VERTEX, VTK_LINE, VTK_POLY_LINE, VTK_TRIANGLE,
@@ -54,23 +60,22 @@
 #ifndef vtkSubdivisionAlgorithm_h
 #define vtkSubdivisionAlgorithm_h
 
+#include "vtkPointSetAlgorithm.h"
 #include "vtkSubdivisionObjectsModule.h" // for export macro
-#include "vtkUnstructuredGridAlgorithm.h"
 
 #include <functional> // for std::function
 #include <string>     // for std::string
 
 class vtkPointSet;
-class vtkUnstructuredGrid;
 namespace subdivision
 {
 struct RunOptions;
 }
 
-class VTKSUBDIVISIONOBJECTS_EXPORT vtkSubdivisionAlgorithm : public vtkUnstructuredGridAlgorithm
+class VTKSUBDIVISIONOBJECTS_EXPORT vtkSubdivisionAlgorithm : public vtkPointSetAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSubdivisionAlgorithm, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkSubdivisionAlgorithm, vtkPointSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -242,7 +247,12 @@ protected:
   vtkSubdivisionAlgorithm();
   ~vtkSubdivisionAlgorithm() override;
 
+  /// A vtkUnstructuredGrid or vtkPolyData in, a vtkUnstructuredGrid out. The pipeline makes the
+  /// output by this type; it need not be that of the input.
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   /// Indices of SetInputArrayToProcess that mean the same in every filter.
   enum ArrayIndices
@@ -258,11 +268,12 @@ protected:
   bool ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options);
   /// Does what RequestData has in common in all filters: sets the shared options, and the functions
   /// of `options` for messages and progress; calls `run`, which returns whether it finished;
-  /// empties the output if it did not. `ghosts`: what duplicate cells mean for the result;
-  /// `memory`: what there is not enough memory for, and what helps.
+  /// empties the output if it did not. `ghosts`: what duplicate cells mean for the result, null
+  /// where they are cells like others; `memory`: what there is not enough memory for, and what
+  /// helps.
   int Run(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     subdivision::RunOptions& options, const char* ghosts, const std::string& memory,
-    const std::function<bool(vtkPointSet*, vtkUnstructuredGrid*)>& run);
+    const std::function<bool(vtkPointSet*, vtkPointSet*)>& run);
 
   bool InterpolateIntegers = false;
   bool GenerateOriginalIds = false;

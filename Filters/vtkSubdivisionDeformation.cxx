@@ -6,7 +6,6 @@
 
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -61,11 +60,6 @@ vtkIdType vtkSubdivisionDeformation::GetNumberOfOutsidePoints() const
   return this->Work->NumberOfOutsidePoints;
 }
 
-vtkPointSet* vtkSubdivisionDeformation::GetOutput()
-{
-  return vtkPointSet::SafeDownCast(this->GetOutputDataObject(0));
-}
-
 int vtkSubdivisionDeformation::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 0)
@@ -82,18 +76,8 @@ int vtkSubdivisionDeformation::FillOutputPortInformation(int, vtkInformation* in
   return 1;
 }
 
-vtkTypeBool vtkSubdivisionDeformation::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    return this->RequestDataObject(inputVector, outputVector);
-  }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
-}
-
 int vtkSubdivisionDeformation::RequestDataObject(
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
   if (!input)
@@ -111,7 +95,7 @@ int vtkSubdivisionDeformation::RequestDataObject(
 }
 
 /// Offers the times of all three inputs. Without this VTK would offer those of the first only.
-int vtkSubdivisionDeformation::RequestInformation(
+int vtkSubdivisionDeformation::ExecuteInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -147,7 +131,7 @@ int vtkSubdivisionDeformation::RequestInformation(
 }
 
 /// Whichever part of the input is asked for, the control meshes are needed whole.
-int vtkSubdivisionDeformation::RequestUpdateExtent(
+int vtkSubdivisionDeformation::ComputeInputUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;

@@ -100,11 +100,6 @@ public:
   void SetDeformedMeshData(vtkDataObject* mesh) { this->SetInputData(2, mesh); }
   ///@}
 
-  /**
-   * The deformed object; null if the input is a composite data set.
-   */
-  vtkPointSet* GetOutput();
-
   ///@{
   /**
    * How often the control mesh is subdivided, 0 to 20, default 2. The deformation is piecewise
@@ -173,19 +168,18 @@ public:
    */
   vtkIdType GetNumberOfOutsidePoints() const;
 
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-
 protected:
   vtkSubdivisionDeformation();
   ~vtkSubdivisionDeformation() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
-  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+  /// The output is of the input's type.
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+  int ExecuteInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int ComputeInputUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

@@ -73,7 +73,10 @@
  * corner too for CatmullClark, ModifiedButterfly and FourEight. The dual schemes, DooSabin and
  * Midedge, have no creases and corners: with a warning they ignore what asks for them. Corners
  * are convex or concave by the sum of the face angles in each sector, measured on the input and
- * kept in [22.5, 157.5] and [202.5, 337.5] degrees.
+ * kept in [22.5, 157.5] and [202.5, 337.5] degrees. For floor(s) levels a crease of sharpness s is
+ * one that is flagged, with its ends, crossings and all near it. In the next level it is so in
+ * part, s - floor(s), between the rows without and with all creases that are left in part. An
+ * infinite one is flagged.
  *
  * SqrtThree and FourEight leave curves alone in odd steps; in even ones SqrtThree cuts them into
  * thirds and FourEight in halves, by the rules of the cubic B-spline. They replace all other edges,
@@ -87,52 +90,17 @@
  * Type1Rule to Type3Rule as the main filter does; the other schemes take such edges as sharp curves
  * and such vertices as corners. Surfaces need not be orientable. Equal faces count as two.
  *
- * @par Adaptive refinement
- * With Adaptive and SqrtThree, triangles are split only where a criterion asks for it (Kobbelt,
- * section 4). The criteria, their names and defaults are those of vtkRedGreenRefinement; one is
- * enough. Switch RefineByAttributeError off, which is on by default, if only the shape is to count.
- * A split puts a point at a triangle's centre; an edge between two triangles of the same generation
- * that are both split is flipped. Every triangle is one of the uniform mesh of its generation, or a
- * third of one, so that shapes do not get worse with the number of rounds, and there is never a
- * hanging node. Before a triangle is split its neighbours are brought to its generation;
- * boundaries, creases and lines are cut into thirds in every second step, on all their sides at
- * once. All points, and all arrays that are smoothed, are on the limit, exact to rounding, as if
- * ProjectToLimit were on: where everything is split they are those of the uniform mesh, with the
- * same ids. The geometric error of a triangle is its distance from the limit at its centre and at
- * three places of each of its edges, of a boundary edge or line that of these, each made larger by
- * a third for what lies between; GeometricTolerance allows it. This is an estimate and no bound;
- * in 580 runs on 160 rough random meshes mesh and limit were nowhere farther from each other than
- * 0.98 times GeometricTolerance. All criteria look at limits (in vtkRedGreenRefinement edge lengths
- * and jumps are those of the mesh before the limit). Where a criterion of cells asks for a
- * triangle, those across its edges are split too. The next filter takes the output for a mesh like
- * any other. For Loop subdivision vtkRedGreenRefinement with Placement LIMIT does the same.
- * NumberOfLevels and CacheOperator are not used. Rounds cost in proportion to what they split, and
- * about 280 bytes are needed for each triangle of the output.
- *
  * @par Arrays read, by SetInputArrayToProcess
- * Names and errors are as in vtkSubdivisionAlgorithm; 7 to 9 are read with Adaptive only.
- *  - 0, singular flags: cell array of integers. Unset: `Singular` if there.
- *  - 4, sharpness of lines: cell array of numbers. For floor(s) levels a crease of sharpness s is
- *    one that is flagged, with its ends, crossings and all near it. In the next level it is so in
- *    part, s - floor(s), between the rows without and with all creases that are left in part. An
- *    infinite one is flagged. Unset: none.
+ * Besides flags and sharpness of lines (0 and 4, see vtkSubdivisionAlgorithm):
  *  - 5, corner angles: point array, in degrees. Where it is not negative it replaces the measured
  *    angle of a corner with one sector. Unset: none.
  *  - 6, flatness: point array of s in [0, 1]. Negative: 0 at convex corners, at concave ones what
  *    makes them tangent plane continuous. Unset: none.
- *  - 7, point array for RefineByAttributeError. Unset: the active scalars, else the first floating
- *    point array.
- *  - 8, cell or point array for RefineByArrayRange. Unset: the active scalars of the points, else
- *    those of the cells.
- *  - 9, integer cell array for RefineByWantedLevel. Unset: `WantedLevel` if there.
  *
  * @par Arrays written
- * On request, with and without Adaptive: `LimitNormals`, `LimitTangent1`, `LimitTangent2` (points,
- * 3 components), `vtkOriginalPointIds`, and `vtkOriginalCellIds`. With Adaptive always
- * `vtkOriginalCellIds`, and the cell array `Generation` (unsigned char: twice the number of steps
- * that made a cell, plus 1 if it is a third of a split triangle whose old edge is still there).
- * Without Adaptive field arrays `SubdivisionSurface...`, by which this filter recognises its own
- * output.
+ * On request `LimitNormals`, `LimitTangent1`, `LimitTangent2` (points, 3 components),
+ * `vtkOriginalPointIds` and `vtkOriginalCellIds`; always field arrays `SubdivisionSurface...`, by
+ * which this filter recognises its own output.
  *
  * @par Filters in a row
  * Three filters of one level and the same options give what one filter of three levels gives, bit
@@ -157,35 +125,35 @@
  *
  * @par Errors
  * The filter stops, with an error and an empty output, if the output would have more than
- * MaximumNumberOfCells cells or take more memory than there is; with Adaptive it refines less then,
- * the worst places first, and warns. Topology is never an error.
+ * MaximumNumberOfCells cells or take more memory than there is. Topology is never an error.
  *
  * @sa
- * vtkMultiDimensionalSubdivision vtkRedGreenRefinement vtkLoopSubdivisionFilter
+ * vtkAdaptiveSurfaceSubdivision vtkMultiDimensionalSubdivision vtkLoopSubdivisionFilter
  * vtkButterflySubdivisionFilter
  */
 #ifndef vtkSurfaceSubdivision_h
 #define vtkSurfaceSubdivision_h
 
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkSubdivisionAlgorithm.h"
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
 
-class vtkDataArray;
-class vtkPolyData;
 namespace subdivision
 {
 class SurfaceCache;
 struct SurfaceOptions;
 }
 
-class VTKSUBDIVISIONOBJECTS_EXPORT vtkSurfaceSubdivision : public vtkPolyDataAlgorithm
+class VTKSUBDIVISIONOBJECTS_EXPORT vtkSurfaceSubdivision : public vtkSubdivisionAlgorithm
 {
 public:
   static vtkSurfaceSubdivision* New();
-  vtkTypeMacro(vtkSurfaceSubdivision, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSurfaceSubdivision, vtkSubdivisionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The output.
+  vtkPolyData* GetOutput() { return this->GetPolyDataOutput(); }
 
   enum Schemes
   {
@@ -224,155 +192,13 @@ public:
 
   ///@{
   /**
-   * Whether triangles are only split where the criteria below want it, instead of NumberOfLevels
-   * times everywhere. Off by default. For SQRT_THREE; other schemes do what they do without it, and
-   * a warning says so: adaptive Loop is vtkRedGreenRefinement with its Placement LIMIT.
+   * Older scripts and state files switch adaptive refinement on here. It is a filter of its own
+   * now, vtkAdaptiveSurfaceSubdivision; with this option on, this filter stops with an error that
+   * says so. Off by default.
    */
   vtkSetMacro(Adaptive, bool);
   vtkGetMacro(Adaptive, bool);
   vtkBooleanMacro(Adaptive, bool);
-  ///@}
-
-  ///@{
-  /**
-   * With Adaptive, how many steps a triangle may have behind it, 0 to 60. Default 3. NumberOfLevels
-   * is not used then. Lines are cut in every second step.
-   */
-  vtkSetClampMacro(MaximumLevel, int, 0, 60);
-  vtkGetMacro(MaximumLevel, int);
-  ///@}
-
-  ///@{
-  /**
-   * With Adaptive, whether triangles are split along whose edges the point array at index 7 has an
-   * error (AttributeErrorKind) above AttributeTolerance. Several components are taken as a vector.
-   * Values that are not finite have no error; a warning says how many edges have them. On by
-   * default.
-   */
-  vtkSetMacro(RefineByAttributeError, bool);
-  vtkGetMacro(RefineByAttributeError, bool);
-  vtkBooleanMacro(RefineByAttributeError, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The error that an edge may have, as a part of the array's range (of several components: the
-   * diagonal of the box of their ranges), 0 or more. Default 0.1.
-   */
-  vtkSetClampMacro(AttributeTolerance, double, 0., VTK_DOUBLE_MAX);
-  vtkGetMacro(AttributeTolerance, double);
-  ///@}
-
-  enum AttributeErrorKinds
-  {
-    JUMP,
-    LIMIT_DIFFERENCE
-  };
-  ///@{
-  /**
-   * The error of an edge: JUMP (0, the default), the change of the limit values from one end to the
-   * other, or LIMIT_DIFFERENCE (1), the largest distance of the limit values between them, in three
-   * places, from the line between those of its ends.
-   */
-  vtkSetClampMacro(AttributeErrorKind, int, JUMP, LIMIT_DIFFERENCE);
-  vtkGetMacro(AttributeErrorKind, int);
-  void SetAttributeErrorKindToJump() { this->SetAttributeErrorKind(JUMP); }
-  void SetAttributeErrorKindToLimitDifference() { this->SetAttributeErrorKind(LIMIT_DIFFERENCE); }
-  ///@}
-
-  ///@{
-  /**
-   * With Adaptive, whether triangles are split whose value in the array at index 8 lies in
-   * ArrayRange (its ends included): of a point array, that of any of the triangle's points; of
-   * several components, their Euclidean norm. Off by default.
-   */
-  vtkSetMacro(RefineByArrayRange, bool);
-  vtkGetMacro(RefineByArrayRange, bool);
-  vtkBooleanMacro(RefineByArrayRange, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The values that RefineByArrayRange looks for. Default 0 to 1.
-   */
-  vtkSetVector2Macro(ArrayRange, double);
-  vtkGetVector2Macro(ArrayRange, double);
-  ///@}
-
-  ///@{
-  /**
-   * With Adaptive, whether triangles are split that have an edge longer than MaximumEdgeLength. Off
-   * by default.
-   */
-  vtkSetMacro(RefineByEdgeLength, bool);
-  vtkGetMacro(RefineByEdgeLength, bool);
-  vtkBooleanMacro(RefineByEdgeLength, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The length for RefineByEdgeLength, in the units of the coordinates, 0 or more. Default 1.
-   */
-  vtkSetClampMacro(MaximumEdgeLength, double, 0., VTK_DOUBLE_MAX);
-  vtkGetMacro(MaximumEdgeLength, double);
-  ///@}
-
-  ///@{
-  /**
-   * With Adaptive, whether triangles and lines are split that are farther than GeometricTolerance
-   * from the limit, as far as some places of each tell. Off by default.
-   */
-  vtkSetMacro(RefineByGeometricError, bool);
-  vtkGetMacro(RefineByGeometricError, bool);
-  vtkBooleanMacro(RefineByGeometricError, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The distance that RefineByGeometricError allows, 0 or more. Default 0.001.
-   */
-  vtkSetClampMacro(GeometricTolerance, double, 0., VTK_DOUBLE_MAX);
-  vtkGetMacro(GeometricTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether GeometricTolerance is a part of the diagonal of the input's bounding box; else it is in
-   * the units of the coordinates. On by default.
-   */
-  vtkSetMacro(RelativeTolerance, bool);
-  vtkGetMacro(RelativeTolerance, bool);
-  vtkBooleanMacro(RelativeTolerance, bool);
-  ///@}
-
-  ///@{
-  /**
-   * With Adaptive, whether triangles and lines are split over whose edges the limit turns by more
-   * than MaximumAngle. Off by default.
-   */
-  vtkSetMacro(RefineByCurvature, bool);
-  vtkGetMacro(RefineByCurvature, bool);
-  vtkBooleanMacro(RefineByCurvature, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The angle that RefineByCurvature allows: that of the circle's arc which is as far from its
-   * chord as the limit from the edge. It does not depend on the size of the mesh. In degrees, 0 to
-   * 360. Default 10.
-   */
-  vtkSetClampMacro(MaximumAngle, double, 0., 360.);
-  vtkGetMacro(MaximumAngle, double);
-  ///@}
-
-  ///@{
-  /**
-   * With Adaptive, whether cells are split until the level that the array at index 9 gives their
-   * input cell. Off by default.
-   */
-  vtkSetMacro(RefineByWantedLevel, bool);
-  vtkGetMacro(RefineByWantedLevel, bool);
-  vtkBooleanMacro(RefineByWantedLevel, bool);
   ///@}
 
   ///@{
@@ -446,99 +272,13 @@ public:
   vtkBooleanMacro(JoinSeams, bool);
   ///@}
 
-  enum CreaseEnds
-  {
-    CORNER,
-    DART
-  };
-  ///@{
-  /**
-   * Where exactly one crease ends inside the surface: CORNER (0, the default; the vertex does not
-   * move) or DART (1; it fades out).
-   */
-  vtkSetClampMacro(CreaseEnd, int, CORNER, DART);
-  vtkGetMacro(CreaseEnd, int);
-  void SetCreaseEndToCorner() { this->SetCreaseEnd(CORNER); }
-  void SetCreaseEndToDart() { this->SetCreaseEnd(DART); }
-  ///@}
-
-  ///@{
-  /**
-   * Whether edges of the input are creases where the surface turns by more than FeatureAngle. Off
-   * by default.
-   */
-  vtkSetMacro(DetectFeatures, bool);
-  vtkGetMacro(DetectFeatures, bool);
-  vtkBooleanMacro(DetectFeatures, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The angle between the planes of two faces (flat: 0) above which their common edge is a feature.
-   * In degrees, 0 to 180. Default 30.
-   */
-  vtkSetClampMacro(FeatureAngle, double, 0., 180.);
-  vtkGetMacro(FeatureAngle, double);
-  ///@}
-
+  /// Rules for joints, by names that hold for Type1Rule, Type2Rule and Type3Rule. For Loop they say
+  /// what vertices and edges do there; the other schemes stay sharp.
   enum JointRules
   {
-    BLEND,
-    SHARP
+    BLEND = TYPE1_BLEND,
+    SHARP = TYPE1_SHARP
   };
-  ///@{
-  /**
-   * For Loop, what vertices and edges do where lines and surfaces meet (type 1), where more than
-   * two faces or lines meet (type 2) and where boundaries touch (type 3): blend (0, the default:
-   * rule G-2) or stay sharp (1: rule G-1). The other schemes stay sharp.
-   */
-  vtkSetClampMacro(Type1Rule, int, BLEND, SHARP);
-  vtkGetMacro(Type1Rule, int);
-  vtkSetClampMacro(Type2Rule, int, BLEND, SHARP);
-  vtkGetMacro(Type2Rule, int);
-  vtkSetClampMacro(Type3Rule, int, BLEND, SHARP);
-  vtkGetMacro(Type3Rule, int);
-  ///@}
-
-  ///@{
-  /**
-   * Whether integer point arrays are smoothed and rounded, like colours, too. Off by default: a new
-   * point takes the value of its parent with the smallest global id.
-   */
-  vtkSetMacro(InterpolateIntegers, bool);
-  vtkGetMacro(InterpolateIntegers, bool);
-  vtkBooleanMacro(InterpolateIntegers, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether to output the cell array `vtkOriginalCellIds` and the point array
-   * `vtkOriginalPointIds`: the cell or point of the input that each came from, -1 for new points.
-   * Off by default.
-   */
-  vtkSetMacro(GenerateOriginalIds, bool);
-  vtkGetMacro(GenerateOriginalIds, bool);
-  vtkBooleanMacro(GenerateOriginalIds, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Precision of the output points, as in vtkAlgorithm: SINGLE_PRECISION (0), DOUBLE_PRECISION (1)
-   * or DEFAULT_PRECISION (2, the default; that of the input).
-   */
-  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
-  vtkGetMacro(OutputPointsPrecision, int);
-  ///@}
-
-  ///@{
-  /**
-   * The filter stops with an error, before it takes any memory for them, if the output would have
-   * more cells than this. With Adaptive, refinement stops, the worst places last, and a warning
-   * says so. 1 or more. Default 500 million.
-   */
-  vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, VTK_ID_MAX);
-  vtkGetMacro(MaximumNumberOfCells, vtkIdType);
-  ///@}
 
   ///@{
   /**
@@ -569,54 +309,24 @@ protected:
   vtkSurfaceSubdivision();
   ~vtkSurfaceSubdivision() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   int Scheme = LOOP;
   int NumberOfLevels = 1;
   bool Adaptive = false;
-  int MaximumLevel = 3;
-  bool RefineByAttributeError = true;
-  double AttributeTolerance = 0.1;
-  int AttributeErrorKind = JUMP;
-  bool RefineByArrayRange = false;
-  double ArrayRange[2] = { 0., 1. };
-  bool RefineByEdgeLength = false;
-  double MaximumEdgeLength = 1.;
-  bool RefineByGeometricError = false;
-  double GeometricTolerance = 0.001;
-  bool RelativeTolerance = true;
-  bool RefineByCurvature = false;
-  double MaximumAngle = 10.;
-  bool RefineByWantedLevel = false;
   bool ModifiedBoundary = true;
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;
   bool GenerateTangents = false;
   bool JoinSeams = true;
-  int CreaseEnd = CORNER;
-  bool DetectFeatures = false;
-  double FeatureAngle = 30.;
-  int Type1Rule = BLEND;
-  int Type2Rule = BLEND;
-  int Type3Rule = BLEND;
-  bool InterpolateIntegers = false;
-  bool GenerateOriginalIds = false;
-  int OutputPointsPrecision = DEFAULT_PRECISION;
-  vtkIdType MaximumNumberOfCells = 500000000;
   bool CacheOperator = true;
   bool Use32BitIds = false;
 
 private:
-  enum CriterionArrays
-  {
-    ATTRIBUTE_ARRAY = 7,
-    RANGE_ARRAY,
-    LEVEL_ARRAY
-  };
-  bool ReadArrays(vtkPolyData* input, subdivision::SurfaceOptions& options);
-  void ReadOptions(subdivision::SurfaceOptions& options);
-  bool Execute(vtkPolyData* input, const subdivision::SurfaceOptions& options, vtkPolyData* output);
+  bool ReadArrays(vtkPointSet* input, subdivision::SurfaceOptions& options);
   /// Counts nested updates: a composite input starts one update, each of its blocks another in it.
   void OnStart() { ++this->UpdateDepth; }
   void OnEnd();

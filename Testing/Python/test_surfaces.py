@@ -481,8 +481,8 @@ class InParaView(unittest.TestCase):
 
     def test_adaptive(self):
         sphere = simple.Sphere(ThetaResolution=12, PhiResolution=12)
-        surface = simple.SurfaceSubdivision(
-            Input=sphere, Scheme="SqrtThree", Adaptive=1, RefineByAttributeError=0, RefineByGeometricError=1,
+        surface = simple.AdaptiveSurfaceSubdivision(
+            Input=sphere, RefineByAttributeError=0, RefineByGeometricError=1,
             GeometricTolerance=1e-3, MaximumLevel=10)
         surface.UpdatePipeline()
         out = tools.output(surface)
@@ -496,8 +496,8 @@ class InParaView(unittest.TestCase):
         surface.UpdatePipeline()
         self.assertGreater(tools.output(surface).GetNumberOfPolys(), 4 * coarse)
         # Arrays are chosen by their properties, also in a trace.
-        surface = simple.SurfaceSubdivision(
-            Input=sphere, Scheme="SqrtThree", Adaptive=1, AttributeArray=["POINTS", "Normals"], AttributeTolerance=0.05,
+        surface = simple.AdaptiveSurfaceSubdivision(
+            Input=sphere, AttributeArray=["POINTS", "Normals"], AttributeTolerance=0.05,
             MaximumLevel=8)
         surface.UpdatePipeline()
         out = tools.output(surface)

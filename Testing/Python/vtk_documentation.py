@@ -15,12 +15,14 @@ import subdivisionobjects
 from headers import HEADERS, of_bases, stated_defaults, stated_ranges, words
 
 PLUGIN = pathlib.Path(__file__).resolve().parents[2] / "Plugin"
-CONCRETE = [cls for cls in HEADERS if cls is not subdivisionobjects.vtkSubdivisionAlgorithm]
+ABSTRACT = (subdivisionobjects.vtkSubdivisionAlgorithm, subdivisionobjects.vtkRefinementAlgorithm)
+CONCRETE = [cls for cls in HEADERS if cls not in ABSTRACT]
 PRECISIONS = ["SINGLE_PRECISION", "DOUBLE_PRECISION", "DEFAULT_PRECISION"]
 
 # Properties whose default is not that of the class, and why.
 OTHER_DEFAULTS = {
-    "RedGreenRefinement.ImplicitFunction": "ParaView takes the first proxy of the list; the class has no function",
+    "AdaptiveSurfaceSubdivision.ImplicitFunction": "ParaView takes the first proxy of the list; the class has none",
+    "RedGreenRefinement.ImplicitFunction": "the same",
     "SurfaceSubdivision.GenerateNormals": "an older name, which has no value of its own and so sets nothing",
 }
 # Options without a property, and why.
@@ -47,7 +49,8 @@ class Documentation(unittest.TestCase):
                 return self.assertEqual(option.get(made), new.get(made))
             stated = stated_defaults(option.text)
             self.assertEqual(len(stated), 1, f"the comment has to state one default: {option.text}")
-            self.assertEqual(HEADERS[type(made)].here.get(option.name, stated[0]), option.get(made), option.text)
+            here = of_bases(type(made), "here")
+            self.assertEqual(here.get(option.name, stated[0]), option.get(made), option.text)
         self.for_options(check)
 
     def test_ranges(self):
@@ -115,9 +118,6 @@ def complaints(cls, criteria, index=0, kind="Cell", name="None", fallback=None):
     for option in of_bases(cls, "options"):
         if option.startswith("RefineBy"):
             getattr(made, "Set" + option)(option in criteria)
-    if hasattr(made, "SetAdaptive"):  # reads the arrays of criteria only then
-        made.AdaptiveOn()
-        made.SetSchemeToSqrtThree()
     made.SetInputArrayToProcess(index, 0, 0, int(kind == "Cell"), name)
     messages = []
 
@@ -166,14 +166,16 @@ class Arrays(unittest.TestCase):
 
 
 def proxies():
-    """Of each proxy of a concrete class: name, class, and properties with those of its base proxy."""
+    """Of each proxy of a concrete class: name, class, and properties with those of its base proxies."""
     found = {proxy.get("name"): proxy for path in sorted(PLUGIN.glob("*.xml"))
              for proxy in ElementTree.parse(path).getroot().iter("SourceProxy")}
     for name, proxy in found.items():
         cls = getattr(subdivisionobjects, proxy.get("class"))
         if cls in CONCRETE:
-            base = found.get(proxy.get("base_proxyname"), [])
-            yield name, cls, {child.get("name"): child for child in [*base, *proxy] if child.get("command")}
+            chain = [proxy]
+            while chain[0].get("base_proxyname"):
+                chain.insert(0, found[chain[0].get("base_proxyname")])
+            yield name, cls, {child.get("name"): child for one in chain for child in one if child.get("command")}
 
 
 class Proxies(unittest.TestCase):

@@ -12,6 +12,7 @@
 #include "SubdivisionDeformationTools.h"
 #include "SurfaceTools.h"
 
+#include "vtkAdaptiveSurfaceSubdivision.h"
 #include "vtkRedGreenRefinement.h"
 
 using namespace random_tools;
@@ -455,11 +456,9 @@ TEST(RandomDifferential, AdaptiveSurfaces)
       auto run = [](vtkPointSet* mesh, int levels) -> Data
       {
         vtkNew<Messages> messages;
-        vtkNew<vtkSurfaceSubdivision> filter;
+        vtkNew<vtkAdaptiveSurfaceSubdivision> filter;
         messages->Watch(filter);
         filter->SetInputDataObject(mesh);
-        filter->SetSchemeToSqrtThree();
-        filter->AdaptiveOn();
         filter->RefineByAttributeErrorOff();
         filter->RefineByWantedLevelOn();
         filter->SetMaximumLevel(levels);

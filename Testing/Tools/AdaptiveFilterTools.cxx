@@ -13,8 +13,6 @@ PolyData Refine(
   vtkNew<Filter> filter;
   (messages ? messages : own.Get())->Watch(filter);
   filter->SetInputData(input);
-  filter->SetSchemeToSqrtThree();
-  filter->AdaptiveOn();
   filter->RefineByAttributeErrorOff();
   configure(filter);
   filter->Update();

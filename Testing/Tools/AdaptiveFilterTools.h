@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AdaptiveFilterTools.h
- * Runs of vtkSurfaceSubdivision with Adaptive.
+ * Runs of vtkAdaptiveSurfaceSubdivision.
  */
 #ifndef SubdivisionObjects_AdaptiveFilterTools_h
 #define SubdivisionObjects_AdaptiveFilterTools_h
 
 #include "MultiDimensionalSubdivisionTools.h"
 #include "SurfaceTools.h"
+
+#include "vtkAdaptiveSurfaceSubdivision.h"
 
 #include <functional>
 
@@ -16,7 +18,7 @@ namespace adaptive_filter_tools
 
 using namespace surfacetools;
 
-using Filter = vtkSurfaceSubdivision;
+using Filter = vtkAdaptiveSurfaceSubdivision;
 using PolyData = vtkSmartPointer<vtkPolyData>;
 using multi_dimensional_subdivision_tools::Messages;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AdaptiveSurface.h
- * Does the work of vtkSurfaceSubdivision with Adaptive: refines an input in rounds of local splits.
+ * Does the work of vtkAdaptiveSurfaceSubdivision: refines an input in rounds of local splits.
  */
 #ifndef SubdivisionObjects_AdaptiveSurface_h
 #define SubdivisionObjects_AdaptiveSurface_h

@@ -173,10 +173,6 @@ double ContinuedArray::GetRange() const
 namespace
 {
 
-/// The factor by which an error may be larger between the places where it is measured: quarters of
-/// an edge, along which the limit is cubic, and of a triangle, in which it is nearly quadratic.
-constexpr double BetweenPlaces = 1.1;
-
 double GetDistanceFromEdge(const double* p, const double* a, const double* b)
 {
   double along = 0.;
@@ -292,33 +288,6 @@ RefinementCriteria::RefinementCriteria(
   }
 }
 
-/// The error as a multiple of the allowed one. No error gives 0, even if none is allowed.
-double RefinementCriteria::Allow(double error, double allowed) const
-{
-  if (!(error > 0.)) // also where it is not a number
-  {
-    return 0.;
-  }
-  return allowed > 0. ? error / allowed : std::numeric_limits<double>::infinity();
-}
-
-double RefinementCriteria::GetEdgeError(vtkIdType a, vtkIdType b, bool& hasNoValue) const
-{
-  double worst = 0.;
-  if (this->Options.ByEdgeLength)
-  {
-    worst = this->Allow(this->Coordinates.GetDistance(a, b, this->Options.MaximumEdgeLength),
-      this->Options.MaximumEdgeLength);
-  }
-  if (this->Attribute.IsSet() && !this->Options.AttributeOfLimit)
-  {
-    const double jump = this->Attribute.GetDistance(a, b, this->AllowedJump);
-    hasNoValue = !std::isfinite(jump);
-    worst = hasNoValue ? worst : std::max(worst, this->Allow(jump, this->AllowedJump));
-  }
-  return worst;
-}
-
 bool RefinementCriteria::IsTooShort(vtkIdType a, vtkIdType b) const
 {
   const double* x = this->Coordinates.Get(a);
@@ -358,23 +327,6 @@ double RefinementCriteria::GetGeometricError(
     length = std::max(length, std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
   }
   return this->GetGeometricError(distance, length);
-}
-
-double RefinementCriteria::GetGeometricError(double distance, double length) const
-{
-  if (!std::isfinite(distance))
-  {
-    return 0.;
-  }
-  const double most = BetweenPlaces * distance;
-  double error = this->Options.ByGeometricError ? this->Allow(most, this->AllowedDistance) : 0.;
-  if (this->Options.ByCurvature)
-  {
-    // An arc of angle t over a chord of length c rises to c tan(t / 4) / 2.
-    const double angle = 4. * vtkMath::DegreesFromRadians(std::atan2(2. * most, length));
-    error = std::max(error, this->Allow(angle, this->Options.MaximumAngle));
-  }
-  return error;
 }
 
 double RefinementCriteria::GetHeight(const double* const* corners, const double* place)

@@ -12,10 +12,13 @@
 
 #include "vtkDataArray.h"
 #include "vtkImplicitFunction.h"
+#include "vtkMath.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,8 +29,12 @@ namespace subdivision
 
 struct SimplicesOfCells;
 
+/// The factor by which an error may be larger between the places where it is measured: quarters of
+/// an edge, along which the limit is cubic, and of a triangle, in which it is nearly quadratic.
+constexpr double BetweenPlaces = 1.1;
+
 /// The criteria. One that has an array, a selection or a function is on if that is set; the others
-/// have flags.
+/// have flags. What they ask for is in GetEdgeError, GetCellError and GetGeometricError below.
 struct RefinementOptions
 {
   vtkSmartPointer<vtkDataArray> Attribute; ///< of points
@@ -63,6 +70,11 @@ struct RefinementOptions
   {
     return this->ReadsShape() || (this->Attribute && this->AttributeOfLimit);
   }
+  /// Whether some criterion asks for edges, or for cells by more than the function.
+  bool ReadsEdges() const { return this->ByEdgeLength || this->Attribute || this->ReadsShape(); }
+  bool ReadsCells() const { return !this->Selected.empty() || this->WantedLevel || this->Range; }
+  /// Whether no criterion is on.
+  bool IsEmpty() const { return !this->ReadsEdges() && !this->ReadsCells() && !this->Function; }
 };
 
 /// The values of a point array in double, extended to points that refinement adds. Values that are
@@ -138,7 +150,7 @@ public:
 
   /// The error of an edge for the criteria that do not ask for the limit. A value that is not
   /// finite gives no error and sets `hasNoValue`.
-  double GetEdgeError(vtkIdType a, vtkIdType b, bool& hasNoValue) const;
+  inline double GetEdgeError(vtkIdType a, vtkIdType b, bool& hasNoValue) const;
 
   /// Whether two points differ but no number lies between their coordinates, so that the edge
   /// between them cannot be split.
@@ -153,7 +165,7 @@ public:
   /// corners, enlarged in the same way.
   double GetGeometricError(const double* const* corners, int size, const double* place) const;
   /// The same where the distance is known, and the length of the longest edge.
-  double GetGeometricError(double distance, double length) const;
+  inline double GetGeometricError(double distance, double length) const;
   /**
    * The same at a place over an edge inside a surface; `opposites`: the third corners of those of
    * its two triangles that are known. The place must be near one of the two triangles and near the
@@ -167,10 +179,7 @@ public:
   static double GetHeight(const double* const* corners, const double* place);
 
   /// Whether any criterion asks for errors of edges.
-  bool ReadsEdges() const
-  {
-    return this->Options.ByEdgeLength || this->Options.Attribute || this->Options.ReadsLimit();
-  }
+  bool ReadsEdges() const { return this->Options.ReadsEdges(); }
 
   /// Whether there is an implicit function, and whether several threads may evaluate it.
   bool ReadsFunction() const { return this->Options.Function != nullptr; }
@@ -178,8 +187,7 @@ public:
   /// Whether the function is the only criterion, so that cells where it is positive need no look.
   bool ReadsFunctionOnly() const
   {
-    return this->ReadsFunction() && !this->ReadsEdges() && this->Options.Selected.empty() &&
-      !this->Options.WantedLevel && !this->Options.Range;
+    return this->ReadsFunction() && !this->Options.ReadsEdges() && !this->Options.ReadsCells();
   }
   /// Evaluates the function at the centroids of the cells [first, last); `centroids` is memory for
   /// them.
@@ -193,7 +201,7 @@ public:
     const Cells& cells, vtkIdType i, const Points& points, const double* value) const;
 
 private:
-  double Allow(double error, double allowed) const;
+  inline double Allow(double error, double allowed) const;
   template <typename Points>
   bool IsInRange(const Points& points, vtkIdType inputCell) const;
   void EvaluateFunction(double* centroids, vtkIdType size, double* values) const;
@@ -227,6 +235,50 @@ void ContinuedArray::Continue(vtkIdType size, const Ends& ends)
       *value++ = this->Smooth ? 0.5 * a[c] + 0.5 * b[c] : a[c];
     }
   }
+}
+
+/// The error as a multiple of the allowed one. No error gives 0, even if none is allowed.
+double RefinementCriteria::Allow(double error, double allowed) const
+{
+  if (!(error > 0.)) // also where it is not a number
+  {
+    return 0.;
+  }
+  return allowed > 0. ? error / allowed : std::numeric_limits<double>::infinity();
+}
+
+double RefinementCriteria::GetEdgeError(vtkIdType a, vtkIdType b, bool& hasNoValue) const
+{
+  double worst = 0.;
+  if (this->Options.ByEdgeLength)
+  {
+    worst = this->Allow(this->Coordinates.GetDistance(a, b, this->Options.MaximumEdgeLength),
+      this->Options.MaximumEdgeLength);
+  }
+  if (this->Attribute.IsSet() && !this->Options.AttributeOfLimit)
+  {
+    const double jump = this->Attribute.GetDistance(a, b, this->AllowedJump);
+    hasNoValue = !std::isfinite(jump);
+    worst = hasNoValue ? worst : std::max(worst, this->Allow(jump, this->AllowedJump));
+  }
+  return worst;
+}
+
+double RefinementCriteria::GetGeometricError(double distance, double length) const
+{
+  if (!std::isfinite(distance))
+  {
+    return 0.;
+  }
+  const double most = BetweenPlaces * distance;
+  double error = this->Options.ByGeometricError ? this->Allow(most, this->AllowedDistance) : 0.;
+  if (this->Options.ByCurvature)
+  {
+    // An arc of angle t over a chord of length c rises to c tan(t / 4) / 2.
+    const double angle = 4. * vtkMath::DegreesFromRadians(std::atan2(2. * most, length));
+    error = std::max(error, this->Allow(angle, this->Options.MaximumAngle));
+  }
+  return error;
 }
 
 template <typename Points>

@@ -3,6 +3,7 @@
 
 #include "Private/Control/SizeChecks.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Surface/SurfaceCreases.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -59,9 +60,20 @@ void WarnOfUnused(
                  "GenerateLimitNormals and GenerateTangents. Use Loop, CatmullClark, "
                  "ModifiedButterfly or SqrtThree.");
   }
+  const FeatureOptions& features = options.Features;
+  auto isKnown = [](JointRule rule) { return FindKnownRule(rule) == rule; };
+  if (features.Embedded != EmbeddedRule::Follow || features.PreserveInterfaces || features.Part ||
+    features.Rules || !isKnown(features.Type1) || !isKnown(features.Type2) ||
+    !isKnown(features.Type3))
+  {
+    options.Warn("The surface filters have no rules for EmbeddedCells, PreserveInterfaces, joints "
+                 "that follow a dimension or a part, and rules of regions: the filter ignores "
+                 "them. Flag lines and vertices instead (array index 0), or use "
+                 "vtkMultiDimensionalSubdivision.");
+  }
   if (!scheme.UsesTags() &&
-    (options.Features.Singular || options.Features.Sharpness || options.Features.DetectFeatures ||
-      options.Angles || options.Flatness))
+    (features.Singular || features.Sharpness || features.DetectFeatures || options.Angles ||
+      options.Flatness))
   {
     options.Warn("This scheme is dual and has no creases and corners: the filter ignores flags, "
                  "sharpness, DetectFeatures, and angles and flatness of corners.");

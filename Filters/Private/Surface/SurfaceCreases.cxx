@@ -136,6 +136,11 @@ std::vector<vtkIdType> ListSharpEdges(const PolygonMesh<Id>& mesh, const Surface
   return pairs;
 }
 
+JointRule FindKnownRule(JointRule rule)
+{
+  return rule == JointRule::Sharp ? rule : JointRule::Blend;
+}
+
 template <typename Id>
 SurfaceCreases ReadSurfaceCreases(
   const FeatureOptions& options, const SurfaceCells& cells, const SurfaceLevel<Id>& level)
@@ -144,9 +149,9 @@ SurfaceCreases ReadSurfaceCreases(
   SurfaceFeatures& features = creases.Features;
   const PolygonMesh<Id>& mesh = level.Mesh;
   features.DartEnds = options.DartEnds;
-  features.Type1 = options.Type1;
-  features.Type2 = options.Type2;
-  features.Type3 = options.Type3;
+  features.Type1 = FindKnownRule(options.Type1);
+  features.Type2 = FindKnownRule(options.Type2);
+  features.Type3 = FindKnownRule(options.Type3);
   if (vtkDataArray* flags = options.Singular)
   {
     features.SharpEdges.assign(mesh.GetNumberOfEdges(), 0);

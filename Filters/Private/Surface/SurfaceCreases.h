@@ -21,6 +21,9 @@ struct SurfaceCreases
   EdgeSharpness Sharpness; ///< of each edge; empty where there is none
 };
 
+/// The rule for joints that surfaces have instead of one that they do not know.
+JointRule FindKnownRule(JointRule rule);
+
 /// Reads the cell arrays; `level` was made from `cells`.
 template <typename Id>
 SurfaceCreases ReadSurfaceCreases(

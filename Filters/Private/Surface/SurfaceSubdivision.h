@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceSubdivision.h
- * Does the work of vtkSurfaceSubdivision without Adaptive.
+ * Does the work of vtkSurfaceSubdivision.
  */
 #ifndef SubdivisionObjects_SurfaceSubdivision_h
 #define SubdivisionObjects_SurfaceSubdivision_h

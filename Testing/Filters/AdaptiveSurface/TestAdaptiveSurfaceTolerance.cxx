@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How near the limit vtkSurfaceSubdivision with Adaptive is, and with how many triangles.
+// How near the limit vtkAdaptiveSurfaceSubdivision is, and with how many triangles.
 
 #include "AdaptiveFilterTools.h"
 #include "RandomSurfaces.h"
@@ -31,7 +31,7 @@ TEST(AdaptiveSurface, TheGeometricErrorIsBelowTheTolerance)
     EXPECT_GT(generations->GetValueRange()[1], 1);
   }
   // Uniform steps to the same error take more.
-  const PolyData uniform = RunFilter(input, Filter::SQRT_THREE, 4, true);
+  const PolyData uniform = RunFilter(input, vtkSurfaceSubdivision::SQRT_THREE, 4, true);
   const double error = GetLargestDistance(fine, uniform);
   const PolyData output = RefineByShape(input, error);
   EXPECT_LE(GetLargestDistance(fine, output), error);
@@ -132,7 +132,8 @@ TEST(AdaptiveSurface, RandomMeshesAreWithinTheTolerance)
         filter->SetGeometricTolerance(tolerance);
         filter->SetMaximumLevel(12);
       });
-    EXPECT_LE(MeasureError(output, RunFilter(input, Filter::SQRT_THREE, 6, true)), allowed);
+    EXPECT_LE(
+      MeasureError(output, RunFilter(input, vtkSurfaceSubdivision::SQRT_THREE, 6, true)), allowed);
     const PolyData loop = RefineLoop(input, tolerance);
     EXPECT_LE(MeasureError(loop, MakeLoopLimit(input, 4)), allowed);
     triangles += output->GetNumberOfPolys();

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRefinementAlgorithm.h"
+
+#include "Private/Control/RunOptions.h"
+#include "Private/Criteria/RefinementInput.h"
+#include "Private/Criteria/RefinementSelection.h"
+
+#include "vtkCommand.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkImplicitFunction.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPointSet.h"
+#include "vtkSelection.h"
+
+#include <algorithm>
+
+vtkRefinementAlgorithm::vtkRefinementAlgorithm()
+{
+  this->MaximumNumberOfCells = 50000000;
+  this->SetNumberOfInputPorts(2);
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkRefinementAlgorithm::OnStart);
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkRefinementAlgorithm::OnEnd);
+}
+
+vtkRefinementAlgorithm::~vtkRefinementAlgorithm() = default;
+
+int vtkRefinementAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkSelection");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+void vtkRefinementAlgorithm::SetSelectionConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+void vtkRefinementAlgorithm::SetImplicitFunction(vtkImplicitFunction* function)
+{
+  if (this->ImplicitFunction != function)
+  {
+    this->ImplicitFunction = function;
+    this->Modified();
+  }
+}
+
+vtkImplicitFunction* vtkRefinementAlgorithm::GetImplicitFunction() const
+{
+  return this->ImplicitFunction;
+}
+
+vtkMTimeType vtkRefinementAlgorithm::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->ImplicitFunction ? std::max(own, this->ImplicitFunction->GetMTime()) : own;
+}
+
+// ------------------------------------------------------------------------------------------------
+// Selection
+
+/// Finds the selected cells of a composite input now, before VTK executes the filter for each
+/// block: only here all blocks can be seen.
+void vtkRefinementAlgorithm::OnStart()
+{
+  if (this->UpdateDepth++ > 0)
+  {
+    return;
+  }
+  this->SelectedCells.clear();
+  auto* all = vtkCompositeDataSet::SafeDownCast(
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr);
+  this->IsComposite = all != nullptr;
+  if (all && this->RefineBySelection)
+  {
+    this->FindSelected(all);
+  }
+}
+
+void vtkRefinementAlgorithm::OnEnd()
+{
+  if (--this->UpdateDepth == 0)
+  {
+    this->SelectedCells.clear();
+  }
+}
+
+void vtkRefinementAlgorithm::FindSelected(vtkDataObject* input)
+{
+  vtkDataObject* selection =
+    this->GetNumberOfInputConnections(1) > 0 ? this->GetInputDataObject(1, 0) : nullptr;
+  bool isUsable = true;
+  this->SelectedCells = subdivision::FindSelectedCells(input, vtkSelection::SafeDownCast(selection),
+    [&](const std::string& message)
+    {
+      isUsable = false;
+      vtkWarningMacro("RefineBySelection: the selection cannot be used. " << message);
+    });
+  if (this->SelectedCells.empty() && isUsable)
+  {
+    vtkWarningMacro("RefineBySelection: no cell is selected, so nothing is refined for that. "
+                    "Connect a selection (input port 1) of cells or points of the input.");
+  }
+}
+
+void vtkRefinementAlgorithm::ReadSelection(
+  vtkPointSet* input, subdivision::RefinementOptions& criteria)
+{
+  if (!this->IsComposite)
+  {
+    this->FindSelected(input);
+  }
+  const auto selected = this->SelectedCells.find(input);
+  if (selected != this->SelectedCells.end())
+  {
+    criteria.Selected = selected->second;
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+// Criteria
+
+bool vtkRefinementAlgorithm::ReadArrays(vtkPointSet* input, const subdivision::RunOptions& options,
+  subdivision::RefinementOptions& criteria)
+{
+  const subdivision::RefinementArrays arrays(this, input, options.Warn, options.Fail);
+  return (!this->RefineByAttributeError ||
+           arrays.FindOfPoints(ATTRIBUTE_ARRAY, criteria.Attribute)) &&
+    (!this->RefineByArrayRange ||
+      arrays.Find(RANGE_ARRAY, "RefineByArrayRange", criteria.Range, criteria.RangeOfCells)) &&
+    (!this->RefineByWantedLevel ||
+      arrays.FindOfCells(LEVEL_ARRAY, "RefineByWantedLevel", "WantedLevel", criteria.WantedLevel));
+}
+
+bool vtkRefinementAlgorithm::ReadCriteria(vtkPointSet* input,
+  const subdivision::RunOptions& options, subdivision::RefinementOptions& criteria)
+{
+  criteria.AttributeTolerance = this->AttributeTolerance;
+  criteria.AttributeOfLimit = this->AttributeErrorKind == LIMIT_DIFFERENCE;
+  criteria.Least = this->ArrayRange[0];
+  criteria.Most = this->ArrayRange[1];
+  criteria.ByEdgeLength = this->RefineByEdgeLength;
+  criteria.MaximumEdgeLength = this->MaximumEdgeLength;
+  criteria.ByGeometricError = this->RefineByGeometricError;
+  criteria.GeometricTolerance = this->GeometricTolerance;
+  criteria.RelativeTolerance = this->RelativeTolerance;
+  criteria.ByCurvature = this->RefineByCurvature;
+  criteria.MaximumAngle = this->MaximumAngle;
+  criteria.MaximumLevel = this->MaximumLevel;
+  criteria.InterpolateIntegers = this->InterpolateIntegers;
+  if (!this->ReadArrays(input, options, criteria))
+  {
+    return false;
+  }
+  if (this->RefineBySelection)
+  {
+    this->ReadSelection(input, criteria);
+  }
+  if (this->RefineByFunction)
+  {
+    if (!this->ImplicitFunction)
+    {
+      options.Fail("RefineByFunction needs an ImplicitFunction.");
+      return false;
+    }
+    criteria.Function = this->ImplicitFunction;
+  }
+  if (this->RefineByAttributeError && !this->RefineBySelection && criteria.IsEmpty())
+  {
+    options.Warn("There is nothing to refine by: the input has neither active point scalars nor a "
+                 "floating point array of points. Choose an array (array index " +
+      std::to_string(ATTRIBUTE_ARRAY) + "), or another criterion.");
+  }
+  return true;
+}
+
+int vtkRefinementAlgorithm::RunRounds(vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, subdivision::RunOptions& options,
+  subdivision::RefinementOptions& criteria,
+  const std::function<bool(vtkPointSet*, vtkPointSet*)>& refine)
+{
+  return this->Run(inputVector, outputVector, options,
+    "Each partition is refined by itself, so that cells may not fit together at its borders.",
+    "this refinement. Lower MaximumNumberOfCells or MaximumLevel, raise the tolerances, or use a "
+    "part of the input.",
+    [&](vtkPointSet* input, vtkPointSet* output)
+    { return this->ReadCriteria(input, options, criteria) && refine(input, output); });
+}
+
+void vtkRefinementAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "RefineByAttributeError: " << this->RefineByAttributeError << "\n";
+  os << indent << "AttributeTolerance: " << this->AttributeTolerance << "\n";
+  os << indent << "AttributeErrorKind: " << this->AttributeErrorKind << "\n";
+  os << indent << "RefineByArrayRange: " << this->RefineByArrayRange << "\n";
+  os << indent << "ArrayRange: " << this->ArrayRange[0] << " " << this->ArrayRange[1] << "\n";
+  os << indent << "RefineBySelection: " << this->RefineBySelection << "\n";
+  os << indent << "RefineByFunction: " << this->RefineByFunction << "\n";
+  os << indent << "ImplicitFunction: " << this->ImplicitFunction.Get() << "\n";
+  os << indent << "RefineByEdgeLength: " << this->RefineByEdgeLength << "\n";
+  os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
+  os << indent << "RefineByGeometricError: " << this->RefineByGeometricError << "\n";
+  os << indent << "GeometricTolerance: " << this->GeometricTolerance << "\n";
+  os << indent << "RelativeTolerance: " << this->RelativeTolerance << "\n";
+  os << indent << "RefineByCurvature: " << this->RefineByCurvature << "\n";
+  os << indent << "MaximumAngle: " << this->MaximumAngle << "\n";
+  os << indent << "RefineByWantedLevel: " << this->RefineByWantedLevel << "\n";
+  os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
+}
