@@ -26,10 +26,8 @@ bool HasDuplicateCells(vtkPointSet* input)
 
 }
 
-int RunFilter(vtkAlgorithm* filter, vtkPointSet* input, vtkPointSet* output,
-  const FilterTraits& traits, RunOptions& options, const FilterWork& work)
+void ConnectToFilter(vtkAlgorithm* filter, RunOptions& options, bool& failed)
 {
-  bool failed = false;
   options.Warn = [filter](const std::string& message)
   { vtkWarningWithObjectMacro(filter, << message); };
   options.Fail = [filter, &failed](const std::string& message)
@@ -42,6 +40,27 @@ int RunFilter(vtkAlgorithm* filter, vtkPointSet* input, vtkPointSet* output,
     filter->UpdateProgress(done);
     return IsAborted(filter);
   };
+}
+
+bool DoWork(vtkPointSet* input, vtkPointSet* output, const FilterTraits& traits,
+  RunOptions& options, const FilterWork& work)
+{
+  try
+  {
+    return work(input, output);
+  }
+  catch (const std::bad_alloc&)
+  {
+    options.Fail("There is not enough memory for " + traits.Memory);
+  }
+  return false;
+}
+
+int RunFilter(vtkAlgorithm* filter, vtkPointSet* input, vtkPointSet* output,
+  const FilterTraits& traits, RunOptions& options, const FilterWork& work)
+{
+  bool failed = false;
+  ConnectToFilter(filter, options, failed);
   if (!input || !output)
   {
     options.Fail(traits.WrongInput);
@@ -55,15 +74,7 @@ int RunFilter(vtkAlgorithm* filter, vtkPointSet* input, vtkPointSet* output,
   {
     options.Warn(std::string("The input has duplicate (ghost) cells. ") + traits.Ghosts);
   }
-  bool done = false;
-  try
-  {
-    done = work(input, output);
-  }
-  catch (const std::bad_alloc&)
-  {
-    options.Fail("There is not enough memory for " + traits.Memory);
-  }
+  const bool done = DoWork(input, output, traits, options, work);
   if (traits.FallsBackToInput)
   {
     if (!done)

@@ -37,6 +37,13 @@ struct FilterTraits
 /// whether it finished. It may be called with other data sets than those of the pipeline.
 using FilterWork = std::function<bool(vtkPointSet*, vtkPointSet*)>;
 
+/// Sets the functions of `options` for messages and progress; Fail sets `failed`.
+void ConnectToFilter(vtkAlgorithm* filter, RunOptions& options, bool& failed);
+
+/// Calls `work`; too little memory is an error. Returns whether it finished.
+bool DoWork(vtkPointSet* input, vtkPointSet* output, const FilterTraits& traits,
+  RunOptions& options, const FilterWork& work);
+
 /// Sets the functions of `options` for messages and progress, and calls `work`. Returns what
 /// RequestData returns. An error, too little memory, or a user who stops the filter lead to the
 /// output that `traits` says.

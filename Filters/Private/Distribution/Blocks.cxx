@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Distribution/Blocks.h"
+
+#include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
+#include "Private/Reading/CellReader.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace subdivision
+{
+namespace
+{
+
+/// The point array with the block of points that no cell uses.
+constexpr const char* PointBlockName = "SubdivisionPointBlock";
+/// Field arrays of a block: where its points and cells were in the joined output.
+constexpr const char* BlockPointsName = "SubdivisionBlockPoints";
+constexpr const char* BlockCellsName = "SubdivisionBlockCells";
+
+bool IsAccepted(vtkDataObject* data, bool isOfSurfaces)
+{
+  return vtkPolyData::SafeDownCast(data) ||
+    (!isOfSurfaces && vtkUnstructuredGrid::SafeDownCast(data));
+}
+
+bool BelongsToStamp(const char* name)
+{
+  return name && std::string(name).compare(0, std::string(StampName).size(), StampName) == 0;
+}
+
+Block MakeBlock(vtkPointSet* input, bool isOfSurfaces, bool addIndex, unsigned int index)
+{
+  Block block;
+  block.Input = input;
+  block.Output = MakeMesh(isOfSurfaces);
+  block.CompositeIndex = index;
+  if (addIndex && !input->GetCellData()->HasArray(BlockIndexName))
+  {
+    block.Input = vtkSmartPointer<vtkPointSet>::Take(input->NewInstance());
+    block.Input->ShallowCopy(input);
+    vtkNew<vtkIntArray> indices;
+    indices->SetName(BlockIndexName);
+    indices->SetNumberOfValues(input->GetNumberOfCells());
+    indices->FillValue(static_cast<int>(index));
+    block.Input->GetCellData()->AddArray(indices);
+  }
+  return block;
+}
+
+vtkSmartPointer<vtkIdTypeArray> MakeIds(const char* name, const std::vector<vtkIdType>& values)
+{
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  ids->SetName(name);
+  ids->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), ids->GetPointer(0));
+  return ids;
+}
+
+/// The points that no cell of a mesh uses.
+std::vector<vtkIdType> FindUnused(vtkPointSet* mesh)
+{
+  const CellReader cells(mesh);
+  std::vector<char> used(static_cast<size_t>(mesh->GetNumberOfPoints()), 0);
+  std::vector<vtkIdType> scratch;
+  for (vtkIdType c = 0; c < cells.GetNumberOfCells(); ++c)
+  {
+    const CellIds cell = cells.GetCell(c, scratch);
+    for (vtkIdType i = 0; i < cell.Size; ++i)
+    {
+      if (cell.Ids[i] >= 0 && cell.Ids[i] < static_cast<vtkIdType>(used.size()))
+      {
+        used[cell.Ids[i]] = 1;
+      }
+    }
+  }
+  std::vector<vtkIdType> unused;
+  for (size_t i = 0; i < used.size(); ++i)
+  {
+    if (!used[i])
+    {
+      unused.push_back(static_cast<vtkIdType>(i));
+    }
+  }
+  return unused;
+}
+
+/// Takes away arrays that other blocks have and this one does not, and gives the others their
+/// names.
+void RestoreArrays(const std::vector<JoinedArray>& arrays, int block, vtkDataSetAttributes* data)
+{
+  for (const JoinedArray& array : arrays)
+  {
+    vtkAbstractArray* found = data->GetAbstractArray(array.Name.c_str());
+    if (found && !array.OfPart[block])
+    {
+      data->RemoveArray(array.Name.c_str());
+    }
+  }
+  for (const JoinedArray& array : arrays)
+  {
+    vtkAbstractArray* found = data->GetAbstractArray(array.Name.c_str());
+    if (found && array.Name != array.OriginalName)
+    {
+      found->SetName(array.OriginalName.c_str());
+    }
+  }
+}
+
+/// Original ids that this filter made count the points or cells of the joined mesh: makes them
+/// those of the block, whose `places` in the joined mesh are given.
+void CountInBlock(const char* name, const std::vector<JoinedArray>& arrays,
+  const std::vector<vtkIdType>& places, vtkDataSetAttributes* data)
+{
+  auto* ids = vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(name));
+  const bool wasThere = std::any_of(arrays.begin(), arrays.end(),
+    [name](const JoinedArray& array) { return array.OriginalName == name; });
+  if (!ids || wasThere || places.empty())
+  {
+    return;
+  }
+  std::vector<vtkIdType> index(
+    static_cast<size_t>(*std::max_element(places.begin(), places.end()) + 1), -1);
+  for (size_t i = 0; i < places.size(); ++i)
+  {
+    if (places[i] >= 0)
+    {
+      index[places[i]] = static_cast<vtkIdType>(i);
+    }
+  }
+  for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
+  {
+    const vtkIdType id = ids->GetValue(i);
+    ids->SetValue(i, id >= 0 && id < static_cast<vtkIdType>(index.size()) ? index[id] : -1);
+  }
+}
+
+void AddFieldData(vtkFieldData* from, bool withStamp, vtkFieldData* to)
+{
+  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
+  {
+    if (withStamp || !BelongsToStamp(from->GetAbstractArray(a)->GetName()))
+    {
+      to->AddArray(from->GetAbstractArray(a));
+    }
+  }
+}
+
+bool ReadStampedIds(
+  vtkFieldData* field, const char* name, vtkIdType size, std::vector<vtkIdType>& ids)
+{
+  auto* array = vtkIdTypeArray::SafeDownCast(field->GetAbstractArray(name));
+  if (!array || array->GetNumberOfValues() != size)
+  {
+    return false;
+  }
+  ids.assign(array->GetPointer(0), array->GetPointer(0) + size);
+  return std::all_of(ids.begin(), ids.end(), [](vtkIdType id) { return id >= 0; });
+}
+
+bool AreConsecutive(const std::vector<vtkIdType>& ids)
+{
+  for (size_t i = 0; i < ids.size(); ++i)
+  {
+    if (ids[i] != static_cast<vtkIdType>(i))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+}
+
+vtkSmartPointer<vtkPointSet> MakeMesh(bool isOfSurfaces)
+{
+  if (isOfSurfaces)
+  {
+    return vtkSmartPointer<vtkPolyData>::New();
+  }
+  return vtkSmartPointer<vtkUnstructuredGrid>::New();
+}
+
+std::vector<Block> GetBlocks(vtkDataObject* input, bool isOfSurfaces, bool addIndex,
+  const std::function<void(const std::string&)>& warn)
+{
+  std::vector<Block> blocks;
+  auto add = [&](vtkDataObject* data, unsigned int index)
+  {
+    auto* mesh = vtkPointSet::SafeDownCast(data);
+    if (!IsAccepted(data, isOfSurfaces))
+    {
+      warn("Block " + std::to_string(index) + " is a " + data->GetClassName() +
+        ", which this filter cannot use; it is empty in the output. Convert it to " +
+        (isOfSurfaces ? "vtkPolyData" : "vtkUnstructuredGrid") + " before.");
+    }
+    else if (mesh->GetPoints())
+    {
+      blocks.push_back(MakeBlock(mesh, isOfSurfaces, addIndex, index));
+    }
+  };
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    if (input)
+    {
+      add(input, 0);
+    }
+    return blocks;
+  }
+  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    add(iterator->GetCurrentDataObject(), iterator->GetCurrentFlatIndex());
+  }
+  return blocks;
+}
+
+void SetOutputs(
+  vtkDataObject* input, const std::vector<Block>& blocks, bool isOfSurfaces, vtkDataObject* output)
+{
+  auto* from = vtkCompositeDataSet::SafeDownCast(input);
+  auto* to = vtkCompositeDataSet::SafeDownCast(output);
+  if (!from || !to)
+  {
+    if (!blocks.empty())
+    {
+      output->ShallowCopy(blocks[0].Output);
+    }
+    return;
+  }
+  to->CopyStructure(from);
+  to->GetFieldData()->PassData(from->GetFieldData());
+  size_t next = 0;
+  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(from->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    const bool isBlock =
+      next < blocks.size() && blocks[next].CompositeIndex == iterator->GetCurrentFlatIndex();
+    to->SetDataSet(iterator, isBlock ? blocks[next].Output : MakeMesh(isOfSurfaces));
+    next += isBlock ? 1 : 0;
+  }
+}
+
+void AddPointBlocks(const std::vector<MeshPart>& parts, JoinedMesh& joined)
+{
+  const std::vector<vtkIdType> unused = FindUnused(joined.Mesh);
+  if (unused.empty())
+  {
+    return;
+  }
+  vtkNew<vtkIntArray> blocks;
+  blocks->SetName(PointBlockName);
+  blocks->SetNumberOfValues(joined.Mesh->GetNumberOfPoints());
+  blocks->FillValue(NoBlock);
+  for (size_t p = parts.size(); p-- > 0;)
+  {
+    for (const vtkIdType place : joined.PointPlaces[p])
+    {
+      if (place >= 0)
+      {
+        blocks->SetValue(place, parts[p].Block);
+      }
+    }
+  }
+  joined.Mesh->GetPointData()->AddArray(blocks);
+}
+
+void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, int block, std::vector<Block>& blocks)
+{
+  const std::vector<vtkIdType> cells = FindCellsOfBlock(whole, block);
+  std::vector<vtkIdType> kept;
+  if (auto* of = vtkIntArray::SafeDownCast(whole->GetPointData()->GetArray(PointBlockName)))
+  {
+    kept = FindUnused(whole);
+    kept.erase(std::remove_if(kept.begin(), kept.end(),
+                 [&](vtkIdType point) { return of->GetValue(point) != block; }),
+      kept.end());
+  }
+  vtkPointSet* output = blocks[block].Output;
+  const std::vector<vtkIdType> points = TakeCells(whole, cells, kept, output);
+  output->GetPointData()->RemoveArray(PointBlockName);
+  RestoreArrays(joined.PointArrays, block, output->GetPointData());
+  RestoreArrays(joined.CellArrays, block, output->GetCellData());
+  CountInBlock(
+    OriginalPointIdsName, joined.PointArrays, joined.PointPlaces[block], output->GetPointData());
+  CountInBlock(
+    OriginalCellIdsName, joined.CellArrays, joined.CellPlaces[block], output->GetCellData());
+  AddFieldData(blocks[block].Input->GetFieldData(), false, output->GetFieldData());
+  AddFieldData(whole->GetFieldData(), true, output->GetFieldData());
+  if (whole->GetFieldData()->HasArray(StampName))
+  {
+    output->GetFieldData()->AddArray(MakeIds(BlockPointsName, points));
+    output->GetFieldData()->AddArray(MakeIds(BlockCellsName, cells));
+  }
+}
+
+bool TakeStampedIds(std::vector<MeshPart>& parts)
+{
+  vtkIdType numberOfPoints = 0;
+  for (MeshPart& part : parts)
+  {
+    vtkFieldData* field = part.Mesh->GetFieldData();
+    if (!field->HasArray(StampName) ||
+      !ReadStampedIds(field, BlockPointsName, part.Mesh->GetNumberOfPoints(), part.Points) ||
+      !ReadStampedIds(field, BlockCellsName, part.Mesh->GetNumberOfCells(), part.Cells))
+    {
+      return false;
+    }
+    numberOfPoints += static_cast<vtkIdType>(part.Points.size());
+  }
+  return numberOfPoints > 0;
+}
+
+void RestoreStamp(const std::vector<MeshPart>& parts, JoinedMesh& joined)
+{
+  if (!AreConsecutive(joined.PointIds) || !AreConsecutive(joined.CellIds))
+  {
+    return;
+  }
+  vtkFieldData* field = parts[0].Mesh->GetFieldData();
+  for (int a = 0; a < field->GetNumberOfArrays(); ++a)
+  {
+    const char* name = field->GetAbstractArray(a)->GetName();
+    if (BelongsToStamp(name) && std::string(name) != BlockPointsName &&
+      std::string(name) != BlockCellsName)
+    {
+      joined.Mesh->GetFieldData()->AddArray(field->GetAbstractArray(a));
+    }
+  }
+}
+
+}

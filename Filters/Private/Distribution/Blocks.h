@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Blocks.h
+ * The blocks of the input and of the output of a filter.
+ */
+#ifndef SubdivisionObjects_Blocks_h
+#define SubdivisionObjects_Blocks_h
+
+#include "Private/Distribution/JoinedMesh.h"
+
+#include <functional>
+#include <string>
+
+class vtkDataObject;
+
+namespace subdivision
+{
+
+/// The cell array with the composite index of the block that a cell is from.
+constexpr const char* BlockIndexName = "BlockIndex";
+
+/// A block, or the whole input where it is no composite data set.
+struct Block
+{
+  vtkSmartPointer<vtkPointSet> Input;
+  vtkSmartPointer<vtkPointSet> Output;
+  unsigned int CompositeIndex = 0;
+};
+
+/// An empty vtkPolyData or vtkUnstructuredGrid.
+vtkSmartPointer<vtkPointSet> MakeMesh(bool isOfSurfaces);
+
+/// The blocks of a data object that have points; null: none. `isOfSurfaces`: vtkPolyData only, else
+/// vtkUnstructuredGrid too; `warn` is told of other blocks. `addIndex` adds the cell array
+/// BlockIndexName.
+std::vector<Block> GetBlocks(vtkDataObject* input, bool isOfSurfaces, bool addIndex,
+  const std::function<void(const std::string&)>& warn);
+
+/// Writes the outputs of the blocks: into a composite data set of the structure of `input`, in
+/// which a block without points is empty, or, if `input` is a single mesh, into `output` itself.
+void SetOutputs(
+  vtkDataObject* input, const std::vector<Block>& blocks, bool isOfSurfaces, vtkDataObject* output);
+
+/// Adds to points that no cell uses the number of their block, so that the block can take them.
+void AddPointBlocks(const std::vector<MeshPart>& parts, JoinedMesh& joined);
+
+/// Writes the output of a block: its cells and points of `whole`, with the arrays that the block
+/// had and those that the filter made, original ids that count the block's own points and cells,
+/// and its field data.
+void TakeOutput(
+  const JoinedMesh& joined, vtkPointSet* whole, int block, std::vector<Block>& blocks);
+
+/// If an earlier filter made all blocks in one run, gives points and cells the ids that they had in
+/// it, and returns true.
+bool TakeStampedIds(std::vector<MeshPart>& parts);
+
+/// Gives the joined mesh the stamp of that filter, if points and cells are where they were.
+void RestoreStamp(const std::vector<MeshPart>& parts, JoinedMesh& joined);
+
+}
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Distribution.h
+ * Runs a filter on blocks of a composite data set, and on the partitions of several ranks, as if
+ * they were one mesh.
+ */
+#ifndef SubdivisionObjects_Distribution_h
+#define SubdivisionObjects_Distribution_h
+
+#include "Private/Control/FilterRun.h"
+#include "Private/Distribution/Blocks.h"
+#include "Private/Distribution/Exchange.h"
+
+#include <string>
+
+class vtkDataObject;
+class vtkMultiProcessController;
+
+namespace subdivision
+{
+
+struct DistributionOptions
+{
+  /// Whether blocks that share points are one mesh. If not, each block is subdivided by itself.
+  bool JoinBlocks = true;
+  /// The ranks that have partitions of the mesh; null: this process has all.
+  vtkMultiProcessController* Controller = nullptr;
+  /// How many layers of cells around its own a rank needs so that its own results are those of the
+  /// whole mesh.
+  int Layers = 2;
+  /// Whether only vtkPolyData is accepted, and made; else vtkUnstructuredGrid is accepted too, and
+  /// made.
+  bool IsOfSurfaces = false;
+  /// Whether to add the array BlockIndexName.
+  bool AddBlockIndex = false;
+};
+
+/**
+ * Runs a filter on an input of any kind: a single mesh, or a composite data set, whose output has
+ * the same structure, names and field data.
+ *
+ * If this is the only rank and the input is a single mesh, this is RunFilter. Else the blocks of
+ * this rank (IdentifyPoints) and the cells around them that other ranks have (AddLayers) are joined
+ * (Join), `work` is done on the result, and each block of the output takes the cells that came from
+ * it. Duplicate (ghost) cells of the input are left out; the output has none.
+ *
+ * Field arrays `SubdivisionBlockPoints` and `SubdivisionBlockCells` of the output say where its
+ * points and cells were in the joined output; with them, a filter that gets all blocks puts the
+ * mesh together as it was, and so continues what an earlier filter began.
+ *
+ * All ranks call this together. They agree on going on after they read, and at the end; if one
+ * fails, all fail, and rank 0 gives the message of the first that did.
+ */
+int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* output,
+  const DistributionOptions& distribution, const FilterTraits& traits, RunOptions& options,
+  const FilterWork& work);
+
+/// The same for partitions whose blocks are given: those of this rank, of which tests and
+/// benchmarks have several.
+bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchange,
+  const DistributionOptions& distribution, const FilterTraits& traits, RunOptions& options,
+  const FilterWork& work);
+
+}
+
+#endif

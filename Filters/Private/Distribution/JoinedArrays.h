@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file JoinedArrays.h
+ * The point and cell arrays of a joined mesh.
+ */
+#ifndef SubdivisionObjects_JoinedArrays_h
+#define SubdivisionObjects_JoinedArrays_h
+
+#include "Private/Distribution/JoinedMesh.h"
+
+class vtkDataSetAttributes;
+
+namespace subdivision
+{
+
+/// Where the points or the cells of each part are in the joined mesh; -1: nowhere.
+struct Places
+{
+  vtkIdType Size = 0;
+  std::vector<std::vector<vtkIdType>> OfPart;
+};
+
+/// Joins the arrays of points or cells: `association` is vtkDataObject::POINT or CELL, `places` are
+/// those of points or of cells. Values that no part has are 0 or empty.
+std::vector<JoinedArray> JoinArrays(const std::vector<MeshPart>& parts, const Places& places,
+  int association, vtkDataSetAttributes* joined);
+
+/// Gives values to points of `mesh` that have none in arrays of floating point numbers, from points
+/// beside them: see Join.
+void ExtendArrays(vtkPointSet* mesh, const std::vector<JoinedArray>& arrays, const Places& places);
+
+}
+
+#endif

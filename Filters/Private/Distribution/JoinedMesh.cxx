@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Distribution/JoinedMesh.h"
+
+#include "Private/Arrays/Arrays.h"
+#include "Private/Distribution/JoinedArrays.h"
+#include "Private/Reading/CellReader.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataObject.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <tuple>
+
+namespace subdivision
+{
+namespace
+{
+
+bool Exists(vtkIdType point, const std::vector<vtkIdType>& points)
+{
+  return point >= 0 && point < static_cast<vtkIdType>(points.size());
+}
+
+/// A point or cell of a part. `Kind` orders the cells of poly data: vertices, lines, polygons,
+/// strips.
+struct Item
+{
+  int Kind;
+  int Part;
+  vtkIdType Id;
+  vtkIdType Index;
+
+  bool operator<(const Item& other) const
+  {
+    return std::tie(this->Kind, this->Id, this->Part, this->Index) <
+      std::tie(other.Kind, other.Id, other.Part, other.Index);
+  }
+};
+
+int GetKind(int cellType)
+{
+  switch (cellType)
+  {
+    case VTK_POLY_VERTEX:
+      return 0;
+    case VTK_POLY_LINE:
+      return 1;
+    case VTK_POLYGON:
+      return 2;
+    default:
+      return 3;
+  }
+}
+
+/// Sorts items by id, drops those whose id came before, and says where each item of each part is.
+Places SortItems(std::vector<Item>& items, const std::vector<MeshPart>& parts,
+  const std::vector<vtkIdType> MeshPart::* ids)
+{
+  vtkSMPTools::Sort(items.begin(), items.end());
+  Places places;
+  for (const MeshPart& part : parts)
+  {
+    places.OfPart.emplace_back((part.*ids).size(), -1);
+  }
+  const Item* last = nullptr;
+  std::vector<Item> unique;
+  for (const Item& item : items)
+  {
+    if (!last || item.Kind != last->Kind || item.Id != last->Id)
+    {
+      unique.push_back(item);
+    }
+    last = &item;
+    places.OfPart[item.Part][item.Index] = static_cast<vtkIdType>(unique.size()) - 1;
+  }
+  places.Size = static_cast<vtkIdType>(unique.size());
+  items = std::move(unique);
+  return places;
+}
+
+Places PlacePoints(const std::vector<MeshPart>& parts, std::vector<Item>& points)
+{
+  for (size_t p = 0; p < parts.size(); ++p)
+  {
+    const std::vector<vtkIdType>& ids = parts[p].Points;
+    for (size_t i = 0; i < ids.size(); ++i)
+    {
+      if (ids[i] >= 0)
+      {
+        points.push_back({ 0, static_cast<int>(p), ids[i], static_cast<vtkIdType>(i) });
+      }
+    }
+  }
+  return SortItems(points, parts, &MeshPart::Points);
+}
+
+Places PlaceCells(const std::vector<MeshPart>& parts, const std::vector<CellReader>& readers,
+  bool isPolyData, std::vector<Item>& cells)
+{
+  for (size_t p = 0; p < parts.size(); ++p)
+  {
+    const std::vector<vtkIdType>& ids = parts[p].Cells;
+    for (size_t i = 0; i < ids.size(); ++i)
+    {
+      if (ids[i] >= 0)
+      {
+        const auto cell = static_cast<vtkIdType>(i);
+        cells.push_back({ isPolyData ? GetKind(readers[p].GetCellType(cell)) : 0,
+          static_cast<int>(p), ids[i], cell });
+      }
+    }
+  }
+  return SortItems(cells, parts, &MeshPart::Cells);
+}
+
+vtkSmartPointer<vtkPoints> JoinPoints(
+  const std::vector<MeshPart>& parts, const std::vector<Item>& items)
+{
+  int type = VTK_VOID;
+  for (const MeshPart& part : parts)
+  {
+    const int own = part.Mesh->GetPoints() ? part.Mesh->GetPoints()->GetDataType() : VTK_VOID;
+    // Integer coordinates stay integers where all parts have them.
+    type = type == VTK_VOID || own == type ? own : (own == VTK_VOID ? type : VTK_DOUBLE);
+  }
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataType(type == VTK_VOID ? VTK_FLOAT : type);
+  points->SetNumberOfPoints(static_cast<vtkIdType>(items.size()));
+  vtkDataArray* data = points->GetData();
+  for (size_t i = 0; i < items.size(); ++i)
+  {
+    data->SetTuple(
+      static_cast<vtkIdType>(i), items[i].Index, parts[items[i].Part].Mesh->GetPoints()->GetData());
+  }
+  return points;
+}
+
+/// Cells of a type each, as they come.
+struct CellLists
+{
+  std::array<vtkSmartPointer<vtkCellArray>, 4> OfKind;
+  vtkSmartPointer<vtkUnsignedCharArray> Types;
+};
+
+CellLists MakeLists(vtkIdType size)
+{
+  CellLists lists;
+  for (auto& cells : lists.OfKind)
+  {
+    cells = vtkSmartPointer<vtkCellArray>::New();
+  }
+  lists.Types = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  lists.Types->SetNumberOfValues(size);
+  return lists;
+}
+
+void SetCells(CellLists& lists, vtkPointSet* mesh)
+{
+  if (auto* poly = vtkPolyData::SafeDownCast(mesh))
+  {
+    poly->SetVerts(lists.OfKind[0]);
+    poly->SetLines(lists.OfKind[1]);
+    poly->SetPolys(lists.OfKind[2]);
+    poly->SetStrips(lists.OfKind[3]);
+    return;
+  }
+  vtkUnstructuredGrid::SafeDownCast(mesh)->SetCells(lists.Types, lists.OfKind[0]);
+}
+
+/// The cell type in an unstructured grid: poly data says polygon where it has triangles too.
+int GetGridType(int type, vtkIdType size, bool fromPolyData)
+{
+  if (!fromPolyData)
+  {
+    return type;
+  }
+  switch (type)
+  {
+    case VTK_POLY_VERTEX:
+      return size == 1 ? VTK_VERTEX : VTK_POLY_VERTEX;
+    case VTK_POLY_LINE:
+      return size == 2 ? VTK_LINE : VTK_POLY_LINE;
+    case VTK_POLYGON:
+      return size == 3 ? VTK_TRIANGLE : (size == 4 ? VTK_QUAD : VTK_POLYGON);
+    default:
+      return type;
+  }
+}
+
+void JoinCells(const std::vector<MeshPart>& parts, const std::vector<CellReader>& readers,
+  const std::vector<Item>& items, const Places& points, vtkPointSet* mesh)
+{
+  CellLists lists = MakeLists(static_cast<vtkIdType>(items.size()));
+  std::vector<vtkIdType> scratch;
+  std::vector<vtkIdType> ids;
+  for (size_t i = 0; i < items.size(); ++i)
+  {
+    const Item& item = items[i];
+    const CellIds cell = readers[item.Part].GetCell(item.Index, scratch);
+    const std::vector<vtkIdType>& places = points.OfPart[item.Part];
+    ids.clear();
+    for (vtkIdType k = 0; k < cell.Size; ++k)
+    {
+      ids.push_back(Exists(cell.Ids[k], places) ? places[cell.Ids[k]] : -1);
+    }
+    lists.OfKind[item.Kind]->InsertNextCell(cell.Size, ids.data());
+    lists.Types->SetValue(static_cast<vtkIdType>(i),
+      static_cast<unsigned char>(GetGridType(readers[item.Part].GetCellType(item.Index), cell.Size,
+        vtkPolyData::SafeDownCast(parts[item.Part].Mesh) != nullptr)));
+  }
+  SetCells(lists, mesh);
+}
+
+void AddBlocks(
+  const std::vector<MeshPart>& parts, const std::vector<Item>& cells, vtkPointSet* mesh)
+{
+  vtkNew<vtkIntArray> blocks;
+  blocks->SetName(BlockName);
+  blocks->SetNumberOfValues(static_cast<vtkIdType>(cells.size()));
+  for (size_t i = 0; i < cells.size(); ++i)
+  {
+    blocks->SetValue(static_cast<vtkIdType>(i), parts[cells[i].Part].Block);
+  }
+  mesh->GetCellData()->AddArray(blocks);
+}
+
+std::vector<vtkIdType> GetIds(const std::vector<Item>& items)
+{
+  std::vector<vtkIdType> ids;
+  ids.reserve(items.size());
+  for (const Item& item : items)
+  {
+    ids.push_back(item.Id);
+  }
+  return ids;
+}
+
+// ------------------------------------------------------------------------------------------------
+// Parting
+
+/// The points of some cells and `kept`, ascending; `place` gets the new index of each.
+std::vector<vtkIdType> FindPoints(const CellReader& reader, const std::vector<vtkIdType>& cells,
+  const std::vector<vtkIdType>& kept, std::vector<vtkIdType>& place)
+{
+  std::vector<vtkIdType> scratch;
+  for (const vtkIdType c : cells)
+  {
+    const CellIds cell = reader.GetCell(c, scratch);
+    for (vtkIdType k = 0; k < cell.Size; ++k)
+    {
+      if (Exists(cell.Ids[k], place))
+      {
+        place[cell.Ids[k]] = 0;
+      }
+    }
+  }
+  for (const vtkIdType point : kept)
+  {
+    place[point] = 0;
+  }
+  std::vector<vtkIdType> points;
+  for (size_t i = 0; i < place.size(); ++i)
+  {
+    if (place[i] == 0)
+    {
+      place[i] = static_cast<vtkIdType>(points.size());
+      points.push_back(static_cast<vtkIdType>(i));
+    }
+  }
+  return points;
+}
+
+void TakeArrays(
+  vtkDataSetAttributes* from, const std::vector<vtkIdType>& sources, vtkDataSetAttributes* to)
+{
+  const Row<vtkIdType> row = { sources.data(), sources.data() + sources.size() };
+  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = from->GetAbstractArray(a);
+    if (!array->GetName() || std::string(array->GetName()) != BlockName)
+    {
+      AddLike(from, a, Gather(array, row), to);
+    }
+  }
+}
+
+}
+
+JoinedMesh Join(const std::vector<MeshPart>& parts)
+{
+  std::vector<CellReader> readers;
+  bool isPolyData = true;
+  for (const MeshPart& part : parts)
+  {
+    readers.emplace_back(part.Mesh);
+    isPolyData = isPolyData && vtkPolyData::SafeDownCast(part.Mesh);
+  }
+  JoinedMesh joined;
+  if (isPolyData)
+  {
+    joined.Mesh = vtkSmartPointer<vtkPolyData>::New();
+  }
+  else
+  {
+    joined.Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  }
+  std::vector<Item> points;
+  Places pointPlaces = PlacePoints(parts, points);
+  std::vector<Item> cells;
+  Places cellPlaces = PlaceCells(parts, readers, isPolyData, cells);
+  joined.Mesh->SetPoints(JoinPoints(parts, points));
+  JoinCells(parts, readers, cells, pointPlaces, joined.Mesh);
+  joined.PointArrays =
+    JoinArrays(parts, pointPlaces, vtkDataObject::POINT, joined.Mesh->GetPointData());
+  ExtendArrays(joined.Mesh, joined.PointArrays, pointPlaces);
+  joined.CellArrays =
+    JoinArrays(parts, cellPlaces, vtkDataObject::CELL, joined.Mesh->GetCellData());
+  AddBlocks(parts, cells, joined.Mesh);
+  joined.PointIds = GetIds(points);
+  joined.CellIds = GetIds(cells);
+  joined.PointPlaces = std::move(pointPlaces.OfPart);
+  joined.CellPlaces = std::move(cellPlaces.OfPart);
+  return joined;
+}
+
+std::vector<vtkIdType> FindCellsOfBlock(vtkPointSet* whole, int block)
+{
+  std::vector<vtkIdType> cells;
+  auto* blocks = vtkIntArray::SafeDownCast(whole->GetCellData()->GetArray(BlockName));
+  const vtkIdType size = blocks ? blocks->GetNumberOfValues() : 0;
+  for (vtkIdType c = 0; c < size; ++c)
+  {
+    if (blocks->GetValue(c) == block)
+    {
+      cells.push_back(c);
+    }
+  }
+  return cells;
+}
+
+std::vector<vtkIdType> TakeCells(vtkPointSet* whole, const std::vector<vtkIdType>& cells,
+  const std::vector<vtkIdType>& kept, vtkPointSet* part)
+{
+  const CellReader reader(whole);
+  std::vector<vtkIdType> place(whole->GetNumberOfPoints(), -1);
+  const std::vector<vtkIdType> points = FindPoints(reader, cells, kept, place);
+
+  auto coordinates = vtkSmartPointer<vtkPoints>::New();
+  coordinates->SetDataType(whole->GetPoints()->GetDataType());
+  coordinates->SetData(vtkDataArray::SafeDownCast(
+    Gather(whole->GetPoints()->GetData(), { points.data(), points.data() + points.size() })));
+  part->SetPoints(coordinates);
+
+  const bool isPolyData = vtkPolyData::SafeDownCast(whole) != nullptr;
+  CellLists lists = MakeLists(static_cast<vtkIdType>(cells.size()));
+  std::vector<vtkIdType> scratch;
+  std::vector<vtkIdType> ids;
+  for (size_t i = 0; i < cells.size(); ++i)
+  {
+    const CellIds cell = reader.GetCell(cells[i], scratch);
+    const int type = reader.GetCellType(cells[i]);
+    ids.clear();
+    for (vtkIdType k = 0; k < cell.Size; ++k)
+    {
+      ids.push_back(Exists(cell.Ids[k], place) ? place[cell.Ids[k]] : -1);
+    }
+    lists.OfKind[isPolyData ? GetKind(type) : 0]->InsertNextCell(cell.Size, ids.data());
+    lists.Types->SetValue(static_cast<vtkIdType>(i), static_cast<unsigned char>(type));
+  }
+  SetCells(lists, part);
+  TakeArrays(whole->GetPointData(), points, part->GetPointData());
+  TakeArrays(whole->GetCellData(), cells, part->GetCellData());
+  return points;
+}
+
+}

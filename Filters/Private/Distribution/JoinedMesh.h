@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file JoinedMesh.h
+ * Makes one mesh of several that share points, and parts it again: the blocks of a composite data
+ * set, or the cells of this rank and their neighbours from other ranks.
+ */
+#ifndef SubdivisionObjects_JoinedMesh_h
+#define SubdivisionObjects_JoinedMesh_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkPointSet;
+
+namespace subdivision
+{
+
+/// The cell array that says from which block a cell of a joined mesh is: the index of a block of
+/// this rank, NoBlock for a cell of another rank. Filters carry it to the children of the cell.
+constexpr const char* BlockName = "SubdivisionBlock";
+constexpr int NoBlock = -1;
+
+/// A mesh that becomes a part of a joined one.
+struct MeshPart
+{
+  vtkSmartPointer<vtkPointSet> Mesh;
+  int Block = NoBlock;
+  /// The id of each point and each cell: equal ids of points are one point; -1 is left out.
+  std::vector<vtkIdType> Points;
+  std::vector<vtkIdType> Cells;
+};
+
+/// An array of a joined mesh.
+struct JoinedArray
+{
+  std::string Name; ///< in the joined mesh; differs where arrays of another type have the same name
+  std::string OriginalName;
+  std::vector<bool> OfPart; ///< the parts that have it
+};
+
+struct JoinedMesh
+{
+  vtkSmartPointer<vtkPointSet> Mesh;
+  std::vector<vtkIdType> PointIds; ///< of its points, ascending
+  std::vector<vtkIdType> CellIds;  ///< of its cells; ascending, in poly data within each kind
+  std::vector<std::vector<vtkIdType>> PointPlaces; ///< of each part; -1: left out
+  std::vector<std::vector<vtkIdType>> CellPlaces;
+  std::vector<JoinedArray> PointArrays;
+  std::vector<JoinedArray> CellArrays;
+};
+
+/**
+ * Joins meshes. Points and cells stand in the order of their ids. A point or cell that several
+ * parts have takes coordinates and values from the first of them.
+ *
+ * Arrays of the same name, type and number of components are one. Points of parts that do not have
+ * an array take the mean of the points beside them that have it, two cells far, so that values
+ * inside the parts do not change beside their border; all others are 0 or empty. The first part
+ * that has an active attribute (scalars, normals, ...) decides which array that is. Ghost types
+ * keep only that a cell is hidden. Field data are left out.
+ *
+ * The result is a vtkPolyData if all parts are, else a vtkUnstructuredGrid, in double precision if
+ * one part is. Point ids of a cell that do not exist become -1, for the reader to complain about.
+ * Sorts points and cells; takes 24 bytes for each, besides the mesh.
+ */
+JoinedMesh Join(const std::vector<MeshPart>& parts);
+
+/**
+ * Writes into `part` some cells of `whole`, ascending, with the points that they use, in the order
+ * of `whole`, and all arrays but BlockName. `whole` is a vtkUnstructuredGrid or vtkPolyData, and
+ * `part` of the same class. `kept`: points that `part` gets although no cell uses them, ascending.
+ * Returns the points that `part` has.
+ */
+std::vector<vtkIdType> TakeCells(vtkPointSet* whole, const std::vector<vtkIdType>& cells,
+  const std::vector<vtkIdType>& kept, vtkPointSet* part);
+
+/// The cells whose value in the array BlockName is `block`.
+std::vector<vtkIdType> FindCellsOfBlock(vtkPointSet* whole, int block);
+
+}
+
+#endif

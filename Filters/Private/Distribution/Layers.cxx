@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Distribution/Layers.h"
+
+#include "Private/Distribution/MeshMessage.h"
+#include "Private/Reading/CellReader.h"
+
+#include "vtkPointSet.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace subdivision
+{
+namespace
+{
+
+/// A point that a partition has cells at, or wants the cells of.
+struct Wish
+{
+  vtkIdType Point;
+  int Partition;
+  int Unused = 0;
+
+  bool operator<(const Wish& other) const
+  {
+    return this->Point != other.Point ? this->Point < other.Point
+                                      : this->Partition < other.Partition;
+  }
+};
+
+/// The partition that knows who has a point.
+class Directory
+{
+public:
+  Directory(vtkIdType numberOfIds, int partitions)
+    : Share((numberOfIds + partitions - 1) / partitions)
+  {
+  }
+  int Find(vtkIdType point) const { return static_cast<int>(point / this->Share); }
+
+  /// Adds the partition to those that have the points.
+  void Add(const std::vector<vtkIdType>& points, int partition)
+  {
+    for (const vtkIdType point : points)
+    {
+      this->Holders.push_back({ point, partition });
+    }
+  }
+  void Sort() { vtkSMPTools::Sort(this->Holders.begin(), this->Holders.end()); }
+
+  /// Passes on a wish to all that have the point but the one who wishes.
+  void PassOn(const Wish& wish, Exchange::Lists<Wish>& toHolders) const
+  {
+    auto holder = std::lower_bound(this->Holders.begin(), this->Holders.end(), wish.Point,
+      [](const Wish& a, vtkIdType point) { return a.Point < point; });
+    for (; holder != this->Holders.end() && holder->Point == wish.Point; ++holder)
+    {
+      if (holder->Partition != wish.Partition)
+      {
+        toHolders[holder->Partition].push_back(wish);
+      }
+    }
+  }
+
+private:
+  vtkIdType Share;
+  std::vector<Wish> Holders;
+};
+
+/// One partition: its own parts, and what it sent and got so far.
+struct Partition
+{
+  std::vector<MeshPart>* Parts = nullptr;
+  size_t NumberOfOwn = 0;
+  std::vector<CellReader> Readers;
+  std::map<int, std::vector<std::vector<char>>> Sent; ///< to a partition: of each part, each cell
+  std::vector<vtkIdType> Known;                       ///< points of its cells, ascending
+
+  explicit Partition(std::vector<MeshPart>& parts)
+    : Parts(&parts)
+    , NumberOfOwn(parts.size())
+  {
+    for (const MeshPart& part : parts)
+    {
+      this->Readers.emplace_back(part.Mesh);
+    }
+  }
+};
+
+/// The ids of the points that the cells of some parts have, ascending.
+std::vector<vtkIdType> FindPointIds(const std::vector<MeshPart>& parts, size_t firstPart)
+{
+  std::vector<vtkIdType> ids;
+  std::vector<vtkIdType> scratch;
+  for (size_t p = firstPart; p < parts.size(); ++p)
+  {
+    const CellReader reader(parts[p].Mesh);
+    std::vector<char> used(parts[p].Points.size(), 0);
+    for (size_t c = 0; c < parts[p].Cells.size(); ++c)
+    {
+      const CellIds cell = reader.GetCell(static_cast<vtkIdType>(c), scratch);
+      for (vtkIdType i = 0; parts[p].Cells[c] >= 0 && i < cell.Size; ++i)
+      {
+        if (cell.Ids[i] >= 0 && cell.Ids[i] < static_cast<vtkIdType>(used.size()))
+        {
+          used[cell.Ids[i]] = 1;
+        }
+      }
+    }
+    for (size_t i = 0; i < used.size(); ++i)
+    {
+      if (used[i] && parts[p].Points[i] >= 0)
+      {
+        ids.push_back(parts[p].Points[i]);
+      }
+    }
+  }
+  vtkSMPTools::Sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+/// Marks the cells of a part that are wished and were not sent before: those at point i for the
+/// partitions wishes[first[i]], ... Calls `send(partition, cell)` for each.
+template <typename Send>
+void VisitWished(
+  const CellReader& reader, const MeshPart& part, const std::vector<Wish>& wishes, const Send& send)
+{
+  // The first wish of each point of the part.
+  std::vector<vtkIdType> first(part.Points.size(), -1);
+  for (size_t i = 0; i < first.size(); ++i)
+  {
+    const auto found = std::lower_bound(wishes.begin(), wishes.end(), part.Points[i],
+      [](const Wish& a, vtkIdType point) { return a.Point < point; });
+    if (found != wishes.end() && found->Point == part.Points[i])
+    {
+      first[i] = found - wishes.begin();
+    }
+  }
+  std::vector<vtkIdType> scratch;
+  for (vtkIdType c = 0; c < static_cast<vtkIdType>(part.Cells.size()); ++c)
+  {
+    if (part.Cells[c] < 0)
+    {
+      continue;
+    }
+    const CellIds cell = reader.GetCell(c, scratch);
+    for (vtkIdType i = 0; i < cell.Size; ++i)
+    {
+      const vtkIdType point = cell.Ids[i];
+      if (point < 0 || point >= static_cast<vtkIdType>(first.size()) || first[point] < 0)
+      {
+        continue;
+      }
+      for (auto wish = wishes.begin() + first[point];
+        wish != wishes.end() && wish->Point == part.Points[point]; ++wish)
+      {
+        send(wish->Partition, c);
+      }
+    }
+  }
+}
+
+/// The messages with the wished cells of a partition.
+Exchange::Messages PackWished(Partition& partition, std::vector<Wish> wishes)
+{
+  std::sort(wishes.begin(), wishes.end());
+  std::map<int, std::vector<std::vector<vtkIdType>>> lists; // to a partition: cells of each part
+  for (size_t p = 0; p < partition.NumberOfOwn; ++p)
+  {
+    const MeshPart& part = (*partition.Parts)[p];
+    VisitWished(partition.Readers[p], part, wishes,
+      [&](int to, vtkIdType cell)
+      {
+        auto& sent = partition.Sent[to];
+        sent.resize(partition.NumberOfOwn);
+        sent[p].resize(part.Cells.size(), 0);
+        if (!sent[p][cell])
+        {
+          sent[p][cell] = 1;
+          lists[to].resize(partition.NumberOfOwn);
+          lists[to][p].push_back(cell);
+        }
+      });
+  }
+  Exchange::Messages messages;
+  for (const auto& [to, cells] : lists)
+  {
+    for (size_t p = 0; p < cells.size(); ++p)
+    {
+      if (!cells[p].empty())
+      {
+        PackCells((*partition.Parts)[p], cells[p], messages[to]);
+      }
+    }
+  }
+  return messages;
+}
+
+vtkIdType CountIds(const std::vector<std::vector<MeshPart>>& parts, Exchange& exchange)
+{
+  vtkIdType last = 0;
+  for (const auto& partition : parts)
+  {
+    for (const MeshPart& part : partition)
+    {
+      for (const vtkIdType id : part.Points)
+      {
+        last = std::max(last, id);
+      }
+    }
+  }
+  return exchange.Max(last) + 1;
+}
+
+}
+
+void AddLayers(std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange)
+{
+  std::vector<Directory> directories(
+    parts.size(), Directory(CountIds(parts, exchange), exchange.GetNumberOfPartitions()));
+  std::vector<Partition> partitions;
+  for (auto& own : parts)
+  {
+    partitions.emplace_back(own);
+  }
+  size_t size = parts.size();
+  std::vector<size_t> seen(size, 0); // parts whose points are known
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    // To the directory: the points that are new.
+    std::vector<Exchange::Lists<vtkIdType>> questions(size);
+    for (size_t i = 0; i < size; ++i)
+    {
+      Partition& partition = partitions[i];
+      const std::vector<vtkIdType> ids = FindPointIds(*partition.Parts, seen[i]);
+      seen[i] = partition.Parts->size();
+      std::vector<vtkIdType> fresh;
+      std::set_difference(ids.begin(), ids.end(), partition.Known.begin(), partition.Known.end(),
+        std::back_inserter(fresh));
+      std::vector<vtkIdType> known;
+      std::merge(fresh.begin(), fresh.end(), partition.Known.begin(), partition.Known.end(),
+        std::back_inserter(known));
+      partition.Known = std::move(known);
+      for (const vtkIdType id : fresh)
+      {
+        questions[i][directories[i].Find(id)].push_back(id);
+      }
+    }
+    // From the directory to the partitions that have cells there.
+    std::vector<Exchange::Lists<Wish>> wishes(size);
+    const std::vector<Exchange::Lists<vtkIdType>> asked = exchange.SendLists(questions);
+    for (size_t i = 0; i < size; ++i)
+    {
+      if (layer == 0)
+      {
+        for (const auto& [from, points] : asked[i])
+        {
+          directories[i].Add(points, from);
+        }
+        directories[i].Sort();
+      }
+      for (const auto& [from, points] : asked[i])
+      {
+        for (const vtkIdType point : points)
+        {
+          directories[i].PassOn({ point, from }, wishes[i]);
+        }
+      }
+    }
+    // From these to those who asked: the cells.
+    std::vector<Exchange::Messages> cells(size);
+    const std::vector<Exchange::Lists<Wish>> wished = exchange.SendLists(wishes);
+    for (size_t i = 0; i < size; ++i)
+    {
+      std::vector<Wish> all;
+      for (const auto& [from, list] : wished[i])
+      {
+        all.insert(all.end(), list.begin(), list.end());
+      }
+      cells[i] = PackWished(partitions[i], std::move(all));
+    }
+    const std::vector<Exchange::Messages> arrived = exchange.Send(std::move(cells));
+    for (size_t i = 0; i < size; ++i)
+    {
+      for (const auto& [from, message] : arrived[i])
+      {
+        UnpackCells(message, *partitions[i].Parts);
+      }
+    }
+  }
+}
+
+}

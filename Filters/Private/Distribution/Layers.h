@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Layers.h
+ * Brings the cells of other partitions that lie around the cells of a partition.
+ */
+#ifndef SubdivisionObjects_Layers_h
+#define SubdivisionObjects_Layers_h
+
+#include "Private/Distribution/Exchange.h"
+#include "Private/Distribution/JoinedMesh.h"
+
+namespace subdivision
+{
+
+/**
+ * Adds to each partition the cells of all others that share a point with one of its cells, then
+ * those that share a point with these, and so on, `layers` times, with their points and arrays. Of
+ * cells of any dimension, and through third partitions. Points and cells have ids (IdentifyPoints).
+ *
+ * A directory knows which partitions have cells at a point; it is spread over the partitions by the
+ * id of the point. Three exchanges for each layer. A partition sends 16 bytes for each of its
+ * points, and each cell once to each partition that needs it.
+ */
+void AddLayers(std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange);
+
+}
+
+#endif

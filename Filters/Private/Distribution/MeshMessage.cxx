@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Distribution/MeshMessage.h"
+
+#include "Private/Arrays/Arrays.h"
+#include "Private/vtkSubdivisionObjectsCompat.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cstring>
+#include <string>
+
+namespace subdivision
+{
+namespace
+{
+
+class Writer
+{
+public:
+  explicit Writer(std::vector<char>& bytes)
+    : Bytes(bytes)
+  {
+  }
+  void Put(const void* data, std::size_t size)
+  {
+    const char* first = static_cast<const char*>(data);
+    this->Bytes.insert(this->Bytes.end(), first, first + size);
+  }
+  void Put(vtkIdType value) { this->Put(&value, sizeof(value)); }
+  void Put(const std::string& text)
+  {
+    this->Put(static_cast<vtkIdType>(text.size()));
+    this->Put(text.data(), text.size());
+  }
+  void Put(const std::vector<vtkIdType>& values)
+  {
+    this->Put(static_cast<vtkIdType>(values.size()));
+    this->Put(values.data(), values.size() * sizeof(vtkIdType));
+  }
+
+private:
+  std::vector<char>& Bytes;
+};
+
+class Reader
+{
+public:
+  explicit Reader(const std::vector<char>& bytes)
+    : Next(bytes.data())
+    , End(bytes.data() + bytes.size())
+  {
+  }
+  bool IsAtEnd() const { return this->Next == this->End; }
+  void Get(void* data, std::size_t size)
+  {
+    if (size > 0)
+    {
+      std::memcpy(data, this->Next, size);
+      this->Next += size;
+    }
+  }
+  vtkIdType GetId()
+  {
+    vtkIdType value = 0;
+    this->Get(&value, sizeof(value));
+    return value;
+  }
+  std::string GetString()
+  {
+    std::string text(static_cast<std::size_t>(this->GetId()), '\0');
+    this->Get(&text[0], text.size());
+    return text;
+  }
+  std::vector<vtkIdType> GetIds()
+  {
+    std::vector<vtkIdType> values(static_cast<std::size_t>(this->GetId()));
+    this->Get(values.data(), values.size() * sizeof(vtkIdType));
+    return values;
+  }
+
+private:
+  const char* Next;
+  const char* End;
+};
+
+// ------------------------------------------------------------------------------------------------
+// Arrays
+
+bool CanBeSent(vtkAbstractArray* array)
+{
+  return vtkDataArray::SafeDownCast(array) || vtkStringArray::SafeDownCast(array);
+}
+
+void PutArray(vtkAbstractArray* array, Writer& writer)
+{
+  writer.Put(std::string(array->GetName() ? array->GetName() : ""));
+  writer.Put(static_cast<vtkIdType>(array->GetDataType()));
+  writer.Put(static_cast<vtkIdType>(array->GetNumberOfComponents()));
+  writer.Put(array->GetNumberOfTuples());
+  if (auto* strings = vtkStringArray::SafeDownCast(array))
+  {
+    for (vtkIdType i = 0; i < strings->GetNumberOfValues(); ++i)
+    {
+      writer.Put(std::string(strings->GetValue(i)));
+    }
+    return;
+  }
+  auto* data = vtkDataArray::SafeDownCast(array);
+  if (data->GetDataType() == VTK_BIT)
+  {
+    for (vtkIdType i = 0; i < data->GetNumberOfValues(); ++i)
+    {
+      const char bit = data->GetVariantValue(i).ToInt() != 0 ? 1 : 0;
+      writer.Put(&bit, 1);
+    }
+    return;
+  }
+  const auto plain = Contiguous(data);
+  writer.Put(plain->GetVoidPointer(0),
+    static_cast<std::size_t>(plain->GetNumberOfValues()) * plain->GetDataTypeSize());
+}
+
+vtkSmartPointer<vtkAbstractArray> GetArray(Reader& reader)
+{
+  const std::string name = reader.GetString();
+  const int type = static_cast<int>(reader.GetId());
+  const int components = static_cast<int>(reader.GetId());
+  const vtkIdType tuples = reader.GetId();
+  auto array = vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(type));
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  if (!name.empty())
+  {
+    array->SetName(name.c_str());
+  }
+  if (auto* strings = vtkStringArray::SafeDownCast(array))
+  {
+    for (vtkIdType i = 0; i < tuples * components; ++i)
+    {
+      strings->SetValue(i, reader.GetString());
+    }
+    return array;
+  }
+  if (type == VTK_BIT)
+  {
+    for (vtkIdType i = 0; i < tuples * components; ++i)
+    {
+      char bit = 0;
+      reader.Get(&bit, 1);
+      array->SetVariantValue(i, bit);
+    }
+    return array;
+  }
+  reader.Get(array->GetVoidPointer(0),
+    static_cast<std::size_t>(tuples * components) * array->GetDataTypeSize());
+  return array;
+}
+
+void PutAttributes(vtkDataSetAttributes* data, Writer& writer)
+{
+  vtkIdType count = 0;
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    count += CanBeSent(data->GetAbstractArray(a)) ? 1 : 0;
+  }
+  writer.Put(count);
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    if (CanBeSent(data->GetAbstractArray(a)))
+    {
+      PutArray(data->GetAbstractArray(a), writer);
+    }
+  }
+}
+
+void GetAttributes(Reader& reader, vtkDataSetAttributes* data)
+{
+  for (vtkIdType left = reader.GetId(); left > 0; --left)
+  {
+    data->AddArray(GetArray(reader));
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+// Cells
+
+/// The vtkCellArrays of a mesh in the order of cell ids.
+std::vector<vtkCellArray*> GetCellArrays(vtkPointSet* mesh)
+{
+  if (auto* poly = vtkPolyData::SafeDownCast(mesh))
+  {
+    return { poly->GetVerts(), poly->GetLines(), poly->GetPolys(), poly->GetStrips() };
+  }
+  return { vtkUnstructuredGrid::SafeDownCast(mesh)->GetCells() };
+}
+
+void PutCells(vtkPointSet* mesh, Writer& writer)
+{
+  for (vtkCellArray* cells : GetCellArrays(mesh))
+  {
+    PutArray(cells->GetOffsetsArray(), writer);
+    PutArray(cells->GetConnectivityArray(), writer);
+  }
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
+  {
+    PutArray(GetCellTypes(grid), writer);
+  }
+}
+
+void GetCells(Reader& reader, vtkPointSet* mesh)
+{
+  auto* poly = vtkPolyData::SafeDownCast(mesh);
+  for (int kind = 0; kind < (poly ? 4 : 1); ++kind)
+  {
+    const auto offsets = GetArray(reader);
+    const auto ids = GetArray(reader);
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(vtkDataArray::SafeDownCast(offsets), vtkDataArray::SafeDownCast(ids));
+    if (!poly)
+    {
+      const auto types = GetArray(reader);
+      vtkUnstructuredGrid::SafeDownCast(mesh)->SetCells(
+        vtkUnsignedCharArray::SafeDownCast(types), cells);
+      continue;
+    }
+    switch (kind)
+    {
+      case 0:
+        poly->SetVerts(cells);
+        break;
+      case 1:
+        poly->SetLines(cells);
+        break;
+      case 2:
+        poly->SetPolys(cells);
+        break;
+      default:
+        poly->SetStrips(cells);
+    }
+  }
+}
+
+std::vector<vtkIdType> Select(
+  const std::vector<vtkIdType>& values, const std::vector<vtkIdType>& indices)
+{
+  std::vector<vtkIdType> selected;
+  selected.reserve(indices.size());
+  for (const vtkIdType i : indices)
+  {
+    selected.push_back(values[i]);
+  }
+  return selected;
+}
+
+}
+
+void PackCells(
+  const MeshPart& part, const std::vector<vtkIdType>& cells, std::vector<char>& message)
+{
+  auto mesh = vtkSmartPointer<vtkPointSet>::Take(part.Mesh->NewInstance());
+  const std::vector<vtkIdType> points = TakeCells(part.Mesh, cells, {}, mesh);
+  Writer writer(message);
+  writer.Put(static_cast<vtkIdType>(vtkPolyData::SafeDownCast(mesh) ? 1 : 0));
+  PutArray(mesh->GetPoints()->GetData(), writer);
+  PutCells(mesh, writer);
+  PutAttributes(mesh->GetPointData(), writer);
+  PutAttributes(mesh->GetCellData(), writer);
+  writer.Put(Select(part.Points, points));
+  writer.Put(Select(part.Cells, cells));
+}
+
+void UnpackCells(const std::vector<char>& message, std::vector<MeshPart>& parts)
+{
+  for (Reader reader(message); !reader.IsAtEnd();)
+  {
+    MeshPart part;
+    if (reader.GetId() == 1)
+    {
+      part.Mesh = vtkSmartPointer<vtkPolyData>::New();
+    }
+    else
+    {
+      part.Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    }
+    const auto coordinates = GetArray(reader);
+    vtkNew<vtkPoints> points;
+    points->SetDataType(coordinates->GetDataType());
+    points->SetData(vtkDataArray::SafeDownCast(coordinates));
+    part.Mesh->SetPoints(points);
+    GetCells(reader, part.Mesh);
+    GetAttributes(reader, part.Mesh->GetPointData());
+    GetAttributes(reader, part.Mesh->GetCellData());
+    part.Points = reader.GetIds();
+    part.Cells = reader.GetIds();
+    parts.push_back(std::move(part));
+  }
+}
+
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PointIds.h
+ * Says which points of several meshes are one point.
+ */
+#ifndef SubdivisionObjects_PointIds_h
+#define SubdivisionObjects_PointIds_h
+
+#include "Private/Distribution/Exchange.h"
+#include "Private/Distribution/JoinedMesh.h"
+
+#include <functional>
+#include <string>
+
+namespace subdivision
+{
+
+/**
+ * Sets Points and Cells of the parts, which several ranks may have: `parts[i]` are those of
+ * partition i of this rank, and `exchange` knows the others.
+ *
+ * Points of the same global id are one point. If a part has no global ids, points of the same
+ * coordinates are, bit for bit (-0 is 0); where one part has two points at a place, these and all
+ * others there stay apart, and `warn` gets a message. Points that only duplicate (ghost) cells use
+ * get -1, as these cells do. Cells are ordered by global ids if all parts have them, each one once;
+ * else by partition, part and index. The numbers that are made here start at 0 and have no gaps.
+ *
+ * Two exchanges without global ids, at most 48 bytes for each point; else none.
+ */
+void IdentifyPoints(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
+  const std::function<void(const std::string&)>& warn);
+
+}
+
+#endif

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Partitions, simulated in one process, give the result of the whole mesh.
+#include "PartitionTools.h"
+
+#include "Private/Distribution/Distribution.h"
+#include "Private/Distribution/PointIds.h"
+#include "Private/Surface/SurfaceSubdivision.h"
+#include "Private/Uniform/UniformSubdivision.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkPolyData.h"
+#include "vtkSubdivisionModelSource.h"
+
+using namespace partition_tools;
+using namespace multi_dimensional_subdivision_tools;
+using subdivision::Block;
+
+namespace
+{
+
+struct Partition
+{
+  const char* Name;
+  int Parts;
+  int Blocks; ///< of each part
+  bool ByChance;
+  KnownBy Known;
+};
+
+const Partition Partitions[] = { { "halves", 2, 1, false, KnownBy::GlobalIds },
+  { "three slabs by coordinates", 3, 1, false, KnownBy::Coordinates },
+  { "cell by cell", 3, 1, true, KnownBy::GlobalIds },
+  { "cell by cell on many", 8, 2, true, KnownBy::GlobalIds },
+  { "blocks in one process", 1, 4, false, KnownBy::GlobalIds },
+  { "cell by cell in blocks", 1, 5, true, KnownBy::Coordinates } };
+
+std::vector<Mesh> Cut(vtkPointSet* whole, const Partition& partition)
+{
+  const int count = partition.Parts * partition.Blocks;
+  return Cut(whole, partition.ByChance ? CutByChance(whole, count, 17) : CutInSlabs(whole, count),
+    count, partition.Known);
+}
+
+/// The whole mesh as parts have it that know their points by coordinates only: its points are
+/// numbered as they come.
+Mesh Renumber(const std::vector<Mesh>& cut)
+{
+  std::vector<std::vector<subdivision::MeshPart>> parts(1);
+  for (const Mesh& mesh : cut)
+  {
+    parts[0].push_back({ mesh, 0, {}, {} });
+  }
+  subdivision::Exchange exchange;
+  IdentifyPoints(parts, exchange, [](const std::string& message) { ADD_FAILURE() << message; });
+  const Mesh whole = Join(parts[0]).Mesh;
+  whole->GetCellData()->RemoveArray(subdivision::BlockName);
+  return whole;
+}
+
+/// What a filter makes of the parts of a mesh.
+std::vector<Mesh> RunOnParts(const std::vector<Mesh>& cut, const Partition& partition,
+  bool isOfSurfaces, const subdivision::FilterWork& work)
+{
+  std::vector<std::vector<Block>> blocks(static_cast<size_t>(partition.Parts));
+  for (size_t i = 0; i < cut.size(); ++i)
+  {
+    Block block;
+    block.Input = cut[i];
+    block.Output = subdivision::MakeMesh(isOfSurfaces);
+    blocks[i / static_cast<size_t>(partition.Blocks)].push_back(block);
+  }
+  subdivision::Exchange exchange(nullptr, partition.Parts);
+  subdivision::DistributionOptions distribution;
+  distribution.IsOfSurfaces = isOfSurfaces;
+  subdivision::RunOptions options;
+  options.Warn = [](const std::string& message) { ADD_FAILURE() << message; };
+  options.Fail = options.Warn;
+  EXPECT_TRUE(
+    RunPartitions(blocks, exchange, distribution, subdivision::FilterTraits(), options, work));
+  std::vector<Mesh> outputs;
+  for (const auto& partitionBlocks : blocks)
+  {
+    for (const Block& block : partitionBlocks)
+    {
+      outputs.push_back(block.Output);
+    }
+  }
+  return outputs;
+}
+
+Mesh MakeModel(int model)
+{
+  vtkNew<vtkSubdivisionModelSource> source;
+  source->SetModel(model);
+  source->Update();
+  const Grid grid = DeepCopy(source->GetOutput());
+  AddArrays(grid);
+  NumberCells(grid);
+  return grid;
+}
+
+std::vector<Mesh> MakeMeshes()
+{
+  std::vector<Mesh> meshes;
+  for (int model = 0; model < vtkSubdivisionModelSource::NUMBER_OF_MODELS; ++model)
+  {
+    meshes.push_back(MakeModel(model));
+  }
+  const Grid box = MakeMixedBox(3);
+  AddArrays(box);
+  NumberCells(box);
+  meshes.push_back(box);
+  return meshes;
+}
+
+struct Choice
+{
+  const char* Name;
+  std::function<void(subdivision::UniformOptions&)> Set;
+};
+
+const Choice Choices[] = { { "defaults", [](subdivision::UniformOptions&) {} },
+  { "limits",
+    [](subdivision::UniformOptions& o)
+    {
+      o.ProjectToLimit = true;
+      o.GenerateClassification = true;
+    } },
+  { "normals", [](subdivision::UniformOptions& o) { o.GenerateLimitNormals = true; } },
+  { "features",
+    [](subdivision::UniformOptions& o)
+    {
+      o.Features.DetectFeatures = true;
+      o.Features.Embedded = subdivision::EmbeddedRule::SingularInside;
+    } },
+  { "sharp joints", [](subdivision::UniformOptions& o)
+    { o.Features.Type1 = o.Features.Type2 = o.Features.Type3 = subdivision::JointRule::Sharp; } } };
+
+}
+
+TEST(Partitions, GiveTheWholeUniformly)
+{
+  for (const Mesh& mesh : MakeMeshes())
+  {
+    for (const auto scheme :
+      { subdivision::StampScheme::BoxSpline, subdivision::StampScheme::TetOct })
+    {
+      for (const Choice& choice : Choices)
+      {
+        subdivision::UniformOptions options;
+        options.Levels = 2;
+        options.Scheme = scheme;
+        options.Warn = [](const std::string&) {};
+        options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
+        choice.Set(options);
+        const auto work = [&options](vtkPointSet* input, vtkPointSet* output)
+        { return SubdivideUniformly(input, options, vtkUnstructuredGrid::SafeDownCast(output)); };
+        for (const Partition& partition : Partitions)
+        {
+          const std::vector<Mesh> cut = Cut(mesh, partition);
+          const auto whole = Grid::New();
+          ASSERT_TRUE(work(partition.Known == KnownBy::Coordinates ? Renumber(cut) : mesh, whole));
+          SCOPED_TRACE(std::string(partition.Name) + ", " + choice.Name + ", mesh of " +
+            std::to_string(mesh->GetNumberOfCells()) + " cells");
+          ExpectWhole(whole, RunOnParts(cut, partition, false, work));
+          if (HasFailure())
+          {
+            return;
+          }
+        }
+      }
+    }
+  }
+}

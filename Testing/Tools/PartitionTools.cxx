@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PartitionTools.h"
+
+#include "Private/Distribution/JoinedMesh.h"
+
+#include "vtkCellData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+
+#include <cstring>
+#include <numeric>
+#include <random>
+#include <set>
+
+namespace partition_tools
+{
+namespace
+{
+
+vtkSmartPointer<vtkIdTypeArray> MakeIds(const char* name, const std::vector<vtkIdType>& values)
+{
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  ids->SetName(name);
+  for (const vtkIdType value : values)
+  {
+    ids->InsertNextValue(value);
+  }
+  return ids;
+}
+
+std::vector<vtkIdType> FindUnused(vtkPointSet* mesh)
+{
+  std::set<vtkIdType> used;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
+  {
+    mesh->GetCellPoints(c, ids);
+    used.insert(ids->begin(), ids->end());
+  }
+  std::vector<vtkIdType> unused;
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    if (used.count(p) == 0)
+    {
+      unused.push_back(p);
+    }
+  }
+  return unused;
+}
+
+/// Whether tuple i of one array is tuple k of another.
+bool IsSameTuple(vtkAbstractArray* a, vtkIdType i, vtkAbstractArray* b, vtkIdType k)
+{
+  const int components = a->GetNumberOfComponents();
+  if (auto* texts = vtkStringArray::SafeDownCast(a))
+  {
+    auto* others = vtkStringArray::SafeDownCast(b);
+    for (int c = 0; c < components; ++c)
+    {
+      if (texts->GetValue(i * components + c) != others->GetValue(k * components + c))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+  if (a->GetDataType() == VTK_BIT || !a->HasStandardMemoryLayout() || !b->HasStandardMemoryLayout())
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      if (a->GetVariantValue(i * components + c) != b->GetVariantValue(k * components + c))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+  const auto bytes = static_cast<size_t>(components * a->GetDataTypeSize());
+  return std::memcmp(static_cast<char*>(a->GetVoidPointer(0)) + static_cast<size_t>(i) * bytes,
+           static_cast<char*>(b->GetVoidPointer(0)) + static_cast<size_t>(k) * bytes, bytes) == 0;
+}
+
+/// Pairs of arrays of the same name.
+using Pairs = std::vector<std::pair<vtkAbstractArray*, vtkAbstractArray*>>;
+
+Pairs PairArrays(vtkFieldData* whole, vtkFieldData* part)
+{
+  Pairs pairs;
+  EXPECT_EQ(whole->GetNumberOfArrays(), part->GetNumberOfArrays());
+  for (int a = 0; a < whole->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* ours = whole->GetAbstractArray(a);
+    vtkAbstractArray* theirs = part->GetAbstractArray(ours->GetName());
+    EXPECT_TRUE(theirs) << ours->GetName();
+    if (theirs && std::string("OctahedronId") != ours->GetName()) // counts in the partition
+    {
+      EXPECT_EQ(ours->GetDataType(), theirs->GetDataType()) << ours->GetName();
+      pairs.emplace_back(ours, theirs);
+    }
+  }
+  return pairs;
+}
+
+std::string FindDifference(const Pairs& pairs, vtkIdType i, vtkIdType k)
+{
+  for (const auto& [ours, theirs] : pairs)
+  {
+    if (!IsSameTuple(ours, i, theirs, k))
+    {
+      return ours->GetName() ? ours->GetName() : "coordinates";
+    }
+  }
+  return std::string();
+}
+
+/// The cells of a mesh by their number, in their order.
+std::vector<std::vector<vtkIdType>> SortCells(vtkPointSet* mesh, vtkIdType numbers)
+{
+  std::vector<std::vector<vtkIdType>> cells(static_cast<size_t>(numbers));
+  vtkDataArray* array = mesh->GetCellData()->GetArray(CellName);
+  for (vtkIdType c = 0; array && c < mesh->GetNumberOfCells(); ++c)
+  {
+    cells[static_cast<size_t>(array->GetTuple1(c))].push_back(c);
+  }
+  return cells;
+}
+
+}
+
+void NumberCells(vtkPointSet* mesh)
+{
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName(CellName);
+  numbers->SetNumberOfValues(mesh->GetNumberOfCells());
+  std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + numbers->GetNumberOfValues(), 0);
+  mesh->GetCellData()->AddArray(numbers);
+}
+
+std::vector<Mesh> Cut(vtkPointSet* whole, const std::vector<int>& partOf, int parts, KnownBy known)
+{
+  std::vector<Mesh> cut;
+  for (int part = 0; part < parts; ++part)
+  {
+    std::vector<vtkIdType> cells;
+    for (size_t c = 0; c < partOf.size(); ++c)
+    {
+      if (partOf[c] == part)
+      {
+        cells.push_back(static_cast<vtkIdType>(c));
+      }
+    }
+    const auto mesh = Mesh::Take(whole->NewInstance());
+    const std::vector<vtkIdType> points = subdivision::TakeCells(
+      whole, cells, part == 0 ? FindUnused(whole) : std::vector<vtkIdType>(), mesh);
+    if (known == KnownBy::GlobalIds)
+    {
+      mesh->GetPointData()->SetGlobalIds(MakeIds("PointIds", points));
+      mesh->GetCellData()->SetGlobalIds(MakeIds("CellIds", cells));
+    }
+    cut.push_back(mesh);
+  }
+  return cut;
+}
+
+std::vector<int> CutByChance(vtkPointSet* whole, int parts, unsigned seed)
+{
+  std::mt19937 chance(seed);
+  std::vector<int> partOf(static_cast<size_t>(whole->GetNumberOfCells()));
+  for (int& part : partOf)
+  {
+    part = static_cast<int>(chance() % static_cast<unsigned>(parts));
+  }
+  return partOf;
+}
+
+std::vector<int> CutInSlabs(vtkPointSet* whole, int parts)
+{
+  double bounds[6];
+  whole->GetBounds(bounds);
+  std::vector<int> partOf;
+  for (vtkIdType c = 0; c < whole->GetNumberOfCells(); ++c)
+  {
+    double box[6];
+    whole->GetCellBounds(c, box);
+    const double at = ((box[0] + box[1]) / 2. - bounds[0]) / (bounds[1] - bounds[0]);
+    partOf.push_back(std::max(0, std::min(parts - 1, static_cast<int>(at * parts))));
+  }
+  return partOf;
+}
+
+void ExpectWhole(vtkPointSet* whole, const std::vector<Mesh>& parts)
+{
+  vtkDataArray* numbers = whole->GetCellData()->GetArray(CellName);
+  ASSERT_TRUE(numbers);
+  const auto size = static_cast<vtkIdType>(numbers->GetRange(0)[1]) + 1;
+  const std::vector<std::vector<vtkIdType>> cells = SortCells(whole, size);
+  std::vector<char> isFound(static_cast<size_t>(whole->GetNumberOfPoints()), 0);
+  std::vector<char> isTaken(static_cast<size_t>(size), 0);
+  vtkNew<vtkIdList> ours;
+  vtkNew<vtkIdList> theirs;
+  vtkIdType numberOfCells = 0;
+  for (size_t p = 0; p < parts.size(); ++p)
+  {
+    SCOPED_TRACE("part " + std::to_string(p));
+    vtkPointSet* part = parts[p];
+    if (part->GetNumberOfPoints() == 0)
+    {
+      continue;
+    }
+    numberOfCells += part->GetNumberOfCells();
+    Pairs pointArrays = PairArrays(whole->GetPointData(), part->GetPointData());
+    pointArrays.emplace_back(whole->GetPoints()->GetData(), part->GetPoints()->GetData());
+    const Pairs cellArrays = PairArrays(whole->GetCellData(), part->GetCellData());
+    std::vector<vtkIdType> pointOf(static_cast<size_t>(part->GetNumberOfPoints()), -1);
+    std::set<vtkIdType> points;
+    const std::vector<std::vector<vtkIdType>> own = SortCells(part, size);
+    for (size_t n = 0; n < own.size(); ++n)
+    {
+      if (own[n].empty())
+      {
+        continue;
+      }
+      ASSERT_FALSE(isTaken[n]) << "cell " << n << " is in several parts";
+      isTaken[n] = 1;
+      ASSERT_EQ(cells[n].size(), own[n].size()) << "of cell " << n;
+      for (size_t i = 0; i < own[n].size(); ++i)
+      {
+        whole->GetCellPoints(cells[n][i], ours);
+        part->GetCellPoints(own[n][i], theirs);
+        ASSERT_EQ(whole->GetCellType(cells[n][i]), part->GetCellType(own[n][i]));
+        ASSERT_EQ(ours->GetNumberOfIds(), theirs->GetNumberOfIds());
+        ASSERT_EQ(std::string(), FindDifference(cellArrays, cells[n][i], own[n][i]))
+          << "cell " << cells[n][i];
+        for (vtkIdType k = 0; k < ours->GetNumberOfIds(); ++k)
+        {
+          vtkIdType& point = pointOf[theirs->GetId(k)];
+          if (point < 0)
+          {
+            point = ours->GetId(k);
+            isFound[point] = 1;
+            ASSERT_TRUE(points.insert(point).second) << "point " << point << " is there twice";
+            ASSERT_EQ(std::string(), FindDifference(pointArrays, point, theirs->GetId(k)))
+              << "point " << point;
+          }
+          ASSERT_EQ(point, ours->GetId(k));
+        }
+      }
+    }
+  }
+  EXPECT_EQ(whole->GetNumberOfCells(), numberOfCells);
+  for (const vtkIdType point : FindUnused(whole))
+  {
+    isFound[point] = 1;
+  }
+  EXPECT_EQ(0, std::count(isFound.begin(), isFound.end(), 0));
+}
+
+}
