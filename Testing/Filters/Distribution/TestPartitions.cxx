@@ -137,6 +137,77 @@ const Choice Choices[] = { { "defaults", [](subdivision::UniformOptions&) {} },
   { "sharp joints", [](subdivision::UniformOptions& o)
     { o.Features.Type1 = o.Features.Type2 = o.Features.Type3 = subdivision::JointRule::Sharp; } } };
 
+/// The surfaces, curves and points of a mesh.
+Mesh MakeSurface(vtkPointSet* mesh)
+{
+  vtkNew<vtkDataSetSurfaceFilter> skin;
+  skin->SetInputData(mesh);
+  skin->Update();
+  const auto surface = Mesh::Take(vtkPolyData::New());
+  surface->DeepCopy(skin->GetOutput());
+  NumberCells(surface);
+  return surface;
+}
+
+struct SurfaceChoice
+{
+  const char* Name;
+  std::function<void(subdivision::SurfaceOptions&)> Set;
+};
+
+const SurfaceChoice SurfaceChoices[] = { { "defaults", [](subdivision::SurfaceOptions&) {} },
+  { "limits",
+    [](subdivision::SurfaceOptions& o)
+    {
+      o.ProjectToLimit = true;
+      o.GenerateTangents = true;
+    } },
+  { "features", [](subdivision::SurfaceOptions& o)
+    {
+      o.Features.DetectFeatures = true;
+      o.Features.Type1 = o.Features.Type2 = o.Features.Type3 = subdivision::JointRule::Sharp;
+    } } };
+
+}
+
+TEST(Partitions, GiveTheWholeOfSurfaces)
+{
+  for (const Mesh& mesh : MakeMeshes())
+  {
+    const Mesh surface = MakeSurface(mesh);
+    for (int scheme = 0; scheme < 7; ++scheme)
+    {
+      for (const SurfaceChoice& choice : SurfaceChoices)
+      {
+        subdivision::SurfaceOptions options;
+        options.Levels = 3;
+        options.Scheme = static_cast<subdivision::SurfaceSchemeKind>(scheme);
+        options.Warn = [](const std::string&) {};
+        options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
+        choice.Set(options);
+        const auto work = [&options](vtkPointSet* input, vtkPointSet* output)
+        {
+          return SubdivideSurface(
+            vtkPolyData::SafeDownCast(input), options, vtkPolyData::SafeDownCast(output));
+        };
+        for (const Partition& partition : Partitions)
+        {
+          const std::vector<Mesh> cut = Cut(surface, partition);
+          const auto whole = Mesh::Take(vtkPolyData::New());
+          ASSERT_TRUE(
+            work(partition.Known == KnownBy::Coordinates ? Renumber(cut) : surface, whole));
+          SCOPED_TRACE(std::string(partition.Name) + ", " + choice.Name + ", scheme " +
+            std::to_string(scheme) + ", mesh of " + std::to_string(surface->GetNumberOfCells()) +
+            " cells");
+          ExpectWhole(whole, RunOnParts(cut, partition, true, work));
+          if (HasFailure())
+          {
+            return;
+          }
+        }
+      }
+    }
+  }
 }
 
 TEST(Partitions, GiveTheWholeUniformly)
