@@ -13,22 +13,6 @@ vtkStandardNewMacro(vtkAdaptiveSurfaceSubdivision);
 vtkAdaptiveSurfaceSubdivision::vtkAdaptiveSurfaceSubdivision() = default;
 vtkAdaptiveSurfaceSubdivision::~vtkAdaptiveSurfaceSubdivision() = default;
 
-int vtkAdaptiveSurfaceSubdivision::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-    return 1;
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
-}
-
-int vtkAdaptiveSurfaceSubdivision::FillOutputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
-  return 1;
-}
-
 int vtkAdaptiveSurfaceSubdivision::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRefinementAlgorithm.h"
 
+#include "Private/ArrayNames.h"
 #include "Private/Control/RunOptions.h"
 #include "Private/Criteria/RefinementInput.h"
 #include "Private/Criteria/RefinementSelection.h"
 
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkSelection.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 
@@ -108,9 +112,35 @@ void vtkRefinementAlgorithm::FindSelected(vtkDataObject* input)
   }
 }
 
+/// Writes the selection into the block, so that it can be found in the joined mesh.
+void vtkRefinementAlgorithm::Prepare(vtkPointSet* block, vtkPointSet* copy)
+{
+  if (!this->RefineBySelection)
+  {
+    return;
+  }
+  subdivision::RefinementOptions criteria;
+  this->ReadSelection(block, criteria);
+  vtkNew<vtkUnsignedCharArray> selected;
+  selected->SetName(subdivision::SelectedName);
+  selected->SetNumberOfValues(copy->GetNumberOfCells());
+  selected->FillValue(0);
+  std::copy(criteria.Selected.begin(), criteria.Selected.end(), selected->GetPointer(0));
+  copy->GetCellData()->AddArray(selected);
+}
+
 void vtkRefinementAlgorithm::ReadSelection(
   vtkPointSet* input, subdivision::RefinementOptions& criteria)
 {
+  auto* joined =
+    vtkUnsignedCharArray::SafeDownCast(input->GetCellData()->GetArray(subdivision::SelectedName));
+  if (joined)
+  {
+    criteria.Selected.assign(
+      joined->GetPointer(0), joined->GetPointer(0) + joined->GetNumberOfValues());
+    return;
+  }
+  criteria.Selected.clear(); // of the block before
   if (!this->IsComposite)
   {
     this->FindSelected(input);

@@ -245,6 +245,7 @@ protected:
   ~vtkRefinementAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  void Prepare(vtkPointSet* block, vtkPointSet* copy) override;
 
   /// Does what RequestData has in common in these filters: reads the criteria into `criteria`, then
   /// calls `refine`; all else as Run of the superclass.

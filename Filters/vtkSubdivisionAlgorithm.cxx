@@ -2,35 +2,75 @@
 #include "vtkSubdivisionAlgorithm.h"
 
 #include "Private/ArrayNames.h"
-#include "Private/Control/FilterRun.h"
+#include "Private/Distribution/Distribution.h"
 #include "Private/Reading/InputArrays.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkPointSet.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
-vtkSubdivisionAlgorithm::vtkSubdivisionAlgorithm() = default;
+vtkSubdivisionAlgorithm::vtkSubdivisionAlgorithm()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+}
 vtkSubdivisionAlgorithm::~vtkSubdivisionAlgorithm() = default;
+
+void vtkSubdivisionAlgorithm::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkSubdivisionAlgorithm::GetController() const
+{
+  return this->Controller;
+}
 
 int vtkSubdivisionAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  if (!this->IsOfSurfaces())
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  }
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  // Without this VTK would run the filter once for each block.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   return 1;
 }
 
+/// RequestDataObject makes the output, which may be a composite data set.
 int vtkSubdivisionAlgorithm::FillOutputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkUnstructuredGrid");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
   return 1;
 }
 
 int vtkSubdivisionAlgorithm::RequestDataObject(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  subdivision::RequestOutput(
+    vtkDataObject::GetData(inputVector[0]), this->IsOfSurfaces(), outputVector);
+  return 1;
+}
+
+/// Other ranks are asked for their cells in another way.
+int vtkSubdivisionAlgorithm::ComputeInputUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  if (info && this->JoinBlocks && this->Controller && this->Controller->GetNumberOfProcesses() > 1)
+  {
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
   return 1;
 }
 
@@ -43,8 +83,16 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   traits.Ghosts = ghosts;
   traits.Memory = memory;
   subdivision::ReadSharedOptions(this, options);
-  return subdivision::RunFilter<vtkPointSet, vtkPointSet>(this, inputVector, outputVector, traits,
-    options, [&](vtkPointSet* input, vtkPointSet* output)
+  subdivision::DistributionOptions distribution;
+  distribution.JoinBlocks = this->JoinBlocks;
+  distribution.Controller = this->Controller;
+  distribution.IsOfSurfaces = this->IsOfSurfaces();
+  distribution.AddBlockIndex = this->PreserveInterfaces;
+  distribution.Prepare = [this](vtkPointSet* block, vtkPointSet* copy)
+  { this->Prepare(block, copy); };
+  return subdivision::RunDistributed(this, vtkDataObject::GetData(inputVector[0]),
+    vtkDataObject::GetData(outputVector), distribution, traits, options,
+    [&](vtkPointSet* input, vtkPointSet* output)
     { return this->ReadFeatureOptions(input, options) && run(input, output); });
 }
 
@@ -69,6 +117,10 @@ bool vtkSubdivisionAlgorithm::ReadFeatureOptions(vtkPointSet* input, subdivision
   options.Part = arrays[PART_ARRAY];
   options.Rules = arrays[RULE_ARRAY];
   options.Sharpness = arrays[SHARPNESS_ARRAY];
+  if (this->PreserveInterfaces && !options.Material) // blocks that are joined
+  {
+    options.Material = input->GetCellData()->GetArray(subdivision::BlockIndexName);
+  }
   if (this->PreserveInterfaces && !options.Material)
   {
     run.Fail("PreserveInterfaces needs a cell array of materials: set array index 1, or name the "
@@ -102,4 +154,6 @@ void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Type1Rule: " << this->Type1Rule << "\n";
   os << indent << "Type2Rule: " << this->Type2Rule << "\n";
   os << indent << "Type3Rule: " << this->Type3Rule << "\n";
+  os << indent << "JoinBlocks: " << this->JoinBlocks << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
 }

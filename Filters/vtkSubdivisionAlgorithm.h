@@ -61,11 +61,13 @@
 #define vtkSubdivisionAlgorithm_h
 
 #include "vtkPointSetAlgorithm.h"
+#include "vtkSmartPointer.h"             // for vtkSmartPointer
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 
 #include <functional> // for std::function
 #include <string>     // for std::string
 
+class vtkMultiProcessController;
 class vtkPointSet;
 namespace subdivision
 {
@@ -243,15 +245,41 @@ public:
   void SetType3RuleToSharp() { this->SetType3Rule(TYPE3_SHARP); }
   ///@}
 
+  ///@{
+  /**
+   * Whether the blocks of a composite input that share points are one mesh, and likewise the
+   * partitions that the ranks of the Controller have. If off, every block of every rank is worked
+   * on by itself, and its border is a boundary. On by default.
+   */
+  vtkSetMacro(JoinBlocks, bool);
+  vtkGetMacro(JoinBlocks, bool);
+  vtkBooleanMacro(JoinBlocks, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The ranks that have partitions of the input; all of them have to update the filter. Null: this
+   * process has the whole input. The default is the global controller when the filter is made.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  ///@}
+
 protected:
   vtkSubdivisionAlgorithm();
   ~vtkSubdivisionAlgorithm() override;
 
-  /// A vtkUnstructuredGrid or vtkPolyData in, a vtkUnstructuredGrid out. The pipeline makes the
-  /// output by this type; it need not be that of the input.
+  /// Whether the filter reads and writes vtkPolyData. Others read vtkUnstructuredGrid too, and
+  /// write that.
+  virtual bool IsOfSurfaces() const { return false; }
+  /// Adds what a filter knows of a block of the input to `copy`, which is joined with other blocks.
+  virtual void Prepare(vtkPointSet*, vtkPointSet*) {}
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int ComputeInputUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   /// Indices of SetInputArrayToProcess that mean the same in every filter.
@@ -287,6 +315,8 @@ protected:
   int Type1Rule = TYPE1_BLEND;
   int Type2Rule = TYPE2_BLEND;
   int Type3Rule = TYPE3_BLEND;
+  bool JoinBlocks = true;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
   vtkSubdivisionAlgorithm(const vtkSubdivisionAlgorithm&) = delete;

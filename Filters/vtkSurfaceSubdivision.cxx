@@ -47,18 +47,6 @@ vtkIdType vtkSurfaceSubdivision::GetNumberOfTopologyBuilds() const
   return this->Cache->NumberOfBuilds;
 }
 
-int vtkSurfaceSubdivision::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  return 1;
-}
-
-int vtkSurfaceSubdivision::FillOutputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
-  return 1;
-}
-
 bool vtkSurfaceSubdivision::ReadArrays(vtkPointSet* input, subdivision::SurfaceOptions& options)
 {
   auto find = [&](const subdivision::ArrayRequest& request, auto& result)

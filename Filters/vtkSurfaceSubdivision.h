@@ -309,8 +309,7 @@ protected:
   vtkSurfaceSubdivision();
   ~vtkSurfaceSubdivision() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  bool IsOfSurfaces() const override { return true; }
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -12,6 +12,8 @@ namespace subdivision
 constexpr const char* OriginalPointIdsName = "vtkOriginalPointIds";
 constexpr const char* OriginalCellIdsName = "vtkOriginalCellIds";
 constexpr const char* SingularName = "Singular";
+/// The cell array with the selected cells of a mesh that is joined of several blocks.
+constexpr const char* SelectedName = "SubdivisionSelected";
 constexpr const char* LimitNormalsName = "LimitNormals";
 /// The field array of the stamp. The names of the other field arrays that belong to a stamp of
 /// Stamp.h or SurfaceStamp.h begin with it.

@@ -41,25 +41,6 @@ bool BelongsToStamp(const char* name)
   return name && std::string(name).compare(0, std::string(StampName).size(), StampName) == 0;
 }
 
-Block MakeBlock(vtkPointSet* input, bool isOfSurfaces, bool addIndex, unsigned int index)
-{
-  Block block;
-  block.Input = input;
-  block.Output = MakeMesh(isOfSurfaces);
-  block.CompositeIndex = index;
-  if (addIndex && !input->GetCellData()->HasArray(BlockIndexName))
-  {
-    block.Input = vtkSmartPointer<vtkPointSet>::Take(input->NewInstance());
-    block.Input->ShallowCopy(input);
-    vtkNew<vtkIntArray> indices;
-    indices->SetName(BlockIndexName);
-    indices->SetNumberOfValues(input->GetNumberOfCells());
-    indices->FillValue(static_cast<int>(index));
-    block.Input->GetCellData()->AddArray(indices);
-  }
-  return block;
-}
-
 vtkSmartPointer<vtkIdTypeArray> MakeIds(const char* name, const std::vector<vtkIdType>& values)
 {
   auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
@@ -147,6 +128,19 @@ void CountInBlock(const char* name, const std::vector<JoinedArray>& arrays,
   }
 }
 
+/// Gives the points the type of those of a block: single precision or double.
+void SetPrecision(int type, vtkPointSet* output)
+{
+  vtkDataArray* have = output->GetPoints()->GetData();
+  if ((type == VTK_FLOAT || type == VTK_DOUBLE) && have->GetDataType() != type)
+  {
+    const auto wanted = MakeArray(type, 3, have->GetNumberOfTuples());
+    wanted->DeepCopy(have);
+    output->GetPoints()->SetDataType(type);
+    output->GetPoints()->SetData(wanted);
+  }
+}
+
 void AddFieldData(vtkFieldData* from, bool withStamp, vtkFieldData* to)
 {
   for (int a = 0; a < from->GetNumberOfArrays(); ++a)
@@ -193,8 +187,8 @@ vtkSmartPointer<vtkPointSet> MakeMesh(bool isOfSurfaces)
   return vtkSmartPointer<vtkUnstructuredGrid>::New();
 }
 
-std::vector<Block> GetBlocks(vtkDataObject* input, bool isOfSurfaces, bool addIndex,
-  const std::function<void(const std::string&)>& warn)
+std::vector<Block> GetBlocks(
+  vtkDataObject* input, bool isOfSurfaces, const std::function<void(const std::string&)>& warn)
 {
   std::vector<Block> blocks;
   auto add = [&](vtkDataObject* data, unsigned int index)
@@ -208,7 +202,7 @@ std::vector<Block> GetBlocks(vtkDataObject* input, bool isOfSurfaces, bool addIn
     }
     else if (mesh->GetPoints())
     {
-      blocks.push_back(MakeBlock(mesh, isOfSurfaces, addIndex, index));
+      blocks.push_back({ mesh, MakeMesh(isOfSurfaces), index });
     }
   };
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
@@ -226,6 +220,29 @@ std::vector<Block> GetBlocks(vtkDataObject* input, bool isOfSurfaces, bool addIn
     add(iterator->GetCurrentDataObject(), iterator->GetCurrentFlatIndex());
   }
   return blocks;
+}
+
+void PrepareBlocks(std::vector<Block>& blocks, bool addIndex,
+  const std::function<void(vtkPointSet*, vtkPointSet*)>& prepare)
+{
+  for (Block& block : blocks)
+  {
+    const vtkSmartPointer<vtkPointSet> original = block.Input;
+    block.Input = vtkSmartPointer<vtkPointSet>::Take(original->NewInstance());
+    block.Input->ShallowCopy(original);
+    if (addIndex)
+    {
+      vtkNew<vtkIntArray> indices;
+      indices->SetName(BlockIndexName);
+      indices->SetNumberOfValues(block.Input->GetNumberOfCells());
+      indices->FillValue(static_cast<int>(block.CompositeIndex));
+      block.Input->GetCellData()->AddArray(indices);
+    }
+    if (prepare)
+    {
+      prepare(original, block.Input);
+    }
+  }
 }
 
 void SetOutputs(
@@ -278,7 +295,8 @@ void AddPointBlocks(const std::vector<MeshPart>& parts, JoinedMesh& joined)
   joined.Mesh->GetPointData()->AddArray(blocks);
 }
 
-void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, int block, std::vector<Block>& blocks)
+void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision, int block,
+  std::vector<Block>& blocks)
 {
   const std::vector<vtkIdType> cells = FindCellsOfBlock(whole, block);
   std::vector<vtkIdType> kept;
@@ -291,7 +309,13 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, int block, std::ve
   }
   vtkPointSet* output = blocks[block].Output;
   const std::vector<vtkIdType> points = TakeCells(whole, cells, kept, output);
+  if (ownPrecision)
+  {
+    SetPrecision(blocks[block].Input->GetPoints()->GetDataType(), output);
+  }
   output->GetPointData()->RemoveArray(PointBlockName);
+  output->GetCellData()->RemoveArray(SelectedName);
+  output->GetCellData()->RemoveArray(BlockIndexName);
   RestoreArrays(joined.PointArrays, block, output->GetPointData());
   RestoreArrays(joined.CellArrays, block, output->GetCellData());
   CountInBlock(

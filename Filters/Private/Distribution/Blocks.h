@@ -17,7 +17,7 @@ namespace subdivision
 {
 
 /// The cell array with the composite index of the block that a cell is from.
-constexpr const char* BlockIndexName = "BlockIndex";
+constexpr const char* BlockIndexName = "SubdivisionBlockIndex";
 
 /// A block, or the whole input where it is no composite data set.
 struct Block
@@ -31,10 +31,14 @@ struct Block
 vtkSmartPointer<vtkPointSet> MakeMesh(bool isOfSurfaces);
 
 /// The blocks of a data object that have points; null: none. `isOfSurfaces`: vtkPolyData only, else
-/// vtkUnstructuredGrid too; `warn` is told of other blocks. `addIndex` adds the cell array
-/// BlockIndexName.
-std::vector<Block> GetBlocks(vtkDataObject* input, bool isOfSurfaces, bool addIndex,
-  const std::function<void(const std::string&)>& warn);
+/// vtkUnstructuredGrid too; `warn` is told of other blocks.
+std::vector<Block> GetBlocks(
+  vtkDataObject* input, bool isOfSurfaces, const std::function<void(const std::string&)>& warn);
+
+/// Replaces inputs by copies with further arrays: with `addIndex` the cell array
+/// BlockIndexName, and what `prepare` adds to the copy.
+void PrepareBlocks(std::vector<Block>& blocks, bool addIndex,
+  const std::function<void(vtkPointSet*, vtkPointSet*)>& prepare);
 
 /// Writes the outputs of the blocks: into a composite data set of the structure of `input`, in
 /// which a block without points is empty, or, if `input` is a single mesh, into `output` itself.
@@ -46,9 +50,9 @@ void AddPointBlocks(const std::vector<MeshPart>& parts, JoinedMesh& joined);
 
 /// Writes the output of a block: its cells and points of `whole`, with the arrays that the block
 /// had and those that the filter made, original ids that count the block's own points and cells,
-/// and its field data.
-void TakeOutput(
-  const JoinedMesh& joined, vtkPointSet* whole, int block, std::vector<Block>& blocks);
+/// and its field data. `ownPrecision`: the points have the type that they have in the block.
+void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision, int block,
+  std::vector<Block>& blocks);
 
 /// If an earlier filter made all blocks in one run, gives points and cells the ids that they had in
 /// it, and returns true.

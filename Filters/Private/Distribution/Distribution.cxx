@@ -4,7 +4,12 @@
 #include "Private/Distribution/Layers.h"
 #include "Private/Distribution/PointIds.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPointSet.h"
 
@@ -64,10 +69,30 @@ bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchan
     joined.Mesh = nullptr;
     for (size_t b = 0; b < partitions[p].size() && done; ++b)
     {
-      TakeOutput(joined, whole, static_cast<int>(b), partitions[p]);
+      TakeOutput(joined, whole, options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION,
+        static_cast<int>(b), partitions[p]);
     }
   }
   return exchange.Agree(done);
+}
+
+void RequestOutput(vtkDataObject* input, bool isOfSurfaces, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkDataObject* output = info->Get(vtkDataObject::DATA_OBJECT());
+  vtkSmartPointer<vtkDataObject> wanted;
+  if (vtkDataObjectTree::SafeDownCast(input))
+  {
+    wanted.TakeReference(input->NewInstance());
+  }
+  else
+  {
+    wanted = MakeMesh(isOfSurfaces);
+  }
+  if (!output || output->GetDataObjectType() != wanted->GetDataObjectType())
+  {
+    info->Set(vtkDataObject::DATA_OBJECT(), wanted);
+  }
 }
 
 int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* output,
@@ -76,18 +101,18 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   const int ranks = distribution.Controller ? distribution.Controller->GetNumberOfProcesses() : 1;
-  if (!composite && ranks == 1)
+  if (!composite && (ranks == 1 || !distribution.JoinBlocks))
   {
     return RunFilter(filter, vtkPointSet::SafeDownCast(input), vtkPointSet::SafeDownCast(output),
       traits, options, work);
   }
   bool failed = false;
   ConnectToFilter(filter, options, failed);
-  std::vector<Block> blocks =
-    GetBlocks(input, distribution.IsOfSurfaces, distribution.AddBlockIndex, options.Warn);
+  std::vector<Block> blocks = GetBlocks(input, distribution.IsOfSurfaces, options.Warn);
   bool done = true;
-  if (distribution.JoinBlocks || ranks > 1)
+  if (distribution.JoinBlocks)
   {
+    PrepareBlocks(blocks, composite && distribution.AddBlockIndex, distribution.Prepare);
     Exchange exchange(distribution.Controller);
     std::vector<std::vector<Block>> partitions = { std::move(blocks) };
     done = RunPartitions(partitions, exchange, distribution, traits, options, work);
@@ -97,6 +122,7 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
   {
     for (Block& block : blocks)
     {
+      block.Output->GetFieldData()->PassData(block.Input->GetFieldData());
       done = done && DoWork(block.Input, block.Output, traits, options, work);
     }
   }

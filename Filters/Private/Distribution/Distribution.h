@@ -14,6 +14,7 @@
 #include <string>
 
 class vtkDataObject;
+class vtkInformationVector;
 class vtkMultiProcessController;
 
 namespace subdivision
@@ -33,7 +34,13 @@ struct DistributionOptions
   bool IsOfSurfaces = false;
   /// Whether to add the array BlockIndexName.
   bool AddBlockIndex = false;
+  /// Adds to a copy of a block, which is its second argument, what the filter knows of the block.
+  std::function<void(vtkPointSet*, vtkPointSet*)> Prepare;
 };
+
+/// Gives the pipeline the data object for the output: a composite data set of the class of the
+/// input, if that is one, else a mesh.
+void RequestOutput(vtkDataObject* input, bool isOfSurfaces, vtkInformationVector* outputVector);
 
 /**
  * Runs a filter on an input of any kind: a single mesh, or a composite data set, whose output has

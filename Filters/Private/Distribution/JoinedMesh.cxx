@@ -137,11 +137,11 @@ vtkSmartPointer<vtkPoints> JoinPoints(
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataType(type == VTK_VOID ? VTK_FLOAT : type);
   points->SetNumberOfPoints(static_cast<vtkIdType>(items.size()));
-  vtkDataArray* data = points->GetData();
   for (size_t i = 0; i < items.size(); ++i)
   {
-    data->SetTuple(
-      static_cast<vtkIdType>(i), items[i].Index, parts[items[i].Part].Mesh->GetPoints()->GetData());
+    double at[3];
+    parts[items[i].Part].Mesh->GetPoint(items[i].Index, at);
+    points->SetPoint(static_cast<vtkIdType>(i), at);
   }
   return points;
 }

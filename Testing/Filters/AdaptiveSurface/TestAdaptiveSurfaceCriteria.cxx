@@ -156,6 +156,7 @@ TEST(AdaptiveSurfaceSelection, OfABlock)
   vtkNew<Filter> filter;
   vtkNew<vtkCompositeDataPipeline> executive;
   filter->SetExecutive(executive);
+  filter->JoinBlocksOff();
   messages->Watch(filter);
   filter->SetInputDataObject(blocks);
   filter->RefineByAttributeErrorOff();

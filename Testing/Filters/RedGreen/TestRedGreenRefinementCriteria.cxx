@@ -251,6 +251,7 @@ TEST(RedGreenCriteria, ASelectionKnowsTheBlocks)
   vtkNew<Filter> filter;
   vtkNew<vtkCompositeDataPipeline> executive;
   filter->SetExecutive(executive);
+  filter->JoinBlocksOff();
   vtkNew<Messages> messages;
   messages->Watch(filter);
   filter->SetInputDataObject(blocks);

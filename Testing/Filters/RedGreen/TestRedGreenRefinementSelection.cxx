@@ -396,6 +396,7 @@ std::vector<vtkIdType> RunBlocks(vtkSelection* selection, Messages* messages)
   vtkNew<Filter> filter;
   vtkNew<vtkCompositeDataPipeline> executive;
   filter->SetExecutive(executive);
+  filter->JoinBlocksOff();
   messages->Watch(filter);
   filter->SetInputDataObject(MakeBlocks());
   filter->RefineByAttributeErrorOff();

@@ -209,6 +209,7 @@ TEST(MultiDimensionalSubdivisionComposite, EveryBlockByItself)
   vtkNew<vtkMultiDimensionalSubdivision> filter;
   vtkNew<vtkCompositeDataPipeline> executive;
   filter->SetExecutive(executive);
+  filter->JoinBlocksOff();
   messages->Watch(filter);
   filter->SetInputData(blocks);
   filter->SetNumberOfLevels(2);

@@ -26,6 +26,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<Grid>& grids)
 
 void ExpectBlocks(Kept& filter, const std::vector<Grid>& grids, const Configure& configure = {})
 {
+  filter->JoinBlocksOff();
   filter->SetInputDataObject(MakeBlocks(grids));
   filter->Update();
   auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Blocks of a composite data set that share points are one mesh.
+#include "FeatureTools.h"
+#include "PartitionTools.h"
+
+#include "vtkAdaptiveSurfaceSubdivision.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRedGreenRefinement.h"
+#include "vtkSimplicialComplexTopology.h"
+#include "vtkSurfaceSubdivision.h"
+
+using namespace partition_tools;
+using namespace multi_dimensional_subdivision_tools;
+
+namespace
+{
+
+Grid MakeBox(int n)
+{
+  const Grid box = MakeMixedBox(n);
+  AddArrays(box);
+  NumberCells(box);
+  return box;
+}
+
+vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<Mesh>& meshes)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (const Mesh& mesh : meshes)
+  {
+    blocks->SetBlock(blocks->GetNumberOfBlocks(), mesh);
+  }
+  return blocks;
+}
+
+std::vector<Mesh> GetLeaves(vtkDataObject* data)
+{
+  std::vector<Mesh> leaves;
+  auto* tree = vtkDataObjectTree::SafeDownCast(data);
+  if (!tree)
+  {
+    ADD_FAILURE() << "no composite data set";
+    return leaves;
+  }
+  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    leaves.push_back(vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject()));
+  }
+  return leaves;
+}
+
+template <typename Filter>
+vtkSmartPointer<vtkDataObject> RunFilterOn(Filter* filter, vtkDataObject* input)
+{
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputDataObject(input);
+  filter->Update();
+  EXPECT_TRUE(messages->Errors.empty());
+  for (const std::string& warning : messages->Warnings)
+  {
+    if (warning.find("more than three points") == std::string::npos) // of the skins
+    {
+      ADD_FAILURE() << warning;
+    }
+  }
+  vtkSmartPointer<vtkDataObject> output = filter->GetOutputDataObject(0);
+  return output;
+}
+
+/// The blocks of a mesh give what the whole gives, by a filter that `make` makes.
+template <typename Make>
+void ExpectBlocksAreWhole(vtkPointSet* mesh, const Make& make)
+{
+  const std::vector<Mesh> cut = Cut(mesh, CutByChance(mesh, 4, 5), 4, KnownBy::GlobalIds);
+  const auto whole = RunFilterOn(make().Get(), mesh);
+  const auto parts = RunFilterOn(make().Get(), MakeBlocks(cut));
+  ExpectWhole(vtkPointSet::SafeDownCast(whole), GetLeaves(parts));
+}
+
+vtkSmartPointer<vtkMultiDimensionalSubdivision> MakeUniform(int levels)
+{
+  auto filter = vtkSmartPointer<vtkMultiDimensionalSubdivision>::New();
+  filter->SetNumberOfLevels(levels);
+  return filter;
+}
+
+Mesh MakeSkin(vtkPointSet* mesh)
+{
+  vtkNew<vtkDataSetSurfaceFilter> skin;
+  skin->SetInputData(mesh);
+  skin->Update();
+  const auto surface = Mesh::Take(vtkPolyData::New());
+  surface->DeepCopy(skin->GetOutput());
+  NumberCells(surface);
+  return surface;
+}
+
+}
+
+TEST(Blocks, AreOneMeshForEveryFilter)
+{
+  const Grid box = MakeBox(2);
+  ExpectBlocksAreWhole(box, [] { return MakeUniform(2); });
+  for (const bool limit : { false, true })
+  {
+    ExpectBlocksAreWhole(box,
+      [limit]
+      {
+        auto filter = vtkSmartPointer<vtkRedGreenRefinement>::New();
+        filter->RefineByAttributeErrorOff();
+        filter->RefineByEdgeLengthOn();
+        filter->SetMaximumEdgeLength(0.4);
+        filter->SetPlacement(limit);
+        return filter;
+      });
+  }
+  const Mesh skin = MakeSkin(box);
+  ExpectBlocksAreWhole(skin, [] { return vtkSmartPointer<vtkSurfaceSubdivision>::New(); });
+  ExpectBlocksAreWhole(skin,
+    []
+    {
+      auto filter = vtkSmartPointer<vtkAdaptiveSurfaceSubdivision>::New();
+      filter->RefineByAttributeErrorOff();
+      filter->RefineByEdgeLengthOn();
+      filter->SetMaximumEdgeLength(0.4);
+      return filter;
+    });
+}
+
+TEST(Blocks, FiltersInARowAreOne)
+{
+  const Grid box = MakeBox(2);
+  const std::vector<Mesh> cut = Cut(box, CutInSlabs(box, 3), 3, KnownBy::GlobalIds);
+  const auto once = RunFilterOn(MakeUniform(3).Get(), box);
+  vtkSmartPointer<vtkDataObject> blocks = MakeBlocks(cut);
+  for (int i = 0; i < 3; ++i)
+  {
+    blocks = RunFilterOn(MakeUniform(1).Get(), blocks);
+  }
+  ExpectWhole(vtkPointSet::SafeDownCast(once), GetLeaves(blocks));
+}
+
+TEST(Blocks, StructureNamesAndFieldDataAreKept)
+{
+  const Grid box = MakeBox(2);
+  const std::vector<Mesh> cut = Cut(box, CutInSlabs(box, 3), 3, KnownBy::Coordinates);
+  vtkNew<vtkDoubleArray> time;
+  time->SetName("Time");
+  time->InsertNextValue(3.);
+  cut[1]->GetFieldData()->AddArray(time);
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, cut[0]);
+  inner->SetBlock(2, cut[1]);
+  inner->GetMetaData(2u)->Set(vtkCompositeDataSet::NAME(), "rock");
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(1, inner);
+  blocks->SetBlock(2, cut[2]);
+  vtkNew<vtkIntArray> run;
+  run->SetName("Run");
+  run->InsertNextValue(7);
+  blocks->GetFieldData()->AddArray(run);
+
+  const auto output = RunFilterOn(MakeUniform(1).Get(), blocks);
+  auto* all = vtkMultiBlockDataSet::SafeDownCast(output);
+  ASSERT_TRUE(all);
+  EXPECT_EQ(3u, all->GetNumberOfBlocks());
+  EXPECT_FALSE(all->GetBlock(0));
+  EXPECT_TRUE(all->GetFieldData()->HasArray("Run"));
+  auto* innerOutput = vtkMultiBlockDataSet::SafeDownCast(all->GetBlock(1));
+  ASSERT_TRUE(innerOutput);
+  EXPECT_EQ(3u, innerOutput->GetNumberOfBlocks());
+  EXPECT_STREQ("rock", innerOutput->GetMetaData(2u)->Get(vtkCompositeDataSet::NAME()));
+  EXPECT_TRUE(innerOutput->GetBlock(2)->GetFieldData()->HasArray("Time"));
+  EXPECT_FALSE(innerOutput->GetBlock(0)->GetFieldData()->HasArray("Time"));
+  EXPECT_EQ(3u, GetLeaves(all).size());
+}
+
+TEST(Blocks, OfPartitionedCollections)
+{
+  const Grid box = MakeBox(2);
+  const std::vector<Mesh> cut = Cut(box, CutByChance(box, 3, 1), 3, KnownBy::GlobalIds);
+  vtkNew<vtkPartitionedDataSet> first;
+  first->SetPartition(0, cut[0]);
+  first->SetPartition(1, cut[1]);
+  vtkNew<vtkPartitionedDataSet> second;
+  second->SetPartition(0, cut[2]);
+  vtkNew<vtkPartitionedDataSetCollection> all;
+  all->SetPartitionedDataSet(0, first);
+  all->SetPartitionedDataSet(1, second);
+  const auto whole = RunFilterOn(MakeUniform(1).Get(), box);
+  const auto output = RunFilterOn(MakeUniform(1).Get(), all);
+  EXPECT_TRUE(vtkPartitionedDataSetCollection::SafeDownCast(output));
+  ExpectWhole(vtkPointSet::SafeDownCast(whole), GetLeaves(output));
+}
+
+TEST(Blocks, KeepArraysThatOthersDoNotHave)
+{
+  const Grid box = MakeMixedBox(2);
+  const std::vector<Mesh> cut = Cut(box, CutInSlabs(box, 2), 2, KnownBy::GlobalIds);
+  auto constant = MakeArray<vtkDoubleArray>("Only", 2, cut[0]->GetNumberOfPoints(), 0., 0., 1);
+  constant->Fill(5.);
+  cut[0]->GetPointData()->AddArray(constant);
+  // The same name, another type.
+  cut[0]->GetCellData()->AddArray(
+    MakeArray<vtkDoubleArray>("Both", 1, cut[0]->GetNumberOfCells(), 0., 1., 1));
+  cut[1]->GetCellData()->AddArray(
+    MakeArray<vtkIntArray>("Both", 1, cut[1]->GetNumberOfCells(), 0., 9., 1));
+  const std::vector<Mesh> leaves = GetLeaves(RunFilterOn(MakeUniform(2).Get(), MakeBlocks(cut)));
+  ASSERT_EQ(2u, leaves.size());
+  vtkDataArray* only = leaves[0]->GetPointData()->GetArray("Only");
+  ASSERT_TRUE(only);
+  EXPECT_FALSE(leaves[1]->GetPointData()->HasArray("Only"));
+  for (int c = 0; c < 2; ++c) // up to the border of the block
+  {
+    EXPECT_NEAR(5., only->GetRange(c)[0], 1e-12);
+    EXPECT_NEAR(5., only->GetRange(c)[1], 1e-12);
+  }
+  EXPECT_EQ(VTK_DOUBLE, leaves[0]->GetCellData()->GetArray("Both")->GetDataType());
+  EXPECT_EQ(VTK_INT, leaves[1]->GetCellData()->GetArray("Both")->GetDataType());
+}
+
+TEST(Blocks, AreMaterials)
+{
+  // Two blocks without a material array: PreserveInterfaces keeps the face between them.
+  const Grid box = MakeMixedBox(2);
+  const std::vector<int> slabs = CutInSlabs(box, 2);
+  NumberCells(box);
+  const std::vector<Mesh> cut = Cut(box, slabs, 2, KnownBy::GlobalIds);
+  auto filter = MakeUniform(2);
+  filter->PreserveInterfacesOn();
+  const std::vector<Mesh> parts = GetLeaves(RunFilterOn(filter.Get(), MakeBlocks(cut)));
+  vtkNew<vtkIntArray> materials;
+  materials->SetName("MaterialId");
+  for (const int slab : slabs)
+  {
+    materials->InsertNextValue(slab);
+  }
+  box->GetCellData()->AddArray(materials);
+  auto serial = MakeUniform(2);
+  serial->PreserveInterfacesOn();
+  const auto whole = RunFilterOn(serial.Get(), box);
+  vtkPointSet::SafeDownCast(whole)->GetCellData()->RemoveArray("MaterialId");
+  ExpectWhole(vtkPointSet::SafeDownCast(whole), parts);
+}
+
+TEST(Blocks, OriginalIdsCountInTheBlock)
+{
+  const Grid box = MakeMixedBox(2);
+  const std::vector<Mesh> cut = Cut(box, CutInSlabs(box, 2), 2, KnownBy::GlobalIds);
+  auto filter = MakeUniform(1);
+  filter->GenerateOriginalIdsOn();
+  const std::vector<Mesh> leaves = GetLeaves(RunFilterOn(filter.Get(), MakeBlocks(cut)));
+  for (size_t b = 0; b < 2; ++b)
+  {
+    vtkDataArray* cells = leaves[b]->GetCellData()->GetArray("vtkOriginalCellIds");
+    EXPECT_EQ(0., cells->GetRange()[0]);
+    EXPECT_EQ(static_cast<double>(cut[b]->GetNumberOfCells() - 1), cells->GetRange()[1]);
+    vtkDataArray* points = leaves[b]->GetPointData()->GetArray("vtkOriginalPointIds");
+    std::set<double> found;
+    for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
+    {
+      found.insert(points->GetTuple1(i));
+    }
+    found.erase(-1.);
+    EXPECT_EQ(static_cast<size_t>(cut[b]->GetNumberOfPoints()), found.size());
+  }
+}
+
+TEST(Blocks, GhostCellsAreLeftOut)
+{
+  const Grid box = MakeBox(2);
+  const std::vector<int> slabs = CutInSlabs(box, 2);
+  // Each block has all cells; those of the other are duplicates.
+  std::vector<Mesh> cut;
+  for (int b = 0; b < 2; ++b)
+  {
+    const Grid block = DeepCopy(box);
+    AddGlobalIds(block, 3);
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (const int slab : slabs)
+    {
+      ghosts->InsertNextValue(slab == b ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+    }
+    block->GetCellData()->AddArray(ghosts);
+    cut.push_back(block);
+  }
+  const Grid ids = DeepCopy(box);
+  AddGlobalIds(ids, 3);
+  const std::vector<Mesh> leaves = GetLeaves(RunFilterOn(MakeUniform(1).Get(), MakeBlocks(cut)));
+  vtkIdType cells = 0;
+  for (const Mesh& leaf : leaves)
+  {
+    cells += leaf->GetNumberOfCells();
+  }
+  EXPECT_EQ(
+    vtkPointSet::SafeDownCast(RunFilterOn(MakeUniform(1).Get(), box))->GetNumberOfCells(), cells);
+}
+
+TEST(Blocks, DoubledPointsStayApartAndAreSaid)
+{
+  // A block with two points at a place where another block has one.
+  const Grid first = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 2, 0, 0 } },
+    { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_LINE, { 3, 4 } } });
+  const Grid second =
+    MakeGrid({ { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, { { VTK_TRIANGLE, { 0, 2, 1 } } });
+  vtkNew<Messages> messages;
+  auto filter = MakeUniform(1);
+  messages->Watch(filter);
+  filter->SetInputDataObject(MakeBlocks({ first, second }));
+  filter->Update();
+  EXPECT_EQ(1, messages->CountWarnings("several points with the same"));
+  EXPECT_EQ(2u, GetLeaves(filter->GetOutputDataObject(0)).size());
+}
+
+TEST(Blocks, OfOtherTypesAreSaid)
+{
+  const Grid box = MakeBox(1);
+  vtkNew<Messages> messages;
+  vtkNew<vtkSurfaceSubdivision> filter;
+  messages->Watch(filter);
+  filter->SetInputDataObject(MakeBlocks({ box, MakeSkin(box) }));
+  filter->Update();
+  EXPECT_EQ(1, messages->CountWarnings("is a vtkUnstructuredGrid"));
+  const std::vector<Mesh> leaves = GetLeaves(filter->GetOutputDataObject(0));
+  ASSERT_EQ(2u, leaves.size());
+  EXPECT_EQ(0, leaves[0]->GetNumberOfCells());
+  EXPECT_LT(0, leaves[1]->GetNumberOfCells());
+}
