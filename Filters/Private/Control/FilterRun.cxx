@@ -42,12 +42,11 @@ void ConnectToFilter(vtkAlgorithm* filter, RunOptions& options, bool& failed)
   };
 }
 
-bool DoWork(vtkPointSet* input, vtkPointSet* output, const FilterTraits& traits,
-  RunOptions& options, const FilterWork& work)
+bool DoWork(const FilterTraits& traits, RunOptions& options, const std::function<bool()>& work)
 {
   try
   {
-    return work(input, output);
+    return work();
   }
   catch (const std::bad_alloc&)
   {
@@ -74,7 +73,7 @@ int RunFilter(vtkAlgorithm* filter, vtkPointSet* input, vtkPointSet* output,
   {
     options.Warn(std::string("The input has duplicate (ghost) cells. ") + traits.Ghosts);
   }
-  const bool done = DoWork(input, output, traits, options, work);
+  const bool done = DoWork(traits, options, [&] { return work(input, output); });
   if (traits.FallsBackToInput)
   {
     if (!done)

@@ -41,8 +41,7 @@ using FilterWork = std::function<bool(vtkPointSet*, vtkPointSet*)>;
 void ConnectToFilter(vtkAlgorithm* filter, RunOptions& options, bool& failed);
 
 /// Calls `work`; too little memory is an error. Returns whether it finished.
-bool DoWork(vtkPointSet* input, vtkPointSet* output, const FilterTraits& traits,
-  RunOptions& options, const FilterWork& work);
+bool DoWork(const FilterTraits& traits, RunOptions& options, const std::function<bool()>& work);
 
 /// Sets the functions of `options` for messages and progress, and calls `work`. Returns what
 /// RequestData returns. An error, too little memory, or a user who stops the filter lead to the

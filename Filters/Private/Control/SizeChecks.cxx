@@ -16,6 +16,9 @@ namespace subdivision
 namespace
 {
 
+/// How many processes share the memory of this machine.
+thread_local int Sharers = 1;
+
 /// Connectivity and type of a tetrahedron, and its offset.
 constexpr double BytesPerTet = 8. * 4. + 8. + 1.;
 
@@ -141,7 +144,19 @@ double GetAvailableMemory()
   vtksys::SystemInformation system;
   const double memory = 1024. * static_cast<double>(system.GetHostMemoryAvailable());
   const double used = 1024. * static_cast<double>(system.GetHostMemoryUsed());
-  return memory > 0. ? std::max(0., memory - used) : std::numeric_limits<double>::infinity();
+  return memory > 0. ? std::max(0., memory - used) / Sharers
+                     : std::numeric_limits<double>::infinity();
+}
+
+MemoryShare::MemoryShare(int sharers)
+  : Before(Sharers)
+{
+  Sharers = sharers;
+}
+
+MemoryShare::~MemoryShare()
+{
+  Sharers = this->Before;
 }
 
 double GetBytesPerTuple(vtkDataSetAttributes* data)

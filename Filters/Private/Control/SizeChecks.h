@@ -41,8 +41,22 @@ std::string CheckMemory(const SizeEstimate& estimate);
 
 std::string CheckMemory(double cells, double points, double bytes, int levels);
 
-/// The free memory in bytes; infinite where the system does not tell.
+/// The free memory in bytes, or the share of it that this process may take; infinite where the
+/// system does not tell.
 double GetAvailableMemory();
+
+/// As long as it lives, `sharers` processes share the free memory in equal parts.
+class MemoryShare
+{
+public:
+  explicit MemoryShare(int sharers);
+  ~MemoryShare();
+  MemoryShare(const MemoryShare&) = delete;
+  MemoryShare& operator=(const MemoryShare&) = delete;
+
+private:
+  int Before;
+};
 
 double GetBytesPerTuple(vtkDataSetAttributes* data);
 

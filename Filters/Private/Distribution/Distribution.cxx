@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Distribution/Distribution.h"
 
+#include "Private/Control/SizeChecks.h"
 #include "Private/Distribution/Layers.h"
 #include "Private/Distribution/PointIds.h"
+#include "Private/Distribution/Ranks.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
@@ -33,6 +35,33 @@ std::vector<MeshPart> GetParts(const std::vector<Block>& blocks)
   return parts;
 }
 
+/// Runs the filter on the joined parts of a partition, and fills the outputs of its blocks.
+bool RunPartition(std::vector<MeshPart> parts, int pointType,
+  const DistributionOptions& distribution, const FilterTraits& traits, RunOptions& options,
+  const FilterWork& work, std::vector<Block>& blocks)
+{
+  return DoWork(traits, options,
+    [&]
+    {
+      JoinedMesh joined = Join(parts, pointType);
+      AddPointBlocks(parts, joined);
+      RestoreStamp(parts, joined);
+      parts.clear();
+      const auto whole = MakeMesh(distribution.IsOfSurfaces);
+      if (!work(joined.Mesh, whole))
+      {
+        return false;
+      }
+      joined.Mesh = nullptr;
+      for (size_t b = 0; b < blocks.size(); ++b)
+      {
+        TakeOutput(joined, whole, options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION,
+          static_cast<int>(b), blocks);
+      }
+      return true;
+    });
+}
+
 }
 
 bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchange,
@@ -44,10 +73,26 @@ bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchan
   {
     parts.push_back(GetParts(blocks));
   }
+  const std::string tooLarge = CheckMemoryForJoining(parts);
+  if (!tooLarge.empty())
+  {
+    options.Fail(tooLarge);
+  }
+  if (!exchange.Agree(tooLarge.empty()))
+  {
+    return false;
+  }
+  const int pointType = FindPointType(parts, exchange);
   if (exchange.GetNumberOfPartitions() > 1)
   {
+    const std::string uneven = CheckLoad(parts, exchange);
+    if (!uneven.empty())
+    {
+      options.Warn(uneven);
+    }
     IdentifyPoints(parts, exchange, options.Warn);
     AddLayers(parts, distribution.Layers, exchange);
+    ShareArrays(parts, exchange);
   }
   else if (!TakeStampedIds(parts[0]))
   {
@@ -56,22 +101,9 @@ bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchan
   bool done = true;
   for (size_t p = 0; p < partitions.size() && done; ++p)
   {
-    if (parts[p].empty())
-    {
-      continue;
-    }
-    JoinedMesh joined = Join(parts[p]);
-    AddPointBlocks(parts[p], joined);
-    RestoreStamp(parts[p], joined);
-    parts[p].clear();
-    const auto whole = MakeMesh(distribution.IsOfSurfaces);
-    done = DoWork(joined.Mesh, whole, traits, options, work);
-    joined.Mesh = nullptr;
-    for (size_t b = 0; b < partitions[p].size() && done; ++b)
-    {
-      TakeOutput(joined, whole, options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION,
-        static_cast<int>(b), partitions[p]);
-    }
+    done = parts[p].empty() ||
+      RunPartition(
+        std::move(parts[p]), pointType, distribution, traits, options, work, partitions[p]);
   }
   return exchange.Agree(done);
 }
@@ -108,25 +140,30 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
   }
   bool failed = false;
   ConnectToFilter(filter, options, failed);
-  std::vector<Block> blocks = GetBlocks(input, distribution.IsOfSurfaces, options.Warn);
   bool done = true;
+  std::vector<Block> blocks;
   if (distribution.JoinBlocks)
   {
-    PrepareBlocks(blocks, composite && distribution.AddBlockIndex, distribution.Prepare);
     Exchange exchange(distribution.Controller);
+    const MemoryShare share(CountRanksOfMachine(exchange));
+    RankMessages messages(options);
+    blocks = GetBlocks(input, distribution.IsOfSurfaces, options.Warn);
+    PrepareBlocks(blocks, composite && distribution.AddBlockIndex, distribution.Prepare);
     std::vector<std::vector<Block>> partitions = { std::move(blocks) };
     done = RunPartitions(partitions, exchange, distribution, traits, options, work);
     blocks = std::move(partitions[0]);
+    failed = messages.Tell(exchange);
   }
   else
   {
+    blocks = GetBlocks(input, distribution.IsOfSurfaces, options.Warn);
     for (Block& block : blocks)
     {
       block.Output->GetFieldData()->PassData(block.Input->GetFieldData());
-      done = done && DoWork(block.Input, block.Output, traits, options, work);
+      done = done && DoWork(traits, options, [&] { return work(block.Input, block.Output); });
     }
   }
-  if (done)
+  if (done && !failed)
   {
     SetOutputs(input, blocks, distribution.IsOfSurfaces, output);
   }

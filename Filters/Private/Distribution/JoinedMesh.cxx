@@ -125,17 +125,10 @@ Places PlaceCells(const std::vector<MeshPart>& parts, const std::vector<CellRead
 }
 
 vtkSmartPointer<vtkPoints> JoinPoints(
-  const std::vector<MeshPart>& parts, const std::vector<Item>& items)
+  const std::vector<MeshPart>& parts, const std::vector<Item>& items, int type)
 {
-  int type = VTK_VOID;
-  for (const MeshPart& part : parts)
-  {
-    const int own = part.Mesh->GetPoints() ? part.Mesh->GetPoints()->GetDataType() : VTK_VOID;
-    // Integer coordinates stay integers where all parts have them.
-    type = type == VTK_VOID || own == type ? own : (own == VTK_VOID ? type : VTK_DOUBLE);
-  }
   auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataType(type == VTK_VOID ? VTK_FLOAT : type);
+  points->SetDataType(type);
   points->SetNumberOfPoints(static_cast<vtkIdType>(items.size()));
   for (size_t i = 0; i < items.size(); ++i)
   {
@@ -297,7 +290,7 @@ void TakeArrays(
 
 }
 
-JoinedMesh Join(const std::vector<MeshPart>& parts)
+JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType)
 {
   std::vector<CellReader> readers;
   bool isPolyData = true;
@@ -319,7 +312,7 @@ JoinedMesh Join(const std::vector<MeshPart>& parts)
   Places pointPlaces = PlacePoints(parts, points);
   std::vector<Item> cells;
   Places cellPlaces = PlaceCells(parts, readers, isPolyData, cells);
-  joined.Mesh->SetPoints(JoinPoints(parts, points));
+  joined.Mesh->SetPoints(JoinPoints(parts, points, pointType));
   JoinCells(parts, readers, cells, pointPlaces, joined.Mesh);
   joined.PointArrays =
     JoinArrays(parts, pointPlaces, vtkDataObject::POINT, joined.Mesh->GetPointData());

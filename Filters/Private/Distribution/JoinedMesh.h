@@ -62,11 +62,11 @@ struct JoinedMesh
  * that has an active attribute (scalars, normals, ...) decides which array that is. Ghost types
  * keep only that a cell is hidden. Field data are left out.
  *
- * The result is a vtkPolyData if all parts are, else a vtkUnstructuredGrid, in double precision if
- * one part is. Point ids of a cell that do not exist become -1, for the reader to complain about.
+ * The result is a vtkPolyData if all parts are, else a vtkUnstructuredGrid; its points are of
+ * `pointType`. Point ids of a cell that do not exist become -1, for the reader to complain about.
  * Sorts points and cells; takes 24 bytes for each, besides the mesh.
  */
-JoinedMesh Join(const std::vector<MeshPart>& parts);
+JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType = VTK_DOUBLE);
 
 /**
  * Writes into `part` some cells of `whole`, ascending, with the points that they use, in the order

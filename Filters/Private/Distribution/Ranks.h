@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Ranks.h
+ * What the ranks of a run tell each other besides the mesh: messages, sizes, and which arrays there
+ * are.
+ */
+#ifndef SubdivisionObjects_Ranks_h
+#define SubdivisionObjects_Ranks_h
+
+#include "Private/Control/RunOptions.h"
+#include "Private/Distribution/Exchange.h"
+#include "Private/Distribution/JoinedMesh.h"
+
+namespace subdivision
+{
+
+/// Collects the messages of all ranks. Rank 0 gives them, each text once.
+class RankMessages
+{
+public:
+  /// Takes the place of options.Warn and options.Fail, which get the messages later.
+  explicit RankMessages(RunOptions& options);
+
+  bool HasFailed() const { return this->Failed; }
+  /// Called by all ranks: gives the warnings of all and, if there are errors, that of the first
+  /// rank that has one. Other ranks that failed give no message. Returns whether one failed.
+  bool Tell(Exchange& ranks);
+
+private:
+  std::function<void(const std::string&)> Warn;
+  std::function<void(const std::string&)> Fail;
+  std::vector<std::string> Warnings;
+  std::string Error;
+  bool Failed = false;
+};
+
+/// How many ranks, this one included, run on this machine.
+int CountRanksOfMachine(Exchange& ranks);
+
+/// An error message if this rank has not enough memory for the meshes of the input twice, in the
+/// joined mesh and in messages, and as many cells of others; else empty.
+std::string CheckMemoryForJoining(const std::vector<std::vector<MeshPart>>& parts);
+
+/// A warning if a rank has more than three times the mean number of cells; else empty. The same on
+/// all ranks.
+std::string CheckLoad(const std::vector<std::vector<MeshPart>>& parts, Exchange& ranks);
+
+/// The type of the points of the joined mesh, on all ranks: single precision where all have it.
+int FindPointType(const std::vector<std::vector<MeshPart>>& parts, Exchange& ranks);
+
+/// Adds an empty part to each partition that has the arrays which only others have: so that a
+/// filter finds an array that is named on all ranks or on none. Its values are 0 here.
+void ShareArrays(std::vector<std::vector<MeshPart>>& parts, Exchange& ranks);
+
+}
+
+#endif
