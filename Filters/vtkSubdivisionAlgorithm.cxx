@@ -87,6 +87,11 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   distribution.JoinBlocks = this->JoinBlocks;
   distribution.Controller = this->Controller;
   distribution.IsOfSurfaces = this->IsOfSurfaces();
+  if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
+  {
+    distribution.GhostLayers =
+      vtkStreamingDemandDrivenPipeline::GetUpdateGhostLevel(outputVector->GetInformationObject(0));
+  }
   distribution.AddBlockIndex = this->PreserveInterfaces;
   distribution.Prepare = [this](vtkPointSet* block, vtkPointSet* copy)
   { this->Prepare(block, copy); };

@@ -15,6 +15,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -126,6 +127,87 @@ void CountInBlock(const char* name, const std::vector<JoinedArray>& arrays,
     const vtkIdType id = ids->GetValue(i);
     ids->SetValue(i, id >= 0 && id < static_cast<vtkIdType>(index.size()) ? index[id] : -1);
   }
+}
+
+/// Some cells and those around them: `layers` times all that share a point with them. Ascending.
+std::vector<vtkIdType> AddLayersOf(
+  vtkPointSet* whole, const std::vector<vtkIdType>& cells, int layers)
+{
+  const CellReader reader(whole);
+  std::vector<char> isIn(static_cast<size_t>(whole->GetNumberOfCells()), 0);
+  std::vector<char> isAt(static_cast<size_t>(whole->GetNumberOfPoints()), 0);
+  std::vector<vtkIdType> scratch;
+  for (const vtkIdType c : cells)
+  {
+    isIn[c] = 1;
+  }
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    for (vtkIdType c = 0; c < reader.GetNumberOfCells(); ++c)
+    {
+      const CellIds cell = reader.GetCell(c, scratch);
+      for (vtkIdType i = 0; isIn[c] && i < cell.Size; ++i)
+      {
+        isAt[cell.Ids[i]] = 1;
+      }
+    }
+    for (vtkIdType c = 0; c < reader.GetNumberOfCells(); ++c)
+    {
+      const CellIds cell = reader.GetCell(c, scratch);
+      isIn[c] |= std::any_of(cell.Ids, cell.Ids + cell.Size, [&](vtkIdType p) { return isAt[p]; });
+    }
+  }
+  std::vector<vtkIdType> all;
+  for (size_t c = 0; c < isIn.size(); ++c)
+  {
+    if (isIn[c])
+    {
+      all.push_back(static_cast<vtkIdType>(c));
+    }
+  }
+  return all;
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> MakeGhostTypes(vtkIdType size, unsigned char value)
+{
+  auto types = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  types->SetName(vtkDataSetAttributes::GhostArrayName());
+  types->SetNumberOfValues(size);
+  types->FillValue(value);
+  return types;
+}
+
+/// Marks the cells of an output that are not its own, and the points that only these have. `cells`
+/// are those of the output, `own` some of them.
+void MarkGhosts(
+  const std::vector<vtkIdType>& cells, const std::vector<vtkIdType>& own, vtkPointSet* output)
+{
+  constexpr unsigned char duplicate = vtkDataSetAttributes::DUPLICATECELL;
+  const auto ofCells = MakeGhostTypes(output->GetNumberOfCells(), 0);
+  const auto ofPoints =
+    MakeGhostTypes(output->GetNumberOfPoints(), vtkDataSetAttributes::DUPLICATEPOINT);
+  if (vtkUnsignedCharArray* hidden = output->GetCellGhostArray())
+  {
+    ofCells->DeepCopy(hidden);
+  }
+  const CellReader reader(output);
+  std::vector<vtkIdType> scratch;
+  for (size_t c = 0; c < cells.size(); ++c)
+  {
+    const auto at = static_cast<vtkIdType>(c);
+    if (!std::binary_search(own.begin(), own.end(), cells[c]))
+    {
+      ofCells->SetValue(at, ofCells->GetValue(at) | duplicate);
+      continue;
+    }
+    const CellIds cell = reader.GetCell(at, scratch);
+    for (vtkIdType i = 0; i < cell.Size; ++i)
+    {
+      ofPoints->SetValue(cell.Ids[i], 0);
+    }
+  }
+  output->GetCellData()->AddArray(ofCells);
+  output->GetPointData()->AddArray(ofPoints);
 }
 
 /// Gives the points the type of those of a block: single precision or double.
@@ -295,10 +377,11 @@ void AddPointBlocks(const std::vector<MeshPart>& parts, JoinedMesh& joined)
   joined.Mesh->GetPointData()->AddArray(blocks);
 }
 
-void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision, int block,
-  std::vector<Block>& blocks)
+void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision, int ghostLayers,
+  int block, std::vector<Block>& blocks)
 {
-  const std::vector<vtkIdType> cells = FindCellsOfBlock(whole, block);
+  const std::vector<vtkIdType> own = FindCellsOfBlock(whole, block);
+  const std::vector<vtkIdType> cells = ghostLayers > 0 ? AddLayersOf(whole, own, ghostLayers) : own;
   std::vector<vtkIdType> kept;
   if (auto* of = vtkIntArray::SafeDownCast(whole->GetPointData()->GetArray(PointBlockName)))
   {
@@ -309,6 +392,10 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision,
   }
   vtkPointSet* output = blocks[block].Output;
   const std::vector<vtkIdType> points = TakeCells(whole, cells, kept, output);
+  if (ghostLayers > 0)
+  {
+    MarkGhosts(cells, own, output);
+  }
   if (ownPrecision)
   {
     SetPrecision(blocks[block].Input->GetPoints()->GetDataType(), output);

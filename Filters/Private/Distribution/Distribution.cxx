@@ -56,7 +56,7 @@ bool RunPartition(std::vector<MeshPart> parts, int pointType,
       for (size_t b = 0; b < blocks.size(); ++b)
       {
         TakeOutput(joined, whole, options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION,
-          static_cast<int>(b), blocks);
+          distribution.GhostLayers, static_cast<int>(b), blocks);
       }
       return true;
     });
@@ -91,7 +91,7 @@ bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchan
       options.Warn(uneven);
     }
     IdentifyPoints(parts, exchange, options.Warn);
-    AddLayers(parts, distribution.Layers, exchange);
+    AddLayers(parts, distribution.Layers + distribution.GhostLayers, exchange);
     ShareArrays(parts, exchange);
   }
   else if (!TakeStampedIds(parts[0]))

@@ -29,6 +29,8 @@ struct DistributionOptions
   /// How many layers of cells around its own a rank needs so that its own results are those of the
   /// whole mesh.
   int Layers = 2;
+  /// How many layers of fine cells of other ranks the output gets, marked as duplicates.
+  int GhostLayers = 0;
   /// Whether only vtkPolyData is accepted, and made; else vtkUnstructuredGrid is accepted too, and
   /// made.
   bool IsOfSurfaces = false;

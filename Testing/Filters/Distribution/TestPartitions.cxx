@@ -60,7 +60,7 @@ Mesh Renumber(const std::vector<Mesh>& cut)
 
 /// What a filter makes of the parts of a mesh.
 std::vector<Mesh> RunOnParts(const std::vector<Mesh>& cut, const Partition& partition,
-  bool isOfSurfaces, const subdivision::FilterWork& work)
+  bool isOfSurfaces, const subdivision::FilterWork& work, int ghostLayers = 0)
 {
   std::vector<std::vector<Block>> blocks(static_cast<size_t>(partition.Parts));
   for (size_t i = 0; i < cut.size(); ++i)
@@ -73,6 +73,7 @@ std::vector<Mesh> RunOnParts(const std::vector<Mesh>& cut, const Partition& part
   subdivision::Exchange exchange(nullptr, partition.Parts);
   subdivision::DistributionOptions distribution;
   distribution.IsOfSurfaces = isOfSurfaces;
+  distribution.GhostLayers = ghostLayers;
   subdivision::RunOptions options;
   options.Warn = [](const std::string& message) { ADD_FAILURE() << message; };
   options.Fail = options.Warn;
@@ -241,6 +242,96 @@ TEST(Partitions, GiveTheWholeUniformly)
           }
         }
       }
+    }
+  }
+}
+
+namespace
+{
+
+/// The corners of a cell.
+std::vector<Point> GetCorners(vtkPointSet* mesh, vtkIdType cell)
+{
+  vtkNew<vtkIdList> ids;
+  mesh->GetCellPoints(cell, ids);
+  std::vector<Point> corners;
+  for (const vtkIdType id : *ids)
+  {
+    corners.push_back(GetPoint(mesh, id));
+  }
+  return corners;
+}
+
+using Corners = std::set<std::vector<Point>>;
+
+/// The cells of `whole` around those in `own`.
+Corners FindLayer(vtkPointSet* whole, const Corners& own)
+{
+  std::set<Point> points;
+  for (const auto& corners : own)
+  {
+    points.insert(corners.begin(), corners.end());
+  }
+  Corners layer;
+  for (vtkIdType c = 0; c < whole->GetNumberOfCells(); ++c)
+  {
+    const std::vector<Point> corners = GetCorners(whole, c);
+    if (own.count(corners) == 0 &&
+      std::any_of(
+        corners.begin(), corners.end(), [&](const Point& p) { return points.count(p) > 0; }))
+    {
+      layer.insert(corners);
+    }
+  }
+  return layer;
+}
+
+}
+
+TEST(Partitions, GiveGhostCells)
+{
+  // Random places, so that corners tell cells apart.
+  const Mesh mesh = Mesh::Take(vtkUnstructuredGrid::New());
+  mesh->DeepCopy(MakeMixedBox(3));
+  std::mt19937 chance(3);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const Point at = GetPoint(mesh, i);
+    mesh->GetPoints()->SetPoint(i, at[0] + chance() * 1e-11, at[1], at[2]);
+  }
+  NumberCells(mesh);
+  for (const Partition& partition : Partitions)
+  {
+    if (partition.Blocks > 1 || partition.Known == KnownBy::Coordinates)
+    {
+      continue;
+    }
+    SCOPED_TRACE(partition.Name);
+    const auto work = [](vtkPointSet* input, vtkPointSet* output)
+    {
+      subdivision::UniformOptions options;
+      options.Levels = 1;
+      options.Warn = [](const std::string&) {};
+      return SubdivideUniformly(input, options, vtkUnstructuredGrid::SafeDownCast(output));
+    };
+    const Mesh whole = Mesh::Take(vtkUnstructuredGrid::New());
+    ASSERT_TRUE(work(mesh, whole));
+    for (const Mesh& part : RunOnParts(Cut(mesh, partition), partition, false, work, 1))
+    {
+      vtkUnsignedCharArray* types = part->GetCellGhostArray();
+      ASSERT_TRUE(types);
+      Corners own;
+      Corners ghosts;
+      for (vtkIdType c = 0; c < part->GetNumberOfCells(); ++c)
+      {
+        (types->GetValue(c) ? ghosts : own).insert(GetCorners(part, c));
+      }
+      for (const auto& corners : own) // some cells are there twice
+      {
+        ghosts.erase(corners);
+      }
+      EXPECT_TRUE(ghosts == FindLayer(whole, own));
+      EXPECT_FALSE(own.empty());
     }
   }
 }
