@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionDeformation.h"
 
-#include "Private/Control/FilterRun.h"
 #include "Private/Deformation/Deformation.h"
+#include "Private/Distribution/Distribution.h"
+#include "Private/Distribution/GatheredMesh.h"
 
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
@@ -65,21 +66,16 @@ int vtkSubdivisionDeformation::FillInputPortInformation(int port, vtkInformation
   if (port == 0)
   {
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
     return 1;
   }
   return this->Superclass::FillInputPortInformation(port, info);
 }
 
-int vtkSubdivisionDeformation::FillOutputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPointSet");
-  return 1;
-}
-
 int vtkSubdivisionDeformation::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   if (!input)
   {
     return 0;
@@ -88,7 +84,7 @@ int vtkSubdivisionDeformation::RequestDataObject(
   vtkDataObject* output = info->Get(vtkDataObject::DATA_OBJECT());
   if (!output || output->GetDataObjectType() != input->GetDataObjectType())
   {
-    auto made = vtkSmartPointer<vtkPointSet>::Take(input->NewInstance());
+    auto made = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
     info->Set(vtkDataObject::DATA_OBJECT(), made);
   }
   return 1;
@@ -163,16 +159,19 @@ int vtkSubdivisionDeformation::RequestData(
   traits.Memory = "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
     " and the points of the input. Use fewer levels, or a part of the input.";
   traits.FallsBackToInput = true;
-  return subdivision::RunFilter<vtkPointSet, vtkPointSet>(this, inputVector, outputVector, traits,
-    options,
+  auto warn = [this](const std::string& message) { vtkWarningMacro(<< message); };
+  const auto rest =
+    subdivision::GatherMesh(vtkDataObject::GetData(inputVector[1]), this->GetController(), warn);
+  const auto deformed =
+    subdivision::GatherMesh(vtkDataObject::GetData(inputVector[2]), this->GetController(), warn);
+  return subdivision::RunOnBlocks(this, vtkDataObject::GetData(inputVector[0]),
+    vtkDataObject::GetData(outputVector), traits, options,
     [&](vtkPointSet* input, vtkPointSet* output)
     {
-      vtkPointSet* rest = vtkPointSet::GetData(inputVector[1]);
-      vtkPointSet* deformed = vtkPointSet::GetData(inputVector[2]);
       if (!rest || !deformed)
       {
-        options.Fail("The rest mesh and the deformed mesh must each be one vtkUnstructuredGrid or "
-                     "vtkPolyData. The output is the input.");
+        options.Fail("The rest mesh and the deformed mesh must be vtkUnstructuredGrid or "
+                     "vtkPolyData, or blocks of these. The output is the input.");
         return false;
       }
       return this->ReadFeatureOptions(rest, options) &&

@@ -7,6 +7,7 @@
 #include "Private/Distribution/Ranks.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkFieldData.h"
@@ -172,6 +173,31 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
     output->Initialize();
   }
   return failed ? 0 : 1;
+}
+
+int RunOnBlocks(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* output,
+  const FilterTraits& traits, RunOptions& options, const FilterWork& work)
+{
+  auto* from = vtkCompositeDataSet::SafeDownCast(input);
+  auto* to = vtkCompositeDataSet::SafeDownCast(output);
+  if (!from || !to)
+  {
+    return RunFilter(filter, vtkPointSet::SafeDownCast(input), vtkPointSet::SafeDownCast(output),
+      traits, options, work);
+  }
+  to->CopyStructure(from);
+  int result = 1;
+  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(from->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkDataObject* block = iterator->GetCurrentDataObject();
+    const auto made = vtkSmartPointer<vtkDataObject>::Take(block->NewInstance());
+    made->GetFieldData()->PassData(block->GetFieldData());
+    result &= RunFilter(filter, vtkPointSet::SafeDownCast(block), vtkPointSet::SafeDownCast(made),
+      traits, options, work);
+    to->SetDataSet(iterator, made);
+  }
+  return result;
 }
 
 }

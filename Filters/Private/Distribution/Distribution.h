@@ -64,7 +64,11 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
   const DistributionOptions& distribution, const FilterTraits& traits, RunOptions& options,
   const FilterWork& work);
 
-/// The same for partitions whose blocks are given: those of this rank, of which tests and
+/// Runs a filter on each block of the input by itself, without other ranks.
+int RunOnBlocks(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* output,
+  const FilterTraits& traits, RunOptions& options, const FilterWork& work);
+
+/// RunDistributed for partitions whose blocks are given: those of this rank, of which tests and
 /// benchmarks have several.
 bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchange,
   const DistributionOptions& distribution, const FilterTraits& traits, RunOptions& options,

@@ -39,8 +39,7 @@ struct Embedding
   /// The largest error against a map, by the rows of the points or by the composed ones.
   double GetError(const Map& map, bool byComposed)
   {
-    const auto control =
-      this->Rest.MoveControlPoints(this->Cage, Moved(this->Cage, map), this->Options);
+    const auto control = this->Rest.MoveControlPoints(Moved(this->Cage, map));
     const double* moved = byComposed ? nullptr : this->Rest.MovePoints(control);
     const Grid result = DeepCopy(this->Cloud);
     result->GetPoints()->SetData(subdivision::MoveEmbeddedPoints(

@@ -19,6 +19,7 @@
 #include "vtkPolyData.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSimplicialComplexTopology.h"
+#include "vtkSubdivisionDeformation.h"
 #include "vtkSurfaceSubdivision.h"
 
 using namespace partition_tools;
@@ -340,4 +341,31 @@ TEST(Blocks, OfOtherTypesAreSaid)
   ASSERT_EQ(2u, leaves.size());
   EXPECT_EQ(0, leaves[0]->GetNumberOfCells());
   EXPECT_LT(0, leaves[1]->GetNumberOfCells());
+}
+
+TEST(Blocks, AreOneControlMeshOfADeformation)
+{
+  const Grid cage = MakeMixedBox(2);
+  const Grid moved = DeepCopy(cage);
+  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
+  {
+    const Point at = GetPoint(moved, i);
+    moved->GetPoints()->SetPoint(i, at[0] + 0.1 * at[1] * at[2], at[1], at[2] + 0.1 * at[0]);
+  }
+  const Grid inner = Grid::New();
+  inner->DeepCopy(vtkPointSet::SafeDownCast(RunFilterOn(MakeUniform(1).Get(), cage)));
+  NumberCells(inner);
+  const std::vector<int> chance = CutByChance(cage, 3, 2);
+  auto deform = [&](vtkDataObject* rest, vtkDataObject* deformed, vtkDataObject* points)
+  {
+    vtkNew<vtkSubdivisionDeformation> filter;
+    filter->SetRestMeshData(rest);
+    filter->SetDeformedMeshData(deformed);
+    return RunFilterOn(filter.Get(), points);
+  };
+  const auto whole = deform(cage, moved, inner);
+  const std::vector<Mesh> parts = Cut(inner, CutInSlabs(inner, 2), 2, KnownBy::Coordinates);
+  const auto blocks = deform(MakeBlocks(Cut(cage, chance, 3, KnownBy::GlobalIds)),
+    MakeBlocks(Cut(moved, chance, 3, KnownBy::GlobalIds)), MakeBlocks(parts));
+  ExpectWhole(vtkPointSet::SafeDownCast(whole), GetLeaves(blocks));
 }
