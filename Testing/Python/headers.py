@@ -11,6 +11,8 @@ import subdivisionobjects
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CLASSES = [cls for name, cls in sorted(vars(subdivisionobjects).items())
            if name.startswith("vtk") and isinstance(cls, type)]
+# What has a setter but is no option: an object of the process, which ParaView sets by itself.
+NO_OPTIONS = {"Controller"}
 
 
 def words(text):
@@ -114,7 +116,7 @@ class Header:
             name = match["name"] or match["method"]
             if not name:
                 comment = re.sub(r"^\s*\*", "", match["comment"] or "", flags=re.M)
-            elif hasattr(cls, "Get" + name):
+            elif hasattr(cls, "Get" + name) and name not in NO_OPTIONS:
                 yield name, Option(name, comment, re.findall(r"[^\s,]+", match["clamp"] or ""))
 
     @staticmethod

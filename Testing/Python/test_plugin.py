@@ -5,6 +5,7 @@ import pathlib
 import unittest
 
 import tools
+from headers import NO_OPTIONS
 from paraview import servermanager, simple
 
 import subdivisionobjects
@@ -37,7 +38,7 @@ def options(cls):
         if ours.__name__ in vars(subdivisionobjects):
             found |= {name[3:] for name in vars(ours) if name.startswith("Set")
                       and "Get" + name[3:] in vars(ours)}
-    return found
+    return found - NO_OPTIONS
 
 
 class Package(unittest.TestCase):
