@@ -18,11 +18,10 @@
  *
  * @par Criteria
  * They are those of vtkRefinementAlgorithm, with its arrays (5 to 7). All of them look at limits
- * (in vtkRedGreenRefinement edge lengths and jumps are those of the mesh before the limit; so is
- * where the centre of a cell lies). A level is one step, of which three triangles come out of one;
- * lines are cut in every second step. Where a criterion of cells asks for a triangle, those across
- * its edges are split too. A selected cell, or one with a wanted level, is asked for with all
- * triangles that lie in it.
+ * (in vtkRedGreenRefinement edge lengths, jumps and centres of cells are those of the mesh before
+ * the limit). A level is one step, which makes three triangles of one; lines are cut in every
+ * second step. Where a criterion of cells asks for a triangle, those across its edges are split
+ * too. Where it asks for a cell of the input, it asks for all triangles that lie in this cell.
  *
  * The geometric error of a triangle is its distance from the limit at its centre and at three
  * places of each of its edges, of a boundary edge or line that of these, each made larger by a
