@@ -84,8 +84,13 @@ std::vector<MeshPart> SendToAll(const std::vector<MeshPart>& own, Exchange& rank
 vtkSmartPointer<vtkPointSet> GatherMesh(vtkDataObject* input, vtkMultiProcessController* controller,
   const std::function<void(const std::string&)>& warn)
 {
-  const std::vector<Block> blocks = GetBlocks(input, false, warn);
   Exchange ranks(controller);
+  auto* single = vtkPointSet::SafeDownCast(input);
+  if (single && ranks.GetNumberOfRanks() == 1)
+  {
+    return single;
+  }
+  const std::vector<Block> blocks = GetBlocks(input, false, warn);
   const bool alike = ranks.GetNumberOfRanks() == 1 || IsAlikeEverywhere(blocks, ranks);
   if (alike && blocks.size() < 2)
   {

@@ -73,7 +73,9 @@ vtkSmartPointer<vtkDataObject> RunFilterOn(Filter* filter, vtkDataObject* input)
   EXPECT_TRUE(messages->Errors.empty());
   for (const std::string& warning : messages->Warnings)
   {
-    if (warning.find("more than three points") == std::string::npos) // of the skins
+    // Of the skins, and of the deformed box.
+    if (warning.find("more than three points") == std::string::npos &&
+      warning.find("rest mesh") == std::string::npos)
     {
       ADD_FAILURE() << warning;
     }
@@ -361,6 +363,7 @@ TEST(Blocks, AreOneControlMeshOfADeformation)
     vtkNew<vtkSubdivisionDeformation> filter;
     filter->SetRestMeshData(rest);
     filter->SetDeformedMeshData(deformed);
+    filter->SetOutsidePointsToNearest();
     return RunFilterOn(filter.Get(), points);
   };
   const auto whole = deform(cage, moved, inner);
