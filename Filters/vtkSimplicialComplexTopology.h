@@ -53,7 +53,8 @@
  * With GenerateOriginalIds also `vtkOriginalCellIds`: the first input cell that the simplex is, or
  * is a piece of; -1 for others.
  *
- * Field arrays (vtkIdTypeArray, one component), of the whole complex whatever is output:
+ * Field arrays (vtkIdTypeArray, one component), of the whole complex whatever is output; not where
+ * several ranks have partitions of the mesh (Controller):
  *  - `SimplexCounts` (4 values): vertices, edges, triangles, tetrahedra. Unused points and equal
  *    cells do not count.
  *  - `EulerCharacteristic` (1 value): vertices - edges + triangles - tetrahedra.

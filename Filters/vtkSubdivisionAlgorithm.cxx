@@ -34,6 +34,11 @@ vtkMultiProcessController* vtkSubdivisionAlgorithm::GetController() const
   return this->Controller;
 }
 
+bool vtkSubdivisionAlgorithm::SharesRanks() const
+{
+  return this->JoinBlocks && this->Controller && this->Controller->GetNumberOfProcesses() > 1;
+}
+
 int vtkSubdivisionAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
@@ -87,7 +92,7 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   distribution.JoinBlocks = this->JoinBlocks;
   distribution.Controller = this->Controller;
   distribution.IsOfSurfaces = this->IsOfSurfaces();
-  if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
+  if (this->SharesRanks())
   {
     distribution.GhostLayers =
       vtkStreamingDemandDrivenPipeline::GetUpdateGhostLevel(outputVector->GetInformationObject(0));

@@ -272,6 +272,8 @@ protected:
   /// Whether the filter reads and writes vtkPolyData. Others read vtkUnstructuredGrid too, and
   /// write that.
   virtual bool IsOfSurfaces() const { return false; }
+  /// Whether several ranks have partitions of one mesh.
+  bool SharesRanks() const;
   /// Adds what a filter knows of a block of the input to `copy`, which is joined with other blocks.
   virtual void Prepare(vtkPointSet*, vtkPointSet*) {}
 

@@ -7,6 +7,8 @@
 #ifndef SubdivisionObjects_JoinedMesh_h
 #define SubdivisionObjects_JoinedMesh_h
 
+#include "Private/ArrayNames.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -17,11 +19,6 @@ class vtkPointSet;
 
 namespace subdivision
 {
-
-/// The cell array that says from which block a cell of a joined mesh is: the index of a block of
-/// this rank, NoBlock for a cell of another rank. Filters carry it to the children of the cell.
-constexpr const char* BlockName = "SubdivisionBlock";
-constexpr int NoBlock = -1;
 
 /// A mesh that becomes a part of a joined one.
 struct MeshPart

@@ -22,6 +22,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <memory>
 #include <variant>
 
@@ -32,43 +33,36 @@ namespace
 
 constexpr unsigned char DuplicateCell = vtkDataSetAttributes::DUPLICATECELL;
 
-/// Ghost types of vertices, edges and faces.
-struct GhostTypes
+/// act(dimension, number) for a cell and its faces. `cell` is its number among vertex cells, edges,
+/// faces or tetrahedra.
+template <typename Id, typename Act>
+void VisitFaces(const SimplicialComplex<Id>& complex, int dimension, vtkIdType cell, const Act& act)
 {
-  Buffer<unsigned char> Of[3];
-};
-
-/// Marks a cell that is no duplicate, and its faces, as no duplicates. `cell` is its number among
-/// vertex cells, edges, faces or tetrahedra.
-template <typename Id>
-void MarkAsOwn(
-  const SimplicialComplex<Id>& complex, int dimension, vtkIdType cell, GhostTypes& types)
-{
-  auto own = [&types](int faceDimension, const Id* begin, int count)
+  auto visit = [&act](int faceDimension, const Id* begin, int count)
   {
     for (int i = 0; i < count; ++i)
     {
-      types.Of[faceDimension][begin[i]] = 0;
+      act(faceDimension, static_cast<vtkIdType>(begin[i]));
     }
   };
   switch (dimension)
   {
     case 0:
-      own(0, complex.VertexCells.data() + cell, 1);
+      visit(0, complex.VertexCells.data() + cell, 1);
       break;
     case 1:
-      own(0, complex.EdgeVertices.data() + 2 * cell, 2);
-      types.Of[1][cell] = 0;
+      visit(0, complex.EdgeVertices.data() + 2 * cell, 2);
+      act(1, cell);
       break;
     case 2:
-      own(0, complex.FaceVertices.data() + 3 * cell, 3);
-      own(1, complex.FaceEdges.data() + 3 * cell, 3);
-      types.Of[2][cell] = 0;
+      visit(0, complex.FaceVertices.data() + 3 * cell, 3);
+      visit(1, complex.FaceEdges.data() + 3 * cell, 3);
+      act(2, cell);
       break;
     default:
-      own(0, complex.TetVertices.data() + 4 * cell, 4);
-      own(1, complex.TetEdges.data() + 6 * cell, 6);
-      own(2, complex.TetFaces.data() + 4 * cell, 4);
+      visit(0, complex.TetVertices.data() + 4 * cell, 4);
+      visit(1, complex.TetEdges.data() + 6 * cell, 6);
+      visit(2, complex.TetFaces.data() + 4 * cell, 4);
       break;
   }
 }
@@ -99,8 +93,12 @@ private:
   void AddFacts(const ComplexDescription<Id>& description);
   template <typename Id>
   void AddOriginalIds(const ControlComplex<Id>& control);
+  template <typename Id, typename Act>
+  void VisitCells(const ControlComplex<Id>& control, const Act& act) const;
   template <typename Id>
   void AddGhosts(const ControlComplex<Id>& control);
+  template <typename Id>
+  void AddBlocks(const ControlComplex<Id>& control);
   template <typename Id>
   void AddNumbers(const ComplexDescription<Id>& description);
 
@@ -233,6 +231,7 @@ bool Probe::Describe(const ControlComplex<Id>& control)
   this->AddFacts(description);
   this->AddOriginalIds(control);
   this->AddGhosts(control);
+  this->AddBlocks(control);
   this->AddNumbers(description);
   return true;
 }
@@ -355,6 +354,25 @@ void Probe::AddOriginalIds(const ControlComplex<Id>& control)
     });
 }
 
+/// act(input cell, dimension, number) for each simplex that lies on an input cell.
+template <typename Id, typename Act>
+void Probe::VisitCells(const ControlComplex<Id>& control, const Act& act) const
+{
+  const SimplicialComplex<Id>& complex = control.Current.Complex;
+  const Buffer<Id>* twins[4] = { nullptr, &complex.EqualLines.Twins, &complex.EqualTriangles.Twins,
+    &complex.EqualTets.Twins };
+  for (const CellRun& run : control.Runs)
+  {
+    for (vtkIdType i = 0; i < run.Count; ++i)
+    {
+      const vtkIdType cell = this->GetInputCell(run.FirstCell + i);
+      const vtkIdType at = run.First + i;
+      VisitFaces(complex, run.Dimension, run.Equal ? (*twins[run.Dimension])[at] : at,
+        [&](int dimension, vtkIdType simplex) { act(cell, dimension, simplex); });
+    }
+  }
+}
+
 /// A simplex is a duplicate if all cells that it lies on are.
 template <typename Id>
 void Probe::AddGhosts(const ControlComplex<Id>& control)
@@ -365,26 +383,46 @@ void Probe::AddGhosts(const ControlComplex<Id>& control)
   if (ghosts)
   {
     const SimplicialComplex<Id>& complex = control.Current.Complex;
-    GhostTypes kinds = { { Buffer<unsigned char>(complex.NumberOfVertices, DuplicateCell),
+    Buffer<unsigned char> types[3] = { Buffer<unsigned char>(
+                                         complex.NumberOfVertices, DuplicateCell),
       Buffer<unsigned char>(complex.NumberOfEdges, DuplicateCell),
-      Buffer<unsigned char>(complex.NumberOfFaces, DuplicateCell) } };
-    const Buffer<Id>* twins[4] = { nullptr, &complex.EqualLines.Twins,
-      &complex.EqualTriangles.Twins, &complex.EqualTets.Twins };
-    for (const CellRun& run : control.Runs)
-    {
-      for (vtkIdType i = 0; i < run.Count; ++i)
+      Buffer<unsigned char>(complex.NumberOfFaces, DuplicateCell) };
+    this->VisitCells(control,
+      [&](vtkIdType cell, int dimension, vtkIdType simplex)
       {
-        if (!(ghosts->GetValue(this->GetInputCell(run.FirstCell + i)) & DuplicateCell))
+        if (!(ghosts->GetValue(cell) & DuplicateCell))
         {
-          const vtkIdType at = run.First + i;
-          MarkAsOwn(complex, run.Dimension, run.Equal ? (*twins[run.Dimension])[at] : at, kinds);
+          types[dimension][simplex] = 0;
         }
-      }
-    }
+      });
     this->AddCellArray<vtkUnsignedCharArray>(
-      name, [&](int dimension, vtkIdType i) { return kinds.Of[dimension][i]; });
+      name, [&](int dimension, vtkIdType i) { return types[dimension][i]; });
   }
   RebuildPointGhosts(this->Input, this->Output);
+}
+
+/// A simplex belongs to the block of the first cell that it lies on.
+template <typename Id>
+void Probe::AddBlocks(const ControlComplex<Id>& control)
+{
+  vtkDataArray* blocks = this->Input->GetCellData()->GetArray(BlockName);
+  if (!blocks)
+  {
+    return;
+  }
+  const SimplicialComplex<Id>& complex = control.Current.Complex;
+  const vtkIdType none = this->Input->GetNumberOfCells();
+  Buffer<vtkIdType> first[3] = { Buffer<vtkIdType>(complex.NumberOfVertices, none),
+    Buffer<vtkIdType>(complex.NumberOfEdges, none),
+    Buffer<vtkIdType>(complex.NumberOfFaces, none) };
+  this->VisitCells(control, [&](vtkIdType cell, int dimension, vtkIdType simplex)
+    { first[dimension][simplex] = std::min(first[dimension][simplex], cell); });
+  this->AddCellArray<vtkIntArray>(BlockName,
+    [&](int dimension, vtkIdType i)
+    {
+      const vtkIdType cell = first[dimension][i];
+      return cell < none ? static_cast<int>(blocks->GetTuple1(cell)) : NoBlock;
+    });
 }
 
 /// Adds field arrays with numbers of the whole complex, and removes the stamp of an earlier filter,
@@ -405,6 +443,10 @@ void Probe::AddNumbers(const ComplexDescription<Id>& description)
     std::copy(values, values + size, array->GetPointer(0));
     fields->AddArray(array);
   };
+  if (!this->Options.IsWhole)
+  {
+    return;
+  }
   const vtkIdType euler = description.GetEulerCharacteristic();
   add("SimplexCounts", description.Counts, 4);
   add("EulerCharacteristic", &euler, 1);

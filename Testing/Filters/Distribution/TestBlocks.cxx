@@ -372,3 +372,43 @@ TEST(Blocks, AreOneControlMeshOfADeformation)
     MakeBlocks(Cut(moved, chance, 3, KnownBy::GlobalIds)), MakeBlocks(parts));
   ExpectWhole(vtkPointSet::SafeDownCast(whole), GetLeaves(blocks));
 }
+
+TEST(Blocks, AreOneComplex)
+{
+  const Grid box = MakeMixedBox(2);
+  const std::vector<Mesh> cut = Cut(box, CutByChance(box, 3, 2), 3, KnownBy::GlobalIds);
+  vtkNew<vtkSimplicialComplexTopology> serial;
+  const auto output = RunFilterOn(serial.Get(), box);
+  auto* whole = vtkPointSet::SafeDownCast(output);
+  vtkNew<vtkSimplicialComplexTopology> filter;
+  const std::vector<Mesh> leaves = GetLeaves(RunFilterOn(filter.Get(), MakeBlocks(cut)));
+  // Each simplex is there once, with the same facts: told by the sums of their numbers.
+  vtkIdType cells = 0;
+  for (const char* name : { "Boundary", "NonManifoldType", "Valence", "ManifoldDimensions" })
+  {
+    double sums[2] = {};
+    auto add = [name](vtkPointSet* mesh, double& sum)
+    {
+      vtkDataArray* values = mesh->GetCellData()->GetArray(name);
+      ASSERT_TRUE(values);
+      for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+      {
+        sum += values->GetTuple1(i);
+      }
+    };
+    add(whole, sums[0]);
+    for (const Mesh& leaf : leaves)
+    {
+      add(leaf, sums[1]);
+    }
+    EXPECT_EQ(sums[0], sums[1]) << name;
+  }
+  for (const Mesh& leaf : leaves)
+  {
+    cells += leaf->GetNumberOfCells();
+    EXPECT_EQ(std::string(),
+      CompareValues(whole->GetFieldData()->GetAbstractArray("SimplexCounts"),
+        leaf->GetFieldData()->GetAbstractArray("SimplexCounts")));
+  }
+  EXPECT_EQ(whole->GetNumberOfCells(), cells);
+}
