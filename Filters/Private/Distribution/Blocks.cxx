@@ -234,6 +234,47 @@ void AddFieldData(vtkFieldData* from, bool withStamp, vtkFieldData* to)
   }
 }
 
+/// Writes the output of one block, whose cells are `own`.
+void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision, int ghostLayers,
+  int block, const std::vector<vtkIdType>& own, std::vector<Block>& blocks)
+{
+  const std::vector<vtkIdType> cells = ghostLayers > 0 ? AddLayersOf(whole, own, ghostLayers) : own;
+  std::vector<vtkIdType> kept;
+  if (auto* of = vtkIntArray::SafeDownCast(whole->GetPointData()->GetArray(PointBlockName)))
+  {
+    kept = FindUnused(whole);
+    kept.erase(std::remove_if(kept.begin(), kept.end(),
+                 [&](vtkIdType point) { return of->GetValue(point) != block; }),
+      kept.end());
+  }
+  vtkPointSet* output = blocks[block].Output;
+  const std::vector<vtkIdType> points = TakeCells(whole, cells, kept, output);
+  if (ghostLayers > 0)
+  {
+    MarkGhosts(cells, own, output);
+  }
+  if (ownPrecision)
+  {
+    SetPrecision(blocks[block].Input->GetPoints()->GetDataType(), output);
+  }
+  output->GetPointData()->RemoveArray(PointBlockName);
+  output->GetCellData()->RemoveArray(SelectedName);
+  output->GetCellData()->RemoveArray(BlockIndexName);
+  RestoreArrays(joined.PointArrays, block, output->GetPointData());
+  RestoreArrays(joined.CellArrays, block, output->GetCellData());
+  CountInBlock(
+    OriginalPointIdsName, joined.PointArrays, joined.PointPlaces[block], output->GetPointData());
+  CountInBlock(
+    OriginalCellIdsName, joined.CellArrays, joined.CellPlaces[block], output->GetCellData());
+  AddFieldData(blocks[block].Input->GetFieldData(), false, output->GetFieldData());
+  AddFieldData(whole->GetFieldData(), true, output->GetFieldData());
+  if (whole->GetFieldData()->HasArray(StampName))
+  {
+    output->GetFieldData()->AddArray(MakeIds(BlockPointsName, points));
+    output->GetFieldData()->AddArray(MakeIds(BlockCellsName, cells));
+  }
+}
+
 bool ReadStampedIds(
   vtkFieldData* field, const char* name, vtkIdType size, std::vector<vtkIdType>& ids)
 {
@@ -377,44 +418,13 @@ void AddPointBlocks(const std::vector<MeshPart>& parts, JoinedMesh& joined)
   joined.Mesh->GetPointData()->AddArray(blocks);
 }
 
-void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision, int ghostLayers,
-  int block, std::vector<Block>& blocks)
+void TakeOutputs(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision, int ghostLayers,
+  std::vector<Block>& blocks)
 {
-  const std::vector<vtkIdType> own = FindCellsOfBlock(whole, block);
-  const std::vector<vtkIdType> cells = ghostLayers > 0 ? AddLayersOf(whole, own, ghostLayers) : own;
-  std::vector<vtkIdType> kept;
-  if (auto* of = vtkIntArray::SafeDownCast(whole->GetPointData()->GetArray(PointBlockName)))
+  const auto cells = FindCellsOfBlocks(whole, static_cast<int>(blocks.size()));
+  for (size_t i = 0; i < blocks.size(); ++i)
   {
-    kept = FindUnused(whole);
-    kept.erase(std::remove_if(kept.begin(), kept.end(),
-                 [&](vtkIdType point) { return of->GetValue(point) != block; }),
-      kept.end());
-  }
-  vtkPointSet* output = blocks[block].Output;
-  const std::vector<vtkIdType> points = TakeCells(whole, cells, kept, output);
-  if (ghostLayers > 0)
-  {
-    MarkGhosts(cells, own, output);
-  }
-  if (ownPrecision)
-  {
-    SetPrecision(blocks[block].Input->GetPoints()->GetDataType(), output);
-  }
-  output->GetPointData()->RemoveArray(PointBlockName);
-  output->GetCellData()->RemoveArray(SelectedName);
-  output->GetCellData()->RemoveArray(BlockIndexName);
-  RestoreArrays(joined.PointArrays, block, output->GetPointData());
-  RestoreArrays(joined.CellArrays, block, output->GetCellData());
-  CountInBlock(
-    OriginalPointIdsName, joined.PointArrays, joined.PointPlaces[block], output->GetPointData());
-  CountInBlock(
-    OriginalCellIdsName, joined.CellArrays, joined.CellPlaces[block], output->GetCellData());
-  AddFieldData(blocks[block].Input->GetFieldData(), false, output->GetFieldData());
-  AddFieldData(whole->GetFieldData(), true, output->GetFieldData());
-  if (whole->GetFieldData()->HasArray(StampName))
-  {
-    output->GetFieldData()->AddArray(MakeIds(BlockPointsName, points));
-    output->GetFieldData()->AddArray(MakeIds(BlockCellsName, cells));
+    TakeOutput(joined, whole, ownPrecision, ghostLayers, static_cast<int>(i), cells[i], blocks);
   }
 }
 

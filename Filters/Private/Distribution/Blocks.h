@@ -48,13 +48,13 @@ void SetOutputs(
 /// Adds to points that no cell uses the number of their block, so that the block can take them.
 void AddPointBlocks(const std::vector<MeshPart>& parts, JoinedMesh& joined);
 
-/// Writes the output of a block: its cells and points of `whole`, with the arrays that the block
+/// Writes the outputs of blocks: their cells and points of `whole`, with the arrays that the block
 /// had and those that the filter made, original ids that count the block's own points and cells,
 /// and its field data. `ownPrecision`: the points have the type that they have in the block.
-/// `ghostLayers`: how many layers of cells of others around its own the block gets, marked as
+/// `ghostLayers`: how many layers of cells of others around its own a block gets, marked as
 /// duplicates (vtkGhostType), and so are the points that only these have.
-void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision, int ghostLayers,
-  int block, std::vector<Block>& blocks);
+void TakeOutputs(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision, int ghostLayers,
+  std::vector<Block>& blocks);
 
 /// If an earlier filter made all blocks in one run, gives points and cells the ids that they had in
 /// it, and returns true.

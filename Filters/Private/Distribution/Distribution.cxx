@@ -54,11 +54,8 @@ bool RunPartition(std::vector<MeshPart> parts, int pointType,
         return false;
       }
       joined.Mesh = nullptr;
-      for (size_t b = 0; b < blocks.size(); ++b)
-      {
-        TakeOutput(joined, whole, options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION,
-          distribution.GhostLayers, static_cast<int>(b), blocks);
-      }
+      TakeOutputs(joined, whole, options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION,
+        distribution.GhostLayers, blocks);
       return true;
     });
 }

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <string>
 #include <tuple>
 
@@ -139,37 +140,72 @@ vtkSmartPointer<vtkPoints> JoinPoints(
   return points;
 }
 
-/// Cells of a type each, as they come.
-struct CellLists
+/// Cells, as they come.
+class CellLists
 {
-  std::array<vtkSmartPointer<vtkCellArray>, 4> OfKind;
+public:
+  explicit CellLists(vtkIdType size)
+    : Types(vtkSmartPointer<vtkUnsignedCharArray>::New())
+  {
+    this->Types->SetNumberOfValues(size);
+    this->OfKind[0].Offsets.reserve(static_cast<size_t>(size) + 1);
+    this->OfKind[0].Ids.reserve(4 * static_cast<size_t>(size)); // most cells are simplices
+  }
+
+  /// Starts cell `i`, whose points follow. `kind`: as GetKind for poly data, else 0.
+  void Start(vtkIdType i, int kind, int type)
+  {
+    this->Types->SetValue(i, static_cast<unsigned char>(type));
+    this->Current = &this->OfKind[kind];
+  }
+  void Add(vtkIdType point) { this->Current->Ids.push_back(point); }
+  void End()
+  {
+    this->Current->Offsets.push_back(static_cast<vtkIdType>(this->Current->Ids.size()));
+  }
+
+  void GiveTo(vtkPointSet* mesh)
+  {
+    auto* poly = vtkPolyData::SafeDownCast(mesh);
+    if (!poly)
+    {
+      vtkUnstructuredGrid::SafeDownCast(mesh)->SetCells(this->Types, this->OfKind[0].Take());
+      return;
+    }
+    poly->SetVerts(this->OfKind[0].Take());
+    poly->SetLines(this->OfKind[1].Take());
+    poly->SetPolys(this->OfKind[2].Take());
+    poly->SetStrips(this->OfKind[3].Take());
+  }
+
+private:
+  struct List
+  {
+    std::vector<vtkIdType> Offsets{ 0 };
+    std::vector<vtkIdType> Ids;
+
+    vtkSmartPointer<vtkCellArray> Take()
+    {
+      auto cells = vtkSmartPointer<vtkCellArray>::New();
+      cells->SetData(ToArray(this->Offsets), ToArray(this->Ids));
+      *this = List();
+      return cells;
+    }
+    static vtkSmartPointer<vtkDataArray> ToArray(const std::vector<vtkIdType>& values)
+    {
+      const auto array = MakeArray(VTK_ID_TYPE, 1, static_cast<vtkIdType>(values.size()));
+      if (!values.empty())
+      {
+        std::memcpy(array->GetVoidPointer(0), values.data(), values.size() * sizeof(vtkIdType));
+      }
+      return array;
+    }
+  };
+
+  std::array<List, 4> OfKind;
+  List* Current = nullptr;
   vtkSmartPointer<vtkUnsignedCharArray> Types;
 };
-
-CellLists MakeLists(vtkIdType size)
-{
-  CellLists lists;
-  for (auto& cells : lists.OfKind)
-  {
-    cells = vtkSmartPointer<vtkCellArray>::New();
-  }
-  lists.Types = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  lists.Types->SetNumberOfValues(size);
-  return lists;
-}
-
-void SetCells(CellLists& lists, vtkPointSet* mesh)
-{
-  if (auto* poly = vtkPolyData::SafeDownCast(mesh))
-  {
-    poly->SetVerts(lists.OfKind[0]);
-    poly->SetLines(lists.OfKind[1]);
-    poly->SetPolys(lists.OfKind[2]);
-    poly->SetStrips(lists.OfKind[3]);
-    return;
-  }
-  vtkUnstructuredGrid::SafeDownCast(mesh)->SetCells(lists.Types, lists.OfKind[0]);
-}
 
 /// The cell type in an unstructured grid: poly data says polygon where it has triangles too.
 int GetGridType(int type, vtkIdType size, bool fromPolyData)
@@ -194,25 +230,23 @@ int GetGridType(int type, vtkIdType size, bool fromPolyData)
 void JoinCells(const std::vector<MeshPart>& parts, const std::vector<CellReader>& readers,
   const std::vector<Item>& items, const Places& points, vtkPointSet* mesh)
 {
-  CellLists lists = MakeLists(static_cast<vtkIdType>(items.size()));
+  CellLists lists(static_cast<vtkIdType>(items.size()));
   std::vector<vtkIdType> scratch;
-  std::vector<vtkIdType> ids;
   for (size_t i = 0; i < items.size(); ++i)
   {
     const Item& item = items[i];
     const CellIds cell = readers[item.Part].GetCell(item.Index, scratch);
     const std::vector<vtkIdType>& places = points.OfPart[item.Part];
-    ids.clear();
+    lists.Start(static_cast<vtkIdType>(i), item.Kind,
+      GetGridType(readers[item.Part].GetCellType(item.Index), cell.Size,
+        vtkPolyData::SafeDownCast(parts[item.Part].Mesh) != nullptr));
     for (vtkIdType k = 0; k < cell.Size; ++k)
     {
-      ids.push_back(Exists(cell.Ids[k], places) ? places[cell.Ids[k]] : -1);
+      lists.Add(Exists(cell.Ids[k], places) ? places[cell.Ids[k]] : -1);
     }
-    lists.OfKind[item.Kind]->InsertNextCell(cell.Size, ids.data());
-    lists.Types->SetValue(static_cast<vtkIdType>(i),
-      static_cast<unsigned char>(GetGridType(readers[item.Part].GetCellType(item.Index), cell.Size,
-        vtkPolyData::SafeDownCast(parts[item.Part].Mesh) != nullptr)));
+    lists.End();
   }
-  SetCells(lists, mesh);
+  lists.GiveTo(mesh);
 }
 
 void AddBlocks(
@@ -327,16 +361,17 @@ JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType)
   return joined;
 }
 
-std::vector<vtkIdType> FindCellsOfBlock(vtkPointSet* whole, int block)
+std::vector<std::vector<vtkIdType>> FindCellsOfBlocks(vtkPointSet* whole, int count)
 {
-  std::vector<vtkIdType> cells;
+  std::vector<std::vector<vtkIdType>> cells(static_cast<size_t>(count));
   auto* blocks = vtkIntArray::SafeDownCast(whole->GetCellData()->GetArray(BlockName));
   const vtkIdType size = blocks ? blocks->GetNumberOfValues() : 0;
   for (vtkIdType c = 0; c < size; ++c)
   {
-    if (blocks->GetValue(c) == block)
+    const int block = blocks->GetValue(c);
+    if (block >= 0 && block < count)
     {
-      cells.push_back(c);
+      cells[block].push_back(c);
     }
   }
   return cells;
@@ -356,22 +391,20 @@ std::vector<vtkIdType> TakeCells(vtkPointSet* whole, const std::vector<vtkIdType
   part->SetPoints(coordinates);
 
   const bool isPolyData = vtkPolyData::SafeDownCast(whole) != nullptr;
-  CellLists lists = MakeLists(static_cast<vtkIdType>(cells.size()));
+  CellLists lists(static_cast<vtkIdType>(cells.size()));
   std::vector<vtkIdType> scratch;
-  std::vector<vtkIdType> ids;
   for (size_t i = 0; i < cells.size(); ++i)
   {
     const CellIds cell = reader.GetCell(cells[i], scratch);
     const int type = reader.GetCellType(cells[i]);
-    ids.clear();
+    lists.Start(static_cast<vtkIdType>(i), isPolyData ? GetKind(type) : 0, type);
     for (vtkIdType k = 0; k < cell.Size; ++k)
     {
-      ids.push_back(Exists(cell.Ids[k], place) ? place[cell.Ids[k]] : -1);
+      lists.Add(Exists(cell.Ids[k], place) ? place[cell.Ids[k]] : -1);
     }
-    lists.OfKind[isPolyData ? GetKind(type) : 0]->InsertNextCell(cell.Size, ids.data());
-    lists.Types->SetValue(static_cast<vtkIdType>(i), static_cast<unsigned char>(type));
+    lists.End();
   }
-  SetCells(lists, part);
+  lists.GiveTo(part);
   TakeArrays(whole->GetPointData(), points, part->GetPointData());
   TakeArrays(whole->GetCellData(), cells, part->GetCellData());
   return points;

@@ -74,8 +74,8 @@ JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType = VTK_DOUBLE);
 std::vector<vtkIdType> TakeCells(vtkPointSet* whole, const std::vector<vtkIdType>& cells,
   const std::vector<vtkIdType>& kept, vtkPointSet* part);
 
-/// The cells whose value in the array BlockName is `block`.
-std::vector<vtkIdType> FindCellsOfBlock(vtkPointSet* whole, int block);
+/// The cells of each block from 0 to `count` - 1, by the array BlockName.
+std::vector<std::vector<vtkIdType>> FindCellsOfBlocks(vtkPointSet* whole, int count);
 
 }
 
