@@ -10,6 +10,7 @@
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
@@ -18,9 +19,12 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRedGreenRefinement.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSubdivisionDeformation.h"
 #include "vtkSurfaceSubdivision.h"
+#include "vtkTrivialProducer.h"
 
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;
@@ -411,4 +415,58 @@ TEST(Blocks, AreOneComplex)
         leaf->GetFieldData()->GetAbstractArray("SimplexCounts")));
   }
   EXPECT_EQ(whole->GetNumberOfCells(), cells);
+}
+
+namespace
+{
+
+/// Refines the cells of `input` that are listed, in the block of a composite index (0: no blocks).
+vtkSmartPointer<vtkDataObject> RefineSelected(
+  vtkDataObject* input, const std::vector<vtkIdType>& cells, int compositeIndex)
+{
+  vtkNew<vtkIdTypeArray> list;
+  for (const vtkIdType cell : cells)
+  {
+    list->InsertNextValue(cell);
+  }
+  vtkNew<vtkSelectionNode> node;
+  node->SetContentType(vtkSelectionNode::INDICES);
+  node->SetFieldType(vtkSelectionNode::CELL);
+  node->SetSelectionList(list);
+  if (compositeIndex > 0)
+  {
+    node->GetProperties()->Set(vtkSelectionNode::COMPOSITE_INDEX(), compositeIndex);
+  }
+  vtkNew<vtkSelection> selection;
+  selection->AddNode(node);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(selection);
+  vtkNew<vtkRedGreenRefinement> filter;
+  filter->RefineByAttributeErrorOff();
+  filter->RefineBySelectionOn();
+  filter->SetMaximumLevel(2);
+  filter->SetSelectionConnection(producer->GetOutputPort());
+  return RunFilterOn(filter.Get(), input);
+}
+
+}
+
+TEST(Blocks, ASelectionInABlockIsFoundInTheWhole)
+{
+  const Grid box = MakeBox(3);
+  const std::vector<int> slabs = CutInSlabs(box, 2);
+  const std::vector<Mesh> cut = Cut(box, slabs, 2, KnownBy::GlobalIds);
+  // The first five cells of the second block, and what they are in the whole.
+  std::vector<vtkIdType> ofWhole;
+  for (size_t c = 0; c < slabs.size() && ofWhole.size() < 5; ++c)
+  {
+    if (slabs[c] == 1)
+    {
+      ofWhole.push_back(static_cast<vtkIdType>(c));
+    }
+  }
+  const auto whole = RefineSelected(box, ofWhole, 0);
+  const auto parts = RefineSelected(MakeBlocks(cut), { 0, 1, 2, 3, 4 }, 2);
+  EXPECT_LT(box->GetNumberOfCells(), vtkPointSet::SafeDownCast(whole)->GetNumberOfCells());
+  ExpectWhole(vtkPointSet::SafeDownCast(whole), GetLeaves(parts));
 }
