@@ -445,13 +445,16 @@ bool TakeStampedIds(std::vector<MeshPart>& parts)
   return numberOfPoints > 0;
 }
 
-void RestoreStamp(const std::vector<MeshPart>& parts, JoinedMesh& joined)
+bool RestoreStamp(const std::vector<MeshPart>& parts, JoinedMesh& joined)
 {
-  if (!AreConsecutive(joined.PointIds) || !AreConsecutive(joined.CellIds))
-  {
-    return;
-  }
+  const bool has = std::any_of(parts.begin(), parts.end(),
+    [](const MeshPart& part) { return part.Mesh->GetFieldData()->HasArray(StampName); });
   vtkFieldData* field = parts[0].Mesh->GetFieldData();
+  if (!has || !field->HasArray(BlockCellsName) || !AreConsecutive(joined.PointIds) ||
+    !AreConsecutive(joined.CellIds))
+  {
+    return !has;
+  }
   for (int a = 0; a < field->GetNumberOfArrays(); ++a)
   {
     const char* name = field->GetAbstractArray(a)->GetName();
@@ -461,6 +464,7 @@ void RestoreStamp(const std::vector<MeshPart>& parts, JoinedMesh& joined)
       joined.Mesh->GetFieldData()->AddArray(field->GetAbstractArray(a));
     }
   }
+  return true;
 }
 
 }

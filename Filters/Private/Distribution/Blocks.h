@@ -60,8 +60,9 @@ void TakeOutputs(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision
 /// it, and returns true.
 bool TakeStampedIds(std::vector<MeshPart>& parts);
 
-/// Gives the joined mesh the stamp of that filter, if points and cells are where they were.
-void RestoreStamp(const std::vector<MeshPart>& parts, JoinedMesh& joined);
+/// Gives the joined mesh the stamp of that filter, if points and cells are where they were. Returns
+/// false if blocks have a stamp and the mesh has not, so that the filter starts afresh.
+bool RestoreStamp(const std::vector<MeshPart>& parts, JoinedMesh& joined);
 
 }
 

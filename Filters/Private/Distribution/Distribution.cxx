@@ -46,7 +46,13 @@ bool RunPartition(std::vector<MeshPart> parts, int pointType,
     {
       JoinedMesh joined = Join(parts, pointType);
       AddPointBlocks(parts, joined);
-      RestoreStamp(parts, joined);
+      if (!RestoreStamp(parts, joined))
+      {
+        options.Warn("Earlier filters made the blocks or partitions of the input, but not all of "
+                     "them in one run of one process. This filter takes them as any other mesh: "
+                     "results are not those of one filter with all levels. Use one filter with "
+                     "more levels, or switch JoinBlocks off, and each block goes on by itself.");
+      }
       parts.clear();
       const auto whole = MakeMesh(distribution.IsOfSurfaces);
       if (!work(joined.Mesh, whole))

@@ -161,6 +161,26 @@ TEST(Blocks, FiltersInARowAreOne)
   ExpectWhole(vtkPointSet::SafeDownCast(once), GetLeaves(blocks));
 }
 
+TEST(Blocks, ThatDoNotGoOnAreSaid)
+{
+  // One of two blocks of an earlier output, and blocks that were subdivided each by itself.
+  const Grid box = MakeBox(2);
+  const std::vector<Mesh> cut = Cut(box, CutInSlabs(box, 2), 2, KnownBy::GlobalIds);
+  const std::vector<Mesh> together = GetLeaves(RunFilterOn(MakeUniform(1).Get(), MakeBlocks(cut)));
+  auto alone = MakeUniform(1);
+  alone->JoinBlocksOff();
+  const std::vector<Mesh> apart = GetLeaves(RunFilterOn(alone.Get(), MakeBlocks(cut)));
+  for (const std::vector<Mesh>& meshes : { std::vector<Mesh>{ together[1] }, apart })
+  {
+    auto filter = MakeUniform(1);
+    vtkNew<Messages> messages;
+    messages->Watch(filter);
+    filter->SetInputDataObject(MakeBlocks(meshes));
+    filter->Update();
+    EXPECT_EQ(1, messages->CountWarnings("Earlier filters made the blocks"));
+  }
+}
+
 TEST(Blocks, StructureNamesAndFieldDataAreKept)
 {
   const Grid box = MakeBox(2);
