@@ -21,6 +21,22 @@ struct Mask
   double Ring;
 };
 
+/// A mask for a ring that consists of up to three sections, each with a size and a weight of its
+/// own.
+struct PartedMask
+{
+  double Own;
+  int Parts;
+  vtkIdType Sizes[3];
+  double Weights[3];
+};
+
+/// The same mask for a ring of one section.
+inline PartedMask MakeParted(const Mask& mask, vtkIdType ringSize)
+{
+  return { mask.Own, 1, { ringSize, 0, 0 }, { mask.Ring, 0., 0. } };
+}
+
 inline Mask VertexMask(Rule rule, vtkIdType ringSize)
 {
   const double m = static_cast<double>(ringSize);

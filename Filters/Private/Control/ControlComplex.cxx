@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/ControlComplex.h"
 
-#include "Core/Solids/TetOct/TetOctCells.h"
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,30 +97,6 @@ SimplexTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
   return derived;
 }
 
-template <typename Id>
-bool IsWhatWasRead(
-  const SimplexList& read, const std::vector<CellRun>& runs, const Level<Id>& level)
-{
-  const CellCounts counts = CountCells(runs);
-  if (counts.Cells != read.GetNumberOfSimplices() ||
-    level.Complex.NumberOfVertices != read.NumberOfPoints)
-  {
-    return false;
-  }
-  Buffer<long long> connectivity(counts.Entries);
-  Buffer<long long> offsets(counts.Cells + 1);
-  Buffer<unsigned char> types(counts.Cells);
-  WriteCells(level.Complex, runs,
-    CellStorage<long long>{ connectivity.data(), offsets.data(), types.data() });
-  return std::equal(connectivity.begin(), connectivity.end(), read.Connectivity.begin());
-}
-template <typename Id>
-bool IsWhatWasRead(
-  const SimplexList& read, const std::vector<CellRun>& runs, const TetOctLevel<Id>& level)
-{
-  return HasCells(level, runs, read);
-}
-
 }
 
 template <typename Id>
@@ -210,17 +186,6 @@ AnyLevel RefineTo(AnyLevel level, int steps, Depth depth)
   return level;
 }
 
-template <typename Id>
-void Convert(Level<Id>&& control, Level<Id>& level)
-{
-  level = std::move(control);
-}
-template <typename Id>
-void Convert(Level<Id>&& control, TetOctLevel<Id>& level)
-{
-  level = MakeTetOctLevel(std::move(control));
-}
-
 /// Builds the control level as if all edges with a larger sharpness than `sharpness` were singular.
 template <typename Id>
 Level<Id> BuildSharpControl(const ControlMesh& mesh, const FeatureOptions& features,
@@ -249,44 +214,31 @@ Level<Id> BuildSharpControl(const ControlMesh& mesh, const FeatureOptions& featu
 
 /// Builds the level `steps` steps after the current one as if all edges with a larger sharpness
 /// than `sharpness` were singular.
-template <template <typename> class AnyLevel, typename Id>
-AnyLevel<Id> BuildSharpLevel(const ControlMesh& mesh, const FeatureOptions& features,
+template <typename Scheme>
+typename Scheme::Level BuildSharpLevel(const ControlMesh& mesh, const FeatureOptions& features,
   const ControlTraits& traits, int steps, double sharpness, Depth depth)
 {
-  AnyLevel<Id> level;
-  Convert(BuildSharpControl<Id>(mesh, features, traits, sharpness), level);
-  return RefineTo(std::move(level), mesh.MadeLevels + steps, depth);
-}
-
-/// What a stage needs of a level.
-template <typename Id>
-SharpStage<Id> TakeStage(int until, Level<Id>&& level)
-{
-  return { until, std::move(level.Strata) };
-}
-template <typename Id>
-SharpStage<Id> TakeStage(int until, TetOctLevel<Id>&& level)
-{
-  return { until, std::move(level.Strata), level.TetsAtSpokes };
+  using Id = typename Scheme::Id;
+  return RefineTo(Scheme::Start(BuildSharpControl<Id>(mesh, features, traits, sharpness)),
+    mesh.MadeLevels + steps, depth);
 }
 
 }
 
-template <template <typename> class AnyLevel, typename Id>
+template <typename Scheme>
 bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
-  const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control,
-  AnyLevel<Id>& current)
+  const Coordinates& points, const WarnFunction& warn, Depth depth,
+  ControlComplex<typename Scheme::Id>& control, typename Scheme::Level& current)
 {
   if (!BuildControlLevel(mesh, features, points, warn, control))
   {
     return false;
   }
   const int made = mesh.MadeLevels;
-  Convert(std::move(control.Current), current);
-  current = RefineTo(std::move(current), made, depth);
+  current = RefineTo(Scheme::Start(std::move(control.Current)), made, depth);
   control.Runs = RefineRuns(control.Runs, made);
   control.DerivedRuns = RefineRuns(control.DerivedRuns, made);
-  return made == 0 || IsWhatWasRead(mesh.Cells.Simplices, control.Runs, current);
+  return made == 0 || Scheme::HasCells(current, control.Runs, mesh.Cells.Simplices);
 }
 
 template <typename Id>
@@ -294,23 +246,24 @@ bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features
   const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control)
 {
   Level<Id> current;
-  const bool built = BuildControlComplex(mesh, features, points, warn, depth, control, current);
+  const bool built =
+    BuildControlComplex<BoxSplineScheme<Id>>(mesh, features, points, warn, depth, control, current);
   control.Current = std::move(current);
   return built;
 }
 
-template <template <typename> class AnyLevel, typename Id>
-AnyLevel<Id> BuildSharpLevel(
+template <typename Scheme>
+typename Scheme::Level BuildSharpLevel(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps)
 {
-  return BuildSharpLevel<AnyLevel, Id>(mesh, features, traits, steps, steps, Depth::ForOutput);
+  return BuildSharpLevel<Scheme>(mesh, features, traits, steps, steps, Depth::ForOutput);
 }
 
-template <template <typename> class AnyLevel, typename Id>
-SemiSharpStages<Id> BuildSharpStages(
+template <typename Scheme>
+SemiSharpStages<typename Scheme::Id> BuildSharpStages(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps)
 {
-  SemiSharpStages<Id> stages;
+  SemiSharpStages<typename Scheme::Id> stages;
   std::set<int> ends;
   for (double sharpness : traits.Sharpness)
   {
@@ -321,8 +274,8 @@ SemiSharpStages<Id> BuildSharpStages(
   }
   for (int end : ends)
   {
-    auto level = BuildSharpLevel<AnyLevel, Id>(
-      mesh, features, traits, steps, steps + end - 1, Depth::ForRefinement);
+    typename Scheme::Level level =
+      BuildSharpLevel<Scheme>(mesh, features, traits, steps, steps + end - 1, Depth::ForRefinement);
     if (stages.Stages.empty())
     {
       // The pieces of control edge e are the edges e 2^depth and following.
@@ -334,7 +287,7 @@ SemiSharpStages<Id> BuildSharpStages(
         std::fill(pieces, pieces + (vtkIdType(1) << depth), traits.Sharpness[e] - steps);
       }
     }
-    stages.Stages.push_back(TakeStage(end, std::move(level)));
+    stages.Stages.push_back({ end, std::move(level.Strata), Scheme::GetSpokes(level) });
   }
   return stages;
 }
@@ -342,21 +295,18 @@ SemiSharpStages<Id> BuildSharpStages(
 #define SUBDIVISION_CONTROL(Id)                                                                    \
   template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const Coordinates&, \
     const WarnFunction&, Depth, ControlComplex<Id>&);                                              \
-  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const Coordinates&, \
-    const WarnFunction&, Depth, ControlComplex<Id>&, TetOctLevel<Id>&);                            \
-  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const Coordinates&, \
-    const WarnFunction&, Depth, ControlComplex<Id>&, Level<Id>&);                                  \
-  template Level<Id> BuildSharpLevel<Level, Id>(                                                   \
-    const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
-  template TetOctLevel<Id> BuildSharpLevel<TetOctLevel, Id>(                                       \
-    const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
-  template SemiSharpStages<Id> BuildSharpStages<Level, Id>(                                        \
-    const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
-  template SemiSharpStages<Id> BuildSharpStages<TetOctLevel, Id>(                                  \
-    const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
   template SingularSimplices CollectSingular(                                                      \
     const SimplicialComplex<Id>&, const ControlTraits&, const std::vector<unsigned char>&)
 SUBDIVISION_CONTROL(int);
 SUBDIVISION_CONTROL(long long);
+
+#define SUBDIVISION_SCHEME(Scheme)                                                                 \
+  template bool BuildControlComplex<Scheme>(const ControlMesh&, const FeatureOptions&,             \
+    const Coordinates&, const WarnFunction&, Depth, ControlComplex<Scheme::Id>&, Scheme::Level&);  \
+  template Scheme::Level BuildSharpLevel<Scheme>(                                                  \
+    const ControlMesh&, const FeatureOptions&, const ControlTraits&, int);                         \
+  template SemiSharpStages<Scheme::Id> BuildSharpStages<Scheme>(                                   \
+    const ControlMesh&, const FeatureOptions&, const ControlTraits&, int)
+SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_SCHEME);
 
 }

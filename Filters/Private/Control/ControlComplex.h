@@ -8,7 +8,6 @@
 #define SubdivisionObjects_ControlComplex_h
 
 #include "Core/Solids/Limits/LimitStencils.h"
-#include "Core/Solids/TetOct/TetOctComplex.h"
 #include "Private/Control/ControlMesh.h"
 
 #include <functional>
@@ -48,21 +47,22 @@ template <typename Id>
 bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
   const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control);
 
-/// The same for a Level or a TetOctLevel, which goes to `current`; control.Current is left empty.
-template <template <typename> class AnyLevel, typename Id>
+/// The same for any volume scheme (SolidScheme.h). The level goes to `current`; control.Current is
+/// left empty.
+template <typename Scheme>
 bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
-  const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control,
-  AnyLevel<Id>& current);
+  const Coordinates& points, const WarnFunction& warn, Depth depth,
+  ControlComplex<typename Scheme::Id>& control, typename Scheme::Level& current);
 
 /// Builds the level `steps` steps after the current one, for output. Edges that are still sharp on
 /// it are singular.
-template <template <typename> class AnyLevel, typename Id>
-AnyLevel<Id> BuildSharpLevel(
+template <typename Scheme>
+typename Scheme::Level BuildSharpLevel(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps);
 
 /// The stages of semi-sharp creases from the level `steps` steps after the current one on.
-template <template <typename> class AnyLevel, typename Id>
-SemiSharpStages<Id> BuildSharpStages(
+template <typename Scheme>
+SemiSharpStages<typename Scheme::Id> BuildSharpStages(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps);
 
 /// Gives the flags of control simplices to their children after `levels` steps.

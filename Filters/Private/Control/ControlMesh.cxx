@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/ControlMesh.h"
 
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/StampFields.h"
 
@@ -73,6 +74,20 @@ std::vector<vtkIdType> ReadInverted(vtkPointSet* input, const SimplexList& contr
   return inverted;
 }
 
+/// Whether a volume scheme made the input, but not this one.
+bool IsOfOtherScheme(vtkPointSet* input, StampScheme scheme)
+{
+  bool found = false;
+  ForVolumeSchemes<int>(
+    [&](auto any)
+    {
+      const auto other = static_cast<StampScheme>(decltype(any)::Traits.Number);
+      Stamp ignored;
+      found = found || (other != scheme && ReadStamp(input, other, ignored));
+    });
+  return found;
+}
+
 }
 
 ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOptions& features,
@@ -82,10 +97,7 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
   auto warn = [&mesh](const std::string& warning) { mesh.Warnings.push_back(warning); };
   Stamp stamp;
   mesh.IsStamped = trustStamp && ReadStamp(input, scheme, stamp);
-  Stamp ignored;
-  mesh.IsOfOtherScheme = trustStamp && !mesh.IsStamped &&
-    ReadStamp(input,
-      scheme == StampScheme::BoxSpline ? StampScheme::TetOct : StampScheme::BoxSpline, ignored);
+  mesh.IsOfOtherScheme = trustStamp && !mesh.IsStamped && IsOfOtherScheme(input, scheme);
   vtkDataArray* carried = input->GetFieldData()->GetArray(GlobalIdsName);
   vtkDataArray* own = input->GetPointData()->GetGlobalIds();
   if (own && own->GetNumberOfTuples() < input->GetNumberOfPoints())

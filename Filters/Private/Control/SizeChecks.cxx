@@ -61,7 +61,7 @@ std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType
   return message.str();
 }
 
-bool NeedsLargeIds(const SimplexList& control, int levels, bool isTetOct)
+bool NeedsLargeIds(const SimplexList& control, int levels, const SchemeTraits& scheme)
 {
   double perDimension[4] = { 0., 0., 0., 0. };
   for (unsigned char dimension : control.Dimensions)
@@ -69,7 +69,7 @@ bool NeedsLargeIds(const SimplexList& control, int levels, bool isTetOct)
     ++perDimension[dimension];
   }
   LevelCounts counts;
-  counts.IsTetOct = isTetOct;
+  counts.Scheme = &scheme;
   counts.Vertices = static_cast<double>(control.NumberOfPoints);
   counts.Tets = perDimension[3];
   counts.Faces = perDimension[2] + 4. * counts.Tets;
@@ -77,11 +77,8 @@ bool NeedsLargeIds(const SimplexList& control, int levels, bool isTetOct)
   double largest = std::max(4. * counts.Faces, 4. * counts.Edges);
   for (int i = 0; i < levels; ++i)
   {
-    largest = std::max({ largest, 4. * counts.Faces, 4. * counts.Edges, 8. * counts.Tets });
-    if (isTetOct) // rings of 8 at edges, of 18 at vertices
-    {
-      largest = std::max({ largest, 8. * counts.Edges, 18. * counts.Vertices });
-    }
+    largest = std::max({ largest, 4. * counts.Faces, 4. * counts.Edges, 8. * counts.Tets,
+      scheme.EdgeRing * counts.Edges, scheme.VertexRing * counts.Vertices });
     counts = counts.Refine();
     largest = std::max(largest, counts.Vertices);
   }
@@ -108,7 +105,7 @@ std::string CheckMemory(const SizeEstimate& estimate)
   double bytes = 8. * (entries + cells) + cells +
     estimate.BytesPerPoint * (points + last.Vertices) + estimate.BytesPerCell * cells +
     estimate.BytesPerId * (10. * last.Tets + 18. * last.Octahedra + 13. * last.Edges) +
-    (last.IsTetOct ? 8. * cells : 0.); // OctahedronId
+    (last.Scheme->HasPieces ? 8. * cells : 0.); // OctahedronId
   if (estimate.Projects)
   {
     // Limit rows need the last level in the depth for one more step, and a row of all neighbours
@@ -117,10 +114,7 @@ std::string CheckMemory(const SizeEstimate& estimate)
     bytes += estimate.BytesPerId * (14. * last.Tets + 9. * last.Faces + 18. * last.Edges) +
       (8. + estimate.BytesPerId) * (last.Vertices + 2. * last.Edges + 6. * last.Octahedra) +
       estimate.BytesPerPoint * points;
-    if (last.IsTetOct) // rings of 8 and of 18 with carriers
-    {
-      bytes += estimate.BytesPerId * (26. * last.Octahedra + 37. * last.Vertices + 2. * last.Edges);
-    }
+    bytes += estimate.BytesPerId * last.Scheme->CountMoreIds(last);
   }
   return CheckMemory(cells, points, bytes, estimate.Levels);
 }

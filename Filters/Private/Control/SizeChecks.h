@@ -23,7 +23,7 @@ std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdTy
 std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType maximum);
 
 /// Whether ids inside the program may need more than 32 bits in so many steps.
-bool NeedsLargeIds(const SimplexList& control, int levels, bool isTetOct = false);
+bool NeedsLargeIds(const SimplexList& control, int levels, const SchemeTraits& scheme);
 
 struct SizeEstimate
 {

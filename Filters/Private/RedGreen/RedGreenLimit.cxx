@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/RedGreen/RedGreenLimit.h"
 
+#include "Core/Solids/BoxSpline/BoxSplineScheme.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +19,7 @@ bool RedGreenLimit<Id>::Build(const ControlMesh& mesh, const FeatureOptions& fea
     return false;
   }
   this->Control = std::move(control.Current);
-  this->Creases = BuildSharpStages<Level, Id>(mesh, features, control, 0);
+  this->Creases = BuildSharpStages<BoxSplineScheme<Id>>(mesh, features, control, 0);
   this->FindCurved();
   return true;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Topology/TopologyProbe.h"
 
+#include "Core/Solids/BoxSpline/BoxSplineScheme.h"
 #include "Core/Solids/Strata/ComplexDescription.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
@@ -186,7 +187,8 @@ void Probe::Read(bool trustStamp)
 bool Probe::Build()
 {
   // One level more: here all faces of the last one are made.
-  return NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + 1)
+  return NeedsLargeIds(
+           this->Mesh.GetControl(), this->Mesh.MadeLevels + 1, BoxSplineScheme<int>::Traits)
     ? this->BuildAs<long long>()
     : this->BuildAs<int>();
 }

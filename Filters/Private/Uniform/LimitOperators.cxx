@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Uniform/LimitOperators.h"
 
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
+
 namespace subdivision
 {
 
 template <typename Id>
-template <typename AnyLevel>
-LimitOperators<Id>::LimitOperators(const AnyLevel& level, const SemiSharpStages<Id>& creases,
+template <typename Level>
+LimitOperators<Id>::LimitOperators(const Level& level, const SemiSharpStages<Id>& creases,
   const ControlSolids& solids, bool project, bool generateNormals)
   : HasNormals(generateNormals)
 {
@@ -42,13 +44,12 @@ void LimitOperators<Id>::Apply(PointArrays& arrays, const std::vector<vtkIdType>
   arrays.Project(this->Rows);
 }
 
-#define SUBDIVISION_LIMIT(Id)                                                                      \
-  template struct LimitOperators<Id>;                                                              \
-  template LimitOperators<Id>::LimitOperators(                                                     \
-    const Level<Id>&, const SemiSharpStages<Id>&, const ControlSolids&, bool, bool);               \
-  template LimitOperators<Id>::LimitOperators(                                                     \
-    const TetOctLevel<Id>&, const SemiSharpStages<Id>&, const ControlSolids&, bool, bool)
-SUBDIVISION_LIMIT(int);
-SUBDIVISION_LIMIT(long long);
+template struct LimitOperators<int>;
+template struct LimitOperators<long long>;
+
+#define SUBDIVISION_LIMIT(Scheme)                                                                  \
+  template LimitOperators<Scheme::Id>::LimitOperators(                                             \
+    const Scheme::Level&, const SemiSharpStages<Scheme::Id>&, const ControlSolids&, bool, bool)
+SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_LIMIT);
 
 }

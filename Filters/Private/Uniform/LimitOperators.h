@@ -23,9 +23,9 @@ struct LimitOperators
   bool HasNormals = false;
 
   LimitOperators() = default;
-  /// The level is a Level or a TetOctLevel.
-  template <typename AnyLevel>
-  LimitOperators(const AnyLevel& level, const SemiSharpStages<Id>& creases,
+  /// The level is that of any volume scheme.
+  template <typename Level>
+  LimitOperators(const Level& level, const SemiSharpStages<Id>& creases,
     const ControlSolids& solids, bool project, bool generateNormals);
 
   /// `arrays` are those of the level; `inverted` as in ComputeLimitNormals.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Uniform/UniformCells.h"
 
-#include "Core/Solids/TetOct/TetOctCells.h"
 #include "Private/Arrays/Arrays.h"
 
 #include "vtkNew.h"
@@ -19,7 +18,7 @@ constexpr unsigned char TypeOfDimension[4] = { VTK_VERTEX, VTK_LINE, VTK_TRIANGL
 /// Writes the cells of a level after 0, 1 or 2 steps to a storage of the right size.
 template <typename Id, typename Out>
 void WriteRefined(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps,
-  const CellStorage<Out>& storage, Id octahedra = 0)
+  const CellStorage<Out>& storage, Id centres)
 {
   switch (steps)
   {
@@ -30,7 +29,7 @@ void WriteRefined(const SimplicialComplex<Id>& complex, const std::vector<CellRu
       WriteChildren(complex, runs, storage);
       break;
     default:
-      WriteGrandchildren(complex, runs, storage, 3, octahedra);
+      WriteGrandchildren(complex, runs, storage, 3, centres);
       break;
   }
 }
@@ -68,13 +67,15 @@ UniformCells Fill(const CellCounts& counts, bool small, double points, const Wri
   return made;
 }
 
-LevelCounts Refine(LevelCounts counts, int steps)
+template <typename Scheme>
+double CountPoints(const typename Scheme::Level& level, int steps)
 {
+  LevelCounts counts = CountSimplices<Scheme>(level);
   for (int step = 0; step < steps; ++step)
   {
     counts = counts.Refine();
   }
-  return counts;
+  return counts.Vertices;
 }
 
 void AddOctahedra(const std::vector<CellRun>& runs, int steps, UniformCells& made)
@@ -117,39 +118,29 @@ void WithCells(vtkCellArray* cells, vtkDataArray* points, const Act& act)
 
 }
 
-template <typename Id>
-UniformCells MakeChildren(
-  const Level<Id>& level, const std::vector<CellRun>& runs, int steps, bool small)
-{
-  return Fill(CountCells(RefineRuns(runs, steps)), small,
-    Refine(CountSimplices(level.Complex), steps).Vertices,
-    [&](const auto& storage) { WriteRefined(level.Complex, runs, steps, storage); });
-}
-
-template <typename Id>
-UniformCells MakeChildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, int steps,
-  vtkDataArray* points, bool small)
+template <typename Scheme>
+UniformCells MakeChildren(const typename Scheme::Level& level, const std::vector<CellRun>& runs,
+  int steps, vtkDataArray* points, bool small)
 {
   const std::vector<CellRun> children = RefineRuns(runs, steps);
-  UniformCells made =
-    Fill(CountCells(children), small, Refine(CountSimplices(level), steps).Vertices,
-      [&](const auto& storage)
+  UniformCells made = Fill(CountCells(children), small, CountPoints<Scheme>(level, steps),
+    [&](const auto& storage)
+    {
+      if (points && points->GetDataType() == VTK_FLOAT)
       {
-        auto write = [&](const auto* coordinates)
-        {
-          steps == 1 ? WriteTetOctChildren(level, runs, coordinates, storage)
-                     : WriteTetOctGrandchildren(level, runs, coordinates, storage);
-        };
-        if (points && points->GetDataType() == VTK_FLOAT)
-        {
-          write(static_cast<const float*>(points->GetVoidPointer(0)));
-        }
-        else
-        {
-          write(points ? static_cast<const double*>(points->GetVoidPointer(0)) : nullptr);
-        }
-      });
-  AddOctahedra(children, level.Steps + steps, made);
+        Scheme::WriteChildren(
+          level, runs, steps, static_cast<const float*>(points->GetVoidPointer(0)), storage);
+      }
+      else
+      {
+        Scheme::WriteChildren(level, runs, steps,
+          points ? static_cast<const double*>(points->GetVoidPointer(0)) : nullptr, storage);
+      }
+    });
+  if (Scheme::Traits.HasPieces)
+  {
+    AddOctahedra(children, Scheme::CountSteps(level) + steps, made);
+  }
   return made;
 }
 
@@ -209,7 +200,7 @@ void TurnOctahedra(UniformCells& cells, bool shared, vtkDataArray* points)
 
 template <typename Id>
 SimplexTuples GatherTuples(
-  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps, Id octahedra)
+  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps, Id centres)
 {
   const CellCounts counts = CountCells(RefineRuns(runs, steps));
   SimplexTuples gathered;
@@ -221,7 +212,7 @@ SimplexTuples GatherTuples(
   Buffer<long long> offsets(counts.Cells + 1);
   Buffer<unsigned char> types(counts.Cells);
   const CellStorage<long long> storage{ connectivity.data(), offsets.data(), types.data() };
-  WriteRefined(complex, runs, steps, storage, octahedra);
+  WriteRefined(complex, runs, steps, storage, centres);
   for (vtkIdType i = 0; i < counts.Cells; ++i)
   {
     const int dimension = static_cast<int>(offsets[i + 1] - offsets[i]) - 1;
@@ -232,13 +223,14 @@ SimplexTuples GatherTuples(
   return gathered;
 }
 
-#define SUBDIVISION_CELLS(Id)                                                                      \
-  template UniformCells MakeChildren(const Level<Id>&, const std::vector<CellRun>&, int, bool);    \
-  template UniformCells MakeChildren(                                                              \
-    const TetOctLevel<Id>&, const std::vector<CellRun>&, int, vtkDataArray*, bool);                \
-  template SimplexTuples GatherTuples(                                                             \
-    const SimplicialComplex<Id>&, const std::vector<CellRun>&, int, Id)
-SUBDIVISION_CELLS(int);
-SUBDIVISION_CELLS(long long);
+template SimplexTuples GatherTuples(
+  const SimplicialComplex<int>&, const std::vector<CellRun>&, int, int);
+template SimplexTuples GatherTuples(
+  const SimplicialComplex<long long>&, const std::vector<CellRun>&, int, long long);
+
+#define SUBDIVISION_CELLS(Scheme)                                                                  \
+  template UniformCells MakeChildren<Scheme>(                                                      \
+    const Scheme::Level&, const std::vector<CellRun>&, int, vtkDataArray*, bool)
+SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_CELLS);
 
 }

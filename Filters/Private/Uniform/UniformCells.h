@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file UniformCells.h
- * Makes the cells of the output: the children of the cells of a level, in either volume scheme.
+ * Makes the cells of the output: the children of the cells of a level, in any volume scheme.
  */
 #ifndef SubdivisionObjects_UniformCells_h
 #define SubdivisionObjects_UniformCells_h
 
-#include "Core/Solids/BoxSpline/RefinedCells.h"
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Strata/Singularities.h"
-#include "Core/Solids/TetOct/TetOctComplex.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdTypeArray.h"
@@ -31,18 +30,14 @@ struct UniformCells
 };
 
 /// A level's cells after 1 or 2 steps; `runs` are those of the level. `small`: with 32-bit ids
-/// where they fit.
-template <typename Id>
-UniformCells MakeChildren(
-  const Level<Id>& level, const std::vector<CellRun>& runs, int steps, bool small);
-/// The same for the tet/oct scheme. Octahedra are cut around their shortest diagonal if `points`,
-/// those after the steps, are given; if they are null, around any diagonal, for TurnOctahedra.
-template <typename Id>
-UniformCells MakeChildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs, int steps,
-  vtkDataArray* points, bool small);
+/// where they fit. `points` are those after the steps, and only pieces depend on them: octahedra
+/// are cut around their shortest diagonal, or, if `points` is null, around any, for TurnOctahedra.
+template <typename Scheme>
+UniformCells MakeChildren(const typename Scheme::Level& level, const std::vector<CellRun>& runs,
+  int steps, vtkDataArray* points, bool small);
 
 /// Copies cells as they were read. `runs`: those of their level. `steps`: number of steps behind
-/// this level in the tet/oct scheme, negative in the other one.
+/// this level in a scheme with pieces, negative in others.
 UniformCells CopyCells(
   const SimplexList& cells, const std::vector<CellRun>& runs, int steps, bool small);
 
@@ -50,11 +45,11 @@ UniformCells CopyCells(
 /// other outputs have them too, the connectivity is copied first.
 void TurnOctahedra(UniformCells& cells, bool shared, vtkDataArray* points);
 
-/// The simplices of dimension 0 to 2 in `runs` of a level after 0, 1 or 2 steps. `octahedra`:
-/// number of octahedra of the level, whose centres are vertices after two steps.
+/// The simplices of dimension 0 to 2 in `runs` of a level after 0, 1 or 2 steps. `centres`: number
+/// of vertices of the next level inside solids.
 template <typename Id>
-SimplexTuples GatherTuples(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
-  int steps, Id octahedra = 0);
+SimplexTuples GatherTuples(
+  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps, Id centres);
 
 }
 

@@ -7,6 +7,7 @@
 #ifndef SubdivisionObjects_UniformRun_h
 #define SubdivisionObjects_UniformRun_h
 
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/ControlComplex.h"
 #include "Private/Uniform/UniformCells.h"
@@ -41,41 +42,40 @@ private:
   TopologyKey MakeKey() const;
   KeptOperator* FindKept(const TopologyKey& key);
   bool Build();
-  template <template <typename> class AnyLevel, typename Id>
+  template <typename Id>
   bool BuildLevel();
+  const SchemeTraits& GetScheme() const;
   bool HasMemoryFor(const LevelCounts& counts, double bytesPerId) const;
 
   bool Execute();
   void UseKept(KeptOperator& kept);
   void Keep();
-  template <template <typename> class AnyLevel, typename Id>
-  bool Step(AnyLevel<Id>& level, KeptOperator* keep);
-  template <typename Id>
-  void StepTwice(const Level<Id>& level);
-  template <typename Id>
-  void StepTwice(const TetOctLevel<Id>& level);
+  // The steps of a volume scheme (SolidScheme.h), with its type of ids.
+  template <typename Scheme>
+  bool Step(typename Scheme::Level& level, KeptOperator* keep);
+  template <typename Scheme>
+  using Kept = KeptStepsOf<typename Scheme::Operator, typename Scheme::Id>;
+  template <typename Scheme>
+  void StepNever(typename Scheme::Level& level, Kept<Scheme>& kept, KeptOperator* keep);
+  template <typename Scheme>
+  void StepOnce(typename Scheme::Level& level, int step, Kept<Scheme>* kept);
+  template <typename Scheme>
+  void StepLast(typename Scheme::Level& level, Kept<Scheme>& kept, bool keeps);
+  template <typename Scheme>
+  void StepLastInPieces(const typename Scheme::Level& level);
+  template <typename Scheme>
+  void StepTwice(const typename Scheme::Level& level);
+  template <typename Scheme>
+  typename Scheme::Operator TakeOperator(typename Scheme::Level& level, int step) const;
   template <typename Rows>
-  void FinishTwoSteps(const Rows& last);
-  template <template <typename> class AnyLevel, typename Id, typename Kept>
-  void GoToLimit(const AnyLevel<Id>& level, Kept& kept);
-  template <typename Id>
-  void MakeCells(const Level<Id>& level, int steps);
-  template <typename Id>
-  void MakeCells(const TetOctLevel<Id>& level, int steps);
-  template <typename Id>
-  void MakeTurnedCells(const Level<Id>&, Stencils<Id>&)
-  {
-  }
-  template <typename Id>
-  void MakeTurnedCells(TetOctLevel<Id>& level, TetOctStencils<Id>& stencils);
-  template <typename Id>
-  void PartOctahedra(const Level<Id>&)
-  {
-  }
-  template <typename Id>
-  void PartOctahedra(const TetOctLevel<Id>& level);
+  void AddClassificationOf(const Rows& last);
+  template <typename Scheme>
+  void GoToLimit(const typename Scheme::Level& level, Kept<Scheme>& kept);
+  template <typename Scheme>
+  void MakeCells(const typename Scheme::Level& level, int steps, vtkDataArray* points);
+  template <typename Scheme>
+  void GatherDerived(const typename Scheme::Level& level, int steps);
   void FinishPoints(bool ownsCells);
-  bool IsTetOct() const { return this->Options.Scheme == StampScheme::TetOct; }
 
   void Write();
   void CheckOrientation();
@@ -94,7 +94,7 @@ private:
   KeptOperator* Found = nullptr;        ///< what an earlier execution kept, if it fits
   std::unique_ptr<KeptOperator> ToKeep; ///< what this one will keep; null: nothing
   /// The current level, if nothing kept fits.
-  std::variant<Level<int>, Level<long long>, TetOctLevel<int>, TetOctLevel<long long>> Current;
+  VolumeLevel Current;
   ControlTraits Control; ///< its runs are those of the current level
   SimplexTuples Derived; ///< derived singular simplices: points of the output
   std::vector<std::string> BuildWarnings;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Uniform/UniformRun.h"
 
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/TetOrder.h"
-#include "Core/Solids/TetOct/TetOctCells.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/CellArrays.h"
@@ -27,12 +27,6 @@ namespace
 
 constexpr const char* DimensionName = "ManifoldDimension";
 constexpr const char* InvertedName = "Inverted";
-
-template <typename Id>
-LevelCounts CountSimplices(const Level<Id>& level)
-{
-  return subdivision::CountSimplices(level.Complex);
-}
 
 }
 
@@ -76,8 +70,12 @@ bool UniformRun::Plan()
     this->Options.Warn(warning);
   }
   return this->Found ||
-    std::visit([this](const auto& level)
-      { return this->HasMemoryFor(CountSimplices(level), sizeof(level.Complex.NumberOfVertices)); },
+    std::visit(
+      [this](const auto& level)
+      {
+        using Scheme = SchemeOf<std::decay_t<decltype(level)>>;
+        return this->HasMemoryFor(CountSimplices<Scheme>(level), sizeof(typename Scheme::Id));
+      },
       this->Current);
 }
 
@@ -123,7 +121,7 @@ void UniformRun::StartPoints()
     this->Mesh.Inverted =
       FindInvertedTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates());
   }
-  if (!this->Mesh.IsStamped && !this->IsTetOct()) // the tet/oct scheme does not use this order
+  if (!this->Mesh.IsStamped && this->GetScheme().OrdersTets)
   {
     OrderTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates(), this->Mesh.GetGlobalIds(),
       static_cast<vtkIdType>(this->Mesh.GlobalIds.size()));
@@ -146,25 +144,35 @@ bool UniformRun::Build()
 {
   const int levels = this->Options.Levels + (this->Options.ReadsLimit() ? 1 : 0);
   const bool large =
-    NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + levels, this->IsTetOct());
-  if (this->IsTetOct())
-  {
-    return large ? this->BuildLevel<TetOctLevel, long long>()
-                 : this->BuildLevel<TetOctLevel, int>();
-  }
-  return large ? this->BuildLevel<Level, long long>() : this->BuildLevel<Level, int>();
+    NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + levels, this->GetScheme());
+  return large ? this->BuildLevel<long long>() : this->BuildLevel<int>();
 }
 
-template <template <typename> class AnyLevel, typename Id>
+const SchemeTraits& UniformRun::GetScheme() const
+{
+  return *FindSchemeTraits(static_cast<int>(this->Options.Scheme));
+}
+
+/// Finds the scheme by its number.
+template <typename Id>
 bool UniformRun::BuildLevel()
 {
   ControlComplex<Id> control;
   const bool further = this->Options.Levels > 1 || this->Options.ReadsLimit();
-  const bool isTrue = BuildControlComplex(
-    this->Mesh, this->Options.Features, this->Points->GetCoordinates(),
-    [this](const std::string& warning) { this->BuildWarnings.push_back(warning); },
-    further ? Depth::ForRefinement : Depth::ForOutput, control,
-    this->Current.emplace<AnyLevel<Id>>());
+  bool isTrue = false;
+  ForVolumeSchemes<Id>(
+    [&](auto scheme)
+    {
+      using Scheme = decltype(scheme);
+      if (Scheme::Traits.Number == this->GetScheme().Number)
+      {
+        isTrue = BuildControlComplex<Scheme>(
+          this->Mesh, this->Options.Features, this->Points->GetCoordinates(),
+          [this](const std::string& warning) { this->BuildWarnings.push_back(warning); },
+          further ? Depth::ForRefinement : Depth::ForOutput, control,
+          this->Current.template emplace<typename Scheme::Level>());
+      }
+    });
   this->Control = std::move(static_cast<ControlTraits&>(control));
   return isTrue;
 }
@@ -207,46 +215,33 @@ bool UniformRun::Execute()
     this->ToKeep->PointsIn->DeepCopy(this->Points->GetPoints());
   }
   return std::visit(
-    [this](auto& level) { return this->Step(level, this->ToKeep.get()); }, this->Current);
+    [this](auto& level)
+    {
+      using Scheme = SchemeOf<std::decay_t<decltype(level)>>;
+      return this->Step<Scheme>(level, this->ToKeep.get());
+    },
+    this->Current);
 }
 
 /// Makes the steps. At most two levels are in memory at a time, and of the last one only the cells
 /// are made, unless limits are needed. Returns false if Progress asks to stop.
-template <template <typename> class AnyLevel, typename Id>
-bool UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
+template <typename Scheme>
+bool UniformRun::Step(typename Scheme::Level& level, KeptOperator* keep)
 {
-  using Operator = decltype(TakeStencils(level));
   const int steps = this->Options.Levels;
-  auto kept = std::make_unique<KeptStepsOf<Operator, Id>>();
-  if (steps == 0)
+  auto kept = std::make_unique<Kept<Scheme>>();
+  if (steps > 0)
   {
-    this->Cells = this->SameCells
-      ? this->SameCells->Cells
-      : CopyCells(this->Mesh.Cells.Simplices, this->Control.Runs,
-          this->IsTetOct() ? this->Mesh.MadeLevels : -1, this->Options.Use32BitIds);
-    this->Derived = GatherTuples(level.Complex, this->Control.DerivedRuns, 0);
-    this->GoToLimit(level, *kept);
-    this->FinishPoints(true);
-    this->AddClassification(level.Strata.Vertices, Buffer<Stratum>());
-    if (keep)
-    {
-      keep->ControlStrata = std::move(level.Strata.Vertices);
-      if (this->Options.ReadsLimit())
-      {
-        keep->Steps = std::move(kept);
-      }
-    }
-    return true;
+    this->Parents = Scheme::FindParents(level, this->Control.Runs, this->Mesh.Cells.Simplices);
   }
-  this->PartOctahedra(level);
+  else
+  {
+    this->StepNever<Scheme>(level, *kept, keep);
+  }
   // Whether the last two operators are stored. If not, StepTwice makes the last two steps at once,
   // row by row; it cannot where operators are kept or blended, or the last level is needed.
   const bool stored = keep || this->Options.ReadsLimit() || steps < 2 ||
     HasEqualCells(level.Complex) || IsSharpAfter(this->Control.Sharpness, steps - 2);
-  // Whether octahedra are cut around their shortest diagonals when they are written. Kept cells are
-  // written before the points are known, and octahedra are turned afterwards in each execution; so
-  // are those whose points still move to the limit.
-  const bool turned = this->IsTetOct() && !keep && !this->Options.ReadsLimit();
   for (int step = 0; step < steps; ++step)
   {
     if (this->IsStopped((step + 1.) / (steps + 1.)))
@@ -255,102 +250,130 @@ bool UniformRun::Step(AnyLevel<Id>& level, KeptOperator* keep)
     }
     if (step + 2 == steps && !stored)
     {
-      this->StepTwice(level);
+      this->StepTwice<Scheme>(level);
       return true;
     }
-    const bool last = step + 1 == steps;
-    AnyLevel<Id> next;
-    if (last)
-    {
-      if (!turned)
-      {
-        this->MakeCells(level, 1);
-      }
-      this->Derived = GatherTuples(level.Complex, this->Control.DerivedRuns, 1);
-    }
-    if (this->Options.ReadsLimit())
-    {
-      next = Refine(level, Depth::ForRefinement);
-    }
-    else if (!last)
-    {
-      next = Refine(level, step + 2 == steps ? Depth::ForOutput : Depth::ForRefinement);
-    }
-    if (!last)
-    {
-      this->Control.Runs = RefineRuns(this->Control.Runs, 1);
-      this->Control.DerivedRuns = RefineRuns(this->Control.DerivedRuns, 1);
-    }
-    Operator stencils = TakeStencils(level);
-    AnyLevel<Id> parent = std::move(level);
-    level = std::move(next);
-    if (!last || !turned)
-    {
-      parent = AnyLevel<Id>();
-    }
-    if (IsSharpAfter(this->Control.Sharpness, step))
-    {
-      auto sharp =
-        BuildSharpLevel<AnyLevel, Id>(this->Mesh, this->Options.Features, this->Control, step);
-      BlendSemiSharp(
-        this->Control.Sharpness, step, this->Mesh.MadeLevels + step, TakeStencils(sharp), stencils);
-    }
-    this->Points->Advance(stencils);
-    if (last && turned)
-    {
-      this->MakeTurnedCells(parent, stencils);
-    }
-    if (last)
-    {
-      this->GoToLimit(level, *kept);
-      this->FinishPoints(!this->SameCells);
-      this->AddClassification(stencils.Vertices, stencils.Edges);
-    }
-    if (keep)
-    {
-      kept->Add(std::move(stencils));
-    }
+    step + 1 == steps ? this->StepLast<Scheme>(level, *kept, keep != nullptr)
+                      : this->StepOnce<Scheme>(level, step, keep ? kept.get() : nullptr);
   }
-  if (keep)
+  if (keep && (steps > 0 || this->Options.ReadsLimit()))
   {
     keep->Steps = std::move(kept);
   }
   return true;
 }
 
-/// The last two steps without the level between them.
-template <typename Id>
-void UniformRun::StepTwice(const Level<Id>& level)
+/// The output of no step.
+template <typename Scheme>
+void UniformRun::StepNever(typename Scheme::Level& level, Kept<Scheme>& kept, KeptOperator* keep)
 {
-  this->MakeCells(level, 2);
-  this->Derived = GatherTuples(level.Complex, this->Control.DerivedRuns, 2);
-  this->Points->Advance(LevelRows<Id>(level));
-  const ChildRows<Id> last(level);
-  this->Points->Advance(last);
-  this->FinishTwoSteps(last);
+  this->Cells = this->SameCells
+    ? this->SameCells->Cells
+    : CopyCells(this->Mesh.Cells.Simplices, this->Control.Runs,
+        Scheme::Traits.HasPieces ? this->Mesh.MadeLevels : -1, this->Options.Use32BitIds);
+  this->GatherDerived<Scheme>(level, 0);
+  this->GoToLimit<Scheme>(level, kept);
+  this->FinishPoints(true);
+  this->AddClassification(level.Strata.Vertices, Buffer<Stratum>());
+  if (keep)
+  {
+    keep->ControlStrata = std::move(level.Strata.Vertices);
+  }
 }
-template <typename Id>
-void UniformRun::StepTwice(const TetOctLevel<Id>& level)
+
+/// Takes the operator out of a level, and drops the rest of the level.
+template <typename Scheme>
+typename Scheme::Operator UniformRun::TakeOperator(typename Scheme::Level& level, int step) const
 {
-  this->Derived =
-    GatherTuples(level.Complex, this->Control.DerivedRuns, 2, level.NumberOfOctahedra);
-  this->Points->Advance(TetOctLevelRows<Id>(level));
-  const TetOctChildRows<Id> last(level);
+  typename Scheme::Operator stencils = TakeStencils(level);
+  level = typename Scheme::Level();
+  if (IsSharpAfter(this->Control.Sharpness, step))
+  {
+    auto sharp = BuildSharpLevel<Scheme>(this->Mesh, this->Options.Features, this->Control, step);
+    BlendSemiSharp(
+      this->Control.Sharpness, step, this->Mesh.MadeLevels + step, TakeStencils(sharp), stencils);
+  }
+  return stencils;
+}
+
+/// A step that is not the last one. `kept` is null where operators are not kept.
+template <typename Scheme>
+void UniformRun::StepOnce(typename Scheme::Level& level, int step, Kept<Scheme>* kept)
+{
+  const bool further = this->Options.ReadsLimit() || step + 2 < this->Options.Levels;
+  typename Scheme::Level next = Refine(level, further ? Depth::ForRefinement : Depth::ForOutput);
+  this->Control.Runs = RefineRuns(this->Control.Runs, 1);
+  this->Control.DerivedRuns = RefineRuns(this->Control.DerivedRuns, 1);
+  typename Scheme::Operator stencils = this->TakeOperator<Scheme>(level, step);
+  level = std::move(next);
+  this->Points->Advance(stencils);
+  if (kept)
+  {
+    kept->Add(std::move(stencils));
+  }
+}
+
+/// The last step. Cells are made first, and pieces are chosen in a second pass over the cells:
+/// cells that are kept must not depend on points, and points may still go to the limit.
+template <typename Scheme>
+void UniformRun::StepLast(typename Scheme::Level& level, Kept<Scheme>& kept, bool keeps)
+{
+  const int step = this->Options.Levels - 1;
+  this->GatherDerived<Scheme>(level, 1);
+  if (Scheme::Traits.HasPieces && !keeps && !this->Options.ReadsLimit() &&
+    !IsSharpAfter(this->Control.Sharpness, step))
+  {
+    this->StepLastInPieces<Scheme>(level);
+    return;
+  }
+  this->MakeCells<Scheme>(level, 1, nullptr);
+  typename Scheme::Level next;
+  if (this->Options.ReadsLimit())
+  {
+    next = Refine(level, Depth::ForRefinement);
+  }
+  typename Scheme::Operator stencils = this->TakeOperator<Scheme>(level, step);
+  level = std::move(next);
+  this->Points->Advance(stencils);
+  this->GoToLimit<Scheme>(level, kept);
+  this->FinishPoints(!this->SameCells);
+  this->AddClassification(stencils.Vertices, stencils.Edges);
+  if (keeps)
+  {
+    kept.Add(std::move(stencils));
+  }
+}
+
+/// The last step of a scheme with pieces, with cells after points: one pass over the cells. The
+/// level stays whole for them.
+template <typename Scheme>
+void UniformRun::StepLastInPieces(const typename Scheme::Level& level)
+{
+  this->Points->Advance(typename Scheme::LevelRows(level));
+  this->MakeCells<Scheme>(level, 1, this->Points->GetPoints());
+  this->FinishPoints(true);
+  this->AddClassification(level.Strata.Vertices, level.Strata.Edges);
+}
+
+/// The last two steps without the level between them.
+template <typename Scheme>
+void UniformRun::StepTwice(const typename Scheme::Level& level)
+{
+  this->GatherDerived<Scheme>(level, 2);
+  this->Points->Advance(typename Scheme::LevelRows(level));
+  const typename Scheme::ChildRows last(level);
   this->Points->Advance(last);
-  this->Cells = MakeChildren(
-    level, this->Control.Runs, 2, this->Points->GetPoints(), this->Options.Use32BitIds);
-  this->HasTurned = true;
-  this->FinishTwoSteps(last);
+  this->MakeCells<Scheme>(level, 2, this->Points->GetPoints());
+  this->FinishPoints(true);
+  if (this->Options.GenerateClassification)
+  {
+    this->AddClassificationOf(last);
+  }
 }
 
 template <typename Rows>
-void UniformRun::FinishTwoSteps(const Rows& last)
+void UniformRun::AddClassificationOf(const Rows& last)
 {
-  this->FinishPoints(true);
-  if (!this->Options.GenerateClassification)
-  {
-    return;
-  }
   Buffer<Stratum> vertices(last.GetNumberOfVertices());
   Buffer<Stratum> edges(last.GetNumberOfEdges());
   last.ForRows(
@@ -367,13 +390,13 @@ void UniformRun::FinishTwoSteps(const Rows& last)
 }
 
 /// Moves the vertices of the last level to their limits, and computes normals.
-template <template <typename> class AnyLevel, typename Id, typename Kept>
-void UniformRun::GoToLimit(const AnyLevel<Id>& level, Kept& kept)
+template <typename Scheme>
+void UniformRun::GoToLimit(const typename Scheme::Level& level, Kept<Scheme>& kept)
 {
   if (this->Options.ReadsLimit())
   {
-    LimitOperators<Id> limit(level,
-      BuildSharpStages<AnyLevel, Id>(
+    LimitOperators<typename Scheme::Id> limit(level,
+      BuildSharpStages<Scheme>(
         this->Mesh, this->Options.Features, this->Control, this->Options.Levels),
       { this->Control.Solids, this->Mesh.MadeLevels + this->Options.Levels },
       this->Options.ProjectToLimit, this->Options.GenerateLimitNormals);
@@ -385,41 +408,22 @@ void UniformRun::GoToLimit(const AnyLevel<Id>& level, Kept& kept)
 // ------------------------------------------------------------------------------------------------
 // Output
 
-/// Makes the cells of the output before the points are known. Octahedra are turned later.
-template <typename Id>
-void UniformRun::MakeCells(const Level<Id>& level, int steps)
+/// Makes the cells of the output. `points` are those of the output, or null where they are not
+/// known yet; then pieces are chosen later.
+template <typename Scheme>
+void UniformRun::MakeCells(const typename Scheme::Level& level, int steps, vtkDataArray* points)
 {
   this->Cells = this->SameCells
     ? this->SameCells->Cells
-    : MakeChildren(level, this->Control.Runs, steps, this->Options.Use32BitIds);
-}
-template <typename Id>
-void UniformRun::MakeCells(const TetOctLevel<Id>& level, int)
-{
-  this->Cells = this->SameCells
-    ? this->SameCells->Cells
-    : MakeChildren(level, this->Control.Runs, 1, nullptr, this->Options.Use32BitIds);
+    : MakeChildren<Scheme>(level, this->Control.Runs, steps, points, this->Options.Use32BitIds);
+  this->HasTurned = points != nullptr;
 }
 
-/// The same when the points are known, in one pass over the cells instead of two. The operator
-/// gives back the arrays that it took from the level.
-template <typename Id>
-void UniformRun::MakeTurnedCells(TetOctLevel<Id>& level, TetOctStencils<Id>& stencils)
+template <typename Scheme>
+void UniformRun::GatherDerived(const typename Scheme::Level& level, int steps)
 {
-  level.OctVertices = std::move(stencils.OctVertices);
-  level.Complex.EdgeVertices = std::move(stencils.EdgeVertices);
-  this->Cells = MakeChildren(
-    level, this->Control.Runs, 1, this->Points->GetPoints(), this->Options.Use32BitIds);
-  this->HasTurned = true;
-}
-
-template <typename Id>
-void UniformRun::PartOctahedra(const TetOctLevel<Id>& level)
-{
-  if (level.Steps > 0)
-  {
-    this->Parents = FindParents(level, this->Control.Runs, this->Mesh.Cells.Simplices);
-  }
+  this->Derived =
+    GatherTuples(level.Complex, this->Control.DerivedRuns, steps, Scheme::CountCentres(level));
 }
 
 /// Writes points, point data and cells. `ownsCells`: no other output has these cells.

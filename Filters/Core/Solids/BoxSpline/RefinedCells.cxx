@@ -259,6 +259,29 @@ void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<
   }
 }
 
+template <typename Id>
+bool HasCells(
+  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, const SimplexList& cells)
+{
+  const CellCounts counts = CountCells(runs);
+  if (counts.Cells != cells.GetNumberOfSimplices() ||
+    complex.NumberOfVertices != cells.NumberOfPoints)
+  {
+    return false;
+  }
+  Buffer<long long> connectivity(counts.Entries);
+  Buffer<long long> offsets(counts.Cells + 1);
+  Buffer<unsigned char> types(counts.Cells);
+  WriteCells(
+    complex, runs, CellStorage<long long>{ connectivity.data(), offsets.data(), types.data() });
+  return std::equal(connectivity.begin(), connectivity.end(), cells.Connectivity.begin());
+}
+
+template bool HasCells(
+  const SimplicialComplex<int>&, const std::vector<CellRun>&, const SimplexList&);
+template bool HasCells(
+  const SimplicialComplex<long long>&, const std::vector<CellRun>&, const SimplexList&);
+
 #define SUBDIVISION_WRITE(Id, Out)                                                                 \
   template void WriteCells(                                                                        \
     const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&);           \

@@ -50,6 +50,11 @@ template <typename Id, typename Out>
 void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const CellStorage<Out>& out, int highest = 3, Id centres = 0);
 
+/// Whether `cells` are the cells of a level.
+template <typename Id>
+bool HasCells(
+  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, const SimplexList& cells);
+
 /// Whether some cells equal earlier ones.
 template <typename Id>
 bool HasEqualCells(const SimplicialComplex<Id>& complex)

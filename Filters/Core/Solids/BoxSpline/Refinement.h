@@ -16,18 +16,10 @@
 #ifndef SubdivisionObjects_Refinement_h
 #define SubdivisionObjects_Refinement_h
 
-#include "Core/Rules/Depth.h"
-#include "Core/Solids/Strata/Strata.h"
+#include "Core/Solids/Scheme/Level.h"
 
 namespace subdivision
 {
-
-template <typename Id>
-struct Level
-{
-  SimplicialComplex<Id> Complex;
-  subdivision::Strata<Id> Strata;
-};
 
 template <typename Id>
 Level<Id> Refine(const Level<Id>& parent, Depth depth);
@@ -43,37 +35,6 @@ void GetEdgesOfEqualTriangle(const SimplicialComplex<Id>& complex, vtkIdType ind
 template <typename Id>
 void RefineEqualLinesAndTriangles(
   const SimplicialComplex<Id>& parent, SimplicialComplex<Id>& child);
-
-/// Numbers of simplices after a number of steps, to estimate sizes before any memory is taken.
-struct LevelCounts
-{
-  double Vertices = 0;
-  double Edges = 0;
-  double Faces = 0;
-  double Tets = 0;
-  double Octahedra = 0;
-  bool IsTetOct = false; ///< refined as in TetOctComplex.h
-  LevelCounts Refine() const
-  {
-    if (this->IsTetOct)
-    {
-      return { this->Vertices + this->Edges + this->Octahedra,
-        2 * this->Edges + 3 * this->Faces + 12 * this->Octahedra,
-        4 * this->Faces + 4 * this->Tets + 24 * this->Octahedra,
-        4 * this->Tets + 8 * this->Octahedra, this->Tets + 6 * this->Octahedra, true };
-    }
-    return { this->Vertices + this->Edges, 2 * this->Edges + 3 * this->Faces + this->Tets,
-      4 * this->Faces + 8 * this->Tets, 8 * this->Tets };
-  }
-};
-
-template <typename Id>
-LevelCounts CountSimplices(const SimplicialComplex<Id>& complex)
-{
-  return { static_cast<double>(complex.NumberOfVertices),
-    static_cast<double>(complex.NumberOfEdges), static_cast<double>(complex.NumberOfFaces),
-    static_cast<double>(complex.NumberOfTets) };
-}
 
 #define SUBDIVISION_REFINEMENT_TEMPLATES(EXTERN, Id)                                               \
   EXTERN template Level<Id> Refine(const Level<Id>&, Depth);                                       \

@@ -2,8 +2,8 @@
 #include "Core/Solids/Limits/LimitNormals.h"
 
 #include "Core/Rules/Pi.h"
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/Simplices.h"
-#include "Core/Solids/TetOct/TetOctRingEmitter.h"
 
 #include <algorithm>
 #include <array>
@@ -28,113 +28,18 @@ struct SectorPart
   std::vector<vtkIdType> Sides;
 };
 
-/// Of a permutation: 1 for even, -1 for odd.
-template <int Size>
-int GetParity(const int (&places)[Size])
-{
-  int sign = 1;
-  for (int i = 0; i < Size; ++i)
-  {
-    for (int j = i + 1; j < Size; ++j)
-    {
-      sign = places[i] > places[j] ? -sign : sign;
-    }
-  }
-  return sign;
-}
-
-/// The direction of a face of a solid, seen from outside a positive solid: 1 if its vertices in
-/// this order run counterclockwise, -1 if clockwise.
-template <typename Id>
-int GetTurn(const SimplicialComplex<Id>& complex, Id tet, const Id (&triangle)[3])
-{
-  int places[4];
-  places[3] = 6;
-  for (int k = 0; k < 3; ++k)
-  {
-    places[k] = complex.VertexInTet(tet, triangle[k]);
-    places[3] -= places[k];
-  }
-  return -GetParity(places);
-}
-template <typename Id>
-int GetTurn(const Level<Id>& level, Id tet, const Id (&triangle)[3])
-{
-  return GetTurn(level.Complex, tet, triangle);
-}
-template <typename Id>
-int GetTurn(const TetOctLevel<Id>& level, Id cell, const Id (&triangle)[3])
-{
-  const Id oct = cell - level.Complex.NumberOfTets;
-  if (oct < 0)
-  {
-    return GetTurn(level.Complex, cell, triangle);
-  }
-  // Seen from the centre, the first vertices of the three pairs are positive axes.
-  int axes[3];
-  int sign = 1;
-  for (int k = 0; k < 3; ++k)
-  {
-    const int place = VertexInOct(level, oct, triangle[k]);
-    axes[k] = place / 2;
-    sign = place % 2 ? -sign : sign;
-  }
-  return sign * GetParity(axes);
-}
-
-/// Numbers of tetrahedra and octahedra on all levels from the control level on (TetOctComplex.h).
-using SolidCounts = std::vector<std::array<vtkIdType, 2>>;
-
-template <typename Id>
-SolidCounts CountSolids(const Level<Id>&)
-{
-  return {};
-}
-template <typename Id>
-SolidCounts CountSolids(const TetOctLevel<Id>& level)
-{
-  const vtkIdType all = level.Complex.NumberOfTets + 4 * vtkIdType(level.NumberOfOctahedra);
-  SolidCounts counts = { { all >> (3 * level.Steps), 0 } };
-  for (int step = 0; step < level.Steps; ++step)
-  {
-    const std::array<vtkIdType, 2> last = counts.back();
-    counts.push_back({ 4 * last[0] + 8 * last[1], last[0] + 6 * last[1] });
-  }
-  return counts;
-}
-
-/// The control tetrahedron that a solid is a part of.
-template <typename Id>
-vtkIdType FindControlTet(const Level<Id>&, Id tet, int steps, const SolidCounts&)
-{
-  return static_cast<vtkIdType>(tet) >> (3 * steps);
-}
-template <typename Id>
-vtkIdType FindControlTet(const TetOctLevel<Id>& level, Id solid, int, const SolidCounts& counts)
-{
-  bool isOct = solid >= level.Complex.NumberOfTets;
-  vtkIdType cell = isOct ? solid - level.Complex.NumberOfTets : solid;
-  for (int step = level.Steps; step-- > 0;)
-  {
-    const vtkIdType ofTets = isOct ? counts[step][0] : 4 * counts[step][0];
-    const bool isOfTet = cell < ofTets;
-    cell = isOfTet ? cell / (isOct ? 1 : 4) : (cell - ofTets) / (isOct ? 6 : 8);
-    isOct = !isOfTet;
-  }
-  return cell;
-}
-
-/// The level is a Level or a TetOctLevel.
-template <template <typename> class AnyLevel, typename Id>
+template <typename Scheme>
 class SectorWalker
 {
 public:
-  SectorWalker(const AnyLevel<Id>& level, const ControlSolids& solids)
+  using Id = typename Scheme::Id;
+
+  SectorWalker(const typename Scheme::Level& level, const ControlSolids& solids)
     : Here(level)
     , Complex(level.Complex)
     , Strata(level.Strata)
     , Solids(solids)
-    , Counts(CountSolids(level))
+    , Tets(level, solids.Steps)
   {
     this->FindFacesAtCurves();
     this->FindTurnedFaces();
@@ -171,19 +76,19 @@ private:
     return edges[edges[local[0]] == edge ? local[1] : local[0]];
   }
 
-  const AnyLevel<Id>& Here;
+  const typename Scheme::Level& Here;
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
   const ControlSolids& Solids;
-  const SolidCounts Counts;
+  const typename Scheme::ControlTets Tets;
   Rows<Id> FacesAtCurves; ///< the faces of less than two tetrahedra at each edge with d = 1
   /// For each triangle of a surface whether its orientation is opposite to that of the first
   /// triangle of its part (LimitTangents::First). Empty if that is so for none.
   Buffer<unsigned char> Turned;
 };
 
-template <template <typename> class AnyLevel, typename Id>
-void SectorWalker<AnyLevel, Id>::FindFacesAtCurves()
+template <typename Scheme>
+void SectorWalker<Scheme>::FindFacesAtCurves()
 {
   const vtkIdType edges = this->Complex.NumberOfEdges;
   this->FacesAtCurves.Offsets = Buffer<Id>(edges + 1, 0);
@@ -210,8 +115,8 @@ void SectorWalker<AnyLevel, Id>::FindFacesAtCurves()
 
 /// Walks around a vertex from an edge over a face and further smooth edges, back to the first edge
 /// or to the next sharp edge. Returns whether the faces on the way are a sector.
-template <template <typename> class AnyLevel, typename Id>
-bool SectorWalker<AnyLevel, Id>::Follow(Id vertex, Id edge, Id face, Walk& walk) const
+template <typename Scheme>
+bool SectorWalker<Scheme>::Follow(Id vertex, Id edge, Id face, Walk& walk) const
 {
   walk.Edges.assign(1, edge);
   walk.Faces.clear();
@@ -243,8 +148,8 @@ bool SectorWalker<AnyLevel, Id>::Follow(Id vertex, Id edge, Id face, Walk& walk)
   }
 }
 
-template <template <typename> class AnyLevel, typename Id>
-Id SectorWalker<AnyLevel, Id>::Append(Id vertex, SectorPart<Id>& part) const
+template <typename Scheme>
+typename Scheme::Id SectorWalker<Scheme>::Append(Id vertex, SectorPart<Id>& part) const
 {
   const Rule rule = this->Strata.Vertices[vertex].GetRule();
   const Row<Id> ring = this->Strata.VertexRings.GetCarriers(vertex);
@@ -280,8 +185,8 @@ Id SectorWalker<AnyLevel, Id>::Append(Id vertex, SectorPart<Id>& part) const
 
 /// Finds the two maximal triangles that continue each other across an edge, smooth or crease.
 /// Returns false if there are not exactly two.
-template <template <typename> class AnyLevel, typename Id>
-bool SectorWalker<AnyLevel, Id>::FindPair(Id edge, Id (&faces)[2]) const
+template <typename Scheme>
+bool SectorWalker<Scheme>::FindPair(Id edge, Id (&faces)[2]) const
 {
   const Row<Id> row = this->RuleOf(edge) == Rule::Surface ? this->Strata.EdgeRings.GetCarriers(edge)
                                                           : this->FacesAtCurves[edge];
@@ -295,8 +200,8 @@ bool SectorWalker<AnyLevel, Id>::FindPair(Id edge, Id (&faces)[2]) const
 }
 
 /// Whether both triangles run along their edge in the same direction.
-template <template <typename> class AnyLevel, typename Id>
-bool SectorWalker<AnyLevel, Id>::Contradict(Id edge, const Id (&faces)[2]) const
+template <typename Scheme>
+bool SectorWalker<Scheme>::Contradict(Id edge, const Id (&faces)[2]) const
 {
   const Id* ends = this->Complex.EdgeVertices.data() + 2 * vtkIdType(edge);
   auto runsAlong = [&](Id face)
@@ -307,8 +212,8 @@ bool SectorWalker<AnyLevel, Id>::Contradict(Id edge, const Id (&faces)[2]) const
   return runsAlong(faces[0]) == runsAlong(faces[1]);
 }
 
-template <template <typename> class AnyLevel, typename Id>
-void SectorWalker<AnyLevel, Id>::FindTurnedFaces()
+template <typename Scheme>
+void SectorWalker<Scheme>::FindTurnedFaces()
 {
   std::atomic<bool> found(false);
   ForEach(this->Complex.NumberOfEdges,
@@ -337,8 +242,8 @@ void SectorWalker<AnyLevel, Id>::FindTurnedFaces()
 
 /// Sets Turned for the part of a triangle: all triangles that are reached over FindPair. If the
 /// part is not orientable, no triangle of it counts as turned.
-template <template <typename> class AnyLevel, typename Id>
-void SectorWalker<AnyLevel, Id>::OrientPart(Id first)
+template <typename Scheme>
+void SectorWalker<Scheme>::OrientPart(Id first)
 {
   std::vector<Id> part = { first };
   this->Turned[first] = 0;
@@ -371,8 +276,8 @@ void SectorWalker<AnyLevel, Id>::OrientPart(Id first)
 }
 
 /// Appends LimitTangents::Sides for the triangles of a walk.
-template <template <typename> class AnyLevel, typename Id>
-void SectorWalker<AnyLevel, Id>::AppendSides(
+template <typename Scheme>
+void SectorWalker<Scheme>::AppendSides(
   Id vertex, const Walk& walk, const std::vector<Id>& around, SectorPart<Id>& part) const
 {
   const std::size_t before = part.Sides.size();
@@ -381,9 +286,9 @@ void SectorWalker<AnyLevel, Id>::AppendSides(
     const Id triangle[3] = { vertex, around[j], around[(j + 1) % around.size()] };
     for (Id cell : this->Complex.FaceTets[walk.Faces[j]])
     {
-      const vtkIdType tet = FindControlTet(this->Here, cell, this->Solids.Steps, this->Counts);
+      const vtkIdType tet = this->Tets.Find(cell);
       const vtkIdType number = this->Solids.Numbers.empty() ? tet : this->Solids.Numbers[tet];
-      part.Sides.push_back(2 * number + (GetTurn(this->Here, cell, triangle) < 0 ? 1 : 0));
+      part.Sides.push_back(2 * number + (Scheme::GetTurn(this->Here, cell, triangle) < 0 ? 1 : 0));
     }
   }
   part.SideSizes.push_back(static_cast<vtkIdType>(part.Sides.size() - before));
@@ -391,8 +296,8 @@ void SectorWalker<AnyLevel, Id>::AppendSides(
 
 /// 1 if a walk on a surface has the orientation of the first triangle of its part, else -1. On the
 /// boundary of a solid always 1.
-template <template <typename> class AnyLevel, typename Id>
-double SectorWalker<AnyLevel, Id>::GetSign(Id vertex, const Walk& walk) const
+template <typename Scheme>
+double SectorWalker<Scheme>::GetSign(Id vertex, const Walk& walk) const
 {
   if (this->Complex.FaceTets[walk.Faces.front()].size() > 0)
   {
@@ -407,9 +312,8 @@ double SectorWalker<AnyLevel, Id>::GetSign(Id vertex, const Walk& walk) const
   return (this->Complex.VertexInFace(face, ahead) == (own + 1) % 3) != isTurned ? 1. : -1.;
 }
 
-template <template <typename> class AnyLevel, typename Id>
-void SectorWalker<AnyLevel, Id>::AppendSector(
-  Id vertex, const Walk& walk, SectorPart<Id>& part) const
+template <typename Scheme>
+void SectorWalker<Scheme>::AppendSector(Id vertex, const Walk& walk, SectorPart<Id>& part) const
 {
   const std::size_t size = walk.Edges.size();
   std::vector<Id> around;
@@ -482,11 +386,14 @@ Buffer<T> JoinOffsets(
   return offsets;
 }
 
-template <template <typename> class AnyLevel, typename Id>
-LimitTangents<Id> BuildTangents(
-  const AnyLevel<Id>& level, const SemiSharpStages<Id>& creases, const ControlSolids& solids)
+}
+
+template <typename Level>
+LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
+  const SemiSharpStages<typename Level::IdType>& creases, const ControlSolids& solids)
 {
-  const SectorWalker<AnyLevel, Id> walker(level, solids);
+  using Id = typename Level::IdType;
+  const SectorWalker<SchemeOf<Level>> walker(level, solids);
   const vtkIdType vertices = level.Complex.NumberOfVertices;
   constexpr vtkIdType block = 4096;
   const vtkIdType blocks = (vertices + block - 1) / block;
@@ -527,27 +434,9 @@ LimitTangents<Id> BuildTangents(
   return tangents;
 }
 
-}
-
-template <typename Id>
-LimitTangents<Id> BuildLimitTangents(
-  const Level<Id>& level, const SemiSharpStages<Id>& creases, const ControlSolids& solids)
-{
-  return BuildTangents(level, creases, solids);
-}
-template <typename Id>
-LimitTangents<Id> BuildLimitTangents(
-  const TetOctLevel<Id>& level, const SemiSharpStages<Id>& creases, const ControlSolids& solids)
-{
-  return BuildTangents(level, creases, solids);
-}
-
-#define SUBDIVISION_NORMALS(Id)                                                                    \
-  template LimitTangents<Id> BuildLimitTangents(                                                   \
-    const Level<Id>&, const SemiSharpStages<Id>&, const ControlSolids&);                           \
-  template LimitTangents<Id> BuildLimitTangents(                                                   \
-    const TetOctLevel<Id>&, const SemiSharpStages<Id>&, const ControlSolids&)
-SUBDIVISION_NORMALS(int);
-SUBDIVISION_NORMALS(long long);
+#define SUBDIVISION_NORMALS(Scheme)                                                                \
+  template LimitTangents<Scheme::Id> BuildLimitTangents(                                           \
+    const Scheme::Level&, const SemiSharpStages<Scheme::Id>&, const ControlSolids&)
+SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_NORMALS);
 
 }

@@ -64,13 +64,9 @@ struct ControlSolids
 };
 
 /// The tangents at all vertices of a level that can be refined (Depth::ForRefinement).
-template <typename Id>
-LimitTangents<Id> BuildLimitTangents(const Level<Id>& level,
-  const SemiSharpStages<Id>& creases = {}, const ControlSolids& solids = {});
-
-template <typename Id>
-LimitTangents<Id> BuildLimitTangents(const TetOctLevel<Id>& level,
-  const SemiSharpStages<Id>& creases = {}, const ControlSolids& solids = {});
+template <typename Level>
+LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
+  const SemiSharpStages<typename Level::IdType>& creases = {}, const ControlSolids& solids = {});
 
 /// Computes unit normals, three numbers for each vertex, from the points of the level. Vertices
 /// without sector get a normal for shading (ShadingNormals.h), or zero inside solids; vertices

@@ -2,108 +2,198 @@
 #include "Core/Solids/Limits/LimitRowMaker.h"
 
 #include "Core/Rules/Masks.h"
-#include "Core/Solids/Complex/Simplices.h"
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 
 namespace subdivision
 {
 namespace
 {
 
-/// The star of a vertex of a Level (LimitRowMaker.h): its items are its edges.
-template <typename Id>
+/// Numbers beyond Rule for rows of two kinds: of the centres of solids, and of vertices whose
+/// weights follow from numbers at their spokes. The latter have these numbers behind the ring, one
+/// for each member.
+constexpr int CentreRow = 16;
+constexpr int SpokesRow = 17;
+
+/// The star of a vertex of a level (LimitRowMaker.h): its items are its edges, and the solids at it
+/// in which rings have members. The key of solid s is NumberOfEdges + s.
+template <typename Scheme>
 class LevelStar
 {
 public:
-  using IdType = Id;
-  using LevelType = Level<Id>;
+  using IdType = typename Scheme::Id;
+  using Id = IdType;
+  using LevelType = typename Scheme::Level;
 
-  explicit LevelStar(const Level<Id>& level)
+  explicit LevelStar(const LevelType& level)
     : Here(level)
+    , Complex(level.Complex)
+    , Solids(level)
   {
   }
-  StarRules<Id> GetRules() const { return { this->Here.Strata, nullptr }; }
-  Id GetFarEnd(Id vertex, Id edge) const { return this->Here.Complex.OtherEnd(edge, vertex); }
+  StarRules<Id> GetRules() const
+  {
+    return { this->Here.Strata, Scheme::GetSpokes(this->Here).get() };
+  }
+  Id GetFarEnd(Id vertex, Id key) const
+  {
+    const Id solid = key - this->Complex.NumberOfEdges;
+    return solid < 0 ? this->Complex.OtherEnd(key, vertex) : this->Solids.GetFarEnd(solid, vertex);
+  }
 
-  /// The numbers of a row are the rule, the size of the ring, and the ring.
+  /// The numbers of a row are the rule, or one of the two above, the size of the ring, and the
+  /// ring.
   template <typename Number>
-  bool ReadRow(const StarRules<Id>& rules, Id vertex, Id edge, bool first, Neighbourhood& rows,
+  bool ReadRow(const StarRules<Id>& rules, Id vertex, Id key, bool first, Neighbourhood& rows,
     const Number& number) const
   {
-    const auto& strata = rules.Strata;
-    const Stratum stratum = edge < 0 ? strata.Vertices[vertex] : strata.Edges[edge];
-    rows.push_back(static_cast<int>(stratum.GetRule()));
-    const std::size_t size = rows.size();
-    rows.push_back(0);
+    const std::size_t start = rows.size();
+    rows.resize(start + 2);
+    auto add = [&](Id member) { rows.push_back(number(member, this->GetFarEnd(vertex, member))); };
     bool all = true;
-    if (edge < 0)
+    if (key < 0)
     {
-      for (Id spoke : strata.VertexRings.GetCarriers(vertex))
-      {
-        rows.push_back(number(spoke, this->GetFarEnd(vertex, spoke)));
-      }
+      this->ReadVertexRow(rules, vertex, rows, add);
+      return true;
+    }
+    if (key >= this->Complex.NumberOfEdges)
+    {
+      rows[start] = CentreRow;
+      this->Solids.ForEdgesInSolid(key - this->Complex.NumberOfEdges, vertex, add);
     }
     else
     {
-      const Id* member = strata.EdgeRings.GetMembers(edge).begin();
-      for (Id face : strata.EdgeRings.GetCarriers(edge))
-      {
-        if (face >= 0 || first)
-        {
-          rows.push_back(
-            number(face < 0 ? Id(-1) : this->Here.Complex.OtherEdge(face, edge, vertex), *member));
-        }
-        all = all && (face >= 0 || first);
-        ++member;
-      }
+      rows[start] = static_cast<int>(rules.Strata.Edges[key].GetRule());
+      all = this->ReadEdgeRow(rules.Strata, vertex, key, first, rows, number, add);
     }
-    rows[size] = static_cast<int>(rows.size() - size - 1);
+    rows[start + 1] = static_cast<int>(rows.size() - start) - 2;
     return all;
   }
 
   template <typename Add>
   static void Weigh(const int*& row, int item, const Add& add)
   {
-    const Rule rule = static_cast<Rule>(row[0]);
+    using Masks = typename Scheme::Star;
+    const int kind = row[0];
     const int size = row[1];
-    const Mask mask = item == 0 ? VertexMask(rule, size) : EdgeMask(rule, size);
-    add(0, item == 0 && size == 0 ? 1. : mask.Own);
+    const int* ring = row + 2;
+    row = ring + size;
+    if (kind == CentreRow) // the mean of six vertices
+    {
+      add(0, 1. / 6.);
+      add(item, 1. / 6.);
+      std::for_each(ring, row, [&](int member) { add(member, 1. / 6.); });
+      return;
+    }
+    if (kind == SpokesRow)
+    {
+      Masks::WeighSpokes(ring, row, size, add);
+      row += size;
+      return;
+    }
+    const Rule rule = static_cast<Rule>(kind);
+    const PartedMask mask =
+      item == 0 ? Masks::GetVertexMask(rule, size) : Masks::GetEdgeMask(rule, size);
+    add(0, mask.Own);
     if (item > 0)
     {
       add(item, mask.Own);
     }
-    row += 2;
-    for (int k = 0; k < size; ++k)
+    for (int part = 0; part < mask.Parts; ++part)
     {
-      add(*row++, mask.Ring);
+      for (vtkIdType k = 0; k < mask.Sizes[part]; ++k)
+      {
+        add(*ring++, mask.Weights[part]);
+      }
     }
   }
 
 private:
-  const Level<Id>& Here;
+  /// Appends the row of the vertex itself: members at edges, then members in solids.
+  template <typename Add>
+  void ReadVertexRow(
+    const StarRules<Id>& rules, Id vertex, Neighbourhood& rows, const Add& add) const
+  {
+    const std::size_t start = rows.size() - 2;
+    const Rule rule = rules.Strata.Vertices[vertex].GetRule();
+    const Row<Id> ring = rules.Strata.VertexRings.GetCarriers(vertex);
+    const Id* firstSolid = ring.end() - this->Solids.CountSolids(vertex, rule, ring.size());
+    std::for_each(ring.begin(), firstSolid, add);
+    std::for_each(
+      firstSolid, ring.end(), [&](Id solid) { add(this->Complex.NumberOfEdges + solid); });
+    rows[start] = static_cast<int>(rule);
+    rows[start + 1] = static_cast<int>(ring.size());
+    if (this->Solids.HasSpokes(vertex, rule))
+    {
+      rows[start] = SpokesRow;
+      const Id* tets = rules.TetsAtSpokes->data() + rules.Strata.VertexRings.Offsets[vertex];
+      std::transform(tets, tets + ring.size(), std::back_inserter(rows),
+        [](Id count) { return static_cast<int>(count); });
+    }
+  }
+
+  /// Appends the row of an edge: one member on each face, then in each solid that carries members
+  /// those opposite to its two ends.
+  template <typename Number, typename Add>
+  bool ReadEdgeRow(const subdivision::Strata<Id>& strata, Id vertex, Id edge, bool first,
+    Neighbourhood& rows, const Number& number, const Add& add) const
+  {
+    const Row<Id> carriers = strata.EdgeRings.GetCarriers(edge);
+    const Id* member = strata.EdgeRings.GetMembers(edge).begin();
+    const Id* firstSolid =
+      carriers.begin() + this->Solids.CountFaces(strata.Edges[edge].GetRule(), carriers.size());
+    bool all = true;
+    for (const Id* face = carriers.begin(); face != firstSolid; ++face, ++member)
+    {
+      if (*face >= 0)
+      {
+        add(this->Complex.OtherEdge(*face, edge, vertex));
+      }
+      else if (first)
+      {
+        rows.push_back(number(Id(-1), *member));
+      }
+      all = all && (*face >= 0 || first);
+    }
+    const Id far = this->Complex.OtherEnd(edge, vertex);
+    for (const Id* solid = firstSolid; solid != carriers.end(); solid += 2)
+    {
+      add(this->Complex.NumberOfEdges + *solid);
+      add(this->Solids.GetEdgeBeyond(*solid, vertex, far));
+    }
+    return all;
+  }
+
+  const LevelType& Here;
+  const SimplicialComplex<Id>& Complex;
+  const typename Scheme::Star Solids;
 };
 
 }
 
-template <typename Id>
-SparseRows<Id> BuildLimitRows(const Level<Id>& level, const SemiSharpStages<Id>& creases)
+template <typename Level>
+SparseRows<typename Level::IdType> BuildLimitRows(
+  const Level& level, const SemiSharpStages<typename Level::IdType>& creases)
 {
-  return MakeLimitRows<LevelStar<Id>>(
+  using Id = typename Level::IdType;
+  return MakeLimitRows<LevelStar<SchemeOf<Level>>>(
     level, creases, level.Complex.NumberOfVertices, [](vtkIdType i) { return static_cast<Id>(i); });
 }
 
-template <typename Id>
-SparseRows<Id> BuildLimitRows(
-  const Level<Id>& level, const SemiSharpStages<Id>& creases, const Buffer<Id>& vertices)
+template <typename Level>
+SparseRows<typename Level::IdType> BuildLimitRows(const Level& level,
+  const SemiSharpStages<typename Level::IdType>& creases,
+  const Buffer<typename Level::IdType>& vertices)
 {
-  return MakeLimitRows<LevelStar<Id>>(
+  return MakeLimitRows<LevelStar<SchemeOf<Level>>>(
     level, creases, vertices.size(), [&vertices](vtkIdType i) { return vertices[i]; });
 }
 
-#define SUBDIVISION_LIMIT(Id)                                                                      \
-  template SparseRows<Id> BuildLimitRows(const Level<Id>&, const SemiSharpStages<Id>&);            \
-  template SparseRows<Id> BuildLimitRows(                                                          \
-    const Level<Id>&, const SemiSharpStages<Id>&, const Buffer<Id>&)
-SUBDIVISION_LIMIT(int);
-SUBDIVISION_LIMIT(long long);
+#define SUBDIVISION_LIMIT(Scheme)                                                                  \
+  template SparseRows<Scheme::Id> BuildLimitRows(                                                  \
+    const Scheme::Level&, const SemiSharpStages<Scheme::Id>&);                                     \
+  template SparseRows<Scheme::Id> BuildLimitRows(                                                  \
+    const Scheme::Level&, const SemiSharpStages<Scheme::Id>&, const Buffer<Scheme::Id>&)
+SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_LIMIT);
 
 }

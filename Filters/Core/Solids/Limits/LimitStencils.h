@@ -25,8 +25,7 @@
 #define SubdivisionObjects_LimitStencils_h
 
 #include "Core/Operators/SparseRows.h"
-#include "Core/Solids/BoxSpline/Refinement.h"
-#include "Core/Solids/TetOct/TetOctComplex.h"
+#include "Core/Solids/Scheme/SolidScheme.h"
 
 #include <memory>
 #include <vector>
@@ -44,7 +43,7 @@ struct SharpStage
 {
   int Until = 0;                  ///< they hold for steps before this one, counted from the level
   subdivision::Strata<Id> Strata; ///< rings with carriers
-  std::shared_ptr<const Buffer<Id>> TetsAtSpokes = nullptr; ///< of a tet/oct level
+  std::shared_ptr<const Buffer<Id>> TetsAtSpokes = nullptr; ///< SolidScheme.h: GetSpokes
 };
 
 /// The semi-sharp creases of a level, and the strata that they cause in later steps.
@@ -56,17 +55,15 @@ struct SemiSharpStages
 };
 
 /// The limits of all vertices of a level that can be refined (Depth::ForRefinement).
-template <typename Id>
-SparseRows<Id> BuildLimitRows(const Level<Id>& level, const SemiSharpStages<Id>& creases = {});
-
-template <typename Id>
-SparseRows<Id> BuildLimitRows(
-  const TetOctLevel<Id>& level, const SemiSharpStages<Id>& creases = {});
+template <typename Level>
+SparseRows<typename Level::IdType> BuildLimitRows(
+  const Level& level, const SemiSharpStages<typename Level::IdType>& creases = {});
 
 /// The limits of some vertices, one row for each.
-template <typename Id>
-SparseRows<Id> BuildLimitRows(
-  const Level<Id>& level, const SemiSharpStages<Id>& creases, const Buffer<Id>& vertices);
+template <typename Level>
+SparseRows<typename Level::IdType> BuildLimitRows(const Level& level,
+  const SemiSharpStages<typename Level::IdType>& creases,
+  const Buffer<typename Level::IdType>& vertices);
 
 }
 

@@ -7,9 +7,8 @@
 #ifndef SubdivisionObjects_ShadingFacets_h
 #define SubdivisionObjects_ShadingFacets_h
 
+#include "Core/Memory/Buffer.h"
 #include "Core/Operators/ShadingNormals.h"
-#include "Core/Solids/BoxSpline/Refinement.h"
-#include "Core/Solids/TetOct/TetOctComplex.h"
 
 #include <vector>
 
@@ -50,10 +49,9 @@ struct ShadingFacets
 
 /// Finds the triangle cells, the triangles of boundaries, the line cells and the vertex cells at
 /// vertices whose row of `sectors` is empty. Takes time linear in the size of the level.
-template <typename Id>
-ShadingFacets<Id> FindShadingFacets(const Level<Id>& level, const Rows<Id>& sectors);
-template <typename Id>
-ShadingFacets<Id> FindShadingFacets(const TetOctLevel<Id>& level, const Rows<Id>& sectors);
+template <typename Level>
+ShadingFacets<typename Level::IdType> FindShadingFacets(
+  const Level& level, const Rows<typename Level::IdType>& sectors);
 
 }
 

@@ -40,6 +40,7 @@ namespace subdivision
 template <typename Id>
 struct TetOctLevel
 {
+  using IdType = Id;
   /// FaceTets has octahedra too: o as NumberOfTets + o.
   SimplicialComplex<Id> Complex;
   subdivision::Strata<Id> Strata;
@@ -54,15 +55,6 @@ struct TetOctLevel
   Id NumberOfControlVertices = 0;
   int Steps = 0; ///< since the control level
 };
-
-template <typename Id>
-LevelCounts CountSimplices(const TetOctLevel<Id>& level)
-{
-  LevelCounts counts = CountSimplices(level.Complex);
-  counts.Octahedra = static_cast<double>(level.NumberOfOctahedra);
-  counts.IsTetOct = true;
-  return counts;
-}
 
 /// The control level, whose cells are tetrahedra.
 template <typename Id>

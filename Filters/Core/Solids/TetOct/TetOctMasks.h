@@ -51,16 +51,6 @@ constexpr double OctEdgeNear = OctEdgeCentre + OctNear + TetOther;
 constexpr double OctEdgeFar = OctEdgeCentre + OctFar / 2.;
 }
 
-/// A mask for a ring that consists of up to three sections, each with a size and a weight of its
-/// own.
-struct PartedMask
-{
-  double Own;
-  int Parts;
-  vtkIdType Sizes[3];
-  double Weights[3];
-};
-
 /// How many members of the ring of a vertex are opposite to it in octahedra: the last ones.
 constexpr vtkIdType CountOpposites(Rule rule, vtkIdType ringSize, bool isControl)
 {
@@ -92,8 +82,7 @@ inline PartedMask TetOctVertexMask(Rule rule, vtkIdType ringSize)
   }
   if (rule != Rule::Solid)
   {
-    const Mask mask = ringSize > 0 ? VertexMask(rule, ringSize) : Mask{ 1., 0. };
-    return { mask.Own, 1, { ringSize, 0, 0 }, { mask.Ring, 0., 0. } };
+    return MakeParted(ringSize > 0 ? VertexMask(rule, ringSize) : Mask{ 1., 0. }, ringSize);
   }
   const vtkIdType n = (ringSize - 2) / 3;
   const double cells = 3. * static_cast<double>(n);
@@ -112,8 +101,7 @@ inline PartedMask TetOctEdgeMask(Rule rule, vtkIdType ringSize)
   }
   if (rule != Rule::Solid || ringSize == 0)
   {
-    const Mask mask = EdgeMask(rule, ringSize);
-    return { mask.Own, 1, { ringSize, 0, 0 }, { mask.Ring, 0., 0. } };
+    return MakeParted(EdgeMask(rule, ringSize), ringSize);
   }
   const double cells = 3. * static_cast<double>(ringSize);
   return { tetoct::TetEdgeEnd / 3., 1, { ringSize, 0, 0 },

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TetOctStar.h
+ * What LevelStar (LimitStencils.cxx) needs to know of the tet/oct scheme: its masks, and the
+ * members of rings that lie opposite in octahedra.
+ */
+#ifndef SubdivisionObjects_TetOctStar_h
+#define SubdivisionObjects_TetOctStar_h
+
+#include "Core/Solids/TetOct/TetOctMasks.h"
+#include "Core/Solids/TetOct/TetOctRingEmitter.h"
+
+#include <numeric>
+
+namespace subdivision
+{
+
+template <typename Id>
+class TetOctStar
+{
+public:
+  explicit TetOctStar(const TetOctLevel<Id>& level)
+    : Here(level)
+  {
+  }
+
+  static PartedMask GetVertexMask(Rule rule, vtkIdType ringSize)
+  {
+    return TetOctVertexMask(rule, ringSize);
+  }
+  static PartedMask GetEdgeMask(Rule rule, vtkIdType ringSize)
+  {
+    return TetOctEdgeMask(rule, ringSize);
+  }
+  vtkIdType CountSolids(Id vertex, Rule rule, vtkIdType ringSize) const
+  {
+    return CountOpposites(rule, ringSize, this->IsControl(vertex));
+  }
+  vtkIdType CountFaces(Rule rule, vtkIdType ringSize) const
+  {
+    return rule == Rule::RegularEdge ? RegularFaces : ringSize;
+  }
+  Id GetFarEnd(Id oct, Id vertex) const
+  {
+    const int own = VertexInOct(this->Here, oct, vertex);
+    return this->Here.OctVertices[6 * vtkIdType(oct) + octahedron::Opposite(own)];
+  }
+  template <typename Add>
+  void ForEdgesInSolid(Id oct, Id vertex, const Add& add) const
+  {
+    const int own = VertexInOct(this->Here, oct, vertex);
+    for (int other = 0; other < 6; ++other)
+    {
+      if (other / 2 != own / 2)
+      {
+        add(this->EdgeInOct(oct, own, other));
+      }
+    }
+  }
+  Id GetEdgeBeyond(Id oct, Id vertex, Id far) const
+  {
+    return this->EdgeInOct(oct, VertexInOct(this->Here, oct, vertex),
+      octahedron::Opposite(VertexInOct(this->Here, oct, far)));
+  }
+  bool HasSpokes(Id vertex, Rule rule) const
+  {
+    return this->IsControl(vertex) && rule == Rule::Solid;
+  }
+  template <typename Add>
+  static void WeighSpokes(const int* ring, const int* tets, int size, const Add& add)
+  {
+    const double all = std::accumulate(tets, tets + size, 0.) / 3.;
+    add(0, tetoct::TetVertexOwn);
+    for (int k = 0; k < size; ++k)
+    {
+      add(ring[k], tetoct::TetVertexOther * static_cast<double>(tets[k]) / all);
+    }
+  }
+
+private:
+  bool IsControl(Id vertex) const { return vertex < this->Here.NumberOfControlVertices; }
+  Id EdgeInOct(Id oct, int a, int b) const
+  {
+    return this->Here.OctEdges[12 * vtkIdType(oct) + octahedron::EdgeOf[a][b]];
+  }
+
+  const TetOctLevel<Id>& Here;
+};
+
+}
+
+#endif
