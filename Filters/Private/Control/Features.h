@@ -7,9 +7,9 @@
 #ifndef SubdivisionObjects_Features_h
 #define SubdivisionObjects_Features_h
 
+#include "Core/Solids/AllSchemes/SemiSharp.h"
 #include "Core/Solids/Strata/Singularities.h"
 #include "Core/Solids/Strata/Strata.h"
-#include "Core/Solids/TetOct/SemiSharp.h"
 #include "Private/Reading/CellsToSimplices.h"
 
 #include "vtkDataArray.h"

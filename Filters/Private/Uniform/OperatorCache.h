@@ -7,9 +7,9 @@
 #ifndef SubdivisionObjects_OperatorCache_h
 #define SubdivisionObjects_OperatorCache_h
 
+#include "Core/Solids/AllSchemes/ComposedRows.h"
 #include "Core/Solids/BoxSpline/Stencils.h"
 #include "Core/Solids/Strata/Singularities.h"
-#include "Core/Solids/TetOct/ComposedRows.h"
 #include "Core/Solids/TetOct/TetOctStencils.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/KeptEntries.h"

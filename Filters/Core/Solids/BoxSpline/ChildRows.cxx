@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/BoxSpline/ChildRows.h"
 
+#include "Core/Solids/BoxSpline/BoxSplineSplit.h"
 #include "Core/Solids/BoxSpline/RingBlock.h"
 
 namespace subdivision
@@ -18,7 +19,7 @@ public:
     : Complex(level.Complex)
     , Strata(level.Strata)
     , Emitter(level)
-    , Ids(level.Complex)
+    , Ids(level)
     , FirstEdgeRow(vtkIdType(level.Complex.NumberOfVertices) + level.Complex.NumberOfEdges)
     , Use(use)
   {
@@ -81,7 +82,7 @@ private:
           const Id e = static_cast<Id>(i);
           const Id size = this->Emitter.CountHalf(e);
           edges.Reserve(2 * size);
-          vertices.Reserve(this->Emitter.CountAtMost(e));
+          vertices.Reserve(this->Emitter.CountMidpointAtMost(e));
           MemberWriter<Id> halves[2] = { edges.Open(), edges.Open(size) };
           auto midpoint = vertices.Open();
           this->Emitter.EmitAtEdge(e, halves, midpoint);
@@ -107,14 +108,9 @@ private:
         for (vtkIdType i = begin; i < end; ++i)
         {
           const Id f = static_cast<Id>(i);
-          for (int corner = 0; corner < 3; ++corner)
-          {
-            rows.Reserve(2 + 2 * static_cast<Id>(this->Complex.FaceTets[f].size()));
-            auto ring = rows.Open();
-            this->Emitter.EmitInFace(f, corner, ring);
-            this->Emitter.GetInFaceEnds(f, corner, rows.GetEnds());
-            rows.Close(ring, this->Emitter.InFaceStratum(f, corner));
-          }
+          rows.Reserve(3 * this->Emitter.CountInFaceAtMost(f));
+          InFaceRows<BoxSplineSplit<Id>> rings(this->Emitter, f, rows);
+          this->Emitter.EmitInFace(f, rings);
         }
         this->Use(rows.Get());
       });
@@ -126,14 +122,15 @@ private:
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
-        rows.Start(this->FirstEdgeRow + this->Ids.Diagonal(static_cast<Id>(begin)));
+        rows.Start(this->FirstEdgeRow +
+          this->Ids.template InnerEdge<MarkedTetShape>(static_cast<Id>(begin), 0));
         for (vtkIdType i = begin; i < end; ++i)
         {
           const Id t = static_cast<Id>(i);
           rows.Reserve(4);
           auto ring = rows.Open();
-          this->Emitter.EmitDiagonal(t, ring);
-          this->Emitter.GetDiagonalEnds(t, rows.GetEnds());
+          this->Emitter.template EmitInner<MarkedTetShape>(t, 0, ring);
+          this->Emitter.template GetInnerEnds<MarkedTetShape>(t, 0, rows.GetEnds());
           rows.Close(ring, Stratum(Rule::RegularEdge));
         }
         this->Use(rows.Get());
@@ -142,8 +139,8 @@ private:
 
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
-  const RingEmitter<Id> Emitter;
-  const ChildIds<Id> Ids;
+  const RingEmitter<BoxSplineSplit<Id>> Emitter;
+  const ChildIds<BoxSplineSplit<Id>> Ids;
   const vtkIdType FirstEdgeRow;
   const RowsUser<StencilRows<Id>>& Use;
 };

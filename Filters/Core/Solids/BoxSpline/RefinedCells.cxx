@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/BoxSpline/RefinedCells.h"
 
-#include "Core/Solids/BoxSpline/Children.h"
+#include "Core/Solids/BoxSpline/BoxSplineSplit.h"
+#include "Core/Solids/Scheme/EqualSimplices.h"
 
 #include "vtkCellType.h"
 
@@ -82,6 +83,24 @@ void CopyLattices(const Id* vertices, const Id* edges, int count, Id midpoints, 
     for (int k = 0; k < edgesOfCell; ++k)
     {
       *points++ = static_cast<Out>(midpoints + edges[edgesOfCell * i + k]);
+    }
+  }
+}
+
+/// The lattice points of the children of a tetrahedron.
+template <typename Id, typename Out>
+void CopyChildLattices(const SolidParts<MarkedTetShape, Id>& parts, Id midpoints, Out* points)
+{
+  const auto& table = Children<MarkedTetShape, MarkedTetShape>;
+  for (std::size_t c = 0; c < table.Size; ++c)
+  {
+    for (int point : table.Points[c])
+    {
+      *points++ = static_cast<Out>(parts.Lattice.Points[point]);
+    }
+    for (int place : table.Edges[c])
+    {
+      *points++ = static_cast<Out>(midpoints + parts.Edges[place]);
     }
   }
 }
@@ -193,7 +212,7 @@ void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellR
             const Id* edges = complex.TetEdges.data() + 6 * i;
             if (run.Equal)
             {
-              GetEdgesOfEqualTet(complex, i, own);
+              GetEdgesOfEqual<MarkedTetShape>(GetTets(complex), i, own);
               vertices = complex.EqualTets.Vertices.data() + 4 * i;
               edges = own;
             }
@@ -211,7 +230,7 @@ void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<
   const std::vector<CellRun> grandchildren = RefineRuns(runs, 2);
   const CellCounts counts = CountCells(grandchildren);
   out.Offsets[counts.Cells] = static_cast<Out>(counts.Entries);
-  const ChildIds<Id> ids(complex);
+  const ChildIds<BoxSplineSplit<Id>> ids(complex, { complex.NumberOfTets });
   const Id midpoints = complex.NumberOfVertices + complex.NumberOfEdges + centres;
   for (std::size_t r = 0; r < runs.size(); ++r)
   {
@@ -251,8 +270,9 @@ void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<
         WriteChildrenOfRun<8>(run, tetrahedron::Children, connectivity,
           [&](vtkIdType i, Out* points)
           {
-            const TetChildren<Id> children(TetParts<Id>(complex, ids, static_cast<Id>(i)), ids);
-            CopyLattices<4>(children.Vertices, children.Edges, 8, midpoints, points);
+            const SolidParts<MarkedTetShape, Id> parts(
+              complex, GetTets(complex), ids, static_cast<Id>(i));
+            CopyChildLattices(parts, midpoints, points);
           });
         break;
     }

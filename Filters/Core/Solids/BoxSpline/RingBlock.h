@@ -6,8 +6,8 @@
 #ifndef SubdivisionObjects_RingBlock_h
 #define SubdivisionObjects_RingBlock_h
 
-#include "Core/Solids/BoxSpline/RingEmitter.h"
 #include "Core/Solids/BoxSpline/Stencils.h"
+#include "Core/Solids/Scheme/RingEmitter.h"
 
 #include <algorithm>
 #include <array>
@@ -108,6 +108,39 @@ private:
   Buffer<Id> Ends;
   Buffer<Id> Offsets;
   Buffer<Id> Members;
+};
+
+/// The rows of the three edges inside a face, as RingEmitter::EmitInFace takes their rings.
+template <typename Split>
+class InFaceRows
+{
+public:
+  using Id = typename Split::Id;
+
+  InFaceRows(const RingEmitter<Split>& emitter, Id face, RingBlock<Id>& rows)
+    : Emitter(emitter)
+    , Face(face)
+    , Rows(rows)
+  {
+  }
+  MemberWriter<Id> Open(int, Id size)
+  {
+    const Id before = this->Opened;
+    this->Opened += size;
+    return this->Rows.Open(before);
+  }
+  void Close(int corner, const MemberWriter<Id>& ring)
+  {
+    this->Opened = 0;
+    this->Emitter.GetInFaceEnds(this->Face, corner, this->Rows.GetEnds());
+    this->Rows.Close(ring, this->Emitter.InFaceStratum(this->Face, corner));
+  }
+
+private:
+  const RingEmitter<Split>& Emitter;
+  const Id Face;
+  RingBlock<Id>& Rows;
+  Id Opened = 0; ///< room of rings that are open
 };
 
 }

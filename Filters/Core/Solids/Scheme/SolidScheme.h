@@ -49,8 +49,8 @@
  *    positive solid: 1 if its vertices in this order run counterclockwise, -1 if clockwise. The
  *    solid is named as in FaceTets;
  *  - FindInside(level, solid, face): a vertex of a solid that a face of it does not have;
- *  - ControlTets: made from a level and the number of steps since the control level; its
- * Find(solid) is the control tetrahedron that a solid is a part of.
+ *  - ControlTets: made from a level and the number of steps since the control level; Find(solid)
+ *    gives the control tetrahedron that a solid is a part of.
  */
 #ifndef SubdivisionObjects_SolidScheme_h
 #define SubdivisionObjects_SolidScheme_h

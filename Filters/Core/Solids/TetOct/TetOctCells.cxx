@@ -41,7 +41,7 @@ Out* WritePieces(const Id* lattice, const T* points, Out* out)
 {
   auto writeTets = [&]()
   {
-    for (const auto& child : Children<Shape>.Tets)
+    for (const auto& child : Children<Shape, TetShape>.Points)
     {
       for (int point : child)
       {
@@ -53,7 +53,7 @@ Out* WritePieces(const Id* lattice, const T* points, Out* out)
   {
     writeTets();
   }
-  for (const auto& child : Children<Shape>.Octs)
+  for (const auto& child : Children<Shape, OctShape>.Points)
   {
     Id vertices[6];
     for (int i = 0; i < 6; ++i)
@@ -79,9 +79,8 @@ public:
   GrandchildrenWriter(const TetOctLevel<Id>& level, const T* points)
     : Level(level)
     , Ids(level)
-    , Midpoints(this->Ids.Centre(level.NumberOfOctahedra))
-    , Centres(this->Midpoints + 2 * level.Complex.NumberOfEdges + 3 * level.Complex.NumberOfFaces +
-        12 * level.NumberOfOctahedra)
+    , Midpoints(this->Ids.GetNumberOfVertices())
+    , Centres(this->Midpoints + this->Ids.GetNumberOfEdges())
     , Points(points)
   {
   }
@@ -89,59 +88,64 @@ public:
   {
     if (isOct)
     {
-      const CellParts<OctShape, Id> parts(this->Level, this->Ids, cell);
-      out = this->WriteOcts(parts, this->Ids.OctOfOct(cell, 0), out);
+      const SolidParts<OctShape, Id> parts = this->Split<OctShape>(cell);
+      out = this->WriteOcts(parts, this->Ids.template ChildOf<OctShape, OctShape>(cell, 0), out);
       this->WriteTets(parts, out);
     }
     else
     {
-      const CellParts<TetShape, Id> parts(this->Level, this->Ids, cell);
+      const SolidParts<TetShape, Id> parts = this->Split<TetShape>(cell);
       out = this->WriteTets(parts, out);
-      this->WriteOcts(parts, this->Ids.OctOfTet(cell), out);
+      this->WriteOcts(parts, this->Ids.template ChildOf<TetShape, OctShape>(cell, 0), out);
     }
   }
 
 private:
-  template <typename Child, typename Parts, typename Corners, typename Edges>
-  void GetLattice(const Parts& parts, const Corners& corners, const Edges& edges, Id* lattice) const
+  template <typename Shape>
+  SolidParts<Shape, Id> Split(Id cell) const
   {
+    return { this->Level.Complex, TetOctSplit<Id>::GetSolids(this->Level, Shape()), this->Ids,
+      cell };
+  }
+  template <typename Child, typename Shape>
+  void GetLattice(const SolidParts<Shape, Id>& parts, std::size_t child, Id* lattice) const
+  {
+    const auto& table = Children<Shape, Child>;
     for (int i = 0; i < Child::Vertices; ++i)
     {
-      lattice[i] = parts.Lattice.Points[corners[i]];
+      lattice[i] = parts.Lattice.Points[table.Points[child][i]];
     }
     for (int e = 0; e < Child::Edges; ++e)
     {
-      lattice[Child::Vertices + e] = this->Midpoints + parts.Edges[edges[e]];
+      lattice[Child::Vertices + e] = this->Midpoints + parts.Edges[table.Edges[child][e]];
     }
   }
   template <typename Shape>
-  Out* WriteTets(const CellParts<Shape, Id>& parts, Out* out) const
+  Out* WriteTets(const SolidParts<Shape, Id>& parts, Out* out) const
   {
-    const auto& table = Children<Shape>;
-    for (int c = 0; c < Shape::ChildTets; ++c)
+    for (int c = 0; c < ChildrenOf<Shape, TetShape>; ++c)
     {
-      Id lattice[TetShape::Points];
-      this->template GetLattice<TetShape>(parts, table.Tets[c], table.TetEdges[c], lattice);
+      Id lattice[PointsOf<TetShape>];
+      this->template GetLattice<TetShape>(parts, c, lattice);
       out = WritePieces<TetShape>(lattice, this->Points, out);
     }
     return out;
   }
   template <typename Shape>
-  Out* WriteOcts(const CellParts<Shape, Id>& parts, Id firstOct, Out* out) const
+  Out* WriteOcts(const SolidParts<Shape, Id>& parts, Id firstOct, Out* out) const
   {
-    const auto& table = Children<Shape>;
-    for (int c = 0; c < Shape::ChildOcts; ++c)
+    for (int c = 0; c < ChildrenOf<Shape, OctShape>; ++c)
     {
-      Id lattice[OctShape::Points];
-      this->template GetLattice<OctShape>(parts, table.Octs[c], table.OctEdges[c], lattice);
-      lattice[OctShape::Points - 1] = this->Centres + firstOct + c;
+      Id lattice[PointsOf<OctShape>];
+      this->template GetLattice<OctShape>(parts, c, lattice);
+      lattice[OctShape::Centre] = this->Centres + firstOct + c;
       out = WritePieces<OctShape>(lattice, this->Points, out);
     }
     return out;
   }
 
   const TetOctLevel<Id>& Level;
-  const TetOctIds<Id> Ids;
+  const ChildIds<TetOctSplit<Id>> Ids;
   const Id Midpoints; ///< of the edges of the children
   const Id Centres;
   const T* Points;

@@ -2,8 +2,7 @@
 #include "Core/Solids/TetOct/TetOctChildRows.h"
 
 #include "Core/Solids/BoxSpline/RingBlock.h"
-#include "Core/Solids/TetOct/TetOctChildren.h"
-#include "Core/Solids/TetOct/TetOctRingEmitter.h"
+#include "Core/Solids/TetOct/TetOctSplit.h"
 
 namespace subdivision
 {
@@ -96,11 +95,11 @@ private:
           const Id e = static_cast<Id>(i);
           const Id size = this->Emitter.CountHalf(e);
           edges.Reserve(2 * size);
-          vertices.Reserve(this->Emitter.CountMidpoint(e));
+          vertices.Reserve(this->Emitter.CountMidpointAtMost(e));
           MemberWriter<Id> halves[2] = { edges.Open(), edges.Open(size) };
           auto midpoint = vertices.Open();
           this->Emitter.EmitAtEdge(e, halves, midpoint);
-          vertices.Close(midpoint, this->Strata.Edges[e]);
+          vertices.Close(midpoint, this->Emitter.MidpointStratum(e));
           for (int half = 0; half < 2; ++half)
           {
             this->Emitter.GetHalfEnds(e, half, edges.GetEnds());
@@ -122,15 +121,9 @@ private:
         for (vtkIdType i = begin; i < end; ++i)
         {
           const Id f = static_cast<Id>(i);
-          const Id size = this->Emitter.CountInFace(f);
-          rows.Reserve(3 * size);
-          MemberWriter<Id> corners[3] = { rows.Open(), rows.Open(size), rows.Open(2 * size) };
-          this->Emitter.EmitInFace(f, corners);
-          for (int corner = 0; corner < 3; ++corner)
-          {
-            this->Emitter.GetInFaceEnds(f, corner, rows.GetEnds());
-            rows.Close(corners[corner], this->Emitter.InFaceStratum(f));
-          }
+          rows.Reserve(3 * this->Emitter.CountInFaceAtMost(f));
+          InFaceRows<TetOctSplit<Id>> rings(this->Emitter, f, rows);
+          this->Emitter.EmitInFace(f, rings);
         }
         this->Use({ rows.Get() });
       });
@@ -146,13 +139,15 @@ private:
         Id* vertex = octs.data();
         for (vtkIdType t = begin; t < end; ++t)
         {
-          const CellLattice<TetShape, Id> lattice(this->Level, this->Ids, static_cast<Id>(t));
-          for (int point : Children<TetShape>.Octs[0])
+          const SolidLattice<TetShape, Id> lattice(
+            GetTets(this->Complex), this->Ids, static_cast<Id>(t));
+          for (int point : Children<TetShape, OctShape>.Points[0])
           {
             *vertex++ = lattice.Points[point];
           }
         }
-        this->UseCentres(this->Ids.OctOfTet(static_cast<Id>(begin)), end - begin, octs.data());
+        this->UseCentres(this->Ids.template ChildOf<TetShape, OctShape>(static_cast<Id>(begin), 0),
+          end - begin, octs.data());
       });
   }
 
@@ -169,8 +164,8 @@ private:
       [&](vtkIdType begin, vtkIdType end)
       {
         const Id firstOct = static_cast<Id>(begin);
-        spokes.Start(this->FirstEdgeRow + this->Ids.Spoke(firstOct, 0));
-        vertices.Start(this->Ids.Centre(firstOct));
+        spokes.Start(this->FirstEdgeRow + this->Ids.template InnerEdge<OctShape>(firstOct, 0));
+        vertices.Start(this->Ids.template Centre<OctShape>(firstOct));
         Id* vertex = octs.data();
         for (vtkIdType i = begin; i < end; ++i)
         {
@@ -179,16 +174,17 @@ private:
           for (int e = 0; e < 12; ++e)
           {
             auto spoke = spokes.Open();
-            this->Emitter.EmitSpoke(o, e, spoke);
-            this->Emitter.GetSpokeEnds(o, e, spokes.GetEnds());
+            this->Emitter.template EmitInner<OctShape>(o, e, spoke);
+            this->Emitter.template GetInnerEnds<OctShape>(o, e, spokes.GetEnds());
             spokes.Close(spoke, Stratum(Rule::RegularEdge));
           }
           vertices.Reserve(RegularVertexRing);
           auto centre = vertices.Open();
-          this->Emitter.EmitCentre(o, centre);
+          this->Emitter.template EmitCentre<OctShape>(o, centre);
           vertices.Close(centre, Stratum(Rule::RegularEdge));
-          const CellLattice<OctShape, Id> lattice(this->Level, this->Ids, o);
-          for (const auto& child : Children<OctShape>.Octs)
+          const SolidLattice<OctShape, Id> lattice(
+            TetOctSplit<Id>::GetSolids(this->Level, OctShape()), this->Ids, o);
+          for (const auto& child : Children<OctShape, OctShape>.Points)
           {
             for (int point : child)
             {
@@ -198,7 +194,8 @@ private:
         }
         this->Use({ spokes.Get() });
         this->Use({ vertices.Get() });
-        this->UseCentres(this->Ids.OctOfOct(firstOct, 0), 6 * (end - begin), octs.data());
+        this->UseCentres(this->Ids.template ChildOf<OctShape, OctShape>(firstOct, 0),
+          6 * (end - begin), octs.data());
       },
       blockSize);
   }
@@ -213,8 +210,8 @@ private:
   const TetOctLevel<Id>& Level;
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
-  const TetOctRingEmitter<Id> Emitter;
-  const TetOctIds<Id> Ids;
+  const RingEmitter<TetOctSplit<Id>> Emitter;
+  const ChildIds<TetOctSplit<Id>> Ids;
   const vtkIdType FirstEdgeRow;
   const vtkIdType FirstCentreRow;
   const RowsUser<TetOctRows<Id>>& Use;

@@ -6,13 +6,13 @@
  * Only the octahedra are new: all else is stored in SimplicialComplex and Strata. Rules and rings
  * are decided on the control mesh, where all solids are tetrahedra, and inherited. With V vertices,
  * E edges, F faces, T tetrahedra and O octahedra the next level has
- *  - vertices: v stays v; V + e in edge e; V + E + o the centre of octahedron o;
- *  - edges: 2e, 2e + 1 the halves of e; 2E + 3f + i inside face f near its vertex i;
- *    2E + 3F + 12o + e from the centre of o to the midpoint of its edge e;
- *  - faces: 4f + i near vertex i of f, 4f + 3 its middle; 4F + 4t + i cuts vertex i off t;
- *    4F + 4T + 24o + 3k + i joins the centre of o and the edge that cuts corner i off face k of o;
+ *  - vertices: V + E + o the centre of octahedron o;
+ *  - edges: 2E + 3F + 12o + e, a *spoke*, from the centre of o to the midpoint of its edge e;
+ *  - faces: 4F + 4t + i cuts vertex i off t; 4F + 4T + 24o + 3k + i joins the centre of o and the
+ *    edge that cuts corner i off face k of o;
  *  - tetrahedra: 4t + i at vertex i of t; 4T + 8o + k at face k of o;
- *  - octahedra: t in the middle of t; T + 6o + i at vertex i of o.
+ *  - octahedra: t in the middle of t; T + 6o + i at vertex i of o;
+ * and what it has in vertices, edges and faces of before as in all schemes (SolidParts.h).
  *
  * Inside C_3 all edges that are no parts of control edges are regular: two tetrahedra and two
  * octahedra lie at them. All vertices that lie in no control edge are regular too: eight tetrahedra
@@ -21,7 +21,7 @@
 #ifndef SubdivisionObjects_TetOctComplex_h
 #define SubdivisionObjects_TetOctComplex_h
 
-#include "Core/Solids/BoxSpline/Refinement.h"
+#include "Core/Solids/Scheme/Level.h"
 
 #include <memory>
 
@@ -63,64 +63,9 @@ TetOctLevel<Id> MakeTetOctLevel(Level<Id>&& control);
 template <typename Id>
 TetOctLevel<Id> Refine(const TetOctLevel<Id>& parent, Depth depth);
 
-/// Ids of the next level, seen from the parent.
-template <typename Id>
-class TetOctIds
-{
-public:
-  explicit TetOctIds(const TetOctLevel<Id>& parent)
-    : Parent(parent.Complex)
-    , CentreStart(Parent.NumberOfVertices + Parent.NumberOfEdges)
-    , InFaceStart(2 * Parent.NumberOfEdges)
-    , SpokeStart(InFaceStart + 3 * Parent.NumberOfFaces)
-    , CutStart(4 * Parent.NumberOfFaces)
-    , FanStart(CutStart + 4 * Parent.NumberOfTets)
-    , OctTetStart(4 * Parent.NumberOfTets)
-    , OctStart(Parent.NumberOfTets)
-    , FirstOctCell(4 * Parent.NumberOfTets + 8 * parent.NumberOfOctahedra)
-  {
-  }
-  Id Midpoint(Id edge) const { return this->Parent.NumberOfVertices + edge; }
-  Id Centre(Id oct) const { return this->CentreStart + oct; }
-  Id Half(Id edge, Id end) const
-  {
-    return 2 * edge + (this->Parent.EdgeVertices[2 * edge + vtkIdType(1)] == end ? 1 : 0);
-  }
-  Id InFace(Id face, int corner) const { return this->InFaceStart + 3 * face + corner; }
-  Id Spoke(Id oct, int edge) const { return this->SpokeStart + 12 * oct + edge; }
-  Id Face(Id face, int child) const { return 4 * face + child; }
-  Id Cut(Id tet, int vertex) const { return this->CutStart + 4 * tet + vertex; }
-  Id Fan(Id oct, int face, int corner) const
-  {
-    return this->FanStart + 24 * oct + 3 * face + corner;
-  }
-  Id TetOfTet(Id tet, int vertex) const { return 4 * tet + vertex; }
-  Id TetOfOct(Id oct, int face) const { return this->OctTetStart + 8 * oct + face; }
-  Id OctOfTet(Id tet) const { return tet; }
-  Id OctOfOct(Id oct, int vertex) const { return this->OctStart + 6 * oct + vertex; }
-  /// The number by which FaceTets of the next level names a child octahedron.
-  Id OctCell(Id childOct) const { return this->FirstOctCell + childOct; }
-
-private:
-  const SimplicialComplex<Id>& Parent;
-  const Id CentreStart;
-  const Id InFaceStart;
-  const Id SpokeStart;
-  const Id CutStart;
-  const Id FanStart;
-  const Id OctTetStart;
-  const Id OctStart;
-  const Id FirstOctCell;
-};
-
-/// The edges of an octahedron of EqualOcts in its own vertex order, taken from its twin.
-template <typename Id>
-void GetEdgesOfEqualOct(const TetOctLevel<Id>& level, vtkIdType index, Id edges[12]);
-
 #define SUBDIVISION_TETOCT_TEMPLATES(EXTERN, Id)                                                   \
   EXTERN template TetOctLevel<Id> MakeTetOctLevel(Level<Id>&&);                                    \
-  EXTERN template TetOctLevel<Id> Refine(const TetOctLevel<Id>&, Depth);                           \
-  EXTERN template void GetEdgesOfEqualOct(const TetOctLevel<Id>&, vtkIdType, Id[12])
+  EXTERN template TetOctLevel<Id> Refine(const TetOctLevel<Id>&, Depth)
 SUBDIVISION_TETOCT_TEMPLATES(extern, int);
 SUBDIVISION_TETOCT_TEMPLATES(extern, long long);
 

@@ -8,7 +8,7 @@
 #define SubdivisionObjects_TetOctDescendants_h
 
 #include "Core/Solids/BoxSpline/RefinedCells.h"
-#include "Core/Solids/TetOct/TetOctChildren.h"
+#include "Core/Solids/TetOct/TetOctSplit.h"
 
 #include <vector>
 
@@ -113,30 +113,22 @@ public:
     return lists[this->Equal][isOct]->data() + (isOct ? 6 : 4) * cell;
   }
   template <typename Shape>
-  CellLattice<Shape, Id> Read(Id cell) const
+  SolidLattice<Shape, Id> Read(Id cell) const
   {
+    const SolidList<Id> list = TetOctSplit<Id>::GetSolids(this->Level, Shape());
     if (!this->Equal)
     {
-      return { this->Level, this->Ids, cell };
+      return { list, this->Ids, cell };
     }
-    constexpr bool isOct = Shape::Vertices == 6;
     Id edges[Shape::Edges];
-    Id twin = cell;
-    if constexpr (isOct)
-    {
-      GetEdgesOfEqualOct(this->Level, cell, edges);
-      twin = this->Level.EqualOcts.Twins[cell];
-    }
-    else
-    {
-      GetEdgesOfEqualTet(this->Level.Complex, cell, edges);
-    }
-    return { this->Ids, this->GetVertices(cell, isOct), edges, twin };
+    GetEdgesOfEqual<Shape>(list, cell, edges);
+    return { this->Ids, list.Equal->Vertices.data() + Shape::Vertices * vtkIdType(cell), edges,
+      list.Equal->Twins[cell] };
   }
 
 private:
   const TetOctLevel<Id>& Level;
-  const TetOctIds<Id> Ids;
+  const ChildIds<TetOctSplit<Id>> Ids;
   const bool Equal;
 };
 

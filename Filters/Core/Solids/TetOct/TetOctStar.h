@@ -8,7 +8,7 @@
 #define SubdivisionObjects_TetOctStar_h
 
 #include "Core/Solids/TetOct/TetOctMasks.h"
-#include "Core/Solids/TetOct/TetOctRingEmitter.h"
+#include "Core/Solids/TetOct/TetOctSplit.h"
 
 #include <numeric>
 

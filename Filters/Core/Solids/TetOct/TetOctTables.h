@@ -13,6 +13,7 @@
 #define SubdivisionObjects_TetOctTables_h
 
 #include "Core/Solids/Complex/Simplices.h"
+#include "Core/Solids/Scheme/SolidShapes.h"
 
 namespace subdivision
 {
@@ -56,260 +57,145 @@ constexpr int FirstFaceAt(int edge)
 }
 }
 
-/// The shape of a cell, to write once what tetrahedra and octahedra have in common.
+/// The shapes of the scheme (SolidShapes.h): a tetrahedron is split into a tetrahedron at each
+/// vertex and an octahedron between; an octahedron into an octahedron at each vertex, half as
+/// large, and a tetrahedron from each face to the centre.
+struct TetShape;
+struct OctShape;
+
 struct TetShape
 {
+  using Shapes = ShapeList<TetShape, OctShape>;
+  static constexpr int Index = 0;
   static constexpr int Vertices = 4;
   static constexpr int Edges = 6;
   static constexpr int Faces = 4;
-  static constexpr int Points = 10; ///< lattice points
-  static constexpr int ChildTets = 4;
-  static constexpr int ChildOcts = 1;
+  static constexpr int Centres = 0;
   static constexpr const auto& EdgeVertices = tetrahedron::EdgeVertices;
   static constexpr const auto& EdgeOf = tetrahedron::EdgeOf;
   static constexpr const auto& FaceVertices = tetrahedron::FaceVertices;
+  static constexpr int FaceOf(int a, int b, int c) { return 6 - a - b - c; }
+
+  static constexpr std::array<std::array<int, 4>, 4> GetChildren(TetShape);
+  static constexpr std::array<std::array<int, 6>, 1> GetChildren(OctShape);
+  static constexpr std::array<std::array<int, 2>, 0> GetInnerEdges() { return {}; }
+  /// Face v cuts off vertex v.
+  static constexpr std::array<std::array<int, 3>, 4> GetInnerFaces();
 };
 
 struct OctShape
 {
+  using Shapes = TetShape::Shapes;
+  static constexpr int Index = 1;
   static constexpr int Vertices = 6;
   static constexpr int Edges = 12;
   static constexpr int Faces = 8;
-  static constexpr int Points = 19;
-  static constexpr int ChildTets = 8;
-  static constexpr int ChildOcts = 6;
+  static constexpr int Centres = 1;
+  static constexpr int Centre = Vertices + Edges; ///< as lattice point
   static constexpr const auto& EdgeVertices = octahedron::EdgeVertices;
   static constexpr const auto& EdgeOf = octahedron::EdgeOf;
   static constexpr const auto& FaceVertices = octahedron::FaceVertices;
+  static constexpr int FaceOf(int a, int b, int c) { return octahedron::FaceOf(a, b, c); }
+
+  static constexpr std::array<std::array<int, 4>, 8> GetChildren(TetShape);
+  static constexpr std::array<std::array<int, 6>, 6> GetChildren(OctShape);
+  /// Spoke e joins the centre and the midpoint of edge e.
+  static constexpr std::array<std::array<int, 2>, 12> GetInnerEdges();
+  /// Face 3k + i joins the centre and the edge that cuts corner i off face k.
+  static constexpr std::array<std::array<int, 3>, 24> GetInnerFaces();
 };
 
-/// The lattice point between two vertices, or the vertex itself.
-template <typename Shape>
-constexpr int LatticePoint(int a, int b)
+constexpr std::array<std::array<int, 4>, 4> TetShape::GetChildren(TetShape)
 {
-  return a == b ? a : Shape::Vertices + Shape::EdgeOf[a][b];
+  std::array<std::array<int, 4>, 4> tets{};
+  for (int v = 0; v < 4; ++v)
+  {
+    for (int w = 0; w < 4; ++w)
+    {
+      tets[v][w] = LatticePoint<TetShape>(v, w);
+    }
+  }
+  return tets;
 }
 
-/// What an edge between two lattice points is a part of.
-enum class EdgePart : unsigned char
+constexpr std::array<std::array<int, 6>, 1> TetShape::GetChildren(OctShape)
 {
-  Half,   ///< Index = edge, Corner = which of its ends
-  InFace, ///< Index = face, Corner = position in FaceVertices of the vertex it cuts off
-  Spoke   ///< of an octahedron: from the centre to the midpoint of edge Index
-};
-struct ChildEdgePart
-{
-  EdgePart Part = EdgePart::Spoke;
-  signed char Index = -1;
-  signed char Corner = -1;
-};
-
-/// The position of a child edge in CellParts::Edges: first the two halves of each edge, then the
-/// three edges inside each face, then the spokes.
-template <typename Shape>
-constexpr int PlaceOf(ChildEdgePart part)
-{
-  constexpr int inFaces = 2 * Shape::Edges;
-  return part.Part == EdgePart::Half ? 2 * part.Index + part.Corner
-    : part.Part == EdgePart::InFace  ? inFaces + 3 * part.Index + part.Corner
-                                     : inFaces + 3 * Shape::Faces + part.Index;
+  constexpr int pairs[6][2] = { { 0, 1 }, { 2, 3 }, { 0, 3 }, { 1, 2 }, { 0, 2 }, { 1, 3 } };
+  std::array<std::array<int, 6>, 1> octs{};
+  for (int w = 0; w < 6; ++w)
+  {
+    octs[0][w] = LatticePoint<TetShape>(pairs[w][0], pairs[w][1]);
+  }
+  return octs;
 }
 
-/// What a triangle between three lattice points is a part of.
-enum class FacePart : unsigned char
+constexpr std::array<std::array<int, 3>, 4> TetShape::GetInnerFaces()
 {
-  Corner,  ///< Index = face, Corner = position in FaceVertices
-  Middle,  ///< Index = face
-  Interior ///< of a tetrahedron: cuts off vertex Index; of an octahedron: spanned by the centre and
-           ///< the edge that cuts corner Corner off face Index
-};
-struct ChildFacePart
-{
-  FacePart Part = FacePart::Interior;
-  signed char Index = -1;
-  signed char Corner = -1;
-};
-
-template <typename Shape>
-constexpr bool FaceHas(int face, int vertex)
-{
-  return Shape::FaceVertices[face][0] == vertex || Shape::FaceVertices[face][1] == vertex ||
-    Shape::FaceVertices[face][2] == vertex;
+  std::array<std::array<int, 3>, 4> faces{};
+  for (int v = 0; v < 4; ++v)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      faces[v][i] = LatticePoint<TetShape>(v, tetrahedron::FaceVertices[v][i]);
+    }
+  }
+  return faces;
 }
 
-template <typename Shape>
-constexpr bool FaceHasEdge(int face, int edge)
+constexpr std::array<std::array<int, 4>, 8> OctShape::GetChildren(TetShape)
 {
-  return FaceHas<Shape>(face, Shape::EdgeVertices[edge][0]) &&
-    FaceHas<Shape>(face, Shape::EdgeVertices[edge][1]);
+  std::array<std::array<int, 4>, 8> tets{};
+  for (int f = 0; f < 8; ++f)
+  {
+    tets[f][0] = Centre;
+    for (int i = 0; i < 3; ++i)
+    {
+      const int* face = octahedron::FaceVertices[f];
+      tets[f][1 + i] = LatticePoint<OctShape>(face[i], face[(i + 1) % 3]);
+    }
+  }
+  return tets;
 }
 
-template <typename Shape>
-constexpr ChildEdgePart ClassifyChildEdge(int p, int q)
+constexpr std::array<std::array<int, 6>, 6> OctShape::GetChildren(OctShape)
 {
-  if (p > q)
+  std::array<std::array<int, 6>, 6> octs{};
+  for (int v = 0; v < 6; ++v)
   {
-    return ClassifyChildEdge<Shape>(q, p);
-  }
-  constexpr int centre = Shape::Vertices + Shape::Edges;
-  ChildEdgePart part;
-  const int first = p - Shape::Vertices;
-  const int second = q - Shape::Vertices;
-  if (p < Shape::Vertices)
-  {
-    part.Part = EdgePart::Half;
-    part.Index = static_cast<signed char>(second);
-    part.Corner = Shape::EdgeVertices[second][1] == p ? 1 : 0;
-    return part;
-  }
-  if (q == centre)
-  {
-    part.Index = static_cast<signed char>(first);
-    return part;
-  }
-  part.Part = EdgePart::InFace;
-  for (int face = 0; face < Shape::Faces; ++face)
-  {
-    if (FaceHasEdge<Shape>(face, first) && FaceHasEdge<Shape>(face, second))
+    for (int w = 0; w < 6; ++w)
     {
-      part.Index = static_cast<signed char>(face);
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        const int vertex = Shape::FaceVertices[face][corner];
-        if ((Shape::EdgeVertices[first][0] == vertex || Shape::EdgeVertices[first][1] == vertex) &&
-          (Shape::EdgeVertices[second][0] == vertex || Shape::EdgeVertices[second][1] == vertex))
-        {
-          part.Corner = static_cast<signed char>(corner);
-        }
-      }
+      octs[v][w] = w == octahedron::Opposite(v) ? Centre : LatticePoint<OctShape>(v, w);
     }
   }
-  return part;
+  return octs;
 }
 
-template <typename Shape>
-constexpr ChildFacePart ClassifyChildFace(int p, int q, int r)
+constexpr std::array<std::array<int, 2>, 12> OctShape::GetInnerEdges()
 {
-  constexpr int centre = Shape::Vertices + Shape::Edges;
-  ChildFacePart part;
-  const int points[3] = { p, q, r };
-  for (int i = 0; i < 3; ++i)
+  std::array<std::array<int, 2>, 12> edges{};
+  for (int e = 0; e < 12; ++e)
   {
-    if (points[i] < Shape::Vertices || points[i] == centre)
-    {
-      const ChildEdgePart cut = ClassifyChildEdge<Shape>(points[(i + 1) % 3], points[(i + 2) % 3]);
-      part.Part = points[i] == centre ? FacePart::Interior : FacePart::Corner;
-      part.Index = cut.Index;
-      part.Corner = cut.Corner;
-      return part;
-    }
+    edges[e][0] = Centre;
+    edges[e][1] = Vertices + e;
   }
-  for (int face = 0; face < Shape::Faces; ++face)
-  {
-    if (FaceHasEdge<Shape>(face, p - Shape::Vertices) &&
-      FaceHasEdge<Shape>(face, q - Shape::Vertices) &&
-      FaceHasEdge<Shape>(face, r - Shape::Vertices))
-    {
-      part.Part = FacePart::Middle;
-      part.Index = static_cast<signed char>(face);
-      return part;
-    }
-  }
-  for (int vertex = 0; vertex < Shape::Vertices; ++vertex) // of a tetrahedron
-  {
-    bool all = true;
-    for (int point : points)
-    {
-      const int* ends = Shape::EdgeVertices[point - Shape::Vertices];
-      all = all && (ends[0] == vertex || ends[1] == vertex);
-    }
-    part.Index = all ? static_cast<signed char>(vertex) : part.Index;
-  }
-  return part;
+  return edges;
 }
 
-/// The children of a cell: which lattice points they have, and what their edges (PlaceOf) and faces
-/// are.
-template <typename Shape>
-struct ChildTable
+constexpr std::array<std::array<int, 3>, 24> OctShape::GetInnerFaces()
 {
-  std::array<std::array<int, 4>, Shape::ChildTets> Tets{};
-  std::array<std::array<int, 6>, Shape::ChildOcts> Octs{};
-  std::array<std::array<int, 6>, Shape::ChildTets> TetEdges{};
-  std::array<std::array<ChildFacePart, 4>, Shape::ChildTets> TetFaces{};
-  std::array<std::array<int, 12>, Shape::ChildOcts> OctEdges{};
-  std::array<std::array<ChildFacePart, 8>, Shape::ChildOcts> OctFaces{};
-
-  constexpr ChildTable()
+  std::array<std::array<int, 3>, 24> faces{};
+  for (int f = 0; f < 8; ++f)
   {
-    this->SetCorners();
-    for (int c = 0; c < Shape::ChildTets; ++c)
+    const int* corners = octahedron::FaceVertices[f];
+    for (int i = 0; i < 3; ++i)
     {
-      this->Classify<TetShape>(this->Tets[c], this->TetEdges[c], this->TetFaces[c]);
-    }
-    for (int c = 0; c < Shape::ChildOcts; ++c)
-    {
-      this->Classify<OctShape>(this->Octs[c], this->OctEdges[c], this->OctFaces[c]);
+      faces[3 * f + i][0] = Centre;
+      faces[3 * f + i][1] = LatticePoint<OctShape>(corners[i], corners[(i + 1) % 3]);
+      faces[3 * f + i][2] = LatticePoint<OctShape>(corners[i], corners[(i + 2) % 3]);
     }
   }
-
-private:
-  constexpr void SetCorners()
-  {
-    if constexpr (Shape::Vertices == 4) // a tetrahedron at each vertex, the octahedron in between
-    {
-      for (int v = 0; v < 4; ++v)
-      {
-        for (int w = 0; w < 4; ++w)
-        {
-          this->Tets[v][w] = LatticePoint<Shape>(v, w);
-        }
-      }
-      const int pairs[6][2] = { { 0, 1 }, { 2, 3 }, { 0, 3 }, { 1, 2 }, { 0, 2 }, { 1, 3 } };
-      for (int w = 0; w < 6; ++w)
-      {
-        this->Octs[0][w] = LatticePoint<Shape>(pairs[w][0], pairs[w][1]);
-      }
-    }
-    else // an octahedron at each vertex, half as large; a tetrahedron from each face to the centre
-    {
-      constexpr int centre = Shape::Vertices + Shape::Edges;
-      for (int v = 0; v < 6; ++v)
-      {
-        for (int w = 0; w < 6; ++w)
-        {
-          this->Octs[v][w] = w == octahedron::Opposite(v) ? centre : LatticePoint<Shape>(v, w);
-        }
-      }
-      for (int f = 0; f < 8; ++f)
-      {
-        this->Tets[f][0] = centre;
-        for (int i = 0; i < 3; ++i)
-        {
-          const int* face = octahedron::FaceVertices[f];
-          this->Tets[f][1 + i] = LatticePoint<Shape>(face[i], face[(i + 1) % 3]);
-        }
-      }
-    }
-  }
-
-  template <typename Child, typename Corners, typename Edges, typename Faces>
-  constexpr void Classify(const Corners& corners, Edges& edges, Faces& faces)
-  {
-    for (int e = 0; e < Child::Edges; ++e)
-    {
-      edges[e] = PlaceOf<Shape>(ClassifyChildEdge<Shape>(
-        corners[Child::EdgeVertices[e][0]], corners[Child::EdgeVertices[e][1]]));
-    }
-    for (int f = 0; f < Child::Faces; ++f)
-    {
-      faces[f] = ClassifyChildFace<Shape>(corners[Child::FaceVertices[f][0]],
-        corners[Child::FaceVertices[f][1]], corners[Child::FaceVertices[f][2]]);
-    }
-  }
-};
-template <typename Shape>
-constexpr ChildTable<Shape> Children{};
+  return faces;
+}
 
 }
 

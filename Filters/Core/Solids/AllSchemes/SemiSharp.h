@@ -18,7 +18,7 @@ namespace subdivision
 
 /**
  * Replaces rows of `smooth` by blends with rows of `sharp`, which is the same operator with all
- * edges singular that are still sharp. Operators are Stencils or TetOctStencils. `sharpness` has
+ * edges singular that are still sharp. Operators are those of volume schemes. `sharpness` has
  * one value for each control edge. Since it was given `steps` steps have been made, so that value -
  * steps remains. `depth` is the number of steps since the control mesh: a control edge has become
  * 2^depth edges.

@@ -7,12 +7,11 @@
 #define SubdivisionObjects_ComposedRows_h
 
 #include "Core/Operators/SparseRows.h"
-#include "Core/Solids/TetOct/TetOctStencils.h"
 
 namespace subdivision
 {
 
-/// The product rows * step. `step` is Stencils or TetOctStencils; of its rows only those that
+/// The product rows * step. `step` is the Operator of a volume scheme; of its rows only those that
 /// columns of `rows` name are made.
 template <typename Operator>
 SparseRows<int> Compose(const SparseRows<int>& rows, const Operator& step);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Solids/TetOct/ComposedRows.h"
+#include "Core/Solids/AllSchemes/ComposedRows.h"
+
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 
 namespace subdivision
 {
@@ -53,9 +55,8 @@ SparseRows<int> Compose(const SparseRows<int>& rows, const Operator& step)
   return Multiply(rows, inner);
 }
 
-template SparseRows<int> Compose(const SparseRows<int>&, const Stencils<int>&);
-template SparseRows<int> Compose(const SparseRows<int>&, const Stencils<long long>&);
-template SparseRows<int> Compose(const SparseRows<int>&, const TetOctStencils<int>&);
-template SparseRows<int> Compose(const SparseRows<int>&, const TetOctStencils<long long>&);
+#define SUBDIVISION_COMPOSE(Scheme)                                                                \
+  template SparseRows<int> Compose(const SparseRows<int>&, const Scheme::Operator&)
+SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_COMPOSE);
 
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Solids/TetOct/SemiSharp.h"
+#include "Core/Solids/AllSchemes/SemiSharp.h"
 
-#include "Core/Solids/TetOct/TetOctStencils.h"
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 
 #include <algorithm>
 
@@ -74,12 +74,9 @@ void BlendSemiSharp(
   smooth.Explicit = std::move(rows);
 }
 
-template void BlendSemiSharp(const EdgeSharpness&, int, int, const Stencils<int>&, Stencils<int>&);
-template void BlendSemiSharp(
-  const EdgeSharpness&, int, int, const Stencils<long long>&, Stencils<long long>&);
-template void BlendSemiSharp(
-  const EdgeSharpness&, int, int, const TetOctStencils<int>&, TetOctStencils<int>&);
-template void BlendSemiSharp(
-  const EdgeSharpness&, int, int, const TetOctStencils<long long>&, TetOctStencils<long long>&);
+#define SUBDIVISION_BLEND(Scheme)                                                                  \
+  template void BlendSemiSharp(                                                                    \
+    const EdgeSharpness&, int, int, const Scheme::Operator&, Scheme::Operator&)
+SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_BLEND);
 
 }
