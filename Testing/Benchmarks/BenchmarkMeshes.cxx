@@ -335,7 +335,7 @@ const std::vector<Case>& GetCases()
   return cases;
 }
 
-const Case& GetCase(const std::string& name)
+const Case& GetCase(std::string name)
 {
   for (const Case& which : GetCases())
   {
