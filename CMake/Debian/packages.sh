@@ -56,7 +56,7 @@ package_lists()
     *) return 1 ;;
   esac
   vtk_libraries=("libvtk$vtk_version" "libvtk$vtk_version-qt" vtk9)
-  vtk_packages=("${tools[@]}" "${beneath[@]}" python3 python3-numpy "${vtk_libraries[@]}")
+  vtk_packages=("${tools[@]}" "${beneath[@]}" python3 python3-numpy openmpi-bin "${vtk_libraries[@]}")
   paraview_packages+=("${tools[@]}" "${beneath[@]}")
   [ $paraview_has_own_vtk = yes ] || paraview_packages+=("${vtk_libraries[@]}")
 }

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""On each rank the cells that it has become what they become in the whole mesh, bit for bit.
+
+Run under mpirun, by python3 or by `pvbatch --symmetric`; then half of the filters are those of proxies.
+"""
+
+import itertools
+import os
+import pathlib
+
+import numpy as np
+import rank_tools as ranks
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPartitionedDataSetCollection
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
+
+import subdivisionobjects
+
+CUTS = {"slabs": (ranks.in_slabs, True), "cell by cell": (ranks.by_chance, True),
+        "one rank has all": (ranks.on_last_rank, True), "slabs by coordinates": (ranks.in_slabs, False),
+        "cell by cell, by coordinates": (ranks.by_chance, False)}
+SOLID = [("vtkMultiDimensionalSubdivision", {"NumberOfLevels": 2}),
+         ("vtkMultiDimensionalSubdivision", {"NumberOfLevels": 1, "VolumeScheme": 1, "ProjectToLimit": 1,
+                                             "GenerateClassification": 1, "DetectFeatures": 1})]
+SURFACE = [("vtkSurfaceSubdivision", {"Scheme": scheme, "NumberOfLevels": 2, "DetectFeatures": int(scheme == 0)})
+           for scheme in range(7)]
+FILES = ("hex_geos_box_hybrid.vtu", "mix_elmer_shell_on_solid.vtu", "nm_nastran_wingbox.vtu", "surf_bunny_3k.vtp",
+         "poly_cow_mixed.vtp")
+PROXIES = {"vtkMultiDimensionalSubdivision": "MultidimensionalSubdivision", "vtkSurfaceSubdivision": "SurfaceSubdivision"}
+
+
+def run_class(name, options, data, controller):
+    made = getattr(subdivisionobjects, name)()
+    made.SetController(controller)
+    for key, value in options.items():
+        getattr(made, "Set" + key)(value)
+    made.SetInputDataObject(data)
+    made.Update()
+    return made.GetOutputDataObject(0)
+
+
+def run_proxy(name, options, data, _):
+    producer = ranks.simple.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(data)
+    proxy = getattr(ranks.simple, PROXIES[name])(Input=producer, **options)
+    proxy.UpdatePipeline()
+    output = proxy.GetClientSideObject().GetOutputDataObject(0).NewInstance()
+    output.ShallowCopy(proxy.GetClientSideObject().GetOutputDataObject(0))
+    ranks.simple.Delete(proxy)
+    ranks.simple.Delete(producer)
+    return output
+
+
+class Checks:
+    """Runs filters on cut meshes, each time with the next of the CUTS."""
+
+    def __init__(self):
+        self.failures = []
+        self.sizes = []  # what was run, cells of this rank, cells of the whole
+        self.cuts = itertools.cycle(CUTS.items())
+
+    def cut(self, mesh, filters):
+        for name, options in filters:
+            cut, (find, with_ids) = next(self.cuts)
+            part_of = find(mesh, ranks.RANKS)
+            part = ranks.take(mesh, np.nonzero(part_of == ranks.RANK)[0], with_ids=with_ids)
+            whole = run_class(name, options, mesh if with_ids else ranks.as_it_comes(mesh, part_of, ranks.RANKS), None)
+            # Proxies and classes take turns.
+            run = run_proxy if ranks.simple and len(self.sizes) % 2 else run_class
+            text = f"{name} {options} on {mesh.GetNumberOfCells()} cells, {cut}"
+            self.compare(text, whole, [run(name, options, part, ranks.controller)])
+
+    def compare(self, text, whole, outputs):
+        for output in outputs:
+            self.failures += [f"{text}: {found}" for found in ranks.differences(whole, output)]
+        self.sizes.append((text, sum(output.GetNumberOfCells() for output in outputs), whole.GetNumberOfCells()))
+
+    def finish(self):
+        """All failures, those too that only all ranks together see."""
+        sums = ranks.totals([ours for _, ours, _ in self.sizes])
+        return self.failures + [f"{text}: {ours} cells together instead of {whole}"
+                                for ours, (text, _, whole) in zip(sums, self.sizes) if ours != whole]
+
+
+def skin_of(mesh):
+    skin = vtkDataSetSurfaceFilter()
+    skin.SetInputData(mesh)
+    skin.Update()
+    return ranks.numbered(skin.GetOutput())
+
+
+def check_blocks(checks):
+    """Each rank has two blocks of a collection; together they are one mesh."""
+    mesh = model(subdivisionobjects.vtkSubdivisionModelSource.MATERIAL_BLOCK)
+    name, options = SOLID[0]
+    part_of = ranks.by_chance(mesh, 2 * ranks.RANKS)
+    parts = [ranks.take(mesh, np.nonzero(part_of == 2 * ranks.RANK + i)[0], with_ids=True) for i in range(2)]
+    blocks, collection = vtkMultiBlockDataSet(), vtkPartitionedDataSetCollection()
+    for i, part in enumerate(parts):
+        blocks.SetBlock(i, part)
+        collection.SetPartition(i, 0, part)
+    whole = run_class(name, options, mesh, None)
+    output = run_class(name, options, blocks, ranks.controller)
+    checks.compare("multiblock", whole, [output.GetBlock(i) for i in range(2)])
+    output = run_class(name, options, collection, ranks.controller)
+    checks.compare("collection", whole, [output.GetPartition(i, 0) for i in range(2)])
+
+
+def check_files(checks):
+    folder = pathlib.Path(os.environ.get("SUBDIVISIONOBJECTS_SHARED_DATA", ""))
+    for name in FILES:
+        if not (folder / name).is_file():
+            print("not there, left out:", name)
+            continue
+        reader = vtkXMLPolyDataReader() if name.endswith("p") else vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(folder / name))
+        reader.Update()
+        filters = SURFACE[::3] if name.endswith("p") else SOLID
+        checks.cut(ranks.numbered(reader.GetOutput()), [(cls, dict(options, NumberOfLevels=1)) for cls, options in filters])
+
+
+def model(number):
+    source = subdivisionobjects.vtkSubdivisionModelSource()
+    source.SetModel(number)
+    source.Update()
+    return ranks.numbered(source.GetOutput())
+
+
+def run():
+    checks = Checks()
+    check_blocks(checks)
+    for number in range(subdivisionobjects.vtkSubdivisionModelSource.NUMBER_OF_MODELS):
+        checks.cut(model(number), SOLID)
+    checks.cut(skin_of(model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS)), SURFACE)
+    check_files(checks)
+    return checks.finish()
+
+
+ranks.main(run)

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Documentation/Ranks.md: a file that one rank reads is spread before it is subdivided, and once more after."""
+
+import os
+import sys
+
+import rank_tools as ranks
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import subdivisionobjects
+
+if not ranks.simple:
+    print("skipped: only ParaView has the filter that spreads a mesh")
+    sys.stdout.flush()
+    os._exit(0)
+
+
+def distinct(grid):
+    if not grid.GetNumberOfPoints():
+        return set()
+    return {point.tobytes() for point in vtk_to_numpy(grid.GetPoints().GetData()) + 0.}
+
+
+def run():
+    file_name = os.path.join(os.environ["SUBDIVISIONOBJECTS_DATA"], "SpringAndValve.vtu")
+    mesh = ranks.simple.XMLUnstructuredGridReader(FileName=[file_name], TimeArray="None")
+    known_ids = ranks.simple.GenerateGlobalIds(Input=mesh)
+    spread = ranks.simple.RedistributeDataSet(Input=known_ids)
+    smooth = ranks.simple.MultidimensionalSubdivision(Input=spread, NumberOfLevels=2)
+    even = ranks.simple.RedistributeDataSet(Input=smooth)
+    even.UpdatePipeline()
+    source = subdivisionobjects.vtkSubdivisionModelSource()
+    source.SetModelToSpringAndValve()
+    source.Update()
+    whole = subdivisionobjects.vtkMultiDimensionalSubdivision()
+    whole.SetController(None)
+    whole.SetInputConnection(source.GetOutputPort())
+    whole.SetNumberOfLevels(2)
+    whole.Update()
+    expected = whole.GetOutput()
+    known = distinct(expected)
+    failures = []
+    for proxy in (smooth, even):
+        grid = proxy.GetClientSideObject().GetOutputDataObject(0)
+        cells, others = ranks.totals([grid.GetNumberOfCells(), len(distinct(grid) - known)])
+        if cells != expected.GetNumberOfCells():
+            failures.append(f"{cells} cells instead of {expected.GetNumberOfCells()}")
+        if others:
+            failures.append(f"{others} points that the whole does not have")
+    return failures
+
+
+ranks.main(run)
