@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A server of three ranks: its result has no crack, and its picture is that of the built-in server."""
+
+import os
+import shutil
+import socket
+import subprocess
+import unittest
+
+import numpy as np
+import tools
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+RANKS = 3
+FILE = os.path.join(os.environ.get("SUBDIVISIONOBJECTS_DATA", ""), "MaterialBlock.vtu")
+PROGRAMS = shutil.which("mpirun"), shutil.which("pvserver")
+
+
+def start_server():
+    """The server, and the port that it listens to."""
+    with socket.socket() as free:
+        free.bind(("localhost", 0))
+        port = free.getsockname()[1]
+    # pvpython, which runs this, is an MPI process by itself: its own traces would mislead mpirun.
+    clean = {key: value for key, value in os.environ.items() if not key.startswith(("OMPI_", "PMIX_", "ORTE_"))}
+    environment = dict(clean, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                       OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_mpi_yield_when_idle="1",
+                       PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe",
+                       OMPI_MCA_btl_vader_single_copy_mechanism="none", VTK_SMP_MAX_THREADS="2")
+    server = subprocess.Popen([PROGRAMS[0], "-np", str(RANKS), PROGRAMS[1], "--force-offscreen-rendering",
+                               f"--server-port={port}"], env=environment, stdout=subprocess.PIPE, text=True)
+    for line in server.stdout:
+        if "Accepting connection" in line:
+            return server, port
+    raise RuntimeError("pvserver did not start")
+
+
+def points_of(grid):
+    return vtk_to_numpy(grid.GetPoints().GetData()) if grid.GetNumberOfPoints() else np.empty((0, 3))
+
+
+def subdivided():
+    reader = simple.XMLUnstructuredGridReader(FileName=[FILE], TimeArray="None")
+    parts = simple.RedistributeDataSet(Input=reader)  # one rank reads all of the file
+    return parts, simple.MultidimensionalSubdivision(Input=parts, NumberOfLevels=2)
+
+
+def picture(proxy, name):
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [400, 300]
+    view.OrientationAxesVisibility = 0
+    display = simple.Show(proxy, view)
+    display.SetRepresentationType("Surface")
+    simple.ColorBy(display, ("POINTS", "Tension"))
+    display.RescaleTransferFunctionToDataRange(False, True)
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [7, -6, 5], [1, 1, 1.5], [0, 0, 1]
+    simple.SaveScreenshot(os.path.abspath(name), view)
+    reader = vtkPNGReader()
+    reader.SetFileName(os.path.abspath(name))
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
+
+
+@unittest.skipUnless(all(PROGRAMS), "there is no mpirun or no pvserver")
+class Server(unittest.TestCase):
+    def test_is_as_built_in(self):
+        _, whole = subdivided()
+        expected = picture(whole, "built-in.png")
+        grid = tools.output(whole)
+        server, port = start_server()
+        try:
+            simple.Connect("localhost", port)
+            for remote in (True, False):
+                simple.LoadPlugin(tools.plugin, remote=remote, ns=vars(simple))
+            simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0  # the ranks are to draw
+            parts, joined = subdivided()
+            shares = simple.ProcessIds(Input=parts) if hasattr(simple, "ProcessIds") else simple.ProcessIdScalars(Input=parts)
+            shares.UpdatePipeline()
+            self.assertGreater(shares.PointData["ProcessId" if "ProcessId" in shares.PointData.keys() else
+                                                "PointProcessIds"].GetRange()[1], 0, "one rank has all")
+            joined.UpdatePipeline()
+            information = joined.GetDataInformation()
+            self.assertEqual(information.GetNumberOfCells(), grid.GetNumberOfCells())
+            self.assertGreater(information.GetNumberOfPoints(), grid.GetNumberOfPoints())  # borders are there twice
+            points = np.concatenate([points_of(servermanager.Fetch(joined, rank)) for rank in range(RANKS)])
+            self.assertEqual(len(points), information.GetNumberOfPoints())
+            self.assertEqual(len(np.unique(points, axis=0)), grid.GetNumberOfPoints(), "there is a crack")
+            seen = picture(joined, "server.png")
+            self.assertGreater((expected != expected[0]).any(axis=1).mean(), 0.05, "the picture is empty")
+            different = abs(seen - expected).max(axis=1) > 16
+            self.assertLess(different.mean(), 0.005)
+        finally:
+            server.terminate()
+            server.communicate(timeout=60)
+
+
+if __name__ == "__main__":
+    tools.main()
