@@ -52,10 +52,12 @@
  *    s is no whole number, in part; infinite = flagged. Unset: none.
  *
  * @par Ghosts
- * Hidden cells have no effect and are not in the output. Children take the ghost type of their
- * cell; the ghost types of points are derived from those of cells. Results at the borders of
- * partitions are not yet the same as without partitions; a warning says so where there are
- * duplicate cells.
+ * Hidden cells have no effect and are not in the output. On several ranks, and in composite data
+ * sets, duplicate cells of the input are left out: with JoinBlocks filters get the cells around a
+ * partition from other ranks, so that results at its border are those of the whole mesh. The output
+ * has as many layers of duplicate cells as the filter downstream asks for. In a single mesh of a
+ * single process, children take the ghost type of their cell, ghost types of points are derived
+ * from those of cells, and a warning says that results at the border are not those of the whole.
  */
 #ifndef vtkSubdivisionAlgorithm_h
 #define vtkSubdivisionAlgorithm_h
