@@ -19,6 +19,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace subdivision
 {
@@ -234,6 +235,17 @@ void AddFieldData(vtkFieldData* from, bool withStamp, vtkFieldData* to)
   }
 }
 
+/// Gives the only block all cells and points, without a copy. Returns the points.
+std::vector<vtkIdType> TakeAll(vtkPointSet* whole, vtkPointSet* output)
+{
+  output->ShallowCopy(whole);
+  output->GetCellData()->RemoveArray(BlockName);
+  output->GetFieldData()->Initialize();
+  std::vector<vtkIdType> points(static_cast<size_t>(whole->GetNumberOfPoints()));
+  std::iota(points.begin(), points.end(), vtkIdType(0));
+  return points;
+}
+
 /// Writes the output of one block, whose cells are `own`.
 void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision, int ghostLayers,
   int block, const std::vector<vtkIdType>& own, std::vector<Block>& blocks)
@@ -248,7 +260,10 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision,
       kept.end());
   }
   vtkPointSet* output = blocks[block].Output;
-  const std::vector<vtkIdType> points = TakeCells(whole, cells, kept, output);
+  const bool isAll =
+    blocks.size() == 1 && static_cast<vtkIdType>(cells.size()) == whole->GetNumberOfCells();
+  const std::vector<vtkIdType> points =
+    isAll ? TakeAll(whole, output) : TakeCells(whole, cells, kept, output);
   if (ghostLayers > 0)
   {
     MarkGhosts(cells, own, output);
