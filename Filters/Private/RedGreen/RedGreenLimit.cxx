@@ -433,6 +433,11 @@ void RedGreenLimit<Id>::Measure(
             Unite(this->Carriers[sample.Corners[0]], this->Carriers[sample.Corners[1]]))))
       {
         const double* place = gather(points, 3, corners);
+        if (size == 2 &&
+          std::lexicographical_compare(corners[1], corners[1] + 3, corners[0], corners[0] + 3))
+        {
+          std::swap(corners[0], corners[1]); // whichever cell had the edge first
+        }
         error = size == 3 ? criteria.GetGeometricError(corners, size, place)
                           : this->GetErrorOfEdge(sample, corners, place, points, numbers, criteria);
       }

@@ -9,6 +9,7 @@
 #include "Private/RedGreen/RedGreenLimit.h"
 #include "Private/RedGreen/RedGreenMesh.h"
 #include "Private/RedGreen/RefinementMarks.h"
+#include "Private/RedGreen/VertexOrigins.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -307,7 +308,7 @@ bool RedGreenRun::RunRounds(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<
   const RefinementOptions& options = this->Options.Criteria;
   this->Criteria =
     std::make_unique<RefinementCriteria>(options, this->Input, this->Mesh.Control.Cells);
-  const PointArrays& order = *this->Points;
+  VertexOrigins origins(*this->Points);
   std::vector<Marks<Id>> rounds;
   MarkNotes notes;
   for (int round = 0;; ++round)
@@ -338,11 +339,12 @@ bool RedGreenRun::RunRounds(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<
       this->StopAtLimit(rounds, state);
       break;
     }
+    origins.Continue(*state);
     this->Criteria->Continue(state->GetNumberOfVertices(),
       [&](vtkIdType vertex)
       {
         auto ends = state->GetEnds(static_cast<Id>(vertex));
-        if (!order.IsEarlier(ends[0], ends[1]))
+        if (!origins.IsFirst(ends[0], ends[1]))
         {
           std::swap(ends[0], ends[1]);
         }
@@ -446,22 +448,16 @@ bool RedGreenRun::Refine()
 template <typename Id>
 void RedGreenRun::MakePoints(const RedGreen<Id>& state, const RedGreenLimit<Id>& limit)
 {
-  const Id given = state.GetNumberOfInputVertices();
-  const Id size = state.GetNumberOfVertices();
-  Buffer<Id> origins(this->Points->GathersSome() ? size - given : 0);
-  auto origin = [&](vtkIdType point)
-  { return point < given ? point : static_cast<vtkIdType>(origins[point - given]); };
-  for (Id v = given; v < given + origins.size(); ++v)
+  VertexOrigins origin(*this->Points);
+  if (this->Points->GathersSome())
   {
-    const auto ends = state.GetEnds(v);
-    const bool isFirst = this->Points->IsEarlier(ends[0], ends[1]);
-    origins[v - given] = static_cast<Id>(origin(isFirst ? ends[0] : ends[1]));
+    origin.Continue(state);
   }
   if (this->Options.LimitPlacement)
   {
     this->Points->Advance(limit.GetOperator(state), origin);
   }
-  else if (size > given)
+  else if (state.GetNumberOfVertices() > state.GetNumberOfInputVertices())
   {
     this->Points->Advance(MakeMidpointRows(state), origin);
   }

@@ -279,6 +279,26 @@ void RedGreenOutput<Id>::WriteLeaf(const Leaf& leaf, const RedGreenStorage<Out>&
   }
 }
 
+namespace
+{
+
+/// Puts the last entries, from `first` on, into the order of their columns, so that the sum does
+/// not depend on the order in which edges were split.
+template <typename Id>
+void SortRow(GrowingBuffer<Id>& columns, GrowingBuffer<double>& weights, vtkIdType first)
+{
+  for (vtkIdType i = first + 1; i < columns.size(); ++i)
+  {
+    for (vtkIdType k = i; k > first && columns[k] < columns[k - 1]; --k)
+    {
+      std::swap(columns[k], columns[k - 1]);
+      std::swap(weights[k], weights[k - 1]);
+    }
+  }
+}
+
+}
+
 template <typename Id>
 MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
 {
@@ -322,6 +342,7 @@ MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
         add(columns[k], weights[k]);
       }
     }
+    SortRow(columns, weights, first);
     added.Offsets[row + 1] = static_cast<Id>(columns.size());
   }
   added.Columns = columns.Copy();
