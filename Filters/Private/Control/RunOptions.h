@@ -13,8 +13,12 @@
 #include <string>
 #include <vector>
 
+class vtkPointSet;
+
 namespace subdivision
 {
+
+class Partners;
 
 struct RunOptions
 {
@@ -27,6 +31,9 @@ struct RunOptions
   std::function<bool(double)> Progress;
   std::function<void(const std::string&)> Warn;
   std::function<void(const std::string&)> Fail;
+  /// The other partitions of the mesh of which the work gets a part, here its argument; null, or
+  /// returns null, if it gets all.
+  std::function<Partners*(vtkPointSet*)> FindPartners;
 };
 
 /// Passes warnings that were collected to Warn, and forgets them.

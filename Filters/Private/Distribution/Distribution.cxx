@@ -3,6 +3,7 @@
 
 #include "Private/Control/SizeChecks.h"
 #include "Private/Distribution/Layers.h"
+#include "Private/Distribution/Meeting.h"
 #include "Private/Distribution/PointIds.h"
 #include "Private/Distribution/Ranks.h"
 
@@ -16,6 +17,11 @@
 #include "vtkMultiProcessController.h"
 #include "vtkPointSet.h"
 
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
 #include <utility>
 
 namespace subdivision
@@ -36,34 +42,108 @@ std::vector<MeshPart> GetParts(const std::vector<Block>& blocks)
   return parts;
 }
 
-/// Runs the filter on the joined parts of a partition, and fills the outputs of its blocks.
-bool RunPartition(std::vector<MeshPart> parts, int pointType,
-  const DistributionOptions& distribution, const FilterTraits& traits, RunOptions& options,
-  const FilterWork& work, std::vector<Block>& blocks)
+/// The partitions of this rank and what their work has to do with the others.
+class Rounds
 {
-  return DoWork(traits, options,
+public:
+  Rounds(Exchange& exchange, const std::vector<Copies>& copies)
+    : With(exchange)
+    , OfPartition(copies)
+  {
+  }
+
+  void Start(int partition, const JoinedMesh& joined)
+  {
+    auto partners = this->With.MakePartners(partition, joined, this->OfPartition[partition]);
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->OfMesh[joined.Mesh] = std::move(partners);
+  }
+  Partners* Find(vtkPointSet* mesh)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    const auto found = this->OfMesh.find(mesh);
+    return found == this->OfMesh.end() ? nullptr : found->second.get();
+  }
+  /// Runs the work on a partition, or answers for it; returns whether all partitions are done.
+  bool Run(int partition, bool hasMesh, const std::function<bool()>& work)
+  {
+    try
+    {
+      return hasMesh ? this->With.End(partition, work()) : this->With.Answer(partition);
+    }
+    catch (const PartnersStopped&)
+    {
+      return false;
+    }
+  }
+
+private:
+  Meeting With;
+  const std::vector<Copies>& OfPartition;
+  std::mutex Mutex;
+  std::map<vtkPointSet*, std::unique_ptr<Partners>> OfMesh;
+};
+
+/// What the work on one partition needs.
+struct PartitionWork
+{
+  std::vector<MeshPart> Parts;
+  std::vector<Block>& Blocks;
+  int PointType;
+  const DistributionOptions& Distribution;
+  const FilterTraits& Traits;
+  RunOptions& Options;
+  const FilterWork& Work;
+};
+
+/// Runs the filter on the joined parts of a partition, and fills the outputs of its blocks;
+/// `rounds`: null if the work does not need the others.
+bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
+{
+  return DoWork(run.Traits, run.Options,
     [&]
     {
-      JoinedMesh joined = Join(parts, pointType);
-      AddPointBlocks(parts, joined);
-      if (!RestoreStamp(parts, joined))
+      JoinedMesh joined = Join(run.Parts, run.PointType);
+      AddPointBlocks(run.Parts, joined);
+      if (!RestoreStamp(run.Parts, joined))
       {
-        options.Warn("Earlier filters made the blocks or partitions of the input, but not all of "
-                     "them in one run of one process. This filter takes them as any other mesh: "
-                     "results are not those of one filter with all levels. Use one filter with "
-                     "more levels, or switch JoinBlocks off, and each block goes on by itself.");
+        run.Options.Warn(
+          "Earlier filters made the blocks or partitions of the input, but not all of "
+          "them in one run of one process. This filter takes them as any other mesh: "
+          "results are not those of one filter with all levels. Use one filter with "
+          "more levels, or switch JoinBlocks off, and each block goes on by itself.");
       }
-      parts.clear();
-      const auto whole = MakeMesh(distribution.IsOfSurfaces);
-      if (!work(joined.Mesh, whole))
+      run.Parts.clear();
+      if (rounds)
+      {
+        rounds->Start(partition, joined);
+      }
+      const auto whole = MakeMesh(run.Distribution.IsOfSurfaces);
+      if (!run.Work(joined.Mesh, whole))
       {
         return false;
       }
       joined.Mesh = nullptr;
-      TakeOutputs(joined, whole, options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION,
-        distribution.GhostLayers, blocks);
+      TakeOutputs(joined, whole,
+        run.Options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION,
+        run.Distribution.GhostLayers, run.Blocks);
       return true;
     });
+}
+
+/// Calls run(0) to run(size - 1) side by side.
+void RunTogether(size_t size, const std::function<void(size_t)>& run)
+{
+  std::vector<std::thread> threads;
+  for (size_t i = 1; i < size; ++i)
+  {
+    threads.emplace_back(run, i);
+  }
+  run(0);
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
 }
 
 }
@@ -87,6 +167,7 @@ bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchan
     return false;
   }
   const int pointType = FindPointType(parts, exchange);
+  std::vector<Copies> copies;
   if (exchange.GetNumberOfPartitions() > 1)
   {
     const std::string uneven = CheckLoad(parts, exchange);
@@ -95,19 +176,39 @@ bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchan
       options.Warn(uneven);
     }
     IdentifyPoints(parts, exchange, options.Warn);
-    AddLayers(parts, distribution.Layers + distribution.GhostLayers, exchange);
+    copies = AddLayers(parts, distribution.Layers + distribution.GhostLayers, exchange);
     ShareArrays(parts, exchange);
   }
   else if (!TakeStampedIds(parts[0]))
   {
     IdentifyPoints(parts, exchange, options.Warn);
   }
+  const auto run = [&](size_t p, Rounds* rounds)
+  {
+    return parts[p].empty() ||
+      RunPartition(
+        { std::move(parts[p]), partitions[p], pointType, distribution, traits, options, work },
+        rounds, static_cast<int>(p));
+  };
+  const bool inRounds = distribution.WorksInRounds || exchange.GetPartitionsOfRank() == 1;
+  if (inRounds && exchange.GetNumberOfPartitions() > 1)
+  {
+    Rounds rounds(exchange, copies);
+    options.FindPartners = [&rounds](vtkPointSet* mesh) { return rounds.Find(mesh); };
+    std::vector<char> done(partitions.size(), 0);
+    RunTogether(partitions.size(),
+      [&](size_t p)
+      {
+        done[p] =
+          rounds.Run(static_cast<int>(p), !partitions[p].empty(), [&] { return run(p, &rounds); });
+      });
+    options.FindPartners = nullptr;
+    return std::find(done.begin(), done.end(), 0) == done.end();
+  }
   bool done = true;
   for (size_t p = 0; p < partitions.size() && done; ++p)
   {
-    done = parts[p].empty() ||
-      RunPartition(
-        std::move(parts[p]), pointType, distribution, traits, options, work, partitions[p]);
+    done = run(p, nullptr);
   }
   return exchange.Agree(done);
 }

@@ -31,6 +31,9 @@ struct DistributionOptions
   int Layers = 2;
   /// How many layers of fine cells of other ranks the output gets, marked as duplicates.
   int GhostLayers = 0;
+  /// Whether the work agrees with that on other partitions (RunOptions::FindPartners). If a rank
+  /// has several, it does the work on each in a thread of its own then.
+  bool WorksInRounds = false;
   /// Whether only vtkPolyData is accepted, and made; else vtkUnstructuredGrid is accepted too, and
   /// made.
   bool IsOfSurfaces = false;

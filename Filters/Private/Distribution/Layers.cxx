@@ -73,8 +73,8 @@ struct Partition
   std::vector<MeshPart>* Parts = nullptr;
   size_t NumberOfOwn = 0;
   std::vector<CellReader> Readers;
-  std::map<int, std::vector<std::vector<char>>> Sent; ///< to a partition: of each part, each cell
-  std::vector<vtkIdType> Known;                       ///< points of its cells, ascending
+  Copies Sent;
+  std::vector<vtkIdType> Known; ///< points of its cells, ascending
 
   explicit Partition(std::vector<MeshPart>& parts)
     : Parts(&parts)
@@ -215,7 +215,8 @@ vtkIdType CountIds(const std::vector<std::vector<MeshPart>>& parts, Exchange& ex
 
 }
 
-void AddLayers(std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange)
+std::vector<Copies> AddLayers(
+  std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange)
 {
   std::vector<Directory> directories(
     parts.size(), Directory(CountIds(parts, exchange), exchange.GetNumberOfPartitions()));
@@ -226,6 +227,7 @@ void AddLayers(std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& 
   }
   size_t size = parts.size();
   std::vector<size_t> seen(size, 0); // parts whose points are known
+  std::vector<Copies> ofFirst(size);
   for (int layer = 0; layer < layers; ++layer)
   {
     // To the directory: the points that are new.
@@ -279,6 +281,10 @@ void AddLayers(std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& 
         all.insert(all.end(), list.begin(), list.end());
       }
       cells[i] = PackWished(partitions[i], std::move(all));
+      if (layer == 0)
+      {
+        ofFirst[i] = partitions[i].Sent;
+      }
     }
     const std::vector<Exchange::Messages> arrived = exchange.Send(std::move(cells));
     for (size_t i = 0; i < size; ++i)
@@ -289,6 +295,7 @@ void AddLayers(std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& 
       }
     }
   }
+  return ofFirst;
 }
 
 }

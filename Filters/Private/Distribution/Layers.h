@@ -12,6 +12,10 @@
 namespace subdivision
 {
 
+/// Which cells of its own a partition has sent to others: by their number, of each of its parts, 1
+/// for each cell that was sent.
+using Copies = std::map<int, std::vector<std::vector<char>>>;
+
 /**
  * Adds to each partition the cells of all others that share a point with one of its cells, then
  * those that share a point with these, and so on, `layers` times, with their points and arrays. Of
@@ -20,8 +24,11 @@ namespace subdivision
  * A directory knows which partitions have cells at a point; it is spread over the partitions by the
  * id of the point. Three exchanges for each layer. A partition sends 16 bytes for each of its
  * points, and each cell once to each partition that needs it.
+ *
+ * Returns for each partition of this rank which cells it sent for the first layer.
  */
-void AddLayers(std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange);
+std::vector<Copies> AddLayers(
+  std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange);
 
 }
 

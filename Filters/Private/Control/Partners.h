@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Partners.h
+ * The other partitions of a mesh, for work that has to agree with them in rounds.
+ */
+#ifndef SubdivisionObjects_Partners_h
+#define SubdivisionObjects_Partners_h
+
+#include "vtkType.h"
+
+#include <cstring>
+#include <exception>
+#include <map>
+#include <vector>
+
+namespace subdivision
+{
+
+/// Thrown where another partition has stopped its work: this one has to stop too.
+class PartnersStopped : public std::exception
+{
+public:
+  const char* what() const noexcept override { return "another partition has stopped"; }
+};
+
+/**
+ * What the work on one partition knows of the others. The mesh that the work gets has the cells of
+ * the partition, its own, and copies of cells of others around them.
+ *
+ * All partitions call the functions below the line in the same order. A partition may stop at any
+ * time: its work returns false, or throws; then these functions throw PartnersStopped in the
+ * others.
+ */
+class Partners
+{
+public:
+  using Messages = std::map<int, std::vector<char>>;
+
+  virtual ~Partners() = default;
+  virtual int GetPartition() const = 0;
+  virtual int GetNumberOfPartitions() const = 0;
+  /// The ids of the points of the mesh, ascending: equal ids are one point.
+  virtual const std::vector<vtkIdType>& GetPointIds() const = 0;
+  virtual bool IsOwn(vtkIdType cell) const = 0;
+  /// The partitions that have cells of their own at points of an own cell.
+  virtual const std::vector<int>& GetNeighbours(vtkIdType cell) const = 0;
+
+  // ----------------------------------------------------------------------------------------------
+
+  /// Delivers messages, by the number of the partition that they go to, and then come from. Returns
+  /// false if no partition had any.
+  virtual bool Send(Messages& messages) = 0;
+  /// The sum of the values of all partitions, which are not negative.
+  virtual vtkIdType Sum(vtkIdType own) = 0;
+  /// Sets each value to the largest that a partition has.
+  void FindLargest(std::vector<double>& values);
+};
+
+inline void Partners::FindLargest(std::vector<double>& values)
+{
+  const std::size_t size = values.size() * sizeof(double);
+  const auto pack = [&]
+  {
+    std::vector<char> message(size);
+    std::memcpy(message.data(), values.data(), size);
+    return message;
+  };
+  Messages toFirst;
+  toFirst[0] = pack();
+  this->Send(toFirst);
+  for (const auto& [from, message] : toFirst)
+  {
+    std::vector<double> others(values.size());
+    std::memcpy(others.data(), message.data(), size);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      values[i] = others[i] > values[i] ? others[i] : values[i];
+    }
+  }
+  Messages fromFirst;
+  for (int to = 0; this->GetPartition() == 0 && to < this->GetNumberOfPartitions(); ++to)
+  {
+    fromFirst[to] = pack();
+  }
+  this->Send(fromFirst);
+  std::memcpy(values.data(), fromFirst.at(0).data(), size);
+}
+
+}
+
+#endif
