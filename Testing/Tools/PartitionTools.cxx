@@ -86,7 +86,8 @@ bool IsSameTuple(vtkAbstractArray* a, vtkIdType i, vtkAbstractArray* b, vtkIdTyp
 /// Whether an array has ids that count in the part.
 bool CountsInPart(const std::string& name)
 {
-  return name == "OctahedronId" || name == "vtkOriginalCellIds" || name == "vtkOriginalPointIds";
+  return name == "OctahedronId" || name == "GreenParent" || name == "vtkOriginalCellIds" ||
+    name == "vtkOriginalPointIds";
 }
 
 /// Pairs of arrays of the same name.

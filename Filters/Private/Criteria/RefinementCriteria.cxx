@@ -146,9 +146,9 @@ double ContinuedArray::GetDistance(vtkIdType a, vtkIdType b, double allowed) con
   return distance;
 }
 
-double ContinuedArray::GetRange() const
+double ContinuedArray::GetRange(const std::function<void(std::vector<double>&)>& findLargest) const
 {
-  double diagonal = 0.;
+  std::vector<double> box; // of each component the negative of the least value, and the most
   for (int c = 0; c < this->Components; ++c)
   {
     double least = std::numeric_limits<double>::infinity();
@@ -162,7 +162,17 @@ double ContinuedArray::GetRange() const
         most = std::max(most, value);
       }
     }
-    diagonal = most > least ? std::hypot(diagonal, most - least) : diagonal;
+    box.push_back(-least);
+    box.push_back(most);
+  }
+  if (findLargest && !box.empty())
+  {
+    findLargest(box);
+  }
+  double diagonal = 0.;
+  for (size_t c = 0; c < box.size(); c += 2)
+  {
+    diagonal = box[c + 1] > -box[c] ? std::hypot(diagonal, box[c + 1] + box[c]) : diagonal;
   }
   return diagonal;
 }
@@ -271,7 +281,7 @@ RefinementCriteria::RefinementCriteria(
   if (options.Attribute)
   {
     this->Attribute.Start(options.Attribute, cells, isSmooth(options.Attribute));
-    this->AllowedJump = options.AttributeTolerance * this->Attribute.GetRange();
+    this->AllowedJump = options.AttributeTolerance * this->Attribute.GetRange(options.FindLargest);
   }
   if (options.Range && options.RangeOfCells)
   {
@@ -283,8 +293,8 @@ RefinementCriteria::RefinementCriteria(
   }
   if (options.ByGeometricError)
   {
-    this->AllowedDistance =
-      options.GeometricTolerance * (options.RelativeTolerance ? this->Coordinates.GetRange() : 1.);
+    this->AllowedDistance = options.GeometricTolerance *
+      (options.RelativeTolerance ? this->Coordinates.GetRange(options.FindLargest) : 1.);
   }
 }
 

@@ -64,6 +64,10 @@ struct RefinementOptions
   /// Whether integers at new points are interpolated, as in PointArrays.
   bool InterpolateIntegers = false;
 
+  /// Where the input is a part of a mesh: sets each value to the largest of all parts. Tolerances
+  /// are relative to the whole mesh.
+  std::function<void(std::vector<double>&)> FindLargest;
+
   /// Whether some criterion asks for the limit's shape, or for the limit of anything.
   bool ReadsShape() const { return this->ByGeometricError || this->ByCurvature; }
   bool ReadsLimit() const
@@ -103,8 +107,9 @@ public:
   double GetNorm(vtkIdType point) const;
   /// The distance between two values, by std::hypot unless it is clearly below `allowed`.
   double GetDistance(vtkIdType a, vtkIdType b, double allowed) const;
-  /// The diagonal of the box of all values that are finite.
-  double GetRange() const;
+  /// The diagonal of the box of all values that are finite; `findLargest`: as in
+  /// RefinementOptions.
+  double GetRange(const std::function<void(std::vector<double>&)>& findLargest) const;
   /// Adds values for the points up to `size`. ends(i): the two points between which point i lies,
   /// the one with the smaller global id first; both come before i.
   template <typename Ends>

@@ -34,11 +34,16 @@ struct RedGreenMesh
   std::vector<unsigned char> Levels; ///< of the simplices; empty: all 0
   /// Ends and midpoint of each edge of a leaf that is split already.
   std::vector<std::array<vtkIdType, 3>> Midpoints;
+  std::vector<CellScope> Scopes; ///< of the simplices; empty: all are Own
 
   vtkIdType GetInputCell(vtkIdType simplex) const
   {
     const auto& parents = this->Control.Cells.ParentCells;
     return parents.empty() ? simplex : parents[simplex];
+  }
+  CellScope GetScope(vtkIdType simplex) const
+  {
+    return this->Scopes.empty() ? CellScope::Own : this->Scopes[simplex];
   }
   SimplexView GetView() const
   {

@@ -6,9 +6,11 @@
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/SizeChecks.h"
+#include "Private/RedGreen/FittingMarks.h"
 #include "Private/RedGreen/RedGreenLimit.h"
 #include "Private/RedGreen/RedGreenMesh.h"
 #include "Private/RedGreen/RefinementMarks.h"
+#include "Private/RedGreen/SharedSplits.h"
 #include "Private/RedGreen/VertexOrigins.h"
 
 #include "vtkCellArray.h"
@@ -37,6 +39,7 @@ public:
   RedGreenRun(vtkPointSet* input, const RedGreenOptions& options, vtkUnstructuredGrid* output)
     : Input(input)
     , Options(options)
+    , Others(options.FindPartners ? options.FindPartners(input) : nullptr)
     , Output(output)
   {
   }
@@ -52,20 +55,22 @@ private:
   template <typename Id>
   bool Refine();
   template <typename Id>
-  bool Plan(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<Id>& limit);
+  bool Plan(SharedState<Id>& shared, RedGreenLimit<Id>& limit);
   template <typename Id>
   bool BuildLimit(RedGreenLimit<Id>& limit);
   template <typename Id>
-  bool FindCells(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<Id>& limit);
+  bool FindCells(SharedState<Id>& shared, RedGreenLimit<Id>& limit);
   template <typename Id>
-  std::unique_ptr<RedGreen<Id>> StartState();
+  SharedState<Id> StartState();
   template <typename Id>
-  bool RunRounds(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<Id>& limit);
+  bool RunRounds(SharedState<Id>& shared, RedGreenLimit<Id>& limit);
   template <typename Id, typename Cells>
   Marks<Id> FindMarksOf(const Cells& cells, const RedGreen<Id>& state, RedGreenLimit<Id>& limit,
     MarkNotes& notes) const;
   template <typename Id>
-  void StopAtLimit(std::vector<Marks<Id>>& rounds, std::unique_ptr<RedGreen<Id>>& state);
+  void StopAtLimit(std::vector<Marks<Id>>& rounds, SharedState<Id>& shared);
+  bool IsTooLarge(vtkIdType ownCells);
+  void WarnOnce(const std::string& message);
   void WarnOfNotes(MarkNotes& notes);
 
   template <typename Id>
@@ -90,17 +95,19 @@ private:
 
   vtkPointSet* Input;
   const RedGreenOptions& Options;
+  Partners* Others; ///< null: the input is the whole mesh
   vtkUnstructuredGrid* Output;
   RedGreenMesh Mesh;
   std::unique_ptr<PointArrays> Points;
   std::unique_ptr<RefinementCriteria> Criteria;
-  double MostCells = 0.; ///< that the output may have
+  double MostCells = 0.;       ///< that the output may have
+  vtkIdType NumberOfCells = 0; ///< of all partitions, when IsTooLarge was called
   bool MemoryIsLimit = false;
 };
 
 bool RedGreenRun::Run()
 {
-  this->Read(true);
+  this->Read(!this->Others); // a part does not have the cells of the stamp
   if (this->IsStopped(0.1))
   {
     return false;
@@ -123,6 +130,10 @@ void RedGreenRun::Read(bool trustStamp)
   // limits are needed, green cells are not undone.
   this->Mesh =
     ReadRedGreenMesh(this->Input, this->Options.Features, trustStamp, !this->ReadsLimit());
+  if (this->Others)
+  {
+    this->Mesh.Scopes = FindScopes(this->Mesh, *this->Others);
+  }
   this->StartPoints();
   this->FindLimit();
 }
@@ -160,17 +171,21 @@ void RedGreenRun::FindLimit()
 /// Decides whether the stamp is true, and which cells the output has. Tells the warnings of all
 /// that. Returns false after an error or if Progress asks to stop.
 template <typename Id>
-bool RedGreenRun::Plan(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<Id>& limit)
+bool RedGreenRun::Plan(SharedState<Id>& shared, RedGreenLimit<Id>& limit)
 {
   bool isTrue = false;
   bool isFound = false;
   try
   {
     isTrue = this->BuildLimit(limit);
-    isFound = isTrue && this->FindCells(state, limit);
+    isFound = isTrue && this->FindCells(shared, limit);
   }
   catch (const std::invalid_argument&) // the midpoints of the stamp do not fit together
   {
+    if (this->Others) // which would not begin again
+    {
+      throw;
+    }
     isTrue = false;
   }
   if (!isTrue)
@@ -178,7 +193,7 @@ bool RedGreenRun::Plan(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<Id>& 
     this->Read(false);
     limit = RedGreenLimit<Id>();
     this->BuildLimit(limit);
-    isFound = this->FindCells(state, limit);
+    isFound = this->FindCells(shared, limit);
   }
   this->Criteria.reset();
   Tell(this->Mesh.Control.Warnings, this->Options);
@@ -209,30 +224,52 @@ bool RedGreenRun::BuildLimit(RedGreenLimit<Id>& limit)
 
 /// Runs the rounds.
 template <typename Id>
-bool RedGreenRun::FindCells(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<Id>& limit)
+bool RedGreenRun::FindCells(SharedState<Id>& shared, RedGreenLimit<Id>& limit)
 {
-  state = this->StartState<Id>();
-  const bool isTooLarge = static_cast<double>(state->GetNumberOfCells()) > this->MostCells;
+  shared = this->StartState<Id>();
+  const bool isTooLarge = this->IsTooLarge(shared.State->GetNumberOfCells());
   if (isTooLarge && this->MemoryIsLimit)
   {
     Tell(this->Mesh.Control.Warnings, this->Options);
-    this->Options.Fail("There is not enough memory for the " +
-      std::to_string(state->GetNumberOfCells()) + " cells of the input. Use a part of the input.");
+    this->Options.Fail("There is not enough memory for the " + std::to_string(this->NumberOfCells) +
+      " cells of the input. Use a part of the input.");
     return false;
   }
   if (!isTooLarge)
   {
-    return this->RunRounds(state, limit);
+    return this->RunRounds(shared, limit);
   }
-  this->Warn("The input has " + std::to_string(state->GetNumberOfCells()) +
+  this->WarnOnce("The input has " + std::to_string(this->NumberOfCells) +
     " cells, which is more than MaximumNumberOfCells: nothing is refined. Raise "
     "MaximumNumberOfCells.");
   return true;
 }
 
+/// Whether the output would have too many cells. All partitions get the same answer.
+bool RedGreenRun::IsTooLarge(vtkIdType ownCells)
+{
+  const bool isOwnTooLarge = static_cast<double>(ownCells) > this->MostCells;
+  this->NumberOfCells = this->Others ? this->Others->Sum(ownCells) : ownCells;
+  if (!this->Others)
+  {
+    return isOwnTooLarge;
+  }
+  this->MemoryIsLimit = this->NumberOfCells <= this->Options.MaximumNumberOfCells;
+  return this->Others->Sum(isOwnTooLarge ? 1 : 0) > 0 || !this->MemoryIsLimit;
+}
+
+/// Warns of what all partitions know.
+void RedGreenRun::WarnOnce(const std::string& message)
+{
+  if (!this->Others || this->Others->GetPartition() == 0)
+  {
+    this->Warn(message);
+  }
+}
+
 /// The state before any mark.
 template <typename Id>
-std::unique_ptr<RedGreen<Id>> RedGreenRun::StartState()
+SharedState<Id> RedGreenRun::StartState()
 {
   std::function<void(vtkIdType*)> order;
   if (!this->Mesh.TetOrderIsFinal)
@@ -255,12 +292,20 @@ std::unique_ptr<RedGreen<Id>> RedGreenRun::StartState()
   {
     state->Close();
   }
-  return state;
+  SharedState<Id> shared;
+  if (this->Others)
+  {
+    state->SetScopes(this->Mesh.Scopes.data());
+    shared.Splits = std::make_unique<SharedSplits<Id>>(this->Mesh, *this->Others);
+  }
+  shared.State = std::move(state);
+  return shared;
 }
 
 template <typename Id>
-void Apply(const std::vector<RefinementMark<Id>>& marks, std::size_t count, RedGreen<Id>& state)
+void Apply(const std::vector<RefinementMark<Id>>& marks, std::size_t count, SharedState<Id>& shared)
 {
+  RedGreen<Id>& state = *shared.State;
   std::vector<Id> inputs;
   inputs.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
@@ -283,7 +328,7 @@ void Apply(const std::vector<RefinementMark<Id>>& marks, std::size_t count, RedG
       state.MarkEdge(marks[i].Leaf, marks[i].Ends[0], marks[i].Ends[1]);
     }
   }
-  state.Close();
+  shared.Close();
 }
 
 template <typename Id, typename Cells>
@@ -303,8 +348,9 @@ RedGreenRun::Marks<Id> RedGreenRun::FindMarksOf(
 
 /// Returns false if Progress asks to stop.
 template <typename Id>
-bool RedGreenRun::RunRounds(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<Id>& limit)
+bool RedGreenRun::RunRounds(SharedState<Id>& shared, RedGreenLimit<Id>& limit)
 {
+  std::unique_ptr<RedGreen<Id>>& state = shared.State;
   const RefinementOptions& options = this->Options.Criteria;
   this->Criteria =
     std::make_unique<RefinementCriteria>(options, this->Input, this->Mesh.Control.Cells);
@@ -328,15 +374,15 @@ bool RedGreenRun::RunRounds(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<
         ChangedCandidates<Id>(this->Mesh, *state, options.MaximumLevel), *state, limit, notes);
       marks.insert(marks.end(), more.begin(), more.end());
     }
-    if (marks.empty())
+    if (this->Others ? this->Others->Sum(static_cast<vtkIdType>(marks.size())) == 0 : marks.empty())
     {
       break;
     }
-    Apply(marks, marks.size(), *state);
+    Apply(marks, marks.size(), shared);
     rounds.push_back(std::move(marks));
-    if (static_cast<double>(state->GetNumberOfCells()) > this->MostCells)
+    if (this->IsTooLarge(state->GetNumberOfCells()))
     {
-      this->StopAtLimit(rounds, state);
+      this->StopAtLimit(rounds, shared);
       break;
     }
     origins.Continue(*state);
@@ -358,7 +404,7 @@ bool RedGreenRun::RunRounds(std::unique_ptr<RedGreen<Id>>& state, RedGreenLimit<
 /// The last round made too many cells: goes back and applies only as many of its worst marks as
 /// fit. It starts from the input and applies all marks again, which gives the same state as before.
 template <typename Id>
-void RedGreenRun::StopAtLimit(std::vector<Marks<Id>>& rounds, std::unique_ptr<RedGreen<Id>>& state)
+void RedGreenRun::StopAtLimit(std::vector<Marks<Id>>& rounds, SharedState<Id>& shared)
 {
   Marks<Id> last = std::move(rounds.back());
   rounds.pop_back();
@@ -366,36 +412,34 @@ void RedGreenRun::StopAtLimit(std::vector<Marks<Id>>& rounds, std::unique_ptr<Re
     [](const RefinementMark<Id>& a, const RefinementMark<Id>& b) { return a.Error > b.Error; });
   auto replay = [&](std::size_t count)
   {
-    state = this->StartState<Id>();
+    shared = this->StartState<Id>();
     for (const Marks<Id>& marks : rounds)
     {
-      Apply(marks, marks.size(), *state);
+      Apply(marks, marks.size(), shared);
     }
-    if (count > 0)
+    if (count > 0 || this->Others)
     {
-      Apply(last, count, *state);
+      Apply(last, count, shared);
     }
-    return static_cast<double>(state->GetNumberOfCells()) <= this->MostCells;
+    return !this->IsTooLarge(shared.State->GetNumberOfCells());
   };
-  std::size_t fits = 0;
-  std::size_t exceeds = last.size();
-  const std::size_t exact = std::max<std::size_t>(1, last.size() / 1024);
-  while (exceeds - fits > exact)
-  {
-    const std::size_t middle = fits + (exceeds - fits) / 2;
-    (replay(middle) ? fits : exceeds) = middle;
-  }
+  const bool memoryIsLimit = this->MemoryIsLimit;
+  const std::size_t fits = this->Others ? FindFittingError(last, *this->Others, replay)
+                                        : FindFittingCount(last.size(), replay);
   replay(fits);
-  std::string what = std::to_string(last.size() - fits) +
+  auto left = static_cast<vtkIdType>(last.size() - fits);
+  left = this->Others ? this->Others->Sum(left) : left;
+  std::string what = std::to_string(left) +
     " places that the criteria ask for were not refined. The filter leaves out those with the "
     "smallest errors first, the worst ones last: the output would have more than " +
-    std::to_string(static_cast<vtkIdType>(this->MostCells)) + " cells, ";
-  what += this->MemoryIsLimit
-    ? "for which there is not enough memory. Use weaker criteria, a lower "
-      "MaximumLevel, or a part of the input."
-    : "which is MaximumNumberOfCells. Raise it, or use weaker criteria or a "
-      "lower MaximumLevel.";
-  this->Warn(what);
+    std::to_string(
+      this->Others ? this->Options.MaximumNumberOfCells : static_cast<vtkIdType>(this->MostCells)) +
+    " cells, ";
+  what += memoryIsLimit ? "for which there is not enough memory. Use weaker criteria, a lower "
+                          "MaximumLevel, or a part of the input."
+                        : "which is MaximumNumberOfCells. Raise it, or use weaker criteria or a "
+                          "lower MaximumLevel.";
+  this->WarnOnce(what);
 }
 
 void RedGreenRun::WarnOfNotes(MarkNotes& notes)
@@ -428,18 +472,19 @@ template <typename Id>
 bool RedGreenRun::Refine()
 {
   RedGreenLimit<Id> limit;
-  std::unique_ptr<RedGreen<Id>> state;
-  if (!this->Plan(state, limit) || this->IsStopped(0.75))
+  SharedState<Id> shared;
+  if (!this->Plan(shared, limit) || this->IsStopped(0.75))
   {
     return false;
   }
-  const RedGreenOutput<Id> plan(*state);
+  const RedGreen<Id>& state = *shared.State;
+  const RedGreenOutput<Id> plan(state);
   this->MakeCells(plan);
   if (this->IsStopped(0.9))
   {
     return false;
   }
-  this->MakePoints(*state, limit);
+  this->MakePoints(state, limit);
   RebuildPointGhosts(this->Input, this->Output);
   WriteRedGreenFields(this->Mesh, plan, this->Options.LimitPlacement, this->Output);
   return true;
@@ -540,7 +585,13 @@ void RedGreenRun::WarnOfReplaced() const
 
 bool RefineRedGreen(vtkPointSet* input, const RedGreenOptions& options, vtkUnstructuredGrid* output)
 {
-  return RedGreenRun(input, options, output).Run();
+  RedGreenOptions own = options;
+  if (Partners* others = options.FindPartners ? options.FindPartners(input) : nullptr)
+  {
+    own.Criteria.FindLargest = [others](std::vector<double>& values)
+    { others->FindLargest(values); };
+  }
+  return RedGreenRun(input, own, output).Run();
 }
 
 }

@@ -26,7 +26,7 @@ struct RefinementMark
 };
 
 /// The cells of the input, which are the candidates for marks in the first round. IsOver says which
-/// of them are red already.
+/// of them are red already, IsOwn which are not those of another partition.
 template <typename Id>
 class InputCandidates
 {
@@ -63,7 +63,11 @@ public:
   }
   int GetLevel(vtkIdType i) const { return this->View.GetLevel(i); }
   int GetSteps(vtkIdType) const { return 0; }
-  bool IsOver(vtkIdType i) const { return this->State.IsRed(static_cast<Id>(i)); }
+  bool IsOver(vtkIdType i) const
+  {
+    return this->State.IsRed(static_cast<Id>(i)) || this->Mesh.GetScope(i) == CellScope::Ignored;
+  }
+  bool IsOwn(vtkIdType i) const { return this->Mesh.GetScope(i) == CellScope::Own; }
   RedGreenLeaf<Id> GetLeaf(vtkIdType i) const { return { static_cast<Id>(i), -1 }; }
 
 private:
@@ -110,6 +114,10 @@ public:
     return this->Cells[i].Level - this->View.GetLevel(this->Cells[i].Input);
   }
   bool IsOver(vtkIdType) const { return false; }
+  bool IsOwn(vtkIdType i) const
+  {
+    return this->Mesh.GetScope(this->Cells[i].Input) == CellScope::Own;
+  }
   RedGreenLeaf<Id> GetLeaf(vtkIdType i) const { return this->Cells[i].Leaf; }
 
 private:
@@ -224,7 +232,7 @@ private:
   template <typename Points>
   void LookAt(vtkIdType i, const Points& points, const double* value, Found& found) const
   {
-    if (points.size() < 2)
+    if (points.size() < 2 || !this->Candidates.IsOwn(i))
     {
       return;
     }

@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace subdivision
 {
@@ -291,7 +292,10 @@ void RedGreen<Id>::SetPattern(Id index, unsigned int pattern)
   {
     return;
   }
-  this->OutputCells += table[closed].Count - table[node.Pattern].Count;
+  if (this->GetScope(node.Input) == CellScope::Own)
+  {
+    this->OutputCells += table[closed].Count - table[node.Pattern].Count;
+  }
   node.Pattern = static_cast<unsigned char>(closed);
   if (!node.Changed)
   {
@@ -449,9 +453,9 @@ void RedGreen<Id>::MarkEdge(const Leaf& leaf, Id end0, Id end1)
 }
 
 template <typename Id>
-bool RedGreen<Id>::Close()
+void RedGreen<Id>::Propagate()
 {
-  const bool changed = !this->Queue.empty();
+  this->HasSplit = this->HasSplit || !this->Queue.empty();
   for (;;)
   {
     while (!this->Queue.empty())
@@ -466,13 +470,19 @@ bool RedGreen<Id>::Close()
     }
     this->ActivateNearFlags();
   }
+}
+
+template <typename Id>
+bool RedGreen<Id>::Close()
+{
+  this->Propagate();
   std::swap(this->LastChanges, this->ChangedNodes);
   this->ChangedNodes.clear();
   for (Id node : this->LastChanges)
   {
     this->Nodes[node].Changed = false;
   }
-  return changed;
+  return std::exchange(this->HasSplit, false);
 }
 
 template class RedGreen<int>;

@@ -67,6 +67,10 @@ public:
   /// marks and Close() throw std::invalid_argument at LastLevel.
   void AddMidpoint(Id end0, Id end1, Id midpoint);
 
+  /// Tells what happens to each input cell; else all are Own. The array must outlive this object.
+  /// Call it before all else.
+  void SetScopes(const CellScope* scopes);
+
   /// @name A round
   ///@{
   /// Cells of the input that are about to be marked: to store them together is faster.
@@ -82,6 +86,28 @@ public:
   bool Close();
   ///@}
 
+  /// @name A round of which other states have a part
+  ///@{
+  /// Splits until nothing more has to be split, but does not end the round.
+  void Propagate();
+  /// Splits an edge that another state has split. Its ends, if they are midpoints, exist here.
+  /// Returns false if no cell that is not ignored has the edge.
+  bool SplitEdge(Id end0, Id end1);
+  /// Calls use(cell) for the input cells that have the edge whose midpoint is `vertex`, a vertex
+  /// that this object added; for a cell perhaps more than once. Call it after Propagate().
+  template <typename Use>
+  void ForInputCells(Id vertex, const Use& use) const
+  {
+    Id next = this->Edges[this->MidpointEdges[vertex - this->InputVertices]].FirstUse;
+    while (next >= 0)
+    {
+      const Node& node = this->Nodes[next / 6];
+      use(node.Input);
+      next = node.NextUse[next % 6];
+    }
+  }
+  ///@}
+
   /// The cells that the output would have now and would not have had before the last Close(), in no
   /// particular order: before the next round criteria need to look at these only. Cells that are
   /// `steps` red splits or more from their input cell are left out. In the first round criteria
@@ -95,7 +121,7 @@ public:
   {
     return this->InputVertices + static_cast<Id>(this->MidpointEdges.size());
   }
-  /// How many cells the output would have.
+  /// How many cells the output would have, without those of input cells that are not Own.
   vtkIdType GetNumberOfCells() const { return this->OutputCells; }
 
   /// @name Where vertices and cells come from
@@ -175,6 +201,12 @@ private:
   Id FindMidpointEdge(Id vertex) const;
   bool IsHalfSplit(Id edge);
   bool IsInnerEdgeSplit(const Node& node) const;
+  bool HasInputCell(Id a, Id b);
+  bool HasUserOfBoth(Id edge, Id second) const;
+  CellScope GetScope(vtkIdType cell) const
+  {
+    return this->Scopes ? this->Scopes[cell] : CellScope::Own;
+  }
 
   // midpoints spread
   void Split(Id edge);
@@ -202,6 +234,7 @@ private:
   SimplexView Input;
   SimplexPlaces Places;
   std::function<void(vtkIdType*)> OrderTet;
+  const CellScope* Scopes = nullptr; ///< of the input cells; null: all are Own
   Id InputVertices = 0;
   vtkIdType OutputCells = 0;
 
@@ -213,6 +246,7 @@ private:
   std::unordered_map<Id, Id> KnownMidpoints; ///< edge whose midpoint an input vertex is
 
   GrowingBuffer<Id> Queue;      ///< split edges that were not passed on to the cells at them
+  bool HasSplit = false;        ///< since the last Close()
   std::vector<Id> ChangedNodes; ///< since the last Close()
   std::vector<Id> LastChanges;  ///< ChangedNodes of the last Close()
 

@@ -174,7 +174,7 @@ int RedGreen<Id>::CountFlagged(const vtkIdType* vertices, int corners) const
 template <typename Id>
 bool RedGreen<Id>::IsNearFlags(vtkIdType cell, int flagged) const
 {
-  if (flagged < 2)
+  if (flagged < 2 || this->GetScope(cell) == CellScope::Ignored)
   {
     return false;
   }

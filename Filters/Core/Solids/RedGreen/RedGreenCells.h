@@ -105,6 +105,14 @@ enum class RefinementKind : unsigned char
   GreenIII = 4   ///< the edges of one face
 };
 
+/// What a state does with an input cell, if the input is a part of a larger mesh.
+enum class CellScope : unsigned char
+{
+  Ignored = 0, ///< stays as it is, whatever happens around it
+  Copied = 1,  ///< is split, but is not among the cells that are counted
+  Own = 2
+};
+
 /// A cell that is not red: the tree cell itself, or a child of a red one that need not be stored.
 template <typename Id>
 struct RedGreenLeaf
