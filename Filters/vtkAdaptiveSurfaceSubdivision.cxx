@@ -5,6 +5,7 @@
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -22,6 +23,12 @@ int vtkAdaptiveSurfaceSubdivision::RequestData(
   options.GenerateTangents = this->GenerateTangents;
   options.Use32BitIds = this->Use32BitIds;
   subdivision::RefinementOptions criteria;
+  if (this->SharesRanks() && this->Controller->GetLocalProcessId() == 0)
+  {
+    vtkWarningMacro("Several ranks refine this surface. Triangles may not fit together at the "
+                    "borders between ranks: bring the surface to one rank, or use "
+                    "vtkRedGreenRefinement with Placement LIMIT.");
+  }
   return this->RunRounds(inputVector, outputVector, options, criteria,
     [&](vtkPointSet* input, vtkPointSet* output)
     {

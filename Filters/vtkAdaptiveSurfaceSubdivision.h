@@ -50,8 +50,8 @@
  *
  * @par Threads and ghosts
  * Threaded by vtkSMPTools; the output is the same, bit for bit, for any number of threads. Hidden
- * cells are left out; ghost cells are refined like others, and marks do not cross the borders of
- * partitions.
+ * cells are left out; ghost cells are refined like others. On several ranks (Controller) a rank
+ * sees two layers of the triangles of others, and marks go no farther: a warning says so.
  *
  * @par Errors
  * See vtkRefinementAlgorithm.

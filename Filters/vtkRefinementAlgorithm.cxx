@@ -215,7 +215,7 @@ int vtkRefinementAlgorithm::RunRounds(vtkInformationVector** inputVector,
   const std::function<bool(vtkPointSet*, vtkPointSet*)>& refine)
 {
   return this->Run(inputVector, outputVector, options,
-    "Each partition is refined by itself, so that cells may not fit together at its borders.",
+    "They are refined like others; cells may not fit those of other partitions.",
     "this refinement. Lower MaximumNumberOfCells or MaximumLevel, raise the tolerances, or use a "
     "part of the input.",
     [&](vtkPointSet* input, vtkPointSet* output)
