@@ -335,7 +335,7 @@ const std::vector<Case>& GetCases()
   return cases;
 }
 
-const Case& GetCase(std::string name)
+const Case& GetCase(const char* name)
 {
   for (const Case& which : GetCases())
   {
@@ -344,7 +344,7 @@ const Case& GetCase(std::string name)
       return which;
     }
   }
-  throw std::invalid_argument("no such case: " + name);
+  throw std::invalid_argument(std::string("no such case: ") + name);
 }
 
 vtkPointSet* GetInput(const Case& which)

@@ -55,8 +55,8 @@ struct Case
 
 /// Cases that can be made here; those of files that are missing are left out.
 const std::vector<Case>& GetCases();
-/// Takes the name by value: GCC 16 would take the result for a reference to it.
-const Case& GetCase(std::string name);
+/// Throws if there is none. No string as argument: GCC would take the result for a reference to it.
+const Case& GetCase(const char* name);
 
 /// The input of a case, made at most once.
 vtkPointSet* GetInput(const Case& which);
