@@ -47,6 +47,17 @@ vtkObject.GlobalWarningDisplayOff()  # each rank would warn of the same cells
 RANK, RANKS = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
 
 
+def own_cells(proxy):
+    """The output of a proxy on this rank without the layer of ghost cells for which ParaView asks."""
+    own = simple.RemoveGhostInformation(Input=proxy)
+    own.UpdatePipeline()
+    given = own.GetClientSideObject().GetOutputDataObject(0)
+    output = given.NewInstance()
+    output.ShallowCopy(given)
+    simple.Delete(own)
+    return output
+
+
 def totals(values):
     """The sum of each value over all ranks."""
     ours, sums = (numpy_to_vtk(np.array(values, dtype=float), deep=1) for _ in range(2))

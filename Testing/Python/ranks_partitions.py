@@ -43,9 +43,7 @@ def run_proxy(name, options, data, _):
     producer = ranks.simple.TrivialProducer()
     producer.GetClientSideObject().SetOutput(data)
     proxy = getattr(ranks.simple, PROXIES[name])(Input=producer, **options)
-    proxy.UpdatePipeline()
-    output = proxy.GetClientSideObject().GetOutputDataObject(0).NewInstance()
-    output.ShallowCopy(proxy.GetClientSideObject().GetOutputDataObject(0))
+    output = ranks.own_cells(proxy)
     ranks.simple.Delete(proxy)
     ranks.simple.Delete(producer)
     return output

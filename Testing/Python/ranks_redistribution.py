@@ -41,7 +41,7 @@ def run():
     known = distinct(expected)
     failures = []
     for proxy in (smooth, even):
-        grid = proxy.GetClientSideObject().GetOutputDataObject(0)
+        grid = ranks.own_cells(proxy)
         cells, others = ranks.totals([grid.GetNumberOfCells(), len(distinct(grid) - known)])
         if cells != expected.GetNumberOfCells():
             failures.append(f"{cells} cells instead of {expected.GetNumberOfCells()}")
