@@ -12,7 +12,7 @@ endmacro ()
 
 set(ground Core/Memory Core/Operators Core/Rules)
 room(Core/Memory)
-room(Core/Operators Core/Memory)
+room(Core/Operators Core/Memory Core/Rules)
 room(Core/Rules)
 # Solids, upwards.
 room(Core/Solids/Location Core/Memory)

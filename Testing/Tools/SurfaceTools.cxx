@@ -172,7 +172,7 @@ RowBlock<int> Walk::GetRows() const
 std::vector<Point> Walk::Apply(const RowBlock<int>& rows, const std::vector<Point>& in)
 {
   std::vector<Point> out(rows.GetNumberOfRows());
-  rows.Apply<3>(in.data()->data(), out.data()->data(), 3);
+  rows.Apply(in.data()->data(), out.data()->data(), 3);
   return out;
 }
 

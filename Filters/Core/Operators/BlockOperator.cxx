@@ -1,26 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Operators/BlockOperator.h"
 
-#include <algorithm>
+#include "Core/Operators/ForBlocks.h"
 
 namespace subdivision
 {
 
 template <typename Id>
-void BlockOperator<Id>::ForRows(const User& use) const
+void BlockOperator<Id>::ForRows(const RowsUser& use) const
 {
   ForRanges(this->NumberOfRows,
-    [&](vtkIdType begin, vtkIdType end)
+    [&](vtkIdType first, vtkIdType last)
     {
-      constexpr vtkIdType rowsPerBlock = 256; // some 30 KB
-      RowBlock<Id> block;
-      for (vtkIdType first = begin; first < end; first += rowsPerBlock)
-      {
-        block.Clear();
-        this->AppendRows(first, std::min(end, first + rowsPerBlock), block);
-        use(block, first);
-      }
+      RowBlock<Id> block; // some 30 KB
+      ForBlocks(first, last,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          block.Clear();
+          this->AppendRows(begin, end, block);
+          use(block, begin);
+        });
     });
+}
+
+template <typename Id>
+void BlockOperator<Id>::ForEachBlock(const User& use) const
+{
+  this->ForRows([&use](const RowBlock<Id>& rows, vtkIdType first) { use(rows.GetRows(first)); });
 }
 
 template <typename Id>

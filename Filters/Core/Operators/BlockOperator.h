@@ -7,6 +7,7 @@
 #define SubdivisionObjects_BlockOperator_h
 
 #include "Core/Operators/RowBlock.h"
+#include "Core/Operators/SparseRows.h"
 
 #include <functional>
 
@@ -14,7 +15,7 @@ namespace subdivision
 {
 
 template <typename Id>
-class BlockOperator
+class BlockOperator : public PointOperator
 {
 public:
   /// Appends rows [begin, end); called from many threads.
@@ -27,21 +28,14 @@ public:
   {
   }
 
-  vtkIdType GetNumberOfColumns() const { return this->NumberOfColumns; }
-  vtkIdType GetNumberOfRows() const { return this->NumberOfRows; }
+  vtkIdType GetNumberOfColumns() const override { return this->NumberOfColumns; }
+  vtkIdType GetNumberOfRows() const override { return this->NumberOfRows; }
 
   /// Receives a block of consecutive rows, the first of which is row `first`. ForRows passes each
   /// row exactly once, in any order and from many threads.
-  using User = std::function<void(const RowBlock<Id>& rows, vtkIdType first)>;
-  void ForRows(const User& use) const;
-
-  /// out = S in, for `components` interleaved values per column. Integers are rounded.
-  template <typename T>
-  void Apply(const T* in, T* out, int components) const
-  {
-    this->ForRows([in, out, components](const RowBlock<Id>& rows, vtkIdType first)
-      { rows.Apply(in, out + first * components, components); });
-  }
+  using RowsUser = std::function<void(const RowBlock<Id>& rows, vtkIdType first)>;
+  void ForRows(const RowsUser& use) const;
+  void ForEachBlock(const User& use) const override;
 
   /// The same as stored rows.
   SparseRows<Id> Store() const;

@@ -1,34 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Operators/CornerRows.h"
 
-#include "Core/Memory/Store.h"
+#include "Core/Operators/ForBlocks.h"
 
 namespace subdivision
 {
 
-template <typename Out>
-void CornerRows::Apply(const double* in, Out* out) const
+void CornerRows::ForEachBlock(const User& use) const
 {
-  ForRanges(this->GetNumberOfRows(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      const CornerRow* row = this->Rows.data() + begin;
-      Out* to = out + 3 * begin;
-      for (vtkIdType i = begin; i < end; ++i, ++row, to += 3)
-      {
-        double sums[3] = { 0., 0., 0. };
-        for (int k = 0; k < 4; ++k)
-        {
-          const double weight = row->Weights[k];
-          const double* corner = in + 3 * static_cast<vtkIdType>(row->Columns[k]);
-          for (int c = 0; c < 3; ++c)
-          {
-            sums[c] += weight * corner[c];
-          }
-        }
-        std::transform(sums, sums + 3, to, Store<Out>);
-      }
-    });
+  ForBlocksInThreads(this->GetNumberOfRows(), [&](vtkIdType begin, vtkIdType end)
+    { use(RowsOfFour{ begin, end - begin, this->Rows.data() + begin }); });
 }
 
 SparseRows<int> CornerRows::ToSparseRows() const
@@ -61,8 +42,5 @@ SparseRows<int> CornerRows::ToSparseRows() const
     });
   return rows;
 }
-
-template void CornerRows::Apply(const double*, float*) const;
-template void CornerRows::Apply(const double*, double*) const;
 
 }

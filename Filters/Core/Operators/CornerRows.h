@@ -13,30 +13,16 @@
 namespace subdivision
 {
 
-/// Weights beyond the last corner are 0, their columns those of another corner.
-struct CornerRow
-{
-  double Weights[4] = { 0., 0., 0., 0. };
-  int Columns[4] = { 0, 0, 0, 0 };
-
-  bool IsEmpty() const
-  {
-    return std::all_of(this->Weights, this->Weights + 4, [](double w) { return w == 0.; });
-  }
-};
-
-struct CornerRows
+struct CornerRows : PointOperator
 {
   vtkIdType NumberOfColumns = 0;
   Buffer<CornerRow> Rows;
 
-  vtkIdType GetNumberOfRows() const { return this->Rows.size(); }
+  vtkIdType GetNumberOfColumns() const override { return this->NumberOfColumns; }
+  vtkIdType GetNumberOfRows() const override { return this->Rows.size(); }
+  /// Entries of weight 0 are read, unlike in SparseRows. The result of an empty row has no meaning.
+  void ForEachBlock(const User& use) const override;
   std::size_t GetMemorySize() const { return this->Rows.GetMemorySize(); }
-
-  /// out = S in, for three components. Entries of weight 0 are read, unlike in SparseRows. The
-  /// result of an empty row has no meaning.
-  template <typename Out>
-  void Apply(const double* in, Out* out) const;
 
   /// The same operator without entries of weight 0. It needs less than 2^29 rows, so that offsets
   /// fit in int.

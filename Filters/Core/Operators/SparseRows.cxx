@@ -1,84 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Operators/SparseRows.h"
 
-#include "Core/Memory/ScalarTypes.h"
-#include "Core/Memory/Store.h"
-
 #include <unordered_map>
 #include <vector>
 
 namespace subdivision
 {
 
-namespace
+template <typename Id>
+WeightedRows<Id> SparseRows<Id>::GetRows(vtkIdType begin, vtkIdType end) const
 {
-
-template <typename In, typename Out>
-Out CopyValue(In value)
-{
-  if constexpr (std::is_same<In, Out>::value)
-  {
-    return value;
-  }
-  else
-  {
-    return Store<Out>(static_cast<double>(value));
-  }
-}
-
-/// N > 0: there are N components, which are summed together. N = 0: `components` are summed one
-/// after another.
-template <int N, typename Id, typename In, typename Out>
-void ApplyRows(const SparseRows<Id>& rows, const In* in, Out* out, int components)
-{
-  constexpr int width = N == 0 ? 1 : N;
-  ForRanges(rows.GetNumberOfRows(),
-    [&](vtkIdType first, vtkIdType last)
-    {
-      const int stride = N == 0 ? components : N;
-      const Id* offsets = rows.Offsets.data();
-      const Id* columns = rows.Columns.data();
-      const double* weights = rows.Weights.data();
-      for (vtkIdType row = first; row < last; ++row)
-      {
-        const vtkIdType begin = offsets[row];
-        const vtkIdType end = offsets[row + 1];
-        Out* result = out + row * stride;
-        if (end - begin == 1 && weights[begin] == 1.)
-        {
-          const In* own = in + static_cast<vtkIdType>(columns[begin]) * stride;
-          std::transform(own, own + stride, result, CopyValue<In, Out>);
-          continue;
-        }
-        for (int c = 0; c < stride; c += width)
-        {
-          double sums[width] = {};
-          for (vtkIdType k = begin; k < end; ++k)
-          {
-            const double weight = weights[k];
-            if (weight == 0.) // 0 times a value that is not finite is not 0
-            {
-              continue;
-            }
-            const In* value = in + static_cast<vtkIdType>(columns[k]) * stride + c;
-            for (int i = 0; i < width; ++i)
-            {
-              sums[i] += weight * static_cast<double>(value[i]);
-            }
-          }
-          std::transform(sums, sums + width, result + c, Store<Out>);
-        }
-      }
-    });
-}
-
+  WeightedRows<Id> rows{ begin, end - begin, this->Offsets.data() + begin, this->Columns.data(),
+    this->Weights.data() };
+  rows.SkipsZeros = true;
+  return rows;
 }
 
 template <typename Id>
-template <typename In, typename Out>
-void SparseRows<Id>::Apply(const In* in, Out* out, int components) const
+void SparseRows<Id>::ForEachBlock(const User& use) const
 {
-  components == 3 ? ApplyRows<3>(*this, in, out, 3) : ApplyRows<0>(*this, in, out, components);
+  // No smaller blocks: the rows are read from memory in any case, and an array that is summed alone
+  // stays in the cache.
+  ForRanges(this->GetNumberOfRows(),
+    [&](vtkIdType begin, vtkIdType end) { use(this->GetRows(begin, end)); });
 }
 
 namespace
@@ -166,15 +110,9 @@ SparseRows<Id> Multiply(const SparseRows<Id>& outer, const SparseRows<Id>& inner
   return product;
 }
 
-#define SUBDIVISION_APPLY(Id, T) template void SparseRows<Id>::Apply(const T*, T*, int) const
-#define SUBDIVISION_APPLY_TO(Id, In, Out)                                                          \
-  template void SparseRows<Id>::Apply(const In*, Out*, int) const
-#define SUBDIVISION_SPARSE_ROWS(Id)                                                                \
-  template struct SparseRows<Id>;                                                                  \
-  template SparseRows<Id> Multiply(const SparseRows<Id>&, const SparseRows<Id>&);                  \
-  SUBDIVISION_APPLY_TO(Id, double, float);                                                         \
-  SUBDIVISION_FOR_SCALARS(SUBDIVISION_APPLY, Id)
-SUBDIVISION_SPARSE_ROWS(int);
-SUBDIVISION_SPARSE_ROWS(long long);
+template struct SparseRows<int>;
+template struct SparseRows<long long>;
+template SparseRows<int> Multiply(const SparseRows<int>&, const SparseRows<int>&);
+template SparseRows<long long> Multiply(const SparseRows<long long>&, const SparseRows<long long>&);
 
 }

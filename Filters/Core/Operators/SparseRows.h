@@ -2,37 +2,37 @@
 /**
  * @file SparseRows.h
  * An operator with explicit weights, for rows that rings and rules (Stencils.h) cannot express.
- *
- * Each row is summed in double, in the order of its entries, and stored in the type of the array.
  */
 #ifndef SubdivisionObjects_SparseRows_h
 #define SubdivisionObjects_SparseRows_h
 
-#include "Core/Memory/Buffer.h"
+#include "Core/Operators/PointOperator.h"
 
 namespace subdivision
 {
 
 template <typename Id>
-struct SparseRows
+struct SparseRows : PointOperator
 {
   vtkIdType NumberOfColumns = 0;
   Buffer<Id> Offsets; ///< one more than rows
   Buffer<Id> Columns;
   Buffer<double> Weights;
 
-  vtkIdType GetNumberOfColumns() const { return this->NumberOfColumns; }
-  vtkIdType GetNumberOfRows() const { return this->Offsets.empty() ? 0 : this->Offsets.size() - 1; }
+  vtkIdType GetNumberOfColumns() const override { return this->NumberOfColumns; }
+  vtkIdType GetNumberOfRows() const override
+  {
+    return this->Offsets.empty() ? 0 : this->Offsets.size() - 1;
+  }
   std::size_t GetMemorySize() const
   {
     return this->Offsets.GetMemorySize() + this->Columns.GetMemorySize() +
       this->Weights.GetMemorySize();
   }
 
-  /// out = S in, for `components` interleaved values per column. Integers are rounded. A row of one
-  /// entry of weight 1 copies; an entry of weight 0 is not read.
-  template <typename In, typename Out>
-  void Apply(const In* in, Out* out, int components) const;
+  /// Rows [begin, end). A row of one entry of weight 1 copies; an entry of weight 0 is not read.
+  WeightedRows<Id> GetRows(vtkIdType begin, vtkIdType end) const;
+  void ForEachBlock(const User& use) const override;
 };
 
 /// The product outer * inner: to apply it is to apply first `inner`, then `outer`, up to rounding.

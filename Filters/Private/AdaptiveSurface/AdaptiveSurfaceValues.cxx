@@ -55,7 +55,7 @@ void AdaptiveSurfaceValues<Id>::AddVertices(const std::vector<Id>& vertices)
           double* out = nodes + 2 * v * components;
           rows.Clear();
           this->Rows.AppendVertex(static_cast<Id>(v), rows);
-          ApplyRows(rows, from, out, components);
+          rows.Apply(from, out, components);
           std::copy_n(out + components, components, limits + v * components);
         }
       });
@@ -81,7 +81,7 @@ void AdaptiveSurfaceValues<Id>::AddCentres(const std::vector<Id>& faces, vtkIdTy
         {
           rows.Clear();
           append(i, rows);
-          ApplyRows(rows, this->Nodes.data(), out + place(i) * components, components);
+          rows.Apply(this->Nodes.data(), out + place(i) * components, components);
         }
       });
   };
@@ -194,7 +194,7 @@ int AdaptiveSurfaceValues<Id>::FindPlaces(Id corner, RowBlock<Id>& rows, double*
     rows.Clear();
     this->Rows.AppendLimitOnEdge(corner, false, rows);
     this->Rows.AppendLimitOnEdge(corner, true, rows);
-    ApplyRows(rows, this->Nodes.data(), places + this->Components, this->Components);
+    rows.Apply(this->Nodes.data(), places + this->Components, this->Components);
   }
   this->FindMiddleOfThirds(this->Mesh.GetVertex(corner),
     this->Mesh.GetVertex(this->Mesh.Next(corner)), places + this->Components, places);

@@ -2,6 +2,7 @@
 #include "Private/Arrays/PointArrays.h"
 
 #include "Core/Memory/Store.h"
+#include "Core/Operators/ApplyRows.h"
 #include "Private/ArrayNames.h"
 
 #include "vtkAlgorithm.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace subdivision
 {
@@ -67,6 +69,17 @@ void Convert(const From* from, To* to, vtkIdType size)
   ForEach(size, [&](vtkIdType i) { to[i] = ConvertValue<To>(from[i]); });
 }
 
+/// Coordinates of any type in one of the two types that points have here.
+template <typename To>
+void ConvertFrom(vtkDataArray* from, To* to)
+{
+  const vtkIdType size = from->GetNumberOfValues();
+  switch (from->GetDataType())
+  {
+    vtkTemplateMacro(Convert(static_cast<const VTK_TT*>(from->GetVoidPointer(0)), to, size));
+  }
+}
+
 }
 
 vtkSmartPointer<vtkDataArray> StartValues(
@@ -83,18 +96,23 @@ vtkSmartPointer<vtkDataArray> StartValues(
   const auto start = MakeArray(valueType, components, points);
   if (start->GetNumberOfValues() > 0)
   {
-    auto fill = [&](auto* values)
+    void* values = start->GetVoidPointer(0);
+    if (valueType == source->GetDataType())
     {
-      switch (source->GetDataType())
-      {
-        vtkTemplateMacro(Convert(
-          static_cast<const VTK_TT*>(source->GetVoidPointer(0)), values, given * components));
-      }
-      FillCentres(values, components, cells, given);
-    };
+      std::memcpy(values, source->GetVoidPointer(0),
+        static_cast<std::size_t>(given * components) * source->GetDataTypeSize());
+    }
+    else if (valueType == VTK_FLOAT)
+    {
+      ConvertFrom(source, static_cast<float*>(values));
+    }
+    else
+    {
+      ConvertFrom(source, static_cast<double*>(values));
+    }
     switch (valueType)
     {
-      vtkTemplateMacro(fill(static_cast<VTK_TT*>(start->GetVoidPointer(0))));
+      vtkTemplateMacro(FillCentres(static_cast<VTK_TT*>(values), components, cells, given));
     }
   }
   CopyLooks(array, start);
@@ -208,24 +226,25 @@ void PointArrays::StartOrigins()
   }
 }
 
-/// Gives each array that is smoothed `size` tuples, which make(from, in, out, components) fills.
-template <typename Make>
-void PointArrays::ReplaceSmoothed(vtkIdType size, const Make& make)
+/// Applies an operator to all arrays that are smoothed. Each block goes to `also` too.
+void PointArrays::AdvanceSmoothed(const PointOperator& operation, const PointOperator::User& also)
 {
+  this->HasMoved = true;
   this->Doubles = Buffer<double>();
+  std::vector<MovedArray> arrays;
+  std::vector<vtkSmartPointer<vtkDataArray>> before; // their values are read
   auto replace = [&](vtkSmartPointer<vtkDataArray>& array)
   {
     const vtkSmartPointer<vtkDataArray> from = array;
+    const int type = from->GetDataType();
     const int components = from->GetNumberOfComponents();
-    array = MakeArray(from->GetDataType(), components, size);
+    array = MakeArray(type, components, operation.GetNumberOfRows());
     CopyLooks(from, array);
     if (array->GetNumberOfValues() > 0)
     {
-      switch (from->GetDataType())
-      {
-        vtkTemplateMacro(make(from, static_cast<const VTK_TT*>(from->GetVoidPointer(0)),
-          static_cast<VTK_TT*>(array->GetVoidPointer(0)), components));
-      }
+      arrays.push_back(
+        { from->GetVoidPointer(0), type, array->GetVoidPointer(0), type, components });
+      before.push_back(from);
     }
   };
   if (!this->FinalPoints)
@@ -239,177 +258,75 @@ void PointArrays::ReplaceSmoothed(vtkIdType size, const Make& make)
       replace(entry.Current);
     }
   }
+  ApplyToArrays(operation, arrays, also);
 }
 
-template <typename Operator>
-void PointArrays::AdvanceSmoothed(const Operator& rows)
-{
-  this->HasMoved = true;
-  this->ReplaceSmoothed(rows.GetNumberOfRows(),
-    [&rows](vtkDataArray*, const auto* in, auto* out, int components)
-    { rows.Apply(in, out, components); });
-}
-
-/// Applies the rows to all arrays in one pass, so that each row is made only once.
+/// Finds the current points whose values rows take in arrays that are not smoothed: an old point
+/// keeps its own; of the ends of an edge, or the vertices of an octahedron, that with the smallest
+/// global id gives them.
 template <typename Id>
-void PointArrays::AdvanceSmoothed(const BlockOperator<Id>& rows)
+void PointArrays::FindOrigins(const RingRows<Id>& rows, vtkIdType* origins) const
 {
-  this->HasMoved = true;
-  std::vector<typename BlockOperator<Id>::User> users;
-  this->ReplaceSmoothed(rows.GetNumberOfRows(),
-    [&users](const vtkSmartPointer<vtkDataArray>& from, const auto* in, auto* out, int components)
-    {
-      users.push_back([from, in, out, components](const RowBlock<Id>& block, vtkIdType first)
-        { block.Apply(in, out + first * components, components); });
-    });
-  if (users.empty())
+  auto earliest = [this](const Id* begin, const Id* end)
   {
+    return static_cast<vtkIdType>(
+      *std::min_element(begin, end, [this](Id a, Id b) { return this->IsEarlier(a, b); }));
+  };
+  for (vtkIdType i = 0; i < rows.Count; ++i)
+  {
+    const vtkIdType row = rows.FirstRow + i;
+    const Row<Id> ring = rows.OfCentres ? rows.GetRing(i) : Row<Id>();
+    const vtkIdType from = rows.OfCentres ? earliest(ring.begin(), ring.end())
+      : rows.OfEdges                      ? earliest(rows.Ends + 2 * i, rows.Ends + 2 * i + 2)
+                                          : row;
+    origins[row] = this->Origins[from];
+  }
+}
+
+void PointArrays::Advance(const PointOperator& operation)
+{
+  if (!this->HasGathered)
+  {
+    this->AdvanceSmoothed(operation);
+    this->NumberOfPoints = operation.GetNumberOfRows();
     return;
   }
-  rows.ForRows(
-    [&users](const RowBlock<Id>& block, vtkIdType first)
+  Buffer<vtkIdType> next(operation.GetNumberOfRows());
+  this->AdvanceSmoothed(operation,
+    [&](const RowsView& view)
     {
-      for (const auto& use : users)
+      if (const auto* rows = std::get_if<RingRows<int>>(&view))
       {
-        use(block, first);
+        this->FindOrigins(*rows, next.data());
+      }
+      else if (const auto* large = std::get_if<RingRows<long long>>(&view))
+      {
+        this->FindOrigins(*large, next.data());
       }
     });
+  this->Origins = std::move(next);
+  this->NumberOfPoints = operation.GetNumberOfRows();
 }
 
-template void PointArrays::AdvanceSmoothed(const SparseRows<int>&);
-template void PointArrays::AdvanceSmoothed(const SparseRows<long long>&);
-template void PointArrays::AdvanceSmoothed(const MidpointRows<int>&);
-template void PointArrays::AdvanceSmoothed(const MidpointRows<long long>&);
-template void PointArrays::AdvanceSmoothed(const LocalLimit<int>&);
-template void PointArrays::AdvanceSmoothed(const LocalLimit<long long>&);
-template void PointArrays::AdvanceSmoothed(const BlockOperator<int>&);
-template void PointArrays::AdvanceSmoothed(const BlockOperator<long long>&);
-template void PointArrays::AdvanceSmoothed(const AdaptiveSqrtThreeLimit<int>&);
-template void PointArrays::AdvanceSmoothed(const AdaptiveSqrtThreeLimit<long long>&);
-
-/// Finds the origins after a step: an old point keeps its origin, a new one takes that of the end
-/// of its edge with the smaller global id.
-template <typename Id>
-void PointArrays::TakeOriginsOfEdges(const Buffer<Id>& edgeVertices, Buffer<vtkIdType>& next) const
+void PointArrays::Advance(const PointOperator& operation, const OriginOfRow& origin)
 {
-  std::copy(this->Origins.begin(), this->Origins.end(), next.begin());
-  ForEach(edgeVertices.size() / 2,
-    [&](vtkIdType e)
-    {
-      const vtkIdType a = edgeVertices[2 * e];
-      const vtkIdType b = edgeVertices[2 * e + 1];
-      next[this->NumberOfPoints + e] = this->Origins[this->IsEarlier(a, b) ? a : b];
-    });
-}
-
-template <typename Id>
-void PointArrays::Advance(const Stencils<Id>& stencils)
-{
-  this->AdvanceSmoothed(stencils);
+  this->AdvanceSmoothed(operation);
   if (this->HasGathered)
   {
-    Buffer<vtkIdType> next(stencils.GetNumberOfRows());
-    this->TakeOriginsOfEdges(stencils.EdgeVertices, next);
+    Buffer<vtkIdType> next(operation.GetNumberOfRows());
+    ForEach(next.size(), [&](vtkIdType row) { next[row] = this->Origins[origin(row)]; });
     this->Origins = std::move(next);
   }
-  this->NumberOfPoints = stencils.GetNumberOfRows();
+  this->NumberOfPoints = operation.GetNumberOfRows();
 }
 
-template void PointArrays::Advance(const Stencils<int>&);
-template void PointArrays::Advance(const Stencils<long long>&);
-
-/// The current point whose values one of the rows takes in arrays that are not smoothed.
-template <typename Id>
-vtkIdType PointArrays::FindOrigin(const StencilRows<Id>& rows, vtkIdType i) const
+void PointArrays::Project(const PointOperator& operation)
 {
-  if (!rows.OfEdges)
+  if (operation.GetNumberOfRows() > 0)
   {
-    return rows.FirstRow + i;
+    this->AdvanceSmoothed(operation);
   }
-  const vtkIdType a = rows.Ends[2 * i];
-  const vtkIdType b = rows.Ends[2 * i + 1];
-  return this->IsEarlier(a, b) ? a : b;
 }
-template <typename Id>
-vtkIdType PointArrays::FindOrigin(const TetOctRows<Id>& rows, vtkIdType i) const
-{
-  if (!rows.OfCentres)
-  {
-    return this->FindOrigin(static_cast<const StencilRows<Id>&>(rows), i);
-  }
-  return this->FindEarliest(rows.GetRing(i));
-}
-/// The vertex of an octahedron with the smallest global id.
-template <typename Id>
-vtkIdType PointArrays::FindEarliest(Row<Id> vertices) const
-{
-  return *std::min_element(
-    vertices.begin(), vertices.end(), [this](Id a, Id b) { return this->IsEarlier(a, b); });
-}
-
-template <typename Rows>
-void PointArrays::Advance(const RowsOnTheFly<Rows>& operation)
-{
-  const vtkIdType size = operation.GetNumberOfRows();
-  std::vector<RowsUser<Rows>> users;
-  this->ReplaceSmoothed(size,
-    [&users](const vtkSmartPointer<vtkDataArray>& from, const auto* in, auto* out, int components)
-    {
-      users.push_back(
-        [from, in, out, components](const Rows& rows) { SumRows(rows, in, out, components); });
-    });
-  Buffer<vtkIdType> origins(this->HasGathered ? size : 0);
-  if (this->HasGathered)
-  {
-    users.push_back(
-      [&](const Rows& rows)
-      {
-        for (vtkIdType i = 0; i < rows.Count; ++i)
-        {
-          origins[rows.FirstRow + i] = this->Origins[this->FindOrigin(rows, i)];
-        }
-      });
-  }
-  operation.ForRows(
-    [&](const Rows& rows)
-    {
-      for (const RowsUser<Rows>& use : users)
-      {
-        use(rows);
-      }
-    });
-  this->Origins = std::move(origins);
-  this->NumberOfPoints = size;
-}
-
-template void PointArrays::Advance(const RowsOnTheFly<StencilRows<int>>&);
-template void PointArrays::Advance(const RowsOnTheFly<StencilRows<long long>>&);
-template void PointArrays::Advance(const RowsOnTheFly<TetOctRows<int>>&);
-template void PointArrays::Advance(const RowsOnTheFly<TetOctRows<long long>>&);
-
-template <typename Id>
-void PointArrays::Advance(const TetOctStencils<Id>& stencils)
-{
-  this->AdvanceSmoothed(stencils);
-  if (this->HasGathered)
-  {
-    Buffer<vtkIdType> next(stencils.GetNumberOfRows());
-    this->TakeOriginsOfEdges(stencils.EdgeVertices, next);
-    const vtkIdType octs = stencils.OctVertices.size() / 6;
-    ForEach(octs,
-      [&](vtkIdType o)
-      {
-        const Id* vertices = stencils.OctVertices.data() + 6 * o;
-        next[next.size() - octs + o] =
-          this->Origins[this->FindEarliest(Row<Id>{ vertices, vertices + 6 })];
-      });
-    this->Origins = std::move(next);
-  }
-  this->NumberOfPoints = stencils.GetNumberOfRows();
-}
-
-template void PointArrays::Advance(const TetOctStencils<int>&);
-template void PointArrays::Advance(const TetOctStencils<long long>&);
 
 void PointArrays::Finish(vtkPointSet* output)
 {

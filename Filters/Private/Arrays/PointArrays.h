@@ -8,17 +8,11 @@
 #define SubdivisionObjects_PointArrays_h
 
 #include "Core/Memory/Coordinates.h"
-#include "Core/Operators/BlockOperator.h"
-#include "Core/Operators/SparseRows.h"
-#include "Core/Solids/BoxSpline/ChildRows.h"
-#include "Core/Solids/BoxSpline/Stencils.h"
-#include "Core/Solids/Limits/LocalLimit.h"
-#include "Core/Solids/RedGreen/RedGreenOutput.h"
-#include "Core/Solids/TetOct/TetOctChildRows.h"
-#include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeRows.h"
+#include "Core/Operators/PointOperator.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellsToSimplices.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -71,23 +65,17 @@ public:
   vtkDataArray* GetPoints() const { return this->Points; }
   void ReusePoints(vtkDataArray* result) { this->FinalPoints = result; }
 
-  template <typename Id>
-  void Advance(const Stencils<Id>& stencils);
-  /// Applies the rows to all arrays in one pass.
-  template <typename Rows>
-  void Advance(const RowsOnTheFly<Rows>& rows);
-  template <typename Id>
-  void Advance(const TetOctStencils<Id>& stencils);
   /// Whether some array is not smoothed.
   bool GathersSome() const { return this->HasGathered; }
-  /// `origin(row)`: the current point whose values a row takes in arrays that are not smoothed.
-  /// The operator is SparseRows, MidpointRows, LocalLimit, BlockOperator or AdaptiveSqrtThreeLimit.
-  template <typename Operator, typename Origin>
-  void Advance(const Operator& rows, const Origin& origin);
+  /// Applies an operator to all arrays. Rows of rules and rings tell from which current point a row
+  /// takes its values in arrays that are not smoothed.
+  void Advance(const PointOperator& operation);
+  /// The same for an operator of other rows: `origin(row)` is that point.
+  using OriginOfRow = std::function<vtkIdType(vtkIdType)>;
+  void Advance(const PointOperator& operation, const OriginOfRow& origin);
   /// Applies an operator that has one row for each point, such as limit rows. Does nothing if there
   /// are no rows.
-  template <typename Id>
-  void Project(const SparseRows<Id>& rows);
+  void Project(const PointOperator& operation);
 
   /// Whether current point a has the smaller global id.
   bool IsEarlier(vtkIdType a, vtkIdType b) const;
@@ -112,20 +100,10 @@ private:
   };
 
   bool IsSmoothed(vtkAbstractArray* array) const;
-  template <typename Make>
-  void ReplaceSmoothed(vtkIdType size, const Make& make);
-  template <typename Operator>
-  void AdvanceSmoothed(const Operator& rows);
+  void AdvanceSmoothed(
+    const PointOperator& operation, const PointOperator::User& also = PointOperator::User());
   template <typename Id>
-  void AdvanceSmoothed(const BlockOperator<Id>& rows);
-  template <typename Id>
-  void TakeOriginsOfEdges(const Buffer<Id>& edgeVertices, Buffer<vtkIdType>& next) const;
-  template <typename Id>
-  vtkIdType FindOrigin(const StencilRows<Id>& rows, vtkIdType i) const;
-  template <typename Id>
-  vtkIdType FindOrigin(const TetOctRows<Id>& rows, vtkIdType i) const;
-  template <typename Id>
-  vtkIdType FindEarliest(Row<Id> vertices) const;
+  void FindOrigins(const RingRows<Id>& rows, vtkIdType* origins) const;
   void StartOrigins();
   void AddOriginalIds(vtkPointSet* output) const;
 
@@ -146,28 +124,6 @@ private:
   Buffer<vtkIdType> Origins; ///< the input point whose values each point takes
   Buffer<double> Doubles;    ///< the points, where they are not in double
 };
-
-template <typename Operator, typename Origin>
-void PointArrays::Advance(const Operator& rows, const Origin& origin)
-{
-  this->AdvanceSmoothed(rows);
-  if (this->HasGathered)
-  {
-    Buffer<vtkIdType> next(rows.GetNumberOfRows());
-    ForEach(next.size(), [&](vtkIdType row) { next[row] = this->Origins[origin(row)]; });
-    this->Origins = std::move(next);
-  }
-  this->NumberOfPoints = rows.GetNumberOfRows();
-}
-
-template <typename Id>
-void PointArrays::Project(const SparseRows<Id>& rows)
-{
-  if (rows.GetNumberOfRows() > 0)
-  {
-    this->AdvanceSmoothed(rows);
-  }
-}
 
 }
 

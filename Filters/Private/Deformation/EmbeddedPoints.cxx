@@ -154,7 +154,7 @@ vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
   const auto points = MakeArray(type, 3, embedded.Rows.GetNumberOfRows());
   auto move = [&](auto* to)
   {
-    moved ? embedded.Rows.Apply(moved, to) : embedded.Composed.Apply(control, to, 3);
+    moved ? embedded.Rows.Apply(moved, to, 3) : embedded.Composed.Apply(control, to, 3);
     AddRemainders(embedded, to);
   };
   if (type == VTK_FLOAT)

@@ -53,11 +53,11 @@ TEST(CoreCornerRows, AreTheSameAsSparseRows)
   }
   std::vector<double> found(3 * 30000, -1.);
   std::vector<double> wanted(3 * 30000, -2.);
-  rows.Apply(in.data(), found.data());
+  rows.Apply(in.data(), found.data(), 3);
   sparse.Apply(in.data(), wanted.data(), 3);
   EXPECT_EQ(found, wanted);
   std::vector<float> singles(3 * 30000, -1.F);
-  rows.Apply(in.data(), singles.data());
+  rows.Apply(in.data(), singles.data(), 3);
   for (std::size_t i = 0; i < wanted.size(); ++i)
   {
     ASSERT_EQ(singles[i], static_cast<float>(wanted[i])) << i;

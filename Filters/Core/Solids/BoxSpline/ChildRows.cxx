@@ -15,7 +15,7 @@ template <typename Id>
 class ChildRowsMaker
 {
 public:
-  ChildRowsMaker(const Level<Id>& level, const RowsUser<StencilRows<Id>>& use)
+  ChildRowsMaker(const Level<Id>& level, const typename RingOperator<Id>::RingsUser& use)
     : Complex(level.Complex)
     , Strata(level.Strata)
     , Emitter(level)
@@ -51,7 +51,7 @@ public:
 private:
   void AtVertices(vtkIdType first, vtkIdType last) const
   {
-    RingBlock<Id> rows(false, BlockSize);
+    RingBlock<Id> rows(BoxSplineMasks(), false, BlockSize);
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -70,8 +70,8 @@ private:
   /// Both halves of each edge, and its midpoint.
   void AtEdges(vtkIdType first, vtkIdType last) const
   {
-    RingBlock<Id> edges(true, 2 * BlockSize);
-    RingBlock<Id> vertices(false, BlockSize);
+    RingBlock<Id> edges(BoxSplineMasks(), true, 2 * BlockSize);
+    RingBlock<Id> vertices(BoxSplineMasks(), false, BlockSize);
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -100,7 +100,7 @@ private:
 
   void InFaces(vtkIdType first, vtkIdType last) const
   {
-    RingBlock<Id> rows(true, 3 * BlockSize);
+    RingBlock<Id> rows(BoxSplineMasks(), true, 3 * BlockSize);
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -118,7 +118,7 @@ private:
 
   void OfDiagonals(vtkIdType first, vtkIdType last) const
   {
-    RingBlock<Id> rows(true, BlockSize);
+    RingBlock<Id> rows(BoxSplineMasks(), true, BlockSize);
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -142,9 +142,15 @@ private:
   const RingEmitter<BoxSplineSplit<Id>> Emitter;
   const ChildIds<BoxSplineSplit<Id>> Ids;
   const vtkIdType FirstEdgeRow;
-  const RowsUser<StencilRows<Id>>& Use;
+  const typename RingOperator<Id>::RingsUser& Use;
 };
 
+}
+
+template <typename Id>
+vtkIdType LevelRows<Id>::GetNumberOfColumns() const
+{
+  return this->Level.Complex.NumberOfVertices;
 }
 
 template <typename Id>
@@ -154,24 +160,12 @@ vtkIdType LevelRows<Id>::GetNumberOfRows() const
 }
 
 template <typename Id>
-void LevelRows<Id>::ForRows(const RowsUser<StencilRows<Id>>& use) const
+void LevelRows<Id>::ForRows(const typename RingOperator<Id>::RingsUser& use) const
 {
-  const auto& complex = this->Level.Complex;
   const auto& strata = this->Level.Strata;
-  const vtkIdType vertices = complex.NumberOfVertices;
-  ForKinds<2>({ vertices, complex.NumberOfEdges },
-    [&](std::size_t kind, vtkIdType first, vtkIdType last)
-    {
-      const Rings<Id>& rings = kind == 0 ? strata.VertexRings : strata.EdgeRings;
-      const Stratum* rules = (kind == 0 ? strata.Vertices : strata.Edges).data();
-      ForBlocks(first, last,
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          use({ kind == 1, kind == 0 ? begin : vertices + begin, end - begin, rules + begin,
-            complex.EdgeVertices.data() + (kind == 0 ? 0 : 2 * begin), rings.Offsets.data() + begin,
-            rings.Members.data() });
-        });
-    });
+  ForStoredRows<Id>({ strata.Vertices, strata.Edges, this->Level.Complex.EdgeVertices,
+                      strata.VertexRings, strata.EdgeRings },
+    use);
 }
 
 template <typename Id>
@@ -189,7 +183,7 @@ vtkIdType ChildRows<Id>::GetNumberOfEdges() const
 }
 
 template <typename Id>
-void ChildRows<Id>::ForRows(const RowsUser<StencilRows<Id>>& use) const
+void ChildRows<Id>::ForRows(const typename RingOperator<Id>::RingsUser& use) const
 {
   ChildRowsMaker<Id>(this->Level, use).Run();
 }

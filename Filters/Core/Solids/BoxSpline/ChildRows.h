@@ -14,37 +14,21 @@
 
 #include "Core/Solids/BoxSpline/Stencils.h"
 
-#include <functional>
-
 namespace subdivision
 {
 
-/// Receives a block of rows (StencilRows or TetOctRows). ForRows passes each row exactly once, in
-/// any order and from several threads.
-template <typename Rows>
-using RowsUser = std::function<void(const Rows&)>;
-
-/// An operator that passes its rows block by block to a function.
-template <typename Rows>
-class RowsOnTheFly
-{
-public:
-  virtual ~RowsOnTheFly() = default;
-  virtual vtkIdType GetNumberOfRows() const = 0;
-  virtual void ForRows(const RowsUser<Rows>& use) const = 0;
-};
-
 /// The operator that takes a level to the next.
 template <typename Id>
-class LevelRows : public RowsOnTheFly<StencilRows<Id>>
+class LevelRows : public RingOperator<Id>
 {
 public:
   explicit LevelRows(const subdivision::Level<Id>& level)
     : Level(level)
   {
   }
+  vtkIdType GetNumberOfColumns() const override;
   vtkIdType GetNumberOfRows() const override;
-  void ForRows(const RowsUser<StencilRows<Id>>& use) const override;
+  void ForRows(const typename RingOperator<Id>::RingsUser& use) const override;
 
 private:
   const subdivision::Level<Id>& Level;
@@ -53,7 +37,7 @@ private:
 /// The operator that takes values on the children of `level` to their children. `level` was made
 /// with Depth::ForRefinement, or is the control level.
 template <typename Id>
-class ChildRows : public RowsOnTheFly<StencilRows<Id>>
+class ChildRows : public RingOperator<Id>
 {
 public:
   explicit ChildRows(const subdivision::Level<Id>& level)
@@ -64,11 +48,12 @@ public:
   /// of the edges.
   vtkIdType GetNumberOfVertices() const;
   vtkIdType GetNumberOfEdges() const;
+  vtkIdType GetNumberOfColumns() const override { return this->GetNumberOfVertices(); }
   vtkIdType GetNumberOfRows() const override
   {
     return this->GetNumberOfVertices() + this->GetNumberOfEdges();
   }
-  void ForRows(const RowsUser<StencilRows<Id>>& use) const override;
+  void ForRows(const typename RingOperator<Id>::RingsUser& use) const override;
 
 private:
   const subdivision::Level<Id>& Level;

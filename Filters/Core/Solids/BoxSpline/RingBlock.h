@@ -1,55 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RingBlock.h
- * Makes rows block by block for operators that are not stored, and loops over blocks.
+ * Makes rows block by block for operators that are not stored.
  */
 #ifndef SubdivisionObjects_RingBlock_h
 #define SubdivisionObjects_RingBlock_h
 
-#include "Core/Solids/BoxSpline/Stencils.h"
+#include "Core/Operators/ForBlocks.h"
+#include "Core/Operators/PointOperator.h"
 #include "Core/Solids/Scheme/RingEmitter.h"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
 
 namespace subdivision
 {
-
-/// Simplices whose rows are made together: their rings fit into a core's own cache.
-constexpr vtkIdType BlockSize = 256;
-
-/// block(begin, end) over blocks of at most `size` that cover [begin, end).
-template <typename Block>
-void ForBlocks(vtkIdType begin, vtkIdType end, const Block& block, vtkIdType size = BlockSize)
-{
-  for (; begin < end; begin += size)
-  {
-    block(begin, std::min(begin + size, end));
-  }
-}
-
-/// Calls body(kind, begin, end) for ranges that cover [0, counts[kind]) for each kind. This is one
-/// parallel loop, so that threads do not wait for each other between two kinds.
-template <std::size_t Kinds, typename Body>
-void ForKinds(const std::array<vtkIdType, Kinds>& counts, const Body& body)
-{
-  ForRanges(std::accumulate(counts.begin(), counts.end(), vtkIdType(0)),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (std::size_t kind = 0; kind < Kinds; ++kind)
-      {
-        const vtkIdType first = std::max(begin, vtkIdType(0));
-        const vtkIdType last = std::min(end, counts[kind]);
-        if (first < last)
-        {
-          body(kind, first, last);
-        }
-        begin -= counts[kind];
-        end -= counts[kind];
-      }
-    });
-}
 
 /// A block of at most `capacity` rows that is filled row by row: Reserve, Open, write the members,
 /// Close.
@@ -57,8 +21,9 @@ template <typename Id>
 class RingBlock
 {
 public:
-  RingBlock(bool ofEdges, vtkIdType capacity)
-    : OfEdges(ofEdges)
+  RingBlock(const RingMasks& masks, bool ofEdges, vtkIdType capacity)
+    : Masks(masks)
+    , OfEdges(ofEdges)
     , Strata(capacity)
     , Ends(ofEdges ? 2 * capacity : 0)
     , Offsets(capacity + 1, Id(0))
@@ -94,13 +59,14 @@ public:
   /// The ends of the edge whose row is closed next.
   Id* GetEnds() { return this->Ends.data() + 2 * this->Count; }
 
-  StencilRows<Id> Get() const
+  RingRows<Id> Get() const
   {
-    return { this->OfEdges, this->FirstRow, this->Count, this->Strata.data(), this->Ends.data(),
-      this->Offsets.data(), this->Members.data() };
+    return { &this->Masks, this->OfEdges, this->FirstRow, this->Count, this->Strata.data(),
+      this->Ends.data(), this->Offsets.data(), this->Members.data() };
   }
 
 private:
+  const RingMasks& Masks;
   const bool OfEdges;
   vtkIdType FirstRow = 0;
   vtkIdType Count = 0;

@@ -5,13 +5,12 @@
  * vertices of a level, coordinates or any array, to those at the vertices of the next.
  *
  * Rows are stored as rules and rings without weights, which follow from the rule and the size of
- * the ring (Masks.h). Vertex rows come first, then edge rows. Each row is summed in double, in the
- * order of the ring, and stored in the type of the array.
+ * the ring (Masks.h). Vertex rows come first, then edge rows.
  */
 #ifndef SubdivisionObjects_Stencils_h
 #define SubdivisionObjects_Stencils_h
 
-#include "Core/Memory/Store.h"
+#include "Core/Operators/PointOperator.h"
 #include "Core/Solids/BoxSpline/Refinement.h"
 
 #include <vector>
@@ -28,55 +27,44 @@ struct ExplicitRows
   std::vector<Id> Columns;
   std::vector<double> Weights;
 
-  /// Writes these rows of the result only.
-  template <typename T>
-  void Apply(const T* in, T* out, int components) const;
+  /// Passes all of them.
+  void ForEachBlock(const PointOperator::User& use) const;
 };
 
-/// Consecutive rows, all of vertices or all of edges, as they are summed.
-template <typename Id>
-struct StencilRows
-{
-  bool OfEdges;
-  vtkIdType FirstRow; ///< number of the first row; for a vertex its id
-  vtkIdType Count;
-  const Stratum* Strata;
-  const Id* Ends;    ///< 2 for each edge
-  const Id* Offsets; ///< ring i is Members[Offsets[i] .. Offsets[i + 1])
-  const Id* Members;
+/// The masks of this scheme (Masks.h).
+const RingMasks& BoxSplineMasks();
 
-  Row<Id> GetRing(vtkIdType i) const
+/// The stored rows of an operator, or of a level from which no operator was taken yet.
+template <typename Id>
+struct StoredRows
+{
+  const Buffer<Stratum>& Vertices;
+  const Buffer<Stratum>& Edges;
+  const Buffer<Id>& EdgeVertices;
+  const Rings<Id>& VertexRings;
+  const Rings<Id>& EdgeRings;
+
+  vtkIdType GetNumberOfRows() const { return this->Vertices.size() + this->Edges.size(); }
+  /// The rows of a range of vertices or of edges.
+  RingRows<Id> OfVertices(vtkIdType begin, vtkIdType end) const
   {
-    return { this->Members + this->Offsets[i], this->Members + this->Offsets[i + 1] };
+    return { &BoxSplineMasks(), false, begin, end - begin, this->Vertices.data() + begin, nullptr,
+      this->VertexRings.Offsets.data() + begin, this->VertexRings.Members.data() };
+  }
+  RingRows<Id> OfEdges(vtkIdType begin, vtkIdType end) const
+  {
+    return { &BoxSplineMasks(), true, this->Vertices.size() + begin, end - begin,
+      this->Edges.data() + begin, this->EdgeVertices.data() + 2 * begin,
+      this->EdgeRings.Offsets.data() + begin, this->EdgeRings.Members.data() };
   }
 };
 
-/// out = rows times in, for `components` interleaved values per vertex. Integers are rounded.
-template <typename Id, typename T>
-void SumRows(const StencilRows<Id>& rows, const T* in, T* out, int components);
+/// RingOperator::ForRows for the rows of this scheme.
+template <typename Id>
+void ForStoredRows(const StoredRows<Id>& rows, const typename RingOperator<Id>::RingsUser& use);
 
 template <typename Id>
-template <typename T>
-void ExplicitRows<Id>::Apply(const T* in, T* out, int components) const
-{
-  ForEach(static_cast<vtkIdType>(this->Rows.size()),
-    [&](vtkIdType i)
-    {
-      for (int c = 0; c < components; ++c)
-      {
-        double sum = 0.;
-        for (Id k = this->Offsets[i]; k < this->Offsets[i + 1]; ++k)
-        {
-          sum += this->Weights[k] *
-            static_cast<double>(in[static_cast<vtkIdType>(this->Columns[k]) * components + c]);
-        }
-        out[static_cast<vtkIdType>(this->Rows[i]) * components + c] = Store<T>(sum);
-      }
-    });
-}
-
-template <typename Id>
-struct Stencils
+struct Stencils : RingOperator<Id>
 {
   Buffer<Stratum> Vertices;
   Buffer<Stratum> Edges;
@@ -85,16 +73,20 @@ struct Stencils
   Rings<Id> EdgeRings;
   ExplicitRows<Id> Explicit; ///< semi-sharp creases need them
 
-  vtkIdType GetNumberOfColumns() const { return this->Vertices.size(); }
-  vtkIdType GetNumberOfRows() const { return this->Vertices.size() + this->Edges.size(); }
+  vtkIdType GetNumberOfColumns() const override { return this->Vertices.size(); }
+  vtkIdType GetNumberOfRows() const override { return this->GetStored().GetNumberOfRows(); }
+  void ForRows(const typename RingOperator<Id>::RingsUser& use) const override;
+  void ForEachBlock(const PointOperator::User& use) const override;
   std::size_t GetMemorySize() const;
 
   /// Appends columns and weights of the row that the rule gives, each weight times `factor`.
   void AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& rows) const;
 
-  /// out = S in, as SumRows.
-  template <typename T>
-  void Apply(const T* in, T* out, int components) const;
+private:
+  StoredRows<Id> GetStored() const
+  {
+    return { this->Vertices, this->Edges, this->EdgeVertices, this->VertexRings, this->EdgeRings };
+  }
 };
 
 /// Moves the operator out of a level that is not refined any more. Write its cells first, because

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Limits/LocalLimit.h"
 
+#include "Core/Operators/ForBlocks.h"
 #include "Core/Solids/BoxSpline/Stencils.h"
 #include "Core/Solids/Limits/Restriction.h"
 
@@ -445,22 +446,51 @@ LocalLimit<Id>::LocalLimit(const Level<Id>& control, const SemiSharpStages<Id>& 
   }
 }
 
+/// How many values the even levels, and how many the odd levels have at most. Levels of one kind
+/// use the same memory, as no two of them are needed at a time.
 template <typename Id>
-void LocalLimit<Id>::ApplyInDouble(const double* in, double* out, int components) const
+std::array<vtkIdType, 2> LocalLimit<Id>::GetSizesBetween() const
 {
-  Buffer<double> values;
-  for (const Step& step : this->Steps)
+  std::array<vtkIdType, 2> sizes{ { 0, 0 } };
+  for (std::size_t l = 0; l < this->Steps.size(); ++l)
   {
-    Buffer<double> next(step.Rows.GetNumberOfRows() * components);
-    step.Rows.Apply(&step == &this->Steps[0] ? in : values.data(), next.data(), components);
-    values = std::move(next);
-    Buffer<double> limits(step.Limits.GetNumberOfRows() * components);
-    step.Limits.Apply(values.data(), limits.data(), components);
-    ForEach(limits.size() / components,
-      [&](vtkIdType i)
+    sizes[l % 2] = std::max(sizes[l % 2], this->Steps[l].Rows.GetNumberOfRows());
+  }
+  return sizes;
+}
+
+template <typename Id>
+vtkIdType LocalLimit<Id>::GetNumberBetween() const
+{
+  const auto sizes = this->GetSizesBetween();
+  return sizes[0] + sizes[1];
+}
+
+template <typename Id>
+void LocalLimit<Id>::ForEachBlock(const User& use) const
+{
+  const vtkIdType starts[2] = { 0, this->GetSizesBetween()[0] };
+  for (std::size_t l = 0; l < this->Steps.size(); ++l)
+  {
+    const Step& step = this->Steps[l];
+    ForBlocksInThreads(step.Rows.GetNumberOfRows(),
+      [&](vtkIdType begin, vtkIdType end)
       {
-        std::copy_n(limits.data() + i * components, components,
-          out + static_cast<vtkIdType>(step.Vertices[i]) * components);
+        WeightedRows<Id> rows = step.Rows.GetRows(begin, end);
+        rows.FirstRow += starts[l % 2];
+        rows.ToBetween = true;
+        rows.FromBetween = l > 0;
+        rows.FirstColumn = l > 0 ? starts[(l - 1) % 2] : 0;
+        use(rows);
+      });
+    ForBlocksInThreads(step.Limits.GetNumberOfRows(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        WeightedRows<Id> rows = step.Limits.GetRows(begin, end);
+        rows.Numbers = step.Vertices.data() + begin;
+        rows.FromBetween = true;
+        rows.FirstColumn = starts[l % 2];
+        use(rows);
       });
   }
 }

@@ -15,19 +15,17 @@
 #ifndef SubdivisionObjects_LocalLimit_h
 #define SubdivisionObjects_LocalLimit_h
 
-#include "Core/Memory/Store.h"
 #include "Core/Solids/Limits/LimitStencils.h"
 
 #include <array>
 #include <cmath>
-#include <type_traits>
 #include <vector>
 
 namespace subdivision
 {
 
 template <typename Id>
-class LocalLimit
+class LocalLimit : public PointOperator
 {
 public:
   /**
@@ -44,13 +42,12 @@ public:
     const Buffer<unsigned char>& wanted = Buffer<unsigned char>(), int rings = 1);
 
   /// Control vertices, then midpoints.
-  vtkIdType GetNumberOfRows() const { return this->NumberOfRows; }
-  vtkIdType GetNumberOfColumns() const { return this->NumberOfColumns; }
+  vtkIdType GetNumberOfRows() const override { return this->NumberOfRows; }
+  vtkIdType GetNumberOfColumns() const override { return this->NumberOfColumns; }
 
-  /// Computes `out`, the limits at all wanted vertices, from `in`, values at the control vertices.
-  /// Values of levels between are in double.
-  template <typename T>
-  void Apply(const T* in, T* out, int components) const;
+  /// Values between are those of two levels at a time. Only rows of wanted vertices are passed.
+  vtkIdType GetNumberBetween() const override;
+  void ForEachBlock(const User& use) const override;
 
   /// The same as one operator. A row has one entry for each control vertex with an influence on it.
   SparseRows<Id> BuildRows() const;
@@ -67,7 +64,7 @@ private:
     std::vector<Id> Vertices;
   };
   class Builder;
-  void ApplyInDouble(const double* in, double* out, int components) const;
+  std::array<vtkIdType, 2> GetSizesBetween() const;
 
   vtkIdType NumberOfRows = 0;
   vtkIdType NumberOfColumns = 0;
@@ -80,24 +77,6 @@ inline double GetChordError(const double a[3], const double b[3], const double m
 {
   return std::hypot(
     m[0] - 0.5 * (a[0] + b[0]), m[1] - 0.5 * (a[1] + b[1]), m[2] - 0.5 * (a[2] + b[2]));
-}
-
-template <typename Id>
-template <typename T>
-void LocalLimit<Id>::Apply(const T* in, T* out, int components) const
-{
-  if constexpr (std::is_same<T, double>::value)
-  {
-    this->ApplyInDouble(in, out, components);
-  }
-  else
-  {
-    Buffer<double> values(this->NumberOfColumns * components);
-    ForEach(values.size(), [&](vtkIdType i) { values[i] = static_cast<double>(in[i]); });
-    Buffer<double> limits(this->NumberOfRows * components);
-    this->ApplyInDouble(values.data(), limits.data(), components);
-    ForEach(limits.size(), [&](vtkIdType i) { out[i] = Store<T>(limits[i]); });
-  }
 }
 
 extern template class LocalLimit<int>;

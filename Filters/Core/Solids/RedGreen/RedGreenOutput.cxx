@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/RedGreen/RedGreenOutput.h"
 
+#include "Core/Operators/ForBlocks.h"
 #include "Core/Solids/RedGreen/RedGreenTables.h"
 
 #include "vtkCellType.h"
@@ -300,6 +301,21 @@ void SortRow(GrowingBuffer<Id>& columns, GrowingBuffer<double>& weights, vtkIdTy
 }
 
 template <typename Id>
+void MidpointRows<Id>::ForEachBlock(const User& use) const
+{
+  const vtkIdType given = this->Added.NumberOfColumns;
+  ForRanges(
+    given, [&](vtkIdType begin, vtkIdType end) { use(CopiedRows{ begin, end - begin, begin }); });
+  ForBlocksInThreads(this->Added.GetNumberOfRows(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      WeightedRows<Id> rows = this->Added.GetRows(begin, end);
+      rows.FirstRow += given;
+      use(rows);
+    });
+}
+
+template <typename Id>
 MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
 {
   const Id inputs = state.GetNumberOfInputVertices();
@@ -354,6 +370,7 @@ MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
   template class RedGreenOutput<Id>;                                                               \
   template void RedGreenOutput<Id>::Write(const RedGreenStorage<int>&) const;                      \
   template void RedGreenOutput<Id>::Write(const RedGreenStorage<long long>&) const;                \
+  template struct MidpointRows<Id>;                                                                \
   template MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>&)
 SUBDIVISION_RED_GREEN_OUTPUT(int);
 SUBDIVISION_RED_GREEN_OUTPUT(long long);

@@ -97,23 +97,16 @@ private:
 /// vertices. The weights are multiples of powers of 1/2, and so exact. A row has up to four
 /// entries, or up to seven if the input has midpoints (RedGreen::AddMidpoint).
 template <typename Id>
-struct MidpointRows
+struct MidpointRows : PointOperator
 {
   SparseRows<Id> Added;
 
-  vtkIdType GetNumberOfRows() const
+  vtkIdType GetNumberOfColumns() const override { return this->Added.NumberOfColumns; }
+  vtkIdType GetNumberOfRows() const override
   {
     return this->Added.NumberOfColumns + this->Added.GetNumberOfRows();
   }
-  /// As in SparseRows.
-  template <typename T>
-  void Apply(const T* in, T* out, int components) const
-  {
-    const vtkIdType given = this->Added.NumberOfColumns * components;
-    ForRanges(
-      given, [=](vtkIdType begin, vtkIdType end) { std::copy(in + begin, in + end, out + begin); });
-    this->Added.Apply(in, out + given, components);
-  }
+  void ForEachBlock(const User& use) const override;
 };
 
 template <typename Id>

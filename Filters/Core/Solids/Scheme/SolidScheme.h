@@ -15,7 +15,7 @@
  *    tetrahedra;
  *  - Operator: the rows that take a level to the next, taken out of a level (TakeStencils);
  *  - LevelRows, ChildRows: the rows of a level and of its children, which are made while they are
- *    applied. Both take a level that stays whole (RowsOnTheFly).
+ *    applied. Both take a level that stays whole (RingOperator).
  *
  * **Numbers**
  *  - Traits: a constant SchemeTraits.

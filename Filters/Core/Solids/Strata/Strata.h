@@ -11,26 +11,11 @@
 #define SubdivisionObjects_Strata_h
 
 #include "Core/Rules/Rule.h"
+#include "Core/Rules/Stratum.h"
 #include "Core/Solids/Complex/SimplicialComplex.h"
 
 namespace subdivision
 {
-
-/// The rule of a vertex or edge and its non-manifold type (0 manifold, else 1 to 3), in one byte.
-class Stratum
-{
-public:
-  Stratum() = default;
-  constexpr explicit Stratum(Rule rule, int type = 0)
-    : Code(static_cast<unsigned char>(static_cast<int>(rule) | type << 4))
-  {
-  }
-  constexpr Rule GetRule() const { return static_cast<Rule>(this->Code & 15); }
-  constexpr int GetType() const { return this->Code >> 4; }
-
-private:
-  unsigned char Code;
-};
 
 /// Singular simplices: a flag for each vertex, edge and face; an empty buffer means none.
 struct SingularSimplices

@@ -16,7 +16,7 @@ class TetOctRowsMaker
 {
 public:
   TetOctRowsMaker(const TetOctLevel<Id>& level, vtkIdType vertices, vtkIdType edges,
-    const RowsUser<TetOctRows<Id>>& use)
+    const typename RingOperator<Id>::RingsUser& use)
     : Level(level)
     , Complex(level.Complex)
     , Strata(level.Strata)
@@ -60,7 +60,7 @@ private:
   {
     const Rings<Id>& rings = this->Strata.VertexRings;
     const vtkIdType control = this->Level.NumberOfControlVertices;
-    RingBlock<Id> rows(false, BlockSize);
+    RingBlock<Id> rows(TetOctMasks(), false, BlockSize);
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -76,15 +76,18 @@ private:
         // TetsAtSpokes are the same on all levels.
         const Id* tets =
           begin < control ? this->Level.TetsAtSpokes->data() + rings.Offsets[begin] : nullptr;
-        this->Use(TetOctRows<Id>{ rows.Get(), false, control - begin, tets });
+        RingRows<Id> block = rows.Get();
+        block.NumberOfCounted = control - begin;
+        block.Counts = tets;
+        this->Use(block);
       });
   }
 
   /// Both halves of each edge, and its midpoint.
   void AtEdges(vtkIdType first, vtkIdType last) const
   {
-    RingBlock<Id> edges(true, 2 * BlockSize);
-    RingBlock<Id> vertices(false, BlockSize);
+    RingBlock<Id> edges(TetOctMasks(), true, 2 * BlockSize);
+    RingBlock<Id> vertices(TetOctMasks(), false, BlockSize);
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -106,14 +109,14 @@ private:
             edges.Close(halves[half], this->Strata.Edges[e]);
           }
         }
-        this->Use({ edges.Get() });
-        this->Use({ vertices.Get() });
+        this->Use(edges.Get());
+        this->Use(vertices.Get());
       });
   }
 
   void InFaces(vtkIdType first, vtkIdType last) const
   {
-    RingBlock<Id> rows(true, 3 * BlockSize);
+    RingBlock<Id> rows(TetOctMasks(), true, 3 * BlockSize);
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -125,7 +128,7 @@ private:
           InFaceRows<TetOctSplit<Id>> rings(this->Emitter, f, rows);
           this->Emitter.EmitInFace(f, rings);
         }
-        this->Use({ rows.Get() });
+        this->Use(rows.Get());
       });
   }
 
@@ -156,8 +159,8 @@ private:
   void InOctahedra(vtkIdType first, vtkIdType last) const
   {
     constexpr vtkIdType blockSize = BlockSize / 8; // each has many rows
-    RingBlock<Id> spokes(true, 12 * blockSize);
-    RingBlock<Id> vertices(false, blockSize);
+    RingBlock<Id> spokes(TetOctMasks(), true, 12 * blockSize);
+    RingBlock<Id> vertices(TetOctMasks(), false, blockSize);
     Buffer<Id> octs(36 * blockSize);
     ForBlocks(
       first, last,
@@ -192,8 +195,8 @@ private:
             }
           }
         }
-        this->Use({ spokes.Get() });
-        this->Use({ vertices.Get() });
+        this->Use(spokes.Get());
+        this->Use(vertices.Get());
         this->UseCentres(this->Ids.template ChildOf<OctShape, OctShape>(firstOct, 0),
           6 * (end - begin), octs.data());
       },
@@ -202,9 +205,8 @@ private:
 
   void UseCentres(vtkIdType first, vtkIdType count, const Id* octs) const
   {
-    this->Use({ StencilRows<Id>{
-                  false, this->FirstCentreRow + first, count, nullptr, nullptr, nullptr, octs },
-      true });
+    this->Use({ &TetOctMasks(), false, this->FirstCentreRow + first, count, nullptr, nullptr,
+      nullptr, octs, true });
   }
 
   const TetOctLevel<Id>& Level;
@@ -214,7 +216,7 @@ private:
   const ChildIds<TetOctSplit<Id>> Ids;
   const vtkIdType FirstEdgeRow;
   const vtkIdType FirstCentreRow;
-  const RowsUser<TetOctRows<Id>>& Use;
+  const typename RingOperator<Id>::RingsUser& Use;
 };
 
 }
@@ -228,20 +230,9 @@ TetOctLevelRows<Id>::TetOctLevelRows(const TetOctLevel<Id>& level)
 }
 
 template <typename Id>
-void TetOctLevelRows<Id>::ForRows(const RowsUser<TetOctRows<Id>>& use) const
+void TetOctLevelRows<Id>::ForRows(const typename RingOperator<Id>::RingsUser& use) const
 {
-  const StoredTetOctRows<Id>& rows = this->Stored;
-  ForKinds<3>({ rows.Vertices.size(), rows.Edges.size(), rows.GetNumberOfCentres() },
-    [&](std::size_t kind, vtkIdType first, vtkIdType last)
-    {
-      ForBlocks(first, last,
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          use(kind == 0   ? rows.OfVertices(begin, end)
-              : kind == 1 ? rows.OfEdges(begin, end)
-                          : rows.OfCentres(begin, end));
-        });
-    });
+  this->Stored.ForRows(use);
 }
 
 template <typename Id>
@@ -266,7 +257,7 @@ vtkIdType TetOctChildRows<Id>::GetNumberOfRows() const
 }
 
 template <typename Id>
-void TetOctChildRows<Id>::ForRows(const RowsUser<TetOctRows<Id>>& use) const
+void TetOctChildRows<Id>::ForRows(const typename RingOperator<Id>::RingsUser& use) const
 {
   TetOctRowsMaker<Id>(this->Level, this->GetNumberOfVertices(), this->GetNumberOfEdges(), use)
     .Run();

@@ -15,12 +15,13 @@ namespace subdivision
 
 /// The operator that takes the level to the next.
 template <typename Id>
-class TetOctLevelRows : public RowsOnTheFly<TetOctRows<Id>>
+class TetOctLevelRows : public RingOperator<Id>
 {
 public:
   explicit TetOctLevelRows(const TetOctLevel<Id>& level);
+  vtkIdType GetNumberOfColumns() const override { return this->Stored.Vertices.size(); }
   vtkIdType GetNumberOfRows() const override { return this->Stored.GetNumberOfRows(); }
-  void ForRows(const RowsUser<TetOctRows<Id>>& use) const override;
+  void ForRows(const typename RingOperator<Id>::RingsUser& use) const override;
 
 private:
   const StoredTetOctRows<Id> Stored;
@@ -29,7 +30,7 @@ private:
 /// The operator that takes values on the children of `level` to their children. `level` was made
 /// with Depth::ForRefinement, or is the control level.
 template <typename Id>
-class TetOctChildRows : public RowsOnTheFly<TetOctRows<Id>>
+class TetOctChildRows : public RingOperator<Id>
 {
 public:
   explicit TetOctChildRows(const TetOctLevel<Id>& level)
@@ -40,8 +41,9 @@ public:
   /// of the edges, then those of the octahedron centres.
   vtkIdType GetNumberOfVertices() const;
   vtkIdType GetNumberOfEdges() const;
+  vtkIdType GetNumberOfColumns() const override { return this->GetNumberOfVertices(); }
   vtkIdType GetNumberOfRows() const override;
-  void ForRows(const RowsUser<TetOctRows<Id>>& use) const override;
+  void ForRows(const typename RingOperator<Id>::RingsUser& use) const override;
 
 private:
   const TetOctLevel<Id>& Level;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/TetOct/TetOctStencils.h"
 
-#include "Core/Memory/ScalarTypes.h"
-#include "Core/Memory/Store.h"
+#include "Core/Operators/ForBlocks.h"
 #include "Core/Solids/TetOct/TetOctMasks.h"
 
-#include <cmath>
 #include <numeric>
 
 namespace subdivision
@@ -15,7 +13,7 @@ namespace
 
 /// A row with all its weights, for where speed does not matter.
 template <typename Id>
-void AppendWeighted(const TetOctRows<Id>& rows, vtkIdType i, ExplicitRows<Id>& out)
+void AppendWeighted(const RingRows<Id>& rows, vtkIdType i, ExplicitRows<Id>& out)
 {
   auto append = [&out](Id column, double weight)
   {
@@ -35,9 +33,9 @@ void AppendWeighted(const TetOctRows<Id>& rows, vtkIdType i, ExplicitRows<Id>& o
     return;
   }
   const Id own = static_cast<Id>(rows.FirstRow + i);
-  if (rows.IsControlSolid(i))
+  if (rows.HasCounts(i))
   {
-    const Id* tets = rows.TetsAtSpokes + rows.Offsets[i];
+    const Id* tets = rows.Counts + rows.Offsets[i];
     const double all = std::accumulate(tets, tets + ring.size(), 0.) / 3.;
     append(own, tetoct::TetVertexOwn);
     for (Id member : ring)
@@ -64,243 +62,36 @@ void AppendWeighted(const TetOctRows<Id>& rows, vtkIdType i, ExplicitRows<Id>& o
   }
 }
 
-/// Rows for N components; N = 0 when their number is known at run time only.
-template <int N, typename Id, typename T>
-class RowSums
-{
-public:
-  RowSums(const TetOctRows<Id>& rows, const T* in, T* out, int components)
-    : Rows(rows)
-    , In(in)
-    , Out(out + rows.FirstRow * (N == 0 ? components : N))
-    , Components(N == 0 ? components : N)
-    , Values(N == 0 ? components : 0)
-    , Partial(N == 0 ? components : 0)
-  {
-  }
-
-  void PutVertex(vtkIdType i)
-  {
-    const Row<Id> ring = this->Rows.GetRing(i);
-    const T* own = this->At(this->Rows.FirstRow + i);
-    if (this->Rows.IsControlSolid(i))
-    {
-      this->PutControlSolid(i, own, ring);
-      return;
-    }
-    const Rule rule = this->Rows.Strata[i].GetRule();
-    double* sum = this->Sum();
-    if (rule == Rule::RegularEdge) // most vertices by far
-    {
-      for (int c = 0; c < this->Size(); ++c)
-      {
-        sum[c] = RegularVertexMask.Own * static_cast<double>(own[c]);
-      }
-      this->template AddRegularPart<12>(RegularVertexMask.Weights[0], ring.begin());
-      this->template AddRegularPart<6>(RegularVertexMask.Weights[1], ring.begin() + 12);
-      this->Put(i);
-      return;
-    }
-    const PartedMask mask = TetOctVertexMask(rule, ring.size());
-    if (mask.Own == 1.) // do not read the ring: 0 times a value that is not finite is not 0
-    {
-      std::copy(own, own + this->Size(), this->Out + i * this->Size());
-      return;
-    }
-    for (int c = 0; c < this->Size(); ++c)
-    {
-      sum[c] = mask.Own * static_cast<double>(own[c]);
-    }
-    this->AddParts(mask, ring);
-    this->Put(i);
-  }
-
-  void PutEdge(vtkIdType i)
-  {
-    const Row<Id> ring = this->Rows.GetRing(i);
-    const Rule rule = this->Rows.Strata[i].GetRule();
-    if (rule == Rule::RegularEdge) // most edges by far
-    {
-      this->AddEnds(i, RegularEdgeMask.Own);
-      this->template AddRegularPart<4>(RegularEdgeMask.Weights[0], ring.begin());
-      this->template AddRegularPart<4>(RegularEdgeMask.Weights[1], ring.begin() + 4);
-    }
-    else
-    {
-      const PartedMask mask = TetOctEdgeMask(rule, ring.size());
-      this->AddEnds(i, mask.Own);
-      this->AddParts(mask, ring);
-    }
-    this->Put(i);
-  }
-
-  void PutCentre(vtkIdType i)
-  {
-    double* sum = this->Sum();
-    std::fill_n(sum, this->Size(), 0.);
-    this->template AddRegularPart<6>(1. / 6., this->Rows.Members + 6 * i);
-    this->Put(i);
-  }
-
-private:
-  int Size() const { return N == 0 ? this->Components : N; }
-  double* Sum() { return N == 0 ? this->Values.data() : this->FixedValues; }
-  const T* At(vtkIdType column) const { return this->In + column * this->Size(); }
-
-  void PutControlSolid(vtkIdType i, const T* own, Row<Id> ring)
-  {
-    double* sum = this->Sum();
-    const Id* tets = this->Rows.TetsAtSpokes + this->Rows.Offsets[i];
-    double all = 0.;
-    for (vtkIdType k = 0; k < ring.size(); ++k)
-    {
-      all += static_cast<double>(tets[k]) / 3.;
-    }
-    for (int c = 0; c < this->Size(); ++c)
-    {
-      sum[c] = tetoct::TetVertexOwn * static_cast<double>(own[c]);
-    }
-    for (vtkIdType k = 0; k < ring.size(); ++k)
-    {
-      const double weight = tetoct::TetVertexOther * static_cast<double>(tets[k]) / all;
-      const T* value = this->At(ring.begin()[k]);
-      for (int c = 0; c < this->Size(); ++c)
-      {
-        sum[c] += weight * static_cast<double>(value[c]);
-      }
-    }
-    this->Put(i);
-  }
-
-  /// Starts the sum of an edge's row.
-  void AddEnds(vtkIdType i, double weight)
-  {
-    const T* first = this->At(this->Rows.Ends[2 * i]);
-    const T* second = this->At(this->Rows.Ends[2 * i + 1]);
-    double* sum = this->Sum();
-    for (int c = 0; c < this->Size(); ++c)
-    {
-      sum[c] = weight * (static_cast<double>(first[c]) + static_cast<double>(second[c]));
-    }
-  }
-
-  /// As AddPart, of a size that the compiler knows.
-  template <int Count>
-  void AddRegularPart(double weight, const Id* members)
-  {
-    double* sum = this->Sum();
-    for (int c = 0; c < this->Size(); ++c)
-    {
-      double partial = 0.;
-      for (int i = 0; i < Count; ++i)
-      {
-        partial += static_cast<double>(this->At(members[i])[c]);
-      }
-      sum[c] += weight * partial;
-    }
-  }
-
-  void AddParts(const PartedMask& mask, Row<Id> ring)
-  {
-    const Id* first = ring.begin();
-    for (int part = 0; part < mask.Parts; ++part)
-    {
-      const Id* last = first + mask.Sizes[part];
-      if (mask.Weights[part] != 0.)
-      {
-        this->AddPart(mask.Weights[part], first, last);
-      }
-      first = last;
-    }
-  }
-
-  void AddPart(double weight, const Id* first, const Id* last)
-  {
-    double* sum = this->Sum();
-    double* partial = N == 0 ? this->Partial.data() : this->FixedPartial;
-    std::fill_n(partial, this->Size(), 0.);
-    for (const Id* member = first; member != last; ++member)
-    {
-      const T* value = this->At(*member);
-      for (int c = 0; c < this->Size(); ++c)
-      {
-        partial[c] += static_cast<double>(value[c]);
-      }
-    }
-    for (int c = 0; c < this->Size(); ++c)
-    {
-      sum[c] += weight * partial[c];
-    }
-  }
-
-  /// A row whose plain sum overflows is weighted term by term, so that finite values give a finite
-  /// mean.
-  void Put(vtkIdType i)
-  {
-    const double* sum = this->Sum();
-    T* result = this->Out + i * this->Size();
-    for (int c = 0; c < this->Size(); ++c)
-    {
-      result[c] = Store<T>(std::isfinite(sum[c]) ? sum[c] : this->SumTermByTerm(i, c));
-    }
-  }
-
-  double SumTermByTerm(vtkIdType i, int component) const
-  {
-    ExplicitRows<Id> terms;
-    AppendWeighted(this->Rows, i, terms);
-    double sum = 0.;
-    for (std::size_t k = 0; k < terms.Columns.size(); ++k)
-    {
-      sum += terms.Weights[k] * static_cast<double>(this->At(terms.Columns[k])[component]);
-    }
-    return sum;
-  }
-
-  const TetOctRows<Id>& Rows;
-  const T* In;
-  T* Out;
-  const int Components;
-  double FixedValues[N == 0 ? 1 : N];
-  double FixedPartial[N == 0 ? 1 : N];
-  std::vector<double> Values;
-  std::vector<double> Partial;
-};
-
-template <int N, typename Id, typename T>
-void SumRowsOf(const TetOctRows<Id>& rows, const T* in, T* out, int components)
-{
-  RowSums<N, Id, T> sums(rows, in, out, components);
-  if (rows.OfCentres)
-  {
-    for (vtkIdType i = 0; i < rows.Count; ++i)
-    {
-      sums.PutCentre(i);
-    }
-  }
-  else if (rows.OfEdges)
-  {
-    for (vtkIdType i = 0; i < rows.Count; ++i)
-    {
-      sums.PutEdge(i);
-    }
-  }
-  else
-  {
-    for (vtkIdType i = 0; i < rows.Count; ++i)
-    {
-      sums.PutVertex(i);
-    }
-  }
 }
 
+const RingMasks& TetOctMasks()
+{
+  auto vertexMask = [](Rule rule, vtkIdType size)
+  {
+    // The least ring of an inner vertex with d = 3 has 5 members.
+    return rule == Rule::Solid && size < 5 ? MakeParted({ 1., 0. }, size)
+                                           : TetOctVertexMask(rule, size);
+  };
+  static const RingMasks masks{ MaskTables<PartedMask>{ MaskTable<PartedMask>(vertexMask),
+                                  MaskTable<PartedMask>(TetOctEdgeMask) },
+    tetoct::TetVertexOwn, tetoct::TetVertexOther };
+  return masks;
 }
 
-template <typename Id, typename T>
-void SumRows(const TetOctRows<Id>& rows, const T* in, T* out, int components)
+template <typename Id>
+void StoredTetOctRows<Id>::ForRows(const typename RingOperator<Id>::RingsUser& use) const
 {
-  ForComponents<T>(
-    components, [&](auto size) { SumRowsOf<decltype(size)::value>(rows, in, out, components); });
+  ForKinds<3>({ this->Vertices.size(), this->Edges.size(), this->GetNumberOfCentres() },
+    [&](std::size_t kind, vtkIdType first, vtkIdType last)
+    {
+      ForBlocks(first, last,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          use(kind == 0   ? this->OfVertices(begin, end)
+              : kind == 1 ? this->OfEdges(begin, end)
+                          : this->OfCentres(begin, end));
+        });
+    });
 }
 
 template <typename Id>
@@ -321,17 +112,23 @@ void TetOctStencils<Id>::AppendRow(vtkIdType row, double factor, ExplicitRows<Id
 }
 
 template <typename Id>
-template <typename T>
-void TetOctStencils<Id>::Apply(const T* in, T* out, int components) const
+void TetOctStencils<Id>::ForRows(const typename RingOperator<Id>::RingsUser& use) const
 {
   const StoredTetOctRows<Id> rows = this->GetRows();
-  ForRanges(this->Vertices.size(), [&](vtkIdType begin, vtkIdType end)
-    { SumRows(rows.OfVertices(begin, end), in, out, components); });
-  ForRanges(this->Edges.size(), [&](vtkIdType begin, vtkIdType end)
-    { SumRows(rows.OfEdges(begin, end), in, out, components); });
-  ForRanges(rows.GetNumberOfCentres(), [&](vtkIdType begin, vtkIdType end)
-    { SumRows(rows.OfCentres(begin, end), in, out, components); });
-  this->Explicit.Apply(in, out, components);
+  ForKinds<3>({ rows.Vertices.size(), rows.Edges.size(), rows.GetNumberOfCentres() },
+    [&](std::size_t kind, vtkIdType begin, vtkIdType end)
+    {
+      use(kind == 0   ? rows.OfVertices(begin, end)
+          : kind == 1 ? rows.OfEdges(begin, end)
+                      : rows.OfCentres(begin, end));
+    });
+}
+
+template <typename Id>
+void TetOctStencils<Id>::ForEachBlock(const PointOperator::User& use) const
+{
+  RingOperator<Id>::ForEachBlock(use);
+  this->Explicit.ForEachBlock(use);
 }
 
 template <typename Id>
@@ -361,14 +158,11 @@ TetOctStencils<Id> TakeStencils(TetOctLevel<Id>& level)
   return stencils;
 }
 
-#define SUBDIVISION_APPLY(Id, T)                                                                   \
-  template void TetOctStencils<Id>::Apply(const T*, T*, int) const;                                \
-  template void SumRows(const TetOctRows<Id>&, const T*, T*, int)
-#define SUBDIVISION_STENCILS(Id)                                                                   \
-  template struct TetOctStencils<Id>;                                                              \
-  template TetOctStencils<Id> TakeStencils(TetOctLevel<Id>&);                                      \
-  SUBDIVISION_FOR_SCALARS(SUBDIVISION_APPLY, Id)
-SUBDIVISION_STENCILS(int);
-SUBDIVISION_STENCILS(long long);
+template struct StoredTetOctRows<int>;
+template struct StoredTetOctRows<long long>;
+template struct TetOctStencils<int>;
+template struct TetOctStencils<long long>;
+template TetOctStencils<int> TakeStencils(TetOctLevel<int>&);
+template TetOctStencils<long long> TakeStencils(TetOctLevel<long long>&);
 
 }

@@ -15,32 +15,8 @@
 namespace subdivision
 {
 
-/// A view of consecutive rows, all of vertices, of edges, or of octahedron centres.
-template <typename Id>
-struct TetOctRows : StencilRows<Id>
-{
-  /// If true, each ring is the six vertices of an octahedron, and Strata and Offsets are null.
-  bool OfCentres = false;
-  /// For rows of vertices: the first rows up to this number belong to control vertices. Their
-  /// weights depend on the number of tetrahedra at each edge, which TetsAtSpokes has for each
-  /// member of their rings.
-  vtkIdType NumberOfControlVertices = 0;
-  const Id* TetsAtSpokes = nullptr;
-
-  Row<Id> GetRing(vtkIdType i) const
-  {
-    return this->OfCentres ? Row<Id>{ this->Members + 6 * i, this->Members + 6 * (i + 1) }
-                           : StencilRows<Id>::GetRing(i);
-  }
-  bool IsControlSolid(vtkIdType i) const
-  {
-    return i < this->NumberOfControlVertices && this->Strata[i].GetRule() == Rule::Solid;
-  }
-};
-
-/// out = rows times in, as of other rows.
-template <typename Id, typename T>
-void SumRows(const TetOctRows<Id>& rows, const T* in, T* out, int components);
+/// The masks of this scheme (TetOctMasks.h).
+const RingMasks& TetOctMasks();
 
 /// The stored rows of an operator, or of a level from which no operator was taken yet.
 template <typename Id>
@@ -62,28 +38,29 @@ struct StoredTetOctRows
   vtkIdType GetNumberOfCentres() const { return this->OctVertices.size() / 6; }
 
   /// The rows of a range of vertices, of edges, or of octahedron centres.
-  TetOctRows<Id> OfVertices(vtkIdType begin, vtkIdType end) const
+  RingRows<Id> OfVertices(vtkIdType begin, vtkIdType end) const
   {
-    return { StencilRows<Id>{ false, begin, end - begin, this->Vertices.data() + begin, nullptr,
-               this->VertexRings.Offsets.data() + begin, this->VertexRings.Members.data() },
-      false, this->NumberOfControlVertices - begin, this->TetsAtSpokes.data() };
+    return { &TetOctMasks(), false, begin, end - begin, this->Vertices.data() + begin, nullptr,
+      this->VertexRings.Offsets.data() + begin, this->VertexRings.Members.data(), false,
+      this->NumberOfControlVertices - begin, this->TetsAtSpokes.data() };
   }
-  TetOctRows<Id> OfEdges(vtkIdType begin, vtkIdType end) const
+  RingRows<Id> OfEdges(vtkIdType begin, vtkIdType end) const
   {
-    return { StencilRows<Id>{ true, this->Vertices.size() + begin, end - begin,
+    return { &TetOctMasks(), true, this->Vertices.size() + begin, end - begin,
       this->Edges.data() + begin, this->EdgeVertices.data() + 2 * begin,
-      this->EdgeRings.Offsets.data() + begin, this->EdgeRings.Members.data() } };
+      this->EdgeRings.Offsets.data() + begin, this->EdgeRings.Members.data() };
   }
-  TetOctRows<Id> OfCentres(vtkIdType begin, vtkIdType end) const
+  RingRows<Id> OfCentres(vtkIdType begin, vtkIdType end) const
   {
-    return { StencilRows<Id>{ false, this->Vertices.size() + this->Edges.size() + begin,
-               end - begin, nullptr, nullptr, nullptr, this->OctVertices.data() + 6 * begin },
-      true };
+    return { &TetOctMasks(), false, this->Vertices.size() + this->Edges.size() + begin, end - begin,
+      nullptr, nullptr, nullptr, this->OctVertices.data() + 6 * begin, true };
   }
+  /// As RingOperator::ForRows.
+  void ForRows(const typename RingOperator<Id>::RingsUser& use) const;
 };
 
 template <typename Id>
-struct TetOctStencils
+struct TetOctStencils : RingOperator<Id>
 {
   Buffer<Stratum> Vertices;
   Buffer<Stratum> Edges;
@@ -100,16 +77,14 @@ struct TetOctStencils
     return { this->Vertices, this->Edges, this->EdgeVertices, this->OctVertices, this->VertexRings,
       this->EdgeRings, *this->TetsAtSpokes, this->NumberOfControlVertices };
   }
-  vtkIdType GetNumberOfColumns() const { return this->Vertices.size(); }
-  vtkIdType GetNumberOfRows() const { return this->GetRows().GetNumberOfRows(); }
+  vtkIdType GetNumberOfColumns() const override { return this->Vertices.size(); }
+  vtkIdType GetNumberOfRows() const override { return this->GetRows().GetNumberOfRows(); }
+  void ForRows(const typename RingOperator<Id>::RingsUser& use) const override;
+  void ForEachBlock(const PointOperator::User& use) const override;
   std::size_t GetMemorySize() const;
 
   /// Appends columns and weights of the row that rule and ring give, each weight times `factor`.
   void AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& rows) const;
-
-  /// out = S in, for `components` interleaved values per vertex. Integers are rounded.
-  template <typename T>
-  void Apply(const T* in, T* out, int components) const;
 };
 
 /// Takes the operator out of a level that is not refined any more; write its cells first.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeRows.h"
 
+#include "Core/Operators/ForBlocks.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeMasks.h"
 
@@ -484,38 +485,72 @@ void AdaptiveSqrtThreeRows<Id>::AddThirdTangent(Id vertex, LimitKind kind, RowBl
   }
 }
 
+// ------------------------------------------------------------------------------------------------
+// The operator
+
+/// Passes the rows of values between.
 template <typename Id>
-Buffer<double> AdaptiveSqrtThreeLimit<Id>::GetValues(const Buffer<double>& in, int components) const
+void AdaptiveSqrtThreeLimit<Id>::ForEachBlockBetween(const User& use) const
 {
-  constexpr vtkIdType block = 256;
-  Buffer<double> values(2 * this->GetNumberOfRows() * components);
   for (std::size_t level = 0; level + 1 < this->Levels.size(); ++level)
   {
-    const double* from = level == 0 ? in.data() : values.data();
     const vtkIdType first = this->Levels[level];
     ForRanges(this->Levels[level + 1] - first,
-      [&](vtkIdType begin, vtkIdType end)
+      [&](vtkIdType from, vtkIdType to)
       {
-        RowBlock<Id> rows;
-        for (vtkIdType v = first + begin; v < first + end; v += block)
-        {
-          rows.Clear();
-          for (vtkIdType i = v; i < std::min(first + end, v + block); ++i)
+        RowBlock<Id> block;
+        ForBlocks(first + from, first + to,
+          [&](vtkIdType begin, vtkIdType end)
           {
-            this->Rows.AppendVertex(static_cast<Id>(i), rows);
-          }
-          ApplyRows(rows, from, values.data() + 2 * v * components, components);
-        }
+            block.Clear();
+            for (vtkIdType v = begin; v < end; ++v)
+            {
+              this->Rows.AppendVertex(static_cast<Id>(v), block);
+            }
+            WeightedRows<Id> rows = block.GetRows(2 * begin);
+            rows.FromBetween = level > 0;
+            rows.ToBetween = true;
+            use(rows);
+          });
       });
   }
-  return values;
+}
+
+template <typename Id>
+void AdaptiveSqrtThreeLimit<Id>::ForEachBlock(const User& use) const
+{
+  this->ForEachBlockBetween(use);
+  ForRanges(this->GetNumberOfRows(),
+    [&](vtkIdType from, vtkIdType to)
+    {
+      RowBlock<Id> block;
+      ForBlocks(from, to,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          block.Clear();
+          for (vtkIdType v = begin; v < end; ++v)
+          {
+            block.Add(2 * v + 1, 1.);
+            block.EndRow();
+          }
+          WeightedRows<Id> rows = block.GetRows(begin);
+          rows.FromBetween = true;
+          use(rows);
+        });
+    });
 }
 
 template <typename Id>
 void AdaptiveSqrtThreeLimit<Id>::FindTangents(
   const Buffer<double>& in, TangentPairs& tangents) const
 {
-  const Buffer<double> values = this->GetValues(in, 3);
+  Buffer<double> values(3 * this->GetNumberBetween());
+  this->ForEachBlockBetween(
+    [&](const RowsView& view)
+    {
+      const bool fromBetween = std::get<WeightedRows<Id>>(view).FromBetween;
+      SumRows(view, fromBetween ? values.data() : in.data(), values.data(), 3);
+    });
   const vtkIdType given = this->GetNumberOfColumns();
   ForRanges(this->GetNumberOfRows(),
     [&](vtkIdType begin, vtkIdType end)
@@ -529,7 +564,7 @@ void AdaptiveSqrtThreeLimit<Id>::FindTangents(
           rows.Clear();
           this->Rows.AppendTangent(
             static_cast<Id>(v), t == 0 ? LimitKind::Tangent1 : LimitKind::Tangent2, rows);
-          rows.template Apply<3>(points, tangents.Values[t].data() + 3 * v, 3);
+          rows.Apply(points, tangents.Values[t].data() + 3 * v, 3);
           tangents.Errors[v] += GetTangentError(rows, 0, points, DoubleUnit);
         }
       }

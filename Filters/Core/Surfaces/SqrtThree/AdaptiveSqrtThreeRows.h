@@ -83,7 +83,7 @@ private:
 /// be numbered level by level (AdaptiveSqrtThreeOutput); `levels` has the first one of each level,
 /// and their number at the end.
 template <typename Id>
-class AdaptiveSqrtThreeLimit
+class AdaptiveSqrtThreeLimit : public PointOperator
 {
 public:
   AdaptiveSqrtThreeLimit(const AdaptiveSqrtThreeRows<Id>& rows, std::vector<Id> levels)
@@ -91,55 +91,21 @@ public:
     , Levels(std::move(levels))
   {
   }
-  vtkIdType GetNumberOfColumns() const { return this->Levels[1]; }
-  vtkIdType GetNumberOfRows() const { return this->Levels.back(); }
+  vtkIdType GetNumberOfColumns() const override { return this->Levels[1]; }
+  vtkIdType GetNumberOfRows() const override { return this->Levels.back(); }
+  /// Both values of each vertex.
+  vtkIdType GetNumberBetween() const override { return 2 * this->GetNumberOfRows(); }
+  void ForEachBlock(const User& use) const override;
 
-  /// What is between is in double.
-  template <typename T>
-  void Apply(const T* in, T* out, int components) const;
   /// Tangents instead of positions, of three coordinates for each control vertex.
   void FindTangents(const Buffer<double>& in, TangentPairs& tangents) const;
 
 private:
-  Buffer<double> GetValues(const Buffer<double>& in, int components) const;
+  void ForEachBlockBetween(const User& use) const;
 
   const AdaptiveSqrtThreeRows<Id>& Rows;
   std::vector<Id> Levels;
 };
-
-template <typename Id>
-template <typename T>
-void AdaptiveSqrtThreeLimit<Id>::Apply(const T* in, T* out, int components) const
-{
-  Buffer<double> control(this->GetNumberOfColumns() * components);
-  ForEach(control.size(), [&](vtkIdType i) { control[i] = static_cast<double>(in[i]); });
-  const Buffer<double> values = this->GetValues(control, components);
-  ForEach(this->GetNumberOfRows(),
-    [&](vtkIdType v)
-    {
-      for (int c = 0; c < components; ++c)
-      {
-        out[v * components + c] = Store<T>(values[(2 * v + 1) * components + c]);
-      }
-    });
-}
-
-/// The rows of a block on values, as in RowBlock.
-template <typename Id>
-void ApplyRows(const RowBlock<Id>& rows, const double* in, double* out, int components)
-{
-  switch (components)
-  {
-    case 1:
-      rows.template Apply<1>(in, out, 1);
-      return;
-    case 3:
-      rows.template Apply<3>(in, out, 3);
-      return;
-    default:
-      rows.template Apply<0>(in, out, components);
-  }
-}
 
 }
 

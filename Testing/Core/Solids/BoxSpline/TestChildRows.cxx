@@ -27,12 +27,12 @@ struct RowContent
 };
 
 /// All rows in order; fails when one is not handed over exactly once.
-std::vector<RowContent> Collect(const RowsOnTheFly<StencilRows<int>>& operation, vtkIdType vertices)
+std::vector<RowContent> Collect(const RingOperator<int>& operation, vtkIdType vertices)
 {
   std::vector<RowContent> all(operation.GetNumberOfRows());
   std::mutex mutex;
   operation.ForRows(
-    [&](const StencilRows<int>& rows)
+    [&](const RingRows<int>& rows)
     {
       const std::lock_guard<std::mutex> lock(mutex);
       for (vtkIdType i = 0; i < rows.Count; ++i)

@@ -3,6 +3,7 @@
 // stores.
 #include "TetOctTools.h"
 
+#include "Core/Operators/ApplyRows.h"
 #include "Core/Solids/TetOct/TetOctChildRows.h"
 
 #include <gtest/gtest.h>
@@ -31,12 +32,12 @@ struct RowContent
 };
 
 /// All rows in order; fails when one is not handed over exactly once.
-std::vector<RowContent> Collect(const RowsOnTheFly<TetOctRows<int>>& operation)
+std::vector<RowContent> Collect(const RingOperator<int>& operation)
 {
   std::vector<RowContent> all(operation.GetNumberOfRows());
   std::mutex mutex;
   operation.ForRows(
-    [&](const TetOctRows<int>& rows)
+    [&](const RingRows<int>& rows)
     {
       const std::lock_guard<std::mutex> lock(mutex);
       for (vtkIdType i = 0; i < rows.Count; ++i)
@@ -57,9 +58,9 @@ std::vector<RowContent> Collect(const RowsOnTheFly<TetOctRows<int>>& operation)
         {
           row.Ends.assign(rows.Ends + 2 * i, rows.Ends + 2 * i + 2);
         }
-        else if (rows.IsControlSolid(i))
+        else if (rows.HasCounts(i))
         {
-          const int* tets = rows.TetsAtSpokes + rows.Offsets[i];
+          const int* tets = rows.Counts + rows.Offsets[i];
           row.Tets.assign(tets, tets + ring.size());
         }
       }
@@ -147,7 +148,7 @@ TEST(TetOctChildRows, SumsAreThoseOfTheStoredOperators)
     {
       std::vector<double> out(operation.GetNumberOfRows() * components);
       operation.ForRows(
-        [&](const TetOctRows<int>& rows) { SumRows(rows, in.data(), out.data(), components); });
+        [&](const RingRows<int>& rows) { SumRows(rows, in.data(), out.data(), components); });
       return out;
     };
     const std::vector<double> made =

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ApplyRows.h
+ * Applies operators to arrays. ApplyRows.cxx alone knows the types of values that arrays have.
+ */
+#ifndef SubdivisionObjects_ApplyRows_h
+#define SubdivisionObjects_ApplyRows_h
+
+#include "Core/Operators/PointOperator.h"
+
+#include <vector>
+
+namespace subdivision
+{
+
+/// An array of interleaved values, and where its values after the operator go. Types are numbers of
+/// VTK, such as VTK_FLOAT. They are equal, or values in double become values in float.
+struct MovedArray
+{
+  const void* In;
+  int InType;
+  void* Out;
+  int OutType;
+  int Components;
+};
+
+/// Applies an operator to all arrays in one pass, so that each row is made or read only once. Each
+/// block goes to `also` too, if it is not empty. An operator with values between makes a pass for
+/// each array, so that only one array has such values at a time, and `also` must be empty.
+void ApplyToArrays(const PointOperator& operation, const std::vector<MovedArray>& arrays,
+  const PointOperator::User& also = PointOperator::User());
+
+/// Applies one block to values in double. `out` points to row 0, or to the first value between
+/// where the rows go there.
+void SumRows(const RowsView& rows, const double* in, double* out, int components);
+
+}
+
+#endif

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PointOperator.h
+ * The one operator: whatever moves points passes its rows as blocks, and ApplyRows.h applies each
+ * block to all arrays.
+ *
+ * A block is a view of consecutive rows. It points into the operator, or into memory of the thread
+ * that made it. There are four kinds: rows that copy, rows of four entries, rows with a weight for
+ * each entry, and rows that are stored as rules and rings. In the last kind the values of a ring
+ * are summed before they are weighted, which takes fewer multiplications and no memory for weights.
+ */
+#ifndef SubdivisionObjects_PointOperator_h
+#define SubdivisionObjects_PointOperator_h
+
+#include "Core/Memory/Buffer.h"
+#include "Core/Operators/RingMasks.h"
+
+#include "vtkTypeTraits.h"
+
+#include <algorithm>
+#include <functional>
+#include <variant>
+
+namespace subdivision
+{
+
+/// Row FirstRow + i is column FirstColumn + i.
+struct CopiedRows
+{
+  vtkIdType FirstRow;
+  vtkIdType Count;
+  vtkIdType FirstColumn;
+};
+
+/// Four entries. Weights beyond the last corner of a simplex are 0, their columns those of another
+/// corner.
+struct CornerRow
+{
+  double Weights[4] = { 0., 0., 0., 0. };
+  int Columns[4] = { 0, 0, 0, 0 };
+
+  bool IsEmpty() const
+  {
+    return std::all_of(this->Weights, this->Weights + 4, [](double w) { return w == 0.; });
+  }
+};
+
+/// Rows of four entries, which need no offsets.
+struct RowsOfFour
+{
+  vtkIdType FirstRow;
+  vtkIdType Count;
+  const CornerRow* Rows;
+};
+
+/// Row i has the entries [Offsets[i], Offsets[i + 1]).
+template <typename Id>
+struct WeightedRows
+{
+  vtkIdType FirstRow;
+  vtkIdType Count;
+  const Id* Offsets;
+  const Id* Columns;
+  const double* Weights;
+  const Id* Numbers = nullptr; ///< of the rows; null: they are consecutive
+  bool CopiesOnes = true;      ///< a row whose only entry has weight 1 copies
+  bool SkipsZeros = false;     ///< an entry of weight 0 is not read
+  /// Where the rows read and write: values of the input and the output, or values between
+  /// (PointOperator::GetNumberBetween), where columns count from FirstColumn.
+  bool FromBetween = false;
+  bool ToBetween = false;
+  vtkIdType FirstColumn = 0;
+};
+
+/// Rows without weights, all of vertices, of edges, or of centres. The weights follow from the rule
+/// and the size of the ring.
+template <typename Id>
+struct RingRows
+{
+  const RingMasks* Masks;
+  bool OfEdges;
+  vtkIdType FirstRow; ///< number of the first row; for a vertex its column too
+  vtkIdType Count;
+  const Stratum* Strata;
+  const Id* Ends;    ///< 2 for each edge
+  const Id* Offsets; ///< ring i is Members[Offsets[i] .. Offsets[i + 1])
+  const Id* Members;
+  /// If true, each row is the mean of six members, and Strata and Offsets are null.
+  bool OfCentres = false;
+  /// For rows of vertices: the weights of those with d = 3 among the first NumberOfCounted rows are
+  /// in proportion to Counts, which has a number for each member.
+  vtkIdType NumberOfCounted = 0;
+  const Id* Counts = nullptr;
+
+  static constexpr int CentreSize = 6;
+
+  Row<Id> GetRing(vtkIdType i) const
+  {
+    return this->OfCentres
+      ? Row<Id>{ this->Members + CentreSize * i, this->Members + CentreSize * (i + 1) }
+      : Row<Id>{ this->Members + this->Offsets[i], this->Members + this->Offsets[i + 1] };
+  }
+  bool HasCounts(vtkIdType i) const
+  {
+    return i < this->NumberOfCounted && this->Strata[i].GetRule() == Rule::Solid;
+  }
+};
+
+using RowsView = std::variant<CopiedRows, RowsOfFour, WeightedRows<int>, WeightedRows<long long>,
+  RingRows<int>, RingRows<long long>>;
+
+/// out = S in, for interleaved values per column. Each row is summed in double, in the order of its
+/// entries, and stored in the type of the array; integers are rounded.
+class PointOperator
+{
+public:
+  virtual ~PointOperator() = default;
+
+  virtual vtkIdType GetNumberOfColumns() const = 0;
+  virtual vtkIdType GetNumberOfRows() const = 0;
+  /// An operator of several stages has this many values between the input and the output, for each
+  /// array. They are in double.
+  virtual vtkIdType GetNumberBetween() const { return 0; }
+
+  /// Receives a block. ForEachBlock passes each row at least once, in any order and from several
+  /// threads. It passes a row that reads a value between, or that replaces an earlier row, only
+  /// after the call for the earlier row has returned.
+  using User = std::function<void(const RowsView&)>;
+  virtual void ForEachBlock(const User& use) const = 0;
+
+  template <typename T>
+  void Apply(const T* in, T* out, int components) const
+  {
+    const int type = vtkTypeTraits<T>::VTKTypeID();
+    this->ApplyTo(in, type, out, type, components);
+  }
+  /// The same for values in double that are stored in single precision.
+  void Apply(const double* in, float* out, int components) const
+  {
+    this->ApplyTo(in, VTK_DOUBLE, out, VTK_FLOAT, components);
+  }
+
+protected:
+  PointOperator() = default;
+  PointOperator(const PointOperator&) = default;
+  PointOperator& operator=(const PointOperator&) = default;
+
+private:
+  /// Types are numbers of VTK (ApplyRows.h).
+  void ApplyTo(const void* in, int inType, void* out, int outType, int components) const;
+};
+
+/// An operator whose rows are stored as rules and rings, or made from those of another level.
+template <typename Id>
+class RingOperator : public PointOperator
+{
+public:
+  using RingsUser = std::function<void(const RingRows<Id>&)>;
+  /// As ForEachBlock, for the rows that have rings.
+  virtual void ForRows(const RingsUser& use) const = 0;
+  void ForEachBlock(const User& use) const override
+  {
+    this->ForRows([&use](const RingRows<Id>& rows) { use(rows); });
+  }
+};
+
+}
+
+#endif
