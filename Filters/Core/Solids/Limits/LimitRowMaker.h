@@ -49,21 +49,8 @@ class Numbering
 public:
   int GetNumber(Id id)
   {
-    if (2 * (this->Ids.size() + 1) > this->Slots.size())
-    {
-      this->Slots.assign(2 * this->Slots.size(), -1);
-      for (std::size_t i = 0; i < this->Ids.size(); ++i)
-      {
-        this->Find(this->Ids[i]) = static_cast<int>(i);
-      }
-    }
-    int& slot = this->Find(id);
-    if (slot < 0)
-    {
-      slot = static_cast<int>(this->Ids.size());
-      this->Ids.push_back(id);
-    }
-    return slot;
+    const int number = this->Find(id);
+    return number >= 0 ? number : this->Add(id);
   }
   void Clear()
   {
@@ -74,6 +61,22 @@ public:
   std::vector<Id> Ids;
 
 private:
+  /// Rare, and so apart from what is called for each entry of each row.
+  [[gnu::noinline]] int Add(Id id)
+  {
+    if (2 * (this->Ids.size() + 1) > this->Slots.size())
+    {
+      this->Slots.assign(2 * this->Slots.size(), -1);
+      for (std::size_t i = 0; i < this->Ids.size(); ++i)
+      {
+        this->Find(this->Ids[i]) = static_cast<int>(i);
+      }
+    }
+    const int number = static_cast<int>(this->Ids.size());
+    this->Find(id) = number;
+    this->Ids.push_back(id);
+    return number;
+  }
   int& Find(Id id)
   {
     std::size_t at = (static_cast<std::uint64_t>(id) * 0x9e3779b97f4a7c15u) >> 32;
