@@ -3,7 +3,6 @@
 
 #include "Private/Uniform/UniformSubdivision.h"
 
-#include "vtkCommand.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -12,19 +11,9 @@ vtkStandardNewMacro(vtkMultiDimensionalSubdivision);
 vtkMultiDimensionalSubdivision::vtkMultiDimensionalSubdivision()
   : Cache(std::make_unique<subdivision::OperatorCache>())
 {
-  this->AddObserver(vtkCommand::StartEvent, this, &vtkMultiDimensionalSubdivision::OnStart);
-  this->AddObserver(vtkCommand::EndEvent, this, &vtkMultiDimensionalSubdivision::OnEnd);
 }
 
 vtkMultiDimensionalSubdivision::~vtkMultiDimensionalSubdivision() = default;
-
-void vtkMultiDimensionalSubdivision::OnEnd()
-{
-  if (--this->UpdateDepth == 0)
-  {
-    this->Cache->ForgetUnused();
-  }
-}
 
 void vtkMultiDimensionalSubdivision::SetCacheOperator(bool cache)
 {
@@ -53,8 +42,8 @@ int vtkMultiDimensionalSubdivision::RequestData(
   options.GenerateLimitNormals = this->GenerateLimitNormals;
   options.Use32BitIds = this->Use32BitIds;
   options.Cache = this->CacheOperator ? this->Cache.get() : nullptr;
-  return this->Run(inputVector, outputVector, options,
-    "Results at the borders of partitions are not yet exactly those of the whole mesh.",
+  const int result = this->Run(inputVector, outputVector, options,
+    "Results at the border of the partition are not those of the whole mesh.",
     "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
       ". Use fewer levels, or a part of the input.",
     [&options](vtkPointSet* input, vtkPointSet* output)
@@ -62,6 +51,8 @@ int vtkMultiDimensionalSubdivision::RequestData(
       return subdivision::SubdivideUniformly(
         input, options, vtkUnstructuredGrid::SafeDownCast(output));
     });
+  this->Cache->ForgetUnused();
+  return result;
 }
 
 void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)

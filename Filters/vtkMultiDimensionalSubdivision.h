@@ -195,8 +195,9 @@ public:
    * points if the coordinates are the same. Cells are compared by content, with a kept copy.
    * Choices made from coordinates (diagonals, polygon cuts, features) are made again; where one
    * comes out differently, everything is built again: the output is always that of a fresh filter.
-   * Where only rules changed, operators are made again but the cells stay shared. Kept for each
-   * block of a composite input, until an update does not need it. On by default.
+   * Where only rules changed, operators are made again but the cells stay shared. Kept for the
+   * whole of a composite input, or for each block if JoinBlocks is off, until an update does not
+   * need it. On by default.
    */
   void SetCacheOperator(bool cache);
   vtkGetMacro(CacheOperator, bool);
@@ -234,12 +235,7 @@ protected:
   bool Use32BitIds = false;
 
 private:
-  /// Counts nested updates: a composite input starts one update, each of its blocks another in it.
-  void OnStart() { ++this->UpdateDepth; }
-  void OnEnd();
-
   std::unique_ptr<subdivision::OperatorCache> Cache;
-  int UpdateDepth = 0;
 
   vtkMultiDimensionalSubdivision(const vtkMultiDimensionalSubdivision&) = delete;
   void operator=(const vtkMultiDimensionalSubdivision&) = delete;

@@ -7,8 +7,6 @@
 #include "Private/Criteria/RefinementSelection.h"
 
 #include "vtkCellData.h"
-#include "vtkCommand.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -23,8 +21,6 @@ vtkRefinementAlgorithm::vtkRefinementAlgorithm()
 {
   this->MaximumNumberOfCells = 50000000;
   this->SetNumberOfInputPorts(2);
-  this->AddObserver(vtkCommand::StartEvent, this, &vtkRefinementAlgorithm::OnStart);
-  this->AddObserver(vtkCommand::EndEvent, this, &vtkRefinementAlgorithm::OnEnd);
 }
 
 vtkRefinementAlgorithm::~vtkRefinementAlgorithm() = default;
@@ -67,32 +63,6 @@ vtkMTimeType vtkRefinementAlgorithm::GetMTime()
 
 // ------------------------------------------------------------------------------------------------
 // Selection
-
-/// Finds the selected cells of a composite input now, before VTK executes the filter for each
-/// block: only here all blocks can be seen.
-void vtkRefinementAlgorithm::OnStart()
-{
-  if (this->UpdateDepth++ > 0)
-  {
-    return;
-  }
-  this->SelectedCells.clear();
-  auto* all = vtkCompositeDataSet::SafeDownCast(
-    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr);
-  this->IsComposite = all != nullptr;
-  if (all && this->RefineBySelection)
-  {
-    this->FindSelected(all);
-  }
-}
-
-void vtkRefinementAlgorithm::OnEnd()
-{
-  if (--this->UpdateDepth == 0)
-  {
-    this->SelectedCells.clear();
-  }
-}
 
 void vtkRefinementAlgorithm::FindSelected(vtkDataObject* input)
 {
@@ -141,10 +111,6 @@ void vtkRefinementAlgorithm::ReadSelection(
     return;
   }
   criteria.Selected.clear(); // of the block before
-  if (!this->IsComposite)
-  {
-    this->FindSelected(input);
-  }
   const auto selected = this->SelectedCells.find(input);
   if (selected != this->SelectedCells.end())
   {
@@ -214,12 +180,19 @@ int vtkRefinementAlgorithm::RunRounds(vtkInformationVector** inputVector,
   subdivision::RefinementOptions& criteria,
   const std::function<bool(vtkPointSet*, vtkPointSet*)>& refine)
 {
-  return this->Run(inputVector, outputVector, options,
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  if (this->RefineBySelection && input)
+  {
+    this->FindSelected(input); // in all blocks at once
+  }
+  const int result = this->Run(inputVector, outputVector, options,
     "They are refined like others; cells may not fit those of other partitions.",
     "this refinement. Lower MaximumNumberOfCells or MaximumLevel, raise the tolerances, or use a "
     "part of the input.",
-    [&](vtkPointSet* input, vtkPointSet* output)
-    { return this->ReadCriteria(input, options, criteria) && refine(input, output); });
+    [&](vtkPointSet* mesh, vtkPointSet* output)
+    { return this->ReadCriteria(mesh, options, criteria) && refine(mesh, output); });
+  this->SelectedCells.clear();
+  return result;
 }
 
 void vtkRefinementAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

@@ -285,13 +285,8 @@ private:
     subdivision::RefinementOptions& criteria);
   void ReadSelection(vtkPointSet* input, subdivision::RefinementOptions& criteria);
 
-  /// Counts nested updates: a composite input starts one update, each of its blocks another in it.
-  void OnStart();
-  void OnEnd();
   void FindSelected(vtkDataObject* input);
 
-  int UpdateDepth = 0;
-  bool IsComposite = false;
   /// Flags of the cells of each mesh where any are selected.
   std::map<vtkDataObject*, std::vector<unsigned char>> SelectedCells;
 

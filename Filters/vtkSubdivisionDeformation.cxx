@@ -5,7 +5,6 @@
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/GatheredMesh.h"
 
-#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -24,27 +23,9 @@ vtkSubdivisionDeformation::vtkSubdivisionDeformation()
   : Work(std::make_unique<subdivision::Deformation>())
 {
   this->SetNumberOfInputPorts(3);
-  this->AddObserver(vtkCommand::StartEvent, this, &vtkSubdivisionDeformation::OnStart);
-  this->AddObserver(vtkCommand::EndEvent, this, &vtkSubdivisionDeformation::OnEnd);
 }
 
 vtkSubdivisionDeformation::~vtkSubdivisionDeformation() = default;
-
-void vtkSubdivisionDeformation::OnStart()
-{
-  if (this->UpdateDepth++ == 0)
-  {
-    this->Work->NumberOfOutsidePoints = 0;
-  }
-}
-
-void vtkSubdivisionDeformation::OnEnd()
-{
-  if (--this->UpdateDepth == 0)
-  {
-    this->Work->ForgetUnused();
-  }
-}
 
 vtkIdType vtkSubdivisionDeformation::GetNumberOfTopologyBuilds() const
 {
@@ -164,7 +145,8 @@ int vtkSubdivisionDeformation::RequestData(
     subdivision::GatherMesh(vtkDataObject::GetData(inputVector[1]), this->GetController(), warn);
   const auto deformed =
     subdivision::GatherMesh(vtkDataObject::GetData(inputVector[2]), this->GetController(), warn);
-  return subdivision::RunOnBlocks(this, vtkDataObject::GetData(inputVector[0]),
+  this->Work->NumberOfOutsidePoints = 0;
+  const int result = subdivision::RunOnBlocks(this, vtkDataObject::GetData(inputVector[0]),
     vtkDataObject::GetData(outputVector), traits, options,
     [&](vtkPointSet* input, vtkPointSet* output)
     {
@@ -177,6 +159,8 @@ int vtkSubdivisionDeformation::RequestData(
       return this->ReadFeatureOptions(rest, options) &&
         this->Work->Run(input, rest, deformed, options, output);
     });
+  this->Work->ForgetUnused();
+  return result;
 }
 
 void vtkSubdivisionDeformation::PrintSelf(ostream& os, vtkIndent indent)

@@ -189,12 +189,7 @@ protected:
   bool TransformVectors = true;
 
 private:
-  /// Counts nested updates: a composite input starts one update, each of its blocks another in it.
-  void OnStart();
-  void OnEnd();
-
   std::unique_ptr<subdivision::Deformation> Work;
-  int UpdateDepth = 0;
 
   vtkSubdivisionDeformation(const vtkSubdivisionDeformation&) = delete;
   void operator=(const vtkSubdivisionDeformation&) = delete;

@@ -4,7 +4,6 @@
 #include "Private/Reading/InputArrays.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 
-#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -18,19 +17,9 @@ vtkStandardNewMacro(vtkSurfaceSubdivision);
 vtkSurfaceSubdivision::vtkSurfaceSubdivision()
   : Cache(std::make_unique<subdivision::SurfaceCache>())
 {
-  this->AddObserver(vtkCommand::StartEvent, this, &vtkSurfaceSubdivision::OnStart);
-  this->AddObserver(vtkCommand::EndEvent, this, &vtkSurfaceSubdivision::OnEnd);
 }
 
 vtkSurfaceSubdivision::~vtkSurfaceSubdivision() = default;
-
-void vtkSurfaceSubdivision::OnEnd()
-{
-  if (--this->UpdateDepth == 0)
-  {
-    this->Cache->ForgetUnused();
-  }
-}
 
 void vtkSurfaceSubdivision::SetCacheOperator(bool cache)
 {
@@ -82,7 +71,7 @@ int vtkSurfaceSubdivision::RequestData(
   options.Use32BitIds = this->Use32BitIds;
   options.JoinSeams = this->JoinSeams;
   options.Cache = this->CacheOperator ? this->Cache.get() : nullptr;
-  return this->Run(inputVector, outputVector, options, nullptr,
+  const int result = this->Run(inputVector, outputVector, options, nullptr,
     "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
       ". Use fewer levels, or a part of the input.",
     [&](vtkPointSet* input, vtkPointSet* output)
@@ -91,6 +80,8 @@ int vtkSurfaceSubdivision::RequestData(
         subdivision::SubdivideSurface(
           vtkPolyData::SafeDownCast(input), options, vtkPolyData::SafeDownCast(output));
     });
+  this->Cache->ForgetUnused();
+  return result;
 }
 
 void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)

@@ -326,12 +326,7 @@ protected:
 
 private:
   bool ReadArrays(vtkPointSet* input, subdivision::SurfaceOptions& options);
-  /// Counts nested updates: a composite input starts one update, each of its blocks another in it.
-  void OnStart() { ++this->UpdateDepth; }
-  void OnEnd();
-
   std::unique_ptr<subdivision::SurfaceCache> Cache;
-  int UpdateDepth = 0;
 
   vtkSurfaceSubdivision(const vtkSurfaceSubdivision&) = delete;
   void operator=(const vtkSurfaceSubdivision&) = delete;
