@@ -6,6 +6,8 @@
 #ifndef SubdivisionObjects_ArrayNames_h
 #define SubdivisionObjects_ArrayNames_h
 
+#include <string>
+
 namespace subdivision
 {
 
@@ -22,6 +24,12 @@ constexpr const char* LimitNormalsName = "LimitNormals";
 /// The field array of the stamp. The names of the other field arrays that belong to a stamp of
 /// Stamp.h or SurfaceStamp.h begin with it.
 constexpr const char* StampName = "Subdivision";
+
+/// Whether a field array belongs to a stamp.
+inline bool BelongsToStamp(const char* name)
+{
+  return name && std::string(name).rfind(StampName, 0) == 0;
+}
 
 }
 

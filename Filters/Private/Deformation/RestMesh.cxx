@@ -109,7 +109,7 @@ vtkSmartPointer<vtkPointSet> MakeControl(vtkPointSet* mesh, const FeatureOptions
   for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
   {
     const char* name = fields->GetArrayName(i);
-    if (name && std::string(name).compare(0, 11, StampName) == 0 && fields->GetArray(i))
+    if (BelongsToStamp(name) && fields->GetArray(i))
     {
       stamps->AddArray(fields->GetArray(i));
     }

@@ -3,6 +3,7 @@
 
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/StampFields.h"
 #include "Private/Reading/CellReader.h"
 
 #include "vtkCellData.h"
@@ -36,20 +37,6 @@ bool IsAccepted(vtkDataObject* data, bool isOfSurfaces)
 {
   return vtkPolyData::SafeDownCast(data) ||
     (!isOfSurfaces && vtkUnstructuredGrid::SafeDownCast(data));
-}
-
-bool BelongsToStamp(const char* name)
-{
-  return name && std::string(name).compare(0, std::string(StampName).size(), StampName) == 0;
-}
-
-vtkSmartPointer<vtkIdTypeArray> MakeIds(const char* name, const std::vector<vtkIdType>& values)
-{
-  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
-  ids->SetName(name);
-  ids->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), ids->GetPointer(0));
-  return ids;
 }
 
 /// The points that no cell of a mesh uses.
@@ -285,8 +272,8 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision,
   AddFieldData(whole->GetFieldData(), true, output->GetFieldData());
   if (whole->GetFieldData()->HasArray(StampName))
   {
-    output->GetFieldData()->AddArray(MakeIds(BlockPointsName, points));
-    output->GetFieldData()->AddArray(MakeIds(BlockCellsName, cells));
+    output->GetFieldData()->AddArray(MakeField<vtkIdTypeArray>(BlockPointsName, points));
+    output->GetFieldData()->AddArray(MakeField<vtkIdTypeArray>(BlockCellsName, cells));
   }
 }
 

@@ -54,7 +54,7 @@ void RequestOutput(vtkDataObject* input, bool isOfSurfaces, vtkInformationVector
  * If this is the only rank and the input is a single mesh, this is RunFilter. Else the blocks of
  * this rank (IdentifyPoints) and the cells around them that other ranks have (AddLayers) are joined
  * (Join), `work` is done on the result, and each block of the output takes the cells that came from
- * it. Duplicate (ghost) cells of the input are left out; the output has none.
+ * it. Duplicate (ghost) cells of the input are left out; the output has those of GhostLayers.
  *
  * Field arrays `SubdivisionBlockPoints` and `SubdivisionBlockCells` of the output say where its
  * points and cells were in the joined output; with them, a filter that gets all blocks puts the

@@ -21,7 +21,6 @@ public:
   /// Takes the place of options.Warn and options.Fail, which get the messages later.
   explicit RankMessages(RunOptions& options);
 
-  bool HasFailed() const { return this->Failed; }
   /// Called by all ranks: gives the warnings of all and, if there are errors, that of the first
   /// rank that has one. Other ranks that failed give no message. Returns whether one failed.
   bool Tell(Exchange& ranks);
