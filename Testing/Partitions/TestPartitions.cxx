@@ -2,15 +2,14 @@
 // Partitions, simulated in one process, give the result of the whole mesh.
 #include "PartitionTools.h"
 
+#include "Private/Control/SizeChecks.h"
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/PointIds.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkCellData.h"
-#include "vtkDataSetSurfaceFilter.h"
 #include "vtkPolyData.h"
-#include "vtkSubdivisionModelSource.h"
 
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;
@@ -90,31 +89,6 @@ std::vector<Mesh> RunOnParts(const std::vector<Mesh>& cut, const Partition& part
   return outputs;
 }
 
-Mesh MakeModel(int model)
-{
-  vtkNew<vtkSubdivisionModelSource> source;
-  source->SetModel(model);
-  source->Update();
-  const Grid grid = DeepCopy(source->GetOutput());
-  AddArrays(grid);
-  NumberCells(grid);
-  return grid;
-}
-
-std::vector<Mesh> MakeMeshes()
-{
-  std::vector<Mesh> meshes;
-  for (int model = 0; model < vtkSubdivisionModelSource::NUMBER_OF_MODELS; ++model)
-  {
-    meshes.push_back(MakeModel(model));
-  }
-  const Grid box = MakeMixedBox(3);
-  AddArrays(box);
-  NumberCells(box);
-  meshes.push_back(box);
-  return meshes;
-}
-
 struct Choice
 {
   const char* Name;
@@ -137,18 +111,6 @@ const Choice Choices[] = { { "defaults", [](subdivision::UniformOptions&) {} },
     } },
   { "sharp joints", [](subdivision::UniformOptions& o)
     { o.Features.Type1 = o.Features.Type2 = o.Features.Type3 = subdivision::JointRule::Sharp; } } };
-
-/// The surfaces, curves and points of a mesh.
-Mesh MakeSurface(vtkPointSet* mesh)
-{
-  vtkNew<vtkDataSetSurfaceFilter> skin;
-  skin->SetInputData(mesh);
-  skin->Update();
-  const auto surface = Mesh::Take(vtkPolyData::New());
-  surface->DeepCopy(skin->GetOutput());
-  NumberCells(surface);
-  return surface;
-}
 
 struct SurfaceChoice
 {
@@ -176,7 +138,7 @@ TEST(Partitions, GiveTheWholeOfSurfaces)
   const std::vector<Mesh> meshes = MakeMeshes();
   for (size_t m = 0; m < meshes.size(); m += 3)
   {
-    const Mesh surface = MakeSurface(meshes[m]);
+    const Mesh surface = MakeSkin(meshes[m]);
     for (int scheme = 0; scheme < 7; ++scheme)
     {
       for (const SurfaceChoice& choice : SurfaceChoices)
@@ -268,7 +230,7 @@ TEST(Partitions, OfALargeMeshAreNotTheWhole)
     ASSERT_TRUE(work(box, whole));
     ExpectWhole(whole, RunOnParts(Cut(box, halves), halves, false, work));
   }
-  const Mesh skin = MakeSurface(MakeMixedBox(16));
+  const Mesh skin = MakeSkin(MakeMixedBox(16));
   for (int scheme = 0; scheme < 7; ++scheme)
   {
     SCOPED_TRACE(scheme);
@@ -376,4 +338,88 @@ TEST(Partitions, GiveGhostCells)
       EXPECT_FALSE(own.empty());
     }
   }
+}
+
+namespace
+{
+
+/// Runs `work` on partitions and returns what they warned of; whether all went well in `done`.
+std::vector<std::string> GetWarnings(const std::vector<std::vector<Mesh>>& partitions,
+  const subdivision::FilterWork& work, bool& done, std::vector<Mesh>& outputs)
+{
+  std::vector<std::vector<Block>> blocks;
+  for (const std::vector<Mesh>& meshes : partitions)
+  {
+    blocks.emplace_back();
+    for (const Mesh& mesh : meshes)
+    {
+      blocks.back().push_back({ mesh, subdivision::MakeMesh(false), 0 });
+      outputs.push_back(blocks.back().back().Output);
+    }
+  }
+  std::vector<std::string> warnings;
+  subdivision::RunOptions options;
+  options.Warn = [&](const std::string& message) { warnings.push_back(message); };
+  options.Fail = [](const std::string&) {};
+  subdivision::Exchange exchange(nullptr, static_cast<int>(partitions.size()));
+  done = RunPartitions(blocks, exchange, subdivision::DistributionOptions(),
+    subdivision::FilterTraits(), options, work);
+  return warnings;
+}
+
+}
+
+TEST(Partitions, FindArraysThatOnlyOthersHave)
+{
+  // Four slabs: the last one is too far from the first for a copy of its cells.
+  const Grid box = MakeMixedBox(9);
+  const std::vector<Mesh> cut = Cut(box, CutInSlabs(box, 4), 4, KnownBy::GlobalIds);
+  cut[0]->GetCellData()->AddArray(
+    MakeArray<vtkDoubleArray>("Only", 1, cut[0]->GetNumberOfCells(), 1., 2., 1));
+  bool done = false;
+  std::vector<Mesh> outputs;
+  int found = 0;
+  GetWarnings(
+    { { cut[0] }, { cut[1] }, { cut[2] }, { cut[3] } },
+    [&found](vtkPointSet* input, vtkPointSet* output)
+    {
+      found += input->GetCellData()->HasArray("Only");
+      output->ShallowCopy(input);
+      return true;
+    },
+    done, outputs);
+  EXPECT_TRUE(done);
+  EXPECT_EQ(4, found);
+  EXPECT_TRUE(outputs[0]->GetCellData()->HasArray("Only"));
+  for (int i = 1; i < 4; ++i)
+  {
+    EXPECT_FALSE(outputs[i]->GetCellData()->HasArray("Only")) << i;
+  }
+}
+
+TEST(Partitions, SayThatCellsAreSpreadUnevenly)
+{
+  const Grid box = MakeMixedBox(2);
+  const Mesh all = Cut(box, CutInSlabs(box, 1), 1, KnownBy::GlobalIds)[0];
+  const auto work = [](vtkPointSet* input, vtkPointSet* output)
+  {
+    output->ShallowCopy(input);
+    return true;
+  };
+  bool done = false;
+  std::vector<Mesh> outputs;
+  const auto uneven = GetWarnings({ {}, { all }, {}, {} }, work, done, outputs);
+  ASSERT_EQ(1u, uneven.size());
+  EXPECT_NE(
+    std::string::npos, uneven[0].find("rank 1 has " + std::to_string(all->GetNumberOfCells())));
+  EXPECT_TRUE(done);
+  EXPECT_TRUE(
+    GetWarnings({ { all }, {}, {} }, work, done, outputs).empty()); // three times the mean
+}
+
+TEST(Partitions, ShareTheMemoryOfAMachine)
+{
+  const double all = subdivision::GetAvailableMemory();
+  const subdivision::MemoryShare share(4);
+  EXPECT_NEAR(0.25, subdivision::GetAvailableMemory() / all, 0.05);
 }

@@ -9,7 +9,6 @@
 
 #include "vtkCellData.h"
 #include "vtkPointData.h"
-#include "vtkSubdivisionModelSource.h"
 
 #include <atomic>
 #include <cmath>
@@ -60,22 +59,12 @@ void AddFields(vtkPointSet* mesh)
   mesh->GetPointData()->AddArray(field);
 }
 
-std::vector<Mesh> MakeMeshes()
+std::vector<Mesh> MakeMeshesWithFields()
 {
-  std::vector<Mesh> meshes;
-  for (int model = 0; model < vtkSubdivisionModelSource::NUMBER_OF_MODELS; ++model)
-  {
-    vtkNew<vtkSubdivisionModelSource> source;
-    source->SetModel(model);
-    source->Update();
-    meshes.push_back(DeepCopy(source->GetOutput()));
-  }
-  meshes.push_back(MakeMixedBox(3));
+  const std::vector<Mesh> meshes = MakeMeshes();
   for (const Mesh& mesh : meshes)
   {
-    AddArrays(vtkUnstructuredGrid::SafeDownCast(mesh));
     AddFields(mesh);
-    NumberCells(mesh);
   }
   return meshes;
 }
@@ -223,7 +212,7 @@ std::vector<Mesh> Cut(vtkPointSet* whole, const Partition& partition)
 
 TEST(PartitionsRedGreen, GiveTheWhole)
 {
-  for (const Mesh& mesh : MakeMeshes())
+  for (const Mesh& mesh : MakeMeshesWithFields())
   {
     for (const Choice& choice : Choices)
     {
@@ -251,7 +240,7 @@ TEST(PartitionsRedGreen, GiveTheWhole)
 // At the limit of cells all partitions leave out the same.
 TEST(PartitionsRedGreen, StopTogether)
 {
-  const Mesh mesh = MakeMeshes().back();
+  const Mesh mesh = MakeMeshesWithFields().back();
   for (const Choice& choice : Choices)
   {
     const auto free = Grid::New();
@@ -289,7 +278,7 @@ TEST(PartitionsRedGreen, StopTogether)
 // Where one partition fails the others do not wait for it.
 TEST(PartitionsRedGreen, FailTogether)
 {
-  const Mesh mesh = MakeMeshes().back();
+  const Mesh mesh = MakeMeshesWithFields().back();
   for (const int stopAt : { 0, 1, 3 })
   {
     RedGreenOptions options = MakeOptions();

@@ -87,12 +87,7 @@ class InParaView(unittest.TestCase):
         proxy = refine(self.sphere, RefineByFunction=1, ImplicitFunction="Sphere", GenerateLimitNormals=1)
         proxy.ImplicitFunction.Center = [0.25, 0.5, 0]
         wanted = tools.numbers(updated(proxy))
-        simple.RenameSource("refined", proxy)
-        simple.SaveState(os.path.abspath("adaptive.pvsm"))
-        simple.ResetSession()
-        simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
-        simple.LoadState(os.path.abspath("adaptive.pvsm"))
-        found = simple.FindSource("refined")
+        found = tools.saved_and_loaded(proxy)
         self.assertEqual(list(found.ImplicitFunction.Center), [0.25, 0.5, 0])
         self.assertEqual(tools.numbers(updated(found)), wanted)
 

@@ -200,12 +200,7 @@ class State(unittest.TestCase):
         proxy.ImplicitFunction.Center = [0.25, 0.5, 0]
         proxy.ImplicitFunction.Radius = 1.5
         wanted = tools.numbers(updated(proxy))
-        simple.RenameSource("refined", proxy)
-        simple.SaveState(os.path.abspath("redgreen.pvsm"))
-        simple.ResetSession()
-        simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
-        simple.LoadState(os.path.abspath("redgreen.pvsm"))
-        found = simple.FindSource("refined")
+        found = tools.saved_and_loaded(proxy)
         self.assertEqual(list(found.ImplicitFunction.Center), [0.25, 0.5, 0])
         self.assertEqual(tools.numbers(updated(found)), wanted)
 

@@ -42,6 +42,17 @@ def numbers(grid):
     return found
 
 
+def saved_and_loaded(proxy):
+    """The proxy as a state file brings it back in a new session."""
+    simple.RenameSource("saved", proxy)
+    state = os.path.abspath("saved.pvsm")
+    simple.SaveState(state)
+    simple.ResetSession()
+    simple.LoadPlugin(plugin, remote=False, ns=vars(simple))
+    simple.LoadState(state)
+    return simple.FindSource("saved")
+
+
 @contextlib.contextmanager
 def quiet():
     """Without the messages that a test provokes on purpose."""

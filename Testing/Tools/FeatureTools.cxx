@@ -204,6 +204,33 @@ Grid MakeKuhnBox(int n, double noise, unsigned seed)
   return MakeGrid(points, cells);
 }
 
+Grid MakeSwappedLevel(int volumeScheme)
+{
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetInputData(MakeKuhnBox(2));
+  filter->SetNumberOfLevels(3);
+  filter->SetVolumeScheme(volumeScheme);
+  filter->Update();
+  const Grid level = DeepCopy(filter->GetOutput());
+  const vtkIdType size = level->GetNumberOfCells();
+  EXPECT_GT(size, 4 * 4096);
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    const Ids cell = GetCell(level, i == 1 ? 2 : i == 2 ? 1 : i);
+    cells->InsertNextCell(4, cell.data());
+  }
+  level->SetCells(VTK_TETRA, cells);
+  vtkNew<vtkIntArray> flags;
+  flags->SetName("Singular");
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    flags->InsertNextValue(i < 512);
+  }
+  level->GetCellData()->AddArray(flags);
+  return level;
+}
+
 Grid MakeRandomComplex(unsigned seed, bool withSolids)
 {
   std::mt19937 random(seed);

@@ -144,6 +144,11 @@ inline Grid MakeFlaggedOctahedron(const std::vector<Cell>& flagged)
 /// n^3 cubes of six tetrahedra each (Kuhn), in [0, n]^3, moved a little by `noise` inside.
 Grid MakeKuhnBox(int n, double noise = 0., unsigned seed = 1);
 
+/// Level 3 of a Kuhn box by a volume scheme, two of whose tetrahedra are swapped. It has so many
+/// cells that the sample by which stamps are checked does not have these. All children of the first
+/// tetrahedron are flagged as singular, which solids cannot be.
+Grid MakeSwappedLevel(int volumeScheme);
+
 /// A random complex on `n` points: cells of all dimensions, joints of every type, followers, equal
 /// cells; with arrays Singular, MaterialId, Part and Rule.
 Grid MakeRandomComplex(unsigned seed, bool withSolids = true);

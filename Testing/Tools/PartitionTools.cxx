@@ -4,11 +4,14 @@
 #include "Private/Distribution/JoinedMesh.h"
 
 #include "vtkCellData.h"
+#include "vtkDataSetSurfaceFilter.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkSubdivisionModelSource.h"
 
 #include <cstring>
 #include <numeric>
@@ -17,6 +20,9 @@
 
 namespace partition_tools
 {
+
+using namespace multi_dimensional_subdivision_tools;
+
 namespace
 {
 
@@ -144,6 +150,36 @@ void NumberCells(vtkPointSet* mesh)
   numbers->SetNumberOfValues(mesh->GetNumberOfCells());
   std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + numbers->GetNumberOfValues(), 0);
   mesh->GetCellData()->AddArray(numbers);
+}
+
+std::vector<Mesh> MakeMeshes()
+{
+  std::vector<Mesh> meshes;
+  for (int model = 0; model < vtkSubdivisionModelSource::NUMBER_OF_MODELS; ++model)
+  {
+    vtkNew<vtkSubdivisionModelSource> source;
+    source->SetModel(model);
+    source->Update();
+    meshes.push_back(DeepCopy(source->GetOutput()));
+  }
+  meshes.push_back(MakeMixedBox(3));
+  for (const Mesh& mesh : meshes)
+  {
+    AddArrays(vtkUnstructuredGrid::SafeDownCast(mesh));
+    NumberCells(mesh);
+  }
+  return meshes;
+}
+
+Mesh MakeSkin(vtkPointSet* mesh)
+{
+  vtkNew<vtkDataSetSurfaceFilter> filter;
+  filter->SetInputData(mesh);
+  filter->Update();
+  const auto skin = Mesh::Take(vtkPolyData::New());
+  skin->DeepCopy(filter->GetOutput());
+  NumberCells(skin);
+  return skin;
 }
 
 std::vector<Mesh> Cut(vtkPointSet* whole, const std::vector<int>& partOf, int parts, KnownBy known)

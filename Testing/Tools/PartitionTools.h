@@ -21,6 +21,12 @@ constexpr const char* CellName = "NumberOfCell";
 /// Numbers the cells, so that parts of the mesh know which they have.
 void NumberCells(vtkPointSet* mesh);
 
+/// The built-in models and a box with cells of all kinds, with arrays and numbers.
+std::vector<Mesh> MakeMeshes();
+
+/// The surfaces, curves and points of a mesh, with numbers.
+Mesh MakeSkin(vtkPointSet* mesh);
+
 enum class KnownBy
 {
   Coordinates,

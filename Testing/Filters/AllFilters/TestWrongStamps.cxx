@@ -74,33 +74,11 @@ void AddArrayOfWrongSize(vtkPointSet* mesh)
   mesh->GetPointData()->AddArray(array);
 }
 
-/// Level 3 of a mesh, with two of its tetrahedra swapped, which the stamp's sample does not have;
-/// and with causes for warnings: flags of solids, an array of wrong size, and global ids of a wrong
-/// form in the stamp.
+/// MakeSwappedLevel with further causes for warnings: an array of wrong size, and global ids of a
+/// wrong form in the stamp.
 Grid MakeSwapped(int scheme)
 {
-  vtkNew<vtkMultiDimensionalSubdivision> first;
-  first->SetInputData(feature_tools::MakeKuhnBox(2));
-  first->SetNumberOfLevels(3);
-  first->SetVolumeScheme(scheme);
-  first->Update();
-  const Grid refined = DeepCopy(first->GetOutput());
-  const vtkIdType size = refined->GetNumberOfCells();
-  EXPECT_GT(size, 4 * 4096);
-  vtkNew<vtkCellArray> cells;
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    const Ids cell = GetCell(refined, i == 1 ? 2 : i == 2 ? 1 : i);
-    cells->InsertNextCell(4, cell.data());
-  }
-  refined->SetCells(VTK_TETRA, cells);
-  vtkNew<vtkIntArray> flags; // equal for all children of a cell
-  flags->SetName("Singular");
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    flags->InsertNextValue(i < 512);
-  }
-  refined->GetCellData()->AddArray(flags);
+  const Grid refined = feature_tools::MakeSwappedLevel(scheme);
   AddArrayOfWrongSize(refined);
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName("SubdivisionGlobalIds");

@@ -7,7 +7,6 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataSetSurfaceFilter.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -103,17 +102,6 @@ vtkSmartPointer<vtkMultiDimensionalSubdivision> MakeUniform(int levels)
   auto filter = vtkSmartPointer<vtkMultiDimensionalSubdivision>::New();
   filter->SetNumberOfLevels(levels);
   return filter;
-}
-
-Mesh MakeSkin(vtkPointSet* mesh)
-{
-  vtkNew<vtkDataSetSurfaceFilter> skin;
-  skin->SetInputData(mesh);
-  skin->Update();
-  const auto surface = Mesh::Take(vtkPolyData::New());
-  surface->DeepCopy(skin->GetOutput());
-  NumberCells(surface);
-  return surface;
 }
 
 }
@@ -395,6 +383,19 @@ TEST(Blocks, AreOneControlMeshOfADeformation)
   const auto blocks = deform(MakeBlocks(Cut(cage, chance, 3, KnownBy::GlobalIds)),
     MakeBlocks(Cut(moved, chance, 3, KnownBy::GlobalIds)), MakeBlocks(parts));
   ExpectWhole(vtkPointSet::SafeDownCast(whole), GetLeaves(blocks));
+}
+
+TEST(Blocks, HaveTheSimplicesOfTheirFirstCells)
+{
+  const std::vector<Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } };
+  const Grid both =
+    MakeGrid(points, { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 1, 3, 2 } } });
+  vtkNew<vtkSimplicialComplexTopology> filter;
+  const std::vector<Mesh> leaves =
+    GetLeaves(RunFilterOn(filter.Get(), MakeBlocks(Cut(both, { 0, 1 }, 2, KnownBy::GlobalIds))));
+  ASSERT_EQ(2u, leaves.size());
+  EXPECT_EQ(7, leaves[0]->GetNumberOfCells()); // with the edge and vertices between the blocks
+  EXPECT_EQ(4, leaves[1]->GetNumberOfCells());
 }
 
 TEST(Blocks, AreOneComplex)

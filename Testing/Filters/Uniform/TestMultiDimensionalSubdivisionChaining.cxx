@@ -366,24 +366,7 @@ TEST(MultiDimensionalSubdivisionStamp, MadeUpStampsDoNoHarm)
 
 TEST(MultiDimensionalSubdivisionChaining, AStampThatIsFoundOutLaterWarnsOnce)
 {
-  // So many cells that the stamp's sample does not have the two that are swapped.
-  const Grid refined = Subdivide(feature_tools::MakeKuhnBox(2), 3);
-  const vtkIdType size = refined->GetNumberOfCells();
-  ASSERT_GT(size, 4 * 4096);
-  vtkNew<vtkCellArray> cells;
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    const Ids cell = GetCell(refined, i == 1 ? 2 : i == 2 ? 1 : i);
-    cells->InsertNextCell(4, cell.data());
-  }
-  refined->SetCells(VTK_TETRA, cells);
-  vtkNew<vtkIntArray> flags; // of all children of the first cell, as solids cannot have them
-  flags->SetName("Singular");
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    flags->InsertNextValue(i < 512);
-  }
-  refined->GetCellData()->AddArray(flags);
+  const Grid refined = feature_tools::MakeSwappedLevel(0);
   vtkNew<Messages> messages;
   Options options;
   options.Levels = 1;
