@@ -10,6 +10,7 @@ import pathlib
 
 import numpy as np
 import rank_tools as ranks
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPartitionedDataSetCollection
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
@@ -104,6 +105,50 @@ def check_blocks(checks):
     checks.compare("collection", whole, [output.GetPartition(i, 0) for i in range(2)])
 
 
+def check_deformation(checks):
+    """Control meshes in parts, moved points in parts: each rank moves its points as one process does."""
+    rest = model(subdivisionobjects.vtkSubdivisionModelSource.MATERIAL_BLOCK)
+    deformed = rest.NewInstance()
+    deformed.DeepCopy(rest)
+    points = vtk_to_numpy(deformed.GetPoints().GetData())
+    points += 0.1 * np.sin(3 * points[:, ::-1])
+    inner = ranks.numbered(run_class("vtkMultiDimensionalSubdivision", {"NumberOfLevels": 1}, rest, None))
+
+    def own(mesh, find, with_ids):
+        return ranks.take(mesh, np.nonzero(find(mesh, ranks.RANKS) == ranks.RANK)[0], with_ids=with_ids)
+
+    def moved(cages, mesh, controller):
+        made = subdivisionobjects.vtkSubdivisionDeformation()
+        made.SetController(controller)
+        made.SetOutsidePointsToNearest()
+        made.SetRestMeshData(cages[0])
+        made.SetDeformedMeshData(cages[1])
+        made.SetInputData(mesh)
+        made.Update()
+        return made.GetOutputDataObject(0)
+
+    parts = [own(cage, ranks.by_chance, True) for cage in (rest, deformed)]
+    checks.compare("deformation", moved((rest, deformed), inner, None),
+                   [moved(parts, own(inner, ranks.in_slabs, False), ranks.controller)])
+
+
+def check_topology(checks):
+    """Each simplex is there once, with the facts that one process finds."""
+    mesh = model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS)
+    part = ranks.take(mesh, np.nonzero(ranks.by_chance(mesh, ranks.RANKS) == ranks.RANK)[0], with_ids=True)
+    whole = run_class("vtkSimplicialComplexTopology", {}, mesh, None)
+    output = run_class("vtkSimplicialComplexTopology", {}, part, ranks.controller)
+
+    def sums(grid):
+        names = ("SimplexDimension", "Boundary", "NonManifoldType", "Valence", "RuleDimension")
+        facts = [grid.GetCellData().GetArray(name) for name in names]
+        return [grid.GetNumberOfCells()] + [int(vtk_to_numpy(fact).sum(dtype=int)) if fact else 0 for fact in facts]
+
+    found = list(ranks.totals(sums(output)))
+    if found != sums(whole):
+        checks.failures.append(f"topology: {found} instead of {sums(whole)}")
+
+
 def check_files(checks):
     folder = pathlib.Path(os.environ.get("SUBDIVISIONOBJECTS_SHARED_DATA", ""))
     for name in FILES:
@@ -127,6 +172,8 @@ def model(number):
 def run():
     checks = Checks()
     check_blocks(checks)
+    check_deformation(checks)
+    check_topology(checks)
     for number in range(subdivisionobjects.vtkSubdivisionModelSource.NUMBER_OF_MODELS):
         checks.cut(model(number), SOLID)
     checks.cut(skin_of(model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS)), SURFACE)
