@@ -26,8 +26,8 @@ constexpr double BytesPerTet = 8. * 4. + 8. + 1.;
 std::string Whole(double value)
 {
   constexpr double most = 9e18;
-  return value < most ? std::to_string(static_cast<vtkIdType>(value))
-                      : "more than " + std::to_string(static_cast<vtkIdType>(most));
+  const char* before = value < most ? "" : "more than ";
+  return before + std::to_string(static_cast<vtkIdType>(std::min(value, most)));
 }
 
 std::string Bytes(double bytes)
