@@ -26,6 +26,13 @@ def run():
     mesh = ranks.simple.XMLUnstructuredGridReader(FileName=[file_name], TimeArray="None")
     known_ids = ranks.simple.GenerateGlobalIds(Input=mesh)
     spread = ranks.simple.RedistributeDataSet(Input=known_ids)
+    spread.UpdatePipeline()
+    mesh.UpdatePipeline()
+    read, kept = ranks.totals([proxy.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells()
+                               for proxy in (mesh, spread)])
+    if kept < read:  # it sends cells as files with appended data, which ParaView 5.11 with a newer Expat cannot read
+        print(f"skipped: RedistributeDataSet of this ParaView loses {read - kept} of {read} cells", flush=True)
+        return []
     smooth = ranks.simple.MultidimensionalSubdivision(Input=spread, NumberOfLevels=2)
     even = ranks.simple.RedistributeDataSet(Input=smooth)
     even.UpdatePipeline()

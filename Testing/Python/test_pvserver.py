@@ -11,7 +11,9 @@ import numpy as np
 import tools
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersExtraction import vtkExtractCells
 from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 
 RANKS = 3
 FILE = os.path.join(os.environ.get("SUBDIVISIONOBJECTS_DATA", ""), "MaterialBlock.vtu")
@@ -21,7 +23,7 @@ PROGRAMS = shutil.which("mpirun"), shutil.which("pvserver")
 def start_server():
     """The server, and the port that it listens to."""
     with socket.socket() as free:
-        free.bind(("localhost", 0))
+        free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     # pvpython, which runs this, is an MPI process by itself: its own traces would mislead mpirun.
     clean = {key: value for key, value in os.environ.items() if not key.startswith(("OMPI_", "PMIX_", "ORTE_"))}
@@ -41,9 +43,47 @@ def points_of(grid):
     return vtk_to_numpy(grid.GetPoints().GetData()) if grid.GetNumberOfPoints() else np.empty((0, 3))
 
 
-def subdivided():
-    reader = simple.XMLUnstructuredGridReader(FileName=[FILE], TimeArray="None")
-    parts = simple.RedistributeDataSet(Input=reader)  # one rank reads all of the file
+def write_pieces(name):
+    """The file in pieces of consecutive cells, one for each rank."""
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(FILE)
+    reader.Update()
+    mesh = reader.GetOutput()
+    for piece in range(RANKS):
+        extract = vtkExtractCells()
+        extract.SetInputData(mesh)
+        extract.AddCellRange(mesh.GetNumberOfCells() * piece // RANKS,
+                             mesh.GetNumberOfCells() * (piece + 1) // RANKS - 1)
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetInputConnection(extract.GetOutputPort())
+        writer.SetFileName(f"{name}_{piece}.vtu")
+        writer.SetDataModeToAscii()  # ParaView 5.11 with a newer Expat reads no appended data
+        writer.Write()
+
+    def arrays(data):
+        types = {"float": "Float32", "double": "Float64", "int": "Int32", "vtkIdType": "Int64", "unsigned char": "UInt8"}
+        return "".join(f'<PDataArray type="{types[array.GetDataTypeAsString()]}" Name="{array.GetName()}" '
+                       f'NumberOfComponents="{array.GetNumberOfComponents()}"/>'
+                       for array in map(data.GetArray, range(data.GetNumberOfArrays())))
+
+    point_type = {10: "Float32", 11: "Float64"}[mesh.GetPoints().GetDataType()]
+    pieces = "".join(f'<Piece Source="{name}_{piece}.vtu"/>' for piece in range(RANKS))
+    with open(f"{name}.pvtu", "w", encoding="ascii") as file:
+        file.write(f"""<?xml version="1.0"?>
+<VTKFile type="PUnstructuredGrid" version="0.1" byte_order="LittleEndian">
+  <PUnstructuredGrid GhostLevel="0">
+    <PPointData>{arrays(mesh.GetPointData())}</PPointData>
+    <PCellData>{arrays(mesh.GetCellData())}</PCellData>
+    <PPoints><PDataArray type="{point_type}" NumberOfComponents="3"/></PPoints>
+    {pieces}
+  </PUnstructuredGrid>
+</VTKFile>
+""")
+    return os.path.abspath(f"{name}.pvtu")
+
+
+def subdivided(file_name):
+    parts = simple.XMLPartitionedUnstructuredGridReader(FileName=[file_name], TimeArray="None")
     return parts, simple.MultidimensionalSubdivision(Input=parts, NumberOfLevels=2)
 
 
@@ -66,16 +106,17 @@ def picture(proxy, name):
 @unittest.skipUnless(all(PROGRAMS), "there is no mpirun or no pvserver")
 class Server(unittest.TestCase):
     def test_is_as_built_in(self):
-        _, whole = subdivided()
+        file_name = write_pieces("pieces")
+        _, whole = subdivided(file_name)
         expected = picture(whole, "built-in.png")
         grid = tools.output(whole)
         server, port = start_server()
         try:
-            simple.Connect("localhost", port)
+            simple.Connect("127.0.0.1", port)
             for remote in (True, False):
                 simple.LoadPlugin(tools.plugin, remote=remote, ns=vars(simple))
             simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0  # the ranks are to draw
-            parts, joined = subdivided()
+            parts, joined = subdivided(file_name)
             shares = simple.ProcessIds(Input=parts) if hasattr(simple, "ProcessIds") else simple.ProcessIdScalars(Input=parts)
             shares.UpdatePipeline()
             self.assertGreater(shares.PointData["ProcessId" if "ProcessId" in shares.PointData.keys() else
