@@ -64,7 +64,7 @@
  *
  * @par Filters in a row
  * Three filters of one level give what one filter of three levels gives, bit for bit, in every
- * array. Only the last of them may have ProjectToLimit on.
+ * array, on several ranks too. Only the last of them may have ProjectToLimit on.
  *
  * @par Complexity
  * Time and memory are linear in the size of the output; links are examined on the input only. With

@@ -154,6 +154,7 @@ void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "InterpolateIntegers: " << this->InterpolateIntegers << "\n";
   os << indent << "GenerateOriginalIds: " << this->GenerateOriginalIds << "\n";
+  os << indent << "GenerateGlobalIds: " << this->GenerateGlobalIds << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
   os << indent << "CreaseEnd: " << this->CreaseEnd << "\n";

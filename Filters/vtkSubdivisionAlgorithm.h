@@ -106,6 +106,19 @@ public:
 
   ///@{
   /**
+   * Whether to give points and cells global ids (the active attributes `GlobalPointIds` and
+   * `GlobalCellIds`, vtkIdTypeArray, one component): their indices in the output of the whole mesh,
+   * however it is distributed over blocks and ranks. If JoinBlocks is off, they count in each
+   * block. On several ranks only vtkMultiDimensionalSubdivision knows them; other filters warn and
+   * add none. No effect in vtkSubdivisionDeformation. Off by default.
+   */
+  vtkSetMacro(GenerateGlobalIds, bool);
+  vtkGetMacro(GenerateGlobalIds, bool);
+  vtkBooleanMacro(GenerateGlobalIds, bool);
+  ///@}
+
+  ///@{
+  /**
    * Precision of the output points, as in vtkAlgorithm: SINGLE_PRECISION (0), DOUBLE_PRECISION (1)
    * or DEFAULT_PRECISION (2, the default; that of the input).
    */
@@ -309,6 +322,7 @@ protected:
 
   bool InterpolateIntegers = false;
   bool GenerateOriginalIds = false;
+  bool GenerateGlobalIds = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   vtkIdType MaximumNumberOfCells = 500000000;
   int CreaseEnd = CORNER;

@@ -62,7 +62,7 @@
  * input), or inverted or flat solid cells, if the deformed mesh turns cells inside out, and of
  * points outside when they are looked up for the first time.
  *
- * InterpolateIntegers and GenerateOriginalIds have no effect here.
+ * InterpolateIntegers, GenerateOriginalIds and GenerateGlobalIds have no effect here.
  *
  * @sa
  * vtkMultiDimensionalSubdivision vtkSubdivisionModelSource

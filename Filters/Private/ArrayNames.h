@@ -20,6 +20,10 @@ constexpr const char* BlockName = "SubdivisionBlock";
 constexpr int NoBlock = -1;
 /// The cell array with the selected cells of a mesh that is joined of several blocks.
 constexpr const char* SelectedName = "SubdivisionSelected";
+/// The arrays with the numbers that points and cells of a part of an output have in the output of
+/// the whole mesh.
+constexpr const char* PointNumbersName = "SubdivisionPointNumber";
+constexpr const char* CellNumbersName = "SubdivisionCellNumber";
 constexpr const char* LimitNormalsName = "LimitNormals";
 /// The field array of the stamp. The names of the other field arrays that belong to a stamp of
 /// Stamp.h or SurfaceStamp.h begin with it.

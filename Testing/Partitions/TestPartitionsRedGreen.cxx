@@ -27,7 +27,7 @@ struct Partition
   int Parts;
   int Blocks; ///< of each part
   bool ByChance;
-  int Empty; ///< further parts without cells
+  int Empty; ///< parts without cells, the first ones
 };
 
 const Partition Partitions[] = { { "halves", 2, 1, false, 0 }, { "three slabs", 3, 2, false, 1 },
@@ -134,6 +134,7 @@ public:
   int GetPartition() const override { return this->Of->GetPartition(); }
   int GetNumberOfPartitions() const override { return this->Of->GetNumberOfPartitions(); }
   const std::vector<vtkIdType>& GetPointIds() const override { return this->Of->GetPointIds(); }
+  const std::vector<vtkIdType>& GetCellIds() const override { return this->Of->GetCellIds(); }
   bool IsOwn(vtkIdType cell) const override { return this->Of->IsOwn(cell); }
   const std::vector<int>& GetNeighbours(vtkIdType cell) const override
   {
@@ -149,11 +150,11 @@ public:
     }
     return hasSent;
   }
-  vtkIdType Sum(vtkIdType own) override
+  std::vector<vtkIdType> Gather(vtkIdType own) override
   {
     this->Sent = 0;
     this->IsInRound = true;
-    return this->Of->Sum(own);
+    return this->Of->Gather(own);
   }
 
 private:
@@ -175,7 +176,8 @@ bool RefineParts(const std::vector<Mesh>& cut, const Partition& partition, const
     Block block;
     block.Input = cut[i];
     block.Output = subdivision::MakeMesh(false);
-    blocks[i / static_cast<size_t>(partition.Blocks)].push_back(block);
+    blocks[static_cast<size_t>(partition.Empty) + i / static_cast<size_t>(partition.Blocks)]
+      .push_back(block);
   }
   subdivision::Exchange exchange(nullptr, partition.Parts + partition.Empty);
   subdivision::DistributionOptions distribution;

@@ -132,6 +132,18 @@ def check_deformation(checks):
                    [moved(parts, own(inner, ranks.in_slabs, False), ranks.controller)])
 
 
+def check_filters_in_a_row(checks, mesh, options):
+    """Two filters give on each rank what one filter with all levels gives, with its indices as global ids."""
+    cut, (find, _) = next(checks.cuts)
+    part = ranks.take(mesh, np.nonzero(find(mesh, ranks.RANKS) == ranks.RANK)[0], with_ids=True)
+    name = SOLID[0][0]
+    both = dict(options, GenerateGlobalIds=1)
+    whole = run_class(name, dict(both, NumberOfLevels=2), mesh, None)
+    for _ in range(2):
+        part = run_class(name, dict(both, NumberOfLevels=1), part, ranks.controller)
+    checks.compare(f"two filters {options} on {mesh.GetNumberOfCells()} cells, {cut}", whole, [part])
+
+
 def check_topology(checks):
     """Each simplex is there once, with the facts that one process finds."""
     mesh = model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS)
@@ -159,7 +171,10 @@ def check_files(checks):
         reader.SetFileName(str(folder / name))
         reader.Update()
         filters = SURFACE[::3] if name.endswith("p") else SOLID
-        checks.cut(ranks.numbered(reader.GetOutput()), [(cls, dict(options, NumberOfLevels=1)) for cls, options in filters])
+        mesh = ranks.numbered(reader.GetOutput())
+        checks.cut(mesh, [(cls, dict(options, NumberOfLevels=1)) for cls, options in filters])
+        if mesh.IsA("vtkUnstructuredGrid"):
+            check_filters_in_a_row(checks, mesh, {})
 
 
 def model(number):
@@ -175,7 +190,9 @@ def run():
     check_deformation(checks)
     check_topology(checks)
     for number in range(subdivisionobjects.vtkSubdivisionModelSource.NUMBER_OF_MODELS):
-        checks.cut(model(number), SOLID)
+        mesh = model(number)
+        checks.cut(mesh, SOLID)
+        check_filters_in_a_row(checks, mesh, {"DetectFeatures": 1, "VolumeScheme": number % 2})
     checks.cut(skin_of(model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS)), SURFACE)
     check_files(checks)
     return checks.finish()

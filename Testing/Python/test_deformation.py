@@ -45,7 +45,7 @@ class Proxy(unittest.TestCase):
             self.assertEqual(self.proxy.GetProperty(name).GetElement(0), int(getattr(made, "Get" + name)()), name)
 
     def test_what_means_nothing_is_not_shown(self):
-        for name in ("InterpolateIntegers", "GenerateOriginalIds"):
+        for name in ("InterpolateIntegers", "GenerateOriginalIds", "GenerateGlobalIds"):
             self.assertEqual(self.proxy.GetProperty(name).GetPanelVisibility(), "never")
 
 

@@ -48,15 +48,8 @@ SimplicialComplex<Id> BuildComplexWith(const SimplexList& simplices, ControlTrai
   {
     return BuildComplex<Id>(simplices, traits.Runs);
   }
-  SimplexList all = simplices;
-  for (int dimension = 0; dimension < 3; ++dimension)
-  {
-    const auto& tuples = traits.Derived.Tuples[dimension];
-    all.Connectivity.insert(all.Connectivity.end(), tuples.begin(), tuples.end());
-    all.Dimensions.insert(
-      all.Dimensions.end(), tuples.size() / (dimension + 1), static_cast<unsigned char>(dimension));
-  }
-  SimplicialComplex<Id> complex = BuildComplex<Id>(all, traits.Runs);
+  SimplicialComplex<Id> complex =
+    BuildComplex<Id>(AddTuples(simplices, traits.Derived), traits.Runs);
   traits.DerivedRuns = SplitRuns(traits.Runs, simplices.GetNumberOfSimplices());
   return complex;
 }
@@ -93,6 +86,10 @@ SimplexTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
         derived.Tuples[1].insert(derived.Tuples[1].end(), candidate.Ends, candidate.Ends + 2);
       }
     }
+  }
+  if (features.PreserveInterfaces && features.DetectFeatures)
+  {
+    SortTuples(derived, 1); // one order, whatever an edge is derived from, for partitions
   }
   return derived;
 }

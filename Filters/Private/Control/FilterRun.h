@@ -66,6 +66,7 @@ void ReadSharedOptions(Filter* filter, RunOptions& options)
 {
   options.InterpolateIntegers = filter->GetInterpolateIntegers();
   options.GenerateOriginalIds = filter->GetGenerateOriginalIds();
+  options.GenerateGlobalIds = filter->GetGenerateGlobalIds();
   options.OutputPointsPrecision = filter->GetOutputPointsPrecision();
   options.MaximumNumberOfCells = filter->GetMaximumNumberOfCells();
 }

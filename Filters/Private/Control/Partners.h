@@ -41,6 +41,8 @@ public:
   virtual int GetNumberOfPartitions() const = 0;
   /// The ids of the points of the mesh, ascending: equal ids are one point.
   virtual const std::vector<vtkIdType>& GetPointIds() const = 0;
+  /// The ids of the cells of the mesh; in poly data ascending within each kind of cells.
+  virtual const std::vector<vtkIdType>& GetCellIds() const = 0;
   virtual bool IsOwn(vtkIdType cell) const = 0;
   /// The partitions that have cells of their own at points of an own cell.
   virtual const std::vector<int>& GetNeighbours(vtkIdType cell) const = 0;
@@ -50,11 +52,24 @@ public:
   /// Delivers messages, by the number of the partition that they go to, and then come from. Returns
   /// false if no partition had any.
   virtual bool Send(Messages& messages) = 0;
-  /// The sum of the values of all partitions, which are not negative.
-  virtual vtkIdType Sum(vtkIdType own) = 0;
+  /// The values of all partitions, which are not negative; -1 for those without a mesh, which send
+  /// nothing and lose what they get.
+  virtual std::vector<vtkIdType> Gather(vtkIdType own) = 0;
+  /// The sum of such values.
+  vtkIdType Sum(vtkIdType own);
   /// Sets each value to the largest that a partition has.
   void FindLargest(std::vector<double>& values);
 };
+
+inline vtkIdType Partners::Sum(vtkIdType own)
+{
+  vtkIdType sum = 0;
+  for (const vtkIdType value : this->Gather(own))
+  {
+    sum += value > 0 ? value : 0;
+  }
+  return sum;
+}
 
 inline void Partners::FindLargest(std::vector<double>& values)
 {
@@ -65,8 +80,14 @@ inline void Partners::FindLargest(std::vector<double>& values)
     std::memcpy(message.data(), values.data(), size);
     return message;
   };
+  const std::vector<vtkIdType> all = this->Gather(0);
+  int first = 0;
+  while (all[first] < 0)
+  {
+    ++first;
+  }
   Messages toFirst;
-  toFirst[0] = pack();
+  toFirst[first] = pack();
   this->Send(toFirst);
   for (const auto& [from, message] : toFirst)
   {
@@ -78,12 +99,12 @@ inline void Partners::FindLargest(std::vector<double>& values)
     }
   }
   Messages fromFirst;
-  for (int to = 0; this->GetPartition() == 0 && to < this->GetNumberOfPartitions(); ++to)
+  for (int to = 0; this->GetPartition() == first && to < this->GetNumberOfPartitions(); ++to)
   {
     fromFirst[to] = pack();
   }
   this->Send(fromFirst);
-  std::memcpy(values.data(), fromFirst.at(0).data(), size);
+  std::memcpy(values.data(), fromFirst.at(first).data(), size);
 }
 
 }

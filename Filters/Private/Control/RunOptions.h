@@ -24,6 +24,7 @@ struct RunOptions
 {
   bool InterpolateIntegers = false;
   bool GenerateOriginalIds = false;
+  bool GenerateGlobalIds = false;
   int OutputPointsPrecision = 2;
   vtkIdType MaximumNumberOfCells = 500000000;
   FeatureOptions Features;
@@ -35,6 +36,11 @@ struct RunOptions
   /// returns null, if it gets all.
   std::function<Partners*(vtkPointSet*)> FindPartners;
 };
+
+inline Partners* FindPartners(const RunOptions& options, vtkPointSet* mesh)
+{
+  return options.FindPartners ? options.FindPartners(mesh) : nullptr;
+}
 
 /// Passes warnings that were collected to Warn, and forgets them.
 inline void Tell(std::vector<std::string>& warnings, const RunOptions& options)

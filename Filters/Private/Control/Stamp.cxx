@@ -85,18 +85,33 @@ bool ReadStamp(vtkPointSet* input, StampScheme scheme, Stamp& stamp)
   return true;
 }
 
-void WriteStamp(const Stamp& stamp, vtkUnstructuredGrid* output)
+bool ReadPartStamp(vtkPointSet* part, Stamp& stamp)
 {
-  const std::vector<vtkIdType> numbers{ Format.Version, static_cast<int>(stamp.Scheme),
-    stamp.Levels, stamp.Levels % 2, stamp.TetOrderIsFinal, stamp.NumberOfControlPoints,
-    output->GetNumberOfPoints(), output->GetNumberOfCells(), HashCells(output), stamp.IsProjected };
-  output->GetFieldData()->AddArray(MakeField<vtkTypeInt64Array>(Format.Name, numbers));
+  const std::vector<vtkIdType> numbers = ReadFieldIds(Format.Name, part->GetFieldData());
+  if (numbers.size() != NumberOfNumbers || numbers[Version] != Format.Version ||
+    numbers[Scheme] == static_cast<int>(StampScheme::RedGreen) || numbers[TetOrderIsFinal] != 1 ||
+    numbers[Projected] != 0 || numbers[Levels] < 0 || numbers[Levels] > MostStampedLevels ||
+    numbers[ControlPoints] < 0)
+  {
+    return false;
+  }
+  stamp.Scheme = static_cast<StampScheme>(numbers[Scheme]);
+  stamp.Levels = static_cast<int>(numbers[Levels]);
+  stamp.NumberOfControlPoints = numbers[ControlPoints];
+  stamp.NumberOfPoints = numbers[Points];
+  stamp.NumberOfCells = numbers[Cells];
+  return true;
 }
 
-namespace
+void WriteStamp(const Stamp& stamp, vtkPointSet* output)
 {
-constexpr const char* SingularNames[3] = { "SubdivisionSingularVertices",
-  "SubdivisionSingularLines", "SubdivisionSingularTriangles" };
+  const bool isWhole = stamp.NumberOfPoints == 0;
+  const std::vector<vtkIdType> numbers{ Format.Version, static_cast<int>(stamp.Scheme),
+    stamp.Levels, stamp.Levels % 2, stamp.TetOrderIsFinal, stamp.NumberOfControlPoints,
+    isWhole ? output->GetNumberOfPoints() : stamp.NumberOfPoints,
+    isWhole ? output->GetNumberOfCells() : stamp.NumberOfCells, HashCells(output),
+    stamp.IsProjected };
+  output->GetFieldData()->AddArray(MakeField<vtkTypeInt64Array>(Format.Name, numbers));
 }
 
 void ReadSingularTuples(vtkPointSet* input, SimplexTuples& tuples)
@@ -114,18 +129,17 @@ void ReadSingularTuples(vtkPointSet* input, SimplexTuples& tuples)
   }
 }
 
-void WriteSingularTuples(const SimplexTuples& tuples, vtkUnstructuredGrid* output)
+void WriteStampedIds(const StampedIds& ids, vtkPointSet* output)
 {
+  vtkFieldData* data = output->GetFieldData();
   for (int dimension = 0; dimension < 3; ++dimension)
   {
     WriteField<vtkIdTypeArray>(
-      SingularNames[dimension], tuples.Tuples[dimension], output->GetFieldData(), dimension + 1);
+      SingularNames[dimension], ids.Singular.Tuples[dimension], data, dimension + 1);
   }
-}
-
-void WriteIds(const char* name, const std::vector<vtkIdType>& ids, vtkUnstructuredGrid* output)
-{
-  WriteField<vtkIdTypeArray>(name, ids, output->GetFieldData());
+  WriteField<vtkIdTypeArray>(GlobalIdsName, ids.Global, data);
+  WriteField<vtkIdTypeArray>(InvertedCellsName, ids.Inverted, data);
+  WriteField<vtkIdTypeArray>(FirstInvertedName, ids.FirstInverted, data);
 }
 
 bool FindControlMesh(const SimplexView& descendants, const Stamp& stamp, SimplexList& control)

@@ -36,8 +36,12 @@ enum class StampScheme
 
 /// The field array with the global ids of control points.
 constexpr const char* GlobalIdsName = "SubdivisionGlobalIds";
-/// The field array with the inverted and flat control simplices.
+/// The field array with the inverted and flat control simplices, and its form in parts.
 constexpr const char* InvertedCellsName = "SubdivisionInvertedCells";
+constexpr const char* FirstInvertedName = "SubdivisionFirstInverted";
+/// Those with the derived singular simplices, by their dimension.
+constexpr const char* SingularNames[3] = { "SubdivisionSingularVertices",
+  "SubdivisionSingularLines", "SubdivisionSingularTriangles" };
 
 struct Stamp
 {
@@ -47,6 +51,10 @@ struct Stamp
   /// Whether points are on the limit. Then no filter may take them for points of a level.
   bool IsProjected = false;
   bool TetOrderIsFinal = true; ///< if false, only that of tetrahedra which a filter made
+  /// How many points and cells the whole output has, of which this is a part; 0: it is the whole.
+  /// Other numbers and field arrays of the stamp then count in the whole, too.
+  vtkIdType NumberOfPoints = 0;
+  vtkIdType NumberOfCells = 0;
 };
 
 /// Returns false if there is no stamp of that scheme, or if numbers or a sample of cells differ
@@ -54,15 +62,28 @@ struct Stamp
 /// final order. Such a mesh is read like any other.
 bool ReadStamp(vtkPointSet* input, StampScheme scheme, Stamp& stamp);
 
+/// Reads the numbers of a stamp of a volume scheme, which may count in a whole output of which the
+/// mesh is a part. Returns false if there are none, or if points are on the limit.
+bool ReadPartStamp(vtkPointSet* part, Stamp& stamp);
+
 /// Writes or replaces the stamp of a finished output.
-void WriteStamp(const Stamp& stamp, vtkUnstructuredGrid* output);
+void WriteStamp(const Stamp& stamp, vtkPointSet* output);
 
-/// Reads or writes the derived singular simplices in the field data, as tuples of point ids.
+/// The lists of ids that stand beside the numbers of a stamp.
+struct StampedIds
+{
+  SimplexTuples Singular;          ///< derived singular simplices
+  std::vector<vtkIdType> Global;   ///< of the first control points
+  std::vector<vtkIdType> Inverted; ///< as FindInvertedTets gives them
+  /// The same in a part of an output: 2 * the first cell of the control simplex + 1 if it is flat.
+  std::vector<vtkIdType> FirstInverted;
+};
+
+/// Writes or replaces the field arrays of a finished output; removes those without ids.
+void WriteStampedIds(const StampedIds& ids, vtkPointSet* output);
+
+/// Reads the derived singular simplices, as tuples of point ids.
 void ReadSingularTuples(vtkPointSet* input, SimplexTuples& tuples);
-void WriteSingularTuples(const SimplexTuples& tuples, vtkUnstructuredGrid* output);
-
-/// Writes or replaces a field array of ids; removes it if there are no ids.
-void WriteIds(const char* name, const std::vector<vtkIdType>& ids, vtkUnstructuredGrid* output);
 
 /// Finds the control mesh from its descendants. Returns false if the cells are no descendants of
 /// simplices after stamp.Levels steps.

@@ -4,6 +4,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/StampFields.h"
+#include "Private/Distribution/StampedParts.h"
 #include "Private/Reading/CellReader.h"
 
 #include "vtkCellData.h"
@@ -29,9 +30,6 @@ namespace
 
 /// The point array with the block of points that no cell uses.
 constexpr const char* PointBlockName = "SubdivisionPointBlock";
-/// Field arrays of a block: where its points and cells were in the joined output.
-constexpr const char* BlockPointsName = "SubdivisionBlockPoints";
-constexpr const char* BlockCellsName = "SubdivisionBlockCells";
 
 bool IsAccepted(vtkDataObject* data, bool isOfSurfaces)
 {
@@ -233,11 +231,28 @@ std::vector<vtkIdType> TakeAll(vtkPointSet* whole, vtkPointSet* output)
   return points;
 }
 
+/// Takes away the array of numbers in the whole output; where there is none, this is the whole, and
+/// `indices` are the numbers.
+std::vector<vtkIdType> TakeNumbers(
+  const char* name, const std::vector<vtkIdType>& indices, vtkDataSetAttributes* data)
+{
+  auto* array = vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(name));
+  if (!array)
+  {
+    return indices;
+  }
+  const vtkIdType* first = array->GetPointer(0);
+  std::vector<vtkIdType> numbers(first, first + array->GetNumberOfValues());
+  data->RemoveArray(name);
+  return numbers;
+}
+
 /// Writes the output of one block, whose cells are `own`.
-void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision, int ghostLayers,
+void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, const OutputOptions& options,
   int block, const std::vector<vtkIdType>& own, std::vector<Block>& blocks)
 {
-  const std::vector<vtkIdType> cells = ghostLayers > 0 ? AddLayersOf(whole, own, ghostLayers) : own;
+  const std::vector<vtkIdType> cells =
+    options.GhostLayers > 0 ? AddLayersOf(whole, own, options.GhostLayers) : own;
   std::vector<vtkIdType> kept;
   if (auto* of = vtkIntArray::SafeDownCast(whole->GetPointData()->GetArray(PointBlockName)))
   {
@@ -251,11 +266,11 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision,
     blocks.size() == 1 && static_cast<vtkIdType>(cells.size()) == whole->GetNumberOfCells();
   const std::vector<vtkIdType> points =
     isAll ? TakeAll(whole, output) : TakeCells(whole, cells, kept, output);
-  if (ghostLayers > 0)
+  if (options.GhostLayers > 0)
   {
     MarkGhosts(cells, own, output);
   }
-  if (ownPrecision)
+  if (options.OwnPrecision)
   {
     SetPrecision(blocks[block].Input->GetPoints()->GetDataType(), output);
   }
@@ -270,35 +285,18 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision,
     OriginalCellIdsName, joined.CellArrays, joined.CellPlaces[block], output->GetCellData());
   AddFieldData(blocks[block].Input->GetFieldData(), false, output->GetFieldData());
   AddFieldData(whole->GetFieldData(), true, output->GetFieldData());
+  const std::vector<vtkIdType> pointNumbers =
+    TakeNumbers(PointNumbersName, points, output->GetPointData());
+  const std::vector<vtkIdType> cellNumbers =
+    TakeNumbers(CellNumbersName, cells, output->GetCellData());
   if (whole->GetFieldData()->HasArray(StampName))
   {
-    output->GetFieldData()->AddArray(MakeField<vtkIdTypeArray>(BlockPointsName, points));
-    output->GetFieldData()->AddArray(MakeField<vtkIdTypeArray>(BlockCellsName, cells));
+    WriteStampedNumbers(pointNumbers, cellNumbers, output);
   }
-}
-
-bool ReadStampedIds(
-  vtkFieldData* field, const char* name, vtkIdType size, std::vector<vtkIdType>& ids)
-{
-  auto* array = vtkIdTypeArray::SafeDownCast(field->GetAbstractArray(name));
-  if (!array || array->GetNumberOfValues() != size)
+  if (options.GlobalIds)
   {
-    return false;
+    AddGlobalIds(pointNumbers, cellNumbers, output);
   }
-  ids.assign(array->GetPointer(0), array->GetPointer(0) + size);
-  return std::all_of(ids.begin(), ids.end(), [](vtkIdType id) { return id >= 0; });
-}
-
-bool AreConsecutive(const std::vector<vtkIdType>& ids)
-{
-  for (size_t i = 0; i < ids.size(); ++i)
-  {
-    if (ids[i] != static_cast<vtkIdType>(i))
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 }
@@ -420,53 +418,32 @@ void AddPointBlocks(const std::vector<MeshPart>& parts, JoinedMesh& joined)
   joined.Mesh->GetPointData()->AddArray(blocks);
 }
 
-void TakeOutputs(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision, int ghostLayers,
+void TakeOutputs(const JoinedMesh& joined, vtkPointSet* whole, const OutputOptions& options,
   std::vector<Block>& blocks)
 {
   const auto cells = FindCellsOfBlocks(whole, static_cast<int>(blocks.size()));
   for (size_t i = 0; i < blocks.size(); ++i)
   {
-    TakeOutput(joined, whole, ownPrecision, ghostLayers, static_cast<int>(i), cells[i], blocks);
+    TakeOutput(joined, whole, options, static_cast<int>(i), cells[i], blocks);
   }
 }
 
-bool TakeStampedIds(std::vector<MeshPart>& parts)
+void AddGlobalIds(
+  const std::vector<vtkIdType>& points, const std::vector<vtkIdType>& cells, vtkPointSet* output)
 {
-  vtkIdType numberOfPoints = 0;
-  for (MeshPart& part : parts)
-  {
-    vtkFieldData* field = part.Mesh->GetFieldData();
-    if (!field->HasArray(StampName) ||
-      !ReadStampedIds(field, BlockPointsName, part.Mesh->GetNumberOfPoints(), part.Points) ||
-      !ReadStampedIds(field, BlockCellsName, part.Mesh->GetNumberOfCells(), part.Cells))
-    {
-      return false;
-    }
-    numberOfPoints += static_cast<vtkIdType>(part.Points.size());
-  }
-  return numberOfPoints > 0;
+  output->GetPointData()->SetGlobalIds(MakeField<vtkIdTypeArray>("GlobalPointIds", points));
+  output->GetCellData()->SetGlobalIds(MakeField<vtkIdTypeArray>("GlobalCellIds", cells));
 }
 
-bool RestoreStamp(const std::vector<MeshPart>& parts, JoinedMesh& joined)
+void AddGlobalIds(vtkPointSet* output)
 {
-  const bool has = std::any_of(parts.begin(), parts.end(),
-    [](const MeshPart& part) { return part.Mesh->GetFieldData()->HasArray(StampName); });
-  vtkFieldData* field = parts[0].Mesh->GetFieldData();
-  if (!has || !field->HasArray(BlockCellsName) || !AreConsecutive(joined.PointIds) ||
-    !AreConsecutive(joined.CellIds))
+  const auto count = [](vtkIdType size)
   {
-    return !has;
-  }
-  for (int a = 0; a < field->GetNumberOfArrays(); ++a)
-  {
-    const char* name = field->GetAbstractArray(a)->GetName();
-    if (BelongsToStamp(name) && std::string(name) != BlockPointsName &&
-      std::string(name) != BlockCellsName)
-    {
-      joined.Mesh->GetFieldData()->AddArray(field->GetAbstractArray(a));
-    }
-  }
-  return true;
+    std::vector<vtkIdType> indices(static_cast<size_t>(size));
+    std::iota(indices.begin(), indices.end(), vtkIdType(0));
+    return indices;
+  };
+  AddGlobalIds(count(output->GetNumberOfPoints()), count(output->GetNumberOfCells()), output);
 }
 
 }

@@ -48,21 +48,28 @@ void SetOutputs(
 /// Adds to points that no cell uses the number of their block, so that the block can take them.
 void AddPointBlocks(const std::vector<MeshPart>& parts, JoinedMesh& joined);
 
+struct OutputOptions
+{
+  /// Whether points have the type that they have in the block.
+  bool OwnPrecision = true;
+  /// How many layers of cells of others around its own a block gets, marked as duplicates
+  /// (vtkGhostType), and so are the points that only these have.
+  int GhostLayers = 0;
+  /// Whether to add global ids: the numbers in the whole output.
+  bool GlobalIds = false;
+};
+
 /// Writes the outputs of blocks: their cells and points of `whole`, with the arrays that the block
 /// had and those that the filter made, original ids that count the block's own points and cells,
-/// and its field data. `ownPrecision`: the points have the type that they have in the block.
-/// `ghostLayers`: how many layers of cells of others around its own a block gets, marked as
-/// duplicates (vtkGhostType), and so are the points that only these have.
-void TakeOutputs(const JoinedMesh& joined, vtkPointSet* whole, bool ownPrecision, int ghostLayers,
+/// and its field data.
+void TakeOutputs(const JoinedMesh& joined, vtkPointSet* whole, const OutputOptions& options,
   std::vector<Block>& blocks);
 
-/// If an earlier filter made all blocks in one run, gives points and cells the ids that they had in
-/// it, and returns true.
-bool TakeStampedIds(std::vector<MeshPart>& parts);
-
-/// Gives the joined mesh the stamp of that filter, if points and cells are where they were. Returns
-/// false if blocks have a stamp and the mesh has not, so that the filter starts afresh.
-bool RestoreStamp(const std::vector<MeshPart>& parts, JoinedMesh& joined);
+/// Adds global ids to points and cells.
+void AddGlobalIds(
+  const std::vector<vtkIdType>& points, const std::vector<vtkIdType>& cells, vtkPointSet* output);
+/// The same for an output that is the whole.
+void AddGlobalIds(vtkPointSet* output);
 
 }
 

@@ -6,6 +6,7 @@
 #include "Private/Distribution/Meeting.h"
 #include "Private/Distribution/PointIds.h"
 #include "Private/Distribution/Ranks.h"
+#include "Private/Distribution/StampedParts.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataIterator.h"
@@ -15,6 +16,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
 
 #include <algorithm>
@@ -88,6 +90,8 @@ private:
 struct PartitionWork
 {
   std::vector<MeshPart> Parts;
+  bool IsPartial;  ///< there are other partitions
+  bool AreStamped; ///< an earlier filter made them, and this one may go on
   std::vector<Block>& Blocks;
   int PointType;
   const DistributionOptions& Distribution;
@@ -105,11 +109,11 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
     {
       JoinedMesh joined = Join(run.Parts, run.PointType);
       AddPointBlocks(run.Parts, joined);
-      if (!RestoreStamp(run.Parts, joined))
+      if (!RestoreStamp(run.Parts, run.AreStamped, joined))
       {
         run.Options.Warn(
           "Earlier filters made the blocks or partitions of the input, but not all of "
-          "them in one run of one process. This filter takes them as any other mesh: "
+          "them in one run, or something is missing. This filter takes them as any other mesh: "
           "results are not those of one filter with all levels. Use one filter with "
           "more levels, or switch JoinBlocks off, and each block goes on by itself.");
       }
@@ -124,9 +128,18 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
         return false;
       }
       joined.Mesh = nullptr;
-      TakeOutputs(joined, whole,
-        run.Options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION,
-        run.Distribution.GhostLayers, run.Blocks);
+      OutputOptions output;
+      output.OwnPrecision = run.Options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION;
+      output.GhostLayers = run.Distribution.GhostLayers;
+      output.GlobalIds = run.Options.GenerateGlobalIds &&
+        (!run.IsPartial || whole->GetPointData()->HasArray(PointNumbersName));
+      if (run.Options.GenerateGlobalIds && !output.GlobalIds)
+      {
+        run.Options.Warn(
+          "This filter does not know global ids where several ranks have parts of the "
+          "mesh: the output has none. Use vtkGenerateGlobalIds on it.");
+      }
+      TakeOutputs(joined, whole, output, run.Blocks);
       return true;
     });
 }
@@ -175,19 +188,22 @@ bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchan
     {
       options.Warn(uneven);
     }
-    IdentifyPoints(parts, exchange, options.Warn);
-    copies = AddLayers(parts, distribution.Layers + distribution.GhostLayers, exchange);
-    ShareArrays(parts, exchange);
   }
-  else if (!TakeStampedIds(parts[0]))
+  const bool areStamped = TakeStampedNumbers(parts, exchange);
+  if (!areStamped)
   {
     IdentifyPoints(parts, exchange, options.Warn);
+  }
+  if (exchange.GetNumberOfPartitions() > 1)
+  {
+    copies = AddLayers(parts, distribution.Layers + distribution.GhostLayers, exchange);
+    ShareArrays(parts, exchange);
   }
   const auto run = [&](size_t p, Rounds* rounds)
   {
     return parts[p].empty() ||
-      RunPartition(
-        { std::move(parts[p]), partitions[p], pointType, distribution, traits, options, work },
+      RunPartition({ std::move(parts[p]), exchange.GetNumberOfPartitions() > 1, areStamped,
+                     partitions[p], pointType, distribution, traits, options, work },
         rounds, static_cast<int>(p));
   };
   const bool inRounds = distribution.WorksInRounds || exchange.GetPartitionsOfRank() == 1;
@@ -237,11 +253,20 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
   const FilterWork& work)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  const FilterWork workOnAll = [&](vtkPointSet* mesh, vtkPointSet* made)
+  {
+    const bool done = work(mesh, made);
+    if (done && options.GenerateGlobalIds)
+    {
+      AddGlobalIds(made);
+    }
+    return done;
+  };
   const int ranks = distribution.Controller ? distribution.Controller->GetNumberOfProcesses() : 1;
   if (!composite && (ranks == 1 || !distribution.JoinBlocks))
   {
     return RunFilter(filter, vtkPointSet::SafeDownCast(input), vtkPointSet::SafeDownCast(output),
-      traits, options, work);
+      traits, options, workOnAll);
   }
   bool failed = false;
   ConnectToFilter(filter, options, failed);
@@ -265,7 +290,7 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
     for (Block& block : blocks)
     {
       block.Output->GetFieldData()->PassData(block.Input->GetFieldData());
-      done = done && DoWork(traits, options, [&] { return work(block.Input, block.Output); });
+      done = done && DoWork(traits, options, [&] { return workOnAll(block.Input, block.Output); });
     }
   }
   if (done && !failed)

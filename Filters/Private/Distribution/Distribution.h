@@ -57,8 +57,8 @@ void RequestOutput(vtkDataObject* input, bool isOfSurfaces, vtkInformationVector
  * it. Duplicate (ghost) cells of the input are left out; the output has those of GhostLayers.
  *
  * Field arrays `SubdivisionBlockPoints` and `SubdivisionBlockCells` of the output say where its
- * points and cells were in the joined output; with them, a filter that gets all blocks puts the
- * mesh together as it was, and so continues what an earlier filter began.
+ * points and cells are in the whole output (StampedParts.h); with them, a filter that gets all
+ * blocks, or all parts on their ranks, goes on with what an earlier filter began.
  *
  * All ranks call this together. They agree on going on after they read, and at the end; if one
  * fails, all fail, and rank 0 gives the message of the first that did.

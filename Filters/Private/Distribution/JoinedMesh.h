@@ -28,6 +28,8 @@ struct MeshPart
   /// The id of each point and each cell: equal ids of points are one point; -1 is left out.
   std::vector<vtkIdType> Points;
   std::vector<vtkIdType> Cells;
+  /// If an earlier filter made the mesh, and this one goes on: the steps since the control mesh.
+  int Levels = 0;
 };
 
 /// An array of a joined mesh.

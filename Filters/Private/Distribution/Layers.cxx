@@ -2,9 +2,10 @@
 #include "Private/Distribution/Layers.h"
 
 #include "Private/Distribution/MeshMessage.h"
-#include "Private/Reading/CellReader.h"
+#include "Private/Distribution/StampedParts.h"
 
 #include "vtkPointSet.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <iterator>
@@ -72,7 +73,7 @@ struct Partition
 {
   std::vector<MeshPart>* Parts = nullptr;
   size_t NumberOfOwn = 0;
-  std::vector<CellReader> Readers;
+  std::vector<CellGroups> Groups; ///< of all parts
   Copies Sent;
   std::vector<vtkIdType> Known; ///< points of its cells, ascending
 
@@ -80,38 +81,45 @@ struct Partition
     : Parts(&parts)
     , NumberOfOwn(parts.size())
   {
-    for (const MeshPart& part : parts)
+    this->GroupNewParts();
+  }
+  void GroupNewParts()
+  {
+    while (this->Groups.size() < this->Parts->size())
     {
-      this->Readers.emplace_back(part.Mesh);
+      MeshPart& part = (*this->Parts)[this->Groups.size()];
+      part.Levels = this->Parts->front().Levels;
+      this->Groups.emplace_back();
+      FindGroups(part, this->Groups.back());
     }
   }
 };
 
-/// The ids of the points that the cells of some parts have, ascending.
-std::vector<vtkIdType> FindPointIds(const std::vector<MeshPart>& parts, size_t firstPart)
+bool Exists(vtkIdType point, const MeshPart& part)
+{
+  return point >= 0 && point < static_cast<vtkIdType>(part.Points.size());
+}
+
+/// The ids of the points at the corners of groups, ascending. `first`: the first part.
+std::vector<vtkIdType> FindPointIds(const Partition& partition, size_t first)
 {
   std::vector<vtkIdType> ids;
-  std::vector<vtkIdType> scratch;
-  for (size_t p = firstPart; p < parts.size(); ++p)
+  for (size_t p = first; p < partition.Groups.size(); ++p)
   {
-    const CellReader reader(parts[p].Mesh);
-    std::vector<char> used(parts[p].Points.size(), 0);
-    for (size_t c = 0; c < parts[p].Cells.size(); ++c)
+    const MeshPart& part = (*partition.Parts)[p];
+    std::vector<char> used(part.Points.size(), 0);
+    for (const vtkIdType point : partition.Groups[p].Points)
     {
-      const CellIds cell = reader.GetCell(static_cast<vtkIdType>(c), scratch);
-      for (vtkIdType i = 0; parts[p].Cells[c] >= 0 && i < cell.Size; ++i)
+      if (Exists(point, part))
       {
-        if (cell.Ids[i] >= 0 && cell.Ids[i] < static_cast<vtkIdType>(used.size()))
-        {
-          used[cell.Ids[i]] = 1;
-        }
+        used[point] = 1;
       }
     }
     for (size_t i = 0; i < used.size(); ++i)
     {
-      if (used[i] && parts[p].Points[i] >= 0)
+      if (used[i] && part.Points[i] >= 0)
       {
-        ids.push_back(parts[p].Points[i]);
+        ids.push_back(part.Points[i]);
       }
     }
   }
@@ -120,11 +128,17 @@ std::vector<vtkIdType> FindPointIds(const std::vector<MeshPart>& parts, size_t f
   return ids;
 }
 
-/// Marks the cells of a part that are wished and were not sent before: those at point i for the
-/// partitions wishes[first[i]], ... Calls `send(partition, cell)` for each.
+/// Which groups are wished: those with a wished point, or those all of whose points are.
+enum class Extent
+{
+  Stars,
+  Inside
+};
+
+/// send(partition, group) for the wished groups of a part.
 template <typename Send>
-void VisitWished(
-  const CellReader& reader, const MeshPart& part, const std::vector<Wish>& wishes, const Send& send)
+void VisitWished(const CellGroups& groups, const MeshPart& part, const std::vector<Wish>& wishes,
+  Extent extent, const Send& send)
 {
   // The first wish of each point of the part.
   std::vector<vtkIdType> first(part.Points.size(), -1);
@@ -137,49 +151,59 @@ void VisitWished(
       first[i] = found - wishes.begin();
     }
   }
-  std::vector<vtkIdType> scratch;
-  for (vtkIdType c = 0; c < static_cast<vtkIdType>(part.Cells.size()); ++c)
+  std::map<int, vtkIdType> wished; // by the partition, how many points of the group
+  for (vtkIdType g = 0; g < groups.GetNumberOfGroups(); ++g)
   {
-    if (part.Cells[c] < 0)
+    wished.clear();
+    for (vtkIdType i = groups.PointStarts[g]; i < groups.PointStarts[g + 1]; ++i)
     {
-      continue;
-    }
-    const CellIds cell = reader.GetCell(c, scratch);
-    for (vtkIdType i = 0; i < cell.Size; ++i)
-    {
-      const vtkIdType point = cell.Ids[i];
-      if (point < 0 || point >= static_cast<vtkIdType>(first.size()) || first[point] < 0)
+      const vtkIdType point = groups.Points[i];
+      if (!Exists(point, part) || first[point] < 0)
       {
         continue;
       }
       for (auto wish = wishes.begin() + first[point];
         wish != wishes.end() && wish->Point == part.Points[point]; ++wish)
       {
-        send(wish->Partition, c);
+        ++wished[wish->Partition];
+      }
+    }
+    const vtkIdType least =
+      extent == Extent::Stars ? 1 : groups.PointStarts[g + 1] - groups.PointStarts[g];
+    for (const auto& [partition, points] : wished)
+    {
+      if (points >= least)
+      {
+        send(partition, g);
       }
     }
   }
 }
 
 /// The messages with the wished cells of a partition.
-Exchange::Messages PackWished(Partition& partition, std::vector<Wish> wishes)
+Exchange::Messages PackWished(Partition& partition, std::vector<Wish> wishes, Extent extent)
 {
   std::sort(wishes.begin(), wishes.end());
   std::map<int, std::vector<std::vector<vtkIdType>>> lists; // to a partition: cells of each part
   for (size_t p = 0; p < partition.NumberOfOwn; ++p)
   {
     const MeshPart& part = (*partition.Parts)[p];
-    VisitWished(partition.Readers[p], part, wishes,
-      [&](int to, vtkIdType cell)
+    const CellGroups& groups = partition.Groups[p];
+    VisitWished(groups, part, wishes, extent,
+      [&](int to, vtkIdType group)
       {
         auto& sent = partition.Sent[to];
         sent.resize(partition.NumberOfOwn);
         sent[p].resize(part.Cells.size(), 0);
-        if (!sent[p][cell])
+        for (vtkIdType i = groups.Starts[group]; i < groups.Starts[group + 1]; ++i)
         {
-          sent[p][cell] = 1;
-          lists[to].resize(partition.NumberOfOwn);
-          lists[to][p].push_back(cell);
+          const vtkIdType cell = groups.Cells[i];
+          if (!sent[p][cell])
+          {
+            sent[p][cell] = 1;
+            lists[to].resize(partition.NumberOfOwn);
+            lists[to][p].push_back(cell);
+          }
         }
       });
   }
@@ -213,6 +237,16 @@ vtkIdType CountIds(const std::vector<std::vector<MeshPart>>& parts, Exchange& ex
   return exchange.Max(last) + 1;
 }
 
+vtkIdType FindMostLevels(const std::vector<std::vector<MeshPart>>& parts, Exchange& exchange)
+{
+  vtkIdType most = 0;
+  for (const auto& partition : parts)
+  {
+    most = std::max<vtkIdType>(most, partition.empty() ? 0 : partition[0].Levels);
+  }
+  return exchange.Max(most);
+}
+
 }
 
 std::vector<Copies> AddLayers(
@@ -228,14 +262,17 @@ std::vector<Copies> AddLayers(
   size_t size = parts.size();
   std::vector<size_t> seen(size, 0); // parts whose points are known
   std::vector<Copies> ofFirst(size);
-  for (int layer = 0; layer < layers; ++layer)
+  const bool isStamped = FindMostLevels(parts, exchange) > 0;
+  for (int layer = 0; layer < layers + (isStamped ? 1 : 0); ++layer)
   {
+    const Extent extent = layer < layers ? Extent::Stars : Extent::Inside;
     // To the directory: the points that are new.
     std::vector<Exchange::Lists<vtkIdType>> questions(size);
     for (size_t i = 0; i < size; ++i)
     {
       Partition& partition = partitions[i];
-      const std::vector<vtkIdType> ids = FindPointIds(*partition.Parts, seen[i]);
+      partition.GroupNewParts();
+      const std::vector<vtkIdType> ids = FindPointIds(partition, seen[i]);
       seen[i] = partition.Parts->size();
       std::vector<vtkIdType> fresh;
       std::set_difference(ids.begin(), ids.end(), partition.Known.begin(), partition.Known.end(),
@@ -280,7 +317,7 @@ std::vector<Copies> AddLayers(
       {
         all.insert(all.end(), list.begin(), list.end());
       }
-      cells[i] = PackWished(partitions[i], std::move(all));
+      cells[i] = PackWished(partitions[i], std::move(all), extent);
       if (layer == 0)
       {
         ofFirst[i] = partitions[i].Sent;

@@ -25,6 +25,10 @@ using Copies = std::map<int, std::vector<std::vector<char>>>;
  * id of the point. Three exchanges for each layer. A partition sends 16 bytes for each of its
  * points, and each cell once to each partition that needs it.
  *
+ * The descendants of a control simplex (MeshPart::Levels) travel together, and its corners are the
+ * points that count. Then one exchange more brings the simplices that lie inside the last layer:
+ * without them lines and triangles that are faces of its solids would be numbered in another order.
+ *
  * Returns for each partition of this rank which cells it sent for the first layer.
  */
 std::vector<Copies> AddLayers(

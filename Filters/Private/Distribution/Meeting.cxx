@@ -18,7 +18,7 @@ namespace
 constexpr vtkIdType Ends = 0;    ///< its work is done
 constexpr vtkIdType Answers = 1; ///< it has no mesh
 constexpr vtkIdType Sends = 2;   ///< plus Next if it has messages
-constexpr vtkIdType Sums = 3;    ///< plus Next for each that it counts
+constexpr vtkIdType Gathers = 3; ///< plus Next times its value
 constexpr vtkIdType Next = 4;
 constexpr vtkIdType Stopped = -1;
 
@@ -64,13 +64,17 @@ public:
     return this->With.Messenger.GetNumberOfPartitions();
   }
   const std::vector<vtkIdType>& GetPointIds() const override { return this->Joined.PointIds; }
+  const std::vector<vtkIdType>& GetCellIds() const override { return this->Joined.CellIds; }
   bool IsOwn(vtkIdType cell) const override { return this->Blocks->GetValue(cell) != NoBlock; }
   const std::vector<int>& GetNeighbours(vtkIdType cell) const override
   {
     return this->Neighbours[cell];
   }
   bool Send(Messages& messages) override { return this->With.Send(this->Index, messages); }
-  vtkIdType Sum(vtkIdType own) override { return this->With.Sum(this->Index, own); }
+  std::vector<vtkIdType> Gather(vtkIdType own) override
+  {
+    return this->With.GatherValues(this->Index, own);
+  }
 
 private:
   Meeting& With;
@@ -156,16 +160,15 @@ bool Meeting::Send(int i, Partners::Messages& messages)
   return true;
 }
 
-vtkIdType Meeting::Sum(int i, vtkIdType own)
+std::vector<vtkIdType> Meeting::GatherValues(int i, vtkIdType own)
 {
-  const std::vector<vtkIdType> all = this->Gather(i, Sums + Next * own);
-  ExpectAll(all, Sums);
-  vtkIdType sum = 0;
-  for (const vtkIdType value : all)
+  std::vector<vtkIdType> all = this->Gather(i, Gathers + Next * own);
+  ExpectAll(all, Gathers);
+  for (vtkIdType& value : all)
   {
-    sum += value / Next;
+    value = value == Answers ? -1 : value / Next;
   }
-  return sum;
+  return all;
 }
 
 bool Meeting::End(int i, bool done)
@@ -187,7 +190,7 @@ bool Meeting::Answer(int i)
       Partners::Messages none;
       this->Deliver(i, none);
     }
-    else if (!DoAll(all, Sends) && !DoAll(all, Sums))
+    else if (!DoAll(all, Sends) && !DoAll(all, Gathers))
     {
       return false;
     }

@@ -44,7 +44,7 @@ private:
   friend class PartnersOfMesh;
 
   bool Send(int i, Partners::Messages& messages);
-  vtkIdType Sum(int i, vtkIdType own);
+  std::vector<vtkIdType> GatherValues(int i, vtkIdType own);
   std::vector<vtkIdType> Gather(int i, vtkIdType value);
   void Deliver(int i, Partners::Messages& messages);
   void Meet(const std::function<void()>& bring, const std::function<void()>& act,

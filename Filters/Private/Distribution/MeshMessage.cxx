@@ -2,6 +2,7 @@
 #include "Private/Distribution/MeshMessage.h"
 
 #include "Private/Arrays/Arrays.h"
+#include "Private/Distribution/StampedParts.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkCellArray.h"
@@ -164,24 +165,25 @@ vtkSmartPointer<vtkAbstractArray> GetArray(Reader& reader)
   return array;
 }
 
-void PutAttributes(vtkDataSetAttributes* data, Writer& writer)
+template <typename IsWanted>
+void PutArrays(vtkFieldData* data, const IsWanted& isWanted, Writer& writer)
 {
-  vtkIdType count = 0;
+  std::vector<vtkAbstractArray*> arrays;
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)
   {
-    count += CanBeSent(data->GetAbstractArray(a)) ? 1 : 0;
-  }
-  writer.Put(count);
-  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
-  {
-    if (CanBeSent(data->GetAbstractArray(a)))
+    if (isWanted(data->GetAbstractArray(a)))
     {
-      PutArray(data->GetAbstractArray(a), writer);
+      arrays.push_back(data->GetAbstractArray(a));
     }
+  }
+  writer.Put(static_cast<vtkIdType>(arrays.size()));
+  for (vtkAbstractArray* array : arrays)
+  {
+    PutArray(array, writer);
   }
 }
 
-void GetAttributes(Reader& reader, vtkDataSetAttributes* data)
+void GetArrays(Reader& reader, vtkFieldData* data)
 {
   for (vtkIdType left = reader.GetId(); left > 0; --left)
   {
@@ -271,8 +273,9 @@ void PackCells(
   writer.Put(static_cast<vtkIdType>(vtkPolyData::SafeDownCast(mesh) ? 1 : 0));
   PutArray(mesh->GetPoints()->GetData(), writer);
   PutCells(mesh, writer);
-  PutAttributes(mesh->GetPointData(), writer);
-  PutAttributes(mesh->GetCellData(), writer);
+  PutArrays(mesh->GetPointData(), CanBeSent, writer);
+  PutArrays(mesh->GetCellData(), CanBeSent, writer);
+  PutArrays(part.Mesh->GetFieldData(), IsStampedList, writer);
   writer.Put(Select(part.Points, points));
   writer.Put(Select(part.Cells, cells));
 }
@@ -296,8 +299,9 @@ void UnpackCells(const std::vector<char>& message, std::vector<MeshPart>& parts)
     points->SetData(vtkDataArray::SafeDownCast(coordinates));
     part.Mesh->SetPoints(points);
     GetCells(reader, part.Mesh);
-    GetAttributes(reader, part.Mesh->GetPointData());
-    GetAttributes(reader, part.Mesh->GetCellData());
+    GetArrays(reader, part.Mesh->GetPointData());
+    GetArrays(reader, part.Mesh->GetCellData());
+    GetArrays(reader, part.Mesh->GetFieldData());
     part.Points = reader.GetIds();
     part.Cells = reader.GetIds();
     parts.push_back(std::move(part));

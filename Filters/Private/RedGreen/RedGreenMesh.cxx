@@ -308,15 +308,15 @@ void WriteRedGreenFields(const RedGreenMesh& mesh, const RedGreenOutput<Id>& pla
       std::copy(leaf.Midpoints.begin(), leaf.Midpoints.end(), tuple + 4);
     });
   output->GetFieldData()->AddArray(array);
-  WriteSingularTuples(SimplexTuples(), output);
   Stamp stamp;
   stamp.Scheme = StampScheme::RedGreen;
   stamp.NumberOfControlPoints = output->GetNumberOfPoints();
   stamp.IsProjected = isProjected;
   stamp.TetOrderIsFinal = mesh.TetOrderIsFinal;
   WriteStamp(stamp, output);
-  WriteIds(GlobalIdsName, mesh.Control.GlobalIds, output);
-  WriteIds(InvertedCellsName, {}, output);
+  StampedIds ids;
+  ids.Global = mesh.Control.GlobalIds;
+  WriteStampedIds(ids, output);
 }
 
 template void WriteRedGreenFields(

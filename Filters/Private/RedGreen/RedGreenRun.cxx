@@ -39,7 +39,7 @@ public:
   RedGreenRun(vtkPointSet* input, const RedGreenOptions& options, vtkUnstructuredGrid* output)
     : Input(input)
     , Options(options)
-    , Others(options.FindPartners ? options.FindPartners(input) : nullptr)
+    , Others(FindPartners(options, input))
     , Output(output)
   {
   }
@@ -586,7 +586,7 @@ void RedGreenRun::WarnOfReplaced() const
 bool RefineRedGreen(vtkPointSet* input, const RedGreenOptions& options, vtkUnstructuredGrid* output)
 {
   RedGreenOptions own = options;
-  if (Partners* others = options.FindPartners ? options.FindPartners(input) : nullptr)
+  if (Partners* others = FindPartners(options, input))
   {
     own.Criteria.FindLargest = [others](std::vector<double>& values)
     { others->FindLargest(values); };

@@ -433,10 +433,8 @@ template <typename Id>
 void Probe::AddNumbers(const ComplexDescription<Id>& description)
 {
   vtkFieldData* fields = this->Output->GetFieldData();
-  WriteSingularTuples(SimplexTuples(), this->Output);
+  WriteStampedIds(StampedIds(), this->Output);
   fields->RemoveArray(StampName);
-  fields->RemoveArray(GlobalIdsName);
-  fields->RemoveArray(InvertedCellsName);
   auto add = [fields](const char* name, const vtkIdType* values, int size)
   {
     vtkNew<vtkIdTypeArray> array;

@@ -78,6 +78,8 @@ private:
   void FinishPoints(bool ownsCells);
 
   void Write();
+  void WriteStamps();
+  void CountInWhole(Partners& others, Stamp& stamp, StampedIds& ids);
   void CheckOrientation();
   void AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges);
   bool IsStopped(double done) const

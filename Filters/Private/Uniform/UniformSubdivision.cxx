@@ -6,9 +6,12 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/CellArrays.h"
+#include "Private/Control/Partners.h"
 #include "Private/Control/SizeChecks.h"
+#include "Private/Control/StampFields.h"
 #include "Private/Reading/SolidOrientation.h"
 #include "Private/Uniform/Classification.h"
+#include "Private/Uniform/OutputNumbers.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -477,16 +480,63 @@ void UniformRun::Write()
   }
   RebuildPointGhosts(this->Input, this->Output);
 
+  this->WriteStamps();
+}
+
+void UniformRun::WriteStamps()
+{
   Stamp stamp;
   stamp.Scheme = this->Options.Scheme;
   stamp.Levels = this->Mesh.MadeLevels + this->Options.Levels;
   stamp.NumberOfControlPoints = this->Mesh.GetControl().NumberOfPoints;
   stamp.IsProjected = this->Options.ProjectToLimit;
+  StampedIds ids;
+  if (!stamp.IsProjected)
+  {
+    ids = { this->Derived, this->Mesh.GlobalIds, this->Mesh.Inverted, {} };
+  }
+  if (Partners* others = FindPartners(this->Options, this->Input))
+  {
+    this->CountInWhole(*others, stamp, ids);
+  }
   WriteStamp(stamp, this->Output);
-  WriteSingularTuples(stamp.IsProjected ? SimplexTuples() : this->Derived, this->Output);
-  const std::vector<vtkIdType> none;
-  WriteIds(GlobalIdsName, stamp.IsProjected ? none : this->Mesh.GlobalIds, this->Output);
-  WriteIds(InvertedCellsName, stamp.IsProjected ? none : this->Mesh.Inverted, this->Output);
+  WriteStampedIds(ids, this->Output);
+}
+
+/// Adds the numbers that points and cells have in the whole output, of which this is a part, and
+/// makes the stamp count there.
+void UniformRun::CountInWhole(Partners& others, Stamp& stamp, StampedIds& ids)
+{
+  const OutputNumbers numbers =
+    NumberOutput(this->Mesh, this->Found ? this->Found->ControlDerived : this->Control.Derived,
+      this->Input, stamp.Levels, this->GetScheme(), others);
+  this->Output->GetPointData()->AddArray(
+    MakeField<vtkIdTypeArray>(PointNumbersName, numbers.Points));
+  this->Output->GetCellData()->AddArray(MakeField<vtkIdTypeArray>(CellNumbersName, numbers.Cells));
+  stamp.NumberOfControlPoints = numbers.NumberOfControlPoints;
+  stamp.NumberOfPoints = numbers.NumberOfPoints;
+  stamp.NumberOfCells = numbers.NumberOfCells;
+  for (int dimension = 0; dimension < 3; ++dimension)
+  {
+    std::vector<vtkIdType> own;
+    const std::vector<char>& isOwn = numbers.IsOwnDerived[dimension];
+    const std::vector<vtkIdType>& tuples = ids.Singular.Tuples[dimension];
+    const std::size_t ofEach = isOwn.empty() ? 1 : tuples.size() / isOwn.size();
+    for (std::size_t i = 0; i < tuples.size(); ++i)
+    {
+      if (isOwn[i / ofEach])
+      {
+        own.push_back(numbers.Points[tuples[i]]);
+      }
+    }
+    ids.Singular.Tuples[dimension] = std::move(own);
+  }
+  for (const vtkIdType simplex : ids.Inverted)
+  {
+    ids.FirstInverted.push_back(2 * numbers.FirstCells[simplex / 2] + simplex % 2);
+  }
+  ids.Inverted.clear();
+  ids.Global.clear(); // points have their order
 }
 
 /// Warns of solids that smoothing turned inside out, and marks them (Inverted).

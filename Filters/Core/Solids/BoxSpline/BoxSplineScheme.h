@@ -9,6 +9,7 @@
 #include "Core/Solids/BoxSpline/BoxSplineStar.h"
 #include "Core/Solids/BoxSpline/ChildRows.h"
 #include "Core/Solids/BoxSpline/RefinedCells.h"
+#include "Core/Solids/BoxSpline/Refinement.h"
 #include "Core/Solids/BoxSpline/Stencils.h"
 #include "Core/Solids/Scheme/SolidScheme.h"
 #include "Core/Solids/Scheme/SolidTurns.h"
@@ -35,7 +36,8 @@ struct BoxSplineScheme
       4 * counts.Faces + 8 * counts.Tets, 8 * counts.Tets };
   }
   static double CountMoreIds(const LevelCounts&) { return 0.; }
-  static constexpr SchemeTraits Traits = { 0, true, false, RefineCounts, CountMoreIds };
+  static constexpr SchemeTraits Traits = { 0, true, false, RefineCounts, CountMoreIds,
+    ListBoxSplineVertices };
 
   static Level Start(Level&& control) { return std::move(control); }
   static void CountSolids(const Level&, LevelCounts&) {}

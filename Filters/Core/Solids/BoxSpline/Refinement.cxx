@@ -13,6 +13,11 @@ Level<Id> Refine(const Level<Id>& parent, Depth depth)
   return Refiner<BoxSplineSplit<Id>>(parent, depth).Run();
 }
 
+std::vector<IdSegment> ListBoxSplineVertices(int steps)
+{
+  return ListVertexSegments<MarkedTetShape::Shapes>(steps);
+}
+
 template Level<int> Refine(const Level<int>&, Depth);
 template Level<long long> Refine(const Level<long long>&, Depth);
 

@@ -8,6 +8,7 @@
 #define SubdivisionObjects_Level_h
 
 #include "Core/Rules/Depth.h"
+#include "Core/Solids/Scheme/IdSegments.h"
 #include "Core/Solids/Strata/Strata.h"
 
 namespace subdivision
@@ -35,6 +36,8 @@ struct SchemeTraits
   LevelCounts (*Refine)(const LevelCounts&);
   /// How many ids a level with rings and carriers has beyond those of tetrahedra, faces and edges.
   double (*CountMoreIds)(const LevelCounts&);
+  /// The ids of the vertices after some steps, to number those of several ranks (IdSegments.h).
+  std::vector<IdSegment> (*ListVertices)(int steps);
   /// Sizes of the rings of regular edges and vertices where they are larger than those of
   /// surfaces, otherwise 0.
   double EdgeRing = 0;

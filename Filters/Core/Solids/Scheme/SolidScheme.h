@@ -18,7 +18,8 @@
  *    applied. Both take a level that stays whole (RingOperator).
  *
  * **Numbers**
- *  - Traits: a constant SchemeTraits.
+ *  - Traits: a constant SchemeTraits. A scheme whose step is Refiner.h lists its vertices with
+ *    ListVertexSegments (IdSegments.h).
  *
  * **From level to level**
  *  - Start(control): the control level, from a Level in which all solids are tetrahedra;

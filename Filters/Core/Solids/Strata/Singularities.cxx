@@ -47,6 +47,42 @@ bool HoldsOneDimension(unsigned char dimensions)
 
 }
 
+SimplexList AddTuples(const SimplexList& simplices, const SimplexTuples& tuples)
+{
+  SimplexList all = simplices;
+  for (int dimension = 0; dimension < 3; ++dimension)
+  {
+    const auto& ids = tuples.Tuples[dimension];
+    all.Connectivity.insert(all.Connectivity.end(), ids.begin(), ids.end());
+    all.Dimensions.insert(
+      all.Dimensions.end(), ids.size() / (dimension + 1), static_cast<unsigned char>(dimension));
+  }
+  return all;
+}
+
+void SortTuples(SimplexTuples& tuples, int dimension)
+{
+  std::vector<vtkIdType>& ids = tuples.Tuples[dimension];
+  const auto size = static_cast<std::size_t>(dimension + 1);
+  std::vector<std::vector<vtkIdType>> sorted;
+  for (std::size_t i = 0; i < ids.size(); i += size)
+  {
+    sorted.emplace_back(ids.begin() + i, ids.begin() + i + size);
+  }
+  std::sort(sorted.begin(), sorted.end(),
+    [](std::vector<vtkIdType> a, std::vector<vtkIdType> b)
+    {
+      std::sort(a.begin(), a.end());
+      std::sort(b.begin(), b.end());
+      return a < b;
+    });
+  auto next = ids.begin();
+  for (const auto& tuple : sorted)
+  {
+    next = std::copy(tuple.begin(), tuple.end(), next);
+  }
+}
+
 template <typename Id>
 Buffer<vtkIdType> FindSimplicesOf(
   const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int dimension)

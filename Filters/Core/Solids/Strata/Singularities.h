@@ -27,6 +27,11 @@ struct SimplexTuples
   }
 };
 
+/// The simplices with tuples after them.
+SimplexList AddTuples(const SimplexList& simplices, const SimplexTuples& tuples);
+/// Sorts the tuples of a dimension by their vertices.
+void SortTuples(SimplexTuples& tuples, int dimension);
+
 /// For each vertex, edge, face or tetrahedron the position in output order of the cell that it is,
 /// or -1 if it is no cell. Followers are not looked at.
 template <typename Id>

@@ -40,6 +40,11 @@ TetOctLevel<Id> Refine(const TetOctLevel<Id>& parent, Depth depth)
   return Refiner<TetOctSplit<Id>>(parent, depth).Run();
 }
 
+std::vector<IdSegment> ListTetOctVertices(int steps)
+{
+  return ListVertexSegments<TetShape::Shapes>(steps);
+}
+
 SUBDIVISION_TETOCT_TEMPLATES(, int);
 SUBDIVISION_TETOCT_TEMPLATES(, long long);
 

@@ -63,6 +63,9 @@ TetOctLevel<Id> MakeTetOctLevel(Level<Id>&& control);
 template <typename Id>
 TetOctLevel<Id> Refine(const TetOctLevel<Id>& parent, Depth depth);
 
+/// The order in which levels number their vertices (IdSegments.h).
+std::vector<IdSegment> ListTetOctVertices(int steps);
+
 #define SUBDIVISION_TETOCT_TEMPLATES(EXTERN, Id)                                                   \
   EXTERN template TetOctLevel<Id> MakeTetOctLevel(Level<Id>&&);                                    \
   EXTERN template TetOctLevel<Id> Refine(const TetOctLevel<Id>&, Depth)

@@ -44,7 +44,7 @@ struct TetOctScheme
     return 26. * counts.Octahedra + 37. * counts.Vertices + 2. * counts.Edges;
   }
   static constexpr SchemeTraits Traits = { 2, false, true, RefineCounts, CountMoreIds,
-    RegularEdgeRing, RegularVertexRing };
+    ListTetOctVertices, RegularEdgeRing, RegularVertexRing };
 
   static Level Start(subdivision::Level<Id>&& control)
   {

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Control/SharedNumbers.h"
+
+#include "Private/Control/Partners.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace subdivision
+{
+namespace
+{
+
+using Ids = std::vector<vtkIdType>;
+
+void Pack(const Ids& ids, std::vector<char>& message)
+{
+  const char* first = reinterpret_cast<const char*>(ids.data());
+  message.assign(first, first + ids.size() * sizeof(vtkIdType));
+}
+
+Ids Unpack(const std::vector<char>& message)
+{
+  Ids ids(message.size() / sizeof(vtkIdType));
+  std::memcpy(ids.data(), message.data(), ids.size() * sizeof(vtkIdType));
+  return ids;
+}
+
+/// Which partition keeps the things of a key.
+class Keepers
+{
+public:
+  Keepers(const SharedKeys& things, Partners& partners)
+  {
+    vtkIdType last = 0;
+    for (size_t k = 0; k < things.Keys.size(); k += static_cast<size_t>(things.Width))
+    {
+      last = std::max(last, things.Keys[k]);
+    }
+    const Ids all = partners.Gather(last);
+    for (size_t p = 0; p < all.size(); ++p)
+    {
+      if (all[p] >= 0)
+      {
+        this->Partitions.push_back(static_cast<int>(p));
+        last = std::max(last, all[p]);
+      }
+    }
+    this->Share = last / static_cast<vtkIdType>(this->Partitions.size()) + 1;
+  }
+  int Find(vtkIdType firstOfKey) const { return this->Partitions[firstOfKey / this->Share]; }
+
+private:
+  Ids::value_type Share;
+  std::vector<int> Partitions; ///< those that have a mesh
+};
+
+/// What a partition keeps: records of a key and its sizes. The things that some partition is sure
+/// of, ascending, each once.
+class Kept
+{
+public:
+  Kept(int width, int kinds)
+    : Width(width)
+    , Length(width + kinds)
+  {
+  }
+  void Add(const vtkIdType* first, const vtkIdType* last)
+  {
+    this->Records.insert(this->Records.end(), first, last);
+  }
+  /// Replaces sizes by the sums of those before; returns the sums of all.
+  Ids SumUp()
+  {
+    this->Sort();
+    Ids sums(static_cast<size_t>(this->Length - this->Width), 0);
+    for (vtkIdType* record : this->Sorted)
+    {
+      for (size_t kind = 0; kind < sums.size(); ++kind)
+      {
+        const vtkIdType size = record[this->Width + kind];
+        record[this->Width + kind] = sums[kind];
+        sums[kind] += size;
+      }
+    }
+    return sums;
+  }
+  /// Those sums, at a key; null: nobody is sure of it.
+  const vtkIdType* Find(const vtkIdType* key) const
+  {
+    const auto found = std::lower_bound(this->Sorted.begin(), this->Sorted.end(), key,
+      [this](const vtkIdType* record, const vtkIdType* k) { return this->IsLess(record, k); });
+    return found == this->Sorted.end() || this->IsLess(key, *found) ? nullptr
+                                                                    : *found + this->Width;
+  }
+
+private:
+  bool IsLess(const vtkIdType* a, const vtkIdType* b) const
+  {
+    return std::lexicographical_compare(a, a + this->Width, b, b + this->Width);
+  }
+  void Sort()
+  {
+    for (size_t i = 0; i < this->Records.size(); i += static_cast<size_t>(this->Length))
+    {
+      this->Sorted.push_back(this->Records.data() + i);
+    }
+    const auto isLess = [this](const vtkIdType* a, const vtkIdType* b)
+    { return this->IsLess(a, b); };
+    std::sort(this->Sorted.begin(), this->Sorted.end(), isLess);
+    this->Sorted.erase(std::unique(this->Sorted.begin(), this->Sorted.end(),
+                         [&](const vtkIdType* a, const vtkIdType* b) { return !isLess(a, b); }),
+      this->Sorted.end());
+  }
+
+  int Width;
+  int Length;
+  Ids Records;
+  std::vector<vtkIdType*> Sorted;
+};
+
+/// The questions of this partition: to each keeper the number of things that it is sure of, these
+/// with their sizes, then the keys of the others.
+class Questions
+{
+public:
+  Questions(const SharedKeys& things, const Keepers& keepers)
+    : Kinds(things.Kinds)
+  {
+    const auto width = static_cast<size_t>(things.Width);
+    const auto kinds = static_cast<size_t>(things.Kinds);
+    for (const bool own : { true, false })
+    {
+      for (size_t i = 0; i < things.Own.size(); ++i)
+      {
+        if (static_cast<bool>(things.Own[i]) != own)
+        {
+          continue;
+        }
+        const vtkIdType* key = things.Keys.data() + width * i;
+        auto& [ids, places] = this->To[keepers.Find(key[0])];
+        ids.resize(std::max<size_t>(ids.size(), 1), 0);
+        ids.insert(ids.end(), key, key + width);
+        places.push_back(i);
+        if (own)
+        {
+          ++ids[0];
+          for (size_t kind = 0; kind < kinds; ++kind)
+          {
+            ids.push_back(things.Sizes.empty() ? 1 : things.Sizes[kinds * i + kind]);
+          }
+        }
+      }
+    }
+  }
+  Partners::Messages Pack() const
+  {
+    Partners::Messages messages;
+    for (const auto& [keeper, question] : this->To)
+    {
+      subdivision::Pack(question.first, messages[keeper]);
+    }
+    return messages;
+  }
+  /// Sorts in the answers of all keepers; `before`: what their predecessors have.
+  void Take(const Partners::Messages& answers, SharedNumbers& numbers) const
+  {
+    const auto kinds = static_cast<size_t>(this->Kinds);
+    for (const auto& [keeper, message] : answers)
+    {
+      const Ids answer = Unpack(message);
+      const std::vector<size_t>& places = this->To.at(keeper).second;
+      for (size_t i = 0; i < places.size(); ++i)
+      {
+        std::copy_n(answer.data() + kinds * i, kinds, numbers.First.data() + kinds * places[i]);
+      }
+    }
+  }
+
+private:
+  int Kinds;
+  std::map<int, std::pair<Ids, std::vector<size_t>>> To;
+};
+
+/// The answers of this partition: numbers count from its own first thing.
+class Answers
+{
+public:
+  Answers(const SharedKeys& things, const Partners::Messages& questions)
+    : Width(static_cast<size_t>(things.Width))
+    , Kinds(static_cast<size_t>(things.Kinds))
+    , Things(things.Width, things.Kinds)
+  {
+    for (const auto& [from, message] : questions)
+    {
+      Ids& ids = this->Asked[from];
+      ids = Unpack(message);
+      const size_t sure = static_cast<size_t>(ids[0]) * (this->Width + this->Kinds);
+      this->Things.Add(ids.data() + 1, ids.data() + 1 + sure);
+    }
+    this->Sums = this->Things.SumUp();
+  }
+  const Ids& GetSums() const { return this->Sums; }
+  /// `before`: how many ids of each kind the keepers before this one have.
+  Partners::Messages Pack(const Ids& before) const
+  {
+    Partners::Messages messages;
+    for (const auto& [from, ids] : this->Asked)
+    {
+      Ids answer;
+      size_t at = 1;
+      for (vtkIdType i = 0; at < ids.size(); ++i)
+      {
+        const vtkIdType* found = this->Things.Find(ids.data() + at);
+        for (size_t kind = 0; kind < this->Kinds; ++kind)
+        {
+          answer.push_back(found ? before[kind] + found[kind] : -1);
+        }
+        at += this->Width + (i < ids[0] ? this->Kinds : 0);
+      }
+      subdivision::Pack(answer, messages[from]);
+    }
+    return messages;
+  }
+
+private:
+  size_t Width;
+  size_t Kinds;
+  Kept Things;
+  Ids Sums;
+  std::map<int, Ids> Asked;
+};
+
+}
+
+SharedNumbers NumberTogether(const SharedKeys& things, Partners& partners)
+{
+  const Keepers keepers(things, partners);
+  const Questions questions(things, keepers);
+  Partners::Messages messages = questions.Pack();
+  partners.Send(messages);
+  const Answers answers(things, messages);
+  SharedNumbers numbers;
+  Ids before;
+  for (const vtkIdType sum : answers.GetSums())
+  {
+    Ids all = partners.Gather(sum);
+    std::replace(all.begin(), all.end(), vtkIdType(-1), vtkIdType(0));
+    const auto own = all.begin() + partners.GetPartition();
+    before.push_back(std::accumulate(all.begin(), own, vtkIdType(0)));
+    numbers.Totals.push_back(std::accumulate(own, all.end(), before.back()));
+  }
+  messages = answers.Pack(before);
+  partners.Send(messages);
+  numbers.First.assign(things.Own.size() * static_cast<size_t>(things.Kinds), -1);
+  questions.Take(messages, numbers);
+  return numbers;
+}
+
+}

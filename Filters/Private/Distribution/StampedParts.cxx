@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Distribution/StampedParts.h"
+
+#include "Private/Control/Stamp.h"
+#include "Private/Control/StampFields.h"
+#include "Private/Reading/CellReader.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointSet.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace subdivision
+{
+namespace
+{
+
+using Ids = std::vector<vtkIdType>;
+
+constexpr const char* BlockPointsName = "SubdivisionBlockPoints";
+constexpr const char* BlockCellsName = "SubdivisionBlockCells";
+
+bool HasStamp(const MeshPart& part)
+{
+  return part.Mesh->GetFieldData()->HasArray(StampName);
+}
+
+bool ReadNumbers(vtkFieldData* field, const char* name, vtkIdType size, Ids& numbers)
+{
+  numbers = ReadFieldIds(name, field);
+  return static_cast<vtkIdType>(numbers.size()) == size &&
+    std::all_of(numbers.begin(), numbers.end(), [](vtkIdType number) { return number >= 0; });
+}
+
+/// Leaves out duplicate cells, and points that nothing else uses.
+void LeaveOutDuplicates(MeshPart& part)
+{
+  vtkUnsignedCharArray* types = part.Mesh->GetCellGhostArray();
+  if (!types)
+  {
+    return;
+  }
+  const CellReader reader(part.Mesh);
+  Ids scratch;
+  std::vector<char> isUsed(part.Points.size(), 0);
+  std::vector<char> isOfDuplicate(part.Points.size(), 0);
+  for (vtkIdType c = 0; c < reader.GetNumberOfCells(); ++c)
+  {
+    const bool isDuplicate = types->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL;
+    const CellIds cell = reader.GetCell(c, scratch);
+    for (vtkIdType i = 0; i < cell.Size; ++i)
+    {
+      (isDuplicate ? isOfDuplicate : isUsed)[cell.Ids[i]] = 1;
+    }
+    part.Cells[c] = isDuplicate ? -1 : part.Cells[c];
+  }
+  for (size_t p = 0; p < part.Points.size(); ++p)
+  {
+    part.Points[p] = isOfDuplicate[p] && !isUsed[p] ? -1 : part.Points[p];
+  }
+}
+
+bool TakeNumbers(MeshPart& part)
+{
+  vtkFieldData* field = part.Mesh->GetFieldData();
+  return HasStamp(part) &&
+    ReadNumbers(field, BlockPointsName, part.Mesh->GetNumberOfPoints(), part.Points) &&
+    ReadNumbers(field, BlockCellsName, part.Mesh->GetNumberOfCells(), part.Cells);
+}
+
+/// The same for a part of an output that several ranks have.
+bool TakeNumbersOfVolume(MeshPart& part, Stamp& stamp)
+{
+  if (!TakeNumbers(part) || !ReadPartStamp(part.Mesh, stamp))
+  {
+    return false;
+  }
+  LeaveOutDuplicates(part);
+  part.Levels = stamp.Levels;
+  CellGroups groups;
+  return FindGroups(part, groups);
+}
+
+bool AreConsecutive(const Ids& ids)
+{
+  for (size_t i = 0; i < ids.size(); ++i)
+  {
+    if (ids[i] != static_cast<vtkIdType>(i))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The position of an id in an ascending list; -1: it is not there.
+vtkIdType Find(const Ids& ids, vtkIdType id)
+{
+  const auto found = std::lower_bound(ids.begin(), ids.end(), id);
+  return found == ids.end() || *found != id ? -1 : found - ids.begin();
+}
+
+/// The corners of a control simplex, ascending, from the corners of its descendants (as in
+/// FindControlMesh).
+Ids FindCorners(const Ids& descendants, int dimension)
+{
+  const auto size = static_cast<size_t>(dimension + 1);
+  const size_t others =
+    dimension == 0 ? 0 : (descendants.size() / size - 1) / ((size_t(1) << dimension) - 1);
+  Ids corners;
+  for (size_t corner = 0; corner < size; ++corner)
+  {
+    corners.push_back(descendants[corner * others * size + corner]);
+  }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+/// Collects the singular simplices of all parts: the descendants of each once, as points of the
+/// joined mesh, in the order of SortTuples.
+Ids JoinTuples(
+  const std::vector<MeshPart>& parts, int dimension, int levels, const JoinedMesh& joined)
+{
+  const auto size = static_cast<size_t>((dimension + 1) << (dimension * levels));
+  std::map<Ids, Ids> found; // by corners
+  for (const MeshPart& part : parts)
+  {
+    const Ids ids =
+      ReadFieldIds(SingularNames[dimension], part.Mesh->GetFieldData(), dimension + 1);
+    for (size_t first = 0; first + size <= ids.size(); first += size)
+    {
+      Ids group;
+      std::transform(ids.begin() + first, ids.begin() + first + size, std::back_inserter(group),
+        [&](vtkIdType number) { return Find(joined.PointIds, number); });
+      if (std::find(group.begin(), group.end(), vtkIdType(-1)) == group.end())
+      {
+        found.emplace(FindCorners(group, dimension), group);
+      }
+    }
+  }
+  Ids tuples;
+  for (const auto& [corners, group] : found)
+  {
+    tuples.insert(tuples.end(), group.begin(), group.end());
+  }
+  return tuples;
+}
+
+/// Collects the inverted control simplices.
+Ids JoinInverted(const std::vector<MeshPart>& parts, int levels, const JoinedMesh& joined)
+{
+  std::set<vtkIdType> first;
+  std::set<vtkIdType> all;
+  for (const MeshPart& part : parts)
+  {
+    vtkFieldData* field = part.Mesh->GetFieldData();
+    const Ids inParts = ReadFieldIds(FirstInvertedName, field);
+    first.insert(inParts.begin(), inParts.end());
+    const Ids inWhole = ReadFieldIds(InvertedCellsName, field);
+    all.insert(inWhole.begin(), inWhole.end());
+  }
+  const CellReader cells(joined.Mesh);
+  vtkIdType simplex = 0;
+  for (vtkIdType c = 0; !first.empty() && c < cells.GetNumberOfCells(); ++simplex)
+  {
+    for (const int isFlat : { 0, 1 })
+    {
+      if (first.count(2 * joined.CellIds[c] + isFlat))
+      {
+        all.insert(2 * simplex + isFlat);
+      }
+    }
+    Ids scratch;
+    c += vtkIdType(1) << ((cells.GetCell(c, scratch).Size - 1) * levels);
+  }
+  return { all.begin(), all.end() };
+}
+
+/// Copies the stamp of an output that has come together again.
+void CopyStamp(vtkFieldData* from, vtkFieldData* to)
+{
+  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
+  {
+    const char* name = from->GetAbstractArray(a)->GetName();
+    if (BelongsToStamp(name) && std::string(name) != BlockPointsName &&
+      std::string(name) != BlockCellsName)
+    {
+      to->AddArray(from->GetAbstractArray(a));
+    }
+  }
+}
+
+}
+
+void WriteStampedNumbers(const Ids& points, const Ids& cells, vtkPointSet* block)
+{
+  block->GetFieldData()->AddArray(MakeField<vtkIdTypeArray>(BlockPointsName, points));
+  block->GetFieldData()->AddArray(MakeField<vtkIdTypeArray>(BlockCellsName, cells));
+}
+
+bool IsStampedList(vtkAbstractArray* array)
+{
+  const std::string name = array->GetName() ? array->GetName() : "";
+  return name == FirstInvertedName ||
+    std::find(std::begin(SingularNames), std::end(SingularNames), name) != std::end(SingularNames);
+}
+
+namespace
+{
+
+bool TakeNumbersOfParts(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange)
+{
+  bool taken = true;
+  if (exchange.GetNumberOfPartitions() == 1)
+  {
+    for (MeshPart& part : parts[0])
+    {
+      taken = taken && TakeNumbers(part);
+    }
+    return taken && !parts[0].empty();
+  }
+  Ids cells;
+  std::vector<Stamp> stamps;
+  for (auto& partition : parts)
+  {
+    cells.push_back(0);
+    for (MeshPart& part : partition)
+    {
+      stamps.emplace_back();
+      taken = taken && TakeNumbersOfVolume(part, stamps.back());
+      cells.back() += taken ? std::count_if(part.Cells.begin(), part.Cells.end(),
+                                [](vtkIdType cell) { return cell >= 0; })
+                            : 0;
+    }
+  }
+  if (!exchange.Agree(taken))
+  {
+    return false;
+  }
+  Stamp one;
+  const auto numbersOf = [](const Stamp& stamp)
+  {
+    return std::array<vtkIdType, 5>{ static_cast<vtkIdType>(stamp.Scheme), stamp.Levels,
+      stamp.NumberOfControlPoints, stamp.NumberOfPoints, stamp.NumberOfCells };
+  };
+  std::array<vtkIdType, 5> most = numbersOf(stamps.empty() ? one : stamps[0]);
+  for (vtkIdType& number : most)
+  {
+    number = exchange.Max(stamps.empty() ? -1 : number);
+  }
+  const Ids all = exchange.Gather(cells);
+  return exchange.Agree(std::all_of(stamps.begin(), stamps.end(),
+           [&](const Stamp& stamp) { return numbersOf(stamp) == most; })) &&
+    std::accumulate(all.begin(), all.end(), vtkIdType(0)) == most[4];
+}
+
+}
+
+bool TakeStampedNumbers(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange)
+{
+  const bool taken = TakeNumbersOfParts(parts, exchange);
+  for (auto& partition : parts)
+  {
+    for (MeshPart& part : partition)
+    {
+      part.Levels = taken ? part.Levels : 0;
+    }
+  }
+  return taken;
+}
+
+bool RestoreStamp(const std::vector<MeshPart>& parts, bool taken, JoinedMesh& joined)
+{
+  if (!std::any_of(parts.begin(), parts.end(), HasStamp))
+  {
+    return true;
+  }
+  const bool isWhole = AreConsecutive(joined.PointIds) && AreConsecutive(joined.CellIds);
+  vtkFieldData* field = parts[0].Mesh->GetFieldData();
+  Stamp stamp;
+  const bool isOfPartitions = parts.back().Block == NoBlock || parts[0].Levels > 0;
+  if (!taken || (!isWhole && !isOfPartitions) || !ReadPartStamp(parts[0].Mesh, stamp))
+  {
+    if (taken && isWhole)
+    {
+      CopyStamp(field, joined.Mesh->GetFieldData());
+    }
+    return taken && isWhole;
+  }
+  StampedIds ids;
+  for (int dimension = 0; dimension < 3; ++dimension)
+  {
+    ids.Singular.Tuples[dimension] = JoinTuples(parts, dimension, stamp.Levels, joined);
+  }
+  ids.Inverted = JoinInverted(parts, stamp.Levels, joined);
+  if (isWhole)
+  {
+    ids.Global = ReadFieldIds(GlobalIdsName, field);
+  }
+  WriteStampedIds(ids, joined.Mesh);
+  stamp.NumberOfControlPoints =
+    std::lower_bound(joined.PointIds.begin(), joined.PointIds.end(), stamp.NumberOfControlPoints) -
+    joined.PointIds.begin();
+  stamp.NumberOfPoints = 0;
+  WriteStamp(stamp, joined.Mesh);
+  return true;
+}
+
+bool FindGroups(const MeshPart& part, CellGroups& groups)
+{
+  const CellReader reader(part.Mesh);
+  for (size_t c = 0; c < part.Cells.size(); ++c)
+  {
+    if (part.Cells[c] >= 0)
+    {
+      groups.Cells.push_back(static_cast<vtkIdType>(c));
+    }
+  }
+  if (part.Levels > 0)
+  {
+    std::sort(groups.Cells.begin(), groups.Cells.end(),
+      [&part](vtkIdType a, vtkIdType b) { return part.Cells[a] < part.Cells[b]; });
+  }
+  Ids scratch;
+  const auto size = static_cast<vtkIdType>(groups.Cells.size());
+  for (vtkIdType first = 0; first < size; first = groups.Starts.back())
+  {
+    const int corners = static_cast<int>(reader.GetCell(groups.Cells[first], scratch).Size);
+    const int dimension = part.Levels > 0 ? corners - 1 : 0;
+    const vtkIdType count = vtkIdType(1) << (dimension * part.Levels);
+    const vtkIdType last = first + std::min(count, size - first) - 1;
+    if (part.Cells[groups.Cells[last]] - part.Cells[groups.Cells[first]] != count - 1)
+    {
+      return false;
+    }
+    // Corner c of the control simplex is corner c of its descendant c * others (FindControlMesh).
+    const vtkIdType others = dimension == 0 ? 0 : (count - 1) / ((1 << dimension) - 1);
+    for (int corner = 0; corner < corners; ++corner)
+    {
+      const CellIds cell = reader.GetCell(groups.Cells[first + corner * others], scratch);
+      if (cell.Size != corners)
+      {
+        return false;
+      }
+      groups.Points.push_back(cell.Ids[corner]);
+    }
+    groups.Starts.push_back(first + count);
+    groups.PointStarts.push_back(static_cast<vtkIdType>(groups.Points.size()));
+  }
+  return true;
+}
+
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file StampedParts.h
+ * Lets a filter go on with what an earlier filter made of blocks and partitions (Stamp.h). Field
+ * arrays of a block hold the numbers that its points and cells have in the whole output.
+ */
+#ifndef SubdivisionObjects_StampedParts_h
+#define SubdivisionObjects_StampedParts_h
+
+#include "Private/Distribution/Exchange.h"
+#include "Private/Distribution/JoinedMesh.h"
+
+class vtkAbstractArray;
+
+namespace subdivision
+{
+
+/// Adds the numbers of the points and cells of a block to its field data.
+void WriteStampedNumbers(
+  const std::vector<vtkIdType>& points, const std::vector<vtkIdType>& cells, vtkPointSet* block);
+
+/// Sets Points and Cells of the parts of all partitions to these numbers, and Levels; all ranks
+/// call it. Returns false on all of them, and the parts are undefined, unless all parts come from
+/// one output, and nothing of it is missing.
+bool TakeStampedNumbers(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange);
+
+/// Whether a field array has ids of a stamp that all partitions around the block have to know.
+bool IsStampedList(vtkAbstractArray* array);
+
+/// Gives the joined mesh of a partition the stamp of its parts. `taken` is what TakeStampedNumbers
+/// returned. Returns false if there is a stamp that is lost.
+bool RestoreStamp(const std::vector<MeshPart>& parts, bool taken, JoinedMesh& joined);
+
+/**
+ * The cells of a part in the groups in which AddLayers sends them: the descendants of one control
+ * simplex, where an earlier filter made them, else each cell for itself.
+ */
+struct CellGroups
+{
+  std::vector<vtkIdType> Cells;       ///< those that are not left out, group by group
+  std::vector<vtkIdType> Starts{ 0 }; ///< of groups in Cells, and its end
+  std::vector<vtkIdType> Points;      ///< of the part: the corners of the groups
+  std::vector<vtkIdType> PointStarts{ 0 };
+
+  vtkIdType GetNumberOfGroups() const { return static_cast<vtkIdType>(this->Starts.size()) - 1; }
+};
+
+/// Returns false if the cells of a part are not the descendants of simplices after part.Levels
+/// steps.
+bool FindGroups(const MeshPart& part, CellGroups& groups);
+
+}
+
+#endif

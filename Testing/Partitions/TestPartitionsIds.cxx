@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Partitions, simulated in one process, number their output as the whole does, and a second filter
+// goes on with what the first one made of them.
+#include "PartitionTools.h"
+
+#include "Private/Distribution/Distribution.h"
+#include "Private/Uniform/UniformSubdivision.h"
+
+#include "vtkCellData.h"
+#include "vtkPointData.h"
+
+using namespace partition_tools;
+using namespace multi_dimensional_subdivision_tools;
+using subdivision::Block;
+using subdivision::UniformOptions;
+
+namespace
+{
+
+struct Partition
+{
+  const char* Name;
+  int Parts;
+  int Blocks; ///< of each part
+  bool ByChance;
+  KnownBy Known;
+  int Empty; ///< parts without cells, the first ones
+};
+
+const Partition Partitions[] = { { "halves", 2, 1, false, KnownBy::GlobalIds, 0 },
+  { "slabs after an empty part", 3, 2, false, KnownBy::GlobalIds, 1 },
+  { "cell by cell", 3, 1, true, KnownBy::GlobalIds, 0 },
+  { "cell by cell on many", 8, 1, true, KnownBy::GlobalIds, 2 },
+  { "blocks in one process", 1, 4, false, KnownBy::GlobalIds, 0 } };
+
+struct Choice
+{
+  const char* Name;
+  std::function<void(UniformOptions&)> Set;
+};
+
+const Choice Choices[] = { { "defaults", [](UniformOptions&) {} },
+  { "features",
+    [](UniformOptions& o)
+    {
+      o.Features.DetectFeatures = true;
+      o.Features.Embedded = subdivision::EmbeddedRule::SingularInside;
+    } },
+  { "features and interfaces",
+    [](UniformOptions& o)
+    {
+      o.Features.DetectFeatures = true;
+      o.Features.FeatureAngle = 10.;
+      o.Features.PreserveInterfaces = true;
+    } },
+  { "sharp joints", [](UniformOptions& o)
+    { o.Features.Type1 = o.Features.Type2 = o.Features.Type3 = subdivision::JointRule::Sharp; } } };
+
+UniformOptions MakeOptions(subdivision::StampScheme scheme, const Choice& choice, int levels)
+{
+  UniformOptions options;
+  options.Scheme = scheme;
+  options.Levels = levels;
+  options.GenerateGlobalIds = true;
+  options.Warn = [](const std::string& message)
+  { EXPECT_EQ(std::string::npos, message.find("any other mesh")) << message; };
+  options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
+  choice.Set(options);
+  return options;
+}
+
+constexpr const char* MaterialName = "Materials";
+
+bool Run(vtkPointSet* input, UniformOptions options, vtkPointSet* output)
+{
+  options.Features.Material = input->GetCellData()->GetArray(MaterialName);
+  return SubdivideUniformly(input, options, vtkUnstructuredGrid::SafeDownCast(output));
+}
+
+Mesh Subdivide(vtkPointSet* whole, const UniformOptions& options)
+{
+  const Mesh output = subdivision::MakeMesh(false);
+  EXPECT_TRUE(Run(whole, options, output));
+  subdivision::AddGlobalIds(output);
+  return output;
+}
+
+/// The outputs of parts, those of one partition after the other.
+std::vector<Mesh> SubdivideParts(
+  const std::vector<Mesh>& parts, const Partition& partition, UniformOptions options)
+{
+  std::vector<std::vector<Block>> blocks(static_cast<size_t>(partition.Parts + partition.Empty));
+  for (size_t i = 0; i < parts.size(); ++i)
+  {
+    Block block;
+    block.Input = parts[i];
+    block.Output = subdivision::MakeMesh(false);
+    blocks[static_cast<size_t>(partition.Empty) + i / static_cast<size_t>(partition.Blocks)]
+      .push_back(block);
+  }
+  subdivision::Exchange exchange(nullptr, partition.Parts + partition.Empty);
+  subdivision::DistributionOptions distribution;
+  distribution.WorksInRounds = true;
+  EXPECT_TRUE(RunPartitions(blocks, exchange, distribution, subdivision::FilterTraits(), options,
+    [&options](vtkPointSet* input, vtkPointSet* output) { return Run(input, options, output); }));
+  std::vector<Mesh> outputs;
+  for (const auto& own : blocks)
+  {
+    for (const Block& block : own)
+    {
+      outputs.push_back(block.Output);
+    }
+  }
+  return outputs;
+}
+
+std::vector<Mesh> Cut(vtkPointSet* whole, const Partition& partition)
+{
+  const int count = partition.Parts * partition.Blocks;
+  return Cut(whole, partition.ByChance ? CutByChance(whole, count, 17) : CutInSlabs(whole, count),
+    count, partition.Known);
+}
+
+/// The corners of a cell, by their global ids if there are any.
+std::vector<vtkIdType> GetCornerIds(vtkPointSet* mesh, vtkIdType cell)
+{
+  vtkDataArray* numbers = mesh->GetPointData()->GetGlobalIds();
+  vtkNew<vtkIdList> ids;
+  mesh->GetCellPoints(cell, ids);
+  std::vector<vtkIdType> corners;
+  for (const vtkIdType id : *ids)
+  {
+    corners.push_back(numbers ? static_cast<vtkIdType>(numbers->GetTuple1(id)) : id);
+  }
+  return corners;
+}
+
+/// Whether global ids are the indices of the whole, and each cell is there once.
+void ExpectIndices(vtkPointSet* whole, const std::vector<Mesh>& parts)
+{
+  std::vector<int> isThere(static_cast<size_t>(whole->GetNumberOfCells()), 0);
+  for (const Mesh& part : parts)
+  {
+    vtkDataArray* points = part->GetPointData()->GetGlobalIds();
+    vtkDataArray* cells = part->GetCellData()->GetGlobalIds();
+    ASSERT_TRUE(points && cells);
+    for (vtkIdType p = 0; p < part->GetNumberOfPoints(); ++p)
+    {
+      const auto number = static_cast<vtkIdType>(points->GetTuple1(p));
+      ASSERT_TRUE(number >= 0 && number < whole->GetNumberOfPoints());
+      ASSERT_EQ(GetPoint(whole, number), GetPoint(part, p)) << "point " << p;
+    }
+    for (vtkIdType c = 0; c < part->GetNumberOfCells(); ++c)
+    {
+      const auto number = static_cast<vtkIdType>(cells->GetTuple1(c));
+      ASSERT_TRUE(number >= 0 && number < whole->GetNumberOfCells());
+      ++isThere[static_cast<size_t>(number)];
+      ASSERT_EQ(whole->GetCellType(number), part->GetCellType(c));
+      ASSERT_EQ(GetCornerIds(whole, number), GetCornerIds(part, c)) << "cell " << c;
+    }
+  }
+  EXPECT_EQ(std::vector<int>(isThere.size(), 1), isThere);
+}
+
+/// Each partition by turns, so that all of them meet each scheme, choice and kind of mesh.
+template <typename Test>
+void ForCases(const Test& test)
+{
+  size_t turn = 0;
+  for (const Mesh& mesh : MakeMeshes())
+  {
+    vtkNew<vtkIntArray> materials;
+    materials->SetName(MaterialName);
+    for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
+    {
+      materials->InsertNextValue(c / 5 % 3);
+    }
+    mesh->GetCellData()->AddArray(materials);
+    for (const auto scheme :
+      { subdivision::StampScheme::BoxSpline, subdivision::StampScheme::TetOct })
+    {
+      for (const Choice& choice : Choices)
+      {
+        const Partition& partition = Partitions[turn++ % std::size(Partitions)];
+        SCOPED_TRACE(std::string(partition.Name) + ", " + choice.Name + ", scheme " +
+          std::to_string(static_cast<int>(scheme)) + ", mesh of " +
+          std::to_string(mesh->GetNumberOfCells()) + " cells");
+        test(mesh, scheme, choice, partition);
+        if (testing::Test::HasFailure())
+        {
+          return;
+        }
+      }
+    }
+  }
+}
+
+}
+
+TEST(PartitionsIds, AreIndicesOfTheWhole)
+{
+  ForCases(
+    [](vtkPointSet* mesh, subdivision::StampScheme scheme, const Choice& choice,
+      const Partition& partition)
+    {
+      for (const int levels : { 0, 1, 3 })
+      {
+        const UniformOptions options = MakeOptions(scheme, choice, levels);
+        ExpectIndices(
+          Subdivide(mesh, options), SubdivideParts(Cut(mesh, partition), partition, options));
+      }
+    });
+}
+
+TEST(PartitionsIds, LetFiltersGoOn)
+{
+  ForCases(
+    [](vtkPointSet* mesh, subdivision::StampScheme scheme, const Choice& choice,
+      const Partition& partition)
+    {
+      const Mesh whole = Subdivide(mesh, MakeOptions(scheme, choice, 3));
+      std::vector<Mesh> parts = Cut(mesh, partition);
+      for (int step = 0; step < 3; ++step)
+      {
+        parts = SubdivideParts(parts, partition, MakeOptions(scheme, choice, 1));
+      }
+      ExpectWhole(whole, parts);
+      ExpectIndices(whole, parts);
+    });
+}
