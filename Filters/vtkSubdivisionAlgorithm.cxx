@@ -3,6 +3,7 @@
 
 #include "Private/ArrayNames.h"
 #include "Private/Distribution/Distribution.h"
+#include "Private/Distribution/KeptParts.h"
 #include "Private/Reading/InputArrays.h"
 
 #include "vtkAlgorithm.h"
@@ -16,6 +17,7 @@
 
 vtkSubdivisionAlgorithm::vtkSubdivisionAlgorithm()
   : Controller(vtkMultiProcessController::GetGlobalController())
+  , Kept(std::make_unique<subdivision::KeptParts>())
 {
 }
 vtkSubdivisionAlgorithm::~vtkSubdivisionAlgorithm() = default;
@@ -92,6 +94,7 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   distribution.JoinBlocks = this->JoinBlocks;
   distribution.Controller = this->Controller;
   distribution.IsOfSurfaces = this->IsOfSurfaces();
+  distribution.Kept = this->Kept.get();
   if (this->SharesRanks())
   {
     distribution.GhostLayers =

@@ -67,12 +67,14 @@
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 
 #include <functional> // for std::function
+#include <memory>     // for std::unique_ptr
 #include <string>     // for std::string
 
 class vtkMultiProcessController;
 class vtkPointSet;
 namespace subdivision
 {
+class KeptParts;
 struct RunOptions;
 }
 
@@ -337,6 +339,8 @@ protected:
   vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
+  std::unique_ptr<subdivision::KeptParts> Kept; ///< of other ranks
+
   vtkSubdivisionAlgorithm(const vtkSubdivisionAlgorithm&) = delete;
   void operator=(const vtkSubdivisionAlgorithm&) = delete;
 };

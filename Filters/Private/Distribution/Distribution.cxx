@@ -2,7 +2,7 @@
 #include "Private/Distribution/Distribution.h"
 
 #include "Private/Control/SizeChecks.h"
-#include "Private/Distribution/Layers.h"
+#include "Private/Distribution/KeptParts.h"
 #include "Private/Distribution/Meeting.h"
 #include "Private/Distribution/PointIds.h"
 #include "Private/Distribution/Ranks.h"
@@ -48,15 +48,15 @@ std::vector<MeshPart> GetParts(const std::vector<Block>& blocks)
 class Rounds
 {
 public:
-  Rounds(Exchange& exchange, const std::vector<Copies>& copies)
+  Rounds(Exchange& exchange, const std::vector<SentLayers>& sent)
     : With(exchange)
-    , OfPartition(copies)
+    , Sent(sent)
   {
   }
 
   void Start(int partition, const JoinedMesh& joined)
   {
-    auto partners = this->With.MakePartners(partition, joined, this->OfPartition[partition]);
+    auto partners = this->With.MakePartners(partition, joined, this->Sent[partition].OfFirst);
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->OfMesh[joined.Mesh] = std::move(partners);
   }
@@ -81,7 +81,7 @@ public:
 
 private:
   Meeting With;
-  const std::vector<Copies>& OfPartition;
+  const std::vector<SentLayers>& Sent;
   std::mutex Mutex;
   std::map<vtkPointSet*, std::unique_ptr<Partners>> OfMesh;
 };
@@ -144,6 +144,44 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
     });
 }
 
+/// Finds out which points are one, and brings the layers. Returns whether an earlier filter made
+/// the parts, so that this one may go on.
+bool PrepareParts(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
+  const DistributionOptions& distribution, KeptParts& kept, RunOptions& options)
+{
+  const bool isShared = exchange.GetNumberOfPartitions() > 1;
+  const int layers = distribution.Layers + distribution.GhostLayers;
+  if (isShared)
+  {
+    const std::string uneven = CheckLoad(parts, exchange);
+    if (!uneven.empty())
+    {
+      options.Warn(uneven);
+    }
+    if (kept.Restore(parts, layers, exchange))
+    {
+      std::vector<std::string> warnings = kept.GetWarnings();
+      Tell(warnings, options);
+      return kept.AreStamped();
+    }
+  }
+  std::vector<std::string> warnings;
+  const bool areStamped = TakeStampedNumbers(parts, exchange);
+  if (!areStamped)
+  {
+    IdentifyPoints(
+      parts, exchange, [&](const std::string& message) { warnings.push_back(message); });
+  }
+  if (isShared)
+  {
+    std::vector<SentLayers> sent = AddLayers(parts, layers, exchange);
+    ShareArrays(parts, exchange);
+    kept.Keep(parts, std::move(sent), areStamped, warnings);
+  }
+  Tell(warnings, options);
+  return areStamped;
+}
+
 /// Calls run(0) to run(size - 1) side by side.
 void RunTogether(size_t size, const std::function<void(size_t)>& run)
 {
@@ -180,25 +218,9 @@ bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchan
     return false;
   }
   const int pointType = FindPointType(parts, exchange);
-  std::vector<Copies> copies;
-  if (exchange.GetNumberOfPartitions() > 1)
-  {
-    const std::string uneven = CheckLoad(parts, exchange);
-    if (!uneven.empty())
-    {
-      options.Warn(uneven);
-    }
-  }
-  const bool areStamped = TakeStampedNumbers(parts, exchange);
-  if (!areStamped)
-  {
-    IdentifyPoints(parts, exchange, options.Warn);
-  }
-  if (exchange.GetNumberOfPartitions() > 1)
-  {
-    copies = AddLayers(parts, distribution.Layers + distribution.GhostLayers, exchange);
-    ShareArrays(parts, exchange);
-  }
+  KeptParts own;
+  KeptParts& kept = distribution.Kept ? *distribution.Kept : own;
+  const bool areStamped = PrepareParts(parts, exchange, distribution, kept, options);
   const auto run = [&](size_t p, Rounds* rounds)
   {
     return parts[p].empty() ||
@@ -209,7 +231,7 @@ bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchan
   const bool inRounds = distribution.WorksInRounds || exchange.GetPartitionsOfRank() == 1;
   if (inRounds && exchange.GetNumberOfPartitions() > 1)
   {
-    Rounds rounds(exchange, copies);
+    Rounds rounds(exchange, kept.GetSent());
     options.FindPartners = [&rounds](vtkPointSet* mesh) { return rounds.Find(mesh); };
     std::vector<char> done(partitions.size(), 0);
     RunTogether(partitions.size(),

@@ -20,6 +20,8 @@ class vtkMultiProcessController;
 namespace subdivision
 {
 
+class KeptParts;
+
 struct DistributionOptions
 {
   /// Whether blocks that share points are one mesh. If not, each block is subdivided by itself.
@@ -29,6 +31,8 @@ struct DistributionOptions
   /// How many layers of cells around its own a rank needs so that its own results are those of the
   /// whole mesh.
   int Layers = 2;
+  /// What is kept for the next execution; null: nothing.
+  KeptParts* Kept = nullptr;
   /// How many layers of fine cells of other ranks the output gets, marked as duplicates.
   int GhostLayers = 0;
   /// Whether the work agrees with that on other partitions (RunOptions::FindPartners). If a rank

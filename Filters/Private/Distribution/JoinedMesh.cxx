@@ -384,11 +384,7 @@ std::vector<vtkIdType> TakeCells(vtkPointSet* whole, const std::vector<vtkIdType
   std::vector<vtkIdType> place(whole->GetNumberOfPoints(), -1);
   const std::vector<vtkIdType> points = FindPoints(reader, cells, kept, place);
 
-  auto coordinates = vtkSmartPointer<vtkPoints>::New();
-  coordinates->SetDataType(whole->GetPoints()->GetDataType());
-  coordinates->SetData(vtkDataArray::SafeDownCast(
-    Gather(whole->GetPoints()->GetData(), { points.data(), points.data() + points.size() })));
-  part->SetPoints(coordinates);
+  TakeValues(whole, points, cells, part);
 
   const bool isPolyData = vtkPolyData::SafeDownCast(whole) != nullptr;
   CellLists lists(static_cast<vtkIdType>(cells.size()));
@@ -405,9 +401,19 @@ std::vector<vtkIdType> TakeCells(vtkPointSet* whole, const std::vector<vtkIdType
     lists.End();
   }
   lists.GiveTo(part);
+  return points;
+}
+
+void TakeValues(vtkPointSet* whole, const std::vector<vtkIdType>& points,
+  const std::vector<vtkIdType>& cells, vtkPointSet* part)
+{
+  auto coordinates = vtkSmartPointer<vtkPoints>::New();
+  coordinates->SetDataType(whole->GetPoints()->GetDataType());
+  coordinates->SetData(vtkDataArray::SafeDownCast(
+    Gather(whole->GetPoints()->GetData(), { points.data(), points.data() + points.size() })));
+  part->SetPoints(coordinates);
   TakeArrays(whole->GetPointData(), points, part->GetPointData());
   TakeArrays(whole->GetCellData(), cells, part->GetCellData());
-  return points;
 }
 
 }

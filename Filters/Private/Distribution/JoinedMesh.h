@@ -76,6 +76,10 @@ JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType = VTK_DOUBLE);
 std::vector<vtkIdType> TakeCells(vtkPointSet* whole, const std::vector<vtkIdType>& cells,
   const std::vector<vtkIdType>& kept, vtkPointSet* part);
 
+/// The same without cells: coordinates and arrays of these points and cells.
+void TakeValues(vtkPointSet* whole, const std::vector<vtkIdType>& points,
+  const std::vector<vtkIdType>& cells, vtkPointSet* part);
+
 /// The cells of each block from 0 to `count` - 1, by the array BlockName.
 std::vector<std::vector<vtkIdType>> FindCellsOfBlocks(vtkPointSet* whole, int count);
 

@@ -75,6 +75,7 @@ struct Partition
   size_t NumberOfOwn = 0;
   std::vector<CellGroups> Groups; ///< of all parts
   Copies Sent;
+  SentLayers Kept;
   std::vector<vtkIdType> Known; ///< points of its cells, ascending
 
   explicit Partition(std::vector<MeshPart>& parts)
@@ -214,7 +215,8 @@ Exchange::Messages PackWished(Partition& partition, std::vector<Wish> wishes, Ex
     {
       if (!cells[p].empty())
       {
-        PackCells((*partition.Parts)[p], cells[p], messages[to]);
+        std::vector<vtkIdType> points = PackCells((*partition.Parts)[p], cells[p], messages[to]);
+        partition.Kept.Out[to].push_back({ p, std::move(points), cells[p] });
       }
     }
   }
@@ -249,7 +251,7 @@ vtkIdType FindMostLevels(const std::vector<std::vector<MeshPart>>& parts, Exchan
 
 }
 
-std::vector<Copies> AddLayers(
+std::vector<SentLayers> AddLayers(
   std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange)
 {
   std::vector<Directory> directories(
@@ -261,7 +263,6 @@ std::vector<Copies> AddLayers(
   }
   size_t size = parts.size();
   std::vector<size_t> seen(size, 0); // parts whose points are known
-  std::vector<Copies> ofFirst(size);
   const bool isStamped = FindMostLevels(parts, exchange) > 0;
   for (int layer = 0; layer < layers + (isStamped ? 1 : 0); ++layer)
   {
@@ -320,7 +321,7 @@ std::vector<Copies> AddLayers(
       cells[i] = PackWished(partitions[i], std::move(all), extent);
       if (layer == 0)
       {
-        ofFirst[i] = partitions[i].Sent;
+        partitions[i].Kept.OfFirst = partitions[i].Sent;
       }
     }
     const std::vector<Exchange::Messages> arrived = exchange.Send(std::move(cells));
@@ -328,11 +329,50 @@ std::vector<Copies> AddLayers(
     {
       for (const auto& [from, message] : arrived[i])
       {
+        const size_t first = partitions[i].Parts->size();
         UnpackCells(message, *partitions[i].Parts);
+        for (size_t p = first; p < partitions[i].Parts->size(); ++p)
+        {
+          partitions[i].Kept.In[from].push_back(p);
+        }
       }
     }
   }
-  return ofFirst;
+  std::vector<SentLayers> sent;
+  for (Partition& partition : partitions)
+  {
+    sent.push_back(std::move(partition.Kept));
+  }
+  return sent;
+}
+
+void SendValuesAgain(std::vector<std::vector<MeshPart>>& parts, const std::vector<SentLayers>& sent,
+  Exchange& exchange)
+{
+  std::vector<Exchange::Messages> out(parts.size());
+  for (size_t i = 0; i < parts.size(); ++i)
+  {
+    for (const auto& [to, list] : sent[i].Out)
+    {
+      for (const SentLayers::Cells& cells : list)
+      {
+        PackValues(parts[i][cells.Part], cells.Points, cells.Cells, out[i][to]);
+      }
+    }
+  }
+  const std::vector<Exchange::Messages> arrived = exchange.Send(std::move(out));
+  for (size_t i = 0; i < parts.size(); ++i)
+  {
+    for (const auto& [from, message] : arrived[i])
+    {
+      std::vector<MeshPart*> added;
+      for (const size_t p : sent[i].In.at(from))
+      {
+        added.push_back(&parts[i][p]);
+      }
+      UnpackValues(message, added);
+    }
+  }
 }
 
 }

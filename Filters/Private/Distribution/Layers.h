@@ -16,6 +16,20 @@ namespace subdivision
 /// for each cell that was sent.
 using Copies = std::map<int, std::vector<std::vector<char>>>;
 
+/// What a partition sent and got, so that it can send new values of the same cells.
+struct SentLayers
+{
+  struct Cells
+  {
+    size_t Part;
+    std::vector<vtkIdType> Points;
+    std::vector<vtkIdType> Cells;
+  };
+  Copies OfFirst;                        ///< for the first layer
+  std::map<int, std::vector<Cells>> Out; ///< to each partition, in this order
+  std::map<int, std::vector<size_t>> In; ///< from each partition: the parts that were added
+};
+
 /**
  * Adds to each partition the cells of all others that share a point with one of its cells, then
  * those that share a point with these, and so on, `layers` times, with their points and arrays. Of
@@ -29,10 +43,15 @@ using Copies = std::map<int, std::vector<std::vector<char>>>;
  * points that count. Then one exchange more brings the simplices that lie inside the last layer:
  * without them lines and triangles that are faces of its solids would be numbered in another order.
  *
- * Returns for each partition of this rank which cells it sent for the first layer.
+ * Returns what each partition of this rank sent.
  */
-std::vector<Copies> AddLayers(
+std::vector<SentLayers> AddLayers(
   std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange);
+
+/// Gives the parts that AddLayers added the values that their cells have now. One exchange, of
+/// coordinates and arrays.
+void SendValuesAgain(std::vector<std::vector<MeshPart>>& parts, const std::vector<SentLayers>& sent,
+  Exchange& exchange);
 
 }
 

@@ -264,20 +264,47 @@ std::vector<vtkIdType> Select(
 
 }
 
-void PackCells(
+namespace
+{
+
+vtkSmartPointer<vtkPoints> GetPoints(Reader& reader)
+{
+  const auto coordinates = GetArray(reader);
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataType(coordinates->GetDataType());
+  points->SetData(vtkDataArray::SafeDownCast(coordinates));
+  return points;
+}
+
+void PutValues(vtkPointSet* mesh, Writer& writer)
+{
+  PutArray(mesh->GetPoints()->GetData(), writer);
+  PutArrays(mesh->GetPointData(), CanBeSent, writer);
+  PutArrays(mesh->GetCellData(), CanBeSent, writer);
+}
+
+void GetValues(Reader& reader, vtkPointSet* mesh)
+{
+  mesh->SetPoints(GetPoints(reader));
+  GetArrays(reader, mesh->GetPointData());
+  GetArrays(reader, mesh->GetCellData());
+}
+
+}
+
+std::vector<vtkIdType> PackCells(
   const MeshPart& part, const std::vector<vtkIdType>& cells, std::vector<char>& message)
 {
   auto mesh = vtkSmartPointer<vtkPointSet>::Take(part.Mesh->NewInstance());
-  const std::vector<vtkIdType> points = TakeCells(part.Mesh, cells, {}, mesh);
+  std::vector<vtkIdType> points = TakeCells(part.Mesh, cells, {}, mesh);
   Writer writer(message);
   writer.Put(static_cast<vtkIdType>(vtkPolyData::SafeDownCast(mesh) ? 1 : 0));
-  PutArray(mesh->GetPoints()->GetData(), writer);
   PutCells(mesh, writer);
-  PutArrays(mesh->GetPointData(), CanBeSent, writer);
-  PutArrays(mesh->GetCellData(), CanBeSent, writer);
+  PutValues(mesh, writer);
   PutArrays(part.Mesh->GetFieldData(), IsStampedList, writer);
   writer.Put(Select(part.Points, points));
   writer.Put(Select(part.Cells, cells));
+  return points;
 }
 
 void UnpackCells(const std::vector<char>& message, std::vector<MeshPart>& parts)
@@ -293,18 +320,30 @@ void UnpackCells(const std::vector<char>& message, std::vector<MeshPart>& parts)
     {
       part.Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
     }
-    const auto coordinates = GetArray(reader);
-    vtkNew<vtkPoints> points;
-    points->SetDataType(coordinates->GetDataType());
-    points->SetData(vtkDataArray::SafeDownCast(coordinates));
-    part.Mesh->SetPoints(points);
     GetCells(reader, part.Mesh);
-    GetArrays(reader, part.Mesh->GetPointData());
-    GetArrays(reader, part.Mesh->GetCellData());
+    GetValues(reader, part.Mesh);
     GetArrays(reader, part.Mesh->GetFieldData());
     part.Points = reader.GetIds();
     part.Cells = reader.GetIds();
     parts.push_back(std::move(part));
+  }
+}
+
+void PackValues(const MeshPart& part, const std::vector<vtkIdType>& points,
+  const std::vector<vtkIdType>& cells, std::vector<char>& message)
+{
+  auto mesh = vtkSmartPointer<vtkPointSet>::Take(part.Mesh->NewInstance());
+  TakeValues(part.Mesh, points, cells, mesh);
+  Writer writer(message);
+  PutValues(mesh, writer);
+}
+
+void UnpackValues(const std::vector<char>& message, const std::vector<MeshPart*>& parts)
+{
+  Reader reader(message);
+  for (MeshPart* part : parts)
+  {
+    GetValues(reader, part->Mesh);
   }
 }
 

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Distribution/KeptParts.h"
+
+#include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
+#include "Private/vtkSubdivisionObjectsCompat.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <functional>
+
+namespace subdivision
+{
+namespace
+{
+
+/// Collects what has to be the same.
+class KeyMaker
+{
+public:
+  explicit KeyMaker(std::vector<std::uint64_t>& key)
+    : Key(key)
+  {
+  }
+  void Add(std::uint64_t number) { this->Key.push_back(number); }
+  void Add(vtkDataArray* values)
+  {
+    this->Add(static_cast<std::uint64_t>(values ? values->GetNumberOfValues() : -1));
+    if (values)
+    {
+      const auto print = ComputeFingerprint(Contiguous(values));
+      this->Key.insert(this->Key.end(), print.begin(), print.end());
+    }
+  }
+  void Add(vtkCellArray* cells)
+  {
+    this->Add(cells->GetOffsetsArray());
+    this->Add(cells->GetConnectivityArray());
+  }
+  /// Names and types of arrays.
+  void AddKinds(vtkDataSetAttributes* data)
+  {
+    for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+    {
+      vtkAbstractArray* array = data->GetAbstractArray(a);
+      this->Add(std::hash<std::string>()(array->GetName() ? array->GetName() : ""));
+      this->Add(static_cast<std::uint64_t>(array->GetDataType()));
+      this->Add(static_cast<std::uint64_t>(array->GetNumberOfComponents()));
+    }
+  }
+  void AddCells(vtkPointSet* mesh)
+  {
+    if (auto* surface = vtkPolyData::SafeDownCast(mesh))
+    {
+      for (vtkCellArray* cells :
+        { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() })
+      {
+        this->Add(cells);
+      }
+    }
+    else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
+    {
+      this->Add(GetCellTypes(grid));
+      this->Add(grid->GetCells());
+    }
+    this->Add(mesh->GetCellGhostArray());
+  }
+  /// By what points and cells are known: ids or, if there are none, coordinates, and the stamp of
+  /// an earlier filter.
+  void AddIds(vtkPointSet* mesh)
+  {
+    vtkDataArray* ids = mesh->GetPointData()->GetGlobalIds();
+    this->Add(ids ? ids : mesh->GetPoints()->GetData());
+    this->Add(mesh->GetCellData()->GetGlobalIds());
+    vtkFieldData* field = mesh->GetFieldData();
+    for (int a = 0; a < field->GetNumberOfArrays(); ++a)
+    {
+      if (BelongsToStamp(field->GetAbstractArray(a)->GetName()))
+      {
+        this->Add(field->GetArray(a));
+      }
+    }
+  }
+
+private:
+  std::vector<std::uint64_t>& Key;
+};
+
+/// The same part without what the next execution brings: an own part without its mesh, one that
+/// came from others without values. What remains is the part that ShareArrays adds.
+MeshPart DropValues(const MeshPart& part, bool hasCome)
+{
+  MeshPart kept = part;
+  if (!hasCome)
+  {
+    kept.Mesh = part.Block == NoBlock ? part.Mesh : nullptr;
+    return kept;
+  }
+  kept.Mesh = vtkSmartPointer<vtkPointSet>::Take(part.Mesh->NewInstance());
+  kept.Mesh->ShallowCopy(part.Mesh);
+  kept.Mesh->SetPoints(nullptr);
+  kept.Mesh->GetPointData()->Initialize();
+  kept.Mesh->GetCellData()->Initialize();
+  return kept;
+}
+
+/// A kept part that may get values.
+MeshPart Copy(const MeshPart& kept)
+{
+  MeshPart part = kept;
+  part.Mesh = vtkSmartPointer<vtkPointSet>::Take(kept.Mesh->NewInstance());
+  part.Mesh->ShallowCopy(kept.Mesh);
+  return part;
+}
+
+}
+
+bool KeptParts::Restore(std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange)
+{
+  this->Current.clear();
+  KeyMaker key(this->Current);
+  key.Add(static_cast<std::uint64_t>(layers));
+  key.Add(static_cast<std::uint64_t>(exchange.GetNumberOfPartitions()));
+  for (const auto& partition : parts)
+  {
+    key.Add(partition.size());
+    for (const MeshPart& part : partition)
+    {
+      key.AddCells(part.Mesh);
+      key.AddIds(part.Mesh);
+      key.AddKinds(part.Mesh->GetPointData());
+      key.AddKinds(part.Mesh->GetCellData());
+    }
+  }
+  if (!exchange.Agree(this->Current == this->Known))
+  {
+    this->Forget();
+    return false;
+  }
+  for (size_t p = 0; p < parts.size(); ++p)
+  {
+    for (size_t i = 0; i < this->Parts[p].size(); ++i)
+    {
+      const MeshPart& kept = this->Parts[p][i];
+      if (i < parts[p].size())
+      {
+        parts[p][i].Points = kept.Points;
+        parts[p][i].Cells = kept.Cells;
+        parts[p][i].Levels = kept.Levels;
+      }
+      else
+      {
+        parts[p].push_back(Copy(kept));
+      }
+    }
+  }
+  SendValuesAgain(parts, this->Sent, exchange);
+  return true;
+}
+
+void KeptParts::Keep(const std::vector<std::vector<MeshPart>>& parts, std::vector<SentLayers> sent,
+  bool areStamped, std::vector<std::string> warnings)
+{
+  this->Known = std::move(this->Current);
+  this->Parts.clear();
+  for (size_t p = 0; p < parts.size(); ++p)
+  {
+    this->Parts.emplace_back();
+    std::vector<char> hasCome(parts[p].size(), 0);
+    for (const auto& [from, list] : sent[p].In)
+    {
+      for (const size_t i : list)
+      {
+        hasCome[i] = 1;
+      }
+    }
+    for (size_t i = 0; i < parts[p].size(); ++i)
+    {
+      this->Parts.back().push_back(DropValues(parts[p][i], hasCome[i]));
+    }
+  }
+  this->Sent = std::move(sent);
+  this->Stamped = areStamped;
+  this->Warnings = std::move(warnings);
+}
+
+void KeptParts::Forget()
+{
+  this->Known.clear();
+  this->Parts.clear();
+  this->Sent.clear();
+  this->Warnings.clear();
+}
+
+}

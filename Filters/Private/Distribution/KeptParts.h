@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file KeptParts.h
+ * What a filter keeps of a mesh that several ranks have, so that new values on the same cells cost
+ * one exchange of values.
+ */
+#ifndef SubdivisionObjects_KeptParts_h
+#define SubdivisionObjects_KeptParts_h
+
+#include "Private/Distribution/Exchange.h"
+#include "Private/Distribution/Layers.h"
+
+#include <cstdint>
+#include <string>
+
+namespace subdivision
+{
+
+class KeptParts
+{
+public:
+  /// If cells, ids, and which arrays there are, are the same on all ranks as they were: gives the
+  /// parts of each partition what was found out of them (IdentifyPoints, TakeStampedNumbers), adds
+  /// those that came from others (AddLayers, ShareArrays), with their values of now, and returns
+  /// true. `layers`: how many are wanted. All ranks call it.
+  bool Restore(std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange);
+
+  /// Keeps what was found out since Restore returned false.
+  void Keep(const std::vector<std::vector<MeshPart>>& parts, std::vector<SentLayers> sent,
+    bool areStamped, std::vector<std::string> warnings);
+  void Forget();
+
+  const std::vector<SentLayers>& GetSent() const { return this->Sent; }
+  bool AreStamped() const { return this->Stamped; }
+  const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
+
+private:
+  using Key = std::vector<std::uint64_t>;
+
+  Key Current;                              ///< what Restore found
+  Key Known;                                ///< what was kept; empty: nothing
+  std::vector<std::vector<MeshPart>> Parts; ///< without values
+  std::vector<SentLayers> Sent;
+  bool Stamped = false;
+  std::vector<std::string> Warnings;
+};
+
+}
+
+#endif

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Partitions whose values change while their cells stay: only values are sent again.
+#include "PartitionTools.h"
+
+#include "Private/Distribution/Distribution.h"
+#include "Private/Distribution/KeptParts.h"
+#include "Private/Uniform/UniformSubdivision.h"
+
+#include "vtkCellData.h"
+#include "vtkPointData.h"
+
+using namespace partition_tools;
+using namespace multi_dimensional_subdivision_tools;
+using subdivision::Block;
+
+namespace
+{
+
+constexpr int Parts = 3;
+
+bool Subdivide(vtkPointSet* input, vtkPointSet* output)
+{
+  subdivision::UniformOptions options;
+  options.Levels = 1;
+  options.Warn = [](const std::string&) {};
+  options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
+  return SubdivideUniformly(input, options, vtkUnstructuredGrid::SafeDownCast(output));
+}
+
+struct Sent
+{
+  vtkIdType Messages;
+  vtkIdType Bytes;
+};
+
+/// Subdivides parts of a mesh and compares them with the whole, if that has the same numbers of
+/// points. Returns what was sent for that.
+Sent Check(
+  vtkPointSet* whole, const std::vector<int>& partOf, KnownBy known, subdivision::KeptParts& kept)
+{
+  std::vector<std::vector<Block>> blocks(Parts);
+  const std::vector<Mesh> cut = Cut(whole, partOf, Parts, known);
+  for (int i = 0; i < Parts; ++i)
+  {
+    Block block;
+    block.Input = cut[i];
+    block.Output = subdivision::MakeMesh(false);
+    blocks[i].push_back(block);
+  }
+  subdivision::Exchange exchange(nullptr, Parts);
+  subdivision::DistributionOptions distribution;
+  distribution.Kept = &kept;
+  subdivision::RunOptions options;
+  options.Warn = [](const std::string& message) { ADD_FAILURE() << message; };
+  options.Fail = options.Warn;
+  EXPECT_TRUE(
+    RunPartitions(blocks, exchange, distribution, subdivision::FilterTraits(), options, Subdivide));
+  std::vector<Mesh> outputs;
+  for (const auto& own : blocks)
+  {
+    outputs.push_back(own[0].Output);
+  }
+  if (known == KnownBy::GlobalIds)
+  {
+    const Mesh expected = subdivision::MakeMesh(false);
+    EXPECT_TRUE(Subdivide(whole, expected));
+    ExpectWhole(expected, outputs);
+  }
+  return { exchange.GetNumberOfMessages(), exchange.GetNumberOfBytes() };
+}
+
+Mesh MakeMesh()
+{
+  const Mesh mesh = MakeMixedBox(4);
+  AddArrays(vtkUnstructuredGrid::SafeDownCast(mesh));
+  NumberCells(mesh);
+  return mesh;
+}
+
+void Move(vtkPointSet* mesh)
+{
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    const Point at = GetPoint(mesh, p);
+    mesh->GetPoints()->SetPoint(p, at[0] + 0.1 * std::sin(at[1]), at[1], 1.1 * at[2]);
+  }
+}
+
+void ChangeValues(vtkPointSet* mesh)
+{
+  vtkDataArray* first = mesh->GetPointData()->GetArray(0);
+  for (vtkIdType i = 0; i < first->GetNumberOfTuples(); ++i)
+  {
+    first->SetComponent(i, 0, first->GetComponent(i, 0) + static_cast<double>(i % 5));
+  }
+}
+
+}
+
+TEST(PartitionsTime, OnlyValuesAreSentAgain)
+{
+  const Mesh mesh = MakeMesh();
+  const std::vector<int> partOf = CutInSlabs(mesh, Parts);
+  subdivision::KeptParts kept;
+  const Sent first = Check(mesh, partOf, KnownBy::GlobalIds, kept);
+  ChangeValues(mesh);
+  Move(mesh);
+  const Sent second = Check(mesh, partOf, KnownBy::GlobalIds, kept);
+  // Each slab has one or two neighbours, and two layers reach no farther.
+  EXPECT_GE(2 * (Parts - 1) + 2, second.Messages);
+  EXPECT_GT(10 * first.Bytes, 13 * second.Bytes); // with ten arrays values are most of it
+}
+
+TEST(PartitionsTime, CoordinatesThatAreIdsMakeAllNew)
+{
+  const Mesh mesh = MakeMesh();
+  const std::vector<int> partOf = CutInSlabs(mesh, Parts);
+  subdivision::KeptParts kept;
+  const Sent first = Check(mesh, partOf, KnownBy::Coordinates, kept);
+  ChangeValues(mesh);
+  EXPECT_GT(10 * first.Bytes, 13 * Check(mesh, partOf, KnownBy::Coordinates, kept).Bytes);
+  Move(mesh);
+  EXPECT_EQ(first.Bytes, Check(mesh, partOf, KnownBy::Coordinates, kept).Bytes);
+}
+
+TEST(PartitionsTime, CellsThatChangeOnOneRankMakeAllNew)
+{
+  const Mesh mesh = MakeMesh();
+  const std::vector<int> partOf = CutInSlabs(mesh, Parts);
+  subdivision::KeptParts kept;
+  Check(mesh, partOf, KnownBy::GlobalIds, kept);
+  const Mesh less = subdivision::MakeMesh(false);
+  less->DeepCopy(mesh);
+  vtkNew<vtkIdList> ids;
+  less->GetCellPoints(0, ids);
+  std::vector<vtkIdType> turned(ids->begin(), ids->end());
+  std::swap(turned[0], turned[1]);
+  vtkUnstructuredGrid::SafeDownCast(less)->GetCells()->ReplaceCellAtId(
+    0, static_cast<vtkIdType>(turned.size()), turned.data());
+  Check(less, partOf, KnownBy::GlobalIds, kept);
+  // An array more, too.
+  vtkNew<vtkDoubleArray> more;
+  more->SetName("More");
+  more->SetNumberOfValues(less->GetNumberOfPoints());
+  more->FillValue(1.5);
+  less->GetPointData()->AddArray(more);
+  Check(less, partOf, KnownBy::GlobalIds, kept);
+}
