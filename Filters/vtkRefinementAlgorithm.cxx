@@ -137,7 +137,7 @@ bool vtkRefinementAlgorithm::ReadCriteria(vtkPointSet* input,
   const subdivision::RunOptions& options, subdivision::RefinementOptions& criteria)
 {
   criteria.AttributeTolerance = this->AttributeTolerance;
-  criteria.AttributeOfLimit = this->AttributeErrorKind == LIMIT_DIFFERENCE;
+  criteria.AttributeErrorOfLimit = this->AttributeErrorKind == LIMIT_DIFFERENCE;
   criteria.Least = this->ArrayRange[0];
   criteria.Most = this->ArrayRange[1];
   criteria.ByEdgeLength = this->RefineByEdgeLength;

@@ -101,7 +101,7 @@ const Choice Choices[] = { { "edge length",
     {
       o.Criteria.Attribute = mesh->GetPointData()->GetArray(FieldName);
       o.Criteria.AttributeTolerance = 0.03;
-      o.Criteria.AttributeOfLimit = true;
+      o.Criteria.AttributeErrorOfLimit = true;
       o.Criteria.MaximumLevel = 2;
     } } };
 

@@ -135,8 +135,8 @@ Data MakeSurface(Chance& chance)
     }
     case 1:
     {
-      model = surfacetools::MakeGrid(2 + Draw(chance, 4), 2 + Draw(chance, 3), Draw(chance, 2) == 0,
-        { 1., 0., 0. }, { 0., 1., 0. });
+      model = surfacetools::MakeSheet(2 + Draw(chance, 4), 2 + Draw(chance, 3),
+        Draw(chance, 2) == 0, { 1., 0., 0. }, { 0., 1., 0. });
       surfacetools::Polygons faces;
       for (auto& face : model.Faces)
       {

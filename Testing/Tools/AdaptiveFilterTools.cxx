@@ -36,7 +36,7 @@ void WantLevel(vtkPolyData* input, int level)
 
 PolyData MakeHill(int size)
 {
-  Model grid = MakeGrid(size, size, true, { 1., 0., 0. }, { 0.5, 0.8, 0. });
+  Model grid = MakeSheet(size, size, true, { 1., 0., 0. }, { 0.5, 0.8, 0. });
   for (Point& p : grid.Points)
   {
     const double x = p[0] / size - 0.75;

@@ -28,7 +28,7 @@ Level MakeLevel(int vertices, const Faces& faces, const std::vector<int>& segmen
   return level;
 }
 
-Faces MakeGrid(int columns, int rows)
+Faces MakeQuads(int columns, int rows)
 {
   Faces faces;
   for (int y = 0; y < rows; ++y)
@@ -82,7 +82,7 @@ std::vector<Shape> MakeShapes()
   const Faces cube = { { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 },
     { 2, 3, 7, 6 }, { 3, 0, 4, 7 } };
   const Faces tetrahedron = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
-  Faces flipped = MakeGrid(3, 3);
+  Faces flipped = MakeQuads(3, 3);
   for (std::size_t f = 0; f < flipped.size(); f += 2)
   {
     std::reverse(flipped[f].begin(), flipped[f].end());
@@ -90,7 +90,7 @@ std::vector<Shape> MakeShapes()
   return { { "triangle", 3, { { 0, 1, 2 } }, 1, true }, { "cube", 8, cube, 2, true },
     { "tetrahedron", 4, tetrahedron, 2, true },
     { "mixed", 7, { { 0, 1, 2, 3, 4 }, { 1, 0, 5 }, { 2, 1, 5, 6 } }, 1, true },
-    { "grid", 20, MakeGrid(4, 3), 1, true }, { "torus", 16, MakeTorus(4), 0, true },
+    { "grid", 20, MakeQuads(4, 3), 1, true }, { "torus", 16, MakeTorus(4), 0, true },
     { "Moebius strip", 10, MakeMoebius(5), 0, false }, { "flipped", 16, flipped, 1, false },
     { "pillow", 3, { { 0, 1, 2 }, { 0, 2, 1 } }, 2, true },
     { "three sheets", 5, { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } }, 3, true },
@@ -347,7 +347,7 @@ void ExpectChaikinBoundary(subdivision::SurfaceSchemeKind kind, int stepsOfOne)
 
 void ExpectRegularGrid(subdivision::SurfaceSchemeKind kind, double scale, std::size_t count)
 {
-  const Steps steps(MakeLevel(30, MakeGrid(5, 4)), kind, 2);
+  const Steps steps(MakeLevel(30, MakeQuads(5, 4)), kind, 2);
   Points points;
   for (int i = 0; i < 30; ++i)
   {

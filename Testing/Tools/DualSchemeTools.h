@@ -35,7 +35,7 @@ struct Shape
 
 Level MakeLevel(int vertices, const Faces& faces, const std::vector<int>& segments = {});
 
-Faces MakeGrid(int columns, int rows);
+Faces MakeQuads(int columns, int rows);
 
 Faces MakeTorus(int n);
 

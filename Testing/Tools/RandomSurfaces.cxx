@@ -15,10 +15,10 @@ RandomSurface::RandomSurface(unsigned seed)
       this->MakeSphere();
       break;
     case 1:
-      this->MakeGrid(true);
+      this->MakeSheet(true);
       break;
     case 2:
-      this->MakeGrid(false);
+      this->MakeSheet(false);
       break;
     default:
       this->MakeSphere();
@@ -62,7 +62,7 @@ void RandomSurface::MakeSphere()
   }
 }
 
-void RandomSurface::MakeGrid(bool isClosed)
+void RandomSurface::MakeSheet(bool isClosed)
 {
   const double turn = 2. * std::acos(-1.);
   const std::size_t width = 3 + this->Pick(4);

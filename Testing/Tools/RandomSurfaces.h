@@ -30,7 +30,7 @@ private:
   void MakeSphere();
 
   /// Closed: a torus.
-  void MakeGrid(bool isClosed);
+  void MakeSheet(bool isClosed);
 
   static bool Has(const std::vector<vtkIdType>& face, vtkIdType vertex)
   {

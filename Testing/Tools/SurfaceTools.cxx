@@ -41,7 +41,7 @@ Model MakeFan(int n, bool open)
   return model;
 }
 
-Model MakeGrid(int width, int height, bool triangles, Point a, Point b)
+Model MakeSheet(int width, int height, bool triangles, Point a, Point b)
 {
   Model model;
   for (int y = 0; y <= height; ++y)
@@ -100,7 +100,7 @@ std::map<std::string, Model> MakeZoo(bool triangles)
     zoo["book"].Faces = { { 0, 1, 2, 3 }, { 0, 1, 4, 5 }, { 1, 0, 6, 7 }, { 0, 7, 8 } };
     zoo["bow tie"].Faces = { { 0, 1, 2, 3 }, { 0, 4, 5, 6 } };
   }
-  zoo["crease"] = MakeGrid(3, 2, triangles, { 1., 0., 0. }, { 0., 1., 0. });
+  zoo["crease"] = MakeSheet(3, 2, triangles, { 1., 0., 0. }, { 0., 1., 0. });
   zoo["crease"].Lines = { { 4, 5 }, { 6, 5 }, { 6, 7 }, { 5, 9 } };
   zoo["free line"].Faces = { { 0, 1, 2 } };
   zoo["free line"].Lines = { { 0, 3 }, { 4, 3 }, { 4, 5 }, { 3, 6 }, { 1, 2 } };
@@ -408,7 +408,7 @@ void CheckChaining(const Model& model, int scheme)
 
 void CheckChainingOfFlags(bool triangles, int scheme)
 {
-  Model grid = MakeGrid(6, 5, triangles, { 1., 0., 0. }, { 0., 1., 0. });
+  Model grid = MakeSheet(6, 5, triangles, { 1., 0., 0. }, { 0., 1., 0. });
   const std::vector<Point> noise = MakeRandomPoints(grid.Points.size(), 8);
   for (std::size_t i = 0; i < noise.size(); ++i)
   {

@@ -54,7 +54,7 @@ std::vector<Point> MakeRandomPoints(std::size_t count, unsigned seed);
 Model MakeFan(int n, bool open);
 
 /// A grid over the unit cells of two vectors, with its four corners flagged.
-Model MakeGrid(int width, int height, bool triangles, Point a, Point b);
+Model MakeSheet(int width, int height, bool triangles, Point a, Point b);
 
 /// Random positions for the topologies that matter.
 std::map<std::string, Model> MakeZoo(bool triangles);

@@ -84,7 +84,7 @@ AdaptiveSurfaceMarks<Id>::AdaptiveSurfaceMarks(const AdaptiveSqrtThree<Id>& mesh
     const bool isCoordinates = this->Arrays.empty();
     const bool isAttribute = array == &criteria.GetAttribute();
     const bool ofLimit =
-      isCoordinates ? options.ReadsShape() : isAttribute && options.AttributeOfLimit;
+      isCoordinates ? options.ReadsShape() : isAttribute && options.AttributeErrorOfLimit;
     this->Attribute = isAttribute ? static_cast<int>(this->Arrays.size()) : this->Attribute;
     this->Arrays.emplace_back(mesh, rows, *array, ofLimit);
   }
@@ -512,7 +512,7 @@ void AdaptiveSurfaceMarks<Id>::AddWithoutValue(const Row<Id>& points, AdaptiveNo
     {
       bool hasNoValue = false;
       this->Criteria.GetEdgeError(*a, *b, hasNoValue);
-      if (hasNoValue || this->Options.AttributeOfLimit)
+      if (hasNoValue || this->Options.AttributeErrorOfLimit)
       {
         notes.WithoutValue.emplace_back(std::min(*a, *b), std::max(*a, *b));
       }

@@ -18,7 +18,7 @@ namespace
 {
 
 /// The numbers of a stamp.
-enum Number
+enum StampNumber
 {
   Version,
   Scheme,

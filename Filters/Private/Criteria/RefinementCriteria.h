@@ -39,7 +39,7 @@ struct RefinementOptions
 {
   vtkSmartPointer<vtkDataArray> Attribute; ///< of points
   double AttributeTolerance = 0.1;
-  bool AttributeOfLimit = false; ///< LimitDifference instead of Jump
+  bool AttributeErrorOfLimit = false; ///< LimitDifference instead of Jump
 
   vtkSmartPointer<vtkDataArray> Range; ///< of points, or of cells
   bool RangeOfCells = false;
@@ -72,7 +72,7 @@ struct RefinementOptions
   bool ReadsShape() const { return this->ByGeometricError || this->ByCurvature; }
   bool ReadsLimit() const
   {
-    return this->ReadsShape() || (this->Attribute && this->AttributeOfLimit);
+    return this->ReadsShape() || (this->Attribute && this->AttributeErrorOfLimit);
   }
   /// Whether some criterion asks for edges, or for cells by more than the function.
   bool ReadsEdges() const { return this->ByEdgeLength || this->Attribute || this->ReadsShape(); }
@@ -260,7 +260,7 @@ double RefinementCriteria::GetEdgeError(vtkIdType a, vtkIdType b, bool& hasNoVal
     worst = this->Allow(this->Coordinates.GetDistance(a, b, this->Options.MaximumEdgeLength),
       this->Options.MaximumEdgeLength);
   }
-  if (this->Attribute.IsSet() && !this->Options.AttributeOfLimit)
+  if (this->Attribute.IsSet() && !this->Options.AttributeErrorOfLimit)
   {
     const double jump = this->Attribute.GetDistance(a, b, this->AllowedJump);
     hasNoValue = !std::isfinite(jump);

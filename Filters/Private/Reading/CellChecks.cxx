@@ -357,7 +357,7 @@ CheckedCells CheckCells(vtkPointSet* input, const CellReader& cells)
   const std::vector<unsigned char> finite = FindFinitePoints(input);
   const unsigned char* ghosts = GetGhosts(input, size);
   std::vector<unsigned char> haveQuads(static_cast<size_t>(cells.GetNumberOfBlocks()));
-  ForBlocks(cells,
+  ForCellBlocks(cells,
     [&](vtkIdType block, vtkIdType begin, vtkIdType end)
     {
       Checker checker(cells, input->GetNumberOfPoints(), finite, ghosts);

@@ -147,7 +147,7 @@ inline CellIds CellReader::GetCell(vtkIdType cellId, std::vector<vtkIdType>& scr
 
 /// Calls `work(block, first cell, one past the last cell)` for all blocks.
 template <typename Work>
-void ForBlocks(const CellReader& cells, const Work& work)
+void ForCellBlocks(const CellReader& cells, const Work& work)
 {
   const auto range = [&](vtkIdType begin, vtkIdType end)
   {

@@ -314,7 +314,7 @@ Counts CountPieces(const CellReader& cells, vtkPoints* points, const CheckedCell
   const size_t blocks = static_cast<size_t>(cells.GetNumberOfBlocks());
   std::vector<Counter> counters(blocks);
   std::vector<unsigned char> onePerCell(blocks, 1);
-  ForBlocks(cells,
+  ForCellBlocks(cells,
     [&](vtkIdType block, vtkIdType begin, vtkIdType end)
     {
       Counter counter; // a local one: neighbours in the vector would share cache lines
@@ -374,7 +374,7 @@ void SplitCells(const CellReader& cells, vtkPoints* points, const CheckedCells& 
   output.CentreOffsets.resize(size(counts.Total.Centres) + 1);
   output.CentreMembers.resize(size(counts.Total.Members));
   const vtkIdType firstCentre = output.Simplices.NumberOfPoints;
-  ForBlocks(cells,
+  ForCellBlocks(cells,
     [&](vtkIdType block, vtkIdType begin, vtkIdType end)
     {
       Writer writer(output, counts.Starts[block], firstCentre);

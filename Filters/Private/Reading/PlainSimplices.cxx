@@ -174,7 +174,7 @@ bool ReadPlainSimplices(
   AdviseHugePages(dimensions.data(), dimensions.capacity());
   dimensions.resize(static_cast<size_t>(cells.GetNumberOfCells()));
   std::atomic<bool> plain{ true };
-  ForBlocks(cells,
+  ForCellBlocks(cells,
     [&](vtkIdType, vtkIdType begin, vtkIdType end)
     {
       bool good = plain && !HasHidden(ghosts, begin, end);

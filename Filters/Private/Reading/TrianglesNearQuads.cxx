@@ -74,7 +74,7 @@ using PointMarks = std::vector<std::atomic<unsigned char>>;
 
 void MarkQuadPoints(const CellReader& cells, const CheckedCells& checked, PointMarks& marks)
 {
-  ForBlocks(cells,
+  ForCellBlocks(cells,
     [&](vtkIdType, vtkIdType begin, vtkIdType end)
     {
       std::vector<vtkIdType> ids;
@@ -132,7 +132,7 @@ std::vector<TriangleKey> FindTrianglesNearQuads(
   { return marks[id].load(std::memory_order_relaxed) != 0; };
 
   std::vector<std::vector<TriangleKey>> found(static_cast<size_t>(cells.GetNumberOfBlocks()));
-  ForBlocks(cells,
+  ForCellBlocks(cells,
     [&](vtkIdType block, vtkIdType begin, vtkIdType end)
     {
       std::vector<vtkIdType> ids;

@@ -148,7 +148,7 @@ void RedGreenLimit<Id>::AddEdge(const EdgeOfCell& edge, const std::array<Id, 4>&
   }
   ++this->NumberOfEdges;
   this->Sides.emplace_back();
-  this->Sides.back().IsBorder = Unite(this->Carriers[a], this->Carriers[b])[2] < 0;
+  this->Sides.back().IsBoundary = Unite(this->Carriers[a], this->Carriers[b])[2] < 0;
   auto add = [&](Id place, double weight)
   {
     this->Samples.push_back(
@@ -193,7 +193,7 @@ void RedGreenLimit<Id>::AddSide(Id edge, Id opposite, bool isOfSolid)
       return;
     }
   }
-  sides.IsBorder = true; // more than two triangles
+  sides.IsBoundary = true; // more than two triangles
 }
 
 /// Adds the places at which the inside of a triangle of a surface is measured.
@@ -250,7 +250,7 @@ void RedGreenLimit<Id>::FindSamples(
   this->MiddlesByEnds = PairTable<Id>();
   this->Middles.clear();
   this->Samples.clear();
-  const bool ofAttribute = options.Attribute && options.AttributeOfLimit;
+  const bool ofAttribute = options.Attribute && options.AttributeErrorOfLimit;
   for (vtkIdType i = 0; i < cells.GetSize(); ++i)
   {
     const auto points = cells.GetPoints(i);
@@ -364,7 +364,7 @@ double RedGreenLimit<Id>::GetErrorOfEdge(const Sample& sample, const double* con
   const RefinementCriteria& criteria) const
 {
   const SidesOfEdge& sides = this->Sides[sample.Edges[0]];
-  if (sides.IsBorder)
+  if (sides.IsBoundary)
   {
     return criteria.GetGeometricError(corners, 2, place);
   }
@@ -407,7 +407,7 @@ void RedGreenLimit<Id>::Measure(
     limit.Apply(array.Get(0), limits.data(), array.GetComponents());
     return limits;
   };
-  const bool ofAttribute = options.Attribute && options.AttributeOfLimit;
+  const bool ofAttribute = options.Attribute && options.AttributeErrorOfLimit;
   const Buffer<double> points =
     options.ReadsShape() ? getLimits(criteria.GetCoordinates()) : Buffer<double>();
   const Buffer<double> values = ofAttribute ? getLimits(criteria.GetAttribute()) : Buffer<double>();

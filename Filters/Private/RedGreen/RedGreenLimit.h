@@ -74,7 +74,7 @@ private:
     Id Opposites[2] = { -1, -1 };
     /// Whether errors are distances from the edge and not from triangles. So it is if the edge lies
     /// on a control edge, where input cells end, or has more than two triangles.
-    bool IsBorder = false;
+    bool IsBoundary = false;
   };
 
   void FindCurved();

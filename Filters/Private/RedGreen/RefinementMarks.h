@@ -176,7 +176,7 @@ public:
   }
 
 private:
-  static constexpr vtkIdType BlockSize = 1024;
+  static constexpr vtkIdType CandidatesPerBlock = 1024;
 
   struct Found
   {
@@ -188,17 +188,17 @@ private:
   void Look(vtkIdType begin, vtkIdType end, const Buffer<double>& values, std::vector<Mark>& marks,
     MarkNotes& notes) const
   {
-    std::vector<Found> found((end - begin + BlockSize - 1) / BlockSize);
+    std::vector<Found> found((end - begin + CandidatesPerBlock - 1) / CandidatesPerBlock);
     const auto blocks = [&](vtkIdType firstBlock, vtkIdType lastBlock)
     {
       const bool reads = this->Criteria.ReadsFunction() && values.empty();
-      Buffer<double> centroids(reads ? 3 * BlockSize : 0);
-      Buffer<double> own(reads ? BlockSize : 0);
+      Buffer<double> centroids(reads ? 3 * CandidatesPerBlock : 0);
+      Buffer<double> own(reads ? CandidatesPerBlock : 0);
       for (vtkIdType block = firstBlock; block < lastBlock; ++block)
       {
-        const vtkIdType first = begin + block * BlockSize;
-        const vtkIdType last = std::min(end, first + BlockSize);
-        const double* value = values.empty() ? nullptr : values.data() + block * BlockSize;
+        const vtkIdType first = begin + block * CandidatesPerBlock;
+        const vtkIdType last = std::min(end, first + CandidatesPerBlock);
+        const double* value = values.empty() ? nullptr : values.data() + block * CandidatesPerBlock;
         if (reads)
         {
           this->Criteria.EvaluateFunction(this->Candidates, first, last, centroids, own);
@@ -219,7 +219,7 @@ private:
           { this->LookAt(i, points, value ? value + (i - first) : nullptr, found[block]); });
       }
     };
-    ForBlocks(static_cast<vtkIdType>(found.size()), blocks);
+    ForRangesOfBlocks(static_cast<vtkIdType>(found.size()), blocks);
     for (const Found& part : found)
     {
       marks.insert(marks.end(), part.Marks.begin(), part.Marks.end());

@@ -26,7 +26,7 @@ constexpr const char* PointIdsName = "SubdivisionSurfaceGlobalIds";
 const std::string CarriedPrefix = "SubdivisionCarried:";
 
 /// The numbers of a stamp.
-enum Number
+enum SurfaceStampNumber
 {
   Version,
   Scheme,

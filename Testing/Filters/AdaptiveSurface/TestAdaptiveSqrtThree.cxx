@@ -407,7 +407,7 @@ TEST(AdaptiveSqrtThree, ASplitStopsAtAnyNumberOfCells)
 TEST(AdaptiveSqrtThree, OneDeepSplitCostsInProportionToItsLevel)
 {
   // One corner of a large grid, 40 steps deep.
-  Adaptive adaptive(MakeGrid(40, 40, true, { 1., 0., 0. }, { 0.5, 0.8, 0. }));
+  Adaptive adaptive(MakeSheet(40, 40, true, { 1., 0., 0. }, { 0.5, 0.8, 0. }));
   int face = 100;
   for (int level = 0; level < 40; ++level)
   {

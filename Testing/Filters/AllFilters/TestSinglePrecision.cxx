@@ -198,7 +198,7 @@ TEST(SinglePrecision, AStraightCornerIsConvex)
   for (const bool triangles : { true, false })
   {
     surfacetools::Model grid =
-      surfacetools::MakeGrid(6, 4, triangles, { 1., 0., 0. }, { 0., 1., 0. });
+      surfacetools::MakeSheet(6, 4, triangles, { 1., 0., 0. }, { 0., 1., 0. });
     grid.Corners.clear();
     std::vector<vtkIdType> corners;
     for (int i = 1; i < 6; ++i)

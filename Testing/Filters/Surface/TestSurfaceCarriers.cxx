@@ -193,7 +193,7 @@ TEST_P(SurfaceCarriers, CellsLieInThoseWhoseDataTheyHave)
   constexpr int size = 8;
   const double height = triangles ? std::sqrt(3.) / 2. : 1.;
   const Data grid = MakeInput(
-    MakeGrid(size, size, triangles, { 1., 0., 0. }, { triangles ? 0.5 : 0., height, 0. }));
+    MakeSheet(size, size, triangles, { 1., 0., 0. }, { triangles ? 0.5 : 0., height, 0. }));
   vtkNew<vtkIntArray> numbers;
   numbers->SetName(Numbers);
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)

@@ -20,7 +20,7 @@ TEST(SurfaceDooSabin, EveryMesh)
 TEST(SurfaceDooSabin, RegularMaskIsTheBiquadraticSpline)
 {
   constexpr int n = 3;
-  const Steps steps(MakeLevel(16, MakeGrid(n, n)), Kind, 1);
+  const Steps steps(MakeLevel(16, MakeQuads(n, n)), Kind, 1);
   const auto rows = steps.GetRows(0);
   const Mesh& mesh = steps[0].Mesh;
   for (int corner = 0; corner < 4 * n * n; ++corner)
@@ -124,7 +124,7 @@ TEST(SurfaceDooSabin, Valence2000)
 
 TEST(SurfaceDooSabin, FacesBetweenOthersBelongToBoth)
 {
-  const Steps steps(MakeLevel(6, MakeGrid(2, 1)), Kind, 1);
+  const Steps steps(MakeLevel(6, MakeQuads(2, 1)), Kind, 1);
   const auto carriers = steps.GetCarriers(0);
   const Mesh& mesh = steps[1].Mesh;
   for (int f = 0; f < mesh.NumberOfFaces; ++f)

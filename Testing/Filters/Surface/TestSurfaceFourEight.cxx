@@ -89,7 +89,7 @@ TEST(SurfaceFourEight, LinesStayConnected)
 TEST(SurfaceFourEight, CountsOfFaces)
 {
   // An odd step makes a face of each edge, two steps make four of each quad.
-  Walk walk(MakeGrid(4, 3, false, { 1., 0., 0. }, { 0., 1., 0. }), Kind);
+  Walk walk(MakeSheet(4, 3, false, { 1., 0., 0. }, { 0., 1., 0. }), Kind);
   for (int round = 0; round < 3; ++round)
   {
     const vtkIdType quads = walk.Level.Mesh.NumberOfFaces;
@@ -106,7 +106,7 @@ TEST(SurfaceFourEight, CountsOfFaces)
 /// diagonal away, 1/8 of each that is an edge away.
 TEST(SurfaceFourEight, RegularMaskIsThatOfTheBoxSpline)
 {
-  Walk walk(MakeGrid(8, 8, false, { 1., 0., 0. }, { 0., 1., 0. }), Kind);
+  Walk walk(MakeSheet(8, 8, false, { 1., 0., 0. }, { 0., 1., 0. }), Kind);
   double length = 1.;
   for (int step = 0; step < 4; ++step, length *= std::sqrt(0.5))
   {
@@ -144,7 +144,7 @@ TEST(SurfaceFourEight, RegularMaskIsThatOfTheBoxSpline)
 
 TEST(SurfaceFourEight, FlatGridsStayExact)
 {
-  Walk walk(MakeGrid(4, 3, false, { 1., 0., 0. }, { 0.25, 0.8, 0.5 }), Kind);
+  Walk walk(MakeSheet(4, 3, false, { 1., 0., 0. }, { 0.25, 0.8, 0.5 }), Kind);
   for (int step = 0; step < 6; ++step)
   {
     const std::vector<Point> before = walk.Points;
@@ -241,7 +241,7 @@ TEST(SurfaceFourEight, SurfacesAreSmoothAtExtraordinaryVertices)
 
 TEST(SurfaceFourEight, CreasesAreBoundariesOnBothSides)
 {
-  Model both = MakeGrid(3, 2, false, { 1., 0., 0. }, { 0., 1., 0. });
+  Model both = MakeSheet(3, 2, false, { 1., 0., 0. }, { 0., 1., 0. });
   both.Points = MakeRandomPoints(both.Points.size(), 9);
   both.Lines = { { 4, 5 }, { 5, 6 }, { 6, 7 } };
   Model half = both;
@@ -306,7 +306,7 @@ TEST(SurfaceFourEight, FiltersInARowKeepFlags)
 
 TEST(SurfaceFourEight, ThreadsDoNotChangeTheResult)
 {
-  Model grid = MakeGrid(40, 40, false, { 1., 0., 0. }, { 0., 1., 0. });
+  Model grid = MakeSheet(40, 40, false, { 1., 0., 0. }, { 0., 1., 0. });
   grid.Points = MakeRandomPoints(grid.Points.size(), 5);
   for (int i = 0; i < 20; ++i)
   {

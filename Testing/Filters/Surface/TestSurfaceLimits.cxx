@@ -16,7 +16,7 @@ namespace
 /// A grid of 5 x 5 fields without a quarter of 2 x 2 or more: a concave corner, which is flagged.
 Model MakeNotched(bool triangles, int from)
 {
-  Model grid = MakeGrid(5, 5, triangles, { 1., 0., 0. }, { 0., 1., 0. });
+  Model grid = MakeSheet(5, 5, triangles, { 1., 0., 0. }, { 0., 1., 0. });
   Polygons faces;
   for (const auto& face : grid.Faces)
   {
@@ -215,7 +215,7 @@ TEST(SurfaceLimits, NormalsOfOneSideWhereFacesAreTurnedOver)
   for (const int scheme : SchemesWithLimits)
   {
     const bool triangles = scheme != vtkSurfaceSubdivision::CATMULL_CLARK;
-    Model model = MakeGrid(5, 5, triangles, { 1., 0., 0. }, { 0., 1., 0. });
+    Model model = MakeSheet(5, 5, triangles, { 1., 0., 0. }, { 0., 1., 0. });
     model.Corners.clear();
     for (std::size_t face = 1; face < model.Faces.size(); ++face)
     {

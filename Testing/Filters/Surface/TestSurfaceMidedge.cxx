@@ -19,7 +19,7 @@ TEST(SurfaceMidedge, EveryMesh)
 
 TEST(SurfaceMidedge, VerticesAreMidpoints)
 {
-  const Steps steps(MakeLevel(9, MakeGrid(2, 2)), Kind, 1);
+  const Steps steps(MakeLevel(9, MakeQuads(2, 2)), Kind, 1);
   const auto rows = steps.GetRows(0);
   const Mesh& mesh = steps[0].Mesh;
   ASSERT_EQ(rows.GetNumberOfRows(), 12 + 8); // edges, boundary vertices

@@ -17,7 +17,7 @@ namespace
 /// A bumpy grid with a hole, creases that cross, end, and make concave corners with its border.
 Model MakeCreased(bool triangles, unsigned seed)
 {
-  Model grid = MakeGrid(5, 5, triangles, { 1., 0., 0. }, { 0.2, 1., 0. });
+  Model grid = MakeSheet(5, 5, triangles, { 1., 0., 0. }, { 0.2, 1., 0. });
   const std::vector<Point> noise = MakeRandomPoints(grid.Points.size(), seed);
   for (std::size_t i = 0; i < noise.size(); ++i)
   {

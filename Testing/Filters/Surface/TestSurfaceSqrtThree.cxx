@@ -164,7 +164,7 @@ TEST(SurfaceSqrtThree, CurvesAreCubicSplinesInThirds)
 
 TEST(SurfaceSqrtThree, FlatGridsStayExact)
 {
-  Walk walk(MakeGrid(4, 3, true, { 1., 0., 0. }, { 0.5, 0.8, 0.25 }), Kind);
+  Walk walk(MakeSheet(4, 3, true, { 1., 0., 0. }, { 0.5, 0.8, 0.25 }), Kind);
   for (int step = 0; step < 5; ++step)
   {
     const std::vector<Point> before = walk.Points;
@@ -265,7 +265,7 @@ TEST(SurfaceSqrtThree, TangentPlanesAreThoseOfTheNextLevels)
 
 TEST(SurfaceSqrtThree, CreasesAreBoundariesOnBothSides)
 {
-  Model both = MakeGrid(3, 2, true, { 1., 0., 0. }, { 0., 1., 0. });
+  Model both = MakeSheet(3, 2, true, { 1., 0., 0. }, { 0., 1., 0. });
   both.Points = MakeRandomPoints(both.Points.size(), 9);
   both.Lines = { { 4, 5 }, { 5, 6 }, { 6, 7 } };
   Model half = both;
@@ -312,7 +312,7 @@ TEST(SurfaceSqrtThree, FiltersInARowKeepFlags)
 
 TEST(SurfaceSqrtThree, ThreadsDoNotChangeTheResult)
 {
-  Model grid = MakeGrid(20, 20, true, { 1., 0., 0. }, { 0., 1., 0. });
+  Model grid = MakeSheet(20, 20, true, { 1., 0., 0. }, { 0., 1., 0. });
   grid.Points = MakeRandomPoints(grid.Points.size(), 5);
   for (int i = 0; i < 20; ++i)
   {

@@ -40,7 +40,7 @@ TEST(SurfaceStamp, AForgedNumberOfLevelsCostsNothing)
 
 TEST(SurfaceStamp, AForgedStampIsNotBelieved)
 {
-  const Model grid = MakeGrid(2, 1, false, { 1., 0., 0. }, { 0., 1., 0. });
+  const Model grid = MakeSheet(2, 1, false, { 1., 0., 0. }, { 0., 1., 0. });
   const auto plain = MakeInput(grid);
   const auto expected = RunFilter(plain, vtkSurfaceSubdivision::CATMULL_CLARK, 1);
   const vtkIdType points = plain->GetNumberOfPoints();
@@ -75,7 +75,7 @@ TEST(SurfaceStamp, GlobalIdsGoOn)
 {
   for (int scheme = 0; scheme <= vtkSurfaceSubdivision::SQRT_THREE; ++scheme)
   {
-    const auto input = MakeInput(MakeGrid(
+    const auto input = MakeInput(MakeSheet(
       4, 4, scheme != vtkSurfaceSubdivision::CATMULL_CLARK, { 1., 0., 0. }, { 0.2, 1., 0. }));
     const vtkIdType size = input->GetNumberOfPoints();
     vtkNew<vtkIdTypeArray> ids;
@@ -115,7 +115,7 @@ namespace
 /// A bumpy grid with three creases that meet inside, two at its boundary, and their sharpness.
 vtkSmartPointer<vtkPolyData> MakeCreased(bool triangles, bool flagged)
 {
-  Model grid = MakeGrid(4, 4, triangles, { 1., 0., 0. }, { 0.2, 1., 0. });
+  Model grid = MakeSheet(4, 4, triangles, { 1., 0., 0. }, { 0.2, 1., 0. });
   const std::vector<Point> noise = MakeRandomPoints(grid.Points.size(), 5);
   for (std::size_t i = 0; i < noise.size(); ++i)
   {

@@ -10,7 +10,7 @@ namespace subdivision
 namespace
 {
 
-struct WeightedRow
+struct SharpRow
 {
   vtkIdType Row;
   double Sharpness;
@@ -37,8 +37,8 @@ void BlendSemiSharp(
   const EdgeSharpness& sharpness, int steps, int depth, const Operator& sharp, Operator& smooth)
 {
   decltype(smooth.Explicit) rows;
-  std::vector<WeightedRow> edges;
-  std::vector<WeightedRow> ends;
+  std::vector<SharpRow> edges;
+  std::vector<SharpRow> ends;
   for (std::size_t e = 0; e < sharpness.size(); ++e)
   {
     const double left = sharpness[e] - steps;
@@ -55,8 +55,8 @@ void BlendSemiSharp(
       ends.push_back({ smooth.EdgeVertices[2 * piece + 1], left });
     }
   }
-  std::stable_sort(ends.begin(), ends.end(),
-    [](const WeightedRow& a, const WeightedRow& b) { return a.Row < b.Row; });
+  std::stable_sort(
+    ends.begin(), ends.end(), [](const SharpRow& a, const SharpRow& b) { return a.Row < b.Row; });
   for (auto end = ends.begin(); end != ends.end();)
   {
     double sum = 0.;
@@ -67,7 +67,7 @@ void BlendSemiSharp(
     }
     AppendBlend(sharp, smooth, first->Row, sum / static_cast<double>(end - first), rows);
   }
-  for (const WeightedRow& edge : edges)
+  for (const SharpRow& edge : edges)
   {
     AppendBlend(sharp, smooth, edge.Row, edge.Sharpness, rows);
   }

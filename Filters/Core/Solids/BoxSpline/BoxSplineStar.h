@@ -29,7 +29,7 @@ public:
   }
   vtkIdType CountSolids(Id, Rule, vtkIdType) const { return 0; }
   vtkIdType CountFaces(Rule, vtkIdType ringSize) const { return ringSize; }
-  Id GetFarEnd(Id, Id vertex) const { return vertex; }
+  Id GetOppositeEnd(Id, Id vertex) const { return vertex; }
   template <typename Add>
   void ForEdgesInSolid(Id, Id, const Add&) const
   {

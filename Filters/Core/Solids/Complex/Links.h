@@ -102,7 +102,7 @@ int Links<Id>::CountPieces(Id vertex, const Accept& accept) const
   for (vtkIdType i = 0; i < edges.size(); ++i)
   {
     const Id edge = edges.begin()[i];
-    const Id far = this->Complex.OtherEnd(edge, vertex);
+    const Id far = this->Complex.GetOtherEnd(edge, vertex);
     for (Id face : this->EdgeFaces[edge])
     {
       if (!accept(face))

@@ -19,6 +19,19 @@
 namespace subdivision
 {
 
+/// The position of a value that is in the list. There are no branches, because the processor would
+/// mispredict them.
+template <int Size, typename Id>
+int FindPlace(const Id* list, Id wanted)
+{
+  int place = 0;
+  for (int i = 1; i < Size; ++i)
+  {
+    place += list[i] == wanted ? i : 0;
+  }
+  return place;
+}
+
 /// Cells that equal an earlier cell: their own vertex order, and their twin.
 template <typename Id>
 struct EqualCells
@@ -49,7 +62,7 @@ struct SimplicialComplex
   EqualCells<Id> EqualTriangles;
   EqualCells<Id> EqualTets;
 
-  Id OtherEnd(Id edge, Id vertex) const
+  Id GetOtherEnd(Id edge, Id vertex) const
   {
     const Id* ends = this->EdgeVertices.data() + 2 * edge;
     return ends[0] == vertex ? ends[1] : ends[0];
@@ -57,36 +70,28 @@ struct SimplicialComplex
   /// The local number of a vertex, edge or face in a face or tetrahedron that has it.
   int VertexInFace(Id face, Id vertex) const
   {
-    return Find<3>(this->FaceVertices.data() + 3 * face, vertex);
+    return FindPlace<3>(this->FaceVertices.data() + 3 * face, vertex);
   }
   int EdgeInFace(Id face, Id edge) const
   {
-    return Find<3>(this->FaceEdges.data() + 3 * face, edge);
+    return FindPlace<3>(this->FaceEdges.data() + 3 * face, edge);
   }
-  int FaceInTet(Id tet, Id face) const { return Find<4>(this->TetFaces.data() + 4 * tet, face); }
+  int FaceInTet(Id tet, Id face) const
+  {
+    return FindPlace<4>(this->TetFaces.data() + 4 * tet, face);
+  }
   int VertexInTet(Id tet, Id vertex) const
   {
-    return Find<4>(this->TetVertices.data() + 4 * tet, vertex);
+    return FindPlace<4>(this->TetVertices.data() + 4 * tet, vertex);
   }
-  int EdgeInTet(Id tet, Id edge) const { return Find<6>(this->TetEdges.data() + 6 * tet, edge); }
+  int EdgeInTet(Id tet, Id edge) const
+  {
+    return FindPlace<6>(this->TetEdges.data() + 6 * tet, edge);
+  }
   /// The vertex of a face that does not lie on one of its edges.
   Id VertexOpposite(Id face, Id edge) const;
   /// The other edge of a face at a vertex.
   Id OtherEdge(Id face, Id edge, Id vertex) const;
-
-private:
-  /// The position of a value that is in the list. There are no branches, because the processor
-  /// would mispredict them.
-  template <int Size>
-  static int Find(const Id* list, Id wanted)
-  {
-    int place = 0;
-    for (int i = 1; i < Size; ++i)
-    {
-      place += list[i] == wanted ? i : 0;
-    }
-    return place;
-  }
 };
 
 /// Consecutive output cells of one dimension that are consecutive in the complex too. So runs tell

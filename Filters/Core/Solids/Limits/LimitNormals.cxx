@@ -306,7 +306,7 @@ double SectorWalker<Scheme>::GetSign(Id vertex, const Walk& walk) const
   const std::size_t first =
     std::min_element(walk.Faces.begin(), walk.Faces.end()) - walk.Faces.begin();
   const Id face = walk.Faces[first];
-  const Id ahead = this->Complex.OtherEnd(walk.Edges[first], vertex);
+  const Id ahead = this->Complex.GetOtherEnd(walk.Edges[first], vertex);
   const int own = this->Complex.VertexInFace(face, vertex);
   const bool isTurned = !this->Turned.empty() && this->Turned[face] == 1;
   return (this->Complex.VertexInFace(face, ahead) == (own + 1) % 3) != isTurned ? 1. : -1.;
@@ -319,7 +319,7 @@ void SectorWalker<Scheme>::AppendSector(Id vertex, const Walk& walk, SectorPart<
   std::vector<Id> around;
   for (Id edge : walk.Edges)
   {
-    around.push_back(this->Complex.OtherEnd(edge, vertex));
+    around.push_back(this->Complex.GetOtherEnd(edge, vertex));
   }
   const double sign = this->GetSign(vertex, walk);
   this->AppendSides(vertex, walk, around, part);

@@ -7,7 +7,7 @@
  * Item 0 is the vertex itself. The other items are the edges at it, and in a tet/oct level its
  * octahedra; each is named by a key and stands for the vertex at its far end. A star has
  *  - IdType, LevelType, and a constructor from a level;
- *  - GetRules(), those of the level; GetFarEnd(vertex, key);
+ *  - GetRules(), those of the level; GetOppositeEnd(vertex, key);
  *  - ReadRow(rules, vertex, key, first, rows, number): appends the row of an item (of the vertex if
  *    the key is negative) to `rows` as numbers, among them number(key of member, member) for each
  *    member of the ring. Members without face, which only the first step reads, have a negative
@@ -223,7 +223,7 @@ private:
   };
 
   void ReadNeighbourhood();
-  void FindSharpEdges();
+  void FindMostSharpness();
   void StepBack(int step);
   void TakeFirstStep();
   StarRules<Id> GetStage(int step) const;
@@ -257,7 +257,7 @@ void LimitRowMaker<Star>::Make(Id vertex, LimitRow<Id>& row)
   this->Vertex = vertex;
   row.Columns.clear();
   row.Weights.clear();
-  this->FindSharpEdges();
+  this->FindMostSharpness();
   if (this->MostSharpness <= 0. &&
     this->Here.GetRules().Strata.Vertices[vertex].GetRule() == Rule::Corner)
   {
@@ -281,7 +281,7 @@ void LimitRowMaker<Star>::Make(Id vertex, LimitRow<Id>& row)
     row.Columns.push_back(vertex);
     for (Id key : this->Keys.Ids)
     {
-      row.Columns.push_back(this->Here.GetFarEnd(vertex, key));
+      row.Columns.push_back(this->Here.GetOppositeEnd(vertex, key));
     }
     row.Weights = this->Weights;
     return;
@@ -316,7 +316,7 @@ void LimitRowMaker<Star>::ReadNeighbourhood()
 }
 
 template <typename Star>
-void LimitRowMaker<Star>::FindSharpEdges()
+void LimitRowMaker<Star>::FindMostSharpness()
 {
   this->MostSharpness = 0.;
   for (auto at = std::lower_bound(
@@ -381,7 +381,7 @@ void LimitRowMaker<Star>::ForEachEntry(
   this->Members.assign(1, { Id(-1), this->Vertex });
   if (item > 0)
   {
-    this->Members.push_back({ own, this->Here.GetFarEnd(this->Vertex, own) });
+    this->Members.push_back({ own, this->Here.GetOppositeEnd(this->Vertex, own) });
   }
   this->Here.ReadRow(rules, this->Vertex, own, first, this->Numbers,
     [this](Id key, Id vertex)
@@ -461,7 +461,7 @@ void LimitRowMaker<Star>::TakeFirstStep()
 
 /// The edges that are still sharp, as sorted pairs (end, edge).
 template <typename Id>
-std::vector<std::pair<Id, Id>> FindSharpEdges(
+std::vector<std::pair<Id, Id>> ListSharpEnds(
   const SimplicialComplex<Id>& complex, const SemiSharpStages<Id>& creases)
 {
   std::vector<std::pair<Id, Id>> found;
@@ -483,7 +483,7 @@ template <typename Star, typename Id, typename Vertex>
 SparseRows<Id> MakeLimitRows(const typename Star::LevelType& level,
   const SemiSharpStages<Id>& creases, vtkIdType size, const Vertex& vertex)
 {
-  const std::vector<std::pair<Id, Id>> sharpEdges = FindSharpEdges(level.Complex, creases);
+  const std::vector<std::pair<Id, Id>> sharpEdges = ListSharpEnds(level.Complex, creases);
   constexpr vtkIdType block = 4096;
   const vtkIdType blocks = (size + block - 1) / block;
   std::vector<LimitRow<Id>> parts(blocks);

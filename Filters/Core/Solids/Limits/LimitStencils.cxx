@@ -35,10 +35,11 @@ public:
   {
     return { this->Here.Strata, Scheme::GetSpokes(this->Here).get() };
   }
-  Id GetFarEnd(Id vertex, Id key) const
+  Id GetOppositeEnd(Id vertex, Id key) const
   {
     const Id solid = key - this->Complex.NumberOfEdges;
-    return solid < 0 ? this->Complex.OtherEnd(key, vertex) : this->Solids.GetFarEnd(solid, vertex);
+    return solid < 0 ? this->Complex.GetOtherEnd(key, vertex)
+                     : this->Solids.GetOppositeEnd(solid, vertex);
   }
 
   /// The numbers of a row are the rule, or one of the two above, the size of the ring, and the
@@ -49,7 +50,8 @@ public:
   {
     const std::size_t start = rows.size();
     rows.resize(start + 2);
-    auto add = [&](Id member) { rows.push_back(number(member, this->GetFarEnd(vertex, member))); };
+    auto add = [&](Id member)
+    { rows.push_back(number(member, this->GetOppositeEnd(vertex, member))); };
     bool all = true;
     if (key < 0)
     {
@@ -155,7 +157,7 @@ private:
       }
       all = all && (*face >= 0 || first);
     }
-    const Id far = this->Complex.OtherEnd(edge, vertex);
+    const Id far = this->Complex.GetOtherEnd(edge, vertex);
     for (const Id* solid = firstSolid; solid != carriers.end(); solid += 2)
     {
       add(this->Complex.NumberOfEdges + *solid);

@@ -27,7 +27,7 @@ public:
     Id first, const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted);
 
   /// False: the parts were too small.
-  bool Build(const Level<Id>& control, const SemiSharpStages<Id>& creases, int rings,
+  bool Build(const Level<Id>& control, const SemiSharpStages<Id>& creases, int distance,
     std::vector<Step>& steps);
 
 private:
@@ -52,9 +52,9 @@ private:
   };
 
   void FindLevels();
-  void FindCarriers();
+  void FindAncestors();
   Buffer<unsigned char> FlagSupport(
-    const SimplicialComplex<Id>& complex, std::size_t level, int rings) const;
+    const SimplicialComplex<Id>& complex, std::size_t level, int distance) const;
   void FollowVertices(
     const SimplicialComplex<Id>& part, const Restriction<Id>& restriction, std::size_t level);
   SparseRows<Id> MakeLimits(
@@ -66,11 +66,11 @@ private:
 
   const Id First; ///< the number of the first midpoint
   const std::vector<std::array<Id, 2>>& Midpoints;
-  std::vector<int> Levels;               ///< on which vertices first exist
-  std::vector<std::vector<Id>> Born;     ///< vertices by level
-  std::vector<std::vector<Id>> Wanted;   ///< those of them whose limits are wanted
-  std::vector<std::vector<Id>> Carriers; ///< by level; later vertices arise between these
-  std::vector<Id> At; ///< number on the current part of each carrier and newest vertex
+  std::vector<int> Levels;                ///< on which vertices first exist
+  std::vector<std::vector<Id>> Born;      ///< vertices by level
+  std::vector<std::vector<Id>> Wanted;    ///< those of them whose limits are wanted
+  std::vector<std::vector<Id>> Ancestors; ///< by level; later vertices arise between these
+  std::vector<Id> At; ///< number on the current part of each ancestor and newest vertex
 };
 
 template <typename Id>
@@ -80,7 +80,7 @@ LocalLimit<Id>::Builder::Builder(
   , Midpoints(midpoints)
 {
   this->FindLevels();
-  this->FindCarriers();
+  this->FindAncestors();
   this->Wanted.resize(this->Born.size());
   for (std::size_t level = 0; level < this->Born.size(); ++level)
   {
@@ -115,25 +115,25 @@ void LocalLimit<Id>::Builder::FindLevels()
   }
 }
 
-/// The carriers of a level are the ends of the edges whose midpoints first exist on the next level,
-/// and those carriers of the next level that exist already.
+/// The ancestors of a level are the ends of the edges whose midpoints first exist on the next
+/// level, and those ancestors of the next level that exist already.
 template <typename Id>
-void LocalLimit<Id>::Builder::FindCarriers()
+void LocalLimit<Id>::Builder::FindAncestors()
 {
-  this->Carriers.resize(this->Born.size());
-  std::vector<bool> carries(this->Levels.size(), false);
+  this->Ancestors.resize(this->Born.size());
+  std::vector<bool> isAncestor(this->Levels.size(), false);
   for (std::size_t level = this->Born.size() - 1; level-- > 0;)
   {
-    std::vector<Id>& carriers = this->Carriers[level];
+    std::vector<Id>& ancestors = this->Ancestors[level];
     auto add = [&](Id vertex)
     {
-      if (this->Levels[vertex] <= static_cast<int>(level) && !carries[vertex])
+      if (this->Levels[vertex] <= static_cast<int>(level) && !isAncestor[vertex])
       {
-        carries[vertex] = true;
-        carriers.push_back(vertex);
+        isAncestor[vertex] = true;
+        ancestors.push_back(vertex);
       }
     };
-    for (Id vertex : this->Carriers[level + 1])
+    for (Id vertex : this->Ancestors[level + 1])
     {
       add(vertex);
     }
@@ -142,33 +142,33 @@ void LocalLimit<Id>::Builder::FindCarriers()
       add(this->Midpoints[vertex - this->First][0]);
       add(this->Midpoints[vertex - this->First][1]);
     }
-    for (Id vertex : carriers)
+    for (Id vertex : ancestors)
     {
-      carries[vertex] = false;
+      isAncestor[vertex] = false;
     }
   }
 }
 
-/// Flags the carriers and all vertices within `rings` edges of them.
+/// Flags the ancestors and all vertices within `distance` edges of them.
 template <typename Id>
 Buffer<unsigned char> LocalLimit<Id>::Builder::FlagSupport(
-  const SimplicialComplex<Id>& complex, std::size_t level, int rings) const
+  const SimplicialComplex<Id>& complex, std::size_t level, int distance) const
 {
   Buffer<unsigned char> flags(complex.NumberOfVertices, 0);
-  for (Id vertex : this->Carriers[level])
+  for (Id vertex : this->Ancestors[level])
   {
     flags[this->At[vertex]] = 1;
   }
-  for (int ring = 1; ring <= rings; ++ring)
+  for (int step = 1; step <= distance; ++step)
   {
     for (Id e = 0; e < complex.NumberOfEdges; ++e)
     {
       const Id* ends = complex.EdgeVertices.data() + 2 * vtkIdType(e);
       for (int i = 0; i < 2; ++i)
       {
-        if (flags[ends[i]] > 0 && flags[ends[i]] <= ring && flags[ends[1 - i]] == 0)
+        if (flags[ends[i]] > 0 && flags[ends[i]] <= step && flags[ends[1 - i]] == 0)
         {
-          flags[ends[1 - i]] = static_cast<unsigned char>(std::min(ring + 1, 255));
+          flags[ends[1 - i]] = static_cast<unsigned char>(std::min(step + 1, 255));
         }
       }
     }
@@ -176,24 +176,24 @@ Buffer<unsigned char> LocalLimit<Id>::Builder::FlagSupport(
   return flags;
 }
 
-/// Finds the numbers of the carriers in the part, and of the vertices that first exist on the next
+/// Finds the numbers of the ancestors in the part, and of the vertices that first exist on the next
 /// level.
 template <typename Id>
 void LocalLimit<Id>::Builder::FollowVertices(
   const SimplicialComplex<Id>& part, const Restriction<Id>& restriction, std::size_t level)
 {
-  std::vector<unsigned char> carries(part.NumberOfVertices, 0);
-  for (Id vertex : this->Carriers[level])
+  std::vector<unsigned char> isAncestor(part.NumberOfVertices, 0);
+  for (Id vertex : this->Ancestors[level])
   {
     this->At[vertex] = restriction.GetNewVertices()[this->At[vertex]];
-    carries[this->At[vertex]] = 1;
+    isAncestor[this->At[vertex]] = 1;
   }
   std::vector<std::tuple<Id, Id, Id>> edges;
   for (Id e = 0; e < part.NumberOfEdges; ++e)
   {
     const auto [a, b] =
       std::minmax(part.EdgeVertices[2 * vtkIdType(e)], part.EdgeVertices[2 * vtkIdType(e) + 1]);
-    if (carries[a] && carries[b])
+    if (isAncestor[a] && isAncestor[b])
     {
       edges.emplace_back(a, b, e);
     }
@@ -296,8 +296,8 @@ void LocalLimit<Id>::Builder::TakeOperators(Piece& part, Trace& trace)
 }
 
 template <typename Id>
-bool LocalLimit<Id>::Builder::Build(
-  const Level<Id>& control, const SemiSharpStages<Id>& creases, int rings, std::vector<Step>& steps)
+bool LocalLimit<Id>::Builder::Build(const Level<Id>& control, const SemiSharpStages<Id>& creases,
+  int distance, std::vector<Step>& steps)
 {
   this->At.assign(this->Midpoints.size() + this->First, -1);
   for (Id v = 0; v < this->First; ++v)
@@ -315,7 +315,7 @@ bool LocalLimit<Id>::Builder::Build(
     {
       break;
     }
-    const Buffer<unsigned char> support = this->FlagSupport(level->Complex, l, rings);
+    const Buffer<unsigned char> support = this->FlagSupport(level->Complex, l, distance);
     const Restriction<Id> restriction(level->Complex, support);
     const Buffer<Id>& old = restriction.GetOldVertices();
     Piece part;
@@ -435,14 +435,15 @@ bool LocalLimit<Id>::Builder::FollowBack(
 
 template <typename Id>
 LocalLimit<Id>::LocalLimit(const Level<Id>& control, const SemiSharpStages<Id>& creases,
-  const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted, int rings)
+  const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted,
+  int distance)
   : NumberOfRows(control.Complex.NumberOfVertices + static_cast<vtkIdType>(midpoints.size()))
   , NumberOfColumns(control.Complex.NumberOfVertices)
 {
   Builder builder(control.Complex.NumberOfVertices, midpoints, wanted);
-  while (!builder.Build(control, creases, rings, this->Steps))
+  while (!builder.Build(control, creases, distance, this->Steps))
   {
-    ++rings;
+    ++distance;
   }
 }
 

@@ -6,11 +6,11 @@
  *
  * The caller names a vertex by the two ends of the edge whose midpoint it is. So it needs no ids of
  * the uniform refinement, which would overflow on deep levels. In each step the current part of the
- * level is restricted to the cells around *carriers*, the vertices between which later vertices
+ * level is restricted to the cells around *ancestors*, the vertices between which later vertices
  * arise (Restriction.h), and refined with the usual rules and rings. The limit row of a vertex is
  * taken on the level on which the vertex first exists (LimitStencils.h). Then the program goes back
- * from the limits to the control level and keeps only the rows that are needed. If the part was too
- * small for one of these, so that the row lacks entries, all is repeated with a larger part.
+ * from the limits to the control level and keeps only the rows that are ancestors. If the part was
+ * too small for one of these, so that the row lacks entries, all is repeated with a larger part.
  */
 #ifndef SubdivisionObjects_LocalLimit_h
 #define SubdivisionObjects_LocalLimit_h
@@ -34,12 +34,12 @@ public:
    * `midpoints[i]`, both smaller than V + i. It must be an edge of a level of the uniform
    * refinement (RedGreen::GetEnds); else std::invalid_argument is thrown. The same edge may occur
    * again. `wanted` flags the vertices whose limits are computed (empty: all); Apply leaves the
-   * values of the others. `rings`: at first a part has all vertices within this number of edges of
-   * its carriers.
+   * values of the others. `distance`: at first a part has all vertices within this number of edges
+   * of its ancestors.
    */
   LocalLimit(const Level<Id>& control, const SemiSharpStages<Id>& creases,
     const std::vector<std::array<Id, 2>>& midpoints,
-    const Buffer<unsigned char>& wanted = Buffer<unsigned char>(), int rings = 1);
+    const Buffer<unsigned char>& wanted = Buffer<unsigned char>(), int distance = 1);
 
   /// Control vertices, then midpoints.
   vtkIdType GetNumberOfRows() const override { return this->NumberOfRows; }

@@ -217,7 +217,7 @@ private:
 template <typename Id>
 std::vector<Id> RedGreen<Id>::ScanCells()
 {
-  constexpr vtkIdType blockSize = 64 * SimplexPlaces::BlockSize;
+  constexpr vtkIdType blockSize = 64 * SimplexPlaces::SimplicesPerBlock;
   const vtkIdType size = this->Input.NumberOfSimplices;
   const RangeCounts<Id> news(this->NewFlags, this->InputVertices);
   const bool isFirst = this->BlockRanges.empty();
@@ -262,7 +262,7 @@ std::vector<Id> RedGreen<Id>::ScanCells()
       }
     }
   };
-  ForBlocks(static_cast<vtkIdType>(blocks.size()), scan);
+  ForRangesOfBlocks(static_cast<vtkIdType>(blocks.size()), scan);
   this->ScannedCells += blockSize * static_cast<vtkIdType>(blocks.size());
   std::vector<Id> cells;
   for (const auto& block : found)

@@ -24,7 +24,7 @@ constexpr int LastLevel = 255;
 class SimplexPlaces
 {
 public:
-  static constexpr vtkIdType BlockSize = 64;
+  static constexpr vtkIdType SimplicesPerBlock = 64;
 
   SimplexPlaces() = default;
   explicit SimplexPlaces(const SimplexView& cells)
@@ -35,13 +35,14 @@ public:
     {
       return;
     }
-    this->Starts = Buffer<vtkIdType>((cells.NumberOfSimplices + BlockSize - 1) / BlockSize + 1);
+    this->Starts =
+      Buffer<vtkIdType>((cells.NumberOfSimplices + SimplicesPerBlock - 1) / SimplicesPerBlock + 1);
     ForEach(this->Starts.size() - 1,
       [&](vtkIdType block)
       {
-        const vtkIdType first = block * BlockSize;
+        const vtkIdType first = block * SimplicesPerBlock;
         this->Starts[block] =
-          this->Sum(first, std::min(cells.NumberOfSimplices, first + BlockSize));
+          this->Sum(first, std::min(cells.NumberOfSimplices, first + SimplicesPerBlock));
       });
     CountsToOffsets(this->Starts);
   }
@@ -51,8 +52,8 @@ public:
     {
       return simplex * this->Corners;
     }
-    const vtkIdType block = simplex / BlockSize;
-    return this->Starts[block] + this->Sum(block * BlockSize, simplex);
+    const vtkIdType block = simplex / SimplicesPerBlock;
+    return this->Starts[block] + this->Sum(block * SimplicesPerBlock, simplex);
   }
 
 private:
@@ -82,7 +83,7 @@ private:
 /// Calls body(begin, end) for ranges of blocks, in several threads: a single block is worth a
 /// thread.
 template <typename Body>
-void ForBlocks(vtkIdType blocks, const Body& body)
+void ForRangesOfBlocks(vtkIdType blocks, const Body& body)
 {
   if (blocks > 1)
   {

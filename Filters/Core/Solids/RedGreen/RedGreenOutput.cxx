@@ -107,10 +107,10 @@ void RedGreenOutput<Id>::FindTrees()
       }
     }
   };
-  ForBlocks(static_cast<vtkIdType>(found.size()), find);
+  ForRangesOfBlocks(static_cast<vtkIdType>(found.size()), find);
   CountsToOffsets(starts);
   this->Trees = Buffer<Tree>(starts[starts.size() - 1]);
-  ForBlocks(static_cast<vtkIdType>(found.size()), count);
+  ForRangesOfBlocks(static_cast<vtkIdType>(found.size()), count);
 }
 
 template <typename Id>
@@ -209,7 +209,7 @@ void RedGreenOutput<Id>::Write(const RedGreenStorage<Out>& out) const
 {
   const SimplexView& input = this->State.Input;
   ForEach(this->Leaves.size(), [&](vtkIdType i) { this->WriteLeaf(this->Leaves[i], out); });
-  constexpr vtkIdType blockSize = 64 * SimplexPlaces::BlockSize;
+  constexpr vtkIdType blockSize = 64 * SimplexPlaces::SimplicesPerBlock;
   const auto copyBlocks = [&](vtkIdType begin, vtkIdType end)
   {
     begin *= blockSize;
@@ -235,7 +235,7 @@ void RedGreenOutput<Id>::Write(const RedGreenStorage<Out>& out) const
     }
   };
   const vtkIdType blocks = (input.NumberOfSimplices + blockSize - 1) / blockSize;
-  ForBlocks(blocks, copyBlocks);
+  ForRangesOfBlocks(blocks, copyBlocks);
   out.Cells.Offsets[this->Counts.Cells] = static_cast<Out>(this->Counts.Entries);
 }
 

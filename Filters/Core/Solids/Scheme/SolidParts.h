@@ -22,19 +22,6 @@
 namespace subdivision
 {
 
-/// The position of a value that is in the list. There are no branches, because the processor would
-/// mispredict them.
-template <int Size, typename Id>
-int FindPlace(const Id* list, Id wanted)
-{
-  int place = 0;
-  for (int i = 1; i < Size; ++i)
-  {
-    place += list[i] == wanted ? i : 0;
-  }
-  return place;
-}
-
 /// The solids of one shape on a level.
 template <typename Id>
 struct SolidList

@@ -42,7 +42,7 @@
  *    (LimitStencils.cxx): GetVertexMask(rule, ring size) and GetEdgeMask; CountSolids(vertex, rule,
  *    ring size), how many of the last members of its ring lie opposite in a solid, which is their
  *    carrier; CountFaces(rule, ring size), how many of the first members of an edge's ring lie on
- *    faces, the others in pairs in solids; GetFarEnd(solid, vertex), the opposite vertex;
+ *    faces, the others in pairs in solids; GetOppositeEnd(solid, vertex), the opposite vertex;
  *    ForEdgesInSolid(solid, vertex, add), the edges at a vertex; GetEdgeBeyond(solid, vertex, far),
  *    the edge from a vertex to the opposite of another one; HasSpokes(vertex, rule), whether the
  *    weights of its row follow from GetSpokes, and then WeighSpokes(ring, numbers, size, add);

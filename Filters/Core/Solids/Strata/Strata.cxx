@@ -142,16 +142,16 @@ void StrataBuilder<Id>::CollectRelief(
       [&](Id other)
       {
         return (this->Around.EdgeDimensions(other) & decision.Dimensions) &&
-          this->Complex.OtherEnd(other, from) == (from == a ? b : a);
+          this->Complex.GetOtherEnd(other, from) == (from == a ? b : a);
       });
   };
   const Id* ends = this->Complex.EdgeVertices.data() + 2 * vtkIdType(edge);
   const Id near = valence(ends[0]) < valence(ends[1]) ? ends[0] : ends[1];
-  const Id far = this->Complex.OtherEnd(edge, near);
+  const Id far = this->Complex.GetOtherEnd(edge, near);
   std::vector<Id> common;
   for (Id other : this->Around.VertexEdges[near])
   {
-    const Id neighbour = this->Complex.OtherEnd(other, near);
+    const Id neighbour = this->Complex.GetOtherEnd(other, near);
     if (neighbour != far && (this->Around.EdgeDimensions(other) & decision.Dimensions) &&
       areJoined(neighbour, far))
     {
@@ -239,9 +239,10 @@ Strata<Id> StrataBuilder<Id>::Build()
     [&](vtkIdType e, Id face) { return this->Complex.VertexOpposite(face, static_cast<Id>(e)); },
     this->CollectReliefs(edgeDecisions));
   strata.VertexRings = MakeRings(
-    this->Around.VertexEdges, [&](vtkIdType v, Id edge)
-    { return this->IsInVertexRing(edge, vertexDecisions[v]); }, [&](vtkIdType v, Id edge)
-    { return this->Complex.OtherEnd(edge, static_cast<Id>(v)); }, std::vector<std::vector<Id>>());
+    this->Around.VertexEdges,
+    [&](vtkIdType v, Id edge) { return this->IsInVertexRing(edge, vertexDecisions[v]); },
+    [&](vtkIdType v, Id edge) { return this->Complex.GetOtherEnd(edge, static_cast<Id>(v)); },
+    std::vector<std::vector<Id>>());
   return strata;
 }
 

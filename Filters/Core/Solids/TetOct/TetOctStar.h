@@ -40,7 +40,7 @@ public:
   {
     return rule == Rule::RegularEdge ? RegularFaces : ringSize;
   }
-  Id GetFarEnd(Id oct, Id vertex) const
+  Id GetOppositeEnd(Id oct, Id vertex) const
   {
     const int own = VertexInOct(this->Here, oct, vertex);
     return this->Here.OctVertices[6 * vtkIdType(oct) + octahedron::Opposite(own)];

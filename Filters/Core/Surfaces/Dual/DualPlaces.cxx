@@ -45,7 +45,7 @@ void CountFans(const PolygonMesh<Id>& mesh, const VertexFaceSize& size, DualPlac
       Id corners = 0;
       Id chains = 0;
       Id fans = 0;
-      VisitFansOf(mesh, static_cast<Id>(v),
+      VisitFans(mesh, static_cast<Id>(v),
         [&](Id corner)
         {
           vtkIdType k = 0;
@@ -215,7 +215,7 @@ void CarryFans(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
     [&](vtkIdType v)
     {
       Carrier<Id>* fan = fans + level.Dual->Faces[v];
-      VisitFansOf(mesh, static_cast<Id>(v),
+      VisitFans(mesh, static_cast<Id>(v),
         [&](Id corner)
         {
           vtkIdType k = 0;

@@ -18,7 +18,7 @@
 #ifndef SubdivisionObjects_DualPlaces_h
 #define SubdivisionObjects_DualPlaces_h
 
-#include "Core/Surfaces/Scheme/SurfaceScheme.h"
+#include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <algorithm>
 #include <functional>
@@ -97,23 +97,6 @@ Id GetFirstOfSide(const PolygonMesh<Id>& mesh, Id corner)
 {
   const Id twin = mesh.Twins[corner];
   return twin >= 0 && twin < corner ? twin : corner;
-}
-
-/// visit(corner) for the first corner of each fan of a vertex.
-template <typename Id, typename Visit>
-void VisitFansOf(const PolygonMesh<Id>& mesh, Id vertex, const Visit& visit)
-{
-  if (mesh.VertexCorners[vertex] >= 0)
-  {
-    visit(mesh.VertexCorners[vertex]);
-  }
-  else if (const auto* joint = mesh.FindJoint(vertex))
-  {
-    for (Id corner : joint->Fans)
-    {
-      visit(corner);
-    }
-  }
 }
 
 /// Calls visit(step) for each face of the fan of a corner. A cycle begins with the face of the

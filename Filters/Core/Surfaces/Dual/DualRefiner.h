@@ -83,7 +83,7 @@ protected:
         const Id vertex = static_cast<Id>(v);
         vtkIdType face = this->FirstVertexFace + this->Places.Faces[v];
         vtkIdType at = this->FirstVertexCorner + this->Places.Corners[v];
-        VisitFansOf(this->Mesh, vertex,
+        VisitFans(this->Mesh, vertex,
           [&](Id corner)
           {
             const vtkIdType size = setFan(vertex, corner, static_cast<Id>(at));

@@ -169,7 +169,7 @@ private:
   {
     Id chain = static_cast<Id>(this->Sides) + this->Places.Chains[vertex];
     bool found = false;
-    VisitFansOf(this->Mesh, vertex,
+    VisitFans(this->Mesh, vertex,
       [&](Id other)
       {
         found = found || other == corner;

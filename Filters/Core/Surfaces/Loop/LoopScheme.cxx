@@ -210,9 +210,7 @@ void LoopScheme<Id>::AppendBlendEdge(
   }
   else
   {
-    const auto sheaf = std::lower_bound(mesh.Sheaves.begin(), mesh.Sheaves.end(), edge,
-      [](const auto& s, Id e) { return s.Edge < e; });
-    for (Id corner : sheaf->Corners)
+    for (Id corner : mesh.FindSheaf(edge)->Corners)
     {
       ring.push_back(mesh.Vertices[mesh.Previous(corner)]);
     }

@@ -18,6 +18,7 @@
 
 #include "Core/Memory/Buffer.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace subdivision
@@ -112,6 +113,13 @@ struct PolygonMesh
   {
     const Id corner = this->VertexCorners[vertex];
     return corner < -1 ? &this->Joints[-2 - corner] : nullptr;
+  }
+  /// The edge of three or more faces; null if this one has fewer.
+  const Sheaf* FindSheaf(Id edge) const
+  {
+    const auto at = std::lower_bound(this->Sheaves.begin(), this->Sheaves.end(), edge,
+      [](const Sheaf& sheaf, Id e) { return sheaf.Edge < e; });
+    return at != this->Sheaves.end() && at->Edge == edge ? &*at : nullptr;
   }
   std::size_t GetMemorySize() const;
 };

@@ -36,11 +36,11 @@ template <typename Id>
 class Descent
 {
 public:
-  using LimitRow = typename SharpLimits<Id>::LimitRow;
+  using RowEntries = typename SharpLimits<Id>::RowEntries;
 
   Descent(const SurfaceLevel<Id>& level, const SurfaceScheme<Id>& scheme,
     const std::vector<Id>& vertices, const std::vector<SharpEdge<Id>>& edges,
-    std::vector<SharpTags<Id>>&& stages, std::vector<LimitRow>* limits)
+    std::vector<SharpTags<Id>>&& stages, std::vector<RowEntries>* limits)
     : Scheme(scheme)
     , Vertices(vertices)
     , Edges(edges)
@@ -134,7 +134,7 @@ private:
     const SparseRows<Id> rows = Multiply(limit.Store(), this->Rows);
     for (std::size_t i = 0; i < this->Vertices.size(); ++i)
     {
-      LimitRow& row = this->Limits[static_cast<int>(kind)][this->Owners[i]];
+      RowEntries& row = this->Limits[static_cast<int>(kind)][this->Owners[i]];
       for (vtkIdType k = rows.Offsets[i]; k < rows.Offsets[i + 1]; ++k)
       {
         row.push_back({ rows.Columns[k], factor * rows.Weights[k] });
@@ -217,8 +217,8 @@ private:
   std::vector<SharpEdge<Id>> Edges;
   std::vector<SharpTags<Id>> Stages;
   std::unique_ptr<SurfacePatch<Id>> Patch;
-  SparseRows<Id> Rows;           ///< the operator from the level's vertices to those of the patch
-  std::vector<LimitRow>* Limits; ///< of each kind
+  SparseRows<Id> Rows;             ///< the operator from the level's vertices to those of the patch
+  std::vector<RowEntries>* Limits; ///< of each kind
 };
 
 }

@@ -38,7 +38,7 @@ public:
   static constexpr int MostStepsOfTangents = 26;
 
   /// Columns and weights.
-  using LimitRow = std::vector<std::pair<Id, double>>;
+  using RowEntries = std::vector<std::pair<Id, double>>;
 
   SharpLimits() = default;
   /// `edges`: pieces of the level's edges, ascending. `stages`: ascending.
@@ -62,8 +62,8 @@ public:
   void Append(vtkIdType row, LimitKind kind, RowBlock<Id>& rows) const;
 
 private:
-  std::vector<Id> Vertices;      ///< ascending
-  std::vector<LimitRow> Rows[3]; ///< of each kind
+  std::vector<Id> Vertices;        ///< ascending
+  std::vector<RowEntries> Rows[3]; ///< of each kind
 };
 
 }

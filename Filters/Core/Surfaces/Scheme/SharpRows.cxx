@@ -72,7 +72,7 @@ SharpRows<Id>::SharpRows(
   this->AddEdges(level.Mesh, edges);
   this->AddFaces(level.Mesh);
   std::sort(this->Rows.begin(), this->Rows.end(),
-    [](const WeightedRow& a, const WeightedRow& b) { return b.Row > a.Row; });
+    [](const PartlySharpRow& a, const PartlySharpRow& b) { return b.Row > a.Row; });
 }
 
 /// Sets Parts, for each end of edges that are sharp in part the mean of their parts, and adds the
@@ -81,7 +81,7 @@ template <typename Id>
 void SharpRows<Id>::AddVertices(
   const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
 {
-  std::vector<WeightedRow> given;
+  std::vector<PartlySharpRow> given;
   for (const SharpEdge<Id>& edge : edges)
   {
     for (int end = 0; end < 2 && edge.Left < 1.; ++end)
@@ -91,7 +91,7 @@ void SharpRows<Id>::AddVertices(
     }
   }
   std::stable_sort(given.begin(), given.end(),
-    [](const WeightedRow& a, const WeightedRow& b) { return b.Row > a.Row; });
+    [](const PartlySharpRow& a, const PartlySharpRow& b) { return b.Row > a.Row; });
   for (auto at = given.begin(); at != given.end();)
   {
     double sum = 0.;
@@ -117,7 +117,7 @@ double SharpRows<Id>::GetPart(const std::vector<Id>& vertices) const
   for (const Id vertex : vertices)
   {
     const auto at = std::lower_bound(this->Parts.begin(), this->Parts.end(), vertex,
-      [](const WeightedRow& row, vtkIdType v) { return v > row.Row; });
+      [](const PartlySharpRow& row, vtkIdType v) { return v > row.Row; });
     if (at != this->Parts.end() && at->Row == vertex)
     {
       sum += at->Part;
@@ -192,7 +192,7 @@ template <typename Id>
 void SharpRows<Id>::AddFaces(const PolygonMesh<Id>& mesh)
 {
   std::vector<Id> faces;
-  for (const WeightedRow& row : this->Rows)
+  for (const PartlySharpRow& row : this->Rows)
   {
     if (mesh.NumberOfVertices > row.Row)
     {
@@ -215,7 +215,7 @@ void SharpRows<Id>::Append(const SurfaceScheme<Id>& scheme, const SurfaceLevel<I
   vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
 {
   auto at = std::lower_bound(this->Rows.begin(), this->Rows.end(), begin,
-    [](const WeightedRow& row, vtkIdType r) { return r > row.Row; });
+    [](const PartlySharpRow& row, vtkIdType r) { return r > row.Row; });
   RowBlock<Id> one;
   auto add = [&](const SurfaceTags<Id>& tags, vtkIdType row, double factor)
   {

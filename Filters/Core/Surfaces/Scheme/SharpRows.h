@@ -48,7 +48,7 @@ public:
     vtkIdType end, RowBlock<Id>& rows) const;
 
 private:
-  struct WeightedRow
+  struct PartlySharpRow
   {
     vtkIdType Row;
     double Part; ///< weight of the row with the tags `All`
@@ -60,8 +60,8 @@ private:
   std::vector<Id> CollectFaces(const PolygonMesh<Id>& mesh, Id vertex) const;
 
   SharpTagPair<Id> Tags;
-  std::vector<WeightedRow> Rows;  ///< ascending
-  std::vector<WeightedRow> Parts; ///< of vertices at edges that are sharp in part, ascending
+  std::vector<PartlySharpRow> Rows;  ///< ascending
+  std::vector<PartlySharpRow> Parts; ///< of vertices at edges that are sharp in part, ascending
 };
 
 /// The vertices and all that share a face or an edge with one of them; both ascending.

@@ -134,7 +134,7 @@ bool LimitFinder<Id>::IsUniform() const
 template <typename Id>
 void LimitFinder<Id>::AppendMask(Id vertex, RowBlock<Id>& rows)
 {
-  const Mask& mask = this->Row;
+  const StarMask& mask = this->Row;
   if (this->IsUniform())
   {
     rows.Add(vertex, mask.Own);
@@ -182,7 +182,7 @@ void LimitFinder<Id>::SetSmoothMask(LimitKind kind)
 {
   const std::size_t m = this->Around.Edges.size();
   const double k = static_cast<double>(m);
-  Mask& mask = this->Row;
+  StarMask& mask = this->Row;
   mask.Edges.assign(m, 0.);
   mask.Faces.assign(this->Quads ? m : 0, 0.);
   mask.Own = 0.;
@@ -235,8 +235,7 @@ void LimitFinder<Id>::AppendSmooth(Id vertex, LimitKind kind, RowBlock<Id>& rows
   if (isDart)
   {
     const double k = static_cast<double>(star.Edges.size());
-    const subdivision::Mask own =
-      VertexMask(Rule::Surface, static_cast<vtkIdType>(star.Edges.size()));
+    const Mask own = VertexMask(Rule::Surface, static_cast<vtkIdType>(star.Edges.size()));
     this->Solve(kind, this->MakeMatrix(this->Quads ? 1. - 7. / (4. * k) : own.Own, own.Ring));
   }
   this->AppendMask(vertex, rows);
@@ -251,8 +250,7 @@ void LimitFinder<Id>::AppendBlend(Id vertex, RowBlock<Id>& rows)
   {
     this->Around.Ends.push_back(this->Mesh.GetOtherEnd(edge, vertex));
   }
-  const subdivision::Mask own =
-    VertexMask(Rule::Blend, static_cast<vtkIdType>(this->Around.Edges.size()));
+  const Mask own = VertexMask(Rule::Blend, static_cast<vtkIdType>(this->Around.Edges.size()));
   // For each edge the edges with which it spans a triangle.
   const std::size_t m = this->Around.Edges.size();
   const std::size_t n = m + 1;
@@ -284,7 +282,7 @@ void LimitFinder<Id>::AppendBlend(Id vertex, RowBlock<Id>& rows)
     const Rule rule = IsSharp(tag) ? Rule::Curve
       : tag == EdgeTag::Blend      ? Rule::Blend
                                    : Rule::Surface;
-    const subdivision::Mask edge = EdgeMask(rule, static_cast<vtkIdType>(joined[j].size()));
+    const Mask edge = EdgeMask(rule, static_cast<vtkIdType>(joined[j].size()));
     matrix[(1 + j) * n] = edge.Own;
     matrix[(1 + j) * n + 1 + j] = edge.Own;
     for (std::size_t other : joined[j])
@@ -344,7 +342,7 @@ std::vector<double> LimitFinder<Id>::MakeMatrix(double own, double ring) const
 template <typename Id>
 void LimitFinder<Id>::Solve(LimitKind kind, const std::vector<double>& matrix)
 {
-  Mask& mask = this->Row;
+  StarMask& mask = this->Row;
   std::vector<double> left{ mask.Own };
   left.insert(left.end(), mask.Edges.begin(), mask.Edges.end());
   left.insert(left.end(), mask.Faces.begin(), mask.Faces.end());
@@ -458,7 +456,7 @@ template <typename Id>
 void LimitFinder<Id>::SetTransversalMask()
 {
   const std::size_t k = this->Around.Edges.size() - 1;
-  Mask& mask = this->Row;
+  StarMask& mask = this->Row;
   mask.Edges.assign(k + 1, 0.);
   mask.Faces.assign(this->Quads ? k : 0, 0.);
   if (k == 1)

@@ -37,7 +37,7 @@ private:
     const Sector<Id>* Corner = nullptr; ///< its record if it is the sector of a corner
   };
   /// Weights for the vertex, the ends of its edges and the opposite corners of its faces.
-  struct Mask
+  struct StarMask
   {
     double Own = 0.;
     std::vector<double> Edges;
@@ -66,7 +66,7 @@ private:
   bool ModifiedBoundary;
   bool Quads;
   Star Around;
-  Mask Row;
+  StarMask Row;
   RowBlock<Id> Next;
   std::vector<Id> Scratch;
 };

@@ -19,16 +19,16 @@ namespace subdivision
 template <typename Id, typename Visit>
 void VisitFans(const PolygonMesh<Id>& mesh, Id vertex, const Visit& visit)
 {
-  if (const auto* joint = mesh.FindJoint(vertex))
+  if (mesh.VertexCorners[vertex] >= 0)
+  {
+    visit(mesh.VertexCorners[vertex]);
+  }
+  else if (const auto* joint = mesh.FindJoint(vertex))
   {
     for (Id corner : joint->Fans)
     {
       visit(corner);
     }
-  }
-  else if (mesh.VertexCorners[vertex] >= 0)
-  {
-    visit(mesh.VertexCorners[vertex]);
   }
 }
 
@@ -78,14 +78,6 @@ void CollectSharpEdges(
   const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex, std::vector<Id>& edges)
 {
   CollectEdges(mesh, vertex, [&tags](Id e) { return IsSharp(tags.Edges[e]); }, edges);
-}
-
-template <typename Id>
-bool IsSheaf(const PolygonMesh<Id>& mesh, Id edge)
-{
-  const auto at = std::lower_bound(mesh.Sheaves.begin(), mesh.Sheaves.end(), edge,
-    [](const auto& sheaf, Id e) { return sheaf.Edge < e; });
-  return at != mesh.Sheaves.end() && at->Edge == edge;
 }
 
 /// Collects the two edges along which a curve goes through a vertex: its two creases or, if it has

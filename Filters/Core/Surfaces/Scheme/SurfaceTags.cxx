@@ -58,9 +58,9 @@ private:
       [this](vtkIdType e)
       {
         const Id corner = this->Mesh.EdgeCorners[e];
-        const bool isBorder = corner < 0 || this->Mesh.Twins[corner] < 0;
+        const bool isBoundary = corner < 0 || this->Mesh.Twins[corner] < 0;
         this->Tags.Edges[e] = this->IsFlagged(static_cast<Id>(e)) ? EdgeTag::Crease
-          : isBorder                                              ? EdgeTag::Sharp
+          : isBoundary                                            ? EdgeTag::Sharp
                                                                   : EdgeTag::Smooth;
       });
     const EdgeTag joint = this->Blends(this->Features.Type2) ? EdgeTag::Blend : EdgeTag::Joint;
@@ -134,7 +134,8 @@ private:
     {
       return GetTagOfCurves(branches); // a vertex of one or two lines, and of nothing else
     }
-    CollectEdges(this->Mesh, joint.Vertex, [this](Id e) { return IsSheaf(this->Mesh, e); }, edges);
+    CollectEdges(
+      this->Mesh, joint.Vertex, [this](Id e) { return this->Mesh.FindSheaf(e) != nullptr; }, edges);
     const bool meetsCurves = branches > 0 && !joint.Fans.empty();
     const bool hasBranches = branches > 0 || !edges.empty();
     const JointRule rule = meetsCurves ? this->Features.Type1
@@ -153,7 +154,7 @@ private:
       [this](Id e)
       {
         const Id corner = this->Mesh.EdgeCorners[e];
-        return corner >= 0 && this->Mesh.Twins[corner] < 0 && !IsSheaf(this->Mesh, e);
+        return corner >= 0 && this->Mesh.Twins[corner] < 0 && !this->Mesh.FindSheaf(e);
       },
       edges);
     return !edges.empty() || joint.FreeEdges.size() == 1;

@@ -14,7 +14,7 @@ namespace
 /// Lists the edges of level `step` that are still sharp. Control edge e has become the 2^step edges
 /// from e * 2^step on.
 template <typename Id>
-std::vector<SharpEdge<Id>> FindSharpEdges(const EdgeSharpness& sharpness, int step)
+std::vector<SharpEdge<Id>> ListEdgesSharpAfter(const EdgeSharpness& sharpness, int step)
 {
   std::vector<SharpEdge<Id>> edges;
   for (std::size_t e = 0; e < sharpness.size(); ++e)
@@ -152,7 +152,8 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
   for (int step = 0; step < steps && IsSharpAfter(sharpness, step); ++step)
   {
     this->SharpSteps.emplace_back(this->Levels[step],
-      this->FindSharpTags(sharpness, step, step, classify), FindSharpEdges<Id>(sharpness, step));
+      this->FindSharpTags(sharpness, step, step, classify),
+      ListEdgesSharpAfter<Id>(sharpness, step));
   }
   if (!this->LastIsWhole || !this->Scheme->HasLimit() || !IsSharpAfter(sharpness, steps))
   {
@@ -167,8 +168,8 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
     stages.push_back({ FindEndOfStage(sharpness, step, most) - steps,
       this->FindSharpTags(sharpness, step, steps, classify) });
   }
-  this->Limits = SharpLimits<Id>(
-    this->Levels.back(), *this->Scheme, FindSharpEdges<Id>(sharpness, steps), std::move(stages));
+  this->Limits = SharpLimits<Id>(this->Levels.back(), *this->Scheme,
+    ListEdgesSharpAfter<Id>(sharpness, steps), std::move(stages));
 }
 
 template <typename Id>

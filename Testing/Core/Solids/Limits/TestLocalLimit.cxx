@@ -313,7 +313,7 @@ TEST(LocalLimit, CostsWhatIsAskedFor)
     ++edge;
   }
   std::vector<std::array<int, 2>> ends;
-  int far = complex.OtherEnd(edge, near);
+  int far = complex.GetOtherEnd(edge, near);
   for (int i = 0; i < 10; ++i)
   {
     ends.push_back({ near, far });

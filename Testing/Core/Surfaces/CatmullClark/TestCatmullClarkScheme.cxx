@@ -188,7 +188,7 @@ TEST(SurfaceCatmullClark, VertexOnABoundaryACreaseOrACorner)
 
 TEST(SurfaceCatmullClark, EdgeInsideAndOnACurve)
 {
-  const Surface grid(MakeGrid(4, 4, false, { 1., 0., 0. }, { 0., 1., 0. }));
+  const Surface grid(MakeSheet(4, 4, false, { 1., 0., 0. }, { 0., 1., 0. }));
   Model crease = MakeTrapezohedron(6);
   crease.Lines = { { 0, 1 }, { 0, 4 } };
   const Surface creased(crease);

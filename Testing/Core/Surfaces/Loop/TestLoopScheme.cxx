@@ -162,7 +162,7 @@ TEST(SurfaceLoop, VertexOnABoundaryACreaseOrACorner)
 
 TEST(SurfaceLoop, EdgeInsideAndOnACurve)
 {
-  const Surface grid(MakeGrid(4, 4, true, { 1., 0., 0. }, { 0., 1., 0. }));
+  const Surface grid(MakeSheet(4, 4, true, { 1., 0., 0. }, { 0., 1., 0. }));
   const Surface half(MakeHalf(5, Pi));
   Model crease = MakeBipyramid(6);
   crease.Lines = { { 0, 1 }, { 0, 4 } };
