@@ -8,8 +8,8 @@
 #include "BenchmarkMeshes.h"
 #include "BenchmarkTools.h"
 
+#include "Core/Solids/BoxSpline/BoxSplineSplit.h"
 #include "Core/Solids/BoxSpline/RefinedCells.h"
-#include "Core/Solids/BoxSpline/Stencils.h"
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Private/Reading/CellsToSimplices.h"
 

@@ -6,9 +6,9 @@
 #ifndef SubdivisionObjects_CoreTools_h
 #define SubdivisionObjects_CoreTools_h
 
+#include "Core/Solids/BoxSpline/BoxSplineSplit.h"
 #include "Core/Solids/BoxSpline/RefinedCells.h"
 #include "Core/Solids/BoxSpline/Refinement.h"
-#include "Core/Solids/BoxSpline/Stencils.h"
 #include "Core/Solids/Complex/TetOrder.h"
 
 #include <algorithm>

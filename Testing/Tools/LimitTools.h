@@ -8,8 +8,8 @@
 
 #include "CoreZoo.h"
 
-#include "Core/Solids/AllSchemes/SemiSharp.h"
 #include "Core/Solids/Limits/LimitStencils.h"
+#include "Core/Solids/Scheme/SemiSharp.h"
 
 namespace coretest
 {

@@ -10,7 +10,7 @@
 
 #include "Core/Solids/TetOct/TetOctCells.h"
 #include "Core/Solids/TetOct/TetOctComplex.h"
-#include "Core/Solids/TetOct/TetOctStencils.h"
+#include "Core/Solids/TetOct/TetOctSplit.h"
 #include "Core/Solids/TetOct/TetOctTables.h"
 
 #include <map>
@@ -54,7 +54,7 @@ TetOctMesh<Id> BuildTetOctAt(const Mesh& mesh, int steps)
 
 /// A copy of a level's operator; the level stays whole.
 template <typename Id>
-TetOctStencils<Id> CopyStencils(const TetOctLevel<Id>& level)
+Stencils<Id> CopyStencils(const TetOctLevel<Id>& level)
 {
   auto copy = [](const auto& from)
   {
@@ -74,25 +74,6 @@ TetOctStencils<Id> CopyStencils(const TetOctLevel<Id>& level)
   copied.TetsAtSpokes = level.TetsAtSpokes;
   copied.NumberOfControlVertices = level.NumberOfControlVertices;
   return TakeStencils(copied);
-}
-
-template <typename Id>
-Matrix MakeMatrix(const TetOctStencils<Id>& stencils)
-{
-  const vtkIdType columns = stencils.GetNumberOfColumns();
-  std::vector<double> impulses(columns * columns, 0.);
-  for (vtkIdType i = 0; i < columns; ++i)
-  {
-    impulses[i * columns + i] = 1.;
-  }
-  std::vector<double> result(stencils.GetNumberOfRows() * columns);
-  stencils.Apply(impulses.data(), result.data(), static_cast<int>(columns));
-  Matrix matrix;
-  for (vtkIdType row = 0; row < stencils.GetNumberOfRows(); ++row)
-  {
-    matrix.emplace_back(result.data() + row * columns, result.data() + (row + 1) * columns);
-  }
-  return matrix;
 }
 
 /// A tetrahedron of four vertices, or an octahedron of six, opposite ones side by side.

@@ -7,7 +7,7 @@
 #ifndef SubdivisionObjects_Features_h
 #define SubdivisionObjects_Features_h
 
-#include "Core/Solids/AllSchemes/SemiSharp.h"
+#include "Core/Solids/Scheme/SemiSharp.h"
 #include "Core/Solids/Strata/Singularities.h"
 #include "Core/Solids/Strata/Strata.h"
 #include "Private/Reading/CellsToSimplices.h"

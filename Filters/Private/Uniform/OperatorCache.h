@@ -7,10 +7,8 @@
 #ifndef SubdivisionObjects_OperatorCache_h
 #define SubdivisionObjects_OperatorCache_h
 
-#include "Core/Solids/AllSchemes/ComposedRows.h"
-#include "Core/Solids/BoxSpline/Stencils.h"
+#include "Core/Solids/Scheme/ComposedRows.h"
 #include "Core/Solids/Strata/Singularities.h"
-#include "Core/Solids/TetOct/TetOctStencils.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/KeptEntries.h"
 #include "Private/Control/Stamp.h"
@@ -46,16 +44,16 @@ public:
   virtual const Buffer<Stratum>& GetLastEdges() const = 0;
 };
 
-template <typename Operator, typename Id>
+template <typename Id>
 class KeptStepsOf : public KeptSteps
 {
 public:
-  void Add(Operator&& stencils) { this->Steps.push_back(std::move(stencils)); }
+  void Add(Stencils<Id>&& stencils) { this->Steps.push_back(std::move(stencils)); }
   /// Sets the operators that follow the last step.
   void SetLimit(LimitOperators<Id>&& limit) { this->Limit = std::move(limit); }
   void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const override
   {
-    for (const Operator& step : this->Steps)
+    for (const Stencils<Id>& step : this->Steps)
     {
       arrays.Advance(step);
     }
@@ -88,7 +86,7 @@ public:
   std::size_t GetMemorySize() const override
   {
     std::size_t bytes = this->Limit.GetMemorySize();
-    for (const Operator& step : this->Steps)
+    for (const Stencils<Id>& step : this->Steps)
     {
       bytes += step.GetMemorySize();
     }
@@ -96,7 +94,7 @@ public:
   }
 
 private:
-  std::vector<Operator> Steps;
+  std::vector<Stencils<Id>> Steps;
   LimitOperators<Id> Limit;
 };
 

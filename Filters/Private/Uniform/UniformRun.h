@@ -54,7 +54,7 @@ private:
   template <typename Scheme>
   bool Step(typename Scheme::Level& level, KeptOperator* keep);
   template <typename Scheme>
-  using Kept = KeptStepsOf<typename Scheme::Operator, typename Scheme::Id>;
+  using Kept = KeptStepsOf<typename Scheme::Id>;
   template <typename Scheme>
   void StepNever(typename Scheme::Level& level, Kept<Scheme>& kept, KeptOperator* keep);
   template <typename Scheme>
@@ -66,7 +66,7 @@ private:
   template <typename Scheme>
   void StepTwice(const typename Scheme::Level& level);
   template <typename Scheme>
-  typename Scheme::Operator TakeOperator(typename Scheme::Level& level, int step) const;
+  Stencils<typename Scheme::Id> TakeOperator(typename Scheme::Level& level, int step) const;
   template <typename Rows>
   void AddClassificationOf(const Rows& last);
   template <typename Scheme>

@@ -286,9 +286,10 @@ void UniformRun::StepNever(typename Scheme::Level& level, Kept<Scheme>& kept, Ke
 
 /// Takes the operator out of a level, and drops the rest of the level.
 template <typename Scheme>
-typename Scheme::Operator UniformRun::TakeOperator(typename Scheme::Level& level, int step) const
+Stencils<typename Scheme::Id> UniformRun::TakeOperator(
+  typename Scheme::Level& level, int step) const
 {
-  typename Scheme::Operator stencils = TakeStencils(level);
+  Stencils<typename Scheme::Id> stencils = TakeStencils(level);
   level = typename Scheme::Level();
   if (IsSharpAfter(this->Control.Sharpness, step))
   {
@@ -307,7 +308,7 @@ void UniformRun::StepOnce(typename Scheme::Level& level, int step, Kept<Scheme>*
   typename Scheme::Level next = Refine(level, further ? Depth::ForRefinement : Depth::ForOutput);
   this->Control.Runs = RefineRuns(this->Control.Runs, 1);
   this->Control.DerivedRuns = RefineRuns(this->Control.DerivedRuns, 1);
-  typename Scheme::Operator stencils = this->TakeOperator<Scheme>(level, step);
+  Stencils<typename Scheme::Id> stencils = this->TakeOperator<Scheme>(level, step);
   level = std::move(next);
   this->Points->Advance(stencils);
   if (kept)
@@ -335,7 +336,7 @@ void UniformRun::StepLast(typename Scheme::Level& level, Kept<Scheme>& kept, boo
   {
     next = Refine(level, Depth::ForRefinement);
   }
-  typename Scheme::Operator stencils = this->TakeOperator<Scheme>(level, step);
+  Stencils<typename Scheme::Id> stencils = this->TakeOperator<Scheme>(level, step);
   level = std::move(next);
   this->Points->Advance(stencils);
   this->GoToLimit<Scheme>(level, kept);
@@ -352,7 +353,7 @@ void UniformRun::StepLast(typename Scheme::Level& level, Kept<Scheme>& kept, boo
 template <typename Scheme>
 void UniformRun::StepLastInPieces(const typename Scheme::Level& level)
 {
-  this->Points->Advance(typename Scheme::LevelRows(level));
+  this->Points->Advance(LevelRows<typename Scheme::Id>(level));
   this->MakeCells<Scheme>(level, 1, this->Points->GetPoints());
   this->FinishPoints(true);
   this->AddClassification(level.Strata.Vertices, level.Strata.Edges);
@@ -363,7 +364,7 @@ template <typename Scheme>
 void UniformRun::StepTwice(const typename Scheme::Level& level)
 {
   this->GatherDerived<Scheme>(level, 2);
-  this->Points->Advance(typename Scheme::LevelRows(level));
+  this->Points->Advance(LevelRows<typename Scheme::Id>(level));
   const typename Scheme::ChildRows last(level);
   this->Points->Advance(last);
   this->MakeCells<Scheme>(level, 2, this->Points->GetPoints());

@@ -6,11 +6,11 @@
 #ifndef SubdivisionObjects_BoxSplineScheme_h
 #define SubdivisionObjects_BoxSplineScheme_h
 
+#include "Core/Solids/BoxSpline/BoxSplineSplit.h"
 #include "Core/Solids/BoxSpline/BoxSplineStar.h"
-#include "Core/Solids/BoxSpline/ChildRows.h"
 #include "Core/Solids/BoxSpline/RefinedCells.h"
 #include "Core/Solids/BoxSpline/Refinement.h"
-#include "Core/Solids/BoxSpline/Stencils.h"
+#include "Core/Solids/Scheme/ChildRows.h"
 #include "Core/Solids/Scheme/SolidScheme.h"
 #include "Core/Solids/Scheme/SolidTurns.h"
 
@@ -25,9 +25,7 @@ struct BoxSplineScheme
 {
   using Id = IdType;
   using Level = subdivision::Level<Id>;
-  using Operator = Stencils<Id>;
-  using LevelRows = subdivision::LevelRows<Id>;
-  using ChildRows = subdivision::ChildRows<Id>;
+  using ChildRows = subdivision::ChildRows<BoxSplineSplit<Id>>;
   using Star = BoxSplineStar<Id>;
 
   static LevelCounts RefineCounts(const LevelCounts& counts)

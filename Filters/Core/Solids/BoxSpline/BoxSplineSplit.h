@@ -12,6 +12,7 @@
 
 #include "Core/Solids/Scheme/Level.h"
 #include "Core/Solids/Scheme/RingEmitter.h"
+#include "Core/Solids/Scheme/Stencils.h"
 
 namespace subdivision
 {
@@ -62,6 +63,21 @@ struct MarkedTetShape
     return faces;
   }
 };
+
+/// The masks of this scheme (Masks.h).
+const RingMasks& BoxSplineMasks();
+
+/// As Stencils.h needs them.
+template <typename Id>
+SolidRows<Id> GetSolidRows(const Level<Id>&)
+{
+  return { &BoxSplineMasks() };
+}
+template <typename Id>
+void TakeSolidRows(Level<Id>&, Stencils<Id>& stencils)
+{
+  stencils.Masks = &BoxSplineMasks();
+}
 
 template <typename IdType>
 class BoxSplineRings;

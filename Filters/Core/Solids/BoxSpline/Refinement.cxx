@@ -2,6 +2,7 @@
 #include "Core/Solids/BoxSpline/Refinement.h"
 
 #include "Core/Solids/BoxSpline/BoxSplineSplit.h"
+#include "Core/Solids/Scheme/ChildRowsMaker.h"
 #include "Core/Solids/Scheme/Refiner.h"
 
 namespace subdivision
@@ -18,6 +19,8 @@ std::vector<IdSegment> ListBoxSplineVertices(int steps)
   return ListVertexSegments<MarkedTetShape::Shapes>(steps);
 }
 
+template class ChildRows<BoxSplineSplit<int>>;
+template class ChildRows<BoxSplineSplit<long long>>;
 template Level<int> Refine(const Level<int>&, Depth);
 template Level<long long> Refine(const Level<long long>&, Depth);
 

@@ -2,7 +2,8 @@
 #include "Core/Solids/Limits/LocalLimit.h"
 
 #include "Core/Operators/ForBlocks.h"
-#include "Core/Solids/BoxSpline/Stencils.h"
+#include "Core/Solids/BoxSpline/BoxSplineSplit.h"
+#include "Core/Solids/BoxSpline/Refinement.h"
 #include "Core/Solids/Limits/Restriction.h"
 
 #include <algorithm>

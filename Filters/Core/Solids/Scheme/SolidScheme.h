@@ -13,9 +13,7 @@
  *  - Id;
  *  - Level: a level. It has the members Complex and Strata, and whatever solids need that are no
  *    tetrahedra;
- *  - Operator: the rows that take a level to the next, taken out of a level (TakeStencils);
- *  - LevelRows, ChildRows: the rows of a level and of its children, which are made while they are
- *    applied. Both take a level that stays whole (RingOperator).
+ *  - ChildRows: the operator of a level that is never made (ChildRows.h), made from its parent.
  *
  * **Numbers**
  *  - Traits: a constant SchemeTraits. A scheme whose step is Refiner.h lists its vertices with
@@ -23,7 +21,8 @@
  *
  * **From level to level**
  *  - Start(control): the control level, from a Level in which all solids are tetrahedra;
- *  - Refine(level, depth), TakeStencils(level): overloads in namespace subdivision;
+ *  - Refine(level, depth): an overload in namespace subdivision;
+ *  - GetSolidRows(level), TakeSolidRows(level, stencils): the same (Stencils.h);
  *  - CountSolids(level, counts): adds the solids of a level that are no tetrahedra;
  *  - CountCentres(level): how many vertices of the next level lie inside solids;
  *  - CountSteps(level): the number of steps since the control level; only schemes with pieces know

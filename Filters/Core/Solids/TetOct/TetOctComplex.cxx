@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/TetOct/TetOctComplex.h"
 
+#include "Core/Solids/Scheme/ChildRowsMaker.h"
 #include "Core/Solids/Scheme/Refiner.h"
 #include "Core/Solids/TetOct/TetOctSplit.h"
 
@@ -45,6 +46,8 @@ std::vector<IdSegment> ListTetOctVertices(int steps)
   return ListVertexSegments<TetShape::Shapes>(steps);
 }
 
+template class ChildRows<TetOctSplit<int>>;
+template class ChildRows<TetOctSplit<long long>>;
 SUBDIVISION_TETOCT_TEMPLATES(, int);
 SUBDIVISION_TETOCT_TEMPLATES(, long long);
 

@@ -7,12 +7,12 @@
 #ifndef SubdivisionObjects_TetOctScheme_h
 #define SubdivisionObjects_TetOctScheme_h
 
+#include "Core/Solids/Scheme/ChildRows.h"
 #include "Core/Solids/Scheme/SolidScheme.h"
 #include "Core/Solids/Scheme/SolidTurns.h"
 #include "Core/Solids/TetOct/TetOctCells.h"
-#include "Core/Solids/TetOct/TetOctChildRows.h"
+#include "Core/Solids/TetOct/TetOctSplit.h"
 #include "Core/Solids/TetOct/TetOctStar.h"
-#include "Core/Solids/TetOct/TetOctStencils.h"
 
 #include <array>
 #include <memory>
@@ -26,9 +26,7 @@ struct TetOctScheme
 {
   using Id = IdType;
   using Level = TetOctLevel<Id>;
-  using Operator = TetOctStencils<Id>;
-  using LevelRows = TetOctLevelRows<Id>;
-  using ChildRows = TetOctChildRows<Id>;
+  using ChildRows = subdivision::ChildRows<TetOctSplit<Id>>;
   using Star = TetOctStar<Id>;
 
   static LevelCounts RefineCounts(const LevelCounts& counts)

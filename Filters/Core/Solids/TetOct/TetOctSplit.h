@@ -7,6 +7,7 @@
 #define SubdivisionObjects_TetOctSplit_h
 
 #include "Core/Solids/Scheme/RingEmitter.h"
+#include "Core/Solids/Scheme/Stencils.h"
 #include "Core/Solids/TetOct/TetOctComplex.h"
 #include "Core/Solids/TetOct/TetOctMasks.h"
 #include "Core/Solids/TetOct/TetOctTables.h"
@@ -24,6 +25,25 @@ template <typename Id>
 int VertexInOct(const TetOctLevel<Id>& level, Id oct, Id vertex)
 {
   return FindPlace<6>(level.OctVertices.data() + 6 * vtkIdType(oct), vertex);
+}
+
+/// The masks of this scheme (TetOctMasks.h).
+const RingMasks& TetOctMasks();
+
+/// As Stencils.h needs them. By symmetry smoothing does not move the centre of an octahedron.
+template <typename Id>
+SolidRows<Id> GetSolidRows(const TetOctLevel<Id>& level)
+{
+  return { &TetOctMasks(), level.OctVertices.size() / 6, level.OctVertices.data(),
+    level.NumberOfControlVertices, level.TetsAtSpokes->data() };
+}
+template <typename Id>
+void TakeSolidRows(TetOctLevel<Id>& level, Stencils<Id>& stencils)
+{
+  stencils.Masks = &TetOctMasks();
+  stencils.CentreVertices = std::move(level.OctVertices);
+  stencils.NumberOfCounted = level.NumberOfControlVertices;
+  stencils.Counts = level.TetsAtSpokes;
 }
 
 template <typename IdType>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Operators and cells that are made without being stored: they are those that Refine stores.
-#include "Core/Solids/BoxSpline/ChildRows.h"
+#include "Core/Solids/Scheme/ChildRows.h"
 #include "CoreZoo.h"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ void ExpectSameOnTheFly(const Subdivided<int>& level)
   {
     ASSERT_GE(stored[row].Rule, 0) << row;
   }
-  const auto made = Collect(ChildRows<int>(level.Level), vertices);
+  const auto made = Collect(ChildRows<BoxSplineSplit<int>>(level.Level), vertices);
   ASSERT_EQ(made.size(), stored.size());
   for (std::size_t row = 0; row < stored.size(); ++row)
   {

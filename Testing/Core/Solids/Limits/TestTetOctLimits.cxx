@@ -61,11 +61,11 @@ SemiSharpStages<int> MakeStages(const SemiSharpMesh& semi, int steps)
   return stages;
 }
 
-TetOctStencils<int> MakeStencils(const SemiSharpMesh& semi, int steps)
+Stencils<int> MakeStencils(const SemiSharpMesh& semi, int steps)
 {
   TetOctLevel<int> smooth = MakeLevel(semi, steps, 1e9);
   TetOctLevel<int> sharp = MakeLevel(semi, steps, steps);
-  TetOctStencils<int> stencils = TakeStencils(smooth);
+  Stencils<int> stencils = TakeStencils(smooth);
   BlendSemiSharp(semi.Sharpness, steps, steps, TakeStencils(sharp), stencils);
   return stencils;
 }

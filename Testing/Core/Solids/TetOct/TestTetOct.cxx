@@ -37,7 +37,7 @@ std::vector<T> Subdivide(const Mesh& mesh, const std::vector<T>& points, int com
   std::vector<T> values = points;
   for (int step = 0; step < steps; ++step)
   {
-    const TetOctStencils<Id> stencils = CopyStencils(level.Level);
+    const Stencils<Id> stencils = CopyStencils(level.Level);
     std::vector<T> next(stencils.GetNumberOfRows() * components);
     stencils.Apply(values.data(), next.data(), components);
     values = std::move(next);

@@ -4,7 +4,7 @@
 #include "TetOctTools.h"
 
 #include "Core/Operators/ApplyRows.h"
-#include "Core/Solids/TetOct/TetOctChildRows.h"
+#include "Core/Solids/Scheme/ChildRows.h"
 
 #include <gtest/gtest.h>
 
@@ -84,8 +84,8 @@ void ExpectSameCells(
 void ExpectSameOnTheFly(const TetOctMesh<int>& level)
 {
   const TetOctMesh<int> children = RefineOnce(level);
-  const auto stored = Collect(TetOctLevelRows<int>(children.Level));
-  const TetOctChildRows<int> rows(level.Level);
+  const auto stored = Collect(LevelRows<int>(children.Level));
+  const ChildRows<TetOctSplit<int>> rows(level.Level);
   ASSERT_EQ(rows.GetNumberOfVertices(), children.Level.Complex.NumberOfVertices);
   ASSERT_EQ(rows.GetNumberOfEdges(), children.Level.Complex.NumberOfEdges);
   ASSERT_EQ(rows.GetNumberOfRows(),
@@ -152,12 +152,12 @@ TEST(TetOctChildRows, SumsAreThoseOfTheStoredOperators)
       return out;
     };
     const std::vector<double> made =
-      apply(TetOctChildRows<int>(level.Level), apply(TetOctLevelRows<int>(level.Level), values));
+      apply(ChildRows<TetOctSplit<int>>(level.Level), apply(LevelRows<int>(level.Level), values));
     std::vector<double> expected = values;
     const TetOctMesh<int> children = RefineOnce(level);
     for (const TetOctMesh<int>* step : { &level, &children })
     {
-      const TetOctStencils<int> stencils = CopyStencils(step->Level);
+      const Stencils<int> stencils = CopyStencils(step->Level);
       std::vector<double> next(stencils.GetNumberOfRows() * components);
       stencils.Apply(expected.data(), next.data(), components);
       expected = std::move(next);

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Solids/AllSchemes/ComposedRows.h"
-
-#include "Core/Solids/AllSchemes/VolumeSchemes.h"
+#include "Core/Solids/Scheme/ComposedRows.h"
 
 namespace subdivision
 {
 
-template <typename Operator>
-SparseRows<int> Compose(const SparseRows<int>& rows, const Operator& step)
+template <typename Id>
+SparseRows<int> Compose(const SparseRows<int>& rows, const Stencils<Id>& step)
 {
-  using Id = typename decltype(step.Explicit.Rows)::value_type;
   const vtkIdType size = step.GetNumberOfRows();
   constexpr vtkIdType byRule = -1;
   constexpr vtkIdType unused = -2;
@@ -55,8 +52,7 @@ SparseRows<int> Compose(const SparseRows<int>& rows, const Operator& step)
   return Multiply(rows, inner);
 }
 
-#define SUBDIVISION_COMPOSE(Scheme)                                                                \
-  template SparseRows<int> Compose(const SparseRows<int>&, const Scheme::Operator&)
-SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_COMPOSE);
+template SparseRows<int> Compose(const SparseRows<int>&, const Stencils<int>&);
+template SparseRows<int> Compose(const SparseRows<int>&, const Stencils<long long>&);
 
 }

@@ -11,21 +11,21 @@
 #define SubdivisionObjects_SemiSharp_h
 
 #include "Core/Rules/Sharpness.h"
-#include "Core/Solids/BoxSpline/Stencils.h"
+#include "Core/Solids/Scheme/Stencils.h"
 
 namespace subdivision
 {
 
 /**
  * Replaces rows of `smooth` by blends with rows of `sharp`, which is the same operator with all
- * edges singular that are still sharp. Operators are those of volume schemes. `sharpness` has
+ * edges singular that are still sharp. `sharpness` has
  * one value for each control edge. Since it was given `steps` steps have been made, so that value -
  * steps remains. `depth` is the number of steps since the control mesh: a control edge has become
  * 2^depth edges.
  */
-template <typename Operator>
-void BlendSemiSharp(
-  const EdgeSharpness& sharpness, int steps, int depth, const Operator& sharp, Operator& smooth);
+template <typename Id>
+void BlendSemiSharp(const EdgeSharpness& sharpness, int steps, int depth, const Stencils<Id>& sharp,
+  Stencils<Id>& smooth);
 
 }
 

@@ -7,14 +7,14 @@
 #define SubdivisionObjects_ComposedRows_h
 
 #include "Core/Operators/SparseRows.h"
+#include "Core/Solids/Scheme/Stencils.h"
 
 namespace subdivision
 {
 
-/// The product rows * step. `step` is the Operator of a volume scheme; of its rows only those that
-/// columns of `rows` name are made.
-template <typename Operator>
-SparseRows<int> Compose(const SparseRows<int>& rows, const Operator& step);
+/// The product rows * step. Of the rows of `step` only those that columns of `rows` name are made.
+template <typename Id>
+SparseRows<int> Compose(const SparseRows<int>& rows, const Stencils<Id>& step);
 
 }
 

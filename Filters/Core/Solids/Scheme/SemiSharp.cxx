@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Solids/AllSchemes/SemiSharp.h"
-
-#include "Core/Solids/AllSchemes/VolumeSchemes.h"
+#include "Core/Solids/Scheme/SemiSharp.h"
 
 #include <algorithm>
 
@@ -16,9 +14,9 @@ struct SharpRow
   double Sharpness;
 };
 
-template <typename Operator, typename Id>
-void AppendBlend(const Operator& sharp, const Operator& smooth, vtkIdType row, double sharpness,
-  ExplicitRows<Id>& rows)
+template <typename Id>
+void AppendBlend(const Stencils<Id>& sharp, const Stencils<Id>& smooth, vtkIdType row,
+  double sharpness, ExplicitRows<Id>& rows)
 {
   const double weight = std::min(1., sharpness);
   rows.Rows.push_back(static_cast<Id>(row));
@@ -32,11 +30,11 @@ void AppendBlend(const Operator& sharp, const Operator& smooth, vtkIdType row, d
 
 }
 
-template <typename Operator>
-void BlendSemiSharp(
-  const EdgeSharpness& sharpness, int steps, int depth, const Operator& sharp, Operator& smooth)
+template <typename Id>
+void BlendSemiSharp(const EdgeSharpness& sharpness, int steps, int depth, const Stencils<Id>& sharp,
+  Stencils<Id>& smooth)
 {
-  decltype(smooth.Explicit) rows;
+  ExplicitRows<Id> rows;
   std::vector<SharpRow> edges;
   std::vector<SharpRow> ends;
   for (std::size_t e = 0; e < sharpness.size(); ++e)
@@ -74,9 +72,8 @@ void BlendSemiSharp(
   smooth.Explicit = std::move(rows);
 }
 
-#define SUBDIVISION_BLEND(Scheme)                                                                  \
-  template void BlendSemiSharp(                                                                    \
-    const EdgeSharpness&, int, int, const Scheme::Operator&, Scheme::Operator&)
-SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_BLEND);
+template void BlendSemiSharp(const EdgeSharpness&, int, int, const Stencils<int>&, Stencils<int>&);
+template void BlendSemiSharp(
+  const EdgeSharpness&, int, int, const Stencils<long long>&, Stencils<long long>&);
 
 }

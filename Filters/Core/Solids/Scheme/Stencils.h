@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Stencils.h
+ * The operator of a volume scheme (Mathematics 1): the matrix that takes values at the vertices of
+ * a level, coordinates or any array, to those at the vertices of the next.
+ *
+ * Rows are stored as rules and rings without weights, which follow from the rule and the size of
+ * the ring. Vertex rows come first, then edge rows, then rows of the centres of solids. What a
+ * scheme has of its own it gives with overloads of two functions: GetSolidRows(level), and
+ * TakeSolidRows(level, stencils), which moves the same out of the level.
+ */
+#ifndef SubdivisionObjects_Stencils_h
+#define SubdivisionObjects_Stencils_h
+
+#include "Core/Operators/PointOperator.h"
+#include "Core/Solids/Scheme/Level.h"
+
+#include <memory>
+#include <vector>
+
+namespace subdivision
+{
+
+/// Rows with explicit weights, which replace those that rules and rings give.
+template <typename Id>
+struct ExplicitRows
+{
+  std::vector<Id> Rows;
+  std::vector<Id> Offsets{ 0 };
+  std::vector<Id> Columns;
+  std::vector<double> Weights;
+};
+
+/// What rows have that is not stored alike in all schemes.
+template <typename Id>
+struct SolidRows
+{
+  const RingMasks* Masks;
+  vtkIdType NumberOfCentres = 0;
+  const Id* CentreVertices = nullptr; ///< six for each centre, which is their mean
+  /// The weights of these vertices, the first ones, depend on counts, one for each member of their
+  /// rings (RingRows).
+  vtkIdType NumberOfCounted = 0;
+  const Id* Counts = nullptr;
+};
+
+/// The stored rows of an operator, or of a level from which no operator was taken yet.
+template <typename Id>
+struct StoredRows
+{
+  const Buffer<Stratum>& Vertices;
+  const Buffer<Stratum>& Edges;
+  const Buffer<Id>& EdgeVertices;
+  const Rings<Id>& VertexRings;
+  const Rings<Id>& EdgeRings;
+  const SolidRows<Id> Solids;
+
+  vtkIdType GetNumberOfRows() const
+  {
+    return this->Vertices.size() + this->Edges.size() + this->Solids.NumberOfCentres;
+  }
+  /// The rows of a range of vertices (kind 0), of edges (1), or of centres (2).
+  RingRows<Id> Get(std::size_t kind, vtkIdType begin, vtkIdType end) const;
+};
+
+/// The rows of a level that stays whole.
+template <typename Level>
+StoredRows<typename Level::IdType> GetStoredRows(const Level& level)
+{
+  return { level.Strata.Vertices, level.Strata.Edges, level.Complex.EdgeVertices,
+    level.Strata.VertexRings, level.Strata.EdgeRings, GetSolidRows(level) };
+}
+
+/// The operator that takes a level to the next, while the level stays whole. ChildRows.h has that
+/// of a level which is never made.
+template <typename Id>
+class LevelRows : public RingOperator<Id>
+{
+public:
+  template <typename Level>
+  explicit LevelRows(const Level& level)
+    : Stored(GetStoredRows(level))
+  {
+  }
+  vtkIdType GetNumberOfColumns() const override { return this->Stored.Vertices.size(); }
+  vtkIdType GetNumberOfRows() const override { return this->Stored.GetNumberOfRows(); }
+  void ForRows(const typename RingOperator<Id>::RingsUser& use) const override;
+
+private:
+  const StoredRows<Id> Stored;
+};
+
+template <typename Id>
+struct Stencils : RingOperator<Id>
+{
+  Buffer<Stratum> Vertices;
+  Buffer<Stratum> Edges;
+  Buffer<Id> EdgeVertices;
+  Rings<Id> VertexRings; ///< without carriers
+  Rings<Id> EdgeRings;
+  const RingMasks* Masks = nullptr;
+  Buffer<Id> CentreVertices; ///< as in SolidRows
+  vtkIdType NumberOfCounted = 0;
+  std::shared_ptr<const Buffer<Id>> Counts; ///< null: none
+  ExplicitRows<Id> Explicit;                ///< semi-sharp creases need them
+
+  vtkIdType GetNumberOfColumns() const override { return this->Vertices.size(); }
+  vtkIdType GetNumberOfRows() const override { return this->GetStored().GetNumberOfRows(); }
+  void ForRows(const typename RingOperator<Id>::RingsUser& use) const override;
+  void ForEachBlock(const PointOperator::User& use) const override;
+  std::size_t GetMemorySize() const;
+
+  /// Appends columns and weights of the row that the rule gives, each weight times `factor`.
+  void AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& rows) const;
+
+private:
+  StoredRows<Id> GetStored() const;
+};
+
+/// Moves the operator out of a level that is not refined any more. Write its cells first, because
+/// they need vertices of edges and solids.
+template <typename Level>
+Stencils<typename Level::IdType> TakeStencils(Level& level)
+{
+  using Id = typename Level::IdType;
+  Stencils<Id> stencils;
+  TakeSolidRows(level, stencils);
+  stencils.Vertices = std::move(level.Strata.Vertices);
+  stencils.Edges = std::move(level.Strata.Edges);
+  stencils.EdgeVertices = std::move(level.Complex.EdgeVertices);
+  stencils.VertexRings = std::move(level.Strata.VertexRings);
+  stencils.VertexRings.Carriers = Buffer<Id>();
+  stencils.EdgeRings = std::move(level.Strata.EdgeRings);
+  stencils.EdgeRings.Carriers = Buffer<Id>();
+  return stencils;
+}
+
+}
+
+#endif
