@@ -479,27 +479,11 @@ Applier FindApplier(const MovedArray& array)
   throw std::invalid_argument("operators do not know this type of values");
 }
 
-template <typename To, typename From>
+template <typename From, typename To>
 void ConvertValues(const From* from, To* to, vtkIdType size)
 {
   ForRanges(size,
     [=](vtkIdType begin, vtkIdType end) { CopyValues(from + begin, end - begin, to + begin); });
-}
-
-/// The values in double: the array's own where it has such.
-const double* ReadDoubles(const MovedArray& array, vtkIdType columns, Buffer<double>& values)
-{
-  if (array.InType == VTK_DOUBLE)
-  {
-    return static_cast<const double*>(array.In);
-  }
-  values = Buffer<double>(columns * array.Components);
-  switch (array.InType)
-  {
-    vtkTemplateMacro(
-      ConvertValues(static_cast<const VTK_TT*>(array.In), values.data(), values.size()));
-  }
-  return values.data();
 }
 
 template <typename Rows>
@@ -527,7 +511,8 @@ bool WritesBetween(const WeightedRows<Id>& rows)
 void ApplyInStages(const PointOperator& operation, const MovedArray& array)
 {
   Buffer<double> converted;
-  const double* in = ReadDoubles(array, operation.GetNumberOfColumns(), converted);
+  const double* in = ReadDoubles(
+    array.In, array.InType, operation.GetNumberOfColumns() * array.Components, converted);
   const bool isDouble = array.OutType == VTK_DOUBLE;
   Buffer<double> results(isDouble ? 0 : operation.GetNumberOfRows() * array.Components);
   double* out = isDouble ? static_cast<double*>(array.Out) : results.data();
@@ -540,16 +525,31 @@ void ApplyInStages(const PointOperator& operation, const MovedArray& array)
       const bool writes = std::visit([](const auto& rows) { return WritesBetween(rows); }, view);
       apply(view, reads ? between.data() : in, writes ? between.data() : out, array.Components);
     });
-  if (!isDouble)
-  {
-    switch (array.OutType)
-    {
-      vtkTemplateMacro(
-        ConvertValues(results.data(), static_cast<VTK_TT*>(array.Out), results.size()));
-    }
-  }
+  StoreDoubles(results.data(), array.Out, array.OutType, results.size());
 }
 
+}
+
+const double* ReadDoubles(const void* in, int type, vtkIdType size, Buffer<double>& converted)
+{
+  if (type == VTK_DOUBLE)
+  {
+    return static_cast<const double*>(in);
+  }
+  converted = Buffer<double>(size);
+  switch (type)
+  {
+    vtkTemplateMacro(ConvertValues(static_cast<const VTK_TT*>(in), converted.data(), size));
+  }
+  return converted.data();
+}
+
+void StoreDoubles(const double* in, void* out, int type, vtkIdType size)
+{
+  switch (type)
+  {
+    vtkTemplateMacro(ConvertValues(in, static_cast<VTK_TT*>(out), size));
+  }
 }
 
 void ApplyToArrays(const PointOperator& operation, const std::vector<MovedArray>& arrays,

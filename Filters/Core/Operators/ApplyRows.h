@@ -30,6 +30,12 @@ struct MovedArray
 void ApplyToArrays(const PointOperator& operation, const std::vector<MovedArray>& arrays,
   const PointOperator::User& also = PointOperator::User());
 
+/// Values of any type in double: they themselves if they are, else `converted`.
+const double* ReadDoubles(const void* in, int type, vtkIdType size, Buffer<double>& converted);
+/// Stores values as results of operators are: integers are rounded and stay in range, and a finite
+/// number never becomes infinite.
+void StoreDoubles(const double* in, void* out, int type, vtkIdType size);
+
 /// Applies one block to values in double. `out` points to row 0, or to the first value between
 /// where the rows go there.
 void SumRows(const RowsView& rows, const double* in, double* out, int components);

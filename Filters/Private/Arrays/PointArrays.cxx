@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Arrays/PointArrays.h"
 
-#include "Core/Memory/Store.h"
 #include "Core/Operators/ApplyRows.h"
 #include "Private/ArrayNames.h"
 
@@ -21,11 +20,21 @@ namespace subdivision
 namespace
 {
 
+/// The first values of an array in double.
+const double* ReadValues(vtkDataArray* array, vtkIdType size, Buffer<double>& converted)
+{
+  return ReadDoubles(array->GetVoidPointer(0), array->GetDataType(), size, converted);
+}
+
 /// Gives each centre the mean of its members. The mean is computed in double and stored in the type
 /// of the array; integers are rounded.
-template <typename T>
-void FillCentres(T* values, int components, const SimplicesOfCells& cells, vtkIdType first)
+void FillCentres(vtkDataArray* array, const SimplicesOfCells& cells)
 {
+  const int components = array->GetNumberOfComponents();
+  const vtkIdType first = array->GetNumberOfTuples() - cells.GetNumberOfCentres();
+  Buffer<double> converted;
+  const double* values = ReadValues(array, first * components, converted);
+  Buffer<double> means(components * cells.GetNumberOfCentres());
   ForEach(cells.GetNumberOfCentres(),
     [&](vtkIdType c)
     {
@@ -38,46 +47,17 @@ void FillCentres(T* values, int components, const SimplicesOfCells& cells, vtkId
           double sum = 0.;
           for (vtkIdType m = begin; m < end; ++m)
           {
-            sum += static_cast<double>(values[cells.CentreMembers[m] * components + k]) / divisor;
+            sum += values[cells.CentreMembers[m] * components + k] / divisor;
           }
           return sum;
         };
         const double members = static_cast<double>(end - begin);
         const double mean = sumOver(1.) / members;
-        values[(first + c) * components + k] =
-          Store<T>(std::isfinite(mean) ? mean : sumOver(members));
+        means[c * components + k] = std::isfinite(mean) ? mean : sumOver(members);
       }
     });
-}
-
-template <typename To, typename From>
-To ConvertValue(From value)
-{
-  if constexpr (std::is_same<From, double>::value && std::is_same<To, float>::value)
-  {
-    return Store<float>(value); // stays finite
-  }
-  else
-  {
-    return static_cast<To>(value);
-  }
-}
-
-template <typename From, typename To>
-void Convert(const From* from, To* to, vtkIdType size)
-{
-  ForEach(size, [&](vtkIdType i) { to[i] = ConvertValue<To>(from[i]); });
-}
-
-/// Coordinates of any type in one of the two types that points have here.
-template <typename To>
-void ConvertFrom(vtkDataArray* from, To* to)
-{
-  const vtkIdType size = from->GetNumberOfValues();
-  switch (from->GetDataType())
-  {
-    vtkTemplateMacro(Convert(static_cast<const VTK_TT*>(from->GetVoidPointer(0)), to, size));
-  }
+  StoreDoubles(
+    means.data(), array->GetVoidPointer(first * components), array->GetDataType(), means.size());
 }
 
 }
@@ -102,17 +82,15 @@ vtkSmartPointer<vtkDataArray> StartValues(
       std::memcpy(values, source->GetVoidPointer(0),
         static_cast<std::size_t>(given * components) * source->GetDataTypeSize());
     }
-    else if (valueType == VTK_FLOAT)
-    {
-      ConvertFrom(source, static_cast<float*>(values));
-    }
     else
     {
-      ConvertFrom(source, static_cast<double*>(values));
+      Buffer<double> converted;
+      const vtkIdType size = given * components;
+      StoreDoubles(ReadValues(source, size, converted), values, valueType, size);
     }
-    switch (valueType)
+    if (cells.GetNumberOfCentres() > 0)
     {
-      vtkTemplateMacro(FillCentres(static_cast<VTK_TT*>(values), components, cells, given));
+      FillCentres(start, cells);
     }
   }
   CopyLooks(array, start);
@@ -185,14 +163,7 @@ bool PointArrays::IsSmoothed(vtkAbstractArray* array) const
 
 Coordinates PointArrays::GetCoordinates()
 {
-  if (this->Points->GetDataType() == VTK_DOUBLE)
-  {
-    return { static_cast<const double*>(this->Points->GetVoidPointer(0)), this->Tie };
-  }
-  const vtkIdType values = 3 * this->NumberOfPoints;
-  this->Doubles = Buffer<double>(values);
-  Convert(static_cast<const float*>(this->Points->GetVoidPointer(0)), this->Doubles.data(), values);
-  return { this->Doubles.data(), this->Tie };
+  return { ReadValues(this->Points, 3 * this->NumberOfPoints, this->Doubles), this->Tie };
 }
 
 bool PointArrays::IsEarlier(vtkIdType a, vtkIdType b) const
