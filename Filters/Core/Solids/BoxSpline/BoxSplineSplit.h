@@ -18,18 +18,10 @@ namespace subdivision
 {
 
 /// A tetrahedron with two marked edges, whose midpoints the diagonal joins (SolidShapes.h).
-struct MarkedTetShape
+struct MarkedTetShape : TetrahedronShape
 {
   using Shapes = ShapeList<MarkedTetShape>;
   static constexpr int Index = 0;
-  static constexpr int Vertices = 4;
-  static constexpr int Edges = 6;
-  static constexpr int Faces = 4;
-  static constexpr int Centres = 0;
-  static constexpr const auto& EdgeVertices = tetrahedron::EdgeVertices;
-  static constexpr const auto& EdgeOf = tetrahedron::EdgeOf;
-  static constexpr const auto& FaceVertices = tetrahedron::FaceVertices;
-  static constexpr int FaceOf(int a, int b, int c) { return 6 - a - b - c; }
 
   static constexpr auto GetChildren(MarkedTetShape)
   {

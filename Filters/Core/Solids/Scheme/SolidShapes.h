@@ -20,6 +20,8 @@
 #ifndef SubdivisionObjects_SolidShapes_h
 #define SubdivisionObjects_SolidShapes_h
 
+#include "Core/Solids/Complex/Simplices.h"
+
 #include <array>
 #include <cstddef>
 
@@ -38,6 +40,19 @@ constexpr void ForShapes(ShapeList<Shape...>, const Act& act)
 {
   (act(Shape()), ...);
 }
+
+/// What tetrahedra have alike, however they are split.
+struct TetrahedronShape
+{
+  static constexpr int Vertices = 4;
+  static constexpr int Edges = 6;
+  static constexpr int Faces = 4;
+  static constexpr int Centres = 0;
+  static constexpr const auto& EdgeVertices = tetrahedron::EdgeVertices;
+  static constexpr const auto& EdgeOf = tetrahedron::EdgeOf;
+  static constexpr const auto& FaceVertices = tetrahedron::FaceVertices;
+  static constexpr int FaceOf(int a, int b, int c) { return 6 - a - b - c; }
+};
 
 /// The number of lattice points.
 template <typename Shape>

@@ -63,18 +63,10 @@ constexpr int FirstFaceAt(int edge)
 struct TetShape;
 struct OctShape;
 
-struct TetShape
+struct TetShape : TetrahedronShape
 {
   using Shapes = ShapeList<TetShape, OctShape>;
   static constexpr int Index = 0;
-  static constexpr int Vertices = 4;
-  static constexpr int Edges = 6;
-  static constexpr int Faces = 4;
-  static constexpr int Centres = 0;
-  static constexpr const auto& EdgeVertices = tetrahedron::EdgeVertices;
-  static constexpr const auto& EdgeOf = tetrahedron::EdgeOf;
-  static constexpr const auto& FaceVertices = tetrahedron::FaceVertices;
-  static constexpr int FaceOf(int a, int b, int c) { return 6 - a - b - c; }
 
   static constexpr std::array<std::array<int, 4>, 4> GetChildren(TetShape);
   static constexpr std::array<std::array<int, 6>, 1> GetChildren(OctShape);
