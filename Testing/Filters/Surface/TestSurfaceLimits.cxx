@@ -6,7 +6,6 @@
  */
 #include "SurfaceTools.h"
 
-#include <chrono>
 
 using namespace surfacetools;
 
@@ -181,13 +180,13 @@ TEST(SurfaceLimits, NormalsAtCornersDoNotDependOnTheOrderOfFaces)
 
 TEST(SurfaceLimits, ManyCornersTakeLinearTime)
 {
-  // Separate triangles, or quads, each vertex of which is a corner: quadratic time would be
-  // minutes.
+  // Separate triangles, or quads, each vertex of which is a corner: quadratic time would be longer
+  // than ctest waits.
   for (const int scheme :
     { vtkSurfaceSubdivision::CATMULL_CLARK, vtkSurfaceSubdivision::SQRT_THREE })
   {
     Model model;
-    for (vtkIdType i = 0; i < 100000; ++i)
+    for (vtkIdType i = 0; i < 300000; ++i)
     {
       const double x = 2. * static_cast<double>(i);
       model.Points.push_back({ x, 0., 0. });
@@ -199,10 +198,7 @@ TEST(SurfaceLimits, ManyCornersTakeLinearTime)
         model.Corners.push_back(3 * i + k);
       }
     }
-    const auto start = std::chrono::steady_clock::now();
     const auto output = RunWithCorners(model, scheme, 0);
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(time.count(), 20.);
     for (const Point& normal : GetNormals(output, model.Points.size()))
     {
       ASSERT_NEAR(normal[2], 1., 1e-9);
