@@ -18,15 +18,6 @@ using subdivision::Block;
 namespace
 {
 
-struct Partition
-{
-  const char* Name;
-  int Parts;
-  int Blocks; ///< of each part
-  bool ByChance;
-  KnownBy Known;
-};
-
 const Partition Partitions[] = { { "halves", 2, 1, false, KnownBy::GlobalIds },
   { "three slabs by coordinates", 3, 1, false, KnownBy::Coordinates },
   { "cell by cell", 3, 1, true, KnownBy::GlobalIds },
@@ -34,58 +25,18 @@ const Partition Partitions[] = { { "halves", 2, 1, false, KnownBy::GlobalIds },
   { "blocks in one process", 1, 4, false, KnownBy::GlobalIds },
   { "cell by cell in blocks", 1, 5, true, KnownBy::Coordinates } };
 
-std::vector<Mesh> Cut(vtkPointSet* whole, const Partition& partition)
-{
-  const int count = partition.Parts * partition.Blocks;
-  return Cut(whole, partition.ByChance ? CutByChance(whole, count, 17) : CutInSlabs(whole, count),
-    count, partition.Known);
-}
-
-/// The whole mesh as parts have it that know their points by coordinates only: its points are
-/// numbered as they come.
-Mesh Renumber(const std::vector<Mesh>& cut)
-{
-  std::vector<std::vector<subdivision::MeshPart>> parts(1);
-  for (const Mesh& mesh : cut)
-  {
-    parts[0].push_back({ mesh, 0, {}, {} });
-  }
-  subdivision::Exchange exchange;
-  IdentifyPoints(parts, exchange, [](const std::string& message) { ADD_FAILURE() << message; });
-  const Mesh whole = Join(parts[0]).Mesh;
-  whole->GetCellData()->RemoveArray(subdivision::BlockName);
-  return whole;
-}
-
 /// What a filter makes of the parts of a mesh.
 std::vector<Mesh> RunOnParts(const std::vector<Mesh>& cut, const Partition& partition,
   bool isOfSurfaces, const subdivision::FilterWork& work, int ghostLayers = 0)
 {
-  std::vector<std::vector<Block>> blocks(static_cast<size_t>(partition.Parts));
-  for (size_t i = 0; i < cut.size(); ++i)
-  {
-    Block block;
-    block.Input = cut[i];
-    block.Output = subdivision::MakeMesh(isOfSurfaces);
-    blocks[i / static_cast<size_t>(partition.Blocks)].push_back(block);
-  }
-  subdivision::Exchange exchange(nullptr, partition.Parts);
   subdivision::DistributionOptions distribution;
   distribution.IsOfSurfaces = isOfSurfaces;
   distribution.GhostLayers = ghostLayers;
   subdivision::RunOptions options;
   options.Warn = [](const std::string& message) { ADD_FAILURE() << message; };
   options.Fail = options.Warn;
-  EXPECT_TRUE(
-    RunPartitions(blocks, exchange, distribution, subdivision::FilterTraits(), options, work));
   std::vector<Mesh> outputs;
-  for (const auto& partitionBlocks : blocks)
-  {
-    for (const Block& block : partitionBlocks)
-    {
-      outputs.push_back(block.Output);
-    }
-  }
+  EXPECT_TRUE(RunOnParts(cut, partition, distribution, options, work, outputs));
   return outputs;
 }
 
@@ -250,48 +201,6 @@ TEST(Partitions, OfALargeMeshAreNotTheWhole)
   }
 }
 
-namespace
-{
-
-/// The corners of a cell.
-std::vector<Point> GetCorners(vtkPointSet* mesh, vtkIdType cell)
-{
-  vtkNew<vtkIdList> ids;
-  mesh->GetCellPoints(cell, ids);
-  std::vector<Point> corners;
-  for (const vtkIdType id : *ids)
-  {
-    corners.push_back(GetPoint(mesh, id));
-  }
-  return corners;
-}
-
-using Corners = std::set<std::vector<Point>>;
-
-/// The cells of `whole` around those in `own`.
-Corners FindLayer(vtkPointSet* whole, const Corners& own)
-{
-  std::set<Point> points;
-  for (const auto& corners : own)
-  {
-    points.insert(corners.begin(), corners.end());
-  }
-  Corners layer;
-  for (vtkIdType c = 0; c < whole->GetNumberOfCells(); ++c)
-  {
-    const std::vector<Point> corners = GetCorners(whole, c);
-    if (own.count(corners) == 0 &&
-      std::any_of(
-        corners.begin(), corners.end(), [&](const Point& p) { return points.count(p) > 0; }))
-    {
-      layer.insert(corners);
-    }
-  }
-  return layer;
-}
-
-}
-
 TEST(Partitions, GiveGhostCells)
 {
   // Random places, so that corners tell cells apart.
@@ -322,20 +231,7 @@ TEST(Partitions, GiveGhostCells)
     ASSERT_TRUE(work(mesh, whole));
     for (const Mesh& part : RunOnParts(Cut(mesh, partition), partition, false, work, 1))
     {
-      vtkUnsignedCharArray* types = part->GetCellGhostArray();
-      ASSERT_TRUE(types);
-      Corners own;
-      Corners ghosts;
-      for (vtkIdType c = 0; c < part->GetNumberOfCells(); ++c)
-      {
-        (types->GetValue(c) ? ghosts : own).insert(GetCorners(part, c));
-      }
-      for (const auto& corners : own) // some cells are there twice
-      {
-        ghosts.erase(corners);
-      }
-      EXPECT_TRUE(ghosts == FindLayer(whole, own));
-      EXPECT_FALSE(own.empty());
+      ExpectGhosts(whole, part);
     }
   }
 }

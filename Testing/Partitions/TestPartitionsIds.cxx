@@ -3,7 +3,6 @@
 // goes on with what the first one made of them.
 #include "PartitionTools.h"
 
-#include "Private/Distribution/Distribution.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkCellData.h"
@@ -11,21 +10,10 @@
 
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;
-using subdivision::Block;
 using subdivision::UniformOptions;
 
 namespace
 {
-
-struct Partition
-{
-  const char* Name;
-  int Parts;
-  int Blocks; ///< of each part
-  bool ByChance;
-  KnownBy Known;
-  int Empty; ///< parts without cells, the first ones
-};
 
 const Partition Partitions[] = { { "halves", 2, 1, false, KnownBy::GlobalIds, 0 },
   { "slabs after an empty part", 3, 2, false, KnownBy::GlobalIds, 1 },
@@ -89,36 +77,13 @@ Mesh Subdivide(vtkPointSet* whole, const UniformOptions& options)
 std::vector<Mesh> SubdivideParts(
   const std::vector<Mesh>& parts, const Partition& partition, UniformOptions options)
 {
-  std::vector<std::vector<Block>> blocks(static_cast<size_t>(partition.Parts + partition.Empty));
-  for (size_t i = 0; i < parts.size(); ++i)
-  {
-    Block block;
-    block.Input = parts[i];
-    block.Output = subdivision::MakeMesh(false);
-    blocks[static_cast<size_t>(partition.Empty) + i / static_cast<size_t>(partition.Blocks)]
-      .push_back(block);
-  }
-  subdivision::Exchange exchange(nullptr, partition.Parts + partition.Empty);
   subdivision::DistributionOptions distribution;
   distribution.WorksInRounds = true;
-  EXPECT_TRUE(RunPartitions(blocks, exchange, distribution, subdivision::FilterTraits(), options,
-    [&options](vtkPointSet* input, vtkPointSet* output) { return Run(input, options, output); }));
   std::vector<Mesh> outputs;
-  for (const auto& own : blocks)
-  {
-    for (const Block& block : own)
-    {
-      outputs.push_back(block.Output);
-    }
-  }
+  EXPECT_TRUE(RunOnParts(
+    parts, partition, distribution, options, [&options](vtkPointSet* input, vtkPointSet* output)
+    { return Run(input, options, output); }, outputs));
   return outputs;
-}
-
-std::vector<Mesh> Cut(vtkPointSet* whole, const Partition& partition)
-{
-  const int count = partition.Parts * partition.Blocks;
-  return Cut(whole, partition.ByChance ? CutByChance(whole, count, 17) : CutInSlabs(whole, count),
-    count, partition.Known);
 }
 
 /// The corners of a cell, by their global ids if there are any.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartitionTools.h"
 
-#include "Private/Distribution/JoinedMesh.h"
+#include "Private/Distribution/PointIds.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetSurfaceFilter.h"
@@ -171,6 +171,29 @@ std::vector<Mesh> MakeMeshes()
   return meshes;
 }
 
+/// Adds what criteria read: a wanted level that is high in few cells, and a field with a front.
+void AddFields(vtkPointSet* mesh)
+{
+  vtkNew<vtkIntArray> wanted;
+  wanted->SetName(WantedName);
+  for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
+  {
+    wanted->InsertNextValue(c % 23 == 5 ? 3 : (c % 7 == 1 ? 1 : 0));
+  }
+  mesh->GetCellData()->AddArray(wanted);
+  vtkNew<vtkDoubleArray> field;
+  field->SetName(FieldName);
+  double box[6];
+  mesh->GetBounds(box);
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    const double* x = mesh->GetPoint(p);
+    const double along = (x[0] - box[0]) / (box[1] - box[0]) + 0.2 * x[1];
+    field->InsertNextValue(std::tanh(20. * (along - 0.5)));
+  }
+  mesh->GetPointData()->AddArray(field);
+}
+
 Mesh MakeSkin(vtkPointSet* mesh)
 {
   vtkNew<vtkDataSetSurfaceFilter> filter;
@@ -235,6 +258,104 @@ std::vector<int> CutInSlabs(vtkPointSet* whole, int parts)
     partOf[order[i].second] = static_cast<int>(i * static_cast<size_t>(parts) / order.size());
   }
   return partOf;
+}
+
+std::vector<Mesh> Cut(vtkPointSet* whole, const Partition& partition)
+{
+  const int count = partition.Parts * partition.Blocks;
+  return Cut(whole, partition.ByChance ? CutByChance(whole, count, 17) : CutInSlabs(whole, count),
+    count, partition.Known);
+}
+
+bool RunOnParts(const std::vector<Mesh>& cut, const Partition& partition,
+  const subdivision::DistributionOptions& distribution, subdivision::RunOptions& options,
+  const subdivision::FilterWork& work, std::vector<Mesh>& outputs)
+{
+  const int parts = partition.Parts + partition.Empty;
+  std::vector<std::vector<subdivision::Block>> blocks(static_cast<size_t>(parts));
+  outputs.clear();
+  for (size_t i = 0; i < cut.size(); ++i)
+  {
+    outputs.push_back(subdivision::MakeMesh(distribution.IsOfSurfaces));
+    const size_t part = i / static_cast<size_t>(partition.Blocks);
+    blocks[static_cast<size_t>(partition.Empty) + part].push_back({ cut[i], outputs.back(), 0 });
+  }
+  subdivision::Exchange exchange(nullptr, parts);
+  return RunPartitions(blocks, exchange, distribution, subdivision::FilterTraits(), options, work);
+}
+
+Mesh Renumber(const std::vector<Mesh>& cut)
+{
+  std::vector<std::vector<subdivision::MeshPart>> parts(1);
+  for (const Mesh& mesh : cut)
+  {
+    parts[0].push_back({ mesh, 0, {}, {} });
+  }
+  subdivision::Exchange exchange;
+  IdentifyPoints(parts, exchange, [](const std::string& message) { ADD_FAILURE() << message; });
+  const Mesh whole = Join(parts[0]).Mesh;
+  whole->GetCellData()->RemoveArray(subdivision::BlockName);
+  return whole;
+}
+
+namespace
+{
+
+/// The corners of a cell.
+std::vector<Point> GetCorners(vtkPointSet* mesh, vtkIdType cell)
+{
+  vtkNew<vtkIdList> ids;
+  mesh->GetCellPoints(cell, ids);
+  std::vector<Point> corners;
+  for (const vtkIdType id : *ids)
+  {
+    corners.push_back(GetPoint(mesh, id));
+  }
+  return corners;
+}
+
+using Corners = std::set<std::vector<Point>>;
+
+/// The cells of `whole` around those in `own`.
+Corners FindLayer(vtkPointSet* whole, const Corners& own)
+{
+  std::set<Point> points;
+  for (const auto& corners : own)
+  {
+    points.insert(corners.begin(), corners.end());
+  }
+  Corners layer;
+  for (vtkIdType c = 0; c < whole->GetNumberOfCells(); ++c)
+  {
+    const std::vector<Point> corners = GetCorners(whole, c);
+    if (own.count(corners) == 0 &&
+      std::any_of(
+        corners.begin(), corners.end(), [&](const Point& p) { return points.count(p) > 0; }))
+    {
+      layer.insert(corners);
+    }
+  }
+  return layer;
+}
+
+}
+
+void ExpectGhosts(vtkPointSet* whole, vtkPointSet* part)
+{
+  vtkUnsignedCharArray* types = part->GetCellGhostArray();
+  ASSERT_TRUE(types);
+  Corners own;
+  Corners ghosts;
+  for (vtkIdType c = 0; c < part->GetNumberOfCells(); ++c)
+  {
+    (types->GetValue(c) ? ghosts : own).insert(GetCorners(part, c));
+  }
+  for (const auto& corners : own) // some cells are there twice
+  {
+    ghosts.erase(corners);
+  }
+  EXPECT_TRUE(ghosts == FindLayer(whole, own));
+  EXPECT_FALSE(own.empty());
 }
 
 void ExpectWhole(vtkPointSet* whole, const std::vector<Mesh>& parts)
