@@ -5,8 +5,8 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Arrays/PointArrays.h"
+#include "Private/Control/FittingMarks.h"
 #include "Private/Control/SizeChecks.h"
-#include "Private/RedGreen/FittingMarks.h"
 #include "Private/RedGreen/RedGreenLimit.h"
 #include "Private/RedGreen/RedGreenMesh.h"
 #include "Private/RedGreen/RefinementMarks.h"
@@ -70,7 +70,6 @@ private:
   template <typename Id>
   void StopAtLimit(std::vector<Marks<Id>>& rounds, SharedState<Id>& shared);
   bool IsTooLarge(vtkIdType ownCells);
-  void WarnOnce(const std::string& message);
   void WarnOfNotes(MarkNotes& notes);
 
   template <typename Id>
@@ -239,7 +238,7 @@ bool RedGreenRun::FindCells(SharedState<Id>& shared, RedGreenLimit<Id>& limit)
   {
     return this->RunRounds(shared, limit);
   }
-  this->WarnOnce("The input has " + std::to_string(this->NumberOfCells) +
+  this->Warn("The input has " + std::to_string(this->NumberOfCells) +
     " cells, which is more than MaximumNumberOfCells: nothing is refined. Raise "
     "MaximumNumberOfCells.");
   return true;
@@ -256,15 +255,6 @@ bool RedGreenRun::IsTooLarge(vtkIdType ownCells)
   }
   this->MemoryIsLimit = this->NumberOfCells <= this->Options.MaximumNumberOfCells;
   return this->Others->Sum(isOwnTooLarge ? 1 : 0) > 0 || !this->MemoryIsLimit;
-}
-
-/// Warns of what all partitions know.
-void RedGreenRun::WarnOnce(const std::string& message)
-{
-  if (!this->Others || this->Others->GetPartition() == 0)
-  {
-    this->Warn(message);
-  }
 }
 
 /// The state before any mark.
@@ -439,7 +429,7 @@ void RedGreenRun::StopAtLimit(std::vector<Marks<Id>>& rounds, SharedState<Id>& s
                           "MaximumLevel, or a part of the input."
                         : "which is MaximumNumberOfCells. Raise it, or use weaker criteria or a "
                           "lower MaximumLevel.";
-  this->WarnOnce(what);
+  this->Warn(what);
 }
 
 void RedGreenRun::WarnOfNotes(MarkNotes& notes)

@@ -7,10 +7,10 @@
 #define SubdivisionObjects_FittingMarks_h
 
 #include "Private/Control/Partners.h"
-#include "Private/RedGreen/RefinementMarks.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -34,9 +34,8 @@ std::size_t FindFittingCount(std::size_t marks, const Try& fitsWith)
 
 /// The same for the marks of one of several partitions, the largest errors first: finds an error
 /// above which those of all partitions fit, so that the result is the same for any partition.
-template <typename Id, typename Try>
-std::size_t FindFittingError(
-  const std::vector<RefinementMark<Id>>& marks, Partners& others, const Try& fitsWith)
+template <typename Mark, typename Try>
+std::size_t FindFittingError(const std::vector<Mark>& marks, Partners& others, const Try& fitsWith)
 {
   const auto count = [&marks](double error)
   {
