@@ -57,6 +57,8 @@ public:
   virtual std::vector<vtkIdType> Gather(vtkIdType own) = 0;
   /// The sum of such values.
   vtkIdType Sum(vtkIdType own);
+  /// The first partition that has a mesh.
+  int FindFirst();
   /// Sets each value to the largest that a partition has.
   void FindLargest(std::vector<double>& values);
 };
@@ -71,6 +73,17 @@ inline vtkIdType Partners::Sum(vtkIdType own)
   return sum;
 }
 
+inline int Partners::FindFirst()
+{
+  const std::vector<vtkIdType> all = this->Gather(0);
+  int first = 0;
+  while (all[first] < 0)
+  {
+    ++first;
+  }
+  return first;
+}
+
 inline void Partners::FindLargest(std::vector<double>& values)
 {
   const std::size_t size = values.size() * sizeof(double);
@@ -80,12 +93,7 @@ inline void Partners::FindLargest(std::vector<double>& values)
     std::memcpy(message.data(), values.data(), size);
     return message;
   };
-  const std::vector<vtkIdType> all = this->Gather(0);
-  int first = 0;
-  while (all[first] < 0)
-  {
-    ++first;
-  }
+  const int first = this->FindFirst();
   Messages toFirst;
   toFirst[first] = pack();
   this->Send(toFirst);
