@@ -16,7 +16,6 @@ int vtkSimplicialComplexTopology::RequestData(
 {
   subdivision::ProbeOptions options;
   options.SpecialOnly = this->SpecialOnly;
-  options.IsWhole = !this->SharesRanks();
   return this->Run(inputVector, outputVector, options,
     "Counts, and results at the borders of partitions, are those of this partition alone.",
     "the simplices of the input. Use a part of the input.",

@@ -53,8 +53,9 @@
  * With GenerateOriginalIds also `vtkOriginalCellIds`: the first input cell that the simplex is, or
  * is a piece of; -1 for others.
  *
- * Field arrays (vtkIdTypeArray, one component), of the whole complex whatever is output; not where
- * several ranks have partitions of the mesh (Controller):
+ * Field arrays (vtkIdTypeArray, one component), of the whole complex whatever is output; where
+ * several ranks have partitions of the mesh (Controller), each rank with cells has the numbers of
+ * all together:
  *  - `SimplexCounts` (4 values): vertices, edges, triangles, tetrahedra. Unused points and equal
  *    cells do not count.
  *  - `EulerCharacteristic` (1 value): vertices - edges + triangles - tetrahedra.
@@ -68,8 +69,8 @@
  * @par Threads and ghosts
  * Threaded by vtkSMPTools, but for counting components; the output is the same, bit for bit, for
  * any back end and any number of threads. Hidden cells take no part. A simplex all of whose cells
- * are duplicates is a duplicate. Counts are those of the partition; a warning says so where there
- * are duplicate cells.
+ * are duplicates is a duplicate. In a single mesh of a single process counts are those of what it
+ * has; a warning says so where there are duplicate cells.
  *
  * @par Errors
  * The filter stops, with an error and an empty output, if an array cannot be used, if there are

@@ -156,6 +156,10 @@ def check_topology(checks):
         facts = [grid.GetCellData().GetArray(name) for name in names]
         return [grid.GetNumberOfCells()] + [int(vtk_to_numpy(fact).sum(dtype=int)) if fact else 0 for fact in facts]
 
+    for name in ("SimplexCounts", "EulerCharacteristic", "ManifoldComponents"):
+        fields = [vtk_to_numpy(grid.GetFieldData().GetArray(name)).tolist() for grid in (whole, output)]
+        if fields[0] != fields[1]:
+            checks.failures.append(f"topology: {name} {fields[1]} instead of {fields[0]}")
     found = list(ranks.totals(sums(output)))
     if found != sums(whole):
         checks.failures.append(f"topology: {found} instead of {sums(whole)}")

@@ -9,6 +9,7 @@
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/ControlComplex.h"
 #include "Private/Control/SizeChecks.h"
+#include "Private/Topology/SharedCounts.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -64,6 +65,7 @@ void VisitFaces(const SimplicialComplex<Id>& complex, int dimension, vtkIdType c
       visit(0, complex.TetVertices.data() + 4 * cell, 4);
       visit(1, complex.TetEdges.data() + 6 * cell, 6);
       visit(2, complex.TetFaces.data() + 4 * cell, 4);
+      act(3, cell);
       break;
   }
 }
@@ -75,6 +77,7 @@ public:
     : Input(input)
     , Options(options)
     , Output(output)
+    , Others(FindPartners(options, input))
   {
   }
   bool Run();
@@ -99,9 +102,12 @@ private:
   template <typename Id>
   void AddGhosts(const ControlComplex<Id>& control);
   template <typename Id>
-  void AddBlocks(const ControlComplex<Id>& control);
+  void FindFirstCells(const ControlComplex<Id>& control);
+  void AddBlocks();
   template <typename Id>
-  void AddNumbers(const ComplexDescription<Id>& description);
+  ComplexNumbers Count(
+    const ControlComplex<Id>& control, const ComplexDescription<Id>& description) const;
+  void AddNumbers(const ComplexNumbers& numbers);
 
   vtkIdType GetNumberOfCells() const
   {
@@ -148,6 +154,10 @@ private:
   std::unique_ptr<PointArrays> Points;
   std::variant<ControlComplex<int>, ControlComplex<long long>> Control;
   Buffer<vtkIdType> Chosen[3]; ///< the vertices, edges, faces that are output cells, in order
+  Partners* Others;            ///< null: the input is the whole mesh
+  /// The first input cell that each vertex, edge, face and tetrahedron lies on, where that is asked
+  /// for; the number of cells: there is none.
+  Buffer<vtkIdType> FirstCells[4];
 };
 
 bool Probe::Run()
@@ -233,8 +243,9 @@ bool Probe::Describe(const ControlComplex<Id>& control)
   this->AddFacts(description);
   this->AddOriginalIds(control);
   this->AddGhosts(control);
-  this->AddBlocks(control);
-  this->AddNumbers(description);
+  this->FindFirstCells(control);
+  this->AddBlocks();
+  this->AddNumbers(this->Count(control, description));
   return true;
 }
 
@@ -385,10 +396,11 @@ void Probe::AddGhosts(const ControlComplex<Id>& control)
   if (ghosts)
   {
     const SimplicialComplex<Id>& complex = control.Current.Complex;
-    Buffer<unsigned char> types[3] = { Buffer<unsigned char>(
+    Buffer<unsigned char> types[4] = { Buffer<unsigned char>(
                                          complex.NumberOfVertices, DuplicateCell),
       Buffer<unsigned char>(complex.NumberOfEdges, DuplicateCell),
-      Buffer<unsigned char>(complex.NumberOfFaces, DuplicateCell) };
+      Buffer<unsigned char>(complex.NumberOfFaces, DuplicateCell),
+      Buffer<unsigned char>(complex.NumberOfTets, DuplicateCell) };
     this->VisitCells(control,
       [&](vtkIdType cell, int dimension, vtkIdType simplex)
       {
@@ -403,34 +415,89 @@ void Probe::AddGhosts(const ControlComplex<Id>& control)
   RebuildPointGhosts(this->Input, this->Output);
 }
 
-/// A simplex belongs to the block of the first cell that it lies on.
 template <typename Id>
-void Probe::AddBlocks(const ControlComplex<Id>& control)
+void Probe::FindFirstCells(const ControlComplex<Id>& control)
+{
+  if (!this->Input->GetCellData()->GetArray(BlockName))
+  {
+    return;
+  }
+  const SimplicialComplex<Id>& complex = control.Current.Complex;
+  const vtkIdType sizes[4] = { complex.NumberOfVertices, complex.NumberOfEdges,
+    complex.NumberOfFaces, complex.NumberOfTets };
+  for (int dimension = 0; dimension < 4; ++dimension)
+  {
+    this->FirstCells[dimension] =
+      Buffer<vtkIdType>(sizes[dimension], this->Input->GetNumberOfCells());
+  }
+  this->VisitCells(control,
+    [&](vtkIdType cell, int dimension, vtkIdType simplex)
+    {
+      vtkIdType& first = this->FirstCells[dimension][simplex];
+      first = std::min(first, cell);
+    });
+}
+
+/// A simplex belongs to the block of the first cell that it lies on.
+void Probe::AddBlocks()
 {
   vtkDataArray* blocks = this->Input->GetCellData()->GetArray(BlockName);
   if (!blocks)
   {
     return;
   }
-  const SimplicialComplex<Id>& complex = control.Current.Complex;
-  const vtkIdType none = this->Input->GetNumberOfCells();
-  Buffer<vtkIdType> first[3] = { Buffer<vtkIdType>(complex.NumberOfVertices, none),
-    Buffer<vtkIdType>(complex.NumberOfEdges, none),
-    Buffer<vtkIdType>(complex.NumberOfFaces, none) };
-  this->VisitCells(control, [&](vtkIdType cell, int dimension, vtkIdType simplex)
-    { first[dimension][simplex] = std::min(first[dimension][simplex], cell); });
   this->AddCellArray<vtkIntArray>(BlockName,
     [&](int dimension, vtkIdType i)
     {
-      const vtkIdType cell = first[dimension][i];
-      return cell < none ? static_cast<int>(blocks->GetTuple1(cell)) : NoBlock;
+      const vtkIdType cell = this->FirstCells[dimension][i];
+      return cell < this->Input->GetNumberOfCells() ? static_cast<int>(blocks->GetTuple1(cell))
+                                                    : NoBlock;
     });
+}
+
+/// The numbers of the whole complex.
+template <typename Id>
+ComplexNumbers Probe::Count(
+  const ControlComplex<Id>& control, const ComplexDescription<Id>& description) const
+{
+  ComplexNumbers numbers;
+  if (!this->Others)
+  {
+    std::copy_n(description.Counts, 4, numbers.Counts);
+    std::copy_n(description.Components, 4, numbers.Components);
+    return numbers;
+  }
+  OwnSimplices own;
+  for (int dimension = 0; dimension < 4; ++dimension)
+  {
+    const Buffer<vtkIdType>& first = this->FirstCells[dimension];
+    own.Flags[dimension] = Buffer<unsigned char>(first.size());
+    ForEach(first.size(),
+      [&](vtkIdType i)
+      {
+        own.Flags[dimension][i] =
+          first[i] < this->Input->GetNumberOfCells() && this->Others->IsOwn(first[i]) ? 1 : 0;
+      });
+  }
+  this->VisitCells(control,
+    [&](vtkIdType cell, int dimension, vtkIdType vertex)
+    {
+      if (dimension == 0 && vertex < this->Input->GetNumberOfPoints() && this->Others->IsOwn(cell))
+      {
+        for (const int partition : this->Others->GetNeighbours(cell))
+        {
+          own.Holders.emplace_back(partition, vertex);
+        }
+      }
+    });
+  std::sort(own.Holders.begin(), own.Holders.end());
+  own.Holders.erase(std::unique(own.Holders.begin(), own.Holders.end()), own.Holders.end());
+  return CountTogether(control.Current.Complex, description, own, *this->Others);
 }
 
 /// Adds field arrays with numbers of the whole complex, and removes the stamp of an earlier filter,
 /// which belongs to other cells.
-template <typename Id>
-void Probe::AddNumbers(const ComplexDescription<Id>& description)
+void Probe::AddNumbers(const ComplexNumbers& numbers)
 {
   vtkFieldData* fields = this->Output->GetFieldData();
   WriteStampedIds(StampedIds(), this->Output);
@@ -443,14 +510,11 @@ void Probe::AddNumbers(const ComplexDescription<Id>& description)
     std::copy(values, values + size, array->GetPointer(0));
     fields->AddArray(array);
   };
-  if (!this->Options.IsWhole)
-  {
-    return;
-  }
-  const vtkIdType euler = description.GetEulerCharacteristic();
-  add("SimplexCounts", description.Counts, 4);
+  const vtkIdType* counts = numbers.Counts;
+  const vtkIdType euler = counts[0] - counts[1] + counts[2] - counts[3];
+  add("SimplexCounts", counts, 4);
   add("EulerCharacteristic", &euler, 1);
-  add("ManifoldComponents", description.Components, 4);
+  add("ManifoldComponents", numbers.Components, 4);
 }
 
 }

@@ -17,8 +17,6 @@ namespace subdivision
 
 struct ProbeOptions : RunOptions
 {
-  /// Whether the input is all there is, so that counts and components are those of the whole.
-  bool IsWhole = true;
   bool SpecialOnly = false;
 };
 

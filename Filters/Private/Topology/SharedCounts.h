@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SharedCounts.h
+ * Counts and components of a complex of which several partitions have parts.
+ */
+#ifndef SubdivisionObjects_SharedCounts_h
+#define SubdivisionObjects_SharedCounts_h
+
+#include "Core/Solids/Strata/ComplexDescription.h"
+#include "Private/Control/Partners.h"
+
+#include <utility>
+#include <vector>
+
+namespace subdivision
+{
+
+struct ComplexNumbers
+{
+  vtkIdType Counts[4] = { 0, 0, 0, 0 };     ///< simplices by dimension
+  vtkIdType Components[4] = { 0, 0, 0, 0 }; ///< connected components of C_0 to C_3
+};
+
+/// What a partition has of a complex.
+struct OwnSimplices
+{
+  /// Of each vertex, edge, face and tetrahedron: 1 if the first cell that it lies on is own. So
+  /// each simplex counts in one partition.
+  Buffer<unsigned char> Flags[4];
+  /// The vertices of own cells that other partitions have cells at, with these partitions.
+  std::vector<std::pair<int, vtkIdType>> Holders;
+};
+
+/**
+ * The numbers of the whole complex. Each partition finds the components of its own edges; those of
+ * two partitions that share a vertex are one. Partitions tell each other which components they have
+ * at shared vertices, and the first one which of them are one: two exchanges, and 40 bytes for each
+ * two components that meet at the border of two partitions.
+ */
+template <typename Id>
+ComplexNumbers CountTogether(const SimplicialComplex<Id>& complex,
+  const ComplexDescription<Id>& description, const OwnSimplices& own, Partners& partners);
+
+}
+
+#endif
