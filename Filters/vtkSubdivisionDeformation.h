@@ -22,7 +22,11 @@
  *    and options of features that vtkSubdivisionAlgorithm describes; the cell arrays are those of
  *    this mesh.
  *  - port 2, the control mesh deformed: the same points and cells in the same order.
- * Any of the three may change with time. Every process reads the whole of both control meshes.
+ * Any of the three may change with time. Ports 1 and 2 take composite data sets of such meshes too:
+ * whatever JoinBlocks is, all blocks are one control mesh, in which points of the same global id
+ * or, without ids, of the same coordinates are one point. The parts that several ranks have
+ * (Controller) are gathered on all ranks. So each rank has the whole of both control meshes, and
+ * deforms its own part of port 0.
  *
  * @par Points and cells
  * A point belongs to the tetrahedron with the smallest id of those that hold it; barycentric
