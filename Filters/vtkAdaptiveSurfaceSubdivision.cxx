@@ -5,7 +5,6 @@
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -13,6 +12,11 @@ vtkStandardNewMacro(vtkAdaptiveSurfaceSubdivision);
 
 vtkAdaptiveSurfaceSubdivision::vtkAdaptiveSurfaceSubdivision() = default;
 vtkAdaptiveSurfaceSubdivision::~vtkAdaptiveSurfaceSubdivision() = default;
+
+int vtkAdaptiveSurfaceSubdivision::GetLayersOfCells() const
+{
+  return subdivision::LayersOfAdaptiveSurface;
+}
 
 int vtkAdaptiveSurfaceSubdivision::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -23,12 +27,6 @@ int vtkAdaptiveSurfaceSubdivision::RequestData(
   options.GenerateTangents = this->GenerateTangents;
   options.Use32BitIds = this->Use32BitIds;
   subdivision::RefinementOptions criteria;
-  if (this->SharesRanks() && this->Controller->GetLocalProcessId() == 0)
-  {
-    vtkWarningMacro("Several ranks refine this surface. Triangles may not fit together at the "
-                    "borders between ranks: bring the surface to one rank, or use "
-                    "vtkRedGreenRefinement with Placement LIMIT.");
-  }
   return this->RunRounds(inputVector, outputVector, options, criteria,
     [&](vtkPointSet* input, vtkPointSet* output)
     {

@@ -50,8 +50,13 @@
  *
  * @par Threads and ghosts
  * Threaded by vtkSMPTools; the output is the same, bit for bit, for any number of threads. Hidden
- * cells are left out; ghost cells are refined like others. On several ranks (Controller) a rank
- * sees two layers of the triangles of others, and marks go no farther: a warning says so.
+ * cells are left out; ghost cells are refined like others. The partitions of several ranks
+ * (Controller) are refined as one surface, whatever their borders: triangles, points and arrays are
+ * those that one rank makes of the whole. But at MaximumNumberOfCells, which is that of all ranks
+ * together, the last round leaves out all places below one error, and so more of them; and in a
+ * surface whose triangles do not all have the same orientation, each rank turns normals and
+ * tangents to the side of the first triangle that it knows. A rank needs three layers of the
+ * triangles of others, and exchanges splits in each round, mostly once or twice.
  *
  * @par Errors
  * See vtkRefinementAlgorithm.
@@ -104,6 +109,7 @@ protected:
   ~vtkAdaptiveSurfaceSubdivision() override;
 
   bool IsOfSurfaces() const override { return true; }
+  int GetLayersOfCells() const override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -95,6 +95,7 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   distribution.Controller = this->Controller;
   distribution.IsOfSurfaces = this->IsOfSurfaces();
   distribution.Kept = this->Kept.get();
+  distribution.Layers = this->GetLayersOfCells();
   if (this->SharesRanks())
   {
     distribution.GhostLayers =

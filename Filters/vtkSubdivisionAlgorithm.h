@@ -289,6 +289,8 @@ protected:
   /// Whether the filter reads and writes vtkPolyData. Others read vtkUnstructuredGrid too, and
   /// write that.
   virtual bool IsOfSurfaces() const { return false; }
+  /// How many layers of the cells of others a rank needs around its own.
+  virtual int GetLayersOfCells() const { return 2; }
   /// Whether several ranks have partitions of one mesh.
   bool SharesRanks() const;
   /// Adds what a filter knows of a block of the input to `copy`, which is joined with other blocks.

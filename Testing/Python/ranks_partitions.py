@@ -25,9 +25,13 @@ SOLID = [("vtkMultiDimensionalSubdivision", {"NumberOfLevels": 2}),
                                              "GenerateClassification": 1, "DetectFeatures": 1})]
 SURFACE = [("vtkSurfaceSubdivision", {"Scheme": scheme, "NumberOfLevels": 2, "DetectFeatures": int(scheme == 0)})
            for scheme in range(7)]
+ADAPTIVE = [("vtkAdaptiveSurfaceSubdivision", dict({"RefineByAttributeError": 0, "MaximumLevel": 4}, **options))
+            for options in ({"RefineByGeometricError": 1, "GeometricTolerance": 0.003},
+                            {"RefineByCurvature": 1, "MaximumAngle": 20., "GenerateLimitNormals": 1})]
 FILES = ("hex_geos_box_hybrid.vtu", "mix_elmer_shell_on_solid.vtu", "nm_nastran_wingbox.vtu", "surf_bunny_3k.vtp",
          "poly_cow_mixed.vtp")
-PROXIES = {"vtkMultiDimensionalSubdivision": "MultidimensionalSubdivision", "vtkSurfaceSubdivision": "SurfaceSubdivision"}
+PROXIES = {"vtkMultiDimensionalSubdivision": "MultidimensionalSubdivision", "vtkSurfaceSubdivision": "SurfaceSubdivision",
+           "vtkAdaptiveSurfaceSubdivision": "AdaptiveSurfaceSubdivision"}
 
 
 def run_class(name, options, data, controller):
@@ -179,6 +183,8 @@ def check_files(checks):
         checks.cut(mesh, [(cls, dict(options, NumberOfLevels=1)) for cls, options in filters])
         if mesh.IsA("vtkUnstructuredGrid"):
             check_filters_in_a_row(checks, mesh, {})
+        else:
+            checks.cut(mesh, ADAPTIVE)
 
 
 def model(number):
@@ -197,7 +203,7 @@ def run():
         mesh = model(number)
         checks.cut(mesh, SOLID)
         check_filters_in_a_row(checks, mesh, {"DetectFeatures": 1, "VolumeScheme": number % 2})
-    checks.cut(skin_of(model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS)), SURFACE)
+    checks.cut(skin_of(model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS)), SURFACE + ADAPTIVE)
     check_files(checks)
     return checks.finish()
 

@@ -4,10 +4,12 @@
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeOutput.h"
 #include "Private/AdaptiveSurface/AdaptiveSurfaceMarks.h"
+#include "Private/AdaptiveSurface/SharedFaces.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Arrays/PointArrays.h"
+#include "Private/Control/FittingMarks.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Surface/SurfaceCellArrays.h"
 #include "Private/Surface/SurfaceChecks.h"
@@ -31,22 +33,27 @@ namespace subdivision
 namespace
 {
 
+constexpr const char* TooManyGiven = "The input has more than MaximumNumberOfCells cells: nothing "
+                                     "is refined. Raise MaximumNumberOfCells.";
+
 template <typename Id>
 class AdaptiveRun
 {
 public:
   AdaptiveRun(vtkPolyData* input, const SurfaceOptions& options, const RefinementOptions& criteria,
-    const SurfaceCells& cells, vtkPolyData* output)
+    const SurfaceCells& cells, Partners* others, vtkPolyData* output)
     : Input(input)
     , Options(options)
     , Wanted(criteria)
     , Cells(cells)
+    , Others(others)
     , Output(output)
     , Scheme(MakeSurfaceScheme<Id>(options.Scheme, options.ModifiedBoundary))
   {
     this->NoCentres.Simplices.NumberOfPoints = input->GetNumberOfPoints();
   }
 
+  /// `memoryIsLimit`: why there may not be more cells.
   bool Run(double mostCells, bool memoryIsLimit);
 
 private:
@@ -56,7 +63,11 @@ private:
   }
   void StartPoints();
   void ReadControl();
-  bool RunRounds(double mostCells, bool memoryIsLimit);
+  bool RunRounds(vtkIdType mostCells);
+  vtkIdType Split(const std::vector<AdaptiveMark<Id>>& marks, vtkIdType mostCells);
+  vtkIdType SplitTogether(const std::vector<AdaptiveMark<Id>>& marks, vtkIdType mostCells);
+  bool IsTooLarge(bool fits);
+  void WarnOfLeft(vtkIdType left, vtkIdType mostCells);
   void TellNotes(AdaptiveNotes& notes) const;
   std::vector<vtkIdType> FindSegmentCells() const;
   SurfaceLevel<Id> WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan);
@@ -66,6 +77,7 @@ private:
   const SurfaceOptions& Options;
   const RefinementOptions& Wanted;
   const SurfaceCells& Cells;
+  Partners* Others; ///< null: the input is the whole surface
   vtkPolyData* Output;
   std::shared_ptr<const SurfaceScheme<Id>> Scheme;
   SimplicesOfCells NoCentres;
@@ -74,6 +86,9 @@ private:
   SurfaceLevel<Id> Control;
   std::unique_ptr<AdaptiveSqrtThree<Id>> Mesh;
   std::unique_ptr<AdaptiveSqrtThreeRows<Id>> Rows;
+  std::unique_ptr<SharedFaces<Id>> Shared; ///< null: the input is the whole surface
+  vtkIdType NumberOfCells = 0;             ///< of all partitions, when IsTooLarge was called
+  bool MemoryIsLimit = false;
 };
 
 template <typename Id>
@@ -119,14 +134,21 @@ void AdaptiveRun<Id>::ReadControl()
   this->Mesh = std::make_unique<AdaptiveSqrtThree<Id>>(this->Control);
   this->Rows =
     std::make_unique<AdaptiveSqrtThreeRows<Id>>(*this->Mesh, this->Control, *this->Scheme);
+  if (this->Others)
+  {
+    this->Shared =
+      std::make_unique<SharedFaces<Id>>(this->Cells, this->Control, *this->Mesh, *this->Others);
+  }
 }
 
 template <typename Id>
 bool AdaptiveRun<Id>::Run(double mostCells, bool memoryIsLimit)
 {
+  this->MemoryIsLimit = memoryIsLimit;
   this->StartPoints();
   this->ReadControl();
-  if (this->IsStopped(0.1) || !this->RunRounds(mostCells, memoryIsLimit) || this->IsStopped(0.7))
+  if (this->IsStopped(0.1) || !this->RunRounds(static_cast<vtkIdType>(mostCells)) ||
+    this->IsStopped(0.7))
   {
     return false;
   }
@@ -160,14 +182,18 @@ std::vector<vtkIdType> AdaptiveRun<Id>::FindSegmentCells() const
 
 /// Returns false if Progress asks to stop.
 template <typename Id>
-bool AdaptiveRun<Id>::RunRounds(double mostCells, bool memoryIsLimit)
+bool AdaptiveRun<Id>::RunRounds(vtkIdType mostCells)
 {
+  if (this->Others && this->IsTooLarge(true))
+  {
+    this->Options.Warn(TooManyGiven);
+    return true;
+  }
   RefinementCriteria criteria(this->Wanted, this->Input, this->NoCentres);
   const std::vector<vtkIdType> segmentCells = this->FindSegmentCells();
-  AdaptiveSurfaceMarks<Id> finder(
-    *this->Mesh, *this->Rows, this->Wanted, criteria, this->Cells.FaceCells, segmentCells);
+  AdaptiveSurfaceMarks<Id> finder(*this->Mesh, *this->Rows, this->Wanted, criteria,
+    this->Cells.FaceCells, segmentCells, this->Shared ? &this->Shared->GetScope() : nullptr);
   AdaptiveNotes notes;
-  const auto most = static_cast<vtkIdType>(mostCells);
   vtkIdType left = 0;
   for (int round = 0; left == 0; ++round)
   {
@@ -176,34 +202,87 @@ bool AdaptiveRun<Id>::RunRounds(double mostCells, bool memoryIsLimit)
       return false;
     }
     std::vector<AdaptiveMark<Id>> marks = finder.Find(notes);
-    if (marks.empty())
+    const auto size = static_cast<vtkIdType>(marks.size());
+    if ((this->Others ? this->Others->Sum(size) : size) == 0)
     {
       break;
     }
     std::stable_sort(marks.begin(), marks.end(),
       [](const AdaptiveMark<Id>& a, const AdaptiveMark<Id>& b) { return a.Error > b.Error; });
-    for (const AdaptiveMark<Id>& mark : marks)
-    {
-      const bool isDone = left == 0 &&
-        (mark.Face < 0 ? this->Mesh->Cut(-1 - mark.Face, most)
-                       : this->Mesh->Split(mark.Face, most));
-      left += !isDone && (mark.Face < 0 || !this->Mesh->IsSplit(mark.Face)) ? 1 : 0;
-    }
+    left = this->Others ? this->SplitTogether(marks, mostCells) : this->Split(marks, mostCells);
   }
   if (left > 0)
   {
-    std::string what = std::to_string(left) +
-      " places that the criteria ask for were not refined. The filter leaves out those with the "
-      "smallest errors first, the worst ones last: the output would have more than " +
-      std::to_string(most + static_cast<vtkIdType>(this->Cells.Vertices.size())) + " cells, ";
-    what += memoryIsLimit ? "for which there is not enough memory. Use weaker criteria, a lower "
-                            "MaximumLevel, or a part of the input."
-                          : "which is MaximumNumberOfCells. Raise it, or use weaker criteria or a "
-                            "lower MaximumLevel.";
-    this->Options.Warn(what);
+    this->WarnOfLeft(left, mostCells);
   }
   this->TellNotes(notes);
   return true;
+}
+
+/// Does the splits of a round, and returns how many did not fit.
+template <typename Id>
+vtkIdType AdaptiveRun<Id>::Split(const std::vector<AdaptiveMark<Id>>& marks, vtkIdType mostCells)
+{
+  vtkIdType left = 0;
+  for (const AdaptiveMark<Id>& mark : marks)
+  {
+    const bool isDone = left == 0 &&
+      (mark.Face < 0 ? this->Mesh->Cut(-1 - mark.Face, mostCells)
+                     : this->Mesh->Split(mark.Face, mostCells));
+    left += !isDone && (mark.Face < 0 || !this->Mesh->IsSplit(mark.Face)) ? 1 : 0;
+  }
+  return left;
+}
+
+/// The same for all partitions. If not all fit, each does those with the largest errors.
+template <typename Id>
+vtkIdType AdaptiveRun<Id>::SplitTogether(
+  const std::vector<AdaptiveMark<Id>>& marks, vtkIdType mostCells)
+{
+  const AdaptiveSqrtThree<Id> before = *this->Mesh;
+  if (!this->IsTooLarge(this->Shared->Split(marks, marks.size(), mostCells)))
+  {
+    return 0;
+  }
+  this->MemoryIsLimit = this->NumberOfCells <= this->Options.MaximumNumberOfCells;
+  const auto fitsWith = [&](std::size_t count)
+  {
+    *this->Mesh = before;
+    this->Shared->Restart();
+    return !this->IsTooLarge(this->Shared->Split(marks, count, mostCells));
+  };
+  const std::size_t fits = FindFittingError(marks, *this->Others, fitsWith);
+  fitsWith(fits);
+  const auto left = std::count_if(marks.begin() + static_cast<std::ptrdiff_t>(fits), marks.end(),
+    [this](const AdaptiveMark<Id>& mark)
+    { return mark.Face < 0 || !this->Mesh->IsSplit(mark.Face); });
+  return std::max<vtkIdType>(1, this->Others->Sum(left));
+}
+
+/// Whether all partitions together have too many cells, or one does not have the memory.
+template <typename Id>
+bool AdaptiveRun<Id>::IsTooLarge(bool fits)
+{
+  this->NumberOfCells = this->Others->Sum(this->Shared->CountOwnCells());
+  return this->Others->Sum(fits ? 0 : 1) > 0 ||
+    this->NumberOfCells > this->Options.MaximumNumberOfCells;
+}
+
+template <typename Id>
+void AdaptiveRun<Id>::WarnOfLeft(vtkIdType left, vtkIdType mostCells)
+{
+  const vtkIdType most = this->Others
+    ? this->Options.MaximumNumberOfCells
+    : mostCells + static_cast<vtkIdType>(this->Cells.Vertices.size());
+  std::string what = std::to_string(left) +
+    " places that the criteria ask for were not refined. The filter leaves out those with the "
+    "smallest errors first, the worst ones last: the output would have more than " +
+    std::to_string(most) + " cells, ";
+  what += this->MemoryIsLimit
+    ? "for which there is not enough memory. Use weaker criteria, a lower MaximumLevel, or a part "
+      "of the input."
+    : "which is MaximumNumberOfCells. Raise it, or use weaker criteria or a lower MaximumLevel.";
+  this->Options.Warn(what);
 }
 
 template <typename Id>
@@ -330,17 +409,21 @@ void AdaptiveRun<Id>::WritePoints(
 
 /// How many cells the output may have: by the option, by what MaximumLevel can make of the input,
 /// and by the memory that there is.
+/// Of a partition, copies included: the option holds for all partitions together.
 double FindMostCells(vtkPolyData* input, const SurfaceCells& cells, const SurfaceOptions& options,
-  int maximumLevel, bool& memoryIsLimit)
+  int maximumLevel, bool isPartition, bool& memoryIsLimit)
 {
   // Connectivity and offset, faces of all levels, values and limits; a point for two cells.
-  const double perCell = 32. + 75. + 165. + GetBytesPerTuple(input->GetCellData()) +
+  // A partition keeps the faces of the round before.
+  const double perCell = 32. + (isPartition ? 2. : 1.) * 75. + 165. +
+    GetBytesPerTuple(input->GetCellData()) +
     (24. + 3. * GetBytesPerTuple(input->GetPointData())) / 2.;
   const double fitting = GetAvailableMemory() / perCell;
   const auto given = static_cast<double>(cells.FaceCells.size() + cells.SegmentCells.size());
-  const double wanted = std::min(
-    static_cast<double>(options.MaximumNumberOfCells) - static_cast<double>(cells.Vertices.size()),
-    given * std::pow(3., maximumLevel));
+  const double allowed =
+    static_cast<double>(options.MaximumNumberOfCells) - static_cast<double>(cells.Vertices.size());
+  const double possible = given * std::pow(3., maximumLevel);
+  const double wanted = isPartition ? possible : std::min(allowed, possible);
   memoryIsLimit = fitting < wanted;
   return std::min(fitting, wanted);
 }
@@ -350,6 +433,12 @@ double FindMostCells(vtkPolyData* input, const SurfaceCells& cells, const Surfac
 bool RefineSurface(vtkPolyData* input, const SurfaceOptions& options,
   const RefinementOptions& criteria, vtkPolyData* output)
 {
+  Partners* others = FindPartners(options, input);
+  RefinementOptions own = criteria;
+  if (others)
+  {
+    own.FindLargest = [others](std::vector<double>& values) { others->FindLargest(values); };
+  }
   vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(input->GetPointData()->GetGlobalIds());
   const bool hasIds = ids && ids->GetNumberOfTuples() == input->GetNumberOfPoints();
   const SurfaceCells cells = ReadSurfaceCells(input, true, hasIds ? ids->GetPointer(0) : nullptr);
@@ -360,7 +449,8 @@ bool RefineSurface(vtkPolyData* input, const SurfaceOptions& options,
   WarnOfUnused(input, *MakeSurfaceScheme<int>(options.Scheme, true), options);
   const auto given = static_cast<double>(cells.FaceCells.size() + cells.SegmentCells.size());
   bool memoryIsLimit = false;
-  const double most = FindMostCells(input, cells, options, criteria.MaximumLevel, memoryIsLimit);
+  const double most =
+    FindMostCells(input, cells, options, criteria.MaximumLevel, others != nullptr, memoryIsLimit);
   if (given > most && memoryIsLimit)
   {
     options.Fail("There is not enough memory for the " +
@@ -370,15 +460,14 @@ bool RefineSurface(vtkPolyData* input, const SurfaceOptions& options,
   }
   if (given > most)
   {
-    options.Warn("The input has more than MaximumNumberOfCells cells: nothing is refined. Raise "
-                 "MaximumNumberOfCells.");
+    options.Warn(TooManyGiven);
   }
   const double points = static_cast<double>(cells.NumberOfPoints);
   const bool isLarge =
     6. * (std::max(most, given) + points) > static_cast<double>(std::numeric_limits<int>::max());
   return isLarge
-    ? AdaptiveRun<long long>(input, options, criteria, cells, output).Run(most, memoryIsLimit)
-    : AdaptiveRun<int>(input, options, criteria, cells, output).Run(most, memoryIsLimit);
+    ? AdaptiveRun<long long>(input, options, own, cells, others, output).Run(most, memoryIsLimit)
+    : AdaptiveRun<int>(input, options, own, cells, others, output).Run(most, memoryIsLimit);
 }
 
 }

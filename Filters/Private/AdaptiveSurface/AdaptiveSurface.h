@@ -14,6 +14,9 @@ namespace subdivision
 
 constexpr const char* GenerationName = "Generation";
 
+/// The layers of control faces around its own that a partition needs (SharedFaces.h).
+constexpr int LayersOfAdaptiveSurface = 3;
+
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then
 /// empties the output.
 bool RefineSurface(vtkPolyData* input, const SurfaceOptions& options,

@@ -44,7 +44,7 @@ public:
   vtkIdType GetInputCell(vtkIdType i) const
   {
     return this->IsFaces ? this->Marks.FaceCells[this->Marks.Carriers[this->Get(i)].GetSmallest()]
-                         : this->Marks.SegmentCells[this->GetRoot(this->Get(i))];
+                         : this->Marks.SegmentCells[this->Marks.GetRoot(this->Get(i))];
   }
   int GetLevel(vtkIdType i) const
   {
@@ -55,15 +55,6 @@ public:
   int GetStep() const { return this->IsFaces ? 1 : 2; }
 
 private:
-  Id GetRoot(Id segment) const
-  {
-    while (this->Marks.Mesh.GetSegmentAt(segment).Parent >= 0)
-    {
-      segment = this->Marks.Mesh.GetSegmentAt(segment).Parent;
-    }
-    return segment;
-  }
-
   const AdaptiveSurfaceMarks& Marks;
   const bool IsFaces; ///< or segments
 };
@@ -72,12 +63,14 @@ template <typename Id>
 AdaptiveSurfaceMarks<Id>::AdaptiveSurfaceMarks(const AdaptiveSqrtThree<Id>& mesh,
   const AdaptiveSqrtThreeRows<Id>& rows, const RefinementOptions& options,
   RefinementCriteria& criteria, const std::vector<vtkIdType>& faceCells,
-  const std::vector<vtkIdType>& segmentCells)
+  const std::vector<vtkIdType>& segmentCells, const AdaptiveScope* scope)
   : Mesh(mesh)
   , Options(options)
   , Criteria(criteria)
   , FaceCells(faceCells)
   , SegmentCells(segmentCells)
+  , Scope(scope)
+  , Carriers(mesh)
 {
   for (ContinuedArray* array : criteria.GetPointArrays())
   {
@@ -93,22 +86,15 @@ AdaptiveSurfaceMarks<Id>::AdaptiveSurfaceMarks(const AdaptiveSqrtThree<Id>& mesh
 // ------------------------------------------------------------------------------------------------
 // What is new
 
+/// The control segment of which a segment is a part.
 template <typename Id>
-void AdaptiveSurfaceMarks<Id>::FindCarriers()
+Id AdaptiveSurfaceMarks<Id>::GetRoot(Id segment) const
 {
-  const vtkIdType given = this->Mesh.GetNumberOfControlFaces();
-  this->Carriers.resize(this->Mesh.GetNumberOfFaces());
-  for (const Id face : this->Faces)
+  while (this->Mesh.GetSegmentAt(segment).Parent >= 0)
   {
-    if (face < given)
-    {
-      this->Carriers[face] = { face, face };
-      continue;
-    }
-    const Id parent = this->Mesh.GetParent(face);
-    const Id corner = 3 * parent + (face - this->Mesh.GetChild(3 * parent));
-    this->Carriers[face] = CarryAdaptiveSqrtThree(this->Mesh, corner, this->Carriers);
+    segment = this->Mesh.GetSegmentAt(segment).Parent;
   }
+  return segment;
 }
 
 /// Adds the faces, vertices and segments that are new since the last call.
@@ -131,7 +117,7 @@ void AdaptiveSurfaceMarks<Id>::Update()
       return first != second ? second > first : b > a;
     });
   this->KnownFaces = static_cast<vtkIdType>(made.size());
-  this->FindCarriers();
+  this->Carriers.Continue();
   std::vector<Id> vertices;
   for (vtkIdType v = this->KnownVertices; v < this->Mesh.GetNumberOfVertices(); ++v)
   {
@@ -148,12 +134,20 @@ void AdaptiveSurfaceMarks<Id>::Update()
   {
     values.Add(vertices, this->Faces, this->KnownSegments);
   }
+  this->Faces.erase(std::remove_if(this->Faces.begin(), this->Faces.end(),
+                      [this](Id face) { return !this->IsInScope(face); }),
+    this->Faces.end());
   this->KnownVertices = this->Mesh.GetNumberOfVertices();
   this->Segments.clear();
   this->Open.clear();
   for (; this->KnownSegments < this->Mesh.GetNumberOfSegments(); ++this->KnownSegments)
   {
-    const auto& segment = this->Mesh.GetSegmentAt(static_cast<Id>(this->KnownSegments));
+    const Id at = static_cast<Id>(this->KnownSegments);
+    if (this->Scope && !this->Scope->Segments[this->GetRoot(at)])
+    {
+      continue;
+    }
+    const auto& segment = this->Mesh.GetSegmentAt(at);
     bool isOpen = false;
     for (Id i = 0; i < segment.NumberOfSides; ++i)
     {
@@ -161,7 +155,7 @@ void AdaptiveSurfaceMarks<Id>::Update()
     }
     if (isOpen || segment.NumberOfSides == 0)
     {
-      (isOpen ? this->Open : this->Segments).push_back(static_cast<Id>(this->KnownSegments));
+      (isOpen ? this->Open : this->Segments).push_back(at);
     }
   }
 }

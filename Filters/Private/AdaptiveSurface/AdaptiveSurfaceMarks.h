@@ -23,6 +23,13 @@ struct AdaptiveMark
   Id Face;      ///< -1 - segment
 };
 
+/// What a partition of a surface looks at: where its own faces and lines are.
+struct AdaptiveScope
+{
+  std::vector<char> Faces;    ///< 1 for each control face that is its own
+  std::vector<char> Segments; ///< and for each control segment at an own face or line
+};
+
 /// What was found that the user is told.
 struct AdaptiveNotes
 {
@@ -37,9 +44,11 @@ class AdaptiveSurfaceMarks
 {
 public:
   /// `faceCells`, `segmentCells`: the input cells of control faces and of segments without faces.
+  /// `scope`: null to look at everything.
   AdaptiveSurfaceMarks(const AdaptiveSqrtThree<Id>& mesh, const AdaptiveSqrtThreeRows<Id>& rows,
     const RefinementOptions& options, RefinementCriteria& criteria,
-    const std::vector<vtkIdType>& faceCells, const std::vector<vtkIdType>& segmentCells);
+    const std::vector<vtkIdType>& faceCells, const std::vector<vtkIdType>& segmentCells,
+    const AdaptiveScope* scope);
 
   /// The marks on faces and segments that are new since the last call.
   std::vector<AdaptiveMark<Id>> Find(AdaptiveNotes& notes);
@@ -61,7 +70,11 @@ private:
   };
 
   void Update();
-  void FindCarriers();
+  Id GetRoot(Id segment) const;
+  bool IsInScope(Id face) const
+  {
+    return !this->Scope || this->Scope->Faces[this->Carriers[face].GetSmallest()] != 0;
+  }
   double GetErrorAt(Id face, const double* place) const;
   double GetShapeError(Id corner, Scratch& scratch) const;
   double GetAttributeError(
@@ -82,12 +95,13 @@ private:
   RefinementCriteria& Criteria;
   const std::vector<vtkIdType>& FaceCells;
   const std::vector<vtkIdType>& SegmentCells;
+  const AdaptiveScope* Scope;
   std::vector<AdaptiveSurfaceValues<Id>> Arrays; ///< coordinates first
   int Attribute = -1;                            ///< which of them
-  std::vector<Carrier<Id>> Carriers;             ///< of each face, on the control mesh
-  std::vector<Id> Faces;                         ///< new faces
-  std::vector<Id> Segments;                      ///< new segments without faces
-  std::vector<Id> Open;                          ///< new segments of which a face is not there yet
+  AdaptiveSqrtThreeCarriers<Id> Carriers;
+  std::vector<Id> Faces;    ///< new faces
+  std::vector<Id> Segments; ///< new segments without faces
+  std::vector<Id> Open;     ///< new segments of which a face is not there yet
   vtkIdType KnownVertices = 0;
   vtkIdType KnownFaces = 0; ///< how many of GetNewFaces were read
   vtkIdType KnownSegments = 0;

@@ -6,6 +6,23 @@
 namespace subdivision
 {
 
+/// The origin of a new vertex: that of the earliest parent, and of parents of the same level the
+/// smallest. So it does not depend on the order of splits.
+template <typename Id>
+vtkIdType AdaptiveSurfaceValues<Id>::FindOrigin(Id vertex) const
+{
+  const Id source = this->Mesh.GetAdded(vertex).Source;
+  const Id* parents =
+    source >= 0 ? this->Mesh.GetVertices(source) : this->Mesh.GetSegmentAt(-1 - source).Ends;
+  const Id parent = *std::min_element(parents, parents + (source >= 0 ? 3 : 2),
+    [this](Id a, Id b)
+    {
+      const int levels[2] = { this->GetLevel(a), this->GetLevel(b) };
+      return levels[0] != levels[1] ? levels[0] < levels[1] : this->Origins[a] < this->Origins[b];
+    });
+  return this->Origins[parent];
+}
+
 /// Computes the first value and the limit of each new vertex from vertices of earlier levels. The
 /// array gets the limit.
 template <typename Id>
@@ -17,16 +34,13 @@ void AdaptiveSurfaceValues<Id>::AddVertices(const std::vector<Id>& vertices)
   double* limits = this->Array.Grow(size);
   if (!this->IsSmooth)
   {
-    for (const Id v : vertices) // in the order in which they came into being
+    this->Origins.resize(static_cast<std::size_t>(size));
+    for (const Id v : vertices) // level by level
     {
+      this->Origins[v] = v < given ? v : this->FindOrigin(v);
       if (v >= given)
       {
-        const Id source = this->Mesh.GetAdded(v).Source;
-        const Id* parents =
-          source >= 0 ? this->Mesh.GetVertices(source) : this->Mesh.GetSegmentAt(-1 - source).Ends;
-        const Id parent = *std::min_element(parents, parents + (source >= 0 ? 3 : 2));
-        std::copy_n(limits + static_cast<vtkIdType>(parent) * components, components,
-          limits + static_cast<vtkIdType>(v) * components);
+        std::copy_n(limits + this->Origins[v] * components, components, limits + v * components);
       }
     }
     return;
@@ -35,16 +49,16 @@ void AdaptiveSurfaceValues<Id>::AddVertices(const std::vector<Id>& vertices)
   const bool isFirst = !vertices.empty() && vertices[0] < given;
   std::vector<double> control(
     isFirst ? limits : nullptr, isFirst ? limits + given * components : nullptr);
-  auto getLevel = [&](Id v) { return v < given ? -1 : int(this->Mesh.GetAdded(v).Level); };
   for (std::size_t begin = 0; begin < vertices.size();)
   {
     std::size_t end = begin;
-    while (end < vertices.size() && getLevel(vertices[end]) == getLevel(vertices[begin]))
+    while (
+      end < vertices.size() && this->GetLevel(vertices[end]) == this->GetLevel(vertices[begin]))
     {
       ++end;
     }
     double* nodes = this->Nodes.data();
-    const double* from = getLevel(vertices[begin]) < 0 ? control.data() : nodes;
+    const double* from = this->GetLevel(vertices[begin]) < 0 ? control.data() : nodes;
     ForRanges(static_cast<vtkIdType>(end - begin),
       [&](vtkIdType first, vtkIdType last)
       {

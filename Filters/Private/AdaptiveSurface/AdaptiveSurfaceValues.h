@@ -91,7 +91,14 @@ private:
   void AddPosition(Id vertex, int level, double weight, double* sum) const;
   bool FindRegularThirds(Id corner, double* thirds) const;
   void FindMiddleOfThirds(Id begin, Id end, const double* thirds, double* middle) const;
+  int GetLevel(Id vertex) const
+  {
+    return vertex < this->Mesh.GetNumberOfControlVertices()
+      ? -1
+      : static_cast<int>(this->Mesh.GetAdded(vertex).Level);
+  }
   void AddVertices(const std::vector<Id>& vertices);
+  vtkIdType FindOrigin(Id vertex) const;
   void AddCentres(const std::vector<Id>& faces, vtkIdType firstSegment);
 
   const AdaptiveSqrtThree<Id>& Mesh;
@@ -100,7 +107,8 @@ private:
   int Components;
   bool IsSmooth;
   bool OfLimit;
-  std::vector<double> Nodes; ///< first value and limit of each vertex
+  std::vector<vtkIdType> Origins; ///< the control vertex whose value each vertex has, if not smooth
+  std::vector<double> Nodes;      ///< first value and limit of each vertex
   std::vector<double> Centres;
   std::vector<double> FirstCentres; ///< their first values
   std::vector<double> Thirds;       ///< two for each segment

@@ -121,6 +121,10 @@ public:
   /// All faces but those of the control mesh, in the order in which they were made.
   const std::vector<Id>& GetNewFaces() const { return this->NewFaces; }
 
+  /// The faces that were split, in the order of splits. Those that cut one segment come together.
+  vtkIdType GetNumberOfSplits() const { return static_cast<vtkIdType>(this->Parents.size()); }
+  Id GetSplit(vtkIdType i) const { return this->Parents[i]; }
+
   /// Whether a face comes before another of the same level in the order of the uniform mesh.
   bool IsBefore(Id face, Id other) const;
   /// Whether the child across an edge has its apexes exchanged (SqrtThreeTopology.h).
@@ -183,6 +187,48 @@ Carrier<Id> CarryAdaptiveSqrtThree(
     ? PartSqrtThree(carriers[face], corner % 3, isExchanged)
     : JoinSqrtThree(carriers[face], carriers[twin < 0 ? face : twin / 3], isExchanged);
 }
+
+/// The carriers of the faces of a mesh that grows.
+template <typename Id>
+class AdaptiveSqrtThreeCarriers
+{
+public:
+  explicit AdaptiveSqrtThreeCarriers(const AdaptiveSqrtThree<Id>& mesh)
+    : Mesh(mesh)
+  {
+  }
+  const Carrier<Id>& operator[](Id face) const { return this->Carriers[face]; }
+
+  /// Forgets them: the mesh is another one.
+  void Restart()
+  {
+    this->Carriers.clear();
+    this->Known = 0;
+  }
+  /// Continues to the faces that there are by now.
+  void Continue()
+  {
+    const AdaptiveSqrtThree<Id>& mesh = this->Mesh;
+    for (auto f = static_cast<Id>(this->Carriers.size()); f < mesh.GetNumberOfControlFaces(); ++f)
+    {
+      this->Carriers.push_back({ f, f });
+    }
+    this->Carriers.resize(mesh.GetNumberOfFaces());
+    const std::vector<Id>& made = mesh.GetNewFaces();
+    for (; this->Known < made.size(); ++this->Known)
+    {
+      const Id face = made[this->Known];
+      const Id parent = mesh.GetParent(face);
+      const Id corner = 3 * parent + (face - mesh.GetChild(3 * parent));
+      this->Carriers[face] = CarryAdaptiveSqrtThree(mesh, corner, this->Carriers);
+    }
+  }
+
+private:
+  const AdaptiveSqrtThree<Id>& Mesh;
+  std::vector<Carrier<Id>> Carriers;
+  std::size_t Known = 0; ///< how many of the new faces have theirs
+};
 
 }
 

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/AdaptiveSurface/SharedFaces.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace subdivision
+{
+
+template <typename Id>
+SharedFaces<Id>::SharedFaces(const SurfaceCells& cells, const SurfaceLevel<Id>& control,
+  AdaptiveSqrtThree<Id>& mesh, Partners& partners)
+  : Cells(cells)
+  , Mesh(mesh)
+  , Others(partners)
+  , OwnLines(mesh.GetNumberOfSegments(), 0)
+  , Carriers(mesh)
+{
+  for (std::size_t f = 0; f < cells.FaceCells.size(); ++f)
+  {
+    const vtkIdType cell = cells.FaceCells[f];
+    const bool isFirst = f == 0 || cell != cells.FaceCells[f - 1];
+    this->FirstOfCell.push_back(isFirst ? static_cast<Id>(f) : this->FirstOfCell.back());
+    this->FirstFaces.emplace(partners.GetCellIds()[cell], this->FirstOfCell.back());
+    this->Scope.Faces.push_back(partners.IsOwn(cell) ? 1 : 0);
+    this->OwnGiven += this->Scope.Faces.back();
+  }
+  for (const vtkIdType cell : cells.VertexCells)
+  {
+    this->OwnGiven += partners.IsOwn(cell) ? 1 : 0;
+  }
+  for (vtkIdType line = 0; line < control.Lines.size(); ++line)
+  {
+    const int own = partners.IsOwn(cells.SegmentCells[line]) ? 1 : 0;
+    this->OwnLines[mesh.GetSegmentOfEdge(control.Lines[line] / 2)] += own;
+    this->OwnGiven += own;
+  }
+  for (vtkIdType s = 0; s < mesh.GetNumberOfSegments(); ++s)
+  {
+    const auto& segment = mesh.GetSegmentAt(static_cast<Id>(s));
+    bool isAtOwn = this->OwnLines[s] > 0;
+    for (Id i = 0; i < segment.NumberOfSides; ++i)
+    {
+      isAtOwn = isAtOwn || this->IsOwn(mesh.GetSide(segment, i) / 3);
+    }
+    this->Scope.Segments.push_back(isAtOwn ? 1 : 0);
+  }
+  this->Restart();
+}
+
+template <typename Id>
+void SharedFaces<Id>::Restart()
+{
+  this->Carriers.Restart();
+  this->Carriers.Continue();
+  this->Known = this->Mesh.GetNumberOfSplits();
+  this->OwnSplits = 0;
+  for (vtkIdType i = 0; i < this->Known; ++i)
+  {
+    this->OwnSplits += this->IsOwn(this->Carriers[this->Mesh.GetSplit(i)].GetSmallest()) ? 1 : 0;
+  }
+}
+
+/// A split makes two more triangles, and so does the cut of a line.
+template <typename Id>
+vtkIdType SharedFaces<Id>::CountOwnCells() const
+{
+  vtkIdType count = this->OwnGiven + 2 * this->OwnSplits;
+  std::vector<int> lines = this->OwnLines;
+  for (auto s = static_cast<Id>(0); s < this->Mesh.GetNumberOfSegments(); ++s)
+  {
+    const auto& segment = this->Mesh.GetSegmentAt(s);
+    if (segment.Parent >= 0)
+    {
+      lines.push_back(lines[segment.Parent]);
+    }
+    count += segment.Children >= 0 ? 2 * lines[s] : 0;
+  }
+  return count;
+}
+
+// ------------------------------------------------------------------------------------------------
+// Messages
+
+/// Adds the partitions that have copies of the own control faces in which a face lies.
+template <typename Id>
+void SharedFaces<Id>::AddHolders(Id face, std::vector<int>& partitions) const
+{
+  const Carrier<Id>& carrier = this->Carriers[face];
+  for (const Id control : { carrier.First, carrier.Second })
+  {
+    if (this->IsOwn(control))
+    {
+      const auto& holders = this->Others.GetNeighbours(this->Cells.FaceCells[control]);
+      partitions.insert(partitions.end(), holders.begin(), holders.end());
+    }
+  }
+}
+
+template <typename Id>
+typename SharedFaces<Id>::Path SharedFaces<Id>::FindPath(Id face) const
+{
+  Path path{};
+  path.Level = this->Mesh.GetLevel(face);
+  for (int level = path.Level; level-- > 0;)
+  {
+    const Id parent = this->Mesh.GetParent(face);
+    const int child = static_cast<int>(face - this->Mesh.GetChild(3 * parent));
+    path.Children[level / 4] |= static_cast<unsigned char>(child << (2 * (level % 4)));
+    face = parent;
+  }
+  path.Cell = this->Others.GetCellIds()[this->Cells.FaceCells[face]];
+  path.Triangle = static_cast<std::int32_t>(face - this->FirstOfCell[face]);
+  return path;
+}
+
+/// The splits that no other partition was told of, for those that have copies of the faces.
+template <typename Id>
+Partners::Messages SharedFaces<Id>::TakeNew()
+{
+  this->Carriers.Continue();
+  Partners::Messages messages;
+  std::vector<int> to;
+  for (; this->Known < this->Mesh.GetNumberOfSplits(); ++this->Known)
+  {
+    const Id face = this->Mesh.GetSplit(this->Known);
+    this->OwnSplits += this->IsOwn(this->Carriers[face].GetSmallest()) ? 1 : 0;
+    to.clear();
+    this->AddHolders(face, to);
+    for (Id corner = 3 * face; corner < 3 * face + 3; ++corner)
+    {
+      // An own face marks those beside it too.
+      if (this->Mesh.GetTwin(corner) >= 0)
+      {
+        this->AddHolders(this->Mesh.GetTwin(corner) / 3, to);
+      }
+    }
+    std::sort(to.begin(), to.end());
+    to.erase(std::unique(to.begin(), to.end()), to.end());
+    if (to.empty())
+    {
+      continue;
+    }
+    const Path path = this->FindPath(face);
+    for (const int partition : to)
+    {
+      std::vector<char>& message = messages[partition];
+      const char* bytes = reinterpret_cast<const char*>(&path);
+      message.insert(message.end(), bytes, bytes + sizeof(Path));
+    }
+  }
+  return messages;
+}
+
+template <typename Id>
+bool SharedFaces<Id>::Receive(const Partners::Messages& messages, vtkIdType mostCells)
+{
+  for (const auto& [from, message] : messages)
+  {
+    for (std::size_t i = 0; i + sizeof(Path) <= message.size(); i += sizeof(Path))
+    {
+      Path path;
+      std::memcpy(static_cast<void*>(&path), message.data() + i, sizeof(Path));
+      if (!this->SplitAt(path, mostCells))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Splits the face of a path, and before it those on the way. A child between two faces is there
+/// when the second one is split, too.
+template <typename Id>
+bool SharedFaces<Id>::SplitAt(const Path& path, vtkIdType mostCells)
+{
+  const auto found = this->FirstFaces.find(path.Cell);
+  if (found == this->FirstFaces.end())
+  {
+    return true;
+  }
+  Id face = found->second + static_cast<Id>(path.Triangle);
+  for (int level = 0; level < path.Level; ++level)
+  {
+    const int child = path.Children[level / 4] >> (2 * (level % 4)) & 3;
+    const Id corner = 3 * face + static_cast<Id>(child);
+    if (!this->Mesh.Split(face, mostCells) ||
+      (!this->Mesh.IsThere(this->Mesh.GetChild(corner)) &&
+        !this->Mesh.Split(this->Mesh.GetTwin(corner) / 3, mostCells)))
+    {
+      return false;
+    }
+    face = this->Mesh.GetChild(corner);
+  }
+  return this->Mesh.Split(face, mostCells);
+}
+
+template <typename Id>
+bool SharedFaces<Id>::Split(
+  const std::vector<AdaptiveMark<Id>>& marks, std::size_t count, vtkIdType mostCells)
+{
+  bool fits = true;
+  for (std::size_t i = 0; i < count && fits; ++i)
+  {
+    const Id face = marks[i].Face;
+    fits = face < 0 ? this->Mesh.Cut(-1 - face, mostCells) : this->Mesh.Split(face, mostCells);
+  }
+  for (;;)
+  {
+    Partners::Messages messages = this->TakeNew();
+    if (!this->Others.Send(messages))
+    {
+      return fits;
+    }
+    fits = fits && this->Receive(messages, mostCells);
+  }
+}
+
+template class SharedFaces<int>;
+template class SharedFaces<long long>;
+
+}
