@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Operators/BlockOperator.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Operators/ForBlocks.h"
 
 namespace subdivision
@@ -50,7 +51,6 @@ SparseRows<Id> BlockOperator<Id>::Store() const
   return rows;
 }
 
-template class BlockOperator<int>;
-template class BlockOperator<long long>;
+SUBDIVISION_COMPILE(class BlockOperator);
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Operators/SparseRows.h"
 
+#include "Core/Memory/Ids.h"
+
 #include <unordered_map>
 #include <vector>
 
@@ -110,9 +112,7 @@ SparseRows<Id> Multiply(const SparseRows<Id>& outer, const SparseRows<Id>& inner
   return product;
 }
 
-template struct SparseRows<int>;
-template struct SparseRows<long long>;
-template SparseRows<int> Multiply(const SparseRows<int>&, const SparseRows<int>&);
-template SparseRows<long long> Multiply(const SparseRows<long long>&, const SparseRows<long long>&);
+SUBDIVISION_COMPILE(struct SparseRows);
+SUBDIVISION_COMPILE_FUNCTION(Multiply);
 
 }

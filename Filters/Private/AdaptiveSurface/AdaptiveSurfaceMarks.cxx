@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/AdaptiveSurface/AdaptiveSurfaceMarks.h"
 
+#include "Core/Memory/Ids.h"
+
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -514,7 +516,6 @@ void AdaptiveSurfaceMarks<Id>::AddWithoutValue(const Row<Id>& points, AdaptiveNo
   }
 }
 
-template class AdaptiveSurfaceMarks<int>;
-template class AdaptiveSurfaceMarks<long long>;
+SUBDIVISION_COMPILE(class AdaptiveSurfaceMarks);
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/AdaptiveSurface/AdaptiveSurfaceValues.h"
 
+#include "Core/Memory/Ids.h"
+
 #include <algorithm>
 
 namespace subdivision
@@ -249,7 +251,6 @@ bool AdaptiveSurfaceValues<Id>::FindMiddle(Id corner, double* middle) const
   return true;
 }
 
-template class AdaptiveSurfaceValues<int>;
-template class AdaptiveSurfaceValues<long long>;
+SUBDIVISION_COMPILE(class AdaptiveSurfaceValues);
 
 }

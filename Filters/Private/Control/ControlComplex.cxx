@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/ControlComplex.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 
 #include <algorithm>
@@ -289,11 +290,10 @@ SemiSharpStages<typename Scheme::Id> BuildSharpStages(
   return stages;
 }
 
+SUBDIVISION_COMPILE_FUNCTION(CollectSingular);
 #define SUBDIVISION_CONTROL(Id)                                                                    \
   template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const Coordinates&, \
-    const WarnFunction&, Depth, ControlComplex<Id>&);                                              \
-  template SingularSimplices CollectSingular(                                                      \
-    const SimplicialComplex<Id>&, const ControlTraits&, const std::vector<unsigned char>&)
+    const WarnFunction&, Depth, ControlComplex<Id>&)
 SUBDIVISION_CONTROL(int);
 SUBDIVISION_CONTROL(long long);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/Features.h"
 
+#include "Core/Memory/Ids.h"
+
 #include "vtkVariant.h"
 
 #include <algorithm>
@@ -370,18 +372,9 @@ EdgeSharpness FindEdgeSharpness(const FeatureValues& values, const SimplicialCom
   return sharpness;
 }
 
-#define SUBDIVISION_FEATURES(Id)                                                                   \
-  template void WarnOfContradictions(const FeatureOptions&, const FeatureValues&,                  \
-    const SimplicesOfCells&, const SimplicialComplex<Id>&, const std::vector<CellRun>&,            \
-    const std::function<void(const std::string&)>&);                                               \
-  template EdgeSharpness FindEdgeSharpness(                                                        \
-    const FeatureValues&, const SimplicialComplex<Id>&, const std::vector<CellRun>&)
-SUBDIVISION_FEATURES(int);
-SUBDIVISION_FEATURES(long long);
+SUBDIVISION_COMPILE_FUNCTION(WarnOfContradictions);
+SUBDIVISION_COMPILE_FUNCTION(FindEdgeSharpness);
 
-template StrataOptions MakeStrataOptions(const FeatureOptions&, const FeatureValues&,
-  const SimplicialComplex<int>&, const std::vector<CellRun>&);
-template StrataOptions MakeStrataOptions(const FeatureOptions&, const FeatureValues&,
-  const SimplicialComplex<long long>&, const std::vector<CellRun>&);
+SUBDIVISION_COMPILE_FUNCTION(MakeStrataOptions);
 
 }

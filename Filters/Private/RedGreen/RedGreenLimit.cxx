@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/RedGreen/RedGreenLimit.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/BoxSpline/BoxSplineScheme.h"
 
 #include <algorithm>
@@ -469,8 +470,7 @@ void RedGreenLimit<Id>::Measure(
 #define SUBDIVISION_ERRORS(Id, Cells)                                                              \
   template void RedGreenLimit<Id>::FindErrors(const RedGreen<Id>&, const Cells<Id>&, int,          \
     const RefinementOptions&, const RefinementCriteria&)
-template class RedGreenLimit<int>;
-template class RedGreenLimit<long long>;
+SUBDIVISION_COMPILE(class RedGreenLimit);
 SUBDIVISION_ERRORS(int, InputCandidates);
 SUBDIVISION_ERRORS(int, ChangedCandidates);
 SUBDIVISION_ERRORS(long long, InputCandidates);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/RedGreen/RedGreenMesh.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/Complex/Simplices.h"
 #include "Private/Arrays/Arrays.h"
 
@@ -319,9 +320,6 @@ void WriteRedGreenFields(const RedGreenMesh& mesh, const RedGreenOutput<Id>& pla
   WriteStampedIds(ids, output);
 }
 
-template void WriteRedGreenFields(
-  const RedGreenMesh&, const RedGreenOutput<int>&, bool, vtkUnstructuredGrid*);
-template void WriteRedGreenFields(
-  const RedGreenMesh&, const RedGreenOutput<long long>&, bool, vtkUnstructuredGrid*);
+SUBDIVISION_COMPILE_FUNCTION(WriteRedGreenFields);
 
 }

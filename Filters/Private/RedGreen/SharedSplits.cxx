@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/RedGreen/SharedSplits.h"
 
+#include "Core/Memory/Ids.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -210,7 +212,6 @@ void SharedSplits<Id>::Close(RedGreen<Id>& state)
   state.Close();
 }
 
-template class SharedSplits<int>;
-template class SharedSplits<long long>;
+SUBDIVISION_COMPILE(class SharedSplits);
 
 }

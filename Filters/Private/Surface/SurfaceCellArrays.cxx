@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceCellArrays.h"
 
+#include "Core/Memory/Ids.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 
@@ -284,9 +285,6 @@ void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
   }
 }
 
-template void CopySurfaceCellArrays(vtkPolyData*, const SurfaceCells&, const SurfaceSteps<int>&,
-  int, bool, const RunOptions&, CarriedCells&, vtkPolyData*);
-template void CopySurfaceCellArrays(vtkPolyData*, const SurfaceCells&,
-  const SurfaceSteps<long long>&, int, bool, const RunOptions&, CarriedCells&, vtkPolyData*);
+SUBDIVISION_COMPILE_FUNCTION(CopySurfaceCellArrays);
 
 }

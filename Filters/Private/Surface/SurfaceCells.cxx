@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceCells.h"
 
+#include "Core/Memory/Ids.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellsToSimplices.h"
@@ -280,8 +281,7 @@ void WriteSurfaceCells(const SurfaceLevel<Id>& level, const std::vector<vtkIdTyp
     output);
 }
 
-template SurfaceLevel<int> MakeControlLevel(const SurfaceCells&);
-template SurfaceLevel<long long> MakeControlLevel(const SurfaceCells&);
+SUBDIVISION_COMPILE_FUNCTION(MakeControlLevel);
 template void WriteSurfaceCells(
   const SurfaceLevel<int>&, const std::vector<vtkIdType>&, bool, vtkPolyData*);
 template void WriteSurfaceCells(

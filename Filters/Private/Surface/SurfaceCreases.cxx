@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceCreases.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 #include "Private/Arrays/Arrays.h"
@@ -271,18 +272,11 @@ std::vector<double> ReadPointValues(vtkDataArray* array, vtkIdType points, doubl
   return values;
 }
 
-#define SUBDIVISION_CREASES(Id)                                                                    \
-  template void WriteSharpCorners(                                                                 \
-    const PolygonMesh<Id>&, const SurfaceCreases&, const double*, SurfaceStamp&);                  \
-  template void ReadSharpCorners(const SurfaceStamp&, const PolygonMesh<Id>&, SurfaceFeatures&);   \
-  template SurfaceCreases ReadSurfaceCreases(                                                      \
-    const FeatureOptions&, const SurfaceCells&, const SurfaceLevel<Id>&);                          \
-  template std::vector<vtkIdType> FindFeatureEdges(                                                \
-    const PolygonMesh<Id>&, const Coordinates&, double);                                           \
-  template void AddSharpEdges(                                                                     \
-    const PolygonMesh<Id>&, const std::vector<vtkIdType>&, SurfaceFeatures&);                      \
-  template std::vector<vtkIdType> ListSharpEdges(const PolygonMesh<Id>&, const SurfaceFeatures&)
-SUBDIVISION_CREASES(int);
-SUBDIVISION_CREASES(long long);
+SUBDIVISION_COMPILE_FUNCTION(WriteSharpCorners);
+SUBDIVISION_COMPILE_FUNCTION(ReadSharpCorners);
+SUBDIVISION_COMPILE_FUNCTION(ReadSurfaceCreases);
+SUBDIVISION_COMPILE_FUNCTION(FindFeatureEdges);
+SUBDIVISION_COMPILE_FUNCTION(AddSharpEdges);
+SUBDIVISION_COMPILE_FUNCTION(ListSharpEdges);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceFrames.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Private/Arrays/Arrays.h"
 
@@ -144,11 +145,7 @@ TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, vtkDataArray* poin
   return tangents;
 }
 
-template void AddShadingCells(
-  const SurfaceLevel<int>&, const Buffer<unsigned char>&, ShadingNormals&);
-template void AddShadingCells(
-  const SurfaceLevel<long long>&, const Buffer<unsigned char>&, ShadingNormals&);
-template TangentPairs FindLimitTangents(const SurfaceSteps<int>&, vtkDataArray*);
-template TangentPairs FindLimitTangents(const SurfaceSteps<long long>&, vtkDataArray*);
+SUBDIVISION_COMPILE_FUNCTION(AddShadingCells);
+SUBDIVISION_COMPILE_FUNCTION(FindLimitTangents);
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceSeams.h"
 
+#include "Core/Memory/Ids.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -124,12 +126,7 @@ Buffer<vtkIdType> FindJoinedVertices(
   return vertices;
 }
 
-#define SUBDIVISION_SEAMS(Id)                                                                      \
-  template void AddSeamCorners(                                                                    \
-    const PolygonMesh<Id>&, const JoinedSurface&, const SurfaceTags<Id>&, SurfaceFeatures&);       \
-  template Buffer<vtkIdType> FindJoinedVertices(                                                   \
-    const SurfaceSteps<Id>&, const SurfaceSteps<Id>&, vtkIdType)
-SUBDIVISION_SEAMS(int);
-SUBDIVISION_SEAMS(long long);
+SUBDIVISION_COMPILE_FUNCTION(AddSeamCorners);
+SUBDIVISION_COMPILE_FUNCTION(FindJoinedVertices);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Uniform/LimitOperators.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 
 namespace subdivision
@@ -44,12 +45,11 @@ void LimitOperators<Id>::Apply(PointArrays& arrays, const std::vector<vtkIdType>
   arrays.Project(this->Rows);
 }
 
-template struct LimitOperators<int>;
-template struct LimitOperators<long long>;
+SUBDIVISION_COMPILE(struct LimitOperators);
 
-#define SUBDIVISION_LIMIT(Scheme)                                                                  \
+#define SUBDIVISION_LIMIT_OPERATORS(Scheme)                                                        \
   template LimitOperators<Scheme::Id>::LimitOperators(                                             \
     const Scheme::Level&, const SemiSharpStages<Scheme::Id>&, const ControlSolids&, bool, bool)
-SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_LIMIT);
+SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_LIMIT_OPERATORS);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Uniform/UniformCells.h"
 
+#include "Core/Memory/Ids.h"
 #include "Private/Arrays/Arrays.h"
 
 #include "vtkNew.h"
@@ -223,14 +224,10 @@ SimplexTuples GatherTuples(
   return gathered;
 }
 
-template SimplexTuples GatherTuples(
-  const SimplicialComplex<int>&, const std::vector<CellRun>&, int, int);
-template SimplexTuples GatherTuples(
-  const SimplicialComplex<long long>&, const std::vector<CellRun>&, int, long long);
-
-#define SUBDIVISION_CELLS(Scheme)                                                                  \
+SUBDIVISION_COMPILE_FUNCTION(GatherTuples);
+#define SUBDIVISION_MAKE_CHILDREN(Scheme)                                                          \
   template UniformCells MakeChildren<Scheme>(                                                      \
     const Scheme::Level&, const std::vector<CellRun>&, int, vtkDataArray*, bool)
-SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_CELLS);
+SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_MAKE_CHILDREN);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/BoxSpline/RefinedCells.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/BoxSpline/BoxSplineSplit.h"
 #include "Core/Solids/Scheme/EqualSimplices.h"
 
@@ -297,21 +298,9 @@ bool HasCells(
   return std::equal(connectivity.begin(), connectivity.end(), cells.Connectivity.begin());
 }
 
-template bool HasCells(
-  const SimplicialComplex<int>&, const std::vector<CellRun>&, const SimplexList&);
-template bool HasCells(
-  const SimplicialComplex<long long>&, const std::vector<CellRun>&, const SimplexList&);
-
-#define SUBDIVISION_WRITE(Id, Out)                                                                 \
-  template void WriteCells(                                                                        \
-    const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&);           \
-  template void WriteChildren(                                                                     \
-    const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&, int);      \
-  template void WriteGrandchildren(                                                                \
-    const SimplicialComplex<Id>&, const std::vector<CellRun>&, const CellStorage<Out>&, int, Id)
-SUBDIVISION_WRITE(int, int);
-SUBDIVISION_WRITE(int, long long);
-SUBDIVISION_WRITE(long long, int);
-SUBDIVISION_WRITE(long long, long long);
+SUBDIVISION_COMPILE_FUNCTION(HasCells);
+SUBDIVISION_COMPILE_WRITER(WriteCells);
+SUBDIVISION_COMPILE_WRITER(WriteChildren);
+SUBDIVISION_COMPILE_WRITER(WriteGrandchildren);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/BoxSpline/Refinement.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/BoxSpline/BoxSplineSplit.h"
 #include "Core/Solids/Scheme/ChildRowsMaker.h"
 #include "Core/Solids/Scheme/Refiner.h"
@@ -21,7 +22,6 @@ std::vector<IdSegment> ListBoxSplineVertices(int steps)
 
 template class ChildRows<BoxSplineSplit<int>>;
 template class ChildRows<BoxSplineSplit<long long>>;
-template Level<int> Refine(const Level<int>&, Depth);
-template Level<long long> Refine(const Level<long long>&, Depth);
+SUBDIVISION_COMPILE_FUNCTION(Refine);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Complex/Links.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/Complex/Simplices.h"
 
 #include <algorithm>
@@ -310,7 +311,6 @@ Place Links<Id>::PlaceVertexInSolid(Id vertex, const Buffer<Place>& edgePlaces) 
   return interior ? Place::Interior : Place::Boundary;
 }
 
-template class Links<int>;
-template class Links<long long>;
+SUBDIVISION_COMPILE(class Links);
 
 }

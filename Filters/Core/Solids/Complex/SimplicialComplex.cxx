@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Complex/SimplicialComplex.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Memory/TupleIndex.h"
 #include "Core/Solids/Complex/Simplices.h"
 
@@ -302,11 +303,7 @@ Buffer<unsigned char> FindManifoldDimensions(
   return dimensions;
 }
 
-template Buffer<unsigned char> FindManifoldDimensions(
-  const SimplicialComplex<int>&, const std::vector<CellRun>&);
-template Buffer<unsigned char> FindManifoldDimensions(
-  const SimplicialComplex<long long>&, const std::vector<CellRun>&);
-template SimplicialComplex<int> BuildComplex(const SimplexList&, std::vector<CellRun>&);
-template SimplicialComplex<long long> BuildComplex(const SimplexList&, std::vector<CellRun>&);
+SUBDIVISION_COMPILE_FUNCTION(FindManifoldDimensions);
+SUBDIVISION_COMPILE_FUNCTION(BuildComplex);
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Normals from the tangents of LimitNormals.h.
 #include "Core/Operators/TangentErrors.h"
+
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/Limits/LimitNormals.h"
 
 #include <algorithm>
@@ -90,9 +92,6 @@ void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& p
   tangents.Shading.Fill(shading);
 }
 
-template void ComputeLimitNormals(
-  const LimitTangents<int>&, const Coordinates&, const std::vector<vtkIdType>&, double*);
-template void ComputeLimitNormals(
-  const LimitTangents<long long>&, const Coordinates&, const std::vector<vtkIdType>&, double*);
+SUBDIVISION_COMPILE_FUNCTION(ComputeLimitNormals);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Limits/LocalLimit.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Operators/ForBlocks.h"
 #include "Core/Solids/BoxSpline/BoxSplineSplit.h"
 #include "Core/Solids/BoxSpline/Refinement.h"
@@ -552,7 +553,6 @@ vtkIdType LocalLimit<Id>::GetNumberOfSupportValues() const
   return values;
 }
 
-template class LocalLimit<int>;
-template class LocalLimit<long long>;
+SUBDIVISION_COMPILE(class LocalLimit);
 
 }

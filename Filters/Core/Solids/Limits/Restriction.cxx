@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Limits/Restriction.h"
 
+#include "Core/Memory/Ids.h"
+
 namespace subdivision
 {
 namespace
@@ -212,7 +214,6 @@ SemiSharpStages<Id> Restriction<Id>::Restrict(const SemiSharpStages<Id>& creases
   return part;
 }
 
-template class Restriction<int>;
-template class Restriction<long long>;
+SUBDIVISION_COMPILE(class Restriction);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/RedGreen/RedGreen.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/RedGreen/RedGreenTables.h"
 
 #include <stdexcept>
@@ -485,7 +486,6 @@ bool RedGreen<Id>::Close()
   return std::exchange(this->HasSplit, false);
 }
 
-template class RedGreen<int>;
-template class RedGreen<long long>;
+SUBDIVISION_COMPILE(class RedGreen);
 
 }

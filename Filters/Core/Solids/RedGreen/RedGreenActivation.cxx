@@ -5,6 +5,7 @@
  */
 #include "Core/Solids/RedGreen/RedGreen.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/RedGreen/RedGreenTables.h"
 
 namespace subdivision
@@ -333,7 +334,6 @@ void RedGreen<Id>::BuildIncidence()
   }
 }
 
-template class RedGreen<int>;
-template class RedGreen<long long>;
+SUBDIVISION_COMPILE(class RedGreen);
 
 }

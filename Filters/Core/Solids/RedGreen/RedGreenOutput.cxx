@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/RedGreen/RedGreenOutput.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Operators/ForBlocks.h"
 #include "Core/Solids/RedGreen/RedGreenTables.h"
 
@@ -366,12 +367,12 @@ MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
   return result;
 }
 
+SUBDIVISION_COMPILE(class RedGreenOutput);
+SUBDIVISION_COMPILE(struct MidpointRows);
+SUBDIVISION_COMPILE_FUNCTION(MakeMidpointRows);
 #define SUBDIVISION_RED_GREEN_OUTPUT(Id)                                                           \
-  template class RedGreenOutput<Id>;                                                               \
   template void RedGreenOutput<Id>::Write(const RedGreenStorage<int>&) const;                      \
-  template void RedGreenOutput<Id>::Write(const RedGreenStorage<long long>&) const;                \
-  template struct MidpointRows<Id>;                                                                \
-  template MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>&)
+  template void RedGreenOutput<Id>::Write(const RedGreenStorage<long long>&) const
 SUBDIVISION_RED_GREEN_OUTPUT(int);
 SUBDIVISION_RED_GREEN_OUTPUT(long long);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/RedGreen/RedGreen.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/RedGreen/RedGreenTables.h"
 
 namespace subdivision
@@ -165,7 +166,6 @@ std::size_t RedGreen<Id>::GetMemorySize() const
     this->KnownMidpoints.size() * 4 * sizeof(Id);
 }
 
-template class RedGreen<int>;
-template class RedGreen<long long>;
+SUBDIVISION_COMPILE(class RedGreen);
 
 }

@@ -5,6 +5,7 @@
  */
 #include "Core/Solids/RedGreen/RedGreen.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/RedGreen/RedGreenTables.h"
 
 namespace subdivision
@@ -77,7 +78,6 @@ bool RedGreen<Id>::SplitEdge(Id end0, Id end1)
   return isThere;
 }
 
-template class RedGreen<int>;
-template class RedGreen<long long>;
+SUBDIVISION_COMPILE(class RedGreen);
 
 }

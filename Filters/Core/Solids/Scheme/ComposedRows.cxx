@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Scheme/ComposedRows.h"
 
+#include "Core/Memory/Ids.h"
+
 namespace subdivision
 {
 
@@ -52,7 +54,6 @@ SparseRows<int> Compose(const SparseRows<int>& rows, const Stencils<Id>& step)
   return Multiply(rows, inner);
 }
 
-template SparseRows<int> Compose(const SparseRows<int>&, const Stencils<int>&);
-template SparseRows<int> Compose(const SparseRows<int>&, const Stencils<long long>&);
+SUBDIVISION_COMPILE_FUNCTION(Compose);
 
 }

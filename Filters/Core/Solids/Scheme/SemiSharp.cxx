@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Scheme/SemiSharp.h"
 
+#include "Core/Memory/Ids.h"
+
 #include <algorithm>
 
 namespace subdivision
@@ -72,8 +74,6 @@ void BlendSemiSharp(const EdgeSharpness& sharpness, int steps, int depth, const 
   smooth.Explicit = std::move(rows);
 }
 
-template void BlendSemiSharp(const EdgeSharpness&, int, int, const Stencils<int>&, Stencils<int>&);
-template void BlendSemiSharp(
-  const EdgeSharpness&, int, int, const Stencils<long long>&, Stencils<long long>&);
+SUBDIVISION_COMPILE_FUNCTION(BlendSemiSharp);
 
 }

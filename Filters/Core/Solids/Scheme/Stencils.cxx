@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Scheme/Stencils.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Operators/ForBlocks.h"
 
 #include <numeric>
@@ -170,9 +171,7 @@ void Stencils<Id>::AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& row
   AppendWeighted(this->GetStored().Get(kind, i, i + 1), 0, factor, rows);
 }
 
-template class LevelRows<int>;
-template class LevelRows<long long>;
-template struct Stencils<int>;
-template struct Stencils<long long>;
+SUBDIVISION_COMPILE(class LevelRows);
+SUBDIVISION_COMPILE(struct Stencils);
 
 }

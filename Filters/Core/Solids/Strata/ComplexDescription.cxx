@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Strata/ComplexDescription.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Memory/TupleIndex.h"
 #include "Core/Solids/Complex/Links.h"
 
@@ -209,9 +210,6 @@ ComplexDescription<Id> DescribeComplex(
   return description;
 }
 
-template ComplexDescription<int> DescribeComplex(
-  const SimplicialComplex<int>&, const Strata<int>&, const SingularSimplices&);
-template ComplexDescription<long long> DescribeComplex(
-  const SimplicialComplex<long long>&, const Strata<long long>&, const SingularSimplices&);
+SUBDIVISION_COMPILE_FUNCTION(DescribeComplex);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Strata/Singularities.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/Complex/Links.h"
 #include "Core/Solids/Complex/Simplices.h"
 
@@ -284,17 +285,10 @@ void FlagSimplices(const SimplicialComplex<Id>& complex, const std::vector<CellR
   }
 }
 
-#define SUBDIVISION_SINGULARITIES(Id)                                                              \
-  template Buffer<vtkIdType> FindSimplicesOf(                                                      \
-    const SimplicialComplex<Id>&, const std::vector<CellRun>&, int);                               \
-  template void DeriveEmbedded(                                                                    \
-    const SimplicialComplex<Id>&, const std::vector<CellRun>&, bool, SimplexTuples&);              \
-  template void DeriveInterfaces(                                                                  \
-    const SimplicialComplex<Id>&, const std::vector<CellRun>&, const double*, SimplexTuples&);     \
-  template std::vector<FeatureCandidate> FindFeatureCandidates(const SimplicialComplex<Id>&);      \
-  template void FlagSimplices(const SimplicialComplex<Id>&, const std::vector<CellRun>&,           \
-    const unsigned char*, SingularSimplices&)
-SUBDIVISION_SINGULARITIES(int);
-SUBDIVISION_SINGULARITIES(long long);
+SUBDIVISION_COMPILE_FUNCTION(FindSimplicesOf);
+SUBDIVISION_COMPILE_FUNCTION(DeriveEmbedded);
+SUBDIVISION_COMPILE_FUNCTION(DeriveInterfaces);
+SUBDIVISION_COMPILE_FUNCTION(FindFeatureCandidates);
+SUBDIVISION_COMPILE_FUNCTION(FlagSimplices);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Strata/Strata.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/Strata/StrataBuilder.h"
 
 #include <algorithm>
@@ -246,8 +247,7 @@ Strata<Id> StrataBuilder<Id>::Build()
   return strata;
 }
 
-template class StrataBuilder<int>;
-template class StrataBuilder<long long>;
+SUBDIVISION_COMPILE(class StrataBuilder);
 
 template <typename Id>
 Strata<Id> BuildStrata(const SimplicialComplex<Id>& complex, const SingularSimplices& singular,
@@ -256,9 +256,6 @@ Strata<Id> BuildStrata(const SimplicialComplex<Id>& complex, const SingularSimpl
   return StrataBuilder<Id>(complex, singular, options).Build();
 }
 
-template Strata<int> BuildStrata(
-  const SimplicialComplex<int>&, const SingularSimplices&, const StrataOptions&);
-template Strata<long long> BuildStrata(
-  const SimplicialComplex<long long>&, const SingularSimplices&, const StrataOptions&);
+SUBDIVISION_COMPILE_FUNCTION(BuildStrata);
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Decides the rules and rings of edges (Mathematics 4, 6).
 #include "Core/Solids/Complex/Simplices.h"
+
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/Strata/StrataBuilder.h"
 
 #include <limits>
@@ -173,7 +175,6 @@ int StrataBuilder<Id>::FindPartAtEdge(Id edge) const
   return best == std::numeric_limits<int>::max() ? -1 : best;
 }
 
-template class StrataBuilder<int>;
-template class StrataBuilder<long long>;
+SUBDIVISION_COMPILE(class StrataBuilder);
 
 }

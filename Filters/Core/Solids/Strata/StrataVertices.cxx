@@ -2,6 +2,8 @@
 // Decides the rules and rings of vertices (Mathematics 4, 6).
 #include "Core/Solids/Strata/StrataBuilder.h"
 
+#include "Core/Memory/Ids.h"
+
 namespace subdivision
 {
 namespace
@@ -247,7 +249,6 @@ int StrataBuilder<Id>::FindPartAtVertex(Id vertex, int k) const
   return -1;
 }
 
-template class StrataBuilder<int>;
-template class StrataBuilder<long long>;
+SUBDIVISION_COMPILE(class StrataBuilder);
 
 }

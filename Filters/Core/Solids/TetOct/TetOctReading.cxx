@@ -2,6 +2,7 @@
 // Cells that were read, compared with those of a tet/oct level.
 #include "Core/Solids/TetOct/TetOctCells.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/TetOct/TetOctDescendants.h"
 
 namespace subdivision
@@ -164,11 +165,9 @@ std::vector<vtkIdType> FindParents(
   return parents;
 }
 
-#define SUBDIVISION_CELLS(Id)                                                                      \
-  template bool HasCells(const TetOctLevel<Id>&, const std::vector<CellRun>&, const SimplexList&); \
-  template std::vector<vtkIdType> FindParents(                                                     \
-    const TetOctLevel<Id>&, const std::vector<CellRun>&, const SimplexList&)
-SUBDIVISION_CELLS(int);
-SUBDIVISION_CELLS(long long);
+template bool HasCells(const TetOctLevel<int>&, const std::vector<CellRun>&, const SimplexList&);
+template bool HasCells(
+  const TetOctLevel<long long>&, const std::vector<CellRun>&, const SimplexList&);
+SUBDIVISION_COMPILE_FUNCTION(FindParents);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Butterfly/ButterflyScheme.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Butterfly/ButterflyMasks.h"
 #include "Core/Surfaces/Butterfly/ButterflyTangents.h"
 #include "Core/Surfaces/Scheme/PrimalRefinement.h"
@@ -385,7 +386,6 @@ std::unique_ptr<SurfaceScheme<Id>> MakeButterflyScheme()
   return std::make_unique<ButterflyScheme<Id>>();
 }
 
-template std::unique_ptr<SurfaceScheme<int>> MakeButterflyScheme();
-template std::unique_ptr<SurfaceScheme<long long>> MakeButterflyScheme();
+SUBDIVISION_COMPILE_FUNCTION(MakeButterflyScheme);
 
 }

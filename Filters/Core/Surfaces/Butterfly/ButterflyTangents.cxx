@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Butterfly/ButterflyTangents.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Rules/Pi.h"
 
 #include <algorithm>
@@ -194,7 +195,6 @@ void ButterflyTangents<Id>::AppendAtCorner(
   this->AddAlongCurve(vertex, this->Edges.back(), turn / std::sin(angle), rows);
 }
 
-template class ButterflyTangents<int>;
-template class ButterflyTangents<long long>;
+SUBDIVISION_COMPILE(class ButterflyTangents);
 
 }

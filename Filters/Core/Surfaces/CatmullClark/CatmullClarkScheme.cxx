@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/CatmullClark/CatmullClarkScheme.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
 #include "Core/Surfaces/Scheme/PrimalRefinement.h"
@@ -298,7 +299,6 @@ std::unique_ptr<SurfaceScheme<Id>> MakeCatmullClarkScheme(bool modifiedBoundary)
   return std::make_unique<CatmullClarkScheme<Id>>(modifiedBoundary);
 }
 
-template std::unique_ptr<SurfaceScheme<int>> MakeCatmullClarkScheme(bool);
-template std::unique_ptr<SurfaceScheme<long long>> MakeCatmullClarkScheme(bool);
+SUBDIVISION_COMPILE_FUNCTION(MakeCatmullClarkScheme);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Dual/DooSabinScheme.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Dual/DualRefiner.h"
 
@@ -303,7 +304,6 @@ std::unique_ptr<SurfaceScheme<Id>> MakeDooSabinScheme()
   return std::make_unique<DooSabinScheme<Id>>();
 }
 
-template std::unique_ptr<SurfaceScheme<int>> MakeDooSabinScheme();
-template std::unique_ptr<SurfaceScheme<long long>> MakeDooSabinScheme();
+SUBDIVISION_COMPILE_FUNCTION(MakeDooSabinScheme);
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Dual/DualPlaces.h"
 
+#include "Core/Memory/Ids.h"
+
 namespace subdivision
 {
 namespace
@@ -234,15 +236,10 @@ void CarryFans(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
     });
 }
 
-#define SUBDIVISION_DUAL(Id)                                                                       \
-  template std::shared_ptr<const DualPlaces<Id>> CountDualPlaces(                                  \
-    const SurfaceLevel<Id>&, const VertexFaceSize&);                                               \
-  template void AppendLoneRow(const SurfaceLevel<Id>&, vtkIdType, RowBlock<Id>&);                  \
-  template void GetLoneParents(const SurfaceLevel<Id>&, vtkIdType, std::vector<vtkIdType>&);       \
-  template void RefineLines(const SurfaceLevel<Id>&, vtkIdType, SurfaceLevel<Id>&);                \
-  template void CarryFans(                                                                         \
-    const SurfaceLevel<Id>&, const Buffer<Carrier<Id>>&, const VertexFaceSize&, Carrier<Id>*)
-SUBDIVISION_DUAL(int);
-SUBDIVISION_DUAL(long long);
+SUBDIVISION_COMPILE_FUNCTION(CountDualPlaces);
+SUBDIVISION_COMPILE_FUNCTION(AppendLoneRow);
+SUBDIVISION_COMPILE_FUNCTION(GetLoneParents);
+SUBDIVISION_COMPILE_FUNCTION(RefineLines);
+SUBDIVISION_COMPILE_FUNCTION(CarryFans);
 
 }

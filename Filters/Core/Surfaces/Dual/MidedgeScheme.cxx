@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Dual/MidedgeScheme.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Dual/DualRefiner.h"
 
 #include <cmath>
@@ -243,7 +244,6 @@ std::unique_ptr<SurfaceScheme<Id>> MakeMidedgeScheme()
   return std::make_unique<MidedgeScheme<Id>>();
 }
 
-template std::unique_ptr<SurfaceScheme<int>> MakeMidedgeScheme();
-template std::unique_ptr<SurfaceScheme<long long>> MakeMidedgeScheme();
+SUBDIVISION_COMPILE_FUNCTION(MakeMidedgeScheme);
 
 }

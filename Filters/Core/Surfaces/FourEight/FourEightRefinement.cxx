@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/FourEight/FourEightRefinement.h"
 
+#include "Core/Memory/Ids.h"
+
 namespace subdivision
 {
 namespace
@@ -388,12 +390,8 @@ SurfaceLevel<Id> RefineFourEight(const SurfaceLevel<Id>& level, Depth depth)
   return next;
 }
 
-template void CountFourEightPlaces(SurfaceLevel<int>&);
-template void CountFourEightPlaces(SurfaceLevel<long long>&);
-template SurfaceLevel<int> RefineFourEight(const SurfaceLevel<int>&, Depth);
-template SurfaceLevel<long long> RefineFourEight(const SurfaceLevel<long long>&, Depth);
-template SurfaceTags<int> RefineFourEightTags(const SurfaceLevel<int>&, const SurfaceTags<int>&);
-template SurfaceTags<long long> RefineFourEightTags(
-  const SurfaceLevel<long long>&, const SurfaceTags<long long>&);
+SUBDIVISION_COMPILE_FUNCTION(CountFourEightPlaces);
+SUBDIVISION_COMPILE_FUNCTION(RefineFourEight);
+SUBDIVISION_COMPILE_FUNCTION(RefineFourEightTags);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/FourEight/FourEightScheme.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Surfaces/FourEight/FourEightRefinement.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
 #include "Core/Surfaces/Scheme/FixedEdges.h"
@@ -181,7 +182,6 @@ std::unique_ptr<SurfaceScheme<Id>> MakeFourEightScheme()
   return std::make_unique<FourEightScheme<Id>>();
 }
 
-template std::unique_ptr<SurfaceScheme<int>> MakeFourEightScheme();
-template std::unique_ptr<SurfaceScheme<long long>> MakeFourEightScheme();
+SUBDIVISION_COMPILE_FUNCTION(MakeFourEightScheme);
 
 }

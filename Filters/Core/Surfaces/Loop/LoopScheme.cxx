@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Loop/LoopScheme.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Rules/Masks.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
@@ -244,7 +245,6 @@ std::unique_ptr<SurfaceScheme<Id>> MakeLoopScheme(bool modifiedBoundary)
   return std::make_unique<LoopScheme<Id>>(modifiedBoundary);
 }
 
-template std::unique_ptr<SurfaceScheme<int>> MakeLoopScheme(bool);
-template std::unique_ptr<SurfaceScheme<long long>> MakeLoopScheme(bool);
+SUBDIVISION_COMPILE_FUNCTION(MakeLoopScheme);
 
 }

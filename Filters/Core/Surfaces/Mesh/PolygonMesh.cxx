@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Mesh/PolygonMesh.h"
 
+#include "Core/Memory/Ids.h"
+
 #include <algorithm>
 
 namespace subdivision
@@ -306,9 +308,7 @@ PolygonMesh<Id> BuildPolygonMesh(PolygonList<Id>&& list, Buffer<Id>& segmentEdge
   return mesh;
 }
 
-template struct PolygonMesh<int>;
-template struct PolygonMesh<long long>;
-template PolygonMesh<int> BuildPolygonMesh(PolygonList<int>&&, Buffer<int>&);
-template PolygonMesh<long long> BuildPolygonMesh(PolygonList<long long>&&, Buffer<long long>&);
+SUBDIVISION_COMPILE(struct PolygonMesh);
+SUBDIVISION_COMPILE_FUNCTION(BuildPolygonMesh);
 
 }

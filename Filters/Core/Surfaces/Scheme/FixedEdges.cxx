@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Scheme/FixedEdges.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 namespace subdivision
@@ -43,7 +44,6 @@ void FixEdges(SurfaceLevel<Id>& level)
     });
 }
 
-template void FixEdges(SurfaceLevel<int>&);
-template void FixEdges(SurfaceLevel<long long>&);
+SUBDIVISION_COMPILE_FUNCTION(FixEdges);
 
 }

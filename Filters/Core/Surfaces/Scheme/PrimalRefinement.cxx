@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Scheme/PrimalRefinement.h"
 
+#include "Core/Memory/Ids.h"
+
 namespace subdivision
 {
 namespace
@@ -421,16 +423,11 @@ void WriteQuads(const SurfaceLevel<Id>& level, Out* ids)
   PrimalRefiner<Id, QuadSplit<Id>>(level).WriteFaces(ids);
 }
 
-#define SUBDIVISION_PRIMAL(Id)                                                                     \
-  template SurfaceLevel<Id> RefineTriangles(const SurfaceLevel<Id>&, Depth);                       \
-  template SurfaceLevel<Id> RefineToQuads(const SurfaceLevel<Id>&, Depth);                         \
-  template void WriteTriangles(const SurfaceLevel<Id>&, int*);                                     \
-  template void WriteTriangles(const SurfaceLevel<Id>&, long long*);                               \
-  template void WriteQuads(const SurfaceLevel<Id>&, int*);                                         \
-  template void WriteQuads(const SurfaceLevel<Id>&, long long*);                                   \
-  template SurfaceTags<Id> RefineTriangleTags(const SurfaceLevel<Id>&, const SurfaceTags<Id>&);    \
-  template SurfaceTags<Id> RefineToQuadTags(const SurfaceLevel<Id>&, const SurfaceTags<Id>&)
-SUBDIVISION_PRIMAL(int);
-SUBDIVISION_PRIMAL(long long);
+SUBDIVISION_COMPILE_FUNCTION(RefineTriangles);
+SUBDIVISION_COMPILE_FUNCTION(RefineToQuads);
+SUBDIVISION_COMPILE_FUNCTION(RefineTriangleTags);
+SUBDIVISION_COMPILE_FUNCTION(RefineToQuadTags);
+SUBDIVISION_COMPILE_WRITER(WriteTriangles);
+SUBDIVISION_COMPILE_WRITER(WriteQuads);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Scheme/SharpLimits.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Operators/BlockOperator.h"
 #include "Core/Surfaces/Scheme/SurfacePatch.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
@@ -245,7 +246,6 @@ void SharpLimits<Id>::Append(vtkIdType row, LimitKind kind, RowBlock<Id>& rows) 
   rows.EndRow();
 }
 
-template class SharpLimits<int>;
-template class SharpLimits<long long>;
+SUBDIVISION_COMPILE(class SharpLimits);
 
 }

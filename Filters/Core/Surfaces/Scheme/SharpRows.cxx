@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Scheme/SharpRows.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <algorithm>
@@ -250,10 +251,7 @@ void SharpRows<Id>::Append(const SurfaceScheme<Id>& scheme, const SurfaceLevel<I
   }
 }
 
-template class SharpRows<int>;
-template class SharpRows<long long>;
-template std::vector<int> CollectWithNeighbours(const PolygonMesh<int>&, const std::vector<int>&);
-template std::vector<long long> CollectWithNeighbours(
-  const PolygonMesh<long long>&, const std::vector<long long>&);
+SUBDIVISION_COMPILE(class SharpRows);
+SUBDIVISION_COMPILE_FUNCTION(CollectWithNeighbours);
 
 }

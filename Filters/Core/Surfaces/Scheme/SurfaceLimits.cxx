@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Scheme/SurfaceLimits.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Rules/Masks.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
@@ -501,7 +502,6 @@ void LimitFinder<Id>::SetTransversalMask()
   }
 }
 
-template class LimitFinder<int>;
-template class LimitFinder<long long>;
+SUBDIVISION_COMPILE(class LimitFinder);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Scheme/SurfacePatch.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <algorithm>
@@ -245,7 +246,6 @@ SurfaceTags<Id> SurfacePatch<Id>::CropTags(
   return own;
 }
 
-template class SurfacePatch<int>;
-template class SurfacePatch<long long>;
+SUBDIVISION_COMPILE(class SurfacePatch);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Scheme/SurfaceTags.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
@@ -272,11 +273,7 @@ SurfaceTags<Id> ClassifySurface(const PolygonMesh<Id>& mesh, const SurfaceScheme
   return Classification<Id>(mesh, scheme, features, points).Run();
 }
 
-template double MeasureFaceAngle(const PolygonMesh<int>&, int, const double*);
-template double MeasureFaceAngle(const PolygonMesh<long long>&, long long, const double*);
-template SurfaceTags<int> ClassifySurface(
-  const PolygonMesh<int>&, const SurfaceScheme<int>&, const SurfaceFeatures&, const Coordinates&);
-template SurfaceTags<long long> ClassifySurface(const PolygonMesh<long long>&,
-  const SurfaceScheme<long long>&, const SurfaceFeatures&, const Coordinates&);
+SUBDIVISION_COMPILE_FUNCTION(MeasureFaceAngle);
+SUBDIVISION_COMPILE_FUNCTION(ClassifySurface);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThree.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 namespace subdivision
@@ -459,7 +460,6 @@ void AdaptiveSqrtThree<Id>::Renumber(const Buffer<Id>& numbers)
   this->Added = std::move(added);
 }
 
-template class AdaptiveSqrtThree<int>;
-template class AdaptiveSqrtThree<long long>;
+SUBDIVISION_COMPILE(class AdaptiveSqrtThree);
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeOutput.h"
 
+#include "Core/Memory/Ids.h"
+
 namespace subdivision
 {
 
@@ -207,8 +209,7 @@ void AdaptiveSqrtThreeOutput<Id>::AppendPieces(Id line, std::vector<Piece>& piec
   }
 }
 
-template class AdaptiveSqrtThreeOutput<int>;
-template class AdaptiveSqrtThreeOutput<long long>;
+SUBDIVISION_COMPILE(class AdaptiveSqrtThreeOutput);
 template void AdaptiveSqrtThreeOutput<int>::WriteTriangles(int*, unsigned char*, vtkIdType*) const;
 template void AdaptiveSqrtThreeOutput<int>::WriteTriangles(
   vtkIdType*, unsigned char*, vtkIdType*) const;

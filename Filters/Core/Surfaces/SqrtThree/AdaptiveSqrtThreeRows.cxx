@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeRows.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Operators/ForBlocks.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeMasks.h"
@@ -571,9 +572,7 @@ void AdaptiveSqrtThreeLimit<Id>::FindTangents(
     });
 }
 
-template class AdaptiveSqrtThreeRows<int>;
-template class AdaptiveSqrtThreeRows<long long>;
-template class AdaptiveSqrtThreeLimit<int>;
-template class AdaptiveSqrtThreeLimit<long long>;
+SUBDIVISION_COMPILE(class AdaptiveSqrtThreeRows);
+SUBDIVISION_COMPILE(class AdaptiveSqrtThreeLimit);
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/SqrtThree/SqrtThreeRefinement.h"
 
+#include "Core/Memory/Ids.h"
+
 namespace subdivision
 {
 namespace
@@ -492,16 +494,9 @@ void WriteSqrtThree(const SurfaceLevel<Id>& level, Out* ids)
   SqrtThreeRefiner<Id>(level).WriteFaces(ids);
 }
 
-template void WriteSqrtThree(const SurfaceLevel<int>&, int*);
-template void WriteSqrtThree(const SurfaceLevel<int>&, long long*);
-template void WriteSqrtThree(const SurfaceLevel<long long>&, int*);
-template void WriteSqrtThree(const SurfaceLevel<long long>&, long long*);
-template void CountSqrtThreePlaces(SurfaceLevel<int>&);
-template void CountSqrtThreePlaces(SurfaceLevel<long long>&);
-template SurfaceLevel<int> RefineSqrtThree(const SurfaceLevel<int>&, Depth);
-template SurfaceLevel<long long> RefineSqrtThree(const SurfaceLevel<long long>&, Depth);
-template SurfaceTags<int> RefineSqrtThreeTags(const SurfaceLevel<int>&, const SurfaceTags<int>&);
-template SurfaceTags<long long> RefineSqrtThreeTags(
-  const SurfaceLevel<long long>&, const SurfaceTags<long long>&);
+SUBDIVISION_COMPILE_WRITER(WriteSqrtThree);
+SUBDIVISION_COMPILE_FUNCTION(CountSqrtThreePlaces);
+SUBDIVISION_COMPILE_FUNCTION(RefineSqrtThree);
+SUBDIVISION_COMPILE_FUNCTION(RefineSqrtThreeTags);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/SqrtThree/SqrtThreeScheme.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
 #include "Core/Surfaces/Scheme/FixedEdges.h"
@@ -505,7 +506,6 @@ std::unique_ptr<SurfaceScheme<Id>> MakeSqrtThreeScheme()
   return std::make_unique<SqrtThreeScheme<Id>>();
 }
 
-template std::unique_ptr<SurfaceScheme<int>> MakeSqrtThreeScheme();
-template std::unique_ptr<SurfaceScheme<long long>> MakeSqrtThreeScheme();
+SUBDIVISION_COMPILE_FUNCTION(MakeSqrtThreeScheme);
 
 }

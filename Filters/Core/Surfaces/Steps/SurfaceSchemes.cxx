@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Steps/SurfaceSchemes.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Butterfly/ButterflyScheme.h"
 #include "Core/Surfaces/CatmullClark/CatmullClarkScheme.h"
 #include "Core/Surfaces/Dual/DooSabinScheme.h"
@@ -37,7 +38,6 @@ std::shared_ptr<const SurfaceScheme<Id>> MakeSurfaceScheme(
   }
 }
 
-template std::shared_ptr<const SurfaceScheme<int>> MakeSurfaceScheme(SurfaceSchemeKind, bool);
-template std::shared_ptr<const SurfaceScheme<long long>> MakeSurfaceScheme(SurfaceSchemeKind, bool);
+SUBDIVISION_COMPILE_FUNCTION(MakeSurfaceScheme);
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Dual/DualPlaces.h"
 
 #include <algorithm>
@@ -216,8 +217,7 @@ std::size_t SurfaceSteps<Id>::GetMemorySize() const
   return bytes;
 }
 
-template class SurfaceSteps<int>;
-template class SurfaceSteps<long long>;
+SUBDIVISION_COMPILE(class SurfaceSteps);
 template void SurfaceSteps<int>::WriteFaces(int, int*) const;
 template void SurfaceSteps<int>::WriteFaces(int, long long*) const;
 template void SurfaceSteps<long long>::WriteFaces(int, int*) const;

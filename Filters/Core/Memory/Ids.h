@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Ids.h
+ * Compiles templates for both types of ids: int, and long long for meshes that are too large for
+ * it. A source file ends with these explicit instantiations.
+ */
+#ifndef SubdivisionObjects_Ids_h
+#define SubdivisionObjects_Ids_h
+
+/// A class template whose only parameter is the type of ids: SUBDIVISION_COMPILE(class Links).
+#define SUBDIVISION_COMPILE(Class)                                                                 \
+  template Class<int>;                                                                             \
+  template Class<long long>
+
+/// The same for a function template that has no overloads: SUBDIVISION_COMPILE_FUNCTION(FixEdges).
+#define SUBDIVISION_COMPILE_FUNCTION(Function)                                                     \
+  template decltype(Function<int>) Function<int>;                                                  \
+  template decltype(Function<long long>) Function<long long>
+
+/// The same for one that has the type of ids and that of the ids it writes.
+#define SUBDIVISION_COMPILE_WRITER(Function)                                                       \
+  template decltype(Function<int, int>) Function<int, int>;                                        \
+  template decltype(Function<int, long long>) Function<int, long long>;                            \
+  template decltype(Function<long long, int>) Function<long long, int>;                            \
+  template decltype(Function<long long, long long>) Function<long long, long long>
+
+#endif
