@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/AdaptiveSurface/SharedFaces.h"
 
+#include "Core/Memory/Ids.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -217,7 +219,6 @@ bool SharedFaces<Id>::Split(
   }
 }
 
-template class SharedFaces<int>;
-template class SharedFaces<long long>;
+SUBDIVISION_COMPILE(class SharedFaces);
 
 }

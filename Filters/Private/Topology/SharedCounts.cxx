@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Topology/SharedCounts.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/Complex/Links.h"
 
 #include <algorithm>
@@ -221,9 +222,6 @@ ComplexNumbers CountTogether(const SimplicialComplex<Id>& complex,
   return numbers;
 }
 
-template ComplexNumbers CountTogether(
-  const SimplicialComplex<int>&, const ComplexDescription<int>&, const OwnSimplices&, Partners&);
-template ComplexNumbers CountTogether(const SimplicialComplex<long long>&,
-  const ComplexDescription<long long>&, const OwnSimplices&, Partners&);
+SUBDIVISION_COMPILE_FUNCTION(CountTogether);
 
 }
