@@ -64,17 +64,22 @@ vtkMTimeType vtkRefinementAlgorithm::GetMTime()
 // ------------------------------------------------------------------------------------------------
 // Selection
 
-void vtkRefinementAlgorithm::FindSelected(vtkDataObject* input)
+void vtkRefinementAlgorithm::Inspect(vtkDataObject* input, vtkDataObject* readable)
 {
+  if (!this->RefineBySelection || !input)
+  {
+    return;
+  }
   vtkDataObject* selection =
     this->GetNumberOfInputConnections(1) > 0 ? this->GetInputDataObject(1, 0) : nullptr;
   bool isUsable = true;
-  this->SelectedCells = subdivision::FindSelectedCells(input, vtkSelection::SafeDownCast(selection),
-    [&](const std::string& message)
-    {
-      isUsable = false;
-      vtkWarningMacro("RefineBySelection: the selection cannot be used. " << message);
-    });
+  this->SelectedCells =
+    subdivision::FindSelectedCells(input, readable, vtkSelection::SafeDownCast(selection),
+      [&](const std::string& message)
+      {
+        isUsable = false;
+        vtkWarningMacro("RefineBySelection: the selection cannot be used. " << message);
+      });
   if (this->SelectedCells.empty() && isUsable)
   {
     vtkWarningMacro("RefineBySelection: no cell is selected, so nothing is refined for that. "
@@ -180,17 +185,19 @@ int vtkRefinementAlgorithm::RunRounds(vtkInformationVector** inputVector,
   subdivision::RefinementOptions& criteria,
   const std::function<bool(vtkPointSet*, vtkPointSet*)>& refine)
 {
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  if (this->RefineBySelection && input)
-  {
-    this->FindSelected(input); // in all blocks at once
-  }
   const int result = this->Run(inputVector, outputVector, options,
     "They are refined like others; cells may not fit those of other partitions.",
     "this refinement. Lower MaximumNumberOfCells or MaximumLevel, raise the tolerances, or use a "
     "part of the input.",
     [&](vtkPointSet* mesh, vtkPointSet* output)
-    { return this->ReadCriteria(mesh, options, criteria) && refine(mesh, output); });
+    {
+      const bool done = this->ReadCriteria(mesh, options, criteria) && refine(mesh, output);
+      if (!mesh->GetCellData()->HasArray(subdivision::BlockName))
+      {
+        output->GetCellData()->RemoveArray(subdivision::SelectedName);
+      }
+      return done;
+    });
   this->SelectedCells.clear();
   return result;
 }

@@ -246,6 +246,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void Prepare(vtkPointSet* block, vtkPointSet* copy) override;
+  void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
 
   /// Does what RequestData has in common in these filters: reads the criteria into `criteria`, then
   /// calls `refine`; all else as Run of the superclass.
@@ -284,8 +285,6 @@ private:
   bool ReadArrays(vtkPointSet* input, const subdivision::RunOptions& options,
     subdivision::RefinementOptions& criteria);
   void ReadSelection(vtkPointSet* input, subdivision::RefinementOptions& criteria);
-
-  void FindSelected(vtkDataObject* input);
 
   /// Flags of the cells of each mesh where any are selected.
   std::map<vtkDataObject*, std::vector<unsigned char>> SelectedCells;

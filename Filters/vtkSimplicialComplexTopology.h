@@ -18,9 +18,9 @@
  * singular simplices are those of its next level.
  *
  * @par Input
- * vtkUnstructuredGrid or vtkPolyData; cells, bad cells and the cell arrays that are read: see
- * vtkSubdivisionAlgorithm. All its options count. Of an edge that is sharp to a finite degree
- * (array index 4) the rule is that which it has when it has become smooth.
+ * vtkUnstructuredGrid, vtkPolyData or structured data; cells, bad cells and the cell arrays that
+ * are read: see vtkSubdivisionAlgorithm. All its options count. Of an edge that is sharp to a
+ * finite degree (array index 4) the rule is that which it has when it has become smooth.
  *
  * @par Output
  * A vtkUnstructuredGrid. Points: all input points with their ids (unused ones too), then centres of

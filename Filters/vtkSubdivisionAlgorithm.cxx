@@ -5,6 +5,8 @@
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/KeptParts.h"
 #include "Private/Reading/InputArrays.h"
+#include "Private/Reading/ReadableMesh.h"
+#include "Private/Surface/SurfaceInput.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
@@ -13,7 +15,11 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <vector>
 
 vtkSubdivisionAlgorithm::vtkSubdivisionAlgorithm()
   : Controller(vtkMultiProcessController::GetGlobalController())
@@ -44,13 +50,13 @@ bool vtkSubdivisionAlgorithm::SharesRanks() const
 int vtkSubdivisionAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  if (!this->IsOfSurfaces())
+  // Without the last one VTK would run the filter once for each block.
+  for (const char* type :
+    { "vtkUnstructuredGrid", "vtkPolyData", "vtkImageData", "vtkRectilinearGrid",
+      "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkDataObjectTree" })
   {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
   }
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  // Without this VTK would run the filter once for each block.
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
   return 1;
 }
 
@@ -81,6 +87,14 @@ int vtkSubdivisionAlgorithm::ComputeInputUpdateExtent(
   return 1;
 }
 
+vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::ReadInput(
+  vtkDataObject* input, std::vector<std::string>& warnings)
+{
+  const auto rule = this->QuadraticCells == PIECES ? subdivision::NonLinearRule::Pieces
+                                                   : subdivision::NonLinearRule::Corners;
+  return subdivision::MakeReadable(input, rule, warnings);
+}
+
 int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, subdivision::RunOptions& options, const char* ghosts,
   const std::string& memory, const std::function<bool(vtkPointSet*, vtkPointSet*)>& run)
@@ -104,10 +118,49 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   distribution.AddBlockIndex = this->PreserveInterfaces;
   distribution.Prepare = [this](vtkPointSet* block, vtkPointSet* copy)
   { this->Prepare(block, copy); };
-  return subdivision::RunDistributed(this, vtkDataObject::GetData(inputVector[0]),
-    vtkDataObject::GetData(outputVector), distribution, traits, options,
-    [&](vtkPointSet* input, vtkPointSet* output)
-    { return this->ReadFeatureOptions(input, options) && run(input, output); });
+  vtkDataObject* given = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  vtkSmartPointer<vtkDataObject> readable;
+  bool failed = false;
+  subdivision::ConnectToFilter(this, options, failed);
+  const bool isRead = subdivision::DoWork(traits, options,
+    [&]
+    {
+      readable = this->ReadInput(given, distribution.Warnings);
+      this->Inspect(given, readable);
+      if (this->IsOfSurfaces())
+      {
+        readable = this->MakeSurfaces(readable, distribution.Warnings);
+      }
+      return true;
+    });
+  if (!isRead && !this->SharesRanks()) // other ranks wait for this one
+  {
+    return 0;
+  }
+  const int result = subdivision::RunDistributed(this, readable, output, distribution, traits,
+    options, [&](vtkPointSet* mesh, vtkPointSet* made)
+    { return this->ReadFeatureOptions(mesh, options) && run(mesh, made); });
+  subdivision::RestoreSourceCells(this->IsOfSurfaces() ? output : nullptr);
+  return result;
+}
+
+vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::MakeSurfaces(
+  vtkDataObject* input, std::vector<std::string>& warnings)
+{
+  return subdivision::ChangeMeshes(input,
+    [&](vtkDataObject* mesh, unsigned int) -> vtkSmartPointer<vtkDataObject>
+    {
+      auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh);
+      if (!grid)
+      {
+        return mesh;
+      }
+      const auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
+      copy->ShallowCopy(grid);
+      this->Prepare(grid, copy); // while cells have their ids
+      return subdivision::MakeSurface(copy, this->GenerateOriginalIds, warnings);
+    });
 }
 
 bool vtkSubdivisionAlgorithm::ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& run)
@@ -169,6 +222,7 @@ void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Type1Rule: " << this->Type1Rule << "\n";
   os << indent << "Type2Rule: " << this->Type2Rule << "\n";
   os << indent << "Type3Rule: " << this->Type3Rule << "\n";
+  os << indent << "QuadraticCells: " << this->QuadraticCells << "\n";
   os << indent << "JoinBlocks: " << this->JoinBlocks << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";
 }

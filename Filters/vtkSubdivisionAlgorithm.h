@@ -3,25 +3,33 @@
  * @class   vtkSubdivisionAlgorithm
  * @brief   what all filters that subdivide have in common
  *
- * The input is a vtkUnstructuredGrid or vtkPolyData, seen as a simplicial complex whose cells may
+ * The input is a vtkUnstructuredGrid, a vtkPolyData, structured data (vtkImageData,
+ * vtkRectilinearGrid, vtkStructuredGrid, vtkExplicitStructuredGrid), or a composite of these, seen
+ * as a simplicial complex whose cells may
  * have any dimension from 0 to 3 (Chang & Qin, "A Framework for Multi-dimensional Adaptive
  * Subdivision Objects", section 2). The output is a vtkUnstructuredGrid of VTK_VERTEX, VTK_LINE,
  * VTK_TRIANGLE and VTK_TETRA cells.
  *
  * @par Surface filters
  * vtkSurfaceSubdivision and vtkAdaptiveSurfaceSubdivision have these options, too. They read and
- * write vtkPolyData, and their own documentation says what cells and creases are there. With a
- * warning they ignore what they have no rules for: EmbeddedCells, PreserveInterfaces, rules for
- * joints other than Blend and Sharp, and the arrays at the indices 1 to 3.
+ * write vtkPolyData, and their own documentation says what cells and creases are there. Of
+ * structured data and grids they take the vertices, lines and surfaces, in the order of
+ * vtkPolyData, and leave solids out with a warning. With a warning they ignore what they have no
+ * rules for: EmbeddedCells, PreserveInterfaces, rules for joints other than Blend and Sharp, and
+ * the arrays at the indices 1 to 3.
  *
  * @par Cells
  * The filters read VTK_VERTEX, VTK_POLY_VERTEX, VTK_LINE, VTK_POLY_LINE, VTK_TRIANGLE,
  * VTK_TRIANGLE_STRIP, VTK_PIXEL, VTK_QUAD, VTK_POLYGON, VTK_TETRA, VTK_VOXEL, VTK_HEXAHEDRON,
- * VTK_WEDGE and VTK_PYRAMID. Cells that are no simplices are split conformingly: two cells that
+ * VTK_WEDGE, VTK_PYRAMID, VTK_PENTAGONAL_PRISM, VTK_HEXAGONAL_PRISM, VTK_POLYHEDRON, and all
+ * quadratic, cubic, Lagrange and Bezier cells that VTK has a class of (QuadraticCells). Cells that
+ * are no simplices are split conformingly: two cells that
  * share a quad take the same diagonal, which is the one that triangles of a neighbour have already,
  * else the one through the smallest global id (the point id where the input has no global ids).
  * Polygons are cut by ears in their mean plane. A centre point is added only to a solid cell whose
- * face diagonals allow no other split.
+ * face diagonals allow no other split, and to each prism and polyhedron, whose faces are split like
+ * polygons. Structured data are voxels, pixels, hexahedra, quads or lines, however many axes have
+ * more than one point; blanked cells, and cells with a blanked point, are hidden.
  *
  * @par Bad cells
  * The filters leave out cells of another type, with point ids out of range, with a point that is
@@ -69,6 +77,7 @@
 #include <functional> // for std::function
 #include <memory>     // for std::unique_ptr
 #include <string>     // for std::string
+#include <vector>     // for std::vector
 
 class vtkMultiProcessController;
 class vtkPointSet;
@@ -262,6 +271,25 @@ public:
   void SetType3RuleToSharp() { this->SetType3Rule(TYPE3_SHARP); }
   ///@}
 
+  enum QuadraticCellsRules
+  {
+    CORNERS,
+    PIECES
+  };
+  ///@{
+  /**
+   * What quadratic, cubic, Lagrange and Bezier cells become: CORNERS (0, the default; one linear
+   * cell at the corners of each; nodes that no cell uses any more become plain points, of which a
+   * warning tells) or PIECES (1; they are cut along their nodes, an element of order n with all
+   * nodes of its lattice into n, n x n or n x n x n linear cells; of Bezier cells along their
+   * control points).
+   */
+  vtkSetClampMacro(QuadraticCells, int, CORNERS, PIECES);
+  vtkGetMacro(QuadraticCells, int);
+  void SetQuadraticCellsToCorners() { this->SetQuadraticCells(CORNERS); }
+  void SetQuadraticCellsToPieces() { this->SetQuadraticCells(PIECES); }
+  ///@}
+
   ///@{
   /**
    * Whether the blocks of a composite input that share points are one mesh, and likewise the
@@ -286,8 +314,8 @@ protected:
   vtkSubdivisionAlgorithm();
   ~vtkSubdivisionAlgorithm() override;
 
-  /// Whether the filter reads and writes vtkPolyData. Others read vtkUnstructuredGrid too, and
-  /// write that.
+  /// Whether the filter works on vtkPolyData and writes that. Others work on vtkUnstructuredGrid
+  /// too, and write that.
   virtual bool IsOfSurfaces() const { return false; }
   /// How many layers of the cells of others a rank needs around its own.
   virtual int GetLayersOfCells() const { return 2; }
@@ -295,6 +323,12 @@ protected:
   bool SharesRanks() const;
   /// Adds what a filter knows of a block of the input to `copy`, which is joined with other blocks.
   virtual void Prepare(vtkPointSet*, vtkPointSet*) {}
+  /// Called with the input of the pipeline and with what is read of it, before the work. Cells and
+  /// points have the same ids in both.
+  virtual void Inspect(vtkDataObject*, vtkDataObject*) {}
+  /// Makes the unstructured grids or vtkPolyData that are read of an input of any kind.
+  vtkSmartPointer<vtkDataObject> ReadInput(
+    vtkDataObject* input, std::vector<std::string>& warnings);
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
@@ -337,10 +371,15 @@ protected:
   int Type1Rule = TYPE1_BLEND;
   int Type2Rule = TYPE2_BLEND;
   int Type3Rule = TYPE3_BLEND;
+  int QuadraticCells = CORNERS;
   bool JoinBlocks = true;
   vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
+  /// Makes vtkPolyData of unstructured grids.
+  vtkSmartPointer<vtkDataObject> MakeSurfaces(
+    vtkDataObject* input, std::vector<std::string>& warnings);
+
   std::unique_ptr<subdivision::KeptParts> Kept; ///< of other ranks
 
   vtkSubdivisionAlgorithm(const vtkSubdivisionAlgorithm&) = delete;

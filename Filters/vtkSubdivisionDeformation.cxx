@@ -4,13 +4,17 @@
 #include "Private/Deformation/Deformation.h"
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/GatheredMesh.h"
+#include "Private/Reading/ReadableMesh.h"
 
 #include "vtkDataObject.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
 
 #include <algorithm>
 #include <set>
@@ -47,7 +51,10 @@ int vtkSubdivisionDeformation::FillInputPortInformation(int port, vtkInformation
   if (port == 0)
   {
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+    for (const char* type : { "vtkImageData", "vtkRectilinearGrid", "vtkDataObjectTree" })
+    {
+      info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
+    }
     return 1;
   }
   return this->Superclass::FillInputPortInformation(port, info);
@@ -63,9 +70,13 @@ int vtkSubdivisionDeformation::RequestDataObject(
   }
   vtkInformation* info = outputVector->GetInformationObject(0);
   vtkDataObject* output = info->Get(vtkDataObject::DATA_OBJECT());
-  if (!output || output->GetDataObjectType() != input->GetDataObjectType())
+  vtkSmartPointer<vtkDataObject> made = vtkSmartPointer<vtkStructuredGrid>::New();
+  if (!vtkImageData::SafeDownCast(input) && !vtkRectilinearGrid::SafeDownCast(input))
   {
-    auto made = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
+    made.TakeReference(input->NewInstance());
+  }
+  if (!output || output->GetDataObjectType() != made->GetDataObjectType())
+  {
     info->Set(vtkDataObject::DATA_OBJECT(), made);
   }
   return 1;
@@ -120,6 +131,12 @@ int vtkSubdivisionDeformation::ComputeInputUpdateExtent(
       info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
       info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
       info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      if (info->Has(Pipeline::WHOLE_EXTENT())) // that of a structured object is of no use here
+      {
+        int whole[6];
+        info->Get(Pipeline::WHOLE_EXTENT(), whole);
+        info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
+      }
     }
   }
   return 1;
@@ -140,25 +157,29 @@ int vtkSubdivisionDeformation::RequestData(
   traits.Memory = "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
     " and the points of the input. Use fewer levels, or a part of the input.";
   traits.FallsBackToInput = true;
+  const auto object = subdivision::MakeMovable(vtkDataObject::GetData(inputVector[0]));
   auto warn = [this](const std::string& message) { vtkWarningMacro(<< message); };
-  const auto rest =
-    subdivision::GatherMesh(vtkDataObject::GetData(inputVector[1]), this->GetController(), warn);
-  const auto deformed =
-    subdivision::GatherMesh(vtkDataObject::GetData(inputVector[2]), this->GetController(), warn);
+  std::vector<std::string> warnings;
+  const auto rest = subdivision::GatherMesh(
+    this->ReadInput(vtkDataObject::GetData(inputVector[1]), warnings), this->GetController(), warn);
+  std::for_each(warnings.begin(), warnings.end(), warn); // those of both meshes are the same
+  const auto deformed = subdivision::GatherMesh(
+    this->ReadInput(vtkDataObject::GetData(inputVector[2]), warnings), this->GetController(), warn);
   this->Work->NumberOfOutsidePoints = 0;
-  const int result = subdivision::RunOnBlocks(this, vtkDataObject::GetData(inputVector[0]),
-    vtkDataObject::GetData(outputVector), traits, options,
-    [&](vtkPointSet* input, vtkPointSet* output)
-    {
-      if (!rest || !deformed)
+  const int result =
+    subdivision::RunOnBlocks(this, object, vtkDataObject::GetData(outputVector), traits, options,
+      [&](vtkPointSet* input, vtkPointSet* output)
       {
-        options.Fail("The rest mesh and the deformed mesh must be vtkUnstructuredGrid or "
-                     "vtkPolyData, or blocks of these. The output is the input.");
-        return false;
-      }
-      return this->ReadFeatureOptions(rest, options) &&
-        this->Work->Run(input, rest, deformed, options, output);
-    });
+        if (!rest || !deformed)
+        {
+          options.Fail(
+            "The rest mesh and the deformed mesh must be vtkUnstructuredGrid, vtkPolyData, "
+            "structured data, or blocks of these. The output is the input.");
+          return false;
+        }
+        return this->ReadFeatureOptions(rest, options) &&
+          this->Work->Run(input, rest, deformed, options, output);
+      });
   this->Work->ForgetUnused();
   return result;
 }

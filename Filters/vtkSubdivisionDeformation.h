@@ -16,11 +16,12 @@
  * moves. Which cells there are, and which rules they follow, is decided at rest.
  *
  * @par Inputs
- *  - port 0, what is deformed: any vtkPointSet (the output has its type), or a composite of these,
- *    each of which is deformed by itself.
- *  - port 1, the control mesh at rest: vtkUnstructuredGrid or vtkPolyData, with the cells, arrays
- *    and options of features that vtkSubdivisionAlgorithm describes; the cell arrays are those of
- *    this mesh.
+ *  - port 0, what is deformed: any vtkPointSet (the output has its type), vtkImageData or
+ *    vtkRectilinearGrid (the output is a vtkStructuredGrid), or a composite of these, each of which
+ *    is deformed by itself.
+ *  - port 1, the control mesh at rest: vtkUnstructuredGrid, vtkPolyData or structured data, with
+ * the cells, arrays and options of features that vtkSubdivisionAlgorithm describes; the cell arrays
+ * are those of this mesh.
  *  - port 2, the control mesh deformed: the same points and cells in the same order.
  * Any of the three may change with time. Ports 1 and 2 take composite data sets of such meshes too:
  * whatever JoinBlocks is, all blocks are one control mesh, in which points of the same global id
@@ -59,17 +60,17 @@
  * points and cells of port 0 are deformed like all others.
  *
  * @par Errors
- * The filter gives an error, with the input as output, if rest and deformed mesh differ in points
- * or cells, if a deformed control point is not finite, if there are points outside and
- * OutsidePoints is OUTSIDE_ERROR, or if the rest mesh cannot be subdivided within
- * MaximumNumberOfCells or the memory. It warns if the rest mesh has no cells (the output is the
- * input), or inverted or flat solid cells, if the deformed mesh turns cells inside out, and of
- * points outside when they are looked up for the first time.
+ * The filter gives an error, with the input as output, if rest or deformed mesh is not connected,
+ * if rest and deformed mesh differ in points or cells, if a deformed control point is not finite,
+ * if there are points outside and OutsidePoints is OUTSIDE_ERROR, or if the rest mesh cannot be
+ * subdivided within MaximumNumberOfCells or the memory. It warns if the rest mesh has no cells (the
+ * output is the input), or inverted or flat solid cells, if the deformed mesh turns cells inside
+ * out, and of points outside when they are looked up for the first time.
  *
  * InterpolateIntegers, GenerateOriginalIds and GenerateGlobalIds have no effect here.
  *
  * @sa
- * vtkMultiDimensionalSubdivision vtkSubdivisionModelSource
+ * vtkMultiDimensionalSubdivision vtkSubdivisionCageSource vtkSubdivisionModelSource
  */
 #ifndef vtkSubdivisionDeformation_h
 #define vtkSubdivisionDeformation_h

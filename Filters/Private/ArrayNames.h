@@ -24,6 +24,8 @@ constexpr const char* SelectedName = "SubdivisionSelected";
 /// the whole mesh.
 constexpr const char* PointNumbersName = "SubdivisionPointNumber";
 constexpr const char* CellNumbersName = "SubdivisionCellNumber";
+/// The cell array of a surface that was made of a grid: which cell of the grid each cell is.
+constexpr const char* SourceCellsName = "SubdivisionSourceCells";
 constexpr const char* LimitNormalsName = "LimitNormals";
 /// The field array of the stamp. The names of the other field arrays that belong to a stamp of
 /// Stamp.h or SurfaceStamp.h begin with it.

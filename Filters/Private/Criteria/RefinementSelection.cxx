@@ -47,9 +47,9 @@ void ForMeshes(vtkDataObject* object, vtkDataObject* other, const Act& act)
   }
 }
 
-vtkSmartPointer<vtkPointSet> MakeBare(vtkPointSet* mesh)
+vtkSmartPointer<vtkDataSet> MakeBare(vtkDataSet* mesh)
 {
-  auto bare = vtkSmartPointer<vtkPointSet>::Take(mesh->NewInstance());
+  auto bare = vtkSmartPointer<vtkDataSet>::Take(mesh->NewInstance());
   bare->ShallowCopy(mesh);
   bare->GetCellData()->RemoveArray(InsideName);
   bare->GetPointData()->RemoveArray(InsideName);
@@ -63,14 +63,14 @@ vtkSmartPointer<vtkDataObject> MakeBare(vtkDataObject* input)
   auto* all = vtkCompositeDataSet::SafeDownCast(input);
   if (!all)
   {
-    return MakeBare(vtkPointSet::SafeDownCast(input));
+    return MakeBare(vtkDataSet::SafeDownCast(input));
   }
   auto bare = vtkSmartPointer<vtkCompositeDataSet>::Take(all->NewInstance());
   bare->CopyStructure(all);
   auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(all->NewIterator());
   for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
   {
-    auto* mesh = vtkPointSet::SafeDownCast(at->GetCurrentDataObject());
+    auto* mesh = vtkDataSet::SafeDownCast(at->GetCurrentDataObject());
     bare->SetDataSet(at, mesh ? MakeBare(mesh).Get() : at->GetCurrentDataObject());
   }
   return bare;
@@ -264,8 +264,8 @@ std::vector<unsigned char> Combine(
 
 }
 
-SelectedCells FindSelectedCells(vtkDataObject* input, vtkSelection* selection,
-  const std::function<void(const std::string&)>& fail)
+SelectedCells FindSelectedCells(vtkDataObject* input, vtkDataObject* readable,
+  vtkSelection* selection, const std::function<void(const std::string&)>& fail)
 {
   const unsigned int nodes = selection ? selection->GetNumberOfNodes() : 0;
   SelectedCells found;
@@ -275,7 +275,7 @@ SelectedCells FindSelectedCells(vtkDataObject* input, vtkSelection* selection,
   }
   for (unsigned int i = 0; i < nodes; ++i)
   {
-    const std::string fault = FindFault(input, selection->GetNode(i));
+    const std::string fault = FindFault(readable, selection->GetNode(i));
     if (!fault.empty())
     {
       fail("Node " + std::to_string(i) + " " + fault + ".");
@@ -296,7 +296,7 @@ SelectedCells FindSelectedCells(vtkDataObject* input, vtkSelection* selection,
   }
   if (isOfOneKind)
   {
-    return Extract(input, bare, selection, fail);
+    return Extract(readable, bare, selection, fail);
   }
   // VTK cannot evaluate nodes of points together with nodes of cells, so each node is evaluated by
   // itself.
@@ -305,9 +305,9 @@ SelectedCells FindSelectedCells(vtkDataObject* input, vtkSelection* selection,
   {
     vtkNew<vtkSelection> one;
     one->AddNode(selection->GetNode(i));
-    byNode.push_back(Extract(input, bare, one, fail));
+    byNode.push_back(Extract(readable, bare, one, fail));
   }
-  ForMeshes(input, nullptr,
+  ForMeshes(readable, nullptr,
     [&](vtkPointSet* mesh, vtkDataObject*)
     {
       std::vector<unsigned char> cells = Combine(selection, mesh, byNode);

@@ -20,10 +20,11 @@ namespace subdivision
 /// For each mesh where there are any, 1 for each cell that is selected or has a selected point.
 using SelectedCells = std::map<vtkDataObject*, std::vector<unsigned char>>;
 
-/// Finds the selected cells of a mesh, or of all meshes in a composite input. If the selection
-/// cannot be used, `fail` gets the reason.
-SelectedCells FindSelectedCells(vtkDataObject* input, vtkSelection* selection,
-  const std::function<void(const std::string&)>& fail);
+/// Finds the selected cells of a mesh, or of all meshes in a composite input. The result has those
+/// of `readable`, what MakeReadable makes of the input. If the selection cannot be used, `fail`
+/// gets the reason.
+SelectedCells FindSelectedCells(vtkDataObject* input, vtkDataObject* readable,
+  vtkSelection* selection, const std::function<void(const std::string&)>& fail);
 
 }
 

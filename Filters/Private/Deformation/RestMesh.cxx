@@ -98,6 +98,10 @@ vtkSmartPointer<vtkPointSet> MakeControl(vtkPointSet* mesh, const FeatureOptions
     control->GetPointData()->SetGlobalIds(ids);
   }
   vtkCellData* cells = control->GetCellData();
+  if (vtkDataArray* degrees = mesh->GetCellData()->GetHigherOrderDegrees())
+  {
+    cells->SetHigherOrderDegrees(degrees);
+  }
   cells->AddArray(mesh->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   for (vtkDataArray* array : { features.Singular.Get(), features.Material.Get(),
          features.Part.Get(), features.Rules.Get(), features.Sharpness.Get() })

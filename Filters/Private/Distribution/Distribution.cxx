@@ -285,10 +285,20 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
     return done;
   };
   const int ranks = distribution.Controller ? distribution.Controller->GetNumberOfProcesses() : 1;
+  const auto tellWarnings = [&]
+  {
+    std::vector<std::string> warnings = distribution.Warnings;
+    Tell(warnings, options);
+  };
   if (!composite && (ranks == 1 || !distribution.JoinBlocks))
   {
     return RunFilter(filter, vtkPointSet::SafeDownCast(input), vtkPointSet::SafeDownCast(output),
-      traits, options, workOnAll);
+      traits, options,
+      [&](vtkPointSet* from, vtkPointSet* to)
+      {
+        tellWarnings();
+        return workOnAll(from, to);
+      });
   }
   bool failed = false;
   ConnectToFilter(filter, options, failed);
@@ -299,6 +309,7 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
     Exchange exchange(distribution.Controller);
     const MemoryShare share(CountRanksOfMachine(exchange));
     RankMessages messages(options);
+    tellWarnings();
     blocks = GetBlocks(input, distribution.IsOfSurfaces, options.Warn);
     PrepareBlocks(blocks, composite && distribution.AddBlockIndex, distribution.Prepare);
     std::vector<std::vector<Block>> partitions = { std::move(blocks) };
@@ -308,6 +319,7 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
   }
   else
   {
+    tellWarnings();
     blocks = GetBlocks(input, distribution.IsOfSurfaces, options.Warn);
     for (Block& block : blocks)
     {

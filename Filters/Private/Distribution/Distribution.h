@@ -12,6 +12,7 @@
 #include "Private/Distribution/Exchange.h"
 
 #include <string>
+#include <vector>
 
 class vtkDataObject;
 class vtkInformationVector;
@@ -43,6 +44,8 @@ struct DistributionOptions
   bool IsOfSurfaces = false;
   /// Whether to add the array BlockIndexName.
   bool AddBlockIndex = false;
+  /// Warnings of what was done to the input before.
+  std::vector<std::string> Warnings;
   /// Adds to a copy of a block, which is its second argument, what the filter knows of the block.
   std::function<void(vtkPointSet*, vtkPointSet*)> Prepare;
 };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Reading/CellChecks.h"
 
+#include "Private/Reading/NonLinearCells.h"
+#include "Private/Reading/PolyhedronFaces.h"
+
 #include "vtkArrayDispatch.h"
 #include "vtkCell.h"
 #include "vtkCellData.h"
@@ -15,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bitset>
 #include <cmath>
 
 namespace subdivision
@@ -54,8 +56,14 @@ int GetRequiredSize(int cellType)
     case VTK_VOXEL:
     case VTK_HEXAHEDRON:
       return 8;
+    case VTK_PENTAGONAL_PRISM:
+      return 10;
+    case VTK_HEXAGONAL_PRISM:
+      return 12;
+    case FaceLoops:
+      return -1; // its loops are checked
     default:
-      return 0;
+      return IsNonLinear(cellType) ? -1 : 0; // NonLinearCells knows
   }
 }
 
@@ -73,7 +81,7 @@ bool HasQuads(int cellType, vtkIdType size)
     case VTK_POLYGON:
       return size >= 4; // larger ones may collapse to quads
     default:
-      return false;
+      return IsPolyhedron(cellType) || IsNonLinear(cellType);
   }
 }
 
@@ -100,6 +108,16 @@ bool HasRepeats(const vtkIdType* ids, vtkIdType size, std::vector<vtkIdType>& sc
   return false;
 }
 
+/// Whether a face of a polyhedron passes through a point twice.
+bool HasRepeatsInFaces(const CellIds& cell, std::vector<vtkIdType>& scratch)
+{
+  bool found = false;
+  std::vector<vtkIdType> loop;
+  ForEachFaceLoop(FaceLoops, cell, loop, [&](const vtkIdType* ids, vtkIdType size)
+    { found = found || size < 3 || HasRepeats(ids, size, scratch); });
+  return found;
+}
+
 CellState FindRepeats(int cellType, const CellIds& cell, std::vector<vtkIdType>& scratch)
 {
   const vtkIdType* ids = cell.Ids;
@@ -124,8 +142,16 @@ CellState FindRepeats(int cellType, const CellIds& cell, std::vector<vtkIdType>&
     case VTK_HEXAHEDRON:
     case VTK_WEDGE:
     case VTK_PYRAMID:
+    case VTK_PENTAGONAL_PRISM:
+    case VTK_HEXAGONAL_PRISM:
       return HasRepeats(ids, cell.Size, scratch) ? CellState::PartlyRepeated : CellState::Good;
+    case FaceLoops:
+      return HasRepeatsInFaces(cell, scratch) ? CellState::PartlyRepeated : CellState::Good;
     default:
+      if (cell.Size > 4 && IsNonLinear(cellType))
+      {
+        return HasRepeats(ids, cell.Size, scratch) ? CellState::PartlyRepeated : CellState::Good;
+      }
       return HasRepeats(ids, cell.Size, scratch) ? CellState::Repeated : CellState::Good;
   }
 }
@@ -190,12 +216,13 @@ std::vector<unsigned char> FindFinitePoints(vtkPointSet* input)
 class Checker
 {
 public:
-  Checker(const CellReader& cells, vtkIdType numberOfPoints,
-    const std::vector<unsigned char>& finite, const unsigned char* ghosts)
+  Checker(vtkPointSet* input, const CellReader& cells, const std::vector<unsigned char>& finite,
+    const unsigned char* ghosts)
     : Cells(cells)
-    , NumberOfPoints(numberOfPoints)
+    , NumberOfPoints(input->GetNumberOfPoints())
     , Finite(finite.empty() ? nullptr : finite.data())
     , Ghosts(ghosts)
+    , NonLinear(input)
   {
   }
 
@@ -212,7 +239,9 @@ public:
       return CellState::UnsupportedType;
     }
     const CellIds cell = this->Cells.GetCell(cellId, this->Ids);
-    const CellState state = this->CheckIds(type, required, cell);
+    const CellState state = this->CheckSize(cellId, type, required, cell)
+      ? this->CheckIds(type, cell)
+      : CellState::WrongSize;
     this->HasQuads = this->HasQuads || (TakesPart(state) && subdivision::HasQuads(type, cell.Size));
     return state;
   }
@@ -220,12 +249,22 @@ public:
   bool HasQuads = false;
 
 private:
-  CellState CheckIds(int type, int required, const CellIds& cell)
+  bool CheckSize(vtkIdType cellId, int type, int required, const CellIds& cell)
   {
     if (required < 0 ? cell.Size < -required : cell.Size != required)
     {
-      return CellState::WrongSize;
+      return false;
     }
+    if (type == FaceLoops)
+    {
+      return ForEachFaceLoop(type, cell, this->Scratch, [](const vtkIdType*, vtkIdType) {});
+    }
+    return required != -1 || type == VTK_POLY_VERTEX ||
+      this->NonLinear.Find(type, cellId, cell.Size);
+  }
+
+  CellState CheckIds(int type, const CellIds& cell)
+  {
     bool inRange = true;
     for (vtkIdType i = 0; i < cell.Size; ++i)
     {
@@ -249,6 +288,7 @@ private:
   const vtkIdType NumberOfPoints;
   const unsigned char* Finite;
   const unsigned char* Ghosts;
+  NonLinearCells NonLinear;
   std::vector<vtkIdType> Ids;
   std::vector<vtkIdType> Scratch;
 };
@@ -262,7 +302,8 @@ struct Tally
 /// "3 cells (the first is cell 12, type 24, vtkQuadraticTetra)"
 std::string Subject(const Tally& tally, const CellReader& cells)
 {
-  const int type = cells.GetCellType(tally.First);
+  const int stored = cells.GetCellType(tally.First);
+  const int type = stored == FaceLoops ? VTK_POLYHEDRON : stored;
   std::string text = tally.Count == 1 ? "1 cell" : std::to_string(tally.Count) + " cells";
   text += tally.Count == 1 ? " (cell " : " (the first is cell ";
   text += std::to_string(tally.First) + ", type " + std::to_string(type);
@@ -270,40 +311,13 @@ std::string Subject(const Tally& tally, const CellReader& cells)
   return text + (cell ? std::string(", ") + cell->GetClassName() : std::string()) + ")";
 }
 
-std::string DescribeUnsupported(
-  const Tally& tally, const CellReader& cells, const CheckedCells& checked)
+std::string DescribeUnsupported(const Tally& tally, const CellReader& cells)
 {
-  std::bitset<256> types;
-  for (vtkIdType i = tally.First; i < cells.GetNumberOfCells(); ++i)
-  {
-    if (checked.States[i] == CellState::UnsupportedType)
-    {
-      types.set(static_cast<size_t>(cells.GetCellType(i) & 255));
-    }
-  }
-  bool curved = false;
-  bool solid = false;
-  for (int type = 0; type < 256; ++type)
-  {
-    if (types[type])
-    {
-      const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
-      curved = curved || (cell && !cell->IsLinear());
-      solid = solid || (cell && cell->IsLinear() && cell->GetCellDimension() == 3);
-    }
-  }
-  std::string text = "Passed over " + Subject(tally, cells) +
+  return "Passed over " + Subject(tally, cells) +
     " of a type that is not supported. Supported are vertices, lines, poly lines, triangles, "
-    "strips, "
-    "pixels, quads, polygons, tetrahedra, voxels, hexahedra, wedges and pyramids.";
-  text += curved ? " Apply Tessellate (vtkTessellatorFilter) first to have quadratic and other "
-                   "higher-order cells split into linear ones."
-                 : "";
-  text += solid
-    ? " Apply Tetrahedralize (vtkDataSetTriangleFilter) first to have prisms and polyhedra "
-      "split into tetrahedra."
-    : "";
-  return text;
+    "strips, pixels, quads, polygons, tetrahedra, voxels, hexahedra, wedges, pyramids, prisms, "
+    "polyhedra, and quadratic, cubic, Lagrange and Bezier cells. Apply Tetrahedralize "
+    "(vtkDataSetTriangleFilter) first to have others split.";
 }
 
 const char* Reason(CellState state)
@@ -360,7 +374,7 @@ CheckedCells CheckCells(vtkPointSet* input, const CellReader& cells)
   ForCellBlocks(cells,
     [&](vtkIdType block, vtkIdType begin, vtkIdType end)
     {
-      Checker checker(cells, input->GetNumberOfPoints(), finite, ghosts);
+      Checker checker(input, cells, finite, ghosts);
       for (vtkIdType i = begin; i < end; ++i)
       {
         checked.States[i] = checker.Check(i);
@@ -384,7 +398,7 @@ std::vector<std::string> DescribePassedOver(const CellReader& cells, const Check
   { return tallies[static_cast<size_t>(state)]; };
   if (of(CellState::UnsupportedType).Count)
   {
-    warnings.push_back(DescribeUnsupported(of(CellState::UnsupportedType), cells, checked));
+    warnings.push_back(DescribeUnsupported(of(CellState::UnsupportedType), cells));
   }
   for (const CellState state :
     { CellState::WrongSize, CellState::OutOfRange, CellState::NonFinite })

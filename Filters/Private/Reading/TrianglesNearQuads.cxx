@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Reading/TrianglesNearQuads.h"
 
+#include "Private/Reading/NonLinearCells.h"
+#include "Private/Reading/PolyhedronFaces.h"
 #include "Private/Reading/SolidCells.h"
 
 #include "vtkCellType.h"
+#include "vtkPointSet.h"
 
 #include <algorithm>
 #include <atomic>
@@ -15,70 +18,128 @@ namespace subdivision
 namespace
 {
 
-/// Calls `visit(loop, size)` for every triangle and quad that the cell is or has as a face.
-template <typename Visit>
-void ForEachFace(int cellType, const CellIds& cell, std::vector<vtkIdType>& scratch, Visit&& visit)
+/// Calls `visit(loop, size)` for the triangles and quads of cells and of the pieces of cells. Each
+/// task needs an object of its own.
+class Faces
 {
-  vtkIdType loop[4];
-  const auto visitLoop = [&visit](vtkIdType* ids, vtkIdType count)
+public:
+  Faces(vtkPointSet* input, const CellReader& cells)
+    : Cells(cells)
+    , NonLinear(input)
   {
-    const vtkIdType size = CollapseLoop(ids, count);
-    if (size == 3 || (size == 4 && !IsFolded(ids)))
-    {
-      visit(ids, size);
-    }
-  };
-  if (const FaceTable* table = GetFaceTable(cellType))
+  }
+
+  template <typename Visit>
+  void ForEach(vtkIdType cellId, const CellIds& cell, const Visit& visit)
   {
-    for (int face = 0; face < table->NumberOfFaces; ++face)
+    const int type = this->Cells.GetCellType(cellId);
+    const auto visitLoop = [&visit](vtkIdType* ids, vtkIdType count)
     {
-      const int* local = table->Faces[face];
-      const int corners = local[3] < 0 ? 3 : 4;
-      for (int i = 0; i < corners; ++i)
+      const vtkIdType size = CollapseLoop(ids, count);
+      if (size == 3 || (size == 4 && !IsFolded(ids)))
       {
-        loop[i] = cell.Ids[local[i]];
+        visit(ids, size);
       }
-      visitLoop(loop, corners);
-    }
-  }
-  else if (cellType == VTK_PIXEL || cellType == VTK_QUAD)
-  {
-    GetQuad(cellType, cell.Ids, loop);
-    visitLoop(loop, 4);
-  }
-  else if (cellType == VTK_TRIANGLE_STRIP)
-  {
-    for (vtkIdType i = 0; i + 2 < cell.Size; ++i)
+    };
+    if (IsPolyhedron(type))
     {
-      GetStripTriangle(cell.Ids, i, loop);
-      visitLoop(loop, 3);
+      ForEachFaceLoop(type, cell, this->Scratch, visitLoop);
+    }
+    else if (this->IsLinear(type))
+    {
+      this->VisitLinear(type, cell, visitLoop);
+    }
+    else
+    {
+      this->VisitPieces(*this->NonLinear.Find(type, cellId, cell.Size), cell, visitLoop);
     }
   }
-  else if (cellType == VTK_TRIANGLE || cellType == VTK_POLYGON)
+
+private:
+  static bool IsLinear(int type) { return type <= VTK_HEXAGONAL_PRISM; }
+
+  template <typename Visit>
+  void VisitLinear(int type, const CellIds& cell, const Visit& visit)
   {
-    scratch.assign(cell.Ids, cell.Ids + cell.Size);
-    visitLoop(scratch.data(), cell.Size);
+    vtkIdType loop[4];
+    if (const FaceTable* table = GetFaceTable(type))
+    {
+      for (int face = 0; face < table->NumberOfFaces; ++face)
+      {
+        const int* local = table->Faces[face];
+        const int corners = local[3] < 0 ? 3 : 4;
+        for (int i = 0; i < corners; ++i)
+        {
+          loop[i] = cell.Ids[local[i]];
+        }
+        visit(loop, corners);
+      }
+    }
+    else if (type == VTK_PIXEL || type == VTK_QUAD)
+    {
+      GetQuad(type, cell.Ids, loop);
+      visit(loop, 4);
+    }
+    else if (type == VTK_TRIANGLE_STRIP)
+    {
+      for (vtkIdType i = 0; i + 2 < cell.Size; ++i)
+      {
+        GetStripTriangle(cell.Ids, i, loop);
+        visit(loop, 3);
+      }
+    }
+    else if (type == VTK_TRIANGLE || type == VTK_POLYGON)
+    {
+      this->Scratch.assign(cell.Ids, cell.Ids + cell.Size);
+      visit(this->Scratch.data(), cell.Size);
+    }
   }
-}
+
+  template <typename Visit>
+  void VisitPieces(const CellPieces& table, const CellIds& cell, const Visit& visit)
+  {
+    ForEachPiece(table, cell,
+      [&](int type, const CellIds& piece)
+      {
+        if (type != CellPiece::Octahedron)
+        {
+          this->VisitLinear(type, piece, visit);
+          return;
+        }
+        for (int face = 0; face < 8; ++face)
+        {
+          vtkIdType loop[3] = { piece.Ids[face & 1], piece.Ids[2 + ((face >> 1) & 1)],
+            piece.Ids[4 + (face >> 2)] };
+          visit(loop, 3);
+        }
+      });
+  }
+
+  const CellReader& Cells;
+  NonLinearCells NonLinear;
+  std::vector<vtkIdType> Scratch;
+};
 
 /// Cell types that never have a quad, so that most cells are skipped without a look at their
 /// points.
 bool NeverHasQuads(int cellType)
 {
-  return cellType == VTK_TETRA || cellType == VTK_TRIANGLE || cellType == VTK_TRIANGLE_STRIP;
+  return cellType == VTK_TETRA || cellType == VTK_TRIANGLE || cellType == VTK_TRIANGLE_STRIP ||
+    cellType == VTK_QUADRATIC_TETRA || cellType == VTK_QUADRATIC_TRIANGLE;
 }
 
 /// One byte per point, 1 for the points of quads. They are atomic because several threads may write
 /// the same byte; all write 1.
 using PointMarks = std::vector<std::atomic<unsigned char>>;
 
-void MarkQuadPoints(const CellReader& cells, const CheckedCells& checked, PointMarks& marks)
+void MarkQuadPoints(
+  vtkPointSet* input, const CellReader& cells, const CheckedCells& checked, PointMarks& marks)
 {
   ForCellBlocks(cells,
     [&](vtkIdType, vtkIdType begin, vtkIdType end)
     {
       std::vector<vtkIdType> ids;
-      std::vector<vtkIdType> scratch;
+      Faces faces(input, cells);
       for (vtkIdType cellId = begin; cellId < end; ++cellId)
       {
         const int type = cells.GetCellType(cellId);
@@ -86,7 +147,7 @@ void MarkQuadPoints(const CellReader& cells, const CheckedCells& checked, PointM
         {
           continue;
         }
-        ForEachFace(type, cells.GetCell(cellId, ids), scratch,
+        faces.ForEach(cellId, cells.GetCell(cellId, ids),
           [&marks](const vtkIdType* loop, vtkIdType size)
           {
             for (vtkIdType i = 0; size == 4 && i < 4; ++i)
@@ -124,10 +185,10 @@ bool IsFolded(const vtkIdType* quad)
 }
 
 std::vector<TriangleKey> FindTrianglesNearQuads(
-  const CellReader& cells, const CheckedCells& checked, vtkIdType numberOfPoints)
+  vtkPointSet* input, const CellReader& cells, const CheckedCells& checked)
 {
-  PointMarks marks(static_cast<size_t>(numberOfPoints));
-  MarkQuadPoints(cells, checked, marks);
+  PointMarks marks(static_cast<size_t>(input->GetNumberOfPoints()));
+  MarkQuadPoints(input, cells, checked, marks);
   const auto marked = [&marks](vtkIdType id)
   { return marks[id].load(std::memory_order_relaxed) != 0; };
 
@@ -136,7 +197,7 @@ std::vector<TriangleKey> FindTrianglesNearQuads(
     [&](vtkIdType block, vtkIdType begin, vtkIdType end)
     {
       std::vector<vtkIdType> ids;
-      std::vector<vtkIdType> scratch;
+      Faces faces(input, cells);
       for (vtkIdType cellId = begin; cellId < end; ++cellId)
       {
         if (!TakesPart(checked.States[cellId]))
@@ -148,7 +209,7 @@ std::vector<TriangleKey> FindTrianglesNearQuads(
         {
           continue;
         }
-        ForEachFace(cells.GetCellType(cellId), cell, scratch,
+        faces.ForEach(cellId, cell,
           [&](const vtkIdType* loop, vtkIdType size)
           {
             if (size == 3 && marked(loop[0]) && marked(loop[1]) && marked(loop[2]))

@@ -14,6 +14,8 @@
 
 #include <vector>
 
+class vtkPointSet;
+
 namespace subdivision
 {
 
@@ -33,7 +35,7 @@ bool IsFolded(const vtkIdType* quad);
  * are points of quads. No other triangle can lie on a diagonal, and these are usually few.
  */
 std::vector<TriangleKey> FindTrianglesNearQuads(
-  const CellReader& cells, const CheckedCells& checked, vtkIdType numberOfPoints);
+  vtkPointSet* input, const CellReader& cells, const CheckedCells& checked);
 
 }
 

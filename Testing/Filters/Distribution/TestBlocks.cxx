@@ -23,6 +23,7 @@
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSubdivisionDeformation.h"
 #include "vtkSurfaceSubdivision.h"
+#include "vtkTable.h"
 #include "vtkTrivialProducer.h"
 
 using namespace partition_tools;
@@ -348,9 +349,11 @@ TEST(Blocks, OfOtherTypesAreSaid)
   vtkNew<Messages> messages;
   vtkNew<vtkSurfaceSubdivision> filter;
   messages->Watch(filter);
-  filter->SetInputDataObject(MakeBlocks({ box, MakeSkin(box) }));
+  const auto blocks = MakeBlocks({ box, MakeSkin(box) });
+  blocks->SetBlock(0, vtkNew<vtkTable>());
+  filter->SetInputDataObject(blocks);
   filter->Update();
-  EXPECT_EQ(1, messages->CountWarnings("is a vtkUnstructuredGrid"));
+  EXPECT_EQ(1, messages->CountWarnings("is a vtkTable"));
   const std::vector<Mesh> leaves = GetLeaves(filter->GetOutputDataObject(0));
   ASSERT_EQ(2u, leaves.size());
   EXPECT_EQ(0, leaves[0]->GetNumberOfCells());

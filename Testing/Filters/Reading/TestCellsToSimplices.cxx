@@ -174,12 +174,11 @@ TEST(CellsToSimplices, UnsupportedTypesAreNamed)
 {
   Mesh mesh;
   mesh.Points.resize(12);
-  mesh.Cells = { { VTK_LINE, { 0, 1 } }, { VTK_QUADRATIC_TETRA, Range(10) },
-    { VTK_QUADRATIC_EDGE, { 0, 1, 2 } }, { VTK_TETRA, { 3, 2, 1, 0 } } };
-  ExpectOneWarning(mesh, { "2 cells", "cell 1", "vtkQuadraticTetra", "24", "Tessellate", "wedges" },
+  mesh.Cells = { { VTK_LINE, { 0, 1 } }, { VTK_CONVEX_POINT_SET, Range(10) },
+    { VTK_LAGRANGE_PYRAMID, Range(5) }, { VTK_TETRA, { 3, 2, 1, 0 } } };
+  ExpectOneWarning(mesh,
+    { "2 cells", "cell 1", "vtkConvexPointSet", "41", "Tetrahedralize", "Bezier" },
     { { 0, 1 }, { 3, 2, 1, 0 } });
-  mesh.Cells = { { VTK_PENTAGONAL_PRISM, Range(10) } };
-  ExpectOneWarning(mesh, { "1 cell", "cell 0", "vtkPentagonalPrism", "Tetrahedralize" }, {});
   mesh.Cells = { { VTK_LINE, { 0, 1 } }, { 250, { 1 } } };
   ExpectOneWarning(mesh, { "1 cell", "cell 1", "250" }, { { 0, 1 } });
   mesh.Cells = { { VTK_LINE, { 0, 1 } }, { VTK_EMPTY_CELL, {} } };

@@ -2,6 +2,8 @@
 #include "CellsToSimplicesTools.h"
 #include "FileTools.h"
 
+#include "Private/Reading/ReadableMesh.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,6 +49,7 @@ struct SharedMesh
   vtkIdType Centres;
   size_t Outside; ///< faces of one tet only
   size_t TrianglesOnTets;
+  size_t NonLinear = 0; ///< warnings
 };
 
 void PrintTo(const SharedMesh& mesh, std::ostream* out)
@@ -67,7 +70,11 @@ TEST_P(CellsToSimplicesOfFile, GivesWhatIsExpected)
     GTEST_SKIP() << reason;
   }
   const auto grid = ReadGrid(file);
-  const auto result = CellsToSimplices(grid, nullptr);
+  std::vector<std::string> warnings;
+  const auto readable =
+    subdivision::MakeReadable(grid, subdivision::NonLinearRule::Corners, warnings);
+  const auto result = CellsToSimplices(vtkPointSet::SafeDownCast(readable), nullptr);
+  EXPECT_EQ(warnings.size(), expected.NonLinear);
   ExpectSound(result, grid->GetNumberOfCells());
   auto count = CountByDimension(result);
   for (int dimension = 0; dimension < 4; ++dimension)
@@ -100,8 +107,8 @@ INSTANTIATE_TEST_SUITE_P(Shared, CellsToSimplicesOfFile,
     SharedMesh{ "hostile_inverted_cells.vtu", 0, { 4, 208, 952, 2028 }, 0, 694, 952 },
     SharedMesh{ "hostile_nan_inf_coords.vtu", 1, { 8, 414, 1748, 3918 }, 0, 1136, 1748 },
     SharedMesh{ "hostile_out_of_range_ids.vtu", 1, { 4, 207, 952, 2013 }, 0, 676, 949 },
-    SharedMesh{ "hostile_quadratic_among_linear.vtu", 1, { 0, 1, 1, 1 }, 0, 4, 1 },
-    SharedMesh{ "hostile_unsupported_types.vtu", 1, { 3, 4, 9, 7 }, 0, 16, 1 },
+    SharedMesh{ "hostile_quadratic_among_linear.vtu", 0, { 0, 2, 2, 2 }, 0, 6, 2, 1 },
+    SharedMesh{ "hostile_unsupported_types.vtu", 1, { 3, 4, 9, 19 }, 1, 24, 1 },
     SharedMesh{ "hostile_unused_points.vtu", 0, { 4, 208, 952, 2016 }, 0, 674, 952 },
     SharedMesh{ "mix_elmer_shell_on_solid.vtu", 0, { 0, 96, 7168, 24576 }, 0, 5120, 5120 },
     SharedMesh{ "mix_elmer_wire_pair.vtu", 0, { 8, 426, 1800, 4050 }, 0, 1020, 1800 },
@@ -114,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Shared, CellsToSimplicesOfFile,
       "hex_gmsh_quadtri_torus_4types.vtu", 0, { 44, 1060, 14572, 120521 }, 0, 1764, 14572 },
     SharedMesh{ "hex_mfem_tinyzoo.vtu", 0, { 0, 0, 20, 12 }, 0, 20, 20 },
     SharedMesh{ "nat_ogs_sphere_zero_volume.vtu", 0, { 0, 0, 0, 122820 }, 0, 11094, 0 },
-    SharedMesh{ "nat_geos_all_types.vtu", 1, { 0, 0, 0, 18 }, 0, 42, 0 }),
+    SharedMesh{ "nat_geos_all_types.vtu", 0, { 0, 0, 0, 214 }, 7, 238, 0 }),
   [](const auto& param)
   {
     const std::string name = param.param.Name;
@@ -146,4 +153,30 @@ TEST(CellsToSimplicesFiles, HybridBoxThatDoesNotConformAsFound)
     }
     EXPECT_TRUE(onBox);
   }
+}
+
+TEST(CellsToSimplicesFiles, QuadraticTetsAreOneOrEight)
+{
+  const std::string file = GetSharedFile("nat_fea_quadratic_tets.vtu");
+  if (const std::string reason = WhyNotRead(file); !reason.empty())
+  {
+    GTEST_SKIP() << reason;
+  }
+  const auto grid = ReadGrid(file);
+  ASSERT_EQ(grid->GetNumberOfCells(), 56786);
+  std::vector<std::string> warnings;
+  const auto corners =
+    subdivision::MakeReadable(grid, subdivision::NonLinearRule::Corners, warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(Has(warnings[0], "56786 cells")) << warnings[0];
+  const auto one = CellsToSimplices(vtkPointSet::SafeDownCast(corners), nullptr);
+  EXPECT_EQ(one.Simplices.GetNumberOfSimplices(), 56786);
+  const auto pieces = subdivision::MakeReadable(grid, subdivision::NonLinearRule::Pieces, warnings);
+  EXPECT_EQ(pieces, grid) << "nothing is copied";
+  const auto eight = CellsToSimplices(grid, nullptr);
+  EXPECT_EQ(eight.Simplices.GetNumberOfSimplices(), 8 * 56786);
+  EXPECT_EQ(eight.GetNumberOfCentres(), 0);
+  const auto faces = CountFaces(GetSimplices(eight));
+  EXPECT_EQ(FacesUsed(faces, 1).size(), 4 * FacesUsed(CountFaces(GetSimplices(one)), 1).size());
+  EXPECT_TRUE(std::all_of(faces.begin(), faces.end(), [](const auto& f) { return f.second <= 2; }));
 }

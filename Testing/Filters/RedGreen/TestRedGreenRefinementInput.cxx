@@ -149,7 +149,7 @@ TEST(RedGreenCells, ThatCannotBeReadArePassedOver)
 {
   const Grid input = multi_dimensional_subdivision_tools::MakeGrid(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, 0, 0 }, { NotANumber, 0, 0 } },
-    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_QUADRATIC_EDGE, { 0, 1, 4 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_CONVEX_POINT_SET, { 0, 1, 4 } },
       { VTK_TETRA, { 0, 1, 1, 2 } }, { VTK_TRIANGLE, { 0, 1, 5 } }, { VTK_TETRA, { 0, 2, 1, 3 } },
       { VTK_TETRA, { 0, 1, 2, 4 } } });
   vtkNew<Messages> messages;

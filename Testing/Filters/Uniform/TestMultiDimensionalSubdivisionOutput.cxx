@@ -79,7 +79,7 @@ const std::vector<Point> ZooPoints = { { 0, 0, 0 }, { NaN, 0, 0 }, { 1, 0, 0 }, 
   { 0, 0, 1.2 }, { 1.3, 1.2, 1.1 }, { 3, 0, 0 }, { 4, 0, 1 }, { 9, 9, 9 }, { 8, 8, 8 } };
 const std::vector<Cell> ZooCells = { { VTK_VERTEX, { 0 } }, { VTK_TRIANGLE, { 4, 2, 3 } },
   { VTK_TETRA, { 0, 2, 3, 4 } }, { VTK_TETRA, { 5, 2, 4, 3 } }, { VTK_TETRA, { 3, 4, 0, 2 } },
-  { VTK_QUADRATIC_EDGE, { 0, 2, 3 } }, { VTK_TRIANGLE, { 2, 5, 6 } }, { VTK_LINE, { 6, 5 } },
+  { VTK_CONVEX_POINT_SET, { 0, 2, 3 } }, { VTK_TRIANGLE, { 2, 5, 6 } }, { VTK_LINE, { 6, 5 } },
   { VTK_LINE, { 6, 7 } }, { VTK_TRIANGLE, { 6, 5, 2 } }, { VTK_VERTEX, { 8 } } };
 
 Grid MakeZoo()
@@ -140,7 +140,7 @@ TEST(MultiDimensionalSubdivisionOutput, LevelZeroHasTheSimplicesInTheirPlaces)
   vtkIdType at = 0;
   for (std::size_t i = 0; i < ZooCells.size(); ++i)
   {
-    if (ZooCells[i].Type == VTK_QUADRATIC_EDGE)
+    if (ZooCells[i].Type == VTK_CONVEX_POINT_SET)
     {
       continue;
     }

@@ -1,0 +1,481 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Reading/ReadableMesh.h"
+
+#include "Core/Memory/Buffer.h"
+#include "Private/Reading/CellChecks.h"
+#include "Private/Reading/NonLinearCells.h"
+#include "Private/Reading/PolyhedronFaces.h"
+#include "Private/vtkSubdivisionObjectsCompat.h"
+
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkExplicitStructuredGrid.h"
+#include "vtkFieldData.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace subdivision
+{
+namespace
+{
+
+void ShareArrays(vtkDataSet* from, vtkDataSet* to)
+{
+  to->GetPointData()->ShallowCopy(from->GetPointData());
+  to->GetCellData()->ShallowCopy(from->GetCellData());
+  to->GetFieldData()->ShallowCopy(from->GetFieldData());
+}
+
+// ------------------------------------------------------------------------------------------------
+// Structured data
+
+/// The numbers of points of a structured data set along its axes. Returns false for others.
+bool GetDimensions(vtkDataSet* data, int* dimensions)
+{
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    image->GetDimensions(dimensions);
+  }
+  else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    rectilinear->GetDimensions(dimensions);
+  }
+  else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
+  {
+    structured->GetDimensions(dimensions);
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+/// The points of an image or rectilinear grid.
+vtkSmartPointer<vtkPoints> MakePoints(vtkDataSet* data)
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetNumberOfComponents(3);
+  values->SetNumberOfTuples(data->GetNumberOfPoints());
+  double* x = values->GetPointer(0);
+  ForEach(data->GetNumberOfPoints(), [&](vtkIdType i) { data->GetPoint(i, x + 3 * i); });
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(values);
+  return points;
+}
+
+/// The cells of a structured data set: boxes of 2 to the power of their dimension corners. Voxels
+/// and pixels list their corners row by row, hexahedra and quads around their faces.
+template <typename Array>
+vtkSmartPointer<vtkCellArray> MakeBoxes(const int* dimensions, bool aligned, int& axes)
+{
+  vtkIdType cellsAlong[3] = {};
+  vtkIdType steps[3] = {};
+  vtkIdType points = 1;
+  vtkIdType cells = 1;
+  axes = 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    if (dimensions[a] > 1)
+    {
+      cellsAlong[axes] = dimensions[a] - 1;
+      steps[axes++] = points;
+      cells *= dimensions[a] - 1;
+    }
+    points *= dimensions[a];
+  }
+  cells = points == 0 ? 0 : cells;
+  const int corners = 1 << axes;
+  vtkIdType offsets[8] = {};
+  for (int c = 0; c < corners; ++c)
+  {
+    for (int a = 0; a < axes; ++a)
+    {
+      offsets[c] += (c >> a & 1) * steps[a];
+    }
+  }
+  for (int c = 0; !aligned && c + 3 < corners; c += 4)
+  {
+    std::swap(offsets[c + 2], offsets[c + 3]);
+  }
+  vtkNew<Array> ends;
+  vtkNew<Array> ids;
+  ends->SetNumberOfValues(cells + 1);
+  ids->SetNumberOfValues(cells * corners);
+  using Value = typename Array::ValueType;
+  Value* end = ends->GetPointer(0);
+  Value* id = ids->GetPointer(0);
+  ForEach(cells + 1, [&](vtkIdType i) { end[i] = static_cast<Value>(i * corners); });
+  ForEach(cells,
+    [&](vtkIdType i)
+    {
+      vtkIdType first = 0;
+      vtkIdType rest = i;
+      for (int a = 0; a < axes; ++a)
+      {
+        first += rest % cellsAlong[a] * steps[a];
+        rest /= cellsAlong[a];
+      }
+      for (int c = 0; c < corners; ++c)
+      {
+        id[i * corners + c] = static_cast<Value>(first + offsets[c]);
+      }
+    });
+  auto array = vtkSmartPointer<vtkCellArray>::New();
+  array->SetData(ends, ids);
+  return array;
+}
+
+/// Hides the cells at hidden points.
+void HideCells(vtkUnstructuredGrid* grid)
+{
+  constexpr unsigned char hidden = vtkDataSetAttributes::HIDDENPOINT;
+  vtkUnsignedCharArray* ofPoints = grid->GetPointGhostArray();
+  const vtkIdType points = ofPoints ? ofPoints->GetNumberOfValues() : 0;
+  if (points < grid->GetNumberOfPoints() ||
+    std::none_of(
+      ofPoints->GetPointer(0), ofPoints->GetPointer(0) + points,
+      [](unsigned char type) { return type & hidden; }))
+  {
+    return;
+  }
+  const CellReader reader(grid);
+  vtkNew<vtkUnsignedCharArray> types;
+  types->SetName(vtkDataSetAttributes::GhostArrayName());
+  types->SetNumberOfValues(grid->GetNumberOfCells());
+  types->FillValue(0);
+  if (const unsigned char* known = GetGhosts(grid, grid->GetNumberOfCells()))
+  {
+    std::copy(known, known + grid->GetNumberOfCells(), types->GetPointer(0));
+  }
+  std::vector<vtkIdType> scratch;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    const CellIds cell = reader.GetCell(c, scratch);
+    if (std::any_of(cell.Ids, cell.Ids + cell.Size,
+          [&](vtkIdType id) { return ofPoints->GetValue(id) & hidden; }))
+    {
+      types->SetValue(c, types->GetValue(c) | vtkDataSetAttributes::HIDDENCELL);
+    }
+  }
+  grid->GetCellData()->AddArray(types);
+}
+
+/// Null where the input is not structured.
+vtkSmartPointer<vtkUnstructuredGrid> ReadStructured(vtkDataSet* data)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  int dimensions[3];
+  if (auto* explicitGrid = vtkExplicitStructuredGrid::SafeDownCast(data))
+  {
+    grid->SetPoints(explicitGrid->GetPoints());
+    if (explicitGrid->GetCells())
+    {
+      grid->SetCells(VTK_HEXAHEDRON, explicitGrid->GetCells());
+    }
+  }
+  else if (GetDimensions(data, dimensions))
+  {
+    static const int boxes[2][4] = { { VTK_VERTEX, VTK_LINE, VTK_QUAD, VTK_HEXAHEDRON },
+      { VTK_VERTEX, VTK_LINE, VTK_PIXEL, VTK_VOXEL } };
+    auto* structured = vtkStructuredGrid::SafeDownCast(data);
+    const bool isSmall = data->GetNumberOfPoints() < std::numeric_limits<int>::max() / 8;
+    int axes = 0;
+    const auto cells = isSmall ? MakeBoxes<vtkTypeInt32Array>(dimensions, !structured, axes)
+                               : MakeBoxes<vtkIdTypeArray>(dimensions, !structured, axes);
+    grid->SetPoints(structured ? structured->GetPoints() : MakePoints(data).Get());
+    grid->SetCells(boxes[structured ? 0 : 1][axes], cells);
+  }
+  else
+  {
+    return nullptr;
+  }
+  ShareArrays(data, grid);
+  HideCells(grid);
+  return grid;
+}
+
+// ------------------------------------------------------------------------------------------------
+// Unstructured grids
+
+/// The non-linear cells of which only the corners remain.
+struct Linearised
+{
+  vtkIdType Cells = 0;
+  vtkIdType PlainPoints = 0; ///< that were nodes, and that no cell uses any more
+  vtkIdType First = -1;      ///< cell
+  int FirstType = 0;
+  unsigned int FirstBlock = 0;
+};
+
+std::string Describe(const Linearised& done)
+{
+  const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(done.FirstType));
+  std::string text = done.Cells == 1
+    ? "1 cell is not linear (cell "
+    : std::to_string(done.Cells) + " cells are not linear (the first is cell ";
+  text += std::to_string(done.First) +
+    (done.FirstBlock > 0 ? " of block " + std::to_string(done.FirstBlock) : "") + ", type " +
+    std::to_string(done.FirstType) + (cell ? std::string(", ") + cell->GetClassName() : "") +
+    "): the filter takes a linear cell at the corners of each, and ";
+  text += done.PlainPoints == 1
+    ? "1 node that no cell uses any more becomes a plain point"
+    : std::to_string(done.PlainPoints) + " nodes that no cell uses any more become plain points";
+  return text + ". Set QuadraticCells to Pieces to have cells cut along their nodes.";
+}
+
+/// Writes the cells of a grid anew.
+class CellWriter
+{
+public:
+  CellWriter(vtkUnstructuredGrid* grid, NonLinearRule rule)
+    : Grid(grid)
+    , Rule(rule)
+    , Reader(grid)
+    , NonLinear(grid)
+    , Ghosts(GetGhosts(grid, grid->GetNumberOfCells()))
+  {
+  }
+
+  /// Whether there is a cell that has to be changed.
+  bool IsNeeded() const
+  {
+    const unsigned char* types = this->Reader.GetTypes();
+    return std::any_of(types, types + this->Reader.GetNumberOfCells(),
+      [this](int type)
+      {
+        return type == VTK_POLYHEDRON ||
+          (type > VTK_HEXAGONAL_PRISM && this->Rule == NonLinearRule::Corners && IsNonLinear(type));
+      });
+  }
+
+  vtkSmartPointer<vtkUnstructuredGrid> Write(Linearised& done, unsigned int block)
+  {
+    const vtkIdType cells = this->Reader.GetNumberOfCells();
+    this->Types->SetNumberOfValues(cells);
+    this->Ends->InsertNextValue(0);
+    this->Uses.assign(static_cast<size_t>(this->Grid->GetNumberOfPoints()), Use::None);
+    vtkNew<vtkIdList> stream;
+    std::vector<vtkIdType> scratch;
+    for (vtkIdType c = 0; c < cells; ++c)
+    {
+      const int type = this->Reader.GetCellType(c);
+      CornerCell kept;
+      kept.Type = type;
+      if (type == VTK_POLYHEDRON)
+      {
+        kept.Type = FaceLoops;
+        this->Grid->GetFaceStream(c, stream);
+        this->AddLoops(stream);
+      }
+      else
+      {
+        const CellIds cell = this->Reader.GetCell(c, scratch);
+        kept.Size = cell.Size;
+        if (this->TakesCorners(type, c, cell.Size))
+        {
+          kept = GetCornerCell(type, cell.Size);
+          this->Count(type, c, block, done);
+        }
+        this->AddIds(cell, kept.Size, this->Ghosts && this->IsHidden(c));
+      }
+      this->Types->SetValue(c, static_cast<unsigned char>(kept.Type));
+      this->Ends->InsertNextValue(this->Ids->GetNumberOfValues());
+    }
+    done.PlainPoints += std::count(this->Uses.begin(), this->Uses.end(), Use::Dropped);
+    return this->MakeGrid();
+  }
+
+private:
+  enum class Use : unsigned char
+  {
+    None,
+    Dropped,
+    Taken
+  };
+
+  bool IsHidden(vtkIdType cell) const
+  {
+    return this->Ghosts && (this->Ghosts[cell] & vtkDataSetAttributes::HIDDENCELL);
+  }
+  /// Cells with a wrong number of points are left as they are, and CheckCells tells of them.
+  bool TakesCorners(int type, vtkIdType cell, vtkIdType size)
+  {
+    return this->Rule == NonLinearRule::Corners && IsNonLinear(type) &&
+      this->NonLinear.Find(type, cell, size);
+  }
+  void Count(int type, vtkIdType cell, unsigned int block, Linearised& done) const
+  {
+    if (this->IsHidden(cell))
+    {
+      return;
+    }
+    if (done.Cells++ == 0)
+    {
+      done.First = cell;
+      done.FirstType = type;
+      done.FirstBlock = block;
+    }
+  }
+  void AddId(vtkIdType id, bool isHidden)
+  {
+    this->Ids->InsertNextValue(id);
+    if (!isHidden && id >= 0 && id < static_cast<vtkIdType>(this->Uses.size()))
+    {
+      this->Uses[id] = Use::Taken;
+    }
+  }
+  void AddIds(const CellIds& cell, vtkIdType kept, bool isHidden)
+  {
+    for (vtkIdType i = 0; i < kept; ++i)
+    {
+      this->AddId(cell.Ids[i], isHidden);
+    }
+    for (vtkIdType i = kept; i < cell.Size && !isHidden; ++i)
+    {
+      const vtkIdType id = cell.Ids[i];
+      const bool exists = id >= 0 && id < static_cast<vtkIdType>(this->Uses.size());
+      if (exists && this->Uses[id] == Use::None)
+      {
+        this->Uses[id] = Use::Dropped;
+      }
+    }
+  }
+  /// `stream`: the number of faces, then the number of points and the points of each.
+  void AddLoops(vtkIdList* stream)
+  {
+    for (vtkIdType i = 1; i < stream->GetNumberOfIds();)
+    {
+      const vtkIdType begin = i + 1;
+      const vtkIdType end = std::min(begin + stream->GetId(i), stream->GetNumberOfIds());
+      for (i = begin; i < end; ++i)
+      {
+        this->AddId(stream->GetId(i), false);
+      }
+      if (begin < end)
+      {
+        this->AddId(stream->GetId(begin), false);
+      }
+    }
+  }
+  vtkSmartPointer<vtkUnstructuredGrid> MakeGrid() const
+  {
+    auto made = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(this->Ends.Get(), this->Ids.Get());
+    made->SetPoints(this->Grid->GetPoints());
+    made->SetCells(this->Types.Get(), cells);
+    ShareArrays(this->Grid, made);
+    return made;
+  }
+
+  vtkUnstructuredGrid* Grid;
+  const NonLinearRule Rule;
+  const CellReader Reader;
+  NonLinearCells NonLinear;
+  const unsigned char* Ghosts;
+  std::vector<Use> Uses; ///< of each point
+  vtkNew<vtkUnsignedCharArray> Types;
+  vtkNew<vtkIdTypeArray> Ends;
+  vtkNew<vtkIdTypeArray> Ids;
+};
+
+}
+
+vtkSmartPointer<vtkDataObject> ChangeMeshes(vtkDataObject* input,
+  const std::function<vtkSmartPointer<vtkDataObject>(vtkDataObject*, unsigned int)>& change)
+{
+  auto* from = vtkCompositeDataSet::SafeDownCast(input);
+  if (!from)
+  {
+    return input ? change(input, 0) : nullptr;
+  }
+  auto to = vtkSmartPointer<vtkCompositeDataSet>::Take(from->NewInstance());
+  to->CopyStructure(from);
+  to->GetFieldData()->ShallowCopy(from->GetFieldData());
+  bool isSame = true;
+  const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(from->NewIterator());
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    const auto changed = change(at->GetCurrentDataObject(), at->GetCurrentFlatIndex());
+    isSame = isSame && changed == at->GetCurrentDataObject();
+    to->SetDataSet(at, changed);
+  }
+  if (isSame)
+  {
+    return input;
+  }
+  return to;
+}
+
+vtkSmartPointer<vtkDataObject> MakeReadable(
+  vtkDataObject* input, NonLinearRule rule, std::vector<std::string>& warnings)
+{
+  Linearised done;
+  auto readable = ChangeMeshes(input,
+    [&](vtkDataObject* mesh, unsigned int block) -> vtkSmartPointer<vtkDataObject>
+    {
+      if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
+      {
+        CellWriter writer(grid, rule);
+        if (writer.IsNeeded())
+        {
+          return writer.Write(done, block);
+        }
+        return mesh;
+      }
+      auto* data = vtkDataSet::SafeDownCast(mesh);
+      const auto structured = data ? ReadStructured(data) : nullptr;
+      if (structured)
+      {
+        return structured;
+      }
+      return mesh;
+    });
+  if (done.Cells > 0)
+  {
+    warnings.push_back(Describe(done));
+  }
+  return readable;
+}
+
+vtkSmartPointer<vtkDataObject> MakeMovable(vtkDataObject* input)
+{
+  return ChangeMeshes(input,
+    [](vtkDataObject* mesh, unsigned int) -> vtkSmartPointer<vtkDataObject>
+    {
+      int dimensions[3];
+      auto* data = vtkDataSet::SafeDownCast(mesh);
+      if (vtkStructuredGrid::SafeDownCast(data) || !GetDimensions(data, dimensions))
+      {
+        return mesh;
+      }
+      auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+      grid->SetDimensions(dimensions);
+      grid->SetPoints(MakePoints(data));
+      ShareArrays(data, grid);
+      return grid;
+    });
+}
+
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ReadableMesh.h
+ * The entrance of all filters: makes the vtkUnstructuredGrid or vtkPolyData that CellReader reads
+ * out of inputs of other classes and cells of other types. Cells and points keep their ids.
+ */
+#ifndef SubdivisionObjects_ReadableMesh_h
+#define SubdivisionObjects_ReadableMesh_h
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+
+namespace subdivision
+{
+
+/// What becomes of quadratic and other non-linear cells.
+enum class NonLinearRule
+{
+  Corners, ///< linear cells at their corners
+  Pieces   ///< are left as they are, and CellsToSimplices cuts them
+};
+
+/// Calls change(mesh) for a mesh, or for all blocks of a composite data set. The result is the
+/// input where nothing changes, else a mesh or a composite data set of the same structure. `change`
+/// also gets the flat index of the block, 0 for a single mesh.
+vtkSmartPointer<vtkDataObject> ChangeMeshes(vtkDataObject* input,
+  const std::function<vtkSmartPointer<vtkDataObject>(vtkDataObject*, unsigned int)>& change);
+
+/**
+ * Makes a mesh, or the blocks of a composite data set, readable:
+ *  - vtkImageData and vtkRectilinearGrid become grids of voxels or pixels, vtkStructuredGrid and
+ *    vtkExplicitStructuredGrid of hexahedra or quads; along an axis of one point they are flat.
+ *    Cells that are hidden, or have a hidden point (vtkGhostType), become hidden cells.
+ *  - Polyhedra become the loops of PolyhedronFaces.h. Such a grid is for CellReader only.
+ *  - With NonLinearRule::Corners non-linear cells become linear ones. A warning counts them and the
+ *    nodes that no cell uses any more.
+ * The points and all arrays are shared with the input. What needs no change, or is of another
+ * class, is returned as it is.
+ */
+vtkSmartPointer<vtkDataObject> MakeReadable(
+  vtkDataObject* input, NonLinearRule rule, std::vector<std::string>& warnings);
+
+/// Makes a vtkStructuredGrid, whose points can move, of vtkImageData and vtkRectilinearGrid, also
+/// of blocks. What is of another class is returned as it is.
+vtkSmartPointer<vtkDataObject> MakeMovable(vtkDataObject* input);
+
+}
+
+#endif

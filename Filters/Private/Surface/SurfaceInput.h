@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceInput.h
+ * Makes the vtkPolyData that the surface filters read out of a vtkUnstructuredGrid.
+ */
+#ifndef SubdivisionObjects_SurfaceInput_h
+#define SubdivisionObjects_SurfaceInput_h
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace subdivision
+{
+
+/**
+ * The cells of a grid without its solids, which a warning counts: first the vertices, then lines,
+ * then polygons, then strips. Non-linear cells are cut (NonLinearCells.h). Cells that cannot be
+ * used are left out with a warning, hidden ones without. Points and their arrays are shared, cell
+ * data follow their cells. With `originalIds` the cell array SourceCellsName has the
+ * cells of the grid.
+ */
+vtkSmartPointer<vtkPolyData> MakeSurface(
+  vtkUnstructuredGrid* grid, bool originalIds, std::vector<std::string>& warnings);
+
+/// The original ids of the cells of an output, or of its blocks, become those of the grid where the
+/// input was made by MakeSurface.
+void RestoreSourceCells(vtkDataObject* output);
+
+}
+
+#endif
