@@ -57,6 +57,8 @@ int vtkSubdivisionDeformation::FillInputPortInformation(int port, vtkInformation
     }
     return 1;
   }
+  // Not required, so that RequestData can tell in one error what is missing.
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return this->Superclass::FillInputPortInformation(port, info);
 }
 
@@ -158,6 +160,19 @@ int vtkSubdivisionDeformation::RequestData(
     " and the points of the input. Use fewer levels, or a part of the input.";
   traits.FallsBackToInput = true;
   const auto object = subdivision::MakeMovable(vtkDataObject::GetData(inputVector[0]));
+  for (int port = 1; port < 3; ++port)
+  {
+    if (this->GetNumberOfInputConnections(port) == 0)
+    {
+      vtkErrorMacro(
+        << (port == 1 ? "RestMesh (input port 1)" : "DeformedMesh (input port 2)")
+        << " is missing; the output is the input. RestMesh is a mesh of solid cells around "
+           "the input, such as a cage (vtkSubdivisionCageSource, in ParaView \"Cage "
+           "Around\"), DeformedMesh the same with its points moved.");
+      vtkDataObject::GetData(outputVector)->ShallowCopy(object);
+      return 1;
+    }
+  }
   auto warn = [this](const std::string& message) { vtkWarningMacro(<< message); };
   std::vector<std::string> warnings;
   const auto rest = subdivision::GatherMesh(

@@ -35,6 +35,11 @@ def stated_defaults(text):
                     for pair in re.findall(rf"\b[Dd]efault {value}(?: to {value})?", text)]
 
 
+def along_axes(stated, value):
+    """What is stated for one axis, for all axes of a value that has more components."""
+    return stated * (len(value) // len(stated))
+
+
 def stated_ranges(text):
     """All ranges in front of a default, each as a pair; an open end is None."""
     value = r"(-?\d+(?:\.\d+)?)"

@@ -67,6 +67,7 @@ class Proxies(unittest.TestCase):
     expected = {
         "MultiDimensionalSubdivision": ("Multi-dimensional Subdivision", "MultidimensionalSubdivision"),
         "SubdivisionModelSource": ("Subdivision Model", "SubdivisionModel"),
+        "SubdivisionCageSource": ("Cage", "Cage"),
     }
 
     def test_names_and_menus(self):

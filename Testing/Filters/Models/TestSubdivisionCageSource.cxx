@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestSubdivisionCageSource.cxx
+ * Cages fill their box with positive tetrahedra that fit together, and are a rest mesh for
+ * deformation.
+ */
+#include "SubdivisionDeformationTools.h"
+
+#include "vtkSubdivisionCageSource.h"
+
+#include "vtkMultiBlockDataSet.h"
+
+using namespace deformation_tools;
+
+namespace
+{
+
+struct Made
+{
+  Grid Cage;
+  std::vector<std::string> Errors;
+};
+
+Made MakeCage(vtkSubdivisionCageSource* source)
+{
+  vtkNew<Messages> heard;
+  heard->Watch(source);
+  source->Update();
+  return { source->GetOutput(), heard->Errors };
+}
+
+void ExpectBounds(vtkDataSet* cage, const std::array<double, 6>& expected)
+{
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_NEAR(cage->GetBounds()[i], expected[i], 1e-12) << i;
+  }
+}
+
+}
+
+TEST(SubdivisionCageSource, FillsItsBox)
+{
+  vtkNew<vtkSubdivisionCageSource> source;
+  source->SetNumberOfCells(3, 1, 4);
+  source->SetBounds(-1, 2, 0, 4, 5, 6);
+  source->SetMargin(0);
+  const Made made = MakeCage(source);
+  EXPECT_TRUE(made.Errors.empty());
+  ASSERT_EQ(made.Cage->GetNumberOfCells(), 6 * 12);
+  EXPECT_EQ(made.Cage->GetNumberOfPoints(), 4 * 2 * 5);
+  ExpectBounds(made.Cage, { -1, 2, 0, 4, 5, 6 });
+  double volume = 0;
+  std::map<std::set<vtkIdType>, int> count;
+  for (const Ids& tet : GetCells(made.Cage))
+  {
+    ASSERT_EQ(tet.size(), 4u);
+    EXPECT_GT(GetSignedVolume(made.Cage, tet), 0);
+    volume += GetSignedVolume(made.Cage, tet);
+    for (const vtkIdType left : tet)
+    {
+      std::set<vtkIdType> face(tet.begin(), tet.end());
+      face.erase(left);
+      ++count[face];
+    }
+  }
+  EXPECT_NEAR(volume, 12, 1e-12);
+  vtkIdType outside = 0;
+  for (const auto& [face, n] : count)
+  {
+    EXPECT_LE(n, 2);
+    outside += n == 1 ? 1 : 0;
+  }
+  EXPECT_EQ(outside, 2 * 2 * (3 * 1 + 3 * 4 + 1 * 4));
+}
+
+TEST(SubdivisionCageSource, IsAroundItsInput)
+{
+  const Grid first = MakeCloud(20, { 0, 0, 0 }, { 1, 1, 1 }, 1);
+  const Grid second = MakeCloud(20, { 3, 0, 0 }, { 4, 1, 1 }, 2);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, first);
+  blocks->SetBlock(2, second);
+  vtkNew<vtkSubdivisionCageSource> source;
+  source->SetMargin(0);
+  source->SetInputDataObject(0, blocks);
+  const double* a = first->GetBounds();
+  const double* b = second->GetBounds();
+  std::array<double, 6> all{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    all[2 * axis] = std::min(a[2 * axis], b[2 * axis]);
+    all[2 * axis + 1] = std::max(a[2 * axis + 1], b[2 * axis + 1]);
+  }
+  ExpectBounds(MakeCage(source).Cage, all);
+  source->SetMargin(10);
+  const double margin = (all[1] - all[0]) / 10;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    all[2 * axis] -= margin;
+    all[2 * axis + 1] += margin;
+  }
+  ExpectBounds(MakeCage(source).Cage, all);
+  // Without input, Bounds count.
+  source->SetInputDataObject(0, nullptr);
+  source->RemoveAllInputConnections(0);
+  ExpectBounds(MakeCage(source).Cage, { -.1, 1.1, -.1, 1.1, -.1, 1.1 });
+}
+
+TEST(SubdivisionCageSource, BadBoxesAreErrors)
+{
+  vtkNew<vtkSubdivisionCageSource> source;
+  source->SetBounds(0, 1, 2, 1, 0, 1);
+  Made made = MakeCage(source);
+  ASSERT_EQ(made.Errors.size(), 1u);
+  EXPECT_NE(made.Errors[0].find("along y"), std::string::npos);
+  EXPECT_EQ(made.Cage->GetNumberOfCells(), 0);
+  source->SetBounds(0, 1, 0, 1, 3, 3);
+  EXPECT_TRUE(MakeCage(source).Errors.empty()) << "the margin gives it a volume";
+  ExpectBounds(source->GetOutput(), { -.05, 1.05, -.05, 1.05, 2.95, 3.05 });
+  source->SetMargin(0);
+  made = MakeCage(source);
+  ASSERT_EQ(made.Errors.size(), 1u);
+  EXPECT_NE(made.Errors[0].find("flat along z"), std::string::npos);
+  source->SetInputDataObject(0, Grid::New());
+  made = MakeCage(source);
+  ASSERT_EQ(made.Errors.size(), 1u);
+  EXPECT_NE(made.Errors[0].find("no points"), std::string::npos);
+  source->SetNumberOfCells(0, 7, 1000);
+  EXPECT_EQ(source->GetNumberOfCells()[0], 1);
+  EXPECT_EQ(source->GetNumberOfCells()[1], 7);
+  EXPECT_EQ(source->GetNumberOfCells()[2], 100);
+}
+
+TEST(SubdivisionCageSource, StartsADeformation)
+{
+  const Grid cloud = MakeCloud(500, { -1, 0, 2 }, { 1, 3, 4 }, 3);
+  vtkNew<vtkSubdivisionCageSource> source;
+  source->SetInputDataObject(0, cloud);
+  source->SetMargin(60); // smoothing makes the cage smaller
+  const Grid cage = MakeCage(source).Cage;
+  Deformer deformer;
+  const auto result = deformer.Run(cloud, cage, Moved(cage, Affine));
+  EXPECT_TRUE(deformer.WasSilent());
+  EXPECT_LT(GetLargestError(result, cloud, Affine), 1e-12);
+}
+
+TEST(SubdivisionDeformation, WithoutRestMeshThereIsOneError)
+{
+  const Grid cloud = MakeCloud(5, { 0, 0, 0 }, { 1, 1, 1 }, 3);
+  vtkNew<vtkSubdivisionDeformation> filter;
+  vtkNew<Messages> heard;
+  heard->Watch(filter);
+  filter->SetInputDataObject(0, cloud);
+  filter->Update();
+  ASSERT_EQ(heard->Errors.size(), 1u);
+  EXPECT_NE(heard->Errors[0].find("RestMesh (input port 1)"), std::string::npos);
+  EXPECT_NE(heard->Errors[0].find("vtkSubdivisionCageSource"), std::string::npos);
+  EXPECT_EQ(ComparePoints(vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0)), cloud), "");
+  heard->Errors.clear();
+  vtkNew<vtkSubdivisionCageSource> source;
+  filter->SetRestMeshConnection(source->GetOutputPort());
+  filter->Update();
+  ASSERT_EQ(heard->Errors.size(), 1u);
+  EXPECT_NE(heard->Errors[0].find("DeformedMesh (input port 2)"), std::string::npos);
+}
