@@ -7,7 +7,8 @@
 #ifndef SubdivisionObjects_RingMasks_h
 #define SubdivisionObjects_RingMasks_h
 
-#include "Core/Rules/Masks.h"
+#include "Core/Rules/Mask.h"
+#include "Core/Rules/Rule.h"
 #include "Core/Rules/Stratum.h"
 
 #include <variant>
@@ -69,6 +70,20 @@ struct RingMasks
   double CountedOwn = 0.;
   double CountedOther = 0.;
 };
+
+/// The mask of a row, whichever table has it. For where speed does not matter.
+inline PartedMask GetMask(const RingMasks& masks, bool ofEdge, Rule rule, vtkIdType ringSize)
+{
+  if (const auto* plain = std::get_if<MaskTables<Mask>>(&masks.Tables))
+  {
+    Mask scratch;
+    return MakeParted(
+      (ofEdge ? plain->Edges : plain->Vertices).Get(rule, ringSize, scratch), ringSize);
+  }
+  const auto& parted = std::get<MaskTables<PartedMask>>(masks.Tables);
+  PartedMask scratch;
+  return (ofEdge ? parted.Edges : parted.Vertices).Get(rule, ringSize, scratch);
+}
 
 }
 

@@ -1,41 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Masks.h
- * The weights of the rules (Mathematics 5). A mask has two weights: one for the vertex itself, or
- * for each of the two ends of an edge, and one for each member of the ring. Both follow from the
- * rule and the size of the ring.
+ * The weights of the rules (Mathematics 5). They follow from the rule and the size of the ring.
+ * Sources include this, and no headers that others read, so that a changed weight compiles few
+ * files again.
  */
 #ifndef SubdivisionObjects_Masks_h
 #define SubdivisionObjects_Masks_h
 
+#include "Core/Rules/Mask.h"
 #include "Core/Rules/Rule.h"
-
-#include "vtkType.h"
 
 namespace subdivision
 {
-
-struct Mask
-{
-  double Own;
-  double Ring;
-};
-
-/// A mask for a ring that consists of up to three sections, each with a size and a weight of its
-/// own.
-struct PartedMask
-{
-  double Own;
-  int Parts;
-  vtkIdType Sizes[3];
-  double Weights[3];
-};
-
-/// The same mask for a ring of one section.
-inline PartedMask MakeParted(const Mask& mask, vtkIdType ringSize)
-{
-  return { mask.Own, 1, { ringSize, 0, 0 }, { mask.Ring, 0., 0. } };
-}
 
 inline Mask VertexMask(Rule rule, vtkIdType ringSize)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceRun.h"
 
+#include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
@@ -231,7 +232,7 @@ SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const Surf
     sharpness += sharpness > 0. ? this->MadeLevels : 0.;
   }
   const vtkIdType points = this->GetControl().NumberOfPoints;
-  creases.Features.Angles = ReadPointValues(this->Options.Angles, points, std::acos(-1.) / 180.);
+  creases.Features.Angles = ReadPointValues(this->Options.Angles, points, Pi / 180.);
   creases.Features.Flatness = ReadPointValues(this->Options.Flatness, points, 1.);
   if (this->MadeLevels > 0)
   {

@@ -7,8 +7,7 @@
 #ifndef SubdivisionObjects_BoxSplineStar_h
 #define SubdivisionObjects_BoxSplineStar_h
 
-#include "Core/Rules/Masks.h"
-#include "Core/Solids/Scheme/Level.h"
+#include "Core/Solids/BoxSpline/BoxSplineSplit.h"
 
 namespace subdivision
 {
@@ -19,14 +18,7 @@ class BoxSplineStar
 public:
   explicit BoxSplineStar(const Level<Id>&) {}
 
-  static PartedMask GetVertexMask(Rule rule, vtkIdType ringSize)
-  {
-    return MakeParted(ringSize > 0 ? VertexMask(rule, ringSize) : Mask{ 1., 0. }, ringSize);
-  }
-  static PartedMask GetEdgeMask(Rule rule, vtkIdType ringSize)
-  {
-    return MakeParted(EdgeMask(rule, ringSize), ringSize);
-  }
+  static const RingMasks& GetMasks() { return BoxSplineMasks(); }
   vtkIdType CountSolids(Id, Rule, vtkIdType) const { return 0; }
   vtkIdType CountFaces(Rule, vtkIdType ringSize) const { return ringSize; }
   Id GetOppositeEnd(Id, Id vertex) const { return vertex; }
@@ -36,10 +28,6 @@ public:
   }
   Id GetEdgeBeyond(Id, Id, Id) const { return -1; }
   bool HasSpokes(Id, Rule) const { return false; }
-  template <typename Add>
-  static void WeighSpokes(const int*, const int*, int, const Add&)
-  {
-  }
 };
 
 }

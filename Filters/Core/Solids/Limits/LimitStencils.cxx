@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Limits/LimitRowMaker.h"
 
-#include "Core/Rules/Masks.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
+
+#include <numeric>
 
 namespace subdivision
 {
@@ -75,7 +76,7 @@ public:
   template <typename Add>
   static void Weigh(const int*& row, int item, const Add& add)
   {
-    using Masks = typename Scheme::Star;
+    const RingMasks& masks = Scheme::Star::GetMasks();
     const int kind = row[0];
     const int size = row[1];
     const int* ring = row + 2;
@@ -89,13 +90,17 @@ public:
     }
     if (kind == SpokesRow)
     {
-      Masks::WeighSpokes(ring, row, size, add);
+      const int* counts = row;
       row += size;
+      const double all = std::accumulate(counts, row, 0.) / 3.;
+      add(0, masks.CountedOwn);
+      for (int k = 0; k < size; ++k)
+      {
+        add(ring[k], masks.CountedOther * static_cast<double>(counts[k]) / all);
+      }
       return;
     }
-    const Rule rule = static_cast<Rule>(kind);
-    const PartedMask mask =
-      item == 0 ? Masks::GetVertexMask(rule, size) : Masks::GetEdgeMask(rule, size);
+    const PartedMask mask = GetMask(masks, item > 0, static_cast<Rule>(kind), size);
     add(0, mask.Own);
     if (item > 0)
     {

@@ -38,13 +38,13 @@
  * **Limits** (Core/Solids/Limits)
  *  - GetSpokes(level): numbers beside the strata from which rows get their weights, or null;
  *  - Star: made from a level. What the rows around a vertex need to know of the scheme
- *    (LimitStencils.cxx): GetVertexMask(rule, ring size) and GetEdgeMask; CountSolids(vertex, rule,
- *    ring size), how many of the last members of its ring lie opposite in a solid, which is their
- *    carrier; CountFaces(rule, ring size), how many of the first members of an edge's ring lie on
- *    faces, the others in pairs in solids; GetOppositeEnd(solid, vertex), the opposite vertex;
- *    ForEdgesInSolid(solid, vertex, add), the edges at a vertex; GetEdgeBeyond(solid, vertex, far),
- *    the edge from a vertex to the opposite of another one; HasSpokes(vertex, rule), whether the
- *    weights of its row follow from GetSpokes, and then WeighSpokes(ring, numbers, size, add);
+ *    (LimitStencils.cxx): GetMasks(); CountSolids(vertex, rule, ring size), how many of the last
+ *    members of its ring lie opposite in a solid, which is their carrier; CountFaces(rule, ring
+ *    size), how many of the first members of an edge's ring lie on faces, the others in pairs in
+ *    solids; GetOppositeEnd(solid, vertex), the opposite vertex; ForEdgesInSolid(solid, vertex,
+ *    add), the edges at a vertex; GetEdgeBeyond(solid, vertex, far), the edge from a vertex to the
+ *    opposite of another one; HasSpokes(vertex, rule), whether the weights of its row follow from
+ *    GetSpokes;
  *  - GetTurn(level, solid, triangle): the direction of a face of a solid, seen from outside a
  *    positive solid: 1 if its vertices in this order run counterclockwise, -1 if clockwise. The
  *    solid is named as in FaceTets;

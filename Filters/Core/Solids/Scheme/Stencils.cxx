@@ -18,22 +18,6 @@ void ForRowsOfKinds(const StoredRows<Id>& rows, const Use& use)
   ForKinds<3>({ rows.Vertices.size(), rows.Edges.size(), rows.Solids.NumberOfCentres }, use);
 }
 
-template <typename Id>
-PartedMask GetMask(const RingRows<Id>& rows, vtkIdType i)
-{
-  const Rule rule = rows.Strata[i].GetRule();
-  const vtkIdType size = rows.GetRing(i).size();
-  if (const auto* tables = std::get_if<MaskTables<Mask>>(&rows.Masks->Tables))
-  {
-    Mask scratch;
-    return MakeParted(
-      (rows.OfEdges ? tables->Edges : tables->Vertices).Get(rule, size, scratch), size);
-  }
-  const auto& tables = std::get<MaskTables<PartedMask>>(rows.Masks->Tables);
-  PartedMask scratch;
-  return (rows.OfEdges ? tables.Edges : tables.Vertices).Get(rule, size, scratch);
-}
-
 /// A row with all its weights, for where speed does not matter.
 template <typename Id>
 void AppendWeighted(const RingRows<Id>& rows, vtkIdType i, double factor, ExplicitRows<Id>& out)
@@ -67,7 +51,7 @@ void AppendWeighted(const RingRows<Id>& rows, vtkIdType i, double factor, Explic
     }
     return;
   }
-  const PartedMask mask = GetMask(rows, i);
+  const PartedMask mask = GetMask(*rows.Masks, rows.OfEdges, rows.Strata[i].GetRule(), ring.size());
   append(rows.OfEdges ? rows.Ends[2 * i] : own, mask.Own);
   if (rows.OfEdges)
   {

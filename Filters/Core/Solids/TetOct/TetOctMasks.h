@@ -51,12 +51,6 @@ constexpr double OctEdgeNear = OctEdgeCentre + OctNear + TetOther;
 constexpr double OctEdgeFar = OctEdgeCentre + OctFar / 2.;
 }
 
-/// How many members of the ring of a vertex are opposite to it in octahedra: the last ones.
-constexpr vtkIdType CountOpposites(Rule rule, vtkIdType ringSize, bool isControl)
-{
-  return rule == Rule::RegularEdge ? 6 : rule == Rule::Solid && !isControl ? (ringSize - 2) / 3 : 0;
-}
-
 /// Eight tetrahedra and six octahedra: 12 neighbours, two cells of each kind at the edges to them.
 constexpr PartedMask RegularVertexMask{
   (8. * tetoct::TetVertexOwn + 6. * tetoct::OctVertexOwn) / 14., 2, { 12, 6, 0 },

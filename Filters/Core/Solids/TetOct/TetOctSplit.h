@@ -9,7 +9,6 @@
 #include "Core/Solids/Scheme/RingEmitter.h"
 #include "Core/Solids/Scheme/Stencils.h"
 #include "Core/Solids/TetOct/TetOctComplex.h"
-#include "Core/Solids/TetOct/TetOctMasks.h"
 #include "Core/Solids/TetOct/TetOctTables.h"
 
 namespace subdivision
@@ -20,6 +19,12 @@ namespace subdivision
 constexpr int RegularFaces = 4;
 constexpr int RegularEdgeRing = 8;
 constexpr int RegularVertexRing = 18;
+
+/// How many members of the ring of a vertex are opposite to it in octahedra: the last ones.
+constexpr vtkIdType CountOpposites(Rule rule, vtkIdType ringSize, bool isControl)
+{
+  return rule == Rule::RegularEdge ? 6 : rule == Rule::Solid && !isControl ? (ringSize - 2) / 3 : 0;
+}
 
 template <typename Id>
 int VertexInOct(const TetOctLevel<Id>& level, Id oct, Id vertex)

@@ -7,10 +7,7 @@
 #ifndef SubdivisionObjects_TetOctStar_h
 #define SubdivisionObjects_TetOctStar_h
 
-#include "Core/Solids/TetOct/TetOctMasks.h"
 #include "Core/Solids/TetOct/TetOctSplit.h"
-
-#include <numeric>
 
 namespace subdivision
 {
@@ -24,14 +21,7 @@ public:
   {
   }
 
-  static PartedMask GetVertexMask(Rule rule, vtkIdType ringSize)
-  {
-    return TetOctVertexMask(rule, ringSize);
-  }
-  static PartedMask GetEdgeMask(Rule rule, vtkIdType ringSize)
-  {
-    return TetOctEdgeMask(rule, ringSize);
-  }
+  static const RingMasks& GetMasks() { return TetOctMasks(); }
   vtkIdType CountSolids(Id vertex, Rule rule, vtkIdType ringSize) const
   {
     return CountOpposites(rule, ringSize, this->IsControl(vertex));
@@ -65,16 +55,6 @@ public:
   bool HasSpokes(Id vertex, Rule rule) const
   {
     return this->IsControl(vertex) && rule == Rule::Solid;
-  }
-  template <typename Add>
-  static void WeighSpokes(const int* ring, const int* tets, int size, const Add& add)
-  {
-    const double all = std::accumulate(tets, tets + size, 0.) / 3.;
-    add(0, tetoct::TetVertexOwn);
-    for (int k = 0; k < size; ++k)
-    {
-      add(ring[k], tetoct::TetVertexOther * static_cast<double>(tets[k]) / all);
-    }
   }
 
 private:

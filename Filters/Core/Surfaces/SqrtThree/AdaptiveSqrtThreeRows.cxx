@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Operators/ForBlocks.h"
+#include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeMasks.h"
 
@@ -409,7 +410,7 @@ void AdaptiveSqrtThreeRows<Id>::AddCentreTangent(Id face, LimitKind kind, RowBlo
       this->Mesh.GetVertex(this->Mesh.Next(corner)) };
     for (int j = 0; j < 2; ++j)
     {
-      const double angle = (2 * i + j) * std::acos(-1.) / 3.;
+      const double angle = (2 * i + j) * Pi / 3.;
       const double weight = kind == LimitKind::Tangent1 ? std::cos(angle) : std::sin(angle);
       if (!hasFixed && j == 0)
       {

@@ -6,6 +6,8 @@
 #ifndef SubdivisionObjects_SqrtThreeMasks_h
 #define SubdivisionObjects_SqrtThreeMasks_h
 
+#include "Core/Rules/Pi.h"
+
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -17,7 +19,7 @@ namespace subdivision
 /// The weight of the mean of the n neighbours of a smooth vertex (Kobbelt, eq. 6).
 inline double ComputeSqrtThreeRingWeight(int n)
 {
-  return (4. - 2. * std::cos(2. * std::acos(-1.) / n)) / 9.;
+  return (4. - 2. * std::cos(2. * Pi / n)) / 9.;
 }
 
 /// The same, without a cosine for usual valences.
@@ -42,11 +44,10 @@ struct SqrtThreeTransversalMask
 {
   explicit SqrtThreeTransversalMask(int k)
   {
-    const double pi = std::acos(-1.);
     double sum = 0.;
     for (int j = 0; j <= k; ++j)
     {
-      this->Inside.push_back(j == 0 || j == k ? 0. : std::sin(j * pi / k));
+      this->Inside.push_back(j == 0 || j == k ? 0. : std::sin(j * Pi / k));
       sum += this->Inside.back();
     }
     if (k == 1)
@@ -55,7 +56,7 @@ struct SqrtThreeTransversalMask
       this->End = 1.;
       return;
     }
-    const double value = (2. + 2. * std::cos(pi / k)) / 9.;
+    const double value = (2. + 2. * std::cos(Pi / k)) / 9.;
     const double determinant = (value - 1.) * (value - 1. / 9.);
     const double end = this->Inside[1] / 9.;
     const double own = 5. / 9. * sum;
