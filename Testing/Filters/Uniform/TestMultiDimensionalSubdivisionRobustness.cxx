@@ -76,8 +76,8 @@ void ExpectPassedOver(std::vector<Cell> bad, const std::string& text, bool nanPo
 TEST(MultiDimensionalSubdivisionBadCells, AreAsIfAbsent)
 {
   ExpectPassedOver({ { VTK_CONVEX_POINT_SET, { 0, 1, 2 } } }, "not supported");
-  ExpectPassedOver(
-    { { VTK_HIGHER_ORDER_TRIANGLE, { 0, 1, 2, 3, 4, 5 } }, { VTK_EMPTY_CELL, {} } }, "not supported");
+  ExpectPassedOver({ { VTK_HIGHER_ORDER_TRIANGLE, { 0, 1, 2, 3, 4, 5 } }, { VTK_EMPTY_CELL, {} } },
+    "not supported");
   ExpectPassedOver({ { VTK_TETRA, { 1, 2, 4, 8 } }, { VTK_LINE, { -1, 2 } } }, "point id");
   ExpectPassedOver({ { VTK_QUAD, { 1, 2, 4, 1000000000000 } } }, "point id");
   ExpectPassedOver({ { VTK_TETRA, { 1, 2, 4, 8 } }, { VTK_LINE, { 9, 2 } } }, "not a number", true);
