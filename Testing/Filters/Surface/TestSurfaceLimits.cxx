@@ -6,7 +6,6 @@
  */
 #include "SurfaceTools.h"
 
-
 using namespace surfacetools;
 
 namespace
