@@ -244,7 +244,7 @@ Measured MeasureOnce(vtkMPIController& controller, const Block& slab, int levels
   const auto whole = MakeMesh(false);
   work(joined.Mesh, whole);
   measured.Costs[Subdivide] = watch.Next();
-  TakeOutputs(joined, whole, true, 0, blocks);
+  TakeOutputs(joined, whole, OutputOptions(), blocks);
   measured.Costs[Take] = watch.Next();
   measured.Cells = static_cast<double>(slab.Input->GetNumberOfCells());
   measured.AllCells = static_cast<double>(joined.Mesh->GetNumberOfCells());
