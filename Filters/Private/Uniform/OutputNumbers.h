@@ -40,7 +40,7 @@ struct OutputNumbers
  * together.
  *
  * The ids of children follow from those of their parents by arithmetic. So it is enough to number
- * the vertices, edges, faces and tetrahedra of the control mesh, each kind with NumberTogether: 16
+ * the vertices, edges, faces and tetrahedra of the control mesh, each kind with NumberTogether: 14
  * exchanges, however many steps there are. About 100 bytes are sent for each control tetrahedron.
  */
 OutputNumbers NumberOutput(const ControlMesh& mesh, const SimplexTuples& derived,
