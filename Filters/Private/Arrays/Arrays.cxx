@@ -198,14 +198,7 @@ std::vector<std::uint64_t> ComputeFingerprint(vtkDataArray* array)
         std::copy(sums, sums + lanes, print.begin() + lanes * b);
       }
     };
-    if (blocks < 2)
-    {
-      run(0, blocks);
-    }
-    else
-    {
-      vtkSMPTools::For(0, blocks, 1, run);
-    }
+    ForRangesOfBlocks(blocks, run);
   }
   return print;
 }

@@ -13,7 +13,6 @@
 #include "vtkGenericCell.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -184,7 +183,7 @@ struct FiniteWorker
         blocks[block] = all;
       }
     };
-    vtkSMPTools::For(0, (size + CellsPerBlock - 1) / CellsPerBlock, work);
+    ForRangesOfBlocks((size + CellsPerBlock - 1) / CellsPerBlock, work);
   }
 };
 

@@ -8,7 +8,8 @@
 #ifndef SubdivisionObjects_CellReader_h
 #define SubdivisionObjects_CellReader_h
 
-#include "vtkSMPTools.h"
+#include "Core/Memory/Loops.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtkUnsignedCharArray.h"
@@ -157,12 +158,7 @@ void ForCellBlocks(const CellReader& cells, const Work& work)
         std::min(cells.GetNumberOfCells(), (block + 1) * CellsPerBlock));
     }
   };
-  if (cells.GetNumberOfBlocks() < 3) // not worth starting threads for
-  {
-    range(0, cells.GetNumberOfBlocks());
-    return;
-  }
-  vtkSMPTools::For(0, cells.GetNumberOfBlocks(), range);
+  ForRangesOfBlocks(cells.GetNumberOfBlocks(), range, 3);
 }
 
 }

@@ -419,7 +419,7 @@ LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
       }
     }
   };
-  vtkSMPTools::For(0, blocks, 1, makeBlocks);
+  ForRangesOfBlocks(blocks, makeBlocks);
   CountsToOffsets(tangents.Sectors.Offsets);
   tangents.First.NumberOfColumns = tangents.Second.NumberOfColumns = vertices;
   tangents.First.Offsets = JoinOffsets(parts, &SectorPart<Id>::Sizes);

@@ -511,14 +511,7 @@ SparseRows<Id> MakeLimitRows(const typename Star::LevelType& level,
       }
     }
   };
-  if (blocks > 2)
-  {
-    vtkSMPTools::For(0, blocks, 1, makeBlocks);
-  }
-  else
-  {
-    makeBlocks(0, blocks);
-  }
+  ForRangesOfBlocks(blocks, makeBlocks, 3);
   CountsToOffsets(rows.Offsets);
   rows.Columns = Buffer<Id>(rows.Offsets[size]);
   rows.Weights = Buffer<double>(rows.Offsets[size]);

@@ -80,22 +80,6 @@ private:
   Buffer<vtkIdType> Starts;
 };
 
-/// Calls body(begin, end) for ranges of blocks, in several threads: a single block is worth a
-/// thread.
-template <typename Body>
-void ForRangesOfBlocks(vtkIdType blocks, const Body& body)
-{
-  if (blocks > 1)
-  {
-    auto ranges = [&body](vtkIdType begin, vtkIdType end) { body(begin, end); };
-    vtkSMPTools::For(0, blocks, 1, ranges);
-  }
-  else
-  {
-    body(vtkIdType(0), blocks);
-  }
-}
-
 /// How a cell of the output came into being; the values of the cell array `RefinementKind`.
 enum class RefinementKind : unsigned char
 {

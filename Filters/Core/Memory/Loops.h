@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Loops.h
+ * Parallel loops. The body of a loop is compiled once: templates of vtkSMPTools would compile it
+ * once more for each of VTK's four back ends, which took half of the time to compile Core.
+ */
+#ifndef SubdivisionObjects_Loops_h
+#define SubdivisionObjects_Loops_h
+
+#include "vtkType.h"
+
+namespace subdivision
+{
+
+/// A reference to a callable body(begin, end), which must outlive it. It costs one indirect call
+/// for each range, not for each element.
+class RangeBody
+{
+public:
+  template <typename Body>
+  RangeBody(const Body& body)
+    : Object(&body)
+    , Call([](const void* object, vtkIdType begin, vtkIdType end)
+        { (*static_cast<const Body*>(object))(begin, end); })
+  {
+  }
+  void operator()(vtkIdType begin, vtkIdType end) const { this->Call(this->Object, begin, end); }
+
+private:
+  const void* Object;
+  void (*Call)(const void*, vtkIdType, vtkIdType);
+};
+
+/// Loops shorter than this are not worth starting threads for, which takes some 0.1 ms.
+constexpr vtkIdType WorthThreads = 8192;
+
+/// Calls body(begin, end) for disjoint ranges that cover [0, size); in several threads if `size`
+/// exceeds WorthThreads.
+void ForRanges(vtkIdType size, RangeBody body);
+
+/// Calls body(begin, end) for ranges of blocks; in several threads if there are at least
+/// `worthThreads` blocks, each of which is then worth a thread.
+void ForRangesOfBlocks(vtkIdType blocks, RangeBody body, vtkIdType worthThreads = 2);
+
+/// Calls body(i) for each i of [0, size), as ForRanges does.
+template <typename Body>
+void ForEach(vtkIdType size, const Body& body)
+{
+  ForRanges(size,
+    [&body](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        body(i);
+      }
+    });
+}
+
+}
+
+#endif
