@@ -18,9 +18,6 @@ Level<Id> Refine(const Level<Id>& parent, Depth depth);
 /// The order in which levels number their vertices (IdSegments.h).
 std::vector<IdSegment> ListBoxSplineVertices(int steps);
 
-extern template Level<int> Refine(const Level<int>&, Depth);
-extern template Level<long long> Refine(const Level<long long>&, Depth);
-
 }
 
 #endif

@@ -146,9 +146,6 @@ bool Links<Id>::IsClosedFan(Id vertex, const Accept& accept) const
   return this->CountPieces(vertex, accept) == 1;
 }
 
-extern template class Links<int>;
-extern template class Links<long long>;
-
 }
 
 #endif

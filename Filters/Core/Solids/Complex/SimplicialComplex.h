@@ -116,10 +116,6 @@ template <typename Id>
 Buffer<unsigned char> FindManifoldDimensions(
   const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs);
 
-extern template SimplicialComplex<int> BuildComplex(const SimplexList&, std::vector<CellRun>&);
-extern template SimplicialComplex<long long> BuildComplex(
-  const SimplexList&, std::vector<CellRun>&);
-
 template <typename Id>
 Id SimplicialComplex<Id>::OtherEdge(Id face, Id edge, Id vertex) const
 {

@@ -79,9 +79,6 @@ inline double GetChordError(const double a[3], const double b[3], const double m
     m[0] - 0.5 * (a[0] + b[0]), m[1] - 0.5 * (a[1] + b[1]), m[2] - 0.5 * (a[2] + b[2]));
 }
 
-extern template class LocalLimit<int>;
-extern template class LocalLimit<long long>;
-
 }
 
 #endif

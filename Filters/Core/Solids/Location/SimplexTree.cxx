@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Location/SimplexTree.h"
 
+#include "vtkSMPTools.h"
+
 #include <array>
 #include <cmath>
 #include <cstdint>

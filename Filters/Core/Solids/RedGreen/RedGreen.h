@@ -258,10 +258,6 @@ private:
   Rows<Id> Incidence;         ///< cells at each input vertex; empty until it is needed
 };
 
-#define SUBDIVISION_RED_GREEN(EXTERN, Id) EXTERN template class RedGreen<Id>
-SUBDIVISION_RED_GREEN(extern, int);
-SUBDIVISION_RED_GREEN(extern, long long);
-
 }
 
 #endif

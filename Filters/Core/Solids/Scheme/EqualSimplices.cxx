@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Scheme/EqualSimplices.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/Scheme/SolidParts.h"
 
 namespace subdivision
@@ -59,7 +60,7 @@ void GetEdgesOfEqualTriangle(const SimplicialComplex<Id>& complex, vtkIdType ind
   }
 }
 
-SUBDIVISION_EQUAL_TEMPLATES(, int);
-SUBDIVISION_EQUAL_TEMPLATES(, long long);
+SUBDIVISION_COMPILE_FUNCTION(RefineEqualLinesAndTriangles);
+SUBDIVISION_COMPILE_FUNCTION(GetEdgesOfEqualTriangle);
 
 }

@@ -20,13 +20,6 @@ void RefineEqualLinesAndTriangles(
 template <typename Id>
 void GetEdgesOfEqualTriangle(const SimplicialComplex<Id>& complex, vtkIdType index, Id edges[3]);
 
-#define SUBDIVISION_EQUAL_TEMPLATES(EXTERN, Id)                                                    \
-  EXTERN template void RefineEqualLinesAndTriangles(                                               \
-    const SimplicialComplex<Id>&, SimplicialComplex<Id>&);                                         \
-  EXTERN template void GetEdgesOfEqualTriangle(const SimplicialComplex<Id>&, vtkIdType, Id[3])
-SUBDIVISION_EQUAL_TEMPLATES(extern, int);
-SUBDIVISION_EQUAL_TEMPLATES(extern, long long);
-
 }
 
 #endif

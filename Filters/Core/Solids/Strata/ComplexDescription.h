@@ -50,11 +50,6 @@ template <typename Id>
 ComplexDescription<Id> DescribeComplex(const SimplicialComplex<Id>& complex,
   const Strata<Id>& strata, const SingularSimplices& singular);
 
-extern template ComplexDescription<int> DescribeComplex(
-  const SimplicialComplex<int>&, const Strata<int>&, const SingularSimplices&);
-extern template ComplexDescription<long long> DescribeComplex(
-  const SimplicialComplex<long long>&, const Strata<long long>&, const SingularSimplices&);
-
 }
 
 #endif

@@ -90,11 +90,6 @@ template <typename Id>
 Strata<Id> BuildStrata(const SimplicialComplex<Id>& complex, const SingularSimplices& singular,
   const StrataOptions& options);
 
-extern template Strata<int> BuildStrata(
-  const SimplicialComplex<int>&, const SingularSimplices&, const StrataOptions&);
-extern template Strata<long long> BuildStrata(
-  const SimplicialComplex<long long>&, const SingularSimplices&, const StrataOptions&);
-
 }
 
 #endif

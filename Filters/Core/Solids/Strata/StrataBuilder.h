@@ -100,9 +100,6 @@ private:
   Buffer<unsigned char> EdgeMarks;
 };
 
-extern template class StrataBuilder<int>;
-extern template class StrataBuilder<long long>;
-
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/TetOct/TetOctComplex.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/Scheme/ChildRowsMaker.h"
 #include "Core/Solids/Scheme/Refiner.h"
 #include "Core/Solids/TetOct/TetOctSplit.h"
@@ -48,7 +49,8 @@ std::vector<IdSegment> ListTetOctVertices(int steps)
 
 template class ChildRows<TetOctSplit<int>>;
 template class ChildRows<TetOctSplit<long long>>;
-SUBDIVISION_TETOCT_TEMPLATES(, int);
-SUBDIVISION_TETOCT_TEMPLATES(, long long);
+SUBDIVISION_COMPILE_FUNCTION(MakeTetOctLevel);
+template TetOctLevel<int> Refine(const TetOctLevel<int>&, Depth);
+template TetOctLevel<long long> Refine(const TetOctLevel<long long>&, Depth);
 
 }

@@ -66,12 +66,6 @@ TetOctLevel<Id> Refine(const TetOctLevel<Id>& parent, Depth depth);
 /// The order in which levels number their vertices (IdSegments.h).
 std::vector<IdSegment> ListTetOctVertices(int steps);
 
-#define SUBDIVISION_TETOCT_TEMPLATES(EXTERN, Id)                                                   \
-  EXTERN template TetOctLevel<Id> MakeTetOctLevel(Level<Id>&&);                                    \
-  EXTERN template TetOctLevel<Id> Refine(const TetOctLevel<Id>&, Depth)
-SUBDIVISION_TETOCT_TEMPLATES(extern, int);
-SUBDIVISION_TETOCT_TEMPLATES(extern, long long);
-
 }
 
 #endif
