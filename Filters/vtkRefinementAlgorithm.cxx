@@ -4,7 +4,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Control/RunOptions.h"
 #include "Private/Criteria/RefinementInput.h"
-#include "Private/Criteria/RefinementSelection.h"
+#include "Private/Reading/SelectedParts.h"
 
 #include "vtkCellData.h"
 #include "vtkImplicitFunction.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file RefinementSelection.h
- * Finds the cells that a vtkSelection selects.
+ * @file SelectedParts.h
+ * Finds the points and cells that a vtkSelection selects.
  */
-#ifndef SubdivisionObjects_RefinementSelection_h
-#define SubdivisionObjects_RefinementSelection_h
+#ifndef SubdivisionObjects_SelectedParts_h
+#define SubdivisionObjects_SelectedParts_h
 
 #include <functional>
 #include <map>
@@ -25,6 +25,18 @@ using SelectedCells = std::map<vtkDataObject*, std::vector<unsigned char>>;
 /// gets the reason.
 SelectedCells FindSelectedCells(vtkDataObject* input, vtkDataObject* readable,
   vtkSelection* selection, const std::function<void(const std::string&)>& fail);
+
+/// 1 for each point and each cell that is selected by itself; empty where there are none.
+struct SelectedParts
+{
+  std::vector<unsigned char> Points;
+  std::vector<unsigned char> Cells;
+};
+
+/// The same for points and cells, of all nodes together.
+std::map<vtkDataObject*, SelectedParts> FindSelectedParts(vtkDataObject* input,
+  vtkDataObject* readable, vtkSelection* selection,
+  const std::function<void(const std::string&)>& fail);
 
 }
 

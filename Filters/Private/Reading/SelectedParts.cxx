@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Criteria/RefinementSelection.h"
+#include "Private/Reading/SelectedParts.h"
 
 #include "Private/Reading/CellReader.h"
 
@@ -82,37 +82,63 @@ vtkDataArray* GetInsidedness(vtkDataSetAttributes* data, vtkIdType tuples)
   return array && array->GetNumberOfTuples() == tuples ? array : nullptr;
 }
 
-/// Flags the cells of a mesh that are selected in the answer of VTK, or have a selected point;
-/// empty if there are none.
-std::vector<unsigned char> ReadAnswer(vtkPointSet* mesh, vtkDataSet* answer)
+/// What VTK found on one mesh for nodes of one kind.
+std::vector<unsigned char> ReadFlags(vtkDataArray* array)
 {
-  std::vector<unsigned char> selected;
+  std::vector<unsigned char> flags;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    flags.push_back(array->GetComponent(i, 0) > 0);
+  }
+  if (std::none_of(flags.begin(), flags.end(), [](unsigned char flag) { return flag != 0; }))
+  {
+    flags.clear();
+  }
+  return flags;
+}
+
+SelectedParts ReadAnswer(vtkPointSet* mesh, vtkDataSet* answer)
+{
+  SelectedParts selected;
   vtkDataArray* ofCells = GetInsidedness(answer->GetCellData(), mesh->GetNumberOfCells());
-  vtkDataArray* ofPoints = GetInsidedness(answer->GetPointData(), mesh->GetNumberOfPoints());
-  if (!ofCells && !ofPoints)
+  selected.Cells = ReadFlags(ofCells);
+  if (!ofCells)
   {
-    return selected;
-  }
-  const CellReader cells(mesh);
-  selected.resize(mesh->GetNumberOfCells(), 0);
-  std::vector<vtkIdType> scratch;
-  for (vtkIdType i = 0; i < cells.GetNumberOfCells(); ++i)
-  {
-    const CellIds ids = cells.GetCell(i, scratch);
-    selected[i] = (ofCells && ofCells->GetComponent(i, 0) > 0) ||
-      (!ofCells &&
-        std::any_of(ids.Ids, ids.Ids + ids.Size,
-          [&](vtkIdType point)
-          {
-            return point >= 0 && point < ofPoints->GetNumberOfTuples() &&
-              ofPoints->GetComponent(point, 0) > 0;
-          }));
-  }
-  if (std::none_of(selected.begin(), selected.end(), [](unsigned char s) { return s != 0; }))
-  {
-    selected.clear();
+    selected.Points = ReadFlags(GetInsidedness(answer->GetPointData(), mesh->GetNumberOfPoints()));
   }
   return selected;
+}
+
+using SelectedOfMeshes = std::map<vtkDataObject*, SelectedParts>;
+
+/// Flags the cells that are selected or have a selected point.
+SelectedCells FindTouched(const SelectedOfMeshes& selected)
+{
+  SelectedCells touched;
+  for (const auto& of : selected)
+  {
+    auto* mesh = vtkPointSet::SafeDownCast(of.first);
+    const std::vector<unsigned char>& points = of.second.Points;
+    if (points.empty())
+    {
+      touched[mesh] = of.second.Cells;
+      continue;
+    }
+    const CellReader cells(mesh);
+    std::vector<unsigned char> flags;
+    std::vector<vtkIdType> scratch;
+    for (vtkIdType i = 0; i < cells.GetNumberOfCells(); ++i)
+    {
+      const CellIds ids = cells.GetCell(i, scratch);
+      flags.push_back(std::any_of(ids.Ids, ids.Ids + ids.Size, [&](vtkIdType point)
+        { return point >= 0 && point < static_cast<vtkIdType>(points.size()) && points[point]; }));
+    }
+    if (std::find(flags.begin(), flags.end(), 1) != flags.end())
+    {
+      touched[mesh] = std::move(flags);
+    }
+  }
+  return touched;
 }
 
 bool IsOfNumbers(vtkAbstractArray* array)
@@ -202,7 +228,7 @@ struct ErrorCounter
 };
 
 /// Lets VTK evaluate a selection whose nodes are all of cells, or all of points.
-SelectedCells Extract(vtkDataObject* input, vtkDataObject* bare, vtkSelection* selection,
+SelectedOfMeshes Extract(vtkDataObject* input, vtkDataObject* bare, vtkSelection* selection,
   const std::function<void(const std::string&)>& fail)
 {
   vtkNew<vtkExtractSelection> extract;
@@ -217,18 +243,17 @@ SelectedCells Extract(vtkDataObject* input, vtkDataObject* bare, vtkSelection* s
   {
     fail(
       "Its nodes or its expression \"" + selection->GetExpression() + "\" do not fit the input.");
-    return SelectedCells();
+    return SelectedOfMeshes();
   }
-  SelectedCells found;
+  SelectedOfMeshes found;
   ForMeshes(input, extract->GetOutputDataObject(0),
     [&found](vtkPointSet* mesh, vtkDataObject* object)
     {
       vtkDataSet* answer = vtkDataSet::SafeDownCast(object);
-      std::vector<unsigned char> cells =
-        answer ? ReadAnswer(mesh, answer) : std::vector<unsigned char>();
-      if (!cells.empty())
+      SelectedParts parts = answer ? ReadAnswer(mesh, answer) : SelectedParts();
+      if (!parts.Cells.empty() || !parts.Points.empty())
       {
-        found[mesh] = std::move(cells);
+        found[mesh] = std::move(parts);
       }
     });
   return found;
@@ -262,13 +287,14 @@ std::vector<unsigned char> Combine(
   return selected;
 }
 
-}
-
-SelectedCells FindSelectedCells(vtkDataObject* input, vtkDataObject* readable,
+/// Lets VTK evaluate a selection: once if all of its nodes are of one kind, else node by node,
+/// because VTK cannot evaluate nodes of points together with nodes of cells. Empty after a fault,
+/// of which `fail` is told.
+std::vector<SelectedOfMeshes> Evaluate(vtkDataObject* input, vtkDataObject* readable,
   vtkSelection* selection, const std::function<void(const std::string&)>& fail)
 {
   const unsigned int nodes = selection ? selection->GetNumberOfNodes() : 0;
-  SelectedCells found;
+  std::vector<SelectedOfMeshes> found;
   if (nodes == 0)
   {
     return found;
@@ -296,17 +322,42 @@ SelectedCells FindSelectedCells(vtkDataObject* input, vtkDataObject* readable,
   }
   if (isOfOneKind)
   {
-    return Extract(readable, bare, selection, fail);
+    found.push_back(Extract(readable, bare, selection, fail));
+    return found;
   }
-  // VTK cannot evaluate nodes of points together with nodes of cells, so each node is evaluated by
-  // itself.
-  std::vector<SelectedCells> byNode;
   for (unsigned int i = 0; i < nodes; ++i)
   {
     vtkNew<vtkSelection> one;
     one->AddNode(selection->GetNode(i));
-    byNode.push_back(Extract(readable, bare, one, fail));
+    found.push_back(Extract(readable, bare, one, fail));
   }
+  return found;
+}
+
+void Join(const std::vector<unsigned char>& more, std::vector<unsigned char>& flags)
+{
+  flags.resize(std::max(flags.size(), more.size()), 0);
+  for (size_t i = 0; i < more.size(); ++i)
+  {
+    flags[i] |= more[i];
+  }
+}
+
+}
+
+SelectedCells FindSelectedCells(vtkDataObject* input, vtkDataObject* readable,
+  vtkSelection* selection, const std::function<void(const std::string&)>& fail)
+{
+  std::vector<SelectedCells> byNode;
+  for (const SelectedOfMeshes& parts : Evaluate(input, readable, selection, fail))
+  {
+    byNode.push_back(FindTouched(parts));
+  }
+  if (byNode.size() < 2)
+  {
+    return byNode.empty() ? SelectedCells() : byNode[0];
+  }
+  SelectedCells found;
   ForMeshes(readable, nullptr,
     [&](vtkPointSet* mesh, vtkDataObject*)
     {
@@ -316,6 +367,22 @@ SelectedCells FindSelectedCells(vtkDataObject* input, vtkDataObject* readable,
         found[mesh] = std::move(cells);
       }
     });
+  return found;
+}
+
+std::map<vtkDataObject*, SelectedParts> FindSelectedParts(vtkDataObject* input,
+  vtkDataObject* readable, vtkSelection* selection,
+  const std::function<void(const std::string&)>& fail)
+{
+  SelectedOfMeshes found;
+  for (const SelectedOfMeshes& some : Evaluate(input, readable, selection, fail))
+  {
+    for (const auto& of : some)
+    {
+      Join(of.second.Points, found[of.first].Points);
+      Join(of.second.Cells, found[of.first].Cells);
+    }
+  }
   return found;
 }
 
