@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSubdivisionDeformation
- * @brief   smooth deformation of whatever lies inside a control mesh of solid cells
+ * @brief   smooth deformation of whatever lies inside a control mesh of solid cells, or in a plane
  *
  * Bends a detailed object by moving the few points of a coarse mesh of tetrahedra around it. The
  * object is any vtkPointSet: a surface, a point cloud, a fine volume.
@@ -32,8 +32,9 @@
  * @par Points and cells
  * A point belongs to the tetrahedron with the smallest id of those that hold it; barycentric
  * coordinates may be below zero by 1e-10, by 1e-5 if points are in single precision. Surfaces and
- * curves in the control mesh hold no points, but OutsidePoints = OUTSIDE_NEAREST may bind points to
- * them.
+ * curves beside solids hold no points, but OutsidePoints = OUTSIDE_NEAREST may bind points to them.
+ * In a control mesh without solids they hold the points that lie on them, up to the same parts of
+ * the diagonal of the mesh: so triangles in the plane of an image deform this image.
  *
  * @par Arrays
  * All arrays of port 0 are in the output, and so are its cells. With TransformVectors the active

@@ -6,6 +6,7 @@
 #include "Private/Arrays/Arrays.h"
 
 #include <cmath>
+#include <limits>
 
 namespace subdivision
 {
@@ -46,6 +47,31 @@ void FindNearestCell(
   {
     SetRow(others, inOther, 3, row);
   }
+}
+
+/// The square of the distance up to which a point lies on a surface: of a control mesh without
+/// solids, such as one in the plane of an image, the surfaces hold the points. Less than 0 for
+/// other meshes.
+double FindReach2(const RestMesh& rest, double tolerance)
+{
+  if (rest.GetTets().GetNumberOfSimplices() > 0)
+  {
+    return -1.;
+  }
+  double diagonal2 = 0.;
+  for (int c = 0; c < 3; ++c)
+  {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (vtkIdType i = 0; i < rest.GetNumberOfPoints(); ++i)
+    {
+      const double x = rest.GetPoints()[3 * i + c];
+      low = x < low ? x : low;
+      high = x > high ? x : high;
+    }
+    diagonal2 += high > low ? (high - low) * (high - low) : 0.;
+  }
+  return tolerance * tolerance * diagonal2;
 }
 
 bool IsFinite(const double x[3])
@@ -100,7 +126,9 @@ std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule ru
   const double tie = isSingle ? SingleTie : DoubleTie;
   const SimplexTree& tets = rest.GetTets();
   const SimplexTree none;
-  const SimplexTree& others = rule == OutsideRule::Nearest ? rest.GetOtherCells() : none;
+  const double reach2 = FindReach2(rest, isSingle ? SingleTolerance : Tolerance);
+  const SimplexTree& others =
+    rule == OutsideRule::Nearest || reach2 >= 0. ? rest.GetOtherCells() : none;
   embedded->Rows.NumberOfColumns = rest.GetNumberOfPoints();
   embedded->Rows.Rows = Buffer<CornerRow>(size);
   Buffer<bool> isInside(size);
@@ -114,9 +142,16 @@ std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule ru
       isInside[i] = IsFinite(x) &&
         (tets.FindContaining(x, Tolerance, place) ||
           (isSingle && tets.FindContaining(x, SingleTolerance, place)));
+      double distance2 = 0.;
       if (isInside[i])
       {
         SetRow(tets, place, 4, row);
+      }
+      else if (reach2 >= 0. && IsFinite(x) && others.FindNearest(x, place, distance2) &&
+        distance2 <= reach2)
+      {
+        isInside[i] = true;
+        SetRow(others, place, 3, row);
       }
       else if (IsFinite(x) && rule == OutsideRule::Nearest)
       {

@@ -427,3 +427,40 @@ TEST(SubdivisionDeformationInputs, VectorsAreDerivatives)
     }
   }
 }
+
+// ---------------------------------------------------------------- control meshes without solids
+
+TEST(SubdivisionDeformationInputs, TrianglesInAPlaneHoldAnImage)
+{
+  for (const int type : { VTK_DOUBLE, VTK_FLOAT })
+  {
+    std::vector<Point> points;
+    std::vector<Cell> cells;
+    for (vtkIdType i = 0; i < 16; ++i)
+    {
+      points.push_back({ 1. * (i % 4), 1. * (i / 4), 0.5 });
+      if (i % 4 < 3 && i < 12)
+      {
+        cells.push_back({ VTK_TRIANGLE, { i, i + 1, i + 5 } });
+        cells.push_back({ VTK_TRIANGLE, { i, i + 5, i + 4 } });
+      }
+    }
+    const Grid cage = MakeGrid(points, cells, type);
+    const Grid image = MakeCloud(60, { 0.5, 0.5, 0.5 }, { 2.5, 2.5, 0.5 }, 4, type);
+    Deformer filter;
+    filter->SetOutsidePointsToError();
+    const auto moved = filter.Run(image, cage, Moved(cage, Affine));
+    EXPECT_TRUE(filter.WasSilent());
+    EXPECT_EQ(filter->GetNumberOfOutsidePoints(), 0);
+    EXPECT_LT(GetLargestError(moved, image, Affine), type == VTK_DOUBLE ? 1e-12 : 1e-5);
+    // A point above the plane is outside.
+    filter->SetOutsidePointsToLeave();
+    const Grid above = DeepCopy(image);
+    Point lifted = GetPoint(image, 7);
+    lifted[2] += 0.01;
+    above->GetPoints()->SetPoint(7, lifted.data());
+    const auto left = filter.Run(above, cage, Moved(cage, Affine));
+    ExpectOneWarning(filter, "1 of 60 points, the first is point 7, are not inside");
+    EXPECT_EQ(GetPoint(left, 7), GetPoint(above, 7));
+  }
+}
