@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiDimensionalSubdivision.h"
 
+#include "Private/Distribution/Dimensions.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkObjectFactory.h"
@@ -22,6 +23,23 @@ void vtkMultiDimensionalSubdivision::SetCacheOperator(bool cache)
     this->CacheOperator = cache;
     this->Cache->Clear();
     this->Modified();
+  }
+}
+
+void vtkMultiDimensionalSubdivision::AddOutputDimension(int dimension)
+{
+  if (dimension >= 0 && dimension <= 3)
+  {
+    this->SetOutputDimensions(this->OutputDimensions | 1 << dimension);
+  }
+}
+
+void vtkMultiDimensionalSubdivision::Finish(vtkDataObject* output)
+{
+  const auto part = subdivision::TakeDimensions(output, this->OutputDimensions);
+  if (part != output)
+  {
+    output->ShallowCopy(part);
   }
 }
 
@@ -63,6 +81,7 @@ void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateClassification: " << this->GenerateClassification << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
+  os << indent << "OutputDimensions: " << this->OutputDimensions << "\n";
   os << indent << "Use32BitIds: " << this->Use32BitIds << "\n";
   os << indent << "CacheOperator: " << this->CacheOperator << "\n";
   os << indent << "Operators kept: " << this->Cache->GetNumberOfEntries() << " ("

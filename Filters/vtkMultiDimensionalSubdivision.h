@@ -60,11 +60,12 @@
  * Points: all input points with their ids (unused ones too), then centres of split cells, then the
  * new points level by level. Cells: in the order of the input, the children of a cell one after
  * another and oriented like it. A cell that is a face of another, or equals an earlier one, is
- * split in its place, but changes no rule unless it is singular.
+ * split in its place, but changes no rule unless it is singular. OutputDimensions leaves cells out.
  *
  * @par Filters in a row
  * Three filters of one level give what one filter of three levels gives, bit for bit, in every
- * array, on several ranks too. Only the last of them may have ProjectToLimit on.
+ * array, on several ranks too. Only the last of them may have ProjectToLimit on, or leave out
+ * cells by OutputDimensions.
  *
  * @par Complexity
  * Time and memory are linear in the size of the output; links are examined on the input only. With
@@ -96,7 +97,8 @@ namespace subdivision
 class OperatorCache;
 }
 
-class VTKSUBDIVISIONOBJECTS_EXPORT vtkMultiDimensionalSubdivision : public vtkSubdivisionAlgorithm
+class VTKSUBDIVISIONOBJECTS_EXPORT vtkMultiDimensionalSubdivision
+  : public vtkSubdivisionAlgorithm
 {
 public:
   static vtkMultiDimensionalSubdivision* New();
@@ -187,6 +189,36 @@ public:
   vtkBooleanMacro(GenerateLimitNormals, bool);
   ///@}
 
+  enum OutputDimensionFlags
+  {
+    NO_DIMENSION = 0,
+    VERTICES = 1,
+    LINES = 2,
+    TRIANGLES = 4,
+    TETRAHEDRA = 8,
+    ALL_DIMENSIONS = 15
+  };
+  ///@{
+  /**
+   * Which cells the output has, a sum of VERTICES (1), LINES (2), TRIANGLES (4) and TETRAHEDRA (8):
+   * from NO_DIMENSION (0) to ALL_DIMENSIONS (15, the default). All cells have their effect on the
+   * rules; those of other dimensions, and the points that only they use, are left out at the end.
+   * TETRAHEDRA alone is what volume rendering needs. Ids of GenerateGlobalIds are those of the
+   * output with all dimensions. A filter cannot go on with a part of the cells: if this is not
+   * ALL_DIMENSIONS, the next filter reads the output like any other mesh.
+   */
+  vtkSetClampMacro(OutputDimensions, int, NO_DIMENSION, ALL_DIMENSIONS);
+  vtkGetMacro(OutputDimensions, int);
+  ///@}
+
+  ///@{
+  /**
+   * The same by dimensions, 0 to 3.
+   */
+  void AddOutputDimension(int dimension);
+  void ClearOutputDimensions() { this->SetOutputDimensions(NO_DIMENSION); }
+  ///@}
+
   ///@{
   /**
    * Whether the operators of all levels and the output's cells are kept, so that an execution whose
@@ -225,12 +257,14 @@ protected:
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  void Finish(vtkDataObject* output) override;
 
   int NumberOfLevels = 1;
   int VolumeScheme = BOX_SPLINE;
   bool GenerateClassification = false;
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;
+  int OutputDimensions = ALL_DIMENSIONS;
   bool CacheOperator = true;
   bool Use32BitIds = false;
 

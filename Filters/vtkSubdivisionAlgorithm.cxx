@@ -142,6 +142,17 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
     options, [&](vtkPointSet* mesh, vtkPointSet* made)
     { return this->ReadFeatureOptions(mesh, options) && run(mesh, made); });
   subdivision::RestoreSourceCells(this->IsOfSurfaces() ? output : nullptr);
+  subdivision::ConnectToFilter(this, options, failed);
+  const auto finish = [&]
+  {
+    this->Finish(output);
+    return true;
+  };
+  if (!subdivision::DoWork(traits, options, finish))
+  {
+    output->Initialize();
+    return 0;
+  }
   return result;
 }
 

@@ -326,6 +326,8 @@ protected:
   /// Called with the input of the pipeline and with what is read of it, before the work. Cells and
   /// points have the same ids in both.
   virtual void Inspect(vtkDataObject*, vtkDataObject*) {}
+  /// Called with the output of the pipeline after the work.
+  virtual void Finish(vtkDataObject*) {}
   /// Makes the unstructured grids or vtkPolyData that are read of an input of any kind.
   vtkSmartPointer<vtkDataObject> ReadInput(
     vtkDataObject* input, std::vector<std::string>& warnings);

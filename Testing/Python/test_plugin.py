@@ -68,6 +68,7 @@ class Proxies(unittest.TestCase):
         "MultiDimensionalSubdivision": ("Multi-dimensional Subdivision", "MultidimensionalSubdivision"),
         "SubdivisionModelSource": ("Subdivision Model", "SubdivisionModel"),
         "SubdivisionCageSource": ("Cage", "Cage"),
+        "ExtractDimensions": ("Extract Dimensions", "ExtractDimensions"),
     }
 
     def test_names_and_menus(self):

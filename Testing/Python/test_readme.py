@@ -28,7 +28,7 @@ def make_what_readme_speaks_of():
 
 make_what_readme_speaks_of()
 blocks = readme.blocks("python", before="## In Python, without ParaView")
-assert len(blocks) == 6, len(blocks)
+assert len(blocks) == 7, len(blocks)
 for block in blocks:  # here and not in a function, as in a script
     exec(compile(block, "README.md", "exec"))
 assert os.path.isfile("volume.png")

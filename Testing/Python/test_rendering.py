@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Model, filter, Threshold ManifoldDimension = 3, volume rendering: there is something to see."""
+"""Model, filter, volume rendering of its solids: there is something to see."""
 
 import os
 import unittest
@@ -25,10 +25,9 @@ class Rendering(unittest.TestCase):
         cls.view.UseColorPaletteForBackground = 0
         cls.view.Background = [1.0, 1.0, 1.0]
         model = simple.SubdivisionModel(Model="SpringAndValve")
-        cls.smooth = simple.MultidimensionalSubdivision(
-            Input=model, NumberOfLevels=2, GenerateClassification=1)
-        cls.solids = simple.Threshold(Input=cls.smooth, Scalars=["CELLS", "ManifoldDimension"],
-                                      LowerThreshold=3, UpperThreshold=3)
+        cls.smooth = simple.MultidimensionalSubdivision(Input=model, NumberOfLevels=2)
+        cls.solids = simple.MultidimensionalSubdivision(Input=model, NumberOfLevels=2, OutputDimensions=[3])
+        cls.extracted = simple.ExtractDimensions(Input=cls.smooth)
 
     def picture(self, proxy, representation, file_name):
         simple.HideAll(self.view)
@@ -47,10 +46,20 @@ class Rendering(unittest.TestCase):
         return drawn.mean(), seen[drawn]
 
     def test_volume(self):
-        share, seen = self.picture(self.solids, "Volume", "volume.png")
-        self.assertTrue(0.02 < share < 0.9, f"drawn is {share:.2%} of the picture")
-        self.assertGreater(len(np.unique(seen, axis=0)), 100)
-        self.assertGreater(seen.std(axis=0).max(), 10)
+        for solids in (self.solids, self.extracted):
+            share, seen = self.picture(solids, "Volume", "volume.png")
+            self.assertTrue(0.02 < share < 0.9, f"drawn is {share:.2%} of the picture")
+            self.assertGreater(len(np.unique(seen, axis=0)), 100)
+            self.assertGreater(seen.std(axis=0).max(), 10)
+        self.assertEqual(tools.numbers(tools.output(self.solids)), tools.numbers(tools.output(self.extracted)))
+        self.assertGreater(tools.output(self.smooth).GetNumberOfCells(),
+                           tools.output(self.solids).GetNumberOfCells())
+
+    def test_dimensions_are_chosen_by_name_too(self):
+        self.extracted.OutputDimensions = ["Surfaces", "Lines"]
+        self.extracted.UpdatePipeline()
+        self.assertEqual(self.extracted.GetClientSideObject().GetOutputDimensions(), 6)
+        self.extracted.OutputDimensions = [3]
 
     def test_surface(self):
         share, seen = self.picture(self.smooth, "Surface", "surface.png")

@@ -197,6 +197,9 @@ class Proxies(unittest.TestCase):
             for key, element in properties.items():
                 if f"{name}.{key}" in OTHER_DEFAULTS:
                     left_out.add(f"{name}.{key}")
+                elif element.get("clean_command"):
+                    with self.subTest(f"{name}.{key}"):
+                        self.check_set(of_bases(cls, "options")[key], cls, element)
                 elif element.get("command") not in ("SetInputConnection", "SetInputArrayToProcess"):
                     with self.subTest(f"{name}.{key}"):
                         self.assertEqual(element.get("command"), "Set" + key)
@@ -217,6 +220,24 @@ class Proxies(unittest.TestCase):
             if option.clamp:
                 self.check_range(*option.ends(cls), element, tooltip)
         self.assertEqual(stated, [default], f"the tooltip has to state the default: {tooltip}")
+
+    def check_set(self, option, cls, element):
+        """A set of numbers, each a check box, which is a sum of powers of 2 in the class."""
+        self.assertEqual((element.get("command"), element.get("clean_command")),
+                         ("Add" + option.name[:-1], "Clear" + option.name))
+        made = cls()
+        getattr(made, element.get("clean_command"))()
+        for number in element.get("default_values").split():
+            getattr(made, element.get("command"))(int(number))
+        self.assertEqual(option.get(made), option.get(cls()))
+        names = [entry.get("text") for entry in element.iter("Entry")]
+        for value, name in enumerate(names):
+            getattr(made, element.get("clean_command"))()
+            getattr(made, element.get("command"))(value)
+            self.assertEqual(option.get(made), (getattr(cls, name.upper()),))
+        default = "all" if len(element.get("default_values").split()) == len(names) else names[
+            int(element.get("default_values"))]
+        self.assertRegex(words(element.findtext("Documentation")), f"{default} by default")
 
     def check_entries(self, option, cls, entries):
         low, high = option.ends(cls)

@@ -209,17 +209,6 @@ void SetPrecision(int type, vtkPointSet* output)
   }
 }
 
-void AddFieldData(vtkFieldData* from, bool withStamp, vtkFieldData* to)
-{
-  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
-  {
-    if (withStamp || !BelongsToStamp(from->GetAbstractArray(a)->GetName()))
-    {
-      to->AddArray(from->GetAbstractArray(a));
-    }
-  }
-}
-
 /// Gives the only block all cells and points, without a copy. Returns the points.
 std::vector<vtkIdType> TakeAll(vtkPointSet* whole, vtkPointSet* output)
 {
@@ -425,6 +414,17 @@ void TakeOutputs(const JoinedMesh& joined, vtkPointSet* whole, const OutputOptio
   for (size_t i = 0; i < blocks.size(); ++i)
   {
     TakeOutput(joined, whole, options, static_cast<int>(i), cells[i], blocks);
+  }
+}
+
+void AddFieldData(vtkFieldData* from, bool withStamp, vtkFieldData* to)
+{
+  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
+  {
+    if (withStamp || !BelongsToStamp(from->GetAbstractArray(a)->GetName()))
+    {
+      to->AddArray(from->GetAbstractArray(a));
+    }
   }
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 
 class vtkDataObject;
+class vtkFieldData;
 
 namespace subdivision
 {
@@ -64,6 +65,9 @@ struct OutputOptions
 /// and its field data.
 void TakeOutputs(const JoinedMesh& joined, vtkPointSet* whole, const OutputOptions& options,
   std::vector<Block>& blocks);
+
+/// Shares field arrays; `withStamp`: also those of a stamp.
+void AddFieldData(vtkFieldData* from, bool withStamp, vtkFieldData* to);
 
 /// Adds global ids to points and cells.
 void AddGlobalIds(

@@ -9,6 +9,7 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataObject.h"
+#include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -309,6 +310,47 @@ std::vector<vtkIdType> FindPoints(const CellReader& reader, const std::vector<vt
   return points;
 }
 
+bool HasPolyhedra(const CellReader& reader)
+{
+  const unsigned char* types = reader.GetTypes();
+  return types &&
+    std::find(types, types + reader.GetNumberOfCells(), VTK_POLYHEDRON) !=
+    types + reader.GetNumberOfCells();
+}
+
+/// Writes cells of a grid with polyhedra, which are more than lists of points.
+void TakeWithFaces(vtkUnstructuredGrid* whole, const std::vector<vtkIdType>& cells,
+  const std::vector<vtkIdType>& place, vtkUnstructuredGrid* part)
+{
+  vtkNew<vtkIdList> ids;
+  const auto find = [&](vtkIdType i)
+  { ids->SetId(i, Exists(ids->GetId(i), place) ? place[ids->GetId(i)] : -1); };
+  for (const vtkIdType c : cells)
+  {
+    const int type = whole->GetCellType(c);
+    if (type == VTK_POLYHEDRON)
+    {
+      whole->GetFaceStream(c, ids); // the number of faces, then the size and the points of each
+      for (vtkIdType face = 1; face < ids->GetNumberOfIds(); face += ids->GetId(face) + 1)
+      {
+        for (vtkIdType i = 1; i <= ids->GetId(face); ++i)
+        {
+          find(face + i);
+        }
+      }
+    }
+    else
+    {
+      whole->GetCellPoints(c, ids);
+      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+      {
+        find(i);
+      }
+    }
+    part->InsertNextCell(type, ids);
+  }
+}
+
 void TakeArrays(
   vtkDataSetAttributes* from, const std::vector<vtkIdType>& sources, vtkDataSetAttributes* to)
 {
@@ -386,7 +428,12 @@ std::vector<vtkIdType> TakeCells(vtkPointSet* whole, const std::vector<vtkIdType
   const std::vector<vtkIdType> points = FindPoints(reader, cells, kept, place);
 
   TakeValues(whole, points, cells, part);
-
+  if (HasPolyhedra(reader))
+  {
+    TakeWithFaces(vtkUnstructuredGrid::SafeDownCast(whole), cells, place,
+      vtkUnstructuredGrid::SafeDownCast(part));
+    return points;
+  }
   const bool isPolyData = vtkPolyData::SafeDownCast(whole) != nullptr;
   CellLists lists(static_cast<vtkIdType>(cells.size()));
   std::vector<vtkIdType> scratch;
