@@ -87,7 +87,7 @@
 #ifndef vtkMultiDimensionalSubdivision_h
 #define vtkMultiDimensionalSubdivision_h
 
-#include "vtkSubdivisionAlgorithm.h"
+#include "vtkMarkedSubdivisionAlgorithm.h"
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
@@ -98,11 +98,11 @@ class OperatorCache;
 }
 
 class VTKSUBDIVISIONOBJECTS_EXPORT vtkMultiDimensionalSubdivision
-  : public vtkSubdivisionAlgorithm
+  : public vtkMarkedSubdivisionAlgorithm
 {
 public:
   static vtkMultiDimensionalSubdivision* New();
-  vtkTypeMacro(vtkMultiDimensionalSubdivision, vtkSubdivisionAlgorithm);
+  vtkTypeMacro(vtkMultiDimensionalSubdivision, vtkMarkedSubdivisionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// The output.

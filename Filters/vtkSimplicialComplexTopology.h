@@ -83,14 +83,15 @@
 #ifndef vtkSimplicialComplexTopology_h
 #define vtkSimplicialComplexTopology_h
 
-#include "vtkSubdivisionAlgorithm.h"
+#include "vtkMarkedSubdivisionAlgorithm.h"
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 
-class VTKSUBDIVISIONOBJECTS_EXPORT vtkSimplicialComplexTopology : public vtkSubdivisionAlgorithm
+class VTKSUBDIVISIONOBJECTS_EXPORT vtkSimplicialComplexTopology
+  : public vtkMarkedSubdivisionAlgorithm
 {
 public:
   static vtkSimplicialComplexTopology* New();
-  vtkTypeMacro(vtkSimplicialComplexTopology, vtkSubdivisionAlgorithm);
+  vtkTypeMacro(vtkSimplicialComplexTopology, vtkMarkedSubdivisionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// The output.

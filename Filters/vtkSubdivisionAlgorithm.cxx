@@ -95,6 +95,12 @@ vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::ReadInput(
   return subdivision::MakeReadable(input, rule, warnings);
 }
 
+vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::Mark(
+  vtkDataObject*, vtkDataObject* readable)
+{
+  return readable;
+}
+
 int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, subdivision::RunOptions& options, const char* ghosts,
   const std::string& memory, const std::function<bool(vtkPointSet*, vtkPointSet*)>& run)
@@ -122,12 +128,14 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   vtkSmartPointer<vtkDataObject> readable;
   bool failed = false;
+  this->PrepareRun(given);
   subdivision::ConnectToFilter(this, options, failed);
   const bool isRead = subdivision::DoWork(traits, options,
     [&]
     {
       readable = this->ReadInput(given, distribution.Warnings);
       this->Inspect(given, readable);
+      readable = this->Mark(given, readable);
       if (this->IsOfSurfaces())
       {
         readable = this->MakeSurfaces(readable, distribution.Warnings);

@@ -326,6 +326,11 @@ protected:
   /// Called with the input of the pipeline and with what is read of it, before the work. Cells and
   /// points have the same ids in both.
   virtual void Inspect(vtkDataObject*, vtkDataObject*) {}
+  /// Called with the input of the pipeline before anything else, on all ranks together.
+  virtual void PrepareRun(vtkDataObject*) {}
+  /// Called after Inspect with the same. Returns what is worked on: the readable meshes, or copies
+  /// with more arrays.
+  virtual vtkSmartPointer<vtkDataObject> Mark(vtkDataObject*, vtkDataObject* readable);
   /// Called with the output of the pipeline after the work.
   virtual void Finish(vtkDataObject*) {}
   /// Makes the unstructured grids or vtkPolyData that are read of an input of any kind.
@@ -350,7 +355,7 @@ protected:
   };
   /// Sets options.Features from the options above and the arrays of `input`. Returns false, after
   /// an error (passed to Fail), if an array cannot be used.
-  bool ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options);
+  virtual bool ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options);
   /// Does what RequestData has in common in all filters: sets the shared options, and the functions
   /// of `options` for messages and progress; calls `run`, which returns whether it finished;
   /// empties the output if it did not. `ghosts`: what duplicate cells mean for the result, null

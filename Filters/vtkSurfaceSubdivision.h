@@ -134,7 +134,7 @@
 #ifndef vtkSurfaceSubdivision_h
 #define vtkSurfaceSubdivision_h
 
-#include "vtkSubdivisionAlgorithm.h"
+#include "vtkMarkedSubdivisionAlgorithm.h"
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
@@ -145,11 +145,11 @@ class SurfaceCache;
 struct SurfaceOptions;
 }
 
-class VTKSUBDIVISIONOBJECTS_EXPORT vtkSurfaceSubdivision : public vtkSubdivisionAlgorithm
+class VTKSUBDIVISIONOBJECTS_EXPORT vtkSurfaceSubdivision : public vtkMarkedSubdivisionAlgorithm
 {
 public:
   static vtkSurfaceSubdivision* New();
-  vtkTypeMacro(vtkSurfaceSubdivision, vtkSubdivisionAlgorithm);
+  vtkTypeMacro(vtkSurfaceSubdivision, vtkMarkedSubdivisionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// The output.

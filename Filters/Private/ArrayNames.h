@@ -20,6 +20,8 @@ constexpr const char* BlockName = "SubdivisionBlock";
 constexpr int NoBlock = -1;
 /// The cell array with the selected cells of a mesh that is joined of several blocks.
 constexpr const char* SelectedName = "SubdivisionSelected";
+/// The arrays that flag selected points and cells which become singular.
+constexpr const char* MarkedName = "SubdivisionMarked";
 /// The arrays with the numbers that points and cells of a part of an output have in the output of
 /// the whole mesh.
 constexpr const char* PointNumbersName = "SubdivisionPointNumber";

@@ -9,6 +9,7 @@
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkCellData.h"
+#include "vtkPlane.h"
 #include "vtkPolyData.h"
 
 using namespace partition_tools;
@@ -40,6 +41,18 @@ std::vector<Mesh> RunOnParts(const std::vector<Mesh>& cut, const Partition& part
   return outputs;
 }
 
+/// Marks edges and faces on one side of a plane.
+void Mark(subdivision::MarkOptions& marks)
+{
+  const auto plane = vtkSmartPointer<vtkPlane>::New();
+  plane->SetOrigin(1., 1., 1.);
+  plane->SetNormal(0.9, 0.3, -0.2);
+  marks.Function = plane;
+  marks.Corners = false;
+  marks.Creases = true;
+  marks.Surfaces = true;
+}
+
 struct Choice
 {
   const char* Name;
@@ -60,6 +73,12 @@ const Choice Choices[] = { { "defaults", [](subdivision::UniformOptions&) {} },
       o.Features.DetectFeatures = true;
       o.Features.Embedded = subdivision::EmbeddedRule::SingularInside;
     } },
+  { "marks",
+    [](subdivision::UniformOptions& o)
+    {
+      Mark(o.Features.Marks);
+      o.Features.DetectFeatures = true;
+    } },
   { "sharp joints", [](subdivision::UniformOptions& o)
     { o.Features.Type1 = o.Features.Type2 = o.Features.Type3 = subdivision::JointRule::Sharp; } } };
 
@@ -76,6 +95,7 @@ const SurfaceChoice SurfaceChoices[] = { { "defaults", [](subdivision::SurfaceOp
       o.ProjectToLimit = true;
       o.GenerateTangents = true;
     } },
+  { "marks", [](subdivision::SurfaceOptions& o) { Mark(o.Features.Marks); } },
   { "features", [](subdivision::SurfaceOptions& o)
     {
       o.Features.DetectFeatures = true;

@@ -15,7 +15,8 @@ import subdivisionobjects
 from headers import HEADERS, NO_OPTIONS, along_axes, of_bases, stated_defaults, stated_ranges, words
 
 PLUGIN = pathlib.Path(__file__).resolve().parents[2] / "Plugin"
-ABSTRACT = (subdivisionobjects.vtkSubdivisionAlgorithm, subdivisionobjects.vtkRefinementAlgorithm)
+ABSTRACT = (subdivisionobjects.vtkSubdivisionAlgorithm, subdivisionobjects.vtkRefinementAlgorithm,
+            subdivisionobjects.vtkMarkedSubdivisionAlgorithm)
 CONCRETE = [cls for cls in HEADERS if cls not in ABSTRACT]
 PRECISIONS = ["SINGLE_PRECISION", "DOUBLE_PRECISION", "DEFAULT_PRECISION"]
 
@@ -23,6 +24,9 @@ PRECISIONS = ["SINGLE_PRECISION", "DOUBLE_PRECISION", "DEFAULT_PRECISION"]
 OTHER_DEFAULTS = {
     "AdaptiveSurfaceSubdivision.ImplicitFunction": "ParaView takes the first proxy of the list; the class has none",
     "RedGreenRefinement.ImplicitFunction": "the same",
+    "MultiDimensionalSubdivision.MarkFunction": "the same",
+    "SimplicialComplexTopology.MarkFunction": "the same",
+    "SurfaceSubdivision.MarkFunction": "the same",
     "SurfaceSubdivision.GenerateNormals": "an older name, which has no value of its own and so sets nothing",
 }
 # Options and arrays without a property: surfaces have no rules for them, and the filters warn of them.
@@ -172,7 +176,7 @@ def proxies():
     """Of each proxy of a concrete class: name, class, and properties with those of its base proxies."""
     texts = [path.read_text(encoding="utf-8") for path in sorted(PLUGIN.glob("*.xml"))]
     for_solids = (PLUGIN / "SolidOptions.xml.in").read_text(encoding="utf-8")
-    texts += [for_solids.replace("@KIND@", kind) for kind in ("Subdivision", "Refinement")]
+    texts += [for_solids.replace("@KIND@", kind) for kind in ("Subdivision", "MarkedSubdivision", "Refinement")]
     found = {proxy.get("name"): proxy for text in texts
              for proxy in ElementTree.fromstring(text).iter("SourceProxy")}
     for name, proxy in found.items():

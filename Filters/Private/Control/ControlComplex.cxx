@@ -66,7 +66,7 @@ SimplexTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
     return mesh.Derived;
   }
   const SimplicialComplex<Id>& complex = control.Current.Complex;
-  SimplexTuples derived;
+  SimplexTuples derived = mesh.Derived;
   if (features.Embedded != EmbeddedRule::Follow)
   {
     const bool inside = features.Embedded == EmbeddedRule::SingularInside;
@@ -88,9 +88,14 @@ SimplexTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
       }
     }
   }
-  if (features.PreserveInterfaces && features.DetectFeatures)
+  // One order, whatever a simplex is derived from, for partitions.
+  const bool isMarked = !mesh.Derived.IsEmpty();
+  for (int dimension = 0; dimension < 3; ++dimension)
   {
-    SortTuples(derived, 1); // one order, whatever an edge is derived from, for partitions
+    if (isMarked || (dimension == 1 && features.PreserveInterfaces && features.DetectFeatures))
+    {
+      SortTuples(derived, dimension);
+    }
   }
   return derived;
 }

@@ -120,11 +120,14 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
   }
   mesh.Warnings.insert(mesh.Warnings.end(), mesh.Cells.Warnings.begin(), mesh.Cells.Warnings.end());
   mesh.Values = ReadFeatureValues(features, mesh.Cells, warn);
+  const SimplexTuples marked = FindMarkedSimplices(input, mesh.Cells, features.Marks, warn);
   if (!mesh.IsStamped)
   {
+    mesh.Derived = marked;
     return mesh;
   }
   ReadSingularTuples(input, mesh.Derived);
+  AddMissing(marked, mesh.Derived);
   if (stamp.Levels > 0)
   {
     if (!FindControlMesh(mesh.Cells.GetView(), stamp, mesh.Above))

@@ -25,9 +25,10 @@ struct ControlMesh
   bool IsOfOtherScheme = false; ///< made by an earlier filter, but not by this scheme
   bool IsStamped =
     false; ///< made by an earlier filter: tetrahedra keep their order, nothing is derived
-  int MadeLevels = 0;    ///< steps that earlier filters made; this filter repeats them on ids
-  FeatureValues Values;  ///< of the control simplices
-  SimplexTuples Derived; ///< singular simplices among them that an earlier filter derived
+  int MadeLevels = 0;   ///< steps that earlier filters made; this filter repeats them on ids
+  FeatureValues Values; ///< of the control simplices
+  /// Singular simplices among them that are marked, or that an earlier filter derived.
+  SimplexTuples Derived;
   /// Control simplices of negative and of no volume, as FindInvertedTets gives them; first those
   /// that an earlier filter found.
   std::vector<vtkIdType> Inverted;

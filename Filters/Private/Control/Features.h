@@ -10,6 +10,7 @@
 #include "Core/Solids/Scheme/SemiSharp.h"
 #include "Core/Solids/Strata/Singularities.h"
 #include "Core/Solids/Strata/Strata.h"
+#include "Private/Control/Marks.h"
 #include "Private/Reading/CellsToSimplices.h"
 
 #include "vtkDataArray.h"
@@ -46,11 +47,7 @@ struct FeatureOptions
   vtkSmartPointer<vtkDataArray> Rules;
   vtkSmartPointer<vtkDataArray> Sharpness;
 
-  bool Derives() const
-  {
-    return this->Embedded != EmbeddedRule::Follow || this->PreserveInterfaces ||
-      this->DetectFeatures;
-  }
+  MarkOptions Marks;
 };
 
 /// One value for each simplex; empty where the array is not set or not used.

@@ -73,10 +73,10 @@ void WarnOfUnused(
   }
   if (!scheme.UsesTags() &&
     (features.Singular || features.Sharpness || features.DetectFeatures || options.Angles ||
-      options.Flatness))
+      options.Flatness || !features.Marks.IsEmpty()))
   {
     options.Warn("This scheme is dual and has no creases and corners: the filter ignores flags, "
-                 "sharpness, DetectFeatures, and angles and flatness of corners.");
+                 "marks, sharpness, DetectFeatures, and angles and flatness of corners.");
   }
 }
 

@@ -6,9 +6,13 @@
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 #include "Private/Arrays/Arrays.h"
 
+#include "vtkPolyData.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace subdivision
 {
@@ -85,6 +89,40 @@ std::vector<vtkIdType> FindFeatureEdges(
     if (turns[e])
     {
       pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
+    }
+  }
+  return pairs;
+}
+
+std::vector<vtkIdType> FindMarkedEdges(
+  vtkPolyData* input, const MarkOptions& marks, const std::function<void(const std::string&)>& warn)
+{
+  std::vector<vtkIdType> pairs;
+  if (marks.IsEmpty())
+  {
+    return pairs;
+  }
+  const SimplexTuples marked =
+    FindMarkedSimplices(input, CellsToSimplices(input, nullptr), marks, warn);
+  for (const vtkIdType corner : marked.Tuples[0])
+  {
+    pairs.insert(pairs.end(), 2, corner);
+  }
+  pairs.insert(pairs.end(), marked.Tuples[1].begin(), marked.Tuples[1].end());
+  // As for flagged faces: an edge of marked faces is sharp unless it has exactly two of them.
+  std::map<std::pair<vtkIdType, vtkIdType>, int> counts;
+  const std::vector<vtkIdType>& faces = marked.Tuples[2];
+  for (std::size_t i = 0; i < faces.size(); i += 3) // whose points ascend
+  {
+    ++counts[{ faces[i], faces[i + 1] }];
+    ++counts[{ faces[i], faces[i + 2] }];
+    ++counts[{ faces[i + 1], faces[i + 2] }];
+  }
+  for (const auto& count : counts)
+  {
+    if (count.second != 2)
+    {
+      pairs.insert(pairs.end(), { count.first.first, count.first.second });
     }
   }
   return pairs;

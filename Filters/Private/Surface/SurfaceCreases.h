@@ -12,6 +12,12 @@
 #include "Private/Surface/SurfaceCells.h"
 #include "Private/Surface/SurfaceStamp.h"
 
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
 namespace subdivision
 {
 
@@ -48,6 +54,10 @@ std::vector<double> ReadPointValues(vtkDataArray* array, vtkIdType points, doubl
 template <typename Id>
 std::vector<vtkIdType> FindFeatureEdges(
   const PolygonMesh<Id>& mesh, const Coordinates& points, double angle);
+/// The edges that marks make sharp, those around marked faces included, and the corners, as such
+/// pairs; a corner is a point twice.
+std::vector<vtkIdType> FindMarkedEdges(vtkPolyData* input, const MarkOptions& marks,
+  const std::function<void(const std::string&)>& warn);
 /// Makes edges sharp that are given as pairs of points; a point twice makes this point a corner.
 template <typename Id>
 void AddSharpEdges(

@@ -140,6 +140,7 @@ private:
   SimplicesOfCells NoCentres;
   std::vector<vtkIdType> GlobalIds;
   std::unique_ptr<PointArrays> Points;
+  std::vector<vtkIdType> Marked;                      ///< FindMarkedEdges
   std::vector<vtkIdType> Creases;                     ///< SubdivisionSurfaceCreases of the stamp
   std::vector<std::unique_ptr<SurfaceSteps<Id>>> Own; ///< steps that are not kept
   SurfaceSteps<Id>* Steps = nullptr;

@@ -29,7 +29,8 @@ namespace subdivision
 template <typename Id>
 bool SurfaceRun<Id>::Plan()
 {
-  const bool isStamped = this->ReadStamp();
+  this->Marked = FindMarkedEdges(this->Input, this->Options.Features.Marks, this->Options.Warn);
+  const bool isStamped = this->Marked.empty() && this->ReadStamp();
   bool isDone = this->Build();
   if (isDone && isStamped && !this->IsDescendant())
   {
@@ -242,14 +243,16 @@ SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const Surf
   {
     WriteSharpCorners(level.Mesh, creases, this->Points->GetCoordinates(), this->Stamp);
   }
-  if (this->MadeLevels > 0)
-  {
-    this->Creases = this->Stamp.Creases;
-  }
-  else if (this->Options.Features.DetectFeatures)
+  this->Creases = this->Stamp.Creases; // none on a control mesh
+  if (this->MadeLevels == 0 && this->Options.Features.DetectFeatures)
   {
     this->Creases = FindFeatureEdges(
       level.Mesh, this->Points->GetCoordinates(), this->Options.Features.FeatureAngle);
+  }
+  const bool isJoined = &cells == &this->JoinedMesh.Cells;
+  for (const vtkIdType point : this->Marked)
+  {
+    this->Creases.push_back(isJoined ? this->JoinedMesh.FirstPoints[point] : point);
   }
   AddSharpEdges(level.Mesh, this->Creases, creases.Features);
   if (!this->Scheme->HalvesEdges())
@@ -401,6 +404,7 @@ void SurfaceRun<Id>::Write()
 {
   CopySurfaceCellArrays(this->Input, this->Cells, *this->Steps, this->MadeLevels,
     this->Stamp.Levels > 0, this->Options, this->Stamp.Carried, this->Output);
+  ClearMarks(this->Options.Features.Marks, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
   this->WriteStamp();
 }

@@ -479,6 +479,7 @@ void UniformRun::Write()
     ReduceSharpness(
       this->Options.Features.Sharpness->GetName(), this->Options.Levels, this->Output);
   }
+  ClearMarks(this->Options.Features.Marks, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
 
   this->WriteStamps();
