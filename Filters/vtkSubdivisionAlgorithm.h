@@ -41,8 +41,9 @@
  * @par Singular simplices
  * The following simplices are singular, together: the vertex, line and triangle cells that the
  * array at index 0 flags; cells embedded in others, by EmbeddedCells; with PreserveInterfaces the
- * interfaces between materials; with DetectFeatures the edges with a large angle. A singular vertex
- * does not move, singular lines become smooth curves (creases), and singular triangles become
+ * interfaces between materials; with DetectFeatures the edges with a large angle; and what is
+ * marked in filters that derive from vtkMarkedSubdivisionAlgorithm. A singular vertex does not
+ * move, singular lines become smooth curves (creases), and singular triangles become
  * smooth surfaces inside the solid. Where more than two singular lines meet there is a corner.
  *
  * @par Cell arrays read, by SetInputArrayToProcess
