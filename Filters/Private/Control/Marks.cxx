@@ -115,22 +115,29 @@ private:
   std::vector<vtkIdType> Scratch;
 };
 
-/// The marked points of the input.
-std::vector<char> FindMarkedPoints(vtkPointSet* input, const MarkOptions& options)
+enum class Mark : char
 {
-  std::vector<char> marked(static_cast<size_t>(input->GetNumberOfPoints()), 0);
+  None,
+  New,
+  Known ///< the point is a corner already
+};
+
+/// The marked points of the input.
+std::vector<Mark> FindMarkedPoints(vtkPointSet* input, const MarkOptions& options)
+{
+  std::vector<Mark> marked(static_cast<size_t>(input->GetNumberOfPoints()), Mark::None);
   for (vtkDataArray* array : { options.Array.Get(), options.SelectedPoints.Get() })
   {
     for (size_t i = 0; array && i < marked.size(); ++i)
     {
-      marked[i] |= array->GetComponent(static_cast<vtkIdType>(i), 0) != 0.;
+      marked[i] = array->GetComponent(static_cast<vtkIdType>(i), 0) != 0. ? Mark::New : marked[i];
     }
   }
   for (size_t i = 0; options.Function && i < marked.size(); ++i)
   {
     double point[3];
     input->GetPoint(static_cast<vtkIdType>(i), point);
-    marked[i] |= options.Function->FunctionValue(point) <= 0.;
+    marked[i] = options.Function->FunctionValue(point) <= 0. ? Mark::New : marked[i];
   }
   return marked;
 }
@@ -192,12 +199,16 @@ public:
       }
     }
     const auto isMarked = [this](vtkIdType id)
-    { return id < static_cast<vtkIdType>(this->Marked.size()) && this->Marked[id]; };
+    { return id < static_cast<vtkIdType>(this->Marked.size()) && this->Marked[id] != Mark::None; };
     vtkIdType points[4];
     const auto count = std::copy_if(ids, ids + dimension + 1, points, isMarked) - points;
     for (int i = 0; this->Options.Corners && i < count; ++i)
     {
-      Add(0, points + i, this->Tuples);
+      if (this->Marked[points[i]] == Mark::New)
+      {
+        Add(0, points + i, this->Tuples);
+        this->Marked[points[i]] = Mark::Known;
+      }
     }
     if (count > 1 && isPiece)
     {
@@ -237,7 +248,7 @@ public:
 
 private:
   const MarkOptions& Options;
-  const std::vector<char> Marked;
+  std::vector<Mark> Marked;
   CellFaces Faces;
   SimplexTuples& Tuples;
   vtkIdType Solids = 0;
@@ -275,7 +286,7 @@ SimplexTuples FindMarkedSimplices(vtkPointSet* input, const SimplicesOfCells& ce
 
 void AddMissing(const SimplexTuples& more, SimplexTuples& tuples)
 {
-  for (int dimension = 0; dimension < 3; ++dimension)
+  for (int dimension = 0; dimension < 3 && !more.IsEmpty(); ++dimension)
   {
     const std::set<SimplexKey> known = ToSet(tuples.Tuples[dimension], dimension);
     for (const SimplexKey& key : ToSet(more.Tuples[dimension], dimension))

@@ -4,6 +4,8 @@
 #include "PartitionTools.h"
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
+#include "vtkCell.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObjectTree.h"
@@ -135,6 +137,67 @@ TEST(Blocks, AreOneMeshForEveryFilter)
       filter->SetMaximumEdgeLength(0.4);
       return filter;
     });
+}
+
+TEST(Blocks, HaveTheMarksOfTheWhole)
+{
+  const Grid box = MakeBox(2);
+  vtkNew<vtkIntArray> marks;
+  marks->SetName("Marks");
+  vtkNew<vtkIdTypeArray> ids;
+  vtkNew<vtkIdTypeArray> numbers; // those of the blocks
+  numbers->SetName("Numbers");
+  vtkNew<vtkPolyData> lines;
+  lines->SetPoints(box->GetPoints());
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType p = 0; p < box->GetNumberOfPoints(); ++p)
+  {
+    marks->InsertNextValue(p % 3 > 0);
+    numbers->InsertNextValue(p);
+    if (p % 3 > 0)
+    {
+      ids->InsertNextValue(p);
+    }
+  }
+  box->GetPointData()->AddArray(marks);
+  box->GetPointData()->SetGlobalIds(numbers);
+  for (vtkIdType c = 0; c < box->GetNumberOfCells(); ++c)
+  {
+    vtkCell* cell = box->GetCell(c);
+    if (cell->GetNumberOfEdges() > 0 && c % 2 == 0)
+    {
+      cells->InsertNextCell(cell->GetEdge(0)->GetPointIds());
+    }
+  }
+  lines->SetLines(cells);
+  ASSERT_GT(lines->GetNumberOfCells(), 3);
+  vtkNew<vtkSelectionNode> node;
+  node->SetFieldType(vtkSelectionNode::POINT);
+  node->SetContentType(vtkSelectionNode::GLOBALIDS);
+  node->SetSelectionList(ids);
+  vtkNew<vtkSelection> selection;
+  selection->AddNode(node);
+  for (const int kind : { 0, 1, 2 })
+  {
+    SCOPED_TRACE(kind);
+    ExpectBlocksAreWhole(box,
+      [&]
+      {
+        auto filter = MakeUniform(2);
+        filter->SetMarkCreases(true);
+        filter->SetMarkSurfaces(true);
+        if (kind == 0)
+        {
+          filter->SetInputArrayToProcess(8, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Marks");
+        }
+        if (kind > 0)
+        {
+          filter->SetInputDataObject(
+            kind, kind == 1 ? static_cast<vtkDataObject*>(selection) : lines);
+        }
+        return filter;
+      });
+  }
 }
 
 TEST(Blocks, FiltersInARowAreOne)
