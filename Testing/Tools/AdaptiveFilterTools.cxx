@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AdaptiveFilterTools.h"
 
-#include "vtkImplicitPolyDataDistance.h"
+#include "vtkGenericCell.h"
+#include "vtkStaticCellLocator.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace adaptive_filter_tools
 {
@@ -76,14 +80,21 @@ double GetLargestDistance(vtkPolyData* from, vtkPolyData* to)
   vtkNew<vtkPolyData> faces;
   faces->SetPoints(to->GetPoints());
   faces->SetPolys(to->GetPolys());
-  vtkNew<vtkImplicitPolyDataDistance> distance;
-  distance->SetInput(faces);
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(faces);
+  locator->BuildLocator();
+  vtkNew<vtkGenericCell> cell; // of one's own: each cell that VTK makes costs ten times the search
   double largest = 0.;
   for (vtkIdType i = 0; i < from->GetNumberOfPoints(); ++i)
   {
-    largest = std::max(largest, std::abs(distance->EvaluateFunction(from->GetPoint(i))));
+    double nearest[3];
+    vtkIdType id = 0;
+    int part = 0;
+    double distance = 0.;
+    locator->FindClosestPoint(from->GetPoint(i), nearest, cell, id, part, distance);
+    largest = std::max(largest, distance);
   }
-  return largest;
+  return std::sqrt(largest);
 }
 
 PolyData RefineByShape(vtkPolyData* input, double tolerance)
