@@ -3,13 +3,16 @@
 // goes on with what the first one made of them.
 #include "PartitionTools.h"
 
+#include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkCellData.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;
+using subdivision::SurfaceOptions;
 using subdivision::UniformOptions;
 
 namespace
@@ -44,16 +47,35 @@ const Choice Choices[] = { { "defaults", [](UniformOptions&) {} },
   { "sharp joints", [](UniformOptions& o)
     { o.Features.Type1 = o.Features.Type2 = o.Features.Type3 = subdivision::JointRule::Sharp; } } };
 
+void SetCommon(subdivision::RunOptions& options)
+{
+  options.GenerateGlobalIds = true;
+  options.Warn = [](const std::string& message)
+  {
+    EXPECT_EQ(std::string::npos, message.find("any other mesh")) << message;
+    EXPECT_EQ(std::string::npos, message.find("global ids")) << message;
+  };
+  options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
+}
+
 UniformOptions MakeOptions(subdivision::StampScheme scheme, const Choice& choice, int levels)
 {
   UniformOptions options;
   options.Scheme = scheme;
   options.Levels = levels;
-  options.GenerateGlobalIds = true;
-  options.Warn = [](const std::string& message)
-  { EXPECT_EQ(std::string::npos, message.find("any other mesh")) << message; };
-  options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
+  SetCommon(options);
   choice.Set(options);
+  return options;
+}
+
+SurfaceOptions MakeOptions(int scheme, bool findsFeatures, int levels)
+{
+  SurfaceOptions options;
+  options.Scheme = static_cast<subdivision::SurfaceSchemeKind>(scheme);
+  options.Levels = levels;
+  SetCommon(options);
+  options.Features.DetectFeatures = findsFeatures;
+  options.Features.FeatureAngle = 50.;
   return options;
 }
 
@@ -65,19 +87,31 @@ bool Run(vtkPointSet* input, UniformOptions options, vtkPointSet* output)
   return SubdivideUniformly(input, options, vtkUnstructuredGrid::SafeDownCast(output));
 }
 
-Mesh Subdivide(vtkPointSet* whole, const UniformOptions& options)
+bool Run(vtkPointSet* input, const SurfaceOptions& options, vtkPointSet* output)
 {
-  const Mesh output = subdivision::MakeMesh(false);
+  return SubdivideSurface(
+    vtkPolyData::SafeDownCast(input), options, vtkPolyData::SafeDownCast(output));
+}
+
+template <typename Options>
+constexpr bool IsOfSurfaces = std::is_same<Options, SurfaceOptions>::value;
+
+template <typename Options>
+Mesh Subdivide(vtkPointSet* whole, const Options& options)
+{
+  const Mesh output = subdivision::MakeMesh(IsOfSurfaces<Options>);
   EXPECT_TRUE(Run(whole, options, output));
   subdivision::AddGlobalIds(output);
   return output;
 }
 
 /// The outputs of parts, those of one partition after the other.
+template <typename Options>
 std::vector<Mesh> SubdivideParts(
-  const std::vector<Mesh>& parts, const Partition& partition, UniformOptions options)
+  const std::vector<Mesh>& parts, const Partition& partition, Options options)
 {
   subdivision::DistributionOptions distribution;
+  distribution.IsOfSurfaces = IsOfSurfaces<Options>;
   distribution.WorksInRounds = true;
   std::vector<Mesh> outputs;
   EXPECT_TRUE(RunOnParts(
@@ -160,6 +194,44 @@ void ForCases(const Test& test)
   }
 }
 
+/// The same for surfaces, with lines and vertices. test(mesh, scheme, findsFeatures, partition).
+template <typename Test>
+void ForSurfaces(const Test& test)
+{
+  size_t turn = 0;
+  for (const Mesh& mesh : MakeMeshes())
+  {
+    const Mesh surface = MakeSkin(mesh);
+    for (int scheme = 0; scheme < 7; ++scheme)
+    {
+      const bool findsFeatures = turn % 2 == 1;
+      const Partition& partition = Partitions[turn++ % std::size(Partitions)];
+      SCOPED_TRACE(std::string(partition.Name) + ", scheme " + std::to_string(scheme) +
+        (findsFeatures ? ", features" : "") + ", mesh of " +
+        std::to_string(surface->GetNumberOfCells()) + " cells");
+      test(surface, scheme, findsFeatures, partition);
+      if (testing::Test::HasFailure())
+      {
+        return;
+      }
+    }
+  }
+}
+
+}
+
+TEST(PartitionsIds, AreIndicesOfTheWholeSurface)
+{
+  ForSurfaces(
+    [](vtkPointSet* mesh, int scheme, bool findsFeatures, const Partition& partition)
+    {
+      for (const int levels : { 0, 1, 3 })
+      {
+        const SurfaceOptions options = MakeOptions(scheme, findsFeatures, levels);
+        ExpectIndices(
+          Subdivide(mesh, options), SubdivideParts(Cut(mesh, partition), partition, options));
+      }
+    });
 }
 
 TEST(PartitionsIds, AreIndicesOfTheWhole)

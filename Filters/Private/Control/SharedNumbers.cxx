@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/SharedNumbers.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Control/Partners.h"
+#include "Private/Reading/CellReader.h"
+
+#include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace subdivision
@@ -254,6 +259,164 @@ SharedNumbers NumberTogether(const SharedKeys& things, Partners& partners)
   partners.Send(messages);
   numbers.First.assign(things.Own.size() * static_cast<size_t>(things.Kinds), -1);
   questions.Take(messages, numbers);
+  return numbers;
+}
+
+SharedNumbers NumberTogether(
+  SharedKeys things, int kind, const std::vector<const IdSegments*>& lists, Partners& partners)
+{
+  std::vector<const IdSegment*> varied;
+  for (const IdSegments* list : lists)
+  {
+    for (const IdSegment& segment : *list)
+    {
+      if (segment.Kind == kind && segment.IsVaried())
+      {
+        varied.push_back(&segment);
+      }
+    }
+  }
+  things.Kinds = 1 + static_cast<int>(varied.size());
+  things.Sizes.reserve(things.Own.size() * (1 + varied.size()));
+  for (size_t i = 0; i < things.Own.size(); ++i)
+  {
+    const auto thing = static_cast<vtkIdType>(i);
+    things.Sizes.push_back(1);
+    for (const IdSegment* segment : varied)
+    {
+      things.Sizes.push_back(segment->CountBefore(thing + 1) - segment->CountBefore(thing));
+    }
+  }
+  return NumberTogether(things, partners);
+}
+
+std::vector<WholeIds> FindWholeIds(
+  const std::vector<const IdSegments*>& lists, const std::vector<SharedNumbers>& things)
+{
+  std::vector<size_t> varied(things.size(), 0); // of each kind, how many were there
+  std::vector<WholeIds> found;
+  for (const IdSegments* list : lists)
+  {
+    found.emplace_back();
+    WholeIds& whole = found.back();
+    for (const IdSegment& segment : *list)
+    {
+      const SharedNumbers& numbers = things[segment.Kind];
+      const size_t kinds = numbers.Totals.size();
+      const size_t kind = segment.IsVaried() ? ++varied[segment.Kind] : 0;
+      const vtkIdType ofEach = segment.IsVaried() ? 1 : segment.OfEach;
+      const auto size = static_cast<vtkIdType>(numbers.First.size() / kinds);
+      const auto start = static_cast<vtkIdType>(whole.Ids.size());
+      whole.Ids.resize(static_cast<size_t>(start + segment.CountBefore(size)));
+      ForEach(size,
+        [&](vtkIdType i)
+        {
+          const vtkIdType first = numbers.First[kinds * i + kind];
+          const vtkIdType before = segment.CountBefore(i);
+          for (vtkIdType k = before; k < segment.CountBefore(i + 1); ++k)
+          {
+            whole.Ids[start + k] = first < 0 ? -1 : whole.Total + ofEach * first + k - before;
+          }
+        });
+      whole.Total += ofEach * numbers.Totals[kind];
+    }
+  }
+  return found;
+}
+
+Ids PlaceCells(vtkPointSet* input, Partners& partners)
+{
+  Ids places = partners.GetCellIds();
+  if (auto* surface = vtkPolyData::SafeDownCast(input))
+  {
+    const vtkIdType last = places.empty() ? 0 : *std::max_element(places.begin(), places.end());
+    const Ids all = partners.Gather(last);
+    const vtkIdType size = *std::max_element(all.begin(), all.end()) + 1;
+    std::array<vtkIdType, 3> ends{ surface->GetNumberOfVerts(), surface->GetNumberOfLines(),
+      surface->GetNumberOfPolys() };
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    for (size_t c = 0; c < places.size(); ++c)
+    {
+      for (const vtkIdType end : ends)
+      {
+        places[c] += static_cast<vtkIdType>(c) >= end ? size : 0;
+      }
+    }
+  }
+  return places;
+}
+
+SharedKeys MakeKeysOfPieces(const Ids& cells, const Ids& places, Partners& partners)
+{
+  SharedKeys pieces;
+  pieces.Width = 2;
+  for (size_t i = 0; i < cells.size(); ++i)
+  {
+    const bool isSame = i > 0 && cells[i] == cells[i - 1];
+    pieces.Keys.push_back(places[cells[i]]);
+    pieces.Keys.push_back(isSame ? pieces.Keys[pieces.Keys.size() - 2] + 1 : 0);
+    pieces.Own.push_back(partners.IsOwn(cells[i]));
+  }
+  return pieces;
+}
+
+std::vector<char> FindOwnPoints(vtkPointSet* mesh, const Ids& inputCells, const Partners& partners)
+{
+  const CellReader cells(mesh);
+  std::vector<char> own(static_cast<size_t>(mesh->GetNumberOfPoints()), 0);
+  Ids scratch;
+  for (vtkIdType c = 0; c < cells.GetNumberOfCells(); ++c)
+  {
+    const CellIds cell = cells.GetCell(c, scratch);
+    const bool isOwn = partners.IsOwn(inputCells.empty() ? c : inputCells[c]);
+    for (vtkIdType i = 0; i < cell.Size && isOwn; ++i)
+    {
+      if (cell.Ids[i] >= 0 && cell.Ids[i] < mesh->GetNumberOfPoints())
+      {
+        own[cell.Ids[i]] = 1;
+      }
+    }
+  }
+  return own;
+}
+
+SharedNumbers NumberVertices(
+  vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces, Partners& partners)
+{
+  SharedKeys given;
+  const Ids& ids = partners.GetPointIds();
+  points = std::min(points, simplices.NumberOfPoints);
+  given.Keys.assign(ids.begin(), ids.begin() + points);
+  given.Own.assign(given.Keys.size(), 1);
+  SharedNumbers numbers = NumberTogether(given, partners);
+  SharedKeys centres;
+  centres.Width = 2;
+  centres.Own.assign(static_cast<size_t>(simplices.NumberOfPoints - points), 0);
+  centres.Keys.assign(2 * centres.Own.size(), 0);
+  std::vector<char> seen(centres.Own.size(), 0);
+  size_t entry = 0;
+  for (vtkIdType s = 0; s < simplices.NumberOfSimplices; ++s)
+  {
+    for (int k = 0; k <= simplices.Dimensions[s]; ++k, ++entry)
+    {
+      const vtkIdType centre = simplices.Connectivity[entry] - points;
+      if (centre >= 0 && !seen[centre])
+      {
+        seen[centre] = 1;
+        centres.Own[centre] = pieces.Own[s];
+        // Those that one cell brought are consecutive.
+        vtkIdType* key = centres.Keys.data() + 2 * centre;
+        key[0] = pieces.Keys[2 * s];
+        key[1] = centre > 0 && seen[centre - 1] && key[-2] == key[0] ? key[-1] + 1 : 0;
+      }
+    }
+  }
+  const SharedNumbers ofCentres = NumberTogether(centres, partners);
+  for (const vtkIdType number : ofCentres.First)
+  {
+    numbers.First.push_back(number < 0 ? -1 : numbers.Totals[0] + number);
+  }
+  numbers.Totals[0] += ofCentres.Totals[0];
   return numbers;
 }
 

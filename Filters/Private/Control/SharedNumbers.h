@@ -6,10 +6,15 @@
 #ifndef SubdivisionObjects_SharedNumbers_h
 #define SubdivisionObjects_SharedNumbers_h
 
+#include "Core/Memory/IdSegments.h"
+#include "Core/Memory/SimplexList.h"
+
 #include "vtkType.h"
 
 #include <array>
 #include <vector>
+
+class vtkPointSet;
 
 namespace subdivision
 {
@@ -45,6 +50,40 @@ struct SharedNumbers
  * (Width + Kinds) bytes there and 8 Kinds bytes back for each thing.
  */
 SharedNumbers NumberTogether(const SharedKeys& things, Partners& partners);
+
+/// The same for control things of a kind, where varied segments (IdSegments.h) are further kinds of
+/// ids, in the order of `lists`.
+SharedNumbers NumberTogether(
+  SharedKeys things, int kind, const std::vector<const IdSegments*>& lists, Partners& partners);
+
+/// The ids that a list has in the whole mesh; -1 where things have none.
+struct WholeIds
+{
+  std::vector<vtkIdType> Ids;
+  vtkIdType Total = 0;
+};
+
+/// Finds the ids of lists of segments. `things`: of each kind its numbers.
+std::vector<WholeIds> FindWholeIds(
+  const std::vector<const IdSegments*>& lists, const std::vector<SharedNumbers>& things);
+
+/// The place of each cell of an input in the order of the whole mesh. Poly data have their cells
+/// kind by kind. All partitions call it.
+std::vector<vtkIdType> PlaceCells(vtkPointSet* input, Partners& partners);
+/// Adds keys to things that are pieces of cells, those of a cell one after the other: the place of
+/// their cell, and which of its pieces they are; and whether the cell is own.
+SharedKeys MakeKeysOfPieces(
+  const std::vector<vtkIdType>& cells, const std::vector<vtkIdType>& places, Partners& partners);
+
+/// Which points of an input or output cells use that are made of own input cells; `inputCells`: of
+/// each cell; empty: each is itself.
+std::vector<char> FindOwnPoints(
+  vtkPointSet* mesh, const std::vector<vtkIdType>& inputCells, const Partners& partners);
+
+/// Numbers the vertices of simplices, which are such pieces: points of the input, of which there
+/// are `points`, by their ids, then centres in the order in which cells first use them.
+SharedNumbers NumberVertices(
+  vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces, Partners& partners);
 
 }
 

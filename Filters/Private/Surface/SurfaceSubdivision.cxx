@@ -6,8 +6,10 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/CellArrays.h"
+#include "Private/Control/Partners.h"
 #include "Private/Surface/SurfaceCellArrays.h"
 #include "Private/Surface/SurfaceChecks.h"
+#include "Private/Surface/SurfaceNumbers.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -407,6 +409,13 @@ void SurfaceRun<Id>::Write()
   ClearMarks(this->Options.Features.Marks, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
   this->WriteStamp();
+  Partners* others = FindPartners(this->Options, this->Input);
+  if (others && this->Options.GenerateGlobalIds)
+  {
+    WriteNumbers(NumberSurface(this->Input, this->GetControl(), this->Steps->GetLevel(0),
+                   this->Steps->ListSegments(), *others),
+      this->Output);
+  }
 }
 
 template <typename Id>

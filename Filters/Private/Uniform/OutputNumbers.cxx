@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Uniform/OutputNumbers.h"
 
-#include "Core/Operators/ForBlocks.h"
 #include "Core/Solids/Complex/SimplicialComplex.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SharedNumbers.h"
-#include "Private/Reading/CellReader.h"
 
-#include "vtkPolyData.h"
+#include "vtkPointSet.h"
 
 #include <algorithm>
 #include <array>
@@ -20,29 +18,6 @@ namespace
 
 using Ids = std::vector<vtkIdType>;
 
-/// The place of each cell in the order of the whole mesh. Poly data have their cells kind by kind.
-Ids PlaceCells(vtkPointSet* input, Partners& partners)
-{
-  Ids places = partners.GetCellIds();
-  if (auto* surface = vtkPolyData::SafeDownCast(input))
-  {
-    const vtkIdType last = places.empty() ? 0 : *std::max_element(places.begin(), places.end());
-    const Ids all = partners.Gather(last);
-    const vtkIdType size = *std::max_element(all.begin(), all.end()) + 1;
-    std::array<vtkIdType, 3> ends{ surface->GetNumberOfVerts(), surface->GetNumberOfLines(),
-      surface->GetNumberOfPolys() };
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    for (size_t c = 0; c < places.size(); ++c)
-    {
-      for (const vtkIdType end : ends)
-      {
-        places[c] += static_cast<vtkIdType>(c) >= end ? size : 0;
-      }
-    }
-  }
-  return places;
-}
-
 /// The simplices of the control mesh, and what they have in common with those of other partitions.
 class ControlNumbers
 {
@@ -52,11 +27,13 @@ public:
     : Mesh(mesh)
     , Control(mesh.GetControl())
     , With(partners)
-    , InputPoints(std::min(this->Control.NumberOfPoints, input->GetNumberOfPoints()))
     , Complex(BuildComplex<long long>(AddTuples(this->Control, derived), this->Runs))
   {
     this->FindCells(PlaceCells(input, partners));
-    this->NumberVertices();
+    SharedNumbers vertices = NumberVertices(
+      input->GetNumberOfPoints(), SimplexView(this->Control), this->Pieces, partners);
+    this->Numbers[0] = std::move(vertices.First);
+    this->Totals[0] = vertices.Totals[0];
     this->NumberSimplices(steps);
     this->NumberFaces<2>(this->Complex.EdgeVertices, this->Complex.NumberOfLineCells);
     this->NumberFaces<3>(this->Complex.FaceVertices, this->Complex.NumberOfTriangleCells);
@@ -120,66 +97,20 @@ private:
       const bool isPiece = this->Mesh.MadeLevels == 0 && !this->Mesh.Cells.ParentCells.empty();
       const vtkIdType cell = isPiece ? this->Mesh.Cells.ParentCells[s] : next;
       next += vtkIdType(1) << (this->Control.Dimensions[s] * this->Mesh.MadeLevels);
-      const bool isSame = s > 0 && cell == this->Cells.back();
-      this->Keys.push_back(places[cell]);
-      this->Keys.push_back(isSame ? this->Keys[this->Keys.size() - 2] + 1 : 0);
       this->Cells.push_back(cell);
     }
-  }
-
-  /// Points of the input by their ids, then centres in the order in which cells first use them.
-  void NumberVertices()
-  {
-    SharedKeys points;
-    points.Width = 1;
-    const Ids& ids = this->With.GetPointIds();
-    points.Keys.assign(ids.begin(), ids.begin() + this->InputPoints);
-    points.Own.assign(points.Keys.size(), 1);
-    SharedNumbers numbers = NumberTogether(points, this->With);
-    this->Numbers[0] = std::move(numbers.First);
-    SharedKeys centres;
-    centres.Width = 2;
-    centres.Own.assign(static_cast<size_t>(this->Control.NumberOfPoints - this->InputPoints), 0);
-    centres.Keys.assign(2 * centres.Own.size(), 0);
-    std::vector<char> seen(centres.Own.size(), 0);
-    size_t entry = 0;
-    for (size_t s = 0; s < this->Cells.size(); ++s)
-    {
-      for (int k = 0; k <= this->Control.Dimensions[s]; ++k, ++entry)
-      {
-        const vtkIdType centre = this->Control.Connectivity[entry] - this->InputPoints;
-        if (centre >= 0 && !seen[centre])
-        {
-          seen[centre] = 1;
-          centres.Own[centre] = this->With.IsOwn(this->Cells[s]);
-          // Those that one cell brought are consecutive.
-          vtkIdType* key = centres.Keys.data() + 2 * centre;
-          key[0] = this->Keys[2 * s];
-          key[1] = centre > 0 && seen[centre - 1] && key[-2] == key[0] ? key[-1] + 1 : 0;
-        }
-      }
-    }
-    const SharedNumbers ofCentres = NumberTogether(centres, this->With);
-    for (const vtkIdType number : ofCentres.First)
-    {
-      this->Numbers[0].push_back(number < 0 ? -1 : numbers.Totals[0] + number);
-    }
-    this->Totals[0] = numbers.Totals[0] + ofCentres.Totals[0];
+    this->Pieces = MakeKeysOfPieces(this->Cells, places, this->With);
   }
 
   /// Cells of the output, and those lines, triangles and tetrahedra that are control simplices.
   void NumberSimplices(int steps)
   {
-    SharedKeys simplices;
-    simplices.Width = 2;
-    simplices.Keys = this->Keys;
-    simplices.Own.resize(this->Cells.size());
+    SharedKeys simplices = this->Pieces;
     simplices.Kinds = 4;
     simplices.Sizes.assign(4 * this->Cells.size(), 0);
     this->ForSimplices(
       [&](vtkIdType s, int dimension, vtkIdType number)
       {
-        simplices.Own[s] = this->With.IsOwn(this->Cells[s]);
         simplices.Sizes[4 * s] = vtkIdType(1) << (dimension * steps);
         if (dimension > 0 && number >= 0)
         {
@@ -288,11 +219,10 @@ private:
   const ControlMesh& Mesh;
   const SimplexList& Control;
   Partners& With;
-  const vtkIdType InputPoints; ///< control vertices that are no centres
   std::vector<CellRun> Runs;
   const SimplicialComplex<long long> Complex;
-  Ids Cells; ///< of each control simplex, the input cell
-  Ids Keys;  ///< of each control simplex, two ids
+  Ids Cells;         ///< of each control simplex, the input cell
+  SharedKeys Pieces; ///< control simplices as pieces of these cells
 };
 
 }
@@ -308,23 +238,15 @@ OutputNumbers NumberOutput(const ControlMesh& mesh, const SimplexTuples& derived
   output.IsOwnDerived[0] = control.FindOwnDerived<0>();
   output.IsOwnDerived[1] = control.FindOwnDerived<1>();
   output.IsOwnDerived[2] = control.FindOwnDerived<2>();
-  for (const IdSegment& segment : scheme.ListVertices(steps))
+  std::vector<SharedNumbers> things;
+  for (size_t dimension = 0; dimension < 4; ++dimension)
   {
-    const Ids& numbers = control.Numbers[segment.Dimension];
-    const auto start = static_cast<vtkIdType>(output.Points.size());
-    const auto size = static_cast<vtkIdType>(numbers.size());
-    output.Points.resize(static_cast<size_t>(start + segment.OfEach * size));
-    ForEach(size,
-      [&](vtkIdType i)
-      {
-        const vtkIdType first = output.NumberOfPoints + segment.OfEach * numbers[i];
-        for (vtkIdType k = 0; k < segment.OfEach; ++k)
-        {
-          output.Points[start + segment.OfEach * i + k] = numbers[i] < 0 ? -1 : first + k;
-        }
-      });
-    output.NumberOfPoints += segment.OfEach * control.Totals[segment.Dimension];
+    things.push_back({ control.Numbers[dimension], { control.Totals[dimension] } });
   }
+  const IdSegments vertices = scheme.ListVertices(steps);
+  WholeIds points = std::move(FindWholeIds({ &vertices }, things)[0]);
+  output.Points = std::move(points.Ids);
+  output.NumberOfPoints = points.Total;
   const SimplexList& simplices = mesh.GetControl();
   for (vtkIdType s = 0; s < simplices.GetNumberOfSimplices(); ++s)
   {

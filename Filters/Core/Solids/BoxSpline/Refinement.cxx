@@ -5,6 +5,7 @@
 #include "Core/Solids/BoxSpline/BoxSplineSplit.h"
 #include "Core/Solids/Scheme/ChildRowsMaker.h"
 #include "Core/Solids/Scheme/Refiner.h"
+#include "Core/Solids/Scheme/VertexSegments.h"
 
 namespace subdivision
 {
@@ -15,7 +16,7 @@ Level<Id> Refine(const Level<Id>& parent, Depth depth)
   return Refiner<BoxSplineSplit<Id>>(parent, depth).Run();
 }
 
-std::vector<IdSegment> ListBoxSplineVertices(int steps)
+IdSegments ListBoxSplineVertices(int steps)
 {
   return ListVertexSegments<MarkedTetShape::Shapes>(steps);
 }

@@ -15,8 +15,8 @@ namespace subdivision
 template <typename Id>
 Level<Id> Refine(const Level<Id>& parent, Depth depth);
 
-/// The order in which levels number their vertices (IdSegments.h).
-std::vector<IdSegment> ListBoxSplineVertices(int steps);
+/// The order in which levels number their vertices (VertexSegments.h).
+IdSegments ListBoxSplineVertices(int steps);
 
 }
 

@@ -7,8 +7,8 @@
 #ifndef SubdivisionObjects_Level_h
 #define SubdivisionObjects_Level_h
 
+#include "Core/Memory/IdSegments.h"
 #include "Core/Rules/Depth.h"
-#include "Core/Solids/Scheme/IdSegments.h"
 #include "Core/Solids/Strata/Strata.h"
 
 namespace subdivision
@@ -37,7 +37,7 @@ struct SchemeTraits
   /// How many ids a level with rings and carriers has beyond those of tetrahedra, faces and edges.
   double (*CountMoreIds)(const LevelCounts&);
   /// The ids of the vertices after some steps, to number those of several ranks (IdSegments.h).
-  std::vector<IdSegment> (*ListVertices)(int steps);
+  IdSegments (*ListVertices)(int steps);
   /// Sizes of the rings of regular edges and vertices where they are larger than those of
   /// surfaces, otherwise 0.
   double EdgeRing = 0;

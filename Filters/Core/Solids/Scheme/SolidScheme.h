@@ -17,7 +17,7 @@
  *
  * **Numbers**
  *  - Traits: a constant SchemeTraits. A scheme whose step is Refiner.h lists its vertices with
- *    ListVertexSegments (IdSegments.h).
+ *    ListVertexSegments (VertexSegments.h).
  *
  * **From level to level**
  *  - Start(control): the control level, from a Level in which all solids are tetrahedra;

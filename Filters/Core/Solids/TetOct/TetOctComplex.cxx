@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Solids/Scheme/ChildRowsMaker.h"
 #include "Core/Solids/Scheme/Refiner.h"
+#include "Core/Solids/Scheme/VertexSegments.h"
 #include "Core/Solids/TetOct/TetOctSplit.h"
 
 namespace subdivision
@@ -42,7 +43,7 @@ TetOctLevel<Id> Refine(const TetOctLevel<Id>& parent, Depth depth)
   return Refiner<TetOctSplit<Id>>(parent, depth).Run();
 }
 
-std::vector<IdSegment> ListTetOctVertices(int steps)
+IdSegments ListTetOctVertices(int steps)
 {
   return ListVertexSegments<TetShape::Shapes>(steps);
 }

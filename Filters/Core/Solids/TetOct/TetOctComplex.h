@@ -63,8 +63,8 @@ TetOctLevel<Id> MakeTetOctLevel(Level<Id>&& control);
 template <typename Id>
 TetOctLevel<Id> Refine(const TetOctLevel<Id>& parent, Depth depth);
 
-/// The order in which levels number their vertices (IdSegments.h).
-std::vector<IdSegment> ListTetOctVertices(int steps);
+/// The order in which levels number their vertices (VertexSegments.h).
+IdSegments ListTetOctVertices(int steps);
 
 }
 

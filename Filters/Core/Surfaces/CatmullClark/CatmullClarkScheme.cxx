@@ -64,6 +64,11 @@ public:
   {
     return RefineToQuads(level, depth);
   }
+  void ListChildren(const SurfaceLevel<Id>&, const SurfaceSegments& segments,
+    SurfaceSegments& children) const override
+  {
+    ListQuadChildren(segments, children);
+  }
   bool WritesFaces() const override { return true; }
   void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override
   {

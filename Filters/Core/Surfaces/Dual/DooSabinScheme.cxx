@@ -50,6 +50,19 @@ public:
   void GetParents(
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
   SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override;
+  void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
+    SurfaceSegments& children) const override
+  {
+    const DualPlaces<Id>& places = *level.Dual;
+    const IdSegments& corners = segments.Corners;
+    AppendChildren(corners, 1, children.Vertices);
+    AppendCounted(corners, segments.Sizes, places.OpenSides, 2, children.Vertices);
+    AppendChildren(segments.Faces, 1, children.Faces);
+    AppendCounted(corners, segments.Sizes, places.Sides, 1, children.Faces);
+    AppendChildren(corners, 1, children.Corners);
+    AppendCounted(corners, segments.Sizes, places.Sides, 4, children.Corners);
+    ListDualChildren(level, segments, children);
+  }
   SurfaceTags<Id> RefineTags(const SurfaceLevel<Id>&, const SurfaceTags<Id>&) const override
   {
     return {};

@@ -236,7 +236,24 @@ void CarryFans(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
     });
 }
 
+template <typename Id>
+void ListDualChildren(
+  const SurfaceLevel<Id>& level, const SurfaceSegments& segments, SurfaceSegments& children)
+{
+  const DualPlaces<Id>& places = *level.Dual;
+  const std::vector<Id>& first = places.FirstLines;
+  AppendCounted(segments.Vertices, segments.Sizes, places.Kept, 1, children.Vertices);
+  AppendVariedChildren(
+    segments.Lines, segments.Sizes, [&first](vtkIdType line)
+    { return std::lower_bound(first.begin(), first.end(), line) - first.begin(); },
+    children.Vertices);
+  AppendCounted(segments.Vertices, segments.Sizes, places.Faces, 1, children.Faces);
+  AppendCounted(segments.Vertices, segments.Sizes, places.Corners, 1, children.Corners);
+  AppendChildren(segments.Lines, 2, children.Lines);
+}
+
 SUBDIVISION_COMPILE_FUNCTION(CountDualPlaces);
+SUBDIVISION_COMPILE_FUNCTION(ListDualChildren);
 SUBDIVISION_COMPILE_FUNCTION(AppendLoneRow);
 SUBDIVISION_COMPILE_FUNCTION(GetLoneParents);
 SUBDIVISION_COMPILE_FUNCTION(RefineLines);

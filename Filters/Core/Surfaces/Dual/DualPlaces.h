@@ -78,6 +78,19 @@ void GetLoneParents(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vt
 template <typename Id>
 void RefineLines(const SurfaceLevel<Id>& level, vtkIdType first, SurfaceLevel<Id>& next);
 
+/// Appends the segments that all dual schemes have: of lone vertices, of vertex faces, and of
+/// lines. Call it after all other vertices, faces and corners are listed.
+template <typename Id>
+void ListDualChildren(
+  const SurfaceLevel<Id>& level, const SurfaceSegments& segments, SurfaceSegments& children);
+/// Appends the children of parents that have running counts: `ofEach` for each that is counted.
+template <typename Id>
+void AppendCounted(const IdSegments& parents, const std::vector<vtkIdType>& sizes,
+  const Buffer<Id>& before, vtkIdType ofEach, IdSegments& children)
+{
+  AppendVariedChildren(parents, sizes, [&](vtkIdType i) { return ofEach * before[i]; }, children);
+}
+
 /// Writes the carriers of vertex faces: what the faces of their fans share.
 template <typename Id>
 void CarryFans(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,

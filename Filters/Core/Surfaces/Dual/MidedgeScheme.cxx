@@ -52,6 +52,19 @@ public:
   void GetParents(
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
   SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override;
+  void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
+    SurfaceSegments& children) const override
+  {
+    const DualPlaces<Id>& places = *level.Dual;
+    AppendCounted(segments.Corners, segments.Sizes, places.Sides, 1, children.Vertices);
+    if (KeepsChains(level))
+    {
+      AppendCounted(segments.Vertices, segments.Sizes, places.Chains, 1, children.Vertices);
+    }
+    AppendChildren(segments.Faces, 1, children.Faces);
+    AppendChildren(segments.Corners, 1, children.Corners);
+    ListDualChildren(level, segments, children);
+  }
   SurfaceTags<Id> RefineTags(const SurfaceLevel<Id>&, const SurfaceTags<Id>&) const override
   {
     return {};

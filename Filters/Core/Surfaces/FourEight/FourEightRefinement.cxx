@@ -390,7 +390,36 @@ SurfaceLevel<Id> RefineFourEight(const SurfaceLevel<Id>& level, Depth depth)
   return next;
 }
 
+template <typename Id>
+void ListFourEightChildren(
+  const SurfaceLevel<Id>& level, const SurfaceSegments& segments, SurfaceSegments& children)
+{
+  const FourEightTopology<Id> topology(level);
+  const auto append = [&](const IdSegments& parents, const auto& before, IdSegments& list)
+  {
+    AppendVariedChildren(
+      parents, segments.Sizes, [&](vtkIdType i) { return before(static_cast<Id>(i)); }, list);
+  };
+  const Id pieces = topology.IsEven ? 2 : 1;
+  const auto countFixed = [&](Id edge) { return topology.CountFixedBefore(edge); };
+  AppendChildren(segments.Vertices, 1, children.Vertices);
+  append(
+    segments.Faces, [&](Id face) { return topology.CountCentresBefore(face); }, children.Vertices);
+  if (topology.IsEven)
+  {
+    append(segments.Edges, countFixed, children.Vertices);
+  }
+  append(segments.Edges, [&](Id edge) { return pieces * countFixed(edge); }, children.Edges);
+  append(
+    segments.Faces, [&](Id face)
+    { return topology.CountSpokesBefore(face, level.Mesh.GetFirst(face)); }, children.Edges);
+  append(segments.Corners, [&](Id corner) { return topology.GetChild(corner); }, children.Faces);
+  append(segments.Corners, [&](Id corner) { return topology.GetStart(corner); }, children.Corners);
+  AppendChildren(segments.Lines, pieces, children.Lines);
+}
+
 SUBDIVISION_COMPILE_FUNCTION(CountFourEightPlaces);
+SUBDIVISION_COMPILE_FUNCTION(ListFourEightChildren);
 SUBDIVISION_COMPILE_FUNCTION(RefineFourEight);
 SUBDIVISION_COMPILE_FUNCTION(RefineFourEightTags);
 

@@ -23,6 +23,11 @@ SurfaceLevel<Id> RefineFourEight(const SurfaceLevel<Id>& level, Depth depth);
 template <typename Id>
 SurfaceTags<Id> RefineFourEightTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
 
+/// The order of ids after a step.
+template <typename Id>
+void ListFourEightChildren(
+  const SurfaceLevel<Id>& level, const SurfaceSegments& segments, SurfaceSegments& children);
+
 }
 
 #endif

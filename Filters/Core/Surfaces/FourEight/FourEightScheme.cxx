@@ -32,6 +32,11 @@ public:
   {
     return RefineFourEight(level, depth);
   }
+  void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
+    SurfaceSegments& children) const override
+  {
+    ListFourEightChildren(level, segments, children);
+  }
   SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override
   {

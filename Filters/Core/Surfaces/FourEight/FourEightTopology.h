@@ -146,6 +146,14 @@ public:
     return Find(this->FixedBefore, this->Mesh.GetNumberOfEdges(), number);
   }
 
+  Id CountCentresBefore(Id face) const { return this->CentresBefore[face]; }
+  Id CountFixedBefore(Id edge) const { return this->FixedBefore[edge]; }
+  /// A face has one spoke for each corner, a cut triangle only one.
+  Id CountSpokesBefore(Id face, Id firstCorner) const
+  {
+    return firstCorner - 2 * (face - this->CentresBefore[face]);
+  }
+
   const PolygonMesh<Id>& Mesh;
   const SurfaceTags<Id>& Tags;
   const bool IsEven;
@@ -155,12 +163,6 @@ private:
   {
     return static_cast<Id>(std::upper_bound(before, before + size, number) - before - 1);
   }
-  /// A face has one spoke for each corner, a cut triangle only one.
-  Id CountSpokesBefore(Id face, Id firstCorner) const
-  {
-    return firstCorner - 2 * (face - this->CentresBefore[face]);
-  }
-
   const Id* ChildrenBefore;
   const Id* CentresBefore;
   const Id* FixedBefore;

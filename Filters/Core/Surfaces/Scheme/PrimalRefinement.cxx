@@ -423,6 +423,29 @@ void WriteQuads(const SurfaceLevel<Id>& level, Out* ids)
   PrimalRefiner<Id, QuadSplit<Id>>(level).WriteFaces(ids);
 }
 
+void ListTriangleChildren(const SurfaceSegments& segments, SurfaceSegments& children)
+{
+  AppendChildren(segments.Vertices, 1, children.Vertices);
+  AppendChildren(segments.Edges, 1, children.Vertices);
+  AppendChildren(segments.Edges, 2, children.Edges);
+  AppendChildren(segments.Corners, 1, children.Edges);
+  AppendChildren(segments.Faces, 4, children.Faces);
+  AppendChildren(segments.Faces, 12, children.Corners);
+  AppendChildren(segments.Lines, 2, children.Lines);
+}
+
+void ListQuadChildren(const SurfaceSegments& segments, SurfaceSegments& children)
+{
+  AppendChildren(segments.Vertices, 1, children.Vertices);
+  AppendChildren(segments.Edges, 1, children.Vertices);
+  AppendChildren(segments.Faces, 1, children.Vertices);
+  AppendChildren(segments.Edges, 2, children.Edges);
+  AppendChildren(segments.Corners, 1, children.Edges);
+  AppendChildren(segments.Corners, 1, children.Faces);
+  AppendChildren(segments.Corners, 4, children.Corners);
+  AppendChildren(segments.Lines, 2, children.Lines);
+}
+
 SUBDIVISION_COMPILE_FUNCTION(RefineTriangles);
 SUBDIVISION_COMPILE_FUNCTION(RefineToQuads);
 SUBDIVISION_COMPILE_FUNCTION(RefineTriangleTags);

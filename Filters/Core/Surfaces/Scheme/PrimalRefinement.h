@@ -37,6 +37,10 @@ SurfaceTags<Id> RefineTriangleTags(const SurfaceLevel<Id>& level, const SurfaceT
 template <typename Id>
 SurfaceTags<Id> RefineToQuadTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
 
+/// The order of ids after a split.
+void ListTriangleChildren(const SurfaceSegments& segments, SurfaceSegments& children);
+void ListQuadChildren(const SurfaceSegments& segments, SurfaceSegments& children);
+
 /// Base class of the schemes that split each triangle into four, with one new vertex on each edge.
 template <typename Id>
 class QuarteringScheme : public SurfaceScheme<Id>
@@ -61,6 +65,11 @@ public:
   SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override
   {
     return RefineTriangles(level, depth);
+  }
+  void ListChildren(const SurfaceLevel<Id>&, const SurfaceSegments& segments,
+    SurfaceSegments& children) const override
+  {
+    ListTriangleChildren(segments, children);
   }
   bool WritesFaces() const override { return true; }
   void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override

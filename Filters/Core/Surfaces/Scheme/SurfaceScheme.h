@@ -7,6 +7,7 @@
 #ifndef SubdivisionObjects_SurfaceScheme_h
 #define SubdivisionObjects_SurfaceScheme_h
 
+#include "Core/Memory/IdSegments.h"
 #include "Core/Operators/RowBlock.h"
 #include "Core/Rules/Depth.h"
 #include "Core/Rules/Rule.h"
@@ -87,6 +88,27 @@ struct SurfaceLevel
   std::shared_ptr<const DualPlaces<Id>> Dual; ///< the same for dual schemes
 };
 
+/// The order in which a level numbers its parts: which of those of the control level they come
+/// from. Two parts of a mesh have the same kinds of segments in the same order, because it depends
+/// on options and the number of steps only, whether a segment is varied.
+struct SurfaceSegments
+{
+  enum Kind
+  {
+    Vertex,
+    Edge,
+    Face,
+    Line,
+    NumberOfKinds
+  };
+  std::vector<vtkIdType> Sizes; ///< how many the control level has of each kind
+  IdSegments Vertices;
+  IdSegments Edges; ///< in schemes that need them
+  IdSegments Faces;
+  IdSegments Corners;
+  IdSegments Lines;
+};
+
 /// Whether no further step follows.
 inline bool IsLast(Depth depth)
 {
@@ -148,6 +170,10 @@ public:
   /// and Lines with EdgeVertices; with ForLastStep all that a further step with ForOutput and
   /// CarryFaces read.
   virtual SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const = 0;
+  /// Appends the segments of the next level, from those of this one. Needs no more of the level
+  /// than what Prepare makes, and the first corner of each face.
+  virtual void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
+    SurfaceSegments& children) const = 0;
   /// Whether Refine knows ForCounts, which is ForOutput without Vertices. WriteFaces then writes
   /// the vertices of the next level's faces, one face after the other.
   virtual bool WritesFaces() const { return false; }

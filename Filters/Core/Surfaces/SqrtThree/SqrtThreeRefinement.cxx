@@ -494,8 +494,43 @@ void WriteSqrtThree(const SurfaceLevel<Id>& level, Out* ids)
   SqrtThreeRefiner<Id>(level).WriteFaces(ids);
 }
 
+template <typename Id>
+void ListSqrtThreeChildren(
+  const SurfaceLevel<Id>& level, const SurfaceSegments& segments, SurfaceSegments& children)
+{
+  const SqrtThreeTopology<Id> topology(level);
+  const auto append = [&](const IdSegments& parents, const auto& before, IdSegments& list)
+  {
+    AppendVariedChildren(
+      parents, segments.Sizes, [&](vtkIdType i) { return before(static_cast<Id>(i)); }, list);
+  };
+  AppendChildren(segments.Vertices, 1, children.Vertices);
+  AppendChildren(segments.Edges, 1, children.Edges);
+  if (topology.IsEven)
+  {
+    const auto countThirds = [&](Id edge) { return 2 * topology.CountThirdsBefore(edge); };
+    append(
+      segments.Faces, [&](Id face) { return topology.CountCentresBefore(face); },
+      children.Vertices);
+    append(segments.Edges, countThirds, children.Vertices);
+    append(segments.Edges, countThirds, children.Edges);
+    append(
+      segments.Faces, [&](Id face) { return 2 * face + topology.CountCentresBefore(face); },
+      children.Edges);
+  }
+  else
+  {
+    AppendChildren(segments.Faces, 1, children.Vertices);
+    AppendChildren(segments.Faces, 3, children.Edges);
+  }
+  AppendChildren(segments.Faces, 3, children.Faces);
+  AppendChildren(segments.Faces, 9, children.Corners);
+  AppendChildren(segments.Lines, topology.IsEven ? 3 : 1, children.Lines);
+}
+
 SUBDIVISION_COMPILE_WRITER(WriteSqrtThree);
 SUBDIVISION_COMPILE_FUNCTION(CountSqrtThreePlaces);
+SUBDIVISION_COMPILE_FUNCTION(ListSqrtThreeChildren);
 SUBDIVISION_COMPILE_FUNCTION(RefineSqrtThree);
 SUBDIVISION_COMPILE_FUNCTION(RefineSqrtThreeTags);
 

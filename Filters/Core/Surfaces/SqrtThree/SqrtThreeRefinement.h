@@ -28,6 +28,11 @@ void WriteSqrtThree(const SurfaceLevel<Id>& level, Out* ids);
 template <typename Id>
 SurfaceTags<Id> RefineSqrtThreeTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
 
+/// The order of ids after a step.
+template <typename Id>
+void ListSqrtThreeChildren(
+  const SurfaceLevel<Id>& level, const SurfaceSegments& segments, SurfaceSegments& children);
+
 }
 
 #endif

@@ -37,6 +37,11 @@ public:
   {
     return RefineSqrtThree(level, depth);
   }
+  void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
+    SurfaceSegments& children) const override
+  {
+    ListSqrtThreeChildren(level, segments, children);
+  }
   bool WritesFaces() const override { return true; }
   void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override
   {

@@ -195,13 +195,33 @@ public:
     return static_cast<Id>(std::upper_bound(first, last, vertex) - first - 1);
   }
 
-private:
+  /// How many faces before this one get a centre; `face` may be the number of all faces.
   Id CountCentresBefore(Id face) const
   {
-    return !this->Places        ? face
-      : this->Places[face] >= 0 ? this->Places[face] - static_cast<Id>(this->Mesh.NumberOfVertices)
-                                : (-1 - this->Places[face]) / 3;
+    if (!this->Places)
+    {
+      return face;
+    }
+    if (face == this->Mesh.NumberOfFaces)
+    {
+      return this->Centres;
+    }
+    return this->Places[face] >= 0
+      ? this->Places[face] - static_cast<Id>(this->Mesh.NumberOfVertices)
+      : (-1 - this->Places[face]) / 3;
   }
+  /// The same for edges that are cut into thirds.
+  Id CountThirdsBefore(Id edge) const
+  {
+    if (!this->Places || edge == this->Mesh.GetNumberOfEdges())
+    {
+      return this->Thirds;
+    }
+    return (this->GetThird(edge) - static_cast<Id>(this->Mesh.NumberOfVertices) - this->Centres) /
+      2;
+  }
+
+private:
   Id GetFirstSpoke(Id face) const
   {
     return this->FirstSpoke + 2 * face + this->CountCentresBefore(face);

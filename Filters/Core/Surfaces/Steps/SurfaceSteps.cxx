@@ -205,6 +205,38 @@ BlockOperator<Id> SurfaceSteps<Id>::GetLimit(LimitKind kind) const
 }
 
 template <typename Id>
+SurfaceSegments SurfaceSteps<Id>::ListSegments() const
+{
+  using Kinds = SurfaceSegments;
+  const SurfaceLevel<Id>& control = this->Levels[0];
+  SurfaceSegments segments;
+  segments.Sizes = { control.Mesh.NumberOfVertices, control.Mesh.GetNumberOfEdges(),
+    control.Mesh.NumberOfFaces, control.Lines.size() };
+  segments.Vertices = { { Kinds::Vertex, 1, {} } };
+  segments.Edges = { { Kinds::Edge, 1, {} } };
+  segments.Faces = { { Kinds::Face, 1, {} } };
+  segments.Lines = { { Kinds::Line, 1, {} } };
+  if (this->Scheme->NeedsTriangles())
+  {
+    segments.Corners = { { Kinds::Face, 3, {} } };
+  }
+  else // faces of other parts may have other sizes
+  {
+    AppendVariedChildren(
+      segments.Faces, segments.Sizes, [&control](vtkIdType face)
+      { return control.Mesh.GetFirst(static_cast<Id>(face)); }, segments.Corners);
+  }
+  for (int step = 0; step < this->GetNumberOfSteps(); ++step)
+  {
+    SurfaceSegments children;
+    children.Sizes = segments.Sizes;
+    this->Scheme->ListChildren(this->Levels[step], segments, children);
+    segments = std::move(children);
+  }
+  return segments;
+}
+
+template <typename Id>
 std::size_t SurfaceSteps<Id>::GetMemorySize() const
 {
   std::size_t bytes = 0;

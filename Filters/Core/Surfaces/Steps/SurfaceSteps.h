@@ -48,6 +48,9 @@ public:
   /// The limits of the vertices of the last level, which must have been made with `lastIsWhole`.
   BlockOperator<Id> GetLimit(LimitKind kind) const;
 
+  /// The order of the ids of the last level.
+  SurfaceSegments ListSegments() const;
+
   std::size_t GetMemorySize() const;
 
 private:

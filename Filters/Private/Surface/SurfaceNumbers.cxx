@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Surface/SurfaceNumbers.h"
+
+#include "Core/Memory/Ids.h"
+#include "Private/ArrayNames.h"
+#include "Private/Control/Partners.h"
+#include "Private/Control/StampFields.h"
+#include "Private/Reading/CellReader.h"
+
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+namespace subdivision
+{
+namespace
+{
+
+using Kinds = SurfaceSegments;
+constexpr int VertexCell = Kinds::NumberOfKinds; ///< one more kind
+
+/// Points that an own cell uses, or no cell at all, are own.
+std::vector<char> FindSurePoints(vtkPolyData* input, const Partners& partners)
+{
+  std::vector<char> sure = FindOwnPoints(input, {}, partners);
+  const CellReader cells(input);
+  std::vector<char> used(sure.size(), 0);
+  std::vector<vtkIdType> scratch;
+  for (vtkIdType c = 0; c < cells.GetNumberOfCells(); ++c)
+  {
+    const CellIds cell = cells.GetCell(c, scratch);
+    for (vtkIdType i = 0; i < cell.Size; ++i)
+    {
+      if (cell.Ids[i] >= 0 && cell.Ids[i] < input->GetNumberOfPoints())
+      {
+        used[cell.Ids[i]] = 1;
+      }
+    }
+  }
+  for (size_t i = 0; i < sure.size(); ++i)
+  {
+    sure[i] |= !used[i];
+  }
+  return sure;
+}
+
+}
+
+SharedKeys MakeVertexKeys(vtkPolyData* input, const Partners& partners)
+{
+  SharedKeys vertices;
+  vertices.Keys = partners.GetPointIds();
+  vertices.Own = FindSurePoints(input, partners);
+  return vertices;
+}
+
+template <typename Id>
+SharedKeys MakeEdgeKeys(const SurfaceLevel<Id>& control, const SharedKeys& faces,
+  const SharedKeys& lines, const SharedNumbers& vertices)
+{
+  const PolygonMesh<Id>& mesh = control.Mesh;
+  const size_t kinds = vertices.Totals.size();
+  SharedKeys edges;
+  edges.Width = 2;
+  edges.Own.assign(static_cast<size_t>(mesh.GetNumberOfEdges()), 0);
+  for (vtkIdType c = 0; c < mesh.GetNumberOfCorners(); ++c)
+  {
+    edges.Own[mesh.Edges[c]] |= faces.Own[mesh.GetFace(static_cast<Id>(c))];
+  }
+  for (vtkIdType line = 0; line < control.Lines.size(); ++line)
+  {
+    edges.Own[control.Lines[line] / 2] |= lines.Own[line];
+  }
+  for (vtkIdType e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const vtkIdType ends[2] = { vertices.First[kinds * mesh.EdgeVertices[2 * e]],
+      vertices.First[kinds * mesh.EdgeVertices[2 * e + 1]] };
+    const auto [least, most] = std::minmax(ends[0], ends[1]);
+    edges.Own[e] = edges.Own[e] && least >= 0;
+    edges.Keys.push_back(std::max<vtkIdType>(least, 0));
+    edges.Keys.push_back(std::max<vtkIdType>(most, 0));
+  }
+  return edges;
+}
+
+template <typename Id>
+SurfaceNumbers NumberSurface(vtkPolyData* input, const SurfaceCells& cells,
+  const SurfaceLevel<Id>& control, const SurfaceSegments& segments, Partners& partners)
+{
+  IdSegments ofCells{ { VertexCell, 1, {} } };
+  ofCells.insert(ofCells.end(), segments.Lines.begin(), segments.Lines.end());
+  ofCells.insert(ofCells.end(), segments.Faces.begin(), segments.Faces.end());
+  const std::vector<const IdSegments*> lists{ &segments.Vertices, &ofCells };
+  const std::vector<vtkIdType> places = PlaceCells(input, partners);
+  const SharedKeys faces = MakeKeysOfPieces(cells.FaceCells, places, partners);
+  const SharedKeys lines = MakeKeysOfPieces(cells.SegmentCells, places, partners);
+  std::vector<SharedNumbers> things(VertexCell + 1);
+  const auto number = [&](int kind, SharedKeys keys)
+  { things[kind] = NumberTogether(std::move(keys), kind, lists, partners); };
+  SharedKeys vertices = MakeVertexKeys(input, partners);
+  vertices.Keys.resize(static_cast<size_t>(cells.NumberOfPoints));
+  vertices.Own.resize(vertices.Keys.size());
+  number(Kinds::Vertex, std::move(vertices));
+  number(Kinds::Edge, MakeEdgeKeys(control, faces, lines, things[Kinds::Vertex]));
+  number(Kinds::Face, faces);
+  number(Kinds::Line, lines);
+  number(VertexCell, MakeKeysOfPieces(cells.VertexCells, places, partners));
+  std::vector<WholeIds> found = FindWholeIds(lists, things);
+  return { std::move(found[0]), std::move(found[1]) };
+}
+
+void WriteNumbers(const SurfaceNumbers& numbers, vtkPolyData* output)
+{
+  output->GetPointData()->AddArray(MakeField<vtkIdTypeArray>(PointNumbersName, numbers.Points.Ids));
+  output->GetCellData()->AddArray(MakeField<vtkIdTypeArray>(CellNumbersName, numbers.Cells.Ids));
+}
+
+SUBDIVISION_COMPILE_FUNCTION(MakeEdgeKeys);
+template SurfaceNumbers NumberSurface(
+  vtkPolyData*, const SurfaceCells&, const SurfaceLevel<int>&, const SurfaceSegments&, Partners&);
+template SurfaceNumbers NumberSurface(vtkPolyData*, const SurfaceCells&,
+  const SurfaceLevel<long long>&, const SurfaceSegments&, Partners&);
+
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SurfaceNumbers.h
+ * Numbers the points and cells of an output that is made of a part of a surface as the output of
+ * the whole surface numbers them.
+ */
+#ifndef SubdivisionObjects_SurfaceNumbers_h
+#define SubdivisionObjects_SurfaceNumbers_h
+
+#include "Private/Control/SharedNumbers.h"
+#include "Private/Surface/SurfaceCells.h"
+
+class vtkPolyData;
+
+namespace subdivision
+{
+
+struct SurfaceNumbers
+{
+  WholeIds Points; ///< -1 far from own cells
+  WholeIds Cells;
+};
+
+/**
+ * The output has the vertices, lines and faces of `segments`, which come from the level `control`;
+ * `cells` are its cells, with cells of `input`, the mesh that `partners` know. All partitions call
+ * this together.
+ *
+ * It is enough to number the vertices, edges, faces and lines of the control level, and to count
+ * what becomes of each where that differs (SurfaceSegments): 10 exchanges, however many steps there
+ * are. About 8 bytes are sent for each control part and varied segment.
+ */
+template <typename Id>
+SurfaceNumbers NumberSurface(vtkPolyData* input, const SurfaceCells& cells,
+  const SurfaceLevel<Id>& control, const SurfaceSegments& segments, Partners& partners);
+
+/// The points of the input as keys, by their ids: sure are those of own cells.
+SharedKeys MakeVertexKeys(vtkPolyData* input, const Partners& partners);
+/// Edges as keys, by the numbers of their vertices, in the order of which they are: sure are those
+/// of own faces and lines.
+template <typename Id>
+SharedKeys MakeEdgeKeys(const SurfaceLevel<Id>& control, const SharedKeys& faces,
+  const SharedKeys& lines, const SharedNumbers& vertices);
+
+/// Adds the numbers as arrays to an output.
+void WriteNumbers(const SurfaceNumbers& numbers, vtkPolyData* output);
+
+}
+
+#endif
