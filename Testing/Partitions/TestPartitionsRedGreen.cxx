@@ -73,6 +73,7 @@ RedGreenOptions MakeOptions()
   RedGreenOptions options;
   options.Warn = [](const std::string&) {};
   options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
+  options.GenerateGlobalIds = true;
   options.Criteria.MaximumLevel = 3;
   return options;
 }
@@ -116,6 +117,7 @@ TEST(PartitionsRedGreen, GiveTheWhole)
     {
       const auto whole = Grid::New();
       ASSERT_TRUE(Refine(mesh, whole, choice, MakeOptions()));
+      subdivision::AddGlobalIds(whole);
       for (const Partition& partition : Partitions)
       {
         SCOPED_TRACE(std::string(partition.Name) + ", " + choice.Name + ", mesh of " +

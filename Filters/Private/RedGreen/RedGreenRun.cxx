@@ -9,6 +9,7 @@
 #include "Private/Control/SizeChecks.h"
 #include "Private/RedGreen/RedGreenLimit.h"
 #include "Private/RedGreen/RedGreenMesh.h"
+#include "Private/RedGreen/RedGreenNumbers.h"
 #include "Private/RedGreen/RefinementMarks.h"
 #include "Private/RedGreen/SharedSplits.h"
 #include "Private/RedGreen/VertexOrigins.h"
@@ -97,6 +98,7 @@ private:
   Partners* Others; ///< null: the input is the whole mesh
   vtkUnstructuredGrid* Output;
   RedGreenMesh Mesh;
+  std::vector<vtkIdType> Simplices; ///< of which each cell is a part; only for global ids
   std::unique_ptr<PointArrays> Points;
   std::unique_ptr<RefinementCriteria> Criteria;
   double MostCells = 0.;       ///< that the output may have
@@ -467,6 +469,7 @@ bool RedGreenRun::Refine()
   {
     return false;
   }
+  shared.State->SortVertices();
   const RedGreen<Id>& state = *shared.State;
   const RedGreenOutput<Id> plan(state);
   this->MakeCells(plan);
@@ -477,6 +480,11 @@ bool RedGreenRun::Refine()
   this->MakePoints(state, limit);
   RebuildPointGhosts(this->Input, this->Output);
   WriteRedGreenFields(this->Mesh, plan, this->Options.LimitPlacement, this->Output);
+  if (this->Others && this->Options.GenerateGlobalIds)
+  {
+    AddRedGreenNumbers(
+      this->Input, this->Mesh, state, this->Simplices, *this->Others, this->Output);
+  }
   return true;
 }
 
@@ -530,6 +538,10 @@ void RedGreenRun::MakeCells(const RedGreenOutput<Id>& plan)
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
   this->Output->SetCells(types, cells);
+  if (this->Others && this->Options.GenerateGlobalIds)
+  {
+    this->Simplices.assign(sources->GetPointer(0), sources->GetPointer(0) + counts.Cells);
+  }
   if (!this->Mesh.Control.Cells.ParentCells.empty())
   {
     vtkIdType* ids = sources->GetPointer(0);

@@ -16,8 +16,8 @@
  *  - no leaf with an edge of which a half is split, or with a face of three split edges where an
  *    edge between their midpoints is split, or with a split diagonal, which an equal tetrahedron
  *    may have: such leaves become red.
- * This set does not depend on the order of marks or rounds. Only the ids of new vertices depend on
- * that order, and on nothing else.
+ * This set does not depend on the order of marks or rounds. The ids of new vertices do until
+ * SortVertices() gives them an order of their own.
  *
  * Cost: an input cell is stored (is *active*) if it is marked, or if two of its vertices are
  * flagged as ends of split edges, because only such a cell can have a split edge. To find these
@@ -107,6 +107,10 @@ public:
     }
   }
   ///@}
+
+  /// Orders new vertices by how many halvings made them, then by the ids of the two ends of their
+  /// edge, the smaller one first. Afterwards nothing may be marked any more.
+  void SortVertices();
 
   /// The cells that the output would have now and would not have had before the last Close(), in no
   /// particular order: before the next round criteria need to look at these only. Cells that are
@@ -257,6 +261,26 @@ private:
   vtkIdType ScannedCells = 0; ///< number, in all scans together
   Rows<Id> Incidence;         ///< cells at each input vertex; empty until it is needed
 };
+
+/// The vertices that a state added, by how many halvings made them: first those between vertices of
+/// the input, then those that have such a vertex at one end, and so on.
+template <typename Id>
+std::vector<std::vector<Id>> ListByHalvings(const RedGreen<Id>& state)
+{
+  std::vector<std::vector<Id>> lists;
+  const Id given = state.GetNumberOfInputVertices();
+  std::vector<unsigned char> halvings(state.GetNumberOfVertices() - given);
+  const auto count = [&](Id vertex) { return vertex < given ? 0 : halvings[vertex - given]; };
+  for (Id vertex = given; vertex < state.GetNumberOfVertices(); ++vertex)
+  {
+    const auto ends = state.GetEnds(vertex);
+    const int before = std::max(count(ends[0]), count(ends[1]));
+    halvings[vertex - given] = static_cast<unsigned char>(before + 1);
+    lists.resize(std::max<std::size_t>(lists.size(), before + 1));
+    lists[before].push_back(vertex);
+  }
+  return lists;
+}
 
 }
 

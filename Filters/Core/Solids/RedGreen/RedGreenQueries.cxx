@@ -4,6 +4,9 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Solids/RedGreen/RedGreenTables.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace subdivision
 {
 
@@ -98,6 +101,61 @@ std::array<Id, 2> RedGreen<Id>::GetEnds(Id vertex) const
 {
   const Edge& edge = this->Edges[this->MidpointEdges[vertex - this->InputVertices]];
   return { { edge.Ends[0], edge.Ends[1] } };
+}
+
+template <typename Id>
+void RedGreen<Id>::SortVertices()
+{
+  struct Vertex
+  {
+    Id Ends[2];
+    Id Edge;
+    bool operator<(const Vertex& other) const
+    {
+      return this->Ends[0] != other.Ends[0] ? this->Ends[0] < other.Ends[0]
+                                            : this->Ends[1] < other.Ends[1];
+    }
+  };
+  const Id given = this->InputVertices;
+  Buffer<Id> numbers(this->GetNumberOfVertices());
+  std::iota(numbers.begin(), numbers.begin() + given, Id(0));
+  Id next = given;
+  for (const std::vector<Id>& added : ListByHalvings(*this))
+  {
+    std::vector<Vertex> order;
+    order.reserve(added.size());
+    for (const Id vertex : added)
+    {
+      const Id edge = this->MidpointEdges[vertex - given];
+      const Id ends[2] = { numbers[this->Edges[edge].Ends[0]], numbers[this->Edges[edge].Ends[1]] };
+      order.push_back({ { std::min(ends[0], ends[1]), std::max(ends[0], ends[1]) }, edge });
+    }
+    std::sort(order.begin(), order.end());
+    for (const Vertex& vertex : order)
+    {
+      numbers[this->Edges[vertex.Edge].Midpoint] = next++;
+    }
+  }
+  ForEach(this->Edges.size(),
+    [&](vtkIdType e)
+    {
+      Edge& edge = this->Edges[e];
+      edge.Ends[0] = numbers[edge.Ends[0]];
+      edge.Ends[1] = numbers[edge.Ends[1]];
+      edge.Midpoint = edge.Midpoint < 0 ? edge.Midpoint : numbers[edge.Midpoint];
+    });
+  const Buffer<Id> edges = this->MidpointEdges.Copy();
+  ForEach(
+    edges.size(), [&](vtkIdType i) { this->MidpointEdges[numbers[given + i] - given] = edges[i]; });
+  ForEach(this->Nodes.size(),
+    [&](vtkIdType n)
+    {
+      Node& node = this->Nodes[n];
+      for (int i = 0; i <= node.Dimension; ++i)
+      {
+        node.Vertices[i] = numbers[node.Vertices[i]];
+      }
+    });
 }
 
 template <typename Id>
