@@ -192,6 +192,7 @@ Request MakeRequest()
   request.Options.Scheme = subdivision::SurfaceSchemeKind::SqrtThree;
   request.Options.Warn = [](const std::string&) {};
   request.Options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
+  request.Options.GenerateGlobalIds = true;
   request.Criteria.MaximumLevel = 4;
   return request;
 }
@@ -233,6 +234,7 @@ void CheckParts(
   const auto whole = Mesh::Take(vtkPolyData::New());
   ASSERT_TRUE(Refine(
     partition.Known == KnownBy::Coordinates ? Renumber(cut) : surface, whole, choice, request));
+  subdivision::AddGlobalIds(whole);
   SCOPED_TRACE(std::string(partition.Name) + ", " + choice.Name + ", output of " +
     std::to_string(whole->GetNumberOfCells()));
   std::vector<Mesh> outputs;

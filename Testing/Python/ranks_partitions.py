@@ -23,15 +23,20 @@ CUTS = {"slabs": (ranks.in_slabs, True), "cell by cell": (ranks.by_chance, True)
 SOLID = [("vtkMultiDimensionalSubdivision", {"NumberOfLevels": 2}),
          ("vtkMultiDimensionalSubdivision", {"NumberOfLevels": 1, "VolumeScheme": 1, "ProjectToLimit": 1,
                                              "GenerateClassification": 1, "DetectFeatures": 1})]
-SURFACE = [("vtkSurfaceSubdivision", {"Scheme": scheme, "NumberOfLevels": 2, "DetectFeatures": int(scheme == 0)})
+SURFACE = [("vtkSurfaceSubdivision", {"Scheme": scheme, "NumberOfLevels": 2, "DetectFeatures": int(scheme == 0),
+                                      "GenerateGlobalIds": 1})
            for scheme in range(7)]
-ADAPTIVE = [("vtkAdaptiveSurfaceSubdivision", dict({"RefineByAttributeError": 0, "MaximumLevel": 4}, **options))
+RED_GREEN = [("vtkRedGreenRefinement", {"RefineByAttributeError": 0, "RefineByEdgeLength": 1, "MaximumEdgeLength": 0.4,
+                                        "MaximumLevel": 3, "GenerateGlobalIds": 1})]
+ADAPTIVE = [("vtkAdaptiveSurfaceSubdivision", dict({"RefineByAttributeError": 0, "MaximumLevel": 4,
+                                                    "GenerateGlobalIds": 1}, **options))
             for options in ({"RefineByGeometricError": 1, "GeometricTolerance": 0.003},
                             {"RefineByCurvature": 1, "MaximumAngle": 20., "GenerateLimitNormals": 1})]
 FILES = ("hex_geos_box_hybrid.vtu", "mix_elmer_shell_on_solid.vtu", "nm_nastran_wingbox.vtu", "surf_bunny_3k.vtp",
          "poly_cow_mixed.vtp")
 PROXIES = {"vtkMultiDimensionalSubdivision": "MultidimensionalSubdivision", "vtkSurfaceSubdivision": "SurfaceSubdivision",
-           "vtkAdaptiveSurfaceSubdivision": "AdaptiveSurfaceSubdivision"}
+           "vtkAdaptiveSurfaceSubdivision": "AdaptiveSurfaceSubdivision",
+           "vtkRedGreenRefinement": "RedGreenRefinement"}
 
 
 def run_class(name, options, data, controller):
@@ -201,7 +206,7 @@ def run():
     check_topology(checks)
     for number in range(subdivisionobjects.vtkSubdivisionModelSource.NUMBER_OF_MODELS):
         mesh = model(number)
-        checks.cut(mesh, SOLID)
+        checks.cut(mesh, SOLID + RED_GREEN)
         check_filters_in_a_row(checks, mesh, {"DetectFeatures": 1, "VolumeScheme": number % 2})
     checks.cut(skin_of(model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS)), SURFACE + ADAPTIVE)
     check_files(checks)

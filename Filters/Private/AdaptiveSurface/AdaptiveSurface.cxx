@@ -4,6 +4,7 @@
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeOutput.h"
 #include "Private/AdaptiveSurface/AdaptiveSurfaceMarks.h"
+#include "Private/AdaptiveSurface/AdaptiveSurfaceNumbers.h"
 #include "Private/AdaptiveSurface/SharedFaces.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
@@ -161,6 +162,12 @@ bool AdaptiveRun<Id>::Run(double mostCells, bool memoryIsLimit)
   this->WritePoints(plan, level);
   RebuildPointGhosts(this->Input, this->Output);
   RemoveSurfaceStamp(this->Output);
+  if (this->Others && this->Options.GenerateGlobalIds)
+  {
+    WriteNumbers(NumberAdaptiveSurface(this->Input, this->Cells, this->Control, *this->Mesh, plan,
+                   *this->Others, this->Output),
+      this->Output);
+  }
   return true;
 }
 

@@ -189,6 +189,29 @@ void AdaptiveSqrtThreeOutput<Id>::WriteTriangles(
 }
 
 template <typename Id>
+Buffer<Id> AdaptiveSqrtThreeOutput<Id>::FindFaces() const
+{
+  const AdaptiveSqrtThree<Id>& mesh = this->Mesh;
+  Buffer<Id> faces(this->Triangles);
+  for (Id face = 0; face < mesh.GetNumberOfFaces(); ++face)
+  {
+    if (mesh.IsThere(face) && !mesh.IsSplit(face))
+    {
+      faces[this->Offsets[face]] = face;
+    }
+    for (Id corner = 3 * face; mesh.IsSplit(face) && corner < 3 * face + 3; ++corner)
+    {
+      const Id child = mesh.GetChild(corner);
+      if (!mesh.IsThere(child))
+      {
+        faces[this->Offsets[child]] = child;
+      }
+    }
+  }
+  return faces;
+}
+
+template <typename Id>
 void AdaptiveSqrtThreeOutput<Id>::AppendPieces(Id line, std::vector<Piece>& pieces) const
 {
   const bool against = line % 2 == 1;

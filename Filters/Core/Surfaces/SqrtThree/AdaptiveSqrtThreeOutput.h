@@ -31,6 +31,10 @@ public:
   template <typename Value>
   void WriteTriangles(Value* vertices, unsigned char* generations, vtkIdType* faces) const;
 
+  /// For each triangle the number of its face in the mesh; for one of odd generation a vacant
+  /// number.
+  Buffer<Id> FindFaces() const;
+
   /// For each triangle, the value of the control face from which it has its orientation.
   template <typename Value>
   Buffer<Value> SpreadToTriangles(const Buffer<Value>& ofControlFaces) const
