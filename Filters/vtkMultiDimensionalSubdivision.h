@@ -255,6 +255,7 @@ protected:
   vtkMultiDimensionalSubdivision();
   ~vtkMultiDimensionalSubdivision() override;
 
+  bool CanInterpolate() const override { return true; }
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void Finish(vtkDataObject* output) override;

@@ -42,6 +42,24 @@ vtkMultiProcessController* vtkSubdivisionAlgorithm::GetController() const
   return this->Controller;
 }
 
+void vtkSubdivisionAlgorithm::AddInterpolatedArray(const char* name)
+{
+  if (name)
+  {
+    this->InterpolatedArrays.emplace_back(name);
+    this->Modified();
+  }
+}
+
+void vtkSubdivisionAlgorithm::RemoveAllInterpolatedArrays()
+{
+  if (!this->InterpolatedArrays.empty())
+  {
+    this->InterpolatedArrays.clear();
+    this->Modified();
+  }
+}
+
 bool vtkSubdivisionAlgorithm::SharesRanks() const
 {
   return this->JoinBlocks && this->Controller && this->Controller->GetNumberOfProcesses() > 1;
@@ -121,6 +139,7 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
     distribution.GhostLayers =
       vtkStreamingDemandDrivenPipeline::GetUpdateGhostLevel(outputVector->GetInformationObject(0));
   }
+  this->ReadInterpolation(options, distribution.Warnings);
   distribution.AddBlockIndex = this->PreserveInterfaces;
   distribution.Prepare = [this](vtkPointSet* block, vtkPointSet* copy)
   { this->Prepare(block, copy); };
@@ -162,6 +181,32 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
     return 0;
   }
   return result;
+}
+
+void vtkSubdivisionAlgorithm::ReadInterpolation(
+  subdivision::RunOptions& options, std::vector<std::string>& warnings) const
+{
+  subdivision::InterpolationOptions interpolation;
+  interpolation.Points = this->InterpolatePoints;
+  interpolation.Arrays = this->InterpolateArrays;
+  interpolation.Names = this->InterpolatedArrays;
+  interpolation.Weight = this->InterpolationWeight;
+  std::string reason;
+  if (!this->CanInterpolate())
+  {
+    reason = "This filter";
+  }
+  else if (this->SharesRanks())
+  {
+    reason = "On several ranks, which would have to solve together, the filter";
+  }
+  if (interpolation.IsOn() && !reason.empty())
+  {
+    warnings.push_back(
+      reason + " does not interpolate: it ignores InterpolatePoints and InterpolateArrays.");
+    interpolation = subdivision::InterpolationOptions();
+  }
+  options.Interpolation = interpolation;
 }
 
 vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::MakeSurfaces(
@@ -231,6 +276,15 @@ void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InterpolateIntegers: " << this->InterpolateIntegers << "\n";
   os << indent << "GenerateOriginalIds: " << this->GenerateOriginalIds << "\n";
   os << indent << "GenerateGlobalIds: " << this->GenerateGlobalIds << "\n";
+  os << indent << "InterpolatePoints: " << this->InterpolatePoints << "\n";
+  os << indent << "InterpolateArrays: " << this->InterpolateArrays << "\n";
+  os << indent << "Interpolated arrays:";
+  for (const std::string& name : this->InterpolatedArrays)
+  {
+    os << " " << name;
+  }
+  os << "\n";
+  os << indent << "InterpolationWeight: " << this->InterpolationWeight << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
   os << indent << "CreaseEnd: " << this->CreaseEnd << "\n";

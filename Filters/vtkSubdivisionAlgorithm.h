@@ -131,6 +131,51 @@ public:
 
   ///@{
   /**
+   * Whether the limit passes through the points of the input. The filter then does not take these
+   * for control points, but solves for control points whose limits they are: a smooth object does
+   * not shrink. Rules and diagonals are chosen for the points of the input. For
+   * vtkMultiDimensionalSubdivision and vtkSurfaceSubdivision (with schemes that have limits); other
+   * filters warn and ignore it. In a row of filters switch it on in all or in the first: later ones
+   * leave what is solved as it is. A warning says so if 40 products with the limit operator do not
+   * reach an error of 1e-10 of the range (single precision: of its rounding). Off by default.
+   */
+  vtkSetMacro(InterpolatePoints, bool);
+  vtkGetMacro(InterpolatePoints, bool);
+  vtkBooleanMacro(InterpolatePoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The same for the values of floating point arrays at points: those of AddInterpolatedArray, or
+   * all if there are none. Between the points values may exceed the range of the input's; a warning
+   * counts them. Values that are not finite, and those around them, stay what they are. Off by
+   * default.
+   */
+  vtkSetMacro(InterpolateArrays, bool);
+  vtkGetMacro(InterpolateArrays, bool);
+  vtkBooleanMacro(InterpolateArrays, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The names of the point arrays for InterpolateArrays; none: all of floating point numbers. A
+   * warning tells of a name that the input does not have.
+   */
+  void AddInterpolatedArray(const char* name);
+  void RemoveAllInterpolatedArrays();
+  ///@}
+
+  ///@{
+  /**
+   * How far control points and values are moved from those of the input (0, plain smoothing) to
+   * those that interpolate (1), 0 to 1. Default 1.
+   */
+  vtkSetClampMacro(InterpolationWeight, double, 0., 1.);
+  vtkGetMacro(InterpolationWeight, double);
+  ///@}
+
+  ///@{
+  /**
    * Precision of the output points, as in vtkAlgorithm: SINGLE_PRECISION (0), DOUBLE_PRECISION (1)
    * or DEFAULT_PRECISION (2, the default; that of the input).
    */
@@ -318,6 +363,8 @@ protected:
   /// Whether the filter works on vtkPolyData and writes that. Others work on vtkUnstructuredGrid
   /// too, and write that.
   virtual bool IsOfSurfaces() const { return false; }
+  /// Whether it has rules for InterpolatePoints and InterpolateArrays.
+  virtual bool CanInterpolate() const { return false; }
   /// How many layers of the cells of others a rank needs around its own.
   virtual int GetLayersOfCells() const { return 2; }
   /// Whether several ranks have partitions of one mesh.
@@ -369,6 +416,10 @@ protected:
   bool InterpolateIntegers = false;
   bool GenerateOriginalIds = false;
   bool GenerateGlobalIds = false;
+  bool InterpolatePoints = false;
+  bool InterpolateArrays = false;
+  std::vector<std::string> InterpolatedArrays;
+  double InterpolationWeight = 1.;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   vtkIdType MaximumNumberOfCells = 500000000;
   int CreaseEnd = CORNER;
@@ -384,6 +435,9 @@ protected:
   vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
+  /// Reads InterpolatePoints and the other options of it.
+  void ReadInterpolation(
+    subdivision::RunOptions& options, std::vector<std::string>& warnings) const;
   /// Makes vtkPolyData of unstructured grids.
   vtkSmartPointer<vtkDataObject> MakeSurfaces(
     vtkDataObject* input, std::vector<std::string>& warnings);

@@ -129,7 +129,7 @@ PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
     {
       continue;
     }
-    Entry entry{ i, nullptr };
+    Entry entry{ i, nullptr, {} };
     if (this->IsSmoothed(array))
     {
       entry.Current = StartValues(vtkDataArray::SafeDownCast(array), array->GetDataType(), cells);

@@ -8,6 +8,7 @@
 #define SubdivisionObjects_PointArrays_h
 
 #include "Core/Memory/Coordinates.h"
+#include "Core/Operators/Interpolation.h"
 #include "Core/Operators/PointOperator.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellsToSimplices.h"
@@ -34,6 +35,22 @@ struct PointArrayOptions
   int Precision = 2;
   /// Is told which arrays cannot be used.
   std::function<void(const std::string&)> Warn;
+};
+
+/// Which values become control values whose limits are the given ones.
+struct InterpolationOptions
+{
+  bool Points = false;
+  bool Arrays = false;
+  std::vector<std::string> Names; ///< of the arrays; none: all of floating point numbers
+  double Weight = 1.;             ///< 0: given values stay control values
+
+  bool IsOn() const { return (this->Points || this->Arrays) && this->Weight > 0.; }
+  /// What a stamp says of it.
+  std::vector<vtkIdType> GetNumbers() const
+  {
+    return { (this->Points ? 1 : 0) + (this->Arrays ? 2 : 0) };
+  }
 };
 
 /// The values of a point array of the input as a contiguous array of type `valueType`, followed by
@@ -77,6 +94,14 @@ public:
   /// are no rows.
   void Project(const PointOperator& operation);
 
+  /// Replaces the given values by control values. `limit` has the limits of the current points.
+  /// `warn` gets messages on arrays that cannot be used, or for which the solver does not converge.
+  void Interpolate(const PointOperator& limit, const InterpolationOptions& options,
+    const InterpolationLimits& limits, const std::function<void(const std::string&)>& warn);
+  /// A message on current values beyond the range that the values had before Interpolate; empty if
+  /// there are none.
+  std::string DescribeOvershoot() const;
+
   /// Whether current point a has the smaller global id.
   bool IsEarlier(vtkIdType a, vtkIdType b) const;
 
@@ -97,9 +122,13 @@ private:
   {
     int Source;                            ///< index in the input's point data
     vtkSmartPointer<vtkDataArray> Current; ///< smoothed so far; null: gathered at the end
+    /// The least and the largest value of each component before Interpolate.
+    std::vector<double> Range;
   };
 
   bool IsSmoothed(vtkAbstractArray* array) const;
+  std::vector<vtkSmartPointer<vtkDataArray>*> FindInterpolated(
+    const InterpolationOptions& options, const std::function<void(const std::string&)>& warn);
   void AdvanceSmoothed(
     const PointOperator& operation, const PointOperator::User& also = PointOperator::User());
   template <typename Id>

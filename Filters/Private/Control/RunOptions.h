@@ -7,6 +7,7 @@
 #ifndef SubdivisionObjects_RunOptions_h
 #define SubdivisionObjects_RunOptions_h
 
+#include "Private/Arrays/PointArrays.h"
 #include "Private/Control/Features.h"
 
 #include <functional>
@@ -28,6 +29,7 @@ struct RunOptions
   int OutputPointsPrecision = 2;
   vtkIdType MaximumNumberOfCells = 500000000;
   FeatureOptions Features;
+  InterpolationOptions Interpolation;
   /// Called with the fraction of the work that is done. Returns true if the work must stop.
   std::function<bool(double)> Progress;
   std::function<void(const std::string&)> Warn;
@@ -40,6 +42,29 @@ struct RunOptions
 inline Partners* FindPartners(const RunOptions& options, vtkPointSet* mesh)
 {
   return options.FindPartners ? options.FindPartners(mesh) : nullptr;
+}
+
+/// Warns if there is something to interpolate in the output of an earlier filter that did not do
+/// so.
+inline void WarnOfLateInterpolation(const RunOptions& options, const std::vector<vtkIdType>& before)
+{
+  if (options.Interpolation.IsOn() && before.empty())
+  {
+    options.Warn(
+      "An earlier filter made the input, and did not interpolate: its control points are "
+      "smoothed already. This filter ignores InterpolatePoints and InterpolateArrays. "
+      "Switch them on in the first of the filters.");
+  }
+}
+
+/// Warns of values beyond the range of the input's.
+inline void TellOvershoot(const PointArrays& arrays, const RunOptions& options)
+{
+  const std::string overshoot = arrays.DescribeOvershoot();
+  if (!overshoot.empty())
+  {
+    options.Warn(overshoot);
+  }
 }
 
 /// Passes warnings that were collected to Warn, and forgets them.

@@ -140,6 +140,7 @@ void WriteStampedIds(const StampedIds& ids, vtkPointSet* output)
   WriteField<vtkIdTypeArray>(GlobalIdsName, ids.Global, data);
   WriteField<vtkIdTypeArray>(InvertedCellsName, ids.Inverted, data);
   WriteField<vtkIdTypeArray>(FirstInvertedName, ids.FirstInverted, data);
+  WriteField<vtkIdTypeArray>(InterpolatedName, ids.Interpolated, data);
 }
 
 bool FindControlMesh(const SimplexView& descendants, const Stamp& stamp, SimplexList& control)

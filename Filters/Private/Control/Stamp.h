@@ -39,6 +39,9 @@ constexpr const char* GlobalIdsName = "SubdivisionGlobalIds";
 /// The field array with the inverted and flat control simplices, and its form in parts.
 constexpr const char* InvertedCellsName = "SubdivisionInvertedCells";
 constexpr const char* FirstInvertedName = "SubdivisionFirstInverted";
+/// What an earlier filter solved for so that the limit passes through it: 1 points, 2 arrays, 3
+/// both; there is no such array where it is nothing.
+constexpr const char* InterpolatedName = "SubdivisionInterpolated";
 /// Those with the derived singular simplices, by their dimension.
 constexpr const char* SingularNames[3] = { "SubdivisionSingularVertices",
   "SubdivisionSingularLines", "SubdivisionSingularTriangles" };
@@ -77,6 +80,7 @@ struct StampedIds
   std::vector<vtkIdType> Inverted; ///< as FindInvertedTets gives them
   /// The same in a part of an output: 2 * the first cell of the control simplex + 1 if it is flat.
   std::vector<vtkIdType> FirstInverted;
+  std::vector<vtkIdType> Interpolated; ///< one number (InterpolatedName) or none
 };
 
 /// Writes or replaces the field arrays of a finished output; removes those without ids.

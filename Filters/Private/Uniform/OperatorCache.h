@@ -36,6 +36,8 @@ public:
   /// takes time.
   virtual void Apply(const double* values, int components, Buffer<double>& result) const = 0;
   virtual std::size_t GetMemorySize() const = 0;
+  /// The limits of the points before the first step; null where they are not needed.
+  virtual const PointOperator* GetControlLimit() const = 0;
   /// Turns rows over the points after the last step into rows over those before the first. There
   /// must be a step.
   virtual SparseRows<int> ComposeWith(const SparseRows<int>& rows) const = 0;
@@ -51,6 +53,11 @@ public:
   void Add(Stencils<Id>&& stencils) { this->Steps.push_back(std::move(stencils)); }
   /// Sets the operators that follow the last step.
   void SetLimit(LimitOperators<Id>&& limit) { this->Limit = std::move(limit); }
+  void SetControlLimit(SparseRows<Id>&& limit) { this->ControlLimit = std::move(limit); }
+  const PointOperator* GetControlLimit() const override
+  {
+    return this->ControlLimit.GetNumberOfRows() > 0 ? &this->ControlLimit : nullptr;
+  }
   void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const override
   {
     for (const Stencils<Id>& step : this->Steps)
@@ -85,7 +92,7 @@ public:
   const Buffer<Stratum>& GetLastEdges() const override { return this->Steps.back().Edges; }
   std::size_t GetMemorySize() const override
   {
-    std::size_t bytes = this->Limit.GetMemorySize();
+    std::size_t bytes = this->Limit.GetMemorySize() + this->ControlLimit.GetMemorySize();
     for (const Stencils<Id>& step : this->Steps)
     {
       bytes += step.GetMemorySize();
@@ -96,6 +103,7 @@ public:
 private:
   std::vector<Stencils<Id>> Steps;
   LimitOperators<Id> Limit;
+  SparseRows<Id> ControlLimit;
 };
 
 /// The cells and choices on which the operators depend. Keys are compared by content; feature edges
@@ -144,8 +152,9 @@ struct KeptOperator
   std::vector<bool> Features;
   /// The warnings that building gave.
   std::vector<std::string> Warnings;
-  /// Points that went in (a copy), and what came out.
+  /// Points that went in (a copy), how far they were moved to interpolate, and what came out.
   vtkSmartPointer<vtkDataArray> PointsIn;
+  double PointsWeight = 0.;
   vtkSmartPointer<vtkDataArray> PointsOut;
   bool Used = true;
 

@@ -26,6 +26,7 @@ TopologyKey UniformRun::MakeKey() const
   key.Choices.push_back(this->Mesh.IsStamped);
   key.Choices.push_back(this->Options.ProjectToLimit);
   key.Choices.push_back(this->Options.GenerateLimitNormals);
+  key.Choices.push_back(this->Interpolates());
   for (const auto& tuples : this->Mesh.Derived.Tuples)
   {
     key.Choices.push_back(static_cast<long long>(tuples.size()));
@@ -70,6 +71,7 @@ void UniformRun::UseKept(KeptOperator& kept)
   this->Parents = kept.Parents;
   // Normals need the points before they are projected.
   if (kept.Steps && kept.PointsOut && !this->Options.GenerateLimitNormals &&
+    kept.PointsWeight == this->GetPointsWeight() &&
     HoldsSameValues(this->Points->GetPoints(), kept.PointsIn))
   {
     this->Points->ReusePoints(kept.PointsOut);
@@ -78,9 +80,11 @@ void UniformRun::UseKept(KeptOperator& kept)
   {
     kept.PointsOut = nullptr; // until they are those of PointsIn: memory may not suffice
     kept.PointsIn->DeepCopy(this->Points->GetPoints());
+    kept.PointsWeight = this->GetPointsWeight();
   }
   if (kept.Steps)
   {
+    this->Interpolate(kept.Steps->GetControlLimit());
     kept.Steps->Apply(*this->Points, this->Mesh.Inverted);
   }
   this->FinishPoints(false);

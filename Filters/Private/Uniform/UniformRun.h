@@ -2,7 +2,8 @@
 /**
  * @file UniformRun.h
  * One execution of a uniform subdivision: it reads and plans, makes the steps, and writes
- * (UniformSubdivision.cxx); and what it keeps for the next (UniformKept.cxx).
+ * (UniformSubdivision.cxx); what it keeps for the next (UniformKept.cxx); how it interpolates, and
+ * what it says of the result (UniformInterpolation.cxx).
  */
 #ifndef SubdivisionObjects_UniformRun_h
 #define SubdivisionObjects_UniformRun_h
@@ -20,6 +21,9 @@
 
 namespace subdivision
 {
+
+/// The cell array that marks solids which smoothing turned inside out.
+constexpr const char* InvertedName = "Inverted";
 
 class UniformRun
 {
@@ -46,6 +50,12 @@ private:
   bool BuildLevel();
   const SchemeTraits& GetScheme() const;
   bool HasMemoryFor(const LevelCounts& counts, double bytesPerId) const;
+
+  // Interpolation (UniformInterpolation.cxx).
+  bool Interpolates() const;
+  double GetPointsWeight() const;
+  void Interpolate(const PointOperator* limit);
+  void StampInterpolation(StampedIds& ids) const;
 
   bool Execute();
   void UseKept(KeptOperator& kept);

@@ -29,7 +29,6 @@ namespace
 {
 
 constexpr const char* DimensionName = "ManifoldDimension";
-constexpr const char* InvertedName = "Inverted";
 
 }
 
@@ -145,7 +144,8 @@ bool UniformRun::FindKeptOrBuild()
 
 bool UniformRun::Build()
 {
-  const int levels = this->Options.Levels + (this->Options.ReadsLimit() ? 1 : 0);
+  const bool further = this->Options.ReadsLimit() || this->Interpolates();
+  const int levels = this->Options.Levels + (further ? 1 : 0);
   const bool large =
     NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + levels, this->GetScheme());
   return large ? this->BuildLevel<long long>() : this->BuildLevel<int>();
@@ -161,7 +161,8 @@ template <typename Id>
 bool UniformRun::BuildLevel()
 {
   ControlComplex<Id> control;
-  const bool further = this->Options.Levels > 1 || this->Options.ReadsLimit();
+  const bool further =
+    this->Options.Levels > 1 || this->Options.ReadsLimit() || this->Interpolates();
   bool isTrue = false;
   ForVolumeSchemes<Id>(
     [&](auto scheme)
@@ -216,6 +217,7 @@ bool UniformRun::Execute()
     this->ToKeep->Key = std::move(this->Key);
     this->ToKeep->PointsIn.TakeReference(this->Points->GetPoints()->NewInstance());
     this->ToKeep->PointsIn->DeepCopy(this->Points->GetPoints());
+    this->ToKeep->PointsWeight = this->GetPointsWeight();
   }
   return std::visit(
     [this](auto& level)
@@ -233,6 +235,12 @@ bool UniformRun::Step(typename Scheme::Level& level, KeptOperator* keep)
 {
   const int steps = this->Options.Levels;
   auto kept = std::make_unique<Kept<Scheme>>();
+  if (this->Interpolates())
+  {
+    kept->SetControlLimit(BuildLimitRows(
+      level, BuildSharpStages<Scheme>(this->Mesh, this->Options.Features, this->Control, 0)));
+    this->Interpolate(kept->GetControlLimit());
+  }
   if (steps > 0)
   {
     this->Parents = Scheme::FindParents(level, this->Control.Runs, this->Mesh.Cells.Simplices);
@@ -259,7 +267,7 @@ bool UniformRun::Step(typename Scheme::Level& level, KeptOperator* keep)
     step + 1 == steps ? this->StepLast<Scheme>(level, *kept, keep != nullptr)
                       : this->StepOnce<Scheme>(level, step, keep ? kept.get() : nullptr);
   }
-  if (keep && (steps > 0 || this->Options.ReadsLimit()))
+  if (keep && (steps > 0 || this->Options.ReadsLimit() || this->Interpolates()))
   {
     keep->Steps = std::move(kept);
   }
@@ -474,6 +482,7 @@ void UniformRun::Write()
       this->Mesh.MadeLevels + this->Options.Levels, DimensionName, this->Input, this->Output);
   }
   this->CheckOrientation();
+  TellOvershoot(*this->Points, this->Options);
   if (this->Options.Features.Sharpness)
   {
     ReduceSharpness(
@@ -495,7 +504,8 @@ void UniformRun::WriteStamps()
   StampedIds ids;
   if (!stamp.IsProjected)
   {
-    ids = { this->Derived, this->Mesh.GlobalIds, this->Mesh.Inverted, {} };
+    ids = { this->Derived, this->Mesh.GlobalIds, this->Mesh.Inverted, {}, {} };
+    this->StampInterpolation(ids);
   }
   if (Partners* others = FindPartners(this->Options, this->Input))
   {
@@ -539,38 +549,6 @@ void UniformRun::CountInWhole(Partners& others, Stamp& stamp, StampedIds& ids)
   }
   ids.Inverted.clear();
   ids.Global.clear(); // points have their order
-}
-
-/// Warns of solids that smoothing turned inside out, and marks them (Inverted).
-void UniformRun::CheckOrientation()
-{
-  vtkSmartPointer<vtkUnsignedCharArray> marks;
-  if (this->Options.GenerateClassification)
-  {
-    marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    marks->SetName(InvertedName);
-    marks->SetNumberOfTuples(this->Output->GetNumberOfCells());
-    marks->FillValue(0);
-    AddInstead(this->Input->GetCellData(), marks, this->Output->GetCellData());
-  }
-  const int levels = this->Mesh.MadeLevels + this->Options.Levels;
-  const bool hasMoved = this->Options.Levels > 0 || this->Options.ProjectToLimit;
-  if (!hasMoved && (levels == 0 || !marks))
-  {
-    return;
-  }
-  const InvertedCells found =
-    FindInvertedCells(this->Mesh.GetControl(), levels, this->Mesh.Inverted, this->Points->GetTie(),
-      this->Output, marks ? marks->GetPointer(0) : nullptr);
-  if (found.Count > 0 && hasMoved)
-  {
-    this->Options.Warn(std::to_string(found.Count) + " of " +
-      std::to_string(this->Output->GetNumberOfCells()) +
-      " cells are solids that smoothing turned inside out, the first is cell " +
-      std::to_string(found.First) +
-      ": the control mesh is too thin there. Make its solids less flat, or take fewer levels; "
-      "GenerateClassification marks these cells (Inverted).");
-  }
 }
 
 void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges)

@@ -113,6 +113,13 @@ TEST(Blocks, AreOneMeshForEveryFilter)
 {
   const Grid box = MakeBox(2);
   ExpectBlocksAreWhole(box, [] { return MakeUniform(2); });
+  ExpectBlocksAreWhole(box,
+    []
+    {
+      auto filter = MakeUniform(1);
+      filter->InterpolatePointsOn();
+      return filter;
+    });
   for (const bool limit : { false, true })
   {
     ExpectBlocksAreWhole(box,

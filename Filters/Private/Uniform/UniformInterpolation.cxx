@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a uniform subdivision interpolates, and what it says of the result.
+#include "Private/Uniform/UniformRun.h"
+
+#include "Private/Arrays/Arrays.h"
+#include "Private/Control/StampFields.h"
+#include "Private/Reading/SolidOrientation.h"
+
+#include "vtkCellData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace subdivision
+{
+
+/// An earlier filter that made the input has solved for control points, or was not to.
+bool UniformRun::Interpolates() const
+{
+  return this->Options.Interpolation.IsOn() && !this->Mesh.IsStamped;
+}
+
+double UniformRun::GetPointsWeight() const
+{
+  const InterpolationOptions& options = this->Options.Interpolation;
+  return this->Interpolates() && options.Points ? options.Weight : 0.;
+}
+
+/// `limit` has the limits of the points that were read; null: they are not needed.
+void UniformRun::Interpolate(const PointOperator* limit)
+{
+  if (limit)
+  {
+    InterpolationLimits limits;
+    limits.LeastEigenvalue = 1. / 6.; // it is 0.21 and more on all models (Mathematics 8)
+    this->Points->Interpolate(*limit, this->Options.Interpolation, limits, this->Options.Warn);
+  }
+}
+
+/// Says in the stamp what was solved for, here or by an earlier filter.
+void UniformRun::StampInterpolation(StampedIds& ids) const
+{
+  if (this->Interpolates())
+  {
+    ids.Interpolated = this->Options.Interpolation.GetNumbers();
+  }
+  else if (this->Mesh.IsStamped)
+  {
+    ids.Interpolated = ReadFieldIds(InterpolatedName, this->Input->GetFieldData());
+    WarnOfLateInterpolation(this->Options, ids.Interpolated);
+  }
+}
+
+/// Warns of solids that smoothing turned inside out, and marks them (Inverted).
+void UniformRun::CheckOrientation()
+{
+  vtkSmartPointer<vtkUnsignedCharArray> marks;
+  if (this->Options.GenerateClassification)
+  {
+    marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    marks->SetName(InvertedName);
+    marks->SetNumberOfTuples(this->Output->GetNumberOfCells());
+    marks->FillValue(0);
+    AddInstead(this->Input->GetCellData(), marks, this->Output->GetCellData());
+  }
+  const int levels = this->Mesh.MadeLevels + this->Options.Levels;
+  const bool hasMoved = this->Options.Levels > 0 || this->Options.ProjectToLimit;
+  if (!hasMoved && (levels == 0 || !marks))
+  {
+    return;
+  }
+  const InvertedCells found =
+    FindInvertedCells(this->Mesh.GetControl(), levels, this->Mesh.Inverted, this->Points->GetTie(),
+      this->Output, marks ? marks->GetPointer(0) : nullptr);
+  if (found.Count > 0 && hasMoved)
+  {
+    this->Options.Warn(std::to_string(found.Count) + " of " +
+      std::to_string(this->Output->GetNumberOfCells()) +
+      " cells are solids that smoothing turned inside out, the first is cell " +
+      std::to_string(found.First) +
+      ": the control mesh is too thin there. Make its solids less flat, or take fewer levels; "
+      "GenerateClassification marks these cells (Inverted).");
+  }
+}
+
+}

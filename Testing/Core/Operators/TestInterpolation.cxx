@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mathematics 8, Interpolation: the solver alone, on matrices whose solutions are known.
+#include "Core/Operators/Interpolation.h"
+
+#include "Core/Operators/SparseRows.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+
+using namespace subdivision;
+
+/// A closed polygon: own weight for each vertex, the rest for its two neighbours.
+SparseRows<int> MakePolygon(int size, double own)
+{
+  SparseRows<int> rows;
+  rows.NumberOfColumns = size;
+  rows.Offsets = Buffer<int>(size + 1);
+  rows.Columns = Buffer<int>(3 * size);
+  rows.Weights = Buffer<double>(3 * size);
+  rows.Offsets[0] = 0;
+  for (int i = 0; i < size; ++i)
+  {
+    rows.Offsets[i + 1] = 3 * (i + 1);
+    for (int k = 0; k < 3; ++k)
+    {
+      rows.Columns[3 * i + k] = (i + size + k - 1) % size;
+      rows.Weights[3 * i + k] = k == 1 ? own : (1. - own) / 2.;
+    }
+  }
+  return rows;
+}
+
+std::vector<double> Solve(const PointOperator& rows, const std::vector<double>& given,
+  std::vector<InterpolationGroup>& groups, const InterpolationLimits& limits = {})
+{
+  std::vector<double> shifts(given.size());
+  FindInterpolation(rows, given.data(), groups, limits, shifts.data());
+  return shifts;
+}
+
+std::vector<double> MakeWave(int size, double scale, double offset)
+{
+  std::vector<double> values;
+  for (int i = 0; i < size; ++i)
+  {
+    values.push_back(offset + scale * std::sin(i * i * 0.7));
+  }
+  return values;
+}
+
+double FindError(const PointOperator& rows, const std::vector<double>& given,
+  const std::vector<double>& shifts, double scale)
+{
+  std::vector<double> control(given);
+  for (std::size_t i = 0; i < given.size(); ++i)
+  {
+    control[i] += shifts[i];
+  }
+  std::vector<double> limit(given.size());
+  rows.Apply(control.data(), limit.data(), 1);
+  double most = 0.;
+  for (std::size_t i = 0; i < given.size(); ++i)
+  {
+    most = std::max(most, std::abs(limit[i] - given[i]));
+  }
+  return most / scale;
+}
+
+}
+
+TEST(Interpolation, LimitsAreTheGivenValues)
+{
+  // Eigenvalues of cubic B-splines lie from 1/3 to 1, those with own weight .56 from .12 to 1.
+  for (const double own : { 2. / 3., 0.56 })
+  {
+    const SparseRows<int> rows = MakePolygon(50, own);
+    const std::vector<double> given = MakeWave(50, 3., 1.);
+    std::vector<InterpolationGroup> groups{ { 1 } };
+    const std::vector<double> shifts = Solve(rows, given, groups);
+    EXPECT_TRUE(groups[0].HasConverged);
+    EXPECT_LE(groups[0].Products, 40);
+    EXPECT_GT(groups[0].Products, 10);
+    EXPECT_LE(groups[0].Error, 1e-10);
+    EXPECT_LT(FindError(rows, given, shifts, 6.), 1.1e-10);
+  }
+}
+
+TEST(Interpolation, ConstantsStayExactly)
+{
+  const SparseRows<int> rows = MakePolygon(7, 0.6);
+  for (const double value : { 0., 0.1, -1e7 / 3. })
+  {
+    std::vector<InterpolationGroup> groups{ { 1 } };
+    const std::vector<double> shifts = Solve(rows, std::vector<double>(7, value), groups);
+    EXPECT_EQ(shifts, std::vector<double>(7, 0.));
+    EXPECT_EQ(groups[0].Products, 1);
+    EXPECT_TRUE(groups[0].HasConverged);
+  }
+}
+
+/// A column has the same bits whatever is solved for beside it.
+TEST(Interpolation, GroupsDoNotMatterToEachOther)
+{
+  const SparseRows<int> rows = MakePolygon(50, 2. / 3.);
+  const std::vector<double> one = MakeWave(50, 1., 0.);
+  const std::vector<double> rough = MakeWave(50, 1e-7, 1e3);
+  std::vector<InterpolationGroup> alone{ { 1 } };
+  const std::vector<double> shifts = Solve(rows, one, alone);
+  std::vector<double> both;
+  for (int i = 0; i < 50; ++i)
+  {
+    both.insert(both.end(), { rough[i], one[i], i % 2 * 1. });
+  }
+  std::vector<InterpolationGroup> groups{ { 1 }, { 1 }, { 1 } };
+  const std::vector<double> together = Solve(rows, both, groups);
+  for (int i = 0; i < 50; ++i)
+  {
+    ASSERT_EQ(together[3 * i + 1], shifts[i]) << i;
+  }
+  EXPECT_EQ(groups[1].Products, alone[0].Products);
+  EXPECT_NE(groups[2].Products, alone[0].Products) << "else this test shows nothing";
+  EXPECT_TRUE(groups[0].HasConverged) << "as far as rounding lets it";
+}
+
+TEST(Interpolation, ValuesThatAreNotFiniteStay)
+{
+  const SparseRows<int> rows = MakePolygon(50, 2. / 3.);
+  std::vector<double> given = MakeWave(50, 1., 0.);
+  given[10] = std::numeric_limits<double>::quiet_NaN();
+  given[20] = std::numeric_limits<double>::infinity();
+  std::vector<InterpolationGroup> groups{ { 1 } };
+  const std::vector<double> shifts = Solve(rows, given, groups);
+  EXPECT_TRUE(groups[0].HasConverged);
+  for (int i = 0; i < 50; ++i)
+  {
+    const bool isNear = std::abs(i - 10) < 2 || std::abs(i - 20) < 2;
+    EXPECT_EQ(shifts[i] == 0., isNear) << i;
+  }
+}
+
+/// Where the wave of every other vertex has eigenvalue 0 or less, there is no solution to find.
+TEST(Interpolation, WhatDoesNotConvergeGetsTheLeastError)
+{
+  for (const double own : { 0.5, 0.45 })
+  {
+    const SparseRows<int> rows = MakePolygon(10, own);
+    const std::vector<double> given{ 1., -1., 1., -1., 1., -1., 1., -1., 1., -1. };
+    std::vector<InterpolationGroup> groups{ { 1 } };
+    const std::vector<double> shifts = Solve(rows, given, groups);
+    EXPECT_FALSE(groups[0].HasConverged);
+    EXPECT_NEAR(groups[0].Error, FindError(rows, given, shifts, 2.), 1e-12);
+    EXPECT_LE(groups[0].Error, own == 0.5 ? 0.5 : 0.55 + 1e-12) << "that of no shift at all";
+  }
+}
+
+/// A part of a mesh takes values of rows that it does not have right from other parts.
+TEST(Interpolation, PartsSolveTogether)
+{
+  const SparseRows<int> rows = MakePolygon(12, 2. / 3.);
+  const std::vector<double> given = MakeWave(12, 1., 0.);
+  std::vector<InterpolationGroup> whole{ { 1 } };
+  const std::vector<double> shifts = Solve(rows, given, whole);
+  // Each row of `wrong` is right but for row 3, which the other part has.
+  SparseRows<int> wrong = MakePolygon(12, 2. / 3.);
+  wrong.Weights[9] = wrong.Weights[10] = wrong.Weights[11] = 1. / 3.;
+  InterpolationLimits limits;
+  int largest = 0;
+  limits.FindLargest = [&](std::vector<double>&) { ++largest; };
+  std::vector<std::vector<double>> products;
+  InterpolationLimits recorder;
+  recorder.TakeOthers = [&](double* of, int) { products.emplace_back(of, of + 12); };
+  Solve(rows, given, whole, recorder);
+  std::size_t next = 0;
+  limits.TakeOthers = [&](double* of, int) { of[3] = products[next++][3]; };
+  std::vector<InterpolationGroup> part{ { 1 } };
+  EXPECT_EQ(Solve(wrong, given, part, limits), shifts);
+  EXPECT_EQ(part[0].Products, whole[0].Products);
+  EXPECT_EQ(largest, whole[0].Products + 2);
+}

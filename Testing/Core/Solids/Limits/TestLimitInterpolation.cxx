@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mathematics 8, Interpolation: with the limit rows of all meshes and rules, and of both volume
+// schemes, few products are needed.
+#include "LimitTools.h"
+#include "TetOctTools.h"
+
+#include "Core/Operators/Interpolation.h"
+
+#include <gtest/gtest.h>
+
+using namespace tetoct_tools;
+
+namespace
+{
+
+/// Three tetrahedra on one triangle, with blended joints: an eigenvalue is far below the bound.
+constexpr const char* SlowMesh = "CrowdOfTets";
+
+/// The number of products that random values need; their limits are checked.
+template <typename Level>
+int CountProducts(const Level& level, const SemiSharpStages<int>& creases, bool isSlow)
+{
+  const auto rows = BuildLimitRows(level, creases);
+  const std::vector<double> given = MakeValues(rows.GetNumberOfRows(), 3);
+  std::vector<double> control(given.size());
+  std::vector<InterpolationGroup> groups{ { 1 } };
+  InterpolationLimits limits;
+  limits.LeastEigenvalue = 1. / 6.;
+  FindInterpolation(rows, given.data(), groups, limits, control.data());
+  const double error = isSlow ? 1e-7 : 1.1e-10;
+  EXPECT_TRUE(groups[0].HasConverged || isSlow) << groups[0].Error;
+  for (std::size_t i = 0; i < given.size(); ++i)
+  {
+    control[i] += given[i];
+  }
+  const std::vector<double> limit = ApplyTo(rows, control, 1);
+  const auto [low, high] = std::minmax_element(given.begin(), given.end());
+  for (std::size_t i = 0; i < given.size(); ++i)
+  {
+    EXPECT_NEAR(limit[i], given[i], error * (*high - *low)) << i;
+  }
+  return groups[0].Products;
+}
+
+}
+
+TEST(LimitInterpolation, FewProductsForAllMeshesAndRules)
+{
+  int most = 0;
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    const bool isSlow = mesh.Name == SlowMesh;
+    const auto test = [&](const auto& level, const SemiSharpStages<int>& creases)
+    { most = std::max(most, CountProducts(level, creases, isSlow)); };
+    for (const char* options : OptionNames)
+    {
+      SCOPED_TRACE(mesh.Name + " " + options);
+      test(BuildNamed<int>(mesh, options).Level, {});
+      test(MakeTetOctLevel(BuildNamed<int>(mesh, options).Level), {});
+    }
+    SCOPED_TRACE(mesh.Name + " semi-sharp");
+    const SemiSharpMesh semi(mesh, "Blend", 5);
+    test(semi.MakeSmoothLevel(0), semi.MakeStages(0));
+  }
+  EXPECT_LE(most, 40);
+  EXPECT_GE(most, 25);
+}
