@@ -310,6 +310,7 @@ protected:
   ~vtkSurfaceSubdivision() override;
 
   bool IsOfSurfaces() const override { return true; }
+  bool CanInterpolate() const override { return true; }
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -62,9 +62,11 @@ struct KeptSurfaceOf : KeptSurface
   std::size_t GetMemorySize() const override
   {
     return (this->Steps ? this->Steps->GetMemorySize() : 0) +
+      (this->Control ? this->Control->GetMemorySize() : 0) +
       sizeof(vtkIdType) * this->Key.Cells.Corners.size();
   }
   std::unique_ptr<SurfaceSteps<Id>> Steps;
+  std::unique_ptr<SurfaceSteps<Id>> Control; ///< the control level alone, if its limits are needed
 };
 
 class SurfaceCache : public KeptEntries<KeptSurface>

@@ -54,11 +54,12 @@ void WarnOfUnused(
       "scheme needs.");
   }
   if (!scheme.HasLimit() &&
-    (options.ProjectToLimit || options.GenerateLimitNormals || options.GenerateTangents))
+    (options.ProjectToLimit || options.GenerateLimitNormals || options.GenerateTangents ||
+      options.Interpolation.IsOn()))
   {
     options.Warn("The filter computes no limits for this scheme: it ignores ProjectToLimit, "
-                 "GenerateLimitNormals and GenerateTangents. Use Loop, CatmullClark, "
-                 "ModifiedButterfly or SqrtThree.");
+                 "GenerateLimitNormals, GenerateTangents, InterpolatePoints and InterpolateArrays. "
+                 "Use Loop, CatmullClark, ModifiedButterfly or SqrtThree.");
   }
   const FeatureOptions& features = options.Features;
   auto isKnown = [](JointRule rule) { return FindKnownRule(rule) == rule; };

@@ -98,6 +98,12 @@ private:
   bool Build();
   SurfaceSteps<Id>* MakeSteps(
     const SurfaceCells& cells, const SurfaceCells& control, KeptSurface*& kept);
+  void SetSharpness(SurfaceSteps<Id>& steps, const SurfaceCreases& creases);
+  // Interpolation (SurfaceInterpolation.cxx).
+  bool Interpolates() const;
+  void MakeControl(
+    const SurfaceCells& cells, const SurfaceCreases& creases, KeptSurfaceOf<Id>* kept);
+  void Interpolate();
   SurfaceCreases ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level);
   bool FindSeams()
   {
@@ -146,6 +152,9 @@ private:
   SurfaceSteps<Id>* Steps = nullptr;
   JoinedSurface JoinedMesh;
   SurfaceSteps<Id>* Joined = nullptr; ///< what the points follow where there are seams
+  /// The control level, and that of the joined mesh; null where their limits are not needed.
+  SurfaceSteps<Id>* Control = nullptr;
+  SurfaceSteps<Id>* JoinedControl = nullptr;
   KeptSurface* Kept = nullptr;
   std::vector<Sector<Id>> ControlSectors;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceStamp.h"
 
+#include "Private/Control/Stamp.h"
 #include "Private/Control/StampFields.h"
 
 #include "vtkDoubleArray.h"
@@ -113,6 +114,7 @@ bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp)
   stamp.Creases = ReadFieldIds(CreasesName, data);
   stamp.Cells = ReadFieldIds(CellsName, data);
   stamp.GlobalIds = ReadFieldIds(PointIdsName, data);
+  stamp.Interpolated = ReadFieldIds(InterpolatedName, data);
   stamp.Carried = ReadCarried(data, stamp.Levels);
   return std::all_of(stamp.Creases.begin(), stamp.Creases.end(),
            [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; }) &&
@@ -136,6 +138,7 @@ void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output)
   WriteField<vtkIdTypeArray>(CreasesName, stamp.Creases, data);
   WriteField<vtkIdTypeArray>(CellsName, stamp.Cells, data);
   WriteField<vtkIdTypeArray>(PointIdsName, stamp.GlobalIds, data);
+  WriteField<vtkIdTypeArray>(InterpolatedName, stamp.Interpolated, data);
   for (const CarriedCells::Entry& entry : stamp.Carried.Entries)
   {
     // The array may belong to an earlier output, so that only a copy can be renamed.
@@ -150,7 +153,7 @@ void RemoveSurfaceStamp(vtkPolyData* output)
 {
   vtkFieldData* data = output->GetFieldData();
   for (const char* name : { Name, SizesName, AnglesName, FaceAnglesName, GivenCornersName,
-         CreasesName, CellsName, PointIdsName })
+         CreasesName, CellsName, PointIdsName, InterpolatedName })
   {
     data->RemoveArray(name);
   }

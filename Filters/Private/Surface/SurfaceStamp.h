@@ -68,6 +68,7 @@ struct SurfaceStamp
   /// Of the control points, on the first input; empty: it had none, or the scheme keeps no
   /// vertices.
   std::vector<vtkIdType> GlobalIds;
+  std::vector<vtkIdType> Interpolated; ///< as in Stamp.h
   /// The control cells: segments (two points each), corners of faces, vertices. Empty if they can
   /// be found from their children.
   std::vector<vtkIdType> Cells;

@@ -69,6 +69,7 @@ void SurfaceRun<Id>::ForgetStamp()
   this->Own.clear();
   this->Steps = nullptr;
   this->Joined = nullptr;
+  this->JoinedControl = nullptr;
   this->Kept = nullptr;
   this->Creases.clear();
 }
@@ -193,8 +194,18 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
       this->Own.push_back(std::move(own));
     }
   }
+  this->SetSharpness(*steps, creases);
+  this->MakeControl(control, creases, kept);
+  found = kept;
+  return steps;
+}
+
+/// Sets the semi-sharp creases of levels that begin with the control level.
+template <typename Id>
+void SurfaceRun<Id>::SetSharpness(SurfaceSteps<Id>& steps, const SurfaceCreases& creases)
+{
   const bool useSharpness = this->Scheme->HalvesEdges() && this->Scheme->UsesTags();
-  steps->SetSharpness(useSharpness ? creases.Sharpness : EdgeSharpness(),
+  steps.SetSharpness(useSharpness ? creases.Sharpness : EdgeSharpness(),
     [&](const std::vector<bool>& sharp)
     {
       SurfaceFeatures sharper = creases.Features;
@@ -203,7 +214,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
       {
         sharper.SharpEdges[e] |= sharp[e];
       }
-      const SurfaceLevel<Id>& made = steps->GetLevel(0);
+      const SurfaceLevel<Id>& made = steps.GetLevel(0);
       SurfaceTags<Id> more =
         ClassifySurface(made.Mesh, *this->Scheme, sharper, this->Points->GetCoordinates());
       for (Sector<Id>& sector : more.Sectors) // corners that stay what they were
@@ -214,8 +225,6 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
       }
       return more;
     });
-  found = kept;
-  return steps;
 }
 
 /// Collects creases and corners of a control level from arrays, angles and the stamp.
@@ -276,6 +285,7 @@ bool SurfaceRun<Id>::Build()
     {
       return false;
     }
+    this->JoinedControl = this->Control;
   }
   this->Steps = this->MakeSteps(this->Cells, this->GetControl(), this->Kept);
   return this->Steps != nullptr;
@@ -356,6 +366,7 @@ bool SurfaceRun<Id>::Execute()
 {
   this->WriteCells();
   const int levels = this->Options.Levels;
+  this->Interpolate();
   if (this->Joined)
   {
     this->Points->ReusePoints(this->FollowPoints());
@@ -408,6 +419,7 @@ void SurfaceRun<Id>::Write()
     this->Stamp.Levels > 0, this->Options, this->Stamp.Carried, this->Output);
   ClearMarks(this->Options.Features.Marks, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
+  TellOvershoot(*this->Points, this->Options);
   this->WriteStamp();
   Partners* others = FindPartners(this->Options, this->Input);
   if (others && this->Options.GenerateGlobalIds)
@@ -441,6 +453,10 @@ template <typename Id>
 void SurfaceRun<Id>::WriteStamp()
 {
   RemoveSurfaceStamp(this->Output);
+  if (this->MadeLevels > 0)
+  {
+    WarnOfLateInterpolation(this->Options, this->Stamp.Interpolated);
+  }
   SurfaceStamp stamp;
   stamp.Scheme = static_cast<int>(this->Options.Scheme);
   const bool isLimit = this->Options.ProjectToLimit && this->Scheme->HasLimit();
@@ -467,6 +483,8 @@ void SurfaceRun<Id>::WriteStamp()
     stamp.GlobalIds = this->MadeLevels > 0 ? this->Stamp.GlobalIds : this->GlobalIds;
   }
   stamp.Carried = this->Stamp.Carried;
+  stamp.Interpolated =
+    this->Interpolates() ? this->Options.Interpolation.GetNumbers() : this->Stamp.Interpolated;
   WriteSurfaceStamp(stamp, this->Output);
 }
 

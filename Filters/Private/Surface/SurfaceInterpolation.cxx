@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a surface subdivision interpolates.
+#include "Private/Surface/SurfaceRun.h"
+
+namespace subdivision
+{
+
+/// An earlier filter that made the input has solved for control points, or was not to.
+template <typename Id>
+bool SurfaceRun<Id>::Interpolates() const
+{
+  return this->Options.Interpolation.IsOn() && this->MadeLevels == 0 && this->Scheme->HasLimit();
+}
+
+/// Makes the level of `cells` alone, for its limits, or finds it kept.
+template <typename Id>
+void SurfaceRun<Id>::MakeControl(
+  const SurfaceCells& cells, const SurfaceCreases& creases, KeptSurfaceOf<Id>* kept)
+{
+  this->Control = nullptr;
+  if (!this->Interpolates())
+  {
+    return;
+  }
+  std::unique_ptr<SurfaceSteps<Id>> made = kept ? std::move(kept->Control) : nullptr;
+  if (!made || !made->ReplaceSectors(this->Classify(made->GetLevel(0), creases.Features)))
+  {
+    SurfaceLevel<Id> level = MakeControlLevel<Id>(cells);
+    level.Tags = this->Classify(level, creases.Features);
+    made = std::make_unique<SurfaceSteps<Id>>(std::move(level), this->Scheme, 0, true, nullptr);
+  }
+  this->SetSharpness(*made, creases);
+  this->Control = made.get();
+  if (kept)
+  {
+    kept->Control = std::move(made);
+  }
+  else
+  {
+    this->Own.push_back(std::move(made));
+  }
+}
+
+/// Replaces points and arrays by control values. Where there are seams the points are those of the
+/// joined mesh.
+template <typename Id>
+void SurfaceRun<Id>::Interpolate()
+{
+  InterpolationLimits limits;
+  limits.LeastEigenvalue = this->Scheme->NeedsTriangles() ? 1. / 6. : 0.1; // Mathematics 8
+  InterpolationOptions options = this->Options.Interpolation;
+  if (this->JoinedControl && options.Points)
+  {
+    options.Arrays = false;
+    this->Points->Interpolate(this->JoinedControl->GetLimit(LimitKind::Position).Store(), options,
+      limits, this->Options.Warn);
+    options = this->Options.Interpolation;
+    options.Points = false;
+  }
+  if (this->Control && options.IsOn())
+  {
+    this->Points->Interpolate(
+      this->Control->GetLimit(LimitKind::Position).Store(), options, limits, this->Options.Warn);
+  }
+}
+
+#define SUBDIVISION_SURFACE_INTERPOLATION(Id)                                                      \
+  template bool SurfaceRun<Id>::Interpolates() const;                                              \
+  template void SurfaceRun<Id>::MakeControl(                                                       \
+    const SurfaceCells&, const SurfaceCreases&, KeptSurfaceOf<Id>*);                               \
+  template void SurfaceRun<Id>::Interpolate()
+SUBDIVISION_SURFACE_INTERPOLATION(int);
+SUBDIVISION_SURFACE_INTERPOLATION(long long);
+
+}
