@@ -100,7 +100,7 @@ class Header:
         text, source = ((ROOT / "Filters" / (cls.__name__ + ending)).read_text(encoding="utf-8")
                         for ending in (".h", ".cxx"))
         about = re.sub(r"^ \* ?", "", re.search(r"/\*\*(.*?)\*/", text, re.S).group(1), flags=re.M)
-        declaration = text[text.index(f"class VTKSUBDIVISIONOBJECTS_EXPORT {cls.__name__} "):]
+        declaration = text[re.search(rf"class VTKSUBDIVISIONOBJECTS_EXPORT {cls.__name__}\s", text).start():]
         self.enumerations = [[item.split()[0] for item in body.split(",")]
                              for body in re.findall(r"enum \w+\s*\{(.*?)\}", declaration, re.S)]
         self.options = dict(self.find_options(cls, declaration[:declaration.index("protected:")]))
