@@ -3,6 +3,7 @@
 #include "Private/Arrays/PointArrays.h"
 
 #include "Core/Operators/ApplyRows.h"
+#include "Core/Operators/Interpolation.h"
 
 #include "vtkPointData.h"
 #include "vtkPointSet.h"

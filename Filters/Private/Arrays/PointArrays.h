@@ -8,7 +8,6 @@
 #define SubdivisionObjects_PointArrays_h
 
 #include "Core/Memory/Coordinates.h"
-#include "Core/Operators/Interpolation.h"
 #include "Core/Operators/PointOperator.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellsToSimplices.h"
@@ -21,6 +20,8 @@ class vtkPointSet;
 
 namespace subdivision
 {
+
+struct InterpolationLimits;
 
 struct PointArrayOptions
 {

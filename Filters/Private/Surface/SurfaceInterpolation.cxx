@@ -2,6 +2,8 @@
 // How a surface subdivision interpolates.
 #include "Private/Surface/SurfaceRun.h"
 
+#include "Core/Operators/Interpolation.h"
+
 namespace subdivision
 {
 

@@ -2,6 +2,8 @@
 // How a uniform subdivision interpolates, and what it says of the result.
 #include "Private/Uniform/UniformRun.h"
 
+#include "Core/Operators/Interpolation.h"
+
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/StampFields.h"
 #include "Private/Reading/SolidOrientation.h"
