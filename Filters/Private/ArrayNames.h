@@ -33,6 +33,9 @@ constexpr const char* LimitNormalsName = "LimitNormals";
 /// Stamp.h or SurfaceStamp.h begin with it.
 constexpr const char* StampName = "Subdivision";
 
+/// The field array of the stamp of a whole surface (SurfaceStamp.h).
+constexpr const char* SurfaceStampName = "SubdivisionSurface";
+
 /// Whether a field array belongs to a stamp.
 inline bool BelongsToStamp(const char* name)
 {

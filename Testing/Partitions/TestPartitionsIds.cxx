@@ -265,3 +265,24 @@ TEST(PartitionsIds, LetFiltersGoOn)
       ExpectIndices(whole, parts);
     });
 }
+
+TEST(PartitionsIds, LetFiltersOfSurfacesGoOn)
+{
+  ForSurfaces(
+    [](vtkPointSet* mesh, int scheme, bool findsFeatures, const Partition& partition)
+    {
+      const bool halvesEdges = scheme < 3;
+      if (!halvesEdges && partition.Parts > 1)
+      {
+        return;
+      }
+      const Mesh whole = Subdivide(mesh, MakeOptions(scheme, findsFeatures, 3));
+      std::vector<Mesh> parts = Cut(mesh, partition);
+      for (int step = 0; step < 3; ++step)
+      {
+        parts = SubdivideParts(parts, partition, MakeOptions(scheme, findsFeatures, 1));
+      }
+      ExpectWhole(whole, parts);
+      ExpectIndices(whole, parts);
+    });
+}

@@ -141,11 +141,10 @@ def check_deformation(checks):
                    [moved(parts, own(inner, ranks.in_slabs, False), ranks.controller)])
 
 
-def check_filters_in_a_row(checks, mesh, options):
+def check_filters_in_a_row(checks, mesh, options, name=SOLID[0][0]):
     """Two filters give on each rank what one filter with all levels gives, with its indices as global ids."""
     cut, (find, _) = next(checks.cuts)
     part = ranks.take(mesh, np.nonzero(find(mesh, ranks.RANKS) == ranks.RANK)[0], with_ids=True)
-    name = SOLID[0][0]
     both = dict(options, GenerateGlobalIds=1)
     whole = run_class(name, dict(both, NumberOfLevels=2), mesh, None)
     for _ in range(2):
@@ -208,7 +207,10 @@ def run():
         mesh = model(number)
         checks.cut(mesh, SOLID + RED_GREEN)
         check_filters_in_a_row(checks, mesh, {"DetectFeatures": 1, "VolumeScheme": number % 2})
-    checks.cut(skin_of(model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS)), SURFACE + ADAPTIVE)
+    skin = skin_of(model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS))
+    checks.cut(skin, SURFACE + ADAPTIVE)
+    for scheme in range(3):  # those that halve edges
+        check_filters_in_a_row(checks, skin, {"DetectFeatures": 1, "Scheme": scheme}, "vtkSurfaceSubdivision")
     check_files(checks)
     return checks.finish()
 

@@ -143,6 +143,22 @@ void WriteStampedIds(const StampedIds& ids, vtkPointSet* output)
   WriteField<vtkIdTypeArray>(InterpolatedName, ids.Interpolated, data);
 }
 
+vtkIdType CountCornersOfPolygon(vtkIdType first, vtkIdType quads, int levels,
+  const std::function<vtkIdType(vtkIdType, int)>& vertexOf)
+{
+  // Corner c of a quad is the first one of its child c, and then of the first child of that.
+  const vtkIdType ofCorner = vtkIdType(1) << (2 * (levels - 1));
+  const auto centreOf = [&](vtkIdType quad)
+  { return levels == 1 ? vertexOf(quad, 2) : vertexOf(quad + ofCorner / 2, 0); };
+  vtkIdType corners = 0;
+  for (vtkIdType quad = first; quad + ofCorner <= quads && centreOf(quad) == centreOf(first);
+    quad += ofCorner)
+  {
+    ++corners;
+  }
+  return corners;
+}
+
 bool FindControlMesh(const SimplexView& descendants, const Stamp& stamp, SimplexList& control)
 {
   control = SimplexList();

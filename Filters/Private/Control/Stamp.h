@@ -19,6 +19,7 @@
 #include "Core/Memory/SimplexList.h"
 #include "Core/Solids/Strata/Singularities.h"
 
+#include <functional>
 #include <vector>
 
 class vtkPointSet;
@@ -31,7 +32,9 @@ enum class StampScheme
 {
   BoxSpline = 0,
   RedGreen = 1,
-  TetOct = 2
+  TetOct = 2,
+  /// A surface of which several partitions have parts: this plus the number of its scheme.
+  FirstOfSurfaces = 100
 };
 
 /// The field array with the global ids of control points.
@@ -45,6 +48,13 @@ constexpr const char* InterpolatedName = "SubdivisionInterpolated";
 /// Those with the derived singular simplices, by their dimension.
 constexpr const char* SingularNames[3] = { "SubdivisionSingularVertices",
   "SubdivisionSingularLines", "SubdivisionSingularTriangles" };
+
+/// The field arrays of a part of a surface with its control points as they were at first: the
+/// number of each in the whole, its coordinates, and what SurfaceStamp.h says; and with pairs of
+/// such numbers.
+constexpr const char* ControlPointsName = "SubdivisionControlPoints";
+constexpr int ControlPointComponents = 6;
+constexpr const char* ControlCreasesName = "SubdivisionControlCreases";
 
 struct Stamp
 {
@@ -88,6 +98,12 @@ void WriteStampedIds(const StampedIds& ids, vtkPointSet* output);
 
 /// Reads the derived singular simplices, as tuples of point ids.
 void ReadSingularTuples(vtkPointSet* input, SimplexTuples& tuples);
+
+/// How many corners the polygon has whose descendants begin with quad `first` of `quads`, `levels`
+/// steps after it, each of which split polygons into quads around their centre: all around the same
+/// centre. `vertexOf(quad, corner)`.
+vtkIdType CountCornersOfPolygon(vtkIdType first, vtkIdType quads, int levels,
+  const std::function<vtkIdType(vtkIdType, int)>& vertexOf);
 
 /// Finds the control mesh from its descendants. Returns false if the cells are no descendants of
 /// simplices after stamp.Levels steps.

@@ -278,7 +278,7 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, const OutputOption
     TakeNumbers(PointNumbersName, points, output->GetPointData());
   const std::vector<vtkIdType> cellNumbers =
     TakeNumbers(CellNumbersName, cells, output->GetCellData());
-  if (whole->GetFieldData()->HasArray(StampName))
+  if (HasStamp(whole))
   {
     WriteStampedNumbers(pointNumbers, cellNumbers, output);
   }

@@ -5,7 +5,9 @@
 #include "Private/Control/StampFields.h"
 #include "Private/Reading/CellReader.h"
 
+#include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointSet.h"
@@ -27,11 +29,6 @@ using Ids = std::vector<vtkIdType>;
 
 constexpr const char* BlockPointsName = "SubdivisionBlockPoints";
 constexpr const char* BlockCellsName = "SubdivisionBlockCells";
-
-bool HasStamp(const MeshPart& part)
-{
-  return part.Mesh->GetFieldData()->HasArray(StampName);
-}
 
 bool ReadNumbers(vtkFieldData* field, const char* name, vtkIdType size, Ids& numbers)
 {
@@ -71,13 +68,13 @@ void LeaveOutDuplicates(MeshPart& part)
 bool TakeNumbers(MeshPart& part)
 {
   vtkFieldData* field = part.Mesh->GetFieldData();
-  return HasStamp(part) &&
+  return HasStamp(part.Mesh) &&
     ReadNumbers(field, BlockPointsName, part.Mesh->GetNumberOfPoints(), part.Points) &&
     ReadNumbers(field, BlockCellsName, part.Mesh->GetNumberOfCells(), part.Cells);
 }
 
 /// The same for a part of an output that several ranks have.
-bool TakeNumbersOfVolume(MeshPart& part, Stamp& stamp)
+bool TakeNumbersOfPart(MeshPart& part, Stamp& stamp)
 {
   if (!TakeNumbers(part) || !ReadPartStamp(part.Mesh, stamp))
   {
@@ -184,6 +181,53 @@ Ids JoinInverted(const std::vector<MeshPart>& parts, int levels, const JoinedMes
   return { all.begin(), all.end() };
 }
 
+/// Collects the control points of a surface, in the order of the points of the joined mesh.
+void JoinControlPoints(const std::vector<MeshPart>& parts, vtkIdType size, JoinedMesh& joined)
+{
+  constexpr int components = ControlPointComponents;
+  std::vector<double> all;
+  for (const MeshPart& part : parts)
+  {
+    const std::vector<double> points =
+      ReadFieldValues(ControlPointsName, part.Mesh->GetFieldData(), components);
+    all.resize(points.empty() ? all.size() : static_cast<size_t>(components * size), 0.);
+    for (size_t i = 0; i < points.size(); i += components)
+    {
+      const vtkIdType place = Find(joined.PointIds, static_cast<vtkIdType>(points[i]));
+      if (place >= 0 && place < size)
+      {
+        std::copy_n(points.begin() + i, components, all.begin() + components * place);
+      }
+    }
+  }
+  WriteField<vtkDoubleArray>(ControlPointsName, all, joined.Mesh->GetFieldData(), components);
+}
+
+/// Collects the creases of a surface, as pairs of points of the joined mesh.
+void JoinControlCreases(const std::vector<MeshPart>& parts, JoinedMesh& joined)
+{
+  std::set<std::pair<vtkIdType, vtkIdType>> all;
+  for (const MeshPart& part : parts)
+  {
+    const Ids numbers = ReadFieldIds(ControlCreasesName, part.Mesh->GetFieldData(), 2);
+    for (size_t i = 0; i < numbers.size(); i += 2)
+    {
+      const auto ends =
+        std::make_pair(Find(joined.PointIds, numbers[i]), Find(joined.PointIds, numbers[i + 1]));
+      if (ends.first >= 0 && ends.second >= 0)
+      {
+        all.insert(ends);
+      }
+    }
+  }
+  Ids pairs;
+  for (const auto& [a, b] : all)
+  {
+    pairs.insert(pairs.end(), { a, b });
+  }
+  WriteField<vtkIdTypeArray>(ControlCreasesName, pairs, joined.Mesh->GetFieldData(), 2);
+}
+
 /// Copies the stamp of an output that has come together again.
 void CopyStamp(vtkFieldData* from, vtkFieldData* to)
 {
@@ -200,6 +244,12 @@ void CopyStamp(vtkFieldData* from, vtkFieldData* to)
 
 }
 
+bool HasStamp(vtkPointSet* mesh)
+{
+  return mesh->GetFieldData()->HasArray(StampName) ||
+    mesh->GetFieldData()->HasArray(SurfaceStampName);
+}
+
 void WriteStampedNumbers(const Ids& points, const Ids& cells, vtkPointSet* block)
 {
   block->GetFieldData()->AddArray(MakeField<vtkIdTypeArray>(BlockPointsName, points));
@@ -209,7 +259,7 @@ void WriteStampedNumbers(const Ids& points, const Ids& cells, vtkPointSet* block
 bool IsStampedList(vtkAbstractArray* array)
 {
   const std::string name = array->GetName() ? array->GetName() : "";
-  return name == FirstInvertedName ||
+  return name == FirstInvertedName || name == ControlPointsName || name == ControlCreasesName ||
     std::find(std::begin(SingularNames), std::end(SingularNames), name) != std::end(SingularNames);
 }
 
@@ -235,7 +285,7 @@ bool TakeNumbersOfParts(std::vector<std::vector<MeshPart>>& parts, Exchange& exc
     for (MeshPart& part : partition)
     {
       stamps.emplace_back();
-      taken = taken && TakeNumbersOfVolume(part, stamps.back());
+      taken = taken && TakeNumbersOfPart(part, stamps.back());
       cells.back() += taken ? std::count_if(part.Cells.begin(), part.Cells.end(),
                                 [](vtkIdType cell) { return cell >= 0; })
                             : 0;
@@ -279,7 +329,8 @@ bool TakeStampedNumbers(std::vector<std::vector<MeshPart>>& parts, Exchange& exc
 
 bool RestoreStamp(const std::vector<MeshPart>& parts, bool taken, JoinedMesh& joined)
 {
-  if (!std::any_of(parts.begin(), parts.end(), HasStamp))
+  if (!std::any_of(
+        parts.begin(), parts.end(), [](const MeshPart& part) { return HasStamp(part.Mesh); }))
   {
     return true;
   }
@@ -309,9 +360,33 @@ bool RestoreStamp(const std::vector<MeshPart>& parts, bool taken, JoinedMesh& jo
   stamp.NumberOfControlPoints =
     std::lower_bound(joined.PointIds.begin(), joined.PointIds.end(), stamp.NumberOfControlPoints) -
     joined.PointIds.begin();
+  JoinControlPoints(parts, stamp.NumberOfControlPoints, joined);
+  JoinControlCreases(parts, joined);
   stamp.NumberOfPoints = 0;
   WriteStamp(stamp, joined.Mesh);
   return true;
+}
+
+namespace
+{
+
+/// The descendants of a control cell: corner c of it is corner c, or of a polygon the first corner,
+/// of descendant c * OfCorner.
+struct Descent
+{
+  vtkIdType Corners;
+  vtkIdType Count;
+  vtkIdType OfCorner;
+  bool IsPolygon = false;
+};
+
+/// Of a simplex, or, where there are no levels, of any cell, which is its own descendant.
+Descent FindDescent(int dimension, int levels)
+{
+  const vtkIdType count = levels > 0 ? vtkIdType(1) << (dimension * levels) : 1;
+  return { dimension + 1, count, count > 1 ? (count - 1) / ((1 << dimension) - 1) : 0 };
+}
+
 }
 
 bool FindGroups(const MeshPart& part, CellGroups& groups)
@@ -331,28 +406,38 @@ bool FindGroups(const MeshPart& part, CellGroups& groups)
   }
   Ids scratch;
   const auto size = static_cast<vtkIdType>(groups.Cells.size());
+  const auto vertexOf = [&](vtkIdType cell, int corner)
+  { return reader.GetCell(groups.Cells[cell], scratch).Ids[corner]; };
   for (vtkIdType first = 0; first < size; first = groups.Starts.back())
   {
-    const int corners = static_cast<int>(reader.GetCell(groups.Cells[first], scratch).Size);
-    const int dimension = part.Levels > 0 ? corners - 1 : 0;
-    const vtkIdType count = vtkIdType(1) << (dimension * part.Levels);
-    const vtkIdType last = first + std::min(count, size - first) - 1;
-    if (part.Cells[groups.Cells[last]] - part.Cells[groups.Cells[first]] != count - 1)
+    const vtkIdType corners = reader.GetCell(groups.Cells[first], scratch).Size;
+    Descent descent = FindDescent(static_cast<int>(corners) - 1, part.Levels);
+    if (part.Levels > 0 && corners == 4 && reader.GetCellType(groups.Cells[first]) == VTK_POLYGON)
+    {
+      descent.OfCorner = vtkIdType(1) << (2 * (part.Levels - 1));
+      descent.Corners = CountCornersOfPolygon(first, size, part.Levels, vertexOf);
+      descent.Count = descent.Corners * descent.OfCorner;
+      descent.IsPolygon = true;
+      if (descent.Corners < 3)
+      {
+        return false;
+      }
+    }
+    const vtkIdType last = first + std::min(descent.Count, size - first) - 1;
+    if (part.Cells[groups.Cells[last]] - part.Cells[groups.Cells[first]] != descent.Count - 1)
     {
       return false;
     }
-    // Corner c of the control simplex is corner c of its descendant c * others (FindControlMesh).
-    const vtkIdType others = dimension == 0 ? 0 : (count - 1) / ((1 << dimension) - 1);
-    for (int corner = 0; corner < corners; ++corner)
+    for (vtkIdType corner = 0; corner < descent.Corners; ++corner)
     {
-      const CellIds cell = reader.GetCell(groups.Cells[first + corner * others], scratch);
+      const CellIds cell = reader.GetCell(groups.Cells[first + corner * descent.OfCorner], scratch);
       if (cell.Size != corners)
       {
         return false;
       }
-      groups.Points.push_back(cell.Ids[corner]);
+      groups.Points.push_back(cell.Ids[descent.IsPolygon ? 0 : corner]);
     }
-    groups.Starts.push_back(first + count);
+    groups.Starts.push_back(first + descent.Count);
     groups.PointStarts.push_back(static_cast<vtkIdType>(groups.Points.size()));
   }
   return true;

@@ -15,6 +15,9 @@ class vtkAbstractArray;
 namespace subdivision
 {
 
+/// Whether an earlier filter made a mesh.
+bool HasStamp(vtkPointSet* mesh);
+
 /// Adds the numbers of the points and cells of a block to its field data.
 void WriteStampedNumbers(
   const std::vector<vtkIdType>& points, const std::vector<vtkIdType>& cells, vtkPointSet* block);

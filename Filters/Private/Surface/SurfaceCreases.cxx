@@ -5,6 +5,7 @@
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/Stamp.h"
 
 #include "vtkPolyData.h"
 
@@ -297,6 +298,21 @@ void ReadSharpCorners(
     set(
       features.FaceAngles, mesh.GetNumberOfCorners(), stamp.FaceAngles[i], stamp.FaceAngles[i + 1]);
   }
+}
+
+void TakeGivenOfPart(const SurfaceStamp& stamp, SurfaceFeatures& features)
+{
+  const auto take = [&stamp](int component)
+  {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < stamp.ControlPoints.size(); i += ControlPointComponents)
+    {
+      values.push_back(stamp.ControlPoints[i + component]);
+    }
+    return values;
+  };
+  features.Angles = take(4);
+  features.Flatness = take(5);
 }
 
 std::vector<double> ReadPointValues(vtkDataArray* array, vtkIdType points, double factor)

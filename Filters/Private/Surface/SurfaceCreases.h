@@ -46,6 +46,9 @@ template <typename Id>
 void ReadSharpCorners(
   const SurfaceStamp& stamp, const PolygonMesh<Id>& mesh, SurfaceFeatures& features);
 
+/// Takes angles and flatness that were given to an earlier filter from the stamp of a part.
+void TakeGivenOfPart(const SurfaceStamp& stamp, SurfaceFeatures& features);
+
 /// The values of the first `points` points, times a factor; -1 for a negative value. Empty without
 /// an array.
 std::vector<double> ReadPointValues(vtkDataArray* array, vtkIdType points, double factor);

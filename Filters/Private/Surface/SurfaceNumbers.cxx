@@ -109,7 +109,7 @@ SurfaceNumbers NumberSurface(vtkPolyData* input, const SurfaceCells& cells,
   number(Kinds::Line, lines);
   number(VertexCell, MakeKeysOfPieces(cells.VertexCells, places, partners));
   std::vector<WholeIds> found = FindWholeIds(lists, things);
-  return { std::move(found[0]), std::move(found[1]) };
+  return { std::move(found[0]), std::move(found[1]), things[Kinds::Vertex].Totals[0] };
 }
 
 void WriteNumbers(const SurfaceNumbers& numbers, vtkPolyData* output)

@@ -19,6 +19,7 @@ struct SurfaceNumbers
 {
   WholeIds Points; ///< -1 far from own cells
   WholeIds Cells;
+  vtkIdType NumberOfControlPoints = 0; ///< of the whole
 };
 
 /**

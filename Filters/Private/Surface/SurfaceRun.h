@@ -9,8 +9,10 @@
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
 #include "Private/Arrays/PointArrays.h"
+#include "Private/Control/Stamp.h"
 #include "Private/Surface/SurfaceCreases.h"
 #include "Private/Surface/SurfaceFrames.h"
+#include "Private/Surface/SurfaceNumbers.h"
 #include "Private/Surface/SurfaceSeams.h"
 #include "Private/Surface/SurfaceStamp.h"
 #include "Private/Surface/SurfaceSubdivision.h"
@@ -89,6 +91,19 @@ private:
   {
     return this->Options.Progress && this->Options.Progress(done);
   }
+  /// Whether rules follow from coordinates, arrays and options, and not from a stamp.
+  bool FindsRules() const { return this->MadeLevels == 0 || this->Stamp.IsOfPart(); }
+  Coordinates GetControlCoordinates()
+  {
+    return this->ControlCoordinates.empty()
+      ? this->Points->GetCoordinates()
+      : Coordinates(this->ControlCoordinates.data(), this->Points->GetTie());
+  }
+  // Parts of a surface (SurfaceParts.cxx).
+  void KeepControlCoordinates();
+  SurfaceLevel<Id> MakeFirstLevel(const SurfaceCells& control) const;
+  void WriteStampOfPart(Partners& others, bool isLevel);
+  void WriteControlPoints(const SurfaceNumbers& numbers, const Partners& others);
   int GetAllLevels() const { return this->MadeLevels + this->Options.Levels; }
 
   bool Plan();
@@ -141,6 +156,13 @@ private:
   SurfaceCells Cells;
   SurfaceCells Lifted; ///< the control cells, where earlier filters made levels
   SurfaceStamp Stamp;
+  /// What the user gave of control points.
+  struct
+  {
+    std::vector<double> Angles;
+    std::vector<double> Flatness;
+  } Given;
+  std::vector<double> ControlCoordinates; ///< only of a part
   int MadeLevels = 0;
   std::vector<std::string> Warnings; ///< not told until it is known whether the stamp is true
   SimplicesOfCells NoCentres;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceStamp.h"
 
+#include "Core/Memory/Ids.h"
+#include "Private/ArrayNames.h"
 #include "Private/Control/Stamp.h"
 #include "Private/Control/StampFields.h"
 
@@ -16,7 +18,6 @@ namespace subdivision
 namespace
 {
 
-constexpr const char* Name = "SubdivisionSurface";
 constexpr const char* SizesName = "SubdivisionSurfaceSizes";
 constexpr const char* AnglesName = "SubdivisionCornerAngles";
 constexpr const char* FaceAnglesName = "SubdivisionSharpAngles";
@@ -40,7 +41,14 @@ enum SurfaceStampNumber
   NumberOfNumbers
 };
 
-constexpr StampFormat Format{ Name, 2, NumberOfNumbers, Levels, ControlPoints, Points, Cells };
+constexpr StampFormat Format{ SurfaceStampName, 2, NumberOfNumbers, Levels, ControlPoints, Points,
+  Cells };
+
+bool AreControlPoints(const std::vector<vtkIdType>& ids, const SurfaceStamp& stamp)
+{
+  return std::all_of(ids.begin(), ids.end(),
+    [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; });
+}
 
 bool IsCarried(vtkAbstractArray* array)
 {
@@ -123,13 +131,55 @@ bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp)
       static_cast<vtkIdType>(stamp.GlobalIds.size()) == stamp.NumberOfControlPoints);
 }
 
+bool ReadStampOfPart(vtkPolyData* input, const SurfaceCells& cells, SurfaceStamp& stamp)
+{
+  subdivision::Stamp whole;
+  constexpr int first = static_cast<int>(StampScheme::FirstOfSurfaces);
+  if (!ReadPartStamp(input, whole) || static_cast<int>(whole.Scheme) < first || whole.Levels == 0 ||
+    whole.NumberOfPoints != input->GetNumberOfPoints() ||
+    whole.NumberOfCells != input->GetNumberOfCells())
+  {
+    return false;
+  }
+  stamp.Scheme = static_cast<int>(whole.Scheme) - first;
+  stamp.Levels = whole.Levels;
+  stamp.NumberOfControlPoints = whole.NumberOfControlPoints;
+  stamp.ControlPoints =
+    ReadFieldValues(ControlPointsName, input->GetFieldData(), ControlPointComponents);
+  stamp.Creases = ReadFieldIds(ControlCreasesName, input->GetFieldData(), 2);
+  const auto faces = cells.GetNumberOfFaces();
+  if (static_cast<vtkIdType>(cells.Corners.size()) == 3 * faces)
+  {
+    stamp.Size = 3;
+    stamp.NumberOfControlFaces = faces >> (2 * stamp.Levels);
+  }
+  const vtkIdType ofCorner = vtkIdType(1) << (2 * (stamp.Levels - 1));
+  for (vtkIdType face = 0; stamp.Size == 0 && face < faces; face += stamp.Sizes.back() * ofCorner)
+  {
+    if (static_cast<vtkIdType>(cells.Corners.size()) != 4 * faces)
+    {
+      return false;
+    }
+    stamp.Sizes.push_back(CountCornersOfPolygon(face, faces, stamp.Levels,
+      [&cells](vtkIdType quad, int corner) { return cells.Corners[4 * quad + corner]; }));
+    if (stamp.Sizes.back() < 3)
+    {
+      return false;
+    }
+    ++stamp.NumberOfControlFaces;
+  }
+  return AreControlPoints(stamp.Creases, stamp) &&
+    static_cast<vtkIdType>(stamp.ControlPoints.size()) ==
+    ControlPointComponents * stamp.NumberOfControlPoints;
+}
+
 void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output)
 {
   const std::vector<vtkIdType> numbers{ Format.Version, stamp.Scheme, stamp.Levels,
     stamp.NumberOfControlPoints, stamp.NumberOfControlFaces, stamp.Size,
     output->GetNumberOfPoints(), output->GetNumberOfCells() };
   vtkFieldData* data = output->GetFieldData();
-  WriteField<vtkIdTypeArray>(Name, numbers, data);
+  WriteField<vtkIdTypeArray>(SurfaceStampName, numbers, data);
   WriteField<vtkIdTypeArray>(
     SizesName, stamp.Size > 0 ? std::vector<vtkIdType>() : stamp.Sizes, data);
   WriteField<vtkDoubleArray>(AnglesName, stamp.Angles, data);
@@ -152,8 +202,8 @@ void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output)
 void RemoveSurfaceStamp(vtkPolyData* output)
 {
   vtkFieldData* data = output->GetFieldData();
-  for (const char* name : { Name, SizesName, AnglesName, FaceAnglesName, GivenCornersName,
-         CreasesName, CellsName, PointIdsName, InterpolatedName })
+  for (const char* name : { SurfaceStampName, SizesName, AnglesName, FaceAnglesName,
+         GivenCornersName, CreasesName, CellsName, PointIdsName, InterpolatedName })
   {
     data->RemoveArray(name);
   }
@@ -168,12 +218,6 @@ void RemoveSurfaceStamp(vtkPolyData* output)
 
 namespace
 {
-
-bool AreControlPoints(const std::vector<vtkIdType>& ids, const SurfaceStamp& stamp)
-{
-  return std::all_of(ids.begin(), ids.end(),
-    [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; });
-}
 
 /// Copies the control cells from the stamp. Their FaceCells mean nothing: the output has no
 /// children of single faces.
@@ -292,5 +336,57 @@ bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp,
   return face == cells.GetNumberOfFaces() && AreControlPoints(control.Corners, stamp) &&
     AreControlPoints(control.Segments, stamp) && AreControlPoints(control.Vertices, stamp);
 }
+
+template <typename Id>
+void TurnEdgesOfPart(
+  const SurfaceCells& cells, const SurfaceStamp& stamp, SurfaceLevel<Id>& control)
+{
+  if (stamp.Levels < 2) // an edge has one point of its own
+  {
+    return;
+  }
+  PolygonMesh<Id>& mesh = control.Mesh;
+  std::vector<char> turned(static_cast<size_t>(mesh.GetNumberOfEdges()), 0);
+  // Points on an edge are numbered along it: `first` and `last` of them,
+  // seen from vertex `start`.
+  const auto compare = [&](Id edge, Id start, vtkIdType first, vtkIdType last)
+  { turned[edge] = (mesh.EdgeVertices[2 * edge] == start) != (first < last); };
+  const vtkIdType ofFace = vtkIdType(1) << (2 * stamp.Levels);
+  const auto cornerOfTriangle = [&](vtkIdType corner, vtkIdType at)
+  { return cells.Corners[3 * (corner / 3 * ofFace + corner % 3 * ((ofFace - 1) / 3)) + at % 3]; };
+  for (Id c = 0; c < mesh.GetNumberOfCorners(); ++c)
+  {
+    const Id next = mesh.Next(c);
+    if (stamp.Size == 3)
+    {
+      compare(mesh.Edges[c], mesh.Vertices[c], cornerOfTriangle(c, c % 3 + 1),
+        cornerOfTriangle(next, c % 3));
+    }
+    else
+    {
+      compare(mesh.Edges[c], mesh.Vertices[c], cells.Corners[vtkIdType(c) * ofFace + 1],
+        cells.Corners[vtkIdType(next) * ofFace + 3]);
+    }
+  }
+  const vtkIdType pieces = vtkIdType(1) << stamp.Levels;
+  for (vtkIdType line = 0; line < control.Lines.size(); ++line)
+  {
+    const vtkIdType* points = cells.Segments.data() + 2 * line * pieces;
+    compare(control.Lines[line] / 2, static_cast<Id>(points[0]), points[1], points[2 * pieces - 2]);
+  }
+  for (Id& line : control.Lines)
+  {
+    line = turned[line / 2] ? line ^ 1 : line;
+  }
+  for (size_t e = 0; e < turned.size(); ++e)
+  {
+    if (turned[e])
+    {
+      std::swap(mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1]);
+    }
+  }
+}
+
+SUBDIVISION_COMPILE_FUNCTION(TurnEdgesOfPart);
 
 }

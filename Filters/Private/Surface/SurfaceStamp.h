@@ -17,6 +17,10 @@
  *  - `SubdivisionCarried:LEVEL:NAME`: cell array NAME of all faces of a level, where the cells of
  *    the output do not show the data of each of them (Mathematics 1).
  *
+ * A part of a surface of which several partitions have parts has the stamp of Stamp.h instead, if
+ * edges are halved, with its scheme as FirstOfSurfaces + number, and the field arrays
+ * `SubdivisionControlPoints` and `SubdivisionControlCreases`, which count in the whole.
+ *
  * Where edges are halved, control points keep their ids and children are consecutive, so that the
  * control mesh is read off the cells. It is refined again and compared with them.
  */
@@ -73,13 +77,25 @@ struct SurfaceStamp
   /// be found from their children.
   std::vector<vtkIdType> Cells;
   CarriedCells Carried;
+  /// In a part of a surface of which several partitions have parts, in the place of Angles,
+  /// FaceAngles and GivenCorners: of each control point six numbers, its number in the whole, its
+  /// coordinates, and the angle and flatness that the user gave, or -1.
+  std::vector<double> ControlPoints;
 
+  bool IsOfPart() const { return !this->ControlPoints.empty(); }
   /// `size`: corners of each face, 0 if they differ; `withCells`: sets Cells, too.
   void SetControl(const SurfaceCells& control, int size, bool withCells);
 };
 
 /// False where there is no stamp, or it is not of this mesh.
 bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp);
+/// The same for the stamp of a part; `cells` are those of the input.
+bool ReadStampOfPart(vtkPolyData* input, const SurfaceCells& cells, SurfaceStamp& stamp);
+/// Gives the edges of the control level of a part the direction that they have in the whole, where
+/// faces that the part lacks may decide it. The points on them, in `cells`, tell.
+template <typename Id>
+void TurnEdgesOfPart(
+  const SurfaceCells& cells, const SurfaceStamp& stamp, SurfaceLevel<Id>& control);
 void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output);
 void RemoveSurfaceStamp(vtkPolyData* output);
 

@@ -6,10 +6,8 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/CellArrays.h"
-#include "Private/Control/Partners.h"
 #include "Private/Surface/SurfaceCellArrays.h"
 #include "Private/Surface/SurfaceChecks.h"
-#include "Private/Surface/SurfaceNumbers.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -36,6 +34,11 @@ bool SurfaceRun<Id>::Plan()
   bool isDone = this->Build();
   if (isDone && isStamped && !this->IsDescendant())
   {
+    if (this->Stamp.IsOfPart())
+    {
+      this->Options.Warn("The cells of the input are not those that an earlier filter made: this "
+                         "filter takes them as any other mesh.");
+    }
     this->ForgetStamp();
     isDone = this->Build();
   }
@@ -47,7 +50,9 @@ bool SurfaceRun<Id>::Plan()
 template <typename Id>
 bool SurfaceRun<Id>::ReadStamp()
 {
-  const bool isStamped = this->IsWhole() && ReadSurfaceStamp(this->Input, this->Stamp) &&
+  const bool isStamped = this->IsWhole() &&
+    (ReadSurfaceStamp(this->Input, this->Stamp) ||
+      ReadStampOfPart(this->Input, this->Cells, this->Stamp)) &&
     this->Stamp.Scheme == static_cast<int>(this->Options.Scheme) && this->FitsStamp() &&
     LiftSurfaceCells(
       this->Cells, this->Stamp,
@@ -110,7 +115,7 @@ SurfaceTags<Id> SurfaceRun<Id>::Classify(
   const SurfaceLevel<Id>& control, const SurfaceFeatures& features)
 {
   SurfaceTags<Id> tags =
-    ClassifySurface(control.Mesh, *this->Scheme, features, this->Points->GetCoordinates());
+    ClassifySurface(control.Mesh, *this->Scheme, features, this->GetControlCoordinates());
   // Angles are those of the first input.
   const std::size_t size = tags.Sectors.size();
   if (this->MadeLevels > 0 && this->Stamp.Angles.size() == 2 * size)
@@ -149,7 +154,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   SurfaceLevel<Id> fresh;
   if (!kept)
   {
-    fresh = MakeControlLevel<Id>(control);
+    fresh = this->MakeFirstLevel(control);
   }
   const SurfaceLevel<Id>& first = kept ? kept->Steps->GetLevel(0) : fresh;
   SurfaceCreases creases = this->ReadCreases(control, first);
@@ -170,7 +175,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
     if (kept)
     {
       kept = nullptr;
-      fresh = MakeControlLevel<Id>(control);
+      fresh = this->MakeFirstLevel(control);
     }
     fresh.Tags = std::move(tags);
     auto own = std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme,
@@ -216,7 +221,7 @@ void SurfaceRun<Id>::SetSharpness(SurfaceSteps<Id>& steps, const SurfaceCreases&
       }
       const SurfaceLevel<Id>& made = steps.GetLevel(0);
       SurfaceTags<Id> more =
-        ClassifySurface(made.Mesh, *this->Scheme, sharper, this->Points->GetCoordinates());
+        ClassifySurface(made.Mesh, *this->Scheme, sharper, this->GetControlCoordinates());
       for (Sector<Id>& sector : more.Sectors) // corners that stay what they were
       {
         const Sector<Id>* known = FindEqualSector(made.Tags, sector);
@@ -246,19 +251,24 @@ SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const Surf
   const vtkIdType points = this->GetControl().NumberOfPoints;
   creases.Features.Angles = ReadPointValues(this->Options.Angles, points, Pi / 180.);
   creases.Features.Flatness = ReadPointValues(this->Options.Flatness, points, 1.);
-  if (this->MadeLevels > 0)
+  if (this->Stamp.IsOfPart())
+  {
+    TakeGivenOfPart(this->Stamp, creases.Features);
+  }
+  this->Given = { creases.Features.Angles, creases.Features.Flatness };
+  if (!this->FindsRules())
   {
     ReadSharpCorners(this->Stamp, level.Mesh, creases.Features);
   }
   else
   {
-    WriteSharpCorners(level.Mesh, creases, this->Points->GetCoordinates(), this->Stamp);
+    WriteSharpCorners(level.Mesh, creases, this->GetControlCoordinates(), this->Stamp);
   }
   this->Creases = this->Stamp.Creases; // none on a control mesh
   if (this->MadeLevels == 0 && this->Options.Features.DetectFeatures)
   {
     this->Creases = FindFeatureEdges(
-      level.Mesh, this->Points->GetCoordinates(), this->Options.Features.FeatureAngle);
+      level.Mesh, this->GetControlCoordinates(), this->Options.Features.FeatureAngle);
   }
   const bool isJoined = &cells == &this->JoinedMesh.Cells;
   for (const vtkIdType point : this->Marked)
@@ -277,6 +287,7 @@ template <typename Id>
 bool SurfaceRun<Id>::Build()
 {
   this->StartPoints();
+  this->KeepControlCoordinates();
   if (this->MadeLevels == 0 && this->FindSeams())
   {
     KeptSurface* kept = nullptr;
@@ -421,13 +432,6 @@ void SurfaceRun<Id>::Write()
   RebuildPointGhosts(this->Input, this->Output);
   TellOvershoot(*this->Points, this->Options);
   this->WriteStamp();
-  Partners* others = FindPartners(this->Options, this->Input);
-  if (others && this->Options.GenerateGlobalIds)
-  {
-    WriteNumbers(NumberSurface(this->Input, this->GetControl(), this->Steps->GetLevel(0),
-                   this->Steps->ListSegments(), *others),
-      this->Output);
-  }
 }
 
 template <typename Id>
@@ -460,6 +464,11 @@ void SurfaceRun<Id>::WriteStamp()
   SurfaceStamp stamp;
   stamp.Scheme = static_cast<int>(this->Options.Scheme);
   const bool isLimit = this->Options.ProjectToLimit && this->Scheme->HasLimit();
+  if (Partners* others = FindPartners(this->Options, this->Input))
+  {
+    this->WriteStampOfPart(*others, !isLimit && this->GetAllLevels() > 0);
+    return;
+  }
   if (isLimit || this->GetAllLevels() == 0 || this->Joined)
   {
     return;

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a surface subdivision goes on with a part of a surface of which several partitions have
+// parts.
+#include "Private/Surface/SurfaceRun.h"
+
+#include "Private/Control/Partners.h"
+#include "Private/Control/StampFields.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+
+namespace subdivision
+{
+
+/// Keeps the coordinates that a later filter needs, or an earlier one has left.
+template <typename Id>
+void SurfaceRun<Id>::KeepControlCoordinates()
+{
+  this->ControlCoordinates.clear();
+  const std::vector<double>& left = this->Stamp.ControlPoints;
+  for (auto point = left.begin(); point != left.end(); point += ControlPointComponents)
+  {
+    this->ControlCoordinates.insert(this->ControlCoordinates.end(), point + 1, point + 4);
+  }
+  if (left.empty() && FindPartners(this->Options, this->Input))
+  {
+    const double* points = this->Points->GetCoordinates();
+    this->ControlCoordinates.assign(points, points + 3 * this->Cells.NumberOfPoints);
+  }
+}
+
+template <typename Id>
+SurfaceLevel<Id> SurfaceRun<Id>::MakeFirstLevel(const SurfaceCells& control) const
+{
+  SurfaceLevel<Id> level = MakeControlLevel<Id>(control);
+  if (this->Stamp.IsOfPart())
+  {
+    TurnEdgesOfPart(this->Cells, this->Stamp, level);
+  }
+  return level;
+}
+
+/// Writes the numbers that points and cells have in the whole output, of which this is a part, and
+/// what the next filter needs to go on. `isLevel`: all points are those of a level. Where the next
+/// one cannot go on, it is told so, and warns.
+template <typename Id>
+void SurfaceRun<Id>::WriteStampOfPart(Partners& others, bool isLevel)
+{
+  const bool goesOn = isLevel && this->Scheme->HalvesEdges();
+  subdivision::Stamp stamp;
+  stamp.Scheme = static_cast<StampScheme>(
+    static_cast<int>(StampScheme::FirstOfSurfaces) + static_cast<int>(this->Options.Scheme));
+  stamp.Levels = this->GetAllLevels();
+  stamp.IsProjected = !goesOn || others.Sum(this->Joined ? 1 : 0) > 0;
+  if (goesOn || this->Options.GenerateGlobalIds)
+  {
+    const SurfaceNumbers numbers = NumberSurface(this->Input, this->GetControl(),
+      this->Steps->GetLevel(0), this->Steps->ListSegments(), others);
+    WriteNumbers(numbers, this->Output);
+    stamp.NumberOfControlPoints = numbers.NumberOfControlPoints;
+    stamp.NumberOfPoints = numbers.Points.Total;
+    stamp.NumberOfCells = numbers.Cells.Total;
+    if (goesOn)
+    {
+      this->WriteControlPoints(numbers, others);
+    }
+  }
+  if (isLevel)
+  {
+    subdivision::WriteStamp(stamp, this->Output);
+  }
+}
+
+/// Writes the control points of own cells and the creases between them.
+template <typename Id>
+void SurfaceRun<Id>::WriteControlPoints(const SurfaceNumbers& numbers, const Partners& others)
+{
+  const std::vector<char> own = FindOwnPoints(this->Input, {}, others);
+  const std::vector<vtkIdType>& ids = numbers.Points.Ids;
+  const auto valueAt = [](const std::vector<double>& values, vtkIdType i)
+  { return values.empty() ? -1. : values[i]; };
+  std::vector<double> points;
+  for (vtkIdType v = 0; v < this->GetControl().NumberOfPoints; ++v)
+  {
+    const double* x = this->ControlCoordinates.data() + 3 * v;
+    if (own[v])
+    {
+      points.insert(points.end(),
+        { static_cast<double>(ids[v]), x[0], x[1], x[2], valueAt(this->Given.Angles, v),
+          valueAt(this->Given.Flatness, v) });
+    }
+  }
+  std::vector<vtkIdType> creases;
+  for (std::size_t i = 0; i < this->Creases.size(); i += 2)
+  {
+    const vtkIdType ends[2] = { this->Creases[i], this->Creases[i + 1] };
+    if (own[ends[0]] && own[ends[1]])
+    {
+      creases.insert(creases.end(), { ids[ends[0]], ids[ends[1]] });
+    }
+  }
+  vtkFieldData* data = this->Output->GetFieldData();
+  WriteField<vtkDoubleArray>(ControlPointsName, points, data, ControlPointComponents);
+  WriteField<vtkIdTypeArray>(ControlCreasesName, creases, data, 2);
+}
+
+#define SUBDIVISION_SURFACE_PARTS(Id)                                                              \
+  template void SurfaceRun<Id>::KeepControlCoordinates();                                          \
+  template SurfaceLevel<Id> SurfaceRun<Id>::MakeFirstLevel(const SurfaceCells&) const;             \
+  template void SurfaceRun<Id>::WriteStampOfPart(Partners&, bool)
+SUBDIVISION_SURFACE_PARTS(int);
+SUBDIVISION_SURFACE_PARTS(long long);
+
+}
