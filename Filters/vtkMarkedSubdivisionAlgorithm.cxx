@@ -158,10 +158,17 @@ bool vtkMarkedSubdivisionAlgorithm::ReadFeatureOptions(
   vtkPointSet* input, subdivision::RunOptions& options)
 {
   subdivision::MarkOptions& marks = options.Features.Marks;
-  vtkDataArray* array = nullptr;
-  if (!this->Superclass::ReadFeatureOptions(input, options) ||
-    !subdivision::FindInputArray(this, input->GetPointData(), input->GetNumberOfPoints(),
-      { MARKS_ARRAY, nullptr, false, true }, options.Warn, options.Fail, array))
+  const auto find = [&](int index, vtkSmartPointer<vtkDataArray>& array)
+  {
+    vtkDataArray* found = nullptr;
+    const bool isUsable =
+      subdivision::FindInputArray(this, input->GetPointData(), input->GetNumberOfPoints(),
+        { index, nullptr, false, true }, options.Warn, options.Fail, found);
+    array = found;
+    return isUsable;
+  };
+  if (!this->Superclass::ReadFeatureOptions(input, options) || !find(MARKS_ARRAY, marks.Array) ||
+    !find(LEVELS_ARRAY, marks.Sharpness))
   {
     return false;
   }
@@ -173,7 +180,6 @@ bool vtkMarkedSubdivisionAlgorithm::ReadFeatureOptions(
   marks.Corners = this->MarkCorners;
   marks.Creases = this->MarkCreases;
   marks.Surfaces = this->MarkSurfaces;
-  marks.Array = array;
   marks.SelectedPoints = TakeFlags(input->GetPointData());
   marks.SelectedCells = TakeFlags(input->GetCellData());
   marks.Function = this->MarkByFunction ? this->MarkFunction.Get() : nullptr;

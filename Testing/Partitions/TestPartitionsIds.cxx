@@ -7,8 +7,11 @@
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+
+#include <limits>
 
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;
@@ -43,6 +46,13 @@ const Choice Choices[] = { { "defaults", [](UniformOptions&) {} },
       o.Features.DetectFeatures = true;
       o.Features.FeatureAngle = 10.;
       o.Features.PreserveInterfaces = true;
+    } },
+  { "semi-sharp marks",
+    [](UniformOptions& o)
+    {
+      o.Features.DetectFeatures = true;
+      o.Features.Marks.Corners = false;
+      o.Features.Marks.Creases = true;
     } },
   { "sharp joints", [](UniformOptions& o)
     { o.Features.Type1 = o.Features.Type2 = o.Features.Type3 = subdivision::JointRule::Sharp; } } };
@@ -80,10 +90,17 @@ SurfaceOptions MakeOptions(int scheme, bool findsFeatures, int levels)
 }
 
 constexpr const char* MaterialName = "Materials";
+constexpr const char* MarksName = "Marks";
+constexpr const char* LevelsName = "Levels";
 
 bool Run(vtkPointSet* input, UniformOptions options, vtkPointSet* output)
 {
   options.Features.Material = input->GetCellData()->GetArray(MaterialName);
+  if (options.Features.Marks.Creases)
+  {
+    options.Features.Marks.Array = input->GetPointData()->GetArray(MarksName);
+    options.Features.Marks.Sharpness = input->GetPointData()->GetArray(LevelsName);
+  }
   return SubdivideUniformly(input, options, vtkUnstructuredGrid::SafeDownCast(output));
 }
 
@@ -175,6 +192,18 @@ void ForCases(const Test& test)
       materials->InsertNextValue(c / 5 % 3);
     }
     mesh->GetCellData()->AddArray(materials);
+    vtkNew<vtkIntArray> marks;
+    marks->SetName(MarksName);
+    vtkNew<vtkDoubleArray> levels;
+    levels->SetName(LevelsName);
+    for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+    {
+      marks->InsertNextValue(p % 4 > 0);
+      levels->InsertNextValue(
+        p % 5 == 0 ? std::numeric_limits<double>::infinity() : 0.75 * static_cast<double>(p % 5));
+    }
+    mesh->GetPointData()->AddArray(marks);
+    mesh->GetPointData()->AddArray(levels);
     for (const auto scheme :
       { subdivision::StampScheme::BoxSpline, subdivision::StampScheme::TetOct })
     {

@@ -127,8 +127,8 @@ void AdaptiveRun<Id>::ReadControl()
   if (this->Options.Features.DetectFeatures)
   {
     AddSharpEdges(this->Control.Mesh,
-      FindFeatureEdges(this->Control.Mesh, points, this->Options.Features.FeatureAngle),
-      creases.Features);
+      { FindFeatureEdges(this->Control.Mesh, points, this->Options.Features.FeatureAngle), {} },
+      creases);
   }
   this->Control.Tags = ClassifySurface(this->Control.Mesh, *this->Scheme, creases.Features, points);
   this->Scheme->RestrictTags(this->Control);

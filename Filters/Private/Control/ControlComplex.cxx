@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <set>
 
 namespace subdivision
@@ -45,20 +47,40 @@ template <typename Id>
 SimplicialComplex<Id> BuildComplexWith(const SimplexList& simplices, ControlTraits& traits)
 {
   traits.DerivedRuns.clear();
-  if (traits.Derived.IsEmpty())
+  if (traits.Derived.Tuples.IsEmpty())
   {
     return BuildComplex<Id>(simplices, traits.Runs);
   }
   SimplicialComplex<Id> complex =
-    BuildComplex<Id>(AddTuples(simplices, traits.Derived), traits.Runs);
+    BuildComplex<Id>(AddTuples(simplices, traits.Derived.Tuples), traits.Runs);
   traits.DerivedRuns = SplitRuns(traits.Runs, simplices.GetNumberOfSimplices());
   return complex;
+}
+
+/// The sharpness of derived lines; empty if all are infinite. `known` has that of marked ones.
+std::vector<double> FindSharpness(const SharpTuples& known, const std::vector<vtkIdType>& lines)
+{
+  std::vector<double> sharpness;
+  std::map<SimplexKey, double> found;
+  for (std::size_t i = 0; i < known.Sharpness.size(); ++i)
+  {
+    found.emplace(MakeKey(known.Tuples.Tuples[1].data() + 2 * i, 2), known.Sharpness[i]);
+  }
+  std::set<SimplexKey> once;
+  for (std::size_t i = 0; !found.empty() && i < lines.size(); i += 2)
+  {
+    const SimplexKey key = MakeKey(lines.data() + i, 2);
+    const auto mark = found.find(key);
+    const bool isSemiSharp = mark != found.end() && once.insert(key).second;
+    sharpness.push_back(isSemiSharp ? mark->second : std::numeric_limits<double>::infinity());
+  }
+  return sharpness;
 }
 
 /// Finds the singular simplices that follow from embedded cells, materials and angles (Mathematics
 /// 7). Those of a stamped mesh were derived by an earlier filter and are taken over.
 template <typename Id>
-SimplexTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
+SharpTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
   const Coordinates& points, ControlComplex<Id>& control)
 {
   if (mesh.IsStamped)
@@ -66,7 +88,7 @@ SimplexTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
     return mesh.Derived;
   }
   const SimplicialComplex<Id>& complex = control.Current.Complex;
-  SimplexTuples derived = mesh.Derived;
+  SimplexTuples derived = mesh.Derived.Tuples;
   if (features.Embedded != EmbeddedRule::Follow)
   {
     const bool inside = features.Embedded == EmbeddedRule::SingularInside;
@@ -89,7 +111,7 @@ SimplexTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
     }
   }
   // One order, whatever a simplex is derived from, for partitions.
-  const bool isMarked = !mesh.Derived.IsEmpty();
+  const bool isMarked = !mesh.Derived.Tuples.IsEmpty();
   for (int dimension = 0; dimension < 3; ++dimension)
   {
     if (isMarked || (dimension == 1 && features.PreserveInterfaces && features.DetectFeatures))
@@ -97,7 +119,7 @@ SimplexTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
       SortTuples(derived, dimension);
     }
   }
-  return derived;
+  return { derived, FindSharpness(mesh.Derived, derived.Tuples[1]) };
 }
 
 }
@@ -111,8 +133,21 @@ SingularSimplices CollectSingular(const SimplicialComplex<Id>& complex, const Co
   {
     FlagSimplices(complex, traits.Runs, flags.data(), singular);
   }
-  const std::vector<unsigned char> all(CountCells(traits.DerivedRuns).Cells, 1);
-  FlagSimplices(complex, traits.DerivedRuns, all.data(), singular);
+  std::vector<unsigned char> derived(CountCells(traits.DerivedRuns).Cells, 1);
+  // Lines with a finite sharpness are no singular ones.
+  vtkIdType children = 0;
+  for (const CellRun& run : traits.DerivedRuns)
+  {
+    children += run.Dimension == 1 ? run.Count : 0;
+  }
+  const std::size_t lines = traits.Derived.Sharpness.size();
+  const std::size_t first = traits.Derived.Tuples.Tuples[0].size();
+  for (std::size_t i = 0; lines > 0 && i < static_cast<std::size_t>(children); ++i)
+  {
+    derived[first + i] =
+      std::isinf(traits.Derived.GetSharpness(i / (static_cast<std::size_t>(children) / lines)));
+  }
+  FlagSimplices(complex, traits.DerivedRuns, derived.data(), singular);
   return singular;
 }
 
@@ -146,6 +181,31 @@ std::vector<vtkIdType> NumberSolids(
   return numbers;
 }
 
+/// Adds the sharpness of derived lines to that of edges.
+template <typename Id>
+void AddDerivedSharpness(const SimplicialComplex<Id>& complex, ControlTraits& control)
+{
+  if (control.Derived.Sharpness.empty())
+  {
+    return;
+  }
+  control.Sharpness.resize(static_cast<std::size_t>(complex.NumberOfEdges), 0.);
+  const auto first = static_cast<vtkIdType>(control.Derived.Tuples.Tuples[0].size());
+  for (const CellRun& run : control.DerivedRuns)
+  {
+    for (vtkIdType i = 0; run.Dimension == 1 && i < run.Count; ++i)
+    {
+      const double sharpness =
+        control.Derived.GetSharpness(static_cast<std::size_t>(run.FirstCell + i - first));
+      double& edge =
+        control
+          .Sharpness[run.Equal ? static_cast<vtkIdType>(complex.EqualLines.Twins[run.First + i])
+                               : run.First + i];
+      edge = std::isinf(sharpness) ? edge : std::max(edge, sharpness);
+    }
+  }
+}
+
 /// Builds the control level: complex, singular simplices and strata.
 template <typename Id>
 bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
@@ -155,7 +215,7 @@ bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
   SimplicialComplex<Id>& complex = control.Current.Complex;
   complex = BuildComplexWith<Id>(mesh.GetControl(), control);
   control.Derived = Derive(mesh, features, points, control);
-  if (!control.Derived.IsEmpty())
+  if (!control.Derived.Tuples.IsEmpty())
   {
     const Id edges = complex.NumberOfEdges;
     const Id faces = complex.NumberOfFaces;
@@ -171,6 +231,7 @@ bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
   }
   control.ManifoldDimensions = FindManifoldDimensions(complex, control.Runs);
   control.Sharpness = FindEdgeSharpness(mesh.Values, complex, control.Runs);
+  AddDerivedSharpness(complex, control);
   control.Solids = NumberSolids(complex, control.Runs);
   control.Current.Strata =
     BuildStrata(complex, CollectSingular(complex, control, mesh.Values.Singular),

@@ -22,7 +22,7 @@ struct ControlTraits
 {
   std::vector<CellRun> Runs;        ///< the simplices that were read
   std::vector<CellRun> DerivedRuns; ///< singular simplices that follow from the mesh
-  SimplexTuples Derived;            ///< the same as tuples of control points
+  SharpTuples Derived;              ///< the same as tuples of control points
   /// The edges that were tested for the feature angle, and which of them exceed it.
   std::vector<FeatureCandidate> Candidates;
   std::vector<bool> Features;

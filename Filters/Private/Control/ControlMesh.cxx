@@ -40,12 +40,12 @@ std::vector<vtkIdType> ReadGlobalIds(
 
 /// Lifts tuples of points from a refined level to the control level, where the tuples are the
 /// children of simplices. Returns false where they are not.
-bool LiftTuples(const SimplexTuples& tuples, const Stamp& stamp, SimplexTuples& lifted)
+bool LiftTuples(const SharpTuples& tuples, const Stamp& stamp, SharpTuples& lifted)
 {
   for (int dimension = 0; dimension < 3; ++dimension)
   {
     SimplexList fine;
-    fine.Connectivity = tuples.Tuples[dimension];
+    fine.Connectivity = tuples.Tuples.Tuples[dimension];
     fine.Dimensions.assign(
       fine.Connectivity.size() / (dimension + 1), static_cast<unsigned char>(dimension));
     SimplexList coarse;
@@ -53,7 +53,12 @@ bool LiftTuples(const SimplexTuples& tuples, const Stamp& stamp, SimplexTuples& 
     {
       return false;
     }
-    lifted.Tuples[dimension] = coarse.Connectivity;
+    lifted.Tuples.Tuples[dimension] = coarse.Connectivity;
+  }
+  const std::size_t children = std::size_t(1) << stamp.Levels;
+  for (std::size_t i = 0; i < tuples.Sharpness.size(); i += children)
+  {
+    lifted.Sharpness.push_back(tuples.Sharpness[i]);
   }
   return true;
 }
@@ -120,7 +125,7 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
   }
   mesh.Warnings.insert(mesh.Warnings.end(), mesh.Cells.Warnings.begin(), mesh.Cells.Warnings.end());
   mesh.Values = ReadFeatureValues(features, mesh.Cells, warn);
-  const SimplexTuples marked = FindMarkedSimplices(input, mesh.Cells, features.Marks, warn);
+  const SharpTuples marked = FindMarkedSimplices(input, mesh.Cells, features.Marks, warn);
   if (!mesh.IsStamped)
   {
     mesh.Derived = marked;
@@ -137,7 +142,7 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
     // If children of a control simplex have different values by now, this level itself is the
     // control mesh.
     FeatureValues values;
-    SimplexTuples derived;
+    SharpTuples derived;
     if (LiftFeatureValues(mesh.Above, stamp.Levels, mesh.Values, values) &&
       LiftTuples(mesh.Derived, stamp, derived))
     {

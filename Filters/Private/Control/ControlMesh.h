@@ -8,6 +8,7 @@
 #define SubdivisionObjects_ControlMesh_h
 
 #include "Private/Control/Features.h"
+#include "Private/Control/Marks.h"
 #include "Private/Control/Stamp.h"
 #include "Private/Reading/CellsToSimplices.h"
 
@@ -28,7 +29,7 @@ struct ControlMesh
   int MadeLevels = 0;   ///< steps that earlier filters made; this filter repeats them on ids
   FeatureValues Values; ///< of the control simplices
   /// Singular simplices among them that are marked, or that an earlier filter derived.
-  SimplexTuples Derived;
+  SharpTuples Derived;
   /// Control simplices of negative and of no volume, as FindInvertedTets gives them; first those
   /// that an earlier filter found.
   std::vector<vtkIdType> Inverted;

@@ -3,11 +3,13 @@
 
 #include "Private/Arrays/Arrays.h"
 
+#include "vtkCellData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStaticPointLocator.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <unordered_map>
 #include <vector>
@@ -19,6 +21,7 @@ namespace
 
 /// Points are the same that differ by less than this part of the mesh's diagonal.
 constexpr double Tolerance = 1e-6;
+constexpr double Forever = std::numeric_limits<double>::infinity();
 
 /// For each point of the geometry the point of the mesh that it is, or -1.
 std::vector<vtkIdType> FindPoints(
@@ -122,7 +125,7 @@ void ForSimplices(const SimplexView& simplices, const Visit& visit)
 }
 
 void MarkGeometry(vtkPointSet* input, const SimplexView& mesh, const MarkOptions& options,
-  const std::function<void(const std::string&)>& warn, SimplexTuples& tuples)
+  const std::function<void(const std::string&)>& warn, SharpTuples& tuples)
 {
   vtkPointSet* geometry = options.Geometry;
   const std::vector<vtkIdType> meshIds =
@@ -152,6 +155,7 @@ void MarkGeometry(vtkPointSet* input, const SimplexView& mesh, const MarkOptions
     });
   ForSimplices(
     mesh, [&](vtkIdType, const vtkIdType* ids, int dimension) { candidates.Find(ids, dimension); });
+  vtkDataArray* sharpness = geometry->GetCellData()->GetArray("Sharpness");
   vtkIdType lost = 0;
   vtkIdType first = -1;
   ForSimplices(cells.GetView(),
@@ -159,8 +163,17 @@ void MarkGeometry(vtkPointSet* input, const SimplexView& mesh, const MarkOptions
     {
       if (place(ids, dimension, placed) && candidates.Has(placed, dimension + 1))
       {
-        auto& to = tuples.Tuples[dimension];
-        to.insert(to.end(), placed, placed + dimension + 1);
+        const vtkIdType cell = cells.ParentCells.empty() ? i : cells.ParentCells[i];
+        const double s = sharpness ? sharpness->GetComponent(cell, 0) : Forever;
+        auto& to = tuples.Tuples.Tuples[dimension];
+        if (dimension == 1 && s > 0.)
+        {
+          tuples.Sharpness.push_back(s);
+        }
+        if (dimension != 1 || s > 0.)
+        {
+          to.insert(to.end(), placed, placed + dimension + 1);
+        }
       }
       else if (lost++ == 0)
       {

@@ -12,13 +12,16 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace subdivision
 {
 namespace
 {
+
+constexpr double Forever = std::numeric_limits<double>::infinity();
 
 /// The faces of one cell of the input, as loops of points.
 class CellFaces
@@ -142,42 +145,52 @@ std::vector<Mark> FindMarkedPoints(vtkPointSet* input, const MarkOptions& option
   return marked;
 }
 
-void Add(int dimension, const vtkIdType* ids, SimplexTuples& tuples)
+void Add(int dimension, const vtkIdType* ids, SharpTuples& all, double sharpness = Forever)
 {
+  SimplexTuples& tuples = all.Tuples;
   const SimplexKey key = MakeKey(ids, dimension + 1);
   auto& to = tuples.Tuples[dimension];
   to.insert(to.end(), key.end() - dimension - 1, key.end());
+  if (dimension == 1)
+  {
+    all.Sharpness.push_back(sharpness);
+  }
 }
 
-std::set<SimplexKey> ToSet(const std::vector<vtkIdType>& ids, int dimension)
+/// The tuples of a dimension, each once, with the largest sharpness of a line.
+std::map<SimplexKey, double> ToMap(const SharpTuples& tuples, int dimension)
 {
-  std::set<SimplexKey> keys;
+  const std::vector<vtkIdType>& ids = tuples.Tuples.Tuples[dimension];
+  std::map<SimplexKey, double> keys;
   for (size_t i = 0; i + dimension < ids.size(); i += dimension + 1)
   {
-    keys.insert(MakeKey(ids.data() + i, dimension + 1));
+    const double sharpness = dimension == 1 ? tuples.GetSharpness(i / 2) : Forever;
+    const auto added = keys.emplace(MakeKey(ids.data() + i, dimension + 1), sharpness);
+    added.first->second = std::max(added.first->second, sharpness);
   }
   return keys;
 }
 
 /// Sorts tuples and drops those that come again.
-void MakeUnique(SimplexTuples& tuples)
+void MakeUnique(SharpTuples& tuples)
 {
+  SharpTuples sorted;
   for (int dimension = 0; dimension < 3; ++dimension)
   {
-    const std::set<SimplexKey> unique = ToSet(tuples.Tuples[dimension], dimension);
-    tuples.Tuples[dimension].clear();
-    for (const SimplexKey& key : unique)
+    for (const auto& found : ToMap(tuples, dimension))
     {
-      Add(dimension, key.data() + 2 - dimension, tuples);
+      Add(dimension, found.first.data() + 2 - dimension, sorted, found.second);
     }
   }
+  sorted.Simplify();
+  tuples = std::move(sorted);
 }
 
 /// Adds the singular simplices among one simplex and its faces.
 class SimplexMarks
 {
 public:
-  SimplexMarks(vtkPointSet* input, const MarkOptions& options, SimplexTuples& tuples)
+  SimplexMarks(vtkPointSet* input, const MarkOptions& options, SharpTuples& tuples)
     : Options(options)
     , Marked(FindMarkedPoints(input, options))
     , Faces(input)
@@ -219,9 +232,10 @@ public:
       for (int k = 0; k < i; ++k)
       {
         const vtkIdType edge[2] = { points[k], points[i] };
-        if (!isPiece || this->Faces.HasEdge(edge[0], edge[1]))
+        const double sharpness = this->GetSharpness(edge);
+        if (sharpness > 0. && (!isPiece || this->Faces.HasEdge(edge[0], edge[1])))
         {
-          Add(1, edge, this->Tuples);
+          Add(1, edge, this->Tuples, sharpness);
         }
       }
     }
@@ -247,20 +261,29 @@ public:
   }
 
 private:
+  /// The smaller sharpness of the two ends; 0 or not a number: no crease.
+  double GetSharpness(const vtkIdType* edge) const
+  {
+    vtkDataArray* array = this->Options.Sharpness;
+    const double a = array ? array->GetComponent(edge[0], 0) : Forever;
+    const double b = array ? array->GetComponent(edge[1], 0) : Forever;
+    return a > 0. && b > 0. ? std::min(a, b) : 0.;
+  }
+
   const MarkOptions& Options;
   std::vector<Mark> Marked;
   CellFaces Faces;
-  SimplexTuples& Tuples;
+  SharpTuples& Tuples;
   vtkIdType Solids = 0;
   vtkIdType FirstSolid = -1;
 };
 
 }
 
-SimplexTuples FindMarkedSimplices(vtkPointSet* input, const SimplicesOfCells& cells,
+SharpTuples FindMarkedSimplices(vtkPointSet* input, const SimplicesOfCells& cells,
   const MarkOptions& options, const std::function<void(const std::string&)>& warn)
 {
-  SimplexTuples tuples;
+  SharpTuples tuples;
   if (options.IsEmpty())
   {
     return tuples;
@@ -284,19 +307,34 @@ SimplexTuples FindMarkedSimplices(vtkPointSet* input, const SimplicesOfCells& ce
   return tuples;
 }
 
-void AddMissing(const SimplexTuples& more, SimplexTuples& tuples)
+void SharpTuples::Simplify()
 {
-  for (int dimension = 0; dimension < 3 && !more.IsEmpty(); ++dimension)
+  if (std::all_of(this->Sharpness.begin(), this->Sharpness.end(),
+        [](double sharpness) { return sharpness == Forever; }))
   {
-    const std::set<SimplexKey> known = ToSet(tuples.Tuples[dimension], dimension);
-    for (const SimplexKey& key : ToSet(more.Tuples[dimension], dimension))
+    this->Sharpness.clear();
+  }
+}
+
+void AddMissing(const SharpTuples& more, SharpTuples& tuples)
+{
+  if (more.Tuples.IsEmpty())
+  {
+    return;
+  }
+  tuples.Sharpness.resize(tuples.Tuples.Tuples[1].size() / 2, Forever);
+  for (int dimension = 0; dimension < 3; ++dimension)
+  {
+    const auto known = ToMap(tuples, dimension);
+    for (const auto& found : ToMap(more, dimension))
     {
-      if (known.count(key) == 0)
+      if (known.count(found.first) == 0)
       {
-        Add(dimension, key.data() + 2 - dimension, tuples);
+        Add(dimension, found.first.data() + 2 - dimension, tuples, found.second);
       }
     }
   }
+  tuples.Simplify();
 }
 
 void ClearMarks(const MarkOptions& options, vtkPointSet* output)

@@ -18,7 +18,9 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <limits>
 #include <string>
+#include <vector>
 
 namespace subdivision
 {
@@ -33,6 +35,7 @@ struct MarkOptions
   vtkSmartPointer<vtkDataArray> Array;           ///< of points: not 0
   vtkSmartPointer<vtkDataArray> SelectedPoints;  ///< not 0
   vtkSmartPointer<vtkDataArray> SelectedCells;   ///< not 0; cells are what they are
+  vtkSmartPointer<vtkDataArray> Sharpness;       ///< of points; null: creases stay for ever
   vtkSmartPointer<vtkImplicitFunction> Function; ///< of points: not positive
   vtkSmartPointer<vtkPointSet> Geometry;         ///< vertices, lines and polygons
   bool ByIds = false; ///< points of the geometry are those of the same global id, or index
@@ -46,13 +49,28 @@ struct MarkOptions
   }
 };
 
+/// Singular simplices, and for how many levels each line is one.
+struct SharpTuples
+{
+  SimplexTuples Tuples;
+  std::vector<double> Sharpness; ///< of each line; empty: all are infinite
+
+  double GetSharpness(std::size_t line) const
+  {
+    return this->Sharpness.empty() ? std::numeric_limits<double>::infinity()
+                                   : this->Sharpness[line];
+  }
+  /// Empties the list of sharpness if there is no finite one.
+  void Simplify();
+};
+
 /**
  * The singular simplices that marks make of a mesh, each once, sorted by their points. `cells` are
  * those of `input`. Edges and faces are those of the input's cells: cuts through these do not
  * count, but for cells that are cut along their nodes. `warn` gets messages on marks without
  * effect.
  */
-SimplexTuples FindMarkedSimplices(vtkPointSet* input, const SimplicesOfCells& cells,
+SharpTuples FindMarkedSimplices(vtkPointSet* input, const SimplicesOfCells& cells,
   const MarkOptions& options, const std::function<void(const std::string&)>& warn);
 
 /// The points of a vertex, edge or triangle, ascending, with -1 in front of them.
@@ -66,7 +84,7 @@ inline SimplexKey MakeKey(const vtkIdType* ids, int size)
 }
 
 /// Adds the tuples that `tuples` does not have, in whatever order their points are.
-void AddMissing(const SimplexTuples& more, SimplexTuples& tuples);
+void AddMissing(const SharpTuples& more, SharpTuples& tuples);
 
 /// Sets an array of marks in the output to 0: the stamp has the marks, and the next filter must not
 /// read them again.

@@ -4,6 +4,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Control/StampFields.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -114,18 +115,23 @@ void WriteStamp(const Stamp& stamp, vtkPointSet* output)
   output->GetFieldData()->AddArray(MakeField<vtkTypeInt64Array>(Format.Name, numbers));
 }
 
-void ReadSingularTuples(vtkPointSet* input, SimplexTuples& tuples)
+void ReadSingularTuples(vtkPointSet* input, SharpTuples& tuples)
 {
   const vtkIdType points = input->GetNumberOfPoints();
   for (int dimension = 0; dimension < 3; ++dimension)
   {
-    std::vector<vtkIdType>& ids = tuples.Tuples[dimension];
+    std::vector<vtkIdType>& ids = tuples.Tuples.Tuples[dimension];
     ids = ReadFieldIds(SingularNames[dimension], input->GetFieldData(), dimension + 1);
     if (std::any_of(
           ids.begin(), ids.end(), [points](vtkIdType id) { return id < 0 || id >= points; }))
     {
       ids.clear();
     }
+  }
+  tuples.Sharpness = ReadFieldValues(LineSharpnessName, input->GetFieldData());
+  if (2 * tuples.Sharpness.size() != tuples.Tuples.Tuples[1].size())
+  {
+    tuples.Sharpness.clear();
   }
 }
 
@@ -135,8 +141,9 @@ void WriteStampedIds(const StampedIds& ids, vtkPointSet* output)
   for (int dimension = 0; dimension < 3; ++dimension)
   {
     WriteField<vtkIdTypeArray>(
-      SingularNames[dimension], ids.Singular.Tuples[dimension], data, dimension + 1);
+      SingularNames[dimension], ids.Singular.Tuples.Tuples[dimension], data, dimension + 1);
   }
+  WriteField<vtkDoubleArray>(LineSharpnessName, ids.Singular.Sharpness, data);
   WriteField<vtkIdTypeArray>(GlobalIdsName, ids.Global, data);
   WriteField<vtkIdTypeArray>(InvertedCellsName, ids.Inverted, data);
   WriteField<vtkIdTypeArray>(FirstInvertedName, ids.FirstInverted, data);

@@ -8,16 +8,17 @@
  * was changed. `SubdivisionGlobalIds` has the global ids of the first input's points, if there were
  * some; `SubdivisionInvertedCells` its simplices of negative and of no volume (SolidOrientation.h);
  * `SubdivisionSingularVertices`, `...Lines` and `...Triangles` the singular simplices that were
- * derived from it. The control mesh itself is not stored: its vertices keep their ids, and the
- * children of a simplex are consecutive. So the next filter reads the control mesh off the cells,
- * refines it again and compares the result with the cells. This finds every change of cells; points
- * may move.
+ * derived from it, `SubdivisionLineSharpness` for how many
+ * levels lines among them stay sharp. The control mesh itself is not stored: its vertices keep
+ * their ids, and the children of a simplex are consecutive. So the next filter reads the control
+ * mesh off the cells, refines it again and compares the result with the cells. This finds every
+ * change of cells; points may move.
  */
 #ifndef SubdivisionObjects_Stamp_h
 #define SubdivisionObjects_Stamp_h
 
 #include "Core/Memory/SimplexList.h"
-#include "Core/Solids/Strata/Singularities.h"
+#include "Private/Control/Marks.h"
 
 #include <functional>
 #include <vector>
@@ -48,13 +49,16 @@ constexpr const char* InterpolatedName = "SubdivisionInterpolated";
 /// Those with the derived singular simplices, by their dimension.
 constexpr const char* SingularNames[3] = { "SubdivisionSingularVertices",
   "SubdivisionSingularLines", "SubdivisionSingularTriangles" };
+/// That with what is left of the sharpness of these lines, if any of it is finite.
+constexpr const char* LineSharpnessName = "SubdivisionLineSharpness";
 
 /// The field arrays of a part of a surface with its control points as they were at first: the
 /// number of each in the whole, its coordinates, and what SurfaceStamp.h says; and with pairs of
-/// such numbers.
+/// such numbers and for how many levels the edge between them stays sharp.
 constexpr const char* ControlPointsName = "SubdivisionControlPoints";
 constexpr int ControlPointComponents = 6;
 constexpr const char* ControlCreasesName = "SubdivisionControlCreases";
+constexpr int CreaseComponents = 3;
 
 struct Stamp
 {
@@ -85,7 +89,7 @@ void WriteStamp(const Stamp& stamp, vtkPointSet* output);
 /// The lists of ids that stand beside the numbers of a stamp.
 struct StampedIds
 {
-  SimplexTuples Singular;          ///< derived singular simplices
+  SharpTuples Singular;            ///< derived singular simplices
   std::vector<vtkIdType> Global;   ///< of the first control points
   std::vector<vtkIdType> Inverted; ///< as FindInvertedTets gives them
   /// The same in a part of an output: 2 * the first cell of the control simplex + 1 if it is flat.
@@ -97,7 +101,7 @@ struct StampedIds
 void WriteStampedIds(const StampedIds& ids, vtkPointSet* output);
 
 /// Reads the derived singular simplices, as tuples of point ids.
-void ReadSingularTuples(vtkPointSet* input, SimplexTuples& tuples);
+void ReadSingularTuples(vtkPointSet* input, SharpTuples& tuples);
 
 /// How many corners the polygon has whose descendants begin with quad `first` of `quads`, `levels`
 /// steps after it, each of which split polygons into quads around their centre: all around the same

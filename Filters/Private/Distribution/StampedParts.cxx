@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Distribution/StampedParts.h"
 
+#include "Private/Arrays/Arrays.h"
 #include "Private/Control/Stamp.h"
 #include "Private/Control/StampFields.h"
 #include "Private/Reading/CellReader.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -122,16 +124,19 @@ Ids FindCorners(const Ids& descendants, int dimension)
 }
 
 /// Collects the singular simplices of all parts: the descendants of each once, as points of the
-/// joined mesh, in the order of SortTuples.
-Ids JoinTuples(
-  const std::vector<MeshPart>& parts, int dimension, int levels, const JoinedMesh& joined)
+/// joined mesh, in the order of SortTuples. `sharpness` gets that of lines, where any is finite.
+Ids JoinTuples(const std::vector<MeshPart>& parts, int dimension, int levels,
+  const JoinedMesh& joined, std::vector<double>& sharpness)
 {
+  std::map<Ids, double> sharpnessOf; // of lines, where it is finite
   const auto size = static_cast<size_t>((dimension + 1) << (dimension * levels));
   std::map<Ids, Ids> found; // by corners
   for (const MeshPart& part : parts)
   {
     const Ids ids =
       ReadFieldIds(SingularNames[dimension], part.Mesh->GetFieldData(), dimension + 1);
+    const std::vector<double> values =
+      ReadFieldValues(LineSharpnessName, part.Mesh->GetFieldData());
     for (size_t first = 0; first + size <= ids.size(); first += size)
     {
       Ids group;
@@ -139,7 +144,12 @@ Ids JoinTuples(
         [&](vtkIdType number) { return Find(joined.PointIds, number); });
       if (std::find(group.begin(), group.end(), vtkIdType(-1)) == group.end())
       {
-        found.emplace(FindCorners(group, dimension), group);
+        const Ids corners = FindCorners(group, dimension);
+        found.emplace(corners, group);
+        if (dimension == 1 && 2 * values.size() == ids.size())
+        {
+          sharpnessOf[corners] = values[first / 2];
+        }
       }
     }
   }
@@ -147,6 +157,12 @@ Ids JoinTuples(
   for (const auto& [corners, group] : found)
   {
     tuples.insert(tuples.end(), group.begin(), group.end());
+    if (!sharpnessOf.empty())
+    {
+      const auto known = sharpnessOf.find(corners);
+      sharpness.insert(sharpness.end(), group.size() / 2,
+        known == sharpnessOf.end() ? std::numeric_limits<double>::infinity() : known->second);
+    }
   }
   return tuples;
 }
@@ -206,26 +222,29 @@ void JoinControlPoints(const std::vector<MeshPart>& parts, vtkIdType size, Joine
 /// Collects the creases of a surface, as pairs of points of the joined mesh.
 void JoinControlCreases(const std::vector<MeshPart>& parts, JoinedMesh& joined)
 {
-  std::set<std::pair<vtkIdType, vtkIdType>> all;
+  std::map<std::pair<vtkIdType, vtkIdType>, double> all;
   for (const MeshPart& part : parts)
   {
-    const Ids numbers = ReadFieldIds(ControlCreasesName, part.Mesh->GetFieldData(), 2);
-    for (size_t i = 0; i < numbers.size(); i += 2)
+    const std::vector<double> numbers =
+      ReadFieldValues(ControlCreasesName, part.Mesh->GetFieldData(), CreaseComponents);
+    for (size_t i = 0; i < numbers.size(); i += CreaseComponents)
     {
-      const auto ends =
-        std::make_pair(Find(joined.PointIds, numbers[i]), Find(joined.PointIds, numbers[i + 1]));
+      const auto find = [&](double number) { return Find(joined.PointIds, ToId(number)); };
+      const auto ends = std::make_pair(find(numbers[i]), find(numbers[i + 1]));
       if (ends.first >= 0 && ends.second >= 0)
       {
-        all.insert(ends);
+        all.emplace(ends, numbers[i + 2]);
       }
     }
   }
-  Ids pairs;
-  for (const auto& [a, b] : all)
+  std::vector<double> creases;
+  for (const auto& [ends, sharpness] : all)
   {
-    pairs.insert(pairs.end(), { a, b });
+    creases.insert(creases.end(),
+      { static_cast<double>(ends.first), static_cast<double>(ends.second), sharpness });
   }
-  WriteField<vtkIdTypeArray>(ControlCreasesName, pairs, joined.Mesh->GetFieldData(), 2);
+  WriteField<vtkDoubleArray>(
+    ControlCreasesName, creases, joined.Mesh->GetFieldData(), CreaseComponents);
 }
 
 /// Copies the stamp of an output that has come together again.
@@ -260,6 +279,7 @@ bool IsStampedList(vtkAbstractArray* array)
 {
   const std::string name = array->GetName() ? array->GetName() : "";
   return name == FirstInvertedName || name == ControlPointsName || name == ControlCreasesName ||
+    name == LineSharpnessName ||
     std::find(std::begin(SingularNames), std::end(SingularNames), name) != std::end(SingularNames);
 }
 
@@ -349,7 +369,8 @@ bool RestoreStamp(const std::vector<MeshPart>& parts, bool taken, JoinedMesh& jo
   StampedIds ids;
   for (int dimension = 0; dimension < 3; ++dimension)
   {
-    ids.Singular.Tuples[dimension] = JoinTuples(parts, dimension, stamp.Levels, joined);
+    ids.Singular.Tuples.Tuples[dimension] =
+      JoinTuples(parts, dimension, stamp.Levels, joined, ids.Singular.Sharpness);
   }
   ids.Inverted = JoinInverted(parts, stamp.Levels, joined);
   if (isWhole)

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -95,24 +96,26 @@ std::vector<vtkIdType> FindFeatureEdges(
   return pairs;
 }
 
-std::vector<vtkIdType> FindMarkedEdges(
+SharpPairs FindMarkedEdges(
   vtkPolyData* input, const MarkOptions& marks, const std::function<void(const std::string&)>& warn)
 {
-  std::vector<vtkIdType> pairs;
+  SharpPairs pairs;
   if (marks.IsEmpty())
   {
     return pairs;
   }
-  const SimplexTuples marked =
+  const SharpTuples marked =
     FindMarkedSimplices(input, CellsToSimplices(input, nullptr), marks, warn);
-  for (const vtkIdType corner : marked.Tuples[0])
+  const SimplexTuples& tuples = marked.Tuples;
+  pairs.Points = tuples.Tuples[1];
+  pairs.Sharpness = marked.Sharpness;
+  for (const vtkIdType corner : tuples.Tuples[0])
   {
-    pairs.insert(pairs.end(), 2, corner);
+    pairs.Points.insert(pairs.Points.end(), 2, corner);
   }
-  pairs.insert(pairs.end(), marked.Tuples[1].begin(), marked.Tuples[1].end());
   // As for flagged faces: an edge of marked faces is sharp unless it has exactly two of them.
   std::map<std::pair<vtkIdType, vtkIdType>, int> counts;
-  const std::vector<vtkIdType>& faces = marked.Tuples[2];
+  const std::vector<vtkIdType>& faces = tuples.Tuples[2];
   for (std::size_t i = 0; i < faces.size(); i += 3) // whose points ascend
   {
     ++counts[{ faces[i], faces[i + 1] }];
@@ -123,34 +126,51 @@ std::vector<vtkIdType> FindMarkedEdges(
   {
     if (count.second != 2)
     {
-      pairs.insert(pairs.end(), { count.first.first, count.first.second });
+      pairs.Points.insert(pairs.Points.end(), { count.first.first, count.first.second });
     }
+  }
+  if (!pairs.Sharpness.empty())
+  {
+    pairs.Sharpness.resize(pairs.Points.size() / 2, std::numeric_limits<double>::infinity());
   }
   return pairs;
 }
 
 template <typename Id>
-void AddSharpEdges(
-  const PolygonMesh<Id>& mesh, const std::vector<vtkIdType>& pairs, SurfaceFeatures& features)
+void AddSharpEdges(const PolygonMesh<Id>& mesh, const SharpPairs& pairs, SurfaceCreases& creases)
 {
-  if (!pairs.empty())
+  SurfaceFeatures& features = creases.Features;
+  if (!pairs.Points.empty())
   {
     features.SharpEdges.resize(mesh.GetNumberOfEdges(), 0);
   }
   std::vector<Id> edges;
-  for (std::size_t i = 0; i + 1 < pairs.size(); i += 2)
+  for (std::size_t i = 0; i + 1 < pairs.Points.size(); i += 2)
   {
-    const Id a = static_cast<Id>(pairs[i]);
-    if (pairs[i] == pairs[i + 1])
+    const Id a = static_cast<Id>(pairs.Points[i]);
+    const vtkIdType b = pairs.Points[i + 1];
+    if (a == b)
     {
       features.Corners.resize(mesh.NumberOfVertices, 0);
       features.Corners[a] = 1;
       continue;
     }
-    CollectEdges(mesh, a, [&](Id e) { return mesh.GetOtherEnd(e, a) == pairs[i + 1]; }, edges);
+    const bool isFinite = !pairs.Sharpness.empty() && !std::isinf(pairs.Sharpness[i / 2]);
+    if (isFinite)
+    {
+      creases.Sharpness.resize(mesh.GetNumberOfEdges(), 0.);
+    }
+    CollectEdges(mesh, a, [&](Id e) { return mesh.GetOtherEnd(e, a) == b; }, edges);
     for (Id edge : edges)
     {
-      features.SharpEdges[edge] = 1;
+      if (isFinite)
+      {
+        creases.Sharpness[edge] = std::max(creases.Sharpness[edge], pairs.Sharpness[i / 2]);
+      }
+      else
+      {
+        features.SharpEdges[edge] = 1;
+      }
     }
   }
 }

@@ -57,14 +57,12 @@ std::vector<double> ReadPointValues(vtkDataArray* array, vtkIdType points, doubl
 template <typename Id>
 std::vector<vtkIdType> FindFeatureEdges(
   const PolygonMesh<Id>& mesh, const Coordinates& points, double angle);
-/// The edges that marks make sharp, those around marked faces included, and the corners, as such
-/// pairs; a corner is a point twice.
-std::vector<vtkIdType> FindMarkedEdges(vtkPolyData* input, const MarkOptions& marks,
+/// The edges that marks make sharp, those around marked faces included, and the corners.
+SharpPairs FindMarkedEdges(vtkPolyData* input, const MarkOptions& marks,
   const std::function<void(const std::string&)>& warn);
 /// Makes edges sharp that are given as pairs of points; a point twice makes this point a corner.
 template <typename Id>
-void AddSharpEdges(
-  const PolygonMesh<Id>& mesh, const std::vector<vtkIdType>& pairs, SurfaceFeatures& features);
+void AddSharpEdges(const PolygonMesh<Id>& mesh, const SharpPairs& pairs, SurfaceCreases& creases);
 /// All sharp edges and corners as such pairs.
 template <typename Id>
 std::vector<vtkIdType> ListSharpEdges(const PolygonMesh<Id>& mesh, const SurfaceFeatures& features);

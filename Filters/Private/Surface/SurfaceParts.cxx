@@ -7,7 +7,8 @@
 #include "Private/Control/StampFields.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
+
+#include <limits>
 
 namespace subdivision
 {
@@ -90,18 +91,21 @@ void SurfaceRun<Id>::WriteControlPoints(const SurfaceNumbers& numbers, const Par
           valueAt(this->Given.Flatness, v) });
     }
   }
-  std::vector<vtkIdType> creases;
-  for (std::size_t i = 0; i < this->Creases.size(); i += 2)
+  std::vector<double> creases;
+  for (std::size_t i = 0; i < this->Creases.Points.size(); i += 2)
   {
-    const vtkIdType ends[2] = { this->Creases[i], this->Creases[i + 1] };
+    const vtkIdType ends[2] = { this->Creases.Points[i], this->Creases.Points[i + 1] };
     if (own[ends[0]] && own[ends[1]])
     {
-      creases.insert(creases.end(), { ids[ends[0]], ids[ends[1]] });
+      creases.insert(creases.end(),
+        { static_cast<double>(ids[ends[0]]), static_cast<double>(ids[ends[1]]),
+          this->Creases.Sharpness.empty() ? std::numeric_limits<double>::infinity()
+                                          : this->Creases.Sharpness[i / 2] });
     }
   }
   vtkFieldData* data = this->Output->GetFieldData();
   WriteField<vtkDoubleArray>(ControlPointsName, points, data, ControlPointComponents);
-  WriteField<vtkIdTypeArray>(ControlCreasesName, creases, data, 2);
+  WriteField<vtkDoubleArray>(ControlCreasesName, creases, data, CreaseComponents);
 }
 
 #define SUBDIVISION_SURFACE_PARTS(Id)                                                              \

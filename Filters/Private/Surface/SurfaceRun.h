@@ -119,6 +119,7 @@ private:
   void MakeControl(
     const SurfaceCells& cells, const SurfaceCreases& creases, KeptSurfaceOf<Id>* kept);
   void Interpolate();
+  void FindCreases(const PolygonMesh<Id>& mesh, bool isJoined);
   SurfaceCreases ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level);
   bool FindSeams()
   {
@@ -168,8 +169,8 @@ private:
   SimplicesOfCells NoCentres;
   std::vector<vtkIdType> GlobalIds;
   std::unique_ptr<PointArrays> Points;
-  std::vector<vtkIdType> Marked;                      ///< FindMarkedEdges
-  std::vector<vtkIdType> Creases;                     ///< SubdivisionSurfaceCreases of the stamp
+  SharpPairs Marked;                                  ///< FindMarkedEdges
+  SharpPairs Creases;                                 ///< SubdivisionSurfaceCreases of the stamp
   std::vector<std::unique_ptr<SurfaceSteps<Id>>> Own; ///< steps that are not kept
   SurfaceSteps<Id>* Steps = nullptr;
   JoinedSurface JoinedMesh;

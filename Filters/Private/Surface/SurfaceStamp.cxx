@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
 #include "Private/Control/Stamp.h"
 #include "Private/Control/StampFields.h"
 
@@ -11,6 +12,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace subdivision
@@ -23,6 +25,7 @@ constexpr const char* AnglesName = "SubdivisionCornerAngles";
 constexpr const char* FaceAnglesName = "SubdivisionSharpAngles";
 constexpr const char* GivenCornersName = "SubdivisionSharpCorners";
 constexpr const char* CreasesName = "SubdivisionSurfaceCreases";
+constexpr const char* SharpnessName = "SubdivisionSurfaceCreaseSharpness";
 constexpr const char* CellsName = "SubdivisionSurfaceCells";
 constexpr const char* PointIdsName = "SubdivisionSurfaceGlobalIds";
 const std::string CarriedPrefix = "SubdivisionCarried:";
@@ -119,13 +122,15 @@ bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp)
   stamp.Angles = ReadFieldValues(AnglesName, data);
   stamp.FaceAngles = ReadFieldValues(FaceAnglesName, data);
   stamp.GivenCorners = ReadFieldValues(GivenCornersName, data);
-  stamp.Creases = ReadFieldIds(CreasesName, data);
+  stamp.Creases = { ReadFieldIds(CreasesName, data), ReadFieldValues(SharpnessName, data) };
   stamp.Cells = ReadFieldIds(CellsName, data);
   stamp.GlobalIds = ReadFieldIds(PointIdsName, data);
   stamp.Interpolated = ReadFieldIds(InterpolatedName, data);
   stamp.Carried = ReadCarried(data, stamp.Levels);
-  return std::all_of(stamp.Creases.begin(), stamp.Creases.end(),
-           [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; }) &&
+  const SharpPairs& creases = stamp.Creases;
+  return (creases.Sharpness.empty() || 2 * creases.Sharpness.size() == creases.Points.size()) &&
+    std::all_of(creases.Points.begin(), creases.Points.end(),
+      [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; }) &&
     (stamp.Size > 0 || static_cast<vtkIdType>(stamp.Sizes.size()) == stamp.NumberOfControlFaces) &&
     (stamp.GlobalIds.empty() ||
       static_cast<vtkIdType>(stamp.GlobalIds.size()) == stamp.NumberOfControlPoints);
@@ -146,7 +151,20 @@ bool ReadStampOfPart(vtkPolyData* input, const SurfaceCells& cells, SurfaceStamp
   stamp.NumberOfControlPoints = whole.NumberOfControlPoints;
   stamp.ControlPoints =
     ReadFieldValues(ControlPointsName, input->GetFieldData(), ControlPointComponents);
-  stamp.Creases = ReadFieldIds(ControlCreasesName, input->GetFieldData(), 2);
+  const std::vector<double> creases =
+    ReadFieldValues(ControlCreasesName, input->GetFieldData(), CreaseComponents);
+  bool isFinite = false;
+  for (std::size_t i = 0; i < creases.size(); i += CreaseComponents)
+  {
+    stamp.Creases.Points.insert(
+      stamp.Creases.Points.end(), { ToId(creases[i]), ToId(creases[i + 1]) });
+    stamp.Creases.Sharpness.push_back(creases[i + 2]);
+    isFinite = isFinite || !std::isinf(creases[i + 2]);
+  }
+  if (!isFinite)
+  {
+    stamp.Creases.Sharpness.clear();
+  }
   const auto faces = cells.GetNumberOfFaces();
   if (static_cast<vtkIdType>(cells.Corners.size()) == 3 * faces)
   {
@@ -168,7 +186,7 @@ bool ReadStampOfPart(vtkPolyData* input, const SurfaceCells& cells, SurfaceStamp
     }
     ++stamp.NumberOfControlFaces;
   }
-  return AreControlPoints(stamp.Creases, stamp) &&
+  return AreControlPoints(stamp.Creases.Points, stamp) &&
     static_cast<vtkIdType>(stamp.ControlPoints.size()) ==
     ControlPointComponents * stamp.NumberOfControlPoints;
 }
@@ -185,7 +203,8 @@ void WriteSurfaceStamp(const SurfaceStamp& stamp, vtkPolyData* output)
   WriteField<vtkDoubleArray>(AnglesName, stamp.Angles, data);
   WriteField<vtkDoubleArray>(FaceAnglesName, stamp.FaceAngles, data);
   WriteField<vtkDoubleArray>(GivenCornersName, stamp.GivenCorners, data);
-  WriteField<vtkIdTypeArray>(CreasesName, stamp.Creases, data);
+  WriteField<vtkIdTypeArray>(CreasesName, stamp.Creases.Points, data);
+  WriteField<vtkDoubleArray>(SharpnessName, stamp.Creases.Sharpness, data);
   WriteField<vtkIdTypeArray>(CellsName, stamp.Cells, data);
   WriteField<vtkIdTypeArray>(PointIdsName, stamp.GlobalIds, data);
   WriteField<vtkIdTypeArray>(InterpolatedName, stamp.Interpolated, data);
@@ -203,7 +222,7 @@ void RemoveSurfaceStamp(vtkPolyData* output)
 {
   vtkFieldData* data = output->GetFieldData();
   for (const char* name : { SurfaceStampName, SizesName, AnglesName, FaceAnglesName,
-         GivenCornersName, CreasesName, CellsName, PointIdsName, InterpolatedName })
+         GivenCornersName, CreasesName, SharpnessName, CellsName, PointIdsName, InterpolatedName })
   {
     data->RemoveArray(name);
   }

@@ -9,8 +9,11 @@
  *  - `SubdivisionSurfaceSizes`: number of corners of each control face, where they differ.
  *  - `SubdivisionCornerAngles`: angles and flatness of the sectors at corners.
  *  - `SubdivisionSharpAngles`, `SubdivisionSharpCorners`: FaceAngles and GivenCorners below.
- *  - `SubdivisionSurfaceCreases`: edges that were detected as features, as pairs of control points.
- *    For schemes that do not halve edges all sharp edges, and corners as pairs of equal points.
+ *  - `SubdivisionSurfaceCreases`: edges that are marked or detected as features, as pairs of
+ * control points. For schemes that do not halve edges all sharp edges, and corners as pairs of
+ * equal points.
+ *  - `SubdivisionSurfaceCreaseSharpness`: for how many levels from the control mesh on each of
+ * these stays sharp, if that is finite for any.
  *  - `SubdivisionSurfaceGlobalIds`: global ids of the control points. The output has no global ids,
  *    but a new point takes integers and strings from the parent with the smallest one.
  *  - `SubdivisionSurfaceCells`: the control cells, for schemes that do not halve edges.
@@ -54,6 +57,13 @@ struct CarriedCells
   const Entry* Find(const char* name) const;
 };
 
+/// Edges as pairs of points, a corner as a point twice, and for how many levels each stays sharp.
+struct SharpPairs
+{
+  std::vector<vtkIdType> Points;
+  std::vector<double> Sharpness; ///< empty: all are infinite
+};
+
 struct SurfaceStamp
 {
   int Scheme = 0;
@@ -68,7 +78,7 @@ struct SurfaceStamp
   /// or -1.
   std::vector<double> FaceAngles;
   std::vector<double> GivenCorners;
-  std::vector<vtkIdType> Creases;
+  SharpPairs Creases;
   /// Of the control points, on the first input; empty: it had none, or the scheme keeps no
   /// vertices.
   std::vector<vtkIdType> GlobalIds;

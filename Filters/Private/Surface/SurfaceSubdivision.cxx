@@ -30,7 +30,7 @@ template <typename Id>
 bool SurfaceRun<Id>::Plan()
 {
   this->Marked = FindMarkedEdges(this->Input, this->Options.Features.Marks, this->Options.Warn);
-  const bool isStamped = this->Marked.empty() && this->ReadStamp();
+  const bool isStamped = this->Marked.Points.empty() && this->ReadStamp();
   bool isDone = this->Build();
   if (isDone && isStamped && !this->IsDescendant())
   {
@@ -76,7 +76,7 @@ void SurfaceRun<Id>::ForgetStamp()
   this->Joined = nullptr;
   this->JoinedControl = nullptr;
   this->Kept = nullptr;
-  this->Creases.clear();
+  this->Creases = SharpPairs();
 }
 
 template <typename Id>
@@ -232,6 +232,29 @@ void SurfaceRun<Id>::SetSharpness(SurfaceSteps<Id>& steps, const SurfaceCreases&
     });
 }
 
+/// Sets the creases that no cell array has: those of the stamp, or features and marks.
+template <typename Id>
+void SurfaceRun<Id>::FindCreases(const PolygonMesh<Id>& mesh, bool isJoined)
+{
+  this->Creases = this->Stamp.Creases; // none on a control mesh
+  if (this->MadeLevels == 0 && this->Options.Features.DetectFeatures)
+  {
+    this->Creases.Points =
+      FindFeatureEdges(mesh, this->Points->GetCoordinates(), this->Options.Features.FeatureAngle);
+  }
+  if (!this->Marked.Sharpness.empty())
+  {
+    this->Creases.Sharpness.assign(
+      this->Creases.Points.size() / 2, std::numeric_limits<double>::infinity());
+    this->Creases.Sharpness.insert(
+      this->Creases.Sharpness.end(), this->Marked.Sharpness.begin(), this->Marked.Sharpness.end());
+  }
+  for (const vtkIdType point : this->Marked.Points)
+  {
+    this->Creases.Points.push_back(isJoined ? this->JoinedMesh.FirstPoints[point] : point);
+  }
+}
+
 /// Collects creases and corners of a control level from arrays, angles and the stamp.
 template <typename Id>
 SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level)
@@ -256,6 +279,8 @@ SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const Surf
     TakeGivenOfPart(this->Stamp, creases.Features);
   }
   this->Given = { creases.Features.Angles, creases.Features.Flatness };
+  this->FindCreases(level.Mesh, &cells == &this->JoinedMesh.Cells);
+  AddSharpEdges(level.Mesh, this->Creases, creases);
   if (!this->FindsRules())
   {
     ReadSharpCorners(this->Stamp, level.Mesh, creases.Features);
@@ -264,21 +289,9 @@ SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const Surf
   {
     WriteSharpCorners(level.Mesh, creases, this->GetControlCoordinates(), this->Stamp);
   }
-  this->Creases = this->Stamp.Creases; // none on a control mesh
-  if (this->MadeLevels == 0 && this->Options.Features.DetectFeatures)
-  {
-    this->Creases = FindFeatureEdges(
-      level.Mesh, this->GetControlCoordinates(), this->Options.Features.FeatureAngle);
-  }
-  const bool isJoined = &cells == &this->JoinedMesh.Cells;
-  for (const vtkIdType point : this->Marked)
-  {
-    this->Creases.push_back(isJoined ? this->JoinedMesh.FirstPoints[point] : point);
-  }
-  AddSharpEdges(level.Mesh, this->Creases, creases.Features);
   if (!this->Scheme->HalvesEdges())
   {
-    this->Creases = ListSharpEdges(level.Mesh, creases.Features);
+    this->Creases = { ListSharpEdges(level.Mesh, creases.Features), {} };
   }
   return creases;
 }

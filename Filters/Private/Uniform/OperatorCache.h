@@ -144,7 +144,7 @@ struct KeptOperator
   std::vector<vtkIdType> Parents;           ///< whose values children take, as in UniformRun
   Buffer<Stratum> ControlStrata;            ///< of the vertices, if there are no steps
   Buffer<unsigned char> ManifoldDimensions; ///< of each control simplex
-  SimplexTuples Derived;                    ///< derived singular simplices: points of the output
+  SharpTuples Derived;                      ///< derived singular simplices: points of the output
   SimplexTuples ControlDerived;             ///< the same: points of the control mesh
   /// The edges that were tested for the feature angle, and which of them exceed it. They are tested
   /// again when points move.

@@ -8,6 +8,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 
 namespace subdivision
@@ -27,11 +28,17 @@ TopologyKey UniformRun::MakeKey() const
   key.Choices.push_back(this->Options.ProjectToLimit);
   key.Choices.push_back(this->Options.GenerateLimitNormals);
   key.Choices.push_back(this->Interpolates());
-  for (const auto& tuples : this->Mesh.Derived.Tuples)
+  for (const auto& tuples : this->Mesh.Derived.Tuples.Tuples)
   {
     key.Choices.push_back(static_cast<long long>(tuples.size()));
     // GCC 14 takes the length of an insert of a range for a negative one.
     std::copy(tuples.begin(), tuples.end(), std::back_inserter(key.Choices));
+  }
+  for (const double sharpness : this->Mesh.Derived.Sharpness)
+  {
+    long long bits = 0;
+    std::memcpy(&bits, &sharpness, sizeof(sharpness));
+    key.Choices.push_back(bits);
   }
   return key;
 }
@@ -115,7 +122,7 @@ void UniformRun::Keep()
   this->ToKeep->Parents = std::move(this->Parents);
   this->ToKeep->PointsOut = this->Output->GetPoints()->GetData();
   this->ToKeep->Derived = std::move(this->Derived);
-  this->ToKeep->ControlDerived = std::move(this->Control.Derived);
+  this->ToKeep->ControlDerived = std::move(this->Control.Derived.Tuples);
   this->ToKeep->Candidates = std::move(this->Control.Candidates);
   this->ToKeep->Features = std::move(this->Control.Features);
   this->ToKeep->ManifoldDimensions = std::move(this->Control.ManifoldDimensions);

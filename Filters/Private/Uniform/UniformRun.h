@@ -108,7 +108,7 @@ private:
   /// The current level, if nothing kept fits.
   VolumeLevel Current;
   ControlTraits Control; ///< its runs are those of the current level
-  SimplexTuples Derived; ///< derived singular simplices: points of the output
+  SharpTuples Derived;   ///< derived singular simplices: points of the output
   std::vector<std::string> BuildWarnings;
   const KeptOperator* SameCells = nullptr; ///< kept, with the cells of the output
   UniformCells Cells;                      ///< of the output

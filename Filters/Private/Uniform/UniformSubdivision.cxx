@@ -212,7 +212,7 @@ bool UniformRun::Execute()
   }
   if (this->Options.Cache)
   {
-    this->SameCells = this->Options.Cache->FindCells(this->Key, this->Control.Derived);
+    this->SameCells = this->Options.Cache->FindCells(this->Key, this->Control.Derived.Tuples);
     this->ToKeep = std::make_unique<KeptOperator>();
     this->ToKeep->Key = std::move(this->Key);
     this->ToKeep->PointsIn.TakeReference(this->Points->GetPoints()->NewInstance());
@@ -434,8 +434,15 @@ void UniformRun::MakeCells(const typename Scheme::Level& level, int steps, vtkDa
 template <typename Scheme>
 void UniformRun::GatherDerived(const typename Scheme::Level& level, int steps)
 {
-  this->Derived =
+  this->Derived.Tuples =
     GatherTuples(level.Complex, this->Control.DerivedRuns, steps, Scheme::CountCentres(level));
+  this->Derived.Sharpness.clear();
+  const int all = this->Mesh.MadeLevels + this->Options.Levels;
+  for (const double sharpness : this->Control.Derived.Sharpness) // what is left, for all children
+  {
+    this->Derived.Sharpness.insert(this->Derived.Sharpness.end(), std::size_t(1) << all,
+      std::max(sharpness - this->Options.Levels, 0.));
+  }
 }
 
 /// Writes points, point data and cells. `ownsCells`: no other output has these cells.
@@ -492,63 +499,6 @@ void UniformRun::Write()
   RebuildPointGhosts(this->Input, this->Output);
 
   this->WriteStamps();
-}
-
-void UniformRun::WriteStamps()
-{
-  Stamp stamp;
-  stamp.Scheme = this->Options.Scheme;
-  stamp.Levels = this->Mesh.MadeLevels + this->Options.Levels;
-  stamp.NumberOfControlPoints = this->Mesh.GetControl().NumberOfPoints;
-  stamp.IsProjected = this->Options.ProjectToLimit;
-  StampedIds ids;
-  if (!stamp.IsProjected)
-  {
-    ids = { this->Derived, this->Mesh.GlobalIds, this->Mesh.Inverted, {}, {} };
-    this->StampInterpolation(ids);
-  }
-  if (Partners* others = FindPartners(this->Options, this->Input))
-  {
-    this->CountInWhole(*others, stamp, ids);
-  }
-  WriteStamp(stamp, this->Output);
-  WriteStampedIds(ids, this->Output);
-}
-
-/// Adds the numbers that points and cells have in the whole output, of which this is a part, and
-/// makes the stamp count there.
-void UniformRun::CountInWhole(Partners& others, Stamp& stamp, StampedIds& ids)
-{
-  const OutputNumbers numbers =
-    NumberOutput(this->Mesh, this->Found ? this->Found->ControlDerived : this->Control.Derived,
-      this->Input, stamp.Levels, this->GetScheme(), others);
-  this->Output->GetPointData()->AddArray(
-    MakeField<vtkIdTypeArray>(PointNumbersName, numbers.Points));
-  this->Output->GetCellData()->AddArray(MakeField<vtkIdTypeArray>(CellNumbersName, numbers.Cells));
-  stamp.NumberOfControlPoints = numbers.NumberOfControlPoints;
-  stamp.NumberOfPoints = numbers.NumberOfPoints;
-  stamp.NumberOfCells = numbers.NumberOfCells;
-  for (int dimension = 0; dimension < 3; ++dimension)
-  {
-    std::vector<vtkIdType> own;
-    const std::vector<char>& isOwn = numbers.IsOwnDerived[dimension];
-    const std::vector<vtkIdType>& tuples = ids.Singular.Tuples[dimension];
-    const std::size_t ofEach = isOwn.empty() ? 1 : tuples.size() / isOwn.size();
-    for (std::size_t i = 0; i < tuples.size(); ++i)
-    {
-      if (isOwn[i / ofEach])
-      {
-        own.push_back(numbers.Points[tuples[i]]);
-      }
-    }
-    ids.Singular.Tuples[dimension] = std::move(own);
-  }
-  for (const vtkIdType simplex : ids.Inverted)
-  {
-    ids.FirstInverted.push_back(2 * numbers.FirstCells[simplex / 2] + simplex % 2);
-  }
-  ids.Inverted.clear();
-  ids.Global.clear(); // points have their order
 }
 
 void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges)

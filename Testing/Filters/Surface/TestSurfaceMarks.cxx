@@ -5,6 +5,7 @@
  */
 #include "SurfaceTools.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
@@ -233,4 +234,54 @@ TEST(SurfaceMarks, ByGeometryAreFlaggedLines)
   ExpectSamePoints(RunFilter(MakeInput(model), scheme, 2, false, [&](vtkSurfaceSubdivision* filter)
                      { filter->SetInputDataObject(2, geometry); }),
     RunFilter(MakeFlagged(model, {}, lines, {}), scheme, 2));
+}
+
+TEST(SurfaceMarks, StaySharpForSomeLevelsAsLinesDo)
+{
+  for (const int scheme : { static_cast<int>(vtkSurfaceSubdivision::LOOP),
+         static_cast<int>(vtkSurfaceSubdivision::CATMULL_CLARK) })
+  {
+    const Model model = MakeBumps(NeedsTriangles(scheme));
+    std::vector<int> marked(model.Points.size(), 0);
+    vtkNew<vtkDoubleArray> levels;
+    levels->SetName("Levels");
+    for (std::size_t p = 0; p < marked.size(); ++p)
+    {
+      levels->InsertNextValue(p == 17 ? 0.75 : 1.5);
+    }
+    const Polygons lines = { { 8, 9 }, { 9, 10 }, { 10, 17 } };
+    for (const int p : { 8, 9, 10, 17 })
+    {
+      marked[p] = 1;
+    }
+    const auto input = MakeMarked(model, marked);
+    input->GetPointData()->AddArray(levels);
+    const auto marking = [](vtkSurfaceSubdivision* filter)
+    {
+      SetMarks(filter);
+      filter->SetInputArrayToProcess(9, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Levels");
+      filter->SetMarkCorners(false);
+      filter->SetMarkCreases(true);
+    };
+    const auto flagged = MakeFlagged(model, {}, lines, {});
+    flagged->GetCellData()->RemoveArray("Singular");
+    vtkNew<vtkDoubleArray> sharpness;
+    sharpness->SetName("Sharpness");
+    for (vtkIdType c = 0; c < flagged->GetNumberOfCells(); ++c)
+    {
+      sharpness->InsertNextValue(c == 2 ? 0.75 : c < 2 ? 1.5 : 0.);
+    }
+    flagged->GetCellData()->AddArray(sharpness);
+    const auto once = RunFilter(input, scheme, 3, false, marking);
+    ExpectSamePoints(once,
+      RunFilter(flagged, scheme, 3, false,
+        [](vtkSurfaceSubdivision* filter)
+        {
+          filter->SetInputArrayToProcess(
+            4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Sharpness");
+        }));
+    const auto first = RunFilter(input, scheme, 1, false, marking);
+    ExpectSameBits(once, RunFilter(first, scheme, 2));
+    ExpectSameBits(once, RunFilter(first, scheme, 2, false, marking));
+  }
 }
