@@ -18,6 +18,9 @@ class Marks(unittest.TestCase):
     def setUp(self):
         self.model = simple.SubdivisionModel(Model="MaterialBlock")
         self.rest = points(self.model)
+        self.still = self.stay(self.subdivide())  # where the lattice is regular
+        self.free = [i for i in range(len(self.rest)) if i not in self.still]
+        self.assertGreater(len(self.free), 8)
 
     def subdivide(self, **options):
         return simple.MultidimensionalSubdivision(Input=self.model, **options)
@@ -26,17 +29,22 @@ class Marks(unittest.TestCase):
         """The points of the input that do not move."""
         return set(np.nonzero((points(proxy)[:len(self.rest)] == self.rest).all(axis=1))[0])
 
+    def stopped(self, proxy):
+        """Those of them that move without marks."""
+        return self.stay(proxy) - self.still
+
     def test_defaults(self):
         proxy = self.subdivide()
         self.assertEqual((proxy.MarkCorners, proxy.MarkCreases, proxy.MarkSurfaces, proxy.MarkByFunction),
                          (1, 0, 0, 0))
         self.assertEqual(list(proxy.MarksArray), ["POINTS", "None"])
         self.assertEqual(proxy.CreasePoints, "Coincident")
-        self.assertEqual(self.stay(proxy), set())
+        self.assertEqual(self.stopped(proxy), set())
 
     def test_selected_points_are_corners(self):
-        ids = simple.IDSelectionSource(IDs=[0, 4, 0, 7], FieldType="POINT")
-        self.assertEqual(self.stay(self.subdivide(MarkSelection=ids)), {4, 7})
+        some = self.free[3:5]
+        ids = simple.IDSelectionSource(IDs=[0, some[0], 0, some[1]], FieldType="POINT")
+        self.assertEqual(self.stopped(self.subdivide(MarkSelection=ids)), set(some))
         surface = simple.SurfaceSubdivision(Input=simple.ExtractSurface(Input=self.model), Scheme="Loop")
         before = points(surface).copy()
         surface.MarkSelection = ids
@@ -46,22 +54,37 @@ class Marks(unittest.TestCase):
         marks = simple.Calculator(Input=self.model, ResultArrayName="Marks", Function="if(coordsZ > 0.9, 1, 0)")
         marks.UpdatePipeline()
         proxy = simple.MultidimensionalSubdivision(Input=marks, MarksArray=["POINTS", "Marks"])
-        self.assertEqual(self.stay(proxy), set(np.nonzero(self.rest[:, 2] > 0.9)[0]))
+        expected = {i for i in self.free if self.rest[i, 2] > 0.9}
+        self.assertTrue(0 < len(expected) < len(self.free))
+        self.assertEqual(self.stopped(proxy), expected)
         proxy.MarkCorners = 0
-        self.assertEqual(self.stay(proxy), set())
+        self.assertEqual(self.stopped(proxy), set())
         free = points(proxy).copy()
         proxy.MarkCreases = 1
-        creased = points(proxy).copy()
-        self.assertTrue((creased != free).any())
+        self.assertTrue((points(proxy) != free).any())
+        proxy.MarkCreases = 0
         proxy.MarkSurfaces = 1
-        self.assertTrue((points(proxy) != creased).any())
+        self.assertTrue((points(proxy) != free).any())
+
+    def test_creases_for_some_levels(self):
+        marks = simple.Calculator(Input=self.model, ResultArrayName="Marks", Function="if(coordsZ > 0.9, 2, 0)")
+        marks.UpdatePipeline()
+        proxy = simple.MultidimensionalSubdivision(Input=marks, MarksArray=["POINTS", "Marks"], MarkCorners=0,
+                                                   MarkCreases=1, NumberOfLevels=3)
+        for_ever = points(proxy).copy()
+        proxy.LevelsArray = ["POINTS", "Marks"]
+        self.assertTrue((points(proxy) != for_ever).any())
+        proxy.NumberOfLevels = 2
+        some = points(proxy).copy()
+        proxy.LevelsArray = ["POINTS", "None"]
+        self.assertTrue((points(proxy) == some).all())
 
     def test_a_function(self):
         proxy = self.subdivide(MarkByFunction=1)
         proxy.MarkFunction = "Sphere"
-        proxy.MarkFunction.Center = list(self.rest[3])
+        proxy.MarkFunction.Center = list(self.rest[self.free[3]])
         proxy.MarkFunction.Radius = 0.01
-        self.assertEqual(self.stay(proxy), {3})
+        self.assertEqual(self.stopped(proxy), {self.free[3]})
 
     def test_lines_of_another_mesh(self):
         edges = simple.FeatureEdges(Input=simple.ExtractSurface(Input=self.model), FeatureAngle=60.0)

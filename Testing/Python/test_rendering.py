@@ -56,10 +56,13 @@ class Rendering(unittest.TestCase):
                            tools.output(self.solids).GetNumberOfCells())
 
     def test_dimensions_are_chosen_by_name_too(self):
-        self.extracted.OutputDimensions = ["Surfaces", "Lines"]
-        self.extracted.UpdatePipeline()
-        self.assertEqual(self.extracted.GetClientSideObject().GetOutputDimensions(), 6)
-        self.extracted.OutputDimensions = [3]
+        some = simple.ExtractDimensions(Input=self.smooth, OutputDimensions=["Surfaces", "Lines"])
+        some.UpdatePipeline()
+        self.assertEqual(list(some.OutputDimensions), ["Surfaces", "Lines"])
+        kinds = [{grid.GetCellType(i) for i in range(grid.GetNumberOfCells())}
+                 for grid in (tools.output(self.smooth), tools.output(some))]
+        self.assertTrue(kinds[1])
+        self.assertEqual(kinds[1], kinds[0] & {3, 5})
 
     def test_surface(self):
         share, seen = self.picture(self.smooth, "Surface", "surface.png")
