@@ -66,12 +66,17 @@ std::vector<double> FindSharpness(const SharpTuples& known, const std::vector<vt
   {
     found.emplace(MakeKey(known.Tuples.Tuples[1].data() + 2 * i, 2), known.Sharpness[i]);
   }
-  std::set<SimplexKey> once;
+  // A line that is derived otherwise too stands there twice, and is sharp for ever.
+  std::map<SimplexKey, int> counts;
+  for (std::size_t i = 0; !found.empty() && i < lines.size(); i += 2)
+  {
+    ++counts[MakeKey(lines.data() + i, 2)];
+  }
   for (std::size_t i = 0; !found.empty() && i < lines.size(); i += 2)
   {
     const SimplexKey key = MakeKey(lines.data() + i, 2);
     const auto mark = found.find(key);
-    const bool isSemiSharp = mark != found.end() && once.insert(key).second;
+    const bool isSemiSharp = mark != found.end() && counts[key] == 1;
     sharpness.push_back(isSemiSharp ? mark->second : std::numeric_limits<double>::infinity());
   }
   return sharpness;

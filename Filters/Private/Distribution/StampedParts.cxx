@@ -128,7 +128,8 @@ Ids FindCorners(const Ids& descendants, int dimension)
 Ids JoinTuples(const std::vector<MeshPart>& parts, int dimension, int levels,
   const JoinedMesh& joined, std::vector<double>& sharpness)
 {
-  std::map<Ids, double> sharpnessOf; // of lines, where it is finite
+  std::map<Ids, double> sharpnessOf; // of lines
+  bool isFinite = false;
   const auto size = static_cast<size_t>((dimension + 1) << (dimension * levels));
   std::map<Ids, Ids> found; // by corners
   for (const MeshPart& part : parts)
@@ -146,10 +147,12 @@ Ids JoinTuples(const std::vector<MeshPart>& parts, int dimension, int levels,
       {
         const Ids corners = FindCorners(group, dimension);
         found.emplace(corners, group);
-        if (dimension == 1 && 2 * values.size() == ids.size())
-        {
-          sharpnessOf[corners] = values[first / 2];
-        }
+        const double value = dimension == 1 && 2 * values.size() == ids.size()
+          ? values[first / 2]
+          : std::numeric_limits<double>::infinity();
+        double& largest = sharpnessOf.emplace(corners, value).first->second;
+        largest = std::max(largest, value);
+        isFinite = isFinite || value < std::numeric_limits<double>::infinity();
       }
     }
   }
@@ -157,11 +160,9 @@ Ids JoinTuples(const std::vector<MeshPart>& parts, int dimension, int levels,
   for (const auto& [corners, group] : found)
   {
     tuples.insert(tuples.end(), group.begin(), group.end());
-    if (!sharpnessOf.empty())
+    if (isFinite)
     {
-      const auto known = sharpnessOf.find(corners);
-      sharpness.insert(sharpness.end(), group.size() / 2,
-        known == sharpnessOf.end() ? std::numeric_limits<double>::infinity() : known->second);
+      sharpness.insert(sharpness.end(), group.size() / 2, sharpnessOf[corners]);
     }
   }
   return tuples;
