@@ -54,6 +54,7 @@ int vtkMultiDimensionalSubdivision::RequestData(
   subdivision::UniformOptions options;
   options.Levels = this->NumberOfLevels;
   options.Scheme = this->VolumeScheme == TET_OCT ? subdivision::StampScheme::TetOct
+    : this->VolumeScheme == LINEAR               ? subdivision::StampScheme::Linear
                                                  : subdivision::StampScheme::BoxSpline;
   options.GenerateClassification = this->GenerateClassification;
   options.ProjectToLimit = this->ProjectToLimit;

@@ -48,8 +48,8 @@
  * VolumeScheme = TET_OCT, the cell array `OctahedronId`; on request, `vtkOriginalCellIds`,
  * `vtkOriginalPointIds`, `LimitNormals`, and the classification arrays; always the field array
  * `Subdivision` (and `SubdivisionGlobalIds`, if the input had global ids,
- * `SubdivisionInvertedCells`, if it had inverted or flat solids), by which the next filter
- * recognises this output.
+ * `SubdivisionInvertedCells`, if it had inverted or flat solids, `SubdivisionInterpolated`, if
+ * values were interpolated), by which the next filter recognises this output.
  *
  * @par Solids that are turned inside out
  * Smoothing may turn solids inside out where the control mesh is very thin. One warning says how
@@ -112,7 +112,7 @@ public:
   /**
    * Number of subdivision steps, 0 to 20, default 1. Each makes 8 times as many tetrahedra, 4 times
    * as many triangles, twice as many lines. 0 gives the simplices of the input, not smoothed
-   * unless ProjectToLimit is on.
+   * unless ProjectToLimit is on, with the control points of InterpolatePoints if that is on.
    */
   vtkSetClampMacro(NumberOfLevels, int, 0, 20);
   vtkGetMacro(NumberOfLevels, int);
@@ -121,19 +121,23 @@ public:
   enum VolumeSchemes
   {
     BOX_SPLINE,
-    TET_OCT
+    TET_OCT,
+    LINEAR
   };
   ///@{
   /**
    * How solids are split and smoothed inside: BOX_SPLINE (0, the default; into tetrahedra,
-   * smoothest in the interior of the control tetrahedra, with a direction preferred in each) or
+   * smoothest in the interior of the control tetrahedra, with a direction preferred in each),
    * TET_OCT (1; into tetrahedra and octahedra without any preferred direction, see "Tet/oct scheme"
-   * above). Curves, surfaces, boundaries, creases and joints are the same in both.
+   * above) or LINEAR (2; the cells of BOX_SPLINE, not smoothed: points and values of all dimensions
+   * stay, new ones are midpoints, and each level is its own limit). Curves, surfaces, boundaries,
+   * creases and joints are the same in the first two.
    */
-  vtkSetClampMacro(VolumeScheme, int, BOX_SPLINE, TET_OCT);
+  vtkSetClampMacro(VolumeScheme, int, BOX_SPLINE, LINEAR);
   vtkGetMacro(VolumeScheme, int);
   void SetVolumeSchemeToBoxSpline() { this->SetVolumeScheme(BOX_SPLINE); }
   void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(TET_OCT); }
+  void SetVolumeSchemeToLinear() { this->SetVolumeScheme(LINEAR); }
   ///@}
 
   ///@{

@@ -32,10 +32,10 @@
  * more faces.
  *
  * @par Input and output
- * Polygons of any size, and strips, which become triangles in their place. Loop, ModifiedButterfly
- * and SqrtThree split other polygons into triangles first (a warning says so). A line cell that
- * lies on an edge follows it; others are curves of their own, cubic B-splines. Poly lines become
- * lines, vertex cells stay. The output has vertices, lines and polygons, in this order, the
+ * Polygons of any size, and strips, which become triangles in their place. Loop, ModifiedButterfly,
+ * SqrtThree and Linear split other polygons into triangles first (a warning says so). A line cell
+ * that lies on an edge follows it; others are curves of their own, cubic B-splines. Poly lines
+ * become lines, vertex cells stay. The output has vertices, lines and polygons, in this order, the
  * children of a cell one after another and oriented like it (dual schemes: see below). Points:
  * those of the input with their ids, unused ones too, then the new ones level by level. Arrays and
  * field data are treated as by vtkMultiDimensionalSubdivision. Cells that cannot be used are left
@@ -164,15 +164,17 @@ public:
     DOO_SABIN,
     MIDEDGE,
     FOUR_EIGHT,
-    SQRT_THREE
+    SQRT_THREE,
+    LINEAR
   };
   ///@{
   /**
    * The scheme: LOOP (0, the default; triangles to 4), MODIFIED_BUTTERFLY (1; triangles to 4,
    * interpolates the points), CATMULL_CLARK (2; polygons to quads), DOO_SABIN (3; dual), MIDEDGE
-   * (4; dual), FOUR_EIGHT (5; two steps split a quad into 4) or SQRT_THREE (6; triangles to 3).
+   * (4; dual), FOUR_EIGHT (5; two steps split a quad into 4), SQRT_THREE (6; triangles to 3) or
+   * LINEAR (7; triangles to 4, not smoothed: points stay, new ones are midpoints).
    */
-  vtkSetClampMacro(Scheme, int, LOOP, SQRT_THREE);
+  vtkSetClampMacro(Scheme, int, LOOP, LINEAR);
   vtkGetMacro(Scheme, int);
   void SetSchemeToLoop() { this->SetScheme(LOOP); }
   void SetSchemeToModifiedButterfly() { this->SetScheme(MODIFIED_BUTTERFLY); }
@@ -181,6 +183,7 @@ public:
   void SetSchemeToMidedge() { this->SetScheme(MIDEDGE); }
   void SetSchemeToFourEight() { this->SetScheme(FOUR_EIGHT); }
   void SetSchemeToSqrtThree() { this->SetScheme(SQRT_THREE); }
+  void SetSchemeToLinear() { this->SetScheme(LINEAR); }
   ///@}
 
   ///@{

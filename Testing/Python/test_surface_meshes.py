@@ -15,8 +15,8 @@ from vtkmodules.util.vtkConstants import VTK_STRING
 from subdivisionobjects import vtkSurfaceSubdivision
 
 SCHEMES = {name: getattr(vtkSurfaceSubdivision, name) for name in (
-    "LOOP", "MODIFIED_BUTTERFLY", "CATMULL_CLARK", "DOO_SABIN", "MIDEDGE", "FOUR_EIGHT", "SQRT_THREE")}
-OF_TRIANGLES = ("LOOP", "MODIFIED_BUTTERFLY", "SQRT_THREE")
+    "LOOP", "MODIFIED_BUTTERFLY", "CATMULL_CLARK", "DOO_SABIN", "MIDEDGE", "FOUR_EIGHT", "SQRT_THREE", "LINEAR")}
+OF_TRIANGLES = ("LOOP", "MODIFIED_BUTTERFLY", "SQRT_THREE", "LINEAR")
 DUAL = ("DOO_SABIN", "MIDEDGE")
 
 

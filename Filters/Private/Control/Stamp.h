@@ -34,6 +34,7 @@ enum class StampScheme
   BoxSpline = 0,
   RedGreen = 1,
   TetOct = 2,
+  Linear = 3,
   /// A surface of which several partitions have parts: this plus the number of its scheme.
   FirstOfSurfaces = 100
 };

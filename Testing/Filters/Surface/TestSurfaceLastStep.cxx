@@ -81,7 +81,7 @@ TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevels)
 INSTANTIATE_TEST_SUITE_P(Schemes, SurfaceLastStep,
   testing::Values(SurfaceSchemeKind::Loop, SurfaceSchemeKind::ModifiedButterfly,
     SurfaceSchemeKind::CatmullClark, SurfaceSchemeKind::DooSabin, SurfaceSchemeKind::Midedge,
-    SurfaceSchemeKind::FourEight, SurfaceSchemeKind::SqrtThree));
+    SurfaceSchemeKind::FourEight, SurfaceSchemeKind::SqrtThree, SurfaceSchemeKind::Linear));
 
 /// In odd steps, and in even ones where no edge is fixed, the row of a smooth vertex is its ring in
 /// the order of its fan.

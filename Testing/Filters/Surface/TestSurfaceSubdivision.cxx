@@ -303,7 +303,7 @@ INSTANTIATE_TEST_SUITE_P(SurfaceSubdivision, SurfaceSchemesTest,
   testing::Values(vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::CATMULL_CLARK,
     vtkSurfaceSubdivision::MODIFIED_BUTTERFLY, vtkSurfaceSubdivision::DOO_SABIN,
     vtkSurfaceSubdivision::MIDEDGE, vtkSurfaceSubdivision::FOUR_EIGHT,
-    vtkSurfaceSubdivision::SQRT_THREE));
+    vtkSurfaceSubdivision::SQRT_THREE, vtkSurfaceSubdivision::LINEAR));
 
 TEST(SurfaceSubdivision, StripsBecomeTrianglesInPlace)
 {

@@ -8,6 +8,7 @@
 #define SubdivisionObjects_VolumeSchemes_h
 
 #include "Core/Solids/BoxSpline/BoxSplineScheme.h"
+#include "Core/Solids/Linear/LinearScheme.h"
 #include "Core/Solids/TetOct/TetOctScheme.h"
 
 #include <type_traits>
@@ -18,14 +19,17 @@
   ACT(BoxSplineScheme<int>);                                                                       \
   ACT(BoxSplineScheme<long long>);                                                                 \
   ACT(TetOctScheme<int>);                                                                          \
-  ACT(TetOctScheme<long long>)
+  ACT(TetOctScheme<long long>);                                                                    \
+  ACT(LinearScheme<int>);                                                                          \
+  ACT(LinearScheme<long long>)
 
 namespace subdivision
 {
 
 /// A level of any scheme.
 using VolumeLevel = std::variant<BoxSplineScheme<int>::Level, BoxSplineScheme<long long>::Level,
-  TetOctScheme<int>::Level, TetOctScheme<long long>::Level>;
+  TetOctScheme<int>::Level, TetOctScheme<long long>::Level, LinearScheme<int>::Level,
+  LinearScheme<long long>::Level>;
 
 /// act(scheme) for each scheme with ids of type Id; `scheme` has no values, only its type counts.
 template <typename Id, typename Act>

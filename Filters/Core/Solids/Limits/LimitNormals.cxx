@@ -397,7 +397,7 @@ LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   const vtkIdType vertices = level.Complex.NumberOfVertices;
   constexpr vtkIdType block = 4096;
   const vtkIdType blocks = (vertices + block - 1) / block;
-  std::vector<bool> isSharp(vertices, false);
+  std::vector<bool> isSharp(vertices, !SchemeOf<Level>::Traits.HasTangents);
   for (vtkIdType e = 0; e < creases.Sharpness.size(); ++e)
   {
     if (creases.Sharpness[e] > 0.)

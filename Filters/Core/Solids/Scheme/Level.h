@@ -42,6 +42,8 @@ struct SchemeTraits
   /// surfaces, otherwise 0.
   double EdgeRing = 0;
   double VertexRing = 0;
+  /// Whether limits have tangent planes where the rules say so. If not, normals are for shading.
+  bool HasTangents = true;
 };
 
 /// Numbers of simplices after a number of steps, to estimate sizes before any memory is taken.

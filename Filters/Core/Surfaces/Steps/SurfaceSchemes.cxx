@@ -7,6 +7,7 @@
 #include "Core/Surfaces/Dual/DooSabinScheme.h"
 #include "Core/Surfaces/Dual/MidedgeScheme.h"
 #include "Core/Surfaces/FourEight/FourEightScheme.h"
+#include "Core/Surfaces/Linear/LinearScheme.h"
 #include "Core/Surfaces/Loop/LoopScheme.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeScheme.h"
 
@@ -33,6 +34,8 @@ std::shared_ptr<const SurfaceScheme<Id>> MakeSurfaceScheme(
       return MakeDooSabinScheme<Id>();
     case SurfaceSchemeKind::Midedge:
       return MakeMidedgeScheme<Id>();
+    case SurfaceSchemeKind::Linear:
+      return MakeLinearScheme<Id>();
     default:
       return nullptr;
   }

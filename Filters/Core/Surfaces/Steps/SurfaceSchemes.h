@@ -20,7 +20,8 @@ enum class SurfaceSchemeKind
   DooSabin,
   Midedge,
   FourEight,
-  SqrtThree
+  SqrtThree,
+  Linear
 };
 
 /// Null for a number that is no scheme.
