@@ -56,6 +56,16 @@ int vtkMultiDimensionalSubdivision::RequestData(
   options.Scheme = this->VolumeScheme == TET_OCT ? subdivision::StampScheme::TetOct
     : this->VolumeScheme == LINEAR               ? subdivision::StampScheme::Linear
                                                  : subdivision::StampScheme::BoxSpline;
+  options.KeepCellTypes = this->KeepCellTypes && this->VolumeScheme == LINEAR;
+  if (this->KeepCellTypes && !options.KeepCellTypes)
+  {
+    vtkWarningMacro("KeepCellTypes needs VolumeScheme = LINEAR: it is ignored.");
+  }
+  if (options.KeepCellTypes && (this->GenerateClassification || this->GenerateLimitNormals))
+  {
+    vtkWarningMacro("With KeepCellTypes there are no rules and normals: GenerateClassification and "
+                    "GenerateLimitNormals are ignored.");
+  }
   options.GenerateClassification = this->GenerateClassification;
   options.ProjectToLimit = this->ProjectToLimit;
   options.GenerateLimitNormals = this->GenerateLimitNormals;
@@ -79,6 +89,7 @@ void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
+  os << indent << "KeepCellTypes: " << this->KeepCellTypes << "\n";
   os << indent << "GenerateClassification: " << this->GenerateClassification << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";

@@ -142,6 +142,24 @@ public:
 
   ///@{
   /**
+   * Whether hexahedra, wedges, pyramids and quads are refined as such, with VolumeScheme = LINEAR:
+   * a hexahedron, voxel or wedge into 8 of its type, a quad or pixel into 4, a pyramid into 6
+   * pyramids and 4 tetrahedra; simplices as without the option, each tetrahedron of each level
+   * around its shortest diagonal. New points are the means of the corners of edges, quads and
+   * hexahedra; so cells that fit together fit after any level, and keep their volume together.
+   * Options on rules and limits mean nothing then; of GenerateClassification and
+   * GenerateLimitNormals a warning says so. Quads and polygons of three points are read, larger
+   * polygons, prisms of more than three sides and polyhedra are errors. The output has no stamp:
+   * filters in a row refine what they read. Off by default; without LINEAR it is ignored with a
+   * warning.
+   */
+  vtkSetMacro(KeepCellTypes, bool);
+  vtkGetMacro(KeepCellTypes, bool);
+  vtkBooleanMacro(KeepCellTypes, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether to output how the filter classified the mesh. Point arrays: `RuleDimension` (dimension
    * 0 to 3 of the rule that the next level would use for the vertex; 4 = blended) and
    * `NonManifoldType` (0: manifold; 1: objects of different dimension meet; 2: more than two
@@ -266,6 +284,7 @@ protected:
 
   int NumberOfLevels = 1;
   int VolumeScheme = BOX_SPLINE;
+  bool KeepCellTypes = false;
   bool GenerateClassification = false;
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;

@@ -17,6 +17,7 @@ room(Core/Rules)
 # Solids, upwards.
 room(Core/Solids/Location Core/Memory)
 room(Core/Solids/Complex ${ground})
+room(Core/Solids/RedCells Core/Memory Core/Operators)
 room(Core/Solids/Strata ${ground} Core/Solids/Complex)
 room(Core/Solids/Scheme ${ground} Core/Solids/Complex Core/Solids/Strata)
 # No scheme knows another, but for what BoxSpline has for all; AllSchemes knows them all.

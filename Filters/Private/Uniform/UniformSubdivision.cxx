@@ -11,6 +11,7 @@
 #include "Private/Control/StampFields.h"
 #include "Private/Reading/SolidOrientation.h"
 #include "Private/Uniform/Classification.h"
+#include "Private/Uniform/KeptTypes.h"
 #include "Private/Uniform/OutputNumbers.h"
 
 #include "vtkCellArray.h"
@@ -512,7 +513,8 @@ void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer
 bool SubdivideUniformly(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output)
 {
-  return UniformRun(input, options, output).Run();
+  return options.KeepCellTypes ? RefineKeepingTypes(input, options, output)
+                               : UniformRun(input, options, output).Run();
 }
 
 bool FindUniformOperators(

@@ -24,6 +24,7 @@ struct UniformOptions : RunOptions
   bool GenerateLimitNormals = false;
   bool ReadsLimit() const { return this->ProjectToLimit || this->GenerateLimitNormals; }
   bool Use32BitIds = false;
+  bool KeepCellTypes = false; ///< with StampScheme::Linear (KeptTypes.h)
   /// Where operators are kept; null: nowhere.
   OperatorCache* Cache = nullptr;
 };
