@@ -6,6 +6,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/CellArrays.h"
+#include "Private/Control/Partners.h"
 #include "Private/Surface/SurfaceCellArrays.h"
 #include "Private/Surface/SurfaceChecks.h"
 
@@ -30,7 +31,10 @@ template <typename Id>
 bool SurfaceRun<Id>::Plan()
 {
   this->Marked = FindMarkedEdges(this->Input, this->Options.Features.Marks, this->Options.Warn);
-  const bool isStamped = this->Marked.Points.empty() && this->ReadStamp();
+  Partners* others = FindPartners(this->Options, this->Input);
+  const bool isMarked =
+    others ? others->Sum(this->Marked.Points.empty() ? 0 : 1) > 0 : !this->Marked.Points.empty();
+  const bool isStamped = !isMarked && this->ReadStamp();
   bool isDone = this->Build();
   if (isDone && isStamped && !this->IsDescendant())
   {
