@@ -48,6 +48,12 @@ vtkIdType vtkMultiDimensionalSubdivision::GetNumberOfTopologyBuilds() const
   return this->Cache->NumberOfBuilds;
 }
 
+int vtkMultiDimensionalSubdivision::GetLayersOfCells() const
+{
+  const bool readsLimit = this->ProjectToLimit || this->GenerateLimitNormals;
+  return this->VolumeScheme == TET_OCT && readsLimit ? 3 : 2;
+}
+
 int vtkMultiDimensionalSubdivision::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

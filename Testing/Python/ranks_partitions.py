@@ -67,9 +67,9 @@ class Checks:
         self.sizes = []  # what was run, cells of this rank, cells of the whole
         self.cuts = itertools.cycle(CUTS.items())
 
-    def cut(self, mesh, filters):
+    def cut(self, mesh, filters, always=None):
         for name, options in filters:
-            cut, (find, with_ids) = next(self.cuts)
+            cut, (find, with_ids) = (always, CUTS[always]) if always else next(self.cuts)
             part_of = find(mesh, ranks.RANKS)
             part = ranks.take(mesh, np.nonzero(part_of == ranks.RANK)[0], with_ids=with_ids)
             whole = run_class(name, options, mesh if with_ids else ranks.as_it_comes(mesh, part_of, ranks.RANKS), None)
@@ -186,6 +186,7 @@ def check_files(checks):
         mesh = ranks.numbered(reader.GetOutput())
         checks.cut(mesh, [(cls, dict(options, NumberOfLevels=1)) for cls, options in filters])
         if mesh.IsA("vtkUnstructuredGrid"):
+            checks.cut(mesh, SOLID[1:], "slabs")  # the first file needs a third layer
             check_filters_in_a_row(checks, mesh, {})
         else:
             checks.cut(mesh, ADAPTIVE)
