@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceRun.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 #include "Private/ArrayNames.h"
@@ -550,5 +551,7 @@ bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPoly
   }
   return SurfaceRun<int>(input, options, scheme, output).Run(std::move(cells));
 }
+
+SUBDIVISION_COMPILE(class SurfaceRun);
 
 }

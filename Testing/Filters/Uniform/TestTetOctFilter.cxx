@@ -414,7 +414,7 @@ TEST(TetOctFilter, ClassificationKnowsCentres)
   vtkNew<Filter> filter;
   EXPECT_EQ(filter->GetVolumeScheme(), int(Filter::BOX_SPLINE));
   filter->SetVolumeScheme(7);
-  EXPECT_EQ(filter->GetVolumeScheme(), int(Filter::TET_OCT));
+  EXPECT_EQ(filter->GetVolumeScheme(), int(Filter::LINEAR));
 }
 
 TEST(TetOctFilter, CurvesAndSurfacesCostNoSolids)
