@@ -2,6 +2,7 @@
 // How a surface subdivision interpolates.
 #include "Private/Surface/SurfaceRun.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Operators/Interpolation.h"
 
 namespace subdivision
@@ -66,12 +67,6 @@ void SurfaceRun<Id>::Interpolate()
   }
 }
 
-#define SUBDIVISION_SURFACE_INTERPOLATION(Id)                                                      \
-  template bool SurfaceRun<Id>::Interpolates() const;                                              \
-  template void SurfaceRun<Id>::MakeControl(                                                       \
-    const SurfaceCells&, const SurfaceCreases&, KeptSurfaceOf<Id>*);                               \
-  template void SurfaceRun<Id>::Interpolate()
-SUBDIVISION_SURFACE_INTERPOLATION(int);
-SUBDIVISION_SURFACE_INTERPOLATION(long long);
+SUBDIVISION_COMPILE(class SurfaceRun);
 
 }

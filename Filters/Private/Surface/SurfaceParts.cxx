@@ -3,6 +3,7 @@
 // parts.
 #include "Private/Surface/SurfaceRun.h"
 
+#include "Core/Memory/Ids.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/StampFields.h"
 
@@ -108,11 +109,6 @@ void SurfaceRun<Id>::WriteControlPoints(const SurfaceNumbers& numbers, const Par
   WriteField<vtkDoubleArray>(ControlCreasesName, creases, data, CreaseComponents);
 }
 
-#define SUBDIVISION_SURFACE_PARTS(Id)                                                              \
-  template void SurfaceRun<Id>::KeepControlCoordinates();                                          \
-  template SurfaceLevel<Id> SurfaceRun<Id>::MakeFirstLevel(const SurfaceCells&) const;             \
-  template void SurfaceRun<Id>::WriteStampOfPart(Partners&, bool)
-SUBDIVISION_SURFACE_PARTS(int);
-SUBDIVISION_SURFACE_PARTS(long long);
+SUBDIVISION_COMPILE(class SurfaceRun);
 
 }
