@@ -8,6 +8,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -313,6 +314,31 @@ TEST(PartitionsIds, LetFiltersOfSurfacesGoOn)
         parts =
           SubdivideParts(parts, partition, MakeOptions(scheme, findsFeatures && step == 0, 1));
       }
+      ExpectWhole(whole, parts);
+      ExpectIndices(whole, parts);
+    });
+}
+
+TEST(PartitionsIds, PartsAgreeThatMarksStartAfresh)
+{
+  ForSurfaces(
+    [](vtkPointSet* mesh, int scheme, bool, const Partition& partition)
+    {
+      if (scheme > 0)
+      {
+        return;
+      }
+      // At one end: many parts have no mark.
+      const double* bounds = mesh->GetBounds();
+      vtkNew<vtkPlane> plane;
+      plane->SetNormal(-1., 0., 0.);
+      plane->SetOrigin(bounds[1] - 0.01 * (bounds[1] - bounds[0]), 0., 0.);
+      SurfaceOptions marking = MakeOptions(scheme, false, 1);
+      marking.Features.Marks.Function = plane;
+      const SurfaceOptions first = MakeOptions(scheme, false, 1);
+      const Mesh whole = Subdivide(Subdivide(mesh, first), marking);
+      const std::vector<Mesh> parts =
+        SubdivideParts(SubdivideParts(Cut(mesh, partition), partition, first), partition, marking);
       ExpectWhole(whole, parts);
       ExpectIndices(whole, parts);
     });
