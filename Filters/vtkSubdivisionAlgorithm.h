@@ -121,8 +121,9 @@ public:
    * Whether to give points and cells global ids (the active attributes `GlobalPointIds` and
    * `GlobalCellIds`, vtkIdTypeArray, one component): their indices in the output of the whole mesh,
    * however it is distributed over blocks and ranks. If JoinBlocks is off, they count in each
-   * block. vtkSimplicialComplexTopology does not know them on several ranks: it warns and adds
-   * none. No effect in vtkSubdivisionDeformation. Off by default.
+   * block. vtkSimplicialComplexTopology, and vtkMultiDimensionalSubdivision with KeepCellTypes, do
+   * not know them on several ranks: they warn and add none. No effect in vtkSubdivisionDeformation.
+   * Off by default.
    */
   vtkSetMacro(GenerateGlobalIds, bool);
   vtkGetMacro(GenerateGlobalIds, bool);
@@ -135,9 +136,10 @@ public:
    * for control points, but solves for control points whose limits they are: a smooth object does
    * not shrink. Rules and diagonals are chosen for the points of the input. For
    * vtkMultiDimensionalSubdivision and vtkSurfaceSubdivision (with schemes that have limits); other
-   * filters warn and ignore it. In a row of filters switch it on in all or in the first: later ones
-   * leave what is solved as it is. A warning says so if 40 products with the limit operator do not
-   * reach an error of 1e-10 of the range (single precision: of its rounding). Off by default.
+   * filters, and all of them where several ranks share a mesh, warn and ignore it. In a row of
+   * filters switch it on in all or in the first: later ones leave what is solved as it is. A
+   * warning says so if 40 products with the limit operator do not reach an error of 1e-10 of the
+   * range (single precision: of its rounding). Off by default.
    */
   vtkSetMacro(InterpolatePoints, bool);
   vtkGetMacro(InterpolatePoints, bool);
