@@ -5,7 +5,7 @@ import itertools
 
 import numpy as np
 import tools
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
@@ -16,11 +16,10 @@ CATMULL_CLARK = vtkSurfaceSubdivision.CATMULL_CLARK
 
 
 def cells(lists):
+    offsets = np.cumsum([0] + [len(ids) for ids in lists], dtype=np.int64)
+    connectivity = np.fromiter(itertools.chain.from_iterable(lists), np.int64, offsets[-1])
     result = vtkCellArray()
-    for ids in lists:
-        result.InsertNextCell(len(ids))
-        for i in ids:
-            result.InsertCellPoint(int(i))
+    result.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(connectivity, deep=True))
     return result
 
 
@@ -78,14 +77,13 @@ def point_array(made, name):
 
 def faces_of(made):
     array = made.GetPolys()
-    ids = vtk_to_numpy(array.GetConnectivityArray())
-    offsets = vtk_to_numpy(array.GetOffsetsArray())
-    return [list(ids[a:b]) for a, b in zip(offsets[:-1], offsets[1:])]
+    ids = vtk_to_numpy(array.GetConnectivityArray()).tolist()
+    offsets = vtk_to_numpy(array.GetOffsetsArray()).tolist()
+    return [ids[a:b] for a, b in zip(offsets[:-1], offsets[1:])]
 
 
 def lines_of(made):
-    ids = vtk_to_numpy(made.GetLines().GetConnectivityArray())
-    return [list(pair) for pair in ids.reshape(-1, 2)]
+    return vtk_to_numpy(made.GetLines().GetConnectivityArray()).reshape(-1, 2).tolist()
 
 
 def operator(made, scheme, **options):

@@ -8,6 +8,7 @@ import numpy as np
 import tools
 from surface_tools import (LOOP, add, children, coordinates, faces_of, fan, flag_corner, grid, mesh, moebius,
                            point_array, run, spectrum, wheel, with_identity, zoo)
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersModeling import vtkButterflySubdivisionFilter
 
 from subdivisionobjects import vtkSurfaceSubdivision
@@ -267,12 +268,12 @@ class Tangents(unittest.TestCase):
                 fine = run(surface, BUTTERFLY, 6, **options)
                 points = coordinates(fine)
                 sums = np.zeros((size, 3))
-                for face in np.array(faces_of(fine)):
-                    for at, vertex in enumerate(face):
-                        if vertex < size:
-                            normal = np.cross(points[face[(at + 1) % 3]] - points[vertex],
-                                              points[face[at - 1]] - points[vertex])
-                            sums[vertex] += normal / max(1e-300, np.linalg.norm(normal))
+                faces = vtk_to_numpy(fine.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+                for turned in (faces, np.roll(faces, 1, axis=1), np.roll(faces, 2, axis=1)):
+                    old = turned[turned[:, 0] < size]
+                    normals = np.cross(points[old[:, 1]] - points[old[:, 0]], points[old[:, 2]] - points[old[:, 0]])
+                    normals /= np.maximum(1e-300, np.linalg.norm(normals, axis=1))[:, None]
+                    np.add.at(sums, old[:, 0], normals)
                 sums /= np.linalg.norm(sums, axis=1)[:, None]
                 self.assertGreater((sums * exact).sum(axis=1).min(), 0.97)
 

@@ -155,17 +155,21 @@ class SqrtThree(unittest.TestCase):
 def measure_bend(made):
     """The largest distance between the normals of neighbouring faces, one of which is at the boundary."""
     points, faces = coordinates(made), faces_of(made)
-    sides, normals = {}, []
+    sides = {}
     for f, face in enumerate(faces):
-        corners = points[face] - points[face].mean(axis=0)
-        normal = np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
-        normals.append(normal / np.linalg.norm(normal))
         for i, vertex in enumerate(face):
             sides.setdefault(frozenset((vertex, face[i - 1])), []).append(f)
     outside = {v for side, around in sides.items() if len(around) == 1 for v in side}
-    outer = {f for f, face in enumerate(faces) if outside & set(face)}
-    return max(np.linalg.norm(normals[a] - normals[b])
-               for a, b in (around for around in sides.values() if len(around) == 2) if a in outer or b in outer)
+    outer = {f for f, face in enumerate(faces) if not outside.isdisjoint(face)}
+
+    def normal(face):
+        corners = points[face] - points[face].mean(axis=0)
+        total = np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
+        return total / np.linalg.norm(total)
+
+    pairs = [pair for pair in sides.values() if len(pair) == 2 and not outer.isdisjoint(pair)]
+    normals = {f: normal(faces[f]) for f in set().union(*pairs)}
+    return max(np.linalg.norm(normals[a] - normals[b]) for a, b in pairs)
 
 
 class DualBoundaries(unittest.TestCase):
