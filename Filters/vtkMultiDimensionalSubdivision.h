@@ -278,6 +278,7 @@ protected:
   ~vtkMultiDimensionalSubdivision() override;
 
   bool CanInterpolate() const override { return true; }
+  bool HasInterfaces() const override { return true; }
   /// Tet/oct limits need a third layer, because octahedra reach one edge farther.
   int GetLayersOfCells() const override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

@@ -109,6 +109,7 @@ protected:
   vtkRedGreenRefinement();
   ~vtkRedGreenRefinement() override;
 
+  bool HasInterfaces() const override { return true; }
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

@@ -2,6 +2,7 @@
 #include "vtkSubdivisionAlgorithm.h"
 
 #include "Private/ArrayNames.h"
+#include "Private/Control/MaterialFields.h"
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/KeptParts.h"
 #include "Private/Reading/InputArrays.h"
@@ -56,6 +57,24 @@ void vtkSubdivisionAlgorithm::RemoveAllInterpolatedArrays()
   if (!this->InterpolatedArrays.empty())
   {
     this->InterpolatedArrays.clear();
+    this->Modified();
+  }
+}
+
+void vtkSubdivisionAlgorithm::AddFieldOfCells(const char* name)
+{
+  if (name)
+  {
+    this->FieldsOfCells.emplace_back(name);
+    this->Modified();
+  }
+}
+
+void vtkSubdivisionAlgorithm::RemoveAllFieldsOfCells()
+{
+  if (!this->FieldsOfCells.empty())
+  {
+    this->FieldsOfCells.clear();
     this->Modified();
   }
 }
@@ -140,6 +159,15 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
       vtkStreamingDemandDrivenPipeline::GetUpdateGhostLevel(outputVector->GetInformationObject(0));
   }
   this->ReadInterpolation(options, distribution.Warnings);
+  bool hasFields = this->InterfaceValues == DISCONTINUOUS_VALUES;
+  if (hasFields && !(this->HasInterfaces() && this->PreserveInterfaces))
+  {
+    distribution.Warnings.emplace_back(this->HasInterfaces()
+        ? "Values can jump at interfaces that are kept only: InterfaceValues is ignored. Switch "
+          "PreserveInterfaces on."
+        : "This filter has no values that jump at interfaces: it ignores InterfaceValues.");
+    hasFields = false;
+  }
   distribution.AddBlockIndex = this->PreserveInterfaces;
   distribution.Prepare = [this](vtkPointSet* block, vtkPointSet* copy)
   { this->Prepare(block, copy); };
@@ -165,9 +193,17 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   {
     return 0;
   }
-  const int result = subdivision::RunDistributed(this, readable, output, distribution, traits,
-    options, [&](vtkPointSet* mesh, vtkPointSet* made)
-    { return this->ReadFeatureOptions(mesh, options) && run(mesh, made); });
+  subdivision::MaterialFieldOptions fields;
+  fields.CellArrays = this->FieldsOfCells;
+  fields.JoinsCopies = !this->SharesRanks() && vtkPointSet::SafeDownCast(readable);
+  const int result =
+    subdivision::RunDistributed(this, readable, output, distribution, traits, options,
+      [&](vtkPointSet* mesh, vtkPointSet* made)
+      {
+        return this->ReadFeatureOptions(mesh, options) &&
+          (hasFields ? subdivision::RunWithMaterialFields(mesh, made, options, fields, run)
+                     : run(mesh, made));
+      });
   subdivision::RestoreSourceCells(this->IsOfSurfaces() ? output : nullptr);
   subdivision::ConnectToFilter(this, options, failed);
   const auto finish = [&]
@@ -290,6 +326,13 @@ void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CreaseEnd: " << this->CreaseEnd << "\n";
   os << indent << "EmbeddedCells: " << this->EmbeddedCells << "\n";
   os << indent << "PreserveInterfaces: " << this->PreserveInterfaces << "\n";
+  os << indent << "InterfaceValues: " << this->InterfaceValues << "\n";
+  os << indent << "Fields of cells:";
+  for (const std::string& name : this->FieldsOfCells)
+  {
+    os << " " << name;
+  }
+  os << "\n";
   os << indent << "DetectFeatures: " << this->DetectFeatures << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "Type1Rule: " << this->Type1Rule << "\n";

@@ -242,6 +242,42 @@ public:
   vtkBooleanMacro(PreserveInterfaces, bool);
   ///@}
 
+  enum InterfaceValuesRules
+  {
+    CONTINUOUS_VALUES,
+    DISCONTINUOUS_VALUES
+  };
+  ///@{
+  /**
+   * What values at points do where materials meet: CONTINUOUS_VALUES (0, the default; one field
+   * over all materials) or DISCONTINUOUS_VALUES (1; each material has a field of its own, smoothed
+   * with its own values only, so that values jump at interfaces). Then a point at which several
+   * materials meet has a copy for each of them, at the same place: copies follow after all other
+   * points, each cell names those of its material, and the point array `MaterialPointIds`
+   * (vtkIdType) says which point each is. Another filter with the same option, or whoever joins
+   * equal ids, gets the mesh without copies back; vtkGlobalPointIds are equal for copies, too.
+   * Arrays of floating point numbers and AddFieldOfCells become fields; all others, and
+   * coordinates, are equal for copies. Needs PreserveInterfaces; without, and in filters that have
+   * no interfaces, it is ignored with a warning. Needs memory for each array as often as there are
+   * materials of which each meets all others; an error if these are more than 32.
+   */
+  vtkSetClampMacro(InterfaceValues, int, CONTINUOUS_VALUES, DISCONTINUOUS_VALUES);
+  vtkGetMacro(InterfaceValues, int);
+  void SetInterfaceValuesToContinuous() { this->SetInterfaceValues(CONTINUOUS_VALUES); }
+  void SetInterfaceValuesToDiscontinuous() { this->SetInterfaceValues(DISCONTINUOUS_VALUES); }
+  ///@}
+
+  ///@{
+  /**
+   * The names of cell arrays that become point arrays with InterfaceValues = DISCONTINUOUS_VALUES:
+   * the value of a material at a point is the mean of its cells there. They stay cell arrays, too.
+   * None by default. A warning tells of a name that the input does not have, or that a point array
+   * has.
+   */
+  void AddFieldOfCells(const char* name);
+  void RemoveAllFieldsOfCells();
+  ///@}
+
   ///@{
   /**
    * Whether edges of the input are creases where the boundary of a solid, or a surface, turns by
@@ -367,6 +403,8 @@ protected:
   virtual bool IsOfSurfaces() const { return false; }
   /// Whether it has rules for InterpolatePoints and InterpolateArrays.
   virtual bool CanInterpolate() const { return false; }
+  /// Whether it keeps interfaces between materials, at which values may jump.
+  virtual bool HasInterfaces() const { return false; }
   /// How many layers of the cells of others a rank needs around its own.
   virtual int GetLayersOfCells() const { return 2; }
   /// Whether several ranks have partitions of one mesh.
@@ -421,12 +459,14 @@ protected:
   bool InterpolatePoints = false;
   bool InterpolateArrays = false;
   std::vector<std::string> InterpolatedArrays;
+  std::vector<std::string> FieldsOfCells;
   double InterpolationWeight = 1.;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   vtkIdType MaximumNumberOfCells = 500000000;
   int CreaseEnd = CORNER;
   int EmbeddedCells = FOLLOW;
   bool PreserveInterfaces = false;
+  int InterfaceValues = CONTINUOUS_VALUES;
   bool DetectFeatures = false;
   double FeatureAngle = 30.;
   int Type1Rule = TYPE1_BLEND;

@@ -29,6 +29,12 @@ constexpr const char* CellNumbersName = "SubdivisionCellNumber";
 /// The cell array of a surface that was made of a grid: which cell of the grid each cell is.
 constexpr const char* SourceCellsName = "SubdivisionSourceCells";
 constexpr const char* LimitNormalsName = "LimitNormals";
+/// The point array that says which points are the same one (MaterialFields.h).
+constexpr const char* MaterialPointIdsName = "MaterialPointIds";
+/// The cell array of the colour of each cell's material, and how names of the point arrays begin
+/// that have the values of one colour: both are there during the work only.
+constexpr const char* ColourName = "SubdivisionColour";
+constexpr const char* FieldName = "SubdivisionField";
 /// The field array of the stamp. The names of the other field arrays that belong to a stamp of
 /// Stamp.h or SurfaceStamp.h begin with it.
 constexpr const char* StampName = "Subdivision";
@@ -40,6 +46,24 @@ constexpr const char* SurfaceStampName = "SubdivisionSurface";
 inline bool BelongsToStamp(const char* name)
 {
   return name && std::string(name).rfind(StampName, 0) == 0;
+}
+
+/// The name of the point array that has the values of one colour, with weights.
+inline std::string MakeFieldName(int colour, const std::string& name)
+{
+  return FieldName + std::to_string(colour) + ":" + name;
+}
+
+/// Whether a point array has such a name.
+inline bool IsWeighted(const char* name)
+{
+  return name && std::string(name).rfind(FieldName, 0) == 0;
+}
+
+/// The colour in such a name.
+inline int GetColour(const char* name)
+{
+  return std::stoi(name + std::string(FieldName).size());
 }
 
 }

@@ -31,7 +31,8 @@ OTHER_DEFAULTS = {
 }
 # Options and arrays without a property: surfaces have no rules for them, and the filters warn of them.
 SURFACES = ("SurfaceSubdivision", "AdaptiveSurfaceSubdivision")
-NOT_OFFERED = {f"{name}.{option}" for name in SURFACES for option in ("EmbeddedCells", "PreserveInterfaces")}
+NOT_OFFERED = {f"{name}.{option}" for name in SURFACES
+               for option in ("EmbeddedCells", "PreserveInterfaces", "InterfaceValues")}
 # Filters without rules to interpolate.
 NOT_OFFERED |= {f"{name}.{option}" for name in ("AdaptiveSurfaceSubdivision", "RedGreenRefinement",
                                                 "SimplicialComplexTopology", "SubdivisionDeformation")
@@ -209,7 +210,7 @@ class Proxies(unittest.TestCase):
                     with self.subTest(f"{name}.{key}"):
                         self.check_set(of_bases(cls, "options")[key], cls, element)
                 elif element.get("command") not in ("SetInputConnection", "SetInputArrayToProcess",
-                                                     "AddInterpolatedArray"):
+                                                     "AddInterpolatedArray", "AddFieldOfCells"):
                     with self.subTest(f"{name}.{key}"):
                         self.assertEqual(element.get("command"), "Set" + key)
                         self.check_option(of_bases(cls, "options")[key], cls, element)

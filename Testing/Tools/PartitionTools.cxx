@@ -77,7 +77,7 @@ bool IsSameTuple(vtkAbstractArray* a, vtkIdType i, vtkAbstractArray* b, vtkIdTyp
 bool CountsInPart(const std::string& name)
 {
   return name == "OctahedronId" || name == "GreenParent" || name == "vtkOriginalCellIds" ||
-    name == "vtkOriginalPointIds";
+    name == "vtkOriginalPointIds" || name == "MaterialPointIds";
 }
 
 /// Two arrays of the same name, and their bytes where these can be compared.

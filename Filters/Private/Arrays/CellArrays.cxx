@@ -117,6 +117,12 @@ void CopyArrays(vtkPointSet* input, const CellArrayOptions& options, const Sprea
 
 }
 
+vtkSmartPointer<vtkAbstractArray> SpreadToChildren(
+  vtkAbstractArray* array, const SimplicesOfCells& cells, int levels)
+{
+  return SpreadArray(array, cells, FindChildren(cells.Simplices, levels));
+}
+
 void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   const CellArrayOptions& options, vtkUnstructuredGrid* output)
 {

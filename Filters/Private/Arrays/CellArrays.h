@@ -9,10 +9,13 @@
 #include "Core/Memory/Buffer.h"
 #include "Private/Reading/CellsToSimplices.h"
 
+#include "vtkSmartPointer.h"
+
 #include <functional>
 #include <string>
 #include <vector>
 
+class vtkAbstractArray;
 class vtkIdTypeArray;
 class vtkPointSet;
 class vtkUnstructuredGrid;
@@ -32,6 +35,10 @@ struct CellArrayOptions
   /// Is told which arrays cannot be used.
   std::function<void(const std::string&)> Warn;
 };
+
+/// The values of a cell array for the children that the simplices have after some levels.
+vtkSmartPointer<vtkAbstractArray> SpreadToChildren(
+  vtkAbstractArray* array, const SimplicesOfCells& cells, int levels);
 
 /// Copies every cell array of `input` to the children that its simplices have after some levels.
 /// Global and pedigree ids are dropped.

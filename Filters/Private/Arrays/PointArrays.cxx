@@ -60,6 +60,35 @@ void FillCentres(vtkDataArray* array, const SimplicesOfCells& cells)
     means.data(), array->GetVoidPointer(first * components), array->GetDataType(), means.size());
 }
 
+/// Weights below this are rounding.
+constexpr double LeastWeight = 1e-6;
+
+/// Divides the values of each tuple by the last one, which becomes 1.
+template <typename Value>
+void DivideByWeights(Value* values, int components, vtkIdType tuples)
+{
+  ForEach(tuples,
+    [=](vtkIdType i)
+    {
+      Value* tuple = values + i * components;
+      const Value weight = tuple[components - 1];
+      const bool isKnown = weight > static_cast<Value>(LeastWeight);
+      for (int k = 0; k < components; ++k)
+      {
+        tuple[k] = isKnown ? tuple[k] / weight : Value(0);
+      }
+    });
+}
+
+void DivideByWeights(vtkDataArray* array)
+{
+  void* values = array->GetVoidPointer(0);
+  const int components = array->GetNumberOfComponents();
+  array->GetDataType() == VTK_FLOAT
+    ? DivideByWeights(static_cast<float*>(values), components, array->GetNumberOfTuples())
+    : DivideByWeights(static_cast<double*>(values), components, array->GetNumberOfTuples());
+}
+
 }
 
 vtkSmartPointer<vtkDataArray> StartValues(
@@ -135,6 +164,7 @@ PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
       entry.Current = StartValues(vtkDataArray::SafeDownCast(array), array->GetDataType(), cells);
     }
     this->HasGathered = this->HasGathered || !entry.Current;
+    this->HasWeighted = this->HasWeighted || IsWeighted(name.c_str());
     this->Entries.push_back(entry);
   }
   this->StartOrigins();
@@ -230,6 +260,13 @@ void PointArrays::AdvanceSmoothed(const PointOperator& operation, const PointOpe
     }
   }
   ApplyToArrays(operation, arrays, also);
+  for (const Entry& entry : this->Entries)
+  {
+    if (entry.Current && IsWeighted(entry.Current->GetName()))
+    {
+      DivideByWeights(entry.Current);
+    }
+  }
 }
 
 /// Finds the current points whose values rows take in arrays that are not smoothed: an old point
@@ -296,6 +333,28 @@ void PointArrays::Project(const PointOperator& operation)
   if (operation.GetNumberOfRows() > 0)
   {
     this->AdvanceSmoothed(operation);
+  }
+}
+
+void PointArrays::KeepColours(const std::vector<ColourMask>& masks)
+{
+  for (const Entry& entry : this->Entries)
+  {
+    if (!masks.empty() && entry.Current && IsWeighted(entry.Current->GetName()))
+    {
+      const int colour = GetColour(entry.Current->GetName());
+      const int components = entry.Current->GetNumberOfComponents();
+      const int bytes = components * entry.Current->GetDataTypeSize();
+      char* values = static_cast<char*>(entry.Current->GetVoidPointer(0));
+      ForEach(static_cast<vtkIdType>(masks.size()),
+        [&](vtkIdType i)
+        {
+          if (!(masks[static_cast<std::size_t>(i)] >> colour & 1))
+          {
+            std::memset(values + i * bytes, 0, static_cast<std::size_t>(bytes));
+          }
+        });
+    }
   }
 }
 

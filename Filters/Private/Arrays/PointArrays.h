@@ -10,6 +10,7 @@
 #include "Core/Memory/Coordinates.h"
 #include "Core/Operators/PointOperator.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Arrays/Colours.h"
 #include "Private/Reading/CellsToSimplices.h"
 
 #include <functional>
@@ -83,6 +84,12 @@ public:
   vtkDataArray* GetPoints() const { return this->Points; }
   void ReusePoints(vtkDataArray* result) { this->FinalPoints = result; }
 
+  /// Whether some array has weights (MaterialFields.h), by which its values are divided after each
+  /// operator.
+  bool HasWeights() const { return this->HasWeighted; }
+  /// Takes away the values of points of those colours that their masks do not have; none: does
+  /// nothing.
+  void KeepColours(const std::vector<ColourMask>& masks);
   /// Whether some array is not smoothed.
   bool GathersSome() const { return this->HasGathered; }
   /// Applies an operator to all arrays. Rows of rules and rings tell from which current point a row
@@ -149,6 +156,7 @@ private:
   vtkSmartPointer<vtkDataArray> Normals;
   std::vector<Entry> Entries;
   bool HasGathered = false;
+  bool HasWeighted = false;
   bool HasInputPoints = true;
   bool HasMoved = false;     ///< an operator was applied
   Buffer<vtkIdType> Origins; ///< the input point whose values each point takes

@@ -50,7 +50,12 @@ template <typename Id>
 class KeptStepsOf : public KeptSteps
 {
 public:
-  void Add(Stencils<Id>&& stencils) { this->Steps.push_back(std::move(stencils)); }
+  /// `colours`: those of the points after the step; none where no array has weights.
+  void Add(Stencils<Id>&& stencils, std::vector<ColourMask>&& colours)
+  {
+    this->Steps.push_back(std::move(stencils));
+    this->Colours.push_back(std::move(colours));
+  }
   /// Sets the operators that follow the last step.
   void SetLimit(LimitOperators<Id>&& limit) { this->Limit = std::move(limit); }
   void SetControlLimit(SparseRows<Id>&& limit) { this->ControlLimit = std::move(limit); }
@@ -60,9 +65,10 @@ public:
   }
   void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const override
   {
-    for (const Stencils<Id>& step : this->Steps)
+    for (std::size_t i = 0; i < this->Steps.size(); ++i)
     {
-      arrays.Advance(step);
+      arrays.Advance(this->Steps[i]);
+      arrays.KeepColours(this->Colours[i]);
     }
     this->Limit.Apply(arrays, inverted);
   }
@@ -97,11 +103,16 @@ public:
     {
       bytes += step.GetMemorySize();
     }
+    for (const std::vector<ColourMask>& colours : this->Colours)
+    {
+      bytes += colours.size() * sizeof(ColourMask);
+    }
     return bytes;
   }
 
 private:
   std::vector<Stencils<Id>> Steps;
+  std::vector<std::vector<ColourMask>> Colours;
   LimitOperators<Id> Limit;
   SparseRows<Id> ControlLimit;
 };

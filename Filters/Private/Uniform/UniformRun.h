@@ -77,6 +77,9 @@ private:
   void StepTwice(const typename Scheme::Level& level);
   template <typename Scheme>
   Stencils<typename Scheme::Id> TakeOperator(typename Scheme::Level& level, int step) const;
+  template <typename Scheme>
+  std::vector<ColourMask> FindColours(const typename Scheme::Level& level, int step) const;
+  std::vector<ColourMask> FindControlColours() const;
   template <typename Rows>
   void AddClassificationOf(const Rows& last);
   template <typename Scheme>

@@ -18,6 +18,7 @@
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -119,6 +120,7 @@ void UniformRun::StartPoints()
   }
   this->Points = std::make_unique<PointArrays>(this->Input, this->Mesh.Cells,
     this->Mesh.GetGlobalIds(), static_cast<vtkIdType>(this->Mesh.GlobalIds.size()), arrays);
+  this->Points->KeepColours(this->FindControlColours());
   if (this->Mesh.MadeLevels == 0)
   {
     this->Mesh.Inverted =
@@ -251,9 +253,11 @@ bool UniformRun::Step(typename Scheme::Level& level, KeptOperator* keep)
     this->StepNever<Scheme>(level, *kept, keep);
   }
   // Whether the last two operators are stored. If not, StepTwice makes the last two steps at once,
-  // row by row; it cannot where operators are kept or blended, or the last level is needed.
+  // row by row; it cannot where operators are kept or blended, values are divided by weights, or
+  // the last level is needed.
   const bool stored = keep || this->Options.ReadsLimit() || steps < 2 ||
-    HasEqualCells(level.Complex) || IsSharpAfter(this->Control.Sharpness, steps - 2);
+    this->Points->HasWeights() || HasEqualCells(level.Complex) ||
+    IsSharpAfter(this->Control.Sharpness, steps - 2);
   for (int step = 0; step < steps; ++step)
   {
     if (this->IsStopped((step + 1.) / (steps + 1.)))
@@ -309,20 +313,66 @@ Stencils<typename Scheme::Id> UniformRun::TakeOperator(
   return stencils;
 }
 
+/// Which colours the cells at each point of the control mesh have (MaterialFields.h).
+std::vector<ColourMask> UniformRun::FindControlColours() const
+{
+  if (!this->Points->HasWeights())
+  {
+    return {};
+  }
+  const SimplicesOfCells& cells = this->Mesh.Cells;
+  vtkDataArray* colours = this->Input->GetCellData()->GetArray(ColourName);
+  std::vector<vtkIdType> offsets{ 0 };
+  for (const unsigned char dimension : cells.Simplices.Dimensions)
+  {
+    offsets.push_back(offsets.back() + dimension + 1);
+  }
+  const SimplexView view = cells.GetView();
+  ColourMasks masks(view.NumberOfPoints);
+  masks.Add(
+    view.NumberOfSimplices, [&](vtkIdType c) { return offsets[static_cast<std::size_t>(c)]; },
+    [&](vtkIdType i) { return view.Connectivity[i]; },
+    [&](vtkIdType c)
+    {
+      return static_cast<int>(
+        colours->GetComponent(cells.ParentCells.empty() ? c : cells.ParentCells[c], 0));
+    });
+  return masks.Get();
+}
+
+/// The same after the step of a level, the first of which is step 0.
+template <typename Scheme>
+std::vector<ColourMask> UniformRun::FindColours(const typename Scheme::Level& level, int step) const
+{
+  if (!this->Points->HasWeights())
+  {
+    return {};
+  }
+  const UniformCells children = MakeChildren<Scheme>(level, this->Control.Runs, 1, nullptr, true);
+  const vtkSmartPointer<vtkAbstractArray> spread =
+    SpreadToChildren(this->Input->GetCellData()->GetArray(ColourName), this->Mesh.Cells, step + 1);
+  auto* colours = vtkIntArray::SafeDownCast(spread);
+  ColourMasks masks(LevelRows<typename Scheme::Id>(level).GetNumberOfRows());
+  masks.Add(children.Cells, [&](vtkIdType c) { return colours->GetValue(c); });
+  return masks.Get();
+}
+
 /// A step that is not the last one. `kept` is null where operators are not kept.
 template <typename Scheme>
 void UniformRun::StepOnce(typename Scheme::Level& level, int step, Kept<Scheme>* kept)
 {
   const bool further = this->Options.ReadsLimit() || step + 2 < this->Options.Levels;
+  std::vector<ColourMask> colours = this->FindColours<Scheme>(level, step);
   typename Scheme::Level next = Refine(level, further ? Depth::ForRefinement : Depth::ForOutput);
   this->Control.Runs = RefineRuns(this->Control.Runs, 1);
   this->Control.DerivedRuns = RefineRuns(this->Control.DerivedRuns, 1);
   Stencils<typename Scheme::Id> stencils = this->TakeOperator<Scheme>(level, step);
   level = std::move(next);
   this->Points->Advance(stencils);
+  this->Points->KeepColours(colours);
   if (kept)
   {
-    kept->Add(std::move(stencils));
+    kept->Add(std::move(stencils), std::move(colours));
   }
 }
 
@@ -341,19 +391,22 @@ void UniformRun::StepLast(typename Scheme::Level& level, Kept<Scheme>& kept, boo
   }
   this->MakeCells<Scheme>(level, 1, nullptr);
   typename Scheme::Level next;
+  std::vector<ColourMask> colours;
   if (this->Options.ReadsLimit())
   {
+    colours = this->FindColours<Scheme>(level, step);
     next = Refine(level, Depth::ForRefinement);
   }
   Stencils<typename Scheme::Id> stencils = this->TakeOperator<Scheme>(level, step);
   level = std::move(next);
   this->Points->Advance(stencils);
+  this->Points->KeepColours(colours);
   this->GoToLimit<Scheme>(level, kept);
   this->FinishPoints(!this->SameCells);
   this->AddClassification(stencils.Vertices, stencils.Edges);
   if (keeps)
   {
-    kept.Add(std::move(stencils));
+    kept.Add(std::move(stencils), std::move(colours));
   }
 }
 

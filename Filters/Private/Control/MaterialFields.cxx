@@ -1,0 +1,789 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Control/MaterialFields.h"
+
+#include "Core/Memory/Loops.h"
+#include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
+#include "Private/Arrays/Colours.h"
+#include "Private/Reading/CellReader.h"
+#include "Private/Reading/CellsToSimplices.h"
+#include "Private/vtkSubdivisionObjectsCompat.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr int NoMaterial = -1;
+
+// ------------------------------------------------------------------------------------------------
+// Points and their copies
+
+/// The first point of those that MaterialPointIds says are the same one; of each point. Empty if
+/// all are different.
+std::vector<vtkIdType> FindFirstCopies(vtkPointSet* mesh)
+{
+  const vtkIdType size = mesh->GetNumberOfPoints();
+  std::vector<vtkIdType> firsts;
+  if (HasIds(mesh->GetPointData(), MaterialPointIdsName, size))
+  {
+    vtkDataArray* ids = mesh->GetPointData()->GetArray(MaterialPointIdsName);
+    std::unordered_map<vtkIdType, vtkIdType> places;
+    bool hasCopies = false;
+    firsts.resize(static_cast<std::size_t>(size));
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const auto place = places.emplace(ToId(ids->GetComponent(i, 0)), i);
+      firsts[static_cast<std::size_t>(i)] = place.first->second;
+      hasCopies = hasCopies || !place.second;
+    }
+    if (!hasCopies)
+    {
+      firsts.clear();
+    }
+  }
+  return firsts;
+}
+
+/// A copy of cells, the first of which is cell `first` of its mesh. change(cell, begin, end) may
+/// change the ids of its points, which are below `size`.
+template <typename Change>
+vtkSmartPointer<vtkCellArray> CopyCells(
+  vtkCellArray* cells, vtkIdType first, vtkIdType size, const Change& change)
+{
+  const auto copy = vtkSmartPointer<vtkCellArray>::New();
+  copy->DeepCopy(cells);
+  if (!copy->IsStorage64Bit() && size > std::numeric_limits<vtkTypeInt32>::max())
+  {
+    copy->ConvertTo64BitStorage();
+  }
+  CellReader::Integers offsets;
+  offsets.Set(copy->GetOffsetsArray());
+  auto changeAll = [&](auto* ids)
+  {
+    ForEach(cells->GetNumberOfCells(),
+      [&](vtkIdType c) { change(first + c, ids + offsets[c], ids + offsets[c + 1]); });
+  };
+  void* ids = copy->GetConnectivityArray()->GetVoidPointer(0);
+  copy->IsStorage64Bit() ? changeAll(static_cast<vtkTypeInt64*>(ids))
+                         : changeAll(static_cast<vtkTypeInt32*>(ids));
+  return copy;
+}
+
+/// Calls visit(cells, id of the first) for each vtkCellArray of a mesh.
+template <typename Visit>
+void ForEachCellArray(vtkPointSet* mesh, const Visit& visit)
+{
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
+  {
+    visit(grid->GetCells(), 0);
+    return;
+  }
+  auto* surface = vtkPolyData::SafeDownCast(mesh);
+  vtkIdType first = 0;
+  for (vtkCellArray* cells :
+    { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() })
+  {
+    visit(cells, first);
+    first += cells->GetNumberOfCells();
+  }
+}
+
+/// Gives a mesh such copies of its cells.
+template <typename Change>
+void ChangeCells(vtkPointSet* mesh, vtkIdType size, const Change& change)
+{
+  std::vector<vtkSmartPointer<vtkCellArray>> made;
+  ForEachCellArray(mesh, [&](vtkCellArray* cells, vtkIdType first)
+    { made.push_back(CopyCells(cells, first, size, change)); });
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
+  {
+    grid->SetCells(GetCellTypes(grid), made[0]);
+    return;
+  }
+  auto* surface = vtkPolyData::SafeDownCast(mesh);
+  surface->SetVerts(made[0]);
+  surface->SetLines(made[1]);
+  surface->SetPolys(made[2]);
+  surface->SetStrips(made[3]);
+}
+
+/// Replaces points and point data by those of `sources`, and ids by those that `change` gives.
+template <typename Change>
+void TakePoints(vtkPointSet* mesh, const std::vector<vtkIdType>& sources, const Change& change)
+{
+  const Row<vtkIdType> row{ sources.data(), sources.data() + sources.size() };
+  const auto from = vtkSmartPointer<vtkPointData>::New();
+  from->ShallowCopy(mesh->GetPointData());
+  mesh->GetPointData()->Initialize();
+  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
+  {
+    AddLike(from, a, Gather(from->GetAbstractArray(a), row), mesh->GetPointData());
+  }
+  const auto coordinates = Gather(mesh->GetPoints()->GetData(), row);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(coordinates->GetDataType());
+  points->SetData(vtkDataArray::SafeDownCast(coordinates));
+  mesh->SetPoints(points);
+  ChangeCells(mesh, static_cast<vtkIdType>(sources.size()), change);
+}
+
+// ------------------------------------------------------------------------------------------------
+// Materials and colours
+
+/// The number of the value of each cell, in the order of the values.
+template <typename Value, typename Get>
+std::vector<int> NumberValues(vtkIdType size, const Get& get)
+{
+  std::vector<Value> values(static_cast<std::size_t>(size));
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    values[static_cast<std::size_t>(i)] = get(i);
+  }
+  std::vector<Value> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  std::vector<int> numbers;
+  numbers.reserve(values.size());
+  for (const Value value : values)
+  {
+    numbers.push_back(
+      static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin()));
+  }
+  return numbers;
+}
+
+std::vector<int> NumberMaterials(vtkDataArray* array)
+{
+  const vtkIdType size = array->GetNumberOfTuples();
+  if (array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE)
+  {
+    return NumberValues<long long>(
+      size, [&](vtkIdType i) { return array->GetVariantValue(i).ToLongLong(); });
+  }
+  return NumberValues<double>(size,
+    [&](vtkIdType i)
+    {
+      const double value = array->GetComponent(i, 0);
+      return std::isnan(value) ? std::numeric_limits<double>::lowest() : value;
+    });
+}
+
+/// The simplices of a mesh, with the offsets of their points.
+struct Pieces
+{
+  Pieces(vtkPointSet* mesh, const std::vector<vtkIdType>& places)
+    : Cells(CellsToSimplices(mesh, nullptr))
+    , Places(places)
+  {
+    this->Offsets.push_back(0);
+    for (const unsigned char dimension : this->Cells.Simplices.Dimensions)
+    {
+      this->Offsets.push_back(this->Offsets.back() + dimension + 1);
+    }
+  }
+  vtkIdType GetSize() const { return this->Cells.Simplices.GetNumberOfSimplices(); }
+  int GetDimension(vtkIdType i) const { return this->Cells.Simplices.Dimensions[i]; }
+  vtkIdType GetCell(vtkIdType i) const
+  {
+    return this->Cells.ParentCells.empty() ? i : this->Cells.ParentCells[i];
+  }
+  /// The points of a simplex, in the input.
+  Row<vtkIdType> GetPoints(vtkIdType i) const
+  {
+    const vtkIdType* ids = this->Cells.Simplices.Connectivity.data();
+    return { ids + this->Offsets[i], ids + this->Offsets[i + 1] };
+  }
+  /// The point that copies of a point of the input are one of; centres are points of their own.
+  vtkIdType GetPlace(vtkIdType point) const
+  {
+    const auto size = static_cast<vtkIdType>(this->Places.size());
+    return point < size ? this->Places[point] : point;
+  }
+  bool Has(vtkIdType i, vtkIdType place) const
+  {
+    const Row<vtkIdType> points = this->GetPoints(i);
+    return std::any_of(
+      points.begin(), points.end(), [&](vtkIdType p) { return this->GetPlace(p) == place; });
+  }
+
+  SimplicesOfCells Cells;
+  const std::vector<vtkIdType>& Places;
+  std::vector<vtkIdType> Offsets;
+};
+
+/// Whether each simplex is no face of another one.
+std::vector<char> FindMaximal(const Pieces& pieces)
+{
+  std::vector<char> isMaximal(static_cast<std::size_t>(pieces.GetSize()), 1);
+  const auto& dimensions = pieces.Cells.Simplices.Dimensions;
+  if (dimensions.empty() ||
+    std::all_of(dimensions.begin(), dimensions.end(), [&](int d) { return d == dimensions[0]; }))
+  {
+    return isMaximal;
+  }
+  std::unordered_multimap<vtkIdType, vtkIdType> smaller; // by one of their points
+  for (vtkIdType i = 0; i < pieces.GetSize(); ++i)
+  {
+    if (pieces.GetDimension(i) < 3)
+    {
+      smaller.emplace(pieces.GetPlace(*pieces.GetPoints(i).begin()), i);
+    }
+  }
+  for (vtkIdType i = 0; i < pieces.GetSize(); ++i)
+  {
+    for (const vtkIdType point : pieces.GetPoints(i))
+    {
+      const auto range = smaller.equal_range(pieces.GetPlace(point));
+      for (auto at = range.first; at != range.second; ++at)
+      {
+        const Row<vtkIdType> points = pieces.GetPoints(at->second);
+        const bool isFace = pieces.GetDimension(at->second) < pieces.GetDimension(i) &&
+          std::all_of(
+            points.begin(), points.end(),
+            [&](vtkIdType p) { return pieces.Has(i, pieces.GetPlace(p)); });
+        isMaximal[at->second] = isMaximal[at->second] && !isFace;
+      }
+    }
+  }
+  return isMaximal;
+}
+
+/// Pairs of materials that meet in a point; both orders.
+std::vector<std::pair<int, int>> FindMeetings(
+  const Pieces& pieces, const std::vector<int>& materialOf)
+{
+  std::vector<int> first(
+    static_cast<std::size_t>(pieces.Cells.Simplices.NumberOfPoints), NoMaterial);
+  std::vector<std::pair<vtkIdType, int>> at; // all materials of points with several
+  for (vtkIdType i = 0; i < pieces.GetSize(); ++i)
+  {
+    for (const vtkIdType point : pieces.GetPoints(i))
+    {
+      const vtkIdType place = pieces.GetPlace(point);
+      int& known = first[static_cast<std::size_t>(place)];
+      if (materialOf[i] != NoMaterial && known == NoMaterial)
+      {
+        known = materialOf[i];
+      }
+      else if (materialOf[i] != NoMaterial && known != materialOf[i])
+      {
+        at.emplace_back(place, materialOf[i]);
+        at.emplace_back(place, known);
+      }
+    }
+  }
+  std::sort(at.begin(), at.end());
+  at.erase(std::unique(at.begin(), at.end()), at.end());
+  std::vector<std::pair<int, int>> meetings;
+  for (auto begin = at.begin(); begin != at.end();)
+  {
+    const auto end =
+      std::find_if(begin, at.end(), [&](const auto& other) { return other.first != begin->first; });
+    for (auto a = begin; a != end; ++a)
+    {
+      for (auto b = begin; b != end; ++b)
+      {
+        if (a != b)
+        {
+          meetings.emplace_back(a->second, b->second);
+        }
+      }
+    }
+    begin = end;
+  }
+  std::sort(meetings.begin(), meetings.end());
+  meetings.erase(std::unique(meetings.begin(), meetings.end()), meetings.end());
+  return meetings;
+}
+
+/// Gives each material the smallest colour that no earlier one has that it meets. Returns the
+/// number of colours, at least 1.
+int ChooseColours(const std::vector<std::pair<int, int>>& meetings, std::vector<int>& colours)
+{
+  int count = 1;
+  auto at = meetings.begin();
+  for (std::size_t material = 0; material < colours.size(); ++material)
+  {
+    std::vector<char> isTaken(static_cast<std::size_t>(count) + 1, 0);
+    for (; at != meetings.end() && at->first == static_cast<int>(material); ++at)
+    {
+      if (at->second < at->first)
+      {
+        isTaken[static_cast<std::size_t>(colours[at->second])] = 1;
+      }
+    }
+    colours[material] =
+      static_cast<int>(std::find(isTaken.begin(), isTaken.end(), 0) - isTaken.begin());
+    count = std::max(count, colours[material] + 1);
+  }
+  return count;
+}
+
+// ------------------------------------------------------------------------------------------------
+// Before the work
+
+bool IsFloating(vtkAbstractArray* array)
+{
+  return array && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE) &&
+    array->GetNumberOfComponents() > 0 && array->GetName();
+}
+
+/// The mesh that is worked on.
+class Control
+{
+public:
+  Control(vtkPointSet* input, vtkDataArray* materials, bool joinsCopies)
+    : Input(input)
+    , Places(
+        joinsCopies ? FindPlaces(FindFirstCopies(input), this->Sources) : std::vector<vtkIdType>())
+    , Whole(input, this->Places)
+  {
+    const std::vector<int> numbers = NumberMaterials(materials);
+    const std::vector<char> isMaximal = FindMaximal(this->Whole);
+    this->Colours.assign(static_cast<std::size_t>(this->Whole.GetSize()), NoMaterial);
+    int count = 0;
+    for (vtkIdType i = 0; i < this->Whole.GetSize(); ++i)
+    {
+      this->Colours[i] = isMaximal[i] ? numbers[this->Whole.GetCell(i)] : NoMaterial;
+      count = std::max(count, this->Colours[i] + 1);
+    }
+    std::vector<int> colours(static_cast<std::size_t>(count), 0);
+    this->NumberOfColours = ChooseColours(FindMeetings(this->Whole, this->Colours), colours);
+    for (int& colour : this->Colours)
+    {
+      colour = colour == NoMaterial ? NoColour : colours[colour];
+    }
+  }
+
+  int GetNumberOfColours() const { return this->NumberOfColours; }
+
+  vtkSmartPointer<vtkPointSet> Make(
+    const std::vector<std::string>& cellArrays, const RunOptions& options)
+  {
+    this->Mesh = vtkSmartPointer<vtkPointSet>::Take(this->Input->NewInstance());
+    this->Mesh->ShallowCopy(this->Input);
+    if (!this->Sources.empty())
+    {
+      TakePoints(this->Mesh, this->Sources,
+        [this](vtkIdType, auto* begin, auto* end)
+        {
+          for (auto* id = begin; id != end; ++id)
+          {
+            const bool isKnown = *id >= 0 && *id < this->Input->GetNumberOfPoints();
+            *id = isKnown ? static_cast<std::decay_t<decltype(*id)>>(this->Places[*id]) : -1;
+          }
+        });
+    }
+    this->Mesh->GetPointData()->RemoveArray(MaterialPointIdsName);
+    this->AddColours();
+    vtkPointData* data = this->Input->GetPointData();
+    for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+    {
+      vtkAbstractArray* array = data->GetAbstractArray(a);
+      if (IsFloating(array) && array->GetNumberOfTuples() == this->Input->GetNumberOfPoints())
+      {
+        this->AddFields(vtkDataArray::SafeDownCast(array));
+      }
+    }
+    for (const std::string& name : cellArrays)
+    {
+      this->AddFieldsOfCells(name, options);
+    }
+    return this->Mesh;
+  }
+
+private:
+  /// The point of the result that each point of the input is. `sources` gets the points of the
+  /// input that they are; empty if all are.
+  static std::vector<vtkIdType> FindPlaces(
+    const std::vector<vtkIdType>& firsts, std::vector<vtkIdType>& sources)
+  {
+    std::vector<vtkIdType> places(firsts.size());
+    for (std::size_t i = 0; i < firsts.size(); ++i)
+    {
+      if (firsts[i] == static_cast<vtkIdType>(i))
+      {
+        places[i] = static_cast<vtkIdType>(sources.size());
+        sources.push_back(static_cast<vtkIdType>(i));
+      }
+      else
+      {
+        places[i] = places[static_cast<std::size_t>(firsts[i])];
+      }
+    }
+    return places;
+  }
+
+  void AddColours()
+  {
+    vtkNew<vtkIntArray> colours;
+    colours->SetName(ColourName);
+    colours->SetNumberOfValues(this->Input->GetNumberOfCells());
+    colours->FillValue(NoColour);
+    for (vtkIdType i = 0; i < this->Whole.GetSize(); ++i)
+    {
+      if (this->Colours[i] != NoColour)
+      {
+        colours->SetValue(this->Whole.GetCell(i), this->Colours[i]);
+      }
+    }
+    this->Mesh->GetCellData()->AddArray(colours);
+  }
+
+  /// One array of zeros for each colour.
+  std::vector<vtkSmartPointer<vtkDataArray>> MakeFields(
+    int type, int components, const std::string& name)
+  {
+    std::vector<vtkSmartPointer<vtkDataArray>> fields;
+    for (int colour = 0; colour < this->NumberOfColours; ++colour)
+    {
+      fields.push_back(MakeArray(type, components + 1, this->Mesh->GetNumberOfPoints()));
+      fields.back()->SetName(MakeFieldName(colour, name).c_str());
+      fields.back()->Fill(0.);
+      this->Mesh->GetPointData()->AddArray(fields.back());
+    }
+    return fields;
+  }
+
+  /// Calls visit(place, point of the input, colour, cell) for the points of all simplices that have
+  /// a colour; not for centres.
+  template <typename Visit>
+  void ForEachCorner(const Visit& visit) const
+  {
+    for (vtkIdType i = 0; i < this->Whole.GetSize(); ++i)
+    {
+      for (const vtkIdType point : this->Whole.GetPoints(i))
+      {
+        if (this->Colours[i] != NoColour && point < this->Input->GetNumberOfPoints())
+        {
+          visit(this->Whole.GetPlace(point), point, this->Colours[i], this->Whole.GetCell(i));
+        }
+      }
+    }
+  }
+
+  /// The values of a point array: those of the first cell of a material at a point.
+  void AddFields(vtkDataArray* array)
+  {
+    const int size = array->GetNumberOfComponents();
+    const auto fields = this->MakeFields(array->GetDataType(), size, array->GetName());
+    this->ForEachCorner(
+      [&](vtkIdType place, vtkIdType point, int colour, vtkIdType)
+      {
+        vtkDataArray* field = fields[static_cast<std::size_t>(colour)];
+        if (field->GetComponent(place, size) == 0.)
+        {
+          for (int k = 0; k < size; ++k)
+          {
+            field->SetComponent(place, k, array->GetComponent(point, k));
+          }
+          field->SetComponent(place, size, 1.);
+        }
+      });
+  }
+
+  /// The same for the means of a cell array; also adds the mean of all cells.
+  void AddFieldsOfCells(const std::string& name, const RunOptions& options)
+  {
+    vtkDataArray* array = this->Input->GetCellData()->GetArray(name.c_str());
+    if (!array || array->GetNumberOfComponents() < 1)
+    {
+      options.Warn("There is no cell array of numbers \"" + name + "\" to be made a field.");
+      return;
+    }
+    if (this->Input->GetPointData()->HasArray(name.c_str()))
+    {
+      options.Warn("The cell array \"" + name +
+        "\" does not become a field: there is a point array of that name.");
+      return;
+    }
+    const int size = array->GetNumberOfComponents();
+    auto fields = this->MakeFields(VTK_DOUBLE, size, name);
+    fields.push_back(MakeArray(VTK_DOUBLE, size + 1, this->Mesh->GetNumberOfPoints()));
+    fields.back()->Fill(0.);
+    std::vector<std::pair<vtkIdType, vtkIdType>> seen; // a cell has a point in several pieces
+    this->ForEachCorner(
+      [&](vtkIdType place, vtkIdType, int, vtkIdType cell) { seen.emplace_back(cell, place); });
+    std::sort(seen.begin(), seen.end());
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    vtkDataArray* colours = this->Mesh->GetCellData()->GetArray(ColourName);
+    auto add = [&](vtkDataArray* field, vtkIdType place, vtkIdType cell)
+    {
+      for (int k = 0; k <= size; ++k)
+      {
+        const double value = k < size ? array->GetComponent(cell, k) : 1.;
+        field->SetComponent(place, k, field->GetComponent(place, k) + value);
+      }
+    };
+    for (const auto& [cell, place] : seen)
+    {
+      add(fields[static_cast<std::size_t>(colours->GetComponent(cell, 0))], place, cell);
+      add(fields.back(), place, cell);
+    }
+    const auto mean = MakeArray(VTK_DOUBLE, size, this->Mesh->GetNumberOfPoints());
+    CopyLooks(array, mean);
+    for (const auto& field : fields)
+    {
+      for (vtkIdType p = 0; p < this->Mesh->GetNumberOfPoints(); ++p)
+      {
+        const double weight = std::max(1., field->GetComponent(p, size));
+        for (int k = 0; k <= size; ++k)
+        {
+          field->SetComponent(p, k, field->GetComponent(p, k) / weight);
+          if (k < size)
+          {
+            mean->SetComponent(p, k, field->GetComponent(p, k));
+          }
+        }
+      }
+    }
+    this->Mesh->GetPointData()->AddArray(mean);
+  }
+
+  vtkPointSet* Input;
+  std::vector<vtkIdType> Sources; ///< the point of the input that each point is; empty: the same
+  std::vector<vtkIdType> Places;  ///< the opposite
+  Pieces Whole;
+  std::vector<int> Colours; ///< of each simplex
+  int NumberOfColours = 1;
+  vtkSmartPointer<vtkPointSet> Mesh;
+};
+
+// ------------------------------------------------------------------------------------------------
+// After the work
+
+int CountBits(ColourMask mask)
+{
+  int count = 0;
+  for (; mask != 0; mask &= mask - 1)
+  {
+    ++count;
+  }
+  return count;
+}
+
+int FindLowestBit(ColourMask mask)
+{
+  return mask == 0 ? NoColour : CountBits((mask & (~mask + 1)) - 1);
+}
+
+/// Gives the points of an output a copy for each colour beyond the first.
+class Tear
+{
+public:
+  explicit Tear(vtkPointSet* output)
+    : Output(output)
+    , NumberOfPoints(output->GetNumberOfPoints())
+  {
+    this->FindColours();
+    this->Sources.resize(static_cast<std::size_t>(this->NumberOfPoints));
+    std::iota(this->Sources.begin(), this->Sources.end(), 0);
+    for (vtkIdType p = 0; p < this->NumberOfPoints; ++p)
+    {
+      ColourMask mask = this->Masks[static_cast<std::size_t>(p)];
+      this->ColourOf.push_back(FindLowestBit(mask));
+      this->FirstCopies.push_back(static_cast<vtkIdType>(this->Sources.size()));
+      const int copies = CountBits(mask) - 1;
+      this->Sources.insert(this->Sources.end(), static_cast<std::size_t>(std::max(0, copies)), p);
+    }
+    for (vtkIdType p = 0; p < this->NumberOfPoints; ++p)
+    {
+      const ColourMask mask = this->Masks[static_cast<std::size_t>(p)];
+      for (ColourMask rest = mask & (mask - 1); mask != 0 && rest != 0; rest &= rest - 1)
+      {
+        this->ColourOf.push_back(FindLowestBit(rest));
+      }
+    }
+  }
+
+  void Run()
+  {
+    this->TakeFields();
+    if (this->Sources.size() > static_cast<std::size_t>(this->NumberOfPoints))
+    {
+      TakePoints(this->Output, this->Sources,
+        [this](vtkIdType cell, auto* begin, auto* end) { this->Change(cell, begin, end); });
+    }
+    for (const auto& field : this->Fields)
+    {
+      AddInstead(this->Output->GetPointData(), field, this->Output->GetPointData());
+    }
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName(MaterialPointIdsName);
+    ids->SetNumberOfValues(static_cast<vtkIdType>(this->Sources.size()));
+    std::copy(this->Sources.begin(), this->Sources.end(), ids->GetPointer(0));
+    this->Output->GetPointData()->AddArray(ids);
+    this->Output->GetCellData()->RemoveArray(ColourName);
+  }
+
+private:
+  /// The colours of cells, and those of all cells at each point.
+  void FindColours()
+  {
+    vtkDataArray* colours = this->Output->GetCellData()->GetArray(ColourName);
+    for (vtkIdType c = 0; c < this->Output->GetNumberOfCells(); ++c)
+    {
+      this->CellColours.push_back(
+        colours ? static_cast<int>(colours->GetComponent(c, 0)) : NoColour);
+    }
+    ColourMasks masks(this->NumberOfPoints);
+    ForEachCellArray(this->Output,
+      [&](vtkCellArray* cells, vtkIdType first)
+      {
+        masks.Add(cells,
+          [&](vtkIdType c) { return this->CellColours[static_cast<std::size_t>(first + c)]; });
+      });
+    this->Masks = masks.Get();
+  }
+
+  /// Takes the arrays of the colours out of the point data, and makes arrays of them that have a
+  /// value for each copy.
+  void TakeFields()
+  {
+    vtkPointData* data = this->Output->GetPointData();
+    std::vector<vtkSmartPointer<vtkDataArray>> weighted;
+    for (int a = data->GetNumberOfArrays() - 1; a >= 0; --a)
+    {
+      vtkDataArray* array = data->GetArray(a);
+      if (array && IsWeighted(array->GetName()))
+      {
+        weighted.emplace_back(array);
+        data->RemoveArray(a);
+      }
+    }
+    for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+    {
+      vtkDataArray* array = data->GetArray(a);
+      std::vector<vtkDataArray*> fields;
+      for (int colour = 0; array && array->GetName() && colour < MaximumNumberOfColours; ++colour)
+      {
+        const std::string name = MakeFieldName(colour, array->GetName());
+        const auto found = std::find_if(weighted.begin(), weighted.end(),
+          [&](vtkDataArray* field) { return name == field->GetName(); });
+        if (found == weighted.end())
+        {
+          break;
+        }
+        fields.push_back(*found);
+      }
+      if (!fields.empty())
+      {
+        array->GetDataType() == VTK_FLOAT ? this->AddField<float>(array, fields)
+                                          : this->AddField<double>(array, fields);
+      }
+    }
+  }
+
+  template <typename Value>
+  void AddField(vtkDataArray* joint, const std::vector<vtkDataArray*>& fields)
+  {
+    const int size = joint->GetNumberOfComponents();
+    const auto result =
+      MakeArray(joint->GetDataType(), size, static_cast<vtkIdType>(this->Sources.size()));
+    CopyLooks(joint, result);
+    auto read = [](vtkDataArray* array) { return static_cast<Value*>(array->GetVoidPointer(0)); };
+    Value* values = read(result);
+    ForEach(result->GetNumberOfTuples(),
+      [&](vtkIdType i)
+      {
+        const vtkIdType source = this->Sources[static_cast<std::size_t>(i)];
+        const int colour = this->ColourOf[static_cast<std::size_t>(i)];
+        const Value* tuple = colour == NoColour
+          ? nullptr
+          : read(fields[static_cast<std::size_t>(colour)]) + source * (size + 1);
+        const bool isKnown = tuple && tuple[size] > 0;
+        std::copy_n(isKnown ? tuple : read(joint) + source * size, size, values + i * size);
+      });
+    this->Fields.push_back(result);
+  }
+
+  template <typename Id>
+  void Change(vtkIdType cell, Id* begin, Id* end) const
+  {
+    int colour = this->CellColours[static_cast<std::size_t>(cell)];
+    if (colour == NoColour) // a cell on others
+    {
+      ColourMask common = ~ColourMask(0);
+      for (const Id* id = begin; id != end; ++id)
+      {
+        common &= this->Masks[static_cast<std::size_t>(*id)];
+      }
+      colour = FindLowestBit(common);
+    }
+    for (Id* id = begin; colour != NoColour && id != end; ++id)
+    {
+      const ColourMask mask = this->Masks[static_cast<std::size_t>(*id)];
+      const int before = CountBits(mask & ((ColourMask(1) << colour) - 1));
+      if (before > 0)
+      {
+        *id = static_cast<Id>(this->FirstCopies[static_cast<std::size_t>(*id)] + before - 1);
+      }
+    }
+  }
+
+  vtkPointSet* Output;
+  vtkIdType NumberOfPoints;
+  std::vector<int> CellColours;
+  std::vector<ColourMask> Masks;      ///< of the points before
+  std::vector<vtkIdType> FirstCopies; ///< of the points before
+  std::vector<vtkIdType> Sources;     ///< the point that each point and each copy is
+  std::vector<int> ColourOf;          ///< of each point and each copy
+  std::vector<vtkSmartPointer<vtkDataArray>> Fields;
+};
+
+}
+
+bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& options,
+  const MaterialFieldOptions& fields, const std::function<bool(vtkPointSet*, vtkPointSet*)>& work)
+{
+  if (!fields.JoinsCopies && input->GetPointData()->HasArray(MaterialPointIdsName))
+  {
+    options.Warn("An earlier filter made copies of points where materials meet. This one does not "
+                 "join them, because the input has several blocks or is on several ranks: the mesh "
+                 "has cracks there. Use one filter with more levels instead.");
+  }
+  vtkSmartPointer<vtkPointSet> mesh;
+  {
+    Control control(input, options.Features.Material, fields.JoinsCopies);
+    if (control.GetNumberOfColours() > MaximumNumberOfColours)
+    {
+      options.Fail("InterfaceValues: more than " + std::to_string(MaximumNumberOfColours) +
+        " materials meet in one another, " + std::to_string(control.GetNumberOfColours()) +
+        " fields would be needed. Use fewer materials, or continuous values.");
+      return false;
+    }
+    mesh = control.Make(fields.CellArrays, options);
+  }
+  const auto find = options.FindPartners;
+  if (find)
+  {
+    options.FindPartners = [&](vtkPointSet*) { return find(input); };
+  }
+  const bool isDone = work(mesh, output);
+  options.FindPartners = find;
+  if (isDone && output->GetPoints())
+  {
+    Tear(output).Run();
+  }
+  return isDone;
+}
+
+}

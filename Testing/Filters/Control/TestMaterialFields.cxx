@@ -1,0 +1,464 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestMaterialFields.cxx
+ * Values that jump at interfaces: InterfaceValues of vtkMultiDimensionalSubdivision and
+ * vtkRedGreenRefinement.
+ */
+#include "FeatureTools.h"
+
+#include "vtkMultiBlockDataSet.h"
+#include "vtkRedGreenRefinement.h"
+#include "vtkSimplicialComplexTopology.h"
+
+#include <cmath>
+
+using namespace feature_tools;
+
+namespace
+{
+
+constexpr const char* IdsName = "MaterialPointIds";
+constexpr const char* ConstantName = "Constant"; ///< of cells: 1.7 times the material plus 1
+constexpr const char* ValueName = "Value";       ///< of points
+
+double GetConstant(double material)
+{
+  return 1.7 * material + 1.;
+}
+
+/// Gives a mesh materials, a value that is constant in each, and values at points.
+Grid AddMaterials(vtkUnstructuredGrid* mesh, const std::function<int(vtkIdType)>& materialOf)
+{
+  const Grid grid = DeepCopy(mesh);
+  vtkNew<vtkIntArray> materials;
+  materials->SetName("MaterialId");
+  vtkNew<vtkDoubleArray> constants;
+  constants->SetName(ConstantName);
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    const int material = materialOf(c);
+    materials->InsertNextValue(material);
+    constants->InsertNextValue(GetConstant(material));
+  }
+  grid->GetCellData()->AddArray(materials);
+  grid->GetCellData()->AddArray(constants);
+  grid->GetPointData()->AddArray(
+    MakeArray<vtkDoubleArray>(ValueName, 2, grid->GetNumberOfPoints(), -1., 1., 5));
+  return grid;
+}
+
+/// Materials by the place of cells, 0 to 2, so that three meet along a line; and by chance, so that
+/// some meet in a line or a point only, and some cells are of another material than those that they
+/// are faces of.
+std::vector<Grid> MakeMeshes()
+{
+  const Grid box = MakeMixedBox(3);
+  std::vector<Grid> meshes;
+  meshes.push_back(AddMaterials(box,
+    [&](vtkIdType c)
+    {
+      double bounds[6];
+      box->GetCellBounds(c, bounds);
+      return bounds[0] + bounds[1] < 2.5 ? 0 : (bounds[2] + bounds[3] < 2.5 ? 1 : 2);
+    }));
+  for (int seed = 0; seed < 4; ++seed)
+  {
+    std::mt19937 chance(static_cast<unsigned>(seed));
+    const Grid mesh = seed == 0 ? box : MakeRandomComplex(static_cast<unsigned>(seed));
+    meshes.push_back(AddMaterials(mesh, [&](vtkIdType) { return static_cast<int>(chance() % 3); }));
+  }
+  return meshes;
+}
+
+void KeepInterfaces(vtkSubdivisionAlgorithm* filter)
+{
+  filter->PreserveInterfacesOn();
+  filter->InterpolateIntegersOff();
+}
+
+void Jump(vtkSubdivisionAlgorithm* filter)
+{
+  KeepInterfaces(filter);
+  filter->SetInterfaceValuesToDiscontinuous();
+  filter->AddFieldOfCells(ConstantName);
+}
+
+struct Choice
+{
+  const char* Name;
+  std::function<Grid(vtkDataObject*, int, const std::function<void(vtkSubdivisionAlgorithm*)>&)>
+    Run;
+};
+
+template <typename FilterClass>
+Grid Update(FilterClass* filter, vtkDataObject* input)
+{
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputDataObject(input);
+  filter->Update();
+  EXPECT_TRUE(messages->Errors.empty());
+  return DeepCopy(vtkUnstructuredGrid::SafeDownCast(filter->GetOutput()));
+}
+
+Choice MakeUniform(const char* name, int scheme, bool toLimit)
+{
+  return { name, [=](vtkDataObject* input, int levels, const auto& configure)
+    {
+      vtkNew<vtkMultiDimensionalSubdivision> filter;
+      filter->SetNumberOfLevels(levels);
+      filter->SetVolumeScheme(scheme);
+      filter->SetProjectToLimit(toLimit);
+      configure(filter);
+      return Update(filter.Get(), input);
+    } };
+}
+
+Choice MakeRedGreen(const char* name, bool toLimit)
+{
+  return { name, [=](vtkDataObject* input, int levels, const auto& configure)
+    {
+      vtkNew<vtkRedGreenRefinement> filter;
+      filter->SetMaximumLevel(levels);
+      filter->SetRefineByAttributeError(true);
+      filter->SetAttributeTolerance(0.4);
+      filter->SetInputArrayToProcess(5, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, ValueName);
+      filter->SetPlacement(toLimit ? vtkRedGreenRefinement::LIMIT : vtkRedGreenRefinement::LINEAR);
+      configure(filter);
+      return Update(filter.Get(), input);
+    } };
+}
+
+std::vector<Choice> MakeChoices()
+{
+  return { MakeUniform("box spline", vtkMultiDimensionalSubdivision::BOX_SPLINE, false),
+    MakeUniform("box spline, limit", vtkMultiDimensionalSubdivision::BOX_SPLINE, true),
+    MakeUniform("tet/oct", vtkMultiDimensionalSubdivision::TET_OCT, false),
+    MakeUniform("tet/oct, limit", vtkMultiDimensionalSubdivision::TET_OCT, true),
+    MakeUniform("linear", vtkMultiDimensionalSubdivision::LINEAR, false),
+    MakeRedGreen("red-green", false), MakeRedGreen("red-green, limit", true) };
+}
+
+/// The mesh without copies.
+Grid JoinCopies(vtkUnstructuredGrid* torn)
+{
+  vtkDataArray* ids = torn->GetPointData()->GetArray(IdsName);
+  const Grid joined = DeepCopy(torn);
+  vtkNew<vtkCellArray> cells;
+  for (const Ids& cell : GetCells(torn))
+  {
+    cells->InsertNextCell(static_cast<int>(cell.size()));
+    for (const vtkIdType id : cell)
+    {
+      cells->InsertCellPoint(static_cast<vtkIdType>(ids->GetComponent(id, 0)));
+    }
+  }
+  vtkNew<vtkUnsignedCharArray> types;
+  for (vtkIdType c = 0; c < torn->GetNumberOfCells(); ++c)
+  {
+    types->InsertNextValue(static_cast<unsigned char>(torn->GetCellType(c)));
+  }
+  joined->SetCells(types, cells);
+  return joined;
+}
+
+double GetMaterial(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  return grid->GetCellData()->GetArray("MaterialId")->GetComponent(cell, 0);
+}
+
+/// The dimension of the cells that each point has, at most.
+std::vector<int> FindDimensions(vtkUnstructuredGrid* grid)
+{
+  std::vector<int> dimensions(static_cast<std::size_t>(grid->GetNumberOfPoints()), -1);
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    for (const vtkIdType id : GetCell(grid, c))
+    {
+      dimensions[static_cast<std::size_t>(id)] =
+        std::max(dimensions[static_cast<std::size_t>(id)], grid->GetCell(c)->GetCellDimension());
+    }
+  }
+  return dimensions;
+}
+
+}
+
+// What is constant in each material stays so, at every level and at the limit. The mesh is that of
+// continuous values.
+TEST(MaterialFields, ConstantsStayConstantAndGeometryIsTheSame)
+{
+  for (const Grid& mesh : MakeMeshes())
+  {
+    for (const Choice& choice : MakeChoices())
+    {
+      for (const int levels : { 0, 1, 2 })
+      {
+        SCOPED_TRACE(std::string(choice.Name) + ", levels " + std::to_string(levels) +
+          ", mesh of " + std::to_string(mesh->GetNumberOfCells()) + " cells");
+        const Grid torn = choice.Run(mesh, levels, Jump);
+        const Grid whole = choice.Run(mesh, levels, KeepInterfaces);
+        vtkDataArray* ids = torn->GetPointData()->GetArray(IdsName);
+        ASSERT_TRUE(ids);
+        EXPECT_GT(torn->GetNumberOfPoints(), whole->GetNumberOfPoints());
+        for (vtkIdType p = 0; p < torn->GetNumberOfPoints(); ++p)
+        {
+          const auto id = static_cast<vtkIdType>(ids->GetComponent(p, 0));
+          ASSERT_EQ(GetPoint(whole, id), GetPoint(torn, p));
+          ASSERT_TRUE(p >= whole->GetNumberOfPoints() || id == p);
+        }
+        EXPECT_EQ(GetCells(whole), GetCells(JoinCopies(torn)));
+        EXPECT_FALSE(torn->GetCellData()->HasArray("SubdivisionColour"));
+        EXPECT_EQ(
+          whole->GetCellData()->GetNumberOfArrays(), torn->GetCellData()->GetNumberOfArrays());
+        EXPECT_EQ(whole->GetPointData()->GetNumberOfArrays() + 2,
+          torn->GetPointData()->GetNumberOfArrays());
+        vtkDataArray* constants = torn->GetPointData()->GetArray(ConstantName);
+        const std::vector<int> dimensions = FindDimensions(torn);
+        for (vtkIdType c = 0; c < torn->GetNumberOfCells(); ++c)
+        {
+          for (const vtkIdType id : GetCell(torn, c))
+          {
+            // Cells on others take the values of these.
+            if (dimensions[static_cast<std::size_t>(id)] == torn->GetCell(c)->GetCellDimension())
+            {
+              ASSERT_NEAR(GetConstant(GetMaterial(torn, c)), constants->GetComponent(id, 0), 1e-14)
+                << "cell " << c << ", point " << id;
+            }
+          }
+        }
+        if (HasFailure())
+        {
+          return;
+        }
+      }
+    }
+  }
+}
+
+// Values of one material have no effect on another.
+TEST(MaterialFields, MaterialsDoNotMix)
+{
+  const Grid mesh = MakeMeshes().front();
+  for (const Choice& choice : MakeChoices())
+  {
+    SCOPED_TRACE(choice.Name);
+    const Grid torn = choice.Run(mesh, 0, Jump); // copies of points, to be changed
+    const Grid other = DeepCopy(torn);
+    vtkDataArray* values = other->GetPointData()->GetArray(ValueName);
+    for (vtkIdType c = 0; c < other->GetNumberOfCells(); ++c)
+    {
+      for (const vtkIdType id : GetCell(other, c))
+      {
+        if (GetMaterial(other, c) == 1. && other->GetCell(c)->GetCellDimension() == 3)
+        {
+          values->SetComponent(id, 0, 0.9 * values->GetComponent(id, 0));
+        }
+      }
+    }
+    // Red-green refinement splits by values: not those that change here.
+    auto configure = [](vtkSubdivisionAlgorithm* filter)
+    {
+      Jump(filter);
+      filter->RemoveAllFieldsOfCells();
+      filter->SetInputArrayToProcess(
+        5, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, ConstantName);
+    };
+    const Grid a = choice.Run(torn, 2, configure);
+    const Grid b = choice.Run(other, 2, configure);
+    ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
+    vtkDataArray* ours = a->GetPointData()->GetArray(ValueName);
+    vtkDataArray* theirs = b->GetPointData()->GetArray(ValueName);
+    vtkIdType changed = 0;
+    for (vtkIdType c = 0; c < a->GetNumberOfCells(); ++c)
+    {
+      for (const vtkIdType id : GetCell(a, c))
+      {
+        if (a->GetCell(c)->GetCellDimension() == 3)
+        {
+          const bool isSame = ours->GetComponent(id, 0) == theirs->GetComponent(id, 0);
+          changed += isSame ? 0 : 1;
+          ASSERT_TRUE(isSame || GetMaterial(a, c) == 1.) << "cell " << c;
+          ASSERT_EQ(ours->GetComponent(id, 1), theirs->GetComponent(id, 1));
+        }
+      }
+    }
+    EXPECT_GT(changed, 100);
+  }
+}
+
+// One material alone has the values of a continuous field.
+TEST(MaterialFields, OneMaterialIsContinuous)
+{
+  const Grid mesh = AddMaterials(MakeMixedBox(2), [](vtkIdType) { return 4; });
+  for (const Choice& choice : MakeChoices())
+  {
+    SCOPED_TRACE(choice.Name);
+    const Grid torn = choice.Run(mesh, 2, Jump);
+    const Grid whole = choice.Run(mesh, 2, KeepInterfaces);
+    ASSERT_EQ(whole->GetNumberOfPoints(), torn->GetNumberOfPoints());
+    vtkDataArray* ours = torn->GetPointData()->GetArray(ValueName);
+    vtkDataArray* theirs = whole->GetPointData()->GetArray(ValueName);
+    for (vtkIdType p = 0; p < whole->GetNumberOfPoints(); ++p)
+    {
+      ASSERT_NEAR(theirs->GetComponent(p, 1), ours->GetComponent(p, 1), 1e-13);
+    }
+  }
+}
+
+// Filters in a row give what one gives with as many levels, also if the last one goes to the limit.
+TEST(MaterialFields, FiltersInARow)
+{
+  for (const Grid& mesh : MakeMeshes())
+  {
+    for (const int scheme :
+      { vtkMultiDimensionalSubdivision::BOX_SPLINE, vtkMultiDimensionalSubdivision::TET_OCT })
+    {
+      for (const bool toLimit : { false, true })
+      {
+        SCOPED_TRACE(std::to_string(scheme) + (toLimit ? ", limit" : ""));
+        const Choice choice = MakeUniform("", scheme, false);
+        const Choice last = MakeUniform("", scheme, toLimit);
+        auto later = [](vtkSubdivisionAlgorithm* filter)
+        {
+          Jump(filter);
+          filter->RemoveAllFieldsOfCells();
+        };
+        const Grid once = last.Run(mesh, 3, Jump);
+        EXPECT_EQ("", Compare(once, last.Run(choice.Run(mesh, 1, Jump), 2, later)));
+        const Grid first = choice.Run(choice.Run(mesh, 0, Jump), 2, later);
+        EXPECT_EQ("", Compare(once, last.Run(first, 1, later)));
+      }
+    }
+  }
+}
+
+// The same with kept operators and other values.
+TEST(MaterialFields, KeptOperators)
+{
+  const Grid mesh = MakeMeshes().front();
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetNumberOfLevels(2);
+  Jump(filter);
+  Update(filter.Get(), mesh);
+  const vtkIdType builds = filter->GetNumberOfTopologyBuilds();
+  const Grid other = DeepCopy(mesh);
+  other->GetPointData()->GetArray(ValueName)->SetComponent(7, 0, 12.);
+  const Grid again = Update(filter.Get(), other);
+  EXPECT_EQ(builds, filter->GetNumberOfTopologyBuilds());
+  vtkNew<vtkMultiDimensionalSubdivision> fresh;
+  fresh->SetNumberOfLevels(2);
+  Jump(fresh);
+  EXPECT_EQ("", Compare(Update(fresh.Get(), other), again));
+}
+
+TEST(MaterialFields, SaysWhatItIgnores)
+{
+  const Grid mesh = MakeMeshes().front();
+  auto warn = [&](vtkSubdivisionAlgorithm* filter, const char* part)
+  {
+    vtkNew<Messages> messages;
+    messages->Watch(filter);
+    filter->SetInputDataObject(mesh);
+    filter->SetInterfaceValuesToDiscontinuous();
+    filter->Update();
+    EXPECT_TRUE(messages->Errors.empty());
+    EXPECT_EQ(1, messages->CountWarnings(part));
+    EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_FALSE(filter->GetOutput()->GetPointData()->HasArray(IdsName));
+  };
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  warn(filter, "PreserveInterfaces");
+  vtkNew<vtkSimplicialComplexTopology> topology;
+  topology->PreserveInterfacesOn();
+  warn(topology, "ignores InterfaceValues");
+
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->PreserveInterfacesOn();
+  filter->AddFieldOfCells("nothing");
+  filter->AddFieldOfCells(ValueName);
+  filter->Update();
+  EXPECT_EQ(1, messages->CountWarnings("nothing"));
+  EXPECT_EQ(1, messages->CountWarnings(ValueName));
+  EXPECT_TRUE(messages->Errors.empty());
+}
+
+// Blocks are one object, as without jumps. Copies in blocks are not joined again, and it says so.
+TEST(MaterialFields, Blocks)
+{
+  const Grid mesh = MakeMeshes().front();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned int b = 0; b < 2; ++b)
+  {
+    const Grid block = DeepCopy(mesh);
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType c = 0; c < block->GetNumberOfCells(); ++c)
+    {
+      ghosts->InsertNextValue((c % 2 == 0) == (b == 0) ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+    }
+    block->GetCellData()->AddArray(ghosts);
+    blocks->SetBlock(b, block);
+  }
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetNumberOfLevels(1);
+  Jump(filter);
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputDataObject(blocks);
+  filter->Update();
+  EXPECT_TRUE(messages->Warnings.empty());
+  auto* made = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_TRUE(made);
+  for (unsigned int b = 0; b < 2; ++b)
+  {
+    auto* block = vtkUnstructuredGrid::SafeDownCast(made->GetBlock(b));
+    ASSERT_TRUE(block);
+    EXPECT_GT(block->GetNumberOfCells(), 100);
+    vtkDataArray* constants = block->GetPointData()->GetArray(ConstantName);
+    ASSERT_TRUE(constants);
+    for (vtkIdType c = 0; c < block->GetNumberOfCells(); ++c)
+    {
+      for (const vtkIdType id : GetCell(block, c))
+      {
+        ASSERT_TRUE(block->GetCell(c)->GetCellDimension() < 3 ||
+          std::abs(constants->GetComponent(id, 0) - GetConstant(GetMaterial(block, c))) < 1e-14);
+      }
+    }
+  }
+  vtkNew<vtkMultiDimensionalSubdivision> next;
+  KeepInterfaces(next);
+  next->SetInterfaceValuesToDiscontinuous();
+  messages->Watch(next);
+  next->SetInputDataObject(made);
+  next->Update();
+  EXPECT_EQ(1, messages->CountWarnings("does not join them"));
+  EXPECT_TRUE(messages->Errors.empty());
+}
+
+// Each of 40 materials meets all others in one point.
+TEST(MaterialFields, TooManyThatMeet)
+{
+  std::vector<Point> points{ { 0., 0., 0. } };
+  std::vector<Cell> cells;
+  std::vector<int> materials;
+  for (int i = 0; i < 40; ++i)
+  {
+    points.push_back({ std::cos(1. * i), std::sin(1. * i), 0.1 * i });
+    cells.push_back({ VTK_LINE, { 0, i + 1 } });
+    materials.push_back(i);
+  }
+  const Grid star = MakeGrid(points, cells);
+  AddCellArray(star, "MaterialId", materials);
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->PreserveInterfacesOn();
+  filter->SetInterfaceValuesToDiscontinuous();
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputDataObject(star);
+  filter->Update();
+  ASSERT_FALSE(messages->Errors.empty());
+  EXPECT_NE(std::string::npos, messages->Errors[0].find("40 fields"));
+  EXPECT_EQ(0, filter->GetOutput()->GetNumberOfPoints());
+}
