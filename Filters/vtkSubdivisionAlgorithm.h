@@ -15,8 +15,8 @@
  * write vtkPolyData, and their own documentation says what cells and creases are there. Of
  * structured data and grids they take the vertices, lines and surfaces, in the order of
  * vtkPolyData, and leave solids out with a warning. With a warning they ignore what they have no
- * rules for: EmbeddedCells, PreserveInterfaces, rules for joints other than Blend and Sharp, and
- * the arrays at the indices 1 to 3.
+ * rules for: EmbeddedCells, rules for joints other than Blend and Sharp, and the arrays at the
+ * indices 2 and 3.
  *
  * @par Cells
  * The filters read VTK_VERTEX, VTK_POLY_VERTEX, VTK_LINE, VTK_POLY_LINE, VTK_TRIANGLE,
@@ -234,7 +234,7 @@ public:
   ///@{
   /**
    * Whether interior faces between different values of the material array (index 1) are singular
-   * surfaces, and edges between two surface triangles of different values creases. Off by default;
+   * surfaces, and edges between two faces of a surface of different values creases. Off by default;
    * an error if there is no material array.
    */
   vtkSetMacro(PreserveInterfaces, bool);

@@ -315,6 +315,10 @@ protected:
 
   bool IsOfSurfaces() const override { return true; }
   bool CanInterpolate() const override { return true; }
+  bool HasInterfaces() const override
+  {
+    return this->Scheme != DOO_SABIN && this->Scheme != MIDEDGE;
+  }
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

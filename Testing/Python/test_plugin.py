@@ -59,7 +59,7 @@ class Package(unittest.TestCase):
                 self.assertIsNotNone(proxy)
                 self.assertEqual(proxy.GetVTKClassName(), name)
                 names = {key for key, _ in properties(proxy)}
-                without = {"EmbeddedCells", "PreserveInterfaces", "InterfaceValues"} if "Surface" in name else set()
+                without = {"EmbeddedCells"} if "Surface" in name else set()
                 if name not in ("vtkMultiDimensionalSubdivision", "vtkSurfaceSubdivision"):
                     without |= options(cls) & {"InterpolatePoints", "InterpolateArrays", "InterpolationWeight"}
                 self.assertEqual(options(cls) - names, without, "options without a property")

@@ -31,13 +31,12 @@ OTHER_DEFAULTS = {
 }
 # Options and arrays without a property: surfaces have no rules for them, and the filters warn of them.
 SURFACES = ("SurfaceSubdivision", "AdaptiveSurfaceSubdivision")
-NOT_OFFERED = {f"{name}.{option}" for name in SURFACES
-               for option in ("EmbeddedCells", "PreserveInterfaces", "InterfaceValues")}
+NOT_OFFERED = {f"{name}.{option}" for name in SURFACES for option in ("EmbeddedCells",)}
 # Filters without rules to interpolate.
 NOT_OFFERED |= {f"{name}.{option}" for name in ("AdaptiveSurfaceSubdivision", "RedGreenRefinement",
                                                 "SimplicialComplexTopology", "SubdivisionDeformation")
                 for option in ("InterpolatePoints", "InterpolateArrays", "InterpolationWeight")}
-ARRAYS_NOT_OFFERED = {1, 2, 3}
+ARRAYS_NOT_OFFERED = {2, 3}
 
 
 class Documentation(unittest.TestCase):

@@ -124,12 +124,10 @@ void AdaptiveRun<Id>::ReadControl()
   this->Control = MakeControlLevel<Id>(this->Cells);
   SurfaceCreases creases = ReadSurfaceCreases(this->Options.Features, this->Cells, this->Control);
   const Coordinates points = this->Points->GetCoordinates();
-  if (this->Options.Features.DetectFeatures)
-  {
-    AddSharpEdges(this->Control.Mesh,
-      { FindFeatureEdges(this->Control.Mesh, points, this->Options.Features.FeatureAngle), {} },
-      creases);
-  }
+  AddSharpEdges(this->Control.Mesh,
+    { FindDerivedEdges(this->Control.Mesh, this->Cells.FaceCells, points, this->Options.Features),
+      {} },
+    creases);
   this->Control.Tags = ClassifySurface(this->Control.Mesh, *this->Scheme, creases.Features, points);
   this->Scheme->RestrictTags(this->Control);
   this->Mesh = std::make_unique<AdaptiveSqrtThree<Id>>(this->Control);

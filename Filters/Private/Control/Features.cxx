@@ -10,7 +10,6 @@
 #include <cstring>
 #include <limits>
 #include <sstream>
-#include <unordered_map>
 
 namespace subdivision
 {
@@ -34,24 +33,26 @@ std::vector<Value> ReadValues(vtkDataArray* array, const SimplicesOfCells& cells
   return values;
 }
 
-/// The material of each simplex. Integers of 64 bits are replaced by running numbers, because a
-/// double cannot tell all of them apart.
-std::vector<double> ReadMaterials(vtkDataArray* array, const SimplicesOfCells& cells)
+/// The number of the value of each cell, in the order of the values.
+template <typename Value, typename Get>
+std::vector<int> NumberValues(vtkIdType size, const Get& get)
 {
-  std::vector<double> values = ReadValues<double>(array, cells,
-    [](double v) { return std::isnan(v) ? std::numeric_limits<double>::lowest() : v; });
-  if (array && array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE)
+  std::vector<Value> values(static_cast<std::size_t>(size));
+  for (vtkIdType i = 0; i < size; ++i)
   {
-    std::unordered_map<long long, double> numbers;
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      const vtkIdType cell =
-        cells.ParentCells.empty() ? static_cast<vtkIdType>(i) : cells.ParentCells[i];
-      const long long value = array->GetVariantValue(cell).ToLongLong();
-      values[i] = numbers.emplace(value, static_cast<double>(numbers.size())).first->second;
-    }
+    values[static_cast<std::size_t>(i)] = get(i);
   }
-  return values;
+  std::vector<Value> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  std::vector<int> numbers;
+  numbers.reserve(values.size());
+  for (const Value value : values)
+  {
+    numbers.push_back(
+      static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin()));
+  }
+  return numbers;
 }
 
 /// Warns once of all simplices for which `accept` is true, with their number and the cell of the
@@ -115,6 +116,23 @@ void Encode(const std::vector<Value>& values, std::vector<long long>& out)
   }
 }
 
+}
+
+std::vector<int> NumberMaterials(vtkDataArray* array)
+{
+  const vtkIdType size = array->GetNumberOfTuples();
+  // A double cannot tell all integers of 64 bits apart.
+  if (array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE)
+  {
+    return NumberValues<long long>(
+      size, [&](vtkIdType i) { return array->GetVariantValue(i).ToLongLong(); });
+  }
+  return NumberValues<double>(size,
+    [&](vtkIdType i)
+    {
+      const double value = array->GetComponent(i, 0);
+      return std::isnan(value) ? std::numeric_limits<double>::lowest() : value;
+    });
 }
 
 namespace
@@ -182,8 +200,14 @@ FeatureValues ReadFeatureValues(const FeatureOptions& options, const SimplicesOf
   {
     values.Singular.clear();
   }
-  values.Material =
-    ReadMaterials(options.PreserveInterfaces ? options.Material.Get() : nullptr, cells);
+  if (options.PreserveInterfaces && options.Material)
+  {
+    const std::vector<int> numbers = NumberMaterials(options.Material);
+    for (vtkIdType i = 0; i < cells.Simplices.GetNumberOfSimplices(); ++i)
+    {
+      values.Material.push_back(numbers[cells.ParentCells.empty() ? i : cells.ParentCells[i]]);
+    }
+  }
   values.Part = ReadValues<int>(options.Part, cells,
     [](double v) { return v < 0. ? -1 : static_cast<int>(std::min(v, 2147483646.)); });
   auto isRule = [](double v) { return v >= 0. && v <= 6.; };

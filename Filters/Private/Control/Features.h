@@ -50,11 +50,15 @@ struct FeatureOptions
   MarkOptions Marks;
 };
 
+/// The number of each cell's material: equal for equal values, in the order of the values, NaN
+/// first.
+std::vector<int> NumberMaterials(vtkDataArray* array);
+
 /// One value for each simplex; empty where the array is not set or not used.
 struct FeatureValues
 {
   std::vector<unsigned char> Singular;
-  std::vector<double> Material;
+  std::vector<int> Material; ///< NumberMaterials
   std::vector<int> Part;
   std::vector<unsigned char> Rules;
   std::vector<double> Sharpness; ///< finite and not negative, lines only

@@ -148,44 +148,6 @@ void TakePoints(vtkPointSet* mesh, const std::vector<vtkIdType>& sources, const 
 // ------------------------------------------------------------------------------------------------
 // Materials and colours
 
-/// The number of the value of each cell, in the order of the values.
-template <typename Value, typename Get>
-std::vector<int> NumberValues(vtkIdType size, const Get& get)
-{
-  std::vector<Value> values(static_cast<std::size_t>(size));
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    values[static_cast<std::size_t>(i)] = get(i);
-  }
-  std::vector<Value> sorted = values;
-  std::sort(sorted.begin(), sorted.end());
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  std::vector<int> numbers;
-  numbers.reserve(values.size());
-  for (const Value value : values)
-  {
-    numbers.push_back(
-      static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin()));
-  }
-  return numbers;
-}
-
-std::vector<int> NumberMaterials(vtkDataArray* array)
-{
-  const vtkIdType size = array->GetNumberOfTuples();
-  if (array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE)
-  {
-    return NumberValues<long long>(
-      size, [&](vtkIdType i) { return array->GetVariantValue(i).ToLongLong(); });
-  }
-  return NumberValues<double>(size,
-    [&](vtkIdType i)
-    {
-      const double value = array->GetComponent(i, 0);
-      return std::isnan(value) ? std::numeric_limits<double>::lowest() : value;
-    });
-}
-
 /// The simplices of a mesh, with the offsets of their points.
 struct Pieces
 {

@@ -63,21 +63,21 @@ void WarnOfUnused(
   }
   const FeatureOptions& features = options.Features;
   auto isKnown = [](JointRule rule) { return FindKnownRule(rule) == rule; };
-  if (features.Embedded != EmbeddedRule::Follow || features.PreserveInterfaces || features.Part ||
-    features.Rules || !isKnown(features.Type1) || !isKnown(features.Type2) ||
-    !isKnown(features.Type3))
+  if (features.Embedded != EmbeddedRule::Follow || features.Part || features.Rules ||
+    !isKnown(features.Type1) || !isKnown(features.Type2) || !isKnown(features.Type3))
   {
-    options.Warn("The surface filters have no rules for EmbeddedCells, PreserveInterfaces, joints "
-                 "that follow a dimension or a part, and rules of regions: the filter ignores "
+    options.Warn("The surface filters have no rules for EmbeddedCells, joints that follow "
+                 "a dimension or a part, and rules of regions: the filter ignores "
                  "them. Flag lines and vertices instead (array index 0), or use "
                  "vtkMultiDimensionalSubdivision.");
   }
   if (!scheme.UsesTags() &&
-    (features.Singular || features.Sharpness || features.DetectFeatures || options.Angles ||
-      options.Flatness || !features.Marks.IsEmpty()))
+    (features.Singular || features.Sharpness || features.PreserveInterfaces ||
+      features.DetectFeatures || options.Angles || options.Flatness || !features.Marks.IsEmpty()))
   {
-    options.Warn("This scheme is dual and has no creases and corners: the filter ignores flags, "
-                 "marks, sharpness, DetectFeatures, and angles and flatness of corners.");
+    options.Warn(
+      "This scheme is dual and has no creases and corners: the filter ignores flags, "
+      "marks, sharpness, PreserveInterfaces, DetectFeatures, and angles and flatness of corners.");
   }
 }
 

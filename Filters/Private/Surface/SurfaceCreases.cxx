@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
@@ -58,8 +59,6 @@ Vector FindHeight(const PolygonMesh<Id>& mesh, Id corner, const double* points)
   return Cross(normal, between(corner, after));
 }
 
-}
-
 template <typename Id>
 std::vector<vtkIdType> FindFeatureEdges(
   const PolygonMesh<Id>& mesh, const Coordinates& points, double angle)
@@ -92,6 +91,45 @@ std::vector<vtkIdType> FindFeatureEdges(
     {
       pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
     }
+  }
+  return pairs;
+}
+
+template <typename Id>
+std::vector<vtkIdType> FindInterfaceEdges(
+  const PolygonMesh<Id>& mesh, const std::vector<vtkIdType>& faceCells, vtkDataArray* materials)
+{
+  const std::vector<int> numbers = NumberMaterials(materials);
+  auto materialOf = [&](Id corner)
+  { return numbers[static_cast<std::size_t>(faceCells[mesh.GetFace(corner)])]; };
+  std::vector<vtkIdType> pairs;
+  for (vtkIdType e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  {
+    const Id corner = mesh.EdgeCorners[e];
+    const Id twin = corner < 0 ? corner : mesh.Twins[corner];
+    if (twin >= 0 && materialOf(corner) != materialOf(twin))
+    {
+      pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
+    }
+  }
+  return pairs;
+}
+
+}
+
+template <typename Id>
+std::vector<vtkIdType> FindDerivedEdges(const PolygonMesh<Id>& mesh,
+  const std::vector<vtkIdType>& faceCells, const Coordinates& points, const FeatureOptions& options)
+{
+  std::vector<vtkIdType> pairs;
+  if (options.PreserveInterfaces)
+  {
+    pairs = FindInterfaceEdges(mesh, faceCells, options.Material);
+  }
+  if (options.DetectFeatures)
+  {
+    const std::vector<vtkIdType> more = FindFeatureEdges(mesh, points, options.FeatureAngle);
+    std::copy(more.begin(), more.end(), std::back_inserter(pairs));
   }
   return pairs;
 }
@@ -349,7 +387,7 @@ std::vector<double> ReadPointValues(vtkDataArray* array, vtkIdType points, doubl
 SUBDIVISION_COMPILE_FUNCTION(WriteSharpCorners);
 SUBDIVISION_COMPILE_FUNCTION(ReadSharpCorners);
 SUBDIVISION_COMPILE_FUNCTION(ReadSurfaceCreases);
-SUBDIVISION_COMPILE_FUNCTION(FindFeatureEdges);
+SUBDIVISION_COMPILE_FUNCTION(FindDerivedEdges);
 SUBDIVISION_COMPILE_FUNCTION(AddSharpEdges);
 SUBDIVISION_COMPILE_FUNCTION(ListSharpEdges);
 

@@ -53,10 +53,13 @@ void TakeGivenOfPart(const SurfaceStamp& stamp, SurfaceFeatures& features);
 /// an array.
 std::vector<double> ReadPointValues(vtkDataArray* array, vtkIdType points, double factor);
 
-/// The edges at which the surface turns by more than an angle in degrees, as pairs of points.
+/// As pairs of points: with PreserveInterfaces the edges between exactly two faces, of different
+/// materials; with DetectFeatures the edges at which the surface turns by more than FeatureAngle.
+/// `faceCells` has the cell of each face.
 template <typename Id>
-std::vector<vtkIdType> FindFeatureEdges(
-  const PolygonMesh<Id>& mesh, const Coordinates& points, double angle);
+std::vector<vtkIdType> FindDerivedEdges(const PolygonMesh<Id>& mesh,
+  const std::vector<vtkIdType>& faceCells, const Coordinates& points,
+  const FeatureOptions& options);
 /// The edges that marks make sharp, those around marked faces included, and the corners.
 SharpPairs FindMarkedEdges(vtkPolyData* input, const MarkOptions& marks,
   const std::function<void(const std::string&)>& warn);

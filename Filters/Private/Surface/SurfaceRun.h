@@ -119,7 +119,7 @@ private:
   void MakeControl(
     const SurfaceCells& cells, const SurfaceCreases& creases, KeptSurfaceOf<Id>* kept);
   void Interpolate();
-  void FindCreases(const PolygonMesh<Id>& mesh, bool isJoined);
+  void FindCreases(const PolygonMesh<Id>& mesh, const SurfaceCells& cells);
   SurfaceCreases ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level);
   bool FindSeams()
   {

@@ -239,13 +239,14 @@ void SurfaceRun<Id>::SetSharpness(SurfaceSteps<Id>& steps, const SurfaceCreases&
 
 /// Sets the creases that no cell array has: those of the stamp, or features and marks.
 template <typename Id>
-void SurfaceRun<Id>::FindCreases(const PolygonMesh<Id>& mesh, bool isJoined)
+void SurfaceRun<Id>::FindCreases(const PolygonMesh<Id>& mesh, const SurfaceCells& cells)
 {
+  const bool isJoined = &cells == &this->JoinedMesh.Cells;
   this->Creases = this->Stamp.Creases; // none on a control mesh
-  if (this->MadeLevels == 0 && this->Options.Features.DetectFeatures)
+  if (this->MadeLevels == 0)
   {
-    this->Creases.Points =
-      FindFeatureEdges(mesh, this->Points->GetCoordinates(), this->Options.Features.FeatureAngle);
+    this->Creases.Points = FindDerivedEdges(
+      mesh, cells.FaceCells, this->Points->GetCoordinates(), this->Options.Features);
   }
   if (!this->Marked.Sharpness.empty())
   {
@@ -284,7 +285,7 @@ SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const Surf
     TakeGivenOfPart(this->Stamp, creases.Features);
   }
   this->Given = { creases.Features.Angles, creases.Features.Flatness };
-  this->FindCreases(level.Mesh, &cells == &this->JoinedMesh.Cells);
+  this->FindCreases(level.Mesh, cells);
   AddSharpEdges(level.Mesh, this->Creases, creases);
   if (!this->FindsRules())
   {

@@ -276,12 +276,7 @@ TEST(AdaptiveSurface, OptionsWithoutRulesAreToldOf)
     std::vector<std::function<void(vtkSubdivisionAlgorithm*)>>{ [](vtkSubdivisionAlgorithm* filter)
       { filter->SetEmbeddedCellsToSingular(); },
       [](vtkSubdivisionAlgorithm* filter) { filter->SetType1RuleToFollowDimension2(); },
-      [](vtkSubdivisionAlgorithm* filter) { filter->SetType2RuleToFollowPart(); },
-      [](vtkSubdivisionAlgorithm* filter)
-      {
-        filter->PreserveInterfacesOn();
-        filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "OfCell");
-      } })
+      [](vtkSubdivisionAlgorithm* filter) { filter->SetType2RuleToFollowPart(); } })
   {
     vtkNew<Messages> messages;
     const PolyData output = Refine(input, configure, messages);

@@ -156,7 +156,7 @@ void DeriveEmbedded(const SimplicialComplex<Id>& complex, const std::vector<Cell
 
 template <typename Id>
 void DeriveInterfaces(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
-  const double* values, SimplexTuples& derived)
+  const int* values, SimplexTuples& derived)
 {
   const auto tets = FindSimplicesOf(complex, runs, 3);
   const auto triangles = FindSimplicesOf(complex, runs, 2);

@@ -49,7 +49,7 @@ void DeriveEmbedded(const SimplicialComplex<Id>& complex, const std::vector<Cell
 /// simplex in output order.
 template <typename Id>
 void DeriveInterfaces(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
-  const double* values, SimplexTuples& derived);
+  const int* values, SimplexTuples& derived);
 
 /// An edge between exactly two triangles of a surface, and the vertices opposite to it.
 struct FeatureCandidate
