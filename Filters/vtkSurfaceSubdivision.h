@@ -67,8 +67,9 @@
  *
  * @par Creases and corners
  * Sharp are boundaries, edges of line cells that the array at index 0 flags, edges around flagged
- * polygons, with DetectFeatures edges where the surface turns by more than FeatureAngle, and edges
- * that do not have two faces. A vertex with two sharp edges lies on a curve; with three or more, or
+ * polygons, with PreserveInterfaces edges between faces of different materials, with
+ * DetectFeatures edges where the surface turns by more than FeatureAngle, and edges that do not
+ * have two faces. A vertex with two sharp edges lies on a curve; with three or more, or
  * if it is a flagged vertex cell, it is a corner. A smooth boundary vertex with one face is a
  * corner too for CatmullClark, ModifiedButterfly and FourEight. The dual schemes, DooSabin and
  * Midedge, have no creases and corners: with a warning they ignore what asks for them. Corners
