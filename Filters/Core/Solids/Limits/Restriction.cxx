@@ -35,50 +35,6 @@ void FlagParts(
   }
 }
 
-/// Tuples of ids of the kept simplices, with new numbers.
-template <typename Id>
-Buffer<Id> Gather(
-  const Buffer<Id>& tuples, int size, const Buffer<Id>& kept, const Buffer<Id>& numbers)
-{
-  Buffer<Id> gathered(size * kept.size());
-  ForEach(kept.size(),
-    [&](vtkIdType i)
-    {
-      for (int k = 0; k < size; ++k)
-      {
-        gathered[size * i + k] = numbers[tuples[size * vtkIdType(kept[i]) + k]];
-      }
-    });
-  return gathered;
-}
-
-template <typename Id, typename T>
-Buffer<T> Gather(const Buffer<T>& values, const Buffer<Id>& kept)
-{
-  Buffer<T> gathered(kept.size());
-  ForEach(kept.size(), [&](vtkIdType i) { gathered[i] = values[kept[i]]; });
-  return gathered;
-}
-
-}
-
-template <typename Id>
-typename Restriction<Id>::Numbers Restriction<Id>::Number(const Buffer<unsigned char>& kept)
-{
-  Buffer<Id> offsets(kept.size() + 1);
-  ForEach(kept.size(), [&](vtkIdType i) { offsets[i] = kept[i] ? 1 : 0; });
-  CountsToOffsets(offsets);
-  Numbers numbers{ Buffer<Id>(kept.size()), Buffer<Id>(offsets[kept.size()]) };
-  ForEach(kept.size(),
-    [&](vtkIdType i)
-    {
-      numbers.New[i] = kept[i] ? offsets[i] : -1;
-      if (kept[i])
-      {
-        numbers.Old[offsets[i]] = static_cast<Id>(i);
-      }
-    });
-  return numbers;
 }
 
 template <typename Id>
@@ -92,10 +48,10 @@ Restriction<Id>::Restriction(const SimplicialComplex<Id>& complex, const Buffer<
   FlagParts(tets, complex.TetFaces, 4, faces);
   FlagParts(faces, complex.FaceEdges, 3, edges);
   FlagParts(edges, complex.EdgeVertices, 2, vertices);
-  this->Vertices = Number(vertices);
-  this->Edges = Number(edges);
-  this->Faces = Number(faces);
-  this->Tets = Number(tets);
+  this->Vertices = Selection<Id>(vertices);
+  this->Edges = Selection<Id>(edges);
+  this->Faces = Selection<Id>(faces);
+  this->Tets = Selection<Id>(tets);
 }
 
 template <typename Id>
@@ -106,12 +62,12 @@ SimplicialComplex<Id> Restriction<Id>::Restrict(const SimplicialComplex<Id>& com
   part.NumberOfEdges = static_cast<Id>(this->Edges.Old.size());
   part.NumberOfFaces = static_cast<Id>(this->Faces.Old.size());
   part.NumberOfTets = static_cast<Id>(this->Tets.Old.size());
-  part.EdgeVertices = Gather(complex.EdgeVertices, 2, this->Edges.Old, this->Vertices.New);
-  part.FaceVertices = Gather(complex.FaceVertices, 3, this->Faces.Old, this->Vertices.New);
-  part.FaceEdges = Gather(complex.FaceEdges, 3, this->Faces.Old, this->Edges.New);
-  part.TetVertices = Gather(complex.TetVertices, 4, this->Tets.Old, this->Vertices.New);
-  part.TetEdges = Gather(complex.TetEdges, 6, this->Tets.Old, this->Edges.New);
-  part.TetFaces = Gather(complex.TetFaces, 4, this->Tets.Old, this->Faces.New);
+  part.EdgeVertices = this->Edges.Pick(complex.EdgeVertices, 2, this->Vertices.New);
+  part.FaceVertices = this->Faces.Pick(complex.FaceVertices, 3, this->Vertices.New);
+  part.FaceEdges = this->Faces.Pick(complex.FaceEdges, 3, this->Edges.New);
+  part.TetVertices = this->Tets.Pick(complex.TetVertices, 4, this->Vertices.New);
+  part.TetEdges = this->Tets.Pick(complex.TetEdges, 6, this->Edges.New);
+  part.TetFaces = this->Tets.Pick(complex.TetFaces, 4, this->Faces.New);
   part.FaceTets.Offsets = Buffer<Id>(vtkIdType(part.NumberOfFaces) + 1);
   auto forTets = [&](vtkIdType face, const auto& act)
   {
@@ -142,8 +98,8 @@ SimplicialComplex<Id> Restriction<Id>::Restrict(const SimplicialComplex<Id>& com
 }
 
 template <typename Id>
-Rings<Id> Restriction<Id>::Restrict(
-  const Rings<Id>& rings, const Numbers& owners, const Numbers& carriers, const Numbers& members)
+Rings<Id> Restriction<Id>::Restrict(const Rings<Id>& rings, const Selection<Id>& owners,
+  const Selection<Id>& carriers, const Selection<Id>& members)
 {
   const vtkIdType size = owners.Old.size();
   Rings<Id> part;
@@ -191,9 +147,9 @@ template <typename Id>
 Strata<Id> Restriction<Id>::Restrict(const Strata<Id>& strata) const
 {
   Strata<Id> part;
-  part.Vertices = Gather(strata.Vertices, this->Vertices.Old);
-  part.Edges = Gather(strata.Edges, this->Edges.Old);
-  part.Faces = Gather(strata.Faces, this->Faces.Old);
+  part.Vertices = this->Vertices.Pick(strata.Vertices);
+  part.Edges = this->Edges.Pick(strata.Edges);
+  part.Faces = this->Faces.Pick(strata.Faces);
   part.VertexRings = Restrict(strata.VertexRings, this->Vertices, this->Edges, this->Vertices);
   part.EdgeRings = Restrict(strata.EdgeRings, this->Edges, this->Faces, this->Vertices);
   return part;
@@ -205,7 +161,7 @@ SemiSharpStages<Id> Restriction<Id>::Restrict(const SemiSharpStages<Id>& creases
   SemiSharpStages<Id> part;
   if (!creases.Sharpness.empty())
   {
-    part.Sharpness = Gather(creases.Sharpness, this->Edges.Old);
+    part.Sharpness = this->Edges.Pick(creases.Sharpness);
   }
   for (const SharpStage<Id>& stage : creases.Stages)
   {

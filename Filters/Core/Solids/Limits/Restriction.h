@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_Restriction_h
 #define SubdivisionObjects_Restriction_h
 
+#include "Core/Memory/Selection.h"
 #include "Core/Solids/Limits/LimitStencils.h"
 
 namespace subdivision
@@ -32,19 +33,13 @@ public:
   const Buffer<Id>& GetOldVertices() const { return this->Vertices.Old; }
 
 private:
-  struct Numbers
-  {
-    Buffer<Id> New;
-    Buffer<Id> Old;
-  };
-  static Numbers Number(const Buffer<unsigned char>& kept);
-  static Rings<Id> Restrict(
-    const Rings<Id>& rings, const Numbers& owners, const Numbers& carriers, const Numbers& members);
+  static Rings<Id> Restrict(const Rings<Id>& rings, const Selection<Id>& owners,
+    const Selection<Id>& carriers, const Selection<Id>& members);
 
-  Numbers Vertices;
-  Numbers Edges;
-  Numbers Faces;
-  Numbers Tets;
+  Selection<Id> Vertices;
+  Selection<Id> Edges;
+  Selection<Id> Faces;
+  Selection<Id> Tets;
 };
 
 }
