@@ -50,7 +50,7 @@ void BlendSemiSharp(const EdgeSharpness& sharpness, int steps, int depth, const 
     const vtkIdType first = static_cast<vtkIdType>(e) << depth;
     for (vtkIdType piece = first; piece < first + (vtkIdType(1) << depth); ++piece)
     {
-      edges.push_back({ smooth.GetNumberOfColumns() + piece, left });
+      edges.push_back({ smooth.Vertices.size() + piece, left });
       ends.push_back({ smooth.EdgeVertices[2 * piece], left });
       ends.push_back({ smooth.EdgeVertices[2 * piece + 1], left });
     }
