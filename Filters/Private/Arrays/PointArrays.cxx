@@ -134,6 +134,7 @@ PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   , NumberOfGlobalIds(numberOfGlobalIds)
   , Options(options)
   , NumberOfPoints(cells.Simplices.NumberOfPoints)
+  , NumberOfInputPoints(input->GetNumberOfPoints())
 {
   vtkDataArray* points = input->GetPoints()->GetData();
   const int given = points->GetDataType();
@@ -199,14 +200,19 @@ Coordinates PointArrays::GetCoordinates()
 bool PointArrays::IsEarlier(vtkIdType a, vtkIdType b) const
 {
   const bool known = a < this->NumberOfGlobalIds && b < this->NumberOfGlobalIds;
-  return known && this->GlobalIds[a] != this->GlobalIds[b] ? this->GlobalIds[a] < this->GlobalIds[b]
-                                                           : a < b;
+  if (!known)
+  {
+    return a < b;
+  }
+  const vtkIdType first = this->GlobalIds[this->TakenPoints.empty() ? a : this->TakenPoints[a]];
+  const vtkIdType second = this->GlobalIds[this->TakenPoints.empty() ? b : this->TakenPoints[b]];
+  return first != second ? first < second : a < b;
 }
 
 void PointArrays::ForgetInputPoints()
 {
   this->NumberOfGlobalIds = 0;
-  this->HasInputPoints = false;
+  this->NumberOfInputPoints = 0;
 }
 
 void PointArrays::StartOrigins()
@@ -328,6 +334,28 @@ void PointArrays::Advance(const PointOperator& operation, const OriginOfRow& ori
   this->NumberOfPoints = operation.GetNumberOfRows();
 }
 
+void PointArrays::Take(const PointOperator& operation, const OriginOfRow& origin, vtkIdType staying)
+{
+  this->Advance(operation, origin);
+  const auto takeFirst = [&](vtkIdType& count)
+  {
+    vtkIdType taken = 0;
+    while (taken < staying && origin(taken) < count)
+    {
+      ++taken;
+    }
+    count = taken;
+  };
+  std::vector<vtkIdType> taken;
+  takeFirst(this->NumberOfGlobalIds);
+  takeFirst(this->NumberOfInputPoints);
+  for (vtkIdType p = 0; p < this->NumberOfInputPoints; ++p)
+  {
+    taken.push_back(this->TakenPoints.empty() ? origin(p) : this->TakenPoints[origin(p)]);
+  }
+  this->TakenPoints = std::move(taken);
+}
+
 void PointArrays::Project(const PointOperator& operation)
 {
   if (operation.GetNumberOfRows() > 0)
@@ -402,10 +430,13 @@ void PointArrays::AddOriginalIds(vtkPointSet* output) const
   vtkDataArray* carried = this->Options.CarryOriginalIds
     ? this->Input->GetPointData()->GetArray(OriginalPointIdsName)
     : nullptr;
-  const vtkIdType given = this->HasInputPoints ? this->Input->GetNumberOfPoints() : 0;
   for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)
   {
-    values[i] = i >= given ? -1 : carried ? static_cast<vtkIdType>(carried->GetComponent(i, 0)) : i;
+    const vtkIdType point = i >= this->NumberOfInputPoints ? -1
+      : this->TakenPoints.empty()                          ? i
+                                                           : this->TakenPoints[i];
+    values[i] =
+      carried && point >= 0 ? static_cast<vtkIdType>(carried->GetComponent(point, 0)) : point;
   }
   AddInstead(this->Input->GetPointData(), ids, output->GetPointData());
 }

@@ -98,6 +98,9 @@ public:
   /// The same for an operator of other rows: `origin(row)` is that point.
   using OriginOfRow = std::function<vtkIdType(vtkIdType)>;
   void Advance(const PointOperator& operation, const OriginOfRow& origin);
+  /// The same for rows that copy a point: `origin(row)`. The first `staying` ones are the points
+  /// that the next operator keeps, in their order.
+  void Take(const PointOperator& operation, const OriginOfRow& origin, vtkIdType staying);
   /// Applies an operator that has one row for each point, such as limit rows. Does nothing if there
   /// are no rows.
   void Project(const PointOperator& operation);
@@ -157,10 +160,11 @@ private:
   std::vector<Entry> Entries;
   bool HasGathered = false;
   bool HasWeighted = false;
-  bool HasInputPoints = true;
-  bool HasMoved = false;     ///< an operator was applied
-  Buffer<vtkIdType> Origins; ///< the input point whose values each point takes
-  Buffer<double> Doubles;    ///< the points, where they are not in double
+  vtkIdType NumberOfInputPoints;      ///< the first points are points of the input
+  std::vector<vtkIdType> TakenPoints; ///< which ones, where Take has chosen
+  bool HasMoved = false;              ///< an operator was applied
+  Buffer<vtkIdType> Origins;          ///< the input point whose values each point takes
+  Buffer<double> Doubles;             ///< the points, where they are not in double
 };
 
 }

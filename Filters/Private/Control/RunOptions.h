@@ -37,6 +37,8 @@ struct RunOptions
   /// The other partitions of the mesh of which the work gets a part, here its argument; null, or
   /// returns null, if it gets all.
   std::function<Partners*(vtkPointSet*)> FindPartners;
+  /// How many layers of fine cells of other partitions around its own the output of a part needs.
+  int GhostLayers = 0;
 };
 
 inline Partners* FindPartners(const RunOptions& options, vtkPointSet* mesh)

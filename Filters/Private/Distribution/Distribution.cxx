@@ -233,6 +233,7 @@ bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchan
   {
     Rounds rounds(exchange, kept.GetSent());
     options.FindPartners = [&rounds](vtkPointSet* mesh) { return rounds.Find(mesh); };
+    options.GhostLayers = distribution.GhostLayers;
     std::vector<char> done(partitions.size(), 0);
     RunTogether(partitions.size(),
       [&](size_t p)

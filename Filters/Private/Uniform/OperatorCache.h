@@ -13,6 +13,7 @@
 #include "Private/Control/KeptEntries.h"
 #include "Private/Control/Stamp.h"
 #include "Private/Uniform/LimitOperators.h"
+#include "Private/Uniform/OutputNumbers.h"
 #include "Private/Uniform/UniformCells.h"
 
 #include "vtkSmartPointer.h"
@@ -32,14 +33,14 @@ public:
   /// `inverted` as in ComputeLimitNormals.
   virtual void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const = 0;
   /// Applies the steps to other values: `components` numbers for each point before the first step.
-  /// There must be a step. The memory of an earlier `result` is reused, because clearing new pages
-  /// takes time.
+  /// There must be a step, and none is cut. The memory of an earlier `result` is reused, because
+  /// clearing new pages takes time.
   virtual void Apply(const double* values, int components, Buffer<double>& result) const = 0;
   virtual std::size_t GetMemorySize() const = 0;
   /// The limits of the points before the first step; null where they are not needed.
   virtual const PointOperator* GetControlLimit() const = 0;
   /// Turns rows over the points after the last step into rows over those before the first. There
-  /// must be a step.
+  /// must be a step, and none is cut.
   virtual SparseRows<int> ComposeWith(const SparseRows<int>& rows) const = 0;
   /// The strata of the vertices and edges on which the last step works. There must be a step.
   virtual const Buffer<Stratum>& GetLastVertices() const = 0;
@@ -56,6 +57,22 @@ public:
     this->Steps.push_back(std::move(stencils));
     this->Colours.push_back(std::move(colours));
   }
+  /// Sets what copies points to the columns of the last step, where that is cut (LevelCut.h). As in
+  /// PointArrays::Take.
+  void SetColumns(SparseRows<Id>&& columns, vtkIdType staying)
+  {
+    this->Columns = std::move(columns);
+    this->Staying = staying;
+  }
+  /// Does the same.
+  void TakeColumns(PointArrays& arrays) const
+  {
+    if (this->Columns.GetNumberOfRows() > 0)
+    {
+      arrays.Take(
+        this->Columns, [this](vtkIdType row) { return this->Columns.Columns[row]; }, this->Staying);
+    }
+  }
   /// Sets the operators that follow the last step.
   void SetLimit(LimitOperators<Id>&& limit) { this->Limit = std::move(limit); }
   void SetControlLimit(SparseRows<Id>&& limit) { this->ControlLimit = std::move(limit); }
@@ -67,6 +84,10 @@ public:
   {
     for (std::size_t i = 0; i < this->Steps.size(); ++i)
     {
+      if (i + 1 == this->Steps.size())
+      {
+        this->TakeColumns(arrays);
+      }
       arrays.Advance(this->Steps[i]);
       arrays.KeepColours(this->Colours[i]);
     }
@@ -98,7 +119,8 @@ public:
   const Buffer<Stratum>& GetLastEdges() const override { return this->Steps.back().Edges; }
   std::size_t GetMemorySize() const override
   {
-    std::size_t bytes = this->Limit.GetMemorySize() + this->ControlLimit.GetMemorySize();
+    std::size_t bytes = this->Limit.GetMemorySize() + this->ControlLimit.GetMemorySize() +
+      this->Columns.GetMemorySize();
     for (const Stencils<Id>& step : this->Steps)
     {
       bytes += step.GetMemorySize();
@@ -113,6 +135,8 @@ public:
 private:
   std::vector<Stencils<Id>> Steps;
   std::vector<std::vector<ColourMask>> Colours;
+  SparseRows<Id> Columns;
+  vtkIdType Staying = 0;
   LimitOperators<Id> Limit;
   SparseRows<Id> ControlLimit;
 };
@@ -127,6 +151,7 @@ struct TopologyKey
   vtkIdType NumberOfControlPoints = 0;
   int Levels = 0;
   bool Use32BitIds = false;
+  WantedSimplices Wanted;
   /// Options, flags and values that choose rules, in a fixed order.
   std::vector<long long> Choices;
 
@@ -135,7 +160,7 @@ struct TopologyKey
   {
     return this->Scheme == other.Scheme && this->MadeLevels == other.MadeLevels &&
       this->Levels == other.Levels && this->NumberOfControlPoints == other.NumberOfControlPoints &&
-      this->Use32BitIds == other.Use32BitIds &&
+      this->Use32BitIds == other.Use32BitIds && this->Wanted == other.Wanted &&
       this->Simplices.NumberOfPoints == other.Simplices.NumberOfPoints &&
       this->Simplices.Dimensions == other.Simplices.Dimensions &&
       this->Simplices.Connectivity == other.Simplices.Connectivity;

@@ -2,8 +2,10 @@
 #include "Private/Uniform/OutputNumbers.h"
 
 #include "Core/Solids/Complex/SimplicialComplex.h"
+#include "Private/ArrayNames.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SharedNumbers.h"
+#include "Private/Control/StampFields.h"
 
 #include "vtkPointSet.h"
 
@@ -18,72 +20,128 @@ namespace
 
 using Ids = std::vector<vtkIdType>;
 
-/// The simplices of the control mesh, and what they have in common with those of other partitions.
-class ControlNumbers
+/// Finds the numbers of control simplices.
+class ControlNumbering
 {
 public:
-  ControlNumbers(const ControlMesh& mesh, const SimplexTuples& derived, vtkPointSet* input,
-    int steps, Partners& partners)
+  ControlNumbering(const ControlMesh& mesh, const SimplexTuples& derived,
+    const WantedSimplices& wanted, vtkPointSet* input, Partners& partners)
     : Mesh(mesh)
     , Control(mesh.GetControl())
+    , Wanted(wanted)
     , With(partners)
     , Complex(BuildComplex<long long>(AddTuples(this->Control, derived), this->Runs))
   {
     this->FindCells(PlaceCells(input, partners));
+    Flags own;
+    for (const vtkIdType cell : this->Cells)
+    {
+      own.push_back(partners.IsOwn(cell));
+    }
+    this->Own = this->FindParts(own);
+  }
+  ControlNumbers Number(vtkPointSet* input, int steps)
+  {
     SharedNumbers vertices = NumberVertices(
-      input->GetNumberOfPoints(), SimplexView(this->Control), this->Pieces, partners);
-    this->Numbers[0] = std::move(vertices.First);
-    this->Totals[0] = vertices.Totals[0];
+      input->GetNumberOfPoints(), SimplexView(this->Control), this->Pieces, this->With);
+    this->Made.Numbers[0] = std::move(vertices.First);
+    this->Made.Totals[0] = vertices.Totals[0];
     this->NumberSimplices(steps);
     this->NumberFaces<2>(this->Complex.EdgeVertices, this->Complex.NumberOfLineCells);
     this->NumberFaces<3>(this->Complex.FaceVertices, this->Complex.NumberOfTriangleCells);
-  }
-
-  /// The numbers of vertices, edges, faces and tetrahedra, and how many the whole has.
-  std::array<Ids, 4> Numbers;
-  std::array<vtkIdType, 4> Totals{};
-  Ids FirstCells;
-  vtkIdType NumberOfCells = 0;
-
-  /// Of each derived simplex of a dimension, whether it is a face of an own cell.
-  template <int Dimension>
-  std::vector<char> FindOwnDerived() const
-  {
-    const std::vector<char> own = this->FindOwn<Dimension>();
-    const Buffer<long long>* twins[3] = { nullptr, &this->Complex.EqualLines.Twins,
-      &this->Complex.EqualTriangles.Twins };
-    std::vector<char> found;
-    for (const CellRun& run : this->Runs)
+    this->Made.Parts = this->FindParts(this->Wanted.Flags);
+    for (const vtkIdType point : this->Wanted.Points)
     {
-      for (vtkIdType i = 0; run.Dimension == Dimension && i < run.Count; ++i)
-      {
-        if (run.FirstCell + i >= this->Control.GetNumberOfSimplices())
-        {
-          const vtkIdType index = run.First + i;
-          found.push_back(own[Dimension == 0 ? this->Complex.VertexCells[index]
-              : run.Equal                    ? (*twins[Dimension])[index]
-                                             : index]);
-        }
-      }
+      this->Made.Parts.Kept[0][point] = 1;
     }
-    return found;
+    this->FindOwnDerived();
+    return std::move(this->Made);
   }
 
 private:
-  /// act(index of a control simplex, its dimension, its number among those of the complex; -1: an
-  /// equal one is in the complex).
+  using Flags = std::vector<char>;
+
+  /// What some control simplices have; `wanted`: flags of these, empty: all.
+  ControlParts FindParts(const Flags& wanted) const
+  {
+    const auto& complex = this->Complex;
+    const vtkIdType sizes[4] = { complex.NumberOfVertices, complex.NumberOfEdges,
+      complex.NumberOfFaces, complex.NumberOfTets };
+    ControlParts parts;
+    for (int dimension = 0; dimension < 4; ++dimension)
+    {
+      parts.Kept[dimension].assign(static_cast<size_t>(sizes[dimension]), wanted.empty() ? 1 : 0);
+    }
+    this->ForControl(
+      [&](vtkIdType s, int dimension, vtkIdType number, bool)
+      {
+        if (!wanted.empty() && wanted[s])
+        {
+          parts.Kept[dimension][number] = 1;
+        }
+      });
+    const auto addFaces = [&](int dimension, int size, const Buffer<long long>& faces)
+    {
+      for (vtkIdType i = 0; i < faces.size(); ++i)
+      {
+        parts.Kept[dimension - 1][faces[i]] |= parts.Kept[dimension][i / size];
+      }
+    };
+    addFaces(3, 4, complex.TetFaces);
+    addFaces(2, 3, complex.FaceEdges);
+    addFaces(1, 2, complex.EdgeVertices);
+    return parts;
+  }
+
+  void FindOwnDerived()
+  {
+    this->ForSimplices(
+      [&](vtkIdType s, int dimension, vtkIdType number, bool)
+      {
+        if (s >= this->Control.GetNumberOfSimplices() && this->Made.Parts.Kept[dimension][number])
+        {
+          this->Made.IsOwnDerived[dimension].push_back(this->Own.Kept[dimension][number]);
+        }
+        if (s >= this->Control.GetNumberOfSimplices() && dimension == 1)
+        {
+          this->Made.HasDerivedLine.push_back(this->Made.Parts.Kept[1][number]);
+        }
+      });
+  }
+
+  /// act(its index, its dimension, its number among those of the complex, whether the complex has
+  /// an equal one instead) for each simplex: those of the control mesh, and then derived ones.
   template <typename Act>
   void ForSimplices(const Act& act) const
   {
+    const auto& complex = this->Complex;
+    const Buffer<long long>* twins[4] = { nullptr, &complex.EqualLines.Twins,
+      &complex.EqualTriangles.Twins, &complex.EqualTets.Twins };
     for (const CellRun& run : this->Runs)
     {
-      const vtkIdType last =
-        std::min(run.FirstCell + run.Count, this->Control.GetNumberOfSimplices());
-      for (vtkIdType s = run.FirstCell; s < last; ++s)
+      for (vtkIdType i = 0; i < run.Count; ++i)
       {
-        act(s, run.Dimension, run.Equal ? -1 : run.First + s - run.FirstCell);
+        const vtkIdType index = run.First + i;
+        act(run.FirstCell + i, run.Dimension,
+          run.Dimension == 0 ? complex.VertexCells[index]
+            : run.Equal      ? (*twins[run.Dimension])[index]
+                             : index,
+          run.Equal);
       }
     }
+  }
+  /// The same for those of the control mesh only.
+  template <typename Act>
+  void ForControl(const Act& act) const
+  {
+    this->ForSimplices(
+      [&](vtkIdType s, int dimension, vtkIdType number, bool isEqual)
+      {
+        if (s < this->Control.GetNumberOfSimplices())
+        {
+          act(s, dimension, number, isEqual);
+        }
+      });
   }
 
   /// Finds for each control simplex the input cell whose piece it is, or which is its first
@@ -108,73 +166,30 @@ private:
     SharedKeys simplices = this->Pieces;
     simplices.Kinds = 4;
     simplices.Sizes.assign(4 * this->Cells.size(), 0);
-    this->ForSimplices(
-      [&](vtkIdType s, int dimension, vtkIdType number)
+    this->ForControl(
+      [&](vtkIdType s, int dimension, vtkIdType, bool isEqual)
       {
         simplices.Sizes[4 * s] = vtkIdType(1) << (dimension * steps);
-        if (dimension > 0 && number >= 0)
+        if (dimension > 0 && !isEqual)
         {
           simplices.Sizes[4 * s + dimension] = 1;
         }
       });
     const SharedNumbers numbers = NumberTogether(simplices, this->With);
-    this->NumberOfCells = numbers.Totals[0];
-    this->FirstCells.resize(this->Cells.size());
-    this->ForSimplices(
-      [&](vtkIdType s, int dimension, vtkIdType number)
+    this->Made.NumberOfCells = numbers.Totals[0];
+    this->ForControl(
+      [&](vtkIdType s, int dimension, vtkIdType, bool isEqual)
       {
-        this->FirstCells[s] = numbers.First[4 * s];
-        if (dimension > 0 && number >= 0)
+        if (this->Wanted.Has(s))
         {
-          this->Numbers[dimension].push_back(numbers.First[4 * s + dimension]);
+          this->Made.FirstCells.push_back(numbers.First[4 * s]);
+        }
+        if (dimension > 0 && !isEqual)
+        {
+          this->Made.Numbers[dimension].push_back(numbers.First[4 * s + dimension]);
         }
       });
-    std::copy_n(numbers.Totals.begin() + 1, 3, this->Totals.begin() + 1);
-  }
-
-  /// Which vertices, edges or faces belong to own simplices.
-  template <int Dimension>
-  std::vector<char> FindOwn() const
-  {
-    const auto& complex = this->Complex;
-    const vtkIdType sizes[3] = { complex.NumberOfVertices, complex.NumberOfEdges,
-      complex.NumberOfFaces };
-    std::vector<char> own(static_cast<size_t>(sizes[Dimension]), 0);
-    const auto mark = [&own](const Buffer<long long>& parts, vtkIdType simplex, int size)
-    {
-      for (vtkIdType i = simplex * size; i < (simplex + 1) * size; ++i)
-      {
-        own[parts[i]] = 1;
-      }
-    };
-    const Buffer<long long>* vertices[4] = { &complex.VertexCells, &complex.EdgeVertices,
-      &complex.FaceVertices, &complex.TetVertices };
-    this->ForSimplices(
-      [&](vtkIdType s, int dimension, vtkIdType number)
-      {
-        if (number < 0 || dimension < Dimension || !this->With.IsOwn(this->Cells[s]))
-        {
-          return;
-        }
-        if (Dimension == 0)
-        {
-          mark(*vertices[dimension], number, dimension + 1);
-        }
-        else if (dimension == Dimension)
-        {
-          own[number] = 1;
-        }
-        else if (Dimension == 1)
-        {
-          mark(
-            dimension == 2 ? complex.FaceEdges : complex.TetEdges, number, dimension == 2 ? 3 : 6);
-        }
-        else
-        {
-          mark(complex.TetFaces, number, 4);
-        }
-      });
-    return own;
+    std::copy_n(numbers.Totals.begin() + 1, 3, this->Made.Totals.begin() + 1);
   }
 
   /// Numbers the edges or faces that are no control simplices: those that are derived, and then all
@@ -182,16 +197,14 @@ private:
   template <int Size>
   void NumberFaces(const Buffer<long long>& vertices, vtkIdType firstOther)
   {
-    const std::vector<char> own = this->FindOwn<Size - 1>();
-    const auto first = static_cast<vtkIdType>(this->Numbers[Size - 1].size());
-    this->NumberFaces<Size>(vertices, own, first, firstOther);
-    this->NumberFaces<Size>(vertices, own, firstOther, vertices.size() / Size);
+    const auto first = static_cast<vtkIdType>(this->Made.Numbers[Size - 1].size());
+    this->NumberFaces<Size>(vertices, first, firstOther);
+    this->NumberFaces<Size>(vertices, firstOther, vertices.size() / Size);
   }
 
   /// Some of them, in the order of their vertices.
   template <int Size>
-  void NumberFaces(const Buffer<long long>& vertices, const std::vector<char>& own, vtkIdType first,
-    vtkIdType last)
+  void NumberFaces(const Buffer<long long>& vertices, vtkIdType first, vtkIdType last)
   {
     SharedKeys faces;
     faces.Width = Size;
@@ -200,62 +213,80 @@ private:
       std::array<vtkIdType, Size> key;
       for (int k = 0; k < Size; ++k)
       {
-        key[k] = this->Numbers[0][vertices[Size * f + k]];
+        key[k] = this->Made.Numbers[0][vertices[Size * f + k]];
       }
       std::sort(key.begin(), key.end());
-      faces.Own.push_back(own[f] && key[0] >= 0);
+      faces.Own.push_back(this->Own.Kept[Size - 1][f] && key[0] >= 0);
       std::replace(key.begin(), key.end(), vtkIdType(-1), vtkIdType(0));
       faces.Keys.insert(faces.Keys.end(), key.begin(), key.end());
     }
     const SharedNumbers found = NumberTogether(faces, this->With);
-    vtkIdType& total = this->Totals[Size - 1];
+    vtkIdType& total = this->Made.Totals[Size - 1];
     for (const vtkIdType number : found.First)
     {
-      this->Numbers[Size - 1].push_back(number < 0 ? -1 : total + number);
+      this->Made.Numbers[Size - 1].push_back(number < 0 ? -1 : total + number);
     }
     total += found.Totals[0];
   }
 
   const ControlMesh& Mesh;
   const SimplexList& Control;
+  const WantedSimplices& Wanted;
   Partners& With;
   std::vector<CellRun> Runs;
   const SimplicialComplex<long long> Complex;
   Ids Cells;         ///< of each control simplex, the input cell
   SharedKeys Pieces; ///< control simplices as pieces of these cells
+  ControlParts Own;  ///< what own simplices have
+  ControlNumbers Made;
 };
 
 }
 
-OutputNumbers NumberOutput(const ControlMesh& mesh, const SimplexTuples& derived,
-  vtkPointSet* input, int steps, const SchemeTraits& scheme, Partners& partners)
+ControlNumbers NumberControl(const ControlMesh& mesh, const SimplexTuples& derived,
+  const WantedSimplices& wanted, vtkPointSet* input, int steps, Partners& partners)
 {
-  const ControlNumbers control(mesh, derived, input, steps, partners);
+  return ControlNumbering(mesh, derived, wanted, input, partners).Number(input, steps);
+}
+
+OutputNumbers NumberOutput(
+  const ControlNumbers& control, const SimplexList& wanted, int steps, const SchemeTraits& scheme)
+{
   OutputNumbers output;
-  output.FirstCells = control.FirstCells;
-  output.NumberOfCells = control.NumberOfCells;
-  output.NumberOfControlPoints = control.Totals[0];
-  output.IsOwnDerived[0] = control.FindOwnDerived<0>();
-  output.IsOwnDerived[1] = control.FindOwnDerived<1>();
-  output.IsOwnDerived[2] = control.FindOwnDerived<2>();
   std::vector<SharedNumbers> things;
   for (size_t dimension = 0; dimension < 4; ++dimension)
   {
-    things.push_back({ control.Numbers[dimension], { control.Totals[dimension] } });
-  }
-  const IdSegments vertices = scheme.ListVertices(steps);
-  WholeIds points = std::move(FindWholeIds({ &vertices }, things)[0]);
-  output.Points = std::move(points.Ids);
-  output.NumberOfPoints = points.Total;
-  const SimplexList& simplices = mesh.GetControl();
-  for (vtkIdType s = 0; s < simplices.GetNumberOfSimplices(); ++s)
-  {
-    const vtkIdType size = vtkIdType(1) << (simplices.Dimensions[s] * steps);
-    for (vtkIdType k = 0; k < size; ++k)
+    things.push_back({ {}, { control.Totals[dimension] } });
+    for (size_t i = 0; i < control.Numbers[dimension].size(); ++i)
     {
-      output.Cells.push_back(control.FirstCells[s] < 0 ? -1 : control.FirstCells[s] + k);
+      if (control.Parts.Kept[dimension][i])
+      {
+        things.back().First.push_back(control.Numbers[dimension][i]);
+      }
     }
   }
+  const IdSegments vertices = scheme.ListVertices(steps);
+  const WholeIds points = std::move(FindWholeIds({ &vertices }, things)[0]);
+  output.Points = MakeField<vtkIdTypeArray>(PointNumbersName, points.Ids);
+  output.NumberOfPoints = points.Total;
+  const auto countCells = [&](vtkIdType s)
+  { return vtkIdType(1) << (wanted.Dimensions[s] * steps); };
+  const vtkIdType size = wanted.GetNumberOfSimplices();
+  Buffer<vtkIdType> firsts(size + 1);
+  ForEach(size, [&](vtkIdType s) { firsts[s] = countCells(s); });
+  CountsToOffsets(firsts);
+  output.Cells = vtkSmartPointer<vtkIdTypeArray>::New();
+  output.Cells->SetName(CellNumbersName);
+  output.Cells->SetNumberOfValues(firsts[size]);
+  vtkIdType* cells = output.Cells->GetPointer(0);
+  ForEach(size,
+    [&](vtkIdType s)
+    {
+      for (vtkIdType k = firsts[s]; k < firsts[s + 1]; ++k)
+      {
+        cells[k] = control.FirstCells[s] < 0 ? -1 : control.FirstCells[s] + k - firsts[s];
+      }
+    });
   return output;
 }
 

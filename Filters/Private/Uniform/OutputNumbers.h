@@ -7,9 +7,13 @@
 #ifndef SubdivisionObjects_OutputNumbers_h
 #define SubdivisionObjects_OutputNumbers_h
 
-#include "Core/Solids/Scheme/Level.h"
+#include "Core/Solids/AllSchemes/LevelCut.h"
 #include "Private/Control/ControlMesh.h"
 
+#include "vtkIdTypeArray.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
 #include <vector>
 
 class vtkPointSet;
@@ -19,32 +23,60 @@ namespace subdivision
 
 class Partners;
 
-struct OutputNumbers
+/// Of what the output is made, where the mesh has copies of cells of other partitions.
+struct WantedSimplices
 {
-  std::vector<vtkIdType> Points; ///< -1 far from own cells
-  std::vector<vtkIdType> Cells;
-  /// Of each control simplex, the number of its first cell in the output.
+  std::vector<char> Flags;       ///< one for each control simplex; empty: all are wanted
+  std::vector<vtkIdType> Points; ///< those that no cell of the input uses, if not all are wanted
+
+  bool IsAll() const { return this->Flags.empty(); }
+  bool Has(vtkIdType simplex) const { return this->IsAll() || this->Flags[simplex]; }
+  bool operator==(const WantedSimplices& other) const
+  {
+    return this->Flags == other.Flags && this->Points == other.Points;
+  }
+};
+
+/// The control simplices of a part of a mesh, and their numbers in the whole.
+struct ControlNumbers
+{
+  /// Of vertices, edges, faces and tetrahedra; -1 far from own cells. How many the whole has.
+  std::array<std::vector<vtkIdType>, 4> Numbers;
+  std::array<vtkIdType, 4> Totals{};
+  /// Those that wanted simplices have, and wanted points.
+  ControlParts Parts;
+  /// Of each wanted simplex, the number of its first cell in the output.
   std::vector<vtkIdType> FirstCells;
-  /// Of each derived simplex, by its dimension, whether it is a face of an own cell: only then this
-  /// partition is sure of it.
+  vtkIdType NumberOfCells = 0; ///< of the output of the whole
+  /// Of each derived simplex that is kept, by its dimension, whether it is a face of an own cell:
+  /// only then this partition is sure of it.
   std::vector<char> IsOwnDerived[3];
-  // Of the whole:
-  vtkIdType NumberOfControlPoints = 0;
-  vtkIdType NumberOfPoints = 0;
-  vtkIdType NumberOfCells = 0;
+  std::vector<char> HasDerivedLine; ///< of each derived line, whether it is kept
 };
 
 /**
- * `mesh` is what was read from `input`, the mesh that `partners` know, `derived` the singular
- * simplices of its control mesh; the output is `steps` steps after that. All partitions call this
- * together.
+ * Numbers control simplices. `mesh` is what was read from `input`, the mesh that `partners` know,
+ * `derived` the singular simplices of its control mesh; the output is `steps` steps after that.
+ * All partitions call this together.
  *
  * The ids of children follow from those of their parents by arithmetic. So it is enough to number
  * the vertices, edges, faces and tetrahedra of the control mesh, each kind with NumberTogether: 14
  * exchanges, however many steps there are. About 100 bytes are sent for each control tetrahedron.
  */
-OutputNumbers NumberOutput(const ControlMesh& mesh, const SimplexTuples& derived,
-  vtkPointSet* input, int steps, const SchemeTraits& scheme, Partners& partners);
+ControlNumbers NumberControl(const ControlMesh& mesh, const SimplexTuples& derived,
+  const WantedSimplices& wanted, vtkPointSet* input, int steps, Partners& partners);
+
+struct OutputNumbers
+{
+  vtkSmartPointer<vtkIdTypeArray> Points; ///< -1 far from own cells
+  vtkSmartPointer<vtkIdTypeArray> Cells;
+  vtkIdType NumberOfPoints = 0; ///< of the whole
+};
+
+/// The numbers of the points and cells of the output, `steps` steps after the control mesh, of
+/// which `wanted` are the wanted simplices.
+OutputNumbers NumberOutput(
+  const ControlNumbers& control, const SimplexList& wanted, int steps, const SchemeTraits& scheme);
 
 }
 

@@ -23,6 +23,7 @@ TopologyKey UniformRun::MakeKey() const
   key.NumberOfControlPoints = this->Mesh.GetControl().NumberOfPoints;
   key.Levels = this->Options.Levels;
   key.Use32BitIds = this->Options.Use32BitIds;
+  key.Wanted = this->Wanted;
   key.Choices = EncodeChoices(this->Options.Features, this->Mesh.Values);
   key.Choices.push_back(this->Mesh.IsStamped);
   key.Choices.push_back(this->Options.ProjectToLimit);

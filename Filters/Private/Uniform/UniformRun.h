@@ -2,13 +2,14 @@
 /**
  * @file UniformRun.h
  * One execution of a uniform subdivision: it reads and plans, makes the steps, and writes
- * (UniformSubdivision.cxx); what it keeps for the next (UniformKept.cxx); how it interpolates, and
- * what it says of the result (UniformInterpolation.cxx).
+ * (UniformSubdivision.cxx); what it keeps for the next (UniformKept.cxx); what it does if its mesh
+ * is a part of a whole (UniformParts.cxx); how it interpolates, and what it says of the result
+ * (UniformInterpolation.cxx).
  */
 #ifndef SubdivisionObjects_UniformRun_h
 #define SubdivisionObjects_UniformRun_h
 
-#include "Core/Solids/AllSchemes/VolumeSchemes.h"
+#include "Core/Solids/AllSchemes/LevelCut.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/ControlComplex.h"
 #include "Private/Uniform/UniformCells.h"
@@ -76,7 +77,8 @@ private:
   template <typename Scheme>
   void StepTwice(const typename Scheme::Level& level);
   template <typename Scheme>
-  Stencils<typename Scheme::Id> TakeOperator(typename Scheme::Level& level, int step) const;
+  Stencils<typename Scheme::Id> TakeOperator(
+    typename Scheme::Level& level, int step, const LevelCut<Scheme>* cut = nullptr) const;
   template <typename Scheme>
   std::vector<ColourMask> FindColours(const typename Scheme::Level& level, int step) const;
   std::vector<ColourMask> FindControlColours() const;
@@ -90,9 +92,17 @@ private:
   void GatherDerived(const typename Scheme::Level& level, int steps);
   void FinishPoints(bool ownsCells);
 
+  // A mesh that has copies of cells of other partitions.
+  void FindWanted();
+  std::vector<CellRun> CountWanted() const;
+  void NumberControl();
+  template <typename Scheme>
+  std::unique_ptr<LevelCut<Scheme>> CutOff(typename Scheme::Level& level, Kept<Scheme>& kept);
+  void LeaveWanted();
+  void CountInWhole(Stamp& stamp, StampedIds& ids);
+
   void Write();
   void WriteStamps();
-  void CountInWhole(Partners& others, Stamp& stamp, StampedIds& ids);
   void CheckOrientation();
   void AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges);
   bool IsStopped(double done) const
@@ -116,6 +126,9 @@ private:
   const KeptOperator* SameCells = nullptr; ///< kept, with the cells of the output
   UniformCells Cells;                      ///< of the output
   bool HasTurned = false;                  ///< octahedra are cut around their shortest diagonals
+  Partners* Others = nullptr;              ///< null: the mesh is the whole
+  WantedSimplices Wanted;
+  ControlNumbers Numbers; ///< if there are others
   /// For an input with octahedra: the cells whose values the children of its cells take
   /// (FindParents).
   std::vector<vtkIdType> Parents;

@@ -6,18 +6,15 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/CellArrays.h"
-#include "Private/Control/Partners.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Control/StampFields.h"
 #include "Private/Reading/SolidOrientation.h"
 #include "Private/Uniform/Classification.h"
 #include "Private/Uniform/KeptTypes.h"
-#include "Private/Uniform/OutputNumbers.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -36,7 +33,13 @@ constexpr const char* DimensionName = "ManifoldDimension";
 
 bool UniformRun::Run()
 {
-  if (!this->Plan() || !this->Execute())
+  this->Others = FindPartners(this->Options, this->Input);
+  if (!this->Plan())
+  {
+    return false;
+  }
+  this->NumberControl();
+  if (!this->Execute())
   {
     return false;
   }
@@ -121,6 +124,7 @@ void UniformRun::StartPoints()
   this->Points = std::make_unique<PointArrays>(this->Input, this->Mesh.Cells,
     this->Mesh.GetGlobalIds(), static_cast<vtkIdType>(this->Mesh.GlobalIds.size()), arrays);
   this->Points->KeepColours(this->FindControlColours());
+  this->FindWanted();
   if (this->Mesh.MadeLevels == 0)
   {
     this->Mesh.Inverted =
@@ -189,7 +193,7 @@ bool UniformRun::HasMemoryFor(const LevelCounts& counts, double bytesPerId) cons
   SizeEstimate estimate;
   estimate.Control = counts;
   estimate.Levels = this->Options.Levels;
-  estimate.Runs = this->Control.Runs;
+  estimate.Runs = this->CountWanted();
   estimate.BytesPerPoint = this->Points->GetBytesPerPoint();
   estimate.BytesPerCell = GetBytesPerTuple(this->Input->GetCellData());
   estimate.BytesPerId = bytesPerId;
@@ -253,9 +257,9 @@ bool UniformRun::Step(typename Scheme::Level& level, KeptOperator* keep)
     this->StepNever<Scheme>(level, *kept, keep);
   }
   // Whether the last two operators are stored. If not, StepTwice makes the last two steps at once,
-  // row by row; it cannot where operators are kept or blended, values are divided by weights, or
-  // the last level is needed.
-  const bool stored = keep || this->Options.ReadsLimit() || steps < 2 ||
+  // row by row; it cannot where operators are kept, cut or blended, values are divided by weights,
+  // or the last level is needed.
+  const bool stored = keep || this->Options.ReadsLimit() || !this->Wanted.IsAll() || steps < 2 ||
     this->Points->HasWeights() || HasEqualCells(level.Complex) ||
     IsSharpAfter(this->Control.Sharpness, steps - 2);
   for (int step = 0; step < steps; ++step)
@@ -300,15 +304,16 @@ void UniformRun::StepNever(typename Scheme::Level& level, Kept<Scheme>& kept, Ke
 /// Takes the operator out of a level, and drops the rest of the level.
 template <typename Scheme>
 Stencils<typename Scheme::Id> UniformRun::TakeOperator(
-  typename Scheme::Level& level, int step) const
+  typename Scheme::Level& level, int step, const LevelCut<Scheme>* cut) const
 {
   Stencils<typename Scheme::Id> stencils = TakeStencils(level);
   level = typename Scheme::Level();
   if (IsSharpAfter(this->Control.Sharpness, step))
   {
     auto sharp = BuildSharpLevel<Scheme>(this->Mesh, this->Options.Features, this->Control, step);
-    BlendSemiSharp(
-      this->Control.Sharpness, step, this->Mesh.MadeLevels + step, TakeStencils(sharp), stencils);
+    sharp = cut ? cut->Cut(sharp) : std::move(sharp);
+    BlendSemiSharp(cut ? cut->Cut(this->Control.Sharpness) : this->Control.Sharpness, step,
+      this->Mesh.MadeLevels + step, TakeStencils(sharp), stencils);
   }
   return stencils;
 }
@@ -382,6 +387,7 @@ template <typename Scheme>
 void UniformRun::StepLast(typename Scheme::Level& level, Kept<Scheme>& kept, bool keeps)
 {
   const int step = this->Options.Levels - 1;
+  const std::unique_ptr<LevelCut<Scheme>> cut = this->CutOff<Scheme>(level, kept);
   this->GatherDerived<Scheme>(level, 1);
   if (Scheme::Traits.HasPieces && !keeps && !this->Options.ReadsLimit() &&
     !IsSharpAfter(this->Control.Sharpness, step))
@@ -397,7 +403,7 @@ void UniformRun::StepLast(typename Scheme::Level& level, Kept<Scheme>& kept, boo
     colours = this->FindColours<Scheme>(level, step);
     next = Refine(level, Depth::ForRefinement);
   }
-  Stencils<typename Scheme::Id> stencils = this->TakeOperator<Scheme>(level, step);
+  Stencils<typename Scheme::Id> stencils = this->TakeOperator<Scheme>(level, step, cut.get());
   level = std::move(next);
   this->Points->Advance(stencils);
   this->Points->KeepColours(colours);
@@ -492,10 +498,14 @@ void UniformRun::GatherDerived(const typename Scheme::Level& level, int steps)
     GatherTuples(level.Complex, this->Control.DerivedRuns, steps, Scheme::CountCentres(level));
   this->Derived.Sharpness.clear();
   const int all = this->Mesh.MadeLevels + this->Options.Levels;
-  for (const double sharpness : this->Control.Derived.Sharpness) // what is left, for all children
+  const std::vector<double>& lines = this->Control.Derived.Sharpness;
+  for (std::size_t i = 0; i < lines.size(); ++i) // what is left, for all children
   {
-    this->Derived.Sharpness.insert(this->Derived.Sharpness.end(), std::size_t(1) << all,
-      std::max(sharpness - this->Options.Levels, 0.));
+    if (this->Wanted.IsAll() || this->Numbers.HasDerivedLine[i])
+    {
+      this->Derived.Sharpness.insert(this->Derived.Sharpness.end(), std::size_t(1) << all,
+        std::max(lines[i] - this->Options.Levels, 0.));
+    }
   }
 }
 
@@ -513,6 +523,7 @@ void UniformRun::FinishPoints(bool ownsCells)
 /// Writes cell data, ghost types and the stamp.
 void UniformRun::Write()
 {
+  this->LeaveWanted();
   CellArrayOptions cells;
   cells.Levels = this->Options.Levels;
   cells.OriginalIds = this->Options.GenerateOriginalIds;

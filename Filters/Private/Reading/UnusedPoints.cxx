@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Reading/UnusedPoints.h"
+
+#include "Private/Reading/CellReader.h"
+
+#include "vtkPointSet.h"
+
+namespace subdivision
+{
+
+std::vector<vtkIdType> FindUnusedPoints(vtkPointSet* mesh)
+{
+  const CellReader cells(mesh);
+  std::vector<char> used(static_cast<size_t>(mesh->GetNumberOfPoints()), 0);
+  std::vector<vtkIdType> scratch;
+  for (vtkIdType c = 0; c < cells.GetNumberOfCells(); ++c)
+  {
+    const CellIds cell = cells.GetCell(c, scratch);
+    for (vtkIdType i = 0; i < cell.Size; ++i)
+    {
+      if (cell.Ids[i] >= 0 && cell.Ids[i] < static_cast<vtkIdType>(used.size()))
+      {
+        used[cell.Ids[i]] = 1;
+      }
+    }
+  }
+  std::vector<vtkIdType> unused;
+  for (size_t i = 0; i < used.size(); ++i)
+  {
+    if (!used[i])
+    {
+      unused.push_back(static_cast<vtkIdType>(i));
+    }
+  }
+  return unused;
+}
+
+}

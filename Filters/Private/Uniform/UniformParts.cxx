@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a uniform subdivision does if its mesh has copies of cells of other partitions: it leaves
+// them out of the last step, and numbers its output as the whole does.
+#include "Private/Uniform/UniformRun.h"
+
+#include "Private/Control/Partners.h"
+#include "Private/Reading/UnusedPoints.h"
+
+#include "vtkCellData.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace subdivision
+{
+namespace
+{
+
+/// Adds to some simplices all that share a point with them.
+void AddLayer(const SimplexList& simplices, std::vector<char>& flags)
+{
+  std::vector<char> isAt(static_cast<std::size_t>(simplices.NumberOfPoints), 0);
+  for (const bool marks : { true, false })
+  {
+    const vtkIdType* first = simplices.Connectivity.data();
+    for (std::size_t s = 0; s < flags.size(); ++s)
+    {
+      const vtkIdType* last = first + simplices.Dimensions[s] + 1;
+      if (marks && flags[s])
+      {
+        std::for_each(first, last, [&](vtkIdType point) { isAt[point] = 1; });
+      }
+      else if (!marks && std::any_of(first, last, [&](vtkIdType point) { return isAt[point]; }))
+      {
+        flags[s] = 1;
+      }
+      first = last;
+    }
+  }
+}
+
+}
+
+/// Finds the control simplices whose children the output needs. With limits all are made to the
+/// end, because a limit depends on a ring of the last level; and with fields of materials, because
+/// the colours of a point are those of all cells at it.
+void UniformRun::FindWanted()
+{
+  this->Wanted = WantedSimplices();
+  if (!this->Others || this->Options.Levels == 0 || this->Options.ReadsLimit() ||
+    this->Points->HasWeights())
+  {
+    return;
+  }
+  const SimplexList& control = this->Mesh.GetControl();
+  const std::vector<vtkIdType>& parents = this->Mesh.Cells.ParentCells;
+  const bool arePieces = this->Mesh.MadeLevels == 0 && !parents.empty();
+  std::vector<char> flags;
+  vtkIdType cell = 0;
+  for (const unsigned char dimension : control.Dimensions)
+  {
+    flags.push_back(this->Others->IsOwn(arePieces ? parents[cell] : cell));
+    cell += vtkIdType(1) << (dimension * this->Mesh.MadeLevels);
+  }
+  // A layer of control simplices has all of a layer of fine cells.
+  for (int layer = 0; layer < this->Options.GhostLayers; ++layer)
+  {
+    AddLayer(control, flags);
+  }
+  if (std::find(flags.begin(), flags.end(), 0) != flags.end())
+  {
+    this->Wanted = { std::move(flags), FindUnusedPoints(this->Input) };
+  }
+}
+
+/// How many cells of each dimension the current level has in the output.
+std::vector<CellRun> UniformRun::CountWanted() const
+{
+  if (this->Wanted.IsAll())
+  {
+    return this->Control.Runs;
+  }
+  std::vector<CellRun> runs(4);
+  const std::vector<unsigned char>& dimensions = this->Mesh.GetControl().Dimensions;
+  for (std::size_t s = 0; s < dimensions.size(); ++s)
+  {
+    runs[dimensions[s]].Count +=
+      this->Wanted.Flags[s] ? vtkIdType(1) << (dimensions[s] * this->Mesh.MadeLevels) : 0;
+  }
+  for (int dimension = 0; dimension < 4; ++dimension)
+  {
+    runs[dimension].Dimension = dimension;
+  }
+  return RefineRuns(runs, 0);
+}
+
+void UniformRun::NumberControl()
+{
+  if (this->Others)
+  {
+    this->Numbers = subdivision::NumberControl(this->Mesh,
+      this->Found ? this->Found->ControlDerived : this->Control.Derived.Tuples, this->Wanted,
+      this->Input, this->Mesh.MadeLevels + this->Options.Levels, *this->Others);
+  }
+}
+
+/// Leaves only what the output needs for the last step.
+template <typename Scheme>
+std::unique_ptr<LevelCut<Scheme>> UniformRun::CutOff(
+  typename Scheme::Level& level, Kept<Scheme>& kept)
+{
+  if (this->Wanted.IsAll())
+  {
+    return nullptr;
+  }
+  auto cut = std::make_unique<LevelCut<Scheme>>(
+    level, this->Numbers.Parts, this->Mesh.MadeLevels + this->Options.Levels - 1);
+  level = cut->Cut(level);
+  this->Control.Runs = cut->Cut(this->Control.Runs, this->Wanted.Flags);
+  this->Control.DerivedRuns = cut->Cut(this->Control.DerivedRuns, {});
+  kept.SetColumns(cut->TakeColumns(), level.Complex.NumberOfVertices);
+  kept.TakeColumns(*this->Points);
+  return cut;
+}
+
+/// Takes the simplices that are not wanted out of the mesh that was read, when all is made that
+/// depends on them. What was kept is without them already.
+void UniformRun::LeaveWanted()
+{
+  if (this->Wanted.IsAll())
+  {
+    return;
+  }
+  const int made = this->Mesh.MadeLevels;
+  const std::vector<unsigned char> dimensions = this->Mesh.GetControl().Dimensions;
+  // The values of wanted simplices, where each simplex has those of its children after some levels.
+  const auto pick = [&](const auto& values, int levels)
+  {
+    std::decay_t<decltype(values)> picked;
+    auto first = values.begin();
+    for (std::size_t s = 0; s < dimensions.size() && first != values.end(); ++s)
+    {
+      const auto last = first + (std::ptrdiff_t(1) << (dimensions[s] * levels));
+      if (this->Wanted.Flags[s])
+      {
+        picked.insert(picked.end(), first, last);
+      }
+      first = last;
+    }
+    return picked;
+  };
+  std::vector<vtkIdType> simplices(dimensions.size());
+  std::iota(simplices.begin(), simplices.end(), vtkIdType(0));
+  simplices = pick(simplices, 0);
+  SimplicesOfCells& cells = this->Mesh.Cells;
+  if (cells.ParentCells.empty())
+  {
+    cells.ParentCells.resize(cells.Simplices.Dimensions.size());
+    std::iota(cells.ParentCells.begin(), cells.ParentCells.end(), vtkIdType(0));
+  }
+  cells.ParentCells = pick(cells.ParentCells, made);
+  cells.Simplices.Dimensions = pick(cells.Simplices.Dimensions, made);
+  this->Mesh.Above.Dimensions = pick(this->Mesh.Above.Dimensions, 0);
+  if (!this->Found)
+  {
+    this->Parents = pick(this->Parents, made + 1);
+    this->Control.ManifoldDimensions =
+      Selection<vtkIdType>(this->Wanted.Flags).Pick(this->Control.ManifoldDimensions);
+  }
+  std::vector<vtkIdType> inverted;
+  for (const vtkIdType tet : this->Mesh.Inverted)
+  {
+    if (this->Wanted.Flags[tet / 2])
+    {
+      const auto place = std::lower_bound(simplices.begin(), simplices.end(), tet / 2);
+      inverted.push_back(2 * (place - simplices.begin()) + tet % 2);
+    }
+  }
+  this->Mesh.Inverted = std::move(inverted);
+}
+
+#define SUBDIVISION_CUT_OFF(Scheme)                                                                \
+  template std::unique_ptr<LevelCut<Scheme>> UniformRun::CutOff(Scheme::Level&, Kept<Scheme>&)
+SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_CUT_OFF);
+
+}
