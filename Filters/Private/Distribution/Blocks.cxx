@@ -6,6 +6,7 @@
 #include "Private/Control/StampFields.h"
 #include "Private/Distribution/StampedParts.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Reading/UnusedPoints.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace subdivision
 {
@@ -35,34 +37,6 @@ bool IsAccepted(vtkDataObject* data, bool isOfSurfaces)
 {
   return vtkPolyData::SafeDownCast(data) ||
     (!isOfSurfaces && vtkUnstructuredGrid::SafeDownCast(data));
-}
-
-/// The points that no cell of a mesh uses.
-std::vector<vtkIdType> FindUnused(vtkPointSet* mesh)
-{
-  const CellReader cells(mesh);
-  std::vector<char> used(static_cast<size_t>(mesh->GetNumberOfPoints()), 0);
-  std::vector<vtkIdType> scratch;
-  for (vtkIdType c = 0; c < cells.GetNumberOfCells(); ++c)
-  {
-    const CellIds cell = cells.GetCell(c, scratch);
-    for (vtkIdType i = 0; i < cell.Size; ++i)
-    {
-      if (cell.Ids[i] >= 0 && cell.Ids[i] < static_cast<vtkIdType>(used.size()))
-      {
-        used[cell.Ids[i]] = 1;
-      }
-    }
-  }
-  std::vector<vtkIdType> unused;
-  for (size_t i = 0; i < used.size(); ++i)
-  {
-    if (!used[i])
-    {
-      unused.push_back(static_cast<vtkIdType>(i));
-    }
-  }
-  return unused;
 }
 
 /// Takes away arrays that other blocks have and this one does not, and gives the others their
@@ -209,55 +183,106 @@ void SetPrecision(int type, vtkPointSet* output)
   }
 }
 
-/// Gives the only block all cells and points, without a copy. Returns the points.
-std::vector<vtkIdType> TakeAll(vtkPointSet* whole, vtkPointSet* output)
+/// Gives the only block all cells and points, without a copy.
+void TakeAll(vtkPointSet* whole, vtkPointSet* output)
 {
   output->ShallowCopy(whole);
   output->GetCellData()->RemoveArray(BlockName);
   output->GetFieldData()->Initialize();
-  std::vector<vtkIdType> points(static_cast<size_t>(whole->GetNumberOfPoints()));
-  std::iota(points.begin(), points.end(), vtkIdType(0));
-  return points;
+}
+
+/// Whether all cells are those of block 0.
+bool IsOneBlock(vtkPointSet* whole)
+{
+  auto* blocks = vtkIntArray::SafeDownCast(whole->GetCellData()->GetArray(BlockName));
+  const vtkIdType size = blocks ? blocks->GetNumberOfValues() : 0;
+  const int* first = size > 0 ? blocks->GetPointer(0) : nullptr;
+  return size == whole->GetNumberOfCells() &&
+    std::all_of(first, first + size, [](int block) { return block == 0; });
+}
+
+using Numbers = vtkSmartPointer<vtkIdTypeArray>;
+
+Numbers Count(vtkIdType size)
+{
+  auto indices = Numbers::New();
+  indices->SetNumberOfValues(size);
+  std::iota(indices->GetPointer(0), indices->GetPointer(0) + size, vtkIdType(0));
+  return indices;
 }
 
 /// Takes away the array of numbers in the whole output; where there is none, this is the whole, and
-/// `indices` are the numbers.
-std::vector<vtkIdType> TakeNumbers(
-  const char* name, const std::vector<vtkIdType>& indices, vtkDataSetAttributes* data)
+/// `indices` are the numbers; null: all.
+Numbers TakeNumbers(const char* name, const std::vector<vtkIdType>* indices, vtkIdType size,
+  vtkDataSetAttributes* data)
 {
-  auto* array = vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(name));
-  if (!array)
-  {
-    return indices;
-  }
-  const vtkIdType* first = array->GetPointer(0);
-  std::vector<vtkIdType> numbers(first, first + array->GetNumberOfValues());
+  const Numbers found = vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(name));
   data->RemoveArray(name);
-  return numbers;
+  return found ? found : indices ? MakeField<vtkIdTypeArray>(name, *indices) : Count(size);
 }
 
-/// Writes the output of one block, whose cells are `own`.
-void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, const OutputOptions& options,
-  int block, const std::vector<vtkIdType>& own, std::vector<Block>& blocks)
+void AddGlobalIds(vtkIdTypeArray* points, vtkIdTypeArray* cells, vtkPointSet* output)
 {
-  const std::vector<vtkIdType> cells =
-    options.GhostLayers > 0 ? AddLayersOf(whole, own, options.GhostLayers) : own;
+  const auto copy = [](vtkIdTypeArray* numbers, const char* name)
+  {
+    auto ids = Numbers::New();
+    ids->ShallowCopy(numbers);
+    ids->SetName(name);
+    return ids;
+  };
+  output->GetPointData()->SetGlobalIds(copy(points, "GlobalPointIds"));
+  output->GetCellData()->SetGlobalIds(copy(cells, "GlobalCellIds"));
+}
+
+/// Gives a block its cells and points of `whole`, and returns their numbers in the whole output.
+std::pair<Numbers, Numbers> TakeMesh(vtkPointSet* whole, const OutputOptions& options, int block,
+  const std::vector<vtkIdType>& own, vtkPointSet* output)
+{
+  std::vector<vtkIdType> layers;
+  if (options.GhostLayers > 0)
+  {
+    layers = AddLayersOf(whole, own, options.GhostLayers);
+  }
+  const std::vector<vtkIdType>& cells = options.GhostLayers > 0 ? layers : own;
   std::vector<vtkIdType> kept;
   if (auto* of = vtkIntArray::SafeDownCast(whole->GetPointData()->GetArray(PointBlockName)))
   {
-    kept = FindUnused(whole);
+    kept = FindUnusedPoints(whole);
     kept.erase(std::remove_if(kept.begin(), kept.end(),
                  [&](vtkIdType point) { return of->GetValue(point) != block; }),
       kept.end());
   }
-  vtkPointSet* output = blocks[block].Output;
-  const bool isAll =
-    blocks.size() == 1 && static_cast<vtkIdType>(cells.size()) == whole->GetNumberOfCells();
-  const std::vector<vtkIdType> points =
-    isAll ? TakeAll(whole, output) : TakeCells(whole, cells, kept, output);
+  const std::vector<vtkIdType> points = TakeCells(whole, cells, kept, output);
   if (options.GhostLayers > 0)
   {
     MarkGhosts(cells, own, output);
+  }
+  return { TakeNumbers(PointNumbersName, &points, 0, output->GetPointData()),
+    TakeNumbers(CellNumbersName, &cells, 0, output->GetCellData()) };
+}
+
+/// Writes the output of one block, whose cells are `own`; null: all.
+void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, const OutputOptions& options,
+  int block, const std::vector<vtkIdType>* own, std::vector<Block>& blocks)
+{
+  vtkPointSet* output = blocks[block].Output;
+  std::pair<Numbers, Numbers> numbers;
+  if (own)
+  {
+    numbers = TakeMesh(whole, options, block, *own, output);
+  }
+  else
+  {
+    TakeAll(whole, output);
+    if (options.GhostLayers > 0)
+    {
+      std::vector<vtkIdType> all(static_cast<size_t>(whole->GetNumberOfCells()));
+      std::iota(all.begin(), all.end(), vtkIdType(0));
+      MarkGhosts(all, all, output);
+    }
+    numbers = { TakeNumbers(
+                  PointNumbersName, nullptr, whole->GetNumberOfPoints(), output->GetPointData()),
+      TakeNumbers(CellNumbersName, nullptr, whole->GetNumberOfCells(), output->GetCellData()) };
   }
   if (options.OwnPrecision)
   {
@@ -274,17 +299,13 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, const OutputOption
     OriginalCellIdsName, joined.CellArrays, joined.CellPlaces[block], output->GetCellData());
   AddFieldData(blocks[block].Input->GetFieldData(), false, output->GetFieldData());
   AddFieldData(whole->GetFieldData(), true, output->GetFieldData());
-  const std::vector<vtkIdType> pointNumbers =
-    TakeNumbers(PointNumbersName, points, output->GetPointData());
-  const std::vector<vtkIdType> cellNumbers =
-    TakeNumbers(CellNumbersName, cells, output->GetCellData());
-  if (HasStamp(whole))
-  {
-    WriteStampedNumbers(pointNumbers, cellNumbers, output);
-  }
   if (options.GlobalIds)
   {
-    AddGlobalIds(pointNumbers, cellNumbers, output);
+    AddGlobalIds(numbers.first, numbers.second, output);
+  }
+  if (HasStamp(whole))
+  {
+    WriteStampedNumbers(numbers.first, numbers.second, output);
   }
 }
 
@@ -385,7 +406,7 @@ void SetOutputs(
 
 void AddPointBlocks(const std::vector<MeshPart>& parts, JoinedMesh& joined)
 {
-  const std::vector<vtkIdType> unused = FindUnused(joined.Mesh);
+  const std::vector<vtkIdType> unused = FindUnusedPoints(joined.Mesh);
   if (unused.empty())
   {
     return;
@@ -410,10 +431,15 @@ void AddPointBlocks(const std::vector<MeshPart>& parts, JoinedMesh& joined)
 void TakeOutputs(const JoinedMesh& joined, vtkPointSet* whole, const OutputOptions& options,
   std::vector<Block>& blocks)
 {
+  if (blocks.size() == 1 && IsOneBlock(whole))
+  {
+    TakeOutput(joined, whole, options, 0, nullptr, blocks);
+    return;
+  }
   const auto cells = FindCellsOfBlocks(whole, static_cast<int>(blocks.size()));
   for (size_t i = 0; i < blocks.size(); ++i)
   {
-    TakeOutput(joined, whole, options, static_cast<int>(i), cells[i], blocks);
+    TakeOutput(joined, whole, options, static_cast<int>(i), &cells[i], blocks);
   }
 }
 
@@ -428,22 +454,9 @@ void AddFieldData(vtkFieldData* from, bool withStamp, vtkFieldData* to)
   }
 }
 
-void AddGlobalIds(
-  const std::vector<vtkIdType>& points, const std::vector<vtkIdType>& cells, vtkPointSet* output)
-{
-  output->GetPointData()->SetGlobalIds(MakeField<vtkIdTypeArray>("GlobalPointIds", points));
-  output->GetCellData()->SetGlobalIds(MakeField<vtkIdTypeArray>("GlobalCellIds", cells));
-}
-
 void AddGlobalIds(vtkPointSet* output)
 {
-  const auto count = [](vtkIdType size)
-  {
-    std::vector<vtkIdType> indices(static_cast<size_t>(size));
-    std::iota(indices.begin(), indices.end(), vtkIdType(0));
-    return indices;
-  };
-  AddGlobalIds(count(output->GetNumberOfPoints()), count(output->GetNumberOfCells()), output);
+  AddGlobalIds(Count(output->GetNumberOfPoints()), Count(output->GetNumberOfCells()), output);
 }
 
 }

@@ -69,10 +69,7 @@ void TakeOutputs(const JoinedMesh& joined, vtkPointSet* whole, const OutputOptio
 /// Shares field arrays; `withStamp`: also those of a stamp.
 void AddFieldData(vtkFieldData* from, bool withStamp, vtkFieldData* to);
 
-/// Adds global ids to points and cells.
-void AddGlobalIds(
-  const std::vector<vtkIdType>& points, const std::vector<vtkIdType>& cells, vtkPointSet* output);
-/// The same for an output that is the whole.
+/// Adds global ids to the points and cells of an output that is the whole: their indices.
 void AddGlobalIds(vtkPointSet* output);
 
 }

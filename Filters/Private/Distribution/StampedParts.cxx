@@ -270,10 +270,12 @@ bool HasStamp(vtkPointSet* mesh)
     mesh->GetFieldData()->HasArray(SurfaceStampName);
 }
 
-void WriteStampedNumbers(const Ids& points, const Ids& cells, vtkPointSet* block)
+void WriteStampedNumbers(vtkIdTypeArray* points, vtkIdTypeArray* cells, vtkPointSet* block)
 {
-  block->GetFieldData()->AddArray(MakeField<vtkIdTypeArray>(BlockPointsName, points));
-  block->GetFieldData()->AddArray(MakeField<vtkIdTypeArray>(BlockCellsName, cells));
+  points->SetName(BlockPointsName);
+  cells->SetName(BlockCellsName);
+  block->GetFieldData()->AddArray(points);
+  block->GetFieldData()->AddArray(cells);
 }
 
 bool IsStampedList(vtkAbstractArray* array)

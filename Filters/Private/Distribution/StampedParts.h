@@ -11,6 +11,7 @@
 #include "Private/Distribution/JoinedMesh.h"
 
 class vtkAbstractArray;
+class vtkIdTypeArray;
 
 namespace subdivision
 {
@@ -18,9 +19,9 @@ namespace subdivision
 /// Whether an earlier filter made a mesh.
 bool HasStamp(vtkPointSet* mesh);
 
-/// Adds the numbers of the points and cells of a block to its field data.
-void WriteStampedNumbers(
-  const std::vector<vtkIdType>& points, const std::vector<vtkIdType>& cells, vtkPointSet* block);
+/// Adds the numbers of the points and cells of a block to its field data. The arrays themselves,
+/// which get other names.
+void WriteStampedNumbers(vtkIdTypeArray* points, vtkIdTypeArray* cells, vtkPointSet* block);
 
 /// Sets Points and Cells of the parts of all partitions to these numbers, and Levels; all ranks
 /// call it. Returns false on all of them, and the parts are undefined, unless all parts come from
