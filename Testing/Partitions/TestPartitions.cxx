@@ -28,11 +28,10 @@ const Partition Partitions[] = { { "halves", 2, 1, false, KnownBy::GlobalIds },
 
 /// What a filter makes of the parts of a mesh.
 std::vector<Mesh> RunOnParts(const std::vector<Mesh>& cut, const Partition& partition,
-  bool isOfSurfaces, const subdivision::FilterWork& work, int ghostLayers = 0)
+  bool isOfSurfaces, const subdivision::FilterWork& work)
 {
   subdivision::DistributionOptions distribution;
   distribution.IsOfSurfaces = isOfSurfaces;
-  distribution.GhostLayers = ghostLayers;
   subdivision::RunOptions options;
   options.Warn = [](const std::string& message) { ADD_FAILURE() << message; };
   options.Fail = options.Warn;
@@ -51,6 +50,25 @@ void Mark(subdivision::MarkOptions& marks)
   marks.Corners = false;
   marks.Creases = true;
   marks.Surfaces = true;
+}
+
+bool Subdivide(vtkPointSet* input, const subdivision::UniformOptions& options, vtkPointSet* output)
+{
+  return SubdivideUniformly(input, options, vtkUnstructuredGrid::SafeDownCast(output));
+}
+
+/// The same as on ranks, where parts know each other.
+std::vector<Mesh> SubdivideParts(const std::vector<Mesh>& cut, const Partition& partition,
+  subdivision::UniformOptions& options, int ghostLayers = 0)
+{
+  subdivision::DistributionOptions distribution;
+  distribution.WorksInRounds = true;
+  distribution.GhostLayers = ghostLayers;
+  std::vector<Mesh> outputs;
+  EXPECT_TRUE(RunOnParts(
+    cut, partition, distribution, options, [&options](vtkPointSet* input, vtkPointSet* output)
+    { return Subdivide(input, options, output); }, outputs));
+  return outputs;
 }
 
 struct Choice
@@ -160,16 +178,15 @@ TEST(Partitions, GiveTheWholeUniformly)
         options.Warn = [](const std::string&) {};
         options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
         choice.Set(options);
-        const auto work = [&options](vtkPointSet* input, vtkPointSet* output)
-        { return SubdivideUniformly(input, options, vtkUnstructuredGrid::SafeDownCast(output)); };
         for (const Partition& partition : Partitions)
         {
           const std::vector<Mesh> cut = Cut(mesh, partition);
           const auto whole = Grid::New();
-          ASSERT_TRUE(work(partition.Known == KnownBy::Coordinates ? Renumber(cut) : mesh, whole));
+          ASSERT_TRUE(Subdivide(
+            partition.Known == KnownBy::Coordinates ? Renumber(cut) : mesh, options, whole));
           SCOPED_TRACE(std::string(partition.Name) + ", " + choice.Name + ", mesh of " +
             std::to_string(mesh->GetNumberOfCells()) + " cells");
-          ExpectWhole(whole, RunOnParts(cut, partition, false, work));
+          ExpectWhole(whole, SubdivideParts(cut, partition, options));
           if (HasFailure())
           {
             return;
@@ -195,11 +212,9 @@ TEST(Partitions, OfALargeMeshAreNotTheWhole)
     options.Scheme = scheme;
     options.ProjectToLimit = true;
     options.Warn = [](const std::string&) {};
-    const auto work = [&options](vtkPointSet* input, vtkPointSet* output)
-    { return SubdivideUniformly(input, options, vtkUnstructuredGrid::SafeDownCast(output)); };
     const auto whole = Grid::New();
-    ASSERT_TRUE(work(box, whole));
-    ExpectWhole(whole, RunOnParts(Cut(box, halves), halves, false, work));
+    ASSERT_TRUE(Subdivide(box, options, whole));
+    ExpectWhole(whole, SubdivideParts(Cut(box, halves), halves, options));
   }
   const Mesh skin = MakeSkin(MakeMixedBox(16));
   for (int scheme = 0; scheme < 7; ++scheme)
@@ -240,16 +255,11 @@ TEST(Partitions, GiveGhostCells)
       continue;
     }
     SCOPED_TRACE(partition.Name);
-    const auto work = [](vtkPointSet* input, vtkPointSet* output)
-    {
-      subdivision::UniformOptions options;
-      options.Levels = 1;
-      options.Warn = [](const std::string&) {};
-      return SubdivideUniformly(input, options, vtkUnstructuredGrid::SafeDownCast(output));
-    };
+    subdivision::UniformOptions options;
+    options.Warn = [](const std::string&) {};
     const Mesh whole = Mesh::Take(vtkUnstructuredGrid::New());
-    ASSERT_TRUE(work(mesh, whole));
-    for (const Mesh& part : RunOnParts(Cut(mesh, partition), partition, false, work, 1))
+    ASSERT_TRUE(Subdivide(mesh, options, whole));
+    for (const Mesh& part : SubdivideParts(Cut(mesh, partition), partition, options, 1))
     {
       ExpectGhosts(whole, part);
     }

@@ -10,6 +10,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <limits>
@@ -342,4 +343,83 @@ TEST(PartitionsIds, PartsAgreeThatMarksStartAfresh)
       ExpectWhole(whole, parts);
       ExpectIndices(whole, parts);
     });
+}
+
+namespace
+{
+
+/// Eight cubes in a row, of six tetrahedra each: halves of it do not know their far ends.
+Mesh MakeBar()
+{
+  constexpr vtkIdType length = 8;
+  constexpr int orders[6][3] = { { 0, 1, 2 }, { 0, 2, 1 }, { 1, 0, 2 }, { 1, 2, 0 }, { 2, 0, 1 },
+    { 2, 1, 0 } };
+  constexpr vtkIdType strides[3] = { 4, 2, 1 };
+  const auto bar = Grid::New();
+  vtkNew<vtkPoints> points;
+  for (vtkIdType p = 0; p < 4 * (length + 1); ++p)
+  {
+    points->InsertNextPoint(
+      static_cast<double>(p / 4), static_cast<double>(p / 2 % 2), static_cast<double>(p % 2));
+  }
+  bar->SetPoints(points);
+  bar->Allocate();
+  for (vtkIdType tet = 0; tet < 6 * length; ++tet)
+  {
+    vtkIdType corners[4] = { tet / 6 * 4 };
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[k + 1] = corners[k] + strides[orders[tet % 6][k]];
+    }
+    bar->InsertNextCell(VTK_TETRA, 4, corners);
+  }
+  NumberCells(bar);
+  return bar.Get();
+}
+
+}
+
+TEST(PartitionsIds, FeaturesAtTheEndOfLayersAreNone)
+{
+  // Where its layers end, a part sees sharp edges that the whole does not have. Without a step they
+  // are known by points that the whole has.
+  const Mesh bar = MakeBar();
+  const Choice choice = { "features", [](UniformOptions& o) { o.Features.DetectFeatures = true; } };
+  const auto makeOptions = [&](int levels)
+  { return MakeOptions(subdivision::StampScheme::BoxSpline, choice, levels); };
+  std::vector<Mesh> parts = Cut(bar, Partitions[0]);
+  for (const int levels : { 0, 1 })
+  {
+    parts = SubdivideParts(parts, Partitions[0], makeOptions(levels));
+  }
+  ExpectWhole(Subdivide(bar, makeOptions(1)), parts);
+}
+
+TEST(PartitionsIds, LastStepIsOfOwnCells)
+{
+  const Mesh bar = MakeBar();
+  for (const auto scheme :
+    { subdivision::StampScheme::BoxSpline, subdivision::StampScheme::TetOct })
+  {
+    UniformOptions options = MakeOptions(scheme, Choices[0], 3);
+    subdivision::DistributionOptions distribution;
+    distribution.WorksInRounds = true;
+    std::atomic<vtkIdType> made{ 0 };
+    std::vector<Mesh> parts;
+    ASSERT_TRUE(RunOnParts(
+      Cut(bar, Partitions[0]), Partitions[0], distribution, options,
+      [&](vtkPointSet* input, vtkPointSet* output)
+      {
+        const bool done = ::Run(input, options, output);
+        made += output->GetNumberOfPoints();
+        return done;
+      },
+      parts));
+    vtkIdType taken = 0;
+    for (const Mesh& part : parts)
+    {
+      taken += part->GetNumberOfPoints();
+    }
+    EXPECT_EQ(taken, made);
+  }
 }
