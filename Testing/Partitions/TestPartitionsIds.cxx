@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <limits>
 
@@ -421,5 +422,26 @@ TEST(PartitionsIds, LastStepIsOfOwnCells)
       taken += part->GetNumberOfPoints();
     }
     EXPECT_EQ(taken, made);
+  }
+}
+
+TEST(PartitionsIds, HiddenCellsHaveNoOutput)
+{
+  const Mesh bar = MakeBar();
+  vtkNew<vtkUnsignedCharArray> types;
+  types->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType c = 0; c < bar->GetNumberOfCells(); ++c)
+  {
+    const bool isHidden = 2 * c >= bar->GetNumberOfCells();
+    types->InsertNextValue(isHidden ? vtkDataSetAttributes::HIDDENCELL : 0);
+  }
+  bar->GetCellData()->AddArray(types);
+  for (const auto scheme :
+    { subdivision::StampScheme::BoxSpline, subdivision::StampScheme::TetOct })
+  {
+    const UniformOptions options = MakeOptions(scheme, Choices[0], 2);
+    const std::vector<Mesh> parts = SubdivideParts(Cut(bar, Partitions[0]), Partitions[0], options);
+    ExpectWhole(Subdivide(bar, options), parts);
+    EXPECT_EQ(0, parts[1]->GetNumberOfCells());
   }
 }
