@@ -3,6 +3,7 @@
 // tables. Not a part of the program with Google Benchmark, which knows one process only.
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/Layers.h"
+#include "Private/Distribution/Meeting.h"
 #include "Private/Distribution/PointIds.h"
 #include "Private/Distribution/Ranks.h"
 #include "Private/Uniform/UniformSubdivision.h"
@@ -23,6 +24,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <fstream>
+#include <memory>
 #include <string>
 
 using namespace subdivision;
@@ -215,11 +218,29 @@ struct Measured
   double AllCells = 0; ///< with those of other ranks
   double Points = 0;   ///< own, of the output
   double AllPoints = 0;
+  double Megabytes = 0; ///< the most memory that the process had, beyond that before
 };
+
+/// The memory of this process in MB, `name` as in /proc/self/status; 0 where there is none.
+double ReadMemory(const std::string& name)
+{
+  std::ifstream status("/proc/self/status");
+  double kilobytes = 0.;
+  for (std::string word; status >> word;)
+  {
+    if (word == name + ":")
+    {
+      status >> kilobytes;
+      break;
+    }
+  }
+  return kilobytes / 1024.;
+}
 
 /// Does once what RunPartitions does.
 Measured MeasureOnce(vtkMPIController& controller, const Block& slab, int levels)
 {
+  const double before = ReadMemory("VmRSS");
   UniformOptions options;
   const FilterWork work = MakeWork(options, levels);
   std::vector<Block> blocks = { slab };
@@ -233,16 +254,29 @@ Measured MeasureOnce(vtkMPIController& controller, const Block& slab, int levels
   const int pointType = FindPointType(parts, exchange);
   IdentifyPoints(parts, exchange, options.Warn);
   measured.Costs[Identify] = watch.Next();
+  std::vector<SentLayers> sent;
   if (exchange.GetNumberOfRanks() > 1)
   {
-    AddLayers(parts, DistributionOptions().Layers, exchange);
+    sent = AddLayers(parts, DistributionOptions().Layers, exchange);
     ShareArrays(parts, exchange);
   }
   measured.Costs[Layers] = watch.Next();
   const JoinedMesh joined = Join(parts[0], pointType);
+  parts.clear();
   measured.Costs[Joining] = watch.Next();
+  Meeting meeting(exchange);
+  std::unique_ptr<Partners> partners;
+  if (!sent.empty())
+  {
+    partners = meeting.MakePartners(0, joined, sent[0].OfFirst);
+    options.FindPartners = [&](vtkPointSet*) { return partners.get(); };
+  }
   const auto whole = MakeMesh(false);
-  work(joined.Mesh, whole);
+  const bool done = work(joined.Mesh, whole);
+  if (partners)
+  {
+    meeting.End(0, done);
+  }
   measured.Costs[Subdivide] = watch.Next();
   TakeOutputs(joined, whole, OutputOptions(), blocks);
   measured.Costs[Take] = watch.Next();
@@ -250,6 +284,7 @@ Measured MeasureOnce(vtkMPIController& controller, const Block& slab, int levels
   measured.AllCells = static_cast<double>(joined.Mesh->GetNumberOfCells());
   measured.Points = static_cast<double>(blocks[0].Output->GetNumberOfPoints());
   measured.AllPoints = static_cast<double>(whole->GetNumberOfPoints());
+  measured.Megabytes = ReadMemory("VmHWM") - before;
   return measured;
 }
 
@@ -286,6 +321,7 @@ void PrintRanks(vtkMPIController& controller, const std::string& kind, const Mea
   const double allCells = Sum(controller, measured.AllCells);
   const double points = Sum(controller, measured.Points);
   const double allPoints = Sum(controller, measured.AllPoints);
+  const double megabytes = Max(controller, measured.Megabytes);
   const double balance = Max(controller, measured.AllCells) * ranks / allCells;
   char text[64];
   double seconds = 0.;
@@ -309,9 +345,9 @@ void PrintRanks(vtkMPIController& controller, const std::string& kind, const Mea
   }
   if (controller.GetLocalProcessId() == 0)
   {
-    std::printf("| %s | %d | %.0f | %.1f %% | %.1f %% | %.2f |%s %.2f | %.2f |%s\n", kind.c_str(),
-      ranks, cells, Share(allCells - cells, cells), Share(allPoints - points, points), balance,
-      phases.c_str(), processor, seconds, sent.c_str());
+    std::printf("| %s | %d | %.0f | %.1f %% | %.1f %% | %.2f |%s %.2f | %.2f |%s %.0f |\n",
+      kind.c_str(), ranks, cells, Share(allCells - cells, cells), Share(allPoints - points, points),
+      balance, phases.c_str(), processor, seconds, sent.c_str(), megabytes);
     std::fflush(stdout);
   }
 }
