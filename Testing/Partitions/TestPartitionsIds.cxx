@@ -181,6 +181,23 @@ void ExpectIndices(vtkPointSet* whole, const std::vector<Mesh>& parts)
   EXPECT_EQ(std::vector<int>(isThere.size(), 1), isThere);
 }
 
+/// Marks creases that stay sharp for some levels.
+void AddMarks(vtkPointSet* mesh)
+{
+  vtkNew<vtkIntArray> marks;
+  marks->SetName(MarksName);
+  vtkNew<vtkDoubleArray> levels;
+  levels->SetName(LevelsName);
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    marks->InsertNextValue(p % 4 > 0);
+    levels->InsertNextValue(
+      p % 5 == 0 ? std::numeric_limits<double>::infinity() : 0.75 * static_cast<double>(p % 5));
+  }
+  mesh->GetPointData()->AddArray(marks);
+  mesh->GetPointData()->AddArray(levels);
+}
+
 /// Each partition by turns, so that all of them meet each scheme, choice and kind of mesh.
 template <typename Test>
 void ForCases(const Test& test)
@@ -195,18 +212,7 @@ void ForCases(const Test& test)
       materials->InsertNextValue(c / 5 % 3);
     }
     mesh->GetCellData()->AddArray(materials);
-    vtkNew<vtkIntArray> marks;
-    marks->SetName(MarksName);
-    vtkNew<vtkDoubleArray> levels;
-    levels->SetName(LevelsName);
-    for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
-    {
-      marks->InsertNextValue(p % 4 > 0);
-      levels->InsertNextValue(
-        p % 5 == 0 ? std::numeric_limits<double>::infinity() : 0.75 * static_cast<double>(p % 5));
-    }
-    mesh->GetPointData()->AddArray(marks);
-    mesh->GetPointData()->AddArray(levels);
+    AddMarks(mesh);
     for (const auto scheme :
       { subdivision::StampScheme::BoxSpline, subdivision::StampScheme::TetOct })
     {
@@ -394,6 +400,20 @@ TEST(PartitionsIds, FeaturesAtTheEndOfLayersAreNone)
     parts = SubdivideParts(parts, Partitions[0], makeOptions(levels));
   }
   ExpectWhole(Subdivide(bar, makeOptions(1)), parts);
+}
+
+TEST(PartitionsIds, SemiSharpEdgesCountBeyondTheCut)
+{
+  // The sharpness of a vertex is the mean of that of its edges, and some are those of other parts.
+  const Mesh bar = MakeBar();
+  AddMarks(bar);
+  for (const auto scheme :
+    { subdivision::StampScheme::BoxSpline, subdivision::StampScheme::TetOct })
+  {
+    const UniformOptions options = MakeOptions(scheme, Choices[3], 2);
+    ExpectWhole(
+      Subdivide(bar, options), SubdivideParts(Cut(bar, Partitions[0]), Partitions[0], options));
+  }
 }
 
 TEST(PartitionsIds, LastStepIsOfOwnCells)

@@ -65,7 +65,8 @@ Stencils<int> SemiSharpMesh::MakeStencils(int steps) const
   Level<int> smooth = this->MakeSmoothLevel(steps);
   Level<int> sharp = this->MakeLevel(steps, steps);
   Stencils<int> stencils = TakeStencils(smooth);
-  BlendSemiSharp(this->Sharpness, steps, steps, TakeStencils(sharp), stencils);
+  const auto rows = FindSharpRows(this->Sharpness, steps, steps, sharp.Complex);
+  BlendSemiSharp(rows, TakeStencils(sharp), stencils);
   return stencils;
 }
 

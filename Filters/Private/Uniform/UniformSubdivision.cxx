@@ -311,9 +311,15 @@ Stencils<typename Scheme::Id> UniformRun::TakeOperator(
   if (IsSharpAfter(this->Control.Sharpness, step))
   {
     auto sharp = BuildSharpLevel<Scheme>(this->Mesh, this->Options.Features, this->Control, step);
-    sharp = cut ? cut->Cut(sharp) : std::move(sharp);
-    BlendSemiSharp(cut ? cut->Cut(this->Control.Sharpness) : this->Control.Sharpness, step,
-      this->Mesh.MadeLevels + step, TakeStencils(sharp), stencils);
+    // Edges beyond the cut count at its vertices.
+    std::vector<SharpRow> rows =
+      FindSharpRows(this->Control.Sharpness, step, this->Mesh.MadeLevels + step, sharp.Complex);
+    if (cut)
+    {
+      rows = cut->Cut(rows);
+      sharp = cut->Cut(sharp);
+    }
+    BlendSemiSharp(rows, TakeStencils(sharp), stencils);
   }
   return stencils;
 }

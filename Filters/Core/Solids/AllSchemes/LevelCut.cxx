@@ -219,14 +219,18 @@ std::vector<CellRun> LevelCut<Scheme>::Cut(
 }
 
 template <typename Scheme>
-EdgeSharpness LevelCut<Scheme>::Cut(const EdgeSharpness& sharpness) const
+std::vector<SharpRow> LevelCut<Scheme>::Cut(const std::vector<SharpRow>& rows) const
 {
-  EdgeSharpness cut;
-  for (std::size_t e = 0; e < sharpness.size(); ++e)
+  const vtkIdType vertices = this->Vertices.New.size();
+  std::vector<SharpRow> cut;
+  for (SharpRow row : rows)
   {
-    if (this->Edges.New[static_cast<vtkIdType>(e) << this->Steps] >= 0)
+    const bool isOfEdge = row.Row >= vertices;
+    row.Row = isOfEdge ? this->Edges.New[row.Row - vertices] : this->Vertices.New[row.Row];
+    if (row.Row >= 0)
     {
-      cut.push_back(sharpness[e]);
+      row.Row += isOfEdge ? this->Vertices.Old.size() : 0;
+      cut.push_back(row);
     }
   }
   return cut;

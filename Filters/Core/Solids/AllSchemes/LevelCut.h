@@ -13,8 +13,8 @@
 
 #include "Core/Memory/Selection.h"
 #include "Core/Operators/SparseRows.h"
-#include "Core/Rules/Sharpness.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
+#include "Core/Solids/Scheme/SemiSharp.h"
 
 #include <array>
 #include <utility>
@@ -46,8 +46,8 @@ public:
   /// Of cells in `runs` those that are kept and, if `wanted` has flags, one for each control
   /// simplex in `runs`, that are wanted.
   std::vector<CellRun> Cut(const std::vector<CellRun>& runs, const std::vector<char>& wanted) const;
-  /// Of values of control edges those that are kept.
-  EdgeSharpness Cut(const EdgeSharpness& sharpness) const;
+  /// Of rows of vertices and edges those that are kept.
+  std::vector<SharpRow> Cut(const std::vector<SharpRow>& rows) const;
   /// Copies values at the vertices of the level to the columns of the part.
   SparseRows<Id> TakeColumns() { return std::move(this->Columns); }
 

@@ -7,36 +7,11 @@
 
 namespace subdivision
 {
-namespace
-{
-
-struct SharpRow
-{
-  vtkIdType Row;
-  double Sharpness;
-};
 
 template <typename Id>
-void AppendBlend(const Stencils<Id>& sharp, const Stencils<Id>& smooth, vtkIdType row,
-  double sharpness, ExplicitRows<Id>& rows)
+std::vector<SharpRow> FindSharpRows(
+  const EdgeSharpness& sharpness, int steps, int depth, const SimplicialComplex<Id>& complex)
 {
-  const double weight = std::min(1., sharpness);
-  rows.Rows.push_back(static_cast<Id>(row));
-  if (weight < 1.)
-  {
-    smooth.AppendRow(row, 1. - weight, rows);
-  }
-  sharp.AppendRow(row, weight, rows);
-  rows.Offsets.push_back(static_cast<Id>(rows.Columns.size()));
-}
-
-}
-
-template <typename Id>
-void BlendSemiSharp(const EdgeSharpness& sharpness, int steps, int depth, const Stencils<Id>& sharp,
-  Stencils<Id>& smooth)
-{
-  ExplicitRows<Id> rows;
   std::vector<SharpRow> edges;
   std::vector<SharpRow> ends;
   for (std::size_t e = 0; e < sharpness.size(); ++e)
@@ -50,13 +25,14 @@ void BlendSemiSharp(const EdgeSharpness& sharpness, int steps, int depth, const 
     const vtkIdType first = static_cast<vtkIdType>(e) << depth;
     for (vtkIdType piece = first; piece < first + (vtkIdType(1) << depth); ++piece)
     {
-      edges.push_back({ smooth.Vertices.size() + piece, left });
-      ends.push_back({ smooth.EdgeVertices[2 * piece], left });
-      ends.push_back({ smooth.EdgeVertices[2 * piece + 1], left });
+      edges.push_back({ complex.NumberOfVertices + piece, left });
+      ends.push_back({ complex.EdgeVertices[2 * piece], left });
+      ends.push_back({ complex.EdgeVertices[2 * piece + 1], left });
     }
   }
   std::stable_sort(
     ends.begin(), ends.end(), [](const SharpRow& a, const SharpRow& b) { return a.Row < b.Row; });
+  std::vector<SharpRow> rows;
   for (auto end = ends.begin(); end != ends.end();)
   {
     double sum = 0.;
@@ -65,15 +41,32 @@ void BlendSemiSharp(const EdgeSharpness& sharpness, int steps, int depth, const 
     {
       sum += end->Sharpness;
     }
-    AppendBlend(sharp, smooth, first->Row, sum / static_cast<double>(end - first), rows);
+    rows.push_back({ first->Row, sum / static_cast<double>(end - first) });
   }
-  for (const SharpRow& edge : edges)
-  {
-    AppendBlend(sharp, smooth, edge.Row, edge.Sharpness, rows);
-  }
-  smooth.Explicit = std::move(rows);
+  rows.insert(rows.end(), edges.begin(), edges.end());
+  return rows;
 }
 
+template <typename Id>
+void BlendSemiSharp(
+  const std::vector<SharpRow>& rows, const Stencils<Id>& sharp, Stencils<Id>& smooth)
+{
+  ExplicitRows<Id> blends;
+  for (const SharpRow& row : rows)
+  {
+    const double weight = std::min(1., row.Sharpness);
+    blends.Rows.push_back(static_cast<Id>(row.Row));
+    if (weight < 1.)
+    {
+      smooth.AppendRow(row.Row, 1. - weight, blends);
+    }
+    sharp.AppendRow(row.Row, weight, blends);
+    blends.Offsets.push_back(static_cast<Id>(blends.Columns.size()));
+  }
+  smooth.Explicit = std::move(blends);
+}
+
+SUBDIVISION_COMPILE_FUNCTION(FindSharpRows);
 SUBDIVISION_COMPILE_FUNCTION(BlendSemiSharp);
 
 }

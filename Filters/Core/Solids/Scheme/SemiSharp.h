@@ -13,19 +13,32 @@
 #include "Core/Rules/Sharpness.h"
 #include "Core/Solids/Scheme/Stencils.h"
 
+#include <vector>
+
 namespace subdivision
 {
 
+struct SharpRow
+{
+  vtkIdType Row;
+  double Sharpness; ///< what remains of it; of the row of a vertex the mean of its sharp edges
+};
+
 /**
- * Replaces rows of `smooth` by blends with rows of `sharp`, which is the same operator with all
- * edges singular that are still sharp. `sharpness` has
- * one value for each control edge. Since it was given `steps` steps have been made, so that value -
+ * Finds the rows that are blends: those of vertices, and then those of edges. `sharpness` has one
+ * value for each control edge. Since it was given `steps` steps have been made, so that value -
  * steps remains. `depth` is the number of steps since the control mesh: a control edge has become
- * 2^depth edges.
+ * 2^depth edges of `complex`.
  */
 template <typename Id>
-void BlendSemiSharp(const EdgeSharpness& sharpness, int steps, int depth, const Stencils<Id>& sharp,
-  Stencils<Id>& smooth);
+std::vector<SharpRow> FindSharpRows(
+  const EdgeSharpness& sharpness, int steps, int depth, const SimplicialComplex<Id>& complex);
+
+/// Replaces these rows of `smooth` by blends with rows of `sharp`, which is the same operator with
+/// all edges singular that are still sharp.
+template <typename Id>
+void BlendSemiSharp(
+  const std::vector<SharpRow>& rows, const Stencils<Id>& sharp, Stencils<Id>& smooth);
 
 }
 

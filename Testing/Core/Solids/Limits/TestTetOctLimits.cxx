@@ -66,7 +66,8 @@ Stencils<int> MakeStencils(const SemiSharpMesh& semi, int steps)
   TetOctLevel<int> smooth = MakeLevel(semi, steps, 1e9);
   TetOctLevel<int> sharp = MakeLevel(semi, steps, steps);
   Stencils<int> stencils = TakeStencils(smooth);
-  BlendSemiSharp(semi.Sharpness, steps, steps, TakeStencils(sharp), stencils);
+  const auto rows = FindSharpRows(semi.Sharpness, steps, steps, sharp.Complex);
+  BlendSemiSharp(rows, TakeStencils(sharp), stencils);
   return stencils;
 }
 
