@@ -50,7 +50,8 @@ vtkIdType vtkMultiDimensionalSubdivision::GetNumberOfTopologyBuilds() const
 
 int vtkMultiDimensionalSubdivision::GetLayersOfCells() const
 {
-  const bool readsLimit = this->ProjectToLimit || this->GenerateLimitNormals;
+  const bool readsLimit = this->ProjectToLimit || this->GenerateLimitNormals ||
+    this->InterpolatePoints || this->InterpolateArrays;
   return this->VolumeScheme == TET_OCT && readsLimit ? 3 : 2;
 }
 

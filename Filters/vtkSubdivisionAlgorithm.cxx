@@ -227,19 +227,10 @@ void vtkSubdivisionAlgorithm::ReadInterpolation(
   interpolation.Arrays = this->InterpolateArrays;
   interpolation.Names = this->InterpolatedArrays;
   interpolation.Weight = this->InterpolationWeight;
-  std::string reason;
-  if (!this->CanInterpolate())
+  if (interpolation.IsOn() && !this->CanInterpolate())
   {
-    reason = "This filter";
-  }
-  else if (this->SharesRanks())
-  {
-    reason = "On several ranks, which would have to solve together, the filter";
-  }
-  if (interpolation.IsOn() && !reason.empty())
-  {
-    warnings.push_back(
-      reason + " does not interpolate: it ignores InterpolatePoints and InterpolateArrays.");
+    warnings.emplace_back(
+      "This filter does not interpolate: it ignores InterpolatePoints and InterpolateArrays.");
     interpolation = subdivision::InterpolationOptions();
   }
   options.Interpolation = interpolation;

@@ -136,10 +136,10 @@ public:
    * for control points, but solves for control points whose limits they are: a smooth object does
    * not shrink. Rules and diagonals are chosen for the points of the input. For
    * vtkMultiDimensionalSubdivision and vtkSurfaceSubdivision (with schemes that have limits); other
-   * filters, and all of them where several ranks share a mesh, warn and ignore it. In a row of
-   * filters switch it on in all or in the first: later ones leave what is solved as it is. A
-   * warning says so if 40 products with the limit operator do not reach an error of 1e-10 of the
-   * range (single precision: of its rounding). Off by default.
+   * filters warn and ignore it. Ranks that have parts of a mesh solve together, for what one
+   * process finds. In a row of filters switch it on in all or in the first: later ones leave what
+   * is solved as it is. A warning says so if 40 products with the limit operator do not reach an
+   * error of 1e-10 of the range (single precision: of its rounding). Off by default.
    */
   vtkSetMacro(InterpolatePoints, bool);
   vtkGetMacro(InterpolatePoints, bool);
@@ -150,7 +150,7 @@ public:
   /**
    * The same for the values of floating point arrays at points: those of AddInterpolatedArray, or
    * all if there are none. Between the points values may exceed the range of the input's; a warning
-   * counts them. Values that are not finite, and those around them, stay what they are. Off by
+   * says by how much. Values that are not finite, and those around them, stay what they are. Off by
    * default.
    */
   vtkSetMacro(InterpolateArrays, bool);

@@ -32,6 +32,7 @@ ADAPTIVE = [("vtkAdaptiveSurfaceSubdivision", dict({"RefineByAttributeError": 0,
                                                     "GenerateGlobalIds": 1}, **options))
             for options in ({"RefineByGeometricError": 1, "GeometricTolerance": 0.003},
                             {"RefineByCurvature": 1, "MaximumAngle": 20., "GenerateLimitNormals": 1})]
+INTERPOLATED = {"InterpolatePoints": 1, "InterpolateArrays": 1, "InterpolationWeight": 0.75}
 FILES = ("hex_geos_box_hybrid.vtu", "mix_elmer_shell_on_solid.vtu", "nm_nastran_wingbox.vtu", "surf_bunny_3k.vtp",
          "poly_cow_mixed.vtp")
 PROXIES = {"vtkMultiDimensionalSubdivision": "MultidimensionalSubdivision", "vtkSurfaceSubdivision": "SurfaceSubdivision",
@@ -210,6 +211,8 @@ def run():
         check_filters_in_a_row(checks, mesh, {"DetectFeatures": 1, "VolumeScheme": number % 2})
     skin = skin_of(model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS))
     checks.cut(skin, SURFACE + ADAPTIVE)
+    checks.cut(skin, [(name, dict(options, **INTERPOLATED)) for name, options in (SOLID[1], SURFACE[2])])
+    check_filters_in_a_row(checks, skin, INTERPOLATED, "vtkSurfaceSubdivision")
     check_files(checks)
     for scheme in range(3):  # those that halve edges
         check_filters_in_a_row(checks, skin, {"DetectFeatures": 1, "Scheme": scheme}, "vtkSurfaceSubdivision")

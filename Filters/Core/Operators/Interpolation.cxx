@@ -103,9 +103,14 @@ private:
     const std::vector<double> low = this->FindLargest([&](vtkIdType i) { return -given[i]; });
     this->Ranges.assign(this->Groups.size(), 0.);
     this->Allowed.assign(this->Groups.size(), 0.);
+    for (InterpolationGroup& group : this->Groups)
+    {
+      group.Range.clear();
+    }
     for (std::size_t c = 0; c < this->GroupOf.size(); ++c)
     {
       const std::size_t g = this->GroupOf[c];
+      this->Groups[g].Range.insert(this->Groups[g].Range.end(), { -low[c], high[c] });
       this->Ranges[g] = std::max(this->Ranges[g], high[c] + low[c]);
       this->Allowed[g] = std::max({ this->Allowed[g], LimitUnit * high[c], LimitUnit * low[c],
         this->Limits.Tolerance * this->Ranges[g] });

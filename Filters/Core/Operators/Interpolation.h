@@ -42,6 +42,7 @@ struct InterpolationGroup
   int Products = 0;  ///< of L, until the error was small enough
   double Error = 0.; ///< the largest distance of a limit from its value, as a part of the range
   bool HasConverged = false;
+  std::vector<double> Range = {}; ///< the least and the largest value of each column
 };
 
 /**

@@ -10,8 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 #include <sstream>
+#include <tuple>
 
 namespace subdivision
 {
@@ -30,22 +31,33 @@ bool IsFloating(vtkDataArray* array)
   return array && (array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT);
 }
 
-std::vector<double> FindRange(vtkDataArray* array)
+/// By what arrays of joined meshes are sorted: these have marks in the names of arrays where others
+/// of the same name have another type (JoinedArray).
+auto GetOrder(vtkDataArray* array)
 {
-  std::vector<double> range;
-  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+  const std::string name = array->GetName() ? array->GetName() : "";
+  return std::make_tuple(name.substr(0, name.find_last_not_of('\'') + 1), array->GetDataType(),
+    array->GetNumberOfComponents(), name);
+}
+
+/// Whether all parts of the mesh have columns for the same arrays: an array that is named may be
+/// one of several of that name.
+bool HaveAllTheSame(
+  const std::vector<vtkSmartPointer<vtkDataArray>*>& arrays, const InterpolationLimits& limits)
+{
+  if (!limits.FindLargest)
   {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-    {
-      const double value = array->GetComponent(i, c);
-      low = std::isfinite(value) ? std::min(low, value) : low;
-      high = std::isfinite(value) ? std::max(high, value) : high;
-    }
-    range.insert(range.end(), { low, high });
+    return true;
   }
-  return range;
+  std::uint64_t hash = arrays.size();
+  for (const auto* array : arrays)
+  {
+    const int kind = 100 * (*array)->GetNumberOfComponents() + (*array)->GetDataType();
+    hash = (1000003 * hash + static_cast<std::uint64_t>(kind)) % (std::uint64_t(1) << 50);
+  }
+  std::vector<double> both{ static_cast<double>(hash), -static_cast<double>(hash) };
+  limits.FindLargest(both);
+  return both[0] == -both[1];
 }
 
 /// Values of several arrays side by side, with all components of a point one after the other.
@@ -76,6 +88,10 @@ public:
   }
   void Solve(const PointOperator& limit, const InterpolationLimits& limits)
   {
+    if (limits.TakeOthers)
+    {
+      limits.TakeOthers(this->Given.data(), static_cast<int>(this->Width));
+    }
     this->Shifts = Buffer<double>(this->Given.size());
     FindInterpolation(limit, this->Given.data(), this->Groups, limits, this->Shifts.data());
   }
@@ -124,20 +140,28 @@ std::vector<vtkSmartPointer<vtkDataArray>*> PointArrays::FindInterpolated(
     found.push_back(&this->Points);
   }
   std::vector<std::string> missing = options.Arrays ? options.Names : std::vector<std::string>();
-  for (Entry& entry : this->Entries)
+  this->Interpolated.clear();
+  for (std::size_t e = 0; e < this->Entries.size(); ++e)
   {
-    if (!options.Arrays || !IsFloating(entry.Current))
+    vtkDataArray* array = this->Entries[e].Current;
+    if (!options.Arrays || !IsFloating(array))
     {
       continue;
     }
-    const char* name = entry.Current->GetName();
+    const char* name = array->GetName();
     const auto named = std::remove(missing.begin(), missing.end(), name ? name : "");
     if (options.Names.empty() || named != missing.end())
     {
       missing.erase(named, missing.end());
-      entry.Range = FindRange(entry.Current);
-      found.push_back(&entry.Current);
+      this->Interpolated.push_back(e);
     }
+  }
+  std::sort(this->Interpolated.begin(), this->Interpolated.end(),
+    [this](std::size_t a, std::size_t b)
+    { return GetOrder(this->Entries[a].Current) < GetOrder(this->Entries[b].Current); });
+  for (const std::size_t e : this->Interpolated)
+  {
+    found.push_back(&this->Entries[e].Current);
   }
   for (const std::string& name : missing)
   {
@@ -151,7 +175,14 @@ void PointArrays::Interpolate(const PointOperator& limit, const InterpolationOpt
   const InterpolationLimits& limits, const std::function<void(const std::string&)>& warn)
 {
   const auto arrays = this->FindInterpolated(options, warn);
-  if (arrays.empty() || this->NumberOfPoints == 0)
+  if (!HaveAllTheSame(arrays, limits))
+  {
+    warn("Point arrays of one name have different types on different ranks: the filter ignores "
+         "InterpolatePoints and InterpolateArrays.");
+    this->Interpolated.clear();
+    return;
+  }
+  if (arrays.empty() || (this->NumberOfPoints == 0 && !limits.TakeOthers))
   {
     return;
   }
@@ -175,18 +206,24 @@ void PointArrays::Interpolate(const PointOperator& limit, const InterpolationOpt
       warn(message.str());
     }
   }
+  const std::size_t first = arrays.size() - this->Interpolated.size();
+  for (std::size_t i = 0; i < this->Interpolated.size(); ++i)
+  {
+    this->Entries[this->Interpolated[i]].Range = columns.GetGroups()[first + i].Range;
+  }
   columns.Replace(options.Weight);
   this->Doubles = Buffer<double>();
   this->HasMoved = true;
 }
 
-std::string PointArrays::DescribeOvershoot() const
+std::vector<Overshoot> PointArrays::FindOvershoot(const std::vector<char>& counted) const
 {
-  std::ostringstream text;
-  for (const Entry& entry : this->Entries)
+  std::vector<Overshoot> found;
+  for (const std::size_t e : this->Interpolated)
   {
-    vtkIdType count = 0;
-    double most = 0.;
+    const Entry& entry = this->Entries[e];
+    const char* name = entry.Current->GetName();
+    Overshoot array{ name ? name : "an array without name", entry.Current->GetNumberOfValues() };
     for (std::size_t c = 0; 2 * c < entry.Range.size(); ++c)
     {
       const double low = entry.Range[2 * c];
@@ -195,22 +232,16 @@ std::string PointArrays::DescribeOvershoot() const
       {
         const double value = entry.Current->GetComponent(i, static_cast<int>(c));
         const double beyond = std::max(low - value, value - high) / (high - low);
-        count += beyond > GetRangeTie(entry.Current) ? 1 : 0;
-        most = std::max(most, beyond);
+        if (beyond > GetRangeTie(entry.Current) && (counted.empty() || counted[i]))
+        {
+          ++array.Count;
+          array.Most = std::max(array.Most, beyond);
+        }
       }
     }
-    if (count > 0)
-    {
-      text << (text.tellp() > 0 ? ", " : "") << count << " of "
-           << entry.Current->GetNumberOfValues() << " values of "
-           << (entry.Current->GetName() ? entry.Current->GetName() : "an array without name")
-           << " (by up to " << 100. * most << " % of the range)";
-    }
+    found.push_back(std::move(array));
   }
-  return text.tellp() > 0
-    ? "Interpolated values exceed the range that the input has: " + text.str() +
-      ". Take a smaller InterpolationWeight if that must not be."
-    : std::string();
+  return found;
 }
 
 }

@@ -55,6 +55,15 @@ struct InterpolationOptions
   }
 };
 
+/// Values of an array beyond a range.
+struct Overshoot
+{
+  std::string Name;
+  vtkIdType NumberOfValues;
+  vtkIdType Count = 0; ///< of values that exceed the range by more than rounding
+  double Most = 0.;    ///< by how much, as a part of the range
+};
+
 /// The values of a point array of the input as a contiguous array of type `valueType`, followed by
 /// those of the centres that `cells` adds. It is the array itself if there is nothing to do.
 vtkSmartPointer<vtkDataArray> StartValues(
@@ -105,13 +114,14 @@ public:
   /// are no rows.
   void Project(const PointOperator& operation);
 
-  /// Replaces the given values by control values. `limit` has the limits of the current points.
+  /// Replaces the given values by control values. `limit` has the limits of the current points. If
+  /// `limits` knows other parts of the mesh, all call this together.
   /// `warn` gets messages on arrays that cannot be used, or for which the solver does not converge.
   void Interpolate(const PointOperator& limit, const InterpolationOptions& options,
     const InterpolationLimits& limits, const std::function<void(const std::string&)>& warn);
-  /// A message on current values beyond the range that the values had before Interpolate; empty if
-  /// there are none.
-  std::string DescribeOvershoot() const;
+  /// How far the current values of each array exceed the range that the array had before
+  /// Interpolate. `counted`: whether the value of a point counts; empty: all do.
+  std::vector<Overshoot> FindOvershoot(const std::vector<char>& counted) const;
 
   /// Whether current point a has the smaller global id.
   bool IsEarlier(vtkIdType a, vtkIdType b) const;
@@ -158,6 +168,7 @@ private:
   vtkSmartPointer<vtkDataArray> FinalPoints; ///< null unless they are known beforehand
   vtkSmartPointer<vtkDataArray> Normals;
   std::vector<Entry> Entries;
+  std::vector<std::size_t> Interpolated; ///< entries, in an order that all parts of a mesh have
   bool HasGathered = false;
   bool HasWeighted = false;
   vtkIdType NumberOfInputPoints;      ///< the first points are points of the input

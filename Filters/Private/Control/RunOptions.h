@@ -46,29 +46,6 @@ inline Partners* FindPartners(const RunOptions& options, vtkPointSet* mesh)
   return options.FindPartners ? options.FindPartners(mesh) : nullptr;
 }
 
-/// Warns if there is something to interpolate in the output of an earlier filter that did not do
-/// so.
-inline void WarnOfLateInterpolation(const RunOptions& options, const std::vector<vtkIdType>& before)
-{
-  if (options.Interpolation.IsOn() && before.empty())
-  {
-    options.Warn(
-      "An earlier filter made the input, and did not interpolate: its control points are "
-      "smoothed already. This filter ignores InterpolatePoints and InterpolateArrays. "
-      "Switch them on in the first of the filters.");
-  }
-}
-
-/// Warns of values beyond the range of the input's.
-inline void TellOvershoot(const PointArrays& arrays, const RunOptions& options)
-{
-  const std::string overshoot = arrays.DescribeOvershoot();
-  if (!overshoot.empty())
-  {
-    options.Warn(overshoot);
-  }
-}
-
 /// Passes warnings that were collected to Warn, and forgets them.
 inline void Tell(std::vector<std::string>& warnings, const RunOptions& options)
 {

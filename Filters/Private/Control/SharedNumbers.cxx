@@ -2,6 +2,7 @@
 #include "Private/Control/SharedNumbers.h"
 
 #include "Core/Memory/Loops.h"
+#include "Private/Control/Keepers.h"
 #include "Private/Control/Partners.h"
 #include "Private/Reading/CellReader.h"
 
@@ -17,48 +18,6 @@ namespace
 {
 
 using Ids = std::vector<vtkIdType>;
-
-void Pack(const Ids& ids, std::vector<char>& message)
-{
-  const char* first = reinterpret_cast<const char*>(ids.data());
-  message.assign(first, first + ids.size() * sizeof(vtkIdType));
-}
-
-Ids Unpack(const std::vector<char>& message)
-{
-  Ids ids(message.size() / sizeof(vtkIdType));
-  std::memcpy(ids.data(), message.data(), ids.size() * sizeof(vtkIdType));
-  return ids;
-}
-
-/// Which partition keeps the things of a key.
-class Keepers
-{
-public:
-  Keepers(const SharedKeys& things, Partners& partners)
-  {
-    vtkIdType last = 0;
-    for (size_t k = 0; k < things.Keys.size(); k += static_cast<size_t>(things.Width))
-    {
-      last = std::max(last, things.Keys[k]);
-    }
-    const Ids all = partners.Gather(last);
-    for (size_t p = 0; p < all.size(); ++p)
-    {
-      if (all[p] >= 0)
-      {
-        this->Partitions.push_back(static_cast<int>(p));
-        last = std::max(last, all[p]);
-      }
-    }
-    this->Share = last / static_cast<vtkIdType>(this->Partitions.size()) + 1;
-  }
-  int Find(vtkIdType firstOfKey) const { return this->Partitions[firstOfKey / this->Share]; }
-
-private:
-  Ids::value_type Share;
-  std::vector<int> Partitions; ///< those that have a mesh
-};
 
 /// What a partition keeps: records of a key and its sizes. The things that some partition is sure
 /// of, ascending, each once.
@@ -163,7 +122,7 @@ public:
     Partners::Messages messages;
     for (const auto& [keeper, question] : this->To)
     {
-      subdivision::Pack(question.first, messages[keeper]);
+      messages[keeper] = PackIds(question.first);
     }
     return messages;
   }
@@ -173,7 +132,7 @@ public:
     const auto kinds = static_cast<size_t>(this->Kinds);
     for (const auto& [keeper, message] : answers)
     {
-      const Ids answer = Unpack(message);
+      const Ids answer = UnpackIds(message);
       const std::vector<size_t>& places = this->To.at(keeper).second;
       for (size_t i = 0; i < places.size(); ++i)
       {
@@ -199,7 +158,7 @@ public:
     for (const auto& [from, message] : questions)
     {
       Ids& ids = this->Asked[from];
-      ids = Unpack(message);
+      ids = UnpackIds(message);
       const size_t sure = static_cast<size_t>(ids[0]) * (this->Width + this->Kinds);
       this->Things.Add(ids.data() + 1, ids.data() + 1 + sure);
     }
@@ -223,7 +182,7 @@ public:
         }
         at += this->Width + (i < ids[0] ? this->Kinds : 0);
       }
-      subdivision::Pack(answer, messages[from]);
+      messages[from] = PackIds(answer);
     }
     return messages;
   }
@@ -360,7 +319,7 @@ SharedKeys MakeKeysOfPieces(const Ids& cells, const Ids& places, Partners& partn
   return pieces;
 }
 
-std::vector<char> FindOwnPoints(vtkPointSet* mesh, const Ids& inputCells, const Partners& partners)
+std::vector<char> FindOwnPoints(vtkPointSet* mesh, const std::function<bool(vtkIdType)>& isOwn)
 {
   const CellReader cells(mesh);
   std::vector<char> own(static_cast<size_t>(mesh->GetNumberOfPoints()), 0);
@@ -368,8 +327,8 @@ std::vector<char> FindOwnPoints(vtkPointSet* mesh, const Ids& inputCells, const 
   for (vtkIdType c = 0; c < cells.GetNumberOfCells(); ++c)
   {
     const CellIds cell = cells.GetCell(c, scratch);
-    const bool isOwn = partners.IsOwn(inputCells.empty() ? c : inputCells[c]);
-    for (vtkIdType i = 0; i < cell.Size && isOwn; ++i)
+    const bool isOfOwn = isOwn(c);
+    for (vtkIdType i = 0; i < cell.Size && isOfOwn; ++i)
     {
       if (cell.Ids[i] >= 0 && cell.Ids[i] < mesh->GetNumberOfPoints())
       {
@@ -380,15 +339,14 @@ std::vector<char> FindOwnPoints(vtkPointSet* mesh, const Ids& inputCells, const 
   return own;
 }
 
-SharedNumbers NumberVertices(
-  vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces, Partners& partners)
+std::vector<char> FindOwnPoints(vtkPointSet* mesh, const Ids& inputCells, const Partners& partners)
 {
-  SharedKeys given;
-  const Ids& ids = partners.GetPointIds();
-  points = std::min(points, simplices.NumberOfPoints);
-  given.Keys.assign(ids.begin(), ids.begin() + points);
-  given.Own.assign(given.Keys.size(), 1);
-  SharedNumbers numbers = NumberTogether(given, partners);
+  return FindOwnPoints(mesh,
+    [&](vtkIdType cell) { return partners.IsOwn(inputCells.empty() ? cell : inputCells[cell]); });
+}
+
+SharedKeys MakeCentreKeys(vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces)
+{
   SharedKeys centres;
   centres.Width = 2;
   centres.Own.assign(static_cast<size_t>(simplices.NumberOfPoints - points), 0);
@@ -411,7 +369,20 @@ SharedNumbers NumberVertices(
       }
     }
   }
-  const SharedNumbers ofCentres = NumberTogether(centres, partners);
+  return centres;
+}
+
+SharedNumbers NumberVertices(
+  vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces, Partners& partners)
+{
+  SharedKeys given;
+  const Ids& ids = partners.GetPointIds();
+  points = std::min(points, simplices.NumberOfPoints);
+  given.Keys.assign(ids.begin(), ids.begin() + points);
+  given.Own.assign(given.Keys.size(), 1);
+  SharedNumbers numbers = NumberTogether(given, partners);
+  const SharedNumbers ofCentres =
+    NumberTogether(MakeCentreKeys(points, simplices, pieces), partners);
   for (const vtkIdType number : ofCentres.First)
   {
     numbers.First.push_back(number < 0 ? -1 : numbers.Totals[0] + number);

@@ -12,6 +12,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 class vtkPointSet;
@@ -79,6 +80,12 @@ SharedKeys MakeKeysOfPieces(
 /// each cell; empty: each is itself.
 std::vector<char> FindOwnPoints(
   vtkPointSet* mesh, const std::vector<vtkIdType>& inputCells, const Partners& partners);
+/// The same where `isOwn` knows the cells of the mesh.
+std::vector<char> FindOwnPoints(vtkPointSet* mesh, const std::function<bool(vtkIdType)>& isOwn);
+
+/// Keys of the vertices of simplices that are no points of the input but centres, by the pieces
+/// that they are first in: the first id of these, and which centre of their cell each is.
+SharedKeys MakeCentreKeys(vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces);
 
 /// Numbers the vertices of simplices, which are such pieces: points of the input, of which there
 /// are `points`, by their ids, then centres in the order in which cells first use them.

@@ -376,6 +376,7 @@ bool RestoreStamp(const std::vector<MeshPart>& parts, bool taken, JoinedMesh& jo
       JoinTuples(parts, dimension, stamp.Levels, joined, ids.Singular.Sharpness);
   }
   ids.Inverted = JoinInverted(parts, stamp.Levels, joined);
+  ids.Interpolated = ReadFieldIds(InterpolatedName, field);
   if (isWhole)
   {
     ids.Global = ReadFieldIds(GlobalIdsName, field);

@@ -3,7 +3,7 @@
 #include "Private/Surface/SurfaceRun.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Operators/Interpolation.h"
+#include "Private/Control/SharedInterpolation.h"
 
 namespace subdivision
 {
@@ -49,22 +49,28 @@ void SurfaceRun<Id>::MakeControl(
 template <typename Id>
 void SurfaceRun<Id>::Interpolate()
 {
+  if (!AgreeWithOthers(this->Interpolates(), this->Input, this->Options))
+  {
+    return;
+  }
   InterpolationLimits limits;
   limits.LeastEigenvalue = this->Scheme->NeedsTriangles() ? 1. / 6. : 0.1; // Mathematics 8
-  InterpolationOptions options = this->Options.Interpolation;
-  if (this->JoinedControl && options.Points)
+  ConnectToOthers(this->Input, this->NoCentres, this->Options, limits);
+  const auto solve = [&](SurfaceSteps<Id>& control, bool points, bool arrays)
   {
-    options.Arrays = false;
-    this->Points->Interpolate(this->JoinedControl->GetLimit(LimitKind::Position).Store(), options,
-      limits, this->Options.Warn);
-    options = this->Options.Interpolation;
-    options.Points = false;
-  }
-  if (this->Control && options.IsOn())
-  {
+    InterpolationOptions options = this->Options.Interpolation;
+    options.Points = options.Points && points;
+    options.Arrays = options.Arrays && arrays;
     this->Points->Interpolate(
-      this->Control->GetLimit(LimitKind::Position).Store(), options, limits, this->Options.Warn);
+      control.GetLimit(LimitKind::Position).Store(), options, limits, this->Options.Warn);
+  };
+  if (AgreeWithOthers(!this->JoinedControl, this->Input, this->Options))
+  {
+    solve(*this->Control, true, true);
+    return;
   }
+  solve(this->JoinedControl ? *this->JoinedControl : *this->Control, true, false);
+  solve(*this->Control, false, true);
 }
 
 SUBDIVISION_COMPILE(class SurfaceRun);

@@ -8,6 +8,7 @@
 #include "Private/Control/StampFields.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 
 #include <limits>
 
@@ -105,6 +106,7 @@ void SurfaceRun<Id>::WriteControlPoints(const SurfaceNumbers& numbers, const Par
     }
   }
   vtkFieldData* data = this->Output->GetFieldData();
+  WriteField<vtkIdTypeArray>(InterpolatedName, this->GetInterpolated(), data);
   WriteField<vtkDoubleArray>(ControlPointsName, points, data, ControlPointComponents);
   WriteField<vtkDoubleArray>(ControlCreasesName, creases, data, CreaseComponents);
 }

@@ -119,6 +119,12 @@ private:
   void MakeControl(
     const SurfaceCells& cells, const SurfaceCreases& creases, KeptSurfaceOf<Id>* kept);
   void Interpolate();
+  /// What the stamp says of it.
+  std::vector<vtkIdType> GetInterpolated() const
+  {
+    return this->Interpolates() ? this->Options.Interpolation.GetNumbers()
+                                : this->Stamp.Interpolated;
+  }
   void FindCreases(const PolygonMesh<Id>& mesh, const SurfaceCells& cells);
   SurfaceCreases ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level);
   bool FindSeams()

@@ -149,6 +149,7 @@ bool ReadStampOfPart(vtkPolyData* input, const SurfaceCells& cells, SurfaceStamp
   stamp.Scheme = static_cast<int>(whole.Scheme) - first;
   stamp.Levels = whole.Levels;
   stamp.NumberOfControlPoints = whole.NumberOfControlPoints;
+  stamp.Interpolated = ReadFieldIds(InterpolatedName, input->GetFieldData());
   stamp.ControlPoints =
     ReadFieldValues(ControlPointsName, input->GetFieldData(), ControlPointComponents);
   const std::vector<double> creases =

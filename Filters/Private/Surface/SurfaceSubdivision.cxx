@@ -8,6 +8,7 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Control/Partners.h"
+#include "Private/Control/SharedInterpolation.h"
 #include "Private/Surface/SurfaceCellArrays.h"
 #include "Private/Surface/SurfaceChecks.h"
 
@@ -449,7 +450,7 @@ void SurfaceRun<Id>::Write()
     this->Stamp.Levels > 0, this->Options, this->Stamp.Carried, this->Output);
   ClearMarks(this->Options.Features.Marks, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
-  TellOvershoot(*this->Points, this->Options);
+  TellOvershoot(*this->Points, this->Options, this->Input, this->Output);
   this->WriteStamp();
 }
 
@@ -511,8 +512,7 @@ void SurfaceRun<Id>::WriteStamp()
     stamp.GlobalIds = this->MadeLevels > 0 ? this->Stamp.GlobalIds : this->GlobalIds;
   }
   stamp.Carried = this->Stamp.Carried;
-  stamp.Interpolated =
-    this->Interpolates() ? this->Options.Interpolation.GetNumbers() : this->Stamp.Interpolated;
+  stamp.Interpolated = this->GetInterpolated();
   WriteSurfaceStamp(stamp, this->Output);
 }
 

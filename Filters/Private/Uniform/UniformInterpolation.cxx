@@ -2,9 +2,10 @@
 // How a uniform subdivision interpolates, and what it says of the result.
 #include "Private/Uniform/UniformRun.h"
 
-#include "Core/Operators/Interpolation.h"
+#include "Core/Operators/SparseRows.h"
 
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/SharedInterpolation.h"
 #include "Private/Control/StampFields.h"
 #include "Private/Reading/SolidOrientation.h"
 
@@ -27,14 +28,30 @@ double UniformRun::GetPointsWeight() const
   return this->Interpolates() && options.Points ? options.Weight : 0.;
 }
 
-/// `limit` has the limits of the points that were read; null: they are not needed.
+/// Decides, with all partitions, whether they solve for control points, and whether the points of
+/// the output are those that were kept: all of them have to be.
+void UniformRun::PlanInterpolation()
+{
+  // Normals need the points before they are projected.
+  const KeptOperator* kept = this->Found;
+  const bool knowsPoints = kept && kept->Steps && kept->PointsOut &&
+    !this->Options.GenerateLimitNormals && kept->PointsWeight == this->GetPointsWeight() &&
+    HoldsSameValues(this->Points->GetPoints(), kept->PointsIn);
+  this->Solves = AgreeWithOthers(this->Interpolates(), this->Input, this->Options);
+  this->ReusesPoints = AgreeWithOthers(knowsPoints, this->Input, this->Options);
+}
+
+/// `limit` has the limits of the points that were read; null: there are none.
 void UniformRun::Interpolate(const PointOperator* limit)
 {
-  if (limit)
+  if (this->Solves)
   {
     InterpolationLimits limits;
     limits.LeastEigenvalue = 1. / 6.; // it is 0.21 and more on all models (Mathematics 8)
-    this->Points->Interpolate(*limit, this->Options.Interpolation, limits, this->Options.Warn);
+    ConnectToOthers(this->Input, this->Mesh.Cells, this->Options, limits);
+    const SparseRows<int> none;
+    this->Points->Interpolate(limit ? *limit : static_cast<const PointOperator&>(none),
+      this->Options.Interpolation, limits, this->Options.Warn);
   }
 }
 

@@ -78,10 +78,7 @@ void UniformRun::UseKept(KeptOperator& kept)
 {
   this->Cells = kept.Cells;
   this->Parents = kept.Parents;
-  // Normals need the points before they are projected.
-  if (kept.Steps && kept.PointsOut && !this->Options.GenerateLimitNormals &&
-    kept.PointsWeight == this->GetPointsWeight() &&
-    HoldsSameValues(this->Points->GetPoints(), kept.PointsIn))
+  if (this->ReusesPoints)
   {
     this->Points->ReusePoints(kept.PointsOut);
   }

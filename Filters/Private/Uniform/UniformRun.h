@@ -55,6 +55,7 @@ private:
   // Interpolation (UniformInterpolation.cxx).
   bool Interpolates() const;
   double GetPointsWeight() const;
+  void PlanInterpolation();
   void Interpolate(const PointOperator* limit);
   void StampInterpolation(StampedIds& ids) const;
 
@@ -129,6 +130,8 @@ private:
   Partners* Others = nullptr;              ///< null: the mesh is the whole
   WantedSimplices Wanted;
   ControlNumbers Numbers; ///< if there are others
+  bool Solves = false;                     ///< all partitions interpolate
+  bool ReusesPoints = false;               ///< what was kept has the points of the output
   /// For an input with octahedra: the cells whose values the children of its cells take
   /// (FindParents).
   std::vector<vtkIdType> Parents;

@@ -6,6 +6,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/CellArrays.h"
+#include "Private/Control/SharedInterpolation.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Control/StampFields.h"
 #include "Private/Reading/SolidOrientation.h"
@@ -212,6 +213,7 @@ bool UniformRun::HasMemoryFor(const LevelCounts& counts, double bytesPerId) cons
 /// Makes points and cells of the output. Returns false if Progress asks to stop.
 bool UniformRun::Execute()
 {
+  this->PlanInterpolation();
   if (this->Found)
   {
     this->UseKept(*this->Found);
@@ -560,7 +562,7 @@ void UniformRun::Write()
       this->Mesh.MadeLevels + this->Options.Levels, DimensionName, this->Input, this->Output);
   }
   this->CheckOrientation();
-  TellOvershoot(*this->Points, this->Options);
+  TellOvershoot(*this->Points, this->Options, this->Input, this->Output);
   if (this->Options.Features.Sharpness)
   {
     ReduceSharpness(

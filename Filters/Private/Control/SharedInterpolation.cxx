@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Control/SharedInterpolation.h"
+
+#include "Private/ArrayNames.h"
+#include "Private/Control/Partners.h"
+#include "Private/Control/SharedValues.h"
+
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
+#include "vtkPointSet.h"
+
+#include <memory>
+#include <numeric>
+#include <sstream>
+
+namespace subdivision
+{
+namespace
+{
+
+/// The control points: points by their ids, the centres that cells bring by the ids of these cells.
+SharedKeys MakeControlKeys(vtkPointSet* input, const SimplicesOfCells& cells, Partners& partners)
+{
+  SharedKeys control;
+  control.Width = 2;
+  control.Own = FindOwnPoints(input, [&](vtkIdType cell) { return partners.IsOwn(cell); });
+  for (const vtkIdType id : partners.GetPointIds())
+  {
+    control.Keys.insert(control.Keys.end(), { id, 0 });
+  }
+  if (cells.GetNumberOfCentres() > 0)
+  {
+    std::vector<vtkIdType> parents = cells.ParentCells;
+    if (parents.empty())
+    {
+      parents.resize(static_cast<size_t>(cells.Simplices.GetNumberOfSimplices()));
+      std::iota(parents.begin(), parents.end(), vtkIdType(0));
+    }
+    const SharedKeys centres = MakeCentreKeys(input->GetNumberOfPoints(), cells.GetView(),
+      MakeKeysOfPieces(parents, partners.GetCellIds(), partners));
+    for (size_t c = 0; c < centres.Own.size(); ++c)
+    {
+      control.Keys.insert(control.Keys.end(), { centres.Keys[2 * c], 1 + centres.Keys[2 * c + 1] });
+      control.Own.push_back(centres.Own[c]);
+    }
+  }
+  return control;
+}
+
+Partners* FindOthers(vtkPointSet* input, const RunOptions& options)
+{
+  return options.Interpolation.IsOn() ? FindPartners(options, input) : nullptr;
+}
+
+}
+
+bool AgreeWithOthers(bool own, vtkPointSet* input, const RunOptions& options)
+{
+  Partners* others = FindOthers(input, options);
+  return others ? others->Sum(own ? 0 : 1) == 0 : own;
+}
+
+void ConnectToOthers(vtkPointSet* input, const SimplicesOfCells& cells, const RunOptions& options,
+  InterpolationLimits& limits)
+{
+  if (Partners* others = FindOthers(input, options))
+  {
+    const auto shared =
+      std::make_shared<SharedValues>(MakeControlKeys(input, cells, *others), *others);
+    limits.TakeOthers = [shared](double* values, int components)
+    { shared->TakeOthers(values, components); };
+    limits.FindLargest = [others](std::vector<double>& values) { others->FindLargest(values); };
+  }
+}
+
+void WarnOfLateInterpolation(const RunOptions& options, const std::vector<vtkIdType>& before)
+{
+  if (options.Interpolation.IsOn() && before.empty())
+  {
+    options.Warn(
+      "An earlier filter made the input, and did not interpolate: its control points are "
+      "smoothed already. This filter ignores InterpolatePoints and InterpolateArrays. "
+      "Switch them on in the first of the filters.");
+  }
+}
+
+void TellOvershoot(
+  const PointArrays& arrays, const RunOptions& options, vtkPointSet* input, vtkPointSet* output)
+{
+  Partners* others = FindOthers(input, options);
+  std::vector<char> counted;
+  if (others && options.Interpolation.Arrays)
+  {
+    auto* blocks = vtkIntArray::SafeDownCast(output->GetCellData()->GetArray(BlockName));
+    counted = FindOwnPoints(
+      output, [blocks](vtkIdType cell) { return blocks && blocks->GetValue(cell) != NoBlock; });
+  }
+  std::vector<Overshoot> found = arrays.FindOvershoot(counted);
+  if (others && !found.empty())
+  {
+    std::vector<double> most;
+    for (const Overshoot& array : found)
+    {
+      most.push_back(array.Most);
+    }
+    others->FindLargest(most);
+    for (size_t a = 0; a < found.size(); ++a)
+    {
+      found[a].Most = most[a];
+    }
+  }
+  std::ostringstream text;
+  for (const Overshoot& array : found)
+  {
+    if (array.Most > 0.)
+    {
+      text << (text.tellp() > 0 ? ", " : "");
+      if (!others)
+      {
+        text << array.Count << " of " << array.NumberOfValues << " ";
+      }
+      text << "values of " << array.Name << " (by up to " << 100. * array.Most
+           << " % of the range)";
+    }
+  }
+  if (text.tellp() > 0)
+  {
+    options.Warn("Interpolated values exceed the range that the input has: " + text.str() +
+      ". Take a smaller InterpolationWeight if that must not be.");
+  }
+}
+
+}

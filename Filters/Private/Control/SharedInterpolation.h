@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SharedInterpolation.h
+ * How a filter solves for control values of a mesh of which other partitions have parts, and what
+ * it says of the result.
+ */
+#ifndef SubdivisionObjects_SharedInterpolation_h
+#define SubdivisionObjects_SharedInterpolation_h
+
+#include "Core/Operators/Interpolation.h"
+#include "Private/Control/RunOptions.h"
+
+class vtkPointSet;
+
+namespace subdivision
+{
+
+/// Whether all partitions say yes; without others, what this one says.
+bool AgreeWithOthers(bool own, vtkPointSet* input, const RunOptions& options);
+
+/// Lets the solver work together with those of the other partitions, which all call this; does
+/// nothing if there are none. `cells` were read from `input`, and have the control points.
+void ConnectToOthers(vtkPointSet* input, const SimplicesOfCells& cells, const RunOptions& options,
+  InterpolationLimits& limits);
+
+/// Warns if there is something to interpolate in the output of an earlier filter that did not do
+/// so.
+void WarnOfLateInterpolation(const RunOptions& options, const std::vector<vtkIdType>& before);
+
+/// Warns of values of the output beyond the range of the input's. All partitions call this. If
+/// there are several, each looks at the cells that are made of its own, and nothing is counted.
+void TellOvershoot(
+  const PointArrays& arrays, const RunOptions& options, vtkPointSet* input, vtkPointSet* output);
+
+}
+
+#endif
