@@ -229,8 +229,8 @@ void vtkSubdivisionAlgorithm::ReadInterpolation(
   interpolation.Weight = this->InterpolationWeight;
   if (interpolation.IsOn() && !this->CanInterpolate())
   {
-    warnings.emplace_back(
-      "This filter does not interpolate: it ignores InterpolatePoints and InterpolateArrays.");
+    warnings.emplace_back("With these options this filter does not interpolate: it ignores "
+                          "InterpolatePoints and InterpolateArrays.");
     interpolation = subdivision::InterpolationOptions();
   }
   options.Interpolation = interpolation;

@@ -135,11 +135,12 @@ public:
    * Whether the limit passes through the points of the input. The filter then does not take these
    * for control points, but solves for control points whose limits they are: a smooth object does
    * not shrink. Rules and diagonals are chosen for the points of the input. For
-   * vtkMultiDimensionalSubdivision and vtkSurfaceSubdivision (with schemes that have limits); other
-   * filters warn and ignore it. Ranks that have parts of a mesh solve together, for what one
-   * process finds. In a row of filters switch it on in all or in the first: later ones leave what
-   * is solved as it is. A warning says so if 40 products with the limit operator do not reach an
-   * error of 1e-10 of the range (single precision: of its rounding). Off by default.
+   * vtkMultiDimensionalSubdivision, vtkSurfaceSubdivision (with schemes that have limits) and
+   * vtkRedGreenRefinement (with Placement LIMIT); other filters warn and ignore it. Ranks that have
+   * parts of a mesh solve together, for what one process finds. In a row of filters switch it on in
+   * all or in the first: later ones leave what is solved as it is. A warning says so if 40 products
+   * with the limit operator do not reach an error of 1e-10 of the range (single precision: of its
+   * rounding). Off by default.
    */
   vtkSetMacro(InterpolatePoints, bool);
   vtkGetMacro(InterpolatePoints, bool);

@@ -60,12 +60,25 @@ const Choice Choices[] = { { "edge length",
       o.Criteria.MaximumLevel = 2;
       o.LimitPlacement = true;
     } },
-  { "difference from the limit", [](vtkPointSet* mesh, RedGreenOptions& o)
+  { "difference from the limit",
+    [](vtkPointSet* mesh, RedGreenOptions& o)
     {
       o.Criteria.Attribute = mesh->GetPointData()->GetArray(FieldName);
       o.Criteria.AttributeTolerance = 0.03;
       o.Criteria.AttributeErrorOfLimit = true;
       o.Criteria.MaximumLevel = 2;
+    } },
+  { "interpolating limit", [](vtkPointSet* mesh, RedGreenOptions& o)
+    {
+      o.Criteria.ByGeometricError = true;
+      o.Criteria.GeometricTolerance = 0.004;
+      o.Criteria.Attribute = mesh->GetPointData()->GetArray(FieldName);
+      o.Criteria.AttributeTolerance = 0.1;
+      o.Criteria.AttributeErrorOfLimit = true;
+      o.Criteria.MaximumLevel = 2;
+      o.LimitPlacement = true;
+      o.Interpolation.Points = true;
+      o.Interpolation.Arrays = true;
     } } };
 
 RedGreenOptions MakeOptions()

@@ -216,6 +216,14 @@ void PointArrays::Interpolate(const PointOperator& limit, const InterpolationOpt
   this->HasMoved = true;
 }
 
+vtkDataArray* PointArrays::FindCurrent(vtkAbstractArray* given) const
+{
+  const auto found =
+    std::find_if(this->Entries.begin(), this->Entries.end(), [&](const Entry& entry)
+      { return this->Input->GetPointData()->GetAbstractArray(entry.Source) == given; });
+  return found == this->Entries.end() ? nullptr : found->Current.Get();
+}
+
 std::vector<Overshoot> PointArrays::FindOvershoot(const std::vector<char>& counted) const
 {
   std::vector<Overshoot> found;

@@ -119,6 +119,8 @@ public:
   /// `warn` gets messages on arrays that cannot be used, or for which the solver does not converge.
   void Interpolate(const PointOperator& limit, const InterpolationOptions& options,
     const InterpolationLimits& limits, const std::function<void(const std::string&)>& warn);
+  /// The current values of a point array of the input; null if it is not smoothed.
+  vtkDataArray* FindCurrent(vtkAbstractArray* given) const;
   /// How far the current values of each array exceed the range that the array had before
   /// Interpolate. `counted`: whether the value of a point counts; empty: all do.
   std::vector<Overshoot> FindOvershoot(const std::vector<char>& counted) const;

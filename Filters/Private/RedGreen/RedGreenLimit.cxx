@@ -402,16 +402,19 @@ void RedGreenLimit<Id>::Measure(
     }
   }
   const LocalLimit<Id> limit(this->Control, this->Creases, midpoints, wanted);
-  auto getLimits = [&limit](const ContinuedArray& array)
+  auto getLimits = [&limit](const ContinuedArray& array, const std::vector<double>& control)
   {
     Buffer<double> limits(limit.GetNumberOfRows() * array.GetComponents());
-    limit.Apply(array.Get(0), limits.data(), array.GetComponents());
+    limit.Apply(
+      control.empty() ? array.Get(0) : control.data(), limits.data(), array.GetComponents());
     return limits;
   };
   const bool ofAttribute = options.Attribute && options.AttributeErrorOfLimit;
-  const Buffer<double> points =
-    options.ReadsShape() ? getLimits(criteria.GetCoordinates()) : Buffer<double>();
-  const Buffer<double> values = ofAttribute ? getLimits(criteria.GetAttribute()) : Buffer<double>();
+  const Buffer<double> points = options.ReadsShape()
+    ? getLimits(criteria.GetCoordinates(), this->ControlCoordinates)
+    : Buffer<double>();
+  const Buffer<double> values =
+    ofAttribute ? getLimits(criteria.GetAttribute(), this->ControlAttribute) : Buffer<double>();
   Buffer<double> errors(static_cast<vtkIdType>(this->Samples.size()));
   ForEach(errors.size(),
     [&](vtkIdType i)

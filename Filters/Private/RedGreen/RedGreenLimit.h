@@ -8,6 +8,7 @@
 #define SubdivisionObjects_RedGreenLimit_h
 
 #include "Core/Memory/PairTable.h"
+#include "Core/Solids/Limits/LimitStencils.h"
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Private/Control/ControlComplex.h"
 #include "Private/Criteria/RefinementCriteria.h"
@@ -26,6 +27,16 @@ public:
   /// False where a stamp that is trusted leads to other cells than those that were read.
   bool Build(const ControlMesh& mesh, const FeatureOptions& features, const Coordinates& points,
     const WarnFunction& warn);
+
+  /// The limits of the control vertices.
+  SparseRows<Id> GetControlRows() const { return BuildLimitRows(this->Control, this->Creases); }
+  /// Sets the coordinates and the attribute of the control vertices, where they are not those that
+  /// the criteria read; empty: they are.
+  void SetControlValues(std::vector<double> coordinates, std::vector<double> attribute)
+  {
+    this->ControlCoordinates = std::move(coordinates);
+    this->ControlAttribute = std::move(attribute);
+  }
 
   /// From values at the control vertices to the limits of all vertices of a state.
   LocalLimit<Id> GetOperator(const RedGreen<Id>& state) const;
@@ -100,6 +111,8 @@ private:
 
   Level<Id> Control;
   SemiSharpStages<Id> Creases;
+  std::vector<double> ControlCoordinates;
+  std::vector<double> ControlAttribute;
   /// Edges and faces of the control mesh that do not follow the rule for the inside of a solid;
   /// sorted.
   std::vector<Carrier> Curved;

@@ -6,7 +6,9 @@
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/FittingMarks.h"
+#include "Private/Control/SharedInterpolation.h"
 #include "Private/Control/SizeChecks.h"
+#include "Private/Control/StampFields.h"
 #include "Private/RedGreen/RedGreenLimit.h"
 #include "Private/RedGreen/RedGreenMesh.h"
 #include "Private/RedGreen/RedGreenNumbers.h"
@@ -60,6 +62,8 @@ private:
   template <typename Id>
   bool BuildLimit(RedGreenLimit<Id>& limit);
   template <typename Id>
+  void Interpolate(RedGreenLimit<Id>& limit);
+  template <typename Id>
   bool FindCells(SharedState<Id>& shared, RedGreenLimit<Id>& limit);
   template <typename Id>
   SharedState<Id> StartState();
@@ -82,6 +86,12 @@ private:
   {
     return (this->Mesh.IsContinued || this->Mesh.Control.IsStamped) && HasIds(data, name, size);
   }
+  Coordinates GetGivenCoordinates()
+  {
+    return this->GivenCoordinates.empty()
+      ? this->Points->GetCoordinates()
+      : Coordinates(this->GivenCoordinates.data(), this->Points->GetTie());
+  }
   bool ReadsLimit() const
   {
     return this->Options.LimitPlacement || this->Options.Criteria.ReadsLimit();
@@ -100,6 +110,7 @@ private:
   RedGreenMesh Mesh;
   std::vector<vtkIdType> Simplices; ///< of which each cell is a part; only for global ids
   std::unique_ptr<PointArrays> Points;
+  std::vector<double> GivenCoordinates; ///< where Points has others, which interpolate them
   std::unique_ptr<RefinementCriteria> Criteria;
   double MostCells = 0.;       ///< that the output may have
   vtkIdType NumberOfCells = 0; ///< of all partitions, when IsTooLarge was called
@@ -153,6 +164,7 @@ void RedGreenRun::StartPoints()
     arrays.Replaced.emplace_back(OriginalPointIdsName);
   }
   const ControlMesh& control = this->Mesh.Control;
+  this->GivenCoordinates.clear();
   this->Points = std::make_unique<PointArrays>(this->Input, control.Cells, control.GetGlobalIds(),
     static_cast<vtkIdType>(control.GlobalIds.size()), arrays);
 }
@@ -179,7 +191,11 @@ bool RedGreenRun::Plan(SharedState<Id>& shared, RedGreenLimit<Id>& limit)
   try
   {
     isTrue = this->BuildLimit(limit);
-    isFound = isTrue && this->FindCells(shared, limit);
+    if (isTrue)
+    {
+      this->Interpolate(limit);
+      isFound = this->FindCells(shared, limit);
+    }
   }
   catch (const std::invalid_argument&) // the midpoints of the stamp do not fit together
   {
@@ -194,6 +210,7 @@ bool RedGreenRun::Plan(SharedState<Id>& shared, RedGreenLimit<Id>& limit)
     this->Read(false);
     limit = RedGreenLimit<Id>();
     this->BuildLimit(limit);
+    this->Interpolate(limit);
     isFound = this->FindCells(shared, limit);
   }
   this->Criteria.reset();
@@ -221,6 +238,44 @@ bool RedGreenRun::BuildLimit(RedGreenLimit<Id>& limit)
   }
   return limit.Build(ordered, this->Options.Features, points,
     [this](const std::string& warning) { this->Warn(warning); });
+}
+
+/// Replaces points and arrays by control values whose limits they are, and lets `limit` know.
+template <typename Id>
+void RedGreenRun::Interpolate(RedGreenLimit<Id>& limit)
+{
+  const ControlMesh& control = this->Mesh.Control;
+  if (control.IsStamped)
+  {
+    WarnOfLateInterpolation(
+      this->Options, ReadFieldIds(InterpolatedName, this->Input->GetFieldData()));
+  }
+  const bool isOwn = this->Options.Interpolation.IsOn() && !control.IsStamped;
+  if (!AgreeWithOthers(isOwn, this->Input, this->Options))
+  {
+    return;
+  }
+  const vtkIdType size = control.Cells.Simplices.NumberOfPoints;
+  const double* given = this->Points->GetCoordinates();
+  this->GivenCoordinates.assign(given, given + 3 * size);
+  InterpolationLimits limits;
+  limits.LeastEigenvalue = 1. / 6.; // Mathematics 8
+  ConnectToOthers(this->Input, control.Cells, this->Options, limits);
+  this->Points->Interpolate(limit.GetControlRows(), this->Options.Interpolation, limits,
+    [this](const std::string& warning) { this->Warn(warning); });
+  const double* points = this->Points->GetCoordinates();
+  std::vector<double> attribute;
+  if (vtkDataArray* current = this->Points->FindCurrent(this->Options.Criteria.Attribute))
+  {
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      for (int c = 0; c < current->GetNumberOfComponents(); ++c)
+      {
+        attribute.push_back(current->GetComponent(i, c));
+      }
+    }
+  }
+  limit.SetControlValues({ points, points + 3 * size }, std::move(attribute));
 }
 
 /// Runs the rounds.
@@ -266,7 +321,7 @@ SharedState<Id> RedGreenRun::StartState()
   std::function<void(vtkIdType*)> order;
   if (!this->Mesh.TetOrderIsFinal)
   {
-    const Coordinates points = this->Points->GetCoordinates();
+    const Coordinates points = this->GetGivenCoordinates();
     const ControlMesh& control = this->Mesh.Control;
     order = [points, &control](vtkIdType* tet)
     {
@@ -478,6 +533,7 @@ bool RedGreenRun::Refine()
     return false;
   }
   this->MakePoints(state, limit);
+  TellOvershoot(*this->Points, this->Options, this->Input, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
   WriteRedGreenFields(this->Mesh, plan, this->Options.LimitPlacement, this->Output);
   if (this->Others && this->Options.GenerateGlobalIds)

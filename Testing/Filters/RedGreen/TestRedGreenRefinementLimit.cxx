@@ -133,6 +133,44 @@ TEST_P(RedGreenLimitZoo, PointsDoNotDependOnTheirNeighbourhood)
   }
 }
 
+TEST_P(RedGreenLimitZoo, InterpolatesTheInput)
+{
+  const Grid input = MakeGrid(coretest::FindInZoo(this->GetParam()));
+  input->GetPointData()->AddArray(
+    MakeArray<vtkDoubleArray>("V", 2, input->GetNumberOfPoints(), -1., 1., 3));
+  AddWantedLevels(input, 2, 5, 0.3);
+  vtkNew<Messages> messages;
+  const Grid output = Refine(
+    input,
+    [](Filter* filter)
+    {
+      filter->RefineByWantedLevelOn();
+      filter->SetPlacementToLimit();
+      filter->InterpolatePointsOn();
+      filter->InterpolateArraysOn();
+    },
+    messages);
+  EXPECT_TRUE(messages->Errors.empty());
+  for (const std::string& warning : messages->Warnings)
+  {
+    EXPECT_TRUE(warning.find("exceed the range") != std::string::npos ||
+      warning.find("does not pass") != std::string::npos)
+      << warning;
+  }
+  const bool isDone = messages->CountWarnings("does not pass") == 0; // Mathematics 8
+  const double tolerance = isDone ? 1e-10 : 1e-6;
+  vtkDataArray* values = input->GetPointData()->GetArray("V");
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(GetPoint(input, i)[c], GetPoint(output, i)[c], tolerance * input->GetLength());
+    }
+    EXPECT_NEAR(values->GetComponent(i, 1),
+      output->GetPointData()->GetArray("V")->GetComponent(i, 1), 3. * tolerance);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Zoo, RedGreenLimitZoo, testing::ValuesIn(coretest::GetNamesOfZoo(0)),
   [](const auto& instance) { return instance.param; });
 
@@ -211,6 +249,61 @@ TEST(RedGreenGeometricError, IsBelowTheTolerance)
       before = output->GetNumberOfCells();
     }
   }
+}
+
+/// The limit is that of the control points that are solved for, for criteria too.
+TEST(RedGreenGeometricError, IsThatOfTheInterpolatingLimit)
+{
+  const Grid model = GetModel("Screw");
+  model->GetPointData()->AddArray(
+    MakeArray<vtkDoubleArray>("V", 1, model->GetNumberOfPoints(), -1., 1., 3));
+  vtkNew<vtkMultiDimensionalSubdivision> solver;
+  solver->SetInputData(model);
+  solver->SetNumberOfLevels(0);
+  solver->InterpolatePointsOn();
+  solver->InterpolateArraysOn();
+  solver->Update();
+  const Grid control = DeepCopy(solver->GetOutput());
+  control->GetFieldData()->Initialize(); // another mesh
+  const auto run = [&](vtkUnstructuredGrid* input, bool ofArray, bool interpolate)
+  {
+    vtkNew<Messages> messages;
+    return Refine(
+      input,
+      [&](Filter* filter)
+      {
+        ToTolerance(0.01, 4)(filter);
+        filter->SetInterpolatePoints(interpolate);
+        filter->SetInterpolateArrays(interpolate);
+        filter->SetRefineByGeometricError(!ofArray);
+        filter->SetRefineByAttributeError(ofArray);
+        filter->SetAttributeErrorKindToLimitDifference();
+        filter->SetInputArrayToProcess(5, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "V");
+        double range[2];
+        input->GetPointData()->GetArray("V")->GetRange(range);
+        filter->SetAttributeTolerance(0.1 / (range[1] - range[0]));
+      },
+      messages);
+  };
+  for (const bool ofArray : { false, true })
+  {
+    const Grid output = run(model, ofArray, true);
+    const Grid expected = run(control, ofArray, false);
+    ASSERT_EQ(output->GetNumberOfPoints(), expected->GetNumberOfPoints());
+    EXPECT_NE(output->GetNumberOfPoints(), run(model, ofArray, false)->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      ASSERT_EQ(GetPoint(output, i), GetPoint(expected, i));
+    }
+  }
+}
+
+TEST(RedGreenLimitPlacement, InterpolatesThereOnly)
+{
+  const Grid model = GetModel("Screw");
+  vtkNew<Messages> messages;
+  Refine(model, [](Filter* filter) { filter->InterpolatePointsOn(); }, messages);
+  EXPECT_EQ(messages->CountWarnings("does not interpolate"), 1);
 }
 
 /// Kobbelt's measure: the error against the number of cells.
