@@ -60,7 +60,7 @@ class Package(unittest.TestCase):
                 self.assertEqual(proxy.GetVTKClassName(), name)
                 names = {key for key, _ in properties(proxy)}
                 without = {"EmbeddedCells"} if "Surface" in name else set()
-                if name not in ("vtkMultiDimensionalSubdivision", "vtkSurfaceSubdivision"):
+                if name not in ("vtkMultiDimensionalSubdivision", "vtkRedGreenRefinement", "vtkSurfaceSubdivision"):
                     without |= options(cls) & {"InterpolatePoints", "InterpolateArrays", "InterpolationWeight"}
                 self.assertEqual(options(cls) - names, without, "options without a property")
 

@@ -33,8 +33,8 @@ OTHER_DEFAULTS = {
 SURFACES = ("SurfaceSubdivision", "AdaptiveSurfaceSubdivision")
 NOT_OFFERED = {f"{name}.{option}" for name in SURFACES for option in ("EmbeddedCells",)}
 # Filters without rules to interpolate.
-NOT_OFFERED |= {f"{name}.{option}" for name in ("AdaptiveSurfaceSubdivision", "RedGreenRefinement",
-                                                "SimplicialComplexTopology", "SubdivisionDeformation")
+NOT_OFFERED |= {f"{name}.{option}" for name in ("AdaptiveSurfaceSubdivision", "SimplicialComplexTopology",
+                                                "SubdivisionDeformation")
                 for option in ("InterpolatePoints", "InterpolateArrays", "InterpolationWeight")}
 ARRAYS_NOT_OFFERED = {2, 3}
 
@@ -178,7 +178,9 @@ class Arrays(unittest.TestCase):
 
 def proxies():
     """Of each proxy of a concrete class: name, class, and properties with those of its base proxies."""
-    texts = [path.read_text(encoding="utf-8") for path in sorted(PLUGIN.glob("*.xml"))]
+    pasted = (PLUGIN / "Interpolation.xml.in").read_text(encoding="utf-8")
+    texts = [path.read_text(encoding="utf-8").replace("@INTERPOLATION@", pasted)
+             for path in sorted(PLUGIN.glob("*.xml"))]
     for_solids = (PLUGIN / "SolidOptions.xml.in").read_text(encoding="utf-8")
     texts += [for_solids.replace("@KIND@", kind) for kind in ("Subdivision", "MarkedSubdivision", "Refinement")]
     found = {proxy.get("name"): proxy for text in texts
