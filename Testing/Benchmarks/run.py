@@ -204,6 +204,16 @@ def deformation_section(samples):
          "ns per point"], rows) if rows else []
 
 
+def interpolation_section(samples):
+    rows = []
+    for (family, what, case, levels, threads), sample in sorted(samples.items()):
+        if family == "interpolation":
+            plain = samples.get(("projection", what, case, levels, threads))
+            rows.append([what, str(threads), sample.text(), plain.text() if plain else "-", ratio(sample, plain)])
+    return ["## Interpolation of 103,823 points and a scalar, no level", ""] + table(
+        ["execution", "threads", "ms", "without interpolation, ms", "time / that"], rows) if rows else []
+
+
 def tetoct_section(samples):
     rows = []
     for (family, what, case, levels, threads), sample in sorted(samples.items()):
@@ -289,7 +299,8 @@ def run(arguments):
                  arguments.repetitions, load, os.getloadavg()[0], os.cpu_count()), ""]
     lines += filter_section(samples, memory) + surface_section(samples) + again_section(samples)
     lines += surface_peer_section(samples) + tetoct_section(samples)
-    lines += red_green_section(samples) + deformation_section(samples) + peer_section(samples)
+    lines += red_green_section(samples) + deformation_section(samples) + interpolation_section(samples)
+    lines += peer_section(samples)
     lines += stage_section(samples)
     if not arguments.quick:
         lines += scaling_section(samples)
