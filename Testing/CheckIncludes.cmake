@@ -53,6 +53,7 @@ room(Private/Surface Core Private Private/Reading Private/Arrays Private/Control
 room(Private/AdaptiveSurface Core Private Private/Reading Private/Arrays Private/Control Private/Criteria Private/Surface)
 room(Private/Deformation Core Private Private/Reading Private/Arrays Private/Control Private/Uniform)
 room(Private/Topology Core Private Private/Reading Private/Arrays Private/Control)
+room(Private/Labels Core Private Private/Control)
 room(Private/Models Private)
 
 set(pipeline "^[ \t]*#[ \t]*include[ \t]*[<\"](\\.\\./|vtkSubdivision|vtk[A-Za-z0-9]*(Algorithm|DataSet|DataObject|Grid|PolyData|PointSet|PointData|CellData|FieldData|Filter|Executive|Information|Pipeline))")

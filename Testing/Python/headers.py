@@ -79,8 +79,9 @@ class Option:
         if self.is_enumeration:
             return self.set(made, next(end for end in self.ends(type(made)) if end != value[0]))
         high = self.ends(type(made))[1] if self.clamp else None
-        step = -1 if high is not None and value[0] + 1 > high else 1
-        return self.set(made, *(part + step for part in value))
+        if high is not None and value[0] + 1 > high:
+            return self.set(made, *(type(part)(self.ends(type(made))[0]) for part in value))
+        return self.set(made, *(part + 1 for part in value))
 
 
 class ArrayEntry:

@@ -70,6 +70,7 @@ class Proxies(unittest.TestCase):
         "MultiDimensionalSubdivision": ("Multi-dimensional Subdivision", "MultidimensionalSubdivision"),
         "SubdivisionModelSource": ("Subdivision Model", "SubdivisionModel"),
         "SubdivisionCageSource": ("Cage", "Cage"),
+        "SubdivisionLabelSolid": ("Smooth Solid from Labels", "SmoothSolidfromLabels"),
         "ExtractDimensions": ("Extract Dimensions", "ExtractDimensions"),
     }
 

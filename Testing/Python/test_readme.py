@@ -28,11 +28,11 @@ def make_what_readme_speaks_of():
 
 make_what_readme_speaks_of()
 blocks = readme.blocks("python", before="## In Python, without ParaView")
-assert len(blocks) == 7, len(blocks)
+assert len(blocks) == 8, len(blocks)
 for block in blocks:  # here and not in a function, as in a script
     exec(compile(block, "README.md", "exec"))
 assert os.path.isfile("volume.png")
-for name in ("smooth", "solids", "bent", "screw", "bunny"):
+for name in ("smooth", "solids", "bent", "solid", "screw", "bunny"):
     proxy = globals()[name]
     proxy.UpdatePipeline()
     assert proxy.GetDataInformation().GetNumberOfCells() > 0, name

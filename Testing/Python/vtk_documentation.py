@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ElementTree
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkSphere
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkSphere
 
 import subdivisionobjects
 from headers import HEADERS, NO_OPTIONS, along_axes, of_bases, stated_defaults, stated_ranges, words
@@ -109,22 +109,29 @@ def numbers(name, components, size):
     return array
 
 
+def required(made, port):
+    return made.GetInputPortInformation(port).Get(made.INPUT_REQUIRED_DATA_TYPE())
+
+
 def complaints(cls, criteria, index=0, kind="Cell", name="None", fallback=None):
     """Kind, name, index and fault of all arrays that a filter complains about, with these criteria on and the
     array of this name at the index. An array `fallback` of the input is unusable: it has two components."""
+    made = cls()
     data = vtkPolyData()
     data.SetPoints(vtkPoints())
     for point in ((0, 0, 0), (1, 0, 0), (0, 1, 0)):
         data.GetPoints().InsertNextPoint(point)
     data.SetPolys(vtkCellArray())
     data.GetPolys().InsertNextCell(3, (0, 1, 2))
-    data.GetPointData().SetScalars(numbers("floating", 1, 3))
+    if required(made, 0) == "vtkImageData":
+        data = vtkImageData()
+        data.SetDimensions(2, 2, 2)
+    data.GetPointData().SetScalars(numbers("floating", 1, data.GetNumberOfPoints()))
     data.GetCellData().SetScalars(numbers("floating", 1, 1))
     if fallback:
         data.GetCellData().AddArray(numbers(fallback, 2, 1))
-    made = cls()
     for port in range(made.GetNumberOfInputPorts()):
-        if made.GetInputPortInformation(port).Get(made.INPUT_REQUIRED_DATA_TYPE()) != "vtkSelection":
+        if required(made, port) not in ("vtkSelection", "vtkTable"):
             made.SetInputDataObject(port, data)
     for option in of_bases(cls, "options"):
         if option.startswith("RefineBy"):

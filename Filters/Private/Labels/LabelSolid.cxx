@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Labels/LabelSolid.h"
+
+#include "Private/Control/SizeChecks.h"
+#include "Private/Labels/LabelImage.h"
+#include "Private/Labels/LabelNet.h"
+#include "Private/Labels/Materials.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr double VolumeError = 1e-3; ///< relative, at which rounds end
+constexpr double ToldError = 5e-3;   ///< of which a warning tells
+constexpr double ThinnestTet = 2e-2; ///< of the volume that it would have in a cube
+constexpr int FewestRounds = 3;      ///< even if volumes do not get better
+constexpr int MostRounds = 8;
+constexpr double TetsOfCube = 6.;
+
+std::string Text(double label)
+{
+  return std::to_string(static_cast<long long>(label));
+}
+
+/// From the corners of voxels to space.
+struct Placement
+{
+  Placement(vtkImageData* image, bool ofPoints, int length)
+  {
+    const int* extent = image->GetExtent();
+    double first[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = extent[2 * axis] - (ofPoints ? .5 : 0.);
+    }
+    image->TransformContinuousIndexToPhysicalPoint(first, this->Origin);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double next[3] = { first[0], first[1], first[2] };
+      next[axis] += length;
+      image->TransformContinuousIndexToPhysicalPoint(next, this->Axes[axis]);
+      vtkMath::Subtract(this->Axes[axis], this->Origin, this->Axes[axis]);
+    }
+  }
+  double GetVoxelVolume() const { return vtkMath::Determinant3x3(this->Axes); }
+  void Place(const LabelNet::Vector& corner, double* point) const
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      point[c] = this->Origin[c] + corner[0] * this->Axes[0][c] + corner[1] * this->Axes[1][c] +
+        corner[2] * this->Axes[2][c];
+    }
+  }
+
+  double Origin[3];
+  double Axes[3][3];
+};
+
+/// One execution.
+class LabelSolid
+{
+public:
+  LabelSolid(vtkImageData* image, const LabelSolidOptions& options)
+    : Image(image)
+    , Options(options)
+    , Name(GetLabelName(options))
+  {
+  }
+  bool Run(vtkUnstructuredGrid* output);
+
+private:
+  bool Read();
+  bool HasMemory() const;
+  void WarnOfLostLabels(const LabelNet& net) const;
+  vtkSmartPointer<vtkUnstructuredGrid> MakeControlMesh(
+    const LabelNet& net, const Placement& placement) const;
+  /// Of a solid: volumes of labels, in control voxels; the control cells with a thin tetrahedron.
+  struct Measures
+  {
+    std::vector<double> Volumes;
+    std::vector<vtkIdType> Thin;
+    vtkIdType NumberOfInverted = 0;
+  };
+  Measures Measure(vtkUnstructuredGrid* solid, const LabelNet& net, double voxel) const;
+  double GetError(const std::vector<double>& volumes) const;
+  void WarnOf(const Measures& found) const;
+  vtkUnstructuredGrid* Solve(LabelNet& net, const Placement& placement, vtkUnstructuredGrid* grid);
+
+  vtkImageData* Image;
+  const LabelSolidOptions& Options;
+  std::string Name;
+  LabelImage Fine;
+  LabelImage Coarse;
+  int Length = 1;             ///< of a control voxel, in voxels
+  std::vector<double> Wanted; ///< volumes of labels in control voxels; 0 where no cell is left
+};
+
+bool LabelSolid::HasMemory() const
+{
+  // The labels of voxels, those of blocks and the ids of corners; corners, cells and their faces.
+  constexpr double bytesPerVoxel = 4. + 4. + 8.;
+  constexpr double bytesPerCell = 300.;
+  const double voxels = static_cast<double>(this->Options.Labels->GetNumberOfTuples());
+  const double cells = static_cast<double>(this->Coarse.NumberOfMaterialVoxels);
+  const double bytes = bytesPerVoxel * voxels + bytesPerCell * cells;
+  if (bytes > GetAvailableMemory())
+  {
+    this->Options.Fail(std::to_string(static_cast<vtkIdType>(voxels)) + " voxels take about " +
+      std::to_string(static_cast<vtkIdType>(bytes / 1e6)) +
+      " MB, which is more than there is. Take a part of the image, or make NumberOfControlCells "
+      "smaller.");
+    return false;
+  }
+  const double tets = cells * TetsOfCube * std::ldexp(1., 3 * this->Options.Levels);
+  const std::string tooMany =
+    CheckNumberOfCells(tets, 41. * tets, this->Options.Levels, this->Options.MaximumNumberOfCells);
+  if (!tooMany.empty())
+  {
+    this->Options.Fail(tooMany + " Or make NumberOfControlCells smaller.");
+  }
+  return tooMany.empty();
+}
+
+bool LabelSolid::Read()
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Fine.Size[axis] = this->Image->GetDimensions()[axis] - (this->Options.OfPoints ? 0 : 1);
+  }
+  if (*std::min_element(this->Fine.Size.begin(), this->Fine.Size.end()) < 1)
+  {
+    this->Options.Fail("The image has no voxels with the labels of its cells: it needs two points "
+                       "or more along each axis. Labels of points are read of flat images too.");
+    return false;
+  }
+  vtkDataArray* labels = this->Options.Labels;
+  vtkDataSetAttributes* data = this->Options.OfPoints
+    ? static_cast<vtkDataSetAttributes*>(this->Image->GetPointData())
+    : this->Image->GetCellData();
+  vtkDataArray* ghosts = data->GetArray(vtkDataSetAttributes::GhostArrayName());
+  const int hidden = this->Options.OfPoints ? int(vtkDataSetAttributes::HIDDENPOINT)
+                                            : int(vtkDataSetAttributes::HIDDENCELL);
+  if (!this->HasMemory()) // for the labels
+  {
+    return false;
+  }
+  const std::string fault = ReadLabels(
+    labels, this->Options.Background, [&](vtkIdType i)
+    { return ghosts && (static_cast<int>(ghosts->GetComponent(i, 0)) & hidden); }, this->Fine);
+  if (!fault.empty())
+  {
+    this->Options.Fail(
+      (this->Options.OfPoints ? "Point array \"" : "Cell array \"") + this->Name + "\" " + fault);
+    return false;
+  }
+  this->Length = FindBlockLength(this->Fine, this->Options.WantedCells);
+  this->Coarse = Coarsen(this->Fine, this->Length);
+  return this->HasMemory();
+}
+
+void LabelSolid::WarnOfLostLabels(const LabelNet& net) const
+{
+  std::vector<bool> isThere(this->Fine.Labels.size() + 1, false);
+  for (const int label : net.GetCellLabels())
+  {
+    isThere[label] = true;
+  }
+  const auto lost = std::count(isThere.begin() + 1, isThere.end(), false);
+  if (lost > 0)
+  {
+    const auto first = std::find(isThere.begin() + 1, isThere.end(), false) - isThere.begin() - 1;
+    this->Options.Warn(std::to_string(lost) + " of " + std::to_string(this->Fine.Labels.size()) +
+      " labels have the most voxels in no block of " + std::to_string(this->Length) +
+      "^3 voxels and are not in the output; the first is " + Text(this->Fine.Labels[first]) +
+      ". Make NumberOfControlCells larger.");
+  }
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> LabelSolid::MakeControlMesh(
+  const LabelNet& net, const Placement& placement) const
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(net.GetNumberOfPoints());
+  grid->SetPoints(points);
+  const bool isMirrored = placement.GetVoxelVolume() < 0.;
+  vtkNew<vtkCellArray> cells;
+  for (LabelNet::Cell cell : net.GetCells())
+  {
+    if (isMirrored)
+    {
+      std::rotate(cell.begin(), cell.begin() + 4, cell.end());
+    }
+    cells->InsertNextCell(8, cell.data());
+  }
+  grid->SetCells(VTK_HEXAHEDRON, cells);
+  vtkFieldData* fields = grid->GetFieldData();
+  fields->PassData(this->Image->GetFieldData());
+  vtkCellData* data = grid->GetCellData();
+  CopyVoxelArrays(this->Fine, this->Coarse, this->Length,
+    this->Options.OfPoints ? static_cast<vtkDataSetAttributes*>(this->Image->GetPointData())
+                           : this->Image->GetCellData(),
+    this->Options.Labels, data);
+  if (this->Options.Materials)
+  {
+    const std::string without = AddMaterials(
+      this->Options.Materials, this->Name, this->Fine.Labels, net.GetCellLabels(), data, fields);
+    if (!without.empty())
+    {
+      this->Options.Warn(without);
+    }
+  }
+  const auto labels = vtkSmartPointer<vtkDataArray>::Take(this->Options.Labels->NewInstance());
+  labels->SetName(this->Name.c_str());
+  labels->SetNumberOfTuples(static_cast<vtkIdType>(net.GetCells().size()));
+  for (vtkIdType cell = 0; cell < labels->GetNumberOfTuples(); ++cell)
+  {
+    labels->SetComponent(cell, 0, this->Fine.Labels[net.GetCellLabels()[cell] - 1]);
+  }
+  data->SetScalars(labels);
+  return grid;
+}
+
+LabelSolid::Measures LabelSolid::Measure(
+  vtkUnstructuredGrid* solid, const LabelNet& net, double voxel) const
+{
+  Measures found;
+  found.Volumes.assign(this->Wanted.size(), 0.);
+  const double least = ThinnestTet / TetsOfCube / std::ldexp(1., 3 * this->Options.Levels);
+  auto* origins =
+    vtkIdTypeArray::SafeDownCast(solid->GetCellData()->GetArray("vtkOriginalCellIds"));
+  for (vtkIdType tet = 0; tet < solid->GetNumberOfCells(); ++tet)
+  {
+    vtkIdType size;
+    const vtkIdType* corners;
+    solid->GetCellPoints(tet, size, corners);
+    double at[4][3];
+    for (int c = 0; c < 4; ++c)
+    {
+      solid->GetPoint(corners[c], at[c]);
+    }
+    double edges[3][3];
+    for (int c = 0; c < 3; ++c)
+    {
+      vtkMath::Subtract(at[c + 1], at[0], edges[c]);
+    }
+    const double volume = vtkMath::Determinant3x3(edges) / 6. / voxel;
+    const vtkIdType cell = origins->GetValue(tet);
+    found.Volumes[net.GetCellLabels()[cell]] += volume;
+    found.NumberOfInverted += volume <= 0. ? 1 : 0;
+    if (volume < least && (found.Thin.empty() || found.Thin.back() != cell))
+    {
+      found.Thin.push_back(cell);
+    }
+  }
+  return found;
+}
+
+/// The largest relative error of volumes.
+double LabelSolid::GetError(const std::vector<double>& volumes) const
+{
+  double largest = 0.;
+  for (std::size_t m = 1; m < volumes.size(); ++m)
+  {
+    const double error = this->Wanted[m] > 0. ? volumes[m] / this->Wanted[m] - 1. : 0.;
+    largest = std::max(largest, std::abs(error));
+  }
+  return largest;
+}
+
+void LabelSolid::WarnOf(const Measures& found) const
+{
+  if (found.NumberOfInverted > 0)
+  {
+    this->Options.Warn(std::to_string(found.NumberOfInverted) +
+      " tetrahedra are inverted or flat. Make MaximumDisplacement smaller.");
+  }
+  int count = 0;
+  std::string first;
+  for (std::size_t m = 1; m < found.Volumes.size(); ++m)
+  {
+    const double volume = this->Wanted[m] > 0. ? found.Volumes[m] / this->Wanted[m] : 1.;
+    if (std::abs(volume - 1.) > ToldError && ++count == 1)
+    {
+      first = "label " + Text(this->Fine.Labels[m - 1]) + " has " + std::to_string(100. * volume) +
+        " % of the volume of its voxels";
+    }
+  }
+  if (count > 0)
+  {
+    this->Options.Warn(std::to_string(count) + " of " + std::to_string(this->Fine.Labels.size()) +
+      " labels do not keep their volumes to 0.5 %; " + first +
+      ". Parts that are thinner than a control voxel would have to move farther than "
+      "MaximumDisplacement. Make NumberOfControlCells larger, if it is not 0.");
+  }
+}
+
+/// Looks for points whose limits have the volumes of the voxels, and no thin tetrahedra.
+vtkUnstructuredGrid* LabelSolid::Solve(
+  LabelNet& net, const Placement& placement, vtkUnstructuredGrid* grid)
+{
+  const double voxel = std::abs(placement.GetVoxelVolume());
+  std::vector<double> target = this->Wanted;
+  double before = VTK_DOUBLE_MAX;
+  for (int round = 1;; ++round)
+  {
+    const auto corners = net.HoldVolumes(target);
+    for (vtkIdType i = 0; i < net.GetNumberOfPoints(); ++i)
+    {
+      double point[3];
+      placement.Place(corners[i], point);
+      grid->GetPoints()->SetPoint(i, point);
+    }
+    grid->GetPoints()->Modified();
+    vtkUnstructuredGrid* solid = this->Options.Subdivide(grid);
+    if (!solid)
+    {
+      return nullptr;
+    }
+    const Measures found = this->Measure(solid, net, voxel);
+    const double error = this->GetError(found.Volumes);
+    const bool isHeld = error < VolumeError || (round > FewestRounds && error > .9 * before);
+    if ((isHeld && found.Thin.empty()) || round == MostRounds)
+    {
+      this->WarnOf(found);
+      return solid;
+    }
+    before = error;
+    net.Stiffen(found.Thin);
+    for (std::size_t m = 1; m < target.size(); ++m)
+    {
+      target[m] *=
+        found.Volumes[m] > 0. ? std::clamp(this->Wanted[m] / found.Volumes[m], .5, 2.) : 1.;
+    }
+  }
+}
+
+bool LabelSolid::Run(vtkUnstructuredGrid* output)
+{
+  if (!this->Read())
+  {
+    return false;
+  }
+  if (this->Fine.NumberOfMaterialVoxels == 0)
+  {
+    this->Options.Warn("All voxels have the label of the background, " +
+      Text(this->Options.Background) + ", or are hidden: the output is empty.");
+    return true;
+  }
+  LabelNet net(this->Coarse, this->Options.LargestMove);
+  this->WarnOfLostLabels(net);
+  if (net.GetCells().empty())
+  {
+    return true;
+  }
+  this->Wanted.assign(this->Fine.Labels.size() + 1, 0.);
+  const double part = 1. / std::pow(static_cast<double>(this->Length), 3);
+  std::vector<bool> isThere(this->Wanted.size(), false);
+  for (const int label : net.GetCellLabels())
+  {
+    isThere[label] = true;
+  }
+  for (const int label : this->Fine.Voxels)
+  {
+    this->Wanted[label] += isThere[label] ? part : 0.;
+  }
+  if (this->Options.Progress(.05))
+  {
+    return false;
+  }
+  net.Smooth(this->Options.SmoothingSteps);
+  const Placement placement(this->Image, this->Options.OfPoints, this->Length);
+  const auto grid = this->MakeControlMesh(net, placement);
+  vtkUnstructuredGrid* solid = this->Solve(net, placement, grid);
+  if (!solid)
+  {
+    return false;
+  }
+  output->ShallowCopy(solid);
+  output->GetCellData()->RemoveArray("vtkOriginalCellIds");
+  output->GetPointData()->RemoveArray("vtkOriginalPointIds");
+  output->GetCellData()->SetActiveScalars(this->Name.c_str());
+  return true;
+}
+
+}
+
+std::string GetLabelName(const LabelSolidOptions& options)
+{
+  const char* name = options.Labels->GetName();
+  return name && *name ? name : "Label";
+}
+
+bool MakeLabelSolid(
+  vtkImageData* image, const LabelSolidOptions& options, vtkUnstructuredGrid* output)
+{
+  return LabelSolid(image, options).Run(output);
+}
+
+}

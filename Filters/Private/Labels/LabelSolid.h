@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LabelSolid.h
+ * The work of vtkSubdivisionLabelSolid.
+ */
+#ifndef SubdivisionObjects_LabelSolid_h
+#define SubdivisionObjects_LabelSolid_h
+
+#include "Private/Control/RunOptions.h"
+
+#include "vtkType.h"
+
+#include <functional>
+#include <string>
+
+class vtkDataArray;
+class vtkFieldData;
+class vtkImageData;
+class vtkUnstructuredGrid;
+
+namespace subdivision
+{
+
+struct LabelSolidOptions : RunOptions
+{
+  vtkDataArray* Labels = nullptr; ///< of the image, one for each voxel
+  bool OfPoints = false;          ///< voxels are around points; false: they are the cells
+  double Background = 0.;
+  vtkIdType WantedCells = 0; ///< of the control mesh; 0: one for each voxel
+  int SmoothingSteps = 0;
+  double LargestMove = 0.; ///< in control voxels
+  int Levels = 0;
+  vtkFieldData* Materials = nullptr; ///< a table; null: there is none
+  /// Makes the limit that passes through the points of a grid of hexahedra, with interfaces between
+  /// labels, and original ids. Returns null after an error or a stop.
+  std::function<vtkUnstructuredGrid*(vtkUnstructuredGrid*)> Subdivide;
+};
+
+/// The name of the output's labels.
+std::string GetLabelName(const LabelSolidOptions& options);
+
+/// Returns false after an error or a stop.
+bool MakeLabelSolid(
+  vtkImageData* image, const LabelSolidOptions& options, vtkUnstructuredGrid* output);
+
+}
+
+#endif

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSubdivisionLabelSolid.h"
+
+#include "vtkMultiDimensionalSubdivision.h"
+
+#include "Private/Control/FilterRun.h"
+#include "Private/Labels/LabelSolid.h"
+#include "Private/Labels/Materials.h"
+#include "Private/Reading/InputArrays.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkSubdivisionLabelSolid);
+
+namespace
+{
+
+/// The filter that makes the solid. Its warnings are not passed on: what they tell of is measured,
+/// and may be mended by the next round.
+class InnerFilter
+{
+public:
+  explicit InnerFilter(subdivision::LabelSolidOptions& options)
+    : Options(options)
+  {
+    vtkNew<vtkCallbackCommand> listener;
+    listener->SetClientData(this);
+    listener->SetCallback(Listen);
+    for (const unsigned long event :
+      { vtkCommand::WarningEvent, vtkCommand::ErrorEvent, vtkCommand::ProgressEvent })
+    {
+      this->Filter->AddObserver(event, listener);
+    }
+  }
+  vtkMultiDimensionalSubdivision* operator->() { return this->Filter; }
+  /// Returns null after an error or a stop.
+  vtkUnstructuredGrid* Run(vtkUnstructuredGrid* grid)
+  {
+    ++this->Round;
+    this->Filter->SetInputData(grid);
+    this->Filter->Update();
+    return this->IsStopped ? nullptr : this->Filter->GetOutput();
+  }
+
+private:
+  static void Listen(vtkObject*, unsigned long event, void* self, void* data)
+  {
+    auto* inner = static_cast<InnerFilter*>(self);
+    if (event == vtkCommand::ErrorEvent)
+    {
+      inner->IsStopped = true;
+      inner->Options.Fail(static_cast<const char*>(data));
+    }
+    else if (event == vtkCommand::ProgressEvent &&
+      inner->Options.Progress(1. - (1. - *static_cast<double*>(data) / 2.) / inner->Round))
+    {
+      inner->IsStopped = true;
+      inner->Filter->SetAbortExecute(1);
+    }
+  }
+
+  subdivision::LabelSolidOptions& Options;
+  vtkNew<vtkMultiDimensionalSubdivision> Filter;
+  int Round = 0;
+  bool IsStopped = false;
+};
+
+}
+
+vtkSubdivisionLabelSolid::vtkSubdivisionLabelSolid()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkSubdivisionLabelSolid::~vtkSubdivisionLabelSolid() = default;
+
+void vtkSubdivisionLabelSolid::SetMaterialsConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+int vtkSubdivisionLabelSolid::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkTable");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
+
+int vtkSubdivisionLabelSolid::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  // All pieces come to RequestData, which makes the first one.
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+/// Smoothing needs the whole image.
+int vtkSubdivisionLabelSolid::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkInformation* info = inputVector[port]->GetInformationObject(0);
+    if (info)
+    {
+      info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      if (info->Has(Pipeline::WHOLE_EXTENT()))
+      {
+        int whole[6];
+        info->Get(Pipeline::WHOLE_EXTENT(), whole);
+        info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
+      }
+    }
+  }
+  return 1;
+}
+
+bool vtkSubdivisionLabelSolid::FindLabels(
+  vtkImageData* image, subdivision::LabelSolidOptions& options)
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
+  const std::string name = subdivision::GetInputArrayName(this, LABELS_ARRAY, association);
+  vtkDataSetAttributes* points = image->GetPointData();
+  vtkDataSetAttributes* cells = image->GetCellData();
+  if (name.empty())
+  {
+    options.OfPoints = points->GetScalars();
+    options.Labels = options.OfPoints ? points->GetScalars() : cells->GetScalars();
+  }
+  else
+  {
+    options.OfPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS ||
+      (association != vtkDataObject::FIELD_ASSOCIATION_CELLS && points->HasArray(name.c_str()));
+    const subdivision::ArrayRequest request{ LABELS_ARRAY, nullptr, false, options.OfPoints };
+    if (!subdivision::FindInputArray(this, options.OfPoints ? points : cells,
+          options.OfPoints ? image->GetNumberOfPoints() : image->GetNumberOfCells(), request,
+          options.Warn, options.Fail, options.Labels))
+    {
+      return false;
+    }
+  }
+  if (!options.Labels || options.Labels->GetNumberOfComponents() != 1)
+  {
+    options.Fail("The input has no labels: choose a point or cell array with one whole number for "
+                 "each voxel (array index 0), or make it the active scalars.");
+    return false;
+  }
+  return true;
+}
+
+int vtkSubdivisionLabelSolid::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  if (info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return 1; // the first piece is the whole solid
+  }
+  auto* image = vtkImageData::GetData(inputVector[0]);
+  auto* output = vtkUnstructuredGrid::GetData(outputVector);
+  subdivision::LabelSolidOptions options;
+  bool failed = false;
+  subdivision::ConnectToFilter(this, options, failed);
+  if (!this->FindLabels(image, options))
+  {
+    return 1; // 0 would make the pipeline tell a second error
+  }
+  const std::string name = subdivision::GetLabelName(options);
+  if (auto* table = vtkTable::GetData(inputVector[1]))
+  {
+    options.Materials = table->GetRowData();
+  }
+  else if (subdivision::IsMaterialTable(image->GetFieldData(), name))
+  {
+    options.Materials = image->GetFieldData();
+  }
+  options.Background = this->BackgroundLabel;
+  options.WantedCells = this->NumberOfControlCells;
+  options.SmoothingSteps = this->NumberOfSmoothingSteps;
+  options.LargestMove = this->MaximumDisplacement;
+  options.Levels = this->NumberOfLevels;
+  options.MaximumNumberOfCells = this->MaximumNumberOfCells;
+  InnerFilter inner(options);
+  inner->SetController(nullptr);
+  inner->SetNumberOfLevels(this->NumberOfLevels);
+  inner->SetVolumeScheme(this->VolumeScheme == TET_OCT
+      ? vtkMultiDimensionalSubdivision::TET_OCT
+      : vtkMultiDimensionalSubdivision::BOX_SPLINE);
+  inner->SetMaximumNumberOfCells(this->MaximumNumberOfCells);
+  inner->SetProjectToLimit(true);
+  inner->SetInterpolatePoints(true);
+  inner->SetPreserveInterfaces(true);
+  inner->SetGenerateOriginalIds(true);
+  inner->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name.c_str());
+  options.Subdivide = [&inner](vtkUnstructuredGrid* grid) { return inner.Run(grid); };
+  subdivision::FilterTraits traits;
+  traits.Memory = "so many voxels. Make NumberOfControlCells smaller, use fewer levels, or take a "
+                  "part of the image.";
+  if (!subdivision::DoWork(
+        traits, options, [&] { return subdivision::MakeLabelSolid(image, options, output); }))
+  {
+    output->Initialize();
+  }
+  return 1;
+}
+
+void vtkSubdivisionLabelSolid::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "BackgroundLabel: " << this->BackgroundLabel << "\n";
+  os << indent << "NumberOfControlCells: " << this->NumberOfControlCells << "\n";
+  os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
+  os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
+  os << indent << "NumberOfSmoothingSteps: " << this->NumberOfSmoothingSteps << "\n";
+  os << indent << "MaximumDisplacement: " << this->MaximumDisplacement << "\n";
+  os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
+}

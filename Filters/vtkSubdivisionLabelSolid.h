@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSubdivisionLabelSolid
+ * @brief   a smooth solid of many materials from an image of labels
+ *
+ * Makes tetrahedra of all voxels of an image but those of the background. Interfaces between
+ * labels, and between labels and background, are smooth surfaces that the cells of both sides
+ * share; each label keeps the volume that its voxels have.
+ *
+ * @par Algorithm
+ * Blocks of k^3 voxels become one control voxel, with k as small as NumberOfControlCells allows:
+ * of the label that most of the voxels have. Where labels have equally many, materials come before
+ * background, then the smallest label; what a block has beyond the image is background. The corners
+ * of control voxels are smoothed without shrinking (G. Taubin), those on interfaces along
+ * interfaces, those on curves where interfaces meet along these; none moves farther than
+ * MaximumDisplacement. Then they are moved as little as possible so that labels have their volumes,
+ * and vtkMultiDimensionalSubdivision makes the limit that passes through them, with
+ * PreserveInterfaces. The filter measures this solid, corrects the corners for the difference in
+ * volume, takes a quarter of the smoothing back around tetrahedra that are thinner than 2 % of
+ * those of a cube, and repeats this up to 8 times, mostly twice. Voxels that meet in an edge or a
+ * point alone become joints.
+ *
+ * @par Accuracy
+ * Volumes are those of the input's voxels to 0.1 %, or 0.5 % where parts are about as thin as a
+ * control voxel; of larger differences a warning tells. The distance of the smooth interfaces from
+ * the faces of the control voxels is at most about MaximumDisplacement control voxels, both ways.
+ * No solid is inverted; of any that is a warning tells.
+ *
+ * @par Input
+ * Port 0: vtkImageData, with any direction matrix. Labels of points: voxels are centred on the
+ * points, those of the border too, so that the solid is half a voxel larger than the image on each
+ * side. Labels of cells: voxels are the cells. Hidden points and cells are background. Port 1, not
+ * required: a vtkTable with one row for each material. A row is for the label in the column that
+ * has the name of the label array, else in the column `Label`, else for the label that is its
+ * number, from 0. Without a table the field arrays of the image are one if such a column is there.
+ *
+ * @par Arrays read, by SetInputArrayToProcess
+ *  - 0, labels: cell or point array with whole numbers of any type, up to 2^53, one for each voxel;
+ *    unset: the active scalars of points, else of cells.
+ *
+ * @par Output
+ * A vtkUnstructuredGrid of VTK_TETRA cells, on the limit. Cell arrays: the labels (the active
+ * scalars), with name and type of the input's; the other arrays of the voxels but ids, those of
+ * floating point numbers averaged over the voxels of the block that have its label, of others the
+ * tuple of the first of these; the columns of the table that have numbers. Field arrays: those of
+ * the image, and all columns of the table, so also the names of materials.
+ *
+ * @par Errors
+ * The filter gives an error, and no cells, if there are no labels, if a label is no whole number,
+ * if the output would have more than MaximumNumberOfCells cells, or if there is not enough memory.
+ * An image of background alone gives no cells, and a warning; labels that coarsening loses give a
+ * warning, too.
+ *
+ * @par Ranks
+ * The first rank asks for the whole image and makes the whole output.
+ *
+ * @sa
+ * vtkMultiDimensionalSubdivision
+ */
+#ifndef vtkSubdivisionLabelSolid_h
+#define vtkSubdivisionLabelSolid_h
+
+#include "vtkSubdivisionObjectsModule.h" // for export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+class vtkDataArray;
+class vtkImageData;
+namespace subdivision
+{
+struct LabelSolidOptions;
+}
+
+class VTKSUBDIVISIONOBJECTS_EXPORT vtkSubdivisionLabelSolid : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkSubdivisionLabelSolid* New();
+  vtkTypeMacro(vtkSubdivisionLabelSolid, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The table of materials, input port 1.
+   */
+  void SetMaterialsConnection(vtkAlgorithmOutput* output);
+
+  ///@{
+  /**
+   * The label of voxels that are left out. Default 0.
+   */
+  vtkSetMacro(BackgroundLabel, int);
+  vtkGetMacro(BackgroundLabel, int);
+  ///@}
+
+  ///@{
+  /**
+   * How many control voxels there may be without the background, 0 or more; default 20000. 0: one
+   * for each voxel of the image. Each becomes 6 tetrahedra, and these 8 on each level.
+   */
+  vtkSetClampMacro(NumberOfControlCells, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(NumberOfControlCells, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Number of subdivision steps, 0 to 20, default 1. Points are on the limit whatever it is.
+   */
+  vtkSetClampMacro(NumberOfLevels, int, 0, 20);
+  vtkGetMacro(NumberOfLevels, int);
+  ///@}
+
+  enum VolumeSchemes
+  {
+    BOX_SPLINE,
+    TET_OCT
+  };
+  ///@{
+  /**
+   * How solids are split and smoothed inside: BOX_SPLINE (0, the default) or TET_OCT (1; adds the
+   * cell array `OctahedronId`), as in vtkMultiDimensionalSubdivision. Interfaces are the same.
+   */
+  vtkSetClampMacro(VolumeScheme, int, BOX_SPLINE, TET_OCT);
+  vtkGetMacro(VolumeScheme, int);
+  void SetVolumeSchemeToBoxSpline() { this->SetVolumeScheme(BOX_SPLINE); }
+  void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(TET_OCT); }
+  ///@}
+
+  ///@{
+  /**
+   * How often corners are smoothed, each time by a step inwards and one outwards: 0 to 1000,
+   * default 20. With 0 the solid follows the stairs of the voxels.
+   */
+  vtkSetClampMacro(NumberOfSmoothingSteps, int, 0, 1000);
+  vtkGetMacro(NumberOfSmoothingSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * How far smoothing may move a corner, in control voxels, 0 to 1, default 0.55. Above 0.5
+   * opposite sides of a part that is one voxel thin could meet; the filter takes smoothing back
+   * there.
+   */
+  vtkSetClampMacro(MaximumDisplacement, double, 0., 1.);
+  vtkGetMacro(MaximumDisplacement, double);
+  ///@}
+
+  ///@{
+  /**
+   * The filter stops with an error, before it takes any memory for them, if the output would have
+   * more cells than this, 1 or more. Default 500 million.
+   */
+  vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, VTK_ID_MAX);
+  vtkGetMacro(MaximumNumberOfCells, vtkIdType);
+  ///@}
+
+protected:
+  vtkSubdivisionLabelSolid();
+  ~vtkSubdivisionLabelSolid() override;
+
+  /// Indices of SetInputArrayToProcess.
+  enum ArrayIndices
+  {
+    LABELS_ARRAY
+  };
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int BackgroundLabel = 0;
+  vtkIdType NumberOfControlCells = 20000;
+  int NumberOfLevels = 1;
+  int VolumeScheme = BOX_SPLINE;
+  int NumberOfSmoothingSteps = 20;
+  double MaximumDisplacement = .55;
+  vtkIdType MaximumNumberOfCells = 500000000;
+
+private:
+  /// Sets the array of labels of `options`. Returns false after an error.
+  bool FindLabels(vtkImageData* image, subdivision::LabelSolidOptions& options);
+
+  vtkSubdivisionLabelSolid(const vtkSubdivisionLabelSolid&) = delete;
+  void operator=(const vtkSubdivisionLabelSolid&) = delete;
+};
+
+#endif
