@@ -24,8 +24,9 @@ def distinct(grid):
 def run():
     file_name = os.path.join(os.environ["SUBDIVISIONOBJECTS_DATA"], "SpringAndValve.vtu")
     mesh = ranks.simple.XMLUnstructuredGridReader(FileName=[file_name], TimeArray="None")
-    known_ids = ranks.simple.GenerateGlobalIds(Input=mesh)
-    spread = ranks.simple.RedistributeDataSet(Input=known_ids)
+    # ParaView 6 has another name for it.
+    known_ids = getattr(ranks.simple, "GlobalPointAndCellIds", None) or ranks.simple.GenerateGlobalIds
+    spread = ranks.simple.RedistributeDataSet(Input=known_ids(Input=mesh))
     spread.UpdatePipeline()
     mesh.UpdatePipeline()
     read, kept = ranks.totals([proxy.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells()
