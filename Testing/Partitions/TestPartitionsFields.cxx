@@ -44,7 +44,7 @@ Options MakeOptions()
 
 /// Compares parts with the whole. `work` gets the options for a part, with its materials.
 template <typename Options, typename Work>
-void ExpectWholeOf(const Options& options, bool worksInRounds, const Work& work)
+void ExpectWholeOf(const Options& options, const Work& work)
 {
   for (const Mesh& mesh : MakeMeshes())
   {
@@ -65,7 +65,7 @@ void ExpectWholeOf(const Options& options, bool worksInRounds, const Work& work)
       SCOPED_TRACE(std::string(partition.Name) + ", mesh of " +
         std::to_string(mesh->GetNumberOfCells()) + " cells");
       subdivision::DistributionOptions distribution;
-      distribution.WorksInRounds = worksInRounds;
+      distribution.WorksInRounds = true;
       std::vector<Mesh> outputs;
       EXPECT_TRUE(RunOnParts(Cut(mesh, partition), partition, distribution, shared, run, outputs));
       ExpectWhole(whole, outputs);
@@ -88,7 +88,7 @@ TEST(PartitionsFields, GiveTheWholeUniformly)
     options.Levels = 2;
     options.Scheme = scheme;
     options.ProjectToLimit = scheme == subdivision::StampScheme::BoxSpline;
-    ExpectWholeOf(options, false,
+    ExpectWholeOf(options,
       [](vtkPointSet* input, const subdivision::UniformOptions& own, vtkPointSet* output)
       { return SubdivideUniformly(input, own, vtkUnstructuredGrid::SafeDownCast(output)); });
   }
@@ -100,7 +100,7 @@ TEST(PartitionsFields, GiveTheWholeOfRedGreen)
   options.Criteria.ByEdgeLength = true;
   options.Criteria.MaximumEdgeLength = 0.4;
   options.Criteria.MaximumLevel = 2;
-  ExpectWholeOf(options, true,
+  ExpectWholeOf(options,
     [](vtkPointSet* input, const subdivision::RedGreenOptions& own, vtkPointSet* output)
     { return RefineRedGreen(input, own, vtkUnstructuredGrid::SafeDownCast(output)); });
 }
