@@ -61,6 +61,9 @@ public:
   int FindFirst();
   /// Sets each value to the largest that a partition has.
   void FindLargest(std::vector<double>& values);
+
+private:
+  int First = -1; ///< the result of FindFirst, once it is known
 };
 
 inline vtkIdType Partners::Sum(vtkIdType own)
@@ -75,13 +78,16 @@ inline vtkIdType Partners::Sum(vtkIdType own)
 
 inline int Partners::FindFirst()
 {
-  const std::vector<vtkIdType> all = this->Gather(0);
-  int first = 0;
-  while (all[first] < 0)
+  if (this->First < 0)
   {
-    ++first;
+    const std::vector<vtkIdType> all = this->Gather(0);
+    this->First = 0;
+    while (all[this->First] < 0)
+    {
+      ++this->First;
+    }
   }
-  return first;
+  return this->First;
 }
 
 inline void Partners::FindLargest(std::vector<double>& values)
