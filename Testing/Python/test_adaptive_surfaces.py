@@ -52,8 +52,9 @@ class InParaView(unittest.TestCase):
     def test_criteria_are_those_of_red_green_refinement(self):
         adaptive, redgreen = ({key for key in proxy.ListProperties()} for proxy in (
             simple.AdaptiveSurfaceSubdivision(Input=self.sphere), simple.RedGreenRefinement(Input=self.sphere)))
-        self.assertEqual(redgreen - adaptive, {"Placement", "EmbeddedCells", "PreserveInterfaces", "MaterialArray",
-                                               "PartArray", "RuleArray"})
+        self.assertEqual(redgreen - adaptive, {"Placement", "EmbeddedCells", "PartArray", "RuleArray",
+                                               "InterpolatePoints", "InterpolateArrays", "InterpolatedArrays",
+                                               "InterpolationWeight"})
         self.assertEqual(adaptive - redgreen, {"GenerateLimitNormals", "GenerateTangents", "Use32BitIds"})
 
     def test_selection(self):
