@@ -129,9 +129,9 @@ private:
   bool HasTurned = false;                  ///< octahedra are cut around their shortest diagonals
   Partners* Others = nullptr;              ///< null: the mesh is the whole
   WantedSimplices Wanted;
-  ControlNumbers Numbers; ///< if there are others
-  bool Solves = false;                     ///< all partitions interpolate
-  bool ReusesPoints = false;               ///< what was kept has the points of the output
+  ControlNumbers Numbers;    ///< if there are others
+  bool Solves = false;       ///< all partitions interpolate
+  bool ReusesPoints = false; ///< what was kept has the points of the output
   /// For an input with octahedra: the cells whose values the children of its cells take
   /// (FindParents).
   std::vector<vtkIdType> Parents;
