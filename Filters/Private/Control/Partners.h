@@ -61,9 +61,6 @@ public:
   int FindFirst();
   /// Sets each value to the largest that a partition has.
   void FindLargest(std::vector<double>& values);
-
-private:
-  int First = -1; ///< the result of FindFirst, once it is known
 };
 
 inline vtkIdType Partners::Sum(vtkIdType own)
@@ -78,16 +75,13 @@ inline vtkIdType Partners::Sum(vtkIdType own)
 
 inline int Partners::FindFirst()
 {
-  if (this->First < 0)
+  const std::vector<vtkIdType> all = this->Gather(0);
+  int first = 0;
+  while (all[first] < 0)
   {
-    const std::vector<vtkIdType> all = this->Gather(0);
-    this->First = 0;
-    while (all[this->First] < 0)
-    {
-      ++this->First;
-    }
+    ++first;
   }
-  return this->First;
+  return first;
 }
 
 inline void Partners::FindLargest(std::vector<double>& values)
