@@ -61,10 +61,12 @@ std::vector<Grid> MakeMeshes()
       box->GetCellBounds(c, bounds);
       return bounds[0] + bounds[1] < 2.5 ? 0 : (bounds[2] + bounds[3] < 2.5 ? 1 : 2);
     }));
-  for (int seed = 0; seed < 4; ++seed)
+  for (int seed = 0; seed < 5; ++seed)
   {
     std::mt19937 chance(static_cast<unsigned>(seed));
-    const Grid mesh = seed == 0 ? box : MakeRandomComplex(static_cast<unsigned>(seed));
+    const Grid mesh = seed == 0 ? box
+      : seed == 4               ? MakeKuhnBox(2, 0.1)
+                                : MakeRandomComplex(static_cast<unsigned>(seed));
     meshes.push_back(AddMaterials(mesh, [&](vtkIdType) { return static_cast<int>(chance() % 3); }));
   }
   return meshes;
@@ -333,23 +335,26 @@ TEST(MaterialFields, FiltersInARow)
   }
 }
 
-// The same with kept operators and other values.
+// The same with kept operators and other values, and without a cache.
 TEST(MaterialFields, KeptOperators)
 {
-  const Grid mesh = MakeMeshes().front();
-  vtkNew<vtkMultiDimensionalSubdivision> filter;
-  filter->SetNumberOfLevels(2);
-  Jump(filter);
-  Update(filter.Get(), mesh);
-  const vtkIdType builds = filter->GetNumberOfTopologyBuilds();
-  const Grid other = DeepCopy(mesh);
-  other->GetPointData()->GetArray(ValueName)->SetComponent(7, 0, 12.);
-  const Grid again = Update(filter.Get(), other);
-  EXPECT_EQ(builds, filter->GetNumberOfTopologyBuilds());
-  vtkNew<vtkMultiDimensionalSubdivision> fresh;
-  fresh->SetNumberOfLevels(2);
-  Jump(fresh);
-  EXPECT_EQ("", Compare(Update(fresh.Get(), other), again));
+  for (const Grid& mesh : MakeMeshes())
+  {
+    vtkNew<vtkMultiDimensionalSubdivision> filter;
+    filter->SetNumberOfLevels(3);
+    Jump(filter);
+    Update(filter.Get(), mesh);
+    const vtkIdType builds = filter->GetNumberOfTopologyBuilds();
+    const Grid other = DeepCopy(mesh);
+    other->GetPointData()->GetArray(ValueName)->SetComponent(7, 0, 12.);
+    const Grid again = Update(filter.Get(), other);
+    EXPECT_EQ(builds, filter->GetNumberOfTopologyBuilds());
+    vtkNew<vtkMultiDimensionalSubdivision> fresh;
+    fresh->SetNumberOfLevels(3);
+    fresh->SetCacheOperator(false);
+    Jump(fresh);
+    EXPECT_EQ("", Compare(Update(fresh.Get(), other), again));
+  }
 }
 
 TEST(MaterialFields, SaysWhatItIgnores)
