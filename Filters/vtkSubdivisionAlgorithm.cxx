@@ -168,6 +168,13 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
         : "This filter has no values that jump at interfaces: it ignores InterfaceValues.");
     hasFields = false;
   }
+  if (hasFields && options.Interpolation.Arrays)
+  {
+    distribution.Warnings.emplace_back(
+      "Values that jump are not interpolated: with InterfaceValues = DISCONTINUOUS_VALUES the "
+      "filter ignores InterpolateArrays.");
+    options.Interpolation.Arrays = false;
+  }
   distribution.AddBlockIndex = this->PreserveInterfaces;
   distribution.Prepare = [this](vtkPointSet* block, vtkPointSet* copy)
   { this->Prepare(block, copy); };

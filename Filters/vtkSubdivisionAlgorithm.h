@@ -260,7 +260,8 @@ public:
    * Arrays of floating point numbers and AddFieldOfCells become fields; all others, and
    * coordinates, are equal for copies. Needs PreserveInterfaces; without, and in filters that have
    * no interfaces, it is ignored with a warning. Needs memory for each array as often as there are
-   * materials of which each meets all others; an error if these are more than 32.
+   * materials of which each meets all others; an error if these are more than 32. InterpolateArrays
+   * is ignored then, with a warning.
    */
   vtkSetClampMacro(InterfaceValues, int, CONTINUOUS_VALUES, DISCONTINUOUS_VALUES);
   vtkGetMacro(InterfaceValues, int);

@@ -384,8 +384,11 @@ TEST(MaterialFields, SaysWhatItIgnores)
   filter->AddFieldOfCells("nothing");
   filter->AddFieldOfCells(ValueName);
   filter->Update();
-  EXPECT_EQ(1, messages->CountWarnings("nothing"));
-  EXPECT_EQ(1, messages->CountWarnings(ValueName));
+  filter->InterpolateArraysOn();
+  filter->Update();
+  EXPECT_EQ(1, messages->CountWarnings("ignores InterpolateArrays"));
+  EXPECT_EQ(2, messages->CountWarnings("nothing"));
+  EXPECT_EQ(2, messages->CountWarnings("\"Value\""));
   EXPECT_TRUE(messages->Errors.empty());
 }
 
