@@ -256,12 +256,12 @@ public:
    * materials meet has a copy for each of them, at the same place: copies follow after all other
    * points, each cell names those of its material, and the point array `MaterialPointIds`
    * (vtkIdType) says which point each is. Another filter with the same option, or whoever joins
-   * equal ids, gets the mesh without copies back; vtkGlobalPointIds are equal for copies, too.
-   * Arrays of floating point numbers and AddFieldOfCells become fields; all others, and
-   * coordinates, are equal for copies. Needs PreserveInterfaces; without, and in filters that have
-   * no interfaces, it is ignored with a warning. Needs memory for each array as often as there are
-   * materials of which each meets all others; an error if these are more than 32. InterpolateArrays
-   * is ignored then, with a warning.
+   * equal ids, gets the mesh without copies back (not from several blocks or ranks: then the
+   * filter warns). Global ids are equal for copies, too. Arrays of floating point numbers and
+   * AddFieldOfCells become fields; all others, and coordinates, are equal for copies. Needs
+   * PreserveInterfaces; without, and in filters that have no interfaces, it is ignored with a
+   * warning. Needs memory for each array as often as there are materials of which each meets all
+   * others; an error if these are more than 32. InterpolateArrays is ignored then, with a warning.
    */
   vtkSetClampMacro(InterfaceValues, int, CONTINUOUS_VALUES, DISCONTINUOUS_VALUES);
   vtkGetMacro(InterfaceValues, int);
