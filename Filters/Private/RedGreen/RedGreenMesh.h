@@ -9,6 +9,7 @@
 #define SubdivisionObjects_RedGreenMesh_h
 
 #include "Core/Solids/RedGreen/RedGreenOutput.h"
+#include "Private/Arrays/Arrays.h"
 #include "Private/Control/ControlMesh.h"
 
 #include <array>
@@ -40,6 +41,11 @@ struct RedGreenMesh
   {
     const auto& parents = this->Control.Cells.ParentCells;
     return parents.empty() ? simplex : parents[simplex];
+  }
+  /// Whether an array of original ids goes on, because an earlier filter of this kind wrote it.
+  bool CarriesOriginals(vtkDataSetAttributes* data, const char* name, vtkIdType size) const
+  {
+    return (this->IsContinued || this->Control.IsStamped) && HasIds(data, name, size);
   }
   CellScope GetScope(vtkIdType simplex) const
   {

@@ -12,18 +12,17 @@
 #include "Private/RedGreen/RedGreenLimit.h"
 #include "Private/RedGreen/RedGreenMesh.h"
 #include "Private/RedGreen/RedGreenNumbers.h"
+#include "Private/RedGreen/RedGreenWriter.h"
 #include "Private/RedGreen/RefinementMarks.h"
 #include "Private/RedGreen/SharedSplits.h"
 #include "Private/RedGreen/VertexOrigins.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -79,13 +78,6 @@ private:
 
   template <typename Id>
   void MakePoints(const RedGreen<Id>& state, const RedGreenLimit<Id>& limit);
-  template <typename Id>
-  void MakeCells(const RedGreenOutput<Id>& plan);
-  void WarnOfReplaced() const;
-  bool CarriesOriginals(vtkDataSetAttributes* data, const char* name, vtkIdType size) const
-  {
-    return (this->Mesh.IsContinued || this->Mesh.Control.IsStamped) && HasIds(data, name, size);
-  }
   Coordinates GetGivenCoordinates()
   {
     return this->GivenCoordinates.empty()
@@ -108,7 +100,6 @@ private:
   Partners* Others; ///< null: the input is the whole mesh
   vtkUnstructuredGrid* Output;
   RedGreenMesh Mesh;
-  std::vector<vtkIdType> Simplices; ///< of which each cell is a part; only for global ids
   std::unique_ptr<PointArrays> Points;
   std::vector<double> GivenCoordinates; ///< where Points has others, which interpolate them
   std::unique_ptr<RefinementCriteria> Criteria;
@@ -154,7 +145,8 @@ void RedGreenRun::StartPoints()
 {
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
-  arrays.CarryOriginalIds = this->CarriesOriginals(
+  arrays.HasMaterialFields = this->Options.HasMaterialFields;
+  arrays.CarryOriginalIds = this->Mesh.CarriesOriginals(
     this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
   arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;
   arrays.Warn = [this](const std::string& warning) { this->Warn(warning); };
@@ -527,7 +519,10 @@ bool RedGreenRun::Refine()
   shared.State->SortVertices();
   const RedGreen<Id>& state = *shared.State;
   const RedGreenOutput<Id> plan(state);
-  this->MakeCells(plan);
+  const bool addsNumbers = this->Others && this->Options.GenerateGlobalIds;
+  std::vector<vtkIdType> simplices;
+  WriteRedGreenCells(
+    plan, this->Input, this->Mesh, this->Options, addsNumbers ? &simplices : nullptr, this->Output);
   if (this->IsStopped(0.9))
   {
     return false;
@@ -536,10 +531,9 @@ bool RedGreenRun::Refine()
   TellOvershoot(*this->Points, this->Options, this->Input, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
   WriteRedGreenFields(this->Mesh, plan, this->Options.LimitPlacement, this->Output);
-  if (this->Others && this->Options.GenerateGlobalIds)
+  if (addsNumbers)
   {
-    AddRedGreenNumbers(
-      this->Input, this->Mesh, state, this->Simplices, *this->Others, this->Output);
+    AddRedGreenNumbers(this->Input, this->Mesh, state, simplices, *this->Others, this->Output);
   }
   return true;
 }
@@ -561,82 +555,6 @@ void RedGreenRun::MakePoints(const RedGreen<Id>& state, const RedGreenLimit<Id>&
     this->Points->Advance(MakeMidpointRows(state), origin);
   }
   this->Points->Finish(this->Output);
-}
-
-template <typename Id>
-void RedGreenRun::MakeCells(const RedGreenOutput<Id>& plan)
-{
-  const CellCounts counts = plan.GetCounts();
-  vtkNew<vtkIdTypeArray> offsets;
-  vtkNew<vtkIdTypeArray> connectivity;
-  vtkNew<vtkUnsignedCharArray> types;
-  vtkNew<vtkUnsignedCharArray> levels;
-  vtkNew<vtkUnsignedCharArray> kinds;
-  vtkNew<vtkIdTypeArray> parents;
-  Allocate(offsets, 1, counts.Cells + 1);
-  Allocate(connectivity, 1, counts.Entries);
-  Allocate(types, 1, counts.Cells);
-  Allocate(levels, 1, counts.Cells);
-  Allocate(kinds, 1, counts.Cells);
-  Allocate(parents, 1, counts.Cells);
-  levels->SetName(LevelName);
-  kinds->SetName(KindName);
-  parents->SetName(GreenParentName);
-  vtkNew<vtkIdTypeArray> sources;
-  Allocate(sources, 1, counts.Cells);
-  RedGreenStorage<vtkIdType> storage;
-  storage.Cells = { connectivity->GetPointer(0), offsets->GetPointer(0), types->GetPointer(0) };
-  storage.Levels = levels->GetPointer(0);
-  storage.Kinds = kinds->GetPointer(0);
-  storage.GreenParents = parents->GetPointer(0);
-  storage.InputCells = sources->GetPointer(0);
-  plan.Write(storage);
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, connectivity);
-  this->Output->SetCells(types, cells);
-  if (this->Others && this->Options.GenerateGlobalIds)
-  {
-    this->Simplices.assign(sources->GetPointer(0), sources->GetPointer(0) + counts.Cells);
-  }
-  if (!this->Mesh.Control.Cells.ParentCells.empty())
-  {
-    vtkIdType* ids = sources->GetPointer(0);
-    ForEach(counts.Cells, [&](vtkIdType i) { ids[i] = this->Mesh.GetInputCell(ids[i]); });
-  }
-  CellArrayOptions options;
-  options.OriginalIds = true;
-  options.CarryOriginalIds = this->CarriesOriginals(
-    this->Input->GetCellData(), OriginalCellIdsName, this->Input->GetNumberOfCells());
-  options.Replaced = { LevelName, KindName, GreenParentName };
-  if (!options.CarryOriginalIds)
-  {
-    options.Replaced.emplace_back(OriginalCellIdsName);
-  }
-  options.Warn = this->Options.Warn;
-  this->WarnOfReplaced();
-  CopyCellArrays(this->Input, sources, options, this->Output);
-  for (vtkDataArray* own : { static_cast<vtkDataArray*>(levels), static_cast<vtkDataArray*>(kinds),
-         static_cast<vtkDataArray*>(parents) })
-  {
-    AddInstead(this->Input->GetCellData(), own, this->Output->GetCellData());
-  }
-}
-
-/// Warns if an input that no filter of this kind made has arrays with the names of the output's.
-void RedGreenRun::WarnOfReplaced() const
-{
-  if (this->Mesh.IsContinued)
-  {
-    return;
-  }
-  for (const char* name : { LevelName, KindName, GreenParentName })
-  {
-    if (this->Input->GetCellData()->HasArray(name))
-    {
-      this->Options.Warn(std::string("The input's cell array \"") + name +
-        "\" is replaced: the filter writes an array of this name. Rename it to keep it.");
-    }
-  }
 }
 
 }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RedGreenWriter.h
+ * The cells of a refined mesh, and their arrays.
+ */
+#ifndef SubdivisionObjects_RedGreenWriter_h
+#define SubdivisionObjects_RedGreenWriter_h
+
+#include "Private/Control/RunOptions.h"
+#include "Private/RedGreen/RedGreenMesh.h"
+
+#include <vector>
+
+class vtkPointSet;
+class vtkUnstructuredGrid;
+
+namespace subdivision
+{
+
+/// Writes cells and cell data. `mesh` is what was read from `input`. `simplices` gets the simplex
+/// of the mesh of which each cell is a part; null: it is not wanted. Warns of arrays of the input
+/// that are replaced.
+template <typename Id>
+void WriteRedGreenCells(const RedGreenOutput<Id>& plan, vtkPointSet* input,
+  const RedGreenMesh& mesh, const RunOptions& run, std::vector<vtkIdType>* simplices,
+  vtkUnstructuredGrid* output);
+
+}
+
+#endif
