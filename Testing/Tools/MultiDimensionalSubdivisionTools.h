@@ -90,6 +90,20 @@ public:
   std::vector<std::string> Inversions;
 };
 
+/// Runs a filter, which may warn but not fail, and copies its output.
+template <typename Output, typename FilterClass>
+vtkSmartPointer<Output> UpdateWithoutErrors(FilterClass* filter, vtkDataObject* input)
+{
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputDataObject(input);
+  filter->Update();
+  EXPECT_TRUE(messages->Errors.empty());
+  const auto output = vtkSmartPointer<Output>::New();
+  output->DeepCopy(filter->GetOutput());
+  return output;
+}
+
 struct Options
 {
   int Levels = 1;

@@ -97,6 +97,7 @@ void AdaptiveRun<Id>::StartPoints()
 {
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
+  arrays.HasMaterialFields = this->Options.HasMaterialFields;
   arrays.OriginalIds = this->Options.GenerateOriginalIds;
   arrays.Warn = this->Options.Warn;
   arrays.Precision = this->Options.OutputPointsPrecision;

@@ -165,7 +165,6 @@ PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
       entry.Current = StartValues(vtkDataArray::SafeDownCast(array), array->GetDataType(), cells);
     }
     this->HasGathered = this->HasGathered || !entry.Current;
-    this->HasWeighted = this->HasWeighted || IsWeighted(name.c_str());
     this->Entries.push_back(entry);
   }
   this->StartOrigins();
@@ -268,7 +267,7 @@ void PointArrays::AdvanceSmoothed(const PointOperator& operation, const PointOpe
   ApplyToArrays(operation, arrays, also);
   for (const Entry& entry : this->Entries)
   {
-    if (entry.Current && IsWeighted(entry.Current->GetName()))
+    if (this->HasWeights(entry))
     {
       DivideByWeights(entry.Current);
     }
@@ -368,7 +367,7 @@ void PointArrays::KeepColours(const std::vector<ColourMask>& masks)
 {
   for (const Entry& entry : this->Entries)
   {
-    if (!masks.empty() && entry.Current && IsWeighted(entry.Current->GetName()))
+    if (!masks.empty() && this->HasWeights(entry))
     {
       const int colour = GetColour(entry.Current->GetName());
       const int components = entry.Current->GetNumberOfComponents();

@@ -9,6 +9,7 @@
 
 #include "Core/Memory/Coordinates.h"
 #include "Core/Operators/PointOperator.h"
+#include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/Colours.h"
 #include "Private/Reading/CellsToSimplices.h"
@@ -31,6 +32,8 @@ struct PointArrayOptions
   /// has from an earlier filter.
   bool OriginalIds = false;
   bool CarryOriginalIds = false;
+  /// Whether arrays of the names of MakeFieldName have weights.
+  bool HasMaterialFields = false;
   /// Arrays that the filter makes itself: the input's are left out.
   std::vector<std::string> Replaced;
   /// As in vtkAlgorithm.
@@ -95,7 +98,7 @@ public:
 
   /// Whether some array has weights (MaterialFields.h), by which its values are divided after each
   /// operator.
-  bool HasWeights() const { return this->HasWeighted; }
+  bool HasWeights() const { return this->Options.HasMaterialFields; }
   /// Takes away the values of points of those colours that their masks do not have; none: does
   /// nothing.
   void KeepColours(const std::vector<ColourMask>& masks);
@@ -150,6 +153,10 @@ private:
   };
 
   bool IsSmoothed(vtkAbstractArray* array) const;
+  bool HasWeights(const Entry& entry) const
+  {
+    return this->Options.HasMaterialFields && entry.Current && IsWeighted(entry.Current->GetName());
+  }
   std::vector<vtkSmartPointer<vtkDataArray>*> FindInterpolated(
     const InterpolationOptions& options, const std::function<void(const std::string&)>& warn);
   void AdvanceSmoothed(
@@ -172,7 +179,6 @@ private:
   std::vector<Entry> Entries;
   std::vector<std::size_t> Interpolated; ///< entries, in an order that all parts of a mesh have
   bool HasGathered = false;
-  bool HasWeighted = false;
   vtkIdType NumberOfInputPoints;      ///< the first points are points of the input
   std::vector<vtkIdType> TakenPoints; ///< which ones, where Take has chosen
   bool HasMoved = false;              ///< an operator was applied

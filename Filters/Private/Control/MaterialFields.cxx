@@ -1,303 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/MaterialFields.h"
 
-#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
-#include "Private/Arrays/Arrays.h"
-#include "Private/Arrays/Colours.h"
-#include "Private/Reading/CellReader.h"
-#include "Private/Reading/CellsToSimplices.h"
-#include "Private/vtkSubdivisionObjectsCompat.h"
+#include "Private/Control/MaterialColours.h"
+#include "Private/Control/PointCopies.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 
 namespace subdivision
 {
 namespace
 {
-
-constexpr int NoMaterial = -1;
-
-// ------------------------------------------------------------------------------------------------
-// Points and their copies
-
-/// The first point of those that MaterialPointIds says are the same one; of each point. Empty if
-/// all are different.
-std::vector<vtkIdType> FindFirstCopies(vtkPointSet* mesh)
-{
-  const vtkIdType size = mesh->GetNumberOfPoints();
-  std::vector<vtkIdType> firsts;
-  if (HasIds(mesh->GetPointData(), MaterialPointIdsName, size))
-  {
-    vtkDataArray* ids = mesh->GetPointData()->GetArray(MaterialPointIdsName);
-    std::unordered_map<vtkIdType, vtkIdType> places;
-    bool hasCopies = false;
-    firsts.resize(static_cast<std::size_t>(size));
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      const auto place = places.emplace(ToId(ids->GetComponent(i, 0)), i);
-      firsts[static_cast<std::size_t>(i)] = place.first->second;
-      hasCopies = hasCopies || !place.second;
-    }
-    if (!hasCopies)
-    {
-      firsts.clear();
-    }
-  }
-  return firsts;
-}
-
-/// A copy of cells, the first of which is cell `first` of its mesh. change(cell, begin, end) may
-/// change the ids of its points, which are below `size`.
-template <typename Change>
-vtkSmartPointer<vtkCellArray> CopyCells(
-  vtkCellArray* cells, vtkIdType first, vtkIdType size, const Change& change)
-{
-  const auto copy = vtkSmartPointer<vtkCellArray>::New();
-  copy->DeepCopy(cells);
-  if (!copy->IsStorage64Bit() && size > std::numeric_limits<vtkTypeInt32>::max())
-  {
-    copy->ConvertTo64BitStorage();
-  }
-  CellReader::Integers offsets;
-  offsets.Set(copy->GetOffsetsArray());
-  auto changeAll = [&](auto* ids)
-  {
-    ForEach(cells->GetNumberOfCells(),
-      [&](vtkIdType c) { change(first + c, ids + offsets[c], ids + offsets[c + 1]); });
-  };
-  void* ids = copy->GetConnectivityArray()->GetVoidPointer(0);
-  copy->IsStorage64Bit() ? changeAll(static_cast<vtkTypeInt64*>(ids))
-                         : changeAll(static_cast<vtkTypeInt32*>(ids));
-  return copy;
-}
-
-/// Calls visit(cells, id of the first) for each vtkCellArray of a mesh.
-template <typename Visit>
-void ForEachCellArray(vtkPointSet* mesh, const Visit& visit)
-{
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
-  {
-    visit(grid->GetCells(), 0);
-    return;
-  }
-  auto* surface = vtkPolyData::SafeDownCast(mesh);
-  vtkIdType first = 0;
-  for (vtkCellArray* cells :
-    { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() })
-  {
-    visit(cells, first);
-    first += cells->GetNumberOfCells();
-  }
-}
-
-/// Gives a mesh such copies of its cells.
-template <typename Change>
-void ChangeCells(vtkPointSet* mesh, vtkIdType size, const Change& change)
-{
-  std::vector<vtkSmartPointer<vtkCellArray>> made;
-  ForEachCellArray(mesh, [&](vtkCellArray* cells, vtkIdType first)
-    { made.push_back(CopyCells(cells, first, size, change)); });
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
-  {
-    grid->SetCells(GetCellTypes(grid), made[0]);
-    return;
-  }
-  auto* surface = vtkPolyData::SafeDownCast(mesh);
-  surface->SetVerts(made[0]);
-  surface->SetLines(made[1]);
-  surface->SetPolys(made[2]);
-  surface->SetStrips(made[3]);
-}
-
-/// Replaces points and point data by those of `sources`, and ids by those that `change` gives.
-template <typename Change>
-void TakePoints(vtkPointSet* mesh, const std::vector<vtkIdType>& sources, const Change& change)
-{
-  const Row<vtkIdType> row{ sources.data(), sources.data() + sources.size() };
-  const auto from = vtkSmartPointer<vtkPointData>::New();
-  from->ShallowCopy(mesh->GetPointData());
-  mesh->GetPointData()->Initialize();
-  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
-  {
-    AddLike(from, a, Gather(from->GetAbstractArray(a), row), mesh->GetPointData());
-  }
-  const auto coordinates = Gather(mesh->GetPoints()->GetData(), row);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(coordinates->GetDataType());
-  points->SetData(vtkDataArray::SafeDownCast(coordinates));
-  mesh->SetPoints(points);
-  ChangeCells(mesh, static_cast<vtkIdType>(sources.size()), change);
-}
-
-// ------------------------------------------------------------------------------------------------
-// Materials and colours
-
-/// The simplices of a mesh, with the offsets of their points.
-struct Pieces
-{
-  Pieces(vtkPointSet* mesh, const std::vector<vtkIdType>& places)
-    : Cells(CellsToSimplices(mesh, nullptr))
-    , Places(places)
-  {
-    this->Offsets.push_back(0);
-    for (const unsigned char dimension : this->Cells.Simplices.Dimensions)
-    {
-      this->Offsets.push_back(this->Offsets.back() + dimension + 1);
-    }
-  }
-  vtkIdType GetSize() const { return this->Cells.Simplices.GetNumberOfSimplices(); }
-  int GetDimension(vtkIdType i) const { return this->Cells.Simplices.Dimensions[i]; }
-  vtkIdType GetCell(vtkIdType i) const
-  {
-    return this->Cells.ParentCells.empty() ? i : this->Cells.ParentCells[i];
-  }
-  /// The points of a simplex, in the input.
-  Row<vtkIdType> GetPoints(vtkIdType i) const
-  {
-    const vtkIdType* ids = this->Cells.Simplices.Connectivity.data();
-    return { ids + this->Offsets[i], ids + this->Offsets[i + 1] };
-  }
-  /// The point that copies of a point of the input are one of; centres are points of their own.
-  vtkIdType GetPlace(vtkIdType point) const
-  {
-    const auto size = static_cast<vtkIdType>(this->Places.size());
-    return point < size ? this->Places[point] : point;
-  }
-  bool Has(vtkIdType i, vtkIdType place) const
-  {
-    const Row<vtkIdType> points = this->GetPoints(i);
-    return std::any_of(
-      points.begin(), points.end(), [&](vtkIdType p) { return this->GetPlace(p) == place; });
-  }
-
-  SimplicesOfCells Cells;
-  const std::vector<vtkIdType>& Places;
-  std::vector<vtkIdType> Offsets;
-};
-
-/// Whether each simplex is no face of another one.
-std::vector<char> FindMaximal(const Pieces& pieces)
-{
-  std::vector<char> isMaximal(static_cast<std::size_t>(pieces.GetSize()), 1);
-  const auto& dimensions = pieces.Cells.Simplices.Dimensions;
-  if (dimensions.empty() ||
-    std::all_of(dimensions.begin(), dimensions.end(), [&](int d) { return d == dimensions[0]; }))
-  {
-    return isMaximal;
-  }
-  std::unordered_multimap<vtkIdType, vtkIdType> smaller; // by one of their points
-  for (vtkIdType i = 0; i < pieces.GetSize(); ++i)
-  {
-    if (pieces.GetDimension(i) < 3)
-    {
-      smaller.emplace(pieces.GetPlace(*pieces.GetPoints(i).begin()), i);
-    }
-  }
-  for (vtkIdType i = 0; i < pieces.GetSize(); ++i)
-  {
-    for (const vtkIdType point : pieces.GetPoints(i))
-    {
-      const auto range = smaller.equal_range(pieces.GetPlace(point));
-      for (auto at = range.first; at != range.second; ++at)
-      {
-        const Row<vtkIdType> points = pieces.GetPoints(at->second);
-        const bool isFace = pieces.GetDimension(at->second) < pieces.GetDimension(i) &&
-          std::all_of(
-            points.begin(), points.end(),
-            [&](vtkIdType p) { return pieces.Has(i, pieces.GetPlace(p)); });
-        isMaximal[at->second] = isMaximal[at->second] && !isFace;
-      }
-    }
-  }
-  return isMaximal;
-}
-
-/// Pairs of materials that meet in a point; both orders.
-std::vector<std::pair<int, int>> FindMeetings(
-  const Pieces& pieces, const std::vector<int>& materialOf)
-{
-  std::vector<int> first(
-    static_cast<std::size_t>(pieces.Cells.Simplices.NumberOfPoints), NoMaterial);
-  std::vector<std::pair<vtkIdType, int>> at; // all materials of points with several
-  for (vtkIdType i = 0; i < pieces.GetSize(); ++i)
-  {
-    for (const vtkIdType point : pieces.GetPoints(i))
-    {
-      const vtkIdType place = pieces.GetPlace(point);
-      int& known = first[static_cast<std::size_t>(place)];
-      if (materialOf[i] != NoMaterial && known == NoMaterial)
-      {
-        known = materialOf[i];
-      }
-      else if (materialOf[i] != NoMaterial && known != materialOf[i])
-      {
-        at.emplace_back(place, materialOf[i]);
-        at.emplace_back(place, known);
-      }
-    }
-  }
-  std::sort(at.begin(), at.end());
-  at.erase(std::unique(at.begin(), at.end()), at.end());
-  std::vector<std::pair<int, int>> meetings;
-  for (auto begin = at.begin(); begin != at.end();)
-  {
-    const auto end =
-      std::find_if(begin, at.end(), [&](const auto& other) { return other.first != begin->first; });
-    for (auto a = begin; a != end; ++a)
-    {
-      for (auto b = begin; b != end; ++b)
-      {
-        if (a != b)
-        {
-          meetings.emplace_back(a->second, b->second);
-        }
-      }
-    }
-    begin = end;
-  }
-  std::sort(meetings.begin(), meetings.end());
-  meetings.erase(std::unique(meetings.begin(), meetings.end()), meetings.end());
-  return meetings;
-}
-
-/// Gives each material the smallest colour that no earlier one has that it meets. Returns the
-/// number of colours, at least 1.
-int ChooseColours(const std::vector<std::pair<int, int>>& meetings, std::vector<int>& colours)
-{
-  int count = 1;
-  auto at = meetings.begin();
-  for (std::size_t material = 0; material < colours.size(); ++material)
-  {
-    std::vector<char> isTaken(static_cast<std::size_t>(count) + 1, 0);
-    for (; at != meetings.end() && at->first == static_cast<int>(material); ++at)
-    {
-      if (at->second < at->first)
-      {
-        isTaken[static_cast<std::size_t>(colours[at->second])] = 1;
-      }
-    }
-    colours[material] =
-      static_cast<int>(std::find(isTaken.begin(), isTaken.end(), 0) - isTaken.begin());
-    count = std::max(count, colours[material] + 1);
-  }
-  return count;
-}
 
 // ------------------------------------------------------------------------------------------------
 // Before the work
@@ -316,26 +36,11 @@ public:
     : Input(input)
     , Places(
         joinsCopies ? FindPlaces(FindFirstCopies(input), this->Sources) : std::vector<vtkIdType>())
-    , Whole(input, this->Places)
+    , Whole(input, materials, this->Places)
   {
-    const std::vector<int> numbers = NumberMaterials(materials);
-    const std::vector<char> isMaximal = FindMaximal(this->Whole);
-    this->Colours.assign(static_cast<std::size_t>(this->Whole.GetSize()), NoMaterial);
-    int count = 0;
-    for (vtkIdType i = 0; i < this->Whole.GetSize(); ++i)
-    {
-      this->Colours[i] = isMaximal[i] ? numbers[this->Whole.GetCell(i)] : NoMaterial;
-      count = std::max(count, this->Colours[i] + 1);
-    }
-    std::vector<int> colours(static_cast<std::size_t>(count), 0);
-    this->NumberOfColours = ChooseColours(FindMeetings(this->Whole, this->Colours), colours);
-    for (int& colour : this->Colours)
-    {
-      colour = colour == NoMaterial ? NoColour : colours[colour];
-    }
   }
 
-  int GetNumberOfColours() const { return this->NumberOfColours; }
+  int GetNumberOfColours() const { return this->Whole.NumberOfColours; }
 
   vtkSmartPointer<vtkPointSet> Make(
     const std::vector<std::string>& cellArrays, const RunOptions& options)
@@ -355,12 +60,14 @@ public:
         });
     }
     this->Mesh->GetPointData()->RemoveArray(MaterialPointIdsName);
+    this->RemoveReserved(options);
     this->AddColours();
     vtkPointData* data = this->Input->GetPointData();
     for (int a = 0; a < data->GetNumberOfArrays(); ++a)
     {
       vtkAbstractArray* array = data->GetAbstractArray(a);
-      if (IsFloating(array) && array->GetNumberOfTuples() == this->Input->GetNumberOfPoints())
+      if (IsFloating(array) && !IsWeighted(array->GetName()) &&
+        array->GetNumberOfTuples() == this->Input->GetNumberOfPoints())
       {
         this->AddFields(vtkDataArray::SafeDownCast(array));
       }
@@ -394,6 +101,22 @@ private:
     return places;
   }
 
+  /// Removes arrays that have names of those which are added.
+  void RemoveReserved(const RunOptions& options)
+  {
+    vtkPointData* data = this->Mesh->GetPointData();
+    for (int a = data->GetNumberOfArrays() - 1; a >= 0; --a)
+    {
+      const char* name = data->GetAbstractArray(a)->GetName();
+      if (IsWeighted(name))
+      {
+        options.Warn("The filter leaves out the point array \"" + std::string(name) +
+          "\": it uses such names itself. Rename it to keep it.");
+        data->RemoveArray(a);
+      }
+    }
+  }
+
   void AddColours()
   {
     vtkNew<vtkIntArray> colours;
@@ -402,9 +125,9 @@ private:
     colours->FillValue(NoColour);
     for (vtkIdType i = 0; i < this->Whole.GetSize(); ++i)
     {
-      if (this->Colours[i] != NoColour)
+      if (this->Whole.Colours[i] != NoColour)
       {
-        colours->SetValue(this->Whole.GetCell(i), this->Colours[i]);
+        colours->SetValue(this->Whole.GetCell(i), this->Whole.Colours[i]);
       }
     }
     this->Mesh->GetCellData()->AddArray(colours);
@@ -415,7 +138,7 @@ private:
     int type, int components, const std::string& name)
   {
     std::vector<vtkSmartPointer<vtkDataArray>> fields;
-    for (int colour = 0; colour < this->NumberOfColours; ++colour)
+    for (int colour = 0; colour < this->Whole.NumberOfColours; ++colour)
     {
       fields.push_back(MakeArray(type, components + 1, this->Mesh->GetNumberOfPoints()));
       fields.back()->SetName(MakeFieldName(colour, name).c_str());
@@ -434,9 +157,9 @@ private:
     {
       for (const vtkIdType point : this->Whole.GetPoints(i))
       {
-        if (this->Colours[i] != NoColour && point < this->Input->GetNumberOfPoints())
+        if (this->Whole.Colours[i] != NoColour && point < this->Input->GetNumberOfPoints())
         {
-          visit(this->Whole.GetPlace(point), point, this->Colours[i], this->Whole.GetCell(i));
+          visit(this->Whole.GetPlace(point), point, this->Whole.Colours[i], this->Whole.GetCell(i));
         }
       }
     }
@@ -523,9 +246,7 @@ private:
   vtkPointSet* Input;
   std::vector<vtkIdType> Sources; ///< the point of the input that each point is; empty: the same
   std::vector<vtkIdType> Places;  ///< the opposite
-  Pieces Whole;
-  std::vector<int> Colours; ///< of each simplex
-  int NumberOfColours = 1;
+  ColouredSimplices Whole;
   vtkSmartPointer<vtkPointSet> Mesh;
 };
 
@@ -739,7 +460,9 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
   {
     options.FindPartners = [&](vtkPointSet*) { return find(input); };
   }
+  options.HasMaterialFields = true;
   const bool isDone = work(mesh, output);
+  options.HasMaterialFields = false;
   options.FindPartners = find;
   if (isDone && output->GetPoints())
   {

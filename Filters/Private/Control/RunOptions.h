@@ -29,6 +29,7 @@ struct RunOptions
   int OutputPointsPrecision = 2;
   vtkIdType MaximumNumberOfCells = 500000000;
   FeatureOptions Features;
+  bool HasMaterialFields = false; ///< MaterialFields.h has added arrays
   InterpolationOptions Interpolation;
   /// Called with the fraction of the work that is done. Returns true if the work must stop.
   std::function<bool(double)> Progress;

@@ -90,6 +90,7 @@ void SurfaceRun<Id>::StartPoints()
 {
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
+  arrays.HasMaterialFields = this->Options.HasMaterialFields;
   arrays.CarryOriginalIds = this->Stamp.Levels > 0 &&
     HasIds(this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
   arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;

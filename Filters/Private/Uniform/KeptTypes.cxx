@@ -236,6 +236,7 @@ std::unique_ptr<PointArrays> MakePoints(vtkPointSet* input, const SimplicesOfCel
 {
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = options.InterpolateIntegers;
+  arrays.HasMaterialFields = options.HasMaterialFields;
   arrays.OriginalIds = options.GenerateOriginalIds;
   arrays.Warn = options.Warn;
   arrays.Precision = options.OutputPointsPrecision;

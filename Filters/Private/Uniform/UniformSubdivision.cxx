@@ -105,6 +105,7 @@ void UniformRun::StartPoints()
 {
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
+  arrays.HasMaterialFields = this->Options.HasMaterialFields;
   arrays.CarryOriginalIds = this->Mesh.IsStamped &&
     HasIds(this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
   arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;

@@ -92,17 +92,6 @@ struct Choice
     Run;
 };
 
-template <typename FilterClass>
-Grid Update(FilterClass* filter, vtkDataObject* input)
-{
-  vtkNew<Messages> messages;
-  messages->Watch(filter);
-  filter->SetInputDataObject(input);
-  filter->Update();
-  EXPECT_TRUE(messages->Errors.empty());
-  return DeepCopy(vtkUnstructuredGrid::SafeDownCast(filter->GetOutput()));
-}
-
 Choice MakeUniform(const char* name, int scheme, bool toLimit)
 {
   return { name, [=](vtkDataObject* input, int levels, const auto& configure)
@@ -112,7 +101,7 @@ Choice MakeUniform(const char* name, int scheme, bool toLimit)
       filter->SetVolumeScheme(scheme);
       filter->SetProjectToLimit(toLimit);
       configure(filter);
-      return Update(filter.Get(), input);
+      return UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input);
     } };
 }
 
@@ -127,7 +116,7 @@ Choice MakeRedGreen(const char* name, bool toLimit)
       filter->SetInputArrayToProcess(5, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, ValueName);
       filter->SetPlacement(toLimit ? vtkRedGreenRefinement::LIMIT : vtkRedGreenRefinement::LINEAR);
       configure(filter);
-      return Update(filter.Get(), input);
+      return UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input);
     } };
 }
 
@@ -343,17 +332,17 @@ TEST(MaterialFields, KeptOperators)
     vtkNew<vtkMultiDimensionalSubdivision> filter;
     filter->SetNumberOfLevels(3);
     Jump(filter);
-    Update(filter.Get(), mesh);
+    UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), mesh);
     const vtkIdType builds = filter->GetNumberOfTopologyBuilds();
     const Grid other = DeepCopy(mesh);
     other->GetPointData()->GetArray(ValueName)->SetComponent(7, 0, 12.);
-    const Grid again = Update(filter.Get(), other);
+    const Grid again = UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), other);
     EXPECT_EQ(builds, filter->GetNumberOfTopologyBuilds());
     vtkNew<vtkMultiDimensionalSubdivision> fresh;
     fresh->SetNumberOfLevels(3);
     fresh->SetCacheOperator(false);
     Jump(fresh);
-    EXPECT_EQ("", Compare(Update(fresh.Get(), other), again));
+    EXPECT_EQ("", Compare(UpdateWithoutErrors<vtkUnstructuredGrid>(fresh.Get(), other), again));
   }
 }
 
@@ -390,6 +379,42 @@ TEST(MaterialFields, SaysWhatItIgnores)
   EXPECT_EQ(2, messages->CountWarnings("nothing"));
   EXPECT_EQ(2, messages->CountWarnings("\"Value\""));
   EXPECT_TRUE(messages->Errors.empty());
+}
+
+// Ids of copies that cannot be true join nothing, and names of arrays that the filter uses itself
+// are told of.
+TEST(MaterialFields, ForgedArrays)
+{
+  const Grid mesh = MakeMeshes().front();
+  const Choice choice = MakeUniform("", vtkMultiDimensionalSubdivision::BOX_SPLINE, false);
+  const Grid expected = choice.Run(mesh, 1, Jump);
+  for (const double id : { -1., 4e18, std::nan(""), 3. }) // other places, or no id
+  {
+    const Grid forged = DeepCopy(mesh);
+    const auto ids = MakeArray<vtkDoubleArray>(IdsName, 1, mesh->GetNumberOfPoints(), id, id, 1);
+    vtkNew<vtkIdTypeArray> integers;
+    integers->DeepCopy(ids);
+    integers->SetName(IdsName);
+    forged->GetPointData()->AddArray(std::isnan(id) ? static_cast<vtkDataArray*>(ids) : integers);
+    EXPECT_EQ(expected->GetNumberOfPoints(), choice.Run(forged, 1, Jump)->GetNumberOfPoints());
+  }
+  for (const char* name : { "SubdivisionField0:x", "SubdivisionField", "SubdivisionField99:y" })
+  {
+    const Grid forged = DeepCopy(mesh);
+    forged->GetPointData()->AddArray(
+      MakeArray<vtkDoubleArray>(name, 2, mesh->GetNumberOfPoints(), 1., 2., 3));
+    vtkNew<vtkMultiDimensionalSubdivision> filter;
+    vtkNew<Messages> messages;
+    messages->Watch(filter);
+    filter->SetInputDataObject(forged);
+    filter->Update(); // a name like others
+    EXPECT_TRUE(messages->Warnings.empty());
+    EXPECT_TRUE(filter->GetOutput()->GetPointData()->HasArray(name));
+    Jump(filter);
+    filter->Update();
+    EXPECT_EQ(1, messages->CountWarnings(name));
+    EXPECT_TRUE(messages->Errors.empty());
+  }
 }
 
 // Blocks are one object, as without jumps. Copies in blocks are not joined again, and it says so.
