@@ -158,7 +158,10 @@ bool vtkSubdivisionLabelSolid::FindLabels(
       return false;
     }
   }
-  if (!options.Labels || options.Labels->GetNumberOfComponents() != 1)
+  const vtkIdType voxels =
+    options.OfPoints ? image->GetNumberOfPoints() : image->GetNumberOfCells();
+  if (!options.Labels || options.Labels->GetNumberOfComponents() != 1 ||
+    options.Labels->GetNumberOfTuples() != voxels)
   {
     options.Fail("The input has no labels: choose a point or cell array with one whole number for "
                  "each voxel (array index 0), or make it the active scalars.");

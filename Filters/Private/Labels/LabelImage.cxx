@@ -15,6 +15,8 @@ namespace subdivision
 namespace
 {
 
+constexpr double LargestLabel = 9007199254740992.; ///< up to which doubles are exact
+
 vtkIdType CountMaterialVoxels(const Buffer<int>& voxels)
 {
   return std::count_if(voxels.begin(), voxels.end(), [](int label) { return label > 0; });
@@ -95,9 +97,10 @@ std::string ReadLabels(vtkDataArray* array, double background,
   for (vtkIdType i = 0; i < size; ++i)
   {
     const double label = isHidden(i) ? background : array->GetComponent(i, 0);
-    if (!(std::floor(label) == label) || std::isinf(label))
+    if (!(std::floor(label) == label) || !(std::abs(label) < LargestLabel))
     {
-      return "(array index 0) holds values that are no whole numbers; the first is number " +
+      return "(array index 0) holds values that are no whole numbers below 2^53; the first is "
+             "number " +
         std::to_string(i) + ": " + std::to_string(label) + ".";
     }
     if (label != last)
@@ -167,7 +170,8 @@ int FindBlockLength(const LabelImage& image, vtkIdType wanted)
 }
 
 void CopyVoxelArrays(const LabelImage& fine, const LabelImage& coarse, int length,
-  vtkDataSetAttributes* voxels, vtkDataArray* labels, vtkDataSetAttributes* cells)
+  vtkDataSetAttributes* voxels, vtkDataArray* labels, vtkDataSetAttributes* cells,
+  const std::function<void(const std::string&)>& warn)
 {
   std::vector<vtkIdType> kept; // coarse voxels
   for (vtkIdType voxel = 0; voxel < coarse.Voxels.size(); ++voxel)
@@ -184,6 +188,13 @@ void CopyVoxelArrays(const LabelImage& fine, const LabelImage& coarse, int lengt
     if (from == labels || from == voxels->GetGlobalIds() || from == voxels->GetPedigreeIds() ||
       (from->GetName() && from->GetName() == std::string(vtkDataSetAttributes::GhostArrayName())))
     {
+      continue;
+    }
+    if (from->GetNumberOfTuples() != fine.Voxels.size())
+    {
+      warn("The filter leaves out the array \"" +
+        std::string(from->GetName() ? from->GetName() : "") +
+        "\": it does not have one value for each voxel.");
       continue;
     }
     const auto to = vtkSmartPointer<vtkAbstractArray>::Take(from->NewInstance());

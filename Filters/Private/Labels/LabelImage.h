@@ -53,7 +53,8 @@ int FindBlockLength(const LabelImage& image, vtkIdType wanted);
 /// `coarse` that is no background: of floating point arrays the mean over the voxels of the block
 /// that have its label, of others the tuple of the first of these.
 void CopyVoxelArrays(const LabelImage& fine, const LabelImage& coarse, int length,
-  vtkDataSetAttributes* voxels, vtkDataArray* labels, vtkDataSetAttributes* cells);
+  vtkDataSetAttributes* voxels, vtkDataArray* labels, vtkDataSetAttributes* cells,
+  const std::function<void(const std::string&)>& warn);
 
 }
 

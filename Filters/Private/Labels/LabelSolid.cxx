@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Labels/LabelSolid.h"
 
+#include "Private/ArrayNames.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Labels/LabelImage.h"
 #include "Private/Labels/LabelNet.h"
@@ -219,7 +220,7 @@ vtkSmartPointer<vtkUnstructuredGrid> LabelSolid::MakeControlMesh(
   CopyVoxelArrays(this->Fine, this->Coarse, this->Length,
     this->Options.OfPoints ? static_cast<vtkDataSetAttributes*>(this->Image->GetPointData())
                            : this->Image->GetCellData(),
-    this->Options.Labels, data);
+    this->Options.Labels, data, this->Options.Warn);
   if (this->Options.Materials)
   {
     const std::string without = AddMaterials(
@@ -266,7 +267,7 @@ LabelSolid::Measures LabelSolid::Measure(
     const double volume = vtkMath::Determinant3x3(edges) / 6. / voxel;
     const vtkIdType cell = origins->GetValue(tet);
     found.Volumes[net.GetCellLabels()[cell]] += volume;
-    found.NumberOfInverted += volume <= 0. ? 1 : 0;
+    found.NumberOfInverted += volume > 0. ? 0 : 1; // also if it is not a number
     if (volume < least && (found.Thin.empty() || found.Thin.back() != cell))
     {
       found.Thin.push_back(cell);
@@ -407,7 +408,10 @@ bool LabelSolid::Run(vtkUnstructuredGrid* output)
 std::string GetLabelName(const LabelSolidOptions& options)
 {
   const char* name = options.Labels->GetName();
-  return name && *name ? name : "Label";
+  const bool isHere = name && *name &&
+    name != std::string(vtkDataSetAttributes::GhostArrayName()) &&
+    name != std::string(OriginalCellIdsName);
+  return isHere ? name : "Label";
 }
 
 bool MakeLabelSolid(

@@ -7,7 +7,9 @@
 #include "vtkFieldData.h"
 #include "vtkSmartPointer.h"
 
+#include <cmath>
 #include <map>
+#include <string>
 
 namespace subdivision
 {
@@ -33,10 +35,15 @@ std::string AddMaterials(vtkFieldData* table, const std::string& name,
 {
   vtkDataArray* column = FindLabelColumn(table, name);
   std::map<double, vtkIdType> rows;
-  for (vtkIdType row = 0; row < table->GetNumberOfTuples(); ++row)
+  // The arrays of field data may have different sizes: those of another are no columns.
+  const vtkIdType size = column ? column->GetNumberOfTuples() : table->GetNumberOfTuples();
+  for (vtkIdType row = 0; row < size; ++row)
   {
-    const bool isLabelled = column && row < column->GetNumberOfTuples();
-    rows.emplace(isLabelled ? column->GetComponent(row, 0) : static_cast<double>(row), row);
+    const double label = column ? column->GetComponent(row, 0) : static_cast<double>(row);
+    if (!std::isnan(label))
+    {
+      rows.emplace(label, row);
+    }
   }
   std::vector<vtkIdType> rowOfIndex(labels.size() + 1, -1);
   std::string without;
@@ -57,7 +64,9 @@ std::string AddMaterials(vtkFieldData* table, const std::string& name,
   {
     vtkAbstractArray* from = table->GetAbstractArray(i);
     fields->AddArray(from);
-    if (from == column || !from->GetName() || !vtkDataArray::SafeDownCast(from))
+    if (from == column || !from->GetName() || !vtkDataArray::SafeDownCast(from) ||
+      from->GetNumberOfTuples() != size ||
+      from->GetName() == std::string(vtkDataSetAttributes::GhostArrayName()))
     {
       continue;
     }

@@ -4,7 +4,7 @@
  * Images of labels become smooth solids that keep volumes, lie close to the voxels, fit together
  * and carry what is known of materials.
  */
-#include "MultiDimensionalSubdivisionTools.h"
+#include "LabelTools.h"
 
 #include "vtkSubdivisionLabelSolid.h"
 
@@ -16,40 +16,15 @@
 #include "vtkTable.h"
 #include "vtkTrivialProducer.h"
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <set>
 
-using namespace multi_dimensional_subdivision_tools;
+using namespace label_tools;
 
 namespace
 {
-
-using Image = vtkSmartPointer<vtkImageData>;
-using Rule = std::function<int(int, int, int)>;
-
-/// An image of n[0] x n[1] x n[2] voxels around its points, or of so many cells.
-Image MakeImage(const std::array<int, 3>& n, const Rule& rule, bool ofCells = false)
-{
-  auto image = Image::New();
-  const int more = ofCells ? 1 : 0;
-  image->SetDimensions(n[0] + more, n[1] + more, n[2] + more);
-  vtkNew<vtkUnsignedCharArray> labels;
-  labels->SetName("Tissue");
-  for (int k = 0; k < n[2]; ++k)
-  {
-    for (int j = 0; j < n[1]; ++j)
-    {
-      for (int i = 0; i < n[0]; ++i)
-      {
-        labels->InsertNextValue(static_cast<unsigned char>(rule(i, j, k)));
-      }
-    }
-  }
-  (ofCells ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData())
-    ->SetScalars(labels);
-  return image;
-}
 
 /// Soft tissue (1) around a bone (2) with marrow (3), in n^3 voxels.
 Rule ScanOf(int n)
@@ -70,35 +45,6 @@ Rule ScanOf(int n)
     return radius < wall && std::abs(along) < .7 ? inside : 1;
   };
 }
-
-/// A filter that is told of what it says.
-struct Made
-{
-  Made() { this->Heard->Watch(this->Filter); }
-  vtkSubdivisionLabelSolid* operator->() { return this->Filter; }
-  vtkUnstructuredGrid* Run(vtkImageData* image)
-  {
-    this->Heard->Warnings.clear();
-    this->Heard->Errors.clear();
-    this->Filter->SetInputDataObject(0, image);
-    this->Filter->Update();
-    return this->Filter->GetOutput();
-  }
-  void ExpectSilence() const
-  {
-    EXPECT_TRUE(this->Heard->Errors.empty());
-    EXPECT_TRUE(this->Heard->Warnings.empty() && this->Heard->Inversions.empty());
-  }
-  void ExpectError(const std::string& part)
-  {
-    ASSERT_EQ(this->Heard->Errors.size(), 1u) << part;
-    EXPECT_NE(this->Heard->Errors[0].find(part), std::string::npos) << this->Heard->Errors[0];
-    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfCells(), 0);
-  }
-
-  vtkNew<vtkSubdivisionLabelSolid> Filter;
-  vtkNew<Messages> Heard;
-};
 
 using Face = std::array<vtkIdType, 3>;
 
