@@ -165,7 +165,8 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
     distribution.Warnings.emplace_back(this->HasInterfaces()
         ? "Values can jump at interfaces that are kept only: InterfaceValues is ignored. Switch "
           "PreserveInterfaces on."
-        : "This filter has no values that jump at interfaces: it ignores InterfaceValues.");
+        : "With these options the filter has no values that jump at interfaces: it ignores "
+          "InterfaceValues.");
     hasFields = false;
   }
   if (hasFields && options.Interpolation.Arrays)
@@ -201,6 +202,7 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
     return 0;
   }
   subdivision::MaterialFieldOptions fields;
+  fields.IsOn = hasFields;
   fields.CellArrays = this->FieldsOfCells;
   fields.JoinsCopies = !this->SharesRanks() && vtkPointSet::SafeDownCast(readable);
   const int result =
@@ -208,8 +210,9 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
       [&](vtkPointSet* mesh, vtkPointSet* made)
       {
         return this->ReadFeatureOptions(mesh, options) &&
-          (hasFields ? subdivision::RunWithMaterialFields(mesh, made, options, fields, run)
-                     : run(mesh, made));
+          (this->HasInterfaces()
+              ? subdivision::RunWithMaterialFields(mesh, made, options, fields, run)
+              : run(mesh, made));
       });
   subdivision::RestoreSourceCells(this->IsOfSurfaces() ? output : nullptr);
   subdivision::ConnectToFilter(this, options, failed);

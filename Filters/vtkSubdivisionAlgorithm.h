@@ -137,10 +137,10 @@ public:
    * not shrink. Rules and diagonals are chosen for the points of the input. For
    * vtkMultiDimensionalSubdivision, vtkSurfaceSubdivision (with schemes that have limits) and
    * vtkRedGreenRefinement (with Placement LIMIT); other filters warn and ignore it. Ranks that have
-   * parts of a mesh solve together, for what one process finds. In a row of filters switch it on in
-   * all or in the first: later ones leave what is solved as it is. A warning says so if 40 products
-   * with the limit operator do not reach an error of 1e-10 of the range (single precision: of its
-   * rounding). Off by default.
+   * parts of a mesh solve together, and find the control points that one process finds. In a row of
+   * filters switch it on in all or in the first: later ones leave what is solved as it is. A
+   * warning says so if 40 products with the limit operator do not reach an error of 1e-10 of the
+   * range (single precision: of its rounding). Off by default.
    */
   vtkSetMacro(InterpolatePoints, bool);
   vtkGetMacro(InterpolatePoints, bool);
@@ -254,7 +254,8 @@ public:
    * over all materials) or DISCONTINUOUS_VALUES (1; each material has a field of its own, smoothed
    * with its own values only, so that values jump at interfaces). Then a point at which several
    * materials meet has a copy for each of them, at the same place: copies follow after all other
-   * points, each cell names those of its material, and the point array `MaterialPointIds`
+   * points, each cell names those of its material (cells that are faces of others: those of
+   * a material that all of their points have), and the point array `MaterialPointIds`
    * (vtkIdType) says which point each is. Another filter with the same option, or whoever joins
    * equal ids, gets the mesh without copies back (not from several blocks or ranks: then the
    * filter warns). Global ids are equal for copies, too. Arrays of floating point numbers and

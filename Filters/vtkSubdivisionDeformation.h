@@ -68,8 +68,8 @@
  * output is the input), or inverted or flat solid cells, if the deformed mesh turns cells inside
  * out, and of points outside when they are looked up for the first time.
  *
- * InterpolateIntegers, InterpolatePoints, InterpolateArrays, GenerateOriginalIds and
- * GenerateGlobalIds have no effect here.
+ * InterpolateIntegers, InterpolatePoints, InterpolateArrays, InterfaceValues, GenerateOriginalIds
+ * and GenerateGlobalIds have no effect here.
  *
  * @sa
  * vtkMultiDimensionalSubdivision vtkSubdivisionCageSource vtkSubdivisionModelSource

@@ -29,6 +29,7 @@ constexpr const char* CellNumbersName = "SubdivisionCellNumber";
 /// The cell array of a surface that was made of a grid: which cell of the grid each cell is.
 constexpr const char* SourceCellsName = "SubdivisionSourceCells";
 constexpr const char* LimitNormalsName = "LimitNormals";
+constexpr const char* LimitTangentNames[2] = { "LimitTangent1", "LimitTangent2" };
 /// The point array that says which points are the same one (MaterialFields.h).
 constexpr const char* MaterialPointIdsName = "MaterialPointIds";
 /// The cell array of the colour of each cell's material, and how names of the point arrays begin

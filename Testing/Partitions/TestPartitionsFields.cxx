@@ -54,7 +54,7 @@ void ExpectWholeOf(const Options& options, const Work& work)
     {
       Options own = shared;
       own.Features.Material = input->GetCellData()->GetArray("MaterialId");
-      return RunWithMaterialFields(input, output, own, { { CellName }, true },
+      return RunWithMaterialFields(input, output, own, { true, { CellName }, true },
         [&](vtkPointSet* control, vtkPointSet* made) { return work(control, own, made); });
     };
     const auto whole = Grid::New();

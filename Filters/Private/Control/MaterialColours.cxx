@@ -135,11 +135,16 @@ ColouredSimplices::ColouredSimplices(
   }
   const std::vector<int> numbers = NumberMaterials(materials);
   const std::vector<char> isMaximal = FindMaximal(*this);
+  std::vector<char> hasMaximal(numbers.size(), 0); // of cells
+  for (vtkIdType i = 0; i < this->GetSize(); ++i)
+  {
+    hasMaximal[this->GetCell(i)] = hasMaximal[this->GetCell(i)] || isMaximal[i];
+  }
   std::vector<int> materialOf;
   int count = 0;
   for (vtkIdType i = 0; i < this->GetSize(); ++i)
   {
-    materialOf.push_back(isMaximal[i] ? numbers[this->GetCell(i)] : NoMaterial);
+    materialOf.push_back(hasMaximal[this->GetCell(i)] ? numbers[this->GetCell(i)] : NoMaterial);
     count = std::max(count, materialOf.back() + 1);
   }
   std::vector<int> colours(static_cast<std::size_t>(count), 0);

@@ -20,7 +20,7 @@ namespace subdivision
 {
 
 /// The simplices of a mesh, and the colour of the material of each: materials that meet in a point
-/// have different ones, and a face of another simplex has NoColour.
+/// have different ones, and those of cells that are faces of others have NoColour.
 struct ColouredSimplices
 {
   /// `places`: the point that each point of the mesh is one with; empty: none is. `materials` are

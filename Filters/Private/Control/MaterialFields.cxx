@@ -22,10 +22,18 @@ namespace
 // ------------------------------------------------------------------------------------------------
 // Before the work
 
-bool IsFloating(vtkAbstractArray* array)
+/// Whether filters write point arrays of that name themselves: geometry, which has no jumps.
+bool IsMade(const std::string& name)
+{
+  return name == LimitNormalsName || name == LimitTangentNames[0] || name == LimitTangentNames[1];
+}
+
+/// Whether a point array becomes a field.
+bool IsField(vtkAbstractArray* array, vtkIdType points)
 {
   return array && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE) &&
-    array->GetNumberOfComponents() > 0 && array->GetName();
+    array->GetNumberOfComponents() > 0 && array->GetNumberOfTuples() == points &&
+    array->GetName() && !IsWeighted(array->GetName()) && !IsMade(array->GetName());
 }
 
 /// The mesh that is worked on.
@@ -66,8 +74,7 @@ public:
     for (int a = 0; a < data->GetNumberOfArrays(); ++a)
     {
       vtkAbstractArray* array = data->GetAbstractArray(a);
-      if (IsFloating(array) && !IsWeighted(array->GetName()) &&
-        array->GetNumberOfTuples() == this->Input->GetNumberOfPoints())
+      if (IsField(array, this->Input->GetNumberOfPoints()))
       {
         this->AddFields(vtkDataArray::SafeDownCast(array));
       }
@@ -104,15 +111,18 @@ private:
   /// Removes arrays that have names of those which are added.
   void RemoveReserved(const RunOptions& options)
   {
-    vtkPointData* data = this->Mesh->GetPointData();
-    for (int a = data->GetNumberOfArrays() - 1; a >= 0; --a)
+    for (vtkFieldData* data : { static_cast<vtkFieldData*>(this->Mesh->GetPointData()),
+           static_cast<vtkFieldData*>(this->Mesh->GetCellData()) })
     {
-      const char* name = data->GetAbstractArray(a)->GetName();
-      if (IsWeighted(name))
+      for (int a = data->GetNumberOfArrays() - 1; a >= 0; --a)
       {
-        options.Warn("The filter leaves out the point array \"" + std::string(name) +
-          "\": it uses such names itself. Rename it to keep it.");
-        data->RemoveArray(a);
+        const char* name = data->GetAbstractArray(a)->GetName();
+        if (IsWeighted(name) || (name && std::string(name) == ColourName))
+        {
+          options.Warn("The filter leaves out the array \"" + std::string(name) +
+            "\": it uses such names itself. Rename it to keep it.");
+          data->RemoveArray(a);
+        }
       }
     }
   }
@@ -189,9 +199,11 @@ private:
   void AddFieldsOfCells(const std::string& name, const RunOptions& options)
   {
     vtkDataArray* array = this->Input->GetCellData()->GetArray(name.c_str());
-    if (!array || array->GetNumberOfComponents() < 1)
+    if (!array || array->GetNumberOfComponents() < 1 ||
+      array->GetNumberOfTuples() != this->Input->GetNumberOfCells() || IsMade(name))
     {
-      options.Warn("There is no cell array of numbers \"" + name + "\" to be made a field.");
+      options.Warn("There is no cell array of numbers, with one for each cell, \"" + name +
+        "\" to be made a field.");
       return;
     }
     if (this->Input->GetPointData()->HasArray(name.c_str()))
@@ -360,7 +372,11 @@ private:
       {
         const std::string name = MakeFieldName(colour, array->GetName());
         const auto found = std::find_if(weighted.begin(), weighted.end(),
-          [&](vtkDataArray* field) { return name == field->GetName(); });
+          [&](vtkDataArray* field)
+          {
+            return name == field->GetName() && array->GetDataType() == field->GetDataType() &&
+              array->GetNumberOfComponents() + 1 == field->GetNumberOfComponents();
+          });
         if (found == weighted.end())
         {
           break;
@@ -437,7 +453,29 @@ private:
 bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& options,
   const MaterialFieldOptions& fields, const std::function<bool(vtkPointSet*, vtkPointSet*)>& work)
 {
-  if (!fields.JoinsCopies && input->GetPointData()->HasArray(MaterialPointIdsName))
+  const bool hasCopies = input->GetPointData()->HasArray(MaterialPointIdsName);
+  const auto find = options.FindPartners;
+  if (find)
+  {
+    options.FindPartners = [&](vtkPointSet*) { return find(input); };
+  }
+  if (!fields.IsOn)
+  {
+    vtkSmartPointer<vtkPointSet> mesh = input;
+    if (hasCopies)
+    {
+      options.Warn("An earlier filter made copies of points where materials meet. This one does "
+                   "not join them, so that the mesh has cracks there: switch PreserveInterfaces "
+                   "and InterfaceValues on here too.");
+      mesh = vtkSmartPointer<vtkPointSet>::Take(input->NewInstance());
+      mesh->ShallowCopy(input);
+      mesh->GetPointData()->RemoveArray(MaterialPointIdsName);
+    }
+    const bool isDone = work(mesh, output);
+    options.FindPartners = find;
+    return isDone;
+  }
+  if (!fields.JoinsCopies && hasCopies)
   {
     options.Warn("An earlier filter made copies of points where materials meet. This one does not "
                  "join them, because the input has several blocks or is on several ranks: the mesh "
@@ -454,11 +492,6 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
       return false;
     }
     mesh = control.Make(fields.CellArrays, options);
-  }
-  const auto find = options.FindPartners;
-  if (find)
-  {
-    options.FindPartners = [&](vtkPointSet*) { return find(input); };
   }
   options.HasMaterialFields = true;
   const bool isDone = work(mesh, output);

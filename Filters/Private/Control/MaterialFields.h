@@ -27,6 +27,7 @@ namespace subdivision
 
 struct MaterialFieldOptions
 {
+  bool IsOn = false; ///< if not, the work is done, with a warning if there are copies
   /// Cell arrays of these names become fields too: the value at a point is the mean of the cells of
   /// a material around it.
   std::vector<std::string> CellArrays;

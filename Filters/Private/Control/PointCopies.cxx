@@ -18,18 +18,28 @@ std::vector<vtkIdType> FindFirstCopies(vtkPointSet* mesh)
     return firsts;
   }
   vtkDataArray* ids = mesh->GetPointData()->GetArray(MaterialPointIdsName);
-  std::unordered_map<vtkIdType, vtkIdType> places;
+  std::unordered_multimap<vtkIdType, vtkIdType> places; // appended meshes have the same ids
   bool hasCopies = false;
   for (vtkIdType i = 0; i < size; ++i)
   {
     const vtkIdType id = ToId(ids->GetComponent(i, 0));
-    const vtkIdType first = id < 0 ? i : places.emplace(id, i).first->second;
     double ours[3];
-    double theirs[3];
     mesh->GetPoint(i, ours);
-    mesh->GetPoint(first, theirs);
-    firsts.push_back(std::equal(ours, ours + 3, theirs) ? first : i);
-    hasCopies = hasCopies || firsts.back() != i;
+    const auto same = places.equal_range(id);
+    const auto first = std::find_if(same.first, same.second,
+      [&](const auto& place)
+      {
+        double theirs[3];
+        mesh->GetPoint(place.second, theirs);
+        return std::equal(ours, ours + 3, theirs);
+      });
+    const bool isCopy = id >= 0 && first != same.second;
+    firsts.push_back(isCopy ? first->second : i);
+    hasCopies = hasCopies || isCopy;
+    if (id >= 0 && !isCopy)
+    {
+      places.emplace(id, i);
+    }
   }
   if (!hasCopies)
   {

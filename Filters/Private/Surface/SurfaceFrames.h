@@ -19,8 +19,6 @@ class vtkPolyData;
 namespace subdivision
 {
 
-constexpr const char* LimitTangentNames[2] = { "LimitTangent1", "LimitTangent2" };
-
 /// The tangents at the limits of the vertices of the last level. `points`: the vertices before they
 /// are moved to the limit, float or double.
 template <typename Id>

@@ -6,6 +6,7 @@
  */
 #include "FeatureTools.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSimplicialComplexTopology.h"
@@ -21,10 +22,7 @@ constexpr const char* IdsName = "MaterialPointIds";
 constexpr const char* ConstantName = "Constant"; ///< of cells: 1.7 times the material plus 1
 constexpr const char* ValueName = "Value";       ///< of points
 
-double GetConstant(double material)
-{
-  return 1.7 * material + 1.;
-}
+const auto GetConstant = [](double material) { return 1.7 * material + 1.; };
 
 /// Gives a mesh materials, a value that is constant in each, and values at points.
 Grid AddMaterials(vtkUnstructuredGrid* mesh, const std::function<int(vtkIdType)>& materialOf)
@@ -75,7 +73,6 @@ std::vector<Grid> MakeMeshes()
 void KeepInterfaces(vtkSubdivisionAlgorithm* filter)
 {
   filter->PreserveInterfacesOn();
-  filter->InterpolateIntegersOff();
 }
 
 void Jump(vtkSubdivisionAlgorithm* filter)
@@ -388,14 +385,14 @@ TEST(MaterialFields, ForgedArrays)
   const Grid mesh = MakeMeshes().front();
   const Choice choice = MakeUniform("", vtkMultiDimensionalSubdivision::BOX_SPLINE, false);
   const Grid expected = choice.Run(mesh, 1, Jump);
-  for (const double id : { -1., 4e18, std::nan(""), 3. }) // other places, or no id
+  for (const vtkIdType id : { vtkIdType(-1), vtkIdType(1) << 62, vtkIdType(3) }) // of other places
   {
     const Grid forged = DeepCopy(mesh);
-    const auto ids = MakeArray<vtkDoubleArray>(IdsName, 1, mesh->GetNumberOfPoints(), id, id, 1);
-    vtkNew<vtkIdTypeArray> integers;
-    integers->DeepCopy(ids);
-    integers->SetName(IdsName);
-    forged->GetPointData()->AddArray(std::isnan(id) ? static_cast<vtkDataArray*>(ids) : integers);
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName(IdsName);
+    ids->SetNumberOfValues(mesh->GetNumberOfPoints());
+    ids->FillValue(id);
+    forged->GetPointData()->AddArray(ids);
     EXPECT_EQ(expected->GetNumberOfPoints(), choice.Run(forged, 1, Jump)->GetNumberOfPoints());
   }
   for (const char* name : { "SubdivisionField0:x", "SubdivisionField", "SubdivisionField99:y" })
@@ -414,6 +411,112 @@ TEST(MaterialFields, ForgedArrays)
     filter->Update();
     EXPECT_EQ(1, messages->CountWarnings(name));
     EXPECT_TRUE(messages->Errors.empty());
+  }
+}
+
+// What a filter makes itself is no field: normals in a second filter are those of continuous
+// values.
+TEST(MaterialFields, NormalsAreNoFields)
+{
+  const Grid mesh = MakeMeshes().front();
+  auto run = [](vtkDataObject* input, bool jumps)
+  {
+    vtkNew<vtkMultiDimensionalSubdivision> filter;
+    filter->ProjectToLimitOn();
+    filter->GenerateLimitNormalsOn();
+    KeepInterfaces(filter);
+    filter->SetInterfaceValues(jumps);
+    return UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input);
+  };
+  auto twice = [&](bool jumps) { return run(run(mesh, jumps), jumps); };
+  const Grid torn = twice(true);
+  const Grid whole = twice(false);
+  vtkDataArray* ids = torn->GetPointData()->GetArray(IdsName);
+  vtkDataArray* ours = torn->GetPointData()->GetArray("LimitNormals");
+  vtkDataArray* theirs = whole->GetPointData()->GetArray("LimitNormals");
+  ASSERT_TRUE(ids && ours && theirs);
+  for (vtkIdType p = 0; p < torn->GetNumberOfPoints(); ++p)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto id = static_cast<vtkIdType>(ids->GetComponent(p, 0));
+      ASSERT_EQ(theirs->GetComponent(id, k), ours->GetComponent(p, k));
+    }
+  }
+}
+
+TEST(MaterialFields, ShortCellArraysAreNoFields)
+{
+  const Grid mesh = MakeMeshes().front();
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  Jump(filter);
+  mesh->GetCellData()->GetArray(ConstantName)->SetNumberOfTuples(1);
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputDataObject(mesh);
+  filter->Update();
+  EXPECT_EQ(1, messages->CountWarnings("to be made a field"));
+  EXPECT_FALSE(filter->GetOutput()->GetPointData()->HasArray(ConstantName));
+}
+
+// Meshes that were appended have the same ids of points twice: each has its own copies.
+TEST(MaterialFields, AppendedMeshes)
+{
+  const Grid mesh = MakeMeshes().front();
+  const Choice choice = MakeUniform("", vtkMultiDimensionalSubdivision::BOX_SPLINE, false);
+  const Grid torn = choice.Run(mesh, 1, Jump);
+  const Grid moved = DeepCopy(torn);
+  for (vtkIdType p = 0; p < moved->GetNumberOfPoints(); ++p)
+  {
+    double x[3];
+    moved->GetPoint(p, x);
+    moved->GetPoints()->SetPoint(p, x[0] + 100., x[1], x[2]);
+  }
+  vtkNew<vtkAppendFilter> append;
+  append->AddInputData(torn);
+  append->AddInputData(moved);
+  append->Update();
+  RemoveStamp(torn);
+  const Grid one = choice.Run(torn, 1, Jump);
+  const Grid two = choice.Run(append->GetOutput(), 1, Jump);
+  EXPECT_EQ(2 * one->GetNumberOfPoints(), two->GetNumberOfPoints());
+}
+
+// Without fields of its own a filter does not join copies, and says so; their ids end there.
+TEST(MaterialFields, CopiesInAFilterWithoutFields)
+{
+  const Choice choice = MakeUniform("", vtkMultiDimensionalSubdivision::BOX_SPLINE, false);
+  const Grid torn = choice.Run(MakeMeshes().front(), 1, Jump);
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputDataObject(torn);
+  filter->Update();
+  EXPECT_EQ(1, messages->CountWarnings("cracks"));
+  EXPECT_FALSE(filter->GetOutput()->GetPointData()->HasArray(IdsName));
+  EXPECT_TRUE(torn->GetPointData()->HasArray(IdsName));
+}
+
+// A poly line of another material of which one segment is an edge of a solid has its own values.
+TEST(MaterialFields, CellsThatArePartlyFaces)
+{
+  const Grid mesh = MakeGrid({ { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1., 0. }, { 0., 0., 1. },
+                               { 2., 0., 0. }, { 3., 1., 0. } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_POLY_LINE, { 0, 1, 4, 5 } } });
+  AddCellArray(mesh, "MaterialId", { 0, 4 });
+  AddCellArray<vtkDoubleArray>(mesh, ConstantName, { 1, 41 });
+  for (const int levels : { 0, 1, 2 })
+  {
+    const Grid torn =
+      MakeUniform("", vtkMultiDimensionalSubdivision::BOX_SPLINE, false).Run(mesh, levels, Jump);
+    vtkDataArray* constants = torn->GetPointData()->GetArray(ConstantName);
+    for (vtkIdType c = 0; c < torn->GetNumberOfCells(); ++c)
+    {
+      for (const vtkIdType id : GetCell(torn, c))
+      {
+        EXPECT_NEAR(GetMaterial(torn, c) == 0. ? 1. : 41., constants->GetComponent(id, 0), 1e-13);
+      }
+    }
   }
 }
 
