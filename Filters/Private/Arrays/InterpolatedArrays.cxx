@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <sstream>
 #include <tuple>
 
@@ -40,8 +41,7 @@ auto GetOrder(vtkDataArray* array)
     array->GetNumberOfComponents(), name);
 }
 
-/// Whether all parts of the mesh have columns for the same arrays: an array that is named may be
-/// one of several of that name.
+/// Whether all parts of the mesh have columns for as many arrays of the same types.
 bool HaveAllTheSame(
   const std::vector<vtkSmartPointer<vtkDataArray>*>& arrays, const InterpolationLimits& limits)
 {
@@ -139,7 +139,11 @@ std::vector<vtkSmartPointer<vtkDataArray>*> PointArrays::FindInterpolated(
   {
     found.push_back(&this->Points);
   }
-  std::vector<std::string> missing = options.Arrays ? options.Names : std::vector<std::string>();
+  std::set<std::string> missing;
+  if (options.Arrays)
+  {
+    missing.insert(options.Names.begin(), options.Names.end());
+  }
   this->Interpolated.clear();
   for (std::size_t e = 0; e < this->Entries.size(); ++e)
   {
@@ -148,11 +152,11 @@ std::vector<vtkSmartPointer<vtkDataArray>*> PointArrays::FindInterpolated(
     {
       continue;
     }
-    const char* name = array->GetName();
-    const auto named = std::remove(missing.begin(), missing.end(), name ? name : "");
-    if (options.Names.empty() || named != missing.end())
+    const std::string name = std::get<0>(GetOrder(array));
+    if (options.Names.empty() ||
+      std::find(options.Names.begin(), options.Names.end(), name) != options.Names.end())
     {
-      missing.erase(named, missing.end());
+      missing.erase(name);
       this->Interpolated.push_back(e);
     }
   }
@@ -174,13 +178,13 @@ std::vector<vtkSmartPointer<vtkDataArray>*> PointArrays::FindInterpolated(
 void PointArrays::Interpolate(const PointOperator& limit, const InterpolationOptions& options,
   const InterpolationLimits& limits, const std::function<void(const std::string&)>& warn)
 {
-  const auto arrays = this->FindInterpolated(options, warn);
+  auto arrays = this->FindInterpolated(options, warn);
   if (!HaveAllTheSame(arrays, limits))
   {
     warn("Point arrays of one name have different types on different ranks: the filter ignores "
-         "InterpolatePoints and InterpolateArrays.");
+         "InterpolateArrays.");
+    arrays.resize(arrays.size() - this->Interpolated.size());
     this->Interpolated.clear();
-    return;
   }
   if (arrays.empty() || (this->NumberOfPoints == 0 && !limits.TakeOthers))
   {

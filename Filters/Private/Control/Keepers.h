@@ -10,6 +10,8 @@
 #include "Private/Control/SharedNumbers.h"
 
 #include <algorithm>
+#include <cstring>
+#include <vector>
 
 namespace subdivision
 {
@@ -25,7 +27,7 @@ inline std::vector<vtkIdType> UnpackIds(const std::vector<char>& message)
   std::vector<vtkIdType> ids(message.size() / sizeof(vtkIdType));
   if (!ids.empty())
   {
-    std::memcpy(ids.data(), message.data(), message.size());
+    std::memcpy(ids.data(), message.data(), ids.size() * sizeof(vtkIdType));
   }
   return ids;
 }

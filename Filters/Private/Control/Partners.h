@@ -99,6 +99,10 @@ inline void Partners::FindLargest(std::vector<double>& values)
   this->Send(toFirst);
   for (const auto& [from, message] : toFirst)
   {
+    if (message.size() != size)
+    {
+      throw PartnersStopped(); // the work there is another one
+    }
     std::vector<double> others(values.size());
     std::memcpy(others.data(), message.data(), size);
     for (std::size_t i = 0; i < values.size(); ++i)

@@ -73,14 +73,14 @@ void ConnectToOthers(vtkPointSet* input, const SimplicesOfCells& cells, const Ru
   }
 }
 
-void WarnOfLateInterpolation(const RunOptions& options, const std::vector<vtkIdType>& before)
+void WarnOfLateInterpolation(const InterpolationOptions& options,
+  const std::vector<vtkIdType>& before, const std::function<void(const std::string&)>& warn)
 {
-  if (options.Interpolation.IsOn() && before.empty())
+  if (options.IsOn() && before.empty())
   {
-    options.Warn(
-      "An earlier filter made the input, and did not interpolate: its control points are "
-      "smoothed already. This filter ignores InterpolatePoints and InterpolateArrays. "
-      "Switch them on in the first of the filters.");
+    warn("An earlier filter made the input, and did not interpolate: its control points are "
+         "smoothed already. This filter ignores InterpolatePoints and InterpolateArrays. "
+         "Switch them on in the first of the filters.");
   }
 }
 

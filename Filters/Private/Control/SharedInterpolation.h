@@ -25,7 +25,8 @@ void ConnectToOthers(vtkPointSet* input, const SimplicesOfCells& cells, const Ru
 
 /// Warns if there is something to interpolate in the output of an earlier filter that did not do
 /// so.
-void WarnOfLateInterpolation(const RunOptions& options, const std::vector<vtkIdType>& before);
+void WarnOfLateInterpolation(const InterpolationOptions& options,
+  const std::vector<vtkIdType>& before, const std::function<void(const std::string&)>& warn);
 
 /// Warns of values of the output beyond the range of the input's. All partitions call this. If
 /// there are several, each looks at the cells that are made of its own, and nothing is counted.

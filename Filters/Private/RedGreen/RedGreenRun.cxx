@@ -239,8 +239,9 @@ void RedGreenRun::Interpolate(RedGreenLimit<Id>& limit)
   const ControlMesh& control = this->Mesh.Control;
   if (control.IsStamped)
   {
-    WarnOfLateInterpolation(
-      this->Options, ReadFieldIds(InterpolatedName, this->Input->GetFieldData()));
+    WarnOfLateInterpolation(this->Options.Interpolation,
+      ReadFieldIds(InterpolatedName, this->Input->GetFieldData()),
+      [this](const std::string& warning) { this->Warn(warning); });
   }
   const bool isOwn = this->Options.Interpolation.IsOn() && !control.IsStamped;
   if (!AgreeWithOthers(isOwn, this->Input, this->Options))

@@ -49,7 +49,8 @@ void SurfaceRun<Id>::MakeControl(
 template <typename Id>
 void SurfaceRun<Id>::Interpolate()
 {
-  if (!AgreeWithOthers(this->Interpolates(), this->Input, this->Options))
+  this->Solves = AgreeWithOthers(this->Interpolates(), this->Input, this->Options);
+  if (!this->Solves)
   {
     return;
   }
@@ -61,8 +62,11 @@ void SurfaceRun<Id>::Interpolate()
     InterpolationOptions options = this->Options.Interpolation;
     options.Points = options.Points && points;
     options.Arrays = options.Arrays && arrays;
-    this->Points->Interpolate(
-      control.GetLimit(LimitKind::Position).Store(), options, limits, this->Options.Warn);
+    if (options.IsOn())
+    {
+      this->Points->Interpolate(
+        control.GetLimit(LimitKind::Position).Store(), options, limits, this->Options.Warn);
+    }
   };
   if (AgreeWithOthers(!this->JoinedControl, this->Input, this->Options))
   {

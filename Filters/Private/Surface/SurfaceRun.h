@@ -122,8 +122,7 @@ private:
   /// What the stamp says of it.
   std::vector<vtkIdType> GetInterpolated() const
   {
-    return this->Interpolates() ? this->Options.Interpolation.GetNumbers()
-                                : this->Stamp.Interpolated;
+    return this->Solves ? this->Options.Interpolation.GetNumbers() : this->Stamp.Interpolated;
   }
   void FindCreases(const PolygonMesh<Id>& mesh, const SurfaceCells& cells);
   SurfaceCreases ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level);
@@ -175,6 +174,7 @@ private:
   SimplicesOfCells NoCentres;
   std::vector<vtkIdType> GlobalIds;
   std::unique_ptr<PointArrays> Points;
+  bool Solves = false;                                ///< all partitions interpolate
   SharpPairs Marked;                                  ///< FindMarkedEdges
   SharpPairs Creases;                                 ///< SubdivisionSurfaceCreases of the stamp
   std::vector<std::unique_ptr<SurfaceSteps<Id>>> Own; ///< steps that are not kept

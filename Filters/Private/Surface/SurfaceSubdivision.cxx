@@ -480,7 +480,8 @@ void SurfaceRun<Id>::WriteStamp()
   RemoveSurfaceStamp(this->Output);
   if (this->MadeLevels > 0)
   {
-    WarnOfLateInterpolation(this->Options, this->Stamp.Interpolated);
+    WarnOfLateInterpolation(
+      this->Options.Interpolation, this->Stamp.Interpolated, this->Options.Warn);
   }
   SurfaceStamp stamp;
   stamp.Scheme = static_cast<int>(this->Options.Scheme);

@@ -25,19 +25,19 @@ bool UniformRun::Interpolates() const
 double UniformRun::GetPointsWeight() const
 {
   const InterpolationOptions& options = this->Options.Interpolation;
-  return this->Interpolates() && options.Points ? options.Weight : 0.;
+  return this->Solves && options.Points ? options.Weight : 0.;
 }
 
 /// Decides, with all partitions, whether they solve for control points, and whether the points of
 /// the output are those that were kept: all of them have to be.
 void UniformRun::PlanInterpolation()
 {
+  this->Solves = AgreeWithOthers(this->Interpolates(), this->Input, this->Options);
   // Normals need the points before they are projected.
   const KeptOperator* kept = this->Found;
   const bool knowsPoints = kept && kept->Steps && kept->PointsOut &&
     !this->Options.GenerateLimitNormals && kept->PointsWeight == this->GetPointsWeight() &&
     HoldsSameValues(this->Points->GetPoints(), kept->PointsIn);
-  this->Solves = AgreeWithOthers(this->Interpolates(), this->Input, this->Options);
   this->ReusesPoints = AgreeWithOthers(knowsPoints, this->Input, this->Options);
 }
 
@@ -58,14 +58,14 @@ void UniformRun::Interpolate(const PointOperator* limit)
 /// Says in the stamp what was solved for, here or by an earlier filter.
 void UniformRun::StampInterpolation(StampedIds& ids) const
 {
-  if (this->Interpolates())
+  if (this->Solves)
   {
     ids.Interpolated = this->Options.Interpolation.GetNumbers();
   }
   else if (this->Mesh.IsStamped)
   {
     ids.Interpolated = ReadFieldIds(InterpolatedName, this->Input->GetFieldData());
-    WarnOfLateInterpolation(this->Options, ids.Interpolated);
+    WarnOfLateInterpolation(this->Options.Interpolation, ids.Interpolated, this->Options.Warn);
   }
 }
 
