@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 
 namespace subdivision
@@ -52,34 +53,65 @@ public:
   /// Those sums, at a key; null: nobody is sure of it.
   const vtkIdType* Find(const vtkIdType* key) const
   {
-    const auto found = std::lower_bound(this->Sorted.begin(), this->Sorted.end(), key,
+    const vtkIdType place = *key - this->Least;
+    if (place < 0 || place + 1 >= static_cast<vtkIdType>(this->Starts.size()))
+    {
+      return nullptr;
+    }
+    const auto last = this->Sorted.begin() + this->Starts[place + 1];
+    const auto found = std::lower_bound(this->Sorted.begin() + this->Starts[place], last, key,
       [this](const vtkIdType* record, const vtkIdType* k) { return this->IsLess(record, k); });
-    return found == this->Sorted.end() || this->IsLess(key, *found) ? nullptr
-                                                                    : *found + this->Width;
+    return found == last || this->IsLess(key, *found) ? nullptr : *found + this->Width;
   }
 
 private:
+  /// Whether a key comes before another one with the same first id.
   bool IsLess(const vtkIdType* a, const vtkIdType* b) const
   {
-    return std::lexicographical_compare(a, a + this->Width, b, b + this->Width);
+    return std::lexicographical_compare(a + 1, a + this->Width, b + 1, b + this->Width);
   }
+  /// Sorts by counting how many keys have each first id, of which a partition keeps a range, and
+  /// then the few that have the same.
   void Sort()
   {
-    for (size_t i = 0; i < this->Records.size(); i += static_cast<size_t>(this->Length))
+    const auto length = static_cast<size_t>(this->Length);
+    vtkIdType last = -1;
+    this->Least = this->Records.empty() ? 0 : this->Records[0];
+    for (size_t i = 0; i < this->Records.size(); i += length)
     {
-      this->Sorted.push_back(this->Records.data() + i);
+      this->Least = std::min(this->Least, this->Records[i]);
+      last = std::max(last, this->Records[i]);
+    }
+    std::vector<size_t> ends(static_cast<size_t>(last - this->Least + 2), 0);
+    for (size_t i = 0; i < this->Records.size(); i += length)
+    {
+      ++ends[this->Records[i] - this->Least + 1];
+    }
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<vtkIdType*> records(this->Records.size() / length);
+    for (size_t i = 0; i < this->Records.size(); i += length)
+    {
+      records[ends[this->Records[i] - this->Least]++] = this->Records.data() + i;
     }
     const auto isLess = [this](const vtkIdType* a, const vtkIdType* b)
     { return this->IsLess(a, b); };
-    std::sort(this->Sorted.begin(), this->Sorted.end(), isLess);
-    this->Sorted.erase(std::unique(this->Sorted.begin(), this->Sorted.end(),
-                         [&](const vtkIdType* a, const vtkIdType* b) { return !isLess(a, b); }),
-      this->Sorted.end());
+    auto first = records.begin();
+    for (const size_t end : ends)
+    {
+      const auto next = records.begin() + end;
+      this->Starts.push_back(this->Sorted.size());
+      std::sort(first, next, isLess);
+      std::unique_copy(first, next, std::back_inserter(this->Sorted),
+        [&](const vtkIdType* a, const vtkIdType* b) { return !isLess(a, b); });
+      first = next;
+    }
   }
 
   int Width;
   int Length;
   Ids Records;
+  vtkIdType Least = 0;        ///< first id of a key
+  std::vector<size_t> Starts; ///< in Sorted, of the keys with each first id
   std::vector<vtkIdType*> Sorted;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Uniform/OutputNumbers.h"
 
-#include "Core/Solids/Complex/SimplicialComplex.h"
+#include "Core/Memory/Ids.h"
 #include "Private/ArrayNames.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SharedNumbers.h"
@@ -21,16 +21,18 @@ namespace
 using Ids = std::vector<vtkIdType>;
 
 /// Finds the numbers of control simplices.
+template <typename Id>
 class ControlNumbering
 {
 public:
-  ControlNumbering(const ControlMesh& mesh, const SimplexTuples& derived,
-    const WantedSimplices& wanted, vtkPointSet* input, Partners& partners)
+  ControlNumbering(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
+    const ControlMesh& mesh, const WantedSimplices& wanted, vtkPointSet* input, Partners& partners)
     : Mesh(mesh)
     , Control(mesh.GetControl())
     , Wanted(wanted)
     , With(partners)
-    , Complex(BuildComplex<long long>(AddTuples(this->Control, derived), this->Runs))
+    , Runs(runs)
+    , Complex(complex)
   {
     this->FindCells(PlaceCells(input, partners));
     Flags own;
@@ -47,8 +49,8 @@ public:
     this->Made.Numbers[0] = std::move(vertices.First);
     this->Made.Totals[0] = vertices.Totals[0];
     this->NumberSimplices(steps);
-    this->NumberFaces<2>(this->Complex.EdgeVertices, this->Complex.NumberOfLineCells);
-    this->NumberFaces<3>(this->Complex.FaceVertices, this->Complex.NumberOfTriangleCells);
+    this->template NumberFaces<2>(this->Complex.EdgeVertices, this->Complex.NumberOfLineCells);
+    this->template NumberFaces<3>(this->Complex.FaceVertices, this->Complex.NumberOfTriangleCells);
     this->Made.Parts = this->FindParts(this->Wanted.Flags);
     for (const vtkIdType point : this->Wanted.Points)
     {
@@ -80,7 +82,7 @@ private:
           parts.Kept[dimension][number] = 1;
         }
       });
-    const auto addFaces = [&](int dimension, int size, const Buffer<long long>& faces)
+    const auto addFaces = [&](int dimension, int size, const Buffer<Id>& faces)
     {
       for (vtkIdType i = 0; i < faces.size(); ++i)
       {
@@ -115,7 +117,7 @@ private:
   void ForSimplices(const Act& act) const
   {
     const auto& complex = this->Complex;
-    const Buffer<long long>* twins[4] = { nullptr, &complex.EqualLines.Twins,
+    const Buffer<Id>* twins[4] = { nullptr, &complex.EqualLines.Twins,
       &complex.EqualTriangles.Twins, &complex.EqualTets.Twins };
     for (const CellRun& run : this->Runs)
     {
@@ -195,16 +197,16 @@ private:
   /// Numbers the edges or faces that are no control simplices: those that are derived, and then all
   /// others.
   template <int Size>
-  void NumberFaces(const Buffer<long long>& vertices, vtkIdType firstOther)
+  void NumberFaces(const Buffer<Id>& vertices, vtkIdType firstOther)
   {
     const auto first = static_cast<vtkIdType>(this->Made.Numbers[Size - 1].size());
-    this->NumberFaces<Size>(vertices, first, firstOther);
-    this->NumberFaces<Size>(vertices, firstOther, vertices.size() / Size);
+    this->template NumberFaces<Size>(vertices, first, firstOther);
+    this->template NumberFaces<Size>(vertices, firstOther, vertices.size() / Size);
   }
 
   /// Some of them, in the order of their vertices.
   template <int Size>
-  void NumberFaces(const Buffer<long long>& vertices, vtkIdType first, vtkIdType last)
+  void NumberFaces(const Buffer<Id>& vertices, vtkIdType first, vtkIdType last)
   {
     SharedKeys faces;
     faces.Width = Size;
@@ -233,8 +235,8 @@ private:
   const SimplexList& Control;
   const WantedSimplices& Wanted;
   Partners& With;
-  std::vector<CellRun> Runs;
-  const SimplicialComplex<long long> Complex;
+  const std::vector<CellRun>& Runs;
+  const SimplicialComplex<Id>& Complex;
   Ids Cells;         ///< of each control simplex, the input cell
   SharedKeys Pieces; ///< control simplices as pieces of these cells
   ControlParts Own;  ///< what own simplices have
@@ -243,11 +245,14 @@ private:
 
 }
 
-ControlNumbers NumberControl(const ControlMesh& mesh, const SimplexTuples& derived,
-  const WantedSimplices& wanted, vtkPointSet* input, int steps, Partners& partners)
+template <typename Id>
+ControlNumbers NumberControl(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
+  const ControlMesh& mesh, const WantedSimplices& wanted, vtkPointSet* input, int steps,
+  Partners& partners)
 {
-  return ControlNumbering(mesh, derived, wanted, input, partners).Number(input, steps);
+  return ControlNumbering<Id>(complex, runs, mesh, wanted, input, partners).Number(input, steps);
 }
+SUBDIVISION_COMPILE_FUNCTION(NumberControl);
 
 OutputNumbers NumberOutput(
   const ControlNumbers& control, const SimplexList& wanted, int steps, const SchemeTraits& scheme)

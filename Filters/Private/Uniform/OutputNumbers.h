@@ -8,6 +8,7 @@
 #define SubdivisionObjects_OutputNumbers_h
 
 #include "Core/Solids/AllSchemes/LevelCut.h"
+#include "Core/Solids/Complex/SimplicialComplex.h"
 #include "Private/Control/ControlMesh.h"
 
 #include "vtkIdTypeArray.h"
@@ -55,16 +56,19 @@ struct ControlNumbers
 };
 
 /**
- * Numbers control simplices. `mesh` is what was read from `input`, the mesh that `partners` know,
- * `derived` the singular simplices of its control mesh; the output is `steps` steps after that.
- * All partitions call this together.
+ * Numbers control simplices. `complex` is the one of the control mesh and of derived singular
+ * simplices, and `runs` those of the former, and then of the latter. `mesh` is what was read from
+ * `input`, the mesh that `partners` know; the output is `steps` steps after its control mesh. All
+ * partitions call this together.
  *
  * The ids of children follow from those of their parents by arithmetic. So it is enough to number
  * the vertices, edges, faces and tetrahedra of the control mesh, each kind with NumberTogether: 14
  * exchanges, however many steps there are. About 100 bytes are sent for each control tetrahedron.
  */
-ControlNumbers NumberControl(const ControlMesh& mesh, const SimplexTuples& derived,
-  const WantedSimplices& wanted, vtkPointSet* input, int steps, Partners& partners);
+template <typename Id>
+ControlNumbers NumberControl(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
+  const ControlMesh& mesh, const WantedSimplices& wanted, vtkPointSet* input, int steps,
+  Partners& partners);
 
 struct OutputNumbers
 {

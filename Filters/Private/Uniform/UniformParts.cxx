@@ -96,14 +96,35 @@ std::vector<CellRun> UniformRun::CountWanted() const
   return RefineRuns(runs, 0);
 }
 
+/// Numbers control simplices by their complex: the one that was built, if it is the current level.
 void UniformRun::NumberControl()
 {
-  if (this->Others)
+  if (!this->Others)
   {
-    this->Numbers = subdivision::NumberControl(this->Mesh,
-      this->Found ? this->Found->ControlDerived : this->Control.Derived.Tuples, this->Wanted,
-      this->Input, this->Mesh.MadeLevels + this->Options.Levels, *this->Others);
+    return;
   }
+  const auto number = [this](const auto& complex, const std::vector<CellRun>& runs)
+  {
+    this->Numbers = subdivision::NumberControl(complex, runs, this->Mesh, this->Wanted, this->Input,
+      this->Mesh.MadeLevels + this->Options.Levels, *this->Others);
+  };
+  const SimplexList& control = this->Mesh.GetControl();
+  std::vector<CellRun> runs;
+  if (this->Found || this->Mesh.MadeLevels > 0)
+  {
+    const SimplexTuples& derived =
+      this->Found ? this->Found->ControlDerived : this->Control.Derived.Tuples;
+    const auto complex = BuildComplex<long long>(AddTuples(control, derived), runs);
+    number(complex, runs);
+    return;
+  }
+  runs = this->Control.Runs;
+  for (CellRun run : this->Control.DerivedRuns)
+  {
+    run.FirstCell += control.GetNumberOfSimplices();
+    runs.push_back(run);
+  }
+  std::visit([&](const auto& level) { number(level.Complex, runs); }, this->Current);
 }
 
 /// Leaves only what the output needs for the last step.
