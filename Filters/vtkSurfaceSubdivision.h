@@ -108,8 +108,8 @@
  * for bit, for every scheme; Midedge, FourEight and SqrtThree continue with the right parity, the
  * last two with the flags of the first input. Angles and flatness of corners are those of the first
  * input. After ProjectToLimit, or if cells were changed in between, the next filter takes the mesh
- * for a new one. Only the first filter knows global ids. On several ranks only Loop, Butterfly and
- * Catmull-Clark go on; with other schemes the next filter takes the mesh for a new one, and warns.
+ * for a new one. Only the first filter knows global ids. On several ranks filters go on as long as
+ * the cells of each rank stay together; else the next one takes the mesh for a new one, and warns.
  *
  * @par Complexity
  * Time and memory are linear in the size of the output; incidences are searched on the input only.

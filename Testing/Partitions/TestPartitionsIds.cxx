@@ -309,11 +309,6 @@ TEST(PartitionsIds, LetFiltersOfSurfacesGoOn)
   ForSurfaces(
     [](vtkPointSet* mesh, int scheme, bool findsFeatures, const Partition& partition)
     {
-      const bool halvesEdges = scheme < 3;
-      if (!halvesEdges && partition.Parts > 1)
-      {
-        return;
-      }
       const Mesh whole = Subdivide(mesh, MakeOptions(scheme, findsFeatures, 3));
       std::vector<Mesh> parts = Cut(mesh, partition);
       for (int step = 0; step < 3; ++step)
@@ -332,10 +327,6 @@ TEST(PartitionsIds, PartsAgreeThatMarksStartAfresh)
   ForSurfaces(
     [](vtkPointSet* mesh, int scheme, bool, const Partition& partition)
     {
-      if (scheme > 0)
-      {
-        return;
-      }
       // At one end: many parts have no mark.
       const double* bounds = mesh->GetBounds();
       vtkNew<vtkPlane> plane;

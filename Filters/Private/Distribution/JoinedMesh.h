@@ -30,6 +30,9 @@ struct MeshPart
   std::vector<vtkIdType> Cells;
   /// If an earlier filter made the mesh, and this one goes on: the steps since the control mesh.
   int Levels = 0;
+  /// If not empty: the ids of the points all cells between which the partition gets, in the place
+  /// of layers. The first part of a partition has them.
+  std::vector<vtkIdType> Region{};
 };
 
 /// An array of a joined mesh.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 namespace subdivision
 {
@@ -129,6 +130,21 @@ std::vector<vtkIdType> FindPointIds(const Partition& partition, size_t first)
   return ids;
 }
 
+/// The same with the region, if the partition has one.
+std::vector<vtkIdType> FindWishedIds(const Partition& partition, size_t first)
+{
+  std::vector<vtkIdType> ids = FindPointIds(partition, first);
+  if (first == 0 && !partition.Parts->empty())
+  {
+    const std::vector<vtkIdType>& region = partition.Parts->front().Region;
+    std::copy_if(
+      region.begin(), region.end(), std::back_inserter(ids), [](vtkIdType id) { return id >= 0; });
+    vtkSMPTools::Sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  }
+  return ids;
+}
+
 /// Which groups are wished: those with a wished point, or those all of whose points are.
 enum class Extent
 {
@@ -230,23 +246,30 @@ vtkIdType CountIds(const std::vector<std::vector<MeshPart>>& parts, Exchange& ex
   {
     for (const MeshPart& part : partition)
     {
-      for (const vtkIdType id : part.Points)
+      for (const auto* ids : { &part.Points, &part.Region })
       {
-        last = std::max(last, id);
+        last = std::accumulate(
+          ids->begin(), ids->end(), last, [](vtkIdType a, vtkIdType b) { return std::max(a, b); });
       }
     }
   }
   return exchange.Max(last) + 1;
 }
 
-vtkIdType FindMostLevels(const std::vector<std::vector<MeshPart>>& parts, Exchange& exchange)
+/// How many exchanges bring the stars of points, and how many what is inside.
+std::pair<int, int> CountExchanges(
+  const std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange)
 {
   vtkIdType most = 0;
+  vtkIdType mostRegion = 0;
   for (const auto& partition : parts)
   {
     most = std::max<vtkIdType>(most, partition.empty() ? 0 : partition[0].Levels);
+    mostRegion =
+      std::max<vtkIdType>(mostRegion, partition.empty() || partition[0].Region.empty() ? 0 : 1);
   }
-  return exchange.Max(most);
+  const bool hasRegion = exchange.Max(mostRegion) > 0;
+  return { hasRegion ? 0 : layers, exchange.Max(most) > 0 || hasRegion ? 1 : 0 };
 }
 
 }
@@ -263,17 +286,17 @@ std::vector<SentLayers> AddLayers(
   }
   size_t size = parts.size();
   std::vector<size_t> seen(size, 0); // parts whose points are known
-  const bool isStamped = FindMostLevels(parts, exchange) > 0;
-  for (int layer = 0; layer < layers + (isStamped ? 1 : 0); ++layer)
+  const auto [stars, inside] = CountExchanges(parts, layers, exchange);
+  for (int layer = 0; layer < stars + inside; ++layer)
   {
-    const Extent extent = layer < layers ? Extent::Stars : Extent::Inside;
+    const Extent extent = layer < stars ? Extent::Stars : Extent::Inside;
     // To the directory: the points that are new.
     std::vector<Exchange::Lists<vtkIdType>> questions(size);
     for (size_t i = 0; i < size; ++i)
     {
       Partition& partition = partitions[i];
       partition.GroupNewParts();
-      const std::vector<vtkIdType> ids = FindPointIds(partition, seen[i]);
+      const std::vector<vtkIdType> ids = FindWishedIds(partition, seen[i]);
       seen[i] = partition.Parts->size();
       std::vector<vtkIdType> fresh;
       std::set_difference(ids.begin(), ids.end(), partition.Known.begin(), partition.Known.end(),

@@ -4,15 +4,19 @@
 #include "Core/Memory/Ids.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/Partners.h"
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -94,6 +98,43 @@ public:
   {
   }
 
+  /// Finds carried arrays that were changed since they were shown, on any partition.
+  void FindChanged(vtkPolyData* input, Partners* others)
+  {
+    std::map<std::string, double> changed; // the same names on all partitions
+    for (const CarriedCells::Entry& entry : this->Carried.Entries)
+    {
+      changed[entry.Name] = 0.;
+    }
+    auto* blocks = vtkIntArray::SafeDownCast(input->GetCellData()->GetArray(BlockName));
+    for (int a = 0; a < input->GetCellData()->GetNumberOfArrays(); ++a)
+    {
+      vtkAbstractArray* array = input->GetCellData()->GetAbstractArray(a);
+      const CarriedCells::Entry* base = this->FindBase(array);
+      if (base && array->GetNumberOfTuples() == input->GetNumberOfCells() &&
+        !this->IsShown(*base, array, blocks))
+      {
+        changed[base->Name] = 1.;
+      }
+    }
+    std::vector<double> values;
+    for (const auto& entry : changed)
+    {
+      values.push_back(entry.second);
+    }
+    if (others)
+    {
+      others->FindLargest(values);
+    }
+    auto value = values.begin();
+    for (const auto& entry : changed)
+    {
+      if (*value++ > 0.)
+      {
+        this->Changed.insert(entry.first);
+      }
+    }
+  }
   /// Makes an array of the output from one of the input, and adds to `next` what the next filter
   /// needs of it.
   vtkSmartPointer<vtkAbstractArray> Copy(vtkAbstractArray* array, CarriedCells& next)
@@ -195,18 +236,35 @@ private:
 
   /// The carried data of earlier faces for an array, if the input still shows them. Null if there
   /// are none or the array was changed since: then the values of the input are used.
-  const CarriedCells::Entry* FindBase(vtkAbstractArray* array)
+  const CarriedCells::Entry* FindBase(vtkAbstractArray* array) const
   {
     const CarriedCells::Entry* base = this->Carried.Find(array->GetName());
-    if (!base || base->Level >= this->FirstStep ||
+    if (!base || base->Level >= this->FirstStep || this->Changed.count(base->Name) > 0 ||
       base->Array->GetDataType() != array->GetDataType() ||
       base->Array->GetNumberOfComponents() != array->GetNumberOfComponents() ||
       base->Array->GetNumberOfTuples() != this->Steps.GetLevel(base->Level).Mesh.NumberOfFaces)
     {
       return nullptr;
     }
-    const auto shown = Gather(base->Array, Whole(this->FindSources(base->Level, this->FirstStep)));
-    return HoldSame(shown, this->GatherFaces(array)) ? base : nullptr;
+    return base;
+  }
+  /// Whether the cells of blocks of this partition show them; `blocks`: null if all are.
+  bool IsShown(const CarriedCells::Entry& base, vtkAbstractArray* array, vtkIntArray* blocks)
+  {
+    const Buffer<vtkIdType>& faces = this->FindSources(base.Level, this->FirstStep);
+    std::vector<vtkIdType> before;
+    std::vector<vtkIdType> now;
+    for (size_t f = 0; f < this->Cells.FaceCells.size(); ++f)
+    {
+      const vtkIdType cell = this->Cells.FaceCells[f];
+      if (!blocks || blocks->GetValue(cell) != NoBlock)
+      {
+        before.push_back(faces[static_cast<vtkIdType>(f)]);
+        now.push_back(cell);
+      }
+    }
+    return HoldSame(Gather(base.Array, { before.data(), before.data() + before.size() }),
+      Gather(array, { now.data(), now.data() + now.size() }));
   }
 
   const SurfaceCells& Cells;
@@ -214,6 +272,7 @@ private:
   const int FirstStep;
   const CarriedCells& Carried;
   Buffer<vtkIdType> Sources;
+  std::set<std::string> Changed; ///< carried arrays that do not count
   std::map<std::pair<int, int>, Buffer<vtkIdType>> Known;
 };
 
@@ -257,7 +316,7 @@ void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources,
 template <typename Id>
 void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceSteps<Id>& steps, int firstStep, bool goesOn, const RunOptions& options,
-  CarriedCells& carried, vtkPolyData* output)
+  Partners* others, CarriedCells& carried, vtkPolyData* output)
 {
   vtkCellData* from = input->GetCellData();
   vtkCellData* to = output->GetCellData();
@@ -265,6 +324,7 @@ void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
   const bool originals = options.GenerateOriginalIds && !hasOriginals;
   SurfaceSources<Id> sources(cells, steps, firstStep, carried);
   CarriedCells next;
+  sources.FindChanged(input, others);
   ForEachArray(input, originals, options,
     [&](vtkAbstractArray* array, int i) { AddLike(from, i, sources.Copy(array, next), to); });
   if (originals)

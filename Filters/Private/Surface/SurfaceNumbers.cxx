@@ -20,7 +20,6 @@ namespace
 {
 
 using Kinds = SurfaceSegments;
-constexpr int VertexCell = Kinds::NumberOfKinds; ///< one more kind
 
 /// Points that an own cell uses, or no cell at all, are own.
 std::vector<char> FindSurePoints(vtkPolyData* input, const Partners& partners)
@@ -86,30 +85,52 @@ SharedKeys MakeEdgeKeys(const SurfaceLevel<Id>& control, const SharedKeys& faces
   return edges;
 }
 
-template <typename Id>
-SurfaceNumbers NumberSurface(vtkPolyData* input, const SurfaceCells& cells,
-  const SurfaceLevel<Id>& control, const SurfaceSegments& segments, Partners& partners)
+ControlKeys MakeControlKeys(vtkPolyData* input, const SurfaceCells& cells, Partners& partners)
 {
-  IdSegments ofCells{ { VertexCell, 1, {} } };
+  const std::vector<vtkIdType> places = PlaceCells(input, partners);
+  ControlKeys keys;
+  keys[Kinds::Vertex] = MakeVertexKeys(input, partners);
+  keys[Kinds::Vertex].Keys.resize(static_cast<size_t>(cells.NumberOfPoints));
+  keys[Kinds::Vertex].Own.resize(keys[Kinds::Vertex].Keys.size());
+  keys[Kinds::Face] = MakeKeysOfPieces(cells.FaceCells, places, partners);
+  keys[Kinds::Line] = MakeKeysOfPieces(cells.SegmentCells, places, partners);
+  keys[VertexCellKind] = MakeKeysOfPieces(cells.VertexCells, places, partners);
+  return keys;
+}
+
+template <typename Id>
+SurfaceNumbers NumberSurface(ControlKeys keys, const SurfaceLevel<Id>& control,
+  const SurfaceSegments& segments, Partners& partners)
+{
+  IdSegments ofCells{ { VertexCellKind, 1, {} } };
   ofCells.insert(ofCells.end(), segments.Lines.begin(), segments.Lines.end());
   ofCells.insert(ofCells.end(), segments.Faces.begin(), segments.Faces.end());
   const std::vector<const IdSegments*> lists{ &segments.Vertices, &ofCells };
-  const std::vector<vtkIdType> places = PlaceCells(input, partners);
-  const SharedKeys faces = MakeKeysOfPieces(cells.FaceCells, places, partners);
-  const SharedKeys lines = MakeKeysOfPieces(cells.SegmentCells, places, partners);
-  std::vector<SharedNumbers> things(VertexCell + 1);
-  const auto number = [&](int kind, SharedKeys keys)
-  { things[kind] = NumberTogether(std::move(keys), kind, lists, partners); };
-  SharedKeys vertices = MakeVertexKeys(input, partners);
-  vertices.Keys.resize(static_cast<size_t>(cells.NumberOfPoints));
-  vertices.Own.resize(vertices.Keys.size());
-  number(Kinds::Vertex, std::move(vertices));
-  number(Kinds::Edge, MakeEdgeKeys(control, faces, lines, things[Kinds::Vertex]));
-  number(Kinds::Face, faces);
-  number(Kinds::Line, lines);
-  number(VertexCell, MakeKeysOfPieces(cells.VertexCells, places, partners));
+  std::vector<SharedNumbers> things(NumberOfControlKinds);
+  SurfaceNumbers numbers;
+  for (int kind = 0; kind < NumberOfControlKinds; ++kind)
+  {
+    const bool isEdge = kind == Kinds::Edge;
+    if (isEdge)
+    {
+      keys[kind] =
+        MakeEdgeKeys(control, keys[Kinds::Face], keys[Kinds::Line], things[Kinds::Vertex]);
+    }
+    things[kind] = NumberTogether(keys[kind], kind, lists, partners);
+    const SharedNumbers& found = things[kind];
+    for (size_t i = 0; i < keys[kind].Own.size() && !isEdge; ++i)
+    {
+      const vtkIdType number = found.First[found.Totals.size() * i];
+      numbers.Control.push_back(kind);
+      numbers.Control.push_back(
+        2 * (number < 0 ? found.Totals[0] : number) + (keys[kind].Own[i] ? 1 : 0));
+    }
+  }
   std::vector<WholeIds> found = FindWholeIds(lists, things);
-  return { std::move(found[0]), std::move(found[1]), things[Kinds::Vertex].Totals[0] };
+  numbers.Points = std::move(found[0]);
+  numbers.Cells = std::move(found[1]);
+  numbers.NumberOfControlPoints = things[Kinds::Vertex].Totals[0];
+  return numbers;
 }
 
 void WriteNumbers(const SurfaceNumbers& numbers, vtkPolyData* output)
@@ -120,8 +141,8 @@ void WriteNumbers(const SurfaceNumbers& numbers, vtkPolyData* output)
 
 SUBDIVISION_COMPILE_FUNCTION(MakeEdgeKeys);
 template SurfaceNumbers NumberSurface(
-  vtkPolyData*, const SurfaceCells&, const SurfaceLevel<int>&, const SurfaceSegments&, Partners&);
-template SurfaceNumbers NumberSurface(vtkPolyData*, const SurfaceCells&,
-  const SurfaceLevel<long long>&, const SurfaceSegments&, Partners&);
+  ControlKeys, const SurfaceLevel<int>&, const SurfaceSegments&, Partners&);
+template SurfaceNumbers NumberSurface(
+  ControlKeys, const SurfaceLevel<long long>&, const SurfaceSegments&, Partners&);
 
 }

@@ -15,25 +15,36 @@ class vtkPolyData;
 namespace subdivision
 {
 
+/// The kinds of control parts: SurfaceSegments::Kind, and vertex cells.
+constexpr int VertexCellKind = SurfaceSegments::NumberOfKinds;
+constexpr int NumberOfControlKinds = VertexCellKind + 1;
+
+/// The control parts of each kind as keys; edges get theirs from their vertices (MakeEdgeKeys).
+using ControlKeys = std::array<SharedKeys, NumberOfControlKinds>;
+
 struct SurfaceNumbers
 {
   WholeIds Points; ///< -1 far from own cells
   WholeIds Cells;
   vtkIdType NumberOfControlPoints = 0; ///< of the whole
+  std::vector<vtkIdType> Control;      ///< as in SurfaceRegion.h
 };
 
 /**
- * The output has the vertices, lines and faces of `segments`, which come from the level `control`;
- * `cells` are its cells, with cells of `input`, the mesh that `partners` know. All partitions call
- * this together.
+ * The output has the vertices, lines and faces of `segments`, which come from the level `control`,
+ * whose parts are `keys`. All partitions call this together.
  *
  * It is enough to number the vertices, edges, faces and lines of the control level, and to count
  * what becomes of each where that differs (SurfaceSegments): 10 exchanges, however many steps there
  * are. About 8 bytes are sent for each control part and varied segment.
  */
 template <typename Id>
-SurfaceNumbers NumberSurface(vtkPolyData* input, const SurfaceCells& cells,
-  const SurfaceLevel<Id>& control, const SurfaceSegments& segments, Partners& partners);
+SurfaceNumbers NumberSurface(ControlKeys keys, const SurfaceLevel<Id>& control,
+  const SurfaceSegments& segments, Partners& partners);
+
+/// The control parts that are points and cells of `input`, the mesh that `partners` know; `cells`
+/// are its cells. All partitions call this together.
+ControlKeys MakeControlKeys(vtkPolyData* input, const SurfaceCells& cells, Partners& partners);
 
 /// The points of the input as keys, by their ids: sure are those of own cells.
 SharedKeys MakeVertexKeys(vtkPolyData* input, const Partners& partners);

@@ -6,6 +6,7 @@
 #include "Core/Memory/Ids.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/StampFields.h"
+#include "Private/Surface/SurfaceRegion.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -25,7 +26,7 @@ void SurfaceRun<Id>::KeepControlCoordinates()
   {
     this->ControlCoordinates.insert(this->ControlCoordinates.end(), point + 1, point + 4);
   }
-  if (left.empty() && FindPartners(this->Options, this->Input))
+  if (left.empty() && this->Scheme->HalvesEdges() && FindPartners(this->Options, this->Input))
   {
     const double* points = this->Points->GetCoordinates();
     this->ControlCoordinates.assign(points, points + 3 * this->Cells.NumberOfPoints);
@@ -49,23 +50,28 @@ SurfaceLevel<Id> SurfaceRun<Id>::MakeFirstLevel(const SurfaceCells& control) con
 template <typename Id>
 void SurfaceRun<Id>::WriteStampOfPart(Partners& others, bool isLevel)
 {
-  const bool goesOn = isLevel && this->Scheme->HalvesEdges();
   subdivision::Stamp stamp;
   stamp.Scheme = static_cast<StampScheme>(
     static_cast<int>(StampScheme::FirstOfSurfaces) + static_cast<int>(this->Options.Scheme));
   stamp.Levels = this->GetAllLevels();
-  stamp.IsProjected = !goesOn || others.Sum(this->Joined ? 1 : 0) > 0;
-  if (goesOn || this->Options.GenerateGlobalIds)
+  stamp.IsProjected = !isLevel || others.Sum(this->Joined ? 1 : 0) > 0;
+  if (isLevel || this->Options.GenerateGlobalIds)
   {
-    const SurfaceNumbers numbers = NumberSurface(this->Input, this->GetControl(),
+    const SurfaceNumbers numbers = NumberSurface(this->Options.IsRegion
+        ? ReadControlKeys(this->Input)
+        : MakeControlKeys(this->Input, this->GetControl(), others),
       this->Steps->GetLevel(0), this->Steps->ListSegments(), others);
     WriteNumbers(numbers, this->Output);
     stamp.NumberOfControlPoints = numbers.NumberOfControlPoints;
     stamp.NumberOfPoints = numbers.Points.Total;
     stamp.NumberOfCells = numbers.Cells.Total;
-    if (goesOn)
+    if (isLevel && this->Scheme->HalvesEdges())
     {
       this->WriteControlPoints(numbers, others);
+    }
+    else if (isLevel)
+    {
+      WriteRegion(numbers, this->Output);
     }
   }
   if (isLevel)

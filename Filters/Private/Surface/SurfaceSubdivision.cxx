@@ -11,6 +11,7 @@
 #include "Private/Control/SharedInterpolation.h"
 #include "Private/Surface/SurfaceCellArrays.h"
 #include "Private/Surface/SurfaceChecks.h"
+#include "Private/Surface/SurfaceRegion.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -38,7 +39,14 @@ bool SurfaceRun<Id>::Plan()
     others ? others->Sum(this->Marked.Points.empty() ? 0 : 1) > 0 : !this->Marked.Points.empty();
   const bool isStamped = !isMarked && this->ReadStamp();
   bool isDone = this->Build();
-  if (isDone && isStamped && !this->IsDescendant())
+  const bool isFalse = isStamped && isDone && !this->IsDescendant();
+  if (this->Options.IsRegion && (isFalse || !isStamped))
+  {
+    this->Options.Fail("Field data say that an earlier filter made the input, but not of what. "
+                       "Remove the field arrays whose names begin with \"Subdivision\".");
+    return false;
+  }
+  if (isFalse)
   {
     if (this->Stamp.IsOfPart())
     {
@@ -448,7 +456,9 @@ template <typename Id>
 void SurfaceRun<Id>::Write()
 {
   CopySurfaceCellArrays(this->Input, this->Cells, *this->Steps, this->MadeLevels,
-    this->Stamp.Levels > 0, this->Options, this->Stamp.Carried, this->Output);
+    this->Stamp.Levels > 0, this->Options,
+    this->Options.IsRegion ? FindPartners(this->Options, this->Input) : nullptr,
+    this->Stamp.Carried, this->Output);
   ClearMarks(this->Options.Features.Marks, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
   TellOvershoot(*this->Points, this->Options, this->Input, this->Output);
@@ -478,6 +488,7 @@ template <typename Id>
 void SurfaceRun<Id>::WriteStamp()
 {
   RemoveSurfaceStamp(this->Output);
+  RemoveRegion(this->Output);
   if (this->MadeLevels > 0)
   {
     WarnOfLateInterpolation(
@@ -489,7 +500,10 @@ void SurfaceRun<Id>::WriteStamp()
   if (Partners* others = FindPartners(this->Options, this->Input))
   {
     this->WriteStampOfPart(*others, !isLimit && this->GetAllLevels() > 0);
-    return;
+    if (this->Scheme->HalvesEdges())
+    {
+      return;
+    }
   }
   if (isLimit || this->GetAllLevels() == 0 || this->Joined)
   {
@@ -518,7 +532,7 @@ void SurfaceRun<Id>::WriteStamp()
   WriteSurfaceStamp(stamp, this->Output);
 }
 
-bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
+static bool SubdivideMesh(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
 {
   const auto scheme = MakeSurfaceScheme<int>(options.Scheme, options.ModifiedBoundary);
   if (!scheme)
@@ -553,6 +567,22 @@ bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPoly
     return SurfaceRun<long long>(input, options, largeScheme, output).Run(std::move(cells));
   }
   return SurfaceRun<int>(input, options, scheme, output).Run(std::move(cells));
+}
+
+bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
+{
+  SurfaceRegion region;
+  if (!FindRegion(input, options, region))
+  {
+    return SubdivideMesh(input, options, output);
+  }
+  if (!SubdivideMesh(region.Mesh, TakeToRegion(input, options, region), output))
+  {
+    return false;
+  }
+  CountInInput(input, region, output);
+  ClearMarks(options.Features.Marks, output);
+  return true;
 }
 
 SUBDIVISION_COMPILE(class SurfaceRun);

@@ -27,6 +27,8 @@ struct SurfaceOptions : RunOptions
   /// Point arrays of the input, null where there is none: angles in degrees, flatness s.
   vtkSmartPointer<vtkDataArray> Angles;
   vtkSmartPointer<vtkDataArray> Flatness;
+  /// Whether the input is a region (SurfaceRegion.h): the filter goes on with it, or fails.
+  bool IsRegion = false;
   /// Where levels are kept; null: nowhere.
   SurfaceCache* Cache = nullptr;
 };
