@@ -12,7 +12,8 @@ class ReadmeTest(unittest.TestCase):
         self.assertEqual(len(blocks), 1)
         names = {}
         exec(compile(blocks[0], "README.md", "exec"), names)
-        self.assertGreater(names["smooth"].GetOutput().GetNumberOfCells(), 0)
+        self.assertGreater(names["smooth"].GetNumberOfCells(), names["ship"].GetNumberOfCells())
+        self.assertEqual(names["tetrahedra"].shape, (512, 4))
 
 
 if __name__ == "__main__":

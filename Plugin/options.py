@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filters, sources and options that the .xml files of this folder describe, for the programs that write the
+command line and the functions of Python from them. The files are given after CMake pasted what they share."""
+
+import re
+import textwrap
+import xml.etree.ElementTree as ElementTree
+
+# Shorter names of options.
+ALIASES = {"NumberOfLevels": "Levels", "VolumeScheme": "Scheme", "MaximumNumberOfCells": "MaximumCells",
+           "OutputDimensions": "Dimensions"}
+
+
+def split(name, between):
+    """NumberOfLevels as number-of-levels or number_of_levels."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", between, name).replace("-", between).lower()
+
+
+def paragraphs(text):
+    """A text of the files as paragraphs, each of which is one line."""
+    return [" ".join(part.split()) for part in re.split(r"\n\s*\n", text.strip())]
+
+
+class Option:
+    """One property. `kind` says what its value is:
+
+    bool, enum (one of `entries`), int, id (of 64 bits), double: `count` numbers;
+    set: some of `entries`; strings: names;
+    array: the name of an array; function: an implicit function;
+    mesh, selection, table: the input at `port`.
+    """
+
+    def __init__(self, element):
+        self.name = element.get("name")
+        self.label = element.get("label") or self.name
+        self.command = element.get("command")
+        self.clean_command = element.get("clean_command")
+        self.hidden = element.get("panel_visibility") == "never"
+        self.help = " ".join(paragraphs(element.findtext("Documentation", "")))
+        self.entries = [(entry.get("text"), int(entry.get("value"))) for entry in element.iter("Entry")]
+        self.port = int(element.get("port_index", 0))
+        self.count = int(element.get("number_of_elements") or 1)
+        self.default = (element.get("default_values") or "").split(element.get("default_values_delimiter"))
+        self.types = [entry.get("value") for entry in element.iter("DataType")]
+        self.kind = self.find_kind(element)
+        if self.kind == "array":
+            # Index, port, connection, association; points where the user says which.
+            self.index, self.port, _, self.association = [int(part) for part in self.default[:4] + ["0"] * 3][:4]
+
+    def find_kind(self, element):
+        if element.tag == "InputProperty":
+            return {"vtkSelection": "selection", "vtkTable": "table"}.get(self.types[0], "mesh")
+        if element.tag == "ProxyProperty":
+            return "function"
+        if element.tag == "StringVectorProperty":
+            return "array" if self.command == "SetInputArrayToProcess" else "strings"
+        if self.entries:
+            return "set" if element.get("repeat_command") else "enum"
+        if element.find("BooleanDomain") is not None:
+            return "bool"
+        return {"IntVectorProperty": "int", "IdTypeVectorProperty": "id", "DoubleVectorProperty": "double"}[element.tag]
+
+    @property
+    def alias(self):
+        return ALIASES.get(self.name, "")
+
+
+class Filter:
+    """A proxy of a class that can be made: a filter, or a source, which has no input."""
+
+    def __init__(self, element, chain):
+        self.name = element.get("name")
+        self.cls = element.get("class")
+        self.label = element.get("label")
+        documentation = element.find("Documentation")
+        self.short_help = documentation.get("short_help")
+        self.help = paragraphs(documentation.text)
+        made = {child.get("name"): Option(child) for one in chain for child in one if child.get("command")}
+        inputs = [option for option in made.values() if option.command == "SetInputConnection"]
+        self.has_input = any(option.port == 0 for option in inputs)
+        self.own = {child.get("name") for child in element}
+        self.options = [option for option in made.values() if not option.hidden and
+                        not (option in inputs and option.port == 0)]
+        # Its own options first, as in the panel.
+        self.options.sort(key=lambda option: option.name not in self.own)
+
+    @property
+    def short_name(self):
+        """Without what all of them have in common."""
+        return re.sub(r"^Subdivision(?=[A-Z])|Source$", "", self.name)
+
+    def criteria(self):
+        """Of each option RefineByX that has one the number that belongs to it: it is the first after it."""
+        found, last = {}, None
+        for option in self.options:
+            if option.name.startswith("RefineBy"):
+                last = option.name
+                found[last] = None
+            elif last and option.kind == "double" and not found[last]:
+                found[last] = option.name
+        return found
+
+
+def read(paths):
+    """All filters and sources of the files, by name."""
+    proxies = {}
+    for path in paths:
+        for group in ElementTree.parse(path).getroot().iter("ProxyGroup"):
+            for element in group.iter("SourceProxy"):
+                proxies[group.get("name"), element.get("name")] = element
+    filters = []
+    for (group, _), element in sorted(proxies.items()):
+        if group.startswith("internal"):
+            continue
+        chain = [element]
+        while chain[0].get("base_proxyname"):
+            chain.insert(0, proxies[chain[0].get("base_proxygroup"), chain[0].get("base_proxyname")])
+        filters.append(Filter(element, chain))
+    return sorted(filters, key=lambda one: one.name)
+
+
+def wrap(text, width, indent=""):
+    return textwrap.fill(text, width, initial_indent=indent, subsequent_indent=indent, break_long_words=False,
+                         break_on_hyphens=False)

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What all functions do: set the options of a filter, run it, and tell of its errors and warnings."""
+
+import re
+import warnings
+
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
+
+from . import vtkSubdivisionObjects
+
+
+class Arrays(tuple):
+    """Points and cells of a mesh: points, cells = arrays.
+
+    `points` has three columns. `cells` has a row of point ids for each cell; where there are cells of several types it
+    is a dictionary of such arrays, by "vertex", "line", "triangle", "tetra", "quad", "hexahedron", "wedge", "pyramid".
+    `point_data` and `cell_data` are dictionaries of arrays; the cells follow each other as in `cells`.
+    """
+
+    def __new__(cls, points, cells, point_data, cell_data):
+        made = super().__new__(cls, (points, cells))
+        made.points, made.cells, made.point_data, made.cell_data = points, cells, point_data, cell_data
+        return made
+
+
+class Option:
+    """An option of a filter, by the name of the argument."""
+
+    def __init__(self, kind, command, clean=None, entries=(), port=0, index=0, association=0):
+        self.kind = kind
+        self.command = command
+        self.clean = clean
+        self.entries = dict(entries)
+        self.port = port
+        self.index = index
+        self.association = association
+
+    def apply(self, made, name, value):
+        if self.kind in ("set", "strings"):
+            getattr(made, self.clean)()
+            for one in [value] if isinstance(value, str) else value:
+                getattr(made, self.command)(self.entry(name, one) if self.kind == "set" else one)
+        elif self.kind in ("mesh", "selection", "table"):
+            from . import meshes  # which needs NumPy
+            convert = {"mesh": meshes.to_vtk, "selection": meshes.to_selection, "table": meshes.to_table}[self.kind]
+            made.SetInputDataObject(self.port, convert(value))
+        elif self.kind == "array":
+            data = made.GetInputDataObject(self.port, 0)
+            association = self.association
+            if not has_array(data, association, value) and has_array(data, 1 - association, value):
+                association = 1 - association
+            made.SetInputArrayToProcess(self.index, self.port, 0, association, value)
+        elif self.kind == "enum":
+            getattr(made, self.command)(self.entry(name, value))
+        else:
+            values = value if isinstance(value, (tuple, list)) else (value,)
+            getattr(made, self.command)(*values)
+            kept = getattr(made, "Get" + self.command[3:])()
+            if self.kind in ("int", "id", "double") and len(values) == 1 and kept != value:
+                raise ValueError(f"{name}={value} is out of range; the nearest is {kept}")
+
+    def entry(self, name, value):
+        for text, number in self.entries.items():
+            if value == number or plain(value) == plain(text):
+                return number
+        raise ValueError(f"{name} is one of {', '.join(map(repr, self.entries))}, not {value!r}")
+
+
+def plain(text):
+    return re.sub(r"[\W_]", "", str(text)).lower()
+
+
+def has_array(data, association, name):
+    if isinstance(data, vtkCompositeDataSet):
+        iterator = data.NewIterator()
+        iterator.InitTraversal()
+        while not iterator.IsDoneWithTraversal():
+            if has_array(iterator.GetCurrentDataObject(), association, name):
+                return True
+            iterator.GoToNextItem()
+        return False
+    return bool(data) and bool(data.GetAttributesAsFieldData(association).HasArray(name))
+
+
+def choose_criteria(criteria, refine, values):
+    """Switches on what `refine` names, with its numbers, and all other criteria off."""
+    for switch, _ in criteria.values():
+        values[switch] = False
+    for name, number in ({refine: None} if isinstance(refine, str) else refine).items():
+        if name not in criteria:
+            raise ValueError(f"there is no criterion {name!r}: they are {', '.join(criteria)}")
+        switch, option = criteria[name]
+        values[switch] = True
+        if number is not None:
+            if not option:
+                raise ValueError(f"the criterion {name!r} takes no number")
+            values[option] = number
+
+
+def run(cls, options, aliases, criteria, values):
+    """Runs a filter of this class with the arguments of a function, and returns its output like its input."""
+    from . import meshes
+    made = getattr(vtkSubdivisionObjects, cls)()
+    mesh = values.pop("mesh", None)
+    data = [values.pop(key, None) for key in ("cells", "point_data", "cell_data")]
+    for short, name in aliases.items():
+        value = values.pop(short)
+        values[name] = values[name] if value is None else value
+    refine = values.pop("refine", None)
+    if refine is not None:
+        choose_criteria(criteria, refine, values)
+    if mesh is not None:
+        made.SetInputDataObject(0, meshes.to_vtk(mesh, *data))
+    # Arrays belong to inputs, which come first.
+    for name in sorted(values, key=lambda name: options[name].kind == "array"):
+        if values[name] is not None:
+            options[name].apply(made, name, values[name])
+    update(made)
+    return meshes.like(mesh, made.GetOutputDataObject(0))
+
+
+def update(made):
+    """Errors become an exception, warnings those of Python."""
+    told = {"ErrorEvent": [], "WarningEvent": []}
+
+    @calldata_type(VTK_STRING)
+    def listen(_, event, message):
+        if "returned failure for request" not in message:  # the pipeline says once more that something failed
+            told[event].append(re.sub(r"\A(ERROR|Warning): In .*\n\S+ \(\w+\): ", "", message).strip())
+
+    for source in (made, made.GetExecutive()):
+        for event in told:
+            source.AddObserver(event, listen)
+    made.Update()
+    for message in told["WarningEvent"]:
+        warnings.warn(message, stacklevel=4)
+    if told["ErrorEvent"]:
+        raise RuntimeError("\n".join(told["ErrorEvent"]))

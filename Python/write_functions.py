@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the functions of the package: write_functions.py FOLDER_OF_OPTIONS.PY VERSION OUTPUT FILE.xml..."""
+
+import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, sys.argv[1])
+import options  # noqa: E402
+
+
+def snake(name):
+    return options.split(name, "_")
+
+
+def value_type(option):
+    """The type of an argument, and its default."""
+    values = ", ".join(f'"{text}"' for text, _ in option.entries)
+    first = [text for text, value in option.entries if str(value) in option.default]
+    if option.kind == "bool":
+        return "bool", str(option.default == ["1"])
+    if option.kind == "enum":
+        return f"Literal[{values}]", repr(first[0])
+    if option.kind == "set":
+        return f"Sequence[Literal[{values}]]", repr(tuple(first))
+    if option.kind in ("int", "id", "double"):
+        one = "float" if option.kind == "double" else "int"
+        numbers = [float(part) if one == "float" else int(part) for part in option.default]
+        return (one, repr(numbers[0])) if option.count == 1 else (f"Sequence[{one}]", repr(tuple(numbers)))
+    if option.kind == "strings":
+        return "Sequence[str]", "()"
+    return {"array": "Optional[str]", "function": "Optional[vtkImplicitFunction]"}.get(option.kind, "Any"), "None"
+
+
+def aliases(one):
+    names = {option.name for option in one.options}
+    return {snake(option.alias): option for option in one.options if option.alias and option.alias not in names}
+
+
+def table(one):
+    lines = []
+    for option in one.options:
+        rest = [repr(option.kind), repr(option.command)]
+        rest += [f"clean={option.clean_command!r}"] if option.clean_command else []
+        rest += [f"entries={option.entries!r}"] if option.entries else []
+        rest += [f"port={option.port}"] if option.port else []
+        rest += [f"index={option.index}, association={option.association}"] if option.kind == "array" else []
+        lines.append(f'    "{snake(option.name)}": Option({", ".join(rest)}),\n')
+    return f"_{snake(one.short_name)} = {{\n{''.join(lines)}}}\n"
+
+
+def documentation(one):
+    text = "\n\n".join(options.wrap(part, 112, "    ") for part in [one.short_help] + one.help)
+    if one.has_input:
+        text += "\n\n" + options.wrap(
+            "mesh: a data set of VTK, also of PyVista, a list of them, or the points as an array. cells: with points, "
+            "rows of point ids, or a dictionary of such arrays by types of cells (Arrays). point_data, cell_data: with "
+            "points, arrays by name. The output is given as the input is: a data set, a list, or Arrays.", 112, "    ")
+    if one.criteria():
+        text += "\n\n" + options.wrap(
+            "refine: the criteria that are to be used, with their numbers or None, such as "
+            "{'curvature': 10}; all others are off.", 112, "    ")
+    for option in one.options:
+        short = [key for key, value in aliases(one).items() if value is option]
+        name = snake(option.name) + "".join(f", {key}" for key in short)
+        text += "\n\n" + options.wrap(f"{name}: {option.help}", 112, "    ")
+    return text.replace("\\", "\\\\").strip()
+
+
+def function(one):
+    name = snake(one.short_name)
+    arguments = ["mesh: Any", "cells: Any = None", "*", "point_data: Optional[Mapping[str, Any]] = None",
+                 "cell_data: Optional[Mapping[str, Any]] = None"] if one.has_input else ["*"]
+    for option in one.options:
+        kind, value = value_type(option)
+        arguments.append(f"{snake(option.name)}: {kind} = {value}")
+    for key, option in aliases(one).items():
+        arguments.append(f"{key}: Optional[{value_type(option)[0]}] = None")
+    if one.criteria():
+        arguments.append("refine: Union[None, str, Mapping[str, Any]] = None")
+    short = {key: snake(option.name) for key, option in aliases(one).items()}
+    criteria = {snake(key[len("RefineBy"):]): (snake(key), value and snake(value))
+                for key, value in one.criteria().items()}
+    joined = ",\n        ".join(arguments)
+    return f'''{table(one)}
+
+def {name}(
+        {joined}) -> Any:
+    """{documentation(one)}
+    """
+    return run("{one.cls}", _{name}, {short!r}, {criteria!r}, locals())
+
+
+'''
+
+
+def main():
+    filters = options.read(sys.argv[4:])
+    names = [snake(one.short_name) for one in filters]
+    with open(sys.argv[3], "w", encoding="utf-8") as file:
+        file.write(f'''# Made by Python/write_functions.py from the files of Plugin. Edit those.
+"""A function for each filter and source, with its options as arguments."""
+
+from __future__ import annotations
+
+from typing import Any, Literal, Mapping, Optional, Sequence, Union
+
+from vtkmodules.vtkCommonDataModel import vtkImplicitFunction
+
+from .run import Option, run
+
+__version__ = {sys.argv[2]!r}
+__all__ = {names!r}
+
+{"".join(map(function, filters))}''')
+
+
+main()

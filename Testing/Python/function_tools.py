@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The functions of the package: tests that are the same with plain VTK and with ParaView."""
+
+import inspect
+import pathlib
+import sys
+import types
+import typing
+import unittest
+import unittest.mock
+import warnings
+
+import numpy as np
+from vtkmodules.util import numpy_support
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkSphere, vtkUnstructuredGrid
+
+import subdivisionobjects
+from subdivisionobjects import functions, meshes
+
+TET = np.array([[0., 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+CUBE = np.array([[x, y, z] for z in (0., 1) for y in (0, 1) for x in (0, 1)])
+SQUARES = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
+
+
+def filtered(cls, mesh, **options):
+    made = cls()
+    made.SetInputDataObject(0, mesh)
+    for name, value in options.items():
+        getattr(made, "Set" + name)(value)
+    made.Update()
+    return made.GetOutputDataObject(0)
+
+
+def coordinates(mesh):
+    return numpy_support.vtk_to_numpy(mesh.GetPoints().GetData())
+
+
+def other(option, kind, default):
+    """A value that is not the default."""
+    if option.kind == "enum":
+        return next(text for text in option.entries if text != default)
+    if option.kind == "set":
+        return (next(text for text in option.entries if (text,) != tuple(default)),)
+    if option.kind in ("mesh", "selection", "table"):
+        return {"mesh": (TET, [[0, 1, 2, 3]]), "selection": {"points": [1]}, "table": {"Label": [1]}}[option.kind]
+    if option.kind == "bool":
+        return not default
+    if option.kind == "strings":
+        return ("SomeName",)
+    if option.kind == "array":
+        return "SomeName"
+    if option.kind == "function":
+        return vtkSphere()
+    if isinstance(default, tuple):
+        return tuple(value + 1 for value in default)
+    return default / 2 if isinstance(default, float) else default - 1 or 2
+
+
+def state(made):
+    """What the filter prints, without what is other in each, and its inputs and arrays."""
+    return [line for line in str(made).splitlines() if "0x" not in line and "Modified Time" not in line] + \
+        [made.GetNumberOfInputConnections(port) for port in range(made.GetNumberOfInputPorts())]
+
+
+class Options(unittest.TestCase):
+    def test_every_option_reaches_its_filter(self):
+        count = 0
+        for name in functions.__all__:
+            parameters = inspect.signature(getattr(functions, name)).parameters
+            source = inspect.getsource(getattr(functions, name))
+            cls = source[source.index('return run("') + len('return run("'):].split('"')[0]
+            for key, option in getattr(functions, "_" + name).items():
+                with self.subTest(f"{name}, {key}"):
+                    made = getattr(subdivisionobjects, cls)()
+                    before = state(made)
+                    value = other(option, parameters[key].annotation, parameters[key].default)
+                    option.apply(made, key, value)
+                    if option.kind == "array":
+                        array = made.GetInputArrayInformation(option.index)
+                        self.assertIn("SomeName", str(array))
+                    else:
+                        self.assertNotEqual(before, state(made))
+                    count += 1
+        self.assertGreater(count, 250)
+
+    def test_every_option_of_the_classes(self):
+        for name in functions.__all__:
+            source = inspect.getsource(getattr(functions, name))
+            cls = getattr(subdivisionobjects, source[source.index('return run("') + len('return run("'):].split('"')[0])
+            commands = {option.command for option in getattr(functions, "_" + name).values()}
+            ours = {member for base in cls.__mro__ if base.__name__ in vars(subdivisionobjects) for member in vars(base)
+                    if member.startswith("Set") and "Get" + member[3:] in vars(base)} - {"SetController"}
+            missing = ours - commands - {"SetOutputDimensions"}
+            self.assertLessEqual(missing, {
+                "SetAdaptive", "SetGenerateNormals", "SetEmbeddedCells", "SetInterpolateIntegers",
+                "SetGenerateOriginalIds", "SetGenerateGlobalIds", "SetInterpolatePoints", "SetInterpolateArrays",
+                "SetInterpolationWeight", "SetBounds"}, name)
+
+    def test_defaults_and_help(self):
+        for name in functions.__all__:
+            function = getattr(functions, name)
+            typing.get_type_hints(function)
+            for key in getattr(functions, "_" + name):
+                self.assertIn(f"\n    {key}", function.__doc__)
+
+    def test_wrong_values(self):
+        cells = [[0, 1, 2, 3]]
+        for error, text, options in (
+                (TypeError, "levles", {"levles": 3}),
+                (ValueError, "TetOct", {"scheme": "tetrahedral"}),
+                (ValueError, "the nearest is 20", {"levels": 21}),
+                (RuntimeError, "MaximumNumberOfCells = 10", {"levels": 3, "maximum_cells": 10})):
+            with self.assertRaisesRegex(error, text):
+                subdivisionobjects.subdivide(TET, cells, **options)
+        for text, wrong in (("tetra 0 has point ids", [[0, 1, 2, 4]]), ("rows of 3 integers", {"triangle": [[0, 1]]}),
+                            ("no cells 'brick'", {"brick": [[0]]}), ("not the shape", [0, 1, 2])):
+            with self.assertRaisesRegex(ValueError, text):
+                subdivisionobjects.subdivide(TET, wrong)
+
+    def test_warnings(self):
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            subdivisionobjects.surface_subdivision(TET, {"tetra": [[0, 1, 2, 3]], "triangle": [[0, 1, 2]]})
+        self.assertEqual(len(told), 1)
+        self.assertTrue(str(told[0].message).startswith("1 cell(s) are solids"), str(told[0].message))
+        self.assertEqual(told[0].filename, __file__)
+
+
+class Meshes(unittest.TestCase):
+    def test_arrays(self):
+        points, cells = subdivisionobjects.subdivide(TET, [[0, 1, 2, 3]], levels=2)
+        self.assertEqual((points.shape, cells.shape), ((35, 3), (64, 4)))
+        linear = subdivisionobjects.subdivide((TET, [[0, 1, 2, 3]]), number_of_levels=2, scheme="linear")
+        self.assertEqual(linear.points.max(), 1)
+        self.assertLess(points.max(), 1)
+
+    def test_arrays_and_data(self):
+        made = subdivisionobjects.subdivide(
+            TET.astype(np.float32), {"tetra": [[0, 1, 2, 3]], "line": np.array([[0, 1]])}, levels=1,
+            point_data={"T": [1., 2, 3, 4]}, cell_data={"id": [7, 8]})
+        self.assertEqual(made.points.dtype, np.float32)
+        self.assertEqual({name: len(rows) for name, rows in made.cells.items()}, {"line": 2, "tetra": 8})
+        self.assertEqual(list(made.cell_data["id"]), [8, 8] + 8 * [7])
+        self.assertEqual(made.point_data["T"].shape, (10,))
+        again = subdivisionobjects.subdivide(made, levels=1)
+        self.assertEqual(len(again.cells["tetra"]), 64)
+
+    def test_surfaces(self):
+        made = subdivisionobjects.surface_subdivision(CUBE, {"quad": SQUARES}, scheme="catmull-clark", levels=2)
+        self.assertEqual((made.points.shape, made.cells.shape), ((98, 3), (96, 4)))
+
+    def test_data_sets(self):
+        ship = subdivisionobjects.model(model="Ship")
+        self.assertIsInstance(ship, vtkUnstructuredGrid)
+        made = subdivisionobjects.subdivide(ship, levels=2)
+        expected = filtered(subdivisionobjects.vtkMultiDimensionalSubdivision, ship, NumberOfLevels=2)
+        np.testing.assert_array_equal(coordinates(made), coordinates(expected))
+
+    def test_blocks(self):
+        ship = subdivisionobjects.model(model="Ship")
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, ship)
+        made = subdivisionobjects.subdivide(blocks, levels=1)
+        self.assertIsInstance(made, vtkMultiBlockDataSet)
+        parts = subdivisionobjects.subdivide([ship, ship], levels=1, join_blocks=False)
+        self.assertEqual([part.GetNumberOfCells() for part in parts], 2 * [made.GetBlock(0).GetNumberOfCells()])
+
+    def test_refinement(self):
+        ship = subdivisionobjects.model(model="Ship")
+        made = subdivisionobjects.red_green_refinement(ship, refine={"edge_length": 0.5}, placement="limit")
+        expected = filtered(subdivisionobjects.vtkRedGreenRefinement, ship, RefineByEdgeLength=1, MaximumEdgeLength=0.5,
+                            RefineByAttributeError=0, RefineByGeometricError=0, Placement=1)
+        np.testing.assert_array_equal(coordinates(made), coordinates(expected))
+        sphere = vtkSphere()
+        sphere.SetRadius(1)
+        inside = subdivisionobjects.red_green_refinement(ship, refine="function", implicit_function=sphere)
+        self.assertGreater(inside.GetNumberOfCells(), ship.GetNumberOfCells())
+        chosen = subdivisionobjects.red_green_refinement(ship, refine="selection", selection={"cells": [3]},
+                                                         maximum_level=1)
+        self.assertGreater(chosen.GetNumberOfCells(), ship.GetNumberOfCells())
+        with self.assertRaisesRegex(ValueError, "no criterion 'size'"):
+            subdivisionobjects.red_green_refinement(ship, refine={"size": 1})
+
+    def test_arrays_are_found_where_they_are(self):
+        block = subdivisionobjects.model(model="MaterialBlock")
+        made = subdivisionobjects.red_green_refinement(block, refine={"array_range": (0.5, 1.5)},
+                                                       range_array="MaterialId", maximum_level=1)
+        self.assertGreater(made.GetNumberOfCells(), block.GetNumberOfCells())
+
+    def test_deformation(self):
+        ball = np.random.default_rng(1).random((50, 3))
+        cage = subdivisionobjects.cage()
+        moved = vtkUnstructuredGrid()
+        moved.DeepCopy(cage)
+        coordinates(moved)[:] += [1, 2, 3]
+        made = subdivisionobjects.deformation(ball, rest_mesh=cage, deformed_mesh=moved)
+        np.testing.assert_allclose(made.points, ball + [1, 2, 3], atol=1e-12)
+
+    def test_pipelines(self):
+        source = subdivisionobjects.vtkSubdivisionModelSource()
+        self.assertGreater(subdivisionobjects.subdivide(source).GetNumberOfCells(), 0)
+
+    def test_surface_output(self):
+        squares = meshes.to_vtk(CUBE, {"quad": SQUARES})
+        self.assertIsInstance(subdivisionobjects.surface_subdivision(squares), vtkPolyData)
+
+
+class Package(unittest.TestCase):
+    def test_version_and_types(self):
+        self.assertRegex(subdivisionobjects.__version__, r"\A\d+\.\d+\.\d+\Z")
+        self.assertTrue((pathlib.Path(subdivisionobjects.__file__).parent / "py.typed").exists())
+
+
+class PyVista(unittest.TestCase):
+    def test_its_meshes_are_wrapped_again(self):
+        """With what stands for PyVista here: its classes derive from those of VTK, and `wrap` makes them."""
+        class Grid(vtkUnstructuredGrid):
+            __module__ = "pyvista.core.pointset"
+
+        def wrap(mesh):
+            made = Grid()
+            made.ShallowCopy(mesh)
+            return made
+
+        mesh = wrap(subdivisionobjects.model(model="Ship"))
+        stand_in = types.ModuleType("pyvista")
+        stand_in.wrap = wrap
+        with unittest.mock.patch.dict(sys.modules, pyvista=stand_in):
+            made = subdivisionobjects.subdivide(mesh)
+        self.assertIs(type(made), Grid)
+        self.assertGreater(made.GetNumberOfCells(), mesh.GetNumberOfCells())
+
+    def test_meshes_stay_what_they_are(self):
+        try:
+            import pyvista
+        except ImportError:
+            self.skipTest("skipped: there is no PyVista")
+        grid = pyvista.UnstructuredGrid(subdivisionobjects.model(model="Ship"))
+        made = subdivisionobjects.subdivide(grid, levels=1)
+        self.assertIs(type(made), pyvista.UnstructuredGrid)
+        self.assertGreater(made.n_cells, grid.n_cells)
+        surface = subdivisionobjects.surface_subdivision(pyvista.Cube().clean(), levels=1)
+        self.assertIs(type(surface), pyvista.PolyData)
+        blocks = subdivisionobjects.subdivide(pyvista.MultiBlock([grid]), levels=1)
+        self.assertIs(type(blocks), pyvista.MultiBlock)

@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The functions of the package, in pvpython."""
+
+from function_tools import Meshes, Options, Package, PyVista  # noqa: F401
+
+import tools
+
+if __name__ == "__main__":
+    tools.main()
