@@ -1,6 +1,6 @@
 # Packages by CPack: what `./dev package` (CMake/Debian/package.sh) makes of a build tree.
 #   cpack -G TGZ   everything in one archive, to be unpacked anywhere
-#   cpack -G DEB   with SUBDIVISIONOBJECTS_DEBIAN: the plugin's package, or the three of the VTK module
+#   cpack -G DEB   with SUBDIVISIONOBJECTS_DEBIAN: the plugin's package, or the four of the VTK module
 set(CPACK_PACKAGE_NAME SubdivisionObjects)
 set(CPACK_PACKAGE_VENDOR "SubdivisionObjects developers")
 set(CPACK_PACKAGE_CONTACT "SubdivisionObjects developers <developers@subdivisionobjects.example.org>")

@@ -104,6 +104,15 @@ This package holds the shared library, a module of VTK.")
 ${about}
 .
 This package holds the headers and the files for CMake.")
+  if (TARGET subdivide)
+    debian_package(program subdivisionobjects science
+      "Program for multi-dimensional subdivision
+${about}
+.
+This package holds the program subdivide, which reads and writes the files
+of VTK.")
+    set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${library} (= ${version})")
+  endif ()
   set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
   set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
   # Where dpkg-shlibdeps finds the library that the Python module is linked to.

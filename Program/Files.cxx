@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files.h"
+#include "Messages.h"
+#include "Names.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkAppendFilter.h"
+#include "vtkCompositeDataGeometryFilter.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkGenericDataObjectReader.h"
+#include "vtkGenericDataObjectWriter.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkOBJReader.h"
+#include "vtkOBJWriter.h"
+#include "vtkPLYReader.h"
+#include "vtkPLYWriter.h"
+#include "vtkPolyData.h"
+#include "vtkSTLReader.h"
+#include "vtkSTLWriter.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLImageDataReader.h"
+#include "vtkXMLImageDataWriter.h"
+#include "vtkXMLMultiBlockDataReader.h"
+#include "vtkXMLMultiBlockDataWriter.h"
+#include "vtkXMLPImageDataReader.h"
+#include "vtkXMLPPolyDataReader.h"
+#include "vtkXMLPPolyDataWriter.h"
+#include "vtkXMLPRectilinearGridReader.h"
+#include "vtkXMLPStructuredGridReader.h"
+#include "vtkXMLPUnstructuredGridReader.h"
+#include "vtkXMLPUnstructuredGridWriter.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+#include "vtkXMLRectilinearGridReader.h"
+#include "vtkXMLRectilinearGridWriter.h"
+#include "vtkXMLStructuredGridReader.h"
+#include "vtkXMLStructuredGridWriter.h"
+#include "vtkXMLTableReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+#include "vtksys/SystemTools.hxx"
+
+#ifdef SUBDIVISIONOBJECTS_IOEXODUS
+#include "vtkExodusIIReader.h"
+#include "vtkExodusIIWriter.h"
+#endif
+#ifdef SUBDIVISIONOBJECTS_IOIMAGE
+#include "vtkMetaImageReader.h"
+#include "vtkNrrdReader.h"
+#endif
+
+#include <map>
+
+namespace subdivide
+{
+namespace
+{
+
+using Algorithm = vtkSmartPointer<vtkAlgorithm>;
+using Data = vtkSmartPointer<vtkDataObject>;
+
+/// ".vtu" of "mesh.VTU".
+std::string GetEnding(const std::string& name)
+{
+  return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name));
+}
+
+// ---------------------------------------------------------------- reading
+
+template <typename Reader>
+Algorithm MakeReader(const char* name)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(name);
+  return reader;
+}
+
+Algorithm MakeLegacyReader(const char* name)
+{
+  vtkNew<vtkGenericDataObjectReader> reader;
+  reader->SetFileName(name);
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllColorScalarsOn();
+  reader->ReadAllTCoordsOn();
+  reader->ReadAllFieldsOn();
+  return reader;
+}
+
+#ifdef SUBDIVISIONOBJECTS_IOEXODUS
+Algorithm MakeExodusReader(const char* name)
+{
+  vtkNew<vtkExodusIIReader> reader;
+  reader->SetFileName(name);
+  reader->UpdateInformation();
+  reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
+  reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
+  return reader;
+}
+#endif
+
+const std::map<std::string, Algorithm (*)(const char*)>& GetReaders()
+{
+  static const std::map<std::string, Algorithm (*)(const char*)> readers{
+#ifdef SUBDIVISIONOBJECTS_IOEXODUS
+    { ".e", MakeExodusReader },
+    { ".ex2", MakeExodusReader },
+    { ".exo", MakeExodusReader },
+#endif
+#ifdef SUBDIVISIONOBJECTS_IOIMAGE
+    { ".mha", MakeReader<vtkMetaImageReader> },
+    { ".mhd", MakeReader<vtkMetaImageReader> },
+    { ".nrrd", MakeReader<vtkNrrdReader> },
+#endif
+    { ".obj", MakeReader<vtkOBJReader> },
+    { ".ply", MakeReader<vtkPLYReader> },
+    { ".pvti", MakeReader<vtkXMLPImageDataReader> },
+    { ".pvtp", MakeReader<vtkXMLPPolyDataReader> },
+    { ".pvtr", MakeReader<vtkXMLPRectilinearGridReader> },
+    { ".pvts", MakeReader<vtkXMLPStructuredGridReader> },
+    { ".pvtu", MakeReader<vtkXMLPUnstructuredGridReader> },
+    { ".stl", MakeReader<vtkSTLReader> },
+    { ".vti", MakeReader<vtkXMLImageDataReader> },
+    { ".vtk", MakeLegacyReader },
+    { ".vtm", MakeReader<vtkXMLMultiBlockDataReader> },
+    { ".vtp", MakeReader<vtkXMLPolyDataReader> },
+    { ".vtr", MakeReader<vtkXMLRectilinearGridReader> },
+    { ".vts", MakeReader<vtkXMLStructuredGridReader> },
+    { ".vtt", MakeReader<vtkXMLTableReader> },
+    { ".vtu", MakeReader<vtkXMLUnstructuredGridReader> },
+  };
+  return readers;
+}
+
+// ---------------------------------------------------------------- writing
+
+// Appended data, which is VTK's default, is more than some versions of ParaView can read.
+void Prepare(vtkXMLWriter* writer)
+{
+  writer->SetDataModeToBinary();
+}
+
+void Prepare(vtkSTLWriter* writer)
+{
+  writer->SetFileTypeToBinary();
+}
+
+void Prepare(vtkAlgorithm*)
+{
+}
+
+template <typename Writer>
+bool Write(vtkDataObject* data, const char* name)
+{
+  vtkNew<Writer> writer;
+  Prepare(writer.Get());
+  writer->SetFileName(name);
+  writer->SetInputDataObject(data);
+  return writer->Write() != 0;
+}
+
+Data Filtered(vtkAlgorithm* filter, vtkDataObject* data)
+{
+  filter->SetInputDataObject(data);
+  filter->Update();
+  return filter->GetOutputDataObject(0);
+}
+
+Data AsSurface(vtkDataObject* data)
+{
+  if (vtkPolyData::SafeDownCast(data))
+  {
+    return data;
+  }
+  if (vtkCompositeDataSet::SafeDownCast(data))
+  {
+    vtkNew<vtkCompositeDataGeometryFilter> surface;
+    return Filtered(surface, data);
+  }
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  return Filtered(surface, data);
+}
+
+Data AsTriangles(vtkDataObject* data)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  return Filtered(triangles, AsSurface(data));
+}
+
+Data AsGrid(vtkDataObject* data)
+{
+  if (vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    return data;
+  }
+  vtkNew<vtkAppendFilter> append;
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      append->AddInputDataObject(iterator->GetCurrentDataObject());
+    }
+  }
+  else
+  {
+    append->AddInputDataObject(data);
+  }
+  append->Update();
+  return append->GetOutputDataObject(0);
+}
+
+Data AsBlocks(vtkDataObject* data)
+{
+  if (vtkMultiBlockDataSet::SafeDownCast(data))
+  {
+    return data;
+  }
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, data);
+  return blocks;
+}
+
+Data AsItIs(vtkDataObject* data)
+{
+  return data;
+}
+
+/// What a format holds, and who writes it.
+struct Format
+{
+  Data (*Convert)(vtkDataObject*);
+  bool (*Write)(vtkDataObject*, const char*);
+  const char* Class; ///< without another one nothing can be written; null: any
+};
+
+const std::map<std::string, Format>& GetWriters()
+{
+  static const std::map<std::string, Format> writers{
+#ifdef SUBDIVISIONOBJECTS_IOEXODUS
+    { ".e", { AsGrid, Write<vtkExodusIIWriter>, nullptr } },
+    { ".ex2", { AsGrid, Write<vtkExodusIIWriter>, nullptr } },
+    { ".exo", { AsGrid, Write<vtkExodusIIWriter>, nullptr } },
+#endif
+    { ".obj", { AsSurface, Write<vtkOBJWriter>, nullptr } },
+    { ".ply", { AsTriangles, Write<vtkPLYWriter>, nullptr } },
+    { ".pvtp", { AsSurface, Write<vtkXMLPPolyDataWriter>, nullptr } },
+    { ".pvtu", { AsGrid, Write<vtkXMLPUnstructuredGridWriter>, nullptr } },
+    { ".stl", { AsTriangles, Write<vtkSTLWriter>, nullptr } },
+    { ".vti", { AsItIs, Write<vtkXMLImageDataWriter>, "vtkImageData" } },
+    { ".vtk", { AsItIs, Write<vtkGenericDataObjectWriter>, nullptr } },
+    { ".vtm", { AsBlocks, Write<vtkXMLMultiBlockDataWriter>, nullptr } },
+    { ".vtp", { AsSurface, Write<vtkXMLPolyDataWriter>, nullptr } },
+    { ".vtr", { AsItIs, Write<vtkXMLRectilinearGridWriter>, "vtkRectilinearGrid" } },
+    { ".vts", { AsItIs, Write<vtkXMLStructuredGridWriter>, "vtkStructuredGrid" } },
+    { ".vtu", { AsGrid, Write<vtkXMLUnstructuredGridWriter>, nullptr } },
+  };
+  return writers;
+}
+
+template <typename Map>
+std::string List(const Map& map)
+{
+  std::string text;
+  for (const auto& one : map)
+  {
+    text += (text.empty() ? "" : " ") + one.first;
+  }
+  return text;
+}
+
+template <typename Map>
+void Check(const Map& map, const std::string& name, const char* what)
+{
+  if (map.count(GetEnding(name)) == 0)
+  {
+    throw UsageError("cannot " + std::string(what) + " \"" + name +
+      "\": its name has to end with one of " + List(map));
+  }
+}
+
+}
+
+void CheckReadable(const std::string& name)
+{
+  Check(GetReaders(), name, "read");
+}
+
+void CheckWritable(const std::string& name)
+{
+  Check(GetWriters(), name, "write");
+}
+
+std::string ListReadable()
+{
+  return List(GetReaders());
+}
+
+std::string ListWritable()
+{
+  return List(GetWriters());
+}
+
+vtkSmartPointer<vtkDataObject> ReadFile(const std::string& name)
+{
+  if (!vtksys::SystemTools::FileExists(name, true))
+  {
+    throw Failure("there is no file \"" + name + "\"");
+  }
+  const int before = GetNumberOfErrors();
+  const Algorithm reader = GetReaders().at(GetEnding(name))(name.c_str());
+  reader->Update();
+  Data data = reader->GetOutputDataObject(0);
+  if (!data || GetNumberOfErrors() > before)
+  {
+    throw Failure("cannot read \"" + name + "\"");
+  }
+  auto* points = vtkDataSet::SafeDownCast(data);
+  if (points && points->GetNumberOfPoints() == 0)
+  {
+    throw Failure("\"" + name + "\" has no points");
+  }
+  return data;
+}
+
+void WriteFile(vtkDataObject* data, const std::string& name)
+{
+  const int before = GetNumberOfErrors();
+  const Format& format = GetWriters().at(GetEnding(name));
+  if (format.Class && !data->IsA(format.Class))
+  {
+    throw Failure("the output is a " + std::string(data->GetClassName()) + ", which " +
+      GetEnding(name) + " files cannot hold; .vtu and .vtk can");
+  }
+  const Data converted = format.Convert(data);
+  auto* set = vtkDataSet::SafeDownCast(converted);
+  if (set && set->GetNumberOfCells() == 0 && converted != data)
+  {
+    throw Failure("the output has no cells that " + GetEnding(name) + " files can hold");
+  }
+  if (!format.Write(converted, name.c_str()) || GetNumberOfErrors() > before)
+  {
+    throw Failure("cannot write \"" + name + "\"");
+  }
+}
+
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The program: subdivide INPUT OUTPUT [OPTION...]
+#include "Files.h"
+#include "Help.h"
+#include "Messages.h"
+#include "Names.h"
+#include "Pipeline.h"
+
+#include "vtkVersion.h"
+
+#include <iostream>
+
+namespace
+{
+
+int Run(const std::vector<std::string>& arguments)
+{
+  using namespace subdivide;
+  if (arguments.empty())
+  {
+    PrintHelp();
+    return 2;
+  }
+  Command command = ReadCommandLine(arguments);
+  if (command.Help && command.NamesFilter)
+  {
+    PrintHelp(*command.Stages.back().What);
+  }
+  else if (command.Help)
+  {
+    PrintHelp();
+  }
+  else if (command.Version)
+  {
+    std::cout << "subdivide " SUBDIVISIONOBJECTS_VERSION ", VTK " << vtkVersion::GetVTKVersion()
+              << "\n";
+  }
+  else
+  {
+    CatchMessages(command.Quiet);
+    Connect(command);
+    if (command.Info)
+    {
+      PrintInfo(command);
+    }
+    else
+    {
+      WriteFile(Update(command), command.Output);
+    }
+  }
+  return 0;
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    return Run(std::vector<std::string>(argv + 1, argv + argc));
+  }
+  catch (const subdivide::UsageError& error)
+  {
+    subdivide::Tell("error", error.what());
+    return 2;
+  }
+  catch (const std::exception& error)
+  {
+    subdivide::Tell("error", error.what());
+    return 1;
+  }
+}

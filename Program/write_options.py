@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the table of filters and options of the program: write_options.py FOLDER_OF_OPTIONS.PY OUTPUT FILE.xml..."""
+
+import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, sys.argv[1])
+import options  # noqa: E402
+
+KINDS = {"bool": "Switch", "enum": "Choice", "int": "Whole", "id": "Whole", "double": "Real", "set": "Choices",
+         "strings": "Names", "array": "Array", "function": "Function", "mesh": "Mesh", "selection": "Selection",
+         "table": "Table"}
+TYPES = {"bool": "bool", "enum": "int", "int": "int", "id": "vtkIdType", "double": "double"}
+
+
+def quoted(text):
+    """As C++ literals, in pieces: compilers limit their lengths."""
+    text = text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
+    pieces = options.wrap(text, 100).split("\n") if len(text) > 100 else [text]
+    return " ".join(f'"{piece}{" " if piece is not pieces[-1] else ""}"' for piece in pieces)
+
+
+def setter(one, option):
+    """What sets a value; nothing for those whose command follows from their kind."""
+    target = f"static_cast<{one.cls}*>(filter)"
+    if option.kind in TYPES:
+        numbers = [f"value.Numbers[{i}]" for i in range(option.count)]
+        if option.kind == "bool":
+            body = f"{target}->{option.command}({numbers[0]} != 0.);"
+        else:
+            casts = ", ".join(f"static_cast<{TYPES[option.kind]}>({number})" for number in numbers)
+            body = f"{target}->{option.command}({casts});"
+    elif option.kind in ("set", "strings"):
+        list_, argument = ("Numbers", "static_cast<int>(one)") if option.kind == "set" else ("Names", "one.c_str()")
+        body = f"{target}->{option.clean_command}(); for (const auto& one : value.{list_}) {{ " \
+               f"{target}->{option.command}({argument}); }}"
+    elif option.kind == "function":
+        body = f"{target}->{option.command}(value.Function);"
+    else:
+        return "nullptr"
+    return f"[](vtkAlgorithm* filter, const Value& value) {{ {body} }}"
+
+
+def getter(one, option):
+    """What tells the number that is set."""
+    if option.kind in TYPES and option.count == 1:
+        return f"[](vtkAlgorithm* filter) {{ return static_cast<double>(static_cast<{one.cls}*>(filter)->Get" \
+               f"{option.command[3:]}()); }}"
+    return "nullptr"
+
+
+def default(option):
+    if option.kind == "bool":
+        return "on" if option.default == ["1"] else "off"
+    if option.kind in ("enum", "set"):
+        return ",".join(text for text, value in option.entries if str(value) in option.default)
+    return ",".join(option.default) if option.kind in TYPES else ""
+
+
+def option_lines(one, option):
+    entries = ", ".join(f"{{ {quoted(text)}, {value} }}" for text, value in option.entries)
+    array = f"{option.index}, {option.association}" if option.kind == "array" else "0, 0"
+    return f"""  made.Options.push_back({{ "{option.name}", "{options.split(option.name, '-')}",
+    "{options.split(option.alias, '-')}", Kind::{KINDS[option.kind]}, {quoted(option.help)},
+    "{default(option)}", {option.count}, {{ {entries} }}, {option.port}, {array},
+    {setter(one, option)},
+    {getter(one, option)} }});
+"""
+
+
+def filter_lines(one):
+    criteria = "".join(f"""  made.Criteria.push_back({{ "{options.split(key[len('RefineBy'):], '-')}", "{key}", \
+"{value or ''}" }});
+""" for key, value in one.criteria().items())
+    return f"""Filter Make{one.name}()
+{{
+  Filter made{{ "{options.split(one.short_name, '-')}", "{one.label}", {quoted(one.short_help)},
+    {' "{}" '.format(chr(92) + 'n' + chr(92) + 'n').join(map(quoted, one.help))},
+    {str(one.has_input).lower()}, []() -> vtkAlgorithm* {{ return {one.cls}::New(); }}, {{}}, {{}} }};
+{''.join(option_lines(one, option) for option in one.options)}{criteria}  return made;
+}}
+
+"""
+
+
+def main():
+    filters = options.read(sys.argv[3:])
+    includes = "\n".join(f'#include "{cls}.h"' for cls in sorted({one.cls for one in filters}))
+    with open(sys.argv[2], "w", encoding="utf-8") as file:
+        file.write(f"""// Made by Program/write_options.py from the files of Plugin. Edit those.
+#include "Options.h"
+
+{includes}
+
+namespace subdivide
+{{
+namespace
+{{
+
+{''.join(map(filter_lines, filters))}}}
+
+const std::vector<Filter>& GetFilters()
+{{
+  static const std::vector<Filter> filters{{ {', '.join(f'Make{one.name}()' for one in filters)} }};
+  return filters;
+}}
+
+}}
+""")
+
+
+main()

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every option of every filter reaches the filter from the command line.
+#include "CommandLine.h"
+#include "Names.h"
+#include "Settings.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+
+using namespace subdivide;
+
+namespace
+{
+
+std::string Print(const Stage& stage)
+{
+  std::ostringstream text;
+  stage.Algorithm->Print(text);
+  // Addresses and times are others in each algorithm.
+  std::string kept;
+  std::istringstream lines(text.str());
+  for (std::string line; std::getline(lines, line);)
+  {
+    if (line.find("0x") == std::string::npos && line.find("Modified Time") == std::string::npos)
+    {
+      kept += line + "\n";
+    }
+  }
+  return kept;
+}
+
+Command Read(const Filter& filter, const std::vector<std::string>& more)
+{
+  std::vector<std::string> arguments{ "--filter", filter.Name };
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  if (filter.HasInput)
+  {
+    arguments.emplace_back("in.vtu");
+  }
+  arguments.emplace_back("out.vtu");
+  return ReadCommandLine(arguments);
+}
+
+std::string Repeat(const std::string& number, int count)
+{
+  return count == 1 ? number : number + "," + Repeat(number, count - 1);
+}
+
+/// Texts of which at least one is not the default and in the range.
+std::vector<std::string> Others(const Option& option)
+{
+  switch (option.Type)
+  {
+    case Kind::Switch:
+      return { std::string(option.Default) == "on" ? "off" : "on" };
+    case Kind::Choice:
+    case Kind::Choices:
+      for (const auto& entry : option.Entries)
+      {
+        if (option.Default != std::string(entry.first))
+        {
+          return { entry.first };
+        }
+      }
+      return {};
+    case Kind::Whole:
+      return { Repeat("7", option.Count), Repeat("3", option.Count) };
+    case Kind::Real:
+      return { Repeat("0.25", option.Count), Repeat("7.5", option.Count) };
+    case Kind::Function:
+      return { "sphere=1,2,3,4" };
+    case Kind::Selection:
+      return { "points=1,2" };
+    case Kind::Mesh:
+    case Kind::Table:
+      return { "other.vtu" };
+    default:
+      return { "SomeName" };
+  }
+}
+
+/// Whether the option changed what it is for.
+bool Reaches(const Filter& filter, const Option& option, const std::string& text)
+{
+  const Command before = Read(filter, {});
+  const Command command = Read(filter, { std::string("--") + option.Name + "=" + text });
+  const Stage& stage = command.Stages.front();
+  switch (option.Type)
+  {
+    case Kind::Array:
+    {
+      vtkInformation* array = stage.Algorithm->GetInputArrayInformation(option.Index);
+      return array->Get(vtkDataObject::FIELD_NAME()) == text &&
+        array->Get(vtkAlgorithm::INPUT_PORT()) == option.Port;
+    }
+    case Kind::Selection:
+      return stage.Algorithm->GetInputDataObject(option.Port, 0)->IsA("vtkSelection") != 0;
+    case Kind::Mesh:
+    case Kind::Table:
+      return stage.Files.size() == 1 && stage.Files.front().second == text &&
+        option.Port < stage.Algorithm->GetNumberOfInputPorts();
+    default:
+      return Print(before.Stages.front()) != Print(stage);
+  }
+}
+
+bool ReachesWithOneOf(const Filter& filter, const Option& option)
+{
+  for (const std::string& text : Others(option))
+  {
+    try
+    {
+      if (Reaches(filter, option, text))
+      {
+        return true;
+      }
+    }
+    catch (const UsageError&) // out of range
+    {
+    }
+  }
+  return false;
+}
+
+std::string MessageOf(const std::vector<std::string>& arguments)
+{
+  try
+  {
+    ReadCommandLine(arguments);
+  }
+  catch (const UsageError& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+}
+
+TEST(ProgramOptions, AllReachTheirFilters)
+{
+  int count = 0;
+  for (const Filter& filter : GetFilters())
+  {
+    for (const Option& option : filter.Options)
+    {
+      EXPECT_TRUE(ReachesWithOneOf(filter, option)) << filter.Name << " --" << option.Name;
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 250);
+}
+
+TEST(ProgramOptions, DefaultsAreThoseOfTheClasses)
+{
+  for (const Filter& filter : GetFilters())
+  {
+    for (const Option& option : filter.Options)
+    {
+      if (option.Get && *option.Default)
+      {
+        const Command before = Read(filter, {});
+        const Command set =
+          Read(filter, { std::string("--") + option.Name + "=" + option.Default });
+        EXPECT_EQ(
+          option.Get(before.Stages.front().Algorithm), option.Get(set.Stages.front().Algorithm))
+          << filter.Name << " --" << option.Name;
+      }
+    }
+  }
+}
+
+TEST(ProgramOptions, NamesAreUnique)
+{
+  for (const Filter& filter : GetFilters())
+  {
+    std::set<std::string> names;
+    for (const std::string& name : GetOptionNames(filter))
+    {
+      EXPECT_TRUE(names.insert(Plain(name)).second) << filter.Name << " " << name;
+    }
+    EXPECT_EQ(&FindFilter(filter.Label), &filter);
+    EXPECT_EQ(&FindFilter(filter.Name), &filter);
+  }
+}
+
+TEST(ProgramOptions, ShortNamesAndSpellings)
+{
+  for (const char* name : { "--levels", "--number-of-levels", "--NumberOfLevels" })
+  {
+    const Command command = ReadCommandLine({ "in.vtu", name, "4", "out.vtp" });
+    const Stage& stage = command.Stages.front();
+    EXPECT_EQ(FindOption(*stage.What, "levels")->Get(stage.Algorithm), 4.) << name;
+    EXPECT_EQ(command.Input, "in.vtu");
+    EXPECT_EQ(command.Output, "out.vtp");
+  }
+  const Command off = ReadCommandLine({ "a.vtu", "b.vtu", "--no-cache-operator" });
+  EXPECT_EQ(
+    FindOption(*off.Stages.front().What, "CacheOperator")->Get(off.Stages.front().Algorithm), 0.);
+}
+
+TEST(ProgramOptions, CriteriaTakeThePlaceOfTheDefault)
+{
+  const Command command = ReadCommandLine({ "a.vtu", "b.vtu", "--filter", "red-green", "--refine",
+    "curvature=25", "--refine=edge-length=0.5" });
+  const Stage& stage = command.Stages.front();
+  auto get = [&](const char* name) { return FindOption(*stage.What, name)->Get(stage.Algorithm); };
+  EXPECT_EQ(get("RefineByCurvature"), 1.);
+  EXPECT_EQ(get("MaximumAngle"), 25.);
+  EXPECT_EQ(get("RefineByEdgeLength"), 1.);
+  EXPECT_EQ(get("MaximumEdgeLength"), 0.5);
+  EXPECT_EQ(get("RefineByAttributeError"), 0.);
+  EXPECT_EQ(get("RefineByGeometricError"), 0.);
+}
+
+TEST(ProgramOptions, FiltersInARow)
+{
+  const Command command = ReadCommandLine(
+    { "out.vtu", "--filter", "model", "--model", "ship", "--filter", "Multi", "--levels=2" });
+  ASSERT_EQ(command.Stages.size(), 2u);
+  EXPECT_EQ(command.Input, "");
+  EXPECT_STREQ(command.Stages[1].What->Name, "multi-dimensional-subdivision");
+}
+
+TEST(ProgramOptions, WrongOnes)
+{
+  EXPECT_NE(MessageOf({ "a.vtu", "b.vtu", "--levles", "3" }).find("did you mean --levels?"),
+    std::string::npos);
+  EXPECT_NE(MessageOf({ "a.vtu", "b.vtu", "--scheme", "tetoc" }).find("did you mean TetOct?"),
+    std::string::npos);
+  EXPECT_NE(
+    MessageOf({ "a.vtu", "b.vtu", "--levels", "21" }).find("the nearest is 20"), std::string::npos);
+  EXPECT_NE(
+    MessageOf({ "a.vtu", "b.vtu", "--levels", "2.5" }).find("whole number"), std::string::npos);
+  EXPECT_NE(MessageOf({ "a.vtu", "b.vtu", "--levels" }).find("needs a value"), std::string::npos);
+  EXPECT_NE(
+    MessageOf({ "a.vtu", "b.vtu", "--filter", "s" }).find("several filters"), std::string::npos);
+  EXPECT_NE(MessageOf({ "a.vtu", "b.vtu", "--filter", "redgren" }).find("did you mean red-green"),
+    std::string::npos);
+  EXPECT_NE(MessageOf({ "a.vtu", "b.vtu", "--refine", "curvature=1" }).find("no criteria"),
+    std::string::npos);
+  EXPECT_NE(MessageOf({ "a.vtu", "--levels", "1" }).find("names 1"), std::string::npos);
+  EXPECT_NE(MessageOf({ "a.vtu", "b.foo" }).find("cannot write \"b.foo\""), std::string::npos);
+  EXPECT_NE(
+    MessageOf({ "a.vtu", "b.vtu", "--filter", "multi", "--filter", "model" }).find("is a source"),
+    std::string::npos);
+}

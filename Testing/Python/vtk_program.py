@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program `subdivide` as users run it, and whether it has every option of the classes."""
+
+import os
+import pathlib
+import pty
+import subprocess
+import unittest
+
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+import subdivisionobjects
+from headers import CLASSES, of_bases
+
+PROGRAM = os.environ.get("SUBDIVISIONOBJECTS_PROGRAM", "")
+DATA = pathlib.Path(os.environ["SUBDIVISIONOBJECTS_DATA"])
+SHIP = str(DATA / "Ship.vtu")
+# What the panels do not show either.
+HIDDEN = {"vtkSurfaceSubdivision": {"Adaptive", "GenerateNormals", "EmbeddedCells"},
+          "vtkAdaptiveSurfaceSubdivision": {"EmbeddedCells"},
+          "vtkSubdivisionDeformation": {"InterpolateIntegers", "GenerateOriginalIds", "GenerateGlobalIds"}}
+UNSMOOTHED = {"InterpolatePoints", "InterpolateArrays", "InterpolationWeight"}
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+
+
+def cells(name):
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(name)
+    reader.Update()
+    return reader.GetOutput().GetNumberOfCells()
+
+
+def plain(name):
+    return name.replace("-", "").lower()
+
+
+@unittest.skipUnless(PROGRAM, "skipped: there is no program")
+class Program(unittest.TestCase):
+    def test_every_option_of_the_classes(self):
+        filters = {line.strip() for line in run("--help").stdout.splitlines()
+                   if line.startswith("  ") and len(line.split()) == 1 and not line.startswith("   ")}
+        found = {}
+        for one in filters:
+            listed = run("--filter", one, "--help").stdout
+            found[plain(one)] = {plain(line.split()[0]) for line in listed.splitlines() if line.startswith("  --")}
+        for cls in CLASSES:
+            names = [name for name in found if plain(cls.__name__[3:]) in (name, "subdivision" + name,
+                                                                           "subdivision" + name + "source")]
+            if cls.__name__ in ("vtkSubdivisionAlgorithm", "vtkRefinementAlgorithm", "vtkMarkedSubdivisionAlgorithm"):
+                self.assertEqual(names, [])
+                continue
+            self.assertEqual(len(names), 1, cls.__name__)
+            missing = {name for name in of_bases(cls, "options") if plain(name) not in found[names[0]]}
+            self.assertEqual(missing - UNSMOOTHED, HIDDEN.get(cls.__name__, set()), cls.__name__)
+            if cls.__name__ in ("vtkMultiDimensionalSubdivision", "vtkRedGreenRefinement", "vtkSurfaceSubdivision"):
+                self.assertFalse(missing & UNSMOOTHED)
+
+    def test_it_does_what_the_class_does(self):
+        done = run(SHIP, "smooth.vtu", "--levels", 2, "--scheme", "tetoct")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+        made = subdivisionobjects.vtkMultiDimensionalSubdivision()
+        source = subdivisionobjects.vtkSubdivisionModelSource()
+        source.SetModelToShip()
+        made.SetInputConnection(source.GetOutputPort())
+        made.SetNumberOfLevels(2)
+        made.SetVolumeSchemeToTetOct()
+        made.Update()
+        self.assertEqual(cells("smooth.vtu"), made.GetOutput().GetNumberOfCells())
+
+    def test_info_is_what_comes_out(self):
+        told = run(SHIP, "--info", "--levels", 4).stdout.split()
+        self.assertEqual(told[0], "about")
+        self.assertEqual(run(SHIP, "four.vtu", "--levels", 4).returncode, 0)
+        self.assertEqual(int(told[1]), cells("four.vtu"))
+
+    def test_info_of_what_cannot_be_foretold(self):
+        told = run(SHIP, "--info", "--filter", "red-green", "--refine", "edge-length=0.5").stdout.split()
+        run(SHIP, "fine.vtu", "--filter", "red-green", "--refine", "edge-length=0.5")
+        self.assertEqual(int(told[0]), cells("fine.vtu"))
+
+    def test_a_second_input(self):
+        self.assertEqual(run(SHIP, "cage.vtu", "--filter", "cage-around", "--margin", 50).returncode, 0)
+        done = run(SHIP, "bent.vtu", "--filter", "deformation", "--rest-mesh", "cage.vtu", "--deformed-mesh", "cage.vtu")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(cells("bent.vtu"), cells(SHIP))
+
+    def test_arrays_are_found_where_they_are(self):
+        """RangeArray is a point array by default; MaterialId is one of cells."""
+        done = run(DATA / "MaterialBlock.vtu", "range.vtu", "--filter", "red-green", "--refine", "array-range=0.5,1.5",
+                   "--range-array", "MaterialId", "--maximum-level", 1)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertGreater(cells("range.vtu"), cells(DATA / "MaterialBlock.vtu"))
+
+    def test_exit_codes_and_messages(self):
+        for code, text, arguments in (
+                (2, "did you mean --levels?", (SHIP, "x.vtu", "--levles", 2)),
+                (2, "cannot write", (SHIP, "x.txt")),
+                (1, "there is no file", ("none.vtu", "x.vtu")),
+                (1, "MaximumNumberOfCells = 1000", (SHIP, "x.vtu", "--levels", 5, "--maximum-cells", 1000)),
+                (1, "cannot write", (SHIP, "no-such-folder/x.vtu")),
+                (1, ".vti files cannot hold", (SHIP, "x.vti"))):
+            with self.subTest(arguments):
+                done = run(*arguments)
+                self.assertEqual((done.returncode, done.stdout), (code, ""))
+                self.assertIn(text, done.stderr)
+                self.assertTrue(all(line.startswith("subdivide: ") for line in done.stderr.splitlines()), done.stderr)
+                self.assertFalse(os.path.exists(str(arguments[1])))
+
+    def test_warnings_go_to_stderr_once(self):
+        pathlib.Path("broken.vtu").write_bytes(b"nonsense")
+        done = run("broken.vtu", "x.vtu")
+        self.assertEqual(done.returncode, 1)
+        lines = done.stderr.splitlines()
+        self.assertEqual(len(lines), len(set(lines)))
+
+    def test_version(self):
+        self.assertRegex(run("--version").stdout, r"\Asubdivide \d+\.\d+\.\d+, VTK 9\.\d+")
+        self.assertIn(subdivisionobjects.__version__, run("--version").stdout)
+
+    def test_progress_on_a_terminal_only(self):
+        self.assertNotIn("[#", run(SHIP, "three.vtu", "--levels", 3).stderr)
+        ours, its = pty.openpty()
+        done = subprocess.Popen([PROGRAM, SHIP, "three.vtu", "--levels", "3"], stderr=its)
+        self.assertEqual(done.wait(timeout=300), 0)
+        os.close(its)
+        self.assertIn(b"[#", os.read(ours, 100000))
+        os.close(ours)
+
+
+if __name__ == "__main__":
+    unittest.main()
