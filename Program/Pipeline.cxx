@@ -5,12 +5,11 @@
 #include "Names.h"
 #include "Settings.h"
 
-#include "vtkCellTypes.h"
+#include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkNew.h"
 
 #include <algorithm>
 #include <chrono>
@@ -144,13 +143,10 @@ Size GetSize(vtkDataObject* data)
     {
       size.Cells += static_cast<double>(set->GetNumberOfCells());
       size.Points += static_cast<double>(set->GetNumberOfPoints());
-      vtkNew<vtkCellTypes> types;
-      set->GetCellTypes(types);
-      for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+      for (vtkIdType i = 0; !size.HasSolids && i < set->GetNumberOfCells(); ++i)
       {
-        const int type = types->GetCellType(i);
-        size.HasSolids =
-          size.HasSolids || type == VTK_TETRA || (type >= VTK_VOXEL && type <= VTK_HEXAGONAL_PRISM);
+        const int type = set->GetCellType(i);
+        size.HasSolids = type >= VTK_TETRA && type <= VTK_HEXAGONAL_PRISM;
       }
     });
   size.Bytes = 1024. * static_cast<double>(data->GetActualMemorySize());
