@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Help.h"
 #include "Files.h"
+#include "Names.h"
 #include "Settings.h"
 
 #include <iostream>
@@ -40,6 +41,10 @@ void PrintOption(const Option& option)
   if (*option.ShortName)
   {
     std::cout << ", --" << option.ShortName;
+  }
+  if (Plain(option.Label) != Plain(option.Name))
+  {
+    std::cout << "   (" << option.Label << ")";
   }
   std::cout << "\n";
   PrintWrapped(option.Help, "      ");

@@ -113,7 +113,17 @@ const Option* FindOption(const Filter& filter, const std::string& name)
       return &option;
     }
   }
-  return nullptr;
+  const Option* labelled = nullptr;
+  int count = 0;
+  for (const Option& option : filter.Options)
+  {
+    if (wanted == Plain(option.Label))
+    {
+      labelled = &option;
+      ++count;
+    }
+  }
+  return count == 1 ? labelled : nullptr;
 }
 
 std::vector<std::string> GetOptionNames(const Filter& filter)

@@ -30,7 +30,8 @@ std::string DidYouMean(const std::string& name, const std::vector<std::string>& 
 /// The filter of this name or label, which may be shortened to a beginning that only one has.
 const Filter& FindFilter(const std::string& name);
 
-/// The option with this name, short name, or name of the property; null if there is none.
+/// The option with this name, short name, name of the property, or a label that no other
+/// has; null if there is none.
 const Option* FindOption(const Filter& filter, const std::string& name);
 
 /// All names of options of a filter.

@@ -42,7 +42,8 @@ struct Value
 
 struct Option
 {
-  const char* Property;  ///< as in the panel, "NumberOfLevels"
+  const char* Property;  ///< as in ParaView's Python, "NumberOfLevels"
+  const char* Label;     ///< as in the panel
   const char* Name;      ///< "number-of-levels"
   const char* ShortName; ///< "levels"; most have none
   Kind Type;

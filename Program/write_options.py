@@ -60,7 +60,7 @@ def default(option):
 def option_lines(one, option):
     entries = ", ".join(f"{{ {quoted(text)}, {value} }}" for text, value in option.entries)
     array = f"{option.index}, {option.association}" if option.kind == "array" else "0, 0"
-    return f"""  made.Options.push_back({{ "{option.name}", "{options.split(option.name, '-')}",
+    return f"""  made.Options.push_back({{ "{option.name}", {quoted(option.label)}, "{options.split(option.name, '-')}",
     "{options.split(option.alias, '-')}", Kind::{KINDS[option.kind]}, {quoted(option.help)},
     "{default(option)}", {option.count}, {{ {entries} }}, {option.port}, {array},
     {setter(one, option)},

@@ -129,7 +129,7 @@ ${about}
 This package holds the Python package subdivisionobjects.")
     math(EXPR next "${Python3_VERSION_MINOR} + 1")
     set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-      "${library} (= ${version}), python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next}), python3-vtk9")
+      "${library} (= ${version}), python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${next}), python3-vtk9, python3-numpy")
     # Compiled Python is made when it is installed, and has to go with it.
     foreach (script postinst prerm)
       configure_file("${templates}/python-${script}" "${debian_dir}/python/${script}" COPYONLY)

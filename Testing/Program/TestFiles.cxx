@@ -6,6 +6,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiDimensionalSubdivision.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -98,6 +99,26 @@ TEST(ProgramFiles, OfEachFormat)
     }
   }
   EXPECT_GE(count, 12);
+}
+
+TEST(ProgramFiles, Blocks)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, Ship(0));
+  blocks->SetBlock(1, Ship(1));
+  const double cells = GetSize(blocks).Cells;
+  WriteFile(blocks, "blocks.vtm");
+  const auto read = ReadFile("blocks.vtm");
+  ASSERT_NE(vtkMultiBlockDataSet::SafeDownCast(read), nullptr);
+  EXPECT_EQ(vtkMultiBlockDataSet::SafeDownCast(read)->GetNumberOfBlocks(), 2u);
+  EXPECT_EQ(GetSize(read).Cells, cells);
+  for (const char* name : { "blocks.vtu", "blocks.vtk" })
+  {
+    WriteFile(blocks, name);
+    EXPECT_EQ(GetSize(ReadFile(name)).Cells, cells) << name;
+  }
+  WriteFile(blocks, "blocks.stl");
+  EXPECT_GT(GetSize(ReadFile("blocks.stl")).Cells, 0.);
 }
 
 TEST(ProgramFiles, AllArraysOfLegacyFilesAreRead)

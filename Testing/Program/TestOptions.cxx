@@ -185,6 +185,11 @@ TEST(ProgramOptions, NamesAreUnique)
     {
       EXPECT_TRUE(names.insert(Plain(name)).second) << filter.Name << " " << name;
     }
+    for (const Option& option : filter.Options)
+    {
+      const Option* found = FindOption(filter, option.Label);
+      EXPECT_TRUE(!found || found == &option) << filter.Name << " " << option.Label;
+    }
     EXPECT_EQ(&FindFilter(filter.Label), &filter);
     EXPECT_EQ(&FindFilter(filter.Name), &filter);
   }
