@@ -109,6 +109,7 @@ protected:
   ~vtkAdaptiveSurfaceSubdivision() override;
 
   bool IsOfSurfaces() const override { return true; }
+  bool HasOriginalCellIds() const override { return true; }
   bool HasInterfaces() const override { return true; }
   int GetLayersOfCells() const override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

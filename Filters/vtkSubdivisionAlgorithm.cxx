@@ -260,7 +260,7 @@ vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::MakeSurfaces(
       const auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
       copy->ShallowCopy(grid);
       this->Prepare(grid, copy); // while cells have their ids
-      return subdivision::MakeSurface(copy, this->GenerateOriginalIds, warnings);
+      return subdivision::MakeSurface(copy, this->HasOriginalCellIds(), warnings);
     });
 }
 

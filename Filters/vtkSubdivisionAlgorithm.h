@@ -404,6 +404,8 @@ protected:
   /// Whether the filter works on vtkPolyData and writes that. Others work on vtkUnstructuredGrid
   /// too, and write that.
   virtual bool IsOfSurfaces() const { return false; }
+  /// Whether cells of the output have the ids of those of the input.
+  virtual bool HasOriginalCellIds() const { return this->GenerateOriginalIds; }
   /// Whether it has rules for InterpolatePoints and InterpolateArrays.
   virtual bool CanInterpolate() const { return false; }
   /// Whether it keeps interfaces between materials, at which values may jump.

@@ -1,0 +1,530 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestFilesThroughFilters.cxx
+ * Files from elsewhere, where they are there, through every filter: each cell has all of its
+ * children, with its own data, and no array is lost. What a filter leaves out is counted by the
+ * types of cells in the file, not by what the filter says.
+ */
+#include "FileTools.h"
+#include "SubdivisionDeformationTools.h"
+
+#include "vtkAdaptiveSurfaceSubdivision.h"
+#include "vtkExtractDimensions.h"
+#include "vtkPolyData.h"
+#include "vtkRedGreenRefinement.h"
+#include "vtkSimplicialComplexTopology.h"
+#include "vtkSubdivisionCageSource.h"
+#include "vtkSurfaceSubdivision.h"
+
+using namespace deformation_tools;
+using namespace file_tools;
+
+namespace
+{
+
+/// What is known of a cell by its type alone: its dimension, and of how many simplices it can
+/// consist (with or without centres that it needs to fit its neighbours).
+struct Shape
+{
+  int Dimension;
+  vtkIdType Least;
+  vtkIdType Most;
+};
+
+Shape GetShape(int type, vtkIdType points)
+{
+  switch (type)
+  {
+    case VTK_VERTEX:
+      return { 0, 1, 1 };
+    case VTK_LINE:
+      return { 1, 1, 1 };
+    case VTK_TRIANGLE:
+    case VTK_QUAD:
+    case VTK_POLYGON:
+      return { 2, points - 2, points - 2 };
+    case VTK_TETRA:
+    case VTK_QUADRATIC_TETRA:
+      return { 3, 1, 1 };
+    case VTK_PYRAMID:
+      return { 3, 2, 6 };
+    case VTK_WEDGE:
+      return { 3, 3, 8 };
+    case VTK_VOXEL:
+    case VTK_HEXAHEDRON:
+      return { 3, 5, 12 };
+    case VTK_PENTAGONAL_PRISM:
+    case VTK_HEXAGONAL_PRISM:
+      return { 3, 3 * (points / 2 - 2), 2 * (points / 2 - 2) + points };
+    case VTK_POLYHEDRON:
+      return { 3, 1, 100 };
+    default:
+      ADD_FAILURE() << "cell of type " << type;
+      return { 3, 1, 1 };
+  }
+}
+
+/// The cells of a file; `children` is how many cells of the output each of them has.
+struct FileCells
+{
+  explicit FileCells(vtkPointSet* mesh)
+  {
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
+    {
+      mesh->GetCellPoints(c, ids);
+      this->Types.push_back(mesh->GetCellType(c));
+      this->Sizes.push_back(ids->GetNumberOfIds());
+      this->Shapes.push_back(GetShape(this->Types.back(), this->Sizes.back()));
+    }
+  }
+  vtkIdType Count(int dimension) const
+  {
+    return std::count_if(this->Shapes.begin(), this->Shapes.end(),
+      [&](const Shape& shape) { return shape.Dimension == dimension; });
+  }
+
+  std::vector<int> Types;
+  std::vector<vtkIdType> Sizes;
+  std::vector<Shape> Shapes;
+};
+
+/// Arrays of `from` that `to` does not have, or has with other components or too few tuples.
+std::string FindLostArrays(vtkFieldData* from, vtkFieldData* to, vtkIdType tuples)
+{
+  std::string lost;
+  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = from->GetAbstractArray(a);
+    vtkAbstractArray* found = to->GetAbstractArray(array->GetName());
+    const bool isKept = found && found->GetNumberOfComponents() == array->GetNumberOfComponents() &&
+      found->GetNumberOfTuples() == (tuples < 0 ? array->GetNumberOfTuples() : tuples);
+    lost += isKept ? "" : std::string(array->GetName()) + " ";
+  }
+  return lost;
+}
+
+void ExpectNoLostArrays(vtkPointSet* input, vtkPointSet* output, bool ofCells = true)
+{
+  EXPECT_EQ(
+    FindLostArrays(input->GetPointData(), output->GetPointData(), output->GetNumberOfPoints()), "");
+  EXPECT_EQ(FindLostArrays(input->GetFieldData(), output->GetFieldData(), -1), "");
+  if (ofCells)
+  {
+    EXPECT_EQ(
+      FindLostArrays(input->GetCellData(), output->GetCellData(), output->GetNumberOfCells()), "");
+  }
+}
+
+/// How many children each cell of the input has. All of them have its data.
+std::vector<vtkIdType> CountChildren(vtkPointSet* input, vtkPointSet* output)
+{
+  std::vector<vtkIdType> counts(static_cast<std::size_t>(input->GetNumberOfCells()), 0);
+  vtkDataArray* ids = output->GetCellData()->GetArray("vtkOriginalCellIds");
+  if (!ids)
+  {
+    ADD_FAILURE() << "no original ids";
+    return counts;
+  }
+  vtkIdType different = 0;
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    const auto parent = static_cast<vtkIdType>(ids->GetComponent(c, 0));
+    ++counts.at(static_cast<std::size_t>(parent));
+  }
+  for (int a = 0; a < input->GetCellData()->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = input->GetCellData()->GetArray(a);
+    vtkDataArray* made = array ? output->GetCellData()->GetArray(array->GetName()) : nullptr;
+    for (vtkIdType c = 0; made && c < output->GetNumberOfCells(); ++c)
+    {
+      const auto parent = static_cast<vtkIdType>(ids->GetComponent(c, 0));
+      different += made->GetComponent(c, 0) == array->GetComponent(parent, 0) ? 0 : 1;
+    }
+  }
+  EXPECT_EQ(different, 0);
+  return counts;
+}
+
+/// Cells whose number of children is not one of those that expected(cell) allows, from the first to
+/// the second, in steps of the third.
+template <typename Expected>
+void ExpectChildren(
+  const FileCells& cells, const std::vector<vtkIdType>& counts, const Expected& expected)
+{
+  vtkIdType wrong = 0;
+  for (std::size_t c = 0; c < counts.size(); ++c)
+  {
+    const std::array<vtkIdType, 3> allowed = expected(c);
+    const bool isWrong = counts[c] < allowed[0] || counts[c] > allowed[1] ||
+      (allowed[2] > 0 && counts[c] % allowed[2] != 0);
+    if (isWrong && wrong++ == 0)
+    {
+      ADD_FAILURE() << "cell " << c << " of type " << cells.Types[c] << " has " << counts[c]
+                    << " children, not " << allowed[0] << " to " << allowed[1];
+    }
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+/// Points that cells use are finite.
+void ExpectFinite(vtkPointSet* output)
+{
+  vtkDataArray* points = output->GetPoints() ? output->GetPoints()->GetData() : nullptr;
+  vtkIdType wrong = 0;
+  for (vtkIdType p = 0; points && p < points->GetNumberOfTuples(); ++p)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      wrong += std::isfinite(points->GetComponent(p, k)) ? 0 : 1;
+    }
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+const char* const Files[] = { "hex_geos_box_hybrid.vtu", "hex_gmsh_quadtri_torus_4types.vtu",
+  "hex_mfem_tinyzoo.vtu", "large_porepy_case3_500k.vtu", "line_navis_neuron.vtu",
+  "mix_elmer_shell_on_solid.vtu", "mix_elmer_wire_pair.vtu", "mix_geos_cube.vtu",
+  "mix_nastran_isat.vtu", "mix_ogs5_fracture_network.vtu", "mix_porepy_case2_4k.vtu",
+  "nat_bunny_verts_dup_points.vtp", "nat_fea_quadratic_tets.vtu", "nat_geos_all_types.vtu",
+  "nat_ogs_sphere_zero_volume.vtu", "nm_hourglass_bowtie.vtp", "nm_nastran_wingbox.vtu",
+  "nm_ogs5_fracture_surfaces.vtu", "nm_triple_vierbein.vtp", "poly_cow_mixed.vtp",
+  "poly_dodecahedron.vtp", "surf_bunny_3k.vtp", "surf_bunny_full.vtp", "surf_moebius_quads.vtp",
+  "tet_geos_synthetic.vtu", "tet_gmsh_coil_crack.vtu" };
+
+class FilesThroughFilters : public testing::TestWithParam<const char*>
+{
+protected:
+  void SetUp() override
+  {
+    const std::string path = GetSharedFile(GetParam());
+    if (const std::string reason = WhyNotRead(path); !reason.empty())
+    {
+      GTEST_SKIP() << reason;
+    }
+    this->Input = ReadFile(path);
+    this->Cells = std::make_unique<FileCells>(this->Input);
+    ASSERT_GT(this->Input->GetNumberOfCells(), 0);
+  }
+  /// Whether it would take too long to run everything.
+  bool IsLarge() const { return this->Input->GetNumberOfCells() > 100000; }
+  /// Runs a filter, which may not fail.
+  vtkSmartPointer<vtkPointSet> Run(vtkAlgorithm* filter, Messages* messages)
+  {
+    messages->Watch(filter);
+    filter->SetInputDataObject(0, this->Input);
+    filter->Update();
+    EXPECT_TRUE(messages->Errors.empty()) << messages->Errors[0];
+    return vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0));
+  }
+  /// All cells are there, those of dimension d as 2^d children of each of their simplices.
+  void ExpectUniform(vtkPointSet* output)
+  {
+    ExpectNoLostArrays(this->Input, output);
+    ExpectFinite(output);
+    ExpectChildren(*this->Cells, CountChildren(this->Input, output),
+      [this](std::size_t c) -> std::array<vtkIdType, 3>
+      {
+        const Shape& shape = this->Cells->Shapes[c];
+        const vtkIdType children = vtkIdType(1) << shape.Dimension;
+        return { children * shape.Least, children * shape.Most, children };
+      });
+  }
+
+  vtkSmartPointer<vtkPointSet> Input;
+  std::unique_ptr<FileCells> Cells;
+};
+
+}
+
+TEST_P(FilesThroughFilters, MultiDimensionalSubdivision)
+{
+  for (const int scheme : { vtkMultiDimensionalSubdivision::BOX_SPLINE,
+         vtkMultiDimensionalSubdivision::TET_OCT, vtkMultiDimensionalSubdivision::LINEAR })
+  {
+    SCOPED_TRACE(scheme);
+    vtkNew<vtkMultiDimensionalSubdivision> filter;
+    vtkNew<Messages> messages;
+    filter->SetVolumeScheme(scheme);
+    filter->GenerateOriginalIdsOn();
+    filter->CacheOperatorOff();
+    this->ExpectUniform(this->Run(filter, messages));
+    if (this->IsLarge())
+    {
+      return;
+    }
+  }
+}
+
+TEST_P(FilesThroughFilters, ProjectionToTheLimit)
+{
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  vtkNew<Messages> messages;
+  filter->SetNumberOfLevels(this->IsLarge() ? 0 : 1);
+  filter->ProjectToLimitOn();
+  filter->GenerateLimitNormalsOn();
+  filter->GenerateOriginalIdsOn();
+  filter->CacheOperatorOff();
+  const auto output = this->Run(filter, messages);
+  EXPECT_TRUE(output->GetPointData()->HasArray("LimitNormals"));
+  if (!this->IsLarge())
+  {
+    this->ExpectUniform(output);
+  }
+}
+
+TEST_P(FilesThroughFilters, KeptCellTypes)
+{
+  const auto& types = this->Cells->Types;
+  if (std::any_of(types.begin(), types.end(),
+        [](int type)
+        {
+          return type == VTK_POLYGON || type == VTK_POLYHEDRON || type == VTK_PENTAGONAL_PRISM ||
+            type == VTK_HEXAGONAL_PRISM;
+        }))
+  {
+    return; // an error, and nothing is lost quietly (TestKeepCellTypes)
+  }
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  vtkNew<Messages> messages;
+  filter->SetVolumeSchemeToLinear();
+  filter->KeepCellTypesOn();
+  filter->GenerateOriginalIdsOn();
+  const auto output = this->Run(filter, messages);
+  ExpectNoLostArrays(this->Input, output);
+  ExpectChildren(*this->Cells, CountChildren(this->Input, output),
+    [this](std::size_t c) -> std::array<vtkIdType, 3>
+    {
+      const Shape& shape = this->Cells->Shapes[c];
+      const vtkIdType children = vtkIdType(1) << shape.Dimension;
+      switch (this->Cells->Types[c])
+      {
+        case VTK_QUAD:
+        case VTK_HEXAHEDRON:
+        case VTK_VOXEL:
+        case VTK_WEDGE:
+          return { children, children, 1 };
+        case VTK_PYRAMID:
+          return { 10, 10, 1 };
+        default:
+          return { children * shape.Least, children * shape.Most, children };
+      }
+    });
+}
+
+TEST_P(FilesThroughFilters, QuadraticCellsInPieces)
+{
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  vtkNew<Messages> messages;
+  filter->SetNumberOfLevels(0);
+  filter->SetQuadraticCellsToPieces();
+  filter->GenerateOriginalIdsOn();
+  const auto output = this->Run(filter, messages);
+  ExpectNoLostArrays(this->Input, output);
+  ExpectChildren(*this->Cells, CountChildren(this->Input, output),
+    [this](std::size_t c) -> std::array<vtkIdType, 3>
+    {
+      const Shape& shape = this->Cells->Shapes[c];
+      const int pieces = this->Cells->Types[c] == VTK_QUADRATIC_TETRA ? 8 : 1;
+      return { pieces * shape.Least, pieces * shape.Most, pieces };
+    });
+}
+
+TEST_P(FilesThroughFilters, RedGreenRefinement)
+{
+  for (const int placement : { vtkRedGreenRefinement::LINEAR, vtkRedGreenRefinement::LIMIT })
+  {
+    SCOPED_TRACE(placement);
+    if (this->IsLarge() && placement == vtkRedGreenRefinement::LIMIT)
+    {
+      return;
+    }
+    vtkNew<vtkRedGreenRefinement> filter;
+    vtkNew<Messages> messages;
+    filter->RefineByAttributeErrorOff();
+    filter->RefineByEdgeLengthOn();
+    filter->SetMaximumEdgeLength(0.);
+    filter->SetMaximumLevel(1);
+    filter->SetPlacement(placement);
+    filter->GenerateOriginalIdsOn();
+    const auto output = this->Run(filter, messages);
+    if (messages->CountWarnings("are so small") == 0)
+    {
+      this->ExpectUniform(output);
+      continue;
+    }
+    // Edges without length are not split: cells there have fewer children.
+    ExpectNoLostArrays(this->Input, output);
+    ExpectChildren(*this->Cells, CountChildren(this->Input, output),
+      [this](std::size_t c) -> std::array<vtkIdType, 3>
+      {
+        const Shape& shape = this->Cells->Shapes[c];
+        return { shape.Least, shape.Most << shape.Dimension, 1 };
+      });
+  }
+}
+
+TEST_P(FilesThroughFilters, SurfaceSubdivision)
+{
+  using Filter = vtkSurfaceSubdivision;
+  for (int scheme = Filter::LOOP; scheme <= Filter::LINEAR; ++scheme)
+  {
+    SCOPED_TRACE(scheme);
+    vtkNew<Filter> filter;
+    vtkNew<Messages> messages;
+    filter->SetScheme(scheme);
+    filter->GenerateOriginalIdsOn();
+    const auto output = this->Run(filter, messages);
+    const vtkIdType solids = this->Cells->Count(3);
+    EXPECT_EQ(messages->CountWarnings(std::to_string(solids) + " cell(s) are solids"), solids > 0);
+    ExpectNoLostArrays(this->Input, output);
+    ExpectFinite(output);
+    ExpectChildren(*this->Cells, CountChildren(this->Input, output),
+      [&](std::size_t c) -> std::array<vtkIdType, 3>
+      {
+        const Shape& shape = this->Cells->Shapes[c];
+        const vtkIdType size = this->Cells->Sizes[c];
+        if (shape.Dimension != 2)
+        {
+          const vtkIdType lines =
+            scheme == Filter::SQRT_THREE || scheme == Filter::FOUR_EIGHT ? 1 : 2;
+          const vtkIdType children = shape.Dimension == 3 ? 0 : shape.Dimension == 1 ? lines : 1;
+          return { children, children, 1 };
+        }
+        switch (scheme)
+        {
+          case Filter::CATMULL_CLARK:
+            return { size, size, 1 };
+          case Filter::DOO_SABIN: // the faces of its edges and vertices may be with neighbours
+          case Filter::MIDEDGE:
+            return { 1, 1 + 2 * size, 1 };
+          case Filter::FOUR_EIGHT: // a face of two triangles on an edge is in one of two cells
+          case Filter::SQRT_THREE:
+            return { 0, 6 * size, 1 };
+          default:
+            return { 4 * (size - 2), 4 * (size - 2), 1 };
+        }
+      });
+    if (scheme == Filter::SQRT_THREE)
+    {
+      vtkIdType triangles = 0;
+      for (const Shape& shape : this->Cells->Shapes)
+      {
+        triangles += shape.Dimension == 2 ? shape.Least : 0;
+      }
+      EXPECT_EQ(vtkPolyData::SafeDownCast(output)->GetNumberOfPolys(), 3 * triangles);
+    }
+  }
+}
+
+TEST_P(FilesThroughFilters, AdaptiveSurfaceSubdivision)
+{
+  vtkNew<vtkAdaptiveSurfaceSubdivision> filter;
+  vtkNew<Messages> messages;
+  filter->RefineByAttributeErrorOff();
+  filter->RefineByEdgeLengthOn();
+  filter->SetMaximumEdgeLength(0.);
+  filter->SetMaximumLevel(2); // lines are cut in the second step
+  const auto output = this->Run(filter, messages);
+  ExpectNoLostArrays(this->Input, output);
+  ExpectFinite(output);
+  ExpectChildren(*this->Cells, CountChildren(this->Input, output),
+    [this](std::size_t c) -> std::array<vtkIdType, 3>
+    {
+      const Shape& shape = this->Cells->Shapes[c];
+      const vtkIdType most[4] = { 1, 3, 20 * shape.Most, 0 };
+      const vtkIdType least[4] = { 1, 3, 1, 0 };
+      return { least[shape.Dimension], most[shape.Dimension], 1 };
+    });
+}
+
+TEST_P(FilesThroughFilters, SimplicialComplexTopology)
+{
+  vtkNew<vtkSimplicialComplexTopology> filter;
+  vtkNew<Messages> messages;
+  const auto output = this->Run(filter, messages);
+  ExpectNoLostArrays(this->Input, output, false);
+  std::vector<char> isUsed(static_cast<std::size_t>(this->Input->GetNumberOfPoints()), 0);
+  vtkNew<vtkIdList> ids;
+  vtkIdType least = 0; // tetrahedra
+  vtkIdType most = 0;
+  for (vtkIdType c = 0; c < this->Input->GetNumberOfCells(); ++c)
+  {
+    const auto index = static_cast<std::size_t>(c);
+    const Shape& shape = this->Cells->Shapes[index];
+    this->Input->GetCellPoints(c, ids);
+    const vtkIdType corners =
+      this->Cells->Types[index] == VTK_QUADRATIC_TETRA ? 4 : ids->GetNumberOfIds();
+    for (vtkIdType i = 0; i < corners; ++i)
+    {
+      isUsed[static_cast<std::size_t>(ids->GetId(i))] = 1;
+    }
+    least += shape.Dimension == 3 ? shape.Least : 0;
+    most += shape.Dimension == 3 ? shape.Most : 0;
+  }
+  auto* counts = vtkIdTypeArray::SafeDownCast(output->GetFieldData()->GetArray("SimplexCounts"));
+  ASSERT_TRUE(counts);
+  EXPECT_GE(counts->GetValue(3), least);
+  EXPECT_LE(counts->GetValue(3), most);
+  EXPECT_EQ(
+    output->GetNumberOfCells(), counts->GetValue(0) + counts->GetValue(1) + counts->GetValue(2));
+  const vtkIdType centres = output->GetNumberOfPoints() - this->Input->GetNumberOfPoints();
+  EXPECT_EQ(counts->GetValue(0), centres + std::count(isUsed.begin(), isUsed.end(), 1));
+}
+
+TEST_P(FilesThroughFilters, ExtractDimensions)
+{
+  vtkIdType sum = 0;
+  for (int dimension = 0; dimension < 4; ++dimension)
+  {
+    vtkNew<vtkExtractDimensions> filter;
+    vtkNew<Messages> messages;
+    filter->ClearOutputDimensions();
+    filter->AddOutputDimension(dimension);
+    const auto output = this->Run(filter, messages);
+    EXPECT_EQ(output->GetNumberOfCells(), this->Cells->Count(dimension));
+    sum += output->GetNumberOfCells();
+    ExpectNoLostArrays(this->Input, output);
+  }
+  EXPECT_EQ(sum, this->Input->GetNumberOfCells());
+}
+
+// Each file is bent by a cage around it.
+TEST_P(FilesThroughFilters, SubdivisionDeformation)
+{
+  const auto move = [](const Point& p) { return Point{ 2. * p[0] + p[1], p[1] - p[2], p[2] }; };
+  vtkNew<vtkSubdivisionCageSource> cage;
+  cage->SetInputDataObject(0, this->Input);
+  cage->SetMargin(100.); // the limit of the cage is smaller than the cage
+  cage->Update();
+  vtkNew<vtkSubdivisionDeformation> filter;
+  vtkNew<Messages> messages;
+  filter->SetNumberOfLevels(1);
+  filter->SetOutsidePointsToError();
+  filter->TransformVectorsOff();
+  filter->SetRestMeshData(cage->GetOutput());
+  filter->SetDeformedMeshData(Moved(cage->GetOutput(), move));
+  const auto output = this->Run(filter, messages);
+  EXPECT_TRUE(messages->Warnings.empty()) << messages->Warnings[0];
+  ASSERT_EQ(output->GetNumberOfPoints(), this->Input->GetNumberOfPoints());
+  EXPECT_EQ(output->GetNumberOfCells(), this->Input->GetNumberOfCells());
+  ExpectNoLostArrays(this->Input, output);
+  double worst = 0.;
+  for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
+  {
+    const Point expected = move(GetPoint(this->Input, p));
+    const Point found = GetPoint(output, p);
+    for (int k = 0; k < 3; ++k)
+    {
+      worst = std::max(worst, std::abs(found[k] - expected[k]));
+    }
+  }
+  EXPECT_LT(worst, 1e-5 * this->Input->GetLength());
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, FilesThroughFilters, testing::ValuesIn(Files),
+  [](const auto& param)
+  {
+    const std::string name = param.param;
+    return name.substr(0, name.find('.'));
+  });
