@@ -169,11 +169,11 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
           "InterfaceValues.");
     hasFields = false;
   }
-  if (hasFields && options.Interpolation.Arrays)
+  if (hasFields && options.Interpolation.Arrays && this->SharesRanks())
   {
     distribution.Warnings.emplace_back(
-      "Values that jump are not interpolated: with InterfaceValues = DISCONTINUOUS_VALUES the "
-      "filter ignores InterpolateArrays.");
+      "Values that jump are not interpolated on several ranks: with InterfaceValues = "
+      "DISCONTINUOUS_VALUES the filter ignores InterpolateArrays there.");
     options.Interpolation.Arrays = false;
   }
   distribution.AddBlockIndex = this->PreserveInterfaces;

@@ -262,7 +262,10 @@ public:
    * AddFieldOfCells become fields; all others, and coordinates, are equal for copies. Needs
    * PreserveInterfaces; without, and in filters that have no interfaces, it is ignored with a
    * warning. Needs memory for each array as often as there are materials of which each meets all
-   * others; an error if these are more than 32. InterpolateArrays is ignored then, with a warning.
+   * others; an error if these are more than 32. With InterpolateArrays the limit of each material's
+   * field passes through the values of this material. After a level a warning counts the points
+   * where it does not, because the material touches others in edges or points only. Where several
+   * ranks have parts of a mesh, InterpolateArrays is ignored then, with a warning.
    */
   vtkSetClampMacro(InterfaceValues, int, CONTINUOUS_VALUES, DISCONTINUOUS_VALUES);
   vtkGetMacro(InterfaceValues, int);

@@ -61,6 +61,12 @@ inline bool IsWeighted(const char* name)
   return name && std::string(name).rfind(FieldName, 0) == 0;
 }
 
+/// The name of the array whose values it has.
+inline std::string GetFieldName(const std::string& name)
+{
+  return name.substr(name.find(':') + 1);
+}
+
 /// The colour in such a name.
 inline int GetColour(const char* name)
 {

@@ -30,7 +30,14 @@ public:
   {
     for (std::size_t g = 0; g < groups.size(); ++g)
     {
-      this->GroupOf.insert(this->GroupOf.end(), groups[g].Columns, g);
+      const std::size_t first = this->GroupOfComponent.size();
+      this->GroupOfComponent.insert(this->GroupOfComponent.end(), groups[g].Components, g);
+      for (int c = 0; c < groups[g].Components * groups[g].Fields; ++c)
+      {
+        const int field = c / groups[g].Components;
+        this->Columns.push_back({ g, first + c % groups[g].Components, groups[g].Fields,
+          groups[g].Factors ? groups[g].Factors + field : nullptr });
+      }
     }
     const vtkIdType size = limit.GetNumberOfRows() * this->GetColumns();
     this->Residuals = Buffer<double>(size);
@@ -40,7 +47,8 @@ public:
     this->HasEnded.assign(groups.size(), 0);
     this->FindRanges(given);
     this->Multiply(given);
-    ForEach(size, [&](vtkIdType i) { this->Residuals[i] = given[i] - this->Products[i]; });
+    ForEach(size, [&](vtkIdType i)
+      { this->Residuals[i] = this->HasValue(i) ? given[i] - this->Products[i] : 0.; });
   }
 
   /// Gives group g no more than most[g] products. Returns after which the error was least.
@@ -65,24 +73,42 @@ public:
   }
 
 private:
-  int GetColumns() const { return static_cast<int>(this->GroupOf.size()); }
+  struct Column
+  {
+    std::size_t Group;
+    std::size_t Component;
+    vtkIdType Fields;
+    const double* Factors; ///< null: 1
+  };
 
-  /// The largest value(i) of each column, over all finite ones.
+  int GetColumns() const { return static_cast<int>(this->Columns.size()); }
+
+  double GetFactor(vtkIdType i) const
+  {
+    const vtkIdType columns = this->GetColumns();
+    const Column& column = this->Columns[i % columns];
+    return column.Factors ? column.Factors[column.Fields * (i / columns)] : 1.;
+  }
+  /// Whether the field of a column has a value in a row.
+  bool HasValue(vtkIdType i) const { return this->GetFactor(i) != 0.; }
+
+  /// The largest value(i) of each component, over all finite ones that a field has.
   template <typename Value>
   std::vector<double> FindLargest(const Value& value) const
   {
     const vtkIdType columns = this->GetColumns();
-    std::vector<double> largest(columns, -std::numeric_limits<double>::infinity());
+    std::vector<double> largest(
+      this->GroupOfComponent.size(), -std::numeric_limits<double>::infinity());
     std::mutex mutex;
     ForRanges(this->Limit.GetNumberOfRows(),
       [&](vtkIdType begin, vtkIdType end)
       {
-        std::vector<double> here(columns, -std::numeric_limits<double>::infinity());
+        std::vector<double> here(largest.size(), -std::numeric_limits<double>::infinity());
         for (vtkIdType i = columns * begin; i < columns * end; ++i)
         {
           const double v = value(i);
-          double& most = here[i % columns];
-          most = std::isfinite(v) && v > most ? v : most;
+          double& most = here[this->Columns[i % columns].Component];
+          most = std::isfinite(v) && v > most && this->HasValue(i) ? v : most;
         }
         const std::lock_guard<std::mutex> lock(mutex);
         std::transform(here.begin(), here.end(), largest.begin(), largest.begin(),
@@ -95,8 +121,8 @@ private:
     return largest;
   }
 
-  /// Finds the range of each group, which is the largest of its columns, and the error that it may
-  /// have.
+  /// Finds the range of each group, which is the largest of its components, and the error that it
+  /// may have.
   void FindRanges(const double* given)
   {
     const std::vector<double> high = this->FindLargest([&](vtkIdType i) { return given[i]; });
@@ -107,9 +133,9 @@ private:
     {
       group.Range.clear();
     }
-    for (std::size_t c = 0; c < this->GroupOf.size(); ++c)
+    for (std::size_t c = 0; c < this->GroupOfComponent.size(); ++c)
     {
-      const std::size_t g = this->GroupOf[c];
+      const std::size_t g = this->GroupOfComponent[c];
       this->Groups[g].Range.insert(this->Groups[g].Range.end(), { -low[c], high[c] });
       this->Ranges[g] = std::max(this->Ranges[g], high[c] + low[c]);
       this->Allowed[g] = std::max({ this->Allowed[g], LimitUnit * high[c], LimitUnit * low[c],
@@ -123,11 +149,12 @@ private:
     int products, const std::vector<int>& most, std::vector<int>& best, std::vector<double>& least)
   {
     std::vector<double> errors(this->Groups.size(), 0.);
-    const std::vector<double> ofColumns =
+    const std::vector<double> ofComponents =
       this->FindLargest([&](vtkIdType i) { return std::abs(this->Residuals[i]); });
-    for (std::size_t c = 0; c < ofColumns.size(); ++c)
+    for (std::size_t c = 0; c < ofComponents.size(); ++c)
     {
-      errors[this->GroupOf[c]] = std::max(errors[this->GroupOf[c]], ofColumns[c]);
+      double& error = errors[this->GroupOfComponent[c]];
+      error = std::max(error, ofComponents[c]);
     }
     for (std::size_t g = 0; g < this->Groups.size(); ++g)
     {
@@ -155,7 +182,7 @@ private:
         const double residual = this->Residuals[i];
         this->Steps[i] =
           std::isfinite(residual) ? ofStep * this->Steps[i] + ofResidual * residual : 0.;
-        this->Shifts[i] += this->HasEnded[this->GroupOf[i % columns]] ? 0. : this->Steps[i];
+        this->Shifts[i] += this->HasEnded[this->Columns[i % columns].Group] ? 0. : this->Steps[i];
       });
     this->Multiply(this->Steps.data());
     ForEach(this->Steps.size(),
@@ -173,12 +200,18 @@ private:
     {
       this->Limits.TakeOthers(this->Products.data(), this->GetColumns());
     }
+    if (std::any_of(this->Columns.begin(), this->Columns.end(),
+          [](const Column& column) { return column.Factors != nullptr; }))
+    {
+      ForEach(this->Products.size(), [&](vtkIdType i) { this->Products[i] *= this->GetFactor(i); });
+    }
   }
 
   const PointOperator& Limit;
   const InterpolationLimits& Limits;
   std::vector<InterpolationGroup>& Groups;
-  std::vector<std::size_t> GroupOf; ///< of each column
+  std::vector<Column> Columns;
+  std::vector<std::size_t> GroupOfComponent; ///< of the components of all groups
   double* Shifts;
   Buffer<double> Residuals; ///< NaN where there is no shift
   Buffer<double> Products;

@@ -35,14 +35,21 @@ struct InterpolationLimits
   std::function<void(std::vector<double>& values)> FindLargest;
 };
 
-/// Columns with a common range and error, such as the components of an array.
+/**
+ * Columns with a common range and error: the components of an array, or those of several fields,
+ * each of which has values in some rows only, and zeros elsewhere.
+ */
 struct InterpolationGroup
 {
-  int Columns;
+  int Components;
+  int Fields = 1; ///< the columns are those of the first field, then those of the next one
+  /// What the limits of each field are multiplied by in each row, to be means of values of the
+  /// field; 0 where it has none. Null: all are 1.
+  const double* Factors = nullptr;
   int Products = 0;  ///< of L, until the error was small enough
   double Error = 0.; ///< the largest distance of a limit from its value, as a part of the range
   bool HasConverged = false;
-  std::vector<double> Range = {}; ///< the least and the largest value of each column
+  std::vector<double> Range = {}; ///< the least and the largest value of each component
 };
 
 /**

@@ -22,6 +22,8 @@ using ColourMask = std::uint32_t; ///< a bit for each colour
 
 constexpr int MaximumNumberOfColours = 32;
 constexpr int NoColour = -1; ///< of a cell that is a face of another one
+/// Sums of weights of values (MaterialFields.h) below this are rounding.
+constexpr double LeastWeight = 1e-6;
 
 class ColourMasks
 {

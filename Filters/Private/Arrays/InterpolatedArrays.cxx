@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <sstream>
 #include <tuple>
+#include <utility>
 
 namespace subdivision
 {
@@ -32,27 +34,38 @@ bool IsFloating(vtkDataArray* array)
   return array && (array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT);
 }
 
-/// By what arrays of joined meshes are sorted: these have marks in the names of arrays where others
-/// of the same name have another type (JoinedArray).
-auto GetOrder(vtkDataArray* array)
+/// A name without the marks that arrays of joined meshes get where others of the same name have
+/// another type (JoinedArray).
+std::string GetGivenName(const std::string& name)
 {
-  const std::string name = array->GetName() ? array->GetName() : "";
-  return std::make_tuple(name.substr(0, name.find_last_not_of('\'') + 1), array->GetDataType(),
-    array->GetNumberOfComponents(), name);
+  return name.substr(0, name.find_last_not_of('\'') + 1);
 }
 
+/// An array, or the fields of one; the last component of each of these is a weight.
+struct Source
+{
+  std::vector<vtkSmartPointer<vtkDataArray>*> Fields;
+  bool HasWeights;
+
+  vtkDataArray* GetFirst() const { return *this->Fields[0]; }
+  int GetComponents() const
+  {
+    return this->GetFirst()->GetNumberOfComponents() - (this->HasWeights ? 1 : 0);
+  }
+};
+
 /// Whether all parts of the mesh have columns for as many arrays of the same types.
-bool HaveAllTheSame(
-  const std::vector<vtkSmartPointer<vtkDataArray>*>& arrays, const InterpolationLimits& limits)
+bool HaveAllTheSame(const std::vector<Source>& sources, const InterpolationLimits& limits)
 {
   if (!limits.FindLargest)
   {
     return true;
   }
-  std::uint64_t hash = arrays.size();
-  for (const auto* array : arrays)
+  std::uint64_t hash = sources.size();
+  for (const Source& source : sources)
   {
-    const int kind = 100 * (*array)->GetNumberOfComponents() + (*array)->GetDataType();
+    const int kind =
+      100 * source.GetFirst()->GetNumberOfComponents() + source.GetFirst()->GetDataType();
     hash = (1000003 * hash + static_cast<std::uint64_t>(kind)) % (std::uint64_t(1) << 50);
   }
   std::vector<double> both{ static_cast<double>(hash), -static_cast<double>(hash) };
@@ -64,87 +77,179 @@ bool HaveAllTheSame(
 class Columns
 {
 public:
-  explicit Columns(const std::vector<vtkSmartPointer<vtkDataArray>*>& arrays)
-    : Arrays(arrays)
+  explicit Columns(const std::vector<Source>& sources)
+    : Sources(sources)
+    , Rows(sources[0].GetFirst()->GetNumberOfTuples())
   {
-    for (const auto* array : arrays)
+    for (const Source& source : sources)
     {
-      this->Groups.push_back({ (*array)->GetNumberOfComponents() });
-      this->Width += this->Groups.back().Columns;
+      const auto fields = static_cast<int>(source.Fields.size());
+      this->Groups.push_back({ source.GetComponents(), fields });
+      this->Width += source.GetComponents() * fields;
     }
-    this->Rows = (*arrays[0])->GetNumberOfTuples();
     this->Given = Buffer<double>(this->Rows * this->Width);
-    int first = 0;
-    for (const auto* array : arrays)
-    {
-      Buffer<double> converted;
-      const int size = (*array)->GetNumberOfComponents();
-      const double* values = ReadDoubles(
-        (*array)->GetVoidPointer(0), (*array)->GetDataType(), this->Rows * size, converted);
-      ForEach(this->Rows, [&](vtkIdType i)
-        { std::copy_n(values + size * i, size, this->Given.data() + this->Width * i + first); });
-      first += size;
-    }
+    this->ForEachField(
+      [&](const Source& source, int field, vtkIdType first)
+      {
+        vtkDataArray* array = *source.Fields[static_cast<std::size_t>(field)];
+        const int size = array->GetNumberOfComponents();
+        Buffer<double> converted;
+        const double* values =
+          ReadDoubles(array->GetVoidPointer(0), array->GetDataType(), this->Rows * size, converted);
+        ForEach(this->Rows,
+          [&](vtkIdType i)
+          {
+            std::copy_n(values + size * i, source.GetComponents(),
+              this->Given.data() + this->Width * i + first);
+          });
+      });
   }
+
   void Solve(const PointOperator& limit, const InterpolationLimits& limits)
   {
     if (limits.TakeOthers)
     {
       limits.TakeOthers(this->Given.data(), static_cast<int>(this->Width));
     }
+    this->FindFactors(limit);
     this->Shifts = Buffer<double>(this->Given.size());
     FindInterpolation(limit, this->Given.data(), this->Groups, limits, this->Shifts.data());
   }
+
   /// Replaces the arrays by new ones with the given values plus `weight` times their shifts.
   void Replace(double weight)
   {
-    int first = 0;
-    for (auto* array : this->Arrays)
-    {
-      const int size = (*array)->GetNumberOfComponents();
-      Buffer<double> values(this->Rows * size);
-      ForEach(values.size(),
-        [&](vtkIdType i)
-        {
-          const vtkIdType at = this->Width * (i / size) + first + i % size;
-          values[i] = this->Given[at] + weight * this->Shifts[at];
-        });
-      first += size;
-      const auto replaced = MakeArray((*array)->GetDataType(), size, this->Rows);
-      StoreDoubles(
-        values.data(), replaced->GetVoidPointer(0), replaced->GetDataType(), values.size());
-      CopyLooks(*array, replaced);
-      *array = replaced;
-    }
+    this->ForEachField(
+      [&](const Source& source, int field, vtkIdType first)
+      {
+        auto& array = *source.Fields[static_cast<std::size_t>(field)];
+        const int size = array->GetNumberOfComponents();
+        const int components = source.GetComponents();
+        Buffer<double> values(this->Rows * size);
+        ForEach(values.size(),
+          [&](vtkIdType i)
+          {
+            const vtkIdType row = i / size;
+            const auto component = static_cast<int>(i % size);
+            const vtkIdType at = this->Width * row + first + component;
+            values[i] = component < components ? this->Given[at] + weight * this->Shifts[at]
+                                               : array->GetComponent(row, component);
+          });
+        const auto replaced = MakeArray(array->GetDataType(), size, this->Rows);
+        StoreDoubles(
+          values.data(), replaced->GetVoidPointer(0), replaced->GetDataType(), values.size());
+        CopyLooks(array, replaced);
+        array = replaced;
+      });
   }
   const std::vector<InterpolationGroup>& GetGroups() const { return this->Groups; }
+  /// The given values of all fields of a source, NaN where a field has none.
+  Buffer<double> TakeGiven(std::size_t source) const
+  {
+    const Source& wanted = this->Sources[source];
+    const int components = wanted.GetComponents();
+    const auto fields = static_cast<vtkIdType>(wanted.Fields.size());
+    Buffer<double> values(this->Rows * fields * components);
+    this->ForEachField(
+      [&](const Source& other, int field, vtkIdType first)
+      {
+        if (&other == &wanted)
+        {
+          ForEach(this->Rows * components,
+            [&](vtkIdType i)
+            {
+              const vtkIdType row = i / components;
+              const bool isThere = this->Factors[fields * row + field] != 0.;
+              values[(fields * row + field) * components + i % components] = isThere
+                ? this->Given[this->Width * row + first + i % components]
+                : std::numeric_limits<double>::quiet_NaN();
+            });
+        }
+      });
+    return values;
+  }
 
 private:
-  const std::vector<vtkSmartPointer<vtkDataArray>*>& Arrays;
+  /// Calls visit(source, field, first of its columns).
+  template <typename Visit>
+  void ForEachField(const Visit& visit) const
+  {
+    vtkIdType first = 0;
+    for (const Source& source : this->Sources)
+    {
+      for (std::size_t field = 0; field < source.Fields.size(); ++field)
+      {
+        visit(source, static_cast<int>(field), first);
+        first += source.GetComponents();
+      }
+    }
+  }
+
+  /// Limits of fields are divided by those of their weights, which all arrays have in common.
+  void FindFactors(const PointOperator& limit)
+  {
+    const auto found = std::find_if(this->Sources.begin(), this->Sources.end(),
+      [](const Source& source) { return source.HasWeights; });
+    if (found == this->Sources.end())
+    {
+      return;
+    }
+    const auto fields = static_cast<vtkIdType>(found->Fields.size());
+    Buffer<double> weights(fields * this->Rows);
+    ForEach(weights.size(),
+      [&](vtkIdType i)
+      {
+        weights[i] = (*found->Fields[static_cast<std::size_t>(i % fields)])
+                       ->GetComponent(i / fields, found->GetComponents());
+      });
+    this->Factors = Buffer<double>(weights.size());
+    limit.Apply(weights.data(), this->Factors.data(), static_cast<int>(fields));
+    ForEach(weights.size(),
+      [&](vtkIdType i)
+      {
+        const double sum = this->Factors[i];
+        this->Factors[i] = weights[i] == 1. && sum > LeastWeight ? 1. / sum : 0.;
+      });
+    for (std::size_t s = 0; s < this->Sources.size(); ++s)
+    {
+      this->Groups[s].Factors = this->Sources[s].HasWeights ? this->Factors.data() : nullptr;
+    }
+  }
+
+  const std::vector<Source>& Sources;
   std::vector<InterpolationGroup> Groups;
   vtkIdType Width = 0;
-  vtkIdType Rows = 0;
+  vtkIdType Rows;
   Buffer<double> Given;
   Buffer<double> Shifts;
+  Buffer<double> Factors;
 };
+
+std::string DescribeMiss(
+  const std::string& what, const InterpolationGroup& group, const InterpolationLimits& limits)
+{
+  std::ostringstream message;
+  message << "The limit does not pass through the " << what << " of the input: after "
+          << limits.MostProducts << " products with the limit operator the largest error is "
+          << group.Error
+          << " of the range. The filter takes what came nearest; a smaller InterpolationWeight "
+             "helps if it is rough.";
+  return message.str();
+}
 
 }
 
-/// Finds what is interpolated, points first, and the ranges of the arrays.
-std::vector<vtkSmartPointer<vtkDataArray>*> PointArrays::FindInterpolated(
+/// Finds what is interpolated, points first.
+void PointArrays::FindInterpolated(
   const InterpolationOptions& options, const std::function<void(const std::string&)>& warn)
 {
-  std::vector<vtkSmartPointer<vtkDataArray>*> found;
-  if (options.Points && !this->FinalPoints)
-  {
-    found.push_back(&this->Points);
-  }
+  auto& all = this->ToInterpolate;
+  all.clear();
   std::set<std::string> missing;
   if (options.Arrays)
   {
     missing.insert(options.Names.begin(), options.Names.end());
   }
-  this->Interpolated.clear();
   for (std::size_t e = 0; e < this->Entries.size(); ++e)
   {
     vtkDataArray* array = this->Entries[e].Current;
@@ -152,68 +257,97 @@ std::vector<vtkSmartPointer<vtkDataArray>*> PointArrays::FindInterpolated(
     {
       continue;
     }
-    const std::string name = std::get<0>(GetOrder(array));
-    if (options.Names.empty() ||
-      std::find(options.Names.begin(), options.Names.end(), name) != options.Names.end())
+    const bool hasWeights = this->HasWeights(this->Entries[e]);
+    const std::string own = array->GetName() ? array->GetName() : "";
+    const std::string name = hasWeights ? GetFieldName(own) : own;
+    const std::string given = GetGivenName(name);
+    if (!options.Names.empty() &&
+      std::find(options.Names.begin(), options.Names.end(), given) == options.Names.end())
     {
-      missing.erase(name);
-      this->Interpolated.push_back(e);
+      continue;
+    }
+    missing.erase(given);
+    const auto known = std::find_if(all.begin(), all.end(), [&](const Interpolated& other)
+      { return hasWeights && other.HasWeights && other.Name == name; });
+    if (known == all.end())
+    {
+      all.push_back({ name, { e }, hasWeights });
+    }
+    else
+    {
+      known->Entries.push_back(e);
     }
   }
-  std::sort(this->Interpolated.begin(), this->Interpolated.end(),
-    [this](std::size_t a, std::size_t b)
-    { return GetOrder(this->Entries[a].Current) < GetOrder(this->Entries[b].Current); });
-  for (const std::size_t e : this->Interpolated)
+  for (Interpolated& array : all)
   {
-    found.push_back(&this->Entries[e].Current);
+    array.IsReplaced = !array.HasWeights &&
+      std::any_of(all.begin(), all.end(),
+        [&](const Interpolated& other) { return other.HasWeights && other.Name == array.Name; });
+  }
+  const auto order = [this](const Interpolated& array)
+  {
+    vtkDataArray* first = this->Entries[array.Entries[0]].Current;
+    return std::make_tuple(
+      GetGivenName(array.Name), first->GetDataType(), first->GetNumberOfComponents(), array.Name);
+  };
+  std::sort(all.begin(), all.end(),
+    [&](const Interpolated& a, const Interpolated& b) { return order(a) < order(b); });
+  if (options.Points && !this->FinalPoints)
+  {
+    all.insert(all.begin(), { "", {} });
   }
   for (const std::string& name : missing)
   {
     warn("The filter does not interpolate the array \"" + name +
       "\": the input has no point array of floating point numbers of this name.");
   }
-  return found;
 }
 
 void PointArrays::Interpolate(const PointOperator& limit, const InterpolationOptions& options,
   const InterpolationLimits& limits, const std::function<void(const std::string&)>& warn)
 {
-  auto arrays = this->FindInterpolated(options, warn);
-  if (!HaveAllTheSame(arrays, limits))
+  this->FindInterpolated(options, warn);
+  std::vector<Source> sources;
+  for (const Interpolated& array : this->ToInterpolate)
+  {
+    sources.push_back({ {}, array.HasWeights });
+    for (const std::size_t e : array.Entries)
+    {
+      sources.back().Fields.push_back(&this->Entries[e].Current);
+    }
+    if (array.Entries.empty())
+    {
+      sources.back().Fields.push_back(&this->Points);
+    }
+  }
+  if (!HaveAllTheSame(sources, limits))
   {
     warn("Point arrays of one name have different types on different ranks: the filter ignores "
          "InterpolateArrays.");
-    arrays.resize(arrays.size() - this->Interpolated.size());
-    this->Interpolated.clear();
+    const bool hasPoints = this->ToInterpolate.size() > 0 && this->ToInterpolate[0].Entries.empty();
+    sources.resize(hasPoints ? 1 : 0, {});
+    this->ToInterpolate.resize(sources.size());
   }
-  if (arrays.empty() || (this->NumberOfPoints == 0 && !limits.TakeOthers))
+  if (sources.empty() || (this->NumberOfPoints == 0 && !limits.TakeOthers))
   {
     return;
   }
-  Columns columns(arrays);
+  Columns columns(sources);
   columns.Solve(limit, limits);
-  for (std::size_t a = 0; a < arrays.size(); ++a)
+  for (std::size_t a = 0; a < sources.size(); ++a)
   {
     const InterpolationGroup& group = columns.GetGroups()[a];
-    if (!group.HasConverged)
+    Interpolated& array = this->ToInterpolate[a];
+    array.Range = group.Range;
+    if (array.HasWeights && group.HasConverged && options.Weight == 1.)
     {
-      const char* name = (*arrays[a])->GetName();
-      std::ostringstream message;
-      message << "The limit does not pass through the "
-              << (arrays[a] == &this->Points
-                     ? "points"
-                     : "values of the array " + std::string(name ? name : ""))
-              << " of the input: after " << limits.MostProducts
-              << " products with the limit operator the largest error is " << group.Error
-              << " of the range. The filter takes what came nearest; a smaller "
-                 "InterpolationWeight helps if it is rough.";
-      warn(message.str());
+      array.Given = columns.TakeGiven(a);
     }
-  }
-  const std::size_t first = arrays.size() - this->Interpolated.size();
-  for (std::size_t i = 0; i < this->Interpolated.size(); ++i)
-  {
-    this->Entries[this->Interpolated[i]].Range = columns.GetGroups()[first + i].Range;
+    if (!group.HasConverged && !array.IsReplaced)
+    {
+      warn(DescribeMiss(
+        array.Entries.empty() ? "points" : "values of the array " + array.Name, group, limits));
+    }
   }
   columns.Replace(options.Weight);
   this->Doubles = Buffer<double>();
@@ -228,32 +362,75 @@ vtkDataArray* PointArrays::FindCurrent(vtkAbstractArray* given) const
   return found == this->Entries.end() ? nullptr : found->Current.Get();
 }
 
-std::vector<Overshoot> PointArrays::FindOvershoot(const std::vector<char>& counted) const
+std::vector<Overshoot> PointArrays::FindOvershoot(
+  const std::vector<char>& counted, const std::vector<ColourMask>& colours) const
 {
   std::vector<Overshoot> found;
-  for (const std::size_t e : this->Interpolated)
+  for (const Interpolated& interpolated : this->ToInterpolate)
   {
-    const Entry& entry = this->Entries[e];
-    const char* name = entry.Current->GetName();
-    Overshoot array{ name ? name : "an array without name", entry.Current->GetNumberOfValues() };
-    for (std::size_t c = 0; 2 * c < entry.Range.size(); ++c)
+    if (interpolated.Entries.empty() || interpolated.IsReplaced)
     {
-      const double low = entry.Range[2 * c];
-      const double high = entry.Range[2 * c + 1];
-      for (vtkIdType i = 0; low < high && i < entry.Current->GetNumberOfTuples(); ++i)
+      continue;
+    }
+    const std::string& name = interpolated.Name;
+    Overshoot array{ name.empty() ? "an array without name" : name, 0 };
+    for (const std::size_t e : interpolated.Entries)
+    {
+      vtkDataArray* values = this->Entries[e].Current;
+      const int colour = interpolated.HasWeights ? GetColour(values->GetName()) : NoColour;
+      for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
       {
-        const double value = entry.Current->GetComponent(i, static_cast<int>(c));
-        const double beyond = std::max(low - value, value - high) / (high - low);
-        if (beyond > GetRangeTie(entry.Current) && (counted.empty() || counted[i]))
+        const bool isThere =
+          colour == NoColour || (colours[static_cast<std::size_t>(i)] >> colour & 1) != 0;
+        for (std::size_t c = 0; isThere && 2 * c < interpolated.Range.size(); ++c)
         {
-          ++array.Count;
-          array.Most = std::max(array.Most, beyond);
+          const double low = interpolated.Range[2 * c];
+          const double high = interpolated.Range[2 * c + 1];
+          const double value = values->GetComponent(i, static_cast<int>(c));
+          const double beyond = std::max(low - value, value - high) / (high - low);
+          ++array.NumberOfValues;
+          if (low < high && beyond > GetRangeTie(values) && (counted.empty() || counted[i]))
+          {
+            ++array.Count;
+            array.Most = std::max(array.Most, beyond);
+          }
         }
       }
     }
     found.push_back(std::move(array));
   }
   return found;
+}
+
+LimitMisses PointArrays::FindMisses() const
+{
+  LimitMisses misses;
+  std::set<std::pair<vtkIdType, std::size_t>> found;
+  for (const Interpolated& array : this->ToInterpolate)
+  {
+    double range = 0.;
+    for (std::size_t c = 0; 2 * c < array.Range.size(); ++c)
+    {
+      range = std::max(range, array.Range[2 * c + 1] - array.Range[2 * c]);
+    }
+    const auto components = static_cast<vtkIdType>(array.Range.size() / 2);
+    const auto fields = static_cast<vtkIdType>(array.Entries.size());
+    for (vtkIdType i = 0; range > 0. && i < array.Given.size(); ++i)
+    {
+      const vtkIdType row = i / components / fields;
+      const auto field = static_cast<std::size_t>(i / components % fields);
+      vtkDataArray* current = this->Entries[array.Entries[field]].Current;
+      const double value = current->GetComponent(row, static_cast<int>(i % components));
+      const double miss = std::abs(value - array.Given[i]) / range;
+      if (miss > GetRangeTie(current)) // not where there is no value
+      {
+        misses.Most = std::max(misses.Most, miss);
+        found.insert({ row, field });
+      }
+    }
+  }
+  misses.Count = static_cast<vtkIdType>(found.size());
+  return misses;
 }
 
 }

@@ -60,9 +60,6 @@ void FillCentres(vtkDataArray* array, const SimplicesOfCells& cells)
     means.data(), array->GetVoidPointer(first * components), array->GetDataType(), means.size());
 }
 
-/// Weights below this are rounding.
-constexpr double LeastWeight = 1e-6;
-
 /// Divides the values of each tuple by the last one, which becomes 1.
 template <typename Value>
 void DivideByWeights(Value* values, int components, vtkIdType tuples)
@@ -159,7 +156,7 @@ PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
     {
       continue;
     }
-    Entry entry{ i, nullptr, {} };
+    Entry entry{ i, nullptr };
     if (this->IsSmoothed(array))
     {
       entry.Current = StartValues(vtkDataArray::SafeDownCast(array), array->GetDataType(), cells);

@@ -67,6 +67,13 @@ struct Overshoot
   double Most = 0.;    ///< by how much, as a part of the range
 };
 
+/// Points where the limit of a material's values is not what was solved for.
+struct LimitMisses
+{
+  vtkIdType Count = 0;
+  double Most = 0.; ///< the largest distance, as a part of the range
+};
+
 /// The values of a point array of the input as a contiguous array of type `valueType`, followed by
 /// those of the centres that `cells` adds. It is the array itself if there is nothing to do.
 vtkSmartPointer<vtkDataArray> StartValues(
@@ -125,8 +132,14 @@ public:
   /// The current values of a point array of the input; null if it is not smoothed.
   vtkDataArray* FindCurrent(vtkAbstractArray* given) const;
   /// How far the current values of each array exceed the range that the array had before
-  /// Interpolate. `counted`: whether the value of a point counts; empty: all do.
-  std::vector<Overshoot> FindOvershoot(const std::vector<char>& counted) const;
+  /// Interpolate. `counted`: whether the value of a point counts; empty: all do. `colours`: those
+  /// of which a point has values; empty: there are none.
+  std::vector<Overshoot> FindOvershoot(
+    const std::vector<char>& counted, const std::vector<ColourMask>& colours) const;
+
+  /// Whether the current values of materials are those that Interpolate was given. Steps take
+  /// other proportions than limits where materials only touch.
+  LimitMisses FindMisses() const;
 
   /// Whether current point a has the smaller global id.
   bool IsEarlier(vtkIdType a, vtkIdType b) const;
@@ -148,8 +161,19 @@ private:
   {
     int Source;                            ///< index in the input's point data
     vtkSmartPointer<vtkDataArray> Current; ///< smoothed so far; null: gathered at the end
+  };
+  /// What is interpolated: an array, or all that have the values of one, each for one colour.
+  struct Interpolated
+  {
+    std::string Name;
+    std::vector<std::size_t> Entries; ///< none: the points
+    bool HasWeights = false;
+    bool IsReplaced = false; ///< others have its values for each colour
     /// The least and the largest value of each component before Interpolate.
-    std::vector<double> Range;
+    std::vector<double> Range = {};
+    /// Where others have weights: the values before, of each point and field, and whether there
+    /// are any. Empty if the solver did not converge.
+    Buffer<double> Given = {};
   };
 
   bool IsSmoothed(vtkAbstractArray* array) const;
@@ -157,8 +181,9 @@ private:
   {
     return this->Options.HasMaterialFields && entry.Current && IsWeighted(entry.Current->GetName());
   }
-  std::vector<vtkSmartPointer<vtkDataArray>*> FindInterpolated(
+  void FindInterpolated(
     const InterpolationOptions& options, const std::function<void(const std::string&)>& warn);
+  vtkSmartPointer<vtkDataArray>& GetInterpolated(const Interpolated& array, std::size_t field);
   void AdvanceSmoothed(
     const PointOperator& operation, const PointOperator::User& also = PointOperator::User());
   template <typename Id>
@@ -177,7 +202,7 @@ private:
   vtkSmartPointer<vtkDataArray> FinalPoints; ///< null unless they are known beforehand
   vtkSmartPointer<vtkDataArray> Normals;
   std::vector<Entry> Entries;
-  std::vector<std::size_t> Interpolated; ///< entries, in an order that all parts of a mesh have
+  std::vector<Interpolated> ToInterpolate; ///< in an order that all parts of a mesh have
   bool HasGathered = false;
   vtkIdType NumberOfInputPoints;      ///< the first points are points of the input
   std::vector<vtkIdType> TakenPoints; ///< which ones, where Take has chosen

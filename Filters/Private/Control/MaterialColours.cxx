@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/MaterialColours.h"
 
+#include "Private/ArrayNames.h"
 #include "Private/Control/Features.h"
+#include "Private/Control/PointCopies.h"
+
+#include "vtkCellData.h"
 
 #include <unordered_map>
 #include <utility>
@@ -153,6 +157,19 @@ ColouredSimplices::ColouredSimplices(
   {
     this->Colours.push_back(material == NoMaterial ? NoColour : colours[material]);
   }
+}
+
+std::vector<ColourMask> FindColoursAtPoints(vtkPointSet* mesh)
+{
+  ColourMasks masks(mesh->GetNumberOfPoints());
+  vtkDataArray* colours = mesh->GetCellData()->GetArray(ColourName);
+  ForEachCellArray(mesh,
+    [&](vtkCellArray* cells, vtkIdType first)
+    {
+      masks.Add(cells, [&](vtkIdType c)
+        { return colours ? static_cast<int>(colours->GetComponent(first + c, 0)) : NoColour; });
+    });
+  return masks.Get();
 }
 
 }

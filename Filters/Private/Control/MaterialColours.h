@@ -59,6 +59,9 @@ struct ColouredSimplices
   int NumberOfColours = 1;
 };
 
+/// The colours that the cells at each point of a mesh have (the cell array ColourName).
+std::vector<ColourMask> FindColoursAtPoints(vtkPointSet* mesh);
+
 }
 
 #endif

@@ -339,14 +339,7 @@ private:
       this->CellColours.push_back(
         colours ? static_cast<int>(colours->GetComponent(c, 0)) : NoColour);
     }
-    ColourMasks masks(this->NumberOfPoints);
-    ForEachCellArray(this->Output,
-      [&](vtkCellArray* cells, vtkIdType first)
-      {
-        masks.Add(cells,
-          [&](vtkIdType c) { return this->CellColours[static_cast<std::size_t>(first + c)]; });
-      });
-    this->Masks = masks.Get();
+    this->Masks = FindColoursAtPoints(this->Output);
   }
 
   /// Takes the arrays of the colours out of the point data, and makes arrays of them that have a

@@ -2,6 +2,7 @@
 #include "Private/Control/SharedInterpolation.h"
 
 #include "Private/ArrayNames.h"
+#include "Private/Control/MaterialColours.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SharedValues.h"
 
@@ -52,6 +53,20 @@ Partners* FindOthers(vtkPointSet* input, const RunOptions& options)
   return options.Interpolation.IsOn() ? FindPartners(options, input) : nullptr;
 }
 
+void TellMisses(const LimitMisses& misses, const std::function<void(const std::string&)>& warn)
+{
+  if (misses.Count > 0)
+  {
+    std::ostringstream text;
+    text << "At " << misses.Count
+         << " points the values of a material are not those of the input, but differ by up to "
+         << 100. * misses.Most
+         << " % of the range: there the material touches others in edges or points only, or ends "
+            "on a curve that goes on without it. With no level they are the same.";
+    warn(text.str());
+  }
+}
+
 }
 
 bool AgreeWithOthers(bool own, vtkPointSet* input, const RunOptions& options)
@@ -84,9 +99,13 @@ void WarnOfLateInterpolation(const InterpolationOptions& options,
   }
 }
 
-void TellOvershoot(
-  const PointArrays& arrays, const RunOptions& options, vtkPointSet* input, vtkPointSet* output)
+void TellOvershoot(const PointArrays& arrays, const RunOptions& options, vtkPointSet* input,
+  vtkPointSet* output, bool isLimit)
 {
+  if (isLimit)
+  {
+    TellMisses(arrays.FindMisses(), options.Warn);
+  }
   Partners* others = FindOthers(input, options);
   std::vector<char> counted;
   if (others && options.Interpolation.Arrays)
@@ -95,7 +114,9 @@ void TellOvershoot(
     counted = FindOwnPoints(
       output, [blocks](vtkIdType cell) { return blocks && blocks->GetValue(cell) != NoBlock; });
   }
-  std::vector<Overshoot> found = arrays.FindOvershoot(counted);
+  const bool hasColours = options.HasMaterialFields && options.Interpolation.Arrays;
+  std::vector<Overshoot> found = arrays.FindOvershoot(
+    counted, hasColours ? FindColoursAtPoints(output) : std::vector<ColourMask>());
   if (others && !found.empty())
   {
     std::vector<double> most;

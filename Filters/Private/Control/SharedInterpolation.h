@@ -30,8 +30,9 @@ void WarnOfLateInterpolation(const InterpolationOptions& options,
 
 /// Warns of values of the output beyond the range of the input's. All partitions call this. If
 /// there are several, each looks at the cells that are made of its own, and nothing is counted.
-void TellOvershoot(
-  const PointArrays& arrays, const RunOptions& options, vtkPointSet* input, vtkPointSet* output);
+/// `isLimit`: points are on the limit; warns also of values of materials that are not.
+void TellOvershoot(const PointArrays& arrays, const RunOptions& options, vtkPointSet* input,
+  vtkPointSet* output, bool isLimit);
 
 }
 

@@ -529,7 +529,8 @@ bool RedGreenRun::Refine()
     return false;
   }
   this->MakePoints(state, limit);
-  TellOvershoot(*this->Points, this->Options, this->Input, this->Output);
+  TellOvershoot(
+    *this->Points, this->Options, this->Input, this->Output, this->Options.LimitPlacement);
   RebuildPointGhosts(this->Input, this->Output);
   WriteRedGreenFields(this->Mesh, plan, this->Options.LimitPlacement, this->Output);
   if (addsNumbers)

@@ -461,7 +461,8 @@ void SurfaceRun<Id>::Write()
     this->Stamp.Carried, this->Output);
   ClearMarks(this->Options.Features.Marks, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
-  TellOvershoot(*this->Points, this->Options, this->Input, this->Output);
+  TellOvershoot(
+    *this->Points, this->Options, this->Input, this->Output, this->Options.ProjectToLimit);
   this->WriteStamp();
 }
 

@@ -563,7 +563,8 @@ void UniformRun::Write()
       this->Mesh.MadeLevels + this->Options.Levels, DimensionName, this->Input, this->Output);
   }
   this->CheckOrientation();
-  TellOvershoot(*this->Points, this->Options, this->Input, this->Output);
+  TellOvershoot(
+    *this->Points, this->Options, this->Input, this->Output, this->Options.ProjectToLimit);
   if (this->Options.Features.Sharpness)
   {
     ReduceSharpness(

@@ -4,128 +4,18 @@
  * Values that jump at interfaces: InterfaceValues of vtkMultiDimensionalSubdivision and
  * vtkRedGreenRefinement.
  */
-#include "FeatureTools.h"
+#include "MaterialTools.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkRedGreenRefinement.h"
 #include "vtkSimplicialComplexTopology.h"
 
 #include <cmath>
 
-using namespace feature_tools;
+using namespace material_tools;
 
 namespace
 {
-
-constexpr const char* IdsName = "MaterialPointIds";
-constexpr const char* ConstantName = "Constant"; ///< of cells: 1.7 times the material plus 1
-constexpr const char* ValueName = "Value";       ///< of points
-
-const auto GetConstant = [](double material) { return 1.7 * material + 1.; };
-
-/// Gives a mesh materials, a value that is constant in each, and values at points.
-Grid AddMaterials(vtkUnstructuredGrid* mesh, const std::function<int(vtkIdType)>& materialOf)
-{
-  const Grid grid = DeepCopy(mesh);
-  vtkNew<vtkIntArray> materials;
-  materials->SetName("MaterialId");
-  vtkNew<vtkDoubleArray> constants;
-  constants->SetName(ConstantName);
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
-  {
-    const int material = materialOf(c);
-    materials->InsertNextValue(material);
-    constants->InsertNextValue(GetConstant(material));
-  }
-  grid->GetCellData()->AddArray(materials);
-  grid->GetCellData()->AddArray(constants);
-  grid->GetPointData()->AddArray(
-    MakeArray<vtkDoubleArray>(ValueName, 2, grid->GetNumberOfPoints(), -1., 1., 5));
-  return grid;
-}
-
-/// Materials by the place of cells, 0 to 2, so that three meet along a line; and by chance, so that
-/// some meet in a line or a point only, and some cells are of another material than those that they
-/// are faces of.
-std::vector<Grid> MakeMeshes()
-{
-  const Grid box = MakeMixedBox(3);
-  std::vector<Grid> meshes;
-  meshes.push_back(AddMaterials(box,
-    [&](vtkIdType c)
-    {
-      double bounds[6];
-      box->GetCellBounds(c, bounds);
-      return bounds[0] + bounds[1] < 2.5 ? 0 : (bounds[2] + bounds[3] < 2.5 ? 1 : 2);
-    }));
-  for (int seed = 0; seed < 5; ++seed)
-  {
-    std::mt19937 chance(static_cast<unsigned>(seed));
-    const Grid mesh = seed == 0 ? box
-      : seed == 4               ? MakeKuhnBox(2, 0.1)
-                                : MakeRandomComplex(static_cast<unsigned>(seed));
-    meshes.push_back(AddMaterials(mesh, [&](vtkIdType) { return static_cast<int>(chance() % 3); }));
-  }
-  return meshes;
-}
-
-void KeepInterfaces(vtkSubdivisionAlgorithm* filter)
-{
-  filter->PreserveInterfacesOn();
-}
-
-void Jump(vtkSubdivisionAlgorithm* filter)
-{
-  KeepInterfaces(filter);
-  filter->SetInterfaceValuesToDiscontinuous();
-  filter->AddFieldOfCells(ConstantName);
-}
-
-struct Choice
-{
-  const char* Name;
-  std::function<Grid(vtkDataObject*, int, const std::function<void(vtkSubdivisionAlgorithm*)>&)>
-    Run;
-};
-
-Choice MakeUniform(const char* name, int scheme, bool toLimit)
-{
-  return { name, [=](vtkDataObject* input, int levels, const auto& configure)
-    {
-      vtkNew<vtkMultiDimensionalSubdivision> filter;
-      filter->SetNumberOfLevels(levels);
-      filter->SetVolumeScheme(scheme);
-      filter->SetProjectToLimit(toLimit);
-      configure(filter);
-      return UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input);
-    } };
-}
-
-Choice MakeRedGreen(const char* name, bool toLimit)
-{
-  return { name, [=](vtkDataObject* input, int levels, const auto& configure)
-    {
-      vtkNew<vtkRedGreenRefinement> filter;
-      filter->SetMaximumLevel(levels);
-      filter->SetRefineByAttributeError(true);
-      filter->SetAttributeTolerance(0.4);
-      filter->SetInputArrayToProcess(5, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, ValueName);
-      filter->SetPlacement(toLimit ? vtkRedGreenRefinement::LIMIT : vtkRedGreenRefinement::LINEAR);
-      configure(filter);
-      return UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input);
-    } };
-}
-
-std::vector<Choice> MakeChoices()
-{
-  return { MakeUniform("box spline", vtkMultiDimensionalSubdivision::BOX_SPLINE, false),
-    MakeUniform("box spline, limit", vtkMultiDimensionalSubdivision::BOX_SPLINE, true),
-    MakeUniform("tet/oct", vtkMultiDimensionalSubdivision::TET_OCT, false),
-    MakeUniform("tet/oct, limit", vtkMultiDimensionalSubdivision::TET_OCT, true),
-    MakeUniform("linear", vtkMultiDimensionalSubdivision::LINEAR, false),
-    MakeRedGreen("red-green", false), MakeRedGreen("red-green, limit", true) };
-}
 
 /// The mesh without copies.
 Grid JoinCopies(vtkUnstructuredGrid* torn)
@@ -148,26 +38,6 @@ Grid JoinCopies(vtkUnstructuredGrid* torn)
   }
   joined->SetCells(types, cells);
   return joined;
-}
-
-double GetMaterial(vtkUnstructuredGrid* grid, vtkIdType cell)
-{
-  return grid->GetCellData()->GetArray("MaterialId")->GetComponent(cell, 0);
-}
-
-/// The dimension of the cells that each point has, at most.
-std::vector<int> FindDimensions(vtkUnstructuredGrid* grid)
-{
-  std::vector<int> dimensions(static_cast<std::size_t>(grid->GetNumberOfPoints()), -1);
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
-  {
-    for (const vtkIdType id : GetCell(grid, c))
-    {
-      dimensions[static_cast<std::size_t>(id)] =
-        std::max(dimensions[static_cast<std::size_t>(id)], grid->GetCell(c)->GetCellDimension());
-    }
-  }
-  return dimensions;
 }
 
 }
@@ -370,11 +240,8 @@ TEST(MaterialFields, SaysWhatItIgnores)
   filter->AddFieldOfCells("nothing");
   filter->AddFieldOfCells(ValueName);
   filter->Update();
-  filter->InterpolateArraysOn();
-  filter->Update();
-  EXPECT_EQ(1, messages->CountWarnings("ignores InterpolateArrays"));
-  EXPECT_EQ(2, messages->CountWarnings("nothing"));
-  EXPECT_EQ(2, messages->CountWarnings("\"Value\""));
+  EXPECT_EQ(1, messages->CountWarnings("nothing"));
+  EXPECT_EQ(1, messages->CountWarnings("\"Value\""));
   EXPECT_TRUE(messages->Errors.empty());
 }
 

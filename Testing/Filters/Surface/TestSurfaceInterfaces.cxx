@@ -3,7 +3,7 @@
  * @file TestSurfaceInterfaces.cxx
  * PreserveInterfaces and InterfaceValues of the surface filters.
  */
-#include "MultiDimensionalSubdivisionTools.h"
+#include "MaterialTools.h"
 #include "SurfaceTools.h"
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
@@ -214,6 +214,62 @@ TEST(SurfaceInterfaces, FiltersInARow)
         EXPECT_EQ("", CompareValues(once->GetPoints()->GetData(), row->GetPoints()->GetData()));
         EXPECT_EQ("", CompareArrays(once->GetPointData(), row->GetPointData(), "points"));
         EXPECT_EQ("", CompareArrays(once->GetCellData(), row->GetCellData(), "cells"));
+      }
+    }
+  }
+}
+
+// With InterpolateArrays the limit of each material's values passes through those of its faces.
+TEST(SurfaceInterfaces, ValuesThatAreInterpolated)
+{
+  for (const bool triangles : { true, false })
+  {
+    for (const auto& surface : MakeSurfaces(triangles))
+    {
+      using Filter = vtkSurfaceSubdivision; // whose other schemes have no limits, or stay
+      const int scheme = triangles ? Filter::LOOP : Filter::CATMULL_CLARK;
+      for (const int levels : { 0, 2 })
+      {
+        SCOPED_TRACE(surface.first + ", scheme " + std::to_string(scheme) + ", levels " +
+          std::to_string(levels));
+        vtkNew<vtkSurfaceSubdivision> filter;
+        filter->SetScheme(scheme);
+        filter->SetNumberOfLevels(levels);
+        filter->ProjectToLimitOn();
+        filter->PreserveInterfacesOn();
+        filter->SetInterfaceValuesToDiscontinuous();
+        filter->AddFieldOfCells("Constant");
+        filter->InterpolateArraysOn();
+        vtkNew<Messages> messages;
+        messages->Watch(filter);
+        filter->SetInputData(surface.second);
+        filter->Update();
+        EXPECT_TRUE(messages->Errors.empty());
+        vtkPolyData* torn = filter->GetOutput();
+        ExpectConstants(torn);
+        if (messages->CountWarnings("does not pass") > 0)
+        {
+          continue; // a mesh without control values, see Mathematics 8
+        }
+        vtkDataArray* ids = torn->GetPointData()->GetArray(IdsName);
+        vtkDataArray* values = torn->GetPointData()->GetArray("Value");
+        vtkDataArray* given = surface.second->GetPointData()->GetArray("Value");
+        std::set<vtkIdType> different;
+        for (vtkIdType c = 0; c < torn->GetNumberOfCells(); ++c)
+        {
+          for (const vtkIdType p : GetCorners(torn, c))
+          {
+            const auto id = static_cast<vtkIdType>(ids->GetComponent(p, 0));
+            if (torn->GetCell(c)->GetCellDimension() == 2 && id < given->GetNumberOfTuples() &&
+              std::abs(values->GetComponent(p, 0) - given->GetComponent(id, 0)) > 1e-9)
+            {
+              different.insert(p);
+            }
+          }
+        }
+        EXPECT_EQ(
+          material_tools::GetNumberOfMisses(messages), static_cast<vtkIdType>(different.size()));
+        EXPECT_TRUE(different.empty() || levels > 0);
       }
     }
   }
