@@ -204,7 +204,9 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   subdivision::MaterialFieldOptions fields;
   fields.IsOn = hasFields;
   fields.CellArrays = this->FieldsOfCells;
-  fields.JoinsCopies = !this->SharesRanks() && vtkPointSet::SafeDownCast(readable);
+  fields.JoinsCopies = !this->SharesRanks();
+  distribution.KeepsOwnValues = hasFields && !this->SharesRanks();
+  distribution.TellsOwnValues = hasFields && this->SharesRanks();
   const int result =
     subdivision::RunDistributed(this, readable, output, distribution, traits, options,
       [&](vtkPointSet* mesh, vtkPointSet* made)

@@ -252,20 +252,20 @@ public:
   /**
    * What values at points do where materials meet: CONTINUOUS_VALUES (0, the default; one field
    * over all materials) or DISCONTINUOUS_VALUES (1; each material has a field of its own, smoothed
-   * with its own values only, so that values jump at interfaces). Then a point at which several
-   * materials meet has a copy for each of them, at the same place: copies follow after all other
-   * points, each cell names those of its material (cells that are faces of others: those of
-   * a material that all of their points have), and the point array `MaterialPointIds`
-   * (vtkIdType) says which point each is. Another filter with the same option, or whoever joins
-   * equal ids, gets the mesh without copies back (not from several blocks or ranks: then the
-   * filter warns). Global ids are equal for copies, too. Arrays of floating point numbers and
-   * AddFieldOfCells become fields; all others, and coordinates, are equal for copies. Needs
-   * PreserveInterfaces; without, and in filters that have no interfaces, it is ignored with a
-   * warning. Needs memory for each array as often as there are materials of which each meets all
-   * others; an error if these are more than 32. With InterpolateArrays the limit of each material's
-   * field passes through the values of this material. After a level a warning counts the points
-   * where it does not, because the material touches others in edges or points only. Where several
-   * ranks have parts of a mesh, InterpolateArrays is ignored then, with a warning.
+   * with its own values only). Then a point at which several materials meet has a copy for each of
+   * them, at the same place: copies follow after all other points, each cell names those of its
+   * material (cells that are faces of others: those of a material that all of their points have),
+   * and the point array `MaterialPointIds` (vtkIdType) says which point each is. Another filter
+   * with the same option, or whoever joins equal ids, gets the mesh without copies back. Values of
+   * blocks at points that they share are those of their cells. On several ranks copies are not
+   * joined, values of the first block count, InterpolateArrays is ignored, and warnings tell.
+   * Global ids are equal for copies. Arrays of floating point numbers and AddFieldOfCells become
+   * fields; all others, and coordinates, are equal for copies. Ignored with a warning without
+   * PreserveInterfaces, and in filters that have no interfaces. Needs memory for each array as
+   * often as there are materials of which each meets all others; an error if these are more than
+   * 32. With InterpolateArrays the limit of each field passes through the values of its material;
+   * after a level a warning counts points where it does not, as the material touches others in
+   * edges or points only.
    */
   vtkSetClampMacro(InterfaceValues, int, CONTINUOUS_VALUES, DISCONTINUOUS_VALUES);
   vtkGetMacro(InterfaceValues, int);

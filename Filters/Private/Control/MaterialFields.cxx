@@ -471,8 +471,8 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
   if (!fields.JoinsCopies && hasCopies)
   {
     options.Warn("An earlier filter made copies of points where materials meet. This one does not "
-                 "join them, because the input has several blocks or is on several ranks: the mesh "
-                 "has cracks there. Use one filter with more levels instead.");
+                 "join them, because the input is on several ranks: the mesh has cracks there. Use "
+                 "one filter with more levels instead.");
   }
   vtkSmartPointer<vtkPointSet> mesh;
   {

@@ -4,6 +4,7 @@
 #include "Private/Control/SizeChecks.h"
 #include "Private/Distribution/KeptParts.h"
 #include "Private/Distribution/Meeting.h"
+#include "Private/Distribution/OwnValues.h"
 #include "Private/Distribution/PointIds.h"
 #include "Private/Distribution/Ranks.h"
 #include "Private/Distribution/StampedParts.h"
@@ -117,6 +118,17 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
           "results are not those of one filter with all levels. Use one filter with "
           "more levels, or switch JoinBlocks off, and each block goes on by itself.");
       }
+      if (run.Distribution.KeepsOwnValues)
+      {
+        KeepOwnValues(run.Parts, joined);
+      }
+      const std::string others =
+        run.Distribution.TellsOwnValues ? DescribeOwnValues(run.Parts, joined) : "";
+      if (!others.empty())
+      {
+        run.Options.Warn("Blocks, or parts of ranks, have different values where they meet, of " +
+          others + ". On several ranks the first ones count for all materials.");
+      }
       run.Parts.clear();
       if (rounds)
       {
@@ -170,7 +182,12 @@ bool PrepareParts(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
   if (!areStamped)
   {
     IdentifyPoints(
-      parts, exchange, [&](const std::string& message) { warnings.push_back(message); });
+      parts, exchange, [&](const std::string& message) { warnings.push_back(message); },
+      distribution.KeepsOwnValues);
+  }
+  else if (distribution.KeepsOwnValues)
+  {
+    TakeCopiedPoints(parts);
   }
   if (isShared)
   {

@@ -30,21 +30,6 @@ bool IsSame(vtkAbstractArray* array, vtkAbstractArray* joined, const JoinedArray
     array->GetNumberOfComponents() == joined->GetNumberOfComponents();
 }
 
-/// The array of a part whose values an array of the joined mesh takes.
-vtkAbstractArray* FindArray(
-  vtkDataSetAttributes* data, vtkAbstractArray* joined, const JoinedArray& entry)
-{
-  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
-  {
-    vtkAbstractArray* array = data->GetAbstractArray(a);
-    if (array->GetName() && IsSame(array, joined, entry))
-    {
-      return array;
-    }
-  }
-  return nullptr;
-}
-
 /// Arrays without a name or with a wrong size are left out, and the ghost types of points, which
 /// are those of another partition.
 bool IsCarried(vtkAbstractArray* array, vtkIdType size, int association)
@@ -177,6 +162,20 @@ void ExtendOnce(const CellReader& cells, vtkDataArray* array, std::vector<char>&
   }
 }
 
+}
+
+vtkAbstractArray* FindArray(
+  vtkDataSetAttributes* data, vtkAbstractArray* joined, const JoinedArray& entry)
+{
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(a);
+    if (array->GetName() && IsSame(array, joined, entry))
+    {
+      return array;
+    }
+  }
+  return nullptr;
 }
 
 std::vector<JoinedArray> JoinArrays(const std::vector<MeshPart>& parts, const Places& places,

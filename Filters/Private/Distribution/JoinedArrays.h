@@ -8,6 +8,7 @@
 
 #include "Private/Distribution/JoinedMesh.h"
 
+class vtkAbstractArray;
 class vtkDataSetAttributes;
 
 namespace subdivision
@@ -19,6 +20,10 @@ struct Places
   vtkIdType Size = 0;
   std::vector<std::vector<vtkIdType>> OfPart;
 };
+
+/// The array of a part whose values an array of the joined mesh takes; null: none.
+vtkAbstractArray* FindArray(
+  vtkDataSetAttributes* data, vtkAbstractArray* joined, const JoinedArray& entry);
 
 /// Joins the arrays of points or cells: `association` is vtkDataObject::POINT or CELL, `places` are
 /// those of points or of cells. Values that no part has are 0 or empty.

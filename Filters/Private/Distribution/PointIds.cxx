@@ -2,6 +2,7 @@
 #include "Private/Distribution/PointIds.h"
 
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/PointCopies.h"
 #include "Private/Reading/CellReader.h"
 
 #include "vtkCellData.h"
@@ -252,8 +253,15 @@ struct PlacesOfPartition
   std::vector<char> IsSeveral;
   std::vector<vtkIdType> Ids; ///< of each place; -1: its points have ids of their own
 
-  explicit PlacesOfPartition(const std::vector<MeshPart>& parts)
+  PlacesOfPartition(const std::vector<MeshPart>& parts, bool joinsCopies)
   {
+    std::vector<std::vector<vtkIdType>> firsts(parts.size()); // of copies; empty: there are none
+    for (std::size_t p = 0; joinsCopies && p < parts.size(); ++p)
+    {
+      firsts[p] = FindFirstCopies(parts[p].Mesh);
+    }
+    const auto areCopies = [&](const PointOfPart& a, const PointOfPart& b)
+    { return !firsts[a.Part].empty() && firsts[a.Part][a.Index] == firsts[a.Part][b.Index]; };
     size_t finite = 0;
     this->Points = SortPoints(parts, finite);
     for (size_t i = 0; i < this->Points.size(); ++i)
@@ -263,7 +271,8 @@ struct PlacesOfPartition
         this->Begins.push_back(i);
         this->IsSeveral.push_back(i >= finite);
       }
-      else if (this->Points[i].Part == this->Points[i - 1].Part)
+      else if (this->Points[i].Part == this->Points[i - 1].Part &&
+        !areCopies(this->Points[i], this->Points[i - 1]))
       {
         this->IsSeveral.back() = 1;
       }
@@ -460,13 +469,13 @@ void FetchNumbers(const std::vector<std::vector<Answer>>& answers,
   }
 }
 
-void IdentifyByPlace(
-  Parts& parts, Exchange& exchange, const std::function<void(const std::string&)>& warn)
+void IdentifyByPlace(Parts& parts, Exchange& exchange,
+  const std::function<void(const std::string&)>& warn, bool joinsCopies)
 {
   std::vector<PlacesOfPartition> places;
   for (const auto& partition : parts)
   {
-    places.emplace_back(partition);
+    places.emplace_back(partition, joinsCopies);
   }
   const std::vector<std::vector<Answer>> answers = AskDirectory(places, exchange);
   NumberOwn(answers, parts, places, exchange);
@@ -509,8 +518,8 @@ void IdentifyByPlace(
 
 }
 
-void IdentifyPoints(
-  Parts& parts, Exchange& exchange, const std::function<void(const std::string&)>& warn)
+void IdentifyPoints(Parts& parts, Exchange& exchange,
+  const std::function<void(const std::string&)>& warn, bool joinsCopies)
 {
   for (auto& partition : parts)
   {
@@ -525,7 +534,7 @@ void IdentifyPoints(
   }
   else
   {
-    IdentifyByPlace(parts, exchange, warn);
+    IdentifyByPlace(parts, exchange, warn, joinsCopies);
   }
   if (AllHave(parts, exchange, vtkDataObject::CELL) && HaveDistinctCells(parts, exchange))
   {

@@ -25,11 +25,14 @@ namespace subdivision
  * get -1, as these cells do. Cells are ordered by global ids if all parts have them, each one once;
  * else by partition, part and index. The numbers that are made here start at 0 and have no gaps.
  *
+ * With `joinsCopies` points of a part that are copies (Private/Control/PointCopies.h) are one
+ * point.
+ *
  * Without global ids of points four exchanges, at most 48 bytes for each point; with global ids of
  * cells one, 8 bytes for each cell.
  */
 void IdentifyPoints(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
-  const std::function<void(const std::string&)>& warn);
+  const std::function<void(const std::string&)>& warn, bool joinsCopies = false);
 
 }
 

@@ -40,6 +40,55 @@ Grid JoinCopies(vtkUnstructuredGrid* torn)
   return joined;
 }
 
+/// Two blocks: what is not of a block is a duplicate there.
+vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(
+  vtkUnstructuredGrid* mesh, const std::function<vtkIdType(vtkIdType)>& blockOf)
+{
+  const auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (unsigned int b = 0; b < 2; ++b)
+  {
+    const Grid block = DeepCopy(mesh);
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType c = 0; c < block->GetNumberOfCells(); ++c)
+    {
+      ghosts->InsertNextValue(blockOf(c) == b ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+    }
+    block->GetCellData()->AddArray(ghosts);
+    blocks->SetBlock(b, block);
+  }
+  return blocks;
+}
+
+Grid GetBlock(vtkMultiBlockDataSet* blocks, unsigned int b)
+{
+  return vtkUnstructuredGrid::SafeDownCast(blocks->GetBlock(b));
+}
+
+/// Runs the filter on blocks, which may not warn.
+vtkSmartPointer<vtkMultiBlockDataSet> RunOnBlocks(vtkMultiBlockDataSet* blocks, int levels,
+  const std::function<void(vtkMultiDimensionalSubdivision*)>& configure)
+{
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetNumberOfLevels(levels);
+  configure(filter);
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputDataObject(blocks);
+  filter->Update();
+  EXPECT_EQ(messages->Warnings, std::vector<std::string>());
+  EXPECT_TRUE(messages->Errors.empty());
+  const auto made = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  made->DeepCopy(filter->GetOutputDataObject(0));
+  return made;
+}
+
+void JumpAgain(vtkSubdivisionAlgorithm* filter)
+{
+  Jump(filter);
+  filter->RemoveAllFieldsOfCells();
+}
+
 }
 
 // What is constant in each material stays so, at every level and at the limit. The mesh is that of
@@ -387,23 +436,11 @@ TEST(MaterialFields, CellsThatArePartlyFaces)
   }
 }
 
-// Blocks are one object, as without jumps. Copies in blocks are not joined again, and it says so.
+// Blocks are one object, as without jumps.
 TEST(MaterialFields, Blocks)
 {
   const Grid mesh = MakeMeshes().front();
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  for (unsigned int b = 0; b < 2; ++b)
-  {
-    const Grid block = DeepCopy(mesh);
-    vtkNew<vtkUnsignedCharArray> ghosts;
-    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-    for (vtkIdType c = 0; c < block->GetNumberOfCells(); ++c)
-    {
-      ghosts->InsertNextValue((c % 2 == 0) == (b == 0) ? 0 : vtkDataSetAttributes::DUPLICATECELL);
-    }
-    block->GetCellData()->AddArray(ghosts);
-    blocks->SetBlock(b, block);
-  }
+  const auto blocks = MakeBlocks(mesh, [](vtkIdType c) { return c % 2; });
   vtkNew<vtkMultiDimensionalSubdivision> filter;
   filter->SetNumberOfLevels(1);
   Jump(filter);
@@ -430,14 +467,80 @@ TEST(MaterialFields, Blocks)
       }
     }
   }
-  vtkNew<vtkMultiDimensionalSubdivision> next;
-  KeepInterfaces(next);
-  next->SetInterfaceValuesToDiscontinuous();
-  messages->Watch(next);
-  next->SetInputDataObject(made);
-  next->Update();
-  EXPECT_EQ(1, messages->CountWarnings("does not join them"));
-  EXPECT_TRUE(messages->Errors.empty());
+}
+
+// Values that a block has at points that it shares are those of its material, as blocks say
+// material where there is no array for it.
+TEST(MaterialFields, BlocksHaveTheirOwnValues)
+{
+  const Grid mesh = MakeKuhnBox(3);
+  const auto blockOf = [&](vtkIdType c)
+  {
+    double bounds[6];
+    mesh->GetCellBounds(c, bounds);
+    return static_cast<vtkIdType>(bounds[0] + bounds[1] < mesh->GetBounds()[1] ? 0 : 1);
+  };
+  const auto blocks = MakeBlocks(mesh, blockOf);
+  for (unsigned int b = 0; b < 2; ++b)
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(ValueName);
+    values->SetNumberOfValues(mesh->GetNumberOfPoints());
+    values->FillValue(b == 0 ? 1. : 5.);
+    GetBlock(blocks, b)->GetPointData()->AddArray(values);
+  }
+  for (const bool interpolates : { false, true })
+  {
+    const auto made = RunOnBlocks(blocks, 2,
+      [&](vtkMultiDimensionalSubdivision* filter)
+      {
+        JumpAgain(filter);
+        filter->ProjectToLimitOn();
+        filter->SetInterpolateArrays(interpolates);
+      });
+    for (unsigned int b = 0; b < 2; ++b)
+    {
+      const Grid block = GetBlock(made, b);
+      vtkDataArray* values = block->GetPointData()->GetArray(ValueName);
+      EXPECT_GT(block->GetNumberOfCells(), 500);
+      for (vtkIdType p = 0; p < block->GetNumberOfPoints(); ++p)
+      {
+        ASSERT_NEAR(b == 0 ? 1. : 5., values->GetComponent(p, 0), 1e-14) << "point " << p;
+      }
+    }
+  }
+}
+
+// Copies in blocks are joined by the next filter, which goes on, or takes what it gets for a new
+// mesh.
+TEST(MaterialFields, FiltersInARowOverBlocks)
+{
+  const Grid mesh = MakeMeshes().front();
+  const auto blocks = MakeBlocks(mesh, [](vtkIdType c) { return c % 2; });
+  const auto once = RunOnBlocks(blocks, 2, Jump);
+  const auto first = RunOnBlocks(blocks, 1, Jump);
+  const auto row = RunOnBlocks(first, 1, JumpAgain);
+  for (unsigned int b = 0; b < 2; ++b)
+  {
+    EXPECT_EQ("", Compare(GetBlock(once, b), GetBlock(row, b)));
+    RemoveStamp(GetBlock(first, b));
+  }
+  const auto another = RunOnBlocks(first, 1, JumpAgain);
+  for (unsigned int b = 0; b < 2; ++b)
+  {
+    const Grid block = GetBlock(another, b);
+    EXPECT_EQ(GetBlock(row, b)->GetNumberOfCells(), block->GetNumberOfCells());
+    EXPECT_EQ(GetBlock(row, b)->GetNumberOfPoints(), block->GetNumberOfPoints());
+    vtkDataArray* constants = block->GetPointData()->GetArray(ConstantName);
+    for (vtkIdType c = 0; c < block->GetNumberOfCells(); ++c)
+    {
+      for (const vtkIdType id : GetCell(block, c))
+      {
+        ASSERT_TRUE(block->GetCell(c)->GetCellDimension() < 3 ||
+          std::abs(constants->GetComponent(id, 0) - GetConstant(GetMaterial(block, c))) < 1e-14);
+      }
+    }
+  }
 }
 
 // Each of 40 materials meets all others in one point.

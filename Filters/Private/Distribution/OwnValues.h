@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file OwnValues.h
+ * Values that parts of a joined mesh have for the same point, each its own: what values that jump
+ * (Private/Control/MaterialFields.h) need.
+ */
+#ifndef SubdivisionObjects_OwnValues_h
+#define SubdivisionObjects_OwnValues_h
+
+#include "Private/Distribution/JoinedMesh.h"
+
+#include <string>
+#include <vector>
+
+namespace subdivision
+{
+
+/**
+ * Gives the mesh a copy of each point for which a part has another value than the mesh, in an array
+ * of floating point numbers. Copies follow after all points, the cells of that part have them, and
+ * the point array MaterialPointIds says which point each is. PointIds and PointPlaces stay those of
+ * the mesh without copies.
+ */
+void KeepOwnValues(const std::vector<MeshPart>& parts, JoinedMesh& joined);
+
+/// Gives copies of points, of which MaterialPointIds tells, the numbers of these points; the
+/// numbers are those that an earlier filter gave.
+void TakeCopiedPoints(std::vector<std::vector<MeshPart>>& parts);
+
+/// Says which arrays have such values, and at how many points; empty if none has.
+std::string DescribeOwnValues(const std::vector<MeshPart>& parts, const JoinedMesh& joined);
+
+}
+
+#endif
