@@ -99,6 +99,7 @@ constexpr const char* LevelsName = "Levels";
 bool Run(vtkPointSet* input, UniformOptions options, vtkPointSet* output)
 {
   options.Features.Material = input->GetCellData()->GetArray(MaterialName);
+  options.Features.Sharpness = input->GetCellData()->GetArray(LevelsName);
   if (options.Features.Marks.Creases)
   {
     options.Features.Marks.Array = input->GetPointData()->GetArray(MarksName);
@@ -404,6 +405,37 @@ TEST(PartitionsIds, SemiSharpEdgesCountBeyondTheCut)
     const UniformOptions options = MakeOptions(scheme, Choices[3], 2);
     ExpectWhole(
       Subdivide(bar, options), SubdivideParts(Cut(bar, Partitions[0]), Partitions[0], options));
+  }
+}
+
+TEST(PartitionsIds, SemiSharpTrianglesCountBeyondTheCut)
+{
+  // The same for faces of the bar's cells, which partitions have in different orders.
+  const Mesh mesh = MakeBar();
+  auto* bar = vtkUnstructuredGrid::SafeDownCast(mesh);
+  vtkNew<vtkDoubleArray> levels;
+  levels->SetName(LevelsName);
+  const vtkIdType solids = bar->GetNumberOfCells();
+  levels->SetNumberOfValues(solids);
+  levels->Fill(0.);
+  for (vtkIdType c = 0; c < solids; c += 2)
+  {
+    vtkNew<vtkIdList> ids;
+    bar->GetCellPoints(c, ids);
+    bar->InsertNextCell(VTK_TRIANGLE, 3, ids->GetPointer(c / 2 % 2));
+    levels->InsertNextValue(0.7 + 0.1 * static_cast<double>(c % 17));
+  }
+  bar->GetCellData()->AddArray(levels);
+  NumberCells(bar);
+  for (const auto scheme :
+    { subdivision::StampScheme::BoxSpline, subdivision::StampScheme::TetOct })
+  {
+    const UniformOptions options = MakeOptions(scheme, Choices[0], 2);
+    ExpectWhole(
+      Subdivide(bar, options), SubdivideParts(Cut(bar, Partitions[0]), Partitions[0], options));
+    const UniformOptions one = MakeOptions(scheme, Choices[0], 1);
+    const std::vector<Mesh> parts = SubdivideParts(Cut(bar, Partitions[0]), Partitions[0], one);
+    ExpectWhole(Subdivide(bar, options), SubdivideParts(parts, Partitions[0], one));
   }
 }
 

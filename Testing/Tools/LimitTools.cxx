@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LimitTools.h"
 
+#include <numeric>
+
 namespace coretest
 {
 
@@ -10,10 +12,16 @@ SemiSharpMesh::SemiSharpMesh(const Mesh& mesh, std::string options, unsigned int
 {
   std::vector<CellRun> runs;
   std::mt19937 random(seed);
-  this->Sharpness.resize(BuildComplex<int>(mesh.Cells, runs).NumberOfEdges);
-  for (double& s : this->Sharpness)
+  const SimplicialComplex<int> complex = BuildComplex<int>(mesh.Cells, runs);
+  this->Sharpness.Edges.resize(complex.NumberOfEdges);
+  for (double& s : this->Sharpness.Edges)
   {
     s = random() % 2 ? 0. : 0.25 * (random() % 15);
+  }
+  this->Sharpness.Faces.resize(complex.NumberOfFaces);
+  for (double& s : this->Sharpness.Faces)
+  {
+    s = random() % 3 ? 0. : 0.25 * (random() % 15);
   }
 }
 
@@ -23,14 +31,19 @@ Level<int> SemiSharpMesh::MakeLevel(int steps, double sharpness, Depth depth) co
   Level<int> level;
   level.Complex = BuildComplex<int>(this->Control.Cells, runs);
   SingularSimplices singular = FlagSingular(level.Complex, this->Control.Singular);
-  if (singular.Edges.empty())
+  const auto flag = [sharpness](const std::vector<double>& values, Buffer<unsigned char>& flags)
   {
-    singular.Edges = Buffer<unsigned char>(level.Complex.NumberOfEdges, 0);
-  }
-  for (std::size_t e = 0; e < this->Sharpness.size(); ++e)
-  {
-    singular.Edges[e] |= this->Sharpness[e] > sharpness ? 1 : 0;
-  }
+    if (flags.empty())
+    {
+      flags = Buffer<unsigned char>(static_cast<vtkIdType>(values.size()), 0);
+    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      flags[i] |= values[i] > sharpness ? 1 : 0;
+    }
+  };
+  flag(this->Sharpness.Edges, singular.Edges);
+  flag(this->Sharpness.Faces, singular.Faces);
   level.Strata = BuildStrata(level.Complex, singular, MakeOptions(this->Options, level.Complex));
   for (int i = 0; i < steps; ++i)
   {
@@ -39,21 +52,42 @@ Level<int> SemiSharpMesh::MakeLevel(int steps, double sharpness, Depth depth) co
   return level;
 }
 
-SemiSharpStages<int> SemiSharpMesh::MakeStages(int steps) const
+SemiSharpStages<int> SemiSharpMesh::GiveSharpness(
+  int steps, const SimplicialComplex<int>& complex) const
 {
   SemiSharpStages<int> stages;
-  const Level<int> level = this->MakeSmoothLevel(steps);
-  stages.Sharpness = Buffer<double>(level.Complex.NumberOfEdges, 0.);
-  double most = 0.;
-  for (std::size_t e = 0; e < this->Sharpness.size(); ++e)
+  const auto give = [steps](const std::vector<double>& values, int shift, Buffer<double>& pieces)
   {
-    most = std::max(most, this->Sharpness[e]);
-    for (std::size_t piece = e << steps; piece < (e + 1) << steps; ++piece)
+    for (std::size_t i = 0; i < values.size(); ++i)
     {
-      stages.Sharpness[piece] = std::max(0., this->Sharpness[e] - steps);
+      for (std::size_t piece = i << shift; piece < (i + 1) << shift; ++piece)
+      {
+        pieces[piece] = std::max(0., values[i] - steps);
+      }
     }
+  };
+  stages.Sharpness = Buffer<double>(complex.NumberOfEdges, 0.);
+  stages.FaceSharpness = Buffer<double>(complex.NumberOfFaces, 0.);
+  give(this->Sharpness.Edges, steps, stages.Sharpness);
+  give(this->Sharpness.Faces, 2 * steps, stages.FaceSharpness);
+  return stages;
+}
+
+double SemiSharpMesh::GetMostSharpness() const
+{
+  double most = 0.;
+  for (const auto* values : { &this->Sharpness.Edges, &this->Sharpness.Faces })
+  {
+    most = std::accumulate(
+      values->begin(), values->end(), most, [](double a, double b) { return std::max(a, b); });
   }
-  for (int step = steps; step < most; ++step)
+  return most;
+}
+
+SemiSharpStages<int> SemiSharpMesh::MakeStages(int steps) const
+{
+  SemiSharpStages<int> stages = this->GiveSharpness(steps, this->MakeSmoothLevel(steps).Complex);
+  for (int step = steps; step < this->GetMostSharpness(); ++step)
   {
     stages.Stages.push_back({ step + 1 - steps, this->MakeLevel(steps, step).Strata });
   }

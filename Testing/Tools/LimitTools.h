@@ -69,20 +69,23 @@ Subdivided<Id> BuildNamed(const Mesh& mesh, const std::string& options)
   return built;
 }
 
-/// A mesh whose edges have a sharpness, on any level.
+/// A mesh whose edges and faces have a sharpness, on any level.
 class SemiSharpMesh
 {
 public:
   /// Sharpness by chance: none, or some number up to 3.5.
   SemiSharpMesh(const Mesh& mesh, std::string options, unsigned int seed);
-  /// A level as it is where all edges are singular that are sharper than `sharpness`.
+  /// A level as it is where all edges and faces are singular that are sharper than `sharpness`.
   Level<int> MakeLevel(int steps, double sharpness, Depth depth = Depth::ForRefinement) const;
   Level<int> MakeSmoothLevel(int steps) const { return this->MakeLevel(steps, 1e9); }
   SemiSharpStages<int> MakeStages(int steps) const;
+  /// The same without stages, for a level with such a complex.
+  SemiSharpStages<int> GiveSharpness(int steps, const SimplicialComplex<int>& complex) const;
+  double GetMostSharpness() const;
   Stencils<int> MakeStencils(int steps) const;
 
   Mesh Control;
-  EdgeSharpness Sharpness;
+  SolidSharpness Sharpness;
 
 private:
   std::string Options;

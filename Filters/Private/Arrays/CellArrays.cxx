@@ -193,7 +193,7 @@ void ReduceSharpness(const char* name, int levels, vtkUnstructuredGrid* output)
   }
   for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
   {
-    if (output->GetCellType(cell) == VTK_LINE)
+    if (output->GetCellType(cell) == VTK_LINE || output->GetCellType(cell) == VTK_TRIANGLE)
     {
       sharpness->SetComponent(cell, 0, std::max(sharpness->GetComponent(cell, 0) - levels, 0.));
     }

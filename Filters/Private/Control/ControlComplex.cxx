@@ -58,7 +58,7 @@ SimplicialComplex<Id> BuildComplexWith(const SimplexList& simplices, ControlTrai
 }
 
 /// The sharpness of derived lines; empty if all are infinite. `known` has that of marked ones.
-std::vector<double> FindSharpness(const SharpTuples& known, const std::vector<vtkIdType>& lines)
+std::vector<double> FindLineSharpness(const SharpTuples& known, const std::vector<vtkIdType>& lines)
 {
   std::vector<double> sharpness;
   std::map<SimplexKey, double> found;
@@ -101,7 +101,8 @@ SharpTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
   }
   if (features.PreserveInterfaces)
   {
-    DeriveInterfaces(complex, control.Runs, mesh.Values.Material.data(), derived);
+    DeriveInterfaces(complex, control.Runs, mesh.Values.Material.data(),
+      FindSharpness(mesh.Values, complex, control.Runs).Faces, derived);
   }
   if (features.DetectFeatures)
   {
@@ -124,7 +125,7 @@ SharpTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
       SortTuples(derived, dimension);
     }
   }
-  return { derived, FindSharpness(mesh.Derived, derived.Tuples[1]) };
+  return { derived, FindLineSharpness(mesh.Derived, derived.Tuples[1]) };
 }
 
 }
@@ -194,7 +195,7 @@ void AddDerivedSharpness(const SimplicialComplex<Id>& complex, ControlTraits& co
   {
     return;
   }
-  control.Sharpness.resize(static_cast<std::size_t>(complex.NumberOfEdges), 0.);
+  control.Sharpness.Edges.resize(static_cast<std::size_t>(complex.NumberOfEdges), 0.);
   const auto first = static_cast<vtkIdType>(control.Derived.Tuples.Tuples[0].size());
   for (const CellRun& run : control.DerivedRuns)
   {
@@ -203,9 +204,9 @@ void AddDerivedSharpness(const SimplicialComplex<Id>& complex, ControlTraits& co
       const double sharpness =
         control.Derived.GetSharpness(static_cast<std::size_t>(run.FirstCell + i - first));
       double& edge =
-        control
-          .Sharpness[run.Equal ? static_cast<vtkIdType>(complex.EqualLines.Twins[run.First + i])
-                               : run.First + i];
+        control.Sharpness
+          .Edges[run.Equal ? static_cast<vtkIdType>(complex.EqualLines.Twins[run.First + i])
+                           : run.First + i];
       edge = std::isinf(sharpness) ? edge : std::max(edge, sharpness);
     }
   }
@@ -235,7 +236,7 @@ bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
     WarnOfContradictions(features, mesh.Values, mesh.Cells, complex, control.Runs, warn);
   }
   control.ManifoldDimensions = FindManifoldDimensions(complex, control.Runs);
-  control.Sharpness = FindEdgeSharpness(mesh.Values, complex, control.Runs);
+  control.Sharpness = FindSharpness(mesh.Values, complex, control.Runs);
   AddDerivedSharpness(complex, control);
   control.Solids = NumberSolids(complex, control.Runs);
   control.Current.Strata =
@@ -255,7 +256,8 @@ AnyLevel RefineTo(AnyLevel level, int steps, Depth depth)
   return level;
 }
 
-/// Builds the control level as if all edges with a larger sharpness than `sharpness` were singular.
+/// Builds the control level as if all edges and faces with a larger sharpness than `sharpness` were
+/// singular.
 template <typename Id>
 Level<Id> BuildSharpControl(const ControlMesh& mesh, const FeatureOptions& features,
   const ControlTraits& traits, double sharpness)
@@ -265,24 +267,29 @@ Level<Id> BuildSharpControl(const ControlMesh& mesh, const FeatureOptions& featu
   Level<Id> level;
   level.Complex = BuildComplexWith<Id>(mesh.GetControl(), control);
   SingularSimplices singular = CollectSingular(level.Complex, control, mesh.Values.Singular);
-  if (singular.Edges.empty())
+  const auto flag = [sharpness](const std::vector<double>& values, Buffer<unsigned char>& flags)
   {
-    singular.Edges = Buffer<unsigned char>(level.Complex.NumberOfEdges, 0);
-  }
-  for (std::size_t e = 0; e < traits.Sharpness.size(); ++e)
-  {
-    if (traits.Sharpness[e] > sharpness)
+    if (flags.empty())
     {
-      singular.Edges[static_cast<vtkIdType>(e)] = 1;
+      flags = Buffer<unsigned char>(static_cast<vtkIdType>(values.size()), 0);
     }
-  }
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      if (values[i] > sharpness)
+      {
+        flags[static_cast<vtkIdType>(i)] = 1;
+      }
+    }
+  };
+  flag(traits.Sharpness.Edges, singular.Edges);
+  flag(traits.Sharpness.Faces, singular.Faces);
   level.Strata = BuildStrata(
     level.Complex, singular, MakeStrataOptions(features, mesh.Values, level.Complex, control.Runs));
   return level;
 }
 
-/// Builds the level `steps` steps after the current one as if all edges with a larger sharpness
-/// than `sharpness` were singular.
+/// Builds the level `steps` steps after the current one as if all edges and faces with a larger
+/// sharpness than `sharpness` were singular.
 template <typename Scheme>
 typename Scheme::Level BuildSharpLevel(const ControlMesh& mesh, const FeatureOptions& features,
   const ControlTraits& traits, int steps, double sharpness, Depth depth)
@@ -328,17 +335,42 @@ typename Scheme::Level BuildSharpLevel(
   return BuildSharpLevel<Scheme>(mesh, features, traits, steps, steps, Depth::ForOutput);
 }
 
+namespace
+{
+
+/// What is left after `steps` steps of the sharpness of control simplices, for `size` simplices of
+/// a level. The pieces of control simplex i are the 2^shift ones from i 2^shift on.
+Buffer<double> GiveToPieces(const std::vector<double>& values, int shift, int steps, vtkIdType size)
+{
+  Buffer<double> left;
+  if (!values.empty())
+  {
+    left = Buffer<double>(size, 0.);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    std::fill_n(left.data() + (static_cast<vtkIdType>(i) << shift), std::size_t(1) << shift,
+      values[i] - steps);
+  }
+  return left;
+}
+
+}
+
 template <typename Scheme>
 SemiSharpStages<typename Scheme::Id> BuildSharpStages(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps)
 {
   SemiSharpStages<typename Scheme::Id> stages;
   std::set<int> ends;
-  for (double sharpness : traits.Sharpness)
+  for (const std::vector<double>* values : { &traits.Sharpness.Edges, &traits.Sharpness.Faces })
   {
-    if (sharpness > steps)
+    for (double sharpness : *values)
     {
-      ends.insert(static_cast<int>(std::ceil(std::min<double>(sharpness - steps, SharpForever))));
+      if (sharpness > steps)
+      {
+        ends.insert(static_cast<int>(std::ceil(std::min<double>(sharpness - steps, SharpForever))));
+      }
     }
   }
   for (int end : ends)
@@ -347,14 +379,11 @@ SemiSharpStages<typename Scheme::Id> BuildSharpStages(
       BuildSharpLevel<Scheme>(mesh, features, traits, steps, steps + end - 1, Depth::ForRefinement);
     if (stages.Stages.empty())
     {
-      // The pieces of control edge e are the edges e 2^depth and following.
       const int depth = mesh.MadeLevels + steps;
-      stages.Sharpness = Buffer<double>(level.Complex.NumberOfEdges, 0.);
-      for (std::size_t e = 0; e < traits.Sharpness.size(); ++e)
-      {
-        double* pieces = stages.Sharpness.data() + (static_cast<vtkIdType>(e) << depth);
-        std::fill(pieces, pieces + (vtkIdType(1) << depth), traits.Sharpness[e] - steps);
-      }
+      stages.Sharpness =
+        GiveToPieces(traits.Sharpness.Edges, depth, steps, level.Complex.NumberOfEdges);
+      stages.FaceSharpness =
+        GiveToPieces(traits.Sharpness.Faces, 2 * depth, steps, level.Complex.NumberOfFaces);
     }
     stages.Stages.push_back({ end, std::move(level.Strata), Scheme::GetSpokes(level) });
   }

@@ -26,7 +26,7 @@ struct ControlTraits
   /// The edges that were tested for the feature angle, and which of them exceed it.
   std::vector<FeatureCandidate> Candidates;
   std::vector<bool> Features;
-  EdgeSharpness Sharpness;                  ///< of control edges
+  SolidSharpness Sharpness;                 ///< of control edges and faces
   std::vector<vtkIdType> Solids;            ///< the simplex of each control tetrahedron
   Buffer<unsigned char> ManifoldDimensions; ///< of control simplices
 };
@@ -54,13 +54,13 @@ bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features
   const Coordinates& points, const WarnFunction& warn, Depth depth,
   ControlComplex<typename Scheme::Id>& control, typename Scheme::Level& current);
 
-/// Builds the level `steps` steps after the current one, for output. Edges that are still sharp on
-/// it are singular.
+/// Builds the level `steps` steps after the current one, for output. Edges and faces that are
+/// still sharp on it are singular.
 template <typename Scheme>
 typename Scheme::Level BuildSharpLevel(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps);
 
-/// The stages of semi-sharp creases from the level `steps` steps after the current one on.
+/// The stages of semi-sharp edges and faces from the level `steps` steps after the current one on.
 template <typename Scheme>
 SemiSharpStages<typename Scheme::Id> BuildSharpStages(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps);

@@ -138,28 +138,29 @@ std::vector<int> NumberMaterials(vtkDataArray* array)
 namespace
 {
 
-/// Reads the sharpness of lines. A line whose sharpness is infinite becomes singular.
+/// Reads the sharpness of lines and triangles. One whose sharpness is infinite becomes singular.
 void ReadSharpness(const FeatureOptions& options, const SimplicesOfCells& cells,
   const std::function<void(const std::string&)>& warn, FeatureValues& values)
 {
   values.Sharpness = ReadValues<double>(options.Sharpness, cells, [](double v) { return v; });
   const auto& dimensions = cells.Simplices.Dimensions;
+  const auto canBeSharp = [&](std::size_t i) { return dimensions[i] == 1 || dimensions[i] == 2; };
   if (options.Sharpness)
   {
     WarnOfFirst(
       options.Sharpness, cells,
-      [&](std::size_t i) { return dimensions[i] == 1 && !(values.Sharpness[i] >= 0.); },
+      [&](std::size_t i) { return canBeSharp(i) && !(values.Sharpness[i] >= 0.); },
       "the filter takes values that are negative or not a number as 0", warn);
     WarnOfFirst(
       options.Sharpness, cells,
-      [&](std::size_t i) { return dimensions[i] != 1 && values.Sharpness[i] > 0.; },
-      "only lines have a sharpness, so the filter ignores that of other cells", warn);
+      [&](std::size_t i) { return !canBeSharp(i) && values.Sharpness[i] > 0.; },
+      "only lines and faces have a sharpness, so the filter ignores that of other cells", warn);
   }
   bool any = false;
   for (std::size_t i = 0; i < values.Sharpness.size(); ++i)
   {
     double& sharpness = values.Sharpness[i];
-    sharpness = dimensions[i] == 1 && sharpness > 0. ? sharpness : 0.;
+    sharpness = canBeSharp(i) && sharpness > 0. ? sharpness : 0.;
     if (std::isinf(sharpness))
     {
       values.Singular.resize(dimensions.size(), 0);
@@ -375,29 +376,38 @@ void WarnOfContradictions(const FeatureOptions& options, const FeatureValues& va
 }
 
 template <typename Id>
-EdgeSharpness FindEdgeSharpness(const FeatureValues& values, const SimplicialComplex<Id>& complex,
+SolidSharpness FindSharpness(const FeatureValues& values, const SimplicialComplex<Id>& complex,
   const std::vector<CellRun>& runs)
 {
-  EdgeSharpness sharpness;
-  if (!values.Sharpness.empty())
+  SolidSharpness sharpness;
+  const auto find =
+    [&](int dimension, vtkIdType size, const Buffer<Id>& twins, std::vector<double>& found)
   {
-    sharpness.assign(complex.NumberOfEdges, 0.);
     for (const CellRun& run : runs)
     {
-      for (vtkIdType i = 0; run.Dimension == 1 && i < run.Count; ++i)
+      for (vtkIdType i = 0; run.Dimension == dimension && i < run.Count; ++i)
       {
-        const vtkIdType edge = run.Equal
-          ? static_cast<vtkIdType>(complex.EqualLines.Twins[run.First + i])
-          : run.First + i;
-        sharpness[edge] = std::max(sharpness[edge], values.Sharpness[run.FirstCell + i]);
+        const vtkIdType simplex =
+          run.Equal ? static_cast<vtkIdType>(twins[run.First + i]) : run.First + i;
+        const double value = values.Sharpness[run.FirstCell + i];
+        if (value > 0.)
+        {
+          found.resize(static_cast<std::size_t>(size), 0.);
+          found[simplex] = std::max(found[simplex], value);
+        }
       }
     }
+  };
+  if (!values.Sharpness.empty())
+  {
+    find(1, complex.NumberOfEdges, complex.EqualLines.Twins, sharpness.Edges);
+    find(2, complex.NumberOfFaces, complex.EqualTriangles.Twins, sharpness.Faces);
   }
   return sharpness;
 }
 
 SUBDIVISION_COMPILE_FUNCTION(WarnOfContradictions);
-SUBDIVISION_COMPILE_FUNCTION(FindEdgeSharpness);
+SUBDIVISION_COMPILE_FUNCTION(FindSharpness);
 
 SUBDIVISION_COMPILE_FUNCTION(MakeStrataOptions);
 

@@ -61,7 +61,7 @@ struct FeatureValues
   std::vector<int> Material; ///< NumberMaterials
   std::vector<int> Part;
   std::vector<unsigned char> Rules;
-  std::vector<double> Sharpness; ///< finite and not negative, lines only
+  std::vector<double> Sharpness; ///< finite and not negative, lines and triangles only
 };
 
 /// Reads the arrays for the simplices of the input. `warn` gets messages on values without effect.
@@ -74,9 +74,9 @@ void WarnOfContradictions(const FeatureOptions& options, const FeatureValues& va
   const SimplicesOfCells& cells, const SimplicialComplex<Id>& complex,
   const std::vector<CellRun>& runs, const std::function<void(const std::string&)>& warn);
 
-/// The sharpness of each edge of the complex; empty where there is none.
+/// The sharpness of each edge and face of the complex; empty where there is none.
 template <typename Id>
-EdgeSharpness FindEdgeSharpness(const FeatureValues& values, const SimplicialComplex<Id>& complex,
+SolidSharpness FindSharpness(const FeatureValues& values, const SimplicialComplex<Id>& complex,
   const std::vector<CellRun>& runs);
 
 /// Lifts values to the control simplices from their children after `levels` steps. Returns false if

@@ -398,12 +398,11 @@ LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   constexpr vtkIdType block = 4096;
   const vtkIdType blocks = (vertices + block - 1) / block;
   std::vector<bool> isSharp(vertices, !SchemeOf<Level>::Traits.HasTangents);
-  for (vtkIdType e = 0; e < creases.Sharpness.size(); ++e)
+  for (const SharpRow& row : creases.ListParts(level.Complex).GetRows())
   {
-    if (creases.Sharpness[e] > 0.)
+    if (row.Row < vertices)
     {
-      isSharp[level.Complex.EdgeVertices[2 * e]] = true;
-      isSharp[level.Complex.EdgeVertices[2 * e + 1]] = true;
+      isSharp[row.Row] = true;
     }
   }
   std::vector<SectorPart<Id>> parts(blocks);

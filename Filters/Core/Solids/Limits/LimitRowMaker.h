@@ -205,10 +205,12 @@ public:
   using Id = typename Star::IdType;
 
   LimitRowMaker(const typename Star::LevelType& level, const SemiSharpStages<Id>& creases,
-    const std::vector<std::pair<Id, Id>>& sharpEdges)
+    const SharpParts& sharp)
     : Here(level)
     , Creases(creases)
-    , SharpEdges(sharpEdges)
+    , Sharp(sharp)
+    , NumberOfVertices(level.Complex.NumberOfVertices)
+    , NumberOfEdges(level.Complex.NumberOfEdges)
   {
   }
 
@@ -223,7 +225,6 @@ private:
   };
 
   void ReadNeighbourhood();
-  void FindMostSharpness();
   void StepBack(int step);
   void TakeFirstStep();
   StarRules<Id> GetStage(int step) const;
@@ -235,7 +236,9 @@ private:
 
   const Star Here;
   const SemiSharpStages<Id>& Creases;
-  const std::vector<std::pair<Id, Id>>& SharpEdges; ///< (vertex, edge), sorted
+  const SharpParts& Sharp;
+  const vtkIdType NumberOfVertices;
+  const vtkIdType NumberOfEdges;
   std::unordered_map<Neighbourhood, std::vector<double>, HashNeighbourhood> Solved;
   // Of the current vertex:
   Id Vertex = 0;
@@ -257,7 +260,7 @@ void LimitRowMaker<Star>::Make(Id vertex, LimitRow<Id>& row)
   this->Vertex = vertex;
   row.Columns.clear();
   row.Weights.clear();
-  this->FindMostSharpness();
+  this->MostSharpness = this->Sharp.GetMostSharpness(vertex);
   if (this->MostSharpness <= 0. &&
     this->Here.GetRules().Strata.Vertices[vertex].GetRule() == Rule::Corner)
   {
@@ -286,8 +289,7 @@ void LimitRowMaker<Star>::Make(Id vertex, LimitRow<Id>& row)
     row.Weights = this->Weights;
     return;
   }
-  const int steps =
-    static_cast<int>(std::ceil(std::min<double>(this->MostSharpness, SharpForever)));
+  const int steps = static_cast<int>(std::ceil(this->MostSharpness));
   for (int step = steps - 1; step > 0; --step)
   {
     this->StepBack(step);
@@ -316,18 +318,6 @@ void LimitRowMaker<Star>::ReadNeighbourhood()
 }
 
 template <typename Star>
-void LimitRowMaker<Star>::FindMostSharpness()
-{
-  this->MostSharpness = 0.;
-  for (auto at = std::lower_bound(
-         this->SharpEdges.begin(), this->SharpEdges.end(), std::make_pair(this->Vertex, Id(0)));
-    at != this->SharpEdges.end() && at->first == this->Vertex; ++at)
-  {
-    this->MostSharpness = std::max(this->MostSharpness, this->Creases.Sharpness[at->second]);
-  }
-}
-
-template <typename Star>
 StarRules<typename Star::IdType> LimitRowMaker<Star>::GetStage(int step) const
 {
   const auto& stages = this->Creases.Stages;
@@ -345,28 +335,13 @@ double LimitRowMaker<Star>::GetSharpness(int item, int step) const
   {
     return 0.;
   }
-  auto left = [&](Id edge)
-  { return std::min<double>(this->Creases.Sharpness[edge], SharpForever) - step; };
-  if (item > 0)
+  const vtkIdType edge = item > 0 ? this->Keys.Ids[item - 1] : 0;
+  if (edge >= this->NumberOfEdges)
   {
-    const Id key = this->Keys.Ids[item - 1];
-    const bool isEdge = key < this->Creases.Sharpness.size();
-    return isEdge ? std::max(0., std::min(1., left(key))) : 0.;
+    return 0.; // an octahedron
   }
-  double sum = 0.;
-  int count = 0;
-  for (auto at = std::lower_bound(
-         this->SharpEdges.begin(), this->SharpEdges.end(), std::make_pair(this->Vertex, Id(0)));
-    at != this->SharpEdges.end() && at->first == this->Vertex; ++at)
-  {
-    const double sharpness = left(at->second);
-    if (sharpness > 0.)
-    {
-      sum += sharpness;
-      ++count;
-    }
-  }
-  return std::min(1., sum / count);
+  return std::min(
+    1., this->Sharp.GetSharpness(item > 0 ? this->NumberOfVertices + edge : this->Vertex, step));
 }
 
 /// Calls emit(key, vertex, weight) for each entry of an item's row. The key is negative for the
@@ -459,31 +434,13 @@ void LimitRowMaker<Star>::TakeFirstStep()
   }
 }
 
-/// The edges that are still sharp, as sorted pairs (end, edge).
-template <typename Id>
-std::vector<std::pair<Id, Id>> ListSharpEnds(
-  const SimplicialComplex<Id>& complex, const SemiSharpStages<Id>& creases)
-{
-  std::vector<std::pair<Id, Id>> found;
-  for (vtkIdType e = 0; e < creases.Sharpness.size(); ++e)
-  {
-    if (creases.Sharpness[e] > 0.)
-    {
-      found.emplace_back(complex.EdgeVertices[2 * e], static_cast<Id>(e));
-      found.emplace_back(complex.EdgeVertices[2 * e + 1], static_cast<Id>(e));
-    }
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
 /// The limit rows of the vertices vertex(0) to vertex(size - 1). Threads make blocks of rows, which
 /// are then joined.
 template <typename Star, typename Id, typename Vertex>
 SparseRows<Id> MakeLimitRows(const typename Star::LevelType& level,
   const SemiSharpStages<Id>& creases, vtkIdType size, const Vertex& vertex)
 {
-  const std::vector<std::pair<Id, Id>> sharpEdges = ListSharpEnds(level.Complex, creases);
+  const SharpParts sharp = creases.ListParts(level.Complex);
   constexpr vtkIdType block = 4096;
   const vtkIdType blocks = (size + block - 1) / block;
   std::vector<LimitRow<Id>> parts(blocks);
@@ -496,7 +453,7 @@ SparseRows<Id> MakeLimitRows(const typename Star::LevelType& level,
     auto& maker = makers.Local();
     if (!maker)
     {
-      maker = std::make_shared<LimitRowMaker<Star>>(level, creases, sharpEdges);
+      maker = std::make_shared<LimitRowMaker<Star>>(level, creases, sharp);
     }
     LimitRow<Id> row;
     for (vtkIdType b = begin; b < end; ++b)

@@ -14,8 +14,8 @@
  * Loop's limit mask. Equal neighbourhoods are solved once.
  *
  * The ring of a Blend edge of the control mesh may have members with which it spans no triangle.
- * Only the first step reads them: limit = w (S P). While creases are still sharp, the matrices A_i
- * of the steps have blended rows: limit = w A_n ... A_1 (S P).
+ * Only the first step reads them: limit = w (S P). While edges or faces are still sharp, the
+ * matrices A_i of the steps have blended rows: limit = w A_n ... A_1 (S P).
  *
  * In a tet/oct level A has columns for the opposites of v in the octahedra at v too. Their rows are
  * those of the octahedra's centres, which have 1/6 in the column of v, so that a term of the series
@@ -25,8 +25,10 @@
 #define SubdivisionObjects_LimitStencils_h
 
 #include "Core/Operators/SparseRows.h"
+#include "Core/Solids/Scheme/SemiSharp.h"
 #include "Core/Solids/Scheme/SolidScheme.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -37,7 +39,8 @@ namespace subdivision
 /// double, as (3/4)^256 < 1e-31.
 constexpr int SharpForever = 256;
 
-/// The strata of a level in which all edges are singular that are still sharp during some steps.
+/// The strata of a level in which all edges and faces are singular that are still sharp during some
+/// steps.
 template <typename Id>
 struct SharpStage
 {
@@ -46,12 +49,35 @@ struct SharpStage
   std::shared_ptr<const Buffer<Id>> TetsAtSpokes = nullptr; ///< SolidScheme.h: GetSpokes
 };
 
-/// The semi-sharp creases of a level, and the strata that they cause in later steps.
+/// The semi-sharp edges and faces of a level, and the strata that they cause in later steps.
 template <typename Id>
 struct SemiSharpStages
 {
-  Buffer<double> Sharpness; ///< remaining sharpness of each edge of the level; may be empty
+  Buffer<double> Sharpness;     ///< remaining sharpness of each edge of the level; may be empty
+  Buffer<double> FaceSharpness; ///< of each face; may be empty
   std::vector<SharpStage<Id>> Stages; ///< by ascending Until; the last also holds after its Until
+
+  /// What is sharp at each vertex and edge. A sharpness larger than `most` counts as that.
+  SharpParts ListParts(const SimplicialComplex<Id>& complex, double most = SharpForever) const
+  {
+    SharpParts parts;
+    for (vtkIdType e = 0; e < this->Sharpness.size(); ++e)
+    {
+      if (this->Sharpness[e] > 0.)
+      {
+        parts.AddEdge(complex, e, std::min(this->Sharpness[e], most));
+      }
+    }
+    for (vtkIdType f = 0; f < this->FaceSharpness.size(); ++f)
+    {
+      if (this->FaceSharpness[f] > 0.)
+      {
+        parts.AddFace(complex, f, std::min(this->FaceSharpness[f], most));
+      }
+    }
+    parts.Sort();
+    return parts;
+  }
 };
 
 /// The limits of all vertices of a level that can be refined (Depth::ForRefinement).

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -61,7 +62,7 @@ private:
     const SimplicialComplex<Id>& part, const Restriction<Id>& restriction, std::size_t level);
   SparseRows<Id> MakeLimits(
     const Level<Id>& level, const SemiSharpStages<Id>& creases, std::size_t number) const;
-  static SemiSharpStages<Id> RefineCreases(Piece& part, vtkIdType childEdges);
+  static SemiSharpStages<Id> RefineCreases(Piece& part, const SimplicialComplex<Id>& children);
   static void TakeOperators(Piece& part, Trace& trace);
   static void AppendRow(const Trace& trace, vtkIdType row, ExplicitRows<Id>& rows);
   bool FollowBack(std::vector<Trace>& traces, Id columns, std::vector<Step>& steps) const;
@@ -228,18 +229,28 @@ SparseRows<Id> LocalLimit<Id>::Builder::MakeLimits(
 }
 
 template <typename Id>
-SemiSharpStages<Id> LocalLimit<Id>::Builder::RefineCreases(Piece& part, vtkIdType childEdges)
+SemiSharpStages<Id> LocalLimit<Id>::Builder::RefineCreases(
+  Piece& part, const SimplicialComplex<Id>& children)
 {
   SemiSharpStages<Id> refined;
-  const Buffer<double>& sharpness = part.Creases.Sharpness;
-  if (std::none_of(sharpness.begin(), sharpness.end(), [](double s) { return s > 1.; }))
+  const auto refine = [](const Buffer<double>& sharpness, int pieces, vtkIdType size)
+  {
+    Buffer<double> left;
+    if (std::any_of(sharpness.begin(), sharpness.end(), [](double s) { return s > 1.; }))
+    {
+      left = Buffer<double>(size, 0.);
+      for (vtkIdType i = 0; i < sharpness.size(); ++i)
+      {
+        std::fill_n(left.data() + pieces * i, pieces, std::max(0., sharpness[i] - 1.));
+      }
+    }
+    return left;
+  };
+  refined.Sharpness = refine(part.Creases.Sharpness, 2, children.NumberOfEdges);
+  refined.FaceSharpness = refine(part.Creases.FaceSharpness, 4, children.NumberOfFaces);
+  if (refined.Sharpness.empty() && refined.FaceSharpness.empty())
   {
     return refined;
-  }
-  refined.Sharpness = Buffer<double>(childEdges, 0.);
-  for (vtkIdType e = 0; e < sharpness.size(); ++e)
-  {
-    refined.Sharpness[2 * e] = refined.Sharpness[2 * e + 1] = std::max(0., sharpness[e] - 1.);
   }
   for (SharpStage<Id>& stage : part.Creases.Stages)
   {
@@ -268,29 +279,19 @@ void LocalLimit<Id>::Builder::TakeOperators(Piece& part, Trace& trace)
     const Id* ends = complex.EdgeVertices.data() + 2 * e;
     trace.Whole[vertices + e] = part.Whole[ends[0]] || part.Whole[ends[1]];
   }
-  const Buffer<double>& sharpness = part.Creases.Sharpness;
-  if (std::any_of(sharpness.begin(), sharpness.end(), [](double s) { return s > 0.; }))
+  const std::vector<SharpRow> rows =
+    part.Creases.ListParts(complex, std::numeric_limits<double>::infinity()).GetRows();
+  if (!rows.empty())
   {
     // As BlendSemiSharp does.
     trace.Weights.assign(vertices + edges, 0.);
-    std::vector<int> counts(vertices, 0);
+    for (const SharpRow& row : rows)
+    {
+      trace.Weights[row.Row] = std::min(1., row.Sharpness);
+    }
     Level<Id> sharp;
     sharp.Complex.EdgeVertices = Buffer<Id>(2 * edges);
     std::copy_n(complex.EdgeVertices.begin(), 2 * edges, sharp.Complex.EdgeVertices.begin());
-    for (vtkIdType e = 0; e < edges; ++e)
-    {
-      trace.Weights[vertices + e] = std::min(1., sharpness[e]);
-      for (int i = 0; sharpness[e] > 0. && i < 2; ++i)
-      {
-        const Id end = complex.EdgeVertices[2 * e + i];
-        trace.Weights[end] += sharpness[e];
-        ++counts[end];
-      }
-    }
-    for (vtkIdType v = 0; v < vertices; ++v)
-    {
-      trace.Weights[v] = counts[v] ? std::min(1., trace.Weights[v] / counts[v]) : 0.;
-    }
     sharp.Strata = std::move(part.Creases.Stages.front().Strata);
     trace.Sharp = TakeStencils(sharp);
   }
@@ -332,7 +333,7 @@ bool LocalLimit<Id>::Builder::Build(const Level<Id>& control, const SemiSharpSta
     next.Columns = Buffer<Id>(old.size());
     std::copy(old.begin(), old.end(), next.Columns.begin());
     current.Level = Refine(part.Level, Depth::ForRefinement);
-    current.Creases = RefineCreases(part, current.Level.Complex.NumberOfEdges);
+    current.Creases = RefineCreases(part, current.Level.Complex);
     TakeOperators(part, next);
     current.Whole = Buffer<unsigned char>(next.Whole.size());
     std::copy(next.Whole.begin(), next.Whole.end(), current.Whole.begin());

@@ -163,6 +163,10 @@ SemiSharpStages<Id> Restriction<Id>::Restrict(const SemiSharpStages<Id>& creases
   {
     part.Sharpness = this->Edges.Pick(creases.Sharpness);
   }
+  if (!creases.FaceSharpness.empty())
+  {
+    part.FaceSharpness = this->Faces.Pick(creases.FaceSharpness);
+  }
   for (const SharpStage<Id>& stage : creases.Stages)
   {
     part.Stages.push_back({ stage.Until, this->Restrict(stage.Strata) });

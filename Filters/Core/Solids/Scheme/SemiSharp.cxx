@@ -4,47 +4,125 @@
 #include "Core/Memory/Ids.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace subdivision
 {
 
 template <typename Id>
-std::vector<SharpRow> FindSharpRows(
-  const EdgeSharpness& sharpness, int steps, int depth, const SimplicialComplex<Id>& complex)
+void SharpParts::AddEdge(const SimplicialComplex<Id>& complex, vtkIdType edge, double sharpness)
 {
-  std::vector<SharpRow> edges;
-  std::vector<SharpRow> ends;
-  for (std::size_t e = 0; e < sharpness.size(); ++e)
+  this->Parts.push_back({ complex.NumberOfVertices + edge, false, sharpness });
+  for (int i = 0; i < 2; ++i)
   {
-    const double left = sharpness[e] - steps;
-    if (!(left > 0.))
-    {
-      continue;
-    }
-    // Control edge e has become the 2^depth edges from e * 2^depth on.
-    const vtkIdType first = static_cast<vtkIdType>(e) << depth;
-    for (vtkIdType piece = first; piece < first + (vtkIdType(1) << depth); ++piece)
-    {
-      edges.push_back({ complex.NumberOfVertices + piece, left });
-      ends.push_back({ complex.EdgeVertices[2 * piece], left });
-      ends.push_back({ complex.EdgeVertices[2 * piece + 1], left });
-    }
+    this->Parts.push_back({ complex.EdgeVertices[2 * edge + i], false, sharpness });
   }
-  std::stable_sort(
-    ends.begin(), ends.end(), [](const SharpRow& a, const SharpRow& b) { return a.Row < b.Row; });
+}
+
+template <typename Id>
+void SharpParts::AddFace(const SimplicialComplex<Id>& complex, vtkIdType face, double sharpness)
+{
+  for (vtkIdType i = 3 * face; i < 3 * face + 3; ++i)
+  {
+    this->Parts.push_back(
+      { vtkIdType(complex.NumberOfVertices) + complex.FaceEdges[i], true, sharpness });
+    this->Parts.push_back({ complex.FaceVertices[i], true, sharpness });
+  }
+}
+
+void SharpParts::Sort()
+{
+  // The sum of triangles must not depend on their numbers, which differ between partitions.
+  std::stable_sort(this->Parts.begin(), this->Parts.end(),
+    [](const Part& a, const Part& b)
+    {
+      return std::make_tuple(a.Row, a.IsFace, a.IsFace ? a.Sharpness : 0.) <
+        std::make_tuple(b.Row, b.IsFace, b.IsFace ? b.Sharpness : 0.);
+    });
+}
+
+std::vector<SharpRow> SharpParts::GetRows() const
+{
   std::vector<SharpRow> rows;
-  for (auto end = ends.begin(); end != ends.end();)
+  for (auto first = this->Parts.begin(); first != this->Parts.end();)
   {
-    double sum = 0.;
-    const auto first = end;
-    for (; end != ends.end() && end->Row == first->Row; ++end)
-    {
-      sum += end->Sharpness;
-    }
-    rows.push_back({ first->Row, sum / static_cast<double>(end - first) });
+    const auto end = this->FindEnd(first);
+    rows.push_back({ first->Row, GetMean(first, end, 0.) });
+    first = end;
   }
-  rows.insert(rows.end(), edges.begin(), edges.end());
   return rows;
+}
+
+SharpParts::Iterator SharpParts::FindRow(vtkIdType row) const
+{
+  return std::lower_bound(this->Parts.begin(), this->Parts.end(), row,
+    [](const Part& part, vtkIdType wanted) { return part.Row < wanted; });
+}
+
+SharpParts::Iterator SharpParts::FindEnd(Iterator first) const
+{
+  return std::find_if(
+    first, this->Parts.end(), [first](const Part& part) { return part.Row != first->Row; });
+}
+
+double SharpParts::GetMean(Iterator first, Iterator end, double steps)
+{
+  double sums[2] = { 0., 0. };
+  int counts[2] = { 0, 0 };
+  for (auto part = first; part != end; ++part)
+  {
+    const double left = part->Sharpness - steps;
+    sums[part->IsFace] += std::max(left, 0.);
+    counts[part->IsFace] += left > 0. ? 1 : 0;
+  }
+  const int kind = counts[0] > 0 ? 0 : 1;
+  return counts[kind] > 0 ? sums[kind] / counts[kind] : 0.;
+}
+
+double SharpParts::GetSharpness(vtkIdType row, double steps) const
+{
+  const auto first = this->FindRow(row);
+  return first == this->Parts.end() || first->Row != row
+    ? 0.
+    : GetMean(first, this->FindEnd(first), steps);
+}
+
+double SharpParts::GetMostSharpness(vtkIdType row) const
+{
+  double most = 0.;
+  for (auto part = this->FindRow(row); part != this->Parts.end() && part->Row == row; ++part)
+  {
+    most = std::max(most, part->Sharpness);
+  }
+  return most;
+}
+
+template <typename Id>
+std::vector<SharpRow> FindSharpRows(
+  const SolidSharpness& sharpness, int steps, int depth, const SimplicialComplex<Id>& complex)
+{
+  SharpParts parts;
+  // Calls add(piece, what is left) for the descendants of each simplex that is still sharp, which
+  // follow each other.
+  const auto forPieces = [steps, depth](const std::vector<double>& values, int dimension, auto add)
+  {
+    const int shift = dimension * depth;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const vtkIdType first = static_cast<vtkIdType>(i) << shift;
+      const vtkIdType size = values[i] - steps > 0. ? vtkIdType(1) << shift : 0;
+      for (vtkIdType piece = first; piece < first + size; ++piece)
+      {
+        add(piece, values[i] - steps);
+      }
+    }
+  };
+  forPieces(
+    sharpness.Edges, 1, [&](vtkIdType piece, double left) { parts.AddEdge(complex, piece, left); });
+  forPieces(
+    sharpness.Faces, 2, [&](vtkIdType piece, double left) { parts.AddFace(complex, piece, left); });
+  parts.Sort();
+  return parts.GetRows();
 }
 
 template <typename Id>
@@ -66,6 +144,11 @@ void BlendSemiSharp(
   smooth.Explicit = std::move(blends);
 }
 
+#define SUBDIVISION_PARTS(Id)                                                                      \
+  template void SharpParts::AddEdge(const SimplicialComplex<Id>&, vtkIdType, double);              \
+  template void SharpParts::AddFace(const SimplicialComplex<Id>&, vtkIdType, double)
+SUBDIVISION_PARTS(int);
+SUBDIVISION_PARTS(long long);
 SUBDIVISION_COMPILE_FUNCTION(FindSharpRows);
 SUBDIVISION_COMPILE_FUNCTION(BlendSemiSharp);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SemiSharp.h
- * Rows of semi-sharp creases: blends of the smooth and the sharp rows (Mathematics 5).
+ * Rows of semi-sharp creases and surfaces: blends of the smooth and the sharp rows (Mathematics 5).
  *
- * The weight of an edge's sharp row is min(1, remaining sharpness of the edge). The sharp row of a
- * vertex has all edges as creases that are still sharp, and its weight is min(1, mean of their
- * remaining sharpness).
+ * In the sharp row of a vertex or edge all lines and triangles are singular that are still sharp.
+ * Its weight is min(1, mean of what remains of the sharpness of the lines at it, which are the edge
+ * itself or edges at the vertex; if no line is sharp there, of the triangles at it).
  */
 #ifndef SubdivisionObjects_SemiSharp_h
 #define SubdivisionObjects_SemiSharp_h
@@ -18,24 +18,68 @@
 namespace subdivision
 {
 
+/// The remaining sharpness of control edges and of control faces; each may be empty.
+struct SolidSharpness
+{
+  EdgeSharpness Edges;
+  std::vector<double> Faces;
+};
+
+inline bool IsSharpAfter(const SolidSharpness& sharpness, int steps)
+{
+  return IsSharpAfter(sharpness.Edges, steps) || IsSharpAfter(sharpness.Faces, steps);
+}
+
 struct SharpRow
 {
   vtkIdType Row;
-  double Sharpness; ///< what remains of it; of the row of a vertex the mean of its sharp edges
+  double Sharpness; ///< mean of what remains
+};
+
+/// Lists the lines and triangles of a level that are still sharp, for the row of each vertex and
+/// edge in them. Rows of edges come after those of vertices.
+class SharpParts
+{
+public:
+  template <typename Id>
+  void AddEdge(const SimplicialComplex<Id>& complex, vtkIdType edge, double sharpness);
+  template <typename Id>
+  void AddFace(const SimplicialComplex<Id>& complex, vtkIdType face, double sharpness);
+  /// After the last part.
+  void Sort();
+  std::vector<SharpRow> GetRows() const;
+  /// The mean of what remains of the sharpness at a row after `steps` more steps; 0: none.
+  double GetSharpness(vtkIdType row, double steps) const;
+  /// The largest sharpness at a row.
+  double GetMostSharpness(vtkIdType row) const;
+
+private:
+  struct Part
+  {
+    vtkIdType Row;
+    bool IsFace;
+    double Sharpness;
+  };
+  using Iterator = std::vector<Part>::const_iterator;
+  Iterator FindRow(vtkIdType row) const;
+  Iterator FindEnd(Iterator first) const;
+  static double GetMean(Iterator first, Iterator end, double steps);
+
+  std::vector<Part> Parts;
 };
 
 /**
- * Finds the rows that are blends: those of vertices, and then those of edges. `sharpness` has one
- * value for each control edge. Since it was given `steps` steps have been made, so that value -
- * steps remains. `depth` is the number of steps since the control mesh: a control edge has become
- * 2^depth edges of `complex`.
+ * Finds the rows that are blends: those of vertices, and then those of edges. `sharpness` is that
+ * of control simplices. Since it was given `steps` steps have been made, so that value - steps
+ * remains. `depth` is the number of steps since the control mesh: a control edge has become 2^depth
+ * edges of `complex`, a control face 4^depth faces. A level for output has only triangle cells.
  */
 template <typename Id>
 std::vector<SharpRow> FindSharpRows(
-  const EdgeSharpness& sharpness, int steps, int depth, const SimplicialComplex<Id>& complex);
+  const SolidSharpness& sharpness, int steps, int depth, const SimplicialComplex<Id>& complex);
 
 /// Replaces these rows of `smooth` by blends with rows of `sharp`, which is the same operator with
-/// all edges singular that are still sharp.
+/// all edges and faces singular that are still sharp.
 template <typename Id>
 void BlendSemiSharp(
   const std::vector<SharpRow>& rows, const Stencils<Id>& sharp, Stencils<Id>& smooth);

@@ -158,7 +158,7 @@ TEST(LimitStencils, Dart)
   EXPECT_EQ(GetWeight(MakeRows(fan), 0, 0), 1.);
 }
 
-TEST(LimitStencils, StepsWithSemiSharpCreasesDoNotMoveTheLimit)
+TEST(LimitStencils, StepsWithSemiSharpSimplicesDoNotMoveTheLimit)
 {
   unsigned int seed = 0;
   ForEachMeshAndOptions(
@@ -185,15 +185,16 @@ TEST(LimitStencils, SharpForVeryLongIsSharp)
   Mesh fan = MakeFan("Fan", 6, true);
   SemiSharpMesh semi(fan, "Blend", 1);
   const Level<int> smooth = semi.MakeSmoothLevel(0);
-  std::fill(semi.Sharpness.begin(), semi.Sharpness.end(), 0.);
+  std::fill(semi.Sharpness.Edges.begin(), semi.Sharpness.Edges.end(), 0.);
+  semi.Sharpness.Faces.clear();
   const int first = FindEdge(smooth.Complex, 0, 1);
   const int second = FindEdge(smooth.Complex, 0, 4);
-  semi.Sharpness[first] = 1e300;
-  semi.Sharpness[second] = 500.5;
+  semi.Sharpness.Edges[first] = 1e300;
+  semi.Sharpness.Edges[second] = 500.5;
   SemiSharpStages<int> stages;
   stages.Sharpness = Buffer<double>(smooth.Complex.NumberOfEdges, 0.);
-  stages.Sharpness[first] = semi.Sharpness[first];
-  stages.Sharpness[second] = semi.Sharpness[second];
+  stages.Sharpness[first] = semi.Sharpness.Edges[first];
+  stages.Sharpness[second] = semi.Sharpness.Edges[second];
   stages.Stages.push_back({ 501, semi.MakeLevel(0, 500.).Strata });
   stages.Stages.push_back({ 1000000000, semi.MakeLevel(0, 501.).Strata });
   const SparseRows<int> rows = BuildLimitRows(smooth, stages);

@@ -229,10 +229,11 @@ TEST(LocalLimit, InfinitelySharpCreases)
   const Level<int> smooth = semi.MakeSmoothLevel(0);
   SemiSharpStages<int> creases;
   creases.Sharpness = Buffer<double>(smooth.Complex.NumberOfEdges, 0.);
-  std::fill(semi.Sharpness.begin(), semi.Sharpness.end(), 0.);
+  std::fill(semi.Sharpness.Edges.begin(), semi.Sharpness.Edges.end(), 0.);
+  semi.Sharpness.Faces.clear();
   for (int e = 0; e < smooth.Complex.NumberOfEdges; e += 3)
   {
-    creases.Sharpness[e] = semi.Sharpness[e] = std::numeric_limits<double>::infinity();
+    creases.Sharpness[e] = semi.Sharpness.Edges[e] = std::numeric_limits<double>::infinity();
   }
   creases.Stages.push_back({ SharpForever, semi.MakeLevel(0, 0.).Strata });
   const Level<int> sharp = semi.MakeLevel(0, 0.);

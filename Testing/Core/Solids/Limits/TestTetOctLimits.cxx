@@ -34,7 +34,7 @@ TetOctLevel<int> RefineTimes(TetOctLevel<int> level, int steps)
   return level;
 }
 
-/// A level as it is where all edges are singular that are sharper than `sharpness`.
+/// A level as it is where all edges and faces are singular that are sharper than `sharpness`.
 TetOctLevel<int> MakeLevel(const SemiSharpMesh& semi, int steps, double sharpness)
 {
   return RefineTimes(MakeTetOctLevel(semi.MakeLevel(0, sharpness)), steps);
@@ -42,18 +42,8 @@ TetOctLevel<int> MakeLevel(const SemiSharpMesh& semi, int steps, double sharpnes
 
 SemiSharpStages<int> MakeStages(const SemiSharpMesh& semi, int steps)
 {
-  SemiSharpStages<int> stages;
-  stages.Sharpness = Buffer<double>(MakeLevel(semi, steps, 1e9).Complex.NumberOfEdges, 0.);
-  double most = 0.;
-  for (std::size_t e = 0; e < semi.Sharpness.size(); ++e)
-  {
-    most = std::max(most, semi.Sharpness[e]);
-    for (std::size_t piece = e << steps; piece < (e + 1) << steps; ++piece)
-    {
-      stages.Sharpness[piece] = std::max(0., semi.Sharpness[e] - steps);
-    }
-  }
-  for (int step = steps; step < most; ++step)
+  SemiSharpStages<int> stages = semi.GiveSharpness(steps, MakeLevel(semi, steps, 1e9).Complex);
+  for (int step = steps; step < semi.GetMostSharpness(); ++step)
   {
     TetOctLevel<int> level = MakeLevel(semi, steps, step);
     stages.Stages.push_back({ step + 1 - steps, std::move(level.Strata), level.TetsAtSpokes });
