@@ -24,6 +24,7 @@
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <string>
 
 vtkStandardNewMacro(vtkSubdivisionLabelSolid);
@@ -67,17 +68,23 @@ private:
       inner->IsStopped = true;
       inner->Options.Fail(static_cast<const char*>(data));
     }
-    else if (event == vtkCommand::ProgressEvent &&
-      inner->Options.Progress(1. - (1. - *static_cast<double*>(data) / 2.) / inner->Round))
+    else if (event == vtkCommand::ProgressEvent)
     {
-      inner->IsStopped = true;
-      inner->Filter->SetAbortExecute(1);
+      // A round begins where the one before ended. The labels were read before the first.
+      inner->Done =
+        std::max(inner->Done, 1. - (1. - *static_cast<double*>(data) / 2.) / inner->Round);
+      if (inner->Options.Progress(inner->Done))
+      {
+        inner->IsStopped = true;
+        inner->Filter->SetAbortExecute(1);
+      }
     }
   }
 
   subdivision::LabelSolidOptions& Options;
   vtkNew<vtkMultiDimensionalSubdivision> Filter;
   int Round = 0;
+  double Done = subdivision::LabelsAreRead;
   bool IsStopped = false;
 };
 

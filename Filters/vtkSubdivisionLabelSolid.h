@@ -29,10 +29,12 @@
  * @par Input
  * Port 0: vtkImageData, with any direction matrix. Labels of points: voxels are centred on the
  * points, those of the border too, so that the solid is half a voxel larger than the image on each
- * side. Labels of cells: voxels are the cells. Hidden points and cells are background. Port 1, not
+ * side. Labels of cells: voxels are the cells. Hidden points and cells, and cells with a hidden
+ * point, are background. Port 1, not
  * required: a vtkTable with one row for each material. A row is for the label in the column that
  * has the name of the label array, else in the column `Label`, else for the label that is its
- * number, from 0. Without a table the field arrays of the image are one if such a column is there.
+ * number, from 0; of several rows for a label the first counts, with a warning. Without a table the
+ * field arrays of the image are one if such a column is there.
  *
  * @par Arrays read, by SetInputArrayToProcess
  *  - 0, labels: cell or point array with whole numbers of any type, up to 2^53, one for each voxel;
@@ -42,11 +44,13 @@
  * A vtkUnstructuredGrid of VTK_TETRA cells, on the limit. Cell arrays: the labels (the active
  * scalars), with name and type of the input's; the other arrays of the voxels but ids, those of
  * floating point numbers averaged over the voxels of the block that have its label, of others the
- * tuple of the first of these; the columns of the table that have numbers. Field arrays: those of
+ * tuple of the first of these; the columns of the table that have numbers, which replace arrays of
+ * the voxels of the same name, with a warning. Field arrays: those of
  * the image, and all columns of the table, so also the names of materials.
  *
  * @par Errors
  * The filter gives an error, and no cells, if there are no labels, if a label is no whole number,
+ * if voxels have no volume (a spacing is 0 or not finite),
  * if the output would have more than MaximumNumberOfCells cells, or if there is not enough memory.
  * An image of background alone gives no cells, and a warning; labels that coarsening loses give a
  * warning, too.

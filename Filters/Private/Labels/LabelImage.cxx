@@ -80,7 +80,16 @@ void SetMean(
     {
       sum += from->GetComponent(i, c);
     }
-    to->SetComponent(tuple, c, sum / static_cast<double>(tuples.size()));
+    double mean = sum / static_cast<double>(tuples.size());
+    if (!std::isfinite(sum)) // the mean of large values is finite
+    {
+      mean = 0.;
+      for (const vtkIdType i : tuples)
+      {
+        mean += from->GetComponent(i, c) / static_cast<double>(tuples.size());
+      }
+    }
+    to->SetComponent(tuple, c, mean);
   }
 }
 

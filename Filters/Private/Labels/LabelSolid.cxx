@@ -89,6 +89,7 @@ public:
 
 private:
   bool Read();
+  bool HasHiddenPoint(vtkIdType cell) const;
   bool HasMemory() const;
   void WarnOfLostLabels(const LabelNet& net) const;
   vtkSmartPointer<vtkUnstructuredGrid> MakeControlMesh(
@@ -140,8 +141,39 @@ bool LabelSolid::HasMemory() const
   return tooMany.empty();
 }
 
+/// Whether a point of a cell of the image is hidden.
+bool LabelSolid::HasHiddenPoint(vtkIdType cell) const
+{
+  vtkDataArray* ghosts =
+    this->Image->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName());
+  if (!ghosts)
+  {
+    return false;
+  }
+  const std::array<vtkIdType, 3>& size = this->Fine.Size;
+  const vtkIdType at[3] = { cell % size[0], cell / size[0] % size[1], cell / size[0] / size[1] };
+  bool isHidden = false;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const vtkIdType point = at[0] + (corner & 1) +
+      (size[0] + 1) * (at[1] + (corner >> 1 & 1) + (size[1] + 1) * (at[2] + (corner >> 2)));
+    isHidden = isHidden ||
+      (static_cast<int>(ghosts->GetComponent(point, 0)) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+  }
+  return isHidden;
+}
+
 bool LabelSolid::Read()
 {
+  const double voxel = Placement(this->Image, this->Options.OfPoints, 1).GetVoxelVolume();
+  if (!(std::abs(voxel) > 0.) || !std::isfinite(voxel))
+  {
+    const double* spacing = this->Image->GetSpacing();
+    this->Options.Fail("The voxels of the image have no volume: its spacing is " +
+      std::to_string(spacing[0]) + ", " + std::to_string(spacing[1]) + ", " +
+      std::to_string(spacing[2]) + ", and each of these must be a finite number other than 0.");
+    return false;
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
     this->Fine.Size[axis] = this->Image->GetDimensions()[axis] - (this->Options.OfPoints ? 0 : 1);
@@ -164,8 +196,13 @@ bool LabelSolid::Read()
     return false;
   }
   const std::string fault = ReadLabels(
-    labels, this->Options.Background, [&](vtkIdType i)
-    { return ghosts && (static_cast<int>(ghosts->GetComponent(i, 0)) & hidden); }, this->Fine);
+    labels, this->Options.Background,
+    [&](vtkIdType i)
+    {
+      return (ghosts && (static_cast<int>(ghosts->GetComponent(i, 0)) & hidden)) ||
+        (!this->Options.OfPoints && this->HasHiddenPoint(i));
+    },
+    this->Fine);
   if (!fault.empty())
   {
     this->Options.Fail(
@@ -223,12 +260,8 @@ vtkSmartPointer<vtkUnstructuredGrid> LabelSolid::MakeControlMesh(
     this->Options.Labels, data, this->Options.Warn);
   if (this->Options.Materials)
   {
-    const std::string without = AddMaterials(
-      this->Options.Materials, this->Name, this->Fine.Labels, net.GetCellLabels(), data, fields);
-    if (!without.empty())
-    {
-      this->Options.Warn(without);
-    }
+    AddMaterials(this->Options.Materials, this->Name, this->Fine.Labels, net.GetCellLabels(), data,
+      fields, this->Options.Warn);
   }
   const auto labels = vtkSmartPointer<vtkDataArray>::Take(this->Options.Labels->NewInstance());
   labels->SetName(this->Name.c_str());
@@ -384,7 +417,7 @@ bool LabelSolid::Run(vtkUnstructuredGrid* output)
   {
     this->Wanted[label] += isThere[label] ? part : 0.;
   }
-  if (this->Options.Progress(.05))
+  if (this->Options.Progress(LabelsAreRead))
   {
     return false;
   }

@@ -21,6 +21,9 @@ class vtkUnstructuredGrid;
 namespace subdivision
 {
 
+/// The progress at which the labels are read and solids begin.
+constexpr double LabelsAreRead = .05;
+
 struct LabelSolidOptions : RunOptions
 {
   vtkDataArray* Labels = nullptr; ///< of the image, one for each voxel

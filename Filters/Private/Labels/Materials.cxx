@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 
 namespace subdivision
@@ -29,24 +30,31 @@ bool IsMaterialTable(vtkFieldData* table, const std::string& name)
   return FindLabelColumn(table, name) != nullptr;
 }
 
-std::string AddMaterials(vtkFieldData* table, const std::string& name,
-  const std::vector<double>& labels, const std::vector<int>& cellLabels,
-  vtkDataSetAttributes* cells, vtkFieldData* fields)
+namespace
 {
-  vtkDataArray* column = FindLabelColumn(table, name);
+
+std::string Text(double label)
+{
+  return std::to_string(static_cast<long long>(label));
+}
+
+/// For each place in `labels`, plus 1, the row of the table; -1: there is none.
+std::vector<vtkIdType> FindRows(vtkDataArray* column, vtkIdType size,
+  const std::vector<double>& labels, const std::function<void(const std::string&)>& warn)
+{
   std::map<double, vtkIdType> rows;
-  // The arrays of field data may have different sizes: those of another are no columns.
-  const vtkIdType size = column ? column->GetNumberOfTuples() : table->GetNumberOfTuples();
+  std::set<double> repeated;
   for (vtkIdType row = 0; row < size; ++row)
   {
     const double label = column ? column->GetComponent(row, 0) : static_cast<double>(row);
-    if (!std::isnan(label))
+    if (!std::isnan(label) && !rows.emplace(label, row).second)
     {
-      rows.emplace(label, row);
+      repeated.insert(label);
     }
   }
   std::vector<vtkIdType> rowOfIndex(labels.size() + 1, -1);
   std::string without;
+  std::string several;
   for (std::size_t i = 0; i < labels.size(); ++i)
   {
     const auto found = rows.find(labels[i]);
@@ -56,10 +64,42 @@ std::string AddMaterials(vtkFieldData* table, const std::string& name,
     }
     else if (without.empty())
     {
-      without = "The table of materials has no row for label " +
-        std::to_string(static_cast<long long>(labels[i])) + ": its cells get zeros.";
+      without = Text(labels[i]);
+    }
+    if (several.empty() && repeated.count(labels[i]) > 0)
+    {
+      several = Text(labels[i]);
     }
   }
+  if (!without.empty())
+  {
+    warn("The table of materials has no row for label " + without + ": its cells get zeros.");
+  }
+  if (!several.empty())
+  {
+    warn("The table of materials has several rows for label " + several + ": the first counts.");
+  }
+  return rowOfIndex;
+}
+
+}
+
+void AddMaterials(vtkFieldData* table, const std::string& name, const std::vector<double>& labels,
+  const std::vector<int>& cellLabels, vtkDataSetAttributes* cells, vtkFieldData* fields,
+  const std::function<void(const std::string&)>& warn)
+{
+  vtkDataArray* column = FindLabelColumn(table, name);
+  for (const std::string& wanted : { name, std::string("Label") })
+  {
+    if (!column && table->GetAbstractArray(wanted.c_str()))
+    {
+      warn("The column \"" + wanted +
+        "\" of the table of materials has no numbers: the number of a row, from 0, is its label.");
+    }
+  }
+  // The arrays of field data may have different sizes: those of another are no columns.
+  const vtkIdType size = column ? column->GetNumberOfTuples() : table->GetNumberOfTuples();
+  const std::vector<vtkIdType> rowOfIndex = FindRows(column, size, labels, warn);
   for (int i = 0; i < table->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* from = table->GetAbstractArray(i);
@@ -84,9 +124,13 @@ std::string AddMaterials(vtkFieldData* table, const std::string& name,
         values->SetTuple(static_cast<vtkIdType>(cell), row, from);
       }
     }
+    if (cells->HasArray(from->GetName()))
+    {
+      warn("The column \"" + std::string(from->GetName()) +
+        "\" of the table of materials replaces the array of the voxels that has its name.");
+    }
     cells->AddArray(values);
   }
-  return without;
 }
 
 }

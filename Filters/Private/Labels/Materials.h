@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_Materials_h
 #define SubdivisionObjects_Materials_h
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,12 @@ namespace subdivision
 /// Adds all columns of `table` to `fields`, and those of numbers to `cells`: the row of each cell's
 /// material. A row is for the label in the column `name`, else in the column `Label`, else for that
 /// of its own number. `labels`: all labels; `cellLabels`: of each cell the place there, plus 1.
-/// Returns a warning if a label has no row; the values of its cells are 0.
-std::string AddMaterials(vtkFieldData* table, const std::string& name,
-  const std::vector<double>& labels, const std::vector<int>& cellLabels,
-  vtkDataSetAttributes* cells, vtkFieldData* fields);
+/// `warn` is told of a label without a row, whose cells get zeros, of one with several rows, the
+/// first of which counts, of a column of labels that has no numbers, and of arrays of `cells` that
+/// columns replace.
+void AddMaterials(vtkFieldData* table, const std::string& name, const std::vector<double>& labels,
+  const std::vector<int>& cellLabels, vtkDataSetAttributes* cells, vtkFieldData* fields,
+  const std::function<void(const std::string&)>& warn);
 
 /// Whether there is a column for labels.
 bool IsMaterialTable(vtkFieldData* table, const std::string& name);
