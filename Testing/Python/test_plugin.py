@@ -7,6 +7,8 @@ import unittest
 import tools
 from headers import NO_OPTIONS
 from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkDataArray
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 
 import subdivisionobjects
 
@@ -172,6 +174,43 @@ class Proxies(unittest.TestCase):
         offered = proxy.SMProxy.GetProperty("SingularArray").GetDomain("array_list")
         self.assertEqual([offered.GetString(i) for i in range(offered.GetNumberOfStrings())],
                          ["None", "MaterialId", "Singular"])
+
+    def test_interpolated_arrays_are_chosen(self):
+        """All floating point arrays of points are offered, with any number of components, and none is chosen."""
+        source = subdivisionobjects.vtkSubdivisionModelSource()
+        source.Update()
+        grid = source.GetOutput()
+        for array_type, name, components in ((10, "Velocity", 3), (11, "Heat", 1), (6, "Count", 1)):
+            array = vtkDataArray.CreateDataArray(array_type)
+            array.SetName(name)
+            array.SetNumberOfComponents(components)
+            array.SetNumberOfTuples(grid.GetNumberOfPoints())
+            array.Fill(1)
+            grid.GetPointData().AddArray(array)
+        surface = vtkGeometryFilter()
+        surface.SetInputData(grid)
+        surface.Update()
+        for data, make in ((grid, simple.MultidimensionalSubdivision), (grid, simple.RedGreenRefinement),
+                           (surface.GetOutput(), simple.SurfaceSubdivision)):
+            producer = simple.TrivialProducer()
+            producer.GetClientSideObject().SetOutput(data)
+            producer.UpdatePipeline()
+            proxy = make(Input=producer)
+            prop = proxy.SMProxy.GetProperty("InterpolatedArrays")
+            self.assertEqual(prop.GetNumberOfElements(), 0)
+            offered = prop.FindDomain("vtkSMArrayListDomain")
+            names = {offered.GetString(i) for i in range(offered.GetNumberOfStrings())}
+            self.assertLessEqual({"Velocity", "Heat"}, names)
+            self.assertNotIn("Count", names)
+            proxy.InterpolateArrays = 1
+            proxy.InterpolatedArrays = ["Heat"]
+            proxy.UpdatePipeline()
+            self.assertIn("Interpolated arrays: Heat", str(proxy.GetClientSideObject()))
+
+    def test_what_has_no_effect_is_hidden(self):
+        for name in ("SubdivisionDeformation", "SimplicialComplexTopology"):
+            for key in ("InterfaceValues", "FieldsOfCells"):
+                self.assertEqual(definition(name).GetProperty(key).GetPanelVisibility(), "never", f"{name}.{key}")
 
     def test_the_guard_stops_it(self):
         proxy = simple.MultidimensionalSubdivision(
