@@ -13,8 +13,8 @@
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -105,6 +105,11 @@ void vtkSubdivisionLabelSolid::SetMaterialsConnection(vtkAlgorithmOutput* output
 int vtkSubdivisionLabelSolid::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkTable");
+  if (port == 0)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
+  }
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
   return 1;
 }
@@ -142,7 +147,7 @@ int vtkSubdivisionLabelSolid::RequestUpdateExtent(
 }
 
 bool vtkSubdivisionLabelSolid::FindLabels(
-  vtkImageData* image, subdivision::LabelSolidOptions& options)
+  vtkDataSet* image, subdivision::LabelSolidOptions& options)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
   const std::string name = subdivision::GetInputArrayName(this, LABELS_ARRAY, association);
@@ -185,7 +190,7 @@ int vtkSubdivisionLabelSolid::RequestData(
   {
     return 1; // the first piece is the whole solid
   }
-  auto* image = vtkImageData::GetData(inputVector[0]);
+  auto* image = vtkDataSet::GetData(inputVector[0]);
   auto* output = vtkUnstructuredGrid::GetData(outputVector);
   subdivision::LabelSolidOptions options;
   bool failed = false;

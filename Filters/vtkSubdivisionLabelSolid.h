@@ -27,14 +27,16 @@
  * No solid is inverted; of any that is a warning tells.
  *
  * @par Input
- * Port 0: vtkImageData, with any direction matrix. Labels of points: voxels are centred on the
- * points, those of the border too, so that the solid is half a voxel larger than the image on each
- * side. Labels of cells: voxels are the cells. Hidden points and cells, and cells with a hidden
- * point, are background. Port 1, not
- * required: a vtkTable with one row for each material. A row is for the label in the column that
- * has the name of the label array, else in the column `Label`, else for the label that is its
- * number, from 0; of several rows for a label the first counts, with a warning. Without a table the
- * field arrays of the image are one if such a column is there.
+ * Port 0: vtkImageData, with any direction matrix, vtkRectilinearGrid or vtkStructuredGrid; corners
+ * of voxels around points of a grid lie half-way between points, those of the border half a voxel
+ * outside, and corners are smoothed as if all voxels were cubes. Labels of points: voxels are
+ * centred on the points, those of the border too, so that the solid is half a voxel larger than the
+ * image on each side. Labels of cells: voxels are the cells. Hidden points and cells, and cells
+ * with a hidden point, are background. Port 1, not required: a vtkTable with one row for each
+ * material. A row is for the label in the column that has the name of the label array, else in the
+ * column `Label`, else for the label that is its number, from 0; of several rows for a label the
+ * first counts, with a warning. Without a table the field arrays of the image are one if such a
+ * column is there.
  *
  * @par Arrays read, by SetInputArrayToProcess
  *  - 0, labels: cell or point array with whole numbers of any type, up to 2^53, one for each voxel;
@@ -68,7 +70,7 @@
 #include "vtkUnstructuredGridAlgorithm.h"
 
 class vtkDataArray;
-class vtkImageData;
+class vtkDataSet;
 namespace subdivision
 {
 struct LabelSolidOptions;
@@ -183,7 +185,7 @@ protected:
 
 private:
   /// Sets the array of labels of `options`. Returns false after an error.
-  bool FindLabels(vtkImageData* image, subdivision::LabelSolidOptions& options);
+  bool FindLabels(vtkDataSet* image, subdivision::LabelSolidOptions& options);
 
   vtkSubdivisionLabelSolid(const vtkSubdivisionLabelSolid&) = delete;
   void operator=(const vtkSubdivisionLabelSolid&) = delete;

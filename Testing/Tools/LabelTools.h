@@ -49,7 +49,7 @@ struct Made
 {
   Made() { this->Heard->Watch(this->Filter); }
   vtkSubdivisionLabelSolid* operator->() { return this->Filter; }
-  vtkUnstructuredGrid* Run(vtkImageData* image)
+  vtkUnstructuredGrid* Run(vtkDataSet* image)
   {
     this->Heard->Warnings.clear();
     this->Heard->Errors.clear();

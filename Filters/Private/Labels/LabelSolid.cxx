@@ -6,14 +6,15 @@
 #include "Private/Labels/LabelImage.h"
 #include "Private/Labels/LabelNet.h"
 #include "Private/Labels/Materials.h"
+#include "Private/Labels/VoxelGrid.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -41,45 +42,11 @@ std::string Text(double label)
   return std::to_string(static_cast<long long>(label));
 }
 
-/// From the corners of voxels to space.
-struct Placement
-{
-  Placement(vtkImageData* image, bool ofPoints, int length)
-  {
-    const int* extent = image->GetExtent();
-    double first[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      first[axis] = extent[2 * axis] - (ofPoints ? .5 : 0.);
-    }
-    image->TransformContinuousIndexToPhysicalPoint(first, this->Origin);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      double next[3] = { first[0], first[1], first[2] };
-      next[axis] += length;
-      image->TransformContinuousIndexToPhysicalPoint(next, this->Axes[axis]);
-      vtkMath::Subtract(this->Axes[axis], this->Origin, this->Axes[axis]);
-    }
-  }
-  double GetVoxelVolume() const { return vtkMath::Determinant3x3(this->Axes); }
-  void Place(const LabelNet::Vector& corner, double* point) const
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      point[c] = this->Origin[c] + corner[0] * this->Axes[0][c] + corner[1] * this->Axes[1][c] +
-        corner[2] * this->Axes[2][c];
-    }
-  }
-
-  double Origin[3];
-  double Axes[3][3];
-};
-
 /// One execution.
 class LabelSolid
 {
 public:
-  LabelSolid(vtkImageData* image, const LabelSolidOptions& options)
+  LabelSolid(vtkDataSet* image, const LabelSolidOptions& options)
     : Image(image)
     , Options(options)
     , Name(GetLabelName(options))
@@ -93,7 +60,7 @@ private:
   bool HasMemory() const;
   void WarnOfLostLabels(const LabelNet& net) const;
   vtkSmartPointer<vtkUnstructuredGrid> MakeControlMesh(
-    const LabelNet& net, const Placement& placement) const;
+    const LabelNet& net, const VoxelGrid& placement) const;
   /// Of a solid: volumes of labels, in control voxels; the control cells with a thin tetrahedron.
   struct Measures
   {
@@ -102,17 +69,20 @@ private:
     vtkIdType NumberOfInverted = 0;
   };
   Measures Measure(vtkUnstructuredGrid* solid, const LabelNet& net, double voxel) const;
+  std::vector<double> FindShares(const VoxelGrid& placement) const;
+  std::vector<double> SumVolumes(const LabelNet& net, const VoxelGrid& placement) const;
   double GetError(const std::vector<double>& volumes) const;
   void WarnOf(const Measures& found) const;
-  vtkUnstructuredGrid* Solve(LabelNet& net, const Placement& placement, vtkUnstructuredGrid* grid);
+  vtkUnstructuredGrid* Solve(LabelNet& net, const VoxelGrid& placement, vtkUnstructuredGrid* grid);
 
-  vtkImageData* Image;
+  vtkDataSet* Image;
   const LabelSolidOptions& Options;
   std::string Name;
   LabelImage Fine;
   LabelImage Coarse;
   int Length = 1;             ///< of a control voxel, in voxels
   std::vector<double> Wanted; ///< volumes of labels in control voxels; 0 where no cell is left
+  std::vector<double> Shares; ///< volumes of control cells, in the mean of all
 };
 
 bool LabelSolid::HasMemory() const
@@ -165,23 +135,21 @@ bool LabelSolid::HasHiddenPoint(vtkIdType cell) const
 
 bool LabelSolid::Read()
 {
-  const double voxel = Placement(this->Image, this->Options.OfPoints, 1).GetVoxelVolume();
-  if (!(std::abs(voxel) > 0.) || !std::isfinite(voxel))
-  {
-    const double* spacing = this->Image->GetSpacing();
-    this->Options.Fail("The voxels of the image have no volume: its spacing is " +
-      std::to_string(spacing[0]) + ", " + std::to_string(spacing[1]) + ", " +
-      std::to_string(spacing[2]) + ", and each of these must be a finite number other than 0.");
-    return false;
-  }
+  const std::array<vtkIdType, 3> points = GetStructuredSize(this->Image);
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->Fine.Size[axis] = this->Image->GetDimensions()[axis] - (this->Options.OfPoints ? 0 : 1);
+    this->Fine.Size[axis] = points[axis] - (this->Options.OfPoints ? 0 : 1);
   }
   if (*std::min_element(this->Fine.Size.begin(), this->Fine.Size.end()) < 1)
   {
-    this->Options.Fail("The image has no voxels with the labels of its cells: it needs two points "
+    this->Options.Fail("The input has no voxels with the labels of its cells: it needs two points "
                        "or more along each axis. Labels of points are read of flat images too.");
+    return false;
+  }
+  const std::string noVolume = VoxelGrid(this->Image, this->Options.OfPoints, 1).FindFault();
+  if (!noVolume.empty())
+  {
+    this->Options.Fail(noVolume);
     return false;
   }
   vtkDataArray* labels = this->Options.Labels;
@@ -233,7 +201,7 @@ void LabelSolid::WarnOfLostLabels(const LabelNet& net) const
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> LabelSolid::MakeControlMesh(
-  const LabelNet& net, const Placement& placement) const
+  const LabelNet& net, const VoxelGrid& placement) const
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   vtkNew<vtkPoints> points;
@@ -301,7 +269,7 @@ LabelSolid::Measures LabelSolid::Measure(
     const vtkIdType cell = origins->GetValue(tet);
     found.Volumes[net.GetCellLabels()[cell]] += volume;
     found.NumberOfInverted += volume > 0. ? 0 : 1; // also if it is not a number
-    if (volume < least && (found.Thin.empty() || found.Thin.back() != cell))
+    if (volume < least * this->Shares[cell] && (found.Thin.empty() || found.Thin.back() != cell))
     {
       found.Thin.push_back(cell);
     }
@@ -350,10 +318,16 @@ void LabelSolid::WarnOf(const Measures& found) const
 
 /// Looks for points whose limits have the volumes of the voxels, and no thin tetrahedra.
 vtkUnstructuredGrid* LabelSolid::Solve(
-  LabelNet& net, const Placement& placement, vtkUnstructuredGrid* grid)
+  LabelNet& net, const VoxelGrid& placement, vtkUnstructuredGrid* grid)
 {
   const double voxel = std::abs(placement.GetVoxelVolume());
-  std::vector<double> target = this->Wanted;
+  // Corners are moved among voxels that all count alike; rounds correct the rest.
+  std::vector<double> target(this->Wanted.size(), 0.);
+  const double part = 1. / std::pow(static_cast<double>(this->Length), 3);
+  for (const int label : this->Fine.Voxels)
+  {
+    target[label] += this->Wanted[label] > 0. ? part : 0.;
+  }
   double before = VTK_DOUBLE_MAX;
   for (int round = 1;; ++round)
   {
@@ -388,6 +362,45 @@ vtkUnstructuredGrid* LabelSolid::Solve(
   }
 }
 
+/// The volumes of the voxels of each label; 0 where no cell is left.
+std::vector<double> LabelSolid::SumVolumes(const LabelNet& net, const VoxelGrid& placement) const
+{
+  std::vector<double> volumes(this->Fine.Labels.size() + 1, 0.);
+  std::vector<bool> isThere(volumes.size(), false);
+  for (const int label : net.GetCellLabels())
+  {
+    isThere[label] = true;
+  }
+  const std::array<vtkIdType, 3>& size = this->Fine.Size;
+  for (vtkIdType voxel = 0; voxel < this->Fine.Voxels.size(); ++voxel)
+  {
+    const int label = this->Fine.Voxels[voxel];
+    volumes[label] += label > 0 && isThere[label]
+      ? placement.GetShare(
+          { voxel % size[0], voxel / size[0] % size[1], voxel / size[0] / size[1] }, 1)
+      : 0.;
+  }
+  return volumes;
+}
+
+/// The volumes of control cells before they are smoothed.
+std::vector<double> LabelSolid::FindShares(const VoxelGrid& placement) const
+{
+  std::vector<double> shares;
+  const std::array<vtkIdType, 3>& size = this->Coarse.Size;
+  for (vtkIdType voxel = 0; voxel < this->Coarse.Voxels.size(); ++voxel)
+  {
+    if (this->Coarse.Voxels[voxel] > 0)
+    {
+      shares.push_back(placement.GetShare(
+        { this->Length * (voxel % size[0]), this->Length * (voxel / size[0] % size[1]),
+          this->Length * (voxel / size[0] / size[1]) },
+        this->Length));
+    }
+  }
+  return shares;
+}
+
 bool LabelSolid::Run(vtkUnstructuredGrid* output)
 {
   if (!this->Read())
@@ -406,23 +419,15 @@ bool LabelSolid::Run(vtkUnstructuredGrid* output)
   {
     return true;
   }
-  this->Wanted.assign(this->Fine.Labels.size() + 1, 0.);
-  const double part = 1. / std::pow(static_cast<double>(this->Length), 3);
-  std::vector<bool> isThere(this->Wanted.size(), false);
-  for (const int label : net.GetCellLabels())
-  {
-    isThere[label] = true;
-  }
-  for (const int label : this->Fine.Voxels)
-  {
-    this->Wanted[label] += isThere[label] ? part : 0.;
-  }
+  VoxelGrid placement(this->Image, this->Options.OfPoints, this->Length);
+  placement.FindFault(); // Read found none
+  this->Wanted = this->SumVolumes(net, placement);
+  this->Shares = this->FindShares(placement);
   if (this->Options.Progress(LabelsAreRead))
   {
     return false;
   }
   net.Smooth(this->Options.SmoothingSteps);
-  const Placement placement(this->Image, this->Options.OfPoints, this->Length);
   const auto grid = this->MakeControlMesh(net, placement);
   vtkUnstructuredGrid* solid = this->Solve(net, placement, grid);
   if (!solid)
@@ -448,7 +453,7 @@ std::string GetLabelName(const LabelSolidOptions& options)
 }
 
 bool MakeLabelSolid(
-  vtkImageData* image, const LabelSolidOptions& options, vtkUnstructuredGrid* output)
+  vtkDataSet* image, const LabelSolidOptions& options, vtkUnstructuredGrid* output)
 {
   return LabelSolid(image, options).Run(output);
 }

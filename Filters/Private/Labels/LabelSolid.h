@@ -14,8 +14,8 @@
 #include <string>
 
 class vtkDataArray;
+class vtkDataSet;
 class vtkFieldData;
-class vtkImageData;
 class vtkUnstructuredGrid;
 
 namespace subdivision
@@ -26,7 +26,7 @@ constexpr double LabelsAreRead = .05;
 
 struct LabelSolidOptions : RunOptions
 {
-  vtkDataArray* Labels = nullptr; ///< of the image, one for each voxel
+  vtkDataArray* Labels = nullptr; ///< of the image or grid, one for each voxel
   bool OfPoints = false;          ///< voxels are around points; false: they are the cells
   double Background = 0.;
   vtkIdType WantedCells = 0; ///< of the control mesh; 0: one for each voxel
@@ -44,7 +44,7 @@ std::string GetLabelName(const LabelSolidOptions& options);
 
 /// Returns false after an error or a stop.
 bool MakeLabelSolid(
-  vtkImageData* image, const LabelSolidOptions& options, vtkUnstructuredGrid* output);
+  vtkDataSet* image, const LabelSolidOptions& options, vtkUnstructuredGrid* output);
 
 }
 

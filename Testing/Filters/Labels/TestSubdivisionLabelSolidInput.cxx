@@ -8,13 +8,84 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
+#include "vtkMath.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkStringArray.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTable.h"
 #include "vtkTrivialProducer.h"
 
 #include <cmath>
 
 using namespace label_tools;
+
+namespace
+{
+
+/// The image as a rectilinear grid, with coordinates of its points by their index.
+vtkSmartPointer<vtkRectilinearGrid> MakeRectilinear(
+  vtkImageData* image, const std::function<double(int)>& coordinate)
+{
+  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  const int* n = image->GetDimensions();
+  grid->SetDimensions(n[0], n[1], n[2]);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vtkNew<vtkDoubleArray> values;
+    for (int i = 0; i < n[axis]; ++i)
+    {
+      values->InsertNextValue(coordinate(i));
+    }
+    axis == 0     ? grid->SetXCoordinates(values)
+      : axis == 1 ? grid->SetYCoordinates(values)
+                  : grid->SetZCoordinates(values);
+  }
+  grid->GetPointData()->ShallowCopy(image->GetPointData());
+  grid->GetCellData()->ShallowCopy(image->GetCellData());
+  return grid;
+}
+
+/// The grid with its points moved.
+vtkSmartPointer<vtkStructuredGrid> MakeStructured(
+  vtkRectilinearGrid* grid, const std::function<Point(const Point&)>& move)
+{
+  auto moved = vtkSmartPointer<vtkStructuredGrid>::New();
+  moved->SetDimensions(grid->GetDimensions());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    Point x;
+    grid->GetPoint(p, x.data());
+    points->InsertNextPoint(move(x).data());
+  }
+  moved->SetPoints(points);
+  moved->GetPointData()->ShallowCopy(grid->GetPointData());
+  moved->GetCellData()->ShallowCopy(grid->GetCellData());
+  return moved;
+}
+
+double GetVolume(vtkUnstructuredGrid* solid, double label)
+{
+  vtkDataArray* labels = solid->GetCellData()->GetArray("Tissue");
+  double volume = 0.;
+  for (vtkIdType c = 0; c < solid->GetNumberOfCells(); ++c)
+  {
+    const vtkIdType* ids = nullptr;
+    vtkIdType size = 0;
+    solid->GetCellPoints(c, size, ids);
+    double edges[3][3];
+    for (int k = 0; k < 3; ++k)
+    {
+      vtkMath::Subtract(
+        GetPoint(solid, ids[k + 1]).data(), GetPoint(solid, ids[0]).data(), edges[k]);
+    }
+    volume += labels->GetComponent(c, 0) == label ? vtkMath::Determinant3x3(edges) / 6. : 0.;
+  }
+  return volume;
+}
+
+}
 
 // Arrays that cannot be true, labels that doubles cannot tell apart, voxels without a volume.
 TEST(SubdivisionLabelSolid, ForgedInput)
@@ -167,4 +238,74 @@ TEST(SubdivisionLabelSolid, HiddenPointsHideTheirCells)
   hidden->SetValue(1, vtkDataSetAttributes::HIDDENPOINT); // two cells, one of them hidden before
   image->Modified();
   EXPECT_EQ(made.Run(image)->GetNumberOfCells(), 25 * 48);
+}
+
+TEST(SubdivisionLabelSolid, EvenGridsAreImages)
+{
+  const auto ball = [](int i, int j, int k)
+  { return (i - 4) * (i - 4) + (j - 4) * (j - 4) + (k - 3) * (k - 3) < 10 ? (i < 4 ? 1 : 2) : 0; };
+  for (const bool ofCells : { false, true })
+  {
+    const Image image = MakeImage({ 9, 9, 8 }, ball, ofCells);
+    const auto rectilinear = MakeRectilinear(image, [](int i) { return double(i); });
+    const auto structured = MakeStructured(rectilinear, [](const Point& p) { return p; });
+    Made made;
+    const Grid expected = DeepCopy(made.Run(image));
+    ASSERT_GT(expected->GetNumberOfCells(), 0);
+    for (vtkDataSet* grid :
+      { static_cast<vtkDataSet*>(rectilinear), static_cast<vtkDataSet*>(structured) })
+    {
+      vtkUnstructuredGrid* solid = made.Run(grid);
+      made.ExpectSilence();
+      ASSERT_EQ(solid->GetNumberOfPoints(), expected->GetNumberOfPoints());
+      for (vtkIdType p = 0; p < solid->GetNumberOfPoints(); ++p)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          ASSERT_NEAR(GetPoint(solid, p)[c], GetPoint(expected, p)[c], 1e-9);
+        }
+      }
+    }
+  }
+}
+
+TEST(SubdivisionLabelSolid, VolumesInUnevenGrids)
+{
+  // Cells grow by a tenth each; the sheared and mirrored grid has the same volumes.
+  const auto coordinate = [](int i) { return 10. * (std::pow(1.1, i) - 1.); };
+  const Image image = MakeImage(
+    { 9, 8, 8 }, [](int i, int j, int k)
+    { return i < 1 || j < 1 || k < 1 || i > 7 || j > 6 || k > 6 ? 0
+        : i < 4                                                 ? 1
+                                                                : 2; }, true);
+  const auto rectilinear = MakeRectilinear(image, coordinate);
+  const auto structured = MakeStructured(
+    rectilinear, [](const Point& p) { return Point{ -p[0], p[1] + .3 * p[0], p[2] }; });
+  const double side = coordinate(7) - coordinate(1);
+  for (vtkDataSet* grid :
+    { static_cast<vtkDataSet*>(rectilinear), static_cast<vtkDataSet*>(structured) })
+  {
+    for (const vtkIdType cells : { 0, 60 })
+    {
+      Made made;
+      made->SetNumberOfControlCells(cells);
+      vtkUnstructuredGrid* solid = made.Run(grid);
+      EXPECT_TRUE(made.Heard->Errors.empty());
+      const double first = side * side * (coordinate(4) - coordinate(1));
+      const double second = side * side * (coordinate(8) - coordinate(4));
+      EXPECT_NEAR(GetVolume(solid, 1.) / first, 1., cells ? .05 : .005);
+      EXPECT_NEAR(GetVolume(solid, 2.) / second, 1., cells ? .05 : .005);
+    }
+  }
+}
+
+TEST(SubdivisionLabelSolid, GridsWithoutVolume)
+{
+  Made made;
+  const Image image = MakeImage({ 3, 3, 3 }, [](int, int, int) { return 1; });
+  made.Run(MakeRectilinear(image, [](int) { return 1.; }));
+  made.ExpectError("have no volume");
+  made.Run(MakeRectilinear(
+    MakeImage({ 3, 3, 1 }, [](int, int, int) { return 1; }), [](int i) { return double(i); }));
+  made.ExpectError("one point only");
 }
