@@ -20,9 +20,9 @@
  * Besides those of vtkSubdivisionAlgorithm (0 to 4):
  *  - 8, point array of marks: numbers, not 0 = marked. Unset: none. The output has zeros there,
  *    because the marks go on without it (see below).
- *  - 9, point array of the number of levels for which creases between marked points stay sharp (see
- *    index 4): a crease has the smaller value of its ends; infinite = for ever, 0 or less = no
- *    crease. Unset: none, and all creases stay for ever.
+ *  - 9, point array of the number of levels for which creases and surfaces between marked points
+ *    stay sharp (see index 4; surfaces: those inside of solids): each has the smallest value of its
+ *    points; infinite = for ever, 0 or less = not singular. Unset: none, and all stay for ever.
  *
  * @par Selection
  * Input port 1, optional: a vtkSelection of points or of cells of the input. Selected points are
@@ -33,7 +33,7 @@
  * Input port 2, optional: a vtkPolyData or vtkUnstructuredGrid whose vertices, lines and polygons
  * are singular vertices, edges and triangles of the input. Its points have to be points of the
  * input (CreasePoints); a warning counts the cells that lie on none. Its cell array `Sharpness`, if
- * there is one, has the sharpness of lines.
+ * there is one, has the sharpness of lines and triangles.
  *
  * @par Filters in a row, blocks and ranks
  * As all singular simplices that no cell flags, marks go on to the next filter in field data of the

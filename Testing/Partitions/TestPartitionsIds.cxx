@@ -56,6 +56,7 @@ const Choice Choices[] = { { "defaults", [](UniformOptions&) {} },
       o.Features.DetectFeatures = true;
       o.Features.Marks.Corners = false;
       o.Features.Marks.Creases = true;
+      o.Features.Marks.Surfaces = true;
     } },
   { "sharp joints", [](UniformOptions& o)
     { o.Features.Type1 = o.Features.Type2 = o.Features.Type3 = subdivision::JointRule::Sharp; } } };

@@ -57,29 +57,58 @@ SimplicialComplex<Id> BuildComplexWith(const SimplexList& simplices, ControlTrai
   return complex;
 }
 
-/// The sharpness of derived lines; empty if all are infinite. `known` has that of marked ones.
-std::vector<double> FindLineSharpness(const SharpTuples& known, const std::vector<vtkIdType>& lines)
+/// The sharpness of derived simplices of a dimension; empty if all are infinite. `known` has that
+/// of marked ones.
+std::vector<double> FindDerivedSharpness(
+  const SharpTuples& known, const std::vector<vtkIdType>& tuples, int dimension)
 {
+  const int size = dimension + 1;
   std::vector<double> sharpness;
   std::map<SimplexKey, double> found;
-  for (std::size_t i = 0; i < known.Sharpness.size(); ++i)
+  for (std::size_t i = 0; i < known.Sharpness[dimension].size(); ++i)
   {
-    found.emplace(MakeKey(known.Tuples.Tuples[1].data() + 2 * i, 2), known.Sharpness[i]);
+    found.emplace(MakeKey(known.Tuples.Tuples[dimension].data() + size * i, size),
+      known.Sharpness[dimension][i]);
   }
-  // A line that is derived otherwise too stands there twice, and is sharp for ever.
+  // One that is derived otherwise too stands there twice, and is sharp for ever.
   std::map<SimplexKey, int> counts;
-  for (std::size_t i = 0; !found.empty() && i < lines.size(); i += 2)
+  for (std::size_t i = 0; !found.empty() && i < tuples.size(); i += size)
   {
-    ++counts[MakeKey(lines.data() + i, 2)];
+    ++counts[MakeKey(tuples.data() + i, size)];
   }
-  for (std::size_t i = 0; !found.empty() && i < lines.size(); i += 2)
+  for (std::size_t i = 0; !found.empty() && i < tuples.size(); i += size)
   {
-    const SimplexKey key = MakeKey(lines.data() + i, 2);
+    const SimplexKey key = MakeKey(tuples.data() + i, size);
     const auto mark = found.find(key);
     const bool isSemiSharp = mark != found.end() && counts[key] == 1;
     sharpness.push_back(isSemiSharp ? mark->second : std::numeric_limits<double>::infinity());
   }
   return sharpness;
+}
+
+/// Whether each face has a sharpness, by its cell or by marks; empty: none has.
+template <typename Id>
+std::vector<bool> FindSemiSharpFaces(const ControlMesh& mesh, const ControlComplex<Id>& control)
+{
+  const SimplicialComplex<Id>& complex = control.Current.Complex;
+  const std::vector<double> ofCells = FindSharpness(mesh.Values, complex, control.Runs).Faces;
+  std::set<SimplexKey> marked;
+  for (std::size_t i = 0; i < mesh.Derived.Sharpness[2].size(); ++i)
+  {
+    if (!std::isinf(mesh.Derived.Sharpness[2][i]))
+    {
+      marked.insert(MakeKey(mesh.Derived.Tuples.Tuples[2].data() + 3 * i, 3));
+    }
+  }
+  std::vector<bool> found;
+  for (vtkIdType f = 0; (!ofCells.empty() || !marked.empty()) && f < complex.NumberOfFaces; ++f)
+  {
+    const Id* ids = complex.FaceVertices.data() + 3 * f;
+    const vtkIdType corners[3] = { ids[0], ids[1], ids[2] };
+    found.push_back((!ofCells.empty() && ofCells[static_cast<std::size_t>(f)] > 0.) ||
+      marked.count(MakeKey(corners, 3)) > 0);
+  }
+  return found;
 }
 
 /// Finds the singular simplices that follow from embedded cells, materials and angles (Mathematics
@@ -102,7 +131,7 @@ SharpTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
   if (features.PreserveInterfaces)
   {
     DeriveInterfaces(complex, control.Runs, mesh.Values.Material.data(),
-      FindSharpness(mesh.Values, complex, control.Runs).Faces, derived);
+      FindSemiSharpFaces(mesh, control), derived);
   }
   if (features.DetectFeatures)
   {
@@ -125,7 +154,14 @@ SharpTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
       SortTuples(derived, dimension);
     }
   }
-  return { derived, FindLineSharpness(mesh.Derived, derived.Tuples[1]) };
+  SharpTuples all;
+  for (int dimension = 1; dimension < 3; ++dimension)
+  {
+    all.Sharpness[dimension] =
+      FindDerivedSharpness(mesh.Derived, derived.Tuples[dimension], dimension);
+  }
+  all.Tuples = std::move(derived);
+  return all;
 }
 
 }
@@ -140,18 +176,22 @@ SingularSimplices CollectSingular(const SimplicialComplex<Id>& complex, const Co
     FlagSimplices(complex, traits.Runs, flags.data(), singular);
   }
   std::vector<unsigned char> derived(CountCells(traits.DerivedRuns).Cells, 1);
-  // Lines with a finite sharpness are no singular ones.
-  vtkIdType children = 0;
+  // Lines and triangles with a finite sharpness are no singular ones. Children follow each other.
+  std::size_t children[3] = { 0, 0, 0 };
   for (const CellRun& run : traits.DerivedRuns)
   {
-    children += run.Dimension == 1 ? run.Count : 0;
+    children[run.Dimension] += static_cast<std::size_t>(run.Count);
   }
-  const std::size_t lines = traits.Derived.Sharpness.size();
-  const std::size_t first = traits.Derived.Tuples.Tuples[0].size();
-  for (std::size_t i = 0; lines > 0 && i < static_cast<std::size_t>(children); ++i)
+  std::size_t first = 0;
+  for (int dimension = 0; dimension < 3; ++dimension)
   {
-    derived[first + i] =
-      std::isinf(traits.Derived.GetSharpness(i / (static_cast<std::size_t>(children) / lines)));
+    const std::size_t size = traits.Derived.Sharpness[dimension].size();
+    for (std::size_t i = 0; size > 0 && i < children[dimension]; ++i)
+    {
+      derived[first + i] =
+        std::isinf(traits.Derived.GetSharpness(dimension, i / (children[dimension] / size)));
+    }
+    first += children[dimension];
   }
   FlagSimplices(complex, traits.DerivedRuns, derived.data(), singular);
   return singular;
@@ -187,27 +227,33 @@ std::vector<vtkIdType> NumberSolids(
   return numbers;
 }
 
-/// Adds the sharpness of derived lines to that of edges.
+/// Adds the sharpness of derived lines and triangles to that of edges and faces.
 template <typename Id>
 void AddDerivedSharpness(const SimplicialComplex<Id>& complex, ControlTraits& control)
 {
-  if (control.Derived.Sharpness.empty())
-  {
-    return;
-  }
-  control.Sharpness.Edges.resize(static_cast<std::size_t>(complex.NumberOfEdges), 0.);
-  const auto first = static_cast<vtkIdType>(control.Derived.Tuples.Tuples[0].size());
+  const SharpTuples& derived = control.Derived;
+  const vtkIdType firsts[3] = { 0, static_cast<vtkIdType>(derived.Tuples.Tuples[0].size()),
+    static_cast<vtkIdType>(derived.Tuples.Tuples[0].size() + derived.Tuples.Tuples[1].size() / 2) };
+  const Buffer<Id>* twins[3] = { nullptr, &complex.EqualLines.Twins,
+    &complex.EqualTriangles.Twins };
+  const Id sizes[3] = { 0, complex.NumberOfEdges, complex.NumberOfFaces };
+  std::vector<double>* targets[3] = { nullptr, &control.Sharpness.Edges, &control.Sharpness.Faces };
   for (const CellRun& run : control.DerivedRuns)
   {
-    for (vtkIdType i = 0; run.Dimension == 1 && i < run.Count; ++i)
+    const int d = run.Dimension;
+    if (derived.Sharpness[d].empty())
+    {
+      continue;
+    }
+    targets[d]->resize(static_cast<std::size_t>(sizes[d]), 0.);
+    for (vtkIdType i = 0; i < run.Count; ++i)
     {
       const double sharpness =
-        control.Derived.GetSharpness(static_cast<std::size_t>(run.FirstCell + i - first));
-      double& edge =
-        control.Sharpness
-          .Edges[run.Equal ? static_cast<vtkIdType>(complex.EqualLines.Twins[run.First + i])
-                           : run.First + i];
-      edge = std::isinf(sharpness) ? edge : std::max(edge, sharpness);
+        derived.GetSharpness(d, static_cast<std::size_t>(run.FirstCell + i - firsts[d]));
+      const vtkIdType place =
+        run.Equal ? static_cast<vtkIdType>((*twins[d])[run.First + i]) : run.First + i;
+      double& value = (*targets[d])[static_cast<std::size_t>(place)];
+      value = std::isinf(sharpness) ? value : std::max(value, sharpness);
     }
   }
 }

@@ -55,10 +55,13 @@ bool LiftTuples(const SharpTuples& tuples, const Stamp& stamp, SharpTuples& lift
     }
     lifted.Tuples.Tuples[dimension] = coarse.Connectivity;
   }
-  const std::size_t children = std::size_t(1) << stamp.Levels;
-  for (std::size_t i = 0; i < tuples.Sharpness.size(); i += children)
+  for (int dimension = 1; dimension < 3; ++dimension)
   {
-    lifted.Sharpness.push_back(tuples.Sharpness[i]);
+    const std::size_t children = std::size_t(1) << (dimension * stamp.Levels);
+    for (std::size_t i = 0; i < tuples.Sharpness[dimension].size(); i += children)
+    {
+      lifted.Sharpness[dimension].push_back(tuples.Sharpness[dimension][i]);
+    }
   }
   return true;
 }

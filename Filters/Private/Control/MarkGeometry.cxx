@@ -164,13 +164,14 @@ void MarkGeometry(vtkPointSet* input, const SimplexView& mesh, const MarkOptions
       if (place(ids, dimension, placed) && candidates.Has(placed, dimension + 1))
       {
         const vtkIdType cell = cells.ParentCells.empty() ? i : cells.ParentCells[i];
-        const double s = sharpness ? sharpness->GetComponent(cell, 0) : Forever;
+        const bool stays = !sharpness || dimension == 0 || (dimension == 2 && options.FacesStay);
+        const double s = stays ? Forever : sharpness->GetComponent(cell, 0);
         auto& to = tuples.Tuples.Tuples[dimension];
-        if (dimension == 1 && s > 0.)
+        if (dimension > 0 && s > 0.)
         {
-          tuples.Sharpness.push_back(s);
+          tuples.Sharpness[dimension].push_back(s);
         }
-        if (dimension != 1 || s > 0.)
+        if (s > 0.)
         {
           to.insert(to.end(), placed, placed + dimension + 1);
         }

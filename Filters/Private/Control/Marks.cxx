@@ -151,20 +151,20 @@ void Add(int dimension, const vtkIdType* ids, SharpTuples& all, double sharpness
   const SimplexKey key = MakeKey(ids, dimension + 1);
   auto& to = tuples.Tuples[dimension];
   to.insert(to.end(), key.end() - dimension - 1, key.end());
-  if (dimension == 1)
+  if (dimension > 0)
   {
-    all.Sharpness.push_back(sharpness);
+    all.Sharpness[dimension].push_back(sharpness);
   }
 }
 
-/// The tuples of a dimension, each once, with the largest sharpness of a line.
+/// The tuples of a dimension, each once, with its largest sharpness.
 std::map<SimplexKey, double> ToMap(const SharpTuples& tuples, int dimension)
 {
   const std::vector<vtkIdType>& ids = tuples.Tuples.Tuples[dimension];
   std::map<SimplexKey, double> keys;
   for (size_t i = 0; i + dimension < ids.size(); i += dimension + 1)
   {
-    const double sharpness = dimension == 1 ? tuples.GetSharpness(i / 2) : Forever;
+    const double sharpness = tuples.GetSharpness(dimension, i / (dimension + 1));
     const auto added = keys.emplace(MakeKey(ids.data() + i, dimension + 1), sharpness);
     added.first->second = std::max(added.first->second, sharpness);
   }
@@ -232,7 +232,7 @@ public:
       for (int k = 0; k < i; ++k)
       {
         const vtkIdType edge[2] = { points[k], points[i] };
-        const double sharpness = this->GetSharpness(edge);
+        const double sharpness = this->GetSharpness(edge, 2);
         if (sharpness > 0. && (!isPiece || this->Faces.HasEdge(edge[0], edge[1])))
         {
           Add(1, edge, this->Tuples, sharpness);
@@ -243,9 +243,10 @@ public:
     {
       vtkIdType face[4];
       std::rotate_copy(points, points + (count == 4 ? left : 0), points + count, face);
-      if (!isPiece || this->Faces.HasFace(face, isMarked))
+      const double sharpness = this->Options.FacesStay ? Forever : this->GetSharpness(face, 3);
+      if (sharpness > 0. && (!isPiece || this->Faces.HasFace(face, isMarked)))
       {
-        Add(2, face, this->Tuples);
+        Add(2, face, this->Tuples, sharpness);
       }
     }
   }
@@ -261,13 +262,16 @@ public:
   }
 
 private:
-  /// The smaller sharpness of the two ends; 0 or not a number: no crease.
-  double GetSharpness(const vtkIdType* edge) const
+  /// The smallest sharpness of the points; 0 where it is 0 or less, or no number: not singular.
+  double GetSharpness(const vtkIdType* points, int size) const
   {
-    vtkDataArray* array = this->Options.Sharpness;
-    const double a = array ? array->GetComponent(edge[0], 0) : Forever;
-    const double b = array ? array->GetComponent(edge[1], 0) : Forever;
-    return a > 0. && b > 0. ? std::min(a, b) : 0.;
+    double least = Forever;
+    for (int i = 0; this->Options.Sharpness && i < size; ++i)
+    {
+      const double sharpness = this->Options.Sharpness->GetComponent(points[i], 0);
+      least = sharpness > 0. ? std::min(least, sharpness) : 0.;
+    }
+    return least;
   }
 
   const MarkOptions& Options;
@@ -309,10 +313,13 @@ SharpTuples FindMarkedSimplices(vtkPointSet* input, const SimplicesOfCells& cell
 
 void SharpTuples::Simplify()
 {
-  if (std::all_of(this->Sharpness.begin(), this->Sharpness.end(),
-        [](double sharpness) { return sharpness == Forever; }))
+  for (std::vector<double>& values : this->Sharpness)
   {
-    this->Sharpness.clear();
+    if (std::all_of(
+          values.begin(), values.end(), [](double sharpness) { return sharpness == Forever; }))
+    {
+      values.clear();
+    }
   }
 }
 
@@ -322,9 +329,13 @@ void AddMissing(const SharpTuples& more, SharpTuples& tuples)
   {
     return;
   }
-  tuples.Sharpness.resize(tuples.Tuples.Tuples[1].size() / 2, Forever);
   for (int dimension = 0; dimension < 3; ++dimension)
   {
+    if (dimension > 0)
+    {
+      tuples.Sharpness[dimension].resize(
+        tuples.Tuples.Tuples[dimension].size() / (dimension + 1), Forever);
+    }
     const auto known = ToMap(tuples, dimension);
     for (const auto& found : ToMap(more, dimension))
     {

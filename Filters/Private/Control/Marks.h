@@ -35,12 +35,13 @@ struct MarkOptions
   vtkSmartPointer<vtkDataArray> Array;           ///< of points: not 0
   vtkSmartPointer<vtkDataArray> SelectedPoints;  ///< not 0
   vtkSmartPointer<vtkDataArray> SelectedCells;   ///< not 0; cells are what they are
-  vtkSmartPointer<vtkDataArray> Sharpness;       ///< of points; null: creases stay for ever
+  vtkSmartPointer<vtkDataArray> Sharpness;       ///< of points; null: all stay for ever
   vtkSmartPointer<vtkImplicitFunction> Function; ///< of points: not positive
   vtkSmartPointer<vtkPointSet> Geometry;         ///< vertices, lines and polygons
   bool ByIds = false; ///< points of the geometry are those of the same global id, or index
 
-  bool TellsLost = true; ///< of cells of the geometry that do not lie on the mesh
+  bool FacesStay = false; ///< for ever, whatever their sharpness is
+  bool TellsLost = true;  ///< of cells of the geometry that do not lie on the mesh
 
   bool IsEmpty() const
   {
@@ -49,18 +50,19 @@ struct MarkOptions
   }
 };
 
-/// Singular simplices, and for how many levels each line is one.
+/// Singular simplices, and for how many levels each line and triangle is one.
 struct SharpTuples
 {
   SimplexTuples Tuples;
-  std::vector<double> Sharpness; ///< of each line; empty: all are infinite
+  /// Of each line and each triangle, by its dimension; empty: all are infinite.
+  std::vector<double> Sharpness[3];
 
-  double GetSharpness(std::size_t line) const
+  double GetSharpness(int dimension, std::size_t simplex) const
   {
-    return this->Sharpness.empty() ? std::numeric_limits<double>::infinity()
-                                   : this->Sharpness[line];
+    return this->Sharpness[dimension].empty() ? std::numeric_limits<double>::infinity()
+                                              : this->Sharpness[dimension][simplex];
   }
-  /// Empties the list of sharpness if there is no finite one.
+  /// Empties lists of sharpness without a finite one.
   void Simplify();
 };
 

@@ -127,11 +127,15 @@ void ReadSingularTuples(vtkPointSet* input, SharpTuples& tuples)
     {
       ids.clear();
     }
-  }
-  tuples.Sharpness = ReadFieldValues(LineSharpnessName, input->GetFieldData());
-  if (2 * tuples.Sharpness.size() != tuples.Tuples.Tuples[1].size())
-  {
-    tuples.Sharpness.clear();
+    if (dimension > 0)
+    {
+      std::vector<double>& sharpness = tuples.Sharpness[dimension];
+      sharpness = ReadFieldValues(SharpnessNames[dimension], input->GetFieldData());
+      if ((dimension + 1) * sharpness.size() != ids.size())
+      {
+        sharpness.clear();
+      }
+    }
   }
 }
 
@@ -142,8 +146,12 @@ void WriteStampedIds(const StampedIds& ids, vtkPointSet* output)
   {
     WriteField<vtkIdTypeArray>(
       SingularNames[dimension], ids.Singular.Tuples.Tuples[dimension], data, dimension + 1);
+    if (dimension > 0)
+    {
+      WriteField<vtkDoubleArray>(
+        SharpnessNames[dimension], ids.Singular.Sharpness[dimension], data);
+    }
   }
-  WriteField<vtkDoubleArray>(LineSharpnessName, ids.Singular.Sharpness, data);
   WriteField<vtkIdTypeArray>(GlobalIdsName, ids.Global, data);
   WriteField<vtkIdTypeArray>(InvertedCellsName, ids.Inverted, data);
   WriteField<vtkIdTypeArray>(FirstInvertedName, ids.FirstInverted, data);

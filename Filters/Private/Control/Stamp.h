@@ -8,11 +8,11 @@
  * was changed. `SubdivisionGlobalIds` has the global ids of the first input's points, if there were
  * some; `SubdivisionInvertedCells` its simplices of negative and of no volume (SolidOrientation.h);
  * `SubdivisionSingularVertices`, `...Lines` and `...Triangles` the singular simplices that were
- * derived from it, `SubdivisionLineSharpness` for how many
- * levels lines among them stay sharp. The control mesh itself is not stored: its vertices keep
- * their ids, and the children of a simplex are consecutive. So the next filter reads the control
- * mesh off the cells, refines it again and compares the result with the cells. This finds every
- * change of cells; points may move.
+ * derived from it, `SubdivisionLineSharpness` and
+ * `SubdivisionTriangleSharpness` for how many levels lines and triangles among them stay sharp. The
+ * control mesh itself is not stored: its vertices keep their ids, and the children of a simplex are
+ * consecutive. So the next filter reads the control mesh off the cells, refines it again and
+ * compares the result with the cells. This finds every change of cells; points may move.
  */
 #ifndef SubdivisionObjects_Stamp_h
 #define SubdivisionObjects_Stamp_h
@@ -50,8 +50,9 @@ constexpr const char* InterpolatedName = "SubdivisionInterpolated";
 /// Those with the derived singular simplices, by their dimension.
 constexpr const char* SingularNames[3] = { "SubdivisionSingularVertices",
   "SubdivisionSingularLines", "SubdivisionSingularTriangles" };
-/// That with what is left of the sharpness of these lines, if any of it is finite.
-constexpr const char* LineSharpnessName = "SubdivisionLineSharpness";
+/// Those with what is left of the sharpness of these lines and triangles, if any of it is finite.
+constexpr const char* SharpnessNames[3] = { "", "SubdivisionLineSharpness",
+  "SubdivisionTriangleSharpness" };
 
 /// The field arrays of a part of a surface with its control points as they were at first: the
 /// number of each in the whole, its coordinates, and what SurfaceStamp.h says; and with pairs of

@@ -157,11 +157,11 @@ Ids FindCorners(const Ids& descendants, int dimension)
 }
 
 /// Collects the singular simplices of all parts: the descendants of each once, as points of the
-/// joined mesh, in the order of SortTuples. `sharpness` gets that of lines, where any is finite.
+/// joined mesh, in the order of SortTuples. `sharpness` gets theirs, where any is finite.
 Ids JoinTuples(const std::vector<MeshPart>& parts, int dimension, int levels,
   const JoinedMesh& joined, std::vector<double>& sharpness)
 {
-  std::map<Ids, double> sharpnessOf; // of lines
+  std::map<Ids, double> sharpnessOf;
   bool isFinite = false;
   const auto size = static_cast<size_t>((dimension + 1) << (dimension * levels));
   std::map<Ids, Ids> found; // by corners
@@ -170,7 +170,7 @@ Ids JoinTuples(const std::vector<MeshPart>& parts, int dimension, int levels,
     const Ids ids =
       ReadFieldIds(SingularNames[dimension], part.Mesh->GetFieldData(), dimension + 1);
     const std::vector<double> values =
-      ReadFieldValues(LineSharpnessName, part.Mesh->GetFieldData());
+      ReadFieldValues(SharpnessNames[dimension], part.Mesh->GetFieldData());
     for (size_t first = 0; first + size <= ids.size(); first += size)
     {
       Ids group;
@@ -180,8 +180,8 @@ Ids JoinTuples(const std::vector<MeshPart>& parts, int dimension, int levels,
       {
         const Ids corners = FindCorners(group, dimension);
         found.emplace(corners, group);
-        const double value = dimension == 1 && 2 * values.size() == ids.size()
-          ? values[first / 2]
+        const double value = dimension > 0 && (dimension + 1) * values.size() == ids.size()
+          ? values[first / (dimension + 1)]
           : std::numeric_limits<double>::infinity();
         double& largest = sharpnessOf.emplace(corners, value).first->second;
         largest = std::max(largest, value);
@@ -195,7 +195,7 @@ Ids JoinTuples(const std::vector<MeshPart>& parts, int dimension, int levels,
     tuples.insert(tuples.end(), group.begin(), group.end());
     if (isFinite)
     {
-      sharpness.insert(sharpness.end(), group.size() / 2, sharpnessOf[corners]);
+      sharpness.insert(sharpness.end(), group.size() / (dimension + 1), sharpnessOf[corners]);
     }
   }
   return tuples;
@@ -324,7 +324,7 @@ bool IsStampedList(vtkAbstractArray* array)
 {
   const std::string name = array->GetName() ? array->GetName() : "";
   return name == FirstInvertedName || name == ControlPointsName || name == ControlCreasesName ||
-    name == LineSharpnessName ||
+    name == SharpnessNames[1] || name == SharpnessNames[2] ||
     std::find(std::begin(SingularNames), std::end(SingularNames), name) != std::end(SingularNames);
 }
 
@@ -431,7 +431,7 @@ bool RestoreStamp(const std::vector<MeshPart>& parts, bool taken, JoinedMesh& jo
   for (int dimension = 0; dimension < 3; ++dimension)
   {
     ids.Singular.Tuples.Tuples[dimension] =
-      JoinTuples(parts, dimension, stamp.Levels, joined, ids.Singular.Sharpness);
+      JoinTuples(parts, dimension, stamp.Levels, joined, ids.Singular.Sharpness[dimension]);
   }
   ids.Inverted = JoinInverted(parts, stamp.Levels, joined);
   ids.Interpolated = ReadFieldIds(InterpolatedName, field);

@@ -142,11 +142,13 @@ SharpPairs FindMarkedEdges(
   {
     return pairs;
   }
+  MarkOptions options = marks;
+  options.FacesStay = true; // the sharpness of faces is for solids
   const SharpTuples marked =
-    FindMarkedSimplices(input, CellsToSimplices(input, nullptr), marks, warn);
+    FindMarkedSimplices(input, CellsToSimplices(input, nullptr), options, warn);
   const SimplexTuples& tuples = marked.Tuples;
   pairs.Points = tuples.Tuples[1];
-  pairs.Sharpness = marked.Sharpness;
+  pairs.Sharpness = marked.Sharpness[1];
   for (const vtkIdType corner : tuples.Tuples[0])
   {
     pairs.Points.insert(pairs.Points.end(), 2, corner);

@@ -104,9 +104,9 @@ private:
         {
           this->Made.IsOwnDerived[dimension].push_back(this->Own.Kept[dimension][number]);
         }
-        if (s >= this->Control.GetNumberOfSimplices() && dimension == 1)
+        if (s >= this->Control.GetNumberOfSimplices())
         {
-          this->Made.HasDerivedLine.push_back(this->Made.Parts.Kept[1][number]);
+          this->Made.HasDerived[dimension].push_back(this->Made.Parts.Kept[dimension][number]);
         }
       });
   }

@@ -52,7 +52,7 @@ struct ControlNumbers
   /// Of each derived simplex that is kept, by its dimension, whether it is a face of an own cell:
   /// only then this partition is sure of it.
   std::vector<char> IsOwnDerived[3];
-  std::vector<char> HasDerivedLine; ///< of each derived line, whether it is kept
+  std::vector<char> HasDerived[3]; ///< of each derived simplex, whether it is kept
 };
 
 /**

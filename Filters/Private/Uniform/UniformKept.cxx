@@ -36,11 +36,15 @@ TopologyKey UniformRun::MakeKey() const
     // GCC 14 takes the length of an insert of a range for a negative one.
     std::copy(tuples.begin(), tuples.end(), std::back_inserter(key.Choices));
   }
-  for (const double sharpness : this->Mesh.Derived.Sharpness)
+  for (const auto& values : this->Mesh.Derived.Sharpness)
   {
-    long long bits = 0;
-    std::memcpy(&bits, &sharpness, sizeof(sharpness));
-    key.Choices.push_back(bits);
+    key.Choices.push_back(static_cast<long long>(values.size()));
+    for (const double sharpness : values)
+    {
+      long long bits = 0;
+      std::memcpy(&bits, &sharpness, sizeof(sharpness));
+      key.Choices.push_back(bits);
+    }
   }
   return key;
 }

@@ -91,6 +91,7 @@ private:
   void MakeCells(const typename Scheme::Level& level, int steps, vtkDataArray* points);
   template <typename Scheme>
   void GatherDerived(const typename Scheme::Level& level, int steps);
+  void LowerSharpness();
   void FinishPoints(bool ownsCells);
 
   // A mesh that has copies of cells of other partitions.

@@ -33,6 +33,26 @@ void UniformRun::WriteStamps()
   WriteStampedIds(ids, this->Output);
 }
 
+/// Finds what is left of the sharpness of derived simplices.
+void UniformRun::LowerSharpness()
+{
+  const int all = this->Mesh.MadeLevels + this->Options.Levels;
+  for (int dimension = 1; dimension < 3; ++dimension)
+  {
+    const std::vector<double>& given = this->Control.Derived.Sharpness[dimension];
+    std::vector<double>& left = this->Derived.Sharpness[dimension];
+    left.clear();
+    for (std::size_t i = 0; i < given.size(); ++i) // what is left, for all children
+    {
+      if (this->Wanted.IsAll() || this->Numbers.HasDerived[dimension][i])
+      {
+        left.insert(left.end(), std::size_t(1) << (dimension * all),
+          std::max(given[i] - this->Options.Levels, 0.));
+      }
+    }
+  }
+}
+
 /// Adds the numbers that points and cells have in the whole output, of which this is a part, and
 /// makes the stamp count there.
 void UniformRun::CountInWhole(Stamp& stamp, StampedIds& ids)
@@ -45,19 +65,20 @@ void UniformRun::CountInWhole(Stamp& stamp, StampedIds& ids)
   stamp.NumberOfControlPoints = control.Totals[0];
   stamp.NumberOfPoints = numbers.NumberOfPoints;
   stamp.NumberOfCells = control.NumberOfCells;
-  std::vector<double> sharpness; // of own lines
-  for (std::size_t i = 0; i < ids.Singular.Sharpness.size(); ++i)
-  {
-    const std::vector<char>& isOwn = control.IsOwnDerived[1];
-    if (isOwn[i * isOwn.size() / ids.Singular.Sharpness.size()])
-    {
-      sharpness.push_back(ids.Singular.Sharpness[i]);
-    }
-  }
   for (int dimension = 0; dimension < 3; ++dimension)
   {
     std::vector<vtkIdType> own;
     const std::vector<char>& isOwn = control.IsOwnDerived[dimension];
+    std::vector<double> sharpness; // of own simplices
+    const std::vector<double>& all = ids.Singular.Sharpness[dimension];
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      if (isOwn[i * isOwn.size() / all.size()])
+      {
+        sharpness.push_back(all[i]);
+      }
+    }
+    ids.Singular.Sharpness[dimension] = std::move(sharpness);
     const std::vector<vtkIdType>& tuples = ids.Singular.Tuples.Tuples[dimension];
     const std::size_t ofEach = isOwn.empty() ? 1 : tuples.size() / isOwn.size();
     for (std::size_t i = 0; i < tuples.size(); ++i)
@@ -69,7 +90,6 @@ void UniformRun::CountInWhole(Stamp& stamp, StampedIds& ids)
     }
     ids.Singular.Tuples.Tuples[dimension] = std::move(own);
   }
-  ids.Singular.Sharpness = std::move(sharpness);
   for (const vtkIdType simplex : ids.Inverted)
   {
     ids.FirstInverted.push_back(2 * control.FirstCells[simplex / 2] + simplex % 2);

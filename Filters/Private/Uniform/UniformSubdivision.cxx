@@ -505,17 +505,7 @@ void UniformRun::GatherDerived(const typename Scheme::Level& level, int steps)
 {
   this->Derived.Tuples =
     GatherTuples(level.Complex, this->Control.DerivedRuns, steps, Scheme::CountCentres(level));
-  this->Derived.Sharpness.clear();
-  const int all = this->Mesh.MadeLevels + this->Options.Levels;
-  const std::vector<double>& lines = this->Control.Derived.Sharpness;
-  for (std::size_t i = 0; i < lines.size(); ++i) // what is left, for all children
-  {
-    if (this->Wanted.IsAll() || this->Numbers.HasDerivedLine[i])
-    {
-      this->Derived.Sharpness.insert(this->Derived.Sharpness.end(), std::size_t(1) << all,
-        std::max(lines[i] - this->Options.Levels, 0.));
-    }
-  }
+  this->LowerSharpness();
 }
 
 /// Writes points, point data and cells. `ownsCells`: no other output has these cells.

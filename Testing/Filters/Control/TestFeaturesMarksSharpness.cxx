@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestFeaturesMarksSharpness.cxx
- * Creases between marked points that stay sharp for some levels are those of lines with a
- * sharpness.
+ * Creases and surfaces between marked points that stay sharp for some levels are those of lines and
+ * triangles with a sharpness.
  */
 #include "MarkTools.h"
 
@@ -36,16 +36,20 @@ void SetSemiSharp(Filter* filter)
   filter->SetInputArrayToProcess(9, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Levels");
 }
 
-/// The lines of `cells` that stay sharp for some levels, and all other cells.
+/// The lines and triangles of `cells` that stay sharp for some levels, and all other cells.
 std::vector<Cell> DropSmooth(
   const std::vector<Cell>& cells, const std::vector<double>& levels, std::vector<double>& sharpness)
 {
   std::vector<Cell> kept;
   for (const Cell& cell : cells)
   {
-    const bool isLine = cell.Type == VTK_LINE;
-    const double own = isLine ? std::min(levels[cell.Points[0]], levels[cell.Points[1]]) : 0.;
-    if (!isLine || own > 0.)
+    const bool hasSharpness = cell.Type == VTK_LINE || cell.Type == VTK_TRIANGLE;
+    double own = hasSharpness ? std::numeric_limits<double>::infinity() : 0.;
+    for (const vtkIdType point : cell.Points)
+    {
+      own = std::min(own, levels[point]);
+    }
+    if (!hasSharpness || own > 0.)
     {
       kept.push_back(cell);
       sharpness.push_back(own);
@@ -54,7 +58,7 @@ std::vector<Cell> DropSmooth(
   return kept;
 }
 
-/// As AddFlagged, but lines have a sharpness.
+/// As AddFlagged, but lines and triangles have a sharpness.
 Grid AddSharp(
   vtkUnstructuredGrid* mesh, const std::vector<Cell>& cells, const std::vector<double>& sharpness)
 {

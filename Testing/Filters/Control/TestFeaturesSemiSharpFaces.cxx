@@ -162,6 +162,29 @@ TEST(FeaturesSemiSharpFaces, InterfacesStayForAsManyLevels)
     const Grid some = MakeSharpOctahedron({ 1.5, 1.5, 0., 0. });
     const Grid flagged = MakeSharpOctahedron({ 1.5, 1.5, Infinity, Infinity });
     ExpectSamePoints(Execute(some, 3, interfaces), Execute(flagged, 3, scheme), 1e-15);
+    // So do marks.
+    const Grid marks = MakeGrid(
+      std::vector<Point>(7), { { VTK_TRIANGLE, { 0, 1, 3 } }, { VTK_TRIANGLE, { 0, 3, 2 } } });
+    vtkNew<vtkDoubleArray> sharpness;
+    sharpness->SetName("Sharpness");
+    sharpness->InsertNextValue(1.5);
+    sharpness->InsertNextValue(1.5);
+    marks->GetCellData()->AddArray(sharpness);
+    const Grid marked = Execute(MakeSharpOctahedron({}), 3,
+      [&](Filter* filter)
+      {
+        interfaces(filter);
+        filter->SetInputDataObject(2, marks);
+        filter->SetCreasePointsToSameId();
+      });
+    for (vtkIdType p = 0; p < 7; ++p) // the cells are others, and so are new points
+    {
+      const Point expected = GetPoint(Execute(some, 3, interfaces), p);
+      for (int k = 0; k < 3; ++k)
+      {
+        EXPECT_NEAR(GetPoint(marked, p)[k], expected[k], 1e-15) << p;
+      }
+    }
     const Grid one = Execute(some, 1, interfaces);
     EXPECT_EQ(Compare(Execute(some, 3, interfaces), Execute(one, 2, interfaces)), "");
     EXPECT_NE(GetPoint(Execute(some, 3, interfaces), 0), GetPoint(Execute(all, 3, interfaces), 0));

@@ -156,15 +156,15 @@ void DeriveEmbedded(const SimplicialComplex<Id>& complex, const std::vector<Cell
 
 template <typename Id>
 void DeriveInterfaces(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
-  const int* values, const std::vector<double>& sharpness, SimplexTuples& derived)
+  const int* values, const std::vector<bool>& leftOut, SimplexTuples& derived)
 {
   const auto tets = FindSimplicesOf(complex, runs, 3);
   const auto triangles = FindSimplicesOf(complex, runs, 2);
   for (vtkIdType f = 0; f < complex.NumberOfFaces; ++f)
   {
     const Row<Id> sides = complex.FaceTets[f];
-    const bool isSemiSharp = !sharpness.empty() && sharpness[static_cast<std::size_t>(f)] > 0.;
-    if (sides.size() == 2 && !isSemiSharp &&
+    const bool isLeftOut = !leftOut.empty() && leftOut[static_cast<std::size_t>(f)];
+    if (sides.size() == 2 && !isLeftOut &&
       values[tets[sides.begin()[0]]] != values[tets[sides.begin()[1]]])
     {
       AddTuple(complex.FaceVertices, 3, f, derived);

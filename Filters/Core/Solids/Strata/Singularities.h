@@ -46,11 +46,11 @@ void DeriveEmbedded(const SimplicialComplex<Id>& complex, const std::vector<Cell
 
 /// Derives singular simplices from material interfaces: faces of exactly two tetrahedra, and edges
 /// of exactly two triangles, both maximal, that have different values. `values` has one for each
-/// simplex in output order. Not those faces that have a sharpness (`sharpness` has that of each
-/// face, or is empty): they are singular for some steps.
+/// simplex in output order. Not those faces of which `leftOut` is true, which has a value for each
+/// or is empty.
 template <typename Id>
 void DeriveInterfaces(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
-  const int* values, const std::vector<double>& sharpness, SimplexTuples& derived);
+  const int* values, const std::vector<bool>& leftOut, SimplexTuples& derived);
 
 /// An edge between exactly two triangles of a surface, and the vertices opposite to it.
 struct FeatureCandidate
