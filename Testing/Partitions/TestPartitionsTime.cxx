@@ -111,6 +111,46 @@ TEST(PartitionsTime, OnlyValuesAreSentAgain)
   EXPECT_GT(10 * first.Bytes, 13 * second.Bytes); // with ten arrays values are most of it
 }
 
+TEST(PartitionsTime, PartsMayDisagreeOnTheTypeOfAnArray)
+{
+  // The array of one part has another type: there and in the others it keeps what it was, and all
+  // else is that of the whole.
+  const Mesh mesh = MakeMesh();
+  const std::vector<Mesh> cut = Cut(mesh, CutInSlabs(mesh, Parts), Parts, KnownBy::GlobalIds);
+  constexpr const char* name = "Disagrees";
+  for (int i = 0; i < Parts; ++i)
+  {
+    const auto array = vtkSmartPointer<vtkDataArray>::Take(
+      vtkDataArray::CreateDataArray(i == 1 ? VTK_DOUBLE : VTK_INT));
+    array->SetName(name);
+    array->SetNumberOfTuples(cut[i]->GetNumberOfCells());
+    array->Fill(i + 0.5);
+    cut[i]->GetCellData()->AddArray(array);
+  }
+  const Partition partition = { "slabs", Parts, 1, false, KnownBy::GlobalIds, 0 };
+  subdivision::RunOptions options;
+  options.Warn = [](const std::string& message) { ADD_FAILURE() << message; };
+  options.Fail = options.Warn;
+  std::vector<Mesh> outputs;
+  ASSERT_TRUE(RunOnParts(
+    cut, partition, subdivision::DistributionOptions(), options,
+    [](vtkPointSet* input, vtkPointSet* output) { return Subdivide(input, output); }, outputs));
+  for (int i = 0; i < Parts; ++i)
+  {
+    vtkDataArray* array = outputs[i]->GetCellData()->GetArray(name);
+    ASSERT_TRUE(array);
+    EXPECT_EQ(i == 1 ? VTK_DOUBLE : VTK_INT, array->GetDataType());
+    for (vtkIdType c = 0; c < array->GetNumberOfTuples(); ++c)
+    {
+      ASSERT_EQ(i == 1 ? 1.5 : i, array->GetTuple1(c));
+    }
+    outputs[i]->GetCellData()->RemoveArray(name);
+  }
+  const Mesh expected = subdivision::MakeMesh(false);
+  ASSERT_TRUE(Subdivide(mesh, expected));
+  ExpectWhole(expected, outputs);
+}
+
 TEST(PartitionsTime, CoordinatesThatAreIdsMakeAllNew)
 {
   const Mesh mesh = MakeMesh();

@@ -3,6 +3,7 @@
 
 import numpy as np
 import rank_tools as ranks
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
@@ -37,6 +38,53 @@ def run_on(mesh, stops=False, **options):
     return ranks.totals([made.GetOutput().GetNumberOfCells()] + said)
 
 
+def values_of(grid):
+    """All values of the output on this rank."""
+    arrays = [grid.GetPoints().GetData(), grid.GetCells().GetConnectivityArray()]
+    for data in (grid.GetPointData(), grid.GetCellData()):
+        arrays += [data.GetArray(a) for a in range(data.GetNumberOfArrays())]
+    return [(array.GetName(), array.GetDataType(), vtk_to_numpy(array).tobytes()) for array in arrays]
+
+
+def check_change(failures, what, part, change):
+    """A filter that knows the parts of before gives what a new one gives when one rank has changed its part."""
+    changed = part.NewInstance()
+    changed.DeepCopy(part)
+    if ranks.RANK == ranks.RANKS - 1:
+        change(changed)
+    made = [subdivisionobjects.vtkMultiDimensionalSubdivision() for _ in range(2)]
+    made[0].SetInputData(part)
+    made[0].Update()
+    for each in made:
+        each.SetInputData(changed)
+        each.Update()
+    outputs = [each.GetOutput() for each in made]
+    if values_of(outputs[0]) != values_of(outputs[1]) or not ranks.totals([outputs[0].GetNumberOfCells()])[0]:
+        failures.append(f"{what}: another output than that of a new filter")
+    if part.GetCellData().HasArray("MaterialId") != outputs[0].GetCellData().HasArray("MaterialId"):
+        failures.append(f"{what}: MaterialId is lost")
+
+
+def move_points(mesh):
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    points += 0.1 * points[:, ::-1]
+    mesh.GetPoints().Modified()
+
+
+def change_cell(mesh):
+    """Gives the first cell a corner of another one."""
+    corners = vtk_to_numpy(mesh.GetCells().GetConnectivityArray())
+    own = set(corners[:mesh.GetCells().GetCellSize(0)])
+    corners[0] = next(corner for corner in corners if corner not in own)
+    mesh.GetCells().Modified()
+
+
+def change_type(mesh):
+    values = numpy_to_vtk(vtk_to_numpy(mesh.GetCellData().GetArray("MaterialId")).astype(np.float32), deep=1)
+    values.SetName("MaterialId")
+    mesh.GetCellData().AddArray(values)
+
+
 def run():
     source = subdivisionobjects.vtkSubdivisionModelSource()
     source.SetModelToMaterialBlock()
@@ -61,6 +109,9 @@ def run():
     expect("no cells on any rank", run_on(vtkPolyData()), 0)
     expect("too many cells on the last rank", run_on(part, MaximumNumberOfCells=1 if last else 10 ** 8), 0, 1)
     expect("the user stops the last rank", run_on(part, stops=last), 0)
+    check_change(failures, "points moved on the last rank", part, move_points)
+    check_change(failures, "a cell changed on the last rank", part, change_cell)
+    check_change(failures, "an array of another type on the last rank", part, change_type)
     if ranks.RANKS > 1 and not last:
         part.GetCellData().RemoveArray("MaterialId")
     expect("an array that only the last rank has", run_on(part, PreserveInterfaces=True), whole)
