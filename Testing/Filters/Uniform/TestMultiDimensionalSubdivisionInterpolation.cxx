@@ -375,7 +375,8 @@ TEST(MultiDimensionalSubdivisionInterpolation, SameBitsForAnyNumberOfThreads)
 TEST(MultiDimensionalSubdivisionInterpolation, Files)
 {
   for (const char* name : { "line_navis_neuron.vtu", "nat_ogs_sphere_zero_volume.vtu",
-         "mix_elmer_shell_on_solid.vtu", "nm_triple_vierbein.vtp" })
+         "mix_elmer_shell_on_solid.vtu", "nm_triple_vierbein.vtp", "nat_bunny_verts_dup_points.vtp",
+         "tet_geos_synthetic.vtu", "large_porepy_case3_500k.vtu" })
   {
     SCOPED_TRACE(name);
     const std::string path = file_tools::GetSharedFile(name);
