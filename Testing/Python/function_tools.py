@@ -94,7 +94,7 @@ class Options(unittest.TestCase):
             self.assertLessEqual(missing, {
                 "SetAdaptive", "SetGenerateNormals", "SetEmbeddedCells", "SetInterpolateIntegers",
                 "SetGenerateOriginalIds", "SetGenerateGlobalIds", "SetInterpolatePoints", "SetInterpolateArrays",
-                "SetInterpolationWeight", "SetBounds"}, name)
+                "SetInterpolationWeight", "SetBounds", "SetInterfaceValues"}, name)
 
     def test_defaults_and_help(self):
         for name in functions.__all__:

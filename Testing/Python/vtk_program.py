@@ -18,7 +18,9 @@ SHIP = str(DATA / "Ship.vtu")
 # What the panels do not show either.
 HIDDEN = {"vtkSurfaceSubdivision": {"Adaptive", "GenerateNormals", "EmbeddedCells"},
           "vtkAdaptiveSurfaceSubdivision": {"EmbeddedCells"},
-          "vtkSubdivisionDeformation": {"InterpolateIntegers", "GenerateOriginalIds", "GenerateGlobalIds"}}
+          "vtkSimplicialComplexTopology": {"InterfaceValues"},
+          "vtkSubdivisionDeformation": {"InterpolateIntegers", "GenerateOriginalIds", "GenerateGlobalIds",
+                                        "InterfaceValues"}}
 UNSMOOTHED = {"InterpolatePoints", "InterpolateArrays", "InterpolationWeight"}
 
 
