@@ -58,9 +58,9 @@
  *    3 to 5 = FollowDimension1 to FollowDimension3, 6 = FollowPart. At a joint the maximal cell
  *    with the smallest id that has a non-zero value decides. Unset: none.
  *  - 4, sharpness of lines and, except on the surfaces of vtkSurfaceSubdivision, of faces: numbers;
- *    a crease or surface of sharpness s stays sharp for s levels, the last, if s is no whole number,
- *    in part; infinite = flagged. With PreserveInterfaces a triangle of sharpness above 0 says how
- *    long the interface is kept there. Unset: none.
+ *    a crease or surface of sharpness s stays sharp for s levels, the last, if s is no whole
+ * number, in part; infinite = flagged. With PreserveInterfaces a triangle of sharpness above 0 says
+ * how long the interface is kept there. Unset: none.
  *
  * @par Ghosts
  * Hidden cells have no effect and are not in the output. On several ranks, and in composite data

@@ -60,8 +60,8 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
 void AddValuesOfSimplices(const unsigned char* values, const SimplexList& simplices, int levels,
   const char* name, vtkPointSet* input, vtkUnstructuredGrid* output);
 
-/// Subtracts `levels` from the sharpness of lines and triangles, down to 0: what is left of it after
-/// so many steps.
+/// Subtracts `levels` from the sharpness of lines and triangles, down to 0: what is left of it
+/// after so many steps.
 void ReduceSharpness(const char* name, int levels, vtkUnstructuredGrid* output);
 
 /// Derives the ghost types of points from those of cells: a point is a duplicate if all of its
