@@ -197,6 +197,40 @@ TEST(Partitions, GiveTheWholeUniformly)
   }
 }
 
+// A part that was taken out of a huge mesh keeps its ids; memory does not depend on these.
+TEST(Partitions, MayHaveIdsThatAreFarApart)
+{
+  const Mesh mesh = MakeMeshes()[0];
+  subdivision::UniformOptions options;
+  options.Levels = 1;
+  options.Warn = [](const std::string&) {};
+  options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
+  const auto whole = Grid::New();
+  ASSERT_TRUE(Subdivide(mesh, options, whole));
+  for (const Partition& partition : Partitions)
+  {
+    if (partition.Known == KnownBy::GlobalIds)
+    {
+      const std::vector<Mesh> cut = Cut(mesh, partition);
+      for (const Mesh& part : cut)
+      {
+        for (vtkDataSetAttributes* data :
+          { static_cast<vtkDataSetAttributes*>(part->GetPointData()),
+            static_cast<vtkDataSetAttributes*>(part->GetCellData()) })
+        {
+          auto* ids = vtkIdTypeArray::SafeDownCast(data->GetGlobalIds());
+          for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
+          {
+            ids->SetValue(i, 1000000000000 * ids->GetValue(i));
+          }
+        }
+      }
+      SCOPED_TRACE(partition.Name);
+      ExpectWhole(whole, SubdivideParts(cut, partition, options));
+    }
+  }
+}
+
 TEST(Partitions, OfALargeMeshAreNotTheWhole)
 {
   // Two layers are a small part here, so that what lies farther away is missed if it counts.

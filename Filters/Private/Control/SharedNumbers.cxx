@@ -53,8 +53,8 @@ public:
   /// Those sums, at a key; null: nobody is sure of it.
   const vtkIdType* Find(const vtkIdType* key) const
   {
-    const vtkIdType place = *key - this->Least;
-    if (place < 0 || place + 1 >= static_cast<vtkIdType>(this->Starts.size()))
+    const size_t place = this->FindBucket(key);
+    if (place + 1 >= this->Starts.size())
     {
       return nullptr;
     }
@@ -65,41 +65,54 @@ public:
   }
 
 private:
-  /// Whether a key comes before another one with the same first id.
   bool IsLess(const vtkIdType* a, const vtkIdType* b) const
   {
-    return std::lexicographical_compare(a + 1, a + this->Width, b + 1, b + this->Width);
+    return std::lexicographical_compare(a, a + this->Width, b, b + this->Width);
   }
-  /// Sorts by counting how many keys have each first id, of which a partition keeps a range, and
-  /// then the few that have the same.
-  void Sort()
+  /// Buckets are ranges of first ids: about as many as there are records, however far apart ids
+  /// are.
+  size_t FindBucket(const vtkIdType* key) const
+  {
+    return static_cast<size_t>((std::max(*key, this->Least) - this->Least) / this->BucketWidth);
+  }
+  void MakeBuckets()
   {
     const auto length = static_cast<size_t>(this->Length);
-    vtkIdType last = -1;
+    vtkIdType last = 0;
     this->Least = this->Records.empty() ? 0 : this->Records[0];
     for (size_t i = 0; i < this->Records.size(); i += length)
     {
       this->Least = std::min(this->Least, this->Records[i]);
       last = std::max(last, this->Records[i]);
     }
-    std::vector<size_t> ends(static_cast<size_t>(last - this->Least + 2), 0);
+    const auto size = static_cast<vtkIdType>(this->Records.size() / length);
+    this->BucketWidth = (last - this->Least) / (size + 1) + 1;
+    this->Starts.assign((last - this->Least) / this->BucketWidth + 2, 0);
+  }
+  /// Sorts by counting the keys of each bucket, and then the few in each.
+  void Sort()
+  {
+    const auto length = static_cast<size_t>(this->Length);
+    this->MakeBuckets();
+    std::vector<size_t> ends(this->Starts.size(), 0);
     for (size_t i = 0; i < this->Records.size(); i += length)
     {
-      ++ends[this->Records[i] - this->Least + 1];
+      ++ends[this->FindBucket(this->Records.data() + i) + 1];
     }
     std::partial_sum(ends.begin(), ends.end(), ends.begin());
     std::vector<vtkIdType*> records(this->Records.size() / length);
     for (size_t i = 0; i < this->Records.size(); i += length)
     {
-      records[ends[this->Records[i] - this->Least]++] = this->Records.data() + i;
+      vtkIdType* record = this->Records.data() + i;
+      records[ends[this->FindBucket(record)]++] = record;
     }
     const auto isLess = [this](const vtkIdType* a, const vtkIdType* b)
     { return this->IsLess(a, b); };
     auto first = records.begin();
-    for (const size_t end : ends)
+    for (size_t bucket = 0; bucket < ends.size(); ++bucket)
     {
-      const auto next = records.begin() + end;
-      this->Starts.push_back(this->Sorted.size());
+      const auto next = records.begin() + ends[bucket];
+      this->Starts[bucket] = this->Sorted.size();
       std::sort(first, next, isLess);
       std::unique_copy(first, next, std::back_inserter(this->Sorted),
         [&](const vtkIdType* a, const vtkIdType* b) { return !isLess(a, b); });
@@ -110,8 +123,9 @@ private:
   int Width;
   int Length;
   Ids Records;
-  vtkIdType Least = 0;        ///< first id of a key
-  std::vector<size_t> Starts; ///< in Sorted, of the keys with each first id
+  vtkIdType Least = 0; ///< first id of a key
+  vtkIdType BucketWidth = 1;
+  std::vector<size_t> Starts; ///< in Sorted, of each bucket
   std::vector<vtkIdType*> Sorted;
 };
 
