@@ -23,10 +23,13 @@ namespace
 {
 
 /// Part of the range that interpolated values may exceed it by rounding, and by the error of the
-/// solver.
-double GetRangeTie(vtkDataArray* array)
+/// solver. Where values are much larger than their range, so is their rounding.
+double GetRangeTie(vtkDataArray* array, double largest, double range)
 {
-  return array->GetDataType() == VTK_FLOAT ? 1e-5 : 1e-9;
+  const bool isFloat = array->GetDataType() == VTK_FLOAT;
+  const double rounding = isFloat ? static_cast<double>(std::numeric_limits<float>::epsilon())
+                                  : std::numeric_limits<double>::epsilon();
+  return std::max(isFloat ? 1e-5 : 1e-9, 8. * rounding * largest / range);
 }
 
 bool IsFloating(vtkDataArray* array)
@@ -389,7 +392,9 @@ std::vector<Overshoot> PointArrays::FindOvershoot(
           const double value = values->GetComponent(i, static_cast<int>(c));
           const double beyond = std::max(low - value, value - high) / (high - low);
           ++array.NumberOfValues;
-          if (low < high && beyond > GetRangeTie(values) && (counted.empty() || counted[i]))
+          const double largest = std::max(std::abs(low), std::abs(high));
+          if (low < high && beyond > GetRangeTie(values, largest, high - low) &&
+            (counted.empty() || counted[i]))
           {
             ++array.Count;
             array.Most = std::max(array.Most, beyond);
@@ -409,9 +414,12 @@ LimitMisses PointArrays::FindMisses() const
   for (const Interpolated& array : this->ToInterpolate)
   {
     double range = 0.;
+    double largest = 0.;
     for (std::size_t c = 0; 2 * c < array.Range.size(); ++c)
     {
       range = std::max(range, array.Range[2 * c + 1] - array.Range[2 * c]);
+      largest =
+        std::max({ largest, std::abs(array.Range[2 * c]), std::abs(array.Range[2 * c + 1]) });
     }
     const auto components = static_cast<vtkIdType>(array.Range.size() / 2);
     const auto fields = static_cast<vtkIdType>(array.Entries.size());
@@ -422,7 +430,7 @@ LimitMisses PointArrays::FindMisses() const
       vtkDataArray* current = this->Entries[array.Entries[field]].Current;
       const double value = current->GetComponent(row, static_cast<int>(i % components));
       const double miss = std::abs(value - array.Given[i]) / range;
-      if (miss > GetRangeTie(current)) // not where there is no value
+      if (miss > GetRangeTie(current, largest, range)) // not where there is no value
       {
         misses.Most = std::max(misses.Most, miss);
         found.insert({ row, field });

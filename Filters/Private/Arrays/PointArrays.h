@@ -183,7 +183,6 @@ private:
   }
   void FindInterpolated(
     const InterpolationOptions& options, const std::function<void(const std::string&)>& warn);
-  vtkSmartPointer<vtkDataArray>& GetInterpolated(const Interpolated& array, std::size_t field);
   void AdvanceSmoothed(
     const PointOperator& operation, const PointOperator::User& also = PointOperator::User());
   template <typename Id>

@@ -75,6 +75,7 @@ std::string VoxelGrid::FindFault()
   if (!this->IsEven)
   {
     double sum = 0.;
+    vtkIdType count = 0; // hidden points may be anywhere, or nowhere
     std::array<vtkIdType, 3> at;
     for (at[2] = 0; at[2] < this->Points[2] - cells; ++at[2])
     {
@@ -82,13 +83,14 @@ std::string VoxelGrid::FindFault()
       {
         for (at[0] = 0; at[0] < this->Points[0] - cells; ++at[0])
         {
-          sum += this->MeasureBox(at, 1);
+          const double volume = this->MeasureBox(at, 1);
+          sum += std::isfinite(volume) ? volume : 0.;
+          count += std::isfinite(volume) ? 1 : 0;
         }
       }
     }
-    const vtkIdType count =
-      (this->Points[0] - cells) * (this->Points[1] - cells) * (this->Points[2] - cells);
-    this->VoxelVolume = sum / static_cast<double>(count) * std::pow(this->Length, 3);
+    this->VoxelVolume =
+      sum / static_cast<double>(std::max<vtkIdType>(count, 1)) * std::pow(this->Length, 3);
   }
   if (std::abs(this->VoxelVolume) > 0. && std::isfinite(this->VoxelVolume))
   {
