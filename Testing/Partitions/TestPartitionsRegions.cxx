@@ -3,6 +3,7 @@
 // edges.
 #include "PartitionTools.h"
 
+#include "Private/AdaptiveSurface/AdaptiveSurface.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 
 #include "vtkCellData.h"
@@ -170,6 +171,41 @@ TEST(PartitionsRegions, GiveWayToOtherSchemes)
     });
 }
 
+// It needs more layers than a filter that goes on.
+TEST(PartitionsRegions, GiveWayToAdaptiveRefinement)
+{
+  ForSurfaces(true,
+    [](const Mesh& mesh, int scheme, const Partition& partition)
+    {
+      if (partition.Blocks == 1)
+      {
+        return; // slabs have the most layers
+      }
+      SurfaceOptions first = MakeOptions(scheme, 1);
+      SurfaceOptions second = MakeOptions(6, 0);
+      second.Warn = [](const std::string&) {};
+      subdivision::RefinementOptions criteria;
+      criteria.ByCurvature = true;
+      criteria.MaximumAngle = 10.;
+      criteria.MaximumLevel = 5;
+      const auto refine = [&](vtkPointSet* input, vtkPointSet* output)
+      {
+        return RefineSurface(
+          vtkPolyData::SafeDownCast(input), second, criteria, vtkPolyData::SafeDownCast(output));
+      };
+      const Mesh whole = subdivision::MakeMesh(true);
+      EXPECT_TRUE(refine(Subdivide(mesh, { first }), whole));
+      subdivision::DistributionOptions distribution;
+      distribution.IsOfSurfaces = true;
+      distribution.WorksInRounds = true;
+      distribution.Layers = subdivision::LayersOfAdaptiveSurface;
+      std::vector<Mesh> outputs;
+      EXPECT_TRUE(RunOnParts(SubdivideParts(Cut(mesh, partition), partition, { first }), partition,
+        distribution, second, refine, outputs));
+      ExpectWhole(whole, outputs);
+    });
+}
+
 TEST(PartitionsRegions, TakeValuesAsTheyAre)
 {
   const auto change = [](vtkPointSet* mesh, size_t filter)
@@ -286,5 +322,25 @@ TEST(PartitionsRegions, WarnWhereCellsMoved)
     EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& message)
       { return message.find("any other mesh") != std::string::npos; }));
     EXPECT_GT(outputs[0]->GetNumberOfCells(), 0);
+  }
+}
+
+TEST(PartitionsRegions, MayBeDamaged)
+{
+  const Mesh surface = MakeSkin(MakeMeshes()[0]);
+  for (int scheme = FirstScheme; scheme < NumberOfSchemes; ++scheme)
+  {
+    const SurfaceOptions first = MakeOptions(scheme, 1);
+    SurfaceOptions second = first;
+    std::vector<std::string> warnings;
+    second.Warn = [&](const std::string& message) { warnings.push_back(message); };
+    const Mesh whole = Subdivide(surface, { first, first });
+    const auto damage = [](vtkPointSet* part, size_t)
+    { part->GetFieldData()->RemoveArray("SubdivisionRegionControl"); };
+    const std::vector<Mesh> parts =
+      SubdivideParts(Cut(surface, Partitions[0]), Partitions[0], { first });
+    ExpectWhole(whole, SubdivideParts(parts, Partitions[0], { second }, damage));
+    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& message)
+      { return message.find("an earlier filter wrote") != std::string::npos; }));
   }
 }

@@ -16,6 +16,7 @@
 #include "Private/Surface/SurfaceChecks.h"
 #include "Private/Surface/SurfaceCreases.h"
 #include "Private/Surface/SurfaceFrames.h"
+#include "Private/Surface/SurfaceRegion.h"
 #include "Private/Surface/SurfaceStamp.h"
 
 #include "vtkCellData.h"
@@ -161,6 +162,7 @@ bool AdaptiveRun<Id>::Run(double mostCells, bool memoryIsLimit)
   this->WritePoints(plan, level);
   RebuildPointGhosts(this->Input, this->Output);
   RemoveSurfaceStamp(this->Output);
+  RemoveRegion(this->Output);
   if (this->Others && this->Options.GenerateGlobalIds)
   {
     WriteNumbers(NumberAdaptiveSurface(this->Input, this->Cells, this->Control, *this->Mesh, plan,

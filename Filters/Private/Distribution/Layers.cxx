@@ -131,10 +131,10 @@ std::vector<vtkIdType> FindPointIds(const Partition& partition, size_t first)
 }
 
 /// The same with the region, if the partition has one.
-std::vector<vtkIdType> FindWishedIds(const Partition& partition, size_t first)
+std::vector<vtkIdType> FindWishedIds(const Partition& partition, size_t first, bool withRegion)
 {
   std::vector<vtkIdType> ids = FindPointIds(partition, first);
-  if (first == 0 && !partition.Parts->empty())
+  if (withRegion && !partition.Parts->empty())
   {
     const std::vector<vtkIdType>& region = partition.Parts->front().Region;
     std::copy_if(
@@ -269,7 +269,7 @@ std::pair<int, int> CountExchanges(
       std::max<vtkIdType>(mostRegion, partition.empty() || partition[0].Region.empty() ? 0 : 1);
   }
   const bool hasRegion = exchange.Max(mostRegion) > 0;
-  return { hasRegion ? 0 : layers, exchange.Max(most) > 0 || hasRegion ? 1 : 0 };
+  return { layers, exchange.Max(most) > 0 || hasRegion ? 1 : 0 };
 }
 
 }
@@ -296,7 +296,8 @@ std::vector<SentLayers> AddLayers(
     {
       Partition& partition = partitions[i];
       partition.GroupNewParts();
-      const std::vector<vtkIdType> ids = FindWishedIds(partition, seen[i]);
+      const std::vector<vtkIdType> ids =
+        FindWishedIds(partition, seen[i], extent == Extent::Inside);
       seen[i] = partition.Parts->size();
       std::vector<vtkIdType> fresh;
       std::set_difference(ids.begin(), ids.end(), partition.Known.begin(), partition.Known.end(),

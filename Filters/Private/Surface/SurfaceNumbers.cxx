@@ -99,6 +99,16 @@ ControlKeys MakeControlKeys(vtkPolyData* input, const SurfaceCells& cells, Partn
 }
 
 template <typename Id>
+bool AreKeysOf(const ControlKeys& keys, const SurfaceLevel<Id>& control)
+{
+  const auto has = [&keys](int kind, vtkIdType size)
+  { return static_cast<vtkIdType>(keys[kind].Own.size()) == size; };
+  return has(Kinds::Vertex, control.Mesh.NumberOfVertices) &&
+    has(Kinds::Face, control.Mesh.NumberOfFaces) && has(Kinds::Line, control.Lines.size()) &&
+    has(VertexCellKind, control.Points.size());
+}
+
+template <typename Id>
 SurfaceNumbers NumberSurface(ControlKeys keys, const SurfaceLevel<Id>& control,
   const SurfaceSegments& segments, Partners& partners)
 {
@@ -140,6 +150,7 @@ void WriteNumbers(const SurfaceNumbers& numbers, vtkPolyData* output)
 }
 
 SUBDIVISION_COMPILE_FUNCTION(MakeEdgeKeys);
+SUBDIVISION_COMPILE_FUNCTION(AreKeysOf);
 template SurfaceNumbers NumberSurface(
   ControlKeys, const SurfaceLevel<int>&, const SurfaceSegments&, Partners&);
 template SurfaceNumbers NumberSurface(

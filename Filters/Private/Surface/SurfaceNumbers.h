@@ -42,6 +42,11 @@ template <typename Id>
 SurfaceNumbers NumberSurface(ControlKeys keys, const SurfaceLevel<Id>& control,
   const SurfaceSegments& segments, Partners& partners);
 
+/// Whether there is a key for each vertex, face, line and vertex cell of a control level. (Edges
+/// get theirs from these.)
+template <typename Id>
+bool AreKeysOf(const ControlKeys& keys, const SurfaceLevel<Id>& control);
+
 /// The control parts that are points and cells of `input`, the mesh that `partners` know; `cells`
 /// are its cells. All partitions call this together.
 ControlKeys MakeControlKeys(vtkPolyData* input, const SurfaceCells& cells, Partners& partners);

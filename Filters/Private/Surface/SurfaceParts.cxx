@@ -55,12 +55,24 @@ void SurfaceRun<Id>::WriteStampOfPart(Partners& others, bool isLevel)
     static_cast<int>(StampScheme::FirstOfSurfaces) + static_cast<int>(this->Options.Scheme));
   stamp.Levels = this->GetAllLevels();
   stamp.IsProjected = !isLevel || others.Sum(this->Joined ? 1 : 0) > 0;
-  if (isLevel || this->Options.GenerateGlobalIds)
+  const bool isNumbered = isLevel || this->Options.GenerateGlobalIds;
+  ControlKeys keys;
+  if (isNumbered)
   {
-    const SurfaceNumbers numbers = NumberSurface(this->Options.IsRegion
-        ? ReadControlKeys(this->Input)
-        : MakeControlKeys(this->Input, this->GetControl(), others),
-      this->Steps->GetLevel(0), this->Steps->ListSegments(), others);
+    keys = this->Options.IsRegion ? ReadControlKeys(this->Input)
+                                  : MakeControlKeys(this->Input, this->GetControl(), others);
+  }
+  if (isNumbered && others.Sum(AreKeysOf(keys, this->Steps->GetLevel(0)) ? 0 : 1) > 0)
+  {
+    this->Options.Warn(
+      "The field data of the input are not those that an earlier filter wrote: the "
+      "output has no ids, and the next filter takes it as any other mesh.");
+    stamp.IsProjected = true;
+  }
+  else if (isNumbered)
+  {
+    const SurfaceNumbers numbers =
+      NumberSurface(std::move(keys), this->Steps->GetLevel(0), this->Steps->ListSegments(), others);
     WriteNumbers(numbers, this->Output);
     stamp.NumberOfControlPoints = numbers.NumberOfControlPoints;
     stamp.NumberOfPoints = numbers.Points.Total;

@@ -33,6 +33,9 @@ constexpr const char* KindNames[3][2] = { { "SubdivisionRegionVerts",
   { "SubdivisionRegionLines", "SubdivisionRegionLinesOffsets" },
   { "SubdivisionRegionPolys", "SubdivisionRegionPolysOffsets" } };
 
+/// No mesh has so many simplices, and twice the number is an id.
+constexpr vtkIdType LargestKey = vtkIdType(1) << (8 * sizeof(vtkIdType) - 8);
+
 void KeepCells(vtkCellArray* cells, const char* const* names, vtkFieldData* data)
 {
   vtkDataArray* const lists[2] = { cells->GetConnectivityArray(), cells->GetOffsetsArray() };
@@ -237,7 +240,7 @@ void RemoveRegion(vtkPolyData* output)
     data->RemoveArray(names[0]);
     data->RemoveArray(names[1]);
   }
-  for (const char* name : { RegionPointsName, RegionCellsName, ControlName })
+  for (const char* name : { RegionPointsName, RegionCellsName, RegionBlockName, ControlName })
   {
     data->RemoveArray(name);
   }
@@ -307,7 +310,8 @@ ControlKeys ReadControlKeys(vtkPolyData* region)
   const Ids control = ReadFieldIds(ControlName, region->GetFieldData(), 2);
   for (size_t i = 0; i < control.size(); i += 2)
   {
-    if (control[i] >= 0 && control[i] < NumberOfControlKinds && control[i + 1] >= 0)
+    if (control[i] >= 0 && control[i] < NumberOfControlKinds && control[i + 1] >= 0 &&
+      control[i + 1] < LargestKey)
     {
       SharedKeys& kind = keys[static_cast<size_t>(control[i])];
       kind.Keys.push_back(control[i + 1] / 2);
