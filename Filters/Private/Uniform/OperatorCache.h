@@ -7,6 +7,7 @@
 #ifndef SubdivisionObjects_OperatorCache_h
 #define SubdivisionObjects_OperatorCache_h
 
+#include "Core/Operators/OperatorSequence.h"
 #include "Core/Solids/Scheme/ComposedRows.h"
 #include "Core/Solids/Strata/Singularities.h"
 #include "Private/Arrays/PointArrays.h"
@@ -25,23 +26,16 @@
 namespace subdivision
 {
 
-/// The operators of consecutive steps, for either type of ids.
-class KeptSteps
+/// The operators of consecutive steps, for either type of ids. As a sequence it must have a step,
+/// and none that is cut.
+class KeptSteps : public OperatorSequence
 {
 public:
-  virtual ~KeptSteps() = default;
+  using OperatorSequence::Apply;
   /// `inverted` as in ComputeLimitNormals.
   virtual void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const = 0;
-  /// Applies the steps to other values: `components` numbers for each point before the first step.
-  /// There must be a step, and none is cut. The memory of an earlier `result` is reused, because
-  /// clearing new pages takes time.
-  virtual void Apply(const double* values, int components, Buffer<double>& result) const = 0;
-  virtual std::size_t GetMemorySize() const = 0;
   /// The limits of the points before the first step; null where they are not needed.
   virtual const PointOperator* GetControlLimit() const = 0;
-  /// Turns rows over the points after the last step into rows over those before the first. There
-  /// must be a step, and none is cut.
-  virtual SparseRows<int> ComposeWith(const SparseRows<int>& rows) const = 0;
   /// The strata of the vertices and edges on which the last step works. There must be a step.
   virtual const Buffer<Stratum>& GetLastVertices() const = 0;
   virtual const Buffer<Stratum>& GetLastEdges() const = 0;
@@ -95,16 +89,7 @@ public:
   }
   void Apply(const double* values, int components, Buffer<double>& result) const override
   {
-    Buffer<double> current;
-    for (std::size_t i = 0; i < this->Steps.size(); ++i)
-    {
-      const vtkIdType size = components * this->Steps[i].GetNumberOfRows();
-      const bool isReused = i + 1 == this->Steps.size() && result.size() == size;
-      Buffer<double> next = isReused ? std::move(result) : Buffer<double>(size);
-      this->Steps[i].Apply(i == 0 ? values : current.data(), next.data(), components);
-      current = std::move(next);
-    }
-    result = std::move(current);
+    ApplyInSequence(this->Steps, values, components, result);
   }
   SparseRows<int> ComposeWith(const SparseRows<int>& rows) const override
   {
