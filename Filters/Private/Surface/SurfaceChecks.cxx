@@ -7,15 +7,21 @@
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace subdivision
 {
+namespace
+{
 
+/// An error message if the output would be too large; `faces`: about how many there will be.
 std::string CheckSize(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceScheme<int>& scheme, const SurfaceOptions& options, double& faces)
 {
@@ -35,6 +41,34 @@ std::string CheckSize(vtkPolyData* input, const SurfaceCells& cells,
   const double bytes = all * (2. * bytesPerFace + GetBytesPerTuple(input->GetCellData())) +
     1.25 * points * (24. + GetBytesPerTuple(input->GetPointData()));
   return CheckMemory(all, points, bytes, options.Levels);
+}
+
+}
+
+bool ReadAndCheck(vtkPolyData* input, const SurfaceScheme<int>& scheme,
+  const SurfaceOptions& options, SurfaceCells& cells, bool& isLarge)
+{
+  vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(input->GetPointData()->GetGlobalIds());
+  const bool hasIds = ids && ids->GetNumberOfTuples() == input->GetNumberOfPoints();
+  cells = ReadSurfaceCells(input, scheme.NeedsTriangles(), hasIds ? ids->GetPointer(0) : nullptr);
+  for (const std::string& warning : cells.Warnings)
+  {
+    options.Warn(warning);
+  }
+  WarnOfUnused(input, scheme, options);
+  double faces = 0.;
+  const std::string tooLarge = CheckSize(input, cells, scheme, options, faces);
+  if (!tooLarge.empty())
+  {
+    options.Fail(tooLarge);
+    return false;
+  }
+  isLarge = 16. *
+      (faces + static_cast<double>(cells.Corners.size()) +
+        static_cast<double>(cells.NumberOfPoints) +
+        std::ldexp(static_cast<double>(cells.Segments.size()), options.Levels)) >
+    static_cast<double>(std::numeric_limits<int>::max());
+  return true;
 }
 
 void WarnOfUnused(

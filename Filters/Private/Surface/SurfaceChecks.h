@@ -9,14 +9,14 @@
 #include "Private/Surface/SurfaceCells.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 
-#include <string>
-
 namespace subdivision
 {
 
-/// An error message if the output would be too large; `faces`: about how many there will be.
-std::string CheckSize(vtkPolyData* input, const SurfaceCells& cells,
-  const SurfaceScheme<int>& scheme, const SurfaceOptions& options, double& faces);
+/// Reads the cells, and tells their warnings and those of unused options. `isLarge`: whether the
+/// levels need ids of 64 bits. Returns false after an error (passed to Fail): the output would be
+/// too large.
+bool ReadAndCheck(vtkPolyData* input, const SurfaceScheme<int>& scheme,
+  const SurfaceOptions& options, SurfaceCells& cells, bool& isLarge);
 
 /// Warns of options that the scheme ignores, and of polygons that it splits.
 void WarnOfUnused(

@@ -166,6 +166,16 @@ vtkSmartPointer<vtkPolyData> MakeSurface(
   return surface;
 }
 
+vtkIdType FindFirstSolid(vtkUnstructuredGrid* grid)
+{
+  const CellReader reader(grid);
+  const CheckedCells checked = CheckCells(grid, reader);
+  Lists lists;
+  vtkIdType first = -1;
+  SortCells(grid, reader, checked, lists, first);
+  return first;
+}
+
 void RestoreSourceCells(vtkDataObject* output)
 {
   ChangeMeshes(output,

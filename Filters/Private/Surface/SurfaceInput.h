@@ -7,6 +7,7 @@
 #define SubdivisionObjects_SurfaceInput_h
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <string>
 #include <vector>
@@ -27,6 +28,9 @@ namespace subdivision
  */
 vtkSmartPointer<vtkPolyData> MakeSurface(
   vtkUnstructuredGrid* grid, bool originalIds, std::vector<std::string>& warnings);
+
+/// The first cell of a grid that is a usable solid; -1: it has none.
+vtkIdType FindFirstSolid(vtkUnstructuredGrid* grid);
 
 /// The original ids of the cells of an output, or of its blocks, become those of the grid where the
 /// input was made by MakeSurface.

@@ -52,6 +52,15 @@ public:
     this->Write();
     return true;
   }
+  /// Makes the levels, without an output; `first` is the one of the cells. Null after an error
+  /// (passed to Fail) or if Progress asks to stop.
+  const SurfaceSteps<Id>* MakeLevels(SurfaceCells&& cells, int& first)
+  {
+    this->Cells = std::move(cells);
+    const bool isMade = this->Plan();
+    first = this->MadeLevels;
+    return isMade ? this->Steps : nullptr;
+  }
 
 private:
   const SurfaceCells& GetControl() const

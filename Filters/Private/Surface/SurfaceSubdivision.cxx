@@ -15,11 +15,9 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace subdivision
@@ -541,28 +539,13 @@ static bool SubdivideMesh(vtkPolyData* input, const SurfaceOptions& options, vtk
     options.Fail("This scheme is not available.");
     return false;
   }
-  vtkIdTypeArray* ids = vtkIdTypeArray::SafeDownCast(input->GetPointData()->GetGlobalIds());
-  const bool hasIds = ids && ids->GetNumberOfTuples() == input->GetNumberOfPoints();
-  SurfaceCells cells =
-    ReadSurfaceCells(input, scheme->NeedsTriangles(), hasIds ? ids->GetPointer(0) : nullptr);
-  for (const std::string& warning : cells.Warnings)
+  SurfaceCells cells;
+  bool isLarge = false;
+  if (!ReadAndCheck(input, *scheme, options, cells, isLarge))
   {
-    options.Warn(warning);
-  }
-  WarnOfUnused(input, *scheme, options);
-  double faces = 0.;
-  const std::string tooLarge = CheckSize(input, cells, *scheme, options, faces);
-  if (!tooLarge.empty())
-  {
-    options.Fail(tooLarge);
     return false;
   }
-  const bool large = 16. *
-      (faces + static_cast<double>(cells.Corners.size()) +
-        static_cast<double>(cells.NumberOfPoints) +
-        std::ldexp(static_cast<double>(cells.Segments.size()), options.Levels)) >
-    static_cast<double>(std::numeric_limits<int>::max());
-  if (large)
+  if (isLarge)
   {
     const auto largeScheme = MakeSurfaceScheme<long long>(options.Scheme, options.ModifiedBoundary);
     return SurfaceRun<long long>(input, options, largeScheme, output).Run(std::move(cells));
