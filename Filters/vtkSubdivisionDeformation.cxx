@@ -151,6 +151,9 @@ int vtkSubdivisionDeformation::RequestData(
   options.Levels = this->NumberOfLevels;
   options.Scheme = this->VolumeScheme == TET_OCT ? subdivision::StampScheme::TetOct
                                                  : subdivision::StampScheme::BoxSpline;
+  options.SurfaceScheme = this->SurfaceScheme == CATMULL_CLARK
+    ? subdivision::SurfaceSchemeKind::CatmullClark
+    : subdivision::SurfaceSchemeKind::Loop;
   options.Outside = static_cast<subdivision::OutsideRule>(this->OutsidePoints);
   options.TransformVectors = this->TransformVectors;
   subdivision::ReadSharedOptions(this, options);
@@ -204,6 +207,7 @@ void vtkSubdivisionDeformation::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
+  os << indent << "SurfaceScheme: " << this->SurfaceScheme << "\n";
   os << indent << "OutsidePoints: " << this->OutsidePoints << "\n";
   os << indent << "TransformVectors: " << this->TransformVectors << "\n";
   os << indent << "Bytes kept: " << this->Work->GetMemorySize() << "\n";

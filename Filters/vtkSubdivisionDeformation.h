@@ -3,8 +3,8 @@
  * @class   vtkSubdivisionDeformation
  * @brief   smooth deformation of whatever lies inside a control mesh of solid cells, or in a plane
  *
- * Bends a detailed object by moving the few points of a coarse mesh of tetrahedra around it. The
- * object is any vtkPointSet: a surface, a point cloud, a fine volume.
+ * Bends a detailed object by moving the few points of a coarse mesh of tetrahedra around it, or of
+ * polygons in its plane. The object is any vtkPointSet: a surface, a point cloud, a fine volume.
  *
  * @par Algorithm
  * S. Schaefer, J. Hakenberg and J. Warren, "Smooth Subdivision of Tetrahedral Meshes", section 3.
@@ -14,6 +14,16 @@
  * (equation 1). The same means of the deformed control points are the deformed object. An affine
  * map of the control mesh is the same affine map of what is inside, up to rounding; at rest nothing
  * moves. Which cells there are, and which rules they follow, is decided at rest.
+ *
+ * @par Control meshes in a plane
+ * A control mesh without solids, such as one in the plane of an image, holds the points that lie on
+ * it. With SurfaceScheme = LOOP it is subdivided as by vtkMultiDimensionalSubdivision. With
+ * CATMULL_CLARK it is subdivided as by vtkSurfaceSubdivision with its scheme of this name and its
+ * other defaults: polygons of any size become quads, creases and corners follow flags and
+ * sharpness (arrays 0 and 4), PreserveInterfaces and DetectFeatures, and boundary points of one
+ * polygon stay where they are. Each quad of the subdivided mesh holds points as two triangles, cut
+ * where both lie inside it, and the deformation is linear on these: it is continuous, and exact at
+ * all points of the subdivided mesh. Without levels, larger polygons are cut into triangles too.
  *
  * @par Inputs
  *  - port 0, what is deformed: any vtkPointSet (the output has its type), vtkImageData or
@@ -41,8 +51,8 @@
  * vectors and tangents, of points and of cells, are multiplied by the Jacobian matrix of the map of
  * the tetrahedron that holds the point, active normals by its inverse transpose and made as long as
  * 1, if they are of a floating type. A cell takes the mean of the matrices of its points. A point
- * outside has the identity matrix or, if OUTSIDE_NEAREST binds it to a tetrahedron, that of the
- * tetrahedron. All other arrays pass unchanged.
+ * outside, or on a surface, has the identity matrix or, if OUTSIDE_NEAREST binds it to a
+ * tetrahedron, that of the tetrahedron. All other arrays pass unchanged.
  *
  * @par What is kept
  * The operators of all levels, the subdivided mesh at rest and a search tree, for a rest mesh of
@@ -63,16 +73,18 @@
  * @par Errors
  * The filter gives an error, with the input as output, if rest or deformed mesh is not connected,
  * if rest and deformed mesh differ in points or cells, if a deformed control point is not finite,
- * if there are points outside and OutsidePoints is OUTSIDE_ERROR, or if the rest mesh cannot be
- * subdivided within MaximumNumberOfCells or the memory. It warns if the rest mesh has no cells (the
- * output is the input), or inverted or flat solid cells, if the deformed mesh turns cells inside
- * out, and of points outside when they are looked up for the first time.
+ * if there are points outside and OutsidePoints is OUTSIDE_ERROR, if the rest mesh has a solid and
+ * SurfaceScheme is CATMULL_CLARK, or if the rest mesh cannot be subdivided within
+ * MaximumNumberOfCells or the memory. It warns if the rest mesh has no cells (the output is the
+ * input), or inverted or flat solid cells, if the deformed mesh turns cells inside out, and of
+ * points outside when they are looked up for the first time.
  *
  * InterpolateIntegers, InterpolatePoints, InterpolateArrays, InterfaceValues, GenerateOriginalIds
  * and GenerateGlobalIds have no effect here.
  *
  * @sa
- * vtkMultiDimensionalSubdivision vtkSubdivisionCageSource vtkSubdivisionModelSource
+ * vtkMultiDimensionalSubdivision vtkSurfaceSubdivision vtkSubdivisionCageSource
+ * vtkSubdivisionModelSource
  */
 #ifndef vtkSubdivisionDeformation_h
 #define vtkSubdivisionDeformation_h
@@ -131,6 +143,23 @@ public:
   vtkGetMacro(VolumeScheme, int);
   void SetVolumeSchemeToBoxSpline() { this->SetVolumeScheme(BOX_SPLINE); }
   void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(TET_OCT); }
+  ///@}
+
+  enum SurfaceSchemes
+  {
+    LOOP,
+    CATMULL_CLARK
+  };
+  ///@{
+  /**
+   * How the surfaces of a control mesh are split and smoothed: LOOP (0, the default; quads and
+   * polygons become triangles first, and solids are welcome) or CATMULL_CLARK (1; polygons become
+   * quads, for control meshes without solids), see above.
+   */
+  vtkSetClampMacro(SurfaceScheme, int, LOOP, CATMULL_CLARK);
+  vtkGetMacro(SurfaceScheme, int);
+  void SetSurfaceSchemeToLoop() { this->SetSurfaceScheme(LOOP); }
+  void SetSurfaceSchemeToCatmullClark() { this->SetSurfaceScheme(CATMULL_CLARK); }
   ///@}
 
   enum OutsidePointsRules
@@ -192,6 +221,7 @@ protected:
 
   int NumberOfLevels = 2;
   int VolumeScheme = BOX_SPLINE;
+  int SurfaceScheme = LOOP;
   int OutsidePoints = OUTSIDE_LEAVE;
   bool TransformVectors = true;
 

@@ -51,7 +51,7 @@ room(Private/Uniform Core Private Private/Reading Private/Arrays Private/Control
 room(Private/RedGreen Core Private Private/Reading Private/Arrays Private/Control Private/Criteria)
 room(Private/Surface Core Private Private/Reading Private/Arrays Private/Control)
 room(Private/AdaptiveSurface Core Private Private/Reading Private/Arrays Private/Control Private/Criteria Private/Surface)
-room(Private/Deformation Core Private Private/Reading Private/Arrays Private/Control Private/Uniform)
+room(Private/Deformation Core Private Private/Reading Private/Arrays Private/Control Private/Uniform Private/Surface)
 room(Private/Topology Core Private Private/Reading Private/Arrays Private/Control)
 room(Private/Labels Core Private Private/Control)
 room(Private/Models Private)

@@ -33,14 +33,14 @@ class Proxy(unittest.TestCase):
 
     def test_help(self):
         self.assertGreater(len(self.proxy.GetDocumentation().GetDescription()), 100)
-        for name in ("Input", "RestMesh", "DeformedMesh", "NumberOfLevels", "OutsidePoints", "TransformVectors",
-                     "SingularArray", "MaterialArray", "OutputPointsPrecision"):
+        for name in ("Input", "RestMesh", "DeformedMesh", "NumberOfLevels", "SurfaceScheme", "OutsidePoints",
+                     "TransformVectors", "SingularArray", "MaterialArray", "OutputPointsPrecision"):
             text = self.proxy.GetProperty(name).GetDocumentation().GetDescription()
             self.assertGreater(len(text.strip()), 60, name)
 
     def test_defaults_are_those_of_the_class(self):
         made = subdivisionobjects.vtkSubdivisionDeformation()
-        for name in ("NumberOfLevels", "OutsidePoints", "TransformVectors", "OutputPointsPrecision",
+        for name in ("NumberOfLevels", "SurfaceScheme", "OutsidePoints", "TransformVectors", "OutputPointsPrecision",
                      "MaximumNumberOfCells", "CreaseEnd"):
             self.assertEqual(self.proxy.GetProperty(name).GetElement(0), int(getattr(made, "Get" + name)()), name)
 

@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_DeformationOptions_h
 #define SubdivisionObjects_DeformationOptions_h
 
+#include "Core/Surfaces/Steps/SurfaceSchemes.h"
 #include "Private/Control/RunOptions.h"
 #include "Private/Control/Stamp.h"
 
@@ -22,7 +23,8 @@ enum class OutsideRule
 struct DeformationOptions : RunOptions
 {
   int Levels = 2;
-  StampScheme Scheme = StampScheme::BoxSpline; ///< of solids
+  StampScheme Scheme = StampScheme::BoxSpline;               ///< of solids
+  SurfaceSchemeKind SurfaceScheme = SurfaceSchemeKind::Loop; ///< of meshes without solids
   OutsideRule Outside = OutsideRule::Leave;
   bool TransformVectors = true;
 };

@@ -4,6 +4,9 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/PointArrays.h"
+#include "Private/Surface/SurfaceInput.h"
+#include "Private/Surface/SurfaceOperators.h"
+#include "Private/Uniform/UniformSubdivision.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkAlgorithm.h"
@@ -130,6 +133,7 @@ std::vector<double> ListChoices(vtkPointSet* control, const DeformationOptions& 
   choices.push_back(features.FeatureAngle);
   choices.push_back(options.Levels);
   choices.push_back(static_cast<double>(options.Scheme));
+  choices.push_back(static_cast<double>(options.SurfaceScheme));
   choices.push_back(static_cast<double>(options.MaximumNumberOfCells));
   for (vtkDataArray* array : { features.Singular.Get(), features.Material.Get(),
          features.Part.Get(), features.Rules.Get(), features.Sharpness.Get() })
@@ -244,66 +248,127 @@ void RestMesh::Clear()
 
 bool RestMesh::Build(vtkPointSet* control, const DeformationOptions& options)
 {
+  RunOptions run = options;
+  run.OutputPointsPrecision = vtkAlgorithm::DOUBLE_PRECISION;
+  run.InterpolateIntegers = false;
+  run.GenerateOriginalIds = false;
+  run.Progress = nullptr;
+  run.Warn = [&](const std::string& message) { options.Warn("Rest mesh: " + message); };
+  const bool isBuilt = options.SurfaceScheme == SurfaceSchemeKind::Loop
+    ? this->BuildUniform(control, run, options)
+    : this->BuildSurface(control, run, options);
+  if (isBuilt)
+  {
+    this->ControlPoints = this->MoveControlPoints(control);
+  }
+  return isBuilt;
+}
+
+/// Subdivides any mesh as the main filter does.
+bool RestMesh::BuildUniform(
+  vtkPointSet* control, const RunOptions& run, const DeformationOptions& options)
+{
   UniformOptions uniform;
-  static_cast<RunOptions&>(uniform) = options;
-  uniform.OutputPointsPrecision = vtkAlgorithm::DOUBLE_PRECISION;
-  uniform.InterpolateIntegers = false;
-  uniform.GenerateOriginalIds = false;
+  static_cast<RunOptions&>(uniform) = run;
   uniform.Levels = options.Levels;
   uniform.Scheme = options.Scheme;
-  uniform.Progress = nullptr;
-  uniform.Warn = [&](const std::string& message) { options.Warn("Rest mesh: " + message); };
-  if (!FindUniformOperators(control, uniform, this->Operators))
+  UniformOperators operators;
+  if (!FindUniformOperators(control, uniform, operators))
   {
     return false;
   }
-  this->ControlPoints = this->MoveControlPoints(control);
-  if (this->HasCells())
+  this->Control = std::move(operators.Control);
+  this->Steps = std::move(operators.Steps);
+  this->Points = operators.Points;
+  if (operators.Cells.Cells && operators.Cells.Cells->GetNumberOfCells() > 0)
   {
-    this->Tets = SimplexTree(this->GetPoints(), 4, GatherCorners(this->Operators.Cells, true));
+    this->Tets = SimplexTree(this->GetPoints(), 4, GatherCorners(operators.Cells, true));
+    this->OtherCorners = GatherCorners(operators.Cells, false);
   }
+  return true;
+}
+
+/// Subdivides a mesh without solids by a surface scheme.
+bool RestMesh::BuildSurface(
+  vtkPointSet* control, const RunOptions& run, const DeformationOptions& options)
+{
+  vtkSmartPointer<vtkPolyData> mesh = vtkPolyData::SafeDownCast(control);
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(control))
+  {
+    const vtkIdType solid = FindFirstSolid(grid);
+    if (solid >= 0)
+    {
+      options.Fail("Cell " + std::to_string(solid) +
+        " of the rest mesh is a solid, and CatmullClark (SurfaceScheme) is for meshes of polygons "
+        "alone. Set SurfaceScheme to Loop, or extract the surface of the mesh. The output is the "
+        "input.");
+      return false;
+    }
+    std::vector<std::string> warnings;
+    mesh = MakeSurface(grid, false, warnings);
+    Tell(warnings, run);
+  }
+  SurfaceOptions surface;
+  static_cast<RunOptions&>(surface) = run;
+  surface.Scheme = options.SurfaceScheme;
+  surface.Levels = options.Levels;
+  FeatureOptions& features = surface.Features;
+  for (auto* array : { &features.Singular, &features.Material, &features.Part, &features.Rules,
+         &features.Sharpness }) // those of the cells of `mesh`
+  {
+    *array = *array ? mesh->GetCellData()->GetArray((*array)->GetName()) : nullptr;
+  }
+  SurfaceOperators operators;
+  if (!FindSurfaceOperators(mesh, surface, operators))
+  {
+    return false;
+  }
+  this->Control.Simplices.NumberOfPoints = mesh->GetNumberOfPoints();
+  this->Steps = std::move(operators.Steps);
+  this->Points = operators.Points;
+  this->OtherCorners = std::move(operators.Triangles);
   return true;
 }
 
 vtkIdType RestMesh::GetNumberOfPoints() const
 {
-  return this->Operators.Points->GetNumberOfTuples();
+  return this->Points->GetNumberOfTuples();
 }
 
 const double* RestMesh::GetPoints() const
 {
-  return static_cast<const double*>(this->Operators.Points->GetVoidPointer(0));
+  return static_cast<const double*>(this->Points->GetVoidPointer(0));
 }
 
 bool RestMesh::HasCells() const
 {
-  return this->Operators.Cells.Cells && this->Operators.Cells.Cells->GetNumberOfCells() > 0;
+  return this->Tets.GetNumberOfSimplices() > 0 || this->OtherCells.GetNumberOfSimplices() > 0 ||
+    !this->OtherCorners.empty();
 }
 
 const SimplexTree& RestMesh::GetOtherCells()
 {
-  if (!this->HasOtherCells && this->HasCells())
+  if (!this->OtherCorners.empty())
   {
-    this->OtherCells =
-      SimplexTree(this->GetPoints(), 3, GatherCorners(this->Operators.Cells, false));
-    this->HasOtherCells = true;
+    this->OtherCells = SimplexTree(this->GetPoints(), 3, std::move(this->OtherCorners));
+    this->OtherCorners = Buffer<vtkIdType>();
   }
   return this->OtherCells;
 }
 
 vtkSmartPointer<vtkDataArray> RestMesh::MoveControlPoints(vtkPointSet* deformed) const
 {
-  return StartValues(deformed->GetPoints()->GetData(), VTK_DOUBLE, this->Operators.Control);
+  return StartValues(deformed->GetPoints()->GetData(), VTK_DOUBLE, this->Control);
 }
 
 const double* RestMesh::MovePoints(vtkDataArray* control)
 {
   const auto* values = static_cast<const double*>(control->GetVoidPointer(0));
-  if (!this->Operators.Steps)
+  if (!this->Steps)
   {
     return values;
   }
-  this->Operators.Steps->Apply(values, 3, this->MovedPoints);
+  this->Steps->Apply(values, 3, this->MovedPoints);
   return this->MovedPoints.data();
 }
 
@@ -313,8 +378,8 @@ void RestMesh::WarnOfInvertedCells(vtkDataArray* control, const DeformationOptio
   { return static_cast<const double*>(array->GetVoidPointer(0)); };
   const double* rest = values(this->ControlPoints);
   const double* moved = control ? values(control) : nullptr;
-  const SimplexList& simplices = this->Operators.Control.Simplices;
-  const auto& parents = this->Operators.Control.ParentCells;
+  const SimplexList& simplices = this->Control.Simplices;
+  const auto& parents = this->Control.ParentCells;
   std::vector<vtkIdType> found;
   const vtkIdType* ids = simplices.Connectivity.data();
   for (vtkIdType i = 0; i < simplices.GetNumberOfSimplices(); ids += simplices.Dimensions[i++] + 1)
@@ -353,12 +418,12 @@ void RestMesh::WarnOfInvertedCells(vtkDataArray* control, const DeformationOptio
 
 std::size_t RestMesh::GetOperatorSize() const
 {
-  return this->Operators.Steps ? this->Operators.Steps->GetMemorySize() : 0;
+  return this->Steps ? this->Steps->GetMemorySize() : 0;
 }
 
 SparseRows<int> RestMesh::Compose(const SparseRows<int>& rows) const
 {
-  return this->Operators.Steps->ComposeWith(rows);
+  return this->Steps->ComposeWith(rows);
 }
 
 }

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RestMesh.h
- * The control mesh of a deformation. It is subdivided once, at rest; its operators then apply to
- * the deformed mesh as often as that changes.
+ * The control mesh of a deformation. It is subdivided once, at rest, by the main filter's steps or
+ * by those of a surface scheme; its operators then apply to the deformed mesh as often as that
+ * changes.
  */
 #ifndef SubdivisionObjects_RestMesh_h
 #define SubdivisionObjects_RestMesh_h
 
-#include "Core/Operators/SparseRows.h"
+#include "Core/Operators/OperatorSequence.h"
 #include "Core/Solids/Location/SimplexTree.h"
 #include "Private/Deformation/DeformationOptions.h"
-#include "Private/Uniform/UniformSubdivision.h"
+#include "Private/Reading/CellsToSimplices.h"
 
 #include "vtkSmartPointer.h"
 
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
 class vtkPointSet;
 
 namespace subdivision
@@ -62,15 +68,19 @@ public:
 
 private:
   bool Build(vtkPointSet* control, const DeformationOptions& options);
+  bool BuildUniform(vtkPointSet* control, const RunOptions& run, const DeformationOptions& options);
+  bool BuildSurface(vtkPointSet* control, const RunOptions& run, const DeformationOptions& options);
 
   vtkSmartPointer<vtkPointSet> Kept; ///< a copy of all that the operators depend on
   std::vector<double> Choices;
-  UniformOperators Operators;
+  SimplicesOfCells Control;                    ///< the mesh in simplices; of a surface its points
   vtkSmartPointer<vtkDataArray> ControlPoints; ///< at rest
+  std::unique_ptr<OperatorSequence> Steps;     ///< null for no step
+  vtkSmartPointer<vtkDataArray> Points;        ///< after the steps; for none maybe those at rest
   Buffer<double> MovedPoints;
   SimplexTree Tets;
+  Buffer<vtkIdType> OtherCorners; ///< until the tree is made
   SimplexTree OtherCells;
-  bool HasOtherCells = false;
 };
 
 }
