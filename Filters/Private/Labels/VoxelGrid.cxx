@@ -62,7 +62,6 @@ VoxelGrid::VoxelGrid(vtkDataSet* data, bool ofPoints, int length)
 
 std::string VoxelGrid::FindFault()
 {
-  const vtkIdType cells = this->First < 0. ? 0 : 1;
   if (this->Points[0] * this->Points[1] * this->Points[2] != this->Data->GetNumberOfPoints())
   {
     return "The input does not have the number of points that its dimensions say.";
@@ -74,23 +73,17 @@ std::string VoxelGrid::FindFault()
   }
   if (!this->IsEven)
   {
-    double sum = 0.;
-    vtkIdType count = 0; // hidden points may be anywhere, or nowhere
-    std::array<vtkIdType, 3> at;
-    for (at[2] = 0; at[2] < this->Points[2] - cells; ++at[2])
+    for (vtkIdType i = 0; i < this->Data->GetNumberOfPoints(); ++i)
     {
-      for (at[1] = 0; at[1] < this->Points[1] - cells; ++at[1])
+      const double* x = this->Data->GetPoint(i);
+      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
       {
-        for (at[0] = 0; at[0] < this->Points[0] - cells; ++at[0])
-        {
-          const double volume = this->MeasureBox(at, 1);
-          sum += std::isfinite(volume) ? volume : 0.;
-          count += std::isfinite(volume) ? 1 : 0;
-        }
+        return "Point " + std::to_string(i) +
+          " of the input is at no finite place: each point needs one, also a hidden point, because "
+          "the sizes of voxels come from them.";
       }
     }
-    this->VoxelVolume =
-      sum / static_cast<double>(std::max<vtkIdType>(count, 1)) * std::pow(this->Length, 3);
+    this->VoxelVolume = this->MeasureMeanVoxel() * std::pow(this->Length, 3);
   }
   if (std::abs(this->VoxelVolume) > 0. && std::isfinite(this->VoxelVolume))
   {
@@ -104,6 +97,26 @@ std::string VoxelGrid::FindFault()
       ", " + std::to_string(given[2]) + ", and each of these must be a finite number other than 0";
   }
   return "The voxels of the input have no volume" + spacing + ".";
+}
+
+double VoxelGrid::MeasureMeanVoxel() const
+{
+  const vtkIdType cells = this->First < 0. ? 0 : 1;
+  double sum = 0.;
+  std::array<vtkIdType, 3> at;
+  for (at[2] = 0; at[2] < this->Points[2] - cells; ++at[2])
+  {
+    for (at[1] = 0; at[1] < this->Points[1] - cells; ++at[1])
+    {
+      for (at[0] = 0; at[0] < this->Points[0] - cells; ++at[0])
+      {
+        sum += this->MeasureBox(at, 1);
+      }
+    }
+  }
+  return sum /
+    static_cast<double>(
+      (this->Points[0] - cells) * (this->Points[1] - cells) * (this->Points[2] - cells));
 }
 
 void VoxelGrid::Place(const Vector& corner, double* point) const

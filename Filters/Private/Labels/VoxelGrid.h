@@ -42,6 +42,7 @@ public:
 
 private:
   void PlaceIndex(const Vector& index, double* point) const;
+  double MeasureMeanVoxel() const;
   double MeasureBox(const std::array<vtkIdType, 3>& first, int voxels) const;
 
   vtkDataSet* Data;

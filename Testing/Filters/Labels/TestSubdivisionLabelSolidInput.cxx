@@ -309,3 +309,21 @@ TEST(SubdivisionLabelSolid, GridsWithoutVolume)
     MakeImage({ 3, 3, 1 }, [](int, int, int) { return 1; }), [](int i) { return double(i); }));
   made.ExpectError("one point only");
 }
+
+// The place of a hidden point counts for the sizes of voxels: without one there is an error, no
+// wrong volume.
+TEST(SubdivisionLabelSolid, PointsWithoutPlace)
+{
+  const Image image = MakeImage({ 4, 4, 4 }, [](int, int, int) { return 1; });
+  const auto place = [](int i) { return double(i); };
+  for (const double nowhere : { std::nan(""), HUGE_VAL })
+  {
+    const auto grid =
+      MakeStructured(MakeRectilinear(image, place), [](const Point& p) { return p; });
+    grid->GetPoints()->SetPoint(21, 1., nowhere, 1.);
+    grid->BlankPoint(21);
+    Made made;
+    made.Run(grid);
+    made.ExpectError("Point 21 of the input is at no finite place");
+  }
+}
