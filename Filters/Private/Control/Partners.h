@@ -59,7 +59,7 @@ public:
   vtkIdType Sum(vtkIdType own);
   /// The first partition that has a mesh.
   int FindFirst();
-  /// Sets each value to the largest that a partition has.
+  /// Sets each value to the largest that a partition has. All bring the same number of values.
   void FindLargest(std::vector<double>& values);
 };
 
@@ -86,6 +86,19 @@ inline int Partners::FindFirst()
 
 inline void Partners::FindLargest(std::vector<double>& values)
 {
+  const std::vector<vtkIdType> counts = this->Gather(static_cast<vtkIdType>(values.size()));
+  int first = 0;
+  while (counts[first] < 0)
+  {
+    ++first;
+  }
+  for (const vtkIdType count : counts)
+  {
+    if (count >= 0 && count != counts[first])
+    {
+      throw PartnersStopped(); // in all partitions: whoever goes on would wait for ever
+    }
+  }
   const std::size_t size = values.size() * sizeof(double);
   const auto pack = [&]
   {
@@ -93,16 +106,11 @@ inline void Partners::FindLargest(std::vector<double>& values)
     std::memcpy(message.data(), values.data(), size);
     return message;
   };
-  const int first = this->FindFirst();
   Messages toFirst;
   toFirst[first] = pack();
   this->Send(toFirst);
   for (const auto& [from, message] : toFirst)
   {
-    if (message.size() != size)
-    {
-      throw PartnersStopped(); // the work there is another one
-    }
     std::vector<double> others(values.size());
     std::memcpy(others.data(), message.data(), size);
     for (std::size_t i = 0; i < values.size(); ++i)
