@@ -219,6 +219,29 @@ TEST(MaterialFieldsInterpolation, OptionsOfInterpolation)
   EXPECT_EQ(CompareArrays(other->GetPointData(), smoothed->GetPointData(), "points"), "");
 }
 
+// Float values that are much larger than their range are rounded: that is no miss.
+TEST(MaterialFieldsInterpolation, RoundingOfLargeValuesIsNoMiss)
+{
+  const Grid torn = MakeTorn(MakeMeshes().front());
+  torn->GetPointData()->AddArray(
+    MakeArray<vtkFloatArray>(ValueName, 2, torn->GetNumberOfPoints(), 9999., 1e4, 9));
+  for (const Choice& choice : MakeChoices())
+  {
+    for (const int levels : { 0, 3 })
+    {
+      SCOPED_TRACE(std::string(choice.Name) + ", levels " + std::to_string(levels));
+      vtkNew<Messages> messages;
+      choice.Run(torn, choice.ToLimit ? levels : 1,
+        [&](vtkSubdivisionAlgorithm* filter)
+        {
+          JumpInterpolated(filter);
+          messages->Watch(filter);
+        });
+      EXPECT_EQ(GetNumberOfMisses(messages), 0);
+    }
+  }
+}
+
 // With kept operators, and other values, there is the same.
 TEST(MaterialFieldsInterpolation, KeptOperators)
 {
