@@ -59,10 +59,11 @@
  * Threaded by vtkSMPTools; the output is the same, bit for bit, for any number of threads. Ghost
  * types of cells go to the children. The partitions of several ranks (Controller) are refined as
  * one mesh, whatever their borders: cells, points and arrays are those that one rank makes of the
- * whole. But `GreenParent` and `RedGreenLeaves` count on each rank for itself, a next filter on
- * several ranks leaves green cells as they are, and at MaximumNumberOfCells, which is that of all
- * ranks together, the last round leaves out all places below one error, and so more of them. Ranks
- * exchange split edges in each round, mostly two to four times.
+ * whole, and a next filter on several ranks goes on from there. But at MaximumNumberOfCells, which
+ * is that of all ranks together, the last round leaves out all places below one error, and so more
+ * of them. `GreenParent` and `RedGreenLeaves` count in each block by itself. Ranks exchange split
+ * edges in each round, mostly two to four times, and number new points afterwards, in two exchanges
+ * for each level.
  *
  * @par Errors
  * See vtkRefinementAlgorithm.

@@ -3,9 +3,12 @@
 // the whole mesh.
 #include "PartitionTools.h"
 
+#include "Private/Distribution/KeptParts.h"
 #include "Private/RedGreen/RedGreenRun.h"
 
 #include "vtkCellData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 
 #include <mutex>
@@ -103,9 +106,11 @@ std::atomic<int> MostExchanges{ 0 }; ///< in a round
 
 /// Refines the parts of a mesh. `options` may be changed for one of the parts.
 bool RefineParts(const std::vector<Mesh>& cut, const Partition& partition, const Choice& choice,
-  const RedGreenOptions& options, std::vector<Mesh>& outputs)
+  const RedGreenOptions& options, std::vector<Mesh>& outputs,
+  subdivision::KeptParts* kept = nullptr)
 {
   subdivision::DistributionOptions distribution;
+  distribution.Kept = kept;
   distribution.WorksInRounds = true;
   RedGreenOptions shared = options;
   return RunOnParts(
@@ -148,6 +153,92 @@ TEST(PartitionsRedGreen, GiveTheWhole)
       }
     }
   }
+}
+
+namespace
+{
+
+/// Refines a mesh and its parts once, then `change`s both, and lets `next` go on.
+void ExpectToGoOn(
+  vtkPointSet* mesh, const Choice& first, const Choice& second,
+  const std::function<void(vtkPointSet*)>& change = [](vtkPointSet*) {})
+{
+  RedGreenOptions options = MakeOptions();
+  options.Criteria.MaximumLevel = 1;
+  RedGreenOptions more = MakeOptions();
+  more.Criteria.MaximumLevel = 2;
+  const auto once = Grid::New();
+  const auto twice = Grid::New();
+  ASSERT_TRUE(Refine(mesh, once, first, options));
+  change(once);
+  ASSERT_TRUE(Refine(once, twice, second, more));
+  subdivision::AddGlobalIds(twice);
+  for (const Partition& partition : { Partitions[1], Partitions[3] })
+  {
+    SCOPED_TRACE(std::string(partition.Name) + ", " + first.Name + ", then " + second.Name +
+      ", mesh of " + std::to_string(mesh->GetNumberOfCells()) + " cells, output of " +
+      std::to_string(twice->GetNumberOfCells()));
+    std::vector<Mesh> parts;
+    ASSERT_TRUE(RefineParts(Cut(mesh, partition), partition, first, options, parts));
+    for (const Mesh& part : parts)
+    {
+      change(part);
+    }
+    subdivision::KeptParts kept;
+    for (int step = 0; step < 2; ++step) // what is kept makes no difference
+    {
+      std::vector<Mesh> outputs;
+      ASSERT_TRUE(RefineParts(parts, partition, second, more, outputs, &kept));
+      ExpectWhole(twice, outputs);
+    }
+  }
+}
+
+}
+
+// A second filter finds the leaves of the first one, wherever their parts are, and refines these;
+// where the limit counts, it takes green cells as they are.
+TEST(PartitionsRedGreen, TheNextFilterGoesOn)
+{
+  const int pairs[][2] = { { 1, 2 }, { 2, 1 }, { 1, 3 }, { 3, 1 } };
+  for (const Mesh& mesh : MakeMeshesWithFields())
+  {
+    for (const auto& [first, second] : pairs)
+    {
+      ExpectToGoOn(mesh, Choices[first], Choices[second]);
+      if (HasFailure())
+      {
+        return;
+      }
+    }
+  }
+}
+
+// Where parts of a leaf have different values on one rank only, no rank undoes green cells.
+TEST(PartitionsRedGreen, AllGoOnOrNone)
+{
+  const Mesh mesh = MakeMixedBox(8); // so that the last slab does not have the first cells
+  NumberCells(mesh);
+  AddFields(mesh);
+  double chosen = -1.; // a cell with green parts, which are the same in the whole and in a part
+  ExpectToGoOn(mesh, Choices[1], Choices[2],
+    [&chosen](vtkPointSet* refined)
+    {
+      vtkDataArray* numbers = refined->GetCellData()->GetArray(CellName);
+      vtkDataArray* parents = refined->GetCellData()->GetArray("GreenParent");
+      vtkNew<vtkIntArray> different;
+      different->SetName("Different");
+      bool isFirst = true;
+      for (vtkIdType c = 0; c < refined->GetNumberOfCells(); ++c)
+      {
+        const bool isGreen = parents->GetTuple1(c) >= 0.;
+        chosen = isGreen && chosen < 0. ? numbers->GetTuple1(c) : chosen;
+        const bool isHere = isFirst && isGreen && numbers->GetTuple1(c) == chosen;
+        different->InsertNextValue(isHere ? 1 : 0);
+        isFirst = isFirst && !isHere;
+      }
+      refined->GetCellData()->AddArray(different);
+    });
 }
 
 // At the limit of cells all partitions leave out the same.

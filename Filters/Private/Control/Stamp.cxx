@@ -90,13 +90,17 @@ bool ReadPartStamp(vtkPointSet* part, Stamp& stamp)
 {
   const std::vector<vtkIdType> numbers = ReadFieldIds(Format.Name, part->GetFieldData());
   if (numbers.size() != NumberOfNumbers || numbers[Version] != Format.Version ||
-    numbers[Scheme] == static_cast<int>(StampScheme::RedGreen) || numbers[TetOrderIsFinal] != 1 ||
-    numbers[Projected] != 0 || numbers[Levels] < 0 || numbers[Levels] > MostStampedLevels ||
-    numbers[ControlPoints] < 0)
+    numbers[Levels] < 0 || numbers[Levels] > MostStampedLevels || numbers[ControlPoints] < 0)
   {
     return false;
   }
   stamp.Scheme = static_cast<StampScheme>(numbers[Scheme]);
+  stamp.IsProjected = numbers[Projected] != 0;
+  stamp.TetOrderIsFinal = numbers[TetOrderIsFinal] != 0;
+  if (stamp.Scheme != StampScheme::RedGreen && (stamp.IsProjected || !stamp.TetOrderIsFinal))
+  {
+    return false;
+  }
   stamp.Levels = static_cast<int>(numbers[Levels]);
   stamp.NumberOfControlPoints = numbers[ControlPoints];
   stamp.NumberOfPoints = numbers[Points];

@@ -87,7 +87,8 @@ struct Stamp
 bool ReadStamp(vtkPointSet* input, StampScheme scheme, Stamp& stamp);
 
 /// Reads the numbers of a stamp of a volume scheme, which may count in a whole output of which the
-/// mesh is a part. Returns false if there are none, or if points are on the limit.
+/// mesh is a part. Returns false if there are none, or if points of a uniform scheme are on the
+/// limit.
 bool ReadPartStamp(vtkPointSet* part, Stamp& stamp);
 
 /// Writes or replaces the stamp of a finished output.

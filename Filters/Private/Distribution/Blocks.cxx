@@ -266,14 +266,21 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, const OutputOption
   int block, const std::vector<vtkIdType>* own, std::vector<Block>& blocks)
 {
   vtkPointSet* output = blocks[block].Output;
+  const auto addFieldData = [&]
+  {
+    AddFieldData(blocks[block].Input->GetFieldData(), false, output->GetFieldData());
+    AddFieldData(whole->GetFieldData(), true, output->GetFieldData());
+  };
   std::pair<Numbers, Numbers> numbers;
   if (own)
   {
+    addFieldData(); // TakeMesh replaces green leaves by those of the block
     numbers = TakeMesh(whole, options, block, *own, output);
   }
   else
   {
     TakeAll(whole, output);
+    addFieldData();
     if (options.GhostLayers > 0)
     {
       std::vector<vtkIdType> all(static_cast<size_t>(whole->GetNumberOfCells()));
@@ -297,8 +304,6 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, const OutputOption
     OriginalPointIdsName, joined.PointArrays, joined.PointPlaces[block], output->GetPointData());
   CountInBlock(
     OriginalCellIdsName, joined.CellArrays, joined.CellPlaces[block], output->GetCellData());
-  AddFieldData(blocks[block].Input->GetFieldData(), false, output->GetFieldData());
-  AddFieldData(whole->GetFieldData(), true, output->GetFieldData());
   if (options.GlobalIds)
   {
     AddGlobalIds(numbers.first, numbers.second, output);

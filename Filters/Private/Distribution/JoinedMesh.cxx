@@ -2,6 +2,7 @@
 #include "Private/Distribution/JoinedMesh.h"
 
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/GreenLeaves.h"
 #include "Private/Distribution/JoinedArrays.h"
 #include "Private/Reading/CellReader.h"
 
@@ -264,6 +265,24 @@ void AddBlocks(
   mesh->GetCellData()->AddArray(blocks);
 }
 
+void JoinLeaves(const std::vector<MeshPart>& parts, const std::vector<Item>& cells,
+  const Places& points, vtkPointSet* mesh)
+{
+  std::vector<vtkPointSet*> meshes;
+  for (const MeshPart& part : parts)
+  {
+    meshes.push_back(part.Mesh);
+  }
+  TakeLeaves(
+    meshes, [&](vtkIdType c) { return CellOfMesh(cells[c].Part, cells[c].Index); },
+    [&](std::size_t part, vtkIdType point)
+    {
+      const std::vector<vtkIdType>& places = points.OfPart[part];
+      return Exists(point, places) ? places[point] : vtkIdType(-1);
+    },
+    mesh);
+}
+
 std::vector<vtkIdType> GetIds(const std::vector<Item>& items)
 {
   std::vector<vtkIdType> ids;
@@ -396,6 +415,7 @@ JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType)
   ExtendArrays(joined.Mesh, joined.PointArrays, pointPlaces);
   joined.CellArrays =
     JoinArrays(parts, cellPlaces, vtkDataObject::CELL, joined.Mesh->GetCellData());
+  JoinLeaves(parts, cells, pointPlaces, joined.Mesh);
   AddBlocks(parts, cells, joined.Mesh);
   joined.PointIds = GetIds(points);
   joined.CellIds = GetIds(cells);
@@ -428,6 +448,7 @@ std::vector<vtkIdType> TakeCells(vtkPointSet* whole, const std::vector<vtkIdType
   const std::vector<vtkIdType> points = FindPoints(reader, cells, kept, place);
 
   TakeValues(whole, points, cells, part);
+  TakeLeaves(whole, cells, points, part);
   if (HasPolyhedra(reader))
   {
     TakeWithFaces(vtkUnstructuredGrid::SafeDownCast(whole), cells, place,

@@ -72,9 +72,9 @@ JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType = VTK_DOUBLE);
 
 /**
  * Writes into `part` some cells of `whole`, ascending, with the points that they use, in the order
- * of `whole`, and all arrays but BlockName. `whole` is a vtkUnstructuredGrid or vtkPolyData, and
- * `part` of the same class. `kept`: points that `part` gets although no cell uses them, ascending.
- * Returns the points that `part` has.
+ * of `whole`, all arrays but BlockName, and the green leaves of these cells. `whole` is a
+ * vtkUnstructuredGrid or vtkPolyData, and `part` of the same class. `kept`: points that `part` gets
+ * although no cell uses them, ascending. Returns the points that `part` has.
  */
 std::vector<vtkIdType> TakeCells(vtkPointSet* whole, const std::vector<vtkIdType>& cells,
   const std::vector<vtkIdType>& kept, vtkPointSet* part);

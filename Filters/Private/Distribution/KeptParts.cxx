@@ -3,6 +3,7 @@
 
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/GreenLeaves.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkCellArray.h"
@@ -93,6 +94,16 @@ private:
   std::vector<std::uint64_t>& Key;
 };
 
+bool HaveLeaves(const std::vector<std::vector<MeshPart>>& parts)
+{
+  return std::any_of(parts.begin(), parts.end(),
+    [](const std::vector<MeshPart>& partition)
+    {
+      return std::any_of(partition.begin(), partition.end(),
+        [](const MeshPart& part) { return !GreenLeaves(part.Mesh).IsEmpty(); });
+    });
+}
+
 /// The same part without what the next execution brings: an own part without its mesh, one that
 /// came from others without values. What remains is the part that ShareArrays adds.
 MeshPart DropValues(const MeshPart& part, bool hasCome)
@@ -168,7 +179,8 @@ bool KeptParts::Restore(std::vector<std::vector<MeshPart>>& parts, int layers, E
 void KeptParts::Keep(const std::vector<std::vector<MeshPart>>& parts, std::vector<SentLayers> sent,
   bool areStamped, std::vector<std::string> warnings)
 {
-  this->Known = std::move(this->Current);
+  // Leaves number their points and cells anew in each part: values alone are not enough.
+  this->Known = HaveLeaves(parts) ? std::vector<std::uint64_t>() : std::move(this->Current);
   this->Parts.clear();
   for (size_t p = 0; p < parts.size(); ++p)
   {

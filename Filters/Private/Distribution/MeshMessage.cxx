@@ -292,6 +292,17 @@ void GetValues(Reader& reader, vtkPointSet* mesh)
 
 }
 
+void AddStampedLists(vtkFieldData* from, vtkFieldData* to)
+{
+  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
+  {
+    if (IsStampedList(from->GetAbstractArray(a)))
+    {
+      to->AddArray(from->GetAbstractArray(a));
+    }
+  }
+}
+
 std::vector<vtkIdType> PackCells(
   const MeshPart& part, const std::vector<vtkIdType>& cells, std::vector<char>& message)
 {
@@ -301,7 +312,8 @@ std::vector<vtkIdType> PackCells(
   writer.Put(static_cast<vtkIdType>(vtkPolyData::SafeDownCast(mesh) ? 1 : 0));
   PutCells(mesh, writer);
   PutValues(mesh, writer);
-  PutArrays(part.Mesh->GetFieldData(), IsStampedList, writer);
+  AddStampedLists(part.Mesh->GetFieldData(), mesh->GetFieldData());
+  PutArrays(mesh->GetFieldData(), CanBeSent, writer);
   writer.Put(Select(part.Points, points));
   writer.Put(Select(part.Cells, cells));
   return points;

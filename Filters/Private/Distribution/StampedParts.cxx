@@ -2,6 +2,7 @@
 #include "Private/Distribution/StampedParts.h"
 
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/GreenLeaves.h"
 #include "Private/Control/Stamp.h"
 #include "Private/Control/StampFields.h"
 #include "Private/Reading/CellReader.h"
@@ -104,6 +105,21 @@ bool IsOfRegion(const MeshPart& part)
   return ReadFieldIds(RegionBlockName, part.Mesh->GetFieldData()) == Ids{ sum, part.Block };
 }
 
+/// Whether a part has all green cells of each of its leaves.
+bool AreLeavesWhole(const MeshPart& part, const CellGroups& groups)
+{
+  const GreenLeaves leaves(part.Mesh);
+  for (vtkIdType g = 0; !leaves.IsEmpty() && g < groups.GetNumberOfGroups(); ++g)
+  {
+    const vtkIdType leaf = leaves.GetLeaf(groups.Cells[groups.Starts[g]]);
+    if (leaf >= 0 && groups.Starts[g + 1] - groups.Starts[g] != leaves.CountParts(leaf))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// The same for a part of an output that several ranks have.
 bool TakeNumbersOfPart(MeshPart& part, Stamp& stamp)
 {
@@ -118,7 +134,7 @@ bool TakeNumbersOfPart(MeshPart& part, Stamp& stamp)
   }
   part.Levels = stamp.Levels;
   CellGroups groups;
-  return FindGroups(part, groups);
+  return FindGroups(part, groups) && AreLeavesWhole(part, groups);
 }
 
 bool AreConsecutive(const Ids& ids)
@@ -418,8 +434,10 @@ bool RestoreStamp(const std::vector<MeshPart>& parts, bool taken, JoinedMesh& jo
     return true;
   }
   Stamp stamp;
-  const bool isOfPartitions = parts.back().Block == NoBlock || parts[0].Levels > 0;
-  if (!taken || (!isWhole && !isOfPartitions) || !ReadPartStamp(parts[0].Mesh, stamp))
+  const bool isRead = taken && ReadPartStamp(parts[0].Mesh, stamp);
+  const bool isOfPartitions =
+    parts.back().Block == NoBlock || parts[0].Levels > 0 || stamp.Scheme == StampScheme::RedGreen;
+  if (!isRead || (!isWhole && !isOfPartitions))
   {
     if (taken && isWhole)
     {
@@ -470,11 +488,29 @@ Descent FindDescent(int dimension, int levels)
   return { dimension + 1, count, count > 1 ? (count - 1) / ((1 << dimension) - 1) : 0 };
 }
 
+/// Adds the green parts of a leaf, with all of their points.
+void AddLeaf(
+  const CellReader& reader, const GreenLeaves& leaves, vtkIdType first, CellGroups& groups)
+{
+  const auto size = static_cast<vtkIdType>(groups.Cells.size());
+  const vtkIdType leaf = leaves.GetLeaf(groups.Cells[first]);
+  Ids scratch;
+  vtkIdType end = first;
+  for (; end < size && leaves.GetLeaf(groups.Cells[end]) == leaf; ++end)
+  {
+    const CellIds cell = reader.GetCell(groups.Cells[end], scratch);
+    groups.Points.insert(groups.Points.end(), cell.Ids, cell.Ids + cell.Size);
+  }
+  groups.Starts.push_back(end);
+  groups.PointStarts.push_back(static_cast<vtkIdType>(groups.Points.size()));
+}
+
 }
 
 bool FindGroups(const MeshPart& part, CellGroups& groups)
 {
   const CellReader reader(part.Mesh);
+  const GreenLeaves leaves(part.Mesh);
   for (size_t c = 0; c < part.Cells.size(); ++c)
   {
     if (part.Cells[c] >= 0)
@@ -482,7 +518,7 @@ bool FindGroups(const MeshPart& part, CellGroups& groups)
       groups.Cells.push_back(static_cast<vtkIdType>(c));
     }
   }
-  if (part.Levels > 0)
+  if (part.Levels > 0 || !leaves.IsEmpty())
   {
     std::sort(groups.Cells.begin(), groups.Cells.end(),
       [&part](vtkIdType a, vtkIdType b) { return part.Cells[a] < part.Cells[b]; });
@@ -493,6 +529,11 @@ bool FindGroups(const MeshPart& part, CellGroups& groups)
   { return reader.GetCell(groups.Cells[cell], scratch).Ids[corner]; };
   for (vtkIdType first = 0; first < size; first = groups.Starts.back())
   {
+    if (leaves.GetLeaf(groups.Cells[first]) >= 0)
+    {
+      AddLeaf(reader, leaves, first, groups);
+      continue;
+    }
     const vtkIdType corners = reader.GetCell(groups.Cells[first], scratch).Size;
     Descent descent = FindDescent(static_cast<int>(corners) - 1, part.Levels);
     if (part.Levels > 0 && corners == 4 && reader.GetCellType(groups.Cells[first]) == VTK_POLYGON)

@@ -38,7 +38,7 @@ bool RestoreStamp(const std::vector<MeshPart>& parts, bool taken, JoinedMesh& jo
 
 /**
  * The cells of a part in the groups in which AddLayers sends them: the descendants of one control
- * simplex, where an earlier filter made them, else each cell for itself.
+ * simplex, where an earlier filter made them, the green parts of a leaf, else each cell for itself.
  */
 struct CellGroups
 {

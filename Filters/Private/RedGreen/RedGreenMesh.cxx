@@ -20,8 +20,6 @@ namespace subdivision
 namespace
 {
 
-constexpr int LeafComponents = 10; ///< four points of a leaf, six on its edges
-
 bool HasSameTuples(vtkAbstractArray* array, vtkIdType a, vtkIdType b)
 {
   const int components = array->GetNumberOfComponents();
@@ -293,7 +291,7 @@ RedGreenMesh ReadRedGreenMesh(
 
 template <typename Id>
 void WriteRedGreenFields(const RedGreenMesh& mesh, const RedGreenOutput<Id>& plan, bool isProjected,
-  vtkUnstructuredGrid* output)
+  const WholeSize& whole, vtkUnstructuredGrid* output)
 {
   const vtkIdType leaves = plan.GetNumberOfGreenLeaves();
   vtkNew<vtkIdTypeArray> array;
@@ -311,7 +309,9 @@ void WriteRedGreenFields(const RedGreenMesh& mesh, const RedGreenOutput<Id>& pla
   output->GetFieldData()->AddArray(array);
   Stamp stamp;
   stamp.Scheme = StampScheme::RedGreen;
-  stamp.NumberOfControlPoints = output->GetNumberOfPoints();
+  stamp.NumberOfControlPoints = whole.Points > 0 ? whole.Points : output->GetNumberOfPoints();
+  stamp.NumberOfPoints = whole.Points;
+  stamp.NumberOfCells = whole.Cells;
   stamp.IsProjected = isProjected;
   stamp.TetOrderIsFinal = mesh.TetOrderIsFinal;
   WriteStamp(stamp, output);

@@ -11,6 +11,7 @@
 #include "Core/Solids/RedGreen/RedGreenOutput.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/ControlMesh.h"
+#include "Private/Control/GreenLeaves.h"
 
 #include <array>
 #include <vector>
@@ -24,8 +25,6 @@ namespace subdivision
 /// Arrays of the output.
 constexpr const char* LevelName = "RefinementLevel";
 constexpr const char* KindName = "RefinementKind";
-constexpr const char* GreenParentName = "GreenParent";
-constexpr const char* LeavesName = "RedGreenLeaves";
 
 struct RedGreenMesh
 {
@@ -59,16 +58,23 @@ struct RedGreenMesh
   }
 };
 
+struct WholeSize
+{
+  vtkIdType Points = 0;
+  vtkIdType Cells = 0;
+};
+
 /// Reads an input. `trustStamp`: as in ReadControlMesh; `undo`: false if green cells are to be
 /// taken as they are. The warnings of the control mesh have the reason if the green cells of an
 /// earlier filter cannot be undone.
 RedGreenMesh ReadRedGreenMesh(
   vtkPointSet* input, const FeatureOptions& features, bool trustStamp, bool undo);
 
-/// Writes or replaces the stamp, the leaves and the global ids of a finished output.
+/// Writes or replaces the stamp, the leaves and the global ids of a finished output. `whole`: how
+/// many points and cells the output has of which this is a part; zeros: it is the whole.
 template <typename Id>
 void WriteRedGreenFields(const RedGreenMesh& mesh, const RedGreenOutput<Id>& plan, bool isProjected,
-  vtkUnstructuredGrid* output);
+  const WholeSize& whole, vtkUnstructuredGrid* output);
 
 }
 

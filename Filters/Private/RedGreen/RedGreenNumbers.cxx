@@ -48,8 +48,8 @@ void NumberMidpoints(const std::vector<Id>& vertices, const RedGreen<Id>& state,
 }
 
 template <typename Id>
-void AddRedGreenNumbers(vtkPointSet* input, const RedGreenMesh& mesh, const RedGreen<Id>& state,
-  const Ids& simplices, Partners& partners, vtkUnstructuredGrid* output)
+WholeSize AddRedGreenNumbers(vtkPointSet* input, const RedGreenMesh& mesh,
+  const RedGreen<Id>& state, const Ids& simplices, Partners& partners, vtkUnstructuredGrid* output)
 {
   const SimplexView read = mesh.Control.Cells.GetView();
   Ids cellsOfSimplices;
@@ -85,6 +85,7 @@ void AddRedGreenNumbers(vtkPointSet* input, const RedGreenMesh& mesh, const RedG
   }
   output->GetPointData()->AddArray(MakeField<vtkIdTypeArray>(PointNumbersName, points.Ids));
   output->GetCellData()->AddArray(MakeField<vtkIdTypeArray>(CellNumbersName, ofCells.Ids));
+  return { points.Total, ofCells.Total };
 }
 
 SUBDIVISION_COMPILE_FUNCTION(AddRedGreenNumbers);

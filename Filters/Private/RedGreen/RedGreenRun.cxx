@@ -74,6 +74,7 @@ private:
   template <typename Id>
   void StopAtLimit(std::vector<Marks<Id>>& rounds, SharedState<Id>& shared);
   bool IsTooLarge(vtkIdType ownCells);
+  bool AllAgree(bool own) const { return this->Others ? this->Others->Sum(own ? 0 : 1) == 0 : own; }
   void WarnOfNotes(MarkNotes& notes);
 
   template <typename Id>
@@ -110,7 +111,7 @@ private:
 
 bool RedGreenRun::Run()
 {
-  this->Read(!this->Others); // a part does not have the cells of the stamp
+  this->Read(true);
   if (this->IsStopped(0.1))
   {
     return false;
@@ -131,8 +132,12 @@ void RedGreenRun::Read(bool trustStamp)
 {
   // Leaves in the place of their green parts do not conform, and then there is no limit. Where
   // limits are needed, green cells are not undone.
-  this->Mesh =
-    ReadRedGreenMesh(this->Input, this->Options.Features, trustStamp, !this->ReadsLimit());
+  const bool undo = !this->ReadsLimit();
+  this->Mesh = ReadRedGreenMesh(this->Input, this->Options.Features, trustStamp, undo);
+  if (undo && !this->AllAgree(this->Mesh.IsContinued) && this->Mesh.IsContinued)
+  {
+    this->Mesh = ReadRedGreenMesh(this->Input, this->Options.Features, trustStamp, false);
+  }
   if (this->Others)
   {
     this->Mesh.Scopes = FindScopes(this->Mesh, *this->Others);
@@ -182,7 +187,7 @@ bool RedGreenRun::Plan(SharedState<Id>& shared, RedGreenLimit<Id>& limit)
   bool isFound = false;
   try
   {
-    isTrue = this->BuildLimit(limit);
+    isTrue = this->AllAgree(this->BuildLimit(limit));
     if (isTrue)
     {
       this->Interpolate(limit);
@@ -520,10 +525,9 @@ bool RedGreenRun::Refine()
   shared.State->SortVertices();
   const RedGreen<Id>& state = *shared.State;
   const RedGreenOutput<Id> plan(state);
-  const bool addsNumbers = this->Others && this->Options.GenerateGlobalIds;
   std::vector<vtkIdType> simplices;
-  WriteRedGreenCells(
-    plan, this->Input, this->Mesh, this->Options, addsNumbers ? &simplices : nullptr, this->Output);
+  WriteRedGreenCells(plan, this->Input, this->Mesh, this->Options,
+    this->Others ? &simplices : nullptr, this->Output);
   if (this->IsStopped(0.9))
   {
     return false;
@@ -532,11 +536,13 @@ bool RedGreenRun::Refine()
   TellOvershoot(
     *this->Points, this->Options, this->Input, this->Output, this->Options.LimitPlacement);
   RebuildPointGhosts(this->Input, this->Output);
-  WriteRedGreenFields(this->Mesh, plan, this->Options.LimitPlacement, this->Output);
-  if (addsNumbers)
+  WholeSize whole;
+  if (this->Others)
   {
-    AddRedGreenNumbers(this->Input, this->Mesh, state, simplices, *this->Others, this->Output);
+    whole =
+      AddRedGreenNumbers(this->Input, this->Mesh, state, simplices, *this->Others, this->Output);
   }
+  WriteRedGreenFields(this->Mesh, plan, this->Options.LimitPlacement, whole, this->Output);
   return true;
 }
 
