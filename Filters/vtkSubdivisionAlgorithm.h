@@ -123,9 +123,7 @@ public:
    * Whether to give points and cells global ids (the active attributes `GlobalPointIds` and
    * `GlobalCellIds`, vtkIdTypeArray, one component): their indices in the output of the whole mesh,
    * however it is distributed over blocks and ranks. If JoinBlocks is off, they count in each
-   * block. vtkSimplicialComplexTopology, and vtkMultiDimensionalSubdivision with KeepCellTypes, do
-   * not know them on several ranks: they warn and add none. No effect in vtkSubdivisionDeformation.
-   * Off by default.
+   * block. No effect in vtkSubdivisionDeformation. Off by default.
    */
   vtkSetMacro(GenerateGlobalIds, bool);
   vtkGetMacro(GenerateGlobalIds, bool);

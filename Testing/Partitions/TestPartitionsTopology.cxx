@@ -36,11 +36,13 @@ void AddSimplices(vtkPointSet* mesh, std::map<std::vector<Point>, int>& simplice
   }
 }
 
-void CheckPartitions(const Mesh& mesh)
+void CheckPartitions(const Mesh& mesh, bool specialOnly = false)
 {
   subdivision::ProbeOptions options;
   options.Warn = [](const std::string&) {};
   options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
+  options.GenerateGlobalIds = true;
+  options.SpecialOnly = specialOnly;
   const auto whole = Grid::New();
   ASSERT_TRUE(ProbeTopology(mesh, options, whole));
   std::map<std::vector<Point>, int> simplices;
@@ -69,6 +71,7 @@ void CheckPartitions(const Mesh& mesh)
       }
     }
     EXPECT_TRUE(simplices == found);
+    ExpectIndices(whole, outputs);
   }
 }
 
@@ -80,6 +83,7 @@ TEST(PartitionsTopology, HaveTheNumbersOfTheWhole)
   {
     SCOPED_TRACE("mesh of " + std::to_string(mesh->GetNumberOfCells()) + " cells");
     CheckPartitions(mesh);
+    CheckPartitions(mesh, true);
   }
 }
 

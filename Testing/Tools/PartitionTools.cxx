@@ -440,4 +440,49 @@ void ExpectWhole(vtkPointSet* whole, const std::vector<Mesh>& parts)
   EXPECT_EQ(0, std::count(isFound.begin(), isFound.end(), 0));
 }
 
+namespace
+{
+
+/// The corners of a cell, by their global ids if there are any.
+std::vector<vtkIdType> GetCornerIds(vtkPointSet* mesh, vtkIdType cell)
+{
+  vtkDataArray* numbers = mesh->GetPointData()->GetGlobalIds();
+  vtkNew<vtkIdList> ids;
+  mesh->GetCellPoints(cell, ids);
+  std::vector<vtkIdType> corners;
+  for (const vtkIdType id : *ids)
+  {
+    corners.push_back(numbers ? static_cast<vtkIdType>(numbers->GetTuple1(id)) : id);
+  }
+  return corners;
+}
+
+}
+
+void ExpectIndices(vtkPointSet* whole, const std::vector<Mesh>& parts)
+{
+  std::vector<int> isThere(static_cast<size_t>(whole->GetNumberOfCells()), 0);
+  for (const Mesh& part : parts)
+  {
+    vtkDataArray* points = part->GetPointData()->GetGlobalIds();
+    vtkDataArray* cells = part->GetCellData()->GetGlobalIds();
+    ASSERT_TRUE(points && cells);
+    for (vtkIdType p = 0; p < part->GetNumberOfPoints(); ++p)
+    {
+      const auto number = static_cast<vtkIdType>(points->GetTuple1(p));
+      ASSERT_TRUE(number >= 0 && number < whole->GetNumberOfPoints());
+      ASSERT_EQ(GetPoint(whole, number), GetPoint(part, p)) << "point " << p;
+    }
+    for (vtkIdType c = 0; c < part->GetNumberOfCells(); ++c)
+    {
+      const auto number = static_cast<vtkIdType>(cells->GetTuple1(c));
+      ASSERT_TRUE(number >= 0 && number < whole->GetNumberOfCells());
+      ++isThere[static_cast<size_t>(number)];
+      ASSERT_EQ(whole->GetCellType(number), part->GetCellType(c));
+      ASSERT_EQ(GetCornerIds(whole, number), GetCornerIds(part, c)) << "cell " << c;
+    }
+  }
+  EXPECT_EQ(std::vector<int>(isThere.size(), 1), isThere);
+}
+
 }

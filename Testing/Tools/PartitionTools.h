@@ -122,6 +122,10 @@ private:
 /// points, coordinates and arrays, bit for bit. Both come from meshes with NumberCells.
 void ExpectWhole(vtkPointSet* whole, const std::vector<Mesh>& parts);
 
+/// Whether global ids of the parts of an output are the indices of the whole, and each cell is
+/// there once.
+void ExpectIndices(vtkPointSet* whole, const std::vector<Mesh>& parts);
+
 /// Whether the ghost cells of a part of an output are the cells of the whole output that share a
 /// point with its own. Cells are told apart by the places of their points.
 void ExpectGhosts(vtkPointSet* whole, vtkPointSet* part);

@@ -10,6 +10,7 @@
 #include "Private/Control/ControlComplex.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Topology/SharedCounts.h"
+#include "Private/Topology/TopologyNumbers.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -108,6 +109,7 @@ private:
   ComplexNumbers Count(
     const ControlComplex<Id>& control, const ComplexDescription<Id>& description) const;
   void AddNumbers(const ComplexNumbers& numbers);
+  void AddIds();
 
   vtkIdType GetNumberOfCells() const
   {
@@ -246,6 +248,7 @@ bool Probe::Describe(const ControlComplex<Id>& control)
   this->FindFirstCells(control);
   this->AddBlocks();
   this->AddNumbers(this->Count(control, description));
+  this->AddIds();
   return true;
 }
 
@@ -515,6 +518,19 @@ void Probe::AddNumbers(const ComplexNumbers& numbers)
   add("SimplexCounts", counts, 4);
   add("EulerCharacteristic", &euler, 1);
   add("ManifoldComponents", numbers.Components, 4);
+}
+
+/// Adds the numbers that points and cells have in the output of the whole mesh, if this is a part.
+void Probe::AddIds()
+{
+  if (!this->Others || !this->Options.GenerateGlobalIds)
+  {
+    return;
+  }
+  vtkDataArray* blocks = this->Output->GetCellData()->GetArray(BlockName);
+  AddTopologyNumbers(
+    this->Input, this->Mesh, [blocks](vtkIdType c) { return blocks->GetTuple1(c) != NoBlock; },
+    *this->Others, this->Output);
 }
 
 }

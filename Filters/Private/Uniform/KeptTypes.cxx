@@ -9,6 +9,7 @@
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Uniform/KeptNumbers.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 namespace subdivision
@@ -298,6 +300,8 @@ bool RefineKeepingTypes(
   noCentres.Simplices.NumberOfPoints = input->GetNumberOfPoints();
   const std::vector<vtkIdType> ids = ReadIdsOf(input->GetPointData(), input->GetNumberOfPoints());
   const auto points = MakePoints(input, noCentres, ids, options);
+  Partners* others = options.GenerateGlobalIds ? FindPartners(options, input) : nullptr;
+  const auto numbers = others ? std::make_unique<KeptNumbers>(input, *others) : nullptr;
   for (int level = 0; level < options.Levels; ++level)
   {
     if (options.Progress && options.Progress(level / (options.Levels + 1.)))
@@ -306,6 +310,10 @@ bool RefineKeepingTypes(
     }
     OrderTetsOf(kept.Cells, points->GetCoordinates(), level == 0 ? ids : std::vector<vtkIdType>());
     RedStep step = RefineRed(kept.Cells);
+    if (numbers)
+    {
+      numbers->Add(step, kept.Cells, kept.Sources);
+    }
     points->Advance(step.Rows,
       [&](vtkIdType row)
       {
@@ -324,6 +332,10 @@ bool RefineKeepingTypes(
   points->Finish(output);
   WriteCells(kept.Cells, options.Use32BitIds, output);
   WriteCellData(input, kept.Sources, options, output);
+  if (numbers)
+  {
+    numbers->Write(kept.Sources, output);
+  }
   return true;
 }
 
