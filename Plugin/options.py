@@ -78,6 +78,7 @@ class Filter:
         made = {child.get("name"): Option(child) for one in chain for child in one if child.get("command")}
         inputs = [option for option in made.values() if option.command == "SetInputConnection"]
         self.has_input = any(option.port == 0 for option in inputs)
+        self.takes_image = any(option.port == 0 and option.types[0] == "vtkImageData" for option in inputs)
         self.own = {child.get("name") for child in element}
         self.options = [option for option in made.values() if not option.hidden and
                         not (option in inputs and option.port == 0)]

@@ -8,6 +8,21 @@ sys.path.insert(0, sys.argv[1])
 import options  # noqa: E402
 
 
+MESH = ["mesh: Any", "cells: Any = None", "*", "point_data: Optional[Mapping[str, Any]] = None",
+        "cell_data: Optional[Mapping[str, Any]] = None"]
+MESH_HELP = (
+    "mesh: a data set of VTK, also of PyVista, a list of them, or the points as an array. cells: with points, "
+    "rows of point ids, or a dictionary of such arrays by types of cells (Arrays). point_data, cell_data: with "
+    "points, arrays by name. The output is given as the input is: a data set, a list, or Arrays.")
+IMAGE = ["mesh: Any", "*", "spacing: Optional[Sequence[float]] = None", "origin: Optional[Sequence[float]] = None"]
+IMAGE_HELP = (
+    "mesh: a data set of VTK, also of PyVista, or the labels as an array of NumPy with three axes in the order x, y, "
+    "z: labels[i, j, k] is the voxel around origin + spacing * (i, j, k). Where the slices along z come first, give the "
+    "transpose, labels.T. spacing, origin: with an array, three numbers each along x, y and z; default (1, 1, 1) and "
+    "(0, 0, 0). The output is given as the input is: a data set, or Arrays, whose cell_data['Label'] has the label of "
+    "each cell.")
+
+
 def snake(name):
     return options.split(name, "_")
 
@@ -51,10 +66,7 @@ def table(one):
 def documentation(one):
     text = "\n\n".join(options.wrap(part, 112, "    ") for part in [one.short_help] + one.help)
     if one.has_input:
-        text += "\n\n" + options.wrap(
-            "mesh: a data set of VTK, also of PyVista, a list of them, or the points as an array. cells: with points, "
-            "rows of point ids, or a dictionary of such arrays by types of cells (Arrays). point_data, cell_data: with "
-            "points, arrays by name. The output is given as the input is: a data set, a list, or Arrays.", 112, "    ")
+        text += "\n\n" + options.wrap(IMAGE_HELP if one.takes_image else MESH_HELP, 112, "    ")
     if one.criteria():
         text += "\n\n" + options.wrap(
             "refine: the criteria that are to be used, with their numbers or None, such as "
@@ -68,8 +80,9 @@ def documentation(one):
 
 def function(one):
     name = snake(one.short_name)
-    arguments = ["mesh: Any", "cells: Any = None", "*", "point_data: Optional[Mapping[str, Any]] = None",
-                 "cell_data: Optional[Mapping[str, Any]] = None"] if one.has_input else ["*"]
+    arguments = ["*"]
+    if one.has_input:
+        arguments = list(IMAGE if one.takes_image else MESH)
     for option in one.options:
         kind, value = value_type(option)
         arguments.append(f"{snake(option.name)}: {kind} = {value}")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From arrays, lists and meshes of PyVista to data sets of VTK, and back."""
 
+import re
 import sys
 
 import numpy as np
@@ -8,8 +9,8 @@ from vtkmodules.util import numpy_support
 from vtkmodules.util.vtkConstants import VTK_ID_TYPE
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
-    vtkCellArray, vtkCompositeDataSet, vtkDataObject, vtkMultiBlockDataSet, vtkPolyData, vtkSelection,
-    vtkSelectionNode, vtkTable, vtkUnstructuredGrid)
+    VTK_POLYGON, vtkCellArray, vtkCompositeDataSet, vtkDataObject, vtkImageData, vtkMultiBlockDataSet, vtkPolyData,
+    vtkSelection, vtkSelectionNode, vtkTable, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from .run import Arrays
@@ -35,12 +36,43 @@ def to_vtk(mesh, cells=None, point_data=None, cell_data=None):
         return from_arrays(*mesh, mesh.point_data, mesh.cell_data)
     if cells is None and isinstance(mesh, tuple) and len(mesh) == 2:
         return from_arrays(*mesh, point_data, cell_data)
-    if isinstance(mesh, list) and mesh and all(isinstance(one, vtkDataObject) for one in mesh):
+    if is_list_of_data_sets(mesh):
         blocks = vtkMultiBlockDataSet()
         for index, one in enumerate(mesh):
             blocks.SetBlock(index, one)
         return blocks
     return from_arrays(mesh, cells, point_data, cell_data)
+
+
+def is_list_of_data_sets(mesh):
+    return isinstance(mesh, list) and bool(mesh) and all(isinstance(one, vtkDataObject) for one in mesh)
+
+
+def to_image(labels, spacing=None, origin=None):
+    """A data set of VTK as it is; an array [x, y, z] as an image with these labels at its points."""
+    if isinstance(labels, (vtkAlgorithm, vtkDataObject)) or is_list_of_data_sets(labels):
+        if spacing is not None or origin is not None:
+            raise TypeError("a data set has a spacing and an origin of its own")
+        return to_vtk(labels)
+    labels = np.asarray(labels)
+    if labels.ndim != 3 or 0 in labels.shape or labels.dtype.kind not in "buif":
+        raise ValueError("labels must be numbers in an array [x, y, z], not the shape "
+                         f"{labels.shape} of {labels.dtype}")
+    image = vtkImageData()
+    image.SetDimensions(*labels.shape)
+    image.SetSpacing(*three_numbers("spacing", spacing, (1, 1, 1)))
+    image.SetOrigin(*three_numbers("origin", origin, (0, 0, 0)))
+    image.GetPointData().SetScalars(to_array("Label", labels.ravel(order="F"), labels.size))  # VTK: x goes fastest
+    return image
+
+
+def three_numbers(name, values, default):
+    values = np.asarray(default if values is None else values)
+    if values.shape != (3,) or values.dtype.kind not in "buif" or not np.isfinite(values).all():
+        raise ValueError(f"{name} takes 3 finite numbers, along x, y and z, not {values.tolist()!r}")
+    if name == "spacing" and values.min() <= 0:
+        raise ValueError(f"spacing must be above 0, not {values.tolist()!r}")
+    return values.tolist()
 
 
 def from_arrays(points, cells, point_data=None, cell_data=None):
@@ -76,9 +108,7 @@ def set_cells(grid, cells, number_of_points):
         cells = {BY_SIZE[rows.shape[1]]: rows}
     types, sizes, ids = [], [], []
     for name, rows in cells.items():
-        if name not in CELLS:
-            raise ValueError(f"there are no cells {name!r}: they are {', '.join(CELLS)}")
-        kind, size = CELLS[name]
+        kind, size = kind_and_size(name)
         rows = np.asarray(rows)
         if rows.ndim != 2 or rows.shape[1] != size or not np.issubdtype(rows.dtype, np.integer):
             raise ValueError(f"{name} must have rows of {size} integers, not the shape {rows.shape} of {rows.dtype}")
@@ -96,6 +126,17 @@ def set_cells(grid, cells, number_of_points):
     made.SetData(*(numpy_support.numpy_to_vtk(part, deep=1, array_type=VTK_ID_TYPE)
                    for part in (offsets, np.concatenate(ids).astype(np.int64))))
     grid.SetCells(numpy_support.numpy_to_vtk(np.concatenate(types), deep=1), made)
+
+
+def kind_and_size(name):
+    """Of cells by their name: polygon5 has 5 points."""
+    if name in CELLS:
+        return CELLS[name]
+    polygon = re.fullmatch("polygon([0-9]+)", str(name))
+    if not polygon or int(polygon[1]) < 3:
+        raise ValueError(f"there are no cells {name!r}: they are {', '.join(CELLS)}, and polygonN with N points each, "
+                         "such as polygon5")
+    return VTK_POLYGON, int(polygon[1])
 
 
 def to_array(name, values, count):
@@ -116,29 +157,38 @@ def to_array(name, values, count):
 
 def to_selection(value):
     """{"points": ids} or {"cells": ids} as a selection."""
-    if isinstance(value, vtkSelection):
-        return value
-    selection = vtkSelection()
-    for kind, ids in value.items():
-        if kind not in ("points", "cells"):
-            raise ValueError(f"a selection has points or cells, not {kind!r}")
-        node = vtkSelectionNode()
-        node.SetContentType(vtkSelectionNode.INDICES)
-        node.SetFieldType(vtkSelectionNode.POINT if kind == "points" else vtkSelectionNode.CELL)
-        node.SetSelectionList(numpy_support.numpy_to_vtk(np.asarray(ids, dtype="int64"), deep=1,
-                                                         array_type=VTK_ID_TYPE))
-        selection.AddNode(node)
-    return selection
+    return from_dictionary(value, vtkSelection, add_ids, "a selection such as {'cells': [0, 1]}")
 
 
 def to_table(value):
     """A dictionary of columns as a table."""
-    if isinstance(value, vtkTable):
+    return from_dictionary(value, vtkTable, add_column, "a table such as {'Label': [1, 2]}")
+
+
+def from_dictionary(value, cls, add, what):
+    """What is of the class as it is; else one to which `add` adds what the dictionary has."""
+    if isinstance(value, cls):
         return value
-    table = vtkTable()
-    for name, column in value.items():
-        table.AddColumn(to_array(name, column, len(column)))
-    return table
+    if not hasattr(value, "items"):
+        raise ValueError(f"{value!r} is not {what}")
+    made = cls()
+    for name, values in value.items():
+        add(made, name, values)
+    return made
+
+
+def add_ids(selection, kind, ids):
+    if kind not in ("points", "cells"):
+        raise ValueError(f"a selection has points or cells, not {kind!r}")
+    node = vtkSelectionNode()
+    node.SetContentType(vtkSelectionNode.INDICES)
+    node.SetFieldType(vtkSelectionNode.POINT if kind == "points" else vtkSelectionNode.CELL)
+    node.SetSelectionList(numpy_support.numpy_to_vtk(np.asarray(ids, dtype="int64"), deep=1, array_type=VTK_ID_TYPE))
+    selection.AddNode(node)
+
+
+def add_column(table, name, values):
+    table.AddColumn(to_array(name, values, len(values)))
 
 
 def like(mesh, output):
@@ -161,7 +211,7 @@ def to_arrays(mesh):
         offsets = numpy_support.vtk_to_numpy(cells.GetOffsetsArray())
         ids = numpy_support.vtk_to_numpy(cells.GetConnectivityArray())
         sizes = np.diff(offsets)
-        kinds = np.full(len(sizes), 7) if kinds is None else kinds
+        kinds = np.full(len(sizes), VTK_POLYGON) if kinds is None else kinds
         for kind, size in sorted({(int(k), int(s)) for k, s in np.unique(np.column_stack([kinds, sizes]), axis=0)}):
             chosen = np.flatnonzero((kinds == kind) & (sizes == size))
             name = NAMES.get(kind) or {3: "triangle", 4: "quad"}.get(size, f"polygon{size}")

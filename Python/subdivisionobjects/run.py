@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What all functions do: set the options of a filter, run it, and tell of its errors and warnings."""
 
+import numbers
+import operator
 import re
 import warnings
 
@@ -15,14 +17,24 @@ class Arrays(tuple):
     """Points and cells of a mesh: points, cells = arrays.
 
     `points` has three columns. `cells` has a row of point ids for each cell; where there are cells of several types it
-    is a dictionary of such arrays, by "vertex", "line", "triangle", "tetra", "quad", "hexahedron", "wedge", "pyramid".
-    `point_data` and `cell_data` are dictionaries of arrays; the cells follow each other as in `cells`.
+    is a dictionary of such arrays, by "vertex", "line", "triangle", "tetra", "quad", "hexahedron", "wedge", "pyramid",
+    and "polygonN" for polygons of N points. `point_data` and `cell_data` are dictionaries of arrays; the cells follow
+    each other as in `cells`.
     """
 
     def __new__(cls, points, cells, point_data, cell_data):
         made = super().__new__(cls, (points, cells))
         made.points, made.cells, made.point_data, made.cell_data = points, cells, point_data, cell_data
         return made
+
+    def __getnewargs__(self):
+        """For copy and pickle: what __new__ takes."""
+        return self.points, self.cells, self.point_data, self.cell_data
+
+
+# What a number of these kinds is, and what makes one of the value of an option.
+NUMBERS = {"int": ("whole number", operator.index), "id": ("whole number", operator.index),
+           "double": ("number", lambda value: float(value) if isinstance(value, numbers.Real) else None)}
 
 
 class Option:
@@ -38,34 +50,75 @@ class Option:
         self.association = association
 
     def apply(self, made, name, value):
-        if self.kind in ("set", "strings"):
-            getattr(made, self.clean)()
-            for one in [value] if isinstance(value, str) else value:
-                getattr(made, self.command)(self.entry(name, one) if self.kind == "set" else one)
-        elif self.kind in ("mesh", "selection", "table"):
+        if self.kind in ("mesh", "selection", "table"):
             from . import meshes  # which needs NumPy
             convert = {"mesh": meshes.to_vtk, "selection": meshes.to_selection, "table": meshes.to_table}[self.kind]
             made.SetInputDataObject(self.port, convert(value))
+            return
+        value = without_numpy(value)
+        if self.kind in ("set", "strings"):
+            self.apply_list(made, name, value)
         elif self.kind == "array":
-            data = made.GetInputDataObject(self.port, 0)
-            association = self.association
-            if not has_array(data, association, value) and has_array(data, 1 - association, value):
-                association = 1 - association
-            made.SetInputArrayToProcess(self.index, self.port, 0, association, value)
+            self.apply_array(made, name, value)
         elif self.kind == "enum":
             getattr(made, self.command)(self.entry(name, value))
+        elif self.kind == "bool":
+            if value not in (True, False):
+                raise ValueError(f"{name} is True or False, not {value!r}")
+            getattr(made, self.command)(bool(value))
+        elif self.kind in NUMBERS:
+            self.apply_numbers(made, name, value)
         else:
-            values = value if isinstance(value, (tuple, list)) else (value,)
+            getattr(made, self.command)(value)
+
+    def apply_list(self, made, name, value):
+        values = value if isinstance(value, (tuple, list)) else (value,)
+        if self.kind == "set":
+            values = [self.entry(name, one) for one in values]
+        elif not all(isinstance(one, str) for one in values):
+            raise ValueError(f"{name} takes names, such as ['Density'], not {value!r}")
+        getattr(made, self.clean)()
+        for one in values:
+            getattr(made, self.command)(one)
+
+    def apply_array(self, made, name, value):
+        if not isinstance(value, str):
+            raise ValueError(f"{name} is the name of an array, not {value!r}; the array itself belongs to the mesh")
+        data = made.GetInputDataObject(self.port, 0)
+        association = self.association
+        if not has_array(data, association, value) and has_array(data, 1 - association, value):
+            association = 1 - association
+        made.SetInputArrayToProcess(self.index, self.port, 0, association, value)
+
+    def apply_numbers(self, made, name, value):
+        what, convert = NUMBERS[self.kind]
+        get = getattr(made, "Get" + self.command[3:])
+        count = len(get()) if isinstance(get(), tuple) else 1
+        try:
+            values = tuple(map(convert, value if isinstance(value, (tuple, list)) else (value,)))
+        except TypeError:
+            values = ()
+        if len(values) != count or None in values:
+            raise ValueError(f"{name} takes {f'{count} {what}s' if count > 1 else f'a {what}'}, not {value!r}")
+        try:
             getattr(made, self.command)(*values)
-            kept = getattr(made, "Get" + self.command[3:])()
-            if self.kind in ("int", "id", "double") and len(values) == 1 and kept != value:
-                raise ValueError(f"{name}={value} is out of range; the nearest is {kept}")
+        except OverflowError:
+            raise ValueError(f"{name}={value} is out of range") from None
+        if (get() if count > 1 else (get(),)) != values:
+            raise ValueError(f"{name}={value} is out of range; the nearest is {get()}")
 
     def entry(self, name, value):
         for text, number in self.entries.items():
             if value == number or plain(value) == plain(text):
                 return number
         raise ValueError(f"{name} is one of {', '.join(map(repr, self.entries))}, not {value!r}")
+
+
+def without_numpy(value):
+    """An array or a number of NumPy as a list or a number of Python."""
+    if isinstance(value, (tuple, list)):
+        return [without_numpy(one) for one in value]
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 def plain(text):
@@ -88,6 +141,9 @@ def choose_criteria(criteria, refine, values):
     """Switches on what `refine` names, with its numbers, and all other criteria off."""
     for switch, _ in criteria.values():
         values[switch] = False
+    if not isinstance(refine, str) and not hasattr(refine, "items"):
+        raise ValueError("refine is the name of a criterion, or a dictionary such as {'curvature': 10}, not "
+                         f"{refine!r}; the criteria are {', '.join(criteria)}")
     for name, number in ({refine: None} if isinstance(refine, str) else refine).items():
         if name not in criteria:
             raise ValueError(f"there is no criterion {name!r}: they are {', '.join(criteria)}")
@@ -111,7 +167,9 @@ def run(cls, options, aliases, criteria, values):
     refine = values.pop("refine", None)
     if refine is not None:
         choose_criteria(criteria, refine, values)
-    if mesh is not None:
+    if "spacing" in values:
+        made.SetInputDataObject(0, meshes.to_image(mesh, values.pop("spacing"), values.pop("origin")))
+    elif mesh is not None:
         made.SetInputDataObject(0, meshes.to_vtk(mesh, *data))
     # Arrays belong to inputs, which come first.
     for name in sorted(values, key=lambda name: options[name].kind == "array"):

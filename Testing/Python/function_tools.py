@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The functions of the package: tests that are the same with plain VTK and with ParaView."""
 
+import copy
 import inspect
 import pathlib
+import pickle
 import sys
 import types
 import typing
@@ -12,7 +14,8 @@ import warnings
 
 import numpy as np
 from vtkmodules.util import numpy_support
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkSphere, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import (
+    vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkSphere, vtkUnstructuredGrid)
 
 import subdivisionobjects
 from subdivisionobjects import functions, meshes
@@ -117,6 +120,50 @@ class Options(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, text):
                 subdivisionobjects.subdivide(TET, wrong)
 
+    def test_arrays_of_numpy_as_values(self):
+        expected = subdivisionobjects.cage(bounds=[0, 1, 0, 2, 0, 3], number_of_cells=[1, 2, 3])
+        made = subdivisionobjects.cage(bounds=np.array([0, 1, 0, 2, 0, 3.]), number_of_cells=np.array([1, 2, 3]))
+        np.testing.assert_array_equal(coordinates(made), coordinates(expected))
+        fine = subdivisionobjects.subdivide(
+            TET, [[0, 1, 2, 3]], levels=np.int64(2), maximum_cells=np.array(100), detect_features=np.bool_(True),
+            output_dimensions=np.array(["Tetrahedra"]), scheme=np.array("linear"))
+        self.assertEqual(fine.cells.shape, (64, 4))
+        ship = subdivisionobjects.model(model="Ship")
+        longest = subdivisionobjects.red_green_refinement(ship, refine={"edge_length": np.array([.5])})
+        expected = subdivisionobjects.red_green_refinement(ship, refine={"edge_length": .5})
+        np.testing.assert_array_equal(coordinates(longest), coordinates(expected))
+
+    def test_wrong_values_name_their_option(self):
+        for text, options in (
+                ("number_of_levels takes a whole number, not 'many'", {"levels": "many"}),
+                ("number_of_levels takes a whole number, not 1.5", {"levels": 1.5}),
+                ("number_of_levels takes a whole number, not .1, 2.", {"levels": (1, 2)}),
+                ("number_of_levels=.* is out of range", {"levels": 2**70}),
+                ("join_blocks is True or False, not 'off'", {"join_blocks": "off"}),
+                ("join_blocks is True or False, not 2", {"join_blocks": 2}),
+                ("output_dimensions is one of .*'Tetrahedra'.*, not 3.5", {"dimensions": 3.5}),
+                ("feature_angle takes a number, not '30'", {"feature_angle": "30"}),
+                ("material_array is the name of an array, not", {"material_array": np.array([1, 2, 3])}),
+                (r"not a selection such as", {"mark_selection": [1]})):
+            with self.subTest(text), self.assertRaisesRegex(ValueError, text):
+                subdivisionobjects.subdivide(TET, [[0, 1, 2, 3]], **options)
+        with self.assertRaisesRegex(ValueError, "is not a table such as"):
+            subdivisionobjects.label_solid(np.ones((1, 1, 1), int), materials=[1])
+
+    def test_each_number_of_several_is_checked(self):
+        for text, cells in ((r"number_of_cells=.0, -2, 2. is out of range; the nearest is .1, 1, 2.", (0, -2, 2)),
+                            ("number_of_cells takes 3 whole numbers, not .1, 2.", (1, 2)),
+                            ("number_of_cells takes 3 whole numbers, not 2", 2),
+                            ("number_of_cells takes 3 whole numbers, not .1.0, 2.0, 3.5.", np.array([1, 2, 3.5]))):
+            with self.subTest(text), self.assertRaisesRegex(ValueError, text):
+                subdivisionobjects.cage(number_of_cells=cells)
+
+    def test_lists_of_criteria_are_refused(self):
+        ship = subdivisionobjects.model(model="Ship")
+        for wrong in (["curvature"], np.array(["curvature"]), 3):
+            with self.assertRaisesRegex(ValueError, "refine is the name .* not .*; the criteria are .*edge_length"):
+                subdivisionobjects.red_green_refinement(ship, refine=wrong)
+
     def test_warnings(self):
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always")
@@ -148,6 +195,66 @@ class Meshes(unittest.TestCase):
     def test_surfaces(self):
         made = subdivisionobjects.surface_subdivision(CUBE, {"quad": SQUARES}, scheme="catmull-clark", levels=2)
         self.assertEqual((made.points.shape, made.cells.shape), ((98, 3), (96, 4)))
+
+    def test_polygons_are_input_again(self):
+        """Doo-Sabin makes a triangle of each corner of a cube, and of a prism with five sides two pentagons."""
+        cube = subdivisionobjects.surface_subdivision(CUBE, {"quad": SQUARES}, scheme="DooSabin")
+        self.assertEqual({name: len(rows) for name, rows in cube.cells.items()}, {"quad": 18, "triangle": 8})
+        turn = 2 * np.pi * np.arange(5) / 5
+        ring = np.column_stack([np.cos(turn), np.sin(turn)])
+        points = np.vstack([np.column_stack([ring, np.full(5, z)]) for z in (0, 1)])
+        side = np.arange(5)
+        cells = {"polygon5": [side[::-1], side + 5],
+                 "quad": np.column_stack([side, (side + 1) % 5, (side + 1) % 5 + 5, side + 5])}
+        once = subdivisionobjects.surface_subdivision(points, cells, scheme="DooSabin")
+        self.assertEqual(once.cells["polygon5"].shape, (2, 5))
+        again = subdivisionobjects.surface_subdivision(once, scheme="DooSabin")
+        twice = subdivisionobjects.surface_subdivision(points, cells, scheme="DooSabin", levels=2)
+        self.assertEqual({name: len(rows) for name, rows in again.cells.items()},
+                         {name: len(rows) for name, rows in twice.cells.items()})
+        np.testing.assert_allclose(np.sort(again.points, axis=0), np.sort(twice.points, axis=0), atol=1e-12)
+        for name in ("polygon2", "polygon", "polygons5"):
+            with self.assertRaisesRegex(ValueError, f"no cells '{name}'.*such as polygon5"):
+                subdivisionobjects.surface_subdivision(points, {name: [[0, 1]]})
+
+    def test_copies(self):
+        made = subdivisionobjects.subdivide(TET, [[0, 1, 2, 3]], point_data={"T": [1., 2, 3, 4]}, cell_data={"id": [7]})
+        copies = [copy.copy(made), copy.deepcopy(made)]
+        copies += [pickle.loads(pickle.dumps(made, protocol)) for protocol in range(pickle.HIGHEST_PROTOCOL + 1)]
+        for other_one in copies:
+            self.assertIsInstance(other_one, subdivisionobjects.Arrays)
+            points, cells = other_one
+            self.assertIs(points, other_one.points)
+            self.assertIs(cells, other_one.cells)
+            np.testing.assert_array_equal(points, made.points)
+            np.testing.assert_array_equal(cells, made.cells)
+            np.testing.assert_array_equal(other_one.point_data["T"], made.point_data["T"])
+            np.testing.assert_array_equal(other_one.cell_data["id"], made.cell_data["id"])
+        self.assertIsNot(copies[1].points, made.points)
+
+    def test_labels(self):
+        """Axes are x, y, z: a box of 2 x 3 x 5 voxels, of which the last one along z is of another material."""
+        labels = np.ones((2, 3, 5), np.uint8)
+        labels[:, :, 4] = 2
+        options = {"number_of_control_cells": 0, "number_of_smoothing_steps": 0, "levels": 0}
+        made = subdivisionobjects.label_solid(labels, spacing=(2, 1, .5), origin=np.array([10, 20, 30]), **options)
+        np.testing.assert_allclose(made.points.min(axis=0), [9, 19.5, 29.75], atol=.1)
+        np.testing.assert_allclose(made.points.max(axis=0), [13, 22.5, 32.25], atol=.1)
+        self.assertEqual(made.cells.shape, (6 * labels.size, 4))
+        upper = made.points[made.cells[made.cell_data["Label"] == 2]]
+        self.assertGreater(upper.reshape(-1, 3)[:, 2].min(), 31.6)
+        plain = subdivisionobjects.label_solid(labels.T, **options)
+        np.testing.assert_allclose(np.ptp(plain.points, axis=0), [5, 3, 2], atol=.2)
+        for error, text, array, more in (
+                (ValueError, r"array \[x, y, z\], not the shape \(2, 3\)", labels[:, :, 0], {}),
+                (ValueError, r"not the shape \(0, 3, 5\)", labels[:0], {}),
+                (ValueError, "spacing takes 3 finite numbers", labels, {"spacing": 1}),
+                (ValueError, "spacing must be above 0", labels, {"spacing": (1, 0, 1)}),
+                (ValueError, "origin takes 3 finite numbers", labels, {"origin": (1, 0, np.nan)}),
+                (TypeError, "spacing and an origin of its own", vtkImageData(), {"spacing": (1, 1, 1)})):
+            with self.subTest(text), self.assertRaisesRegex(error, text):
+                subdivisionobjects.label_solid(array, **more)
+        self.assertIn("labels[i, j, k]", subdivisionobjects.label_solid.__doc__)
 
     def test_data_sets(self):
         ship = subdivisionobjects.model(model="Ship")
