@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files.h"
+#include "Conversion.h"
 #include "Messages.h"
 #include "Names.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkAppendFilter.h"
-#include "vtkCompositeDataGeometryFilter.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDataSetSurfaceFilter.h"
+#include "vtkDataSet.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkGenericDataObjectWriter.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkOBJWriter.h"
 #include "vtkPLYReader.h"
 #include "vtkPLYWriter.h"
-#include "vtkPolyData.h"
 #include "vtkSTLReader.h"
 #include "vtkSTLWriter.h"
-#include "vtkTriangleFilter.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLImageDataWriter.h"
 #include "vtkXMLMultiBlockDataReader.h"
@@ -163,75 +156,6 @@ bool Write(vtkDataObject* data, const char* name)
   writer->SetFileName(name);
   writer->SetInputDataObject(data);
   return writer->Write() != 0;
-}
-
-Data Filtered(vtkAlgorithm* filter, vtkDataObject* data)
-{
-  filter->SetInputDataObject(data);
-  filter->Update();
-  return filter->GetOutputDataObject(0);
-}
-
-Data AsSurface(vtkDataObject* data)
-{
-  if (vtkPolyData::SafeDownCast(data))
-  {
-    return data;
-  }
-  if (vtkCompositeDataSet::SafeDownCast(data))
-  {
-    vtkNew<vtkCompositeDataGeometryFilter> surface;
-    return Filtered(surface, data);
-  }
-  vtkNew<vtkDataSetSurfaceFilter> surface;
-  return Filtered(surface, data);
-}
-
-Data AsTriangles(vtkDataObject* data)
-{
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  return Filtered(triangles, AsSurface(data));
-}
-
-Data AsGrid(vtkDataObject* data)
-{
-  if (vtkUnstructuredGrid::SafeDownCast(data))
-  {
-    return data;
-  }
-  vtkNew<vtkAppendFilter> append;
-  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      append->AddInputDataObject(iterator->GetCurrentDataObject());
-    }
-  }
-  else
-  {
-    append->AddInputDataObject(data);
-  }
-  append->Update();
-  return append->GetOutputDataObject(0);
-}
-
-Data AsBlocks(vtkDataObject* data)
-{
-  if (vtkMultiBlockDataSet::SafeDownCast(data))
-  {
-    return data;
-  }
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, data);
-  return blocks;
-}
-
-Data AsItIs(vtkDataObject* data)
-{
-  return data;
 }
 
 /// What a format holds, and who writes it.

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline.h"
+#include "Conversion.h"
 #include "Files.h"
 #include "Messages.h"
 #include "Names.h"
 #include "Settings.h"
 
 #include "vtkCellType.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -24,28 +22,11 @@ namespace subdivide
 namespace
 {
 
-void ForDataSets(vtkDataObject* data, const std::function<void(vtkDataSet*)>& work)
-{
-  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      ForDataSets(iterator->GetCurrentDataObject(), work);
-    }
-  }
-  else if (auto* set = vtkDataSet::SafeDownCast(data))
-  {
-    work(set);
-  }
-}
-
 bool HasArray(vtkDataObject* data, int association, const std::string& name)
 {
-  bool has = false;
-  ForDataSets(data, [&](vtkDataSet* set)
-    { has = has || set->GetAttributesAsFieldData(association)->HasArray(name.c_str()); });
-  return has;
+  const auto sets = GetDataSets(data);
+  return std::any_of(sets.begin(), sets.end(), [&](vtkDataSet* set)
+    { return set->GetAttributesAsFieldData(association)->HasArray(name.c_str()); });
 }
 
 /// Where an array is at the other of points and cells alone, it is that.
@@ -138,17 +119,16 @@ vtkDataObject* Update(const Command& command)
 Size GetSize(vtkDataObject* data)
 {
   Size size;
-  ForDataSets(data,
-    [&](vtkDataSet* set)
+  for (vtkDataSet* set : GetDataSets(data))
+  {
+    size.Cells += static_cast<double>(set->GetNumberOfCells());
+    size.Points += static_cast<double>(set->GetNumberOfPoints());
+    for (vtkIdType i = 0; !size.HasSolids && i < set->GetNumberOfCells(); ++i)
     {
-      size.Cells += static_cast<double>(set->GetNumberOfCells());
-      size.Points += static_cast<double>(set->GetNumberOfPoints());
-      for (vtkIdType i = 0; !size.HasSolids && i < set->GetNumberOfCells(); ++i)
-      {
-        const int type = set->GetCellType(i);
-        size.HasSolids = type >= VTK_TETRA && type <= VTK_HEXAGONAL_PRISM;
-      }
-    });
+      const int type = set->GetCellType(i);
+      size.HasSolids = type >= VTK_TETRA && type <= VTK_HEXAGONAL_PRISM;
+    }
+  }
   size.Bytes = 1024. * static_cast<double>(data->GetActualMemorySize());
   return size;
 }

@@ -5,11 +5,16 @@
 #include "Pipeline.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiDimensionalSubdivision.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkStringArray.h"
 #include "vtkSubdivisionModelSource.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -119,6 +124,99 @@ TEST(ProgramFiles, Blocks)
   }
   WriteFile(blocks, "blocks.stl");
   EXPECT_GT(GetSize(ReadFile("blocks.stl")).Cells, 0.);
+}
+
+namespace
+{
+
+template <typename Array>
+void AddArray(vtkDataObject* data, int association, const char* name, int components, double value)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(
+    association == vtkDataObject::FIELD ? 1 : data->GetNumberOfElements(association));
+  array->Fill(value);
+  data->GetAttributesAsFieldData(association)->AddArray(array);
+}
+
+/// Two ships whose arrays differ.
+vtkSmartPointer<vtkMultiBlockDataSet> TwoShips()
+{
+  const auto first = Ship(0);
+  const auto second = Ship(0);
+  AddArray<vtkFloatArray>(first, vtkDataObject::POINT, "OfFirst", 3, 4.);
+  AddArray<vtkIntArray>(second, vtkDataObject::CELL, "OfSecond", 1, 5.);
+  AddArray<vtkDoubleArray>(first, vtkDataObject::CELL, "OfBoth", 1, 6.);
+  AddArray<vtkIntArray>(second, vtkDataObject::CELL, "OfBoth", 2, 7.);
+  vtkNew<vtkStringArray> words;
+  words->SetName("Words");
+  words->SetNumberOfValues(vtkDataSet::SafeDownCast(second)->GetNumberOfPoints());
+  words->SetValue(0, "word");
+  vtkDataSet::SafeDownCast(second)->GetPointData()->AddArray(words);
+  vtkDataSet::SafeDownCast(second)->GetCellData()->SetActiveScalars("OfSecond");
+  AddArray<vtkIntArray>(first, vtkDataObject::FIELD, "Field", 1, 8.);
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  blocks->SetBlock(0, first);
+  blocks->SetBlock(1, second);
+  return blocks;
+}
+
+double FirstOf(vtkFieldData* data, const char* name)
+{
+  return data->GetArray(name) ? data->GetArray(name)->GetComponent(0, 0) : -1.;
+}
+
+double LastOf(vtkFieldData* data, const char* name)
+{
+  vtkDataArray* array = data->GetArray(name);
+  return array ? array->GetComponent(array->GetNumberOfTuples() - 1, 0) : -1.;
+}
+
+}
+
+TEST(ProgramFiles, ArraysThatNotAllBlocksHaveStay)
+{
+  for (const char* name : { "arrays.vtu", "arrays.pvtu", "arrays.vtp", "arrays.pvtp" })
+  {
+    WriteFile(TwoShips(), name);
+    const auto read = ReadFile(name);
+    auto* set = vtkDataSet::SafeDownCast(read);
+    ASSERT_NE(set, nullptr) << name;
+    vtkPointData* points = set->GetPointData();
+    vtkCellData* cells = set->GetCellData();
+    ASSERT_TRUE(points->HasArray("OfFirst") && points->HasArray("Words")) << name;
+    EXPECT_EQ(points->GetArray("OfFirst")->GetNumberOfComponents(), 3) << name;
+    EXPECT_EQ(FirstOf(points, "OfFirst"), 4.) << name;
+    EXPECT_EQ(LastOf(points, "OfFirst"), 0.) << name;
+    EXPECT_EQ(FirstOf(cells, "OfSecond"), 0.) << name;
+    EXPECT_EQ(LastOf(cells, "OfSecond"), 5.) << name;
+    EXPECT_EQ(FirstOf(cells, "OfBoth"), 6.) << name;
+    EXPECT_EQ(LastOf(cells, "OfBoth"), 0.) << name;
+    EXPECT_EQ(LastOf(cells, "OfBoth'"), 7.) << name;
+    EXPECT_EQ(cells->GetScalars(), cells->GetArray("OfSecond")) << name;
+    auto* words = vtkStringArray::SafeDownCast(points->GetAbstractArray("Words"));
+    EXPECT_EQ(words->GetValue(0), "") << name;
+    bool found = false;
+    for (vtkIdType i = 0; i < words->GetNumberOfValues(); ++i)
+    {
+      found = found || words->GetValue(i) == "word";
+    }
+    EXPECT_TRUE(found) << name;
+    EXPECT_EQ(FirstOf(set->GetFieldData(), "Field"), 8.) << name;
+  }
+}
+
+TEST(ProgramFiles, FieldArraysThatDifferAreNamed)
+{
+  const auto blocks = TwoShips();
+  AddArray<vtkIntArray>(blocks->GetBlock(1), vtkDataObject::FIELD, "Field", 1, 9.);
+  testing::internal::CaptureStderr();
+  WriteFile(blocks, "fields.vtu");
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_NE(told.find("\"Field\""), std::string::npos);
+  EXPECT_EQ(told.find("\"Subdivision"), std::string::npos); // of the run, for the next filter
 }
 
 TEST(ProgramFiles, AllArraysOfLegacyFilesAreRead)
