@@ -3,49 +3,40 @@
 #include "Conversion.h"
 #include "Messages.h"
 #include "Names.h"
+#include "Writers.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataSet.h"
 #include "vtkGenericDataObjectReader.h"
-#include "vtkGenericDataObjectWriter.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
-#include "vtkOBJWriter.h"
 #include "vtkPLYReader.h"
-#include "vtkPLYWriter.h"
 #include "vtkSTLReader.h"
-#include "vtkSTLWriter.h"
 #include "vtkXMLImageDataReader.h"
-#include "vtkXMLImageDataWriter.h"
 #include "vtkXMLMultiBlockDataReader.h"
-#include "vtkXMLMultiBlockDataWriter.h"
 #include "vtkXMLPImageDataReader.h"
 #include "vtkXMLPPolyDataReader.h"
-#include "vtkXMLPPolyDataWriter.h"
 #include "vtkXMLPRectilinearGridReader.h"
 #include "vtkXMLPStructuredGridReader.h"
 #include "vtkXMLPUnstructuredGridReader.h"
-#include "vtkXMLPUnstructuredGridWriter.h"
 #include "vtkXMLPolyDataReader.h"
-#include "vtkXMLPolyDataWriter.h"
 #include "vtkXMLRectilinearGridReader.h"
-#include "vtkXMLRectilinearGridWriter.h"
 #include "vtkXMLStructuredGridReader.h"
-#include "vtkXMLStructuredGridWriter.h"
 #include "vtkXMLTableReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
-#include "vtkXMLUnstructuredGridWriter.h"
+#include "vtksys/FStream.hxx"
 #include "vtksys/SystemTools.hxx"
 
 #ifdef SUBDIVISIONOBJECTS_IOEXODUS
 #include "vtkExodusIIReader.h"
-#include "vtkExodusIIWriter.h"
 #endif
 #ifdef SUBDIVISIONOBJECTS_IOIMAGE
 #include "vtkMetaImageReader.h"
 #include "vtkNrrdReader.h"
 #endif
 
+#include <cerrno>
+#include <cstring>
 #include <map>
 
 namespace subdivide
@@ -133,31 +124,6 @@ const std::map<std::string, Algorithm (*)(const char*)>& GetReaders()
 
 // ---------------------------------------------------------------- writing
 
-// Appended data, which is VTK's default, is more than some versions of ParaView can read.
-void Prepare(vtkXMLWriter* writer)
-{
-  writer->SetDataModeToBinary();
-}
-
-void Prepare(vtkSTLWriter* writer)
-{
-  writer->SetFileTypeToBinary();
-}
-
-void Prepare(vtkAlgorithm*)
-{
-}
-
-template <typename Writer>
-bool Write(vtkDataObject* data, const char* name)
-{
-  vtkNew<Writer> writer;
-  Prepare(writer.Get());
-  writer->SetFileName(name);
-  writer->SetInputDataObject(data);
-  return writer->Write() != 0;
-}
-
 /// What a format holds, and who writes it.
 struct Format
 {
@@ -170,22 +136,22 @@ const std::map<std::string, Format>& GetWriters()
 {
   static const std::map<std::string, Format> writers{
 #ifdef SUBDIVISIONOBJECTS_IOEXODUS
-    { ".e", { AsGrid, Write<vtkExodusIIWriter>, nullptr } },
-    { ".ex2", { AsGrid, Write<vtkExodusIIWriter>, nullptr } },
-    { ".exo", { AsGrid, Write<vtkExodusIIWriter>, nullptr } },
+    { ".e", { AsGrid, WriteExodus, nullptr } },
+    { ".ex2", { AsGrid, WriteExodus, nullptr } },
+    { ".exo", { AsGrid, WriteExodus, nullptr } },
 #endif
-    { ".obj", { AsSurface, Write<vtkOBJWriter>, nullptr } },
-    { ".ply", { AsTriangles, Write<vtkPLYWriter>, nullptr } },
-    { ".pvtp", { AsSurface, Write<vtkXMLPPolyDataWriter>, nullptr } },
-    { ".pvtu", { AsGrid, Write<vtkXMLPUnstructuredGridWriter>, nullptr } },
-    { ".stl", { AsTriangles, Write<vtkSTLWriter>, nullptr } },
-    { ".vti", { AsItIs, Write<vtkXMLImageDataWriter>, "vtkImageData" } },
-    { ".vtk", { AsItIs, Write<vtkGenericDataObjectWriter>, nullptr } },
-    { ".vtm", { AsBlocks, Write<vtkXMLMultiBlockDataWriter>, nullptr } },
-    { ".vtp", { AsSurface, Write<vtkXMLPolyDataWriter>, nullptr } },
-    { ".vtr", { AsItIs, Write<vtkXMLRectilinearGridWriter>, "vtkRectilinearGrid" } },
-    { ".vts", { AsItIs, Write<vtkXMLStructuredGridWriter>, "vtkStructuredGrid" } },
-    { ".vtu", { AsGrid, Write<vtkXMLUnstructuredGridWriter>, nullptr } },
+    { ".obj", { AsSurface, WriteObj, nullptr } },
+    { ".ply", { AsTriangles, WritePly, nullptr } },
+    { ".pvtp", { AsSurface, WritePieces, nullptr } },
+    { ".pvtu", { AsGrid, WritePieces, nullptr } },
+    { ".stl", { AsTriangles, WriteStl, nullptr } },
+    { ".vti", { AsItIs, WriteXml, "vtkImageData" } },
+    { ".vtk", { AsItIs, WriteLegacy, nullptr } },
+    { ".vtm", { AsBlocks, WriteBlocks, nullptr } },
+    { ".vtp", { AsSurface, WriteXml, nullptr } },
+    { ".vtr", { AsItIs, WriteXml, "vtkRectilinearGrid" } },
+    { ".vts", { AsItIs, WriteXml, "vtkStructuredGrid" } },
+    { ".vtu", { AsGrid, WriteXml, nullptr } },
   };
   return writers;
 }
@@ -221,6 +187,32 @@ void CheckReadable(const std::string& name)
 void CheckWritable(const std::string& name)
 {
   Check(GetWriters(), name, "write");
+}
+
+void CheckPlace(const std::string& name)
+{
+  const std::string path = vtksys::SystemTools::GetFilenamePath(name);
+  const std::string folder = path.empty() ? "." : path;
+  if (!vtksys::SystemTools::FileIsDirectory(folder))
+  {
+    throw Failure("cannot write \"" + name + "\": there is no folder \"" + folder + "\"");
+  }
+  if (vtksys::SystemTools::FileIsDirectory(name))
+  {
+    throw Failure("cannot write \"" + name + "\": it is a folder");
+  }
+  const bool isNew = !vtksys::SystemTools::PathExists(name);
+  errno = 0;
+  const bool opens = static_cast<bool>(vtksys::ofstream(name.c_str(), std::ios::app));
+  const std::string reason = errno != 0 ? std::strerror(errno) : "it cannot be opened";
+  if (isNew)
+  {
+    vtksys::SystemTools::RemoveFile(name);
+  }
+  if (!opens)
+  {
+    throw Failure("cannot write \"" + name + "\": " + reason);
+  }
 }
 
 std::string ListReadable()

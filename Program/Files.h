@@ -25,11 +25,15 @@ struct Failure : std::runtime_error
 void CheckReadable(const std::string& name);
 void CheckWritable(const std::string& name);
 
+/// Throws Failure where no file of this name can be written: the folder does not exist, for
+/// instance.
+void CheckPlace(const std::string& name);
+
 /// What is in the file. Throws Failure.
 vtkSmartPointer<vtkDataObject> ReadFile(const std::string& name);
 
 /// Writes what the format can hold: for .ply, .stl, .obj and .vtp the surface of solids. Throws
-/// Failure.
+/// Failure, also if not everything could be stored.
 void WriteFile(vtkDataObject* data, const std::string& name);
 
 /// The ends of names that can be read and written, for the help.

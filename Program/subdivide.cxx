@@ -38,6 +38,10 @@ int Run(const std::vector<std::string>& arguments)
   else
   {
     CatchMessages(command.Quiet);
+    if (!command.Output.empty() && !command.Info)
+    {
+      CheckPlace(command.Output);
+    }
     Connect(command);
     if (command.Info)
     {

@@ -4,6 +4,9 @@
 import os
 import pathlib
 import pty
+import resource
+import shutil
+import signal
 import subprocess
 import unittest
 
@@ -26,6 +29,14 @@ UNSMOOTHED = {"InterpolatePoints", "InterpolateArrays", "InterpolationWeight"}
 
 def run(*arguments):
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+
+
+def run_on_full_disk(size, *arguments):
+    """No file can have more bytes than this."""
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=300, preexec_fn=limit)
 
 
 def cells(name):
@@ -113,6 +124,42 @@ class Program(unittest.TestCase):
                 self.assertIn(text, done.stderr)
                 self.assertTrue(all(line.startswith("subdivide: ") for line in done.stderr.splitlines()), done.stderr)
                 self.assertFalse(os.path.exists(str(arguments[1])))
+
+    def test_files_that_are_not_whole(self):
+        """Some of VTK's writers crash when the disk is full, some say nothing."""
+        listed = run("--help").stdout.split("Writes")[1].split("\n\n")[0]
+        endings = [word for word in listed.split("):")[1].split() if word not in (".vti", ".vtr", ".vts")]
+        self.assertGreater(len(endings), 10)
+        folder = pathlib.Path("full")
+        for ending in endings:
+            name = folder / ("x" + ending)
+            shutil.rmtree(folder, ignore_errors=True)
+            folder.mkdir()
+            self.assertEqual(run(SHIP, name, "--levels", 2).returncode, 0)
+            largest = max(path.stat().st_size for path in folder.rglob("*") if path.is_file())
+            for size in (0, 100, largest // 2, largest - 1):
+                shutil.rmtree(folder)
+                folder.mkdir()
+                with self.subTest(ending, size=size, of=largest):
+                    done = run_on_full_disk(size, SHIP, name, "--levels", 2)
+                    self.assertEqual(done.returncode, 1, done.stderr)
+                    self.assertIn(f'cannot write "{name}"', done.stderr)
+                    if ending not in (".e", ".ex2", ".exo"):
+                        self.assertFalse(name.exists())
+
+    def test_places_where_nothing_can_be_written(self):
+        pathlib.Path("folder.vtu").mkdir(exist_ok=True)
+        old = pathlib.Path("old.vtu")
+        for name, why in (("no-folder/x.pvtu", 'there is no folder "no-folder"'), ("folder.vtu", "it is a folder"),
+                          ("x" * 300 + ".vtu", "cannot write")):
+            with self.subTest(name):
+                done = run(SHIP, name, "--levels", 9)  # is told before the work
+                self.assertEqual((done.returncode, done.stdout), (1, ""))
+                self.assertIn(why, done.stderr)
+        self.assertFalse(os.path.exists("no-folder"))
+        old.write_text("old")
+        self.assertEqual(run("none.vtu", old).returncode, 1)
+        self.assertEqual(old.read_text(), "old")
 
     def test_warnings_go_to_stderr_once(self):
         pathlib.Path("broken.vtu").write_bytes(b"nonsense")

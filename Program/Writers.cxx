@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Writers.h"
+#include "CheckedFile.h"
+
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkErrorCode.h"
+#include "vtkGenericDataObjectWriter.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkOBJWriter.h"
+#include "vtkObjectFactory.h"
+#include "vtkPLYWriter.h"
+#include "vtkPolyData.h"
+#include "vtkSTLWriter.h"
+#include "vtkXMLDataElement.h"
+#include "vtkXMLImageDataWriter.h"
+#include "vtkXMLMultiBlockDataWriter.h"
+#include "vtkXMLPPolyDataWriter.h"
+#include "vtkXMLPUnstructuredGridWriter.h"
+#include "vtkXMLPolyDataWriter.h"
+#include "vtkXMLRectilinearGridWriter.h"
+#include "vtkXMLStructuredGridWriter.h"
+#include "vtkXMLTableWriter.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+
+#ifdef SUBDIVISIONOBJECTS_IOEXODUS
+#include "vtkExodusIIWriter.h"
+#endif
+
+#include <filesystem>
+#include <map>
+#include <ostream>
+#include <sstream>
+
+namespace subdivide
+{
+namespace
+{
+
+/// A writer that notices when a file cannot be written to its end.
+template <typename Writer>
+class Checked : public Writer
+{
+public:
+  static Checked* New() { VTK_STANDARD_NEW_BODY(Checked); }
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    CheckedFile file;
+    if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()) || !file.Open(this->GetFileName()))
+    {
+      return Writer::ProcessRequest(request, inputs, outputs);
+    }
+    std::ostream stream(&file);
+    this->Stream = &stream;
+    const vtkTypeBool done = Writer::ProcessRequest(request, inputs, outputs);
+    this->Stream = nullptr;
+    if (!file.Close())
+    {
+      TellNotWhole(this->GetFileName(), file.GetReason());
+      this->SetErrorCode(vtkErrorCode::OutOfDiskSpaceError);
+      return 0;
+    }
+    if (!done || this->GetErrorCode() != vtkErrorCode::NoError)
+    {
+      RemovePart(this->GetFileName());
+    }
+    return done;
+  }
+
+protected:
+  Checked() = default;
+};
+
+template <typename Writer>
+bool Write(vtkDataObject* data, const char* name)
+{
+  vtkNew<Writer> writer;
+  writer->SetFileName(name);
+  writer->SetInputDataObject(data);
+  return writer->Write() != 0 && writer->GetErrorCode() == vtkErrorCode::NoError;
+}
+
+// Appended data, which is VTK's default, is more than some versions of ParaView can read.
+template <typename Writer>
+class Inline : public Checked<Writer>
+{
+public:
+  static Inline* New() { VTK_STANDARD_NEW_BODY(Inline); }
+
+protected:
+  Inline() { this->SetDataModeToBinary(); }
+};
+
+/// Makes its pieces with checks, too.
+template <typename Writer, typename PieceWriter>
+class InPieces : public Inline<Writer>
+{
+public:
+  static InPieces* New() { VTK_STANDARD_NEW_BODY(InPieces); }
+
+protected:
+  InPieces() = default;
+
+  vtkXMLUnstructuredDataWriter* CreateUnstructuredPieceWriter() override
+  {
+    auto* writer = Inline<PieceWriter>::New();
+    writer->SetInputConnection(this->GetInputConnection(0, 0));
+    return writer;
+  }
+};
+
+/// Makes its blocks with checks, too.
+class BlockWriter : public Inline<vtkXMLMultiBlockDataWriter>
+{
+public:
+  static BlockWriter* New() { VTK_STANDARD_NEW_BODY(BlockWriter); }
+
+protected:
+  BlockWriter() = default;
+
+  int WriteNonCompositeData(
+    vtkDataObject* data, vtkXMLDataElement* element, int& index, const char* name) override
+  {
+    if (!this->GetWriter(index))
+    {
+      return this->Superclass::WriteNonCompositeData(data, element, index, name);
+    }
+    ++index;
+    if (element)
+    {
+      element->SetAttribute("file", name);
+    }
+    if (!WriteXml(data, (std::string(this->GetFilePath()) + name).c_str()))
+    {
+      this->SetErrorCode(vtkErrorCode::OutOfDiskSpaceError);
+      return 0;
+    }
+    return 1;
+  }
+};
+
+/// Whether an .obj file has all points and cells of a surface, and ends with a whole line.
+bool HasAllOfObj(const char* name, vtkPolyData* surface)
+{
+  std::ifstream file(name);
+  vtkIdType points = 0;
+  vtkIdType cells = 0;
+  bool ends = false;
+  for (std::string line; std::getline(file, line); ends = !file.eof())
+  {
+    points += line.compare(0, 2, "v ") == 0 ? 1 : 0;
+    cells += line.compare(0, 2, "f ") == 0 || line.compare(0, 2, "l ") == 0 ? 1 : 0;
+  }
+  return ends && points == surface->GetNumberOfPoints() &&
+    cells >= surface->GetNumberOfPolys() + surface->GetNumberOfLines();
+}
+
+/// Whether a binary .ply file of triangles is as long as its header says.
+bool HasAllOfPly(const char* name)
+{
+  const std::map<std::string, std::streamoff> sizes{ { "char", 1 }, { "uchar", 1 }, { "short", 2 },
+    { "ushort", 2 }, { "int", 4 }, { "uint", 4 }, { "float", 4 }, { "double", 8 } };
+  std::ifstream file(name, std::ios::binary);
+  std::streamoff size = 0;
+  std::streamoff count = 0; // of the last element
+  std::string line;
+  while (std::getline(file, line) && line != "end_header")
+  {
+    std::istringstream words(line);
+    std::string word;
+    std::string type;
+    words >> word >> type;
+    if (word == "element")
+    {
+      words >> count;
+    }
+    else if (word == "property" && type == "list") // of three corners
+    {
+      std::string counts;
+      words >> counts >> type;
+      size += count * (sizes.at(counts) + 3 * sizes.at(type));
+    }
+    else if (word == "property")
+    {
+      size += count * sizes.at(type);
+    }
+  }
+  const std::streamoff header = file.tellg();
+  file.seekg(0, std::ios::end);
+  return file && file.tellg() - header == size;
+}
+
+#ifdef SUBDIVISIONOBJECTS_IOEXODUS
+/// Whether a file can still become larger: if not, its last bytes may be missing.
+bool CanGrow(const char* name)
+{
+  const auto path = std::filesystem::u8path(name);
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  std::ofstream file(path, std::ios::binary | std::ios::app);
+  file << '\0' << std::flush;
+  const bool grows = static_cast<bool>(file);
+  file.close();
+  std::filesystem::resize_file(path, size, error);
+  return grows && !error;
+}
+#endif
+
+/// Some writers do not notice when something is missing.
+bool IsWhole(bool hasAll, const char* name)
+{
+  if (!hasAll)
+  {
+    TellNotWhole(name, "is the disk full?");
+    RemovePart(name);
+  }
+  return hasAll;
+}
+
+}
+
+bool WriteXml(vtkDataObject* data, const char* name)
+{
+  switch (data->GetDataObjectType())
+  {
+    case VTK_POLY_DATA:
+      return Write<Inline<vtkXMLPolyDataWriter>>(data, name);
+    case VTK_UNSTRUCTURED_GRID:
+      return Write<Inline<vtkXMLUnstructuredGridWriter>>(data, name);
+    case VTK_RECTILINEAR_GRID:
+      return Write<Inline<vtkXMLRectilinearGridWriter>>(data, name);
+    case VTK_STRUCTURED_GRID:
+      return Write<Inline<vtkXMLStructuredGridWriter>>(data, name);
+    case VTK_TABLE:
+      return Write<Inline<vtkXMLTableWriter>>(data, name);
+    default:
+      return Write<Inline<vtkXMLImageDataWriter>>(data, name);
+  }
+}
+
+bool WritePieces(vtkDataObject* data, const char* name)
+{
+  return vtkPolyData::SafeDownCast(data)
+    ? Write<InPieces<vtkXMLPPolyDataWriter, vtkXMLPolyDataWriter>>(data, name)
+    : Write<InPieces<vtkXMLPUnstructuredGridWriter, vtkXMLUnstructuredGridWriter>>(data, name);
+}
+
+bool WriteBlocks(vtkDataObject* data, const char* name)
+{
+  return Write<BlockWriter>(data, name);
+}
+
+bool WriteObj(vtkDataObject* data, const char* name)
+{
+  return Write<vtkOBJWriter>(data, name) &&
+    IsWhole(HasAllOfObj(name, vtkPolyData::SafeDownCast(data)), name);
+}
+
+bool WritePly(vtkDataObject* data, const char* name)
+{
+  return Write<vtkPLYWriter>(data, name) && IsWhole(HasAllOfPly(name), name);
+}
+
+bool WriteStl(vtkDataObject* data, const char* name)
+{
+  vtkNew<vtkSTLWriter> writer;
+  writer->SetFileTypeToBinary();
+  writer->SetFileName(name);
+  writer->SetInputDataObject(data);
+  return writer->Write() != 0;
+}
+
+bool WriteLegacy(vtkDataObject* data, const char* name)
+{
+  return Write<vtkGenericDataObjectWriter>(data, name);
+}
+
+#ifdef SUBDIVISIONOBJECTS_IOEXODUS
+bool WriteExodus(vtkDataObject* data, const char* name)
+{
+  return Write<vtkExodusIIWriter>(data, name) && IsWhole(CanGrow(name), name);
+}
+#endif
+
+}
