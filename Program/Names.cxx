@@ -74,6 +74,10 @@ const Filter& FindFilter(const std::string& name)
   const std::string wanted = Plain(name);
   std::vector<const Filter*> begin;
   std::vector<std::string> names;
+  if (wanted.empty())
+  {
+    throw UsageError("\"" + name + "\" is no name of a filter; --help lists them");
+  }
   for (const Filter& filter : GetFilters())
   {
     if (Plain(filter.Name) == wanted || Plain(filter.Label) == wanted)
@@ -86,7 +90,7 @@ const Filter& FindFilter(const std::string& name)
     }
     names.emplace_back(filter.Name);
   }
-  if (begin.size() == 1 && !wanted.empty())
+  if (begin.size() == 1)
   {
     return *begin.front();
   }
@@ -106,6 +110,10 @@ const Filter& FindFilter(const std::string& name)
 const Option* FindOption(const Filter& filter, const std::string& name)
 {
   const std::string wanted = Plain(name);
+  if (wanted.empty()) // most options have no short name
+  {
+    return nullptr;
+  }
   for (const Option& option : filter.Options)
   {
     if (wanted == Plain(option.Name) || wanted == Plain(option.ShortName))

@@ -233,6 +233,29 @@ TEST(ProgramOptions, FiltersInARow)
   EXPECT_STREQ(command.Stages[1].What->Name, "multi-dimensional-subdivision");
 }
 
+TEST(ProgramOptions, NamesWithoutLetters)
+{
+  for (const char* name : { "--", "--no-", "--=x", "--=", "---", "--\xc3\xa9=1", "--<>=on" })
+  {
+    EXPECT_NE(
+      MessageOf({ "a.vtu", "b.vtu", name, "c.vtu" }).find("has no option --"), std::string::npos)
+      << name;
+  }
+  for (const char* name : { "", "<>", "-" })
+  {
+    EXPECT_NE(MessageOf({ "a.vtu", "b.vtu", "--filter", name }).find("is no name of a filter"),
+      std::string::npos)
+      << name;
+    EXPECT_NE(MessageOf({ "a.vtu", "b.vtu", "--filter", "red-green", "--refine", name })
+                .find("there is no criterion"),
+      std::string::npos)
+      << name;
+    EXPECT_NE(MessageOf({ "a.vtu", "b.vtu", "--scheme", name }).find("--volume-scheme takes"),
+      std::string::npos)
+      << name;
+  }
+}
+
 TEST(ProgramOptions, WrongOnes)
 {
   EXPECT_NE(MessageOf({ "a.vtu", "b.vtu", "--levles", "3" }).find("did you mean --levels?"),
