@@ -71,7 +71,8 @@ deforms and examines it.
   --refine WHAT[=NUMBER]  split where this criterion asks for it, and not where
                     the filter does by default; may be given several times
   --info            print what would come out (cells, points, memory, time),
-                    and write nothing
+                    and whether MaximumNumberOfCells stops the run before;
+                    write nothing
   --quiet           no warnings and no progress
   --help            this text; after --filter NAME the options of this filter
   --version         version

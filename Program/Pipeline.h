@@ -17,9 +17,6 @@ void Connect(Command& command);
 /// Updates all filters and returns the output of the last. Throws Failure.
 vtkDataObject* Update(const Command& command);
 
-/// Prints what would come out: counts, memory and time.
-void PrintInfo(const Command& command);
-
 /// Cells and points of all blocks.
 struct Size
 {
@@ -29,12 +26,6 @@ struct Size
   bool HasSolids = false;
 };
 Size GetSize(vtkDataObject* data);
-
-/**
- * The number that follows from those for 0, 1, ... levels, by the growth of uniform subdivision:
- * a sum of powers of `rates`, of which the first as many as there are numbers are taken.
- */
-double Extrapolate(const std::vector<double>& numbers, std::vector<double> rates, int levels);
 
 }
 

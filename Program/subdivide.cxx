@@ -2,6 +2,7 @@
 // The program: subdivide INPUT OUTPUT [OPTION...]
 #include "Files.h"
 #include "Help.h"
+#include "Info.h"
 #include "Messages.h"
 #include "Names.h"
 #include "Pipeline.h"

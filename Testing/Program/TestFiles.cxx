@@ -239,22 +239,3 @@ TEST(ProgramFiles, WhatFormatsCannotHold)
   EXPECT_THROW(CheckReadable("a.doc"), UsageError);
   EXPECT_THROW(CheckWritable("a"), UsageError);
 }
-
-TEST(ProgramInfo, SizesAreForetoldExactly)
-{
-  for (int scheme : { 0, 1, 2 })
-  {
-    std::vector<double> cells;
-    std::vector<double> points;
-    for (int level = 0; level < 4; ++level)
-    {
-      const Size size = GetSize(Ship(level, scheme));
-      cells.push_back(size.Cells);
-      points.push_back(size.Points);
-    }
-    const Size later = GetSize(Ship(5, scheme));
-    EXPECT_EQ(Extrapolate(cells, { 8., 4., 2., 1. }, 5), later.Cells);
-    EXPECT_EQ(Extrapolate(points, { 8., 4., 2., 1. }, 5), later.Points);
-  }
-  EXPECT_EQ(Extrapolate({ 5., 5. }, { 8., 4. }, 7), 5.);
-}
