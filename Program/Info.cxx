@@ -143,7 +143,7 @@ Growth GetGrowth(const Stage& stage)
   }
   for (const auto& entry : scheme->Entries)
   {
-    if (entry.second != scheme->Get(stage.Algorithm))
+    if (entry.second != scheme->Get(stage.Algorithm, 0))
     {
       continue;
     }
@@ -309,9 +309,9 @@ Forecast Foretell(const Command& command)
     const Sample made = Make(command);
     return { made.Output, made.Seconds, true, 0. };
   }
-  const int levels = static_cast<int>(option->Get(last.Algorithm));
+  const int levels = static_cast<int>(option->Get(last.Algorithm, 0));
   const Option* limit = FindOption(*last.What, "MaximumNumberOfCells");
-  const double maximum = limit ? limit->Get(last.Algorithm) : HUGE_VAL;
+  const double maximum = limit ? limit->Get(last.Algorithm, 0) : HUGE_VAL;
   const Growth growth = GetGrowth(last);
   std::vector<Sample> samples;
   Numbers others{};

@@ -156,6 +156,10 @@ std::vector<std::string> SplitList(const std::string& text)
   {
     parts.push_back(part);
   }
+  if (!text.empty() && text.back() == ',')
+  {
+    parts.emplace_back();
+  }
   return parts;
 }
 

@@ -55,7 +55,8 @@ struct Option
   int Index;       ///< of an array
   int Association; ///< of an array, unless the input has it elsewhere
   void (*Set)(vtkAlgorithm*, const Value&);
-  double (*Get)(vtkAlgorithm*); ///< of a single number
+  double (*Get)(vtkAlgorithm*, int); ///< of a number, by index; null: it has none
+  double Limit;                      ///< the largest number that its type holds exactly
 };
 
 /// A criterion of local refinement: an option that switches it on, and the number that it takes.

@@ -15,6 +15,7 @@
 #include "vtkSphere.h"
 
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace subdivide
@@ -32,13 +33,64 @@ double ToNumber(const Option& option, const std::string& text)
   std::istringstream stream(text);
   double number = 0.;
   std::string rest;
-  if (!(stream >> number) || (stream >> rest) ||
-    (option.Type == Kind::Whole && number != std::floor(number)))
+  const bool isWhole = option.Type == Kind::Whole || option.Type == Kind::Selection;
+  if (!(stream >> number) || (stream >> rest) || (isWhole && number != std::floor(number)))
   {
-    throw UsageError(Named(option) + " takes " +
-      (option.Type == Kind::Whole ? "a whole number" : "a number") + ", not \"" + text + "\"");
+    throw UsageError(Named(option) + " takes " + (isWhole ? "whole numbers" : "numbers") +
+      ", not \"" + text + "\"");
   }
   return number;
+}
+
+std::string ToText(double number)
+{
+  std::ostringstream text;
+  text << std::setprecision(16) << number;
+  return text.str();
+}
+
+/// A number that the option does not take, and the range that it has.
+UsageError OutOfRange(const Option& option, double number, double lowest, double highest)
+{
+  const bool hasLowest = lowest > -option.Limit;
+  const bool hasHighest = highest < option.Limit;
+  const std::string range = hasLowest && !hasHighest ? ToText(lowest) + " or more"
+    : hasHighest && !hasLowest                       ? ToText(highest) + " or less"
+                               : "from " + ToText(lowest) + " to " + ToText(highest);
+  return UsageError(Named(option) + " takes " +
+    (option.Type == Kind::Real ? "numbers" : "whole numbers") + " " + range + ", not " +
+    ToText(number) + "; the nearest is " + ToText(number < lowest ? lowest : highest));
+}
+
+/// What the filter keeps where each of the numbers is this one.
+std::vector<double> GetKept(vtkAlgorithm* filter, const Option& option, double number)
+{
+  Value value;
+  value.Numbers.assign(option.Count, number);
+  option.Set(filter, value);
+  for (int i = 0; i < option.Count; ++i)
+  {
+    value.Numbers[i] = option.Get(filter, i);
+  }
+  return value.Numbers;
+}
+
+/// Sets numbers that the type and the filter can hold.
+void SetNumbers(vtkAlgorithm* filter, const Option& option, const std::vector<double>& numbers)
+{
+  const auto other = vtkSmartPointer<vtkAlgorithm>::Take(filter->NewInstance());
+  const std::vector<double> lowest = GetKept(other, option, -option.Limit);
+  const std::vector<double> highest = GetKept(other, option, option.Limit);
+  for (int i = 0; i < option.Count; ++i)
+  {
+    if (!(numbers[i] >= lowest[i] && numbers[i] <= highest[i]))
+    {
+      throw OutOfRange(option, numbers[i], lowest[i], highest[i]);
+    }
+  }
+  Value value;
+  value.Numbers = numbers;
+  option.Set(filter, value);
 }
 
 double ToEntry(const Option& option, const std::string& text)
@@ -131,6 +183,10 @@ vtkSmartPointer<vtkSelection> ToSelection(const Option& option, const std::strin
   vtkNew<vtkIdTypeArray> ids;
   for (double id : numbers)
   {
+    if (id < 0. || id > option.Limit)
+    {
+      throw OutOfRange(option, id, 0., option.Limit);
+    }
     ids->InsertNextValue(static_cast<vtkIdType>(id));
   }
   vtkNew<vtkSelectionNode> node;
@@ -206,12 +262,17 @@ void ApplySetting(vtkAlgorithm* filter, const Option& option, const std::string&
     return;
   }
   const Value value = ToValue(option, text);
-  option.Set(filter, value);
-  if (option.Get && option.Get(filter) != value.Numbers[0])
+  if (option.Type == Kind::Whole || option.Type == Kind::Real)
   {
-    std::ostringstream kept;
-    kept << option.Get(filter);
-    throw UsageError(Named(option) + " " + text + " is out of range; the nearest is " + kept.str());
+    SetNumbers(filter, option, value.Numbers);
+  }
+  else
+  {
+    option.Set(filter, value);
+    if (option.Get && option.Get(filter, 0) != value.Numbers[0])
+    {
+      throw UsageError(Named(option) + " cannot be " + text + " in this filter");
+    }
   }
 }
 

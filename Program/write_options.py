@@ -10,6 +10,8 @@ import options  # noqa: E402
 KINDS = {"bool": "Switch", "enum": "Choice", "int": "Whole", "id": "Whole", "double": "Real", "set": "Choices",
          "strings": "Names", "array": "Array", "function": "Function", "mesh": "Mesh", "selection": "Selection",
          "table": "Table"}
+# The largest numbers of the types, as a double holds them exactly.
+LIMITS = {"int": "2147483647.", "id": "9007199254740992.", "selection": "9007199254740992."}
 TYPES = {"bool": "bool", "enum": "int", "int": "int", "id": "vtkIdType", "double": "double"}
 
 
@@ -42,11 +44,12 @@ def setter(one, option):
 
 
 def getter(one, option):
-    """What tells the number that is set."""
-    if option.kind in TYPES and option.count == 1:
-        return f"[](vtkAlgorithm* filter) {{ return static_cast<double>(static_cast<{one.cls}*>(filter)->Get" \
-               f"{option.command[3:]}()); }}"
-    return "nullptr"
+    """What tells the numbers that are set."""
+    if option.kind not in TYPES:
+        return "nullptr"
+    index, element = ("int", "") if option.count == 1 else ("int index", "[index]")
+    return f"[](vtkAlgorithm* filter, {index}) {{ return static_cast<double>(static_cast<{one.cls}*>(filter)->Get" \
+           f"{option.command[3:]}(){element}); }}"
 
 
 def default(option):
@@ -64,7 +67,7 @@ def option_lines(one, option):
     "{options.split(option.alias, '-')}", Kind::{KINDS[option.kind]}, {quoted(option.help)},
     "{default(option)}", {option.count}, {{ {entries} }}, {option.port}, {array},
     {setter(one, option)},
-    {getter(one, option)} }});
+    {getter(one, option)}, {LIMITS.get(option.kind, "std::numeric_limits<double>::max()")} }});
 """
 
 
@@ -91,6 +94,8 @@ def main():
 #include "Options.h"
 
 {includes}
+
+#include <limits>
 
 namespace subdivide
 {{

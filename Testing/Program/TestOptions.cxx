@@ -168,8 +168,8 @@ TEST(ProgramOptions, DefaultsAreThoseOfTheClasses)
         const Command before = Read(filter, {});
         const Command set =
           Read(filter, { std::string("--") + option.Name + "=" + option.Default });
-        EXPECT_EQ(
-          option.Get(before.Stages.front().Algorithm), option.Get(set.Stages.front().Algorithm))
+        EXPECT_EQ(option.Get(before.Stages.front().Algorithm, 0),
+          option.Get(set.Stages.front().Algorithm, 0))
           << filter.Name << " --" << option.Name;
       }
     }
@@ -201,13 +201,14 @@ TEST(ProgramOptions, ShortNamesAndSpellings)
   {
     const Command command = ReadCommandLine({ "in.vtu", name, "4", "out.vtp" });
     const Stage& stage = command.Stages.front();
-    EXPECT_EQ(FindOption(*stage.What, "levels")->Get(stage.Algorithm), 4.) << name;
+    EXPECT_EQ(FindOption(*stage.What, "levels")->Get(stage.Algorithm, 0), 4.) << name;
     EXPECT_EQ(command.Input, "in.vtu");
     EXPECT_EQ(command.Output, "out.vtp");
   }
   const Command off = ReadCommandLine({ "a.vtu", "b.vtu", "--no-cache-operator" });
   EXPECT_EQ(
-    FindOption(*off.Stages.front().What, "CacheOperator")->Get(off.Stages.front().Algorithm), 0.);
+    FindOption(*off.Stages.front().What, "CacheOperator")->Get(off.Stages.front().Algorithm, 0),
+    0.);
 }
 
 TEST(ProgramOptions, CriteriaTakeThePlaceOfTheDefault)
@@ -215,7 +216,8 @@ TEST(ProgramOptions, CriteriaTakeThePlaceOfTheDefault)
   const Command command = ReadCommandLine({ "a.vtu", "b.vtu", "--filter", "red-green", "--refine",
     "curvature=25", "--refine=edge-length=0.5" });
   const Stage& stage = command.Stages.front();
-  auto get = [&](const char* name) { return FindOption(*stage.What, name)->Get(stage.Algorithm); };
+  auto get = [&](const char* name)
+  { return FindOption(*stage.What, name)->Get(stage.Algorithm, 0); };
   EXPECT_EQ(get("RefineByCurvature"), 1.);
   EXPECT_EQ(get("MaximumAngle"), 25.);
   EXPECT_EQ(get("RefineByEdgeLength"), 1.);
@@ -254,6 +256,42 @@ TEST(ProgramOptions, NamesWithoutLetters)
       std::string::npos)
       << name;
   }
+}
+
+TEST(ProgramOptions, EachNumberHasItsRange)
+{
+  const std::vector<std::string> cage{ "x.vtu", "--filter", "cage", "--number-of-cells" };
+  for (const char* wrong : { "0,-2,2", "2,0,2", "2,2,-2147483648", "2,2,1e10", "-1e300,2,2" })
+  {
+    std::vector<std::string> arguments = cage;
+    arguments.emplace_back(wrong);
+    const std::string message = MessageOf(arguments);
+    EXPECT_NE(message.find("--number-of-cells takes whole numbers"), std::string::npos) << message;
+    EXPECT_NE(message.find("the nearest is"), std::string::npos) << message;
+  }
+  for (const char* wrong : { "2,2", "2,2,2,2", "2,2,2,", ",2,2", "2,,2", "2,2,x" })
+  {
+    std::vector<std::string> arguments = cage;
+    arguments.emplace_back(wrong);
+    EXPECT_NE(MessageOf(arguments).find("--number-of-cells takes"), std::string::npos) << wrong;
+  }
+  const auto expect = [](const std::vector<std::string>& more, const char* text)
+  {
+    std::vector<std::string> arguments{ "a.vtu", "b.vtu" };
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_NE(MessageOf(arguments).find(text), std::string::npos)
+      << MessageOf(arguments) << ", not " << text;
+  };
+  const char* levels =
+    "--number-of-levels takes whole numbers from 0 to 20, not 10000000000; the nearest is 20";
+  expect({ "--levels", "1e10" }, levels);
+  expect({ "--levels", "-3" }, "from 0 to 20, not -3; the nearest is 0");
+  expect({ "--maximum-cells", "0" }, "takes whole numbers 1 or more, not 0; the nearest is 1");
+  expect({ "--maximum-cells", "1e30" }, "the nearest is 9007199254740992");
+  expect({ "--filter", "red-green", "--refine", "curvature=-1" }, "takes numbers");
+  expect({ "--mark-selection", "points=1,-1" }, "whole numbers 0 or more, not -1");
+  expect({ "--mark-selection", "points=1.5" }, "whole numbers, not \"1.5\"");
+  expect({ "--mark-selection", "cells=1e300" }, "the nearest is 9007199254740992");
 }
 
 TEST(ProgramOptions, WrongOnes)
