@@ -111,7 +111,7 @@ private:
   {
     if (option.Type == Kind::Mesh || option.Type == Kind::Table)
     {
-      CheckReadable(text);
+      option.Type == Kind::Table ? CheckReadableTable(text) : CheckReadable(text);
       stage.Files.emplace_back(&option, text);
       return;
     }

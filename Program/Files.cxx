@@ -5,6 +5,7 @@
 #include "Names.h"
 #include "Writers.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
 #include "vtkDataSet.h"
 #include "vtkGenericDataObjectReader.h"
@@ -12,6 +13,7 @@
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
 #include "vtkSTLReader.h"
+#include "vtkTable.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPImageDataReader.h"
@@ -30,11 +32,15 @@
 #ifdef SUBDIVISIONOBJECTS_IOEXODUS
 #include "vtkExodusIIReader.h"
 #endif
+#ifdef SUBDIVISIONOBJECTS_IOINFOVIS
+#include "vtkDelimitedTextReader.h"
+#endif
 #ifdef SUBDIVISIONOBJECTS_IOIMAGE
 #include "vtkMetaImageReader.h"
 #include "vtkNrrdReader.h"
 #endif
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <map>
@@ -89,9 +95,51 @@ Algorithm MakeExodusReader(const char* name)
 }
 #endif
 
-const std::map<std::string, Algorithm (*)(const char*)>& GetReaders()
+#ifdef SUBDIVISIONOBJECTS_IOINFOVIS
+Algorithm MakeTextReader(const char* name, const char* separator)
 {
-  static const std::map<std::string, Algorithm (*)(const char*)> readers{
+  vtkNew<vtkDelimitedTextReader> reader;
+  reader->SetFileName(name);
+  reader->SetHaveHeaders(true);
+  reader->DetectNumericColumnsOn();
+  reader->TrimWhitespacePriorToNumericConversionOn();
+  reader->SetFieldDelimiterCharacters(separator);
+  return reader;
+}
+
+Algorithm MakeCommaReader(const char* name)
+{
+  std::string line;
+  vtksys::ifstream file(name);
+  std::getline(file, line);
+  const bool hasCommas = line.find(',') != std::string::npos;
+  return MakeTextReader(name, hasCommas || line.find(';') == std::string::npos ? "," : ";");
+}
+
+Algorithm MakeTabReader(const char* name)
+{
+  return MakeTextReader(name, "\t");
+}
+#endif
+
+using Readers = std::map<std::string, Algorithm (*)(const char*)>;
+
+const Readers& GetTableReaders()
+{
+  static const Readers readers{
+#ifdef SUBDIVISIONOBJECTS_IOINFOVIS
+    { ".csv", MakeCommaReader },
+    { ".tsv", MakeTabReader },
+#endif
+    { ".vtk", MakeLegacyReader },
+    { ".vtt", MakeReader<vtkXMLTableReader> },
+  };
+  return readers;
+}
+
+const Readers& GetReaders()
+{
+  static const Readers readers{
 #ifdef SUBDIVISIONOBJECTS_IOEXODUS
     { ".e", MakeExodusReader },
     { ".ex2", MakeExodusReader },
@@ -116,7 +164,6 @@ const std::map<std::string, Algorithm (*)(const char*)>& GetReaders()
     { ".vtp", MakeReader<vtkXMLPolyDataReader> },
     { ".vtr", MakeReader<vtkXMLRectilinearGridReader> },
     { ".vts", MakeReader<vtkXMLStructuredGridReader> },
-    { ".vtt", MakeReader<vtkXMLTableReader> },
     { ".vtu", MakeReader<vtkXMLUnstructuredGridReader> },
   };
   return readers;
@@ -167,6 +214,32 @@ std::string List(const Map& map)
   return text;
 }
 
+Data Read(const Readers& readers, const std::string& name)
+{
+  if (!vtksys::SystemTools::FileExists(name, true))
+  {
+    throw Failure("there is no file \"" + name + "\"");
+  }
+  const int before = GetNumberOfErrors();
+  const Algorithm reader = readers.at(GetEnding(name))(name.c_str());
+  reader->Update();
+  Data data = reader->GetOutputDataObject(0);
+  if (!data || GetNumberOfErrors() > before)
+  {
+    throw Failure("cannot read \"" + name + "\"");
+  }
+  return data;
+}
+
+/// The title of a column, without blanks around it and without the mark at the beginning of a file.
+std::string GetTitle(std::string title)
+{
+  const std::string mark = "\xef\xbb\xbf";
+  title.erase(0, title.compare(0, mark.size(), mark) == 0 ? mark.size() : 0);
+  title.erase(0, std::min(title.find_first_not_of(" \t\r"), title.size()));
+  return title.erase(title.find_last_not_of(" \t\r") + 1);
+}
+
 template <typename Map>
 void Check(const Map& map, const std::string& name, const char* what)
 {
@@ -182,6 +255,11 @@ void Check(const Map& map, const std::string& name, const char* what)
 void CheckReadable(const std::string& name)
 {
   Check(GetReaders(), name, "read");
+}
+
+void CheckReadableTable(const std::string& name)
+{
+  Check(GetTableReaders(), name, "read");
 }
 
 void CheckWritable(const std::string& name)
@@ -220,6 +298,11 @@ std::string ListReadable()
   return List(GetReaders());
 }
 
+std::string ListReadableTables()
+{
+  return List(GetTableReaders());
+}
+
 std::string ListWritable()
 {
   return List(GetWriters());
@@ -227,22 +310,35 @@ std::string ListWritable()
 
 vtkSmartPointer<vtkDataObject> ReadFile(const std::string& name)
 {
-  if (!vtksys::SystemTools::FileExists(name, true))
-  {
-    throw Failure("there is no file \"" + name + "\"");
-  }
-  const int before = GetNumberOfErrors();
-  const Algorithm reader = GetReaders().at(GetEnding(name))(name.c_str());
-  reader->Update();
-  Data data = reader->GetOutputDataObject(0);
-  if (!data || GetNumberOfErrors() > before)
-  {
-    throw Failure("cannot read \"" + name + "\"");
-  }
+  Data data = Read(GetReaders(), name);
   auto* points = vtkDataSet::SafeDownCast(data);
   if (points && points->GetNumberOfPoints() == 0)
   {
     throw Failure("\"" + name + "\" has no points");
+  }
+  if (vtkTable::SafeDownCast(data))
+  {
+    throw Failure("\"" + name + "\" is a table, and no mesh");
+  }
+  return data;
+}
+
+vtkSmartPointer<vtkDataObject> ReadTable(const std::string& name)
+{
+  Data data = Read(GetTableReaders(), name);
+  auto* table = vtkTable::SafeDownCast(data);
+  if (!table)
+  {
+    throw Failure("\"" + name + "\" is no table");
+  }
+  if (table->GetNumberOfRows() == 0)
+  {
+    throw Failure("the table \"" + name + "\" has no rows");
+  }
+  for (vtkIdType c = 0; c < table->GetNumberOfColumns(); ++c)
+  {
+    vtkAbstractArray* column = table->GetColumn(c);
+    column->SetName(GetTitle(column->GetName() ? column->GetName() : "").c_str());
   }
   return data;
 }

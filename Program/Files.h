@@ -23,6 +23,7 @@ struct Failure : std::runtime_error
 
 /// Throw UsageError where no reader or writer belongs to the end of the name.
 void CheckReadable(const std::string& name);
+void CheckReadableTable(const std::string& name);
 void CheckWritable(const std::string& name);
 
 /// Throws Failure where no file of this name can be written: the folder does not exist, for
@@ -32,12 +33,17 @@ void CheckPlace(const std::string& name);
 /// What is in the file. Throws Failure.
 vtkSmartPointer<vtkDataObject> ReadFile(const std::string& name);
 
+/// The same for a table. Numbers of .csv files are detected; their separators are commas, or
+/// semicolons if the first line has no comma.
+vtkSmartPointer<vtkDataObject> ReadTable(const std::string& name);
+
 /// Writes what the format can hold: for .ply, .stl, .obj and .vtp the surface of solids. Throws
 /// Failure, also if not everything could be stored.
 void WriteFile(vtkDataObject* data, const std::string& name);
 
 /// The ends of names that can be read and written, for the help.
 std::string ListReadable();
+std::string ListReadableTables();
 std::string ListWritable();
 
 }

@@ -56,7 +56,9 @@ void Connect(Command& command)
     Stage& stage = command.Stages[i];
     for (const auto& file : stage.Files)
     {
-      stage.Algorithm->SetInputDataObject(file.first->Port, ReadFile(file.second));
+      const bool isTable = file.first->Type == Kind::Table;
+      stage.Algorithm->SetInputDataObject(
+        file.first->Port, isTable ? ReadTable(file.second) : ReadFile(file.second));
     }
     if (i > 0)
     {

@@ -78,8 +78,9 @@ std::vector<std::string> Others(const Option& option)
     case Kind::Selection:
       return { "points=1,2" };
     case Kind::Mesh:
-    case Kind::Table:
       return { "other.vtu" };
+    case Kind::Table:
+      return { "other.vtt" };
     default:
       return { "SomeName" };
   }
@@ -312,6 +313,10 @@ TEST(ProgramOptions, WrongOnes)
   EXPECT_NE(MessageOf({ "a.vtu", "b.vtu", "--refine", "curvature=1" }).find("no criteria"),
     std::string::npos);
   EXPECT_NE(MessageOf({ "a.vtu", "--levels", "1" }).find("names 1"), std::string::npos);
+  EXPECT_NE(
+    MessageOf({ "a.vti", "b.vtu", "--filter", "label-solid", "--materials", "c.vtu" }).find(".vtt"),
+    std::string::npos);
+  EXPECT_NE(MessageOf({ "a.vtt", "b.vtu" }).find("cannot read \"a.vtt\""), std::string::npos);
   EXPECT_NE(MessageOf({ "a.vtu", "b.foo" }).find("cannot write \"b.foo\""), std::string::npos);
   EXPECT_NE(
     MessageOf({ "a.vtu", "b.vtu", "--filter", "multi", "--filter", "model" }).find("is a source"),

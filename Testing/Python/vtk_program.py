@@ -10,7 +10,10 @@ import signal
 import subprocess
 import unittest
 
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkCommonCore import vtkIntArray
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOInfovis import vtkDelimitedTextReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLTableWriter, vtkXMLUnstructuredGridReader
 
 import subdivisionobjects
 from headers import CLASSES, of_bases
@@ -39,11 +42,21 @@ def run_on_full_disk(size, *arguments):
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=300, preexec_fn=limit)
 
 
-def cells(name):
+def grid(name):
     reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(name)
     reader.Update()
-    return reader.GetOutput().GetNumberOfCells()
+    return reader.GetOutput()
+
+
+def cells(name):
+    return grid(name).GetNumberOfCells()
+
+
+def write(writer, data, name):
+    writer.SetInputData(data)
+    writer.SetFileName(name)
+    writer.Write()
 
 
 def plain(name):
@@ -109,6 +122,44 @@ class Program(unittest.TestCase):
             subdivisionobjects.model(model="MaterialBlock"), refine={"array_range": (0.5, 1.5)}, range_array="MaterialId",
             maximum_level=1)
         self.assertEqual(cells("range.vtu"), made.GetNumberOfCells())
+
+    def test_tables_of_materials(self):
+        """Numbers become cell arrays, names field arrays, however the table is written."""
+        image = vtkImageData()
+        image.SetDimensions(6, 6, 6)
+        labels = vtkIntArray()
+        labels.SetName("Tissue")
+        for i in range(image.GetNumberOfPoints()):
+            labels.InsertNextValue(7 if i % 6 < 3 else 5)
+        image.GetPointData().SetScalars(labels)
+        write(vtkXMLImageDataWriter(), image, "labels.vti")
+        pathlib.Path("comma.csv").write_text('Label, Name,Density\n5,"bone, hard",1.5\n7,"says ""a""",2\n')
+        pathlib.Path("semicolon.csv").write_bytes(b"\xef\xbb\xbfLabel;Name;Density\r\n5;bone, hard;1.5\r\n7;x;2\r\n")
+        pathlib.Path("tab.tsv").write_text("Density\tTissue\tName\n1.5\t5\tbone, hard\n2\t7\tx\n")
+        read = vtkDelimitedTextReader()
+        read.SetFileName("comma.csv")
+        read.SetHaveHeaders(True)
+        read.DetectNumericColumnsOn()
+        read.Update()
+        write(vtkXMLTableWriter(), read.GetOutput(), "table.vtt")
+        for name in ("comma.csv", "semicolon.csv", "tab.tsv", "table.vtt"):
+            with self.subTest(name):
+                done = run("labels.vti", "solid.vtu", "--filter", "label-solid", "--materials", name)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                solid = grid("solid.vtu")
+                density = solid.GetCellData().GetArray("Density")
+                tissue = solid.GetCellData().GetArray("Tissue")
+                pairs = {(tissue.GetTuple1(i), density.GetTuple1(i)) for i in range(solid.GetNumberOfCells())}
+                self.assertEqual(pairs, {(5., 1.5), (7., 2.)})
+                self.assertEqual(solid.GetFieldData().GetAbstractArray("Name").GetValue(0), "bone, hard")
+        for name, text, why in (("none.csv", None, "there is no file"), ("empty.csv", "", "empty.csv"),
+                                ("header.csv", "Label,Density\n", "has no rows")):
+            with self.subTest(name):
+                if text is not None:
+                    pathlib.Path(name).write_text(text)
+                done = run("labels.vti", "x.vtu", "--filter", "label-solid", "--materials", name)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn(why, done.stderr)
 
     def test_exit_codes_and_messages(self):
         for code, text, arguments in (
