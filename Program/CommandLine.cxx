@@ -35,6 +35,12 @@ public:
       {
         this->Result.Help = true;
       }
+      else if (argument[0] == '-')
+      {
+        throw UsageError("\"" + argument + "\" is neither an option nor a file" +
+          DidYouMean(argument.substr(0, argument.find('=')), this->GetNames()) +
+          "; options begin with --, and a file of this name is ./" + argument);
+      }
       else
       {
         this->Names.push_back(argument);
@@ -60,9 +66,9 @@ private:
       { "quiet", &this->Result.Quiet } };
     for (const auto& one : switches)
     {
-      if (name == one.first)
+      if (name == one.first || (!given && name == std::string("no-") + one.first))
       {
-        *one.second = true;
+        *one.second = name == one.first && (!given || IsOn("--" + name, text));
         return;
       }
     }
@@ -98,13 +104,19 @@ private:
     }
     if (!option)
     {
-      std::vector<std::string> names = GetOptionNames(*stage.What);
-      names.insert(
-        names.end(), { "--filter", "--refine", "--info", "--help", "--version", "--quiet" });
       throw UsageError("the filter " + std::string(stage.What->Name) + " has no option --" + name +
-        DidYouMean(name, names));
+        DidYouMean(name, this->GetNames()));
     }
     this->Set(stage, *option, text);
+  }
+
+  /// All options that can be given now.
+  std::vector<std::string> GetNames()
+  {
+    std::vector<std::string> names = GetOptionNames(*this->GetStage().What);
+    names.insert(
+      names.end(), { "--filter", "--refine", "--info", "--help", "--version", "--quiet" });
+    return names;
   }
 
   void Set(Stage& stage, const Option& option, const std::string& text)

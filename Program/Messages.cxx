@@ -37,12 +37,14 @@ bool IsTerminal()
 #endif
 }
 
-/// The text of a message of VTK, without "ERROR: In FILE, line N", class and address.
+/// The text of a message of VTK, without "ERROR: In FILE, line N", class and address where they
+/// are.
 std::string Strip(const std::string& text)
 {
-  std::size_t at = text.find("): ");
-  at = at == std::string::npos ? text.find('\n') : at + 2;
-  const std::size_t first = text.find_first_not_of(" \n", at == std::string::npos ? 0 : at);
+  std::size_t at = text.find(": In ") < text.find('\n') ? text.find('\n') : 0;
+  const std::size_t address = text.find("): ", at);
+  at = text.find(" (0x", at) < address && address != std::string::npos ? address + 2 : at;
+  const std::size_t first = text.find_first_not_of(" \n", at);
   const std::size_t last = text.find_last_not_of(" \n");
   return first == std::string::npos ? text : text.substr(first, last + 1 - first);
 }
@@ -70,7 +72,13 @@ public:
     }
   }
   void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
-  void DisplayText(const char* text) override { std::cerr << text; }
+  void DisplayText(const char* text) override
+  {
+    if (!Quiet)
+    {
+      this->TellOnce("note", Strip(text));
+    }
+  }
 
 private:
   void TellOnce(const char* kind, const std::string& text)

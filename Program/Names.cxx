@@ -104,7 +104,7 @@ const Filter& FindFilter(const std::string& name)
     throw UsageError("several filters are called \"" + name + "\": " + which);
   }
   throw UsageError(
-    "there is no filter \"" + name + "\"" + DidYouMean(name, names) + " --help lists them");
+    "there is no filter \"" + name + "\", --help lists them" + DidYouMean(name, names));
 }
 
 const Option* FindOption(const Filter& filter, const std::string& name)

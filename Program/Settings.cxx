@@ -108,20 +108,6 @@ double ToEntry(const Option& option, const std::string& text)
     DidYouMean(text, names));
 }
 
-double ToSwitch(const Option& option, const std::string& text)
-{
-  const std::string plain = Plain(text);
-  if (plain == "on" || plain == "1" || plain == "true" || plain == "yes")
-  {
-    return 1.;
-  }
-  if (plain == "off" || plain == "0" || plain == "false" || plain == "no")
-  {
-    return 0.;
-  }
-  throw UsageError(Named(option) + " takes on or off, not \"" + text + "\"");
-}
-
 /// "sphere=1,2,3,0.5" is a kind and numbers; without "=" there are no numbers.
 std::string SplitKind(const Option& option, const std::string& text, std::vector<double>& numbers)
 {
@@ -219,7 +205,7 @@ Value ToValue(const Option& option, const std::string& text)
   switch (option.Type)
   {
     case Kind::Switch:
-      value.Numbers.push_back(ToSwitch(option, text));
+      value.Numbers.push_back(IsOn(Named(option), text) ? 1. : 0.);
       break;
     case Kind::Choice:
       value.Numbers.push_back(ToEntry(option, text));
@@ -239,6 +225,20 @@ Value ToValue(const Option& option, const std::string& text)
   return value;
 }
 
+}
+
+bool IsOn(const std::string& name, const std::string& text)
+{
+  const std::string plain = Plain(text);
+  if (plain == "on" || plain == "1" || plain == "true" || plain == "yes")
+  {
+    return true;
+  }
+  if (plain == "off" || plain == "0" || plain == "false" || plain == "no")
+  {
+    return false;
+  }
+  throw UsageError(name + " takes on or off, not \"" + text + "\"");
 }
 
 void ApplySetting(vtkAlgorithm* filter, const Option& option, const std::string& text)

@@ -17,6 +17,10 @@ namespace subdivide
 /// where the text is none of what the option takes, or the filter does not keep the value.
 void ApplySetting(vtkAlgorithm* filter, const Option& option, const std::string& text);
 
+/// Whether a switch of this name is on: "on", "1", "true" or "yes", or their opposites. Throws
+/// UsageError.
+bool IsOn(const std::string& name, const std::string& text);
+
 /// What the option takes, for the help: "0.5", "Blend|Sharp", "FILE".
 std::string DescribeValue(const Option& option);
 

@@ -227,6 +227,41 @@ TEST(ProgramOptions, CriteriaTakeThePlaceOfTheDefault)
   EXPECT_EQ(get("RefineByGeometricError"), 0.);
 }
 
+TEST(ProgramOptions, SwitchesHaveValues)
+{
+  const auto read = [](const char* argument)
+  { return ReadCommandLine({ "a.vtu", "b.vtu", argument }); };
+  for (const char* on : { "--info", "--info=on", "--info=1", "--info=yes" })
+  {
+    EXPECT_TRUE(read(on).Info) << on;
+  }
+  for (const char* off : { "--info=off", "--info=0", "--no-info" })
+  {
+    EXPECT_FALSE(read(off).Info) << off;
+  }
+  EXPECT_TRUE(read("--quiet").Quiet);
+  EXPECT_FALSE(read("--quiet=false").Quiet);
+  EXPECT_FALSE(read("--help=off").Help);
+  EXPECT_FALSE(read("--version=no").Version);
+  for (const char* wrong : { "--info=", "--info=maybe", "--quiet=2", "--no-info=off" })
+  {
+    EXPECT_NE(MessageOf({ "a.vtu", "b.vtu", wrong }), "") << wrong;
+  }
+}
+
+TEST(ProgramOptions, OptionsBeginWithTwoDashes)
+{
+  for (const char* wrong : { "-levels", "-levels=2", "-level" })
+  {
+    const std::string message = MessageOf({ "a.vtu", "b.vtu", wrong, "2" });
+    EXPECT_NE(message.find("did you mean --levels?"), std::string::npos) << message;
+  }
+  EXPECT_NE(MessageOf({ "a.vtu", "-b.vtu" }).find("./-b.vtu"), std::string::npos);
+  EXPECT_EQ(MessageOf({ "a.vtu", "./-b.vtu" }), "");
+  EXPECT_NE(MessageOf({ "a.vtu", "-" }), "");
+  EXPECT_NE(MessageOf({ "a.vtu", "" }), "");
+}
+
 TEST(ProgramOptions, FiltersInARow)
 {
   const Command command = ReadCommandLine(
@@ -297,6 +332,8 @@ TEST(ProgramOptions, EachNumberHasItsRange)
 
 TEST(ProgramOptions, WrongOnes)
 {
+  EXPECT_EQ(
+    MessageOf({ "--filter", "qwertz" }), "there is no filter \"qwertz\", --help lists them");
   EXPECT_NE(MessageOf({ "a.vtu", "b.vtu", "--levles", "3" }).find("did you mean --levels?"),
     std::string::npos);
   EXPECT_NE(MessageOf({ "a.vtu", "b.vtu", "--scheme", "tetoc" }).find("did you mean TetOct?"),
