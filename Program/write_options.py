@@ -15,11 +15,13 @@ LIMITS = {"int": "2147483647.", "id": "9007199254740992.", "selection": "9007199
 TYPES = {"bool": "bool", "enum": "int", "int": "int", "id": "vtkIdType", "double": "double"}
 
 
+ESCAPES = str.maketrans({"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t", "\r": "\\r"})
+
+
 def quoted(text):
     """As C++ literals, in pieces: compilers limit their lengths."""
-    text = text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
-    pieces = options.wrap(text, 100).split("\n") if len(text) > 100 else [text]
-    return " ".join(f'"{piece}{" " if piece is not pieces[-1] else ""}"' for piece in pieces)
+    pieces = [text[at:at + 100] for at in range(0, len(text), 100)] or [""]
+    return " ".join(f'"{piece.translate(ESCAPES)}"' for piece in pieces)
 
 
 def setter(one, option):
@@ -63,22 +65,23 @@ def default(option):
 def option_lines(one, option):
     entries = ", ".join(f"{{ {quoted(text)}, {value} }}" for text, value in option.entries)
     array = f"{option.index}, {option.association}" if option.kind == "array" else "0, 0"
-    return f"""  made.Options.push_back({{ "{option.name}", {quoted(option.label)}, "{options.split(option.name, '-')}",
-    "{options.split(option.alias, '-')}", Kind::{KINDS[option.kind]}, {quoted(option.help)},
-    "{default(option)}", {option.count}, {{ {entries} }}, {option.port}, {array},
+    return f"""  made.Options.push_back({{ {quoted(option.name)}, {quoted(option.label)}, {quoted(options.split(option.name, '-'))},
+    {quoted(options.split(option.alias, '-'))}, Kind::{KINDS[option.kind]}, {quoted(option.help)},
+    {quoted(default(option))}, {option.count}, {{ {entries} }}, {option.port}, {array},
     {setter(one, option)},
     {getter(one, option)}, {LIMITS.get(option.kind, "std::numeric_limits<double>::max()")} }});
 """
 
 
 def filter_lines(one):
-    criteria = "".join(f"""  made.Criteria.push_back({{ "{options.split(key[len('RefineBy'):], '-')}", "{key}", \
-"{value or ''}" }});
+    criteria = "".join(f"""  made.Criteria.push_back({{ {quoted(options.split(key[len('RefineBy'):], '-'))}, {quoted(key)}, \
+{quoted(value or '')} }});
 """ for key, value in one.criteria().items())
+    help_ = "\n\n".join(one.help)
     return f"""Filter Make{one.name}()
 {{
-  Filter made{{ "{options.split(one.short_name, '-')}", "{one.label}", {quoted(one.short_help)},
-    {' "{}" '.format(chr(92) + 'n' + chr(92) + 'n').join(map(quoted, one.help))},
+  Filter made{{ {quoted(options.split(one.short_name, '-'))}, {quoted(one.label)}, {quoted(one.short_help)},
+    {quoted(help_)},
     {str(one.has_input).lower()}, []() -> vtkAlgorithm* {{ return {one.cls}::New(); }}, {{}}, {{}} }};
 {''.join(option_lines(one, option) for option in one.options)}{criteria}  return made;
 }}

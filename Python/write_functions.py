@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the functions of the package: write_functions.py FOLDER_OF_OPTIONS.PY VERSION OUTPUT FILE.xml..."""
 
+import json
 import sys
 
 sys.dont_write_bytecode = True
@@ -27,9 +28,14 @@ def snake(name):
     return options.split(name, "_")
 
 
+def quoted(text):
+    """As a literal with double quotes, as the rest of the file has them."""
+    return json.dumps(text, ensure_ascii=False)
+
+
 def value_type(option):
     """The type of an argument, and its default."""
-    values = ", ".join(f'"{text}"' for text, _ in option.entries)
+    values = ", ".join(quoted(text) for text, _ in option.entries)
     first = [text for text, value in option.entries if str(value) in option.default]
     if option.kind == "bool":
         return "bool", str(option.default == ["1"])
@@ -59,7 +65,7 @@ def table(one):
         rest += [f"entries={option.entries!r}"] if option.entries else []
         rest += [f"port={option.port}"] if option.port else []
         rest += [f"index={option.index}, association={option.association}"] if option.kind == "array" else []
-        lines.append(f'    "{snake(option.name)}": Option({", ".join(rest)}),\n')
+        lines.append(f"    {quoted(snake(option.name))}: Option({', '.join(rest)}),\n")
     return f"_{snake(one.short_name)} = {{\n{''.join(lines)}}}\n"
 
 
@@ -75,7 +81,7 @@ def documentation(one):
         short = [key for key, value in aliases(one).items() if value is option]
         name = snake(option.name) + "".join(f", {key}" for key in short)
         text += "\n\n" + options.wrap(f"{name}: {option.help}", 112, "    ")
-    return text.replace("\\", "\\\\").strip()
+    return text.replace("\\", "\\\\").replace('"""', '\\"\\"\\"').strip()
 
 
 def function(one):
@@ -100,7 +106,7 @@ def {name}(
         {joined}) -> Any:
     """{documentation(one)}
     """
-    return run("{one.cls}", _{name}, {short!r}, {criteria!r}, locals())
+    return run({quoted(one.cls)}, _{name}, {short!r}, {criteria!r}, locals())
 
 
 '''

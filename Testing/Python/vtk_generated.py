@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is generated from the files of Plugin is correct whatever their texts are."""
+
+import ast
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from xml.sax.saxutils import quoteattr
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+NASTY = 'a "quoted" \\ \\n text, \'\'\' """ {braces} %d ?? <&> \u00e9 end"'
+LINES = "one\ntwo\ttab"
+XML = f"""<ServerManagerConfiguration><ProxyGroup name="filters">
+<SourceProxy class="vtkMadeFilter" label={quoteattr(NASTY)} name="MadeFilter">
+  <Documentation short_help={quoteattr(NASTY)}>"{'long words ' * 30}
+
+  back\\slash "{'"' * 3}</Documentation>
+  <InputProperty command="SetInputConnection" name="Input"><DataTypeDomain><DataType value="vtkDataSet"/></DataTypeDomain>
+  </InputProperty>
+  <IntVectorProperty command="SetKind" name="Kind" label={quoteattr(LINES)} default_values="1" number_of_elements="1">
+    <EnumerationDomain name="enum"><Entry text={quoteattr(NASTY)} value="1"/><Entry text={quoteattr(LINES)} value="0"/>
+    </EnumerationDomain><Documentation>"{'w' * 300} \\" end\\</Documentation>
+  </IntVectorProperty>
+  <IntVectorProperty command="SetRefineByIt" name="RefineByIt" default_values="1" number_of_elements="1">
+    <BooleanDomain name="bool"/></IntVectorProperty>
+  <DoubleVectorProperty command="SetHow" name="How" default_values="0.5" number_of_elements="1">
+    <Documentation>{"half a line " * 20}</Documentation></DoubleVectorProperty>
+</SourceProxy></ProxyGroup></ServerManagerConfiguration>
+"""
+
+
+def generate(script, *more):
+    with tempfile.TemporaryDirectory() as folder:
+        xml = pathlib.Path(folder, "Made.xml")
+        made = pathlib.Path(folder, "made")
+        xml.write_text(XML.replace("one\ntwo\ttab", "one&#10;two&#9;tab"), encoding="utf-8")
+        subprocess.run([sys.executable, SOURCE / script, SOURCE / "Plugin", *more, made, xml], check=True, timeout=60)
+        return made.read_text(encoding="utf-8")
+
+
+def read_literals(text):
+    """The texts of literals of C++, those that stand side by side as one, and the code between them."""
+    literal = r'"(?:[^"\\\n]|\\[nrt"\\])*"'
+    texts = []
+    for group in re.findall(f"(?:{literal} ?)+", text):
+        texts.append("".join(json.loads(one) for one in re.findall(literal, group)))
+    return texts, re.sub(literal, "", text)
+
+
+class Generated(unittest.TestCase):
+    def test_program(self):
+        texts, code = read_literals(generate("Program/write_options.py"))
+        self.assertNotIn('"', code)
+        self.assertNotIn("\\", code)
+        nasty = " ".join(NASTY.split())
+        for text in (nasty, LINES, "Kind", "kind", "made-filter", f'"{"w" * 300} \\" end\\', "RefineByIt", "How", "0.5",
+                     f'"{"long words " * 30}'.strip() + '\n\nback\\slash "' + '"' * 3, ("half a line " * 20).strip()):
+            self.assertIn(text, texts)
+        self.assertEqual(texts.count(nasty), 4)  # label, short help, entry, default
+
+    def test_python(self):
+        text = generate("Python/write_functions.py", '1.0 "made"')
+        tree = ast.parse(text)
+        function = next(node for node in tree.body if isinstance(node, ast.FunctionDef))
+        help_ = " ".join(ast.get_docstring(function).split())
+        for part in (" ".join(NASTY.split()), f'"{"w" * 300} \\" end\\', 'back\\slash "' + '"' * 3):
+            self.assertIn(part, help_)
+        arguments = {one.arg: default for one, default in zip(function.args.kwonlyargs, function.args.kw_defaults)}
+        self.assertEqual(ast.literal_eval(arguments["kind"]), NASTY)
+        annotation = next(one.annotation for one in function.args.kwonlyargs if one.arg == "kind")
+        self.assertEqual(ast.literal_eval(annotation.slice), (NASTY, LINES))
+        version = next(node for node in tree.body if isinstance(node, ast.Assign) and
+                       node.targets[0].id == "__version__")
+        self.assertEqual(ast.literal_eval(version.value), '1.0 "made"')
+
+
+if __name__ == "__main__":
+    unittest.main()
