@@ -3,6 +3,7 @@
 #include "Conversion.h"
 #include "Messages.h"
 #include "Names.h"
+#include "WholeFiles.h"
 #include "Writers.h"
 
 #include "vtkAbstractArray.h"
@@ -220,8 +221,13 @@ Data Read(const Readers& readers, const std::string& name)
   {
     throw Failure("there is no file \"" + name + "\"");
   }
+  const std::string ending = GetEnding(name);
+  if ((ending == ".ply" && !IsWholePly(name)) || (ending == ".stl" && !IsWholeStl(name)))
+  {
+    throw Failure("cannot read \"" + name + "\": it ends too early");
+  }
   const int before = GetNumberOfErrors();
-  const Algorithm reader = readers.at(GetEnding(name))(name.c_str());
+  const Algorithm reader = readers.at(ending)(name.c_str());
   reader->Update();
   Data data = reader->GetOutputDataObject(0);
   if (!data || GetNumberOfErrors() > before)

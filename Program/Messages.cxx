@@ -66,7 +66,12 @@ public:
   }
   void DisplayWarningText(const char* text) override
   {
-    if (!Quiet)
+    // Readers warn of files that end too early.
+    if (std::string(text).find("Error reading") != std::string::npos)
+    {
+      this->DisplayErrorText(text);
+    }
+    else if (!Quiet)
     {
       this->TellOnce("warning", Strip(text));
     }

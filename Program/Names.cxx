@@ -59,7 +59,11 @@ std::string DidYouMean(const std::string& name, const std::vector<std::string>& 
   std::pair<std::size_t, std::size_t> least(wanted.size() / 2, 0);
   for (const std::string& known : names)
   {
-    const auto distance = Distance(wanted, Plain(known));
+    auto distance = Distance(wanted, Plain(known));
+    if (wanted.size() > 3 && Plain(known).find(wanted) != std::string::npos)
+    {
+      distance = { 0, Plain(known).size() };
+    }
     if (distance < least)
     {
       least = distance;

@@ -127,6 +127,16 @@ vtkSmartPointer<vtkImplicitFunction> ToFunction(const Option& option, const std:
   std::vector<double> numbers;
   const std::string kind = SplitKind(option, text, numbers);
   const double* n = numbers.data();
+  const bool isRound = kind == "sphere" || kind == "cylinder";
+  if (isRound && !numbers.empty() && numbers.back() <= 0.)
+  {
+    throw UsageError(Named(option) + " takes a radius above 0, not " + ToText(numbers.back()));
+  }
+  if ((kind == "plane" || kind == "cylinder") && numbers.size() >= 6 && n[3] == 0. && n[4] == 0. &&
+    n[5] == 0.)
+  {
+    throw UsageError(Named(option) + " takes a direction that is not zero");
+  }
   if (kind == "sphere" && numbers.size() == 4)
   {
     vtkNew<vtkSphere> sphere;
@@ -134,7 +144,7 @@ vtkSmartPointer<vtkImplicitFunction> ToFunction(const Option& option, const std:
     sphere->SetRadius(n[3]);
     return sphere;
   }
-  if (kind == "box" && numbers.size() == 6)
+  if (kind == "box" && numbers.size() == 6 && n[0] <= n[1] && n[2] <= n[3] && n[4] <= n[5])
   {
     vtkNew<vtkBox> box;
     box->SetBounds(n);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Writers.h"
 #include "CheckedFile.h"
+#include "WholeFiles.h"
 
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
@@ -29,9 +30,7 @@
 #endif
 
 #include <filesystem>
-#include <map>
 #include <ostream>
-#include <sstream>
 
 namespace subdivide
 {
@@ -142,57 +141,6 @@ protected:
   }
 };
 
-/// Whether an .obj file has all points and cells of a surface, and ends with a whole line.
-bool HasAllOfObj(const char* name, vtkPolyData* surface)
-{
-  std::ifstream file(name);
-  vtkIdType points = 0;
-  vtkIdType cells = 0;
-  bool ends = false;
-  for (std::string line; std::getline(file, line); ends = !file.eof())
-  {
-    points += line.compare(0, 2, "v ") == 0 ? 1 : 0;
-    cells += line.compare(0, 2, "f ") == 0 || line.compare(0, 2, "l ") == 0 ? 1 : 0;
-  }
-  return ends && points == surface->GetNumberOfPoints() &&
-    cells >= surface->GetNumberOfPolys() + surface->GetNumberOfLines();
-}
-
-/// Whether a binary .ply file of triangles is as long as its header says.
-bool HasAllOfPly(const char* name)
-{
-  const std::map<std::string, std::streamoff> sizes{ { "char", 1 }, { "uchar", 1 }, { "short", 2 },
-    { "ushort", 2 }, { "int", 4 }, { "uint", 4 }, { "float", 4 }, { "double", 8 } };
-  std::ifstream file(name, std::ios::binary);
-  std::streamoff size = 0;
-  std::streamoff count = 0; // of the last element
-  std::string line;
-  while (std::getline(file, line) && line != "end_header")
-  {
-    std::istringstream words(line);
-    std::string word;
-    std::string type;
-    words >> word >> type;
-    if (word == "element")
-    {
-      words >> count;
-    }
-    else if (word == "property" && type == "list") // of three corners
-    {
-      std::string counts;
-      words >> counts >> type;
-      size += count * (sizes.at(counts) + 3 * sizes.at(type));
-    }
-    else if (word == "property")
-    {
-      size += count * sizes.at(type);
-    }
-  }
-  const std::streamoff header = file.tellg();
-  file.seekg(0, std::ios::end);
-  return file && file.tellg() - header == size;
-}
-
 #ifdef SUBDIVISIONOBJECTS_IOEXODUS
 /// Whether a file can still become larger: if not, its last bytes may be missing.
 bool CanGrow(const char* name)
@@ -261,7 +209,7 @@ bool WriteObj(vtkDataObject* data, const char* name)
 
 bool WritePly(vtkDataObject* data, const char* name)
 {
-  return Write<vtkPLYWriter>(data, name) && IsWhole(HasAllOfPly(name), name);
+  return Write<vtkPLYWriter>(data, name) && IsWhole(IsWholePly(name), name);
 }
 
 bool WriteStl(vtkDataObject* data, const char* name)

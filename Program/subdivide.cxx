@@ -11,8 +11,38 @@
 
 #include <iostream>
 
+#ifndef _WIN32
+#include <cerrno>
+#include <fcntl.h>
+#endif
+
 namespace
 {
+
+/// Without this a file would take the place of a standard stream that is closed, and get its text.
+void OpenStandardStreams()
+{
+#ifndef _WIN32
+  for (int stream = 0; stream < 3; ++stream)
+  {
+    if (fcntl(stream, F_GETFD) < 0 && errno == EBADF)
+    {
+      open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY); // so that its use is an error
+    }
+  }
+#endif
+}
+
+int End(int code)
+{
+  std::cout << std::flush;
+  if (!std::cout)
+  {
+    subdivide::Tell("error", "cannot write to the standard output");
+    return 1;
+  }
+  return code;
+}
 
 int Run(const std::vector<std::string>& arguments)
 {
@@ -62,7 +92,8 @@ int main(int argc, char* argv[])
 {
   try
   {
-    return Run(std::vector<std::string>(argv + 1, argv + argc));
+    OpenStandardStreams();
+    return End(Run(std::vector<std::string>(argv + 1, argv + argc)));
   }
   catch (const subdivide::UsageError& error)
   {

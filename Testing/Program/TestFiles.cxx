@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files of each format go out and come back in; sizes are foretold.
 #include "Files.h"
+#include "Messages.h"
 #include "Names.h"
 #include "Pipeline.h"
 
@@ -13,6 +14,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiDimensionalSubdivision.h"
 #include "vtkNew.h"
+#include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
 #include "vtkSubdivisionModelSource.h"
@@ -230,6 +232,67 @@ TEST(ProgramFiles, AllArraysOfLegacyFilesAreRead)
   ASSERT_NE(grid, nullptr);
   EXPECT_NE(grid->GetPointData()->GetArray("a"), nullptr);
   EXPECT_NE(grid->GetPointData()->GetArray("b"), nullptr);
+}
+
+namespace
+{
+
+std::string Content(const std::string& name)
+{
+  std::ostringstream text;
+  text << std::ifstream(name, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+void Write(const std::string& name, const std::string& content)
+{
+  std::ofstream(name, std::ios::binary) << content;
+}
+
+/// Expects that a file can be read as a whole, and nothing less of it.
+void ExpectNoPart(const std::string& name, std::size_t from)
+{
+  const std::string all = Content(name);
+  const std::string part = "part-of-" + name;
+  for (const std::size_t size : { from, (from + all.size()) / 2, all.size() - 1 })
+  {
+    Write(part, all.substr(0, size));
+    EXPECT_THROW(ReadFile(part), Failure) << part << " " << size << " of " << all.size();
+  }
+  EXPECT_NO_THROW(ReadFile(name)) << name;
+}
+
+}
+
+TEST(ProgramFiles, ThatEndTooEarly)
+{
+  for (const char* name : { "whole.ply", "whole.stl" })
+  {
+    WriteFile(Ship(1), name);
+    ExpectNoPart(name, 600);
+  }
+  Write("text.stl",
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+    "endloop\nendfacet\nendsolid");
+  ExpectNoPart("text.stl", 70);
+  const std::string header = "element vertex 3\nproperty float x\nproperty float y\nproperty float "
+                             "z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                             "end_header\n";
+  Write("text.ply", "ply\nformat ascii 1.0\n" + header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  EXPECT_NO_THROW(ReadFile("text.ply"));
+  Write("part.ply", "ply\nformat ascii 1.0\n" + header + "0 0 0\n1 0 0\n0 1 0\n");
+  EXPECT_THROW(ReadFile("part.ply"), Failure);
+  Write("big.ply",
+    "ply\nformat binary_big_endian 1.0\n" + header + std::string(36, '\0') + "\3" +
+      std::string("\0\0\0\0\0\0\0\1\0\0\0\2", 12));
+  ExpectNoPart("big.ply", 200);
+  testing::internal::CaptureStderr();
+  CatchMessages(false);
+  WriteFile(Ship(1), "whole.vtk");
+  Write("part.vtk", Content("whole.vtk").substr(0, 9000));
+  EXPECT_THROW(ReadFile("part.vtk"), Failure);
+  vtkOutputWindow::SetInstance(nullptr);
+  testing::internal::GetCapturedStderr();
 }
 
 TEST(ProgramFiles, WhatFormatsCannotHold)

@@ -330,6 +330,19 @@ TEST(ProgramOptions, EachNumberHasItsRange)
   expect({ "--mark-selection", "cells=1e300" }, "the nearest is 9007199254740992");
 }
 
+TEST(ProgramOptions, FunctionsThatContainNothing)
+{
+  for (const char* wrong : { "sphere=0,0,0,-1", "sphere=0,0,0,0", "box=1,0,0,1,0,1",
+         "plane=0,0,0,0,0,0", "cylinder=0,0,0,0,0,0,1", "cylinder=0,0,0,0,0,1,0" })
+  {
+    EXPECT_NE(
+      MessageOf({ "a.vtu", "b.vtu", "--mark-function", wrong }).find("--mark-function takes"),
+      std::string::npos)
+      << wrong;
+  }
+  EXPECT_EQ(MessageOf({ "a.vtu", "b.vtu", "--mark-function", "box=0,0,0,1,0,1" }), "");
+}
+
 TEST(ProgramOptions, WrongOnes)
 {
   EXPECT_EQ(

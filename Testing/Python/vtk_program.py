@@ -212,6 +212,22 @@ class Program(unittest.TestCase):
         self.assertEqual(run("none.vtu", old).returncode, 1)
         self.assertEqual(old.read_text(), "old")
 
+    def test_standard_streams_that_are_closed(self):
+        def shell(command):
+            return subprocess.run(["sh", "-c", command, PROGRAM, SHIP], capture_output=True, text=True, timeout=300)
+        for command in ('"$0" --help >&-', '"$0" "$1" --info >&-', '"$0" --version >/dev/full'):
+            done = shell(command)
+            self.assertEqual(done.returncode, 1, command)
+            self.assertIn("standard output", done.stderr)
+        # A warning must not go into the file that takes the place of the standard error.
+        pathlib.Path("warns.vtk").write_text(
+            "# vtk DataFile Version 3.0\nm\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"
+            "CELLS 2 8\n3 0 1 2\n3 0 1 9\nCELL_TYPES 2\n5 5\n")
+        self.assertIn("warning", run("warns.vtk", "expected.vtu").stderr)
+        for closed in ("2>&-", "<&- >&- 2>&-"):
+            self.assertEqual(shell(f'"$0" warns.vtk closed.vtu {closed}').returncode, 0)
+            self.assertEqual(pathlib.Path("closed.vtu").read_bytes(), pathlib.Path("expected.vtu").read_bytes())
+
     def test_warnings_go_to_stderr_once(self):
         pathlib.Path("broken.vtu").write_bytes(b"nonsense")
         done = run("broken.vtu", "x.vtu")
