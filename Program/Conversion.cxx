@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Conversion.h"
 #include "JoinedArrays.h"
+#include "Messages.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"
@@ -101,10 +102,19 @@ Data AsSurface(vtkDataObject* data)
 
 Data AsTriangles(vtkDataObject* data)
 {
+  const Data whole = AsSurface(data);
+  auto* surface = vtkPolyData::SafeDownCast(whole);
+  const vtkIdType lost = surface->GetNumberOfLines() + surface->GetNumberOfVerts();
+  if (lost > 0 && surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)
+  {
+    Tell("warning",
+      "the file holds surfaces alone: " + std::to_string(lost) +
+        " lines and vertices are left out; .vtp and .vtu files keep them");
+  }
   vtkNew<vtkTriangleFilter> triangles;
   triangles->PassVertsOff();
   triangles->PassLinesOff();
-  return Filtered(triangles, AsSurface(data));
+  return Filtered(triangles, whole);
 }
 
 Data AsBlocks(vtkDataObject* data)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Writers.h"
 #include "CheckedFile.h"
+#include "Messages.h"
 #include "WholeFiles.h"
 
 #include "vtkDemandDrivenPipeline.h"
@@ -120,12 +121,19 @@ public:
 protected:
   BlockWriter() = default;
 
+  /// Blocks without anything in them, which readers of Exodus files make, are no failure.
+  int WriteComposite(vtkCompositeDataSet* data, vtkXMLDataElement* element, int& index) override
+  {
+    return vtkXMLMultiBlockDataWriter::WriteComposite(data, element, index) != 0 ||
+      this->GetErrorCode() == vtkErrorCode::NoError;
+  }
+
   int WriteNonCompositeData(
     vtkDataObject* data, vtkXMLDataElement* element, int& index, const char* name) override
   {
     if (!this->GetWriter(index))
     {
-      return this->Superclass::WriteNonCompositeData(data, element, index, name);
+      return vtkXMLMultiBlockDataWriter::WriteNonCompositeData(data, element, index, name);
     }
     ++index;
     if (element)
@@ -203,8 +211,14 @@ bool WriteBlocks(vtkDataObject* data, const char* name)
 
 bool WriteObj(vtkDataObject* data, const char* name)
 {
-  return Write<vtkOBJWriter>(data, name) &&
-    IsWhole(HasAllOfObj(name, vtkPolyData::SafeDownCast(data)), name);
+  auto* surface = vtkPolyData::SafeDownCast(data);
+  if (surface->GetNumberOfVerts() > 0)
+  {
+    Tell("warning",
+      "the file holds surfaces and curves: " + std::to_string(surface->GetNumberOfVerts()) +
+        " vertices are left out; .vtp and .vtu files keep them");
+  }
+  return Write<vtkOBJWriter>(data, name) && IsWhole(HasAllOfObj(name, surface), name);
 }
 
 bool WritePly(vtkDataObject* data, const char* name)

@@ -16,6 +16,8 @@
 #include "vtkNew.h"
 #include "vtkOutputWindow.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkSubdivisionModelSource.h"
 #include "vtkUnstructuredGrid.h"
@@ -208,6 +210,48 @@ TEST(ProgramFiles, ArraysThatNotAllBlocksHaveStay)
     EXPECT_TRUE(found) << name;
     EXPECT_EQ(FirstOf(set->GetFieldData(), "Field"), 8.) << name;
   }
+}
+
+TEST(ProgramFiles, BlocksWithoutAnything)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  vtkNew<vtkMultiBlockDataSet> none;
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(1, Ship(0)); // 0 is empty
+  blocks->SetBlock(0, none);
+  blocks->SetBlock(1, inner);
+  WriteFile(blocks, "empty.vtm");
+  const auto read = ReadFile("empty.vtm");
+  EXPECT_EQ(vtkMultiBlockDataSet::SafeDownCast(read)->GetNumberOfBlocks(), 2u);
+  EXPECT_EQ(GetSize(read).Cells, GetSize(Ship(0)).Cells);
+}
+
+TEST(ProgramFiles, CurvesThatAreLeftOutAreTold)
+{
+  vtkNew<vtkSubdivisionModelSource> model;
+  model->SetModelToMixedDimensions();
+  model->Update();
+  for (const char* name : { "curves.stl", "curves.ply" })
+  {
+    testing::internal::CaptureStderr();
+    WriteFile(model->GetOutputDataObject(0), name);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("8 lines and vertices are left out"),
+      std::string::npos)
+      << name;
+  }
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0., 0., 0.);
+  points->InsertNextPoint(1., 0., 0.);
+  vtkNew<vtkPolyData> curve;
+  curve->Allocate(2);
+  curve->SetPoints(points);
+  const vtkIdType ids[] = { 0, 1 };
+  curve->InsertNextCell(VTK_LINE, 2, ids);
+  curve->InsertNextCell(VTK_VERTEX, 1, ids);
+  testing::internal::CaptureStderr();
+  WriteFile(curve, "curve.obj");
+  EXPECT_NE(
+    testing::internal::GetCapturedStderr().find("1 vertices are left out"), std::string::npos);
 }
 
 TEST(ProgramFiles, FieldArraysThatDifferAreNamed)
