@@ -221,7 +221,7 @@ def to_arrays(mesh):
     order = [part for parts in groups.values() for part, _ in parts]
     order = np.concatenate(order) if order else np.zeros(0, int)
     cells = {name: np.concatenate([rows for _, rows in parts]) for name, parts in groups.items()}
-    if len(cells) == 1:
+    if set(cells) in ({"vertex"}, {"line"}, {"triangle"}, {"tetra"}):
         cells = next(iter(cells.values()))
     points = mesh.GetPoints()
     points = numpy_support.vtk_to_numpy(points.GetData()) if points else np.zeros((0, 3))

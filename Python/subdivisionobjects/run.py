@@ -16,10 +16,10 @@ from . import vtkSubdivisionObjects
 class Arrays(tuple):
     """Points and cells of a mesh: points, cells = arrays.
 
-    `points` has three columns. `cells` has a row of point ids for each cell; where there are cells of several types it
-    is a dictionary of such arrays, by "vertex", "line", "triangle", "tetra", "quad", "hexahedron", "wedge", "pyramid",
-    and "polygonN" for polygons of N points. `point_data` and `cell_data` are dictionaries of arrays; the cells follow
-    each other as in `cells`.
+    `points` has three columns. `cells` has a row of point ids for each cell if all are vertices, lines, triangles or
+    tetrahedra. Else it is a dictionary of such arrays, by "vertex", "line", "triangle", "tetra", "quad", "hexahedron",
+    "wedge", "pyramid", and "polygonN" for polygons of N points, so that no quad is taken for a tetrahedron.
+    `point_data` and `cell_data` are dictionaries of arrays; the cells follow each other as in `cells`.
     """
 
     def __new__(cls, points, cells, point_data, cell_data):

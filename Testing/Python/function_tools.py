@@ -194,7 +194,14 @@ class Meshes(unittest.TestCase):
 
     def test_surfaces(self):
         made = subdivisionobjects.surface_subdivision(CUBE, {"quad": SQUARES}, scheme="catmull-clark", levels=2)
-        self.assertEqual((made.points.shape, made.cells.shape), ((98, 3), (96, 4)))
+        self.assertEqual((made.points.shape, made.cells["quad"].shape), ((98, 3), (96, 4)))
+
+    def test_quads_and_polygons_go_in_again(self):
+        for scheme in ("catmull-clark", "doo-sabin"):
+            once = subdivisionobjects.surface_subdivision(CUBE, {"quad": SQUARES}, scheme=scheme, levels=1)
+            points, cells = subdivisionobjects.surface_subdivision(*once, scheme=scheme, levels=0)
+            np.testing.assert_array_equal(points, once.points)
+            self.assertEqual(set(cells), set(once.cells))
 
     def test_polygons_are_input_again(self):
         """Doo-Sabin makes a triangle of each corner of a cube, and of a prism with five sides two pentagons."""
