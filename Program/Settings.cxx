@@ -14,6 +14,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkSphere.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -221,13 +222,19 @@ Value ToValue(const Option& option, const std::string& text)
       value.Numbers.push_back(ToEntry(option, text));
       break;
     case Kind::Choices:
-      for (const std::string& part : SplitList(text))
+      for (const std::string& part :
+        text.empty() ? std::vector<std::string>{ "" } : SplitList(text))
       {
         value.Numbers.push_back(ToEntry(option, part));
       }
       break;
     case Kind::Names:
       value.Names = SplitList(text);
+      if (std::count(value.Names.begin(), value.Names.end(), "") > 0)
+      {
+        throw UsageError(
+          Named(option) + " takes names with commas between them, not \"" + text + "\"");
+      }
       break;
     default:
       value = ToNumbers(option, text);

@@ -223,7 +223,21 @@ bool WriteObj(vtkDataObject* data, const char* name)
 
 bool WritePly(vtkDataObject* data, const char* name)
 {
-  return Write<vtkPLYWriter>(data, name) && IsWhole(IsWholePly(name), name);
+  // The writer lets all names end with small letters.
+  const std::string given = name;
+  const bool isSmall = given.compare(given.size() - 4, 4, ".ply") == 0;
+  const std::string written = isSmall ? given : given + ".ply";
+  if (!Write<vtkPLYWriter>(data, written.c_str()) || !IsWhole(IsWholePly(written), written.c_str()))
+  {
+    return false;
+  }
+  std::error_code error;
+  if (!isSmall)
+  {
+    std::filesystem::rename(
+      std::filesystem::u8path(written), std::filesystem::u8path(given), error);
+  }
+  return !error;
 }
 
 bool WriteStl(vtkDataObject* data, const char* name)

@@ -22,6 +22,8 @@
 #include "vtkSubdivisionModelSource.h"
 #include "vtkUnstructuredGrid.h"
 
+#include "vtksys/SystemTools.hxx"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -108,6 +110,17 @@ TEST(ProgramFiles, OfEachFormat)
     }
   }
   EXPECT_GE(count, 12);
+}
+
+TEST(ProgramFiles, EndingsInLargeLetters)
+{
+  for (const char* name : { "LARGE.VTU", "LARGE.PLY", "LARGE.STL", "LARGE.OBJ", "LARGE.VTM",
+         "LARGE.PVTU", "LARGE.Vtp", "LARGE.VTK" })
+  {
+    WriteFile(Ship(0), name);
+    EXPECT_GT(GetSize(ReadFile(name)).Cells, 0.) << name;
+  }
+  EXPECT_FALSE(vtksys::SystemTools::FileExists("LARGE.PLY.ply"));
 }
 
 TEST(ProgramFiles, Blocks)

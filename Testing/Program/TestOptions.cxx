@@ -321,6 +321,9 @@ TEST(ProgramOptions, EachNumberHasItsRange)
   const char* levels =
     "--number-of-levels takes whole numbers from 0 to 20, not 10000000000; the nearest is 20";
   expect({ "--levels", "1e10" }, levels);
+  expect({ "--dimensions", "" }, "--output-dimensions takes Vertices,Lines");
+  expect({ "--dimensions", "Lines," }, "--output-dimensions takes Vertices,Lines");
+  expect({ "--fields-of-cells", "a,,b" }, "takes names");
   expect({ "--levels", "-3" }, "from 0 to 20, not -3; the nearest is 0");
   expect({ "--maximum-cells", "0" }, "takes whole numbers 1 or more, not 0; the nearest is 1");
   expect({ "--maximum-cells", "1e30" }, "the nearest is 9007199254740992");
