@@ -74,29 +74,40 @@ protected:
   Checked() = default;
 };
 
+// Appended data, which is VTK's default, is more than some versions of ParaView can read.
+void Prepare(vtkXMLWriter* writer)
+{
+  writer->SetDataModeToBinary();
+}
+
+// Texts are longer, and have fewer digits than the numbers.
+void Prepare(vtkSTLWriter* writer)
+{
+  writer->SetFileTypeToBinary();
+}
+
+void Prepare(vtkGenericDataObjectWriter* writer)
+{
+  writer->SetFileTypeToBinary();
+}
+
+void Prepare(vtkAlgorithm*)
+{
+}
+
 template <typename Writer>
 bool Write(vtkDataObject* data, const char* name)
 {
   vtkNew<Writer> writer;
+  Prepare(writer.Get());
   writer->SetFileName(name);
   writer->SetInputDataObject(data);
   return writer->Write() != 0 && writer->GetErrorCode() == vtkErrorCode::NoError;
 }
 
-// Appended data, which is VTK's default, is more than some versions of ParaView can read.
-template <typename Writer>
-class Inline : public Checked<Writer>
-{
-public:
-  static Inline* New() { VTK_STANDARD_NEW_BODY(Inline); }
-
-protected:
-  Inline() { this->SetDataModeToBinary(); }
-};
-
 /// Makes its pieces with checks, too.
 template <typename Writer, typename PieceWriter>
-class InPieces : public Inline<Writer>
+class InPieces : public Checked<Writer>
 {
 public:
   static InPieces* New() { VTK_STANDARD_NEW_BODY(InPieces); }
@@ -106,14 +117,14 @@ protected:
 
   vtkXMLUnstructuredDataWriter* CreateUnstructuredPieceWriter() override
   {
-    auto* writer = Inline<PieceWriter>::New();
+    auto* writer = Checked<PieceWriter>::New();
     writer->SetInputConnection(this->GetInputConnection(0, 0));
     return writer;
   }
 };
 
 /// Makes its blocks with checks, too.
-class BlockWriter : public Inline<vtkXMLMultiBlockDataWriter>
+class BlockWriter : public Checked<vtkXMLMultiBlockDataWriter>
 {
 public:
   static BlockWriter* New() { VTK_STANDARD_NEW_BODY(BlockWriter); }
@@ -183,17 +194,17 @@ bool WriteXml(vtkDataObject* data, const char* name)
   switch (data->GetDataObjectType())
   {
     case VTK_POLY_DATA:
-      return Write<Inline<vtkXMLPolyDataWriter>>(data, name);
+      return Write<Checked<vtkXMLPolyDataWriter>>(data, name);
     case VTK_UNSTRUCTURED_GRID:
-      return Write<Inline<vtkXMLUnstructuredGridWriter>>(data, name);
+      return Write<Checked<vtkXMLUnstructuredGridWriter>>(data, name);
     case VTK_RECTILINEAR_GRID:
-      return Write<Inline<vtkXMLRectilinearGridWriter>>(data, name);
+      return Write<Checked<vtkXMLRectilinearGridWriter>>(data, name);
     case VTK_STRUCTURED_GRID:
-      return Write<Inline<vtkXMLStructuredGridWriter>>(data, name);
+      return Write<Checked<vtkXMLStructuredGridWriter>>(data, name);
     case VTK_TABLE:
-      return Write<Inline<vtkXMLTableWriter>>(data, name);
+      return Write<Checked<vtkXMLTableWriter>>(data, name);
     default:
-      return Write<Inline<vtkXMLImageDataWriter>>(data, name);
+      return Write<Checked<vtkXMLImageDataWriter>>(data, name);
   }
 }
 
@@ -242,11 +253,7 @@ bool WritePly(vtkDataObject* data, const char* name)
 
 bool WriteStl(vtkDataObject* data, const char* name)
 {
-  vtkNew<vtkSTLWriter> writer;
-  writer->SetFileTypeToBinary();
-  writer->SetFileName(name);
-  writer->SetInputDataObject(data);
-  return writer->Write() != 0;
+  return Write<vtkSTLWriter>(data, name);
 }
 
 bool WriteLegacy(vtkDataObject* data, const char* name)

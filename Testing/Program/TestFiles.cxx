@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files of each format go out and come back in; sizes are foretold.
+#include "Conversion.h"
 #include "Files.h"
 #include "Messages.h"
 #include "Names.h"
@@ -71,6 +72,29 @@ vtkSmartPointer<vtkDataObject> FittingData(const std::string& ending)
   return Ship(1);
 }
 
+template <typename Array>
+void AddArray(vtkDataObject* data, int association, const char* name, int components, double value)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(
+    association == vtkDataObject::FIELD ? 1 : data->GetNumberOfElements(association));
+  array->Fill(value);
+  data->GetAttributesAsFieldData(association)->AddArray(array);
+}
+
+double FirstOf(vtkFieldData* data, const char* name)
+{
+  return data->GetArray(name) ? data->GetArray(name)->GetComponent(0, 0) : -1.;
+}
+
+double LastOf(vtkFieldData* data, const char* name)
+{
+  vtkDataArray* array = data->GetArray(name);
+  return array ? array->GetComponent(array->GetNumberOfTuples() - 1, 0) : -1.;
+}
+
 void WriteLegacy(const char* name, const char* body)
 {
   std::ofstream(name) << "# vtk DataFile Version 3.0\nmesh\nASCII\n" << body;
@@ -112,6 +136,22 @@ TEST(ProgramFiles, OfEachFormat)
   EXPECT_GE(count, 12);
 }
 
+TEST(ProgramFiles, NumbersStayWhatTheyAre)
+{
+  const auto ship = Ship(1);
+  AddArray<vtkDoubleArray>(ship, vtkDataObject::POINT, "Third", 1, 1. / 3.);
+  for (const char* name : { "third.vtu", "third.vtk", "third.vtp", "third.vtm", "third.e" })
+  {
+    WriteFile(ship, name);
+    const auto read = ReadFile(name);
+    ASSERT_FALSE(GetDataSets(read).empty()) << name;
+    for (vtkDataSet* set : GetDataSets(read))
+    {
+      EXPECT_EQ(LastOf(set->GetPointData(), "Third"), 1. / 3.) << name;
+    }
+  }
+}
+
 TEST(ProgramFiles, EndingsInLargeLetters)
 {
   for (const char* name : { "LARGE.VTU", "LARGE.PLY", "LARGE.STL", "LARGE.OBJ", "LARGE.VTM",
@@ -146,18 +186,6 @@ TEST(ProgramFiles, Blocks)
 namespace
 {
 
-template <typename Array>
-void AddArray(vtkDataObject* data, int association, const char* name, int components, double value)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(
-    association == vtkDataObject::FIELD ? 1 : data->GetNumberOfElements(association));
-  array->Fill(value);
-  data->GetAttributesAsFieldData(association)->AddArray(array);
-}
-
 /// Two ships whose arrays differ.
 vtkSmartPointer<vtkMultiBlockDataSet> TwoShips()
 {
@@ -178,17 +206,6 @@ vtkSmartPointer<vtkMultiBlockDataSet> TwoShips()
   blocks->SetBlock(0, first);
   blocks->SetBlock(1, second);
   return blocks;
-}
-
-double FirstOf(vtkFieldData* data, const char* name)
-{
-  return data->GetArray(name) ? data->GetArray(name)->GetComponent(0, 0) : -1.;
-}
-
-double LastOf(vtkFieldData* data, const char* name)
-{
-  vtkDataArray* array = data->GetArray(name);
-  return array ? array->GetComponent(array->GetNumberOfTuples() - 1, 0) : -1.;
 }
 
 }
