@@ -3,6 +3,7 @@
 #include "Conversion.h"
 #include "Messages.h"
 #include "Names.h"
+#include "TextTable.h"
 #include "WholeFiles.h"
 #include "Writers.h"
 
@@ -97,29 +98,16 @@ Algorithm MakeExodusReader(const char* name)
 #endif
 
 #ifdef SUBDIVISIONOBJECTS_IOINFOVIS
-Algorithm MakeTextReader(const char* name, const char* separator)
+Algorithm MakeTextReader(const char* name)
 {
+  CheckTextTable(name);
   vtkNew<vtkDelimitedTextReader> reader;
   reader->SetFileName(name);
   reader->SetHaveHeaders(true);
   reader->DetectNumericColumnsOn();
   reader->TrimWhitespacePriorToNumericConversionOn();
-  reader->SetFieldDelimiterCharacters(separator);
+  reader->SetFieldDelimiterCharacters(std::string(1, FindSeparator(name)).c_str());
   return reader;
-}
-
-Algorithm MakeCommaReader(const char* name)
-{
-  std::string line;
-  vtksys::ifstream file(name);
-  std::getline(file, line);
-  const bool hasCommas = line.find(',') != std::string::npos;
-  return MakeTextReader(name, hasCommas || line.find(';') == std::string::npos ? "," : ";");
-}
-
-Algorithm MakeTabReader(const char* name)
-{
-  return MakeTextReader(name, "\t");
 }
 #endif
 
@@ -129,8 +117,8 @@ const Readers& GetTableReaders()
 {
   static const Readers readers{
 #ifdef SUBDIVISIONOBJECTS_IOINFOVIS
-    { ".csv", MakeCommaReader },
-    { ".tsv", MakeTabReader },
+    { ".csv", MakeTextReader },
+    { ".tsv", MakeTextReader },
 #endif
     { ".vtk", MakeLegacyReader },
     { ".vtt", MakeReader<vtkXMLTableReader> },
@@ -235,15 +223,6 @@ Data Read(const Readers& readers, const std::string& name)
     throw Failure("cannot read \"" + name + "\"");
   }
   return data;
-}
-
-/// The title of a column, without blanks around it and without the mark at the beginning of a file.
-std::string GetTitle(std::string title)
-{
-  const std::string mark = "\xef\xbb\xbf";
-  title.erase(0, title.compare(0, mark.size(), mark) == 0 ? mark.size() : 0);
-  title.erase(0, std::min(title.find_first_not_of(" \t\r"), title.size()));
-  return title.erase(title.find_last_not_of(" \t\r") + 1);
 }
 
 template <typename Map>

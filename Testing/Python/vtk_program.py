@@ -153,13 +153,20 @@ class Program(unittest.TestCase):
                 self.assertEqual(pairs, {(5., 1.5), (7., 2.)})
                 self.assertEqual(solid.GetFieldData().GetAbstractArray("Name").GetValue(0), "bone, hard")
         for name, text, why in (("none.csv", None, "there is no file"), ("empty.csv", "", "empty.csv"),
-                                ("header.csv", "Label,Density\n", "has no rows")):
+                                ("header.csv", "Label,Density\n", "has no rows"),
+                                ("short.csv", "Label,Density\n5,1\n\n7\n", "row 2 of the table \"short.csv\" has 1 values"),
+                                ("long.csv", "Label,Density\n5,1\n7,2,3", "has 3 values, but there are 2 titles"),
+                                ("twice.csv", '"Label", Label\n5,1\n', "two columns with the title \"Label\"")):
             with self.subTest(name):
                 if text is not None:
                     pathlib.Path(name).write_text(text)
                 done = run("labels.vti", "x.vtu", "--filter", "label-solid", "--materials", name)
                 self.assertEqual(done.returncode, 1, done.stderr)
                 self.assertIn(why, done.stderr)
+        pathlib.Path("gap.csv").write_text("Label,Density,Name\n5,,a\n7,2,\"b\nc\"\n\n")
+        done = run("labels.vti", "x.vtu", "--filter", "label-solid", "--materials", "gap.csv")
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (0, 1))
+        self.assertIn('row 1 of the table "gap.csv" has nothing in the column "Density"', done.stderr)
 
     def test_exit_codes_and_messages(self):
         for code, text, arguments in (
