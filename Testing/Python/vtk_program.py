@@ -164,7 +164,7 @@ class Program(unittest.TestCase):
                 self.assertEqual(done.returncode, 1, done.stderr)
                 self.assertIn(why, done.stderr)
         pathlib.Path("gap.csv").write_text("Label,Density,Name\n5,,a\n7,2,\"b\nc\"\n\n")
-        done = run("labels.vti", "x.vtu", "--filter", "label-solid", "--materials", "gap.csv")
+        done = run("labels.vti", "gap.vtu", "--filter", "label-solid", "--materials", "gap.csv")
         self.assertEqual((done.returncode, len(done.stderr.splitlines())), (0, 1))
         self.assertIn('row 1 of the table "gap.csv" has nothing in the column "Density"', done.stderr)
 
