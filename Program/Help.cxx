@@ -91,7 +91,8 @@ Filters, and sources, which have no input:
   PrintWrapped(ListReadable(), "  ");
   std::cout << "Reads as tables:\n";
   PrintWrapped(ListReadableTables(), "  ");
-  std::cout << "Writes (.obj .ply .stl .vtp: surfaces, also those of solids):\n";
+  std::cout << "Writes (.obj .ply .stl .vtp: surfaces, also those of solids; .obj .ply "
+               ".stl\nwithout arrays):\n";
   PrintWrapped(ListWritable(), "  ");
   std::cout << "\nThe exit code is 0, 1 if something failed, or 2 if the command line is wrong.\n";
 }

@@ -71,7 +71,7 @@ public:
     {
       this->DisplayErrorText(text);
     }
-    else if (!Quiet)
+    else
     {
       this->TellOnce("warning", Strip(text));
     }
@@ -126,6 +126,10 @@ int GetNumberOfErrors()
 
 void Tell(const std::string& kind, const std::string& text)
 {
+  if (Quiet && kind == "warning")
+  {
+    return;
+  }
   EndProgress();
   std::cerr << "subdivide: " << kind << ": " << text << std::endl;
 }

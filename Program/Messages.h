@@ -19,7 +19,7 @@ void CatchMessages(bool quiet);
 /// How many errors there were so far.
 int GetNumberOfErrors();
 
-/// "subdivide: KIND: text".
+/// "subdivide: KIND: text", but no warning if the program is to be quiet.
 void Tell(const std::string& kind, const std::string& text);
 
 /// Shows the progress of an algorithm on a terminal; elsewhere it does nothing.

@@ -237,6 +237,9 @@ class Program(unittest.TestCase):
 
     def test_warnings_go_to_stderr_once(self):
         pathlib.Path("broken.vtu").write_bytes(b"nonsense")
+        mixed = DATA / "MixedDimensions.vtu"
+        self.assertIn("left out", run(mixed, "mixed.stl").stderr)
+        self.assertEqual(run(mixed, "mixed.stl", "--quiet").stderr, "")
         done = run("broken.vtu", "x.vtu")
         self.assertEqual(done.returncode, 1)
         lines = done.stderr.splitlines()
