@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Conversion.h"
+#include "Files.h"
 #include "JoinedArrays.h"
 #include "Messages.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkCellTypes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -45,8 +51,53 @@ Data Joined(const std::vector<vtkSmartPointer<vtkDataSet>>& sets)
   return joined;
 }
 
+/// Filters of VTK crash at points that do not exist. Throws Failure.
+void CheckPoints(vtkDataSet* set)
+{
+  std::vector<vtkCellArray*> all;
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(set))
+  {
+    all = { grid->GetCells() };
+  }
+  else if (auto* surface = vtkPolyData::SafeDownCast(set))
+  {
+    all = { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() };
+  }
+  for (vtkCellArray* cells : all)
+  {
+    double range[2] = { 0., -1. };
+    if (cells && cells->GetNumberOfConnectivityIds() > 0)
+    {
+      cells->GetConnectivityArray()->GetRange(range);
+    }
+    if (range[0] < 0. || range[1] >= static_cast<double>(set->GetNumberOfPoints()))
+    {
+      throw Failure("the output has cells with points that do not exist, which this format cannot "
+                    "hold; .vtu can. Correct the input in the program that wrote it.");
+    }
+  }
+}
+
+/// Throws Failure if there are cells that VTK writes into Exodus files wrongly, or not at all.
+void CheckTypes(vtkUnstructuredGrid* grid)
+{
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    const int type = grid->GetCellType(c);
+    const bool isPlain = type >= VTK_VERTEX && type <= VTK_PYRAMID;
+    const bool isQuadratic = type >= VTK_QUADRATIC_EDGE && type <= VTK_QUADRATIC_PYRAMID;
+    if (type == VTK_PIXEL || type == VTK_VOXEL || !(isPlain || isQuadratic))
+    {
+      throw Failure("cell " + std::to_string(c) + " of the output is a " +
+        vtkCellTypes::GetClassNameFromTypeId(type) +
+        ", which Exodus files cannot hold; .vtu files can");
+    }
+  }
+}
+
 Data SurfaceOf(vtkDataSet* set)
 {
+  CheckPoints(set);
   vtkNew<vtkDataSetSurfaceFilter> surface;
   return vtkPolyData::SafeDownCast(set) ? set : Filtered(surface, set);
 }
@@ -84,6 +135,30 @@ Data AsGrid(vtkDataObject* data)
     sets.emplace_back(set);
   }
   return Joined<vtkAppendFilter>(sets);
+}
+
+Data AsGridOfNumbers(vtkDataObject* data)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->ShallowCopy(AsGrid(data));
+  CheckPoints(grid);
+  CheckTypes(grid);
+  for (int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    vtkDataSetAttributes* arrays = grid->GetAttributes(association);
+    for (int a = arrays->GetNumberOfArrays() - 1; a >= 0; --a)
+    {
+      if (!arrays->GetArray(a))
+      {
+        const char* name = arrays->GetAbstractArray(a)->GetName();
+        Tell("warning",
+          "the file holds numbers alone: the array \"" + std::string(name ? name : "") +
+            "\" is left out; .vtu files keep it");
+        arrays->RemoveArray(a);
+      }
+    }
+  }
+  return grid;
 }
 
 Data AsSurface(vtkDataObject* data)

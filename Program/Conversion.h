@@ -27,8 +27,12 @@ std::vector<vtkDataSet*> GetDataSets(vtkDataObject* data);
  * does not have are 0 or empty. An array whose name another one of another type or number of
  * components has gets a "'" after its name. Of field arrays with the same name the first one stays,
  * and a warning names those that are lost.
+ *
+ * Failure is thrown where cells have points that do not exist, and by AsGridOfNumbers, which is for
+ * Exodus files, at cells that these cannot hold.
  */
 vtkSmartPointer<vtkDataObject> AsGrid(vtkDataObject* data);
+vtkSmartPointer<vtkDataObject> AsGridOfNumbers(vtkDataObject* data); ///< warns of arrays of texts
 vtkSmartPointer<vtkDataObject> AsSurface(vtkDataObject* data);
 vtkSmartPointer<vtkDataObject> AsTriangles(vtkDataObject* data);
 vtkSmartPointer<vtkDataObject> AsBlocks(vtkDataObject* data);

@@ -172,9 +172,9 @@ const std::map<std::string, Format>& GetWriters()
 {
   static const std::map<std::string, Format> writers{
 #ifdef SUBDIVISIONOBJECTS_IOEXODUS
-    { ".e", { AsGrid, WriteExodus, nullptr } },
-    { ".ex2", { AsGrid, WriteExodus, nullptr } },
-    { ".exo", { AsGrid, WriteExodus, nullptr } },
+    { ".e", { AsGridOfNumbers, WriteExodus, nullptr } },
+    { ".ex2", { AsGridOfNumbers, WriteExodus, nullptr } },
+    { ".exo", { AsGridOfNumbers, WriteExodus, nullptr } },
 #endif
     { ".obj", { AsSurface, WriteObj, nullptr } },
     { ".ply", { AsTriangles, WritePly, nullptr } },

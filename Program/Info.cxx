@@ -81,14 +81,18 @@ void Count(vtkDataSet* set, Sample& sample)
 {
   vtkNew<vtkIdList> corners;
   std::vector<char> dimensions(static_cast<std::size_t>(set->GetNumberOfPoints()), 0);
+  const auto exists = [&](vtkIdType id) { return id >= 0 && id < set->GetNumberOfPoints(); };
   for (vtkIdType c = 0; c < set->GetNumberOfCells(); ++c)
   {
     const auto dimension = static_cast<char>(GetDimension(set->GetCellType(c)));
     set->GetCellPoints(c, corners);
     for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
     {
-      char& largest = dimensions[corners->GetId(i)];
-      largest = std::max(largest, dimension);
+      if (exists(corners->GetId(i)))
+      {
+        char& largest = dimensions[corners->GetId(i)];
+        largest = std::max(largest, dimension);
+      }
     }
   }
   for (vtkIdType c = 0; c < set->GetNumberOfCells(); ++c)
@@ -100,7 +104,7 @@ void Count(vtkDataSet* set, Sample& sample)
     // A triangle on a solid has no points of its own.
     const vtkIdType* ids = corners->GetPointer(0);
     if (std::any_of(ids, ids + corners->GetNumberOfIds(),
-          [&](vtkIdType id) { return dimensions[id] == dimension; }))
+          [&](vtkIdType id) { return exists(id) && dimensions[id] == dimension; }))
     {
       sample.Inside[dimension] += GetShare(type, corners->GetNumberOfIds());
     }

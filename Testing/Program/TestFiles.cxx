@@ -140,7 +140,7 @@ TEST(ProgramFiles, NumbersStayWhatTheyAre)
 {
   const auto ship = Ship(1);
   AddArray<vtkDoubleArray>(ship, vtkDataObject::POINT, "Third", 1, 1. / 3.);
-  for (const char* name : { "third.vtu", "third.vtk", "third.vtp", "third.vtm", "third.e" })
+  for (const char* name : { "third.vtu", "third.vtk", "third.vtp", "third.vtm" })
   {
     WriteFile(ship, name);
     const auto read = ReadFile(name);
@@ -282,6 +282,53 @@ TEST(ProgramFiles, CurvesThatAreLeftOutAreTold)
   WriteFile(curve, "curve.obj");
   EXPECT_NE(
     testing::internal::GetCapturedStderr().find("1 vertices are left out"), std::string::npos);
+}
+
+TEST(ProgramFiles, TextsThatExodusCannotHoldAreTold)
+{
+  const std::string endings = ListWritable();
+  if (endings.find(".exo") == std::string::npos)
+  {
+    GTEST_SKIP() << "VTK has no IOExodus";
+  }
+  testing::internal::CaptureStderr();
+  WriteFile(TwoShips(), "texts.exo");
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("the array \"Words\" is left out"),
+    std::string::npos);
+  const auto read = ReadFile("texts.exo");
+  for (vtkDataSet* set : GetDataSets(read))
+  {
+    EXPECT_TRUE(set->GetPointData()->HasArray("OfFirst"));
+    EXPECT_FALSE(set->GetPointData()->HasArray("Words"));
+  }
+}
+
+TEST(ProgramFiles, CellsThatFormatsCannotHold)
+{
+  WriteLegacy("missing.vtk",
+    "DATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 2 10\n4 0 1 2 3\n4 "
+    "0 1 "
+    "2 9\nCELL_TYPES 2\n10 10\n");
+  WriteLegacy("voxel.vtk",
+    "DATASET UNSTRUCTURED_GRID\nPOINTS 8 float\n0 0 0 1 0 0 0 1 0 1 1 0 0 0 1 1 0 1 0 1 1 1 1 1\n"
+    "CELLS 2 10\n8 0 1 2 3 4 5 6 7\n0\nCELL_TYPES 2\n11 0\n");
+  std::istringstream endings(ListWritable());
+  for (std::string ending; endings >> ending;)
+  {
+    const bool isExodus = ending.compare(0, 2, ".e") == 0;
+    if (isExodus || ending == ".stl" || ending == ".vtp" || ending == ".pvtp" || ending == ".obj")
+    {
+      EXPECT_THROW(WriteFile(ReadFile("missing.vtk"), "missing" + ending), Failure) << ending;
+    }
+    if (isExodus)
+    {
+      EXPECT_THROW(WriteFile(ReadFile("voxel.vtk"), "voxel" + ending), Failure) << ending;
+    }
+  }
+  EXPECT_NO_THROW(WriteFile(ReadFile("missing.vtk"), "missing.vtu"));
+  WriteLegacy("missing-face.vtk",
+    "DATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 7\n");
+  EXPECT_THROW(WriteFile(ReadFile("missing-face.vtk"), "missing.stl"), Failure);
 }
 
 TEST(ProgramFiles, FieldArraysThatDifferAreNamed)

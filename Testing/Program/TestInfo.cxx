@@ -198,6 +198,19 @@ TEST(ProgramInfo, WhetherMaximumNumberOfCellsStopsTheRun)
   }
 }
 
+TEST(ProgramInfo, PointsThatDoNotExist)
+{
+  const auto grid = Tetrahedra(1, 0);
+  const vtkIdType corners[] = { 0, 1, 2, 99 };
+  grid->InsertNextCell(VTK_TETRA, 4, corners);
+  WriteFile(grid, "missing.vtu");
+  testing::internal::CaptureStderr();
+  const Forecast forecast =
+    Foretell(Read({ "missing.vtu", "x.vtu", "--dimensions", "Triangles", "--levels", "3" }));
+  testing::internal::GetCapturedStderr();
+  EXPECT_EQ(forecast.Output.Cells, 0.);
+}
+
 TEST(ProgramInfo, WhatDoesNotGrowIsMade)
 {
   WriteFile(Tetrahedra(1, 0), "one.vtu");
