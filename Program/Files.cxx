@@ -212,7 +212,7 @@ Data Read(const Readers& readers, const std::string& name)
   const std::string ending = GetEnding(name);
   if ((ending == ".ply" && !IsWholePly(name)) || (ending == ".stl" && !IsWholeStl(name)))
   {
-    throw Failure("cannot read \"" + name + "\": it ends too early");
+    throw Failure("cannot read \"" + name + "\": it is damaged, or ends too early");
   }
   const int before = GetNumberOfErrors();
   const Algorithm reader = readers.at(ending)(name.c_str());

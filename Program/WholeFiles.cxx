@@ -18,12 +18,15 @@ namespace
 
 struct Property
 {
+  std::string Name;
   std::streamoff Size = 0;      ///< in bytes
   std::streamoff CountSize = 0; ///< of a list: of its length; else 0
+  bool IsKnown = false;         ///< the types of its numbers
 };
 
 struct Element
 {
+  std::string Name;
   std::int64_t Count = 0;
   std::vector<Property> Properties;
 };
@@ -65,6 +68,7 @@ Header ReadHeader(std::istream& file)
     else if (word == "element")
     {
       header.Elements.emplace_back();
+      header.Elements.back().Name = type;
       words >> header.Elements.back().Count;
     }
     else if (word == "property" && !header.Elements.empty())
@@ -77,10 +81,35 @@ Header ReadHeader(std::istream& file)
         property.CountSize = GetSize(counts);
       }
       property.Size = GetSize(type);
+      words >> property.Name;
+      property.IsKnown = property.Size > 0 && (counts.empty() || property.CountSize > 0);
       header.Elements.back().Properties.push_back(property);
     }
   }
   return header;
+}
+
+/// Whether VTK's reader, which crashes at others, can read a file with this header.
+bool IsReadable(const Header& header)
+{
+  int found = 0;
+  for (const Element& element : header.Elements)
+  {
+    for (const Property& property : element.Properties)
+    {
+      const bool isList = property.CountSize > 0;
+      const bool isCoordinate = !isList && element.Name == "vertex" &&
+        (property.Name == "x" || property.Name == "y" || property.Name == "z");
+      const bool isCorners = isList && element.Name == "face" &&
+        (property.Name == "vertex_indices" || property.Name == "vertex_index");
+      found += isCoordinate || isCorners ? 1 : 0;
+      if (!property.IsKnown)
+      {
+        return false;
+      }
+    }
+  }
+  return found == 4;
 }
 
 /// The length of a list; 0 at the end of the file.
@@ -156,6 +185,10 @@ bool IsWholePly(const std::string& name)
 {
   vtksys::ifstream file(name.c_str(), std::ios::binary);
   const Header header = ReadHeader(file);
+  if (!IsReadable(header))
+  {
+    return false;
+  }
   if (header.Format == "ascii")
   {
     return HasLines(file, header);

@@ -13,7 +13,7 @@ class vtkPolyData;
 namespace subdivide
 {
 
-/// Whether a .ply file has all that its header tells of.
+/// Whether a .ply file has points and faces, and all that its header tells of.
 bool IsWholePly(const std::string& name);
 
 /// Whether a .stl file has as many triangles as it tells, or, if it is a text, an end.

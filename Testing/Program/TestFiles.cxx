@@ -403,6 +403,13 @@ TEST(ProgramFiles, ThatEndTooEarly)
   EXPECT_NO_THROW(ReadFile("text.ply"));
   Write("part.ply", "ply\nformat ascii 1.0\n" + header + "0 0 0\n1 0 0\n0 1 0\n");
   EXPECT_THROW(ReadFile("part.ply"), Failure);
+  for (const char* wrong : { "uchar int vertex_indices", "vertex_indices", "float x\n" })
+  {
+    std::string damaged = header;
+    damaged.replace(damaged.find(wrong), 1, "#");
+    Write("damaged.ply", "ply\nformat ascii 1.0\n" + damaged + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    EXPECT_THROW(ReadFile("damaged.ply"), Failure) << damaged;
+  }
   Write("big.ply",
     "ply\nformat binary_big_endian 1.0\n" + header + std::string(36, '\0') + "\3" +
       std::string("\0\0\0\0\0\0\0\1\0\0\0\2", 12));
