@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A pipeline in plain Python. README.md says what PYTHONPATH has to be; then: python3 python_pipeline.py"""
+"""A pipeline in plain Python. Documentation/Guide/Python.md says what PYTHONPATH has to be."""
 from subdivisionobjects import vtkMultiDimensionalSubdivision, vtkSubdivisionModelSource
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python lines of README for ParaView are run as they stand there, one block after the other."""
+"""The Python lines of README and the guide for ParaView are run as they stand there, one block after the other."""
 
 import os
 import sys
@@ -27,12 +27,15 @@ def make_what_readme_speaks_of():
 
 
 make_what_readme_speaks_of()
-blocks = readme.blocks("python", before="## In Python, without ParaView")
-assert len(blocks) == 8, len(blocks)
-for block in blocks:  # here and not in a function, as in a script
-    exec(compile(block, "README.md", "exec"))
+blocks = [("README.md", block) for block in readme.blocks("python", before="## In Python, without ParaView")]
+assert len(blocks) == 1, len(blocks)
+for page in readme.GUIDE[:-1]:
+    blocks += [(page.name, block) for block in readme.blocks("python", path=page)]
+assert len(blocks) == 11, [name for name, _ in blocks]
+for name, block in blocks:  # here and not in a function, as in a script
+    exec(compile(block, name, "exec"))
 assert os.path.isfile("volume.png")
-for name in ("smooth", "solids", "bent", "solid", "screw", "bunny"):
+for name in ("smooth", "solids", "bent", "solid", "screw", "bunny", "topology", "cage"):
     proxy = globals()[name]
     proxy.UpdatePipeline()
     assert proxy.GetDataInformation().GetNumberOfCells() > 0, name

@@ -18,7 +18,7 @@ TEST(Files, AppendedDataAreReadOrKnownToBeBroken)
   if (VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3)
   {
     GTEST_SKIP() << "known broken here: the reader of this VTK does not read appended data with "
-                    "this Expat; README says what to do";
+                    "this Expat; Guide/ParaView.md says what to do";
   }
   FAIL()
     << "VTK reads appended data from 9.3 on; many tests of files are skipped where it does not";

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whether the documents are whole: check_documents.py FOLDER_OF_THE_PROJECT FILE.xml...
+
+README is short. What links and pictures of .md files name exists. Each filter and source of the files, which are those
+of Plugin after CMake pasted what they share, has a page in the guide that names each of its properties."""
+
+import pathlib
+import re
+import sys
+
+sys.dont_write_bytecode = True
+project = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(project / "Plugin"))
+import options  # noqa: E402
+
+LARGEST_README = 119
+LINK = re.compile(r"\]\(\s*<?([^)\s>]+)")
+guide = project / "Documentation" / "Guide"
+
+
+def read(path):
+    return path.read_text(encoding="utf-8")
+
+
+def documents():
+    """All .md files that belong to the project: not those of builds, and of folders that begin with a dot."""
+    for path in sorted(project.rglob("*.md")):
+        first = path.relative_to(project).parts[0]
+        if first != "build" and not first.startswith("."):
+            yield path
+
+
+def sections(path):
+    """What a link behind # can name: titles in small letters with dashes."""
+    titles = re.findall(r"^#+ +(.*)$", re.sub(r"^```.*?^```", "", read(path), flags=re.DOTALL | re.MULTILINE),
+                        re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+def broken_links(path):
+    text = re.sub(r"```.*?```|`[^`\n]*`", "", read(path), flags=re.DOTALL)
+    for link in LINK.findall(text):
+        if re.match(r"[a-z]+:", link):
+            continue
+        name, _, section = link.partition("#")
+        target = path.parent / name if name else path
+        if not target.exists():
+            yield f"{path.relative_to(project)} links to {link}, which is not there"
+        elif section and target.suffix == ".md" and section not in sections(target):
+            yield f"{path.relative_to(project)} links to {link}, but there is no such section"
+
+
+def missing_in_guide(one):
+    page = guide / f"{one.name}.md"
+    if not page.exists():
+        yield f"{one.name} has no page: write {page.relative_to(project)}"
+        return
+    text = read(page)
+    for option in one.options:
+        if f"`{option.name}`" not in text:
+            yield (f"{page.relative_to(project)} does not name `{option.name}`: "
+                   "cmake --build build/vtk --target guide_tables adds it")
+    if f"({page.name})" not in read(guide / "README.md"):
+        yield f"the index of the guide does not link to {page.name}"
+
+
+def main():
+    faults = []
+    lines = len(read(project / "README.md").splitlines())
+    if lines > LARGEST_README:
+        faults.append(f"README.md has {lines} lines, of {LARGEST_README} at most: put details into Documentation/Guide")
+    for path in documents():
+        faults += broken_links(path)
+    filters = options.read(sys.argv[2:])
+    if len(filters) < 11:
+        faults.append(f"only {len(filters)} filters and sources were found in {sys.argv[2:]}")
+    for one in filters:
+        faults += missing_in_guide(one)
+    sys.exit("\n".join(faults) or 0)
+
+
+main()
