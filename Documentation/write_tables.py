@@ -23,7 +23,7 @@ def label(one):
 
 def table(title, properties):
     rows = [f"| {label(one)} | `{one.name}` | {one.help.replace('|', '/')} |" for one in properties]
-    head = [f"\n## {title}", "", "| in the panel | in Python | what it does |", "|---|---|---|"]
+    head = [f"\n## {title}", "", "| in the panel | name | what it does |", "|---|---|---|"]
     return "\n".join(head + rows) + "\n"
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whether the documents are whole: check_documents.py FOLDER_OF_THE_PROJECT FILE.xml...
 
-README is short. What links and pictures of .md files name exists. Each filter and source of the files, which are those
+README is short. The version of CMake that the guide asks for is the required one, and new enough for what is used. What links and pictures of .md files name exists. Each filter and source of the files, which are those
 of Plugin after CMake pasted what they share, has a page in the guide that names each of its properties."""
 
 import pathlib
@@ -14,6 +14,8 @@ sys.path.insert(0, str(project / "Plugin"))
 import options  # noqa: E402
 
 LARGEST_README = 119
+# Commands of CMake that came late, with the version.
+NEWER_CMAKE = {"file(CONFIGURE": (3, 18)}
 LINK = re.compile(r"\]\(\s*<?([^)\s>]+)")
 guide = project / "Documentation" / "Guide"
 
@@ -64,6 +66,20 @@ def missing_in_guide(one):
         yield f"the index of the guide does not link to {page.name}"
 
 
+def wrong_cmake_versions():
+    asked = re.search(r"Needed are CMake ([\d.]+)", read(guide / "Building.md"))[1]
+    for path in sorted(project.rglob("CMakeLists.txt")):
+        if path.relative_to(project).parts[0] == "build":
+            continue
+        text = read(path)
+        required = re.search(r"cmake_minimum_required\(VERSION ([\d]+\.[\d]+)", text)
+        if required and required[1] != asked:
+            yield f"{path.relative_to(project)} requires CMake {required[1]}, but the guide says {asked}"
+        for command, version in NEWER_CMAKE.items():
+            if command in text and tuple(map(int, asked.split("."))) < version:
+                yield f"{path.relative_to(project)} uses {command}...), which CMake {asked} does not have"
+
+
 def main():
     faults = []
     lines = len(read(project / "README.md").splitlines())
@@ -71,6 +87,7 @@ def main():
         faults.append(f"README.md has {lines} lines, of {LARGEST_README} at most: put details into Documentation/Guide")
     for path in documents():
         faults += broken_links(path)
+    faults += wrong_cmake_versions()
     filters = options.read(sys.argv[2:])
     if len(filters) < 11:
         faults.append(f"only {len(filters)} filters and sources were found in {sys.argv[2:]}")
