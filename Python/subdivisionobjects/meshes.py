@@ -19,6 +19,7 @@ from .run import Arrays
 CELLS = {"vertex": (1, 1), "line": (3, 2), "triangle": (5, 3), "tetra": (10, 4), "quad": (9, 4),
          "hexahedron": (12, 8), "wedge": (13, 6), "pyramid": (14, 5)}
 NAMES = {kind: name for name, (kind, _) in CELLS.items()}
+SMALL = {np.dtype(bool): np.uint8, np.dtype(np.float16): np.float32}
 # What the rows of a single array are, by their number of points.
 BY_SIZE = {1: "vertex", 2: "line", 3: "triangle", 4: "tetra", 5: "pyramid", 6: "wedge", 8: "hexahedron"}
 
@@ -143,8 +144,8 @@ def to_array(name, values, count):
     values = np.asarray(values)
     if len(values) != count:
         raise ValueError(f"the array {name!r} has {len(values)} values, but there are {count} points or cells")
-    if values.dtype == bool:
-        values = values.astype(np.uint8)
+    if values.dtype in SMALL:  # which VTK does not have
+        values = values.astype(SMALL[values.dtype])
     if values.dtype.kind in "UO":
         made = vtkStringArray()
         for value in values:

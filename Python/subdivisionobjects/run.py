@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What all functions do: set the options of a filter, run it, and tell of its errors and warnings."""
 
+import math
 import numbers
 import operator
 import re
@@ -32,9 +33,13 @@ class Arrays(tuple):
         return self.points, self.cells, self.point_data, self.cell_data
 
 
+def is_number(value):
+    return isinstance(value, numbers.Real) and not math.isnan(value)
+
+
 # What a number of these kinds is, and what makes one of the value of an option.
 NUMBERS = {"int": ("whole number", operator.index), "id": ("whole number", operator.index),
-           "double": ("number", lambda value: float(value) if isinstance(value, numbers.Real) else None)}
+           "double": ("number", lambda value: float(value) if is_number(value) else None)}
 
 
 class Option:

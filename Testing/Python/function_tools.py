@@ -143,6 +143,7 @@ class Options(unittest.TestCase):
                 ("join_blocks is True or False, not 2", {"join_blocks": 2}),
                 ("output_dimensions is one of .*'Tetrahedra'.*, not 3.5", {"dimensions": 3.5}),
                 ("feature_angle takes a number, not '30'", {"feature_angle": "30"}),
+                ("feature_angle takes a number, not nan", {"feature_angle": np.nan}),
                 ("material_array is the name of an array, not", {"material_array": np.array([1, 2, 3])}),
                 (r"not a selection such as", {"mark_selection": [1]})):
             with self.subTest(text), self.assertRaisesRegex(ValueError, text):
@@ -189,6 +190,8 @@ class Meshes(unittest.TestCase):
         self.assertEqual({name: len(rows) for name, rows in made.cells.items()}, {"line": 2, "tetra": 8})
         self.assertEqual(list(made.cell_data["id"]), [8, 8] + 8 * [7])
         self.assertEqual(made.point_data["T"].shape, (10,))
+        half = subdivisionobjects.subdivide(TET, [[0, 1, 2, 3]], point_data={"T": np.ones(4, np.float16)})
+        self.assertEqual(half.point_data["T"].dtype, np.float32)
         again = subdivisionobjects.subdivide(made, levels=1)
         self.assertEqual(len(again.cells["tetra"]), 64)
 
