@@ -212,6 +212,19 @@ class Proxies(unittest.TestCase):
             for key in ("InterfaceValues", "FieldsOfCells"):
                 self.assertEqual(definition(name).GetProperty(key).GetPanelVisibility(), "never", f"{name}.{key}")
 
+    def test_the_largest_size_is_in_the_panel(self):
+        """Without the gear: its error tells the user to change it. A group that is advanced would hide it."""
+        for name in ("MultiDimensionalSubdivision", "SurfaceSubdivision", "RedGreenRefinement",
+                     "AdaptiveSurfaceSubdivision", "SubdivisionDeformation", "SubdivisionLabelSolid",
+                     "SimplicialComplexTopology"):
+            proxy = definition(name)
+            prop = proxy.GetProperty("MaximumNumberOfCells")
+            self.assertEqual(prop.GetPanelVisibility(), "default", name)
+            for i in range(proxy.GetNumberOfPropertyGroups()):
+                group = proxy.GetPropertyGroup(i)
+                if prop in [group.GetProperty(k) for k in range(group.GetNumberOfProperties())]:
+                    self.assertEqual(group.GetPanelVisibility(), "default", name)
+
     def test_the_guard_stops_it(self):
         proxy = simple.MultidimensionalSubdivision(
             Input=simple.SubdivisionModel(), NumberOfLevels=3, MaximumNumberOfCells=1000)
