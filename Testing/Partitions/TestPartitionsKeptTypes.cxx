@@ -14,10 +14,6 @@ using subdivision::UniformOptions;
 namespace
 {
 
-const Partition Partitions[] = { { "halves", 2, 1, false },
-  { "three slabs", 3, 2, false, KnownBy::GlobalIds, 1 }, { "cell by cell", 3, 1, true },
-  { "cell by cell on many", 8, 1, true } };
-
 /// A box of hexahedra, wedges, quads, lines and vertices, with every third hexahedron as six
 /// pyramids around its centre.
 Mesh MakeBoxWithPyramids()
@@ -90,7 +86,7 @@ TEST(PartitionsKeptTypes, GiveTheWhole)
       const Mesh whole = subdivision::MakeMesh(false);
       ASSERT_TRUE(Keep(mesh, options, whole));
       subdivision::AddGlobalIds(whole);
-      for (const Partition& partition : Partitions)
+      for (const Partition& partition : CommonPartitions)
       {
         SCOPED_TRACE(std::string(partition.Name) + ", levels " + std::to_string(levels) +
           ", mesh of " + std::to_string(mesh->GetNumberOfCells()) + " cells");

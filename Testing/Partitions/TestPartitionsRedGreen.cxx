@@ -21,10 +21,6 @@ using subdivision::RedGreenOptions;
 namespace
 {
 
-const Partition Partitions[] = { { "halves", 2, 1, false },
-  { "three slabs", 3, 2, false, KnownBy::GlobalIds, 1 }, { "cell by cell", 3, 1, true },
-  { "cell by cell on many", 8, 1, true } };
-
 std::vector<Mesh> MakeMeshesWithFields()
 {
   const std::vector<Mesh> meshes = MakeMeshes();
@@ -136,7 +132,7 @@ TEST(PartitionsRedGreen, GiveTheWhole)
       const auto whole = Grid::New();
       ASSERT_TRUE(Refine(mesh, whole, choice, MakeOptions()));
       subdivision::AddGlobalIds(whole);
-      for (const Partition& partition : Partitions)
+      for (const Partition& partition : CommonPartitions)
       {
         SCOPED_TRACE(std::string(partition.Name) + ", " + choice.Name + ", mesh of " +
           std::to_string(mesh->GetNumberOfCells()) + " cells, output of " +
@@ -173,7 +169,7 @@ void ExpectToGoOn(
   change(once);
   ASSERT_TRUE(Refine(once, twice, second, more));
   subdivision::AddGlobalIds(twice);
-  for (const Partition& partition : { Partitions[1], Partitions[3] })
+  for (const Partition& partition : { CommonPartitions[1], CommonPartitions[3] })
   {
     SCOPED_TRACE(std::string(partition.Name) + ", " + first.Name + ", then " + second.Name +
       ", mesh of " + std::to_string(mesh->GetNumberOfCells()) + " cells, output of " +
@@ -266,7 +262,7 @@ TEST(PartitionsRedGreen, StopTogether)
       }
     };
     vtkIdType sizeOfFirst = 0;
-    for (const Partition& partition : Partitions)
+    for (const Partition& partition : CommonPartitions)
     {
       SCOPED_TRACE(std::string(partition.Name) + ", " + choice.Name);
       std::vector<Mesh> outputs;
@@ -297,6 +293,6 @@ TEST(PartitionsRedGreen, FailTogether)
     options.Progress = [&calls, stopAt](double) { return calls++ == stopAt; };
     std::vector<Mesh> outputs;
     EXPECT_FALSE(
-      RefineParts(Cut(mesh, Partitions[1]), Partitions[1], Choices[0], options, outputs));
+      RefineParts(Cut(mesh, CommonPartitions[1]), CommonPartitions[1], Choices[0], options, outputs));
   }
 }

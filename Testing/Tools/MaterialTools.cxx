@@ -129,4 +129,15 @@ std::vector<int> FindDimensions(vtkUnstructuredGrid* grid)
   return dimensions;
 }
 
+void ExpectSameValues(vtkUnstructuredGrid* expected, vtkUnstructuredGrid* found)
+{
+  ASSERT_EQ(expected->GetNumberOfPoints(), found->GetNumberOfPoints());
+  vtkDataArray* theirs = expected->GetPointData()->GetArray(ValueName);
+  vtkDataArray* ours = found->GetPointData()->GetArray(ValueName);
+  for (vtkIdType p = 0; p < expected->GetNumberOfPoints(); ++p)
+  {
+    ASSERT_NEAR(theirs->GetComponent(p, 1), ours->GetComponent(p, 1), 1e-13);
+  }
+}
+
 }

@@ -51,6 +51,9 @@ Choice MakeUniform(const char* name, int scheme, bool toLimit);
 /// All filters of solids, with different options.
 std::vector<Choice> MakeChoices();
 
+/// Whether two outputs have the same values at the same points, but for rounding.
+void ExpectSameValues(vtkUnstructuredGrid* expected, vtkUnstructuredGrid* found);
+
 double GetMaterial(vtkUnstructuredGrid* grid, vtkIdType cell);
 
 /// At how many points a filter says that values are not those of the input.

@@ -217,6 +217,16 @@ protected:
     EXPECT_TRUE(messages->Errors.empty()) << messages->Errors[0];
     return vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0));
   }
+  /// Runs a filter that loses no array, and gives each cell as many children as `expected` says.
+  template <typename Filter, typename Expected>
+  void ExpectChildrenOf(Filter* filter, const Expected& expected)
+  {
+    vtkNew<Messages> messages;
+    filter->GenerateOriginalIdsOn();
+    const auto output = this->Run(filter, messages);
+    ExpectNoLostArrays(this->Input, output);
+    ExpectChildren(*this->Cells, CountChildren(this->Input, output), expected);
+  }
   /// All cells are there, those of dimension d as 2^d children of each of their simplices.
   void ExpectUniform(vtkPointSet* output)
   {
@@ -286,13 +296,9 @@ TEST_P(FilesThroughFilters, KeptCellTypes)
     return; // an error, and nothing is lost quietly (TestKeepCellTypes)
   }
   vtkNew<vtkMultiDimensionalSubdivision> filter;
-  vtkNew<Messages> messages;
   filter->SetVolumeSchemeToLinear();
   filter->KeepCellTypesOn();
-  filter->GenerateOriginalIdsOn();
-  const auto output = this->Run(filter, messages);
-  ExpectNoLostArrays(this->Input, output);
-  ExpectChildren(*this->Cells, CountChildren(this->Input, output),
+  this->ExpectChildrenOf(filter.Get(),
     [this](std::size_t c) -> std::array<vtkIdType, 3>
     {
       const Shape& shape = this->Cells->Shapes[c];
@@ -315,13 +321,9 @@ TEST_P(FilesThroughFilters, KeptCellTypes)
 TEST_P(FilesThroughFilters, QuadraticCellsInPieces)
 {
   vtkNew<vtkMultiDimensionalSubdivision> filter;
-  vtkNew<Messages> messages;
   filter->SetNumberOfLevels(0);
   filter->SetQuadraticCellsToPieces();
-  filter->GenerateOriginalIdsOn();
-  const auto output = this->Run(filter, messages);
-  ExpectNoLostArrays(this->Input, output);
-  ExpectChildren(*this->Cells, CountChildren(this->Input, output),
+  this->ExpectChildrenOf(filter.Get(),
     [this](std::size_t c) -> std::array<vtkIdType, 3>
     {
       const Shape& shape = this->Cells->Shapes[c];
