@@ -21,11 +21,6 @@ using subdivision::SurfaceSchemeKind;
 namespace
 {
 
-const Partition Partitions[] = { { "halves", 2, 1, false, KnownBy::GlobalIds, 0 },
-  { "slabs after an empty part", 3, 2, false, KnownBy::GlobalIds, 1 },
-  { "cell by cell", 3, 1, true, KnownBy::GlobalIds, 0 },
-  { "cell by cell on many", 8, 1, true, KnownBy::GlobalIds, 2 } };
-
 constexpr int FirstScheme = 3; ///< of those that do not halve edges
 constexpr int NumberOfSchemes = 7;
 constexpr const char* AnglesName = "Angles";
@@ -109,20 +104,22 @@ template <typename Test>
 void ForSurfaces(bool all, const Test& test)
 {
   size_t turn = 0;
+  size_t meshes = 0;
   for (const Mesh& mesh : MakeMeshes())
   {
+    ++meshes; // each scheme has each partition, with other meshes
     const Mesh surface = MakeSkin(mesh);
     AddAngles(surface);
     for (int scheme = FirstScheme; scheme < NumberOfSchemes; ++scheme)
     {
       ++turn;
-      for (size_t p = 0; p < std::size(Partitions); ++p)
+      for (size_t p = 0; p < std::size(CommonPartitions); ++p)
       {
-        if (all || p == turn % std::size(Partitions))
+        if (all || p == (turn + meshes) % std::size(CommonPartitions))
         {
-          SCOPED_TRACE(std::string(Partitions[p].Name) + ", scheme " + std::to_string(scheme) +
+          SCOPED_TRACE(std::string(CommonPartitions[p].Name) + ", scheme " + std::to_string(scheme) +
             ", mesh of " + std::to_string(surface->GetNumberOfCells()) + " cells");
-          test(surface, scheme, Partitions[p]);
+          test(surface, scheme, CommonPartitions[p]);
         }
         if (testing::Test::HasFailure())
         {
@@ -142,7 +139,10 @@ TEST(PartitionsRegions, LetFiltersGoOn)
     [&turn](const Mesh& mesh, int scheme, const Partition& partition)
     {
       const std::vector<std::vector<int>> splits = { { 1, 1 }, { 1, 2 }, { 2, 1 }, { 1, 1, 1 } };
-      const std::vector<int>& split = splits[turn++ / 4 % splits.size()];
+      // Each scheme has each of them, with other meshes.
+      const size_t run = turn++ / std::size(CommonPartitions);
+      const std::vector<int>& split =
+        splits[(run + run / (NumberOfSchemes - FirstScheme)) % splits.size()];
       std::vector<SurfaceOptions> filters;
       int levels = 0;
       for (const int count : split)
@@ -296,7 +296,7 @@ TEST(PartitionsRegions, MayBeEmpty)
     {
       const SurfaceOptions once = MakeOptions(scheme, 1);
       ExpectWhole(Subdivide(mesh, { MakeOptions(scheme, 2) }),
-        SubdivideParts({ none, mesh }, Partitions[0], { once, once }));
+        SubdivideParts({ none, mesh }, CommonPartitions[0], { once, once }));
     });
 }
 
@@ -308,7 +308,7 @@ TEST(PartitionsRegions, WarnWhereCellsMoved)
     const SurfaceOptions first = MakeOptions(scheme, 1);
     // All cells on the first rank, whose field data know only half of them.
     const std::vector<Mesh> parts =
-      SubdivideParts(Cut(surface, Partitions[0]), Partitions[0], { first });
+      SubdivideParts(Cut(surface, CommonPartitions[0]), CommonPartitions[0], { first });
     const Mesh all = Subdivide(surface, { first });
     all->GetFieldData()->ShallowCopy(parts[0]->GetFieldData());
     const Mesh none = subdivision::MakeMesh(true);
@@ -318,7 +318,7 @@ TEST(PartitionsRegions, WarnWhereCellsMoved)
     std::vector<std::string> warnings;
     SurfaceOptions second = first;
     second.Warn = [&](const std::string& message) { warnings.push_back(message); };
-    const std::vector<Mesh> outputs = SubdivideParts({ all, none }, Partitions[0], { second });
+    const std::vector<Mesh> outputs = SubdivideParts({ all, none }, CommonPartitions[0], { second });
     EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& message)
       { return message.find("any other mesh") != std::string::npos; }));
     EXPECT_GT(outputs[0]->GetNumberOfCells(), 0);
@@ -338,8 +338,8 @@ TEST(PartitionsRegions, MayBeDamaged)
     const auto damage = [](vtkPointSet* part, size_t)
     { part->GetFieldData()->RemoveArray("SubdivisionRegionControl"); };
     const std::vector<Mesh> parts =
-      SubdivideParts(Cut(surface, Partitions[0]), Partitions[0], { first });
-    ExpectWhole(whole, SubdivideParts(parts, Partitions[0], { second }, damage));
+      SubdivideParts(Cut(surface, CommonPartitions[0]), CommonPartitions[0], { first });
+    ExpectWhole(whole, SubdivideParts(parts, CommonPartitions[0], { second }, damage));
     EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& message)
       { return message.find("an earlier filter wrote") != std::string::npos; }));
   }

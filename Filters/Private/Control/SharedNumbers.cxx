@@ -20,6 +20,12 @@ namespace
 
 using Ids = std::vector<vtkIdType>;
 
+/// Whether partitions may have different sizes of a thing that not all of them are sure of.
+bool MayDiffer(size_t kinds)
+{
+  return kinds > 1;
+}
+
 /// What a partition keeps: records of a key and its sizes. The things that some partition is sure
 /// of, ascending, each once.
 class Kept
@@ -34,35 +40,44 @@ public:
   {
     this->Records.insert(this->Records.end(), first, last);
   }
-  /// Replaces sizes by the sums of those before; returns the sums of all.
-  Ids SumUp()
+  /// Replaces sizes by the sums of those before.
+  void SumUp()
   {
     this->Sort();
-    Ids sums(static_cast<size_t>(this->Length - this->Width), 0);
+    this->Sums.assign(static_cast<size_t>(this->Length - this->Width), 0);
     for (vtkIdType* record : this->Sorted)
     {
-      for (size_t kind = 0; kind < sums.size(); ++kind)
+      for (size_t kind = 0; kind < this->Sums.size(); ++kind)
       {
         const vtkIdType size = record[this->Width + kind];
-        record[this->Width + kind] = sums[kind];
-        sums[kind] += size;
+        record[this->Width + kind] = this->Sums[kind];
+        this->Sums[kind] += size;
       }
     }
-    return sums;
   }
-  /// Those sums, at a key; null: nobody is sure of it.
-  const vtkIdType* Find(const vtkIdType* key) const
+  /// The sums of all.
+  const Ids& GetSums() const { return this->Sums; }
+  /// Which thing has a key; the number of things: nobody is sure of it.
+  size_t Find(const vtkIdType* key) const
   {
     const size_t place = this->FindBucket(key);
     if (place + 1 >= this->Starts.size())
     {
-      return nullptr;
+      return this->Sorted.size();
     }
     const auto last = this->Sorted.begin() + this->Starts[place + 1];
     const auto found = std::lower_bound(this->Sorted.begin() + this->Starts[place], last, key,
       [this](const vtkIdType* record, const vtkIdType* k) { return this->IsLess(record, k); });
-    return found == last || this->IsLess(key, *found) ? nullptr : *found + this->Width;
+    return found == last || this->IsLess(key, *found)
+      ? this->Sorted.size()
+      : static_cast<size_t>(found - this->Sorted.begin());
   }
+  /// The sum of those before a thing, or of all.
+  vtkIdType GetBefore(size_t thing, size_t kind) const
+  {
+    return thing < this->Sorted.size() ? this->Sorted[thing][this->Width + kind] : this->Sums[kind];
+  }
+  size_t GetNumberOfThings() const { return this->Sorted.size(); }
 
 private:
   bool IsLess(const vtkIdType* a, const vtkIdType* b) const
@@ -127,10 +142,11 @@ private:
   vtkIdType BucketWidth = 1;
   std::vector<size_t> Starts; ///< in Sorted, of each bucket
   std::vector<vtkIdType*> Sorted;
+  Ids Sums;
 };
 
 /// The questions of this partition: to each keeper the number of things that it is sure of, these
-/// with their sizes, then the keys of the others.
+/// with their sizes, then the keys of the others, with their sizes if these may differ.
 class Questions
 {
 public:
@@ -152,9 +168,9 @@ public:
         ids.resize(std::max<size_t>(ids.size(), 1), 0);
         ids.insert(ids.end(), key, key + width);
         places.push_back(i);
-        if (own)
+        ids[0] += own ? 1 : 0;
+        if (own || MayDiffer(kinds))
         {
-          ++ids[0];
           for (size_t kind = 0; kind < kinds; ++kind)
           {
             ids.push_back(things.Sizes.empty() ? 1 : things.Sizes[kinds * i + kind]);
@@ -208,9 +224,9 @@ public:
       const size_t sure = static_cast<size_t>(ids[0]) * (this->Width + this->Kinds);
       this->Things.Add(ids.data() + 1, ids.data() + 1 + sure);
     }
-    this->Sums = this->Things.SumUp();
+    this->Things.SumUp();
   }
-  const Ids& GetSums() const { return this->Sums; }
+  const Ids& GetSums() const { return this->Things.GetSums(); }
   /// `before`: how many ids of each kind the keepers before this one have.
   Partners::Messages Pack(const Ids& before) const
   {
@@ -221,12 +237,16 @@ public:
       size_t at = 1;
       for (vtkIdType i = 0; at < ids.size(); ++i)
       {
-        const vtkIdType* found = this->Things.Find(ids.data() + at);
+        const bool isSure = i < ids[0];
+        const size_t found = this->Things.Find(ids.data() + at);
+        at += this->Width;
         for (size_t kind = 0; kind < this->Kinds; ++kind)
         {
-          answer.push_back(found ? before[kind] + found[kind] : -1);
+          const bool isKnown = found < this->Things.GetNumberOfThings() &&
+            (isSure || !MayDiffer(this->Kinds) || this->GetSize(found, kind) == ids[at + kind]);
+          answer.push_back(isKnown ? before[kind] + this->Things.GetBefore(found, kind) : -1);
         }
-        at += this->Width + (i < ids[0] ? this->Kinds : 0);
+        at += isSure || MayDiffer(this->Kinds) ? this->Kinds : 0;
       }
       messages[from] = PackIds(answer);
     }
@@ -234,10 +254,14 @@ public:
   }
 
 private:
+  vtkIdType GetSize(size_t thing, size_t kind) const
+  {
+    return this->Things.GetBefore(thing + 1, kind) - this->Things.GetBefore(thing, kind);
+  }
+
   size_t Width;
   size_t Kinds;
   Kept Things;
-  Ids Sums;
   std::map<int, Ids> Asked;
 };
 

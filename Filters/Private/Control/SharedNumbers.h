@@ -40,7 +40,7 @@ struct SharedKeys
 struct SharedNumbers
 {
   /// The number of ids before each thing in the whole mesh: `Kinds` of them; -1 where no partition
-  /// is sure that it exists.
+  /// is sure that it exists, or where this one is not and has another size: there its part ends.
   std::vector<vtkIdType> First;
   std::vector<vtkIdType> Totals; ///< of each kind
 };
