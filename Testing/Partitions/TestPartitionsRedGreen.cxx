@@ -292,7 +292,7 @@ TEST(PartitionsRedGreen, FailTogether)
     std::atomic<int> calls{ 0 };
     options.Progress = [&calls, stopAt](double) { return calls++ == stopAt; };
     std::vector<Mesh> outputs;
-    EXPECT_FALSE(
-      RefineParts(Cut(mesh, CommonPartitions[1]), CommonPartitions[1], Choices[0], options, outputs));
+    EXPECT_FALSE(RefineParts(
+      Cut(mesh, CommonPartitions[1]), CommonPartitions[1], Choices[0], options, outputs));
   }
 }

@@ -117,8 +117,9 @@ void ForSurfaces(bool all, const Test& test)
       {
         if (all || p == (turn + meshes) % std::size(CommonPartitions))
         {
-          SCOPED_TRACE(std::string(CommonPartitions[p].Name) + ", scheme " + std::to_string(scheme) +
-            ", mesh of " + std::to_string(surface->GetNumberOfCells()) + " cells");
+          SCOPED_TRACE(std::string(CommonPartitions[p].Name) + ", scheme " +
+            std::to_string(scheme) + ", mesh of " + std::to_string(surface->GetNumberOfCells()) +
+            " cells");
           test(surface, scheme, CommonPartitions[p]);
         }
         if (testing::Test::HasFailure())
@@ -318,7 +319,8 @@ TEST(PartitionsRegions, WarnWhereCellsMoved)
     std::vector<std::string> warnings;
     SurfaceOptions second = first;
     second.Warn = [&](const std::string& message) { warnings.push_back(message); };
-    const std::vector<Mesh> outputs = SubdivideParts({ all, none }, CommonPartitions[0], { second });
+    const std::vector<Mesh> outputs =
+      SubdivideParts({ all, none }, CommonPartitions[0], { second });
     EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& message)
       { return message.find("any other mesh") != std::string::npos; }));
     EXPECT_GT(outputs[0]->GetNumberOfCells(), 0);

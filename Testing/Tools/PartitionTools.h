@@ -67,8 +67,7 @@ struct Partition
 /// Ways that differ enough for most tests.
 inline const Partition CommonPartitions[] = { { "halves", 2, 1, false },
   { "slabs after an empty part", 3, 2, false, KnownBy::GlobalIds, 1 },
-  { "cell by cell", 3, 1, true },
-  { "cell by cell on many", 8, 1, true, KnownBy::GlobalIds, 2 } };
+  { "cell by cell", 3, 1, true }, { "cell by cell on many", 8, 1, true, KnownBy::GlobalIds, 2 } };
 
 std::vector<Mesh> Cut(vtkPointSet* whole, const Partition& partition);
 
