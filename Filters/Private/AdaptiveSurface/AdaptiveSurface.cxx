@@ -16,6 +16,7 @@
 #include "Private/Surface/SurfaceChecks.h"
 #include "Private/Surface/SurfaceCreases.h"
 #include "Private/Surface/SurfaceFrames.h"
+#include "Private/Surface/SurfaceNumbers.h"
 #include "Private/Surface/SurfaceRegion.h"
 #include "Private/Surface/SurfaceStamp.h"
 
@@ -73,6 +74,7 @@ private:
   void TellNotes(AdaptiveNotes& notes) const;
   std::vector<vtkIdType> FindSegmentCells() const;
   SurfaceLevel<Id> WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan);
+  Buffer<unsigned char> FindTurned() const;
   void WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan, const SurfaceLevel<Id>& level);
 
   vtkPolyData* Input;
@@ -364,6 +366,15 @@ SurfaceLevel<Id> AdaptiveRun<Id>::WriteCells(const AdaptiveSqrtThreeOutput<Id>& 
 }
 
 template <typename Id>
+Buffer<unsigned char> AdaptiveRun<Id>::FindTurned() const
+{
+  const PolygonMesh<Id>& mesh = this->Control.Mesh;
+  return this->Others ? FindTurnedOfPart(mesh,
+                          MakeControlKeys(this->Input, this->Cells, *this->Others), *this->Others)
+                      : FindTurnedFaces(mesh);
+}
+
+template <typename Id>
 void AdaptiveRun<Id>::WritePoints(
   const AdaptiveSqrtThreeOutput<Id>& plan, const SurfaceLevel<Id>& level)
 {
@@ -383,8 +394,7 @@ void AdaptiveRun<Id>::WritePoints(
   }
   const AdaptiveSqrtThreeLimit<Id> limit(*this->Rows, plan.GetVertexLevels());
   const bool wantsFrames = this->Options.GenerateLimitNormals || this->Options.GenerateTangents;
-  const Buffer<unsigned char> turned =
-    wantsFrames ? FindTurnedFaces(this->Control.Mesh) : Buffer<unsigned char>();
+  const Buffer<unsigned char> turned = wantsFrames ? this->FindTurned() : Buffer<unsigned char>();
   TangentPairs tangents(wantsFrames ? limit.GetNumberOfRows() : 0);
   if (wantsFrames)
   {

@@ -143,14 +143,9 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
       OutputOptions output;
       output.OwnPrecision = run.Options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION;
       output.GhostLayers = run.Distribution.GhostLayers;
+      // A filter that cannot number what it makes of a part says why.
       output.GlobalIds = run.Options.GenerateGlobalIds &&
         (!run.IsPartial || whole->GetPointData()->HasArray(PointNumbersName));
-      if (run.Options.GenerateGlobalIds && !output.GlobalIds)
-      {
-        run.Options.Warn(
-          "This filter does not know global ids where several ranks have parts of the "
-          "mesh: the output has none. Use vtkGenerateGlobalIds on it.");
-      }
       TakeOutputs(joined, whole, output, run.Blocks);
       return true;
     });

@@ -116,7 +116,21 @@ void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
 }
 
 template <typename Id>
-TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, vtkDataArray* points)
+Buffer<unsigned char> SpreadTurned(const SurfaceSteps<Id>& steps, Buffer<unsigned char>&& turned)
+{
+  for (int step = 0; step < steps.GetNumberOfSteps() && !turned.empty(); ++step)
+  {
+    Buffer<unsigned char> children(steps.GetLevel(step + 1).Mesh.NumberOfFaces);
+    ForEach(children.size(), [&](vtkIdType f)
+      { children[f] = turned[steps.GetScheme().GetOrientingFace(steps.GetLevel(step), f)]; });
+    turned = std::move(children);
+  }
+  return std::move(turned);
+}
+
+template <typename Id>
+TangentPairs FindLimitTangents(
+  const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned, vtkDataArray* points)
 {
   const int type = points->GetDataType();
   const vtkIdType rows = points->GetNumberOfTuples();
@@ -140,12 +154,13 @@ TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, vtkDataArray* poin
   apply(LimitKind::Tangent2, tangents.Values[1].data());
   const SurfaceLevel<Id>& level = steps.GetLevel(steps.GetNumberOfSteps());
   TurnTangents(
-    FindTurnedFaces(level.Mesh), [&level](vtkIdType v)
+    turned, [&level](vtkIdType v)
     { return FindFaceOfTangents(level.Mesh, level.Tags, static_cast<Id>(v)); }, tangents);
   return tangents;
 }
 
 SUBDIVISION_COMPILE_FUNCTION(AddShadingCells);
+SUBDIVISION_COMPILE_FUNCTION(SpreadTurned);
 SUBDIVISION_COMPILE_FUNCTION(FindLimitTangents);
 
 }

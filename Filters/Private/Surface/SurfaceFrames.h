@@ -19,10 +19,16 @@ class vtkPolyData;
 namespace subdivision
 {
 
-/// The tangents at the limits of the vertices of the last level. `points`: the vertices before they
-/// are moved to the limit, float or double.
+/// The turned faces (FindTurnedFaces) of the last level from those of the first: children have the
+/// orientation of their parents.
 template <typename Id>
-TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, vtkDataArray* points);
+Buffer<unsigned char> SpreadTurned(const SurfaceSteps<Id>& steps, Buffer<unsigned char>&& turned);
+
+/// The tangents at the limits of the vertices of the last level, whose faces are `turned`.
+/// `points`: the vertices before they are moved to the limit, float or double.
+template <typename Id>
+TangentPairs FindLimitTangents(
+  const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned, vtkDataArray* points);
 
 /// Turns the second tangent of each vertex whose face, `faceOf(vertex)` or -1, is turned over, so
 /// that normals have one side in each part; `turned`: as of FindTurnedFaces.

@@ -2,8 +2,10 @@
 #include "Private/Surface/SurfaceNumbers.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Private/ArrayNames.h"
 #include "Private/Control/Partners.h"
+#include "Private/Control/SharedSides.h"
 #include "Private/Control/StampFields.h"
 #include "Private/Reading/CellReader.h"
 
@@ -109,6 +111,16 @@ bool AreKeysOf(const ControlKeys& keys, const SurfaceLevel<Id>& control)
 }
 
 template <typename Id>
+Buffer<unsigned char> FindTurnedOfPart(
+  const PolygonMesh<Id>& mesh, const ControlKeys& keys, Partners& partners)
+{
+  const SharedKeys& vertices = keys[Kinds::Vertex]; // all faces at own ones are known
+  const auto links = LinkFaces(
+    mesh, [&vertices](Id vertex) { return vertices.Own[static_cast<size_t>(vertex)] != 0; });
+  return JoinSides(FindSides(mesh.NumberOfFaces, links), keys[Kinds::Face], partners);
+}
+
+template <typename Id>
 SurfaceNumbers NumberSurface(ControlKeys keys, const SurfaceLevel<Id>& control,
   const SurfaceSegments& segments, Partners& partners)
 {
@@ -151,6 +163,7 @@ void WriteNumbers(const SurfaceNumbers& numbers, vtkPolyData* output)
 
 SUBDIVISION_COMPILE_FUNCTION(MakeEdgeKeys);
 SUBDIVISION_COMPILE_FUNCTION(AreKeysOf);
+SUBDIVISION_COMPILE_FUNCTION(FindTurnedOfPart);
 template SurfaceNumbers NumberSurface(
   ControlKeys, const SurfaceLevel<int>&, const SurfaceSegments&, Partners&);
 template SurfaceNumbers NumberSurface(

@@ -51,6 +51,12 @@ bool AreKeysOf(const ControlKeys& keys, const SurfaceLevel<Id>& control);
 /// are its cells. All partitions call this together.
 ControlKeys MakeControlKeys(vtkPolyData* input, const SurfaceCells& cells, Partners& partners);
 
+/// The turned faces (FindTurnedFaces) of a control level, as in the whole surface. All partitions
+/// call this together.
+template <typename Id>
+Buffer<unsigned char> FindTurnedOfPart(
+  const PolygonMesh<Id>& mesh, const ControlKeys& keys, Partners& partners);
+
 /// The points of the input as keys, by their ids: sure are those of own cells.
 SharedKeys MakeVertexKeys(vtkPolyData* input, const Partners& partners);
 /// Edges as keys, by the numbers of their vertices, in the order of which they are: sure are those

@@ -4,6 +4,7 @@
 #include "Private/Surface/SurfaceRun.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/StampFields.h"
 #include "Private/Surface/SurfaceRegion.h"
@@ -44,6 +45,34 @@ SurfaceLevel<Id> SurfaceRun<Id>::MakeFirstLevel(const SurfaceCells& control) con
   return level;
 }
 
+/// The turned faces of the control mesh, with or without seams.
+template <typename Id>
+Buffer<unsigned char> SurfaceRun<Id>::FindTurnedOfPart(
+  const PolygonMesh<Id>& mesh, Partners& others) const
+{
+  ControlKeys keys = this->MakeKeys(others);
+  if (others.Sum(AreKeysOf(keys, this->Steps->GetLevel(0)) ? 0 : 1) > 0)
+  {
+    return FindTurnedFaces(mesh); // the field data are damaged: WriteStampOfPart warns
+  }
+  std::vector<char>& isSure = keys[SurfaceSegments::Vertex].Own;
+  const std::vector<char> isOwn = isSure;
+  for (std::size_t p = 0; p < this->JoinedMesh.FirstPoints.size(); ++p)
+  {
+    char& isFirstSure = isSure[this->JoinedMesh.FirstPoints[p]];
+    isFirstSure = isFirstSure && isOwn[p];
+  }
+  return subdivision::FindTurnedOfPart(mesh, keys, others);
+}
+
+/// The keys of the control mesh.
+template <typename Id>
+ControlKeys SurfaceRun<Id>::MakeKeys(Partners& others) const
+{
+  return this->Options.IsRegion ? ReadControlKeys(this->Input)
+                                : MakeControlKeys(this->Input, this->GetControl(), others);
+}
+
 /// Writes the numbers that points and cells have in the whole output, of which this is a part, and
 /// what the next filter needs to go on. `isLevel`: all points are those of a level. Where the next
 /// one cannot go on, it is told so, and warns.
@@ -59,8 +88,7 @@ void SurfaceRun<Id>::WriteStampOfPart(Partners& others, bool isLevel)
   ControlKeys keys;
   if (isNumbered)
   {
-    keys = this->Options.IsRegion ? ReadControlKeys(this->Input)
-                                  : MakeControlKeys(this->Input, this->GetControl(), others);
+    keys = this->MakeKeys(others);
   }
   if (isNumbered && others.Sum(AreKeysOf(keys, this->Steps->GetLevel(0)) ? 0 : 1) > 0)
   {

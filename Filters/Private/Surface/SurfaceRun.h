@@ -141,7 +141,7 @@ private:
       this->Scheme->HalvesEdges() &&
       JoinEqualPoints(this->Cells, this->Points->GetCoordinates(), this->JoinedMesh);
   }
-  vtkSmartPointer<vtkDataArray> FollowPoints();
+  vtkSmartPointer<vtkDataArray> FollowPoints(const Buffer<unsigned char>& turned);
   bool IsDescendant() const;
   SurfaceTags<Id> Classify(const SurfaceLevel<Id>& control, const SurfaceFeatures& features);
   KeptSurfaceOf<Id>* FindKept(const SurfaceKey& key);
@@ -152,14 +152,18 @@ private:
     return (this->Options.GenerateLimitNormals || this->Options.GenerateTangents) &&
       this->Scheme->HasLimit();
   }
-  void AddFrames(const SurfaceSteps<Id>& steps, const TangentPairs& tangents, vtkDataArray* points,
-    const Buffer<vtkIdType>& sources)
+  Buffer<unsigned char> FindTurned(const SurfaceSteps<Id>& steps) const;
+  // Parts (SurfaceParts.cxx).
+  Buffer<unsigned char> FindTurnedOfPart(const PolygonMesh<Id>& mesh, Partners& others) const;
+  ControlKeys MakeKeys(Partners& others) const;
+  void AddFrames(const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned,
+    const TangentPairs& tangents, vtkDataArray* points, const Buffer<vtkIdType>& sources)
   {
     const SurfaceLevel<Id>& level = steps.GetLevel(steps.GetNumberOfSteps());
     AddLimitFrames(
       tangents, points, sources, this->Options.GenerateLimitNormals, this->Options.GenerateTangents,
-      [&level](ShadingNormals& normals)
-      { AddShadingCells(level, FindTurnedFaces(level.Mesh), normals); }, this->Input, this->Output);
+      [&](ShadingNormals& normals) { AddShadingCells(level, turned, normals); }, this->Input,
+      this->Output);
   }
   void WriteCells();
   void WriteStamp();

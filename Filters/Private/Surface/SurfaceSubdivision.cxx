@@ -329,9 +329,20 @@ bool SurfaceRun<Id>::Build()
   return this->Steps != nullptr;
 }
 
-/// Computes the points of the output on the joined mesh, and their normals and tangents.
+/// The turned faces of the last level of `steps`; of a part, as in the whole surface.
 template <typename Id>
-vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints()
+Buffer<unsigned char> SurfaceRun<Id>::FindTurned(const SurfaceSteps<Id>& steps) const
+{
+  const PolygonMesh<Id>& mesh = steps.GetLevel(0).Mesh;
+  Partners* others = FindPartners(this->Options, this->Input);
+  return SpreadTurned(
+    steps, others ? this->FindTurnedOfPart(mesh, *others) : FindTurnedFaces(mesh));
+}
+
+/// Computes the points of the output on the joined mesh, and their normals and tangents.
+/// `turned`: faces of its last level.
+template <typename Id>
+vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints(const Buffer<unsigned char>& turned)
 {
   vtkSmartPointer<vtkDataArray> points = this->Points->GetPoints();
   auto apply = [&points](const BlockOperator<Id>& rows)
@@ -356,14 +367,14 @@ vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints()
   const Buffer<vtkIdType> sources =
     FindJoinedVertices(*this->Steps, *this->Joined, this->Cells.NumberOfPoints);
   const TangentPairs tangents =
-    this->WantsFrames() ? FindLimitTangents(*this->Joined, points) : TangentPairs(0);
+    this->WantsFrames() ? FindLimitTangents(*this->Joined, turned, points) : TangentPairs(0);
   if (this->Options.ProjectToLimit && this->Scheme->HasLimit())
   {
     apply(this->Joined->GetLimit(LimitKind::Position));
   }
   if (this->WantsFrames())
   {
-    this->AddFrames(*this->Joined, tangents, points, sources);
+    this->AddFrames(*this->Joined, turned, tangents, points, sources);
   }
   return vtkDataArray::SafeDownCast(Gather(points, { sources.begin(), sources.end() }));
 }
@@ -405,9 +416,12 @@ bool SurfaceRun<Id>::Execute()
   this->WriteCells();
   const int levels = this->Options.Levels;
   this->Interpolate();
+  const Buffer<unsigned char> turned = this->WantsFrames()
+    ? this->FindTurned(this->Joined ? *this->Joined : *this->Steps)
+    : Buffer<unsigned char>();
   if (this->Joined)
   {
-    this->Points->ReusePoints(this->FollowPoints());
+    this->Points->ReusePoints(this->FollowPoints(turned));
   }
   for (int step = 0; step < levels; ++step)
   {
@@ -430,8 +444,9 @@ bool SurfaceRun<Id>::Execute()
     }
   }
   const bool addFrames = !this->Joined && this->WantsFrames();
-  const TangentPairs tangents =
-    addFrames ? FindLimitTangents(*this->Steps, this->Points->GetPoints()) : TangentPairs(0);
+  const TangentPairs tangents = addFrames
+    ? FindLimitTangents(*this->Steps, turned, this->Points->GetPoints())
+    : TangentPairs(0);
   if (this->Options.ProjectToLimit && this->Scheme->HasLimit())
   {
     this->Points->Advance(
@@ -439,7 +454,7 @@ bool SurfaceRun<Id>::Execute()
   }
   if (addFrames)
   {
-    this->AddFrames(*this->Steps, tangents, this->Points->GetPoints(), Buffer<vtkIdType>());
+    this->AddFrames(*this->Steps, turned, tangents, this->Points->GetPoints(), Buffer<vtkIdType>());
   }
   this->Points->Finish(this->Output);
   if (this->Options.GenerateLimitNormals && this->Scheme->HasLimit())

@@ -24,13 +24,14 @@ LimitOperators<Id>::LimitOperators(const Level& level, const SemiSharpStages<Id>
 }
 
 template <typename Id>
-void LimitOperators<Id>::Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const
+void LimitOperators<Id>::Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted,
+  const Buffer<unsigned char>& turned) const
 {
   if (this->HasNormals)
   {
     const vtkIdType size = arrays.GetPoints()->GetNumberOfTuples();
     Buffer<double> normals(3 * size);
-    ComputeLimitNormals(this->Tangents, arrays.GetCoordinates(), inverted, normals.data());
+    ComputeLimitNormals(this->Tangents, arrays.GetCoordinates(), inverted, turned, normals.data());
     const auto array = MakeArray(arrays.GetPoints()->GetDataType(), 3, size);
     array->SetName(LimitNormalsName);
     auto fill = [&](auto* out)

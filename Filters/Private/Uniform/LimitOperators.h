@@ -28,8 +28,9 @@ struct LimitOperators
   LimitOperators(const Level& level, const SemiSharpStages<Id>& creases,
     const ControlSolids& solids, bool project, bool generateNormals);
 
-  /// `arrays` are those of the level; `inverted` as in ComputeLimitNormals.
-  void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const;
+  /// `arrays` are those of the level; `inverted` and `turned` as in ComputeLimitNormals.
+  void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted,
+    const Buffer<unsigned char>& turned) const;
   std::size_t GetMemorySize() const
   {
     return this->Rows.GetMemorySize() + this->Tangents.GetMemorySize();

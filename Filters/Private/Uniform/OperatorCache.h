@@ -32,8 +32,9 @@ class KeptSteps : public OperatorSequence
 {
 public:
   using OperatorSequence::Apply;
-  /// `inverted` as in ComputeLimitNormals.
-  virtual void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const = 0;
+  /// `inverted` and `turned` as in ComputeLimitNormals.
+  virtual void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted,
+    const Buffer<unsigned char>& turned) const = 0;
   /// The limits of the points before the first step; null where they are not needed.
   virtual const PointOperator* GetControlLimit() const = 0;
   /// The strata of the vertices and edges on which the last step works. There must be a step.
@@ -74,7 +75,8 @@ public:
   {
     return this->ControlLimit.GetNumberOfRows() > 0 ? &this->ControlLimit : nullptr;
   }
-  void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted) const override
+  void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted,
+    const Buffer<unsigned char>& turned) const override
   {
     for (std::size_t i = 0; i < this->Steps.size(); ++i)
     {
@@ -85,7 +87,7 @@ public:
       arrays.Advance(this->Steps[i]);
       arrays.KeepColours(this->Colours[i]);
     }
-    this->Limit.Apply(arrays, inverted);
+    this->Limit.Apply(arrays, inverted, turned);
   }
   void Apply(const double* values, int components, Buffer<double>& result) const override
   {
@@ -171,6 +173,7 @@ struct KeptOperator
   /// again when points move.
   std::vector<FeatureCandidate> Candidates;
   std::vector<bool> Features;
+  FaceSides Sides; ///< of the level that was read, where normals are made
   /// The warnings that building gave.
   std::vector<std::string> Warnings;
   /// Points that went in (a copy), how far they were moved to interpolate, and what came out.

@@ -95,7 +95,7 @@ void UniformRun::UseKept(KeptOperator& kept)
   if (kept.Steps)
   {
     this->Interpolate(kept.Steps->GetControlLimit());
-    kept.Steps->Apply(*this->Points, this->Mesh.Inverted);
+    kept.Steps->Apply(*this->Points, this->Mesh.Inverted, this->Turned);
   }
   this->FinishPoints(false);
   kept.Cells = this->Cells;
@@ -129,6 +129,7 @@ void UniformRun::Keep()
   this->ToKeep->Candidates = std::move(this->Control.Candidates);
   this->ToKeep->Features = std::move(this->Control.Features);
   this->ToKeep->ManifoldDimensions = std::move(this->Control.ManifoldDimensions);
+  this->ToKeep->Sides = std::move(this->Sides);
   this->ToKeep->Warnings = std::move(this->BuildWarnings);
   ++this->Options.Cache->NumberOfBuilds;
   this->Options.Cache->Add(std::move(this->ToKeep));

@@ -4,6 +4,7 @@
 #include "Private/Uniform/UniformRun.h"
 
 #include "Private/Control/Partners.h"
+#include "Private/Control/SharedSides.h"
 #include "Private/Reading/UnusedPoints.h"
 
 #include "vtkCellData.h"
@@ -125,6 +126,64 @@ void UniformRun::NumberControl()
     runs.push_back(run);
   }
   std::visit([&](const auto& level) { number(level.Complex, runs); }, this->Current);
+}
+
+/// Vertices of the current level whose cells are all known: those of own cells. Empty: all.
+std::vector<char> UniformRun::FindSureVertices() const
+{
+  if (!this->Others)
+  {
+    return {};
+  }
+  const SimplicesOfCells& cells = this->Mesh.Cells;
+  std::vector<char> isSure(static_cast<std::size_t>(cells.GetView().NumberOfPoints), 0);
+  auto vertex = cells.Simplices.Connectivity.begin();
+  for (std::size_t s = 0; s < cells.Simplices.Dimensions.size(); ++s)
+  {
+    const bool isOwn = this->Others->IsOwn(
+      cells.ParentCells.empty() ? static_cast<vtkIdType>(s) : cells.ParentCells[s]);
+    for (int k = 0; k <= cells.Simplices.Dimensions[s]; ++k, ++vertex)
+    {
+      isSure[*vertex] = isSure[*vertex] || isOwn;
+    }
+  }
+  return isSure;
+}
+
+/// The triangles of the current level by their numbers in the whole: the children of each control
+/// triangle follow each other.
+SharedKeys UniformRun::MakeTriangleKeys(vtkIdType triangles) const
+{
+  const int shift = 2 * this->Mesh.MadeLevels;
+  SharedKeys keys;
+  for (vtkIdType t = 0; t < triangles; ++t)
+  {
+    const vtkIdType control = this->Numbers.Numbers[2][t >> shift];
+    const vtkIdType child = t & ((vtkIdType(1) << shift) - 1);
+    keys.Keys.push_back(control < 0 ? -1 : (control << shift) + child);
+  }
+  keys.Own.assign(keys.Keys.size(), 1);
+  return keys;
+}
+
+/// Finds the control triangles that are turned.
+void UniformRun::FindTurned()
+{
+  if (!this->Options.GenerateLimitNormals)
+  {
+    return;
+  }
+  if (!this->Found)
+  {
+    this->Sides = std::visit([this](const auto& level)
+      { return FindTriangleSides(level, this->FindSureVertices()); }, this->Current);
+  }
+  const FaceSides& sides = this->Found ? this->Found->Sides : this->Sides;
+  const auto triangles = static_cast<vtkIdType>(sides.PartOf.size());
+  this->Turned =
+    TakeParents(this->Others ? JoinSides(sides, this->MakeTriangleKeys(triangles), *this->Others)
+                             : sides.ListTurned(),
+      this->Mesh.MadeLevels);
 }
 
 /// Leaves only what the output needs for the last step.

@@ -12,6 +12,7 @@
 #include "Core/Solids/AllSchemes/LevelCut.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/ControlComplex.h"
+#include "Private/Control/SharedNumbers.h"
 #include "Private/Uniform/UniformCells.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
@@ -98,6 +99,9 @@ private:
   void FindWanted();
   std::vector<CellRun> CountWanted() const;
   void NumberControl();
+  std::vector<char> FindSureVertices() const;
+  SharedKeys MakeTriangleKeys(vtkIdType triangles) const;
+  void FindTurned();
   template <typename Scheme>
   std::unique_ptr<LevelCut<Scheme>> CutOff(typename Scheme::Level& level, Kept<Scheme>& kept);
   void LeaveWanted();
@@ -130,7 +134,10 @@ private:
   bool HasTurned = false;                  ///< octahedra are cut around their shortest diagonals
   Partners* Others = nullptr;              ///< null: the mesh is the whole
   WantedSimplices Wanted;
-  ControlNumbers Numbers;    ///< if there are others
+  ControlNumbers Numbers; ///< if there are others
+  FaceSides Sides;        ///< of the current level
+  /// Control triangles that are turned, in the whole mesh; empty: none, or there are no normals.
+  Buffer<unsigned char> Turned;
   bool Solves = false;       ///< all partitions interpolate
   bool ReusesPoints = false; ///< what was kept has the points of the output
   /// For an input with octahedra: the cells whose values the children of its cells take

@@ -40,6 +40,7 @@ bool UniformRun::Run()
     return false;
   }
   this->NumberControl();
+  this->FindTurned();
   if (!this->Execute())
   {
     return false;
@@ -481,7 +482,7 @@ void UniformRun::GoToLimit(const typename Scheme::Level& level, Kept<Scheme>& ke
         this->Mesh, this->Options.Features, this->Control, this->Options.Levels),
       { this->Control.Solids, this->Mesh.MadeLevels + this->Options.Levels },
       this->Options.ProjectToLimit, this->Options.GenerateLimitNormals);
-    limit.Apply(*this->Points, this->Mesh.Inverted);
+    limit.Apply(*this->Points, this->Mesh.Inverted, this->Turned);
     kept.SetLimit(std::move(limit));
   }
 }

@@ -34,7 +34,7 @@ inline Vector Normalise(const Vector& a, double least)
 
 template <typename Id>
 void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& points,
-  const std::vector<vtkIdType>& inverted, double* normals)
+  const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned, double* normals)
 {
   const vtkIdType sectors = tangents.GetNumberOfSectors();
   Buffer<double> first(3 * sectors);
@@ -46,6 +46,11 @@ void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& p
     const vtkIdType begin = rows.Offsets[sector];
     return GetTangentError(rows.Columns.data() + begin, rows.Weights.data() + begin,
       rows.Offsets[sector + 1] - begin, points.Values, points.GetUnit());
+  };
+  auto isTurned = [&](vtkIdType sector)
+  {
+    const Id triangle = tangents.Triangles[sector];
+    return triangle >= 0 && !turned.empty() && turned[triangle] != 0;
   };
   // Whether most triangles of a sector have their solid behind them; true without solids.
   auto isOutwards = [&](vtkIdType sector)
@@ -64,7 +69,7 @@ void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& p
     Vector normal;
     FindNormal(first.data() + 3 * sector, second.data() + 3 * sector,
       getError(tangents.First, sector) + getError(tangents.Second, sector), normal.data());
-    if (!isOutwards(sector))
+    if (isTurned(sector) || !isOutwards(sector))
     {
       normal = { -normal[0], -normal[1], -normal[2] };
     }

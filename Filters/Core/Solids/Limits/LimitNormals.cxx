@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace subdivision
@@ -26,6 +26,36 @@ struct SectorPart
   std::vector<double> Second;
   std::vector<vtkIdType> SideSizes;
   std::vector<vtkIdType> Sides;
+  std::vector<Id> Triangles;
+};
+
+/// The triangles of surfaces that continue each other across edges.
+template <typename Scheme>
+class TrianglePairs
+{
+public:
+  using Id = typename Scheme::Id;
+
+  explicit TrianglePairs(const typename Scheme::Level& level)
+    : Complex(level.Complex)
+    , Strata(level.Strata)
+  {
+    this->FindFacesAtCurves();
+  }
+  Row<Id> GetFacesAtCurve(Id edge) const { return this->FacesAtCurves[edge]; }
+  Rule RuleOf(Id edge) const { return this->Strata.Edges[edge].GetRule(); }
+  /// Links for FindSides, over edges with an end that is sure; no flags: all are.
+  template <typename Visit>
+  void ForLinks(Id face, const std::vector<char>& isSure, const Visit& visit) const;
+
+private:
+  void FindFacesAtCurves();
+  bool FindPair(Id edge, Id (&faces)[2]) const;
+  bool Contradict(Id edge, const Id (&faces)[2]) const;
+
+  const SimplicialComplex<Id>& Complex;
+  const subdivision::Strata<Id>& Strata;
+  Rows<Id> FacesAtCurves; ///< the faces of less than two tetrahedra at each edge with d = 1
 };
 
 template <typename Scheme>
@@ -40,9 +70,8 @@ public:
     , Strata(level.Strata)
     , Solids(solids)
     , Tets(level, solids.Steps)
+    , Pairs(level)
   {
-    this->FindFacesAtCurves();
-    this->FindTurnedFaces();
   }
 
   /// Appends the sectors of a vertex, and says how many they are.
@@ -56,19 +85,14 @@ private:
     bool IsClosed = false;
   };
 
-  void FindFacesAtCurves();
-  bool FindPair(Id edge, Id (&faces)[2]) const;
-  bool Contradict(Id edge, const Id (&faces)[2]) const;
-  void FindTurnedFaces();
-  void OrientPart(Id first);
   /// The most triangles that a sector with a tangent plane has.
   static constexpr std::size_t MostTriangles = 6;
   bool Follow(Id vertex, Id edge, Id face, Walk& walk) const;
   void AppendSector(Id vertex, const Walk& walk, SectorPart<Id>& part) const;
   void AppendSides(
     Id vertex, const Walk& walk, const std::vector<Id>& around, SectorPart<Id>& part) const;
-  double GetSign(Id vertex, const Walk& walk) const;
-  Rule RuleOf(Id edge) const { return this->Strata.Edges[edge].GetRule(); }
+  std::pair<Id, double> GetSign(Id vertex, const Walk& walk) const;
+  Rule RuleOf(Id edge) const { return this->Pairs.RuleOf(edge); }
   Id EdgeAcross(Id face, Id edge, Id vertex) const
   {
     const Id* edges = this->Complex.FaceEdges.data() + 3 * vtkIdType(face);
@@ -81,14 +105,11 @@ private:
   const subdivision::Strata<Id>& Strata;
   const ControlSolids& Solids;
   const typename Scheme::ControlTets Tets;
-  Rows<Id> FacesAtCurves; ///< the faces of less than two tetrahedra at each edge with d = 1
-  /// For each triangle of a surface whether its orientation is opposite to that of the first
-  /// triangle of its part (LimitTangents::First). Empty if that is so for none.
-  Buffer<unsigned char> Turned;
+  const TrianglePairs<Scheme> Pairs;
 };
 
 template <typename Scheme>
-void SectorWalker<Scheme>::FindFacesAtCurves()
+void TrianglePairs<Scheme>::FindFacesAtCurves()
 {
   const vtkIdType edges = this->Complex.NumberOfEdges;
   this->FacesAtCurves.Offsets = Buffer<Id>(edges + 1, 0);
@@ -169,7 +190,7 @@ typename Scheme::Id SectorWalker<Scheme>::Append(Id vertex, SectorPart<Id>& part
   for (Id edge : rule == Rule::Curve && ring.size() == 2 ? ring : Row<Id>())
   {
     const Id other = ring.begin()[edge == ring.begin()[0] ? 1 : 0];
-    for (Id face : this->FacesAtCurves[edge])
+    for (Id face : this->Pairs.GetFacesAtCurve(edge))
     {
       // Each sector is found from both of its ends: once is enough.
       if (edge < other && this->Follow(vertex, edge, face, walk) && !walk.IsClosed &&
@@ -186,7 +207,7 @@ typename Scheme::Id SectorWalker<Scheme>::Append(Id vertex, SectorPart<Id>& part
 /// Finds the two maximal triangles that continue each other across an edge, smooth or crease.
 /// Returns false if there are not exactly two.
 template <typename Scheme>
-bool SectorWalker<Scheme>::FindPair(Id edge, Id (&faces)[2]) const
+bool TrianglePairs<Scheme>::FindPair(Id edge, Id (&faces)[2]) const
 {
   const Row<Id> row = this->RuleOf(edge) == Rule::Surface ? this->Strata.EdgeRings.GetCarriers(edge)
                                                           : this->FacesAtCurves[edge];
@@ -201,7 +222,7 @@ bool SectorWalker<Scheme>::FindPair(Id edge, Id (&faces)[2]) const
 
 /// Whether both triangles run along their edge in the same direction.
 template <typename Scheme>
-bool SectorWalker<Scheme>::Contradict(Id edge, const Id (&faces)[2]) const
+bool TrianglePairs<Scheme>::Contradict(Id edge, const Id (&faces)[2]) const
 {
   const Id* ends = this->Complex.EdgeVertices.data() + 2 * vtkIdType(edge);
   auto runsAlong = [&](Id face)
@@ -213,65 +234,19 @@ bool SectorWalker<Scheme>::Contradict(Id edge, const Id (&faces)[2]) const
 }
 
 template <typename Scheme>
-void SectorWalker<Scheme>::FindTurnedFaces()
+template <typename Visit>
+void TrianglePairs<Scheme>::ForLinks(
+  Id face, const std::vector<char>& isSure, const Visit& visit) const
 {
-  std::atomic<bool> found(false);
-  ForEach(this->Complex.NumberOfEdges,
-    [&](vtkIdType e)
-    {
-      Id faces[2];
-      const Id edge = static_cast<Id>(e);
-      if (this->FindPair(edge, faces) && this->Contradict(edge, faces))
-      {
-        found.store(true, std::memory_order_relaxed);
-      }
-    });
-  if (!found)
+  for (int k = 0; k < 3 && this->Complex.FaceTets[face].size() == 0; ++k)
   {
-    return;
-  }
-  this->Turned = Buffer<unsigned char>(this->Complex.NumberOfFaces, 2);
-  for (Id face = 0; face < this->Complex.NumberOfFaces; ++face)
-  {
-    if (this->Turned[face] == 2 && this->Complex.FaceTets[face].size() == 0)
+    Id faces[2];
+    const Id edge = this->Complex.FaceEdges[3 * vtkIdType(face) + k];
+    const Id* ends = this->Complex.EdgeVertices.data() + 2 * vtkIdType(edge);
+    if ((isSure.empty() || isSure[ends[0]] || isSure[ends[1]]) && this->FindPair(edge, faces))
     {
-      this->OrientPart(face);
+      visit(vtkIdType(faces[faces[0] == face ? 1 : 0]), this->Contradict(edge, faces));
     }
-  }
-}
-
-/// Sets Turned for the part of a triangle: all triangles that are reached over FindPair. If the
-/// part is not orientable, no triangle of it counts as turned.
-template <typename Scheme>
-void SectorWalker<Scheme>::OrientPart(Id first)
-{
-  std::vector<Id> part = { first };
-  this->Turned[first] = 0;
-  bool isOrientable = true;
-  for (std::size_t i = 0; i < part.size(); ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      Id faces[2];
-      const Id edge = this->Complex.FaceEdges[3 * vtkIdType(part[i]) + k];
-      if (!this->FindPair(edge, faces))
-      {
-        continue;
-      }
-      const Id other = faces[faces[0] == part[i] ? 1 : 0];
-      const unsigned char side =
-        static_cast<unsigned char>(this->Turned[part[i]] ^ (this->Contradict(edge, faces) ? 1 : 0));
-      if (this->Turned[other] == 2)
-      {
-        this->Turned[other] = side;
-        part.push_back(other);
-      }
-      isOrientable = isOrientable && this->Turned[other] == side;
-    }
-  }
-  for (const Id face : part)
-  {
-    this->Turned[face] = isOrientable ? this->Turned[face] : 0;
   }
 }
 
@@ -294,22 +269,22 @@ void SectorWalker<Scheme>::AppendSides(
   part.SideSizes.push_back(static_cast<vtkIdType>(part.Sides.size() - before));
 }
 
-/// 1 if a walk on a surface has the orientation of the first triangle of its part, else -1. On the
-/// boundary of a solid always 1.
+/// The triangle of a walk on a surface by which its side is decided, and 1 if the walk has the
+/// orientation of this triangle, else -1. On the boundary of a solid -1 and 1.
 template <typename Scheme>
-double SectorWalker<Scheme>::GetSign(Id vertex, const Walk& walk) const
+std::pair<typename Scheme::Id, double> SectorWalker<Scheme>::GetSign(
+  Id vertex, const Walk& walk) const
 {
   if (this->Complex.FaceTets[walk.Faces.front()].size() > 0)
   {
-    return 1.;
+    return { static_cast<Id>(-1), 1. };
   }
   const std::size_t first =
     std::min_element(walk.Faces.begin(), walk.Faces.end()) - walk.Faces.begin();
   const Id face = walk.Faces[first];
   const Id ahead = this->Complex.GetOtherEnd(walk.Edges[first], vertex);
   const int own = this->Complex.VertexInFace(face, vertex);
-  const bool isTurned = !this->Turned.empty() && this->Turned[face] == 1;
-  return (this->Complex.VertexInFace(face, ahead) == (own + 1) % 3) != isTurned ? 1. : -1.;
+  return { face, this->Complex.VertexInFace(face, ahead) == (own + 1) % 3 ? 1. : -1. };
 }
 
 template <typename Scheme>
@@ -321,9 +296,10 @@ void SectorWalker<Scheme>::AppendSector(Id vertex, const Walk& walk, SectorPart<
   {
     around.push_back(this->Complex.GetOtherEnd(edge, vertex));
   }
-  const double sign = this->GetSign(vertex, walk);
+  const auto [face, sign] = this->GetSign(vertex, walk);
+  part.Triangles.push_back(face < 0 ? face : static_cast<Id>(face >> 2 * this->Solids.Steps));
   this->AppendSides(vertex, walk, around, part);
-  auto append = [&](Id column, double first, double second)
+  auto append = [&part, sign = sign](Id column, double first, double second)
   {
     part.Columns.push_back(column);
     part.First.push_back(first);
@@ -389,6 +365,16 @@ Buffer<T> JoinOffsets(
 }
 
 template <typename Level>
+FaceSides FindTriangleSides(const Level& level, const std::vector<char>& isSure)
+{
+  using Id = typename Level::IdType;
+  const TrianglePairs<SchemeOf<Level>> pairs(level);
+  return FindSides(vtkIdType(level.Complex.NumberOfTriangleCells),
+    [&](vtkIdType face, const auto& visit)
+    { pairs.ForLinks(static_cast<Id>(face), isSure, visit); });
+}
+
+template <typename Level>
 LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   const SemiSharpStages<typename Level::IdType>& creases, const ControlSolids& solids)
 {
@@ -429,11 +415,13 @@ LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   tangents.Second.Weights = Join(parts, &SectorPart<Id>::Second);
   tangents.SideOffsets = JoinOffsets(parts, &SectorPart<Id>::SideSizes);
   tangents.Sides = Join(parts, &SectorPart<Id>::Sides);
+  tangents.Triangles = Join(parts, &SectorPart<Id>::Triangles);
   tangents.Shading = FindShadingFacets(level, tangents.Sectors);
   return tangents;
 }
 
 #define SUBDIVISION_NORMALS(Scheme)                                                                \
+  template FaceSides FindTriangleSides(const Scheme::Level&, const std::vector<char>&);            \
   template LimitTangents<Scheme::Id> BuildLimitTangents(                                           \
     const Scheme::Level&, const SemiSharpStages<Scheme::Id>&, const ControlSolids&)
 SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_NORMALS);

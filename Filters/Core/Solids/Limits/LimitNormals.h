@@ -18,6 +18,7 @@
 #define SubdivisionObjects_LimitNormals_h
 
 #include "Core/Memory/Coordinates.h"
+#include "Core/Operators/FaceSides.h"
 #include "Core/Solids/Limits/LimitStencils.h"
 #include "Core/Solids/Limits/ShadingFacets.h"
 
@@ -32,8 +33,8 @@ struct LimitTangents
   Rows<Id> Sectors; ///< the sectors of each vertex by Offsets; Items is empty, because sectors are
                     ///< numbered vertex by vertex
   /// The two tangents of each sector, one row each. On a surface their cross product has the
-  /// direction that fits the first triangle of the part (all that is reached over edges of two
-  /// triangles); on the boundary of a solid that of the walk around the vertex.
+  /// direction that fits one of its triangles; on the boundary of a solid that of the walk around
+  /// the vertex.
   SparseRows<Id> First;
   SparseRows<Id> Second;
   /// For a sector on the boundary of a solid, one entry for each triangle: twice the number of the
@@ -42,6 +43,8 @@ struct LimitTangents
   /// control mesh, because smoothing may turn solids inside out and must not turn normals.
   Buffer<vtkIdType> SideOffsets;
   Buffer<vtkIdType> Sides;
+  /// The control triangle in which that triangle of each sector lies; -1 on a solid.
+  Buffer<Id> Triangles;
   /// What gives normals for shading to the vertices without sector.
   ShadingFacets<Id> Shading;
 
@@ -50,9 +53,16 @@ struct LimitTangents
   {
     return this->Sectors.GetMemorySize() + this->First.GetMemorySize() +
       this->Second.GetMemorySize() + this->SideOffsets.GetMemorySize() +
-      this->Sides.GetMemorySize() + this->Shading.GetMemorySize();
+      this->Sides.GetMemorySize() + this->Triangles.GetMemorySize() + this->Shading.GetMemorySize();
   }
 };
+
+/// The sides of the surfaces of a level, triangle by triangle, so that normals have one side on all
+/// that is reached over edges of two triangles, smooth ones and creases. They are the same on all
+/// levels. `isSure`: a flag for each vertex; an edge without such an end is no link; empty: all are
+/// sure.
+template <typename Level>
+FaceSides FindTriangleSides(const Level& level, const std::vector<char>& isSure = {});
 
 /// The tetrahedra of the control mesh: the number that LimitTangents::Sides uses for each, in the
 /// order of the complex (empty: its number there), and the number of steps from the control level
@@ -72,9 +82,10 @@ LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
 /// without sector get a normal for shading (ShadingNormals.h), or zero inside solids; vertices
 /// whose tangents are parallel within rounding get zero. `inverted` has, in ascending order, twice
 /// the number of each control tetrahedron with negative volume; odd numbers in it are ignored.
+/// `turned` has a flag for each control triangle (FindTriangleSides); empty: none is turned.
 template <typename Id>
 void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& points,
-  const std::vector<vtkIdType>& inverted, double* normals);
+  const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned, double* normals);
 
 }
 

@@ -90,6 +90,10 @@ public:
     ForEach(children.size(),
       [&](vtkIdType i) { children[i] = faces[level.Mesh.GetFace(static_cast<Id>(i))]; });
   }
+  vtkIdType GetOrientingFace(const SurfaceLevel<Id>& level, vtkIdType child) const override
+  {
+    return level.Mesh.GetFace(static_cast<Id>(child));
+  }
 
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;

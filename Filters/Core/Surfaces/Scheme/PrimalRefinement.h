@@ -91,6 +91,10 @@ public:
     children = Buffer<Carrier<Id>>(4 * level.Mesh.NumberOfFaces);
     ForEach(children.size(), [&](vtkIdType i) { children[i] = faces[i / 4]; });
   }
+  vtkIdType GetOrientingFace(const SurfaceLevel<Id>&, vtkIdType child) const override
+  {
+    return child / 4;
+  }
 };
 
 }

@@ -190,6 +190,11 @@ public:
   virtual void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
     bool areWhole, Buffer<Carrier<Id>>& children) const = 0;
 
+  /// The face whose orientation a face of the next level has, in schemes with limits.
+  virtual vtkIdType GetOrientingFace(const SurfaceLevel<Id>& /*level*/, vtkIdType child) const
+  {
+    return child;
+  }
   /// Whether the scheme has limits. AppendLimitRows then appends one row for each vertex from
   /// `begin` to `end` - 1: its limit position, or a tangent there.
   virtual bool HasLimit() const { return false; }

@@ -7,81 +7,44 @@
 #ifndef SubdivisionObjects_SurfaceSides_h
 #define SubdivisionObjects_SurfaceSides_h
 
+#include "Core/Operators/FaceSides.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
-
-#include <atomic>
 
 namespace subdivision
 {
+
+/// The links between the faces of a mesh, for FaceSides.h: edges of two faces. `isSure(vertex)`: an
+/// edge without such an end is no link.
+template <typename Id, typename IsSure>
+auto LinkFaces(const PolygonMesh<Id>& mesh, const IsSure& isSure)
+{
+  return [&mesh, isSure](vtkIdType face, const auto& visit)
+  {
+    const Id first = mesh.GetFirst(static_cast<Id>(face));
+    const Id end = first + static_cast<Id>(mesh.GetSize(static_cast<Id>(face)));
+    for (Id corner = first; corner < end; ++corner)
+    {
+      const Id twin = mesh.Twins[corner];
+      if (twin >= 0 && (isSure(mesh.Vertices[corner]) || isSure(mesh.Vertices[mesh.Next(corner)])))
+      {
+        visit(vtkIdType(mesh.GetFace(twin)), mesh.Vertices[twin] == mesh.Vertices[corner]);
+      }
+    }
+  };
+}
 
 /**
  * 1 for each face whose orientation is opposite to that of the first face of its part, else 0. A
  * part is all that can be reached over edges of two faces; in a part that is not orientable no face
  * counts as turned. The result is empty if no two neighbouring faces are oriented differently.
- * Children keep the order and the orientation of their parents, so that the sides are the same on
- * all levels.
  */
 template <typename Id>
 Buffer<unsigned char> FindTurnedFaces(const PolygonMesh<Id>& mesh)
 {
-  auto contradicts = [&mesh](Id corner)
-  {
-    const Id twin = mesh.Twins[corner];
-    return twin >= 0 && mesh.Vertices[twin] == mesh.Vertices[corner];
-  };
-  std::atomic<bool> found(false);
-  ForEach(mesh.GetNumberOfCorners(),
-    [&](vtkIdType c)
-    {
-      if (contradicts(static_cast<Id>(c)))
-      {
-        found.store(true, std::memory_order_relaxed);
-      }
-    });
-  if (!found)
-  {
-    return Buffer<unsigned char>();
-  }
-  constexpr unsigned char unknown = 2;
-  Buffer<unsigned char> turned(mesh.NumberOfFaces, unknown);
-  std::vector<Id> part;
-  for (vtkIdType start = 0; start < mesh.NumberOfFaces; ++start)
-  {
-    if (turned[start] != unknown)
-    {
-      continue;
-    }
-    turned[start] = 0;
-    part.assign(1, static_cast<Id>(start));
-    bool isOrientable = true;
-    for (std::size_t i = 0; i < part.size(); ++i)
-    {
-      const Id face = part[i];
-      const Id first = mesh.GetFirst(face);
-      for (Id corner = first; corner < first + mesh.GetSize(face); ++corner)
-      {
-        const Id twin = mesh.Twins[corner];
-        if (twin < 0)
-        {
-          continue;
-        }
-        const Id other = mesh.GetFace(twin);
-        const unsigned char side =
-          static_cast<unsigned char>(turned[face] ^ (contradicts(corner) ? 1 : 0));
-        if (turned[other] == unknown)
-        {
-          turned[other] = side;
-          part.push_back(other);
-        }
-        isOrientable = isOrientable && turned[other] == side;
-      }
-    }
-    for (const Id face : part)
-    {
-      turned[face] = isOrientable ? turned[face] : 0;
-    }
-  }
-  return turned;
+  const auto links = LinkFaces(mesh, [](Id) { return true; });
+  return HaveContradictions(mesh.NumberOfFaces, links)
+    ? FindSides(mesh.NumberOfFaces, links).ListTurned()
+    : Buffer<unsigned char>();
 }
 
 /// The face whose orientation the tangents of a vertex have: the face of FindTangentCorner or, on a

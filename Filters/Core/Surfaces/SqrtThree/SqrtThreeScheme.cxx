@@ -62,6 +62,10 @@ public:
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
 
+  vtkIdType GetOrientingFace(const SurfaceLevel<Id>&, vtkIdType child) const override
+  {
+    return child / 3;
+  }
   bool HasLimit() const override { return true; }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;

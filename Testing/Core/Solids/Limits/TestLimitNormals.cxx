@@ -24,8 +24,9 @@ std::vector<double> MakeNormals(const Level<int>& level, const std::vector<doubl
   int steps = 0, const std::vector<vtkIdType>& inverted = {})
 {
   std::vector<double> normals(points.size(), 7.);
+  const Buffer<unsigned char> turned = TakeParents(FindTriangleSides(level).ListTurned(), steps);
   ComputeLimitNormals(
-    BuildLimitTangents(level, {}, { {}, steps }), points.data(), inverted, normals.data());
+    BuildLimitTangents(level, {}, { {}, steps }), points.data(), inverted, turned, normals.data());
   return normals;
 }
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SharedSides.h
+ * The upper side of each part of a surface (FaceSides.h) of which several partitions have faces.
+ */
+#ifndef SubdivisionObjects_SharedSides_h
+#define SubdivisionObjects_SharedSides_h
+
+#include "Core/Operators/FaceSides.h"
+#include "Private/Control/Partners.h"
+#include "Private/Control/SharedNumbers.h"
+
+namespace subdivision
+{
+
+/**
+ * Which faces are turned, from the sides that this partition finds; empty if no partition has faces
+ * that are oriented differently. `faces`: their keys, the smallest of which is that of the first
+ * face of a part; those with a negative key have no own face near them. Links have to be right in
+ * the whole, and each has to be known to a partition.
+ *
+ * All partitions call this together. A directory finds where parts of two partitions share a face;
+ * the first partition joins them: four exchanges, 8 (Width + 2) bytes for each face, and about 50
+ * for each two parts that share any; one sum where all are oriented alike.
+ */
+Buffer<unsigned char> JoinSides(
+  const FaceSides& sides, const SharedKeys& faces, Partners& partners);
+
+}
+
+#endif
