@@ -10,7 +10,11 @@
 
 vtkStandardNewMacro(vtkAdaptiveSurfaceSubdivision);
 
-vtkAdaptiveSurfaceSubdivision::vtkAdaptiveSurfaceSubdivision() = default;
+vtkAdaptiveSurfaceSubdivision::vtkAdaptiveSurfaceSubdivision()
+{
+  this->SetRefineByAttributeError(false);
+  this->SetRefineByGeometricError(true);
+}
 vtkAdaptiveSurfaceSubdivision::~vtkAdaptiveSurfaceSubdivision() = default;
 
 int vtkAdaptiveSurfaceSubdivision::GetLayersOfCells() const

@@ -17,11 +17,13 @@
  * ProjectToLimit, with the same ids.
  *
  * @par Criteria
- * They are those of vtkRefinementAlgorithm, with its arrays (5 to 7). All of them look at limits
- * (in vtkRedGreenRefinement edge lengths, jumps and centres of cells are those of the mesh before
- * the limit). A level is one step, which makes three triangles of one; lines are cut in every
- * second step. Where a criterion of cells asks for a triangle, those across its edges are split
- * too. Where it asks for a cell of the input, it asks for all triangles that lie in this cell.
+ * They are those of vtkRefinementAlgorithm, with its arrays (5 to 7), and with the defaults
+ * RefineByGeometricError (here 1 by default) and RefineByAttributeError (here 0 by default). All of
+ * them look at limits (in vtkRedGreenRefinement edge lengths, jumps and centres of cells are those
+ * of the mesh before the limit). A level is one step, which makes three triangles of one; lines are
+ * cut in every second step. Where a criterion of cells asks for a triangle, those across its edges
+ * are split too. Where it asks for a cell of the input, it asks for all triangles that lie in this
+ * cell.
  *
  * The geometric error of a triangle is its distance from the limit at its centre and at three
  * places of each of its edges, of a boundary edge or line that of these, each made larger by a
@@ -53,10 +55,9 @@
  * cells are left out; ghost cells are refined like others. The partitions of several ranks
  * (Controller) are refined as one surface, whatever their borders: triangles, points and arrays are
  * those that one rank makes of the whole. But at MaximumNumberOfCells, which is that of all ranks
- * together, the last round leaves out all places below one error, and so more of them; and in a
- * surface whose triangles do not all have the same orientation, each rank turns normals and
- * tangents to the side of the first triangle that it knows. A rank needs three layers of the
- * triangles of others, and exchanges splits in each round, mostly once or twice.
+ * together, the last round leaves out all places below one error, and so more of them. A rank needs
+ * three layers of the triangles of others, and exchanges splits in each round, mostly once or
+ * twice.
  *
  * @par Errors
  * See vtkRefinementAlgorithm.

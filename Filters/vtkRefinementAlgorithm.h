@@ -12,9 +12,9 @@
  * criterion asks for edges or for cells; a cell that is asked for has all of its edges asked for.
  * vtkRedGreenRefinement splits these edges. vtkAdaptiveSurfaceSubdivision splits the triangles at
  * them; "an edge is split" below means these triangles there, and lines. Switch
- * RefineByAttributeError off, which is on by default, if only the shape is to count. Each execution
- * starts from the input, so that weaker criteria give a coarser mesh. A new criterion is added
- * here, for all filters.
+ * RefineByAttributeError off, where it is on by default, if only the shape is to count. Each
+ * execution starts from the input, so that weaker criteria give a coarser mesh. A new criterion is
+ * added here, for all filters.
  *
  * @par Arrays read, by SetInputArrayToProcess
  * Besides those of vtkSubdivisionAlgorithm (0 to 4):

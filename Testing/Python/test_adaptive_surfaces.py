@@ -18,7 +18,7 @@ LEVELS = 4
 def refine(source, **options):
     """Without a criterion but those that are given."""
     return simple.AdaptiveSurfaceSubdivision(
-        Input=source, **{"RefineByAttributeError": 0, "MaximumLevel": LEVELS, **options})
+        Input=source, **{"RefineByGeometricError": 0, "MaximumLevel": LEVELS, **options})
 
 
 def updated(proxy):
@@ -99,7 +99,7 @@ class OlderStates(unittest.TestCase):
     def load(self, adaptive):
         simple.ResetSession()
         simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
-        surface = simple.SurfaceSubdivision(Input=simple.Sphere(), Scheme="SqrtThree", Adaptive=adaptive)
+        surface = simple.SurfaceSubdivision(Input=simple.Sphere(), Scheme="Sqrt Three", Adaptive=adaptive)
         simple.RenameSource("older", surface)
         path = os.path.abspath("older.pvsm")
         simple.SaveState(path)
@@ -129,7 +129,7 @@ class OlderStates(unittest.TestCase):
 
     def test_adaptive_ones_say_what_to_use(self):
         found = self.load(1)
-        self.assertEqual((found.Scheme, found.Adaptive), ("SqrtThree", 1))
+        self.assertEqual((found.Scheme, found.Adaptive), ("Sqrt Three", 1))
         mesh, messages = self.update(found)
         self.assertEqual(mesh.GetNumberOfCells(), 0)
         self.assertEqual(len(messages), 1)

@@ -472,7 +472,7 @@ class Meshes(unittest.TestCase):
 class InParaView(unittest.TestCase):
     def test_pipeline(self):
         sphere = simple.Sphere()
-        surface = simple.SurfaceSubdivision(Input=sphere, Scheme="CatmullClark", NumberOfLevels=2, GenerateLimitNormals=1)
+        surface = simple.SurfaceSubdivision(Input=sphere, Scheme="Catmull-Clark", NumberOfLevels=2, GenerateLimitNormals=1)
         surface.UpdatePipeline()
         out = tools.output(surface)
         self.assertGreater(out.GetNumberOfPolys(), 1000)
@@ -497,7 +497,8 @@ class InParaView(unittest.TestCase):
         self.assertGreater(tools.output(surface).GetNumberOfPolys(), 4 * coarse)
         # Arrays are chosen by their properties, also in a trace.
         surface = simple.AdaptiveSurfaceSubdivision(
-            Input=sphere, AttributeArray=["POINTS", "Normals"], AttributeTolerance=0.05,
+            Input=sphere, RefineByGeometricError=0, RefineByAttributeError=1,
+            AttributeArray=["POINTS", "Normals"], AttributeTolerance=0.05,
             MaximumLevel=8)
         surface.UpdatePipeline()
         out = tools.output(surface)

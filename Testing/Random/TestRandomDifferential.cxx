@@ -460,6 +460,7 @@ TEST(RandomDifferential, AdaptiveSurfaces)
         messages->Watch(filter);
         filter->SetInputDataObject(mesh);
         filter->RefineByAttributeErrorOff();
+        filter->RefineByGeometricErrorOff();
         filter->RefineByWantedLevelOn();
         filter->SetMaximumLevel(levels);
         filter->Update();

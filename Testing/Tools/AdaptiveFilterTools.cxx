@@ -18,6 +18,7 @@ PolyData Refine(
   (messages ? messages : own.Get())->Watch(filter);
   filter->SetInputData(input);
   filter->RefineByAttributeErrorOff();
+  filter->RefineByGeometricErrorOff();
   configure(filter);
   filter->Update();
   for (const auto& warning : own->Warnings)

@@ -160,6 +160,7 @@ TEST(AdaptiveSurfaceSelection, OfABlock)
   messages->Watch(filter);
   filter->SetInputDataObject(blocks);
   filter->RefineByAttributeErrorOff();
+  filter->RefineByGeometricErrorOff();
   By(selection)(filter);
   filter->Update();
   auto* all = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
@@ -181,6 +182,7 @@ TEST(AdaptiveSurfaceFunction, WhatLiesInsideIsRefined)
   vtkNew<Filter> filter;
   filter->SetInputData(input);
   filter->RefineByAttributeErrorOff();
+  filter->RefineByGeometricErrorOff();
   filter->RefineByFunctionOn();
   filter->SetImplicitFunction(sphere);
   filter->SetMaximumLevel(Levels);

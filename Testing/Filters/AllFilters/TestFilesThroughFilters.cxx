@@ -424,6 +424,7 @@ TEST_P(FilesThroughFilters, AdaptiveSurfaceSubdivision)
   vtkNew<vtkAdaptiveSurfaceSubdivision> filter;
   vtkNew<Messages> messages;
   filter->RefineByAttributeErrorOff();
+  filter->RefineByGeometricErrorOff();
   filter->RefineByEdgeLengthOn();
   filter->SetMaximumEdgeLength(0.);
   filter->SetMaximumLevel(2); // lines are cut in the second step

@@ -225,6 +225,7 @@ vtkSmartPointer<vtkAlgorithm> MakeFilter(int which)
   }
   auto filter = vtkSmartPointer<vtkAdaptiveSurfaceSubdivision>::New();
   filter->RefineByAttributeErrorOff();
+  filter->RefineByGeometricErrorOff();
   filter->RefineByEdgeLengthOn();
   filter->SetMaximumEdgeLength(.9);
   return filter;

@@ -127,6 +127,7 @@ vtkSmartPointer<vtkPointSet> RunAt(vtkPolyData* input, const Configure& configur
   messages->Watch(filter);
   filter->SetInputData(input);
   filter->RefineByAttributeErrorOff();
+  filter->RefineByGeometricErrorOff();
   filter->SetMaximumLevel(level);
   configure(filter);
   filter->Update();

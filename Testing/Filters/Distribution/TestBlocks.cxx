@@ -140,6 +140,7 @@ TEST(Blocks, AreOneMeshForEveryFilter)
     {
       auto filter = vtkSmartPointer<vtkAdaptiveSurfaceSubdivision>::New();
       filter->RefineByAttributeErrorOff();
+      filter->RefineByGeometricErrorOff();
       filter->RefineByEdgeLengthOn();
       filter->SetMaximumEdgeLength(0.4);
       return filter;

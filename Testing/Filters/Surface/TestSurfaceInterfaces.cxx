@@ -286,6 +286,7 @@ TEST(SurfaceInterfaces, OfAdaptiveSurfaces)
     filter->AddFieldOfCells("Constant");
     filter->SetMaximumLevel(3);
     filter->SetRefineByAttributeError(true);
+    filter->RefineByGeometricErrorOff();
     filter->SetAttributeTolerance(0.2);
     filter->SetInputArrayToProcess(5, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Value");
     const Surface torn = UpdateWithoutErrors<vtkPolyData>(filter.Get(), surface.second);
