@@ -28,8 +28,9 @@ def table(title, properties):
 
 
 def tables(one):
-    own = [option for option in one.options if option.name in one.own]
-    others = [option for option in one.options if option.name not in one.own]
+    written = (here.parent / "Plugin" / f"{one.name}.xml").read_text(encoding="utf-8")
+    own = [option for option in one.options if f'name="{option.name}"' in written]
+    others = [option for option in one.options if option not in own]
     text = table("Properties", own) if own else ""
     if others:
         text += table("Properties that other filters have, too" if own else "Properties", others)

@@ -161,8 +161,8 @@ def type_1():
     mesh.curve((-0.7, 1, 1.6), (-0.5, 1, 2.8), (1, 1, 3), (1.6, 1, 4), (2.7, 1, 3.6), part=3)
     grid = mesh.grid()
     figure = Figure("type1", "Type 1: solid, surface and curve meet", grid, (0.55, -1.0, 0.45))
-    for rule in ("Blend", "Sharp", "FollowDimension1", "FollowDimension2", "FollowDimension3"):
-        figure.add(f"Type1Rule = {rule}", subdivide(grid, Type1Rule=rule))
+    for rule in ("Blend", "Sharp", "Follow Dimension 1", "Follow Dimension 2", "Follow Dimension 3"):
+        figure.add(f"WhereDimensionsMeet = {rule}", subdivide(grid, WhereDimensionsMeet=rule))
     return figure
 
 
@@ -177,9 +177,9 @@ def type_2():
                    part=part)
     grid = mesh.grid()
     figure = Figure("type2", "Type 2: several branches of one dimension meet", grid, (0.25, -1.0, 0.4))
-    for rule in ("Blend", "Sharp", "FollowPart"):
-        options = {"PartArray": ["CELLS", "MaterialId"]} if rule == "FollowPart" else {}
-        figure.add(f"Type2Rule = {rule}", subdivide(grid, Type2Rule=rule, **options))
+    for rule in ("Blend", "Sharp", "Follow Part"):
+        options = {"PartArray": ["CELLS", "MaterialId"]} if rule == "Follow Part" else {}
+        figure.add(f"WhereBranchesMeet = {rule}", subdivide(grid, WhereBranchesMeet=rule, **options))
     return figure
 
 
@@ -194,7 +194,7 @@ def type_3():
     grid = mesh.grid()
     figure = Figure("type3", "Type 3: boundaries touch", grid, (0.2, -1.0, 0.55))
     for rule in ("Blend", "Sharp"):
-        figure.add(f"Type3Rule = {rule}", subdivide(grid, Type3Rule=rule))
+        figure.add(f"WhereBoundariesTouch = {rule}", subdivide(grid, WhereBoundariesTouch=rule))
     return figure
 
 
@@ -243,7 +243,7 @@ def embedded():
     mesh.sheet(lambda u, v: bend((u, v, 1)), 4, 3, part=1)
     grid = mesh.grid()
     figure = Figure("embedded", "A surface embedded in a solid", grid, (0.4, -1.0, 0.55))
-    for rule in ("Follow", "SingularInside"):
+    for rule in ("Follow", "Singular Inside"):
         solids = look.of_types(subdivide(grid, EmbeddedCells=rule), VTK_TETRA)
         figure.add(f"EmbeddedCells = {rule}: below it", only_cells(solids, "MaterialId", 0), rules=False)
     return figure

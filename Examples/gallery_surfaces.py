@@ -17,8 +17,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 CUBE = ([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)],
         [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
 TETRAHEDRON = ([[1, 1, 1], [-1, -1, 1], [-1, 1, -1], [1, -1, -1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
-SCHEMES = ["Loop", "ModifiedButterfly", "CatmullClark", "DooSabin", "Midedge", "FourEight", "SqrtThree"]
-LEVELS = {"FourEight": 8, "SqrtThree": 6, "Midedge": 8}
+SCHEMES = ["Loop", "Modified Butterfly", "Catmull-Clark", "Doo-Sabin", "Midedge", "Four-Eight", "Sqrt Three"]
+LEVELS = {"Four-Eight": 8, "Sqrt Three": 6, "Midedge": 8}
 
 
 def mesh(points, faces):

@@ -68,22 +68,19 @@ class Option:
 class Filter:
     """A proxy of a class that can be made: a filter, or a source, which has no input."""
 
-    def __init__(self, element, chain):
+    def __init__(self, element):
         self.name = element.get("name")
         self.cls = element.get("class")
         self.label = element.get("label")
         documentation = element.find("Documentation")
         self.short_help = documentation.get("short_help")
         self.help = paragraphs(documentation.text)
-        made = {child.get("name"): Option(child) for one in chain for child in one if child.get("command")}
-        inputs = [option for option in made.values() if option.command == "SetInputConnection"]
+        made = [Option(child) for child in element if child.get("command")]
+        inputs = [option for option in made if option.command == "SetInputConnection"]
         self.has_input = any(option.port == 0 for option in inputs)
         self.takes_image = any(option.port == 0 and option.types[0] == "vtkImageData" for option in inputs)
-        self.own = {child.get("name") for child in element}
-        self.options = [option for option in made.values() if not option.hidden and
+        self.options = [option for option in made if not option.hidden and
                         not (option in inputs and option.port == 0)]
-        # Its own options first, as in the panel.
-        self.options.sort(key=lambda option: option.name not in self.own)
 
     @property
     def short_name(self):
@@ -104,20 +101,8 @@ class Filter:
 
 def read(paths):
     """All filters and sources of the files, by name."""
-    proxies = {}
-    for path in paths:
-        for group in ElementTree.parse(path).getroot().iter("ProxyGroup"):
-            for element in group.iter("SourceProxy"):
-                proxies[group.get("name"), element.get("name")] = element
-    filters = []
-    for (group, _), element in sorted(proxies.items()):
-        if group.startswith("internal"):
-            continue
-        chain = [element]
-        while chain[0].get("base_proxyname"):
-            chain.insert(0, proxies[chain[0].get("base_proxygroup"), chain[0].get("base_proxyname")])
-        filters.append(Filter(element, chain))
-    return sorted(filters, key=lambda one: one.name)
+    proxies = [element for path in paths for element in ElementTree.parse(path).getroot().iter("SourceProxy")]
+    return sorted(map(Filter, proxies), key=lambda one: one.name)
 
 
 def wrap(text, width, indent=""):

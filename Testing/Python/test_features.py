@@ -15,11 +15,13 @@ import subdivisionobjects
 ARRAYS = ["SingularArray", "MaterialArray", "PartArray", "RuleArray", "SharpnessArray"]
 CHOICES = {
     "CreaseEnd": ["Corner", "Dart"],
-    "EmbeddedCells": ["Follow", "SingularInside", "Singular"],
-    "Type1Rule": ["Blend", "Sharp", "FollowDimension1", "FollowDimension2", "FollowDimension3"],
-    "Type2Rule": ["Blend", "Sharp", "FollowPart"],
-    "Type3Rule": ["Blend", "Sharp"],
+    "EmbeddedCells": ["Follow", "Singular Inside", "Singular"],
+    "WhereDimensionsMeet": ["Blend", "Sharp", "Follow Dimension 1", "Follow Dimension 2", "Follow Dimension 3"],
+    "WhereBranchesMeet": ["Blend", "Sharp", "Follow Part"],
+    "WhereBoundariesTouch": ["Blend", "Sharp"],
 }
+# The names of the class, where the panel has others.
+NAMES = {"WhereDimensionsMeet": "Type1Rule", "WhereBranchesMeet": "Type2Rule", "WhereBoundariesTouch": "Type3Rule"}
 
 
 def model(name="MaterialBlock"):
@@ -82,7 +84,7 @@ class Properties(unittest.TestCase):
                 self.assertEqual(getattr(proxy, name), values[0])
         made = subdivisionobjects.vtkMultiDimensionalSubdivision()
         for name in (*CHOICES, "PreserveInterfaces", "DetectFeatures", "FeatureAngle", "CacheOperator", "Use32BitIds"):
-            self.assertEqual(elements(proxy, name), [getattr(made, "Get" + name)()], name)
+            self.assertEqual(elements(proxy, name), [getattr(made, "Get" + NAMES.get(name, name))()], name)
 
     def test_choices_reach_the_filter(self):
         proxy = subdivide(model())
@@ -90,7 +92,7 @@ class Properties(unittest.TestCase):
             for i, value in enumerate(values):
                 setattr(proxy, name, value)
                 proxy.UpdateVTKObjects()
-                self.assertEqual(getattr(proxy.GetClientSideObject(), "Get" + name)(), i, name)
+                self.assertEqual(getattr(proxy.GetClientSideObject(), "Get" + NAMES.get(name, name))(), i, name)
 
     def test_only_what_applies_is_shown(self):
         proxy = subdivide(model())
@@ -235,8 +237,8 @@ class Files(unittest.TestCase):
     def test_state(self):
         choices = dict(NumberOfLevels=2, SingularArray=["CELLS", "Singular"], MaterialArray=["CELLS", "MaterialId"],
                        PreserveInterfaces=1, DetectFeatures=1, FeatureAngle=42.0, CreaseEnd="Dart",
-                       EmbeddedCells="SingularInside", Type1Rule="FollowDimension2", Type2Rule="Sharp",
-                       Type3Rule="Sharp", CacheOperator=0, Use32BitIds=1)
+                       EmbeddedCells="Singular Inside", WhereDimensionsMeet="Follow Dimension 2",
+                       WhereBranchesMeet="Sharp", WhereBoundariesTouch="Sharp", CacheOperator=0, Use32BitIds=1)
         simple.ResetSession()
         simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
         proxy = subdivide(model("MechanicalPart"), **choices)
@@ -252,11 +254,11 @@ class Files(unittest.TestCase):
         self.assertEqual(tools.numbers(updated(found[0])), shape)
 
     def test_preset(self):
+        table = simple.GetColorTransferFunction("RuleDimension")
+        self.assertTrue(table.ApplyPreset("Subdivision Rules", False))  # the plugin brings it
         preset = os.path.join(os.path.dirname(tools.plugin), "RuleDimensionColors.json")
         self.assertTrue(os.path.isfile(preset), preset)
         self.assertTrue(simple.ImportPresets(preset))
-        table = simple.GetColorTransferFunction("RuleDimension")
-        self.assertTrue(table.ApplyPreset("Subdivision Rules", False))
         self.assertEqual(table.InterpretValuesAsCategories, 1)
         self.assertEqual(list(table.Annotations)[::2], list("01234"))
         colours = np.reshape(list(table.IndexedColors), (5, 3))

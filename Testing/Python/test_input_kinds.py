@@ -23,7 +23,7 @@ class InputKinds(unittest.TestCase):
             other = getattr(simple, name)(Input=image)
             other.UpdatePipeline()
             self.assertGreater(tools.output(other).GetNumberOfCells(), 6 * 64)
-        flat = simple.SurfaceSubdivision(Input=simple.Wavelet(WholeExtent=[-2, 2, -2, 2, 0, 0]), Scheme="CatmullClark",
+        flat = simple.SurfaceSubdivision(Input=simple.Wavelet(WholeExtent=[-2, 2, -2, 2, 0, 0]), Scheme="Catmull-Clark",
                                          NumberOfLevels=1)
         flat.UpdatePipeline()
         self.assertEqual(tools.output(flat).GetNumberOfCells(), 4 * 16)

@@ -2,6 +2,7 @@
 """What the plugin offers: its proxies, their names, every option of every class, and help for each."""
 
 import pathlib
+import re
 import unittest
 
 import tools
@@ -124,7 +125,8 @@ class Proxies(unittest.TestCase):
                 domain = prop.FindDomain("vtkSMEnumerationDomain")
                 setters = [member for member in dir(cls) if member.startswith(f"Set{key}To")]
                 if domain and setters:
-                    entries = {f"Set{key}To{domain.GetEntryText(i)}" for i in range(domain.GetNumberOfEntries())}
+                    texts = [domain.GetEntryText(i) for i in range(domain.GetNumberOfEntries())]
+                    entries = {f"Set{key}To" + re.sub(r"\W", "", text) for text in texts}
                     self.assertEqual(entries, set(setters), f"{name}.{key}")
                     named.add(key)
         self.assertLessEqual({"Model", "Scheme", "VolumeScheme", "Placement", "OutsidePoints", "Type1Rule"}, named)

@@ -73,7 +73,7 @@ class Properties(unittest.TestCase):
     def test_every_property_reaches_the_filter(self):
         proxy = refine(model(), RefineByEdgeLength=1, MaximumEdgeLength=0.5, MaximumLevel=5, Placement="Limit",
                        GeometricTolerance=0.25, RelativeTolerance=0, AttributeTolerance=0.75,
-                       AttributeErrorKind="LimitDifference", ArrayRange=[2, 3], MaximumNumberOfCells=10**6)
+                       AttributeErrorKind="Limit Difference", ArrayRange=[2, 3], MaximumNumberOfCells=10**6)
         proxy.UpdateVTKObjects()
         text = str(proxy.GetClientSideObject())
         for words in ("MaximumLevel: 5", "MaximumEdgeLength: 0.5", "Placement: 1", "GeometricTolerance: 0.25",

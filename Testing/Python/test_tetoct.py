@@ -9,7 +9,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 
-def subdivide(source, levels, scheme="TetOct"):
+def subdivide(source, levels, scheme="Tet/Oct"):
     proxy = simple.MultidimensionalSubdivision(
         Input=source, NumberOfLevels=levels, VolumeScheme=scheme)
     proxy.UpdatePipeline()
@@ -29,7 +29,7 @@ class TetOct(unittest.TestCase):
         self.assertEqual(len(numbers), 10 * tets)
         self.assertTrue((pieces == 4).all())
         self.assertFalse(
-            tools.output(subdivide(model, 2, "BoxSpline")).GetCellData().HasArray("OctahedronId"))
+            tools.output(subdivide(model, 2, "Box Spline")).GetCellData().HasArray("OctahedronId"))
 
     def test_in_a_row(self):
         model = simple.SubdivisionModel(Model="MixedDimensions")

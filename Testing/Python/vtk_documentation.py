@@ -263,7 +263,8 @@ class Proxies(unittest.TestCase):
         names = next((names for base in cls.__mro__ if base in HEADERS for names in HEADERS[base].enumerations
                       if option.clamp[0] in names), PRECISIONS)
         for text, value in entries.items():
-            word = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", text.replace("Same as input", "Default")).upper()
+            text = re.sub(r"\W", "", text.replace("Same as input", "Default"))
+            word = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", text).upper()
             self.assertTrue([n for n in names if word in n and getattr(cls, n) == value], f"{text} is not {value}")
             if hasattr(cls, f"Set{option.name}To{text}"):
                 made = cls()

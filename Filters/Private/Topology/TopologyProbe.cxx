@@ -338,6 +338,7 @@ void Probe::AddFacts(const ComplexDescription<Id>& description)
     "Valence", [&](int d, vtkIdType i) { return facts(d, i).Valence; });
   this->AddCellArray<vtkSignedCharArray>(
     "RuleDimension", [&](int d, vtkIdType i) { return facts(d, i).RuleDimension; });
+  this->Output->GetCellData()->SetActiveScalars("RuleDimension"); // what views show
 }
 
 /// The first input cell that each simplex is, or is a piece of.

@@ -220,6 +220,7 @@ TEST(SimplicialComplexTopologyOutput, PointsAndArrays)
     EXPECT_EQ(probe->GetPointData()->GetArray("vtkOriginalPointIds")->GetTuple1(i), i);
   }
   EXPECT_STREQ(probe->GetPointData()->GetScalars()->GetName(), "float");
+  EXPECT_STREQ(probe->GetCellData()->GetScalars()->GetName(), "RuleDimension");
   EXPECT_EQ(probe->GetFieldData()->GetArray("TimeValue")->GetTuple1(0), 0.25);
   EXPECT_EQ(probe->GetCellData()->GetNumberOfArrays(), 8);
   const char* const classes[][2] = { { "SimplexDimension", "vtkUnsignedCharArray" },
