@@ -174,6 +174,19 @@ TYPED_TEST(EveryRefinement, CriteriaAskForTheHillAndNotForThePlain)
   }
 }
 
+TYPED_TEST(EveryRefinement, ARangeThatEndsBeforeItBeginsIsAnError)
+{
+  vtkNew<Messages> messages;
+  vtkNew<TypeParam> filter;
+  messages->Watch(filter);
+  filter->SetInputData(MakeInputForAll());
+  filter->RefineByArrayRangeOn();
+  filter->SetArrayRange(5., 1.);
+  filter->Update();
+  ASSERT_EQ(messages->Errors.size(), 1u);
+  EXPECT_NE(messages->Errors[0].find("ArrayRange is 5 to 1"), std::string::npos);
+}
+
 /// What one criterion asks for, two of them ask for, too.
 TYPED_TEST(EveryRefinement, TwoCriteriaAskForMore)
 {
