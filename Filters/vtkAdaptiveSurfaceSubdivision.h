@@ -33,7 +33,7 @@
  *
  * @par Input and output
  * As in vtkSurfaceSubdivision with its scheme SQRT_THREE: polygons that are no triangles are split
- * into triangles first (a warning says so), and boundaries, creases, corners and lines are those of
+ * into triangles first, and boundaries, creases, corners and lines are those of
  * that scheme. Line cells are creases with any flag or sharpness, and an end of a crease is a
  * corner, so that CreaseEnd changes nothing; joints are sharp whatever Type1Rule to Type3Rule are.
  *

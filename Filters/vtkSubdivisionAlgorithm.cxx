@@ -3,6 +3,7 @@
 
 #include "Private/ArrayNames.h"
 #include "Private/Control/MaterialFields.h"
+#include "Private/Control/ToldWarnings.h"
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/KeptParts.h"
 #include "Private/Reading/InputArrays.h"
@@ -13,6 +14,7 @@
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPointSet.h"
@@ -20,11 +22,13 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <limits>
 #include <vector>
 
 vtkSubdivisionAlgorithm::vtkSubdivisionAlgorithm()
   : Controller(vtkMultiProcessController::GetGlobalController())
   , Kept(std::make_unique<subdivision::KeptParts>())
+  , Told(std::make_unique<subdivision::ToldWarnings>())
 {
 }
 vtkSubdivisionAlgorithm::~vtkSubdivisionAlgorithm() = default;
@@ -184,6 +188,11 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   vtkSmartPointer<vtkDataObject> readable;
   bool failed = false;
   this->PrepareRun(given);
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkInformationDoubleKey* const step = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+  this->Told->Begin(
+    this->GetMTime(), info->Has(step) ? info->Get(step) : std::numeric_limits<double>::quiet_NaN());
+  options.Told = this->Told.get();
   subdivision::ConnectToFilter(this, options, failed);
   const bool isRead = subdivision::DoWork(traits, options,
     [&]

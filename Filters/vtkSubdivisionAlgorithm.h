@@ -87,6 +87,7 @@ class vtkPointSet;
 namespace subdivision
 {
 class KeptParts;
+class ToldWarnings;
 struct RunOptions;
 }
 
@@ -493,6 +494,7 @@ private:
     vtkDataObject* input, std::vector<std::string>& warnings);
 
   std::unique_ptr<subdivision::KeptParts> Kept; ///< of other ranks
+  std::unique_ptr<subdivision::ToldWarnings> Told;
 
   vtkSubdivisionAlgorithm(const vtkSubdivisionAlgorithm&) = delete;
   void operator=(const vtkSubdivisionAlgorithm&) = delete;

@@ -33,7 +33,7 @@
  *
  * @par Input and output
  * Polygons of any size, and strips, which become triangles in their place. Loop, ModifiedButterfly,
- * SqrtThree and Linear split other polygons into triangles first (a warning says so). A line cell
+ * SqrtThree and Linear split other polygons into triangles first. A line cell
  * that lies on an edge follows it; others are curves of their own, cubic B-splines. Poly lines
  * become lines, vertex cells stay. The output has vertices, lines and polygons, in this order, the
  * children of a cell one after another and oriented like it (dual schemes: see below). Points:

@@ -464,7 +464,7 @@ bool RefineSurface(vtkPolyData* input, const SurfaceOptions& options,
   {
     options.Warn(warning);
   }
-  WarnOfUnused(input, *MakeSurfaceScheme<int>(options.Scheme, true), options);
+  WarnOfUnused(*MakeSurfaceScheme<int>(options.Scheme, true), options);
   const auto given = static_cast<double>(cells.FaceCells.size() + cells.SegmentCells.size());
   bool memoryIsLimit = false;
   const double most =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/FilterRun.h"
 
+#include "Private/Control/ToldWarnings.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkAlgorithm.h"
@@ -28,8 +29,13 @@ bool HasDuplicateCells(vtkPointSet* input)
 
 void ConnectToFilter(vtkAlgorithm* filter, RunOptions& options, bool& failed)
 {
-  options.Warn = [filter](const std::string& message)
-  { vtkWarningWithObjectMacro(filter, << message); };
+  options.Warn = [filter, told = options.Told](const std::string& message)
+  {
+    if (!told || told->IsNew(message))
+    {
+      vtkWarningWithObjectMacro(filter, << message);
+    }
+  };
   options.Fail = [filter, &failed](const std::string& message)
   {
     vtkErrorWithObjectMacro(filter, << message);

@@ -20,6 +20,7 @@ namespace subdivision
 {
 
 class Partners;
+class ToldWarnings;
 
 struct RunOptions
 {
@@ -34,6 +35,7 @@ struct RunOptions
   /// Called with the fraction of the work that is done. Returns true if the work must stop.
   std::function<bool(double)> Progress;
   std::function<void(const std::string&)> Warn;
+  ToldWarnings* Told = nullptr; ///< warnings of earlier time steps; null: nobody knows
   std::function<void(const std::string&)> Fail;
   /// The other partitions of the mesh of which the work gets a part, here its argument; null, or
   /// returns null, if it gets all.

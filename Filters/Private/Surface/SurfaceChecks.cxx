@@ -2,7 +2,6 @@
 #include "Private/Surface/SurfaceChecks.h"
 
 #include "Private/Control/SizeChecks.h"
-#include "Private/Reading/CellReader.h"
 #include "Private/Surface/SurfaceCreases.h"
 
 #include "vtkCellData.h"
@@ -55,7 +54,7 @@ bool ReadAndCheck(vtkPolyData* input, const SurfaceScheme<int>& scheme,
   {
     options.Warn(warning);
   }
-  WarnOfUnused(input, scheme, options);
+  WarnOfUnused(scheme, options);
   double faces = 0.;
   const std::string tooLarge = CheckSize(input, cells, scheme, options, faces);
   if (!tooLarge.empty())
@@ -71,29 +70,15 @@ bool ReadAndCheck(vtkPolyData* input, const SurfaceScheme<int>& scheme,
   return true;
 }
 
-void WarnOfUnused(
-  vtkPolyData* input, const SurfaceScheme<int>& scheme, const SurfaceOptions& options)
+void WarnOfUnused(const SurfaceScheme<int>& scheme, const SurfaceOptions& options)
 {
-  const CellReader reader(input);
-  std::vector<vtkIdType> scratch;
-  vtkIdType polygons = 0;
-  for (vtkIdType c = 0; scheme.NeedsTriangles() && c < reader.GetNumberOfCells(); ++c)
-  {
-    polygons += reader.GetCellType(c) == VTK_POLYGON && reader.GetCell(c, scratch).Size > 3;
-  }
-  if (polygons > 0)
-  {
-    options.Warn(std::to_string(polygons) +
-      " polygon(s) have more than three points: the filter splits them into triangles, which this "
-      "scheme needs.");
-  }
   if (!scheme.HasLimit() &&
     (options.ProjectToLimit || options.GenerateLimitNormals || options.GenerateTangents ||
       options.Interpolation.IsOn()))
   {
     options.Warn("The filter computes no limits for this scheme: it ignores ProjectToLimit, "
                  "GenerateLimitNormals, GenerateTangents, InterpolatePoints and InterpolateArrays. "
-                 "Use Loop, CatmullClark, ModifiedButterfly or SqrtThree.");
+                 "Use Loop, CatmullClark, ModifiedButterfly, SqrtThree or Linear.");
   }
   const FeatureOptions& features = options.Features;
   auto isKnown = [](JointRule rule) { return FindKnownRule(rule) == rule; };

@@ -18,9 +18,8 @@ namespace subdivision
 bool ReadAndCheck(vtkPolyData* input, const SurfaceScheme<int>& scheme,
   const SurfaceOptions& options, SurfaceCells& cells, bool& isLarge);
 
-/// Warns of options that the scheme ignores, and of polygons that it splits.
-void WarnOfUnused(
-  vtkPolyData* input, const SurfaceScheme<int>& scheme, const SurfaceOptions& options);
+/// Warns of options that the scheme ignores.
+void WarnOfUnused(const SurfaceScheme<int>& scheme, const SurfaceOptions& options);
 
 }
 

@@ -178,6 +178,31 @@ TEST(OperatorCache, TimeSteps)
   EXPECT_EQ(first->GetPointData()->GetArray("scalar")->GetTuple1(5), 0.);
 }
 
+TEST(OperatorCache, TimeStepsRepeatNoWarning)
+{
+  vtkNew<Steps> source;
+  const Grid holder = Grid::New();
+  source->SetOutput(holder);
+  Kept filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetInterfaceValuesToDiscontinuous(); // but no interface is kept
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  const auto warnings = [&messages](auto&& update)
+  {
+    messages->Warnings.clear();
+    update();
+    return messages->Warnings.size();
+  };
+  EXPECT_EQ(1u, warnings([&] { filter->UpdateTimeStep(0.); }));
+  EXPECT_EQ(0u, warnings([&] { filter->UpdateTimeStep(2.); }));
+  EXPECT_EQ(0u, warnings([&] { filter->UpdateTimeStep(0.); }));
+  filter->SetNumberOfLevels(0);
+  EXPECT_EQ(1u, warnings([&] { filter->UpdateTimeStep(1.); }));
+  source->Modified(); // another mesh, for all that is known
+  EXPECT_EQ(1u, warnings([&] { filter->UpdateTimeStep(1.); }));
+}
+
 // ---------------------------------------------------------------- what may not
 
 TEST(OperatorCache, ChangedCellsWithTheSamePointers)
