@@ -183,7 +183,7 @@ TEST(OperatorCache, TimeStepsRepeatNoWarning)
   vtkNew<Steps> source;
   const Grid holder = Grid::New();
   source->SetOutput(holder);
-  Kept filter;
+  vtkNew<Filter> filter;
   filter->SetInputConnection(source->GetOutputPort());
   filter->SetInterfaceValuesToDiscontinuous(); // but no interface is kept
   vtkNew<Messages> messages;
