@@ -13,7 +13,8 @@ function (take_name text variable)
 endfunction ()
 
 # Appends the properties and groups of a proxy to `elements`, without those whose names are in `names`, and adds their
-# names to these. `;` is written as <semicolon>, so that texts are no lists.
+# names to these. One with override="1" stands where its base has the property. `;` is written as <semicolon>, so that
+# texts are no lists.
 function (add_elements body)
   set(start "\n      <")
   while (TRUE)
@@ -42,9 +43,16 @@ function (add_elements body)
     if (tag STREQUAL "PropertyGroup")
       set(name "group ${name}")
     endif ()
-    if (NOT tag STREQUAL "Hints" AND NOT name IN_LIST names)
+    if (element MATCHES "\n *override=\"1\"" AND NOT name STREQUAL "Input" AND NOT name IN_LIST names)
+      string(REPLACE "${CMAKE_MATCH_0}" "" override_${name} "${element}")
+      set(override_${name} "${override_${name}}" PARENT_SCOPE)
+    elseif (NOT name IN_LIST names)
       list(APPEND names "${name}")
       string(REGEX REPLACE "\n *override=\"1\"" "" element "${element}")
+      if (DEFINED override_${name})
+        set(element "${override_${name}}")
+        unset(override_${name} PARENT_SCOPE)
+      endif ()
       if (name STREQUAL "Input") # the first of the inputs
         set(elements "\n${element}${elements}")
       else ()
