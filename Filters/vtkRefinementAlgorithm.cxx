@@ -16,7 +16,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <sstream>
 
 vtkRefinementAlgorithm::vtkRefinementAlgorithm()
 {
@@ -155,14 +154,6 @@ bool vtkRefinementAlgorithm::ReadCriteria(vtkPointSet* input,
   criteria.MaximumAngle = this->MaximumAngle;
   criteria.MaximumLevel = this->MaximumLevel;
   criteria.InterpolateIntegers = this->InterpolateIntegers;
-  if (this->RefineByArrayRange && !(criteria.Least <= criteria.Most))
-  {
-    std::ostringstream message;
-    message << "ArrayRange is " << criteria.Least << " to " << criteria.Most
-            << ", in which no value lies. Exchange its ends.";
-    options.Fail(message.str());
-    return false;
-  }
   if (!this->ReadArrays(input, options, criteria))
   {
     return false;

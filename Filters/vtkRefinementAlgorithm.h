@@ -109,8 +109,7 @@ public:
 
   ///@{
   /**
-   * The values that RefineByArrayRange looks for, from the first number to the second, which may
-   * not be smaller. Default 0 to 1.
+   * The values that RefineByArrayRange looks for. Default 0 to 1.
    */
   vtkSetVector2Macro(ArrayRange, double);
   vtkGetVector2Macro(ArrayRange, double);

@@ -174,19 +174,6 @@ TYPED_TEST(EveryRefinement, CriteriaAskForTheHillAndNotForThePlain)
   }
 }
 
-TYPED_TEST(EveryRefinement, ARangeThatEndsBeforeItBeginsIsAnError)
-{
-  vtkNew<Messages> messages;
-  vtkNew<TypeParam> filter;
-  messages->Watch(filter);
-  filter->SetInputData(MakeInputForAll());
-  filter->RefineByArrayRangeOn();
-  filter->SetArrayRange(5., 1.);
-  filter->Update();
-  ASSERT_FALSE(messages->Errors.empty());
-  EXPECT_NE(messages->Errors[0].find("ArrayRange is 5 to 1"), std::string::npos);
-}
-
 /// What one criterion asks for, two of them ask for, too.
 TYPED_TEST(EveryRefinement, TwoCriteriaAskForMore)
 {
