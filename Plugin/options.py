@@ -62,7 +62,9 @@ class Option:
 
     @property
     def alias(self):
-        return ALIASES.get(self.name, "")
+        """A shorter name, or what the panel shows."""
+        shown = re.sub(r"\W", "", self.label)
+        return ALIASES.get(self.name, shown if shown != self.name else "")
 
 
 class Filter:

@@ -206,6 +206,12 @@ TEST(ProgramOptions, ShortNamesAndSpellings)
     EXPECT_EQ(command.Input, "in.vtu");
     EXPECT_EQ(command.Output, "out.vtp");
   }
+  // The name of the class, and what the panel shows.
+  for (const char* name : { "--type1-rule", "--where-dimensions-meet" })
+  {
+    const Stage stage = ReadCommandLine({ "a.vtu", "b.vtu", name, "sharp" }).Stages.front();
+    EXPECT_EQ(FindOption(*stage.What, "Type1Rule")->Get(stage.Algorithm, 0), 1.) << name;
+  }
   const Command off = ReadCommandLine({ "a.vtu", "b.vtu", "--no-cache-operator" });
   EXPECT_EQ(
     FindOption(*off.Stages.front().What, "CacheOperator")->Get(off.Stages.front().Algorithm, 0),

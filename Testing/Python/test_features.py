@@ -2,6 +2,9 @@
 """Singularities, joints and materials in ParaView: properties, array pickers, state files, the preset."""
 
 import os
+import shutil
+import subprocess
+import tempfile
 import unittest
 
 import numpy as np
@@ -254,8 +257,21 @@ class Files(unittest.TestCase):
         self.assertEqual(tools.numbers(updated(found[0])), shape)
 
     def test_preset(self):
+        with tempfile.TemporaryDirectory() as home:  # of a user who never imported it
+            script = os.path.join(home, "script.py")
+            with open(script, "w", encoding="utf-8") as file:
+                file.write("import sys\n"
+                           f"sys.path.insert(0, {os.path.dirname(os.path.abspath(__file__))!r})\n"
+                           "import tools\n"
+                           "table = tools.simple.GetColorTransferFunction('RuleDimension')\n"
+                           "table.ApplyPreset('Subdivision Rules', False)\n"  # true even for what is not there
+                           "print(len(table.Annotations))\n")
+            ran = subprocess.run([shutil.which("pvpython"), "--force-offscreen-rendering", script],
+                                 env=dict(os.environ, HOME=home, XDG_CONFIG_HOME=home), stdout=subprocess.PIPE,
+                                 text=True, timeout=100)
+        self.assertEqual(ran.stdout.split()[-1:], ["10"])
         table = simple.GetColorTransferFunction("RuleDimension")
-        self.assertTrue(table.ApplyPreset("Subdivision Rules", False))  # the plugin brings it
+        self.assertTrue(table.ApplyPreset("Subdivision Rules", False))
         preset = os.path.join(os.path.dirname(tools.plugin), "RuleDimensionColors.json")
         self.assertTrue(os.path.isfile(preset), preset)
         self.assertTrue(simple.ImportPresets(preset))

@@ -4,6 +4,7 @@
 import pathlib
 import re
 import unittest
+from xml.etree import ElementTree
 
 import tools
 from headers import NO_OPTIONS
@@ -14,6 +15,7 @@ from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 import subdivisionobjects
 
 HEADERS = pathlib.Path(__file__).resolve().parents[2] / "Filters"
+PLUGIN = HEADERS.parent / "Plugin"
 MODELS = ["MixedDimensions", "Screw", "SpringAndValve", "Ship", "MechanicalPart", "Character", "MaterialBlock",
           "Cylinder"]
 
@@ -108,6 +110,26 @@ class Proxies(unittest.TestCase):
             grouped |= {group.GetPropertyName(j) for j in range(group.GetNumberOfProperties())}
         names = {key for key, _ in properties(proxy)} - {"Input"}
         self.assertEqual(names - grouped, set())
+
+    def test_own_properties_stand_first(self):
+        """Then those that filters share. Of these a filter replaces some, where they stand."""
+        shared = (PLUGIN / "Interpolation.xml.in").read_text(encoding="utf-8")
+        for name in ("AdaptiveSurfaceSubdivision", "MultiDimensionalSubdivision", "RedGreenRefinement",
+                     "SubdivisionDeformation", "SurfaceSubdivision"):
+            text = (PLUGIN / f"{name}.xml").read_text(encoding="utf-8").replace("@INTERPOLATION@", shared)
+            elements = [element for element in next(ElementTree.fromstring(text).iter("SourceProxy"))
+                        if element.get("command")]
+            own = {element.get("name") for element in elements if not element.get("override")} - {"Input"}
+            iterator = servermanager.vtkSMOrderedPropertyIterator()
+            iterator.SetProxy(definition(name))
+            iterator.Begin()
+            order = []
+            while not iterator.IsAtEnd():
+                order.append(iterator.GetKey())
+                iterator.Next()
+            self.assertEqual(order[0], "Input")
+            self.assertEqual(set(order[1:len(own) + 1]), own, name)
+            self.assertLessEqual({element.get("name") for element in elements}, set(order))
 
     def test_model_names(self):
         source = simple.SubdivisionModel()

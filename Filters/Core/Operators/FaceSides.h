@@ -65,15 +65,8 @@ struct FaceSides
   }
 };
 
-/// Of faces that each were split into 4 so many times, in order: whether the first child of each is
-/// turned.
-inline Buffer<unsigned char> TakeParents(const Buffer<unsigned char>& turned, int steps)
-{
-  Buffer<unsigned char> parents(turned.size() >> 2 * steps);
-  ForEach(parents.size(), [&](vtkIdType f) { parents[f] = turned[f << 2 * steps]; });
-  return parents;
-}
-
+/// Finds the parts of faces, and their sides, in the order of the faces. forLinks: as above, from
+/// both faces of each link.
 template <typename ForLinks>
 FaceSides FindSides(vtkIdType faces, const ForLinks& forLinks)
 {
@@ -114,6 +107,15 @@ FaceSides FindSides(vtkIdType faces, const ForLinks& forLinks)
     }
   }
   return sides;
+}
+
+/// Of faces that each were split into 4 so many times, in order: whether the first child of each is
+/// turned.
+inline Buffer<unsigned char> TakeParents(const Buffer<unsigned char>& turned, int steps)
+{
+  Buffer<unsigned char> parents(turned.size() >> 2 * steps);
+  ForEach(parents.size(), [&](vtkIdType f) { parents[f] = turned[f << 2 * steps]; });
+  return parents;
 }
 
 }
