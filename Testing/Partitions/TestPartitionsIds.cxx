@@ -3,6 +3,7 @@
 // goes on with what the first one made of them.
 #include "PartitionTools.h"
 
+#include "Private/ArrayNames.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
@@ -107,6 +108,18 @@ bool Run(vtkPointSet* input, UniformOptions options, vtkPointSet* output)
     options.Features.Marks.Sharpness = input->GetPointData()->GetArray(LevelsName);
   }
   return SubdivideUniformly(input, options, vtkUnstructuredGrid::SafeDownCast(output));
+}
+
+/// Operators are kept, so that the last step is stored.
+struct KeepingOptions : UniformOptions
+{
+};
+
+bool Run(vtkPointSet* input, KeepingOptions options, vtkPointSet* output)
+{
+  subdivision::OperatorCache cache;
+  options.Cache = &cache;
+  return Run(input, static_cast<const UniformOptions&>(options), output);
 }
 
 bool Run(vtkPointSet* input, const SurfaceOptions& options, vtkPointSet* output)
@@ -244,6 +257,61 @@ TEST(PartitionsIds, AreIndicesOfTheWhole)
         const UniformOptions options = MakeOptions(scheme, choice, levels);
         ExpectIndices(
           Subdivide(mesh, options), SubdivideParts(Cut(mesh, partition), partition, options));
+      }
+    });
+}
+
+TEST(PartitionsIds, AreIndicesOfTheWholeWithKeptOperators)
+{
+  ForCases(
+    [](vtkPointSet* mesh, subdivision::StampScheme scheme, const Choice& choice,
+      const Partition& partition)
+    {
+      const KeepingOptions options{ MakeOptions(scheme, choice, 2) };
+      const Mesh whole = Subdivide(mesh, options);
+      const std::vector<Mesh> parts = SubdivideParts(Cut(mesh, partition), partition, options);
+      ExpectWhole(whole, parts);
+      ExpectIndices(whole, parts);
+    });
+}
+
+TEST(PartitionsIds, OfTheInputAreThoseOfTheParts)
+{
+  constexpr const char* indexName = "Index";
+  ForCases(
+    [](vtkPointSet* mesh, subdivision::StampScheme scheme, const Choice& choice,
+      const Partition& partition)
+    {
+      vtkNew<vtkIntArray> indices;
+      indices->SetName(indexName);
+      for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+      {
+        indices->InsertNextValue(static_cast<int>(p));
+      }
+      mesh->GetPointData()->AddArray(indices);
+      UniformOptions options = MakeOptions(scheme, choice, 2);
+      options.GenerateOriginalIds = true;
+      options.InterpolateIntegers = false;
+      const std::vector<Mesh> inputs = Cut(mesh, partition);
+      const std::vector<Mesh> outputs = SubdivideParts(inputs, partition, options);
+      ASSERT_EQ(inputs.size(), outputs.size());
+      for (size_t i = 0; i < inputs.size(); ++i)
+      {
+        vtkDataArray* ids = outputs[i]->GetPointData()->GetArray(subdivision::OriginalPointIdsName);
+        ASSERT_TRUE(ids);
+        vtkDataArray* before = inputs[i]->GetPointData()->GetArray(indexName);
+        vtkDataArray* after = outputs[i]->GetPointData()->GetArray(indexName);
+        vtkIdType old = 0;
+        for (vtkIdType p = 0; p < ids->GetNumberOfTuples(); ++p)
+        {
+          const auto id = static_cast<vtkIdType>(ids->GetComponent(p, 0));
+          if (id >= 0)
+          {
+            ++old;
+            ASSERT_EQ(before->GetComponent(id, 0), after->GetComponent(p, 0));
+          }
+        }
+        EXPECT_EQ(old, inputs[i]->GetNumberOfPoints());
       }
     });
 }

@@ -249,7 +249,7 @@ struct OwnValues
 {
   template <typename Id>
   OwnValues(const RingRows<Id>& rows, vtkIdType i, const In* in, vtkIdType stride)
-    : First(in + (OfEdges ? static_cast<vtkIdType>(rows.Ends[2 * i]) : rows.FirstRow + i) * stride)
+    : First(in + (OfEdges ? static_cast<vtkIdType>(rows.Ends[2 * i]) : rows.GetColumn(i)) * stride)
     , Second(OfEdges ? in + static_cast<vtkIdType>(rows.Ends[2 * i + 1]) * stride : nullptr)
   {
   }

@@ -79,7 +79,7 @@ struct RingRows
 {
   const RingMasks* Masks;
   bool OfEdges;
-  vtkIdType FirstRow; ///< number of the first row; for a vertex its column too
+  vtkIdType FirstRow; ///< number of the first row
   vtkIdType Count;
   const Stratum* Strata;
   const Id* Ends;    ///< 2 for each edge
@@ -91,8 +91,15 @@ struct RingRows
   /// in proportion to Counts, which has a number for each member.
   vtkIdType NumberOfCounted = 0;
   const Id* Counts = nullptr;
+  const Id* Columns = nullptr; ///< of the vertices of rows; null: the numbers of the rows
 
   static constexpr int CentreSize = 6;
+
+  /// The column of the vertex of a row.
+  vtkIdType GetColumn(vtkIdType i) const
+  {
+    return this->Columns ? static_cast<vtkIdType>(this->Columns[i]) : this->FirstRow + i;
+  }
 
   Row<Id> GetRing(vtkIdType i) const
   {

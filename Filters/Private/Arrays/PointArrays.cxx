@@ -288,7 +288,7 @@ void PointArrays::FindOrigins(const RingRows<Id>& rows, vtkIdType* origins) cons
     const Row<Id> ring = rows.OfCentres ? rows.GetRing(i) : Row<Id>();
     const vtkIdType from = rows.OfCentres ? earliest(ring.begin(), ring.end())
       : rows.OfEdges                      ? earliest(rows.Ends + 2 * i, rows.Ends + 2 * i + 2)
-                                          : row;
+                                          : rows.GetColumn(i);
     origins[row] = this->Origins[from];
   }
 }
@@ -333,6 +333,11 @@ void PointArrays::Advance(const PointOperator& operation, const OriginOfRow& ori
 void PointArrays::Take(const PointOperator& operation, const OriginOfRow& origin, vtkIdType staying)
 {
   this->Advance(operation, origin);
+  this->Renumber(origin, staying);
+}
+
+void PointArrays::Renumber(const OriginOfRow& origin, vtkIdType staying)
+{
   const auto takeFirst = [&](vtkIdType& count)
   {
     vtkIdType taken = 0;

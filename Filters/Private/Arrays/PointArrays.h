@@ -120,6 +120,9 @@ public:
   /// The same for rows that copy a point: `origin(row)`. The first `staying` ones are the points
   /// that the next operator keeps, in their order.
   void Take(const PointOperator& operation, const OriginOfRow& origin, vtkIdType staying);
+  /// Says that an operator left points out: of its first `staying` rows each keeps an old point,
+  /// `origin(row)`.
+  void Renumber(const OriginOfRow& origin, vtkIdType staying);
   /// Applies an operator that has one row for each point, such as limit rows. Does nothing if there
   /// are no rows.
   void Project(const PointOperator& operation);

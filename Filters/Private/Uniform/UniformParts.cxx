@@ -186,6 +186,18 @@ void UniformRun::FindTurned()
       this->Mesh.MadeLevels);
 }
 
+/// Finds what the output needs of a level `further` steps before the last, and the runs of that
+/// part.
+template <typename Scheme>
+LevelCut<Scheme> UniformRun::MakeCut(const typename Scheme::Level& level, int further)
+{
+  LevelCut<Scheme> cut(
+    level, this->Numbers.Parts, this->Mesh.MadeLevels + this->Options.Levels - further, further);
+  this->Control.Runs = cut.Cut(this->Control.Runs, this->Wanted.Flags);
+  this->Control.DerivedRuns = cut.Cut(this->Control.DerivedRuns, {});
+  return cut;
+}
+
 /// Leaves only what the output needs for the last step.
 template <typename Scheme>
 std::unique_ptr<LevelCut<Scheme>> UniformRun::CutOff(
@@ -195,11 +207,8 @@ std::unique_ptr<LevelCut<Scheme>> UniformRun::CutOff(
   {
     return nullptr;
   }
-  auto cut = std::make_unique<LevelCut<Scheme>>(
-    level, this->Numbers.Parts, this->Mesh.MadeLevels + this->Options.Levels - 1);
+  auto cut = std::make_unique<LevelCut<Scheme>>(this->MakeCut<Scheme>(level, 1));
   level = cut->Cut(level);
-  this->Control.Runs = cut->Cut(this->Control.Runs, this->Wanted.Flags);
-  this->Control.DerivedRuns = cut->Cut(this->Control.DerivedRuns, {});
   kept.SetColumns(cut->TakeColumns(), level.Complex.NumberOfVertices);
   kept.TakeColumns(*this->Points);
   return cut;
@@ -262,7 +271,8 @@ void UniformRun::LeaveWanted()
 }
 
 #define SUBDIVISION_CUT_OFF(Scheme)                                                                \
-  template std::unique_ptr<LevelCut<Scheme>> UniformRun::CutOff(Scheme::Level&, Kept<Scheme>&)
+  template std::unique_ptr<LevelCut<Scheme>> UniformRun::CutOff(Scheme::Level&, Kept<Scheme>&);    \
+  template LevelCut<Scheme> UniformRun::MakeCut(const Scheme::Level&, int)
 SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_CUT_OFF);
 
 }

@@ -79,6 +79,9 @@ private:
   template <typename Scheme>
   void StepTwice(const typename Scheme::Level& level);
   template <typename Scheme>
+  void StepTwice(const typename Scheme::Level& level, const typename Scheme::ChildRows& last,
+    const LevelCut<Scheme>* cut);
+  template <typename Scheme>
   Stencils<typename Scheme::Id> TakeOperator(
     typename Scheme::Level& level, int step, const LevelCut<Scheme>* cut = nullptr) const;
   template <typename Scheme>
@@ -102,6 +105,8 @@ private:
   std::vector<char> FindSureVertices() const;
   SharedKeys MakeTriangleKeys(vtkIdType triangles) const;
   void FindTurned();
+  template <typename Scheme>
+  LevelCut<Scheme> MakeCut(const typename Scheme::Level& level, int further);
   template <typename Scheme>
   std::unique_ptr<LevelCut<Scheme>> CutOff(typename Scheme::Level& level, Kept<Scheme>& kept);
   void LeaveWanted();

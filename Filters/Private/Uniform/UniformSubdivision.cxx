@@ -261,9 +261,9 @@ bool UniformRun::Step(typename Scheme::Level& level, KeptOperator* keep)
     this->StepNever<Scheme>(level, *kept, keep);
   }
   // Whether the last two operators are stored. If not, StepTwice makes the last two steps at once,
-  // row by row; it cannot where operators are kept, cut or blended, values are divided by weights,
-  // or the last level is needed.
-  const bool stored = keep || this->Options.ReadsLimit() || !this->Wanted.IsAll() || steps < 2 ||
+  // row by row; it cannot where operators are kept or blended, values are divided by weights, or
+  // the last level is needed.
+  const bool stored = keep || this->Options.ReadsLimit() || steps < 2 ||
     this->Points->HasWeights() || HasEqualCells(level.Complex) ||
     IsSharpAfter(this->Control.Sharpness, steps - 2);
   for (int step = 0; step < steps; ++step)
@@ -437,14 +437,36 @@ void UniformRun::StepLastInPieces(const typename Scheme::Level& level)
   this->AddClassification(level.Strata.Vertices, level.Strata.Edges);
 }
 
-/// The last two steps without the level between them.
+/// The last two steps without the level between them. Of the last one only what the output needs is
+/// made.
 template <typename Scheme>
 void UniformRun::StepTwice(const typename Scheme::Level& level)
 {
-  this->GatherDerived<Scheme>(level, 2);
   this->Points->Advance(LevelRows<typename Scheme::Id>(level));
-  const typename Scheme::ChildRows last(level);
+  if (this->Wanted.IsAll())
+  {
+    this->StepTwice<Scheme>(level, typename Scheme::ChildRows(level), nullptr);
+    return;
+  }
+  const LevelCut<Scheme> cut = this->MakeCut<Scheme>(level, 2);
+  const typename Scheme::Level part = cut.Cut(level);
+  const auto children = cut.SelectChildren(part);
+  this->StepTwice<Scheme>(part, typename Scheme::ChildRows(level, &children), &cut);
+}
+
+/// Makes the last step of these rows, and the cells of a level two steps before, which is the part
+/// of `cut` unless that is null.
+template <typename Scheme>
+void UniformRun::StepTwice(const typename Scheme::Level& level,
+  const typename Scheme::ChildRows& last, const LevelCut<Scheme>* cut)
+{
+  this->GatherDerived<Scheme>(level, 2);
   this->Points->Advance(last);
+  if (cut)
+  {
+    this->Points->Renumber(
+      [cut](vtkIdType point) { return cut->GetVertex(point); }, cut->GetNumberOfVertices());
+  }
   this->MakeCells<Scheme>(level, 2, this->Points->GetPoints());
   this->FinishPoints(true);
   if (this->Options.GenerateClassification)

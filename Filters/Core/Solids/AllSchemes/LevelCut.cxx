@@ -7,8 +7,9 @@ namespace subdivision
 {
 
 template <typename Scheme>
-LevelCut<Scheme>::LevelCut(const Level& level, const ControlParts& parts, int steps)
+LevelCut<Scheme>::LevelCut(const Level& level, const ControlParts& parts, int steps, int further)
   : Steps(steps)
+  , Further(further)
 {
   const auto& complex = level.Complex;
   const std::vector<IdSegment> vertices = Scheme::Traits.ListVertices(steps);
@@ -23,8 +24,6 @@ LevelCut<Scheme>::LevelCut(const Level& level, const ControlParts& parts, int st
     ForEach(size, [&](vtkIdType i) { flags[i] = isKept(i) ? 1 : 0; });
     return Selection<Id>(flags);
   };
-  this->Faces = select(complex.NumberOfTriangleCells,
-    [&](vtkIdType f) { return parts.Kept[2][f >> (2 * steps)] != 0; });
   const typename Scheme::ControlTets tets(level, steps);
   const auto isKept = [&](vtkIdType solid)
   { return parts.Kept[3][tets.Find(static_cast<Id>(solid))] != 0; };
@@ -34,10 +33,46 @@ LevelCut<Scheme>::LevelCut(const Level& level, const ControlParts& parts, int st
     select(Scheme::CountCentres(level), [&](vtkIdType oct) { return isKept(firstOct + oct); });
   this->VertexCells = select(complex.VertexCells.size(),
     [&](vtkIdType i) { return this->Vertices.New[complex.VertexCells[i]] >= 0; });
+  this->SelectFaces(level, parts);
   this->EqualLines = this->SelectEqual(complex.EqualLines, this->Edges);
   this->EqualTriangles = this->SelectEqual(complex.EqualTriangles, this->Faces);
   this->EqualTets = this->SelectEqual(complex.EqualTets, this->Tets);
-  this->MakeColumns();
+  if (further == 1)
+  {
+    this->MakeColumns();
+  }
+}
+
+/// Selects faces that lie in control faces, and, before two steps, those inside control
+/// tetrahedra.
+template <typename Scheme>
+void LevelCut<Scheme>::SelectFaces(const Level& level, const ControlParts& parts)
+{
+  const auto& complex = level.Complex;
+  const vtkIdType size = this->Further > 1 ? complex.NumberOfFaces : complex.NumberOfTriangleCells;
+  const vtkIdType inFaces = static_cast<vtkIdType>(parts.Kept[2].size()) << (2 * this->Steps);
+  Buffer<unsigned char> flags(size);
+  ForEach(size,
+    [&](vtkIdType f) { flags[f] = f < inFaces && parts.Kept[2][f >> (2 * this->Steps)] ? 1 : 0; });
+  if (size > inFaces)
+  {
+    const auto add = [&](const Buffer<Id>& solids, const Buffer<Id>& faces, int ofEach)
+    {
+      for (const Id solid : solids)
+      {
+        for (int k = 0; k < ofEach; ++k)
+        {
+          flags[faces[ofEach * vtkIdType(solid) + k]] = 1;
+        }
+      }
+    };
+    add(this->Tets.Old, complex.TetFaces, 4);
+    if constexpr (Scheme::Traits.HasPieces)
+    {
+      add(this->Octs.Old, level.OctFaces, 8);
+    }
+  }
+  this->Faces = Selection<Id>(flags);
 }
 
 /// Selects what kept control simplices have become, the first `size` ids of the segments.
@@ -127,11 +162,13 @@ typename Scheme::Level LevelCut<Scheme>::Cut(const Level& level) const
   complex.NumberOfEdges = static_cast<Id>(this->Edges.Old.size());
   complex.NumberOfFaces = static_cast<Id>(this->Faces.Old.size());
   complex.NumberOfTets = static_cast<Id>(this->Tets.Old.size());
-  complex.NumberOfTriangleCells = complex.NumberOfFaces;
-  for (Id line = 0; line < whole.NumberOfLineCells; ++line)
+  const auto countFirst = [](const Selection<Id>& selected, Id end)
   {
-    complex.NumberOfLineCells += this->Edges.New[line] >= 0 ? 1 : 0;
-  }
+    return static_cast<Id>(
+      std::lower_bound(selected.Old.begin(), selected.Old.end(), end) - selected.Old.begin());
+  };
+  complex.NumberOfLineCells = countFirst(this->Edges, whole.NumberOfLineCells);
+  complex.NumberOfTriangleCells = countFirst(this->Faces, whole.NumberOfTriangleCells);
   complex.VertexCells = this->VertexCells.Pick(whole.VertexCells, 1, this->Vertices.New);
   complex.EdgeVertices = this->Edges.Pick(whole.EdgeVertices, 2, this->Vertices.New);
   complex.FaceVertices = this->Faces.Pick(whole.FaceVertices, 3, this->Vertices.New);
@@ -142,12 +179,39 @@ typename Scheme::Level LevelCut<Scheme>::Cut(const Level& level) const
   complex.EqualTriangles =
     this->CutEqual(whole.EqualTriangles, 3, this->EqualTriangles, this->Faces);
   complex.EqualTets = this->CutEqual(whole.EqualTets, 4, this->EqualTets, this->Tets);
+  if (this->Further > 1)
+  {
+    complex.TetFaces = this->Tets.Pick(whole.TetFaces, 4, this->Faces.New);
+  }
+  this->CutSolids(level, part);
+  if (this->Further == 1)
+  {
+    this->CutRings(level, part);
+  }
+  return part;
+}
+
+template <typename Scheme>
+void LevelCut<Scheme>::CutRings(const Level& level, Level& part) const
+{
   part.Strata.Vertices = this->Vertices.Pick(level.Strata.Vertices);
   part.Strata.Edges = this->Edges.Pick(level.Strata.Edges);
   part.Strata.VertexRings = this->CutRings(level.Strata.VertexRings, this->Vertices);
   part.Strata.EdgeRings = this->CutRings(level.Strata.EdgeRings, this->Edges);
-  this->CutSolids(level, part);
-  return part;
+  this->CutCounts(level, part);
+}
+
+template <typename Scheme>
+typename LevelCut<Scheme>::ChildRows::Selected LevelCut<Scheme>::SelectChildren(
+  const Level& part) const
+{
+  typename ChildRows::Selected selected{ this->Vertices.Old, this->Edges.Old, this->Faces.Old,
+    { &this->Tets.Old }, typename ChildRows::Ids(part) };
+  if constexpr (Scheme::Traits.HasPieces)
+  {
+    selected.Solids[1] = &this->Octs.Old;
+  }
+  return selected;
 }
 
 template <typename Scheme>
@@ -159,6 +223,16 @@ void LevelCut<Scheme>::CutSolids(const TetOctLevel<Id>& level, TetOctLevel<Id>& 
   part.EqualOcts =
     this->CutEqual(level.EqualOcts, 6, this->SelectEqual(level.EqualOcts, this->Octs), this->Octs);
   part.Steps = level.Steps;
+  if (this->Further > 1)
+  {
+    part.OctFaces = this->Octs.Pick(level.OctFaces, 8, this->Faces.New);
+  }
+}
+
+/// Control vertices have the counts of their rings.
+template <typename Scheme>
+void LevelCut<Scheme>::CutCounts(const TetOctLevel<Id>& level, TetOctLevel<Id>& part) const
+{
   // Control vertices are the first.
   const Buffer<Id>& old = this->Vertices.Old;
   const Rings<Id>& rings = part.Strata.VertexRings;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LevelCut.h
- * The part of a level that some control simplices have become, for a last step of these alone.
+ * The part of a level that some control simplices have become, for last steps of these alone.
  *
  * The last step makes seven of eight points. Where a mesh has cells that only tell the rules of
  * others, they are cut off before it. Ids in the part are those that the part of the control mesh
- * would have alone, so that all arithmetic of ids holds in it. But rings keep members beyond the
- * part: these are columns of its operator that come after its vertices.
+ * would have alone, so that all arithmetic of ids holds in it.
+ *
+ * Before one step, rings are cut too, but keep members beyond the part: these are columns of its
+ * operator that come after its vertices. Before two steps at once, the operator of the last one is
+ * made from the whole level, for the children of the part alone (ChildRows.h).
  */
 #ifndef SubdivisionObjects_LevelCut_h
 #define SubdivisionObjects_LevelCut_h
@@ -37,12 +40,19 @@ public:
   using Id = typename Scheme::Id;
   using Level = typename Scheme::Level;
 
-  /// `level` is `steps` steps after the control level.
-  LevelCut(const Level& level, const ControlParts& parts, int steps);
+  using ChildRows = typename Scheme::ChildRows;
 
-  /// The part of a level with the same complex, for one step with Depth::ForOutput. Its rings have
-  /// no carriers.
+  /// `level` is `steps` steps after the control level, and `further` before the last.
+  LevelCut(const Level& level, const ControlParts& parts, int steps, int further);
+
+  /// The part of a level with the same complex. Before one step it is for Depth::ForOutput, and its
+  /// rings have no carriers; before two it has no rings.
   Level Cut(const Level& level) const;
+  /// What ChildRows makes rows of, before two steps; `part`: of Cut.
+  typename ChildRows::Selected SelectChildren(const Level& part) const;
+  /// The number in the level of a vertex of the part, and how many there are.
+  vtkIdType GetVertex(vtkIdType vertex) const { return this->Vertices.Old[vertex]; }
+  vtkIdType GetNumberOfVertices() const { return this->Vertices.Old.size(); }
   /// Of cells in `runs` those that are kept and, if `wanted` has flags, one for each control
   /// simplex in `runs`, that are wanted.
   std::vector<CellRun> Cut(const std::vector<CellRun>& runs, const std::vector<char>& wanted) const;
@@ -57,16 +67,21 @@ private:
   Selection<Id> SelectEqual(const EqualCells<Id>& equal, const Selection<Id>& twins) const;
   EqualCells<Id> CutEqual(const EqualCells<Id>& equal, int size, const Selection<Id>& selected,
     const Selection<Id>& twins) const;
+  void SelectFaces(const Level& level, const ControlParts& parts);
   void MakeColumns();
   Rings<Id> CutRings(const Rings<Id>& rings, const Selection<Id>& owners) const;
   void CutSolids(const subdivision::Level<Id>&, subdivision::Level<Id>&) const {}
   void CutSolids(const TetOctLevel<Id>& level, TetOctLevel<Id>& part) const;
+  void CutRings(const Level& level, Level& part) const;
+  void CutCounts(const subdivision::Level<Id>&, subdivision::Level<Id>&) const {}
+  void CutCounts(const TetOctLevel<Id>& level, TetOctLevel<Id>& part) const;
   Id GetNewNumber(const CellRun& run, vtkIdType i) const;
 
   int Steps;
+  int Further;
   Selection<Id> Vertices;
   Selection<Id> Edges;
-  Selection<Id> Faces; ///< of triangle cells
+  Selection<Id> Faces; ///< before one step: of triangle cells
   Selection<Id> Tets;
   Selection<Id> Octs;
   Selection<Id> VertexCells;

@@ -18,24 +18,42 @@
 namespace subdivision
 {
 
+/// Parts of a level whose children alone get rows. The rows have the numbers that they would have
+/// if these parts were the level.
+template <typename Split>
+struct ChildSelection
+{
+  using Id = typename Split::Id;
+
+  const Buffer<Id>& Vertices; ///< numbers in the level
+  const Buffer<Id>& Edges;
+  const Buffer<Id>& Faces;
+  std::array<const Buffer<Id>*, Split::Shapes::Size> Solids; ///< of each shape
+  ChildIds<Split> Ids;                                       ///< of the children of the parts
+};
+
 /// The operator that takes values on the children of `level` to their children. `level` was made
-/// with Depth::ForRefinement, or is the control level. `Split` as in Refiner.h.
+/// with Depth::ForRefinement, or is the control level. `Split` as in Refiner.h. `selection`: null:
+/// all children get rows.
 template <typename Split>
 class ChildRows : public RingOperator<typename Split::Id>
 {
 public:
   using Id = typename Split::Id;
+  using Ids = ChildIds<Split>;
+  using Selected = ChildSelection<Split>;
 
-  explicit ChildRows(const typename Split::Level& level)
+  explicit ChildRows(const typename Split::Level& level, const Selected* selection = nullptr)
     : Level(level)
-    , Ids(level)
+    , LevelIds(level)
+    , Selection(selection)
   {
   }
   /// Numbers of vertices and edges of the children: first come the rows of the vertices, then those
   /// of the edges, then those of the centres of solids.
-  vtkIdType GetNumberOfVertices() const { return this->Ids.GetNumberOfVertices(); }
-  vtkIdType GetNumberOfEdges() const { return this->Ids.GetNumberOfEdges(); }
-  vtkIdType GetNumberOfColumns() const override { return this->GetNumberOfVertices(); }
+  vtkIdType GetNumberOfVertices() const { return this->GetRowIds().GetNumberOfVertices(); }
+  vtkIdType GetNumberOfEdges() const { return this->GetRowIds().GetNumberOfEdges(); }
+  vtkIdType GetNumberOfColumns() const override { return this->LevelIds.GetNumberOfVertices(); }
   vtkIdType GetNumberOfRows() const override
   {
     vtkIdType rows = this->GetNumberOfVertices() + this->GetNumberOfEdges();
@@ -43,15 +61,18 @@ public:
       [&](auto shape)
       {
         using Shape = decltype(shape);
-        rows += Shape::Centres * vtkIdType(this->Ids.GetNumberOfChildren(Shape::Index));
+        rows += Shape::Centres * vtkIdType(this->GetRowIds().GetNumberOfChildren(Shape::Index));
       });
     return rows;
   }
   void ForRows(const typename RingOperator<Id>::RingsUser& use) const override;
 
 private:
+  const Ids& GetRowIds() const { return this->Selection ? this->Selection->Ids : this->LevelIds; }
+
   const typename Split::Level& Level;
-  const ChildIds<Split> Ids;
+  const Ids LevelIds;
+  const Selected* const Selection;
 };
 
 }

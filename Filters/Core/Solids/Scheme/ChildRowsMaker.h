@@ -2,7 +2,7 @@
 /**
  * @file ChildRowsMaker.h
  * Makes the rows of ChildRows: those at vertices, at edges, in faces and in solids of the given
- * level.
+ * level, or of its selected parts.
  */
 #ifndef SubdivisionObjects_ChildRowsMaker_h
 #define SubdivisionObjects_ChildRowsMaker_h
@@ -10,6 +10,8 @@
 #include "Core/Solids/Scheme/ChildRows.h"
 #include "Core/Solids/Scheme/RingBlock.h"
 #include "Core/Solids/Scheme/Stencils.h"
+
+#include <vector>
 
 namespace subdivision
 {
@@ -22,15 +24,18 @@ public:
   using Shapes = typename Split::Shapes;
   using User = typename RingOperator<Id>::RingsUser;
 
-  ChildRowsMaker(const typename Split::Level& level, const ChildIds<Split>& ids, const User& use)
+  ChildRowsMaker(const typename Split::Level& level, const ChildIds<Split>& ids,
+    const ChildSelection<Split>* selection, const User& use)
     : Level(level)
     , Complex(level.Complex)
     , Strata(level.Strata)
     , Solids(GetSolidRows(level))
     , Emitter(level)
     , Ids(ids)
-    , FirstEdgeRow(ids.GetNumberOfVertices())
-    , FirstCentreRow(FirstEdgeRow + ids.GetNumberOfEdges())
+    , Selection(selection)
+    , RowIds(selection ? selection->Ids : ids)
+    , FirstEdgeRow(RowIds.GetNumberOfVertices())
+    , FirstCentreRow(FirstEdgeRow + RowIds.GetNumberOfEdges())
     , Use(use)
   {
   }
@@ -39,11 +44,16 @@ public:
     constexpr std::size_t outer = 3;
     std::array<vtkIdType, outer + Shapes::Size> counts{ this->Complex.NumberOfVertices,
       this->Complex.NumberOfEdges, this->Complex.NumberOfFaces };
+    if (this->Selection)
+    {
+      counts = { this->Selection->Vertices.size(), this->Selection->Edges.size(),
+        this->Selection->Faces.size() };
+    }
     ForShapes(Shapes(),
       [&](auto shape)
       {
         constexpr int kind = decltype(shape)::Index;
-        counts[outer + kind] = HasRows<decltype(shape)> ? this->Ids.GetNumberOfSolids(kind) : 0;
+        counts[outer + kind] = HasRows<decltype(shape)> ? this->RowIds.GetNumberOfSolids(kind) : 0;
       });
     ForKinds<outer + Shapes::Size>(counts,
       [this](std::size_t kind, vtkIdType begin, vtkIdType end)
@@ -74,27 +84,47 @@ public:
   }
 
 private:
+  /// The numbers in the level of the parts that get rows.
+  Id GetVertex(vtkIdType i) const { return this->Selection ? this->Selection->Vertices[i] : Id(i); }
+  Id GetEdge(vtkIdType i) const { return this->Selection ? this->Selection->Edges[i] : Id(i); }
+  Id GetFace(vtkIdType i) const { return this->Selection ? this->Selection->Faces[i] : Id(i); }
+  template <typename Shape>
+  Id GetSolid(Shape, vtkIdType i) const
+  {
+    return this->Selection ? (*this->Selection->Solids[Shape::Index])[i] : Id(i);
+  }
+
   void AtVertices(vtkIdType first, vtkIdType last) const
   {
     const Rings<Id>& rings = this->Strata.VertexRings;
-    const vtkIdType counted = this->Solids.NumberOfCounted;
-    RingBlock<Id> rows(*this->Solids.Masks, false, BlockSize);
+    RingBlock<Id> rows(*this->Solids.Masks, false, BlockSize, this->Selection != nullptr);
+    std::vector<Id> counts;
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
         rows.Start(begin);
-        for (vtkIdType v = begin; v < end; ++v)
+        counts.clear();
+        vtkIdType counted = 0;
+        for (vtkIdType i = begin; i < end; ++i)
         {
-          rows.Reserve(static_cast<Id>(rings.GetSize(v)));
+          const Id v = this->GetVertex(i);
+          const auto size = static_cast<Id>(rings.GetSize(v));
+          rows.Reserve(size);
           auto ring = rows.Open();
-          this->Emitter.EmitVertex(static_cast<Id>(v), ring);
+          this->Emitter.EmitVertex(v, ring);
+          rows.SetColumn(v);
           rows.Close(ring, this->Strata.Vertices[v]);
+          // Vertices with counts come first, and their rings have the same sizes on all levels.
+          if (v < this->Solids.NumberOfCounted)
+          {
+            ++counted;
+            const Id* ofRing = this->Solids.Counts + rings.Offsets[v];
+            counts.insert(counts.end(), ofRing, ofRing + size);
+          }
         }
-        // Rings of vertices with counts keep their sizes and come first, so that offsets into the
-        // counts are the same on all levels.
         RingRows<Id> block = rows.Get();
-        block.NumberOfCounted = counted - begin;
-        block.Counts = begin < counted ? this->Solids.Counts + rings.Offsets[begin] : nullptr;
+        block.NumberOfCounted = counted;
+        block.Counts = counts.data();
         this->Use(block);
       });
   }
@@ -103,21 +133,22 @@ private:
   void AtEdges(vtkIdType first, vtkIdType last) const
   {
     RingBlock<Id> edges(*this->Solids.Masks, true, 2 * BlockSize);
-    RingBlock<Id> vertices(*this->Solids.Masks, false, BlockSize);
+    RingBlock<Id> vertices(*this->Solids.Masks, false, BlockSize, this->Selection != nullptr);
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
         edges.Start(this->FirstEdgeRow + 2 * begin);
-        vertices.Start(this->Ids.Midpoint(static_cast<Id>(begin)));
+        vertices.Start(this->RowIds.Midpoint(static_cast<Id>(begin)));
         for (vtkIdType i = begin; i < end; ++i)
         {
-          const Id e = static_cast<Id>(i);
+          const Id e = this->GetEdge(i);
           const Id size = this->Emitter.CountHalf(e);
           edges.Reserve(2 * size);
           vertices.Reserve(this->Emitter.CountMidpointAtMost(e));
           MemberWriter<Id> halves[2] = { edges.Open(), edges.Open(size) };
           auto midpoint = vertices.Open();
           this->Emitter.EmitAtEdge(e, halves, midpoint);
+          vertices.SetColumn(this->Ids.Midpoint(e));
           vertices.Close(midpoint, this->Emitter.MidpointStratum(e));
           for (int half = 0; half < 2; ++half)
           {
@@ -136,10 +167,10 @@ private:
     ForBlocks(first, last,
       [&](vtkIdType begin, vtkIdType end)
       {
-        rows.Start(this->FirstEdgeRow + this->Ids.InFace(static_cast<Id>(begin), 0));
+        rows.Start(this->FirstEdgeRow + this->RowIds.InFace(static_cast<Id>(begin), 0));
         for (vtkIdType i = begin; i < end; ++i)
         {
-          const Id f = static_cast<Id>(i);
+          const Id f = this->GetFace(i);
           rows.Reserve(3 * this->Emitter.CountInFaceAtMost(f));
           InFaceRows<Split> rings(this->Emitter, f, rows);
           this->Emitter.EmitInFace(f, rings);
@@ -165,7 +196,8 @@ private:
   {
     constexpr vtkIdType blockSize = BlockSize / (InnerEdgesOf<Shape> > 1 ? 8 : 1); // many rows each
     RingBlock<Id> edges(*this->Solids.Masks, true, InnerEdgesOf<Shape> * blockSize);
-    RingBlock<Id> centres(*this->Solids.Masks, false, Shape::Centres * blockSize);
+    RingBlock<Id> centres(
+      *this->Solids.Masks, false, Shape::Centres * blockSize, this->Selection != nullptr);
     Buffer<Id> corners(RingRows<Id>::CentreSize * ChildCentresOf<Shape> * blockSize);
     ForBlocks(
       first, last,
@@ -180,15 +212,15 @@ private:
   }
 
   template <typename Shape>
-  void UseInnerEdges(Shape, vtkIdType begin, vtkIdType end, RingBlock<Id>& rows) const
+  void UseInnerEdges(Shape shape, vtkIdType begin, vtkIdType end, RingBlock<Id>& rows) const
   {
     if constexpr (InnerEdgesOf<Shape> > 0)
     {
       rows.Start(
-        this->FirstEdgeRow + this->Ids.template InnerEdge<Shape>(static_cast<Id>(begin), 0));
+        this->FirstEdgeRow + this->RowIds.template InnerEdge<Shape>(static_cast<Id>(begin), 0));
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const Id solid = static_cast<Id>(i);
+        const Id solid = this->GetSolid(shape, i);
         rows.Reserve(InnerEdgesOf<Shape> * this->Emitter.template CountInner<Shape>());
         for (int e = 0; e < InnerEdgesOf<Shape>; ++e)
         {
@@ -203,16 +235,18 @@ private:
   }
 
   template <typename Shape>
-  void UseCentres(Shape, vtkIdType begin, vtkIdType end, RingBlock<Id>& rows) const
+  void UseCentres(Shape shape, vtkIdType begin, vtkIdType end, RingBlock<Id>& rows) const
   {
     if constexpr (Shape::Centres > 0)
     {
-      rows.Start(this->Ids.template Centre<Shape>(static_cast<Id>(begin)));
+      rows.Start(this->RowIds.template Centre<Shape>(static_cast<Id>(begin)));
       for (vtkIdType i = begin; i < end; ++i)
       {
+        const Id solid = this->GetSolid(shape, i);
         rows.Reserve(this->Emitter.template CountCentre<Shape>());
         auto ring = rows.Open();
-        this->Emitter.template EmitCentre<Shape>(static_cast<Id>(i), ring);
+        this->Emitter.template EmitCentre<Shape>(solid, ring);
+        rows.SetColumn(this->Ids.template Centre<Shape>(solid));
         rows.Close(ring, Stratum(Rule::RegularEdge));
       }
       this->Use(rows.Get());
@@ -221,7 +255,7 @@ private:
 
   /// The rows of the centres of those children that have one.
   template <typename Child, typename Shape>
-  void UseChildCentres(Child, Shape, vtkIdType begin, vtkIdType end, Id* corners) const
+  void UseChildCentres(Child, Shape shape, vtkIdType begin, vtkIdType end, Id* corners) const
   {
     if constexpr (Child::Centres > 0)
     {
@@ -229,7 +263,7 @@ private:
       Id* corner = corners;
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const SolidLattice<Shape, Id> lattice(list, this->Ids, static_cast<Id>(i));
+        const SolidLattice<Shape, Id> lattice(list, this->Ids, this->GetSolid(shape, i));
         for (const auto& points : Children<Shape, Child>.Points)
         {
           for (int point : points)
@@ -238,7 +272,8 @@ private:
           }
         }
       }
-      const vtkIdType first = this->Ids.template ChildOf<Shape, Child>(static_cast<Id>(begin), 0);
+      const vtkIdType first =
+        this->RowIds.template ChildOf<Shape, Child>(static_cast<Id>(begin), 0);
       this->Use({ this->Solids.Masks, false, this->FirstCentreRow + first,
         ChildrenOf<Shape, Child> * (end - begin), nullptr, nullptr, nullptr, corners, true });
     }
@@ -250,6 +285,8 @@ private:
   const SolidRows<Id> Solids;
   const RingEmitter<Split> Emitter;
   const ChildIds<Split>& Ids;
+  const ChildSelection<Split>* const Selection;
+  const ChildIds<Split>& RowIds; ///< of the parts that get rows
   const vtkIdType FirstEdgeRow;
   const vtkIdType FirstCentreRow;
   const User& Use;
@@ -258,7 +295,7 @@ private:
 template <typename Split>
 void ChildRows<Split>::ForRows(const typename RingOperator<Id>::RingsUser& use) const
 {
-  ChildRowsMaker<Split>(this->Level, this->Ids, use).Run();
+  ChildRowsMaker<Split>(this->Level, this->LevelIds, this->Selection, use).Run();
 }
 
 }

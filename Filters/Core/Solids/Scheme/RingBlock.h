@@ -16,16 +16,17 @@ namespace subdivision
 {
 
 /// A block of at most `capacity` rows that is filled row by row: Reserve, Open, write the members,
-/// Close.
+/// Close. `hasColumns`: the vertices of rows have other numbers than the rows, set by SetColumn.
 template <typename Id>
 class RingBlock
 {
 public:
-  RingBlock(const RingMasks& masks, bool ofEdges, vtkIdType capacity)
+  RingBlock(const RingMasks& masks, bool ofEdges, vtkIdType capacity, bool hasColumns = false)
     : Masks(masks)
     , OfEdges(ofEdges)
     , Strata(capacity)
     , Ends(ofEdges ? 2 * capacity : 0)
+    , Columns(hasColumns ? capacity : 0)
     , Offsets(capacity + 1, Id(0))
   {
   }
@@ -59,10 +60,21 @@ public:
   /// The ends of the edge whose row is closed next.
   Id* GetEnds() { return this->Ends.data() + 2 * this->Count; }
 
+  /// The column of the vertex whose row is closed next.
+  void SetColumn(Id column)
+  {
+    if (this->Columns.size() > 0)
+    {
+      this->Columns[this->Count] = column;
+    }
+  }
+
   RingRows<Id> Get() const
   {
-    return { &this->Masks, this->OfEdges, this->FirstRow, this->Count, this->Strata.data(),
-      this->Ends.data(), this->Offsets.data(), this->Members.data() };
+    RingRows<Id> rows{ &this->Masks, this->OfEdges, this->FirstRow, this->Count,
+      this->Strata.data(), this->Ends.data(), this->Offsets.data(), this->Members.data() };
+    rows.Columns = this->Columns.size() > 0 ? this->Columns.data() : nullptr;
+    return rows;
   }
 
 private:
@@ -72,6 +84,7 @@ private:
   vtkIdType Count = 0;
   Buffer<Stratum> Strata;
   Buffer<Id> Ends;
+  Buffer<Id> Columns;
   Buffer<Id> Offsets;
   Buffer<Id> Members;
 };

@@ -39,7 +39,7 @@ void AppendWeighted(const RingRows<Id>& rows, vtkIdType i, double factor, Explic
     }
     return;
   }
-  const Id own = static_cast<Id>(rows.FirstRow + i);
+  const Id own = static_cast<Id>(rows.GetColumn(i));
   if (rows.HasCounts(i))
   {
     const Id* counts = rows.Counts + rows.Offsets[i];
