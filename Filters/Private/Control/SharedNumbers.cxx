@@ -88,7 +88,7 @@ private:
   /// are.
   size_t FindBucket(const vtkIdType* key) const
   {
-    return static_cast<size_t>((std::max(*key, this->Least) - this->Least) / this->BucketWidth);
+    return static_cast<size_t>((std::max(*key, this->Least) - this->Least) >> this->BucketShift);
   }
   void MakeBuckets()
   {
@@ -101,8 +101,12 @@ private:
       last = std::max(last, this->Records[i]);
     }
     const auto size = static_cast<vtkIdType>(this->Records.size() / length);
-    this->BucketWidth = (last - this->Least) / (size + 1) + 1;
-    this->Starts.assign((last - this->Least) / this->BucketWidth + 2, 0);
+    this->BucketShift = 0;
+    while ((last - this->Least) >> this->BucketShift > size)
+    {
+      ++this->BucketShift;
+    }
+    this->Starts.assign(((last - this->Least) >> this->BucketShift) + 2, 0);
   }
   /// Sorts by counting the keys of each bucket, and then the few in each.
   void Sort()
@@ -138,8 +142,8 @@ private:
   int Width;
   int Length;
   Ids Records;
-  vtkIdType Least = 0; ///< first id of a key
-  vtkIdType BucketWidth = 1;
+  vtkIdType Least = 0;        ///< first id of a key
+  int BucketShift = 0;        ///< a bucket is so wide: 2 to this power
   std::vector<size_t> Starts; ///< in Sorted, of each bucket
   std::vector<vtkIdType*> Sorted;
   Ids Sums;

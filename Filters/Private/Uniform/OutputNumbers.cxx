@@ -49,8 +49,7 @@ public:
     this->Made.Numbers[0] = std::move(vertices.First);
     this->Made.Totals[0] = vertices.Totals[0];
     this->NumberSimplices(steps);
-    this->template NumberFaces<2>(this->Complex.EdgeVertices, this->Complex.NumberOfLineCells);
-    this->template NumberFaces<3>(this->Complex.FaceVertices, this->Complex.NumberOfTriangleCells);
+    this->NumberFaces();
     this->Made.Parts = this->FindParts(this->Wanted.Flags);
     for (const vtkIdType point : this->Wanted.Points)
     {
@@ -194,41 +193,92 @@ private:
     std::copy_n(numbers.Totals.begin() + 1, 3, this->Made.Totals.begin() + 1);
   }
 
-  /// Numbers the edges or faces that are no control simplices: those that are derived, and then all
-  /// others.
+  /// Edges or faces that are no control simplices: those of the complex from First to Last.
   template <int Size>
-  void NumberFaces(const Buffer<Id>& vertices, vtkIdType firstOther)
+  struct Faces
   {
-    const auto first = static_cast<vtkIdType>(this->Made.Numbers[Size - 1].size());
-    this->template NumberFaces<Size>(vertices, first, firstOther);
-    this->template NumberFaces<Size>(vertices, firstOther, vertices.size() / Size);
+    const Buffer<Id>& Vertices;
+    vtkIdType First;
+    vtkIdType Last;
+    size_t Kind; ///< 0 and 1: derived edges and the others; 2 and 3: the same for faces
+    std::vector<std::array<vtkIdType, 2>> Places{}; ///< of each: its first vertex, its place there
+  };
+
+  /// Numbers the edges and faces that are no control simplices. In the whole derived ones come
+  /// first, and all are in the order of their vertices. A partition knows all that begin at a
+  /// vertex of an own cell; so partitions tell each other only how many there are at each vertex.
+  /// Where layers end there are fewer than in the whole, and these get no number.
+  void NumberFaces()
+  {
+    const auto& complex = this->Complex;
+    const auto lines = static_cast<vtkIdType>(this->Made.Numbers[1].size());
+    const auto triangles = static_cast<vtkIdType>(this->Made.Numbers[2].size());
+    Faces<2> derivedEdges{ complex.EdgeVertices, lines, complex.NumberOfLineCells, 0 };
+    Faces<2> edges{ complex.EdgeVertices, complex.NumberOfLineCells, complex.NumberOfEdges, 1 };
+    Faces<3> derivedFaces{ complex.FaceVertices, triangles, complex.NumberOfTriangleCells, 2 };
+    Faces<3> faces{ complex.FaceVertices, complex.NumberOfTriangleCells, complex.NumberOfFaces, 3 };
+    SharedKeys vertices;
+    vertices.Keys = this->Made.Numbers[0];
+    std::replace(vertices.Keys.begin(), vertices.Keys.end(), vtkIdType(-1), vtkIdType(0));
+    for (size_t v = 0; v < vertices.Keys.size(); ++v)
+    {
+      vertices.Own.push_back(this->Own.Kept[0][v] && this->Made.Numbers[0][v] >= 0);
+    }
+    vertices.Kinds = 4;
+    vertices.Sizes.assign(4 * vertices.Keys.size(), 0);
+    this->CountAtVertices(derivedEdges, vertices.Sizes);
+    this->CountAtVertices(edges, vertices.Sizes);
+    this->CountAtVertices(derivedFaces, vertices.Sizes);
+    this->CountAtVertices(faces, vertices.Sizes);
+    const SharedNumbers found = NumberTogether(vertices, this->With);
+    this->TakeNumbers(derivedEdges, found);
+    this->TakeNumbers(edges, found);
+    this->TakeNumbers(derivedFaces, found);
+    this->TakeNumbers(faces, found);
   }
 
-  /// Some of them, in the order of their vertices.
+  /// Finds the places of edges or faces among those that begin at the same vertex, and counts them.
   template <int Size>
-  void NumberFaces(const Buffer<Id>& vertices, vtkIdType first, vtkIdType last)
+  void CountAtVertices(Faces<Size>& faces, Ids& counts) const
   {
-    SharedKeys faces;
-    faces.Width = Size;
-    for (vtkIdType f = first; f < last; ++f)
+    using Key = std::array<vtkIdType, Size + 1>; // numbers of the vertices, and the first vertex
+    const auto size = static_cast<size_t>(faces.Last - faces.First);
+    std::vector<Key> keys(size);
+    for (size_t i = 0; i < size; ++i)
     {
-      std::array<vtkIdType, Size> key;
-      for (int k = 0; k < Size; ++k)
-      {
-        key[k] = this->Made.Numbers[0][vertices[Size * f + k]];
-      }
-      std::sort(key.begin(), key.end());
-      faces.Own.push_back(this->Own.Kept[Size - 1][f] && key[0] >= 0);
-      std::replace(key.begin(), key.end(), vtkIdType(-1), vtkIdType(0));
-      faces.Keys.insert(faces.Keys.end(), key.begin(), key.end());
+      const Id* vertices = faces.Vertices.data() + Size * (faces.First + static_cast<vtkIdType>(i));
+      std::transform(vertices, vertices + Size, keys[i].begin(),
+        [&](Id vertex) { return this->Made.Numbers[0][vertex]; });
+      keys[i][Size] =
+        vertices[std::min_element(keys[i].begin(), keys[i].end() - 1) - keys[i].begin()];
+      std::sort(keys[i].begin(), keys[i].end() - 1);
     }
-    const SharedNumbers found = NumberTogether(faces, this->With);
+    std::vector<size_t> order(size);
+    std::iota(order.begin(), order.end(), size_t(0));
+    if (!std::is_sorted(keys.begin(), keys.end()))
+    {
+      std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return keys[a] < keys[b]; });
+    }
+    faces.Places.resize(size);
+    for (const size_t i : order)
+    {
+      const vtkIdType vertex = keys[i][Size];
+      faces.Places[i] = { keys[i][0] < 0 ? -1 : vertex, counts[4 * vertex + faces.Kind]++ };
+    }
+  }
+
+  template <int Size>
+  void TakeNumbers(const Faces<Size>& faces, const SharedNumbers& found)
+  {
     vtkIdType& total = this->Made.Totals[Size - 1];
-    for (const vtkIdType number : found.First)
+    Ids& numbers = this->Made.Numbers[Size - 1];
+    numbers.reserve(numbers.size() + faces.Places.size());
+    for (const auto& [vertex, place] : faces.Places)
     {
-      this->Made.Numbers[Size - 1].push_back(number < 0 ? -1 : total + number);
+      const vtkIdType before = vertex < 0 ? -1 : found.First[4 * vertex + faces.Kind];
+      numbers.push_back(before < 0 ? -1 : total + before + place);
     }
-    total += found.Totals[0];
+    total += found.Totals[faces.Kind];
   }
 
   const ControlMesh& Mesh;
