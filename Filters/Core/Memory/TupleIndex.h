@@ -24,6 +24,20 @@ std::array<Id, N> SortedTuple(const Id* vertices)
   return tuple;
 }
 
+/// Compares two sets of vertices with the same smallest one: negative, 0 or positive.
+template <int N, typename Id>
+Id CompareTails(const std::array<Id, N>& a, const std::array<Id, N>& b)
+{
+  for (int k = 1; k + 1 < N; ++k)
+  {
+    if (a[k] != b[k])
+    {
+      return a[k] - b[k];
+    }
+  }
+  return a[N - 1] - b[N - 1];
+}
+
 template <typename Id>
 struct TupleNumbers
 {
@@ -66,11 +80,15 @@ TupleNumbers<Id> NumberTuples(
       Id* begin = grouped.data() + starts[v];
       Id* end = grouped.data() + starts[v + 1];
       std::sort(begin, end,
-        [&](Id a, Id b) { return tuples[a] != tuples[b] ? tuples[a] < tuples[b] : a < b; });
+        [&](Id a, Id b)
+        {
+          const Id order = CompareTails<N>(tuples[a], tuples[b]);
+          return order != 0 ? order < 0 : a < b;
+        });
       Id count = 0;
       for (Id* i = begin; i != end; ++i)
       {
-        const bool isFirst = i == begin || tuples[*i] != tuples[*(i - 1)];
+        const bool isFirst = i == begin || CompareTails<N>(tuples[*i], tuples[*(i - 1)]) != 0;
         first[*i] = isFirst ? *i : first[*(i - 1)];
         count += isFirst && *i >= leading ? 1 : 0;
       }

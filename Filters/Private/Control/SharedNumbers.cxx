@@ -2,10 +2,12 @@
 #include "Private/Control/SharedNumbers.h"
 
 #include "Core/Memory/Loops.h"
+#include "Private/Arrays/Arrays.h"
 #include "Private/Control/Keepers.h"
 #include "Private/Control/Partners.h"
 #include "Private/Reading/CellReader.h"
 
+#include "vtkIdTypeArray.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -149,6 +151,53 @@ private:
   Ids Sums;
 };
 
+/// How many things there are of the kind of a segment.
+vtkIdType CountThings(const IdSegment& segment, const std::vector<SharedNumbers>& things)
+{
+  const SharedNumbers& numbers = things[segment.Kind];
+  return static_cast<vtkIdType>(numbers.First.size() / numbers.Totals.size());
+}
+
+vtkIdType CountIds(const IdSegments& list, const std::vector<SharedNumbers>& things)
+{
+  vtkIdType count = 0;
+  for (const IdSegment& segment : list)
+  {
+    count += segment.CountBefore(CountThings(segment, things));
+  }
+  return count;
+}
+
+/// Writes the ids of a list in the whole mesh, and returns how many that has. `varied`: of each
+/// kind, how many varied segments were there before; counted further.
+vtkIdType WriteIds(const IdSegments& list, const std::vector<SharedNumbers>& things,
+  std::vector<size_t>& varied, vtkIdType* ids)
+{
+  vtkIdType total = 0;
+  for (const IdSegment& segment : list)
+  {
+    const SharedNumbers& numbers = things[segment.Kind];
+    const size_t kinds = numbers.Totals.size();
+    const size_t kind = segment.IsVaried() ? ++varied[segment.Kind] : 0;
+    const vtkIdType ofEach = segment.IsVaried() ? 1 : segment.OfEach;
+    const vtkIdType size = CountThings(segment, things);
+    ForEach(size,
+      [&](vtkIdType i)
+      {
+        const vtkIdType first = numbers.First[kinds * i + kind];
+        const vtkIdType before = segment.CountBefore(i);
+        const vtkIdType last = segment.CountBefore(i + 1);
+        for (vtkIdType k = before; k < last; ++k)
+        {
+          ids[k] = first < 0 ? -1 : total + ofEach * first + k - before;
+        }
+      });
+    total += ofEach * numbers.Totals[kind];
+    ids += segment.CountBefore(size);
+  }
+  return total;
+}
+
 /// The questions of this partition: to each keeper the number of things that it is sure of, these
 /// with their sizes, then the keys of the others, with their sizes if these may differ.
 class Questions
@@ -238,6 +287,7 @@ public:
     for (const auto& [from, ids] : this->Asked)
     {
       Ids answer;
+      answer.reserve(ids.size());
       size_t at = 1;
       for (vtkIdType i = 0; at < ids.size(); ++i)
       {
@@ -326,35 +376,24 @@ SharedNumbers NumberTogether(
 std::vector<WholeIds> FindWholeIds(
   const std::vector<const IdSegments*>& lists, const std::vector<SharedNumbers>& things)
 {
-  std::vector<size_t> varied(things.size(), 0); // of each kind, how many were there
+  std::vector<size_t> varied(things.size(), 0);
   std::vector<WholeIds> found;
   for (const IdSegments* list : lists)
   {
     found.emplace_back();
     WholeIds& whole = found.back();
-    for (const IdSegment& segment : *list)
-    {
-      const SharedNumbers& numbers = things[segment.Kind];
-      const size_t kinds = numbers.Totals.size();
-      const size_t kind = segment.IsVaried() ? ++varied[segment.Kind] : 0;
-      const vtkIdType ofEach = segment.IsVaried() ? 1 : segment.OfEach;
-      const auto size = static_cast<vtkIdType>(numbers.First.size() / kinds);
-      const auto start = static_cast<vtkIdType>(whole.Ids.size());
-      whole.Ids.resize(static_cast<size_t>(start + segment.CountBefore(size)));
-      ForEach(size,
-        [&](vtkIdType i)
-        {
-          const vtkIdType first = numbers.First[kinds * i + kind];
-          const vtkIdType before = segment.CountBefore(i);
-          for (vtkIdType k = before; k < segment.CountBefore(i + 1); ++k)
-          {
-            whole.Ids[start + k] = first < 0 ? -1 : whole.Total + ofEach * first + k - before;
-          }
-        });
-      whole.Total += ofEach * numbers.Totals[kind];
-    }
+    whole.Ids.resize(static_cast<size_t>(CountIds(*list, things)));
+    whole.Total = WriteIds(*list, things, varied, whole.Ids.data());
   }
   return found;
+}
+
+vtkIdType FindWholeIds(
+  const IdSegments& list, const std::vector<SharedNumbers>& things, vtkIdTypeArray* ids)
+{
+  std::vector<size_t> varied(things.size(), 0);
+  Allocate(ids, 1, CountIds(list, things));
+  return WriteIds(list, things, varied, ids->GetPointer(0));
 }
 
 Ids PlaceCells(vtkPointSet* input, Partners& partners)

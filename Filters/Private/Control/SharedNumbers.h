@@ -15,6 +15,7 @@
 #include <functional>
 #include <vector>
 
+class vtkIdTypeArray;
 class vtkPointSet;
 
 namespace subdivision
@@ -67,6 +68,9 @@ struct WholeIds
 /// Finds the ids of lists of segments. `things`: of each kind its numbers.
 std::vector<WholeIds> FindWholeIds(
   const std::vector<const IdSegments*>& lists, const std::vector<SharedNumbers>& things);
+/// The same for one list, into an array; returns how many the whole mesh has.
+vtkIdType FindWholeIds(
+  const IdSegments& list, const std::vector<SharedNumbers>& things, vtkIdTypeArray* ids);
 
 /// The place of each cell of an input in the order of the whole mesh. Poly data have their cells
 /// kind by kind. All partitions call it.

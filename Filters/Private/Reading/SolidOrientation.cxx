@@ -46,7 +46,10 @@ public:
     for (int k = 0; k < 4; ++k)
     {
       const T* p = this->Points + 3 * static_cast<vtkIdType>(this->Ids[this->Offsets[cell] + k]);
-      std::copy(p, p + 3, x[k]);
+      for (int c = 0; c < 3; ++c) // std::copy would call a function
+      {
+        x[k][c] = static_cast<double>(p[c]);
+      }
       corners[k] = x[k];
     }
     return GetOrientationOfTet(corners, this->Tie);

@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SharedNumbers.h"
 #include "Private/Control/StampFields.h"
@@ -312,6 +313,7 @@ OutputNumbers NumberOutput(
   for (size_t dimension = 0; dimension < 4; ++dimension)
   {
     things.push_back({ {}, { control.Totals[dimension] } });
+    things.back().First.reserve(control.Numbers[dimension].size());
     for (size_t i = 0; i < control.Numbers[dimension].size(); ++i)
     {
       if (control.Parts.Kept[dimension][i])
@@ -321,9 +323,9 @@ OutputNumbers NumberOutput(
     }
   }
   const IdSegments vertices = scheme.ListVertices(steps);
-  const WholeIds points = std::move(FindWholeIds({ &vertices }, things)[0]);
-  output.Points = MakeField<vtkIdTypeArray>(PointNumbersName, points.Ids);
-  output.NumberOfPoints = points.Total;
+  output.Points = vtkSmartPointer<vtkIdTypeArray>::New();
+  output.Points->SetName(PointNumbersName);
+  output.NumberOfPoints = FindWholeIds(vertices, things, output.Points);
   const auto countCells = [&](vtkIdType s)
   { return vtkIdType(1) << (wanted.Dimensions[s] * steps); };
   const vtkIdType size = wanted.GetNumberOfSimplices();
@@ -332,7 +334,7 @@ OutputNumbers NumberOutput(
   CountsToOffsets(firsts);
   output.Cells = vtkSmartPointer<vtkIdTypeArray>::New();
   output.Cells->SetName(CellNumbersName);
-  output.Cells->SetNumberOfValues(firsts[size]);
+  Allocate(output.Cells.Get(), 1, firsts[size]);
   vtkIdType* cells = output.Cells->GetPointer(0);
   ForEach(size,
     [&](vtkIdType s)

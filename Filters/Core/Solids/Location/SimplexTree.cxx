@@ -223,6 +223,18 @@ bool FindGradientsInTet(const double* const corners[4], double gradients[4][3])
 
 int GetOrientationOfTet(const double* const corners[4], double least)
 {
+  // Most tetrahedra are far from flat, which is found without square roots.
+  const Vector edges[3] = { Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]),
+    Subtract(corners[3], corners[0]) };
+  const double volume = Dot(edges[0], Cross(edges[1], edges[2]));
+  const double product =
+    Dot(edges[0], edges[0]) * Dot(edges[1], edges[1]) * Dot(edges[2], edges[2]);
+  constexpr double margin = 1.0001; // far above rounding
+  const bool isInRange = product > 1e-200 && product < 1e200;
+  if (isInRange && volume * volume > margin * least * least * product)
+  {
+    return volume > 0. ? 1 : -1;
+  }
   const TetFrame tet(corners);
   return tet.IsFlat(least) ? 0 : tet.Volume > 0. ? 1 : -1;
 }
