@@ -101,6 +101,21 @@ struct PartitionWork
   const FilterWork& Work;
 };
 
+/// How many layers of ghost cells the output has.
+int CountGhostLayers(const PartitionWork& run)
+{
+  const int wanted = run.Distribution.GhostLayers;
+  if (wanted < 2 || !run.AreStamped || !HaveRegions(run.Parts))
+  {
+    return wanted;
+  }
+  run.Options.Warn("A filter downstream asks for " + std::to_string(wanted) +
+    " layers of ghost cells. The output has one, because an earlier filter made the input, and "
+    "with "
+    "this scheme what lies farther away is not known. One filter with all levels has them.");
+  return 1;
+}
+
 /// Runs the filter on the joined parts of a partition, and fills the outputs of its blocks;
 /// `rounds`: null if the work does not need the others.
 bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
@@ -129,6 +144,7 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
         run.Options.Warn("Blocks, or parts of ranks, have different values where they meet, of " +
           others + ". On several ranks the first ones count for all materials.");
       }
+      const int ghostLayers = CountGhostLayers(run);
       run.Parts.clear();
       if (rounds)
       {
@@ -142,7 +158,7 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
       joined.Mesh = nullptr;
       OutputOptions output;
       output.OwnPrecision = run.Options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION;
-      output.GhostLayers = run.Distribution.GhostLayers;
+      output.GhostLayers = ghostLayers;
       // A filter that cannot number what it makes of a part says why.
       output.GlobalIds = run.Options.GenerateGlobalIds &&
         (!run.IsPartial || whole->GetPointData()->HasArray(PointNumbersName));

@@ -419,6 +419,12 @@ bool TakeStampedNumbers(std::vector<std::vector<MeshPart>>& parts, Exchange& exc
   return taken;
 }
 
+bool HaveRegions(const std::vector<MeshPart>& parts)
+{
+  return std::any_of(
+    parts.begin(), parts.end(), [](const MeshPart& part) { return HasRegion(part.Mesh); });
+}
+
 bool RestoreStamp(const std::vector<MeshPart>& parts, bool taken, JoinedMesh& joined)
 {
   if (!std::any_of(

@@ -29,6 +29,10 @@ void WriteStampedNumbers(
 /// from one output, and nothing of it is missing.
 bool TakeStampedNumbers(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange);
 
+/// Whether parts that an earlier filter made have regions (SurfaceRegion.h). What lies around them
+/// is then right one layer far.
+bool HaveRegions(const std::vector<MeshPart>& parts);
+
 /// Whether a field array has ids of a stamp that all partitions around the block have to know.
 bool IsStampedList(vtkAbstractArray* array);
 
