@@ -2,6 +2,7 @@
 #include "vtkSubdivisionAlgorithm.h"
 
 #include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
 #include "Private/Control/MaterialFields.h"
 #include "Private/Control/ToldWarnings.h"
 #include "Private/Distribution/Distribution.h"
@@ -316,6 +317,11 @@ bool vtkSubdivisionAlgorithm::ReadFeatureOptions(vtkPointSet* input, subdivision
                                                        : static_cast<JointRule>(this->Type2Rule);
   options.Type3 = static_cast<JointRule>(this->Type3Rule);
   return true;
+}
+
+void vtkSubdivisionAlgorithm::SetMaximumNumberOfCellsAsDouble(double cells)
+{
+  this->SetMaximumNumberOfCells(subdivision::ToCount(cells));
 }
 
 void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

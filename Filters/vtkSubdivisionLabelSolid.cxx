@@ -3,6 +3,7 @@
 
 #include "vtkMultiDimensionalSubdivision.h"
 
+#include "Private/Arrays/Arrays.h"
 #include "Private/Control/FilterRun.h"
 #include "Private/Labels/LabelSolid.h"
 #include "Private/Labels/Materials.h"
@@ -236,6 +237,11 @@ int vtkSubdivisionLabelSolid::RequestData(
     output->Initialize();
   }
   return 1;
+}
+
+void vtkSubdivisionLabelSolid::SetMaximumNumberOfCellsAsDouble(double cells)
+{
+  this->SetMaximumNumberOfCells(subdivision::ToCount(cells));
 }
 
 void vtkSubdivisionLabelSolid::PrintSelf(ostream& os, vtkIndent indent)

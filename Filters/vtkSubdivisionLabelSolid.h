@@ -151,10 +151,12 @@ public:
   ///@{
   /**
    * The filter stops with an error, before it takes any memory for them, if the output would have
-   * more cells than this, 1 or more. Default 500 million.
+   * more cells than this, 1 or more. Default 500 million. The panels of ParaView, which show no
+   * numbers of 64 bits, set it as a double, cut to a whole number.
    */
   vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);
+  void SetMaximumNumberOfCellsAsDouble(double cells);
   ///@}
 
 protected:

@@ -33,7 +33,8 @@ class Option:
     def __init__(self, element):
         self.name = element.get("name")
         self.label = element.get("label") or self.name
-        self.command = element.get("command")
+        # Panels show numbers of 64 bits as doubles only.
+        self.command, self.is_id = re.subn("AsDouble$", "", element.get("command"))
         self.clean_command = element.get("clean_command")
         self.hidden = element.get("panel_visibility") == "never"
         self.help = " ".join(paragraphs(element.findtext("Documentation", "")))
@@ -58,7 +59,7 @@ class Option:
             return "set" if element.get("repeat_command") else "enum"
         if element.find("BooleanDomain") is not None:
             return "bool"
-        return {"IntVectorProperty": "int", "IdTypeVectorProperty": "id", "DoubleVectorProperty": "double"}[element.tag]
+        return {"IntVectorProperty": "int", "DoubleVectorProperty": "id" if self.is_id else "double"}[element.tag]
 
     @property
     def alias(self):

@@ -162,6 +162,8 @@ class Proxies(unittest.TestCase):
             self.assertEqual(element.GetElement(0), int(getattr(made, "Get" + name)()), name)
         proxy.MaximumNumberOfCells = 10**11  # needs 64 bits
         self.assertEqual(proxy.MaximumNumberOfCells, 10**11)
+        proxy.UpdateVTKObjects()
+        self.assertIn(f"MaximumNumberOfCells: {10**11}", str(proxy.GetClientSideObject()))
 
     def test_every_property_reaches_the_filter(self):
         source = simple.SubdivisionModel(Model="Ship", OutputPointsPrecision="Single")
@@ -264,6 +266,7 @@ class Proxies(unittest.TestCase):
             proxy = definition(name)
             prop = proxy.GetProperty("MaximumNumberOfCells")
             self.assertEqual(prop.GetPanelVisibility(), "default", name)
+            self.assertTrue(prop.IsA("vtkSMDoubleVectorProperty"), name)  # others have no widget
             for i in range(proxy.GetNumberOfPropertyGroups()):
                 group = proxy.GetPropertyGroup(i)
                 if prop in [group.GetProperty(k) for k in range(group.GetNumberOfProperties())]:

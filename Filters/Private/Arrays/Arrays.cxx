@@ -108,6 +108,13 @@ vtkIdType ToId(double value)
   return value >= -exact && value <= exact ? static_cast<vtkIdType>(value) : -1;
 }
 
+vtkIdType ToCount(double value)
+{
+  return value >= static_cast<double>(VTK_ID_MAX) ? VTK_ID_MAX
+    : value >= 1.                                 ? static_cast<vtkIdType>(value)
+                                                  : 1;
+}
+
 vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
 {
   if (array->HasStandardMemoryLayout())

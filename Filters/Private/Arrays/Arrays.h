@@ -50,6 +50,8 @@ std::vector<vtkIdType> ReadIdsOf(vtkDataSetAttributes* data, vtkIdType tuples);
 
 /// Converts a number to an id; -1 if it is NaN or so large that a double is not exact.
 vtkIdType ToId(double value);
+/// The nearest number from 1 to the largest one.
+vtkIdType ToCount(double value);
 
 /// The array itself if it is contiguous, else a contiguous copy.
 vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array);
