@@ -8,6 +8,8 @@ demo.py for the environment that it needs).
 
 import math
 import os
+import pathlib
+import re
 
 import adaptive_surfaces
 import demo_pictures as look
@@ -19,6 +21,7 @@ from gallery import Figure, Mesh, ball, model, only_cells, subdivide
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 BLUE = (0.62, 0.74, 0.86)
 VIEW = (0.6, -1.0, 0.45)
@@ -304,9 +307,21 @@ def models():
     picture_files.write_figure(images, "gallery_models", 4)
 
 
+def figure():
+    """The figure of the tutorial, by the lines that stand there."""
+    project = pathlib.Path(__file__).resolve().parent.parent
+    text = (project / "Documentation/Guide/FromAFileToAFigure.md").read_text(encoding="utf-8")
+    lines = re.search(r"```python\n(.*?)```", text, re.DOTALL)[1].replace('"Data/', f'"{project}/Data/')
+    exec(compile(lines, "FromAFileToAFigure.md", "exec"), dict(vars(simple)))
+    reader = vtkPNGReader()
+    reader.SetFileName("figure.png")
+    reader.Update()
+    picture_files.write_small_png(picture_files.halved(reader.GetOutput()), "guide/figure.png")
+
+
 def draw():
     for make in (levels, volume_schemes, sharpness, marks, features, interpolation, surface_options, boundary, criteria,
-                 adaptive_criteria, outside_points, cages, labels, topology, dimensions, models):
+                 adaptive_criteria, outside_points, cages, labels, topology, dimensions, models, figure):
         make()
     print(f"What properties do is in gallery_*.png in {os.getcwd()}, and small in the folder guide.")
 
