@@ -156,7 +156,7 @@ def broken(folder):
     for path, names in pages.items():
         for link in sorted(set(names.links)):
             parts = urllib.parse.urlsplit(link)
-            # Doxygen 1.15 links letters of lists of members that are too short to have them.
+            # Doxygen 1.17 links letters of lists of members that are too short to have them.
             if parts.scheme or parts.netloc or (path.name.startswith("functions") and link.startswith("#index_")):
                 continue
             target = pathlib.Path(os.path.normpath(path.parent / urllib.parse.unquote(parts.path))) if parts.path else path
