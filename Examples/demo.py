@@ -8,8 +8,8 @@
 it writes its files: four pictures of each model (control mesh; subdivided; cut open and coloured by a
 point array; cut open and coloured by RuleDimension), both meshes as .vtu, and one contact sheet.
 After the built-in models it goes on with gallery.py, which shows the features, gallery_surfaces.py,
-deformation.py, refinement.py, adaptive_surfaces.py and guide_pictures.py. What these draw is there twice, and small in
-the folder guide, from where it is copied to Documentation/Guide/pictures.
+deformation.py, refinement.py and adaptive_surfaces.py. What these draw is there twice, the small ones in the folder
+guide; `./dev pictures` runs guide_pictures.py, too.
 By hand:
 
     SUBDIVISIONOBJECTS_PLUGIN=<folder>/SubdivisionObjects.so pvpython --force-offscreen-rendering demo.py
@@ -27,7 +27,6 @@ import deformation
 import demo_pictures
 import gallery
 import gallery_surfaces
-import guide_pictures
 import picture_files
 import refinement
 from paraview import servermanager, simple
@@ -182,7 +181,6 @@ def main(arguments):
         deformation.draw()
         refinement.draw()
         adaptive_surfaces.draw()
-        guide_pictures.draw()
 
 
 if __name__ == "__main__":

@@ -143,7 +143,8 @@ class Figure:
         colouring = colouring or look.part_array(self.control)
         self.draw(words, look.cut_actors(grid, plane, colouring, self.size, edges=edges), notes)
 
-    def write(self, columns=3):
+    def write(self):
+        columns = 2 if len(self.pictures) == 4 else 3
         room = look.ROOM_FOR_NOTES if any(len(notes) > 1 for _, notes in self.pictures) else look.ROOM
         images = [look.render(actors, notes, self.frame, self.direction, room) for actors, notes in self.pictures]
         picture_files.write_figure(images, f"gallery_{self.name}", columns)
@@ -278,10 +279,8 @@ def material_block():
 
 
 def draw():
-    for make in (type_1, type_2, type_3, cusp, corner, embedded):
+    for make in (type_1, type_2, type_3, cusp, corner, embedded, mechanical_part, material_block):
         make().write()
-    mechanical_part().write(2)
-    material_block().write()
     print(f"The features are in gallery_*.png in {os.getcwd()}.")
 
 

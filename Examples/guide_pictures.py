@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What properties do to a shape, side by side: the pictures of the guide that no other script makes.
 
-`./dev demo` makes them last: gallery_*.png to be printed, and in the folder guide the small ones, which
-Documentation/Guide/pictures has; `pvpython --force-offscreen-rendering guide_pictures.py` makes only these (see
-demo.py for the environment that it needs).
+`./dev pictures` makes them after those of `./dev demo`: gallery_*.png to be printed, and in the folder guide the small
+ones, which Documentation/Guide/pictures has; `pvpython --force-offscreen-rendering guide_pictures.py` makes only these
+(see demo.py for the environment that it needs).
 """
 
 import math
@@ -16,11 +16,11 @@ import demo_pictures as look
 import gallery_surfaces
 import numpy as np
 import picture_files
-from deformation import shaded, source_of, to_points, wires
+from deformation import quads, shaded, source_of, to_points, wires
 from gallery import Figure, Mesh, ball, model, only_cells, subdivide
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray
+from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, VTK_TETRA, vtkCellArray, vtkUnstructuredGrid
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 BLUE = (0.62, 0.74, 0.86)
@@ -107,7 +107,7 @@ def features():
     for angle in (30, 60):
         figure.add(f"DetectFeatures,\nFeatureAngle {angle}", subdivide(grid, 3, DetectFeatures=1, FeatureAngle=angle),
                    rules=False)
-    figure.write(2)
+    figure.write()
 
 
 def interpolation():
@@ -119,6 +119,70 @@ def interpolation():
             ("InterpolatePoints", 4, {"InterpolatePoints": 1})):
         figure.add(words, subdivide(grid, count, **options), rules=False, edges=count == 1)
     figure.write()
+
+
+def quadratic_cells():
+    """A quadratic tetrahedron with bent edges."""
+    corners = np.array([[0, 0, 0], [2, 0, 0], [1, 1.8, 0], [1, 0.6, 1.8]])
+    middles = [(corners[a] + corners[b]) / 2 for a, b in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))]
+    bent = [x + 0.45 * (x - corners.mean(axis=0)) for x in middles]
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(to_points(np.array([*corners, *bent])))
+    grid.InsertNextCell(VTK_QUADRATIC_TETRA, 10, range(10))
+    add_array(grid.GetCellData(), "MaterialId", [0])
+    shown = []
+    for option in ("Corners", "Pieces"):
+        for words, count in ((f"control mesh:\n{option}", 0), (f"QuadraticCells:\n{option}", 4)):
+            made = subdivide(grid, count, QuadraticCells=option)
+            actors = look.actors_of(made, look.part_array(grid), 2.0, edges=count == 0)
+            shown.append((words, actors, look.used_points(made)))
+    write("quadratic_cells", shown, VIEW, 4)
+
+
+def join_blocks():
+    """Two blocks of two hexahedra, which share a face."""
+    blocks = []
+    for part in (0, 1):
+        mesh = Mesh()
+        mesh.block((0, 0, part), (2, 1, 1), part=lambda i, j, k, number=part: number)
+        blocks.append(source_of(mesh.grid()))
+    group = simple.GroupDatasets(Input=blocks)
+    shown = []
+    for words, count, join in (("two blocks", 0, 1), ("JoinBlocks 1", 4, 1), ("JoinBlocks 0", 4, 0)):
+        grid = output(simple.MergeBlocks(Input=simple.MultidimensionalSubdivision(
+            Input=group, NumberOfLevels=count, JoinBlocks=join)))
+        actors = look.actors_of(grid, look.part_array(grid), 3.0, edges=count == 0)
+        shown.append((words, actors, look.used_points(grid)))
+    write("join_blocks", shown, VIEW)
+
+
+def interface_values():
+    """A value that each material has, as one field and as a field of each."""
+    continuous, jumping = model("MaterialBlock"), model("MaterialBlock")
+    density = vtk_to_numpy(jumping.GetCellData().GetArray("MaterialId")).astype(float)
+    add_array(jumping.GetCellData(), "Density", density)
+    add_array(continuous.GetPointData(), "Density", mean_of_cells(continuous, density))
+    colours = look.tension_colours(0.0, 1.0)
+    shown = []
+    for words, grid, options in (
+            ("Continuous", continuous, {}),
+            ("Discontinuous", jumping, {"InterfaceValues": "Discontinuous", "FieldsOfCells": ["Density"]})):
+        made = subdivide(grid, 3, PreserveInterfaces=1, **options)
+        plane = look.middle_plane(look.used_points(made), (0.0, -1.0, 0.0))
+        actors = []
+        for part in (0, 1):  # cut one by one, because a cut joins points that coincide
+            actors += look.cut_actors(only_cells(made, "MaterialId", part), plane, ("point", "Density", colours), 3.0)
+        shown.append((f"InterfaceValues:\n{words}", actors, look.used_points(made)))
+    write("interface_values", shown, (0.7, -1.0, 0.6), 2)
+
+
+def mean_of_cells(grid, values):
+    sums, counts = np.zeros(grid.GetNumberOfPoints()), np.zeros(grid.GetNumberOfPoints())
+    for cell, value in enumerate(values):
+        ids = [grid.GetCell(cell).GetPointId(i) for i in range(grid.GetCell(cell).GetNumberOfPoints())]
+        sums[ids] += value
+        counts[ids] += 1
+    return sums / np.maximum(counts, 1)
 
 
 # ---------------------------------------------------------------- surfaces
@@ -157,14 +221,41 @@ def surface_options():
     write("surface_options", shown, (0.45, -1.0, 0.35))
 
 
-def boundary():
+def seams():
+    """A box has points of its own for each face, and texture coordinates."""
+    box = output(simple.Box())
+    shown = [surface_picture("a box with\ntexture coordinates", box, True)]
+    for join in (1, 0):
+        shown.append(surface_picture(f"JoinSeams {join}", surface(box, Scheme="Catmull-Clark", JoinSeams=join)))
+    write("surface_seams", shown, (0.45, -1.0, 0.35))
+
+
+def concave_sheet():
     """A bent sheet with a concave corner."""
     mesh = Mesh()
     for u, v in ((0, 0), (1, 0), (0, 1)):
         corners = [(u, v), (u + 1, v), (u + 1, v + 1), (u, v + 1)]
         mesh.cell(*((x, y, 0.5 * (x - y) ** 2) for x, y in corners))
     mesh.cell((1, 1, 0), singular=1)
-    control = look.surface_of(mesh.grid())
+    return look.surface_of(mesh.grid())
+
+
+def corners():
+    """What arrays of points say of the concave corner."""
+    shown = []
+    for words, arrays in (("default", {}), ("Angle 90", {"Angle": 90.0}), ("Flatness 0.5", {"Flatness": 0.5}),
+                          ("Flatness 1", {"Flatness": 1.0})):
+        control = concave_sheet()
+        options = {}
+        for name, value in arrays.items():
+            add_array(control.GetPointData(), name, np.full(control.GetNumberOfPoints(), value))
+            options[f"{name}Array"] = ["POINTS", name]
+        shown.append(surface_picture(words, surface(control, Scheme="Catmull-Clark", **options)))
+    write("surface_corners", shown, (0.3, -1.0, 1.2), 4)
+
+
+def boundary():
+    control = concave_sheet()
     shown = [surface_picture("control mesh with\na concave corner", control, True)]
     for value in (1, 0):
         shown.append(surface_picture(f"ModifiedBoundary {value}", surface(
@@ -186,8 +277,7 @@ def refined(filter_of, source, criterion, options, **more):
 
 
 def cells_picture(words, grid):
-    unit = f"\n{grid.GetNumberOfCells():,} cells"
-    return words + unit, look.actors_of(grid, look.part_array(grid), 10.0, edges=True), look.used_points(grid)
+    return words, look.actors_of(grid, look.part_array(grid), 10.0, edges=True), look.used_points(grid)
 
 
 def criteria():
@@ -198,16 +288,36 @@ def criteria():
     near = np.array([np.linalg.norm(np.mean([grid.GetPoint(grid.GetCell(i).GetPointId(k)) for k in range(
         grid.GetCell(i).GetNumberOfPoints())], axis=0) - centre) for i in range(grid.GetNumberOfCells())])
     add_array(grid.GetCellData(), "WantedLevel", np.where(near < np.quantile(near, 0.3), 2, 0).astype(np.int32))
-    shown = [cells_picture("control mesh", grid)]
+    shown = [("control mesh", grid)]
     for name, options in CRITERIA:
         placement = {} if name == "RefineByEdgeLength" else {"Placement": "Limit"}
-        shown.append(cells_picture(name, refined(simple.RedGreenRefinement, source, name, options, **placement)))
-    shown.append(cells_picture("RefineByWantedLevel", refined(
-        simple.RedGreenRefinement, source_of(grid), "RefineByWantedLevel", {})))
-    shown.append(cells_picture("RefineByAttributeError", refined(
+        shown.append((name, refined(simple.RedGreenRefinement, source, name, options, **placement)))
+    name = "RefineByWantedLevel"
+    shown.append((name, refined(simple.RedGreenRefinement, source_of(grid), name, {})))
+    shown.append(("RefineByAttributeError", refined(
         simple.RedGreenRefinement, source, "RefineByAttributeError",
         {"AttributeArray": ["POINTS", "Tension"], "AttributeTolerance": 0.1})))
-    write("criteria", shown, (-0.45, -1.0, 0.75))
+    write("criteria", [cells_picture(f"{words}\n{grid.GetNumberOfCells():,} cells", grid) for words, grid in shown],
+          (-0.45, -1.0, 0.75))
+
+
+def criteria_of_places():
+    """Where values lie in a range, and inside a sphere."""
+    source = source_of(model("MaterialBlock"))
+    low, high = output(source).GetPointData().GetArray("Tension").GetRange()
+    top = [0.6 * high + 0.4 * low, high]
+    ranged = refined(simple.RedGreenRefinement, source, "RefineByArrayRange",
+                     {"RangeArray": ["POINTS", "Tension"], "ArrayRange": top, "MaximumLevel": 3})
+    inside = simple.RedGreenRefinement(Input=source, RefineByFunction=1, ImplicitFunction="Sphere", MaximumLevel=4,
+                                       **NO_CRITERION)
+    bounds = output(source).GetBounds()
+    inside.ImplicitFunction.Center = [bounds[1], bounds[2], bounds[5]]
+    inside.ImplicitFunction.Radius = 0.4 * (bounds[5] - bounds[4])
+    chosen = simple.IDSelectionSource(FieldType="CELL", IDs=[-1, 0, -1, 5])
+    selected = refined(simple.RedGreenRefinement, source, "RefineBySelection", {"Selection": chosen, "MaximumLevel": 3})
+    shown = [cells_picture(f"{words}\n{grid.GetNumberOfCells():,} cells", grid) for words, grid in (
+        ("RefineByArrayRange", ranged), ("RefineByFunction", output(inside)), ("RefineBySelection", selected))]
+    write("criteria_of_places", shown, (0.7, -1.0, 0.6))
 
 
 def adaptive_criteria():
@@ -241,6 +351,26 @@ def outside_points():
     write("outside_points", shown, (0.35, -1.0, 0.3))
 
 
+def deformation_levels():
+    """A rod in a cage of few boxes."""
+    height, angle = np.meshgrid(np.linspace(0.1, 3.3, 80), np.linspace(0, 2 * math.pi, 48, endpoint=False),
+                                indexing="ij")
+    rod = quads(np.stack([0.5 * np.cos(angle), 0.5 * np.sin(angle), height], axis=-1), (False, True))
+    cage = output(simple.Cage(Bounds=[-1, 1, -1, 1, 0.0, 3.4], NumberOfCells=[1, 1, 2], Margin=0))
+    moved = cage.NewInstance()
+    moved.ShallowCopy(cage)
+    x = points_of(cage)
+    shift = np.where(x[:, 2] > 2, 1.5, np.where(x[:, 2] > 1, -0.3, 0.0))  # of the upper and the middle layer
+    moved.SetPoints(to_points(x + np.outer(shift, (1, 0, 0))))
+    shown = [("at rest", [shaded(rod, look.PALETTE[3])] + wires(cage, 6), points_of(cage))]
+    for count in (0, 1, 3):
+        made = output(simple.SubdivisionDeformation(
+            Input=source_of(rod), RestMesh=source_of(cage), DeformedMesh=source_of(moved), NumberOfLevels=count,
+            OutsidePoints="Nearest"))
+        shown.append((f"NumberOfLevels {count}", [shaded(made, look.PALETTE[3])] + wires(moved, 6), points_of(moved)))
+    write("deformation_levels", shown, (0.35, -1.0, 0.3), 4)
+
+
 def cages():
     thing = model("Screw")
     size = math.dist(*np.array(thing.GetBounds()).reshape(3, 2).T)
@@ -260,11 +390,13 @@ def labels():
     shown = []
     for words, options in (
             ("NumberOfSmoothingSteps 0", {"NumberOfSmoothingSteps": 0, "NumberOfLevels": 0}),
-            ("default", {}), ("NumberOfControlCells 1000", {"NumberOfControlCells": 1000})):
+            ("default", {}), ("NumberOfControlCells 1000", {"NumberOfControlCells": 1000}),
+            ("MaximumDisplacement 0.2", {"MaximumDisplacement": 0.2}),
+            ("BackgroundLabel 1", {"BackgroundLabel": 1}), ("BackgroundLabel -1", {"BackgroundLabel": -1})):
         grid = output(simple.SmoothSolidfromLabels(Input=image, LabelsArray=["POINTS", "Label"], **options))
         points = look.used_points(grid)
         plane = look.middle_plane(points, (0.4, -1.0, 0.0))
-        colours = "cell", "Label", look.part_colours(vtk_to_numpy(grid.GetCellData().GetArray("Label")))
+        colours = "cell", "Label", look.part_colours(np.arange(3))
         actors = look.cut_actors(grid, plane, colours, 30.0)
         shown.append((f"{words}\n{grid.GetNumberOfCells():,} cells", actors, points))
     write("labels", shown, VIEW)
@@ -320,8 +452,10 @@ def figure():
 
 
 def draw():
-    for make in (levels, volume_schemes, sharpness, marks, features, interpolation, surface_options, boundary, criteria,
-                 adaptive_criteria, outside_points, cages, labels, topology, dimensions, models, figure):
+    for make in (levels, volume_schemes, sharpness, marks, features, interpolation, quadratic_cells, join_blocks,
+                 interface_values, surface_options, seams, boundary, corners, criteria, criteria_of_places,
+                 adaptive_criteria, deformation_levels, outside_points, cages, labels, topology, dimensions, models,
+                 figure):
         make()
     print(f"What properties do is in gallery_*.png in {os.getcwd()}, and small in the folder guide.")
 
