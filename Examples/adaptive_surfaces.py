@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Adaptive sqrt(3) beside adaptive Loop subdivision: adaptive_surfaces.png, and a table of how many
+"""Adaptive sqrt(3) beside adaptive Loop subdivision: adaptive_*.png, and a table of how many
 triangles each takes to be as close to its limit as is asked for (L. Kobbelt, "sqrt(3)-Subdivision",
 figures 11 and 12).
 
@@ -20,6 +20,7 @@ import time
 
 import demo_pictures as look
 import numpy as np
+import picture_files
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
@@ -27,6 +28,8 @@ from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkPolyData, vtkUnstructure
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance, vtkTriangleFilter
 
 MODELS = ("MechanicalPart", "SpringAndValve")
+# Where pictures of details look, as parts of the bounding box.
+DETAILS = {"MechanicalPart": (0.6, 0.0, 0.3), "SpringAndValve": (0.3, 0.0, 0.65)}
 QUICK = (1e-2, 1e-3)
 MOST = 50_000_000  # cells that a mesh may have
 MOST_TO_MEASURE = 6_000_000  # cells of the mesh whose points an error is measured with; nan beyond
@@ -128,22 +131,24 @@ def compare(name, surface, tolerances):
 
 def draw():
     print("Adaptive sqrt(3) beside adaptive Loop subdivision (errors as parts of the bounding box)")
-    images = []
     for name in MODELS:
         surface = solids_of(name)
         compare(name, surface, QUICK)
-        for scheme, words in ((sqrt3, "sqrt(3)"), (loop, "Loop")):
-            mesh, _ = updated(scheme(surface, 3e-3))
-            images.append(picture(mesh, f"{name}, {words}: {mesh.GetNumberOfCells():,} triangles"))
-    look.write_png(look.shrunk(look.append(images, 0), 0.5), "adaptive_surfaces.png")
-    print(f"Both are in adaptive_surfaces.png in {os.getcwd()}.")
+        meshes = [(words, updated(scheme(surface, 3e-3))[0]) for scheme, words in ((sqrt3, "sqrt(3)"), (loop, "Loop"))]
+        frame = np.concatenate([look.points_of(mesh).astype(float) for _, mesh in meshes])
+        low, size = frame.min(axis=0), np.ptp(frame, axis=0)
+        images = [picture(mesh, f"{name}, {words}:\n{mesh.GetNumberOfCells():,} triangles", frame)
+                  for words, mesh in meshes]
+        detail = low + (frame - low) * 0.35 + size * DETAILS[name]
+        images += [picture_files.framed(picture(mesh, "detail", detail)) for _, mesh in meshes]
+        picture_files.write_figure(images, f"adaptive_{name}", 2)
+    print(f"Both are in adaptive_*.png in {os.getcwd()}.")
 
 
-def picture(mesh, words):
+def picture(mesh, words, frame):
     actor = look.polygons(mesh, None, True, False)
     actor.GetProperty().SetColor(0.87, 0.83, 0.73)
-    title = look.text(words, 56, 36, 2 * look.SIZE[1] - 76)
-    return look.render([actor], [title], look.points_of(mesh).astype(float), (1.0, -1.6, 0.7))
+    return look.render([actor], [look.caption(words)], frame, (1.0, -1.6, 0.7))
 
 
 def main(arguments):

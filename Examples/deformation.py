@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Objects bent by the coarse control mesh around them: deformation.png.
+"""Objects bent by the coarse control mesh around them: deformation_knot.png and
+deformation_sheets.png.
 
 A knot with bumps, 72,000 quads, in a cage of 60 hexahedra (that is, 360 tetrahedra), in three poses;
 and a test pattern of parallel sheets in a cylinder with creased edges, before and after (like figure 8
@@ -15,12 +16,13 @@ import time
 
 import demo_pictures as look
 import numpy as np
+import picture_files
 from gallery import Mesh, subdivide
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TETRA, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkFeatureEdges, vtkPolyDataNormals
 
 SHEET_COLOURS = [(0.93, 0.76, 0.55), (0.30, 0.47, 0.66)]
 KNOT_COLOURS = (0.86, 0.60, 0.56)
@@ -85,19 +87,16 @@ class Deformation:
 
 
 def wires(cage, size):
-    """The edges of the tetrahedra that a cage is split into, as thin tubes."""
-    tets = look.of_types(subdivide(cage, 0), VTK_TETRA)
-    corners = vtk_to_numpy(tets.GetCells().GetConnectivityArray()).reshape(-1, 4)
-    pairs = np.sort(corners[:, [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]]].reshape(-1, 2), axis=1)
-    lines = vtkCellArray()
-    lines.SetData(2, numpy_to_vtk(np.unique(pairs, axis=0).astype(np.int64).ravel(), deep=True))
-    data = vtkPolyData()
-    data.SetPoints(tets.GetPoints())
-    data.SetLines(lines)
-    actors = look.actors_of(data, None, 0.14 * size)
-    for actor in actors:
-        actor.GetProperty().SetColor(*look.INK)
-    return actors
+    """The edges of the hull of a cage, as thin tubes."""
+    edges = vtkFeatureEdges()
+    edges.SetInputData(look.surface_of(look.of_types(cage, VTK_TETRA, VTK_HEXAHEDRON)))
+    edges.FeatureEdgesOff()
+    edges.ManifoldEdgesOn()
+    edges.ColoringOff()
+    edges.Update()
+    actor = look.tubes(edges.GetOutput(), 0.0015 * size, None)
+    actor.GetProperty().SetColor(0.35, 0.38, 0.43)
+    return [actor]
 
 
 def check_all_inside(deformation):
@@ -117,8 +116,14 @@ def shaded(data, colour):
     return actor
 
 
+def coloured(actors):
+    for actor in actors:
+        actor.GetProperty().SetColor(*look.PALETTE[2])
+    return actors
+
+
 def titled(words):
-    return [look.text(words, 50, 36, 2 * look.SIZE[1] - 84)]
+    return [look.caption(words)]
 
 
 # ---------------------------------------------------------------- the knot
@@ -232,7 +237,7 @@ def draw_pattern():
     frame = vtk_to_numpy(cage.GetPoints().GetData())
     solids = look.surface_of(look.of_types(subdivide(cage, 4), VTK_TETRA))
     images = [
-        look.render(look.actors_of(cage, None, 4.0, edges=True), titled("control mesh, rims creased"), frame,
+        look.render(coloured(look.actors_of(cage, None, 4.0, edges=True)), titled("control mesh, rims creased"), frame,
                     direction),
         look.render([shaded(solids, look.PALETTE[2])], titled("subdivided"), frame, direction)]
     for words, pose in (("parallel sheets in it", lambda x: x), ("deformed", push)):
@@ -245,10 +250,9 @@ def draw_pattern():
 
 
 def draw():
-    images = draw_knot()
-    rows = [images, draw_pattern()]
-    look.write_png(look.contact_sheet(rows), "deformation.png")
-    print(f"The deformations are in deformation.png in {os.getcwd()}.")
+    picture_files.write_figure(draw_knot(), "deformation_knot", 2)
+    picture_files.write_figure(draw_pattern(), "deformation_sheets", 2)
+    print(f"The deformations are in deformation_*.png in {os.getcwd()}.")
 
 
 if __name__ == "__main__":

@@ -8,7 +8,8 @@
 it writes its files: four pictures of each model (control mesh; subdivided; cut open and coloured by a
 point array; cut open and coloured by RuleDimension), both meshes as .vtu, and one contact sheet.
 After the built-in models it goes on with gallery.py, which shows the features, gallery_surfaces.py,
-deformation.py, refinement.py and adaptive_surfaces.py.
+deformation.py, refinement.py and adaptive_surfaces.py. What these draw is there twice, the small ones in the folder
+guide; `./dev pictures` runs guide_pictures.py, too.
 By hand:
 
     SUBDIVISIONOBJECTS_PLUGIN=<folder>/SubdivisionObjects.so pvpython --force-offscreen-rendering demo.py
@@ -26,6 +27,7 @@ import deformation
 import demo_pictures
 import gallery
 import gallery_surfaces
+import picture_files
 import refinement
 from paraview import servermanager, simple
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
@@ -117,7 +119,8 @@ def write_grid(grid, file_name):
 
 
 def show(name, source, levels):
-    """Everything for one model. Returns its pictures and the line to print about it."""
+    """Everything for one model. Returns its pictures, as images at half their size and to draw others, and the line
+    to print about it."""
     control, _ = subdivide(source, 0)  # the simplices of the input
     if control.GetNumberOfCells() == 0:
         sys.exit(f"demo: {name} has no cell that can be subdivided")
@@ -128,15 +131,16 @@ def show(name, source, levels):
         sys.exit(f"demo: {name} was not subdivided, see above")
     write_grid(control, f"{name}_control.vtu")
     write_grid(smooth, f"{name}_level{levels}.vtu")
-    direction, normal = VIEWS.get(name, DEFAULT_VIEW)
-    pictures = demo_pictures.pictures(name, control, smooth, levels, direction, normal)
-    for what, image in pictures:
-        demo_pictures.write_png(image, f"{name}_{what}.png")
+    pictures = demo_pictures.ModelPictures(name, control, smooth, levels, *VIEWS.get(name, DEFAULT_VIEW))
+    images = []
+    for what, image in pictures.draw():
+        picture_files.write_png(image, f"{name}_{what}.png")
+        images.append(picture_files.halved(image))
     given = source.GetClientSideObject().GetOutputDataObject(0)
     line = (f"{name:<26} {given.GetNumberOfCells():>9,} cells {given.GetNumberOfPoints():>9,} points"
             f" -> {smooth.GetNumberOfCells():>11,} cells {smooth.GetNumberOfPoints():>10,} points"
             f"  {levels} level{'s' if levels != 1 else ' '}  {seconds:7.3f} s")
-    return [image for _, image in pictures], line
+    return images, pictures, line
 
 
 def built_in_models():
@@ -158,17 +162,18 @@ def main(arguments):
     models = built_in_models()
     if arguments:
         models = [(pathlib.Path(arguments[0]).stem, open_file(arguments[0]))]
-    rows = []
+    rows, for_readme = [], []
     for name, source in models:
-        images, line = show(name, source, levels)
+        images, pictures, line = show(name, source, levels)
         print(line, flush=True)
         rows.append(images)
+        if name in README_MODELS:
+            for_readme.append(pictures)
     sheet = "contact_sheet.png" if not arguments else f"{models[0][0]}_contact_sheet.png"
-    demo_pictures.write_png(demo_pictures.contact_sheet(rows), sheet)
+    picture_files.write_png(picture_files.contact_sheet(rows), sheet)
     if not arguments:
-        some = [rows[i] for i, (name, _) in enumerate(models) if name in README_MODELS]
-        small = demo_pictures.shrunk(demo_pictures.contact_sheet(some), 0.28)
-        demo_pictures.write_png(small, "gallery.png")  # Documentation/gallery.png
+        sheet_for_readme = picture_files.halved(demo_pictures.table_for_readme(for_readme))
+        picture_files.write_png(sheet_for_readme, "gallery.png")  # Documentation/gallery.png
     print(f"Pictures and meshes are in {os.getcwd()}; look at {sheet} first.")
     if not arguments:
         gallery.draw()

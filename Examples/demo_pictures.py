@@ -6,6 +6,7 @@ import math
 import pathlib
 
 import numpy as np
+import picture_files
 import vtkmodules.vtkInteractionStyle  # noqa: F401  registers what rendering needs
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
@@ -14,20 +15,18 @@ from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON, VTK_LINE, VTK_PYRAMID, VTK_TETRA, VTK_TRIANGLE, VTK_VERTEX, VTK_WEDGE, vtkCellArray,
     vtkPlane, vtkPolyData)
-from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
-from vtkmodules.vtkFiltersCore import vtkImageAppend, vtkPolyDataNormals, vtkTubeFilter
-from vtkmodules.vtkFiltersExtraction import vtkExtractCellsByType, vtkExtractGeometry
+from vtkmodules.vtkFiltersCore import (
+    vtkCleanPolyData, vtkCutter, vtkFeatureEdges, vtkPolyDataNormals, vtkTubeFilter)
+from vtkmodules.vtkFiltersExtraction import vtkExtractCellsByType
 from vtkmodules.vtkFiltersGeneral import vtkTableBasedClipDataSet
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkImagingCore import vtkImageResize
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkActor2D, vtkColorTransferFunction, vtkGlyph3DMapper, vtkLightKit, vtkPolyDataMapper,
     vtkPolyDataMapper2D, vtkRenderer, vtkRenderWindow, vtkTextActor, vtkWindowToImageFilter)
 
-SIZE = (800, 600)  # of a picture; rendered twice as large and shrunk, for smooth edges
+SIZE = (1600, 1200)  # of a picture, in pixels
+CAPTION = 76  # the height of its letters
 SOLIDS = (VTK_TETRA, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID)  # a cut makes the last three
 INK = (0.15, 0.17, 0.2)
 PALETTE = [(0.93, 0.76, 0.55), (0.55, 0.73, 0.60), (0.56, 0.70, 0.85), (0.86, 0.60, 0.56),
@@ -181,17 +180,26 @@ def actors_of(grid, colouring, size, edges=False):
     for part, on_top in ((solids, False), (data, True)):
         if part.GetNumberOfPolys():
             actors.append(polygons(part, colouring, edges, on_top))
+    return actors + curves_and_points(data, colouring, size)
+
+
+def tubes(lines, radius, colouring):
+    tube = vtkTubeFilter()
+    tube.SetInputData(lines)
+    tube.SetRadius(radius)
+    tube.SetNumberOfSides(12)
+    tube.CappingOn()
+    mapper = mapper_for(colouring)
+    mapper.SetInputConnection(tube.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def curves_and_points(data, colouring, size):
+    actors = []
     if data.GetNumberOfLines():
-        tubes = vtkTubeFilter()
-        tubes.SetInputData(only(data, lines=True))
-        tubes.SetRadius(0.006 * size)
-        tubes.SetNumberOfSides(12)
-        tubes.CappingOn()
-        mapper = mapper_for(colouring)
-        mapper.SetInputConnection(tubes.GetOutputPort())
-        actor = vtkActor()
-        actor.SetMapper(mapper)
-        actors.append(actor)
+        actors.append(tubes(only(data, lines=True), 0.006 * size, colouring))
     if data.GetNumberOfVerts():
         ids = vtk_to_numpy(data.GetVerts().GetConnectivityArray())
         actors.append(balls(points_of(data)[ids], 0.008 * size, INK))
@@ -222,19 +230,24 @@ def balls(where, radius, colour):
     return actor
 
 
-def rule_balls(grid, size):
-    """The points of the singular, curve and blending rules, which colours on triangles hardly show."""
+def rule_balls(grid, size, plane=None):
+    """The points of the singular, curve and blending rules, which colours on triangles hardly show: all, or those
+    behind a plane and on curves."""
     data = surface_of(grid)
     rules = vtk_to_numpy(data.GetPointData().GetArray("RuleDimension"))
+    shown = np.ones(len(rules), bool)
+    if plane:
+        shown = (points_of(data) - plane.GetOrigin()) @ np.array(plane.GetNormal()) <= 0
+        shown[vtk_to_numpy(lines_of(data, False).GetLines().GetConnectivityArray())] = True
     actors = []
     for rule, radius in ((0, 0.012), (1, 0.005), (4, 0.006)):
-        where = points_of(data)[rules == rule]
+        where = points_of(data)[(rules == rule) & shown]
         if 0 < len(where) < 200_000:
             actors.append(balls(where, radius * size, RULES[rule][1]))
     return actors
 
 
-# ---------------------------------------------------------------- pictures
+# ---------------------------------------------------------------- notes
 
 def text(words, size, x, y):
     actor = vtkTextActor()
@@ -245,31 +258,44 @@ def text(words, size, x, y):
     return actor
 
 
-def colour_bar(colours, title):
-    bar = vtkScalarBarActor()
-    bar.SetLookupTable(colours)
-    bar.SetTitle(title)
-    bar.SetUnconstrainedFontSize(True)
-    for look in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty(), bar.GetAnnotationTextProperty()):
-        look.SetColor(*INK)
-        look.SetFontSize(30)
-        look.ItalicOff()
-        look.BoldOff()
-        look.ShadowOff()
-    bar.SetLabelFormat("%.3g")
-    bar.SetNumberOfLabels(5)
-    bar.SetVerticalTitleSeparation(16)
-    bar.SetPosition(0.84, 0.12)
-    bar.SetWidth(0.13)
-    bar.SetHeight(0.5)
-    bar.SetBarRatio(0.25)
-    return bar
+def caption(words):
+    """In the upper left corner, in one or two lines, on white where a detail fills the picture."""
+    actor = text(words, CAPTION, 36, SIZE[1] - 24)
+    actor.GetTextProperty().SetVerticalJustificationToTop()
+    actor.GetTextProperty().SetBackgroundColor(1.0, 1.0, 1.0)
+    actor.GetTextProperty().SetBackgroundOpacity(1.0)
+    return actor
 
 
-def square(colour, side, x, y):
+def round_numbers(low, high):
+    """Three to seven multiples of 1, 2 or 5 times a power of ten from low to high, as words and numbers."""
+    rough = (high - low) / 5
+    power = 10.0 ** math.floor(math.log10(rough))
+    step = min((factor * power for factor in (1, 2, 5, 10)), key=lambda one: abs(math.log(one / rough)))
+    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+    return [(f"{i * step:.6g}", i * step) for i in range(first, last + 1)]
+
+
+def colour_bar(colours, title, scale=1.0):
+    """At the right: the colours between the ends of their range, with round numbers."""
+    low, high = colours.GetRange()
+    width, height, left, bottom = 60 * scale, 0.5 * SIZE[1], SIZE[0] - 200 * scale, 0.2 * SIZE[1]
+    steps = 120
+    actors = [square(colours.GetColor(low + (i + 0.5) / steps * (high - low)), (width, height / steps + 1), left,
+                     bottom + i * height / steps) for i in range(steps)]
+    for word, value in round_numbers(low, high):
+        y = bottom + (value - low) / (high - low) * height
+        actors.append(square(INK, (14 * scale, 3), left + width, y - 1.5))
+        label = text(word, round(48 * scale), left + width + 22 * scale, y)
+        label.GetTextProperty().SetVerticalJustificationToCentered()
+        actors.append(label)
+    return actors + [text(title, round(52 * scale), left - 20 * scale, bottom + height + 28 * scale)]
+
+
+def square(colour, sides, x, y):
     points = vtkPoints()
-    for corner in ((0, 0), (side, 0), (side, side), (0, side)):
-        points.InsertNextPoint(*corner, 0)
+    for corner in ((0, 0), (1, 0), (1, 1), (0, 1)):
+        points.InsertNextPoint(corner[0] * sides[0], corner[1] * sides[1], 0)
     cells = vtkCellArray()
     cells.InsertNextCell(4, range(4))
     data = vtkPolyData()
@@ -284,16 +310,21 @@ def square(colour, side, x, y):
     return actor
 
 
-def rule_legend(present):
-    """Names and colours of the rules, in the lower left corner."""
+def rule_legend(present, places, size=44):
+    """Names and colours of rules, at places (x, y)."""
     actors = []
-    for row, rule in enumerate(sorted(present, reverse=True)):
+    for (x, y), rule in zip(places, sorted(present)):
         label, colour = RULES[rule]
-        actors += [square(colour, 28, 40, 40 + 46 * row), text(label, 32, 86, 40 + 46 * row)]
+        actors += [square(colour, (0.8 * size, 0.8 * size), x, y), text(label, size, x + 1.3 * size, y)]
     return actors
 
 
-def render(actors, annotations, points, direction):
+ROOM = (0.04, 0.04, 0.04, 0.17)  # left, right, below and above what a picture shows, as parts of it
+ROOM_FOR_NOTES = (0.04, 0.15, 0.16, 0.12)  # for a bar at the right and a legend below
+
+
+def render(actors, annotations, points, direction, room=ROOM, size=SIZE):
+    """An image of actors, seen so that points fill it."""
     renderer = vtkRenderer()
     renderer.SetBackground(1.0, 1.0, 1.0)
     for actor in actors:
@@ -302,22 +333,23 @@ def render(actors, annotations, points, direction):
         renderer.AddActor2D(actor)
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
-    window.SetSize(2 * SIZE[0], 2 * SIZE[1])
+    window.SetMultiSamples(4)
+    window.SetSize(*size)
     window.AddRenderer(renderer)
     lights = vtkLightKit()
     lights.SetKeyLightIntensity(0.85)
     lights.AddLightsToRenderer(renderer)
-    aim_camera(renderer, points, direction)
+    aim_camera(renderer, points, direction, room)
     window.Render()
     grab = vtkWindowToImageFilter()
     grab.SetInput(window)
     grab.ReadFrontBufferOff()
-    return resized(grab.GetOutputPort(), SIZE)
+    grab.Update()
+    return grab.GetOutput()
 
 
-def aim_camera(renderer, points, direction):
-    """Looks against `direction` at some points, so that they fill the picture."""
+def aim_camera(renderer, points, direction, room):
+    """Looks against `direction` at some points, so that they fill the picture but for the room at its sides."""
     forward = np.array(direction) / np.linalg.norm(direction)
     right = np.cross((0, 0, 1), forward)
     right /= np.linalg.norm(right)
@@ -326,8 +358,9 @@ def aim_camera(renderer, points, direction):
     low, high = seen.min(axis=0), seen.max(axis=0)
     width, height, depth = high - low
     aspect = SIZE[0] / SIZE[1]
-    scale = max(height / 0.80, width / aspect / 0.76) / 2  # room for the title above, the bar beside
-    middle = (low + high) / 2 + scale * np.array([0.10 * aspect, 0.07, 0])
+    left_room, right_room, low_room, high_room = room
+    scale = max(height / (1 - low_room - high_room), width / aspect / (1 - left_room - right_room)) / 2
+    middle = (low + high) / 2 + scale * np.array([(right_room - left_room) * aspect, high_room - low_room, 0])
     centre = middle @ np.array([right, up, forward])
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
@@ -365,50 +398,179 @@ def part_array(grid):
     return None
 
 
-def cut_open(grid, plane, whole_cells):
-    """The half behind a plane: cut through, or as the whole cells there."""
-    if whole_cells:
-        cut = vtkExtractGeometry()
-        cut.SetImplicitFunction(plane)
-        cut.ExtractInsideOn()
-        cut.ExtractBoundaryCellsOn()
-    else:
-        cut = vtkTableBasedClipDataSet()
-        cut.SetClipFunction(plane)
-        cut.InsideOutOn()
-    cut.SetInputData(grid)
-    cut.Update()
-    return cut.GetOutput()
+# ---------------------------------------------------------------- cuts
 
-
-def pictures(name, control, smooth, levels, direction, normal):
-    """(what it shows, image) of a control mesh and what became of it."""
-    grid = smooth.NewInstance()
-    grid.ShallowCopy(smooth)  # the array that is shown may have to be added
-    points = used_points(control)
-    low_corner, high_corner = points.min(axis=0), points.max(axis=0)
-    size = math.dist(low_corner, high_corner)
-    plane = vtkPlane()
-    # A little off the middle, where models have their points.
+def middle_plane(points, normal):
+    """Through the middle of points, or a little off it, where models have their points."""
+    low, high = points.min(axis=0), points.max(axis=0)
     unit = np.array(normal) / np.linalg.norm(normal)
-    plane.SetOrigin(*((low_corner + high_corner) / 2 + 0.004 * size * unit))
+    plane = vtkPlane()
+    plane.SetOrigin(*((low + high) / 2 + 0.004 * math.dist(low, high) * unit))
     plane.SetNormal(*normal)
-    array, low, high = shown_array(grid)
-    parts, tension = part_array(control), tension_colours(low, high)
-    rules = category_colours(RULES)
-    opened, crinkled = cut_open(grid, plane, False), cut_open(grid, plane, True)
-    steps = f"{levels} level{'s' * (levels != 1)}"
-    shown = [
-        ("control", "control mesh", actors_of(control, parts, size, edges=True), []),
-        ("smooth", steps, actors_of(grid, parts, size), []),
-        ("inside", f"{steps}, cut open", actors_of(opened, ("point", array, tension), size),
-         [colour_bar(tension, array)]),
-        ("rules", "RuleDimension",
-         actors_of(crinkled, ("point", "RuleDimension", rules), size) + rule_balls(crinkled, size),
-         rule_legend(rules_in(crinkled)))]
-    return [(what, render(actors, notes + [text(f"{name}: {title}", 52, 36, 2 * SIZE[1] - 84)],
-                          points, direction))
-            for what, title, actors, notes in shown]
+    return plane
+
+
+def behind(data, plane):
+    """The half behind a plane, cut through."""
+    cut = vtkTableBasedClipDataSet()
+    cut.SetClipFunction(plane)
+    cut.InsideOutOn()
+    cut.SetInputData(data)
+    cut.Update()
+    return surface_of(cut.GetOutput())
+
+
+def cap_actors(solids, plane, colouring, size, edges):
+    """The face where a plane cuts solids, in plain colours, and the line around it."""
+    cutter = vtkCutter()
+    cutter.SetInputData(solids)
+    cutter.SetCutFunction(plane)
+    if edges:  # of the cells, not of triangles that they are cut into
+        cutter.GenerateTrianglesOff()
+    clean = vtkCleanPolyData()
+    clean.SetInputConnection(cutter.GetOutputPort())
+    clean.Update()
+    if clean.GetOutput().GetNumberOfPolys() == 0:
+        return []
+    face = polygons(clean.GetOutput(), colouring, edges, False)
+    face.GetProperty().SetAmbient(1.0)  # no light: colours are those of the bar
+    face.GetProperty().SetDiffuse(0.0)
+    face.GetProperty().SetSpecular(0.0)
+    border = vtkFeatureEdges()
+    border.SetInputConnection(clean.GetOutputPort())
+    border.FeatureEdgesOff()
+    border.NonManifoldEdgesOff()
+    border.ColoringOff()
+    border.Update()
+    line = tubes(border.GetOutput(), 0.0015 * size, None)
+    line.GetProperty().SetColor(*INK)
+    return [face, line]
+
+
+def cut_actors(grid, plane, colouring, size, cap_colouring=None, edges=False):
+    """What is behind a plane, with flat caps on cut solids; curves stay whole."""
+    solids = of_types(grid, *SOLIDS)
+    others = surface_of(of_types(grid, *(set(range(1, VTK_PYRAMID + 1)) - set(SOLIDS))))
+    actors = []
+    for part, on_top in ((surface_of(solids), False), (others, True)):
+        half = behind(only(part, polys=True), plane) if part.GetNumberOfPolys() else part
+        if half.GetNumberOfPolys():
+            actors.append(polygons(half, colouring, edges, on_top))
+    if solids.GetNumberOfCells():
+        actors += cap_actors(solids, plane, cap_colouring or colouring, size, edges)
+    return actors + cut_curves(others, plane, colouring, size)
+
+
+def cut_curves(data, plane, colouring, size):
+    """Those that are creases are cut as what they lie on."""
+    actors = []
+    for lines in (behind(lines_of(data, True), plane), lines_of(data, False)):
+        actors += curves_and_points(lines, colouring, size)
+    return actors
+
+
+def lines_of(data, creases):
+    """The lines that are flagged as creases, or all others."""
+    lines = only(data, lines=True)
+    flags = lines.GetCellData().GetArray("Singular")
+    ids = vtk_to_numpy(lines.GetLines().GetConnectivityArray()).reshape(-1, 2)
+    chosen = (vtk_to_numpy(flags) != 0 if flags else np.zeros(len(ids), bool)) == creases
+    made = vtkPolyData()
+    made.SetPoints(lines.GetPoints())
+    made.GetPointData().ShallowCopy(lines.GetPointData())
+    cells = vtkCellArray()
+    cells.SetData(2, numpy_to_vtk(ids[chosen].astype(np.int64).ravel(), deep=True))
+    made.SetLines(cells)
+    for i in range(lines.GetCellData().GetNumberOfArrays()):
+        array = lines.GetCellData().GetArray(i)
+        if array:
+            values = numpy_to_vtk(vtk_to_numpy(array)[chosen], deep=True)
+            values.SetName(array.GetName())
+            made.GetCellData().AddArray(values)
+    return made
+
+
+def with_rules_of_cells(data):
+    """Poly data with the cell array RuleOfCell: 2 but where all corners have another rule."""
+    rules = vtk_to_numpy(data.GetPointData().GetArray("RuleDimension"))
+    made = only(data, polys=True)
+    corners = vtk_to_numpy(made.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    values = np.where((rules[corners] == 2).any(axis=1), 2, rules[corners].max(axis=1))
+    array = numpy_to_vtk(values.astype(np.int32), deep=True)
+    array.SetName("RuleOfCell")
+    made.GetCellData().AddArray(array)
+    return made
+
+
+def rule_actors(grid, plane, size):
+    """A cut mesh in the colours of its rules, and the rules that are seen."""
+    colours = category_colours(RULES)
+    solids = of_types(grid, *SOLIDS)
+    others = surface_of(of_types(grid, *(set(range(1, VTK_PYRAMID + 1)) - set(SOLIDS))))
+    actors, present = [], set()
+    for part, on_top in ((surface_of(solids), False), (others, True)):
+        if part.GetNumberOfPolys():
+            half = behind(with_rules_of_cells(part), plane)
+            actors.append(polygons(half, ("cell", "RuleOfCell", colours), False, on_top))
+            present.add(2)
+    if solids.GetNumberOfCells():
+        caps = cap_actors(solids, plane, None, size, False)
+        for face in caps[:1]:
+            face.GetProperty().SetColor(*RULES[3][1])
+            present.add(3)
+        actors += caps
+    actors += cut_curves(others, plane, ("point", "RuleDimension", colours), size)
+    return actors + rule_balls(grid, size, plane), present | set(rules_in(grid)) - {3}
+
+
+# ---------------------------------------------------------------- pictures of models
+
+class ModelPictures:
+    """What demo.py shows of a control mesh and of what became of it."""
+
+    def __init__(self, name, control, smooth, levels, direction, normal):
+        self.name, self.direction, self.levels = name, direction, levels
+        self.grid = smooth.NewInstance()
+        self.grid.ShallowCopy(smooth)  # the array that is shown may have to be added
+        self.points = np.concatenate([used_points(control), used_points(smooth)])
+        control_points = used_points(control)
+        size = math.dist(control_points.min(axis=0), control_points.max(axis=0))
+        plane = middle_plane(control_points, normal)
+        self.array, low, high = shown_array(self.grid)
+        self.colours = tension_colours(low, high)
+        parts = part_array(control)
+        rules, self.present = rule_actors(self.grid, plane, size)
+        self.actors = {
+            "control": actors_of(control, parts, size, edges=True), "smooth": actors_of(self.grid, parts, size),
+            "inside": cut_actors(self.grid, plane, ("point", self.array, self.colours), size), "rules": rules}
+
+    def draw(self):
+        """(what it shows, image), with titles and legends."""
+        steps = f"{self.levels} level{'s' * (self.levels != 1)}"
+        places = [(40 + 800 * (i % 2), 140 - 56 * (i // 2)) for i in range(5)]
+        shown = [
+            ("control", "control mesh", []), ("smooth", steps, []),
+            ("inside", f"{steps}, cut open", colour_bar(self.colours, self.array)),
+            ("rules", "rules (RuleDimension)", rule_legend(self.present, places))]
+        return [(what, render(self.actors[what], [*notes, caption(f"{self.name}: {title}")], self.points,
+                              self.direction, ROOM_FOR_NOTES)) for what, title, notes in shown]
+
+    def draw_bare(self):
+        """The same without words, to be printed small; the bar has large ones."""
+        bar = colour_bar(self.colours, self.array, 2.0)
+        return [render(actors, bar if what == "inside" else [], self.points, self.direction, (0.02, 0.29, 0.02, 0.02))
+                for what, actors in self.actors.items()]
+
+
+def table_for_readme(models):
+    """The pictures of some models, with heads above and the legend below."""
+    heads = [text(words, 64, 3200 // 4 * i + 30, 30) for i, words in
+             enumerate(("control mesh", f"{models[0].levels} levels", "cut open", "rules"))]
+    legend = rule_legend(range(5), [(30 + x, 24) for x in (0, 720, 1400, 1810, 2330)], 46)
+    corner = np.array([[0.0, 0, 0], [1, 1, 1]])
+    head, foot = (render([], actors, corner, (1, 1, 1), size=(3200, 110)) for actors in (heads, legend))
+    rows = [[picture_files.halved(image) for image in model.draw_bare()] for model in models]
+    return picture_files.contact_sheet([[head], *rows, [foot]])
 
 
 def rules_in(grid):
@@ -418,41 +580,3 @@ def rules_in(grid):
 def used_points(grid):
     """The points that cells use; others may be anywhere."""
     return points_of(grid)[np.unique(vtk_to_numpy(grid.GetCells().GetConnectivityArray()))].astype(float)
-
-
-# ---------------------------------------------------------------- images
-
-def resized(port, size):
-    shrink = vtkImageResize()
-    shrink.SetInputConnection(port)
-    shrink.SetOutputDimensions(*size, 1)
-    shrink.Update()
-    return shrink.GetOutput()
-
-
-def shrunk(image, factor):
-    width, height, _ = image.GetDimensions()
-    producer = vtkTrivialProducer()
-    producer.SetOutput(image)
-    return resized(producer.GetOutputPort(), (round(factor * width), round(factor * height)))
-
-
-def append(images, axis):
-    joined = vtkImageAppend()
-    joined.SetAppendAxis(axis)
-    for image in images:
-        joined.AddInputData(image)
-    joined.Update()
-    return joined.GetOutput()
-
-
-def contact_sheet(rows):
-    return append([append(row, 0) for row in reversed(rows)], 1)  # images count from the bottom
-
-
-def write_png(image, file_name):
-    writer = vtkPNGWriter()
-    writer.SetInputData(image)
-    writer.SetFileName(file_name)
-    writer.SetCompressionLevel(9)
-    writer.Write()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every feature does, on small meshes: gallery_*.png, and gallery_features.png with all of them.
+"""What every feature does, on small meshes: gallery_*.png.
 
 `./dev demo` makes these after the built-in models; `pvpython --force-offscreen-rendering gallery.py`
 makes only these (see demo.py for the environment that it needs).
@@ -11,11 +11,12 @@ import os
 
 import demo_pictures as look
 import numpy as np
+import picture_files
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    VTK_HEXAHEDRON, VTK_LINE, VTK_QUAD, VTK_TETRA, VTK_TRIANGLE, VTK_VERTEX, VTK_WEDGE, vtkPlane,
+    VTK_HEXAHEDRON, VTK_LINE, VTK_QUAD, VTK_TETRA, VTK_TRIANGLE, VTK_VERTEX, VTK_WEDGE,
     vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
@@ -98,26 +99,16 @@ def only_cells(grid, array, value):
     return chosen.GetOutput()
 
 
-def cut(grid, normal):
-    """The half behind the plane through the middle."""
-    points = look.used_points(grid)
-    low, high = points.min(axis=0), points.max(axis=0)
-    plane = vtkPlane()
-    plane.SetOrigin(*((low + high) / 2 + 0.004 * math.dist(low, high) * np.array(normal)))
-    plane.SetNormal(*normal)
-    return look.cut_open(grid, plane, False)
-
-
 class Figure:
-    """A row of pictures of the same size, seen from the same side; the first is the control mesh."""
+    """Pictures of the same size, seen from the same side; the first is the control mesh."""
 
     def __init__(self, name, title, mesh, direction):
-        self.name, self.title, self.direction = name, title, direction
+        self.name, self.direction = name, direction
         self.control = subdivide(mesh, 0)
         self.frame = look.used_points(self.control)
         self.size = math.dist(self.frame.min(axis=0), self.frame.max(axis=0))
-        self.images = []
-        self.draw("control mesh", self.actors(self.control, edges=True) + self.flags(self.control))
+        self.pictures = []
+        self.draw(f"{title}\ncontrol mesh", self.actors(self.control, edges=True) + self.flags(self.control))
 
     def actors(self, grid, colouring=None, edges=False):
         return look.actors_of(grid, colouring or look.part_array(self.control), self.size, edges=edges)
@@ -137,18 +128,26 @@ class Figure:
         return actors
 
     def draw(self, words, actors, notes=()):
-        labels = [look.text(words, 56, 36, 2 * look.SIZE[1] - 150), *notes]
-        if not self.images:
-            labels.append(look.text(self.title, 56, 36, 2 * look.SIZE[1] - 76))
-        self.images.append(look.render(actors, labels, self.frame, self.direction))
+        self.pictures.append((actors, [look.caption(words), *notes]))
 
-    def add(self, words, grid, rules=True, colouring=None, notes=()):
+    def add(self, words, grid, rules=True, colouring=None, edges=False):
         """With dots where the rules 0, 1 and 4 (red, green, violet) are at work."""
-        actors = self.actors(grid, colouring)
-        self.draw(words, actors + (look.rule_balls(grid, self.size) if rules else []), notes)
+        self.frame = np.concatenate([self.frame, look.used_points(grid)])
+        actors = self.actors(grid, colouring, edges)
+        self.draw(words, actors + (look.rule_balls(grid, self.size) if rules else []))
+
+    def add_cut(self, words, grid, normal, colouring=None, notes=(), edges=False):
+        """Cut open, with the colours of the parts unless others are given."""
+        self.frame = np.concatenate([self.frame, look.used_points(grid)])
+        plane = look.middle_plane(look.used_points(self.control), normal)
+        colouring = colouring or look.part_array(self.control)
+        self.draw(words, look.cut_actors(grid, plane, colouring, self.size, edges=edges), notes)
 
     def write(self):
-        look.write_png(look.append(self.images, 0), f"gallery_{self.name}.png")
+        columns = 2 if len(self.pictures) == 4 else 3
+        room = look.ROOM_FOR_NOTES if any(len(notes) > 1 for _, notes in self.pictures) else look.ROOM
+        images = [look.render(actors, notes, self.frame, self.direction, room) for actors, notes in self.pictures]
+        picture_files.write_figure(images, f"gallery_{self.name}", columns)
 
 
 # ---------------------------------------------------------------- joints (figures 14 and 15)
@@ -160,9 +159,9 @@ def type_1():
     mesh.sheet(lambda u, v: (u, 1, 1 + v), 2, 2, part=2)
     mesh.curve((-0.7, 1, 1.6), (-0.5, 1, 2.8), (1, 1, 3), (1.6, 1, 4), (2.7, 1, 3.6), part=3)
     grid = mesh.grid()
-    figure = Figure("type1", "Type 1: solid, surface and curve meet", grid, (0.55, -1.0, 0.45))
+    figure = Figure("type1", "Where dimensions meet", grid, (0.55, -1.0, 0.45))
     for rule in ("Blend", "Sharp", "Follow Dimension 1", "Follow Dimension 2", "Follow Dimension 3"):
-        figure.add(f"WhereDimensionsMeet = {rule}", subdivide(grid, WhereDimensionsMeet=rule))
+        figure.add(f"WhereDimensionsMeet:\n{rule}", subdivide(grid, WhereDimensionsMeet=rule))
     return figure
 
 
@@ -176,10 +175,10 @@ def type_2():
         mesh.curve(*((4 + shift * x, 0, z) for x, z in ((-1.4, 1.6), (-1, 0.6), (0, 0), (1, 0.6), (1.4, -1.2))),
                    part=part)
     grid = mesh.grid()
-    figure = Figure("type2", "Type 2: several branches of one dimension meet", grid, (0.25, -1.0, 0.4))
+    figure = Figure("type2", "Where branches meet", grid, (0.25, -1.0, 0.4))
     for rule in ("Blend", "Sharp", "Follow Part"):
         options = {"PartArray": ["CELLS", "MaterialId"]} if rule == "Follow Part" else {}
-        figure.add(f"WhereBranchesMeet = {rule}", subdivide(grid, WhereBranchesMeet=rule, **options))
+        figure.add(f"WhereBranchesMeet:\n{rule}", subdivide(grid, WhereBranchesMeet=rule, **options))
     return figure
 
 
@@ -192,9 +191,9 @@ def type_3():
     mesh.block((3, -0.5, 0), (1, 1, 1), part=lambda i, j, k: 2)
     mesh.block((4, -0.5, 1), (1, 1, 1), part=lambda i, j, k: 3)
     grid = mesh.grid()
-    figure = Figure("type3", "Type 3: boundaries touch", grid, (0.2, -1.0, 0.55))
+    figure = Figure("type3", "Where boundaries touch", grid, (0.2, -1.0, 0.55))
     for rule in ("Blend", "Sharp"):
-        figure.add(f"WhereBoundariesTouch = {rule}", subdivide(grid, WhereBoundariesTouch=rule))
+        figure.add(f"WhereBoundariesTouch:\n{rule}", subdivide(grid, WhereBoundariesTouch=rule))
     return figure
 
 
@@ -225,10 +224,10 @@ def corner():
         step = -start * (np.arange(3) == axis)
         mesh.curve(start, start + step, start + 2 * step, singular=1)
     mesh.cell(start, singular=1)
-    figure = Figure("corner", "A singular vertex, three singular lines", mesh.grid(), (0.7, -1.0, 0.6))
+    figure = Figure("corner", "Singular vertex and lines", mesh.grid(), (0.7, -1.0, 0.6))
     figure.add("without the flags", subdivide(mesh.grid(flagged=False)))
-    figure.add("CreaseEnd = Dart: corner and creases", subdivide(mesh.grid(), CreaseEnd="Dart"))
-    figure.add("CreaseEnd = Corner: the ends stay, too", subdivide(mesh.grid()))
+    figure.add("CreaseEnd: Dart\n(corner and creases)", subdivide(mesh.grid(), CreaseEnd="Dart"))
+    figure.add("CreaseEnd: Corner\n(the ends stay, too)", subdivide(mesh.grid()))
     return figure
 
 
@@ -242,10 +241,10 @@ def embedded():
     mesh.block((0, 0, 0), (4, 3, 2), bend, part=lambda i, j, k: k)
     mesh.sheet(lambda u, v: bend((u, v, 1)), 4, 3, part=1)
     grid = mesh.grid()
-    figure = Figure("embedded", "A surface embedded in a solid", grid, (0.4, -1.0, 0.55))
+    figure = Figure("embedded", "A surface in a solid", grid, (0.4, -1.0, 0.55))
     for rule in ("Follow", "Singular Inside"):
         solids = look.of_types(subdivide(grid, EmbeddedCells=rule), VTK_TETRA)
-        figure.add(f"EmbeddedCells = {rule}: below it", only_cells(solids, "MaterialId", 0), rules=False)
+        figure.add(f"EmbeddedCells: {rule}\n(what is below it)", only_cells(solids, "MaterialId", 0), rules=False)
     return figure
 
 
@@ -260,39 +259,29 @@ def model(name):
 def mechanical_part():
     grid = model("MechanicalPart")
     figure = Figure("mechanical_part", "Mechanical part", grid, (-0.45, -1.0, 0.75))
-    figure.add("without the flags: all round", subdivide(only_cells(grid, "Singular", 0), 3), rules=False)
+    figure.add("without the flags:\nround everywhere", subdivide(only_cells(grid, "Singular", 0), 3), rules=False)
     smooth = subdivide(grid, 3)
-    figure.draw("with: circle, flat faces, corners", figure.actors(smooth) + figure.flags(smooth))
+    figure.draw("with the flags: a circle,\nflat faces, corners", figure.actors(smooth) + figure.flags(smooth))
     name, low, high = look.shown_array(smooth)
     tension = look.tension_colours(low, high)
-    figure.add("cut open", cut(smooth, (0.0, -1.0, 0.0)), rules=False, colouring=("point", name, tension),
-               notes=[look.colour_bar(tension, name)])
+    figure.add_cut("cut open", smooth, (0.0, -1.0, 0.0), ("point", name, tension), look.colour_bar(tension, name))
     return figure
 
 
 def material_block():
     grid = model("MaterialBlock")
     figure = Figure("materials", "Two materials", grid, (0.7, -1.0, 0.6))
-    for words, preserve in (("blended", 0), ("PreserveInterfaces", 1)):
-        smooth = subdivide(grid, PreserveInterfaces=preserve)
-        figure.add(words, smooth, rules=False)
-        figure.add(f"{words}: below", only_cells(smooth, "MaterialId", 0), rules=False)
+    for words, options in (("blended", {}), ("PreserveInterfaces", {"PreserveInterfaces": 1})):
+        smooth = subdivide(grid, **options)
+        figure.add_cut(f"{words},\ncut open", smooth, (0.0, -1.0, 0.0))
+        figure.add(f"{words}:\nthe lower material", only_cells(smooth, "MaterialId", 0), rules=False)
     return figure
 
 
 def draw():
-    rows = []
-    for makers in ((type_1,), (type_2, type_3), (cusp, corner), (embedded, mechanical_part), (material_block,)):
-        rows.append([])
-        for make in makers:
-            figure = make()
-            figure.write()
-            rows[-1] += figure.images
-    width = max(map(len, rows))
-    blank = look.render([], [], np.array([[0.0, 0, 0], [1, 1, 1]]), (1, 1, 1))
-    sheet = look.contact_sheet([row + [blank] * (width - len(row)) for row in rows])
-    look.write_png(sheet, "gallery_features.png")
-    print(f"The features are in gallery_features.png and gallery_*.png in {os.getcwd()}.")
+    for make in (type_1, type_2, type_3, cusp, corner, embedded, mechanical_part, material_block):
+        make().write()
+    print(f"The features are in gallery_*.png in {os.getcwd()}.")
 
 
 if __name__ == "__main__":

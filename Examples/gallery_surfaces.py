@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A cube and a tetrahedron by every scheme of Surface Subdivision: gallery_surfaces.png.
+"""A cube and a tetrahedron by every scheme of Surface Subdivision:
+gallery_surfaces_cube.png and gallery_surfaces_tetrahedron.png.
 
-`./dev demo` makes it after the features; `pvpython --force-offscreen-rendering gallery_surfaces.py`
-makes only this (see demo.py for the environment that it needs). The survey's figures 11 and 12.
+`./dev demo` makes them after the features; `pvpython --force-offscreen-rendering gallery_surfaces.py`
+makes only these (see demo.py for the environment that it needs). The survey's figures 11 and 12.
 """
 
 import os
 
 import demo_pictures as look
 import numpy as np
+import picture_files
 from paraview import simple
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
@@ -47,24 +49,22 @@ def subdivide(control, scheme):
 
 
 def row(title, control):
-    points = vtk_to_numpy(control.GetPoints().GetData())
-
-    def picture(words, data, edges, heading=""):
-        labels = [look.text(words, 56, 36, 2 * look.SIZE[1] - 150), look.text(heading, 56, 36, 2 * look.SIZE[1] - 76)]
+    """Images of a mesh and what each scheme makes of it, at the same scale."""
+    shown = [(f"{title}\ncontrol mesh", control, True)]
+    shown += [(scheme, subdivide(control, scheme), False) for scheme in SCHEMES]
+    frame = np.concatenate([look.points_of(data).astype(float) for _, data, _ in shown])
+    images = []
+    for words, data, edges in shown:
         actor = look.polygons(data, None, edges, False)
         actor.GetProperty().SetColor(0.62, 0.74, 0.86)
-        return look.render([actor], labels, points, (0.45, -1.0, 0.35))
-
-    images = [picture("control mesh", control, True, title)]
-    for scheme in SCHEMES:
-        images.append(picture(scheme, subdivide(control, scheme), False))
+        images.append(look.render([actor], [look.caption(words)], frame, (0.45, -1.0, 0.35)))
     return images
 
 
 def draw():
-    sheet = look.contact_sheet([row("Cube", mesh(*CUBE)), row("Tetrahedron", mesh(*TETRAHEDRON))])
-    look.write_png(sheet, "gallery_surfaces.png")
-    print(f"The schemes for surfaces are in gallery_surfaces.png in {os.getcwd()}.")
+    for name, shape in (("Cube", CUBE), ("Tetrahedron", TETRAHEDRON)):
+        picture_files.write_figure(row(name, mesh(*shape)), f"gallery_surfaces_{name.lower()}", 4)
+    print(f"The schemes for surfaces are in gallery_surfaces_*.png in {os.getcwd()}.")
 
 
 if __name__ == "__main__":

@@ -13,4 +13,5 @@ print(model.GetOutput().GetNumberOfCells(), "cells became", smooth.GetOutput().G
 writer = vtkXMLUnstructuredGridWriter()
 writer.SetInputConnection(smooth.GetOutputPort())
 writer.SetFileName("ship.vtu")
+writer.SetDataModeToBinary()  # appended data are what ParaView 5.11 cannot read on all systems
 writer.Write()

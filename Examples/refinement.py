@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Detail only where it is needed: refinement.png, and what it saves in numbers.
+"""Detail only where it is needed: refinement_values.png, refinement_shape.png, and what it saves in numbers.
 
 The block of two materials, refined where its values change; and the screw on the limit of subdivision,
 refined to a tolerance, beside the uniform mesh that is as exact.
@@ -14,12 +14,14 @@ import time
 
 import demo_pictures as look
 import numpy as np
+import picture_files
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 
 BLOCK_TOLERANCE = 0.15
+SHOWN_TOLERANCE = 0.3
 FINEST = 5  # level of the mesh that errors are measured with
 
 
@@ -59,7 +61,7 @@ def row(words, cells, error, seconds):
 def picture(grid, words, frame, direction, colouring=None):
     size = math.dist(frame.min(axis=0), frame.max(axis=0))
     actors = look.actors_of(grid, colouring or look.part_array(grid), size, edges=True)
-    return look.render(actors, [look.text(words, 56, 36, 2 * look.SIZE[1] - 76)], frame, direction)
+    return look.render(actors, [look.caption(words)], frame, direction)
 
 
 def block():
@@ -83,14 +85,16 @@ def block():
           " of the cells.")
     frame = look.used_points(control)
     colouring = ("point", "Tension", look.tension_colours(low, high))
-    return [picture(some, f"{words}: {some.GetNumberOfCells():,} cells", frame, (1.0, -1.6, 0.9), colouring)
-            for some, words in ((control, "MaterialBlock"), (grid, "where Tension changes"))]
+    coarse, _ = updated(simple.RedGreenRefinement(
+        Input=source, AttributeArray=["POINTS", "Tension"], AttributeTolerance=SHOWN_TOLERANCE, MaximumLevel=8))
+    return [picture(some, f"{words}\n{some.GetNumberOfCells():,} cells", frame, (1.0, -1.6, 0.9), colouring)
+            for some, words in ((control, "MaterialBlock"), (coarse, f"AttributeTolerance {SHOWN_TOLERANCE}:"),
+                                (grid, f"AttributeTolerance {BLOCK_TOLERANCE}:"))]
 
 
 def screw():
     print(f"Refined to a distance from the limit (error: measured with level {FINEST})")
     source = model("Screw")
-    control, _ = updated(source)
     finest, _ = updated(simple.MultidimensionalSubdivision(
         Input=source, NumberOfLevels=FINEST, ProjectToLimit=1))
     exact = look.surface_of(finest).GetPoints().GetData()
@@ -110,16 +114,18 @@ def screw():
         row(f"adaptive, as exact, a part of 1/{uniform.GetNumberOfCells() / grid.GetNumberOfCells():.1f}",
             grid.GetNumberOfCells(), ours, seconds)
         if level == 3:
-            shown = (uniform, "uniform on the limit"), (grid, "adaptive, as exact")
-    frame = look.used_points(control)
-    return [picture(some, f"{words}: {some.GetNumberOfCells():,} cells", frame, (1.0, -1.6, 0.5))
-            for some, words in shown]
+            shown = (uniform, "uniform, level 3:"), (grid, "adaptive, as exact:")
+    frame = look.used_points(finest)
+    blade = frame.mean(axis=0) + (frame - frame.mean(axis=0)) * 0.3 + 0.26 * np.ptp(frame, axis=0) * (1, 0, 0)
+    view = (1.0, -1.6, 0.5)
+    whole = [picture(some, f"{words}\n{some.GetNumberOfCells():,} cells", frame, view) for some, words in shown]
+    return whole + [picture_files.framed(picture(some, "detail", blade, view)) for some, _ in shown]
 
 
 def draw():
-    images = block() + screw()
-    look.write_png(look.shrunk(look.append(images, 0), 0.5), "refinement.png")
-    print(f"What was refined is in refinement.png in {os.getcwd()}.")
+    picture_files.write_figure(block(), "refinement_values", 3)
+    picture_files.write_figure(screw(), "refinement_shape", 2)
+    print(f"What was refined is in refinement_*.png in {os.getcwd()}.")
 
 
 if __name__ == "__main__":

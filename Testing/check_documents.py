@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whether the documents are whole: check_documents.py FOLDER_OF_THE_PROJECT FILE.xml...
 
-README is short. The version of CMake that the guide asks for is the required one, and new enough for what is used. What links and pictures of .md files name exists. Each filter and source of the files, which are those
-of Plugin after CMake pasted what they share, has a page in the guide that names each of its properties."""
+README is short. The version of CMake that the guide asks for is the required one, and new enough for what is used. What
+links and pictures of .md files name exists. Pictures are small, and those of the guide are in its gallery. Each filter
+and source of the files, which are those of Plugin after CMake pasted what they share, has a page in the guide that names
+each of its properties."""
 
 import pathlib
 import re
@@ -18,6 +20,8 @@ LARGEST_README = 119
 NEWER_CMAKE = {"file(CONFIGURE": (3, 18)}
 LINK = re.compile(r"\]\(\s*<?([^)\s>]+)")
 guide = project / "Documentation" / "Guide"
+# Of pictures: README's, and each of the guide.
+LARGEST_GALLERY, LARGEST_PICTURE = 700_000, 60_000
 
 
 def read(path):
@@ -66,6 +70,18 @@ def missing_in_guide(one):
         yield f"the index of the guide does not link to {page.name}"
 
 
+def wrong_pictures():
+    limits = {project / "Documentation" / "gallery.png": LARGEST_GALLERY}
+    limits.update((path, LARGEST_PICTURE) for path in sorted((guide / "pictures").iterdir()))
+    shown = read(guide / "Gallery.md")
+    for path, most in limits.items():
+        size = path.stat().st_size
+        if size > most:
+            yield f"{path.relative_to(project)} has {size} bytes, of {most} at most: write_small_png makes it small"
+        if f"{path.name})" not in shown:
+            yield f"{path.relative_to(project)} is not in Documentation/Guide/Gallery.md"
+
+
 def wrong_cmake_versions():
     asked = re.search(r"Needed are CMake ([\d.]+)", read(guide / "Building.md"))[1]
     for path in sorted(project.rglob("CMakeLists.txt")):
@@ -87,6 +103,7 @@ def main():
         faults.append(f"README.md has {lines} lines, of {LARGEST_README} at most: put details into Documentation/Guide")
     for path in documents():
         faults += broken_links(path)
+    faults += wrong_pictures()
     faults += wrong_cmake_versions()
     filters = options.read(sys.argv[2:])
     if len(filters) < 11:

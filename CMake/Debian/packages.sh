@@ -16,7 +16,7 @@ tools=() paraview_packages=() vtk_packages=() compared_packages=() peer_packages
 package_lists()
 {
   tools=(cmake g++ ninja-build libgtest-dev)
-  docs_packages=(doxygen)
+  docs_packages=(doxygen python3)
   debian_packages=(dpkg-dev file gzip lintian)
   # Other libraries that tests and benchmarks compare with; without them the tests say "skipped".
   compared_packages=(libopenmesh-dev libcgal-dev)

@@ -18,6 +18,8 @@ def make_what_readme_speaks_of():
     os.makedirs("build", exist_ok=True)
     if not os.path.islink("build/plugin"):  # as ./dev makes it
         os.symlink(os.path.dirname(plugin), "build/plugin")
+    if not os.path.islink("Data"):  # as in the project's folder
+        os.symlink(readme.PROJECT / "Data", "Data")
     sphere = vtkSphereSource()
     writer = vtkXMLPolyDataWriter()
     writer.SetInputConnection(sphere.GetOutputPort())
@@ -31,10 +33,11 @@ blocks = [("README.md", block) for block in readme.blocks("python", before="## I
 assert len(blocks) == 1, len(blocks)
 for page in readme.GUIDE[:-1]:
     blocks += [(page.name, block) for block in readme.blocks("python", path=page)]
-assert len(blocks) == 11, [name for name, _ in blocks]
+assert len(blocks) == 12, [name for name, _ in blocks]
 for name, block in blocks:  # here and not in a function, as in a script
     exec(compile(block, name, "exec"))
-assert os.path.isfile("volume.png")
+for name in ("volume.png", "figure.png"):
+    assert os.path.isfile(name), name
 for name in ("smooth", "solids", "bent", "solid", "screw", "bunny", "topology", "cage"):
     proxy = globals()[name]
     proxy.UpdatePipeline()

@@ -1,6 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python lines of README and the guide for plain VTK are run as they stand there."""
+"""The Python lines of README and the guide for plain VTK, and the lines for the program, are run as they stand there."""
 
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import tempfile
 import unittest
 
 import readme
@@ -31,6 +37,24 @@ class ReadmeTest(unittest.TestCase):
         self.assertEqual(names["tetrahedra"].shape, (512, 4))
         self.assertEqual(len(names["temperature"]), len(names["fine_points"]))
         self.assertEqual(len(names["solid"].cells), 8 * 6 * 8 * 6 * 4)
+
+    def test_program(self):
+        program = os.environ.get("SUBDIVISIONOBJECTS_PROGRAM", "")
+        if not program:
+            self.skipTest("there is no program")
+        lines = []
+        for path in [readme.PROJECT / "README.md", *readme.GUIDE]:
+            lines += re.findall(r"(?:^    |`)(?:build/vtk/bin/)?subdivide ([\w/]+\.vtu [^`#\n]*)",
+                                path.read_text(encoding="utf-8"), re.MULTILINE)
+        self.assertEqual(len(lines), 4, lines)
+        with tempfile.TemporaryDirectory() as folder:
+            os.symlink(readme.PROJECT / "Data", os.path.join(folder, "Data"))
+            shutil.copyfile(readme.PROJECT / "Data/Ship.vtu", os.path.join(folder, "mesh.vtu"))
+            for line in lines:
+                words = shlex.split(line)
+                subprocess.run([program, *words], cwd=folder, check=True, timeout=300)
+                self.assertTrue(os.path.isfile(os.path.join(folder, words[1])), line)
+                os.remove(os.path.join(folder, words[1]))
 
     def test_vtk_refuses_what_we_take(self):
         """What README says of three triangles at an edge."""
