@@ -13,6 +13,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <atomic>
+
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;
 using subdivision::SurfaceOptions;
