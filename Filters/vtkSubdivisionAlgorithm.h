@@ -31,6 +31,11 @@
  * polygons. Structured data are voxels, pixels, hexahedra, quads or lines, however many axes have
  * more than one point; blanked cells, and cells with a blanked point, are hidden.
  *
+ * @par Normals
+ * The active normals of points and cells of the input hold only where nothing moves. Where there
+ * are levels they are left out, also those that an earlier filter made; GenerateLimitNormals makes
+ * new ones, which are the active normals of the output. Deformation turns normals instead.
+ *
  * @par Bad cells
  * The filters leave out cells of another type, with point ids out of range, with a point that is
  * not finite, or with repeated point ids (of a solid, polygon, poly line or strip only the
@@ -48,8 +53,9 @@
  *
  * @par Cell arrays read, by SetInputArrayToProcess
  * A name that is empty or "None" means unset; a named array that is missing, or has the wrong type,
- * is an error. All have one component.
- *  - 0, singular flags: any integer type, non-zero = singular; unset: `Singular` if there. Flags of
+ * is an error. All have one component. Integers may be stored as floating point numbers, as Exodus
+ * does.
+ *  - 0, singular flags: integers, non-zero = singular; unset: `Singular` if there. Flags of
  *    poly lines, strips and polygons count for their pieces; those of 3D cells are ignored with a
  *    warning.
  *  - 1, materials: any type but strings; unset: `MaterialId` if there.

@@ -157,11 +157,12 @@ PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
       continue;
     }
     Entry entry{ i, nullptr };
-    if (this->IsSmoothed(array))
+    entry.IsNormals = array == data->GetNormals();
+    if (!entry.IsNormals && this->IsSmoothed(array))
     {
       entry.Current = StartValues(vtkDataArray::SafeDownCast(array), array->GetDataType(), cells);
     }
-    this->HasGathered = this->HasGathered || !entry.Current;
+    this->HasGathered = this->HasGathered || !(entry.Current || entry.IsNormals);
     this->Entries.push_back(entry);
   }
   this->StartOrigins();
@@ -404,6 +405,10 @@ void PointArrays::Finish(vtkPointSet* output)
   {
     vtkAbstractArray* source = from->GetAbstractArray(entry.Source);
     vtkSmartPointer<vtkAbstractArray> array = source;
+    if (!unchanged && entry.IsNormals)
+    {
+      continue;
+    }
     if (!unchanged)
     {
       array = entry.Current ? vtkSmartPointer<vtkAbstractArray>(entry.Current)

@@ -164,6 +164,7 @@ private:
   {
     int Source;                            ///< index in the input's point data
     vtkSmartPointer<vtkDataArray> Current; ///< smoothed so far; null: gathered at the end
+    bool IsNormals = false; ///< neither: normals of the input hold only where no point moved
   };
   /// What is interpolated: an array, or all that have the values of one, each for one colour.
   struct Interpolated

@@ -8,8 +8,32 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 
+#include <cmath>
+#include <sstream>
+
 namespace subdivision
 {
+namespace
+{
+
+/// The first value that is no whole number; -1 if there is none. Some formats, such as Exodus,
+/// store whole numbers as floating point numbers.
+vtkIdType FindBroken(vtkDataArray* numbers)
+{
+  const bool isFloating =
+    numbers->GetDataType() == VTK_FLOAT || numbers->GetDataType() == VTK_DOUBLE;
+  for (vtkIdType i = 0; isFloating && i < numbers->GetNumberOfTuples(); ++i)
+  {
+    const double value = numbers->GetComponent(i, 0);
+    if (!(std::floor(value) == value && std::isfinite(value)))
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
+}
 
 std::string GetInputArrayName(vtkAlgorithm* algorithm, int index, int& association)
 {
@@ -66,10 +90,16 @@ bool FindInputArray(vtkAlgorithm* algorithm, vtkDataSetAttributes* data, vtkIdTy
     fault = " has " + std::to_string(found->GetNumberOfTuples()) + " values for " +
       std::to_string(size) + " " + kind + "s.";
   }
-  else if (request.Integral &&
-    (numbers->GetDataType() == VTK_FLOAT || numbers->GetDataType() == VTK_DOUBLE))
+  else if (request.Integral)
   {
-    fault = " is not usable: it must hold integers, not floating point numbers.";
+    const vtkIdType broken = FindBroken(numbers);
+    if (broken >= 0)
+    {
+      std::ostringstream text;
+      text << " is not usable: it must hold integers, but " << kind << " " << broken << " has "
+           << numbers->GetComponent(broken, 0) << ".";
+      fault = text.str();
+    }
   }
   if (fault.empty())
   {

@@ -286,6 +286,7 @@ void ForEachArray(vtkPolyData* input, bool originals, const RunOptions& options,
     vtkAbstractArray* array = from->GetAbstractArray(i);
     const std::string name = array->GetName() ? array->GetName() : "";
     if (array != from->GetGlobalIds() && array != from->GetPedigreeIds() &&
+      array != from->GetNormals() && // cells move
       !(originals && name == OriginalCellIdsName) &&
       HasTuples(array, input->GetNumberOfCells(), "cell", options.Warn))
     {

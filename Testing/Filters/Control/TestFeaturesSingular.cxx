@@ -51,6 +51,18 @@ TEST(FeaturesSingular, FlagsOfZeroChangeNothing)
   EXPECT_TRUE(Near(fan.Edge(0, 1), SurfaceEdge(0, 1, 2, 6)));
 }
 
+TEST(FeaturesSingular, FlagsMayBeWholeFloatingPointNumbers)
+{
+  const Grid grid = MakeFlaggedFan(6, { { VTK_LINE, { 0, 1 } }, { VTK_LINE, { 4, 0 } } });
+  vtkDataArray* given = grid->GetCellData()->GetArray("Singular");
+  vtkNew<vtkDoubleArray> flags;
+  flags->DeepCopy(given);
+  flags->SetName("Singular");
+  grid->GetCellData()->AddArray(flags);
+  const Matrix fan(grid);
+  EXPECT_TRUE(Near(fan.Vertex(0), CurveVertex(0, 1, 4)));
+}
+
 TEST(FeaturesSingular, TwoLinesAreACrease)
 {
   const Matrix fan(MakeFlaggedFan(6, { { VTK_LINE, { 0, 1 } }, { VTK_LINE, { 4, 0 } } }));
