@@ -333,7 +333,7 @@ TEST(SurfaceSubdivision, UnusableArraysAreNamed)
   vtkNew<vtkDoubleArray> flags;
   flags->SetName("flags");
   flags->SetNumberOfTuples(sheet->GetNumberOfCells());
-  flags->FillValue(0.);
+  flags->FillValue(0.5);
   sheet->GetCellData()->AddArray(flags);
   Filter run(sheet);
   run->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "flags");

@@ -262,7 +262,6 @@ TEST(MultiDimensionalSubdivisionArrays, LooksAreKept)
     AddKind<vtkIntArray>(data, "before", 1, size);
     AddKind<vtkDoubleArray>(data, "scalars", 2, size);
     AddKind<vtkFloatArray>(data, "vectors", 3, size);
-    AddKind<vtkFloatArray>(data, "normals", 3, size);
     AddKind<vtkDoubleArray>(data, "coordinates", 2, size);
     AddKind<vtkDoubleArray>(data, "tensors", 9, size);
     AddKind<vtkIntArray>(data, "after", 3, size);
@@ -270,7 +269,6 @@ TEST(MultiDimensionalSubdivisionArrays, LooksAreKept)
     data->AddArray(MakeNames("strings", size));
     data->SetActiveAttribute("scalars", Attributes::SCALARS);
     data->SetActiveAttribute("vectors", Attributes::VECTORS);
-    data->SetActiveAttribute("normals", Attributes::NORMALS);
     data->SetActiveAttribute("coordinates", Attributes::TCOORDS);
     data->SetActiveAttribute("tensors", Attributes::TENSORS);
   }
