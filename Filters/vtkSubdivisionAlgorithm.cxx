@@ -174,13 +174,6 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
           "InterfaceValues.");
     hasFields = false;
   }
-  if (hasFields && options.Interpolation.Arrays && this->SharesRanks())
-  {
-    distribution.Warnings.emplace_back(
-      "Values that jump are not interpolated on several ranks: with InterfaceValues = "
-      "DISCONTINUOUS_VALUES the filter ignores InterpolateArrays there.");
-    options.Interpolation.Arrays = false;
-  }
   distribution.AddBlockIndex = this->PreserveInterfaces;
   distribution.Prepare = [this](vtkPointSet* block, vtkPointSet* copy)
   { this->Prepare(block, copy); };
@@ -214,9 +207,9 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   subdivision::MaterialFieldOptions fields;
   fields.IsOn = hasFields;
   fields.CellArrays = this->FieldsOfCells;
-  fields.JoinsCopies = !this->SharesRanks();
-  distribution.KeepsOwnValues = hasFields && !this->SharesRanks();
-  distribution.TellsOwnValues = hasFields && this->SharesRanks();
+  distribution.KeepsOwnValues = hasFields;
+  // Whether cells are faces of others, and so have no values of their own, shows one layer farther.
+  distribution.Layers += hasFields ? 1 : 0;
   const int result =
     subdivision::RunDistributed(this, readable, output, distribution, traits, options,
       [&](vtkPointSet* mesh, vtkPointSet* made)

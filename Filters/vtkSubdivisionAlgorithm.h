@@ -266,12 +266,12 @@ public:
    * material (cells that are faces of others: those of a material that all of their points have),
    * and the point array `MaterialPointIds` (vtkIdType) says which point each is. Another filter
    * with the same option, or whoever joins equal ids, gets the mesh without copies back. Values of
-   * blocks at points that they share are those of their cells. On several ranks copies are not
-   * joined, values of the first block count, InterpolateArrays is ignored, and warnings tell.
-   * Global ids are equal for copies. Arrays of floating point numbers and AddFieldOfCells become
-   * fields; all others, and coordinates, are equal for copies. Ignored with a warning without
-   * PreserveInterfaces, and in filters that have no interfaces. Needs memory for each array as
-   * often as there are materials of which each meets all others; an error if these are more than
+   * blocks at points that they share are those of their cells. On several ranks MaterialPointIds
+   * has the ids of points in the whole output, and global ids are those of points, equal for
+   * copies. Arrays of floating point numbers and AddFieldOfCells become fields; all others, and
+   * coordinates, are equal for copies. Ignored with a warning without PreserveInterfaces, and in
+   * filters that have no interfaces. Needs memory for each array as often as there are materials of
+   * which each meets all others; an error if these are more than
    * 32. With InterpolateArrays the limit of each field passes through the values of its material;
    * after a level a warning counts points where it does not, as the material touches others in
    * edges or points only.

@@ -32,6 +32,7 @@ ADAPTIVE = [("vtkAdaptiveSurfaceSubdivision", dict({"RefineByAttributeError": 0,
                                                     "GenerateGlobalIds": 1}, **options))
             for options in ({"RefineByGeometricError": 1, "GeometricTolerance": 0.003},
                             {"RefineByCurvature": 1, "MaximumAngle": 20., "GenerateLimitNormals": 1})]
+JUMPING = {"PreserveInterfaces": 1, "InterfaceValues": 1, "InterpolateArrays": 1}
 INTERPOLATED = {"InterpolatePoints": 1, "InterpolateArrays": 1, "InterpolationWeight": 0.75}
 FILES = ("hex_geos_box_hybrid.vtu", "mix_elmer_shell_on_solid.vtu", "nm_nastran_wingbox.vtu", "surf_bunny_3k.vtp",
          "poly_cow_mixed.vtp")
@@ -142,11 +143,11 @@ def check_deformation(checks):
                    [moved(parts, own(inner, ranks.in_slabs, False), ranks.controller)])
 
 
-def check_filters_in_a_row(checks, mesh, options, name=SOLID[0][0]):
+def check_filters_in_a_row(checks, mesh, options, name=SOLID[0][0], with_ids=1):
     """Two filters give on each rank what one filter with all levels gives, with its indices as global ids."""
     cut, (find, _) = next(checks.cuts)
     part = ranks.take(mesh, np.nonzero(find(mesh, ranks.RANKS) == ranks.RANK)[0], with_ids=True)
-    both = dict(options, GenerateGlobalIds=1)
+    both = dict(options, GenerateGlobalIds=with_ids)
     whole = run_class(name, dict(both, NumberOfLevels=2), mesh, None)
     for _ in range(2):
         part = run_class(name, dict(both, NumberOfLevels=1), part, ranks.controller)
@@ -209,6 +210,9 @@ def run():
         mesh = model(number)
         checks.cut(mesh, SOLID + RED_GREEN)
         check_filters_in_a_row(checks, mesh, {"DetectFeatures": 1, "VolumeScheme": number % 2})
+    block = model(subdivisionobjects.vtkSubdivisionModelSource.MATERIAL_BLOCK)
+    checks.cut(block, [(name, dict(options, **JUMPING)) for name, options in SOLID])
+    check_filters_in_a_row(checks, block, JUMPING, with_ids=0)  # they are those of points, not of copies
     skin = skin_of(model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS))
     checks.cut(skin, SURFACE + ADAPTIVE)
     checks.cut(skin, [(name, dict(options, **INTERPOLATED)) for name, options in (SOLID[1], SURFACE[2])])

@@ -114,7 +114,7 @@ public:
     {
       limits.TakeOthers(this->Given.data(), static_cast<int>(this->Width));
     }
-    this->FindFactors(limit);
+    this->FindFactors(limit, limits);
     this->Shifts = Buffer<double>(this->Given.size());
     FindInterpolation(limit, this->Given.data(), this->Groups, limits, this->Shifts.data());
   }
@@ -189,7 +189,7 @@ private:
   }
 
   /// Limits of fields are divided by those of their weights, which all arrays have in common.
-  void FindFactors(const PointOperator& limit)
+  void FindFactors(const PointOperator& limit, const InterpolationLimits& limits)
   {
     const auto found = std::find_if(this->Sources.begin(), this->Sources.end(),
       [](const Source& source) { return source.HasWeights; });
@@ -213,6 +213,10 @@ private:
         const double sum = this->Factors[i];
         this->Factors[i] = weights[i] == 1. && sum > LeastWeight ? 1. / sum : 0.;
       });
+    if (limits.TakeOthers)
+    {
+      limits.TakeOthers(this->Factors.data(), static_cast<int>(fields));
+    }
     for (std::size_t s = 0; s < this->Sources.size(); ++s)
     {
       this->Groups[s].Factors = this->Sources[s].HasWeights ? this->Factors.data() : nullptr;
@@ -407,7 +411,7 @@ std::vector<Overshoot> PointArrays::FindOvershoot(
   return found;
 }
 
-LimitMisses PointArrays::FindMisses() const
+LimitMisses PointArrays::FindMisses(const std::vector<char>& counted) const
 {
   LimitMisses misses;
   std::set<std::pair<vtkIdType, std::size_t>> found;
@@ -426,6 +430,10 @@ LimitMisses PointArrays::FindMisses() const
     for (vtkIdType i = 0; range > 0. && i < array.Given.size(); ++i)
     {
       const vtkIdType row = i / components / fields;
+      if (!counted.empty() && !counted[static_cast<std::size_t>(row)])
+      {
+        continue;
+      }
       const auto field = static_cast<std::size_t>(i / components % fields);
       vtkDataArray* current = this->Entries[array.Entries[field]].Current;
       const double value = current->GetComponent(row, static_cast<int>(i % components));

@@ -356,6 +356,21 @@ void PointArrays::Renumber(const OriginOfRow& origin, vtkIdType staying)
     taken.push_back(this->TakenPoints.empty() ? origin(p) : this->TakenPoints[origin(p)]);
   }
   this->TakenPoints = std::move(taken);
+  for (Interpolated& array : this->ToInterpolate)
+  {
+    const auto width = static_cast<vtkIdType>(array.Entries.size() * array.Range.size() / 2);
+    if (array.Given.size() > 0)
+    {
+      vtkIdType rows = array.Given.size() / width;
+      takeFirst(rows);
+      Buffer<double> given(rows * width);
+      for (vtkIdType p = 0; p < rows; ++p)
+      {
+        std::copy_n(array.Given.data() + width * origin(p), width, given.data() + width * p);
+      }
+      array.Given = std::move(given);
+    }
+  }
 }
 
 void PointArrays::Project(const PointOperator& operation)

@@ -141,8 +141,8 @@ public:
     const std::vector<char>& counted, const std::vector<ColourMask>& colours) const;
 
   /// Whether the current values of materials are those that Interpolate was given. Steps take
-  /// other proportions than limits where materials only touch.
-  LimitMisses FindMisses() const;
+  /// other proportions than limits where materials only touch. `counted`: as in FindOvershoot.
+  LimitMisses FindMisses(const std::vector<char>& counted) const;
 
   /// Whether current point a has the smaller global id.
   bool IsEarlier(vtkIdType a, vtkIdType b) const;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <sstream>
@@ -33,26 +34,13 @@ std::vector<Value> ReadValues(vtkDataArray* array, const SimplicesOfCells& cells
   return values;
 }
 
-/// The number of the value of each cell, in the order of the values.
-template <typename Value, typename Get>
-std::vector<int> NumberValues(vtkIdType size, const Get& get)
+/// An integer for each number, in the same order; NaN is the least.
+vtkIdType MakeKey(double value)
 {
-  std::vector<Value> values(static_cast<std::size_t>(size));
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    values[static_cast<std::size_t>(i)] = get(i);
-  }
-  std::vector<Value> sorted = values;
-  std::sort(sorted.begin(), sorted.end());
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  std::vector<int> numbers;
-  numbers.reserve(values.size());
-  for (const Value value : values)
-  {
-    numbers.push_back(
-      static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin()));
-  }
-  return numbers;
+  value = std::isnan(value) ? std::numeric_limits<double>::lowest() : value + 0.; // -0 becomes 0
+  std::int64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits < 0 ? bits ^ std::numeric_limits<std::int64_t>::max() : bits;
 }
 
 /// Warns once of all simplices for which `accept` is true, with their number and the cell of the
@@ -118,21 +106,32 @@ void Encode(const std::vector<Value>& values, std::vector<long long>& out)
 
 }
 
-std::vector<int> NumberMaterials(vtkDataArray* array)
+std::vector<int> NumberMaterials(vtkDataArray* array, std::vector<vtkIdType>* keys)
 {
-  const vtkIdType size = array->GetNumberOfTuples();
   // A double cannot tell all integers of 64 bits apart.
-  if (array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE)
+  const bool isLong = array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE;
+  std::vector<vtkIdType> values;
+  values.reserve(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
-    return NumberValues<long long>(
-      size, [&](vtkIdType i) { return array->GetVariantValue(i).ToLongLong(); });
+    values.push_back(isLong ? static_cast<vtkIdType>(array->GetVariantValue(i).ToLongLong())
+                            : MakeKey(array->GetComponent(i, 0)));
   }
-  return NumberValues<double>(size,
-    [&](vtkIdType i)
-    {
-      const double value = array->GetComponent(i, 0);
-      return std::isnan(value) ? std::numeric_limits<double>::lowest() : value;
-    });
+  std::vector<vtkIdType> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  std::vector<int> numbers;
+  numbers.reserve(values.size());
+  for (const vtkIdType value : values)
+  {
+    numbers.push_back(
+      static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin()));
+  }
+  if (keys)
+  {
+    *keys = std::move(sorted);
+  }
+  return numbers;
 }
 
 namespace

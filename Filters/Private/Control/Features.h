@@ -51,8 +51,9 @@ struct FeatureOptions
 };
 
 /// The number of each cell's material: equal for equal values, in the order of the values, NaN
-/// first.
-std::vector<int> NumberMaterials(vtkDataArray* array);
+/// first. `keys` gets one of each number, in the same order: equal for equal values, whichever
+/// other values there are.
+std::vector<int> NumberMaterials(vtkDataArray* array, std::vector<vtkIdType>* keys = nullptr);
 
 /// One value for each simplex; empty where the array is not set or not used.
 struct FeatureValues

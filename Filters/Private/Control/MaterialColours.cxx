@@ -2,10 +2,14 @@
 #include "Private/Control/MaterialColours.h"
 
 #include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
 #include "Private/Control/Features.h"
+#include "Private/Control/Keepers.h"
+#include "Private/Control/Partners.h"
 #include "Private/Control/PointCopies.h"
 
 #include "vtkCellData.h"
+#include "vtkPointData.h"
 
 #include <unordered_map>
 #include <utility>
@@ -32,21 +36,19 @@ std::vector<char> FindMaximal(const ColouredSimplices& pieces)
   {
     if (pieces.GetDimension(i) < 3)
     {
-      smaller.emplace(pieces.GetPlace(*pieces.GetPoints(i).begin()), i);
+      smaller.emplace(*pieces.GetPoints(i).begin(), i);
     }
   }
   for (vtkIdType i = 0; i < pieces.GetSize(); ++i)
   {
     for (const vtkIdType point : pieces.GetPoints(i))
     {
-      const auto range = smaller.equal_range(pieces.GetPlace(point));
+      const auto range = smaller.equal_range(point);
       for (auto at = range.first; at != range.second; ++at)
       {
         const Row<vtkIdType> points = pieces.GetPoints(at->second);
         const bool isFace = pieces.GetDimension(at->second) < pieces.GetDimension(i) &&
-          std::all_of(
-            points.begin(), points.end(),
-            [&](vtkIdType p) { return pieces.Has(i, pieces.GetPlace(p)); });
+          std::all_of(points.begin(), points.end(), [&](vtkIdType p) { return pieces.Has(i, p); });
         isMaximal[at->second] = isMaximal[at->second] && !isFace;
       }
     }
@@ -54,10 +56,28 @@ std::vector<char> FindMaximal(const ColouredSimplices& pieces)
   return isMaximal;
 }
 
-/// Pairs of materials that meet in a point; both orders.
-std::vector<std::pair<int, int>> FindMeetings(
-  const ColouredSimplices& pieces, const std::vector<int>& materialOf)
+using Meetings = std::vector<std::pair<int, int>>;
+
+/// Whether all cells at each point are known, because a cell of this partition has the point.
+std::vector<char> FindKnownPoints(const ColouredSimplices& pieces, Partners* others)
 {
+  const auto size = static_cast<std::size_t>(pieces.Cells.Simplices.NumberOfPoints);
+  std::vector<char> isKnown(size, others ? 0 : 1);
+  for (vtkIdType i = 0; others && i < pieces.GetSize(); ++i)
+  {
+    for (const vtkIdType point : pieces.GetPoints(i))
+    {
+      isKnown[point] |= others->IsOwn(pieces.GetCell(i)) ? 1 : 0;
+    }
+  }
+  return isKnown;
+}
+
+/// Pairs of materials that meet in a point; both orders.
+Meetings FindMeetings(
+  const ColouredSimplices& pieces, const std::vector<int>& materialOf, Partners* others)
+{
+  const std::vector<char> isKnown = FindKnownPoints(pieces, others);
   std::vector<int> first(
     static_cast<std::size_t>(pieces.Cells.Simplices.NumberOfPoints), NoMaterial);
   std::vector<std::pair<vtkIdType, int>> at; // all materials of points with several
@@ -65,22 +85,25 @@ std::vector<std::pair<int, int>> FindMeetings(
   {
     for (const vtkIdType point : pieces.GetPoints(i))
     {
-      const vtkIdType place = pieces.GetPlace(point);
-      int& known = first[static_cast<std::size_t>(place)];
+      int& known = first[static_cast<std::size_t>(point)];
+      if (!isKnown[static_cast<std::size_t>(point)])
+      {
+        continue;
+      }
       if (materialOf[i] != NoMaterial && known == NoMaterial)
       {
         known = materialOf[i];
       }
       else if (materialOf[i] != NoMaterial && known != materialOf[i])
       {
-        at.emplace_back(place, materialOf[i]);
-        at.emplace_back(place, known);
+        at.emplace_back(point, materialOf[i]);
+        at.emplace_back(point, known);
       }
     }
   }
   std::sort(at.begin(), at.end());
   at.erase(std::unique(at.begin(), at.end()), at.end());
-  std::vector<std::pair<int, int>> meetings;
+  Meetings meetings;
   for (auto begin = at.begin(); begin != at.end();)
   {
     const auto end =
@@ -104,7 +127,7 @@ std::vector<std::pair<int, int>> FindMeetings(
 
 /// Gives each material the smallest colour that no earlier one has that it meets. Returns the
 /// number of colours, at least 1.
-int ChooseColours(const std::vector<std::pair<int, int>>& meetings, std::vector<int>& colours)
+int ChooseColours(const Meetings& meetings, std::vector<int>& colours)
 {
   int count = 1;
   auto at = meetings.begin();
@@ -125,19 +148,116 @@ int ChooseColours(const std::vector<std::pair<int, int>>& meetings, std::vector<
   return count;
 }
 
+using Ids = std::vector<vtkIdType>;
+
+/// The materials and meetings of all partitions.
+class AllMaterials
+{
+public:
+  /// What one partition tells: the number of its materials, their keys, and its meetings.
+  static Ids Tell(const Ids& keys, const Meetings& meetings)
+  {
+    Ids told{ static_cast<vtkIdType>(keys.size()) };
+    told.insert(told.end(), keys.begin(), keys.end());
+    for (const auto& [a, b] : meetings)
+    {
+      told.insert(told.end(), { keys[a], keys[b] });
+    }
+    return told;
+  }
+  void Add(const Ids& told)
+  {
+    const auto meetings = told.begin() + 1 + static_cast<std::ptrdiff_t>(told[0]);
+    this->Keys.insert(this->Keys.end(), told.begin() + 1, meetings);
+    for (auto key = meetings; key != told.end(); key += 2)
+    {
+      this->Pairs.emplace_back(key[0], key[1]);
+    }
+  }
+  void Colour()
+  {
+    std::sort(this->Keys.begin(), this->Keys.end());
+    this->Keys.erase(std::unique(this->Keys.begin(), this->Keys.end()), this->Keys.end());
+    Meetings meetings;
+    for (const auto& [a, b] : this->Pairs)
+    {
+      meetings.emplace_back(this->Find(a), this->Find(b));
+    }
+    std::sort(meetings.begin(), meetings.end());
+    this->Colours.resize(this->Keys.size());
+    this->NumberOfColours = ChooseColours(meetings, this->Colours);
+  }
+  /// What a partition is answered: the number of all colours, and those of its materials.
+  Ids Answer(const Ids& told) const
+  {
+    Ids answer{ this->NumberOfColours };
+    for (vtkIdType i = 1; i <= told[0]; ++i)
+    {
+      answer.push_back(this->Colours[this->Find(told[i])]);
+    }
+    return answer;
+  }
+
+private:
+  int Find(vtkIdType key) const
+  {
+    const auto found = std::lower_bound(this->Keys.begin(), this->Keys.end(), key);
+    return static_cast<int>(found - this->Keys.begin());
+  }
+
+  Ids Keys;
+  std::vector<std::pair<vtkIdType, vtkIdType>> Pairs; ///< of keys
+  std::vector<int> Colours;
+  int NumberOfColours = 1;
+};
+
+/// Chooses the colours of the materials of all partitions: the first one does.
+int ChooseTogether(
+  const Ids& keys, const Meetings& meetings, Partners& partners, std::vector<int>& colours)
+{
+  const int first = partners.FindFirst();
+  Partners::Messages messages;
+  messages[first] = PackIds(AllMaterials::Tell(keys, meetings));
+  partners.Send(messages);
+  if (partners.GetPartition() == first)
+  {
+    AllMaterials all;
+    for (const auto& [from, message] : messages)
+    {
+      all.Add(UnpackIds(message));
+    }
+    all.Colour();
+    for (auto& [from, message] : messages)
+    {
+      message = PackIds(all.Answer(UnpackIds(message)));
+    }
+  }
+  partners.Send(messages);
+  const Ids answer = UnpackIds(messages.at(first));
+  colours.assign(answer.begin() + 1, answer.end());
+  return static_cast<int>(answer[0]);
 }
 
-ColouredSimplices::ColouredSimplices(
-  vtkPointSet* mesh, vtkDataArray* materials, const std::vector<vtkIdType>& places)
-  : Cells(CellsToSimplices(mesh, nullptr))
-  , Places(places)
+/// Splits cells as the work of a filter does.
+SimplicesOfCells Split(vtkPointSet* mesh)
+{
+  const Ids ids = ReadIdsOf(mesh->GetPointData(), mesh->GetNumberOfPoints());
+  const bool isWhole = static_cast<vtkIdType>(ids.size()) == mesh->GetNumberOfPoints();
+  return CellsToSimplices(mesh, isWhole ? ids.data() : nullptr);
+}
+
+}
+
+ColouredSimplices::ColouredSimplices(vtkPointSet* mesh, vtkDataArray* materials, Partners* others)
+  : Cells(Split(mesh))
 {
   this->Offsets.push_back(0);
   for (const unsigned char dimension : this->Cells.Simplices.Dimensions)
   {
     this->Offsets.push_back(this->Offsets.back() + dimension + 1);
   }
-  const std::vector<int> numbers = NumberMaterials(materials);
+  Ids keys;
+  const std::vector<int> numbers = NumberMaterials(materials, &keys);
   const std::vector<char> isMaximal = FindMaximal(*this);
   std::vector<char> hasMaximal(numbers.size(), 0); // of cells
   for (vtkIdType i = 0; i < this->GetSize(); ++i)
@@ -145,14 +265,14 @@ ColouredSimplices::ColouredSimplices(
     hasMaximal[this->GetCell(i)] = hasMaximal[this->GetCell(i)] || isMaximal[i];
   }
   std::vector<int> materialOf;
-  int count = 0;
   for (vtkIdType i = 0; i < this->GetSize(); ++i)
   {
     materialOf.push_back(hasMaximal[this->GetCell(i)] ? numbers[this->GetCell(i)] : NoMaterial);
-    count = std::max(count, materialOf.back() + 1);
   }
-  std::vector<int> colours(static_cast<std::size_t>(count), 0);
-  this->NumberOfColours = ChooseColours(FindMeetings(*this, materialOf), colours);
+  const Meetings meetings = FindMeetings(*this, materialOf, others);
+  std::vector<int> colours(keys.size(), 0);
+  this->NumberOfColours =
+    others ? ChooseTogether(keys, meetings, *others, colours) : ChooseColours(meetings, colours);
   for (const int material : materialOf)
   {
     this->Colours.push_back(material == NoMaterial ? NoColour : colours[material]);

@@ -40,11 +40,11 @@ bool IsField(vtkAbstractArray* array, vtkIdType points)
 class Control
 {
 public:
-  Control(vtkPointSet* input, vtkDataArray* materials, bool joinsCopies)
+  Control(vtkPointSet* input, vtkDataArray* materials, Partners* others)
     : Input(input)
-    , Places(
-        joinsCopies ? FindPlaces(FindFirstCopies(input), this->Sources) : std::vector<vtkIdType>())
-    , Whole(input, materials, this->Places)
+    , Places(FindPlaces(FindFirstCopies(input), this->Sources))
+    , Mesh(this->JoinCopies())
+    , Whole(this->Mesh, materials, others)
   {
   }
 
@@ -53,21 +53,6 @@ public:
   vtkSmartPointer<vtkPointSet> Make(
     const std::vector<std::string>& cellArrays, const RunOptions& options)
   {
-    this->Mesh = vtkSmartPointer<vtkPointSet>::Take(this->Input->NewInstance());
-    this->Mesh->ShallowCopy(this->Input);
-    if (!this->Sources.empty())
-    {
-      TakePoints(this->Mesh, this->Sources,
-        [this](vtkIdType, auto* begin, auto* end)
-        {
-          for (auto* id = begin; id != end; ++id)
-          {
-            const bool isKnown = *id >= 0 && *id < this->Input->GetNumberOfPoints();
-            *id = isKnown ? static_cast<std::decay_t<decltype(*id)>>(this->Places[*id]) : -1;
-          }
-        });
-    }
-    this->Mesh->GetPointData()->RemoveArray(MaterialPointIdsName);
     this->RemoveReserved(options);
     this->AddColours();
     vtkPointData* data = this->Input->GetPointData();
@@ -106,6 +91,27 @@ private:
       }
     }
     return places;
+  }
+
+  /// The input with one point where it has copies.
+  vtkSmartPointer<vtkPointSet> JoinCopies() const
+  {
+    auto mesh = vtkSmartPointer<vtkPointSet>::Take(this->Input->NewInstance());
+    mesh->ShallowCopy(this->Input);
+    if (!this->Sources.empty())
+    {
+      TakePoints(mesh, this->Sources,
+        [this](vtkIdType, auto* begin, auto* end)
+        {
+          for (auto* id = begin; id != end; ++id)
+          {
+            const bool isKnown = *id >= 0 && *id < this->Input->GetNumberOfPoints();
+            *id = isKnown ? static_cast<std::decay_t<decltype(*id)>>(this->Places[*id]) : -1;
+          }
+        });
+    }
+    mesh->GetPointData()->RemoveArray(MaterialPointIdsName);
+    return mesh;
   }
 
   /// Removes arrays that have names of those which are added.
@@ -163,13 +169,31 @@ private:
   template <typename Visit>
   void ForEachCorner(const Visit& visit) const
   {
+    const CellReader cells(this->Input);
+    std::vector<vtkIdType> scratch;
+    std::vector<vtkIdType> pointAt(this->Places.size()); // of a cell, by place
+    vtkIdType last = -1;
     for (vtkIdType i = 0; i < this->Whole.GetSize(); ++i)
     {
-      for (const vtkIdType point : this->Whole.GetPoints(i))
+      const vtkIdType cell = this->Whole.GetCell(i);
+      if (!this->Places.empty() && cell != last)
       {
-        if (this->Whole.Colours[i] != NoColour && point < this->Input->GetNumberOfPoints())
+        const CellIds ids = cells.GetCell(cell, scratch);
+        for (vtkIdType k = ids.Size - 1; k >= 0; --k)
         {
-          visit(this->Whole.GetPlace(point), point, this->Whole.Colours[i], this->Whole.GetCell(i));
+          const bool exists = ids.Ids[k] >= 0 && ids.Ids[k] < this->Input->GetNumberOfPoints();
+          if (exists)
+          {
+            pointAt[this->Places[ids.Ids[k]]] = ids.Ids[k];
+          }
+        }
+        last = cell;
+      }
+      for (const vtkIdType place : this->Whole.GetPoints(i))
+      {
+        if (this->Whole.Colours[i] != NoColour && place < this->Mesh->GetNumberOfPoints())
+        {
+          visit(place, this->Places.empty() ? place : pointAt[place], this->Whole.Colours[i], cell);
         }
       }
     }
@@ -258,8 +282,8 @@ private:
   vtkPointSet* Input;
   std::vector<vtkIdType> Sources; ///< the point of the input that each point is; empty: the same
   std::vector<vtkIdType> Places;  ///< the opposite
-  ColouredSimplices Whole;
   vtkSmartPointer<vtkPointSet> Mesh;
+  ColouredSimplices Whole;
 };
 
 // ------------------------------------------------------------------------------------------------
@@ -325,6 +349,12 @@ public:
     ids->SetName(MaterialPointIdsName);
     ids->SetNumberOfValues(static_cast<vtkIdType>(this->Sources.size()));
     std::copy(this->Sources.begin(), this->Sources.end(), ids->GetPointer(0));
+    // Where other partitions have parts of the output, points are known by their numbers in it.
+    vtkDataArray* numbers = this->Output->GetPointData()->GetArray(PointNumbersName);
+    for (vtkIdType p = 0; numbers && p < ids->GetNumberOfValues(); ++p)
+    {
+      ids->SetValue(p, ToId(numbers->GetComponent(p, 0)));
+    }
     this->Output->GetPointData()->AddArray(ids);
     this->Output->GetCellData()->RemoveArray(ColourName);
   }
@@ -468,15 +498,9 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
     options.FindPartners = find;
     return isDone;
   }
-  if (!fields.JoinsCopies && hasCopies)
-  {
-    options.Warn("An earlier filter made copies of points where materials meet. This one does not "
-                 "join them, because the input is on several ranks: the mesh has cracks there. Use "
-                 "one filter with more levels instead.");
-  }
   vtkSmartPointer<vtkPointSet> mesh;
   {
-    Control control(input, options.Features.Material, fields.JoinsCopies);
+    Control control(input, options.Features.Material, FindPartners(options, input));
     if (control.GetNumberOfColours() > MaximumNumberOfColours)
     {
       options.Fail("InterfaceValues: more than " + std::to_string(MaximumNumberOfColours) +

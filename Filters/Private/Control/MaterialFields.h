@@ -31,14 +31,12 @@ struct MaterialFieldOptions
   /// Cell arrays of these names become fields too: the value at a point is the mean of the cells of
   /// a material around it.
   std::vector<std::string> CellArrays;
-  /// Whether copies of points that an earlier filter made (the point array MaterialPointIds) are
-  /// one point for the work. If not, and there are some, a warning tells.
-  bool JoinsCopies = true;
 };
 
 /**
  * Calls work(mesh, output) for `input`, whose material is options.Features.Material, as described
- * above.
+ * above. Copies of points that an earlier filter made (the point array MaterialPointIds) are one
+ * point for the work. If other partitions have parts of the mesh, all call this together.
  *
  * A material has a value at the points of its cells, of those that are no faces of others: cells
  * on others take the values of a material that all of their points have. In the output the copies

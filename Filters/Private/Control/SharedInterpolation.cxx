@@ -53,12 +53,20 @@ Partners* FindOthers(vtkPointSet* input, const RunOptions& options)
   return options.Interpolation.IsOn() ? FindPartners(options, input) : nullptr;
 }
 
-void TellMisses(const LimitMisses& misses, const std::function<void(const std::string&)>& warn)
+/// `others`: those that call this too; if there are any, nothing is counted.
+void TellMisses(
+  LimitMisses misses, Partners* others, const std::function<void(const std::string&)>& warn)
 {
-  if (misses.Count > 0)
+  if (others)
+  {
+    std::vector<double> most{ misses.Most };
+    others->FindLargest(most);
+    misses.Most = most[0];
+  }
+  if (misses.Most > 0.)
   {
     std::ostringstream text;
-    text << "At " << misses.Count
+    text << "At " << (others ? "some" : std::to_string(misses.Count))
          << " points the values of a material are not those of the input, but differ by up to "
          << 100. * misses.Most
          << " % of the range: there the material touches others in edges or points only, or ends "
@@ -102,10 +110,6 @@ void WarnOfLateInterpolation(const InterpolationOptions& options,
 void TellOvershoot(const PointArrays& arrays, const RunOptions& options, vtkPointSet* input,
   vtkPointSet* output, bool isLimit)
 {
-  if (isLimit)
-  {
-    TellMisses(arrays.FindMisses(), options.Warn);
-  }
   Partners* others = FindOthers(input, options);
   std::vector<char> counted;
   if (others && options.Interpolation.Arrays)
@@ -115,6 +119,10 @@ void TellOvershoot(const PointArrays& arrays, const RunOptions& options, vtkPoin
       output, [blocks](vtkIdType cell) { return blocks && blocks->GetValue(cell) != NoBlock; });
   }
   const bool hasColours = options.HasMaterialFields && options.Interpolation.Arrays;
+  if (isLimit && hasColours)
+  {
+    TellMisses(arrays.FindMisses(counted), others, options.Warn);
+  }
   std::vector<Overshoot> found = arrays.FindOvershoot(
     counted, hasColours ? FindColoursAtPoints(output) : std::vector<ColourMask>());
   if (others && !found.empty())

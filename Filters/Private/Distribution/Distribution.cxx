@@ -137,13 +137,6 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
       {
         KeepOwnValues(run.Parts, joined);
       }
-      const std::string others =
-        run.Distribution.TellsOwnValues ? DescribeOwnValues(run.Parts, joined) : "";
-      if (!others.empty())
-      {
-        run.Options.Warn("Blocks, or parts of ranks, have different values where they meet, of " +
-          others + ". On several ranks the first ones count for all materials.");
-      }
       const int ghostLayers = CountGhostLayers(run);
       run.Parts.clear();
       if (rounds)
@@ -181,7 +174,7 @@ bool PrepareParts(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
     {
       options.Warn(uneven);
     }
-    if (kept.Restore(parts, layers, exchange))
+    if (kept.Restore(parts, layers, distribution.KeepsOwnValues, exchange))
     {
       std::vector<std::string> warnings = kept.GetWarnings();
       Tell(warnings, options);

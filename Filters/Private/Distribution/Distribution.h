@@ -45,10 +45,8 @@ struct DistributionOptions
   /// Whether to add the array BlockIndexName.
   bool AddBlockIndex = false;
   /// Whether points may have another value in each block (OwnValues.h), and copies of points that
-  /// an earlier filter made are one point; not where there are several ranks.
+  /// an earlier filter made are one point.
   bool KeepsOwnValues = false;
-  /// Whether to warn of such values instead.
-  bool TellsOwnValues = false;
   /// Warnings of what was done to the input before.
   std::vector<std::string> Warnings;
   /// Adds to a copy of a block, which is its second argument, what the filter knows of the block.

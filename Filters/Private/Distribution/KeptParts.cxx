@@ -133,12 +133,14 @@ MeshPart Copy(const MeshPart& kept)
 
 }
 
-bool KeptParts::Restore(std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange)
+bool KeptParts::Restore(
+  std::vector<std::vector<MeshPart>>& parts, int layers, bool joinsCopies, Exchange& exchange)
 {
   this->Current.clear();
   KeyMaker key(this->Current);
   key.Add(static_cast<std::uint64_t>(layers));
   key.Add(static_cast<std::uint64_t>(exchange.GetNumberOfPartitions()));
+  key.Add(joinsCopies ? 1 : 0);
   for (const auto& partition : parts)
   {
     key.Add(partition.size());
@@ -146,6 +148,10 @@ bool KeptParts::Restore(std::vector<std::vector<MeshPart>>& parts, int layers, E
     {
       key.AddCells(part.Mesh);
       key.AddIds(part.Mesh);
+      if (joinsCopies)
+      {
+        key.Add(part.Mesh->GetPointData()->GetArray(MaterialPointIdsName));
+      }
       key.AddKinds(part.Mesh->GetPointData());
       key.AddKinds(part.Mesh->GetCellData());
     }

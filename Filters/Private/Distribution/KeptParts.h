@@ -22,8 +22,9 @@ public:
   /// If cells, ids, and which arrays there are, are the same on all ranks as they were: gives the
   /// parts of each partition what was found out of them (IdentifyPoints, TakeStampedNumbers), adds
   /// those that came from others (AddLayers, ShareArrays), with their values of now, and returns
-  /// true. `layers`: how many are wanted. All ranks call it.
-  bool Restore(std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange);
+  /// true. `layers`: how many are wanted. `joinsCopies`: as in IdentifyPoints. All ranks call it.
+  bool Restore(
+    std::vector<std::vector<MeshPart>>& parts, int layers, bool joinsCopies, Exchange& exchange);
 
   /// Keeps what was found out since Restore returned false.
   void Keep(const std::vector<std::vector<MeshPart>>& parts, std::vector<SentLayers> sent,

@@ -115,27 +115,6 @@ void TakeCopiedPoints(std::vector<std::vector<MeshPart>>& parts)
   }
 }
 
-std::string DescribeOwnValues(const std::vector<MeshPart>& parts, const JoinedMesh& joined)
-{
-  std::string text;
-  for (const Values& values : FindValues(parts, joined))
-  {
-    std::vector<vtkIdType> places;
-    for (const Copy& copy : FindCopies(parts, joined, { values }))
-    {
-      places.push_back(copy.Place);
-    }
-    std::sort(places.begin(), places.end());
-    const auto count = std::unique(places.begin(), places.end()) - places.begin();
-    if (count > 0)
-    {
-      text +=
-        (text.empty() ? "\"" : ", \"") + values.Name + "\" at " + std::to_string(count) + " points";
-    }
-  }
-  return text;
-}
-
 void KeepOwnValues(const std::vector<MeshPart>& parts, JoinedMesh& joined)
 {
   const std::vector<Values> arrays = FindValues(parts, joined);

@@ -9,7 +9,6 @@
 
 #include "Private/Distribution/JoinedMesh.h"
 
-#include <string>
 #include <vector>
 
 namespace subdivision
@@ -26,9 +25,6 @@ void KeepOwnValues(const std::vector<MeshPart>& parts, JoinedMesh& joined);
 /// Gives copies of points, of which MaterialPointIds tells, the numbers of these points; the
 /// numbers are those that an earlier filter gave.
 void TakeCopiedPoints(std::vector<std::vector<MeshPart>>& parts);
-
-/// Says which arrays have such values, and at how many points; empty if none has.
-std::string DescribeOwnValues(const std::vector<MeshPart>& parts, const JoinedMesh& joined);
 
 }
 
