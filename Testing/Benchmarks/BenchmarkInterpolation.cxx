@@ -2,13 +2,16 @@
 /**
  * @file BenchmarkInterpolation.cxx
  * Control points and a scalar whose limits are the given ones, of 10^5 points: the first execution,
- * one with another scalar, where operators and points are kept, and one where points move too. Each
- * beside the same execution without interpolation. No level, all on the limit: the solver shows.
+ * one with another scalar, where operators and points are kept, one where points move too, and the
+ * first with three materials between which the scalar jumps. Each beside the same execution without
+ * interpolation. No level, all on the limit: the solver shows.
  */
 #include "BenchmarkFilter.h"
 #include "BenchmarkTools.h"
 
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -32,6 +35,21 @@ vtkPointSet* GetMesh()
 {
   static const vtkSmartPointer<vtkPointSet> mesh = ToVtk(MakeCube(46)); // 103,823 points
   return mesh;
+}
+
+/// The same in three slabs of different materials.
+vtkSmartPointer<vtkPointSet> MakeSlabs()
+{
+  auto slabs = vtkSmartPointer<vtkPointSet>::Take(GetMesh()->NewInstance());
+  slabs->ShallowCopy(GetMesh());
+  vtkNew<vtkIntArray> materials;
+  materials->SetName("MaterialId");
+  for (vtkIdType c = 0; c < slabs->GetNumberOfCells(); ++c)
+  {
+    materials->InsertNextValue(static_cast<int>(3 * c / slabs->GetNumberOfCells()));
+  }
+  slabs->GetCellData()->AddArray(materials);
+  return slabs;
 }
 
 vtkSmartPointer<vtkPointSet> MakeChanged(Change change)
@@ -78,6 +96,20 @@ Produced RunInterpolation(Stopwatch& watch, Change change, bool interpolate)
   return { size.Cells, size.Bytes };
 }
 
+Produced RunJumps(Stopwatch& watch, bool interpolate)
+{
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetInputData(MakeSlabs());
+  filter->SetNumberOfLevels(0);
+  filter->ProjectToLimitOn();
+  filter->PreserveInterfacesOn();
+  filter->SetInterfaceValuesToDiscontinuous();
+  filter->SetInterpolateArrays(interpolate);
+  watch.Time([&]() { filter->Update(); });
+  const OutputSize size = MeasureOutput(filter->GetOutput());
+  return { size.Cells, size.Bytes };
+}
+
 void RegisterInterpolation()
 {
   const struct
@@ -97,6 +129,15 @@ void RegisterInterpolation()
           threads, [run, interpolate](Stopwatch& watch)
           { return RunInterpolation(watch, run.Of, interpolate); });
       }
+    }
+  }
+  for (const int threads : ThreadCounts)
+  {
+    for (const bool interpolate : { true, false })
+    {
+      Register(std::string(interpolate ? "interpolation/" : "projection/") +
+          "jumping values/cube46/levels:0",
+        threads, [interpolate](Stopwatch& watch) { return RunJumps(watch, interpolate); });
     }
   }
 }

@@ -22,16 +22,21 @@ Grid MakeCloud(int size, Point low, Point high, unsigned seed, int type)
   return MakeGrid(points, cells, type);
 }
 
-Grid Moved(vtkUnstructuredGrid* mesh, const Map& map)
+vtkSmartPointer<vtkPoints> MovePoints(vtkPointSet* mesh, const Map& map)
 {
-  const Grid moved = DeepCopy(mesh);
-  vtkNew<vtkPoints> points;
+  const auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     points->InsertNextPoint(map(GetPoint(mesh, i)).data());
   }
-  moved->SetPoints(points);
+  return points;
+}
+
+Grid Moved(vtkUnstructuredGrid* mesh, const Map& map)
+{
+  const Grid moved = DeepCopy(mesh);
+  moved->SetPoints(MovePoints(mesh, map));
   return moved;
 }
 

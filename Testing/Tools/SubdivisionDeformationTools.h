@@ -21,6 +21,9 @@ using Map = std::function<Point(const Point&)>;
 /// Points in a box, one vertex cell each, with arrays of every kind.
 Grid MakeCloud(int size, Point low, Point high, unsigned seed, int type = VTK_DOUBLE);
 
+/// The points of a mesh, in double precision, at other places.
+vtkSmartPointer<vtkPoints> MovePoints(vtkPointSet* mesh, const Map& map);
+
 Grid Moved(vtkUnstructuredGrid* mesh, const Map& map);
 
 /// x -> a (1.1 x + 0.4 y - 0.3 z, …) + b: turns, shears and stretches.
