@@ -16,6 +16,8 @@ int vtkRedGreenRefinement::RequestData(
 {
   subdivision::RedGreenOptions options;
   options.LimitPlacement = this->Placement == LIMIT;
+  options.Scheme = this->VolumeScheme == TET_OCT ? subdivision::StampScheme::TetOct
+                                                 : subdivision::StampScheme::BoxSpline;
   return this->RunRounds(inputVector, outputVector, options, options.Criteria,
     [&options](vtkPointSet* input, vtkPointSet* output)
     {
@@ -27,4 +29,5 @@ void vtkRedGreenRefinement::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Placement: " << this->Placement << "\n";
+  os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
 }

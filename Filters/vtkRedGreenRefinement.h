@@ -107,16 +107,37 @@ public:
   void SetPlacementToLimit() { this->SetPlacement(LIMIT); }
   ///@}
 
+  enum VolumeSchemes
+  {
+    BOX_SPLINE,
+    TET_OCT
+  };
+  ///@{
+  /**
+   * Which limit solids have, where Placement is LIMIT or a criterion asks for it: BOX_SPLINE (0,
+   * the default) or TET_OCT (1), see vtkMultiDimensionalSubdivision. Cells are tetrahedra with
+   * either. The scheme's octahedra are the four tetrahedra around a diagonal that refinement makes
+   * in the middle of another, or that an earlier filter has cut them into: the middle of this
+   * diagonal is the centre of the octahedron.
+   */
+  vtkSetClampMacro(VolumeScheme, int, BOX_SPLINE, TET_OCT);
+  vtkGetMacro(VolumeScheme, int);
+  void SetVolumeSchemeToBoxSpline() { this->SetVolumeScheme(BOX_SPLINE); }
+  void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(TET_OCT); }
+  ///@}
+
 protected:
   vtkRedGreenRefinement();
   ~vtkRedGreenRefinement() override;
 
   bool CanInterpolate() const override { return this->Placement == LIMIT; }
   bool HasInterfaces() const override { return true; }
+  int GetLayersOfCells() const override { return this->VolumeScheme == TET_OCT ? 3 : 2; }
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   int Placement = LINEAR;
+  int VolumeScheme = BOX_SPLINE;
 
 private:
   vtkRedGreenRefinement(const vtkRedGreenRefinement&) = delete;

@@ -67,6 +67,15 @@ const Choice Choices[] = { { "edge length",
       o.Criteria.AttributeErrorOfLimit = true;
       o.Criteria.MaximumLevel = 2;
     } },
+  { "tet/oct limit",
+    [](vtkPointSet*, RedGreenOptions& o)
+    {
+      o.Criteria.ByGeometricError = true;
+      o.Criteria.GeometricTolerance = 0.004;
+      o.Criteria.MaximumLevel = 2;
+      o.LimitPlacement = true;
+      o.Scheme = subdivision::StampScheme::TetOct;
+    } },
   { "interpolating limit", [](vtkPointSet* mesh, RedGreenOptions& o)
     {
       o.Criteria.ByGeometricError = true;
@@ -108,6 +117,9 @@ bool RefineParts(const std::vector<Mesh>& cut, const Partition& partition, const
   subdivision::DistributionOptions distribution;
   distribution.Kept = kept;
   distribution.WorksInRounds = true;
+  RedGreenOptions chosen = options;
+  choice.Set(cut[0], chosen);
+  distribution.Layers = chosen.Scheme == subdivision::StampScheme::TetOct ? 3 : 2;
   RedGreenOptions shared = options;
   return RunOnParts(
     cut, partition, distribution, shared,

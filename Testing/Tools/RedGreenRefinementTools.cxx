@@ -121,6 +121,42 @@ std::set<vtkIdType> FindParts(
   return parts;
 }
 
+double GetFarthest(vtkUnstructuredGrid* from, vtkUnstructuredGrid* to)
+{
+  const auto read = [](vtkUnstructuredGrid* grid)
+  {
+    vtkDataArray* values = grid->GetPointData()->GetArray("V");
+    std::vector<std::vector<double>> places;
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      const Point p = GetPoint(grid, i);
+      places.emplace_back(p.begin(), p.end());
+      for (int c = 0; c < values->GetNumberOfComponents(); ++c)
+      {
+        places.back().push_back(values->GetComponent(i, c));
+      }
+    }
+    return places;
+  };
+  const auto others = read(to);
+  double most = 0.;
+  for (const auto& own : read(from))
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& other : others)
+    {
+      double distance = 0.;
+      for (std::size_t k = 0; k < own.size(); ++k)
+      {
+        distance = std::max(distance, std::abs(own[k] - other[k]));
+      }
+      least = std::min(least, distance);
+    }
+    most = std::max(most, least);
+  }
+  return most;
+}
+
 double GetVolume(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
   const Ids ids = GetCell(grid, cell);

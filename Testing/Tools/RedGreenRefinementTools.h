@@ -55,6 +55,10 @@ inline void AddRandomNumbers(vtkUnstructuredGrid* grid)
 std::set<vtkIdType> FindParts(
   vtkDataArray* numbersOfCorners, const Ids& corners, const double* numbers);
 
+/// The largest distance, in any coordinate or value named `V`, of a point of one mesh from the
+/// nearest of another.
+double GetFarthest(vtkUnstructuredGrid* from, vtkUnstructuredGrid* to);
+
 double GetVolume(vtkUnstructuredGrid* grid, vtkIdType cell);
 
 /// What a cell with its longest edge may have.

@@ -2,7 +2,6 @@
 #include "Private/RedGreen/RedGreenLimit.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Solids/BoxSpline/BoxSplineScheme.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,17 +11,44 @@ namespace subdivision
 
 template <typename Id>
 bool RedGreenLimit<Id>::Build(const ControlMesh& mesh, const FeatureOptions& features,
+  StampScheme scheme, const Coordinates& points, const WarnFunction& warn)
+{
+  return scheme == StampScheme::TetOct
+    ? this->template BuildWith<TetOctScheme<Id>>(mesh, features, points, warn)
+    : this->template BuildWith<BoxSplineScheme<Id>>(mesh, features, points, warn);
+}
+
+template <typename Id>
+template <typename Scheme>
+bool RedGreenLimit<Id>::BuildWith(const ControlMesh& mesh, const FeatureOptions& features,
   const Coordinates& points, const WarnFunction& warn)
 {
   ControlComplex<Id> control;
-  if (!BuildControlComplex(mesh, features, points, warn, Depth::ForRefinement, control))
+  typename Scheme::Level level;
+  if (!BuildControlComplex<Scheme>(
+        mesh, features, points, warn, Depth::ForRefinement, control, level))
   {
     return false;
   }
-  this->Control = std::move(control.Current);
-  this->Creases = BuildSharpStages<BoxSplineScheme<Id>>(mesh, features, control, 0);
-  this->FindCurved();
+  this->Creases = BuildSharpStages<Scheme>(mesh, features, control, 0);
+  this->FindCurved(level.Complex, level.Strata);
+  this->Control = std::move(level);
   return true;
+}
+
+template <typename Id>
+SparseRows<Id> RedGreenLimit<Id>::GetControlRows() const
+{
+  return std::visit(
+    [this](const auto& control) { return BuildLimitRows(control, this->Creases); }, this->Control);
+}
+
+template <typename Id>
+LocalLimit<Id> RedGreenLimit<Id>::MakeOperator(
+  const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted) const
+{
+  return std::visit([&](const auto& control)
+    { return LocalLimit<Id>(control, this->Creases, midpoints, wanted); }, this->Control);
 }
 
 template <typename Id>
@@ -32,19 +58,18 @@ LocalLimit<Id> RedGreenLimit<Id>::GetOperator(const RedGreen<Id>& state) const
   std::vector<std::array<Id, 2>> midpoints(state.GetNumberOfVertices() - given);
   ForEach(static_cast<vtkIdType>(midpoints.size()),
     [&](vtkIdType i) { midpoints[i] = state.GetEnds(static_cast<Id>(given + i)); });
-  return LocalLimit<Id>(this->Control, this->Creases, midpoints);
+  return this->MakeOperator(midpoints);
 }
 
 // ------------------------------------------------------------------------------------------------
 // Where vertices lie
 
 template <typename Id>
-void RedGreenLimit<Id>::FindCurved()
+void RedGreenLimit<Id>::FindCurved(const SimplicialComplex<Id>& complex, const Strata<Id>& strata)
 {
-  const SimplicialComplex<Id>& complex = this->Control.Complex;
   for (Id e = 0; e < complex.NumberOfEdges; ++e)
   {
-    const Rule rule = this->Control.Strata.Edges[e].GetRule();
+    const Rule rule = strata.Edges[e].GetRule();
     if (rule != Rule::Solid && rule != Rule::RegularEdge)
     {
       const Id* ends = complex.EdgeVertices.data() + 2 * static_cast<vtkIdType>(e);
@@ -54,7 +79,7 @@ void RedGreenLimit<Id>::FindCurved()
   }
   for (Id f = 0; f < complex.NumberOfFaces; ++f)
   {
-    if (this->Control.Strata.Faces[f].GetRule() != Rule::Solid)
+    if (strata.Faces[f].GetRule() != Rule::Solid)
     {
       const Id* corners = complex.FaceVertices.data() + 3 * static_cast<vtkIdType>(f);
       Carrier face = { { corners[0], corners[1], corners[2], -1 } };
@@ -401,7 +426,7 @@ void RedGreenLimit<Id>::Measure(
       }
     }
   }
-  const LocalLimit<Id> limit(this->Control, this->Creases, midpoints, wanted);
+  const LocalLimit<Id> limit = this->MakeOperator(midpoints, wanted);
   auto getLimits = [&limit](const ContinuedArray& array, const std::vector<double>& control)
   {
     Buffer<double> limits(limit.GetNumberOfRows() * array.GetComponents());

@@ -8,6 +8,7 @@
 #define SubdivisionObjects_RedGreenLimit_h
 
 #include "Core/Memory/PairTable.h"
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/LimitStencils.h"
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Private/Control/ControlComplex.h"
@@ -15,6 +16,7 @@
 #include "Private/RedGreen/RefinementMarks.h"
 
 #include <array>
+#include <variant>
 #include <vector>
 
 namespace subdivision
@@ -24,12 +26,13 @@ template <typename Id>
 class RedGreenLimit
 {
 public:
-  /// False where a stamp that is trusted leads to other cells than those that were read.
-  bool Build(const ControlMesh& mesh, const FeatureOptions& features, const Coordinates& points,
-    const WarnFunction& warn);
+  /// `scheme`: that of the limit. False where a stamp that is trusted leads to other cells than
+  /// those that were read.
+  bool Build(const ControlMesh& mesh, const FeatureOptions& features, StampScheme scheme,
+    const Coordinates& points, const WarnFunction& warn);
 
   /// The limits of the control vertices.
-  SparseRows<Id> GetControlRows() const { return BuildLimitRows(this->Control, this->Creases); }
+  SparseRows<Id> GetControlRows() const;
   /// Sets the coordinates and the attribute of the control vertices, where they are not those that
   /// the criteria read; empty: they are.
   void SetControlValues(std::vector<double> coordinates, std::vector<double> attribute)
@@ -88,7 +91,7 @@ private:
     bool IsBoundary = false;
   };
 
-  void FindCurved();
+  void FindCurved(const SimplicialComplex<Id>& complex, const Strata<Id>& strata);
   void FindCarriers(const RedGreen<Id>& state);
   bool IsCurved(const Carrier& carrier) const;
   void AddSide(Id edge, Id opposite, bool isOfSolid);
@@ -109,7 +112,13 @@ private:
   void Measure(const RedGreen<Id>& state, const RefinementOptions& options,
     const RefinementCriteria& criteria);
 
-  Level<Id> Control;
+  template <typename Scheme>
+  bool BuildWith(const ControlMesh& mesh, const FeatureOptions& features, const Coordinates& points,
+    const WarnFunction& warn);
+  LocalLimit<Id> MakeOperator(const std::vector<std::array<Id, 2>>& midpoints,
+    const Buffer<unsigned char>& wanted = Buffer<unsigned char>()) const;
+
+  std::variant<Level<Id>, TetOctLevel<Id>> Control;
   SemiSharpStages<Id> Creases;
   std::vector<double> ControlCoordinates;
   std::vector<double> ControlAttribute;

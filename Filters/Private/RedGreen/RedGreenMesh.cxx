@@ -253,12 +253,12 @@ bool IsWhatWasRead(const SimplexView& read, const RedGreenMesh& mesh)
 
 }
 
-RedGreenMesh ReadRedGreenMesh(
-  vtkPointSet* input, const FeatureOptions& features, bool trustStamp, bool undo)
+RedGreenMesh ReadRedGreenMesh(vtkPointSet* input, const FeatureOptions& features,
+  StampScheme scheme, bool trustStamp, bool undo)
 {
   RedGreenMesh mesh;
-  mesh.Control =
-    ReadControlMesh(input, trustStamp, features, StampScheme::BoxSpline, PlainIds::InPlace);
+  // The pieces of an octahedron come with its diagonal as a marked edge, which they keep.
+  mesh.Control = ReadControlMesh(input, trustStamp, features, scheme, PlainIds::InPlace);
   mesh.TetOrderIsFinal = mesh.Control.IsStamped;
   Stamp stamp;
   const auto& cells = mesh.Control.Cells;

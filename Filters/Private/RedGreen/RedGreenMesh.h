@@ -64,11 +64,11 @@ struct WholeSize
   vtkIdType Cells = 0;
 };
 
-/// Reads an input. `trustStamp`: as in ReadControlMesh; `undo`: false if green cells are to be
-/// taken as they are. The warnings of the control mesh have the reason if the green cells of an
-/// earlier filter cannot be undone.
-RedGreenMesh ReadRedGreenMesh(
-  vtkPointSet* input, const FeatureOptions& features, bool trustStamp, bool undo);
+/// Reads an input. `scheme` and `trustStamp`: as in ReadControlMesh; `undo`: false if green cells
+/// are to be taken as they are. The warnings of the control mesh have the reason if the green cells
+/// of an earlier filter cannot be undone.
+RedGreenMesh ReadRedGreenMesh(vtkPointSet* input, const FeatureOptions& features,
+  StampScheme scheme, bool trustStamp, bool undo);
 
 /// Writes or replaces the stamp, the leaves and the global ids of a finished output. `whole`: how
 /// many points and cells the output has of which this is a part; zeros: it is the whole.

@@ -133,10 +133,15 @@ void RedGreenRun::Read(bool trustStamp)
   // Leaves in the place of their green parts do not conform, and then there is no limit. Where
   // limits are needed, green cells are not undone.
   const bool undo = !this->ReadsLimit();
-  this->Mesh = ReadRedGreenMesh(this->Input, this->Options.Features, trustStamp, undo);
+  const auto read = [&](bool undoes)
+  {
+    const StampScheme scheme = undo ? StampScheme::BoxSpline : this->Options.Scheme;
+    return ReadRedGreenMesh(this->Input, this->Options.Features, scheme, trustStamp, undoes);
+  };
+  this->Mesh = read(undo);
   if (undo && !this->AllAgree(this->Mesh.IsContinued) && this->Mesh.IsContinued)
   {
-    this->Mesh = ReadRedGreenMesh(this->Input, this->Options.Features, trustStamp, false);
+    this->Mesh = read(false);
   }
   if (this->Others)
   {
@@ -233,7 +238,7 @@ bool RedGreenRun::BuildLimit(RedGreenLimit<Id>& limit)
     OrderTets(ordered.Cells.Simplices, points, ordered.GetGlobalIds(),
       static_cast<vtkIdType>(ordered.GlobalIds.size()));
   }
-  return limit.Build(ordered, this->Options.Features, points,
+  return limit.Build(ordered, this->Options.Features, this->Options.Scheme, points,
     [this](const std::string& warning) { this->Warn(warning); });
 }
 

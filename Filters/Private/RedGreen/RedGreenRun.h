@@ -7,6 +7,7 @@
 #define SubdivisionObjects_RedGreenRun_h
 
 #include "Private/Control/RunOptions.h"
+#include "Private/Control/Stamp.h"
 #include "Private/Criteria/RefinementCriteria.h"
 
 class vtkPointSet;
@@ -19,6 +20,7 @@ struct RedGreenOptions : RunOptions
 {
   RefinementOptions Criteria;
   bool LimitPlacement = false;
+  StampScheme Scheme = StampScheme::BoxSpline; ///< of the limit
 };
 
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then

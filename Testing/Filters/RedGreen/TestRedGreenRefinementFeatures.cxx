@@ -129,10 +129,11 @@ Grid MakeFeatured(coretest::Mesh mesh)
   return grid;
 }
 
-Grid Project(
-  vtkUnstructuredGrid* input, int levels, const FeatureCase& features, Messages* messages)
+Grid Project(vtkUnstructuredGrid* input, int levels, const FeatureCase& features,
+  Messages* messages, int scheme = vtkMultiDimensionalSubdivision::BOX_SPLINE)
 {
   vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeScheme(scheme);
   messages->Watch(filter);
   filter->SetInputData(input);
   filter->SetNumberOfLevels(levels);
@@ -212,6 +213,34 @@ TEST_P(RedGreenFeatures, EverythingMarkedIsTheProjectedUniformMesh)
     }
   }
   EXPECT_GT(results.size(), 4u) << "options change something";
+}
+
+TEST_P(RedGreenFeatures, EverythingMarkedHasThePointsOfTheTetOctScheme)
+{
+  const Grid input = MakeFeatured(coretest::FindInZoo(GetParam()));
+  for (const FeatureCase& features : MakeCases())
+  {
+    SCOPED_TRACE(features.Name);
+    vtkNew<Messages> messages;
+    const Grid output = Refine(
+      input,
+      [&](Filter* filter)
+      {
+        filter->RefineByEdgeLengthOn();
+        filter->SetMaximumEdgeLength(0.);
+        filter->SetMaximumLevel(2);
+        filter->SetPlacementToLimit();
+        filter->SetVolumeSchemeToTetOct();
+        features.Set(filter);
+      },
+      messages);
+    const Grid uniform =
+      Project(input, 2, features, messages, vtkMultiDimensionalSubdivision::TET_OCT);
+    EXPECT_TRUE(messages->Errors.empty());
+    ASSERT_EQ(output->GetNumberOfPoints(), uniform->GetNumberOfPoints());
+    EXPECT_LE(GetFarthest(output, uniform), 1e-12);
+    EXPECT_LE(GetFarthest(uniform, output), 1e-12);
+  }
 }
 
 /// Wherever and however late a point is made, semi-sharp creases have lost as much as they should.

@@ -16,14 +16,29 @@ using namespace red_green_refinement_tools;
 namespace
 {
 
-Grid Project(vtkDataObject* input, int levels)
+Grid Project(vtkDataObject* input, int levels,
+  int scheme = vtkMultiDimensionalSubdivision::BOX_SPLINE, bool toLimit = true)
 {
   vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeScheme(scheme);
   filter->SetInputDataObject(input);
   filter->SetNumberOfLevels(levels);
-  filter->ProjectToLimitOn();
+  filter->SetProjectToLimit(toLimit);
   filter->Update();
   return filter->GetOutput();
+}
+
+Grid RefineAll(vtkDataObject* input, int level, int scheme)
+{
+  return Refine(input,
+    [=](Filter* filter)
+    {
+      filter->RefineByEdgeLengthOn();
+      filter->SetMaximumEdgeLength(0.);
+      filter->SetMaximumLevel(level);
+      filter->SetPlacementToLimit();
+      filter->SetVolumeScheme(scheme);
+    });
 }
 
 /// The largest difference between the points, and the values named `V`, of two meshes whose cells
@@ -72,17 +87,36 @@ TEST_P(RedGreenLimitZoo, EverythingMarkedIsTheProjectedUniformMesh)
     MakeArray<vtkDoubleArray>("V", 2, input->GetNumberOfPoints(), -1., 1., 3));
   for (int level = 0; level < 3; ++level)
   {
-    const Grid output = Refine(input,
-      [level](Filter* filter)
-      {
-        filter->RefineByEdgeLengthOn();
-        filter->SetMaximumEdgeLength(0.);
-        filter->SetMaximumLevel(level);
-        filter->SetPlacementToLimit();
-      });
+    const Grid output = RefineAll(input, level, Filter::BOX_SPLINE);
     const double difference = GetDifference(output, Project(input, level), level == 0);
     EXPECT_GE(difference, 0.) << "level " << level;
     EXPECT_LE(difference, 1e-12) << "level " << level;
+  }
+}
+
+/// The same for the tet/oct scheme, whose octahedra are cut around other diagonals; also if an
+/// earlier filter of that scheme made the first level.
+TEST_P(RedGreenLimitZoo, EverythingMarkedHasThePointsOfTheTetOctScheme)
+{
+  const Grid input = MakeGrid(coretest::FindInZoo(this->GetParam()));
+  input->GetPointData()->AddArray(
+    MakeArray<vtkDoubleArray>("V", 2, input->GetNumberOfPoints(), -1., 1., 3));
+  const int scheme = vtkMultiDimensionalSubdivision::TET_OCT;
+  for (int level = 0; level < 3; ++level)
+  {
+    const Grid expected = Project(input, level, scheme);
+    std::vector<Grid> made = { RefineAll(input, level, Filter::TET_OCT) };
+    if (level > 0)
+    {
+      made.push_back(RefineAll(Project(input, 1, scheme, false), level - 1, Filter::TET_OCT));
+    }
+    for (const Grid& output : made)
+    {
+      ASSERT_EQ(output->GetNumberOfPoints(), expected->GetNumberOfPoints());
+      EXPECT_EQ(output->GetNumberOfCells(), expected->GetNumberOfCells());
+      EXPECT_LE(GetFarthest(output, expected), 1e-12) << "level " << level;
+      EXPECT_LE(GetFarthest(expected, output), 1e-12) << "level " << level;
+    }
   }
 }
 
@@ -92,6 +126,7 @@ TEST_P(RedGreenLimitZoo, PointsDoNotDependOnTheirNeighbourhood)
   const Grid input = MakeGrid(coretest::FindInZoo(this->GetParam()));
   AddWeights(input); // linear placement tells which points are the same
   AddWantedLevels(input, 3, 5, 0.3);
+  int scheme = Filter::BOX_SPLINE;
   auto run = [&](int placement, bool everything)
   {
     return Refine(input,
@@ -101,6 +136,7 @@ TEST_P(RedGreenLimitZoo, PointsDoNotDependOnTheirNeighbourhood)
         filter->SetRefineByEdgeLength(everything);
         filter->SetMaximumEdgeLength(0.);
         filter->SetPlacement(placement);
+        filter->SetVolumeScheme(scheme);
       });
   };
   auto getKey = [](vtkUnstructuredGrid* grid, vtkIdType point)
@@ -114,22 +150,26 @@ TEST_P(RedGreenLimitZoo, PointsDoNotDependOnTheirNeighbourhood)
     return key;
   };
   const Grid uniform = run(Filter::LINEAR, true);
-  const Grid projected = run(Filter::LIMIT, true);
   const Grid adaptive = run(Filter::LINEAR, false);
-  const Grid limit = run(Filter::LIMIT, false);
-  ASSERT_EQ(adaptive->GetNumberOfPoints(), limit->GetNumberOfPoints());
   std::map<std::vector<double>, vtkIdType> known;
   for (vtkIdType i = 0; i < uniform->GetNumberOfPoints(); ++i)
   {
     known[getKey(uniform, i)] = i;
   }
-  for (vtkIdType i = 0; i < limit->GetNumberOfPoints(); ++i)
+  for (const int ofLimit : { Filter::BOX_SPLINE, Filter::TET_OCT })
   {
-    const auto found = known.find(getKey(adaptive, i));
-    ASSERT_NE(found, known.end()) << i;
-    const Point p = GetPoint(limit, i);
-    const Point q = GetPoint(projected, found->second);
-    EXPECT_LE(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), 1e-12) << i;
+    scheme = ofLimit;
+    const Grid projected = run(Filter::LIMIT, true);
+    const Grid limit = run(Filter::LIMIT, false);
+    ASSERT_EQ(adaptive->GetNumberOfPoints(), limit->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < limit->GetNumberOfPoints(); ++i)
+    {
+      const auto found = known.find(getKey(adaptive, i));
+      ASSERT_NE(found, known.end()) << i;
+      const Point p = GetPoint(limit, i);
+      const Point q = GetPoint(projected, found->second);
+      EXPECT_LE(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), 1e-12) << i;
+    }
   }
 }
 

@@ -3,8 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Operators/ForBlocks.h"
-#include "Core/Solids/BoxSpline/BoxSplineSplit.h"
-#include "Core/Solids/BoxSpline/Refinement.h"
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/Restriction.h"
 
 #include <algorithm>
@@ -18,11 +17,43 @@
 namespace subdivision
 {
 
+namespace
+{
+
+/// Calls act(its two ends, octahedron) for each diagonal of the octahedra of a level.
+template <typename Id, typename Act>
+void ForDiagonals(const Level<Id>&, const Act&)
+{
+}
+template <typename Id, typename Act>
+void ForDiagonals(const TetOctLevel<Id>& level, const Act& act)
+{
+  for (vtkIdType d = 0; d < 3 * vtkIdType(level.NumberOfOctahedra); ++d)
+  {
+    act(level.OctVertices.data() + 2 * d, static_cast<Id>(d / 3));
+  }
+}
+
+/// Gives a level without solids what vertex rows need besides strata.
+template <typename Id>
+void TakeSpokes(const Level<Id>&, const SharpStage<Id>&, Level<Id>&)
+{
+}
+template <typename Id>
+void TakeSpokes(const TetOctLevel<Id>& from, const SharpStage<Id>& stage, TetOctLevel<Id>& sharp)
+{
+  sharp.NumberOfControlVertices = from.NumberOfControlVertices;
+  sharp.TetsAtSpokes = stage.TetsAtSpokes;
+}
+
+}
+
 /**
  * Builds the steps of a LocalLimit. Forward it makes the levels, each from a part of the one
  * before, and the wanted limit rows on them; backward it finds the rows that these need.
  */
 template <typename Id>
+template <typename LevelType>
 class LocalLimit<Id>::Builder
 {
 public:
@@ -30,14 +61,14 @@ public:
     Id first, const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted);
 
   /// False: the parts were too small.
-  bool Build(const Level<Id>& control, const SemiSharpStages<Id>& creases, int distance,
+  bool Build(const LevelType& control, const SemiSharpStages<Id>& creases, int distance,
     std::vector<Step>& steps);
 
 private:
   /// A level, or a part of one.
   struct Piece
   {
-    subdivision::Level<Id> Level;
+    LevelType Level;
     SemiSharpStages<Id> Creases;
     Buffer<unsigned char> Whole; ///< vertices at which nothing is missing
   };
@@ -57,11 +88,11 @@ private:
   void FindLevels();
   void FindAncestors();
   Buffer<unsigned char> FlagSupport(
-    const SimplicialComplex<Id>& complex, std::size_t level, int distance) const;
+    const LevelType& current, std::size_t level, int distance) const;
   void FollowVertices(
-    const SimplicialComplex<Id>& part, const Restriction<Id>& restriction, std::size_t level);
+    const LevelType& part, const Restriction<LevelType>& restriction, std::size_t level);
   SparseRows<Id> MakeLimits(
-    const Level<Id>& level, const SemiSharpStages<Id>& creases, std::size_t number) const;
+    const LevelType& level, const SemiSharpStages<Id>& creases, std::size_t number) const;
   static SemiSharpStages<Id> RefineCreases(Piece& part, const SimplicialComplex<Id>& children);
   static void TakeOperators(Piece& part, Trace& trace);
   static void AppendRow(const Trace& trace, vtkIdType row, ExplicitRows<Id>& rows);
@@ -77,7 +108,8 @@ private:
 };
 
 template <typename Id>
-LocalLimit<Id>::Builder::Builder(
+template <typename LevelType>
+LocalLimit<Id>::Builder<LevelType>::Builder(
   Id first, const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted)
   : First(first)
   , Midpoints(midpoints)
@@ -94,7 +126,8 @@ LocalLimit<Id>::Builder::Builder(
 }
 
 template <typename Id>
-void LocalLimit<Id>::Builder::FindLevels()
+template <typename LevelType>
+void LocalLimit<Id>::Builder<LevelType>::FindLevels()
 {
   this->Levels.assign(this->Midpoints.size() + this->First, 0);
   this->Born.resize(1);
@@ -121,7 +154,8 @@ void LocalLimit<Id>::Builder::FindLevels()
 /// The ancestors of a level are the ends of the edges whose midpoints first exist on the next
 /// level, and those ancestors of the next level that exist already.
 template <typename Id>
-void LocalLimit<Id>::Builder::FindAncestors()
+template <typename LevelType>
+void LocalLimit<Id>::Builder<LevelType>::FindAncestors()
 {
   this->Ancestors.resize(this->Born.size());
   std::vector<bool> isAncestor(this->Levels.size(), false);
@@ -152,11 +186,14 @@ void LocalLimit<Id>::Builder::FindAncestors()
   }
 }
 
-/// Flags the ancestors and all vertices within `distance` edges of them.
+/// Flags the ancestors and all vertices within `distance` steps of them, along edges and across
+/// octahedra.
 template <typename Id>
-Buffer<unsigned char> LocalLimit<Id>::Builder::FlagSupport(
-  const SimplicialComplex<Id>& complex, std::size_t level, int distance) const
+template <typename LevelType>
+Buffer<unsigned char> LocalLimit<Id>::Builder<LevelType>::FlagSupport(
+  const LevelType& current, std::size_t level, int distance) const
 {
+  const SimplicialComplex<Id>& complex = current.Complex;
   Buffer<unsigned char> flags(complex.NumberOfVertices, 0);
   for (Id vertex : this->Ancestors[level])
   {
@@ -164,9 +201,8 @@ Buffer<unsigned char> LocalLimit<Id>::Builder::FlagSupport(
   }
   for (int step = 1; step <= distance; ++step)
   {
-    for (Id e = 0; e < complex.NumberOfEdges; ++e)
+    const auto spread = [&](const Id* ends)
     {
-      const Id* ends = complex.EdgeVertices.data() + 2 * vtkIdType(e);
       for (int i = 0; i < 2; ++i)
       {
         if (flags[ends[i]] > 0 && flags[ends[i]] <= step && flags[ends[1 - i]] == 0)
@@ -174,7 +210,12 @@ Buffer<unsigned char> LocalLimit<Id>::Builder::FlagSupport(
           flags[ends[1 - i]] = static_cast<unsigned char>(std::min(step + 1, 255));
         }
       }
+    };
+    for (vtkIdType e = 0; e < complex.NumberOfEdges; ++e)
+    {
+      spread(complex.EdgeVertices.data() + 2 * e);
     }
+    ForDiagonals(current, [&](const Id* ends, Id) { spread(ends); });
   }
   return flags;
 }
@@ -182,25 +223,31 @@ Buffer<unsigned char> LocalLimit<Id>::Builder::FlagSupport(
 /// Finds the numbers of the ancestors in the part, and of the vertices that first exist on the next
 /// level.
 template <typename Id>
-void LocalLimit<Id>::Builder::FollowVertices(
-  const SimplicialComplex<Id>& part, const Restriction<Id>& restriction, std::size_t level)
+template <typename LevelType>
+void LocalLimit<Id>::Builder<LevelType>::FollowVertices(
+  const LevelType& part, const Restriction<LevelType>& restriction, std::size_t level)
 {
-  std::vector<unsigned char> isAncestor(part.NumberOfVertices, 0);
+  const SimplicialComplex<Id>& complex = part.Complex;
+  std::vector<unsigned char> isAncestor(complex.NumberOfVertices, 0);
   for (Id vertex : this->Ancestors[level])
   {
     this->At[vertex] = restriction.GetNewVertices()[this->At[vertex]];
     isAncestor[this->At[vertex]] = 1;
   }
-  std::vector<std::tuple<Id, Id, Id>> edges;
-  for (Id e = 0; e < part.NumberOfEdges; ++e)
+  std::vector<std::tuple<Id, Id, Id>> edges; // and diagonals: ends, vertex between
+  const auto add = [&](const Id* ends, Id middle)
   {
-    const auto [a, b] =
-      std::minmax(part.EdgeVertices[2 * vtkIdType(e)], part.EdgeVertices[2 * vtkIdType(e) + 1]);
+    const auto [a, b] = std::minmax(ends[0], ends[1]);
     if (isAncestor[a] && isAncestor[b])
     {
-      edges.emplace_back(a, b, e);
+      edges.emplace_back(a, b, complex.NumberOfVertices + middle);
     }
+  };
+  for (Id e = 0; e < complex.NumberOfEdges; ++e)
+  {
+    add(complex.EdgeVertices.data() + 2 * vtkIdType(e), e);
   }
+  ForDiagonals(part, [&](const Id* ends, Id oct) { add(ends, complex.NumberOfEdges + oct); });
   std::sort(edges.begin(), edges.end());
   for (Id vertex : this->Born[level + 1])
   {
@@ -213,13 +260,14 @@ void LocalLimit<Id>::Builder::FollowVertices(
         std::to_string(ends[0]) + " and " + std::to_string(ends[1]) + " on level " +
         std::to_string(level) + ".");
     }
-    this->At[vertex] = part.NumberOfVertices + std::get<2>(*edge);
+    this->At[vertex] = std::get<2>(*edge);
   }
 }
 
 template <typename Id>
-SparseRows<Id> LocalLimit<Id>::Builder::MakeLimits(
-  const Level<Id>& level, const SemiSharpStages<Id>& creases, std::size_t number) const
+template <typename LevelType>
+SparseRows<Id> LocalLimit<Id>::Builder<LevelType>::MakeLimits(
+  const LevelType& level, const SemiSharpStages<Id>& creases, std::size_t number) const
 {
   const std::vector<Id>& wanted = this->Wanted[number];
   Buffer<Id> vertices(static_cast<vtkIdType>(wanted.size()));
@@ -229,7 +277,8 @@ SparseRows<Id> LocalLimit<Id>::Builder::MakeLimits(
 }
 
 template <typename Id>
-SemiSharpStages<Id> LocalLimit<Id>::Builder::RefineCreases(
+template <typename LevelType>
+SemiSharpStages<Id> LocalLimit<Id>::Builder<LevelType>::RefineCreases(
   Piece& part, const SimplicialComplex<Id>& children)
 {
   SemiSharpStages<Id> refined;
@@ -258,7 +307,7 @@ SemiSharpStages<Id> LocalLimit<Id>::Builder::RefineCreases(
     {
       std::swap(part.Level.Strata, stage.Strata);
       refined.Stages.push_back(
-        { stage.Until - 1, Refine(part.Level, Depth::ForRefinement).Strata });
+        { stage.Until - 1, Refine(part.Level, Depth::ForRefinement).Strata, stage.TetsAtSpokes });
       std::swap(part.Level.Strata, stage.Strata);
     }
   }
@@ -267,12 +316,14 @@ SemiSharpStages<Id> LocalLimit<Id>::Builder::RefineCreases(
 
 /// Moves the operators out of a part that was refined.
 template <typename Id>
-void LocalLimit<Id>::Builder::TakeOperators(Piece& part, Trace& trace)
+template <typename LevelType>
+void LocalLimit<Id>::Builder<LevelType>::TakeOperators(Piece& part, Trace& trace)
 {
   const SimplicialComplex<Id>& complex = part.Level.Complex;
   const vtkIdType vertices = complex.NumberOfVertices;
   const vtkIdType edges = complex.NumberOfEdges;
-  trace.Whole = Buffer<unsigned char>(vertices + edges);
+  const vtkIdType centres = SchemeOf<LevelType>::CountCentres(part.Level);
+  trace.Whole = Buffer<unsigned char>(vertices + edges + centres, 1); // centres have all vertices
   std::copy(part.Whole.begin(), part.Whole.end(), trace.Whole.begin());
   for (vtkIdType e = 0; e < edges; ++e)
   {
@@ -284,12 +335,13 @@ void LocalLimit<Id>::Builder::TakeOperators(Piece& part, Trace& trace)
   if (!rows.empty())
   {
     // As BlendSemiSharp does.
-    trace.Weights.assign(vertices + edges, 0.);
+    trace.Weights.assign(vertices + edges + centres, 0.);
     for (const SharpRow& row : rows)
     {
       trace.Weights[row.Row] = std::min(1., row.Sharpness);
     }
-    Level<Id> sharp;
+    LevelType sharp;
+    TakeSpokes(part.Level, part.Creases.Stages.front(), sharp);
     sharp.Complex.EdgeVertices = Buffer<Id>(2 * edges);
     std::copy_n(complex.EdgeVertices.begin(), 2 * edges, sharp.Complex.EdgeVertices.begin());
     sharp.Strata = std::move(part.Creases.Stages.front().Strata);
@@ -299,8 +351,9 @@ void LocalLimit<Id>::Builder::TakeOperators(Piece& part, Trace& trace)
 }
 
 template <typename Id>
-bool LocalLimit<Id>::Builder::Build(const Level<Id>& control, const SemiSharpStages<Id>& creases,
-  int distance, std::vector<Step>& steps)
+template <typename LevelType>
+bool LocalLimit<Id>::Builder<LevelType>::Build(const LevelType& control,
+  const SemiSharpStages<Id>& creases, int distance, std::vector<Step>& steps)
 {
   this->At.assign(this->Midpoints.size() + this->First, -1);
   for (Id v = 0; v < this->First; ++v)
@@ -308,7 +361,7 @@ bool LocalLimit<Id>::Builder::Build(const Level<Id>& control, const SemiSharpSta
     this->At[v] = v;
   }
   std::vector<Trace> traces(this->Born.size());
-  const Level<Id>* level = &control;
+  const LevelType* level = &control;
   const SemiSharpStages<Id>* levelCreases = &creases;
   Piece current; // what the two point to from level 1 on
   for (std::size_t l = 0; l < this->Born.size(); ++l)
@@ -318,17 +371,16 @@ bool LocalLimit<Id>::Builder::Build(const Level<Id>& control, const SemiSharpSta
     {
       break;
     }
-    const Buffer<unsigned char> support = this->FlagSupport(level->Complex, l, distance);
-    const Restriction<Id> restriction(level->Complex, support);
+    const Buffer<unsigned char> support = this->FlagSupport(*level, l, distance);
+    const Restriction<LevelType> restriction(*level, support);
     const Buffer<Id>& old = restriction.GetOldVertices();
     Piece part;
-    part.Level.Complex = restriction.Restrict(level->Complex);
-    part.Level.Strata = restriction.Restrict(level->Strata);
+    part.Level = restriction.Restrict();
     part.Creases = restriction.Restrict(*levelCreases);
     part.Whole = Buffer<unsigned char>(old.size());
     ForEach(old.size(), [&](vtkIdType v)
       { part.Whole[v] = support[old[v]] && (current.Whole.empty() || current.Whole[old[v]]); });
-    this->FollowVertices(part.Level.Complex, restriction, l);
+    this->FollowVertices(part.Level, restriction, l);
     Trace& next = traces[l + 1];
     next.Columns = Buffer<Id>(old.size());
     std::copy(old.begin(), old.end(), next.Columns.begin());
@@ -345,7 +397,9 @@ bool LocalLimit<Id>::Builder::Build(const Level<Id>& control, const SemiSharpSta
 
 /// A row that leads to a level, with columns on the level before.
 template <typename Id>
-void LocalLimit<Id>::Builder::AppendRow(const Trace& trace, vtkIdType row, ExplicitRows<Id>& rows)
+template <typename LevelType>
+void LocalLimit<Id>::Builder<LevelType>::AppendRow(
+  const Trace& trace, vtkIdType row, ExplicitRows<Id>& rows)
 {
   const std::size_t begin = rows.Columns.size();
   const double sharp = trace.Weights.empty() ? 0. : trace.Weights[row];
@@ -366,7 +420,8 @@ void LocalLimit<Id>::Builder::AppendRow(const Trace& trace, vtkIdType row, Expli
 
 /// Keeps the rows that the limits need, level by level. Returns false if one of them lacks entries.
 template <typename Id>
-bool LocalLimit<Id>::Builder::FollowBack(
+template <typename LevelType>
+bool LocalLimit<Id>::Builder<LevelType>::FollowBack(
   std::vector<Trace>& traces, Id columns, std::vector<Step>& steps) const
 {
   auto copy = [](const auto& from)
@@ -437,13 +492,14 @@ bool LocalLimit<Id>::Builder::FollowBack(
 }
 
 template <typename Id>
-LocalLimit<Id>::LocalLimit(const Level<Id>& control, const SemiSharpStages<Id>& creases,
+template <typename LevelType>
+LocalLimit<Id>::LocalLimit(const LevelType& control, const SemiSharpStages<Id>& creases,
   const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted,
   int distance)
   : NumberOfRows(control.Complex.NumberOfVertices + static_cast<vtkIdType>(midpoints.size()))
   , NumberOfColumns(control.Complex.NumberOfVertices)
 {
-  Builder builder(control.Complex.NumberOfVertices, midpoints, wanted);
+  Builder<LevelType> builder(control.Complex.NumberOfVertices, midpoints, wanted);
   while (!builder.Build(control, creases, distance, this->Steps))
   {
     ++distance;
@@ -555,5 +611,13 @@ vtkIdType LocalLimit<Id>::GetNumberOfSupportValues() const
 }
 
 SUBDIVISION_COMPILE(class LocalLimit);
+#define SUBDIVISION_LOCAL(Level)                                                                   \
+  template LocalLimit<Level::IdType>::LocalLimit(const Level&,                                     \
+    const SemiSharpStages<Level::IdType>&, const std::vector<std::array<Level::IdType, 2>>&,       \
+    const Buffer<unsigned char>&, int)
+SUBDIVISION_LOCAL(Level<int>);
+SUBDIVISION_LOCAL(Level<long long>);
+SUBDIVISION_LOCAL(TetOctLevel<int>);
+SUBDIVISION_LOCAL(TetOctLevel<long long>);
 
 }

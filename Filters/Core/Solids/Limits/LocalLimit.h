@@ -32,12 +32,14 @@ public:
    * Vertices 0 to V - 1 are those of `control` (made with Depth::ForRefinement, or the control
    * level), which has V. Vertex V + i is the edge point of the edge between the vertices
    * `midpoints[i]`, both smaller than V + i. It must be an edge of a level of the uniform
-   * refinement (RedGreen::GetEnds); else std::invalid_argument is thrown. The same edge may occur
-   * again. `wanted` flags the vertices whose limits are computed (empty: all); Apply leaves the
-   * values of the others. `distance`: at first a part has all vertices within this number of edges
-   * of its ancestors.
+   * refinement (RedGreen::GetEnds) or, in the tet/oct scheme, the diagonal of an octahedron of a
+   * level, whose centre the vertex then is; else std::invalid_argument is thrown. The same edge may
+   * occur again. `wanted` flags the vertices whose limits are computed (empty: all); Apply leaves
+   * the values of the others. `distance`: at first a part has all vertices within this number of
+   * edges of its ancestors.
    */
-  LocalLimit(const Level<Id>& control, const SemiSharpStages<Id>& creases,
+  template <typename LevelType>
+  LocalLimit(const LevelType& control, const SemiSharpStages<Id>& creases,
     const std::vector<std::array<Id, 2>>& midpoints,
     const Buffer<unsigned char>& wanted = Buffer<unsigned char>(), int distance = 1);
 
@@ -63,6 +65,7 @@ private:
     SparseRows<Id> Limits; ///< from this step's values
     std::vector<Id> Vertices;
   };
+  template <typename LevelType>
   class Builder;
   std::array<vtkIdType, 2> GetSizesBetween() const;
 

@@ -3,12 +3,14 @@
 
 #include "Core/Memory/Ids.h"
 
+#include <algorithm>
+
 namespace subdivision
 {
 namespace
 {
 
-/// Flags the simplices that have a vertex flagged in `at`. FlagParts then flags their faces.
+/// Flags the things that have a vertex flagged in `at`. FlagParts then flags their faces.
 template <typename Id>
 Buffer<unsigned char> FlagAt(
   const Buffer<unsigned char>& at, const Buffer<Id>& vertices, int corners, vtkIdType size)
@@ -34,18 +36,35 @@ void FlagParts(
     }
   }
 }
+Buffer<unsigned char> Copy(const Buffer<unsigned char>& flags)
+{
+  Buffer<unsigned char> copy(flags.size());
+  std::copy(flags.begin(), flags.end(), copy.begin());
+  return copy;
+}
 
 }
 
-template <typename Id>
-Restriction<Id>::Restriction(const SimplicialComplex<Id>& complex, const Buffer<unsigned char>& at)
+template <typename LevelType>
+Restriction<LevelType>::Restriction(const LevelType& level, const Buffer<unsigned char>& at)
+  : Whole(level)
+  , At(at)
+  , Solids(level)
 {
-  Buffer<unsigned char> tets = FlagAt(at, complex.TetVertices, 4, complex.NumberOfTets);
-  Buffer<unsigned char> faces = FlagAt(at, complex.FaceVertices, 3, complex.NumberOfFaces);
-  Buffer<unsigned char> edges = FlagAt(at, complex.EdgeVertices, 2, complex.NumberOfEdges);
-  Buffer<unsigned char> vertices(complex.NumberOfVertices);
-  std::copy(at.begin(), at.end(), vertices.begin());
+  const auto& complex = level.Complex;
+  this->EdgesInside = FlagAt(at, complex.EdgeVertices, 2, complex.NumberOfEdges);
+  this->FacesInside = FlagAt(at, complex.FaceVertices, 3, complex.NumberOfFaces);
+  const Buffer<unsigned char> tets = FlagAt(at, complex.TetVertices, 4, complex.NumberOfTets);
+  Buffer<unsigned char> faces = Copy(this->FacesInside);
+  Buffer<unsigned char> edges = Copy(this->EdgesInside);
+  Buffer<unsigned char> vertices = Copy(at);
   FlagParts(tets, complex.TetFaces, 4, faces);
+  if constexpr (SchemeOf<LevelType>::Traits.HasPieces)
+  {
+    const Buffer<unsigned char> octs = FlagAt(at, level.OctVertices, 6, level.NumberOfOctahedra);
+    FlagParts(octs, level.OctFaces, 8, faces);
+    this->Octs = Selection<Id>(octs);
+  }
   FlagParts(faces, complex.FaceEdges, 3, edges);
   FlagParts(edges, complex.EdgeVertices, 2, vertices);
   this->Vertices = Selection<Id>(vertices);
@@ -54,10 +73,51 @@ Restriction<Id>::Restriction(const SimplicialComplex<Id>& complex, const Buffer<
   this->Tets = Selection<Id>(tets);
 }
 
-template <typename Id>
-SimplicialComplex<Id> Restriction<Id>::Restrict(const SimplicialComplex<Id>& complex) const
+/// The solids at each face.
+template <typename LevelType>
+Rows<typename LevelType::IdType> Restriction<LevelType>::RestrictFaceCells() const
 {
-  SimplicialComplex<Id> part;
+  const auto& complex = this->Whole.Complex;
+  const auto tets = static_cast<Id>(this->Tets.Old.size());
+  const auto forSolids = [&](vtkIdType face, const auto& act)
+  {
+    for (const Id solid : complex.FaceTets[this->Faces.Old[face]])
+    {
+      const Id oct = solid - complex.NumberOfTets;
+      const Id kept = oct < 0 ? this->Tets.New[solid] : this->Octs.New[oct];
+      if (kept >= 0)
+      {
+        act(oct < 0 ? kept : tets + kept);
+      }
+    }
+  };
+  const vtkIdType size = this->Faces.Old.size();
+  Rows<Id> rows;
+  rows.Offsets = Buffer<Id>(size + 1);
+  ForEach(size,
+    [&](vtkIdType f)
+    {
+      Id count = 0;
+      forSolids(f, [&count](Id) { ++count; });
+      rows.Offsets[f] = count;
+    });
+  CountsToOffsets(rows.Offsets);
+  rows.Items = Buffer<Id>(rows.Offsets[size]);
+  ForEach(size,
+    [&](vtkIdType f)
+    {
+      Id next = rows.Offsets[f];
+      forSolids(f, [&](Id solid) { rows.Items[next++] = solid; });
+    });
+  return rows;
+}
+
+template <typename LevelType>
+LevelType Restriction<LevelType>::Restrict() const
+{
+  const auto& complex = this->Whole.Complex;
+  LevelType level;
+  auto& part = level.Complex;
   part.NumberOfVertices = static_cast<Id>(this->Vertices.Old.size());
   part.NumberOfEdges = static_cast<Id>(this->Edges.Old.size());
   part.NumberOfFaces = static_cast<Id>(this->Faces.Old.size());
@@ -68,62 +128,70 @@ SimplicialComplex<Id> Restriction<Id>::Restrict(const SimplicialComplex<Id>& com
   part.TetVertices = this->Tets.Pick(complex.TetVertices, 4, this->Vertices.New);
   part.TetEdges = this->Tets.Pick(complex.TetEdges, 6, this->Edges.New);
   part.TetFaces = this->Tets.Pick(complex.TetFaces, 4, this->Faces.New);
-  part.FaceTets.Offsets = Buffer<Id>(vtkIdType(part.NumberOfFaces) + 1);
-  auto forTets = [&](vtkIdType face, const auto& act)
+  part.FaceTets = this->RestrictFaceCells();
+  level.Strata = this->Restrict(this->Whole.Strata);
+  if constexpr (SchemeOf<LevelType>::Traits.HasPieces)
   {
-    for (Id tet : complex.FaceTets[this->Faces.Old[face]])
-    {
-      if (this->Tets.New[tet] >= 0)
-      {
-        act(this->Tets.New[tet]);
-      }
-    }
-  };
-  ForEach(part.NumberOfFaces,
-    [&](vtkIdType f)
-    {
-      Id size = 0;
-      forTets(f, [&size](Id) { ++size; });
-      part.FaceTets.Offsets[f] = size;
-    });
-  CountsToOffsets(part.FaceTets.Offsets);
-  part.FaceTets.Items = Buffer<Id>(part.FaceTets.Offsets[part.NumberOfFaces]);
-  ForEach(part.NumberOfFaces,
-    [&](vtkIdType f)
-    {
-      Id next = part.FaceTets.Offsets[f];
-      forTets(f, [&](Id tet) { part.FaceTets.Items[next++] = tet; });
-    });
-  return part;
+    level.NumberOfOctahedra = static_cast<Id>(this->Octs.Old.size());
+    level.OctVertices = this->Octs.Pick(this->Whole.OctVertices, 6, this->Vertices.New);
+    level.OctEdges = this->Octs.Pick(this->Whole.OctEdges, 12, this->Edges.New);
+    level.OctFaces = this->Octs.Pick(this->Whole.OctFaces, 8, this->Faces.New);
+    level.EqualOcts = { Buffer<Id>(0), Buffer<Id>(0) };
+    level.TetsAtSpokes = this->RestrictSpokes(this->Whole.Strata, this->Whole.TetsAtSpokes);
+    level.NumberOfControlVertices =
+      static_cast<Id>(std::lower_bound(this->Vertices.Old.begin(), this->Vertices.Old.end(),
+                        this->Whole.NumberOfControlVertices) -
+        this->Vertices.Old.begin());
+    level.Steps = this->Whole.Steps;
+  }
+  return level;
 }
 
-template <typename Id>
-Rings<Id> Restriction<Id>::Restrict(const Rings<Id>& rings, const Selection<Id>& owners,
-  const Selection<Id>& carriers, const Selection<Id>& members)
+/// Calls act(place in the ring, new carrier, new member) for the entries of a ring that are kept.
+/// Carriers from `firstSolid` on are solids that are no tetrahedra.
+template <typename LevelType>
+template <typename Act>
+void Restriction<LevelType>::ForEntries(const Rings<Id>& rings, vtkIdType owner,
+  vtkIdType firstSolid, const Selection<Id>& carriers, const Act& act) const
+{
+  const Row<Id> oldCarriers = rings.GetCarriers(owner);
+  const Row<Id> oldMembers = rings.GetMembers(owner);
+  for (vtkIdType k = 0; k < oldMembers.size(); ++k)
+  {
+    const Id carrier = oldCarriers.begin()[k];
+    const Id member = this->Vertices.New[oldMembers.begin()[k]];
+    const Id newCarrier = carrier < 0 ? -1
+      : k < firstSolid                ? carriers.New[carrier]
+                                      : this->Octs.New[carrier];
+    if (member >= 0 && (carrier < 0 || newCarrier >= 0))
+    {
+      act(k, newCarrier, member);
+    }
+  }
+}
+
+template <typename LevelType>
+template <typename FirstSolid>
+Rings<typename LevelType::IdType> Restriction<LevelType>::Restrict(const Rings<Id>& rings,
+  const Selection<Id>& owners, const Buffer<unsigned char>& isInside, const Selection<Id>& carriers,
+  const FirstSolid& firstSolid) const
 {
   const vtkIdType size = owners.Old.size();
   Rings<Id> part;
   part.Offsets = Buffer<Id>(size + 1);
   auto forEntries = [&](vtkIdType i, const auto& act)
   {
-    const Row<Id> oldCarriers = rings.GetCarriers(owners.Old[i]);
-    const Row<Id> oldMembers = rings.GetMembers(owners.Old[i]);
-    for (vtkIdType k = 0; k < oldMembers.size(); ++k)
+    const Id old = owners.Old[i];
+    if (isInside[old])
     {
-      const Id carrier = oldCarriers.begin()[k];
-      const Id member = members.New[oldMembers.begin()[k]];
-      const Id newCarrier = carrier < 0 ? -1 : carriers.New[carrier];
-      if (member >= 0 && (carrier < 0 || newCarrier >= 0))
-      {
-        act(newCarrier, member);
-      }
+      this->ForEntries(rings, old, firstSolid(old), carriers, act);
     }
   };
   ForEach(size,
     [&](vtkIdType i)
     {
       Id count = 0;
-      forEntries(i, [&count](Id, Id) { ++count; });
+      forEntries(i, [&count](vtkIdType, Id, Id) { ++count; });
       part.Offsets[i] = count;
     });
   CountsToOffsets(part.Offsets);
@@ -134,7 +202,7 @@ Rings<Id> Restriction<Id>::Restrict(const Rings<Id>& rings, const Selection<Id>&
     {
       Id next = part.Offsets[i];
       forEntries(i,
-        [&](Id carrier, Id member)
+        [&](vtkIdType, Id carrier, Id member)
         {
           part.Carriers[next] = carrier;
           part.Members[next++] = member;
@@ -143,20 +211,65 @@ Rings<Id> Restriction<Id>::Restrict(const Rings<Id>& rings, const Selection<Id>&
   return part;
 }
 
-template <typename Id>
-Strata<Id> Restriction<Id>::Restrict(const Strata<Id>& strata) const
+template <typename LevelType>
+Buffer<Stratum> Restriction<LevelType>::Restrict(const Buffer<Stratum>& strata,
+  const Selection<Id>& owners, const Buffer<unsigned char>& isInside, Rule atBorder) const
 {
-  Strata<Id> part;
-  part.Vertices = this->Vertices.Pick(strata.Vertices);
-  part.Edges = this->Edges.Pick(strata.Edges);
-  part.Faces = this->Faces.Pick(strata.Faces);
-  part.VertexRings = Restrict(strata.VertexRings, this->Vertices, this->Edges, this->Vertices);
-  part.EdgeRings = Restrict(strata.EdgeRings, this->Edges, this->Faces, this->Vertices);
+  Buffer<Stratum> part = owners.Pick(strata);
+  ForEach(part.size(),
+    [&](vtkIdType i) { part[i] = isInside[owners.Old[i]] ? part[i] : Stratum(atBorder); });
   return part;
 }
 
-template <typename Id>
-SemiSharpStages<Id> Restriction<Id>::Restrict(const SemiSharpStages<Id>& creases) const
+template <typename LevelType>
+Strata<typename LevelType::IdType> Restriction<LevelType>::Restrict(const Strata<Id>& strata) const
+{
+  Strata<Id> part;
+  part.Vertices = this->Restrict(strata.Vertices, this->Vertices, this->At, Rule::Corner);
+  part.Edges = this->Restrict(strata.Edges, this->Edges, this->EdgesInside, Rule::Curve);
+  part.Faces = this->Restrict(strata.Faces, this->Faces, this->FacesInside, Rule::Surface);
+  part.VertexRings = this->Restrict(strata.VertexRings, this->Vertices, this->At, this->Edges,
+    [&](Id v)
+    {
+      const vtkIdType size = strata.VertexRings.GetSize(v);
+      return size - this->Solids.CountSolids(v, strata.Vertices[v].GetRule(), size);
+    });
+  part.EdgeRings =
+    this->Restrict(strata.EdgeRings, this->Edges, this->EdgesInside, this->Faces, [&](Id e)
+      { return this->Solids.CountFaces(strata.Edges[e].GetRule(), strata.EdgeRings.GetSize(e)); });
+  return part;
+}
+
+/// The numbers of the spokes of control vertices that are kept.
+template <typename LevelType>
+std::shared_ptr<const Buffer<typename LevelType::IdType>> Restriction<LevelType>::RestrictSpokes(
+  const Strata<Id>& strata, const std::shared_ptr<const Buffer<Id>>& spokes) const
+{
+  if constexpr (!SchemeOf<LevelType>::Traits.HasPieces)
+  {
+    return spokes;
+  }
+  else
+  {
+    std::vector<Id> kept;
+    for (const Id v : this->Vertices.Old)
+    {
+      if (v < this->Whole.NumberOfControlVertices && this->At[v])
+      {
+        const Rings<Id>& rings = strata.VertexRings;
+        this->ForEntries(rings, v, rings.GetSize(v), this->Edges,
+          [&](vtkIdType k, Id, Id) { kept.push_back((*spokes)[rings.Offsets[v] + k]); });
+      }
+    }
+    auto part = std::make_shared<Buffer<Id>>(static_cast<vtkIdType>(kept.size()));
+    std::copy(kept.begin(), kept.end(), part->begin());
+    return part;
+  }
+}
+
+template <typename LevelType>
+SemiSharpStages<typename LevelType::IdType> Restriction<LevelType>::Restrict(
+  const SemiSharpStages<Id>& creases) const
 {
   SemiSharpStages<Id> part;
   if (!creases.Sharpness.empty())
@@ -169,11 +282,15 @@ SemiSharpStages<Id> Restriction<Id>::Restrict(const SemiSharpStages<Id>& creases
   }
   for (const SharpStage<Id>& stage : creases.Stages)
   {
-    part.Stages.push_back({ stage.Until, this->Restrict(stage.Strata) });
+    part.Stages.push_back({ stage.Until, this->Restrict(stage.Strata),
+      this->RestrictSpokes(stage.Strata, stage.TetsAtSpokes) });
   }
   return part;
 }
 
-SUBDIVISION_COMPILE(class Restriction);
+template class Restriction<Level<int>>;
+template class Restriction<Level<long long>>;
+template class Restriction<TetOctLevel<int>>;
+template class Restriction<TetOctLevel<long long>>;
 
 }

@@ -7,25 +7,34 @@
 #define SubdivisionObjects_Restriction_h
 
 #include "Core/Memory/Selection.h"
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/LimitStencils.h"
+
+#include <memory>
 
 namespace subdivision
 {
 
-/// Chooses the part: all simplices at some vertices, and the faces of these simplices. Simplices
-/// keep their order.
-template <typename Id>
+/**
+ * Chooses the part of a level of any scheme: all simplices and other solids at some vertices, and
+ * their faces. They keep their order.
+ *
+ * What lies at none of these vertices is at the border, where something may be missing. There
+ * vertices are corners, edges creases, and faces a boundary, all without rings: rows made from them
+ * are not those of the level, but no step looks for what is not there.
+ */
+template <typename LevelType>
 class Restriction
 {
 public:
-  /// `complex` was made with Depth::ForRefinement; `at`: whether all that lies at a vertex is kept.
-  Restriction(const SimplicialComplex<Id>& complex, const Buffer<unsigned char>& at);
+  using Id = typename LevelType::IdType;
 
-  /// The part's cells; none counts as a cell of the output.
-  SimplicialComplex<Id> Restrict(const SimplicialComplex<Id>& complex) const;
-  /// Rings lose members that are not kept. So rings at the border of the part, and rows made from
-  /// them, lack entries.
-  Strata<Id> Restrict(const Strata<Id>& strata) const;
+  /// `level` was made with Depth::ForRefinement; `at`: whether all that lies at a vertex is kept.
+  /// Both must outlive the restriction.
+  Restriction(const LevelType& level, const Buffer<unsigned char>& at);
+
+  /// The part; none of its cells counts as a cell of the output.
+  LevelType Restrict() const;
   SemiSharpStages<Id> Restrict(const SemiSharpStages<Id>& creases) const;
 
   /// The number in the part of each vertex of the level (-1 if it is not kept), and the inverse.
@@ -33,13 +42,31 @@ public:
   const Buffer<Id>& GetOldVertices() const { return this->Vertices.Old; }
 
 private:
-  static Rings<Id> Restrict(const Rings<Id>& rings, const Selection<Id>& owners,
-    const Selection<Id>& carriers, const Selection<Id>& members);
+  bool IsInside(const Buffer<Id>& vertices, int corners, vtkIdType i) const;
+  Buffer<Stratum> Restrict(const Buffer<Stratum>& strata, const Selection<Id>& owners,
+    const Buffer<unsigned char>& isInside, Rule atBorder) const;
+  template <typename Act>
+  void ForEntries(const Rings<Id>& rings, vtkIdType owner, vtkIdType firstSolid,
+    const Selection<Id>& carriers, const Act& act) const;
+  template <typename FirstSolid>
+  Rings<Id> Restrict(const Rings<Id>& rings, const Selection<Id>& owners,
+    const Buffer<unsigned char>& isInside, const Selection<Id>& carriers,
+    const FirstSolid& firstSolid) const;
+  Strata<Id> Restrict(const Strata<Id>& strata) const;
+  Rows<Id> RestrictFaceCells() const;
+  std::shared_ptr<const Buffer<Id>> RestrictSpokes(
+    const Strata<Id>& strata, const std::shared_ptr<const Buffer<Id>>& spokes) const;
 
+  const LevelType& Whole;
+  const Buffer<unsigned char>& At;
+  const typename SchemeOf<LevelType>::Star Solids;
   Selection<Id> Vertices;
   Selection<Id> Edges;
   Selection<Id> Faces;
   Selection<Id> Tets;
+  Selection<Id> Octs;
+  Buffer<unsigned char> EdgesInside; ///< whether all that lies at an edge of the level is kept
+  Buffer<unsigned char> FacesInside;
 };
 
 }

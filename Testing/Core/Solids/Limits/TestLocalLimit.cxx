@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Limits of some vertices of the uniform refinement against the uniform refinement itself.
 #include "LimitTools.h"
+#include "TetOctTools.h"
 
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/Limits/Restriction.h"
@@ -13,22 +14,47 @@
 #include <map>
 #include <stdexcept>
 
-using namespace coretest;
+using namespace tetoct_tools;
 
 namespace
 {
 
 /// Vertices of the uniform refinement that are asked for: all edges of some level, or some of them
-/// and so on down; each with its number there.
+/// and so on down, and diagonals of octahedra; each with its number there.
 struct Asked
 {
   std::vector<std::array<int, 2>> Ends;
   std::vector<int> Uniform; ///< number in the uniform refinement, control vertices included
 };
 
+/// The ends of what has a vertex of the next level in its middle; centres by one diagonal.
+std::vector<std::array<int, 2>> ListEnds(const Level<int>& level)
+{
+  std::vector<std::array<int, 2>> ends;
+  for (int e = 0; e < level.Complex.NumberOfEdges; ++e)
+  {
+    ends.push_back({ level.Complex.EdgeVertices[2 * e], level.Complex.EdgeVertices[2 * e + 1] });
+  }
+  return ends;
+}
+std::vector<std::array<int, 2>> ListEnds(const TetOctLevel<int>& level)
+{
+  std::vector<std::array<int, 2>> ends;
+  for (int e = 0; e < level.Complex.NumberOfEdges; ++e)
+  {
+    ends.push_back({ level.Complex.EdgeVertices[2 * e], level.Complex.EdgeVertices[2 * e + 1] });
+  }
+  for (int oct = 0; oct < level.NumberOfOctahedra; ++oct)
+  {
+    const int first = 6 * oct + 2 * (oct % 3);
+    ends.push_back({ level.OctVertices[first + 1], level.OctVertices[first] });
+  }
+  return ends;
+}
+
 /// `take(level, edge)`: whether the point of an edge whose ends are asked for is asked for too.
-template <typename Take>
-Asked Ask(const std::vector<Level<int>>& levels, const Take& take)
+template <typename LevelType, typename Take>
+Asked Ask(const std::vector<LevelType>& levels, const Take& take)
 {
   Asked asked;
   std::map<int, int> numbers; // number of a uniform vertex among those asked for
@@ -41,10 +67,11 @@ Asked Ask(const std::vector<Level<int>>& levels, const Take& take)
   {
     const auto& complex = levels[l].Complex;
     std::map<int, int> next = numbers;
-    for (int e = 0; e < complex.NumberOfEdges; ++e)
+    const auto ends = ListEnds(levels[l]);
+    for (int e = 0; e < static_cast<int>(ends.size()); ++e)
     {
-      const auto a = numbers.find(complex.EdgeVertices[2 * e]);
-      const auto b = numbers.find(complex.EdgeVertices[2 * e + 1]);
+      const auto a = numbers.find(ends[e][0]);
+      const auto b = numbers.find(ends[e][1]);
       if (a != numbers.end() && b != numbers.end() && take(static_cast<int>(l), e))
       {
         next[complex.NumberOfVertices + e] = static_cast<int>(asked.Uniform.size());
@@ -58,8 +85,9 @@ Asked Ask(const std::vector<Level<int>>& levels, const Take& take)
 }
 
 /// Values on all levels.
+template <typename LevelType>
 std::vector<std::vector<double>> SubdivideValues(
-  const std::vector<Level<int>>& levels, const std::vector<double>& values)
+  const std::vector<LevelType>& levels, const std::vector<double>& values)
 {
   std::vector<std::vector<double>> all = { values };
   for (std::size_t l = 0; l + 1 < levels.size(); ++l)
@@ -86,10 +114,17 @@ void ExpectUniformLimits(const Asked& asked, const LocalLimit<int>& local,
   }
 }
 
-std::vector<Level<int>> MakeLevels(const Mesh& mesh, const std::string& options, int steps)
+template <typename LevelType>
+LevelType MakeLevel(const Mesh& mesh, const std::string& options)
 {
-  std::vector<Level<int>> levels;
-  levels.push_back(std::move(BuildNamed<int>(mesh, options).Level));
+  return SchemeOf<LevelType>::Start(std::move(BuildNamed<int>(mesh, options).Level));
+}
+
+template <typename LevelType = Level<int>>
+std::vector<LevelType> MakeLevels(const Mesh& mesh, const std::string& options, int steps)
+{
+  std::vector<LevelType> levels;
+  levels.push_back(MakeLevel<LevelType>(mesh, options));
   for (int i = 0; i < steps; ++i)
   {
     levels.push_back(Refine(levels.back(), Depth::ForRefinement));
@@ -97,9 +132,8 @@ std::vector<Level<int>> MakeLevels(const Mesh& mesh, const std::string& options,
   return levels;
 }
 
-}
-
-TEST(LocalLimit, EqualsTheUniformRefinementOnTheWholeZoo)
+template <typename LevelType>
+void ExpectUniformLimitsOfTheZoo()
 {
   std::mt19937 random(5);
   for (const Mesh& mesh : MakeZooAndRandom())
@@ -108,7 +142,7 @@ TEST(LocalLimit, EqualsTheUniformRefinementOnTheWholeZoo)
     {
       SCOPED_TRACE(mesh.Name + " " + options);
       const int steps = mesh.Cells.GetNumberOfSimplices() > 30 ? 2 : 3;
-      const auto levels = MakeLevels(mesh, options, steps);
+      const auto levels = MakeLevels<LevelType>(mesh, options, steps);
       const std::vector<double> values = MakeValues(2 * levels[0].Complex.NumberOfVertices, 3);
       const auto all = SubdivideValues(levels, values);
       const auto uniform = ApplyTo(BuildLimitRows(levels.back()), all.back(), 2);
@@ -118,9 +152,66 @@ TEST(LocalLimit, EqualsTheUniformRefinementOnTheWholeZoo)
       {
         const LocalLimit<int> local(levels[0], {}, asked.Ends, {}, rings);
         ExpectUniformLimits(asked, local, values, uniform);
+        if (testing::Test::HasFatalFailure())
+        {
+          return;
+        }
       }
     }
   }
+}
+
+/// Twelve steps of nothing but the cells at a vertex: its value comes to its limit, and what the
+/// rows of the last level say of it is what those of the first said. `most`: vertices at the end.
+template <typename LevelType>
+void ExpectLimitsAfterTwelveSteps(int most, double shrinks)
+{
+  std::mt19937 random(8);
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    for (const char* options : OptionNames)
+    {
+      SCOPED_TRACE(mesh.Name + " " + options);
+      LevelType level = MakeLevel<LevelType>(mesh, options);
+      if (level.Complex.NumberOfVertices == 0)
+      {
+        continue;
+      }
+      int vertex = static_cast<int>(random() % level.Complex.NumberOfVertices);
+      std::vector<double> values = MakeValues(level.Complex.NumberOfVertices, 3);
+      const double limit = ApplyTo(BuildLimitRows(level), values, 1)[vertex];
+      for (int step = 0; step < 12; ++step)
+      {
+        Buffer<unsigned char> at(level.Complex.NumberOfVertices, 0);
+        at[vertex] = 1;
+        const Restriction<LevelType> restriction(level, at);
+        const LevelType part = restriction.Restrict();
+        std::vector<double> kept;
+        for (int old : restriction.GetOldVertices())
+        {
+          kept.push_back(values[old]);
+        }
+        vertex = restriction.GetNewVertices()[vertex];
+        values = ApplyTo(CopyStencils(part), kept, 1);
+        level = Refine(part, Depth::ForRefinement);
+      }
+      EXPECT_LT(level.Complex.NumberOfVertices, most);
+      EXPECT_NEAR(values[vertex], limit, 2. * std::pow(shrinks, 12));
+      EXPECT_NEAR(ApplyTo(BuildLimitRows(level), values, 1)[vertex], limit, 1e-13);
+    }
+  }
+}
+
+}
+
+TEST(LocalLimit, EqualsTheUniformRefinementOnTheWholeZoo)
+{
+  ExpectUniformLimitsOfTheZoo<Level<int>>();
+}
+
+TEST(LocalLimit, EqualsTheUniformRefinementOfTheTetOctScheme)
+{
+  ExpectUniformLimitsOfTheZoo<TetOctLevel<int>>();
 }
 
 /// Red-green refinement with every cell marked, level by level, is the uniform refinement.
@@ -257,46 +348,14 @@ TEST(LocalLimit, InfinitelySharpCreases)
   }
 }
 
-/// Twelve steps of nothing but the cells at a vertex: its value comes to its limit, and what the
-/// rows of the last level say of it is what those of the first said.
 TEST(LocalLimit, TwelveLevelsAroundAVertex)
 {
-  std::mt19937 random(8);
-  for (const Mesh& mesh : MakeZooAndRandom())
-  {
-    for (const char* options : OptionNames)
-    {
-      SCOPED_TRACE(mesh.Name + " " + options);
-      Level<int> level = std::move(BuildNamed<int>(mesh, options).Level);
-      if (level.Complex.NumberOfVertices == 0)
-      {
-        continue;
-      }
-      int vertex = static_cast<int>(random() % level.Complex.NumberOfVertices);
-      std::vector<double> values = MakeValues(level.Complex.NumberOfVertices, 3);
-      const double limit = ApplyTo(BuildLimitRows(level), values, 1)[vertex];
-      for (int step = 0; step < 12; ++step)
-      {
-        Buffer<unsigned char> at(level.Complex.NumberOfVertices, 0);
-        at[vertex] = 1;
-        const Restriction<int> restriction(level.Complex, at);
-        Level<int> part;
-        part.Complex = restriction.Restrict(level.Complex);
-        part.Strata = restriction.Restrict(level.Strata);
-        std::vector<double> kept;
-        for (int old : restriction.GetOldVertices())
-        {
-          kept.push_back(values[old]);
-        }
-        vertex = restriction.GetNewVertices()[vertex];
-        values = ApplyTo(CopyStencils(part), kept, 1);
-        level = Refine(part, Depth::ForRefinement);
-      }
-      EXPECT_LT(level.Complex.NumberOfVertices, 600);
-      EXPECT_NEAR(values[vertex], limit, 2. * std::pow(0.75, 12));
-      EXPECT_NEAR(ApplyTo(BuildLimitRows(level), values, 1)[vertex], limit, 1e-13);
-    }
-  }
+  ExpectLimitsAfterTwelveSteps<Level<int>>(600, 0.75);
+}
+
+TEST(LocalLimit, TwelveTetOctLevelsAroundAVertex)
+{
+  ExpectLimitsAfterTwelveSteps<TetOctLevel<int>>(1000, 5. / 6.);
 }
 
 TEST(LocalLimit, CostsWhatIsAskedFor)
