@@ -210,28 +210,8 @@ private:
   vtkSmartPointer<vtkUnsignedCharArray> Types;
 };
 
-/// The cell type in an unstructured grid: poly data says polygon where it has triangles too.
-int GetGridType(int type, vtkIdType size, bool fromPolyData)
-{
-  if (!fromPolyData)
-  {
-    return type;
-  }
-  switch (type)
-  {
-    case VTK_POLY_VERTEX:
-      return size == 1 ? VTK_VERTEX : VTK_POLY_VERTEX;
-    case VTK_POLY_LINE:
-      return size == 2 ? VTK_LINE : VTK_POLY_LINE;
-    case VTK_POLYGON:
-      return size == 3 ? VTK_TRIANGLE : (size == 4 ? VTK_QUAD : VTK_POLYGON);
-    default:
-      return type;
-  }
-}
-
-void JoinCells(const std::vector<MeshPart>& parts, const std::vector<CellReader>& readers,
-  const std::vector<Item>& items, const Places& points, vtkPointSet* mesh)
+void JoinCells(const std::vector<CellReader>& readers, const std::vector<Item>& items,
+  const Places& points, vtkPointSet* mesh)
 {
   CellLists lists(static_cast<vtkIdType>(items.size()));
   std::vector<vtkIdType> scratch;
@@ -240,9 +220,8 @@ void JoinCells(const std::vector<MeshPart>& parts, const std::vector<CellReader>
     const Item& item = items[i];
     const CellIds cell = readers[item.Part].GetCell(item.Index, scratch);
     const std::vector<vtkIdType>& places = points.OfPart[item.Part];
-    lists.Start(static_cast<vtkIdType>(i), item.Kind,
-      GetGridType(readers[item.Part].GetCellType(item.Index), cell.Size,
-        vtkPolyData::SafeDownCast(parts[item.Part].Mesh) != nullptr));
+    lists.Start(
+      static_cast<vtkIdType>(i), item.Kind, readers[item.Part].GetGridType(item.Index, cell.Size));
     for (vtkIdType k = 0; k < cell.Size; ++k)
     {
       lists.Add(Exists(cell.Ids[k], places) ? places[cell.Ids[k]] : -1);
@@ -409,7 +388,7 @@ JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType)
   std::vector<Item> cells;
   Places cellPlaces = PlaceCells(parts, readers, isPolyData, cells);
   joined.Mesh->SetPoints(JoinPoints(parts, points, pointType));
-  JoinCells(parts, readers, cells, pointPlaces, joined.Mesh);
+  JoinCells(readers, cells, pointPlaces, joined.Mesh);
   joined.PointArrays =
     JoinArrays(parts, pointPlaces, vtkDataObject::POINT, joined.Mesh->GetPointData());
   ExtendArrays(joined.Mesh, joined.PointArrays, pointPlaces);
