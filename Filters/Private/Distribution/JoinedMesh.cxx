@@ -5,6 +5,7 @@
 #include "Private/Control/GreenLeaves.h"
 #include "Private/Distribution/JoinedArrays.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -320,15 +321,18 @@ bool HasPolyhedra(const CellReader& reader)
 void TakeWithFaces(vtkUnstructuredGrid* whole, const std::vector<vtkIdType>& cells,
   const std::vector<vtkIdType>& place, vtkUnstructuredGrid* part)
 {
+  const CellReader reader(whole);
+  std::vector<vtkIdType> scratch;
   vtkNew<vtkIdList> ids;
   const auto find = [&](vtkIdType i)
   { ids->SetId(i, Exists(ids->GetId(i), place) ? place[ids->GetId(i)] : -1); };
   for (const vtkIdType c : cells)
   {
-    const int type = whole->GetCellType(c);
+    int type = reader.GetCellType(c);
     if (type == VTK_POLYHEDRON)
     {
-      whole->GetFaceStream(c, ids); // the number of faces, then the size and the points of each
+      // The number of faces, then the size and the points of each.
+      type = ReadFaceStream(whole, c, ids) ? VTK_POLYHEDRON : VTK_EMPTY_CELL;
       for (vtkIdType face = 1; face < ids->GetNumberOfIds(); face += ids->GetId(face) + 1)
       {
         for (vtkIdType i = 1; i <= ids->GetId(face); ++i)
@@ -339,9 +343,11 @@ void TakeWithFaces(vtkUnstructuredGrid* whole, const std::vector<vtkIdType>& cel
     }
     else
     {
-      whole->GetCellPoints(c, ids);
-      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+      const CellIds cell = reader.GetCell(c, scratch);
+      ids->SetNumberOfIds(cell.Size);
+      for (vtkIdType i = 0; i < cell.Size; ++i)
       {
+        ids->SetId(i, cell.Ids[i]);
         find(i);
       }
     }

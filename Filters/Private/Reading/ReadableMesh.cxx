@@ -285,7 +285,7 @@ public:
       if (type == VTK_POLYHEDRON)
       {
         kept.Type = FaceLoops;
-        this->Grid->GetFaceStream(c, stream);
+        ReadFaceStream(this->Grid, c, stream);
         this->AddLoops(stream);
       }
       else
