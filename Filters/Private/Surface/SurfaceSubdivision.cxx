@@ -486,7 +486,7 @@ void SurfaceRun<Id>::Write()
 template <typename Id>
 void SurfaceRun<Id>::WriteCells()
 {
-  if (this->Kept && this->Kept->Polys)
+  if (this->Kept && this->Kept->HasCells())
   {
     this->Output->SetVerts(this->Kept->Verts);
     this->Output->SetLines(this->Kept->Lines);
@@ -499,6 +499,7 @@ void SurfaceRun<Id>::WriteCells()
     this->Kept->Verts = this->Output->GetVerts();
     this->Kept->Lines = this->Output->GetLines();
     this->Kept->Polys = this->Output->GetPolys();
+    this->Kept->Handed.Set(this->Kept->ListArrays());
   }
 }
 
