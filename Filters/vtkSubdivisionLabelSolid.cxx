@@ -74,7 +74,8 @@ private:
       // A round begins where the one before ended. The labels were read before the first.
       inner->Done =
         std::max(inner->Done, 1. - (1. - *static_cast<double*>(data) / 2.) / inner->Round);
-      if (inner->Options.Progress(inner->Done))
+      // VTK takes back what stops a filter at its first report: it is told again at the next one.
+      if (inner->IsStopped || inner->Options.Progress(inner->Done))
       {
         inner->IsStopped = true;
         inner->Filter->SetAbortExecute(1);

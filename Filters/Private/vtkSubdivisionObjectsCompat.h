@@ -7,6 +7,9 @@
 #define vtkSubdivisionObjectsCompat_h
 
 #include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -45,6 +48,77 @@ inline vtkSmartPointer<vtkUnsignedCharArray> GetCellTypes(vtkUnstructuredGrid* g
   return types;
 #else
   return grid->GetCellTypesArray();
+#endif
+}
+
+/// The faces of a polyhedron: their number, then the number of points and the points of each.
+/// GetFaceStream does not check what it reads. Returns false, with an empty list, where locations
+/// or counts lead out of the arrays, for instance those of a damaged file.
+inline bool ReadFaceStream(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* stream)
+{
+  stream->Reset();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  // Calls add(id) for the entries of a list, after start(number of them).
+  auto read = [](vtkCellArray* lists, vtkIdType list, const auto& start, const auto& add)
+  {
+    if (!lists || list < 0 || list >= lists->GetNumberOfCells())
+    {
+      return false;
+    }
+    auto get = [](vtkDataArray* array, vtkIdType i)
+    { return static_cast<vtkIdType>(array->GetComponent(i, 0)); };
+    const vtkIdType begin = get(lists->GetOffsetsArray(), list);
+    const vtkIdType end = get(lists->GetOffsetsArray(), list + 1);
+    vtkDataArray* ids = lists->GetConnectivityArray();
+    if (begin < 0 || end < begin || end > ids->GetNumberOfTuples())
+    {
+      return false;
+    }
+    start(end - begin);
+    bool good = true;
+    for (vtkIdType i = begin; good && i < end; ++i)
+    {
+      good = add(get(ids, i));
+    }
+    return good;
+  };
+  auto addId = [stream](vtkIdType id)
+  {
+    stream->InsertNextId(id);
+    return true;
+  };
+  vtkCellArray* faces = grid->GetPolyhedronFaces();
+  const bool good = read(grid->GetPolyhedronFaceLocations(), cell, addId,
+    [&](vtkIdType face) { return read(faces, face, addId, addId); });
+  if (!good)
+  {
+    stream->Reset();
+  }
+  return good;
+#else
+  vtkIdTypeArray* faces = grid->GetFaces();
+  vtkIdTypeArray* locations = grid->GetFaceLocations();
+  const vtkIdType size = faces ? faces->GetNumberOfValues() : 0;
+  vtkIdType at =
+    locations && cell < locations->GetNumberOfValues() ? locations->GetValue(cell) : -1;
+  if (at < 0 || at >= size)
+  {
+    return false;
+  }
+  const vtkIdType* const values = faces->GetPointer(0);
+  const vtkIdType begin = at;
+  vtkIdType left = values[at++];
+  bool good = left >= 0;
+  for (; good && left > 0; --left)
+  {
+    good = at < size && values[at] >= 0 && values[at] < size - at;
+    at += good ? values[at] + 1 : 0;
+  }
+  for (vtkIdType i = begin; good && i < at; ++i)
+  {
+    stream->InsertNextId(values[i]);
+  }
+  return good;
 #endif
 }
 

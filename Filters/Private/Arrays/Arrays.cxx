@@ -210,6 +210,34 @@ std::vector<std::uint64_t> ComputeFingerprint(vtkDataArray* array)
   return print;
 }
 
+void SharedArrays::Set(const std::vector<vtkDataArray*>& arrays)
+{
+  this->Clear();
+  for (vtkDataArray* array : arrays)
+  {
+    this->Arrays.emplace_back(array);
+    this->Fingerprints.push_back(
+      array ? ComputeFingerprint(Contiguous(array)) : std::vector<std::uint64_t>());
+  }
+}
+
+void SharedArrays::Clear()
+{
+  this->Arrays.clear();
+  this->Fingerprints.clear();
+}
+
+bool SharedArrays::Hold(const std::vector<vtkDataArray*>& arrays) const
+{
+  bool same = arrays.size() == this->Arrays.size() &&
+    std::equal(arrays.begin(), arrays.end(), this->Arrays.begin());
+  for (std::size_t i = 0; same && i < arrays.size(); ++i)
+  {
+    same = !arrays[i] || ComputeFingerprint(Contiguous(arrays[i])) == this->Fingerprints[i];
+  }
+  return same;
+}
+
 vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, Row<vtkIdType> sources)
 {
   vtkDataArray* data = vtkDataArray::SafeDownCast(in);

@@ -63,6 +63,25 @@ bool HoldsSameValues(vtkDataArray* a, vtkDataArray* b);
 /// Two fingerprints tell whether an array changed without a copy of the old array.
 std::vector<std::uint64_t> ComputeFingerprint(vtkDataArray* array);
 
+/**
+ * Arrays that a filter keeps and that its outputs have, too. Who has an output may write into its
+ * arrays, as NumPy does, and no modified time tells. So a filter takes their fingerprint before it
+ * hands them out, and compares before it uses them again. That takes as long as reading them.
+ */
+class SharedArrays
+{
+public:
+  /// Null is no array.
+  void Set(const std::vector<vtkDataArray*>& arrays);
+  void Clear();
+  /// Whether these are the arrays that were set, with the values that they had.
+  bool Hold(const std::vector<vtkDataArray*>& arrays) const;
+
+private:
+  std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
+  std::vector<std::vector<std::uint64_t>> Fingerprints;
+};
+
 /// out[i] = in[sources[i]], whatever the arrays hold.
 vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, Row<vtkIdType> sources);
 

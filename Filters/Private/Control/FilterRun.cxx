@@ -80,12 +80,9 @@ int RunFilter(vtkAlgorithm* filter, vtkPointSet* input, vtkPointSet* output,
     options.Warn(std::string("The input has duplicate (ghost) cells. ") + traits.Ghosts);
   }
   const bool done = DoWork(traits, options, [&] { return work(input, output); });
-  if (traits.FallsBackToInput)
+  if (!done && failed && traits.FallsBackToInput)
   {
-    if (!done)
-    {
-      output->ShallowCopy(input);
-    }
+    output->ShallowCopy(input);
     return 1;
   }
   if (!done)

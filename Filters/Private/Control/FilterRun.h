@@ -29,7 +29,7 @@ struct FilterTraits
   /// For what there may be too little memory, and what helps then.
   std::string Memory;
   /// What the output is after an error: the input, or else empty. An input without points is worked
-  /// on only in the first case.
+  /// on only in the first case. After a stop it is empty.
   bool FallsBackToInput = false;
 };
 
@@ -44,8 +44,8 @@ void ConnectToFilter(vtkAlgorithm* filter, RunOptions& options, bool& failed);
 bool DoWork(const FilterTraits& traits, RunOptions& options, const std::function<bool()>& work);
 
 /// Sets the functions of `options` for messages and progress, and calls `work`. Returns what
-/// RequestData returns. An error, too little memory, or a user who stops the filter lead to the
-/// output that `traits` says.
+/// RequestData returns. An error or too little memory lead to the output that `traits` says, a user
+/// who stops the filter to an empty one.
 int RunFilter(vtkAlgorithm* filter, vtkPointSet* input, vtkPointSet* output,
   const FilterTraits& traits, RunOptions& options, const FilterWork& work);
 

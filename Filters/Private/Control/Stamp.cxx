@@ -3,11 +3,10 @@
 
 #include "Private/ArrayNames.h"
 #include "Private/Control/StampFields.h"
+#include "Private/Reading/CellReader.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -41,7 +40,8 @@ constexpr StampFormat Format{ StampName, 1, NumberOfNumbers, Levels, ControlPoin
 long long HashCells(vtkPointSet* mesh)
 {
   constexpr vtkIdType samples = 4096;
-  const vtkIdType cells = mesh->GetNumberOfCells();
+  const CellReader reader(mesh);
+  const vtkIdType cells = reader.GetNumberOfCells();
   const vtkIdType taken = std::min(cells, samples);
   unsigned long long hash = 14695981039346656037ull;
   auto mix = [&hash](vtkIdType value)
@@ -49,16 +49,13 @@ long long HashCells(vtkPointSet* mesh)
     hash ^= static_cast<unsigned long long>(value);
     hash *= 1099511628211ull;
   };
-  vtkNew<vtkIdList> ids;
+  std::vector<vtkIdType> scratch;
   for (vtkIdType i = 0; i < taken; ++i)
   {
     const vtkIdType cell = taken < samples ? i : i * cells / taken;
-    mesh->GetCellPoints(cell, ids);
-    mix(mesh->GetCellType(cell));
-    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
-    {
-      mix(ids->GetId(k));
-    }
+    const CellIds ids = reader.GetCell(cell, scratch);
+    mix(reader.GetGridType(cell, ids.Size));
+    std::for_each(ids.Ids, ids.Ids + ids.Size, mix);
   }
   return static_cast<long long>(hash >> 16);
 }

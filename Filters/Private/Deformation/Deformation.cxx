@@ -127,7 +127,7 @@ bool Deformation::Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* def
   output->SetPoints(outputPoints);
   if (hasVectors)
   {
-    TransformVectors(ComputeJacobians(*embedded, this->Rest.GetPoints(), moved), output);
+    TransformVectors(ComputeJacobians(*embedded, this->Rest.GetPoints(), moved), options, output);
   }
   return true;
 }

@@ -16,7 +16,7 @@ class Deformation
 {
 public:
   /// `output` has the type of `input`. Returns false after an error (passed to Fail) or if Progress
-  /// asks to stop; the output is then the unchanged input.
+  /// asks to stop; the output then means nothing.
   bool Run(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* deformed,
     const DeformationOptions& options, vtkPointSet* output);
 

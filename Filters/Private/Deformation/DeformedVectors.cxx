@@ -3,14 +3,21 @@
 
 #include "Core/Memory/Store.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/RunOptions.h"
+#include "Private/Reading/CellReader.h"
+#include "Private/Reading/ReadableMesh.h"
 
 #include "vtkCellData.h"
-#include "vtkIdList.h"
+#include "vtkCellType.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace subdivision
 {
@@ -119,24 +126,48 @@ void TransformAttributes(const Buffer<double>& jacobians, vtkDataSetAttributes* 
   }
 }
 
-/// The mean over the points of each cell.
-Buffer<double> AverageOverCells(const Buffer<double>& jacobians, vtkPointSet* data)
+/// The mean over some points; the identity of none.
+void Average(const Buffer<double>& jacobians, const CellIds& points, double mean[9])
 {
+  for (int k = 0; k < 9; ++k)
+  {
+    double sum = 0.;
+    for (vtkIdType i = 0; i < points.Size; ++i)
+    {
+      sum += jacobians[9 * points.Ids[i] + k];
+    }
+    mean[k] = points.Size > 0 ? sum / static_cast<double>(points.Size) : k % 4 == 0 ? 1. : 0.;
+  }
+}
+
+/// The mean over the points of each cell. That of a cell which cannot be read is the identity, and
+/// such cells come to `wrong`: nobody has checked the cells of the input before.
+Buffer<double> AverageOverCells(
+  const Buffer<double>& jacobians, vtkPointSet* data, std::vector<vtkIdType>& wrong)
+{
+  const vtkIdType points = jacobians.size() / 9;
+  vtkSmartPointer<vtkDataObject> readable = data;
+  if (!vtkUnstructuredGrid::SafeDownCast(data)) // of which the ids are wanted as they are
+  {
+    std::vector<std::string> none;
+    readable = MakeReadable(data, NonLinearRule::Pieces, none);
+  }
+  const CellReader cells(vtkPointSet::SafeDownCast(readable));
   Buffer<double> means(9 * data->GetNumberOfCells());
-  vtkNew<vtkIdList> ids;
+  std::vector<vtkIdType> scratch;
   for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
   {
-    data->GetCellPoints(i, ids);
-    for (int k = 0; k < 9; ++k)
+    CellIds cell = i < cells.GetNumberOfCells() ? cells.GetCell(i, scratch) : CellIds();
+    const bool isRight = std::all_of(
+      cell.Ids, cell.Ids + cell.Size, [points](vtkIdType id) { return id >= 0 && id < points; });
+    const bool isEmpty =
+      cell.Size == 0 && (i >= cells.GetNumberOfCells() || cells.GetCellType(i) != VTK_EMPTY_CELL);
+    if (!isRight || isEmpty)
     {
-      double sum = 0.;
-      for (vtkIdType id : *ids)
-      {
-        sum += jacobians[9 * id + k];
-      }
-      const vtkIdType size = ids->GetNumberOfIds();
-      means[9 * i + k] = size > 0 ? sum / static_cast<double>(size) : k % 4 == 0 ? 1. : 0.;
+      wrong.push_back(i);
+      cell = {};
     }
+    Average(jacobians, cell, means.data() + 9 * i);
   }
   return means;
 }
@@ -155,12 +186,23 @@ bool HasVectors(vtkPointSet* data)
     HasActive(data->GetCellData(), data->GetNumberOfCells());
 }
 
-void TransformVectors(const Buffer<double>& jacobians, vtkPointSet* output)
+void TransformVectors(
+  const Buffer<double>& jacobians, const RunOptions& options, vtkPointSet* output)
 {
   TransformAttributes(jacobians, output->GetPointData());
-  if (HasActive(output->GetCellData(), output->GetNumberOfCells()))
+  if (!HasActive(output->GetCellData(), output->GetNumberOfCells()))
   {
-    TransformAttributes(AverageOverCells(jacobians, output), output->GetCellData());
+    return;
+  }
+  std::vector<vtkIdType> wrong;
+  TransformAttributes(AverageOverCells(jacobians, output, wrong), output->GetCellData());
+  if (!wrong.empty())
+  {
+    options.Warn(std::to_string(wrong.size()) + " cell(s) of the input, the first is cell " +
+      std::to_string(wrong[0]) +
+      ", have no points, or point ids that are negative or not below the number of points: the "
+      "filter does not turn the vectors of these cells. Correct the cells in the program that "
+      "wrote them.");
   }
 }
 

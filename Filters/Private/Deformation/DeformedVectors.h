@@ -13,6 +13,8 @@ class vtkPointSet;
 namespace subdivision
 {
 
+struct RunOptions;
+
 /// Whether there are active vectors, tangents or normals, of floating type, at points or cells.
 bool HasVectors(vtkPointSet* data);
 
@@ -20,9 +22,11 @@ bool HasVectors(vtkPointSet* data);
  * Transforms the active vectors, tangents and normals of the output, which are those of the input
  * before. `jacobians` has the Jacobian matrix of the deformation for each point: 9 numbers, row by
  * row. A cell takes the mean of its points. Vectors and tangents are multiplied by the matrix,
- * normals by its inverse transpose, and normals get the length 1.
+ * normals by its inverse transpose, and normals get the length 1. A warning names the cells that
+ * cannot be read, of which the vectors stay as they are.
  */
-void TransformVectors(const Buffer<double>& jacobians, vtkPointSet* output);
+void TransformVectors(
+  const Buffer<double>& jacobians, const RunOptions& options, vtkPointSet* output);
 
 }
 

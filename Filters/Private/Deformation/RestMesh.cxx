@@ -4,6 +4,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/PointArrays.h"
+#include "Private/Reading/CellReader.h"
 #include "Private/Surface/SurfaceInput.h"
 #include "Private/Surface/SurfaceOperators.h"
 #include "Private/Uniform/UniformSubdivision.h"
@@ -14,7 +15,6 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -193,24 +193,25 @@ std::string CompareCells(vtkPointSet* rest, vtkPointSet* deformed)
   {
     return "";
   }
-  vtkNew<vtkIdList> ids;
-  vtkNew<vtkIdList> others;
-  const vtkIdType both = std::min(rest->GetNumberOfCells(), deformed->GetNumberOfCells());
+  const CellReader cells(rest);
+  const CellReader otherCells(deformed);
+  std::vector<vtkIdType> scratch;
+  std::vector<vtkIdType> otherScratch;
+  const vtkIdType both = std::min(cells.GetNumberOfCells(), otherCells.GetNumberOfCells());
   for (vtkIdType i = 0; i < both; ++i)
   {
-    rest->GetCellPoints(i, ids);
-    deformed->GetCellPoints(i, others);
-    if (rest->GetCellType(i) != deformed->GetCellType(i) ||
-      ids->GetNumberOfIds() != others->GetNumberOfIds() ||
-      !std::equal(ids->begin(), ids->end(), others->begin()))
+    const CellIds ids = cells.GetCell(i, scratch);
+    const CellIds others = otherCells.GetCell(i, otherScratch);
+    if (cells.GetGridType(i, ids.Size) != otherCells.GetGridType(i, others.Size) ||
+      !std::equal(ids.Ids, ids.Ids + ids.Size, others.Ids, others.Ids + others.Size))
     {
       return "Cell " + std::to_string(i) +
         " is the first that differs between the rest mesh and the deformed mesh.";
     }
   }
-  return rest->GetNumberOfCells() == deformed->GetNumberOfCells()
+  return cells.GetNumberOfCells() == otherCells.GetNumberOfCells()
     ? ""
-    : differ("cells", rest->GetNumberOfCells(), deformed->GetNumberOfCells());
+    : differ("cells", cells.GetNumberOfCells(), otherCells.GetNumberOfCells());
 }
 
 bool RestMesh::Update(vtkPointSet* mesh, const DeformationOptions& options)

@@ -8,6 +8,7 @@
 #include "Private/Distribution/PointIds.h"
 #include "Private/Distribution/Ranks.h"
 #include "Private/Distribution/StampedParts.h"
+#include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataIterator.h"
@@ -380,6 +381,11 @@ int RunOnBlocks(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* outpu
     made->GetFieldData()->PassData(block->GetFieldData());
     result &= RunFilter(filter, vtkPointSet::SafeDownCast(block), vtkPointSet::SafeDownCast(made),
       traits, options, work);
+    if (IsAborted(filter))
+    {
+      to->Initialize();
+      return result;
+    }
     to->SetDataSet(iterator, made);
   }
   return result;

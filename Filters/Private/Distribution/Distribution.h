@@ -77,7 +77,8 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
   const DistributionOptions& distribution, const FilterTraits& traits, RunOptions& options,
   const FilterWork& work);
 
-/// Runs a filter on each block of the input by itself, without other ranks.
+/// Runs a filter on each block of the input by itself, without other ranks. The output is empty if
+/// the user stops the filter in any of them.
 int RunOnBlocks(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* output,
   const FilterTraits& traits, RunOptions& options, const FilterWork& work);
 

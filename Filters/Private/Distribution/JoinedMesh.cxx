@@ -5,6 +5,7 @@
 #include "Private/Control/GreenLeaves.h"
 #include "Private/Distribution/JoinedArrays.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -210,28 +211,8 @@ private:
   vtkSmartPointer<vtkUnsignedCharArray> Types;
 };
 
-/// The cell type in an unstructured grid: poly data says polygon where it has triangles too.
-int GetGridType(int type, vtkIdType size, bool fromPolyData)
-{
-  if (!fromPolyData)
-  {
-    return type;
-  }
-  switch (type)
-  {
-    case VTK_POLY_VERTEX:
-      return size == 1 ? VTK_VERTEX : VTK_POLY_VERTEX;
-    case VTK_POLY_LINE:
-      return size == 2 ? VTK_LINE : VTK_POLY_LINE;
-    case VTK_POLYGON:
-      return size == 3 ? VTK_TRIANGLE : (size == 4 ? VTK_QUAD : VTK_POLYGON);
-    default:
-      return type;
-  }
-}
-
-void JoinCells(const std::vector<MeshPart>& parts, const std::vector<CellReader>& readers,
-  const std::vector<Item>& items, const Places& points, vtkPointSet* mesh)
+void JoinCells(const std::vector<CellReader>& readers, const std::vector<Item>& items,
+  const Places& points, vtkPointSet* mesh)
 {
   CellLists lists(static_cast<vtkIdType>(items.size()));
   std::vector<vtkIdType> scratch;
@@ -240,9 +221,8 @@ void JoinCells(const std::vector<MeshPart>& parts, const std::vector<CellReader>
     const Item& item = items[i];
     const CellIds cell = readers[item.Part].GetCell(item.Index, scratch);
     const std::vector<vtkIdType>& places = points.OfPart[item.Part];
-    lists.Start(static_cast<vtkIdType>(i), item.Kind,
-      GetGridType(readers[item.Part].GetCellType(item.Index), cell.Size,
-        vtkPolyData::SafeDownCast(parts[item.Part].Mesh) != nullptr));
+    lists.Start(
+      static_cast<vtkIdType>(i), item.Kind, readers[item.Part].GetGridType(item.Index, cell.Size));
     for (vtkIdType k = 0; k < cell.Size; ++k)
     {
       lists.Add(Exists(cell.Ids[k], places) ? places[cell.Ids[k]] : -1);
@@ -341,15 +321,18 @@ bool HasPolyhedra(const CellReader& reader)
 void TakeWithFaces(vtkUnstructuredGrid* whole, const std::vector<vtkIdType>& cells,
   const std::vector<vtkIdType>& place, vtkUnstructuredGrid* part)
 {
+  const CellReader reader(whole);
+  std::vector<vtkIdType> scratch;
   vtkNew<vtkIdList> ids;
   const auto find = [&](vtkIdType i)
   { ids->SetId(i, Exists(ids->GetId(i), place) ? place[ids->GetId(i)] : -1); };
   for (const vtkIdType c : cells)
   {
-    const int type = whole->GetCellType(c);
+    int type = reader.GetCellType(c);
     if (type == VTK_POLYHEDRON)
     {
-      whole->GetFaceStream(c, ids); // the number of faces, then the size and the points of each
+      // The number of faces, then the size and the points of each.
+      type = ReadFaceStream(whole, c, ids) ? VTK_POLYHEDRON : VTK_EMPTY_CELL;
       for (vtkIdType face = 1; face < ids->GetNumberOfIds(); face += ids->GetId(face) + 1)
       {
         for (vtkIdType i = 1; i <= ids->GetId(face); ++i)
@@ -360,9 +343,11 @@ void TakeWithFaces(vtkUnstructuredGrid* whole, const std::vector<vtkIdType>& cel
     }
     else
     {
-      whole->GetCellPoints(c, ids);
-      for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+      const CellIds cell = reader.GetCell(c, scratch);
+      ids->SetNumberOfIds(cell.Size);
+      for (vtkIdType i = 0; i < cell.Size; ++i)
       {
+        ids->SetId(i, cell.Ids[i]);
         find(i);
       }
     }
@@ -409,7 +394,7 @@ JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType)
   std::vector<Item> cells;
   Places cellPlaces = PlaceCells(parts, readers, isPolyData, cells);
   joined.Mesh->SetPoints(JoinPoints(parts, points, pointType));
-  JoinCells(parts, readers, cells, pointPlaces, joined.Mesh);
+  JoinCells(readers, cells, pointPlaces, joined.Mesh);
   joined.PointArrays =
     JoinArrays(parts, pointPlaces, vtkDataObject::POINT, joined.Mesh->GetPointData());
   ExtendArrays(joined.Mesh, joined.PointArrays, pointPlaces);

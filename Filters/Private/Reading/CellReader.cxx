@@ -24,6 +24,25 @@ bool IsSignedInteger(const vtkDataArray* array)
   return type == VTK_INT || type == VTK_LONG || type == VTK_LONG_LONG || type == VTK_ID_TYPE;
 }
 
+/// The types of the cells. Cells without one become empty cells, which no filter takes.
+vtkSmartPointer<vtkUnsignedCharArray> GetTypesOfAll(vtkUnstructuredGrid* grid, vtkIdType cells)
+{
+  vtkSmartPointer<vtkUnsignedCharArray> types = subdivision::GetCellTypes(grid);
+  const vtkIdType known = types ? types->GetNumberOfValues() : 0;
+  if (known >= cells)
+  {
+    return types;
+  }
+  auto all = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  all->SetNumberOfValues(cells);
+  all->FillValue(VTK_EMPTY_CELL);
+  if (known > 0)
+  {
+    std::copy_n(types->GetPointer(0), known, all->GetPointer(0));
+  }
+  return all;
+}
+
 }
 
 CellReader::CellReader(vtkPointSet* input)
@@ -31,7 +50,7 @@ CellReader::CellReader(vtkPointSet* input)
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(input))
   {
     this->Add(grid->GetCells(), VTK_EMPTY_CELL);
-    this->TypesOwner = subdivision::GetCellTypes(grid);
+    this->TypesOwner = GetTypesOfAll(grid, this->NumberOfCells);
     this->Types = this->NumberOfCells > 0 ? this->TypesOwner->GetPointer(0) : nullptr;
   }
   else if (auto* poly = vtkPolyData::SafeDownCast(input))
@@ -46,26 +65,49 @@ CellReader::CellReader(vtkPointSet* input)
 void CellReader::GetAllIds(std::vector<vtkIdType>& ids) const
 {
   ids.clear();
+  const auto bound = [](const Part& part, vtkIdType i)
+  { return std::clamp<vtkIdType>(part.Offsets[i], 0, part.Ids.Size); };
+  const auto begin = [&](const Part& part) { return bound(part, 0); };
+  const auto end = [&](const Part& part)
+  { return std::max(begin(part), bound(part, part.End - part.Begin)); };
   vtkIdType size = 0;
   for (const Part& part : this->Parts)
   {
-    size += part.Offsets[part.End - part.Begin] - part.Offsets[0];
+    size += end(part) - begin(part);
   }
   ids.reserve(static_cast<size_t>(size));
   AdviseHugePages(ids.data(), ids.capacity() * sizeof(vtkIdType));
   for (const Part& part : this->Parts)
   {
     // One pass straight into fresh memory; resizing first would touch all of it twice.
-    const vtkIdType begin = part.Offsets[0];
-    const vtkIdType end = part.Offsets[part.End - part.Begin];
     if (part.Ids.Data64)
     {
-      ids.insert(ids.end(), part.Ids.Data64 + begin, part.Ids.Data64 + end);
+      ids.insert(ids.end(), part.Ids.Data64 + begin(part), part.Ids.Data64 + end(part));
     }
     else
     {
-      ids.insert(ids.end(), part.Ids.Data32 + begin, part.Ids.Data32 + end);
+      ids.insert(ids.end(), part.Ids.Data32 + begin(part), part.Ids.Data32 + end(part));
     }
+  }
+}
+
+int CellReader::GetGridType(vtkIdType cellId, vtkIdType size) const
+{
+  const int type = this->GetCellType(cellId);
+  if (this->Types)
+  {
+    return type;
+  }
+  switch (type)
+  {
+    case VTK_POLY_VERTEX:
+      return size == 1 ? VTK_VERTEX : VTK_POLY_VERTEX;
+    case VTK_POLY_LINE:
+      return size == 2 ? VTK_LINE : VTK_POLY_LINE;
+    case VTK_POLYGON:
+      return size == 3 ? VTK_TRIANGLE : (size == 4 ? VTK_QUAD : VTK_POLYGON);
+    default:
+      return type;
   }
 }
 

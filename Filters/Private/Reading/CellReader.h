@@ -53,11 +53,15 @@ public:
     return this->Types ? this->Types[cellId] : this->FindPart(cellId).Type;
   }
 
+  /// The VTK cell type that the cell has in a vtkUnstructuredGrid, by its size: a vtkPolyData calls
+  /// triangles polygons, too.
+  int GetGridType(vtkIdType cellId, vtkIdType size) const;
+
   /// The result points into the input or, where ids are stored in another type than vtkIdType, into
   /// `scratch`, which callers reuse. It is empty where the offsets of the cell are not valid.
   CellIds GetCell(vtkIdType cellId, std::vector<vtkIdType>& scratch) const;
 
-  /// All ids of all cells, in cell order.
+  /// All ids of all cells, in cell order. Offsets that are not valid are cut to what there is.
   void GetAllIds(std::vector<vtkIdType>& ids) const;
   /// The same without a copy, as a pointer into the input; null if the input does not have them in
   /// one array of vtkIdType.

@@ -172,8 +172,8 @@ void HideCells(vtkUnstructuredGrid* grid)
   for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
   {
     const CellIds cell = reader.GetCell(c, scratch);
-    if (std::any_of(cell.Ids, cell.Ids + cell.Size,
-          [&](vtkIdType id) { return ofPoints->GetValue(id) & hidden; }))
+    if (std::any_of(cell.Ids, cell.Ids + cell.Size, [&](vtkIdType id)
+          { return id >= 0 && id < points && (ofPoints->GetValue(id) & hidden); }))
     {
       types->SetValue(c, types->GetValue(c) | vtkDataSetAttributes::HIDDENCELL);
     }
@@ -285,7 +285,7 @@ public:
       if (type == VTK_POLYHEDRON)
       {
         kept.Type = FaceLoops;
-        this->Grid->GetFaceStream(c, stream);
+        ReadFaceStream(this->Grid, c, stream);
         this->AddLoops(stream);
       }
       else

@@ -9,6 +9,7 @@
 
 #include "Core/Surfaces/Steps/SurfaceSchemes.h"
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
+#include "Private/Arrays/Arrays.h"
 #include "Private/Control/KeptEntries.h"
 #include "Private/Surface/SurfaceCells.h"
 
@@ -16,6 +17,7 @@
 #include "vtkSmartPointer.h"
 
 #include <memory>
+#include <vector>
 
 namespace subdivision
 {
@@ -53,7 +55,21 @@ struct KeptSurface
   vtkSmartPointer<vtkCellArray> Verts; ///< the cells of the output, once they are written
   vtkSmartPointer<vtkCellArray> Lines;
   vtkSmartPointer<vtkCellArray> Polys;
+  SharedArrays Handed; ///< their arrays, which the output has
   bool Used = true;
+
+  std::vector<vtkDataArray*> ListArrays() const
+  {
+    std::vector<vtkDataArray*> arrays;
+    for (vtkCellArray* cells : { this->Verts.Get(), this->Lines.Get(), this->Polys.Get() })
+    {
+      arrays.push_back(cells->GetOffsetsArray());
+      arrays.push_back(cells->GetConnectivityArray());
+    }
+    return arrays;
+  }
+  /// Whether there are cells, and nobody wrote into those of the output.
+  bool HasCells() const { return this->Polys && this->Handed.Hold(this->ListArrays()); }
 };
 
 template <typename Id>

@@ -83,6 +83,17 @@ private:
       static_cast<double>(this->Stamp.NumberOfControlFaces), corners, this->Stamp.Levels);
     return faces <= 8. * static_cast<double>(this->Cells.GetNumberOfFaces()) + 1000.;
   }
+  /// What the level of the input has, if the stamp is true: levels that have more are not made.
+  ClaimedLevel GetClaimedLevel() const
+  {
+    ClaimedLevel claimed;
+    if (this->MadeLevels > 0)
+    {
+      claimed = { this->MadeLevels, this->Cells.GetNumberOfFaces(),
+        static_cast<vtkIdType>(this->Cells.SegmentCells.size()) };
+    }
+    return claimed;
+  }
   /// Whether two cells were given the same flags and sharpness.
   bool HasSameFlags(vtkIdType a, vtkIdType b) const
   {
@@ -183,6 +194,7 @@ private:
   } Given;
   std::vector<double> ControlCoordinates; ///< only of a part
   int MadeLevels = 0;
+  bool ExceedsStamp = false;         ///< a level before that of the input is larger
   std::vector<std::string> Warnings; ///< not told until it is known whether the stamp is true
   SimplicesOfCells NoCentres;
   std::vector<vtkIdType> GlobalIds;

@@ -37,7 +37,7 @@ bool SurfaceRun<Id>::Plan()
     others ? others->Sum(this->Marked.Points.empty() ? 0 : 1) > 0 : !this->Marked.Points.empty();
   const bool isStamped = !isMarked && this->ReadStamp();
   bool isDone = this->Build();
-  const bool isFalse = isStamped && isDone && !this->IsDescendant();
+  const bool isFalse = isStamped && (this->ExceedsStamp || (isDone && !this->IsDescendant()));
   if (this->Options.IsRegion && (isFalse || !isStamped))
   {
     this->Options.Fail("Field data say that an earlier filter made the input, but not of what. "
@@ -81,6 +81,7 @@ template <typename Id>
 void SurfaceRun<Id>::ForgetStamp()
 {
   this->Stamp = SurfaceStamp();
+  this->ExceedsStamp = false;
   this->MadeLevels = 0;
   this->Warnings.clear();
   this->Own.clear();
@@ -191,11 +192,14 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
       fresh = this->MakeFirstLevel(control);
     }
     fresh.Tags = std::move(tags);
+    const ClaimedLevel claimed = this->GetClaimedLevel();
     auto own = std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme,
-      this->GetAllLevels(), this->NeedsLimit(), this->Options.Progress);
+      this->GetAllLevels(), this->NeedsLimit(), this->Options.Progress, claimed);
     steps = own.get();
-    if (steps->GetNumberOfSteps() < this->GetAllLevels())
+    const int made = steps->GetNumberOfSteps();
+    if (made < this->GetAllLevels())
     {
+      this->ExceedsStamp = claimed.IsExceededBy(steps->GetLevel(made), made);
       return nullptr;
     }
     if (this->Options.Cache)
@@ -482,7 +486,7 @@ void SurfaceRun<Id>::Write()
 template <typename Id>
 void SurfaceRun<Id>::WriteCells()
 {
-  if (this->Kept && this->Kept->Polys)
+  if (this->Kept && this->Kept->HasCells())
   {
     this->Output->SetVerts(this->Kept->Verts);
     this->Output->SetLines(this->Kept->Lines);
@@ -495,6 +499,7 @@ void SurfaceRun<Id>::WriteCells()
     this->Kept->Verts = this->Output->GetVerts();
     this->Kept->Lines = this->Output->GetLines();
     this->Kept->Polys = this->Output->GetPolys();
+    this->Kept->Handed.Set(this->Kept->ListArrays());
   }
 }
 

@@ -18,6 +18,41 @@ std::size_t KeptOperator::GetMemorySize() const
     this->ControlStrata.GetMemorySize() + this->ManifoldDimensions.GetMemorySize();
 }
 
+namespace
+{
+
+std::vector<vtkDataArray*> ListArrays(const UniformCells& cells)
+{
+  return { cells.Cells->GetConnectivityArray(), cells.Cells->GetOffsetsArray(), cells.Types,
+    cells.Octahedra };
+}
+
+}
+
+void KeptOperator::HandOut(const UniformCells& cells, vtkDataArray* points)
+{
+  if (cells.Cells != this->Cells.Cells)
+  {
+    this->Cells = cells;
+    this->HandedCells.Set(ListArrays(cells));
+  }
+  if (points != this->PointsOut)
+  {
+    this->PointsOut = points;
+    this->HandedPoints.Set({ points });
+  }
+}
+
+bool KeptOperator::HasCells() const
+{
+  return this->Cells.Cells && this->HandedCells.Hold(ListArrays(this->Cells));
+}
+
+bool KeptOperator::HasPoints() const
+{
+  return this->PointsOut && this->HandedPoints.Hold({ this->PointsOut });
+}
+
 const KeptOperator* OperatorCache::FindCells(
   const TopologyKey& key, const SimplexTuples& derived) const
 {
@@ -25,7 +60,8 @@ const KeptOperator* OperatorCache::FindCells(
     [&](const KeptOperator& kept)
     {
       return kept.Key.HasSameCells(key) &&
-        std::equal(derived.Tuples, derived.Tuples + 3, kept.ControlDerived.Tuples);
+        std::equal(derived.Tuples, derived.Tuples + 3, kept.ControlDerived.Tuples) &&
+        kept.HasCells();
     });
 }
 

@@ -10,6 +10,7 @@
 #include "Core/Operators/OperatorSequence.h"
 #include "Core/Solids/Scheme/ComposedRows.h"
 #include "Core/Solids/Strata/Singularities.h"
+#include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/KeptEntries.h"
 #include "Private/Control/Stamp.h"
@@ -180,7 +181,15 @@ struct KeptOperator
   vtkSmartPointer<vtkDataArray> PointsIn;
   double PointsWeight = 0.;
   vtkSmartPointer<vtkDataArray> PointsOut;
+  SharedArrays HandedCells; ///< Cells and PointsOut, which the output has
+  SharedArrays HandedPoints;
   bool Used = true;
+
+  /// Sets what the output has, after nothing else changes it.
+  void HandOut(const UniformCells& cells, vtkDataArray* points);
+  /// Whether nobody wrote into the output's cells, or its points.
+  bool HasCells() const;
+  bool HasPoints() const;
 
   std::size_t GetMemorySize() const;
 };

@@ -37,7 +37,7 @@ void UniformRun::PlanInterpolation()
   const KeptOperator* kept = this->Found;
   const bool knowsPoints = kept && kept->Steps && kept->PointsOut &&
     !this->Options.GenerateLimitNormals && kept->PointsWeight == this->GetPointsWeight() &&
-    HoldsSameValues(this->Points->GetPoints(), kept->PointsIn);
+    HoldsSameValues(this->Points->GetPoints(), kept->PointsIn) && kept->HasPoints();
   this->ReusesPoints = AgreeWithOthers(knowsPoints, this->Input, this->Options);
 }
 

@@ -69,7 +69,7 @@ KeptOperator* UniformRun::FindKept(const TopologyKey& key)
           return false;
         }
       }
-      return true;
+      return kept.HasCells();
     });
   if (found)
   {
@@ -98,8 +98,7 @@ void UniformRun::UseKept(KeptOperator& kept)
     kept.Steps->Apply(*this->Points, this->Mesh.Inverted, this->Turned);
   }
   this->FinishPoints(false);
-  kept.Cells = this->Cells;
-  kept.PointsOut = this->Output->GetPoints()->GetData();
+  kept.HandOut(this->Cells, this->Output->GetPoints()->GetData());
   if (this->Options.Levels > 0)
   {
     this->AddClassification(kept.Steps->GetLastVertices(), kept.Steps->GetLastEdges());
@@ -121,9 +120,8 @@ void UniformRun::Keep()
   {
     return;
   }
-  this->ToKeep->Cells = this->Cells;
+  this->ToKeep->HandOut(this->Cells, this->Output->GetPoints()->GetData());
   this->ToKeep->Parents = std::move(this->Parents);
-  this->ToKeep->PointsOut = this->Output->GetPoints()->GetData();
   this->ToKeep->Derived = std::move(this->Derived);
   this->ToKeep->ControlDerived = std::move(this->Control.Derived.Tuples);
   this->ToKeep->Candidates = std::move(this->Control.Candidates);

@@ -6,6 +6,12 @@
  */
 #include "FeatureTools.h"
 
+#include "Private/vtkSubdivisionObjectsCompat.h"
+
+#include "vtkExtractDimensions.h"
+
+#include <limits>
+
 using namespace feature_tools;
 
 TEST(Polyhedra, PolyhedraFitToTheirNeighbours)
@@ -110,3 +116,64 @@ TEST(Polyhedra, PrismsAreCutLikePolygons)
     EXPECT_NEAR(volume, area, 1e-12);
   }
 }
+
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0) // later ones store faces in another way
+
+/// Locations and counts of faces come from a file, and so may be anything.
+TEST(Polyhedra, FacesThatLeadNowhere)
+{
+  constexpr vtkIdType huge = std::numeric_limits<vtkIdType>::max();
+  const Ids tetrahedron = { 4, 3, 0, 2, 1, 3, 0, 1, 3, 3, 1, 2, 3, 3, 2, 0, 3 };
+  auto make = [](const Ids& values)
+  {
+    vtkNew<vtkIdTypeArray> array;
+    for (vtkIdType value : values)
+    {
+      array->InsertNextValue(value);
+    }
+    return vtkSmartPointer<vtkIdTypeArray>(array);
+  };
+  auto run = [&](const Ids& locations, const Ids& faces)
+  {
+    const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, {});
+    vtkNew<vtkUnsignedCharArray> types;
+    types->InsertNextValue(VTK_POLYHEDRON);
+    types->InsertNextValue(VTK_POLYHEDRON);
+    vtkNew<vtkCellArray> cells;
+    const vtkIdType corners[4] = { 0, 1, 2, 3 };
+    cells->InsertNextCell(4, corners);
+    cells->InsertNextCell(4, corners);
+    grid->SetCells(types, cells, make(locations), make(faces));
+    vtkNew<vtkExtractDimensions> extract;
+    extract->SetInputData(grid);
+    extract->Update();
+    vtkNew<Messages> messages;
+    const Grid result = Execute(grid, 0, {}, messages);
+    for (const std::string& warning : messages->Warnings)
+    {
+      EXPECT_NE(warning.find("cell 1, type 42"), std::string::npos) << warning;
+    }
+    EXPECT_LE(messages->Warnings.size(), 1U);
+    return std::make_pair(result->GetNumberOfCells(), messages->Warnings.size());
+  };
+  const auto both = run({ 0, 0 }, tetrahedron);
+  EXPECT_EQ(both.second, 0U);
+  EXPECT_GT(both.first, 0);
+  for (const Ids& locations : std::vector<Ids>{ { 0 }, { 0, -1 }, { 0, 17 }, { 0, huge } })
+  {
+    const auto one = run(locations, tetrahedron);
+    EXPECT_EQ(one.second, 1U);
+    EXPECT_EQ(one.first, both.first / 2);
+  }
+  for (const Ids& second : std::vector<Ids>{ { huge, 3, 0, 1, 2 }, { 2, 3, 0, 1, 2 },
+         { 1, huge, 0, 1, 2 }, { 1, 4, 0, 1, 2 }, { -1 }, { 1, -1 }, { 0 } })
+  {
+    Ids faces = tetrahedron;
+    faces.insert(faces.end(), second.begin(), second.end());
+    const auto one = run({ 0, static_cast<vtkIdType>(tetrahedron.size()) }, faces);
+    EXPECT_EQ(one.second, 1U);
+    EXPECT_EQ(one.first, both.first / 2);
+  }
+}
+
+#endif

@@ -19,6 +19,17 @@ vtkIdTypeArray* GetStamp(vtkPolyData* output)
   return vtkIdTypeArray::SafeDownCast(output->GetFieldData()->GetArray("SubdivisionSurface"));
 }
 
+void AddField(vtkPolyData* mesh, const char* name, const std::vector<vtkIdType>& values)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  for (const vtkIdType value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  mesh->GetFieldData()->AddArray(array);
+}
+
 }
 
 /// Schemes that are refined anew to see whether the stamp tells the truth: 20 levels of sqrt(3) are
@@ -51,20 +62,46 @@ TEST(SurfaceStamp, AForgedStampIsNotBelieved)
     {
       const auto forged = MakeInput(grid);
       // Version, scheme, levels, control points, control faces, corners of each, points, cells.
-      const vtkIdType numbers[] = { version, vtkSurfaceSubdivision::CATMULL_CLARK, levels, points,
-        1, size, points, 2 };
-      vtkNew<vtkIdTypeArray> stamp;
-      stamp->SetName("SubdivisionSurface");
-      for (const vtkIdType number : numbers)
-      {
-        stamp->InsertNextValue(number);
-      }
-      forged->GetFieldData()->AddArray(stamp);
-      vtkNew<vtkIdTypeArray> sizes; // read where there is no common size
-      sizes->SetName("SubdivisionSurfaceSizes");
-      sizes->InsertNextValue(vtkIdType(1) << 58);
-      forged->GetFieldData()->AddArray(sizes);
+      AddField(forged, "SubdivisionSurface",
+        { version, vtkSurfaceSubdivision::CATMULL_CLARK, levels, points, 1, size, points, 2 });
+      // Read where there is no common size.
+      AddField(forged, "SubdivisionSurfaceSizes", { vtkIdType(1) << 58 });
       ExpectSameBits(RunFilter(forged, vtkSurfaceSubdivision::CATMULL_CLARK, 1), expected);
+    }
+  }
+}
+
+/// Schemes whose stamps have the control cells: lines would be halved 20 times, too.
+TEST(SurfaceStamp, AForgedNumberOfLevelsOfLinesCostsNothing)
+{
+  constexpr vtkIdType lines = 3000;
+  Model model;
+  for (vtkIdType i = 0; i <= lines; ++i)
+  {
+    model.Points.push_back({ static_cast<double>(i), 0., 0. });
+    if (i > 0)
+    {
+      model.Lines.push_back({ i - 1, i });
+    }
+  }
+  for (const int scheme : { vtkSurfaceSubdivision::SQRT_THREE, vtkSurfaceSubdivision::FOUR_EIGHT,
+         vtkSurfaceSubdivision::DOO_SABIN, vtkSurfaceSubdivision::MIDEDGE })
+  {
+    const auto plain = MakeInput(model);
+    const auto expected = RunFilter(plain, scheme, 1);
+    for (const int levels : { 3, 20 })
+    {
+      const auto forged = MakeInput(model);
+      const vtkIdType version = GetStamp(expected)->GetValue(0);
+      AddField(forged, "SubdivisionSurface",
+        { version, scheme, levels, lines + 1, 0, 3, lines + 1, lines });
+      std::vector<vtkIdType> control;
+      for (vtkIdType i = 0; i < lines; ++i)
+      {
+        control.insert(control.end(), { i, i + 1 });
+      }
+      AddField(forged, "SubdivisionSurfaceCells", control);
+      ExpectSameBits(RunFilter(forged, scheme, 1), expected);
     }
   }
 }

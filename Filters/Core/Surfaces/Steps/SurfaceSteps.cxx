@@ -59,7 +59,7 @@ int FindEndOfStage(const EdgeSharpness& sharpness, int step, int most)
 template <typename Id>
 SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   std::shared_ptr<const SurfaceScheme<Id>> scheme, int steps, bool lastIsWhole,
-  const std::function<bool(double)>& stop)
+  const std::function<bool(double)>& stop, const ClaimedLevel& claimed)
   : Scheme(std::move(scheme))
   , LastIsWhole(lastIsWhole)
 {
@@ -71,7 +71,8 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   std::copy(given.Edges.begin(), given.Edges.end(), this->GivenEdges.begin());
   std::copy(given.Vertices.begin(), given.Vertices.end(), this->GivenVertices.begin());
   this->Scheme->RestrictTags(this->Levels[0]);
-  for (int step = 0; step < steps && !(stop && stop(0.5 * step / steps)); ++step)
+  const auto isRight = [&](int level) { return !claimed.IsExceededBy(this->Levels[level], level); };
+  for (int step = 0; step < steps && isRight(step) && !(stop && stop(0.5 * step / steps)); ++step)
   {
     const Depth depth = lastIsWhole || step + 2 < steps ? Depth::ForRefinement
       : step + 2 == steps                               ? Depth::ForLastStep

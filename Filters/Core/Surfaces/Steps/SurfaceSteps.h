@@ -16,15 +16,33 @@
 namespace subdivision
 {
 
+/// How many faces and lines a level is said to have. No level before it has more, because a step
+/// makes one or more of each.
+struct ClaimedLevel
+{
+  int Level = -1; ///< nothing is claimed
+  vtkIdType Faces = 0;
+  vtkIdType Lines = 0;
+
+  template <typename Id>
+  bool IsExceededBy(const SurfaceLevel<Id>& level, int number) const
+  {
+    return number <= this->Level &&
+      (level.Mesh.NumberOfFaces > this->Faces || level.Lines.size() > this->Lines);
+  }
+};
+
 template <typename Id>
 class SurfaceSteps
 {
 public:
   /// Makes the levels. `control` is level 0 with its tags. The last level gets only what its cells
   /// need, or, if `lastIsWhole`, everything, so that limits can be computed. `stop(part)` receives
-  /// the progress and returns true to stop; then there are fewer levels than asked for.
+  /// the progress and returns true to stop; then there are fewer levels than asked for, as where a
+  /// level exceeds `claimed`.
   SurfaceSteps(SurfaceLevel<Id>&& control, std::shared_ptr<const SurfaceScheme<Id>> scheme,
-    int steps, bool lastIsWhole, const std::function<bool(double)>& stop);
+    int steps, bool lastIsWhole, const std::function<bool(double)>& stop,
+    const ClaimedLevel& claimed = ClaimedLevel());
 
   /// Replaces angles and flatness of the sectors by those of `control` on all levels. Returns
   /// false, and changes nothing, if other tags differ.

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestAborted.cxx
+ * Every filter, stopped by AbortExecute at each report of progress: the output is empty, and the
+ * next execution is that of a new filter, with or without what was kept before.
+ */
+#include "FeatureTools.h"
+#include "LabelTools.h"
+#include "SubdivisionDeformationTools.h"
+#include "SurfaceTools.h"
+
+#include "Private/vtkSubdivisionObjectsCompat.h"
+
+#include "vtkAdaptiveSurfaceSubdivision.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkRedGreenRefinement.h"
+#include "vtkSimplicialComplexTopology.h"
+
+using namespace feature_tools;
+
+namespace
+{
+
+using Object = vtkSmartPointer<vtkDataObject>;
+using Algorithm = vtkSmartPointer<vtkAlgorithm>;
+
+/// Stops a filter at its n-th report of progress, before the last one.
+class Stopper : public vtkCommand
+{
+public:
+  static Stopper* New() { return new Stopper; }
+  vtkTypeMacro(Stopper, vtkCommand);
+  void Execute(vtkObject* caller, unsigned long, void* data) override
+  {
+    const double done = *static_cast<double*>(data);
+    if (done > 0. && done < 1. && this->Reports++ == this->StopAt)
+    {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+      this->HasStopped = true;
+    }
+  }
+  int Reports = 0;
+  int StopAt = -1;
+  bool HasStopped = false;
+};
+
+std::vector<vtkDataSet*> GetMeshes(vtkDataObject* object)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(object);
+  if (!composite)
+  {
+    return { vtkDataSet::SafeDownCast(object) };
+  }
+  std::vector<vtkDataSet*> meshes;
+  const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    meshes.push_back(vtkDataSet::SafeDownCast(at->GetCurrentDataObject()));
+  }
+  return meshes;
+}
+
+void ExpectEmpty(vtkDataObject* output, const std::string& what)
+{
+  for (vtkDataSet* mesh : GetMeshes(output))
+  {
+    EXPECT_EQ(mesh->GetNumberOfPoints(), 0) << what;
+    EXPECT_EQ(mesh->GetNumberOfCells(), 0) << what;
+    EXPECT_EQ(mesh->GetPointData()->GetNumberOfArrays(), 0) << what;
+    EXPECT_EQ(mesh->GetCellData()->GetNumberOfArrays(), 0) << what;
+  }
+}
+
+void ExpectSame(vtkDataObject* a, vtkDataObject* b, const std::string& what)
+{
+  const auto some = GetMeshes(a);
+  const auto others = GetMeshes(b);
+  ASSERT_EQ(some.size(), others.size()) << what;
+  for (std::size_t i = 0; i < some.size(); ++i)
+  {
+    auto* mesh = vtkPointSet::SafeDownCast(some[i]);
+    auto* other = vtkPointSet::SafeDownCast(others[i]);
+    ASSERT_EQ(CompareValues(mesh->GetPoints()->GetData(), other->GetPoints()->GetData()), "")
+      << what;
+    ASSERT_EQ(mesh->GetNumberOfCells(), other->GetNumberOfCells()) << what;
+    ASSERT_EQ(CompareArrays(mesh->GetPointData(), other->GetPointData(), "points"), "") << what;
+    ASSERT_EQ(CompareArrays(mesh->GetCellData(), other->GetCellData(), "cells"), "") << what;
+    if (vtkUnstructuredGrid::SafeDownCast(mesh))
+    {
+      ASSERT_EQ(
+        Compare(vtkUnstructuredGrid::SafeDownCast(mesh), vtkUnstructuredGrid::SafeDownCast(other)),
+        "")
+        << what;
+    }
+  }
+}
+
+void Run(vtkAlgorithm* filter, const std::vector<Object>& inputs)
+{
+  for (std::size_t port = 0; port < inputs.size(); ++port)
+  {
+    filter->SetInputDataObject(static_cast<int>(port), inputs[port]);
+  }
+  filter->SetAbortExecute(0); // newer VTK does not take it back itself
+  filter->Modified();
+  filter->Update();
+}
+
+/// Stops a filter at each report, new or with what it kept, and lets it run then.
+void CheckStops(const std::string& name, const std::vector<Object>& inputs,
+  const std::function<Algorithm()>& make)
+{
+  const Algorithm fresh = make();
+  Run(fresh, inputs);
+  bool hasStopped = true;
+  for (int stopAt = 0; hasStopped; ++stopAt)
+  {
+    hasStopped = false;
+    for (const bool isWarm : { false, true })
+    {
+      const std::string what =
+        name + ", report " + std::to_string(stopAt) + (isWarm ? ", not the first run" : "");
+      const Algorithm filter = make();
+      vtkNew<Messages> messages;
+      messages->Watch(filter);
+      if (isWarm)
+      {
+        Run(filter, inputs);
+      }
+      vtkNew<Stopper> stopper;
+      filter->AddObserver(vtkCommand::ProgressEvent, stopper);
+      stopper->StopAt = stopAt;
+      Run(filter, inputs);
+      if (stopper->HasStopped)
+      {
+        hasStopped = true;
+        ExpectEmpty(filter->GetOutputDataObject(0), what);
+        EXPECT_EQ(stopper->Reports, stopAt + 1) << what << ": it stops at once";
+      }
+      EXPECT_TRUE(messages->Errors.empty()) << what;
+      stopper->StopAt = -1;
+      for (int run = 0; run < 2; ++run)
+      {
+        Run(filter, inputs);
+        ExpectSame(filter->GetOutputDataObject(0), fresh->GetOutputDataObject(0), what);
+      }
+      if (testing::Test::HasFailure())
+      {
+        return;
+      }
+    }
+    ASSERT_TRUE(hasStopped || stopAt > 0) << name << " does not report its progress";
+  }
+}
+
+Object MakeBlocks(vtkDataObject* first, vtkDataObject* second)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  blocks->SetBlock(0, first);
+  blocks->SetBlock(1, second);
+  return blocks;
+}
+
+/// The filter with `configure`, on a mesh, on blocks that are joined and on blocks that are not.
+template <typename FilterClass>
+void CheckAllInputs(
+  const std::string& name, vtkPointSet* mesh, vtkPointSet* other,
+  const std::function<void(FilterClass*)>& configure = [](FilterClass*) {})
+{
+  for (const bool joins : { true, false })
+  {
+    const auto make = [&]
+    {
+      auto filter = vtkSmartPointer<FilterClass>::New();
+      filter->SetJoinBlocks(joins);
+      configure(filter);
+      return filter;
+    };
+    CheckStops(name, { mesh }, make);
+    CheckStops(name + (joins ? ", joined blocks" : ", blocks"), { MakeBlocks(mesh, other) }, make);
+  }
+}
+
+}
+
+TEST(Aborted, FiltersOfSolids)
+{
+  const Grid box = MakeKuhnBox(1, 0.1);
+  const Grid other =
+    deformation_tools::Moved(box, [](const Point& x) { return Point{ x[0] + 1., x[1], x[2] }; });
+  AddArrays(box);
+  AddArrays(other);
+  for (const int scheme : { Filter::BOX_SPLINE, Filter::TET_OCT, Filter::LINEAR })
+  {
+    for (const bool limit : { false, true })
+    {
+      CheckAllInputs<Filter>("scheme " + std::to_string(scheme), box, other,
+        [=](Filter* filter)
+        {
+          filter->SetVolumeScheme(scheme);
+          filter->SetNumberOfLevels(2);
+          filter->SetProjectToLimit(limit);
+          filter->SetInterpolatePoints(limit);
+          filter->SetCacheOperator(!limit);
+        });
+    }
+  }
+  CheckAllInputs<Filter>("types", box, other, [](Filter* filter) { filter->KeepCellTypesOn(); });
+  for (const int placement : { 0, 1 })
+  {
+    CheckAllInputs<vtkRedGreenRefinement>("red-green", box, other,
+      [placement](vtkRedGreenRefinement* filter)
+      {
+        filter->RefineByAttributeErrorOff();
+        filter->RefineByEdgeLengthOn();
+        filter->SetMaximumEdgeLength(0.5);
+        filter->SetPlacement(placement);
+      });
+  }
+  CheckAllInputs<vtkSimplicialComplexTopology>("topology", box, other);
+}
+
+TEST(Aborted, FiltersOfSurfaces)
+{
+  const auto sheet =
+    surfacetools::MakeInput(surfacetools::MakeSheet(3, 3, true, { 1., 0., 0. }, { 0., 1., 0.5 }));
+  const auto other =
+    surfacetools::MakeInput(surfacetools::MakeSheet(3, 3, true, { -1., 0., 0. }, { 0., 1., 0.5 }));
+  for (int scheme = 0; scheme <= vtkSurfaceSubdivision::LINEAR; ++scheme)
+  {
+    CheckAllInputs<vtkSurfaceSubdivision>("surface " + std::to_string(scheme), sheet, other,
+      [scheme](vtkSurfaceSubdivision* filter)
+      {
+        filter->SetScheme(scheme);
+        filter->SetNumberOfLevels(2);
+      });
+  }
+  CheckAllInputs<vtkAdaptiveSurfaceSubdivision>("adaptive", sheet, other);
+}
+
+TEST(Aborted, Deformation)
+{
+  const Grid cage = MakeKuhnBox(2);
+  const Grid moved = deformation_tools::Moved(cage, deformation_tools::Affine);
+  const auto make = [] { return vtkSmartPointer<vtkSubdivisionDeformation>::New(); };
+  const Grid cloud = deformation_tools::MakeCloud(9, { 0.7, 0.7, 0.7 }, { 1.3, 1.3, 1.3 }, 1);
+  AddArrays(cloud);
+  CheckStops("deformation", { cloud, cage, moved }, make);
+  CheckStops("deformation of blocks", { MakeBlocks(cloud, cage), cage, moved }, make);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 3);
+  image->SetSpacing(0.2, 0.2, 0.2);
+  image->SetOrigin(0.8, 0.8, 0.8);
+  CheckStops("deformation of an image", { image, cage, moved }, make);
+}
+
+TEST(Aborted, Labels)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(6, 6, 6);
+  image->AllocateScalars(VTK_INT, 1);
+  auto* labels = vtkIntArray::SafeDownCast(image->GetPointData()->GetScalars());
+  for (vtkIdType i = 0; i < labels->GetNumberOfTuples(); ++i)
+  {
+    labels->SetValue(i, i % 6 < 3 ? 1 : 2);
+  }
+  labels->SetName("Label");
+  CheckStops("labels", { image },
+    []
+    {
+      auto filter = vtkSmartPointer<vtkSubdivisionLabelSolid>::New();
+      filter->SetNumberOfControlCells(300);
+      return filter;
+    });
+}
