@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <sstream>
 
@@ -22,17 +23,17 @@ thread_local int Sharers = 1;
 /// Connectivity and type of a tetrahedron, and its offset.
 constexpr double BytesPerTet = 8. * 4. + 8. + 1.;
 
-/// The text of a whole number, or "more than" where it does not fit vtkIdType.
+/// The text of a whole number; of one with more than 15 digits the first three, and its size.
 std::string Whole(double value)
 {
-  constexpr double most = 9e18;
-  const char* before = value < most ? "" : "more than ";
-  return before + std::to_string(static_cast<vtkIdType>(std::min(value, most)));
+  std::ostringstream text;
+  value < 1e15 ? text << static_cast<vtkIdType>(value) : text << std::setprecision(3) << value;
+  return text.str();
 }
 
 std::string Bytes(double bytes)
 {
-  return Whole(bytes) + " bytes (" + Whole(bytes / 1e6) + " MB)";
+  return Whole(bytes / 1e6) + " MB";
 }
 
 }
@@ -54,10 +55,11 @@ std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType
     return std::string();
   }
   std::ostringstream message;
-  message << "NumberOfLevels = " << levels << " would make " << Whole(cells) << " cells (up to "
+  message << "NumberOfLevels = " << levels << " would make " << Whole(cells) << " cells ("
           << Bytes(bytes) << " for the cells alone), which is above "
-          << "MaximumNumberOfCells = " << maximum
-          << ". Use fewer levels, or raise MaximumNumberOfCells.";
+          << "MaximumNumberOfCells = " << maximum << ". Use fewer levels"
+          << (bytes < GetAvailableMemory() ? ", or raise MaximumNumberOfCells."
+                                           : "; there is not enough memory for so many cells.");
   return message.str();
 }
 
