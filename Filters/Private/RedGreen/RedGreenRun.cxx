@@ -526,7 +526,7 @@ bool RedGreenRun::Refine()
   const RedGreen<Id>& state = *shared.State;
   const RedGreenOutput<Id> plan(state);
   std::vector<vtkIdType> simplices;
-  WriteRedGreenCells(plan, this->Input, this->Mesh, this->Options,
+  WriteRedGreenCells(plan, this->Input, this->Mesh, this->Options, this->Options.LimitPlacement,
     this->Others ? &simplices : nullptr, this->Output);
   if (this->IsStopped(0.9))
   {
