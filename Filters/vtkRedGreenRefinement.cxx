@@ -16,6 +16,12 @@ int vtkRedGreenRefinement::RequestData(
 {
   subdivision::RedGreenOptions options;
   options.LimitPlacement = this->Placement == LIMIT;
+  options.GenerateLimitNormals = this->GenerateLimitNormals && options.LimitPlacement;
+  if (this->GenerateLimitNormals && !options.LimitPlacement)
+  {
+    vtkWarningMacro("GenerateLimitNormals makes no normals with Placement = LINEAR: set Placement "
+                    "to LIMIT.");
+  }
   return this->RunRounds(inputVector, outputVector, options, options.Criteria,
     [&options](vtkPointSet* input, vtkPointSet* output)
     {
@@ -27,4 +33,5 @@ void vtkRedGreenRefinement::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Placement: " << this->Placement << "\n";
+  os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
 }

@@ -107,6 +107,19 @@ public:
   void SetPlacementToLimit() { this->SetPlacement(LIMIT); }
   ///@}
 
+  ///@{
+  /**
+   * Whether to output the point array `LimitNormals` (3 components, of the type of the points), the
+   * active normals of the output: unit normals of the limit surface, where Placement is LIMIT. They
+   * are those of vtkMultiDimensionalSubdivision, which says what they are where there is no tangent
+   * plane; triangles there are those of the level on which the point first exists. With Placement =
+   * LINEAR there are none, and a warning says so. Off by default.
+   */
+  vtkSetMacro(GenerateLimitNormals, bool);
+  vtkGetMacro(GenerateLimitNormals, bool);
+  vtkBooleanMacro(GenerateLimitNormals, bool);
+  ///@}
+
 protected:
   vtkRedGreenRefinement();
   ~vtkRedGreenRefinement() override;
@@ -117,6 +130,7 @@ protected:
     vtkInformationVector* outputVector) override;
 
   int Placement = LINEAR;
+  bool GenerateLimitNormals = false;
 
 private:
   vtkRedGreenRefinement(const vtkRedGreenRefinement&) = delete;

@@ -20,19 +20,21 @@ bool RedGreenLimit<Id>::Build(const ControlMesh& mesh, const FeatureOptions& fea
     return false;
   }
   this->Control = std::move(control.Current);
+  this->Solids = { control.Solids, mesh.MadeLevels };
   this->Creases = BuildSharpStages<BoxSplineScheme<Id>>(mesh, features, control, 0);
   this->FindCurved();
   return true;
 }
 
 template <typename Id>
-LocalLimit<Id> RedGreenLimit<Id>::GetOperator(const RedGreen<Id>& state) const
+LocalLimit<Id> RedGreenLimit<Id>::GetOperator(const RedGreen<Id>& state, bool hasNormals) const
 {
   const Id given = state.GetNumberOfInputVertices();
   std::vector<std::array<Id, 2>> midpoints(state.GetNumberOfVertices() - given);
   ForEach(static_cast<vtkIdType>(midpoints.size()),
     [&](vtkIdType i) { midpoints[i] = state.GetEnds(static_cast<Id>(given + i)); });
-  return LocalLimit<Id>(this->Control, this->Creases, midpoints);
+  return LocalLimit<Id>(this->Control, this->Creases, midpoints, Buffer<unsigned char>(), 1,
+    hasNormals ? &this->Solids : nullptr);
 }
 
 // ------------------------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #define SubdivisionObjects_RedGreenLimit_h
 
 #include "Core/Memory/PairTable.h"
+#include "Core/Solids/Limits/LimitNormals.h"
 #include "Core/Solids/Limits/LimitStencils.h"
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Private/Control/ControlComplex.h"
@@ -38,8 +39,11 @@ public:
     this->ControlAttribute = std::move(attribute);
   }
 
-  /// From values at the control vertices to the limits of all vertices of a state.
-  LocalLimit<Id> GetOperator(const RedGreen<Id>& state) const;
+  const Level<Id>& GetControl() const { return this->Control; }
+
+  /// From values at the control vertices to the limits of all vertices of a state; `hasNormals`:
+  /// for normals, too.
+  LocalLimit<Id> GetOperator(const RedGreen<Id>& state, bool hasNormals) const;
 
   /// Finds the errors of the edges of candidates: the largest distance of the limit from the edge,
   /// measured at one to three places along it; inside a surface the distance from the triangles at
@@ -111,6 +115,7 @@ private:
 
   Level<Id> Control;
   SemiSharpStages<Id> Creases;
+  ControlSolids Solids;
   std::vector<double> ControlCoordinates;
   std::vector<double> ControlAttribute;
   /// Edges and faces of the control mesh that do not follow the rule for the inside of a solid;

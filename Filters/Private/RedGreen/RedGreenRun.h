@@ -19,6 +19,7 @@ struct RedGreenOptions : RunOptions
 {
   RefinementOptions Criteria;
   bool LimitPlacement = false;
+  bool GenerateLimitNormals = false; ///< with LimitPlacement
 };
 
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then

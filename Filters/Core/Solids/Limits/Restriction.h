@@ -31,6 +31,10 @@ public:
   /// The number in the part of each vertex of the level (-1 if it is not kept), and the inverse.
   const Buffer<Id>& GetNewVertices() const { return this->Vertices.New; }
   const Buffer<Id>& GetOldVertices() const { return this->Vertices.Old; }
+  /// The edges, faces and tetrahedra of the level that the part has.
+  const Buffer<Id>& GetOldEdges() const { return this->Edges.Old; }
+  const Buffer<Id>& GetOldFaces() const { return this->Faces.Old; }
+  const Buffer<Id>& GetOldTets() const { return this->Tets.Old; }
 
 private:
   static Rings<Id> Restrict(const Rings<Id>& rings, const Selection<Id>& owners,
