@@ -202,9 +202,12 @@ public:
    * borders with seven and more triangles on a side, on surfaces inside a solid, and on semi-sharp
    * creases that are still sharp on the last level. So that nothing is drawn black, points with
    * triangles there (those of surfaces and of the boundaries of solids) have the mean of the
-   * triangles' normals, weighted by area (of the first one where they cancel), points of curves a
-   * direction across the first line, and single points the z axis. Normals are zero only inside
-   * solids and where tangents are parallel but for rounding. Off by default.
+   * triangles' normals, weighted by area (of the largest one where they cancel), points of curves a
+   * direction perpendicular to the curve, and single points the z axis; where tangents are parallel
+   * but for rounding the normal is perpendicular to them. All this depends on coordinates, not on
+   * numbers of points. Normals are zero only inside solids: no surface is there that they would be
+   * perpendicular to. Filters that make one, by cutting or clipping, have to make normals, too. Off
+   * by default.
    */
   vtkSetMacro(GenerateLimitNormals, bool);
   vtkGetMacro(GenerateLimitNormals, bool);

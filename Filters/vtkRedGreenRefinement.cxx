@@ -18,6 +18,12 @@ int vtkRedGreenRefinement::RequestData(
   options.LimitPlacement = this->Placement == LIMIT;
   options.Scheme = this->VolumeScheme == TET_OCT ? subdivision::StampScheme::TetOct
                                                  : subdivision::StampScheme::BoxSpline;
+  options.GenerateLimitNormals = this->GenerateLimitNormals && options.LimitPlacement;
+  if (this->GenerateLimitNormals && !options.LimitPlacement)
+  {
+    vtkWarningMacro("GenerateLimitNormals makes no normals with Placement = LINEAR: set Placement "
+                    "to LIMIT.");
+  }
   return this->RunRounds(inputVector, outputVector, options, options.Criteria,
     [&options](vtkPointSet* input, vtkPointSet* output)
     {
@@ -30,4 +36,5 @@ void vtkRedGreenRefinement::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Placement: " << this->Placement << "\n";
   os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
+  os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
 }

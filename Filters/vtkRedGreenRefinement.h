@@ -126,6 +126,19 @@ public:
   void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(TET_OCT); }
   ///@}
 
+  ///@{
+  /**
+   * Whether to output the point array `LimitNormals` (3 components, of the type of the points), the
+   * active normals of the output: unit normals of the limit surface, where Placement is LIMIT. They
+   * are those of vtkMultiDimensionalSubdivision, which says what they are where there is no tangent
+   * plane; triangles there are those of the level on which the point first exists. With Placement =
+   * LINEAR there are none, and a warning says so. Off by default.
+   */
+  vtkSetMacro(GenerateLimitNormals, bool);
+  vtkGetMacro(GenerateLimitNormals, bool);
+  vtkBooleanMacro(GenerateLimitNormals, bool);
+  ///@}
+
 protected:
   vtkRedGreenRefinement();
   ~vtkRedGreenRefinement() override;
@@ -138,6 +151,7 @@ protected:
 
   int Placement = LINEAR;
   int VolumeScheme = BOX_SPLINE;
+  bool GenerateLimitNormals = false;
 
 private:
   vtkRedGreenRefinement(const vtkRedGreenRefinement&) = delete;

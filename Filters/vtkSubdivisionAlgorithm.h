@@ -32,9 +32,11 @@
  * more than one point; blanked cells, and cells with a blanked point, are hidden.
  *
  * @par Normals
- * The active normals of points and cells of the input hold only where nothing moves. Where there
- * are levels they are left out, also those that an earlier filter made; GenerateLimitNormals makes
- * new ones, which are the active normals of the output. Deformation turns normals instead.
+ * The active normals of points and cells of the input hold only where nothing moves. Where points
+ * move they are left out, also those that an earlier filter made; GenerateLimitNormals makes new
+ * ones, which are the active normals of the output. Where cells are split and their points stay
+ * (VolumeScheme = LINEAR, Placement = LINEAR), children have the normals of their cell, and the
+ * normals of points are left out. Deformation turns normals instead.
  *
  * @par Bad cells
  * The filters leave out cells of another type, with point ids out of range, with a point that is

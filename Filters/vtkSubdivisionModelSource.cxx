@@ -48,6 +48,7 @@ int vtkSubdivisionModelSource::RequestData(
 {
   subdivision::ModelBuilder builder;
   Entries[this->Model].Build(builder);
+  builder.OrientTriangles();
   builder.Write(vtkUnstructuredGrid::GetData(outputVector),
     this->OutputPointsPrecision == SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE);
   return 1;

@@ -241,9 +241,8 @@ public:
    *
    * Where there are no tangents normals are not zero all the same, so that nothing is drawn black:
    * at joints and all other points with faces they are the mean of the normals of these, weighted
-   * by area (of the first one where they cancel), on curves a direction across the curve, and at
-   * single points the z axis. They are zero only where the tangents are parallel but for rounding.
-   * Off by default.
+   * by area (of the largest one where they cancel), on curves a direction perpendicular to the
+   * curve, and at single points the z axis. Off by default.
    */
   vtkSetMacro(GenerateLimitNormals, bool);
   vtkGetMacro(GenerateLimitNormals, bool);

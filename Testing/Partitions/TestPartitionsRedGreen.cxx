@@ -58,6 +58,7 @@ const Choice Choices[] = { { "edge length",
       o.Criteria.GeometricTolerance = 0.004;
       o.Criteria.MaximumLevel = 2;
       o.LimitPlacement = true;
+      o.GenerateLimitNormals = true;
     } },
   { "difference from the limit",
     [](vtkPointSet* mesh, RedGreenOptions& o)

@@ -4,6 +4,7 @@
 #include "PartitionTools.h"
 
 #include "Private/AdaptiveSurface/AdaptiveSurface.h"
+#include "Private/RedGreen/RedGreenRun.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/OperatorCache.h"
 #include "Private/Uniform/UniformSubdivision.h"
@@ -246,6 +247,32 @@ TEST(PartitionsSides, OfSurfacesAmongSolids)
         }
         ExpectWhole(whole, parts);
       }
+    });
+}
+
+TEST(PartitionsSides, OfRedGreenRefinement)
+{
+  ForBands(
+    [](const Mesh& surface, const Partition& partition)
+    {
+      if (surface->GetCell(0)->GetNumberOfPoints() != 3)
+      {
+        return;
+      }
+      const Mesh mesh = MakeGrid(surface);
+      subdivision::RedGreenOptions options;
+      options.Warn = [](const std::string&) {};
+      options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
+      options.LimitPlacement = true;
+      options.GenerateLimitNormals = true;
+      options.Criteria.ByEdgeLength = true;
+      options.Criteria.MaximumEdgeLength = 0.8;
+      options.Criteria.MaximumLevel = 2;
+      const auto refine = [&options](vtkPointSet* input, vtkPointSet* output)
+      { return RefineRedGreen(input, options, vtkUnstructuredGrid::SafeDownCast(output)); };
+      const Mesh whole = subdivision::MakeMesh(false);
+      EXPECT_TRUE(refine(mesh, whole));
+      ExpectWhole(whole, RunParts(Cut(mesh, partition), partition, false, 2, options, refine));
     });
 }
 

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace subdivision
 {
 namespace
 {
+
+using Vector = std::array<double, 3>;
 
 double Length(const double a[3])
 {
@@ -27,6 +30,49 @@ void Normalise(const double a[3], double out[3])
   std::transform(a, a + 3, out, [length](double value) { return value / length; });
 }
 
+/// The longest vector; of equally long ones the last in lexicographic order.
+const Vector& FindLongest(const std::vector<Vector>& sorted)
+{
+  return *std::max_element(sorted.begin(), sorted.end(), [](const Vector& a, const Vector& b)
+    { return std::make_pair(Length(a.data()), a) < std::make_pair(Length(b.data()), b); });
+}
+
+/// Along the lines at a point.
+Vector FindTangent(std::vector<Vector>& lines)
+{
+  constexpr double turnsBack = 1e-6;
+  std::sort(lines.begin(), lines.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  if (lines.size() == 2)
+  {
+    const Vector& a = lines[0];
+    const Vector& b = lines[1];
+    const Vector chord = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
+    if (IsLong(chord.data(), turnsBack * (Length(a.data()) + Length(b.data()))))
+    {
+      return chord;
+    }
+  }
+  return lines.empty() ? Vector{ 0., 0., 0. } : FindLongest(lines);
+}
+
+}
+
+void FindPerpendicular(const double vector[3], double normal[3])
+{
+  if (!IsLong(vector, 0.))
+  {
+    normal[0] = normal[1] = 0.;
+    normal[2] = 1.;
+    return;
+  }
+  double line[3];
+  Normalise(vector, line);
+  const auto far =
+    std::min_element(line, line + 3, [](double a, double b) { return std::abs(a) < std::abs(b); });
+  double across[3] = { -*far * line[0], -*far * line[1], -*far * line[2] };
+  across[far - line] += 1.;
+  Normalise(across, normal);
 }
 
 void ShadingNormals::AddTriangle(
@@ -49,75 +95,61 @@ void ShadingNormals::AddTriangle(
 
 void ShadingNormals::AddTo(vtkIdType point, const double normal[3])
 {
-  Sum& sum = this->Sums[point];
-  if (!IsLong(normal, 0.))
+  Star& star = this->Stars[point];
+  if (IsLong(normal, 0.))
   {
-    return;
+    star.Facets.push_back({ normal[0], normal[1], normal[2] });
   }
-  if (sum.Area == 0.)
-  {
-    std::copy_n(normal, 3, sum.First);
-  }
-  sum.Area += Length(normal);
-  std::transform(normal, normal + 3, sum.Facets, sum.Facets, std::plus<>());
 }
 
 void ShadingNormals::AddLine(vtkIdType a, vtkIdType b)
 {
-  for (const vtkIdType end : { a, b })
+  for (const auto& [end, other] : { std::make_pair(a, b), std::make_pair(b, a) })
   {
     if (!this->IsMissing(end))
     {
       continue;
     }
-    double* line = this->Sums[end].Line;
-    if (!IsLong(line, 0.))
+    Vector line;
+    for (int c = 0; c < 3; ++c)
     {
-      for (int c = 0; c < 3; ++c)
-      {
-        line[c] = this->Get(b, c) - this->Get(a, c);
-      }
+      line[c] = this->Get(other, c) - this->Get(end, c);
+    }
+    Star& star = this->Stars[end];
+    if (IsLong(line.data(), 0.))
+    {
+      star.Lines.push_back(line);
     }
   }
 }
 
-void ShadingNormals::Write(const Sum& sum, double normal[3]) const
+void ShadingNormals::Write(Star& star, double normal[3])
 {
   constexpr double cancelled = 1e-6;
-  if (IsLong(sum.Facets, cancelled * sum.Area))
+  if (star.Facets.empty())
   {
-    Normalise(sum.Facets, normal);
+    FindPerpendicular(FindTangent(star.Lines).data(), normal);
+    return;
   }
-  else if (sum.Area > 0. && IsLong(sum.First, 0.))
+  std::sort(star.Facets.begin(), star.Facets.end()); // sums do not depend on the order of facets
+  Vector sum = { 0., 0., 0. };
+  double area = 0.;
+  for (const Vector& facet : star.Facets)
   {
-    Normalise(sum.First, normal);
+    area += Length(facet.data());
+    std::transform(facet.begin(), facet.end(), sum.begin(), sum.begin(), std::plus<>());
   }
-  else if (IsLong(sum.Line, 0.))
-  {
-    // Perpendicular to the line, in the plane of the line and that axis to which it is least
-    // parallel.
-    double line[3];
-    Normalise(sum.Line, line);
-    const auto far = std::min_element(
-      line, line + 3, [](double a, double b) { return std::abs(a) < std::abs(b); });
-    double across[3] = { -*far * line[0], -*far * line[1], -*far * line[2] };
-    across[far - line] += 1.;
-    Normalise(across, normal);
-  }
-  else
-  {
-    normal[0] = normal[1] = 0.;
-    normal[2] = 1.;
-  }
+  Normalise(
+    IsLong(sum.data(), cancelled * area) ? sum.data() : FindLongest(star.Facets).data(), normal);
 }
 
 void ShadingNormals::Fill()
 {
-  for (const auto& entry : this->Sums)
+  for (auto& [point, star] : this->Stars)
   {
-    this->Write(entry.second, this->Normals + 3 * entry.first);
+    Write(star, this->Normals + 3 * point);
   }
-  this->Sums.clear();
+  this->Stars.clear();
 }
 
 }

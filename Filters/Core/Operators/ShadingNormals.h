@@ -5,19 +5,27 @@
  * (Mathematics 8).
  *
  * A point with facets (polygons) gets the mean of their normals weighted by area, or, where these
- * cancel, the normal of the first facet that has an area. A point with lines only gets a direction
- * perpendicular to the first line that has a length; a point without facets and lines gets the z
- * axis. These two directions are arbitrary, as no other is better.
+ * cancel, the normal of the largest facet. A point with lines only gets a direction perpendicular
+ * to them: to the chord of their other ends if there are two, so that a curve has the normal of its
+ * tangent, else to the longest one. A point without facets and lines gets the z axis. Where several
+ * directions are as good, the choice depends on coordinates and never on numbers of points or on
+ * the order of calls.
  */
 #ifndef SubdivisionObjects_ShadingNormals_h
 #define SubdivisionObjects_ShadingNormals_h
 
 #include "Core/Memory/Buffer.h"
 
+#include <array>
 #include <unordered_map>
+#include <vector>
 
 namespace subdivision
 {
+
+/// A unit vector perpendicular to a vector of any length, in the plane of the vector and that axis
+/// to which it is least parallel; the z axis for a vector without length or direction.
+void FindPerpendicular(const double vector[3], double normal[3]);
 
 class ShadingNormals
 {
@@ -33,8 +41,7 @@ public:
 
   bool IsMissing(vtkIdType point) const { return this->Missing[point] != 0; }
 
-  /// Adds a polygon; the order of calls decides which facet is the first. `turned` reverses the
-  /// normal.
+  /// Adds a polygon. `turned` reverses the normal.
   template <typename Id>
   void AddFacet(const Id* corners, int size, bool turned)
   {
@@ -79,29 +86,29 @@ public:
   {
     if (this->IsMissing(point))
     {
-      this->Sums[point];
+      this->Stars[point];
     }
   }
   /// Writes the normals of all missing points at which something was added.
   void Fill();
 
 private:
-  struct Sum
+  using Vector = std::array<double, 3>;
+  /// What lies at a point.
+  struct Star
   {
-    double Facets[3] = { 0., 0., 0. };
-    double First[3] = { 0., 0., 0. }; ///< of the first facet with an area
-    double Line[3] = { 0., 0., 0. };  ///< along the first line with a length
-    double Area = 0.;
+    std::vector<Vector> Facets; ///< normals of facets, twice as long as they are large
+    std::vector<Vector> Lines;  ///< to the other ends of lines
   };
   double Get(vtkIdType point, int c) const { return this->Points[3 * point + c]; }
   void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c, double sign, double normal[3]) const;
   void AddTo(vtkIdType point, const double normal[3]);
-  void Write(const Sum& sum, double normal[3]) const;
+  static void Write(Star& star, double normal[3]);
 
   const double* Points;
   const Buffer<unsigned char>& Missing;
   double* Normals;
-  std::unordered_map<vtkIdType, Sum> Sums;
+  std::unordered_map<vtkIdType, Star> Stars;
 };
 
 }

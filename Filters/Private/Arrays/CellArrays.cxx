@@ -96,7 +96,7 @@ void CopyArrays(vtkPointSet* input, const CellArrayOptions& options, const Sprea
     vtkAbstractArray* array = data->GetAbstractArray(i);
     const std::string name = array->GetName() ? array->GetName() : "";
     if (array == data->GetGlobalIds() || array == data->GetPedigreeIds() ||
-      (array == data->GetNormals() && options.Levels > 0) || // children do not lie in their parents
+      (array == data->GetNormals() && options.PointsMove) ||
       std::find(options.Replaced.begin(), options.Replaced.end(), name) != options.Replaced.end())
     {
       continue;

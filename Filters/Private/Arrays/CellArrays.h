@@ -26,6 +26,9 @@ namespace subdivision
 struct CellArrayOptions
 {
   int Levels = 0;
+  /// Whether children do not lie in their parents: then the input's normals do not hold for them,
+  /// and are left out.
+  bool PointsMove = false;
   /// Adds the cell array `vtkOriginalCellIds`, unless `CarryOriginalIds` says that the input has it
   /// from an earlier filter: then it is copied like other arrays.
   bool OriginalIds = false;

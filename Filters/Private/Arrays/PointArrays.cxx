@@ -403,6 +403,14 @@ void PointArrays::KeepColours(const std::vector<ColourMask>& masks)
   }
 }
 
+void PointArrays::SetLimitNormals(const Buffer<double>& normals)
+{
+  this->Normals = MakeArray(this->Points->GetDataType(), 3, normals.size() / 3);
+  this->Normals->SetName(LimitNormalsName);
+  StoreDoubles(
+    normals.data(), this->Normals->GetVoidPointer(0), this->Points->GetDataType(), normals.size());
+}
+
 void PointArrays::Finish(vtkPointSet* output)
 {
   if (this->FinalPoints)
@@ -420,7 +428,7 @@ void PointArrays::Finish(vtkPointSet* output)
   {
     vtkAbstractArray* source = from->GetAbstractArray(entry.Source);
     vtkSmartPointer<vtkAbstractArray> array = source;
-    if (!unchanged && entry.IsNormals)
+    if ((!unchanged || this->LeavesNormals) && entry.IsNormals)
     {
       continue;
     }

@@ -151,8 +151,13 @@ public:
   /// their original id is -1.
   void ForgetInputPoints();
 
-  /// Sets normals that the filter made. Finish adds them to the output.
-  void SetNormals(vtkDataArray* normals) { this->Normals = normals; }
+  /// Sets normals that the filter made, three numbers for each current point, in the type of the
+  /// points. Finish adds them to the output as LimitNormals, its active normals.
+  void SetLimitNormals(const Buffer<double>& normals);
+
+  /// Leaves out the normals of the input, even if no point moves here: points of other partitions
+  /// do.
+  void LeaveOutNormals() { this->LeavesNormals = true; }
 
   void Finish(vtkPointSet* output);
 
@@ -210,6 +215,7 @@ private:
   vtkIdType NumberOfInputPoints;      ///< the first points are points of the input
   std::vector<vtkIdType> TakenPoints; ///< which ones, where Take has chosen
   bool HasMoved = false;              ///< an operator was applied
+  bool LeavesNormals = false;         ///< even if none was
   Buffer<vtkIdType> Origins;          ///< the input point whose values each point takes
   Buffer<double> Doubles;             ///< the points, where they are not in double
 };

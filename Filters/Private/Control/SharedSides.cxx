@@ -221,6 +221,26 @@ Partners::Messages AnswerAll(
 
 }
 
+std::vector<char> FindSureVertices(const SimplicesOfCells& cells, const Partners* partners)
+{
+  if (!partners)
+  {
+    return {};
+  }
+  std::vector<char> isSure(static_cast<std::size_t>(cells.GetView().NumberOfPoints), 0);
+  auto vertex = cells.Simplices.Connectivity.begin();
+  for (std::size_t s = 0; s < cells.Simplices.Dimensions.size(); ++s)
+  {
+    const bool isOwn =
+      partners->IsOwn(cells.ParentCells.empty() ? static_cast<vtkIdType>(s) : cells.ParentCells[s]);
+    for (int k = 0; k <= cells.Simplices.Dimensions[s]; ++k, ++vertex)
+    {
+      isSure[*vertex] = isSure[*vertex] || isOwn;
+    }
+  }
+  return isSure;
+}
+
 Buffer<unsigned char> JoinSides(const FaceSides& sides, const SharedKeys& faces, Partners& partners)
 {
   if (partners.Sum(sides.Contradict ? 1 : 0) == 0)

@@ -9,9 +9,16 @@
 #include "Core/Operators/FaceSides.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SharedNumbers.h"
+#include "Private/Reading/CellsToSimplices.h"
+
+#include <vector>
 
 namespace subdivision
 {
+
+/// Vertices whose cells are all known: those of own cells. Empty: all are, as there are no
+/// partners.
+std::vector<char> FindSureVertices(const SimplicesOfCells& cells, const Partners* partners);
 
 /**
  * Which faces are turned, from the sides that this partition finds; empty if no partition has faces

@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 namespace subdivision
 {
@@ -204,6 +206,82 @@ void ModelBuilder::Mirror(int axis)
         std::swap(cell.PointIds[1], cell.PointIds[2]);
       }
       this->Cells.push_back(cell);
+    }
+  }
+}
+
+std::map<ModelBuilder::Edge, std::vector<std::size_t>> ModelBuilder::FindInnerEdges() const
+{
+  std::map<Edge, std::vector<std::size_t>> triangles;
+  std::set<Edge> ofTetrahedra;
+  for (std::size_t c = 0; c < this->Cells.size(); ++c)
+  {
+    const Cell& cell = this->Cells[c];
+    for (int i = 0; cell.Size > 2 && i < cell.Size; ++i)
+    {
+      for (int j = 0; j < i; ++j)
+      {
+        const Edge edge = std::minmax(cell.PointIds[i], cell.PointIds[j]);
+        if (cell.Size == 3)
+        {
+          triangles[edge].push_back(c);
+        }
+        else
+        {
+          ofTetrahedra.insert(edge);
+        }
+      }
+    }
+  }
+  for (auto entry = triangles.begin(); entry != triangles.end();)
+  {
+    const bool isInner = entry->second.size() == 2 && ofTetrahedra.count(entry->first) == 0;
+    entry = isInner ? std::next(entry) : triangles.erase(entry);
+  }
+  return triangles;
+}
+
+bool ModelBuilder::RunsAlong(const Cell& triangle, const Edge& edge)
+{
+  const auto& ids = triangle.PointIds;
+  const auto first = std::find(ids.begin(), ids.begin() + 3, edge.first) - ids.begin();
+  return ids[(first + 1) % 3] == edge.second;
+}
+
+void ModelBuilder::OrientTriangles()
+{
+  const auto inner = this->FindInnerEdges();
+  std::vector<bool> isDone(this->Cells.size(), false);
+  std::vector<std::size_t> reached;
+  for (std::size_t first = 0; first < this->Cells.size(); ++first)
+  {
+    if (this->Cells[first].Size == 3 && !isDone[first])
+    {
+      reached.push_back(first);
+      isDone[first] = true;
+    }
+    while (!reached.empty())
+    {
+      const std::size_t triangle = reached.back();
+      reached.pop_back();
+      const auto ids = this->Cells[triangle].PointIds;
+      for (int i = 0; i < 3; ++i)
+      {
+        const auto edge = inner.find(std::minmax(ids[i], ids[(i + 1) % 3]));
+        const std::size_t other =
+          edge == inner.end() ? triangle : edge->second[edge->second[0] == triangle ? 1 : 0];
+        if (isDone[other])
+        {
+          continue;
+        }
+        isDone[other] = true;
+        reached.push_back(other);
+        Cell& turned = this->Cells[other];
+        if (RunsAlong(turned, edge->first) == RunsAlong(this->Cells[triangle], edge->first))
+        {
+          std::swap(turned.PointIds[1], turned.PointIds[2]);
+        }
+      }
     }
   }
 }

@@ -10,6 +10,8 @@
 
 #include <array>
 #include <functional>
+#include <map>
+#include <utility>
 #include <vector>
 
 class vtkUnstructuredGrid;
@@ -81,6 +83,12 @@ public:
   /// in the plane are their own images.
   void Mirror(int axis);
 
+  /// Turns triangles, so that two that continue each other across an edge run along it in opposite
+  /// directions: normals then have one side on each surface. The first triangle of a surface stays
+  /// as it is. Triangles meet so in edges of no tetrahedron and no other triangle. Call it when all
+  /// cells are there.
+  void OrientTriangles();
+
   const Vector& operator[](vtkIdType id) const { return this->Points[id]; }
 
   /// The model as a grid, with Tension, MaterialId and Singular.
@@ -99,7 +107,12 @@ private:
   std::vector<double> Tensions;
   std::vector<Cell> Cells;
 
+  using Edge = std::pair<vtkIdType, vtkIdType>; // ascending
+
   void Add(const Ids& ids, Flag flag);
+  /// The two triangles at each edge in which they continue each other.
+  std::map<Edge, std::vector<std::size_t>> FindInnerEdges() const;
+  static bool RunsAlong(const Cell& triangle, const Edge& edge);
   double SquaredLength(vtkIdType a, vtkIdType b) const;
   void WriteAttributes(vtkUnstructuredGrid* output) const;
 };

@@ -30,6 +30,8 @@ bool RedGreenLimit<Id>::BuildWith(const ControlMesh& mesh, const FeatureOptions&
   {
     return false;
   }
+  this->Solids.Numbers = std::move(control.Solids);
+  this->Solids.Steps = mesh.MadeLevels;
   this->Creases = BuildSharpStages<Scheme>(mesh, features, control, 0);
   this->FindCurved(level.Complex, level.Strata);
   this->Control = std::move(level);
@@ -44,21 +46,23 @@ SparseRows<Id> RedGreenLimit<Id>::GetControlRows() const
 }
 
 template <typename Id>
-LocalLimit<Id> RedGreenLimit<Id>::MakeOperator(
-  const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted) const
+LocalLimit<Id> RedGreenLimit<Id>::MakeOperator(const std::vector<std::array<Id, 2>>& midpoints,
+  const Buffer<unsigned char>& wanted, const ControlSolids* solids) const
 {
   return std::visit([&](const auto& control)
-    { return LocalLimit<Id>(control, this->Creases, midpoints, wanted); }, this->Control);
+    { return LocalLimit<Id>(control, this->Creases, midpoints, wanted, 1, solids); },
+    this->Control);
 }
 
 template <typename Id>
-LocalLimit<Id> RedGreenLimit<Id>::GetOperator(const RedGreen<Id>& state) const
+LocalLimit<Id> RedGreenLimit<Id>::GetOperator(const RedGreen<Id>& state, bool hasNormals) const
 {
   const Id given = state.GetNumberOfInputVertices();
   std::vector<std::array<Id, 2>> midpoints(state.GetNumberOfVertices() - given);
   ForEach(static_cast<vtkIdType>(midpoints.size()),
     [&](vtkIdType i) { midpoints[i] = state.GetEnds(static_cast<Id>(given + i)); });
-  return this->MakeOperator(midpoints);
+  return this->MakeOperator(
+    midpoints, Buffer<unsigned char>(), hasNormals ? &this->Solids : nullptr);
 }
 
 // ------------------------------------------------------------------------------------------------
@@ -426,7 +430,7 @@ void RedGreenLimit<Id>::Measure(
       }
     }
   }
-  const LocalLimit<Id> limit = this->MakeOperator(midpoints, wanted);
+  const LocalLimit<Id> limit = this->MakeOperator(midpoints, wanted, nullptr);
   auto getLimits = [&limit](const ContinuedArray& array, const std::vector<double>& control)
   {
     Buffer<double> limits(limit.GetNumberOfRows() * array.GetComponents());

@@ -9,6 +9,7 @@
 
 #include "Core/Memory/PairTable.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
+#include "Core/Solids/Limits/LimitNormals.h"
 #include "Core/Solids/Limits/LimitStencils.h"
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Private/Control/ControlComplex.h"
@@ -41,8 +42,16 @@ public:
     this->ControlAttribute = std::move(attribute);
   }
 
-  /// From values at the control vertices to the limits of all vertices of a state.
-  LocalLimit<Id> GetOperator(const RedGreen<Id>& state) const;
+  /// Calls act(level) for the control level, which is of the scheme of the limit.
+  template <typename Act>
+  void WithControl(const Act& act) const
+  {
+    std::visit(act, this->Control);
+  }
+
+  /// From values at the control vertices to the limits of all vertices of a state; `hasNormals`:
+  /// for normals, too.
+  LocalLimit<Id> GetOperator(const RedGreen<Id>& state, bool hasNormals) const;
 
   /// Finds the errors of the edges of candidates: the largest distance of the limit from the edge,
   /// measured at one to three places along it; inside a surface the distance from the triangles at
@@ -116,10 +125,11 @@ private:
   bool BuildWith(const ControlMesh& mesh, const FeatureOptions& features, const Coordinates& points,
     const WarnFunction& warn);
   LocalLimit<Id> MakeOperator(const std::vector<std::array<Id, 2>>& midpoints,
-    const Buffer<unsigned char>& wanted = Buffer<unsigned char>()) const;
+    const Buffer<unsigned char>& wanted, const ControlSolids* solids) const;
 
   std::variant<Level<Id>, TetOctLevel<Id>> Control;
   SemiSharpStages<Id> Creases;
+  ControlSolids Solids;
   std::vector<double> ControlCoordinates;
   std::vector<double> ControlAttribute;
   /// Edges and faces of the control mesh that do not follow the rule for the inside of a solid;

@@ -11,6 +11,7 @@
 #include "Private/Control/StampFields.h"
 #include "Private/RedGreen/RedGreenLimit.h"
 #include "Private/RedGreen/RedGreenMesh.h"
+#include "Private/RedGreen/RedGreenNormals.h"
 #include "Private/RedGreen/RedGreenNumbers.h"
 #include "Private/RedGreen/RedGreenWriter.h"
 #include "Private/RedGreen/RefinementMarks.h"
@@ -164,6 +165,10 @@ void RedGreenRun::StartPoints()
   if (arrays.OriginalIds)
   {
     arrays.Replaced.emplace_back(OriginalPointIdsName);
+  }
+  if (this->Options.GenerateLimitNormals)
+  {
+    arrays.Replaced.emplace_back(LimitNormalsName);
   }
   const ControlMesh& control = this->Mesh.Control;
   this->GivenCoordinates.clear();
@@ -531,7 +536,7 @@ bool RedGreenRun::Refine()
   const RedGreen<Id>& state = *shared.State;
   const RedGreenOutput<Id> plan(state);
   std::vector<vtkIdType> simplices;
-  WriteRedGreenCells(plan, this->Input, this->Mesh, this->Options,
+  WriteRedGreenCells(plan, this->Input, this->Mesh, this->Options, this->Options.LimitPlacement,
     this->Others ? &simplices : nullptr, this->Output);
   if (this->IsStopped(0.9))
   {
@@ -561,11 +566,32 @@ void RedGreenRun::MakePoints(const RedGreen<Id>& state, const RedGreenLimit<Id>&
   }
   if (this->Options.LimitPlacement)
   {
-    this->Points->Advance(limit.GetOperator(state), origin);
+    const bool hasNormals = this->Options.GenerateLimitNormals;
+    const LocalLimit<Id> operation = limit.GetOperator(state, hasNormals);
+    Buffer<double> normals;
+    if (hasNormals)
+    {
+      const RedGreenNormals<Id> sides(
+        this->Input, this->Mesh.Control, this->GetGivenCoordinates(), limit, this->Others);
+      normals = sides.Compute(operation, this->Points->GetCoordinates());
+    }
+    this->Points->Advance(operation, origin);
+    if (hasNormals)
+    {
+      this->Points->SetLimitNormals(normals);
+    }
   }
-  else if (state.GetNumberOfVertices() > state.GetNumberOfInputVertices())
+  else
   {
-    this->Points->Advance(MakeMidpointRows(state), origin);
+    const bool adds = state.GetNumberOfVertices() > state.GetNumberOfInputVertices();
+    if (adds)
+    {
+      this->Points->Advance(MakeMidpointRows(state), origin);
+    }
+    if (!this->AllAgree(!adds))
+    {
+      this->Points->LeaveOutNormals();
+    }
   }
   this->Points->Finish(this->Output);
 }

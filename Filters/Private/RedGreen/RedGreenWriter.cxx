@@ -42,8 +42,8 @@ void WarnOfReplaced(vtkPointSet* input, const RedGreenMesh& mesh, const RunOptio
 
 template <typename Id>
 void WriteRedGreenCells(const RedGreenOutput<Id>& plan, vtkPointSet* input,
-  const RedGreenMesh& mesh, const RunOptions& run, std::vector<vtkIdType>* simplices,
-  vtkUnstructuredGrid* output)
+  const RedGreenMesh& mesh, const RunOptions& run, bool pointsMove,
+  std::vector<vtkIdType>* simplices, vtkUnstructuredGrid* output)
 {
   const CellCounts counts = plan.GetCounts();
   vtkNew<vtkIdTypeArray> offsets;
@@ -83,6 +83,7 @@ void WriteRedGreenCells(const RedGreenOutput<Id>& plan, vtkPointSet* input,
     ForEach(counts.Cells, [&](vtkIdType i) { ids[i] = mesh.GetInputCell(ids[i]); });
   }
   CellArrayOptions options;
+  options.PointsMove = pointsMove;
   options.OriginalIds = true;
   options.CarryOriginalIds =
     mesh.CarriesOriginals(input->GetCellData(), OriginalCellIdsName, input->GetNumberOfCells());

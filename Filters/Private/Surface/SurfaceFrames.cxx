@@ -96,10 +96,9 @@ void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
       {
         const double* first = tangents.Values[0].data() + 3 * i;
         const double* second = tangents.Values[1].data() + 3 * i;
-        auto isZero = [](double value) { return value == 0.; };
-        missing[i] =
-          std::all_of(first, first + 3, isZero) || std::all_of(second, second + 3, isZero);
-        FindNormal(first, second, tangents.Errors[i], values.data() + 3 * i);
+        double* normal = values.data() + 3 * i;
+        FindNormal(first, second, tangents.Errors[i], normal);
+        missing[i] = std::all_of(normal, normal + 3, [](double value) { return value == 0.; });
       });
     const Buffer<double> places = ReadPoints(points);
     ShadingNormals shading(places.data(), missing, values.data());

@@ -271,6 +271,7 @@ void WriteCellData(vtkPointSet* input, const std::vector<vtkIdType>& sources,
   std::copy(sources.begin(), sources.end(), ids->GetPointer(0));
   CellArrayOptions cells;
   cells.Levels = options.Levels;
+  cells.PointsMove = options.MovesPoints();
   cells.OriginalIds = options.GenerateOriginalIds;
   if (cells.OriginalIds)
   {

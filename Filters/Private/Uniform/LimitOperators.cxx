@@ -32,16 +32,7 @@ void LimitOperators<Id>::Apply(PointArrays& arrays, const std::vector<vtkIdType>
     const vtkIdType size = arrays.GetPoints()->GetNumberOfTuples();
     Buffer<double> normals(3 * size);
     ComputeLimitNormals(this->Tangents, arrays.GetCoordinates(), inverted, turned, normals.data());
-    const auto array = MakeArray(arrays.GetPoints()->GetDataType(), 3, size);
-    array->SetName(LimitNormalsName);
-    auto fill = [&](auto* out)
-    {
-      using T = std::remove_pointer_t<decltype(out)>;
-      ForEach(3 * size, [&](vtkIdType i) { out[i] = static_cast<T>(normals[i]); });
-    };
-    array->GetDataType() == VTK_FLOAT ? fill(static_cast<float*>(array->GetVoidPointer(0)))
-                                      : fill(static_cast<double*>(array->GetVoidPointer(0)));
-    arrays.SetNormals(array);
+    arrays.SetLimitNormals(normals);
   }
   arrays.Project(this->Rows);
 }

@@ -128,28 +128,6 @@ void UniformRun::NumberControl()
   std::visit([&](const auto& level) { number(level.Complex, runs); }, this->Current);
 }
 
-/// Vertices of the current level whose cells are all known: those of own cells. Empty: all.
-std::vector<char> UniformRun::FindSureVertices() const
-{
-  if (!this->Others)
-  {
-    return {};
-  }
-  const SimplicesOfCells& cells = this->Mesh.Cells;
-  std::vector<char> isSure(static_cast<std::size_t>(cells.GetView().NumberOfPoints), 0);
-  auto vertex = cells.Simplices.Connectivity.begin();
-  for (std::size_t s = 0; s < cells.Simplices.Dimensions.size(); ++s)
-  {
-    const bool isOwn = this->Others->IsOwn(
-      cells.ParentCells.empty() ? static_cast<vtkIdType>(s) : cells.ParentCells[s]);
-    for (int k = 0; k <= cells.Simplices.Dimensions[s]; ++k, ++vertex)
-    {
-      isSure[*vertex] = isSure[*vertex] || isOwn;
-    }
-  }
-  return isSure;
-}
-
 /// The triangles of the current level by their numbers in the whole: the children of each control
 /// triangle follow each other.
 SharedKeys UniformRun::MakeTriangleKeys(vtkIdType triangles) const
@@ -176,7 +154,8 @@ void UniformRun::FindTurned()
   if (!this->Found)
   {
     this->Sides = std::visit([this](const auto& level)
-      { return FindTriangleSides(level, this->FindSureVertices()); }, this->Current);
+      { return FindTriangleSides(level, FindSureVertices(this->Mesh.Cells, this->Others)); },
+      this->Current);
   }
   const FaceSides& sides = this->Found ? this->Found->Sides : this->Sides;
   const auto triangles = static_cast<vtkIdType>(sides.PartOf.size());

@@ -102,7 +102,6 @@ private:
   void FindWanted();
   std::vector<CellRun> CountWanted() const;
   void NumberControl();
-  std::vector<char> FindSureVertices() const;
   SharedKeys MakeTriangleKeys(vtkIdType triangles) const;
   void FindTurned();
   template <typename Scheme>

@@ -548,6 +548,7 @@ void UniformRun::Write()
   this->LeaveWanted();
   CellArrayOptions cells;
   cells.Levels = this->Options.Levels;
+  cells.PointsMove = this->Options.MovesPoints();
   cells.OriginalIds = this->Options.GenerateOriginalIds;
   cells.CarryOriginalIds = this->Mesh.IsStamped &&
     HasIds(this->Input->GetCellData(), OriginalCellIdsName, this->Input->GetNumberOfCells());

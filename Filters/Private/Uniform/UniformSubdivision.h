@@ -23,6 +23,10 @@ struct UniformOptions : RunOptions
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;
   bool ReadsLimit() const { return this->ProjectToLimit || this->GenerateLimitNormals; }
+  bool MovesPoints() const
+  {
+    return this->ProjectToLimit || (this->Levels > 0 && this->Scheme != StampScheme::Linear);
+  }
   bool Use32BitIds = false;
   bool KeepCellTypes = false; ///< with StampScheme::Linear (KeptTypes.h)
   /// Where operators are kept; null: nowhere.

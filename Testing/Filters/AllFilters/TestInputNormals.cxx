@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestInputNormals.cxx
- * Normals of the input do not hold for smoothed points: no filter takes them for values, or leaves
- * them active.
+ * Normals of the input do not hold where points move: no filter takes them for values, or leaves
+ * them active there.
  */
 #include "FeatureTools.h"
 
@@ -10,6 +10,7 @@
 #include "vtkFloatArray.h"
 #include "vtkMultiDimensionalSubdivision.h"
 #include "vtkPolyData.h"
+#include "vtkRedGreenRefinement.h"
 #include "vtkSphereSource.h"
 #include "vtkSurfaceSubdivision.h"
 
@@ -100,4 +101,55 @@ TEST(InputNormals, StayWhereNothingMoves)
   ASSERT_TRUE(output->GetPointData()->GetNormals());
   EXPECT_STREQ(output->GetPointData()->GetNormals()->GetName(), "Normals");
   EXPECT_TRUE(output->GetCellData()->GetNormals());
+}
+
+TEST(InputNormals, AreLeftOutByRedGreenOnTheLimitAlone)
+{
+  const auto sphere = MakeSphere();
+  vtkNew<vtkRedGreenRefinement> filter;
+  filter->SetRefineByEdgeLength(true);
+  filter->SetMaximumEdgeLength(0.2);
+  filter->SetPlacementToLimit();
+  ExpectOwnNormals(RunOn(filter, sphere), false);
+  filter->SetPlacementToLinear();
+  vtkPointSet* output = RunOn(filter, sphere);
+  EXPECT_EQ(output->GetPointData()->GetNormals(), nullptr);
+  vtkDataArray* normals = output->GetCellData()->GetNormals();
+  ASSERT_TRUE(normals);
+  EXPECT_STREQ(normals->GetName(), "CellNormals");
+  EXPECT_EQ(normals->GetNumberOfTuples(), output->GetNumberOfCells());
+}
+
+TEST(InputNormals, StayAtCellsWhoseChildrenLieInThem)
+{
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeSchemeToLinear();
+  vtkPointSet* output = RunOn(filter, MakeSphere());
+  EXPECT_EQ(output->GetPointData()->GetNormals(), nullptr);
+  EXPECT_TRUE(output->GetCellData()->GetNormals());
+}
+
+TEST(InputNormals, AreLeftOutWherePointsGoToTheLimit)
+{
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetNumberOfLevels(0);
+  filter->SetProjectToLimit(true);
+  vtkPointSet* output = RunOn(filter, MakeSphere());
+  EXPECT_EQ(output->GetPointData()->GetNormals(), nullptr);
+  EXPECT_EQ(output->GetCellData()->GetNormals(), nullptr);
+}
+
+/// Triangles near a line that marks them are cut into children of other cells than their parents.
+TEST(InputNormals, OfCutCellsAreLeftOut)
+{
+  const Grid quads = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 }, { 1, 1, 1 }, { 2, 1, 0 } },
+    { { VTK_QUAD, { 0, 1, 4, 3 } }, { VTK_TRIANGLE, { 1, 2, 4 } }, { VTK_TRIANGLE, { 2, 5, 4 } } });
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("CellNormals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(quads->GetNumberOfCells());
+  normals->Fill(1.);
+  quads->GetCellData()->SetNormals(normals);
+  EXPECT_EQ(Subdivide(quads, 1)->GetCellData()->GetNormals(), nullptr);
 }

@@ -297,6 +297,43 @@ TEST_P(SubdivisionModelSource, IsAValidComplex)
     << "unused points";
 }
 
+/// Two triangles that continue each other run along their edge in opposite directions: else a
+/// smooth surface has normals of both sides.
+TEST_P(SubdivisionModelSource, SurfacesAreOriented)
+{
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = Make(GetParam());
+  const Complex complex(grid);
+  std::map<Simplex, std::vector<bool>> runsUp; // of each triangle at an edge
+  std::set<Simplex> excluded;                  // edges of solids, and singular lines
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    const Simplex& cell = complex.Cells[i];
+    const bool isSingular = grid->GetCellData()->GetArray("Singular")->GetTuple1(i) != 0.0;
+    for (std::size_t j = 0; j < cell.size() && cell.size() > 1; ++j)
+    {
+      for (std::size_t k = 0; k < j; ++k)
+      {
+        const Simplex edge = { std::min(cell[j], cell[k]), std::max(cell[j], cell[k]) };
+        if (cell.size() == 4 || (cell.size() == 2 && isSingular))
+        {
+          excluded.insert(edge);
+        }
+        else if (cell.size() == 3)
+        {
+          runsUp[edge].push_back((cell[k] < cell[j]) == (j == k + 1));
+        }
+      }
+    }
+  }
+  for (const auto& [edge, triangles] : runsUp)
+  {
+    if (triangles.size() == 2 && excluded.count(edge) == 0)
+    {
+      EXPECT_NE(triangles[0], triangles[1]) << testing::PrintToString(edge);
+    }
+  }
+}
+
 TEST_P(SubdivisionModelSource, CellsMeetOnlyInCommonFaces)
 {
   const Complex complex(Make(GetParam()));

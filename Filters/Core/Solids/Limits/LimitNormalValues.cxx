@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace subdivision
 {
@@ -33,7 +34,7 @@ inline Vector Normalise(const Vector& a, double least)
 }
 
 template <typename Id>
-void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& points,
+void ComputeSectorNormals(const LimitTangents<Id>& tangents, const Coordinates& points,
   const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned, double* normals)
 {
   const vtkIdType sectors = tangents.GetNumberOfSectors();
@@ -69,6 +70,13 @@ void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& p
     Vector normal;
     FindNormal(first.data() + 3 * sector, second.data() + 3 * sector,
       getError(tangents.First, sector) + getError(tangents.Second, sector), normal.data());
+    if (Length(normal) == 0.)
+    {
+      const double* a = first.data() + 3 * sector;
+      const double* b = second.data() + 3 * sector;
+      FindPerpendicular(
+        std::hypot(a[0], a[1], a[2]) < std::hypot(b[0], b[1], b[2]) ? b : a, normal.data());
+    }
     if (isTurned(sector) || !isOutwards(sector))
     {
       normal = { -normal[0], -normal[1], -normal[2] };
@@ -79,24 +87,30 @@ void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& p
     [&](vtkIdType v)
     {
       Vector sum = { 0., 0., 0. };
+      Vector last = { 0., 0., 0. }; // in lexicographic order, whatever the order of sectors
       for (vtkIdType s = tangents.Sectors.Offsets[v]; s < tangents.Sectors.Offsets[v + 1]; ++s)
       {
         const Vector normal = normalOf(s);
-        for (int c = 0; c < 3; ++c)
-        {
-          sum[c] += normal[c];
-        }
+        std::transform(normal.begin(), normal.end(), sum.begin(), sum.begin(), std::plus<>());
+        last = s == tangents.Sectors.Offsets[v] ? normal : std::max(last, normal);
       }
-      const Vector normal = Normalise(sum, 1e-12);
+      const Vector mean = Normalise(sum, 1e-6);
+      const Vector& normal = Length(mean) > 0. ? mean : last;
       std::copy(normal.begin(), normal.end(), normals + 3 * v);
     });
-  Buffer<unsigned char> missing(tangents.Sectors.GetNumberOfRows());
-  ForEach(missing.size(), [&](vtkIdType v)
-    { missing[v] = tangents.Sectors.Offsets[v] == tangents.Sectors.Offsets[v + 1]; });
-  ShadingNormals shading(points.Values, missing, normals);
-  tangents.Shading.Fill(shading);
 }
 
+template <typename Id>
+void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& points,
+  const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned, double* normals)
+{
+  ComputeSectorNormals(tangents, points, inverted, turned, normals);
+  const Buffer<unsigned char> missing = tangents.FindMissing();
+  ShadingNormals shading(points.Values, missing, normals);
+  tangents.Shading.Fill(shading, turned);
+}
+
+SUBDIVISION_COMPILE_FUNCTION(ComputeSectorNormals);
 SUBDIVISION_COMPILE_FUNCTION(ComputeLimitNormals);
 
 }

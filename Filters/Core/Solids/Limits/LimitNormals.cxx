@@ -261,7 +261,8 @@ void SectorWalker<Scheme>::AppendSides(
     const Id triangle[3] = { vertex, around[j], around[(j + 1) % around.size()] };
     for (Id cell : this->Complex.FaceTets[walk.Faces[j]])
     {
-      const vtkIdType tet = this->Tets.Find(cell);
+      const vtkIdType tet =
+        this->Solids.IsOfLevel ? static_cast<vtkIdType>(cell) : this->Tets.Find(cell);
       const vtkIdType number = this->Solids.Numbers.empty() ? tet : this->Solids.Numbers[tet];
       part.Sides.push_back(2 * number + (Scheme::GetTurn(this->Here, cell, triangle) < 0 ? 1 : 0));
     }
@@ -362,6 +363,54 @@ Buffer<T> JoinOffsets(
   return offsets;
 }
 
+/// The tangents of `rows` vertices: vertexOf(row).
+template <typename Level, typename VertexOf>
+LimitTangents<typename Level::IdType> BuildTangents(const Level& level,
+  const SemiSharpStages<typename Level::IdType>& creases, const ControlSolids& solids,
+  vtkIdType rows, const VertexOf& vertexOf)
+{
+  using Id = typename Level::IdType;
+  const SectorWalker<SchemeOf<Level>> walker(level, solids);
+  const vtkIdType vertices = level.Complex.NumberOfVertices;
+  constexpr vtkIdType block = 4096;
+  const vtkIdType blocks = (rows + block - 1) / block;
+  std::vector<bool> isSharp(vertices, !SchemeOf<Level>::Traits.HasTangents);
+  for (const SharpRow& row : creases.ListParts(level.Complex).GetRows())
+  {
+    if (row.Row < vertices)
+    {
+      isSharp[row.Row] = true;
+    }
+  }
+  std::vector<SectorPart<Id>> parts(blocks);
+  LimitTangents<Id> tangents;
+  tangents.Sectors.Offsets = Buffer<Id>(rows + 1);
+  auto makeBlocks = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType b = begin; b < end; ++b)
+    {
+      for (vtkIdType row = b * block; row < std::min(rows, (b + 1) * block); ++row)
+      {
+        const Id vertex = vertexOf(row);
+        tangents.Sectors.Offsets[row] = isSharp[vertex] ? 0 : walker.Append(vertex, parts[b]);
+      }
+    }
+  };
+  ForRangesOfBlocks(blocks, makeBlocks);
+  CountsToOffsets(tangents.Sectors.Offsets);
+  tangents.First.NumberOfColumns = tangents.Second.NumberOfColumns = vertices;
+  tangents.First.Offsets = JoinOffsets(parts, &SectorPart<Id>::Sizes);
+  tangents.First.Columns = Join(parts, &SectorPart<Id>::Columns);
+  tangents.First.Weights = Join(parts, &SectorPart<Id>::First);
+  tangents.Second.Offsets = JoinOffsets(parts, &SectorPart<Id>::Sizes);
+  tangents.Second.Columns = Join(parts, &SectorPart<Id>::Columns);
+  tangents.Second.Weights = Join(parts, &SectorPart<Id>::Second);
+  tangents.SideOffsets = JoinOffsets(parts, &SectorPart<Id>::SideSizes);
+  tangents.Sides = Join(parts, &SectorPart<Id>::Sides);
+  tangents.Triangles = Join(parts, &SectorPart<Id>::Triangles);
+  return tangents;
+}
+
 }
 
 template <typename Level>
@@ -379,51 +428,28 @@ LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   const SemiSharpStages<typename Level::IdType>& creases, const ControlSolids& solids)
 {
   using Id = typename Level::IdType;
-  const SectorWalker<SchemeOf<Level>> walker(level, solids);
-  const vtkIdType vertices = level.Complex.NumberOfVertices;
-  constexpr vtkIdType block = 4096;
-  const vtkIdType blocks = (vertices + block - 1) / block;
-  std::vector<bool> isSharp(vertices, !SchemeOf<Level>::Traits.HasTangents);
-  for (const SharpRow& row : creases.ListParts(level.Complex).GetRows())
-  {
-    if (row.Row < vertices)
-    {
-      isSharp[row.Row] = true;
-    }
-  }
-  std::vector<SectorPart<Id>> parts(blocks);
-  LimitTangents<Id> tangents;
-  tangents.Sectors.Offsets = Buffer<Id>(vertices + 1);
-  auto makeBlocks = [&](vtkIdType begin, vtkIdType end)
-  {
-    for (vtkIdType b = begin; b < end; ++b)
-    {
-      for (vtkIdType v = b * block; v < std::min(vertices, (b + 1) * block); ++v)
-      {
-        tangents.Sectors.Offsets[v] = isSharp[v] ? 0 : walker.Append(static_cast<Id>(v), parts[b]);
-      }
-    }
-  };
-  ForRangesOfBlocks(blocks, makeBlocks);
-  CountsToOffsets(tangents.Sectors.Offsets);
-  tangents.First.NumberOfColumns = tangents.Second.NumberOfColumns = vertices;
-  tangents.First.Offsets = JoinOffsets(parts, &SectorPart<Id>::Sizes);
-  tangents.First.Columns = Join(parts, &SectorPart<Id>::Columns);
-  tangents.First.Weights = Join(parts, &SectorPart<Id>::First);
-  tangents.Second.Offsets = JoinOffsets(parts, &SectorPart<Id>::Sizes);
-  tangents.Second.Columns = Join(parts, &SectorPart<Id>::Columns);
-  tangents.Second.Weights = Join(parts, &SectorPart<Id>::Second);
-  tangents.SideOffsets = JoinOffsets(parts, &SectorPart<Id>::SideSizes);
-  tangents.Sides = Join(parts, &SectorPart<Id>::Sides);
-  tangents.Triangles = Join(parts, &SectorPart<Id>::Triangles);
-  tangents.Shading = FindShadingFacets(level, tangents.Sectors);
+  LimitTangents<Id> tangents = BuildTangents(level, creases, solids, level.Complex.NumberOfVertices,
+    [](vtkIdType v) { return static_cast<Id>(v); });
+  tangents.Shading =
+    FindShadingFacets(level, tangents.FindMissing(), FindShadingCells(level, solids.Steps));
   return tangents;
+}
+
+template <typename Level>
+LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
+  const SemiSharpStages<typename Level::IdType>& creases, const ControlSolids& solids,
+  const Buffer<typename Level::IdType>& vertices)
+{
+  return BuildTangents(
+    level, creases, solids, vertices.size(), [&vertices](vtkIdType row) { return vertices[row]; });
 }
 
 #define SUBDIVISION_NORMALS(Scheme)                                                                \
   template FaceSides FindTriangleSides(const Scheme::Level&, const std::vector<char>&);            \
   template LimitTangents<Scheme::Id> BuildLimitTangents(                                           \
-    const Scheme::Level&, const SemiSharpStages<Scheme::Id>&, const ControlSolids&)
+    const Scheme::Level&, const SemiSharpStages<Scheme::Id>&, const ControlSolids&);               \
+  template LimitTangents<Scheme::Id> BuildLimitTangents(const Scheme::Level&,                      \
+    const SemiSharpStages<Scheme::Id>&, const ControlSolids&, const Buffer<Scheme::Id>&)
 SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_NORMALS);
 
 }

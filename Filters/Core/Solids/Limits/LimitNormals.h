@@ -12,7 +12,9 @@
  * sectors. A sector of 7 or more triangles has no tangent plane: the eigenvalue 3/8 + 1/4 cos(2
  * pi/k) is then larger than 1/2, that of the tangent along the curve. Corners, curves, joints,
  * darts, and vertices of creases that are still sharp have no tangent plane either; they take a
- * normal for shading from the triangles and lines at them. Inside solids the normal is zero.
+ * normal for shading from the triangles and lines at them. Where the tangents of a sector are
+ * parallel but for rounding its normal is perpendicular to the longer one. Inside solids, where no
+ * surface and no curve passes, no direction is a normal, and it is zero.
  */
 #ifndef SubdivisionObjects_LimitNormals_h
 #define SubdivisionObjects_LimitNormals_h
@@ -48,6 +50,14 @@ struct LimitTangents
   /// What gives normals for shading to the vertices without sector.
   ShadingFacets<Id> Shading;
 
+  /// Flags the vertices without sector.
+  Buffer<unsigned char> FindMissing() const
+  {
+    Buffer<unsigned char> missing(this->Sectors.GetNumberOfRows());
+    ForEach(missing.size(),
+      [&](vtkIdType v) { missing[v] = this->Sectors.Offsets[v] == this->Sectors.Offsets[v + 1]; });
+    return missing;
+  }
   vtkIdType GetNumberOfSectors() const { return this->First.GetNumberOfRows(); }
   std::size_t GetMemorySize() const
   {
@@ -71,6 +81,7 @@ struct ControlSolids
 {
   std::vector<vtkIdType> Numbers;
   int Steps = 0;
+  bool IsOfLevel = false; ///< Numbers has one for each solid of the level instead
 };
 
 /// The tangents at all vertices of a level that can be refined (Depth::ForRefinement).
@@ -78,9 +89,21 @@ template <typename Level>
 LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   const SemiSharpStages<typename Level::IdType>& creases = {}, const ControlSolids& solids = {});
 
+/// The same at some vertices, one row of Sectors for each; without Shading.
+template <typename Level>
+LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
+  const SemiSharpStages<typename Level::IdType>& creases, const ControlSolids& solids,
+  const Buffer<typename Level::IdType>& vertices);
+
+/// Computes the unit normals of the rows of Sectors, three numbers for each; those without sector
+/// get zero. The other arguments are those of ComputeLimitNormals.
+template <typename Id>
+void ComputeSectorNormals(const LimitTangents<Id>& tangents, const Coordinates& points,
+  const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned, double* normals);
+
 /// Computes unit normals, three numbers for each vertex, from the points of the level. Vertices
-/// without sector get a normal for shading (ShadingNormals.h), or zero inside solids; vertices
-/// whose tangents are parallel within rounding get zero. `inverted` has, in ascending order, twice
+/// without sector get a normal for shading (ShadingNormals.h), or zero inside solids.
+/// `inverted` has, in ascending order, twice
 /// the number of each control tetrahedron with negative volume; odd numbers in it are ignored.
 /// `turned` has a flag for each control triangle (FindTriangleSides); empty: none is turned.
 template <typename Id>

@@ -2,7 +2,6 @@
 #include "Core/Solids/Limits/LocalLimit.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Operators/ForBlocks.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/Restriction.h"
 
@@ -57,8 +56,8 @@ template <typename LevelType>
 class LocalLimit<Id>::Builder
 {
 public:
-  Builder(
-    Id first, const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted);
+  Builder(Id first, const std::vector<std::array<Id, 2>>& midpoints,
+    const Buffer<unsigned char>& wanted, const ControlSolids* solids);
 
   /// False: the parts were too small.
   bool Build(const LevelType& control, const SemiSharpStages<Id>& creases, int distance,
@@ -71,12 +70,17 @@ private:
     LevelType Level;
     SemiSharpStages<Id> Creases;
     Buffer<unsigned char> Whole; ///< vertices at which nothing is missing
+    // These are empty where no normals are made:
+    std::vector<vtkIdType> Solids; ///< the number of the control solid in which each solid lies
+    ShadingCells<Id> Cells;
   };
   /// What is kept of a level: limit rows over its vertices, and the rows of the step that leads to
   /// it.
   struct Trace
   {
     SparseRows<Id> Limits;
+    LimitTangents<Id> Tangents;
+    std::vector<std::array<Id, 2>> Shaded;
     // These are empty on the control level:
     Buffer<Id> Columns; ///< the vertices of the level before to which the operators' columns belong
     Stencils<Id> Smooth;
@@ -91,8 +95,10 @@ private:
     const LevelType& current, std::size_t level, int distance) const;
   void FollowVertices(
     const LevelType& part, const Restriction<LevelType>& restriction, std::size_t level);
-  SparseRows<Id> MakeLimits(
-    const LevelType& level, const SemiSharpStages<Id>& creases, std::size_t number) const;
+  void MakeLimits(const LevelType& level, const SemiSharpStages<Id>& creases, const Piece& piece,
+    std::size_t number, Trace& trace) const;
+  void FindControlParts(const LevelType& control, Piece& piece) const;
+  void FollowParts(const Restriction<LevelType>& restriction, Piece& piece) const;
   static SemiSharpStages<Id> RefineCreases(Piece& part, const SimplicialComplex<Id>& children);
   static void TakeOperators(Piece& part, Trace& trace);
   static void AppendRow(const Trace& trace, vtkIdType row, ExplicitRows<Id>& rows);
@@ -100,6 +106,7 @@ private:
 
   const Id First; ///< the number of the first midpoint
   const std::vector<std::array<Id, 2>>& Midpoints;
+  const ControlSolids* const Solids;      ///< null: no normals are made
   std::vector<int> Levels;                ///< on which vertices first exist
   std::vector<std::vector<Id>> Born;      ///< vertices by level
   std::vector<std::vector<Id>> Wanted;    ///< those of them whose limits are wanted
@@ -109,10 +116,12 @@ private:
 
 template <typename Id>
 template <typename LevelType>
-LocalLimit<Id>::Builder<LevelType>::Builder(
-  Id first, const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted)
+LocalLimit<Id>::Builder<LevelType>::Builder(Id first,
+  const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted,
+  const ControlSolids* solids)
   : First(first)
   , Midpoints(midpoints)
+  , Solids(solids)
 {
   this->FindLevels();
   this->FindAncestors();
@@ -264,16 +273,101 @@ void LocalLimit<Id>::Builder<LevelType>::FollowVertices(
   }
 }
 
+/// Makes the limit rows of the vertices of a level, and their tangents; `piece` knows where the
+/// level's cells lie.
 template <typename Id>
 template <typename LevelType>
-SparseRows<Id> LocalLimit<Id>::Builder<LevelType>::MakeLimits(
-  const LevelType& level, const SemiSharpStages<Id>& creases, std::size_t number) const
+void LocalLimit<Id>::Builder<LevelType>::MakeLimits(const LevelType& level,
+  const SemiSharpStages<Id>& creases, const Piece& piece, std::size_t number, Trace& trace) const
 {
   const std::vector<Id>& wanted = this->Wanted[number];
   Buffer<Id> vertices(static_cast<vtkIdType>(wanted.size()));
   std::transform(
     wanted.begin(), wanted.end(), vertices.begin(), [this](Id vertex) { return this->At[vertex]; });
-  return BuildLimitRows(level, creases, vertices);
+  trace.Limits = BuildLimitRows(level, creases, vertices);
+  if (this->Solids)
+  {
+    trace.Tangents =
+      BuildLimitTangents(level, creases, ControlSolids{ piece.Solids, 0, true }, vertices);
+    for (Id& triangle : trace.Tangents.Triangles)
+    {
+      triangle = triangle < 0 ? triangle : piece.Cells.Triangles[triangle];
+    }
+    const Buffer<unsigned char> rows = trace.Tangents.FindMissing();
+    Buffer<unsigned char> missing(level.Complex.NumberOfVertices, 0);
+    for (Id row = 0; row < static_cast<Id>(rows.size()); ++row)
+    {
+      missing[vertices[row]] = rows[row];
+      if (rows[row])
+      {
+        trace.Shaded.push_back({ { row, vertices[row] } });
+      }
+    }
+    trace.Tangents.Shading = FindShadingFacets(level, missing, piece.Cells);
+  }
+}
+
+/// Finds where the cells of the level lie from which the steps start.
+template <typename Id>
+template <typename LevelType>
+void LocalLimit<Id>::Builder<LevelType>::FindControlParts(
+  const LevelType& control, Piece& piece) const
+{
+  if (this->Solids)
+  {
+    const typename SchemeOf<LevelType>::ControlTets tets(control, this->Solids->Steps);
+    const vtkIdType size =
+      vtkIdType(control.Complex.NumberOfTets) + SchemeOf<LevelType>::CountCentres(control);
+    for (vtkIdType solid = 0; solid < size; ++solid)
+    {
+      const vtkIdType tet = tets.Find(static_cast<Id>(solid));
+      piece.Solids.push_back(this->Solids->Numbers.empty() ? tet : this->Solids->Numbers[tet]);
+    }
+    piece.Cells = FindShadingCells(control, this->Solids->Steps);
+  }
+}
+
+/// The same after one step, in which the level before was restricted.
+template <typename Id>
+template <typename LevelType>
+void LocalLimit<Id>::Builder<LevelType>::FollowParts(
+  const Restriction<LevelType>& restriction, Piece& piece) const
+{
+  if (!this->Solids)
+  {
+    return;
+  }
+  // What each tetrahedron and each octahedron becomes.
+  constexpr bool hasPieces = SchemeOf<LevelType>::Traits.HasPieces;
+  constexpr std::size_t children[2][2] = { { hasPieces ? 4 : 8, 8 }, { hasPieces ? 1 : 0, 6 } };
+  const vtkIdType tets = restriction.GetNumberOfTets();
+  std::vector<vtkIdType> solids;
+  for (const auto& ofKind : children)
+  {
+    for (const Id old : restriction.GetOldTets())
+    {
+      solids.insert(solids.end(), ofKind[0], piece.Solids[old]);
+    }
+    for (const Id old : restriction.GetOldOcts())
+    {
+      solids.insert(solids.end(), ofKind[1], piece.Solids[tets + old]);
+    }
+  }
+  ShadingCells<Id> cells; // new vertices are no cells
+  for (const Id old : restriction.GetOldFaces())
+  {
+    const auto face = static_cast<std::size_t>(old);
+    cells.Triangles.insert(cells.Triangles.end(), 4,
+      face < piece.Cells.Triangles.size() ? piece.Cells.Triangles[face] : Id(-1));
+  }
+  for (const Id old : restriction.GetOldEdges())
+  {
+    const auto edge = static_cast<std::size_t>(old);
+    cells.Lines.insert(
+      cells.Lines.end(), 2, edge < piece.Cells.Lines.size() ? piece.Cells.Lines[edge] : char(0));
+  }
+  piece.Solids = std::move(solids);
+  piece.Cells = std::move(cells);
 }
 
 template <typename Id>
@@ -364,9 +458,10 @@ bool LocalLimit<Id>::Builder<LevelType>::Build(const LevelType& control,
   const LevelType* level = &control;
   const SemiSharpStages<Id>* levelCreases = &creases;
   Piece current; // what the two point to from level 1 on
+  this->FindControlParts(control, current);
   for (std::size_t l = 0; l < this->Born.size(); ++l)
   {
-    traces[l].Limits = this->MakeLimits(*level, *levelCreases, l);
+    this->MakeLimits(*level, *levelCreases, current, l, traces[l]);
     if (l + 1 == this->Born.size())
     {
       break;
@@ -386,6 +481,7 @@ bool LocalLimit<Id>::Builder<LevelType>::Build(const LevelType& control,
     std::copy(old.begin(), old.end(), next.Columns.begin());
     current.Level = Refine(part.Level, Depth::ForRefinement);
     current.Creases = RefineCreases(part, current.Level.Complex);
+    this->FollowParts(restriction, current);
     TakeOperators(part, next);
     current.Whole = Buffer<unsigned char>(next.Whole.size());
     std::copy(next.Whole.begin(), next.Whole.end(), current.Whole.begin());
@@ -437,9 +533,26 @@ bool LocalLimit<Id>::Builder<LevelType>::FollowBack(
     // The columns that are read on this level, in ascending order, and their new numbers.
     SparseRows<Id>& limits = traces[l].Limits;
     Buffer<Id> numbers(limits.NumberOfColumns, -1);
-    for (Id column : limits.Columns)
+    LimitTangents<Id>& tangents = traces[l].Tangents;
+    ShadingFacets<Id>& facets = tangents.Shading;
+    const auto forFacets = [&facets](const auto& act)
     {
-      numbers[column] = 0;
+      for (std::vector<Id>* vertices : { &facets.Triangles, &facets.Lines, &facets.Points })
+      {
+        for (Id& vertex : *vertices)
+        {
+          vertex < 0 ? void() : act(vertex);
+        }
+      }
+    };
+    forFacets([&numbers](Id vertex) { numbers[vertex] = 0; });
+    for (const Buffer<Id>* read :
+      { &limits.Columns, &tangents.First.Columns, &tangents.Second.Columns })
+    {
+      for (const Id column : *read)
+      {
+        numbers[column] = 0;
+      }
     }
     const bool isLast = l + 1 == traces.size();
     for (Id column : isLast
@@ -476,6 +589,16 @@ bool LocalLimit<Id>::Builder<LevelType>::FollowBack(
       ForEach(to.Columns.size(), [&](vtkIdType k) { to.Columns[k] = numbers[to.Columns[k]]; });
     };
     renumber(limits);
+    renumber(tangents.First);
+    renumber(tangents.Second);
+    forFacets([&numbers](Id& vertex) { vertex = numbers[vertex]; });
+    for (const auto& [row, vertex] : traces[l].Shaded)
+    {
+      if (numbers[vertex] >= 0)
+      {
+        steps[l].Shaded.push_back({ { row, numbers[vertex] } });
+      }
+    }
     if (!isLast)
     {
       renumber(steps[l + 1].Rows);
@@ -486,6 +609,7 @@ bool LocalLimit<Id>::Builder<LevelType>::FollowBack(
     steps[l].Rows.Columns = copy(rows.Columns);
     steps[l].Rows.Weights = copy(rows.Weights);
     steps[l].Limits = std::move(limits);
+    steps[l].Tangents = std::move(tangents);
     steps[l].Vertices = this->Wanted[l];
   }
   return true;
@@ -495,126 +619,22 @@ template <typename Id>
 template <typename LevelType>
 LocalLimit<Id>::LocalLimit(const LevelType& control, const SemiSharpStages<Id>& creases,
   const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted,
-  int distance)
+  int distance, const ControlSolids* solids)
   : NumberOfRows(control.Complex.NumberOfVertices + static_cast<vtkIdType>(midpoints.size()))
   , NumberOfColumns(control.Complex.NumberOfVertices)
 {
-  Builder<LevelType> builder(control.Complex.NumberOfVertices, midpoints, wanted);
+  Builder<LevelType> builder(control.Complex.NumberOfVertices, midpoints, wanted, solids);
   while (!builder.Build(control, creases, distance, this->Steps))
   {
     ++distance;
   }
 }
 
-/// How many values the even levels, and how many the odd levels have at most. Levels of one kind
-/// use the same memory, as no two of them are needed at a time.
-template <typename Id>
-std::array<vtkIdType, 2> LocalLimit<Id>::GetSizesBetween() const
-{
-  std::array<vtkIdType, 2> sizes{ { 0, 0 } };
-  for (std::size_t l = 0; l < this->Steps.size(); ++l)
-  {
-    sizes[l % 2] = std::max(sizes[l % 2], this->Steps[l].Rows.GetNumberOfRows());
-  }
-  return sizes;
-}
-
-template <typename Id>
-vtkIdType LocalLimit<Id>::GetNumberBetween() const
-{
-  const auto sizes = this->GetSizesBetween();
-  return sizes[0] + sizes[1];
-}
-
-template <typename Id>
-void LocalLimit<Id>::ForEachBlock(const User& use) const
-{
-  const vtkIdType starts[2] = { 0, this->GetSizesBetween()[0] };
-  for (std::size_t l = 0; l < this->Steps.size(); ++l)
-  {
-    const Step& step = this->Steps[l];
-    ForBlocksInThreads(step.Rows.GetNumberOfRows(),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        WeightedRows<Id> rows = step.Rows.GetRows(begin, end);
-        rows.FirstRow += starts[l % 2];
-        rows.ToBetween = true;
-        rows.FromBetween = l > 0;
-        rows.FirstColumn = l > 0 ? starts[(l - 1) % 2] : 0;
-        use(rows);
-      });
-    ForBlocksInThreads(step.Limits.GetNumberOfRows(),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        WeightedRows<Id> rows = step.Limits.GetRows(begin, end);
-        rows.Numbers = step.Vertices.data() + begin;
-        rows.FromBetween = true;
-        rows.FirstColumn = starts[l % 2];
-        use(rows);
-      });
-  }
-}
-
-template <typename Id>
-SparseRows<Id> LocalLimit<Id>::BuildRows() const
-{
-  std::vector<SparseRows<Id>> parts;
-  SparseRows<Id> product;
-  for (const Step& step : this->Steps)
-  {
-    const bool isFirst = parts.empty();
-    if (!isFirst)
-    {
-      const bool isSecond = parts.size() == 1;
-      product = Multiply(step.Rows, isSecond ? this->Steps[0].Rows : product);
-    }
-    parts.push_back(Multiply(step.Limits, isFirst ? step.Rows : product));
-  }
-  SparseRows<Id> rows;
-  rows.NumberOfColumns = this->NumberOfColumns;
-  rows.Offsets = Buffer<Id>(this->NumberOfRows + 1, 0);
-  auto forRows = [&](const auto& act)
-  {
-    for (std::size_t l = 0; l < parts.size(); ++l)
-    {
-      const std::vector<Id>& vertices = this->Steps[l].Vertices;
-      ForEach(static_cast<vtkIdType>(vertices.size()), [&](vtkIdType i)
-        { act(vertices[i], parts[l], parts[l].Offsets[i], parts[l].Offsets[i + 1]); });
-    }
-  };
-  forRows(
-    [&](Id row, const SparseRows<Id>&, Id begin, Id end) { rows.Offsets[row] = end - begin; });
-  CountsToOffsets(rows.Offsets);
-  rows.Columns = Buffer<Id>(rows.Offsets[this->NumberOfRows]);
-  rows.Weights = Buffer<double>(rows.Offsets[this->NumberOfRows]);
-  forRows(
-    [&](Id row, const SparseRows<Id>& part, Id begin, Id end)
-    {
-      const Id first = rows.Offsets[row];
-      std::copy(
-        part.Columns.begin() + begin, part.Columns.begin() + end, rows.Columns.begin() + first);
-      std::copy(
-        part.Weights.begin() + begin, part.Weights.begin() + end, rows.Weights.begin() + first);
-    });
-  return rows;
-}
-
-template <typename Id>
-vtkIdType LocalLimit<Id>::GetNumberOfSupportValues() const
-{
-  vtkIdType values = 0;
-  for (const Step& step : this->Steps)
-  {
-    values += step.Rows.GetNumberOfRows();
-  }
-  return values;
-}
-
 SUBDIVISION_COMPILE(class LocalLimit);
 #define SUBDIVISION_LOCAL(Level)                                                                   \
   template LocalLimit<Level::IdType>::LocalLimit(const Level&,                                     \
     const SemiSharpStages<Level::IdType>&, const std::vector<std::array<Level::IdType, 2>>&,       \
-    const Buffer<unsigned char>&, int)
+    const Buffer<unsigned char>&, int, const ControlSolids*)
 SUBDIVISION_LOCAL(Level<int>);
 SUBDIVISION_LOCAL(Level<long long>);
 SUBDIVISION_LOCAL(TetOctLevel<int>);

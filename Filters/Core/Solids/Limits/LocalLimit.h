@@ -15,6 +15,7 @@
 #ifndef SubdivisionObjects_LocalLimit_h
 #define SubdivisionObjects_LocalLimit_h
 
+#include "Core/Solids/Limits/LimitNormals.h"
 #include "Core/Solids/Limits/LimitStencils.h"
 
 #include <array>
@@ -36,12 +37,20 @@ public:
    * level, whose centre the vertex then is; else std::invalid_argument is thrown. The same edge may
    * occur again. `wanted` flags the vertices whose limits are computed (empty: all); Apply leaves
    * the values of the others. `distance`: at first a part has all vertices within this number of
-   * edges of its ancestors.
+   * edges of its ancestors. `solids`: what ComputeNormals needs; null: it is not called.
    */
   template <typename LevelType>
   LocalLimit(const LevelType& control, const SemiSharpStages<Id>& creases,
     const std::vector<std::array<Id, 2>>& midpoints,
-    const Buffer<unsigned char>& wanted = Buffer<unsigned char>(), int distance = 1);
+    const Buffer<unsigned char>& wanted = Buffer<unsigned char>(), int distance = 1,
+    const ControlSolids* solids = nullptr);
+
+  /// Computes the unit normals of wanted vertices, three numbers for each vertex, from the points
+  /// of the control level. `inverted` and `turned` as in ComputeLimitNormals. They are taken, like
+  /// limits, on the level on which a vertex first exists: those of tangents are the same on all
+  /// levels but for rounding, and those for shading do not depend on what else is refined.
+  void ComputeNormals(const Coordinates& points, const std::vector<vtkIdType>& inverted,
+    const Buffer<unsigned char>& turned, double* normals) const;
 
   /// Control vertices, then midpoints.
   vtkIdType GetNumberOfRows() const override { return this->NumberOfRows; }
@@ -64,10 +73,15 @@ private:
     SparseRows<Id> Rows;   ///< from values of the step before; in the first step copies
     SparseRows<Id> Limits; ///< from this step's values
     std::vector<Id> Vertices;
+    LimitTangents<Id> Tangents; ///< of the same vertices, from this step's values
+    /// The vertices without sector, by the row and by this step's value.
+    std::vector<std::array<Id, 2>> Shaded;
   };
   template <typename LevelType>
   class Builder;
   std::array<vtkIdType, 2> GetSizesBetween() const;
+  static void AddShading(const Step& step, const double* points,
+    const Buffer<unsigned char>& turned, Buffer<double>& normals);
 
   vtkIdType NumberOfRows = 0;
   vtkIdType NumberOfColumns = 0;

@@ -40,6 +40,12 @@ public:
   /// The number in the part of each vertex of the level (-1 if it is not kept), and the inverse.
   const Buffer<Id>& GetNewVertices() const { return this->Vertices.New; }
   const Buffer<Id>& GetOldVertices() const { return this->Vertices.Old; }
+  /// The edges, faces, tetrahedra and octahedra of the level that the part has.
+  const Buffer<Id>& GetOldEdges() const { return this->Edges.Old; }
+  const Buffer<Id>& GetOldFaces() const { return this->Faces.Old; }
+  const Buffer<Id>& GetOldTets() const { return this->Tets.Old; }
+  const Buffer<Id>& GetOldOcts() const { return this->Octs.Old; }
+  vtkIdType GetNumberOfTets() const { return this->Tets.New.size(); } ///< of the level
 
 private:
   bool IsInside(const Buffer<Id>& vertices, int corners, vtkIdType i) const;

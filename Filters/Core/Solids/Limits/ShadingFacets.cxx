@@ -10,42 +10,58 @@ namespace subdivision
 {
 
 template <typename Level>
-ShadingFacets<typename Level::IdType> FindShadingFacets(
-  const Level& level, const Rows<typename Level::IdType>& sectors)
+ShadingCells<typename Level::IdType> FindShadingCells(const Level& level, int steps)
+{
+  using Id = typename Level::IdType;
+  ShadingCells<Id> cells;
+  for (Id f = 0; f < level.Complex.NumberOfTriangleCells; ++f)
+  {
+    cells.Triangles.push_back(static_cast<Id>(f >> 2 * steps));
+  }
+  cells.Lines.assign(static_cast<std::size_t>(level.Complex.NumberOfLineCells), 1);
+  cells.Points.assign(level.Complex.VertexCells.begin(), level.Complex.VertexCells.end());
+  return cells;
+}
+
+template <typename Level>
+ShadingFacets<typename Level::IdType> FindShadingFacets(const Level& level,
+  const Buffer<unsigned char>& missing, const ShadingCells<typename Level::IdType>& cells)
 {
   using Id = typename Level::IdType;
   const SimplicialComplex<Id>& complex = level.Complex;
   ShadingFacets<Id> facets;
-  auto hasNone = [&sectors](Id vertex)
-  { return sectors.Offsets[vertex] == sectors.Offsets[vertex + 1]; };
+  auto isMissing = [&missing](Id vertex) { return missing[vertex] != 0; };
   for (Id f = 0; f < complex.NumberOfFaces; ++f)
   {
-    const Row<Id> cells = complex.FaceTets[f];
+    const Row<Id> tets = complex.FaceTets[f];
     const Id* corners = complex.FaceVertices.data() + 3 * vtkIdType(f);
-    if ((cells.size() < 2 || f < complex.NumberOfTriangleCells) &&
-      std::any_of(corners, corners + 3, hasNone))
+    const auto face = static_cast<std::size_t>(f);
+    const Id parent = face < cells.Triangles.size() ? cells.Triangles[face] : Id(-1);
+    if ((tets.size() < 2 || parent >= 0) && std::any_of(corners, corners + 3, isMissing))
     {
       facets.Triangles.insert(facets.Triangles.end(), corners, corners + 3);
       facets.Triangles.push_back(
-        cells.size() == 1 ? SchemeOf<Level>::FindInside(level, *cells.begin(), corners) : -1);
+        tets.size() == 1 ? SchemeOf<Level>::FindInside(level, *tets.begin(), corners) : -1);
+      facets.Parents.push_back(parent);
     }
   }
-  for (Id e = 0; e < complex.NumberOfLineCells; ++e)
+  for (std::size_t e = 0; e < cells.Lines.size(); ++e)
   {
-    const Id* ends = complex.EdgeVertices.data() + 2 * vtkIdType(e);
-    if (std::any_of(ends, ends + 2, hasNone))
+    const Id* ends = complex.EdgeVertices.data() + 2 * e;
+    if (cells.Lines[e] && std::any_of(ends, ends + 2, isMissing))
     {
       facets.Lines.insert(facets.Lines.end(), ends, ends + 2);
     }
   }
-  std::copy_if(complex.VertexCells.begin(), complex.VertexCells.end(),
-    std::back_inserter(facets.Points), hasNone);
+  std::copy_if(
+    cells.Points.begin(), cells.Points.end(), std::back_inserter(facets.Points), isMissing);
   return facets;
 }
 
 #define SUBDIVISION_FACETS(Scheme)                                                                 \
+  template ShadingCells<Scheme::Id> FindShadingCells(const Scheme::Level&, int);                   \
   template ShadingFacets<Scheme::Id> FindShadingFacets(                                            \
-    const Scheme::Level&, const Rows<Scheme::Id>&)
+    const Scheme::Level&, const Buffer<unsigned char>&, const ShadingCells<Scheme::Id>&)
 SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_FACETS);
 
 }
