@@ -3,27 +3,103 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace subdivision
 {
+namespace
+{
+
+thread_local BetweenLoops* Current = nullptr;
+thread_local int DepthOfLoops = 0; ///< of those that several threads run
+
+/// Runs a loop in several threads, of which this may be one.
+template <typename Loop>
+void RunInThreads(const Loop& loop)
+{
+  struct Depth
+  {
+    Depth() { ++DepthOfLoops; }
+    ~Depth() { --DepthOfLoops; }
+  } const depth;
+  loop();
+}
+
+/// Calls run(begin, end) for parts of [0, size), the first of which has `first` elements; the next
+/// ones have more where these take little time, and fewer where they take much.
+template <typename Run>
+void RunInParts(vtkIdType size, vtkIdType first, const Run& run)
+{
+  using Clock = std::chrono::steady_clock;
+  constexpr double isShort = 0.02; // seconds
+  constexpr double isLong = 0.1;
+  vtkIdType most = Current ? first : size;
+  for (vtkIdType begin = 0; begin < size;)
+  {
+    const vtkIdType end = size - begin > most ? begin + most : size;
+    const auto start = Clock::now();
+    RunInThreads([&] { run(begin, end); });
+    const std::chrono::duration<double> taken = Clock::now() - start;
+    most = taken.count() < isShort ? 4 * most : taken.count() > isLong ? (most + 1) / 2 : most;
+    begin = end;
+    BetweenLoops::Act();
+  }
+}
+
+}
+
+BetweenLoops::BetweenLoops(std::function<void()> act)
+  : Work(std::move(act))
+  , Outer(Current)
+  , Last(Clock::now())
+{
+  Current = this;
+}
+
+BetweenLoops::~BetweenLoops()
+{
+  Current = this->Outer;
+}
+
+void BetweenLoops::Act()
+{
+  if (!Current || DepthOfLoops > 0)
+  {
+    return;
+  }
+  const std::chrono::duration<double> since = Clock::now() - Current->Last;
+  if (since.count() >= SecondsBetween)
+  {
+    Current->Work();
+    Current->Last = Clock::now();
+  }
+}
 
 void ForRanges(vtkIdType size, RangeBody body)
 {
+  constexpr vtkIdType inOnePart = 1 << 22;
   if (size <= WorthThreads)
   {
     body(0, size);
+    BetweenLoops::Act();
     return;
   }
-  vtkSMPTools::For(0, size, body);
+  RunInParts(
+    size, inOnePart, [&](vtkIdType begin, vtkIdType end) { vtkSMPTools::For(begin, end, body); });
 }
 
 void ForRangesOfBlocks(vtkIdType blocks, RangeBody body, vtkIdType worthThreads)
 {
+  constexpr vtkIdType inOnePart = 8;
   if (blocks < worthThreads)
   {
     body(0, blocks);
+    BetweenLoops::Act();
     return;
   }
-  vtkSMPTools::For(0, blocks, 1, body);
+  RunInParts(blocks, std::max(inOnePart, worthThreads),
+    [&](vtkIdType begin, vtkIdType end) { vtkSMPTools::For(begin, end, 1, body); });
 }
 
 }

@@ -9,8 +9,39 @@
 
 #include "vtkType.h"
 
+#include <chrono>
+#include <functional>
+
 namespace subdivision
 {
+
+/**
+ * As long as it lives, this thread calls `act` between its loops, and between the parts of long
+ * ones, at most every SecondsBetween seconds; never inside a body that other threads run too. So
+ * long work reports that it goes on. `act` may throw, which ends the work. The last one that was
+ * made counts.
+ */
+class BetweenLoops
+{
+public:
+  explicit BetweenLoops(std::function<void()> act);
+  ~BetweenLoops();
+  BetweenLoops(const BetweenLoops&) = delete;
+  BetweenLoops& operator=(const BetweenLoops&) = delete;
+
+  /// Acts if it is time to; for work without loops.
+  static void Act();
+
+  /// Tests change it.
+  static inline double SecondsBetween = 0.1;
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  std::function<void()> Work;
+  BetweenLoops* Outer;
+  Clock::time_point Last;
+};
 
 /// A reference to a callable body(begin, end), which must outlive it. It costs one indirect call
 /// for each range, not for each element.

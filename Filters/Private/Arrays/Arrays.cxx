@@ -212,13 +212,15 @@ std::vector<std::uint64_t> ComputeFingerprint(vtkDataArray* array)
 
 void SharedArrays::Set(const std::vector<vtkDataArray*>& arrays)
 {
-  this->Clear();
+  this->Clear(); // work that stops here has none
+  std::vector<std::vector<std::uint64_t>> fingerprints;
   for (vtkDataArray* array : arrays)
   {
-    this->Arrays.emplace_back(array);
-    this->Fingerprints.push_back(
+    fingerprints.push_back(
       array ? ComputeFingerprint(Contiguous(array)) : std::vector<std::uint64_t>());
   }
+  this->Fingerprints = std::move(fingerprints);
+  this->Arrays.assign(arrays.begin(), arrays.end());
 }
 
 void SharedArrays::Clear()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/FilterRun.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Control/ToldWarnings.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
@@ -10,12 +11,18 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <memory>
 #include <new>
 
 namespace subdivision
 {
 namespace
 {
+
+/// Thrown between loops where the work must stop.
+struct WorkStopped
+{
+};
 
 bool HasDuplicateCells(vtkPointSet* input)
 {
@@ -41,18 +48,31 @@ void ConnectToFilter(vtkAlgorithm* filter, RunOptions& options, bool& failed)
     vtkErrorWithObjectMacro(filter, << message);
     failed = true;
   };
-  options.Progress = [filter](double done)
+  options.Progress = [filter, last = std::make_shared<double>(0.)](double done)
   {
-    filter->UpdateProgress(done);
+    *last = done < 0. ? *last : done;
+    filter->UpdateProgress(*last);
     return IsAborted(filter);
   };
 }
 
 bool DoWork(const FilterTraits& traits, RunOptions& options, const std::function<bool()>& work)
 {
+  const BetweenLoops goesOn(
+    [&options]
+    {
+      if (options.Progress && options.Progress(-1.))
+      {
+        throw WorkStopped();
+      }
+    });
   try
   {
     return work();
+  }
+  catch (const WorkStopped&)
+  {
+    return false;
   }
   catch (const std::bad_alloc&)
   {

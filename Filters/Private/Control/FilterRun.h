@@ -40,7 +40,8 @@ using FilterWork = std::function<bool(vtkPointSet*, vtkPointSet*)>;
 /// Sets the functions of `options` for messages and progress; Fail sets `failed`.
 void ConnectToFilter(vtkAlgorithm* filter, RunOptions& options, bool& failed);
 
-/// Calls `work`; too little memory is an error. Returns whether it finished.
+/// Calls `work`; too little memory is an error. Between loops the work reports that it goes on, and
+/// ends where it must stop. Returns whether it finished.
 bool DoWork(const FilterTraits& traits, RunOptions& options, const std::function<bool()>& work);
 
 /// Sets the functions of `options` for messages and progress, and calls `work`. Returns what

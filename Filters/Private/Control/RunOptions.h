@@ -32,7 +32,8 @@ struct RunOptions
   FeatureOptions Features;
   bool HasMaterialFields = false; ///< MaterialFields.h has added arrays
   InterpolationOptions Interpolation;
-  /// Called with the fraction of the work that is done. Returns true if the work must stop.
+  /// Called with the fraction of the work that is done, or with a negative number, which means the
+  /// last one. Returns true if the work must stop.
   std::function<bool(double)> Progress;
   std::function<void(const std::string&)> Warn;
   ToldWarnings* Told = nullptr; ///< warnings of earlier time steps; null: nobody knows

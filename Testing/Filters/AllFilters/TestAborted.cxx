@@ -9,6 +9,7 @@
 #include "SubdivisionDeformationTools.h"
 #include "SurfaceTools.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
@@ -108,14 +109,14 @@ void Run(vtkAlgorithm* filter, const std::vector<Object>& inputs)
   filter->Update();
 }
 
-/// Stops a filter at each report, new or with what it kept, and lets it run then.
-void CheckStops(const std::string& name, const std::vector<Object>& inputs,
-  const std::function<Algorithm()>& make)
+/// Stops a filter at each `step`-th report, new or with what it kept, and lets it run then.
+void CheckStopsInSteps(const std::string& name, const std::vector<Object>& inputs,
+  const std::function<Algorithm()>& make, int step)
 {
   const Algorithm fresh = make();
   Run(fresh, inputs);
   bool hasStopped = true;
-  for (int stopAt = 0; hasStopped; ++stopAt)
+  for (int stopAt = 0; hasStopped; stopAt += step)
   {
     hasStopped = false;
     for (const bool isWarm : { false, true })
@@ -153,6 +154,30 @@ void CheckStops(const std::string& name, const std::vector<Object>& inputs,
     }
     ASSERT_TRUE(hasStopped || stopAt > 0) << name << " does not report its progress";
   }
+}
+
+int CountReports(const std::vector<Object>& inputs, const std::function<Algorithm()>& make)
+{
+  const Algorithm filter = make();
+  vtkNew<Stopper> stopper;
+  filter->AddObserver(vtkCommand::ProgressEvent, stopper);
+  Run(filter, inputs);
+  return stopper->Reports;
+}
+
+/// Stops between stages, and between loops.
+void CheckStops(const std::string& name, const std::vector<Object>& inputs,
+  const std::function<Algorithm()>& make)
+{
+  using subdivision::BetweenLoops;
+  const double seconds = BetweenLoops::SecondsBetween;
+  BetweenLoops::SecondsBetween = 1e9;
+  CheckStopsInSteps(name, inputs, make, 1);
+  const int stages = CountReports(inputs, make);
+  BetweenLoops::SecondsBetween = 0.;
+  EXPECT_GT(CountReports(inputs, make), 2 * stages) << name;
+  CheckStopsInSteps(name + " between loops", inputs, make, 7);
+  BetweenLoops::SecondsBetween = seconds;
 }
 
 Object MakeBlocks(vtkDataObject* first, vtkDataObject* second)
