@@ -116,7 +116,7 @@ void ShadingNormals::AddLine(vtkIdType a, vtkIdType b)
       line[c] = this->Get(other, c) - this->Get(end, c);
     }
     Star& star = this->Stars[end];
-    if (IsLong(line.data(), 0.))
+    if (IsLong(line.data(), 0.) && !(this->FirstLines && !star.Lines.empty()))
     {
       star.Lines.push_back(line);
     }

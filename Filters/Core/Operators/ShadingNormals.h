@@ -82,6 +82,9 @@ public:
     this->AddFacet(corners, 3, height > 0.);
   }
   void AddLine(vtkIdType a, vtkIdType b);
+  /// From now on a point takes the first of its lines only: where others may end elsewhere in other
+  /// parts of the mesh.
+  void TakeFirstLines() { this->FirstLines = true; }
   void AddPoint(vtkIdType point)
   {
     if (this->IsMissing(point))
@@ -108,6 +111,7 @@ private:
   const double* Points;
   const Buffer<unsigned char>& Missing;
   double* Normals;
+  bool FirstLines = false;
   std::unordered_map<vtkIdType, Star> Stars;
 };
 
