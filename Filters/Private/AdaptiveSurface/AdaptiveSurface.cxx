@@ -413,7 +413,6 @@ void AdaptiveRun<Id>::WritePoints(
       this->Options.GenerateTangents,
       [&](ShadingNormals& normals)
       {
-        normals.TakeFirstLines(); // lines of other partitions may have been cut there
         AddShadingCells(level,
           turned.empty() ? Buffer<unsigned char>() : plan.SpreadToTriangles(turned), normals);
       },

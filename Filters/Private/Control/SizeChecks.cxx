@@ -33,7 +33,7 @@ std::string Whole(double value)
 
 std::string Bytes(double bytes)
 {
-  return Whole(bytes / 1e6) + " MB";
+  return Whole(bytes) + " bytes (" + Whole(bytes / 1e6) + " MB)";
 }
 
 }
@@ -55,7 +55,7 @@ std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType
     return std::string();
   }
   std::ostringstream message;
-  message << "NumberOfLevels = " << levels << " would make " << Whole(cells) << " cells ("
+  message << "NumberOfLevels = " << levels << " would make " << Whole(cells) << " cells (up to "
           << Bytes(bytes) << " for the cells alone), which is above "
           << "MaximumNumberOfCells = " << maximum << ". Use fewer levels"
           << (bytes < GetAvailableMemory() ? ", or raise MaximumNumberOfCells."

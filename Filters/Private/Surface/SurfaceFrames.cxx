@@ -43,6 +43,7 @@ void AddShadingCells(
     normals.AddFacet(mesh.Vertices.data() + mesh.GetFirst(face),
       static_cast<int>(mesh.GetSize(face)), !turned.empty() && turned[f] != 0);
   }
+  normals.TakeFirstLines(); // other partitions of an adaptive surface may have cut theirs
   for (const Id line : level.Lines)
   {
     normals.AddLine(mesh.EdgeVertices[2 * (line / 2)], mesh.EdgeVertices[2 * (line / 2) + 1]);

@@ -21,10 +21,10 @@ TEST(SizeChecks, AdviseWhatCanHelp)
 {
   EXPECT_EQ("", subdivision::CheckNumberOfCells(1000., 41000., 2, 1000));
   const std::string few = subdivision::CheckNumberOfCells(1001., 41041., 2, 1000);
-  EXPECT_TRUE(Says(few, "would make 1001 cells (0 MB")) << few;
+  EXPECT_TRUE(Says(few, "would make 1001 cells (up to 41041 bytes (0 MB)")) << few;
   EXPECT_TRUE(Says(few, "raise MaximumNumberOfCells")) << few;
   const std::string many = subdivision::CheckNumberOfCells(2e19, 8.2e20, 20, 500000000);
-  EXPECT_TRUE(Says(many, "would make 2e+19 cells (8.2e+14 MB")) << many;
+  EXPECT_TRUE(Says(many, "would make 2e+19 cells (up to 8.2e+20 bytes (")) << many;
   EXPECT_TRUE(Says(many, "not enough memory")) << many;
   EXPECT_FALSE(Says(many, "raise")) << many;
 }
