@@ -54,8 +54,8 @@ class InParaView(unittest.TestCase):
             simple.AdaptiveSurfaceSubdivision(Input=self.sphere), simple.RedGreenRefinement(Input=self.sphere)))
         self.assertEqual(redgreen - adaptive, {"Placement", "EmbeddedCells", "PartArray", "RuleArray",
                                                "InterpolatePoints", "InterpolateArrays", "InterpolatedArrays",
-                                               "InterpolationWeight"})
-        self.assertEqual(adaptive - redgreen, {"GenerateLimitNormals", "GenerateTangents", "Use32BitIds"})
+                                               "InterpolationWeight", "VolumeScheme"})
+        self.assertEqual(adaptive - redgreen, {"GenerateTangents", "Use32BitIds"})
 
     def test_selection(self):
         ids = simple.IDSelectionSource(IDs=[0, 3, 0, 50], FieldType="CELL")
