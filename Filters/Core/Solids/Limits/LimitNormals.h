@@ -102,10 +102,10 @@ void ComputeSectorNormals(const LimitTangents<Id>& tangents, const Coordinates& 
   const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned, double* normals);
 
 /// Computes unit normals, three numbers for each vertex, from the points of the level. Vertices
-/// without sector get a normal for shading (ShadingNormals.h), or zero inside solids.
-/// `inverted` has, in ascending order, twice
-/// the number of each control tetrahedron with negative volume; odd numbers in it are ignored.
-/// `turned` has a flag for each control triangle (FindTriangleSides); empty: none is turned.
+/// without sector get a normal for shading (ShadingNormals.h), or zero inside solids. `inverted`
+/// has, in ascending order, twice the number of each control tetrahedron with negative volume; odd
+/// numbers in it are ignored. `turned` has a flag for each control triangle (FindTriangleSides);
+/// empty: none is turned.
 template <typename Id>
 void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& points,
   const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned, double* normals);

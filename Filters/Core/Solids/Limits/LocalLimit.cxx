@@ -3,14 +3,11 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
+#include "Core/Solids/Limits/LocalVertices.h"
 #include "Core/Solids/Limits/Restriction.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
-#include <stdexcept>
-#include <string>
-#include <tuple>
 #include <utility>
 
 namespace subdivision
@@ -18,20 +15,6 @@ namespace subdivision
 
 namespace
 {
-
-/// Calls act(its two ends, octahedron) for each diagonal of the octahedra of a level.
-template <typename Id, typename Act>
-void ForDiagonals(const Level<Id>&, const Act&)
-{
-}
-template <typename Id, typename Act>
-void ForDiagonals(const TetOctLevel<Id>& level, const Act& act)
-{
-  for (vtkIdType d = 0; d < 3 * vtkIdType(level.NumberOfOctahedra); ++d)
-  {
-    act(level.OctVertices.data() + 2 * d, static_cast<Id>(d / 3));
-  }
-}
 
 /// Gives a level without solids what vertex rows need besides strata.
 template <typename Id>
@@ -56,8 +39,11 @@ template <typename LevelType>
 class LocalLimit<Id>::Builder
 {
 public:
-  Builder(Id first, const std::vector<std::array<Id, 2>>& midpoints,
-    const Buffer<unsigned char>& wanted, const ControlSolids* solids);
+  Builder(LocalVertices<Id>& vertices, const ControlSolids* solids)
+    : Vertices(vertices)
+    , Solids(solids)
+  {
+  }
 
   /// False: the parts were too small.
   bool Build(const LevelType& control, const SemiSharpStages<Id>& creases, int distance,
@@ -89,12 +75,6 @@ private:
     Buffer<unsigned char> Whole; ///< rows of which nothing is missing
   };
 
-  void FindLevels();
-  void FindAncestors();
-  Buffer<unsigned char> FlagSupport(
-    const LevelType& current, std::size_t level, int distance) const;
-  void FollowVertices(
-    const LevelType& part, const Restriction<LevelType>& restriction, std::size_t level);
   void MakeLimits(const LevelType& level, const SemiSharpStages<Id>& creases, const Piece& piece,
     std::size_t number, Trace& trace) const;
   void FindControlParts(const LevelType& control, Piece& piece) const;
@@ -104,174 +84,9 @@ private:
   static void AppendRow(const Trace& trace, vtkIdType row, ExplicitRows<Id>& rows);
   bool FollowBack(std::vector<Trace>& traces, Id columns, std::vector<Step>& steps) const;
 
-  const Id First; ///< the number of the first midpoint
-  const std::vector<std::array<Id, 2>>& Midpoints;
-  const ControlSolids* const Solids;      ///< null: no normals are made
-  std::vector<int> Levels;                ///< on which vertices first exist
-  std::vector<std::vector<Id>> Born;      ///< vertices by level
-  std::vector<std::vector<Id>> Wanted;    ///< those of them whose limits are wanted
-  std::vector<std::vector<Id>> Ancestors; ///< by level; later vertices arise between these
-  std::vector<Id> At; ///< number on the current part of each ancestor and newest vertex
+  LocalVertices<Id>& Vertices;
+  const ControlSolids* const Solids; ///< null: no normals are made
 };
-
-template <typename Id>
-template <typename LevelType>
-LocalLimit<Id>::Builder<LevelType>::Builder(Id first,
-  const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted,
-  const ControlSolids* solids)
-  : First(first)
-  , Midpoints(midpoints)
-  , Solids(solids)
-{
-  this->FindLevels();
-  this->FindAncestors();
-  this->Wanted.resize(this->Born.size());
-  for (std::size_t level = 0; level < this->Born.size(); ++level)
-  {
-    std::copy_if(this->Born[level].begin(), this->Born[level].end(),
-      std::back_inserter(this->Wanted[level]),
-      [&wanted](Id vertex) { return wanted.empty() || wanted[vertex]; });
-  }
-}
-
-template <typename Id>
-template <typename LevelType>
-void LocalLimit<Id>::Builder<LevelType>::FindLevels()
-{
-  this->Levels.assign(this->Midpoints.size() + this->First, 0);
-  this->Born.resize(1);
-  for (Id v = 0; v < this->First; ++v)
-  {
-    this->Born[0].push_back(v);
-  }
-  for (std::size_t i = 0; i < this->Midpoints.size(); ++i)
-  {
-    const Id vertex = this->First + static_cast<Id>(i);
-    const auto [a, b] = this->Midpoints[i];
-    if (a < 0 || b < 0 || a >= vertex || b >= vertex)
-    {
-      throw std::invalid_argument("Midpoint " + std::to_string(vertex) + " has the ends " +
-        std::to_string(a) + " and " + std::to_string(b) + ", which must be earlier vertices.");
-    }
-    const std::size_t level = 1 + std::max(this->Levels[a], this->Levels[b]);
-    this->Levels[vertex] = static_cast<int>(level);
-    this->Born.resize(std::max(this->Born.size(), level + 1));
-    this->Born[level].push_back(vertex);
-  }
-}
-
-/// The ancestors of a level are the ends of the edges whose midpoints first exist on the next
-/// level, and those ancestors of the next level that exist already.
-template <typename Id>
-template <typename LevelType>
-void LocalLimit<Id>::Builder<LevelType>::FindAncestors()
-{
-  this->Ancestors.resize(this->Born.size());
-  std::vector<bool> isAncestor(this->Levels.size(), false);
-  for (std::size_t level = this->Born.size() - 1; level-- > 0;)
-  {
-    std::vector<Id>& ancestors = this->Ancestors[level];
-    auto add = [&](Id vertex)
-    {
-      if (this->Levels[vertex] <= static_cast<int>(level) && !isAncestor[vertex])
-      {
-        isAncestor[vertex] = true;
-        ancestors.push_back(vertex);
-      }
-    };
-    for (Id vertex : this->Ancestors[level + 1])
-    {
-      add(vertex);
-    }
-    for (Id vertex : this->Born[level + 1])
-    {
-      add(this->Midpoints[vertex - this->First][0]);
-      add(this->Midpoints[vertex - this->First][1]);
-    }
-    for (Id vertex : ancestors)
-    {
-      isAncestor[vertex] = false;
-    }
-  }
-}
-
-/// Flags the ancestors and all vertices within `distance` steps of them, along edges and across
-/// octahedra.
-template <typename Id>
-template <typename LevelType>
-Buffer<unsigned char> LocalLimit<Id>::Builder<LevelType>::FlagSupport(
-  const LevelType& current, std::size_t level, int distance) const
-{
-  const SimplicialComplex<Id>& complex = current.Complex;
-  Buffer<unsigned char> flags(complex.NumberOfVertices, 0);
-  for (Id vertex : this->Ancestors[level])
-  {
-    flags[this->At[vertex]] = 1;
-  }
-  for (int step = 1; step <= distance; ++step)
-  {
-    const auto spread = [&](const Id* ends)
-    {
-      for (int i = 0; i < 2; ++i)
-      {
-        if (flags[ends[i]] > 0 && flags[ends[i]] <= step && flags[ends[1 - i]] == 0)
-        {
-          flags[ends[1 - i]] = static_cast<unsigned char>(std::min(step + 1, 255));
-        }
-      }
-    };
-    for (vtkIdType e = 0; e < complex.NumberOfEdges; ++e)
-    {
-      spread(complex.EdgeVertices.data() + 2 * e);
-    }
-    ForDiagonals(current, [&](const Id* ends, Id) { spread(ends); });
-  }
-  return flags;
-}
-
-/// Finds the numbers of the ancestors in the part, and of the vertices that first exist on the next
-/// level.
-template <typename Id>
-template <typename LevelType>
-void LocalLimit<Id>::Builder<LevelType>::FollowVertices(
-  const LevelType& part, const Restriction<LevelType>& restriction, std::size_t level)
-{
-  const SimplicialComplex<Id>& complex = part.Complex;
-  std::vector<unsigned char> isAncestor(complex.NumberOfVertices, 0);
-  for (Id vertex : this->Ancestors[level])
-  {
-    this->At[vertex] = restriction.GetNewVertices()[this->At[vertex]];
-    isAncestor[this->At[vertex]] = 1;
-  }
-  std::vector<std::tuple<Id, Id, Id>> edges; // and diagonals: ends, vertex between
-  const auto add = [&](const Id* ends, Id middle)
-  {
-    const auto [a, b] = std::minmax(ends[0], ends[1]);
-    if (isAncestor[a] && isAncestor[b])
-    {
-      edges.emplace_back(a, b, complex.NumberOfVertices + middle);
-    }
-  };
-  for (Id e = 0; e < complex.NumberOfEdges; ++e)
-  {
-    add(complex.EdgeVertices.data() + 2 * vtkIdType(e), e);
-  }
-  ForDiagonals(part, [&](const Id* ends, Id oct) { add(ends, complex.NumberOfEdges + oct); });
-  std::sort(edges.begin(), edges.end());
-  for (Id vertex : this->Born[level + 1])
-  {
-    const std::array<Id, 2>& ends = this->Midpoints[vertex - this->First];
-    const auto [a, b] = std::minmax(this->At[ends[0]], this->At[ends[1]]);
-    const auto edge = std::lower_bound(edges.begin(), edges.end(), std::make_tuple(a, b, Id(0)));
-    if (edge == edges.end() || std::get<0>(*edge) != a || std::get<1>(*edge) != b)
-    {
-      throw std::invalid_argument("There is no edge between the vertices " +
-        std::to_string(ends[0]) + " and " + std::to_string(ends[1]) + " on level " +
-        std::to_string(level) + ".");
-    }
-    this->At[vertex] = std::get<2>(*edge);
-  }
-}
 
 /// Makes the limit rows of the vertices of a level, and their tangents; `piece` knows where the
 /// level's cells lie.
@@ -280,10 +95,7 @@ template <typename LevelType>
 void LocalLimit<Id>::Builder<LevelType>::MakeLimits(const LevelType& level,
   const SemiSharpStages<Id>& creases, const Piece& piece, std::size_t number, Trace& trace) const
 {
-  const std::vector<Id>& wanted = this->Wanted[number];
-  Buffer<Id> vertices(static_cast<vtkIdType>(wanted.size()));
-  std::transform(
-    wanted.begin(), wanted.end(), vertices.begin(), [this](Id vertex) { return this->At[vertex]; });
+  const Buffer<Id> vertices = this->Vertices.FindWantedOnPart(number);
   trace.Limits = BuildLimitRows(level, creases, vertices);
   if (this->Solids)
   {
@@ -449,24 +261,21 @@ template <typename LevelType>
 bool LocalLimit<Id>::Builder<LevelType>::Build(const LevelType& control,
   const SemiSharpStages<Id>& creases, int distance, std::vector<Step>& steps)
 {
-  this->At.assign(this->Midpoints.size() + this->First, -1);
-  for (Id v = 0; v < this->First; ++v)
-  {
-    this->At[v] = v;
-  }
-  std::vector<Trace> traces(this->Born.size());
+  this->Vertices.StartOnControl();
+  const std::size_t levels = this->Vertices.GetNumberOfLevels();
+  std::vector<Trace> traces(levels);
   const LevelType* level = &control;
   const SemiSharpStages<Id>* levelCreases = &creases;
   Piece current; // what the two point to from level 1 on
   this->FindControlParts(control, current);
-  for (std::size_t l = 0; l < this->Born.size(); ++l)
+  for (std::size_t l = 0; l < levels; ++l)
   {
     this->MakeLimits(*level, *levelCreases, current, l, traces[l]);
-    if (l + 1 == this->Born.size())
+    if (l + 1 == levels)
     {
       break;
     }
-    const Buffer<unsigned char> support = this->FlagSupport(*level, l, distance);
+    const Buffer<unsigned char> support = this->Vertices.FlagSupport(*level, l, distance);
     const Restriction<LevelType> restriction(*level, support);
     const Buffer<Id>& old = restriction.GetOldVertices();
     Piece part;
@@ -475,7 +284,7 @@ bool LocalLimit<Id>::Builder<LevelType>::Build(const LevelType& control,
     part.Whole = Buffer<unsigned char>(old.size());
     ForEach(old.size(), [&](vtkIdType v)
       { part.Whole[v] = support[old[v]] && (current.Whole.empty() || current.Whole[old[v]]); });
-    this->FollowVertices(part.Level, restriction, l);
+    this->Vertices.FollowToPart(part.Level, restriction.GetNewVertices(), l);
     Trace& next = traces[l + 1];
     next.Columns = Buffer<Id>(old.size());
     std::copy(old.begin(), old.end(), next.Columns.begin());
@@ -488,7 +297,7 @@ bool LocalLimit<Id>::Builder<LevelType>::Build(const LevelType& control,
     level = &current.Level;
     levelCreases = &current.Creases;
   }
-  return this->FollowBack(traces, this->First, steps);
+  return this->FollowBack(traces, control.Complex.NumberOfVertices, steps);
 }
 
 /// A row that leads to a level, with columns on the level before.
@@ -610,7 +419,7 @@ bool LocalLimit<Id>::Builder<LevelType>::FollowBack(
     steps[l].Rows.Weights = copy(rows.Weights);
     steps[l].Limits = std::move(limits);
     steps[l].Tangents = std::move(tangents);
-    steps[l].Vertices = this->Wanted[l];
+    steps[l].Vertices = this->Vertices.GetWanted(l);
   }
   return true;
 }
@@ -623,7 +432,8 @@ LocalLimit<Id>::LocalLimit(const LevelType& control, const SemiSharpStages<Id>& 
   : NumberOfRows(control.Complex.NumberOfVertices + static_cast<vtkIdType>(midpoints.size()))
   , NumberOfColumns(control.Complex.NumberOfVertices)
 {
-  Builder<LevelType> builder(control.Complex.NumberOfVertices, midpoints, wanted, solids);
+  LocalVertices<Id> vertices(control.Complex.NumberOfVertices, midpoints, wanted);
+  Builder<LevelType> builder(vertices, solids);
   while (!builder.Build(control, creases, distance, this->Steps))
   {
     ++distance;

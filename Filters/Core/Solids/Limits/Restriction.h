@@ -48,7 +48,6 @@ public:
   vtkIdType GetNumberOfTets() const { return this->Tets.New.size(); } ///< of the level
 
 private:
-  bool IsInside(const Buffer<Id>& vertices, int corners, vtkIdType i) const;
   Buffer<Stratum> Restrict(const Buffer<Stratum>& strata, const Selection<Id>& owners,
     const Buffer<unsigned char>& isInside, Rule atBorder) const;
   template <typename Act>
