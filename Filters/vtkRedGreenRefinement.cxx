@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRedGreenRefinement.h"
 
-#include "Private/RedGreen/RedGreenRun.h"
+#include "Private/RedGreen/RedGreenRefinement.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"

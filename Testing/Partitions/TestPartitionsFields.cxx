@@ -5,7 +5,7 @@
 
 #include "Private/Control/MaterialFields.h"
 #include "Private/Distribution/KeptParts.h"
-#include "Private/RedGreen/RedGreenRun.h"
+#include "Private/RedGreen/RedGreenRefinement.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
 

@@ -4,7 +4,7 @@
 #include "PartitionTools.h"
 
 #include "Private/Distribution/KeptParts.h"
-#include "Private/RedGreen/RedGreenRun.h"
+#include "Private/RedGreen/RedGreenRefinement.h"
 
 #include "vtkCellData.h"
 #include "vtkIntArray.h"

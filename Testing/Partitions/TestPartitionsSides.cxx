@@ -4,7 +4,7 @@
 #include "PartitionTools.h"
 
 #include "Private/AdaptiveSurface/AdaptiveSurface.h"
-#include "Private/RedGreen/RedGreenRun.h"
+#include "Private/RedGreen/RedGreenRefinement.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/OperatorCache.h"
 #include "Private/Uniform/UniformSubdivision.h"

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/RedGreen/RedGreenRun.h"
+
+#include "Core/Solids/Complex/TetOrder.h"
+#include "Private/ArrayNames.h"
+#include "Private/Arrays/CellArrays.h"
+#include "Private/Control/SharedInterpolation.h"
+#include "Private/Control/SizeChecks.h"
+#include "Private/Control/StampFields.h"
+#include "Private/RedGreen/RedGreenNormals.h"
+#include "Private/RedGreen/RedGreenNumbers.h"
+#include "Private/RedGreen/RedGreenWriter.h"
+#include "Private/RedGreen/VertexOrigins.h"
+
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace subdivision
+{
+
+bool RedGreenRun::Run()
+{
+  this->Read(true);
+  if (this->IsStopped(0.1))
+  {
+    return false;
+  }
+  // There are as many simplices as input cells, or more, if the stamp turns out to be wrong.
+  const vtkIdType simplices = std::max(
+    this->Mesh.Control.Cells.Simplices.GetNumberOfSimplices(), this->Input->GetNumberOfCells());
+  const double largest = 12. * (static_cast<double>(simplices) + this->MostCells);
+  return largest < static_cast<double>(std::numeric_limits<int>::max()) ? this->Refine<int>()
+                                                                        : this->Refine<long long>();
+}
+
+// ------------------------------------------------------------------------------------------------
+// Planning
+
+/// Reads the mesh, starts its points, and finds how many cells the output may have.
+void RedGreenRun::Read(bool trustStamp)
+{
+  // Leaves in the place of their green parts do not conform, and then there is no limit. Where
+  // limits are needed, green cells are not undone.
+  const bool undo = !this->ReadsLimit();
+  const auto read = [&](bool undoes)
+  {
+    const StampScheme scheme = undo ? StampScheme::BoxSpline : this->Options.Scheme;
+    return ReadRedGreenMesh(this->Input, this->Options.Features, scheme, trustStamp, undoes);
+  };
+  this->Mesh = read(undo);
+  if (undo && !this->AllAgree(this->Mesh.IsContinued) && this->Mesh.IsContinued)
+  {
+    this->Mesh = read(false);
+  }
+  if (this->Others)
+  {
+    this->Mesh.Scopes = FindScopes(this->Mesh, *this->Others);
+  }
+  this->StartPoints();
+  this->FindLimit();
+}
+
+void RedGreenRun::StartPoints()
+{
+  PointArrayOptions arrays;
+  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
+  arrays.HasMaterialFields = this->Options.HasMaterialFields;
+  arrays.CarryOriginalIds = this->Mesh.CarriesOriginals(
+    this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
+  arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;
+  arrays.Warn = [this](const std::string& warning) { this->Warn(warning); };
+  arrays.Precision = this->Options.OutputPointsPrecision;
+  if (arrays.OriginalIds)
+  {
+    arrays.Replaced.emplace_back(OriginalPointIdsName);
+  }
+  if (this->Options.GenerateLimitNormals)
+  {
+    arrays.Replaced.emplace_back(LimitNormalsName);
+  }
+  const ControlMesh& control = this->Mesh.Control;
+  this->GivenCoordinates.clear();
+  this->Points = std::make_unique<PointArrays>(this->Input, control.Cells, control.GetGlobalIds(),
+    static_cast<vtkIdType>(control.GlobalIds.size()), arrays);
+}
+
+/// How many cells the output may have, by the option and by the memory that there is.
+void RedGreenRun::FindLimit()
+{
+  // Connectivity, offset, type, our own arrays, what refinement keeps; a point for five cells.
+  const double perCell = 41. + 18. + 130. + GetBytesPerTuple(this->Input->GetCellData()) +
+    (this->Points->GetBytesPerPoint() + 40.) / 5.;
+  const double fitting = GetAvailableMemory() / perCell;
+  const auto wanted = static_cast<double>(this->Options.MaximumNumberOfCells);
+  this->MemoryIsLimit = fitting < wanted;
+  this->MostCells = std::min(fitting, wanted);
+}
+
+/// Decides whether the stamp is true, and which cells the output has. Tells the warnings of all
+/// that. Returns false after an error or if Progress asks to stop.
+template <typename Id>
+bool RedGreenRun::Plan(SharedState<Id>& shared, RedGreenLimit<Id>& limit)
+{
+  bool isTrue = false;
+  bool isFound = false;
+  try
+  {
+    isTrue = this->AllAgree(this->BuildLimit(limit));
+    if (isTrue)
+    {
+      this->Interpolate(limit);
+      isFound = this->FindCells(shared, limit);
+    }
+  }
+  catch (const std::invalid_argument&) // the midpoints of the stamp do not fit together
+  {
+    if (this->Others) // which would not begin again
+    {
+      throw;
+    }
+    isTrue = false;
+  }
+  if (!isTrue)
+  {
+    this->Read(false);
+    limit = RedGreenLimit<Id>();
+    this->BuildLimit(limit);
+    this->Interpolate(limit);
+    isFound = this->FindCells(shared, limit);
+  }
+  this->Criteria.reset();
+  Tell(this->Mesh.Control.Warnings, this->Options);
+  return isFound;
+}
+
+/// Builds what puts vertices on the limit, if that is needed. Returns false if the stamp is wrong.
+template <typename Id>
+bool RedGreenRun::BuildLimit(RedGreenLimit<Id>& limit)
+{
+  if (!this->ReadsLimit())
+  {
+    return true;
+  }
+  // Tetrahedra are ordered in a copy, so that cells of the output keep the order of their points,
+  // and new points have the same ids with either placement.
+  ControlMesh ordered = this->Mesh.Control;
+  ordered.Cells.TakeIds();
+  const Coordinates points = this->Points->GetCoordinates();
+  if (!this->Mesh.TetOrderIsFinal)
+  {
+    OrderTets(ordered.Cells.Simplices, points, ordered.GetGlobalIds(),
+      static_cast<vtkIdType>(ordered.GlobalIds.size()));
+  }
+  return limit.Build(ordered, this->Options.Features, this->Options.Scheme, points,
+    [this](const std::string& warning) { this->Warn(warning); });
+}
+
+/// Replaces points and arrays by control values whose limits they are, and lets `limit` know.
+template <typename Id>
+void RedGreenRun::Interpolate(RedGreenLimit<Id>& limit)
+{
+  const ControlMesh& control = this->Mesh.Control;
+  if (control.IsStamped)
+  {
+    WarnOfLateInterpolation(this->Options.Interpolation,
+      ReadFieldIds(InterpolatedName, this->Input->GetFieldData()),
+      [this](const std::string& warning) { this->Warn(warning); });
+  }
+  const bool isOwn = this->Options.Interpolation.IsOn() && !control.IsStamped;
+  if (!AgreeWithOthers(isOwn, this->Input, this->Options))
+  {
+    return;
+  }
+  const vtkIdType size = control.Cells.Simplices.NumberOfPoints;
+  const double* given = this->Points->GetCoordinates();
+  this->GivenCoordinates.assign(given, given + 3 * size);
+  InterpolationLimits limits;
+  limits.LeastEigenvalue = 1. / 6.; // Mathematics 8
+  ConnectToOthers(this->Input, control.Cells, this->Options, limits);
+  this->Points->Interpolate(limit.GetControlRows(), this->Options.Interpolation, limits,
+    [this](const std::string& warning) { this->Warn(warning); });
+  const double* points = this->Points->GetCoordinates();
+  std::vector<double> attribute;
+  if (vtkDataArray* current = this->Points->FindCurrent(this->Options.Criteria.Attribute))
+  {
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      for (int c = 0; c < current->GetNumberOfComponents(); ++c)
+      {
+        attribute.push_back(current->GetComponent(i, c));
+      }
+    }
+  }
+  limit.SetControlValues({ points, points + 3 * size }, std::move(attribute));
+}
+
+// ------------------------------------------------------------------------------------------------
+// Output
+
+template <typename Id>
+bool RedGreenRun::Refine()
+{
+  RedGreenLimit<Id> limit;
+  SharedState<Id> shared;
+  if (!this->Plan(shared, limit) || this->IsStopped(0.75))
+  {
+    return false;
+  }
+  shared.State->SortVertices();
+  const RedGreen<Id>& state = *shared.State;
+  const RedGreenOutput<Id> plan(state);
+  std::vector<vtkIdType> simplices;
+  WriteRedGreenCells(plan, this->Input, this->Mesh, this->Options, this->Options.LimitPlacement,
+    this->Others ? &simplices : nullptr, this->Output);
+  if (this->IsStopped(0.9))
+  {
+    return false;
+  }
+  this->MakePoints(state, limit);
+  TellOvershoot(
+    *this->Points, this->Options, this->Input, this->Output, this->Options.LimitPlacement);
+  RebuildPointGhosts(this->Input, this->Output);
+  WholeSize whole;
+  if (this->Others)
+  {
+    whole =
+      AddRedGreenNumbers(this->Input, this->Mesh, state, simplices, *this->Others, this->Output);
+  }
+  WriteRedGreenFields(this->Mesh, plan, this->Options.LimitPlacement, whole, this->Output);
+  return true;
+}
+
+template <typename Id>
+void RedGreenRun::MakePoints(const RedGreen<Id>& state, const RedGreenLimit<Id>& limit)
+{
+  VertexOrigins origin(*this->Points);
+  if (this->Points->GathersSome())
+  {
+    origin.Continue(state);
+  }
+  if (this->Options.LimitPlacement)
+  {
+    const bool hasNormals = this->Options.GenerateLimitNormals;
+    const LocalLimit<Id> operation = limit.GetOperator(state, hasNormals);
+    Buffer<double> normals;
+    if (hasNormals)
+    {
+      const RedGreenNormals<Id> sides(
+        this->Input, this->Mesh.Control, this->GetGivenCoordinates(), limit, this->Others);
+      normals = sides.Compute(operation, this->Points->GetCoordinates());
+    }
+    this->Points->Advance(operation, origin);
+    if (hasNormals)
+    {
+      this->Points->SetLimitNormals(normals);
+    }
+  }
+  else
+  {
+    const bool adds = state.GetNumberOfVertices() > state.GetNumberOfInputVertices();
+    if (adds)
+    {
+      this->Points->Advance(MakeMidpointRows(state), origin);
+    }
+    if (!this->AllAgree(!adds))
+    {
+      this->Points->LeaveOutNormals();
+    }
+  }
+  this->Points->Finish(this->Output);
+}
+
+bool RefineRedGreen(vtkPointSet* input, const RedGreenOptions& options, vtkUnstructuredGrid* output)
+{
+  RedGreenOptions own = options;
+  if (Partners* others = FindPartners(options, input))
+  {
+    own.Criteria.FindLargest = [others](std::vector<double>& values)
+    { others->FindLargest(values); };
+  }
+  return RedGreenRun(input, own, output).Run();
+}
+
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RedGreenRefinement.h
+ * Does the work of vtkRedGreenRefinement: refines an input in rounds and writes the output.
+ */
+#ifndef SubdivisionObjects_RedGreenRefinement_h
+#define SubdivisionObjects_RedGreenRefinement_h
+
+#include "Private/Control/RunOptions.h"
+#include "Private/Control/Stamp.h"
+#include "Private/Criteria/RefinementCriteria.h"
+
+class vtkPointSet;
+class vtkUnstructuredGrid;
+
+namespace subdivision
+{
+
+struct RedGreenOptions : RunOptions
+{
+  RefinementOptions Criteria;
+  bool LimitPlacement = false;
+  StampScheme Scheme = StampScheme::BoxSpline; ///< of the limit
+  bool GenerateLimitNormals = false;           ///< with LimitPlacement
+};
+
+/// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then
+/// empties the output.
+bool RefineRedGreen(
+  vtkPointSet* input, const RedGreenOptions& options, vtkUnstructuredGrid* output);
+
+}
+
+#endif
