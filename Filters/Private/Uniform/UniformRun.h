@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file UniformRun.h
- * One execution of a uniform subdivision: it reads and plans, makes the steps, and writes
- * (UniformSubdivision.cxx); what it keeps for the next (UniformKept.cxx); what it does if its mesh
- * is a part of a whole (UniformParts.cxx); how it interpolates, and what it says of the result
- * (UniformInterpolation.cxx).
+ * One execution of a uniform subdivision: it reads, plans, and writes (UniformSubdivision.cxx); the
+ * steps between (UniformSteps.cxx); what it keeps for the next (UniformKept.cxx); what it does if
+ * its mesh is a part of a whole (UniformParts.cxx); how it interpolates, and what it says of the
+ * result (UniformInterpolation.cxx).
  */
 #ifndef SubdivisionObjects_UniformRun_h
 #define SubdivisionObjects_UniformRun_h
