@@ -60,9 +60,7 @@ int vtkMultiDimensionalSubdivision::RequestData(
 {
   subdivision::UniformOptions options;
   options.Levels = this->NumberOfLevels;
-  options.Scheme = this->VolumeScheme == TET_OCT ? subdivision::StampScheme::TetOct
-    : this->VolumeScheme == LINEAR               ? subdivision::StampScheme::Linear
-                                                 : subdivision::StampScheme::BoxSpline;
+  options.Scheme = subdivision::GetVolumeScheme(this->VolumeScheme);
   options.KeepCellTypes = this->KeepCellTypes && this->VolumeScheme == LINEAR;
   if (this->KeepCellTypes && !options.KeepCellTypes)
   {

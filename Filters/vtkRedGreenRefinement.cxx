@@ -16,8 +16,7 @@ int vtkRedGreenRefinement::RequestData(
 {
   subdivision::RedGreenOptions options;
   options.LimitPlacement = this->Placement == LIMIT;
-  options.Scheme = this->VolumeScheme == TET_OCT ? subdivision::StampScheme::TetOct
-                                                 : subdivision::StampScheme::BoxSpline;
+  options.Scheme = subdivision::GetVolumeScheme(this->VolumeScheme);
   options.GenerateLimitNormals = this->GenerateLimitNormals && options.LimitPlacement;
   if (this->GenerateLimitNormals && !options.LimitPlacement)
   {

@@ -149,8 +149,7 @@ int vtkSubdivisionDeformation::RequestData(
 {
   subdivision::DeformationOptions options;
   options.Levels = this->NumberOfLevels;
-  options.Scheme = this->VolumeScheme == TET_OCT ? subdivision::StampScheme::TetOct
-                                                 : subdivision::StampScheme::BoxSpline;
+  options.Scheme = subdivision::GetVolumeScheme(this->VolumeScheme);
   options.SurfaceScheme = this->SurfaceScheme == CATMULL_CLARK
     ? subdivision::SurfaceSchemeKind::CatmullClark
     : subdivision::SurfaceSchemeKind::Loop;

@@ -219,9 +219,7 @@ int vtkSubdivisionLabelSolid::RequestData(
   InnerFilter inner(options);
   inner->SetController(nullptr);
   inner->SetNumberOfLevels(this->NumberOfLevels);
-  inner->SetVolumeScheme(this->VolumeScheme == TET_OCT
-      ? vtkMultiDimensionalSubdivision::TET_OCT
-      : vtkMultiDimensionalSubdivision::BOX_SPLINE);
+  inner->SetVolumeScheme(this->VolumeScheme); // the same values
   inner->SetMaximumNumberOfCells(this->MaximumNumberOfCells);
   inner->SetProjectToLimit(true);
   inner->SetInterpolatePoints(true);

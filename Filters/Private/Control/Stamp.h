@@ -39,6 +39,14 @@ enum class StampScheme
   FirstOfSurfaces = 100
 };
 
+/// The scheme that a value of VolumeScheme means, which is the same in all filters that have one.
+inline StampScheme GetVolumeScheme(int value)
+{
+  constexpr StampScheme schemes[] = { StampScheme::BoxSpline, StampScheme::TetOct,
+    StampScheme::Linear };
+  return schemes[value];
+}
+
 /// The field array with the global ids of control points.
 constexpr const char* GlobalIdsName = "SubdivisionGlobalIds";
 /// The field array with the inverted and flat control simplices, and its form in parts.
