@@ -67,6 +67,29 @@ void AddWeights(vtkUnstructuredGrid* grid)
   grid->GetPointData()->AddArray(weights);
 }
 
+Ids FindSamePoints(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* other)
+{
+  const auto getWeights = [](vtkUnstructuredGrid* from, vtkIdType point)
+  {
+    vtkDataArray* weights = from->GetPointData()->GetArray("Weights");
+    std::vector<double> key(weights->GetNumberOfComponents());
+    weights->GetTuple(point, key.data());
+    return key;
+  };
+  std::map<std::vector<double>, vtkIdType> known;
+  for (vtkIdType i = 0; i < other->GetNumberOfPoints(); ++i)
+  {
+    known[getWeights(other, i)] = i;
+  }
+  Ids same;
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    const auto found = known.find(getWeights(grid, i));
+    same.push_back(found == known.end() ? -1 : found->second);
+  }
+  return same;
+}
+
 std::set<vtkIdType> FindParts(
   vtkDataArray* numbersOfCorners, const Ids& corners, const double* numbers)
 {

@@ -42,6 +42,9 @@ void AddWantedLevels(vtkUnstructuredGrid* grid, int most, unsigned seed, double 
 /// them right.
 void AddWeights(vtkUnstructuredGrid* grid);
 
+/// The point of another grid that has the same weights as each point of this one; -1: none has.
+Ids FindSamePoints(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* other);
+
 /// Four numbers for each point instead, for large grids: a point between up to four points of a
 /// cell shows by them how much it has of each.
 inline void AddRandomNumbers(vtkUnstructuredGrid* grid)
