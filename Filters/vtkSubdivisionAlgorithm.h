@@ -131,8 +131,8 @@ public:
   /**
    * Whether to give points and cells global ids (the active attributes `GlobalPointIds` and
    * `GlobalCellIds`, vtkIdTypeArray, one component): their indices in the output of the whole mesh,
-   * however it is distributed over blocks and ranks. If JoinBlocks is off, they count in each
-   * block. No effect in vtkSubdivisionDeformation. Off by default.
+   * however it is distributed over blocks and ranks; but see InterfaceValues. If JoinBlocks is off,
+   * they count in each block. No effect in vtkSubdivisionDeformation. Off by default.
    */
   vtkSetMacro(GenerateGlobalIds, bool);
   vtkGetMacro(GenerateGlobalIds, bool);

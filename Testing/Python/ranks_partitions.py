@@ -28,6 +28,10 @@ SURFACE = [("vtkSurfaceSubdivision", {"Scheme": scheme, "NumberOfLevels": 2, "De
            for scheme in range(7)]
 RED_GREEN = [("vtkRedGreenRefinement", {"RefineByAttributeError": 0, "RefineByEdgeLength": 1, "MaximumEdgeLength": 0.4,
                                         "MaximumLevel": 3, "GenerateGlobalIds": 1})]
+LIMITS = [("vtkRedGreenRefinement", dict(RED_GREEN[0][1], Placement=1, VolumeScheme=scheme, MaximumLevel=2, **options))
+          for scheme in (0, 1)
+          for options in ({"GenerateLimitNormals": 1},
+                          {"PreserveInterfaces": 1, "InterfaceValues": 1, "GenerateGlobalIds": 0})]
 ADAPTIVE = [("vtkAdaptiveSurfaceSubdivision", dict({"RefineByAttributeError": 0, "MaximumLevel": 4,
                                                     "GenerateGlobalIds": 1}, **options))
             for options in ({"RefineByGeometricError": 1, "GeometricTolerance": 0.003},
@@ -188,7 +192,7 @@ def check_files(checks):
         mesh = ranks.numbered(reader.GetOutput())
         checks.cut(mesh, [(cls, dict(options, NumberOfLevels=1)) for cls, options in filters])
         if mesh.IsA("vtkUnstructuredGrid"):
-            checks.cut(mesh, SOLID[1:], "slabs")  # the first file needs a third layer
+            checks.cut(mesh, SOLID[1:] + LIMITS[2:3], "slabs")  # the first file needs a third layer
             check_filters_in_a_row(checks, mesh, {})
         else:
             checks.cut(mesh, ADAPTIVE)
@@ -212,6 +216,7 @@ def run():
         check_filters_in_a_row(checks, mesh, {"DetectFeatures": 1, "VolumeScheme": number % 2})
     block = model(subdivisionobjects.vtkSubdivisionModelSource.MATERIAL_BLOCK)
     checks.cut(block, [(name, dict(options, **JUMPING)) for name, options in SOLID])
+    checks.cut(block, LIMITS, "cell by cell")  # needs all layers
     check_filters_in_a_row(checks, block, JUMPING, with_ids=0)  # they are those of points, not of copies
     skin = skin_of(model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS))
     checks.cut(skin, SURFACE + ADAPTIVE)
