@@ -13,7 +13,7 @@ import tools
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference
-from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkStaticCellLocator
+from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
@@ -30,11 +30,15 @@ MOST = 0.001  # of the pixels that are compared
 
 
 def surface(grid):
-    """The triangles that are drawn."""
+    """The triangles that are drawn, without lines: cell arrays of poly data have an entry for each of these, too."""
     skin = vtkDataSetSurfaceFilter()
     skin.SetInputData(grid)
     skin.Update()
-    return skin.GetOutput()
+    triangles = vtkPolyData()
+    triangles.SetPoints(skin.GetOutput().GetPoints())
+    triangles.SetPolys(skin.GetOutput().GetPolys())
+    triangles.GetPointData().ShallowCopy(skin.GetOutput().GetPointData())
+    return triangles
 
 
 def touches_sharp(faces, finer):
@@ -119,13 +123,22 @@ class Picture:
         self.actor.GetProperty().LightingOff()
 
 
+def subdivide(source, levels=LEVELS):
+    return simple.MultidimensionalSubdivision(
+        Input=source, NumberOfLevels=levels, ProjectToLimit=1, GenerateLimitNormals=1, OutputDimensions=[2, 3])
+
+
+def refine(source):
+    """Large and small triangles beside each other, from levels that differ."""
+    return simple.RedGreenRefinement(
+        Input=source, Placement="Limit", GenerateLimitNormals=1, RefineByAttributeError=0, RefineByGeometricError=1,
+        GeometricTolerance=5e-4, MaximumLevel=FINER)
+
+
 class Shading(unittest.TestCase):
-    def check(self, name, source):
-        def subdivide(levels):
-            return simple.MultidimensionalSubdivision(
-                Input=source, NumberOfLevels=levels, ProjectToLimit=1, GenerateLimitNormals=1, OutputDimensions=[2, 3])
+    def check(self, name, source, make=subdivide):
         meshes = []
-        for proxy in (subdivide(LEVELS), subdivide(FINER)):
+        for proxy in (make(source), subdivide(source, FINER)):
             proxy.UpdatePipeline()
             meshes.append(surface(tools.output(proxy)))
         mesh, finer = meshes
@@ -153,6 +166,11 @@ class Shading(unittest.TestCase):
         for model in MODELS:
             with self.subTest(model):
                 self.check(model, simple.SubdivisionModel(Model=model))
+
+    def test_locally_refined(self):
+        for model in MODELS:
+            with self.subTest(model):
+                self.check(model, simple.SubdivisionModel(Model=model), refine)
 
     def test_sources(self):
         for name, source in (("Box", simple.Box()), ("Sphere", simple.Sphere()),
