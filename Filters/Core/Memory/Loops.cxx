@@ -26,14 +26,14 @@ void RunInThreads(const Loop& loop)
   loop();
 }
 
-/// Calls run(begin, end) for parts of [0, size), the first of which has `first` elements; the next
-/// ones have more where these take little time, and fewer where they take much.
+/// Calls run(begin, end) for parts of [0, size), the first of which has `first` elements. The next
+/// ones are as large as takes `wanted` seconds, by the time of the part before.
 template <typename Run>
 void RunInParts(vtkIdType size, vtkIdType first, const Run& run)
 {
   using Clock = std::chrono::steady_clock;
-  constexpr double isShort = 0.02; // seconds
-  constexpr double isLong = 0.1;
+  constexpr double wanted = 0.05;
+  constexpr double mostGrowth = 16.; // the first part may be easy work
   vtkIdType most = Current ? first : size;
   for (vtkIdType begin = 0; begin < size;)
   {
@@ -41,7 +41,9 @@ void RunInParts(vtkIdType size, vtkIdType first, const Run& run)
     const auto start = Clock::now();
     RunInThreads([&] { run(begin, end); });
     const std::chrono::duration<double> taken = Clock::now() - start;
-    most = taken.count() < isShort ? 4 * most : taken.count() > isLong ? (most + 1) / 2 : most;
+    const double factor = taken.count() * mostGrowth > wanted ? wanted / taken.count() : mostGrowth;
+    most =
+      std::max<vtkIdType>(1, static_cast<vtkIdType>(factor * static_cast<double>(end - begin)));
     begin = end;
     BetweenLoops::Act();
   }
@@ -78,7 +80,7 @@ void BetweenLoops::Act()
 
 void ForRanges(vtkIdType size, RangeBody body)
 {
-  constexpr vtkIdType inOnePart = 1 << 22;
+  constexpr vtkIdType inOnePart = 1 << 16;
   if (size <= WorthThreads)
   {
     body(0, size);

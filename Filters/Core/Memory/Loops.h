@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Loops.h
- * Parallel loops. The body of a loop is compiled once: templates of vtkSMPTools would compile it
- * once more for each of VTK's four back ends, which took half of the time to compile Core.
+ * Parallel loops, and serial ones that can be stopped. The body of a parallel loop is compiled
+ * once: templates of vtkSMPTools would compile it once more for each of VTK's four back ends, which
+ * took half of the time to compile Core.
  */
 #ifndef SubdivisionObjects_Loops_h
 #define SubdivisionObjects_Loops_h
@@ -19,7 +20,7 @@ namespace subdivision
  * As long as it lives, this thread calls `act` between its loops, and between the parts of long
  * ones, at most every SecondsBetween seconds; never inside a body that other threads run too. So
  * long work reports that it goes on. `act` may throw, which ends the work. The last one that was
- * made counts.
+ * made counts. Serial work of more than 0.1 s calls Act by Turns or ForEachInTurn.
  */
 class BetweenLoops
 {
@@ -32,8 +33,9 @@ public:
   /// Acts if it is time to; for work without loops.
   static void Act();
 
-  /// Tests change it.
+  /// Tests change these.
   static inline double SecondsBetween = 0.1;
+  static inline int TurnsBetween = 4096;
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -42,6 +44,36 @@ private:
   BetweenLoops* Outer;
   Clock::time_point Last;
 };
+
+/// Counts the turns of a serial loop, and acts after many of them: reading the clock in each would
+/// take longer than short turns.
+class Turns
+{
+public:
+  void Next()
+  {
+    if (++this->Count >= BetweenLoops::TurnsBetween)
+    {
+      this->Count = 0;
+      BetweenLoops::Act();
+    }
+  }
+
+private:
+  int Count = 0;
+};
+
+/// Calls body(i) for each i of [0, size) in this thread, in ascending order.
+template <typename Body>
+void ForEachInTurn(vtkIdType size, const Body& body)
+{
+  Turns turns;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    body(i);
+    turns.Next();
+  }
+}
 
 /// A reference to a callable body(begin, end), which must outlive it. It costs one indirect call
 /// for each range, not for each element.

@@ -171,6 +171,7 @@ void CheckStops(const std::string& name, const std::vector<Object>& inputs,
 {
   using subdivision::BetweenLoops;
   const double seconds = BetweenLoops::SecondsBetween;
+  const int turns = std::exchange(BetweenLoops::TurnsBetween, 64);
   BetweenLoops::SecondsBetween = 1e9;
   CheckStopsInSteps(name, inputs, make, 1);
   const int stages = CountReports(inputs, make);
@@ -178,6 +179,7 @@ void CheckStops(const std::string& name, const std::vector<Object>& inputs,
   EXPECT_GT(CountReports(inputs, make), 2 * stages) << name;
   CheckStopsInSteps(name + " between loops", inputs, make, 7);
   BetweenLoops::SecondsBetween = seconds;
+  BetweenLoops::TurnsBetween = turns;
 }
 
 Object MakeBlocks(vtkDataObject* first, vtkDataObject* second)

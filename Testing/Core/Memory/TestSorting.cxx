@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// StableSort: the order of std::stable_sort, for all sizes around those of blocks.
+#include "Core/Memory/Sorting.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <utility>
+#include <vector>
+
+TEST(StableSort, IsThatOfTheStandard)
+{
+  using Value = std::pair<int, int>;
+  const auto less = [](const Value& a, const Value& b) { return a.first < b.first; };
+  std::mt19937 chance(3);
+  constexpr int block = 1 << 15;
+  for (const int size : { 0, 1, 2, 100, block - 1, block, block + 1, 3 * block, 5 * block + 7 })
+  {
+    for (const int different : { 1, 10, 1 << 30 })
+    {
+      std::vector<Value> values;
+      for (int i = 0; i < size; ++i)
+      {
+        values.emplace_back(static_cast<int>(chance() % static_cast<unsigned int>(different)), i);
+      }
+      std::vector<Value> expected = values;
+      std::stable_sort(expected.begin(), expected.end(), less);
+      subdivision::StableSort(values, less);
+      EXPECT_EQ(values, expected) << size << " values, at most " << different << " different";
+    }
+  }
+}
