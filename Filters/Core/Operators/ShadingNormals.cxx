@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Operators/ShadingNormals.h"
 
+#include "Core/Memory/Loops.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -93,12 +95,24 @@ void ShadingNormals::AddTriangle(
   }
 }
 
-void ShadingNormals::AddTo(vtkIdType point, const double normal[3])
+/// Adds the normal of a facet, unless it has no direction.
+bool ShadingNormals::AddNormal(const double normal[3])
 {
-  Star& star = this->Stars[point];
-  if (IsLong(normal, 0.))
+  const bool isFacet = IsLong(normal, 0.);
+  if (isFacet)
   {
-    star.Facets.push_back({ normal[0], normal[1], normal[2] });
+    this->FacetNormals.push_back({ normal[0], normal[1], normal[2] });
+  }
+  return isFacet;
+}
+
+/// Says that a point lies at the last facet, or at one without a normal.
+void ShadingNormals::AddToFacet(vtkIdType point, bool isFacet)
+{
+  this->Found[point] |= IsThere;
+  if (isFacet)
+  {
+    this->Facets.push_back({ point, static_cast<vtkIdType>(this->FacetNormals.size()) - 1 });
   }
 }
 
@@ -110,46 +124,86 @@ void ShadingNormals::AddLine(vtkIdType a, vtkIdType b)
     {
       continue;
     }
+    this->Found[end] |= IsThere;
     Vector line;
     for (int c = 0; c < 3; ++c)
     {
       line[c] = this->Get(other, c) - this->Get(end, c);
     }
-    Star& star = this->Stars[end];
-    if (IsLong(line.data(), 0.) && !(this->FirstLines && !star.Lines.empty()))
+    if (IsLong(line.data(), 0.) && !(this->FirstLines && (this->Found[end] & HasLine) != 0))
     {
-      star.Lines.push_back(line);
+      this->Found[end] |= HasLine;
+      this->Lines.push_back({ end, line });
     }
   }
 }
 
-void ShadingNormals::Write(Star& star, double normal[3])
+namespace
+{
+
+/// The numbers of parts, point by point.
+template <typename Part>
+Rows<vtkIdType> SortByPoint(const std::vector<Part>& parts, vtkIdType points)
+{
+  Rows<vtkIdType> rows;
+  rows.Offsets = Buffer<vtkIdType>(points + 1, 0);
+  const auto size = static_cast<vtkIdType>(parts.size());
+  ForEachInTurn(size, [&](vtkIdType i) { ++rows.Offsets[parts[i].Point]; });
+  CountsToOffsets(rows.Offsets);
+  rows.Items = Buffer<vtkIdType>(size);
+  Buffer<vtkIdType> next(points);
+  std::copy(rows.Offsets.begin(), rows.Offsets.end() - 1, next.begin());
+  ForEachInTurn(size, [&](vtkIdType i) { rows.Items[next[parts[i].Point]++] = i; });
+  return rows;
+}
+
+/// From the normals of the facets at a point, which are sorted: sums do not depend on their order.
+void FindMean(std::vector<Vector>& facets, double normal[3])
 {
   constexpr double cancelled = 1e-6;
-  if (star.Facets.empty())
-  {
-    FindPerpendicular(FindTangent(star.Lines).data(), normal);
-    return;
-  }
-  std::sort(star.Facets.begin(), star.Facets.end()); // sums do not depend on the order of facets
+  std::sort(facets.begin(), facets.end());
   Vector sum = { 0., 0., 0. };
   double area = 0.;
-  for (const Vector& facet : star.Facets)
+  for (const Vector& facet : facets)
   {
     area += Length(facet.data());
     std::transform(facet.begin(), facet.end(), sum.begin(), sum.begin(), std::plus<>());
   }
-  Normalise(
-    IsLong(sum.data(), cancelled * area) ? sum.data() : FindLongest(star.Facets).data(), normal);
+  Normalise(IsLong(sum.data(), cancelled * area) ? sum.data() : FindLongest(facets).data(), normal);
+}
+
 }
 
 void ShadingNormals::Fill()
 {
-  for (auto& [point, star] : this->Stars)
-  {
-    Write(star, this->Normals + 3 * point);
-  }
-  this->Stars.clear();
+  const vtkIdType size = this->Found.size();
+  const Rows<vtkIdType> facets = SortByPoint(this->Facets, size);
+  const Rows<vtkIdType> lines = SortByPoint(this->Lines, size);
+  ForRanges(size,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<Vector> star;
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        if (this->Found[point] == 0)
+        {
+          continue;
+        }
+        star.clear();
+        const bool hasFacets = facets[point].size() > 0;
+        for (const vtkIdType i : hasFacets ? facets[point] : lines[point])
+        {
+          star.push_back(
+            hasFacets ? this->FacetNormals[this->Facets[i].What] : this->Lines[i].What);
+        }
+        double* normal = this->Normals + 3 * point;
+        hasFacets ? FindMean(star, normal) : FindPerpendicular(FindTangent(star).data(), normal);
+      }
+    });
+  this->FacetNormals.clear();
+  this->Facets.clear();
+  this->Lines.clear();
+  ForEach(size, [&](vtkIdType point) { this->Found[point] = 0; });
 }
 
 }

@@ -17,7 +17,6 @@
 #include "Core/Memory/Buffer.h"
 
 #include <array>
-#include <unordered_map>
 #include <vector>
 
 namespace subdivision
@@ -36,6 +35,7 @@ public:
     : Points(points)
     , Missing(missing)
     , Normals(normals)
+    , Found(missing.size(), 0)
   {
   }
 
@@ -59,11 +59,12 @@ public:
     {
       this->AddTriangle(corners[0], corners[i - 1], corners[i], turned ? -1. : 1., normal);
     }
+    const bool isFacet = this->AddNormal(normal);
     for (int i = 0; i < size; ++i)
     {
       if (this->IsMissing(corners[i]))
       {
-        this->AddTo(corners[i], normal);
+        this->AddToFacet(corners[i], isFacet);
       }
     }
   }
@@ -89,7 +90,7 @@ public:
   {
     if (this->IsMissing(point))
     {
-      this->Stars[point];
+      this->Found[point] |= IsThere;
     }
   }
   /// Writes the normals of all missing points at which something was added.
@@ -97,22 +98,31 @@ public:
 
 private:
   using Vector = std::array<double, 3>;
-  /// What lies at a point.
-  struct Star
+  /// Something at a point: the number of a facet, or the vector to the other end of a line.
+  template <typename T>
+  struct Part
   {
-    std::vector<Vector> Facets; ///< normals of facets, twice as long as they are large
-    std::vector<Vector> Lines;  ///< to the other ends of lines
+    vtkIdType Point;
+    T What;
+  };
+  enum : unsigned char
+  {
+    IsThere = 1,
+    HasLine = 2
   };
   double Get(vtkIdType point, int c) const { return this->Points[3 * point + c]; }
   void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c, double sign, double normal[3]) const;
-  void AddTo(vtkIdType point, const double normal[3]);
-  static void Write(Star& star, double normal[3]);
+  bool AddNormal(const double normal[3]);
+  void AddToFacet(vtkIdType point, bool isFacet);
 
   const double* Points;
   const Buffer<unsigned char>& Missing;
   double* Normals;
   bool FirstLines = false;
-  std::unordered_map<vtkIdType, Star> Stars;
+  Buffer<unsigned char> Found;         ///< what lies at each point
+  std::vector<Vector> FacetNormals;    ///< twice as long as facets are large
+  std::vector<Part<vtkIdType>> Facets; ///< at points
+  std::vector<Part<Vector>> Lines;
 };
 
 }

@@ -37,12 +37,13 @@ void AddShadingCells(
   const SurfaceLevel<Id>& level, const Buffer<unsigned char>& turned, ShadingNormals& normals)
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
-  for (vtkIdType f = 0; f < mesh.NumberOfFaces; ++f)
-  {
-    const Id face = static_cast<Id>(f);
-    normals.AddFacet(mesh.Vertices.data() + mesh.GetFirst(face),
-      static_cast<int>(mesh.GetSize(face)), !turned.empty() && turned[f] != 0);
-  }
+  ForEachInTurn(mesh.NumberOfFaces,
+    [&](vtkIdType f)
+    {
+      const Id face = static_cast<Id>(f);
+      normals.AddFacet(mesh.Vertices.data() + mesh.GetFirst(face),
+        static_cast<int>(mesh.GetSize(face)), !turned.empty() && turned[f] != 0);
+    });
   normals.TakeFirstLines(); // other partitions of an adaptive surface may have cut theirs
   for (const Id line : level.Lines)
   {

@@ -115,17 +115,19 @@ void TrianglePairs<Scheme>::FindFacesAtCurves()
   this->FacesAtCurves.Offsets = Buffer<Id>(edges + 1, 0);
   auto forPairs = [&](const auto& act)
   {
-    for (Id face = 0; face < this->Complex.NumberOfFaces; ++face)
-    {
-      for (int k = 0; k < 3 && this->Complex.FaceTets[face].size() < 2; ++k)
+    ForEachInTurn(this->Complex.NumberOfFaces,
+      [&](vtkIdType f)
       {
-        const Id edge = this->Complex.FaceEdges[3 * vtkIdType(face) + k];
-        if (this->RuleOf(edge) == Rule::Curve)
+        const Id face = static_cast<Id>(f);
+        for (int k = 0; k < 3 && this->Complex.FaceTets[face].size() < 2; ++k)
         {
-          act(edge, face);
+          const Id edge = this->Complex.FaceEdges[3 * f + k];
+          if (this->RuleOf(edge) == Rule::Curve)
+          {
+            act(edge, face);
+          }
         }
-      }
-    }
+      });
   };
   forPairs([&](Id edge, Id) { ++this->FacesAtCurves.Offsets[edge]; });
   CountsToOffsets(this->FacesAtCurves.Offsets);

@@ -472,13 +472,17 @@ SparseRows<Id> MakeLimitRows(const typename Star::LevelType& level,
   CountsToOffsets(rows.Offsets);
   rows.Columns = Buffer<Id>(rows.Offsets[size]);
   rows.Weights = Buffer<double>(rows.Offsets[size]);
-  for (vtkIdType b = 0; b < blocks; ++b)
+  const auto joinBlocks = [&](vtkIdType begin, vtkIdType end)
   {
-    const vtkIdType first = rows.Offsets[b * block];
-    std::copy(parts[b].Columns.begin(), parts[b].Columns.end(), rows.Columns.begin() + first);
-    std::copy(parts[b].Weights.begin(), parts[b].Weights.end(), rows.Weights.begin() + first);
-    parts[b] = LimitRow<Id>();
-  }
+    for (vtkIdType b = begin; b < end; ++b)
+    {
+      const vtkIdType first = rows.Offsets[b * block];
+      std::copy(parts[b].Columns.begin(), parts[b].Columns.end(), rows.Columns.begin() + first);
+      std::copy(parts[b].Weights.begin(), parts[b].Weights.end(), rows.Weights.begin() + first);
+      parts[b] = LimitRow<Id>();
+    }
+  };
+  ForRangesOfBlocks(blocks, joinBlocks, 3);
   return rows;
 }
 

@@ -8,6 +8,7 @@
 #define SubdivisionObjects_ShadingFacets_h
 
 #include "Core/Memory/Buffer.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Operators/ShadingNormals.h"
 
 #include <vector>
@@ -27,14 +28,15 @@ struct ShadingFacets
   /// `turned` has a flag for each control triangle; empty: none is turned.
   void Fill(ShadingNormals& normals, const Buffer<unsigned char>& turned) const
   {
-    for (std::size_t i = 0; i < this->Parents.size(); ++i)
-    {
-      const Id* corners = this->Triangles.data() + 4 * i;
-      const Id parent = this->Parents[i];
-      corners[3] < 0
-        ? normals.AddFacet(corners, 3, parent >= 0 && !turned.empty() && turned[parent] != 0)
-        : normals.AddFacetOfSolid(corners, corners[3]);
-    }
+    ForEachInTurn(static_cast<vtkIdType>(this->Parents.size()),
+      [&](vtkIdType i)
+      {
+        const Id* corners = this->Triangles.data() + 4 * i;
+        const Id parent = this->Parents[i];
+        corners[3] < 0
+          ? normals.AddFacet(corners, 3, parent >= 0 && !turned.empty() && turned[parent] != 0)
+          : normals.AddFacetOfSolid(corners, corners[3]);
+      });
     for (std::size_t i = 0; i < this->Lines.size(); i += 2)
     {
       normals.AddLine(this->Lines[i], this->Lines[i + 1]);
