@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/AdaptiveSurface/AdaptiveSurface.h"
 
+#include "Core/Memory/Sorting.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeOutput.h"
 #include "Private/AdaptiveSurface/AdaptiveSurfaceMarks.h"
@@ -217,7 +218,7 @@ bool AdaptiveRun<Id>::RunRounds(vtkIdType mostCells)
     {
       break;
     }
-    std::stable_sort(marks.begin(), marks.end(),
+    StableSort(marks,
       [](const AdaptiveMark<Id>& a, const AdaptiveMark<Id>& b) { return a.Error > b.Error; });
     left = this->Others ? this->SplitTogether(marks, mostCells) : this->Split(marks, mostCells);
   }
@@ -234,13 +235,14 @@ template <typename Id>
 vtkIdType AdaptiveRun<Id>::Split(const std::vector<AdaptiveMark<Id>>& marks, vtkIdType mostCells)
 {
   vtkIdType left = 0;
-  for (const AdaptiveMark<Id>& mark : marks)
-  {
-    const bool isDone = left == 0 &&
-      (mark.Face < 0 ? this->Mesh->Cut(-1 - mark.Face, mostCells)
-                     : this->Mesh->Split(mark.Face, mostCells));
-    left += !isDone && (mark.Face < 0 || !this->Mesh->IsSplit(mark.Face)) ? 1 : 0;
-  }
+  ForEachInTurn(static_cast<vtkIdType>(marks.size()),
+    [&](vtkIdType i)
+    {
+      const Id face = marks[i].Face;
+      const bool isDone = left == 0 &&
+        (face < 0 ? this->Mesh->Cut(-1 - face, mostCells) : this->Mesh->Split(face, mostCells));
+      left += !isDone && (face < 0 || !this->Mesh->IsSplit(face)) ? 1 : 0;
+    });
   return left;
 }
 

@@ -2,12 +2,14 @@
 #include "Private/AdaptiveSurface/AdaptiveSurfaceMarks.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Sorting.h"
 
 #include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace subdivision
 {
@@ -111,7 +113,7 @@ void AdaptiveSurfaceMarks<Id>::Update()
   {
     this->Faces.push_back(static_cast<Id>(f));
   }
-  std::sort(this->Faces.begin(), this->Faces.end(),
+  StableSort(this->Faces,
     [this](Id a, Id b)
     {
       const int first = this->Mesh.GetLevel(a);
@@ -120,12 +122,9 @@ void AdaptiveSurfaceMarks<Id>::Update()
     });
   this->KnownFaces = static_cast<vtkIdType>(made.size());
   this->Carriers.Continue();
-  std::vector<Id> vertices;
-  for (vtkIdType v = this->KnownVertices; v < this->Mesh.GetNumberOfVertices(); ++v)
-  {
-    vertices.push_back(static_cast<Id>(v));
-  }
-  std::stable_sort(vertices.begin(), vertices.end(),
+  std::vector<Id> vertices(this->Mesh.GetNumberOfVertices() - this->KnownVertices);
+  std::iota(vertices.begin(), vertices.end(), static_cast<Id>(this->KnownVertices));
+  StableSort(vertices,
     [&](Id a, Id b)
     {
       const int first = a < given ? -1 : this->Mesh.GetAdded(a).Level;
@@ -432,26 +431,28 @@ std::vector<AdaptiveMark<Id>> AdaptiveSurfaceMarks<Id>::Find(AdaptiveNotes& note
           verdicts[i].Error = std::max(verdicts[i].Error, error);
         }
       });
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      const Verdict& verdict = verdicts[i];
-      if (verdict.HasNoValue && candidates.GetLevel(i) == 0)
+    ForEachInTurn(size,
+      [&](vtkIdType i)
       {
-        this->AddWithoutValue(candidates.GetPoints(i), notes);
-      }
-      if (candidates.GetLevel(i) + candidates.GetStep() <= this->Options.MaximumLevel &&
-        verdict.Error > 1.)
-      {
+        const Verdict& verdict = verdicts[i];
+        if (verdict.HasNoValue && candidates.GetLevel(i) == 0)
+        {
+          this->AddWithoutValue(candidates.GetPoints(i), notes);
+        }
+        if (candidates.GetLevel(i) + candidates.GetStep() > this->Options.MaximumLevel ||
+          !(verdict.Error > 1.))
+        {
+          return;
+        }
         // On level 0 this is no reason: limits of control vertices may be close together where the
         // surface between them is large.
         if (verdict.IsTooShort && candidates.GetLevel(i) > 0)
         {
           ++notes.TooShort;
-          continue;
+          return;
         }
         this->AddMarks(candidates.Get(i), isFaces, verdict, marks);
-      }
-    }
+      });
   }
   Scratch scratch;
   scratch.Places.resize(3 * components);

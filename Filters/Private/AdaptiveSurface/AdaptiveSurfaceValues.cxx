@@ -47,7 +47,9 @@ void AdaptiveSurfaceValues<Id>::AddVertices(const std::vector<Id>& vertices)
     }
     return;
   }
+  BetweenLoops::Act();
   this->Nodes.resize(static_cast<std::size_t>(2 * size * components));
+  BetweenLoops::Act();
   const bool isFirst = !vertices.empty() && vertices[0] < given;
   std::vector<double> control(
     isFirst ? limits : nullptr, isFirst ? limits + given * components : nullptr);
@@ -85,7 +87,9 @@ void AdaptiveSurfaceValues<Id>::AddCentres(const std::vector<Id>& faces, vtkIdTy
 {
   const int components = this->Components;
   this->Centres.resize(static_cast<std::size_t>(this->Mesh.GetNumberOfFaces() * components));
+  BetweenLoops::Act();
   this->FirstCentres.resize(this->Centres.size());
+  BetweenLoops::Act();
   this->Thirds.resize(static_cast<std::size_t>(2 * this->Mesh.GetNumberOfSegments() * components));
   auto forRanges = [&](vtkIdType size, const auto& append, double* out, const auto& place)
   {

@@ -3,6 +3,7 @@
 // until there are none, or the output is large enough.
 #include "Private/RedGreen/RedGreenRun.h"
 
+#include "Core/Memory/Sorting.h"
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Private/Control/FittingMarks.h"
 #include "Private/RedGreen/VertexOrigins.h"
@@ -32,17 +33,18 @@ void Apply(const std::vector<RefinementMark<Id>>& marks, std::size_t count, Shar
     }
   }
   state.Expect(inputs);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    if (marks[i].Ends[0] < 0)
+  ForEachInTurn(static_cast<vtkIdType>(count),
+    [&](vtkIdType i)
     {
-      state.MarkCell(marks[i].Leaf);
-    }
-    else
-    {
-      state.MarkEdge(marks[i].Leaf, marks[i].Ends[0], marks[i].Ends[1]);
-    }
-  }
+      if (marks[i].Ends[0] < 0)
+      {
+        state.MarkCell(marks[i].Leaf);
+      }
+      else
+      {
+        state.MarkEdge(marks[i].Leaf, marks[i].Ends[0], marks[i].Ends[1]);
+      }
+    });
   shared.Close();
 }
 
@@ -196,7 +198,7 @@ void RedGreenRun::StopAtLimit(std::vector<Marks<Id>>& rounds, SharedState<Id>& s
 {
   Marks<Id> last = std::move(rounds.back());
   rounds.pop_back();
-  std::stable_sort(last.begin(), last.end(),
+  StableSort(last,
     [](const RefinementMark<Id>& a, const RefinementMark<Id>& b) { return a.Error > b.Error; });
   auto replay = [&](std::size_t count)
   {

@@ -457,10 +457,12 @@ template <typename Id>
 void RedGreen<Id>::Propagate()
 {
   this->HasSplit = this->HasSplit || !this->Queue.empty();
+  Turns turns;
   for (;;)
   {
     while (!this->Queue.empty())
     {
+      turns.Next();
       const Id edge = this->Queue.back();
       this->Queue.pop_back();
       this->Spread(edge);

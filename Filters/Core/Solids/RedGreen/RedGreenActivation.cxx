@@ -33,8 +33,10 @@ void RedGreen<Id>::StoreInputs(const std::vector<Id>& cells)
   const Id first = static_cast<Id>(this->Nodes.size());
   std::vector<Id> fresh;
   fresh.reserve(cells.size());
+  Turns turns;
   for (Id cell : cells)
   {
+    turns.Next();
     if (this->Roots[cell] < 0)
     {
       this->Roots.Set(cell, first + static_cast<Id>(fresh.size()));
@@ -154,10 +156,8 @@ void RedGreen<Id>::ActivateNearFlags()
   const std::vector<Id> cells = scans ? this->ScanCells() : this->FollowIncidence();
   this->NewFlags.clear();
   this->StoreInputs(cells);
-  for (Id cell : cells)
-  {
-    this->Activate(cell);
-  }
+  ForEachInTurn(
+    static_cast<vtkIdType>(cells.size()), [&](vtkIdType i) { this->Activate(cells[i]); });
 }
 
 template <typename Id>
@@ -325,13 +325,14 @@ void RedGreen<Id>::BuildIncidence()
   Buffer<Id> next(this->InputVertices);
   std::copy(this->Incidence.Offsets.begin(), this->Incidence.Offsets.end() - 1, next.begin());
   const vtkIdType* vertex = this->Input.Connectivity;
-  for (vtkIdType cell = 0; cell < size; ++cell)
-  {
-    for (int i = 0; i <= this->Input.Dimensions[cell]; ++i)
+  ForEachInTurn(size,
+    [&](vtkIdType cell)
     {
-      this->Incidence.Items[next[*vertex++]++] = static_cast<Id>(cell);
-    }
-  }
+      for (int i = 0; i <= this->Input.Dimensions[cell]; ++i)
+      {
+        this->Incidence.Items[next[*vertex++]++] = static_cast<Id>(cell);
+      }
+    });
 }
 
 SUBDIVISION_COMPILE(class RedGreen);

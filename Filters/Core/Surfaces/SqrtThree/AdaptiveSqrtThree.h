@@ -215,8 +215,10 @@ public:
     }
     this->Carriers.resize(mesh.GetNumberOfFaces());
     const std::vector<Id>& made = mesh.GetNewFaces();
+    Turns turns;
     for (; this->Known < made.size(); ++this->Known)
     {
+      turns.Next();
       const Id face = made[this->Known];
       const Id parent = mesh.GetParent(face);
       const Id corner = 3 * parent + (face - mesh.GetChild(3 * parent));

@@ -45,8 +45,10 @@ void AdaptiveSqrtThreeOutput<Id>::NumberVertices()
   for (int level = 0; !faces.empty() || !segments.empty(); ++level)
   {
     std::vector<Id> children;
+    Turns turns;
     for (const Id face : faces)
     {
+      turns.Next();
       if (!mesh.IsSplit(face))
       {
         continue;
@@ -110,33 +112,36 @@ void AdaptiveSqrtThreeOutput<Id>::CountTriangles()
   const vtkIdType size = mesh.GetNumberOfFaces();
   this->Counts = Buffer<Id>(size);
   this->Offsets = Buffer<Id>(size);
-  for (vtkIdType f = size - 1; f >= 0; --f)
-  {
-    const Id face = static_cast<Id>(f);
-    this->Counts[f] = 1;
-    if (mesh.IsSplit(face))
+  ForEachInTurn(size,
+    [&](vtkIdType fromLast)
     {
-      const Id child = mesh.GetChild(3 * face);
-      this->Counts[f] = this->Counts[child] + this->Counts[child + 1] + this->Counts[child + 2];
-    }
-  }
+      const Id face = static_cast<Id>(size - 1 - fromLast);
+      this->Counts[face] = 1;
+      if (mesh.IsSplit(face))
+      {
+        const Id child = mesh.GetChild(3 * face);
+        this->Counts[face] =
+          this->Counts[child] + this->Counts[child + 1] + this->Counts[child + 2];
+      }
+    });
   Id next = 0;
-  for (vtkIdType f = 0; f < size; ++f)
-  {
-    const Id face = static_cast<Id>(f);
-    if (f < mesh.GetNumberOfControlFaces())
+  ForEachInTurn(size,
+    [&](vtkIdType f)
     {
-      this->Offsets[f] = next;
-      next += this->Counts[f];
-    }
-    if (mesh.IsSplit(face))
-    {
-      const Id child = mesh.GetChild(3 * face);
-      this->Offsets[child] = this->Offsets[f];
-      this->Offsets[child + 1] = this->Offsets[child] + this->Counts[child];
-      this->Offsets[child + 2] = this->Offsets[child + 1] + this->Counts[child + 1];
-    }
-  }
+      const Id face = static_cast<Id>(f);
+      if (f < mesh.GetNumberOfControlFaces())
+      {
+        this->Offsets[f] = next;
+        next += this->Counts[f];
+      }
+      if (mesh.IsSplit(face))
+      {
+        const Id child = mesh.GetChild(3 * face);
+        this->Offsets[child] = this->Offsets[f];
+        this->Offsets[child + 1] = this->Offsets[child] + this->Counts[child];
+        this->Offsets[child + 2] = this->Offsets[child + 1] + this->Counts[child + 1];
+      }
+    });
   this->Triangles = next;
 }
 
@@ -193,21 +198,23 @@ Buffer<Id> AdaptiveSqrtThreeOutput<Id>::FindFaces() const
 {
   const AdaptiveSqrtThree<Id>& mesh = this->Mesh;
   Buffer<Id> faces(this->Triangles);
-  for (Id face = 0; face < mesh.GetNumberOfFaces(); ++face)
-  {
-    if (mesh.IsThere(face) && !mesh.IsSplit(face))
+  ForEachInTurn(mesh.GetNumberOfFaces(),
+    [&](vtkIdType f)
     {
-      faces[this->Offsets[face]] = face;
-    }
-    for (Id corner = 3 * face; mesh.IsSplit(face) && corner < 3 * face + 3; ++corner)
-    {
-      const Id child = mesh.GetChild(corner);
-      if (!mesh.IsThere(child))
+      const Id face = static_cast<Id>(f);
+      if (mesh.IsThere(face) && !mesh.IsSplit(face))
       {
-        faces[this->Offsets[child]] = child;
+        faces[this->Offsets[face]] = face;
       }
-    }
-  }
+      for (Id corner = 3 * face; mesh.IsSplit(face) && corner < 3 * face + 3; ++corner)
+      {
+        const Id child = mesh.GetChild(corner);
+        if (!mesh.IsThere(child))
+        {
+          faces[this->Offsets[child]] = child;
+        }
+      }
+    });
   return faces;
 }
 
