@@ -181,6 +181,7 @@ struct KeptOperator
   vtkSmartPointer<vtkDataArray> PointsIn;
   double PointsWeight = 0.;
   vtkSmartPointer<vtkDataArray> PointsOut;
+  bool IsUpright = false;   ///< with these points no solid is inside out
   SharedArrays HandedCells; ///< Cells and PointsOut, which the output has
   SharedArrays HandedPoints;
   bool Used = true;

@@ -87,9 +87,18 @@ void UniformRun::CheckOrientation()
   {
     return;
   }
+  KeptOperator* kept = this->Found ? this->Found : this->ToKeep.get();
+  if (kept && kept->IsUpright)
+  {
+    return;
+  }
   const InvertedCells found =
     FindInvertedCells(this->Mesh.GetControl(), levels, this->Mesh.Inverted, this->Points->GetTie(),
       this->Output, marks ? marks->GetPointer(0) : nullptr);
+  if (kept)
+  {
+    kept->IsUpright = found.Count == 0;
+  }
   if (found.Count > 0 && hasMoved)
   {
     this->Options.Warn(std::to_string(found.Count) + " of " +

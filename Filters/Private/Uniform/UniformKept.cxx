@@ -89,6 +89,7 @@ void UniformRun::UseKept(KeptOperator& kept)
   else
   {
     kept.PointsOut = nullptr; // until they are those of PointsIn: memory may not suffice
+    kept.IsUpright = false;
     kept.PointsIn->DeepCopy(this->Points->GetPoints());
     kept.PointsWeight = this->GetPointsWeight();
   }

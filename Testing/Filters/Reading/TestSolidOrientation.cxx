@@ -249,6 +249,74 @@ TEST(SolidOrientation, InvertedCellsAreCountedAndMarked)
   EXPECT_FALSE(FindNegative(Execute(box, 2)).empty());
 }
 
+/// Volumes whose numbers are beyond the range of a double, or nearly so.
+TEST(SolidOrientation, SmallAndLargeSolidsAreMarkedAlike)
+{
+  const auto mark = [](Filter* filter) { filter->GenerateClassificationOn(); };
+  for (unsigned seed = 1; seed <= 3; ++seed)
+  {
+    const Grid solids = MakeThinSolids(seed);
+    vtkNew<Messages> messages;
+    const Grid expected = Execute(solids, 2, mark, messages);
+    for (const int exponent : { -300, -275, 275, 300 }) // of 2: 300 is 1e90
+    {
+      const Grid scaled = DeepCopy(solids);
+      for (vtkIdType i = 0; i < scaled->GetNumberOfPoints(); ++i)
+      {
+        const Point p = GetPoint(scaled, i);
+        scaled->GetPoints()->SetPoint(
+          i, std::ldexp(p[0], exponent), std::ldexp(p[1], exponent), std::ldexp(p[2], exponent));
+      }
+      const Grid result = Execute(scaled, 2, mark, messages);
+      for (vtkIdType i = 0; i < result->GetNumberOfCells(); ++i)
+      {
+        ASSERT_EQ(result->GetCellData()->GetArray("Inverted")->GetComponent(i, 0),
+          expected->GetCellData()->GetArray("Inverted")->GetComponent(i, 0))
+          << exponent << ", cell " << i;
+      }
+    }
+  }
+}
+
+/// Solids turn over, stay so while arrays change, and turn back.
+TEST(SolidOrientation, KeptOperatorsKnowWhatIsUpright)
+{
+  const auto mark = [](Filter* filter)
+  {
+    filter->GenerateClassificationOn();
+    filter->SetVolumeSchemeToTetOct(); // whose operators do not depend on coordinates
+  };
+  const Grid thin = MakeThinSolids(2);
+  const Grid upright = DeepCopy(thin);
+  for (vtkIdType i = 0; i < upright->GetNumberOfPoints(); ++i) // flat, so that nothing turns over
+  {
+    upright->GetPoints()->SetPoint(i, 0., 0., 0.);
+  }
+  vtkNew<Filter> filter;
+  vtkNew<Messages> messages;
+  filter->AddObserver(vtkCommand::WarningEvent, messages);
+  filter->SetNumberOfLevels(2);
+  mark(filter);
+  vtkIdType marked = 0;
+  for (const Grid& input : { upright, thin, thin, upright, upright, thin })
+  {
+    const Grid changed = DeepCopy(input);
+    vtkNew<vtkDoubleArray> values;
+    values->SetName("value");
+    values->SetNumberOfTuples(changed->GetNumberOfPoints());
+    values->Fill(static_cast<double>(marked));
+    changed->GetPointData()->AddArray(values);
+    filter->SetInputData(changed);
+    filter->Update();
+    vtkNew<Messages> others;
+    const Grid expected = Execute(changed, 2, mark, others);
+    EXPECT_EQ(Compare(filter->GetOutput(), expected), "");
+    marked += static_cast<vtkIdType>(FindNegative(filter->GetOutput()).size());
+  }
+  EXPECT_GT(marked, 0);
+  EXPECT_EQ(filter->GetNumberOfTopologyBuilds(), 1);
+}
+
 /// So their normal is the mean of those of the triangles.
 TEST(SolidOrientation, BordersOfManyTrianglesHaveNoTangentPlane)
 {
