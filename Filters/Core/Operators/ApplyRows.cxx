@@ -2,9 +2,12 @@
 #include "Core/Operators/ApplyRows.h"
 
 #include "Core/Memory/Store.h"
+#include "Core/Operators/PackedArrays.h"
+#include "Core/Operators/Sums.h"
 
 #include "vtkSetGet.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -48,22 +51,19 @@ void SumBlock(const RowsOfFour& rows, const In* in, Out* out, int components)
   const vtkIdType stride = N == 0 ? components : N;
   const CornerRow* row = rows.Rows;
   Out* to = out + rows.FirstRow * stride;
+  constexpr int width = Width<N>;
+  Sums<width> sums;
   for (vtkIdType i = 0; i < rows.Count; ++i, ++row)
   {
-    constexpr int width = Width<N>;
     for (int first = 0; first < stride; first += width)
     {
-      double sums[width] = {};
+      sums.Clear();
       for (int k = 0; k < 4; ++k)
       {
-        const double weight = row->Weights[k];
-        const In* corner = in + stride * static_cast<vtkIdType>(row->Columns[k]) + first;
-        for (int c = 0; c < width; ++c)
-        {
-          sums[c] += weight * static_cast<double>(corner[c]);
-        }
+        sums.Add(row->Weights[k], in + stride * static_cast<vtkIdType>(row->Columns[k]) + first);
       }
-      to = std::transform(sums, sums + width, to, Store<Out>);
+      sums.Write(to);
+      to += width;
     }
   }
 }
@@ -77,6 +77,7 @@ void SumBlock(const WeightedRows<Id>& rows, const In* in, Out* out, int componen
   const double* weights = rows.Weights;
   const bool skipsZeros = rows.SkipsZeros;
   in += rows.FirstColumn * stride;
+  Sums<width> sums;
   for (vtkIdType row = 0; row < rows.Count; ++row)
   {
     const vtkIdType begin = rows.Offsets[row];
@@ -90,7 +91,7 @@ void SumBlock(const WeightedRows<Id>& rows, const In* in, Out* out, int componen
     }
     for (int first = 0; first < stride; first += width)
     {
-      double sums[width] = {};
+      sums.Clear();
       for (vtkIdType k = begin; k < end; ++k)
       {
         const double weight = weights[k];
@@ -98,13 +99,9 @@ void SumBlock(const WeightedRows<Id>& rows, const In* in, Out* out, int componen
         {
           continue;
         }
-        const In* value = in + static_cast<vtkIdType>(columns[k]) * stride + first;
-        for (int c = 0; c < width; ++c)
-        {
-          sums[c] += weight * static_cast<double>(value[c]);
-        }
+        sums.Add(weight, in + static_cast<vtkIdType>(columns[k]) * stride + first);
       }
-      std::transform(sums, sums + width, result + first, Store<Out>);
+      sums.Write(result + first);
     }
   }
 }
@@ -112,34 +109,14 @@ void SumBlock(const WeightedRows<Id>& rows, const In* in, Out* out, int componen
 // ------------------------------------------------------------------------------------------------
 // Rows of rules and rings
 
-/// The sums of W components. They are an object outside of the loop over rows: compilers then add
-/// two at a time, but not in an array inside of it.
-template <int W>
-class Sums
-{
-public:
-  double& operator[](int c) { return this->Numbers[c]; }
-  const double& operator[](int c) const { return this->Numbers[c]; }
-
-private:
-  double Numbers[W];
-};
-
 /// Sums the values of one section of a ring.
 template <int W, typename Id, typename In>
 void SumSection(const Id* first, const Id* last, const In* in, vtkIdType stride, Sums<W>& section)
 {
-  for (int c = 0; c < W; ++c)
-  {
-    section[c] = 0.;
-  }
+  section.Clear();
   for (const Id* member = first; member != last; ++member)
   {
-    const In* value = in + static_cast<vtkIdType>(*member) * stride;
-    for (int c = 0; c < W; ++c)
-    {
-      section[c] += static_cast<double>(value[c]);
-    }
+    section.Add(in + static_cast<vtkIdType>(*member) * stride);
   }
 }
 
@@ -147,15 +124,13 @@ void SumSection(const Id* first, const Id* last, const In* in, vtkIdType stride,
 template <int Size, int W, typename Id, typename In>
 void AddSection(double weight, const Id* members, const In* in, vtkIdType stride, Sums<W>& sum)
 {
-  for (int c = 0; c < W; ++c)
+  Sums<W> section;
+  section.Clear();
+  for (int i = 0; i < Size; ++i)
   {
-    double section = 0.;
-    for (int i = 0; i < Size; ++i)
-    {
-      section += static_cast<double>(in[static_cast<vtkIdType>(members[i]) * stride + c]);
-    }
-    sum[c] += weight * section;
+    section.Add(in + static_cast<vtkIdType>(members[i]) * stride);
   }
+  sum.Add(weight, section);
 }
 
 /// Adds the sections of a ring.
@@ -171,10 +146,7 @@ void AddSections(
     {
       Sums<W> section;
       SumSection(members, last, in, stride, section);
-      for (int c = 0; c < W; ++c)
-      {
-        sum[c] += weight * section[c];
-      }
+      sum.Add(weight, section);
     }
     members = last;
   }
@@ -205,6 +177,11 @@ template <typename Id, typename In>
 template <int W, typename Out, typename Instead>
 void StoreSums(const Sums<W>& sum, Out* result, const Instead& instead)
 {
+  if (sum.IsFinite())
+  {
+    sum.Write(result);
+    return;
+  }
   for (int c = 0; c < W; ++c)
   {
     result[c] = Store<Out>(std::isfinite(sum[c]) ? sum[c] : instead(c));
@@ -223,23 +200,17 @@ void SumCounted(
   {
     all += static_cast<double>(counts[k]) / 3.;
   }
+  Sums<width> sum;
   for (int first = 0; first < stride; first += width)
   {
-    double sum[width];
-    for (int c = 0; c < width; ++c)
-    {
-      sum[c] = rows.Masks->CountedOwn * static_cast<double>(own[first + c]);
-    }
+    sum.Set(own + first);
+    sum.Scale(rows.Masks->CountedOwn);
     for (vtkIdType k = 0; k < ring.size(); ++k)
     {
       const double weight = rows.Masks->CountedOther * static_cast<double>(counts[k]) / all;
-      const In* value = in + static_cast<vtkIdType>(ring.begin()[k]) * stride + first;
-      for (int c = 0; c < width; ++c)
-      {
-        sum[c] += weight * static_cast<double>(value[c]);
-      }
+      sum.Add(weight, in + static_cast<vtkIdType>(ring.begin()[k]) * stride + first);
     }
-    std::transform(sum, sum + width, result + first, Store<Out>);
+    sum.Write(result + first);
   }
 }
 
@@ -253,16 +224,16 @@ struct OwnValues
     , Second(OfEdges ? in + static_cast<vtkIdType>(rows.Ends[2 * i + 1]) * stride : nullptr)
   {
   }
-  double operator[](int c) const
+  /// Sets `sum` to the values from component `first` on, times a weight.
+  template <int W>
+  void Get(int first, double weight, Sums<W>& sum) const
   {
+    sum.Set(this->First + first);
     if constexpr (OfEdges)
     {
-      return static_cast<double>(this->First[c]) + static_cast<double>(this->Second[c]);
+      sum.Add(this->Second + first);
     }
-    else
-    {
-      return static_cast<double>(this->First[c]);
-    }
+    sum.Scale(weight);
   }
   template <typename Id>
   double SumRow(const PartedMask& mask, const Id* ring, const In* in, int c, vtkIdType stride) const
@@ -300,6 +271,7 @@ void SumRings(
   constexpr int width = Width<N>;
   const vtkIdType stride = N == 0 ? components : N;
   Sums<width> sum;
+  Sums<width> section;
   for (vtkIdType i = 0; i < rows.Count; ++i)
   {
     const Id* ring = rows.Members + rows.Offsets[i];
@@ -318,11 +290,9 @@ void SumRings(
     ForGroups<N>(stride,
       [&](int first)
       {
-        SumSection(ring, last, in + first, stride, sum);
-        for (int c = 0; c < width; ++c)
-        {
-          sum[c] = ownWeight * own[first + c] + ringWeight * sum[c];
-        }
+        SumSection(ring, last, in + first, stride, section);
+        own.Get(first, ownWeight, sum);
+        sum.Add(ringWeight, section);
         StoreSums(sum, result + first,
           [&](int c)
           {
@@ -372,10 +342,7 @@ void SumRings(const RingRows<Id>& rows, const MaskTable<PartedMask>& masks, cons
     ForGroups<N>(stride,
       [&](int first)
       {
-        for (int c = 0; c < width; ++c)
-        {
-          sum[c] = ownWeight * own[first + c];
-        }
+        own.Get(first, ownWeight, sum);
         if (isRegular)
         {
           AddSection<nearSize>(regular.Weights[0], ring, in + first, stride, sum);
@@ -407,7 +374,7 @@ void SumCentres(const RingRows<Id>& rows, const In* in, Out* out, int components
       [&](int first)
       {
         Sums<width> sum;
-        std::fill_n(&sum[0], width, 0.);
+        sum.Clear();
         AddSection<members>(mask.Weights[0], ring, in + first, stride, sum);
         StoreSums(sum, result + first,
           [&](int c) { return SumTermByTerm(mask, none, none, ring, in + first + c, stride); });
@@ -458,6 +425,13 @@ Applier FindApplier(int components)
     if (components == 3)
     {
       return ApplyBlock<3, In, Out>;
+    }
+  }
+  if constexpr (std::is_same<In, double>::value && std::is_same<Out, double>::value)
+  {
+    if (components == 4) // of packed arrays
+    {
+      return ApplyBlock<4, In, Out>;
     }
   }
   return ApplyBlock<0, In, Out>;
@@ -567,17 +541,20 @@ void ApplyToArrays(const PointOperator& operation, const std::vector<MovedArray>
   {
     return;
   }
+  std::vector<MovedArray> single = arrays;
+  const PackedArrays packed(operation, single);
   std::vector<Applier> appliers;
-  for (const MovedArray& array : arrays)
+  for (const MovedArray& array : single)
   {
     appliers.push_back(FindApplier(array));
   }
   operation.ForEachBlock(
     [&](const RowsView& view)
     {
-      for (std::size_t i = 0; i < arrays.size(); ++i)
+      packed.Apply(view);
+      for (std::size_t i = 0; i < single.size(); ++i)
       {
-        appliers[i](view, arrays[i].In, arrays[i].Out, arrays[i].Components);
+        appliers[i](view, single[i].In, single[i].Out, single[i].Components);
       }
       if (also)
       {

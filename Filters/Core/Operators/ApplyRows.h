@@ -22,6 +22,9 @@ struct MovedArray
   void* Out;
   int OutType;
   int Components;
+  /// Number of values of In, each of `Components` numbers: at least one for each column, but rows
+  /// of a part of a mesh may read those of more points. 0: it is not known.
+  vtkIdType Tuples = 0;
 };
 
 /// Applies an operator to all arrays in one pass, so that each row is made or read only once. Each

@@ -92,13 +92,15 @@ struct RingRows
   vtkIdType NumberOfCounted = 0;
   const Id* Counts = nullptr;
   const Id* Columns = nullptr; ///< of the vertices of rows; null: the numbers of the rows
+  vtkIdType RowsBefore = 0;    ///< what such a column exceeds the number of its row by
 
   static constexpr int CentreSize = 6;
 
   /// The column of the vertex of a row.
   vtkIdType GetColumn(vtkIdType i) const
   {
-    return this->Columns ? static_cast<vtkIdType>(this->Columns[i]) : this->FirstRow + i;
+    return this->Columns ? static_cast<vtkIdType>(this->Columns[i])
+                         : this->RowsBefore + this->FirstRow + i;
   }
 
   Row<Id> GetRing(vtkIdType i) const

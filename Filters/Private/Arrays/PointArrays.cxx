@@ -246,8 +246,8 @@ void PointArrays::AdvanceSmoothed(const PointOperator& operation, const PointOpe
     CopyLooks(from, array);
     if (array->GetNumberOfValues() > 0)
     {
-      arrays.push_back(
-        { from->GetVoidPointer(0), type, array->GetVoidPointer(0), type, components });
+      arrays.push_back({ from->GetVoidPointer(0), type, array->GetVoidPointer(0), type, components,
+        from->GetNumberOfTuples() });
       before.push_back(from);
     }
   };

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Sums.h
+ * The sums of a row, one for each component.
+ */
+#ifndef SubdivisionObjects_Sums_h
+#define SubdivisionObjects_Sums_h
+
+#include "Core/Memory/Store.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace subdivision
+{
+
+/// The sums of W components. They are an object outside of the loop over rows: compilers then add
+/// two at a time, but not in an array inside of it.
+template <int W>
+class Sums
+{
+public:
+  double& operator[](int c) { return this->Numbers[c]; }
+  double operator[](int c) const { return this->Numbers[c]; }
+  void Clear() { std::fill_n(this->Numbers, W, 0.); }
+  template <typename In>
+  void Set(const In* values)
+  {
+    std::transform(values, values + W, this->Numbers, [](In v) { return static_cast<double>(v); });
+  }
+  void Scale(double weight)
+  {
+    for (double& number : this->Numbers)
+    {
+      number *= weight;
+    }
+  }
+  template <typename In>
+  void Add(const In* values)
+  {
+    for (int c = 0; c < W; ++c)
+    {
+      this->Numbers[c] += static_cast<double>(values[c]);
+    }
+  }
+  template <typename In>
+  void Add(double weight, const In* values)
+  {
+    for (int c = 0; c < W; ++c)
+    {
+      this->Numbers[c] += weight * static_cast<double>(values[c]);
+    }
+  }
+  void Add(double weight, const Sums& other)
+  {
+    for (int c = 0; c < W; ++c)
+    {
+      this->Numbers[c] += weight * other.Numbers[c];
+    }
+  }
+  bool IsFinite() const
+  {
+    return std::all_of(this->Numbers, this->Numbers + W, [](double x) { return std::isfinite(x); });
+  }
+  template <typename Out>
+  void Write(Out* values) const
+  {
+    std::transform(this->Numbers, this->Numbers + W, values, Store<Out>);
+  }
+
+private:
+  double Numbers[W];
+};
+
+#ifdef __GNUC__
+/// Four components, two in a register.
+template <>
+class Sums<4>
+{
+public:
+  double& operator[](int c) { return reinterpret_cast<double*>(&this->Numbers[c / 2])[c % 2]; }
+  double operator[](int c) const { return this->Numbers[c / 2][c % 2]; }
+  void Clear() { this->Numbers[0] = this->Numbers[1] = Two{}; }
+  void Set(const double* values)
+  {
+    this->Numbers[0] = Read(values);
+    this->Numbers[1] = Read(values + 2);
+  }
+  void Scale(double weight)
+  {
+    this->Numbers[0] *= weight;
+    this->Numbers[1] *= weight;
+  }
+  void Add(const double* values)
+  {
+    this->Numbers[0] += Read(values);
+    this->Numbers[1] += Read(values + 2);
+  }
+  void Add(double weight, const double* values)
+  {
+    this->Numbers[0] += weight * Read(values);
+    this->Numbers[1] += weight * Read(values + 2);
+  }
+  void Add(double weight, const Sums& other)
+  {
+    this->Numbers[0] += weight * other.Numbers[0];
+    this->Numbers[1] += weight * other.Numbers[1];
+  }
+  bool IsFinite() const
+  {
+    const Two zeros = this->Numbers[0] * 0. + this->Numbers[1] * 0.; // not numbers otherwise
+    return zeros[0] + zeros[1] == 0.;
+  }
+  void Write(double* values) const { std::memcpy(values, this->Numbers, sizeof(this->Numbers)); }
+
+private:
+  using Two = double __attribute__((vector_size(2 * sizeof(double)), may_alias));
+  static Two Read(const double* values)
+  {
+    Two two;
+    std::memcpy(&two, values, sizeof(two));
+    return two;
+  }
+
+  Two Numbers[2];
+};
+#endif
+
+}
+
+#endif
