@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Rules/Pi.h"
+#include "Core/Surfaces/Mesh/CycleWalks.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
 #include "Core/Surfaces/Scheme/PrimalRefinement.h"
 #include "Core/Surfaces/Scheme/SectorRows.h"
@@ -111,8 +112,10 @@ public:
   }
 
 private:
-  void AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex,
-    std::vector<Id>& edges, RowBlock<Id>& rows) const;
+  void AppendVertices(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, vtkIdType begin,
+    vtkIdType end, RowBlock<Id>& rows) const;
+  void AppendSmoothVertex(const PolygonMesh<Id>& mesh, Id vertex,
+    const std::vector<FanStep<Id>>& steps, RowBlock<Id>& rows) const;
   void AppendEdge(
     const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, RowBlock<Id>& rows) const;
   void AppendFace(
@@ -139,66 +142,84 @@ void CatmullClarkScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Sur
 {
   const vtkIdType vertices = level.Mesh.NumberOfVertices;
   const vtkIdType edges = vertices + level.Mesh.GetNumberOfEdges();
-  std::vector<Id> scratch;
-  for (vtkIdType row = begin; row < end; ++row)
+  this->AppendVertices(level.Mesh, tags, begin, std::min(end, vertices), rows);
+  for (vtkIdType row = std::max(begin, vertices); row < std::min(end, edges); ++row)
   {
-    if (row < vertices)
-    {
-      this->AppendVertex(level.Mesh, tags, static_cast<Id>(row), scratch, rows);
-    }
-    else if (row < edges)
-    {
-      this->AppendEdge(level.Mesh, tags, static_cast<Id>(row - vertices), rows);
-    }
-    else
-    {
-      this->AppendFace(level.Mesh, tags, static_cast<Id>(row - edges), rows);
-    }
+    this->AppendEdge(level.Mesh, tags, static_cast<Id>(row - vertices), rows);
+    rows.EndRow();
+  }
+  for (vtkIdType row = std::max(begin, edges); row < end; ++row)
+  {
+    this->AppendFace(level.Mesh, tags, static_cast<Id>(row - edges), rows);
     rows.EndRow();
   }
 }
 
 template <typename Id>
-void CatmullClarkScheme<Id>::AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags,
-  Id vertex, std::vector<Id>& edges, RowBlock<Id>& rows) const
+void CatmullClarkScheme<Id>::AppendVertices(const PolygonMesh<Id>& mesh,
+  const SurfaceTags<Id>& tags, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
 {
-  if (tags.Vertices[vertex] != VertexTag::Smooth)
+  auto isSmooth = [&tags](Id v) { return tags.Vertices[v] == VertexTag::Smooth; };
+  CycleWalks<Id> walks;
+  std::vector<Id> scratch;
+  for (vtkIdType first = begin; first < end; first += walks.Most)
   {
-    AppendCurveVertex(mesh, tags, vertex, 3. / 4., edges, rows);
-    return;
+    const vtkIdType last = std::min<vtkIdType>(end, first + walks.Most);
+    walks.Walk(mesh, static_cast<Id>(first), static_cast<Id>(last), isSmooth);
+    for (Id vertex = static_cast<Id>(first); vertex < last; ++vertex)
+    {
+      isSmooth(vertex) ? this->AppendSmoothVertex(mesh, vertex, walks.Get(vertex), rows)
+                       : AppendCurveVertex(mesh, tags, vertex, 3. / 4., scratch, rows);
+      rows.EndRow();
+    }
   }
-  const Id start = mesh.VertexCorners[vertex];
-  int k = 0;
-  VisitCycle(mesh, start, [&k](const FanStep<Id>&) { ++k; });
+}
+
+/// `steps`: those around the vertex.
+template <typename Id>
+void CatmullClarkScheme<Id>::AppendSmoothVertex(const PolygonMesh<Id>& mesh, Id vertex,
+  const std::vector<FanStep<Id>>& steps, RowBlock<Id>& rows) const
+{
+  const int k = static_cast<int>(steps.size());
   const double edge = 1. / (static_cast<double>(k) * k);
-  double own = static_cast<double>(k - 2) / k;
-  const std::size_t at = rows.GetNumberOfEntries();
-  rows.Add(vertex, 0.);
+  const double own = static_cast<double>(k - 2) / k;
   if (mesh.Arity == 4)
   {
     // Each face point is a quarter of the face's four corners, and each neighbour lies in two
     // faces.
-    own += edge * k / 4.;
-    VisitCycle(mesh, start,
-      [&](const FanStep<Id>& step)
-      {
-        const Id next = mesh.Next(step.Corner);
-        const Id previous = mesh.Previous(step.Corner);
-        rows.Add(mesh.Vertices[step.Forward ? next : previous], 1.5 * edge);
-        rows.Add(mesh.Vertices[mesh.Next(next)], 0.25 * edge);
-      });
+    rows.Add(vertex, own + edge * k / 4.);
+    for (const FanStep<Id>& step : steps)
+    {
+      const Id next = mesh.Next(step.Corner);
+      const Id previous = mesh.Previous(step.Corner);
+      rows.Add(mesh.Vertices[step.Forward ? next : previous], 1.5 * edge);
+      rows.Add(mesh.Vertices[mesh.Next(next)], 0.25 * edge);
+    }
+    return;
   }
-  else
+  rows.Add(vertex, own);
+  for (const FanStep<Id>& step : steps)
   {
-    VisitCycle(mesh, start,
-      [&](const FanStep<Id>& step)
-      {
-        rows.Add(
-          mesh.Vertices[step.Forward ? mesh.Next(step.Corner) : mesh.Previous(step.Corner)], edge);
-        AppendMean(mesh, mesh.GetFace(step.Corner), edge, rows);
-      });
+    rows.Add(
+      mesh.Vertices[step.Forward ? mesh.Next(step.Corner) : mesh.Previous(step.Corner)], edge);
+    AppendMean(mesh, mesh.GetFace(step.Corner), edge, rows);
   }
-  rows.SetWeight(at, own);
+}
+
+/// The row of an edge inside: the mean of its ends and of the points of both faces. The ends are in
+/// both faces.
+template <typename Id>
+void AppendBetweenQuads(
+  const PolygonMesh<Id>& mesh, Id edge, Id corner, Id twin, RowBlock<Id>& rows)
+{
+  rows.Add(mesh.EdgeVertices[2 * edge], 3. / 8.);
+  rows.Add(mesh.EdgeVertices[2 * edge + 1], 3. / 8.);
+  for (const Id halfEdge : { corner, twin })
+  {
+    const Id before = mesh.Previous(halfEdge);
+    rows.Add(mesh.Vertices[before], 1. / 16.);
+    rows.Add(mesh.Vertices[mesh.Previous(before)], 1. / 16.);
+  }
 }
 
 template <typename Id>
@@ -214,6 +235,13 @@ void CatmullClarkScheme<Id>::AppendEdge(
   }
   const Id corner = mesh.EdgeCorners[edge];
   const Id twin = mesh.Twins[corner];
+  const bool isInside =
+    tags.Vertices[ends[0]] == VertexTag::Smooth && tags.Vertices[ends[1]] == VertexTag::Smooth;
+  if (mesh.Arity == 4 && (isInside || !this->ModifiedBoundary))
+  {
+    AppendBetweenQuads(mesh, edge, corner, twin, rows);
+    return;
+  }
   double weights[2] = { 0., 0. };
   FlatPoint<Id> flats[2];
   int asking = 0;

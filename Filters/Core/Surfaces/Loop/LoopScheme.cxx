@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Rules/Masks.h"
 #include "Core/Rules/Pi.h"
+#include "Core/Surfaces/Mesh/CycleWalks.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
 #include "Core/Surfaces/Scheme/PrimalRefinement.h"
 #include "Core/Surfaces/Scheme/SectorRows.h"
@@ -37,6 +38,9 @@ public:
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
 
 private:
+  void AppendVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
+    vtkIdType end, std::vector<Id>& ring, RowBlock<Id>& rows) const;
+  static void AppendRing(Id vertex, Rule rule, const std::vector<Id>& ring, RowBlock<Id>& rows);
   void AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex,
     std::vector<Id>& ring, RowBlock<Id>& rows) const;
   void AppendEdge(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id edge,
@@ -55,11 +59,7 @@ void LoopScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags
 {
   const vtkIdType vertices = level.Mesh.NumberOfVertices;
   std::vector<Id> ring;
-  for (vtkIdType row = begin; row < std::min(end, vertices); ++row)
-  {
-    this->AppendVertex(level.Mesh, tags, static_cast<Id>(row), ring, rows);
-    rows.EndRow();
-  }
+  this->AppendVertices(level, tags, begin, std::min(end, vertices), ring, rows);
   for (vtkIdType row = std::max(begin, vertices); row < end; ++row)
   {
     this->AppendEdge(level, tags, static_cast<Id>(row - vertices), ring, rows);
@@ -68,41 +68,75 @@ void LoopScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags
 }
 
 template <typename Id>
-void LoopScheme<Id>::AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags,
-  Id vertex, std::vector<Id>& ring, RowBlock<Id>& rows) const
+void LoopScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
+  vtkIdType begin, vtkIdType end, std::vector<Id>& ring, RowBlock<Id>& rows) const
 {
-  const VertexTag tag = tags.Vertices[vertex];
-  if (tag == VertexTag::Curve || tag == VertexTag::Corner)
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const vtkIdType firstOnEdge = level.VerticesBefore < 0 ? end : level.VerticesBefore;
+  CycleWalks<Id> walks;
+  for (vtkIdType first = begin; first < end; first += walks.Most)
   {
-    AppendCurveVertex(mesh, tags, vertex, 3. / 4., ring, rows);
-    return;
-  }
-  Rule rule = Rule::Surface;
-  if (tag == VertexTag::Blend)
-  {
-    rule = Rule::Blend;
-    CollectEdges(mesh, vertex, [](Id) { return true; }, ring);
-    for (Id& member : ring)
+    const vtkIdType last = std::min<vtkIdType>(end, first + walks.Most);
+    walks.Walk(mesh, static_cast<Id>(first), static_cast<Id>(last),
+      [&](Id v) { return v < firstOnEdge && tags.Vertices[v] == VertexTag::Smooth; });
+    for (Id vertex = static_cast<Id>(first); vertex < last; ++vertex)
     {
-      member = mesh.GetOtherEnd(member, vertex);
+      if (tags.Vertices[vertex] != VertexTag::Smooth)
+      {
+        this->AppendVertex(mesh, tags, vertex, ring, rows);
+      }
+      else if (vertex >= firstOnEdge && FindRingOfEdgePoint(mesh, vertex, ring))
+      {
+        AppendRing(vertex, Rule::Surface, ring, rows);
+      }
+      else
+      {
+        ring.clear();
+        auto visit = [&](const FanStep<Id>& step)
+        {
+          ring.push_back(
+            mesh.Vertices[step.Forward ? mesh.Next(step.Corner) : mesh.Previous(step.Corner)]);
+        };
+        if (walks.Get(vertex).empty())
+        {
+          VisitCycle(mesh, mesh.VertexCorners[vertex], visit);
+        }
+        std::for_each(walks.Get(vertex).begin(), walks.Get(vertex).end(), visit);
+        AppendRing(vertex, Rule::Surface, ring, rows);
+      }
+      rows.EndRow();
     }
   }
-  else
-  {
-    ring.clear();
-    VisitCycle(mesh, mesh.VertexCorners[vertex],
-      [&](const FanStep<Id>& step)
-      {
-        ring.push_back(
-          mesh.Vertices[step.Forward ? mesh.Next(step.Corner) : mesh.Previous(step.Corner)]);
-      });
-  }
+}
+
+template <typename Id>
+void LoopScheme<Id>::AppendRing(
+  Id vertex, Rule rule, const std::vector<Id>& ring, RowBlock<Id>& rows)
+{
   const Mask mask = VertexMask(rule, static_cast<vtkIdType>(ring.size()));
   rows.Add(vertex, mask.Own);
   for (Id member : ring)
   {
     rows.Add(member, mask.Ring);
   }
+}
+
+/// Appends the row of a vertex that is not smooth.
+template <typename Id>
+void LoopScheme<Id>::AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags,
+  Id vertex, std::vector<Id>& ring, RowBlock<Id>& rows) const
+{
+  if (tags.Vertices[vertex] != VertexTag::Blend)
+  {
+    AppendCurveVertex(mesh, tags, vertex, 3. / 4., ring, rows);
+    return;
+  }
+  CollectEdges(mesh, vertex, [](Id) { return true; }, ring);
+  for (Id& member : ring)
+  {
+    member = mesh.GetOtherEnd(member, vertex);
+  }
+  AppendRing(vertex, Rule::Blend, ring, rows);
 }
 
 template <typename Id>

@@ -24,6 +24,12 @@ SurfaceLevel<Id> RefineTriangles(const SurfaceLevel<Id>& level, Depth depth);
 template <typename Id>
 SurfaceLevel<Id> RefineToQuads(const SurfaceLevel<Id>& level, Depth depth);
 
+/// Finds the six vertices around the point of an edge on a level that RefineTriangles made, in the
+/// order of VisitCycle: without a walk, of which each step would wait for the one before. False: it
+/// takes a walk, because two triangles have the edge in the same direction, or not two have it.
+template <typename Id>
+bool FindRingOfEdgePoint(const PolygonMesh<Id>& mesh, Id point, std::vector<Id>& ring);
+
 /// The vertices of the faces of the next level, one face after the other.
 template <typename Id, typename Out>
 void WriteTriangles(const SurfaceLevel<Id>& level, Out* ids);

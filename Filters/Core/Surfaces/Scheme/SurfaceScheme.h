@@ -82,6 +82,9 @@ struct SurfaceLevel
   /// were none.
   bool HasCurves = true;
   int Step = 0; ///< steps since the control mesh; odd and even steps differ in some schemes
+  /// If a step that halves edges made this level (PrimalRefinement.h): how many vertices the level
+  /// before had. Then come the edge points. Otherwise -1.
+  vtkIdType VerticesBefore = -1;
   /// What Prepare counts: running counts, from which ids of children follow where arithmetic alone
   /// is not enough; in Butterfly the valences of smooth vertices.
   Buffer<Id> Places;
