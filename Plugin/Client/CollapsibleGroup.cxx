@@ -7,9 +7,11 @@
 #include "pqProxyWidget.h"
 #include "pqSearchBox.h"
 #include "pqSettings.h"
+#include "vtkPVXMLElement.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
 #include "vtkSMProxy.h"
+#include "vtkSMVectorProperty.h"
 
 #include <QCoreApplication>
 #include <QTimer>
@@ -37,11 +39,21 @@ QStringList ShownProperties(vtkSMProxy* proxy, vtkSMPropertyGroup* group)
   return names;
 }
 
-bool IsChanged(vtkSMPropertyGroup* group)
+// What comes from the input (arrays, ranges) and proxies (functions, selections) have no default to
+// compare with. An array that starts as None has: its property says so.
+bool IsChanged(vtkSMProperty* property)
+{
+  auto* hints = property->GetHints();
+  const bool startsAsNone = hints && hints->FindNestedElementByName("NoDefault");
+  const bool hasDefault = startsAsNone || !property->HasDomainsWithRequiredProperties();
+  return vtkSMVectorProperty::SafeDownCast(property) && hasDefault && !property->IsValueDefault();
+}
+
+bool HasChanges(vtkSMPropertyGroup* group)
 {
   for (unsigned int i = 0; i < group->GetNumberOfProperties(); ++i)
   {
-    if (!group->GetProperty(i)->IsValueDefault())
+    if (IsChanged(group->GetProperty(i)))
     {
       return true;
     }
@@ -104,7 +116,12 @@ void CollapsibleGroup::followDecorators()
 
 void CollapsibleGroup::apply()
 {
-  this->Properties->apply();
+  // Not Properties->apply(), which would trace each change a second time.
+  for (auto* widget :
+    this->Properties->findChildren<pqPropertyWidget*>(QString(), Qt::FindDirectChildrenOnly))
+  {
+    widget->apply();
+  }
   this->updateHeading();
 }
 
@@ -156,7 +173,7 @@ void CollapsibleGroup::arrange()
 void CollapsibleGroup::updateHeading()
 {
   this->Heading->setText(
-    IsChanged(this->propertyGroup()) ? this->Label + " (changed)" : this->Label);
+    HasChanges(this->propertyGroup()) ? this->Label + " (changed)" : this->Label);
 }
 
 void CollapsibleGroup::toggle(bool open)
