@@ -28,6 +28,8 @@ for dock, size in (("pipelineBrowserDock", 100), ("propertiesDock", 900)):
     window.resizeDocks([window.findChild(QtWidgets.QDockWidget, dock)], [size], QtCore.Qt.Orientation.Vertical)
 window.resizeDocks([window.findChild(QtWidgets.QDockWidget, "propertiesDock")], [420], QtCore.Qt.Orientation.Horizontal)
 search = panel.findChild(QtWidgets.QWidget, "SearchBox")
+for part in ("DisplayButton", "ViewButton"):  # closed, for the pictures
+    panel.findChild(QtWidgets.QWidget, part).setProperty("checked", False)
 filters = ["Multi-dimensional Subdivision", "Red-Green Refinement", "Simplicial Complex Topology", "Surface Subdivision",
            "Adaptive Surface Subdivision", "Extract Dimensions", "Cage Around"]
 
