@@ -100,6 +100,53 @@ def marks():
     figure.write()
 
 
+def levels_of_marks():
+    grid = ball().grid()
+    points = points_of(grid)
+    top = points[:, 2] > 0.5
+    rim = top & (abs(points[:, :2]).max(axis=1) > 0.5)
+    options = {"MarksArray": ["POINTS", "Mark"], "MarkCorners": 0, "MarkCreases": 1}
+    add_array(grid.GetPointData(), "Mark", rim.astype(float))
+    figure = Figure("levels_of_marks", "The rim is marked", grid, VIEW)
+    figure.add("MarkCreases,\nno LevelsArray", subdivide(grid, **options), rules=False)
+    for words, values in (("LevelsArray:\n1 everywhere", np.ones(len(points))),
+                          ("LevelsArray: 1 at the left,\ninfinity elsewhere", np.where(points[:, 0] < -0.5, 1.0, np.inf))):
+        add_array(grid.GetPointData(), "Levels", values)
+        figure.add(words, subdivide(grid, LevelsArray=["POINTS", "Levels"], **options), rules=False)
+    figure.write()
+
+
+def crease_geometry():
+    """Lines and a vertex of another mesh, at points of the ball."""
+    around = ((-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1))
+    figure = Figure("crease_geometry", "A ball without creases", ball().grid(), VIEW)
+    for words, has_line, has_vertex in (("a closed line", True, False), ("a vertex", False, True), ("both", True, True)):
+        mesh = Mesh()
+        if has_line:
+            mesh.curve(*((x, y, 1) for x, y in around))
+        if has_vertex:
+            mesh.cell((1, -1, -1))
+        smooth = subdivide(ball().grid(), CreaseGeometry=source_of(mesh.grid()))
+        figure.add(f"CreaseGeometry:\n{words}", smooth)
+    figure.write()
+
+
+def rules_by_region():
+    """Two sheets on a block: the joint of one of them has its own rule."""
+    mesh = Mesh()
+    mesh.block((0, 0, 0), (4, 2, 1))
+    for part, x in ((2, 1), (3, 3)):
+        mesh.sheet(lambda u, v, x=x: (x, u, 1 + v), 2, 2, part=part)
+    grid = mesh.grid()
+    right = vtk_to_numpy(grid.GetCellData().GetArray("MaterialId")) == 3
+    figure = Figure("rules_by_region", "Two sheets on a block", grid, (0.55, -1.0, 0.45))
+    for words, rule in (("no RuleArray:\nboth blend", 0), ("RuleArray: 2 (Sharp)\nin the right sheet", 2),
+                        ("RuleArray: 5 (Follow Dimension 3)\nin the right sheet", 5)):
+        add_array(grid.GetCellData(), "Rule", np.where(right, rule, 0).astype(np.int32))
+        figure.add(words, subdivide(grid, RuleArray=["CELLS", "Rule"]))
+    figure.write()
+
+
 def features():
     grid = only_cells(model("MechanicalPart"), "Singular", 0)
     figure = Figure("features", "No flags", grid, (-0.45, -1.0, 0.75))
@@ -452,10 +499,10 @@ def figure():
 
 
 def draw():
-    for make in (levels, volume_schemes, sharpness, marks, features, interpolation, quadratic_cells, join_blocks,
-                 interface_values, surface_options, seams, boundary, corners, criteria, criteria_of_places,
-                 adaptive_criteria, deformation_levels, outside_points, cages, labels, topology, dimensions, models,
-                 figure):
+    for make in (levels, volume_schemes, sharpness, marks, levels_of_marks, crease_geometry, rules_by_region, features,
+                 interpolation, quadratic_cells, join_blocks, interface_values, surface_options, seams, boundary, corners,
+                 criteria, criteria_of_places, adaptive_criteria, deformation_levels, outside_points, cages, labels,
+                 topology, dimensions, models, figure):
         make()
     print(f"What properties do is in gallery_*.png in {os.getcwd()}, and small in the folder guide.")
 

@@ -9,7 +9,7 @@ system_name() { (. /etc/os-release 2>/dev/null && echo "${PRETTY_NAME:-an unknow
 
 # For a system without lists, with --no-install: what is there under its usual name.
 formatter=clang-format
-tools=() paraview_packages=() vtk_packages=() compared_packages=() peer_packages=() docs_packages=() debian_packages=()
+tools=() paraview_packages=() client_packages=() vtk_packages=() compared_packages=() peer_packages=() docs_packages=() debian_packages=()
 
 # package_lists SUITE: sets the lists below, vtk_version, and debian_revision of our packages (sorted
 # so that those of a newer suite are newer); false for a suite that is not known.
@@ -25,6 +25,8 @@ package_lists()
   # What the CMake files of VTK and ParaView look for and their packages do not bring.
   local beneath=(libopenmpi-dev libpython3-dev libtbb-dev libeigen3-dev libdouble-conversion-dev libexpat1-dev liblz4-dev
     liblzma-dev zlib1g-dev libutfcpp-dev)
+  # client_packages: with what tests reach the widgets of ParaView's client; without it that test says "skipped".
+  client_packages=(python3-pyqt6)
   local qt5=(qtbase5-dev qttools5-dev libqt5svg5-dev libqt5opengl5-dev)
   local qt6=(qt6-base-dev qt6-tools-dev qt6-svg-dev)
   paraview_packages=(paraview-dev python3-paraview python3-numpy openmpi-bin xvfb)
@@ -37,6 +39,7 @@ package_lists()
       debian_revision=1~deb12
       formatter=clang-format-19
       paraview_packages+=("${qt5[@]}" qtxmlpatterns5-dev-tools)
+      client_packages=(python3-pyqt5)
       ;;
     trixie)
       vtk_version=9.3

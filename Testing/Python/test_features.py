@@ -121,6 +121,16 @@ class Arrays(unittest.TestCase):
         for i, name in enumerate(ARRAYS):
             self.assertEqual(elements(proxy, name), [str(i), "0", "0", "1", "None"], name)
 
+    def test_a_name_is_enough(self):
+        """So None is one of cells, although panels show "None (?)" then: ParaView knows the entry for points only. But a name
+        for points would have ParaView make a point array of the cell array, and the output would have that, too."""
+        made = []
+        for value in ("MaterialId", ["CELLS", "MaterialId"]):
+            proxy = subdivide(model())
+            proxy.SingularArray = value
+            made.append(tools.numbers(updated(proxy)))
+        self.assertEqual(made[0], made[1])
+
     def test_only_fitting_arrays_are_offered(self):
         source = model()
         for name, function, kind in (("Reals", "MaterialId + 0.5", "Double"), ("Labels", "MaterialId", "Int"),

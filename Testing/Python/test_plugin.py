@@ -18,6 +18,9 @@ HEADERS = pathlib.Path(__file__).resolve().parents[2] / "Filters"
 PLUGIN = HEADERS.parent / "Plugin"
 MODELS = ["MixedDimensions", "Screw", "SpringAndValve", "Ship", "MechanicalPart", "Character", "MaterialBlock",
           "Cylinder"]
+# Those with the options that filters share.
+FILTERS = ["AdaptiveSurfaceSubdivision", "MultiDimensionalSubdivision", "RedGreenRefinement", "SimplicialComplexTopology",
+           "SubdivisionDeformation", "SurfaceSubdivision"]
 
 
 def definition(name):
@@ -111,11 +114,29 @@ class Proxies(unittest.TestCase):
         names = {key for key, _ in properties(proxy)} - {"Input"}
         self.assertEqual(names - grouped, set())
 
+    def test_groups_after_the_first_are_collapsible(self):
+        """What a filter is for stays in sight; the names of the other groups are keys of ParaView's settings."""
+        plain = set()
+        for name in FILTERS:
+            proxy = definition(name)
+            keys = {key for key, _ in properties(proxy)}
+            groups = [proxy.GetPropertyGroup(i) for i in range(proxy.GetNumberOfPropertyGroups())]
+            self.assertEqual(len({group.GetName() for group in groups}), len(groups), name)
+            for group in groups:
+                with self.subTest(name + "." + group.GetName()):
+                    # The widget of a group makes a panel of its properties: one of the group's name would be the group.
+                    self.assertNotIn(group.GetXMLLabel().replace(" ", ""), keys)
+                    if group.GetPanelWidget() != "SubdivisionObjectsGroup":
+                        plain.add((name, group.GetName()))
+        self.assertEqual(plain, {
+            ("AdaptiveSurfaceSubdivision", "Refinement"), ("MultiDimensionalSubdivision", "Subdivision"),
+            ("RedGreenRefinement", "Refinement"), ("SimplicialComplexTopology", "Topology"),
+            ("SubdivisionDeformation", "Deformation")})
+
     def test_own_properties_stand_first(self):
         """Then those that filters share. Of these a filter replaces some, where they stand."""
         shared = (PLUGIN / "Interpolation.xml.in").read_text(encoding="utf-8")
-        for name in ("AdaptiveSurfaceSubdivision", "MultiDimensionalSubdivision", "RedGreenRefinement",
-                     "SubdivisionDeformation", "SurfaceSubdivision"):
+        for name in FILTERS:
             text = (PLUGIN / f"{name}.xml").read_text(encoding="utf-8").replace("@INTERPOLATION@", shared)
             elements = [element for element in next(ElementTree.fromstring(text).iter("SourceProxy"))
                         if element.get("command")]

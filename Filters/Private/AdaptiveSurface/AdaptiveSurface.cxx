@@ -421,6 +421,10 @@ void AdaptiveRun<Id>::WritePoints(
       this->Input, this->Output);
   }
   this->Points->Finish(this->Output);
+  if (wantsFrames)
+  {
+    MoveLimitFramesToEnd(this->Output);
+  }
   if (this->Options.GenerateLimitNormals)
   {
     this->Output->GetPointData()->SetActiveNormals(LimitNormalsName);

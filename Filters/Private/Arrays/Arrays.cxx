@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <cstring>
+#include <vector>
 
 namespace subdivision
 {
@@ -63,6 +64,30 @@ void AddInstead(vtkDataSetAttributes* from, vtkAbstractArray* array, vtkDataSetA
   else
   {
     to->AddArray(array);
+  }
+}
+
+void MoveToEnd(const char* name, vtkDataSetAttributes* data)
+{
+  int source = -1;
+  const vtkSmartPointer<vtkAbstractArray> array = data->GetAbstractArray(name, source);
+  if (!array)
+  {
+    return;
+  }
+  std::vector<int> types;
+  for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+  {
+    if (data->GetAbstractAttribute(type) == array)
+    {
+      types.push_back(type);
+    }
+  }
+  data->RemoveArray(source);
+  const int moved = data->AddArray(array);
+  for (const int type : types)
+  {
+    data->SetActiveAttribute(moved, type);
   }
 }
 

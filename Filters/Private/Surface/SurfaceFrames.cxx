@@ -116,6 +116,14 @@ void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
   }
 }
 
+void MoveLimitFramesToEnd(vtkPolyData* output)
+{
+  for (const char* name : { LimitNormalsName, LimitTangentNames[0], LimitTangentNames[1] })
+  {
+    MoveToEnd(name, output->GetPointData());
+  }
+}
+
 template <typename Id>
 Buffer<unsigned char> SpreadTurned(const SurfaceSteps<Id>& steps, Buffer<unsigned char>&& turned)
 {

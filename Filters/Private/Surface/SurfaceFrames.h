@@ -53,6 +53,9 @@ void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
   const Buffer<vtkIdType>& sources, bool normals, bool twoTangents,
   const std::function<void(ShadingNormals&)>& addCells, vtkPolyData* input, vtkPolyData* output);
 
+/// Puts these arrays behind those of the input, once the output has these.
+void MoveLimitFramesToEnd(vtkPolyData* output);
+
 /// Adds the faces and lines of a level; all other vertices count as single points. `turned`: as
 /// of FindTurnedFaces.
 template <typename Id>

@@ -461,6 +461,10 @@ bool SurfaceRun<Id>::Execute()
     this->AddFrames(*this->Steps, turned, tangents, this->Points->GetPoints(), Buffer<vtkIdType>());
   }
   this->Points->Finish(this->Output);
+  if (this->WantsFrames())
+  {
+    MoveLimitFramesToEnd(this->Output);
+  }
   if (this->Options.GenerateLimitNormals && this->Scheme->HasLimit())
   {
     this->Output->GetPointData()->SetActiveNormals(LimitNormalsName);

@@ -1,0 +1,332 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a user does in ParaView's client, with its windows: test_client.py has the client run this.
+
+The widgets are those of the client, by PyQt in the same process. Pictures of the panels go to the folder panels."""
+
+import ctypes
+import os
+import traceback
+import unittest
+
+from paraview import servermanager, simple, smtrace
+
+with open("/proc/self/maps", encoding="utf-8") as maps:
+    has_qt6 = "libQt6Core" in maps.read()
+if has_qt6:
+    from PyQt6 import QtCore, QtGui, QtWidgets
+    QAction = QtGui.QAction
+else:
+    from PyQt5 import QtCore, QtWidgets
+    QAction = QtWidgets.QAction
+
+simple.LoadPlugin(os.environ["SUBDIVISIONOBJECTS_PLUGIN"], remote=False, ns=vars(simple))
+application = QtWidgets.QApplication.instance()
+window = next(widget for widget in application.topLevelWidgets() if isinstance(widget, QtWidgets.QMainWindow))
+window.setGeometry(0, 0, 1280, 1020)
+panel = window.findChild(QtWidgets.QWidget, "propertiesPanel")
+for dock, size in (("pipelineBrowserDock", 100), ("propertiesDock", 900)):
+    window.resizeDocks([window.findChild(QtWidgets.QDockWidget, dock)], [size], QtCore.Qt.Orientation.Vertical)
+window.resizeDocks([window.findChild(QtWidgets.QDockWidget, "propertiesDock")], [420], QtCore.Qt.Orientation.Horizontal)
+search = panel.findChild(QtWidgets.QWidget, "SearchBox")
+for part in ("DisplayButton", "ViewButton"):  # closed, for the pictures
+    panel.findChild(QtWidgets.QWidget, part).setProperty("checked", False)
+filters = ["Multi-dimensional Subdivision", "Red-Green Refinement", "Simplicial Complex Topology", "Surface Subdivision",
+           "Adaptive Surface Subdivision", "Extract Dimensions", "Cage Around"]
+
+
+# PyQt would let go of Python's lock meanwhile, which ParaView's trace counts on: it calls Python without asking for it.
+process_events = ctypes.PyDLL(None)["_ZN16QCoreApplication13processEventsE6QFlagsIN10QEventLoop17ProcessEventsFlagEE"]
+
+
+def settle():
+    for _ in range(50):
+        process_events(0)
+
+
+def act(name):
+    window.findChild(QAction, name).trigger()
+    settle()
+
+
+def push(name):
+    panel.findChild(QtWidgets.QPushButton, name).click()
+    settle()
+
+
+def choose(menu, label):
+    """An entry of the plugin's submenu of the menu Sources or Filters."""
+    menu = window.findChild(QtWidgets.QMenu, menu)
+    menu.aboutToShow.emit()
+    (ours,) = [action.menu() for action in menu.actions() if action.text().replace("&", "") == "Subdivision Objects"]
+    (entry,) = [action for action in ours.actions() if action.text().replace("&", "") == label]
+    if not entry.isEnabled():
+        raise RuntimeError(label + " is greyed")
+    entry.trigger()
+    settle()
+    return simple.GetActiveSource()
+
+
+def show_advanced(wanted):
+    (button,) = [button for button in search.findChildren(QtWidgets.QToolButton) if button.isCheckable()]
+    if button.isChecked() != wanted:
+        button.click()
+    settle()
+
+
+def find(text):
+    search.setProperty("text", text)
+    settle()
+
+
+def shown():
+    """The widget with the properties of the active source."""
+    children = panel.findChild(QtWidgets.QWidget, "PropertiesFrame").children()
+    return next(child for child in children if child.inherits("pqProxyWidget") and child.isVisible())
+
+
+def groups():
+    """The headings of the collapsible groups that can be seen: their texts, and whether they are open."""
+    return {heading.text(): heading.isChecked() for heading in shown().findChildren(QtWidgets.QToolButton, "Heading")
+            if heading.isVisible()}
+
+
+def heading(text):
+    return next(heading for heading in shown().findChildren(QtWidgets.QToolButton, "Heading") if heading.text() == text)
+
+
+def sees(name):
+    """Whether the widget of a property can be seen."""
+    return any(widget.isVisible() for widget in shown().findChildren(QtWidgets.QWidget, name))
+
+
+def picture(name):
+    """Pictures of the panel on the screen, which show what a widget paints by itself does not."""
+    os.makedirs("panels", exist_ok=True)
+    bar = panel.findChild(QtWidgets.QScrollArea).verticalScrollBar()
+    part = 1
+    bar.setValue(0)
+    while True:
+        settle()
+        application.primaryScreen().grabWindow(panel.winId()).save(f"panels/{name.replace(' ', '')}-{part}.png")
+        if bar.value() == bar.maximum():
+            break
+        bar.setValue(bar.value() + bar.pageStep())
+        part += 1
+
+
+def cells(proxy):
+    return proxy.GetDataInformation().GetNumberOfCells()
+
+
+class Client(unittest.TestCase):
+    def setUp(self):
+        find("")
+        show_advanced(False)
+
+    def tearDown(self):
+        for name in [key for key, _ in reversed(list(simple.GetSources().items()))]:
+            simple.Delete(simple.GetSources()[name])
+        settle()
+        dialogs = [widget for widget in application.topLevelWidgets()
+                   if isinstance(widget, QtWidgets.QDialog) and widget.isVisible()]
+        self.assertEqual([dialog.windowTitle() for dialog in dialogs], [])
+
+    def model(self, name="SpringAndValve"):
+        model = choose("menuSources", "Subdivision Model")
+        model.Model = name
+        push("Accept")
+        return model
+
+    def test_each_filter_from_its_menu(self):
+        model = self.model("MaterialBlock")
+        picture("Subdivision Model")
+        sphere = simple.Sphere()
+        for label in filters:
+            with self.subTest(label):
+                simple.SetActiveSource(sphere if "Surface" in label else model)
+                settle()
+                proxy = choose("menuFilters", label)
+                picture(label)
+                push("Accept")
+                self.assertGreater(cells(proxy), 0)
+                self.assertFalse(any(groups().values()))
+                show_advanced(True)
+                picture(label + " advanced")
+                self.assertFalse(any(groups().values()))
+                for text in list(groups()):
+                    heading(text).click()
+                    settle()
+                self.assertTrue(all(groups().values()))
+                picture(label + " open")
+                for text in list(groups()):
+                    heading(text).click()
+                show_advanced(False)
+
+    def test_other_sources(self):
+        proxy = choose("menuSources", "Cage")
+        push("Accept")
+        self.assertGreater(cells(proxy), 0)
+        picture("Cage")
+
+    def test_filters_of_several_inputs_and_images(self):
+        sphere = simple.Sphere()
+        cage = simple.CageAround(Input=sphere)
+        deformed = simple.Transform(Input=cage)
+        deformed.Transform.Scale = [2, 1, 1]
+        proxy = simple.SubdivisionDeformation(Input=sphere, RestMesh=cage, DeformedMesh=deformed)
+        simple.Show(proxy)
+        settle()
+        show_advanced(True)
+        picture("Subdivision Deformation")
+        self.assertEqual(cells(proxy), cells(sphere))
+        wavelet = simple.Wavelet(WholeExtent=[0, 9, 0, 9, 0, 9])
+        labels = simple.Calculator(Input=wavelet, ResultArrayName="Labels", Function="coordsX > 4", ResultArrayType="Int")
+        solid = simple.SmoothSolidfromLabels(Input=labels)
+        simple.SetActiveSource(solid)
+        settle()
+        picture("Smooth Solid from Labels")
+
+    def test_groups_open_and_stay_open(self):
+        model = self.model()
+        choose("menuFilters", "Multi-dimensional Subdivision")
+        self.assertEqual(list(groups()), ["Interpolation", "Output"])
+        self.assertTrue(sees("NumberOfLevels"))
+        self.assertFalse(sees("InterpolatePoints"))
+        heading("Interpolation").click()
+        settle()
+        self.assertTrue(sees("InterpolatePoints"))
+        self.assertEqual(groups(), {"Interpolation": True, "Output": False})
+        simple.SetActiveSource(model)
+        settle()
+        choose("menuFilters", "Surface Subdivision")  # another filter with this group
+        self.assertEqual(groups(), {"Interpolation": True, "Output": False})
+        heading("Interpolation").click()
+        settle()
+        self.assertFalse(sees("InterpolatePoints"))
+
+    def test_a_search_opens_groups(self):
+        self.model()
+        choose("menuFilters", "Multi-dimensional Subdivision")
+        find("crease e")  # the label of one property, in a group that is advanced and closed
+        self.assertEqual(groups(), {"Singularities": True})
+        self.assertTrue(sees("CreaseEnd"))
+        self.assertFalse(sees("DetectFeatures"))
+        find("singularities")  # the heading of the group: all of it
+        self.assertTrue(sees("CreaseEnd") and sees("DetectFeatures"))
+        find("no such words")
+        self.assertEqual(groups(), {})
+        find("")
+        self.assertEqual(groups(), {"Interpolation": False, "Output": False})
+
+    def test_a_heading_tells_of_changes_and_decorators_work(self):
+        self.model()
+        proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        show_advanced(True)
+        self.assertIn("Singularities", groups())
+        heading("Singularities").click()
+        settle()
+        self.assertFalse(sees("FeatureAngle"))
+        proxy.DetectFeatures = 1
+        settle()
+        push("Accept")
+        self.assertTrue(sees("FeatureAngle"))
+        self.assertTrue(groups()["Singularities (changed)"])
+        proxy.DetectFeatures = 0
+        settle()
+        push("Accept")
+        self.assertFalse(sees("FeatureAngle"))
+        heading("Singularities").click()
+        self.assertFalse(groups()["Singularities"])
+
+    def change(self, name):
+        """Turns the check box of a property in a closed group over."""
+        box = shown().findChild(QtWidgets.QWidget, name).findChild(QtWidgets.QCheckBox)
+        box.click()
+        settle()
+        return box
+
+    def test_apply_reset_undo_redo(self):
+        self.model()
+        proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        push("Accept")
+        once = cells(proxy)
+        box = self.change("GenerateGlobalIds")
+        accept = panel.findChild(QtWidgets.QPushButton, "Accept")
+        self.assertTrue(accept.isEnabled())
+        push("Reset")
+        self.assertFalse(accept.isEnabled() or box.isChecked())
+        self.change("GenerateGlobalIds")
+        push("Accept")
+        self.assertEqual(proxy.GenerateGlobalIds, 1)
+        act("actionEditUndo")
+        self.assertEqual(proxy.GenerateGlobalIds, 0)
+        self.assertFalse(box.isChecked())
+        act("actionEditRedo")
+        self.assertEqual(proxy.GenerateGlobalIds, 1)
+        self.assertTrue(box.isChecked())
+        self.assertEqual(cells(proxy), once)
+
+    def test_trace_and_state(self):
+        smtrace.start_trace(preamble="")
+        choose("menuSources", "Subdivision Model")
+        push("Accept")
+        proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        push("Accept")
+        self.change("GenerateGlobalIds")
+        push("Accept")
+        self.change("GenerateClassification")
+        push("Accept")
+        text = smtrace.stop_trace()
+        self.assertEqual(text.count("GenerateGlobalIds = 1"), 1, text)
+        wanted = cells(proxy)
+        state = os.path.abspath("client.pvsm")
+        simple.SaveState(state)
+        for replay in (lambda: exec(compile(text, "trace", "exec"), {}), lambda: simple.LoadState(state)):
+            self.tearDown()
+            replay()
+            settle()
+            (again,) = [source for (name, _), source in simple.GetSources().items() if "Multi" in name]
+            simple.SetActiveSource(again)
+            again.UpdatePipeline()
+            settle()
+            self.assertEqual((again.GenerateGlobalIds, again.GenerateClassification), (1, 1))
+            self.assertEqual(cells(again), wanted)
+            self.assertTrue(shown().findChild(QtWidgets.QWidget, "GenerateGlobalIds").findChild(QtWidgets.QCheckBox)
+                            .isChecked())
+
+    def test_animation(self):
+        self.model()
+        proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        push("Accept")
+        first = cells(proxy)
+        scene = simple.GetAnimationScene()
+        scene.NumberOfFrames = 3
+        track = simple.GetAnimationTrack("NumberOfLevels", proxy=proxy)
+        frames = [simple.CompositeKeyFrame(KeyTime=time, KeyValues=[value]) for time, value in ((0, 1), (1, 2))]
+        track.KeyFrames = frames
+        scene.GoToFirst()
+        self.assertEqual(cells(proxy), first)
+        scene.Play()
+        settle()
+        self.assertGreater(cells(proxy), first)
+        simple.Delete(track)
+
+    def test_topology_is_coloured_by_what_it_computes(self):
+        self.model("MixedDimensions")
+        proxy = choose("menuFilters", "Simplicial Complex Topology")
+        push("Accept")
+        self.assertNotEqual(simple.GetDisplayProperties(proxy).ColorArrayName[1], "")
+
+
+def run():
+    with open("client.log", "w", encoding="utf-8") as log:
+        try:
+            suite = unittest.defaultTestLoader.loadTestsFromTestCase(Client)
+            result = unittest.TextTestRunner(log, verbosity=2).run(suite)
+            print("passed" if result.wasSuccessful() and result.testsRun == suite.countTestCases() else "failed", file=log)
+        except BaseException:
+            traceback.print_exc(file=log)
+    QtCore.QTimer.singleShot(0, application.quit)
+
+
+run()
