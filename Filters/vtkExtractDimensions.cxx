@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkExtractDimensions.h"
 
+#include "Private/Control/FilterRun.h"
 #include "Private/Distribution/Dimensions.h"
 
 #include "vtkDataObject.h"
@@ -34,13 +35,31 @@ int vtkExtractDimensions::FillInputPortInformation(int, vtkInformation* info)
 int vtkExtractDimensions::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto part =
-    subdivision::TakeDimensions(vtkDataObject::GetData(inputVector[0]), this->OutputDimensions);
-  if (part)
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  subdivision::FilterTraits traits;
+  traits.Memory = "the cells of these dimensions. Take a part of the input.";
+  subdivision::RunOptions options;
+  bool failed = false;
+  subdivision::ConnectToFilter(this, options, failed);
+  const auto take = [&]
   {
-    vtkDataObject::GetData(outputVector)->ShallowCopy(part);
+    const auto part =
+      subdivision::TakeDimensions(vtkDataObject::GetData(inputVector[0]), this->OutputDimensions);
+    if (options.Progress(0.9))
+    {
+      return false;
+    }
+    if (part)
+    {
+      output->ShallowCopy(part);
+    }
+    return true;
+  };
+  if (!subdivision::DoWork(traits, options, take))
+  {
+    output->Initialize();
   }
-  return 1;
+  return failed ? 0 : 1;
 }
 
 void vtkExtractDimensions::PrintSelf(ostream& os, vtkIndent indent)

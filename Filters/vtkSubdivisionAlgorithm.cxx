@@ -187,6 +187,8 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   this->Told->Begin(
     this->GetMTime(), info->Has(step) ? info->Get(step) : std::numeric_limits<double>::quiet_NaN());
   options.Told = this->Told.get();
+  const subdivision::ProgressPart all;
+  options.Part = all.Take(0., 0.05);
   subdivision::ConnectToFilter(this, options, failed);
   const bool isRead = subdivision::DoWork(traits, options,
     [&]
@@ -202,8 +204,10 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
     });
   if (!isRead && !this->SharesRanks()) // other ranks wait for this one
   {
-    return 0;
+    output->Initialize();
+    return failed ? 0 : 1;
   }
+  options.Part = all.Take(0.05, 0.95);
   subdivision::MaterialFieldOptions fields;
   fields.IsOn = hasFields;
   fields.CellArrays = this->FieldsOfCells;
@@ -220,6 +224,7 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
               : run(mesh, made));
       });
   subdivision::RestoreSourceCells(this->IsOfSurfaces() ? output : nullptr);
+  options.Part = all.Take(0.95, 1.);
   subdivision::ConnectToFilter(this, options, failed);
   const auto finish = [&]
   {
@@ -229,7 +234,7 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   if (!subdivision::DoWork(traits, options, finish))
   {
     output->Initialize();
-    return 0;
+    return failed ? 0 : result;
   }
   return result;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionCageSource.h"
 
+#include "Core/Memory/Loops.h"
+#include "Private/Control/FilterRun.h"
+
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -52,6 +55,7 @@ vtkSmartPointer<vtkPoints> MakePoints(const int* cells, const double* bounds, in
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataType(type);
+  subdivision::Turns turns;
   // The last point of an axis is exactly at its end.
   const auto place = [&](int axis, int i)
   {
@@ -62,7 +66,7 @@ vtkSmartPointer<vtkPoints> MakePoints(const int* cells, const double* bounds, in
   {
     for (int j = 0; j <= cells[1]; ++j)
     {
-      for (int i = 0; i <= cells[0]; ++i)
+      for (int i = 0; i <= cells[0]; ++i, turns.Next())
       {
         points->InsertNextPoint(place(0, i), place(1, j), place(2, k));
       }
@@ -80,11 +84,12 @@ vtkSmartPointer<vtkCellArray> MakeCells(const int* cells)
   const vtkIdType steps[3] = { 1, cells[0] + 1,
     static_cast<vtkIdType>(cells[0] + 1) * (cells[1] + 1) };
   auto tets = vtkSmartPointer<vtkCellArray>::New();
+  subdivision::Turns turns;
   for (int k = 0; k < cells[2]; ++k)
   {
     for (int j = 0; j < cells[1]; ++j)
     {
-      for (int i = 0; i < cells[0]; ++i)
+      for (int i = 0; i < cells[0]; ++i, turns.Next())
       {
         for (int order = 0; order < 6; ++order)
         {
@@ -255,10 +260,27 @@ int vtkSubdivisionCageSource::RequestData(
     return 1; // the first piece is the whole cage
   }
   auto* output = vtkUnstructuredGrid::GetData(outputVector);
-  output->SetPoints(MakePoints(this->NumberOfCells, bounds,
-    this->OutputPointsPrecision == SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE));
-  output->SetCells(VTK_TETRA, MakeCells(this->NumberOfCells));
-  return 1;
+  subdivision::FilterTraits traits;
+  traits.Memory = "so many boxes. Make NumberOfCells smaller.";
+  subdivision::RunOptions options;
+  bool failed = false;
+  subdivision::ConnectToFilter(this, options, failed);
+  const auto make = [&]
+  {
+    output->SetPoints(MakePoints(this->NumberOfCells, bounds,
+      this->OutputPointsPrecision == SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE));
+    if (options.Progress(0.2))
+    {
+      return false;
+    }
+    output->SetCells(VTK_TETRA, MakeCells(this->NumberOfCells));
+    return true;
+  };
+  if (!subdivision::DoWork(traits, options, make))
+  {
+    output->Initialize();
+  }
+  return failed ? 0 : 1;
 }
 
 void vtkSubdivisionCageSource::PrintSelf(ostream& os, vtkIndent indent)

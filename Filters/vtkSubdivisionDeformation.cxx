@@ -10,6 +10,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkRectilinearGrid.h"
@@ -161,7 +162,22 @@ int vtkSubdivisionDeformation::RequestData(
   traits.Memory = "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
     " and the points of the input. Use fewer levels, or a part of the input.";
   traits.FallsBackToInput = true;
-  const auto object = subdivision::MakeMovable(vtkDataObject::GetData(inputVector[0]));
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  bool failed = false;
+  const subdivision::ProgressPart all;
+  options.Part = all.Take(0., 0.05);
+  subdivision::ConnectToFilter(this, options, failed);
+  vtkSmartPointer<vtkDataObject> object;
+  const auto makeMovable = [&]
+  {
+    object = subdivision::MakeMovable(vtkDataObject::GetData(inputVector[0]));
+    return true;
+  };
+  if (!subdivision::DoWork(traits, options, makeMovable))
+  {
+    output->Initialize();
+    return failed ? 0 : 1;
+  }
   for (int port = 1; port < 3; ++port)
   {
     if (this->GetNumberOfInputConnections(port) == 0)
@@ -171,32 +187,47 @@ int vtkSubdivisionDeformation::RequestData(
         << " is missing; the output is the input. RestMesh is a mesh of solid cells around "
            "the input, such as a cage (vtkSubdivisionCageSource, in ParaView \"Cage "
            "Around\"), DeformedMesh the same with its points moved.");
-      vtkDataObject::GetData(outputVector)->ShallowCopy(object);
+      output->ShallowCopy(object);
       return 1;
     }
   }
   auto warn = [this](const std::string& message) { vtkWarningMacro(<< message); };
   std::vector<std::string> warnings;
-  const auto rest = subdivision::GatherMesh(
-    this->ReadInput(vtkDataObject::GetData(inputVector[1]), warnings), this->GetController(), warn);
-  std::for_each(warnings.begin(), warnings.end(), warn); // those of both meshes are the same
-  const auto deformed = subdivision::GatherMesh(
-    this->ReadInput(vtkDataObject::GetData(inputVector[2]), warnings), this->GetController(), warn);
+  vtkSmartPointer<vtkPointSet> rest;
+  vtkSmartPointer<vtkPointSet> deformed;
+  const auto read = [&]
+  {
+    rest =
+      subdivision::GatherMesh(this->ReadInput(vtkDataObject::GetData(inputVector[1]), warnings),
+        this->GetController(), warn);
+    std::for_each(warnings.begin(), warnings.end(), warn); // those of both meshes are the same
+    deformed =
+      subdivision::GatherMesh(this->ReadInput(vtkDataObject::GetData(inputVector[2]), warnings),
+        this->GetController(), warn);
+    return true;
+  };
+  const bool isAlone = !this->GetController() || this->GetController()->GetNumberOfProcesses() == 1;
+  // Where there are others they wait for this rank.
+  if (!(isAlone ? subdivision::DoWork(traits, options, read) : read()))
+  {
+    output->Initialize();
+    return failed ? 0 : 1;
+  }
+  options.Part = all.Take(0.05, 1.);
   this->Work->NumberOfOutsidePoints = 0;
-  const int result =
-    subdivision::RunOnBlocks(this, object, vtkDataObject::GetData(outputVector), traits, options,
-      [&](vtkPointSet* input, vtkPointSet* output)
+  const int result = subdivision::RunOnBlocks(this, object, output, traits, options,
+    [&](vtkPointSet* input, vtkPointSet* made)
+    {
+      if (!rest || !deformed)
       {
-        if (!rest || !deformed)
-        {
-          options.Fail(
-            "The rest mesh and the deformed mesh must be vtkUnstructuredGrid, vtkPolyData, "
-            "structured data, or blocks of these. The output is the input.");
-          return false;
-        }
-        return this->ReadFeatureOptions(rest, options) &&
-          this->Work->Run(input, rest, deformed, options, output);
-      });
+        options.Fail(
+          "The rest mesh and the deformed mesh must be vtkUnstructuredGrid, vtkPolyData, "
+          "structured data, or blocks of these. The output is the input.");
+        return false;
+      }
+      return this->ReadFeatureOptions(rest, options) &&
+        this->Work->Run(input, rest, deformed, options, made);
+    });
   this->Work->ForgetUnused();
   return result;
 }

@@ -32,6 +32,22 @@ void AdviseHugePages(void* memory, std::size_t bytes);
 /// most of the time for writing a large mesh goes into page faults.
 void* AllocateBytes(std::size_t bytes);
 
+/// Sets `size` elements, in threads.
+template <typename T>
+void Fill(T* first, vtkIdType size, T value)
+{
+  ForRanges(
+    size, [=](vtkIdType begin, vtkIdType end) { std::fill(first + begin, first + end, value); });
+}
+
+/// Copies `size` elements, in threads, also to elements of another type.
+template <typename From, typename To>
+void CopyInThreads(const From* from, vtkIdType size, To* to)
+{
+  ForRanges(
+    size, [=](vtkIdType begin, vtkIdType end) { std::copy(from + begin, from + end, to + begin); });
+}
+
 /// An array of fixed size. Without a value its elements are not initialised, so that the thread
 /// which computes an element is the first to write it.
 template <typename T>
@@ -49,7 +65,7 @@ public:
   Buffer(vtkIdType size, T value)
     : Buffer(size)
   {
-    std::fill(this->begin(), this->end(), value);
+    Fill(this->Values, size, value);
   }
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
@@ -161,6 +177,22 @@ void CountsToOffsets(Buffer<Id>& offsets)
       }
     });
   offsets[rows] = total;
+}
+
+/// Lists items by their row: row r has item(i) for those i of [0, size), in ascending order, whose
+/// row(i) is r.
+template <typename Id, typename RowOf, typename Item>
+Rows<Id> ListByRow(vtkIdType rows, vtkIdType size, const RowOf& row, const Item& item)
+{
+  Rows<Id> lists;
+  lists.Offsets = Buffer<Id>(rows + 1, Id(0));
+  ForEachInTurn(size, [&](vtkIdType i) { ++lists.Offsets[row(i)]; });
+  CountsToOffsets(lists.Offsets);
+  lists.Items = Buffer<Id>(size);
+  Buffer<Id> next(rows);
+  CopyInThreads(lists.Offsets.data(), rows, next.data());
+  ForEachInTurn(size, [&](vtkIdType i) { lists.Items[next[row(i)]++] = item(i); });
+  return lists;
 }
 
 }

@@ -8,8 +8,6 @@
 
 #include "Core/Memory/Buffer.h"
 
-#include <cstring>
-
 namespace subdivision
 {
 
@@ -38,11 +36,7 @@ public:
       return;
     }
     Buffer<T> larger(size);
-    if (this->Size > 0)
-    {
-      std::memcpy(static_cast<void*>(larger.data()), this->Values.data(),
-        sizeof(T) * static_cast<std::size_t>(this->Size));
-    }
+    CopyInThreads(this->Values.data(), this->Size, larger.data());
     this->Values = std::move(larger);
   }
   /// Appends `count` elements without initialising them, and returns the first.
@@ -60,7 +54,7 @@ public:
   Buffer<T> Copy() const
   {
     Buffer<T> copy(this->Size);
-    std::copy(this->Values.begin(), this->Values.begin() + this->Size, copy.begin());
+    CopyInThreads(this->Values.data(), this->Size, copy.data());
     return copy;
   }
   T* data() { return this->Values.data(); }

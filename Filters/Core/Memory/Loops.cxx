@@ -32,8 +32,8 @@ template <typename Run>
 void RunInParts(vtkIdType size, vtkIdType first, const Run& run)
 {
   using Clock = std::chrono::steady_clock;
-  constexpr double wanted = 0.05;
-  constexpr double mostGrowth = 16.; // the first part may be easy work
+  constexpr double wanted = 0.02;
+  constexpr double mostGrowth = 4.; // the next part may be harder work, on memory that is new
   vtkIdType most = Current ? first : size;
   for (vtkIdType begin = 0; begin < size;)
   {

@@ -12,6 +12,8 @@
 
 #include <chrono>
 #include <functional>
+#include <iterator>
+#include <type_traits>
 
 namespace subdivision
 {
@@ -67,12 +69,87 @@ private:
 template <typename Body>
 void ForEachInTurn(vtkIdType size, const Body& body)
 {
-  Turns turns;
-  for (vtkIdType i = 0; i < size; ++i)
+  vtkIdType i = 0;
+  for (const vtkIdType turns = BetweenLoops::TurnsBetween; size - i >= turns;)
+  {
+    for (const vtkIdType end = i + turns; i < end; ++i) // without a count: turns may be short
+    {
+      body(i);
+    }
+    BetweenLoops::Act();
+  }
+  for (; i < size; ++i)
   {
     body(i);
-    turns.Next();
   }
+}
+
+/// The items from one iterator to another. A loop over them acts after many turns.
+template <typename Iterator>
+class ItemsInTurn
+{
+public:
+  ItemsInTurn(Iterator begin, Iterator end)
+    : Begin(begin)
+    , End(end)
+  {
+  }
+
+  class Step
+  {
+  public:
+    explicit Step(Iterator at)
+      : At(at)
+    {
+    }
+    decltype(auto) operator*() const { return *this->At; }
+    Step& operator++()
+    {
+      ++this->At;
+      this->Done.Next();
+      return *this;
+    }
+    bool operator!=(const Step& other) const { return this->At != other.At; }
+
+  private:
+    Iterator At;
+    Turns Done;
+  };
+
+  Step begin() const { return Step(this->Begin); }
+  Step end() const { return Step(this->End); }
+
+private:
+  Iterator Begin;
+  Iterator End;
+};
+
+/// A number as an iterator over numbers.
+template <typename Number>
+struct CountingIterator
+{
+  Number Value;
+  Number operator*() const { return this->Value; }
+  CountingIterator& operator++()
+  {
+    ++this->Value;
+    return *this;
+  }
+  bool operator!=(const CountingIterator& other) const { return this->Value < other.Value; }
+};
+
+/// `for (vtkIdType i : InTurn(size))` counts to size - 1, and `for (Id x : InTurn(list))` visits
+/// the items of a list, as loops of the language do, but they act after many turns. For loops that
+/// ForEachInTurn does not fit, such as those that end early.
+template <typename Number, std::enable_if_t<std::is_integral<Number>::value, bool> = true>
+ItemsInTurn<CountingIterator<Number>> InTurn(Number size)
+{
+  return { { Number(0) }, { size } };
+}
+template <typename List, std::enable_if_t<!std::is_integral<List>::value, bool> = true>
+auto InTurn(List& list)
+{
+  return ItemsInTurn<decltype(std::begin(list))>(std::begin(list), std::end(list));
 }
 
 /// A reference to a callable body(begin, end), which must outlive it. It costs one indirect call

@@ -81,13 +81,14 @@ private:
   {
     const Buffer<Slot> old = std::move(this->Slots);
     this->Slots = Buffer<Slot>(slots, Slot{ 0, 0, -1 });
-    for (const Slot& slot : old)
-    {
-      if (slot.Value >= 0)
+    ForEachInTurn(old.size(),
+      [&](vtkIdType i)
       {
-        this->Slots[this->Locate(slot.Smaller, slot.Larger)] = slot;
-      }
-    }
+        if (old[i].Value >= 0)
+        {
+          this->Slots[this->Locate(old[i].Smaller, old[i].Larger)] = old[i];
+        }
+      });
   }
 
   Buffer<Slot> Slots; ///< their number is a power of two, and at most half of them are in use

@@ -9,19 +9,21 @@
 #include "Core/Memory/Loops.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace subdivision
 {
 
-/// What std::stable_sort does. Threads sort blocks and then merge pairs of them, so that the result
-/// does not depend on their number. Needs as much memory again.
-template <typename T, typename Less>
-void StableSort(std::vector<T>& values, const Less& less)
+/// What std::stable_sort does, with a std::vector or a Buffer. Threads sort blocks and then merge
+/// pairs of them, so that the result does not depend on their number. Needs as much memory again.
+template <typename List, typename Less>
+void StableSort(List& values, const Less& less)
 {
   constexpr vtkIdType block = 1 << 15;
   const auto size = static_cast<vtkIdType>(values.size());
-  std::vector<T> other(size > block ? values.size() : 0);
+  List other(size > block ? values.size() : 0);
   // Calls act(begin, middle, end) for pairs of neighbours that are `width` long.
   const auto forPairs = [size](vtkIdType width, const auto& act)
   {
@@ -45,8 +47,16 @@ void StableSort(std::vector<T>& values, const Less& less)
         std::merge(values.begin() + begin, values.begin() + middle, values.begin() + middle,
           values.begin() + end, other.begin() + begin, less);
       });
-    values.swap(other);
+    std::swap(values, other);
   }
+}
+
+/// Sorts values, and keeps one of those that are equal.
+template <typename T>
+void SortDistinct(std::vector<T>& values)
+{
+  StableSort(values, std::less<>());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 }

@@ -55,21 +55,11 @@ TupleNumbers<Id> NumberTuples(
   const Buffer<std::array<Id, N>>& tuples, Id numberOfVertices, vtkIdType leading)
 {
   const vtkIdType size = tuples.size();
-  Buffer<Id> starts(numberOfVertices + 1, Id(0));
-  for (const auto& tuple : tuples)
-  {
-    ++starts[tuple[0]];
-  }
-  CountsToOffsets(starts);
-  Buffer<Id> grouped(size);
-  {
-    Buffer<Id> next(numberOfVertices);
-    std::copy(starts.begin(), starts.end() - 1, next.begin());
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      grouped[next[tuples[i][0]]++] = static_cast<Id>(i);
-    }
-  }
+  Rows<Id> groups = ListByRow<Id>(
+    numberOfVertices, size, [&](vtkIdType i) { return tuples[i][0]; },
+    [](vtkIdType i) { return static_cast<Id>(i); });
+  const Buffer<Id>& starts = groups.Offsets;
+  Buffer<Id>& grouped = groups.Items;
   // Sort each group; let every tuple know the first one that equals it.
   TupleNumbers<Id> result;
   Buffer<Id> first(size);
@@ -97,10 +87,8 @@ TupleNumbers<Id> NumberTuples(
   CountsToOffsets(newcomers);
   result.Numbers = Buffer<Id>(size);
   Id leaders = 0;
-  for (vtkIdType i = 0; i < leading; ++i)
-  {
-    result.Numbers[i] = first[i] == i ? leaders++ : result.Numbers[first[i]];
-  }
+  ForEachInTurn(leading,
+    [&](vtkIdType i) { result.Numbers[i] = first[i] == i ? leaders++ : result.Numbers[first[i]]; });
   result.Representatives = Buffer<Id>(leaders + newcomers[numberOfVertices]);
   ForEach(leading,
     [&](vtkIdType i)

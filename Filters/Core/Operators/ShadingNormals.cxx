@@ -145,16 +145,9 @@ namespace
 template <typename Part>
 Rows<vtkIdType> SortByPoint(const std::vector<Part>& parts, vtkIdType points)
 {
-  Rows<vtkIdType> rows;
-  rows.Offsets = Buffer<vtkIdType>(points + 1, 0);
-  const auto size = static_cast<vtkIdType>(parts.size());
-  ForEachInTurn(size, [&](vtkIdType i) { ++rows.Offsets[parts[i].Point]; });
-  CountsToOffsets(rows.Offsets);
-  rows.Items = Buffer<vtkIdType>(size);
-  Buffer<vtkIdType> next(points);
-  std::copy(rows.Offsets.begin(), rows.Offsets.end() - 1, next.begin());
-  ForEachInTurn(size, [&](vtkIdType i) { rows.Items[next[parts[i].Point]++] = i; });
-  return rows;
+  return ListByRow<vtkIdType>(
+    points, static_cast<vtkIdType>(parts.size()), [&](vtkIdType i) { return parts[i].Point; },
+    [](vtkIdType i) { return i; });
 }
 
 /// From the normals of the facets at a point, which are sorted: sums do not depend on their order.

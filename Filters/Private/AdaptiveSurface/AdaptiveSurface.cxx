@@ -301,8 +301,7 @@ template <typename Id>
 void AdaptiveRun<Id>::TellNotes(AdaptiveNotes& notes) const
 {
   auto& edges = notes.WithoutValue;
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  SortDistinct(edges);
   if (!edges.empty())
   {
     vtkDataArray* array = this->Wanted.Attribute;
@@ -330,7 +329,7 @@ SurfaceLevel<Id> AdaptiveRun<Id>::WriteCells(const AdaptiveSqrtThreeOutput<Id>& 
   using Piece = typename AdaptiveSqrtThreeOutput<Id>::Piece;
   std::vector<Piece> pieces;
   std::vector<vtkIdType> lineCells;
-  for (vtkIdType line = 0; line < this->Control.Lines.size(); ++line)
+  for (const vtkIdType line : InTurn(this->Control.Lines.size()))
   {
     plan.AppendPieces(this->Control.Lines[line], pieces);
     lineCells.resize(pieces.size(), this->Cells.SegmentCells[line]);

@@ -466,7 +466,7 @@ template <typename Id>
 void AdaptiveSurfaceMarks<Id>::AddMarksOfOpen(
   Scratch& scratch, std::vector<AdaptiveMark<Id>>& marks) const
 {
-  for (const Id at : this->Open)
+  for (const Id at : InTurn(this->Open))
   {
     const auto& segment = this->Mesh.GetSegmentAt(at);
     const Verdict verdict = this->JudgeSegment(at, scratch);

@@ -2,6 +2,7 @@
 #include "Private/AdaptiveSurface/AdaptiveSurfaceNumbers.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 
 #include "vtkCellData.h"
@@ -37,7 +38,7 @@ public:
   void Number(Partners& partners, WholeIds& list) const
   {
     const SharedNumbers numbers = NumberTogether(this->Keys, partners);
-    for (size_t i = 0; i < this->Places.size(); ++i)
+    for (const size_t i : InTurn(this->Places.size()))
     {
       list.Ids[this->Places[i]] = numbers.First[i] < 0 ? -1 : list.Total + numbers.First[i];
     }
@@ -68,7 +69,7 @@ public:
     , Edges(std::move(edges))
     , EdgeOf(mesh.GetNumberOfSegments(), -1)
   {
-    for (Id edge = 0; edge < control.Mesh.GetNumberOfEdges(); ++edge)
+    for (const Id edge : InTurn(control.Mesh.GetNumberOfEdges()))
     {
       if (mesh.GetSegmentOfEdge(edge) >= 0)
       {
@@ -199,7 +200,7 @@ SurfaceNumbers NumberAdaptiveSurface(vtkPolyData* input, const SurfaceCells& cel
   ofVertices.Number(partners, numbers.Cells);
   Collection ofLines(3);
   std::vector<typename AdaptiveSqrtThreeOutput<Id>::Piece> pieces;
-  for (vtkIdType line = 0; line < control.Lines.size(); ++line)
+  for (const vtkIdType line : InTurn(control.Lines.size()))
   {
     pieces.clear();
     plan.AppendPieces(control.Lines[line], pieces);

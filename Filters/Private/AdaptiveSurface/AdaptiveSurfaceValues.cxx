@@ -2,6 +2,7 @@
 #include "Private/AdaptiveSurface/AdaptiveSurfaceValues.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 
 #include <algorithm>
 
@@ -37,7 +38,7 @@ void AdaptiveSurfaceValues<Id>::AddVertices(const std::vector<Id>& vertices)
   if (!this->IsSmooth)
   {
     this->Origins.resize(static_cast<std::size_t>(size));
-    for (const Id v : vertices) // level by level
+    for (const Id v : InTurn(vertices)) // level by level
     {
       this->Origins[v] = v < given ? v : this->FindOrigin(v);
       if (v >= given)

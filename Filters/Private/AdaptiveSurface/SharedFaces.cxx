@@ -2,6 +2,7 @@
 #include "Private/AdaptiveSurface/SharedFaces.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 
 #include <algorithm>
 #include <cstring>
@@ -18,7 +19,7 @@ SharedFaces<Id>::SharedFaces(const SurfaceCells& cells, const SurfaceLevel<Id>& 
   , OwnLines(mesh.GetNumberOfSegments(), 0)
   , Carriers(mesh)
 {
-  for (std::size_t f = 0; f < cells.FaceCells.size(); ++f)
+  for (const std::size_t f : InTurn(cells.FaceCells.size()))
   {
     const vtkIdType cell = cells.FaceCells[f];
     const bool isFirst = f == 0 || cell != cells.FaceCells[f - 1];
@@ -27,17 +28,17 @@ SharedFaces<Id>::SharedFaces(const SurfaceCells& cells, const SurfaceLevel<Id>& 
     this->Scope.Faces.push_back(partners.IsOwn(cell) ? 1 : 0);
     this->OwnGiven += this->Scope.Faces.back();
   }
-  for (const vtkIdType cell : cells.VertexCells)
+  for (const vtkIdType cell : InTurn(cells.VertexCells))
   {
     this->OwnGiven += partners.IsOwn(cell) ? 1 : 0;
   }
-  for (vtkIdType line = 0; line < control.Lines.size(); ++line)
+  for (const vtkIdType line : InTurn(control.Lines.size()))
   {
     const int own = partners.IsOwn(cells.SegmentCells[line]) ? 1 : 0;
     this->OwnLines[mesh.GetSegmentOfEdge(control.Lines[line] / 2)] += own;
     this->OwnGiven += own;
   }
-  for (vtkIdType s = 0; s < mesh.GetNumberOfSegments(); ++s)
+  for (const vtkIdType s : InTurn(mesh.GetNumberOfSegments()))
   {
     const auto& segment = mesh.GetSegmentAt(static_cast<Id>(s));
     bool isAtOwn = this->OwnLines[s] > 0;
@@ -69,7 +70,7 @@ vtkIdType SharedFaces<Id>::CountOwnCells() const
 {
   vtkIdType count = this->OwnGiven + 2 * this->OwnSplits;
   std::vector<int> lines = this->OwnLines;
-  for (auto s = static_cast<Id>(0); s < this->Mesh.GetNumberOfSegments(); ++s)
+  for (const Id s : InTurn(this->Mesh.GetNumberOfSegments()))
   {
     const auto& segment = this->Mesh.GetSegmentAt(s);
     if (segment.Parent >= 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Arrays/Arrays.h"
 
+#include "Core/Memory/Loops.h"
+
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -120,7 +122,8 @@ std::vector<vtkIdType> ReadIdsOf(vtkDataSetAttributes* data, vtkIdType tuples)
   vtkDataArray* array = data->GetGlobalIds();
   std::vector<vtkIdType> ids;
   vtkIdTypeArray* exact = vtkIdTypeArray::SafeDownCast(array);
-  for (vtkIdType i = 0; array && array->GetNumberOfTuples() == tuples && i < tuples; ++i)
+  for (const vtkIdType i :
+    InTurn(array && array->GetNumberOfTuples() == tuples ? tuples : vtkIdType(0)))
   {
     ids.push_back(exact ? exact->GetValue(i) : ToId(array->GetComponent(i, 0)));
   }
@@ -304,7 +307,7 @@ vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, Row<vtkIdType> so
   auto out = vtkSmartPointer<vtkAbstractArray>::Take(in->NewInstance());
   out->SetNumberOfComponents(in->GetNumberOfComponents());
   out->SetNumberOfTuples(sources.size());
-  for (vtkIdType i = 0; i < sources.size(); ++i)
+  for (const vtkIdType i : InTurn(sources.size()))
   {
     out->SetTuple(i, sources.First[i], in);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Arrays/CellArrays.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 
@@ -158,7 +159,7 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
     return;
   }
   SimplicesOfCells children;
-  for (unsigned char dimension : cells.Simplices.Dimensions)
+  for (unsigned char dimension : InTurn(cells.Simplices.Dimensions))
   {
     children.Simplices.Dimensions.insert(
       children.Simplices.Dimensions.end(), std::size_t(1) << dimension, dimension);
@@ -192,7 +193,7 @@ void ReduceSharpness(const char* name, int levels, vtkUnstructuredGrid* output)
   {
     return; // without a step the array may be the input's own
   }
-  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  for (const vtkIdType cell : InTurn(output->GetNumberOfCells()))
   {
     if (output->GetCellType(cell) == VTK_LINE || output->GetCellType(cell) == VTK_TRIANGLE)
     {
@@ -216,7 +217,7 @@ void RebuildPointGhosts(vtkPointSet* input, vtkPointSet* output)
   ghosts->SetNumberOfTuples(output->GetNumberOfPoints());
   ghosts->FillValue(unused);
   vtkNew<vtkIdList> ids;
-  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  for (const vtkIdType c : InTurn(output->GetNumberOfCells()))
   {
     const bool duplicate = cells && (cells->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL) != 0;
     output->GetCellPoints(c, ids);
@@ -229,7 +230,7 @@ void RebuildPointGhosts(vtkPointSet* input, vtkPointSet* output)
           ghosts->GetValue(point) == unused ? type : type & ghosts->GetValue(point)));
     }
   }
-  for (vtkIdType p = 0; p < ghosts->GetNumberOfTuples(); ++p)
+  for (const vtkIdType p : InTurn(ghosts->GetNumberOfTuples()))
   {
     if (ghosts->GetValue(p) == unused)
     {

@@ -2,6 +2,7 @@
 // How PointArrays interpolates.
 #include "Private/Arrays/PointArrays.h"
 
+#include "Core/Memory/Loops.h"
 #include "Core/Operators/ApplyRows.h"
 #include "Core/Operators/Interpolation.h"
 
@@ -385,7 +386,7 @@ std::vector<Overshoot> PointArrays::FindOvershoot(
     {
       vtkDataArray* values = this->Entries[e].Current;
       const int colour = interpolated.HasWeights ? GetColour(values->GetName()) : NoColour;
-      for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+      for (const vtkIdType i : InTurn(values->GetNumberOfTuples()))
       {
         const bool isThere =
           colour == NoColour || (colours[static_cast<std::size_t>(i)] >> colour & 1) != 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Arrays/PointArrays.h"
 
+#include "Core/Memory/Loops.h"
 #include "Core/Operators/ApplyRows.h"
 #include "Private/ArrayNames.h"
 
@@ -221,7 +222,7 @@ void PointArrays::StartOrigins()
   this->Origins = Buffer<vtkIdType>(this->NumberOfPoints);
   const vtkIdType given = this->Input->GetNumberOfPoints();
   ForEach(given, [&](vtkIdType i) { this->Origins[i] = i; });
-  for (vtkIdType c = 0; c < this->Cells.GetNumberOfCentres(); ++c)
+  for (const vtkIdType c : InTurn(this->Cells.GetNumberOfCentres()))
   {
     const vtkIdType* members = this->Cells.CentreMembers.data();
     this->Origins[given + c] = *std::min_element(members + this->Cells.CentreOffsets[c],
@@ -351,7 +352,7 @@ void PointArrays::Renumber(const OriginOfRow& origin, vtkIdType staying)
   std::vector<vtkIdType> taken;
   takeFirst(this->NumberOfGlobalIds);
   takeFirst(this->NumberOfInputPoints);
-  for (vtkIdType p = 0; p < this->NumberOfInputPoints; ++p)
+  for (const vtkIdType p : InTurn(this->NumberOfInputPoints))
   {
     taken.push_back(this->TakenPoints.empty() ? origin(p) : this->TakenPoints[origin(p)]);
   }
@@ -459,7 +460,7 @@ void PointArrays::AddOriginalIds(vtkPointSet* output) const
   vtkDataArray* carried = this->Options.CarryOriginalIds
     ? this->Input->GetPointData()->GetArray(OriginalPointIdsName)
     : nullptr;
-  for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)
+  for (const vtkIdType i : InTurn(this->NumberOfPoints))
   {
     const vtkIdType point = i >= this->NumberOfInputPoints ? -1
       : this->TakenPoints.empty()                          ? i

@@ -2,6 +2,7 @@
 #include "Private/Control/ControlComplex.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 
 #include <algorithm>
@@ -65,7 +66,7 @@ std::vector<double> FindDerivedSharpness(
   const int size = dimension + 1;
   std::vector<double> sharpness;
   std::map<SimplexKey, double> found;
-  for (std::size_t i = 0; i < known.Sharpness[dimension].size(); ++i)
+  for (const std::size_t i : InTurn(known.Sharpness[dimension].size()))
   {
     found.emplace(MakeKey(known.Tuples.Tuples[dimension].data() + size * i, size),
       known.Sharpness[dimension][i]);
@@ -93,7 +94,7 @@ std::vector<bool> FindSemiSharpFaces(const ControlMesh& mesh, const ControlCompl
   const SimplicialComplex<Id>& complex = control.Current.Complex;
   const std::vector<double> ofCells = FindSharpness(mesh.Values, complex, control.Runs).Faces;
   std::set<SimplexKey> marked;
-  for (std::size_t i = 0; i < mesh.Derived.Sharpness[2].size(); ++i)
+  for (const std::size_t i : InTurn(mesh.Derived.Sharpness[2].size()))
   {
     if (!std::isinf(mesh.Derived.Sharpness[2][i]))
     {
@@ -101,7 +102,8 @@ std::vector<bool> FindSemiSharpFaces(const ControlMesh& mesh, const ControlCompl
     }
   }
   std::vector<bool> found;
-  for (vtkIdType f = 0; (!ofCells.empty() || !marked.empty()) && f < complex.NumberOfFaces; ++f)
+  for (const vtkIdType f :
+    InTurn(!ofCells.empty() || !marked.empty() ? vtkIdType(complex.NumberOfFaces) : vtkIdType(0)))
   {
     const Id* ids = complex.FaceVertices.data() + 3 * f;
     const vtkIdType corners[3] = { ids[0], ids[1], ids[2] };
@@ -136,7 +138,7 @@ SharpTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
   if (features.DetectFeatures)
   {
     control.Candidates = FindFeatureCandidates(complex);
-    for (const FeatureCandidate& candidate : control.Candidates)
+    for (const FeatureCandidate& candidate : InTurn(control.Candidates))
     {
       control.Features.push_back(IsFeature(candidate, points, features.FeatureAngle));
       if (control.Features.back())
@@ -201,7 +203,7 @@ std::vector<unsigned char> RefineFlags(
   const SimplexList& simplices, int levels, const std::vector<unsigned char>& flags)
 {
   std::vector<unsigned char> refined;
-  for (std::size_t i = 0; i < flags.size(); ++i)
+  for (const std::size_t i : InTurn(flags.size()))
   {
     refined.insert(refined.end(), std::size_t(1) << (simplices.Dimensions[i] * levels), flags[i]);
   }
@@ -411,7 +413,7 @@ SemiSharpStages<typename Scheme::Id> BuildSharpStages(
   std::set<int> ends;
   for (const std::vector<double>* values : { &traits.Sharpness.Edges, &traits.Sharpness.Faces })
   {
-    for (double sharpness : *values)
+    for (double sharpness : InTurn(*values))
     {
       if (sharpness > steps)
       {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/ControlMesh.h"
 
+#include "Core/Memory/Loops.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/StampFields.h"
@@ -30,7 +31,7 @@ std::vector<vtkIdType> ReadGlobalIds(
   {
     values.resize(ids->GetNumberOfTuples());
     vtkIdTypeArray* exact = vtkIdTypeArray::SafeDownCast(ids);
-    for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+    for (const vtkIdType i : InTurn(ids->GetNumberOfTuples()))
     {
       values[i] = exact ? exact->GetValue(i) : ToId(ids->GetComponent(i, 0));
     }

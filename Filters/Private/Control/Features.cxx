@@ -2,6 +2,7 @@
 #include "Private/Control/Features.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Sorting.h"
 
 #include "vtkVariant.h"
 
@@ -51,7 +52,7 @@ void WarnOfFirst(vtkDataArray* array, const SimplicesOfCells& cells, const Accep
 {
   vtkIdType count = 0;
   vtkIdType first = -1;
-  for (std::size_t i = 0; i < cells.Simplices.Dimensions.size(); ++i)
+  for (const std::size_t i : InTurn(cells.Simplices.Dimensions.size()))
   {
     if (accept(i))
     {
@@ -79,7 +80,7 @@ bool LiftValues(const SimplexList& control, int levels, const std::vector<Value>
     return true;
   }
   auto first = values.begin();
-  for (unsigned char dimension : control.Dimensions)
+  for (unsigned char dimension : InTurn(control.Dimensions))
   {
     const auto last = first + (std::ptrdiff_t(1) << (dimension * levels));
     if (std::any_of(first, last, [&first](const Value& value) { return value != *first; }))
@@ -96,7 +97,7 @@ template <typename Value>
 void Encode(const std::vector<Value>& values, std::vector<long long>& out)
 {
   out.push_back(static_cast<long long>(values.size()));
-  for (const Value& value : values)
+  for (const Value& value : InTurn(values))
   {
     long long bits = 0;
     std::memcpy(&bits, &value, sizeof(Value));
@@ -112,17 +113,16 @@ std::vector<int> NumberMaterials(vtkDataArray* array, std::vector<vtkIdType>* ke
   const bool isLong = array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE;
   std::vector<vtkIdType> values;
   values.reserve(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  for (const vtkIdType i : InTurn(array->GetNumberOfTuples()))
   {
     values.push_back(isLong ? static_cast<vtkIdType>(array->GetVariantValue(i).ToLongLong())
                             : MakeKey(array->GetComponent(i, 0)));
   }
   std::vector<vtkIdType> sorted = values;
-  std::sort(sorted.begin(), sorted.end());
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  SortDistinct(sorted);
   std::vector<int> numbers;
   numbers.reserve(values.size());
-  for (const vtkIdType value : values)
+  for (const vtkIdType value : InTurn(values))
   {
     numbers.push_back(
       static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin()));
@@ -156,7 +156,7 @@ void ReadSharpness(const FeatureOptions& options, const SimplicesOfCells& cells,
       "only lines and faces have a sharpness, so the filter ignores that of other cells", warn);
   }
   bool any = false;
-  for (std::size_t i = 0; i < values.Sharpness.size(); ++i)
+  for (const std::size_t i : InTurn(values.Sharpness.size()))
   {
     double& sharpness = values.Sharpness[i];
     sharpness = canBeSharp(i) && sharpness > 0. ? sharpness : 0.;
@@ -190,7 +190,7 @@ FeatureValues ReadFeatureValues(const FeatureOptions& options, const SimplicesOf
       "3D cells cannot be singular, so the filter ignores their flags; flag vertices, lines or "
       "faces instead",
       warn);
-    for (std::size_t i = 0; i < values.Singular.size(); ++i)
+    for (const std::size_t i : InTurn(values.Singular.size()))
     {
       values.Singular[i] = values.Singular[i] && cells.Simplices.Dimensions[i] < 3;
     }
@@ -203,7 +203,7 @@ FeatureValues ReadFeatureValues(const FeatureOptions& options, const SimplicesOf
   if (options.PreserveInterfaces && options.Material)
   {
     const std::vector<int> numbers = NumberMaterials(options.Material);
-    for (vtkIdType i = 0; i < cells.Simplices.GetNumberOfSimplices(); ++i)
+    for (const vtkIdType i : InTurn(cells.Simplices.GetNumberOfSimplices()))
     {
       values.Material.push_back(numbers[cells.ParentCells.empty() ? i : cells.ParentCells[i]]);
     }
@@ -259,7 +259,7 @@ void SpreadChoices(const FeatureValues& values, const SimplicialComplex<Id>& com
   strata.EdgeChoices = Buffer<unsigned char>(complex.NumberOfEdges, 0);
   strata.FaceChoices = Buffer<unsigned char>(complex.NumberOfFaces, 0);
   Buffer<bool> hasFace(complex.NumberOfEdges, false);
-  for (Id edge : complex.FaceEdges)
+  for (Id edge : InTurn(complex.FaceEdges))
   {
     hasFace[edge] = true;
   }

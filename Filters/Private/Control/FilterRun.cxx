@@ -48,9 +48,10 @@ void ConnectToFilter(vtkAlgorithm* filter, RunOptions& options, bool& failed)
     vtkErrorWithObjectMacro(filter, << message);
     failed = true;
   };
-  options.Progress = [filter, last = std::make_shared<double>(0.)](double done)
+  options.Progress =
+    [filter, part = options.Part, last = std::make_shared<double>(options.Part.Begin)](double done)
   {
-    *last = done < 0. ? *last : done;
+    *last = std::max(*last, part.At(done));
     filter->UpdateProgress(*last);
     return IsAborted(filter);
   };

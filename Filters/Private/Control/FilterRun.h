@@ -37,7 +37,8 @@ struct FilterTraits
 /// whether it finished. It may be called with other data sets than those of the pipeline.
 using FilterWork = std::function<bool(vtkPointSet*, vtkPointSet*)>;
 
-/// Sets the functions of `options` for messages and progress; Fail sets `failed`.
+/// Sets the functions of `options` for messages and for the progress of this part of the work; Fail
+/// sets `failed`.
 void ConnectToFilter(vtkAlgorithm* filter, RunOptions& options, bool& failed);
 
 /// Calls `work`; too little memory is an error. Between loops the work reports that it goes on, and

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/GreenLeaves.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/StampFields.h"
 
@@ -66,7 +67,7 @@ void TakeLeaves(const std::vector<vtkPointSet*>& from,
   std::vector<vtkIdType> taken;
   CellOfMesh last(0, -1); // the leaf of the cell before
   vtkIdType parent = -1;
-  for (vtkIdType c = 0; c < parents->GetNumberOfTuples(); ++c)
+  for (const vtkIdType c : InTurn(parents->GetNumberOfTuples()))
   {
     const auto [i, cell] = sourceOf(c);
     const CellOfMesh leaf(i, given[i].GetLeaf(cell));

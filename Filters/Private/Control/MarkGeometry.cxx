@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/MarkGeometry.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
 
 #include "vtkCellData.h"
@@ -33,7 +34,7 @@ std::vector<vtkIdType> FindPoints(
     vtkNew<vtkStaticPointLocator> locator;
     locator->SetDataSet(input);
     locator->BuildLocator();
-    for (size_t i = 0; i < found.size(); ++i)
+    for (const size_t i : InTurn(found.size()))
     {
       double point[3];
       double distance = 0.;
@@ -44,13 +45,13 @@ std::vector<vtkIdType> FindPoints(
     return found;
   }
   std::unordered_map<vtkIdType, vtkIdType> places;
-  for (size_t i = 0; i < meshIds.size(); ++i)
+  for (const size_t i : InTurn(meshIds.size()))
   {
     places.emplace(meshIds[i], static_cast<vtkIdType>(i));
   }
   const std::vector<vtkIdType> ids =
     ReadIdsOf(geometry->GetPointData(), geometry->GetNumberOfPoints());
-  for (size_t i = 0; i < found.size(); ++i)
+  for (const size_t i : InTurn(found.size()))
   {
     const vtkIdType id = ids.empty() ? static_cast<vtkIdType>(i) : ids[i];
     const auto place = places.find(id);
@@ -115,7 +116,7 @@ template <typename Visit>
 void ForSimplices(const SimplexView& simplices, const Visit& visit)
 {
   const vtkIdType* ids = simplices.Connectivity;
-  for (vtkIdType i = 0; i < simplices.NumberOfSimplices; ++i)
+  for (const vtkIdType i : InTurn(simplices.NumberOfSimplices))
   {
     visit(i, ids, static_cast<int>(simplices.Dimensions[i]));
     ids += simplices.Dimensions[i] + 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/Marks.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/MarkGeometry.h"
 #include "Private/Reading/CellReader.h"
@@ -296,7 +297,7 @@ SharpTuples FindMarkedSimplices(vtkPointSet* input, const SimplicesOfCells& cell
   const bool isCut = !cells.ParentCells.empty();
   SimplexMarks marks(input, options, tuples);
   vtkIdType entry = 0;
-  for (vtkIdType i = 0; i < view.NumberOfSimplices; ++i)
+  for (const vtkIdType i : InTurn(view.NumberOfSimplices))
   {
     marks.Read(
       isCut ? cells.ParentCells[i] : i, isCut, view.Dimensions[i], view.Connectivity + entry);
@@ -313,7 +314,7 @@ SharpTuples FindMarkedSimplices(vtkPointSet* input, const SimplicesOfCells& cell
 
 void SharpTuples::Simplify()
 {
-  for (std::vector<double>& values : this->Sharpness)
+  for (std::vector<double>& values : InTurn(this->Sharpness))
   {
     if (std::all_of(
           values.begin(), values.end(), [](double sharpness) { return sharpness == Forever; }))

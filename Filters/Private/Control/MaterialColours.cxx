@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/MaterialColours.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/Features.h"
@@ -159,7 +160,7 @@ public:
   {
     Ids told{ static_cast<vtkIdType>(keys.size()) };
     told.insert(told.end(), keys.begin(), keys.end());
-    for (const auto& [a, b] : meetings)
+    for (const auto& [a, b] : InTurn(meetings))
     {
       told.insert(told.end(), { keys[a], keys[b] });
     }
@@ -179,7 +180,7 @@ public:
     std::sort(this->Keys.begin(), this->Keys.end());
     this->Keys.erase(std::unique(this->Keys.begin(), this->Keys.end()), this->Keys.end());
     Meetings meetings;
-    for (const auto& [a, b] : this->Pairs)
+    for (const auto& [a, b] : InTurn(this->Pairs))
     {
       meetings.emplace_back(this->Find(a), this->Find(b));
     }
@@ -252,7 +253,7 @@ ColouredSimplices::ColouredSimplices(vtkPointSet* mesh, vtkDataArray* materials,
   : Cells(Split(mesh))
 {
   this->Offsets.push_back(0);
-  for (const unsigned char dimension : this->Cells.Simplices.Dimensions)
+  for (const unsigned char dimension : InTurn(this->Cells.Simplices.Dimensions))
   {
     this->Offsets.push_back(this->Offsets.back() + dimension + 1);
   }

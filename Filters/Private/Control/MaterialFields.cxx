@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/MaterialFields.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Control/MaterialColours.h"
 #include "Private/Control/PointCopies.h"
@@ -78,7 +79,7 @@ private:
     const std::vector<vtkIdType>& firsts, std::vector<vtkIdType>& sources)
   {
     std::vector<vtkIdType> places(firsts.size());
-    for (std::size_t i = 0; i < firsts.size(); ++i)
+    for (const std::size_t i : InTurn(firsts.size()))
     {
       if (firsts[i] == static_cast<vtkIdType>(i))
       {
@@ -254,7 +255,7 @@ private:
         field->SetComponent(place, k, field->GetComponent(place, k) + value);
       }
     };
-    for (const auto& [cell, place] : seen)
+    for (const auto& [cell, place] : InTurn(seen))
     {
       add(fields[static_cast<std::size_t>(colours->GetComponent(cell, 0))], place, cell);
       add(fields.back(), place, cell);
@@ -263,7 +264,7 @@ private:
     CopyLooks(array, mean);
     for (const auto& field : fields)
     {
-      for (vtkIdType p = 0; p < this->Mesh->GetNumberOfPoints(); ++p)
+      for (const vtkIdType p : InTurn(this->Mesh->GetNumberOfPoints()))
       {
         const double weight = std::max(1., field->GetComponent(p, size));
         for (int k = 0; k <= size; ++k)
@@ -315,7 +316,7 @@ public:
     this->FindColours();
     this->Sources.resize(static_cast<std::size_t>(this->NumberOfPoints));
     std::iota(this->Sources.begin(), this->Sources.end(), 0);
-    for (vtkIdType p = 0; p < this->NumberOfPoints; ++p)
+    for (const vtkIdType p : InTurn(this->NumberOfPoints))
     {
       ColourMask mask = this->Masks[static_cast<std::size_t>(p)];
       this->ColourOf.push_back(FindLowestBit(mask));
@@ -323,7 +324,7 @@ public:
       const int copies = CountBits(mask) - 1;
       this->Sources.insert(this->Sources.end(), static_cast<std::size_t>(std::max(0, copies)), p);
     }
-    for (vtkIdType p = 0; p < this->NumberOfPoints; ++p)
+    for (const vtkIdType p : InTurn(this->NumberOfPoints))
     {
       const ColourMask mask = this->Masks[static_cast<std::size_t>(p)];
       for (ColourMask rest = mask & (mask - 1); mask != 0 && rest != 0; rest &= rest - 1)
@@ -351,7 +352,7 @@ public:
     std::copy(this->Sources.begin(), this->Sources.end(), ids->GetPointer(0));
     // Where other partitions have parts of the output, points are known by their numbers in it.
     vtkDataArray* numbers = this->Output->GetPointData()->GetArray(PointNumbersName);
-    for (vtkIdType p = 0; numbers && p < ids->GetNumberOfValues(); ++p)
+    for (const vtkIdType p : InTurn(numbers ? ids->GetNumberOfValues() : vtkIdType(0)))
     {
       ids->SetValue(p, ToId(numbers->GetComponent(p, 0)));
     }
@@ -364,7 +365,7 @@ private:
   void FindColours()
   {
     vtkDataArray* colours = this->Output->GetCellData()->GetArray(ColourName);
-    for (vtkIdType c = 0; c < this->Output->GetNumberOfCells(); ++c)
+    for (const vtkIdType c : InTurn(this->Output->GetNumberOfCells()))
     {
       this->CellColours.push_back(
         colours ? static_cast<int>(colours->GetComponent(c, 0)) : NoColour);

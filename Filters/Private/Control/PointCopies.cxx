@@ -9,6 +9,22 @@
 namespace subdivision
 {
 
+vtkSmartPointer<vtkDataArray> CopyOfValues(vtkDataArray* array)
+{
+  const auto copy = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+  if (!array->HasStandardMemoryLayout())
+  {
+    copy->DeepCopy(array);
+    return copy;
+  }
+  copy->SetNumberOfComponents(array->GetNumberOfComponents());
+  copy->SetNumberOfTuples(array->GetNumberOfTuples());
+  CopyInThreads(static_cast<const char*>(array->GetVoidPointer(0)),
+    array->GetNumberOfValues() * array->GetDataTypeSize(),
+    static_cast<char*>(copy->GetVoidPointer(0)));
+  return copy;
+}
+
 std::vector<vtkIdType> FindFirstCopies(vtkPointSet* mesh)
 {
   const vtkIdType size = mesh->GetNumberOfPoints();
@@ -20,7 +36,7 @@ std::vector<vtkIdType> FindFirstCopies(vtkPointSet* mesh)
   vtkDataArray* ids = mesh->GetPointData()->GetArray(MaterialPointIdsName);
   std::unordered_multimap<vtkIdType, vtkIdType> places; // appended meshes have the same ids
   bool hasCopies = false;
-  for (vtkIdType i = 0; i < size; ++i)
+  for (const vtkIdType i : InTurn(size))
   {
     const vtkIdType id = ToId(ids->GetComponent(i, 0));
     double ours[3];

@@ -7,7 +7,7 @@
 #ifndef SubdivisionObjects_PointCopies_h
 #define SubdivisionObjects_PointCopies_h
 
-#include "Core/Memory/Loops.h"
+#include "Core/Memory/Buffer.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
@@ -29,6 +29,9 @@ namespace subdivision
 /// coordinates; a negative id is that of no other point. Empty if all are different.
 std::vector<vtkIdType> FindFirstCopies(vtkPointSet* mesh);
 
+/// A copy of the values of an array, made in parts: DeepCopy of VTK cannot be stopped.
+vtkSmartPointer<vtkDataArray> CopyOfValues(vtkDataArray* array);
+
 /// A copy of cells, the first of which is cell `first` of its mesh. change(cell, begin, end) may
 /// change the ids of its points, which are below `size`.
 template <typename Change>
@@ -36,7 +39,8 @@ vtkSmartPointer<vtkCellArray> CopyCells(
   vtkCellArray* cells, vtkIdType first, vtkIdType size, const Change& change)
 {
   const auto copy = vtkSmartPointer<vtkCellArray>::New();
-  copy->DeepCopy(cells);
+  copy->SetData(
+    CopyOfValues(cells->GetOffsetsArray()), CopyOfValues(cells->GetConnectivityArray()));
   if (!copy->IsStorage64Bit() && size > std::numeric_limits<vtkTypeInt32>::max())
   {
     copy->ConvertTo64BitStorage();

@@ -22,6 +22,16 @@ namespace subdivision
 class Partners;
 class ToldWarnings;
 
+/// From where to where the progress of a filter goes during a part of its work.
+struct ProgressPart
+{
+  double Begin = 0.;
+  double End = 1.;
+
+  double At(double done) const { return this->Begin + done * (this->End - this->Begin); }
+  ProgressPart Take(double begin, double end) const { return { this->At(begin), this->At(end) }; }
+};
+
 struct RunOptions
 {
   bool InterpolateIntegers = false;
@@ -32,8 +42,10 @@ struct RunOptions
   FeatureOptions Features;
   bool HasMaterialFields = false; ///< MaterialFields.h has added arrays
   InterpolationOptions Interpolation;
+  /// What ConnectToFilter makes `Progress` count in.
+  ProgressPart Part;
   /// Called with the fraction of the work that is done, or with a negative number, which means the
-  /// last one. Returns true if the work must stop.
+  /// last one; never goes back. Returns true if the work must stop.
   std::function<bool(double)> Progress;
   std::function<void(const std::string&)> Warn;
   ToldWarnings* Told = nullptr; ///< warnings of earlier time steps; null: nobody knows

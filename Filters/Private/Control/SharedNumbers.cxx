@@ -47,7 +47,7 @@ public:
   {
     this->Sort();
     this->Sums.assign(static_cast<size_t>(this->Length - this->Width), 0);
-    for (vtkIdType* record : this->Sorted)
+    for (vtkIdType* record : InTurn(this->Sorted))
     {
       for (size_t kind = 0; kind < this->Sums.size(); ++kind)
       {
@@ -361,7 +361,7 @@ SharedNumbers NumberTogether(
   }
   things.Kinds = 1 + static_cast<int>(varied.size());
   things.Sizes.reserve(things.Own.size() * (1 + varied.size()));
-  for (size_t i = 0; i < things.Own.size(); ++i)
+  for (const size_t i : InTurn(things.Own.size()))
   {
     const auto thing = static_cast<vtkIdType>(i);
     things.Sizes.push_back(1);
@@ -407,7 +407,7 @@ Ids PlaceCells(vtkPointSet* input, Partners& partners)
     std::array<vtkIdType, 3> ends{ surface->GetNumberOfVerts(), surface->GetNumberOfLines(),
       surface->GetNumberOfPolys() };
     std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    for (size_t c = 0; c < places.size(); ++c)
+    for (const size_t c : InTurn(places.size()))
     {
       for (const vtkIdType end : ends)
       {
@@ -422,7 +422,7 @@ SharedKeys MakeKeysOfPieces(const Ids& cells, const Ids& places, Partners& partn
 {
   SharedKeys pieces;
   pieces.Width = 2;
-  for (size_t i = 0; i < cells.size(); ++i)
+  for (const size_t i : InTurn(cells.size()))
   {
     const bool isSame = i > 0 && cells[i] == cells[i - 1];
     pieces.Keys.push_back(places[cells[i]]);
@@ -437,7 +437,7 @@ std::vector<char> FindOwnPoints(vtkPointSet* mesh, const std::function<bool(vtkI
   const CellReader cells(mesh);
   std::vector<char> own(static_cast<size_t>(mesh->GetNumberOfPoints()), 0);
   Ids scratch;
-  for (vtkIdType c = 0; c < cells.GetNumberOfCells(); ++c)
+  for (const vtkIdType c : InTurn(cells.GetNumberOfCells()))
   {
     const CellIds cell = cells.GetCell(c, scratch);
     const bool isOfOwn = isOwn(c);
@@ -466,7 +466,7 @@ SharedKeys MakeCentreKeys(vtkIdType points, const SimplexView& simplices, const 
   centres.Keys.assign(2 * centres.Own.size(), 0);
   std::vector<char> seen(centres.Own.size(), 0);
   size_t entry = 0;
-  for (vtkIdType s = 0; s < simplices.NumberOfSimplices; ++s)
+  for (const vtkIdType s : InTurn(simplices.NumberOfSimplices))
   {
     for (int k = 0; k <= simplices.Dimensions[s]; ++k, ++entry)
     {
@@ -496,7 +496,7 @@ SharedNumbers NumberVertices(
   SharedNumbers numbers = NumberTogether(given, partners);
   const SharedNumbers ofCentres =
     NumberTogether(MakeCentreKeys(points, simplices, pieces), partners);
-  for (const vtkIdType number : ofCentres.First)
+  for (const vtkIdType number : InTurn(ofCentres.First))
   {
     numbers.First.push_back(number < 0 ? -1 : numbers.Totals[0] + number);
   }

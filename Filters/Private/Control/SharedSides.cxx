@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/SharedSides.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Control/Keepers.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ std::vector<PartLink> FindLinks(const FaceSides& sides, const SharedKeys& faces,
   const Keepers keepers(faces, partners);
   const auto width = static_cast<size_t>(faces.Width);
   std::map<int, Ids> questions;
-  for (size_t f = 0; f < faces.Own.size(); ++f)
+  for (const size_t f : InTurn(faces.Own.size()))
   {
     const vtkIdType* key = faces.Keys.data() + width * f;
     if (key[0] < 0)
@@ -86,7 +87,7 @@ Ids DescribeParts(const FaceSides& sides, const SharedKeys& faces)
   const auto key = [&](vtkIdType face)
   { return faces.Keys.begin() + static_cast<std::ptrdiff_t>(width) * face; };
   Ids first = sides.First;
-  for (size_t f = 0; f < faces.Own.size(); ++f)
+  for (const size_t f : InTurn(faces.Own.size()))
   {
     vtkIdType& least = first[sides.PartOf[f]];
     const auto face = static_cast<vtkIdType>(f);
@@ -229,7 +230,7 @@ std::vector<char> FindSureVertices(const SimplicesOfCells& cells, const Partners
   }
   std::vector<char> isSure(static_cast<std::size_t>(cells.GetView().NumberOfPoints), 0);
   auto vertex = cells.Simplices.Connectivity.begin();
-  for (std::size_t s = 0; s < cells.Simplices.Dimensions.size(); ++s)
+  for (const std::size_t s : InTurn(cells.Simplices.Dimensions.size()))
   {
     const bool isOwn =
       partners->IsOwn(cells.ParentCells.empty() ? static_cast<vtkIdType>(s) : cells.ParentCells[s]);
@@ -267,7 +268,7 @@ Buffer<unsigned char> JoinSides(const FaceSides& sides, const SharedKeys& faces,
   partners.Send(answers);
   const Ids answer = UnpackIds(answers[first]);
   Buffer<unsigned char> turned(static_cast<vtkIdType>(faces.Own.size()));
-  for (vtkIdType f = 0; f < turned.size(); ++f)
+  for (const vtkIdType f : InTurn(turned.size()))
   {
     const vtkIdType told = answer[sides.PartOf[f]];
     turned[f] =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/SharedValues.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Control/Keepers.h"
 #include "Private/Control/Partners.h"
 
@@ -138,7 +139,7 @@ SharedValues::SharedValues(const SharedKeys& things, Partners& partners)
   const Ids owners = FindOwners(things, partners);
   std::map<int, Ids> wanted;
   KeyTable own(things.Width);
-  for (size_t i = 0; i < owners.size(); ++i)
+  for (const size_t i : InTurn(owners.size()))
   {
     const vtkIdType* key = things.Keys.data() + width * i;
     if (owners[i] >= 0)

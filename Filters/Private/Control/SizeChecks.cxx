@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/SizeChecks.h"
 
+#include "Core/Memory/Loops.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkDataSetAttributes.h"
 
@@ -41,7 +43,7 @@ std::string Bytes(double bytes)
 std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdType maximum)
 {
   double cells = 0.;
-  for (unsigned char dimension : simplices.Dimensions)
+  for (unsigned char dimension : InTurn(simplices.Dimensions))
   {
     cells += std::ldexp(1., dimension * levels);
   }
@@ -66,7 +68,7 @@ std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType
 bool NeedsLargeIds(const SimplexList& control, int levels, const SchemeTraits& scheme)
 {
   double perDimension[4] = { 0., 0., 0., 0. };
-  for (unsigned char dimension : control.Dimensions)
+  for (unsigned char dimension : InTurn(control.Dimensions))
   {
     ++perDimension[dimension];
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/StampFields.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
 
 #include "vtkIdTypeArray.h"
@@ -18,7 +19,7 @@ std::vector<Value> ReadField(vtkDataArray* array, int components, const Get& get
   if (array && array->GetNumberOfComponents() == components)
   {
     values.reserve(array->GetNumberOfValues());
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    for (const vtkIdType i : InTurn(array->GetNumberOfTuples()))
     {
       for (int c = 0; c < components; ++c)
       {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Criteria/RefinementCriteria.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellsToSimplices.h"
 
@@ -59,7 +60,7 @@ void ContinuedArray::Start(vtkDataArray* array, const SimplicesOfCells& cells, b
 
 void ContinuedArray::FillCentres(const SimplicesOfCells& cells, vtkIdType given)
 {
-  for (vtkIdType i = 0; i < cells.GetNumberOfCentres(); ++i)
+  for (const vtkIdType i : InTurn(cells.GetNumberOfCentres()))
   {
     const vtkIdType begin = cells.CentreOffsets[i];
     const vtkIdType end = cells.CentreOffsets[i + 1];

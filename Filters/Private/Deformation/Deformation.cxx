@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Deformation/Deformation.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Deformation/DeformedVectors.h"
 
@@ -11,7 +12,6 @@
 
 #include <cmath>
 #include <limits>
-#include <new>
 
 namespace subdivision
 {
@@ -40,7 +40,7 @@ vtkIdType FindLostPoint(vtkPointSet* rest, vtkPointSet* deformed)
     mesh->GetPoint(i, x);
     return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
   };
-  for (vtkIdType i = 0; i < rest->GetNumberOfPoints(); ++i)
+  for (const vtkIdType i : InTurn(rest->GetNumberOfPoints()))
   {
     if (!isFinite(deformed, i) && isFinite(rest, i))
     {
@@ -73,7 +73,7 @@ bool Deformation::Run(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* deform
   {
     return this->Deform(input, rest, deformed, options, output);
   }
-  catch (const std::bad_alloc&)
+  catch (...) // too little memory, or the user stops it
   {
     this->Clear(); // what is kept may be incomplete
     throw;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Deformation/DeformedVectors.h"
 
+#include "Core/Memory/Loops.h"
 #include "Core/Memory/Store.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/RunOptions.h"
@@ -155,7 +156,7 @@ Buffer<double> AverageOverCells(
   const CellReader cells(vtkPointSet::SafeDownCast(readable));
   Buffer<double> means(9 * data->GetNumberOfCells());
   std::vector<vtkIdType> scratch;
-  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  for (const vtkIdType i : InTurn(data->GetNumberOfCells()))
   {
     CellIds cell = i < cells.GetNumberOfCells() ? cells.GetCell(i, scratch) : CellIds();
     const bool isRight = std::all_of(

@@ -2,6 +2,7 @@
 #include "Private/Deformation/EmbeddedPoints.h"
 
 #include "Core/Memory/Coordinates.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Memory/Store.h"
 #include "Private/Arrays/Arrays.h"
 
@@ -63,7 +64,7 @@ double FindReach2(const RestMesh& rest, double tolerance)
   {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
-    for (vtkIdType i = 0; i < rest.GetNumberOfPoints(); ++i)
+    for (const vtkIdType i : InTurn(rest.GetNumberOfPoints()))
     {
       const double x = rest.GetPoints()[3 * i + c];
       low = x < low ? x : low;
@@ -83,7 +84,7 @@ bool IsFinite(const double x[3])
 template <typename T>
 void AddRemainders(const EmbeddedPoints& embedded, T* points)
 {
-  for (std::size_t i = 0; i < embedded.Outside.size(); ++i)
+  for (const std::size_t i : InTurn(embedded.Outside.size()))
   {
     T* point = points + 3 * embedded.Outside[i];
     const bool isBound = !embedded.Rows.Rows[embedded.Outside[i]].IsEmpty();
@@ -159,7 +160,7 @@ std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule ru
       }
       embedded->Rows.Rows[i] = row;
     });
-  for (vtkIdType i = 0; i < size; ++i)
+  for (const vtkIdType i : InTurn(size))
   {
     if (isInside[i])
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Distribution/Blocks.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/StampFields.h"
@@ -75,14 +76,14 @@ void CountInBlock(const char* name, const std::vector<JoinedArray>& arrays,
   }
   std::vector<vtkIdType> index(
     static_cast<size_t>(*std::max_element(places.begin(), places.end()) + 1), -1);
-  for (size_t i = 0; i < places.size(); ++i)
+  for (const size_t i : InTurn(places.size()))
   {
     if (places[i] >= 0)
     {
       index[places[i]] = static_cast<vtkIdType>(i);
     }
   }
-  for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
+  for (const vtkIdType i : InTurn(ids->GetNumberOfValues()))
   {
     const vtkIdType id = ids->GetValue(i);
     ids->SetValue(i, id >= 0 && id < static_cast<vtkIdType>(index.size()) ? index[id] : -1);
@@ -97,13 +98,13 @@ std::vector<vtkIdType> AddLayersOf(
   std::vector<char> isIn(static_cast<size_t>(whole->GetNumberOfCells()), 0);
   std::vector<char> isAt(static_cast<size_t>(whole->GetNumberOfPoints()), 0);
   std::vector<vtkIdType> scratch;
-  for (const vtkIdType c : cells)
+  for (const vtkIdType c : InTurn(cells))
   {
     isIn[c] = 1;
   }
   for (int layer = 0; layer < layers; ++layer)
   {
-    for (vtkIdType c = 0; c < reader.GetNumberOfCells(); ++c)
+    for (const vtkIdType c : InTurn(reader.GetNumberOfCells()))
     {
       const CellIds cell = reader.GetCell(c, scratch);
       for (vtkIdType i = 0; isIn[c] && i < cell.Size; ++i)
@@ -111,14 +112,14 @@ std::vector<vtkIdType> AddLayersOf(
         isAt[cell.Ids[i]] = 1;
       }
     }
-    for (vtkIdType c = 0; c < reader.GetNumberOfCells(); ++c)
+    for (const vtkIdType c : InTurn(reader.GetNumberOfCells()))
     {
       const CellIds cell = reader.GetCell(c, scratch);
       isIn[c] |= std::any_of(cell.Ids, cell.Ids + cell.Size, [&](vtkIdType p) { return isAt[p]; });
     }
   }
   std::vector<vtkIdType> all;
-  for (size_t c = 0; c < isIn.size(); ++c)
+  for (const size_t c : InTurn(isIn.size()))
   {
     if (isIn[c])
     {
@@ -152,7 +153,7 @@ void MarkGhosts(
   }
   const CellReader reader(output);
   std::vector<vtkIdType> scratch;
-  for (size_t c = 0; c < cells.size(); ++c)
+  for (const size_t c : InTurn(cells.size()))
   {
     const auto at = static_cast<vtkIdType>(c);
     if (!std::binary_search(own.begin(), own.end(), cells[c]))

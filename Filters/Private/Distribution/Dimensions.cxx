@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Distribution/Dimensions.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Distribution/Blocks.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/Reading/ReadableMesh.h"
@@ -27,7 +28,7 @@ std::vector<vtkIdType> FindCells(vtkPointSet* mesh, int dimensions)
   isWanted.fill(unknown);
   const CellReader reader(mesh);
   std::vector<vtkIdType> cells;
-  for (vtkIdType c = 0; c < reader.GetNumberOfCells(); ++c)
+  for (const vtkIdType c : InTurn(reader.GetNumberOfCells()))
   {
     const int type = reader.GetCellType(c);
     if (isWanted[type] == unknown)

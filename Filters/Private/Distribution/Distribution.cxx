@@ -333,10 +333,14 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
     const MemoryShare share(CountRanksOfMachine(exchange));
     RankMessages messages(options);
     tellWarnings();
-    blocks = GetBlocks(input, distribution.IsOfSurfaces, options.Warn);
-    PrepareBlocks(blocks, composite && distribution.AddBlockIndex, distribution.Prepare);
-    std::vector<std::vector<Block>> partitions = { std::move(blocks) };
-    done = RunPartitions(partitions, exchange, distribution, traits, options, work);
+    std::vector<std::vector<Block>> partitions(1);
+    const auto join = [&]
+    {
+      partitions[0] = GetBlocks(input, distribution.IsOfSurfaces, options.Warn);
+      PrepareBlocks(partitions[0], composite && distribution.AddBlockIndex, distribution.Prepare);
+      return RunPartitions(partitions, exchange, distribution, traits, options, work);
+    };
+    done = ranks > 1 ? join() : DoWork(traits, options, join); // other ranks wait for this one
     blocks = std::move(partitions[0]);
     failed = messages.Tell(exchange);
   }
@@ -344,10 +348,16 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
   {
     tellWarnings();
     blocks = GetBlocks(input, distribution.IsOfSurfaces, options.Warn);
-    for (Block& block : blocks)
+    const ProgressPart part = options.Part;
+    const auto count = static_cast<double>(blocks.size());
+    for (size_t b = 0; b < blocks.size() && done; ++b)
     {
+      const Block& block = blocks[b];
+      const auto before = static_cast<double>(b);
+      options.Part = part.Take(before / count, (before + 1.) / count);
+      ConnectToFilter(filter, options, failed);
       block.Output->GetFieldData()->PassData(block.Input->GetFieldData());
-      done = done && DoWork(traits, options, [&] { return workOnAll(block.Input, block.Output); });
+      done = DoWork(traits, options, [&] { return workOnAll(block.Input, block.Output); });
     }
   }
   if (done && !failed)
@@ -374,8 +384,17 @@ int RunOnBlocks(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* outpu
   to->CopyStructure(from);
   int result = 1;
   const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(from->NewIterator());
+  double count = 0.;
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
+    count += 1.;
+  }
+  const ProgressPart part = options.Part;
+  double before = 0.;
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    options.Part = part.Take(before / count, (before + 1.) / count);
+    before += 1.;
     vtkDataObject* block = iterator->GetCurrentDataObject();
     const auto made = vtkSmartPointer<vtkDataObject>::Take(block->NewInstance());
     made->GetFieldData()->PassData(block->GetFieldData());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Distribution/JoinedArrays.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellReader.h"
 
@@ -73,7 +74,7 @@ void CopyValues(vtkAbstractArray* from, const std::vector<vtkIdType>& places, vt
 {
   vtkNew<vtkIdList> sources;
   vtkNew<vtkIdList> targets;
-  for (size_t i = 0; i < places.size(); ++i)
+  for (const size_t i : InTurn(places.size()))
   {
     if (places[i] >= 0)
     {
@@ -93,7 +94,7 @@ void KeepHidden(vtkDataSetAttributes* joined)
   vtkAbstractArray* array = joined->GetAbstractArray(vtkDataSetAttributes::GhostArrayName());
   if (auto* types = vtkUnsignedCharArray::SafeDownCast(array))
   {
-    for (vtkIdType i = 0; i < types->GetNumberOfValues(); ++i)
+    for (const vtkIdType i : InTurn(types->GetNumberOfValues()))
     {
       types->SetValue(i, types->GetValue(i) & vtkDataSetAttributes::HIDDENCELL);
     }
@@ -125,7 +126,7 @@ void ExtendOnce(const CellReader& cells, vtkDataArray* array, std::vector<char>&
   std::vector<vtkIdType> scratch;
   std::vector<double> value(components);
   std::vector<double> sum(components);
-  for (vtkIdType c = 0; c < cells.GetNumberOfCells(); ++c)
+  for (const vtkIdType c : InTurn(cells.GetNumberOfCells()))
   {
     const CellIds cell = cells.GetCell(c, scratch);
     for (vtkIdType i = 0; i < cell.Size; ++i)
@@ -147,7 +148,7 @@ void ExtendOnce(const CellReader& cells, vtkDataArray* array, std::vector<char>&
       array->SetTuple(cell.Ids[i], sum.data());
     }
   }
-  for (size_t i = 0; i < has.size(); ++i)
+  for (const size_t i : InTurn(has.size()))
   {
     if (counts[i] > 0)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Distribution/JoinedMesh.h"
 
+#include "Core/Memory/Sorting.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/GreenLeaves.h"
 #include "Private/Distribution/JoinedArrays.h"
@@ -17,7 +18,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -72,7 +72,7 @@ int GetKind(int cellType)
 Places SortItems(std::vector<Item>& items, const std::vector<MeshPart>& parts,
   const std::vector<vtkIdType> MeshPart::* ids)
 {
-  vtkSMPTools::Sort(items.begin(), items.end());
+  StableSort(items, std::less<>());
   Places places;
   for (const MeshPart& part : parts)
   {
@@ -80,7 +80,7 @@ Places SortItems(std::vector<Item>& items, const std::vector<MeshPart>& parts,
   }
   const Item* last = nullptr;
   std::vector<Item> unique;
-  for (const Item& item : items)
+  for (const Item& item : InTurn(items))
   {
     if (!last || item.Kind != last->Kind || item.Id != last->Id)
     {
@@ -238,7 +238,7 @@ void AddBlocks(
   vtkNew<vtkIntArray> blocks;
   blocks->SetName(BlockName);
   blocks->SetNumberOfValues(static_cast<vtkIdType>(cells.size()));
-  for (size_t i = 0; i < cells.size(); ++i)
+  for (const size_t i : InTurn(cells.size()))
   {
     blocks->SetValue(static_cast<vtkIdType>(i), parts[cells[i].Part].Block);
   }
@@ -282,7 +282,7 @@ std::vector<vtkIdType> FindPoints(const CellReader& reader, const std::vector<vt
   const std::vector<vtkIdType>& kept, std::vector<vtkIdType>& place)
 {
   std::vector<vtkIdType> scratch;
-  for (const vtkIdType c : cells)
+  for (const vtkIdType c : InTurn(cells))
   {
     const CellIds cell = reader.GetCell(c, scratch);
     for (vtkIdType k = 0; k < cell.Size; ++k)
@@ -293,12 +293,12 @@ std::vector<vtkIdType> FindPoints(const CellReader& reader, const std::vector<vt
       }
     }
   }
-  for (const vtkIdType point : kept)
+  for (const vtkIdType point : InTurn(kept))
   {
     place[point] = 0;
   }
   std::vector<vtkIdType> points;
-  for (size_t i = 0; i < place.size(); ++i)
+  for (const size_t i : InTurn(place.size()))
   {
     if (place[i] == 0)
     {
@@ -326,7 +326,7 @@ void TakeWithFaces(vtkUnstructuredGrid* whole, const std::vector<vtkIdType>& cel
   vtkNew<vtkIdList> ids;
   const auto find = [&](vtkIdType i)
   { ids->SetId(i, Exists(ids->GetId(i), place) ? place[ids->GetId(i)] : -1); };
-  for (const vtkIdType c : cells)
+  for (const vtkIdType c : InTurn(cells))
   {
     int type = reader.GetCellType(c);
     if (type == VTK_POLYHEDRON)
@@ -414,7 +414,7 @@ std::vector<std::vector<vtkIdType>> FindCellsOfBlocks(vtkPointSet* whole, int co
   std::vector<std::vector<vtkIdType>> cells(static_cast<size_t>(count));
   auto* blocks = vtkIntArray::SafeDownCast(whole->GetCellData()->GetArray(BlockName));
   const vtkIdType size = blocks ? blocks->GetNumberOfValues() : 0;
-  for (vtkIdType c = 0; c < size; ++c)
+  for (const vtkIdType c : InTurn(size))
   {
     const int block = blocks->GetValue(c);
     if (block >= 0 && block < count)
@@ -443,7 +443,7 @@ std::vector<vtkIdType> TakeCells(vtkPointSet* whole, const std::vector<vtkIdType
   const bool isPolyData = vtkPolyData::SafeDownCast(whole) != nullptr;
   CellLists lists(static_cast<vtkIdType>(cells.size()));
   std::vector<vtkIdType> scratch;
-  for (size_t i = 0; i < cells.size(); ++i)
+  for (const size_t i : InTurn(cells.size()))
   {
     const CellIds cell = reader.GetCell(cells[i], scratch);
     const int type = reader.GetCellType(cells[i]);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Distribution/Layers.h"
 
+#include "Core/Memory/Sorting.h"
 #include "Private/Distribution/MeshMessage.h"
 #include "Private/Distribution/StampedParts.h"
 
 #include "vtkPointSet.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <iterator>
@@ -43,12 +43,12 @@ public:
   /// Adds the partition to those that have the points.
   void Add(const std::vector<vtkIdType>& points, int partition)
   {
-    for (const vtkIdType point : points)
+    for (const vtkIdType point : InTurn(points))
     {
       this->Holders.push_back({ point, partition });
     }
   }
-  void Sort() { vtkSMPTools::Sort(this->Holders.begin(), this->Holders.end()); }
+  void Sort() { StableSort(this->Holders, std::less<>()); }
 
   /// Passes on a wish to all that have the point but the one who wishes.
   void PassOn(const Wish& wish, Exchange::Lists<Wish>& toHolders) const
@@ -125,8 +125,7 @@ std::vector<vtkIdType> FindPointIds(const Partition& partition, size_t first)
       }
     }
   }
-  vtkSMPTools::Sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  SortDistinct(ids);
   return ids;
 }
 
@@ -139,8 +138,7 @@ std::vector<vtkIdType> FindWishedIds(const Partition& partition, size_t first, b
     const std::vector<vtkIdType>& region = partition.Parts->front().Region;
     std::copy_if(
       region.begin(), region.end(), std::back_inserter(ids), [](vtkIdType id) { return id >= 0; });
-    vtkSMPTools::Sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    SortDistinct(ids);
   }
   return ids;
 }
@@ -159,7 +157,7 @@ void VisitWished(const CellGroups& groups, const MeshPart& part, const std::vect
 {
   // The first wish of each point of the part.
   std::vector<vtkIdType> first(part.Points.size(), -1);
-  for (size_t i = 0; i < first.size(); ++i)
+  for (const size_t i : InTurn(first.size()))
   {
     const auto found = std::lower_bound(wishes.begin(), wishes.end(), part.Points[i],
       [](const Wish& a, vtkIdType point) { return a.Point < point; });
@@ -202,7 +200,7 @@ Exchange::Messages PackWished(Partition& partition, std::vector<Wish> wishes, Ex
 {
   std::sort(wishes.begin(), wishes.end());
   std::map<int, std::vector<std::vector<vtkIdType>>> lists; // to a partition: cells of each part
-  for (size_t p = 0; p < partition.NumberOfOwn; ++p)
+  for (const size_t p : InTurn(partition.NumberOfOwn))
   {
     const MeshPart& part = (*partition.Parts)[p];
     const CellGroups& groups = partition.Groups[p];
@@ -349,7 +347,7 @@ std::vector<SentLayers> AddLayers(
       }
     }
     const std::vector<Exchange::Messages> arrived = exchange.Send(std::move(cells));
-    for (size_t i = 0; i < size; ++i)
+    for (const size_t i : InTurn(size))
     {
       for (const auto& [from, message] : arrived[i])
       {

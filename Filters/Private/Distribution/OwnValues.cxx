@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Distribution/OwnValues.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Control/PointCopies.h"
 #include "Private/Distribution/JoinedArrays.h"
 
@@ -127,11 +128,11 @@ void KeepOwnValues(const std::vector<MeshPart>& parts, JoinedMesh& joined)
   const vtkIdType size = mesh->GetNumberOfPoints();
   std::vector<std::vector<vtkIdType>> newIds = joined.PointPlaces; // of the points of parts
   std::vector<vtkIdType> sources;
-  for (vtkIdType i = 0; i < size; ++i)
+  for (const vtkIdType i : InTurn(size))
   {
     sources.push_back(i);
   }
-  for (const Copy& copy : copies)
+  for (const Copy& copy : InTurn(copies))
   {
     newIds[copy.Part][copy.Index] = static_cast<vtkIdType>(sources.size());
     sources.push_back(copy.Place);

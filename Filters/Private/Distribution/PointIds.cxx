@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Distribution/PointIds.h"
 
+#include "Core/Memory/Sorting.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/PointCopies.h"
 #include "Private/Reading/CellReader.h"
@@ -10,7 +11,6 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ void MarkUsed(MeshPart& part)
   std::vector<vtkIdType> scratch;
   auto mark = [&](bool duplicate, vtkIdType value)
   {
-    for (vtkIdType c = 0; c < size; ++c)
+    for (const vtkIdType c : InTurn(size))
     {
       if (((types->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL) != 0) != duplicate)
       {
@@ -239,7 +239,7 @@ std::vector<PointOfPart> SortPoints(const std::vector<MeshPart>& parts, size_t& 
       (isFinite ? points : others).push_back(point);
     }
   }
-  vtkSMPTools::Sort(points.begin(), points.end());
+  StableSort(points, std::less<>());
   finite = points.size();
   points.insert(points.end(), others.begin(), others.end());
   return points;
@@ -264,7 +264,7 @@ struct PlacesOfPartition
     { return !firsts[a.Part].empty() && firsts[a.Part][a.Index] == firsts[a.Part][b.Index]; };
     size_t finite = 0;
     this->Points = SortPoints(parts, finite);
-    for (size_t i = 0; i < this->Points.size(); ++i)
+    for (const size_t i : InTurn(this->Points.size()))
     {
       if (i >= finite || i == 0 || this->Points[i].At != this->Points[i - 1].At)
       {
@@ -302,7 +302,7 @@ std::vector<std::vector<Answer>> AskDirectory(
   const auto partitions = static_cast<std::size_t>(exchange.GetNumberOfPartitions());
   std::vector<Exchange::Lists<Place>> questions(own.size());
   std::vector<std::vector<Answer>> answers;
-  for (size_t p = 0; p < own.size(); ++p)
+  for (const size_t p : InTurn(own.size()))
   {
     answers.emplace_back();
     const int self = exchange.GetPartition(static_cast<int>(p));
@@ -348,7 +348,7 @@ std::vector<std::vector<Answer>> AskDirectory(
     }
   }
   const std::vector<Exchange::Lists<Answer>> arrived = exchange.SendLists(replies);
-  for (size_t p = 0; p < own.size(); ++p)
+  for (const size_t p : InTurn(own.size()))
   {
     for (const auto& [from, list] : arrived[p])
     {
@@ -432,7 +432,7 @@ void FetchNumbers(const std::vector<std::vector<Answer>>& answers,
 {
   std::vector<Exchange::Lists<vtkIdType>> questions(places.size());
   std::vector<Exchange::Lists<vtkIdType>> askedFor(places.size());
-  for (size_t p = 0; p < places.size(); ++p)
+  for (const size_t p : InTurn(places.size()))
   {
     const int self = exchange.GetPartition(static_cast<int>(p));
     for (size_t i = 0; i < answers[p].size(); ++i)
@@ -446,7 +446,7 @@ void FetchNumbers(const std::vector<std::vector<Answer>>& answers,
   }
   std::vector<Exchange::Lists<vtkIdType>> replies(places.size());
   const std::vector<Exchange::Lists<vtkIdType>> asked = exchange.SendLists(questions);
-  for (size_t p = 0; p < places.size(); ++p)
+  for (const size_t p : InTurn(places.size()))
   {
     for (const auto& [from, list] : asked[p])
     {
@@ -457,7 +457,7 @@ void FetchNumbers(const std::vector<std::vector<Answer>>& answers,
     }
   }
   const std::vector<Exchange::Lists<vtkIdType>> arrived = exchange.SendLists(replies);
-  for (size_t p = 0; p < places.size(); ++p)
+  for (const size_t p : InTurn(places.size()))
   {
     for (const auto& [from, list] : arrived[p])
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Distribution/StampedParts.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/GreenLeaves.h"
 #include "Private/Control/Stamp.h"
@@ -52,7 +53,7 @@ void LeaveOutDuplicates(MeshPart& part)
   Ids scratch;
   std::vector<char> isUsed(part.Points.size(), 0);
   std::vector<char> isOfDuplicate(part.Points.size(), 0);
-  for (vtkIdType c = 0; c < reader.GetNumberOfCells(); ++c)
+  for (const vtkIdType c : InTurn(reader.GetNumberOfCells()))
   {
     const bool isDuplicate = types->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL;
     const CellIds cell = reader.GetCell(c, scratch);
@@ -62,7 +63,7 @@ void LeaveOutDuplicates(MeshPart& part)
     }
     part.Cells[c] = isDuplicate ? -1 : part.Cells[c];
   }
-  for (size_t p = 0; p < part.Points.size(); ++p)
+  for (const size_t p : InTurn(part.Points.size()))
   {
     part.Points[p] = isOfDuplicate[p] && !isUsed[p] ? -1 : part.Points[p];
   }
@@ -87,7 +88,7 @@ template <typename IsOwn>
 vtkIdType ComputeSum(const vtkIdType* cells, vtkIdType size, const IsOwn& isOwn)
 {
   unsigned long long sum = 0;
-  for (vtkIdType c = 0; c < size; ++c)
+  for (const vtkIdType c : InTurn(size))
   {
     auto bits = static_cast<unsigned long long>(isOwn(c) ? cells[c] + 1 : 0);
     bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9ull;
@@ -139,7 +140,7 @@ bool TakeNumbersOfPart(MeshPart& part, Stamp& stamp)
 
 bool AreConsecutive(const Ids& ids)
 {
-  for (size_t i = 0; i < ids.size(); ++i)
+  for (const size_t i : InTurn(ids.size()))
   {
     if (ids[i] != static_cast<vtkIdType>(i))
     {
@@ -517,7 +518,7 @@ bool FindGroups(const MeshPart& part, CellGroups& groups)
 {
   const CellReader reader(part.Mesh);
   const GreenLeaves leaves(part.Mesh);
-  for (size_t c = 0; c < part.Cells.size(); ++c)
+  for (const size_t c : InTurn(part.Cells.size()))
   {
     if (part.Cells[c] >= 0)
     {

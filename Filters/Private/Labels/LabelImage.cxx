@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Labels/LabelImage.h"
 
+#include "Core/Memory/Loops.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -76,7 +78,7 @@ void SetMean(
   for (int c = 0; c < from->GetNumberOfComponents(); ++c)
   {
     double sum = 0.;
-    for (const vtkIdType i : tuples)
+    for (const vtkIdType i : InTurn(tuples))
     {
       sum += from->GetComponent(i, c);
     }
@@ -103,7 +105,7 @@ std::string ReadLabels(vtkDataArray* array, double background,
   std::map<double, int> found;
   double last = background; // most voxels have the label of the one before
   int number = 0;
-  for (vtkIdType i = 0; i < size; ++i)
+  for (const vtkIdType i : InTurn(size))
   {
     const double label = isHidden(i) ? background : array->GetComponent(i, 0);
     if (!(std::floor(label) == label) || !(std::abs(label) < LargestLabel))
@@ -183,7 +185,7 @@ void CopyVoxelArrays(const LabelImage& fine, const LabelImage& coarse, int lengt
   const std::function<void(const std::string&)>& warn)
 {
   std::vector<vtkIdType> kept; // coarse voxels
-  for (vtkIdType voxel = 0; voxel < coarse.Voxels.size(); ++voxel)
+  for (const vtkIdType voxel : InTurn(coarse.Voxels.size()))
   {
     if (coarse.Voxels[voxel] > 0)
     {
@@ -211,7 +213,7 @@ void CopyVoxelArrays(const LabelImage& fine, const LabelImage& coarse, int lengt
     to->SetNumberOfComponents(from->GetNumberOfComponents());
     to->SetNumberOfTuples(size);
     std::vector<vtkIdType> members;
-    for (vtkIdType cell = 0; cell < size; ++cell)
+    for (const vtkIdType cell : InTurn(size))
     {
       members.clear();
       VisitBlock(fine, coarse, length, kept[cell],

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Labels/LabelNet.h"
 
+#include "Core/Memory/Sorting.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -87,11 +89,12 @@ int LabelNet::GetLabel(vtkIdType i, vtkIdType j, vtkIdType k) const
 void LabelNet::AddPoints()
 {
   std::array<int, 8> around;
+  Turns turns;
   for (int k = 0; k < this->Lines[2]; ++k)
   {
     for (int j = 0; j < this->Lines[1]; ++j)
     {
-      for (int i = 0; i < this->Lines[0]; ++i)
+      for (int i = 0; i < this->Lines[0]; ++i, turns.Next())
       {
         for (int v = 0; v < 8; ++v)
         {
@@ -132,11 +135,12 @@ void LabelNet::AddCells()
   static const int corners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
     { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
   const auto& size = this->Image.Size;
+  Turns turns;
   for (vtkIdType k = 0; k < size[2]; ++k)
   {
     for (vtkIdType j = 0; j < size[1]; ++j)
     {
-      for (vtkIdType i = 0; i < size[0]; ++i)
+      for (vtkIdType i = 0; i < size[0]; ++i, turns.Next())
       {
         const int label = this->GetLabel(i, j, k);
         if (label == 0)
@@ -158,6 +162,7 @@ void LabelNet::AddCells()
 
 void LabelNet::AddFaces()
 {
+  Turns turns;
   for (int axis = 0; axis < 3; ++axis)
   {
     std::array<vtkIdType, 3> u{ 0, 0, 0 };
@@ -170,7 +175,7 @@ void LabelNet::AddFaces()
     {
       for (vtkIdType j = 0; j < this->Lines[1] - u[1] - v[1]; ++j)
       {
-        for (vtkIdType i = 0; i < this->Lines[0] - u[0] - v[0]; ++i)
+        for (vtkIdType i = 0; i < this->Lines[0] - u[0] - v[0]; ++i, turns.Next())
         {
           const int low = this->GetLabel(i - back[0], j - back[1], k - back[2]);
           const int high = this->GetLabel(i, j, k);
@@ -241,13 +246,12 @@ void LabelNet::Smooth(int steps)
 void LabelNet::Stiffen(const std::vector<vtkIdType>& cells)
 {
   std::vector<vtkIdType> points;
-  for (const vtkIdType cell : cells)
+  for (const vtkIdType cell : InTurn(cells))
   {
     points.insert(points.end(), this->Cells[cell].begin(), this->Cells[cell].end());
   }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  for (const vtkIdType point : points)
+  SortDistinct(points);
+  for (const vtkIdType point : InTurn(points))
   {
     Add(-.25, Vector(this->Smoothed[point]), this->Smoothed[point]);
   }
@@ -257,7 +261,7 @@ std::vector<double> LabelNet::GetVolumes(const Vectors& moves, Vectors& areas) c
 {
   std::vector<double> volumes(this->Image.Labels.size() + 1, 0.);
   areas.resize(this->Faces.size());
-  for (std::size_t f = 0; f < this->Faces.size(); ++f)
+  for (const std::size_t f : InTurn(this->Faces.size()))
   {
     const Face& face = this->Faces[f];
     Vector at[4];
@@ -285,7 +289,7 @@ LabelNet::Vectors LabelNet::Press(const Vectors& areas, const std::vector<double
 {
   constexpr double smallest = 1e-12; // faces that have become points
   Vectors moves(this->Corners.size(), Vector{ 0., 0., 0. });
-  for (std::size_t f = 0; f < this->Faces.size(); ++f)
+  for (const std::size_t f : InTurn(this->Faces.size()))
   {
     const Face& face = this->Faces[f];
     const double pressure = pressures[face.Low] - pressures[face.High];
@@ -300,7 +304,7 @@ LabelNet::Vectors LabelNet::Press(const Vectors& areas, const std::vector<double
 std::vector<double> LabelNet::GetChange(const Vectors& areas, const Vectors& moves) const
 {
   std::vector<double> change(this->Image.Labels.size() + 1, 0.);
-  for (std::size_t f = 0; f < this->Faces.size(); ++f)
+  for (const std::size_t f : InTurn(this->Faces.size()))
   {
     const Face& face = this->Faces[f];
     for (const vtkIdType corner : face.Corners)
@@ -318,7 +322,7 @@ std::vector<double> LabelNet::GetChange(const Vectors& areas, const Vectors& mov
 LabelNet::Vectors LabelNet::Solve(const Vectors& areas, const std::vector<double>& change) const
 {
   std::vector<double> sizes(this->Corners.size(), 0.);
-  for (std::size_t f = 0; f < this->Faces.size(); ++f)
+  for (const std::size_t f : InTurn(this->Faces.size()))
   {
     for (const vtkIdType corner : this->Faces[f].Corners)
     {
@@ -377,7 +381,7 @@ std::vector<Vector> LabelNet::HoldVolumes(const std::vector<double>& volumes) co
       moves[i] = this->Limit(moves[i]);
     }
   }
-  for (std::size_t i = 0; i < moves.size(); ++i)
+  for (const std::size_t i : InTurn(moves.size()))
   {
     const auto& corner = this->Corners[i];
     Add(1., { 1. * corner[0], 1. * corner[1], 1. * corner[2] }, moves[i]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Labels/LabelSolid.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Labels/LabelImage.h"
@@ -210,7 +211,7 @@ vtkSmartPointer<vtkUnstructuredGrid> LabelSolid::MakeControlMesh(
   grid->SetPoints(points);
   const bool isMirrored = placement.GetVoxelVolume() < 0.;
   vtkNew<vtkCellArray> cells;
-  for (LabelNet::Cell cell : net.GetCells())
+  for (LabelNet::Cell cell : InTurn(net.GetCells()))
   {
     if (isMirrored)
     {
@@ -234,7 +235,7 @@ vtkSmartPointer<vtkUnstructuredGrid> LabelSolid::MakeControlMesh(
   const auto labels = vtkSmartPointer<vtkDataArray>::Take(this->Options.Labels->NewInstance());
   labels->SetName(this->Name.c_str());
   labels->SetNumberOfTuples(static_cast<vtkIdType>(net.GetCells().size()));
-  for (vtkIdType cell = 0; cell < labels->GetNumberOfTuples(); ++cell)
+  for (const vtkIdType cell : InTurn(labels->GetNumberOfTuples()))
   {
     labels->SetComponent(cell, 0, this->Fine.Labels[net.GetCellLabels()[cell] - 1]);
   }
@@ -250,7 +251,7 @@ LabelSolid::Measures LabelSolid::Measure(
   const double least = ThinnestTet / TetsOfCube / std::ldexp(1., 3 * this->Options.Levels);
   auto* origins =
     vtkIdTypeArray::SafeDownCast(solid->GetCellData()->GetArray("vtkOriginalCellIds"));
-  for (vtkIdType tet = 0; tet < solid->GetNumberOfCells(); ++tet)
+  for (const vtkIdType tet : InTurn(solid->GetNumberOfCells()))
   {
     vtkIdType size;
     const vtkIdType* corners;
@@ -324,7 +325,7 @@ vtkUnstructuredGrid* LabelSolid::Solve(
   // Corners are moved among voxels that all count alike; rounds correct the rest.
   std::vector<double> target(this->Wanted.size(), 0.);
   const double part = 1. / std::pow(static_cast<double>(this->Length), 3);
-  for (const int label : this->Fine.Voxels)
+  for (const int label : InTurn(this->Fine.Voxels))
   {
     target[label] += this->Wanted[label] > 0. ? part : 0.;
   }
@@ -332,7 +333,7 @@ vtkUnstructuredGrid* LabelSolid::Solve(
   for (int round = 1;; ++round)
   {
     const auto corners = net.HoldVolumes(target);
-    for (vtkIdType i = 0; i < net.GetNumberOfPoints(); ++i)
+    for (const vtkIdType i : InTurn(net.GetNumberOfPoints()))
     {
       double point[3];
       placement.Place(corners[i], point);
@@ -372,7 +373,7 @@ std::vector<double> LabelSolid::SumVolumes(const LabelNet& net, const VoxelGrid&
     isThere[label] = true;
   }
   const std::array<vtkIdType, 3>& size = this->Fine.Size;
-  for (vtkIdType voxel = 0; voxel < this->Fine.Voxels.size(); ++voxel)
+  for (const vtkIdType voxel : InTurn(this->Fine.Voxels.size()))
   {
     const int label = this->Fine.Voxels[voxel];
     volumes[label] += label > 0 && isThere[label]
@@ -388,7 +389,7 @@ std::vector<double> LabelSolid::FindShares(const VoxelGrid& placement) const
 {
   std::vector<double> shares;
   const std::array<vtkIdType, 3>& size = this->Coarse.Size;
-  for (vtkIdType voxel = 0; voxel < this->Coarse.Voxels.size(); ++voxel)
+  for (const vtkIdType voxel : InTurn(this->Coarse.Voxels.size()))
   {
     if (this->Coarse.Voxels[voxel] > 0)
     {

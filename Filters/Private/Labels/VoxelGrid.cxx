@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Labels/VoxelGrid.h"
 
+#include "Core/Memory/Loops.h"
+
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -73,7 +75,7 @@ std::string VoxelGrid::FindFault()
   }
   if (!this->IsEven)
   {
-    for (vtkIdType i = 0; i < this->Data->GetNumberOfPoints(); ++i)
+    for (const vtkIdType i : InTurn(this->Data->GetNumberOfPoints()))
     {
       const double* x = this->Data->GetPoint(i);
       if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
@@ -104,11 +106,12 @@ double VoxelGrid::MeasureMeanVoxel() const
   const vtkIdType cells = this->First < 0. ? 0 : 1;
   double sum = 0.;
   std::array<vtkIdType, 3> at;
+  Turns turns;
   for (at[2] = 0; at[2] < this->Points[2] - cells; ++at[2])
   {
     for (at[1] = 0; at[1] < this->Points[1] - cells; ++at[1])
     {
-      for (at[0] = 0; at[0] < this->Points[0] - cells; ++at[0])
+      for (at[0] = 0; at[0] < this->Points[0] - cells; ++at[0], turns.Next())
       {
         sum += this->MeasureBox(at, 1);
       }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Reading/CellChecks.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Reading/NonLinearCells.h"
 #include "Private/Reading/PolyhedronFaces.h"
 
@@ -388,7 +389,7 @@ std::vector<std::string> DescribePassedOver(const CellReader& cells, const Check
 {
   std::vector<std::string> warnings;
   std::array<Tally, static_cast<size_t>(CellState::NumberOfStates)> tallies;
-  for (vtkIdType i = 0; i < cells.GetNumberOfCells(); ++i)
+  for (const vtkIdType i : InTurn(cells.GetNumberOfCells()))
   {
     Tally& tally = tallies[static_cast<size_t>(checked.States[i])];
     tally.First = tally.Count++ ? tally.First : i;

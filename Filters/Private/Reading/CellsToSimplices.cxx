@@ -5,6 +5,7 @@
 // follow from the counts. No block reads what another one writes.
 #include "Private/Reading/CellsToSimplices.h"
 
+#include "Core/Memory/Sorting.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/Reading/NonLinearCells.h"
@@ -498,7 +499,7 @@ void DescribeContested(std::vector<ContestedQuad>&& quads, std::vector<std::stri
   {
     return;
   }
-  std::sort(quads.begin(), quads.end());
+  StableSort(quads, std::less<>());
   quads.erase(std::unique(quads.begin(), quads.end(),
                 [](const ContestedQuad& a, const ContestedQuad& b) { return a.Key == b.Key; }),
     quads.end());
@@ -544,7 +545,7 @@ void SimplicesOfCells::TakeIds()
   if (this->InPlace)
   {
     vtkIdType size = 0;
-    for (unsigned char dimension : this->Simplices.Dimensions)
+    for (unsigned char dimension : InTurn(this->Simplices.Dimensions))
     {
       size += dimension + 1;
     }

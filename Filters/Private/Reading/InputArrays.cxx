@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Reading/InputArrays.h"
 
+#include "Core/Memory/Loops.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -22,7 +24,7 @@ vtkIdType FindBroken(vtkDataArray* numbers)
 {
   const bool isFloating =
     numbers->GetDataType() == VTK_FLOAT || numbers->GetDataType() == VTK_DOUBLE;
-  for (vtkIdType i = 0; isFloating && i < numbers->GetNumberOfTuples(); ++i)
+  for (const vtkIdType i : InTurn(isFloating ? numbers->GetNumberOfTuples() : vtkIdType(0)))
   {
     const double value = numbers->GetComponent(i, 0);
     if (!(std::floor(value) == value && std::isfinite(value)))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Reading/QuadDiagonals.h"
 
-#include "vtkSMPTools.h"
+#include "Core/Memory/Sorting.h"
 
 #include <algorithm>
 #include <utility>
@@ -41,15 +41,13 @@ void QuadDiagonals::SetTriangles(std::vector<TriangleKey>&& triangles, vtkIdType
   {
     return;
   }
-  vtkSMPTools::Sort(this->Triangles.begin(), this->Triangles.end());
-  this->Triangles.erase(
-    std::unique(this->Triangles.begin(), this->Triangles.end()), this->Triangles.end());
+  SortDistinct(this->Triangles);
   this->First.assign(static_cast<size_t>(numberOfPoints) + 1, 0);
-  for (const TriangleKey& key : this->Triangles)
+  for (const TriangleKey& key : InTurn(this->Triangles))
   {
     ++this->First[key[0] + 1];
   }
-  for (vtkIdType point = 0; point < numberOfPoints; ++point)
+  for (const vtkIdType point : InTurn(numberOfPoints))
   {
     this->First[point + 1] += this->First[point];
   }

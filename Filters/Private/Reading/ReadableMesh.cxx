@@ -169,7 +169,7 @@ void HideCells(vtkUnstructuredGrid* grid)
     std::copy(known, known + grid->GetNumberOfCells(), types->GetPointer(0));
   }
   std::vector<vtkIdType> scratch;
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  for (const vtkIdType c : InTurn(grid->GetNumberOfCells()))
   {
     const CellIds cell = reader.GetCell(c, scratch);
     if (std::any_of(cell.Ids, cell.Ids + cell.Size, [&](vtkIdType id)
@@ -277,7 +277,7 @@ public:
     this->Uses.assign(static_cast<size_t>(this->Grid->GetNumberOfPoints()), Use::None);
     vtkNew<vtkIdList> stream;
     std::vector<vtkIdType> scratch;
-    for (vtkIdType c = 0; c < cells; ++c)
+    for (const vtkIdType c : InTurn(cells))
     {
       const int type = this->Reader.GetCellType(c);
       CornerCell kept;

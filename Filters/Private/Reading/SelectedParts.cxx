@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Reading/SelectedParts.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Reading/CellReader.h"
 
 #include "vtkCellData.h"
@@ -86,7 +87,7 @@ vtkDataArray* GetInsidedness(vtkDataSetAttributes* data, vtkIdType tuples)
 std::vector<unsigned char> ReadFlags(vtkDataArray* array)
 {
   std::vector<unsigned char> flags;
-  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  for (const vtkIdType i : InTurn(array ? array->GetNumberOfTuples() : vtkIdType(0)))
   {
     flags.push_back(array->GetComponent(i, 0) > 0);
   }
@@ -127,7 +128,7 @@ SelectedCells FindTouched(const SelectedOfMeshes& selected)
     const CellReader cells(mesh);
     std::vector<unsigned char> flags;
     std::vector<vtkIdType> scratch;
-    for (vtkIdType i = 0; i < cells.GetNumberOfCells(); ++i)
+    for (const vtkIdType i : InTurn(cells.GetNumberOfCells()))
     {
       const CellIds ids = cells.GetCell(i, scratch);
       flags.push_back(std::any_of(ids.Ids, ids.Ids + ids.Size, [&](vtkIdType point)
@@ -337,7 +338,7 @@ std::vector<SelectedOfMeshes> Evaluate(vtkDataObject* input, vtkDataObject* read
 void Join(const std::vector<unsigned char>& more, std::vector<unsigned char>& flags)
 {
   flags.resize(std::max(flags.size(), more.size()), 0);
-  for (size_t i = 0; i < more.size(); ++i)
+  for (const size_t i : InTurn(more.size()))
   {
     flags[i] |= more[i];
   }

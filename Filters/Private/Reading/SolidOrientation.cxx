@@ -146,7 +146,7 @@ std::vector<vtkIdType> FindInvertedTets(const SimplexList& simplices, const Coor
       }
     });
   std::vector<vtkIdType> found;
-  for (vtkIdType i = 0; i < size; ++i)
+  for (const vtkIdType i : InTurn(size))
   {
     if (orientations[i] < 1)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Reading/UnusedPoints.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Reading/CellReader.h"
 
 #include "vtkPointSet.h"
@@ -13,7 +14,7 @@ std::vector<vtkIdType> FindUnusedPoints(vtkPointSet* mesh)
   const CellReader cells(mesh);
   std::vector<char> used(static_cast<size_t>(mesh->GetNumberOfPoints()), 0);
   std::vector<vtkIdType> scratch;
-  for (vtkIdType c = 0; c < cells.GetNumberOfCells(); ++c)
+  for (const vtkIdType c : InTurn(cells.GetNumberOfCells()))
   {
     const CellIds cell = cells.GetCell(c, scratch);
     for (vtkIdType i = 0; i < cell.Size; ++i)

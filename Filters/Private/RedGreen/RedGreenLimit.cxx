@@ -2,6 +2,7 @@
 #include "Private/RedGreen/RedGreenLimit.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Sorting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +72,7 @@ LocalLimit<Id> RedGreenLimit<Id>::GetOperator(const RedGreen<Id>& state, bool ha
 template <typename Id>
 void RedGreenLimit<Id>::FindCurved(const SimplicialComplex<Id>& complex, const Strata<Id>& strata)
 {
-  for (Id e = 0; e < complex.NumberOfEdges; ++e)
+  for (const Id e : InTurn(complex.NumberOfEdges))
   {
     const Rule rule = strata.Edges[e].GetRule();
     if (rule != Rule::Solid && rule != Rule::RegularEdge)
@@ -81,7 +82,7 @@ void RedGreenLimit<Id>::FindCurved(const SimplicialComplex<Id>& complex, const S
         { { std::min(ends[0], ends[1]), std::max(ends[0], ends[1]), -1, -1 } });
     }
   }
-  for (Id f = 0; f < complex.NumberOfFaces; ++f)
+  for (const Id f : InTurn(complex.NumberOfFaces))
   {
     if (strata.Faces[f].GetRule() != Rule::Solid)
     {
@@ -91,7 +92,7 @@ void RedGreenLimit<Id>::FindCurved(const SimplicialComplex<Id>& complex, const S
       this->Curved.push_back(face);
     }
   }
-  std::sort(this->Curved.begin(), this->Curved.end());
+  StableSort(this->Curved, std::less<>());
 }
 
 template <typename Id>
@@ -359,7 +360,7 @@ Buffer<Id> RedGreenLimit<Id>::NumberPlaces(
       numbers[ends[1]] = 0;
     }
   }
-  for (Id v = 0; v < static_cast<Id>(numbers.size()); ++v)
+  for (const Id v : InTurn(static_cast<Id>(numbers.size())))
   {
     if (v < given)
     {
@@ -484,7 +485,7 @@ void RedGreenLimit<Id>::Measure(
       errors[i] = error;
     });
   this->Errors = Buffer<double>(this->NumberOfEdges, 0.);
-  for (vtkIdType i = 0; i < errors.size(); ++i)
+  for (const vtkIdType i : InTurn(errors.size()))
   {
     for (Id edge : this->Samples[i].Edges)
     {

@@ -2,6 +2,7 @@
 #include "Private/RedGreen/RedGreenMesh.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Sorting.h"
 #include "Core/Solids/Complex/Simplices.h"
 #include "Private/Arrays/Arrays.h"
 
@@ -195,8 +196,7 @@ bool GreenUndo::Run(std::string& fault)
     this->Append(dimension, this->Leaf, first);
   }
   auto& midpoints = this->Undone.Midpoints;
-  std::sort(midpoints.begin(), midpoints.end());
-  midpoints.erase(std::unique(midpoints.begin(), midpoints.end()), midpoints.end());
+  SortDistinct(midpoints);
   const auto isSameEdge = [](const auto& a, const auto& b) { return a[0] == b[0] && a[1] == b[1]; };
   if (leaves != this->Leaves->GetNumberOfTuples() ||
     std::adjacent_find(midpoints.begin(), midpoints.end(), isSameEdge) != midpoints.end())
@@ -221,7 +221,7 @@ template <typename Id>
 bool IsWhatWasRead(const SimplexView& read, const RedGreenMesh& mesh)
 {
   RedGreen<Id> state(mesh.GetView());
-  for (const auto& midpoint : mesh.Midpoints)
+  for (const auto& midpoint : InTurn(mesh.Midpoints))
   {
     state.AddMidpoint(
       static_cast<Id>(midpoint[0]), static_cast<Id>(midpoint[1]), static_cast<Id>(midpoint[2]));

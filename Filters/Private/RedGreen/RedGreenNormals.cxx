@@ -2,6 +2,7 @@
 #include "Private/RedGreen/RedGreenNormals.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Private/Control/SharedSides.h"
 #include "Private/Reading/SolidOrientation.h"
 
@@ -52,7 +53,7 @@ SharedKeys RedGreenNormals<Id>::MakeTriangleKeys(vtkPointSet* input, const Simpl
     return triangle;
   };
   const auto* vertices = cells.Simplices.Connectivity.data();
-  for (std::size_t s = 0; s < cells.Simplices.Dimensions.size(); ++s)
+  for (const std::size_t s : InTurn(cells.Simplices.Dimensions.size()))
   {
     if (cells.Simplices.Dimensions[s] == 2)
     {
@@ -62,7 +63,7 @@ SharedKeys RedGreenNormals<Id>::MakeTriangleKeys(vtkPointSet* input, const Simpl
   }
   SharedKeys keys;
   keys.Width = pieces.Width;
-  for (vtkIdType face = 0; face < complex.NumberOfTriangleCells; ++face)
+  for (const vtkIdType face : InTurn(complex.NumberOfTriangleCells))
   {
     const std::size_t simplex = simplices.at(sorted(complex.FaceVertices.data() + 3 * face));
     const auto key = pieces.Keys.begin() + static_cast<std::ptrdiff_t>(simplex * keys.Width);

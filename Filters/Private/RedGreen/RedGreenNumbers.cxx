@@ -2,6 +2,7 @@
 #include "Private/RedGreen/RedGreenNumbers.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Control/SharedNumbers.h"
 #include "Private/Control/StampFields.h"
@@ -29,7 +30,7 @@ void NumberMidpoints(const std::vector<Id>& vertices, const RedGreen<Id>& state,
 {
   SharedKeys midpoints;
   midpoints.Width = 2;
-  for (const Id vertex : vertices)
+  for (const Id vertex : InTurn(vertices))
   {
     const auto ends = state.GetEnds(vertex);
     const auto [least, most] = std::minmax(points.Ids[ends[0]], points.Ids[ends[1]]);
@@ -38,7 +39,7 @@ void NumberMidpoints(const std::vector<Id>& vertices, const RedGreen<Id>& state,
     midpoints.Own.push_back(own[vertex] && least >= 0);
   }
   const SharedNumbers numbers = NumberTogether(midpoints, partners);
-  for (std::size_t i = 0; i < vertices.size(); ++i)
+  for (const std::size_t i : InTurn(vertices.size()))
   {
     points.Ids[vertices[i]] = numbers.First[i] < 0 ? -1 : points.Total + numbers.First[i];
   }
@@ -53,7 +54,7 @@ WholeSize AddRedGreenNumbers(vtkPointSet* input, const RedGreenMesh& mesh,
 {
   const SimplexView read = mesh.Control.Cells.GetView();
   Ids cellsOfSimplices;
-  for (vtkIdType s = 0; s < read.NumberOfSimplices; ++s)
+  for (const vtkIdType s : InTurn(read.NumberOfSimplices))
   {
     cellsOfSimplices.push_back(mesh.GetInputCell(s));
   }
@@ -62,7 +63,7 @@ WholeSize AddRedGreenNumbers(vtkPointSet* input, const RedGreenMesh& mesh,
   // cells
   IdSegment parts{ 0, 0, Ids(cellsOfSimplices.size() + 1, 0) };
   Ids inputCells;
-  for (const vtkIdType simplex : simplices)
+  for (const vtkIdType simplex : InTurn(simplices))
   {
     ++parts.Before[simplex + 1];
     inputCells.push_back(cellsOfSimplices[simplex]);

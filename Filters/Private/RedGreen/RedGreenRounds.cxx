@@ -24,7 +24,7 @@ void Apply(const std::vector<RefinementMark<Id>>& marks, std::size_t count, Shar
   RedGreen<Id>& state = *shared.State;
   std::vector<Id> inputs;
   inputs.reserve(count);
-  for (std::size_t i = 0; i < count; ++i)
+  for (const std::size_t i : InTurn(count))
   {
     if (marks[i].Leaf.Cell < state.GetNumberOfInputCells() &&
       (inputs.empty() || inputs.back() != marks[i].Leaf.Cell))
@@ -89,7 +89,7 @@ SharedState<Id> RedGreenRun::StartState()
     };
   }
   auto state = std::make_unique<RedGreen<Id>>(this->Mesh.GetView(), order);
-  for (const auto& middle : this->Mesh.Midpoints)
+  for (const auto& middle : InTurn(this->Mesh.Midpoints))
   {
     state->AddMidpoint(
       static_cast<Id>(middle[0]), static_cast<Id>(middle[1]), static_cast<Id>(middle[2]));
@@ -235,8 +235,7 @@ void RedGreenRun::StopAtLimit(std::vector<Marks<Id>>& rounds, SharedState<Id>& s
 void RedGreenRun::WarnOfNotes(MarkNotes& notes)
 {
   auto& edges = notes.WithoutValue;
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  SortDistinct(edges);
   if (!edges.empty())
   {
     vtkDataArray* array = this->Options.Criteria.Attribute;

@@ -2,6 +2,7 @@
 #include "Private/RedGreen/SharedSplits.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 
 #include <algorithm>
 #include <cstring>
@@ -17,7 +18,7 @@ std::vector<CellScope> FindScopes(const RedGreenMesh& mesh, const Partners& part
   const auto points = [&](vtkIdType i)
   { return Row<vtkIdType>{ view.Connectivity + places[i], view.Connectivity + places[i + 1] }; };
   std::vector<char> isOfOwn(view.NumberOfPoints, 0);
-  for (vtkIdType i = 0; i < size; ++i)
+  for (const vtkIdType i : InTurn(size))
   {
     for (const vtkIdType point : points(i))
     {
@@ -84,7 +85,7 @@ template <typename Id>
 void SharedSplits<Id>::NameCentres()
 {
   const SimplicesOfCells& cells = this->Mesh.Control.Cells;
-  for (vtkIdType c = 0; c < cells.GetNumberOfCentres(); ++c)
+  for (const vtkIdType c : InTurn(cells.GetNumberOfCentres()))
   {
     std::vector<vtkIdType> members(cells.CentreMembers.begin() + cells.CentreOffsets[c],
       cells.CentreMembers.begin() + cells.CentreOffsets[c + 1]);

@@ -2,6 +2,7 @@
 #include "Private/Surface/SurfaceCellArrays.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/Partners.h"
@@ -254,7 +255,7 @@ private:
     const Buffer<vtkIdType>& faces = this->FindSources(base.Level, this->FirstStep);
     std::vector<vtkIdType> before;
     std::vector<vtkIdType> now;
-    for (size_t f = 0; f < this->Cells.FaceCells.size(); ++f)
+    for (const size_t f : InTurn(this->Cells.FaceCells.size()))
     {
       const vtkIdType cell = this->Cells.FaceCells[f];
       if (!blocks || blocks->GetValue(cell) != NoBlock)

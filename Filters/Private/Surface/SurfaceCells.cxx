@@ -2,6 +2,7 @@
 #include "Private/Surface/SurfaceCells.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellsToSimplices.h"
@@ -52,7 +53,7 @@ SurfaceCells ReadSimplices(vtkPolyData* input, const vtkIdType* globalIds)
   cells.FaceOffsets.reserve(size + 1);
   cells.FaceCells.reserve(size);
   const vtkIdType* ids = simplices.Simplices.Connectivity.data();
-  for (vtkIdType i = 0; i < simplices.Simplices.GetNumberOfSimplices(); ++i)
+  for (const vtkIdType i : InTurn(simplices.Simplices.GetNumberOfSimplices()))
   {
     const vtkIdType cell = simplices.ParentCells.empty() ? i : simplices.ParentCells[i];
     const int dimension = simplices.Simplices.Dimensions[i];
@@ -100,7 +101,7 @@ SurfaceCells ReadPolygons(vtkPolyData* input)
   vtkIdType first = -1;
   std::vector<vtkIdType> scratch;
   std::vector<vtkIdType> loop;
-  for (vtkIdType cell = 0; cell < reader.GetNumberOfCells(); ++cell)
+  for (const vtkIdType cell : InTurn(reader.GetNumberOfCells()))
   {
     if (!TakesPart(checked.States[cell]))
     {

@@ -2,6 +2,7 @@
 #include "Private/Surface/SurfaceCreases.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 #include "Private/Arrays/Arrays.h"
@@ -85,7 +86,7 @@ std::vector<vtkIdType> FindFeatureEdges(
       }
     });
   std::vector<vtkIdType> pairs;
-  for (vtkIdType e = 0; e < turns.size(); ++e)
+  for (const vtkIdType e : InTurn(turns.size()))
   {
     if (turns[e])
     {
@@ -103,7 +104,7 @@ std::vector<vtkIdType> FindInterfaceEdges(
   auto materialOf = [&](Id corner)
   { return numbers[static_cast<std::size_t>(faceCells[mesh.GetFace(corner)])]; };
   std::vector<vtkIdType> pairs;
-  for (vtkIdType e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  for (const vtkIdType e : InTurn(mesh.GetNumberOfEdges()))
   {
     const Id corner = mesh.EdgeCorners[e];
     const Id twin = corner < 0 ? corner : mesh.Twins[corner];
@@ -162,7 +163,7 @@ SharpPairs FindMarkedEdges(
     ++counts[{ faces[i], faces[i + 2] }];
     ++counts[{ faces[i + 1], faces[i + 2] }];
   }
-  for (const auto& count : counts)
+  for (const auto& count : InTurn(counts))
   {
     if (count.second != 2)
     {
@@ -201,7 +202,7 @@ void AddSharpEdges(const PolygonMesh<Id>& mesh, const SharpPairs& pairs, Surface
       creases.Sharpness.resize(mesh.GetNumberOfEdges(), 0.);
     }
     CollectEdges(mesh, a, [&](Id e) { return mesh.GetOtherEnd(e, a) == b; }, edges);
-    for (Id edge : edges)
+    for (Id edge : InTurn(edges))
     {
       if (isFinite)
       {
@@ -219,14 +220,14 @@ template <typename Id>
 std::vector<vtkIdType> ListSharpEdges(const PolygonMesh<Id>& mesh, const SurfaceFeatures& features)
 {
   std::vector<vtkIdType> pairs;
-  for (std::size_t e = 0; e < features.SharpEdges.size(); ++e)
+  for (const std::size_t e : InTurn(features.SharpEdges.size()))
   {
     if (features.SharpEdges[e])
     {
       pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
     }
   }
-  for (std::size_t v = 0; v < features.Corners.size(); ++v)
+  for (const std::size_t v : InTurn(features.Corners.size()))
   {
     if (features.Corners[v])
     {
@@ -257,23 +258,23 @@ SurfaceCreases ReadSurfaceCreases(
     features.SharpEdges.assign(mesh.GetNumberOfEdges(), 0);
     features.Corners.assign(mesh.NumberOfVertices, 0);
     auto isFlagged = [flags](vtkIdType cell) { return flags->GetComponent(cell, 0) != 0.; };
-    for (std::size_t i = 0; i < cells.Vertices.size(); ++i)
+    for (const std::size_t i : InTurn(cells.Vertices.size()))
     {
       features.Corners[cells.Vertices[i]] |= isFlagged(cells.VertexCells[i]);
     }
     // An edge of flagged faces is sharp unless it has exactly two of them.
     std::vector<unsigned char> counts(mesh.GetNumberOfEdges(), 0);
-    for (vtkIdType c = 0; c < mesh.GetNumberOfCorners(); ++c)
+    for (const vtkIdType c : InTurn(mesh.GetNumberOfCorners()))
     {
       unsigned char& count = counts[mesh.Edges[c]];
       count = static_cast<unsigned char>(
         std::min(3, count + isFlagged(cells.FaceCells[mesh.GetFace(static_cast<Id>(c))])));
     }
-    for (std::size_t e = 0; e < counts.size(); ++e)
+    for (const std::size_t e : InTurn(counts.size()))
     {
       features.SharpEdges[e] = counts[e] == 1 || counts[e] > 2;
     }
-    for (vtkIdType s = 0; s < level.Lines.size(); ++s)
+    for (const vtkIdType s : InTurn(level.Lines.size()))
     {
       features.SharpEdges[level.Lines[s] / 2] |= isFlagged(cells.SegmentCells[s]);
     }
@@ -281,13 +282,13 @@ SurfaceCreases ReadSurfaceCreases(
   if (vtkDataArray* sharpness = options.Sharpness)
   {
     creases.Sharpness.assign(mesh.GetNumberOfEdges(), 0.);
-    for (vtkIdType s = 0; s < level.Lines.size(); ++s)
+    for (const vtkIdType s : InTurn(level.Lines.size()))
     {
       const double value = sharpness->GetComponent(cells.SegmentCells[s], 0);
       double& edge = creases.Sharpness[level.Lines[s] / 2];
       edge = value > edge ? value : edge;
     }
-    for (std::size_t e = 0; e < creases.Sharpness.size(); ++e)
+    for (const std::size_t e : InTurn(creases.Sharpness.size()))
     {
       if (std::isinf(creases.Sharpness[e]))
       {
@@ -307,7 +308,7 @@ void WriteSharpCorners(const PolygonMesh<Id>& mesh, const SurfaceCreases& crease
   stamp.FaceAngles.clear();
   stamp.GivenCorners.clear();
   std::vector<unsigned char> isEnd(static_cast<std::size_t>(mesh.NumberOfVertices), 0);
-  for (std::size_t e = 0; e < creases.Sharpness.size(); ++e)
+  for (const std::size_t e : InTurn(creases.Sharpness.size()))
   {
     for (std::size_t i = 2 * e; i < 2 * e + 2 && creases.Sharpness[e] > 0.; ++i)
     {
@@ -315,7 +316,7 @@ void WriteSharpCorners(const PolygonMesh<Id>& mesh, const SurfaceCreases& crease
     }
   }
   const SurfaceFeatures& features = creases.Features;
-  for (std::size_t v = 0; v < isEnd.size(); ++v)
+  for (const std::size_t v : InTurn(isEnd.size()))
   {
     if (isEnd[v])
     {
@@ -324,7 +325,8 @@ void WriteSharpCorners(const PolygonMesh<Id>& mesh, const SurfaceCreases& crease
           features.Flatness.empty() ? -1. : features.Flatness[v] });
     }
   }
-  for (vtkIdType c = 0; c < mesh.GetNumberOfCorners() && !stamp.GivenCorners.empty(); ++c)
+  const vtkIdType corners = stamp.GivenCorners.empty() ? 0 : mesh.GetNumberOfCorners();
+  for (const vtkIdType c : InTurn(corners))
   {
     if (isEnd[mesh.Vertices[c]])
     {

@@ -2,6 +2,7 @@
 #include "Private/Surface/SurfaceFrames.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Private/Arrays/Arrays.h"
 
@@ -45,11 +46,11 @@ void AddShadingCells(
         static_cast<int>(mesh.GetSize(face)), !turned.empty() && turned[f] != 0);
     });
   normals.TakeFirstLines(); // other partitions of an adaptive surface may have cut theirs
-  for (const Id line : level.Lines)
+  for (const Id line : InTurn(level.Lines))
   {
     normals.AddLine(mesh.EdgeVertices[2 * (line / 2)], mesh.EdgeVertices[2 * (line / 2) + 1]);
   }
-  for (vtkIdType v = 0; v < mesh.NumberOfVertices; ++v)
+  for (const vtkIdType v : InTurn(mesh.NumberOfVertices))
   {
     normals.AddPoint(v);
   }

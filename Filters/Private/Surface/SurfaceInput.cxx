@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceInput.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellChecks.h"
@@ -72,7 +73,7 @@ vtkIdType SortCells(vtkUnstructuredGrid* grid, const CellReader& reader,
   NonLinearCells nonLinear(grid);
   std::vector<vtkIdType> scratch;
   vtkIdType solids = 0;
-  for (vtkIdType c = 0; c < reader.GetNumberOfCells(); ++c)
+  for (const vtkIdType c : InTurn(reader.GetNumberOfCells()))
   {
     if (!TakesPart(checked.States[c]))
     {
@@ -100,7 +101,7 @@ vtkIdType SortCells(vtkUnstructuredGrid* grid, const CellReader& reader,
 
 std::vector<std::string> DescribeUnused(const CellReader& reader, CheckedCells checked)
 {
-  for (CellState& state : checked.States)
+  for (CellState& state : InTurn(checked.States))
   {
     // Who reads the surface tells of these.
     state = state == CellState::PartlyRepeated ? CellState::Good : state;

@@ -2,6 +2,7 @@
 #include "Private/Surface/SurfaceNumbers.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Private/ArrayNames.h"
 #include "Private/Control/Partners.h"
@@ -30,7 +31,7 @@ std::vector<char> FindSurePoints(vtkPolyData* input, const Partners& partners)
   const CellReader cells(input);
   std::vector<char> used(sure.size(), 0);
   std::vector<vtkIdType> scratch;
-  for (vtkIdType c = 0; c < cells.GetNumberOfCells(); ++c)
+  for (const vtkIdType c : InTurn(cells.GetNumberOfCells()))
   {
     const CellIds cell = cells.GetCell(c, scratch);
     for (vtkIdType i = 0; i < cell.Size; ++i)
@@ -41,7 +42,7 @@ std::vector<char> FindSurePoints(vtkPolyData* input, const Partners& partners)
       }
     }
   }
-  for (size_t i = 0; i < sure.size(); ++i)
+  for (const size_t i : InTurn(sure.size()))
   {
     sure[i] |= !used[i];
   }
@@ -67,15 +68,15 @@ SharedKeys MakeEdgeKeys(const SurfaceLevel<Id>& control, const SharedKeys& faces
   SharedKeys edges;
   edges.Width = 2;
   edges.Own.assign(static_cast<size_t>(mesh.GetNumberOfEdges()), 0);
-  for (vtkIdType c = 0; c < mesh.GetNumberOfCorners(); ++c)
+  for (const vtkIdType c : InTurn(mesh.GetNumberOfCorners()))
   {
     edges.Own[mesh.Edges[c]] |= faces.Own[mesh.GetFace(static_cast<Id>(c))];
   }
-  for (vtkIdType line = 0; line < control.Lines.size(); ++line)
+  for (const vtkIdType line : InTurn(control.Lines.size()))
   {
     edges.Own[control.Lines[line] / 2] |= lines.Own[line];
   }
-  for (vtkIdType e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  for (const vtkIdType e : InTurn(mesh.GetNumberOfEdges()))
   {
     const vtkIdType ends[2] = { vertices.First[kinds * mesh.EdgeVertices[2 * e]],
       vertices.First[kinds * mesh.EdgeVertices[2 * e + 1]] };

@@ -71,7 +71,7 @@ Buffer<vtkIdType> GatherTriangles(
       }
     });
   vtkIdType* to = triangles.data() + 3 * ofFaces;
-  for (const int line : level.Lines)
+  for (const int line : InTurn(level.Lines))
   {
     const int* ends = mesh.EdgeVertices.data() + 2 * (line / 2);
     for (const int end : { ends[0], ends[1], ends[1] })
@@ -79,7 +79,7 @@ Buffer<vtkIdType> GatherTriangles(
       *to++ = end;
     }
   }
-  for (const vtkIdType vertex : vertices)
+  for (const vtkIdType vertex : InTurn(vertices))
   {
     to = std::fill_n(to, 3, vertex);
   }

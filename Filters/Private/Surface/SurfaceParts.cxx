@@ -4,6 +4,7 @@
 #include "Private/Surface/SurfaceRun.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/StampFields.h"
@@ -129,7 +130,7 @@ void SurfaceRun<Id>::WriteControlPoints(const SurfaceNumbers& numbers, const Par
   const auto valueAt = [](const std::vector<double>& values, vtkIdType i)
   { return values.empty() ? -1. : values[i]; };
   std::vector<double> points;
-  for (vtkIdType v = 0; v < this->GetControl().NumberOfPoints; ++v)
+  for (const vtkIdType v : InTurn(this->GetControl().NumberOfPoints))
   {
     const double* x = this->ControlCoordinates.data() + 3 * v;
     if (own[v])

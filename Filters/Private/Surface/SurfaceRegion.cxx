@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceRegion.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/Partners.h"
@@ -72,13 +73,13 @@ vtkSmartPointer<vtkCellArray> ReadCells(vtkFieldData* data, const char* const* n
 Ids FindPlaces(const Ids& numbers, const Ids& ids)
 {
   std::vector<std::pair<vtkIdType, vtkIdType>> sorted;
-  for (size_t i = 0; i < ids.size(); ++i)
+  for (const size_t i : InTurn(ids.size()))
   {
     sorted.emplace_back(ids[i], static_cast<vtkIdType>(i));
   }
   std::sort(sorted.begin(), sorted.end());
   Ids places;
-  for (const vtkIdType number : numbers)
+  for (const vtkIdType number : InTurn(numbers))
   {
     const auto found =
       std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(number, vtkIdType(0)));
@@ -131,7 +132,7 @@ bool CompareCells(vtkPolyData* input, SurfaceRegion& region)
   auto* blocks = vtkIntArray::SafeDownCast(input->GetCellData()->GetArray(BlockName));
   std::vector<char> isThere(static_cast<size_t>(input->GetNumberOfCells()), 0);
   Ids scratch[2];
-  for (size_t c = 0; c < region.Cells.size(); ++c)
+  for (const size_t c : InTurn(region.Cells.size()))
   {
     vtkIdType& place = region.Cells[c];
     if (place < 0)
@@ -149,7 +150,7 @@ bool CompareCells(vtkPolyData* input, SurfaceRegion& region)
       isThere[place] = 1;
     }
   }
-  for (size_t c = 0; c < isThere.size(); ++c)
+  for (const size_t c : InTurn(isThere.size()))
   {
     const bool isOwn = !blocks || blocks->GetValue(static_cast<vtkIdType>(c)) != NoBlock;
     if (isOwn && !isThere[c])
@@ -194,7 +195,7 @@ bool MakeRegion(vtkPolyData* input, const Ids& points, const Ids& cells, Surface
 Ids CountUpTo(vtkIdType size)
 {
   Ids ids;
-  for (vtkIdType i = 0; i < size; ++i)
+  for (const vtkIdType i : InTurn(size))
   {
     ids.push_back(i);
   }
@@ -210,7 +211,8 @@ void CountIn(
   const char* name, vtkDataSetAttributes* input, const Ids& places, vtkDataSetAttributes* output)
 {
   auto* ids = vtkIdTypeArray::SafeDownCast(output->GetAbstractArray(name));
-  for (vtkIdType i = 0; ids && !input->HasArray(name) && i < ids->GetNumberOfValues(); ++i)
+  for (const vtkIdType i :
+    InTurn(ids && !input->HasArray(name) ? ids->GetNumberOfValues() : vtkIdType(0)))
   {
     const vtkIdType id = ids->GetValue(i);
     ids->SetValue(i, id >= 0 ? places[static_cast<size_t>(id)] : id);

@@ -2,6 +2,7 @@
 #include "Private/Surface/SurfaceSeams.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Sorting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ std::vector<vtkIdType> FindFirstPoints(vtkIdType size, const double* x)
   auto isBad = [x](vtkIdType p)
   { return !std::all_of(x + 3 * p, x + 3 * p + 3, [](double v) { return std::isfinite(v); }); };
   order.erase(std::remove_if(order.begin(), order.end(), isBad), order.end());
-  std::stable_sort(order.begin(), order.end(), isBefore);
+  StableSort(order, isBefore);
   for (std::size_t i = 1; i < order.size(); ++i)
   {
     if (!isBefore(order[i - 1], order[i]))
@@ -43,7 +44,7 @@ bool JoinEqualPoints(const SurfaceCells& cells, const double* points, JoinedSurf
   // Points of one face stay apart, so that it keeps its corners.
   auto separate = [&firsts](const vtkIdType* ids, vtkIdType size)
   {
-    for (vtkIdType i = 0; i < size; ++i)
+    for (const vtkIdType i : InTurn(size))
     {
       for (vtkIdType j = 0; j < i; ++j)
       {
@@ -55,19 +56,19 @@ bool JoinEqualPoints(const SurfaceCells& cells, const double* points, JoinedSurf
       }
     }
   };
-  for (vtkIdType f = 0; f < cells.GetNumberOfFaces(); ++f)
+  for (const vtkIdType f : InTurn(cells.GetNumberOfFaces()))
   {
     separate(
       cells.Corners.data() + cells.FaceOffsets[f], cells.FaceOffsets[f + 1] - cells.FaceOffsets[f]);
   }
-  for (std::size_t s = 0; s < cells.SegmentCells.size(); ++s)
+  for (const std::size_t s : InTurn(cells.SegmentCells.size()))
   {
     separate(cells.Segments.data() + 2 * s, 2);
   }
   joined.Cells = cells;
   for (auto* ids : { &joined.Cells.Corners, &joined.Cells.Segments, &joined.Cells.Vertices })
   {
-    for (vtkIdType& id : *ids)
+    for (vtkIdType& id : InTurn(*ids))
     {
       id = firsts[id];
     }
@@ -85,7 +86,7 @@ void AddSeamCorners(const PolygonMesh<Id>& mesh, const JoinedSurface& joined,
     ++copies[first];
   }
   features.Corners.resize(mesh.NumberOfVertices, 0);
-  for (vtkIdType v = 0; v < mesh.NumberOfVertices; ++v)
+  for (const vtkIdType v : InTurn(mesh.NumberOfVertices))
   {
     const Id corner = mesh.VertexCorners[v];
     const bool isInside = corner >= 0 && VisitFan(mesh, corner, [](const FanStep<Id>&) {});
@@ -106,7 +107,7 @@ Buffer<vtkIdType> FindJoinedVertices(
   Buffer<vtkIdType> vertices(level.Mesh.NumberOfVertices, 0);
   // Control points keep their ids, and both meshes split their cells in the same order.
   std::iota(vertices.begin(), vertices.begin() + numberOfPoints, vtkIdType(0));
-  for (vtkIdType i = 0; i < 2 * level.Lines.size(); ++i)
+  for (const vtkIdType i : InTurn(2 * level.Lines.size()))
   {
     auto end = [i](const SurfaceLevel<Id>& of)
     {
@@ -119,7 +120,7 @@ Buffer<vtkIdType> FindJoinedVertices(
   Buffer<vtkIdType> joinedCorners(corners.size());
   steps.WriteFaces(last, corners.data());
   joinedSteps.WriteFaces(last, joinedCorners.data());
-  for (vtkIdType c = 0; c < corners.size(); ++c)
+  for (const vtkIdType c : InTurn(corners.size()))
   {
     vertices[corners[c]] = joinedCorners[c];
   }

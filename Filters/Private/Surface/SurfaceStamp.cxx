@@ -2,6 +2,7 @@
 #include "Private/Surface/SurfaceStamp.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/Stamp.h"
@@ -249,7 +250,7 @@ bool CopyControlCells(const SurfaceCells& cells, const SurfaceStamp& stamp, Surf
   control.FaceCells.assign(stamp.NumberOfControlFaces, 0);
   vtkIdType corners = 0;
   const vtkIdType all = static_cast<vtkIdType>(stamp.Cells.size());
-  for (vtkIdType f = 0; f < stamp.NumberOfControlFaces; ++f)
+  for (const vtkIdType f : InTurn(stamp.NumberOfControlFaces))
   {
     const vtkIdType size = stamp.Size > 0 ? stamp.Size : stamp.Sizes[f];
     if (size < 3 || size > all - corners)
@@ -270,7 +271,7 @@ bool CopyControlCells(const SurfaceCells& cells, const SurfaceStamp& stamp, Surf
   control.Segments.assign(first, first + ends);
   control.Corners.assign(first + ends, first + ends + corners);
   control.Vertices.assign(first + ends + corners, stamp.Cells.end());
-  for (vtkIdType s = 0; s < segments; ++s)
+  for (const vtkIdType s : InTurn(segments))
   {
     if (children == 0 || control.Segments[2 * s] == control.Segments[2 * s + 1])
     {
@@ -278,7 +279,7 @@ bool CopyControlCells(const SurfaceCells& cells, const SurfaceStamp& stamp, Surf
     }
     control.SegmentCells.push_back(cells.SegmentCells[s * (children / segments)]);
   }
-  for (vtkIdType f = 0; f < stamp.NumberOfControlFaces; ++f)
+  for (const vtkIdType f : InTurn(stamp.NumberOfControlFaces))
   {
     std::vector<vtkIdType> face(control.Corners.begin() + control.FaceOffsets[f],
       control.Corners.begin() + control.FaceOffsets[f + 1]);
@@ -329,7 +330,7 @@ bool LiftSurfaceCells(const SurfaceCells& cells, const SurfaceStamp& stamp,
   }
   vtkIdType face = 0;
   const vtkIdType children = vtkIdType(1) << (2 * stamp.Levels);
-  for (vtkIdType f = 0; f < stamp.NumberOfControlFaces; ++f)
+  for (const vtkIdType f : InTurn(stamp.NumberOfControlFaces))
   {
     const vtkIdType size = stamp.Size > 0 ? stamp.Size : stamp.Sizes[f];
     const vtkIdType left = cells.GetNumberOfFaces() - face;
@@ -374,7 +375,7 @@ void TurnEdgesOfPart(
   const vtkIdType ofFace = vtkIdType(1) << (2 * stamp.Levels);
   const auto cornerOfTriangle = [&](vtkIdType corner, vtkIdType at)
   { return cells.Corners[3 * (corner / 3 * ofFace + corner % 3 * ((ofFace - 1) / 3)) + at % 3]; };
-  for (Id c = 0; c < mesh.GetNumberOfCorners(); ++c)
+  for (const Id c : InTurn(mesh.GetNumberOfCorners()))
   {
     const Id next = mesh.Next(c);
     if (stamp.Size == 3)
@@ -389,16 +390,16 @@ void TurnEdgesOfPart(
     }
   }
   const vtkIdType pieces = vtkIdType(1) << stamp.Levels;
-  for (vtkIdType line = 0; line < control.Lines.size(); ++line)
+  for (const vtkIdType line : InTurn(control.Lines.size()))
   {
     const vtkIdType* points = cells.Segments.data() + 2 * line * pieces;
     compare(control.Lines[line] / 2, static_cast<Id>(points[0]), points[1], points[2 * pieces - 2]);
   }
-  for (Id& line : control.Lines)
+  for (Id& line : InTurn(control.Lines))
   {
     line = turned[line / 2] ? line ^ 1 : line;
   }
-  for (size_t e = 0; e < turned.size(); ++e)
+  for (const size_t e : InTurn(turned.size()))
   {
     if (turned[e])
     {

@@ -2,6 +2,7 @@
 #include "Private/Surface/SurfaceRun.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 #include "Private/ArrayNames.h"
@@ -267,7 +268,7 @@ void SurfaceRun<Id>::FindCreases(const PolygonMesh<Id>& mesh, const SurfaceCells
     this->Creases.Sharpness.insert(
       this->Creases.Sharpness.end(), this->Marked.Sharpness.begin(), this->Marked.Sharpness.end());
   }
-  for (const vtkIdType point : this->Marked.Points)
+  for (const vtkIdType point : InTurn(this->Marked.Points))
   {
     this->Creases.Points.push_back(isJoined ? this->JoinedMesh.FirstPoints[point] : point);
   }
@@ -285,7 +286,7 @@ SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const Surf
     features.Sharpness = nullptr;
   }
   SurfaceCreases creases = ReadSurfaceCreases(features, cells, level);
-  for (double& sharpness : creases.Sharpness)
+  for (double& sharpness : InTurn(creases.Sharpness))
   {
     sharpness += sharpness > 0. ? this->MadeLevels : 0.;
   }
@@ -398,7 +399,7 @@ bool SurfaceRun<Id>::IsDescendant() const
   {
     return false;
   }
-  for (vtkIdType i = 0; i < 2 * level.Lines.size(); ++i)
+  for (const vtkIdType i : InTurn(2 * level.Lines.size()))
   {
     const Id line = level.Lines[i / 2];
     if (mesh.EdgeVertices[2 * (line / 2) + (line % 2 + i % 2) % 2] != cells.Segments[i])

@@ -2,6 +2,7 @@
 #include "Private/Topology/SharedCounts.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Solids/Complex/Links.h"
 
 #include <algorithm>
@@ -97,7 +98,7 @@ vtkIdType FindOwnComponents(const SimplicialComplex<Id>& complex,
 {
   Joins joins(complex.NumberOfVertices);
   components = Buffer<vtkIdType>(complex.NumberOfVertices, -1);
-  for (vtkIdType e = 0; e < complex.NumberOfEdges; ++e)
+  for (const vtkIdType e : InTurn(complex.NumberOfEdges))
   {
     if (own.Flags[1][e] && (description.Facts[1][e].ManifoldDimensions & DimensionBit(k)))
     {
@@ -107,7 +108,7 @@ vtkIdType FindOwnComponents(const SimplicialComplex<Id>& complex,
     }
   }
   vtkIdType size = 0;
-  for (vtkIdType v = 0; v < complex.NumberOfVertices; ++v)
+  for (const vtkIdType v : InTurn(complex.NumberOfVertices))
   {
     if (components[v] >= 0) // roots come first
     {

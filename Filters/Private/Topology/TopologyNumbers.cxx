@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Topology/TopologyNumbers.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SharedNumbers.h"
@@ -26,7 +27,7 @@ Ids NumberPoints(vtkPointSet* input, const ControlMesh& mesh, Partners& partners
   const SimplexView read = mesh.Cells.GetView();
   const Ids& parents = mesh.Cells.ParentCells;
   Ids cells;
-  for (vtkIdType s = 0; s < read.NumberOfSimplices; ++s)
+  for (const vtkIdType s : InTurn(read.NumberOfSimplices))
   {
     cells.push_back(parents.empty() ? s : parents[s]);
   }
@@ -43,7 +44,7 @@ void NumberCells(vtkUnstructuredGrid* output, const Ids& own, int dimension, con
   SharedKeys things;
   things.Width = dimension + 1;
   Ids scratch;
-  for (const vtkIdType c : own)
+  for (const vtkIdType c : InTurn(own))
   {
     const CellIds cell = reader.GetCell(c, scratch);
     const std::size_t start = things.Keys.size();
@@ -55,7 +56,7 @@ void NumberCells(vtkUnstructuredGrid* output, const Ids& own, int dimension, con
   }
   things.Own.assign(own.size(), 1);
   const SharedNumbers found = NumberTogether(things, partners);
-  for (std::size_t i = 0; i < own.size(); ++i)
+  for (const std::size_t i : InTurn(own.size()))
   {
     numbers[own[i]] = first + found.First[i];
   }
@@ -71,7 +72,7 @@ void AddTopologyNumbers(vtkPointSet* input, const ControlMesh& mesh,
   const CellReader reader(output);
   Ids own[3];
   Ids scratch;
-  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  for (const vtkIdType c : InTurn(output->GetNumberOfCells()))
   {
     if (isOwn(c))
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Uniform/KeptNumbers.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Control/StampFields.h"
 
@@ -89,7 +90,7 @@ void KeptNumbers::AddCentres(const ShapedCells& before, const Ids& sources)
 
 void KeptNumbers::Take(const SharedNumbers& numbers)
 {
-  for (const vtkIdType number : numbers.First)
+  for (const vtkIdType number : InTurn(numbers.First))
   {
     this->Points.push_back(number < 0 ? -1 : this->Total + number);
   }
@@ -114,7 +115,7 @@ void KeptNumbers::Write(const Ids& sources, vtkUnstructuredGrid* output) const
   }
   const SharedNumbers numbers = NumberTogether(inputs, this->With);
   Ids cells(sources.size(), -1);
-  for (std::size_t i = 0; i < starts.size(); ++i)
+  for (const std::size_t i : InTurn(starts.size()))
   {
     for (vtkIdType k = 0; k < inputs.Sizes[i] && numbers.First[i] >= 0; ++k)
     {

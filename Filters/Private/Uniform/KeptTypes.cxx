@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Uniform/KeptTypes.h"
 
+#include "Core/Memory/Loops.h"
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Core/Solids/RedCells/RedCells.h"
 #include "Private/ArrayNames.h"
@@ -55,8 +56,12 @@ public:
   {
     result.Cells.NumberOfPoints = input->GetNumberOfPoints();
     std::vector<vtkIdType> scratch;
-    for (vtkIdType cell = 0; cell < this->Reader.GetNumberOfCells() && result.Error.empty(); ++cell)
+    for (const vtkIdType cell : InTurn(this->Reader.GetNumberOfCells()))
     {
+      if (!result.Error.empty())
+      {
+        break;
+      }
       if (!this->Ghosts || !(this->Ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL))
       {
         this->Read(cell, this->Reader.GetCell(cell, scratch));
@@ -162,7 +167,7 @@ private:
 std::string CheckSize(vtkPointSet* input, const ShapedCells& cells, const UniformOptions& options)
 {
   std::array<double, NumberOfShapes> counts{};
-  for (const CellShape shape : cells.Shapes)
+  for (const CellShape shape : InTurn(cells.Shapes))
   {
     ++counts[static_cast<std::size_t>(shape)];
   }
@@ -195,7 +200,7 @@ std::string CheckSize(vtkPointSet* input, const ShapedCells& cells, const Unifor
 void OrderTetsOf(ShapedCells& cells, const Coordinates& points, const std::vector<vtkIdType>& ids)
 {
   long long* corners = cells.Corners.data();
-  for (const CellShape shape : cells.Shapes)
+  for (const CellShape shape : InTurn(cells.Shapes))
   {
     if (shape == CellShape::Tet)
     {
@@ -218,7 +223,7 @@ void WriteCells(const ShapedCells& cells, bool use32BitIds, vtkUnstructuredGrid*
   offsets->SetValue(0, 0);
   vtkNew<vtkIdTypeArray> corners;
   corners->SetNumberOfTuples(static_cast<vtkIdType>(cells.Corners.size()));
-  for (vtkIdType c = 0; c < size; ++c)
+  for (const vtkIdType c : InTurn(size))
   {
     types->SetValue(c, Types[static_cast<std::size_t>(cells.Shapes[c])]);
     offsets->SetValue(c + 1, offsets->GetValue(c) + GetNumberOfCorners(cells.Shapes[c]));
@@ -323,7 +328,7 @@ bool RefineKeepingTypes(
         return *std::min_element(
           first, last, [&](vtkIdType a, vtkIdType b) { return points->IsEarlier(a, b); });
       });
-    for (vtkIdType& parent : step.Parents)
+    for (vtkIdType& parent : InTurn(step.Parents))
     {
       parent = kept.Sources[parent];
     }

@@ -2,6 +2,7 @@
 #include "Private/Uniform/OutputNumbers.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/Partners.h"
@@ -37,7 +38,7 @@ public:
   {
     this->FindCells(PlaceCells(input, partners));
     Flags own;
-    for (const vtkIdType cell : this->Cells)
+    for (const vtkIdType cell : InTurn(this->Cells))
     {
       own.push_back(partners.IsOwn(cell));
     }
@@ -52,7 +53,7 @@ public:
     this->NumberSimplices(steps);
     this->NumberFaces();
     this->Made.Parts = this->FindParts(this->Wanted.Flags);
-    for (const vtkIdType point : this->Wanted.Points)
+    for (const vtkIdType point : InTurn(this->Wanted.Points))
     {
       this->Made.Parts.Kept[0][point] = 1;
     }
@@ -152,7 +153,7 @@ private:
   {
     const vtkIdType size = this->Control.GetNumberOfSimplices();
     vtkIdType next = 0;
-    for (vtkIdType s = 0; s < size; ++s)
+    for (const vtkIdType s : InTurn(size))
     {
       const bool isPiece = this->Mesh.MadeLevels == 0 && !this->Mesh.Cells.ParentCells.empty();
       const vtkIdType cell = isPiece ? this->Mesh.Cells.ParentCells[s] : next;
@@ -221,7 +222,7 @@ private:
     SharedKeys vertices;
     vertices.Keys = this->Made.Numbers[0];
     std::replace(vertices.Keys.begin(), vertices.Keys.end(), vtkIdType(-1), vtkIdType(0));
-    for (size_t v = 0; v < vertices.Keys.size(); ++v)
+    for (const size_t v : InTurn(vertices.Keys.size()))
     {
       vertices.Own.push_back(this->Own.Kept[0][v] && this->Made.Numbers[0][v] >= 0);
     }
@@ -245,7 +246,7 @@ private:
     using Key = std::array<vtkIdType, Size + 1>; // numbers of the vertices, and the first vertex
     const auto size = static_cast<size_t>(faces.Last - faces.First);
     std::vector<Key> keys(size);
-    for (size_t i = 0; i < size; ++i)
+    for (const size_t i : InTurn(size))
     {
       const Id* vertices = faces.Vertices.data() + Size * (faces.First + static_cast<vtkIdType>(i));
       std::transform(vertices, vertices + Size, keys[i].begin(),
@@ -261,7 +262,7 @@ private:
       std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return keys[a] < keys[b]; });
     }
     faces.Places.resize(size);
-    for (const size_t i : order)
+    for (const size_t i : InTurn(order))
     {
       const vtkIdType vertex = keys[i][Size];
       faces.Places[i] = { keys[i][0] < 0 ? -1 : vertex, counts[4 * vertex + faces.Kind]++ };

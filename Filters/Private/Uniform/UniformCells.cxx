@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/PointCopies.h"
 
 #include "vtkNew.h"
 #include "vtkTypeInt32Array.h"
@@ -187,11 +188,8 @@ void TurnOctahedra(UniformCells& cells, bool shared, vtkDataArray* points)
       return;
     }
     vtkDataArray* connectivity = cells.Cells->GetConnectivityArray();
-    vtkSmartPointer<vtkDataArray> copy;
-    copy.TakeReference(connectivity->NewInstance());
-    copy->DeepCopy(connectivity);
     vtkNew<vtkCellArray> copied;
-    copied->SetData(cells.Cells->GetOffsetsArray(), copy);
+    copied->SetData(cells.Cells->GetOffsetsArray(), CopyOfValues(connectivity));
     cells.Cells = copied;
   }
   WithCells(cells.Cells, points,

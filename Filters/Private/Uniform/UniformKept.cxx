@@ -2,6 +2,7 @@
 // What a uniform subdivision keeps for the next execution, and how that is used.
 #include "Private/Uniform/UniformRun.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
 
 #include "vtkPoints.h"
@@ -39,7 +40,7 @@ TopologyKey UniformRun::MakeKey() const
   for (const auto& values : this->Mesh.Derived.Sharpness)
   {
     key.Choices.push_back(static_cast<long long>(values.size()));
-    for (const double sharpness : values)
+    for (const double sharpness : InTurn(values))
     {
       long long bits = 0;
       std::memcpy(&bits, &sharpness, sizeof(sharpness));

@@ -3,6 +3,7 @@
 // them out of the last step, and numbers its output as the whole does.
 #include "Private/Uniform/UniformRun.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SharedSides.h"
 #include "Private/Reading/UnusedPoints.h"
@@ -60,7 +61,7 @@ void UniformRun::FindWanted()
   const bool arePieces = this->Mesh.MadeLevels == 0 && !parents.empty();
   std::vector<char> flags;
   vtkIdType cell = 0;
-  for (const unsigned char dimension : control.Dimensions)
+  for (const unsigned char dimension : InTurn(control.Dimensions))
   {
     flags.push_back(this->Others->IsOwn(arePieces ? parents[cell] : cell));
     cell += vtkIdType(1) << (dimension * this->Mesh.MadeLevels);
@@ -85,7 +86,7 @@ std::vector<CellRun> UniformRun::CountWanted() const
   }
   std::vector<CellRun> runs(4);
   const std::vector<unsigned char>& dimensions = this->Mesh.GetControl().Dimensions;
-  for (std::size_t s = 0; s < dimensions.size(); ++s)
+  for (const std::size_t s : InTurn(dimensions.size()))
   {
     runs[dimensions[s]].Count +=
       this->Wanted.Flags[s] ? vtkIdType(1) << (dimensions[s] * this->Mesh.MadeLevels) : 0;
@@ -238,7 +239,7 @@ void UniformRun::LeaveWanted()
       Selection<vtkIdType>(this->Wanted.Flags).Pick(this->Control.ManifoldDimensions);
   }
   std::vector<vtkIdType> inverted;
-  for (const vtkIdType tet : this->Mesh.Inverted)
+  for (const vtkIdType tet : InTurn(this->Mesh.Inverted))
   {
     if (this->Wanted.Flags[tet / 2])
     {

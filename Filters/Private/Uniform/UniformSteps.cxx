@@ -3,6 +3,7 @@
 // points and cells of the output.
 #include "Private/Uniform/UniformRun.h"
 
+#include "Core/Memory/Loops.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/CellArrays.h"
@@ -143,7 +144,7 @@ std::vector<ColourMask> UniformRun::FindControlColours() const
   const SimplicesOfCells& cells = this->Mesh.Cells;
   vtkDataArray* colours = this->Input->GetCellData()->GetArray(ColourName);
   std::vector<vtkIdType> offsets{ 0 };
-  for (const unsigned char dimension : cells.Simplices.Dimensions)
+  for (const unsigned char dimension : InTurn(cells.Simplices.Dimensions))
   {
     offsets.push_back(offsets.back() + dimension + 1);
   }

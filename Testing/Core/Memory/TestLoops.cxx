@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Loops: every element once, and BetweenLoops acts within long ones, where it may end them.
-#include "Core/Memory/Loops.h"
+#include "Core/Memory/Buffer.h"
 
 #include <gtest/gtest.h>
 
@@ -71,6 +71,77 @@ TEST(Loops, LongOnesActInBetween)
   }
   ForEachInTurn(10 * BetweenLoops::TurnsBetween, [](vtkIdType) {});
   EXPECT_EQ(acts, 10) << "it lives no more";
+  BetweenLoops::SecondsBetween = seconds;
+}
+
+TEST(Loops, InTurnIsALoopOfTheLanguageThatActs)
+{
+  const double seconds = BetweenLoops::SecondsBetween;
+  BetweenLoops::SecondsBetween = 0.;
+  int acts = 0;
+  {
+    const BetweenLoops between([&acts] { ++acts; });
+    const int turns = BetweenLoops::TurnsBetween;
+    vtkIdType sum = 0;
+    for (const vtkIdType i : InTurn(static_cast<vtkIdType>(5) * turns))
+    {
+      sum += i % 2;
+    }
+    EXPECT_EQ(sum, 5 * turns / 2);
+    EXPECT_EQ(acts, 5);
+    acts = 0;
+    std::vector<int> list(3 * turns + 7, 1);
+    for (int& item : InTurn(list))
+    {
+      ++item;
+    }
+    EXPECT_EQ(std::count(list.begin(), list.end(), 2), 3 * turns + 7);
+    EXPECT_EQ(acts, 3);
+    for (const int negative : InTurn(-1))
+    {
+      ADD_FAILURE() << negative;
+    }
+    acts = 0;
+    for (const int i : InTurn(10 * turns))
+    {
+      if (i == turns)
+      {
+        break;
+      }
+    }
+    EXPECT_EQ(acts, 1);
+  }
+  BetweenLoops::SecondsBetween = seconds;
+}
+
+TEST(Loops, MemoryIsFilledAndCopiedInParts)
+{
+  const double seconds = BetweenLoops::SecondsBetween;
+  BetweenLoops::SecondsBetween = 0.;
+  int acts = 0;
+  {
+    const BetweenLoops between([&acts] { ++acts; });
+    constexpr vtkIdType size = 1 << 22;
+    const Buffer<int> filled(size, 3);
+    EXPECT_GT(acts, 2);
+    EXPECT_EQ(std::count(filled.begin(), filled.end(), 3), size);
+    acts = 0;
+    Buffer<long long> copy(size);
+    CopyInThreads(filled.data(), size, copy.data());
+    EXPECT_GT(acts, 2);
+    EXPECT_EQ(std::count(copy.begin(), copy.end(), 3), size);
+    acts = 0;
+    const Rows<int> rows = ListByRow<int>(
+      10, size, [](vtkIdType i) { return i % 7; }, [](vtkIdType i) { return static_cast<int>(i); });
+    EXPECT_GT(acts, size / BetweenLoops::TurnsBetween);
+    EXPECT_EQ(rows[8].size(), 0);
+    const Row<int> third = rows[3];
+    ASSERT_EQ(third.size(), size / 7);
+    for (vtkIdType i = 0; i < third.size(); ++i)
+    {
+      ASSERT_EQ(third.begin()[i], 3 + 7 * i);
+    }
+  }
   BetweenLoops::SecondsBetween = seconds;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// StableSort: the order of std::stable_sort, for all sizes around those of blocks.
+// StableSort and SortDistinct: the order of std::stable_sort, for all sizes around those of blocks.
+#include "Core/Memory/Buffer.h"
 #include "Core/Memory/Sorting.h"
 
 #include <gtest/gtest.h>
@@ -29,4 +30,23 @@ TEST(StableSort, IsThatOfTheStandard)
       EXPECT_EQ(values, expected) << size << " values, at most " << different << " different";
     }
   }
+}
+
+TEST(StableSort, SortsBuffersAndKeepsOneOfEqualValues)
+{
+  constexpr vtkIdType size = 100000;
+  subdivision::Buffer<int> buffer(size);
+  std::vector<int> values;
+  std::mt19937 chance(5);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    buffer[i] = static_cast<int>(chance() % 5000);
+    values.push_back(buffer[i]);
+  }
+  subdivision::StableSort(buffer, std::less<>());
+  EXPECT_TRUE(std::is_sorted(buffer.begin(), buffer.end()));
+  std::vector<int> expected(buffer.begin(), buffer.end());
+  expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+  subdivision::SortDistinct(values);
+  EXPECT_EQ(values, expected);
 }

@@ -14,10 +14,15 @@
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
 #include "vtkCompositeDataIterator.h"
+#include "vtkExtractDimensions.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSimplicialComplexTopology.h"
+#include "vtkSphere.h"
+#include "vtkSubdivisionCageSource.h"
+
+#include <algorithm>
 
 using namespace feature_tools;
 
@@ -27,7 +32,8 @@ namespace
 using Object = vtkSmartPointer<vtkDataObject>;
 using Algorithm = vtkSmartPointer<vtkAlgorithm>;
 
-/// Stops a filter at its n-th report of progress, before the last one.
+/// Stops a filter at its n-th report of progress. The first one, of nothing done, and the last one,
+/// of all, are those of VTK.
 class Stopper : public vtkCommand
 {
 public:
@@ -36,7 +42,7 @@ public:
   void Execute(vtkObject* caller, unsigned long, void* data) override
   {
     const double done = *static_cast<double*>(data);
-    if (done > 0. && done < 1. && this->Reports++ == this->StopAt)
+    if (std::exchange(this->HasBegun, true) && done < 1. && this->Reports++ == this->StopAt)
     {
       static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
       this->HasStopped = true;
@@ -45,6 +51,22 @@ public:
   int Reports = 0;
   int StopAt = -1;
   bool HasStopped = false;
+
+private:
+  bool HasBegun = false;
+};
+
+/// Collects the progress that a filter reports.
+class Listener : public vtkCommand
+{
+public:
+  static Listener* New() { return new Listener; }
+  vtkTypeMacro(Listener, vtkCommand);
+  void Execute(vtkObject*, unsigned long, void* data) override
+  {
+    this->Reports.push_back(*static_cast<double*>(data));
+  }
+  std::vector<double> Reports;
 };
 
 std::vector<vtkDataSet*> GetMeshes(vtkDataObject* object)
@@ -165,6 +187,26 @@ int CountReports(const std::vector<Object>& inputs, const std::function<Algorith
   return stopper->Reports;
 }
 
+/// Progress goes from 0 to 1, and never back.
+void CheckProgress(const std::string& name, const std::vector<Object>& inputs,
+  const std::function<Algorithm()>& make)
+{
+  const Algorithm filter = make();
+  vtkNew<Listener> listener;
+  filter->AddObserver(vtkCommand::ProgressEvent, listener);
+  for (const bool isWarm : { false, true })
+  {
+    Run(filter, inputs);
+    const std::vector<double>& reports = listener->Reports;
+    const std::string what = name + (isWarm ? ", not the first run" : "");
+    ASSERT_GT(reports.size(), 2u) << what;
+    EXPECT_EQ(reports.front(), 0.) << what;
+    EXPECT_EQ(reports.back(), 1.) << what;
+    EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end())) << what;
+    listener->Reports.clear();
+  }
+}
+
 /// Stops between stages, and between loops.
 void CheckStops(const std::string& name, const std::vector<Object>& inputs,
   const std::function<Algorithm()>& make)
@@ -176,8 +218,10 @@ void CheckStops(const std::string& name, const std::vector<Object>& inputs,
   CheckStopsInSteps(name, inputs, make, 1);
   const int stages = CountReports(inputs, make);
   BetweenLoops::SecondsBetween = 0.;
-  EXPECT_GT(CountReports(inputs, make), 2 * stages) << name;
-  CheckStopsInSteps(name + " between loops", inputs, make, 7);
+  const int reports = CountReports(inputs, make);
+  EXPECT_GT(reports, 2 * stages) << name;
+  CheckProgress(name, inputs, make);
+  CheckStopsInSteps(name + " between loops", inputs, make, std::max(7, reports / 50));
   BetweenLoops::SecondsBetween = seconds;
   BetweenLoops::TurnsBetween = turns;
 }
@@ -247,6 +291,88 @@ TEST(Aborted, FiltersOfSolids)
       });
   }
   CheckAllInputs<vtkSimplicialComplexTopology>("topology", box, other);
+}
+
+TEST(Aborted, OtherWorkOnSolids)
+{
+  const Grid box = MakeKuhnBox(2, 0.1);
+  AddArrays(box);
+  vtkNew<vtkIntArray> materials;
+  materials->SetName("MaterialId");
+  for (vtkIdType c = 0; c < box->GetNumberOfCells(); ++c)
+  {
+    materials->InsertNextValue(c < box->GetNumberOfCells() / 2 ? 1 : 2);
+  }
+  box->GetCellData()->AddArray(materials);
+  const auto check = [&](const std::string& name, const std::function<void(Filter*)>& configure)
+  {
+    CheckStops(name, { box },
+      [&]
+      {
+        auto filter = vtkSmartPointer<Filter>::New();
+        filter->SetNumberOfLevels(1);
+        configure(filter);
+        return filter;
+      });
+  };
+  check("values that jump",
+    [](Filter* filter)
+    {
+      filter->PreserveInterfacesOn();
+      filter->SetInterfaceValuesToDiscontinuous();
+    });
+  check("features, all arrays",
+    [](Filter* filter)
+    {
+      filter->DetectFeaturesOn();
+      filter->GenerateClassificationOn();
+      filter->GenerateOriginalIdsOn();
+      filter->GenerateGlobalIdsOn();
+      filter->SetOutputDimensions(Filter::TRIANGLES);
+    });
+  check("marks, normals",
+    [](Filter* filter)
+    {
+      vtkNew<vtkSphere> ball;
+      filter->MarkByFunctionOn();
+      filter->SetMarkFunction(ball);
+      filter->MarkCreasesOn();
+      filter->GenerateLimitNormalsOn();
+    });
+  for (const bool byShape : { false, true })
+  {
+    CheckStops("red-green, normals", { box },
+      [=]
+      {
+        auto filter = vtkSmartPointer<vtkRedGreenRefinement>::New();
+        filter->SetRefineByGeometricError(byShape);
+        filter->SetPlacementToLimit();
+        filter->GenerateLimitNormalsOn();
+        filter->SetMaximumLevel(1);
+        return filter;
+      });
+  }
+}
+
+TEST(Aborted, FiltersWithoutSubdivision)
+{
+  const Grid box = MakeKuhnBox(4, 0.1);
+  AddArrays(box);
+  const auto dimensions = []
+  {
+    auto filter = vtkSmartPointer<vtkExtractDimensions>::New();
+    filter->SetOutputDimensions(vtkExtractDimensions::SURFACES | vtkExtractDimensions::SOLIDS);
+    return filter;
+  };
+  CheckStops("dimensions", { box }, dimensions);
+  CheckStops("dimensions of blocks", { MakeBlocks(box, box) }, dimensions);
+  CheckStops("cage", { box },
+    []
+    {
+      auto source = vtkSmartPointer<vtkSubdivisionCageSource>::New();
+      source->SetNumberOfCells(5, 5, 8);
+      return source;
+    });
 }
 
 TEST(Aborted, FiltersOfSurfaces)

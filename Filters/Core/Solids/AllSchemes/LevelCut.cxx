@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/AllSchemes/LevelCut.h"
 
+#include "Core/Memory/Loops.h"
+
 #include <algorithm>
 
 namespace subdivision
@@ -114,7 +116,7 @@ void LevelCut<Scheme>::MakeColumns()
   this->Columns.Offsets = Buffer<Id>(size + 1);
   this->Columns.Columns = Buffer<Id>(size);
   this->Columns.Weights = Buffer<double>(size, 1.);
-  for (vtkIdType v = 0; v < size; ++v)
+  for (const vtkIdType v : InTurn(size))
   {
     this->ColumnOf[v] = this->Vertices.New[v] >= 0 ? this->Vertices.New[v] : next++;
   }

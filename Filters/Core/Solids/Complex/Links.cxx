@@ -15,21 +15,9 @@ namespace
 template <typename Id>
 Rows<Id> Invert(const Buffer<Id>& members, int perOwner, vtkIdType rows)
 {
-  Rows<Id> inverse;
-  inverse.Offsets = Buffer<Id>(rows + 1, Id(0));
-  for (Id member : members)
-  {
-    ++inverse.Offsets[member];
-  }
-  CountsToOffsets(inverse.Offsets);
-  inverse.Items = Buffer<Id>(members.size());
-  Buffer<Id> next(rows);
-  std::copy(inverse.Offsets.begin(), inverse.Offsets.end() - 1, next.begin());
-  for (vtkIdType i = 0; i < members.size(); ++i)
-  {
-    inverse.Items[next[members[i]]++] = static_cast<Id>(i / perOwner);
-  }
-  return inverse;
+  return ListByRow<Id>(
+    rows, members.size(), [&](vtkIdType i) { return members[i]; },
+    [perOwner](vtkIdType i) { return static_cast<Id>(i / perOwner); });
 }
 
 }

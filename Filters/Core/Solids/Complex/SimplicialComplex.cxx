@@ -2,6 +2,7 @@
 #include "Core/Solids/Complex/SimplicialComplex.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Memory/TupleIndex.h"
 #include "Core/Solids/Complex/Simplices.h"
 
@@ -60,18 +61,19 @@ Buffer<std::array<Id, N>> TakeFirsts(
   equal.Twins = Buffer<Id>(size - firsts);
   vtkIdType repeat = 0;
   vtkIdType first = 0;
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    if (cells.Repeats[i])
+  ForEachInTurn(size,
+    [&](vtkIdType i)
     {
-      std::copy(cells.Vertices[i].begin(), cells.Vertices[i].end(), &equal.Vertices[N * repeat]);
-      equal.Twins[repeat++] = numbers.Numbers[i];
-    }
-    else
-    {
-      taken[first++] = cells.Vertices[i];
-    }
-  }
+      if (cells.Repeats[i])
+      {
+        std::copy(cells.Vertices[i].begin(), cells.Vertices[i].end(), &equal.Vertices[N * repeat]);
+        equal.Twins[repeat++] = numbers.Numbers[i];
+      }
+      else
+      {
+        taken[first++] = cells.Vertices[i];
+      }
+    });
   return taken;
 }
 
@@ -188,19 +190,9 @@ void FindTetEdges(SimplicialComplex<Id>& complex)
 template <typename Id>
 void FindFaceTets(SimplicialComplex<Id>& complex)
 {
-  complex.FaceTets.Offsets = Buffer<Id>(complex.NumberOfFaces + vtkIdType(1), Id(0));
-  for (Id face : complex.TetFaces)
-  {
-    ++complex.FaceTets.Offsets[face];
-  }
-  CountsToOffsets(complex.FaceTets.Offsets);
-  complex.FaceTets.Items = Buffer<Id>(complex.TetFaces.size());
-  Buffer<Id> next(complex.NumberOfFaces);
-  std::copy(complex.FaceTets.Offsets.begin(), complex.FaceTets.Offsets.end() - 1, next.begin());
-  for (vtkIdType i = 0; i < complex.TetFaces.size(); ++i)
-  {
-    complex.FaceTets.Items[next[complex.TetFaces[i]]++] = static_cast<Id>(i / 4);
-  }
+  complex.FaceTets = ListByRow<Id>(
+    complex.NumberOfFaces, complex.TetFaces.size(), [&](vtkIdType i)
+    { return complex.TetFaces[i]; }, [](vtkIdType i) { return static_cast<Id>(i / 4); });
 }
 
 /// Makes the runs of the output: each has one dimension, and either followers only or none.
@@ -215,18 +207,19 @@ std::vector<CellRun> MakeRuns(const SimplexList& simplices, const CellsOfDimensi
   vtkIdType next[4][2] = {};
   vtkIdType entry = 0;
   std::vector<CellRun> runs;
-  for (vtkIdType i = 0; i < simplices.GetNumberOfSimplices(); ++i)
-  {
-    const int dimension = simplices.Dimensions[i];
-    const bool equal = (*repeats[dimension])[seen[dimension]++];
-    if (runs.empty() || runs.back().Dimension != dimension || runs.back().Equal != equal)
+  ForEachInTurn(simplices.GetNumberOfSimplices(),
+    [&](vtkIdType i)
     {
-      runs.push_back({ dimension, equal, next[dimension][equal], 0, i, entry });
-    }
-    ++runs.back().Count;
-    ++next[dimension][equal];
-    entry += dimension + 1;
-  }
+      const int dimension = simplices.Dimensions[i];
+      const bool equal = (*repeats[dimension])[seen[dimension]++];
+      if (runs.empty() || runs.back().Dimension != dimension || runs.back().Equal != equal)
+      {
+        runs.push_back({ dimension, equal, next[dimension][equal], 0, i, entry });
+      }
+      ++runs.back().Count;
+      ++next[dimension][equal];
+      entry += dimension + 1;
+    });
   return runs;
 }
 
@@ -264,16 +257,18 @@ Buffer<unsigned char> FindManifoldDimensions(
   Buffer<unsigned char> edges(complex.NumberOfEdges, 1);
   auto faceDimension = [&](vtkIdType f)
   { return static_cast<unsigned char>(complex.FaceTets[f].size() > 0 ? 3 : 2); };
-  for (vtkIdType i = 0; i < complex.FaceEdges.size(); ++i)
-  {
-    unsigned char& edge = edges[complex.FaceEdges[i]];
-    edge = std::max(edge, faceDimension(i / 3));
-  }
-  for (vtkIdType i = 0; i < complex.EdgeVertices.size(); ++i)
-  {
-    unsigned char& vertex = vertices[complex.EdgeVertices[i]];
-    vertex = std::max(vertex, edges[i / 2]);
-  }
+  ForEachInTurn(complex.FaceEdges.size(),
+    [&](vtkIdType i)
+    {
+      unsigned char& edge = edges[complex.FaceEdges[i]];
+      edge = std::max(edge, faceDimension(i / 3));
+    });
+  ForEachInTurn(complex.EdgeVertices.size(),
+    [&](vtkIdType i)
+    {
+      unsigned char& vertex = vertices[complex.EdgeVertices[i]];
+      vertex = std::max(vertex, edges[i / 2]);
+    });
   const CellRun last = runs.empty() ? CellRun() : runs.back();
   Buffer<unsigned char> dimensions(last.FirstCell + last.Count);
   for (const CellRun& run : runs)

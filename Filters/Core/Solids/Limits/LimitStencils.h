@@ -24,6 +24,7 @@
 #ifndef SubdivisionObjects_LimitStencils_h
 #define SubdivisionObjects_LimitStencils_h
 
+#include "Core/Memory/Loops.h"
 #include "Core/Operators/SparseRows.h"
 #include "Core/Solids/Scheme/SemiSharp.h"
 #include "Core/Solids/Scheme/SolidScheme.h"
@@ -61,14 +62,14 @@ struct SemiSharpStages
   SharpParts ListParts(const SimplicialComplex<Id>& complex, double most = SharpForever) const
   {
     SharpParts parts;
-    for (vtkIdType e = 0; e < this->Sharpness.size(); ++e)
+    for (const vtkIdType e : InTurn(this->Sharpness.size()))
     {
       if (this->Sharpness[e] > 0.)
       {
         parts.AddEdge(complex, e, std::min(this->Sharpness[e], most));
       }
     }
-    for (vtkIdType f = 0; f < this->FaceSharpness.size(); ++f)
+    for (const vtkIdType f : InTurn(this->FaceSharpness.size()))
     {
       if (this->FaceSharpness[f] > 0.)
       {

@@ -2,6 +2,7 @@
 #include "Core/Solids/Limits/Restriction.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 
 #include <algorithm>
 
@@ -28,7 +29,7 @@ template <typename Id>
 void FlagParts(
   const Buffer<unsigned char>& kept, const Buffer<Id>& parts, int count, Buffer<unsigned char>& out)
 {
-  for (vtkIdType i = 0; i < kept.size(); ++i)
+  for (const vtkIdType i : InTurn(kept.size()))
   {
     for (int k = 0; kept[i] && k < count; ++k)
     {
@@ -156,7 +157,7 @@ void Restriction<LevelType>::ForEntries(const Rings<Id>& rings, vtkIdType owner,
 {
   const Row<Id> oldCarriers = rings.GetCarriers(owner);
   const Row<Id> oldMembers = rings.GetMembers(owner);
-  for (vtkIdType k = 0; k < oldMembers.size(); ++k)
+  for (const vtkIdType k : InTurn(oldMembers.size()))
   {
     const Id carrier = oldCarriers.begin()[k];
     const Id member = this->Vertices.New[oldMembers.begin()[k]];

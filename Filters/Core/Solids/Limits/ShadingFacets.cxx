@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Limits/ShadingFacets.h"
 
+#include "Core/Memory/Loops.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ ShadingCells<typename Level::IdType> FindShadingCells(const Level& level, int st
 {
   using Id = typename Level::IdType;
   ShadingCells<Id> cells;
-  for (Id f = 0; f < level.Complex.NumberOfTriangleCells; ++f)
+  for (const Id f : InTurn(level.Complex.NumberOfTriangleCells))
   {
     cells.Triangles.push_back(static_cast<Id>(f >> 2 * steps));
   }
@@ -31,7 +32,7 @@ ShadingFacets<typename Level::IdType> FindShadingFacets(const Level& level,
   const SimplicialComplex<Id>& complex = level.Complex;
   ShadingFacets<Id> facets;
   auto isMissing = [&missing](Id vertex) { return missing[vertex] != 0; };
-  for (Id f = 0; f < complex.NumberOfFaces; ++f)
+  for (const Id f : InTurn(complex.NumberOfFaces))
   {
     const Row<Id> tets = complex.FaceTets[f];
     const Id* corners = complex.FaceVertices.data() + 3 * vtkIdType(f);
@@ -45,7 +46,7 @@ ShadingFacets<typename Level::IdType> FindShadingFacets(const Level& level,
       facets.Parents.push_back(parent);
     }
   }
-  for (std::size_t e = 0; e < cells.Lines.size(); ++e)
+  for (const std::size_t e : InTurn(cells.Lines.size()))
   {
     const Id* ends = complex.EdgeVertices.data() + 2 * e;
     if (cells.Lines[e] && std::any_of(ends, ends + 2, isMissing))

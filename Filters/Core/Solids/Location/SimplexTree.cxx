@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Location/SimplexTree.h"
 
-#include "vtkSMPTools.h"
+#include "Core/Memory/Sorting.h"
 
 #include <array>
 #include <cmath>
@@ -286,7 +286,7 @@ void SimplexTree::Sort()
     all.Low[c] = std::numeric_limits<double>::infinity();
     all.High[c] = -all.Low[c];
   }
-  for (vtkIdType id : this->Ids)
+  for (const vtkIdType id : InTurn(this->Ids))
   {
     for (int c = 0; c < 3; ++c)
     {
@@ -320,7 +320,7 @@ void SimplexTree::Sort()
       }
       items[i] = { Interleave(middle, all.Low, scale), i };
     });
-  vtkSMPTools::Sort(items.begin(), items.end());
+  StableSort(items, std::less<>());
   ForEach(size, [&](vtkIdType i) { this->Order[i] = items[i].Simplex; });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/RedCells/RedCells.h"
 
+#include "Core/Memory/Loops.h"
 #include "Core/Memory/TupleIndex.h"
 
 #include <algorithm>
@@ -93,7 +94,7 @@ template <typename Act>
 void ForCells(const ShapedCells& cells, const Act& act)
 {
   const long long* corners = cells.Corners.data();
-  for (const CellShape shape : cells.Shapes)
+  for (const CellShape shape : InTurn(cells.Shapes))
   {
     const RedShape& red = GetShape(shape);
     act(red, corners);
@@ -200,11 +201,11 @@ RedStep RefineRed(const ShapedCells& cells)
   {
     rows.AddMean(&point, 1);
   }
-  for (const long long first : edges.Index.Representatives)
+  for (const long long first : InTurn(edges.Index.Representatives))
   {
     rows.AddMean(edges.Tuples[first].data(), 2);
   }
-  for (const long long first : quads.Index.Representatives)
+  for (const long long first : InTurn(quads.Index.Representatives))
   {
     rows.AddMean(quads.Tuples[first].data(), 4);
   }

@@ -2,6 +2,7 @@
 #include "Core/Solids/RedGreen/RedGreen.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Solids/RedGreen/RedGreenTables.h"
 
 #include <stdexcept>
@@ -481,7 +482,7 @@ bool RedGreen<Id>::Close()
   this->Propagate();
   std::swap(this->LastChanges, this->ChangedNodes);
   this->ChangedNodes.clear();
-  for (Id node : this->LastChanges)
+  for (Id node : InTurn(this->LastChanges))
   {
     this->Nodes[node].Changed = false;
   }

@@ -6,6 +6,7 @@
 #include "Core/Solids/RedGreen/RedGreen.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Sorting.h"
 #include "Core/Solids/RedGreen/RedGreenTables.h"
 
 namespace subdivision
@@ -294,7 +295,7 @@ std::vector<Id> RedGreen<Id>::FollowIncidence()
     this->BuildIncidence();
   }
   std::vector<Id> cells;
-  for (Id vertex : this->NewFlags)
+  for (Id vertex : InTurn(this->NewFlags))
   {
     for (Id cell : this->Incidence[vertex])
     {
@@ -305,8 +306,7 @@ std::vector<Id> RedGreen<Id>::FollowIncidence()
       }
     }
   }
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  SortDistinct(cells);
   return cells;
 }
 
@@ -316,7 +316,7 @@ void RedGreen<Id>::BuildIncidence()
   const vtkIdType size = this->Input.NumberOfSimplices;
   const vtkIdType entries = this->Places[size];
   this->Incidence.Offsets = Buffer<Id>(this->InputVertices + vtkIdType(1), Id(0));
-  for (vtkIdType i = 0; i < entries; ++i)
+  for (const vtkIdType i : InTurn(entries))
   {
     ++this->Incidence.Offsets[this->Input.Connectivity[i]];
   }

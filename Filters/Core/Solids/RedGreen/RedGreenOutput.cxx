@@ -2,6 +2,7 @@
 #include "Core/Solids/RedGreen/RedGreenOutput.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Operators/ForBlocks.h"
 #include "Core/Solids/RedGreen/RedGreenTables.h"
 
@@ -329,7 +330,7 @@ MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
   // Each row is made of those of its ends, which are earlier.
   GrowingBuffer<Id> columns;
   GrowingBuffer<double> weights;
-  for (vtkIdType row = 0; row < size; ++row)
+  for (const vtkIdType row : InTurn(size))
   {
     const vtkIdType first = columns.size();
     const auto add = [&](Id column, double weight)

@@ -23,14 +23,6 @@
 namespace subdivision
 {
 
-/// Sets `size` elements, in parallel.
-template <typename T>
-void Fill(T* first, vtkIdType size, T value)
-{
-  ForRanges(
-    size, [=](vtkIdType begin, vtkIdType end) { std::fill(first + begin, first + end, value); });
-}
-
 template <typename Split>
 class Refiner
 {

@@ -2,6 +2,7 @@
 #include "Core/Solids/Strata/ComplexDescription.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Memory/TupleIndex.h"
 #include "Core/Solids/Complex/Links.h"
 
@@ -93,26 +94,17 @@ Buffer<Id> SortSimplices(const Buffer<Id>& vertices, Id numberOfVertices)
   const vtkIdType size = vertices.size() / N;
   Buffer<std::array<Id, N>> tuples(size);
   ForEach(size, [&](vtkIdType i) { tuples[i] = SortedTuple<N>(vertices.data() + N * i); });
-  Buffer<Id> starts(numberOfVertices + vtkIdType(1), Id(0));
-  for (const auto& tuple : tuples)
-  {
-    ++starts[tuple[0]];
-  }
-  CountsToOffsets(starts);
-  Buffer<Id> next(numberOfVertices);
-  std::copy(starts.begin(), starts.end() - 1, next.begin());
-  Buffer<Id> order(size);
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    order[next[tuples[i][0]]++] = static_cast<Id>(i);
-  }
+  Rows<Id> lists = ListByRow<Id>(
+    numberOfVertices, size, [&](vtkIdType i) { return tuples[i][0]; },
+    [](vtkIdType i) { return static_cast<Id>(i); });
+  Buffer<Id>& order = lists.Items;
   ForEach(numberOfVertices,
     [&](vtkIdType v)
     {
-      std::sort(order.data() + starts[v], order.data() + starts[v + 1],
+      std::sort(order.data() + lists.Offsets[v], order.data() + lists.Offsets[v + 1],
         [&tuples](Id a, Id b) { return tuples[a] < tuples[b]; });
     });
-  return order;
+  return std::move(order);
 }
 
 /// The vertices of simplices; other points do not belong to the complex.
@@ -123,7 +115,7 @@ Buffer<Id> FindUsedVertices(const Links<Id>& links)
   Buffer<Id> places(complex.NumberOfVertices + vtkIdType(1));
   ForEach(complex.NumberOfVertices,
     [&](vtkIdType v) { places[v] = links.VertexEdges[v].size() > 0 ? 1 : 0; });
-  for (Id vertex : complex.VertexCells)
+  for (Id vertex : InTurn(complex.VertexCells))
   {
     places[vertex] = 1;
   }
@@ -161,7 +153,7 @@ vtkIdType CountComponents(
   {
     components += vertex.ManifoldDimensions & DimensionBit(k) ? 1 : 0;
   }
-  for (vtkIdType e = 0; e < complex.NumberOfEdges; ++e)
+  for (const vtkIdType e : InTurn(complex.NumberOfEdges))
   {
     if (description.Facts[1][e].ManifoldDimensions & DimensionBit(k))
     {

@@ -2,6 +2,7 @@
 #include "Core/Solids/Strata/Singularities.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Solids/Complex/Links.h"
 #include "Core/Solids/Complex/Simplices.h"
 
@@ -78,7 +79,7 @@ void SortTuples(SimplexTuples& tuples, int dimension)
       return a < b;
     });
   auto next = ids.begin();
-  for (const auto& tuple : sorted)
+  for (const auto& tuple : InTurn(sorted))
   {
     next = std::copy(tuple.begin(), tuple.end(), next);
   }
@@ -160,7 +161,7 @@ void DeriveInterfaces(const SimplicialComplex<Id>& complex, const std::vector<Ce
 {
   const auto tets = FindSimplicesOf(complex, runs, 3);
   const auto triangles = FindSimplicesOf(complex, runs, 2);
-  for (vtkIdType f = 0; f < complex.NumberOfFaces; ++f)
+  for (const vtkIdType f : InTurn(complex.NumberOfFaces))
   {
     const Row<Id> sides = complex.FaceTets[f];
     const bool isLeftOut = !leftOut.empty() && leftOut[static_cast<std::size_t>(f)];
@@ -171,7 +172,7 @@ void DeriveInterfaces(const SimplicialComplex<Id>& complex, const std::vector<Ce
     }
   }
   const Links<Id> links(complex);
-  for (vtkIdType e = 0; e < complex.NumberOfEdges; ++e)
+  for (const vtkIdType e : InTurn(complex.NumberOfEdges))
   {
     const Row<Id> faces = links.EdgeFaces[e];
     const bool onlyTriangles = std::all_of(
@@ -189,7 +190,7 @@ std::vector<FeatureCandidate> FindFeatureCandidates(const SimplicialComplex<Id>&
 {
   const Links<Id> links(complex);
   std::vector<FeatureCandidate> candidates;
-  for (vtkIdType e = 0; e < complex.NumberOfEdges; ++e)
+  for (const vtkIdType e : InTurn(complex.NumberOfEdges))
   {
     for (vtkIdType tets : { 1, 0 }) // boundary triangles of C_3, triangles of C_2
     {

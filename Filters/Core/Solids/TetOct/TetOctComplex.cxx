@@ -2,6 +2,7 @@
 #include "Core/Solids/TetOct/TetOctComplex.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Solids/Scheme/ChildRowsMaker.h"
 #include "Core/Solids/Scheme/Refiner.h"
 #include "Core/Solids/Scheme/VertexSegments.h"
@@ -26,7 +27,7 @@ TetOctLevel<Id> MakeTetOctLevel(Level<Id>&& control)
       edges[e] = regular ? Stratum(Rule::Solid, edges[e].GetType()) : edges[e];
     });
   Buffer<Id> tetsAt(level.Complex.NumberOfEdges, Id(0));
-  for (Id edge : level.Complex.TetEdges)
+  for (Id edge : InTurn(level.Complex.TetEdges))
   {
     ++tetsAt[edge];
   }

@@ -3,6 +3,7 @@
 #include "Core/Solids/TetOct/TetOctCells.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Solids/TetOct/TetOctDescendants.h"
 
 namespace subdivision
@@ -48,7 +49,7 @@ std::vector<vtkIdType> FindEntries(const SimplexList& cells)
   std::vector<vtkIdType> entries;
   entries.reserve(cells.Dimensions.size());
   vtkIdType entry = 0;
-  for (unsigned char dimension : cells.Dimensions)
+  for (unsigned char dimension : InTurn(cells.Dimensions))
   {
     entries.push_back(entry);
     entry += dimension + 1;
@@ -122,7 +123,7 @@ std::vector<vtkIdType> FindParents(
 {
   std::vector<vtkIdType> parents;
   std::vector<vtkIdType> firsts;
-  for (std::size_t i = 0; i < cells.Dimensions.size(); ++i)
+  for (const std::size_t i : InTurn(cells.Dimensions.size()))
   {
     firsts.push_back(static_cast<vtkIdType>(parents.size()));
     parents.insert(parents.end(), std::size_t(1) << cells.Dimensions[i], static_cast<vtkIdType>(i));

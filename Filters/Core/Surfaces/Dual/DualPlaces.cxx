@@ -2,6 +2,7 @@
 #include "Core/Surfaces/Dual/DualPlaces.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 
 namespace subdivision
 {
@@ -72,7 +73,7 @@ template <typename Id>
 void CountLines(const SurfaceLevel<Id>& level, DualPlaces<Id>& places)
 {
   const Id lines = static_cast<Id>(level.Lines.size());
-  for (Id point : level.Points)
+  for (Id point : InTurn(level.Points))
   {
     places.Kept[point] = 1;
   }
@@ -105,7 +106,7 @@ void CountLines(const SurfaceLevel<Id>& level, DualPlaces<Id>& places)
   }
   places.Around.assign(2 * places.KeptVertices.size(), -1);
   std::vector<Id> degrees(places.KeptVertices.size(), 0);
-  for (Id line : places.FirstLines)
+  for (Id line : InTurn(places.FirstLines))
   {
     for (int end = 0; end < 2; ++end)
     {

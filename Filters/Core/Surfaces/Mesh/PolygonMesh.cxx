@@ -2,6 +2,7 @@
 #include "Core/Surfaces/Mesh/PolygonMesh.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 
 #include <algorithm>
 
@@ -56,7 +57,7 @@ private:
   {
     const vtkIdType vertices = this->Mesh.NumberOfVertices;
     this->First = Buffer<Id>(vertices + 1, 0);
-    for (vtkIdType i = 0; i < this->Size; ++i)
+    for (const vtkIdType i : InTurn(this->Size))
     {
       const auto ends = this->GetEnds(i);
       ++this->First[std::min(ends.first, ends.second)];
@@ -65,7 +66,7 @@ private:
     Buffer<Id> next(vertices);
     std::copy(this->First.begin(), this->First.end() - 1, next.begin());
     this->Entries = Buffer<Entry>(this->Size);
-    for (vtkIdType i = 0; i < this->Size; ++i)
+    for (const vtkIdType i : InTurn(this->Size))
     {
       const auto ends = this->GetEnds(i);
       this->Entries[next[std::min(ends.first, ends.second)]++] = {
@@ -188,8 +189,9 @@ void FindFans(PolygonMesh<Id>& mesh)
   const vtkIdType vertices = mesh.NumberOfVertices;
   Buffer<Id> counts(vertices, 0);
   mesh.VertexCorners = Buffer<Id>(vertices, static_cast<Id>(-1));
-  for (vtkIdType c = mesh.GetNumberOfCorners() - 1; c >= 0; --c)
+  for (const vtkIdType fromLast : InTurn(mesh.GetNumberOfCorners()))
   {
+    const vtkIdType c = mesh.GetNumberOfCorners() - 1 - fromLast;
     mesh.VertexCorners[mesh.Vertices[c]] = static_cast<Id>(c);
     ++counts[mesh.Vertices[c]];
   }
@@ -204,13 +206,13 @@ void FindFans(PolygonMesh<Id>& mesh)
       }
       isJoint[v] = faces != counts[v];
     });
-  for (const auto& sheaf : mesh.Sheaves)
+  for (const auto& sheaf : InTurn(mesh.Sheaves))
   {
     isJoint[mesh.EdgeVertices[2 * sheaf.Edge]] = 1;
     isJoint[mesh.EdgeVertices[2 * sheaf.Edge + 1]] = 1;
   }
   std::vector<Id> freeEdges;
-  for (vtkIdType e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  for (const vtkIdType e : InTurn(mesh.GetNumberOfEdges()))
   {
     if (mesh.EdgeCorners[e] < 0)
     {
@@ -219,7 +221,7 @@ void FindFans(PolygonMesh<Id>& mesh)
       isJoint[mesh.EdgeVertices[2 * e + 1]] = 1;
     }
   }
-  for (vtkIdType v = 0; v < vertices; ++v)
+  for (const vtkIdType v : InTurn(vertices))
   {
     if (isJoint[v])
     {
@@ -232,13 +234,13 @@ void FindFans(PolygonMesh<Id>& mesh)
     return;
   }
   auto jointOf = [&mesh](Id v) -> auto& { return mesh.Joints[-2 - mesh.VertexCorners[v]]; };
-  for (Id edge : freeEdges)
+  for (Id edge : InTurn(freeEdges))
   {
     jointOf(mesh.EdgeVertices[2 * edge]).FreeEdges.push_back(edge);
     jointOf(mesh.EdgeVertices[2 * edge + 1]).FreeEdges.push_back(edge);
   }
   std::vector<std::vector<Id>> corners(mesh.Joints.size());
-  for (vtkIdType c = 0; c < mesh.GetNumberOfCorners(); ++c)
+  for (const vtkIdType c : InTurn(mesh.GetNumberOfCorners()))
   {
     const Id joint = -2 - mesh.VertexCorners[mesh.Vertices[c]];
     if (joint >= 0)
@@ -246,7 +248,7 @@ void FindFans(PolygonMesh<Id>& mesh)
       corners[joint].push_back(static_cast<Id>(c));
     }
   }
-  for (std::size_t j = 0; j < mesh.Joints.size(); ++j)
+  for (const std::size_t j : InTurn(mesh.Joints.size()))
   {
     std::vector<bool> seen(corners[j].size(), false);
     for (std::size_t i = 0; i < corners[j].size(); ++i)
@@ -287,9 +289,9 @@ PolygonMesh<Id> BuildPolygonMesh(PolygonList<Id>&& list, Buffer<Id>& segmentEdge
   const Buffer<Id>& offsets = list.FaceOffsets;
   const Id size = mesh.NumberOfFaces > 0 ? offsets[1] : 3;
   bool same = size <= 4;
-  for (vtkIdType f = 0; same && f < mesh.NumberOfFaces; ++f)
+  for (const vtkIdType f : InTurn(mesh.NumberOfFaces))
   {
-    same = offsets[f + 1] - offsets[f] == size;
+    same = same && offsets[f + 1] - offsets[f] == size;
   }
   mesh.Arity = same ? static_cast<int>(size) : 0;
   if (!same)

@@ -2,6 +2,7 @@
 #include "Core/Surfaces/Scheme/FixedEdges.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 namespace subdivision
@@ -21,7 +22,7 @@ void FixEdges(SurfaceLevel<Id>& level)
         tags.Edges[e] = EdgeTag::Sharp;
       }
     });
-  for (const Id line : level.Lines)
+  for (const Id line : InTurn(level.Lines))
   {
     tags.Edges[line / 2] = EdgeTag::Sharp;
   }

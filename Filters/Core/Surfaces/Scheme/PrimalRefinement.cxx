@@ -2,6 +2,7 @@
 #include "Core/Surfaces/Scheme/PrimalRefinement.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 
 namespace subdivision
 {
@@ -279,7 +280,7 @@ private:
   void SplitJoints(PolygonMesh<Id>& out) const
   {
     std::vector<Id> freeEdges;
-    for (const auto& joint : this->Mesh.Joints)
+    for (const auto& joint : InTurn(this->Mesh.Joints))
     {
       typename PolygonMesh<Id>::Joint child{ joint.Vertex, {}, {} };
       for (Id corner : joint.Fans)
@@ -303,11 +304,11 @@ private:
       out.VertexCorners[vertex] = static_cast<Id>(-2 - static_cast<vtkIdType>(out.Joints.size()));
       out.Joints.push_back({ vertex, std::move(fans), std::move(edges) });
     };
-    for (Id edge : freeEdges)
+    for (Id edge : InTurn(freeEdges))
     {
       addJoint(edge, {}, { 2 * edge, 2 * edge + 1 });
     }
-    for (const auto& sheaf : this->Mesh.Sheaves)
+    for (const auto& sheaf : InTurn(this->Mesh.Sheaves))
     {
       typename PolygonMesh<Id>::Sheaf first{ 2 * sheaf.Edge, {} };
       typename PolygonMesh<Id>::Sheaf second{ 2 * sheaf.Edge + 1, {} };

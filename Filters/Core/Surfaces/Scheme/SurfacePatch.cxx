@@ -2,6 +2,7 @@
 #include "Core/Surfaces/Scheme/SurfacePatch.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <algorithm>
@@ -116,7 +117,7 @@ void SurfacePatch<Id>::CropFaces(const PolygonMesh<Id>& whole)
   mesh.NumberOfFaces = static_cast<vtkIdType>(this->Faces.size());
   vtkIdType corners = 0;
   mesh.FaceOffsets = Buffer<Id>(mesh.Arity ? 0 : mesh.NumberOfFaces + 1);
-  for (vtkIdType f = 0; f < mesh.NumberOfFaces; ++f)
+  for (const vtkIdType f : InTurn(mesh.NumberOfFaces))
   {
     if (!mesh.Arity)
     {
@@ -129,7 +130,7 @@ void SurfacePatch<Id>::CropFaces(const PolygonMesh<Id>& whole)
   mesh.Vertices = Buffer<Id>(corners);
   mesh.Edges = Buffer<Id>(corners);
   mesh.Twins = Buffer<Id>(corners);
-  for (vtkIdType f = 0; f < mesh.NumberOfFaces; ++f)
+  for (const vtkIdType f : InTurn(mesh.NumberOfFaces))
   {
     const Id from = whole.GetFirst(this->Faces[f]);
     const Id to = mesh.GetFirst(static_cast<Id>(f));
@@ -190,7 +191,7 @@ void SurfacePatch<Id>::CropVertices(const PolygonMesh<Id>& whole)
   {
     mesh.VertexCorners[mesh.Vertices[c]] = static_cast<Id>(c);
   }
-  for (vtkIdType v = 0; v < mesh.NumberOfVertices; ++v)
+  for (const vtkIdType v : InTurn(mesh.NumberOfVertices))
   {
     if (!this->IsInside[v])
     {
@@ -222,14 +223,14 @@ SurfaceTags<Id> SurfacePatch<Id>::CropTags(
   const PolygonMesh<Id>& mesh = this->Level.Mesh;
   SurfaceTags<Id> own;
   own.Edges = Buffer<EdgeTag>(mesh.GetNumberOfEdges());
-  for (vtkIdType e = 0; e < mesh.GetNumberOfEdges(); ++e)
+  for (const vtkIdType e : InTurn(mesh.GetNumberOfEdges()))
   {
     const bool isInside =
       this->IsInside[mesh.EdgeVertices[2 * e]] || this->IsInside[mesh.EdgeVertices[2 * e + 1]];
     own.Edges[e] = isInside ? tags.Edges[this->Edges[e]] : EdgeTag::Sharp;
   }
   own.Vertices = Buffer<VertexTag>(mesh.NumberOfVertices);
-  for (vtkIdType v = 0; v < mesh.NumberOfVertices; ++v)
+  for (const vtkIdType v : InTurn(mesh.NumberOfVertices))
   {
     own.Vertices[v] = this->IsInside[v] ? tags.Vertices[this->Vertices[v]] : VertexTag::Corner;
   }

@@ -2,6 +2,7 @@
 #include "Core/Surfaces/Scheme/SurfaceTags.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
@@ -65,7 +66,7 @@ private:
                                                                   : EdgeTag::Smooth;
       });
     const EdgeTag joint = this->Blends(this->Features.Type2) ? EdgeTag::Blend : EdgeTag::Joint;
-    for (const auto& sheaf : this->Mesh.Sheaves)
+    for (const auto& sheaf : InTurn(this->Mesh.Sheaves))
     {
       EdgeTag& tag = this->Tags.Edges[sheaf.Edge];
       tag = tag == EdgeTag::Crease ? tag : joint;
@@ -170,7 +171,7 @@ private:
   void FindSectors()
   {
     std::vector<Id> edges;
-    for (vtkIdType v = 0; v < this->Mesh.NumberOfVertices; ++v)
+    for (const vtkIdType v : InTurn(this->Mesh.NumberOfVertices))
     {
       if (this->Tags.Vertices[v] != VertexTag::Corner)
       {

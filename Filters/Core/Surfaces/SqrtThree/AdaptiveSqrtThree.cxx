@@ -2,6 +2,7 @@
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThree.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 namespace subdivision
@@ -30,7 +31,7 @@ void AdaptiveSqrtThree<Id>::AddSegments(const SurfaceLevel<Id>& control)
   const vtkIdType edges = mesh.GetNumberOfEdges();
   this->EdgeSegments.assign(edges, Id(-1));
   auto sheaf = mesh.Sheaves.begin();
-  for (vtkIdType e = 0; e < edges; ++e)
+  for (const vtkIdType e : InTurn(edges))
   {
     const bool isSheaf = sheaf != mesh.Sheaves.end() && sheaf->Edge == e;
     if (IsSharp(control.Tags.Edges[e]))
@@ -62,7 +63,7 @@ void AdaptiveSqrtThree<Id>::AddSegments(const SurfaceLevel<Id>& control)
   {
     this->Twins[this->Sides[side]] = static_cast<Id>(-2 - static_cast<vtkIdType>(side));
   }
-  for (const Id line : control.Lines)
+  for (const Id line : InTurn(control.Lines))
   {
     ++this->Segments[this->EdgeSegments[line / 2]].NumberOfLines;
   }
@@ -442,18 +443,18 @@ void AdaptiveSqrtThree<Id>::Renumber(const Buffer<Id>& numbers)
       Id& vertex = this->Vertices[c];
       vertex = vertex < 0 ? vertex : numbers[vertex];
     });
-  for (Id& centre : this->Centres)
+  for (Id& centre : InTurn(this->Centres))
   {
     centre = centre < 0 ? centre : numbers[centre];
   }
-  for (Segment& segment : this->Segments)
+  for (Segment& segment : InTurn(this->Segments))
   {
     segment.Ends[0] = numbers[segment.Ends[0]];
     segment.Ends[1] = numbers[segment.Ends[1]];
     segment.Thirds = segment.Thirds < 0 ? segment.Thirds : numbers[segment.Thirds];
   }
   std::vector<Vertex> added(this->Added.size());
-  for (std::size_t i = 0; i < added.size(); ++i)
+  for (const std::size_t i : InTurn(added.size()))
   {
     added[numbers[this->ControlVertices + i] - this->ControlVertices] = this->Added[i];
   }

@@ -20,6 +20,7 @@
 #ifndef SubdivisionObjects_AdaptiveSqrtThree_h
 #define SubdivisionObjects_AdaptiveSqrtThree_h
 
+#include "Core/Memory/Loops.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeTopology.h"
 
 #include <limits>

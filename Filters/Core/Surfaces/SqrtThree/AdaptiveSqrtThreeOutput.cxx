@@ -2,6 +2,7 @@
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeOutput.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 
 namespace subdivision
 {
@@ -21,20 +22,20 @@ void AdaptiveSqrtThreeOutput<Id>::NumberVertices()
   AdaptiveSqrtThree<Id>& mesh = this->Mesh;
   const Id given = static_cast<Id>(mesh.GetNumberOfControlVertices());
   Buffer<Id> numbers(mesh.GetNumberOfVertices());
-  for (Id v = 0; v < given; ++v)
+  for (const Id v : InTurn(given))
   {
     numbers[v] = v;
   }
   this->VertexLevels = { 0, given };
   this->Carriers = Buffer<Carrier<Id>>(mesh.GetNumberOfFaces());
   std::vector<Id> faces(mesh.GetNumberOfControlFaces());
-  for (std::size_t f = 0; f < faces.size(); ++f)
+  for (const std::size_t f : InTurn(faces.size()))
   {
     faces[f] = static_cast<Id>(f);
     this->Carriers[f] = { faces[f], faces[f] };
   }
   std::vector<Id> segments;
-  for (vtkIdType s = 0; s < mesh.GetNumberOfSegments(); ++s)
+  for (const vtkIdType s : InTurn(mesh.GetNumberOfSegments()))
   {
     if (mesh.GetSegmentAt(static_cast<Id>(s)).Parent < 0)
     {
@@ -88,7 +89,7 @@ void AdaptiveSqrtThreeOutput<Id>::NumberThirds(
 {
   std::vector<Id> children;
   std::vector<Id> outer;
-  for (const Id segment : segments)
+  for (const Id segment : InTurn(segments))
   {
     const auto& piece = this->Mesh.GetSegmentAt(segment);
     if (piece.Thirds >= 0)

@@ -2,6 +2,7 @@
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Dual/DualPlaces.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ template <typename Id>
 std::vector<SharpEdge<Id>> ListEdgesSharpAfter(const EdgeSharpness& sharpness, int step)
 {
   std::vector<SharpEdge<Id>> edges;
-  for (std::size_t e = 0; e < sharpness.size(); ++e)
+  for (const std::size_t e : InTurn(sharpness.size()))
   {
     const double left = sharpness[e] - step;
     const vtkIdType first = static_cast<vtkIdType>(e) << step;
@@ -44,7 +45,7 @@ std::vector<bool> GetSharp(const EdgeSharpness& sharpness, double least, bool mo
 int FindEndOfStage(const EdgeSharpness& sharpness, int step, int most)
 {
   double end = most;
-  for (const double s : sharpness)
+  for (const double s : InTurn(sharpness))
   {
     for (const double change : { std::floor(s), std::ceil(s) })
     {

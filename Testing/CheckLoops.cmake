@@ -1,0 +1,25 @@
+# cmake -D FILTERS=<source>/Filters -P CheckLoops.cmake
+# Fails where a loop over all cells, points or values of a mesh is neither parallel nor one of InTurn: in such a
+# loop a filter would work on without a report of progress, and nobody could stop it (Core/Memory/Loops.h).
+set(counts "GetNumberOf(Cells|Points|Tuples|Simplices|Faces|Edges|Corners|Segments)\\(\\)")
+set(plain "for \\([^;=]+ = 0; [a-z]+ < [^;&|]*${counts}[^;]*; \\+\\+[a-z]+\\)")
+set(bad 0)
+file(GLOB_RECURSE sources RELATIVE "${FILTERS}" "${FILTERS}/*.h" "${FILTERS}/*.cxx")
+list(LENGTH sources size)
+if (size LESS 100)
+  message(FATAL_ERROR "There are only ${size} sources in ${FILTERS}.")
+endif ()
+foreach (source IN LISTS sources)
+  if (source MATCHES "^Private/Models/") # small ones
+    continue ()
+  endif ()
+  file(STRINGS "${FILTERS}/${source}" lines REGEX "${plain}")
+  foreach (line IN LISTS lines)
+    string(STRIP "${line}" line)
+    message(SEND_ERROR "${source}: take ForEach, ForEachInTurn or InTurn in place of\n  ${line}")
+    set(bad 1)
+  endforeach ()
+endforeach ()
+if (NOT bad)
+  message(STATUS "${size} sources have no long loop that cannot be stopped")
+endif ()
