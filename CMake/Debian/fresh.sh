@@ -209,7 +209,7 @@ fresh_run_as_user()
 
 # ---------------------------------------------------------------- what came out
 
-fresh_slug() { printf '%s' "$*${user/root/}${folder/SubdivisionObjects/}" | tr -cs 'A-Za-z0-9' '-' | sed 's/^-*//; s/-*$//'; }
+fresh_slug() { printf '%s' "$*${user/root/}${folder/SubdivisionObjects/}" | tr -cs 'A-Za-z0-9' '-' | cut -c1-100 | sed 's/^-*//; s/-*$//'; }
 
 fresh_disk() { du -sm --exclude=archives "$target" | cut -f1; }
 
