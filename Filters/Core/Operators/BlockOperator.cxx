@@ -4,6 +4,9 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Operators/ForBlocks.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace subdivision
 {
 
@@ -33,21 +36,45 @@ void BlockOperator<Id>::ForEachBlock(const User& use) const
 template <typename Id>
 SparseRows<Id> BlockOperator<Id>::Store() const
 {
-  RowBlock<Id> block;
-  this->AppendRows(0, this->NumberOfRows, block);
+  constexpr vtkIdType rowsOfBlock = 4096;
+  const vtkIdType size = this->NumberOfRows;
+  const vtkIdType blocks = (size + rowsOfBlock - 1) / rowsOfBlock;
   SparseRows<Id> rows;
   rows.NumberOfColumns = this->NumberOfColumns;
-  rows.Offsets = Buffer<Id>(this->NumberOfRows + 1);
-  rows.Offsets[0] = 0;
-  for (vtkIdType row = 0; row < this->NumberOfRows; ++row)
+  rows.Offsets = Buffer<Id>(size + 1);
+  std::vector<RowBlock<Id>> parts(static_cast<std::size_t>(blocks));
+  const auto append = [&](vtkIdType begin, vtkIdType end)
   {
-    rows.Offsets[row + 1] = static_cast<Id>(block.GetEnd(row));
-  }
-  const vtkIdType entries = static_cast<vtkIdType>(block.GetNumberOfEntries());
-  rows.Columns = Buffer<Id>(entries);
-  rows.Weights = Buffer<double>(entries);
-  std::copy(block.GetColumns(), block.GetColumns() + entries, rows.Columns.begin());
-  std::copy(block.GetWeights(), block.GetWeights() + entries, rows.Weights.begin());
+    for (vtkIdType b = begin; b < end; ++b)
+    {
+      const vtkIdType first = b * rowsOfBlock;
+      const vtkIdType last = std::min(size, first + rowsOfBlock);
+      this->AppendRows(first, last, parts[b]);
+      vtkIdType before = 0;
+      for (vtkIdType row = first; row < last; ++row)
+      {
+        const auto after = static_cast<vtkIdType>(parts[b].GetEnd(row - first));
+        rows.Offsets[row] = static_cast<Id>(after - before);
+        before = after;
+      }
+    }
+  };
+  ForRangesOfBlocks(blocks, append);
+  CountsToOffsets(rows.Offsets);
+  rows.Columns = Buffer<Id>(rows.Offsets[size]);
+  rows.Weights = Buffer<double>(rows.Offsets[size]);
+  const auto join = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType b = begin; b < end; ++b)
+    {
+      const auto entries = static_cast<vtkIdType>(parts[b].GetNumberOfEntries());
+      const vtkIdType first = rows.Offsets[b * rowsOfBlock];
+      std::copy_n(parts[b].GetColumns(), entries, rows.Columns.begin() + first);
+      std::copy_n(parts[b].GetWeights(), entries, rows.Weights.begin() + first);
+      parts[b] = RowBlock<Id>();
+    }
+  };
+  ForRangesOfBlocks(blocks, join);
   return rows;
 }
 

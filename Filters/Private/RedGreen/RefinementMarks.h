@@ -226,6 +226,7 @@ private:
       notes.WithoutValue.insert(
         notes.WithoutValue.end(), part.Notes.WithoutValue.begin(), part.Notes.WithoutValue.end());
       notes.TooShort += part.Notes.TooShort;
+      BetweenLoops::Act();
     }
   }
 
