@@ -38,12 +38,14 @@ public:
    * occur again. `wanted` flags the vertices whose limits are computed (empty: all); Apply leaves
    * the values of the others. `distance`: at first a part has all vertices within this number of
    * edges of its ancestors. `solids`: what ComputeNormals needs; null: it is not called.
+   * `isCurvedOnly`: no wanted vertex lies inside a solid (then `solids` is null), so that parts
+   * need not have what lies there.
    */
   template <typename LevelType>
   LocalLimit(const LevelType& control, const SemiSharpStages<Id>& creases,
     const std::vector<std::array<Id, 2>>& midpoints,
     const Buffer<unsigned char>& wanted = Buffer<unsigned char>(), int distance = 1,
-    const ControlSolids* solids = nullptr);
+    const ControlSolids* solids = nullptr, bool isCurvedOnly = false);
 
   /// Computes the unit normals of wanted vertices, three numbers for each vertex, from the points
   /// of the control level. `inverted` and `turned` as in ComputeLimitNormals. They are taken, like
