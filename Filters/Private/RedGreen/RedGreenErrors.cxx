@@ -414,7 +414,7 @@ void RedGreenErrors<Id>::FindLimitsInSheets(
   const RedGreen<Id>& state, const Buffer<double>& control)
 {
   Buffer<Id> needed(state.GetNumberOfVertices(), Id(-1));
-  const auto need = [&](Id vertex) { needed[vertex] = this->MayBeCurved[vertex] ? 0 : -1; };
+  const auto need = [&](Id vertex) { needed[vertex] = this->IsOnCurve(vertex) ? 0 : -1; };
   std::for_each(this->Corners.begin(), this->Corners.end(), need);
   std::vector<Id> own; // the sites
   for (Id i = 0; i < static_cast<Id>(this->Sites.size()); ++i)
@@ -496,6 +496,7 @@ void RedGreenErrors<Id>::FindOtherLimits(const RedGreen<Id>& state, const Buffer
     {
       corners.push_back(i);
       needed[this->Corners[i]] = 0;
+      isCurved = isCurved && this->IsOnCurve(this->Corners[i]);
     }
   }
   for (Id i = 0; i < static_cast<Id>(this->Sites.size()); ++i)

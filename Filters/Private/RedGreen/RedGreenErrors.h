@@ -99,6 +99,12 @@ private:
     return this->MayBeCurved[a] && this->MayBeCurved[b] &&
       this->IsCurved(Unite(this->Carriers[a], this->Carriers[b]));
   }
+  /// Whether a vertex is one of the control mesh or lies on a curve or surface.
+  bool IsOnCurve(Id vertex) const
+  {
+    const Carrier& carrier = this->Carriers[vertex];
+    return carrier[1] < 0 || this->IsCurved(carrier);
+  }
   static Carrier Unite(const Carrier& a, const Carrier& b);
 
   template <typename Cells>

@@ -49,6 +49,8 @@ public:
   /// False: the parts were too small.
   bool Build(const LevelType& control, const SemiSharpStages<Id>& creases, int distance,
     std::vector<Step>& steps);
+  /// From now on parts have what lies inside solids. False: they have had it already.
+  bool TakeSolidsToo() { return std::exchange(this->IsCurvedOnly, false); }
 
 private:
   /// A level, or a part of one.
@@ -78,6 +80,8 @@ private:
 
   void MakeLimits(const LevelType& level, const SemiSharpStages<Id>& creases, const Piece& piece,
     std::size_t number, Trace& trace) const;
+  Buffer<unsigned char> FlagSupport(const LevelType& level, const CurvedParts<LevelType>& curved,
+    std::size_t number, int distance) const;
   void FindControlParts(const LevelType& control, Piece& piece) const;
   void FollowParts(const Restriction<LevelType>& restriction, Piece& piece) const;
   static SemiSharpStages<Id> RefineCreases(Piece& part, const SimplicialComplex<Id>& children);
@@ -87,7 +91,7 @@ private:
 
   LocalVertices<Id>& Vertices;
   const ControlSolids* const Solids; ///< null: no normals are made
-  const bool IsCurvedOnly;
+  bool IsCurvedOnly;
 };
 
 /// Makes the limit rows of the vertices of a level, and their tangents; `piece` knows where the
@@ -119,6 +123,23 @@ void LocalLimit<Id>::Builder<LevelType>::MakeLimits(const LevelType& level,
     }
     trace.Tangents.Shading = FindShadingFacets(level, missing, piece.Cells);
   }
+}
+
+/// Flags the vertices at which everything is kept for the next step. In the first attempt the last
+/// step has no neighbours of vertices whose rows do not read solids: the limit of the midpoint of
+/// an edge of a surface reads rows of edges at the ends only.
+template <typename Id>
+template <typename LevelType>
+Buffer<unsigned char> LocalLimit<Id>::Builder<LevelType>::FlagSupport(const LevelType& level,
+  const CurvedParts<LevelType>& curved, std::size_t number, int distance) const
+{
+  if (distance != 1 || this->Solids || number + 2 < this->Vertices.GetNumberOfLevels())
+  {
+    return this->Vertices.FlagSupport(level, curved, number, distance);
+  }
+  CurvedParts<LevelType> solid(level);
+  std::fill(solid.Edges.begin(), solid.Edges.end(), 0);
+  return this->Vertices.FlagSupport(level, solid, number, distance);
 }
 
 /// Finds where the cells of the level lie from which the steps start.
@@ -282,7 +303,7 @@ bool LocalLimit<Id>::Builder<LevelType>::Build(const LevelType& control,
     const auto curved = this->IsCurvedOnly && levelCreases->Stages.empty()
       ? CurvedParts<LevelType>(*level)
       : CurvedParts<LevelType>();
-    const Buffer<unsigned char> support = this->Vertices.FlagSupport(*level, curved, l, distance);
+    const Buffer<unsigned char> support = this->FlagSupport(*level, curved, l, distance);
     const Restriction<LevelType> restriction(*level, support, curved);
     const Buffer<Id>& old = restriction.GetOldVertices();
     Piece part;
@@ -292,6 +313,7 @@ bool LocalLimit<Id>::Builder<LevelType>::Build(const LevelType& control,
     ForEach(old.size(), [&](vtkIdType v)
       { part.Whole[v] = support[old[v]] && (current.Whole.empty() || current.Whole[old[v]]); });
     this->Vertices.FollowToPart(part.Level, restriction.GetNewVertices(), l);
+    current.Level = LevelType(); // nothing reads it any more
     Trace& next = traces[l + 1];
     next.Columns = Buffer<Id>(old.size());
     std::copy(old.begin(), old.end(), next.Columns.begin());
@@ -443,7 +465,7 @@ LocalLimit<Id>::LocalLimit(const LevelType& control, const SemiSharpStages<Id>& 
   Builder<LevelType> builder(vertices, solids, isCurvedOnly);
   while (!builder.Build(control, creases, distance, this->Steps))
   {
-    ++distance;
+    distance += builder.TakeSolidsToo() ? 0 : 1;
   }
 }
 

@@ -10,7 +10,8 @@
  * arise (Restriction.h), and refined with the usual rules and rings. The limit row of a vertex is
  * taken on the level on which the vertex first exists (LimitStencils.h). Then the program goes back
  * from the limits to the control level and keeps only the rows that are ancestors. If the part was
- * too small for one of these, so that the row lacks entries, all is repeated with a larger part.
+ * too small for one of these, so that the row lacks entries, all is repeated with a larger part: at
+ * first with what lies inside solids, if that was left out, then with a larger distance.
  */
 #ifndef SubdivisionObjects_LocalLimit_h
 #define SubdivisionObjects_LocalLimit_h

@@ -68,19 +68,29 @@ CurvedParts<LevelType>::CurvedParts(const LevelType& level)
     flag(strata.Vertices, [&](Stratum vertex) { return isSolid(vertex) || isBlend(vertex); });
   this->Edges = flag(strata.Edges, [&](Stratum edge) { return !isSolid(edge); });
   this->Faces = flag(strata.Faces, [&](Stratum face) { return !isSolid(face); });
-  const auto addCarriers =
-    [&](const Buffer<Stratum>& owners, const Rings<Id>& rings, Buffer<unsigned char>& flags)
+  // A ring that goes into solids, where the rule follows another dimension.
+  const auto goesInside = [&](const Rings<Id>& rings, vtkIdType owner, const auto& belongs)
   {
-    for (vtkIdType i = 0; i < owners.size(); ++i)
-    {
-      for (const Id carrier : isFlat(owners[i]) ? rings.GetCarriers(i) : Row<Id>())
-      {
-        carrier < 0 ? void() : void(flags[carrier] = 1);
-      }
-    }
+    const Row<Id> carriers = rings.GetCarriers(owner);
+    return std::any_of(carriers.begin(), carriers.end(),
+      [&](Id carrier) { return carrier < 0 || !belongs[carrier]; });
   };
-  addCarriers(strata.Vertices, strata.VertexRings, this->Edges);
-  addCarriers(strata.Edges, strata.EdgeRings, this->Faces);
+  ForEach(strata.Vertices.size(),
+    [&](vtkIdType v)
+    {
+      if (isFlat(strata.Vertices[v]) && goesInside(strata.VertexRings, v, this->Edges))
+      {
+        this->ReadsSolids[v] = 1;
+      }
+    });
+  for (vtkIdType e = 0; e < strata.Edges.size(); ++e)
+  {
+    if (isFlat(strata.Edges[e]) && goesInside(strata.EdgeRings, e, this->Faces))
+    {
+      this->ReadsSolids[complex.EdgeVertices[2 * e]] = 1;
+      this->ReadsSolids[complex.EdgeVertices[2 * e + 1]] = 1;
+    }
+  }
   const auto addVertices = [&](const Buffer<Stratum>& of, const Buffer<Id>& vertices, int corners)
   {
     for (vtkIdType i = 0; i < of.size(); ++i)

@@ -37,7 +37,7 @@ struct CurvedParts
 
   /// Vertices whose row, or that of an edge or face at them, reads solids.
   Buffer<unsigned char> ReadsSolids;
-  Buffer<unsigned char> Edges; ///< those that do not lie inside solids, or that rings need
+  Buffer<unsigned char> Edges; ///< those that do not lie inside solids
   Buffer<unsigned char> Faces;
 };
 

@@ -100,10 +100,14 @@ void SheetLimits<Id>::Finder<LevelType>::Run(const LevelType& control, const dou
       return;
     }
     const CurvedParts<LevelType> curved(*level);
-    const Buffer<unsigned char> support = this->Vertices.FlagSupport(*level, curved, l, 1);
+    // The last step needs no more than rows of edges at the ends of those that are halved.
+    const bool isLast = l + 2 == this->Vertices.GetNumberOfLevels();
+    const Buffer<unsigned char> support =
+      this->Vertices.FlagSupport(*level, curved, l, isLast ? 0 : 1);
     const Restriction<LevelType> restriction(*level, support, curved);
     LevelType part = restriction.Restrict();
     this->Vertices.FollowToPart(part, restriction.GetNewVertices(), l);
+    current = LevelType(); // nothing reads it any more
     current = Refine(part, Depth::ForRefinement);
     this->GoOn(part, restriction, support);
     level = &current;
