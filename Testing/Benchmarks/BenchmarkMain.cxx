@@ -6,11 +6,14 @@
  *   SubdivisionObjectsBenchmarks [--quick] [--peers] [Google Benchmark's own options]
  *   SubdivisionObjectsBenchmarks --peak-memory CASE LEVELS THREADS CACHE(0|1)
  *
+ * Of the cases of BenchmarkShape.h the second form ignores LEVELS and CACHE.
+ *
  * Either the peers are measured, or all the rest: what peers leave in the heap must not make our
  * memory warm. The second form executes the filter once in this fresh process and prints how much
  * memory it took.
  */
 #include "BenchmarkFilter.h"
+#include "BenchmarkShape.h"
 #include "BenchmarkTools.h"
 
 #include "Core/Memory/Buffer.h"
@@ -59,11 +62,9 @@ double ReadStatus(const std::string& key)
   return 1024. * kilobytes;
 }
 
-int PrintPeakMemory(char** arguments)
+template <typename Filter>
+int PrintPeakMemoryOf(Filter* filter)
 {
-  const Case& which = GetCase(arguments[0]);
-  vtkSMPTools::Initialize(std::atoi(arguments[2]));
-  const auto filter = MakeFilter(which, std::atoi(arguments[1]), std::atoi(arguments[3]) != 0);
   std::ofstream("/proc/self/clear_refs") << "5"; // the peak counts from here
   const double before = ReadStatus("VmRSS");
   filter->Update();
@@ -72,6 +73,17 @@ int PrintPeakMemory(char** arguments)
   std::printf("{ \"growth\": %.0f, \"output\": %.0f, \"cells\": %.0f }\n", peak - before,
     size.Bytes, size.Cells);
   return EXIT_SUCCESS;
+}
+
+int PrintPeakMemory(char** arguments)
+{
+  vtkSMPTools::Initialize(std::atoi(arguments[2]));
+  if (const auto shape = MakeShapeFilter(arguments[0]))
+  {
+    return PrintPeakMemoryOf(shape.Get());
+  }
+  return PrintPeakMemoryOf(
+    MakeFilter(GetCase(arguments[0]), std::atoi(arguments[1]), std::atoi(arguments[3]) != 0).Get());
 }
 
 }

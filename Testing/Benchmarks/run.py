@@ -192,6 +192,34 @@ def red_green_section(samples):
          "time / writing", "time / writing with huge pages"], rows) if rows else []
 
 
+def measure_shape_memory(program, samples):
+    """Growth of the peak of adaptive refinement, in bytes per output cell; fresh processes."""
+    growth = {}
+    for case in sorted({key[2] for key in samples if key[:2] == ("shape", "adaptive")}):
+        answer = json.loads(subprocess.check_output([program, "--peak-memory", case, "0", "1", "0"]))
+        growth[case] = answer["growth"] / answer["cells"]
+    return growth
+
+
+def within(value, bar):
+    return "%.2g (bar %g: %s)" % (value, bar, "pass" if value <= bar else "fail")
+
+
+def shape_section(samples, memory):
+    rows = []
+    for (family, what, case, levels, threads), sample in sorted(samples.items()):
+        uniform = samples.get(("shape", "uniform", case, levels, threads))
+        if family != "shape" or what != "adaptive" or not uniform:
+            continue
+        part = sample.median / uniform.median
+        rows.append([case, str(threads), "%.3g" % sample.cells, sample.text(), "%.3g" % uniform.cells,
+                     uniform.text(), within(part, 0.5) if case == "screw" else "%.2g" % part,
+                     within(1e-3 * sample.ns_per_cell(), 1), within(memory[case], 300)])
+    return ["## Red-green refinement on the limit, by its shape", ""] + table(
+        ["case", "threads", "cells", "ms", "uniform cells", "ms", "time / uniform", "us per cell",
+         "bytes of peak per cell, 1 thread"], rows) if rows else []
+
+
 def deformation_section(samples):
     rows = []
     for (family, what, case, levels, threads), sample in sorted(samples.items()):
@@ -299,7 +327,9 @@ def run(arguments):
                  arguments.repetitions, load, os.getloadavg()[0], os.cpu_count()), ""]
     lines += filter_section(samples, memory) + surface_section(samples) + again_section(samples)
     lines += surface_peer_section(samples) + tetoct_section(samples)
-    lines += red_green_section(samples) + deformation_section(samples) + interpolation_section(samples)
+    lines += red_green_section(samples)
+    lines += shape_section(samples, measure_shape_memory(program, samples))
+    lines += deformation_section(samples) + interpolation_section(samples)
     lines += peer_section(samples)
     lines += stage_section(samples)
     if not arguments.quick:

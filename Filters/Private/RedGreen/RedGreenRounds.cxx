@@ -52,7 +52,7 @@ void Apply(const std::vector<RefinementMark<Id>>& marks, std::size_t count, Shar
 
 /// Finds which cells the output has. Returns false after an error or if Progress asks to stop.
 template <typename Id>
-bool RedGreenRun::FindCells(SharedState<Id>& shared, RedGreenLimit<Id>& limit)
+bool RedGreenRun::FindCells(SharedState<Id>& shared, const RedGreenLimit<Id>& limit)
 {
   shared = this->StartState<Id>();
   const bool isTooLarge = this->IsTooLarge(shared.State->GetNumberOfCells());
@@ -123,27 +123,28 @@ bool RedGreenRun::IsTooLarge(vtkIdType ownCells)
 
 template <typename Id, typename Cells>
 RedGreenRun::Marks<Id> RedGreenRun::FindMarksOf(
-  const Cells& cells, const RedGreen<Id>& state, RedGreenLimit<Id>& limit, MarkNotes& notes) const
+  const Cells& cells, const RedGreen<Id>& state, RedGreenErrors<Id>* errors, MarkNotes& notes) const
 {
-  const RefinementOptions& options = this->Options.Criteria;
-  const bool atLimit = options.ReadsLimit();
-  if (atLimit)
+  if (errors)
   {
-    limit.FindErrors(state, cells, options.MaximumLevel, options, *this->Criteria);
+    errors->Find(state, cells);
   }
   return FindMarks<Id>(
-    cells, *this->Criteria, options.MaximumLevel,
-    [&](Id a, Id b) { return atLimit ? limit.GetError(a, b) : 0.; }, notes);
+    cells, *this->Criteria, this->Options.Criteria.MaximumLevel,
+    [errors](Id a, Id b) { return errors ? errors->GetError(a, b) : 0.; }, notes);
 }
 
 /// Returns false if Progress asks to stop.
 template <typename Id>
-bool RedGreenRun::RunRounds(SharedState<Id>& shared, RedGreenLimit<Id>& limit)
+bool RedGreenRun::RunRounds(SharedState<Id>& shared, const RedGreenLimit<Id>& limit)
 {
   std::unique_ptr<RedGreen<Id>>& state = shared.State;
   const RefinementOptions& options = this->Options.Criteria;
   this->Criteria =
     std::make_unique<RefinementCriteria>(options, this->Input, this->Mesh.Control.Cells);
+  const auto errors = options.ReadsLimit()
+    ? std::make_unique<RedGreenErrors<Id>>(limit, options, *this->Criteria)
+    : nullptr;
   VertexOrigins origins(*this->Points);
   std::vector<Marks<Id>> rounds;
   MarkNotes notes;
@@ -156,12 +157,14 @@ bool RedGreenRun::RunRounds(SharedState<Id>& shared, RedGreenLimit<Id>& limit)
     Marks<Id> marks;
     if (round == 0)
     {
-      marks = this->FindMarksOf(InputCandidates<Id>(this->Mesh, *state), *state, limit, notes);
+      marks =
+        this->FindMarksOf(InputCandidates<Id>(this->Mesh, *state), *state, errors.get(), notes);
     }
     if (round > 0 || !this->Mesh.Midpoints.empty())
     {
-      const Marks<Id> more = this->FindMarksOf(
-        ChangedCandidates<Id>(this->Mesh, *state, options.MaximumLevel), *state, limit, notes);
+      const Marks<Id> more =
+        this->FindMarksOf(ChangedCandidates<Id>(this->Mesh, *state, options.MaximumLevel), *state,
+          errors.get(), notes);
       marks.insert(marks.end(), more.begin(), more.end());
     }
     if (this->Others ? this->Others->Sum(static_cast<vtkIdType>(marks.size())) == 0 : marks.empty())
@@ -254,7 +257,7 @@ void RedGreenRun::WarnOfNotes(MarkNotes& notes)
   }
 }
 
-template bool RedGreenRun::FindCells(SharedState<int>&, RedGreenLimit<int>&);
-template bool RedGreenRun::FindCells(SharedState<long long>&, RedGreenLimit<long long>&);
+template bool RedGreenRun::FindCells(SharedState<int>&, const RedGreenLimit<int>&);
+template bool RedGreenRun::FindCells(SharedState<long long>&, const RedGreenLimit<long long>&);
 
 }

@@ -8,6 +8,7 @@
 #define SubdivisionObjects_RedGreenRun_h
 
 #include "Private/Arrays/PointArrays.h"
+#include "Private/RedGreen/RedGreenErrors.h"
 #include "Private/RedGreen/RedGreenLimit.h"
 #include "Private/RedGreen/RedGreenMesh.h"
 #include "Private/RedGreen/RedGreenRefinement.h"
@@ -49,13 +50,13 @@ private:
   template <typename Id>
   void Interpolate(RedGreenLimit<Id>& limit);
   template <typename Id>
-  bool FindCells(SharedState<Id>& shared, RedGreenLimit<Id>& limit);
+  bool FindCells(SharedState<Id>& shared, const RedGreenLimit<Id>& limit);
   template <typename Id>
   SharedState<Id> StartState();
   template <typename Id>
-  bool RunRounds(SharedState<Id>& shared, RedGreenLimit<Id>& limit);
+  bool RunRounds(SharedState<Id>& shared, const RedGreenLimit<Id>& limit);
   template <typename Id, typename Cells>
-  Marks<Id> FindMarksOf(const Cells& cells, const RedGreen<Id>& state, RedGreenLimit<Id>& limit,
+  Marks<Id> FindMarksOf(const Cells& cells, const RedGreen<Id>& state, RedGreenErrors<Id>* errors,
     MarkNotes& notes) const;
   template <typename Id>
   void StopAtLimit(std::vector<Marks<Id>>& rounds, SharedState<Id>& shared);

@@ -361,6 +361,22 @@ TEST(RedGreenGeometricError, TakesAThirdOfTheUniformCells)
   }
 }
 
+/// Edges that lie inside a solid between points of its surface are measured, too.
+TEST(RedGreenLimitDifference, MeasuresEdgesOfAllDimensions)
+{
+  const Grid model = GetModel("SpringAndValve");
+  model->GetPointData()->SetActiveScalars("Tension");
+  const Grid output = Refine(model,
+    [](Filter* filter)
+    {
+      filter->RefineByAttributeErrorOn();
+      filter->SetAttributeErrorKindToLimitDifference();
+      filter->SetAttributeTolerance(0.05);
+      filter->SetMaximumLevel(2);
+    });
+  EXPECT_GT(output->GetNumberOfCells(), model->GetNumberOfCells());
+}
+
 TEST(RedGreenLimitDifference, RefinesWhereValuesBend)
 {
   // Linear values have no difference from the limit but at the boundary.

@@ -39,15 +39,18 @@ template <typename LevelType>
 class LocalLimit<Id>::Builder
 {
 public:
-  Builder(LocalVertices<Id>& vertices, const ControlSolids* solids)
+  Builder(LocalVertices<Id>& vertices, const ControlSolids* solids, bool isCurvedOnly)
     : Vertices(vertices)
     , Solids(solids)
+    , IsCurvedOnly(isCurvedOnly)
   {
   }
 
   /// False: the parts were too small.
   bool Build(const LevelType& control, const SemiSharpStages<Id>& creases, int distance,
     std::vector<Step>& steps);
+  /// From now on parts have what lies inside solids. False: they have had it already.
+  bool TakeSolidsToo() { return std::exchange(this->IsCurvedOnly, false); }
 
 private:
   /// A level, or a part of one.
@@ -77,15 +80,18 @@ private:
 
   void MakeLimits(const LevelType& level, const SemiSharpStages<Id>& creases, const Piece& piece,
     std::size_t number, Trace& trace) const;
+  Buffer<unsigned char> FlagSupport(const LevelType& level, const CurvedParts<LevelType>& curved,
+    std::size_t number, int distance) const;
   void FindControlParts(const LevelType& control, Piece& piece) const;
   void FollowParts(const Restriction<LevelType>& restriction, Piece& piece) const;
   static SemiSharpStages<Id> RefineCreases(Piece& part, const SimplicialComplex<Id>& children);
-  static void TakeOperators(Piece& part, Trace& trace);
+  static void TakeOperators(Piece& part, const Buffer<unsigned char>& edgesInside, Trace& trace);
   static void AppendRow(const Trace& trace, vtkIdType row, ExplicitRows<Id>& rows);
   bool FollowBack(std::vector<Trace>& traces, Id columns, std::vector<Step>& steps) const;
 
   LocalVertices<Id>& Vertices;
   const ControlSolids* const Solids; ///< null: no normals are made
+  bool IsCurvedOnly;
 };
 
 /// Makes the limit rows of the vertices of a level, and their tangents; `piece` knows where the
@@ -117,6 +123,23 @@ void LocalLimit<Id>::Builder<LevelType>::MakeLimits(const LevelType& level,
     }
     trace.Tangents.Shading = FindShadingFacets(level, missing, piece.Cells);
   }
+}
+
+/// Flags the vertices at which everything is kept for the next step. In the first attempt the last
+/// step has no neighbours of vertices whose rows do not read solids: the limit of the midpoint of
+/// an edge of a surface reads rows of edges at the ends only.
+template <typename Id>
+template <typename LevelType>
+Buffer<unsigned char> LocalLimit<Id>::Builder<LevelType>::FlagSupport(const LevelType& level,
+  const CurvedParts<LevelType>& curved, std::size_t number, int distance) const
+{
+  if (distance != 1 || this->Solids || number + 2 < this->Vertices.GetNumberOfLevels())
+  {
+    return this->Vertices.FlagSupport(level, curved, number, distance);
+  }
+  CurvedParts<LevelType> solid(level);
+  std::fill(solid.Edges.begin(), solid.Edges.end(), 0);
+  return this->Vertices.FlagSupport(level, solid, number, distance);
 }
 
 /// Finds where the cells of the level lie from which the steps start.
@@ -220,10 +243,11 @@ SemiSharpStages<Id> LocalLimit<Id>::Builder<LevelType>::RefineCreases(
   return refined;
 }
 
-/// Moves the operators out of a part that was refined.
+/// Moves the operators out of a part that was refined. `edgesInside`: whose rings are complete.
 template <typename Id>
 template <typename LevelType>
-void LocalLimit<Id>::Builder<LevelType>::TakeOperators(Piece& part, Trace& trace)
+void LocalLimit<Id>::Builder<LevelType>::TakeOperators(
+  Piece& part, const Buffer<unsigned char>& edgesInside, Trace& trace)
 {
   const SimplicialComplex<Id>& complex = part.Level.Complex;
   const vtkIdType vertices = complex.NumberOfVertices;
@@ -234,7 +258,7 @@ void LocalLimit<Id>::Builder<LevelType>::TakeOperators(Piece& part, Trace& trace
   for (vtkIdType e = 0; e < edges; ++e)
   {
     const Id* ends = complex.EdgeVertices.data() + 2 * e;
-    trace.Whole[vertices + e] = part.Whole[ends[0]] || part.Whole[ends[1]];
+    trace.Whole[vertices + e] = edgesInside[e] && (part.Whole[ends[0]] || part.Whole[ends[1]]);
   }
   const std::vector<SharpRow> rows =
     part.Creases.ListParts(complex, std::numeric_limits<double>::infinity()).GetRows();
@@ -275,8 +299,12 @@ bool LocalLimit<Id>::Builder<LevelType>::Build(const LevelType& control,
     {
       break;
     }
-    const Buffer<unsigned char> support = this->Vertices.FlagSupport(*level, l, distance);
-    const Restriction<LevelType> restriction(*level, support);
+    // While something is sharp, other rules hold, which may read solids.
+    const auto curved = this->IsCurvedOnly && levelCreases->Stages.empty()
+      ? CurvedParts<LevelType>(*level)
+      : CurvedParts<LevelType>();
+    const Buffer<unsigned char> support = this->FlagSupport(*level, curved, l, distance);
+    const Restriction<LevelType> restriction(*level, support, curved);
     const Buffer<Id>& old = restriction.GetOldVertices();
     Piece part;
     part.Level = restriction.Restrict();
@@ -285,13 +313,14 @@ bool LocalLimit<Id>::Builder<LevelType>::Build(const LevelType& control,
     ForEach(old.size(), [&](vtkIdType v)
       { part.Whole[v] = support[old[v]] && (current.Whole.empty() || current.Whole[old[v]]); });
     this->Vertices.FollowToPart(part.Level, restriction.GetNewVertices(), l);
+    current.Level = LevelType(); // nothing reads it any more
     Trace& next = traces[l + 1];
     next.Columns = Buffer<Id>(old.size());
     std::copy(old.begin(), old.end(), next.Columns.begin());
     current.Level = Refine(part.Level, Depth::ForRefinement);
     current.Creases = RefineCreases(part, current.Level.Complex);
     this->FollowParts(restriction, current);
-    TakeOperators(part, next);
+    TakeOperators(part, restriction.FlagEdgesInside(), next);
     current.Whole = Buffer<unsigned char>(next.Whole.size());
     std::copy(next.Whole.begin(), next.Whole.end(), current.Whole.begin());
     level = &current.Level;
@@ -428,15 +457,15 @@ template <typename Id>
 template <typename LevelType>
 LocalLimit<Id>::LocalLimit(const LevelType& control, const SemiSharpStages<Id>& creases,
   const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted,
-  int distance, const ControlSolids* solids)
+  int distance, const ControlSolids* solids, bool isCurvedOnly)
   : NumberOfRows(control.Complex.NumberOfVertices + static_cast<vtkIdType>(midpoints.size()))
   , NumberOfColumns(control.Complex.NumberOfVertices)
 {
   LocalVertices<Id> vertices(control.Complex.NumberOfVertices, midpoints, wanted);
-  Builder<LevelType> builder(vertices, solids);
+  Builder<LevelType> builder(vertices, solids, isCurvedOnly);
   while (!builder.Build(control, creases, distance, this->Steps))
   {
-    ++distance;
+    distance += builder.TakeSolidsToo() ? 0 : 1;
   }
 }
 
@@ -444,7 +473,7 @@ SUBDIVISION_COMPILE(class LocalLimit);
 #define SUBDIVISION_LOCAL(Level)                                                                   \
   template LocalLimit<Level::IdType>::LocalLimit(const Level&,                                     \
     const SemiSharpStages<Level::IdType>&, const std::vector<std::array<Level::IdType, 2>>&,       \
-    const Buffer<unsigned char>&, int, const ControlSolids*)
+    const Buffer<unsigned char>&, int, const ControlSolids*, bool)
 SUBDIVISION_LOCAL(Level<int>);
 SUBDIVISION_LOCAL(Level<long long>);
 SUBDIVISION_LOCAL(TetOctLevel<int>);

@@ -10,7 +10,8 @@
  * arise (Restriction.h), and refined with the usual rules and rings. The limit row of a vertex is
  * taken on the level on which the vertex first exists (LimitStencils.h). Then the program goes back
  * from the limits to the control level and keeps only the rows that are ancestors. If the part was
- * too small for one of these, so that the row lacks entries, all is repeated with a larger part.
+ * too small for one of these, so that the row lacks entries, all is repeated with a larger part: at
+ * first with what lies inside solids, if that was left out, then with a larger distance.
  */
 #ifndef SubdivisionObjects_LocalLimit_h
 #define SubdivisionObjects_LocalLimit_h
@@ -38,12 +39,14 @@ public:
    * occur again. `wanted` flags the vertices whose limits are computed (empty: all); Apply leaves
    * the values of the others. `distance`: at first a part has all vertices within this number of
    * edges of its ancestors. `solids`: what ComputeNormals needs; null: it is not called.
+   * `isCurvedOnly`: no wanted vertex lies inside a solid (then `solids` is null), so that parts
+   * need not have what lies there.
    */
   template <typename LevelType>
   LocalLimit(const LevelType& control, const SemiSharpStages<Id>& creases,
     const std::vector<std::array<Id, 2>>& midpoints,
     const Buffer<unsigned char>& wanted = Buffer<unsigned char>(), int distance = 1,
-    const ControlSolids* solids = nullptr);
+    const ControlSolids* solids = nullptr, bool isCurvedOnly = false);
 
   /// Computes the unit normals of wanted vertices, three numbers for each vertex, from the points
   /// of the control level. `inverted` and `turned` as in ComputeLimitNormals. They are taken, like

@@ -7,7 +7,7 @@
 #ifndef SubdivisionObjects_LocalVertices_h
 #define SubdivisionObjects_LocalVertices_h
 
-#include "Core/Memory/Buffer.h"
+#include "Core/Solids/Limits/Restriction.h"
 
 #include <array>
 #include <cstddef>
@@ -35,6 +35,9 @@ public:
   /// The wanted vertices that first exist on a level.
   const std::vector<Id>& GetWanted(std::size_t level) const { return this->Wanted[level]; }
 
+  /// The level on which a vertex first exists.
+  int GetLevel(Id vertex) const { return this->Levels[vertex]; }
+
   // The current part of a level. At first it is the whole control level.
 
   void StartOnControl();
@@ -42,10 +45,15 @@ public:
   /// The numbers on the current part of the wanted vertices that first exist on its level.
   Buffer<Id> FindWantedOnPart(std::size_t level) const;
 
-  /// Flags the ancestors and all vertices within `distance` steps of them, along edges and across
-  /// octahedra. `part` is the current one.
+  /// The number on the current part of an ancestor of the level before, or a vertex that first
+  /// exists on this level.
+  Id GetPlace(Id vertex) const { return this->At[vertex]; }
+
+  /// Flags the ancestors and all vertices within `distance` steps of them, along edges that
+  /// `curved` has and, where solids matter, across octahedra. `part` is the current one.
   template <typename LevelType>
-  Buffer<unsigned char> FlagSupport(const LevelType& part, std::size_t level, int distance) const;
+  Buffer<unsigned char> FlagSupport(const LevelType& part, const CurvedParts<LevelType>& curved,
+    std::size_t level, int distance) const;
 
   /// Goes on to a part of the current part, where vertices have the numbers `vertices`: finds the
   /// ancestors in it, and the numbers that vertices of the next level will have when it is refined.

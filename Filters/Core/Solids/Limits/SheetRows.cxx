@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/Limits/SheetRows.h"
+
+#include "Core/Solids/Complex/SimplicialComplex.h"
+#include "Core/Solids/Limits/LocalLimit.h"
+#include "Core/Solids/Scheme/Level.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace subdivision
+{
+namespace
+{
+
+/// The mesh of a key: all cells at its corners.
+class SheetMesh
+{
+public:
+  explicit SheetMesh(const SheetKey& key)
+  {
+    if (key.Places == SheetPlaces::CurveVertex || key.Places == SheetPlaces::CurveEdge)
+    {
+      this->AddCurve(key);
+    }
+    else
+    {
+      this->AddTriangles(key);
+    }
+  }
+  /// The rows of the places, over the columns of the key.
+  std::vector<double> FindRows(SheetPlaces places) const;
+
+private:
+  using Corners = std::array<int, 3>;
+
+  void AddCurve(const SheetKey& key);
+  void AddTriangles(const SheetKey& key);
+  void AddCell(const int* corners, int size);
+  int FindFirst(int column) const
+  {
+    while (this->Equals[column] != column)
+    {
+      column = this->Equals[column];
+    }
+    return column;
+  }
+
+  std::vector<int> Equals; ///< of each column an earlier one that is the same vertex, or itself
+  std::vector<int> Fixed;  ///< vertices that are corners
+  /// The edges on which the sheet ends. Both sides of a crease may be in the mesh.
+  std::set<std::array<int, 2>> Creases;
+  SimplexList Cells;
+};
+
+void SheetMesh::AddCell(const int* corners, int size)
+{
+  this->Cells.Dimensions.push_back(static_cast<unsigned char>(size - 1));
+  this->Cells.Connectivity.insert(this->Cells.Connectivity.end(), corners, corners + size);
+}
+
+void SheetMesh::AddCurve(const SheetKey& key)
+{
+  const bool isVertex = key.Places == SheetPlaces::CurveVertex;
+  int next = isVertex ? 1 : 2;
+  if (!isVertex)
+  {
+    const int line[2] = { 0, 1 };
+    this->AddCell(line, 2);
+  }
+  for (int end = 0; end < (isVertex ? 1 : 2); ++end)
+  {
+    if (key.Fans[end].What == SheetFan::Kind::Open)
+    {
+      for (int i = 0; i < (isVertex ? 2 : 1); ++i)
+      {
+        const int line[2] = { end, next++ };
+        this->AddCell(line, 2);
+      }
+    }
+    else
+    {
+      this->Fixed.push_back(end);
+    }
+  }
+  this->Equals.resize(next);
+  std::iota(this->Equals.begin(), this->Equals.end(), 0);
+}
+
+void SheetMesh::AddTriangles(const SheetKey& key)
+{
+  // The vertices at each corner: those Before, the other two corners, those After.
+  std::array<std::vector<int>, 3> fans;
+  int next = 3;
+  int across[3][2]; // at each corner the vertices across the edges to the next and to the last one
+  for (int i = 0; i < 3; ++i)
+  {
+    const SheetFan& fan = key.Fans[i];
+    std::vector<int>& vertices = fans[i];
+    const int firstAfter = next;
+    next += fan.After;
+    for (int k = fan.Before; k > 0; --k)
+    {
+      vertices.push_back(next + k - 1);
+    }
+    const bool isClosed = fan.IsClosed();
+    across[i][0] = isClosed ? firstAfter + fan.After - 1 : fan.Before > 0 ? next : -1;
+    across[i][1] = fan.After > 0 ? firstAfter : -1;
+    next += fan.Before;
+    vertices.push_back((i + 1) % 3);
+    vertices.push_back((i + 2) % 3);
+    for (int k = 0; k < fan.After; ++k)
+    {
+      vertices.push_back(firstAfter + k);
+    }
+    if (isClosed)
+    {
+      vertices.push_back((i + 1) % 3);
+    }
+    if (fan.What == SheetFan::Kind::ClosedCorner || fan.What == SheetFan::Kind::OpenCorner)
+    {
+      this->Fixed.push_back(i);
+    }
+  }
+  this->Equals.resize(next);
+  std::iota(this->Equals.begin(), this->Equals.end(), 0);
+  for (int i = 0; i < 3; ++i)
+  {
+    if (across[i][0] >= 0 && across[(i + 1) % 3][1] >= 0)
+    {
+      const int a = this->FindFirst(across[i][0]);
+      const int b = this->FindFirst(across[(i + 1) % 3][1]);
+      this->Equals[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::set<Corners> triangles;
+  for (int i = 0; i < 3; ++i)
+  {
+    if (key.Fans[i].What == SheetFan::Kind::Open || key.Fans[i].What == SheetFan::Kind::OpenCorner)
+    {
+      for (const int end : { fans[i].front(), fans[i].back() })
+      {
+        this->Creases.insert(
+          { std::min(i, this->FindFirst(end)), std::max(i, this->FindFirst(end)) });
+      }
+    }
+    for (std::size_t k = 0; key.Fans[i].What != SheetFan::Kind::None && k + 1 < fans[i].size(); ++k)
+    {
+      Corners corners{ { i, this->FindFirst(fans[i][k]), this->FindFirst(fans[i][k + 1]) } };
+      std::sort(corners.begin(), corners.end());
+      if (triangles.insert(corners).second)
+      {
+        this->AddCell(corners.data(), 3);
+      }
+    }
+  }
+}
+
+std::vector<double> SheetMesh::FindRows(SheetPlaces places) const
+{
+  const auto columns = static_cast<int>(this->Equals.size());
+  SimplexList cells = this->Cells;
+  cells.NumberOfPoints = columns;
+  std::vector<CellRun> runs;
+  Level<int> level;
+  level.Complex = BuildComplex<int>(cells, runs);
+  SingularSimplices singular;
+  singular.Vertices = Buffer<unsigned char>(columns, 0);
+  for (const int vertex : this->Fixed)
+  {
+    singular.Vertices[vertex] = 1;
+  }
+  singular.Edges = Buffer<unsigned char>(level.Complex.NumberOfEdges, 0);
+  for (vtkIdType e = 0; e < singular.Edges.size(); ++e)
+  {
+    const auto [a, b] =
+      std::minmax({ level.Complex.EdgeVertices[2 * e], level.Complex.EdgeVertices[2 * e + 1] });
+    singular.Edges[e] = this->Creases.count({ a, b });
+  }
+  level.Strata = BuildStrata(level.Complex, singular, StrataOptions());
+  std::vector<std::array<int, 2>> midpoints;
+  std::vector<int> found = { 0 };
+  const int middle = columns; // the first midpoint
+  if (places == SheetPlaces::Edge || places == SheetPlaces::CurveEdge)
+  {
+    midpoints = { { { 0, 1 } }, { { 0, middle } }, { { middle, 1 } } };
+    found = { middle + 1, middle, middle + 2 };
+  }
+  else if (places == SheetPlaces::Face)
+  {
+    midpoints = { { { 0, 1 } }, { { 0, 2 } }, { { 1, 2 } }, { { middle, middle + 1 } },
+      { { middle, middle + 2 } }, { { middle + 1, middle + 2 } } };
+    found = { middle + 3, middle + 4, middle + 5 };
+  }
+  const SparseRows<int> rows = LocalLimit<int>(level, {}, midpoints).BuildRows();
+  std::vector<double> weights;
+  for (const int row : found)
+  {
+    const std::size_t first = weights.size();
+    weights.resize(first + columns, 0.);
+    for (int k = rows.Offsets[row]; k < rows.Offsets[row + 1]; ++k)
+    {
+      weights[first + rows.Columns[k]] += rows.Weights[k];
+    }
+  }
+  return weights;
+}
+
+}
+
+std::vector<double> SheetRows::Make(const SheetKey& key)
+{
+  return SheetMesh(key).FindRows(key.Places);
+}
+
+}

@@ -1,0 +1,669 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/RedGreen/RedGreenErrors.h"
+
+#include "Core/Memory/Ids.h"
+#include "Core/Memory/Sorting.h"
+#include "Core/Solids/Limits/SheetLimits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace subdivision
+{
+
+template <typename Id>
+RedGreenErrors<Id>::RedGreenErrors(const RedGreenLimit<Id>& limit, const RefinementOptions& options,
+  const RefinementCriteria& criteria)
+  : Limit(limit)
+  , Options(options)
+  , Criteria(criteria)
+  , OfAttribute(options.Attribute && options.AttributeErrorOfLimit)
+  , Components(
+      (options.ReadsShape() ? 3 : 0) + (OfAttribute ? criteria.GetAttribute().GetComponents() : 0))
+{
+  limit.WithControl([this](const auto& level) { this->FindCurved(level.Complex, level.Strata); });
+}
+
+template <typename Id>
+template <typename Cells>
+void RedGreenErrors<Id>::Find(const RedGreen<Id>& state, const Cells& cells)
+{
+  this->FindCarriers(state);
+  this->FindSamples(state, cells);
+  this->FindLimits(state);
+  this->TakeErrors();
+}
+
+// ------------------------------------------------------------------------------------------------
+// Where vertices lie
+
+template <typename Id>
+void RedGreenErrors<Id>::FindCurved(const SimplicialComplex<Id>& complex, const Strata<Id>& strata)
+{
+  for (const Id e : InTurn(complex.NumberOfEdges))
+  {
+    const Rule rule = strata.Edges[e].GetRule();
+    if (rule != Rule::Solid && rule != Rule::RegularEdge)
+    {
+      const Id* ends = complex.EdgeVertices.data() + 2 * static_cast<vtkIdType>(e);
+      this->Curved.push_back(
+        { { std::min(ends[0], ends[1]), std::max(ends[0], ends[1]), -1, -1 } });
+    }
+  }
+  for (const Id f : InTurn(complex.NumberOfFaces))
+  {
+    if (strata.Faces[f].GetRule() != Rule::Solid)
+    {
+      const Id* corners = complex.FaceVertices.data() + 3 * static_cast<vtkIdType>(f);
+      Carrier face = { { corners[0], corners[1], corners[2], -1 } };
+      std::sort(face.begin(), face.begin() + 3);
+      this->Curved.push_back(face);
+    }
+  }
+  StableSort(this->Curved, std::less<>());
+}
+
+template <typename Id>
+void RedGreenErrors<Id>::FindCarriers(const RedGreen<Id>& state)
+{
+  const auto first = static_cast<Id>(this->Carriers.size());
+  this->Carriers.resize(state.GetNumberOfVertices());
+  this->MayBeCurved.resize(state.GetNumberOfVertices(), 1);
+  ForEachInTurn(state.GetNumberOfVertices() - first,
+    [&](vtkIdType i)
+    {
+      const auto vertex = static_cast<Id>(first + i);
+      Carrier& carrier = this->Carriers[vertex];
+      if (vertex < state.GetNumberOfInputVertices())
+      {
+        carrier = { { vertex, -1, -1, -1 } };
+        return;
+      }
+      const auto ends = state.GetEnds(vertex);
+      carrier = Unite(this->Carriers[ends[0]], this->Carriers[ends[1]]);
+      this->MayBeCurved[vertex] = carrier[2] < 0 || this->IsCurved(carrier) ? 1 : 0;
+    });
+}
+
+template <typename Id>
+typename RedGreenErrors<Id>::Carrier RedGreenErrors<Id>::Unite(const Carrier& a, const Carrier& b)
+{
+  Carrier both = { { -1, -1, -1, -1 } };
+  auto isEnd = [](Id vertex) { return vertex < 0; };
+  std::set_union(a.begin(), std::find_if(a.begin(), a.end(), isEnd), b.begin(),
+    std::find_if(b.begin(), b.end(), isEnd), both.begin()); // both lie in one simplex
+  return both;
+}
+
+/// Whether the limit of a control simplex is a curve, a surface, or a boundary, joint or singular
+/// surface of a solid.
+template <typename Id>
+bool RedGreenErrors<Id>::IsCurved(const Carrier& carrier) const
+{
+  return carrier[3] < 0 && std::binary_search(this->Curved.begin(), this->Curved.end(), carrier);
+}
+
+// ------------------------------------------------------------------------------------------------
+// Where to look
+
+template <typename Id>
+typename RedGreenErrors<Id>::EdgeOfCell RedGreenErrors<Id>::LookAt(
+  const RedGreen<Id>& state, const std::array<Id, 4>& leaf, Id a, Id b)
+{
+  EdgeOfCell edge{ { a, b }, {}, false };
+  for (int i = 0; i < 2; ++i)
+  {
+    const Id end = edge.Ends[i];
+    const bool isCorner = std::find(leaf.begin(), leaf.end(), end) != leaf.end();
+    edge.Of[i] = isCorner || end < state.GetNumberOfInputVertices()
+      ? std::array<Id, 2>{ { end, end } }
+      : state.GetEnds(end);
+  }
+  const auto& [first, second] = edge.Of;
+  edge.IsUniform = (first[0] == first[1] && second[0] == second[1]) || first[0] == second[0] ||
+    first[0] == second[1] || first[1] == second[0] || first[1] == second[1];
+  return edge;
+}
+
+/// Adds a sample at a place of the last site.
+template <typename Id>
+void RedGreenErrors<Id>::AddSample(int place, const std::array<Id, 3>& corners,
+  const std::array<Id, 3>& edges, double weight, bool ofShape)
+{
+  this->Sites.back().Used |= static_cast<unsigned char>(1 << place);
+  this->Samples.push_back({ static_cast<Id>(this->Sites.size()) - 1, place, corners, edges, weight,
+    ofShape && this->Options.ReadsShape() });
+}
+
+/// Adds the places at which an edge is measured: three on an edge of the uniform refinement, so
+/// that a curve is noticed that crosses the edge in its middle; on any other edge its middle.
+template <typename Id>
+void RedGreenErrors<Id>::AddEdge(
+  const EdgeOfCell& edge, const std::array<Id, 4>& leaf, bool isCurved)
+{
+  const Id a = edge.Ends[0];
+  const Id b = edge.Ends[1];
+  const Id number = this->Edges.FindOrAdd(a, b, this->NumberOfEdges);
+  if (number != this->NumberOfEdges)
+  {
+    return;
+  }
+  ++this->NumberOfEdges;
+  this->Sides.emplace_back();
+  this->Sides.back().IsBoundary = Unite(this->Carriers[a], this->Carriers[b])[2] < 0;
+  const auto add = [&](int place, double weight)
+  { this->AddSample(place, { { a, b, -1 } }, { { number, -1, -1 } }, weight, isCurved); };
+  if (edge.IsUniform)
+  {
+    this->Sites.push_back({ { { a, b, -1, -1 } }, isCurved });
+    add(0, 0.25);
+    add(1, 0.5);
+    add(2, 0.75);
+    return;
+  }
+  const bool isFromCorner = edge.Of[0][0] == edge.Of[0][1];
+  const bool isToCorner = edge.Of[1][0] == edge.Of[1][1];
+  if (isFromCorner || isToCorner)
+  {
+    const auto& split = edge.Of[isFromCorner ? 1 : 0];
+    this->Sites.push_back({ { { isFromCorner ? a : b, split[0], split[1], -1 } }, isCurved });
+  }
+  else // between midpoints of opposite edges: in the middle of the leaf, like the diagonal
+  {
+    this->Sites.push_back({ { { leaf[0], leaf[2], leaf[1], leaf[3] } }, isCurved });
+  }
+  add(0, 0.5);
+}
+
+/// Adds a triangle to an edge. A face of two tetrahedra is added by both and counts once.
+template <typename Id>
+void RedGreenErrors<Id>::AddSide(Id edge, Id opposite, bool isOfSolid)
+{
+  SidesOfEdge& sides = this->Sides[edge];
+  for (Id& side : sides.Opposites)
+  {
+    if (side == opposite && isOfSolid)
+    {
+      return;
+    }
+    if (side < 0)
+    {
+      side = opposite;
+      return;
+    }
+  }
+  sides.IsBoundary = true; // more than two triangles
+}
+
+/// Adds the places at which the inside of a triangle of a surface is measured.
+template <typename Id>
+void RedGreenErrors<Id>::AddTriangle(const RedGreen<Id>& state, const std::array<Id, 4>& leaf,
+  const std::array<Id, 3>& corners, bool isOfSolid)
+{
+  int green = -1; // the corner opposite to the side that is no edge of the uniform refinement
+  std::array<Id, 3> sides;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Id a = corners[(i + 1) % 3];
+    const Id b = corners[(i + 2) % 3];
+    sides[i] = this->Edges.Find(a, b);
+    if (sides[i] >= 0)
+    {
+      this->AddSide(sides[i], corners[i], isOfSolid);
+    }
+    green = LookAt(state, leaf, a, b).IsUniform ? green : i;
+  }
+  if (green < 0)
+  {
+    this->Sites.push_back({ { { corners[0], corners[1], corners[2], -1 } }, true });
+    for (int i = 0; i < 3; ++i)
+    {
+      this->AddSample(i, corners, sides, 0., true);
+    }
+    return;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    if (green != i && std::find(leaf.begin(), leaf.end(), corners[i]) == leaf.end())
+    {
+      // The corner is a midpoint, and the triangle half of a leaf's face.
+      const auto ends = state.GetEnds(corners[i]);
+      Id near = corners[(i + 1) % 3];
+      Id beside = corners[(i + 2) % 3];
+      if (near != ends[0] && near != ends[1])
+      {
+        std::swap(near, beside);
+      }
+      this->Sites.push_back(
+        { { { near, ends[0] == near ? ends[1] : ends[0], beside, -1 } }, true });
+      this->AddSample(0, corners, { { sides[green], -1, -1 } }, 0., true);
+    }
+  }
+}
+
+template <typename Id>
+template <typename Cells>
+void RedGreenErrors<Id>::FindSamples(const RedGreen<Id>& state, const Cells& cells)
+{
+  this->Edges = PairTable<Id>();
+  this->NumberOfEdges = 0;
+  this->Sides.clear();
+  this->Sites.clear();
+  this->Samples.clear();
+  ForEachInTurn(cells.GetSize(),
+    [&](vtkIdType i)
+    {
+      const auto points = cells.GetPoints(i);
+      const auto size = static_cast<int>(points.size());
+      const auto candidates = std::count_if(
+        points.begin(), points.end(), [this](auto point) { return this->MayBeCurved[point]; });
+      if (size < 2 || (candidates < 2 && !this->OfAttribute) || cells.IsOver(i) ||
+        cells.GetSteps(i) >= this->Options.MaximumLevel)
+      {
+        return;
+      }
+      const auto leaf = state.GetCell(cells.GetLeaf(i)).Vertices;
+      for (auto a = points.begin(); a != points.end(); ++a)
+      {
+        for (auto b = a + 1; b != points.end(); ++b)
+        {
+          const auto first = static_cast<Id>(*a);
+          const auto second = static_cast<Id>(*b);
+          const bool isCurved = this->IsCurved(first, second);
+          if (isCurved || this->OfAttribute)
+          {
+            this->AddEdge(LookAt(state, leaf, first, second), leaf, isCurved);
+          }
+        }
+      }
+      for (int opposite = size == 4 ? 0 : 3;
+        this->Options.ReadsShape() && candidates > 2 && opposite < 4; ++opposite)
+      {
+        std::array<Id, 3> corners;
+        auto corner = corners.begin();
+        for (int k = 0; k < size; ++k)
+        {
+          if (k != opposite)
+          {
+            *corner++ = static_cast<Id>(*(points.begin() + k));
+          }
+        }
+        const auto mayBe = [this](Id vertex) { return this->MayBeCurved[vertex] != 0; };
+        if (std::all_of(corners.begin(), corners.end(), mayBe) &&
+          this->IsCurved(Unite(Unite(this->Carriers[corners[0]], this->Carriers[corners[1]]),
+            this->Carriers[corners[2]])))
+        {
+          this->AddTriangle(state, leaf, corners, size == 4);
+        }
+      }
+    });
+}
+
+// ------------------------------------------------------------------------------------------------
+// Limits
+
+/// The coordinates and the attribute of the control vertices, as far as they are wanted, side by
+/// side.
+template <typename Id>
+Buffer<double> RedGreenErrors<Id>::GetControlValues() const
+{
+  vtkIdType size = 0;
+  this->Limit.WithControl([&](const auto& level) { size = level.Complex.NumberOfVertices; });
+  Buffer<double> values(size * this->Components);
+  int first = 0;
+  const auto take = [&](const ContinuedArray& array, const std::vector<double>& control)
+  {
+    const int components = array.GetComponents();
+    const double* from = control.empty() ? array.Get(0) : control.data();
+    for (vtkIdType v = 0; v < size; ++v)
+    {
+      std::copy_n(from + components * v, components, values.data() + this->Components * v + first);
+    }
+    first += components;
+  };
+  if (size > 0 && this->Options.ReadsShape())
+  {
+    take(this->Criteria.GetCoordinates(), this->Limit.GetControlCoordinates());
+  }
+  if (size > 0 && this->OfAttribute)
+  {
+    take(this->Criteria.GetAttribute(), this->Limit.GetControlAttribute());
+  }
+  return values;
+}
+
+/// Numbers the vertices that are needed (0 in `needed`, -1 for others) and those from which they
+/// come. Vertices of the input keep their numbers.
+template <typename Id>
+typename RedGreenErrors<Id>::Numbering RedGreenErrors<Id>::NumberVertices(
+  const RedGreen<Id>& state, Buffer<Id>&& needed) const
+{
+  const Id given = state.GetNumberOfInputVertices();
+  Numbering numbering{ std::move(needed), {} };
+  Buffer<Id>& numbers = numbering.Numbers;
+  for (Id v = state.GetNumberOfVertices() - 1; v >= given; --v)
+  {
+    if (numbers[v] == 0)
+    {
+      const auto ends = state.GetEnds(v);
+      numbers[ends[0]] = 0;
+      numbers[ends[1]] = 0;
+    }
+  }
+  for (const Id v : InTurn(static_cast<Id>(numbers.size())))
+  {
+    if (v < given)
+    {
+      numbers[v] = v;
+    }
+    else if (numbers[v] == 0)
+    {
+      numbers[v] = static_cast<Id>(given + numbering.Midpoints.size());
+      const auto ends = state.GetEnds(v);
+      numbering.Midpoints.push_back({ { numbers[ends[0]], numbers[ends[1]] } });
+    }
+  }
+  return numbering;
+}
+
+template <typename Id>
+bool RedGreenErrors<Id>::IsKnown(const Buffer<double>& values, vtkIdType place) const
+{
+  const double* first = values.data() + this->Components * place;
+  return std::none_of(
+    first, first + this->Components, [](double value) { return std::isnan(value); });
+}
+
+template <typename Id>
+void RedGreenErrors<Id>::FindLimits(const RedGreen<Id>& state)
+{
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  this->NumberOfCorner = Buffer<Id>(state.GetNumberOfVertices(), Id(-1));
+  this->Corners.clear();
+  for (const Sample& sample : this->Samples)
+  {
+    for (const Id corner : sample.Corners)
+    {
+      if (corner >= 0 && this->NumberOfCorner[corner] < 0)
+      {
+        this->NumberOfCorner[corner] = static_cast<Id>(this->Corners.size());
+        this->Corners.push_back(corner);
+      }
+    }
+  }
+  this->AtVertices =
+    Buffer<double>(this->Components * static_cast<vtkIdType>(this->Corners.size()), unknown);
+  this->AtSites = Buffer<double>(
+    PlacesOfSite * this->Components * static_cast<vtkIdType>(this->Sites.size()), unknown);
+  if (this->Samples.empty())
+  {
+    return;
+  }
+  const Buffer<double> control = this->GetControlValues();
+  if (this->Limit.GetCreases().Stages.empty()) // edges that are sharp for some steps are no curves
+  {
+    this->FindLimitsInSheets(state, control);
+  }
+  this->FindOtherLimits(state, control);
+}
+
+/// Finds the limits that depend on curves and sheets alone.
+template <typename Id>
+void RedGreenErrors<Id>::FindLimitsInSheets(
+  const RedGreen<Id>& state, const Buffer<double>& control)
+{
+  Buffer<Id> needed(state.GetNumberOfVertices(), Id(-1));
+  const auto need = [&](Id vertex) { needed[vertex] = this->IsOnCurve(vertex) ? 0 : -1; };
+  std::for_each(this->Corners.begin(), this->Corners.end(), need);
+  std::vector<Id> own; // the sites
+  for (const Id i : InTurn(static_cast<Id>(this->Sites.size())))
+  {
+    const Site& site = this->Sites[i];
+    if (site.IsCurved && site.GetSize() < 4)
+    {
+      own.push_back(i);
+      std::for_each(site.Corners.begin(), site.Corners.begin() + site.GetSize(), need);
+    }
+  }
+  const Numbering numbering = this->NumberVertices(state, std::move(needed));
+  std::vector<LimitSite<Id>> sites(own.size());
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    for (int k = 0; k < this->Sites[own[i]].GetSize(); ++k)
+    {
+      sites[i].Corners[k] = numbering.Numbers[this->Sites[own[i]].Corners[k]];
+    }
+  }
+  Buffer<unsigned char> wanted(
+    state.GetNumberOfInputVertices() + static_cast<vtkIdType>(numbering.Midpoints.size()), 0);
+  for (const Id corner : this->Corners)
+  {
+    if (numbering.Numbers[corner] >= 0)
+    {
+      wanted[numbering.Numbers[corner]] = 1;
+    }
+  }
+  this->Limit.WithControl(
+    [&](const auto& level)
+    {
+      const SheetLimits<Id> limits(
+        level, numbering.Midpoints, wanted, sites, control.data(), this->Components);
+      const vtkIdType size = this->Components;
+      for (std::size_t i = 0; i < this->Corners.size(); ++i)
+      {
+        const Id number = numbering.Numbers[this->Corners[i]];
+        if (number >= 0)
+        {
+          std::copy_n(limits.OfVertices.data() + size * number, size,
+            this->AtVertices.data() + size * static_cast<vtkIdType>(i));
+        }
+      }
+      for (std::size_t i = 0; i < own.size(); ++i)
+      {
+        std::copy_n(limits.OfSites.data() + PlacesOfSite * size * static_cast<vtkIdType>(i),
+          PlacesOfSite * size, this->AtSites.data() + PlacesOfSite * size * own[i]);
+      }
+    });
+}
+
+/// The vertex in the middle of an edge between two vertices of a numbering.
+template <typename Id>
+Id RedGreenErrors<Id>::GetMiddle(Id a, Id b, Numbering& numbering, PairTable<Id>& middles) const
+{
+  vtkIdType given = 0;
+  this->Limit.WithControl([&](const auto& level) { given = level.Complex.NumberOfVertices; });
+  const auto next = static_cast<Id>(given + numbering.Midpoints.size());
+  const Id middle = middles.FindOrAdd(a, b, next);
+  if (middle == next)
+  {
+    numbering.Midpoints.push_back({ { a, b } });
+  }
+  return middle;
+}
+
+/// Finds all limits that are not known yet.
+template <typename Id>
+void RedGreenErrors<Id>::FindOtherLimits(const RedGreen<Id>& state, const Buffer<double>& control)
+{
+  Buffer<Id> needed(state.GetNumberOfVertices(), Id(-1));
+  std::vector<std::size_t> corners;
+  std::vector<std::array<Id, 2>> places; // site, place
+  bool isCurved = true;
+  for (std::size_t i = 0; i < this->Corners.size(); ++i)
+  {
+    if (!this->IsKnown(this->AtVertices, static_cast<vtkIdType>(i)))
+    {
+      corners.push_back(i);
+      needed[this->Corners[i]] = 0;
+      isCurved = isCurved && this->IsOnCurve(this->Corners[i]);
+    }
+  }
+  for (const Id i : InTurn(static_cast<Id>(this->Sites.size())))
+  {
+    const Site& site = this->Sites[i];
+    for (Id place = 0; place < PlacesOfSite; ++place)
+    {
+      if ((site.Used & 1 << place) && !this->IsKnown(this->AtSites, PlacesOfSite * i + place))
+      {
+        places.push_back({ { i, place } });
+        isCurved = isCurved && site.IsCurved;
+        for (int k = 0; k < site.GetSize(); ++k)
+        {
+          needed[site.Corners[k]] = 0;
+        }
+      }
+    }
+  }
+  if (corners.empty() && places.empty())
+  {
+    return;
+  }
+  Numbering numbering = this->NumberVertices(state, std::move(needed));
+  PairTable<Id> middles;
+  const auto getMiddle = [&](Id a, Id b) { return this->GetMiddle(a, b, numbering, middles); };
+  std::vector<Id> found; // the vertices at places
+  for (const auto& [i, place] : places)
+  {
+    const Site& site = this->Sites[i];
+    std::array<Id, 4> at{};
+    for (int k = 0; k < site.GetSize(); ++k)
+    {
+      at[k] = numbering.Numbers[site.Corners[k]];
+    }
+    if (site.GetSize() == 2)
+    {
+      const Id middle = getMiddle(at[0], at[1]);
+      found.push_back(place == 1 ? middle : getMiddle(middle, at[place / 2]));
+    }
+    else if (site.GetSize() == 3)
+    {
+      found.push_back(getMiddle(
+        getMiddle(at[place], at[(place + 1) % 3]), getMiddle(at[place], at[(place + 2) % 3])));
+    }
+    else
+    {
+      found.push_back(getMiddle(getMiddle(at[0], at[1]), getMiddle(at[2], at[3])));
+    }
+  }
+  Buffer<unsigned char> wanted(
+    state.GetNumberOfInputVertices() + static_cast<vtkIdType>(numbering.Midpoints.size()), 0);
+  for (const Id vertex : found)
+  {
+    wanted[vertex] = 1;
+  }
+  for (const std::size_t i : corners)
+  {
+    wanted[numbering.Numbers[this->Corners[i]]] = 1;
+  }
+  const LocalLimit<Id> limit =
+    this->Limit.MakeOperator(numbering.Midpoints, wanted, nullptr, isCurved && !this->OfAttribute);
+  const vtkIdType size = this->Components;
+  Buffer<double> limits(limit.GetNumberOfRows() * size);
+  limit.Apply(control.data(), limits.data(), this->Components);
+  for (const std::size_t i : corners)
+  {
+    std::copy_n(limits.data() + size * numbering.Numbers[this->Corners[i]], size,
+      this->AtVertices.data() + size * static_cast<vtkIdType>(i));
+  }
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    std::copy_n(limits.data() + size * found[i], size,
+      this->AtSites.data() + size * (PlacesOfSite * vtkIdType(places[i][0]) + places[i][1]));
+  }
+}
+
+// ------------------------------------------------------------------------------------------------
+// Errors
+
+/// The geometric error at a place over an edge. A triangle at the edge that is not known did not
+/// change in the last round; the edge was measured with it before.
+template <typename Id>
+double RedGreenErrors<Id>::GetErrorOfEdge(
+  const Sample& sample, const double* const* corners, const double* place) const
+{
+  const SidesOfEdge& sides = this->Sides[sample.Edges[0]];
+  if (sides.IsBoundary)
+  {
+    return this->Criteria.GetGeometricError(corners, 2, place);
+  }
+  const double* opposites[2] = { nullptr, nullptr };
+  int triangles = 0;
+  for (const Id opposite : sides.Opposites)
+  {
+    if (opposite >= 0)
+    {
+      opposites[triangles++] = this->AtCorner(opposite);
+    }
+  }
+  return this->Criteria.GetErrorOverEdge(corners, opposites, triangles, place);
+}
+
+template <typename Id>
+double RedGreenErrors<Id>::Measure(const Sample& sample) const
+{
+  const int size = sample.Corners[2] < 0 ? 2 : 3;
+  const double* place = this->AtSites.data() +
+    this->Components * (PlacesOfSite * vtkIdType(sample.Site) + sample.Place);
+  const double* corners[3];
+  for (int k = 0; k < size; ++k)
+  {
+    corners[k] = this->AtCorner(sample.Corners[k]);
+  }
+  double error = 0.;
+  if (sample.OfShape && size == 3)
+  {
+    error = this->Criteria.GetGeometricError(corners, size, place);
+  }
+  else if (sample.OfShape)
+  {
+    const double* ends[2] = { corners[0], corners[1] };
+    if (std::lexicographical_compare(ends[1], ends[1] + 3, ends[0], ends[0] + 3))
+    {
+      std::swap(ends[0], ends[1]); // whichever cell had the edge first
+    }
+    error = this->GetErrorOfEdge(sample, ends, place);
+  }
+  if (this->OfAttribute && size == 2)
+  {
+    const int first = this->Options.ReadsShape() ? 3 : 0;
+    const double* values[2] = { corners[0] + first, corners[1] + first };
+    const double weights[2] = { 1. - sample.Weight, sample.Weight };
+    const double change = this->Criteria.GetAttributeErrorAtLimit(values, weights, place + first);
+    error = change < 0. && error <= 1. ? change : std::max(error, change);
+  }
+  return error;
+}
+
+template <typename Id>
+void RedGreenErrors<Id>::TakeErrors()
+{
+  Buffer<double> errors(static_cast<vtkIdType>(this->Samples.size()));
+  ForEach(errors.size(), [&](vtkIdType i) { errors[i] = this->Measure(this->Samples[i]); });
+  this->Errors = Buffer<double>(this->NumberOfEdges, 0.);
+  for (const vtkIdType i : InTurn(errors.size()))
+  {
+    for (const Id edge : this->Samples[i].Edges)
+    {
+      if (edge >= 0)
+      {
+        double& worst = this->Errors[edge];
+        // -1 reports a value that is not finite, unless the edge is split anyway.
+        const bool isTold = std::min(worst, errors[i]) < 0. && std::max(worst, errors[i]) <= 1.;
+        worst = isTold ? -1. : std::max(worst, errors[i]);
+      }
+    }
+  }
+}
+
+#define SUBDIVISION_ERRORS(Id, Cells)                                                              \
+  template void RedGreenErrors<Id>::Find(const RedGreen<Id>&, const Cells<Id>&)
+SUBDIVISION_COMPILE(class RedGreenErrors);
+SUBDIVISION_ERRORS(int, InputCandidates);
+SUBDIVISION_ERRORS(int, ChangedCandidates);
+SUBDIVISION_ERRORS(long long, InputCandidates);
+SUBDIVISION_ERRORS(long long, ChangedCandidates);
+
+}

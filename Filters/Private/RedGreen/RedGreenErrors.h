@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RedGreenErrors.h
+ * The errors of edges for criteria that ask for the limit: how far the limit is from the edges and
+ * triangles of a red-green refinement.
+ */
+#ifndef SubdivisionObjects_RedGreenErrors_h
+#define SubdivisionObjects_RedGreenErrors_h
+
+#include "Core/Memory/PairTable.h"
+#include "Private/Criteria/RefinementCriteria.h"
+#include "Private/RedGreen/RedGreenLimit.h"
+#include "Private/RedGreen/RefinementMarks.h"
+
+#include <array>
+#include <vector>
+
+namespace subdivision
+{
+
+template <typename Id>
+class RedGreenErrors
+{
+public:
+  /// All three must outlive this.
+  RedGreenErrors(const RedGreenLimit<Id>& limit, const RefinementOptions& options,
+    const RefinementCriteria& criteria);
+
+  /// Finds the errors of the edges of candidates: the largest distance of the limit from the edge,
+  /// measured at one to three places along it; inside a surface the distance from the triangles at
+  /// the edge. The error inside a triangle counts for its three edges, inside a green triangle for
+  /// the edge that is no edge of the uniform refinement.
+  template <typename Cells>
+  void Find(const RedGreen<Id>& state, const Cells& cells);
+
+  /// What Find found; negative: a value is not finite.
+  double GetError(Id a, Id b) const
+  {
+    const bool isMeasured = this->OfAttribute || (this->MayBeCurved[a] && this->MayBeCurved[b]);
+    const Id edge = isMeasured ? this->Edges.Find(a, b) : Id(-1);
+    return edge < 0 ? 0. : this->Errors[edge];
+  }
+
+private:
+  using Carrier = std::array<Id, 4>; ///< the vertices of a control simplex, ascending; then -1
+
+  /// An edge (two corners) or face (three) of the uniform refinement with the places of
+  /// SheetRows.h, or a tetrahedron (four) with one place, between the middles of the edges 01 and
+  /// 23.
+  struct Site
+  {
+    std::array<Id, 4> Corners;
+    bool IsCurved;          ///< not inside a solid
+    unsigned char Used = 0; ///< a bit for each place
+    int GetSize() const { return this->Corners[2] < 0 ? 2 : this->Corners[3] < 0 ? 3 : 4; }
+  };
+  static constexpr int PlacesOfSite = 3;
+  /// A place on the limit at which the error is measured, and the edge or triangle that stands for
+  /// it.
+  struct Sample
+  {
+    Id Site;
+    int Place; ///< of the site
+    std::array<Id, 3> Corners{ { -1, -1, -1 } };
+    std::array<Id, 3> Edges{ { -1, -1, -1 } }; ///< the edges that get the error
+    double Weight = 0.;                        ///< of the second end of an edge
+    bool OfShape = true;                       ///< not of the attribute alone
+  };
+  /// An edge of a candidate, and how its ends lie in the leaf of the candidate.
+  struct EdgeOfCell
+  {
+    Id Ends[2];
+    /// For each end the edge of the leaf whose midpoint it is; for a corner of the leaf twice the
+    /// corner.
+    std::array<Id, 2> Of[2];
+    /// Whether some cell of the uniform refinement has the edge.
+    bool IsUniform;
+  };
+  /// The triangles of a surface at an edge.
+  struct SidesOfEdge
+  {
+    Id Opposites[2] = { -1, -1 };
+    /// Whether errors are distances from the edge and not from triangles. So it is if the edge lies
+    /// on a control edge, where input cells end, or has more than two triangles.
+    bool IsBoundary = false;
+  };
+  /// Some vertices of the state and those from which they come, numbered as LocalLimit takes them.
+  struct Numbering
+  {
+    Buffer<Id> Numbers; ///< -1: not needed
+    std::vector<std::array<Id, 2>> Midpoints;
+  };
+
+  void FindCurved(const SimplicialComplex<Id>& complex, const Strata<Id>& strata);
+  void FindCarriers(const RedGreen<Id>& state);
+  bool IsCurved(const Carrier& carrier) const;
+  bool IsCurved(Id a, Id b) const
+  {
+    return this->MayBeCurved[a] && this->MayBeCurved[b] &&
+      this->IsCurved(Unite(this->Carriers[a], this->Carriers[b]));
+  }
+  /// Whether a vertex is one of the control mesh or lies on a curve or surface.
+  bool IsOnCurve(Id vertex) const
+  {
+    const Carrier& carrier = this->Carriers[vertex];
+    return carrier[1] < 0 || this->IsCurved(carrier);
+  }
+  static Carrier Unite(const Carrier& a, const Carrier& b);
+
+  template <typename Cells>
+  void FindSamples(const RedGreen<Id>& state, const Cells& cells);
+  static EdgeOfCell LookAt(const RedGreen<Id>& state, const std::array<Id, 4>& leaf, Id a, Id b);
+  void AddSample(int place, const std::array<Id, 3>& corners, const std::array<Id, 3>& edges,
+    double weight, bool ofShape);
+  void AddEdge(const EdgeOfCell& edge, const std::array<Id, 4>& leaf, bool isCurved);
+  void AddSide(Id edge, Id opposite, bool isOfSolid);
+  void AddTriangle(const RedGreen<Id>& state, const std::array<Id, 4>& leaf,
+    const std::array<Id, 3>& corners, bool isOfSolid);
+
+  void FindLimits(const RedGreen<Id>& state);
+  void FindLimitsInSheets(const RedGreen<Id>& state, const Buffer<double>& control);
+  void FindOtherLimits(const RedGreen<Id>& state, const Buffer<double>& control);
+  Numbering NumberVertices(const RedGreen<Id>& state, Buffer<Id>&& needed) const;
+  Id GetMiddle(Id a, Id b, Numbering& numbering, PairTable<Id>& middles) const;
+  Buffer<double> GetControlValues() const;
+  bool IsKnown(const Buffer<double>& values, vtkIdType place) const;
+  const double* AtCorner(Id vertex) const
+  {
+    return this->AtVertices.data() + this->Components * vtkIdType(this->NumberOfCorner[vertex]);
+  }
+
+  double Measure(const Sample& sample) const;
+  double GetErrorOfEdge(
+    const Sample& sample, const double* const* corners, const double* place) const;
+  void TakeErrors();
+
+  const RedGreenLimit<Id>& Limit;
+  const RefinementOptions& Options;
+  const RefinementCriteria& Criteria;
+  const bool OfAttribute;
+  int Components = 0; ///< coordinates, then the attribute
+  /// Edges and faces of the control mesh that do not follow the rule for the inside of a solid;
+  /// sorted.
+  std::vector<Carrier> Curved;
+  // Of each vertex of the state so far:
+  std::vector<Carrier> Carriers;
+  std::vector<unsigned char> MayBeCurved; ///< 0: no edge at it is on a curve or surface
+  // Of one round:
+  PairTable<Id> Edges;
+  Buffer<double> Errors;          ///< of edges
+  std::vector<SidesOfEdge> Sides; ///< of edges
+  Id NumberOfEdges = 0;
+  std::vector<Site> Sites;
+  std::vector<Sample> Samples;
+  Buffer<Id> NumberOfCorner; ///< of each vertex of the state that is a corner of a sample
+  std::vector<Id> Corners;   ///< these vertices
+  Buffer<double> AtVertices; ///< the limits at these corners
+  Buffer<double> AtSites;    ///< at the places of sites
+};
+
+}
+
+#endif

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Limits on curves and in sheets by rows of equal neighbourhoods, against the uniform refinement.
+#include "LimitTools.h"
+#include "TetOctTools.h"
+
+#include "Core/Solids/Limits/LocalLimit.h"
+#include "Core/Solids/Limits/SheetLimits.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+using namespace tetoct_tools;
+
+namespace
+{
+
+constexpr int Components = 2;
+
+/// The uniform refinement, and a local one with some of its vertices.
+template <typename LevelType>
+class SheetCase
+{
+public:
+  SheetCase(const Mesh& mesh, const std::string& options, unsigned int rarely)
+    : Given(static_cast<int>(mesh.Cells.NumberOfPoints))
+  {
+    this->Levels.push_back(
+      SchemeOf<LevelType>::Start(std::move(BuildNamed<int>(mesh, options).Level)));
+    this->Values = MakeValues(Components * this->Given, 3);
+    std::vector<double> values = this->Values;
+    for (int step = 0; step < 3; ++step)
+    {
+      values = ApplyTo(CopyStencils(this->Levels.back()), values, Components);
+      this->Levels.push_back(Refine(this->Levels.back(), Depth::ForRefinement));
+    }
+    this->Uniform = ApplyTo(BuildLimitRows(this->Levels.back()), values, Components);
+    this->Ask(rarely);
+  }
+
+  void Compare()
+  {
+    Buffer<unsigned char> wanted(this->Given + static_cast<vtkIdType>(this->Ends.size()), 1);
+    const SheetLimits<int> limits(
+      this->Levels[0], this->Ends, wanted, this->Sites, this->Values.data(), Components);
+    for (const auto& [uniform, number] : this->Numbers)
+    {
+      this->Expect(limits.OfVertices, number, uniform, this->KnownVertices);
+    }
+    for (std::size_t i = 0; i < this->Places.size(); ++i)
+    {
+      this->Expect(limits.OfSites, static_cast<vtkIdType>(i), this->Places[i], this->KnownPlaces);
+    }
+  }
+  /// Whether no rule but those of curves and surfaces occurs.
+  bool IsOfSheets() const
+  {
+    const auto& strata = this->Levels[0].Strata;
+    const auto isBeyond = [](Stratum stratum) { return stratum.GetRule() > Rule::Surface; };
+    return std::none_of(strata.Vertices.begin(), strata.Vertices.end(), isBeyond) &&
+      std::none_of(strata.Edges.begin(), strata.Edges.end(), isBeyond) &&
+      std::none_of(strata.Faces.begin(), strata.Faces.end(), isBeyond);
+  }
+
+  int KnownVertices = 0;
+  int KnownPlaces = 0;
+  std::vector<int> Places; ///< three vertices of the uniform refinement for each site
+
+private:
+  /// Asks for some midpoints on curves and surfaces, and for all edges and faces between them.
+  void Ask(unsigned int rarely)
+  {
+    const auto isCurved = [](Stratum stratum)
+    { return stratum.GetRule() != Rule::Solid && stratum.GetRule() != Rule::RegularEdge; };
+    for (int v = 0; v < this->Given; ++v)
+    {
+      this->Numbers[v] = v;
+    }
+    for (int l = 0; l < 2; ++l)
+    {
+      const auto& complex = this->Levels[l].Complex;
+      const auto& strata = this->Levels[l].Strata;
+      const int next = this->Levels[l + 1].Complex.NumberOfVertices;
+      const int onlyNew = l == 0 ? 0 : this->Levels[l - 1].Complex.NumberOfVertices;
+      std::map<int, int> more = this->Numbers;
+      for (int e = 0; e < complex.NumberOfEdges; ++e)
+      {
+        const int* ends = complex.EdgeVertices.data() + 2 * e;
+        if (!isCurved(strata.Edges[e]) || !this->HasAll(ends, 2))
+        {
+          continue;
+        }
+        const int middle = complex.NumberOfVertices + e;
+        this->AddSite(ends, 2, { next + 2 * e, middle, next + 2 * e + 1 });
+        if (this->Random() % rarely == 0)
+        {
+          more[middle] = this->Given + static_cast<int>(this->Ends.size());
+          this->Ends.push_back({ this->Numbers[ends[0]], this->Numbers[ends[1]] });
+        }
+      }
+      for (int f = 0; f < complex.NumberOfFaces; ++f)
+      {
+        const int* corners = complex.FaceVertices.data() + 3 * f;
+        if (isCurved(strata.Faces[f]) && this->HasAll(corners, 3) &&
+          *std::max_element(corners, corners + 3) >= onlyNew)
+        {
+          const int inside = next + 2 * complex.NumberOfEdges + 3 * f;
+          this->AddSite(corners, 3, { inside, inside + 1, inside + 2 });
+        }
+      }
+      this->Numbers = more;
+    }
+  }
+  bool HasAll(const int* vertices, int size) const
+  {
+    return std::all_of(
+      vertices, vertices + size, [this](int v) { return this->Numbers.count(v) > 0; });
+  }
+  void AddSite(const int* corners, int size, std::array<int, 3> places)
+  {
+    LimitSite<int> site;
+    const int turn = static_cast<int>(this->Sites.size()) % size; // cells have corners in any order
+    for (int k = 0; k < size; ++k)
+    {
+      site.Corners[k] = this->Numbers[corners[(k + turn) % size]];
+    }
+    if (size == 2)
+    {
+      std::swap(places[0], places[turn == 0 ? 0 : 2]);
+    }
+    else
+    {
+      std::rotate(places.begin(), places.begin() + turn, places.end());
+    }
+    this->Places.insert(this->Places.end(), places.begin(), places.end());
+    this->Sites.push_back(site);
+  }
+  void Expect(const Buffer<double>& found, vtkIdType place, int uniform, int& known) const
+  {
+    if (!std::isnan(found[Components * place]))
+    {
+      ++known;
+      for (int c = 0; c < Components; ++c)
+      {
+        ASSERT_NEAR(found[Components * place + c], this->Uniform[Components * uniform + c], 1e-13);
+      }
+    }
+  }
+
+  const int Given;
+  std::mt19937 Random{ 9 };
+  std::vector<LevelType> Levels;
+  std::vector<double> Values;
+  std::vector<double> Uniform;
+  std::map<int, int> Numbers; ///< of uniform vertices among those asked for
+  std::vector<std::array<int, 2>> Ends;
+  std::vector<LimitSite<int>> Sites;
+};
+
+template <typename LevelType>
+void ExpectUniformLimits()
+{
+  std::mt19937 random(4);
+  int known = 0;
+  int all = 0;
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    for (const char* options : OptionNames)
+    {
+      SCOPED_TRACE(mesh.Name + " " + options);
+      SheetCase<LevelType> which(mesh, options, 1 + random() % 2);
+      which.Compare();
+      if (testing::Test::HasFatalFailure())
+      {
+        return;
+      }
+      known += which.KnownPlaces;
+      all += static_cast<int>(which.Places.size());
+    }
+  }
+  EXPECT_GT(known, all / 4);
+}
+
+}
+
+TEST(SheetLimits, EqualTheUniformRefinementOnTheWholeZoo)
+{
+  ExpectUniformLimits<Level<int>>();
+}
+
+TEST(SheetLimits, EqualTheUniformRefinementOfTheTetOctScheme)
+{
+  ExpectUniformLimits<TetOctLevel<int>>();
+}
+
+/// What follows the rules of curves and surfaces is found, and not left to LocalLimit. Triangles
+/// without neighbours are left to it.
+TEST(SheetLimits, KnowAllOfCurvesAndSurfaces)
+{
+  int meshes = 0;
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    SCOPED_TRACE(mesh.Name);
+    SheetCase<Level<int>> which(mesh, "Blend", 1);
+    which.Compare();
+    const bool isAlone = mesh.Name == "SingleTriangle" || mesh.Name == "RepeatedTriangles";
+    if (which.IsOfSheets() && !which.Places.empty() && !isAlone)
+    {
+      ++meshes;
+      EXPECT_EQ(which.KnownPlaces, static_cast<int>(which.Places.size()));
+    }
+  }
+  EXPECT_GT(meshes, 3);
+}
