@@ -63,8 +63,9 @@
  *
  * @par Complexity
  * The first execution: linear in the size of the subdivided mesh, O(p log n) for p points in n
- * cells. Later ones: linear in what is kept. Memory: about 48 bytes for each point, and for each
- * tetrahedron of the subdivided mesh about 90 bytes.
+ * cells. Later ones: linear in what is kept. Memory: about 28 bytes for each point, 76 for one that
+ * is bound to the nearest place, and for each tetrahedron of the subdivided mesh about 60 bytes, 85
+ * if points were searched for the nearest place.
  *
  * @par Threads and ghosts
  * Threaded by vtkSMPTools; the output is the same, bit for bit, for any number of threads. Ghost

@@ -15,7 +15,7 @@ room(Core/Memory)
 room(Core/Operators Core/Memory Core/Rules)
 room(Core/Rules)
 # Solids, upwards.
-room(Core/Solids/Location Core/Memory)
+room(Core/Solids/Location Core/Memory Core/Operators)
 room(Core/Solids/Complex ${ground})
 room(Core/Solids/RedCells Core/Memory Core/Operators)
 room(Core/Solids/Strata ${ground} Core/Solids/Complex)

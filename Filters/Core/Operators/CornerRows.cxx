@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Operators/CornerRows.h"
 
+#include "Core/Memory/Store.h"
 #include "Core/Operators/ForBlocks.h"
 
 namespace subdivision
@@ -8,9 +9,62 @@ namespace subdivision
 
 void CornerRows::ForEachBlock(const User& use) const
 {
-  ForBlocksInThreads(this->GetNumberOfRows(), [&](vtkIdType begin, vtkIdType end)
-    { use(RowsOfFour{ begin, end - begin, this->Rows.data() + begin }); });
+  ForRanges(this->GetNumberOfRows(),
+    [&](vtkIdType from, vtkIdType to)
+    {
+      std::array<CornerRow, BlockSize> rows;
+      ForBlocks(from, to,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            this->Complete(i, rows[i - begin]);
+          }
+          use(RowsOfFour{ begin, end - begin, rows.data() });
+        });
+    });
 }
+
+namespace
+{
+
+template <typename Out>
+void MovePoint(const double* weights, const int* columns, const double* points, Out* moved)
+{
+  double sums[3] = {};
+  for (int k = 0; k < 4; ++k)
+  {
+    const double* corner = points + 3 * static_cast<vtkIdType>(columns[k]);
+    for (int c = 0; c < 3; ++c)
+    {
+      sums[c] += weights[k] * corner[c];
+    }
+  }
+  std::transform(sums, sums + 3, moved, Store<Out>);
+}
+
+}
+
+template <typename Out>
+void CornerRows::Move(const double* points, Out* moved) const
+{
+  ForEach(this->GetNumberOfRows(),
+    [&](vtkIdType i)
+    {
+      const int simplex = this->Simplices[i];
+      if (simplex < 0)
+      {
+        const CornerRow& row = this->Others[-1 - simplex];
+        MovePoint(row.Weights, row.Columns, points, moved + 3 * i);
+        return;
+      }
+      MovePoint(CompleteWeights(this->Weights.data() + 3 * i).data(),
+        this->Corners + 4 * static_cast<vtkIdType>(simplex), points, moved + 3 * i);
+    });
+}
+
+template void CornerRows::Move(const double*, float*) const;
+template void CornerRows::Move(const double*, double*) const;
 
 SparseRows<int> CornerRows::ToSparseRows() const
 {
@@ -21,8 +75,9 @@ SparseRows<int> CornerRows::ToSparseRows() const
   ForEach(size,
     [&](vtkIdType i)
     {
-      const double* weights = this->Rows[i].Weights;
-      rows.Offsets[i] = 4 - static_cast<int>(std::count(weights, weights + 4, 0.));
+      CornerRow row;
+      this->Complete(i, row);
+      rows.Offsets[i] = 4 - static_cast<int>(std::count(row.Weights, row.Weights + 4, 0.));
     });
   CountsToOffsets(rows.Offsets);
   rows.Columns = Buffer<int>(rows.Offsets[size]);
@@ -30,13 +85,14 @@ SparseRows<int> CornerRows::ToSparseRows() const
   ForEach(size,
     [&](vtkIdType i)
     {
+      const CornerRow row = this->GetRow(i);
       vtkIdType entry = rows.Offsets[i];
       for (int k = 0; k < 4; ++k)
       {
-        if (this->Rows[i].Weights[k] != 0.)
+        if (row.Weights[k] != 0.)
         {
-          rows.Columns[entry] = this->Rows[i].Columns[k];
-          rows.Weights[entry++] = this->Rows[i].Weights[k];
+          rows.Columns[entry] = row.Columns[k];
+          rows.Weights[entry++] = row.Weights[k];
         }
       }
     });

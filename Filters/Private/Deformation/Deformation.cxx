@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <limits>
+#include <new>
 
 namespace subdivision
 {
@@ -156,10 +157,11 @@ bool Deformation::Prepare(
   {
     return false;
   }
-  if (this->Rest.GetNumberOfPoints() > std::numeric_limits<int>::max())
+  if (this->Rest.IsTooLarge())
   {
     options.Fail("The subdivided rest mesh would have " +
-      std::to_string(this->Rest.GetNumberOfPoints()) + " points. Use fewer levels.");
+      std::to_string(this->Rest.GetNumberOfPoints()) +
+      " points, and it or its cells are too many. Use fewer levels.");
     this->Clear();
     return false;
   }

@@ -4,6 +4,8 @@
 #include "Core/Memory/Coordinates.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Memory/Store.h"
+#include "Core/Operators/ApplyRows.h"
+#include "Core/Solids/Location/TetFrame.h"
 #include "Private/Arrays/Arrays.h"
 
 #include <cmath>
@@ -20,19 +22,21 @@ namespace
 constexpr double Tolerance = 1e-10;
 constexpr double SingleTolerance = SingleTie;
 
-void SetRow(const SimplexTree& tree, const PlaceInSimplex& place, int corners, CornerRow& row)
+CornerRow MakeRow(const SimplexTree& tree, const PlaceInSimplex& place, int corners)
 {
-  const vtkIdType* ids = tree.GetCorners(place.Simplex);
+  CornerRow row;
+  const int* ids = tree.GetCorners(place.Simplex);
   for (int i = 0; i < 4; ++i)
   {
-    row.Columns[i] = static_cast<int>(ids[std::min(i, corners - 1)]);
+    row.Columns[i] = ids[std::min(i, corners - 1)];
     row.Weights[i] = i < corners ? place.Weights[i] : 0.;
   }
+  return row;
 }
 
 /// The row of the nearest cell; among equally near ones a solid cell.
-void FindNearestCell(
-  const double x[3], const SimplexTree& tets, const SimplexTree& others, double tie, CornerRow& row)
+CornerRow FindNearestCell(
+  const double x[3], const SimplexTree& tets, const SimplexTree& others, double tie)
 {
   PlaceInSimplex inTet;
   PlaceInSimplex inOther;
@@ -40,14 +44,9 @@ void FindNearestCell(
   double toOther;
   const bool hasTet = tets.FindNearest(x, inTet, toTet);
   const bool hasOther = others.FindNearest(x, inOther, toOther);
-  if (hasTet && (!hasOther || toTet <= toOther * (1. + tie)))
-  {
-    SetRow(tets, inTet, 4, row);
-  }
-  else if (hasOther)
-  {
-    SetRow(others, inOther, 3, row);
-  }
+  return hasTet && (!hasOther || toTet <= toOther * (1. + tie)) ? MakeRow(tets, inTet, 4)
+    : hasOther                                                  ? MakeRow(others, inOther, 3)
+                                                                : CornerRow();
 }
 
 /// The square of the distance up to which a point lies on a surface: of a control mesh without
@@ -55,7 +54,7 @@ void FindNearestCell(
 /// other meshes.
 double FindReach2(const RestMesh& rest, double tolerance)
 {
-  if (rest.GetTets().GetNumberOfSimplices() > 0)
+  if (rest.GetTets().GetNumberOfTets() > 0)
   {
     return -1.;
   }
@@ -87,7 +86,7 @@ void AddRemainders(const EmbeddedPoints& embedded, T* points)
   for (const std::size_t i : InTurn(embedded.Outside.size()))
   {
     T* point = points + 3 * embedded.Outside[i];
-    const bool isBound = !embedded.Rows.Rows[embedded.Outside[i]].IsEmpty();
+    const bool isBound = !embedded.Rows.IsEmpty(embedded.Outside[i]);
     const double* remainder = embedded.Remainders.data() + 3 * i;
     for (int c = 0; c < 3; ++c)
     {
@@ -97,13 +96,113 @@ void AddRemainders(const EmbeddedPoints& embedded, T* points)
   }
 }
 
+void AddOutside(vtkDataArray* points, vtkIdType i, const RestMesh& rest, EmbeddedPoints& embedded)
+{
+  double x[3];
+  points->GetTuple(i, x);
+  embedded.NumberNotFinite += !IsFinite(x);
+  embedded.Outside.push_back(i);
+  const CornerRow row = embedded.Rows.GetRow(i);
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int k = 0; k < 4 && !row.IsEmpty(); ++k)
+    {
+      x[c] -= row.Weights[k] * rest.GetPoints()[3 * static_cast<vtkIdType>(row.Columns[k]) + c];
+    }
+    embedded.Remainders.push_back(x[c]);
+  }
+}
+
+/// Finds the tetrahedra that hold points, some points at a time: the search takes as much memory as
+/// these points.
+void FindTets(vtkDataArray* points, double tolerance, const RestMesh& rest, CornerRows& rows)
+{
+  constexpr vtkIdType part = 1 << 24;
+  const vtkIdType size = points->GetNumberOfTuples();
+  rows.NumberOfColumns = rest.GetNumberOfPoints();
+  rows.Corners = rest.GetTetCorners();
+  rows.Simplices = Buffer<int>(size);
+  if (rest.GetTets().GetNumberOfTets() == 0)
+  {
+    ForEach(size, [&](vtkIdType i) { rows.Simplices[i] = -1; });
+    return;
+  }
+  rows.Weights = Buffer<double>(3 * size);
+  Buffer<double> converted;
+  for (vtkIdType begin = 0; begin < size; begin += part)
+  {
+    const auto count = static_cast<int>(std::min(part, size - begin));
+    const double* values = ReadDoubles(
+      points->GetVoidPointer(3 * begin), points->GetDataType(), 3 * vtkIdType(count), converted);
+    rest.GetTets().Find(values, count, { Tolerance, tolerance }, rows.Simplices.data() + begin,
+      rows.Weights.data() + 3 * begin);
+  }
+}
+
+/// Makes the rows of points that are in no tetrahedron, and tells which of them are outside.
+void BindToOthers(vtkDataArray* points, bool isSingle, RestMesh& rest, EmbeddedPoints& embedded)
+{
+  CornerRows& rows = embedded.Rows;
+  std::vector<vtkIdType> missing;
+  ForEachInTurn(rows.Simplices.size(),
+    [&](vtkIdType i)
+    {
+      if (rows.Simplices[i] < 0)
+      {
+        missing.push_back(i);
+      }
+    });
+  const bool isNearest = embedded.Rule == OutsideRule::Nearest;
+  const double tie = isSingle ? SingleTie : DoubleTie;
+  const double reach2 = FindReach2(rest, isSingle ? SingleTolerance : Tolerance);
+  const auto size = static_cast<vtkIdType>(missing.size());
+  // Those that are left where they are share one row, which is empty.
+  const bool isShared = !isNearest && reach2 < 0.;
+  rows.Others = Buffer<CornerRow>(isShared ? std::min<vtkIdType>(size, 1) : size, CornerRow());
+  Buffer<bool> isInside(size, false);
+  if (!isShared && size > 0)
+  {
+    const SimplexTree none;
+    const SimplexTree& tets = isNearest ? rest.GetNearestTets() : none;
+    const SimplexTree& others = rest.GetNearestOthers();
+    ForEach(size,
+      [&](vtkIdType i)
+      {
+        double x[3];
+        points->GetTuple(missing[i], x);
+        PlaceInSimplex place;
+        double distance2 = 0.;
+        rows.Simplices[missing[i]] = static_cast<int>(-1 - i);
+        if (!IsFinite(x))
+        {
+          return;
+        }
+        isInside[i] =
+          reach2 >= 0. && others.FindNearest(x, place, distance2) && distance2 <= reach2;
+        rows.Others[i] = isInside[i] ? MakeRow(others, place, 3)
+          : isNearest                ? FindNearestCell(x, tets, others, tie)
+                                     : CornerRow();
+      });
+  }
+  ForEachInTurn(size,
+    [&](vtkIdType i)
+    {
+      if (!isInside[i])
+      {
+        AddOutside(points, missing[i], rest, embedded);
+      }
+    });
+}
+
 /// Stores composed rows, if these are smaller than rows and operators together and so are read
 /// faster. Few composed rows have fewer than 16 entries; with more than 4 million points
 /// intermediate results could need more than 2^31 entries.
 void ComposeIfSmaller(const RestMesh& rest, EmbeddedPoints& embedded)
 {
   const vtkIdType points = embedded.Rows.GetNumberOfRows();
-  const double now = static_cast<double>(rest.GetOperatorSize() + embedded.Rows.GetMemorySize());
+  // A row counts for its four entries, of which fewer are stored.
+  const double now = static_cast<double>(rest.GetOperatorSize()) +
+    static_cast<double>(sizeof(CornerRow)) * static_cast<double>(points);
   const double least = 16. * (sizeof(int) + sizeof(double)) * static_cast<double>(points);
   if (rest.GetOperatorSize() == 0 || points > 4000000 || least > now)
   {
@@ -122,64 +221,9 @@ std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule ru
 {
   auto embedded = std::make_unique<EmbeddedPoints>();
   embedded->Rule = rule;
-  const vtkIdType size = points->GetNumberOfTuples();
   const bool isSingle = points->GetDataType() == VTK_FLOAT || rest.IsSingle();
-  const double tie = isSingle ? SingleTie : DoubleTie;
-  const SimplexTree& tets = rest.GetTets();
-  const SimplexTree none;
-  const double reach2 = FindReach2(rest, isSingle ? SingleTolerance : Tolerance);
-  const SimplexTree& others =
-    rule == OutsideRule::Nearest || reach2 >= 0. ? rest.GetOtherCells() : none;
-  embedded->Rows.NumberOfColumns = rest.GetNumberOfPoints();
-  embedded->Rows.Rows = Buffer<CornerRow>(size);
-  Buffer<bool> isInside(size);
-  ForEach(size,
-    [&](vtkIdType i)
-    {
-      double x[3];
-      points->GetTuple(i, x);
-      CornerRow row;
-      PlaceInSimplex place;
-      isInside[i] = IsFinite(x) &&
-        (tets.FindContaining(x, Tolerance, place) ||
-          (isSingle && tets.FindContaining(x, SingleTolerance, place)));
-      double distance2 = 0.;
-      if (isInside[i])
-      {
-        SetRow(tets, place, 4, row);
-      }
-      else if (reach2 >= 0. && IsFinite(x) && others.FindNearest(x, place, distance2) &&
-        distance2 <= reach2)
-      {
-        isInside[i] = true;
-        SetRow(others, place, 3, row);
-      }
-      else if (IsFinite(x) && rule == OutsideRule::Nearest)
-      {
-        FindNearestCell(x, tets, others, tie, row);
-      }
-      embedded->Rows.Rows[i] = row;
-    });
-  for (const vtkIdType i : InTurn(size))
-  {
-    if (isInside[i])
-    {
-      continue;
-    }
-    double x[3];
-    points->GetTuple(i, x);
-    embedded->NumberNotFinite += !IsFinite(x);
-    embedded->Outside.push_back(i);
-    const CornerRow& row = embedded->Rows.Rows[i];
-    for (int c = 0; c < 3; ++c)
-    {
-      for (int k = 0; k < 4 && !row.IsEmpty(); ++k)
-      {
-        x[c] -= row.Weights[k] * rest.GetPoints()[3 * static_cast<vtkIdType>(row.Columns[k]) + c];
-      }
-      embedded->Remainders.push_back(x[c]);
-    }
-  }
+  FindTets(points, isSingle ? SingleTolerance : Tolerance, rest, embedded->Rows);
+  BindToOthers(points, isSingle, rest, *embedded);
   ComposeIfSmaller(rest, *embedded);
   return embedded;
 }
@@ -190,7 +234,7 @@ vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
   const auto points = MakeArray(type, 3, embedded.Rows.GetNumberOfRows());
   auto move = [&](auto* to)
   {
-    moved ? embedded.Rows.Apply(moved, to, 3) : embedded.Composed.Apply(control, to, 3);
+    moved ? embedded.Rows.Move(moved, to) : embedded.Composed.Apply(control, to, 3);
     AddRemainders(embedded, to);
   };
   if (type == VTK_FLOAT)
@@ -207,13 +251,14 @@ vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
 Buffer<double> ComputeJacobians(
   const EmbeddedPoints& embedded, const double* rest, const double* moved)
 {
-  const Buffer<CornerRow>& rows = embedded.Rows.Rows;
-  Buffer<double> jacobians(9 * rows.size());
-  ForEach(rows.size(),
+  const vtkIdType size = embedded.Rows.GetNumberOfRows();
+  Buffer<double> jacobians(9 * size);
+  ForEach(size,
     [&](vtkIdType i)
     {
       double* jacobian = jacobians.data() + 9 * i;
-      const int* ids = rows[i].Columns;
+      const CornerRow row = embedded.Rows.GetRow(i);
+      const int* ids = row.Columns;
       for (int k = 0; k < 9; ++k)
       {
         jacobian[k] = k % 4 == 0 ? 1. : 0.;

@@ -20,7 +20,9 @@ namespace subdivision
  */
 struct EmbeddedPoints
 {
-  CornerRows Rows; ///< corners of cells: 4 of a solid, 3 of another cell, or none
+  /// Corners of cells: 4 of a solid, 3 of another cell, or none. They read corners of the rest
+  /// mesh, of which these points are forgotten before it changes.
+  CornerRows Rows;
   /// The same rows over the control points, if they are read faster than rows and operators; else
   /// empty.
   SparseRows<int> Composed;

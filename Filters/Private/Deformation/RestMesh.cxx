@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Deformation/RestMesh.h"
 
+#include "Core/Solids/Location/TetFrame.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/PointArrays.h"
@@ -23,6 +24,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
+#include <limits>
 
 namespace subdivision
 {
@@ -149,7 +151,7 @@ std::vector<double> ListChoices(vtkPointSet* control, const DeformationOptions& 
 }
 
 /// The corners of all tetrahedra, or of all other cells as triangles with repeated corners.
-Buffer<vtkIdType> GatherCorners(const UniformCells& made, bool tets)
+Buffer<int> GatherCorners(const UniformCells& made, bool tets)
 {
   const vtkIdType cells = made.Cells->GetNumberOfCells();
   const unsigned char* types = made.Types->GetPointer(0);
@@ -158,7 +160,7 @@ Buffer<vtkIdType> GatherCorners(const UniformCells& made, bool tets)
   ForEach(cells, [&](vtkIdType i) { places[i] = isWanted(i) ? 1 : 0; });
   CountsToOffsets(places);
   const vtkIdType corners = tets ? 4 : 3;
-  Buffer<vtkIdType> ids(corners * places[cells]);
+  Buffer<int> ids(corners * places[cells]);
   auto values = [](vtkDataArray* array)
   { return static_cast<const vtkIdType*>(array->GetVoidPointer(0)); }; // Use32BitIds is off here
   const vtkIdType* connectivity = values(made.Cells->GetConnectivityArray());
@@ -170,7 +172,8 @@ Buffer<vtkIdType> GatherCorners(const UniformCells& made, bool tets)
       const vtkIdType size = offsets[i + 1] - begin;
       for (vtkIdType k = 0; k < corners && isWanted(i); ++k)
       {
-        ids[corners * places[i] + k] = connectivity[begin + std::min(k, size - 1)];
+        ids[corners * places[i] + k] =
+          static_cast<int>(connectivity[begin + std::min(k, size - 1)]);
       }
     });
   return ids;
@@ -281,10 +284,13 @@ bool RestMesh::BuildUniform(
   this->Control = std::move(operators.Control);
   this->Steps = std::move(operators.Steps);
   this->Points = operators.Points;
-  if (operators.Cells.Cells && operators.Cells.Cells->GetNumberOfCells() > 0)
+  const vtkIdType cells = operators.Cells.Cells ? operators.Cells.Cells->GetNumberOfCells() : 0;
+  this->TooLarge = std::max(cells, this->GetNumberOfPoints()) > std::numeric_limits<int>::max();
+  if (cells > 0 && !this->TooLarge)
   {
-    this->Tets = SimplexTree(this->GetPoints(), 4, GatherCorners(operators.Cells, true));
+    this->TetCorners = GatherCorners(operators.Cells, true);
     this->OtherCorners = GatherCorners(operators.Cells, false);
+    this->Tets = TetSearch(this->GetPoints(), this->TetCorners);
   }
   return true;
 }
@@ -327,7 +333,14 @@ bool RestMesh::BuildSurface(
   this->Control.Simplices.NumberOfPoints = mesh->GetNumberOfPoints();
   this->Steps = std::move(operators.Steps);
   this->Points = operators.Points;
-  this->OtherCorners = std::move(operators.Triangles);
+  this->TooLarge = std::max(operators.Triangles.size() / 3, this->GetNumberOfPoints()) >
+    std::numeric_limits<int>::max();
+  if (!this->TooLarge)
+  {
+    this->OtherCorners = Buffer<int>(operators.Triangles.size());
+    ForEach(this->OtherCorners.size(),
+      [&](vtkIdType i) { this->OtherCorners[i] = static_cast<int>(operators.Triangles[i]); });
+  }
   return true;
 }
 
@@ -341,20 +354,22 @@ const double* RestMesh::GetPoints() const
   return static_cast<const double*>(this->Points->GetVoidPointer(0));
 }
 
-bool RestMesh::HasCells() const
+const SimplexTree& RestMesh::GetNearestTets()
 {
-  return this->Tets.GetNumberOfSimplices() > 0 || this->OtherCells.GetNumberOfSimplices() > 0 ||
-    !this->OtherCorners.empty();
+  if (this->NearestTets.GetNumberOfSimplices() == 0 && !this->TetCorners.empty())
+  {
+    this->NearestTets = SimplexTree(this->GetPoints(), 4, this->TetCorners);
+  }
+  return this->NearestTets;
 }
 
-const SimplexTree& RestMesh::GetOtherCells()
+const SimplexTree& RestMesh::GetNearestOthers()
 {
-  if (!this->OtherCorners.empty())
+  if (this->NearestOthers.GetNumberOfSimplices() == 0 && !this->OtherCorners.empty())
   {
-    this->OtherCells = SimplexTree(this->GetPoints(), 3, std::move(this->OtherCorners));
-    this->OtherCorners = Buffer<vtkIdType>();
+    this->NearestOthers = SimplexTree(this->GetPoints(), 3, this->OtherCorners);
   }
-  return this->OtherCells;
+  return this->NearestOthers;
 }
 
 vtkSmartPointer<vtkDataArray> RestMesh::MoveControlPoints(vtkPointSet* deformed) const

@@ -10,6 +10,7 @@
 
 #include "Core/Operators/OperatorSequence.h"
 #include "Core/Solids/Location/SimplexTree.h"
+#include "Core/Solids/Location/TetSearch.h"
 #include "Private/Deformation/DeformationOptions.h"
 #include "Private/Reading/CellsToSimplices.h"
 
@@ -49,12 +50,18 @@ public:
   /// Points of the subdivided mesh at rest, and its cells.
   vtkIdType GetNumberOfPoints() const;
   const double* GetPoints() const;
-  bool HasCells() const;
+  bool HasCells() const { return !this->TetCorners.empty() || !this->OtherCorners.empty(); }
+  /// Whether numbers of points and cells are too large to bind points to them.
+  bool IsTooLarge() const { return this->TooLarge; }
   /// Whether the mesh has points in single precision.
   bool IsSingle() const;
-  const SimplexTree& GetTets() const { return this->Tets; }
-  /// Triangles, lines and vertices; made when they are first asked for.
-  const SimplexTree& GetOtherCells();
+  /// Which tetrahedra hold points, and their corners.
+  const TetSearch& GetTets() const { return this->Tets; }
+  const int* GetTetCorners() const { return this->TetCorners.data(); }
+  /// Which are nearest to points: tetrahedra, and triangles, lines and vertices. Made when they are
+  /// first asked for.
+  const SimplexTree& GetNearestTets();
+  const SimplexTree& GetNearestOthers();
 
   /// Turns rows over the subdivided mesh into rows over the control points (those of
   /// MoveControlPoints). Not for level 0, which has no operators.
@@ -78,9 +85,12 @@ private:
   std::unique_ptr<OperatorSequence> Steps;     ///< null for no step
   vtkSmartPointer<vtkDataArray> Points;        ///< after the steps; for none maybe those at rest
   Buffer<double> MovedPoints;
-  SimplexTree Tets;
-  Buffer<vtkIdType> OtherCorners; ///< until the tree is made
-  SimplexTree OtherCells;
+  bool TooLarge = false;
+  Buffer<int> TetCorners;
+  Buffer<int> OtherCorners; ///< 3 for each other cell
+  TetSearch Tets;
+  SimplexTree NearestTets;
+  SimplexTree NearestOthers;
 };
 
 }

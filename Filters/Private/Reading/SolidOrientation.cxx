@@ -2,7 +2,7 @@
 #include "Private/Reading/SolidOrientation.h"
 
 #include "Core/Memory/Buffer.h"
-#include "Core/Solids/Location/SimplexTree.h"
+#include "Core/Solids/Location/TetFrame.h"
 
 #include "vtkCellArray.h"
 #include "vtkPoints.h"

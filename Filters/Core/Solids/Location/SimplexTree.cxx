@@ -2,8 +2,11 @@
 #include "Core/Solids/Location/SimplexTree.h"
 
 #include "Core/Memory/Sorting.h"
+#include "Core/Solids/Location/MortonCode.h"
+#include "Core/Solids/Location/TetFrame.h"
 
-#include <array>
+#include "vtkSMPTools.h"
+
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,73 +16,19 @@ namespace subdivision
 namespace
 {
 
-using Vector = std::array<double, 3>;
+using namespace vectors;
 
-Vector Subtract(const double* a, const double* b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-/// The three edges at the first corner, for each of them the cross product of the two others, and
-/// six times the volume.
-struct TetFrame
-{
-  explicit TetFrame(const double* const corners[4])
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Edges[i] = Subtract(corners[i + 1], corners[0]);
-    }
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Normals[i] = Cross(this->Edges[(i + 1) % 3], this->Edges[(i + 2) % 3]);
-    }
-    this->Volume = Dot(this->Edges[0], this->Normals[0]);
-  }
-  /// Whether the volume is nothing but rounding.
-  bool IsFlat(double least = 1e-14) const
-  {
-    double product = 1.;
-    for (const Vector& edge : this->Edges)
-    {
-      product *= std::sqrt(Dot(edge, edge));
-    }
-    return !(std::abs(this->Volume) > least * product);
-  }
-
-  Vector Edges[3];
-  Vector Normals[3];
-  double Volume;
-};
-
-/// The Morton code of a point: it interleaves the bits of the three coordinates, rounded to 21
-/// bits, and so numbers cells of a lattice along a space-filling curve.
+/// The Morton code of a point, whose coordinates are rounded to 21 bits.
 std::uint64_t Interleave(const double x[3], const double low[3], const double scale[3])
 {
   constexpr double cells = 2097151.;
-  std::uint64_t code = 0;
+  std::uint64_t places[3];
   for (int c = 0; c < 3; ++c)
   {
     const double place = (x[c] - low[c]) * scale[c] * cells;
-    std::uint64_t bits = place > 0. ? static_cast<std::uint64_t>(std::min(place, cells)) : 0;
-    bits = (bits | bits << 32) & 0x001f00000000ffffULL;
-    bits = (bits | bits << 16) & 0x001f0000ff0000ffULL;
-    bits = (bits | bits << 8) & 0x100f00f00f00f00fULL;
-    bits = (bits | bits << 4) & 0x10c30c30c30c30c3ULL;
-    bits = (bits | bits << 2) & 0x1249249249249249ULL;
-    code |= bits << c;
+    places[c] = place > 0. ? static_cast<std::uint64_t>(std::min(place, cells)) : 0;
   }
-  return code;
+  return GetMortonCode(places);
 }
 
 /// Finds the weights of the point of a simplex of `count` corners that is nearest to x; returns the
@@ -178,74 +127,13 @@ double FindNearestPlace(const double* const* corners, int count, const double x[
 
 }
 
-bool FindWeightsInTet(const double* const corners[4], const double x[3], double weights[4])
-{
-  const TetFrame tet(corners);
-  if (tet.IsFlat())
-  {
-    return false;
-  }
-  Vector rest = Subtract(x, corners[0]);
-  double found[3] = { 0., 0., 0. };
-  for (int round = 0; round < 2; ++round) // the second takes away what rounding left, in thin cells
-  {
-    Vector left = rest;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double step = Dot(rest, tet.Normals[i]) / tet.Volume;
-      found[i] += step;
-      for (int c = 0; c < 3; ++c)
-      {
-        left[c] -= step * tet.Edges[i][c];
-      }
-    }
-    rest = left;
-  }
-  weights[0] = 1. - found[0] - found[1] - found[2];
-  std::copy(found, found + 3, weights + 1);
-  return true;
-}
-
-bool FindGradientsInTet(const double* const corners[4], double gradients[4][3])
-{
-  const TetFrame tet(corners);
-  for (int c = 0; c < 3; ++c)
-  {
-    gradients[0][c] = 0.;
-    for (int i = 0; i < 3; ++i)
-    {
-      gradients[i + 1][c] = tet.Normals[i][c] / tet.Volume;
-      gradients[0][c] -= gradients[i + 1][c];
-    }
-  }
-  return !tet.IsFlat();
-}
-
-int GetOrientationOfTet(const double* const corners[4], double least)
-{
-  // Most tetrahedra are far from flat, which is found without square roots.
-  const Vector edges[3] = { Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]),
-    Subtract(corners[3], corners[0]) };
-  const double volume = Dot(edges[0], Cross(edges[1], edges[2]));
-  const double product =
-    Dot(edges[0], edges[0]) * Dot(edges[1], edges[1]) * Dot(edges[2], edges[2]);
-  constexpr double margin = 1.0001; // far above rounding
-  const bool isInRange = product > 1e-200 && product < 1e200;
-  if (isInRange && volume * volume > margin * least * least * product)
-  {
-    return volume > 0. ? 1 : -1;
-  }
-  const TetFrame tet(corners);
-  return tet.IsFlat(least) ? 0 : tet.Volume > 0. ? 1 : -1;
-}
-
 // ------------------------------------------------------------------------------------------------
 
-SimplexTree::SimplexTree(const double* points, int corners, Buffer<vtkIdType>&& ids)
+SimplexTree::SimplexTree(const double* points, int corners, const Buffer<int>& ids)
   : Points(points)
   , Corners(corners)
-  , Ids(std::move(ids))
-  , Order(this->Ids.size() / corners)
+  , Ids(ids.data())
+  , Order(ids.size() / corners)
 {
   this->Sort();
   this->MakeBoxes();
@@ -253,10 +141,10 @@ SimplexTree::SimplexTree(const double* points, int corners, Buffer<vtkIdType>&& 
 
 void SimplexTree::GetPoints(vtkIdType simplex, const double* corners[4]) const
 {
-  const vtkIdType* ids = this->GetCorners(simplex);
+  const int* ids = this->GetCorners(simplex);
   for (int i = 0; i < this->Corners; ++i)
   {
-    corners[i] = this->Points + 3 * ids[i];
+    corners[i] = this->Points + 3 * static_cast<vtkIdType>(ids[i]);
   }
 }
 
@@ -286,12 +174,13 @@ void SimplexTree::Sort()
     all.Low[c] = std::numeric_limits<double>::infinity();
     all.High[c] = -all.Low[c];
   }
-  for (const vtkIdType id : InTurn(this->Ids))
+  for (const vtkIdType i : InTurn(size * this->Corners))
   {
+    const double* point = this->Points + 3 * static_cast<vtkIdType>(this->Ids[i]);
     for (int c = 0; c < 3; ++c)
     {
-      all.Low[c] = std::min(all.Low[c], this->Points[3 * id + c]);
-      all.High[c] = std::max(all.High[c], this->Points[3 * id + c]);
+      all.Low[c] = std::min(all.Low[c], point[c]);
+      all.High[c] = std::max(all.High[c], point[c]);
     }
   }
   double scale[3];
@@ -324,7 +213,7 @@ void SimplexTree::Sort()
   ForEach(size, [&](vtkIdType i) { this->Order[i] = items[i].Simplex; });
 }
 
-/// Boxes are a little wider than what they hold, for the tolerance.
+/// Boxes are a little wider than what they hold, for the rounding of distances.
 void SimplexTree::MakeBoxes()
 {
   auto join = [](Box& box, const Box& other)
@@ -365,61 +254,6 @@ void SimplexTree::MakeBoxes()
     this->Levels.push_back(std::move(boxes));
   }
 }
-
-bool SimplexTree::FindContaining(const double x[3], double tolerance, PlaceInSimplex& place) const
-{
-  place.Simplex = -1;
-  if (this->Levels.empty() || this->Corners != 4)
-  {
-    return false;
-  }
-  struct Node
-  {
-    int Level;
-    vtkIdType Index;
-  };
-  Node open[256]; // at most Width - 1 more on each level than the one that is visited
-  int count = 0;
-  open[count++] = { static_cast<int>(this->Levels.size()) - 1, 0 };
-  while (count > 0)
-  {
-    const Node node = open[--count];
-    const Box& box = this->Levels[node.Level][node.Index];
-    if (!(x[0] >= box.Low[0] && x[0] <= box.High[0] && x[1] >= box.Low[1] && x[1] <= box.High[1] &&
-          x[2] >= box.Low[2] && x[2] <= box.High[2]))
-    {
-      continue;
-    }
-    const vtkIdType below =
-      node.Level > 0 ? this->Levels[node.Level - 1].size() : this->Order.size();
-    const vtkIdType end = std::min(below, (node.Index + 1) * Width);
-    for (vtkIdType i = node.Index * Width; i < end; ++i)
-    {
-      if (node.Level > 0)
-      {
-        open[count++] = { node.Level - 1, i };
-        continue;
-      }
-      const vtkIdType simplex = this->Order[i];
-      if (place.Simplex >= 0 && simplex > place.Simplex)
-      {
-        continue;
-      }
-      const double* corners[4];
-      double weights[4];
-      this->GetPoints(simplex, corners);
-      if (FindWeightsInTet(corners, x, weights) &&
-        *std::min_element(weights, weights + 4) >= -tolerance)
-      {
-        place.Simplex = simplex;
-        std::copy(weights, weights + 4, place.Weights);
-      }
-    }
-  }
-  return place.Simplex >= 0;
-}
-
-// ------------------------------------------------------------------------------------------------
 
 struct SimplexTree::Nearest
 {

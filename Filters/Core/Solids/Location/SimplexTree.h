@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SimplexTree.h
- * Which simplex holds a point, or is nearest to it: a tree of boxes over simplices in the order of
- * a space-filling curve.
+ * Which simplex is nearest to a point: a tree of boxes over simplices in the order of a
+ * space-filling curve.
  *
  * Several threads may build and ask the tree; the answers do not depend on their number. If several
- * simplices contain a point or are equally near, the answer is the one with the smallest index.
+ * simplices are equally near, the answer is the one with the smallest index.
  */
 #ifndef SubdivisionObjects_SimplexTree_h
 #define SubdivisionObjects_SimplexTree_h
@@ -24,33 +24,18 @@ struct PlaceInSimplex
   double Weights[4] = { 0., 0., 0., 0. };
 };
 
-/// Weights of the corners of a tetrahedron that give x; false if it is flat.
-bool FindWeightsInTet(const double* const corners[4], const double x[3], double weights[4]);
-
-/// The gradients of these weights as functions of x; false if the tetrahedron is flat.
-bool FindGradientsInTet(const double* const corners[4], double gradients[4][3]);
-
-/// The sign of the volume; 0 if six times the volume is at most `least` times the product of the
-/// lengths of the three edges at the first corner.
-int GetOrientationOfTet(const double* const corners[4], double least = 1e-14);
-
 class SimplexTree
 {
 public:
   SimplexTree() = default;
   /// `corners` ids for each simplex: 4, or 3 for triangles, lines and vertices, whose last corners
-  /// are repeated. The points must outlive the tree, and be finite where simplices use them.
-  SimplexTree(const double* points, int corners, Buffer<vtkIdType>&& ids);
+  /// are repeated. Points and ids must outlive the tree, and points be finite where simplices use
+  /// them.
+  SimplexTree(const double* points, int corners, const Buffer<int>& ids);
 
   vtkIdType GetNumberOfSimplices() const { return this->Order.size(); }
-  const vtkIdType* GetCorners(vtkIdType simplex) const
-  {
-    return this->Ids.data() + simplex * this->Corners;
-  }
+  const int* GetCorners(vtkIdType simplex) const { return this->Ids + simplex * this->Corners; }
 
-  /// The first of the tetrahedra that hold x: no weight is below -tolerance. Tolerances are up to
-  /// 1e-4.
-  bool FindContaining(const double x[3], double tolerance, PlaceInSimplex& place) const;
   /// The first of the nearest simplices, the nearest place in it and the squared distance.
   bool FindNearest(const double x[3], PlaceInSimplex& place, double& distance2) const;
 
@@ -72,7 +57,7 @@ private:
 
   const double* Points = nullptr;
   int Corners = 4;
-  Buffer<vtkIdType> Ids;
+  const int* Ids = nullptr;
   Buffer<vtkIdType> Order;         ///< simplices along the curve
   std::vector<Buffer<Box>> Levels; ///< boxes of Width simplices each, then of Width boxes of the
                                    ///< level before each; the last level has one
