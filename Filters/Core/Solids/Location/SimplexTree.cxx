@@ -5,8 +5,6 @@
 #include "Core/Solids/Location/MortonCode.h"
 #include "Core/Solids/Location/TetFrame.h"
 
-#include "vtkSMPTools.h"
-
 #include <cmath>
 #include <cstdint>
 #include <limits>
