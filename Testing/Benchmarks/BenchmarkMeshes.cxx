@@ -63,12 +63,12 @@ void SetScalar(vtkPointSet* mesh)
   mesh->GetPointData()->SetScalars(scalar);
 }
 
+}
+
 std::string GetDataFolder()
 {
   const char* folder = std::getenv("SUBDIVISIONOBJECTS_SHARED_DATA");
   return folder ? folder : SUBDIVISIONOBJECTS_SHARED_DATA;
-}
-
 }
 
 FlatMesh MakeCube(int n)
@@ -184,6 +184,20 @@ FlatMesh MakeSphere(int levels)
         cells.end(), { v[0], m[0], m[2], m[0], v[1], m[1], m[2], m[1], v[2], m[0], m[1], m[2] });
     }
     mesh.Cells = cells;
+  }
+  return mesh;
+}
+
+FlatMesh MakeBumpySphere(int levels)
+{
+  FlatMesh mesh = MakeSphere(levels);
+  for (int i = 0; i < mesh.GetNumberOfPoints(); ++i)
+  {
+    double* x = mesh.Points.data() + 3 * i;
+    const double bumps = 0.1 * std::sin(6. * x[0]) * std::cos(7. * x[1]) +
+      0.02 * std::sin(31. * x[1]) * std::sin(29. * x[2]) +
+      0.002 * std::sin(97. * x[2]) * std::cos(89. * x[0]);
+    std::transform(x, x + 3, x, [bumps](double c) { return (1. + bumps) * c; });
   }
   return mesh;
 }

@@ -36,12 +36,16 @@ struct FlatMesh
 FlatMesh MakeCube(int n);
 /// A closed surface of 20 x 4^levels triangles.
 FlatMesh MakeSphere(int levels);
+/// The same with bumps of several sizes, as scanned objects have.
+FlatMesh MakeBumpySphere(int levels);
 /// A closed surface of 6 x n^2 quads.
 FlatMesh MakeQuadSphere(int n);
 
 /// A mesh with one double scalar on its points, and no other array.
 vtkSmartPointer<vtkPointSet> ToVtk(const FlatMesh& mesh);
 vtkSmartPointer<vtkPointSet> MakePolylines(int polylines, int lines);
+/// The folder of further meshes: the variable SUBDIVISIONOBJECTS_SHARED_DATA of the environment.
+std::string GetDataFolder();
 /// Null when the file does not exist.
 vtkSmartPointer<vtkPointSet> ReadFile(const std::string& path);
 

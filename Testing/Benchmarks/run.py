@@ -27,6 +27,20 @@ SURFACE_PEERS = {"CGAL": "no scalar", "OpenMesh": "no scalar", "OpenSubdiv": "",
 SURFACE_SCHEMES = ("Loop", "Butterfly", "Catmull-Clark", "Doo-Sabin", "sqrt3")
 PER_CELL = ("vtkSubdivideTetra",)
 
+# What is to be reached: name; figure and limit by (family, what, case, levels), or no limit; the largest
+# ratio of figure and limit, or without a limit the most milliseconds.
+BARS = [
+    ("first binding of 10^6 points", ("deformation", "first", "million", 3), None, 150.0),
+    ("deforming 10^6 points again", ("deformation", "again", "million", 3), ("limit", "deformation", "million", 3), 1.3),
+    ("adaptive sqrt(3) beside red-green on the limit", ("adaptive", "sqrt3", "bumpy", 8),
+     ("adaptive", "redgreen", "bumpy", 8), 1.0),
+    ("adaptive sqrt(3) beside uniform sqrt(3) of CGAL", ("adaptive", "sqrt3", "bumpy", 8),
+     ("peer", "CGAL sqrt3", "bumpy", 2), 1.0),
+    ("polylines", ("filter", "first", "polylines", 3), ("limit", "huge", "polylines", 3), 1.5),
+    ("4-8", ("surface", "4-8", "quads", 6), ("surfacelimit", "4-8", "quads", 6), 2.5),
+    ("midedge", ("surface", "Midedge", "quads", 6), ("surfacelimit", "Midedge", "quads", 6), 2.5),
+]
+
 
 class Sample:
     """The repetitions of one benchmark, in seconds."""
@@ -242,6 +256,35 @@ def interpolation_section(samples):
         ["execution", "threads", "ms", "without interpolation, ms", "time / that"], rows) if rows else []
 
 
+def adaptive_section(samples):
+    rows = []
+    for (family, what, case, levels, threads), sample in sorted(samples.items()):
+        if family == "adaptive":
+            limit = samples.get(("adaptivelimit", what, case, levels, threads))
+            rows.append([case, what, str(threads), "%.3g" % sample.cells, sample.text(),
+                         limit.text() if limit else "-", ratio(sample, limit), "%.1f" % sample.ns_per_cell()])
+    return ["## Local refinement of surfaces to a geometric error of 3e-4", ""] + table(
+        ["surface", "scheme", "threads", "cells", "ms", "writing the output, huge pages, ms", "time / that",
+         "ns per output cell"], rows) if rows else []
+
+
+def bars_section(samples):
+    rows = []
+    for name, figure, limit, bar in BARS:
+        for threads in (1, 4):
+            sample = samples.get(figure + (threads,))
+            # Peers have one thread.
+            beside = limit and (samples.get(limit + (threads,)) or samples.get(limit + (1,)))
+            if not sample or (limit and not beside):
+                continue
+            value = sample.median / beside.median if limit else 1e3 * sample.median
+            rows.append([name, str(threads), "%.3g ms" % (1e3 * sample.median),
+                         "%.3g ms" % (1e3 * beside.median) if limit else "-", "%.2f" % value if limit else "-",
+                         "%g" % bar if limit else "%g ms" % bar, "pass" if value <= bar else "fail"])
+    return ["## Bars", ""] + table(
+        ["name", "threads", "figure", "limit", "ratio", "bar", "result"], rows) if rows else []
+
+
 def tetoct_section(samples):
     rows = []
     for (family, what, case, levels, threads), sample in sorted(samples.items()):
@@ -325,11 +368,12 @@ def run(arguments):
              "Medians of %d repetitions in random order, (min..max); load average before %.1f, "
              "after %.1f; %d processors." % (
                  arguments.repetitions, load, os.getloadavg()[0], os.cpu_count()), ""]
+    lines += bars_section(samples)
     lines += filter_section(samples, memory) + surface_section(samples) + again_section(samples)
     lines += surface_peer_section(samples) + tetoct_section(samples)
     lines += red_green_section(samples)
     lines += shape_section(samples, measure_shape_memory(program, samples))
-    lines += deformation_section(samples) + interpolation_section(samples)
+    lines += adaptive_section(samples) + deformation_section(samples) + interpolation_section(samples)
     lines += peer_section(samples)
     lines += stage_section(samples)
     if not arguments.quick:

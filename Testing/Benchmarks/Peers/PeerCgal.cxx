@@ -67,6 +67,7 @@ void RegisterCgal()
   namespace Methods = CGAL::Subdivision_method_3;
   static const FlatMesh sphere = MakeSphere(5);
   static const FlatMesh quads = MakeQuadSphere(58);
+  static const FlatMesh bumpy = MakeBumpySphere(6);
   Register("peer/CGAL Loop/sphere/levels:3", 1,
     [](Stopwatch& watch)
     {
@@ -77,6 +78,13 @@ void RegisterCgal()
     [](Stopwatch& watch)
     {
       return Subdivide(watch, sphere, 4,
+        [](Mesh& mesh, const auto& options) { Methods::Sqrt3_subdivision(mesh, options); });
+    });
+  // Uniform: two steps, where adaptive refinement makes as many triangles at most.
+  Register("peer/CGAL sqrt3/bumpy/levels:2", 1,
+    [](Stopwatch& watch)
+    {
+      return Subdivide(watch, bumpy, 2,
         [](Mesh& mesh, const auto& options) { Methods::Sqrt3_subdivision(mesh, options); });
     });
   Register("peer/CGAL Catmull-Clark/quads/levels:3", 1,

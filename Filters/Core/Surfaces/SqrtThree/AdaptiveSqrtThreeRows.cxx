@@ -8,32 +8,32 @@
 #include "Core/Surfaces/SqrtThree/SqrtThreeMasks.h"
 
 #include <cmath>
+#include <map>
 
 namespace subdivision
 {
 namespace
 {
 
-/// The power g^steps for g = 1/3. This is the g of regular vertices; on curves two steps together
+constexpr int TabledPowers = 64;
+
+/// The powers g^steps for g = 1/3. This is the g of regular vertices; on curves two steps together
 /// have g^2 = 1/9.
+constexpr std::array<double, TabledPowers> RegularPowers = []
+{
+  std::array<double, TabledPowers> powers{};
+  double value = 1.;
+  for (double& power : powers)
+  {
+    power = value;
+    value /= 3.;
+  }
+  return powers;
+}();
+
 double GetRegularPower(int steps)
 {
-  constexpr int tabled = 64;
-  struct Table
-  {
-    Table()
-    {
-      double value = 1.;
-      for (double& power : this->Powers)
-      {
-        power = value;
-        value /= 3.;
-      }
-    }
-    double Powers[tabled];
-  };
-  static const Table table;
-  return table.Powers[std::min(steps, tabled - 1)];
+  return RegularPowers[std::min(steps, TabledPowers - 1)];
 }
 
 /// Added vertices have six neighbours. These are the weights of the mean of the neighbours in the
@@ -49,7 +49,7 @@ AdaptiveSqrtThreeRows<Id>::AdaptiveSqrtThreeRows(const AdaptiveSqrtThree<Id>& me
   : Mesh(mesh)
   , Control(control)
   , Scheme(scheme)
-  , Factors(control.Mesh.NumberOfVertices, -1.)
+  , PowerRows(control.Mesh.NumberOfVertices, -1)
 {
   ForEach(control.Mesh.NumberOfVertices,
     [&](vtkIdType v)
@@ -59,9 +59,28 @@ AdaptiveSqrtThreeRows<Id>::AdaptiveSqrtThreeRows(const AdaptiveSqrtThree<Id>& me
       {
         int n = 0;
         VisitCycle(control.Mesh, corner, [&n](const FanStep<Id>&) { ++n; });
-        this->Factors[v] = std::max(0., 2. / 3. - GetSqrtThreeRingWeight(n));
+        this->PowerRows[v] = n;
       }
     });
+  std::map<int, int> rows; // by valence
+  for (int& row : this->PowerRows)
+  {
+    if (row < 0)
+    {
+      continue;
+    }
+    const auto [found, isNew] = rows.emplace(row, static_cast<int>(this->Powers.size()));
+    if (isNew)
+    {
+      const double factor = std::max(0., 2. / 3. - GetSqrtThreeRingWeight(row));
+      this->Powers.emplace_back();
+      for (int level = 0; level < MostLevels; ++level)
+      {
+        this->Powers.back()[level] = std::pow(factor, level);
+      }
+    }
+    row = found->second;
+  }
 }
 
 template <typename Id>
@@ -80,8 +99,9 @@ double AdaptiveSqrtThreeRows<Id>::GetPart(Id vertex, int level) const
 {
   if (vertex < this->Mesh.GetNumberOfControlVertices())
   {
-    const double factor = this->Factors[vertex];
-    return factor < 0. ? GetRegularPower(level - level % 2) : std::pow(factor, level);
+    const int row = this->PowerRows[vertex];
+    return row < 0 ? GetRegularPower(level - level % 2)
+                   : this->Powers[row][std::min(level, MostLevels - 1)];
   }
   const auto& added = this->Mesh.GetAdded(vertex);
   const int steps = level - added.Level;
