@@ -14,11 +14,35 @@
 
 namespace subdivision
 {
+namespace
+{
+
+/// A copy that is made in parts, between which the run may report and be stopped.
+template <typename T>
+std::vector<T> CopyInTurn(const std::vector<T>& values)
+{
+  constexpr std::size_t most = std::size_t(1) << 20;
+  std::vector<T> copy;
+  copy.reserve(values.size());
+  while (copy.size() < values.size())
+  {
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(copy.size());
+    copy.insert(copy.end(), begin,
+      begin + static_cast<std::ptrdiff_t>(std::min(most, values.size() - copy.size())));
+    BetweenLoops::Act();
+  }
+  return copy;
+}
+
+}
 
 TopologyKey UniformRun::MakeKey() const
 {
   TopologyKey key;
-  key.Simplices = this->Mesh.Cells.Simplices;
+  const SimplexList& simplices = this->Mesh.Cells.Simplices;
+  key.Simplices.NumberOfPoints = simplices.NumberOfPoints;
+  key.Simplices.Dimensions = CopyInTurn(simplices.Dimensions);
+  key.Simplices.Connectivity = CopyInTurn(simplices.Connectivity);
   key.Scheme = this->Options.Scheme;
   key.MadeLevels = this->Mesh.MadeLevels;
   key.NumberOfControlPoints = this->Mesh.GetControl().NumberOfPoints;
@@ -26,6 +50,7 @@ TopologyKey UniformRun::MakeKey() const
   key.Use32BitIds = this->Options.Use32BitIds;
   key.Wanted = this->Wanted;
   key.Choices = EncodeChoices(this->Options.Features, this->Mesh.Values);
+  BetweenLoops::Act();
   key.Choices.push_back(this->Mesh.IsStamped);
   key.Choices.push_back(this->Options.ProjectToLimit);
   key.Choices.push_back(this->Options.GenerateLimitNormals);
