@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Dual/DualRefiner.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace subdivision
@@ -192,42 +193,66 @@ private:
     return chain;
   }
 
+  /// A face of a fan: its half-edges in and out of the fan, and that inside the face towards the
+  /// vertex.
+  struct Step
+  {
+    Id In = -1;
+    Id Out = -1;
+    Id Inside = -1;
+  };
+
   vtkIdType SetFan(Id vertex, Id corner, Id at)
   {
-    Id last = -1;
-    Id inside[2] = { -1, -1 }; // half-edges of the two last inner faces towards the vertex
+    // One walk around the vertex finds what is written: each step reads many places of memory.
+    constexpr vtkIdType most = 16; // longer fans are walked twice
+    Step steps[most];
+    Step before;
+    Step last;
     vtkIdType k = 0;
     const bool cycle = VisitFanForward(this->Mesh, corner,
       [&](const FanStep<Id>& step)
       {
-        last = step.GetHalfEdgeOut(this->Mesh);
-        inside[0] = inside[1];
-        inside[1] = this->Mesh.Previous(step.Corner);
+        before = last;
+        last = { step.GetHalfEdgeIn(this->Mesh), step.GetHalfEdgeOut(this->Mesh),
+          this->Mesh.Previous(step.Corner) };
+        if (k < most)
+        {
+          steps[k] = last;
+        }
         ++k;
       });
     const vtkIdType size = GetVertexFaceSize(this->Level, k, cycle);
     if (size < 3 && cycle)
     {
-      this->Join(inside[0], inside[1]);
+      this->Join(before.Inside, last.Inside);
     }
     else if (size < 3)
     {
-      this->Open(inside[1]);
+      this->Open(last.Inside);
     }
     if (size < 3)
     {
       return 0;
     }
     Buffer<Id>& vertices = this->Next.Mesh.Vertices;
-    VisitFanForward(this->Mesh, corner,
-      [&](const FanStep<Id>& step)
-      {
-        vertices[at] = this->GetSide(step.GetHalfEdgeIn(this->Mesh));
-        this->Join(at++, this->Mesh.Previous(step.Corner));
-      });
+    auto set = [&](Id in, Id inside)
+    {
+      vertices[at] = this->GetSide(in);
+      this->Join(at++, inside);
+    };
+    if (k <= most)
+    {
+      std::for_each(steps, steps + k, [&](const Step& step) { set(step.In, step.Inside); });
+    }
+    else
+    {
+      VisitFanForward(this->Mesh, corner, [&](const FanStep<Id>& step)
+        { set(step.GetHalfEdgeIn(this->Mesh), this->Mesh.Previous(step.Corner)); });
+    }
     if (!cycle)
     {
-      vertices[at] = this->GetSide(last);
+      vertices[at] = this->GetSide(last.Out);
       this->Open(at++);
     }
     if (!cycle && this->Keeps)

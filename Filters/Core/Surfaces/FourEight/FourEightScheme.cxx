@@ -167,16 +167,19 @@ void FourEightScheme<Id>::AppendVertex(const FourEightTopology<Id>& topology,
     }
     return;
   }
-  const Id start = mesh.VertexCorners[vertex];
-  int k = 0;
-  VisitCycle(mesh, start, [&k](const FanStep<Id>&) { ++k; });
   rows.Add(vertex, 0.5);
-  VisitCycle(mesh, start,
+  const std::size_t first = rows.GetNumberOfEntries();
+  VisitCycle(mesh, mesh.VertexCorners[vertex],
     [&](const FanStep<Id>& step)
     {
       const Id in = step.GetHalfEdgeIn(mesh);
-      rows.Add(mesh.Vertices[in == step.Corner ? mesh.Next(in) : in], 0.5 / k);
+      rows.Add(mesh.Vertices[in == step.Corner ? mesh.Next(in) : in], 0.);
     });
+  const double weight = 0.5 / static_cast<double>(rows.GetNumberOfEntries() - first);
+  for (std::size_t entry = first; entry < rows.GetNumberOfEntries(); ++entry)
+  {
+    rows.SetWeight(entry, weight); // known after the walk around the vertex
+  }
 }
 
 }
