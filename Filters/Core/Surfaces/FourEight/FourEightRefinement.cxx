@@ -355,7 +355,8 @@ void CountFourEightPlaces(SurfaceLevel<Id>& level)
   Id* place = level.Places.begin();
   for (const Buffer<Id>* part : { &children, &centres, &fixed, &starts })
   {
-    place = std::copy(part->begin(), part->end(), place);
+    CopyInThreads(part->data(), part->size(), place);
+    place += part->size();
   }
 }
 
