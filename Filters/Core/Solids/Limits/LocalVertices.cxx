@@ -2,9 +2,11 @@
 #include "Core/Solids/Limits/LocalVertices.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Sorting.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <stdexcept>
 #include <string>
@@ -166,7 +168,7 @@ void LocalVertices<Id>::FollowToPart(
 {
   const SimplicialComplex<Id>& complex = part.Complex;
   std::vector<unsigned char> isAncestor(complex.NumberOfVertices, 0);
-  for (Id vertex : this->Ancestors[level])
+  for (const Id vertex : InTurn(this->Ancestors[level]))
   {
     this->At[vertex] = vertices[this->At[vertex]];
     isAncestor[this->At[vertex]] = 1;
@@ -180,13 +182,13 @@ void LocalVertices<Id>::FollowToPart(
       edges.emplace_back(a, b, complex.NumberOfVertices + middle);
     }
   };
-  for (Id e = 0; e < complex.NumberOfEdges; ++e)
+  for (const Id e : InTurn(complex.NumberOfEdges))
   {
     add(complex.EdgeVertices.data() + 2 * vtkIdType(e), e);
   }
   ForDiagonals(part, [&](const Id* ends, Id oct) { add(ends, complex.NumberOfEdges + oct); });
-  std::sort(edges.begin(), edges.end());
-  for (Id vertex : this->Born[level + 1])
+  StableSort(edges, std::less<>());
+  for (const Id vertex : InTurn(this->Born[level + 1]))
   {
     const std::array<Id, 2>& ends = this->GetEnds(vertex);
     const auto [a, b] = std::minmax(this->At[ends[0]], this->At[ends[1]]);
