@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The limits from which RedGreenErrors measures: those in curves and sheets by rows of equal
+// neighbourhoods, all others by LocalLimit.
+#include "Private/RedGreen/RedGreenErrors.h"
+
+#include "Core/Memory/Ids.h"
+#include "Core/Solids/Limits/SheetLimits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace subdivision
+{
+
+/// The coordinates and the attribute of the control vertices, as far as they are wanted, side by
+/// side.
+template <typename Id>
+Buffer<double> RedGreenErrors<Id>::GetControlValues() const
+{
+  vtkIdType size = 0;
+  this->Limit.WithControl([&](const auto& level) { size = level.Complex.NumberOfVertices; });
+  Buffer<double> values(size * this->Components);
+  int first = 0;
+  const auto take = [&](const ContinuedArray& array, const std::vector<double>& control)
+  {
+    const int components = array.GetComponents();
+    const double* from = control.empty() ? array.Get(0) : control.data();
+    for (vtkIdType v = 0; v < size; ++v)
+    {
+      std::copy_n(from + components * v, components, values.data() + this->Components * v + first);
+    }
+    first += components;
+  };
+  if (size > 0 && this->Options.ReadsShape())
+  {
+    take(this->Criteria.GetCoordinates(), this->Limit.GetControlCoordinates());
+  }
+  if (size > 0 && this->OfAttribute)
+  {
+    take(this->Criteria.GetAttribute(), this->Limit.GetControlAttribute());
+  }
+  return values;
+}
+
+/// Numbers the vertices that are needed (0 in `needed`, -1 for others) and those from which they
+/// come. Vertices of the input keep their numbers.
+template <typename Id>
+typename RedGreenErrors<Id>::Numbering RedGreenErrors<Id>::NumberVertices(
+  const RedGreen<Id>& state, Buffer<Id>&& needed) const
+{
+  const Id given = state.GetNumberOfInputVertices();
+  Numbering numbering{ std::move(needed), {} };
+  Buffer<Id>& numbers = numbering.Numbers;
+  for (Id v = state.GetNumberOfVertices() - 1; v >= given; --v)
+  {
+    if (numbers[v] == 0)
+    {
+      const auto ends = state.GetEnds(v);
+      numbers[ends[0]] = 0;
+      numbers[ends[1]] = 0;
+    }
+  }
+  for (const Id v : InTurn(static_cast<Id>(numbers.size())))
+  {
+    if (v < given)
+    {
+      numbers[v] = v;
+    }
+    else if (numbers[v] == 0)
+    {
+      numbers[v] = static_cast<Id>(given + numbering.Midpoints.size());
+      const auto ends = state.GetEnds(v);
+      numbering.Midpoints.push_back({ { numbers[ends[0]], numbers[ends[1]] } });
+    }
+  }
+  return numbering;
+}
+
+template <typename Id>
+bool RedGreenErrors<Id>::IsKnown(const Buffer<double>& values, vtkIdType place) const
+{
+  const double* first = values.data() + this->Components * place;
+  return std::none_of(
+    first, first + this->Components, [](double value) { return std::isnan(value); });
+}
+
+template <typename Id>
+void RedGreenErrors<Id>::FindLimits(const RedGreen<Id>& state)
+{
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  this->NumberOfCorner = Buffer<Id>(state.GetNumberOfVertices(), Id(-1));
+  this->Corners.clear();
+  for (const Sample& sample : this->Samples)
+  {
+    for (const Id corner : sample.Corners)
+    {
+      if (corner >= 0 && this->NumberOfCorner[corner] < 0)
+      {
+        this->NumberOfCorner[corner] = static_cast<Id>(this->Corners.size());
+        this->Corners.push_back(corner);
+      }
+    }
+  }
+  this->AtVertices =
+    Buffer<double>(this->Components * static_cast<vtkIdType>(this->Corners.size()), unknown);
+  this->AtSites = Buffer<double>(
+    PlacesOfSite * this->Components * static_cast<vtkIdType>(this->Sites.size()), unknown);
+  if (this->Samples.empty())
+  {
+    return;
+  }
+  const Buffer<double> control = this->GetControlValues();
+  if (this->Limit.GetCreases().Stages.empty()) // edges that are sharp for some steps are no curves
+  {
+    this->FindLimitsInSheets(state, control);
+  }
+  this->FindOtherLimits(state, control);
+}
+
+/// Finds the limits that depend on curves and sheets alone.
+template <typename Id>
+void RedGreenErrors<Id>::FindLimitsInSheets(
+  const RedGreen<Id>& state, const Buffer<double>& control)
+{
+  Buffer<Id> needed(state.GetNumberOfVertices(), Id(-1));
+  const auto need = [&](Id vertex) { needed[vertex] = this->IsOnCurve(vertex) ? 0 : -1; };
+  std::for_each(this->Corners.begin(), this->Corners.end(), need);
+  std::vector<Id> own; // the sites
+  for (const Id i : InTurn(static_cast<Id>(this->Sites.size())))
+  {
+    const Site& site = this->Sites[i];
+    if (site.IsCurved && site.GetSize() < 4)
+    {
+      own.push_back(i);
+      std::for_each(site.Corners.begin(), site.Corners.begin() + site.GetSize(), need);
+    }
+  }
+  const Numbering numbering = this->NumberVertices(state, std::move(needed));
+  std::vector<LimitSite<Id>> sites(own.size());
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    for (int k = 0; k < this->Sites[own[i]].GetSize(); ++k)
+    {
+      sites[i].Corners[k] = numbering.Numbers[this->Sites[own[i]].Corners[k]];
+    }
+  }
+  Buffer<unsigned char> wanted(
+    state.GetNumberOfInputVertices() + static_cast<vtkIdType>(numbering.Midpoints.size()), 0);
+  for (const Id corner : this->Corners)
+  {
+    if (numbering.Numbers[corner] >= 0)
+    {
+      wanted[numbering.Numbers[corner]] = 1;
+    }
+  }
+  this->Limit.WithControl(
+    [&](const auto& level)
+    {
+      const SheetLimits<Id> limits(
+        level, numbering.Midpoints, wanted, sites, control.data(), this->Components);
+      const vtkIdType size = this->Components;
+      for (std::size_t i = 0; i < this->Corners.size(); ++i)
+      {
+        const Id number = numbering.Numbers[this->Corners[i]];
+        if (number >= 0)
+        {
+          std::copy_n(limits.OfVertices.data() + size * number, size,
+            this->AtVertices.data() + size * static_cast<vtkIdType>(i));
+        }
+      }
+      for (std::size_t i = 0; i < own.size(); ++i)
+      {
+        std::copy_n(limits.OfSites.data() + PlacesOfSite * size * static_cast<vtkIdType>(i),
+          PlacesOfSite * size, this->AtSites.data() + PlacesOfSite * size * own[i]);
+      }
+    });
+}
+
+/// The vertex in the middle of an edge between two vertices of a numbering.
+template <typename Id>
+Id RedGreenErrors<Id>::GetMiddle(Id a, Id b, Numbering& numbering, PairTable<Id>& middles) const
+{
+  vtkIdType given = 0;
+  this->Limit.WithControl([&](const auto& level) { given = level.Complex.NumberOfVertices; });
+  const auto next = static_cast<Id>(given + numbering.Midpoints.size());
+  const Id middle = middles.FindOrAdd(a, b, next);
+  if (middle == next)
+  {
+    numbering.Midpoints.push_back({ { a, b } });
+  }
+  return middle;
+}
+
+/// Finds all limits that are not known yet.
+template <typename Id>
+void RedGreenErrors<Id>::FindOtherLimits(const RedGreen<Id>& state, const Buffer<double>& control)
+{
+  Buffer<Id> needed(state.GetNumberOfVertices(), Id(-1));
+  std::vector<std::size_t> corners;
+  std::vector<std::array<Id, 2>> places; // site, place
+  bool isCurved = true;
+  for (std::size_t i = 0; i < this->Corners.size(); ++i)
+  {
+    if (!this->IsKnown(this->AtVertices, static_cast<vtkIdType>(i)))
+    {
+      corners.push_back(i);
+      needed[this->Corners[i]] = 0;
+      isCurved = isCurved && this->IsOnCurve(this->Corners[i]);
+    }
+  }
+  for (const Id i : InTurn(static_cast<Id>(this->Sites.size())))
+  {
+    const Site& site = this->Sites[i];
+    for (Id place = 0; place < PlacesOfSite; ++place)
+    {
+      if ((site.Used & 1 << place) && !this->IsKnown(this->AtSites, PlacesOfSite * i + place))
+      {
+        places.push_back({ { i, place } });
+        isCurved = isCurved && site.IsCurved;
+        for (int k = 0; k < site.GetSize(); ++k)
+        {
+          needed[site.Corners[k]] = 0;
+        }
+      }
+    }
+  }
+  if (corners.empty() && places.empty())
+  {
+    return;
+  }
+  Numbering numbering = this->NumberVertices(state, std::move(needed));
+  PairTable<Id> middles;
+  const auto getMiddle = [&](Id a, Id b) { return this->GetMiddle(a, b, numbering, middles); };
+  std::vector<Id> found; // the vertices at places
+  for (const auto& [i, place] : places)
+  {
+    const Site& site = this->Sites[i];
+    std::array<Id, 4> at{};
+    for (int k = 0; k < site.GetSize(); ++k)
+    {
+      at[k] = numbering.Numbers[site.Corners[k]];
+    }
+    if (site.GetSize() == 2)
+    {
+      const Id middle = getMiddle(at[0], at[1]);
+      found.push_back(place == 1 ? middle : getMiddle(middle, at[place / 2]));
+    }
+    else if (site.GetSize() == 3)
+    {
+      found.push_back(getMiddle(
+        getMiddle(at[place], at[(place + 1) % 3]), getMiddle(at[place], at[(place + 2) % 3])));
+    }
+    else
+    {
+      found.push_back(getMiddle(getMiddle(at[0], at[1]), getMiddle(at[2], at[3])));
+    }
+  }
+  Buffer<unsigned char> wanted(
+    state.GetNumberOfInputVertices() + static_cast<vtkIdType>(numbering.Midpoints.size()), 0);
+  for (const Id vertex : found)
+  {
+    wanted[vertex] = 1;
+  }
+  for (const std::size_t i : corners)
+  {
+    wanted[numbering.Numbers[this->Corners[i]]] = 1;
+  }
+  const LocalLimit<Id> limit =
+    this->Limit.MakeOperator(numbering.Midpoints, wanted, nullptr, isCurved && !this->OfAttribute);
+  const vtkIdType size = this->Components;
+  Buffer<double> limits(limit.GetNumberOfRows() * size);
+  limit.Apply(control.data(), limits.data(), this->Components);
+  for (const std::size_t i : corners)
+  {
+    std::copy_n(limits.data() + size * numbering.Numbers[this->Corners[i]], size,
+      this->AtVertices.data() + size * static_cast<vtkIdType>(i));
+  }
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    std::copy_n(limits.data() + size * found[i], size,
+      this->AtSites.data() + size * (PlacesOfSite * vtkIdType(places[i][0]) + places[i][1]));
+  }
+}
+
+template void RedGreenErrors<int>::FindLimits(const RedGreen<int>&);
+template void RedGreenErrors<long long>::FindLimits(const RedGreen<long long>&);
+
+}
