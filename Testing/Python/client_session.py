@@ -66,6 +66,42 @@ def choose(menu, label):
     return simple.GetActiveSource()
 
 
+def find_row(rows, text, above=QtCore.QModelIndex()):
+    """The row of a tree with this text, or None."""
+    for row in range(rows.rowCount(above)):
+        index = rows.index(row, 0, above)
+        found = index if rows.data(index) == text else find_row(rows, text, index)
+        if found:
+            return found
+    return None
+
+
+def choose_with_inputs(label, **inputs):
+    """An entry of the menu of filters that asks for inputs; the first one is the active source."""
+    names = {source.GetGlobalIDAsString(): name for (name, _), source in simple.GetSources().items()}
+    faults = []
+
+    def answer():
+        dialog = application.activeModalWidget()
+        try:
+            tree = dialog.findChild(QtWidgets.QWidget, "pipelineView")
+            selection = next(child for child in tree.children() if isinstance(child, QtCore.QItemSelectionModel))
+            for port, source in inputs.items():
+                dialog.findChild(QtWidgets.QRadioButton, port).click()
+                row = find_row(selection.model(), names[source.GetGlobalIDAsString()])
+                selection.setCurrentIndex(row, QtCore.QItemSelectionModel.SelectionFlag.ClearAndSelect)
+            dialog.accept()
+        except Exception as fault:  # a dialog that stays would stop everything
+            faults.append(fault)
+            dialog.reject()
+
+    QtCore.QTimer.singleShot(0, answer)
+    proxy = choose("menuFilters", label)
+    if faults:
+        raise faults[0]
+    return proxy
+
+
 def show_advanced(wanted):
     (button,) = [button for button in search.findChildren(QtWidgets.QToolButton) if button.isCheckable()]
     if button.isChecked() != wanted:
@@ -173,18 +209,45 @@ class Client(unittest.TestCase):
         cage = simple.CageAround(Input=sphere)
         deformed = simple.Transform(Input=cage)
         deformed.Transform.Scale = [2, 1, 1]
-        proxy = simple.SubdivisionDeformation(Input=sphere, RestMesh=cage, DeformedMesh=deformed)
-        simple.Show(proxy)
+        deformed.UpdatePipeline()
+        simple.SetActiveSource(sphere)
         settle()
-        show_advanced(True)
+        proxy = choose_with_inputs("Subdivision Deformation", RestMesh=cage, DeformedMesh=deformed)
         picture("Subdivision Deformation")
+        push("Accept")
+        show_advanced(True)
+        picture("Subdivision Deformation advanced")
         self.assertEqual(cells(proxy), cells(sphere))
         wavelet = simple.Wavelet(WholeExtent=[0, 9, 0, 9, 0, 9])
         labels = simple.Calculator(Input=wavelet, ResultArrayName="Labels", Function="coordsX > 4", ResultArrayType="Int")
-        solid = simple.SmoothSolidfromLabels(Input=labels)
-        simple.SetActiveSource(solid)
+        labels.UpdatePipeline()
+        simple.SetActiveSource(labels)
         settle()
+        solid = choose("menuFilters", "Smooth Solid from Labels")
         picture("Smooth Solid from Labels")
+        push("Accept")
+        self.assertGreater(cells(solid), 0)
+
+    def test_criteria_stand_before_other_groups(self):
+        model = self.model()
+        sphere = simple.Sphere()
+        for label, more, source in (("Red-Green Refinement", "Interpolation", model),
+                                    ("Adaptive Surface Subdivision", "Memory", sphere)):
+            with self.subTest(label):
+                simple.SetActiveSource(source)
+                settle()
+                choose("menuFilters", label)
+                show_advanced(True)
+                texts = list(groups())
+                self.assertEqual((texts[0], texts[7], texts[8]), ("Where an array changes", "To a wanted level", more))
+
+    def test_what_placement_leaves_without_effect_is_hidden(self):
+        self.model()
+        proxy = choose("menuFilters", "Red-Green Refinement")
+        self.assertFalse(sees("GenerateLimitNormals"))
+        proxy.Placement = "Limit"
+        settle()
+        self.assertTrue(sees("GenerateLimitNormals"))
 
     def test_groups_open_and_stay_open(self):
         model = self.model()
