@@ -33,22 +33,24 @@ namespace
 /// The fault of bounds after the margin was added; empty if they have a volume.
 std::string FindFault(const double* bounds)
 {
+  std::string fault;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double low = bounds[2 * axis];
     const double high = bounds[2 * axis + 1];
-    const std::string name(1, "xyz"[axis]);
-    if (!std::isfinite(low) || !std::isfinite(high) || low > high)
+    if (std::isfinite(low) && std::isfinite(high) && low < high)
     {
-      return "Bounds along " + name +
-        " are not finite, or the first is larger than the second. Set them in ascending order.";
+      continue;
     }
-    if (low == high)
-    {
-      return "The box is flat along " + name + ". Raise Margin, or set Bounds with a volume.";
-    }
+    const bool isFlat = std::isfinite(low) && low == high;
+    fault = isFlat ? "The box is flat along " : "Bounds along ";
+    fault += "xyz"[axis];
+    fault += isFlat ? ". Raise Margin, or set Bounds with a volume."
+                    : " are not finite, or the first is larger than the second. Set them in "
+                      "ascending order.";
+    break;
   }
-  return "";
+  return fault;
 }
 
 vtkSmartPointer<vtkPoints> MakePoints(const int* cells, const double* bounds, int type)
