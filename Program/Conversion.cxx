@@ -6,9 +6,9 @@
 
 #include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"
+#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
-#include "vtkCellTypes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -89,7 +89,7 @@ void CheckTypes(vtkUnstructuredGrid* grid)
     if (type == VTK_PIXEL || type == VTK_VOXEL || !(isPlain || isQuadratic))
     {
       throw Failure("cell " + std::to_string(c) + " of the output is a " +
-        vtkCellTypes::GetClassNameFromTypeId(type) +
+        grid->GetCell(c)->GetClassName() +
         ", which Exodus files cannot hold; .vtu files can");
     }
   }
