@@ -152,7 +152,7 @@ void HideCells(vtkUnstructuredGrid* grid)
   constexpr unsigned char hidden = vtkDataSetAttributes::HIDDENPOINT;
   vtkUnsignedCharArray* ofPoints = grid->GetPointGhostArray();
   const vtkIdType points = ofPoints ? ofPoints->GetNumberOfValues() : 0;
-  if (points < grid->GetNumberOfPoints() ||
+  if (!ofPoints || points < grid->GetNumberOfPoints() ||
     std::none_of(
       ofPoints->GetPointer(0), ofPoints->GetPointer(0) + points,
       [](unsigned char type) { return type & hidden; }))

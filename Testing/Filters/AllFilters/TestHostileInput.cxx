@@ -71,6 +71,18 @@ TEST(HostileInput, GlobalIdsThatAreTooFew)
   EXPECT_EQ(GetCells(result), GetCells(expected));
 }
 
+TEST(HostileInput, CellsWithoutAnyPoints)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(vtkNew<vtkPoints>());
+  const vtkIdType ids[4] = { 0, 1, 2, 3 };
+  grid->InsertNextCell(VTK_TETRA, 4, ids);
+  vtkNew<Messages> messages;
+  const Grid result = Execute(grid.Get(), 1, {}, messages);
+  EXPECT_EQ(messages->Warnings.size(), 1u);
+  EXPECT_EQ(result->GetNumberOfCells(), 0);
+}
+
 TEST(HostileInput, EqualTetsAndEqualGlobalIds)
 {
   const Grid tets = MakeGrid({ { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } },
