@@ -89,8 +89,7 @@ void CheckTypes(vtkUnstructuredGrid* grid)
     if (type == VTK_PIXEL || type == VTK_VOXEL || !(isPlain || isQuadratic))
     {
       throw Failure("cell " + std::to_string(c) + " of the output is a " +
-        grid->GetCell(c)->GetClassName() +
-        ", which Exodus files cannot hold; .vtu files can");
+        grid->GetCell(c)->GetClassName() + ", which Exodus files cannot hold; .vtu files can");
     }
   }
 }

@@ -1,0 +1,41 @@
+# shellcheck shell=bash
+# ./dev test --asan, ./dev test --tsan and ./dev fuzz: tests under sanitizers, and fuzzers. Sourced by ./dev.
+
+# The C++ tests with checks of addresses, leaks and undefined behaviour (asan) or of threads (tsan).
+sanitize() # asan|tsan [NAME]
+{
+  local tree=$1 name=${2:-} options=$root/Testing/Sanitizers
+  need "${vtk_packages[@]}"
+  use_vtk
+  configure "$tree" "${vtk_options[@]}"
+  # Lists of tests are made while building, by the tests themselves.
+  ASAN_OPTIONS=detect_leaks=0 build "$tree" SubdivisionObjectsTests SubdivisionObjectsCoreTests SubdivisionObjectsProgramTests
+  say "C++ tests under $tree"
+  ASAN_OPTIONS=detect_stack_use_after_return=1:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 \
+    LSAN_OPTIONS="suppressions=$options/leaks.txt:print_suppressions=0" \
+    TSAN_OPTIONS="suppressions=$options/threads.txt" \
+    ctest --test-dir "$build/$tree" --output-on-failure --parallel "$jobs" --no-tests=error \
+    --label-regex '^(cxx|core|program)$' ${name:+-R "$name"}
+}
+
+# Each fuzzer for its part of the time. What it finds new stays in build/fuzz/corpus, and a crash in build/fuzz/crashes.
+fuzz() # [SECONDS]
+{
+  local seconds=${1:-120} name
+  [[ "$seconds" =~ ^[0-9]+$ ]] || die "for how many seconds? ./dev fuzz 600"
+  need "${vtk_packages[@]}" clang libclang-rt-dev
+  use_vtk
+  configure fuzz -DCMAKE_CXX_COMPILER=clang++ "${vtk_options[@]}"
+  build fuzz FuzzFilters FuzzFiles
+  mkdir -p "$build/fuzz/crashes"
+  for name in Filters Files; do
+    mkdir -p "$build/fuzz/corpus/$name"
+    say "Fuzz$name for $((seconds / 2)) s"
+    (cd "$build/fuzz" && LSAN_OPTIONS="suppressions=$root/Testing/Sanitizers/leaks.txt:print_suppressions=0" \
+      ASAN_OPTIONS=allocator_may_return_null=1 \
+      "bin/Fuzz$name" "corpus/$name" "$root/Testing/Fuzz/Corpus/$name" -max_total_time=$((seconds / 2)) \
+      -rss_limit_mb=2500 -timeout=30 -max_len=4096 -print_final_stats=1 -artifact_prefix=crashes/ 2>&1 |
+      tee "Fuzz$name.log" | grep -E '^(stat::|==|SUMMARY|Test unit|[a-z-]+: )' || true)
+    ! grep -q '^SUMMARY' "$build/fuzz/Fuzz$name.log" || die "Fuzz$name found a fault: see build/fuzz/Fuzz$name.log"
+  done
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FuzzMesh.h
+ * Small data sets that the bytes of a fuzzer describe: cells of any type with any ids, and arrays
+ * with the names that filters look for, of any type and length.
+ */
+#ifndef SubdivisionObjects_FuzzMesh_h
+#define SubdivisionObjects_FuzzMesh_h
+
+#include "Bytes.h"
+
+#include "vtkDataObject.h"
+#include "vtkSmartPointer.h"
+
+namespace fuzz
+{
+
+/// An unstructured grid, polygonal data, an image, or blocks of these.
+vtkSmartPointer<vtkDataObject> MakeData(Bytes& bytes);
+
+/// The name of an array that MakeData may have added, or "None".
+const char* ChooseArray(Bytes& bytes);
+
+/// What a filter must not spoil: where the input has it, the output has it too.
+struct Soundness
+{
+  bool HasValidIds = true;    ///< of cells
+  bool HasWholeArrays = true; ///< one value for each point or cell
+  bool HasFiniteValues =
+    true; ///< of points and floating point arrays; so that sums are finite, too
+};
+
+/// Up to `limit` a number is finite.
+Soundness Examine(vtkDataObject* data, double limit);
+
+/// What is wrong with an output, as one line; null: nothing.
+const char* FindFault(vtkDataObject* input, vtkDataObject* output);
+
+/// Whether two outputs have the same cells, points and arrays bit for bit.
+bool AreEqual(vtkDataObject* a, vtkDataObject* b);
+
+}
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RunInputs.cxx
+ * Takes the place of libFuzzer, with any compiler: runs each file of the given folders, then random
+ * changes of them for some seconds: RunInputs [--seconds N] FOLDER...
+ */
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <random>
+#include <string>
+#include <vector>
+
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv);
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace
+{
+
+using Input = std::vector<std::uint8_t>;
+
+Input ReadInput(const std::filesystem::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+}
+
+/// Some bytes changed, removed or added.
+void Change(Input& input, std::mt19937& chance)
+{
+  const auto draw = [&](std::size_t n) { return static_cast<std::size_t>(chance() % n); };
+  for (std::size_t i = 1 + draw(8); i > 0; --i)
+  {
+    const std::size_t at = draw(input.size() + 1);
+    const auto place = input.begin() + static_cast<std::ptrdiff_t>(at);
+    const auto byte = static_cast<std::uint8_t>(chance());
+    if (at == input.size() || draw(8) == 0)
+    {
+      input.insert(place, 1 + draw(8), byte);
+    }
+    else if (draw(8) == 0)
+    {
+      input.erase(place);
+    }
+    else
+    {
+      *place = byte;
+    }
+  }
+}
+
+/// Writes an input before it is run, so that it is there after a crash.
+void Run(const Input& input)
+{
+  std::ofstream("last-input", std::ios::binary)
+    .write(reinterpret_cast<const char*>(input.data()), static_cast<std::streamsize>(input.size()));
+  LLVMFuzzerTestOneInput(input.data(), input.size());
+}
+
+}
+
+int main(int argc, char** argv)
+{
+  LLVMFuzzerInitialize(&argc, &argv);
+  double seconds = 0.;
+  std::vector<Input> corpus;
+  for (int i = 1; i < argc; ++i)
+  {
+    if (std::string(argv[i]) == "--seconds" && i + 1 < argc)
+    {
+      seconds = std::atof(argv[++i]);
+      continue;
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(argv[i]))
+    {
+      corpus.push_back(ReadInput(entry.path()));
+      std::cout << entry.path().filename().string() << std::endl;
+      Run(corpus.back());
+    }
+  }
+  if (corpus.empty())
+  {
+    std::cerr << "no inputs\n";
+    return 1;
+  }
+  const unsigned seed = std::random_device()();
+  std::mt19937 chance(seed);
+  const auto start = std::chrono::steady_clock::now();
+  std::size_t runs = corpus.size();
+  while (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < seconds)
+  {
+    Input input = corpus[chance() % corpus.size()];
+    Change(input, chance);
+    Run(input);
+    ++runs;
+  }
+  std::cout << runs << " inputs, seed " << seed << "\n";
+  return 0;
+}
