@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestAllocations.cxx
+ * Small runs of every filter, in which each allocation of the library fails in turn: the filter
+ * reports an error that speaks of memory, or gives the output that it gives otherwise, and works
+ * afterwards. Sanitizers add that nothing leaks.
+ */
+#include "FailingMemory.h"
+#include "FuzzMesh.h"
+#include "MultiDimensionalSubdivisionTools.h"
+
+#include "Options.h"
+
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSphereSource.h"
+#include "vtkSubdivisionModelSource.h"
+
+#include <cstring>
+#include <string>
+
+using namespace multi_dimensional_subdivision_tools;
+
+namespace
+{
+
+void AddArrays(vtkDataSet* data)
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Values");
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue(static_cast<double>(i % 5));
+  }
+  data->GetPointData()->SetScalars(values);
+  vtkNew<vtkIntArray> materials;
+  materials->SetName("Labels");
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    materials->InsertNextValue(static_cast<int>(i % 2));
+  }
+  data->GetCellData()->SetScalars(materials);
+}
+
+/// What a filter takes: solids with surfaces and curves, a surface, or an image of labels.
+vtkSmartPointer<vtkDataSet> MakeInput(const std::string& filter)
+{
+  vtkSmartPointer<vtkDataSet> data;
+  if (filter.find("label") != std::string::npos)
+  {
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(3, 3, 3);
+    data = image;
+  }
+  else if (filter.find("surface") != std::string::npos)
+  {
+    vtkNew<vtkSphereSource> source;
+    source->SetThetaResolution(5);
+    source->SetPhiResolution(4);
+    source->Update();
+    data = source->GetOutput();
+    data->GetPointData()->Initialize();
+  }
+  else
+  {
+    vtkNew<vtkSubdivisionModelSource> source;
+    source->SetModelToMixedDimensions();
+    source->Update();
+    data = source->GetOutput();
+  }
+  AddArrays(data);
+  return data;
+}
+
+/// A filter with all its switches as they are by default, or all on.
+vtkSmartPointer<vtkAlgorithm> MakeFilter(
+  const subdivide::Filter& what, bool switches, vtkDataSet* input)
+{
+  const auto filter = vtkSmartPointer<vtkAlgorithm>::Take(what.New());
+  for (const subdivide::Option& option : what.Options)
+  {
+    subdivide::Value one;
+    one.Numbers.assign(option.Count, 1.);
+    if (option.Type == subdivide::Kind::Mesh)
+    {
+      filter->SetInputDataObject(option.Port, input);
+    }
+    if (switches && option.Type == subdivide::Kind::Array)
+    {
+      const char* name = option.Association == vtkDataObject::CELL ? "Labels" : "Values";
+      filter->SetInputArrayToProcess(option.Index, option.Port, 0, option.Association, name);
+    }
+    const bool isLevel = std::strstr(option.Property, "Level") && option.Count == 1 &&
+      option.Type == subdivide::Kind::Whole;
+    const bool needsMore = std::strstr(option.Property, "ByFunction") ||
+      std::strstr(option.Property, "BySelection"); // a function, a selection
+    if (isLevel || (switches && option.Type == subdivide::Kind::Switch && !needsMore))
+    {
+      option.Set(filter, one);
+    }
+  }
+  filter->SetInputDataObject(input);
+  return filter;
+}
+
+vtkSmartPointer<vtkDataObject> Copy(vtkAlgorithm* filter)
+{
+  vtkDataObject* output = filter->GetOutputDataObject(0);
+  auto copy = vtkSmartPointer<vtkDataObject>::Take(output->NewInstance());
+  copy->DeepCopy(output);
+  return copy;
+}
+
+/// Lets an allocation fail in the filter's own work: not while the pipeline prepares it.
+class Failing : public vtkCommand
+{
+public:
+  static Failing* New() { return new Failing; }
+  void Execute(vtkObject*, unsigned long event, void*) override
+  {
+    if (event == StartEvent)
+    {
+      failing_memory::FailAfter(this->Calls);
+    }
+    else
+    {
+      this->HasFailed = failing_memory::Stop();
+    }
+  }
+  long Calls = 0;
+  bool HasFailed = false;
+};
+
+struct Tried
+{
+  std::string Filter;
+  bool Switches;
+};
+
+class Allocations : public testing::TestWithParam<Tried>
+{
+};
+
+std::vector<Tried> ListFilters()
+{
+  std::vector<Tried> all;
+  for (const subdivide::Filter& filter : subdivide::GetFilters())
+  {
+    if (filter.HasInput)
+    {
+      all.push_back({ filter.Name, false });
+      all.push_back({ filter.Name, true });
+    }
+  }
+  return all;
+}
+
+TEST_P(Allocations, AFailureIsAnErrorAndTheFilterWorksAfterwards)
+{
+  vtkSMPTools::Initialize(2);
+  const auto& filters = subdivide::GetFilters();
+  const auto what = std::find_if(filters.begin(), filters.end(),
+    [&](const subdivide::Filter& filter) { return filter.Name == GetParam().Filter; });
+  const auto input = MakeInput(GetParam().Filter);
+  vtkNew<Messages> messages;
+  const auto reference = MakeFilter(*what, GetParam().Switches, input);
+  messages->Watch(reference);
+  reference->Update();
+  ASSERT_TRUE(messages->Errors.empty()) << messages->Errors[0];
+  const auto expected = Copy(reference);
+  ASSERT_EQ(fuzz::FindFault(input, expected), nullptr);
+
+  long calls = 0;
+  for (bool failed = true; failed; ++calls)
+  {
+    SCOPED_TRACE(calls);
+    const auto filter = MakeFilter(*what, GetParam().Switches, input);
+    messages->Errors.clear();
+    messages->Watch(filter);
+    vtkNew<Failing> failing;
+    failing->Calls = calls;
+    filter->AddObserver(vtkCommand::StartEvent, failing);
+    filter->AddObserver(vtkCommand::EndEvent, failing);
+    filter->Update();
+    failed = failing->HasFailed;
+    filter->RemoveObserver(failing);
+    if (messages->Errors.empty())
+    {
+      ASSERT_TRUE(fuzz::AreEqual(filter->GetOutputDataObject(0), expected));
+    }
+    else
+    {
+      ASSERT_NE(messages->Errors[0].find("memory"), std::string::npos) << messages->Errors[0];
+      ASSERT_EQ(fuzz::FindFault(input, filter->GetOutputDataObject(0)), nullptr);
+    }
+    messages->Errors.clear();
+    filter->Modified();
+    filter->Update();
+    ASSERT_TRUE(messages->Errors.empty()) << messages->Errors[0];
+    ASSERT_TRUE(fuzz::AreEqual(filter->GetOutputDataObject(0), expected));
+  }
+  const bool hasOwnMemory =
+    GetParam().Filter.find("cage") == std::string::npos; // else VTK's arrays
+  EXPECT_EQ(calls > 5, hasOwnMemory);
+  std::cout << calls - 1 << " allocations failed\n";
+}
+
+std::string NameOf(const testing::TestParamInfo<Tried>& info)
+{
+  std::string name = info.param.Filter + (info.param.Switches ? "_on" : "");
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Filters, Allocations, testing::ValuesIn(ListFilters()), NameOf);
+
+}
