@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -30,24 +31,26 @@ vtkStandardNewMacro(vtkSubdivisionCageSource);
 namespace
 {
 
-/// The fault of bounds after the margin was added; empty if they have a volume.
-std::string FindFault(const double* bounds)
+/// The fault of bounds after the margin was added; empty if they have a volume. `largest`: the
+/// largest coordinate that the output can hold.
+std::string FindFault(const double* bounds, double largest)
 {
   std::string fault;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double low = bounds[2 * axis];
     const double high = bounds[2 * axis + 1];
-    if (std::isfinite(low) && std::isfinite(high) && low < high)
+    if (low >= -largest && high <= largest && low < high)
     {
       continue;
     }
     const bool isFlat = std::isfinite(low) && low == high;
     fault = isFlat ? "The box is flat along " : "Bounds along ";
     fault += "xyz"[axis];
-    fault += isFlat ? ". Raise Margin, or set Bounds with a volume."
-                    : " are not finite, or the first is larger than the second. Set them in "
-                      "ascending order.";
+    fault += isFlat
+      ? ". Raise Margin, or set Bounds with a volume."
+      : " are not finite, too large for OutputPointsPrecision, or the first is "
+        "larger than the second. Set them in ascending order, or make Margin smaller.";
     break;
   }
   return fault;
@@ -250,7 +253,9 @@ int vtkSubdivisionCageSource::RequestData(
     bounds[2 * axis] -= margin;
     bounds[2 * axis + 1] += margin;
   }
-  const std::string fault = FindFault(bounds);
+  const int type = this->OutputPointsPrecision == SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE;
+  const std::string fault = FindFault(bounds,
+    type == VTK_FLOAT ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max());
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault);
@@ -269,8 +274,7 @@ int vtkSubdivisionCageSource::RequestData(
   subdivision::ConnectToFilter(this, options, failed);
   const auto make = [&]
   {
-    output->SetPoints(MakePoints(this->NumberOfCells, bounds,
-      this->OutputPointsPrecision == SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE));
+    output->SetPoints(MakePoints(this->NumberOfCells, bounds, type));
     if (options.Progress(0.2))
     {
       return false;

@@ -197,12 +197,27 @@ int vtkSubdivisionLabelSolid::RequestData(
   subdivision::LabelSolidOptions options;
   bool failed = false;
   subdivision::ConnectToFilter(this, options, failed);
-  if (!this->FindLabels(image, options))
+  subdivision::FilterTraits traits;
+  traits.Memory = "so many voxels. Make NumberOfControlCells smaller, use fewer levels, or take a "
+                  "part of the image.";
+  const bool isDone = subdivision::DoWork(traits, options,
+    [&]
+    {
+      return this->FindLabels(image, options) &&
+        this->MakeSolid(image, vtkTable::GetData(inputVector[1]), options, output);
+    });
+  if (!isDone)
   {
-    return 1; // 0 would make the pipeline tell a second error
+    output->Initialize();
   }
+  return 1; // 0 would make the pipeline tell a second error
+}
+
+bool vtkSubdivisionLabelSolid::MakeSolid(vtkDataSet* image, vtkTable* table,
+  subdivision::LabelSolidOptions& options, vtkUnstructuredGrid* output)
+{
   const std::string name = subdivision::GetLabelName(options);
-  if (auto* table = vtkTable::GetData(inputVector[1]))
+  if (table)
   {
     options.Materials = table->GetRowData();
   }
@@ -227,15 +242,7 @@ int vtkSubdivisionLabelSolid::RequestData(
   inner->SetGenerateOriginalIds(true);
   inner->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name.c_str());
   options.Subdivide = [&inner](vtkUnstructuredGrid* grid) { return inner.Run(grid); };
-  subdivision::FilterTraits traits;
-  traits.Memory = "so many voxels. Make NumberOfControlCells smaller, use fewer levels, or take a "
-                  "part of the image.";
-  if (!subdivision::DoWork(
-        traits, options, [&] { return subdivision::MakeLabelSolid(image, options, output); }))
-  {
-    output->Initialize();
-  }
-  return 1;
+  return subdivision::MakeLabelSolid(image, options, output);
 }
 
 void vtkSubdivisionLabelSolid::SetMaximumNumberOfCellsAsDouble(double cells)

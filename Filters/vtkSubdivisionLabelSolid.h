@@ -71,6 +71,7 @@
 
 class vtkDataArray;
 class vtkDataSet;
+class vtkTable;
 namespace subdivision
 {
 struct LabelSolidOptions;
@@ -188,6 +189,10 @@ protected:
 private:
   /// Sets the array of labels of `options`. Returns false after an error.
   bool FindLabels(vtkDataSet* image, subdivision::LabelSolidOptions& options);
+  /// With the options of the filter, and the materials of the table, if there is one. Returns
+  /// whether it finished.
+  bool MakeSolid(vtkDataSet* image, vtkTable* table, subdivision::LabelSolidOptions& options,
+    vtkUnstructuredGrid* output);
 
   vtkSubdivisionLabelSolid(const vtkSubdivisionLabelSolid&) = delete;
   void operator=(const vtkSubdivisionLabelSolid&) = delete;

@@ -132,6 +132,18 @@ TEST(SubdivisionCageSource, BadBoxesAreErrors)
   EXPECT_EQ(source->GetNumberOfCells()[2], 100);
 }
 
+TEST(SubdivisionCageSource, BoxesFitTheTypeOfPoints)
+{
+  vtkNew<vtkSubdivisionCageSource> source;
+  source->SetBounds(0, 1e39, 0, 1, 0, 1);
+  EXPECT_TRUE(MakeCage(source).Errors.empty());
+  source->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  const Made made = MakeCage(source);
+  ASSERT_EQ(made.Errors.size(), 1u);
+  EXPECT_NE(made.Errors[0].find("too large for OutputPointsPrecision"), std::string::npos);
+  EXPECT_EQ(made.Cage->GetNumberOfPoints(), 0);
+}
+
 TEST(SubdivisionCageSource, StartsADeformation)
 {
   const Grid cloud = MakeCloud(500, { -1, 0, 2 }, { 1, 3, 4 }, 3);
