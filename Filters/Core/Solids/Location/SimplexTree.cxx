@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Location/SimplexTree.h"
 
-#include "Core/Memory/Sorting.h"
-#include "Core/Solids/Location/MortonCode.h"
+#include "Core/Solids/Location/CurveOrder.h"
 #include "Core/Solids/Location/TetFrame.h"
 
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 namespace subdivision
@@ -15,19 +13,6 @@ namespace
 {
 
 using namespace vectors;
-
-/// The Morton code of a point, whose coordinates are rounded to 21 bits.
-std::uint64_t Interleave(const double x[3], const double low[3], const double scale[3])
-{
-  constexpr double cells = 2097151.;
-  std::uint64_t places[3];
-  for (int c = 0; c < 3; ++c)
-  {
-    const double place = (x[c] - low[c]) * scale[c] * cells;
-    places[c] = place > 0. ? static_cast<std::uint64_t>(std::min(place, cells)) : 0;
-  }
-  return GetMortonCode(places);
-}
 
 /// Finds the weights of the point of a simplex of `count` corners that is nearest to x; returns the
 /// squared distance.
@@ -131,9 +116,8 @@ SimplexTree::SimplexTree(const double* points, int corners, const Buffer<int>& i
   : Points(points)
   , Corners(corners)
   , Ids(ids.data())
-  , Order(ids.size() / corners)
 {
-  this->Sort();
+  this->Sort(ids.size() / corners);
   this->MakeBoxes();
 }
 
@@ -146,82 +130,37 @@ void SimplexTree::GetPoints(vtkIdType simplex, const double* corners[4]) const
   }
 }
 
-SimplexTree::Box SimplexTree::GetBox(vtkIdType simplex) const
+Box SimplexTree::GetBox(vtkIdType simplex) const
 {
   const double* corners[4];
   this->GetPoints(simplex, corners);
   Box box;
-  for (int c = 0; c < 3; ++c)
+  for (int i = 0; i < this->Corners; ++i)
   {
-    box.Low[c] = box.High[c] = corners[0][c];
-    for (int i = 1; i < this->Corners; ++i)
-    {
-      box.Low[c] = std::min(box.Low[c], corners[i][c]);
-      box.High[c] = std::max(box.High[c], corners[i][c]);
-    }
+    box.Add(corners[i]);
   }
   return box;
 }
 
-void SimplexTree::Sort()
+void SimplexTree::Sort(vtkIdType size)
 {
-  const vtkIdType size = this->Order.size();
   Box all;
-  for (int c = 0; c < 3; ++c)
-  {
-    all.Low[c] = std::numeric_limits<double>::infinity();
-    all.High[c] = -all.Low[c];
-  }
-  for (const vtkIdType i : InTurn(size * this->Corners))
-  {
-    const double* point = this->Points + 3 * static_cast<vtkIdType>(this->Ids[i]);
-    for (int c = 0; c < 3; ++c)
-    {
-      all.Low[c] = std::min(all.Low[c], point[c]);
-      all.High[c] = std::max(all.High[c], point[c]);
-    }
-  }
-  double scale[3];
-  for (int c = 0; c < 3; ++c)
-  {
-    scale[c] = all.High[c] > all.Low[c] ? 1. / (all.High[c] - all.Low[c]) : 0.;
-  }
-  struct Item
-  {
-    std::uint64_t Code;
-    vtkIdType Simplex;
-    bool operator<(const Item& other) const
-    {
-      return this->Code != other.Code ? this->Code < other.Code : this->Simplex < other.Simplex;
-    }
-  };
-  Buffer<Item> items(size);
-  ForEach(size,
-    [&](vtkIdType i)
+  ForEachInTurn(size * this->Corners,
+    [&](vtkIdType i) { all.Add(this->Points + 3 * static_cast<vtkIdType>(this->Ids[i])); });
+  this->Order = SortAlongCurve(size, all,
+    [this](vtkIdType i, double* middle)
     {
       const Box box = this->GetBox(i);
-      double middle[3];
       for (int c = 0; c < 3; ++c)
       {
         middle[c] = 0.5 * box.Low[c] + 0.5 * box.High[c];
       }
-      items[i] = { Interleave(middle, all.Low, scale), i };
     });
-  StableSort(items, std::less<>());
-  ForEach(size, [&](vtkIdType i) { this->Order[i] = items[i].Simplex; });
 }
 
 /// Boxes are a little wider than what they hold, for the rounding of distances.
 void SimplexTree::MakeBoxes()
 {
-  auto join = [](Box& box, const Box& other)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      box.Low[c] = std::min(box.Low[c], other.Low[c]);
-      box.High[c] = std::max(box.High[c], other.High[c]);
-    }
-  };
   vtkIdType size = this->Order.size();
   while (size > 0 && (this->Levels.empty() || size > 1))
   {
@@ -233,6 +172,7 @@ void SimplexTree::MakeBoxes()
       [&](vtkIdType node)
       {
         const vtkIdType end = std::min(below, (node + 1) * Width);
+        Box all;
         for (vtkIdType i = node * Width; i < end; ++i)
         {
           Box box = children ? (*children)[i] : this->GetBox(this->Order[i]);
@@ -242,12 +182,9 @@ void SimplexTree::MakeBoxes()
             box.Low[c] -= more;
             box.High[c] += more;
           }
-          if (i == node * Width)
-          {
-            boxes[node] = box;
-          }
-          join(boxes[node], box);
+          all.Add(box);
         }
+        boxes[node] = all;
       });
     this->Levels.push_back(std::move(boxes));
   }

@@ -11,6 +11,7 @@
 #define SubdivisionObjects_SimplexTree_h
 
 #include "Core/Memory/Buffer.h"
+#include "Core/Solids/Location/Box.h"
 
 #include <vector>
 
@@ -40,12 +41,7 @@ public:
   bool FindNearest(const double x[3], PlaceInSimplex& place, double& distance2) const;
 
 private:
-  struct Box
-  {
-    double Low[3];
-    double High[3];
-  };
-  void Sort();
+  void Sort(vtkIdType size);
   void MakeBoxes();
   Box GetBox(vtkIdType simplex) const;
   void GetPoints(vtkIdType simplex, const double* corners[4]) const;
