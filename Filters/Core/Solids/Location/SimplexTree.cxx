@@ -119,6 +119,10 @@ SimplexTree::SimplexTree(const double* points, int corners, const Buffer<int>& i
 {
   this->Sort(ids.size() / corners);
   this->MakeBoxes();
+  if (corners == 3)
+  {
+    this->MakeSlabs();
+  }
 }
 
 void SimplexTree::GetPoints(vtkIdType simplex, const double* corners[4]) const
@@ -190,12 +194,127 @@ void SimplexTree::MakeBoxes()
   }
 }
 
+void SimplexTree::MakeSlabs()
+{
+  vtkIdType width = Width;
+  const std::size_t levels = std::min(LevelsWithSlabs, this->Levels.size());
+  for (std::size_t level = 0; level < levels; ++level, width *= Width)
+  {
+    Buffer<Slab> slabs(this->Levels[level].size());
+    ForEach(slabs.size(),
+      [&](vtkIdType node)
+      {
+        slabs[node] =
+          this->MakeSlab(node * width, std::min(this->GetNumberOfSimplices(), (node + 1) * width));
+      });
+    this->Slabs.push_back(std::move(slabs));
+  }
+}
+
+/// The slab of triangles [begin, end) along the curve; its normal is the mean of theirs.
+SimplexTree::Slab SimplexTree::MakeSlab(vtkIdType begin, vtkIdType end) const
+{
+  const double* corners[4];
+  Vector sum{};
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    this->GetPoints(this->Order[i], corners);
+    const Vector normal = Cross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]));
+    const double sign = Dot(normal, sum) < 0. ? -1. : 1.; // whichever way it is turned
+    for (int c = 0; c < 3; ++c)
+    {
+      sum[c] += sign * normal[c];
+    }
+  }
+  const double length = std::sqrt(Dot(sum, sum));
+  const bool isKnown = std::isnormal(length);
+  Slab slab{ {}, {}, 0., 0. };
+  this->GetPoints(this->Order[begin], corners);
+  for (int c = 0; c < 3; ++c)
+  {
+    slab.Corner[c] = corners[0][c];
+    slab.Normal[c] = isKnown ? sum[c] / length : 0.;
+  }
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    this->GetPoints(this->Order[i], corners);
+    for (int k = 0; k < this->Corners; ++k)
+    {
+      const Vector from = Subtract(corners[k], slab.Corner);
+      const double height = Dot(from, { slab.Normal[0], slab.Normal[1], slab.Normal[2] });
+      slab.Low = std::min(slab.Low, height);
+      slab.High = std::max(slab.High, height);
+    }
+  }
+  return slab;
+}
+
+double SimplexTree::Slab::GetDistance(const double x[3]) const
+{
+  double height = 0.;
+  double slack = 0.;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double difference = x[c] - this->Corner[c];
+    height += difference * this->Normal[c];
+    slack += std::abs(difference);
+  }
+  const double outside = std::max(this->Low - height, height - this->High);
+  return outside - 1e-9 * (slack + (this->High - this->Low)); // for rounding
+}
+
 struct SimplexTree::Nearest
 {
   const double* X;
   PlaceInSimplex Found;
   double Distance2 = std::numeric_limits<double>::infinity();
+  double Direction[3] = { 0., 0., 0. }; ///< of length 1, to the place that was found
+
+  void Take(vtkIdType simplex, const double* const* corners, int count, const double* weights,
+    double distance2);
+  bool IsNearer(const double* const* corners, int count) const;
 };
+
+void SimplexTree::Nearest::Take(vtkIdType simplex, const double* const* corners, int count,
+  const double* weights, double distance2)
+{
+  this->Distance2 = distance2;
+  this->Found.Simplex = simplex;
+  std::copy(weights, weights + 4, this->Found.Weights);
+  Vector to{ -this->X[0], -this->X[1], -this->X[2] };
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      to[c] += weights[k] * corners[k][c];
+    }
+  }
+  const double length = std::sqrt(Dot(to, to));
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Direction[c] = std::isnormal(length) ? to[c] / length : 0.;
+  }
+}
+
+/// Whether a simplex may be as near as the place that was found, or nearer: false if it lies behind
+/// the plane through this place across the direction to it, by more than rounding.
+bool SimplexTree::Nearest::IsNearer(const double* const* corners, int count) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < count; ++k)
+  {
+    double along = 0.;
+    double slack = 0.;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double difference = corners[k][c] - this->X[c];
+      along += difference * this->Direction[c];
+      slack += std::abs(difference);
+    }
+    least = std::min(least, along - 1e-9 * slack);
+  }
+  return !(least > 0. && least * least > this->Distance2);
+}
 
 double SimplexTree::GetDistance2(const Box& box, const double x[3])
 {
@@ -208,6 +327,18 @@ double SimplexTree::GetDistance2(const Box& box, const double x[3])
   return sum;
 }
 
+/// A square of a distance that no simplex of a node is nearer than.
+double SimplexTree::GetLeastDistance2(std::size_t level, vtkIdType node, const double x[3]) const
+{
+  const double distance2 = GetDistance2(this->Levels[level][node], x);
+  if (level >= this->Slabs.size())
+  {
+    return distance2;
+  }
+  const double ofSlab = std::max(0., this->Slabs[level][node].GetDistance(x));
+  return std::max(distance2, ofSlab * ofSlab);
+}
+
 void SimplexTree::Visit(std::size_t level, vtkIdType node, Nearest& nearest) const
 {
   const vtkIdType below = level > 0 ? this->Levels[level - 1].size() : this->Order.size();
@@ -218,7 +349,7 @@ void SimplexTree::Visit(std::size_t level, vtkIdType node, Nearest& nearest) con
     std::pair<double, vtkIdType> children[Width]; // by distance
     for (vtkIdType i = first; i < end; ++i)
     {
-      const std::pair<double, vtkIdType> child{ GetDistance2(this->Levels[level - 1][i], nearest.X),
+      const std::pair<double, vtkIdType> child{ this->GetLeastDistance2(level - 1, i, nearest.X),
         i };
       vtkIdType at = i - first;
       for (; at > 0 && child < children[at - 1]; --at)
@@ -243,13 +374,15 @@ void SimplexTree::Visit(std::size_t level, vtkIdType node, Nearest& nearest) con
     const double* corners[4];
     double weights[4] = { 0., 0., 0., 0. };
     this->GetPoints(simplex, corners);
+    if (!nearest.IsNearer(corners, this->Corners))
+    {
+      continue;
+    }
     const double distance2 = FindNearestPlace(corners, this->Corners, nearest.X, weights);
     if (distance2 < nearest.Distance2 ||
       (distance2 == nearest.Distance2 && simplex < nearest.Found.Simplex))
     {
-      nearest.Distance2 = distance2;
-      nearest.Found.Simplex = simplex;
-      std::copy(weights, weights + 4, nearest.Found.Weights);
+      nearest.Take(simplex, corners, this->Corners, weights, distance2);
     }
   }
 }
