@@ -285,6 +285,20 @@ def bars_section(samples):
         ["name", "threads", "figure", "limit", "ratio", "bar", "result"], rows) if rows else []
 
 
+def worst_section(samples):
+    """Twice the size may take at most 2.5 times as long."""
+    rows = []
+    cases = sorted({(what, threads) for (family, what, _, _, threads) in samples if family == "worst"})
+    for what, threads in cases:
+        small, large = sorted(((int(case), sample) for (family, name, case, _, count), sample in samples.items()
+                               if (family, name, count) == ("worst", what, threads)), key=lambda pair: pair[0])[:2]
+        value = large[1].median / small[1].median
+        rows.append([what, str(small[0]), "%.3g ms" % (1e3 * small[1].median), str(large[0]),
+                     "%.3g ms" % (1e3 * large[1].median), "%.2f" % value, "pass" if value <= 2.5 else "fail"])
+    return ["## Everything at one vertex or in one cell", ""] + table(
+        ["case", "size", "time", "size", "time", "ratio", "at most 2.5"], rows) if rows else []
+
+
 def tetoct_section(samples):
     rows = []
     for (family, what, case, levels, threads), sample in sorted(samples.items()):
@@ -368,7 +382,7 @@ def run(arguments):
              "Medians of %d repetitions in random order, (min..max); load average before %.1f, "
              "after %.1f; %d processors." % (
                  arguments.repetitions, load, os.getloadavg()[0], os.cpu_count()), ""]
-    lines += bars_section(samples)
+    lines += bars_section(samples) + worst_section(samples)
     lines += filter_section(samples, memory) + surface_section(samples) + again_section(samples)
     lines += surface_peer_section(samples) + tetoct_section(samples)
     lines += red_green_section(samples)

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Memory/Loops.h"
 
+#include "Core/Memory/UnevenRanges.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace subdivision
@@ -102,6 +105,34 @@ void ForRangesOfBlocks(vtkIdType blocks, RangeBody body, vtkIdType worthThreads)
   }
   RunInParts(blocks, std::max(inOnePart, worthThreads),
     [&](vtkIdType begin, vtkIdType end) { vtkSMPTools::For(begin, end, 1, body); });
+}
+
+void ForUnevenRanges(vtkIdType size, RangeBody body)
+{
+  using Clock = std::chrono::steady_clock;
+  constexpr vtkIdType atATime = 16;
+  constexpr std::chrono::milliseconds most(50);
+  const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  std::atomic<vtkIdType> next(0);
+  while (next < size)
+  {
+    const auto last = Clock::now() + most;
+    const bool isEndless = !Current || DepthOfLoops > 0;
+    const auto take = [&](vtkIdType, vtkIdType)
+    {
+      while (isEndless || Clock::now() < last)
+      {
+        const vtkIdType begin = next.fetch_add(atATime);
+        if (begin >= size)
+        {
+          return;
+        }
+        body(begin, std::min(size, begin + atATime));
+      }
+    };
+    RunInThreads([&] { vtkSMPTools::For(0, threads, 1, take); });
+    BetweenLoops::Act();
+  }
 }
 
 }

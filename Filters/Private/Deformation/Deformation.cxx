@@ -177,7 +177,7 @@ bool Deformation::Prepare(
 }
 
 /// Finds the embedded points that are kept for equal points, or embeds the points. Returns null if
-/// points are outside and OutsidePoints makes that an error.
+/// points are outside and OutsidePoints makes that an error, or if they are too many.
 EmbeddedPoints* Deformation::FindEmbedded(vtkDataArray* points, const DeformationOptions& options)
 {
   std::vector<std::uint64_t> fingerprint = ComputeFingerprint(points);
@@ -187,7 +187,16 @@ EmbeddedPoints* Deformation::FindEmbedded(vtkDataArray* points, const Deformatio
   if (isNew)
   {
     ++this->Embedded.NumberOfBuilds;
-    embedded = this->Embedded.Add(EmbedPoints(points, options.Outside, this->Rest));
+    std::unique_ptr<EmbeddedPoints> made = EmbedPoints(points, options.Outside, this->Rest);
+    if (!made)
+    {
+      options.Fail("More than " + std::to_string(EmbeddedPoints::MostOthers) +
+        " points are in no solid cell of the rest mesh, which is too many to find the nearest "
+        "place for each. The output is the input. Deform the object in parts, or set OutsidePoints "
+        "to Leave.");
+      return nullptr;
+    }
+    embedded = this->Embedded.Add(std::move(made));
     embedded->Fingerprint = std::move(fingerprint);
   }
   embedded->Used = true;

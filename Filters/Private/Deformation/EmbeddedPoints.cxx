@@ -4,6 +4,7 @@
 #include "Core/Memory/Coordinates.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Memory/Store.h"
+#include "Core/Memory/UnevenRanges.h"
 #include "Core/Operators/ApplyRows.h"
 #include "Core/Solids/Location/TetFrame.h"
 #include "Private/Arrays/Arrays.h"
@@ -139,8 +140,9 @@ void FindTets(vtkDataArray* points, double tolerance, const RestMesh& rest, Corn
   }
 }
 
-/// Makes the rows of points that are in no tetrahedron, and tells which of them are outside.
-void BindToOthers(vtkDataArray* points, bool isSingle, RestMesh& rest, EmbeddedPoints& embedded)
+/// Makes the rows of points that are in no tetrahedron, and tells which of them are outside. False:
+/// they are too many.
+bool BindToOthers(vtkDataArray* points, bool isSingle, RestMesh& rest, EmbeddedPoints& embedded)
 {
   CornerRows& rows = embedded.Rows;
   std::vector<vtkIdType> missing;
@@ -158,6 +160,10 @@ void BindToOthers(vtkDataArray* points, bool isSingle, RestMesh& rest, EmbeddedP
   const auto size = static_cast<vtkIdType>(missing.size());
   // Those that are left where they are share one row, which is empty.
   const bool isShared = !isNearest && reach2 < 0.;
+  if (!isShared && size > EmbeddedPoints::MostOthers)
+  {
+    return false;
+  }
   rows.Others = Buffer<CornerRow>(isShared ? std::min<vtkIdType>(size, 1) : size, CornerRow());
   Buffer<bool> isInside(size, false);
   if (!isShared && size > 0)
@@ -165,23 +171,30 @@ void BindToOthers(vtkDataArray* points, bool isSingle, RestMesh& rest, EmbeddedP
     const SimplexTree none;
     const SimplexTree& tets = isNearest ? rest.GetNearestTets() : none;
     const SimplexTree& others = rest.GetNearestOthers();
-    ForEach(size,
-      [&](vtkIdType i)
+    const auto bind = [&](vtkIdType i)
+    {
+      double x[3];
+      points->GetTuple(missing[i], x);
+      PlaceInSimplex place;
+      double distance2 = 0.;
+      rows.Simplices[missing[i]] = static_cast<int>(-1 - i);
+      if (!IsFinite(x))
       {
-        double x[3];
-        points->GetTuple(missing[i], x);
-        PlaceInSimplex place;
-        double distance2 = 0.;
-        rows.Simplices[missing[i]] = static_cast<int>(-1 - i);
-        if (!IsFinite(x))
+        return;
+      }
+      isInside[i] = reach2 >= 0. && others.FindNearest(x, place, distance2) && distance2 <= reach2;
+      rows.Others[i] = isInside[i] ? MakeRow(others, place, 3)
+        : isNearest                ? FindNearestCell(x, tets, others, tie)
+                                   : CornerRow();
+    };
+    // In the middle of a surface all of it is equally near.
+    ForUnevenRanges(size,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
         {
-          return;
+          bind(i);
         }
-        isInside[i] =
-          reach2 >= 0. && others.FindNearest(x, place, distance2) && distance2 <= reach2;
-        rows.Others[i] = isInside[i] ? MakeRow(others, place, 3)
-          : isNearest                ? FindNearestCell(x, tets, others, tie)
-                                     : CornerRow();
       });
   }
   ForEachInTurn(size,
@@ -192,6 +205,7 @@ void BindToOthers(vtkDataArray* points, bool isSingle, RestMesh& rest, EmbeddedP
         AddOutside(points, missing[i], rest, embedded);
       }
     });
+  return true;
 }
 
 /// Stores composed rows, if these are smaller than rows and operators together and so are read
@@ -223,7 +237,10 @@ std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule ru
   embedded->Rule = rule;
   const bool isSingle = points->GetDataType() == VTK_FLOAT || rest.IsSingle();
   FindTets(points, isSingle ? SingleTolerance : Tolerance, rest, embedded->Rows);
-  BindToOthers(points, isSingle, rest, *embedded);
+  if (!BindToOthers(points, isSingle, rest, *embedded))
+  {
+    return nullptr;
+  }
   ComposeIfSmaller(rest, *embedded);
   return embedded;
 }

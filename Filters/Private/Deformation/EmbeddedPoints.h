@@ -9,6 +9,8 @@
 #include "Core/Operators/CornerRows.h"
 #include "Private/Deformation/RestMesh.h"
 
+#include <limits>
+
 namespace subdivision
 {
 
@@ -34,13 +36,17 @@ struct EmbeddedPoints
   OutsideRule Rule = OutsideRule::Leave;
   bool Used = true;
 
+  /// How many rows Rows.Others may have, which are named by int; tests change it.
+  static inline vtkIdType MostOthers = std::numeric_limits<int>::max();
+
   std::size_t GetMemorySize() const
   {
     return this->Rows.GetMemorySize() + this->Composed.GetMemorySize();
   }
 };
 
-/// Embeds points. A point on a common face of cells belongs to the one with the smallest id.
+/// Embeds points. A point on a common face of cells belongs to the one with the smallest id. Null:
+/// more than MostOthers points are in no solid, and need a row of their own.
 std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule rule, RestMesh& rest);
 
 /// Moves the points. `control`: control points of the deformed mesh; `moved`: points of the

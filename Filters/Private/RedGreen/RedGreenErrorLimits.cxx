@@ -5,6 +5,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Solids/Limits/SheetLimits.h"
+#include "Core/Solids/Location/CurveOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,10 +28,12 @@ Buffer<double> RedGreenErrors<Id>::GetControlValues() const
   {
     const int components = array.GetComponents();
     const double* from = control.empty() ? array.Get(0) : control.data();
-    for (vtkIdType v = 0; v < size; ++v)
-    {
-      std::copy_n(from + components * v, components, values.data() + this->Components * v + first);
-    }
+    ForEach(size,
+      [&, first](vtkIdType v)
+      {
+        std::copy_n(
+          from + components * v, components, values.data() + this->Components * v + first);
+      });
     first += components;
   };
   if (size > 0 && this->Options.ReadsShape())
@@ -53,15 +56,18 @@ typename RedGreenErrors<Id>::Numbering RedGreenErrors<Id>::NumberVertices(
   const Id given = state.GetNumberOfInputVertices();
   Numbering numbering{ std::move(needed), {} };
   Buffer<Id>& numbers = numbering.Numbers;
-  for (Id v = state.GetNumberOfVertices() - 1; v >= given; --v)
-  {
-    if (numbers[v] == 0)
+  const Id last = state.GetNumberOfVertices() - 1;
+  ForEachInTurn(last + 1 - given,
+    [&](vtkIdType i)
     {
-      const auto ends = state.GetEnds(v);
-      numbers[ends[0]] = 0;
-      numbers[ends[1]] = 0;
-    }
-  }
+      const Id v = last - static_cast<Id>(i);
+      if (numbers[v] == 0)
+      {
+        const auto ends = state.GetEnds(v);
+        numbers[ends[0]] = 0;
+        numbers[ends[1]] = 0;
+      }
+    });
   for (const Id v : InTurn(static_cast<Id>(numbers.size())))
   {
     if (v < given)
@@ -86,13 +92,21 @@ bool RedGreenErrors<Id>::IsKnown(const Buffer<double>& values, vtkIdType place) 
     first, first + this->Components, [](double value) { return std::isnan(value); });
 }
 
+/// Whether a sample asks for the limit at a place of a site, and it was not found yet.
+template <typename Id>
+bool RedGreenErrors<Id>::IsUnknown(Id site, int place) const
+{
+  return (this->Sites[site].Used & 1 << place) != 0 &&
+    !this->IsKnown(this->AtSites, PlacesOfSite * vtkIdType(site) + place);
+}
+
 template <typename Id>
 void RedGreenErrors<Id>::FindLimits(const RedGreen<Id>& state)
 {
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   this->NumberOfCorner = Buffer<Id>(state.GetNumberOfVertices(), Id(-1));
   this->Corners.clear();
-  for (const Sample& sample : this->Samples)
+  for (const Sample& sample : InTurn(this->Samples))
   {
     for (const Id corner : sample.Corners)
     {
@@ -193,94 +207,144 @@ Id RedGreenErrors<Id>::GetMiddle(Id a, Id b, Numbering& numbering, PairTable<Id>
   return middle;
 }
 
-/// Finds all limits that are not known yet.
+/// The corners and sites of which some limit is not known yet. Neighbours in this list are near
+/// each other, so that a part of it depends on a small part of the mesh.
 template <typename Id>
-void RedGreenErrors<Id>::FindOtherLimits(const RedGreen<Id>& state, const Buffer<double>& control)
+std::vector<typename RedGreenErrors<Id>::Unknown> RedGreenErrors<Id>::FindUnknown() const
 {
-  Buffer<Id> needed(state.GetNumberOfVertices(), Id(-1));
-  std::vector<std::size_t> corners;
-  std::vector<std::array<Id, 2>> places; // site, place
-  bool isCurved = true;
-  for (std::size_t i = 0; i < this->Corners.size(); ++i)
+  std::vector<Unknown> unknown;
+  for (const Id i : InTurn(static_cast<Id>(this->Corners.size())))
   {
-    if (!this->IsKnown(this->AtVertices, static_cast<vtkIdType>(i)))
+    if (!this->IsKnown(this->AtVertices, i))
     {
-      corners.push_back(i);
-      needed[this->Corners[i]] = 0;
-      isCurved = isCurved && this->IsOnCurve(this->Corners[i]);
+      unknown.push_back({ i, true });
     }
   }
   for (const Id i : InTurn(static_cast<Id>(this->Sites.size())))
   {
-    const Site& site = this->Sites[i];
-    for (Id place = 0; place < PlacesOfSite; ++place)
+    bool isKnown = true;
+    for (int place = 0; place < PlacesOfSite; ++place)
     {
-      if ((site.Used & 1 << place) && !this->IsKnown(this->AtSites, PlacesOfSite * i + place))
-      {
-        places.push_back({ { i, place } });
-        isCurved = isCurved && site.IsCurved;
-        for (int k = 0; k < site.GetSize(); ++k)
-        {
-          needed[site.Corners[k]] = 0;
-        }
-      }
+      isKnown = isKnown && !this->IsUnknown(i, place);
+    }
+    if (!isKnown)
+    {
+      unknown.push_back({ i, false });
     }
   }
-  if (corners.empty() && places.empty())
+  const ContinuedArray& points = this->Criteria.GetCoordinates();
+  const auto getPoint = [&](const Unknown& of)
   {
-    return;
+    const Id vertex = of.IsCorner ? this->Corners[of.Number] : this->Sites[of.Number].Corners[0];
+    return points.Get(this->Carriers[vertex][0]);
+  };
+  Box box;
+  for (const Unknown& of : InTurn(unknown))
+  {
+    box.Add(getPoint(of));
+  }
+  const Buffer<vtkIdType> order = SortAlongCurve(static_cast<vtkIdType>(unknown.size()), box,
+    [&](vtkIdType i, double* x) { std::copy_n(getPoint(unknown[i]), 3, x); });
+  std::vector<Unknown> sorted(unknown.size());
+  ForEach(order.size(), [&](vtkIdType i) { sorted[i] = unknown[order[i]]; });
+  return sorted;
+}
+
+/// Finds all limits that are not known yet, a batch at a time: rows to the places of an edge take
+/// some 15 KB.
+template <typename Id>
+void RedGreenErrors<Id>::FindOtherLimits(const RedGreen<Id>& state, const Buffer<double>& control)
+{
+  const std::vector<Unknown> unknown = this->FindUnknown();
+  const std::size_t most = std::max(LimitBatches::Least, unknown.size() / LimitBatches::Most + 1);
+  for (std::size_t begin = 0; begin < unknown.size(); begin += most)
+  {
+    const Unknown* first = unknown.data() + begin;
+    this->FindLimitsOf({ first, first + std::min(most, unknown.size() - begin) }, state, control);
+  }
+}
+
+/// The vertex at a place of a site whose corners have the numbers `at`.
+template <typename Id>
+Id RedGreenErrors<Id>::GetVertexAt(const Site& site, int place, const std::array<Id, 4>& at,
+  Numbering& numbering, PairTable<Id>& middles) const
+{
+  const auto getMiddle = [&](Id a, Id b) { return this->GetMiddle(a, b, numbering, middles); };
+  if (site.GetSize() == 2)
+  {
+    const Id middle = getMiddle(at[0], at[1]);
+    return place == 1 ? middle : getMiddle(middle, at[place / 2]);
+  }
+  if (site.GetSize() == 3)
+  {
+    const Id first = getMiddle(at[place], at[(place + 1) % 3]);
+    return getMiddle(first, getMiddle(at[place], at[(place + 2) % 3]));
+  }
+  const Id first = getMiddle(at[0], at[1]);
+  return getMiddle(first, getMiddle(at[2], at[3]));
+}
+
+template <typename Id>
+void RedGreenErrors<Id>::FindLimitsOf(
+  const Row<Unknown>& batch, const RedGreen<Id>& state, const Buffer<double>& control)
+{
+  Buffer<Id> needed(state.GetNumberOfVertices(), Id(-1));
+  bool isCurved = true;
+  for (const Unknown& of : InTurn(batch))
+  {
+    if (of.IsCorner)
+    {
+      needed[this->Corners[of.Number]] = 0;
+      isCurved = isCurved && this->IsOnCurve(this->Corners[of.Number]);
+      continue;
+    }
+    const Site& site = this->Sites[of.Number];
+    isCurved = isCurved && site.IsCurved;
+    for (int k = 0; k < site.GetSize(); ++k)
+    {
+      needed[site.Corners[k]] = 0;
+    }
   }
   Numbering numbering = this->NumberVertices(state, std::move(needed));
   PairTable<Id> middles;
-  const auto getMiddle = [&](Id a, Id b) { return this->GetMiddle(a, b, numbering, middles); };
-  std::vector<Id> found; // the vertices at places
-  for (const auto& [i, place] : places)
+  std::vector<std::pair<Id, double*>> found; // vertices, and where their limits belong
+  const vtkIdType size = this->Components;
+  for (const Unknown& of : InTurn(batch))
   {
-    const Site& site = this->Sites[i];
+    if (of.IsCorner)
+    {
+      found.emplace_back(
+        numbering.Numbers[this->Corners[of.Number]], this->AtVertices.data() + size * of.Number);
+      continue;
+    }
+    const Site& site = this->Sites[of.Number];
     std::array<Id, 4> at{};
     for (int k = 0; k < site.GetSize(); ++k)
     {
       at[k] = numbering.Numbers[site.Corners[k]];
     }
-    if (site.GetSize() == 2)
+    for (int place = 0; place < PlacesOfSite; ++place)
     {
-      const Id middle = getMiddle(at[0], at[1]);
-      found.push_back(place == 1 ? middle : getMiddle(middle, at[place / 2]));
-    }
-    else if (site.GetSize() == 3)
-    {
-      found.push_back(getMiddle(
-        getMiddle(at[place], at[(place + 1) % 3]), getMiddle(at[place], at[(place + 2) % 3])));
-    }
-    else
-    {
-      found.push_back(getMiddle(getMiddle(at[0], at[1]), getMiddle(at[2], at[3])));
+      if (this->IsUnknown(of.Number, place))
+      {
+        found.emplace_back(this->GetVertexAt(site, place, at, numbering, middles),
+          this->AtSites.data() + size * (PlacesOfSite * vtkIdType(of.Number) + place));
+      }
     }
   }
   Buffer<unsigned char> wanted(
     state.GetNumberOfInputVertices() + static_cast<vtkIdType>(numbering.Midpoints.size()), 0);
-  for (const Id vertex : found)
+  for (const auto& [vertex, to] : found)
   {
     wanted[vertex] = 1;
   }
-  for (const std::size_t i : corners)
-  {
-    wanted[numbering.Numbers[this->Corners[i]]] = 1;
-  }
   const LocalLimit<Id> limit =
     this->Limit.MakeOperator(numbering.Midpoints, wanted, nullptr, isCurved && !this->OfAttribute);
-  const vtkIdType size = this->Components;
   Buffer<double> limits(limit.GetNumberOfRows() * size);
   limit.Apply(control.data(), limits.data(), this->Components);
-  for (const std::size_t i : corners)
+  for (const auto& [vertex, to] : found)
   {
-    std::copy_n(limits.data() + size * numbering.Numbers[this->Corners[i]], size,
-      this->AtVertices.data() + size * static_cast<vtkIdType>(i));
-  }
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    std::copy_n(limits.data() + size * found[i], size,
-      this->AtSites.data() + size * (PlacesOfSite * vtkIdType(places[i][0]) + places[i][1]));
+    std::copy_n(limits.data() + size * vertex, size, to);
   }
 }
 

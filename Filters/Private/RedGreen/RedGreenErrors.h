@@ -13,10 +13,22 @@
 #include "Private/RedGreen/RefinementMarks.h"
 
 #include <array>
+#include <deque>
 #include <vector>
 
 namespace subdivision
 {
+
+/// How many limits are found at a time, and what they take then.
+struct LimitBatches
+{
+  static inline std::size_t Least = 8192; ///< corners and sites; tests change it
+  /// To find the part of the mesh that a batch depends on takes a look at all of it.
+  static constexpr std::size_t Most = 128;
+  /// For each candidate that is a tetrahedron: its edges with their places, and the rows of a
+  /// batch.
+  static constexpr double BytesOfTet = 1000.;
+};
 
 template <typename Id>
 class RedGreenErrors
@@ -91,6 +103,13 @@ private:
     std::vector<std::array<Id, 2>> Midpoints;
   };
 
+  /// A corner of samples, or a site, by its number.
+  struct Unknown
+  {
+    Id Number;
+    bool IsCorner;
+  };
+
   void FindCurved(const SimplicialComplex<Id>& complex, const Strata<Id>& strata);
   void FindCarriers(const RedGreen<Id>& state);
   bool IsCurved(const Carrier& carrier) const;
@@ -120,10 +139,16 @@ private:
   void FindLimits(const RedGreen<Id>& state);
   void FindLimitsInSheets(const RedGreen<Id>& state, const Buffer<double>& control);
   void FindOtherLimits(const RedGreen<Id>& state, const Buffer<double>& control);
+  std::vector<Unknown> FindUnknown() const;
+  void FindLimitsOf(
+    const Row<Unknown>& batch, const RedGreen<Id>& state, const Buffer<double>& control);
+  Id GetVertexAt(const Site& site, int place, const std::array<Id, 4>& at, Numbering& numbering,
+    PairTable<Id>& middles) const;
   Numbering NumberVertices(const RedGreen<Id>& state, Buffer<Id>&& needed) const;
   Id GetMiddle(Id a, Id b, Numbering& numbering, PairTable<Id>& middles) const;
   Buffer<double> GetControlValues() const;
   bool IsKnown(const Buffer<double>& values, vtkIdType place) const;
+  bool IsUnknown(Id site, int place) const;
   const double* AtCorner(Id vertex) const
   {
     return this->AtVertices.data() + this->Components * vtkIdType(this->NumberOfCorner[vertex]);
@@ -150,8 +175,8 @@ private:
   Buffer<double> Errors;          ///< of edges
   std::vector<SidesOfEdge> Sides; ///< of edges
   Id NumberOfEdges = 0;
-  std::vector<Site> Sites;
-  std::vector<Sample> Samples;
+  std::deque<Site> Sites; ///< these two are large, and grow without a copy
+  std::deque<Sample> Samples;
   Buffer<Id> NumberOfCorner; ///< of each vertex of the state that is a corner of a sample
   std::vector<Id> Corners;   ///< these vertices
   Buffer<double> AtVertices; ///< the limits at these corners

@@ -96,7 +96,13 @@ void RedGreenRun::FindLimit()
   // Connectivity, offset, type, our own arrays, what refinement keeps; a point for five cells.
   const double perCell = 41. + 18. + 130. + GetBytesPerTuple(this->Input->GetCellData()) +
     (this->Points->GetBytesPerPoint() + 40.) / 5.;
-  const double fitting = GetAvailableMemory() / perCell;
+  // In the first round, which has most candidates, errors of all of them are found.
+  const RefinementOptions& criteria = this->Options.Criteria;
+  const double ofErrors = criteria.Attribute && criteria.AttributeErrorOfLimit
+    ? LimitBatches::BytesOfTet *
+      static_cast<double>(this->Mesh.Control.Cells.Simplices.GetNumberOfSimplices())
+    : 0.;
+  const double fitting = std::max(0., GetAvailableMemory() - ofErrors) / perCell;
   const auto wanted = static_cast<double>(this->Options.MaximumNumberOfCells);
   this->MemoryIsLimit = fitting < wanted;
   this->MostCells = std::min(fitting, wanted);

@@ -162,10 +162,10 @@ bool RedGreenRun::RunRounds(SharedState<Id>& shared, const RedGreenLimit<Id>& li
     }
     if (round > 0 || !this->Mesh.Midpoints.empty())
     {
-      const Marks<Id> more =
+      Marks<Id> more =
         this->FindMarksOf(ChangedCandidates<Id>(this->Mesh, *state, options.MaximumLevel), *state,
           errors.get(), notes);
-      marks.insert(marks.end(), more.begin(), more.end());
+      marks.empty() ? marks.swap(more) : void(marks.insert(marks.end(), more.begin(), more.end()));
     }
     if (this->Others ? this->Others->Sum(static_cast<vtkIdType>(marks.size())) == 0 : marks.empty())
     {

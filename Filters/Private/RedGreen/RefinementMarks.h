@@ -10,6 +10,7 @@
 #include "Private/Criteria/RefinementCriteria.h"
 #include "Private/RedGreen/RedGreenMesh.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -220,12 +221,22 @@ private:
       }
     };
     ForRangesOfBlocks(static_cast<vtkIdType>(found.size()), blocks);
+    std::size_t size = marks.size();
     for (const Found& part : found)
+    {
+      size += part.Marks.size();
+    }
+    if (size > marks.capacity()) // at once: to grow a long list copies it without a stop
+    {
+      marks.reserve(std::max(size, 2 * marks.capacity()));
+    }
+    for (Found& part : found)
     {
       marks.insert(marks.end(), part.Marks.begin(), part.Marks.end());
       notes.WithoutValue.insert(
         notes.WithoutValue.end(), part.Notes.WithoutValue.begin(), part.Notes.WithoutValue.end());
       notes.TooShort += part.Notes.TooShort;
+      part = Found();
       BetweenLoops::Act();
     }
   }

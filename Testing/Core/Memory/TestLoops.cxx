@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Loops: every element once, and BetweenLoops acts within long ones, where it may end them.
 #include "Core/Memory/Buffer.h"
+#include "Core/Memory/UnevenRanges.h"
+
+#include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 using namespace subdivision;
@@ -71,6 +76,35 @@ TEST(Loops, LongOnesActInBetween)
   }
   ForEachInTurn(10 * BetweenLoops::TurnsBetween, [](vtkIdType) {});
   EXPECT_EQ(acts, 10) << "it lives no more";
+  BetweenLoops::SecondsBetween = seconds;
+}
+
+TEST(Loops, UnevenOnesVisitEachOnceAndActInBetween)
+{
+  const double seconds = BetweenLoops::SecondsBetween;
+  BetweenLoops::SecondsBetween = 0.;
+  for (const vtkIdType size : { 0, 1, 16, 33, 1000 })
+  {
+    std::vector<unsigned char> times(static_cast<std::size_t>(size), 0);
+    subdivision::ForUnevenRanges(size,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          ++times[i];
+        }
+      });
+    EXPECT_EQ(std::count(times.begin(), times.end(), 1), size);
+  }
+  int acts = 0;
+  {
+    const BetweenLoops between([&acts] { ++acts; });
+    const auto sleep = [](vtkIdType, vtkIdType)
+    { std::this_thread::sleep_for(std::chrono::milliseconds(60)); };
+    const int ranges = 4 * vtkSMPTools::GetEstimatedNumberOfThreads();
+    subdivision::ForUnevenRanges(16 * ranges, sleep);
+    EXPECT_GE(acts, 4) << "each range takes longer than threads go on without a stop";
+  }
   BetweenLoops::SecondsBetween = seconds;
 }
 

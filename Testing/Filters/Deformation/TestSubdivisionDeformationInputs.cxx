@@ -5,9 +5,11 @@
  */
 #include "SubdivisionDeformationTools.h"
 
+#include "Private/Deformation/EmbeddedPoints.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include <limits>
+#include <utility>
 
 using namespace deformation_tools;
 
@@ -463,4 +465,20 @@ TEST(SubdivisionDeformationInputs, TrianglesInAPlaneHoldAnImage)
     ExpectOneWarning(filter, "1 of 60 points, the first is point 7, are not inside");
     EXPECT_EQ(GetPoint(left, 7), GetPoint(above, 7));
   }
+}
+
+/// As many as rows have numbers for; in fact 2^31.
+TEST(SubdivisionDeformationInputs, TooManyPointsForTheNearest)
+{
+  using subdivision::EmbeddedPoints;
+  const Grid cage = MakeKuhnBox(2);
+  const Grid input = MakeGrid({ { 4, 1, 1 }, { 5, 1, 1 }, { 1, -7, 1.2 } }, {});
+  const vtkIdType most = std::exchange(EmbeddedPoints::MostOthers, input->GetNumberOfPoints() - 1);
+  Deformer filter;
+  filter->SetOutsidePointsToNearest();
+  ExpectUntouched(filter.Run(input, cage, Moved(cage, Affine)), input);
+  ExpectOneError(filter, "which is too many to find the nearest place for each");
+  EmbeddedPoints::MostOthers = most;
+  filter.Run(input, cage, Moved(cage, Affine));
+  ExpectOneWarning(filter, "3 of 3 points");
 }

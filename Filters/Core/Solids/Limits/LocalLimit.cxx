@@ -2,6 +2,8 @@
 #include "Core/Solids/Limits/LocalLimit.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Selection.h"
+#include "Core/Operators/BlockOperator.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/LocalVertices.h"
 #include "Core/Solids/Limits/Restriction.h"
@@ -86,7 +88,8 @@ private:
   void FollowParts(const Restriction<LevelType>& restriction, Piece& piece) const;
   static SemiSharpStages<Id> RefineCreases(Piece& part, const SimplicialComplex<Id>& children);
   static void TakeOperators(Piece& part, const Buffer<unsigned char>& edgesInside, Trace& trace);
-  static void AppendRow(const Trace& trace, vtkIdType row, ExplicitRows<Id>& rows);
+  static SparseRows<Id> MakeRows(const Trace& trace, const Buffer<Id>& vertices);
+  static SparseRows<Id> MakeCopies(const Buffer<Id>& vertices);
   bool FollowBack(std::vector<Trace>& traces, Id columns, std::vector<Step>& steps) const;
 
   LocalVertices<Id>& Vertices;
@@ -254,12 +257,13 @@ void LocalLimit<Id>::Builder<LevelType>::TakeOperators(
   const vtkIdType edges = complex.NumberOfEdges;
   const vtkIdType centres = SchemeOf<LevelType>::CountCentres(part.Level);
   trace.Whole = Buffer<unsigned char>(vertices + edges + centres, 1); // centres have all vertices
-  std::copy(part.Whole.begin(), part.Whole.end(), trace.Whole.begin());
-  for (vtkIdType e = 0; e < edges; ++e)
-  {
-    const Id* ends = complex.EdgeVertices.data() + 2 * e;
-    trace.Whole[vertices + e] = edgesInside[e] && (part.Whole[ends[0]] || part.Whole[ends[1]]);
-  }
+  CopyInThreads(part.Whole.data(), vertices, trace.Whole.data());
+  ForEach(edges,
+    [&](vtkIdType e)
+    {
+      const Id* ends = complex.EdgeVertices.data() + 2 * e;
+      trace.Whole[vertices + e] = edgesInside[e] && (part.Whole[ends[0]] || part.Whole[ends[1]]);
+    });
   const std::vector<SharpRow> rows =
     part.Creases.ListParts(complex, std::numeric_limits<double>::infinity()).GetRows();
   if (!rows.empty())
@@ -273,7 +277,7 @@ void LocalLimit<Id>::Builder<LevelType>::TakeOperators(
     LevelType sharp;
     TakeSpokes(part.Level, part.Creases.Stages.front(), sharp);
     sharp.Complex.EdgeVertices = Buffer<Id>(2 * edges);
-    std::copy_n(complex.EdgeVertices.begin(), 2 * edges, sharp.Complex.EdgeVertices.begin());
+    CopyInThreads(complex.EdgeVertices.data(), 2 * edges, sharp.Complex.EdgeVertices.data());
     sharp.Strata = std::move(part.Creases.Stages.front().Strata);
     trace.Sharp = TakeStencils(sharp);
   }
@@ -316,40 +320,64 @@ bool LocalLimit<Id>::Builder<LevelType>::Build(const LevelType& control,
     current.Level = LevelType(); // nothing reads it any more
     Trace& next = traces[l + 1];
     next.Columns = Buffer<Id>(old.size());
-    std::copy(old.begin(), old.end(), next.Columns.begin());
+    CopyInThreads(old.data(), old.size(), next.Columns.data());
     current.Level = Refine(part.Level, Depth::ForRefinement);
     current.Creases = RefineCreases(part, current.Level.Complex);
     this->FollowParts(restriction, current);
     TakeOperators(part, restriction.FlagEdgesInside(), next);
     current.Whole = Buffer<unsigned char>(next.Whole.size());
-    std::copy(next.Whole.begin(), next.Whole.end(), current.Whole.begin());
+    CopyInThreads(next.Whole.data(), next.Whole.size(), current.Whole.data());
     level = &current.Level;
     levelCreases = &current.Creases;
   }
   return this->FollowBack(traces, control.Complex.NumberOfVertices, steps);
 }
 
-/// A row that leads to a level, with columns on the level before.
+/// The rows of some vertices of a level, with columns on the level before.
 template <typename Id>
 template <typename LevelType>
-void LocalLimit<Id>::Builder<LevelType>::AppendRow(
-  const Trace& trace, vtkIdType row, ExplicitRows<Id>& rows)
+SparseRows<Id> LocalLimit<Id>::Builder<LevelType>::MakeRows(
+  const Trace& trace, const Buffer<Id>& vertices)
 {
-  const std::size_t begin = rows.Columns.size();
-  const double sharp = trace.Weights.empty() ? 0. : trace.Weights[row];
-  if (sharp < 1.)
+  const auto append = [&](vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
   {
-    trace.Smooth.AppendRow(row, 1. - sharp, rows);
-  }
-  if (sharp > 0.)
-  {
-    trace.Sharp.AppendRow(row, sharp, rows);
-  }
-  for (std::size_t k = begin; k < rows.Columns.size(); ++k)
-  {
-    rows.Columns[k] = trace.Columns[rows.Columns[k]];
-  }
-  rows.Offsets.push_back(static_cast<Id>(rows.Columns.size()));
+    ExplicitRows<Id> entries;
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const Id row = vertices[i];
+      const double sharp = trace.Weights.empty() ? 0. : trace.Weights[row];
+      entries.Columns.clear();
+      entries.Weights.clear();
+      if (sharp < 1.)
+      {
+        trace.Smooth.AppendRow(row, 1. - sharp, entries);
+      }
+      if (sharp > 0.)
+      {
+        trace.Sharp.AppendRow(row, sharp, entries);
+      }
+      for (std::size_t k = 0; k < entries.Columns.size(); ++k)
+      {
+        rows.Add(trace.Columns[entries.Columns[k]], entries.Weights[k]);
+      }
+      rows.EndRow();
+    }
+  };
+  return BlockOperator<Id>(0, vertices.size(), append).Store(); // FollowBack knows the columns
+}
+
+/// Rows that copy some vertices.
+template <typename Id>
+template <typename LevelType>
+SparseRows<Id> LocalLimit<Id>::Builder<LevelType>::MakeCopies(const Buffer<Id>& vertices)
+{
+  SparseRows<Id> rows;
+  rows.Offsets = Buffer<Id>(vertices.size() + 1);
+  ForEach(rows.Offsets.size(), [&](vtkIdType i) { rows.Offsets[i] = static_cast<Id>(i); });
+  rows.Columns = Buffer<Id>(vertices.size());
+  CopyInThreads(vertices.data(), vertices.size(), rows.Columns.data());
+  rows.Weights = Buffer<double>(vertices.size(), 1.);
+  return rows;
 }
 
 /// Keeps the rows that the limits need, level by level. Returns false if one of them lacks entries.
@@ -358,97 +386,66 @@ template <typename LevelType>
 bool LocalLimit<Id>::Builder<LevelType>::FollowBack(
   std::vector<Trace>& traces, Id columns, std::vector<Step>& steps) const
 {
-  auto copy = [](const auto& from)
-  {
-    Buffer<std::decay_t<decltype(from[0])>> to(static_cast<vtkIdType>(from.size()));
-    std::copy(from.begin(), from.end(), to.begin());
-    return to;
-  };
   steps.clear();
   steps.resize(traces.size());
   for (std::size_t l = traces.size(); l-- > 0;)
   {
-    // The columns that are read on this level, in ascending order, and their new numbers.
+    // The vertices that are read on this level, in ascending order, and their new numbers.
     SparseRows<Id>& limits = traces[l].Limits;
-    Buffer<Id> numbers(limits.NumberOfColumns, -1);
+    Buffer<unsigned char> isRead(limits.NumberOfColumns, 0);
     LimitTangents<Id>& tangents = traces[l].Tangents;
     ShadingFacets<Id>& facets = tangents.Shading;
     const auto forFacets = [&facets](const auto& act)
     {
       for (std::vector<Id>* vertices : { &facets.Triangles, &facets.Lines, &facets.Points })
       {
-        for (Id& vertex : *vertices)
+        for (Id& vertex : InTurn(*vertices))
         {
           vertex < 0 ? void() : act(vertex);
         }
       }
     };
-    forFacets([&numbers](Id vertex) { numbers[vertex] = 0; });
-    for (const Buffer<Id>* read :
-      { &limits.Columns, &tangents.First.Columns, &tangents.Second.Columns })
-    {
-      for (const Id column : *read)
-      {
-        numbers[column] = 0;
-      }
-    }
+    forFacets([&isRead](Id vertex) { isRead[vertex] = 1; });
     const bool isLast = l + 1 == traces.size();
-    for (Id column : isLast
-        ? Row<Id>()
-        : Row<Id>{ steps[l + 1].Rows.Columns.begin(), steps[l + 1].Rows.Columns.end() })
+    const auto takeRows = [&isRead](const SparseRows<Id>& rows)
+    { ForEachInTurn(rows.Columns.size(), [&](vtkIdType k) { isRead[rows.Columns[k]] = 1; }); };
+    takeRows(limits);
+    takeRows(tangents.First);
+    takeRows(tangents.Second);
+    isLast ? void() : takeRows(steps[l + 1].Rows);
+    const Selection<Id> kept(isRead);
+    const auto lacks = [&](Id vertex) { return !traces[l].Whole[vertex]; };
+    if (l > 0 && std::any_of(kept.Old.begin(), kept.Old.end(), lacks))
     {
-      numbers[column] = 0;
+      return false;
     }
-    ExplicitRows<Id> rows;
-    Id count = 0;
-    for (vtkIdType v = 0; v < numbers.size(); ++v)
+    const auto renumber = [&](SparseRows<Id>& to)
     {
-      if (numbers[v] < 0)
-      {
-        continue;
-      }
-      numbers[v] = count++;
-      if (l == 0)
-      {
-        rows.Columns.push_back(static_cast<Id>(v));
-        rows.Weights.push_back(1.);
-        rows.Offsets.push_back(count);
-        continue;
-      }
-      if (!traces[l].Whole[v])
-      {
-        return false;
-      }
-      AppendRow(traces[l], v, rows);
-    }
-    auto renumber = [&](SparseRows<Id>& to)
-    {
-      to.NumberOfColumns = count;
-      ForEach(to.Columns.size(), [&](vtkIdType k) { to.Columns[k] = numbers[to.Columns[k]]; });
+      to.NumberOfColumns = static_cast<Id>(kept.Old.size());
+      ForEach(to.Columns.size(), [&](vtkIdType k) { to.Columns[k] = kept.New[to.Columns[k]]; });
     };
     renumber(limits);
     renumber(tangents.First);
     renumber(tangents.Second);
-    forFacets([&numbers](Id& vertex) { vertex = numbers[vertex]; });
+    forFacets([&kept](Id& vertex) { vertex = kept.New[vertex]; });
     for (const auto& [row, vertex] : traces[l].Shaded)
     {
-      if (numbers[vertex] >= 0)
+      if (kept.New[vertex] >= 0)
       {
-        steps[l].Shaded.push_back({ { row, numbers[vertex] } });
+        steps[l].Shaded.push_back({ { row, kept.New[vertex] } });
       }
     }
     if (!isLast)
     {
       renumber(steps[l + 1].Rows);
     }
+    steps[l].Rows = l == 0 ? MakeCopies(kept.Old) : MakeRows(traces[l], kept.Old);
     // Final for level 0; renumber() sets it for the others in the next pass.
     steps[l].Rows.NumberOfColumns = columns;
-    steps[l].Rows.Offsets = copy(rows.Offsets);
-    steps[l].Rows.Columns = copy(rows.Columns);
-    steps[l].Rows.Weights = copy(rows.Weights);
     steps[l].Limits = std::move(limits);
     steps[l].Tangents = std::move(tangents);
     steps[l].Vertices = this->Vertices.GetWanted(l);
+    traces[l] = Trace();
   }
   return true;
 }

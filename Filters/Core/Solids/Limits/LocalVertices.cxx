@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -25,10 +24,8 @@ void ForDiagonals(const Level<Id>&, const Act&)
 template <typename Id, typename Act>
 void ForDiagonals(const TetOctLevel<Id>& level, const Act& act)
 {
-  for (vtkIdType d = 0; d < 3 * vtkIdType(level.NumberOfOctahedra); ++d)
-  {
-    act(level.OctVertices.data() + 2 * d, static_cast<Id>(d / 3));
-  }
+  ForEachInTurn(3 * vtkIdType(level.NumberOfOctahedra),
+    [&](vtkIdType d) { act(level.OctVertices.data() + 2 * d, static_cast<Id>(d / 3)); });
 }
 
 }
@@ -44,9 +41,13 @@ LocalVertices<Id>::LocalVertices(
   this->Wanted.resize(this->Born.size());
   for (std::size_t level = 0; level < this->Born.size(); ++level)
   {
-    std::copy_if(this->Born[level].begin(), this->Born[level].end(),
-      std::back_inserter(this->Wanted[level]),
-      [&wanted](Id vertex) { return wanted.empty() || wanted[vertex]; });
+    for (const Id vertex : InTurn(this->Born[level]))
+    {
+      if (wanted.empty() || wanted[vertex])
+      {
+        this->Wanted[level].push_back(vertex);
+      }
+    }
   }
 }
 
@@ -59,7 +60,7 @@ void LocalVertices<Id>::FindLevels()
   {
     this->Born[0].push_back(v);
   }
-  for (std::size_t i = 0; i < this->Midpoints.size(); ++i)
+  for (const std::size_t i : InTurn(this->Midpoints.size()))
   {
     const Id vertex = this->First + static_cast<Id>(i);
     const auto [a, b] = this->Midpoints[i];
@@ -91,11 +92,11 @@ void LocalVertices<Id>::FindAncestors()
         ancestors.push_back(vertex);
       }
     };
-    for (Id vertex : this->Ancestors[level + 1])
+    for (const Id vertex : InTurn(this->Ancestors[level + 1]))
     {
       add(vertex);
     }
-    for (Id vertex : this->Born[level + 1])
+    for (const Id vertex : InTurn(this->Born[level + 1]))
     {
       add(this->GetEnds(vertex)[0]);
       add(this->GetEnds(vertex)[1]);
@@ -151,10 +152,8 @@ Buffer<unsigned char> LocalVertices<Id>::FlagSupport(const LevelType& part,
         }
       }
     };
-    for (vtkIdType e = 0; e < complex.NumberOfEdges; ++e)
-    {
-      spread(complex.EdgeVertices.data() + 2 * e, [&](Id v) { return curved.Joins(e, v); });
-    }
+    ForEachInTurn(complex.NumberOfEdges, [&](vtkIdType e)
+      { spread(complex.EdgeVertices.data() + 2 * e, [&](Id v) { return curved.Joins(e, v); }); });
     ForDiagonals(part, [&](const Id* ends, Id)
       { spread(ends, [&](Id v) { return curved.IsAll() || curved.ReadsSolids[v]; }); });
   }

@@ -43,7 +43,7 @@ void FlagParts(
 Buffer<unsigned char> Copy(const Buffer<unsigned char>& flags)
 {
   Buffer<unsigned char> copy(flags.size());
-  std::copy(flags.begin(), flags.end(), copy.begin());
+  CopyInThreads(flags.data(), flags.size(), copy.data());
   return copy;
 }
 
@@ -84,23 +84,25 @@ CurvedParts<LevelType>::CurvedParts(const LevelType& level)
         this->ReadsSolids[v] = 1;
       }
     });
-  for (vtkIdType e = 0; e < strata.Edges.size(); ++e)
-  {
-    if (isFlat(strata.Edges[e]) && goesInside(strata.EdgeRings, e, this->Faces))
+  ForEachInTurn(strata.Edges.size(),
+    [&](vtkIdType e)
     {
-      this->ReadsSolids[complex.EdgeVertices[2 * e]] = 1;
-      this->ReadsSolids[complex.EdgeVertices[2 * e + 1]] = 1;
-    }
-  }
+      if (isFlat(strata.Edges[e]) && goesInside(strata.EdgeRings, e, this->Faces))
+      {
+        this->ReadsSolids[complex.EdgeVertices[2 * e]] = 1;
+        this->ReadsSolids[complex.EdgeVertices[2 * e + 1]] = 1;
+      }
+    });
   const auto addVertices = [&](const Buffer<Stratum>& of, const Buffer<Id>& vertices, int corners)
   {
-    for (vtkIdType i = 0; i < of.size(); ++i)
-    {
-      for (int k = 0; isBlend(of[i]) && k < corners; ++k)
+    ForEachInTurn(of.size(),
+      [&](vtkIdType i)
       {
-        this->ReadsSolids[vertices[corners * i + k]] = 1;
-      }
-    }
+        for (int k = 0; isBlend(of[i]) && k < corners; ++k)
+        {
+          this->ReadsSolids[vertices[corners * i + k]] = 1;
+        }
+      });
   };
   addVertices(strata.Edges, complex.EdgeVertices, 2);
   addVertices(strata.Faces, complex.FaceVertices, 3);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Location/SimplexTree.h"
 
-#include "Core/Memory/Sorting.h"
-#include "Core/Solids/Location/MortonCode.h"
+#include "Core/Solids/Location/CurveOrder.h"
 #include "Core/Solids/Location/TetFrame.h"
 
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 namespace subdivision
@@ -15,19 +13,6 @@ namespace
 {
 
 using namespace vectors;
-
-/// The Morton code of a point, whose coordinates are rounded to 21 bits.
-std::uint64_t Interleave(const double x[3], const double low[3], const double scale[3])
-{
-  constexpr double cells = 2097151.;
-  std::uint64_t places[3];
-  for (int c = 0; c < 3; ++c)
-  {
-    const double place = (x[c] - low[c]) * scale[c] * cells;
-    places[c] = place > 0. ? static_cast<std::uint64_t>(std::min(place, cells)) : 0;
-  }
-  return GetMortonCode(places);
-}
 
 /// Finds the weights of the point of a simplex of `count` corners that is nearest to x; returns the
 /// squared distance.
@@ -131,10 +116,13 @@ SimplexTree::SimplexTree(const double* points, int corners, const Buffer<int>& i
   : Points(points)
   , Corners(corners)
   , Ids(ids.data())
-  , Order(ids.size() / corners)
 {
-  this->Sort();
+  this->Sort(ids.size() / corners);
   this->MakeBoxes();
+  if (corners == 3)
+  {
+    this->MakeSlabs();
+  }
 }
 
 void SimplexTree::GetPoints(vtkIdType simplex, const double* corners[4]) const
@@ -146,82 +134,37 @@ void SimplexTree::GetPoints(vtkIdType simplex, const double* corners[4]) const
   }
 }
 
-SimplexTree::Box SimplexTree::GetBox(vtkIdType simplex) const
+Box SimplexTree::GetBox(vtkIdType simplex) const
 {
   const double* corners[4];
   this->GetPoints(simplex, corners);
   Box box;
-  for (int c = 0; c < 3; ++c)
+  for (int i = 0; i < this->Corners; ++i)
   {
-    box.Low[c] = box.High[c] = corners[0][c];
-    for (int i = 1; i < this->Corners; ++i)
-    {
-      box.Low[c] = std::min(box.Low[c], corners[i][c]);
-      box.High[c] = std::max(box.High[c], corners[i][c]);
-    }
+    box.Add(corners[i]);
   }
   return box;
 }
 
-void SimplexTree::Sort()
+void SimplexTree::Sort(vtkIdType size)
 {
-  const vtkIdType size = this->Order.size();
   Box all;
-  for (int c = 0; c < 3; ++c)
-  {
-    all.Low[c] = std::numeric_limits<double>::infinity();
-    all.High[c] = -all.Low[c];
-  }
-  for (const vtkIdType i : InTurn(size * this->Corners))
-  {
-    const double* point = this->Points + 3 * static_cast<vtkIdType>(this->Ids[i]);
-    for (int c = 0; c < 3; ++c)
-    {
-      all.Low[c] = std::min(all.Low[c], point[c]);
-      all.High[c] = std::max(all.High[c], point[c]);
-    }
-  }
-  double scale[3];
-  for (int c = 0; c < 3; ++c)
-  {
-    scale[c] = all.High[c] > all.Low[c] ? 1. / (all.High[c] - all.Low[c]) : 0.;
-  }
-  struct Item
-  {
-    std::uint64_t Code;
-    vtkIdType Simplex;
-    bool operator<(const Item& other) const
-    {
-      return this->Code != other.Code ? this->Code < other.Code : this->Simplex < other.Simplex;
-    }
-  };
-  Buffer<Item> items(size);
-  ForEach(size,
-    [&](vtkIdType i)
+  ForEachInTurn(size * this->Corners,
+    [&](vtkIdType i) { all.Add(this->Points + 3 * static_cast<vtkIdType>(this->Ids[i])); });
+  this->Order = SortAlongCurve(size, all,
+    [this](vtkIdType i, double* middle)
     {
       const Box box = this->GetBox(i);
-      double middle[3];
       for (int c = 0; c < 3; ++c)
       {
         middle[c] = 0.5 * box.Low[c] + 0.5 * box.High[c];
       }
-      items[i] = { Interleave(middle, all.Low, scale), i };
     });
-  StableSort(items, std::less<>());
-  ForEach(size, [&](vtkIdType i) { this->Order[i] = items[i].Simplex; });
 }
 
 /// Boxes are a little wider than what they hold, for the rounding of distances.
 void SimplexTree::MakeBoxes()
 {
-  auto join = [](Box& box, const Box& other)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      box.Low[c] = std::min(box.Low[c], other.Low[c]);
-      box.High[c] = std::max(box.High[c], other.High[c]);
-    }
-  };
   vtkIdType size = this->Order.size();
   while (size > 0 && (this->Levels.empty() || size > 1))
   {
@@ -233,6 +176,7 @@ void SimplexTree::MakeBoxes()
       [&](vtkIdType node)
       {
         const vtkIdType end = std::min(below, (node + 1) * Width);
+        Box all;
         for (vtkIdType i = node * Width; i < end; ++i)
         {
           Box box = children ? (*children)[i] : this->GetBox(this->Order[i]);
@@ -242,15 +186,81 @@ void SimplexTree::MakeBoxes()
             box.Low[c] -= more;
             box.High[c] += more;
           }
-          if (i == node * Width)
-          {
-            boxes[node] = box;
-          }
-          join(boxes[node], box);
+          all.Add(box);
         }
+        boxes[node] = all;
       });
     this->Levels.push_back(std::move(boxes));
   }
+}
+
+void SimplexTree::MakeSlabs()
+{
+  vtkIdType width = Width;
+  const std::size_t levels = std::min(LevelsWithSlabs, this->Levels.size());
+  for (std::size_t level = 0; level < levels; ++level, width *= Width)
+  {
+    Buffer<Slab> slabs(this->Levels[level].size());
+    ForEach(slabs.size(),
+      [&](vtkIdType node)
+      {
+        slabs[node] =
+          this->MakeSlab(node * width, std::min(this->GetNumberOfSimplices(), (node + 1) * width));
+      });
+    this->Slabs.push_back(std::move(slabs));
+  }
+}
+
+/// The slab of triangles [begin, end) along the curve; its normal is the mean of theirs.
+SimplexTree::Slab SimplexTree::MakeSlab(vtkIdType begin, vtkIdType end) const
+{
+  const double* corners[4];
+  Vector sum{};
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    this->GetPoints(this->Order[i], corners);
+    const Vector normal = Cross(Subtract(corners[1], corners[0]), Subtract(corners[2], corners[0]));
+    const double sign = Dot(normal, sum) < 0. ? -1. : 1.; // whichever way it is turned
+    for (int c = 0; c < 3; ++c)
+    {
+      sum[c] += sign * normal[c];
+    }
+  }
+  const double length = std::sqrt(Dot(sum, sum));
+  const bool isKnown = std::isnormal(length);
+  Slab slab{ {}, {}, 0., 0. };
+  this->GetPoints(this->Order[begin], corners);
+  for (int c = 0; c < 3; ++c)
+  {
+    slab.Corner[c] = corners[0][c];
+    slab.Normal[c] = isKnown ? sum[c] / length : 0.;
+  }
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    this->GetPoints(this->Order[i], corners);
+    for (int k = 0; k < this->Corners; ++k)
+    {
+      const Vector from = Subtract(corners[k], slab.Corner);
+      const double height = Dot(from, { slab.Normal[0], slab.Normal[1], slab.Normal[2] });
+      slab.Low = std::min(slab.Low, height);
+      slab.High = std::max(slab.High, height);
+    }
+  }
+  return slab;
+}
+
+double SimplexTree::Slab::GetDistance(const double x[3]) const
+{
+  double height = 0.;
+  double slack = 0.;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double difference = x[c] - this->Corner[c];
+    height += difference * this->Normal[c];
+    slack += std::abs(difference);
+  }
+  const double outside = std::max(this->Low - height, height - this->High);
+  return outside - 1e-9 * (slack + (this->High - this->Low)); // for rounding
 }
 
 struct SimplexTree::Nearest
@@ -258,7 +268,53 @@ struct SimplexTree::Nearest
   const double* X;
   PlaceInSimplex Found;
   double Distance2 = std::numeric_limits<double>::infinity();
+  double Direction[3] = { 0., 0., 0. }; ///< of length 1, to the place that was found
+
+  void Take(vtkIdType simplex, const double* const* corners, int count, const double* weights,
+    double distance2);
+  bool IsNearer(const double* const* corners, int count) const;
 };
+
+void SimplexTree::Nearest::Take(vtkIdType simplex, const double* const* corners, int count,
+  const double* weights, double distance2)
+{
+  this->Distance2 = distance2;
+  this->Found.Simplex = simplex;
+  std::copy(weights, weights + 4, this->Found.Weights);
+  Vector to{ -this->X[0], -this->X[1], -this->X[2] };
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      to[c] += weights[k] * corners[k][c];
+    }
+  }
+  const double length = std::sqrt(Dot(to, to));
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Direction[c] = std::isnormal(length) ? to[c] / length : 0.;
+  }
+}
+
+/// Whether a simplex may be as near as the place that was found, or nearer: false if it lies behind
+/// the plane through this place across the direction to it, by more than rounding.
+bool SimplexTree::Nearest::IsNearer(const double* const* corners, int count) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < count; ++k)
+  {
+    double along = 0.;
+    double slack = 0.;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double difference = corners[k][c] - this->X[c];
+      along += difference * this->Direction[c];
+      slack += std::abs(difference);
+    }
+    least = std::min(least, along - 1e-9 * slack);
+  }
+  return !(least > 0. && least * least > this->Distance2);
+}
 
 double SimplexTree::GetDistance2(const Box& box, const double x[3])
 {
@@ -271,6 +327,18 @@ double SimplexTree::GetDistance2(const Box& box, const double x[3])
   return sum;
 }
 
+/// A square of a distance that no simplex of a node is nearer than.
+double SimplexTree::GetLeastDistance2(std::size_t level, vtkIdType node, const double x[3]) const
+{
+  const double distance2 = GetDistance2(this->Levels[level][node], x);
+  if (level >= this->Slabs.size())
+  {
+    return distance2;
+  }
+  const double ofSlab = std::max(0., this->Slabs[level][node].GetDistance(x));
+  return std::max(distance2, ofSlab * ofSlab);
+}
+
 void SimplexTree::Visit(std::size_t level, vtkIdType node, Nearest& nearest) const
 {
   const vtkIdType below = level > 0 ? this->Levels[level - 1].size() : this->Order.size();
@@ -281,7 +349,7 @@ void SimplexTree::Visit(std::size_t level, vtkIdType node, Nearest& nearest) con
     std::pair<double, vtkIdType> children[Width]; // by distance
     for (vtkIdType i = first; i < end; ++i)
     {
-      const std::pair<double, vtkIdType> child{ GetDistance2(this->Levels[level - 1][i], nearest.X),
+      const std::pair<double, vtkIdType> child{ this->GetLeastDistance2(level - 1, i, nearest.X),
         i };
       vtkIdType at = i - first;
       for (; at > 0 && child < children[at - 1]; --at)
@@ -306,13 +374,15 @@ void SimplexTree::Visit(std::size_t level, vtkIdType node, Nearest& nearest) con
     const double* corners[4];
     double weights[4] = { 0., 0., 0., 0. };
     this->GetPoints(simplex, corners);
+    if (!nearest.IsNearer(corners, this->Corners))
+    {
+      continue;
+    }
     const double distance2 = FindNearestPlace(corners, this->Corners, nearest.X, weights);
     if (distance2 < nearest.Distance2 ||
       (distance2 == nearest.Distance2 && simplex < nearest.Found.Simplex))
     {
-      nearest.Distance2 = distance2;
-      nearest.Found.Simplex = simplex;
-      std::copy(weights, weights + 4, nearest.Found.Weights);
+      nearest.Take(simplex, corners, this->Corners, weights, distance2);
     }
   }
 }

@@ -11,6 +11,7 @@
 #define SubdivisionObjects_SimplexTree_h
 
 #include "Core/Memory/Buffer.h"
+#include "Core/Solids/Location/Box.h"
 
 #include <vector>
 
@@ -40,20 +41,30 @@ public:
   bool FindNearest(const double x[3], PlaceInSimplex& place, double& distance2) const;
 
 private:
-  struct Box
-  {
-    double Low[3];
-    double High[3];
-  };
-  void Sort();
+  struct Nearest;
+  void Sort(vtkIdType size);
   void MakeBoxes();
+  void MakeSlabs();
   Box GetBox(vtkIdType simplex) const;
   void GetPoints(vtkIdType simplex, const double* corners[4]) const;
-  struct Nearest;
   void Visit(std::size_t level, vtkIdType node, Nearest& nearest) const;
   static double GetDistance2(const Box& box, const double x[3]);
 
-  static constexpr vtkIdType Width = 4; ///< children of a node, simplices of a leaf
+  /// Two parallel planes between which all triangles of a node lie. Far from a surface a point has
+  /// nearly the same distance from many boxes, but not from such planes.
+  struct Slab
+  {
+    double Normal[3];
+    double Corner[3]; ///< from which heights count
+    double Low;
+    double High;
+    double GetDistance(const double x[3]) const; ///< no more than that of what lies between
+  };
+  Slab MakeSlab(vtkIdType begin, vtkIdType end) const;
+  double GetLeastDistance2(std::size_t level, vtkIdType node, const double x[3]) const;
+
+  static constexpr std::size_t LevelsWithSlabs = 5; ///< beyond these, nodes are not flat
+  static constexpr vtkIdType Width = 4;             ///< children of a node, simplices of a leaf
 
   const double* Points = nullptr;
   int Corners = 4;
@@ -61,6 +72,7 @@ private:
   Buffer<vtkIdType> Order;         ///< simplices along the curve
   std::vector<Buffer<Box>> Levels; ///< boxes of Width simplices each, then of Width boxes of the
                                    ///< level before each; the last level has one
+  std::vector<Buffer<Slab>> Slabs; ///< of the first levels, for triangles
 };
 
 }

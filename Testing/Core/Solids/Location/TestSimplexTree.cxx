@@ -192,6 +192,71 @@ TEST(CoreSimplexTree, EqualAnswersComeFromTheFirst)
   EXPECT_DOUBLE_EQ(distance2, 9.);
 }
 
+/// Far from a surface nearly all of it is equally near; what the search leaves out is not nearer.
+TEST(CoreSimplexTree, IsExactFarFromASurface)
+{
+  constexpr int n = 24;
+  Mesh sphere;
+  sphere.Corners = 3;
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      const double a = 3.141592653589793 * i / n;
+      const double b = 2. * 3.141592653589793 * j / n;
+      const double r = 1. + 0.05 * std::sin(5. * a) * std::sin(4. * b);
+      for (const double x :
+        { r * std::sin(a) * std::cos(b), r * std::sin(a) * std::sin(b), r * std::cos(a) })
+      {
+        sphere.Points.push_back(x);
+      }
+      const int next = (j + 1) % n;
+      for (const int id : { i * n + j, (i + 1) * n + j, i * n + next, i * n + next, (i + 1) * n + j,
+             (i + 1) * n + next })
+      {
+        i < n ? sphere.Ids.push_back(id) : void();
+      }
+    }
+  }
+  const SimplexTree tree = sphere.MakeTree();
+  std::vector<Buffer<int>> ids;
+  std::vector<SimplexTree> single; // trees of one triangle each
+  for (vtkIdType i = 0; i < sphere.GetSize(); ++i)
+  {
+    ids.emplace_back(3);
+    std::copy_n(sphere.Ids.begin() + 3 * i, 3, ids.back().begin());
+    single.emplace_back(sphere.Points.data(), 3, ids.back());
+  }
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-1., 1.);
+  for (int i = 0; i < 400; ++i)
+  {
+    const double scale = i % 4 == 0 ? 0.01 : i % 4 == 1 ? 0.6 : i % 4 == 2 ? 2. : 1e6;
+    double x[3];
+    std::generate(x, x + 3, [&] { return i == 0 ? 0. : scale * coordinate(random); });
+    PlaceInSimplex place;
+    PlaceInSimplex best;
+    double distance2 = 0.;
+    double least = std::numeric_limits<double>::infinity();
+    ASSERT_TRUE(tree.FindNearest(x, place, distance2));
+    for (std::size_t t = 0; t < single.size(); ++t)
+    {
+      PlaceInSimplex here;
+      double there = 0.;
+      single[t].FindNearest(x, here, there);
+      if (there < least)
+      {
+        least = there;
+        best = here;
+        best.Simplex = static_cast<vtkIdType>(t);
+      }
+    }
+    EXPECT_EQ(place.Simplex, best.Simplex) << i;
+    EXPECT_EQ(distance2, least) << i;
+    EXPECT_TRUE(std::equal(place.Weights, place.Weights + 4, best.Weights)) << i;
+  }
+}
+
 TEST(CoreSimplexTree, FlatCellsAndNoCells)
 {
   const Mesh nothing = { {}, {}, 4, {} };

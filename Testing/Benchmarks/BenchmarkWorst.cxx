@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BenchmarkWorst.cxx
+ * Meshes in which everything is at one vertex or in one cell, in two sizes: twice the size must
+ * take about twice the time.
+ */
+#include "BenchmarkMeshes.h"
+#include "BenchmarkTools.h"
+
+#include "vtkMultiDimensionalSubdivision.h"
+#include "vtkSurfaceSubdivision.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace benchmarks
+{
+namespace
+{
+
+constexpr int Sizes[] = { 5000, 10000 };
+
+using Mesh = vtkSmartPointer<vtkPointSet>;
+
+/// A point below, a point above, and n points of a circle.
+vtkSmartPointer<vtkPoints> MakeCircle(int n)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(0., 0., -1.);
+  points->InsertNextPoint(0., 0., 1.);
+  for (int i = 0; i < n; ++i)
+  {
+    const double angle = 2. * 3.141592653589793 * i / n;
+    points->InsertNextPoint(std::cos(angle), std::sin(angle), 0.);
+  }
+  return points;
+}
+
+/// n tetrahedra around an edge, whose ends have all of them; with a material of each its own.
+Mesh MakeTets(int n, bool hasMaterials)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(MakeCircle(n));
+  grid->Allocate(n);
+  vtkNew<vtkIntArray> materials;
+  materials->SetName("MaterialId");
+  for (int i = 0; i < n; ++i)
+  {
+    const vtkIdType ids[4] = { 0, 1, 2 + i, 2 + (i + 1) % n };
+    grid->InsertNextCell(VTK_TETRA, 4, ids);
+    materials->InsertNextValue(i);
+  }
+  hasMaterials ? void(grid->GetCellData()->AddArray(materials)) : void();
+  return grid;
+}
+
+/// n triangles, or quads of two points of the circle each, around a vertex; with a crease at each
+/// edge there, which has this sharpness.
+Mesh MakeFan(int n, bool ofTriangles, double sharpness = 0.)
+{
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(MakeCircle(ofTriangles ? n : 2 * n));
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Sharpness");
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const vtkIdType next = (i + 1) % n;
+    const vtkIdType triangle[3] = { 1, 2 + i, 2 + next };
+    const vtkIdType quad[4] = { 1, 2 + 2 * i, 3 + 2 * i, 2 + 2 * next };
+    const vtkIdType line[2] = { 1, ofTriangles ? triangle[1] : quad[1] };
+    ofTriangles ? polys->InsertNextCell(3, triangle) : polys->InsertNextCell(4, quad);
+    if (sharpness > 0.)
+    {
+      lines->InsertNextCell(2, line);
+      values->InsertNextValue(sharpness);
+    }
+  }
+  values->Resize(values->GetNumberOfTuples() + n);
+  for (int i = 0; i < n; ++i)
+  {
+    values->InsertNextValue(0.);
+  }
+  mesh->SetPolys(polys);
+  if (sharpness > 0.)
+  {
+    mesh->SetLines(lines);
+    mesh->GetCellData()->AddArray(values);
+  }
+  return mesh;
+}
+
+Mesh MakePolygon(int n)
+{
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(MakeCircle(n));
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell(n);
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    polys->InsertCellPoint(2 + i);
+  }
+  mesh->SetPolys(polys);
+  return mesh;
+}
+
+template <typename Filter>
+Produced Run(Stopwatch& watch, const Mesh& mesh, const std::function<void(Filter*)>& configure)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputDataObject(mesh);
+  filter->SetNumberOfLevels(1);
+  filter->SetCacheOperator(false);
+  configure(filter);
+  watch.Time([&]() { filter->Update(); });
+  auto* output = vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0));
+  return { static_cast<double>(output->GetNumberOfCells()),
+    1024. * static_cast<double>(output->GetActualMemorySize()) };
+}
+
+template <typename Filter>
+void Add(
+  const std::string& name, const std::function<Mesh(int)>& make,
+  const std::function<void(Filter*)>& configure = [](Filter*) {})
+{
+  for (const int size : Sizes)
+  {
+    Register("worst/" + name + "/" + std::to_string(size) + "/levels:1", 1,
+      [=](Stopwatch& watch) { return Run<Filter>(watch, make(size), configure); });
+  }
+}
+
+void RegisterWorst()
+{
+  using Main = vtkMultiDimensionalSubdivision;
+  using Surface = vtkSurfaceSubdivision;
+  const auto tets = [](int n) { return MakeTets(n, false); };
+  Add<Main>("tetrahedra at an edge", tets);
+  Add<Main>("tetrahedra at an edge, tet-oct", tets,
+    [](Main* filter) { filter->SetVolumeSchemeToTetOct(); });
+  Add<Main>("tetrahedra at an edge, limit normals", tets,
+    [](Main* filter)
+    {
+      filter->ProjectToLimitOn();
+      filter->GenerateLimitNormalsOn();
+    });
+  Add<Main>(
+    "materials at an edge", [](int n) { return MakeTets(n, true); },
+    [](Main* filter) { filter->PreserveInterfacesOn(); });
+  Add<Main>(
+    "creases at a vertex", [](int n) { return MakeFan(n, true, 1e9); },
+    [](Main* filter)
+    {
+      filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Sharpness");
+    });
+  Add<Main>("polygon, cut", MakePolygon);
+  const struct
+  {
+    const char* Name;
+    int Kind;
+    bool OfTriangles;
+    bool HasLimits;
+  } schemes[] = {
+    { "Loop", Surface::LOOP, true, true },
+    { "Butterfly", Surface::MODIFIED_BUTTERFLY, true, false },
+    { "sqrt3", Surface::SQRT_THREE, true, true },
+    { "Catmull-Clark", Surface::CATMULL_CLARK, false, true },
+    { "Doo-Sabin", Surface::DOO_SABIN, false, true },
+    { "Midedge", Surface::MIDEDGE, false, true },
+    { "4-8", Surface::FOUR_EIGHT, false, true },
+  };
+  for (const auto& scheme : schemes)
+  {
+    const std::string name = scheme.Name;
+    const int kind = scheme.Kind;
+    const bool ofTriangles = scheme.OfTriangles;
+    const std::function<Mesh(int)> fan = [=](int n) { return MakeFan(n, ofTriangles); };
+    Add<Surface>(name + ", vertex", fan, [=](Surface* filter) { filter->SetScheme(kind); });
+    const bool projects = scheme.HasLimits;
+    Add<Surface>(name + ", vertex, limits", fan,
+      [=](Surface* filter)
+      {
+        filter->SetScheme(kind);
+        filter->SetProjectToLimit(projects);
+        filter->GenerateLimitNormalsOn();
+        filter->GenerateTangentsOn();
+      });
+    if (!ofTriangles)
+    {
+      Add<Surface>(
+        name + ", polygon", MakePolygon, [=](Surface* filter) { filter->SetScheme(kind); });
+      Add<Surface>(name + ", polygon, limits", MakePolygon,
+        [=](Surface* filter)
+        {
+          filter->SetScheme(kind);
+          filter->ProjectToLimitOn();
+          filter->GenerateLimitNormalsOn();
+        });
+    }
+  }
+  Add<Surface>(
+    "Loop, creases at a vertex", [](int n) { return MakeFan(n, true, 1e9); },
+    [](Surface* filter) { filter->GenerateLimitNormalsOn(); });
+  Add<Surface>(
+    "Loop, sharpness left at the limit", [](int n) { return MakeFan(n, true, 3.5); },
+    [](Surface* filter)
+    {
+      filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Sharpness");
+      filter->ProjectToLimitOn();
+    });
+}
+
+const Registration Registered(RegisterWorst);
+
+}
+}
