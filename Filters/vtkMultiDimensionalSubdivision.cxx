@@ -43,6 +43,16 @@ void vtkMultiDimensionalSubdivision::Finish(vtkDataObject* output)
   }
 }
 
+bool vtkMultiDimensionalSubdivision::ComputeOperator(vtkSubdivisionOperator* result)
+{
+  if (this->KeepCellTypes)
+  {
+    vtkErrorMacro("With KeepCellTypes there is no operator to hand out: switch it off.");
+    return false;
+  }
+  return this->FindOperator(result);
+}
+
 vtkIdType vtkMultiDimensionalSubdivision::GetNumberOfTopologyBuilds() const
 {
   return this->Cache->NumberOfBuilds;

@@ -262,6 +262,15 @@ public:
   ///@}
 
   /**
+   * Computes what the filter does to points, as a matrix, with the present options on the present
+   * input, which is updated. Returns false after an error: the input must be a mesh in one piece,
+   * without KeepCellTypes, InterpolatePoints, InterpolateArrays and InterfaceValues.
+   * With CacheOperator an update before has made most of it, and the next one can use it. Points
+   * are numbered as OutputDimensions = ALL_DIMENSIONS numbers them.
+   */
+  bool ComputeOperator(vtkSubdivisionOperator* result);
+
+  /**
    * How often this filter built topology while CacheOperator was on.
    */
   vtkIdType GetNumberOfTopologyBuilds() const;

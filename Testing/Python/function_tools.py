@@ -65,6 +65,56 @@ def state(made):
         [made.GetNumberOfInputConnections(port) for port in range(made.GetNumberOfInputPorts())]
 
 
+class Matrices(unittest.TestCase):
+    """What a filter does to points, by NumPy, and by SciPy where it is installed."""
+
+    def check(self, made):
+        made.Update()
+        before, after = coordinates(made.GetInputDataObject(0, 0)), coordinates(made.GetOutputDataObject(0))
+        matrix = subdivisionobjects.operator_matrix(made)
+        self.assertEqual(matrix.number_of_columns, len(before))
+        np.testing.assert_allclose(matrix.multiply(before), after, rtol=0, atol=1e-14)
+        values = before
+        for factor in subdivisionobjects.operator_factors(made):
+            values = factor.multiply(values)
+        np.testing.assert_array_equal(values, after)
+        try:
+            import scipy.sparse  # noqa: F401
+        except ImportError:
+            return
+        np.testing.assert_allclose(matrix.to_scipy() @ before, after, rtol=0, atol=1e-14)
+        values = before
+        for factor in subdivisionobjects.operator_factors(made):
+            values = factor.to_scipy() @ values
+        np.testing.assert_array_equal(values, after)
+        np.testing.assert_allclose(matrix.to_scipy().sum(axis=1), 1, rtol=0, atol=1e-14)
+
+    def test_matrices_multiply_to_the_output(self):
+        tet = meshes.to_vtk(TET, {"tetra": [[0, 1, 2, 3]], "line": [[3, 0]]})
+        cube = meshes.to_vtk(CUBE, {"quad": SQUARES})
+        for cls, mesh, options in (
+                ("MultiDimensionalSubdivision", tet, {"NumberOfLevels": 3}),
+                ("MultiDimensionalSubdivision", tet, {"NumberOfLevels": 2, "VolumeScheme": 1, "ProjectToLimit": True}),
+                ("SurfaceSubdivision", cube, {"NumberOfLevels": 3, "Scheme": 2}),
+                ("SurfaceSubdivision", cube, {"NumberOfLevels": 0, "Scheme": 2, "ProjectToLimit": True}),
+                ("SurfaceSubdivision", cube, {"NumberOfLevels": 2, "Scheme": 3})):
+            with self.subTest(f"{cls}, {options}"):
+                made = getattr(subdivisionobjects, "vtk" + cls)()
+                made.SetInputDataObject(mesh)
+                for name, value in options.items():
+                    getattr(made, "Set" + name)(value)
+                self.check(made)
+
+    def test_errors(self):
+        made = subdivisionobjects.vtkMultiDimensionalSubdivision()
+        with self.assertRaisesRegex(RuntimeError, "the input is missing"):
+            subdivisionobjects.operator_matrix(made)
+        made.SetInputDataObject(meshes.to_vtk(TET, [[0, 1, 2, 3]]))
+        matrix = subdivisionobjects.operator_matrix(made)
+        with self.assertRaisesRegex(ValueError, "4 values"):
+            matrix.multiply([1., 2.])
+
+
 class Options(unittest.TestCase):
     def test_every_option_reaches_its_filter(self):
         count = 0

@@ -63,6 +63,7 @@ private:
   bool Execute();
   void UseKept(KeptOperator& kept);
   void Keep();
+  void FindFactors() const;
   // The steps of a volume scheme (SolidScheme.h), with its type of ids.
   template <typename Scheme>
   bool Step(typename Scheme::Level& level, KeptOperator* keep);

@@ -41,6 +41,7 @@ bool UniformRun::Run()
     return false;
   }
   this->Write();
+  this->FindFactors();
   this->Keep();
   return true;
 }
