@@ -245,10 +245,8 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   return result;
 }
 
-bool vtkSubdivisionAlgorithm::FindOperator(vtkSubdivisionOperator* found)
+bool vtkSubdivisionAlgorithm::RunAside()
 {
-  *found->Factors = subdivision::MatrixFactors();
-  found->Modified();
   int port = 0;
   vtkAlgorithm* source = this->GetInputAlgorithm(0, 0, port);
   if (source)
@@ -258,27 +256,34 @@ bool vtkSubdivisionAlgorithm::FindOperator(vtkSubdivisionOperator* found)
   auto* input = source ? vtkDataSet::SafeDownCast(source->GetOutputDataObject(port)) : nullptr;
   if (!input || this->SharesRanks())
   {
-    vtkErrorMacro(
-      "The operator is that of one mesh in this process: the input is missing, consists "
-      "of blocks, or is shared by several ranks.");
-    return false;
-  }
-  if (this->InterpolatePoints || this->InterpolateArrays ||
-    this->InterfaceValues == DISCONTINUOUS_VALUES)
-  {
-    vtkErrorMacro(
-      "InterpolatePoints, InterpolateArrays and InterfaceValues = Discontinuous have no "
-      "operator of few entries: switch them off.");
+    vtkErrorMacro("This is for one mesh in this process: the input is missing, consists of blocks, "
+                  "or is shared by several ranks.");
     return false;
   }
   vtkNew<vtkInformationVector> outputs;
   outputs->SetNumberOfInformationObjects(1);
   vtkInformationVector** inputs = this->GetExecutive()->GetInputInformation();
   this->RequestDataObject(nullptr, inputs, outputs);
+  return this->RequestData(nullptr, inputs, outputs) != 0;
+}
+
+bool vtkSubdivisionAlgorithm::FindOperator(vtkSubdivisionOperator* found)
+{
+  *found->Factors = subdivision::MatrixFactors();
+  found->Modified();
+  if (this->InterpolatePoints || this->InterpolateArrays ||
+    this->InterfaceValues == DISCONTINUOUS_VALUES)
+  {
+    vtkErrorMacro("InterpolatePoints, InterpolateArrays and InterfaceValues = Discontinuous have "
+                  "no operator of few entries: switch them off.");
+    return false;
+  }
   this->Factors = found->Factors.get();
-  this->RequestData(nullptr, inputs, outputs);
+  this->RunAside();
   this->Factors = nullptr;
-  if (found->GetNumberOfFactors() > 0 && found->GetNumberOfColumns() != input->GetNumberOfPoints())
+  auto* input = vtkDataSet::SafeDownCast(this->GetInputDataObject(0, 0));
+  if (input && found->GetNumberOfFactors() > 0 &&
+    found->GetNumberOfColumns() != input->GetNumberOfPoints())
   {
     vtkErrorMacro("Cells of higher order got points that the input does not have: the operator is "
                   "not one of its points. Cut the cells by another filter first.");

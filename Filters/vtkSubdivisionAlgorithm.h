@@ -442,7 +442,10 @@ protected:
   virtual vtkSmartPointer<vtkDataObject> Mark(vtkDataObject*, vtkDataObject* readable);
   /// Called with the output of the pipeline after the work.
   virtual void Finish(vtkDataObject*) {}
-  /// Runs the filter on its input for the operator alone. Returns false after an error.
+  /// Runs the filter on its input, for something else than its output. Returns false after an
+  /// error: the input must be a mesh in one piece.
+  bool RunAside();
+  /// The same for the operator. Returns false after an error.
   bool FindOperator(vtkSubdivisionOperator* found);
   /// Makes the unstructured grids or vtkPolyData that are read of an input of any kind.
   vtkSmartPointer<vtkDataObject> ReadInput(

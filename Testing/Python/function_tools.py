@@ -115,6 +115,24 @@ class Matrices(unittest.TestCase):
             matrix.multiply([1., 2.])
 
 
+class Limits(unittest.TestCase):
+    def test_places(self):
+        made = subdivisionobjects.vtkMultiDimensionalSubdivision()
+        made.SetInputDataObject(meshes.to_vtk(TET, {"line": [[0, 1], [1, 2]]}, {"T": TET[:, 0] + 2 * TET[:, 1]}))
+        at = subdivisionobjects.evaluate_limit(made, [0, 1], [[1], [0]])
+        np.testing.assert_allclose(at.points, [(TET[0] + 4 * TET[1] + TET[2]) / 6] * 2, rtol=0, atol=1e-15)
+        np.testing.assert_allclose(at.point_data["DerivativeU"], [(TET[2] - TET[0]) / 2] * 2, rtol=0, atol=1e-14)
+        np.testing.assert_allclose(at.point_data["T"], at.points @ [1, 2, 0], rtol=0, atol=1e-15)
+
+    def test_errors(self):
+        made = subdivisionobjects.vtkMultiDimensionalSubdivision()
+        made.SetInputDataObject(meshes.to_vtk(TET, [[0, 1, 2, 3]]))
+        with self.assertRaisesRegex(RuntimeError, "no such cell"):
+            subdivisionobjects.evaluate_limit(made, [1], [[0.1, 0.1, 0.1]])
+        with self.assertRaisesRegex(ValueError, "the shapes"):
+            subdivisionobjects.evaluate_limit(made, [0, 0], [[0.1, 0.1, 0.1]])
+
+
 class Options(unittest.TestCase):
     def test_every_option_reaches_its_filter(self):
         count = 0
