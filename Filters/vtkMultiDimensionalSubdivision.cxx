@@ -73,7 +73,7 @@ bool vtkMultiDimensionalSubdivision::EvaluateLimit(
     vtkErrorMacro("Places have no values that jump: switch InterfaceValues to Continuous.");
     return false;
   }
-  const subdivision::PlaceRequest request{ cells, parameters, result };
+  const subdivision::PlaceRequest request{ cells, parameters, result, nullptr };
   result->Initialize();
   this->Places = &request;
   this->RunAside();

@@ -117,16 +117,34 @@ class Matrices(unittest.TestCase):
 
 class Limits(unittest.TestCase):
     def test_places(self):
-        made = subdivisionobjects.vtkMultiDimensionalSubdivision()
-        made.SetInputDataObject(meshes.to_vtk(TET, {"line": [[0, 1], [1, 2]]}, {"T": TET[:, 0] + 2 * TET[:, 1]}))
+        made = self.filter_of(meshes.to_vtk(TET, {"line": [[0, 1], [1, 2]]}, {"T": TET[:, 0] + 2 * TET[:, 1]}))
         at = subdivisionobjects.evaluate_limit(made, [0, 1], [[1], [0]])
         np.testing.assert_allclose(at.points, [(TET[0] + 4 * TET[1] + TET[2]) / 6] * 2, rtol=0, atol=1e-15)
         np.testing.assert_allclose(at.point_data["DerivativeU"], [(TET[2] - TET[0]) / 2] * 2, rtol=0, atol=1e-14)
         np.testing.assert_allclose(at.point_data["T"], at.points @ [1, 2, 0], rtol=0, atol=1e-15)
 
-    def test_errors(self):
+    def test_probe(self):
+        """The middle of a curve is nearest to points on its normal."""
+        line = meshes.to_vtk(TET, {"line": [[0, 1], [1, 2]]}, {"T": TET[:, 0] + 2 * TET[:, 1]})
+        middle = (TET[0] + 4 * TET[1] + TET[2]) / 6
+        normal = np.array([1., 0, 0])
+        found = subdivisionobjects.limit_probe(line, places=middle + 0.1 * np.array([normal, -normal, 0 * normal]))
+        points = coordinates(found)
+        np.testing.assert_allclose(points, [middle] * 3, rtol=0, atol=1e-12)
+        data = meshes.data_arrays(found.GetPointData())
+        np.testing.assert_allclose(data["Distance"], [0.1, 0.1, 0], rtol=0, atol=1e-12)
+        np.testing.assert_allclose(data["T"], points @ [1, 2, 0], rtol=0, atol=1e-12)
+        at = subdivisionobjects.evaluate_limit(self.filter_of(line), data["CellId"], data["CellParameters"])
+        np.testing.assert_allclose(at.points, points, rtol=0, atol=1e-14)
+
+    @staticmethod
+    def filter_of(mesh):
         made = subdivisionobjects.vtkMultiDimensionalSubdivision()
-        made.SetInputDataObject(meshes.to_vtk(TET, [[0, 1, 2, 3]]))
+        made.SetInputDataObject(mesh)
+        return made
+
+    def test_errors(self):
+        made = self.filter_of(meshes.to_vtk(TET, [[0, 1, 2, 3]]))
         with self.assertRaisesRegex(RuntimeError, "no such cell"):
             subdivisionobjects.evaluate_limit(made, [1], [[0.1, 0.1, 0.1]])
         with self.assertRaisesRegex(ValueError, "the shapes"):

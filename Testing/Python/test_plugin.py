@@ -20,7 +20,7 @@ MODELS = ["MixedDimensions", "Screw", "SpringAndValve", "Ship", "MechanicalPart"
           "Cylinder"]
 # Those with the options that filters share.
 FILTERS = ["AdaptiveSurfaceSubdivision", "MultiDimensionalSubdivision", "RedGreenRefinement", "SimplicialComplexTopology",
-           "SubdivisionDeformation", "SurfaceSubdivision"]
+           "SubdivisionDeformation", "SubdivisionLimitProbe", "SurfaceSubdivision"]
 
 
 def definition(name):
@@ -283,7 +283,7 @@ class Proxies(unittest.TestCase):
         """Without the gear: its error tells the user to change it. A group that is advanced would hide it."""
         for name in ("MultiDimensionalSubdivision", "SurfaceSubdivision", "RedGreenRefinement",
                      "AdaptiveSurfaceSubdivision", "SubdivisionDeformation", "SubdivisionLabelSolid",
-                     "SimplicialComplexTopology"):
+                     "SimplicialComplexTopology", "SubdivisionLimitProbe"):
             proxy = definition(name)
             prop = proxy.GetProperty("MaximumNumberOfCells")
             self.assertEqual(prop.GetPanelVisibility(), "default", name)

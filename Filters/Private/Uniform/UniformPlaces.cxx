@@ -8,6 +8,7 @@
 #include "Core/Solids/Limits/PlaceLimits.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Uniform/NearestPlaces.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -16,9 +17,11 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace subdivision
 {
@@ -26,6 +29,7 @@ namespace
 {
 
 using Vector = std::array<double, 3>;
+using Parts = std::array<Vector, PlaceParts::Count>;
 
 double Dot(const Vector& a, const Vector& b)
 {
@@ -50,7 +54,7 @@ struct SurfaceShape
   double Mean = 0.;
   double Gaussian = 0.;
 };
-SurfaceShape FindShape(const std::array<Vector, PlaceParts::Count>& parts)
+SurfaceShape FindShape(const Parts& parts)
 {
   const Vector& u = parts[PlaceParts::First];
   const Vector& v = parts[PlaceParts::First + 1];
@@ -88,6 +92,20 @@ vtkDoubleArray* AddArray(const char* name, int components, vtkIdType size, vtkPo
   return array;
 }
 
+/// The value and the derivatives of the points at a place.
+template <typename Id>
+Parts SumParts(const PlaceLimits<Id>& limits, vtkIdType place, const double* points)
+{
+  Parts parts{};
+  for (int p = 0; p < PlaceParts::Count; ++p)
+  {
+    WeightedRows<Id> row = limits.Rows[p].GetRows(place, place + 1);
+    row.FirstRow = 0;
+    SumRows(row, points, parts[p].data(), 3);
+  }
+  return parts;
+}
+
 /// Adds derivatives of the points, normals and curvatures to the output.
 template <typename Id>
 void AddDerivatives(const PlaceLimits<Id>& limits, const std::vector<LimitPlace<Id>>& places,
@@ -105,13 +123,7 @@ void AddDerivatives(const PlaceLimits<Id>& limits, const std::vector<LimitPlace<
   ForEach(size,
     [&](vtkIdType i)
     {
-      std::array<Vector, PlaceParts::Count> parts{};
-      for (int p = PlaceParts::First; p < PlaceParts::Count; ++p)
-      {
-        WeightedRows<Id> row = limits.Rows[p].GetRows(i, i + 1);
-        row.FirstRow = 0;
-        SumRows(row, points, parts[p].data(), 3);
-      }
+      const Parts parts = SumParts(limits, i, points);
       for (int k = 0; k < 3; ++k)
       {
         std::copy_n(parts[PlaceParts::First + k].data(), 3, tangents[k] + 3 * i);
@@ -128,6 +140,18 @@ void AddDerivatives(const PlaceLimits<Id>& limits, const std::vector<LimitPlace<
         gaussian[i] = shape.Gaussian;
       }
     });
+}
+
+/// Gives a place the order of the points of its cell, which is one simplex.
+template <typename Id>
+void SetOrder(vtkIdList* points, LimitPlace<Id>& place)
+{
+  const auto first = place.Corners.begin();
+  for (int k = 0; k <= place.Dimension; ++k)
+  {
+    place.Order[k] = static_cast<int>(
+      std::find(first, first + place.Dimension, static_cast<Id>(points->GetId(k))) - first);
+  }
 }
 
 /// One vertex for each point.
@@ -182,9 +206,8 @@ bool UniformRun::ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<
     for (int k = 0; k <= place.Dimension; ++k)
     {
       place.Corners[k] = static_cast<Id>(corners[k]);
-      place.Order[k] =
-        static_cast<int>(std::find(corners, corners + place.Dimension, points->GetId(k)) - corners);
     }
+    SetOrder(points, place);
     for (int k = 0; k < place.Dimension; ++k)
     {
       place.Parameters[k] = request.Parameters->GetComponent(i, k);
@@ -199,12 +222,111 @@ bool UniformRun::ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<
   return true;
 }
 
+/// Finds the places that are nearest to points. `found` gets arrays that say where they are.
+template <typename Scheme>
+bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme::Level& level,
+  const SemiSharpStages<typename Scheme::Id>& creases,
+  std::vector<LimitPlace<typename Scheme::Id>>& places, vtkPolyData* found)
+{
+  using Id = typename Scheme::Id;
+  const SimplexList& simplices = this->Mesh.Cells.Simplices;
+  const auto& parents = this->Mesh.Cells.ParentCells;
+  std::vector<Vector> targets(static_cast<std::size_t>(request.Targets->GetNumberOfPoints()));
+  for (const vtkIdType i : InTurn(request.Targets->GetNumberOfPoints()))
+  {
+    request.Targets->GetPoint(i, targets[i].data());
+  }
+  UniformOptions options = this->Options;
+  options.Places = nullptr;
+  options.Levels = NearestLevels;
+  options.Warn = [](const std::string&) {}; // this run has told all
+  vtkNew<vtkUnstructuredGrid> fine;
+  if (!UniformRun(this->Input, options, fine).Run())
+  {
+    return false;
+  }
+  std::vector<vtkIdType> starts{ 0 };
+  std::vector<int> counts(static_cast<std::size_t>(this->Input->GetNumberOfCells()), 0);
+  for (const vtkIdType s : InTurn(simplices.GetNumberOfSimplices()))
+  {
+    starts.push_back(starts.back() + simplices.Dimensions[s] + 1);
+    ++counts[parents.empty() ? s : parents[s]];
+  }
+  const auto makePlace = [&](const NearestPlace& nearest)
+  {
+    LimitPlace<Id> place;
+    place.Dimension = simplices.Dimensions[nearest.Simplex];
+    std::transform(simplices.Connectivity.begin() + starts[nearest.Simplex],
+      simplices.Connectivity.begin() + starts[nearest.Simplex + 1], place.Corners.begin(),
+      [](vtkIdType id) { return static_cast<Id>(id); });
+    std::copy_n(nearest.Weights.begin() + 1, 3, place.Parameters.begin());
+    return place;
+  };
+  const double* coordinates = this->Points->GetCoordinates();
+  const auto evaluate = [&](const std::vector<NearestPlace>& nearest)
+  {
+    std::vector<LimitPlace<Id>> at;
+    std::transform(nearest.begin(), nearest.end(), std::back_inserter(at), makePlace);
+    const PlaceLimits<Id> limits(level, creases, at);
+    PlaceValues values(at.size());
+    ForEach(static_cast<vtkIdType>(at.size()),
+      [&](vtkIdType i) { values[i] = SumParts(limits, i, coordinates); });
+    return values;
+  };
+  const std::vector<NearestPlace> nearest = FindNearestPlaces(simplices, fine, targets, evaluate);
+  const auto size = static_cast<vtkIdType>(nearest.size());
+  double* distances = AddArray("Distance", 1, size, found)->GetPointer(0);
+  double* parameters = AddArray("CellParameters", 3, size, found)->GetPointer(0);
+  vtkNew<vtkIdTypeArray> cells;
+  cells->SetName("CellId");
+  vtkNew<vtkIdList> points;
+  for (const vtkIdType i : InTurn(size))
+  {
+    if (nearest[i].Simplex < 0)
+    {
+      this->Options.Fail("Point " + std::to_string(i) + " has no nearest place: " +
+        (simplices.GetNumberOfSimplices() > 0 ? "it is not finite." : "the mesh has no cells."));
+      return false;
+    }
+    const vtkIdType simplex = nearest[i].Simplex;
+    const vtkIdType cell = parents.empty() ? simplex : parents[simplex];
+    LimitPlace<Id> place = makePlace(nearest[i]);
+    if (counts[cell] == 1)
+    {
+      this->Input->GetCellPoints(cell, points);
+      SetOrder(points, place);
+      for (int k = 0; k < place.Dimension; ++k)
+      {
+        place.Parameters[k] = nearest[i].Weights[place.Order[k + 1]];
+      }
+    }
+    places.push_back(place);
+    cells->InsertNextValue(cell);
+    distances[i] = nearest[i].Distance;
+    for (int k = 0; k < 3; ++k)
+    {
+      parameters[3 * i + k] = counts[cell] == 1 ? place.Parameters[k] : -1.;
+    }
+  }
+  found->GetPointData()->AddArray(cells);
+  return true;
+}
+
 template <typename Scheme>
 bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::Level& level)
 {
   using Id = typename Scheme::Id;
+  const auto creases =
+    BuildSharpStages<Scheme>(this->Mesh, this->Options.Features, this->Control, 0);
+  if (this->Interpolates())
+  {
+    const SparseRows<Id> limit = BuildLimitRows(level, creases);
+    this->Interpolate(&limit);
+  }
   std::vector<LimitPlace<Id>> places;
-  if (!this->ReadPlaces(request, places))
+  vtkNew<vtkPolyData> found; // with further arrays
+  if (request.Targets ? !this->FindNearest<Scheme>(request, level, creases, places, found)
+                      : !this->ReadPlaces(request, places))
   {
     return false;
   }
@@ -215,19 +337,11 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
                        "only.");
     return false;
   }
-  const auto creases =
-    BuildSharpStages<Scheme>(this->Mesh, this->Options.Features, this->Control, 0);
-  if (this->Interpolates())
-  {
-    const SparseRows<Id> limit = BuildLimitRows(level, creases);
-    this->Interpolate(&limit);
-  }
   const PlaceLimits<Id> limits(level, creases, places);
   const double* coordinates = this->Points->GetCoordinates();
   vtkPolyData* output = request.Output;
   output->Initialize();
-  vtkNew<vtkPolyData> derivatives;
-  AddDerivatives(limits, places, coordinates, derivatives);
+  AddDerivatives(limits, places, coordinates, found);
   this->Points->Advance(limits.Rows[PlaceParts::Value],
     [&](vtkIdType row)
     {
@@ -240,11 +354,11 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
     });
   this->Points->ForgetInputPoints();
   this->Points->Finish(output);
-  for (const vtkIdType i : InTurn(vtkIdType(derivatives->GetPointData()->GetNumberOfArrays())))
+  for (int i = 0; i < found->GetPointData()->GetNumberOfArrays(); ++i)
   {
-    output->GetPointData()->AddArray(derivatives->GetPointData()->GetArray(static_cast<int>(i)));
+    output->GetPointData()->AddArray(found->GetPointData()->GetArray(i));
   }
-  AddVertices(request.Cells->GetNumberOfTuples(), output);
+  AddVertices(output->GetNumberOfPoints(), output);
   return true;
 }
 

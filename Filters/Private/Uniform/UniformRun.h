@@ -68,6 +68,10 @@ private:
   template <typename Id>
   bool ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<Id>>& places) const;
   template <typename Scheme>
+  bool FindNearest(const PlaceRequest& request, const typename Scheme::Level& level,
+    const SemiSharpStages<typename Scheme::Id>& creases,
+    std::vector<LimitPlace<typename Scheme::Id>>& places, vtkPolyData* found);
+  template <typename Scheme>
   bool FindPlaces(const PlaceRequest& request, const typename Scheme::Level& level);
   void Keep();
   void FindFactors() const;

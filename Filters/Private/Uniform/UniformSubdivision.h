@@ -10,6 +10,7 @@
 #include "Private/Uniform/OperatorCache.h"
 
 class vtkDataArray;
+class vtkDataSet;
 class vtkIdTypeArray;
 class vtkPointSet;
 class vtkPolyData;
@@ -21,9 +22,11 @@ namespace subdivision
 /// Places at which the limit is asked for, in cells of the input, and what gets it.
 struct PlaceRequest
 {
-  vtkIdTypeArray* Cells;
-  vtkDataArray* Parameters; ///< three components
-  vtkPolyData* Output;
+  vtkIdTypeArray* Cells = nullptr;
+  vtkDataArray* Parameters = nullptr; ///< three components
+  vtkPolyData* Output = nullptr;
+  /// If not null, places are those nearest to its points, and the arrays above are not read.
+  vtkDataSet* Targets = nullptr;
 };
 
 struct UniformOptions : RunOptions
