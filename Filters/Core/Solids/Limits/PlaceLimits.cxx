@@ -376,52 +376,99 @@ std::vector<PlaceNodes<Id>> FindNodes(const LevelType& level, const SemiSharpSta
   return all;
 }
 
-/// Adds the entries of the nodes' rows, in threads, each place for itself.
+/// The rows of some nodes as a dense matrix over the columns that they have.
+template <typename Id>
+struct NodeRows
+{
+  std::vector<Id> Nodes;
+  std::vector<Id> Columns;     ///< ascending
+  std::vector<double> Weights; ///< of all columns for the first node, for the second, ...
+
+  void Read(const SparseRows<Id>& limits, const std::vector<Id>& nodes)
+  {
+    this->Nodes = nodes;
+    this->Columns.clear();
+    const auto forEntries = [&](const auto& use)
+    {
+      for (std::size_t n = 0; n < nodes.size(); ++n)
+      {
+        for (vtkIdType k = limits.Offsets[nodes[n]]; k < limits.Offsets[nodes[n] + 1]; ++k)
+        {
+          use(n, k);
+        }
+      }
+    };
+    forEntries([&](std::size_t, vtkIdType k) { this->Columns.push_back(limits.Columns[k]); });
+    std::sort(this->Columns.begin(), this->Columns.end());
+    this->Columns.erase(
+      std::unique(this->Columns.begin(), this->Columns.end()), this->Columns.end());
+    this->Weights.assign(nodes.size() * this->Columns.size(), 0.);
+    forEntries(
+      [&](std::size_t n, vtkIdType k)
+      {
+        const auto place =
+          std::lower_bound(this->Columns.begin(), this->Columns.end(), limits.Columns[k]);
+        this->Weights[n * this->Columns.size() +
+          static_cast<std::size_t>(place - this->Columns.begin())] += limits.Weights[k];
+      });
+  }
+};
+
+/// Adds the rows of the nodes of each place, in threads. Consecutive places often have the same
+/// nodes, whose rows are read once then.
 template <typename Id>
 void Combine(const SparseRows<Id>& limits, const std::vector<PlaceNodes<Id>>& places,
   std::array<SparseRows<Id>, PlaceParts::Count>& rows)
 {
   const auto size = static_cast<vtkIdType>(places.size());
-  std::vector<std::map<Id, std::array<double, PlaceParts::Count>>> sums(places.size());
-  Buffer<Id> offsets(size + 1);
-  ForEach(size,
-    [&](vtkIdType i)
-    {
-      const PlaceNodes<Id>& place = places[i];
-      for (std::size_t n = 0; n < place.Vertices.size(); ++n)
-      {
-        const vtkIdType row = place.Vertices[n];
-        for (vtkIdType k = limits.Offsets[row]; k < limits.Offsets[row + 1]; ++k)
-        {
-          auto& sum = sums[i].try_emplace(limits.Columns[k]).first->second;
-          for (int p = 0; p < PlaceParts::Count; ++p)
-          {
-            sum[p] += place.Weights[n][p] * limits.Weights[k];
-          }
-        }
-      }
-      offsets[i] = static_cast<Id>(sums[i].size());
-    });
-  CountsToOffsets(offsets);
-  for (int p = 0; p < PlaceParts::Count; ++p)
+  const auto forPlaces = [&](const auto& act)
   {
-    SparseRows<Id>& part = rows[p];
+    ForRanges(size,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        NodeRows<Id> read;
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          if (i == begin || read.Nodes != places[i].Vertices)
+          {
+            read.Read(limits, places[i].Vertices);
+          }
+          act(i, read);
+        }
+      });
+  };
+  Buffer<Id> offsets(size + 1);
+  forPlaces([&](vtkIdType i, const NodeRows<Id>& read)
+    { offsets[i] = static_cast<Id>(read.Columns.size()); });
+  CountsToOffsets(offsets);
+  for (SparseRows<Id>& part : rows)
+  {
     part.NumberOfColumns = limits.NumberOfColumns;
     part.Offsets = Buffer<Id>(size + 1);
     CopyInThreads(offsets.data(), size + 1, part.Offsets.data());
     part.Columns = Buffer<Id>(offsets[size]);
     part.Weights = Buffer<double>(offsets[size]);
-    ForEach(size,
-      [&](vtkIdType i)
-      {
-        vtkIdType entry = offsets[i];
-        for (const auto& [column, weights] : sums[i])
-        {
-          part.Columns[entry] = column;
-          part.Weights[entry++] = weights[p];
-        }
-      });
   }
+  forPlaces(
+    [&](vtkIdType i, const NodeRows<Id>& read)
+    {
+      const std::size_t columns = read.Columns.size();
+      for (int p = 0; p < PlaceParts::Count; ++p)
+      {
+        std::copy(read.Columns.begin(), read.Columns.end(), rows[p].Columns.begin() + offsets[i]);
+        double* sums = rows[p].Weights.data() + offsets[i];
+        std::fill_n(sums, columns, 0.);
+        for (std::size_t n = 0; n < places[i].Weights.size(); ++n)
+        {
+          const double weight = places[i].Weights[n][p];
+          const double* from = read.Weights.data() + n * columns;
+          for (std::size_t c = 0; c < columns; ++c)
+          {
+            sums[c] += weight * from[c];
+          }
+        }
+      }
+    });
 }
 
 /// The limits of all vertices of a level where nothing moves.
