@@ -4,7 +4,10 @@
 #include "Private/Distribution/Dimensions.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
+#include "vtkDataArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 vtkStandardNewMacro(vtkMultiDimensionalSubdivision);
@@ -43,6 +46,41 @@ void vtkMultiDimensionalSubdivision::Finish(vtkDataObject* output)
   }
 }
 
+bool vtkMultiDimensionalSubdivision::ComputeOperator(vtkSubdivisionOperator* result)
+{
+  if (this->KeepCellTypes)
+  {
+    vtkErrorMacro("With KeepCellTypes there is no operator to hand out: switch it off.");
+    return false;
+  }
+  return this->FindOperator(result);
+}
+
+bool vtkMultiDimensionalSubdivision::EvaluateLimit(
+  vtkIdTypeArray* cells, vtkDataArray* parameters, vtkPolyData* result)
+{
+  if (cells->GetNumberOfComponents() != 1 || parameters->GetNumberOfComponents() != 3 ||
+    cells->GetNumberOfTuples() != parameters->GetNumberOfTuples())
+  {
+    vtkErrorMacro("Each place has one cell and three parameters, and not "
+      << cells->GetNumberOfTuples() << " cells of " << cells->GetNumberOfComponents()
+      << " numbers and " << parameters->GetNumberOfTuples() << " parameters of "
+      << parameters->GetNumberOfComponents() << ".");
+    return false;
+  }
+  if (this->InterfaceValues == DISCONTINUOUS_VALUES)
+  {
+    vtkErrorMacro("Places have no values that jump: switch InterfaceValues to Continuous.");
+    return false;
+  }
+  const subdivision::PlaceRequest request{ cells, parameters, result, nullptr };
+  result->Initialize();
+  this->Places = &request;
+  this->RunAside();
+  this->Places = nullptr;
+  return result->GetNumberOfPoints() == cells->GetNumberOfTuples();
+}
+
 vtkIdType vtkMultiDimensionalSubdivision::GetNumberOfTopologyBuilds() const
 {
   return this->Cache->NumberOfBuilds;
@@ -76,6 +114,14 @@ int vtkMultiDimensionalSubdivision::RequestData(
   options.GenerateLimitNormals = this->GenerateLimitNormals;
   options.Use32BitIds = this->Use32BitIds;
   options.Cache = this->CacheOperator ? this->Cache.get() : nullptr;
+  options.Places = this->Places;
+  if (this->Places)
+  {
+    options.Levels = 0;
+    options.ProjectToLimit = true;
+    options.GenerateLimitNormals = options.GenerateClassification = options.KeepCellTypes = false;
+    options.Cache = nullptr;
+  }
   const int result = this->Run(inputVector, outputVector, options,
     "Results at the border of the partition are not those of the whole mesh.",
     "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
@@ -85,7 +131,10 @@ int vtkMultiDimensionalSubdivision::RequestData(
       return subdivision::SubdivideUniformly(
         input, options, vtkUnstructuredGrid::SafeDownCast(output));
     });
-  this->Cache->ForgetUnused();
+  if (!this->Places)
+  {
+    this->Cache->ForgetUnused();
+  }
   return result;
 }
 

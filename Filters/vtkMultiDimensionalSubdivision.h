@@ -92,9 +92,14 @@
 
 #include <memory> // for std::unique_ptr
 
+class vtkDataArray;
+class vtkIdTypeArray;
+class vtkPolyData;
+
 namespace subdivision
 {
 class OperatorCache;
+struct PlaceRequest;
 }
 
 class VTKSUBDIVISIONOBJECTS_EXPORT vtkMultiDimensionalSubdivision
@@ -262,6 +267,35 @@ public:
   ///@}
 
   /**
+   * Computes what the filter does to points, as a matrix, with the present options on the present
+   * input, which is updated. Returns false after an error: the input must be a mesh in one piece,
+   * without KeepCellTypes, InterpolatePoints, InterpolateArrays and InterfaceValues.
+   * With CacheOperator an update before has made most of it, and the next one can use it. Points
+   * are numbered as OutputDimensions = ALL_DIMENSIONS numbers them.
+   */
+  bool ComputeOperator(vtkSubdivisionOperator* result);
+
+  /**
+   * Evaluates the limit at places of cells of the present input, which is updated, by the present
+   * rules; NumberOfLevels does not matter. Place i is in cell cells[i], a vertex, line, triangle or
+   * tetrahedron, at parameters[i] (3 components, of which a cell of dimension d reads d): the
+   * second point of the cell has the weight u, the third v, the fourth w, and the first 1 - u - v -
+   * w. Curves and surfaces have limits by all volume schemes, solids by BOX_SPLINE and LINEAR.
+   *
+   * `result` has a point and a vertex for each place, in double, with all smoothed arrays there (an
+   * array that is not smoothed has the value of the nearest corner), and the arrays DerivativeU,
+   * DerivativeV and DerivativeW of the points by the parameters. On surfaces LimitNormals,
+   * MeanCurvature and GaussianCurvature follow from the derivatives, with the normal as the points
+   * of the cell turn; on curves MeanCurvature has the curvature of the curve. All others are 0.
+   *
+   * Values are exact but for rounding, 1e-12 of the size of the mesh and less. So are
+   * derivatives of curves and surfaces where a regular part is, however small; the error grows with
+   * the number of that part's splits, to 1e-7 at extraordinary vertices and irregular creases.
+   * Second derivatives need a place that is not too near to these. Returns false after an error.
+   */
+  bool EvaluateLimit(vtkIdTypeArray* cells, vtkDataArray* parameters, vtkPolyData* result);
+
+  /**
    * How often this filter built topology while CacheOperator was on.
    */
   vtkIdType GetNumberOfTopologyBuilds() const;
@@ -300,6 +334,7 @@ protected:
 
 private:
   std::unique_ptr<subdivision::OperatorCache> Cache;
+  const subdivision::PlaceRequest* Places = nullptr; ///< what EvaluateLimit wants
 
   vtkMultiDimensionalSubdivision(const vtkMultiDimensionalSubdivision&) = delete;
   void operator=(const vtkMultiDimensionalSubdivision&) = delete;

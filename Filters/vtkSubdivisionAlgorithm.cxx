@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionAlgorithm.h"
+#include "vtkSubdivisionOperator.h"
 
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Arrays/MatrixArrays.h"
 #include "Private/Control/MaterialFields.h"
 #include "Private/Control/ToldWarnings.h"
 #include "Private/Distribution/Distribution.h"
@@ -14,10 +16,13 @@
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -187,6 +192,7 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   this->Told->Begin(
     this->GetMTime(), info->Has(step) ? info->Get(step) : std::numeric_limits<double>::quiet_NaN());
   options.Told = this->Told.get();
+  options.Factors = this->Factors;
   const subdivision::ProgressPart all;
   options.Part = all.Take(0., 0.05);
   subdivision::ConnectToFilter(this, options, failed);
@@ -237,6 +243,53 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
     return failed ? 0 : result;
   }
   return result;
+}
+
+bool vtkSubdivisionAlgorithm::RunAside()
+{
+  int port = 0;
+  vtkAlgorithm* source = this->GetInputAlgorithm(0, 0, port);
+  if (source)
+  {
+    source->Update(port);
+  }
+  auto* input = source ? vtkDataSet::SafeDownCast(source->GetOutputDataObject(port)) : nullptr;
+  if (!input || this->SharesRanks())
+  {
+    vtkErrorMacro("This is for one mesh in this process: the input is missing, consists of blocks, "
+                  "or is shared by several ranks.");
+    return false;
+  }
+  vtkNew<vtkInformationVector> outputs;
+  outputs->SetNumberOfInformationObjects(1);
+  vtkInformationVector** inputs = this->GetExecutive()->GetInputInformation();
+  this->RequestDataObject(nullptr, inputs, outputs);
+  return this->RequestData(nullptr, inputs, outputs) != 0;
+}
+
+bool vtkSubdivisionAlgorithm::FindOperator(vtkSubdivisionOperator* found)
+{
+  *found->Factors = subdivision::MatrixFactors();
+  found->Modified();
+  if (this->InterpolatePoints || this->InterpolateArrays ||
+    this->InterfaceValues == DISCONTINUOUS_VALUES)
+  {
+    vtkErrorMacro("InterpolatePoints, InterpolateArrays and InterfaceValues = Discontinuous have "
+                  "no operator of few entries: switch them off.");
+    return false;
+  }
+  this->Factors = found->Factors.get();
+  this->RunAside();
+  this->Factors = nullptr;
+  auto* input = vtkDataSet::SafeDownCast(this->GetInputDataObject(0, 0));
+  if (input && found->GetNumberOfFactors() > 0 &&
+    found->GetNumberOfColumns() != input->GetNumberOfPoints())
+  {
+    vtkErrorMacro("Cells of higher order got points that the input does not have: the operator is "
+                  "not one of its points. Cut the cells by another filter first.");
+    *found->Factors = subdivision::MatrixFactors();
+  }
+  return found->GetNumberOfFactors() > 0;
 }
 
 void vtkSubdivisionAlgorithm::ReadInterpolation(

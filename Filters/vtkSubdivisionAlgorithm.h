@@ -92,9 +92,11 @@
 
 class vtkMultiProcessController;
 class vtkPointSet;
+class vtkSubdivisionOperator;
 namespace subdivision
 {
 class KeptParts;
+class MatrixFactors;
 class ToldWarnings;
 struct RunOptions;
 }
@@ -440,6 +442,11 @@ protected:
   virtual vtkSmartPointer<vtkDataObject> Mark(vtkDataObject*, vtkDataObject* readable);
   /// Called with the output of the pipeline after the work.
   virtual void Finish(vtkDataObject*) {}
+  /// Runs the filter on its input, for something else than its output. Returns false after an
+  /// error: the input must be a mesh in one piece.
+  bool RunAside();
+  /// The same for the operator. Returns false after an error.
+  bool FindOperator(vtkSubdivisionOperator* found);
   /// Makes the unstructured grids or vtkPolyData that are read of an input of any kind.
   vtkSmartPointer<vtkDataObject> ReadInput(
     vtkDataObject* input, std::vector<std::string>& warnings);
@@ -503,7 +510,8 @@ private:
   vtkSmartPointer<vtkDataObject> MakeSurfaces(
     vtkDataObject* input, std::vector<std::string>& warnings);
 
-  std::unique_ptr<subdivision::KeptParts> Kept; ///< of other ranks
+  std::unique_ptr<subdivision::KeptParts> Kept;  ///< of other ranks
+  subdivision::MatrixFactors* Factors = nullptr; ///< where FindOperator wants the operator
   std::unique_ptr<subdivision::ToldWarnings> Told;
 
   vtkSubdivisionAlgorithm(const vtkSubdivisionAlgorithm&) = delete;

@@ -296,6 +296,16 @@ public:
   ///@}
 
   /**
+   * Computes what the filter does to points, as a matrix, with the present options on the present
+   * input, which is updated. Returns false after an error: the input must be a mesh in one piece,
+   * without InterpolatePoints, InterpolateArrays and InterfaceValues.
+   * With CacheOperator an update before has made most of it, and the next one can use it. With
+   * JoinSeams it is the operator of
+   * the points, and arrays have another at seams.
+   */
+  bool ComputeOperator(vtkSubdivisionOperator* result) { return this->FindOperator(result); }
+
+  /**
    * How often this filter built topology while CacheOperator was on.
    */
   vtkIdType GetNumberOfTopologyBuilds() const;

@@ -107,7 +107,7 @@ function (describe variable)
   set(descriptions)
   foreach (name IN ITEMS AdaptiveSurfaceSubdivision ExtractDimensions MultiDimensionalSubdivision RedGreenRefinement
       SimplicialComplexTopology SubdivisionCageAround SubdivisionCageSource SubdivisionDeformation SubdivisionLabelSolid
-      SubdivisionModelSource SurfaceSubdivision)
+      SubdivisionLimitProbe SubdivisionModelSource SurfaceSubdivision)
     read_proxy("${name}")
     set(head "${proxy_head}")
     set(tail "${proxy_tail}")

@@ -29,6 +29,10 @@ constexpr const char* CellNumbersName = "SubdivisionCellNumber";
 /// The cell array of a surface that was made of a grid: which cell of the grid each cell is.
 constexpr const char* SourceCellsName = "SubdivisionSourceCells";
 constexpr const char* LimitNormalsName = "LimitNormals";
+/// Of the limit at places: derivatives by the parameters of the cell, and curvatures.
+constexpr const char* PlaceDerivativeNames[3] = { "DerivativeU", "DerivativeV", "DerivativeW" };
+constexpr const char* MeanCurvatureName = "MeanCurvature";
+constexpr const char* GaussianCurvatureName = "GaussianCurvature";
 constexpr const char* LimitTangentNames[2] = { "LimitTangent1", "LimitTangent2" };
 /// The point array that says which points are the same one (MaterialFields.h).
 constexpr const char* MaterialPointIdsName = "MaterialPointIds";

@@ -15,6 +15,8 @@ from vtkmodules import vtkCommonCore, vtkCommonDataModel, vtkCommonExecutionMode
 from .vtkSubdivisionObjects import *  # noqa: F401,F403
 from .functions import *  # noqa: F401,F403
 from .functions import __version__, multi_dimensional_subdivision  # noqa: F401
+from .limits import evaluate_limit  # noqa: F401
+from .matrices import operator_factors, operator_matrix  # noqa: F401
 from .run import Arrays  # noqa: F401
 
 subdivide = multi_dimensional_subdivision

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What all functions do: set the options of a filter, run it, and tell of its errors and warnings."""
 
+import contextlib
 import math
 import numbers
 import operator
@@ -180,12 +181,14 @@ def run(cls, options, aliases, criteria, values):
     for name in sorted(values, key=lambda name: options[name].kind == "array"):
         if values[name] is not None:
             options[name].apply(made, name, values[name])
-    update(made)
+    with listen_to(made):
+        made.Update()
     return meshes.like(mesh, made.GetOutputDataObject(0))
 
 
-def update(made):
-    """Errors become an exception, warnings those of Python."""
+@contextlib.contextmanager
+def listen_to(made):
+    """Errors become an exception, warnings those of Python, told to who called the function that calls this."""
     told = {"ErrorEvent": [], "WarningEvent": []}
 
     @calldata_type(VTK_STRING)
@@ -193,11 +196,13 @@ def update(made):
         if "returned failure for request" not in message:  # the pipeline says once more that something failed
             told[event].append(re.sub(r"\A(ERROR|Warning): In .*\n\S+ \(\w+\): ", "", message).strip())
 
-    for source in (made, made.GetExecutive()):
-        for event in told:
-            source.AddObserver(event, listen)
-    made.Update()
+    observers = [(source, source.AddObserver(event, listen)) for source in (made, made.GetExecutive()) for event in told]
+    try:
+        yield
+    finally:
+        for source, observer in observers:
+            source.RemoveObserver(observer)
     for message in told["WarningEvent"]:
-        warnings.warn(message, stacklevel=4)
+        warnings.warn(message, stacklevel=5)
     if told["ErrorEvent"]:
         raise RuntimeError("\n".join(told["ErrorEvent"]))

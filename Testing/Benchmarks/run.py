@@ -19,6 +19,8 @@ PEER_NOTES = {
     "vtkSubdivideTetra": "12 children per tet, half of them inverted, points not shared; shown, not counted",
     "OpenSubdiv stencil table build": "the table alone, nothing evaluated",
     "OpenSubdiv stencil table evaluate": "ready table, one component; compared with re-execution",
+    "OpenSubdiv limit stencils make": "10 places in each triangle, with derivatives",
+    "OpenSubdiv limit stencils apply": "ready table of these; points",
     "dune-uggrid local": "no scalar; the same rounds and marks",
     "dune-uggrid": "no scalar; conforming red refinement; with --quick per cell, from 2 levels",
 }
@@ -37,6 +39,10 @@ BARS = [
     ("adaptive sqrt(3) beside uniform sqrt(3) of CGAL", ("adaptive", "sqrt3", "bumpy", 8),
      ("peer", "CGAL sqrt3", "bumpy", 2), 1.0),
     ("polylines", ("filter", "first", "polylines", 3), ("limit", "huge", "polylines", 3), 1.5),
+    ("places, ready rows beside limit stencils of OpenSubdiv", ("places", "apply rows", "sphere", 0),
+     ("peer", "OpenSubdiv limit stencils apply", "sphere", 0), 1.0),
+    ("places, making rows beside limit stencils of OpenSubdiv", ("places", "make rows", "sphere", 0),
+     ("peer", "OpenSubdiv limit stencils make", "sphere", 0), 1.0),
     ("4-8", ("surface", "4-8", "quads", 6), ("surfacelimit", "4-8", "quads", 6), 2.5),
     ("midedge", ("surface", "Midedge", "quads", 6), ("surfacelimit", "Midedge", "quads", 6), 2.5),
 ]

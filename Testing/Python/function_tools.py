@@ -65,6 +65,92 @@ def state(made):
         [made.GetNumberOfInputConnections(port) for port in range(made.GetNumberOfInputPorts())]
 
 
+class Matrices(unittest.TestCase):
+    """What a filter does to points, by NumPy, and by SciPy where it is installed."""
+
+    def check(self, made):
+        made.Update()
+        before, after = coordinates(made.GetInputDataObject(0, 0)), coordinates(made.GetOutputDataObject(0))
+        matrix = subdivisionobjects.operator_matrix(made)
+        self.assertEqual(matrix.number_of_columns, len(before))
+        np.testing.assert_allclose(matrix.multiply(before), after, rtol=0, atol=1e-14)
+        values = before
+        for factor in subdivisionobjects.operator_factors(made):
+            values = factor.multiply(values)
+        np.testing.assert_array_equal(values, after)
+        try:
+            import scipy.sparse  # noqa: F401
+        except ImportError:
+            return
+        np.testing.assert_allclose(matrix.to_scipy() @ before, after, rtol=0, atol=1e-14)
+        values = before
+        for factor in subdivisionobjects.operator_factors(made):
+            values = factor.to_scipy() @ values
+        np.testing.assert_array_equal(values, after)
+        np.testing.assert_allclose(matrix.to_scipy().sum(axis=1), 1, rtol=0, atol=1e-14)
+
+    def test_matrices_multiply_to_the_output(self):
+        tet = meshes.to_vtk(TET, {"tetra": [[0, 1, 2, 3]], "line": [[3, 0]]})
+        cube = meshes.to_vtk(CUBE, {"quad": SQUARES})
+        for cls, mesh, options in (
+                ("MultiDimensionalSubdivision", tet, {"NumberOfLevels": 3}),
+                ("MultiDimensionalSubdivision", tet, {"NumberOfLevels": 2, "VolumeScheme": 1, "ProjectToLimit": True}),
+                ("SurfaceSubdivision", cube, {"NumberOfLevels": 3, "Scheme": 2}),
+                ("SurfaceSubdivision", cube, {"NumberOfLevels": 0, "Scheme": 2, "ProjectToLimit": True}),
+                ("SurfaceSubdivision", cube, {"NumberOfLevels": 2, "Scheme": 3})):
+            with self.subTest(f"{cls}, {options}"):
+                made = getattr(subdivisionobjects, "vtk" + cls)()
+                made.SetInputDataObject(mesh)
+                for name, value in options.items():
+                    getattr(made, "Set" + name)(value)
+                self.check(made)
+
+    def test_errors(self):
+        made = subdivisionobjects.vtkMultiDimensionalSubdivision()
+        with self.assertRaisesRegex(RuntimeError, "the input is missing"):
+            subdivisionobjects.operator_matrix(made)
+        made.SetInputDataObject(meshes.to_vtk(TET, [[0, 1, 2, 3]]))
+        matrix = subdivisionobjects.operator_matrix(made)
+        with self.assertRaisesRegex(ValueError, "4 values"):
+            matrix.multiply([1., 2.])
+
+
+class Limits(unittest.TestCase):
+    def test_places(self):
+        made = self.filter_of(meshes.to_vtk(TET, {"line": [[0, 1], [1, 2]]}, {"T": TET[:, 0] + 2 * TET[:, 1]}))
+        at = subdivisionobjects.evaluate_limit(made, [0, 1], [[1], [0]])
+        np.testing.assert_allclose(at.points, [(TET[0] + 4 * TET[1] + TET[2]) / 6] * 2, rtol=0, atol=1e-15)
+        np.testing.assert_allclose(at.point_data["DerivativeU"], [(TET[2] - TET[0]) / 2] * 2, rtol=0, atol=1e-14)
+        np.testing.assert_allclose(at.point_data["T"], at.points @ [1, 2, 0], rtol=0, atol=1e-15)
+
+    def test_probe(self):
+        """The middle of a curve is nearest to points on its normal."""
+        line = meshes.to_vtk(TET, {"line": [[0, 1], [1, 2]]}, {"T": TET[:, 0] + 2 * TET[:, 1]})
+        middle = (TET[0] + 4 * TET[1] + TET[2]) / 6
+        normal = np.array([1., 0, 0])
+        found = subdivisionobjects.limit_probe(line, places=middle + 0.1 * np.array([normal, -normal, 0 * normal]))
+        points = coordinates(found)
+        np.testing.assert_allclose(points, [middle] * 3, rtol=0, atol=1e-12)
+        data = meshes.data_arrays(found.GetPointData())
+        np.testing.assert_allclose(data["Distance"], [0.1, 0.1, 0], rtol=0, atol=1e-12)
+        np.testing.assert_allclose(data["T"], points @ [1, 2, 0], rtol=0, atol=1e-12)
+        at = subdivisionobjects.evaluate_limit(self.filter_of(line), data["CellId"], data["CellParameters"])
+        np.testing.assert_allclose(at.points, points, rtol=0, atol=1e-14)
+
+    @staticmethod
+    def filter_of(mesh):
+        made = subdivisionobjects.vtkMultiDimensionalSubdivision()
+        made.SetInputDataObject(mesh)
+        return made
+
+    def test_errors(self):
+        made = self.filter_of(meshes.to_vtk(TET, [[0, 1, 2, 3]]))
+        with self.assertRaisesRegex(RuntimeError, "no such cell"):
+            subdivisionobjects.evaluate_limit(made, [1], [[0.1, 0.1, 0.1]])
+        with self.assertRaisesRegex(ValueError, "the shapes"):
+            subdivisionobjects.evaluate_limit(made, [0, 0], [[0.1, 0.1, 0.1]])
+
+
 class Options(unittest.TestCase):
     def test_every_option_reaches_its_filter(self):
         count = 0

@@ -5,12 +5,13 @@ import pathlib
 import re
 
 from vtkmodules.vtkCommonDataModel import vtkSphere
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 import subdivisionobjects
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CLASSES = [cls for name, cls in sorted(vars(subdivisionobjects).items())
-           if name.startswith("vtk") and isinstance(cls, type)]
+           if name.startswith("vtk") and isinstance(cls, type) and issubclass(cls, vtkAlgorithm)]
 # What has a setter but is no option: an object of the process, which ParaView sets by itself.
 NO_OPTIONS = {"Controller"}
 

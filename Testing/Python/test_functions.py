@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The functions of the package, in pvpython."""
 
-from function_tools import Meshes, Options, Package, PyVista  # noqa: F401
+from function_tools import Limits, Matrices, Meshes, Options, Package, PyVista  # noqa: F401
 
 import tools
 

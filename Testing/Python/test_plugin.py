@@ -10,6 +10,7 @@ import tools
 from headers import NO_OPTIONS
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkDataArray
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 
 import subdivisionobjects
@@ -20,7 +21,7 @@ MODELS = ["MixedDimensions", "Screw", "SpringAndValve", "Ship", "MechanicalPart"
           "Cylinder"]
 # Those with the options that filters share.
 FILTERS = ["AdaptiveSurfaceSubdivision", "MultiDimensionalSubdivision", "RedGreenRefinement", "SimplicialComplexTopology",
-           "SubdivisionDeformation", "SurfaceSubdivision"]
+           "SubdivisionDeformation", "SubdivisionLimitProbe", "SurfaceSubdivision"]
 
 
 def definition(name):
@@ -58,7 +59,7 @@ class Package(unittest.TestCase):
 
     def test_every_class_has_a_proxy(self):
         for name, cls in vars(subdivisionobjects).items():
-            if not name.startswith("vtk") or not isinstance(cls, type):
+            if not name.startswith("vtk") or not isinstance(cls, type) or not issubclass(cls, vtkAlgorithm):
                 continue
             if name in ("vtkSubdivisionAlgorithm", "vtkRefinementAlgorithm", "vtkMarkedSubdivisionAlgorithm"):  # abstract
                 continue
@@ -68,7 +69,8 @@ class Package(unittest.TestCase):
                 self.assertEqual(proxy.GetVTKClassName(), name)
                 names = {key for key, _ in properties(proxy)}
                 without = {"EmbeddedCells"} if "Surface" in name else set()
-                if name not in ("vtkMultiDimensionalSubdivision", "vtkRedGreenRefinement", "vtkSurfaceSubdivision"):
+                if name not in ("vtkMultiDimensionalSubdivision", "vtkRedGreenRefinement", "vtkSubdivisionLimitProbe",
+                                "vtkSurfaceSubdivision"):
                     without |= options(cls) & {"InterpolatePoints", "InterpolateArrays", "InterpolationWeight"}
                 self.assertEqual(options(cls) - names, without, "options without a property")
 
@@ -286,7 +288,7 @@ class Proxies(unittest.TestCase):
         """Without the gear: its error tells the user to change it. A group that is advanced would hide it."""
         for name in ("MultiDimensionalSubdivision", "SurfaceSubdivision", "RedGreenRefinement",
                      "AdaptiveSurfaceSubdivision", "SubdivisionDeformation", "SubdivisionLabelSolid",
-                     "SimplicialComplexTopology"):
+                     "SimplicialComplexTopology", "SubdivisionLimitProbe"):
             proxy = definition(name)
             prop = proxy.GetProperty("MaximumNumberOfCells")
             self.assertEqual(prop.GetPanelVisibility(), "default", name)

@@ -26,6 +26,7 @@ OTHER_DEFAULTS = {
     "RedGreenRefinement.ImplicitFunction": "the same",
     "MultiDimensionalSubdivision.MarkFunction": "the same",
     "SimplicialComplexTopology.MarkFunction": "the same",
+    "SubdivisionLimitProbe.MarkFunction": "the same",
     "SurfaceSubdivision.MarkFunction": "the same",
     "SurfaceSubdivision.GenerateNormals": "an older name, which has no value of its own and so sets nothing",
 }

@@ -24,7 +24,7 @@ SHIP = str(DATA / "Ship.vtu")
 # What the panels do not show either.
 HIDDEN = {"vtkSurfaceSubdivision": {"Adaptive", "GenerateNormals", "EmbeddedCells"},
           "vtkAdaptiveSurfaceSubdivision": {"EmbeddedCells"},
-          "vtkSimplicialComplexTopology": {"InterfaceValues"},
+          "vtkSimplicialComplexTopology": {"InterfaceValues"}, "vtkSubdivisionLimitProbe": {"InterfaceValues"},
           "vtkSubdivisionDeformation": {"InterpolateIntegers", "GenerateOriginalIds", "GenerateGlobalIds",
                                         "InterfaceValues"}}
 UNSMOOTHED = {"InterpolatePoints", "InterpolateArrays", "InterpolationWeight"}

@@ -19,6 +19,7 @@ class vtkPointSet;
 namespace subdivision
 {
 
+class MatrixFactors;
 class Partners;
 class ToldWarnings;
 
@@ -55,6 +56,9 @@ struct RunOptions
   std::function<Partners*(vtkPointSet*)> FindPartners;
   /// How many layers of fine cells of other partitions around its own the output of a part needs.
   int GhostLayers = 0;
+  /// Where the operator from the input's points to those of the output goes as a matrix; null:
+  /// nowhere.
+  MatrixFactors* Factors = nullptr;
 };
 
 inline Partners* FindPartners(const RunOptions& options, vtkPointSet* mesh)

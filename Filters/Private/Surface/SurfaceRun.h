@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_SurfaceRun_h
 #define SubdivisionObjects_SurfaceRun_h
 
+#include "Core/Operators/MatrixFactors.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
 #include "Private/Arrays/PointArrays.h"
@@ -151,6 +152,14 @@ private:
     return this->Options.JoinSeams && this->Input->GetPointData()->GetTCoords() &&
       this->Scheme->HalvesEdges() &&
       JoinEqualPoints(this->Cells, this->Points->GetCoordinates(), this->JoinedMesh);
+  }
+  /// Hands out an operator of the points as matrices, if somebody wants them.
+  void AppendFactors(const BlockOperator<Id>& rows) const
+  {
+    if (this->Options.Factors)
+    {
+      this->Options.Factors->Append(rows);
+    }
   }
   vtkSmartPointer<vtkDataArray> FollowPoints(const Buffer<unsigned char>& turned);
   bool IsDescendant() const;

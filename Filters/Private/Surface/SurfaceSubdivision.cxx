@@ -350,8 +350,9 @@ template <typename Id>
 vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints(const Buffer<unsigned char>& turned)
 {
   vtkSmartPointer<vtkDataArray> points = this->Points->GetPoints();
-  auto apply = [&points](const BlockOperator<Id>& rows)
+  auto apply = [this, &points](const BlockOperator<Id>& rows)
   {
+    this->AppendFactors(rows);
     const auto next = MakeArray(points->GetDataType(), 3, rows.GetNumberOfRows());
     if (points->GetDataType() == VTK_FLOAT)
     {
@@ -380,6 +381,18 @@ vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints(const Buffer<unsigned
   if (this->WantsFrames())
   {
     this->AddFrames(*this->Joined, turned, tangents, points, sources);
+  }
+  if (this->Options.Factors)
+  {
+    this->Options.Factors->Append(BlockOperator<Id>(points->GetNumberOfTuples(), sources.size(),
+      [&sources](vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+      {
+        for (; begin < end; ++begin)
+        {
+          rows.Add(sources[begin], 1.);
+          rows.EndRow();
+        }
+      }));
   }
   return vtkDataArray::SafeDownCast(Gather(points, { sources.begin(), sources.end() }));
 }
@@ -435,7 +448,12 @@ bool SurfaceRun<Id>::Execute()
       return false;
     }
     const SurfaceLevel<Id>& level = this->Steps->GetLevel(this->MadeLevels + step);
-    this->Points->Advance(this->Steps->GetStep(this->MadeLevels + step),
+    const BlockOperator<Id> rows = this->Steps->GetStep(this->MadeLevels + step);
+    if (!this->Joined)
+    {
+      this->AppendFactors(rows);
+    }
+    this->Points->Advance(rows,
       [&](vtkIdType row)
       {
         thread_local std::vector<vtkIdType> parents;
@@ -454,8 +472,12 @@ bool SurfaceRun<Id>::Execute()
     : TangentPairs(0);
   if (this->Options.ProjectToLimit && this->Scheme->HasLimit())
   {
-    this->Points->Advance(
-      this->Steps->GetLimit(LimitKind::Position), [](vtkIdType row) { return row; });
+    const BlockOperator<Id> limit = this->Steps->GetLimit(LimitKind::Position);
+    if (!this->Joined)
+    {
+      this->AppendFactors(limit);
+    }
+    this->Points->Advance(limit, [](vtkIdType row) { return row; });
   }
   if (addFrames)
   {

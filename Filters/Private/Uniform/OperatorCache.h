@@ -20,6 +20,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,6 +39,8 @@ public:
     const Buffer<unsigned char>& turned) const = 0;
   /// The limits of the points before the first step; null where they are not needed.
   virtual const PointOperator* GetControlLimit() const = 0;
+  /// Passes the operators that points go through, one after the other.
+  virtual void ForEachOperator(const std::function<void(const PointOperator&)>& use) const = 0;
   /// The strata of the vertices and edges on which the last step works. There must be a step.
   virtual const Buffer<Stratum>& GetLastVertices() const = 0;
   virtual const Buffer<Stratum>& GetLastEdges() const = 0;
@@ -89,6 +92,17 @@ public:
       arrays.KeepColours(this->Colours[i]);
     }
     this->Limit.Apply(arrays, inverted, turned);
+  }
+  void ForEachOperator(const std::function<void(const PointOperator&)>& use) const override
+  {
+    for (const Stencils<Id>& step : this->Steps)
+    {
+      use(step);
+    }
+    if (this->Limit.Rows.GetNumberOfRows() > 0)
+    {
+      use(this->Limit.Rows);
+    }
   }
   void Apply(const double* values, int components, Buffer<double>& result) const override
   {

@@ -3,6 +3,7 @@
 #include "Private/Uniform/UniformRun.h"
 
 #include "Core/Memory/Loops.h"
+#include "Core/Operators/MatrixFactors.h"
 #include "Private/Arrays/Arrays.h"
 
 #include "vtkPoints.h"
@@ -32,6 +33,34 @@ std::vector<T> CopyInTurn(const std::vector<T>& values)
     BetweenLoops::Act();
   }
   return copy;
+}
+
+/// The factor that adds the centres of split cells behind the points of the input. It copies points
+/// where there are no centres.
+void AppendCentres(const SimplicesOfCells& cells, MatrixFactors& factors)
+{
+  const vtkIdType centres = cells.GetNumberOfCentres();
+  const vtkIdType points = cells.Simplices.NumberOfPoints - centres;
+  const auto members = static_cast<vtkIdType>(cells.CentreMembers.size());
+  MatrixFactors::Matrix factor;
+  factor.NumberOfColumns = points;
+  factor.Offsets = Buffer<long long>(points + centres + 1);
+  factor.Columns = Buffer<long long>(points + members);
+  factor.Weights = Buffer<double>(points + members, 1.);
+  ForEach(points, [&](vtkIdType i) { factor.Offsets[i] = factor.Columns[i] = i; });
+  for (const vtkIdType c : InTurn(centres))
+  {
+    const vtkIdType begin = cells.CentreOffsets[c];
+    const vtkIdType size = cells.CentreOffsets[c + 1] - begin;
+    factor.Offsets[points + c] = points + begin;
+    for (vtkIdType m = begin; m < begin + size; ++m)
+    {
+      factor.Columns[points + m] = cells.CentreMembers[m];
+      factor.Weights[points + m] = 1. / static_cast<double>(size);
+    }
+  }
+  factor.Offsets[points + centres] = points + members;
+  factors.Append(std::move(factor));
 }
 
 }
@@ -140,10 +169,27 @@ void UniformRun::UseKept(KeptOperator& kept)
     this->Control.ManifoldDimensions.begin());
 }
 
+/// Hands out the operators of this run as matrices.
+void UniformRun::FindFactors() const
+{
+  MatrixFactors* factors = this->Options.Factors;
+  if (!factors)
+  {
+    return;
+  }
+  AppendCentres(this->Mesh.Cells, *factors);
+  const KeptOperator& made = this->Found ? *this->Found : *this->ToKeep;
+  if (made.Steps)
+  {
+    made.Steps->ForEachOperator(
+      [factors](const PointOperator& operation) { factors->Append(operation); });
+  }
+}
+
 /// Stores what this run built for the next execution.
 void UniformRun::Keep()
 {
-  if (!this->ToKeep)
+  if (!this->ToKeep || !this->Options.Cache)
   {
     return;
   }

@@ -3,13 +3,14 @@
  * @file UniformRun.h
  * One execution of a uniform subdivision: it reads, plans, and writes (UniformSubdivision.cxx); the
  * steps between (UniformSteps.cxx); what it keeps for the next (UniformKept.cxx); what it does if
- * its mesh is a part of a whole (UniformParts.cxx); how it interpolates, and what it says of the
- * result (UniformInterpolation.cxx).
+ * its mesh is a part of a whole (UniformParts.cxx); the limit at places (UniformPlaces.cxx); how it
+ * interpolates, and what it says of the result (UniformInterpolation.cxx).
  */
 #ifndef SubdivisionObjects_UniformRun_h
 #define SubdivisionObjects_UniformRun_h
 
 #include "Core/Solids/AllSchemes/LevelCut.h"
+#include "Core/Solids/Limits/PlaceLimits.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/ControlComplex.h"
 #include "Private/Control/SharedNumbers.h"
@@ -37,6 +38,8 @@ public:
   {
   }
   bool Run();
+  /// Finds the limit at places, in place of an output.
+  bool FindPlaces(const PlaceRequest& request);
   /// The same for the operators alone. The output gets no more than points and cells.
   bool FindOperators(UniformOperators& operators);
 
@@ -62,7 +65,16 @@ private:
 
   bool Execute();
   void UseKept(KeptOperator& kept);
+  template <typename Id>
+  bool ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<Id>>& places) const;
+  template <typename Scheme>
+  bool FindNearest(const PlaceRequest& request, const typename Scheme::Level& level,
+    const SemiSharpStages<typename Scheme::Id>& creases,
+    std::vector<LimitPlace<typename Scheme::Id>>& places, vtkPolyData* found);
+  template <typename Scheme>
+  bool FindPlaces(const PlaceRequest& request, const typename Scheme::Level& level);
   void Keep();
+  void FindFactors() const;
   // The steps of a volume scheme (SolidScheme.h), with its type of ids.
   template <typename Scheme>
   bool Step(typename Scheme::Level& level, KeptOperator* keep);

@@ -27,6 +27,10 @@ bool UniformRun::Execute()
     this->UseKept(*this->Found);
     return true;
   }
+  if (this->Options.Factors)
+  {
+    this->ToKeep = std::make_unique<KeptOperator>();
+  }
   if (this->Options.Cache)
   {
     this->SameCells = this->Options.Cache->FindCells(this->Key, this->Control.Derived.Tuples);

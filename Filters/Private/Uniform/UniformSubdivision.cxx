@@ -41,6 +41,7 @@ bool UniformRun::Run()
     return false;
   }
   this->Write();
+  this->FindFactors();
   this->Keep();
   return true;
 }
@@ -266,6 +267,10 @@ void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer
 bool SubdivideUniformly(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output)
 {
+  if (options.Places)
+  {
+    return UniformRun(input, options, output).FindPlaces(*options.Places);
+  }
   return options.KeepCellTypes ? RefineKeepingTypes(input, options, output)
                                : UniformRun(input, options, output).Run();
 }

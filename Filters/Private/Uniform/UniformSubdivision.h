@@ -9,11 +9,25 @@
 #include "Private/Control/RunOptions.h"
 #include "Private/Uniform/OperatorCache.h"
 
+class vtkDataArray;
+class vtkDataSet;
+class vtkIdTypeArray;
 class vtkPointSet;
+class vtkPolyData;
 class vtkUnstructuredGrid;
 
 namespace subdivision
 {
+
+/// Places at which the limit is asked for, in cells of the input, and what gets it.
+struct PlaceRequest
+{
+  vtkIdTypeArray* Cells = nullptr;
+  vtkDataArray* Parameters = nullptr; ///< three components
+  vtkPolyData* Output = nullptr;
+  /// If not null, places are those nearest to its points, and the arrays above are not read.
+  vtkDataSet* Targets = nullptr;
+};
 
 struct UniformOptions : RunOptions
 {
@@ -31,6 +45,8 @@ struct UniformOptions : RunOptions
   bool KeepCellTypes = false; ///< with StampScheme::Linear (KeptTypes.h)
   /// Where operators are kept; null: nowhere.
   OperatorCache* Cache = nullptr;
+  /// Null, or what is wanted in place of an output.
+  const PlaceRequest* Places = nullptr;
 };
 
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PeerOpenSubdiv.cxx
- * OpenSubdiv, Far: uniform refinement with the primvar refiner, and stencil tables. Both in double;
- * points and scalar.
+ * OpenSubdiv, Far: uniform refinement with the primvar refiner, and stencil tables, also those of
+ * limits at places, with derivatives. All in double; points and scalar.
  */
 #include "BenchmarkMeshes.h"
+#include "BenchmarkPlaces.h"
 #include "BenchmarkTools.h"
 
+#include <opensubdiv/far/patchTableFactory.h>
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/stencilTable.h>
 #include <opensubdiv/far/stencilTableFactory.h>
@@ -133,8 +135,90 @@ Produced EvaluateTable(Stopwatch& watch, const FlatMesh& input, int levels)
     12. * static_cast<double>(table->GetControlIndices().size()) };
 }
 
+// ------------------------------------------------------------------------------------------------
+// Limits at places
+
+using LimitTable = Far::LimitStencilTableReal<double>;
+
+/// Refinement goes on around extraordinary vertices as far as OpenSubdiv does it.
+constexpr int LimitLevels = 10;
+
+std::unique_ptr<const LimitTable> MakeLimitTable(const FlatMesh& input)
+{
+  using Factory = Far::LimitStencilTableFactoryReal<double>;
+  const auto refiner = Refine(input, 0, true);
+  refiner->Unrefine();
+  Far::PatchTableFactory::Options patches(LimitLevels);
+  patches.SetEndCapType(Far::PatchTableFactory::Options::ENDCAP_GREGORY_BASIS);
+  refiner->RefineAdaptive(patches.GetRefineAdaptiveOptions());
+  std::vector<double> u;
+  std::vector<double> v;
+  for (int i = 0; i < PlacesOfCell; ++i)
+  {
+    const std::array<double, 2> place = GetPlace(i);
+    u.push_back(place[0]);
+    v.push_back(place[1]);
+  }
+  Factory::LocationArrayVec locations(input.GetNumberOfCells());
+  for (int face = 0; face < input.GetNumberOfCells(); ++face)
+  {
+    locations[face].ptexIdx = face;
+    locations[face].numLocations = PlacesOfCell;
+    locations[face].s = u.data();
+    locations[face].t = v.data();
+  }
+  return std::unique_ptr<const LimitTable>(Factory::Create(*refiner, locations));
+}
+
+Produced BuildLimitTable(Stopwatch& watch, const FlatMesh& input)
+{
+  std::unique_ptr<const LimitTable> table;
+  watch.Start();
+  table = MakeLimitTable(input);
+  watch.Stop();
+  return { static_cast<double>(table->GetNumStencils()),
+    12. * static_cast<double>(table->GetControlIndices().size()) };
+}
+
+/// The ready table on points: values and two derivatives, in threads by ranges of its stencils.
+Produced EvaluateLimitTable(Stopwatch& watch, const FlatMesh& input)
+{
+  static const auto table = MakeLimitTable(input);
+  std::vector<Values<3>> in(input.GetNumberOfPoints());
+  std::copy(input.Points.begin(), input.Points.end(), in[0].Data);
+  std::unique_ptr<Values<3>[]> out[3];
+  const int size = table->GetNumStencils();
+  watch.Start();
+  for (auto& part : out)
+  {
+    part.reset(new Values<3>[size]);
+  }
+  vtkSMPTools::For(0, size,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      const Values<3>* from = in.data();
+      const int first = static_cast<int>(begin);
+      const int last = static_cast<int>(end);
+      Values<3>* value = out[0].get();
+      Values<3>* u = out[1].get();
+      Values<3>* v = out[2].get();
+      table->UpdateValues(from, value, first, last);
+      table->UpdateDerivs(from, u, v, first, last);
+    });
+  watch.Stop();
+  return { static_cast<double>(size), 72. * static_cast<double>(size) };
+}
+
 void RegisterOpenSubdiv()
 {
+  static const FlatMesh coarse = MakeSphere(4);
+  for (int threads : ThreadCounts)
+  {
+    Register("peer/OpenSubdiv limit stencils make/sphere/levels:0", threads,
+      [](Stopwatch& watch) { return BuildLimitTable(watch, coarse); });
+    Register("peer/OpenSubdiv limit stencils apply/sphere/levels:0", threads,
+      [](Stopwatch& watch) { return EvaluateLimitTable(watch, coarse); });
+  }
   static const FlatMesh sphere = MakeSphere(5);
   Register("peer/OpenSubdiv Loop/sphere/levels:3", 1,
     [](Stopwatch& watch) { return RefineAndInterpolate(watch, sphere, 3); });

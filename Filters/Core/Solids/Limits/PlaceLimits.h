@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PlaceLimits.h
+ * Limits at any place of curves, triangles and tetrahedra of a level, with derivatives
+ * (Mathematics 8).
+ *
+ * Where all is regular around a simplex of a curve or surface, the limit over it is a polynomial of
+ * degree 3 or 4. It is found from the limits of the vertices that divide the edges in four
+ * (LocalLimit.h), and so needs no other mechanism for its basis. A simplex that is not regular is
+ * split, and the part with the place is looked at, until it is regular or so small that a
+ * polynomial is the limit but for rounding. Tetrahedra are split in any case, as their limits are
+ * polynomials of a higher degree.
+ */
+#ifndef SubdivisionObjects_PlaceLimits_h
+#define SubdivisionObjects_PlaceLimits_h
+
+#include "Core/Operators/SparseRows.h"
+#include "Core/Solids/Limits/LimitStencils.h"
+
+#include <array>
+#include <vector>
+
+namespace subdivision
+{
+
+template <typename Id>
+struct LimitPlace
+{
+  int Dimension = 0;                               ///< of the simplex
+  std::array<Id, 4> Corners{ { -1, -1, -1, -1 } }; ///< in the order in which it is split
+  /// Which of these corners is the first, second, ... one for who asks.
+  std::array<int, 4> Order{ { 0, 1, 2, 3 } };
+  /// The weights of the second, third and fourth corner in that order; the first has the rest.
+  std::array<double, 3> Parameters{ { 0., 0., 0. } };
+};
+
+/// What there is a row of for each place: the value, its derivatives by the parameters, and the
+/// second derivatives by the first two of them.
+struct PlaceParts
+{
+  enum : int
+  {
+    Value,
+    First, ///< and two more
+    Second = First + 3,
+    Mixed,
+    SecondOfSecond,
+    Count
+  };
+};
+
+template <typename Id>
+struct PlaceLimits
+{
+  /// `level` was made with Depth::ForRefinement, or is the control level. Throws
+  /// std::invalid_argument for a place in a tetrahedron of a scheme with other solids.
+  template <typename LevelType>
+  PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& creases,
+    const std::vector<LimitPlace<Id>>& places);
+
+  /// Over the vertices of the level, one row for each place; all have the same columns.
+  std::array<SparseRows<Id>, PlaceParts::Count> Rows;
+};
+
+}
+
+#endif

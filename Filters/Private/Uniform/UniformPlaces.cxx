@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The limit at places of cells, with derivatives.
+#include "Private/Uniform/UniformRun.h"
+
+#include "Core/Memory/Loops.h"
+#include "Core/Operators/ApplyRows.h"
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
+#include "Core/Solids/Limits/PlaceLimits.h"
+#include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
+#include "Private/Uniform/NearestPlaces.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace subdivision
+{
+namespace
+{
+
+using Vector = std::array<double, 3>;
+using Parts = std::array<Vector, PlaceParts::Count>;
+
+double Dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Vector Cross(const Vector& a, const Vector& b)
+{
+  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
+}
+
+double GetCurvatureOfCurve(const Vector& first, const Vector& second)
+{
+  const double speed = std::sqrt(Dot(first, first));
+  const Vector cross = Cross(first, second);
+  return speed > 0. ? std::sqrt(Dot(cross, cross)) / (speed * speed * speed) : 0.;
+}
+
+/// The unit normal, the mean and the Gaussian curvature; zero where the tangents span no plane.
+struct SurfaceShape
+{
+  Vector Normal{};
+  double Mean = 0.;
+  double Gaussian = 0.;
+};
+SurfaceShape FindShape(const Parts& parts)
+{
+  const Vector& u = parts[PlaceParts::First];
+  const Vector& v = parts[PlaceParts::First + 1];
+  SurfaceShape shape;
+  Vector normal = Cross(u, v);
+  const double area = std::sqrt(Dot(normal, normal));
+  if (!(area > 0.))
+  {
+    return shape;
+  }
+  for (double& x : normal)
+  {
+    x /= area;
+  }
+  const double e = Dot(u, u);
+  const double f = Dot(u, v);
+  const double g = Dot(v, v);
+  const double l = Dot(parts[PlaceParts::Second], normal);
+  const double m = Dot(parts[PlaceParts::Mixed], normal);
+  const double n = Dot(parts[PlaceParts::SecondOfSecond], normal);
+  shape.Normal = normal;
+  shape.Mean = 0.5 * (e * n - 2. * f * m + g * l) / (area * area);
+  shape.Gaussian = (l * n - m * m) / (area * area);
+  return shape;
+}
+
+vtkDoubleArray* AddArray(const char* name, int components, vtkIdType size, vtkPolyData* output)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(size);
+  array->Fill(0.);
+  output->GetPointData()->AddArray(array);
+  return array;
+}
+
+/// The value and the derivatives of the points at a place.
+template <typename Id>
+Parts SumParts(const PlaceLimits<Id>& limits, vtkIdType place, const double* points)
+{
+  Parts parts{};
+  for (int p = 0; p < PlaceParts::Count; ++p)
+  {
+    WeightedRows<Id> row = limits.Rows[p].GetRows(place, place + 1);
+    row.FirstRow = 0;
+    SumRows(row, points, parts[p].data(), 3);
+  }
+  return parts;
+}
+
+/// Adds derivatives of the points, normals and curvatures to the output.
+template <typename Id>
+void AddDerivatives(const PlaceLimits<Id>& limits, const std::vector<LimitPlace<Id>>& places,
+  const double* points, vtkPolyData* output)
+{
+  const auto size = static_cast<vtkIdType>(places.size());
+  double* tangents[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    tangents[k] = AddArray(PlaceDerivativeNames[k], 3, size, output)->GetPointer(0);
+  }
+  double* normals = AddArray(LimitNormalsName, 3, size, output)->GetPointer(0);
+  double* mean = AddArray(MeanCurvatureName, 1, size, output)->GetPointer(0);
+  double* gaussian = AddArray(GaussianCurvatureName, 1, size, output)->GetPointer(0);
+  ForEach(size,
+    [&](vtkIdType i)
+    {
+      const Parts parts = SumParts(limits, i, points);
+      for (int k = 0; k < 3; ++k)
+      {
+        std::copy_n(parts[PlaceParts::First + k].data(), 3, tangents[k] + 3 * i);
+      }
+      if (places[i].Dimension == 1)
+      {
+        mean[i] = GetCurvatureOfCurve(parts[PlaceParts::First], parts[PlaceParts::Second]);
+      }
+      if (places[i].Dimension == 2)
+      {
+        const SurfaceShape shape = FindShape(parts);
+        std::copy_n(shape.Normal.data(), 3, normals + 3 * i);
+        mean[i] = shape.Mean;
+        gaussian[i] = shape.Gaussian;
+      }
+    });
+}
+
+/// Gives a place the order of the points of its cell, which is one simplex.
+template <typename Id>
+void SetOrder(vtkIdList* points, LimitPlace<Id>& place)
+{
+  const auto first = place.Corners.begin();
+  for (int k = 0; k <= place.Dimension; ++k)
+  {
+    place.Order[k] = static_cast<int>(
+      std::find(first, first + place.Dimension, static_cast<Id>(points->GetId(k))) - first);
+  }
+}
+
+/// One vertex for each point.
+void AddVertices(vtkIdType size, vtkPolyData* output)
+{
+  vtkNew<vtkCellArray> vertices;
+  for (const vtkIdType i : InTurn(size))
+  {
+    vertices->InsertNextCell(1, &i);
+  }
+  output->SetVerts(vertices);
+}
+
+}
+
+/// Finds the simplex of the cell of each place, and the order of its corners. Returns false, after
+/// an error, if a cell has none of its own.
+template <typename Id>
+bool UniformRun::ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<Id>>& places) const
+{
+  const SimplexList& simplices = this->Mesh.Cells.Simplices;
+  const auto& parents = this->Mesh.Cells.ParentCells;
+  const vtkIdType cells = this->Input->GetNumberOfCells();
+  std::vector<vtkIdType> starts(static_cast<std::size_t>(cells), -1); // of the simplices
+  std::vector<int> counts(static_cast<std::size_t>(cells), 0);
+  std::vector<int> dimensions(static_cast<std::size_t>(cells), 0);
+  vtkIdType start = 0;
+  for (const vtkIdType s : InTurn(simplices.GetNumberOfSimplices()))
+  {
+    const auto cell = static_cast<std::size_t>(parents.empty() ? s : parents[s]);
+    starts[cell] = start;
+    dimensions[cell] = simplices.Dimensions[s];
+    ++counts[cell];
+    start += simplices.Dimensions[s] + 1;
+  }
+  vtkNew<vtkIdList> points;
+  for (const vtkIdType i : InTurn(request.Cells->GetNumberOfTuples()))
+  {
+    const vtkIdType cell = request.Cells->GetValue(i);
+    if (cell < 0 || cell >= cells || counts[cell] != 1)
+    {
+      this->Options.Fail("Place " + std::to_string(i) + " is in cell " + std::to_string(cell) +
+        (cell < 0 || cell >= cells
+            ? ": the input has no such cell."
+            : ", which is no vertex, line, triangle or tetrahedron, or was left out."));
+      return false;
+    }
+    LimitPlace<Id> place;
+    place.Dimension = dimensions[cell];
+    this->Input->GetCellPoints(cell, points);
+    const vtkIdType* corners = simplices.Connectivity.data() + starts[cell];
+    for (int k = 0; k <= place.Dimension; ++k)
+    {
+      place.Corners[k] = static_cast<Id>(corners[k]);
+    }
+    SetOrder(points, place);
+    for (int k = 0; k < place.Dimension; ++k)
+    {
+      place.Parameters[k] = request.Parameters->GetComponent(i, k);
+      if (!std::isfinite(place.Parameters[k]))
+      {
+        this->Options.Fail("The parameters of place " + std::to_string(i) + " are not finite.");
+        return false;
+      }
+    }
+    places.push_back(place);
+  }
+  return true;
+}
+
+/// Finds the places that are nearest to points. `found` gets arrays that say where they are.
+template <typename Scheme>
+bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme::Level& level,
+  const SemiSharpStages<typename Scheme::Id>& creases,
+  std::vector<LimitPlace<typename Scheme::Id>>& places, vtkPolyData* found)
+{
+  using Id = typename Scheme::Id;
+  const SimplexList& simplices = this->Mesh.Cells.Simplices;
+  const auto& parents = this->Mesh.Cells.ParentCells;
+  std::vector<Vector> targets(static_cast<std::size_t>(request.Targets->GetNumberOfPoints()));
+  for (const vtkIdType i : InTurn(request.Targets->GetNumberOfPoints()))
+  {
+    request.Targets->GetPoint(i, targets[i].data());
+  }
+  UniformOptions options = this->Options;
+  options.Places = nullptr;
+  options.Levels = NearestLevels;
+  options.Warn = [](const std::string&) {}; // this run has told all
+  vtkNew<vtkUnstructuredGrid> fine;
+  if (!UniformRun(this->Input, options, fine).Run())
+  {
+    return false;
+  }
+  std::vector<vtkIdType> starts{ 0 };
+  std::vector<int> counts(static_cast<std::size_t>(this->Input->GetNumberOfCells()), 0);
+  for (const vtkIdType s : InTurn(simplices.GetNumberOfSimplices()))
+  {
+    starts.push_back(starts.back() + simplices.Dimensions[s] + 1);
+    ++counts[parents.empty() ? s : parents[s]];
+  }
+  const auto makePlace = [&](const NearestPlace& nearest)
+  {
+    LimitPlace<Id> place;
+    place.Dimension = simplices.Dimensions[nearest.Simplex];
+    std::transform(simplices.Connectivity.begin() + starts[nearest.Simplex],
+      simplices.Connectivity.begin() + starts[nearest.Simplex + 1], place.Corners.begin(),
+      [](vtkIdType id) { return static_cast<Id>(id); });
+    std::copy_n(nearest.Weights.begin() + 1, 3, place.Parameters.begin());
+    return place;
+  };
+  const double* coordinates = this->Points->GetCoordinates();
+  const auto evaluate = [&](const std::vector<NearestPlace>& nearest)
+  {
+    std::vector<LimitPlace<Id>> at;
+    std::transform(nearest.begin(), nearest.end(), std::back_inserter(at), makePlace);
+    const PlaceLimits<Id> limits(level, creases, at);
+    PlaceValues values(at.size());
+    ForEach(static_cast<vtkIdType>(at.size()),
+      [&](vtkIdType i) { values[i] = SumParts(limits, i, coordinates); });
+    return values;
+  };
+  const std::vector<NearestPlace> nearest = FindNearestPlaces(simplices, fine, targets, evaluate);
+  const auto size = static_cast<vtkIdType>(nearest.size());
+  double* distances = AddArray("Distance", 1, size, found)->GetPointer(0);
+  double* parameters = AddArray("CellParameters", 3, size, found)->GetPointer(0);
+  vtkNew<vtkIdTypeArray> cells;
+  cells->SetName("CellId");
+  vtkNew<vtkIdList> points;
+  for (const vtkIdType i : InTurn(size))
+  {
+    if (nearest[i].Simplex < 0)
+    {
+      this->Options.Fail("Point " + std::to_string(i) + " has no nearest place: " +
+        (simplices.GetNumberOfSimplices() > 0 ? "it is not finite." : "the mesh has no cells."));
+      return false;
+    }
+    const vtkIdType simplex = nearest[i].Simplex;
+    const vtkIdType cell = parents.empty() ? simplex : parents[simplex];
+    LimitPlace<Id> place = makePlace(nearest[i]);
+    if (counts[cell] == 1)
+    {
+      this->Input->GetCellPoints(cell, points);
+      SetOrder(points, place);
+      for (int k = 0; k < place.Dimension; ++k)
+      {
+        place.Parameters[k] = nearest[i].Weights[place.Order[k + 1]];
+      }
+    }
+    places.push_back(place);
+    cells->InsertNextValue(cell);
+    distances[i] = nearest[i].Distance;
+    for (int k = 0; k < 3; ++k)
+    {
+      parameters[3 * i + k] = counts[cell] == 1 ? place.Parameters[k] : -1.;
+    }
+  }
+  found->GetPointData()->AddArray(cells);
+  return true;
+}
+
+template <typename Scheme>
+bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::Level& level)
+{
+  using Id = typename Scheme::Id;
+  const auto creases =
+    BuildSharpStages<Scheme>(this->Mesh, this->Options.Features, this->Control, 0);
+  if (this->Interpolates())
+  {
+    const SparseRows<Id> limit = BuildLimitRows(level, creases);
+    this->Interpolate(&limit);
+  }
+  std::vector<LimitPlace<Id>> places;
+  vtkNew<vtkPolyData> found; // with further arrays
+  if (request.Targets ? !this->FindNearest<Scheme>(request, level, creases, places, found)
+                      : !this->ReadPlaces(request, places))
+  {
+    return false;
+  }
+  const auto isSolid = [](const LimitPlace<Id>& place) { return place.Dimension == 3; };
+  if (Scheme::Traits.HasPieces && std::any_of(places.begin(), places.end(), isSolid))
+  {
+    this->Options.Fail("Places inside solids have limits with VolumeScheme = BoxSpline or Linear "
+                       "only.");
+    return false;
+  }
+  const PlaceLimits<Id> limits(level, creases, places);
+  const double* coordinates = this->Points->GetCoordinates();
+  vtkPolyData* output = request.Output;
+  output->Initialize();
+  AddDerivatives(limits, places, coordinates, found);
+  this->Points->Advance(limits.Rows[PlaceParts::Value],
+    [&](vtkIdType row)
+    {
+      const LimitPlace<Id>& place = places[row];
+      const Vector& p = place.Parameters;
+      const double first = 1. - p[0] - p[1] - p[2];
+      const auto most = std::max_element(p.begin(), p.end());
+      return static_cast<vtkIdType>(
+        place.Corners[place.Order[first >= *most ? 0 : 1 + (most - p.begin())]]);
+    });
+  this->Points->ForgetInputPoints();
+  this->Points->Finish(output);
+  for (int i = 0; i < found->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    output->GetPointData()->AddArray(found->GetPointData()->GetArray(i));
+  }
+  AddVertices(output->GetNumberOfPoints(), output);
+  return true;
+}
+
+bool UniformRun::FindPlaces(const PlaceRequest& request)
+{
+  if (!this->Plan())
+  {
+    return false;
+  }
+  this->PlanInterpolation();
+  return std::visit([&](const auto& level)
+    { return this->FindPlaces<SchemeOf<std::decay_t<decltype(level)>>>(request, level); },
+    this->Current);
+}
+
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSubdivisionLimitProbe.h"
+
+#include "Private/Uniform/UniformSubdivision.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkSubdivisionLimitProbe);
+
+namespace
+{
+constexpr int PlacesPort = 3;
+}
+
+vtkSubdivisionLimitProbe::vtkSubdivisionLimitProbe()
+{
+  this->SetNumberOfInputPorts(PlacesPort + 1);
+}
+
+vtkSubdivisionLimitProbe::~vtkSubdivisionLimitProbe() = default;
+
+void vtkSubdivisionLimitProbe::SetPlacesConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(PlacesPort, output);
+}
+
+int vtkSubdivisionLimitProbe::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port != PlacesPort)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+int vtkSubdivisionLimitProbe::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  if (!vtkPolyData::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT())))
+  {
+    info->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPolyData>());
+  }
+  return 1;
+}
+
+int vtkSubdivisionLimitProbe::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (vtkCompositeDataSet::SafeDownCast(vtkDataObject::GetData(inputVector[0])) ||
+    this->SharesRanks())
+  {
+    vtkErrorMacro("The control mesh consists of blocks, or is shared by several ranks. Merge it "
+                  "to one data set first.");
+    return 0;
+  }
+  subdivision::PlaceRequest request;
+  request.Targets = vtkDataSet::GetData(inputVector[PlacesPort]);
+  subdivision::UniformOptions options;
+  options.Levels = 0;
+  options.ProjectToLimit = true;
+  options.Places = &request;
+  return this->Run(inputVector, outputVector, options,
+    "Results at the border of the partition are not those of the whole mesh.",
+    "the search for nearest places. Use fewer points, or a part of the control mesh.",
+    [&](vtkPointSet* input, vtkPointSet* output)
+    {
+      request.Output = vtkPolyData::SafeDownCast(output);
+      return subdivision::SubdivideUniformly(input, options, nullptr);
+    });
+}
+
+void vtkSubdivisionLimitProbe::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSubdivisionLimitProbe
+ * @brief   the nearest places of a smooth object for given points
+ *
+ * Finds for each point the place of the limit that is nearest to it, with all values there. The
+ * limit is what vtkMultiDimensionalSubdivision makes of the input after infinitely many levels:
+ * curves, surfaces, and solids with VolumeScheme = BOX_SPLINE. A point inside a solid is its own
+ * nearest place: the filter finds from where in the control mesh it comes.
+ *
+ * @par Inputs
+ * Port 0: the control mesh, one data set that is no collection of blocks. Ports 1 and 2: marks, see
+ * vtkMarkedSubdivisionAlgorithm. Port 3: the points, of any data set; its cells and arrays do not
+ * matter.
+ *
+ * @par Output
+ * A vtkPolyData with a vertex for each point, where the nearest place is, in double precision
+ * unless OutputPointsPrecision says otherwise. Point arrays: those of the control mesh, smoothed,
+ * as vtkMultiDimensionalSubdivision::EvaluateLimit has them; DerivativeU, DerivativeV, DerivativeW,
+ * LimitNormals, MeanCurvature and GaussianCurvature, as there; `Distance` to the place; `CellId`,
+ * the cell of the control mesh with the place; `CellParameters`, the weights of its second, third
+ * and fourth point, which are -1 in cells that are no vertices, lines, triangles or tetrahedra.
+ *
+ * @par Method
+ * Two levels on the limit tell where to begin. Newton's method then makes the distance smaller, up
+ * to rounding, also across the borders of cells. Where two parts of the object are almost equally
+ * near, the farther one may be found: those two levels, and not the limit, choose between them.
+ *
+ * @sa
+ * vtkMultiDimensionalSubdivision vtkProbeFilter
+ */
+#ifndef vtkSubdivisionLimitProbe_h
+#define vtkSubdivisionLimitProbe_h
+
+#include "vtkMarkedSubdivisionAlgorithm.h"
+#include "vtkSubdivisionObjectsModule.h" // for export macro
+
+class vtkAlgorithmOutput;
+class vtkPolyData;
+
+class VTKSUBDIVISIONOBJECTS_EXPORT vtkSubdivisionLimitProbe : public vtkMarkedSubdivisionAlgorithm
+{
+public:
+  static vtkSubdivisionLimitProbe* New();
+  vtkTypeMacro(vtkSubdivisionLimitProbe, vtkMarkedSubdivisionAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The output.
+  vtkPolyData* GetOutput() { return this->GetPolyDataOutput(); }
+
+  /// Connects the points, at port 3.
+  void SetPlacesConnection(vtkAlgorithmOutput* output);
+
+protected:
+  vtkSubdivisionLimitProbe();
+  ~vtkSubdivisionLimitProbe() override;
+
+  bool CanInterpolate() const override { return true; }
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkSubdivisionLimitProbe(const vtkSubdivisionLimitProbe&) = delete;
+  void operator=(const vtkSubdivisionLimitProbe&) = delete;
+};
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BenchmarkPlaces.cxx
+ * Limits at places between vertices: to make their rows, and to apply rows that are ready. The
+ * places and what is made there are those of the limit stencils of OpenSubdiv
+ * (Peers/PeerOpenSubdiv.cxx): points and two derivatives, in double.
+ */
+#include "BenchmarkPlaces.h"
+#include "BenchmarkMeshes.h"
+#include "BenchmarkTools.h"
+
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
+#include "Core/Solids/Complex/TetOrder.h"
+#include "Core/Solids/Limits/PlaceLimits.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace benchmarks
+{
+namespace
+{
+
+using namespace subdivision;
+
+/// A mesh, its control level, and places in all of its cells.
+struct Control
+{
+  explicit Control(FlatMesh mesh)
+    : Mesh(std::move(mesh))
+  {
+    SimplexList cells;
+    cells.NumberOfPoints = this->Mesh.GetNumberOfPoints();
+    cells.Dimensions.assign(
+      this->Mesh.GetNumberOfCells(), static_cast<unsigned char>(this->Mesh.Corners - 1));
+    cells.Connectivity.assign(this->Mesh.Cells.begin(), this->Mesh.Cells.end());
+    OrderTets(cells, this->Mesh.Points.data(), nullptr, 0);
+    std::vector<CellRun> runs;
+    this->Level.Complex = BuildComplex<int>(cells, runs);
+    this->Level.Strata = BuildStrata(this->Level.Complex, SingularSimplices(), StrataOptions());
+    for (int cell = 0; cell < this->Mesh.GetNumberOfCells(); ++cell)
+    {
+      for (int i = 0; i < PlacesOfCell; ++i)
+      {
+        LimitPlace<int> place;
+        place.Dimension = this->Mesh.Corners - 1;
+        for (int k = 0; k < this->Mesh.Corners; ++k)
+        {
+          place.Corners[k] = static_cast<int>(cells.Connectivity[this->Mesh.Corners * cell + k]);
+        }
+        const std::array<double, 2> at = GetPlace(i);
+        place.Parameters = { { at[0], at[1], place.Dimension == 3 ? 0.1 : 0. } };
+        this->Places.push_back(place);
+      }
+    }
+  }
+
+  FlatMesh Mesh;
+  subdivision::Level<int> Level;
+  std::vector<LimitPlace<int>> Places;
+};
+
+Produced MakeRows(Stopwatch& watch, const Control& control)
+{
+  std::unique_ptr<PlaceLimits<int>> limits;
+  watch.Time(
+    [&]()
+    {
+      limits =
+        std::make_unique<PlaceLimits<int>>(control.Level, SemiSharpStages<int>(), control.Places);
+    });
+  return { static_cast<double>(control.Places.size()),
+    static_cast<double>(limits->Rows[0].GetMemorySize()) };
+}
+
+Produced ApplyRows(Stopwatch& watch, const Control& control)
+{
+  static const PlaceLimits<int> limits(control.Level, SemiSharpStages<int>(), control.Places);
+  const auto size = 3 * static_cast<vtkIdType>(control.Places.size());
+  Buffer<double> results[3];
+  watch.Time(
+    [&]()
+    {
+      for (int part = 0; part < 3; ++part)
+      {
+        results[part] = Buffer<double>(size);
+        limits.Rows[part].Apply(control.Mesh.Points.data(), results[part].data(), 3);
+      }
+    });
+  return { static_cast<double>(control.Places.size()), 24. * static_cast<double>(size) };
+}
+
+void RegisterPlaces()
+{
+  static const Control sphere(MakeSphere(4));
+  static const Control cube(MakeCube(3));
+  for (const int threads : ThreadCounts)
+  {
+    Register("places/make rows/sphere/levels:0", threads,
+      [](Stopwatch& watch) { return MakeRows(watch, sphere); });
+    Register("places/apply rows/sphere/levels:0", threads,
+      [](Stopwatch& watch) { return ApplyRows(watch, sphere); });
+    Register("places/make rows/cube of solids/levels:0", threads,
+      [](Stopwatch& watch) { return MakeRows(watch, cube); });
+  }
+}
+
+const Registration Registered(RegisterPlaces);
+
+}
+}

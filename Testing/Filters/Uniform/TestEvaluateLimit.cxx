@@ -1,0 +1,485 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestEvaluateLimit.cxx
+ * The limit at places of cells: against the projected points of fine levels, closed formulas, and
+ * differences.
+ */
+#include "MultiDimensionalSubdivisionTools.h"
+
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSubdivisionModelSource.h"
+
+using namespace multi_dimensional_subdivision_tools;
+
+namespace
+{
+
+using Filter = vtkMultiDimensionalSubdivision;
+
+struct Places
+{
+  vtkNew<vtkIdTypeArray> Cells;
+  vtkNew<vtkDoubleArray> Parameters;
+  Places() { this->Parameters->SetNumberOfComponents(3); }
+  void Add(vtkIdType cell, const Point& p)
+  {
+    this->Cells->InsertNextValue(cell);
+    this->Parameters->InsertNextTuple(p.data());
+  }
+  vtkIdType GetSize() const { return this->Cells->GetNumberOfTuples(); }
+};
+
+vtkSmartPointer<vtkPolyData> Evaluate(Filter* filter, const Places& places)
+{
+  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  EXPECT_TRUE(filter->EvaluateLimit(places.Cells, places.Parameters, result));
+  EXPECT_EQ(result->GetNumberOfPoints(), places.GetSize());
+  EXPECT_EQ(result->GetNumberOfVerts(), places.GetSize());
+  return result;
+}
+
+Point GetTuple(vtkPolyData* result, const char* name, vtkIdType i)
+{
+  Point p{};
+  result->GetPointData()->GetArray(name)->GetTuple(i, p.data());
+  return p;
+}
+
+Grid InDouble(vtkPointSet* mesh)
+{
+  const auto copy = Grid::New();
+  copy->DeepCopy(mesh);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->DeepCopy(mesh->GetPoints());
+  copy->SetPoints(points);
+  return copy;
+}
+
+Grid MakeModel(int model)
+{
+  vtkNew<vtkSubdivisionModelSource> source;
+  source->SetModel(model);
+  source->Update();
+  const Grid grid = InDouble(source->GetOutput());
+  grid->GetPointData()->AddArray(
+    MakeArray<vtkDoubleArray>("Random", 2, grid->GetNumberOfPoints(), -1., 1., 7));
+  return grid;
+}
+
+/// The parameters of a point of a cell, which are multiples of 1/64.
+Point FindParameters(vtkUnstructuredGrid* grid, const Ids& cell, const Point& x)
+{
+  const auto size = static_cast<int>(cell.size());
+  const Point origin = GetPoint(grid, cell[0]);
+  // The normal equations, by elimination.
+  double m[3][4] = {};
+  std::vector<Point> sides;
+  for (int k = 1; k < size; ++k)
+  {
+    const Point p = GetPoint(grid, cell[k]);
+    sides.push_back({ p[0] - origin[0], p[1] - origin[1], p[2] - origin[2] });
+  }
+  for (int i = 0; i < size - 1; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      for (int k = 0; k < size - 1; ++k)
+      {
+        m[i][k] += sides[i][c] * sides[k][c];
+      }
+      m[i][3] += sides[i][c] * (x[c] - origin[c]);
+    }
+  }
+  for (int i = 0; i < size - 1; ++i)
+  {
+    for (int row = 0; row < size - 1; ++row)
+    {
+      const double factor = row == i ? 0. : m[row][i] / m[i][i];
+      for (int c = 0; c < 4 && row != i; ++c)
+      {
+        m[row][c] -= factor * m[i][c];
+      }
+    }
+  }
+  Point parameters{};
+  for (int i = 0; i < size - 1; ++i)
+  {
+    parameters[i] = std::round(64. * m[i][3] / m[i][i]) / 64.;
+  }
+  return parameters;
+}
+
+/// Compares values at places with what ProjectToLimit gives there after some levels.
+void CheckAgainstLevels(
+  vtkUnstructuredGrid* input, Filter* filter, int levels, vtkIdType count, unsigned seed)
+{
+  vtkNew<Filter> linear;
+  linear->SetInputData(input);
+  linear->SetVolumeSchemeToLinear();
+  linear->SetNumberOfLevels(levels);
+  linear->GenerateOriginalIdsOn();
+  linear->Update();
+  filter->SetInputData(input);
+  filter->SetNumberOfLevels(levels);
+  filter->ProjectToLimitOn();
+  filter->Update();
+  vtkUnstructuredGrid* fine = filter->GetOutput();
+  ASSERT_EQ(fine->GetNumberOfCells(), linear->GetOutput()->GetNumberOfCells());
+  vtkDataArray* parents = linear->GetOutput()->GetCellData()->GetArray("vtkOriginalCellIds");
+  std::mt19937 random(seed);
+  Places places;
+  Ids expected;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const auto cell =
+      static_cast<vtkIdType>(random() % static_cast<unsigned>(fine->GetNumberOfCells()));
+    const Ids corners = GetCell(linear->GetOutput(), cell);
+    const auto parent = static_cast<vtkIdType>(parents->GetComponent(cell, 0));
+    const Ids fineCorners = GetCell(fine, cell);
+    const std::size_t k = random() % corners.size();
+    ASSERT_EQ(corners, fineCorners);
+    places.Add(parent,
+      FindParameters(input, GetCell(input, parent), GetPoint(linear->GetOutput(), corners[k])));
+    expected.push_back(corners[k]);
+  }
+  const auto result = Evaluate(filter, places);
+  const double size = input->GetLength();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      ASSERT_NEAR(GetPoint(result, i)[c], GetPoint(fine, expected[i])[c], 1e-12 * size)
+        << "place " << i << " in cell " << places.Cells->GetValue(i) << " of type "
+        << input->GetCellType(places.Cells->GetValue(i)) << " at "
+        << places.Parameters->GetComponent(i, 0) << " " << places.Parameters->GetComponent(i, 1)
+        << " " << places.Parameters->GetComponent(i, 2);
+    }
+    for (int c = 0; c < 2 && input->GetPointData()->HasArray("Random"); ++c)
+    {
+      ASSERT_NEAR(result->GetPointData()->GetArray("Random")->GetComponent(i, c),
+        fine->GetPointData()->GetArray("Random")->GetComponent(expected[i], c), 1e-12);
+    }
+  }
+}
+
+/// A surface with vertices of 3 to 8 triangles, and a boundary.
+Grid MakeSurface()
+{
+  std::vector<Point> points;
+  std::vector<Cell> cells;
+  for (int i = 0; i < 36; ++i)
+  {
+    points.push_back(
+      { i % 6 + 0.2 * std::sin(3. * i), i / 6 + 0.2 * std::sin(5. * i + 1.), std::sin(0.7 * i) });
+  }
+  for (vtkIdType i = 0; i < 29; ++i)
+  {
+    if (i % 6 < 5)
+    {
+      const bool turned = i % 4 == 1;
+      cells.push_back({ VTK_TRIANGLE, { i, i + 1, turned ? i + 6 : i + 7 } });
+      cells.push_back({ VTK_TRIANGLE, { turned ? i + 1 : i, i + 7, i + 6 } });
+    }
+  }
+  return MakeGrid(points, cells);
+}
+
+}
+
+TEST(EvaluateLimit, CurvesAreCubicBSplines)
+{
+  const std::vector<Point> p = { { 0., 0., 0. }, { 1., 2., 0. }, { 3., 1., 1. }, { 4., -1., 2. } };
+  const Grid input =
+    MakeGrid(p, { { VTK_LINE, { 0, 1 } }, { VTK_LINE, { 2, 1 } }, { VTK_LINE, { 2, 3 } } });
+  vtkNew<Filter> filter;
+  filter->SetInputData(input);
+  Places places;
+  for (const double u : { 0., 0.3, 0.7, 1. })
+  {
+    places.Add(1, { u, 9., 9. }); // from point 2 to 1: what a line does not have is not read
+  }
+  const auto result = Evaluate(filter, places);
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    const double t = 1. - places.Parameters->GetComponent(i, 0);
+    const double weights[4] = { (1. - t) * (1. - t) * (1. - t) / 6.,
+      (3. * t * t * t - 6. * t * t + 4.) / 6., (-3. * t * t * t + 3. * t * t + 3. * t + 1.) / 6.,
+      t * t * t / 6. };
+    const double slopes[4] = { -0.5 * (1. - t) * (1. - t), 1.5 * t * t - 2. * t,
+      -1.5 * t * t + t + 0.5, 0.5 * t * t };
+    const double bends[4] = { 1. - t, 3. * t - 2., 1. - 3. * t, t };
+    Point value{};
+    Point first{};
+    Point second{};
+    for (int k = 0; k < 4; ++k)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        value[c] += weights[k] * p[k][c];
+        first[c] -= slopes[k] * p[k][c];
+        second[c] += bends[k] * p[k][c];
+      }
+    }
+    const Point cross = { first[1] * second[2] - first[2] * second[1],
+      first[2] * second[0] - first[0] * second[2], first[0] * second[1] - first[1] * second[0] };
+    const double curvature = std::hypot(cross[0], cross[1], cross[2]) /
+      std::pow(std::hypot(first[0], first[1], first[2]), 3);
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(GetPoint(result, i)[c], value[c], 1e-14);
+      EXPECT_NEAR(GetTuple(result, "DerivativeU", i)[c], first[c], 1e-13);
+      EXPECT_EQ(GetTuple(result, "DerivativeV", i)[c], 0.);
+    }
+    EXPECT_NEAR(GetTuple(result, "MeanCurvature", i)[0], curvature, 1e-11);
+  }
+}
+
+TEST(EvaluateLimit, SurfacesAgainstLevels)
+{
+  const Grid input = MakeSurface();
+  for (const int levels : { 0, 2, 6 })
+  {
+    SCOPED_TRACE(levels);
+    vtkNew<Filter> filter;
+    CheckAgainstLevels(input, filter, levels, 200, 3);
+  }
+}
+
+TEST(EvaluateLimit, AllModelsAgainstLevels)
+{
+  for (int model = 0; model < vtkSubdivisionModelSource::NUMBER_OF_MODELS; ++model)
+  {
+    const Grid input = MakeModel(model);
+    for (const int scheme : { Filter::BOX_SPLINE, Filter::LINEAR })
+    {
+      SCOPED_TRACE(testing::Message() << model << " " << scheme);
+      vtkNew<Filter> filter;
+      filter->SetVolumeScheme(scheme);
+      CheckAgainstLevels(input, filter, 2, 40, 5);
+    }
+  }
+}
+
+TEST(EvaluateLimit, SemiSharpCreases)
+{
+  const Grid input = MakeSurface();
+  const vtkIdType crease[3] = { 14, 15, 16 };
+  for (int i = 0; i < 2; ++i)
+  {
+    input->InsertNextCell(VTK_LINE, 2, crease + i);
+  }
+  vtkNew<vtkDoubleArray> sharpness;
+  sharpness->SetName("Sharpness");
+  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
+  {
+    sharpness->InsertNextValue(input->GetCellType(i) == VTK_LINE ? 2.5 : 0.);
+  }
+  input->GetCellData()->AddArray(sharpness);
+  vtkNew<Filter> filter;
+  filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Sharpness");
+  CheckAgainstLevels(input, filter, 4, 300, 9);
+}
+
+/// Derivatives are what values differ by, inside cells and near extraordinary vertices.
+TEST(EvaluateLimit, DerivativesAreDifferences)
+{
+  const Grid surface = MakeSurface();
+  const Grid solid = MakeModel(vtkSubdivisionModelSource::MECHANICAL_PART);
+  for (const Grid& input : { surface, solid })
+  {
+    vtkIdType cell = 20;
+    while (input->GetCellType(cell) != (input == surface ? VTK_TRIANGLE : VTK_TETRA))
+    {
+      ++cell;
+    }
+    const int dimension = input == surface ? 2 : 3;
+    vtkNew<Filter> filter;
+    filter->SetInputData(input);
+    const double h = 1. / 1024.;
+    const std::vector<Point> at = { { 0.3, 0.3, 0.2 }, { 0.61, 0.2, 0.1 }, { 0.05, 0.06, 0.07 },
+      { 0.263, 0.241, 0.221 } };
+    Places places;
+    for (const Point& p : at)
+    {
+      places.Add(cell, p);
+      for (int k = 0; k < dimension; ++k)
+      {
+        for (const double steps : { -2., -1., 1., 2. })
+        {
+          Point q = p;
+          q[k] += steps * h;
+          places.Add(cell, q);
+        }
+      }
+    }
+    const auto result = Evaluate(filter, places);
+    const char* names[3] = { "DerivativeU", "DerivativeV", "DerivativeW" };
+    vtkIdType i = 0;
+    for (std::size_t n = 0; n < at.size(); ++n)
+    {
+      const vtkIdType centre = i++;
+      for (int k = 0; k < dimension; ++k, i += 4)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          const auto get = [&](vtkIdType step) { return GetPoint(result, i + step)[c]; };
+          const double difference = (get(0) - 8. * get(1) + 8. * get(2) - get(3)) / (12. * h);
+          // The formula is exact for a polynomial of degree 4.
+          EXPECT_NEAR(GetTuple(result, names[k], centre)[c], difference,
+            (dimension == 2 ? 1e-10 : 1e-7) * input->GetLength())
+            << n << " " << k;
+        }
+      }
+    }
+  }
+}
+
+/// The curvatures of a surface, from differences of its derivatives.
+TEST(EvaluateLimit, CurvaturesAreThoseOfDifferences)
+{
+  const Grid input = MakeSurface();
+  vtkNew<Filter> filter;
+  filter->SetInputData(input);
+  const double h = 1. / 4096.;
+  Places places;
+  for (const Point& p : { Point{ 0.3, 0.4, 0. }, Point{ 0.3 + h, 0.4, 0. },
+         Point{ 0.3, 0.4 + h, 0. }, Point{ 0.3 - h, 0.4, 0. }, Point{ 0.3, 0.4 - h, 0. } })
+  {
+    places.Add(21, p);
+  }
+  const auto result = Evaluate(filter, places);
+  const auto differ = [&](const char* name, vtkIdType a, vtkIdType b)
+  {
+    const Point p = GetTuple(result, name, a);
+    const Point q = GetTuple(result, name, b);
+    return Point{ (p[0] - q[0]) / (2. * h), (p[1] - q[1]) / (2. * h), (p[2] - q[2]) / (2. * h) };
+  };
+  const auto dot = [](const Point& a, const Point& b)
+  { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  const Point u = GetTuple(result, "DerivativeU", 0);
+  const Point v = GetTuple(result, "DerivativeV", 0);
+  const Point normal = GetTuple(result, "LimitNormals", 0);
+  EXPECT_NEAR(dot(normal, u), 0., 1e-12);
+  EXPECT_NEAR(dot(normal, v), 0., 1e-12);
+  EXPECT_NEAR(dot(normal, normal), 1., 1e-12);
+  const double l = dot(differ("DerivativeU", 1, 3), normal);
+  const double m = dot(differ("DerivativeU", 2, 4), normal);
+  const double n = dot(differ("DerivativeV", 2, 4), normal);
+  const double area = dot(u, u) * dot(v, v) - dot(u, v) * dot(u, v);
+  EXPECT_NEAR(GetTuple(result, "GaussianCurvature", 0)[0], (l * n - m * m) / area, 1e-6);
+  EXPECT_NEAR(GetTuple(result, "MeanCurvature", 0)[0],
+    0.5 * (dot(u, u) * n - 2. * dot(u, v) * m + dot(v, v) * l) / area, 1e-6);
+}
+
+TEST(EvaluateLimit, ThreadsAndOtherPlacesDoNotMatter)
+{
+  const Grid input = MakeModel(vtkSubdivisionModelSource::SPRING_AND_VALVE);
+  vtkNew<Filter> filter;
+  filter->SetInputData(input);
+  Places places;
+  for (vtkIdType i = 0; i < input->GetNumberOfCells(); i += 7)
+  {
+    places.Add(i, { 0.2, 0.3, 0.1 });
+  }
+  const auto many = Evaluate(filter, places);
+  vtkSMPTools::Initialize(1);
+  const auto one = Evaluate(filter, places);
+  vtkSMPTools::Initialize(0);
+  Places last;
+  last.Add(places.Cells->GetValue(places.GetSize() - 1), { 0.2, 0.3, 0.1 });
+  const auto alone = Evaluate(filter, last);
+  for (vtkIdType i = 0; i < places.GetSize(); ++i)
+  {
+    EXPECT_EQ(GetPoint(many, i), GetPoint(one, i));
+  }
+  const Point p = GetPoint(alone, 0);
+  const Point q = GetPoint(many, places.GetSize() - 1);
+  for (int c = 0; c < 3; ++c)
+  {
+    EXPECT_NEAR(p[c], q[c], 1e-13 * input->GetLength());
+  }
+}
+
+/// The rules are those of the filter: control values are solved for, and a stamp is read.
+TEST(EvaluateLimit, InterpolationAndFiltersInARow)
+{
+  const Grid input = MakeModel(vtkSubdivisionModelSource::CYLINDER);
+  vtkNew<Filter> first;
+  first->SetInputData(input);
+  first->InterpolatePointsOn();
+  Places corners;
+  for (vtkIdType i = 0; i < input->GetNumberOfCells(); i += 5)
+  {
+    corners.Add(i, { 0., 0., 0. });
+  }
+  const auto given = Evaluate(first, corners);
+  for (vtkIdType i = 0; i < corners.GetSize(); ++i)
+  {
+    const Point x = GetPoint(input, GetCell(input, corners.Cells->GetValue(i))[0]);
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(GetPoint(given, i)[c], x[c], 1e-9 * input->GetLength());
+    }
+  }
+  first->Update();
+  vtkNew<Filter> second;
+  second->SetInputData(first->GetOutput());
+  second->SetNumberOfLevels(0);
+  second->ProjectToLimitOn();
+  second->Update();
+  const auto result = Evaluate(second, corners);
+  for (vtkIdType i = 0; i < corners.GetSize(); ++i)
+  {
+    const Ids cell = GetCell(first->GetOutput(), corners.Cells->GetValue(i));
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(GetPoint(result, i)[c], GetPoint(second->GetOutput(), cell[0])[c],
+        1e-12 * input->GetLength());
+    }
+  }
+}
+
+TEST(EvaluateLimit, Errors)
+{
+  const Grid input = MakeMixedBox(2);
+  vtkNew<Filter> filter;
+  filter->SetInputData(input);
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  const auto fails = [&](vtkIdType cell, const Point& p, const char* part)
+  {
+    messages->Errors.clear();
+    Places places;
+    places.Add(cell, p);
+    vtkNew<vtkPolyData> result;
+    EXPECT_FALSE(filter->EvaluateLimit(places.Cells, places.Parameters, result)) << part;
+    ASSERT_FALSE(messages->Errors.empty()) << part;
+    EXPECT_NE(messages->Errors[0].find(part), std::string::npos) << messages->Errors[0];
+  };
+  fails(-1, { 0.2, 0.2, 0.2 }, "no such cell");
+  fails(input->GetNumberOfCells(), { 0.2, 0.2, 0.2 }, "no such cell");
+  vtkIdType hexahedron = 0;
+  while (input->GetCellType(hexahedron) != VTK_HEXAHEDRON)
+  {
+    ++hexahedron;
+  }
+  fails(hexahedron, { 0.2, 0.2, 0.2 }, "no vertex, line, triangle or tetrahedron");
+  const Grid tet = MakeGrid({ { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1., 0. }, { 0., 0., 1. } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  filter->SetInputData(tet);
+  fails(0, { std::nan(""), 0., 0. }, "not finite");
+  filter->SetVolumeSchemeToTetOct();
+  fails(0, { 0.2, 0.2, 0.2 }, "BoxSpline or Linear");
+  filter->SetVolumeSchemeToBoxSpline();
+  filter->SetInterfaceValuesToDiscontinuous();
+  fails(0, { 0.2, 0.2, 0.2 }, "InterfaceValues");
+  filter->SetInterfaceValuesToContinuous();
+  Places places;
+  places.Add(0, { 0.25, 0.25, 0.25 });
+  Evaluate(filter, places);
+  places.Cells->InsertNextValue(0);
+  vtkNew<vtkPolyData> result;
+  EXPECT_FALSE(filter->EvaluateLimit(places.Cells, places.Parameters, result));
+}

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestSubdivisionLimitProbe.cxx
+ * Nearest places on the limit: known places are found again, and no vertex of a fine level is
+ * nearer.
+ */
+#include "MultiDimensionalSubdivisionTools.h"
+
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPolyData.h"
+#include "vtkSubdivisionLimitProbe.h"
+#include "vtkSubdivisionModelSource.h"
+
+using namespace multi_dimensional_subdivision_tools;
+
+namespace
+{
+
+/// A surface with bumps and a boundary.
+Grid MakeSurface()
+{
+  std::vector<Point> points;
+  std::vector<Cell> cells;
+  for (int i = 0; i < 36; ++i)
+  {
+    points.push_back({ i % 6 + 0.1 * std::sin(3. * i), i / 6 + 0.1 * std::sin(5. * i + 1.),
+      0.4 * std::sin(0.7 * i) });
+  }
+  for (vtkIdType i = 0; i < 29; ++i)
+  {
+    if (i % 6 < 5)
+    {
+      const bool turned = i % 4 == 1;
+      cells.push_back({ VTK_TRIANGLE, { i, i + 1, turned ? i + 6 : i + 7 } });
+      cells.push_back({ VTK_TRIANGLE, { turned ? i + 1 : i, i + 7, i + 6 } });
+    }
+  }
+  return MakeGrid(points, cells);
+}
+
+Grid MakeModel(int model)
+{
+  vtkNew<vtkSubdivisionModelSource> source;
+  source->SetModel(model);
+  source->Update();
+  const auto grid = DeepCopy(vtkUnstructuredGrid::SafeDownCast(source->GetOutput()));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->DeepCopy(grid->GetPoints());
+  grid->SetPoints(points);
+  grid->GetPointData()->AddArray(
+    MakeArray<vtkDoubleArray>("Random", 1, grid->GetNumberOfPoints(), -1., 1., 7));
+  return grid;
+}
+
+vtkSmartPointer<vtkPolyData> MakePoints(const std::vector<Point>& targets)
+{
+  const auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Point& target : targets)
+  {
+    points->InsertNextPoint(target.data());
+  }
+  data->SetPoints(points);
+  return data;
+}
+
+/// Runs the filter and copies its output, which has to fit together.
+vtkSmartPointer<vtkPolyData> Probe(vtkUnstructuredGrid* mesh, const std::vector<Point>& targets)
+{
+  vtkNew<vtkSubdivisionLimitProbe> filter;
+  filter->SetInputDataObject(3, MakePoints(targets));
+  const auto found = UpdateWithoutErrors<vtkPolyData>(filter.Get(), mesh);
+  EXPECT_EQ(found->GetNumberOfPoints(), static_cast<vtkIdType>(targets.size()));
+  EXPECT_EQ(found->GetNumberOfVerts(), found->GetNumberOfPoints());
+  vtkNew<vtkMultiDimensionalSubdivision> evaluator;
+  evaluator->SetInputData(mesh);
+  vtkNew<vtkPolyData> again;
+  EXPECT_TRUE(evaluator->EvaluateLimit(
+    vtkIdTypeArray::SafeDownCast(found->GetPointData()->GetArray("CellId")),
+    found->GetPointData()->GetArray("CellParameters"), again));
+  for (vtkIdType i = 0; i < found->GetNumberOfPoints(); ++i)
+  {
+    const Point p = GetPoint(found, i);
+    const Point q = GetPoint(again, i);
+    double distance = 0.;
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(p[c], q[c], 1e-12 * mesh->GetLength()) << i;
+      distance += (p[c] - targets[i][c]) * (p[c] - targets[i][c]);
+    }
+    EXPECT_NEAR(found->GetPointData()->GetArray("Distance")->GetComponent(i, 0),
+      std::sqrt(distance), 1e-12 * mesh->GetLength());
+  }
+  return found;
+}
+
+}
+
+TEST(SubdivisionLimitProbe, NoVertexOfAFineLevelIsNearer)
+{
+  const Grid mesh = MakeSurface();
+  std::mt19937 random(1);
+  const auto draw = [&random] { return random() / 4294967296.; };
+  std::vector<Point> targets;
+  for (int i = 0; i < 200; ++i)
+  {
+    targets.push_back({ 7. * draw() - 1., 6. * draw() - 1., draw() - 0.5 }); // some beside it
+  }
+  const auto found = Probe(mesh, targets);
+  vtkNew<vtkMultiDimensionalSubdivision> fine;
+  fine->SetNumberOfLevels(5);
+  fine->ProjectToLimitOn();
+  fine->SetInputData(mesh);
+  fine->Update();
+  for (std::size_t t = 0; t < targets.size(); ++t)
+  {
+    double least = VTK_DOUBLE_MAX;
+    for (vtkIdType i = 0; i < fine->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      const Point p = GetPoint(fine->GetOutput(), i);
+      least = std::min(
+        least, std::hypot(p[0] - targets[t][0], p[1] - targets[t][1], p[2] - targets[t][2]));
+    }
+    const double distance =
+      found->GetPointData()->GetArray("Distance")->GetComponent(static_cast<vtkIdType>(t), 0);
+    EXPECT_LE(distance, least + 1e-12) << t;
+    EXPECT_GE(distance, least - 0.03) << t; // vertices are as far apart
+  }
+}
+
+/// A place that was moved along the normal is found again; so are places on curves.
+TEST(SubdivisionLimitProbe, FootPoints)
+{
+  const Grid mesh = MakeSurface();
+  const vtkIdType line[3] = { 40, 41, 42 };
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->DeepCopy(mesh->GetPoints());
+  for (int i = 0; i < 7; ++i)
+  {
+    points->InsertNextPoint(i, 0.3 * i * i, 20.);
+  }
+  mesh->SetPoints(points);
+  mesh->InsertNextCell(VTK_LINE, 2, line);
+  mesh->InsertNextCell(VTK_LINE, 2, line + 1);
+  vtkNew<vtkMultiDimensionalSubdivision> evaluator;
+  evaluator->SetInputData(mesh);
+  vtkNew<vtkIdTypeArray> cells;
+  vtkNew<vtkDoubleArray> parameters;
+  parameters->SetNumberOfComponents(3);
+  // Some places are so near to an edge that the search may begin beyond it.
+  const std::vector<Point> ofTriangles = { { 0.3, 0.4, 0. }, { 0.003, 0.4, 0. }, { 0.4, 0.003, 0. },
+    { 0.5, 0.497, 0. }, { 0.05, 0.1, 0. } };
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    for (const Point& p : ofTriangles)
+    {
+      cells->InsertNextValue(i);
+      parameters->InsertNextTuple3(p[0], mesh->GetCellType(i) == VTK_LINE ? 0. : p[1], 0.);
+    }
+  }
+  vtkNew<vtkPolyData> at;
+  ASSERT_TRUE(evaluator->EvaluateLimit(cells, parameters, at));
+  std::vector<Point> targets;
+  for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
+  {
+    Point p = GetPoint(at, i);
+    Point normal;
+    at->GetPointData()->GetArray("LimitNormals")->GetTuple(i, normal.data());
+    for (int c = 0; c < 3; ++c)
+    {
+      p[c] += 0.2 * normal[c]; // zero on curves
+    }
+    targets.push_back(p);
+  }
+  const auto found = Probe(mesh, targets);
+  for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(GetPoint(found, i)[c], GetPoint(at, i)[c], 1e-8) << i;
+    }
+    const vtkIdType cell = cells->GetValue(i);
+    EXPECT_EQ(found->GetPointData()->GetArray("CellId")->GetComponent(i, 0), cell);
+    EXPECT_NEAR(found->GetPointData()->GetArray("Distance")->GetComponent(i, 0),
+      mesh->GetCellType(cell) == VTK_LINE ? 0. : 0.2, 1e-10)
+      << i;
+  }
+}
+
+TEST(SubdivisionLimitProbe, PointsInsideSolidsAreTheirOwnPlaces)
+{
+  const Grid mesh = MakeModel(vtkSubdivisionModelSource::CYLINDER);
+  vtkNew<vtkMultiDimensionalSubdivision> evaluator;
+  evaluator->SetInputData(mesh);
+  vtkNew<vtkIdTypeArray> cells;
+  vtkNew<vtkDoubleArray> parameters;
+  parameters->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); i += 11)
+  {
+    if (mesh->GetCellType(i) == VTK_TETRA)
+    {
+      cells->InsertNextValue(i);
+      parameters->InsertNextTuple3(0.31, 0.22, 0.17);
+    }
+  }
+  vtkNew<vtkPolyData> at;
+  ASSERT_TRUE(evaluator->EvaluateLimit(cells, parameters, at));
+  std::vector<Point> targets;
+  for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
+  {
+    targets.push_back(GetPoint(at, i));
+  }
+  const auto found = Probe(mesh, targets);
+  for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(found->GetPointData()->GetArray("Distance")->GetComponent(i, 0), 0., 1e-12);
+    EXPECT_NEAR(found->GetPointData()->GetArray("Random")->GetComponent(i, 0),
+      at->GetPointData()->GetArray("Random")->GetComponent(i, 0), 1e-9);
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_NEAR(found->GetPointData()->GetArray("CellParameters")->GetComponent(i, k),
+        parameters->GetComponent(i, k), 1e-9);
+    }
+    EXPECT_EQ(found->GetPointData()->GetArray("CellId")->GetComponent(i, 0), cells->GetValue(i));
+  }
+}
+
+TEST(SubdivisionLimitProbe, SplitCellsAndErrors)
+{
+  const Grid box = MakeMixedBox(2);
+  vtkNew<vtkSubdivisionLimitProbe> filter;
+  filter->SetInputDataObject(3, MakePoints({ { 0.4, 0.4, 0.4 }, { 1.4, 1.3, 1.2 } }));
+  const auto found = UpdateWithoutErrors<vtkPolyData>(filter.Get(), box);
+  ASSERT_EQ(found->GetNumberOfPoints(), 2);
+  for (vtkIdType i = 0; i < 2; ++i)
+  {
+    const auto cell =
+      static_cast<vtkIdType>(found->GetPointData()->GetArray("CellId")->GetComponent(i, 0));
+    const double parameter = found->GetPointData()->GetArray("CellParameters")->GetComponent(i, 0);
+    EXPECT_EQ(parameter == -1., box->GetCell(cell)->GetNumberOfPoints() > 4);
+  }
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  const auto fails = [&](vtkDataObject* mesh, const Point& target, const char* part)
+  {
+    messages->Errors.clear();
+    filter->SetInputDataObject(mesh);
+    filter->SetInputDataObject(3, MakePoints({ target }));
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+    ASSERT_FALSE(messages->Errors.empty()) << part;
+    EXPECT_NE(messages->Errors[0].find(part), std::string::npos) << messages->Errors[0];
+  };
+  fails(box, { std::nan(""), 0., 0. }, "not finite");
+  fails(MakeGrid({ { 0., 0., 0. } }, {}), { 0., 0., 0. }, "no cells");
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, box);
+  fails(blocks, { 0., 0., 0. }, "consists of blocks");
+}
