@@ -8,13 +8,14 @@ sys.dont_write_bytecode = True
 here = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(here), str(here.parents[1] / "Testing" / "Python")]
 
+import measured  # noqa: E402
 import pages  # noqa: E402
 import solids  # noqa: E402
 import surfaces  # noqa: E402
 
 
 def all_pages():
-    return surfaces.make_pages() + solids.make_pages()
+    return surfaces.make_pages() + solids.make_pages() + measured.make_pages()
 
 
 def main():
