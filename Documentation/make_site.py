@@ -32,8 +32,8 @@ class Site:
         self.project, self.folder = project, folder
         self.pages, self.html = folder / "pages", folder / "html"
         documents = [project / "README.md", project / "CHANGELOG.md", *project.glob("Documentation/*.md"),
-                     *project.glob("Documentation/Guide/*.md"), project / "Data/README.md", project / "Examples/README.md",
-                     project / "Filters/Core/README.md", project / "Testing/README.md",
+                     *project.glob("Documentation/Guide/*.md"), *project.glob("Documentation/Analysis/*.md"),
+                     project / "Data/README.md", project / "Examples/README.md", project / "Filters/Core/README.md", project / "Testing/README.md",
                      project / "Testing/Benchmarks/README.md"]
         self.documents = [path.resolve() for path in documents if path.exists()]
         self.files, self.parents = set(), set()

@@ -4,7 +4,7 @@
 import itertools
 
 import numpy as np
-import tools
+from quiet import quiet
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -48,7 +48,7 @@ def with_identity(made):
 
 def run(made, scheme, levels=1, arrays=(), **options):
     """Without the warning that polygons become triangles."""
-    with tools.quiet():
+    with quiet():
         return execute(made, scheme, levels, arrays, **options)
 
 

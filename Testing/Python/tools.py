@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the ParaView tests share: importing this loads the plugin."""
 
-import contextlib
 import os
 import sys
 import unittest
 
 from paraview import simple
+from quiet import quiet  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkObject
 
 plugin = os.environ.get("SUBDIVISIONOBJECTS_PLUGIN", "")
 if not os.path.isfile(plugin):
@@ -51,16 +50,6 @@ def saved_and_loaded(proxy):
     simple.LoadPlugin(plugin, remote=False, ns=vars(simple))
     simple.LoadState(state)
     return simple.FindSource("saved")
-
-
-@contextlib.contextmanager
-def quiet():
-    """Without the messages that a test provokes on purpose."""
-    vtkObject.GlobalWarningDisplayOff()
-    try:
-        yield
-    finally:
-        vtkObject.GlobalWarningDisplayOn()
 
 
 def main():

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the pages of this folder, or compares them with what is computed: analysis.py [--check] [PAGE...]"""
+
+import pathlib
+import sys
+
+sys.dont_write_bytecode = True
+here = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(here), str(here.parents[1] / "Testing" / "Python")]
+
+import measured  # noqa: E402
+import pages  # noqa: E402
+import solids  # noqa: E402
+import surfaces  # noqa: E402
+
+
+def all_pages():
+    return surfaces.make_pages() + solids.make_pages() + measured.make_pages()
+
+
+def main():
+    names = [name for name in sys.argv[1:] if name != "--check"]
+    known = [page.name for page in all_pages()]
+    for name in names:
+        if name not in known:
+            sys.exit(f"no page {name}; there are {' '.join(known)}")
+    chosen = [page for page in all_pages() if not names or page.name in names]
+    if "--check" not in sys.argv:
+        for page in chosen:
+            pages.write(page)
+        return
+    total = 0
+    for page in chosen:
+        faults, count = pages.differences(page, everything=True)
+        total += count
+        if faults:
+            sys.exit("\n".join(faults))
+    print(f"{total} rows of {len(chosen)} pages are what was computed")
+
+
+if __name__ == "__main__":
+    main()

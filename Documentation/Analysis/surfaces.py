@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pages on surface schemes: eigenvalues, conditions and characteristic maps by valence."""
+
+import numpy as np
+import plots
+from pages import Page, Row, Table, number, yes
+from surface_maps import Local
+from surface_matrices import FOUR_EIGHT, SQRT_THREE, is_smooth, quad_matrix, triangle_matrix
+from surface_tools import (CATMULL_CLARK, LOOP, coordinates, faces_of, fan, point_array, quad_star, run, spectrum, wheel,
+                           with_identity)
+
+from subdivisionobjects import vtkSurfaceSubdivision
+
+BUTTERFLY = vtkSurfaceSubdivision.MODIFIED_BUTTERFLY
+QUICK = {1, 2, 3, 4, 5, 6, 7, 8, 13, 50}
+MAP = ["regular", "injective", "triangles sampled"]
+
+
+def loop_value(k):
+    return 3 / 8 + np.cos(2 * np.pi / k) / 4
+
+
+def catmull_clark_value(k):
+    c = np.cos(2 * np.pi / k)
+    return (5 + c + np.sqrt((c + 9) * (c + 1))) / 16
+
+
+def butterfly_value(k):
+    return 1 / 2
+
+
+def moduli(values):
+    return [number(abs(value)) for value in values[1:4]]
+
+
+def is_interior(values):
+    a, b, c = abs(np.array(values[1:4]))
+    return a < 1 - 1e-6 and b > c + 1e-6
+
+
+def interior(scheme, k, closed_form):
+    local = Local(scheme, k, "interior")
+    values = local.values()
+    regular, injective, count = local.map()
+    return moduli(values) + [number(closed_form(k)), yes(is_interior(values)), yes(regular), yes(injective), str(count)]
+
+
+def interior_table(scheme, closed_form, name):
+    return Table(
+        "Inside", f"Vertices with *k* faces around them. The closed form is that of l1; the condition is "
+        "1 > l1 >= l2 > |l3|.",
+        ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
+        [Row(str(k), lambda k=k: interior(scheme, k, closed_form), k in QUICK) for k in range(3, 51)],
+        f"{name}.png", "Moduli of l1 and l3 by the number of faces; the condition holds where the lines keep apart.")
+
+
+def sector(scheme, k, kind, **options):
+    local = Local(scheme, k, kind, **options)
+    values = local.values()
+    smooth = is_smooth(np.abs(values), 1 / 2)
+    if not smooth:
+        return moduli(values) + [yes(smooth), "-", "-", "-"]
+    regular, injective, count = local.map()
+    return moduli(values) + [yes(smooth), yes(regular), yes(injective), str(count)]
+
+
+def sector_table(scheme, kind, title, text, first, **options):
+    return Table(title, text, ["k", "l1", "l2", "l3", "condition"] + MAP,
+                 [Row(str(k), lambda k=k: sector(scheme, k, kind, **options), k in QUICK) for k in range(first, 51)])
+
+
+def crease(scheme, k):
+    values = Local(scheme, k, "crease").values()
+    own = Local(scheme, k, "boundary").values()
+    # One value of the curve serves both sides, each side has all others.
+    expected = sorted([1, .5] + 2 * [abs(v) for v in own[2:5]], reverse=True)[:6]
+    off = 0 if k == 1 else max(abs(abs(np.array(values[:4])) - expected[:4]))
+    return [number(abs(value)) for value in values[1:5]] + [yes(abs(values[3]) > abs(values[4]) + 1e-6), number(off, 9)]
+
+
+def crease_table(scheme):
+    return Table("Creases", "*k* faces on each side of a crease. One eigenvalue 1/2 belongs to the curve and one to each "
+                 "side of it; the condition is that all others are smaller. Each side is then a boundary with *k* faces, "
+                 "whose characteristic map is in the table of boundaries: the last column is the largest difference "
+                 "between the leading eigenvalues and those of two such boundaries.",
+                 ["k", "l1", "l2", "l3", "l4", "condition", "off two boundaries"],
+                 [Row(str(k), lambda k=k: crease(scheme, k), k in QUICK) for k in range(2, 51)])
+
+
+SECTORS = """Vertices on a boundary, with *k* faces, rule of the survey (*ModifiedBoundary* on). One of l1, l2 is that of
+the curve, 1/2; the condition is that both are larger than |l3|."""
+
+
+def sectors(scheme):
+    return [
+        sector_table(scheme, "boundary", "Boundaries", SECTORS, 2),
+        sector_table(scheme, "boundary", "Boundaries by the plain rule", "The same with *ModifiedBoundary* off. Where the "
+                     "condition fails, there is no characteristic map to sample.", 2, ModifiedBoundary=False),
+        crease_table(scheme),
+        sector_table(scheme, "convex", "Convex corners", "Corners of 90 degrees with *k* faces.", 1),
+        sector_table(scheme, "concave", "Concave corners", "Corners of 270 degrees with *k* faces; flatness lowers l3 to 1/4.",
+                     2)]
+
+
+# ------------------------------------------------------------ schemes whose steps turn the mesh, and dual schemes
+
+def sqrt_three(k):
+    values = spectrum(triangle_matrix(wheel(k), k, True))
+    a = (4 - 2 * np.cos(2 * np.pi / k)) / 9
+    expected = sorted([1, (2 / 3 - a) ** 2] + [4 / 9 * np.cos(np.pi * m / k) ** 2 for m in range(1, k)], reverse=True)
+    return moduli(values) + [number(max(abs(np.array(values) - expected)), 6), yes(is_interior(values))]
+
+
+def sqrt_three_boundary(k):
+    values = spectrum(triangle_matrix(fan(k, np.pi), k, False))
+    return moduli(values) + [yes(is_smooth(values, 1 / 3))]
+
+
+def four_eight(k):
+    values = spectrum(quad_matrix(quad_star(k, 2 * np.pi, True), k, True)[1])
+    return moduli(values) + [yes(is_interior(values))]
+
+
+def four_eight_boundary(k):
+    values = spectrum(quad_matrix(quad_star(k, np.pi, False), k, False)[1])
+    return moduli(values) + [yes(is_smooth(values, 1 / 2))]
+
+
+def dual_matrix(scheme, k, steps):
+    """What steps do to the corners of a face of k corners, in the middle of a mesh."""
+    def middle(made):
+        face, = (face for face in faces_of(made) if len(face) == k and np.linalg.norm(
+            coordinates(made)[face].mean(axis=0)) < 1e-9) if k != 4 else [min(
+                faces_of(made), key=lambda face: np.linalg.norm(coordinates(made)[face].mean(axis=0)))]
+        return face
+
+    first = run(quad_star(k, 2 * np.pi, True, 3), scheme, 2)
+    here = middle(first)
+    second = run(with_identity(first), scheme, steps)
+    rows = point_array(second, "e")[middle(second)][:, here]
+    np.testing.assert_allclose(rows.sum(axis=1), 1, atol=1e-12)
+    order = rows.argmax(axis=0)  # each new corner reads its own old one most
+    assert sorted(order) == list(range(k))
+    return rows[order]
+
+
+def dual(scheme, k, steps, expected):
+    values = spectrum(dual_matrix(scheme, k, steps))
+    around = max((values + [0.] * 4)[3], 1 / 4)  # the faces around have second derivatives, which steps quarter
+    return [number(value) for value in (values + [0.] * 4)[1:4]] + [
+        number(expected(k)), yes(is_interior(values[:3] + [around]))]
+
+
+AROUND = """The matrix is that of the corners of one face. Second derivatives around it have 1/4, whatever *k* is; the
+condition takes the larger of this and l3."""
+OTHERS = """Schemes whose steps turn the mesh (sqrt(3), 4-8), where eigenvalues are those of **two** steps, and dual
+schemes (Doo-Sabin, midedge), where what repeats is a face. Characteristic maps were not sampled here. The
+numbers are read off what the filter makes: see [how](README.md)."""
+
+
+def make_pages():
+    rows = range(3, 13)
+    loop = Page("Loop", "Spectra of Loop's scheme", "Eigenvalues of what one step does around a vertex, with the vertex "
+                "weights of the filter (Mathematics 5, 12), read off what the filter makes: see [how](README.md).",
+                [interior_table(LOOP, loop_value, "Loop")] + sectors(LOOP), lambda made: plots.spectrum("Loop", made["Inside"]))
+    catmull_clark = Page("CatmullClark", "Spectra of Catmull-Clark's scheme", "As for [Loop](Loop.md), for quads.",
+                         [interior_table(CATMULL_CLARK, catmull_clark_value, "CatmullClark")] + sectors(CATMULL_CLARK),
+                         lambda made: plots.spectrum("CatmullClark", made["Inside"]))
+    butterfly = Page("Butterfly", "Spectra of the modified Butterfly scheme", "As for [Loop](Loop.md). The survey's rules "
+                     "are made so that l1 = l2 = 1/2 and l3 = 1/4 at every valence.",
+                     [interior_table(BUTTERFLY, butterfly_value, "Butterfly"), *sectors(BUTTERFLY)[:1]],
+                     lambda made: plots.spectrum("Butterfly", made["Inside"]))
+    others = Page("OtherSurfaces", "Spectra of the other surface schemes", OTHERS, [
+        Table("sqrt(3) inside", "Two steps. Kobbelt's equation (4), squared, has (2/3 - a)^2 and 4/9 cos^2(pi m/k) for "
+              "m = 1 to k - 1; the column has the largest difference of all eigenvalues from these.",
+              ["k", "l1", "l2", "l3", "off equation (4)", "condition (23)"],
+              [Row(str(k), lambda k=k: sqrt_three(k)) for k in rows]),
+        Table("sqrt(3) at boundaries", "Two steps; the value of the curve is 1/3. Kobbelt states no condition at "
+              "boundaries; it holds for up to five triangles.",
+              ["k", "l1", "l2", "l3", "condition"], [Row(str(k), lambda k=k: sqrt_three_boundary(k)) for k in range(2, 13)]),
+        Table("4-8 inside", "Two steps.", ["k", "l1", "l2", "l3", "condition (23)"],
+              [Row(str(k), lambda k=k: four_eight(k), k in QUICK) for k in rows]),
+        Table("4-8 at boundaries", "Two steps; the condition holds for two and three faces only.",
+              ["k", "l1", "l2", "l3", "condition"],
+              [Row(str(k), lambda k=k: four_eight_boundary(k), k in QUICK) for k in range(2, 13)]),
+        Table("Doo-Sabin", "One step, faces of *k* corners; the weights give l1 = l2 = 1/2 and l3 = 1/4. " + AROUND,
+              ["k", "l1", "l2", "l3", "closed form", "condition (23)"],
+              [Row(str(k), lambda k=k: dual(vtkSurfaceSubdivision.DOO_SABIN, k, 1, lambda _: 1 / 2)) for k in rows]),
+        Table("Midedge", "Two steps, faces of *k* corners; l1 is cos^2(pi/k). At *k* = 3 it is no larger than 1/4, "
+              "and the condition fails. " + AROUND,
+              ["k", "l1", "l2", "l3", "closed form", "condition (23)"],
+              [Row(str(k), lambda k=k: dual(vtkSurfaceSubdivision.MIDEDGE, k, 2, lambda k: np.cos(np.pi / k) ** 2))
+               for k in rows])])
+    return [loop, catmull_clark, butterfly, others]
