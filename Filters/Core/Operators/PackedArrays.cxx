@@ -73,6 +73,11 @@ WeightedRows<Id> Cut(const WeightedRows<Id>& rows, vtkIdType begin, vtkIdType co
   return part;
 }
 template <typename Id>
+EqualRows<Id> Cut(const EqualRows<Id>& rows, vtkIdType begin, vtkIdType count)
+{
+  return { 0, count, rows.Size, rows.Columns + rows.Size * begin, rows.Weights };
+}
+template <typename Id>
 RingRows<Id> Cut(const RingRows<Id>& rows, vtkIdType begin, vtkIdType count)
 {
   RingRows<Id> part = rows;
@@ -124,7 +129,8 @@ PackedArrays::PackedArrays(const PointOperator& operation, std::vector<MovedArra
       left.push_back(array);
       continue;
     }
-    const auto pack = std::find_if(this->Packs.begin(), this->Packs.end(), [&](const Pack& p)
+    const auto pack = std::find_if(this->Packs.begin(), this->Packs.end(),
+      [&](const Pack& p)
       { return p.Size + array.Components <= Lanes && p.Arrays[0].Tuples == array.Tuples; });
     Pack& fitting = pack == this->Packs.end() ? this->Packs.emplace_back() : *pack;
     fitting.Arrays.push_back(array);
