@@ -458,8 +458,7 @@ template <int N, typename In, typename Out>
 void ApplyBlock(const RowsView& view, const void* in, void* out, int components)
 {
   std::visit([&](const auto& rows)
-    { SumBlock<N>(rows, static_cast<const In*>(in), static_cast<Out*>(out), components); },
-    view);
+    { SumBlock<N>(rows, static_cast<const In*>(in), static_cast<Out*>(out), components); }, view);
 }
 
 /// 1 and 3 values of a frequent type have unrolled loops. More cases would cost compile time.

@@ -129,8 +129,7 @@ PackedArrays::PackedArrays(const PointOperator& operation, std::vector<MovedArra
       left.push_back(array);
       continue;
     }
-    const auto pack = std::find_if(this->Packs.begin(), this->Packs.end(),
-      [&](const Pack& p)
+    const auto pack = std::find_if(this->Packs.begin(), this->Packs.end(), [&](const Pack& p)
       { return p.Size + array.Components <= Lanes && p.Arrays[0].Tuples == array.Tuples; });
     Pack& fitting = pack == this->Packs.end() ? this->Packs.emplace_back() : *pack;
     fitting.Arrays.push_back(array);

@@ -168,8 +168,7 @@ void CatmullClarkScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Sur
   const vtkIdType lastOfEdges = std::min(end, edges);
   for (vtkIdType row = std::max(begin, vertices); row < lastOfEdges; ++row)
   {
-    row += rows.AddRun(RegularEdge, lastOfEdges - row,
-      [&](vtkIdType i, Id* columns)
+    row += rows.AddRun(RegularEdge, lastOfEdges - row, [&](vtkIdType i, Id* columns)
       { return this->FindQuadsOfEdge(mesh, tags, static_cast<Id>(row + i - vertices), columns); });
     if (row < lastOfEdges)
     {

@@ -187,8 +187,7 @@ void LoopScheme<Id>::AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags
     AppendCurveVertex(mesh, tags, vertex, 3. / 4., ring, rows);
     return;
   }
-  CollectEdges(
-    mesh, vertex, [](Id) { return true; }, ring);
+  CollectEdges(mesh, vertex, [](Id) { return true; }, ring);
   for (Id& member : ring)
   {
     member = mesh.GetOtherEnd(member, vertex);
@@ -280,8 +279,7 @@ void LoopScheme<Id>::AppendBlendEdge(
     std::vector<Id> around[2];
     for (int i = 0; i < 2; ++i)
     {
-      CollectEdges(
-        mesh, ends[i], [](Id) { return true; }, around[i]);
+      CollectEdges(mesh, ends[i], [](Id) { return true; }, around[i]);
       for (Id& member : around[i])
       {
         member = mesh.GetOtherEnd(member, ends[i]);

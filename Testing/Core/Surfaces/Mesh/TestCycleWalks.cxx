@@ -12,8 +12,7 @@ namespace
 std::vector<int> GetCorners(const PolygonMesh<int>& mesh, int vertex)
 {
   std::vector<int> corners;
-  VisitCycle(mesh, mesh.VertexCorners[vertex],
-    [&](const FanStep<int>& step)
+  VisitCycle(mesh, mesh.VertexCorners[vertex], [&](const FanStep<int>& step)
     { corners.push_back(step.Forward ? step.Corner : -1 - step.Corner); });
   return corners;
 }
