@@ -106,6 +106,55 @@ void SumBlock(const WeightedRows<Id>& rows, const In* in, Out* out, int componen
   }
 }
 
+/// `KnownSize`: the size of a row; 0: it is known at run time only.
+template <int N, int KnownSize, typename Id, typename In, typename Out>
+void SumEqualRows(const EqualRows<Id>& rows, const In* in, Out* out, int components)
+{
+  constexpr int width = Width<N>;
+  const vtkIdType stride = N == 0 ? components : N;
+  const int size = KnownSize == 0 ? rows.Size : KnownSize;
+  const Id* columns = rows.Columns;
+  const double* weights = rows.Weights;
+  Out* result = out + rows.FirstRow * stride;
+  Sums<width> sums;
+  for (vtkIdType row = 0; row < rows.Count; ++row)
+  {
+    for (int first = 0; first < stride; first += width)
+    {
+      sums.Clear();
+      for (int k = 0; k < size; ++k)
+      {
+        sums.Add(weights[k], in + static_cast<vtkIdType>(columns[k]) * stride + first);
+      }
+      sums.Write(result + first);
+    }
+    columns += size;
+    result += stride;
+  }
+}
+
+template <int N, typename Id, typename In, typename Out>
+void SumBlock(const EqualRows<Id>& rows, const In* in, Out* out, int components)
+{
+  if constexpr (N > 0 && std::is_floating_point<In>::value)
+  {
+    switch (rows.Size) // loops of known length for the masks of regular vertices, edges and faces
+    {
+      case 4:
+        return SumEqualRows<N, 4>(rows, in, out, components);
+      case 6:
+        return SumEqualRows<N, 6>(rows, in, out, components);
+      case 7:
+        return SumEqualRows<N, 7>(rows, in, out, components);
+      case 9:
+        return SumEqualRows<N, 9>(rows, in, out, components);
+      default:
+        break;
+    }
+  }
+  SumEqualRows<N, 0>(rows, in, out, components);
+}
+
 // ------------------------------------------------------------------------------------------------
 // Rows of rules and rings
 

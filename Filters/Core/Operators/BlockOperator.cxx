@@ -30,7 +30,7 @@ void BlockOperator<Id>::ForRows(const RowsUser& use) const
 template <typename Id>
 void BlockOperator<Id>::ForEachBlock(const User& use) const
 {
-  this->ForRows([&use](const RowBlock<Id>& rows, vtkIdType first) { use(rows.GetRows(first)); });
+  this->ForRows([&use](const RowBlock<Id>& rows, vtkIdType first) { rows.ForRuns(first, use); });
 }
 
 template <typename Id>

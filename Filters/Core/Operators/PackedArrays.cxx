@@ -73,6 +73,11 @@ WeightedRows<Id> Cut(const WeightedRows<Id>& rows, vtkIdType begin, vtkIdType co
   return part;
 }
 template <typename Id>
+EqualRows<Id> Cut(const EqualRows<Id>& rows, vtkIdType begin, vtkIdType count)
+{
+  return { 0, count, rows.Size, rows.Columns + rows.Size * begin, rows.Weights };
+}
+template <typename Id>
 RingRows<Id> Cut(const RingRows<Id>& rows, vtkIdType begin, vtkIdType count)
 {
   RingRows<Id> part = rows;

@@ -72,6 +72,17 @@ struct WeightedRows
   vtkIdType FirstColumn = 0;
 };
 
+/// Rows of `Size` entries whose weights are the same in all of them.
+template <typename Id>
+struct EqualRows
+{
+  vtkIdType FirstRow;
+  vtkIdType Count;
+  int Size;
+  const Id* Columns; ///< Size for each row
+  const double* Weights;
+};
+
 /// Rows without weights, all of vertices, of edges, or of centres. The weights follow from the rule
 /// and the size of the ring.
 template <typename Id>
@@ -116,7 +127,7 @@ struct RingRows
 };
 
 using RowsView = std::variant<CopiedRows, RowsOfFour, WeightedRows<int>, WeightedRows<long long>,
-  RingRows<int>, RingRows<long long>>;
+  EqualRows<int>, EqualRows<long long>, RingRows<int>, RingRows<long long>>;
 
 /// out = S in, for interleaved values per column. Each row is summed in double, in the order of its
 /// entries, and stored in the type of the array; integers are rounded.

@@ -9,6 +9,8 @@
 
 #include "Core/Operators/ApplyRows.h"
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace subdivision
@@ -30,12 +32,53 @@ public:
     this->Weights[this->Size] = weight;
     ++this->Size;
   }
+  /// Adds up to `most` whole rows that have the same weights, which must live as long as the block;
+  /// such rows are made and summed in less time. fill(i, columns) writes the columns of row i of
+  /// these, or returns false: then there are only i. Returns how many there are.
+  template <std::size_t N, typename Fill>
+  vtkIdType AddRun(const std::array<double, N>& weights, vtkIdType most, const Fill& fill)
+  {
+    const std::size_t needed = this->Size + N * static_cast<std::size_t>(most);
+    if (needed > this->Columns.size())
+    {
+      this->Columns.resize(std::max(needed, 2 * this->Size));
+      this->Weights.resize(this->Columns.size());
+    }
+    Id* columns = this->Columns.data() + this->Size;
+    vtkIdType count = 0;
+    for (; count < most && fill(count, columns); ++count)
+    {
+      columns += N;
+    }
+    const std::size_t row = this->GetNumberOfRows();
+    this->Offsets.resize(row + static_cast<std::size_t>(count) + 1);
+    Id* end = this->Offsets.data() + row + 1;
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      std::copy(weights.begin(), weights.end(), this->Weights.begin() + this->Size);
+      this->Size += N;
+      end[i] = static_cast<Id>(this->Size);
+    }
+    if (!this->Runs.empty() && this->Runs.back().Weights == weights.data() &&
+      this->Runs.back().End == row)
+    {
+      this->Runs.back().End += static_cast<std::size_t>(count);
+    }
+    else if (count > 0)
+    {
+      this->Runs.push_back(
+        { row, row + static_cast<std::size_t>(count), static_cast<int>(N), weights.data() });
+    }
+    return count;
+  }
+  /// Not for rows of AddRun.
   void SetWeight(std::size_t entry, double weight) { this->Weights[entry] = weight; }
   void EndRow() { this->Offsets.push_back(static_cast<Id>(this->Size)); }
   void Clear()
   {
     this->Size = 0;
     this->Offsets.resize(1);
+    this->Runs.clear();
   }
 
   std::size_t GetNumberOfRows() const { return this->Offsets.size() - 1; }
@@ -54,8 +97,32 @@ public:
   /// The rows as those from row `first` on of an operator.
   WeightedRows<Id> GetRows(vtkIdType first) const
   {
-    return { first, static_cast<vtkIdType>(this->GetNumberOfRows()), this->Offsets.data(),
-      this->Columns.data(), this->Weights.data() };
+    return this->GetRows(first, 0, this->GetNumberOfRows());
+  }
+  /// use(rows): the same in parts, of which many have equal rows.
+  template <typename Use>
+  void ForRuns(vtkIdType first, const Use& use) const
+  {
+    constexpr std::size_t worthACall = 8;
+    std::size_t done = 0;
+    for (const Run& run : this->Runs)
+    {
+      if (run.End - run.Begin >= worthACall)
+      {
+        if (done < run.Begin)
+        {
+          use(this->GetRows(first, done, run.Begin));
+        }
+        use(EqualRows<Id>{ first + static_cast<vtkIdType>(run.Begin),
+          static_cast<vtkIdType>(run.End - run.Begin), run.Size,
+          this->Columns.data() + this->GetBegin(run.Begin), run.Weights });
+        done = run.End;
+      }
+    }
+    if (done < this->GetNumberOfRows())
+    {
+      use(this->GetRows(first, done, this->GetNumberOfRows()));
+    }
   }
   /// out = S in for these rows, with `components` interleaved values per column.
   void Apply(const double* in, double* out, int components) const
@@ -64,6 +131,22 @@ public:
   }
 
 private:
+  WeightedRows<Id> GetRows(vtkIdType first, std::size_t begin, std::size_t end) const
+  {
+    return { first + static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end - begin),
+      this->Offsets.data() + begin, this->Columns.data(), this->Weights.data() };
+  }
+
+  /// Rows that were added with the same weights.
+  struct Run
+  {
+    std::size_t Begin;
+    std::size_t End;
+    int Size;
+    const double* Weights;
+  };
+
+  std::vector<Run> Runs;
   std::vector<Id> Columns;
   std::vector<double> Weights;
   std::vector<Id> Offsets{ Id(0) };

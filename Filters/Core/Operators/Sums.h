@@ -9,7 +9,6 @@
 #include "Core/Memory/Store.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace subdivision
@@ -61,7 +60,12 @@ public:
   }
   bool IsFinite() const
   {
-    return std::all_of(this->Numbers, this->Numbers + W, [](double x) { return std::isfinite(x); });
+    double zeros = 0.; // not a number otherwise; GCC would call a function for std::all_of
+    for (const double number : this->Numbers)
+    {
+      zeros += number * 0.;
+    }
+    return zeros == 0.;
   }
   template <typename Out>
   void Write(Out* values) const

@@ -9,6 +9,7 @@
 #include "Core/Surfaces/Scheme/SectorRows.h"
 #include "Core/Surfaces/Scheme/SurfaceLimits.h"
 
+#include <array>
 #include <cmath>
 
 namespace subdivision
@@ -112,8 +113,10 @@ public:
   }
 
 private:
-  void AppendVertices(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, vtkIdType begin,
+  void AppendVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const;
+  bool FindQuadsOfEdge(
+    const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, Id vertices[6]) const;
   void AppendSmoothVertex(const PolygonMesh<Id>& mesh, Id vertex,
     const std::vector<FanStep<Id>>& steps, RowBlock<Id>& rows) const;
   void AppendEdge(
@@ -123,6 +126,24 @@ private:
 
   bool ModifiedBoundary;
 };
+
+/// The masks of a smooth vertex of four quads, each of which has a neighbour and the vertex
+/// opposite in it; of an edge between two quads, the mean of its ends and of the points of both; of
+/// a face.
+constexpr std::array<double, 9> RegularVertex{ 9. / 16., 3. / 32., 1. / 64., 3. / 32., 1. / 64.,
+  3. / 32., 1. / 64., 3. / 32., 1. / 64. };
+constexpr std::array<double, 6> RegularEdge{ 3. / 8., 3. / 8., 1. / 16., 1. / 16., 1. / 16.,
+  1. / 16. };
+constexpr std::array<double, 4> PlainFace{ 1. / 4., 1. / 4., 1. / 4., 1. / 4. };
+
+/// The neighbour by whose edge a walk enters a quad, and the vertex opposite.
+template <typename Id>
+void GetVerticesOfQuad(const PolygonMesh<Id>& mesh, const FanStep<Id>& step, Id vertices[2])
+{
+  const Id next = mesh.Next(step.Corner);
+  vertices[0] = mesh.Vertices[step.Forward ? next : mesh.Previous(step.Corner)];
+  vertices[1] = mesh.Vertices[mesh.Next(next)];
+}
 
 /// The mean of a face's corners, times a factor.
 template <typename Id>
@@ -140,36 +161,95 @@ template <typename Id>
 void CatmullClarkScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
   vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
 {
-  const vtkIdType vertices = level.Mesh.NumberOfVertices;
-  const vtkIdType edges = vertices + level.Mesh.GetNumberOfEdges();
-  this->AppendVertices(level.Mesh, tags, begin, std::min(end, vertices), rows);
-  for (vtkIdType row = std::max(begin, vertices); row < std::min(end, edges); ++row)
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const vtkIdType vertices = mesh.NumberOfVertices;
+  const vtkIdType edges = vertices + mesh.GetNumberOfEdges();
+  this->AppendVertices(level, tags, begin, std::min(end, vertices), rows);
+  const vtkIdType lastOfEdges = std::min(end, edges);
+  for (vtkIdType row = std::max(begin, vertices); row < lastOfEdges; ++row)
   {
-    this->AppendEdge(level.Mesh, tags, static_cast<Id>(row - vertices), rows);
-    rows.EndRow();
+    row += rows.AddRun(RegularEdge, lastOfEdges - row, [&](vtkIdType i, Id* columns)
+      { return this->FindQuadsOfEdge(mesh, tags, static_cast<Id>(row + i - vertices), columns); });
+    if (row < lastOfEdges)
+    {
+      this->AppendEdge(mesh, tags, static_cast<Id>(row - vertices), rows);
+      rows.EndRow();
+    }
   }
+  const bool isPlain = mesh.Arity == 4 && (!this->ModifiedBoundary || tags.Sectors.empty());
   for (vtkIdType row = std::max(begin, edges); row < end; ++row)
   {
-    this->AppendFace(level.Mesh, tags, static_cast<Id>(row - edges), rows);
-    rows.EndRow();
+    row += rows.AddRun(PlainFace, isPlain ? end - row : 0,
+      [&](vtkIdType i, Id* columns)
+      {
+        std::copy_n(mesh.Vertices.data() + 4 * (row + i - edges), 4, columns);
+        return true;
+      });
+    if (row < end)
+    {
+      this->AppendFace(mesh, tags, static_cast<Id>(row - edges), rows);
+      rows.EndRow();
+    }
   }
 }
 
 template <typename Id>
-void CatmullClarkScheme<Id>::AppendVertices(const PolygonMesh<Id>& mesh,
+void CatmullClarkScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level,
   const SurfaceTags<Id>& tags, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
 {
-  auto isSmooth = [&tags](Id v) { return tags.Vertices[v] == VertexTag::Smooth; };
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const auto isSmooth = [&tags](vtkIdType v) { return tags.Vertices[v] == VertexTag::Smooth; };
+  const vtkIdType firstNew =
+    level.VerticesBefore < 0 ? end : std::min<vtkIdType>(end, level.VerticesBefore);
   CycleWalks<Id> walks;
   std::vector<Id> scratch;
-  for (vtkIdType first = begin; first < end; first += walks.Most)
+  for (vtkIdType first = begin; first < firstNew; first += walks.Most)
   {
-    const vtkIdType last = std::min<vtkIdType>(end, first + walks.Most);
+    const vtkIdType last = std::min<vtkIdType>(firstNew, first + walks.Most);
     walks.Walk(mesh, static_cast<Id>(first), static_cast<Id>(last), isSmooth);
-    for (Id vertex = static_cast<Id>(first); vertex < last; ++vertex)
+    for (vtkIdType vertex = first; vertex < last; ++vertex)
     {
-      isSmooth(vertex) ? this->AppendSmoothVertex(mesh, vertex, walks.Get(vertex), rows)
-                       : AppendCurveVertex(mesh, tags, vertex, 3. / 4., scratch, rows);
+      vertex += rows.AddRun(RegularVertex, mesh.Arity == 4 ? last - vertex : 0,
+        [&](vtkIdType i, Id* columns)
+        {
+          columns[0] = static_cast<Id>(vertex + i);
+          const auto& steps = walks.Get(columns[0]);
+          const bool isRegular = steps.size() == 4;
+          for (std::size_t k = 0; isRegular && k < 4; ++k)
+          {
+            GetVerticesOfQuad(mesh, steps[k], columns + 2 * k + 1);
+          }
+          return isRegular;
+        });
+      if (vertex < last)
+      {
+        const Id v = static_cast<Id>(vertex);
+        isSmooth(v) ? this->AppendSmoothVertex(mesh, v, walks.Get(v), rows)
+                    : AppendCurveVertex(mesh, tags, v, 3. / 4., scratch, rows);
+        rows.EndRow();
+      }
+    }
+  }
+  std::vector<FanStep<Id>> steps;
+  for (vtkIdType vertex = std::max(begin, firstNew); vertex < end; ++vertex)
+  {
+    vertex += rows.AddRun(RegularVertex, end - vertex,
+      [&](vtkIdType i, Id* columns)
+      {
+        columns[0] = static_cast<Id>(vertex + i);
+        return isSmooth(columns[0]) && FindQuadsOfNewPoint(mesh, columns[0], columns + 1);
+      });
+    if (vertex < end)
+    {
+      const Id v = static_cast<Id>(vertex);
+      steps.clear();
+      if (isSmooth(v))
+      {
+        VisitCycle(
+          mesh, mesh.VertexCorners[v], [&](const FanStep<Id>& step) { steps.push_back(step); });
+      }
+      isSmooth(v) ? this->AppendSmoothVertex(mesh, v, steps, rows)
+                  : AppendCurveVertex(mesh, tags, v, 3. / 4., scratch, rows);
       rows.EndRow();
     }
   }
@@ -190,10 +270,10 @@ void CatmullClarkScheme<Id>::AppendSmoothVertex(const PolygonMesh<Id>& mesh, Id 
     rows.Add(vertex, own + edge * k / 4.);
     for (const FanStep<Id>& step : steps)
     {
-      const Id next = mesh.Next(step.Corner);
-      const Id previous = mesh.Previous(step.Corner);
-      rows.Add(mesh.Vertices[step.Forward ? next : previous], 1.5 * edge);
-      rows.Add(mesh.Vertices[mesh.Next(next)], 0.25 * edge);
+      Id members[2];
+      GetVerticesOfQuad(mesh, step, members);
+      rows.Add(members[0], 1.5 * edge);
+      rows.Add(members[1], 0.25 * edge);
     }
     return;
   }
@@ -206,22 +286,32 @@ void CatmullClarkScheme<Id>::AppendSmoothVertex(const PolygonMesh<Id>& mesh, Id 
   }
 }
 
-/// The row of an edge inside: the mean of its ends and of the points of both faces. The ends are in
-/// both faces.
+/// Finds the vertices of both quads at an edge inside: its ends first. False: it has another row.
 template <typename Id>
-void AppendBetweenQuads(
-  const PolygonMesh<Id>& mesh, Id edge, Id corner, Id twin, RowBlock<Id>& rows)
+bool CatmullClarkScheme<Id>::FindQuadsOfEdge(
+  const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, Id vertices[6]) const
 {
-  rows.Add(mesh.EdgeVertices[2 * edge], 3. / 8.);
-  rows.Add(mesh.EdgeVertices[2 * edge + 1], 3. / 8.);
-  for (const Id halfEdge : { corner, twin })
+  vertices[0] = mesh.EdgeVertices[2 * edge];
+  vertices[1] = mesh.EdgeVertices[2 * edge + 1];
+  const bool isInside = tags.Vertices[vertices[0]] == VertexTag::Smooth &&
+    tags.Vertices[vertices[1]] == VertexTag::Smooth;
+  if (mesh.Arity != 4 || tags.Edges[edge] != EdgeTag::Smooth ||
+    (!isInside && this->ModifiedBoundary))
+  {
+    return false;
+  }
+  const Id corner = mesh.EdgeCorners[edge];
+  Id* next = vertices + 2;
+  for (const Id halfEdge : { corner, mesh.Twins[corner] })
   {
     const Id before = mesh.Previous(halfEdge);
-    rows.Add(mesh.Vertices[before], 1. / 16.);
-    rows.Add(mesh.Vertices[mesh.Previous(before)], 1. / 16.);
+    *next++ = mesh.Vertices[before];
+    *next++ = mesh.Vertices[mesh.Previous(before)];
   }
+  return true;
 }
 
+/// Appends the row of an edge that has no quads on both sides, or one end on a curve.
 template <typename Id>
 void CatmullClarkScheme<Id>::AppendEdge(
   const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, RowBlock<Id>& rows) const
@@ -235,13 +325,6 @@ void CatmullClarkScheme<Id>::AppendEdge(
   }
   const Id corner = mesh.EdgeCorners[edge];
   const Id twin = mesh.Twins[corner];
-  const bool isInside =
-    tags.Vertices[ends[0]] == VertexTag::Smooth && tags.Vertices[ends[1]] == VertexTag::Smooth;
-  if (mesh.Arity == 4 && (isInside || !this->ModifiedBoundary))
-  {
-    AppendBetweenQuads(mesh, edge, corner, twin, rows);
-    return;
-  }
   double weights[2] = { 0., 0. };
   FlatPoint<Id> flats[2];
   int asking = 0;

@@ -10,12 +10,25 @@
 #include "Core/Surfaces/Scheme/SectorRows.h"
 #include "Core/Surfaces/Scheme/SurfaceLimits.h"
 
+#include <array>
 #include <cmath>
 
 namespace subdivision
 {
 namespace
 {
+
+/// The masks of a smooth vertex with six neighbours, and of a smooth edge inside.
+constexpr std::array<double, 7> RegularVertex{ 5. / 8., 3. / (8. * 6.), 3. / (8. * 6.),
+  3. / (8. * 6.), 3. / (8. * 6.), 3. / (8. * 6.), 3. / (8. * 6.) };
+constexpr std::array<double, 4> RegularEdge{ 3. / 8., 3. / 8., 1. / 8., 1. / 8. };
+
+/// The vertex at the other end of the edge by which a walk enters a face.
+template <typename Id>
+Id GetNeighbour(const PolygonMesh<Id>& mesh, const FanStep<Id>& step)
+{
+  return mesh.Vertices[step.Forward ? mesh.Next(step.Corner) : mesh.Previous(step.Corner)];
+}
 
 template <typename Id>
 class LoopScheme : public QuarteringScheme<Id>
@@ -42,7 +55,7 @@ private:
     vtkIdType end, std::vector<Id>& ring, RowBlock<Id>& rows) const;
   static void AppendRing(Id vertex, Rule rule, const std::vector<Id>& ring, RowBlock<Id>& rows);
   void AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex,
-    std::vector<Id>& ring, RowBlock<Id>& rows) const;
+    const std::vector<FanStep<Id>>& steps, std::vector<Id>& ring, RowBlock<Id>& rows) const;
   void AppendEdge(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id edge,
     std::vector<Id>& ring, RowBlock<Id>& rows) const;
   void AppendBlendEdge(
@@ -60,10 +73,31 @@ void LoopScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags
   const vtkIdType vertices = level.Mesh.NumberOfVertices;
   std::vector<Id> ring;
   this->AppendVertices(level, tags, begin, std::min(end, vertices), ring, rows);
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const auto isOnCurve = [&tags](Id v)
+  { return tags.Vertices[v] == VertexTag::Curve || tags.Vertices[v] == VertexTag::Corner; };
   for (vtkIdType row = std::max(begin, vertices); row < end; ++row)
   {
-    this->AppendEdge(level, tags, static_cast<Id>(row - vertices), ring, rows);
-    rows.EndRow();
+    row += rows.AddRun(RegularEdge, end - row,
+      [&](vtkIdType i, Id* columns)
+      {
+        const Id edge = static_cast<Id>(row + i - vertices);
+        columns[0] = mesh.EdgeVertices[2 * edge];
+        columns[1] = mesh.EdgeVertices[2 * edge + 1];
+        if (tags.Edges[edge] != EdgeTag::Smooth || isOnCurve(columns[0]) || isOnCurve(columns[1]))
+        {
+          return false;
+        }
+        const Id corner = mesh.EdgeCorners[edge];
+        columns[2] = mesh.Vertices[mesh.Previous(corner)];
+        columns[3] = mesh.Vertices[mesh.Previous(mesh.Twins[corner])];
+        return true;
+      });
+    if (row < end)
+    {
+      this->AppendEdge(level, tags, static_cast<Id>(row - vertices), ring, rows);
+      rows.EndRow();
+    }
   }
 }
 
@@ -72,38 +106,47 @@ void LoopScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level, const Surface
   vtkIdType begin, vtkIdType end, std::vector<Id>& ring, RowBlock<Id>& rows) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const vtkIdType firstOnEdge = level.VerticesBefore < 0 ? end : level.VerticesBefore;
+  const auto isSmooth = [&](vtkIdType v) { return tags.Vertices[v] == VertexTag::Smooth; };
+  const vtkIdType firstOnEdge =
+    level.VerticesBefore < 0 ? end : std::min<vtkIdType>(end, level.VerticesBefore);
   CycleWalks<Id> walks;
-  for (vtkIdType first = begin; first < end; first += walks.Most)
+  for (vtkIdType first = begin; first < firstOnEdge; first += walks.Most)
   {
-    const vtkIdType last = std::min<vtkIdType>(end, first + walks.Most);
-    walks.Walk(mesh, static_cast<Id>(first), static_cast<Id>(last),
-      [&](Id v) { return v < firstOnEdge && tags.Vertices[v] == VertexTag::Smooth; });
-    for (Id vertex = static_cast<Id>(first); vertex < last; ++vertex)
+    const vtkIdType last = std::min<vtkIdType>(firstOnEdge, first + walks.Most);
+    walks.Walk(mesh, static_cast<Id>(first), static_cast<Id>(last), isSmooth);
+    for (vtkIdType vertex = first; vertex < last; ++vertex)
     {
-      if (tags.Vertices[vertex] != VertexTag::Smooth)
-      {
-        this->AppendVertex(mesh, tags, vertex, ring, rows);
-      }
-      else if (vertex >= firstOnEdge && FindRingOfEdgePoint(mesh, vertex, ring))
-      {
-        AppendRing(vertex, Rule::Surface, ring, rows);
-      }
-      else
-      {
-        ring.clear();
-        auto visit = [&](const FanStep<Id>& step)
+      vertex += rows.AddRun(RegularVertex, last - vertex,
+        [&](vtkIdType i, Id* columns)
         {
-          ring.push_back(
-            mesh.Vertices[step.Forward ? mesh.Next(step.Corner) : mesh.Previous(step.Corner)]);
-        };
-        if (walks.Get(vertex).empty())
-        {
-          VisitCycle(mesh, mesh.VertexCorners[vertex], visit);
-        }
-        std::for_each(walks.Get(vertex).begin(), walks.Get(vertex).end(), visit);
-        AppendRing(vertex, Rule::Surface, ring, rows);
+          columns[0] = static_cast<Id>(vertex + i);
+          const auto& steps = walks.Get(columns[0]);
+          const bool isRegular = steps.size() == 6;
+          for (std::size_t k = 0; isRegular && k < 6; ++k)
+          {
+            columns[k + 1] = GetNeighbour(mesh, steps[k]);
+          }
+          return isRegular;
+        });
+      if (vertex < last)
+      {
+        const Id v = static_cast<Id>(vertex);
+        this->AppendVertex(mesh, tags, v, walks.Get(v), ring, rows);
+        rows.EndRow();
       }
+    }
+  }
+  for (vtkIdType vertex = std::max(begin, firstOnEdge); vertex < end; ++vertex)
+  {
+    vertex += rows.AddRun(RegularVertex, end - vertex,
+      [&](vtkIdType i, Id* columns)
+      {
+        columns[0] = static_cast<Id>(vertex + i);
+        return isSmooth(vertex + i) && FindRingOfEdgePoint(mesh, columns[0], columns + 1);
+      });
+    if (vertex < end)
+    {
+      this->AppendVertex(mesh, tags, static_cast<Id>(vertex), {}, ring, rows);
       rows.EndRow();
     }
   }
@@ -121,11 +164,24 @@ void LoopScheme<Id>::AppendRing(
   }
 }
 
-/// Appends the row of a vertex that is not smooth.
+/// Appends the row of a vertex that has not six neighbours around it, or is not smooth. `steps`:
+/// those around it, if they are known.
 template <typename Id>
 void LoopScheme<Id>::AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags,
-  Id vertex, std::vector<Id>& ring, RowBlock<Id>& rows) const
+  Id vertex, const std::vector<FanStep<Id>>& steps, std::vector<Id>& ring, RowBlock<Id>& rows) const
 {
+  if (tags.Vertices[vertex] == VertexTag::Smooth)
+  {
+    ring.clear();
+    const auto visit = [&](const FanStep<Id>& step) { ring.push_back(GetNeighbour(mesh, step)); };
+    if (steps.empty())
+    {
+      VisitCycle(mesh, mesh.VertexCorners[vertex], visit);
+    }
+    std::for_each(steps.begin(), steps.end(), visit);
+    AppendRing(vertex, Rule::Surface, ring, rows);
+    return;
+  }
   if (tags.Vertices[vertex] != VertexTag::Blend)
   {
     AppendCurveVertex(mesh, tags, vertex, 3. / 4., ring, rows);
@@ -139,6 +195,7 @@ void LoopScheme<Id>::AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags
   AppendRing(vertex, Rule::Blend, ring, rows);
 }
 
+/// Appends the row of an edge that is not inside the smooth surface.
 template <typename Id>
 void LoopScheme<Id>::AppendEdge(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id edge,
   std::vector<Id>& ring, RowBlock<Id>& rows) const
@@ -157,18 +214,7 @@ void LoopScheme<Id>::AppendEdge(const SurfaceLevel<Id>& level, const SurfaceTags
     this->AppendBlendEdge(level, edge, ring, rows);
     return;
   }
-  auto isOnCurve = [&tags](Id v)
-  { return tags.Vertices[v] == VertexTag::Curve || tags.Vertices[v] == VertexTag::Corner; };
-  if (isOnCurve(a) || isOnCurve(b))
-  {
-    this->AppendEdgeAtCurve(mesh, tags, edge, rows);
-    return;
-  }
-  const Id corner = mesh.EdgeCorners[edge];
-  rows.Add(a, 3. / 8.);
-  rows.Add(b, 3. / 8.);
-  rows.Add(mesh.Vertices[mesh.Previous(corner)], 1. / 8.);
-  rows.Add(mesh.Vertices[mesh.Previous(mesh.Twins[corner])], 1. / 8.);
+  this->AppendEdgeAtCurve(mesh, tags, edge, rows);
 }
 
 /// Appends the row of a smooth edge with one or both ends on curves or corners: the mean of the

@@ -24,6 +24,14 @@ public:
 
   using Steps = std::vector<FanStep<Id>>;
 
+  CycleWalks()
+  {
+    for (Steps& steps : this->Cycles)
+    {
+      steps.reserve(8); // most vertices have no more
+    }
+  }
+
   /// Walks around up to Most vertices from `first` on: around those that wanted(vertex) takes, each
   /// of which must have one fan that is a cycle.
   template <typename Wanted>

@@ -413,35 +413,6 @@ SurfaceTags<Id> RefineToQuadTags(const SurfaceLevel<Id>& level, const SurfaceTag
   return InheritTags<Id, QuadSplit<Id>>(level, tags);
 }
 
-template <typename Id>
-bool FindRingOfEdgePoint(const PolygonMesh<Id>& mesh, Id point, std::vector<Id>& ring)
-{
-  const Id corner = mesh.VertexCorners[point];
-  if (corner < 0)
-  {
-    return false;
-  }
-  // The half of the half-edge that ends at x1 of its triangle, and so is in the child at x1, and
-  // the half of its twin.
-  const Id halves[2] = { corner, mesh.Twins[corner] };
-  if (halves[1] < 0 || halves[1] % 12 % 4 != 0)
-  {
-    return false; // a boundary, or the other triangle has the edge in the same direction
-  }
-  const Id edge = corner % 12 == 3 ? 0 : corner % 12 == 7 ? 1 : 2;
-  const Id edges[2] = { edge, halves[1] % 12 / 4 };
-  ring.resize(6);
-  for (int side = 0; side < 2; ++side)
-  {
-    const Id* children = mesh.Vertices.data() + halves[side] / 12 * 12;
-    // Child i has old vertex i as its corner i, and the middle child has the edge points.
-    ring[3 * side] = children[4 * ((edges[side] + 1) % 3)];
-    ring[3 * side + 1] = children[9 + (edges[side] + 1) % 3];
-    ring[3 * side + 2] = children[9 + (edges[side] + 2) % 3];
-  }
-  return true;
-}
-
 template <typename Id, typename Out>
 void WriteTriangles(const SurfaceLevel<Id>& level, Out* ids)
 {
@@ -479,7 +450,6 @@ void ListQuadChildren(const SurfaceSegments& segments, SurfaceSegments& children
 
 SUBDIVISION_COMPILE_FUNCTION(RefineTriangles);
 SUBDIVISION_COMPILE_FUNCTION(RefineToQuads);
-SUBDIVISION_COMPILE_FUNCTION(FindRingOfEdgePoint);
 SUBDIVISION_COMPILE_FUNCTION(RefineTriangleTags);
 SUBDIVISION_COMPILE_FUNCTION(RefineToQuadTags);
 SUBDIVISION_COMPILE_WRITER(WriteTriangles);

@@ -28,7 +28,76 @@ SurfaceLevel<Id> RefineToQuads(const SurfaceLevel<Id>& level, Depth depth);
 /// order of VisitCycle: without a walk, of which each step would wait for the one before. False: it
 /// takes a walk, because two triangles have the edge in the same direction, or not two have it.
 template <typename Id>
-bool FindRingOfEdgePoint(const PolygonMesh<Id>& mesh, Id point, std::vector<Id>& ring);
+bool FindRingOfEdgePoint(const PolygonMesh<Id>& mesh, Id point, Id ring[6])
+{
+  const Id corner = mesh.VertexCorners[point];
+  if (corner < 0)
+  {
+    return false;
+  }
+  // The half of the half-edge that ends at x1 of its triangle, and so is in the child at x1, and
+  // the half of its twin.
+  const Id halves[2] = { corner, mesh.Twins[corner] };
+  if (halves[1] < 0 || halves[1] % 12 % 4 != 0)
+  {
+    return false; // a boundary, or the other triangle has the edge in the same direction
+  }
+  const Id edge = corner % 12 == 3 ? 0 : corner % 12 == 7 ? 1 : 2;
+  const Id edges[2] = { edge, halves[1] % 12 / 4 };
+  for (int side = 0; side < 2; ++side)
+  {
+    const Id* children = mesh.Vertices.data() + halves[side] / 12 * 12;
+    // Child i has old vertex i as its corner i, and the middle child has the edge points.
+    ring[3 * side] = children[4 * ((edges[side] + 1) % 3)];
+    ring[3 * side + 1] = children[9 + (edges[side] + 1) % 3];
+    ring[3 * side + 2] = children[9 + (edges[side] + 2) % 3];
+  }
+  return true;
+}
+
+/// Finds the neighbours, and the vertices opposite in the quads between them, of the point of an
+/// edge or a face on a level of quads that RefineToQuads made, in the order of VisitCycle. False:
+/// it takes a walk, because it is on the boundary, two faces have the edge in the same direction,
+/// or the face had not four corners.
+template <typename Id>
+bool FindQuadsOfNewPoint(const PolygonMesh<Id>& mesh, Id point, Id ring[8])
+{
+  const Id corner = mesh.VertexCorners[point];
+  if (corner < 0)
+  {
+    return false;
+  }
+  const Id first = corner / 4 * 4;
+  if (corner % 4 == 2) // of a face: the children follow one another
+  {
+    if (first + 16 > mesh.Vertices.size() || mesh.Twins[first + 13] != corner)
+    {
+      return false;
+    }
+    const Id* at = mesh.Vertices.data() + first;
+    for (int k = 0; k < 4; ++k)
+    {
+      ring[2 * k] = at[4 * k + 3];
+      ring[2 * k + 1] = at[4 * k];
+    }
+    return true;
+  }
+  // The two children at the edge on this side of it, then those on the other side.
+  const Id second = mesh.Twins[first + 2] - 1;
+  const Id third = mesh.Twins[second];
+  if (corner % 4 != 3 || third < 0 || third % 4 != 3)
+  {
+    return false;
+  }
+  const Id children[4] = { first, second, third - 3, mesh.Twins[third - 1] - 1 };
+  for (int k = 0; k < 4; ++k)
+  {
+    const Id* child = mesh.Vertices.data() + children[k];
+    ring[2 * k] = child[k % 2 == 0 ? 0 : 2];
+    ring[2 * k + 1] = child[k % 2 == 0 ? 1 : 3];
+  }
+  return true;
+}
 
 /// The vertices of the faces of the next level, one face after the other.
 template <typename Id, typename Out>

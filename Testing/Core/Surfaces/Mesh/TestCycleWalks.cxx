@@ -97,8 +97,8 @@ TEST(FindRingOfEdgePoint, IsThatOfAWalk)
       for (vtkIdType v = walk.Level.VerticesBefore; v < mesh.NumberOfVertices; ++v)
       {
         const int vertex = static_cast<int>(v);
-        std::vector<int> ring;
-        const bool isFound = FindRingOfEdgePoint(mesh, vertex, ring);
+        std::vector<int> ring(6);
+        const bool isFound = FindRingOfEdgePoint(mesh, vertex, ring.data());
         if (isFound)
         {
           EXPECT_EQ(ring, GetRing(mesh, vertex)) << name << ", step " << step << ", " << vertex;
@@ -109,4 +109,45 @@ TEST(FindRingOfEdgePoint, IsThatOfAWalk)
   }
   EXPECT_GT(found, 300);
   EXPECT_GT(left, 100) << "at boundaries and turned triangles";
+}
+
+TEST(FindQuadsOfNewPoint, AreThoseOfAWalk)
+{
+  int ofEdges = 0;
+  int ofFaces = 0;
+  int left = 0;
+  for (const auto& [name, model] : MakeModels(false))
+  {
+    Walk walk(model, SurfaceSchemeKind::CatmullClark);
+    for (int step = 1; step < 3; ++step)
+    {
+      const vtkIdType firstOfFaces =
+        walk.Level.Mesh.NumberOfVertices + walk.Level.Mesh.GetNumberOfEdges();
+      walk.Step();
+      const PolygonMesh<int>& mesh = walk.Level.Mesh;
+      for (vtkIdType v = walk.Level.VerticesBefore; v < mesh.NumberOfVertices; ++v)
+      {
+        const int vertex = static_cast<int>(v);
+        std::vector<int> found(8);
+        if (!FindQuadsOfNewPoint(mesh, vertex, found.data()))
+        {
+          ++left;
+          continue;
+        }
+        std::vector<int> wanted;
+        VisitCycle(mesh, mesh.VertexCorners[vertex],
+          [&](const FanStep<int>& at)
+          {
+            const int next = mesh.Next(at.Corner);
+            wanted.push_back(mesh.Vertices[at.Forward ? next : mesh.Previous(at.Corner)]);
+            wanted.push_back(mesh.Vertices[mesh.Next(next)]);
+          });
+        EXPECT_EQ(found, wanted) << name << ", step " << step << ", " << vertex;
+        (v < firstOfFaces ? ofEdges : ofFaces) += 1;
+      }
+    }
+  }
+  EXPECT_GT(ofEdges, 300);
+  EXPECT_GT(ofFaces, 100);
+  EXPECT_GT(left, 100) << "at boundaries, turned faces and faces of other sizes";
 }

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rows that share their weights are those of rows added entry by entry, bit for bit.
+#include "Core/Operators/BlockOperator.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+#include <vector>
+
+namespace
+{
+
+using subdivision::BlockOperator;
+using subdivision::RowBlock;
+
+constexpr int Columns = 50;
+constexpr vtkIdType Rows = 3000;
+constexpr std::array<double, 4> Four{ 3. / 8., 3. / 8., 0.1, 0.7 };
+constexpr std::array<double, 9> Nine{ 9. / 16., 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 1. / 64. };
+constexpr std::array<double, 5> Five{ 0.1, 0.2, 0.3, 0.4, 0. };
+
+int GetColumn(vtkIdType row, std::size_t entry)
+{
+  return static_cast<int>((row * 7 + static_cast<vtkIdType>(entry) * 13) % Columns);
+}
+
+/// Runs of all lengths, with other rows between.
+template <std::size_t N>
+vtkIdType AddRun(const std::array<double, N>& weights, vtkIdType row, vtkIdType most, bool inRuns,
+  RowBlock<int>& rows)
+{
+  const vtkIdType wanted = row % 23;
+  if (inRuns)
+  {
+    return rows.AddRun(weights, most,
+      [&](vtkIdType i, int* columns)
+      {
+        for (std::size_t k = 0; k < N; ++k)
+        {
+          columns[k] = GetColumn(row + i, k);
+        }
+        return i < wanted;
+      });
+  }
+  vtkIdType count = 0;
+  for (; count < std::min(wanted, most); ++count)
+  {
+    for (std::size_t k = 0; k < N; ++k)
+    {
+      rows.Add(GetColumn(row + count, k), weights[k]);
+    }
+    rows.EndRow();
+  }
+  return count;
+}
+
+BlockOperator<int> MakeOperator(bool inRuns)
+{
+  return BlockOperator<int>(Columns, Rows,
+    [inRuns](vtkIdType begin, vtkIdType end, RowBlock<int>& rows)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        row += AddRun(Four, row, end - row, inRuns, rows);
+        row += AddRun(Nine, row, end - row, inRuns, rows);
+        row += AddRun(Five, row, end - row, inRuns, rows);
+        if (row < end)
+        {
+          rows.Add(GetColumn(row, 0), 1.);
+          rows.EndRow();
+        }
+      }
+    });
+}
+
+template <typename T>
+std::vector<T> Apply(bool inRuns, int components)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> value(0., 200.);
+  std::vector<T> in(static_cast<std::size_t>(Columns * components));
+  for (T& x : in)
+  {
+    x = static_cast<T>(value(random));
+  }
+  std::vector<T> out(static_cast<std::size_t>(Rows * components), T(-1));
+  MakeOperator(inRuns).Apply(in.data(), out.data(), components);
+  return out;
+}
+
+}
+
+TEST(RowBlock, RunsAreRowsOfEntries)
+{
+  for (const int components : { 1, 2, 3, 4, 6 })
+  {
+    EXPECT_EQ(Apply<double>(true, components), Apply<double>(false, components));
+    EXPECT_EQ(Apply<float>(true, components), Apply<float>(false, components));
+    EXPECT_EQ(Apply<unsigned char>(true, components), Apply<unsigned char>(false, components));
+  }
+}
+
+TEST(RowBlock, RunsAreStoredAsRows)
+{
+  const auto runs = MakeOperator(true).Store();
+  const auto rows = MakeOperator(false).Store();
+  ASSERT_EQ(runs.Columns.size(), rows.Columns.size());
+  EXPECT_TRUE(std::equal(runs.Offsets.begin(), runs.Offsets.end(), rows.Offsets.begin()));
+  EXPECT_TRUE(std::equal(runs.Columns.begin(), runs.Columns.end(), rows.Columns.begin()));
+  EXPECT_TRUE(std::equal(runs.Weights.begin(), runs.Weights.end(), rows.Weights.begin()));
+}
+
+TEST(RowBlock, LongRunsArePassedAsEqualRows)
+{
+  vtkIdType equal = 0;
+  vtkIdType all = 0;
+  MakeOperator(true).ForEachBlock(
+    [&](const subdivision::RowsView& view)
+    {
+      const auto* found = std::get_if<subdivision::EqualRows<int>>(&view);
+      equal += found ? found->Count : 0;
+      all += std::visit([](const auto& rows) { return rows.Count; }, view);
+    });
+  EXPECT_EQ(all, Rows);
+  EXPECT_GT(equal, Rows / 2);
+  EXPECT_LT(equal, Rows);
+}
