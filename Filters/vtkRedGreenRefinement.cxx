@@ -24,7 +24,8 @@ int vtkRedGreenRefinement::RequestData(
                     "to LIMIT.");
   }
   return this->RunRounds(inputVector, outputVector, options, options.Criteria,
-    [&options](vtkPointSet* input, vtkPointSet* output) {
+    [&options](vtkPointSet* input, vtkPointSet* output)
+    {
       return subdivision::RefineRedGreen(input, options, vtkUnstructuredGrid::SafeDownCast(output));
     });
 }

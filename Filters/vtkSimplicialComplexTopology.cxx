@@ -19,7 +19,8 @@ int vtkSimplicialComplexTopology::RequestData(
   return this->Run(inputVector, outputVector, options,
     "Counts, and results at the borders of partitions, are those of this partition alone.",
     "the simplices of the input. Use a part of the input.",
-    [&options](vtkPointSet* input, vtkPointSet* output) {
+    [&options](vtkPointSet* input, vtkPointSet* output)
+    {
       return subdivision::ProbeTopology(input, options, vtkUnstructuredGrid::SafeDownCast(output));
     });
 }

@@ -126,8 +126,7 @@ void RegisterInterpolation()
       {
         Register(std::string(interpolate ? "interpolation/" : "projection/") + run.Name +
             "/cube46/levels:0",
-          threads,
-          [run, interpolate](Stopwatch& watch)
+          threads, [run, interpolate](Stopwatch& watch)
           { return RunInterpolation(watch, run.Of, interpolate); });
       }
     }

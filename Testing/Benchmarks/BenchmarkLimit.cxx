@@ -120,8 +120,7 @@ void RegisterLimit()
       } kinds[] = { { "small", Pages::Small }, { "huge", Pages::Huge }, { "warm", Pages::Warm } };
       for (const auto& kind : kinds)
       {
-        Register(std::string("limit/") + kind.Name + end, threads,
-          [&which, kind](Stopwatch& watch)
+        Register(std::string("limit/") + kind.Name + end, threads, [&which, kind](Stopwatch& watch)
           { return RunLimit(watch, GetOutputSize(which, which.Levels), kind.Kind); });
       }
     }

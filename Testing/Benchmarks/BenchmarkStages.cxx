@@ -33,7 +33,7 @@ struct StageWatches
   Stopwatch Split;    ///< the output's cells
   Stopwatch Apply;    ///< points and scalar, all levels
 };
-constexpr Stopwatch StageWatches::*Stages[] = { &StageWatches::Convert, &StageWatches::Classify,
+constexpr Stopwatch StageWatches::* Stages[] = { &StageWatches::Convert, &StageWatches::Classify,
   &StageWatches::Stencil, &StageWatches::Split, &StageWatches::Apply };
 constexpr const char* StageNames[] = { "convert", "classify", "stencils", "split", "apply" };
 

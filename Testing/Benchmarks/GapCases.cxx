@@ -74,8 +74,7 @@ void AddMain(std::vector<GapCase>& cases)
       change));
   };
   const auto plain = [](Main*) {};
-  add(
-    "large", [](double scale) { return MakeSolid(18, scale); }, 3, plain);
+  add("large", [](double scale) { return MakeSolid(18, scale); }, 3, plain);
   constexpr const char* schemes[] = { "box spline", "tet/oct", "linear" };
   for (int scheme : { Main::BOX_SPLINE, Main::TET_OCT, Main::LINEAR })
   {
@@ -97,8 +96,7 @@ void AddMain(std::vector<GapCase>& cases)
         filter->GenerateLimitNormalsOn();
       });
   }
-  add(
-    "no levels", [](double scale) { return MakeSolid(94, scale); }, 0, plain);
+  add("no levels", [](double scale) { return MakeSolid(94, scale); }, 0, plain);
   add("no cache", coarse, 3, [](Main* filter) { filter->CacheOperatorOff(); });
   add("interpolation", coarse, 3,
     [](Main* filter)
@@ -114,8 +112,7 @@ void AddMain(std::vector<GapCase>& cases)
     });
   add("kept", coarse, 3, plain, MovePoints);
   add("kept, fine input", fine, 1, plain, MovePoints);
-  add(
-    "kept, limits", coarse, 3, [](Main* filter) { filter->ProjectToLimitOn(); }, MovePoints);
+  add("kept, limits", coarse, 3, [](Main* filter) { filter->ProjectToLimitOn(); }, MovePoints);
   const Configure<Main> interfaces = [](Main* filter) { filter->PreserveInterfacesOn(); };
   const Configure<Main> jumps = [](Main* filter)
   {
@@ -123,11 +120,9 @@ void AddMain(std::vector<GapCase>& cases)
     filter->SetInterfaceValuesToDiscontinuous();
   };
   add("interfaces", layers, 3, interfaces);
-  add(
-    "interfaces, fine input", [](double scale) { return MakeLayers(50, scale); }, 1, interfaces);
+  add("interfaces, fine input", [](double scale) { return MakeLayers(50, scale); }, 1, interfaces);
   add("values that jump", layers, 3, jumps);
-  add(
-    "values that jump, fine input", [](double scale) { return MakeLayers(50, scale); }, 1, jumps);
+  add("values that jump, fine input", [](double scale) { return MakeLayers(50, scale); }, 1, jumps);
   add("features", fine, 1, [](Main* filter) { filter->DetectFeaturesOn(); });
   add("marks", fine, 1,
     [](Main* filter)
@@ -155,22 +150,17 @@ void AddMain(std::vector<GapCase>& cases)
     });
   add("triangles", fine, 1, [](Main* filter) { filter->SetOutputDimensions(Main::TRIANGLES); });
   const Configure<Main> types = [](Main* filter) { filter->KeepCellTypesOn(); };
-  add(
-    "types", [](double scale) { return MakeHexahedra(20, scale); }, 3, types);
-  add(
-    "types, fine input", [](double scale) { return MakeHexahedra(90, scale); }, 1, types);
-  add(
-    "hexahedra", [](double scale) { return MakeHexahedra(90, scale); }, 0, plain);
-  add(
-    "image", [](double scale) { return MakeImage(90, scale); }, 0, plain);
+  add("types", [](double scale) { return MakeHexahedra(20, scale); }, 3, types);
+  add("types, fine input", [](double scale) { return MakeHexahedra(90, scale); }, 1, types);
+  add("hexahedra", [](double scale) { return MakeHexahedra(90, scale); }, 0, plain);
+  add("image", [](double scale) { return MakeImage(90, scale); }, 0, plain);
   add(
     "quadratic pieces", [](double scale) { return MakeQuadratic(45, scale); }, 0,
     [](Main* filter) { filter->SetQuadraticCellsToPieces(); });
   add(
     "polylines", [](double scale) { return MakePolylines(Scaled(2000, scale, 1.), 1000); }, 2,
     plain);
-  add(
-    "surface", [](double scale) { return MakeSurface(true, 3, scale); }, 1, plain);
+  add("surface", [](double scale) { return MakeSurface(true, 3, scale); }, 1, plain);
   for (const bool joins : { true, false })
   {
     const std::string name = joins ? "joined blocks" : "blocks";
@@ -439,9 +429,8 @@ void AddOthers(std::vector<GapCase>& cases)
   cases.push_back(MakeCase<vtkSubdivisionCageSource>(
     "cage", [](double scale) { return MakeCloud(220, scale); },
     [](vtkSubdivisionCageSource* source) { source->SetNumberOfCells(100, 100, 100); }));
-  cases.push_back({ "model",
-    [](double) -> Algorithm { return vtkSmartPointer<vtkSubdivisionModelSource>::New(); },
-    nullptr });
+  cases.push_back({ "model", [](double) -> Algorithm
+    { return vtkSmartPointer<vtkSubdivisionModelSource>::New(); }, nullptr });
 }
 
 }

@@ -93,10 +93,7 @@ public:
   }
 
   /// Forgets what was seen.
-  static void Start()
-  {
-    NumberOfSamples = 0;
-  }
+  static void Start() { NumberOfSamples = 0; }
 
   /// The functions of this project and of VTK that were seen in the middle, the innermost first.
   static std::vector<std::string> GetFunctions()
@@ -144,13 +141,8 @@ private:
   std::thread Watcher;
   std::atomic<bool> IsOver{ false };
 #else
-  static void Start()
-  {
-  }
-  static std::vector<std::string> GetFunctions()
-  {
-    return {};
-  }
+  static void Start() {}
+  static std::vector<std::string> GetFunctions() { return {}; }
 #endif
 };
 

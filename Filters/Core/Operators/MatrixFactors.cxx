@@ -276,6 +276,28 @@ private:
     }
   }
 
+  template <typename Id>
+  void Count(const EqualRows<Id>& rows)
+  {
+    for (vtkIdType i = 0; i < rows.Count; ++i)
+    {
+      this->Entries[rows.FirstRow + i] = rows.Size;
+    }
+  }
+  template <typename Id>
+  void Write(const EqualRows<Id>& rows)
+  {
+    const Id* column = rows.Columns;
+    for (vtkIdType i = 0; i < rows.Count; ++i)
+    {
+      vtkIdType entry = this->Entries[rows.FirstRow + i];
+      for (int k = 0; k < rows.Size; ++k)
+      {
+        Set(this->Rows, entry++, *column++, rows.Weights[k]);
+      }
+    }
+  }
+
   const PointOperator& Operation;
   const vtkIdType NumberOfColumns;
   Buffer<long long> Entries;        ///< of each row; counts, then offsets

@@ -211,6 +211,14 @@ private:
   vtkSmartPointer<vtkUnsignedCharArray> Types;
 };
 
+/// Polyhedra as MakeReadable leaves them are of another type. Those of crease geometry, which takes
+/// no solids, become their points: VTK reads the points of VTK_POLYHEDRON in another way.
+int GetJoinedType(const CellReader& reader, vtkIdType cell, vtkIdType size)
+{
+  const int type = reader.GetGridType(cell, size);
+  return type == VTK_POLYHEDRON ? VTK_CONVEX_POINT_SET : type;
+}
+
 void JoinCells(const std::vector<CellReader>& readers, const std::vector<Item>& items,
   const Places& points, vtkPointSet* mesh)
 {
@@ -221,8 +229,8 @@ void JoinCells(const std::vector<CellReader>& readers, const std::vector<Item>& 
     const Item& item = items[i];
     const CellIds cell = readers[item.Part].GetCell(item.Index, scratch);
     const std::vector<vtkIdType>& places = points.OfPart[item.Part];
-    lists.Start(
-      static_cast<vtkIdType>(i), item.Kind, readers[item.Part].GetGridType(item.Index, cell.Size));
+    lists.Start(static_cast<vtkIdType>(i), item.Kind,
+      GetJoinedType(readers[item.Part], item.Index, cell.Size));
     for (vtkIdType k = 0; k < cell.Size; ++k)
     {
       lists.Add(Exists(cell.Ids[k], places) ? places[cell.Ids[k]] : -1);

@@ -189,8 +189,7 @@ public:
     }
     this->Starts[simplices.GetNumberOfSimplices()] = start;
     Buffer<vtkIdType> owners(start);
-    ForEach(simplices.GetNumberOfSimplices(),
-      [&](vtkIdType s)
+    ForEach(simplices.GetNumberOfSimplices(), [&](vtkIdType s)
       { std::fill(owners.begin() + this->Starts[s], owners.begin() + this->Starts[s + 1], s); });
     this->AtVertices = ListByRow<vtkIdType>(
       simplices.NumberOfPoints, start, [&](vtkIdType i) { return simplices.Connectivity[i]; },

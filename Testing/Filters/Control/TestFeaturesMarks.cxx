@@ -6,6 +6,7 @@
  */
 #include "MarkTools.h"
 
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPlane.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
@@ -357,6 +358,22 @@ TEST(FeaturesMarks, OfGeometryBesideTheMeshGiveAWarning)
   ExpectSame(made, Execute(AddFlagged(mesh, { { VTK_LINE, { 0, 1 } } }), 1));
   EXPECT_EQ(messages->CountWarnings("2 of 3 vertices, lines and triangles"), 1);
   EXPECT_EQ(messages->CountWarnings("the first in cell 1 of the geometry"), 1);
+}
+
+TEST(FeaturesMarks, OfBlocksOfGeometryWithPolyhedra)
+{
+  const Grid mesh = MakeOctahedron();
+  const Grid line = MakeGrid({ GetPoint(mesh, 0), GetPoint(mesh, 1) }, { { VTK_LINE, { 0, 1 } } });
+  const Grid solid = MakeGrid({ { 9, 0, 0 }, { 9, 1, 0 }, { 9, 0, 1 }, { 8, 0, 0 } }, {});
+  const vtkIdType faces[] = { 3, 0, 1, 2, 3, 0, 3, 1, 3, 1, 3, 2, 3, 2, 3, 0 };
+  solid->InsertNextCell(VTK_POLYHEDRON, 4, faces);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, solid);
+  blocks->SetBlock(1, line);
+  vtkNew<Messages> messages;
+  const Grid made =
+    Execute(mesh, 1, [&](Filter* filter) { filter->SetInputDataObject(2, blocks); }, messages);
+  ExpectSame(made, Execute(AddFlagged(mesh, { { VTK_LINE, { 0, 1 } } }), 1));
 }
 
 TEST(FeaturesMarks, AreSingularInTheTopologyFilter)

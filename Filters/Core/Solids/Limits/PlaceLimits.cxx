@@ -361,8 +361,8 @@ std::vector<PlaceNodes<Id>> FindNodes(const LevelType& level, const SemiSharpSta
     }
     const RegularParts& regular = reader.Find(place);
     for (int splits = 0; dimension > 0 && splits < MostSplits &&
-         (splits < sharpSteps || !IsSmall(part, dimension, splits, regular));
-         ++splits)
+      (splits < sharpSteps || !IsSmall(part, dimension, splits, regular));
+      ++splits)
     {
       part = SplitPart(part, dimension, names);
     }
