@@ -58,7 +58,7 @@ vtkSmartPointer<vtkDataSet> MakeInput(const std::string& filter)
     image->SetDimensions(3, 3, 3);
     data = image;
   }
-  else if (filter.find("surface") != std::string::npos)
+  else if (filter.find("surface") != std::string::npos || filter.find("probe") != std::string::npos)
   {
     vtkNew<vtkSphereSource> source;
     source->SetThetaResolution(5);
@@ -147,12 +147,13 @@ class Allocations : public testing::TestWithParam<Tried>
 {
 };
 
+/// All but the probe, which makes ten thousands of small lists in a run.
 std::vector<Tried> ListFilters()
 {
   std::vector<Tried> all;
   for (const subdivide::Filter& filter : subdivide::GetFilters())
   {
-    if (filter.HasInput)
+    if (filter.HasInput && std::string(filter.Name) != "limit-probe")
     {
       all.push_back({ filter.Name, false });
       all.push_back({ filter.Name, true });
