@@ -6,6 +6,8 @@
  */
 #include "FeatureTools.h"
 
+#include <cmath>
+
 using namespace feature_tools;
 
 namespace
@@ -52,6 +54,40 @@ Grid MakeStar(int n)
     cells.push_back({ VTK_LINE, { 0, i } });
   }
   return MakeGrid(First(n + 1), cells);
+}
+
+/// Points 0 and 1 are the ends of an edge, and others are joined to both: 7 and 8 to one end by a
+/// line, to the other by a cell of `type`; 9 to both by such cells. None spans a triangle with
+/// both.
+void AddNeighbours(int type, std::vector<Cell>& cells)
+{
+  vtkIdType next = 10;
+  auto join = [&](vtkIdType a, vtkIdType b)
+  {
+    std::vector<vtkIdType> points{ a, b };
+    for (; points.size() < (type == VTK_TETRA ? 4u : 3u); ++next)
+    {
+      points.push_back(next);
+    }
+    cells.push_back({ type, points });
+  };
+  cells.push_back({ VTK_LINE, { 0, 7 } });
+  join(1, 7);
+  cells.push_back({ VTK_LINE, { 1, 8 } });
+  join(0, 8);
+  join(0, 9);
+  join(1, 9);
+}
+
+Grid MakeEdgeWithNeighbours(int type, std::vector<Cell> cells)
+{
+  AddNeighbours(type, cells);
+  std::vector<Point> points;
+  for (int i = 0; i < 18; ++i)
+  {
+    points.push_back({ std::cos(2. * i), std::sin(2. * i), 0.1 * i * i });
+  }
+  return MakeGrid(points, cells);
 }
 
 Configure Type1(int rule)
@@ -101,6 +137,48 @@ TEST(FeaturesJoints, AnInnerJointIsCutToItsDimension)
     Matrix(mesh, Type1(Filter::TYPE1_FOLLOW_DIMENSION2)).Edge(0, 1), SolidEdge(0, 1, { 4, 5, 6 })));
   EXPECT_TRUE(
     Near(Matrix(mesh, Type1(Filter::TYPE1_FOLLOW_DIMENSION3)).Edge(0, 1), SurfaceEdge(0, 1, 2, 3)));
+}
+
+/// The relief ring of an inner joint has neighbours by edges of the followed dimension only, at
+/// both ends: one such edge and a line do not join a point to the edge.
+TEST(FeaturesJoints, TheReliefOfAnInnerJointIsCutAtBothEnds)
+{
+  const std::vector<Cell> book = { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 4 } },
+    { VTK_TRIANGLE, { 0, 1, 5 } }, { VTK_TRIANGLE, { 0, 1, 6 } } };
+  const std::vector<Cell> pieces = { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 4, 5 } },
+    { VTK_TRIANGLE, { 0, 1, 6 } } };
+  const MatrixRow all = SolidEdge(0, 1, { 2, 3, 4, 5, 6, 7, 8, 9 });
+  // Type 2 among the triangles.
+  const Grid triangles = MakeEdgeWithNeighbours(VTK_TRIANGLE, book);
+  EXPECT_TRUE(Near(Matrix(triangles).Edge(0, 1), all));
+  EXPECT_TRUE(Near(Matrix(triangles, Type1(Filter::TYPE1_FOLLOW_DIMENSION2)).Edge(0, 1),
+    SolidEdge(0, 1, { 4, 5, 6, 9 })));
+  // Type 3 among the tetrahedra.
+  const Grid tets = MakeEdgeWithNeighbours(VTK_TETRA, pieces);
+  EXPECT_TRUE(Near(Matrix(tets).Edge(0, 1), all));
+  EXPECT_TRUE(Near(Matrix(tets, Type1(Filter::TYPE1_FOLLOW_DIMENSION3)).Edge(0, 1),
+    SolidEdge(0, 1, { 2, 3, 4, 5, 9 })));
+  const auto sharp = [](Filter* filter)
+  {
+    filter->SetType1RuleToFollowDimension3();
+    filter->SetType3RuleToSharp();
+  };
+  EXPECT_TRUE(Near(Matrix(tets, sharp).Edge(0, 1), CurveEdge(0, 1)));
+}
+
+/// The same for vertices: two sheets, and two solids, that meet in a vertex of a line.
+TEST(FeaturesJoints, TheRingOfAnInnerJointVertexIsCutToItsDimension)
+{
+  const Grid sheets = MakeGrid(First(6),
+    { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 0, 3, 4 } }, { VTK_LINE, { 0, 5 } } });
+  EXPECT_TRUE(Near(Matrix(sheets).Vertex(0), SolidVertex(0, { 1, 2, 3, 4, 5 })));
+  EXPECT_TRUE(Near(Matrix(sheets, Type1(Filter::TYPE1_FOLLOW_DIMENSION2)).Vertex(0),
+    SolidVertex(0, { 1, 2, 3, 4 })));
+  const Grid solids = MakeGrid(First(8),
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 4, 5, 6 } }, { VTK_LINE, { 0, 7 } } });
+  EXPECT_TRUE(Near(Matrix(solids).Vertex(0), SolidVertex(0, { 1, 2, 3, 4, 5, 6, 7 })));
+  EXPECT_TRUE(Near(Matrix(solids, Type1(Filter::TYPE1_FOLLOW_DIMENSION3)).Vertex(0),
+    SolidVertex(0, { 1, 2, 3, 4, 5, 6 })));
 }
 
 TEST(FeaturesJoints, Type1Vertex)
@@ -336,6 +414,27 @@ TEST(FeaturesJoints, RegionsChooseForType1)
     }
     EXPECT_TRUE(Near(vertex(4, 2, false, lineFirst), lineFirst ? Corner(0) : CurveVertex(0, 1, 2)));
   }
+}
+
+/// A region's choice FollowDimension2 is none of type 2: the joint inside C_2 blends, whatever
+/// Type2Rule is. Where the choice is that of Type1Rule, Type2Rule decides inside C_2.
+TEST(FeaturesJoints, AnInnerJointThatItsRegionChoseBlends)
+{
+  const Grid mesh = MakeGrid(First(7),
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 4 } }, { VTK_TRIANGLE, { 0, 1, 5 } },
+      { VTK_TRIANGLE, { 0, 1, 6 } } });
+  AddCellArray(mesh, "Part", { 0, 0, 0, 0 });
+  const Matrix byRegion(With(mesh, "Rule", { 4, 0, 0, 0 }), Regions(true));
+  EXPECT_TRUE(Near(byRegion.Edge(0, 1), SolidEdge(0, 1, { 4, 5, 6 })));
+  EXPECT_TRUE(Near(byRegion.Vertex(0), SolidVertex(0, { 1, 4, 5, 6 })));
+  const Matrix byOption(mesh,
+    [](Filter* filter)
+    {
+      filter->SetType1RuleToFollowDimension2();
+      filter->SetType2RuleToSharp();
+    });
+  EXPECT_TRUE(Near(byOption.Edge(0, 1), CurveEdge(0, 1)));
+  EXPECT_TRUE(Near(byOption.Vertex(0), Corner(0)));
 }
 
 TEST(FeaturesJoints, RegionsChooseForType3)
