@@ -12,6 +12,7 @@
 #include "vtkSubdivisionCageSource.h"
 #include "vtkSubdivisionDeformation.h"
 #include "vtkSubdivisionLabelSolid.h"
+#include "vtkSubdivisionLimitProbe.h"
 #include "vtkSubdivisionModelSource.h"
 #include "vtkSurfaceSubdivision.h"
 
@@ -408,6 +409,14 @@ void AddOthers(std::vector<GapCase>& cases)
   deform("surface", 0, 1, true, nullptr);
   deform("again", 4, 3, false, moveCage);
   deform("fine cage, again", 40, 1, false, moveCage);
+  const auto probe = [&](const std::string& name, const MakeInput& input, int places)
+  {
+    cases.push_back(MakeCase<vtkSubdivisionLimitProbe>("probe, " + name, input,
+      [=](vtkSubdivisionLimitProbe* filter)
+      { filter->SetInputDataObject(3, MakeCloud(places, 1.)); }));
+  };
+  probe("solid", [](double scale) { return MakeSolid(20, scale); }, 9);
+  probe("surface", [](double scale) { return MakeSurface(true, 2, scale); }, 30);
   cases.push_back(MakeCase<vtkSimplicialComplexTopology>(
     "topology", [](double scale) { return MakeSolid(94, scale); },
     [](vtkSimplicialComplexTopology*) {}));

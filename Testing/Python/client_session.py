@@ -228,6 +228,18 @@ class Client(unittest.TestCase):
         push("Accept")
         self.assertGreater(cells(solid), 0)
 
+    def test_probe_of_places(self):
+        places = simple.PointSource(NumberOfPoints=5, Radius=0.5)
+        places.UpdatePipeline()
+        self.model("MechanicalPart")
+        probe = choose_with_inputs("Subdivision Limit Probe", Places=places)
+        picture("Subdivision Limit Probe")
+        push("Accept")
+        self.assertEqual(cells(probe), 5)
+        self.assertEqual(probe.PointData.GetArray("Distance").GetNumberOfComponents(), 1)
+        show_advanced(True)
+        picture("Subdivision Limit Probe advanced")
+
     def test_criteria_stand_before_other_groups(self):
         model = self.model()
         sphere = simple.Sphere()

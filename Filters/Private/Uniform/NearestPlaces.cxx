@@ -2,6 +2,7 @@
 #include "Private/Uniform/NearestPlaces.h"
 
 #include "Core/Memory/Buffer.h"
+#include "Core/Memory/UnevenRanges.h"
 #include "Core/Solids/Limits/PlacePolynomial.h"
 #include "Core/Solids/Location/SimplexTree.h"
 
@@ -273,26 +274,34 @@ private:
       }
     }
     std::vector<NearestPlace> starts(this->Points.size());
-    ForEach(static_cast<vtkIdType>(starts.size()),
-      [&](vtkIdType i)
+    const auto findStart = [&](vtkIdType i)
+    {
+      const Vector& x = this->Points[i];
+      double least = std::numeric_limits<double>::infinity();
+      for (int kind = 0; kind < 2; ++kind)
       {
-        const Vector& x = this->Points[i];
-        double least = std::numeric_limits<double>::infinity();
-        for (int kind = 0; kind < 2; ++kind)
+        PlaceInSimplex place;
+        double distance2 = 0.;
+        if (numbers[kind].empty() || !std::isfinite(x[0] + x[1] + x[2]) ||
+          !trees[kind].FindNearest(x.data(), place, distance2) || !(distance2 < least))
         {
-          PlaceInSimplex place;
-          double distance2 = 0.;
-          if (numbers[kind].empty() || !std::isfinite(x[0] + x[1] + x[2]) ||
-            !trees[kind].FindNearest(x.data(), place, distance2) || !(distance2 < least))
-          {
-            continue;
-          }
-          least = distance2;
-          const vtkIdType cell = numbers[kind][place.Simplex];
-          const vtkIdType simplex =
-            std::upper_bound(firsts.begin(), firsts.end(), cell) - firsts.begin() - 1;
-          starts[i].Simplex = simplex;
-          starts[i].Weights = GetMiddle(this->GetDimension(simplex), cell - firsts[simplex]);
+          continue;
+        }
+        least = distance2;
+        const vtkIdType cell = numbers[kind][place.Simplex];
+        const vtkIdType simplex =
+          std::upper_bound(firsts.begin(), firsts.end(), cell) - firsts.begin() - 1;
+        starts[i].Simplex = simplex;
+        starts[i].Weights = GetMiddle(this->GetDimension(simplex), cell - firsts[simplex]);
+      }
+    };
+    // For a point far away many triangles may be equally near.
+    ForUnevenRanges(static_cast<vtkIdType>(starts.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          findStart(i);
         }
       });
     return starts;

@@ -2,6 +2,7 @@
 // The limit at places of cells, with derivatives.
 #include "Private/Uniform/UniformRun.h"
 
+#include "Core/Memory/GrowingBuffer.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Operators/ApplyRows.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
@@ -106,41 +107,104 @@ Parts SumParts(const PlaceLimits<Id>& limits, vtkIdType place, const double* poi
   return parts;
 }
 
-/// Adds derivatives of the points, normals and curvatures to the output.
-template <typename Id>
-void AddDerivatives(const PlaceLimits<Id>& limits, const std::vector<LimitPlace<Id>>& places,
-  const double* points, vtkPolyData* output)
+/// The places of a part are looked at together: few, so that their rows take little memory and a
+/// user can stop between them. Those in solids have far more entries.
+template <typename Id, typename LevelType, typename Use>
+void ForParts(const LevelType& level, const SemiSharpStages<Id>& creases,
+  const std::vector<LimitPlace<Id>>& places, const Use& use)
 {
-  const auto size = static_cast<vtkIdType>(places.size());
-  double* tangents[3];
-  for (int k = 0; k < 3; ++k)
+  constexpr int most = 8192;
+  constexpr int weightOfSolid = 32;
+  std::vector<LimitPlace<Id>> part;
+  int weight = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
-    tangents[k] = AddArray(PlaceDerivativeNames[k], 3, size, output)->GetPointer(0);
-  }
-  double* normals = AddArray(LimitNormalsName, 3, size, output)->GetPointer(0);
-  double* mean = AddArray(MeanCurvatureName, 1, size, output)->GetPointer(0);
-  double* gaussian = AddArray(GaussianCurvatureName, 1, size, output)->GetPointer(0);
-  ForEach(size,
-    [&](vtkIdType i)
+    part.push_back(places[i]);
+    weight += places[i].Dimension == 3 ? weightOfSolid : 1;
+    if (weight >= most || i + 1 == places.size())
     {
-      const Parts parts = SumParts(limits, i, points);
-      for (int k = 0; k < 3; ++k)
-      {
-        std::copy_n(parts[PlaceParts::First + k].data(), 3, tangents[k] + 3 * i);
-      }
-      if (places[i].Dimension == 1)
-      {
-        mean[i] = GetCurvatureOfCurve(parts[PlaceParts::First], parts[PlaceParts::Second]);
-      }
-      if (places[i].Dimension == 2)
-      {
-        const SurfaceShape shape = FindShape(parts);
-        std::copy_n(shape.Normal.data(), 3, normals + 3 * i);
-        mean[i] = shape.Mean;
-        gaussian[i] = shape.Gaussian;
-      }
-    });
+      use(static_cast<vtkIdType>(i + 1 - part.size()), PlaceLimits<Id>(level, creases, part));
+      BetweenLoops::Act();
+      part.clear();
+      weight = 0;
+    }
+  }
 }
+
+/// Derivatives of the points, normals and curvatures, as arrays of the output.
+class DerivativeArrays
+{
+public:
+  DerivativeArrays(vtkIdType size, vtkPolyData* output)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      this->Tangents[k] = AddArray(PlaceDerivativeNames[k], 3, size, output)->GetPointer(0);
+    }
+    this->Normals = AddArray(LimitNormalsName, 3, size, output)->GetPointer(0);
+    this->Mean = AddArray(MeanCurvatureName, 1, size, output)->GetPointer(0);
+    this->Gaussian = AddArray(GaussianCurvatureName, 1, size, output)->GetPointer(0);
+  }
+
+  void Set(vtkIdType i, int dimension, const Parts& parts)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      std::copy_n(parts[PlaceParts::First + k].data(), 3, this->Tangents[k] + 3 * i);
+    }
+    if (dimension == 1)
+    {
+      this->Mean[i] = GetCurvatureOfCurve(parts[PlaceParts::First], parts[PlaceParts::Second]);
+    }
+    if (dimension == 2)
+    {
+      const SurfaceShape shape = FindShape(parts);
+      std::copy_n(shape.Normal.data(), 3, this->Normals + 3 * i);
+      this->Mean[i] = shape.Mean;
+      this->Gaussian[i] = shape.Gaussian;
+    }
+  }
+
+private:
+  std::array<double*, 3> Tangents{};
+  double* Normals = nullptr;
+  double* Mean = nullptr;
+  double* Gaussian = nullptr;
+};
+
+/// Rows of the parts, one after the other. Together they may have more entries than an int counts.
+class AppendedRows
+{
+public:
+  template <typename Id>
+  void Append(const SparseRows<Id>& part)
+  {
+    this->NumberOfColumns = part.NumberOfColumns;
+    const vtkIdType rows = part.GetNumberOfRows();
+    const vtkIdType before = this->Columns.size();
+    const vtkIdType entries = part.Columns.size();
+    std::transform(part.Offsets.begin(), part.Offsets.begin() + rows, this->Offsets.Extend(rows),
+      [&](Id offset) { return before + offset; });
+    std::copy_n(part.Columns.begin(), entries, this->Columns.Extend(entries));
+    std::copy_n(part.Weights.begin(), entries, this->Weights.Extend(entries));
+  }
+  SparseRows<vtkIdType> Finish()
+  {
+    this->Offsets.push_back(this->Columns.size());
+    SparseRows<vtkIdType> rows;
+    rows.NumberOfColumns = this->NumberOfColumns;
+    rows.Offsets = this->Offsets.Copy();
+    rows.Columns = this->Columns.Copy();
+    rows.Weights = this->Weights.Copy();
+    return rows;
+  }
+
+private:
+  vtkIdType NumberOfColumns = 0;
+  GrowingBuffer<vtkIdType> Offsets;
+  GrowingBuffer<vtkIdType> Columns;
+  GrowingBuffer<double> Weights;
+};
 
 /// Gives a place the order of the points of its cell, which is one simplex.
 template <typename Id>
@@ -267,10 +331,13 @@ bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme:
   {
     std::vector<LimitPlace<Id>> at;
     std::transform(nearest.begin(), nearest.end(), std::back_inserter(at), makePlace);
-    const PlaceLimits<Id> limits(level, creases, at);
     PlaceValues values(at.size());
-    ForEach(static_cast<vtkIdType>(at.size()),
-      [&](vtkIdType i) { values[i] = SumParts(limits, i, coordinates); });
+    ForParts(level, creases, at,
+      [&](vtkIdType begin, const PlaceLimits<Id>& limits)
+      {
+        ForEach(limits.Rows[PlaceParts::Value].GetNumberOfRows(),
+          [&](vtkIdType i) { values[begin + i] = SumParts(limits, i, coordinates); });
+      });
     return values;
   };
   const std::vector<NearestPlace> nearest = FindNearestPlaces(simplices, fine, targets, evaluate);
@@ -337,12 +404,22 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
                        "only.");
     return false;
   }
-  const PlaceLimits<Id> limits(level, creases, places);
   const double* coordinates = this->Points->GetCoordinates();
   vtkPolyData* output = request.Output;
   output->Initialize();
-  AddDerivatives(limits, places, coordinates, found);
-  this->Points->Advance(limits.Rows[PlaceParts::Value],
+  DerivativeArrays derivatives(static_cast<vtkIdType>(places.size()), found);
+  AppendedRows rows;
+  ForParts(level, creases, places,
+    [&](vtkIdType begin, const PlaceLimits<Id>& limits)
+    {
+      rows.Append(limits.Rows[PlaceParts::Value]);
+      ForEach(limits.Rows[PlaceParts::Value].GetNumberOfRows(),
+        [&](vtkIdType i)
+        {
+          derivatives.Set(begin + i, places[begin + i].Dimension, SumParts(limits, i, coordinates));
+        });
+    });
+  this->Points->Advance(rows.Finish(),
     [&](vtkIdType row)
     {
       const LimitPlace<Id>& place = places[row];
