@@ -66,6 +66,7 @@ CapBottom Cap(ModelBuilder& model, double z)
 }
 
 /// A chain of hexahedra along a spiral that rises to the cap and ends in one of its bottom faces.
+/// From where the last section stands, smoothing turns no cell inside out.
 void Spring(ModelBuilder& model, const CapBottom& cap, double zOfCap)
 {
   constexpr int last = 20; // sections, `Sectors` to a turn
@@ -73,8 +74,8 @@ void Spring(ModelBuilder& model, const CapBottom& cap, double zOfCap)
   Ids before;
   for (int s = 0; s <= last; ++s)
   {
-    const double angle = vtkMath::RadiansFromDegrees(360.0 * (s - last - 0.7) / Sectors);
-    const double z = zOfCap - 0.5 + pitch * (s - last) / Sectors;
+    const double angle = vtkMath::RadiansFromDegrees(360.0 * (s - last + 0.5) / Sectors);
+    const double z = zOfCap - 0.8 + pitch * (s - last) / Sectors;
     const auto corner = [&](double radius, double dz)
     { return model.Point(radius * std::cos(angle), radius * std::sin(angle), z + dz); };
     const Ids section{ corner(1.1, -0.35), corner(1.9, -0.35), corner(1.9, 0.35),
@@ -85,7 +86,7 @@ void Spring(ModelBuilder& model, const CapBottom& cap, double zOfCap)
     }
     before = section;
   }
-  model.Hexahedron(before, { cap.Inner[1], cap.Outer[1], cap.Outer[0], cap.Inner[0] });
+  model.Hexahedron(before, { cap.Inner[2], cap.Outer[2], cap.Outer[1], cap.Inner[1] });
 }
 
 }

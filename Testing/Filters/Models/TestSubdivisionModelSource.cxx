@@ -3,6 +3,8 @@
  * @file TestSubdivisionModelSource.cxx
  * Every model is a valid complex with the promised parts and arrays, and Data/ holds the same.
  */
+#include "MultiDimensionalSubdivisionTools.h"
+
 #include "vtkSubdivisionModelSource.h"
 
 #include "vtkCellData.h"
@@ -11,6 +13,7 @@
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
+#include "vtkMultiDimensionalSubdivision.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -32,6 +35,7 @@
 namespace
 {
 
+using multi_dimensional_subdivision_tools::Messages;
 using Simplex = std::vector<vtkIdType>; // sorted
 using Vector = std::array<double, 3>;
 
@@ -455,6 +459,23 @@ TEST_P(SubdivisionModelSource, EqualsItsFileInData)
   reader->Update();
   ASSERT_NE(reader->GetOutput()->GetPointData()->GetScalars(), nullptr);
   ExpectEqual(Make(GetParam()), reader->GetOutput());
+}
+
+TEST_P(SubdivisionModelSource, IsSubdividedWithoutAWarning)
+{
+  for (const int scheme :
+    { vtkMultiDimensionalSubdivision::BOX_SPLINE, vtkMultiDimensionalSubdivision::TET_OCT })
+  {
+    vtkNew<vtkMultiDimensionalSubdivision> filter;
+    vtkNew<Messages> messages;
+    messages->Watch(filter);
+    filter->SetInputData(Make(GetParam()));
+    filter->SetVolumeScheme(scheme);
+    filter->SetNumberOfLevels(3);
+    filter->Update();
+    EXPECT_EQ(messages->Warnings.size() + messages->Errors.size() + messages->Inversions.size(), 0u)
+      << scheme;
+  }
 }
 
 TEST(SubdivisionModelSourceOptions, ModelsHaveNamesAndNumbers)
