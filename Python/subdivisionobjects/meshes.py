@@ -102,10 +102,14 @@ def from_arrays(points, cells, point_data=None, cell_data=None):
 
 def set_cells(grid, cells, number_of_points):
     if not hasattr(cells, "items"):
-        rows = np.asarray(cells)
+        try:
+            rows = np.asarray(cells)
+            found = f"the shape {rows.shape}"
+        except ValueError:  # of NumPy, whose text is about arrays
+            rows, found = np.empty(0), "rows of several sizes"
         if rows.ndim != 2 or rows.shape[1] not in BY_SIZE:
-            raise ValueError(f"cells must have a row of 1 to 6 or 8 point ids each, not the shape {rows.shape}; for "
-                             "other types give a dictionary such as {'quad': rows}")
+            raise ValueError(f"cells must have a row of 1 to 6 or 8 point ids each, not {found}; for other or several "
+                             "types give a dictionary such as {'quad': rows, 'line': rows}")
         cells = {BY_SIZE[rows.shape[1]]: rows}
     types, sizes, ids = [], [], []
     for name, rows in cells.items():

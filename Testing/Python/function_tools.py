@@ -201,7 +201,9 @@ class Options(unittest.TestCase):
                 (RuntimeError, "MaximumNumberOfCells = 10", {"levels": 3, "maximum_cells": 10})):
             with self.assertRaisesRegex(error, text):
                 subdivisionobjects.subdivide(TET, cells, **options)
-        for text, wrong in (("tetra 0 has point ids", [[0, 1, 2, 4]]), ("rows of 3 integers", {"triangle": [[0, 1]]}),
+        for text, wrong in (("tetra 0 has point ids", [[0, 1, 2, 4]]),
+                            ("not rows of several sizes; .* 'line': rows", [[0, 1, 2, 3], [0, 1]]),
+                            ("rows of 3 integers", {"triangle": [[0, 1]]}),
                             ("no cells 'brick'", {"brick": [[0]]}), ("not the shape", [0, 1, 2])):
             with self.assertRaisesRegex(ValueError, text):
                 subdivisionobjects.subdivide(TET, wrong)
