@@ -37,6 +37,7 @@ int vtkSubdivisionLimitProbe::FillInputPortInformation(int port, vtkInformation*
     return this->Superclass::FillInputPortInformation(port, info);
   }
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // RequestData says what is missing
   return 1;
 }
 
@@ -63,6 +64,12 @@ int vtkSubdivisionLimitProbe::RequestData(
   }
   subdivision::PlaceRequest request;
   request.Targets = vtkDataSet::GetData(inputVector[PlacesPort]);
+  if (!request.Targets)
+  {
+    vtkErrorMacro("Places (input port 3) are missing: a data set with the points for which the "
+                  "nearest places are wanted. On the command line it is --places FILE.");
+    return 0;
+  }
   subdivision::UniformOptions options;
   options.Levels = 0;
   options.ProjectToLimit = true;

@@ -5,6 +5,8 @@
 #include "Settings.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 namespace subdivide
 {
@@ -227,6 +229,27 @@ private:
     {
       this->Result.Output = this->Names.back();
       CheckWritable(this->Result.Output);
+      this->CheckOther(this->Result.Input);
+      for (const Stage& stage : this->Result.Stages)
+      {
+        for (const auto& file : stage.Files)
+        {
+          this->CheckOther(file.second);
+        }
+      }
+    }
+  }
+
+  /// Whoever mistypes a name does not lose the only copy of a mesh.
+  void CheckOther(const std::string& input) const
+  {
+    std::error_code none;
+    const auto read = std::filesystem::u8path(input);
+    if (std::filesystem::equivalent(read, std::filesystem::u8path(this->Result.Output), none) &&
+      std::filesystem::is_regular_file(read, none))
+    {
+      throw UsageError(
+        "the output would be written over the input " + input + ": name another file for it");
     }
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Info.h"
 #include "Conversion.h"
+#include "Messages.h"
 #include "Names.h"
 #include "Settings.h"
 
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 namespace subdivide
@@ -319,10 +321,12 @@ Forecast Foretell(const Command& command)
   const Growth growth = GetGrowth(last);
   std::vector<Sample> samples;
   Numbers others{};
+  std::optional<WithoutWarnings> ofFewerLevels; // the first sample tells those of the input
   for (int i = 0; i <= levels; ++i)
   {
     if (i > 0)
     {
+      ofFewerLevels.emplace();
       const double cells = GetSum(ForetellCells(samples, growth, 1));
       if (cells > MostCells[std::min(i, 3) - 1] ||
         cells + GetSum(Multiply(others, growth.Rates, i)) > maximum)
@@ -355,7 +359,7 @@ void PrintInfo(const Command& command)
   const Size& size = forecast.Output;
   std::cout << (forecast.IsExact ? "" : "about ") << Text(size.Cells, 0) << " cells, "
             << Text(size.Points, 0) << " points, " << Text(size.Bytes / 1e6, 1) << " MB, "
-            << Text(forecast.Seconds, 2) << " s\n";
+            << Text(forecast.Seconds, 2) << " s, beside the time for reading and writing\n";
   if (forecast.Maximum > 0.)
   {
     std::cout << "MaximumNumberOfCells = " << Text(forecast.Maximum, 0)

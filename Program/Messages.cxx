@@ -134,6 +134,17 @@ void Tell(const std::string& kind, const std::string& text)
   std::cerr << "subdivide: " << kind << ": " << text << std::endl;
 }
 
+WithoutWarnings::WithoutWarnings()
+  : WasQuiet(Quiet)
+{
+  Quiet = true;
+}
+
+WithoutWarnings::~WithoutWarnings()
+{
+  Quiet = this->WasQuiet;
+}
+
 void ShowProgress(vtkAlgorithm* algorithm, const std::string& name)
 {
   if (Quiet || !IsTerminal())

@@ -22,6 +22,19 @@ int GetNumberOfErrors();
 /// "subdivide: KIND: text", but no warning if the program is to be quiet.
 void Tell(const std::string& kind, const std::string& text);
 
+/// While one exists no warning is told.
+class WithoutWarnings
+{
+public:
+  WithoutWarnings();
+  ~WithoutWarnings();
+  WithoutWarnings(const WithoutWarnings&) = delete;
+  WithoutWarnings& operator=(const WithoutWarnings&) = delete;
+
+private:
+  bool WasQuiet;
+};
+
 /// Shows the progress of an algorithm on a terminal; elsewhere it does nothing.
 void ShowProgress(vtkAlgorithm* algorithm, const std::string& name);
 

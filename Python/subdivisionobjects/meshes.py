@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From arrays, lists and meshes of PyVista to data sets of VTK, and back."""
 
+import os
 import re
 import sys
 
@@ -42,6 +43,9 @@ def to_vtk(mesh, cells=None, point_data=None, cell_data=None):
         for index, one in enumerate(mesh):
             blocks.SetBlock(index, one)
         return blocks
+    if isinstance(mesh, (str, os.PathLike)):
+        raise TypeError(f"{str(mesh)!r} is the name of a file: read it first, by a reader of vtkmodules.vtkIOXML for "
+                        "instance, or take the program subdivide")
     return from_arrays(mesh, cells, point_data, cell_data)
 
 

@@ -236,6 +236,8 @@ class Options(unittest.TestCase):
                 (r"not a selection such as", {"mark_selection": [1]})):
             with self.subTest(text), self.assertRaisesRegex(ValueError, text):
                 subdivisionobjects.subdivide(TET, [[0, 1, 2, 3]], **options)
+        with self.assertRaisesRegex(TypeError, "'mesh.vtu' is the name of a file"):
+            subdivisionobjects.subdivide("mesh.vtu")
         with self.assertRaisesRegex(ValueError, "is not a table such as"):
             subdivisionobjects.label_solid(np.ones((1, 1, 1), int), materials=[1])
 

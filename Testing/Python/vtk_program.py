@@ -29,6 +29,19 @@ HIDDEN = {"vtkSurfaceSubdivision": {"Adaptive", "GenerateNormals", "EmbeddedCell
                                         "InterfaceValues"}}
 UNSMOOTHED = {"InterpolatePoints", "InterpolateArrays", "InterpolationWeight"}
 
+# A tetrahedron around a point near one of its faces.
+THIN = """# vtk DataFile Version 3.0
+
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 5 double
+0 0 0 1 0 0 0 1 0 0 0 1 0.3 0.3 0.3
+CELLS 4 20
+4 0 1 2 4 4 0 1 4 3 4 0 4 2 3 4 4 1 2 3
+CELL_TYPES 4
+10 10 10 10
+"""
+
 
 def run(*arguments):
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=300)
@@ -101,6 +114,20 @@ class Program(unittest.TestCase):
         self.assertEqual(told[0], "about")
         self.assertEqual(run(SHIP, "four.vtu", "--levels", 4).returncode, 0)
         self.assertEqual(int(told[1]), cells("four.vtu"))
+
+    def test_info_tells_no_warning_of_fewer_levels(self):
+        pathlib.Path("thin.vtk").write_text(THIN, encoding="utf-8")
+        self.assertIn("inside out", run("thin.vtk", "smooth.vtu", "--levels", 3).stderr)
+        self.assertEqual(run("thin.vtk", "--info", "--levels", 9).stderr, "")
+
+    def test_an_input_is_never_written_over(self):
+        ship = shutil.copy(SHIP, "ship.vtu")
+        before = pathlib.Path(ship).read_bytes()
+        for arguments in ((ship, "./ship.vtu"), (SHIP, ship, "--filter", "deformation", "--rest-mesh", ship)):
+            refused = run(*arguments)
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn("over the input", refused.stderr)
+            self.assertEqual(pathlib.Path(ship).read_bytes(), before)
 
     def test_info_of_what_cannot_be_foretold(self):
         told = run(SHIP, "--info", "--filter", "red-green", "--refine", "edge-length=0.5").stdout.split()

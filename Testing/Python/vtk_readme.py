@@ -46,7 +46,7 @@ class ReadmeTest(unittest.TestCase):
         for path in [readme.PROJECT / "README.md", *readme.GUIDE]:
             lines += re.findall(r"(?:^    |`)(?:build/vtk/bin/)?subdivide ([\w/]+\.vtu [^`#\n]*)",
                                 path.read_text(encoding="utf-8"), re.MULTILINE)
-        self.assertEqual(len(lines), 4, lines)
+        self.assertEqual(len(lines), 5, lines)
         with tempfile.TemporaryDirectory() as folder:
             os.symlink(readme.PROJECT / "Data", os.path.join(folder, "Data"))
             shutil.copyfile(readme.PROJECT / "Data/Ship.vtu", os.path.join(folder, "mesh.vtu"))

@@ -259,4 +259,10 @@ TEST(SubdivisionLimitProbe, SplitCellsAndErrors)
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, box);
   fails(blocks, { 0., 0., 0. }, "consists of blocks");
+  messages->Errors.clear();
+  filter->SetInputDataObject(box);
+  filter->SetInputConnection(3, nullptr);
+  filter->Update();
+  ASSERT_FALSE(messages->Errors.empty());
+  EXPECT_NE(messages->Errors[0].find("Places (input port 3) are missing"), std::string::npos);
 }
