@@ -357,6 +357,34 @@ TEST(Partitions, FindArraysThatOnlyOthersHave)
   }
 }
 
+TEST(Partitions, ArraysThatAreTooShortAreNone)
+{
+  // The array of the first of four slabs is too short, that of the last is not: all work with it.
+  const Grid box = MakeMixedBox(9);
+  const std::vector<Mesh> cut = Cut(box, CutInSlabs(box, 4), 4, KnownBy::GlobalIds);
+  cut[0]->GetCellData()->AddArray(MakeArray<vtkDoubleArray>("Some", 1, 1, 1., 2., 1));
+  cut[3]->GetCellData()->AddArray(
+    MakeArray<vtkDoubleArray>("Some", 1, cut[3]->GetNumberOfCells(), 1., 2., 1));
+  bool done = false;
+  std::vector<Mesh> outputs;
+  int found = 0;
+  GetWarnings(
+    { { cut[0] }, { cut[1] }, { cut[2] }, { cut[3] } },
+    [&found](vtkPointSet* input, vtkPointSet* output)
+    {
+      found += input->GetCellData()->HasArray("Some");
+      output->ShallowCopy(input);
+      return true;
+    },
+    done, outputs);
+  EXPECT_TRUE(done);
+  EXPECT_EQ(4, found);
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(i == 3, outputs[i]->GetCellData()->HasArray("Some")) << i;
+  }
+}
+
 TEST(Partitions, SayThatCellsAreSpreadUnevenly)
 {
   const Grid box = MakeMixedBox(2);

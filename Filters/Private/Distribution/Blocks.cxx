@@ -6,6 +6,7 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/StampFields.h"
 #include "Private/Distribution/StampedParts.h"
+#include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/Reading/UnusedPoints.h"
 
@@ -41,13 +42,15 @@ bool IsAccepted(vtkDataObject* data, bool isOfSurfaces)
 }
 
 /// Takes away arrays that other blocks have and this one does not, and gives the others their
-/// names.
-void RestoreArrays(const std::vector<JoinedArray>& arrays, int block, vtkDataSetAttributes* data)
+/// names. `hasGhosts`: ghost types are those of MarkGhosts, whoever had some.
+void RestoreArrays(
+  const std::vector<JoinedArray>& arrays, int block, bool hasGhosts, vtkDataSetAttributes* data)
 {
   for (const JoinedArray& array : arrays)
   {
     vtkAbstractArray* found = data->GetAbstractArray(array.Name.c_str());
-    if (found && !array.OfPart[block])
+    const bool isMade = hasGhosts && array.Name == vtkDataSetAttributes::GhostArrayName();
+    if (found && !isMade && !array.OfPart[block])
     {
       data->RemoveArray(array.Name.c_str());
     }
@@ -147,9 +150,9 @@ void MarkGhosts(
   const auto ofCells = MakeGhostTypes(output->GetNumberOfCells(), 0);
   const auto ofPoints =
     MakeGhostTypes(output->GetNumberOfPoints(), vtkDataSetAttributes::DUPLICATEPOINT);
-  if (vtkUnsignedCharArray* hidden = output->GetCellGhostArray())
+  if (const unsigned char* hidden = GetGhosts(output, output->GetNumberOfCells()))
   {
-    ofCells->DeepCopy(hidden);
+    std::copy_n(hidden, output->GetNumberOfCells(), ofCells->GetPointer(0));
   }
   const CellReader reader(output);
   std::vector<vtkIdType> scratch;
@@ -299,8 +302,9 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, const OutputOption
   output->GetPointData()->RemoveArray(PointBlockName);
   output->GetCellData()->RemoveArray(SelectedName);
   output->GetCellData()->RemoveArray(BlockIndexName);
-  RestoreArrays(joined.PointArrays, block, output->GetPointData());
-  RestoreArrays(joined.CellArrays, block, output->GetCellData());
+  const bool hasGhosts = options.GhostLayers > 0;
+  RestoreArrays(joined.PointArrays, block, hasGhosts, output->GetPointData());
+  RestoreArrays(joined.CellArrays, block, hasGhosts, output->GetCellData());
   CountInBlock(
     OriginalPointIdsName, joined.PointArrays, joined.PointPlaces[block], output->GetPointData());
   CountInBlock(

@@ -35,7 +35,7 @@ bool IsSame(vtkAbstractArray* array, vtkAbstractArray* joined, const JoinedArray
 /// are those of another partition.
 bool IsCarried(vtkAbstractArray* array, vtkIdType size, int association)
 {
-  return array->GetName() && array->GetNumberOfTuples() == size &&
+  return array->GetName() && HasValues(array, size) &&
     (association != vtkDataObject::POINT ||
       std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName());
 }
@@ -163,6 +163,14 @@ void ExtendOnce(const CellReader& cells, vtkDataArray* array, std::vector<char>&
   }
 }
 
+}
+
+bool HasValues(vtkAbstractArray* array, vtkIdType size)
+{
+  const vtkIdType given = array->GetNumberOfTuples();
+  const bool mayBeMore =
+    array->GetName() && std::string(array->GetName()) == vtkDataSetAttributes::GhostArrayName();
+  return given == size || (mayBeMore && given > size);
 }
 
 vtkAbstractArray* FindArray(

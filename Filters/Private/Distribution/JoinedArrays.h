@@ -21,6 +21,10 @@ struct Places
   std::vector<std::vector<vtkIdType>> OfPart;
 };
 
+/// Whether an array has a value for each of `size` points or cells; of ghost types there may be
+/// more (GetGhosts).
+bool HasValues(vtkAbstractArray* array, vtkIdType size);
+
 /// The array of a part whose values an array of the joined mesh takes; null: none.
 vtkAbstractArray* FindArray(
   vtkDataSetAttributes* data, vtkAbstractArray* joined, const JoinedArray& entry);

@@ -363,14 +363,16 @@ void TakeWithFaces(vtkUnstructuredGrid* whole, const std::vector<vtkIdType>& cel
   }
 }
 
-void TakeArrays(
-  vtkDataSetAttributes* from, const std::vector<vtkIdType>& sources, vtkDataSetAttributes* to)
+/// Takes the values of `sources` of `size` points or cells.
+void TakeArrays(vtkDataSetAttributes* from, vtkIdType size, const std::vector<vtkIdType>& sources,
+  vtkDataSetAttributes* to)
 {
   const Row<vtkIdType> row = { sources.data(), sources.data() + sources.size() };
   for (int a = 0; a < from->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = from->GetAbstractArray(a);
-    if (!array->GetName() || std::string(array->GetName()) != BlockName)
+    const bool isOfBlocks = array->GetName() && std::string(array->GetName()) == BlockName;
+    if (!isOfBlocks && HasValues(array, size))
     {
       AddLike(from, a, Gather(array, row), to);
     }
@@ -474,8 +476,8 @@ void TakeValues(vtkPointSet* whole, const std::vector<vtkIdType>& points,
   coordinates->SetData(vtkDataArray::SafeDownCast(
     Gather(whole->GetPoints()->GetData(), { points.data(), points.data() + points.size() })));
   part->SetPoints(coordinates);
-  TakeArrays(whole->GetPointData(), points, part->GetPointData());
-  TakeArrays(whole->GetCellData(), cells, part->GetCellData());
+  TakeArrays(whole->GetPointData(), whole->GetNumberOfPoints(), points, part->GetPointData());
+  TakeArrays(whole->GetCellData(), whole->GetNumberOfCells(), cells, part->GetCellData());
 }
 
 }

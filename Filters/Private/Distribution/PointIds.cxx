@@ -4,6 +4,7 @@
 #include "Core/Memory/Sorting.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/PointCopies.h"
+#include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
 
 #include "vtkCellData.h"
@@ -11,7 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ void MarkUsed(MeshPart& part)
   const vtkIdType size = part.Mesh->GetNumberOfCells();
   part.Cells.assign(size, 0);
   part.Points.assign(part.Mesh->GetNumberOfPoints(), 0);
-  vtkUnsignedCharArray* types = part.Mesh->GetCellGhostArray();
+  const unsigned char* types = GetGhosts(part.Mesh, size);
   if (!types)
   {
     return;
@@ -44,7 +44,7 @@ void MarkUsed(MeshPart& part)
   {
     for (const vtkIdType c : InTurn(size))
     {
-      if (((types->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL) != 0) != duplicate)
+      if (((types[c] & vtkDataSetAttributes::DUPLICATECELL) != 0) != duplicate)
       {
         continue;
       }

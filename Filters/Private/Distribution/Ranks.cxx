@@ -2,6 +2,7 @@
 #include "Private/Distribution/Ranks.h"
 
 #include "Private/Control/SizeChecks.h"
+#include "Private/Distribution/JoinedArrays.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -54,7 +55,7 @@ std::set<Description> DescribeArrays(const std::vector<MeshPart>& parts)
       for (int a = 0; a < data->GetNumberOfArrays(); ++a)
       {
         vtkAbstractArray* array = data->GetAbstractArray(a);
-        if (array->GetName() &&
+        if (array->GetName() && HasValues(array, part.Mesh->GetNumberOfElements(association)) &&
           std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName())
         {
           found.emplace(

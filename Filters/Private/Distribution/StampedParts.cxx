@@ -6,6 +6,7 @@
 #include "Private/Control/GreenLeaves.h"
 #include "Private/Control/Stamp.h"
 #include "Private/Control/StampFields.h"
+#include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
 
 #include "vtkCellType.h"
@@ -14,7 +15,6 @@
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointSet.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
@@ -44,7 +44,7 @@ bool ReadNumbers(vtkFieldData* field, const char* name, vtkIdType size, Ids& num
 /// Leaves out duplicate cells, and points that nothing else uses.
 void LeaveOutDuplicates(MeshPart& part)
 {
-  vtkUnsignedCharArray* types = part.Mesh->GetCellGhostArray();
+  const unsigned char* types = GetGhosts(part.Mesh, part.Mesh->GetNumberOfCells());
   if (!types)
   {
     return;
@@ -55,7 +55,7 @@ void LeaveOutDuplicates(MeshPart& part)
   std::vector<char> isOfDuplicate(part.Points.size(), 0);
   for (const vtkIdType c : InTurn(reader.GetNumberOfCells()))
   {
-    const bool isDuplicate = types->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL;
+    const bool isDuplicate = types[c] & vtkDataSetAttributes::DUPLICATECELL;
     const CellIds cell = reader.GetCell(c, scratch);
     for (vtkIdType i = 0; i < cell.Size; ++i)
     {
@@ -325,10 +325,9 @@ void WriteStampedNumbers(
 {
   if (HasRegion(block))
   {
-    vtkUnsignedCharArray* types = block->GetCellGhostArray();
-    const vtkIdType sum =
-      ComputeSum(cells->GetPointer(0), cells->GetNumberOfValues(), [types](vtkIdType c)
-        { return !types || !(types->GetValue(c) & vtkDataSetAttributes::DUPLICATECELL); });
+    const unsigned char* types = GetGhosts(block, cells->GetNumberOfValues());
+    const vtkIdType sum = ComputeSum(cells->GetPointer(0), cells->GetNumberOfValues(),
+      [types](vtkIdType c) { return !types || !(types[c] & vtkDataSetAttributes::DUPLICATECELL); });
     WriteField<vtkIdTypeArray>(RegionBlockName, Ids{ sum, index }, block->GetFieldData());
   }
   points->SetName(BlockPointsName);

@@ -9,6 +9,7 @@
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/SizeChecks.h"
+#include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/Uniform/KeptNumbers.h"
 
@@ -51,7 +52,7 @@ public:
   KeptReader(vtkPointSet* input, KeptCells& result)
     : Reader(input)
     , Points(input->GetPoints()->GetData())
-    , Ghosts(input->GetCellGhostArray())
+    , Ghosts(GetGhosts(input, input->GetNumberOfCells()))
     , Result(result)
   {
     result.Cells.NumberOfPoints = input->GetNumberOfPoints();
@@ -62,7 +63,7 @@ public:
       {
         break;
       }
-      if (!this->Ghosts || !(this->Ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL))
+      if (!this->Ghosts || !(this->Ghosts[cell] & vtkDataSetAttributes::HIDDENCELL))
       {
         this->Read(cell, this->Reader.GetCell(cell, scratch));
       }
@@ -157,7 +158,7 @@ private:
 
   const CellReader Reader;
   vtkDataArray* Points;
-  vtkUnsignedCharArray* Ghosts;
+  const unsigned char* Ghosts;
   KeptCells& Result;
   vtkIdType LeftOut = 0;
   vtkIdType FirstLeftOut = 0;
