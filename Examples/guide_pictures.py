@@ -20,7 +20,15 @@ from deformation import quads, shaded, source_of, to_points, wires
 from gallery import Figure, Mesh, ball, model, only_cells, subdivide
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, VTK_TETRA, vtkCellArray, vtkUnstructuredGrid
+from vtkmodules.vtkCommonCore import reference, vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    VTK_QUADRATIC_TETRA,
+    VTK_TETRA,
+    vtkCellArray,
+    vtkPolyData,
+    vtkUnstructuredGrid,
+)
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 BLUE = (0.62, 0.74, 0.86)
@@ -268,6 +276,50 @@ def surface_options():
     write("surface_options", shown, (0.45, -1.0, 0.35))
 
 
+def curved_edges(grid):
+    """The edges of Bezier cells, as lines of many pieces."""
+    pieces = 16
+    points, lines = vtkPoints(), vtkCellArray()
+    for cell in range(grid.GetNumberOfCells()):
+        for number in range(grid.GetCell(cell).GetNumberOfEdges()):
+            edge = grid.GetCell(cell).GetEdge(number)
+            weights = [0.0] * edge.GetNumberOfPoints()
+            lines.InsertNextCell(pieces + 1)
+            for i in range(pieces + 1):
+                at = [0.0, 0.0, 0.0]
+                edge.EvaluateLocation(reference(0), [i / pieces, 0.0, 0.0], at, weights)
+                lines.InsertCellPoint(points.InsertNextPoint(at))
+    made = vtkPolyData()
+    made.SetPoints(points)
+    made.SetLines(lines)
+    return made
+
+
+def bezier_cells():
+    """Catmull-Clark as Bezier cells: Tessellate shows them as they are."""
+    cube = source_of(gallery_surfaces.mesh(*gallery_surfaces.CUBE))
+    shown = [surface_picture("linear cells,\n1 level, on the limit", surface(
+        gallery_surfaces.mesh(*gallery_surfaces.CUBE), Scheme="Catmull-Clark", NumberOfLevels=1, ProjectToLimit=1), True)]
+    for levels_most, tolerance in ((0, 1e-4), (4, 1e-3)):
+        cells = simple.SurfaceSubdivision(Input=cube, Scheme="Catmull-Clark", OutputCells="Bezier",
+                                          NumberOfLevels=levels_most, BezierTolerance=tolerance)
+        made = output(cells)
+        fine = look.surface_of(output(simple.Tessellate(Input=cells, ChordError=1e-4, MaximumNumberofSubdivisions=5)))
+        words, actors, points = surface_picture(f"{made.GetNumberOfCells()} Bezier cells:\nat most {levels_most} levels",
+                                                normals_of(fine))
+        shown.append((words, actors + [look.polygons(curved_edges(made), None, False, True)], points))
+    write("bezier_cells", shown, (0.45, -1.0, 0.35))
+
+
+def normals_of(data):
+    """For round shading: Tessellate gives none."""
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(data)
+    normals.SplittingOff()
+    normals.Update()
+    return normals.GetOutput()
+
+
 def seams():
     """A box has points of its own for each face, and texture coordinates."""
     box = output(simple.Box())
@@ -500,7 +552,7 @@ def figure():
 
 def draw():
     for make in (levels, volume_schemes, sharpness, marks, levels_of_marks, crease_geometry, rules_by_region, features,
-                 interpolation, quadratic_cells, join_blocks, interface_values, surface_options, seams, boundary, corners,
+                 interpolation, quadratic_cells, join_blocks, interface_values, surface_options, bezier_cells, seams, boundary, corners,
                  criteria, criteria_of_places, adaptive_criteria, deformation_levels, outside_points, cages, labels,
                  topology, dimensions, models, figure):
         make()

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiDimensionalSubdivision.h"
 
+#include "Private/Bezier/BezierCells.h"
 #include "Private/Distribution/Dimensions.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
@@ -37,13 +39,31 @@ void vtkMultiDimensionalSubdivision::AddOutputDimension(int dimension)
   }
 }
 
-void vtkMultiDimensionalSubdivision::Finish(vtkDataObject* output)
+bool vtkMultiDimensionalSubdivision::WritesBezierCells() const
 {
-  const auto part = subdivision::TakeDimensions(output, this->OutputDimensions);
-  if (part != output)
+  return this->OutputCells == BEZIER_CELLS && this->HasOutput() && !this->Places &&
+    !this->KeepCellTypes && this->VolumeScheme != TET_OCT;
+}
+
+void vtkMultiDimensionalSubdivision::Inspect(vtkDataObject*, vtkDataObject* readable)
+{
+  if (this->WritesBezierCells())
   {
-    output->ShallowCopy(part);
+    this->FurtherLevels =
+      subdivision::CountFurtherSteps(this->SharesRanks() ? nullptr : readable, false);
   }
+}
+
+vtkSmartPointer<vtkDataObject> vtkMultiDimensionalSubdivision::Finish(vtkDataObject* made)
+{
+  const auto part = subdivision::TakeDimensions(made, this->OutputDimensions);
+  if (!this->WritesBezierCells())
+  {
+    return part;
+  }
+  return subdivision::MakeBezierCells(part,
+    { this->NumberOfLevels, this->NumberOfLevels + this->FurtherLevels, this->BezierTolerance,
+      this->Use32BitIds, this->SharesRanks() ? this->Controller.Get() : nullptr });
 }
 
 bool vtkMultiDimensionalSubdivision::ComputeOperator(vtkSubdivisionOperator* result)
@@ -109,8 +129,18 @@ int vtkMultiDimensionalSubdivision::RequestData(
     vtkWarningMacro("With KeepCellTypes there are no rules and normals: GenerateClassification and "
                     "GenerateLimitNormals are ignored.");
   }
+  const bool writesBezierCells = this->WritesBezierCells();
+  if (this->OutputCells == BEZIER_CELLS && this->HasOutput() && !this->Places && !writesBezierCells)
+  {
+    vtkWarningMacro("Bezier cells need VolumeScheme = BoxSpline or Linear, and no KeepCellTypes: "
+                    "the cells stay linear.");
+  }
+  if (writesBezierCells && this->GenerateGlobalIds)
+  {
+    vtkWarningMacro("Bezier cells have no global ids: GenerateGlobalIds is ignored.");
+  }
   options.GenerateClassification = this->GenerateClassification;
-  options.ProjectToLimit = this->ProjectToLimit;
+  options.ProjectToLimit = this->ProjectToLimit || writesBezierCells;
   options.GenerateLimitNormals = this->GenerateLimitNormals;
   options.Use32BitIds = this->Use32BitIds;
   options.Cache = this->CacheOperator ? this->Cache.get() : nullptr;
@@ -126,8 +156,12 @@ int vtkMultiDimensionalSubdivision::RequestData(
     "Results at the border of the partition are not those of the whole mesh.",
     "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
       ". Use fewer levels, or a part of the input.",
-    [&options](vtkPointSet* input, vtkPointSet* output)
+    [&](vtkPointSet* input, vtkPointSet* output)
     {
+      if (writesBezierCells)
+      {
+        options.Levels = this->NumberOfLevels + this->FurtherLevels;
+      }
       return subdivision::SubdivideUniformly(
         input, options, vtkUnstructuredGrid::SafeDownCast(output));
     });
@@ -147,6 +181,8 @@ void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateClassification: " << this->GenerateClassification << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
+  os << indent << "OutputCells: " << this->OutputCells << "\n";
+  os << indent << "BezierTolerance: " << this->BezierTolerance << "\n";
   os << indent << "OutputDimensions: " << this->OutputDimensions << "\n";
   os << indent << "Use32BitIds: " << this->Use32BitIds << "\n";
   os << indent << "CacheOperator: " << this->CacheOperator << "\n";

@@ -219,6 +219,46 @@ public:
   vtkBooleanMacro(GenerateLimitNormals, bool);
   ///@}
 
+  enum OutputCellTypes
+  {
+    LINEAR_CELLS,
+    BEZIER_CELLS
+  };
+  ///@{
+  /**
+   * Which cells the output has: LINEAR_CELLS (0, the default) or BEZIER_CELLS (1), which are the
+   * limit itself: VTK_BEZIER_CURVE of degree 3, VTK_BEZIER_TRIANGLE of degree 4 and
+   * VTK_BEZIER_TETRAHEDRON of degree 5, exact where the limit of a cell is a polynomial, which is
+   * where all is regular. Each cell of the input, as a simplex, becomes one of them if the limit
+   * differs from it by no more than BezierTolerance; else its children do, at most NumberOfLevels
+   * times, so that cells become smaller around extraordinary vertices, creases and joints. Cells of
+   * the same size share the control points of their common edges and faces. Arrays of floating
+   * point numbers have control values as points have, all other point arrays the values of a point
+   * nearby. Points that no cell uses are left out.
+   *
+   * The limit is read off a mesh of 2 more levels, of 3 if there are solids, which counts for
+   * MaximumNumberOfCells and memory. There are no global ids and no ghost cells of the pipeline,
+   * and the next filter reads the corners of the cells like any other mesh. Without effect on
+   * ComputeOperator. With VolumeScheme = TET_OCT or KeepCellTypes a warning says that cells stay
+   * linear.
+   */
+  vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, BEZIER_CELLS);
+  vtkGetMacro(OutputCells, int);
+  void SetOutputCellsToLinear() { this->SetOutputCells(LINEAR_CELLS); }
+  void SetOutputCellsToBezier() { this->SetOutputCells(BEZIER_CELLS); }
+  ///@}
+
+  ///@{
+  /**
+   * What Bezier cells may leave out: the distance from the limit as a part of the diagonal of the
+   * mesh, and the difference of each array as a part of its range, at the points of one further
+   * level. 0 to 1, default 0.0001. 0 splits all cells whose limit is no polynomial, but for
+   * rounding, NumberOfLevels times.
+   */
+  vtkSetClampMacro(BezierTolerance, double, 0., 1.);
+  vtkGetMacro(BezierTolerance, double);
+  ///@}
+
   enum OutputDimensionFlags
   {
     NO_DIMENSION = 0,
@@ -320,7 +360,9 @@ protected:
   int GetLayersOfCells() const override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  void Finish(vtkDataObject* output) override;
+  void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
+  vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made) override;
+  bool HasGhostLayers() const override { return !this->WritesBezierCells(); }
 
   int NumberOfLevels = 1;
   int VolumeScheme = BOX_SPLINE;
@@ -328,11 +370,17 @@ protected:
   bool GenerateClassification = false;
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;
+  int OutputCells = LINEAR_CELLS;
+  double BezierTolerance = 1e-4;
   int OutputDimensions = ALL_DIMENSIONS;
   bool CacheOperator = true;
   bool Use32BitIds = false;
 
 private:
+  /// Whether this execution has an output, and that has Bezier cells.
+  bool WritesBezierCells() const;
+
+  int FurtherLevels = 0; ///< that Bezier cells need
   std::unique_ptr<subdivision::OperatorCache> Cache;
   const subdivision::PlaceRequest* Places = nullptr; ///< what EvaluateLimit wants
 

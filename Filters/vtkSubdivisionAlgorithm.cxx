@@ -118,7 +118,7 @@ int vtkSubdivisionAlgorithm::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   subdivision::RequestOutput(
-    vtkDataObject::GetData(inputVector[0]), this->IsOfSurfaces(), outputVector);
+    vtkDataObject::GetData(inputVector[0]), this->WritesSurfaces(), outputVector);
   return 1;
 }
 
@@ -148,6 +148,11 @@ vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::Mark(
   return readable;
 }
 
+vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::Finish(vtkDataObject* made)
+{
+  return made;
+}
+
 int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, subdivision::RunOptions& options, const char* ghosts,
   const std::string& memory, const std::function<bool(vtkPointSet*, vtkPointSet*)>& run)
@@ -163,7 +168,7 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   distribution.IsOfSurfaces = this->IsOfSurfaces();
   distribution.Kept = this->Kept.get();
   distribution.Layers = this->GetLayersOfCells();
-  if (this->SharesRanks())
+  if (this->SharesRanks() && this->HasGhostLayers())
   {
     distribution.GhostLayers =
       vtkStreamingDemandDrivenPipeline::GetUpdateGhostLevel(outputVector->GetInformationObject(0));
@@ -184,6 +189,11 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   { this->Prepare(block, copy); };
   vtkDataObject* given = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  vtkSmartPointer<vtkDataObject> made = output;
+  if (this->IsOfSurfaces() && vtkUnstructuredGrid::SafeDownCast(output))
+  {
+    made = vtkSmartPointer<vtkPolyData>::New();
+  }
   vtkSmartPointer<vtkDataObject> readable;
   bool failed = false;
   this->PrepareRun(given);
@@ -221,20 +231,24 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   // Whether cells are faces of others, and so have no values of their own, shows one layer farther.
   distribution.Layers += hasFields ? 1 : 0;
   const int result =
-    subdivision::RunDistributed(this, readable, output, distribution, traits, options,
-      [&](vtkPointSet* mesh, vtkPointSet* made)
+    subdivision::RunDistributed(this, readable, made, distribution, traits, options,
+      [&](vtkPointSet* mesh, vtkPointSet* subdivided)
       {
         return this->ReadFeatureOptions(mesh, options) &&
           (this->HasInterfaces()
-              ? subdivision::RunWithMaterialFields(mesh, made, options, fields, run)
-              : run(mesh, made));
+              ? subdivision::RunWithMaterialFields(mesh, subdivided, options, fields, run)
+              : run(mesh, subdivided));
       });
-  subdivision::RestoreSourceCells(this->IsOfSurfaces() ? output : nullptr);
+  subdivision::RestoreSourceCells(this->IsOfSurfaces() ? made.Get() : nullptr);
   options.Part = all.Take(0.95, 1.);
   subdivision::ConnectToFilter(this, options, failed);
   const auto finish = [&]
   {
-    this->Finish(output);
+    const auto finished = this->Finish(made);
+    if (finished != output)
+    {
+      output->ShallowCopy(finished);
+    }
     return true;
   };
   if (!subdivision::DoWork(traits, options, finish))

@@ -420,6 +420,11 @@ protected:
   /// Whether the filter works on vtkPolyData and writes that. Others work on vtkUnstructuredGrid
   /// too, and write that.
   virtual bool IsOfSurfaces() const { return false; }
+  /// Whether a filter of surfaces writes vtkPolyData, and not a vtkUnstructuredGrid that Finish
+  /// makes of it.
+  virtual bool WritesSurfaces() const { return this->IsOfSurfaces(); }
+  /// Whether the output gets the ghost cells that the pipeline asks for.
+  virtual bool HasGhostLayers() const { return true; }
   /// Whether cells of the output have the ids of those of the input.
   virtual bool HasOriginalCellIds() const { return this->GenerateOriginalIds; }
   /// Whether it has rules for InterpolatePoints and InterpolateArrays.
@@ -428,6 +433,8 @@ protected:
   virtual bool HasInterfaces() const { return false; }
   /// How many layers of the cells of others a rank needs around its own.
   virtual int GetLayersOfCells() const { return 2; }
+  /// Whether an execution is for its output, and not for an operator.
+  bool HasOutput() const { return this->Factors == nullptr; }
   /// Whether several ranks have partitions of one mesh.
   bool SharesRanks() const;
   /// Adds what a filter knows of a block of the input to `copy`, which is joined with other blocks.
@@ -440,8 +447,8 @@ protected:
   /// Called after Inspect with the same. Returns what is worked on: the readable meshes, or copies
   /// with more arrays.
   virtual vtkSmartPointer<vtkDataObject> Mark(vtkDataObject*, vtkDataObject* readable);
-  /// Called with the output of the pipeline after the work.
-  virtual void Finish(vtkDataObject*) {}
+  /// Called with the result of the work. Returns the output of the pipeline.
+  virtual vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made);
   /// Runs the filter on its input, for something else than its output. Returns false after an
   /// error: the input must be a mesh in one piece.
   bool RunAside();

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceSubdivision.h"
 
+#include "Private/Bezier/BezierCells.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -50,6 +52,32 @@ bool vtkSurfaceSubdivision::ReadArrays(vtkPointSet* input, subdivision::SurfaceO
     find({ 6, nullptr, false, true }, options.Flatness);
 }
 
+bool vtkSurfaceSubdivision::WritesBezierCells() const
+{
+  return this->OutputCells == BEZIER_CELLS && this->HasOutput() &&
+    (this->Scheme == LOOP || this->Scheme == CATMULL_CLARK || this->Scheme == LINEAR);
+}
+
+void vtkSurfaceSubdivision::Inspect(vtkDataObject*, vtkDataObject* readable)
+{
+  if (this->WritesBezierCells())
+  {
+    this->FurtherLevels = subdivision::CountFurtherSteps(
+      this->SharesRanks() ? nullptr : readable, this->Scheme == CATMULL_CLARK);
+  }
+}
+
+vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Finish(vtkDataObject* made)
+{
+  if (!this->WritesBezierCells())
+  {
+    return made;
+  }
+  return subdivision::MakeBezierCells(made,
+    { this->NumberOfLevels, this->NumberOfLevels + this->FurtherLevels, this->BezierTolerance,
+      this->Use32BitIds, this->SharesRanks() ? this->Controller.Get() : nullptr });
+}
+
 int vtkSurfaceSubdivision::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -65,7 +93,17 @@ int vtkSurfaceSubdivision::RequestData(
   options.Scheme = static_cast<subdivision::SurfaceSchemeKind>(this->Scheme);
   options.Levels = this->NumberOfLevels;
   options.ModifiedBoundary = this->ModifiedBoundary;
-  options.ProjectToLimit = this->ProjectToLimit;
+  const bool writesBezierCells = this->WritesBezierCells();
+  if (this->OutputCells == BEZIER_CELLS && this->HasOutput() && !writesBezierCells)
+  {
+    vtkWarningMacro("Bezier cells need Scheme = Loop, CatmullClark or Linear: the cells stay "
+                    "linear.");
+  }
+  if (writesBezierCells && this->GenerateGlobalIds)
+  {
+    vtkWarningMacro("Bezier cells have no global ids: GenerateGlobalIds is ignored.");
+  }
+  options.ProjectToLimit = this->ProjectToLimit || (writesBezierCells && this->Scheme != LINEAR);
   options.GenerateLimitNormals = this->GenerateLimitNormals;
   options.GenerateTangents = this->GenerateTangents;
   options.Use32BitIds = this->Use32BitIds;
@@ -76,6 +114,7 @@ int vtkSurfaceSubdivision::RequestData(
       ". Use fewer levels, or a part of the input.",
     [&](vtkPointSet* input, vtkPointSet* output)
     {
+      options.Levels = this->NumberOfLevels + (writesBezierCells ? this->FurtherLevels : 0);
       return this->ReadArrays(input, options) &&
         subdivision::SubdivideSurface(
           vtkPolyData::SafeDownCast(input), options, vtkPolyData::SafeDownCast(output));
@@ -94,6 +133,8 @@ void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
   os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";
+  os << indent << "OutputCells: " << this->OutputCells << "\n";
+  os << indent << "BezierTolerance: " << this->BezierTolerance << "\n";
   os << indent << "JoinSeams: " << this->JoinSeams << "\n";
   os << indent << "Use32BitIds: " << this->Use32BitIds << "\n";
   os << indent << "CacheOperator: " << this->CacheOperator << "\n";

@@ -35,11 +35,11 @@
  * Polygons of any size, and strips, which become triangles in their place. Loop, ModifiedButterfly,
  * SqrtThree and Linear split other polygons into triangles first. A line cell
  * that lies on an edge follows it; others are curves of their own, cubic B-splines. Poly lines
- * become lines, vertex cells stay. The output has vertices, lines and polygons, in this order, the
- * children of a cell one after another and oriented like it (dual schemes: see below). Points:
- * those of the input with their ids, unused ones too, then the new ones level by level. Arrays and
- * field data are treated as by vtkMultiDimensionalSubdivision. Cells that cannot be used are left
- * out with a warning.
+ * become lines, vertex cells stay. The output, a vtkPolyData unless OutputCells = BEZIER_CELLS, has
+ * vertices, lines and polygons, in this order, the children of a cell one after another and
+ * oriented like it (dual schemes: see below). Points: those of the input with their ids, unused
+ * ones too, then the new ones level by level. Arrays and field data are treated as by
+ * vtkMultiDimensionalSubdivision. Cells that cannot be used are left out with a warning.
  *
  * @par Cell data of cells that lie in several input cells
  * Odd steps of SqrtThree and FourEight and all steps of the dual schemes make cells that lie in
@@ -154,7 +154,7 @@ public:
   vtkTypeMacro(vtkSurfaceSubdivision, vtkMarkedSubdivisionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The output.
+  /// The output; null if it has Bezier cells (OutputCells).
   vtkPolyData* GetOutput() { return this->GetPolyDataOutput(); }
 
   enum Schemes
@@ -262,6 +262,38 @@ public:
   void GenerateNormalsOff() { this->GenerateLimitNormalsOff(); }
   ///@}
 
+  enum OutputCellTypes
+  {
+    LINEAR_CELLS,
+    BEZIER_CELLS
+  };
+  ///@{
+  /**
+   * Which cells the output has: LINEAR_CELLS (0, the default) or BEZIER_CELLS (1), which are the
+   * limit itself; then the output is a vtkUnstructuredGrid (GetUnstructuredGridOutput) of
+   * VTK_BEZIER_CURVE of degree 3 and, for LOOP and LINEAR, VTK_BEZIER_TRIANGLE of degree 4, for
+   * CATMULL_CLARK VTK_BEZIER_QUADRILATERAL of degree 3. See vtkMultiDimensionalSubdivision. A face
+   * that is no quad is split by CATMULL_CLARK in any case. The limit is read off a mesh of 2 more
+   * levels, of 3 if CATMULL_CLARK has faces that are no quads. With other schemes a warning says
+   * that cells stay linear, in a vtkPolyData.
+   */
+  vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, BEZIER_CELLS);
+  vtkGetMacro(OutputCells, int);
+  void SetOutputCellsToLinear() { this->SetOutputCells(LINEAR_CELLS); }
+  void SetOutputCellsToBezier() { this->SetOutputCells(BEZIER_CELLS); }
+  ///@}
+
+  ///@{
+  /**
+   * What Bezier cells may leave out: the distance from the limit as a part of the diagonal of the
+   * mesh, and the difference of each array as a part of its range, at the points of one further
+   * level. 0 to 1, default 0.0001. 0 splits all cells whose limit is no polynomial, but for
+   * rounding, NumberOfLevels times.
+   */
+  vtkSetClampMacro(BezierTolerance, double, 0., 1.);
+  vtkGetMacro(BezierTolerance, double);
+  ///@}
+
   ///@{
   /**
    * Whether points of equal coordinates are one point for the surface, if there are texture
@@ -324,11 +356,15 @@ protected:
   ~vtkSurfaceSubdivision() override;
 
   bool IsOfSurfaces() const override { return true; }
+  bool WritesSurfaces() const override { return !this->WritesBezierCells(); }
+  bool HasGhostLayers() const override { return !this->WritesBezierCells(); }
   bool CanInterpolate() const override { return true; }
   bool HasInterfaces() const override
   {
     return this->Scheme != DOO_SABIN && this->Scheme != MIDEDGE;
   }
+  void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
+  vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -339,12 +375,18 @@ protected:
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;
   bool GenerateTangents = false;
+  int OutputCells = LINEAR_CELLS;
+  double BezierTolerance = 1e-4;
   bool JoinSeams = true;
   bool CacheOperator = true;
   bool Use32BitIds = false;
 
 private:
   bool ReadArrays(vtkPointSet* input, subdivision::SurfaceOptions& options);
+  /// Whether this execution has an output, and that has Bezier cells.
+  bool WritesBezierCells() const;
+
+  int FurtherLevels = 0; ///< that Bezier cells need
   std::unique_ptr<subdivision::SurfaceCache> Cache;
 
   vtkSurfaceSubdivision(const vtkSurfaceSubdivision&) = delete;

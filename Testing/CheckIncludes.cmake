@@ -44,6 +44,7 @@ room(Core/Surfaces/Steps ${ground} Core/Surfaces/Mesh Core/Surfaces/Scheme ${sch
 room(Private)
 room(Private/Reading Core Private)
 room(Private/Arrays Core Private Private/Reading)
+room(Private/Bezier Core Private Private/Reading Private/Arrays)
 room(Private/Control Core Private Private/Reading Private/Arrays)
 room(Private/Criteria Core Private Private/Reading Private/Arrays)
 room(Private/Distribution Core Private Private/Reading Private/Arrays Private/Control)

@@ -1,0 +1,715 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Bezier/BezierCells.h"
+
+#include "Core/Memory/Buffer.h"
+#include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
+#include "Private/Bezier/PatchShape.h"
+#include "Private/Bezier/ValueRanges.h"
+#include "Private/Reading/CellReader.h"
+#include "Private/Reading/ReadableMesh.h"
+
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkFieldData.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace subdivision
+{
+namespace
+{
+
+/// A cell of the control mesh, or one that is written as it is.
+struct Root
+{
+  vtkIdType First; ///< of its cells
+  int Kind;        ///< a PatchShape::Kind; -1: it is written as it is
+  int Steps;       ///< in which it was split
+  int Levels;      ///< how often it may be split
+};
+
+/// A part of a root that becomes one cell.
+struct Patch
+{
+  vtkIdType Root;
+  vtkIdType First; ///< of its cells
+  int Level;
+  LatticePart Part;
+};
+
+/// Which corner of which cell of a root each point of its lattice is: 4 * cell + corner.
+class RootLattice
+{
+public:
+  RootLattice(const PatchShape& shape, int steps)
+    : Shape(shape)
+    , Size((1 << steps) + 1)
+    , Corners(this->Count(), -1)
+  {
+    LatticePart whole;
+    for (int axis = 0; axis < shape.Dimension; ++axis)
+    {
+      whole.Axes[axis][axis] = this->Size - 1;
+    }
+    this->Add(whole, steps, 0);
+  }
+  int GetDivisions() const { return this->Size - 1; }
+  vtkIdType GetCorner(const LatticePoint& point) const { return this->Corners[this->Index(point)]; }
+
+private:
+  vtkIdType Count() const
+  {
+    vtkIdType count = 1;
+    for (int axis = 0; axis < this->Shape.Dimension; ++axis)
+    {
+      count *= this->Size;
+    }
+    return count;
+  }
+  vtkIdType Index(const LatticePoint& point) const
+  {
+    return point[0] + vtkIdType(this->Size) * (point[1] + vtkIdType(this->Size) * point[2]);
+  }
+  void Add(const LatticePart& part, int steps, vtkIdType cell)
+  {
+    if (steps == 0)
+    {
+      for (int corner = 0; corner < this->Shape.Corners; ++corner)
+      {
+        const LatticePoint point = part.At(this->Shape.CornerPoints[corner], 2);
+        this->Corners[this->Index(point)] = 4 * cell + corner;
+      }
+      return;
+    }
+    const auto children = static_cast<vtkIdType>(this->Shape.Children.size());
+    for (vtkIdType c = 0; c < children; ++c)
+    {
+      this->Add(part.Take(this->Shape.Children[c]), steps - 1, children * cell + c);
+    }
+  }
+
+  const PatchShape& Shape;
+  const int Size;
+  Buffer<vtkIdType> Corners;
+};
+
+class BezierWriter
+{
+public:
+  BezierWriter(vtkPointSet* mesh, const ValueRanges& ranges, const BezierOptions& options)
+    : Mesh(mesh)
+    , Ranges(ranges)
+    , Options(options)
+    , Reader(mesh)
+  {
+  }
+  vtkSmartPointer<vtkUnstructuredGrid> Write()
+  {
+    this->ReadCells();
+    this->FindRoots();
+    this->ReadValues();
+    this->ChoosePatches();
+    this->NumberPoints();
+    this->WriteCells();
+    this->WriteValues();
+    return this->Output;
+  }
+
+private:
+  void ReadCells();
+  void FindRoots();
+  vtkIdType FindRoot(vtkIdType first, Root& root) const;
+  vtkIdType CountSides(vtkIdType first, vtkIdType size) const;
+  bool IsWhole(const Root& root) const;
+  void ReadValues();
+  void ChoosePatches();
+  void Split(const Patch& patch, std::vector<Patch>& patches) const;
+  bool Fits(const Patch& patch) const;
+  void NumberPoints();
+  void WriteCells();
+  void WriteValues();
+  void FitValues(vtkIdType p, std::vector<double>& values) const;
+
+  const PatchShape& GetShape(const Root& root) const
+  {
+    return PatchShape::Get(static_cast<PatchShape::Kind>(root.Kind));
+  }
+  vtkIdType CountCells(const Root& root, int level) const
+  {
+    return root.Kind < 0 ? 1
+                         : vtkIdType(1) << (this->GetShape(root).Dimension * (root.Steps - level));
+  }
+  vtkIdType GetPoint(const Root& root, const LatticePoint& point) const
+  {
+    const RootLattice& lattice = this->Lattices.at({ root.Kind, root.Steps });
+    return this->Corners[4 * root.First + lattice.GetCorner(point)];
+  }
+  /// The points of the mesh that are the nodes of a patch, or the points of a cell that is written
+  /// as it is.
+  void GetNodes(const Patch& patch, std::vector<vtkIdType>& nodes) const;
+
+  vtkPointSet* Mesh;
+  const ValueRanges& Ranges;
+  const BezierOptions& Options;
+  const CellReader Reader;
+  /// The points of each cell, up to four; larger cells have none here.
+  Buffer<vtkIdType> Corners;
+  Buffer<unsigned char> Types;
+  std::vector<Root> Roots;
+  std::map<std::pair<int, int>, RootLattice> Lattices; ///< by kind and steps
+  std::vector<vtkDataArray*> Arrays;                   ///< what is fitted, points first
+  int Components = 0;
+  Buffer<double> Values; ///< of each point, one array after the other
+  std::vector<double> Scales;
+  std::vector<Patch> Patches;
+  std::vector<vtkIdType> Offsets; ///< where each patch begins in Ids
+  std::vector<vtkIdType> Ids;     ///< of the control points of each patch
+  std::vector<vtkIdType> Sources; ///< the point of the mesh that each control point belongs to
+  std::vector<vtkIdType> Owners;  ///< the first patch of each control point
+  vtkSmartPointer<vtkUnstructuredGrid> Output = vtkSmartPointer<vtkUnstructuredGrid>::New();
+};
+
+void BezierWriter::ReadCells()
+{
+  const vtkIdType cells = this->Reader.GetNumberOfCells();
+  this->Corners = Buffer<vtkIdType>(4 * cells);
+  this->Types = Buffer<unsigned char>(cells);
+  ForRanges(cells,
+    [this](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<vtkIdType> scratch;
+      for (vtkIdType c = begin; c < end; ++c)
+      {
+        const CellIds cell = this->Reader.GetCell(c, scratch);
+        this->Types[c] = static_cast<unsigned char>(this->Reader.GetGridType(c, cell.Size));
+        std::copy_n(cell.Ids, std::min<vtkIdType>(cell.Size, 4), this->Corners.data() + 4 * c);
+      }
+    });
+}
+
+int FindKind(int type)
+{
+  switch (type)
+  {
+    case VTK_LINE:
+      return PatchShape::Curve;
+    case VTK_TRIANGLE:
+      return PatchShape::Triangle;
+    case VTK_QUAD:
+      return PatchShape::Quad;
+    case VTK_TETRA:
+      return PatchShape::Tetrahedron;
+    default:
+      return -1;
+  }
+}
+
+/// How many groups of `size` quads from `first` on came from one face: as many as it had sides. The
+/// quad at each side has the face's point as its third one, the point of the edge behind its corner
+/// as its second one, and that of the edge before as its last one.
+vtkIdType BezierWriter::CountSides(vtkIdType first, vtkIdType size) const
+{
+  const PatchShape& shape = PatchShape::Get(PatchShape::Quad);
+  int steps = 0;
+  while (vtkIdType(1) << (2 * steps) < size)
+  {
+    ++steps;
+  }
+  const RootLattice lattice(shape, steps);
+  const int last = lattice.GetDivisions();
+  const auto get = [&](vtkIdType side, int x, int y)
+  {
+    return this
+      ->Corners[4 * (first + size * side) + lattice.GetCorner({ { last * x, last * y, 0 } })];
+  };
+  const vtkIdType most = (this->Types.size() - first) / size;
+  vtkIdType sides = 1;
+  while (sides < most && this->Types[first + size * sides] == VTK_QUAD &&
+    get(sides, 1, 1) == get(0, 1, 1) && get(sides - 1, 1, 0) == get(sides, 0, 1))
+  {
+    if (get(sides, 1, 0) == get(0, 0, 1))
+    {
+      return sides + 1;
+    }
+    ++sides;
+  }
+  return 0;
+}
+
+/// Whether all cells of a root are there and of one type.
+bool BezierWriter::IsWhole(const Root& root) const
+{
+  const vtkIdType end = root.First + this->CountCells(root, 0);
+  if (end > this->Types.size())
+  {
+    return false;
+  }
+  const unsigned char type = this->Types[root.First];
+  return std::all_of(this->Types.data() + root.First, this->Types.data() + end,
+    [type](unsigned char t) { return t == type; });
+}
+
+/// Finds the control cell that the cells from `first` on came from, or one side of a face that has
+/// not four. Returns the number of its cells.
+vtkIdType BezierWriter::FindRoot(vtkIdType first, Root& root) const
+{
+  root = { first, FindKind(this->Types[first]), this->Options.Steps, this->Options.Levels };
+  if (root.Kind == PatchShape::Quad)
+  {
+    const vtkIdType size = vtkIdType(1) << (2 * (root.Steps - 1));
+    if (this->CountSides(first, size) != 4)
+    {
+      --root.Steps;
+      root.Levels = std::max(0, root.Levels - 1);
+    }
+  }
+  if (root.Kind >= 0 && !this->IsWhole(root))
+  {
+    root.Kind = -1;
+  }
+  return this->CountCells(root, 0);
+}
+
+void BezierWriter::FindRoots()
+{
+  Turns turns;
+  vtkIdType sidesLeft = 0; // of a face that has not four
+  for (vtkIdType first = 0; first < this->Types.size();)
+  {
+    turns.Next();
+    Root root;
+    if (sidesLeft > 0)
+    {
+      root = this->Roots.back();
+      root.First = first;
+      first += this->CountCells(root, 0);
+      --sidesLeft;
+    }
+    else
+    {
+      first += this->FindRoot(first, root);
+      if (root.Kind == PatchShape::Quad && root.Steps < this->Options.Steps)
+      {
+        sidesLeft =
+          std::max<vtkIdType>(0, this->CountSides(root.First, this->CountCells(root, 0)) - 1);
+      }
+    }
+    this->Roots.push_back(root);
+    if (root.Kind >= 0)
+    {
+      this->Lattices.try_emplace({ root.Kind, root.Steps }, this->GetShape(root), root.Steps);
+    }
+  }
+}
+
+/// Points and arrays of floating point numbers, in double, side by side.
+void BezierWriter::ReadValues()
+{
+  const vtkIdType size = this->Mesh->GetNumberOfPoints();
+  this->Arrays.assign({ this->Mesh->GetPoints()->GetData() });
+  vtkPointData* data = this->Mesh->GetPointData();
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = data->GetArray(a);
+    if (array && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE))
+    {
+      this->Arrays.push_back(array);
+    }
+  }
+  for (vtkDataArray* array : this->Arrays)
+  {
+    const double range = this->Ranges.Get(array == this->Arrays[0] ? nullptr : array->GetName());
+    this->Components += array->GetNumberOfComponents();
+    this->Scales.resize(this->Components, range > 0. ? 1. / range : 0.);
+  }
+  this->Values = Buffer<double>(this->Components * size);
+  int component = 0;
+  for (vtkDataArray* array : this->Arrays)
+  {
+    const vtkSmartPointer<vtkDataArray> contiguous = Contiguous(array);
+    const int components = array->GetNumberOfComponents();
+    const auto read = [&](const auto* values)
+    {
+      ForEach(size,
+        [&](vtkIdType i)
+        {
+          std::copy_n(values + components * i, components,
+            this->Values.data() + this->Components * i + component);
+        });
+    };
+    if (array->GetDataType() == VTK_FLOAT)
+    {
+      read(static_cast<const float*>(contiguous->GetVoidPointer(0)));
+    }
+    else
+    {
+      read(static_cast<const double*>(contiguous->GetVoidPointer(0)));
+    }
+    component += components;
+  }
+}
+
+/// Whether the polynomial of a patch is the limit at the points of one further step.
+bool BezierWriter::Fits(const Patch& patch) const
+{
+  constexpr double rounding = 1e-12;
+  const double tolerance = std::max(this->Options.Tolerance, rounding);
+  const Root& root = this->Roots[patch.Root];
+  const PatchShape& shape = this->GetShape(root);
+  std::vector<vtkIdType> nodes;
+  this->GetNodes(patch, nodes);
+  std::vector<double> values(this->Components);
+  for (std::size_t i = 0; i < shape.Checked.size(); ++i)
+  {
+    const vtkIdType point =
+      this->GetPoint(root, patch.Part.At(shape.Checked[i], 2 * shape.Divisions));
+    std::fill(values.begin(), values.end(), 0.);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+    {
+      const double weight = shape.CheckWeights[i][k];
+      for (int c = 0; c < this->Components; ++c)
+      {
+        values[c] += weight * this->Values[this->Components * nodes[k] + c];
+      }
+    }
+    for (int c = 0; c < this->Components; ++c)
+    {
+      const double error = std::abs(values[c] - this->Values[this->Components * point + c]);
+      if (!(error * this->Scales[c] <= tolerance)) // also where it is not a number
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+void BezierWriter::Split(const Patch& patch, std::vector<Patch>& patches) const
+{
+  const Root& root = this->Roots[patch.Root];
+  if (root.Kind < 0 || patch.Level == root.Levels || this->Fits(patch))
+  {
+    patches.push_back(patch);
+    return;
+  }
+  Patch child = patch;
+  ++child.Level;
+  for (const LatticePart& part : this->GetShape(root).Children)
+  {
+    child.Part = patch.Part.Take(part);
+    this->Split(child, patches);
+    child.First += this->CountCells(root, child.Level);
+  }
+}
+
+void BezierWriter::ChoosePatches()
+{
+  const auto size = static_cast<vtkIdType>(this->Roots.size());
+  std::vector<std::vector<Patch>> patches(this->Roots.size());
+  ForRangesOfBlocks(size,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType r = begin; r < end; ++r)
+      {
+        const Root& root = this->Roots[r];
+        Patch whole{ r, root.First, 0, {} };
+        if (root.Kind >= 0)
+        {
+          const int divisions = 1 << root.Steps;
+          for (int axis = 0; axis < this->GetShape(root).Dimension; ++axis)
+          {
+            whole.Part.Axes[axis][axis] = divisions;
+          }
+        }
+        this->Split(whole, patches[r]);
+      }
+    });
+  for (const auto& ofRoot : InTurn(patches))
+  {
+    this->Patches.insert(this->Patches.end(), ofRoot.begin(), ofRoot.end());
+  }
+}
+
+void BezierWriter::GetNodes(const Patch& patch, std::vector<vtkIdType>& nodes) const
+{
+  const Root& root = this->Roots[patch.Root];
+  nodes.clear();
+  if (root.Kind < 0)
+  {
+    std::vector<vtkIdType> scratch;
+    const CellIds cell = this->Reader.GetCell(root.First, scratch);
+    nodes.assign(cell.Ids, cell.Ids + cell.Size);
+    return;
+  }
+  const PatchShape& shape = this->GetShape(root);
+  for (const LatticePoint& node : shape.Nodes)
+  {
+    nodes.push_back(this->GetPoint(root, patch.Part.At(node, shape.Divisions)));
+  }
+}
+
+/// Corners are one point for all cells that have them. Other control points are one for cells of
+/// the same level, which have the same nodes on an edge or face that they share.
+void BezierWriter::NumberPoints()
+{
+  std::vector<std::vector<vtkIdType>> numbers;
+  std::vector<vtkIdType> nodes;
+  this->Offsets.push_back(0);
+  for (const Patch& patch : InTurn(this->Patches))
+  {
+    const Root& root = this->Roots[patch.Root];
+    const int corners = root.Kind < 0 ? VTK_INT_MAX : this->GetShape(root).Corners;
+    // Steps that a root lacks count as levels: control points belong to their lattice.
+    const int level = root.Kind < 0 ? 0 : patch.Level + this->Options.Steps - root.Steps;
+    this->GetNodes(patch, nodes);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+    {
+      const std::size_t table = static_cast<int>(k) < corners ? 0 : 1 + level;
+      if (numbers.size() <= table)
+      {
+        numbers.resize(table + 1);
+      }
+      if (numbers[table].empty())
+      {
+        numbers[table].assign(static_cast<std::size_t>(this->Mesh->GetNumberOfPoints()), -1);
+      }
+      vtkIdType& number = numbers[table][nodes[k]];
+      if (number < 0)
+      {
+        number = static_cast<vtkIdType>(this->Sources.size());
+        this->Sources.push_back(nodes[k]);
+        this->Owners.push_back(&patch - this->Patches.data());
+      }
+      this->Ids.push_back(number);
+    }
+    this->Offsets.push_back(static_cast<vtkIdType>(this->Ids.size()));
+  }
+}
+
+/// Gathers tuples of all arrays that vtkDataSetAttributes copies, which are not global ids.
+void GatherData(
+  vtkDataSetAttributes* from, const std::vector<vtkIdType>& sources, vtkDataSetAttributes* to)
+{
+  const auto size = static_cast<vtkIdType>(sources.size());
+  vtkNew<vtkIdList> fromIds;
+  vtkNew<vtkIdList> toIds;
+  fromIds->SetNumberOfIds(size);
+  toIds->SetNumberOfIds(size);
+  ForEach(size,
+    [&](vtkIdType i)
+    {
+      fromIds->SetId(i, sources[i]);
+      toIds->SetId(i, i);
+    });
+  to->CopyAllocate(from, size);
+  to->CopyData(from, fromIds, toIds);
+}
+
+void BezierWriter::WriteCells()
+{
+  const auto size = static_cast<vtkIdType>(this->Patches.size());
+  const auto types = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  types->SetNumberOfValues(size);
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> ids;
+  offsets->SetNumberOfValues(size + 1);
+  ids->SetNumberOfValues(static_cast<vtkIdType>(this->Ids.size()));
+  std::copy(this->Offsets.begin(), this->Offsets.end(), offsets->GetPointer(0));
+  std::copy(this->Ids.begin(), this->Ids.end(), ids->GetPointer(0));
+  std::vector<vtkIdType> sources(this->Patches.size());
+  ForEach(size,
+    [&](vtkIdType p)
+    {
+      const Patch& patch = this->Patches[p];
+      const Root& root = this->Roots[patch.Root];
+      types->SetValue(p,
+        static_cast<unsigned char>(
+          root.Kind < 0 ? this->Types[root.First] : this->GetShape(root).CellType));
+      sources[p] = patch.First;
+    });
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, ids);
+  if (this->Options.Use32BitIds)
+  {
+    cells->ConvertTo32BitStorage();
+  }
+  this->Output->SetCells(types, cells);
+  GatherData(this->Mesh->GetCellData(), sources, this->Output->GetCellData());
+}
+
+/// Writes what a patch is the first to have.
+void BezierWriter::FitValues(vtkIdType p, std::vector<double>& values) const
+{
+  const Patch& patch = this->Patches[p];
+  const Root& root = this->Roots[patch.Root];
+  if (root.Kind < 0)
+  {
+    return;
+  }
+  const PatchShape& shape = this->GetShape(root);
+  std::vector<vtkIdType> nodes;
+  this->GetNodes(patch, nodes);
+  for (std::size_t k = shape.Corners; k < nodes.size(); ++k)
+  {
+    const vtkIdType id = this->Ids[this->Offsets[p] + static_cast<vtkIdType>(k)];
+    if (this->Owners[id] != p)
+    {
+      continue;
+    }
+    double* to = values.data() + this->Components * id;
+    std::fill_n(to, this->Components, 0.);
+    for (std::size_t node = 0; node < nodes.size(); ++node)
+    {
+      const double weight = shape.Weights[k][node];
+      if (weight != 0.) // 0 times a value that is not finite is not 0
+      {
+        const double* from = this->Values.data() + this->Components * nodes[node];
+        for (int c = 0; c < this->Components; ++c)
+        {
+          to[c] += weight * from[c];
+        }
+      }
+    }
+  }
+}
+
+void BezierWriter::WriteValues()
+{
+  const auto size = static_cast<vtkIdType>(this->Sources.size());
+  GatherData(this->Mesh->GetPointData(), this->Sources, this->Output->GetPointData());
+  std::vector<double> values(static_cast<std::size_t>(this->Components * size));
+  ForEach(size,
+    [&](vtkIdType i)
+    {
+      std::copy_n(this->Values.data() + this->Components * this->Sources[i], this->Components,
+        values.data() + this->Components * i);
+    });
+  ForEach(
+    static_cast<vtkIdType>(this->Patches.size()), [&](vtkIdType p) { this->FitValues(p, values); });
+  int component = 0;
+  for (vtkDataArray* array : this->Arrays)
+  {
+    const int components = array->GetNumberOfComponents();
+    const auto fitted = MakeArray(array->GetDataType(), components, size);
+    CopyLooks(array, fitted);
+    const auto write = [&](auto* to)
+    {
+      using T = std::remove_pointer_t<decltype(to)>;
+      ForEach(size,
+        [&](vtkIdType i)
+        {
+          for (int c = 0; c < components; ++c)
+          {
+            to[components * i + c] = static_cast<T>(values[this->Components * i + component + c]);
+          }
+        });
+    };
+    if (array->GetDataType() == VTK_FLOAT)
+    {
+      write(static_cast<float*>(fitted->GetVoidPointer(0)));
+    }
+    else
+    {
+      write(static_cast<double*>(fitted->GetVoidPointer(0)));
+    }
+    component += components;
+    if (array == this->Arrays[0])
+    {
+      vtkNew<vtkPoints> points;
+      points->SetData(fitted);
+      this->Output->SetPoints(points);
+    }
+    else
+    {
+      AddInstead(this->Mesh->GetPointData(), fitted, this->Output->GetPointData());
+    }
+  }
+}
+
+/// Whether a mesh has solids or, with `toQuads`, faces that are no quads.
+bool HasCellsOfMoreSteps(vtkPointSet* mesh, bool toQuads)
+{
+  const CellReader reader(mesh);
+  std::array<signed char, 256> dimensions;
+  dimensions.fill(-1);
+  std::vector<vtkIdType> scratch;
+  for (const vtkIdType c : InTurn(reader.GetNumberOfCells()))
+  {
+    const int type = reader.GetCellType(c);
+    if (dimensions[type] < 0)
+    {
+      const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+      dimensions[type] = static_cast<signed char>(cell ? cell->GetCellDimension() : 0);
+    }
+    if (dimensions[type] == 3 ||
+      (toQuads && dimensions[type] == 2 && reader.GetCell(c, scratch).Size != 4))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}
+
+int CountFurtherSteps(vtkDataObject* input, bool toQuads)
+{
+  bool needsMore = !input;
+  ChangeMeshes(input,
+    [&](vtkDataObject* object, unsigned int) -> vtkSmartPointer<vtkDataObject>
+    {
+      auto* mesh = vtkPointSet::SafeDownCast(object);
+      if (mesh)
+      {
+        needsMore = needsMore || HasCellsOfMoreSteps(mesh, toQuads);
+      }
+      return object;
+    });
+  // The first step makes quads of other faces, and cells of the next level need the same steps.
+  return needsMore ? PatchShape::Get(PatchShape::Tetrahedron).SampleLevels
+                   : PatchShape::Get(PatchShape::Quad).SampleLevels;
+}
+
+vtkSmartPointer<vtkDataObject> MakeBezierCells(vtkDataObject* data, const BezierOptions& options)
+{
+  const ValueRanges ranges(data, options.Controller);
+  return ChangeMeshes(data,
+    [&](vtkDataObject* object, unsigned int) -> vtkSmartPointer<vtkDataObject>
+    {
+      auto* mesh = vtkPointSet::SafeDownCast(object);
+      const bool isMesh =
+        vtkUnstructuredGrid::SafeDownCast(object) || vtkPolyData::SafeDownCast(object);
+      if (!isMesh)
+      {
+        return object;
+      }
+      auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+      if (mesh->GetPoints())
+      {
+        grid = BezierWriter(mesh, ranges, options).Write();
+      }
+      vtkFieldData* fields = mesh->GetFieldData();
+      for (int a = 0; a < fields->GetNumberOfArrays(); ++a)
+      {
+        if (!BelongsToStamp(fields->GetAbstractArray(a)->GetName()))
+        {
+          grid->GetFieldData()->AddArray(fields->GetAbstractArray(a));
+        }
+      }
+      return grid;
+    });
+}
+
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PatchShape.h
+ * The Bezier cells that limits are written as, and how their control points follow from points of
+ * the limit.
+ *
+ * Where all is regular, limits are polynomials: of degree 3 over a line, 4 over a triangle (Loop),
+ * 3 by 3 over a quad (Catmull-Clark), 5 over a tetrahedron (box spline). A mesh that was made by
+ * further steps has points of the limit where the edges of a cell are divided in 4 or 8. As many
+ * of these as the polynomial has control points, its *nodes*, give it: those on an edge or face
+ * the control points there, so that cells that share an edge have the same curve on it.
+ */
+#ifndef SubdivisionObjects_PatchShape_h
+#define SubdivisionObjects_PatchShape_h
+
+#include <array>
+#include <vector>
+
+namespace subdivision
+{
+
+/// A point of the lattice that divides the edges of a cell: multiples along its axes, which lead
+/// from the first corner to the next ones (of a quad, to the second and the last).
+using LatticePoint = std::array<int, 3>;
+
+/// A part of a cell that is like it: its first corner and its axes, on the cell's lattice.
+struct LatticePart
+{
+  LatticePoint Origin{ { 0, 0, 0 } };
+  std::array<LatticePoint, 3> Axes{ { { { 0, 0, 0 } }, { { 0, 0, 0 } }, { { 0, 0, 0 } } } };
+
+  /// A point of the part's own lattice, whose axes have `divisions` parts.
+  LatticePoint At(const LatticePoint& point, int divisions) const;
+  /// A part of this part, given on its lattice of two divisions.
+  LatticePart Take(const LatticePart& child) const;
+};
+
+struct PatchShape
+{
+  enum Kind : int
+  {
+    Curve,
+    Triangle,
+    Quad,
+    Tetrahedron,
+    NumberOfKinds
+  };
+
+  int Dimension;
+  int Corners;
+  int CellType;     ///< of VTK
+  int SampleLevels; ///< nodes need the points of so many further steps
+  int Divisions;    ///< the parts of an edge then
+  /// Where each control point has its node, in VTK's order of points; corners come first.
+  std::vector<LatticePoint> Nodes;
+  /// A row for each control point: the weights of the values at the nodes.
+  std::vector<std::vector<double>> Weights;
+  /// Points of the lattice with twice as many divisions, and the weights that give the polynomial
+  /// there.
+  std::vector<LatticePoint> Checked;
+  std::vector<std::vector<double>> CheckWeights;
+  /// Where the corners are, and the children in the order of a step, on the lattice of two
+  /// divisions.
+  std::vector<LatticePoint> CornerPoints;
+  std::vector<LatticePart> Children;
+
+  static const PatchShape& Get(Kind kind);
+};
+
+}
+
+#endif
