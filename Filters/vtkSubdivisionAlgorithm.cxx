@@ -373,6 +373,7 @@ bool vtkSubdivisionAlgorithm::ReadFeatureOptions(vtkPointSet* input, subdivision
     return false;
   }
   options.DartEnds = this->CreaseEnd == DART;
+  options.Weights = static_cast<subdivision::LoopWeights>(this->LoopWeights);
   options.Embedded = static_cast<subdivision::EmbeddedRule>(this->EmbeddedCells);
   options.PreserveInterfaces = this->PreserveInterfaces;
   options.DetectFeatures = this->DetectFeatures;
@@ -407,6 +408,7 @@ void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
   os << indent << "CreaseEnd: " << this->CreaseEnd << "\n";
+  os << indent << "LoopWeights: " << this->LoopWeights << "\n";
   os << indent << "EmbeddedCells: " << this->EmbeddedCells << "\n";
   os << indent << "PreserveInterfaces: " << this->PreserveInterfaces << "\n";
   os << indent << "InterfaceValues: " << this->InterfaceValues << "\n";

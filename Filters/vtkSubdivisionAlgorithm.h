@@ -225,6 +225,25 @@ public:
   void SetCreaseEndToDart() { this->SetCreaseEnd(DART); }
   ///@}
 
+  enum LoopWeightsRules
+  {
+    WARREN_WEIGHTS,
+    LOOP_WEIGHTS
+  };
+  ///@{
+  /**
+   * The weights of vertices inside surfaces and inside the boundaries of solids, where Loop's
+   * scheme holds: WARREN_WEIGHTS (0, the default; equation 16 of Chang & Qin) or LOOP_WEIGHTS (1;
+   * those of Loop's thesis, which OpenSubdiv, CGAL, OpenMesh and VTK have). The two are equal at
+   * vertices of three and of six triangles. Limits, tangents and normals follow the choice. No
+   * effect where another scheme moves the points.
+   */
+  vtkSetClampMacro(LoopWeights, int, WARREN_WEIGHTS, LOOP_WEIGHTS);
+  vtkGetMacro(LoopWeights, int);
+  void SetLoopWeightsToWarren() { this->SetLoopWeights(WARREN_WEIGHTS); }
+  void SetLoopWeightsToLoop() { this->SetLoopWeights(LOOP_WEIGHTS); }
+  ///@}
+
   enum EmbeddedCellRules
   {
     FOLLOW,
@@ -497,6 +516,7 @@ protected:
   int OutputPointsPrecision = DEFAULT_PRECISION;
   vtkIdType MaximumNumberOfCells = 500000000;
   int CreaseEnd = CORNER;
+  int LoopWeights = WARREN_WEIGHTS;
   int EmbeddedCells = FOLLOW;
   bool PreserveInterfaces = false;
   int InterfaceValues = CONTINUOUS_VALUES;

@@ -121,9 +121,11 @@
  *
  * @par Other libraries
  * On closed meshes the points are those of VTK (Butterfly), OpenMesh (Butterfly, Catmull-Clark,
- * sqrt(3)) and CGAL (Catmull-Clark, Doo-Sabin, sqrt(3)). Loop has Warren's weights, which are those
- * of Loop's thesis, and so of these libraries, at vertices of three and six faces only. With
- * ModifiedBoundary off the boundaries of Loop are theirs, too, and those of Catmull-Clark CGAL's.
+ * sqrt(3)) and CGAL (Catmull-Clark, Doo-Sabin, sqrt(3)), and with LoopWeights = LOOP_WEIGHTS those
+ * of the Loop schemes of OpenSubdiv, OpenMesh, CGAL and VTK; by default Loop has Warren's weights,
+ * which are the same at vertices of three and six faces only. With ModifiedBoundary off the
+ * boundaries of Loop are those of OpenSubdiv, OpenMesh and CGAL, too, and those of Catmull-Clark
+ * CGAL's.
  *
  * @par Errors
  * The filter stops, with an error and an empty output, if the output would have more than

@@ -20,7 +20,7 @@ package_lists()
   analysis_packages=(python3-matplotlib)
   debian_packages=(dpkg-dev file gzip lintian)
   # Other libraries that tests and benchmarks compare with; without them the tests say "skipped".
-  compared_packages=(libopenmesh-dev libcgal-dev)
+  compared_packages=(libopenmesh-dev libcgal-dev libosd-dev)
   peer_packages=(libosd-dev libopenmesh-dev libcgal-dev libdune-grid-dev libdune-uggrid-dev)
 
   # What the CMake files of VTK and ParaView look for and their packages do not bring.

@@ -80,15 +80,17 @@ TEST(PeerOpenMesh, ModifiedButterfly)
     SubdivideTheirs<Triangles, Uniform::ModifiedButterflyT>);
 }
 
-TEST(PeerOpenMesh, LoopWhereTheWeightsAgree)
+TEST(PeerOpenMesh, LoopWithHisWeights)
 {
-  ExpectLoopWithOtherWeights(SubdivideTheirs<Triangles, Uniform::LoopT>);
+  ExpectSameOnClosedMeshes(
+    vtkSurfaceSubdivision::LOOP, true, SubdivideTheirs<Triangles, Uniform::LoopT>, WithLoopWeights);
 }
 
 // Its Catmull-Clark has a boundary of its own: (1, 4, 1) / 6 at vertices.
 TEST(PeerOpenMesh, PlainBoundary)
 {
-  ExpectSameOnTube(vtkSurfaceSubdivision::LOOP, true, SubdivideTheirs<Triangles, Uniform::LoopT>);
+  ExpectSameOnTube(
+    vtkSurfaceSubdivision::LOOP, true, SubdivideTheirs<Triangles, Uniform::LoopT>, WithLoopWeights);
 }
 
 }

@@ -151,6 +151,10 @@ class Limits(unittest.TestCase):
             subdivisionobjects.evaluate_limit(made, [0, 0], [[0.1, 0.1, 0.1]])
 
 
+# Functions of filters in which Loop's scheme moves no points.
+UNWEIGHTED = ("adaptive_surface_subdivision", "simplicial_complex_topology")
+
+
 class Options(unittest.TestCase):
     def test_every_option_reaches_its_filter(self):
         count = 0
@@ -180,7 +184,8 @@ class Options(unittest.TestCase):
             ours = {member for base in cls.__mro__ if base.__name__ in vars(subdivisionobjects) for member in vars(base)
                     if member.startswith("Set") and "Get" + member[3:] in vars(base)} - {"SetController"}
             missing = ours - commands - {"SetOutputDimensions"}
-            self.assertLessEqual(missing, {
+            without = {"SetLoopWeights"} & missing if name in UNWEIGHTED else set()
+            self.assertLessEqual(missing - without, {
                 "SetAdaptive", "SetGenerateNormals", "SetEmbeddedCells", "SetInterpolateIntegers",
                 "SetGenerateOriginalIds", "SetGenerateGlobalIds", "SetInterpolatePoints", "SetInterpolateArrays",
                 "SetInterpolationWeight", "SetBounds", "SetInterfaceValues"}, name)

@@ -18,6 +18,7 @@ import subdivisionobjects
 ARRAYS = ["SingularArray", "MaterialArray", "PartArray", "RuleArray", "SharpnessArray"]
 CHOICES = {
     "CreaseEnd": ["Corner", "Dart"],
+    "LoopWeights": ["Warren", "Loop"],
     "EmbeddedCells": ["Follow", "Singular Inside", "Singular"],
     "WhereDimensionsMeet": ["Blend", "Sharp", "Follow Dimension 1", "Follow Dimension 2", "Follow Dimension 3"],
     "WhereBranchesMeet": ["Blend", "Sharp", "Follow Part"],
@@ -250,7 +251,7 @@ class Files(unittest.TestCase):
     def test_state(self):
         choices = dict(NumberOfLevels=2, SingularArray=["CELLS", "Singular"], MaterialArray=["CELLS", "MaterialId"],
                        PreserveInterfaces=1, DetectFeatures=1, FeatureAngle=42.0, CreaseEnd="Dart",
-                       EmbeddedCells="Singular Inside", WhereDimensionsMeet="Follow Dimension 2",
+                       LoopWeights="Loop", EmbeddedCells="Singular Inside", WhereDimensionsMeet="Follow Dimension 2",
                        WhereBranchesMeet="Sharp", WhereBoundariesTouch="Sharp", CacheOperator=0, Use32BitIds=1)
         simple.ResetSession()
         simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))

@@ -247,7 +247,7 @@ class Meshes(unittest.TestCase):
                     np.testing.assert_allclose(vtk_to_numpy(a), vtk_to_numpy(b), atol=1e-13)
 
     def test_loop_is_vtks_where_the_weights_agree(self):
-        # Valences 3 and 6 only: for others VTK takes Loop's own weights instead of Warren's.
+        # Valences 3 and 6 only: for others VTK takes Loop's own weights, which are not the default.
         tetrahedron = mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.2, 0.3, 1]],
                            [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
         theirs = vtkLoopSubdivisionFilter()
@@ -403,11 +403,13 @@ class Meshes(unittest.TestCase):
                 coordinates(subdivision.GetOutput()), coordinates(run(surface, LOOP, 2)))
         self.assertEqual(subdivision.GetNumberOfTopologyBuilds(), 1)
         for name, value in (("ModifiedBoundary", False), ("NumberOfLevels", 1), ("Scheme", CATMULL_CLARK),
-                            ("ModifiedBoundary", True), ("CreaseEnd", 1), ("Scheme", LOOP), ("NumberOfLevels", 2)):
+                            ("ModifiedBoundary", True), ("CreaseEnd", 1), ("Scheme", LOOP), ("NumberOfLevels", 2),
+                            ("LoopWeights", 1), ("LoopWeights", 0)):
             getattr(subdivision, "Set" + name)(value)
             subdivision.Update()
             fresh = run(surface, subdivision.GetScheme(), subdivision.GetNumberOfLevels(), CacheOperator=False,
-                        ModifiedBoundary=subdivision.GetModifiedBoundary(), CreaseEnd=subdivision.GetCreaseEnd())
+                        ModifiedBoundary=subdivision.GetModifiedBoundary(), CreaseEnd=subdivision.GetCreaseEnd(),
+                        LoopWeights=subdivision.GetLoopWeights())
             np.testing.assert_array_equal(coordinates(subdivision.GetOutput()), coordinates(fresh))
         surface.GetCellData().GetArray("Singular").SetValue(0, 0)
         surface.GetCellData().GetArray("Singular").Modified()

@@ -23,8 +23,9 @@ DATA = pathlib.Path(os.environ["SUBDIVISIONOBJECTS_DATA"])
 SHIP = str(DATA / "Ship.vtu")
 # What the panels do not show either.
 HIDDEN = {"vtkSurfaceSubdivision": {"Adaptive", "GenerateNormals", "EmbeddedCells"},
-          "vtkAdaptiveSurfaceSubdivision": {"EmbeddedCells"},
-          "vtkSimplicialComplexTopology": {"InterfaceValues"}, "vtkSubdivisionLimitProbe": {"InterfaceValues"},
+          "vtkAdaptiveSurfaceSubdivision": {"EmbeddedCells", "LoopWeights"},
+          "vtkSimplicialComplexTopology": {"InterfaceValues", "LoopWeights"},
+          "vtkSubdivisionLimitProbe": {"InterfaceValues"},
           "vtkSubdivisionDeformation": {"InterpolateIntegers", "GenerateOriginalIds", "GenerateGlobalIds",
                                         "InterfaceValues"}}
 UNSMOOTHED = {"InterpolatePoints", "InterpolateArrays", "InterpolationWeight"}

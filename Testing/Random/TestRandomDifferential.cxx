@@ -199,6 +199,7 @@ struct SurfaceOptions
   int Rules[3];
   bool DetectFeatures;
   bool ModifiedBoundary;
+  int LoopWeights;
   bool Limit = false;
 
   explicit SurfaceOptions(Chance& chance)
@@ -207,6 +208,7 @@ struct SurfaceOptions
     , Rules{ Draw(chance, 2), Draw(chance, 2), Draw(chance, 2) }
     , DetectFeatures(Draw(chance, 4) == 0)
     , ModifiedBoundary(Draw(chance, 2) == 0)
+    , LoopWeights(Draw(chance, 2))
   {
   }
 
@@ -215,7 +217,8 @@ struct SurfaceOptions
     std::ostringstream text;
     text << "scheme " << this->Scheme << " crease end " << this->CreaseEnd << " rules "
          << this->Rules[0] << this->Rules[1] << this->Rules[2] << " features "
-         << this->DetectFeatures << " modified " << this->ModifiedBoundary;
+         << this->DetectFeatures << " modified " << this->ModifiedBoundary << " weights "
+         << this->LoopWeights;
     return text.str();
   }
 
@@ -233,6 +236,7 @@ struct SurfaceOptions
     filter->SetType3Rule(this->Rules[2]);
     filter->SetDetectFeatures(this->DetectFeatures);
     filter->SetModifiedBoundary(this->ModifiedBoundary);
+    filter->SetLoopWeights(this->LoopWeights);
     filter->SetProjectToLimit(this->Limit);
     filter->SetGenerateLimitNormals(this->Limit);
     filter->SetGenerateTangents(this->Limit);

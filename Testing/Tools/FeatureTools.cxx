@@ -282,7 +282,7 @@ Grid MakeRandomComplex(unsigned seed, bool withSolids)
 Configure RandomOptions(unsigned seed)
 {
   std::mt19937 random(seed);
-  std::array<int, 9> bits;
+  std::array<int, 10> bits;
   for (int& bit : bits)
   {
     bit = static_cast<int>(random() >> 8);
@@ -299,6 +299,7 @@ Configure RandomOptions(unsigned seed)
     SetCellArray(filter, 2, bits[6] % 2 ? "Part" : "None");
     SetCellArray(filter, 3, bits[7] % 2 ? "Rule" : "None");
     filter->SetDetectFeatures(bits[8] % 2);
+    filter->SetLoopWeights(bits[9] % 2);
   };
 }
 

@@ -14,9 +14,9 @@
 namespace coretest
 {
 
-/// Choices of rules that together reach every line of Mathematics 4 and 6.
+/// Choices of rules that together reach every line of Mathematics 4 and 6, and of weights.
 const char* const OptionNames[] = { "Blend", "Dart", "Sharp", "Follow1", "Follow2", "Follow3",
-  "FollowPart", "Regional" };
+  "FollowPart", "Regional", "LoopWeights" };
 
 template <typename Id>
 StrataOptions MakeOptions(const std::string& name, const SimplicialComplex<Id>& complex)
@@ -33,6 +33,7 @@ StrataOptions MakeOptions(const std::string& name, const SimplicialComplex<Id>& 
     }
   };
   options.DartEnds = name == "Dart" || name == "Regional";
+  options.Weights = name == "LoopWeights" ? LoopWeights::Loop : LoopWeights::Warren;
   if (name == "Sharp")
   {
     options.Type1 = options.Type2 = options.Type3 = JointRule::Sharp;

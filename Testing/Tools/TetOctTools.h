@@ -65,6 +65,7 @@ Stencils<Id> CopyStencils(const TetOctLevel<Id>& level)
   TetOctLevel<Id> copied;
   copied.Complex.EdgeVertices = copy(level.Complex.EdgeVertices);
   copied.OctVertices = copy(level.OctVertices);
+  copied.Strata.Weights = level.Strata.Weights;
   copied.Strata.Vertices = copy(level.Strata.Vertices);
   copied.Strata.Edges = copy(level.Strata.Edges);
   copied.Strata.VertexRings.Offsets = copy(level.Strata.VertexRings.Offsets);

@@ -14,12 +14,20 @@
 #define SubdivisionObjects_Interpolation_h
 
 #include "Core/Operators/PointOperator.h"
+#include "Core/Rules/LoopWeights.h"
 
 #include <functional>
 #include <vector>
 
 namespace subdivision
 {
+
+/// What the solver expects of the limits of triangles and tetrahedra, after measurements
+/// (Mathematics 8): Loop's weights move vertices of four triangles farther.
+constexpr double GetLeastEigenvalue(LoopWeights weights)
+{
+  return weights == LoopWeights::Loop ? 1. / 8. : 1. / 6.;
+}
 
 struct InterpolationLimits
 {

@@ -8,21 +8,41 @@
 #ifndef SubdivisionObjects_Masks_h
 #define SubdivisionObjects_Masks_h
 
+#include "Core/Rules/LoopWeights.h"
 #include "Core/Rules/Mask.h"
+#include "Core/Rules/Pi.h"
 #include "Core/Rules/Rule.h"
+
+#include <cmath>
 
 namespace subdivision
 {
 
-inline Mask VertexMask(Rule rule, vtkIdType ringSize)
+/// The mask of a vertex with d = 2. Where both choices are equal, they have equal bits.
+inline Mask SurfaceVertexMask(vtkIdType ringSize, LoopWeights weights)
+{
+  const double m = static_cast<double>(ringSize);
+  if (ringSize == 3)
+  {
+    return { 7. / 16., 3. / 16. };
+  }
+  if (weights == LoopWeights::Warren || ringSize == 6)
+  {
+    return { 5. / 8., 3. / (8. * m) };
+  }
+  const double wave = 3. / 8. + std::cos(2. * Pi / m) / 4.;
+  return { 3. / 8. + wave * wave, (5. / 8. - wave * wave) / m };
+}
+
+inline Mask VertexMask(Rule rule, vtkIdType ringSize, LoopWeights weights)
 {
   const double m = static_cast<double>(ringSize);
   switch (rule)
   {
     case Rule::Curve:
       return { 3. / 4., 1. / 8. };
-    case Rule::Surface: // eq. 16
-      return ringSize == 3 ? Mask{ 7. / 16., 3. / 16. } : Mask{ 5. / 8., 3. / (8. * m) };
+    case Rule::Surface:
+      return SurfaceVertexMask(ringSize, weights);
     case Rule::Solid: // eq. 17
     case Rule::Blend:
     case Rule::RegularEdge:

@@ -236,9 +236,10 @@ bool LiftFeatureValues(
 
 std::vector<long long> EncodeChoices(const FeatureOptions& options, const FeatureValues& values)
 {
-  std::vector<long long> choices = { options.DartEnds, static_cast<int>(options.Embedded),
-    options.PreserveInterfaces, options.DetectFeatures, static_cast<int>(options.Type1),
-    static_cast<int>(options.Type2), static_cast<int>(options.Type3) };
+  std::vector<long long> choices = { options.DartEnds, static_cast<int>(options.Weights),
+    static_cast<int>(options.Embedded), options.PreserveInterfaces, options.DetectFeatures,
+    static_cast<int>(options.Type1), static_cast<int>(options.Type2),
+    static_cast<int>(options.Type3) };
   Encode(values.Singular, choices);
   Encode(values.Material, choices);
   Encode(values.Part, choices);
@@ -312,6 +313,7 @@ StrataOptions MakeStrataOptions(const FeatureOptions& options, const FeatureValu
   strata.Type2 = options.Type2;
   strata.Type3 = options.Type3;
   strata.DartEnds = options.DartEnds;
+  strata.Weights = options.Weights;
   if (!values.Part.empty())
   {
     auto parts = [&](int dimension)

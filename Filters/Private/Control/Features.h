@@ -33,6 +33,7 @@ enum class EmbeddedRule
 struct FeatureOptions
 {
   bool DartEnds = false;
+  LoopWeights Weights = LoopWeights::Warren;
   EmbeddedRule Embedded = EmbeddedRule::Follow;
   bool PreserveInterfaces = false;
   bool DetectFeatures = false;

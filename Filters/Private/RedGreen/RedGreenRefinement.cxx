@@ -187,7 +187,7 @@ void RedGreenRun::Interpolate(RedGreenLimit<Id>& limit)
   const double* given = this->Points->GetCoordinates();
   this->GivenCoordinates.assign(given, given + 3 * size);
   InterpolationLimits limits;
-  limits.LeastEigenvalue = 1. / 6.; // Mathematics 8
+  limits.LeastEigenvalue = GetLeastEigenvalue(this->Options.Features.Weights);
   ConnectToOthers(this->Input, control.Cells, this->Options, limits);
   this->Points->Interpolate(limit.GetControlRows(), this->Options.Interpolation, limits,
     [this](const std::string& warning) { this->Warn(warning); });

@@ -27,6 +27,7 @@ struct SurfaceKey
 {
   SurfaceSchemeKind Scheme = SurfaceSchemeKind::Loop;
   bool ModifiedBoundary = true;
+  LoopWeights Weights = LoopWeights::Warren;
   int Levels = 0;
   bool Whole = false;
   bool Use32BitIds = false;
@@ -38,10 +39,11 @@ struct SurfaceKey
     const SurfaceCells& a = this->Cells;
     const SurfaceCells& b = other.Cells;
     return this->Scheme == other.Scheme && this->ModifiedBoundary == other.ModifiedBoundary &&
-      this->Levels == other.Levels && this->Whole == other.Whole &&
-      this->Use32BitIds == other.Use32BitIds && this->MadeLevels == other.MadeLevels &&
-      a.NumberOfPoints == b.NumberOfPoints && a.Vertices == b.Vertices &&
-      a.Segments == b.Segments && a.FaceOffsets == b.FaceOffsets && a.Corners == b.Corners;
+      this->Weights == other.Weights && this->Levels == other.Levels &&
+      this->Whole == other.Whole && this->Use32BitIds == other.Use32BitIds &&
+      this->MadeLevels == other.MadeLevels && a.NumberOfPoints == b.NumberOfPoints &&
+      a.Vertices == b.Vertices && a.Segments == b.Segments && a.FaceOffsets == b.FaceOffsets &&
+      a.Corners == b.Corners;
   }
 };
 

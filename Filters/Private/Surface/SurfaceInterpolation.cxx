@@ -55,7 +55,9 @@ void SurfaceRun<Id>::Interpolate()
     return;
   }
   InterpolationLimits limits;
-  limits.LeastEigenvalue = this->Scheme->NeedsTriangles() ? 1. / 6. : 0.1; // Mathematics 8
+  limits.LeastEigenvalue = this->Scheme->NeedsTriangles()
+    ? GetLeastEigenvalue(this->Options.Features.Weights)
+    : 0.1; // Mathematics 8
   ConnectToOthers(this->Input, this->NoCentres, this->Options, limits);
   const auto solve = [&](SurfaceSteps<Id>& control, bool points, bool arrays)
   {

@@ -158,8 +158,9 @@ template <typename Id>
 SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   const SurfaceCells& cells, const SurfaceCells& control, KeptSurface*& found)
 {
-  SurfaceKey key{ this->Options.Scheme, this->Options.ModifiedBoundary, this->Options.Levels,
-    this->NeedsLimit(), this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
+  SurfaceKey key{ this->Options.Scheme, this->Options.ModifiedBoundary,
+    this->Options.Features.Weights, this->Options.Levels, this->NeedsLimit(),
+    this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
   KeptSurfaceOf<Id>* kept = nullptr;
   if (this->Options.Cache)
   {
@@ -580,7 +581,8 @@ void SurfaceRun<Id>::WriteStamp()
 
 static bool SubdivideMesh(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
 {
-  const auto scheme = MakeSurfaceScheme<int>(options.Scheme, options.ModifiedBoundary);
+  const auto scheme =
+    MakeSurfaceScheme<int>(options.Scheme, options.ModifiedBoundary, options.Features.Weights);
   if (!scheme)
   {
     options.Fail("This scheme is not available.");
@@ -594,7 +596,8 @@ static bool SubdivideMesh(vtkPolyData* input, const SurfaceOptions& options, vtk
   }
   if (isLarge)
   {
-    const auto largeScheme = MakeSurfaceScheme<long long>(options.Scheme, options.ModifiedBoundary);
+    const auto largeScheme = MakeSurfaceScheme<long long>(
+      options.Scheme, options.ModifiedBoundary, options.Features.Weights);
     return SurfaceRun<long long>(input, options, largeScheme, output).Run(std::move(cells));
   }
   return SurfaceRun<int>(input, options, scheme, output).Run(std::move(cells));

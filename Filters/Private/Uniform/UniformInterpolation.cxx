@@ -47,7 +47,7 @@ void UniformRun::Interpolate(const PointOperator* limit)
   if (this->Solves)
   {
     InterpolationLimits limits;
-    limits.LeastEigenvalue = 1. / 6.; // it is 0.21 and more on all models (Mathematics 8)
+    limits.LeastEigenvalue = GetLeastEigenvalue(this->Options.Features.Weights);
     ConnectToOthers(this->Input, this->Mesh.Cells, this->Options, limits);
     const SparseRows<int> none;
     this->Points->Interpolate(limit ? *limit : static_cast<const PointOperator&>(none),

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 using namespace coretest;
@@ -17,8 +18,8 @@ using Weights = std::map<vtkIdType, double>; ///< those that are not zero
 class Rows1
 {
 public:
-  explicit Rows1(const Mesh& mesh)
-    : Level(Build<int>(mesh.Cells, mesh.Singular))
+  explicit Rows1(const Mesh& mesh, const StrataOptions& options = StrataOptions())
+    : Level(Build<int>(mesh.Cells, mesh.Singular, options))
     , Dense(MakeMatrix(CopyStencils(this->Level.Level)))
   {
   }
@@ -178,6 +179,46 @@ TEST(CoreMasks, LoopByValence)
   ASSERT_EQ(row.size(), 81u);
   EXPECT_NEAR(row.at(0), 5. / 8., 1e-15);
   EXPECT_NEAR(row.at(80), 3. / 640., 1e-15);
+}
+
+// (5/8 - (3/8 + 1/4 cos(2 pi / m))^2) / m for each of m.
+TEST(CoreMasks, LoopsOwnWeights)
+{
+  StrataOptions options;
+  options.Weights = LoopWeights::Loop;
+  const Rows1 four(FindInZoo("OctahedronSurface"), options);
+  ExpectWeights(four.Vertex(4), Star({ 4 }, 33. / 64., { 0, 1, 2, 3 }, 31. / 256.));
+  ExpectWeights(four.Edge(4, 0), Rows1(FindInZoo("OctahedronSurface")).Edge(4, 0));
+  const double wave = (5. + std::sqrt(5.)) / 16.; // cos(2 pi / 5) = (sqrt(5) - 1) / 4
+  const Rows1 five(FindInZoo("Icosahedron"), options);
+  ExpectWeights(five.Vertex(0),
+    Star({ 0 }, 3. / 8. + wave * wave, { 1, 3, 5, 7, 9 }, (5. / 8. - wave * wave) / 5.));
+  const Rows1 eight(MakeFan("", 8, true), options);
+  const double eighth = (29. - 6. * std::sqrt(2.)) / 64.; // 5/8 - ((3 + sqrt(2)) / 8)^2
+  ExpectWeights(eight.Vertex(0), Star({ 0 }, 1. - eighth, { 1, 2, 3, 4, 5, 6, 7, 8 }, eighth / 8.));
+  const Rows1 many(MakeFan("", 80, true), options);        // more than the tables hold
+  const double far = 3. / 8. + 0.9969173337331279761 / 4.; // cos(pi / 40)
+  const Weights row = many.Vertex(0);
+  ASSERT_EQ(row.size(), 81u);
+  EXPECT_NEAR(row.at(0), 3. / 8. + far * far, 1e-15);
+  EXPECT_NEAR(row.at(80), (5. / 8. - far * far) / 80., 1e-15);
+  // On boundaries of solids, next to an inner vertex, which has none of this.
+  const Rows1 solid(FindInZoo("TwoTets"), options);
+  ExpectWeights(solid.Vertex(1), Star({ 1 }, 33. / 64., { 0, 2, 3, 4 }, 31. / 256.));
+  ExpectWeights(solid.Edge(0, 2), Star({ 0, 2 }, 3. / 8., { 1, 3 }, 1. / 8.));
+}
+
+// Three and six neighbours have the same bits, and so have all other rules.
+TEST(CoreMasks, LoopsOwnWeightsChangeNothingElse)
+{
+  StrataOptions options;
+  options.Weights = LoopWeights::Loop;
+  for (const char* name : { "TetSurface", "SingleTet", "OpenFan", "ClosedPolyline" })
+  {
+    EXPECT_EQ(Rows1(FindInZoo(name), options).Dense, Rows1(FindInZoo(name)).Dense) << name;
+  }
+  EXPECT_EQ(Rows1(MakeFan("", 6, true), options).Dense, Rows1(MakeFan("", 6, true)).Dense);
+  EXPECT_NE(Rows1(MakeFan("", 5, true), options).Dense, Rows1(MakeFan("", 5, true)).Dense);
 }
 
 TEST(CoreMasks, BoundaryOfSurface)

@@ -299,6 +299,7 @@ TEST(SubdivisionDeformation, ChangesAreNoticedByContent)
     fresh->SetNumberOfLevels(filter->GetNumberOfLevels());
     fresh->SetVolumeScheme(filter->GetVolumeScheme());
     fresh->SetCreaseEnd(filter->GetCreaseEnd());
+    fresh->SetLoopWeights(filter->GetLoopWeights());
     EXPECT_EQ(ComparePoints(kept, fresh.Run(cloud, cage, bent)), "") << what;
     EXPECT_EQ(filter->GetNumberOfTopologyBuilds(), topologies) << what;
     EXPECT_EQ(filter->GetNumberOfLocationBuilds(), locations) << what;
@@ -323,6 +324,8 @@ TEST(SubdivisionDeformation, ChangesAreNoticedByContent)
   expectFresh(6, 7, "a value that may choose rules");
   filter->SetVolumeSchemeToTetOct();
   expectFresh(7, 8, "the scheme");
+  filter->SetLoopWeightsToLoop();
+  expectFresh(8, 9, "weights");
 }
 
 TEST(SubdivisionDeformation, SameBitsForAnyThreads)

@@ -37,6 +37,7 @@ std::vector<FeatureCase> MakeCases()
         SetCellArray(filter, 0, "Flags");
         filter->SetCreaseEndToDart();
       } },
+    { "LoopWeights", [](Base* filter) { filter->SetLoopWeightsToLoop(); } },
     { "Embedded", [](Base* filter) { filter->SetEmbeddedCellsToSingular(); } },
     { "EmbeddedInside", [](Base* filter) { filter->SetEmbeddedCellsToSingularInside(); } },
     { "Interfaces",

@@ -94,6 +94,7 @@ void SetCriteria(Filter* filter, Chance& pick)
 void SetFeatures(Filter* filter, Chance& pick)
 {
   filter->SetCreaseEnd(static_cast<int>(pick(2)));
+  filter->SetLoopWeights(static_cast<int>(pick(2)));
   filter->SetEmbeddedCells(static_cast<int>(pick(3)));
   filter->SetDetectFeatures(pick(2) > 0);
   filter->SetType1Rule(static_cast<int>(pick(5)));

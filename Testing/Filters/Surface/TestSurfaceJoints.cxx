@@ -23,6 +23,7 @@ struct Options
 {
   int Joints[3] = { 0, 0, 0 }; ///< 0: blend, 1: sharp, of types 1 to 3
   int CreaseEnd = 0;           ///< 0: a corner, 1: a dart
+  int LoopWeights = 0;         ///< 0: Warren's, 1: Loop's
 };
 
 template <typename Filter>
@@ -35,6 +36,7 @@ void Run(Filter* filter, vtkPolyData* input, const Options& options, int levels,
   filter->SetType2Rule(options.Joints[1]);
   filter->SetType3Rule(options.Joints[2]);
   filter->SetCreaseEnd(options.CreaseEnd);
+  filter->SetLoopWeights(options.LoopWeights);
   if (input->GetCellData()->HasArray("Sharpness"))
   {
     filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Sharpness");
@@ -216,6 +218,7 @@ struct RandomCase
       rule = static_cast<int>(random() % 2);
     }
     this->Rules.CreaseEnd = static_cast<int>(random() % 2);
+    this->Rules.LoopWeights = static_cast<int>(random() % 2);
   }
   vtkSmartPointer<vtkPolyData> Input;
   Options Rules;

@@ -161,3 +161,37 @@ TEST(SurfaceMasks, AnglesOfConcaveCornersAreClamped)
     }
   }
 }
+
+// The octahedron's neighbours cancel out, so that its points show their own weight: 5/8 of Warren,
+// 33/64 of Loop's thesis, and of his limits 3/(11 - 8 * 33/64).
+TEST(SurfaceMasks, LoopWeightsReachPointsLimitsAndWhatIsKept)
+{
+  Model octahedron;
+  octahedron.Points = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 },
+    { 0, 0, -1 } };
+  octahedron.Faces = { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 },
+    { 3, 1, 5 }, { 0, 3, 5 } };
+  vtkNew<vtkSurfaceSubdivision> filter;
+  filter->SetInputData(MakeInput(octahedron));
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  const auto getFirst = [&filter]
+  {
+    filter->Update();
+    return filter->GetOutput()->GetPoint(0)[0];
+  };
+  EXPECT_NEAR(getFirst(), 5. / 8., 1e-15);
+  filter->SetLoopWeightsToLoop();
+  EXPECT_NEAR(getFirst(), 33. / 64., 1e-15);
+  EXPECT_EQ(filter->GetNumberOfTopologyBuilds(), 2);
+  filter->ProjectToLimitOn();
+  EXPECT_NEAR(getFirst(), 24. / 55., 1e-15);
+  filter->SetNumberOfLevels(2);
+  EXPECT_NEAR(getFirst(), 24. / 55., 1e-15);
+  filter->SetNumberOfLevels(0);
+  EXPECT_NEAR(getFirst(), 24. / 55., 1e-15);
+  filter->InterpolatePointsOn();
+  EXPECT_NEAR(getFirst(), 1., 1e-9);
+  filter->InterpolatePointsOff();
+  filter->SetLoopWeightsToWarren();
+  EXPECT_NEAR(getFirst(), 1. / 2., 1e-15);
+}

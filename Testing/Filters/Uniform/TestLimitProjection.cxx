@@ -93,12 +93,14 @@ TEST(LimitProjection, DoesNotDependOnTheLevel)
         filter->SetFeatureAngle(60.);
         filter->SetCreaseEnd(Filter::DART);
       } },
+    { "LoopWeights", [](Filter* filter) { filter->SetLoopWeightsToLoop(); } },
     { "SemiSharp", [](Filter* filter) { SetCellArray(filter, 4, "Sharpness"); } },
     { "TetOct", TetOct },
     { "TetOctSharp",
       [](Filter* filter)
       {
         filter->SetVolumeSchemeToTetOct();
+        filter->SetLoopWeightsToLoop();
         filter->SetType1Rule(Filter::TYPE1_SHARP);
         SetCellArray(filter, 4, "Sharpness");
       } },

@@ -57,18 +57,18 @@ struct MarkedTetShape : TetrahedronShape
 };
 
 /// The masks of this scheme (Masks.h).
-const RingMasks& BoxSplineMasks();
+const RingMasks& BoxSplineMasks(LoopWeights weights);
 
 /// As Stencils.h needs them.
 template <typename Id>
-SolidRows<Id> GetSolidRows(const Level<Id>&)
+SolidRows<Id> GetSolidRows(const Level<Id>& level)
 {
-  return { &BoxSplineMasks() };
+  return { &BoxSplineMasks(level.Strata.Weights) };
 }
 template <typename Id>
-void TakeSolidRows(Level<Id>&, Stencils<Id>& stencils)
+void TakeSolidRows(Level<Id>& level, Stencils<Id>& stencils)
 {
-  stencils.Masks = &BoxSplineMasks();
+  stencils.Masks = &BoxSplineMasks(level.Strata.Weights);
 }
 
 template <typename IdType>

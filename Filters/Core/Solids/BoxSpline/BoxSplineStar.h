@@ -16,9 +16,12 @@ template <typename Id>
 class BoxSplineStar
 {
 public:
-  explicit BoxSplineStar(const Level<Id>&) {}
+  explicit BoxSplineStar(const Level<Id>& level)
+    : Masks(BoxSplineMasks(level.Strata.Weights))
+  {
+  }
 
-  static const RingMasks& GetMasks() { return BoxSplineMasks(); }
+  const RingMasks& GetMasks() const { return this->Masks; }
   vtkIdType CountSolids(Id, Rule, vtkIdType) const { return 0; }
   vtkIdType CountFaces(Rule, vtkIdType ringSize) const { return ringSize; }
   Id GetOppositeEnd(Id, Id vertex) const { return vertex; }
@@ -28,6 +31,9 @@ public:
   }
   Id GetEdgeBeyond(Id, Id, Id) const { return -1; }
   bool HasSpokes(Id, Rule) const { return false; }
+
+private:
+  const RingMasks& Masks;
 };
 
 }

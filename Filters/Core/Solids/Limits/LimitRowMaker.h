@@ -113,13 +113,13 @@ struct HashNeighbourhood
 /// The weights w of a neighbourhood (LimitStencils.h) by elimination. The algorithm of W.
 /// Grassmann, M. Taksar and D. Heyman (1985) subtracts nothing and so is exact to rounding.
 template <typename Star>
-std::vector<double> EliminateItems(const Neighbourhood& rows, int items)
+std::vector<double> EliminateItems(const Star& star, const Neighbourhood& rows, int items)
 {
   std::vector<double> a(static_cast<std::size_t>(items) * items, 0.);
   const int* row = rows.data();
   for (int i = 0; i < items; ++i)
   {
-    Star::Weigh(row, i, [&](int item, double weight) { a[i * items + item] += weight; });
+    star.Weigh(row, i, [&](int item, double weight) { a[i * items + item] += weight; });
   }
   for (int k = items - 1; k > 0; --k)
   {
@@ -148,13 +148,13 @@ std::vector<double> EliminateItems(const Neighbourhood& rows, int items)
 
 /// The weights w of a neighbourhood, not normalised, by the series of LimitStencils.h.
 template <typename Star>
-std::vector<double> SumSeries(const Neighbourhood& rows, int items)
+std::vector<double> SumSeries(const Star& star, const Neighbourhood& rows, int items)
 {
   std::vector<double> sum(items, 0.);
   std::vector<double> term(items, 0.);
   std::vector<double> next(items);
   const int* row = rows.data();
-  Star::Weigh(row, 0, [&](int item, double weight) { term[item] += weight; });
+  star.Weigh(row, 0, [&](int item, double weight) { term[item] += weight; });
   const int* const edges = row;
   double total = 1.;
   for (double left = 1.; left > 1e-20 * total; total += left)
@@ -166,7 +166,7 @@ std::vector<double> SumSeries(const Neighbourhood& rows, int items)
     {
       sum[i] += term[i];
       left += term[i];
-      Star::Weigh(row, i, [&](int item, double weight) { next[item] += term[i] * weight; });
+      star.Weigh(row, i, [&](int item, double weight) { next[item] += term[i] * weight; });
     }
     term.swap(next);
   }
@@ -177,11 +177,11 @@ std::vector<double> SumSeries(const Neighbourhood& rows, int items)
 /// The weights w of a neighbourhood, one for each item. The series serves vertices with many edges,
 /// for which elimination in a full matrix takes too long.
 template <typename Star>
-std::vector<double> SolveLimit(const Neighbourhood& rows, std::size_t items)
+std::vector<double> SolveLimit(const Star& star, const Neighbourhood& rows, std::size_t items)
 {
   const int size = static_cast<int>(items);
   std::vector<double> w =
-    size <= 48 ? EliminateItems<Star>(rows, size) : SumSeries<Star>(rows, size);
+    size <= 48 ? EliminateItems(star, rows, size) : SumSeries(star, rows, size);
   const double total = std::accumulate(w.begin(), w.end(), 0.);
   for (double& weight : w)
   {
@@ -272,7 +272,7 @@ void LimitRowMaker<Star>::Make(Id vertex, LimitRow<Id>& row)
   std::vector<double>& solved = this->Solved[this->Local];
   if (solved.empty())
   {
-    solved = SolveLimit<Star>(this->Local, this->Keys.Ids.size() + 1);
+    solved = SolveLimit(this->Here, this->Local, this->Keys.Ids.size() + 1);
   }
   this->Weights = solved;
   if (this->Solved.size() > 4096) // bounds the memory; refined levels have far fewer
@@ -365,7 +365,7 @@ void LimitRowMaker<Star>::ForEachEntry(
       return static_cast<int>(this->Members.size()) - 1;
     });
   const int* row = this->Numbers.data();
-  Star::Weigh(row, item == 0 ? 0 : 1, [&](int member, double weight)
+  this->Here.Weigh(row, item == 0 ? 0 : 1, [&](int member, double weight)
     { emit(this->Members[member].Key, this->Members[member].Vertex, weight); });
 }
 

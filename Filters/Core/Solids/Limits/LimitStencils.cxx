@@ -74,9 +74,9 @@ public:
   }
 
   template <typename Add>
-  static void Weigh(const int*& row, int item, const Add& add)
+  void Weigh(const int*& row, int item, const Add& add) const
   {
-    const RingMasks& masks = Scheme::Star::GetMasks();
+    const RingMasks& masks = this->Solids.GetMasks();
     const int kind = row[0];
     const int size = row[1];
     const int* ring = row + 2;

@@ -298,6 +298,7 @@ template <typename LevelType>
 Strata<typename LevelType::IdType> Restriction<LevelType>::Restrict(const Strata<Id>& strata) const
 {
   Strata<Id> part;
+  part.Weights = strata.Weights;
   part.Vertices = this->Restrict(strata.Vertices, this->Vertices, this->At, Rule::Corner);
   part.Edges = this->Restrict(strata.Edges, this->Edges, this->EdgesInside, Rule::Curve);
   part.Faces = this->Restrict(strata.Faces, this->Faces, this->FacesInside, Rule::Surface);

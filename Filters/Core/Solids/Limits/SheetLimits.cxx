@@ -48,6 +48,10 @@ private:
   /// What a thread keeps from one place to the next.
   struct Memory
   {
+    explicit Memory(LoopWeights weights)
+      : Rows(weights)
+    {
+    }
     SheetRows Rows;
     SheetPatch<Id> Patch;
   };
@@ -76,9 +80,10 @@ private:
   LocalVertices<Id>& Vertices;
   const std::vector<LimitSite<Id>>& Sites;
   const int Components;
-  std::vector<std::vector<Id>> OnLevel; ///< sites
-  Buffer<double> Values;                ///< at the vertices of the current part
-  Buffer<unsigned char> Whole;          ///< vertices at which nothing is missing; empty: all
+  LoopWeights Weights = LoopWeights::Warren; ///< of the levels
+  std::vector<std::vector<Id>> OnLevel;      ///< sites
+  Buffer<double> Values;                     ///< at the vertices of the current part
+  Buffer<unsigned char> Whole;               ///< vertices at which nothing is missing; empty: all
   vtkSMPThreadLocal<std::shared_ptr<Memory>> Memories;
 };
 
@@ -88,6 +93,7 @@ void SheetLimits<Id>::Finder<LevelType>::Run(const LevelType& control, const dou
 {
   this->Values = Buffer<double>(vtkIdType(control.Complex.NumberOfVertices) * this->Components);
   std::copy_n(values, this->Values.size(), this->Values.begin());
+  this->Weights = control.Strata.Weights;
   this->Vertices.StartOnControl();
   const LevelType* level = &control;
   LevelType current;
@@ -167,7 +173,7 @@ void SheetLimits<Id>::Finder<LevelType>::WithMemories(vtkIdType size, const Act&
       std::shared_ptr<Memory>& memory = this->Memories.Local();
       if (!memory)
       {
-        memory = std::make_shared<Memory>();
+        memory = std::make_shared<Memory>(this->Weights);
       }
       for (vtkIdType i = begin; i < end; ++i)
       {

@@ -30,7 +30,7 @@ public:
     }
   }
   /// The rows of the places, over the columns of the key.
-  std::vector<double> FindRows(SheetPlaces places) const;
+  std::vector<double> FindRows(SheetPlaces places, LoopWeights ofSurfaces) const;
 
 private:
   using Corners = std::array<int, 3>;
@@ -157,7 +157,7 @@ void SheetMesh::AddTriangles(const SheetKey& key)
   }
 }
 
-std::vector<double> SheetMesh::FindRows(SheetPlaces places) const
+std::vector<double> SheetMesh::FindRows(SheetPlaces places, LoopWeights ofSurfaces) const
 {
   const auto columns = static_cast<int>(this->Equals.size());
   SimplexList cells = this->Cells;
@@ -178,7 +178,9 @@ std::vector<double> SheetMesh::FindRows(SheetPlaces places) const
       std::minmax({ level.Complex.EdgeVertices[2 * e], level.Complex.EdgeVertices[2 * e + 1] });
     singular.Edges[e] = this->Creases.count({ a, b });
   }
-  level.Strata = BuildStrata(level.Complex, singular, StrataOptions());
+  StrataOptions options;
+  options.Weights = ofSurfaces;
+  level.Strata = BuildStrata(level.Complex, singular, options);
   std::vector<std::array<int, 2>> midpoints;
   std::vector<int> found = { 0 };
   const int middle = columns; // the first midpoint
@@ -209,9 +211,9 @@ std::vector<double> SheetMesh::FindRows(SheetPlaces places) const
 
 }
 
-std::vector<double> SheetRows::Make(const SheetKey& key)
+std::vector<double> SheetRows::Make(const SheetKey& key) const
 {
-  return SheetMesh(key).FindRows(key.Places);
+  return SheetMesh(key).FindRows(key.Places, this->Weights);
 }
 
 }

@@ -10,6 +10,8 @@
 #ifndef SubdivisionObjects_SheetRows_h
 #define SubdivisionObjects_SheetRows_h
 
+#include "Core/Rules/LoopWeights.h"
+
 #include <array>
 #include <cstdint>
 #include <unordered_map>
@@ -80,20 +82,26 @@ struct SheetKey
 class SheetRows
 {
 public:
+  explicit SheetRows(LoopWeights weights)
+    : Weights(weights)
+  {
+  }
+
   /// The weights of all columns at the first place, then at the second, ...
   const std::vector<double>& Find(const SheetKey& key)
   {
     std::vector<double>& weights = this->Found[key.Pack()];
     if (weights.empty())
     {
-      weights = Make(key);
+      weights = this->Make(key);
     }
     return weights;
   }
 
 private:
-  static std::vector<double> Make(const SheetKey& key);
+  std::vector<double> Make(const SheetKey& key) const;
 
+  LoopWeights Weights;
   std::unordered_map<std::uint64_t, std::vector<double>> Found;
 };
 

@@ -47,7 +47,7 @@ template <typename Id>
 struct LinearStar : BoxSplineStar<Id>
 {
   using BoxSplineStar<Id>::BoxSplineStar;
-  static const RingMasks& GetMasks() { return LinearMasks(); }
+  const RingMasks& GetMasks() const { return LinearMasks(); }
 };
 
 template <typename IdType>

@@ -205,6 +205,7 @@ Strata<Id> StrataBuilder<Id>::Build()
   const vtkIdType edges = this->Complex.NumberOfEdges;
   const vtkIdType vertices = this->Complex.NumberOfVertices;
   Strata<Id> strata;
+  strata.Weights = this->Options.Weights;
   this->EdgePlaces = Buffer<Place>(edges);
   ForEach(edges,
     [&](vtkIdType e) { this->EdgePlaces[e] = this->Around.PlaceEdge(static_cast<Id>(e), 3); });

@@ -10,6 +10,7 @@
 #ifndef SubdivisionObjects_Strata_h
 #define SubdivisionObjects_Strata_h
 
+#include "Core/Rules/LoopWeights.h"
 #include "Core/Rules/Rule.h"
 #include "Core/Rules/Stratum.h"
 #include "Core/Solids/Complex/SimplicialComplex.h"
@@ -33,6 +34,7 @@ struct StrataOptions
   /// Whether the end of a crease is a dart, that is, follows the rule that it would have without
   /// the crease. Otherwise it is a corner.
   bool DartEnds = false;
+  LoopWeights Weights = LoopWeights::Warren;
   /// The part of each maximal edge and face for the choice FollowPart, negative for none; may be
   /// empty.
   Buffer<int> EdgeParts;
@@ -84,6 +86,7 @@ struct Strata
   Buffer<Stratum> Faces;
   Rings<Id> VertexRings;
   Rings<Id> EdgeRings;
+  LoopWeights Weights = LoopWeights::Warren; ///< of vertices with d = 2
 };
 
 template <typename Id>

@@ -68,7 +68,7 @@ static_assert(tetoct::OctEdgeNear - tetoct::TetEdgeOther < 1e-15 &&
 /// The mask of a vertex that is no control vertex with d = 3. In a control edge of n tetrahedra it
 /// has 2n tetrahedra and n octahedra around it; two neighbours along the edge, two in each face,
 /// and an opposite in each octahedron.
-inline PartedMask TetOctVertexMask(Rule rule, vtkIdType ringSize)
+inline PartedMask TetOctVertexMask(Rule rule, vtkIdType ringSize, LoopWeights weights)
 {
   if (rule == Rule::RegularEdge)
   {
@@ -76,7 +76,8 @@ inline PartedMask TetOctVertexMask(Rule rule, vtkIdType ringSize)
   }
   if (rule != Rule::Solid)
   {
-    return MakeParted(ringSize > 0 ? VertexMask(rule, ringSize) : Mask{ 1., 0. }, ringSize);
+    return MakeParted(
+      ringSize > 0 ? VertexMask(rule, ringSize, weights) : Mask{ 1., 0. }, ringSize);
   }
   const vtkIdType n = (ringSize - 2) / 3;
   const double cells = 3. * static_cast<double>(n);

@@ -33,19 +33,19 @@ int VertexInOct(const TetOctLevel<Id>& level, Id oct, Id vertex)
 }
 
 /// The masks of this scheme (TetOctMasks.h).
-const RingMasks& TetOctMasks();
+const RingMasks& TetOctMasks(LoopWeights weights);
 
 /// As Stencils.h needs them. By symmetry smoothing does not move the centre of an octahedron.
 template <typename Id>
 SolidRows<Id> GetSolidRows(const TetOctLevel<Id>& level)
 {
-  return { &TetOctMasks(), level.OctVertices.size() / 6, level.OctVertices.data(),
-    level.NumberOfControlVertices, level.TetsAtSpokes->data() };
+  return { &TetOctMasks(level.Strata.Weights), level.OctVertices.size() / 6,
+    level.OctVertices.data(), level.NumberOfControlVertices, level.TetsAtSpokes->data() };
 }
 template <typename Id>
 void TakeSolidRows(TetOctLevel<Id>& level, Stencils<Id>& stencils)
 {
-  stencils.Masks = &TetOctMasks();
+  stencils.Masks = &TetOctMasks(level.Strata.Weights);
   stencils.CentreVertices = std::move(level.OctVertices);
   stencils.NumberOfCounted = level.NumberOfControlVertices;
   stencils.Counts = level.TetsAtSpokes;

@@ -21,7 +21,7 @@ public:
   {
   }
 
-  static const RingMasks& GetMasks() { return TetOctMasks(); }
+  const RingMasks& GetMasks() const { return TetOctMasks(this->Here.Strata.Weights); }
   vtkIdType CountSolids(Id vertex, Rule rule, vtkIdType ringSize) const
   {
     return CountOpposites(rule, ringSize, this->IsControl(vertex));

@@ -104,7 +104,7 @@ public:
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
   {
-    LimitFinder<Id> finder(level, tags, *this, this->ModifiedBoundary);
+    LimitFinder<Id> finder(level, tags, *this, this->ModifiedBoundary, LoopWeights::Warren);
     for (vtkIdType v = begin; v < end; ++v)
     {
       finder.Append(static_cast<Id>(v), kind, rows);

@@ -34,8 +34,9 @@ template <typename Id>
 class LoopScheme : public QuarteringScheme<Id>
 {
 public:
-  explicit LoopScheme(bool modifiedBoundary)
+  LoopScheme(bool modifiedBoundary, LoopWeights weights)
     : ModifiedBoundary(modifiedBoundary)
+    , Weights(weights)
   {
   }
   bool BlendsJoints() const override { return true; }
@@ -53,7 +54,7 @@ public:
 private:
   void AppendVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, std::vector<Id>& ring, RowBlock<Id>& rows) const;
-  static void AppendRing(Id vertex, Rule rule, const std::vector<Id>& ring, RowBlock<Id>& rows);
+  void AppendRing(Id vertex, Rule rule, const std::vector<Id>& ring, RowBlock<Id>& rows) const;
   void AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex,
     const std::vector<FanStep<Id>>& steps, std::vector<Id>& ring, RowBlock<Id>& rows) const;
   void AppendEdge(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id edge,
@@ -64,6 +65,7 @@ private:
     const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, RowBlock<Id>& rows) const;
 
   bool ModifiedBoundary;
+  LoopWeights Weights;
 };
 
 template <typename Id>
@@ -154,9 +156,9 @@ void LoopScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level, const Surface
 
 template <typename Id>
 void LoopScheme<Id>::AppendRing(
-  Id vertex, Rule rule, const std::vector<Id>& ring, RowBlock<Id>& rows)
+  Id vertex, Rule rule, const std::vector<Id>& ring, RowBlock<Id>& rows) const
 {
-  const Mask mask = VertexMask(rule, static_cast<vtkIdType>(ring.size()));
+  const Mask mask = VertexMask(rule, static_cast<vtkIdType>(ring.size()), this->Weights);
   rows.Add(vertex, mask.Own);
   for (Id member : ring)
   {
@@ -179,7 +181,7 @@ void LoopScheme<Id>::AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags
       VisitCycle(mesh, mesh.VertexCorners[vertex], visit);
     }
     std::for_each(steps.begin(), steps.end(), visit);
-    AppendRing(vertex, Rule::Surface, ring, rows);
+    this->AppendRing(vertex, Rule::Surface, ring, rows);
     return;
   }
   if (tags.Vertices[vertex] != VertexTag::Blend)
@@ -192,7 +194,7 @@ void LoopScheme<Id>::AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags
   {
     member = mesh.GetOtherEnd(member, vertex);
   }
-  AppendRing(vertex, Rule::Blend, ring, rows);
+  this->AppendRing(vertex, Rule::Blend, ring, rows);
 }
 
 /// Appends the row of an edge that is not inside the smooth surface.
@@ -309,7 +311,7 @@ template <typename Id>
 void LoopScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
   LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
 {
-  LimitFinder<Id> finder(level, tags, *this, this->ModifiedBoundary);
+  LimitFinder<Id> finder(level, tags, *this, this->ModifiedBoundary, this->Weights);
   for (vtkIdType v = begin; v < end; ++v)
   {
     finder.Append(static_cast<Id>(v), kind, rows);
@@ -320,9 +322,9 @@ void LoopScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const Surfac
 }
 
 template <typename Id>
-std::unique_ptr<SurfaceScheme<Id>> MakeLoopScheme(bool modifiedBoundary)
+std::unique_ptr<SurfaceScheme<Id>> MakeLoopScheme(bool modifiedBoundary, LoopWeights weights)
 {
-  return std::make_unique<LoopScheme<Id>>(modifiedBoundary);
+  return std::make_unique<LoopScheme<Id>>(modifiedBoundary, weights);
 }
 
 SUBDIVISION_COMPILE_FUNCTION(MakeLoopScheme);

@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_LoopScheme_h
 #define SubdivisionObjects_LoopScheme_h
 
+#include "Core/Rules/LoopWeights.h"
 #include "Core/Surfaces/Scheme/SurfaceScheme.h"
 
 namespace subdivision
@@ -13,7 +14,7 @@ namespace subdivision
 
 /// `modifiedBoundary`: the rules of Mathematics 12 near curves; else those of Mathematics 5.
 template <typename Id>
-std::unique_ptr<SurfaceScheme<Id>> MakeLoopScheme(bool modifiedBoundary);
+std::unique_ptr<SurfaceScheme<Id>> MakeLoopScheme(bool modifiedBoundary, LoopWeights weights);
 
 }
 

@@ -12,12 +12,13 @@ namespace subdivision
 {
 template <typename Id>
 LimitFinder<Id>::LimitFinder(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
-  const SurfaceScheme<Id>& scheme, bool modifiedBoundary)
+  const SurfaceScheme<Id>& scheme, bool modifiedBoundary, LoopWeights weights)
   : Level(level)
   , Mesh(level.Mesh)
   , Tags(tags)
   , Scheme(scheme)
   , ModifiedBoundary(modifiedBoundary)
+  , Weights(weights)
   , Quads(!scheme.NeedsTriangles())
 {
 }
@@ -189,7 +190,7 @@ void LimitFinder<Id>::SetSmoothMask(LimitKind kind)
   mask.Own = 0.;
   if (kind == LimitKind::Position)
   {
-    const double c = VertexMask(Rule::Surface, static_cast<vtkIdType>(m)).Ring;
+    const double c = SurfaceVertexMask(static_cast<vtkIdType>(m), this->Weights).Ring;
     const double edge = this->Quads ? 4. / (k * (k + 5.)) : 8. * c / (3. + 8. * k * c);
     std::fill(mask.Edges.begin(), mask.Edges.end(), edge);
     std::fill(mask.Faces.begin(), mask.Faces.end(), edge / 4.);
@@ -236,7 +237,7 @@ void LimitFinder<Id>::AppendSmooth(Id vertex, LimitKind kind, RowBlock<Id>& rows
   if (isDart)
   {
     const double k = static_cast<double>(star.Edges.size());
-    const Mask own = VertexMask(Rule::Surface, static_cast<vtkIdType>(star.Edges.size()));
+    const Mask own = SurfaceVertexMask(static_cast<vtkIdType>(star.Edges.size()), this->Weights);
     this->Solve(kind, this->MakeMatrix(this->Quads ? 1. - 7. / (4. * k) : own.Own, own.Ring));
   }
   this->AppendMask(vertex, rows);
@@ -251,7 +252,8 @@ void LimitFinder<Id>::AppendBlend(Id vertex, RowBlock<Id>& rows)
   {
     this->Around.Ends.push_back(this->Mesh.GetOtherEnd(edge, vertex));
   }
-  const Mask own = VertexMask(Rule::Blend, static_cast<vtkIdType>(this->Around.Edges.size()));
+  const Mask own =
+    VertexMask(Rule::Blend, static_cast<vtkIdType>(this->Around.Edges.size()), this->Weights);
   // For each edge the edges with which it spans a triangle.
   const std::size_t m = this->Around.Edges.size();
   const std::size_t n = m + 1;

@@ -11,6 +11,7 @@
 #ifndef SubdivisionObjects_SurfaceLimits_h
 #define SubdivisionObjects_SurfaceLimits_h
 
+#include "Core/Rules/LoopWeights.h"
 #include "Core/Surfaces/Scheme/SurfaceScheme.h"
 
 namespace subdivision
@@ -20,8 +21,9 @@ template <typename Id>
 class LimitFinder
 {
 public:
+  /// `weights`: of triangles; quads have one choice only.
   LimitFinder(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
-    const SurfaceScheme<Id>& scheme, bool modifiedBoundary);
+    const SurfaceScheme<Id>& scheme, bool modifiedBoundary, LoopWeights weights);
 
   /// Adds the entries of a vertex's row. A tangent that does not exist has none.
   void Append(Id vertex, LimitKind kind, RowBlock<Id>& rows);
@@ -64,6 +66,7 @@ private:
   const SurfaceTags<Id>& Tags;
   const SurfaceScheme<Id>& Scheme;
   bool ModifiedBoundary;
+  LoopWeights Weights;
   bool Quads;
   Star Around;
   StarMask Row;

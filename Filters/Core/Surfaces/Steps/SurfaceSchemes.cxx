@@ -16,12 +16,12 @@ namespace subdivision
 
 template <typename Id>
 std::shared_ptr<const SurfaceScheme<Id>> MakeSurfaceScheme(
-  SurfaceSchemeKind kind, bool modifiedBoundary)
+  SurfaceSchemeKind kind, bool modifiedBoundary, LoopWeights weights)
 {
   switch (kind)
   {
     case SurfaceSchemeKind::Loop:
-      return MakeLoopScheme<Id>(modifiedBoundary);
+      return MakeLoopScheme<Id>(modifiedBoundary, weights);
     case SurfaceSchemeKind::CatmullClark:
       return MakeCatmullClarkScheme<Id>(modifiedBoundary);
     case SurfaceSchemeKind::ModifiedButterfly:

@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_SurfaceSchemes_h
 #define SubdivisionObjects_SurfaceSchemes_h
 
+#include "Core/Rules/LoopWeights.h"
 #include "Core/Surfaces/Scheme/SurfaceScheme.h"
 
 namespace subdivision
@@ -24,10 +25,10 @@ enum class SurfaceSchemeKind
   Linear
 };
 
-/// Null for a number that is no scheme.
+/// Null for a number that is no scheme. `weights`: of Loop.
 template <typename Id>
 std::shared_ptr<const SurfaceScheme<Id>> MakeSurfaceScheme(
-  SurfaceSchemeKind kind, bool modifiedBoundary);
+  SurfaceSchemeKind kind, bool modifiedBoundary, LoopWeights weights = LoopWeights::Warren);
 
 }
 

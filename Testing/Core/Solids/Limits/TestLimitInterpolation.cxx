@@ -25,7 +25,7 @@ int CountProducts(const Level& level, const SemiSharpStages<int>& creases, bool 
   std::vector<double> control(given.size());
   std::vector<InterpolationGroup> groups{ { 1 } };
   InterpolationLimits limits;
-  limits.LeastEigenvalue = 1. / 6.;
+  limits.LeastEigenvalue = GetLeastEigenvalue(level.Strata.Weights);
   FindInterpolation(rows, given.data(), groups, limits, control.data());
   const double error = isSlow ? 1e-7 : 1.1e-10;
   EXPECT_TRUE(groups[0].HasConverged || isSlow) << groups[0].Error;

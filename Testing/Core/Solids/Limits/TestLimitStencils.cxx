@@ -3,6 +3,9 @@
 // next level say of the next values; with rows that read neighbours only, that makes it the limit.
 #include "LimitTools.h"
 
+#include "Core/Rules/Pi.h"
+#include "Core/Solids/TetOct/TetOctComplex.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -112,6 +115,29 @@ TEST(LimitStencils, ClosedForms)
   const SparseRows<int> tet = MakeRows(FindInZoo("SingleTet"));
   EXPECT_NEAR(GetWeight(tet, 0, 0), 2. / 5., 1e-15);
   EXPECT_NEAR(GetWeight(tet, 0, 1), 1. / 5., 1e-15);
+}
+
+TEST(LimitStencils, ClosedFormOfLoopsOwnWeights)
+{
+  StrataOptions options;
+  options.Weights = LoopWeights::Loop;
+  for (int m : { 3, 4, 5, 6, 7, 20, 300 })
+  {
+    const Mesh fan = MakeFan("Fan", m, true);
+    const double wave = 3. / 8. + std::cos(2. * Pi / m) / 4.;
+    const double c = (5. / 8. - wave * wave) / m;
+    const double b = 8. * c / (3. + 8. * m * c);
+    const auto check = [&](const SparseRows<int>& rows, const char* scheme)
+    {
+      EXPECT_NEAR(GetWeight(rows, 0, 0), 1. - m * b, 1e-13) << m << scheme;
+      EXPECT_NEAR(GetWeight(rows, 0, 1), b, 1e-15) << m << scheme;
+      EXPECT_NEAR(GetWeight(rows, 0, m), b, 1e-15) << m << scheme;
+      EXPECT_NEAR(GetWeight(rows, 1, 1), 2. / 3., 1e-15) << m << scheme;
+    };
+    check(BuildLimitRows(Build<int>(fan.Cells, fan.Singular, options).Level), " box spline");
+    check(BuildLimitRows(MakeTetOctLevel(Build<int>(fan.Cells, fan.Singular, options).Level)),
+      " tet/oct");
+  }
 }
 
 /// The box spline's values at lattice points: those of its generating function (12), 15 points.

@@ -346,7 +346,7 @@ TEST(LocalLimit, SemiSharpCreases)
   {
     SCOPED_TRACE(mesh.Name);
     ++seed;
-    const SemiSharpMesh semi(mesh, OptionNames[seed % 8], seed);
+    const SemiSharpMesh semi(mesh, OptionNames[seed % std::size(OptionNames)], seed);
     std::vector<Level<int>> levels;
     const std::vector<double> values = MakeValues(2 * mesh.Cells.NumberOfPoints, 3);
     std::vector<double> uniform = values;

@@ -289,7 +289,7 @@ TEST(SurfaceLoop, EachSectorOfACornerHasItsOwnAngle)
 
 TEST(SurfaceLoop, ThirdEigenvalueAtCorners)
 {
-  const auto scheme = MakeLoopScheme<int>(true);
+  const auto scheme = MakeLoopScheme<int>(true, LoopWeights::Warren);
   EXPECT_NEAR(scheme->GetThirdEigenvalue(3, 1.5 * Pi), 5. / 8., 1e-15);
   EXPECT_NEAR(scheme->GetThirdEigenvalue(2, 1.5 * Pi), 0.5 + std::sqrt(2.) / 8., 1e-15);
   EXPECT_NEAR(scheme->GetThirdEigenvalue(4, Pi / 2.), 0.4458068121688152, 1e-15);

@@ -56,8 +56,10 @@ Model MakeFaces(int faces, bool triangles, bool half, double angle)
 class Limits
 {
 public:
-  Limits(const Model& model, bool triangles, bool modified = true)
-    : Scheme(triangles ? MakeLoopScheme<int>(modified) : MakeCatmullClarkScheme<int>(modified))
+  Limits(const Model& model, bool triangles, bool modified = true,
+    LoopWeights weights = LoopWeights::Warren)
+    : Scheme(
+        triangles ? MakeLoopScheme<int>(modified, weights) : MakeCatmullClarkScheme<int>(modified))
     , Level(MakeLevel(model.Points.size(), model.Faces, {}))
   {
     ClassifyModel(model, *this->Scheme, SurfaceFeatures(), this->Level);
@@ -192,6 +194,22 @@ TEST(SurfaceLimitRows, PositionsOfLoop)
     const Limits limits(MakeFaces(n, true, false, 2. * Pi), true);
     const Weights expected =
       Join(weights.first, std::vector<double>(static_cast<std::size_t>(n), weights.second));
+    ExpectRow(limits.GetRow(LimitKind::Position), expected, what);
+    ExpectRow(limits.GoBack(expected), expected, what + ": a step does not move it");
+  }
+}
+
+TEST(SurfaceLimitRows, PositionsOfLoopWithHisOwnWeights)
+{
+  for (int n = 3; n <= 12; ++n)
+  {
+    const std::string what = "valence " + std::to_string(n);
+    const Limits limits(MakeFaces(n, true, false, 2. * Pi), true, true, LoopWeights::Loop);
+    const double wave = 3. / 8. + std::cos(2. * Pi / n) / 4.;
+    const double weight = (5. / 8. - wave * wave) / n;
+    const double own = 3. / (11. - 8. * (1. - n * weight));
+    const Weights expected =
+      Join(own, std::vector<double>(static_cast<std::size_t>(n), (1. - own) / n));
     ExpectRow(limits.GetRow(LimitKind::Position), expected, what);
     ExpectRow(limits.GoBack(expected), expected, what + ": a step does not move it");
   }
