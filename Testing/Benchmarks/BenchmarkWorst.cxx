@@ -23,13 +23,21 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace benchmarks
 {
 namespace
 {
 
-constexpr int Sizes[] = { 5000, 10000 };
+using Sizes = std::vector<int>;
+
+const Sizes Usual = { 50000, 100000 };
+/// Where k points are computed from k neighbours each, sizes are refused before any work, see
+/// Documentation/Guide/Limits.md.
+const Sizes Refused = { 100000, 200000 };
+/// Much for each cell.
+const Sizes Slow = { 5000, 10000 };
 
 using Mesh = vtkSmartPointer<vtkPointSet>;
 
@@ -117,6 +125,43 @@ Mesh MakePolygon(int n)
   return mesh;
 }
 
+/// n triangles of a sheet, about half as many points, each of which is a corner.
+Mesh MakeCorners(int n)
+{
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> verts;
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIntArray> flags;
+  flags->SetName("Singular");
+  constexpr vtkIdType width = 100;
+  const vtkIdType height = n / (2 * width);
+  for (vtkIdType i = 0; i < (width + 1) * (height + 1); ++i)
+  {
+    const auto x = static_cast<double>(i % (width + 1));
+    const auto y = static_cast<double>(i / (width + 1));
+    points->InsertNextPoint(x, y, std::sin(x + y));
+    verts->InsertNextCell(1, &i);
+    flags->InsertNextValue(1);
+  }
+  for (vtkIdType i = 0; i < width * height; ++i)
+  {
+    const vtkIdType a = i / width * (width + 1) + i % width;
+    const vtkIdType lower[3] = { a, a + 1, a + width + 1 };
+    const vtkIdType upper[3] = { a + 1, a + width + 2, a + width + 1 };
+    polys->InsertNextCell(3, lower);
+    polys->InsertNextCell(3, upper);
+    flags->InsertNextValue(0);
+    flags->InsertNextValue(0);
+  }
+  mesh->SetPoints(points);
+  mesh->SetVerts(verts);
+  mesh->SetPolys(polys);
+  mesh->GetCellData()->AddArray(flags);
+  return mesh;
+}
+
 template <typename Filter>
 Produced Run(Stopwatch& watch, const Mesh& mesh, const std::function<void(Filter*)>& configure)
 {
@@ -134,9 +179,9 @@ Produced Run(Stopwatch& watch, const Mesh& mesh, const std::function<void(Filter
 template <typename Filter>
 void Add(
   const std::string& name, const std::function<Mesh(int)>& make,
-  const std::function<void(Filter*)>& configure = [](Filter*) {})
+  const std::function<void(Filter*)>& configure = [](Filter*) {}, const Sizes& sizes = Usual)
 {
-  for (const int size : Sizes)
+  for (const int size : sizes)
   {
     Register("worst/" + name + "/" + std::to_string(size) + "/levels:1", 1,
       [=](Stopwatch& watch) { return Run<Filter>(watch, make(size), configure); });
@@ -175,12 +220,12 @@ void RegisterWorst()
     bool HasLimits;
   } schemes[] = {
     { "Loop", Surface::LOOP, true, true },
-    { "Butterfly", Surface::MODIFIED_BUTTERFLY, true, false },
+    { "Butterfly", Surface::MODIFIED_BUTTERFLY, true, true },
     { "sqrt3", Surface::SQRT_THREE, true, true },
     { "Catmull-Clark", Surface::CATMULL_CLARK, false, true },
-    { "Doo-Sabin", Surface::DOO_SABIN, false, true },
-    { "Midedge", Surface::MIDEDGE, false, true },
-    { "4-8", Surface::FOUR_EIGHT, false, true },
+    { "Doo-Sabin", Surface::DOO_SABIN, false, false },
+    { "Midedge", Surface::MIDEDGE, false, false },
+    { "4-8", Surface::FOUR_EIGHT, false, false },
   };
   for (const auto& scheme : schemes)
   {
@@ -188,27 +233,29 @@ void RegisterWorst()
     const int kind = scheme.Kind;
     const bool ofTriangles = scheme.OfTriangles;
     const std::function<Mesh(int)> fan = [=](int n) { return MakeFan(n, ofTriangles); };
-    Add<Surface>(name + ", vertex", fan, [=](Surface* filter) { filter->SetScheme(kind); });
-    const bool projects = scheme.HasLimits;
-    Add<Surface>(name + ", vertex, limits", fan,
-      [=](Surface* filter)
-      {
-        filter->SetScheme(kind);
-        filter->SetProjectToLimit(projects);
-        filter->GenerateLimitNormalsOn();
-        filter->GenerateTangentsOn();
-      });
+    const bool hasLimits = scheme.HasLimits;
+    const Sizes& ofVertex = kind == Surface::MODIFIED_BUTTERFLY ? Refused : Usual;
+    const Sizes& ofPolygon = kind == Surface::DOO_SABIN ? Refused : Usual;
+    const auto plain = [=](Surface* filter) { filter->SetScheme(kind); };
+    const auto limits = [=](Surface* filter)
+    {
+      filter->SetScheme(kind);
+      filter->ProjectToLimitOn();
+      filter->GenerateLimitNormalsOn();
+      filter->GenerateTangentsOn();
+    };
+    Add<Surface>(name + ", vertex", fan, plain, ofVertex);
+    if (hasLimits)
+    {
+      Add<Surface>(name + ", vertex, limits", fan, limits, ofVertex);
+    }
     if (!ofTriangles)
     {
-      Add<Surface>(
-        name + ", polygon", MakePolygon, [=](Surface* filter) { filter->SetScheme(kind); });
-      Add<Surface>(name + ", polygon, limits", MakePolygon,
-        [=](Surface* filter)
-        {
-          filter->SetScheme(kind);
-          filter->ProjectToLimitOn();
-          filter->GenerateLimitNormalsOn();
-        });
+      Add<Surface>(name + ", polygon", MakePolygon, plain, ofPolygon);
+    }
+    if (!ofTriangles && hasLimits)
+    {
+      Add<Surface>(name + ", polygon, limits", MakePolygon, limits, ofPolygon);
     }
   }
   Add<Surface>(
@@ -220,6 +267,15 @@ void RegisterWorst()
     {
       filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Sharpness");
       filter->ProjectToLimitOn();
+    },
+    Slow);
+  Add<Surface>("Loop, corners everywhere, limits", MakeCorners,
+    [](Surface* filter)
+    {
+      filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Singular");
+      filter->ProjectToLimitOn();
+      filter->GenerateLimitNormalsOn();
+      filter->GenerateTangentsOn();
     });
 }
 

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace subdivision
 {
@@ -101,16 +103,6 @@ Vector3 WidestNormal(const std::vector<Vector3>& points, double leastSine)
   return Dot(normal, normal) > 0 ? normal : Vector3{ 0, 0, 1 };
 }
 
-double Cross2(const double* a, const double* b, const double* p)
-{
-  return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
-}
-
-double Distance2(const double* a, const double* b)
-{
-  return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
-}
-
 }
 
 PolygonEars::PolygonEars(vtkPoints* points, const PointOrder& order)
@@ -133,9 +125,13 @@ const std::vector<std::array<vtkIdType, 3>>& PolygonEars::Cut(const vtkIdType* l
 {
   this->Triangles.clear();
   this->Project(loop, size);
-  for (Corner& corner : this->Corners)
+  if (this->Searches())
   {
-    this->Examine(corner);
+    this->StartSearch();
+  }
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    this->Examine(i);
   }
   vtkIdType start = 0;
   for (vtkIdType left = size; left > 2; --left)
@@ -152,10 +148,43 @@ const std::vector<std::array<vtkIdType, 3>>& PolygonEars::Cut(const vtkIdType* l
     previous.Next = corner.Next;
     next.Previous = corner.Previous;
     start = corner.Previous;
-    this->Examine(previous);
-    this->Examine(next);
+    this->Remove(tip);
+    this->Examine(corner.Previous);
+    this->Examine(corner.Next);
   }
   return this->Triangles;
+}
+
+void PolygonEars::StartSearch()
+{
+  const auto size = static_cast<vtkIdType>(this->Corners.size());
+  this->ByRank.resize(this->Corners.size());
+  std::vector<std::array<double, 2>> places(this->Corners.size());
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    this->ByRank[i] = i;
+    places[i] = { this->Corners[i].X[0], this->Corners[i].X[1] };
+  }
+  std::stable_sort(this->ByRank.begin(), this->ByRank.end(),
+    [this](vtkIdType a, vtkIdType b) { return this->Precedes(a, b); });
+  this->Ranks.resize(this->Corners.size());
+  for (vtkIdType rank = 0; rank < size; ++rank)
+  {
+    this->Ranks[this->ByRank[rank]] = rank;
+  }
+  this->Diagonals.Reset(size);
+  this->Harms.Reset(size);
+  this->Left.Reset(std::move(places));
+}
+
+void PolygonEars::Remove(vtkIdType tip)
+{
+  if (this->Searches())
+  {
+    this->Diagonals.Set(this->Ranks[tip], std::numeric_limits<double>::infinity());
+    this->Harms.Set(this->Ranks[tip], std::numeric_limits<double>::infinity());
+    this->Left.Remove(tip);
+  }
 }
 
 void PolygonEars::Project(const vtkIdType* loop, vtkIdType size)
@@ -192,36 +221,41 @@ void PolygonEars::Project(const vtkIdType* loop, vtkIdType size)
   }
 }
 
-void PolygonEars::Examine(Corner& corner) const
+/// Whether the corner bends outwards (sign 1) or inwards (-1).
+bool PolygonEars::Bends(const Corner& corner, double sign) const
 {
   const double* a = this->Corners[corner.Previous].X;
   const double* b = this->Corners[corner.Next].X;
-  corner.Diagonal2 = Distance2(a, b);
-  const bool convex =
-    IsBeyond(Cross2(a, corner.X, b), Distance2(a, corner.X), Distance2(corner.X, b), 1);
-  corner.IsEar = convex && this->IsFree(corner);
+  return IsBeyond(Cross2(a, corner.X, b), Distance2(a, corner.X), Distance2(corner.X, b), sign);
 }
 
-bool PolygonEars::IsFree(const Corner& corner) const
+void PolygonEars::Examine(vtkIdType tip)
 {
-  const double* t[3] = { this->Corners[corner.Previous].X, corner.X, this->Corners[corner.Next].X };
-  const Corner* other = &this->Corners[this->Corners[corner.Next].Next];
-  for (; other != &this->Corners[corner.Previous]; other = &this->Corners[other->Next])
+  Corner& corner = this->Corners[tip];
+  corner.Diagonal2 = Distance2(this->Corners[corner.Previous].X, this->Corners[corner.Next].X);
+  corner.IsEar = this->Bends(corner, 1) && this->IsFree(tip);
+  if (this->Searches())
   {
-    const double* p = other->X;
-    bool outside = false;
-    bool coincident = false;
-    for (int i = 0; i < 3 && !outside; ++i)
-    {
-      const double* a = t[i];
-      const double* b = t[(i + 1) % 3];
-      const double toPoint2 = Distance2(a, p);
-      coincident = coincident || toPoint2 == 0;
-      outside = IsBeyond(Cross2(a, b, p), Distance2(a, b), toPoint2, -1);
-    }
-    // A point at the same place as a corner is where two parts of the polygon touch (a bridge to a
-    // hole).
-    if (!outside && !coincident)
+    this->Diagonals.Set(
+      this->Ranks[tip], corner.IsEar ? corner.Diagonal2 : std::numeric_limits<double>::infinity());
+    this->Harms.Set(this->Ranks[tip], this->Bends(corner, -1) ? 1. : 0.);
+  }
+}
+
+bool PolygonEars::IsFree(vtkIdType tip) const
+{
+  const Corner& corner = this->Corners[tip];
+  EarTriangle triangle(
+    this->Corners[corner.Previous].X, corner.X, this->Corners[corner.Next].X, this->LeastSine);
+  if (this->Searches())
+  {
+    triangle.Bound();
+    return !this->Left.HasAnyIn(triangle, { corner.Previous, tip, corner.Next });
+  }
+  vtkIdType other = this->Corners[corner.Next].Next;
+  for (; other != corner.Previous; other = this->Corners[other].Next)
+  {
+    if (triangle.Contains(this->Corners[other].X))
     {
       return false;
     }
@@ -229,8 +263,33 @@ bool PolygonEars::IsFree(const Corner& corner) const
   return true;
 }
 
+/// Of the corners whose value is at most `most` the one with the smallest point; if the loop has it
+/// several times, the first one from `start` on.
+vtkIdType PolygonEars::FindSmallest(const FirstOfLeast& values, double most, vtkIdType start) const
+{
+  const vtkIdType smallest = this->ByRank[values.FindFirst(most, 0)];
+  if (smallest >= start)
+  {
+    return smallest;
+  }
+  // The ranks of the same point begin with that of `smallest` at the latest, in order of the loop.
+  const auto after = std::lower_bound(this->ByRank.begin(), this->ByRank.end(), start,
+    [&](vtkIdType at, vtkIdType wanted)
+    { return this->Precedes(at, smallest) || (!this->Precedes(smallest, at) && at < wanted); });
+  const vtkIdType rank = values.FindFirst(most, after - this->ByRank.begin());
+  const bool isSame = rank >= 0 && !this->Precedes(smallest, this->ByRank[rank]);
+  return isSame ? this->ByRank[rank] : smallest;
+}
+
 vtkIdType PolygonEars::FindBestEar(vtkIdType start) const
 {
+  if (this->Searches())
+  {
+    const double least = this->Diagonals.GetLeast();
+    return std::isinf(least)
+      ? -1
+      : this->FindSmallest(this->Diagonals, least * (1 + 2 * this->Tie), start);
+  }
   double shortest = -1;
   vtkIdType i = start;
   do
@@ -247,7 +306,7 @@ vtkIdType PolygonEars::FindBestEar(vtkIdType start) const
   {
     const Corner& corner = this->Corners[i];
     if (corner.IsEar && corner.Diagonal2 <= shortest * (1 + 2 * this->Tie) &&
-      (best < 0 || this->Order(corner.Id, this->Corners[best].Id)))
+      (best < 0 || this->Precedes(i, best)))
     {
       best = i;
     }
@@ -256,21 +315,20 @@ vtkIdType PolygonEars::FindBestEar(vtkIdType start) const
   return best;
 }
 
-/// No ear is left: cut the smallest point that does not bend inwards, or else the smallest one.
 vtkIdType PolygonEars::FindLeastHarm(vtkIdType start) const
 {
+  if (this->Searches())
+  {
+    return this->FindSmallest(this->Harms, this->Harms.GetLeast(), start);
+  }
   vtkIdType best = -1;
   bool bestBends = true;
   vtkIdType i = start;
   do
   {
     const Corner& corner = this->Corners[i];
-    const double* a = this->Corners[corner.Previous].X;
-    const double* b = this->Corners[corner.Next].X;
-    const bool bends =
-      IsBeyond(Cross2(a, corner.X, b), Distance2(a, corner.X), Distance2(corner.X, b), -1);
-    if (best < 0 || (bestBends && !bends) ||
-      (bestBends == bends && this->Order(corner.Id, this->Corners[best].Id)))
+    const bool bends = this->Bends(corner, -1);
+    if (best < 0 || (bestBends && !bends) || (bestBends == bends && this->Precedes(i, best)))
     {
       best = i;
       bestBends = bends;

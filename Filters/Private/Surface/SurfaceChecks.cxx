@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceChecks.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Surface/SurfaceCreases.h"
 
@@ -10,8 +11,10 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -42,6 +45,72 @@ std::string CheckSize(vtkPolyData* input, const SurfaceCells& cells,
   return CheckMemory(all, points, bytes, options.Levels);
 }
 
+/// Vertices or faces with so many neighbours that k rows of k values take long.
+struct ManyNeighbours
+{
+  double Values = 0.; ///< sum of k^2
+  vtkIdType Largest = -1;
+  vtkIdType Size = 0; ///< of the largest
+
+  void Add(vtkIdType item, vtkIdType size)
+  {
+    constexpr vtkIdType few = 256; // in meshes of any size, values are up to so many times the rows
+    if (size > few)
+    {
+      this->Values += static_cast<double>(size) * static_cast<double>(size);
+      this->Largest = size > this->Size ? item : this->Largest;
+      this->Size = std::max(size, this->Size);
+    }
+  }
+};
+
+/// The error message if the rows of a step would have more values than can be computed in seconds.
+std::string CheckDenseRows(
+  const SurfaceCells& cells, const SurfaceScheme<int>& scheme, const SurfaceOptions& options)
+{
+  constexpr double most = 4e8; // some 10 s
+  const DenseRows kind = scheme.GetDenseRows();
+  if (kind == DenseRows::None || options.Levels == 0)
+  {
+    return std::string();
+  }
+  std::vector<vtkIdType> valences(static_cast<std::size_t>(cells.NumberOfPoints), 0);
+  for (const vtkIdType point : InTurn(cells.Corners))
+  {
+    ++valences[point];
+  }
+  ManyNeighbours vertices;
+  ForEachInTurn(
+    cells.NumberOfPoints, [&](vtkIdType point) { vertices.Add(point, valences[point]); });
+  ManyNeighbours faces;
+  ForEachInTurn(cells.GetNumberOfFaces(), [&](vtkIdType face)
+    { faces.Add(cells.FaceCells[face], cells.FaceOffsets[face + 1] - cells.FaceOffsets[face]); });
+  // The faces that a dual scheme makes of vertices are there from the second level on. Each tangent
+  // is a sum of all these rows, which takes about five times as long as they do.
+  const bool isDual = kind == DenseRows::OfFaces;
+  const bool hasTangents =
+    scheme.HasLimit() && (options.GenerateLimitNormals || options.GenerateTangents);
+  const double ofVertices =
+    vertices.Values * (isDual ? options.Levels - 1. : options.Levels + (hasTangents ? 10. : 0.));
+  const double ofFaces = isDual ? faces.Values * options.Levels : 0.;
+  if (ofVertices + ofFaces <= most)
+  {
+    return std::string();
+  }
+  std::ostringstream message;
+  ofFaces > ofVertices
+    ? message << "Cell " << faces.Largest << " has " << faces.Size << " corners"
+    : message << "Point " << vertices.Largest << " has " << vertices.Size << " faces around it";
+  message << ". This scheme computes each new point there from all of them: "
+          << static_cast<vtkIdType>(ofVertices + ofFaces) << " values, above "
+          << static_cast<vtkIdType>(most) << ", which would take too long. "
+          << (isDual ? "Take the scheme CatmullClark or Midedge"
+                     : "Take the scheme Loop or SqrtThree")
+          << (ofFaces > ofVertices ? ", or cut the cell into smaller ones."
+                                   : ", or cut the faces there so that fewer share the point.");
+  return message.str();
+}
+
 }
 
 bool ReadAndCheck(vtkPolyData* input, const SurfaceScheme<int>& scheme,
@@ -57,9 +126,10 @@ bool ReadAndCheck(vtkPolyData* input, const SurfaceScheme<int>& scheme,
   WarnOfUnused(scheme, options);
   double faces = 0.;
   const std::string tooLarge = CheckSize(input, cells, scheme, options, faces);
-  if (!tooLarge.empty())
+  const std::string tooDense = tooLarge.empty() ? CheckDenseRows(cells, scheme, options) : tooLarge;
+  if (!tooDense.empty())
   {
-    options.Fail(tooLarge);
+    options.Fail(tooDense);
     return false;
   }
   isLarge = 16. *

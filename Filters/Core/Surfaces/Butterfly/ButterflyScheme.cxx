@@ -32,6 +32,7 @@ class ButterflyScheme : public QuarteringScheme<Id>
 {
 public:
   bool HasCornersOfOneFace() const override { return true; }
+  DenseRows GetDenseRows() const override { return DenseRows::OfVertices; }
   /// Sets Places: for each vertex with one closed fan and smooth edges only the number of its
   /// faces, otherwise 0.
   void Prepare(SurfaceLevel<Id>& level) const override;

@@ -32,6 +32,7 @@ public:
   bool UsesTags() const override { return false; }
   bool KeepsVertices() const override { return false; }
   bool HalvesEdges() const override { return false; }
+  DenseRows GetDenseRows() const override { return DenseRows::OfFaces; }
   double CountFaces(double faces, double corners, int steps) const override
   {
     return steps > 0 ? corners * std::pow(4., steps - 1) : faces;

@@ -125,6 +125,15 @@ enum class LimitKind
   Tangent2
 };
 
+/// What has as many new vertices around it as neighbours, each computed from all of them: so k rows
+/// of k values.
+enum class DenseRows
+{
+  None,
+  OfVertices, ///< k faces around a vertex
+  OfFaces     ///< k corners of a face; vertices become such faces in dual schemes
+};
+
 template <typename Id>
 class SurfaceScheme
 {
@@ -159,6 +168,8 @@ public:
   {
     return faces * std::pow(4., steps);
   }
+
+  virtual DenseRows GetDenseRows() const { return DenseRows::None; }
 
   /// Number of vertices of the next level.
   virtual vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const = 0;

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Reading/PolygonEars.h"
+
+#include "vtkNew.h"
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+using subdivision::PointOrder;
+using subdivision::PolygonEars;
+
+namespace
+{
+
+using Place = std::array<double, 2>;
+using Triangles = std::vector<std::array<vtkIdType, 3>>;
+
+/// A polygon, and which point is at each of its corners; several may have the same one.
+struct Loop
+{
+  std::vector<Place> Places;
+  std::vector<vtkIdType> Ids;
+};
+
+Triangles Cut(const Loop& loop, int type, vtkIdType fewCorners)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(type);
+  for (const Place& place : loop.Places)
+  {
+    points->InsertNextPoint(place[0], 0.5 * place[0] - 2. * place[1] + 7., place[1]);
+  }
+  const vtkIdType before = PolygonEars::FewCorners;
+  PolygonEars::FewCorners = fewCorners;
+  PolygonEars ears(points, PointOrder());
+  const Triangles triangles = ears.Cut(loop.Ids.data(), static_cast<vtkIdType>(loop.Ids.size()));
+  PolygonEars::FewCorners = before;
+  return triangles;
+}
+
+/// In any order of points.
+Loop Number(const std::vector<Place>& outline, std::mt19937& random)
+{
+  Loop loop;
+  loop.Ids.resize(outline.size());
+  std::iota(loop.Ids.begin(), loop.Ids.end(), 0);
+  std::shuffle(loop.Ids.begin(), loop.Ids.end(), random);
+  loop.Places.resize(outline.size());
+  for (std::size_t i = 0; i < outline.size(); ++i)
+  {
+    loop.Places[loop.Ids[i]] = outline[i];
+  }
+  return loop;
+}
+
+using Shape = std::vector<Place> (*)(int n, std::mt19937& random);
+
+double Draw(std::mt19937& random, double low, double high)
+{
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+Place OnCircle(double radius, double turns)
+{
+  const double angle = 2. * 3.141592653589793 * turns;
+  return { radius * std::cos(angle), radius * std::sin(angle) };
+}
+
+std::vector<Place> MakeCircle(int n, std::mt19937&)
+{
+  std::vector<Place> outline;
+  for (int i = 0; i < n; ++i)
+  {
+    outline.push_back(OnCircle(1., double(i) / n));
+  }
+  return outline;
+}
+
+std::vector<Place> MakeStar(int n, std::mt19937& random)
+{
+  std::vector<Place> outline;
+  for (int i = 0; i < n; ++i)
+  {
+    outline.push_back(OnCircle(Draw(random, 0.1, 1.), double(i) / n));
+  }
+  return outline;
+}
+
+/// Long teeth, turned: their boxes hold most other corners.
+std::vector<Place> MakeComb(int n, std::mt19937&)
+{
+  std::vector<Place> outline = { { 0., 0. }, { 8., 8. } };
+  const double step = 16. / n;
+  for (double at = 8.; at > step; at -= step)
+  {
+    outline.push_back({ at - 5., at + 5. });
+    outline.push_back({ at - 0.5 * step - 0.01, at - 0.5 * step + 0.01 });
+  }
+  return outline;
+}
+
+/// Many corners on straight lines, many equal lengths, and many places twice; it crosses itself.
+std::vector<Place> MakeWalkOnAGrid(int n, std::mt19937& random)
+{
+  std::vector<Place> outline;
+  Place at = { 0., 0. };
+  for (int i = 0; i < n; ++i)
+  {
+    at[random() % 2] += random() % 3 == 0 ? -1. : 1.;
+    outline.push_back(at);
+  }
+  return outline;
+}
+
+std::vector<Place> MakeNoise(int n, std::mt19937& random)
+{
+  std::vector<Place> outline;
+  for (int i = 0; i < n; ++i)
+  {
+    outline.push_back({ Draw(random, 0., 1.), Draw(random, 0., 1.) });
+  }
+  return outline;
+}
+
+/// Bends that are as small as what counts as zero.
+std::vector<Place> MakeAlmostStraight(int n, std::mt19937& random)
+{
+  std::vector<Place> outline = { { 0.5, -1. } };
+  for (int i = 0; i < n; ++i)
+  {
+    outline.push_back({ 1. - double(i) / n, Draw(random, 0., 1e-10) });
+  }
+  return outline;
+}
+
+std::vector<Place> MakeSpiral(int n, std::mt19937&)
+{
+  std::vector<Place> outline;
+  for (int side = 0; side < 2; ++side)
+  {
+    for (int i = 0; i < n / 2; ++i)
+    {
+      const int at = side == 0 ? i : n / 2 - 1 - i;
+      outline.push_back(OnCircle(1. + 10. * at / n + 0.4 * side, 5. * at / n));
+    }
+  }
+  return outline;
+}
+
+const Shape Shapes[] = { MakeCircle, MakeStar, MakeComb, MakeWalkOnAGrid, MakeNoise,
+  MakeAlmostStraight, MakeSpiral };
+
+}
+
+TEST(PolygonEars, TheSearchCutsWhatLookingAtAllCornersCuts)
+{
+  std::mt19937 random(1);
+  int number = 0;
+  for (const Shape shape : Shapes)
+  {
+    SCOPED_TRACE("shape " + std::to_string(number++));
+    for (const int n : { 5, 9, 17, 40, 150, 400 })
+    {
+      SCOPED_TRACE(n);
+      for (int i = 0; i < 20; ++i)
+      {
+        const Loop loop = Number(shape(n, random), random);
+        for (const int type : { VTK_FLOAT, VTK_DOUBLE })
+        {
+          ASSERT_EQ(Cut(loop, type, 3), Cut(loop, type, 1000000));
+        }
+      }
+    }
+  }
+}
+
+/// Places of a grid, each with one point, which many corners of the loop have: ties of ties.
+TEST(PolygonEars, TheSearchTakesTheSameOfSeveralCornersAtOnePoint)
+{
+  std::mt19937 random(2);
+  for (int i = 0; i < 300; ++i)
+  {
+    Loop loop;
+    for (int place = 0; place < 16; ++place)
+    {
+      loop.Places.push_back({ double(place / 4), double(place % 4) });
+    }
+    for (int corner = 0; corner < 5 + i; ++corner)
+    {
+      loop.Ids.push_back(static_cast<vtkIdType>(random() % 16));
+    }
+    ASSERT_EQ(Cut(loop, VTK_DOUBLE, 3), Cut(loop, VTK_DOUBLE, 1000000)) << i;
+  }
+}
+
+/// Looking at all corners for each ear would take 10^10 steps and more.
+TEST(PolygonEars, VeryManyCornersAreCut)
+{
+  std::mt19937 random(3);
+  for (const Shape shape : { MakeCircle, MakeStar, MakeComb })
+  {
+    const Loop loop = Number(shape(shape == MakeComb ? 30000 : 100000, random), random);
+    const Triangles triangles = Cut(loop, VTK_DOUBLE, PolygonEars::FewCorners);
+    ASSERT_EQ(triangles.size() + 2, loop.Ids.size());
+    double sum = 0.;
+    for (const auto& t : triangles)
+    {
+      const double area = subdivision::Cross2(
+        loop.Places[t[0]].data(), loop.Places[t[1]].data(), loop.Places[t[2]].data());
+      EXPECT_GT(area, 0.);
+      sum += area;
+    }
+    double whole = 0.;
+    for (std::size_t i = 0; i < loop.Ids.size(); ++i)
+    {
+      const Place& a = loop.Places[loop.Ids[i]];
+      const Place& b = loop.Places[loop.Ids[(i + 1) % loop.Ids.size()]];
+      whole += a[0] * b[1] - a[1] * b[0];
+    }
+    EXPECT_NEAR(sum, whole, 1e-9 * whole);
+  }
+}
