@@ -320,7 +320,8 @@ public:
    * rules; NumberOfLevels does not matter. Place i is in cell cells[i], a vertex, line, triangle or
    * tetrahedron, at parameters[i] (3 components, of which a cell of dimension d reads d): the
    * second point of the cell has the weight u, the third v, the fourth w, and the first 1 - u - v -
-   * w. Curves and surfaces have limits by all volume schemes, solids by BOX_SPLINE and LINEAR.
+   * w; no weight is negative. Curves and surfaces have limits by all volume schemes, solids by
+   * BOX_SPLINE and LINEAR.
    *
    * `result` has a point and a vertex for each place, in double, with all smoothed arrays there (an
    * array that is not smoothed has the value of the nearest corner), and the arrays DerivativeU,

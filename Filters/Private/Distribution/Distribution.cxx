@@ -126,7 +126,7 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
     {
       JoinedMesh joined = Join(run.Parts, run.PointType);
       AddPointBlocks(run.Parts, joined);
-      if (!RestoreStamp(run.Parts, run.AreStamped, joined))
+      if (!RestoreStamp(run.Parts, run.AreStamped, run.IsPartial, joined))
       {
         run.Options.Warn(
           "Earlier filters made the blocks or partitions of the input, but not all of "

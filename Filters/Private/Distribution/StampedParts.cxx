@@ -425,7 +425,8 @@ bool HaveRegions(const std::vector<MeshPart>& parts)
     parts.begin(), parts.end(), [](const MeshPart& part) { return HasRegion(part.Mesh); });
 }
 
-bool RestoreStamp(const std::vector<MeshPart>& parts, bool taken, JoinedMesh& joined)
+bool RestoreStamp(
+  const std::vector<MeshPart>& parts, bool taken, bool isPartial, JoinedMesh& joined)
 {
   if (!std::any_of(
         parts.begin(), parts.end(), [](const MeshPart& part) { return HasStamp(part.Mesh); }))
@@ -434,7 +435,10 @@ bool RestoreStamp(const std::vector<MeshPart>& parts, bool taken, JoinedMesh& jo
   }
   const bool isWhole = AreConsecutive(joined.PointIds) && AreConsecutive(joined.CellIds);
   vtkFieldData* field = parts[0].Mesh->GetFieldData();
-  if (taken && HasRegion(parts[0].Mesh))
+  // A block that is the whole output of an earlier filter has the stamp of that.
+  const bool isWholeOutput =
+    !taken && !isPartial && isWhole && parts.size() == 1 && !field->HasArray(BlockPointsName);
+  if (isWholeOutput || (taken && HasRegion(parts[0].Mesh)))
   {
     CopyStamp(field, joined.Mesh->GetFieldData());
     return true;

@@ -37,8 +37,10 @@ bool HaveRegions(const std::vector<MeshPart>& parts);
 bool IsStampedList(vtkAbstractArray* array);
 
 /// Gives the joined mesh of a partition the stamp of its parts. `taken` is what TakeStampedNumbers
-/// returned. Returns false if there is a stamp that is lost.
-bool RestoreStamp(const std::vector<MeshPart>& parts, bool taken, JoinedMesh& joined);
+/// returned; `isPartial`: whether there are other partitions. Returns false if there is a stamp
+/// that is lost.
+bool RestoreStamp(
+  const std::vector<MeshPart>& parts, bool taken, bool isPartial, JoinedMesh& joined);
 
 /**
  * The cells of a part in the groups in which AddLayers sends them: the descendants of one control

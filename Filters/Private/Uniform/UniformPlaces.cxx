@@ -229,6 +229,15 @@ void AddVertices(vtkIdType size, vtkPolyData* output)
   output->SetVerts(vertices);
 }
 
+/// Whether a place lies in its simplex, but for rounding.
+template <typename Id>
+bool IsInside(const LimitPlace<Id>& place)
+{
+  constexpr double rounding = 1e-9;
+  const Vector& p = place.Parameters;
+  return *std::min_element(p.begin(), p.end()) >= -rounding && p[0] + p[1] + p[2] <= 1. + rounding;
+}
+
 }
 
 /// Finds the simplex of the cell of each place, and the order of its corners. Returns false, after
@@ -280,6 +289,14 @@ bool UniformRun::ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<
         this->Options.Fail("The parameters of place " + std::to_string(i) + " are not finite.");
         return false;
       }
+    }
+    if (!IsInside(place))
+    {
+      this->Options.Fail("Place " + std::to_string(i) + " is outside of cell " +
+        std::to_string(cell) +
+        ": parameters are not negative, and their sum is 1 at most. Use the "
+        "Subdivision Limit Probe for points of which the cell is not known.");
+      return false;
     }
     places.push_back(place);
   }

@@ -219,6 +219,20 @@ TEST(Blocks, FiltersInARowAreOne)
   ExpectWhole(vtkPointSet::SafeDownCast(once), GetLeaves(blocks));
 }
 
+TEST(Blocks, OneThatIsTheWholeOutputGoesOn)
+{
+  const Grid box = MakeBox(2);
+  const auto once = RunFilterOn(MakeUniform(2).Get(), box);
+  const auto first = RunFilterOn(MakeUniform(1).Get(), box);
+  auto filter = MakeUniform(1);
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputDataObject(MakeBlocks({ vtkPointSet::SafeDownCast(first) }));
+  filter->Update();
+  EXPECT_TRUE(messages->Warnings.empty());
+  ExpectWhole(vtkPointSet::SafeDownCast(once), GetLeaves(filter->GetOutputDataObject(0)));
+}
+
 TEST(Blocks, ThatDoNotGoOnAreSaid)
 {
   // One of two blocks of an earlier output, and blocks that were subdivided each by itself.

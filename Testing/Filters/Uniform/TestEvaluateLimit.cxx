@@ -470,6 +470,8 @@ TEST(EvaluateLimit, Errors)
     { { VTK_TETRA, { 0, 1, 2, 3 } } });
   filter->SetInputData(tet);
   fails(0, { std::nan(""), 0., 0. }, "not finite");
+  fails(0, { 0.6, 0.6, 0. }, "outside of cell 0");
+  fails(0, { -0.1, 0.2, 0. }, "outside of cell 0");
   filter->SetVolumeSchemeToTetOct();
   fails(0, { 0.2, 0.2, 0.2 }, "BoxSpline or Linear");
   filter->SetVolumeSchemeToBoxSpline();
