@@ -5,6 +5,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/MatrixArrays.h"
+#include "Private/Control/CoincidentPoints.h"
 #include "Private/Control/MaterialFields.h"
 #include "Private/Control/ToldWarnings.h"
 #include "Private/Distribution/Distribution.h"
@@ -139,7 +140,8 @@ vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::ReadInput(
 {
   const auto rule = this->QuadraticCells == PIECES ? subdivision::NonLinearRule::Pieces
                                                    : subdivision::NonLinearRule::Corners;
-  return subdivision::MakeReadable(input, rule, warnings);
+  const auto readable = subdivision::MakeReadable(input, rule, warnings);
+  return this->MergePoints ? subdivision::MergeCoincidentPoints(readable) : readable;
 }
 
 vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::Mark(
@@ -424,6 +426,7 @@ void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Type2Rule: " << this->Type2Rule << "\n";
   os << indent << "Type3Rule: " << this->Type3Rule << "\n";
   os << indent << "QuadraticCells: " << this->QuadraticCells << "\n";
+  os << indent << "MergePoints: " << this->MergePoints << "\n";
   os << indent << "JoinBlocks: " << this->JoinBlocks << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";
 }

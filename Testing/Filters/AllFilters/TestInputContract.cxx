@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestInputContract.cxx
+ * Each row of the tables of Documentation/Guide/InputContract.md is what the filter does: what it
+ * says, word by word, and how many points and cells the output has. Each key has a row.
+ */
+#include "FeatureTools.h"
+
+#include "vtkBitArray.h"
+#include "vtkFloatArray.h"
+#include "vtkTable.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <regex>
+#include <sstream>
+
+using namespace feature_tools;
+
+namespace
+{
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinite = std::numeric_limits<double>::infinity();
+
+/// What the filter gets: a mesh, whose changes a case makes, and options.
+struct Trial
+{
+  std::vector<Point> Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } };
+  std::vector<Cell> Cells = { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 1, 2, 3, 4 } } };
+  std::function<void(vtkUnstructuredGrid*)> Change = [](vtkUnstructuredGrid*) {};
+  Configure Set = [](Filter*) {};
+  vtkSmartPointer<vtkDataObject> Other; ///< in place of the mesh
+  bool HasInput = true;
+};
+
+using Case = std::function<void(Trial&)>;
+
+template <typename Array>
+vtkSmartPointer<Array> MakeNamed(const char* name, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+template <typename Array>
+vtkSmartPointer<Array> MakeFilled(const char* name, vtkIdType tuples, double value)
+{
+  auto array = MakeNamed<Array>(name, 1, tuples);
+  array->FillComponent(0, value);
+  return array;
+}
+
+Case Scale(double factor)
+{
+  return [factor](Trial& trial)
+  {
+    for (Point& p : trial.Points)
+    {
+      for (double& x : p)
+      {
+        x *= factor;
+      }
+    }
+  };
+}
+
+Case MoveLast(const Point& to)
+{
+  return [to](Trial& trial) { trial.Points[4] = to; };
+}
+
+/// Cells beside the two tetrahedra.
+Case Add(const std::vector<Cell>& cells)
+{
+  return [cells](Trial& trial)
+  { trial.Cells.insert(trial.Cells.end(), cells.begin(), cells.end()); };
+}
+
+Case AddToPoints(const std::function<vtkSmartPointer<vtkAbstractArray>()>& make)
+{
+  return [make](Trial& trial)
+  { trial.Change = [make](vtkUnstructuredGrid* grid) { grid->GetPointData()->AddArray(make()); }; };
+}
+
+Case AddToCells(
+  const std::function<vtkSmartPointer<vtkAbstractArray>()>& make,
+  const Configure& set = [](Filter*) {})
+{
+  return [=](Trial& trial)
+  {
+    trial.Set = set;
+    trial.Change = [make](vtkUnstructuredGrid* grid) { grid->GetCellData()->AddArray(make()); };
+  };
+}
+
+Case With(const Configure& set)
+{
+  return [set](Trial& trial) { trial.Set = set; };
+}
+
+Case Ghosts(const std::vector<unsigned char>& types)
+{
+  return AddToCells(
+    [types]() -> vtkSmartPointer<vtkAbstractArray>
+    {
+      const auto array = MakeNamed<vtkUnsignedCharArray>(
+        vtkDataSetAttributes::GhostArrayName(), 1, static_cast<vtkIdType>(types.size()));
+      std::copy(types.begin(), types.end(), array->GetPointer(0));
+      return array;
+    });
+}
+
+Case GlobalIds(const std::vector<vtkIdType>& ids)
+{
+  return [ids](Trial& trial)
+  {
+    trial.Change = [ids](vtkUnstructuredGrid* grid)
+    {
+      const auto array = MakeNamed<vtkIdTypeArray>("ids", 1, static_cast<vtkIdType>(ids.size()));
+      std::copy(ids.begin(), ids.end(), array->GetPointer(0));
+      grid->GetPointData()->SetGlobalIds(array);
+    };
+  };
+}
+
+void SetSharpness(Filter* filter)
+{
+  SetCellArray(filter, 4, "Sharpness");
+}
+
+Case Sharpness(double value)
+{
+  return [value](Trial& trial)
+  {
+    trial.Cells.push_back({ VTK_LINE, { 1, 2 } });
+    trial.Set = SetSharpness;
+    trial.Change = [value](vtkUnstructuredGrid* grid)
+    { grid->GetCellData()->AddArray(MakeFilled<vtkDoubleArray>("Sharpness", 3, value)); };
+  };
+}
+
+const std::map<std::string, Case>& GetCases()
+{
+  static const std::map<std::string, Case> cases = {
+    { "usual", [](Trial&) {} },
+    // Coordinates
+    { "nan-coordinate", MoveLast({ 1, NaN, 1 }) },
+    { "infinite-coordinate", MoveLast({ 1, 1, -Infinite }) },
+    { "huge-coordinates", Scale(1e300) },
+    { "tiny-coordinates", Scale(1e-300) },
+    { "nan-unused-point", [](Trial& trial) { trial.Points.push_back({ NaN, 0, 0 }); } },
+    // Ids and types of cells
+    { "id-too-large", Add({ { VTK_TETRA, { 0, 1, 2, 5 } } }) },
+    { "id-negative", Add({ { VTK_TRIANGLE, { 0, -1, 2 } } }) },
+    { "id-repeated", Add({ { VTK_TETRA, { 0, 1, 2, 2 } } }) },
+    { "polygon-repeated", Add({ { VTK_POLYGON, { 0, 1, 4, 4, 2 } } }) },
+    { "hexahedron-collapsed",
+      [](Trial& trial)
+      {
+        trial.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+          { 1, 0, 1 } };
+        trial.Cells = { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 5, 4 } } };
+      } },
+    { "too-few-points", Add({ { VTK_TRIANGLE, { 0, 1 } } }) },
+    { "unknown-type", Add({ { VTK_CONVEX_POINT_SET, { 0, 1, 2, 4 } } }) },
+    { "empty-cell", Add({ { VTK_EMPTY_CELL, {} } }) },
+    { "quadratic-cell",
+      [](Trial& trial)
+      {
+        trial.Points.push_back({ 0.5, 0.5, 0 });
+        trial.Cells.push_back({ VTK_QUADRATIC_EDGE, { 1, 2, 5 } });
+      } },
+    // Shapes
+    { "inverted", [](Trial& trial) { trial.Cells[1].Points = { 1, 3, 2, 4 }; } },
+    { "flat", MoveLast({ 1. / 3, 1. / 3, 1. / 3 }) },
+    { "no-size", [](Trial& trial) { trial.Points.assign(5, { 1, 1, 1 }); } },
+    { "duplicate-cell", Add({ { VTK_TETRA, { 3, 2, 1, 0 } } }) },
+    { "face-of-a-cell", Add({ { VTK_TRIANGLE, { 0, 1, 2 } } }) },
+    { "overlapping-quads",
+      Add({ { VTK_QUAD, { 0, 1, 4, 2 } }, { VTK_TRIANGLE, { 0, 1, 4 } },
+        { VTK_TRIANGLE, { 0, 1, 2 } } }) },
+    { "polygon-crossing", Add({ { VTK_POLYGON, { 0, 2, 1, 4, 3 } } }) },
+    // Points
+    { "coincident-points",
+      [](Trial& trial)
+      {
+        trial.Points.insert(trial.Points.end(), { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } });
+        trial.Cells[1].Points = { 5, 6, 7, 4 };
+      } },
+    { "coincident-merged",
+      [](Trial& trial)
+      {
+        GetCases().at("coincident-points")(trial);
+        trial.Set = [](Filter* filter) { filter->MergePointsOn(); };
+      } },
+    { "unused-points", [](Trial& trial) { trial.Points.resize(1000, { 5, 5, 5 }); } },
+    // Arrays
+    { "nan-in-point-array",
+      AddToPoints([] { return MakeFilled<vtkDoubleArray>("values", 5, NaN); }) },
+    { "infinite-in-cell-array",
+      AddToCells([] { return MakeFilled<vtkDoubleArray>("values", 2, Infinite); }) },
+    { "point-array-short",
+      AddToPoints([] { return MakeFilled<vtkDoubleArray>("values", 4, 1.); }) },
+    { "point-array-long", AddToPoints([] { return MakeFilled<vtkDoubleArray>("values", 6, 1.); }) },
+    { "cell-array-short", AddToCells([] { return MakeFilled<vtkDoubleArray>("values", 1, 1.); }) },
+    { "cell-array-long", AddToCells([] { return MakeFilled<vtkDoubleArray>("values", 3, 1.); }) },
+    { "array-empty", AddToPoints([] { return MakeNamed<vtkDoubleArray>("values", 3, 0); }) },
+    { "array-without-name",
+      AddToPoints(
+        []
+        {
+          const auto array = MakeFilled<vtkDoubleArray>("", 5, 1.);
+          array->SetName(nullptr);
+          return array;
+        }) },
+    { "many-components",
+      AddToPoints(
+        []
+        {
+          const auto array = MakeNamed<vtkFloatArray>("values", 100000, 5);
+          array->Fill(1.);
+          return array;
+        }) },
+    { "strings", AddToPoints([] { return MakeNamed<vtkStringArray>("names", 1, 5); }) },
+    { "bits", AddToPoints([] { return MakeFilled<vtkBitArray>("bits", 5, 1.); }) },
+    { "global-ids-short", GlobalIds({ 7, 8 }) },
+    { "global-ids-equal", GlobalIds({ 7, 7, 7, 7, 7 }) },
+    // Arrays that options name
+    { "array-missing", With([](Filter* filter) { SetCellArray(filter, 0, "None here"); }) },
+    { "flags-of-floats",
+      AddToCells([] { return MakeFilled<vtkDoubleArray>("flags", 2, 0.5); },
+        [](Filter* filter) { SetCellArray(filter, 0, "flags"); }) },
+    { "flags-of-strings",
+      AddToCells([] { return MakeNamed<vtkStringArray>("flags", 1, 2); },
+        [](Filter* filter) { SetCellArray(filter, 0, "flags"); }) },
+    { "flags-of-solids",
+      AddToCells([] { return MakeFilled<vtkIntArray>("flags", 2, 1.); },
+        [](Filter* filter) { SetCellArray(filter, 0, "flags"); }) },
+    { "sharpness-nan", Sharpness(NaN) },
+    { "sharpness-negative", Sharpness(-1.) },
+    { "sharpness-infinite", Sharpness(Infinite) },
+    { "no-materials", With([](Filter* filter) { filter->PreserveInterfacesOn(); }) },
+    // Ghosts
+    { "hidden-cell", Ghosts({ vtkDataSetAttributes::HIDDENCELL, 0 }) },
+    { "all-hidden",
+      Ghosts({ vtkDataSetAttributes::HIDDENCELL, vtkDataSetAttributes::HIDDENCELL }) },
+    { "duplicate-ghost", Ghosts({ vtkDataSetAttributes::DUPLICATECELL, 0 }) },
+    { "ghosts-short", Ghosts({ vtkDataSetAttributes::HIDDENCELL }) },
+    // Options
+    { "levels-negative", With([](Filter* filter) { filter->SetNumberOfLevels(-3); }) },
+    { "levels-above-range",
+      With(
+        [](Filter* filter)
+        {
+          filter->SetNumberOfLevels(1000);
+          filter->SetMaximumNumberOfCells(1000);
+        }) },
+    { "maximum-negative", With([](Filter* filter) { filter->SetMaximumNumberOfCells(-1); }) },
+    { "angle-nan",
+      With(
+        [](Filter* filter)
+        {
+          filter->SetFeatureAngle(NaN);
+          filter->DetectFeaturesOn();
+        }) },
+    { "scheme-out-of-range", With([](Filter* filter) { filter->SetVolumeScheme(77); }) },
+    { "interpolated-array-missing",
+      With(
+        [](Filter* filter)
+        {
+          filter->InterpolateArraysOn();
+          filter->AddInterpolatedArray("None here");
+        }) },
+    // No mesh
+    { "no-input", [](Trial& trial) { trial.HasInput = false; } },
+    { "empty-grid",
+      [](Trial& trial) { trial.Other = vtkSmartPointer<vtkUnstructuredGrid>::New(); } },
+    { "no-cells", [](Trial& trial) { trial.Cells.clear(); } },
+    { "no-points", [](Trial& trial) { trial.Points.clear(); } },
+    { "wrong-class", [](Trial& trial) { trial.Other = vtkSmartPointer<vtkTable>::New(); } },
+  };
+  return cases;
+}
+
+/// What the table says, and what happened.
+struct Row
+{
+  std::string Kind; ///< nothing, warning or error
+  std::string Message;
+  std::string Points;
+  std::string Cells;
+
+  std::string GetText() const
+  {
+    return this->Kind + " | " + this->Message + " | " + this->Points + " | " + this->Cells;
+  }
+};
+
+/// Without the place in the code, the class and addresses.
+std::string Plain(const std::string& message)
+{
+  const std::size_t address = message.find("): ");
+  std::string text = address == std::string::npos ? message : message.substr(address + 3);
+  text = std::regex_replace(text, std::regex("0x[0-9a-f]+"), "address");
+  while (!text.empty() && text.back() == '\n')
+  {
+    text.pop_back();
+  }
+  return text;
+}
+
+vtkIdType CountNotFinite(vtkDataObject* data)
+{
+  auto* mesh = vtkPointSet::SafeDownCast(data);
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; mesh && i < mesh->GetNumberOfPoints(); ++i)
+  {
+    for (const double x : GetPoint(mesh, i))
+    {
+      count += std::isfinite(x) ? 0 : 1;
+    }
+  }
+  return count;
+}
+
+Row Try(const Case& make)
+{
+  Trial trial;
+  make(trial);
+  vtkNew<Filter> filter;
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetNumberOfLevels(1);
+  trial.Set(filter);
+  if (trial.HasInput && !trial.Other)
+  {
+    const Grid grid = MakeGrid(trial.Points, trial.Cells);
+    trial.Change(grid);
+    trial.Other = grid;
+  }
+  if (trial.HasInput)
+  {
+    filter->SetInputDataObject(trial.Other);
+  }
+  filter->Update();
+  EXPECT_LE(CountNotFinite(filter->GetOutputDataObject(0)), CountNotFinite(trial.Other));
+  Row row;
+  const std::vector<std::string>& errors = messages->Errors;
+  const std::vector<std::string>& warnings = messages->Warnings;
+  row.Kind = !errors.empty() ? "error"
+    : warnings.empty()       ? "nothing"
+    : warnings.size() == 1   ? "warning"
+                             : std::to_string(warnings.size()) + " warnings";
+  row.Message = !errors.empty() ? Plain(errors[0]) : warnings.empty() ? "" : Plain(warnings[0]);
+  auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  row.Points = std::to_string(output ? output->GetNumberOfPoints() : 0);
+  row.Cells = std::to_string(output ? output->GetNumberOfCells() : 0);
+  return row;
+}
+
+std::string Trim(const std::string& text)
+{
+  const std::size_t begin = text.find_first_not_of(" `");
+  const std::size_t end = text.find_last_not_of(" `");
+  return begin == std::string::npos ? "" : text.substr(begin, end + 1 - begin);
+}
+
+/// The rows of all tables of the page, by key. Columns: key, input, what is said, message, points,
+/// cells.
+std::map<std::string, Row> ReadPage()
+{
+  const char* data = std::getenv("SUBDIVISIONOBJECTS_DATA");
+  std::ifstream page(std::string(data ? data : "") + "/../Documentation/Guide/InputContract.md");
+  std::map<std::string, Row> rows;
+  std::string line;
+  while (std::getline(page, line))
+  {
+    if (line.compare(0, 3, "| `") != 0)
+    {
+      continue;
+    }
+    std::vector<std::string> columns;
+    std::istringstream text(line.substr(1));
+    for (std::string column; std::getline(text, column, '|');)
+    {
+      columns.push_back(Trim(column));
+    }
+    EXPECT_EQ(columns.size(), 6u) << line;
+    columns.resize(6);
+    EXPECT_EQ(rows.count(columns[0]), 0u) << columns[0] << " is there twice";
+    rows[columns[0]] = { columns[2], columns[3], columns[4], columns[5] };
+  }
+  return rows;
+}
+
+}
+
+TEST(InputContract, EachRowIsWhatHappens)
+{
+  const std::map<std::string, Row> rows = ReadPage();
+  ASSERT_FALSE(rows.empty()) << "no table in Documentation/Guide/InputContract.md";
+  for (const auto& row : rows)
+  {
+    const auto found = GetCases().find(row.first);
+    if (found == GetCases().end())
+    {
+      ADD_FAILURE() << row.first << " is a row, but this test makes no such input";
+      continue;
+    }
+    Row made = Try(found->second);
+    const std::string& message = row.second.Message;
+    const std::size_t size = message.size();
+    if (size > 3 && message.substr(size - 3) == "..." &&
+      made.Message.compare(0, size - 3, message, 0, size - 3) == 0)
+    {
+      made.Message = message; // whose end is that of VTK, and differs between versions
+    }
+    EXPECT_EQ(made.GetText(), row.second.GetText()) << row.first;
+  }
+}
+
+TEST(InputContract, EachInputHasARow)
+{
+  const std::map<std::string, Row> rows = ReadPage();
+  for (const auto& one : GetCases())
+  {
+    EXPECT_EQ(rows.count(one.first), 1u)
+      << "| `" << one.first << "` | | " << Try(one.second).GetText() << " |";
+  }
+}
