@@ -62,8 +62,15 @@
  * its two edges become one. Lines and vertex cells get points of their own, also where they lie on
  * the surface: lines are cubic B-splines whose ends and joints stay, as do vertex cells and points
  * that no cell uses. The limit surface goes through the mean of the corners of each face of any
- * level: ProjectToLimit, GenerateLimitNormals and GenerateTangents, which are of points, have no
- * effect, and a warning says so. DooSabin takes time quadratic in the number of corners of a face.
+ * level. The limit of a point is that at the face which the next step makes around it, on a
+ * boundary in the middle of the side which it makes there, and of lines that of the cubic B-spline;
+ * where several fans of faces meet it is that of the first one. Exact but for Midedge at a point
+ * between two faces that share more than three edges in a row, and not all. DooSabin has two
+ * tangents at points inside and on boundaries, but not between two faces; Midedge has two inside at
+ * points of four and more faces, and one along boundaries. Points of Midedge that can be coloured
+ * black and white, neighbours differently, as those of quads mostly can, have no control points for
+ * InterpolatePoints; a warning says so. DooSabin takes time quadratic in the number of corners of a
+ * face.
  *
  * @par Creases and corners
  * Sharp are boundaries, edges of line cells that the array at index 0 flags, edges around flagged

@@ -389,6 +389,25 @@ void CheckLimitsOfSurface(unsigned seed)
     surface, level, [&](vtkPointSet* mesh, int n) { return options.Run(mesh, n); }, chance);
 }
 
+/// No point of a level is one of the next, but limits do not depend on how a mesh is written down.
+TEST(RandomDifferential, LimitsOfDualSurfaces)
+{
+  ForSeeds(0.05,
+    [](unsigned seed)
+    {
+      Chance chance(seed);
+      const Data surface = MakeSurface(chance);
+      SurfaceOptions options(chance);
+      options.Scheme =
+        Draw(chance, 2) == 0 ? vtkSurfaceSubdivision::DOO_SABIN : vtkSurfaceSubdivision::MIDEDGE;
+      options.Limit = true;
+      SCOPED_TRACE(options.Describe());
+      ExpectTheSame(
+        surface, Draw(chance, 3), [&](vtkPointSet* mesh, int n) { return options.Run(mesh, n); },
+        chance, false, false);
+    });
+}
+
 TEST(RandomDifferential, LimitsOfSurfaces)
 {
   ForSeeds(0.15, CheckLimitsOfSurface);

@@ -132,6 +132,13 @@ Points Steps::Apply(int step, const Points& in) const
   return out;
 }
 
+Points Steps::ApplyLimit(subdivision::LimitKind kind, const Points& in) const
+{
+  Points out(in.size());
+  this->Values->GetLimit(kind).Apply(in.data()->data(), out.data()->data(), 3);
+  return out;
+}
+
 std::vector<subdivision::Carrier<int>> Steps::GetCarriers(int step) const
 {
   const Level& level = (*this)[step];

@@ -55,6 +55,8 @@ public:
   const Level& operator[](int level) const { return this->Values->GetLevel(level); }
   subdivision::SparseRows<int> GetRows(int step) const;
   Points Apply(int step, const Points& in) const;
+  /// Limits, or tangents, of the vertices of the last level.
+  Points ApplyLimit(subdivision::LimitKind kind, const Points& in) const;
   /// Of the faces after a step, on those before it.
   std::vector<subdivision::Carrier<int>> GetCarriers(int step) const;
 

@@ -148,7 +148,7 @@ void WarnOfUnused(const SurfaceScheme<int>& scheme, const SurfaceOptions& option
   {
     options.Warn("The filter computes no limits for this scheme: it ignores ProjectToLimit, "
                  "GenerateLimitNormals, GenerateTangents, InterpolatePoints and InterpolateArrays. "
-                 "Use Loop, CatmullClark, ModifiedButterfly, SqrtThree or Linear.");
+                 "Use another scheme than FourEight.");
   }
   const FeatureOptions& features = options.Features;
   auto isKnown = [](JointRule rule) { return FindKnownRule(rule) == rule; };

@@ -163,9 +163,18 @@ TangentPairs FindLimitTangents(
   apply(LimitKind::Tangent1, tangents.Values[0].data());
   apply(LimitKind::Tangent2, tangents.Values[1].data());
   const SurfaceLevel<Id>& level = steps.GetLevel(steps.GetNumberOfSteps());
+  const bool hasTags = steps.GetScheme().UsesTags();
   TurnTangents(
-    turned, [&level](vtkIdType v)
-    { return FindFaceOfTangents(level.Mesh, level.Tags, static_cast<Id>(v)); }, tangents);
+    turned,
+    [&level, hasTags](vtkIdType v)
+    {
+      const Id vertex = static_cast<Id>(v);
+      const Id corner = hasTags ? Id(-1) : GetFirstFan(level.Mesh, vertex);
+      return hasTags  ? FindFaceOfTangents(level.Mesh, level.Tags, vertex)
+        : corner >= 0 ? level.Mesh.GetFace(corner)
+                      : Id(-1);
+    },
+    tangents);
   return tangents;
 }
 

@@ -68,8 +68,7 @@ TEST(InputNormals, AreReplacedOrLeftOut)
       SCOPED_TRACE(scheme);
       vtkNew<vtkSurfaceSubdivision> surfaces;
       surfaces->SetScheme(scheme);
-      const bool hasLimits = scheme != vtkSurfaceSubdivision::FOUR_EIGHT &&
-        scheme != vtkSurfaceSubdivision::DOO_SABIN && scheme != vtkSurfaceSubdivision::MIDEDGE;
+      const bool hasLimits = scheme != vtkSurfaceSubdivision::FOUR_EIGHT;
       surfaces->SetGenerateLimitNormals(generates && hasLimits);
       ExpectOwnNormals(RunOn(surfaces, sphere), generates && hasLimits);
     }

@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Rules/Pi.h"
+#include "Core/Surfaces/Dual/DualLimits.h"
 #include "Core/Surfaces/Dual/DualRefiner.h"
 
 #include <algorithm>
@@ -68,6 +69,17 @@ public:
   {
     return {};
   }
+  vtkIdType GetOrientingFace(const SurfaceLevel<Id>& level, vtkIdType child) const override
+  {
+    const vtkIdType faces = level.Mesh.NumberOfFaces;
+    const vtkIdType sides = level.Dual->GetNumberOfSides();
+    return child < faces      ? child
+      : child < faces + sides ? level.Mesh.GetFace(FindByCount(level.Dual->Sides, child - faces))
+                              : FindOrientingFace(level, child - faces - sides, GetVertexFaceSize);
+  }
+  bool HasLimit() const override { return true; }
+  void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
   int GetCarrierPeriod() const override { return 0; }
   void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool areWhole,
     Buffer<Carrier<Id>>& children) const override;
@@ -275,6 +287,111 @@ private:
 
   const vtkIdType Corners;
 };
+
+/// Limit rows of the vertices of a level, from the rows that the next step has around them.
+template <typename Id>
+class DooSabinLimits
+{
+public:
+  DooSabinLimits(const SurfaceLevel<Id>& level, RowBlock<Id>& rows)
+    : Level(level)
+    , Mesh(level.Mesh)
+    , Rows(rows)
+  {
+  }
+  void Append(Id vertex, LimitKind kind)
+  {
+    if (!this->Fan.Find(this->Mesh, vertex))
+    {
+      AppendLoneLimit(this->Level, vertex, kind, this->Rows);
+      return;
+    }
+    const std::size_t k = this->Fan.Steps.size();
+    if (!this->Fan.IsCycle && kind == LimitKind::Tangent2)
+    {
+      this->AppendAcrossBoundary(vertex);
+    }
+    else if (!this->Fan.IsCycle)
+    {
+      AppendDualBoundary(this->Fan, vertex, kind, 3. / 4., this->Rows);
+    }
+    else if (k == 2 && kind == LimitKind::Position)
+    {
+      this->AppendBetweenTwoFaces();
+    }
+    for (std::size_t j = 0; j < k && this->Fan.IsCycle && k > 2; ++j)
+    {
+      this->AddCorner(this->Fan.Steps[j].Corner, GetDualWeight(kind, j, k));
+    }
+  }
+
+private:
+  /// Adds the row of the vertex that the step makes at a corner, times a factor.
+  void AddCorner(Id corner, double factor)
+  {
+    const vtkIdType size = this->Mesh.GetSize(this->Mesh.GetFace(corner));
+    if (static_cast<vtkIdType>(this->Weights.size()) != size)
+    {
+      FindCornerWeights(size, this->Weights);
+    }
+    for (const double weight : this->Weights)
+    {
+      this->Rows.Add(this->Mesh.Vertices[corner], factor * weight);
+      corner = this->Mesh.Next(corner);
+    }
+  }
+  /// Between two faces the step makes no face, but an edge. The limit in its middle is the mean of
+  /// the face that the step after it makes there, of four vertices.
+  void AppendBetweenTwoFaces()
+  {
+    for (const FanStep<Id>& step : this->Fan.Steps)
+    {
+      this->AddCorner(step.Corner, 3. / 8.);
+      this->AddCorner(this->Mesh.Next(step.Corner), 1. / 16.);
+      this->AddCorner(this->Mesh.Previous(step.Corner), 1. / 16.);
+    }
+  }
+  /// The second step makes along the open side of the vertex face a face, of which all later steps
+  /// quarter the difference between its inner and its outer vertices.
+  void AppendAcrossBoundary(Id vertex)
+  {
+    const std::size_t k = this->Fan.Steps.size();
+    const std::size_t n = k + 2;
+    std::vector<double> weights;
+    FindCornerWeights(static_cast<vtkIdType>(n), weights);
+    const auto ofCorner = [&](std::size_t j) // of the mean of the inner vertices
+    { return (weights[(j + n - k) % n] + weights[(j + n - k - 1) % n]) / 2.; };
+    for (std::size_t j = 0; j < k; ++j)
+    {
+      this->AddCorner(this->Fan.Steps[j].Corner, ofCorner(j));
+    }
+    for (std::size_t end = 0; end < 2; ++end)
+    {
+      const double weight = ofCorner(k + end) - 1. / 2.;
+      this->Rows.Add(vertex, weight * NearEnd);
+      this->Rows.Add(
+        end == 0 ? this->Fan.Ends.back() : this->Fan.Ends.front(), weight * (1. - NearEnd));
+    }
+  }
+
+  const SurfaceLevel<Id>& Level;
+  const PolygonMesh<Id>& Mesh;
+  RowBlock<Id>& Rows;
+  DualFan<Id> Fan;
+  std::vector<double> Weights; ///< of the corners of a face
+};
+
+template <typename Id>
+void DooSabinScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&,
+  LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
+{
+  DooSabinLimits<Id> limits(level, rows);
+  for (vtkIdType v = begin; v < end; ++v)
+  {
+    limits.Append(static_cast<Id>(v), kind);
+    rows.EndRow();
+  }
+}
 
 template <typename Id>
 SurfaceLevel<Id> DooSabinScheme<Id>::Refine(const SurfaceLevel<Id>& level, Depth depth) const

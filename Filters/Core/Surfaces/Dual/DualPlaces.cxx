@@ -163,6 +163,44 @@ void AppendLoneRow(const SurfaceLevel<Id>& level, vtkIdType row, RowBlock<Id>& r
 }
 
 template <typename Id>
+void AppendLoneLimit(const SurfaceLevel<Id>& level, Id vertex, LimitKind kind, RowBlock<Id>& rows)
+{
+  const DualPlaces<Id>& places = *level.Dual;
+  const Id kept = places.Kept[vertex];
+  const Id* around = places.Around.data() + 2 * kept;
+  const bool isOnCurve = kept < places.Kept[vertex + 1] && around[0] >= 0;
+  if (kind == LimitKind::Position)
+  {
+    rows.Add(vertex, isOnCurve ? 2. / 3. : 1.);
+  }
+  for (int end = 0; end < 2 && isOnCurve && kind != LimitKind::Tangent2; ++end)
+  {
+    rows.Add(around[end], kind == LimitKind::Position ? 1. / 6. : end == 0 ? 1. : -1.);
+  }
+}
+
+template <typename Id>
+Id FindOrientingFace(
+  const SurfaceLevel<Id>& level, vtkIdType vertexFace, const VertexFaceSize& size)
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const Id vertex = FindByCount(level.Dual->Faces, vertexFace);
+  vtkIdType left = vertexFace - level.Dual->Faces[vertex];
+  Id face = -1;
+  VisitFans(mesh, vertex,
+    [&](Id corner)
+    {
+      vtkIdType k = 0;
+      const bool cycle = VisitFanForward(mesh, corner, [&k](const FanStep<Id>&) { ++k; });
+      if (size(k, cycle) >= 3 && left-- == 0)
+      {
+        face = mesh.GetFace(corner);
+      }
+    });
+  return face;
+}
+
+template <typename Id>
 void GetLoneParents(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
 {
   const DualPlaces<Id>& places = *level.Dual;
@@ -256,6 +294,8 @@ void ListDualChildren(
 SUBDIVISION_COMPILE_FUNCTION(CountDualPlaces);
 SUBDIVISION_COMPILE_FUNCTION(ListDualChildren);
 SUBDIVISION_COMPILE_FUNCTION(AppendLoneRow);
+SUBDIVISION_COMPILE_FUNCTION(AppendLoneLimit);
+SUBDIVISION_COMPILE_FUNCTION(FindOrientingFace);
 SUBDIVISION_COMPILE_FUNCTION(GetLoneParents);
 SUBDIVISION_COMPILE_FUNCTION(RefineLines);
 SUBDIVISION_COMPILE_FUNCTION(CarryFans);

@@ -96,6 +96,16 @@ template <typename Id>
 void CarryFans(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
   const VertexFaceSize& size, Carrier<Id>* fans);
 
+/// The face of this level whose orientation vertex face number `vertexFace` has.
+template <typename Id>
+Id FindOrientingFace(
+  const SurfaceLevel<Id>& level, vtkIdType vertexFace, const VertexFaceSize& size);
+
+/// Appends the entries of the limit row of a vertex without faces: on a curve those of the cubic
+/// B-spline, otherwise it stays.
+template <typename Id>
+void AppendLoneLimit(const SurfaceLevel<Id>& level, Id vertex, LimitKind kind, RowBlock<Id>& rows);
+
 /// The position of the counted thing number i in the running counts `before`.
 template <typename Id>
 Id FindByCount(const Buffer<Id>& before, vtkIdType i)

@@ -2,9 +2,12 @@
 #include "Core/Surfaces/Dual/MidedgeScheme.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Sorting.h"
+#include "Core/Surfaces/Dual/DualLimits.h"
 #include "Core/Surfaces/Dual/DualRefiner.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace subdivision
@@ -70,6 +73,17 @@ public:
   {
     return {};
   }
+  vtkIdType GetOrientingFace(const SurfaceLevel<Id>& level, vtkIdType child) const override
+  {
+    const vtkIdType faces = level.Mesh.NumberOfFaces;
+    return child < faces ? child
+                         : FindOrientingFace(
+                             level, child - faces, [&level](vtkIdType k, bool cycle)
+                             { return GetVertexFaceSize(level, k, cycle); });
+  }
+  bool HasLimit() const override { return true; }
+  void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
   int GetCarrierPeriod() const override { return 0; }
   void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool,
     Buffer<Carrier<Id>>& children) const override
@@ -267,6 +281,90 @@ private:
   const vtkIdType Sides;
   const bool Keeps;
 };
+
+/// Appends the limit position of a vertex between two faces, around which the next step makes no
+/// face. The step after it makes a vertex in the middle of the edge that is there instead.
+template <typename Id>
+void AppendBetweenTwoFaces(
+  const PolygonMesh<Id>& mesh, const DualFan<Id>& fan, Id vertex, RowBlock<Id>& rows)
+{
+  // The sides behind both ends of the two edges: four, but one where an end has two faces, too.
+  std::vector<std::array<Id, 3>> behind; // sides, ends, and the vertices
+  for (const FanStep<Id>& step : fan.Steps)
+  {
+    const Id next = mesh.Next(step.Corner);
+    const Id previous = mesh.Previous(step.Corner);
+    const Id last = mesh.Previous(previous);
+    behind.push_back(
+      { GetFirstOfSide(mesh, next), mesh.Vertices[next], mesh.Vertices[mesh.Next(next)] });
+    behind.push_back({ GetFirstOfSide(mesh, last), mesh.Vertices[previous], mesh.Vertices[last] });
+  }
+  SortDistinct(behind);
+  if (behind.size() < 3)
+  {
+    const Id corner = fan.Steps.front().Corner;
+    const Id size = mesh.GetSize(mesh.GetFace(corner));
+    const Id* vertices = mesh.Vertices.data() + mesh.GetFirst(mesh.GetFace(corner));
+    std::for_each(
+      vertices, vertices + size, [&](Id v) { rows.Add(v, 1. / static_cast<double>(size)); });
+    return;
+  }
+  // The vertex in the middle, and the mean of its neighbours, each half.
+  const auto addMiddle = [&](Id end, double factor)
+  {
+    rows.Add(vertex, factor / 2.);
+    rows.Add(end, factor / 2.);
+  };
+  const double each = 1. / (2. * static_cast<double>(behind.size()));
+  for (const Id end : fan.Ends)
+  {
+    addMiddle(end, 1. / 4.);
+  }
+  for (const auto& side : behind)
+  {
+    addMiddle(side[1], each / 2.);
+    rows.Add(side[1], each / 4.);
+    rows.Add(side[2], each / 4.);
+  }
+}
+
+template <typename Id>
+void MidedgeScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&,
+  LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
+{
+  DualFan<Id> fan;
+  for (vtkIdType v = begin; v < end; ++v)
+  {
+    const Id vertex = static_cast<Id>(v);
+    const bool hasFaces = fan.Find(level.Mesh, vertex);
+    const std::size_t k = fan.Steps.size();
+    const bool isPosition = kind == LimitKind::Position;
+    if (!hasFaces)
+    {
+      AppendLoneLimit(level, vertex, kind, rows);
+    }
+    else if (!fan.IsCycle && kind != LimitKind::Tangent2)
+    {
+      AppendDualBoundary(fan, vertex, kind, KeepsChains(level) ? 3. / 4. : 1. / 2., rows);
+    }
+    else if (fan.IsCycle && isPosition && k == 2)
+    {
+      AppendBetweenTwoFaces(level.Mesh, fan, vertex, rows);
+    }
+    else if (fan.IsCycle && (isPosition ? k > 2 : k > 3))
+    {
+      if (isPosition)
+      {
+        rows.Add(vertex, 1. / 2.);
+      }
+      for (std::size_t j = 0; j < k; ++j)
+      {
+        rows.Add(fan.Ends[j], (isPosition ? 0.5 : 1.) * GetDualWeight(kind, j, k));
+      }
+    }
+    rows.EndRow();
+  }
+}
 
 template <typename Id>
 SurfaceLevel<Id> MidedgeScheme<Id>::Refine(const SurfaceLevel<Id>& level, Depth depth) const

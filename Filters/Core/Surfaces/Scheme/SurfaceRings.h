@@ -32,6 +32,14 @@ void VisitFans(const PolygonMesh<Id>& mesh, Id vertex, const Visit& visit)
   }
 }
 
+/// The corner that VisitFans visits first; -1: the vertex has no faces.
+template <typename Id>
+Id GetFirstFan(const PolygonMesh<Id>& mesh, Id vertex)
+{
+  const auto* joint = mesh.FindJoint(vertex);
+  return !joint ? mesh.VertexCorners[vertex] : joint->Fans.empty() ? Id(-1) : joint->Fans.front();
+}
+
 /// All edges of a vertex that `accept` takes, each once.
 template <typename Id, typename Accept>
 void CollectEdges(
