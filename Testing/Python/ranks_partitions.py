@@ -179,6 +179,25 @@ def check_topology(checks):
         checks.failures.append(f"topology: {found} instead of {sums(whole)}")
 
 
+def check_bezier_cells(checks):
+    """Curved cells of each rank are those of one process: the tolerance is a part of the whole mesh, and of all values."""
+    mesh = model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS)
+    name, options = SOLID[0][0], {"NumberOfLevels": 1, "OutputCells": 1, "BezierTolerance": 1e-3}
+    whole = run_class(name, options, mesh, None)
+    part = ranks.take(mesh, np.nonzero(ranks.in_slabs(mesh, ranks.RANKS) == ranks.RANK)[0], with_ids=True)
+    output = run_class(name, options, part, ranks.controller)
+
+    def cells_of(grid):
+        points = np.round(vtk_to_numpy(grid.GetPoints().GetData()), 6) + 0.0  # no negative zeros
+        return [points[[ids.GetId(i) for i in range(ids.GetNumberOfIds())]].tobytes()
+                for ids in (grid.GetCell(cell).GetPointIds() for cell in range(grid.GetNumberOfCells()))]
+
+    strange = len(set(cells_of(output)) - set(cells_of(whole)))
+    if strange:
+        checks.failures.append(f"Bezier cells: {strange} that one process does not have")
+    checks.sizes.append(("Bezier cells", output.GetNumberOfCells(), whole.GetNumberOfCells()))
+
+
 def check_files(checks):
     folder = pathlib.Path(os.environ.get("SUBDIVISIONOBJECTS_SHARED_DATA", ""))
     for name in FILES:
@@ -210,6 +229,7 @@ def run():
     check_blocks(checks)
     check_deformation(checks)
     check_topology(checks)
+    check_bezier_cells(checks)
     for number in range(subdivisionobjects.vtkSubdivisionModelSource.NUMBER_OF_MODELS):
         mesh = model(number)
         checks.cut(mesh, SOLID + RED_GREEN)
