@@ -18,7 +18,9 @@ from .run import Arrays
 
 # Type of VTK and number of points.
 CELLS = {"vertex": (1, 1), "line": (3, 2), "triangle": (5, 3), "tetra": (10, 4), "quad": (9, 4),
-         "hexahedron": (12, 8), "wedge": (13, 6), "pyramid": (14, 5)}
+         "hexahedron": (12, 8), "wedge": (13, 6), "pyramid": (14, 5),
+         # What output_cells="bezier" makes.
+         "bezier_curve": (75, 4), "bezier_triangle": (76, 15), "bezier_quad": (77, 16), "bezier_tetra": (78, 56)}
 NAMES = {kind: name for name, (kind, _) in CELLS.items()}
 SMALL = {np.dtype(bool): np.uint8, np.dtype(np.float16): np.float32}
 # What the rows of a single array are, by their number of points.

@@ -301,6 +301,16 @@ class Meshes(unittest.TestCase):
             np.testing.assert_array_equal(points, once.points)
             self.assertEqual(set(cells), set(once.cells))
 
+    def test_bezier_cells_have_names(self):
+        """They come out by their names, and go in again: as the linear cells at their corners."""
+        cube = subdivisionobjects.surface_subdivision(CUBE, {"quad": SQUARES}, scheme="catmull-clark", levels=0,
+                                                      output_cells="bezier")
+        self.assertEqual(set(cube.cells), {"bezier_quad"})
+        self.assertEqual(cube.cells["bezier_quad"].shape, (6, 16))
+        with self.assertWarns(Warning):
+            again = subdivisionobjects.surface_subdivision(cube, scheme="catmull-clark", levels=1)
+        self.assertEqual(len(again.cells["quad"]), 24)
+
     def test_polygons_are_input_again(self):
         """Doo-Sabin makes a triangle of each corner of a cube, and of a prism with five sides two pentagons."""
         cube = subdivisionobjects.surface_subdivision(CUBE, {"quad": SQUARES}, scheme="DooSabin")

@@ -221,25 +221,16 @@ int FindKind(int type)
 /// as its second one, and that of the edge before as its last one.
 vtkIdType BezierWriter::CountSides(vtkIdType first, vtkIdType size) const
 {
-  const PatchShape& shape = PatchShape::Get(PatchShape::Quad);
-  int steps = 0;
-  while (vtkIdType(1) << (2 * steps) < size)
-  {
-    ++steps;
-  }
-  const RootLattice lattice(shape, steps);
-  const int last = lattice.GetDivisions();
-  const auto get = [&](vtkIdType side, int x, int y)
-  {
-    return this
-      ->Corners[4 * (first + size * side) + lattice.GetCorner({ { last * x, last * y, 0 } })];
-  };
+  // Each step puts a corner of a quad first in the child there: so it is first in the first cell of
+  // that quarter.
+  const auto get = [&](vtkIdType side, int corner)
+  { return this->Corners[4 * (first + size * side + corner * (size / 4))]; };
   const vtkIdType most = (this->Types.size() - first) / size;
   vtkIdType sides = 1;
   while (sides < most && this->Types[first + size * sides] == VTK_QUAD &&
-    get(sides, 1, 1) == get(0, 1, 1) && get(sides - 1, 1, 0) == get(sides, 0, 1))
+    get(sides, 2) == get(0, 2) && get(sides - 1, 1) == get(sides, 3))
   {
-    if (get(sides, 1, 0) == get(0, 0, 1))
+    if (get(sides, 1) == get(0, 3))
     {
       return sides + 1;
     }
