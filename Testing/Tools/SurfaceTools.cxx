@@ -372,6 +372,7 @@ void ExpectSameBits(vtkPolyData* a, vtkPolyData* b)
 {
   auto same = [](vtkDataArray* p, vtkDataArray* q)
   {
+    SCOPED_TRACE(p->GetName() ? p->GetName() : "no name");
     ASSERT_EQ(p->GetNumberOfValues(), q->GetNumberOfValues());
     EXPECT_EQ(0,
       std::memcmp(p->GetVoidPointer(0), q->GetVoidPointer(0),

@@ -114,7 +114,9 @@ void SumEqualRows(const EqualRows<Id>& rows, const In* in, Out* out, int compone
   const vtkIdType stride = N == 0 ? components : N;
   const int size = KnownSize == 0 ? rows.Size : KnownSize;
   const Id* columns = rows.Columns;
-  const double* weights = rows.Weights;
+  double known[KnownSize + 1]; // they stay in registers: compilers see that no result changes them
+  std::copy_n(rows.Weights, KnownSize, known);
+  const double* weights = KnownSize == 0 ? rows.Weights : known;
   Out* result = out + rows.FirstRow * stride;
   Sums<width> sums;
   for (vtkIdType row = 0; row < rows.Count; ++row)

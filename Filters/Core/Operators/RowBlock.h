@@ -38,24 +38,31 @@ public:
   template <std::size_t N, typename Fill>
   vtkIdType AddRun(const std::array<double, N>& weights, vtkIdType most, const Fill& fill)
   {
-    const std::size_t needed = this->Size + N * static_cast<std::size_t>(most);
+    return this->AddGroups<1>(weights, most, fill);
+  }
+  /// The same for groups of OfEach rows: fill(i, columns) writes the columns of all rows of group
+  /// i. Returns how many rows there are.
+  template <int OfEach, std::size_t N, typename Fill>
+  vtkIdType AddGroups(const std::array<double, N>& weights, vtkIdType most, const Fill& fill)
+  {
+    const std::size_t needed = this->Size + OfEach * N * static_cast<std::size_t>(most);
     if (needed > this->Columns.size())
     {
       this->Columns.resize(std::max(needed, 2 * this->Size));
       this->Weights.resize(this->Columns.size());
     }
     Id* columns = this->Columns.data() + this->Size;
-    vtkIdType count = 0;
-    for (; count < most && fill(count, columns); ++count)
+    vtkIdType groups = 0;
+    for (; groups < most && fill(groups, columns); ++groups)
     {
-      columns += N;
+      columns += OfEach * N;
     }
+    const vtkIdType count = OfEach * groups;
     const std::size_t row = this->GetNumberOfRows();
     this->Offsets.resize(row + static_cast<std::size_t>(count) + 1);
     Id* end = this->Offsets.data() + row + 1;
     for (vtkIdType i = 0; i < count; ++i)
     {
-      std::copy(weights.begin(), weights.end(), this->Weights.begin() + this->Size);
       this->Size += N;
       end[i] = static_cast<Id>(this->Size);
     }
@@ -77,6 +84,7 @@ public:
   void Clear()
   {
     this->Size = 0;
+    this->Written = 0;
     this->Offsets.resize(1);
     this->Runs.clear();
   }
@@ -92,32 +100,45 @@ public:
     return static_cast<std::size_t>(this->Offsets[row + 1]);
   }
   const Id* GetColumns() const { return this->Columns.data(); }
-  const double* GetWeights() const { return this->Weights.data(); }
+  const double* GetWeights() const
+  {
+    if (this->Written < this->GetNumberOfRows())
+    {
+      for (const Run& run : this->Runs)
+      {
+        this->WriteWeights(run, this->Written);
+      }
+      this->Written = this->GetNumberOfRows();
+    }
+    return this->Weights.data();
+  }
 
   /// The rows as those from row `first` on of an operator.
   WeightedRows<Id> GetRows(vtkIdType first) const
   {
+    this->GetWeights(); // writes them
     return this->GetRows(first, 0, this->GetNumberOfRows());
   }
   /// use(rows): the same in parts, of which many have equal rows.
   template <typename Use>
   void ForRuns(vtkIdType first, const Use& use) const
   {
-    constexpr std::size_t worthACall = 8;
     std::size_t done = 0;
     for (const Run& run : this->Runs)
     {
-      if (run.End - run.Begin >= worthACall)
+      if (run.End - run.Begin < WorthACall)
       {
-        if (done < run.Begin)
-        {
-          use(this->GetRows(first, done, run.Begin));
-        }
-        use(EqualRows<Id>{ first + static_cast<vtkIdType>(run.Begin),
-          static_cast<vtkIdType>(run.End - run.Begin), run.Size,
-          this->Columns.data() + this->GetBegin(run.Begin), run.Weights });
-        done = run.End;
+        this->WriteWeights(run, this->Written);
+        continue;
       }
+      if (done < run.Begin)
+      {
+        use(this->GetRows(first, done, run.Begin));
+      }
+      use(EqualRows<Id>{ first + static_cast<vtkIdType>(run.Begin),
+        static_cast<vtkIdType>(run.End - run.Begin), run.Size,
+        this->Columns.data() + this->GetBegin(run.Begin), run.Weights });
+      done = run.End;
     }
     if (done < this->GetNumberOfRows())
     {
@@ -131,6 +152,9 @@ public:
   }
 
 private:
+  /// The least number of equal rows that are passed by themselves.
+  static constexpr std::size_t WorthACall = 8;
+
   WeightedRows<Id> GetRows(vtkIdType first, std::size_t begin, std::size_t end) const
   {
     return { first + static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end - begin),
@@ -145,10 +169,20 @@ private:
     int Size;
     const double* Weights;
   };
+  /// Writes the weights of those rows of a run that are not before row `begin`.
+  void WriteWeights(const Run& run, std::size_t begin) const
+  {
+    for (std::size_t row = std::max(begin, run.Begin); row < run.End; ++row)
+    {
+      std::copy_n(run.Weights, run.Size, this->Weights.begin() + this->GetBegin(row));
+    }
+  }
 
   std::vector<Run> Runs;
   std::vector<Id> Columns;
-  std::vector<double> Weights;
+  /// Those of long runs are not there before somebody asks for them: sums do not need them.
+  mutable std::vector<double> Weights;
+  mutable std::size_t Written = 0; ///< how many rows have all of them
   std::vector<Id> Offsets{ Id(0) };
   std::size_t Size = 0;
 };

@@ -448,7 +448,6 @@ bool SurfaceRun<Id>::Execute()
     {
       return false;
     }
-    const SurfaceLevel<Id>& level = this->Steps->GetLevel(this->MadeLevels + step);
     const BlockOperator<Id> rows = this->Steps->GetStep(this->MadeLevels + step);
     if (!this->Joined)
     {
@@ -458,7 +457,7 @@ bool SurfaceRun<Id>::Execute()
       [&](vtkIdType row)
       {
         thread_local std::vector<vtkIdType> parents;
-        this->Scheme->GetParents(level, row, parents);
+        this->Steps->GetParents(this->MadeLevels + step, row, parents);
         return *std::min_element(parents.begin(), parents.end(),
           [this](vtkIdType a, vtkIdType b) { return this->Points->IsEarlier(a, b); });
       });

@@ -126,3 +126,24 @@ TEST(RowBlock, LongRunsArePassedAsEqualRows)
   EXPECT_GT(equal, Rows / 2);
   EXPECT_LT(equal, Rows);
 }
+
+TEST(RowBlock, WeightsAreThereWheneverTheyAreAskedFor)
+{
+  RowBlock<int> rows;
+  for (const vtkIdType more : { 20, 3, 30 })
+  {
+    rows.AddRun(Four, more,
+      [](vtkIdType, int* columns)
+      {
+        std::fill_n(columns, 4, 0);
+        return true;
+      });
+    for (std::size_t row = 0; row < rows.GetNumberOfRows(); ++row)
+    {
+      EXPECT_TRUE(std::equal(Four.begin(), Four.end(), rows.GetWeights() + rows.GetBegin(row)));
+    }
+  }
+  rows.Clear();
+  rows.AddRun(Five, 20, [](vtkIdType, int* columns) { return std::fill_n(columns, 5, 0), true; });
+  EXPECT_EQ(rows.GetWeights()[95], Five[0]);
+}

@@ -3,7 +3,8 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Rules/Pi.h"
-#include "Core/Surfaces/Mesh/CycleWalks.h"
+#include "Core/Surfaces/CatmullClark/CatmullClarkRegular.h"
+#include "Core/Surfaces/CatmullClark/CatmullClarkRowsOfNext.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
 #include "Core/Surfaces/Scheme/PrimalRefinement.h"
 #include "Core/Surfaces/Scheme/SectorRows.h"
@@ -100,6 +101,26 @@ public:
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
 
+  bool SkipsNext(const SurfaceLevel<Id>& level) const override { return level.Mesh.Arity == 4; }
+  void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    AppendCatmullClarkRowsOfNext(level, others, begin, end, rows);
+  }
+  void GetParentsOfNext(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
+  {
+    GetCatmullClarkParentsOfNext(level.Mesh, row, parents);
+  }
+  void WriteFacesOfNext(const SurfaceLevel<Id>& level, int* ids) const override
+  {
+    WriteQuadsOfNext(level, ids);
+  }
+  void WriteFacesOfNext(const SurfaceLevel<Id>& level, long long* ids) const override
+  {
+    WriteQuadsOfNext(level, ids);
+  }
+
   bool HasLimit() const override { return true; }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
@@ -126,15 +147,6 @@ private:
 
   bool ModifiedBoundary;
 };
-
-/// The masks of a smooth vertex of four quads, each of which has a neighbour and the vertex
-/// opposite in it; of an edge between two quads, the mean of its ends and of the points of both; of
-/// a face.
-constexpr std::array<double, 9> RegularVertex{ 9. / 16., 3. / 32., 1. / 64., 3. / 32., 1. / 64.,
-  3. / 32., 1. / 64., 3. / 32., 1. / 64. };
-constexpr std::array<double, 6> RegularEdge{ 3. / 8., 3. / 8., 1. / 16., 1. / 16., 1. / 16.,
-  1. / 16. };
-constexpr std::array<double, 4> PlainFace{ 1. / 4., 1. / 4., 1. / 4., 1. / 4. };
 
 /// The neighbour by whose edge a walk enters a quad, and the vertex opposite.
 template <typename Id>
@@ -168,7 +180,7 @@ void CatmullClarkScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Sur
   const vtkIdType lastOfEdges = std::min(end, edges);
   for (vtkIdType row = std::max(begin, vertices); row < lastOfEdges; ++row)
   {
-    row += rows.AddRun(RegularEdge, lastOfEdges - row, [&](vtkIdType i, Id* columns)
+    row += rows.AddRun(QuadsAtEdge, lastOfEdges - row, [&](vtkIdType i, Id* columns)
       { return this->FindQuadsOfEdge(mesh, tags, static_cast<Id>(row + i - vertices), columns); });
     if (row < lastOfEdges)
     {
@@ -179,7 +191,7 @@ void CatmullClarkScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Sur
   const bool isPlain = mesh.Arity == 4 && (!this->ModifiedBoundary || tags.Sectors.empty());
   for (vtkIdType row = std::max(begin, edges); row < end; ++row)
   {
-    row += rows.AddRun(PlainFace, isPlain ? end - row : 0,
+    row += rows.AddRun(QuadOfFace, isPlain ? end - row : 0,
       [&](vtkIdType i, Id* columns)
       {
         std::copy_n(mesh.Vertices.data() + 4 * (row + i - edges), 4, columns);
@@ -201,43 +213,23 @@ void CatmullClarkScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level,
   const auto isSmooth = [&tags](vtkIdType v) { return tags.Vertices[v] == VertexTag::Smooth; };
   const vtkIdType firstNew =
     level.VerticesBefore < 0 ? end : std::min<vtkIdType>(end, level.VerticesBefore);
-  CycleWalks<Id> walks;
   std::vector<Id> scratch;
-  for (vtkIdType first = begin; first < firstNew; first += walks.Most)
+  const auto append = [&](Id vertex, const std::vector<FanStep<Id>>& steps)
   {
-    const vtkIdType last = std::min<vtkIdType>(firstNew, first + walks.Most);
-    walks.Walk(mesh, static_cast<Id>(first), static_cast<Id>(last), isSmooth);
-    for (vtkIdType vertex = first; vertex < last; ++vertex)
-    {
-      vertex += rows.AddRun(RegularVertex, mesh.Arity == 4 ? last - vertex : 0,
-        [&](vtkIdType i, Id* columns)
-        {
-          columns[0] = static_cast<Id>(vertex + i);
-          const auto& steps = walks.Get(columns[0]);
-          const bool isRegular = steps.size() == 4;
-          for (std::size_t k = 0; isRegular && k < 4; ++k)
-          {
-            GetVerticesOfQuad(mesh, steps[k], columns + 2 * k + 1);
-          }
-          return isRegular;
-        });
-      if (vertex < last)
-      {
-        const Id v = static_cast<Id>(vertex);
-        isSmooth(v) ? this->AppendSmoothVertex(mesh, v, walks.Get(v), rows)
-                    : AppendCurveVertex(mesh, tags, v, 3. / 4., scratch, rows);
-        rows.EndRow();
-      }
-    }
-  }
+    isSmooth(vertex) ? this->AppendSmoothVertex(mesh, vertex, steps, rows)
+                     : AppendCurveVertex(mesh, tags, vertex, 3. / 4., scratch, rows);
+  };
+  AppendQuadVertices(
+    level, tags, begin, firstNew,
+    [&](const FanStep<Id>& step, Id* two) { GetVerticesOfQuad(mesh, step, two); }, append, rows);
   std::vector<FanStep<Id>> steps;
   for (vtkIdType vertex = std::max(begin, firstNew); vertex < end; ++vertex)
   {
-    vertex += rows.AddRun(RegularVertex, end - vertex,
+    vertex += rows.AddRun(QuadsAtVertex, end - vertex,
       [&](vtkIdType i, Id* columns)
       {
         columns[0] = static_cast<Id>(vertex + i);
-        return isSmooth(columns[0]) && FindQuadsOfNewPoint(mesh, columns[0], columns + 1);
+        return isSmooth(columns[0]) && FindRingOfNewPoint(mesh, columns[0], columns + 1);
       });
     if (vertex < end)
     {
@@ -248,8 +240,7 @@ void CatmullClarkScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level,
         VisitCycle(
           mesh, mesh.VertexCorners[v], [&](const FanStep<Id>& step) { steps.push_back(step); });
       }
-      isSmooth(v) ? this->AppendSmoothVertex(mesh, v, steps, rows)
-                  : AppendCurveVertex(mesh, tags, v, 3. / 4., scratch, rows);
+      append(v, steps);
       rows.EndRow();
     }
   }
@@ -260,23 +251,16 @@ template <typename Id>
 void CatmullClarkScheme<Id>::AppendSmoothVertex(const PolygonMesh<Id>& mesh, Id vertex,
   const std::vector<FanStep<Id>>& steps, RowBlock<Id>& rows) const
 {
+  if (mesh.Arity == 4)
+  {
+    AppendQuadVertex(
+      vertex, steps,
+      [&mesh](const FanStep<Id>& step, Id* two) { GetVerticesOfQuad(mesh, step, two); }, rows);
+    return;
+  }
   const int k = static_cast<int>(steps.size());
   const double edge = 1. / (static_cast<double>(k) * k);
   const double own = static_cast<double>(k - 2) / k;
-  if (mesh.Arity == 4)
-  {
-    // Each face point is a quarter of the face's four corners, and each neighbour lies in two
-    // faces.
-    rows.Add(vertex, own + edge * k / 4.);
-    for (const FanStep<Id>& step : steps)
-    {
-      Id members[2];
-      GetVerticesOfQuad(mesh, step, members);
-      rows.Add(members[0], 1.5 * edge);
-      rows.Add(members[1], 0.25 * edge);
-    }
-    return;
-  }
   rows.Add(vertex, own);
   for (const FanStep<Id>& step : steps)
   {

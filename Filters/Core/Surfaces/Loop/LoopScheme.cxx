@@ -2,9 +2,9 @@
 #include "Core/Surfaces/Loop/LoopScheme.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Rules/Masks.h"
 #include "Core/Rules/Pi.h"
-#include "Core/Surfaces/Mesh/CycleWalks.h"
+#include "Core/Surfaces/Loop/LoopRegular.h"
+#include "Core/Surfaces/Loop/LoopRowsOfNext.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
 #include "Core/Surfaces/Scheme/PrimalRefinement.h"
 #include "Core/Surfaces/Scheme/SectorRows.h"
@@ -17,11 +17,6 @@ namespace subdivision
 {
 namespace
 {
-
-/// The masks of a smooth vertex with six neighbours, and of a smooth edge inside.
-constexpr std::array<double, 7> RegularVertex{ 5. / 8., 3. / (8. * 6.), 3. / (8. * 6.),
-  3. / (8. * 6.), 3. / (8. * 6.), 3. / (8. * 6.), 3. / (8. * 6.) };
-constexpr std::array<double, 4> RegularEdge{ 3. / 8., 3. / 8., 1. / 8., 1. / 8. };
 
 /// The vertex at the other end of the edge by which a walk enters a face.
 template <typename Id>
@@ -47,6 +42,26 @@ public:
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
 
+  bool SkipsNext(const SurfaceLevel<Id>&) const override { return true; }
+  void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    AppendLoopRowsOfNext(level, this->Weights, others, begin, end, rows);
+  }
+  void GetParentsOfNext(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
+  {
+    GetLoopParentsOfNext(level.Mesh, row, parents);
+  }
+  void WriteFacesOfNext(const SurfaceLevel<Id>& level, int* ids) const override
+  {
+    WriteTrianglesOfNext(level, ids);
+  }
+  void WriteFacesOfNext(const SurfaceLevel<Id>& level, long long* ids) const override
+  {
+    WriteTrianglesOfNext(level, ids);
+  }
+
   bool HasLimit() const override { return true; }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
@@ -54,9 +69,8 @@ public:
 private:
   void AppendVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, std::vector<Id>& ring, RowBlock<Id>& rows) const;
-  void AppendRing(Id vertex, Rule rule, const std::vector<Id>& ring, RowBlock<Id>& rows) const;
   void AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex,
-    const std::vector<FanStep<Id>>& steps, std::vector<Id>& ring, RowBlock<Id>& rows) const;
+    std::vector<Id>& ring, RowBlock<Id>& rows) const;
   void AppendEdge(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id edge,
     std::vector<Id>& ring, RowBlock<Id>& rows) const;
   void AppendBlendEdge(
@@ -80,7 +94,7 @@ void LoopScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags
   { return tags.Vertices[v] == VertexTag::Curve || tags.Vertices[v] == VertexTag::Corner; };
   for (vtkIdType row = std::max(begin, vertices); row < end; ++row)
   {
-    row += rows.AddRun(RegularEdge, end - row,
+    row += rows.AddRun(LoopEdge, end - row,
       [&](vtkIdType i, Id* columns)
       {
         const Id edge = static_cast<Id>(row + i - vertices);
@@ -111,36 +125,13 @@ void LoopScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level, const Surface
   const auto isSmooth = [&](vtkIdType v) { return tags.Vertices[v] == VertexTag::Smooth; };
   const vtkIdType firstOnEdge =
     level.VerticesBefore < 0 ? end : std::min<vtkIdType>(end, level.VerticesBefore);
-  CycleWalks<Id> walks;
-  for (vtkIdType first = begin; first < firstOnEdge; first += walks.Most)
-  {
-    const vtkIdType last = std::min<vtkIdType>(firstOnEdge, first + walks.Most);
-    walks.Walk(mesh, static_cast<Id>(first), static_cast<Id>(last), isSmooth);
-    for (vtkIdType vertex = first; vertex < last; ++vertex)
-    {
-      vertex += rows.AddRun(RegularVertex, last - vertex,
-        [&](vtkIdType i, Id* columns)
-        {
-          columns[0] = static_cast<Id>(vertex + i);
-          const auto& steps = walks.Get(columns[0]);
-          const bool isRegular = steps.size() == 6;
-          for (std::size_t k = 0; isRegular && k < 6; ++k)
-          {
-            columns[k + 1] = GetNeighbour(mesh, steps[k]);
-          }
-          return isRegular;
-        });
-      if (vertex < last)
-      {
-        const Id v = static_cast<Id>(vertex);
-        this->AppendVertex(mesh, tags, v, walks.Get(v), ring, rows);
-        rows.EndRow();
-      }
-    }
-  }
+  AppendLoopVertices(
+    level, tags, this->Weights, begin, firstOnEdge,
+    [&](const FanStep<Id>& step) { return GetNeighbour(mesh, step); },
+    [&](Id vertex) { this->AppendVertex(mesh, tags, vertex, ring, rows); }, rows);
   for (vtkIdType vertex = std::max(begin, firstOnEdge); vertex < end; ++vertex)
   {
-    vertex += rows.AddRun(RegularVertex, end - vertex,
+    vertex += rows.AddRun(LoopVertex, end - vertex,
       [&](vtkIdType i, Id* columns)
       {
         columns[0] = static_cast<Id>(vertex + i);
@@ -148,40 +139,22 @@ void LoopScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level, const Surface
       });
     if (vertex < end)
     {
-      this->AppendVertex(mesh, tags, static_cast<Id>(vertex), {}, ring, rows);
+      this->AppendVertex(mesh, tags, static_cast<Id>(vertex), ring, rows);
       rows.EndRow();
     }
   }
 }
 
-template <typename Id>
-void LoopScheme<Id>::AppendRing(
-  Id vertex, Rule rule, const std::vector<Id>& ring, RowBlock<Id>& rows) const
-{
-  const Mask mask = VertexMask(rule, static_cast<vtkIdType>(ring.size()), this->Weights);
-  rows.Add(vertex, mask.Own);
-  for (Id member : ring)
-  {
-    rows.Add(member, mask.Ring);
-  }
-}
-
-/// Appends the row of a vertex that has not six neighbours around it, or is not smooth. `steps`:
-/// those around it, if they are known.
+/// Appends the row of a vertex that has not six neighbours around it, or is not smooth.
 template <typename Id>
 void LoopScheme<Id>::AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags,
-  Id vertex, const std::vector<FanStep<Id>>& steps, std::vector<Id>& ring, RowBlock<Id>& rows) const
+  Id vertex, std::vector<Id>& ring, RowBlock<Id>& rows) const
 {
   if (tags.Vertices[vertex] == VertexTag::Smooth)
   {
-    ring.clear();
-    const auto visit = [&](const FanStep<Id>& step) { ring.push_back(GetNeighbour(mesh, step)); };
-    if (steps.empty())
-    {
-      VisitCycle(mesh, mesh.VertexCorners[vertex], visit);
-    }
-    std::for_each(steps.begin(), steps.end(), visit);
-    this->AppendRing(vertex, Rule::Surface, ring, rows);
+    AppendLoopVertex(
+      mesh, vertex, this->Weights,
+      [&](const FanStep<Id>& step) { return GetNeighbour(mesh, step); }, rows);
     return;
   }
   if (tags.Vertices[vertex] != VertexTag::Blend)
@@ -194,7 +167,7 @@ void LoopScheme<Id>::AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags
   {
     member = mesh.GetOtherEnd(member, vertex);
   }
-  this->AppendRing(vertex, Rule::Blend, ring, rows);
+  AppendLoopRing(vertex, Rule::Blend, this->Weights, ring, rows);
 }
 
 /// Appends the row of an edge that is not inside the smooth surface.

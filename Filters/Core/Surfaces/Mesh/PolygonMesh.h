@@ -61,8 +61,17 @@ struct PolygonMesh
   };
   std::vector<Sheaf> Sheaves; ///< ascending by edge
 
-  vtkIdType GetNumberOfCorners() const { return this->Vertices.size(); }
-  vtkIdType GetNumberOfEdges() const { return this->EdgeCorners.size(); }
+  /// The number of edges of a level that does not store them.
+  vtkIdType EdgesNotStored = 0;
+
+  vtkIdType GetNumberOfCorners() const
+  {
+    return this->Vertices.empty() ? this->Arity * this->NumberOfFaces : this->Vertices.size();
+  }
+  vtkIdType GetNumberOfEdges() const
+  {
+    return this->EdgeCorners.empty() ? this->EdgesNotStored : this->EdgeCorners.size();
+  }
 
   Id GetFace(Id corner) const
   {

@@ -18,6 +18,10 @@ struct TriangleSplit
   {
   }
   static constexpr int Arity = 3;
+  /// The half-edges across the triangle near each of its corners, as corners of its children, and
+  /// their twins, which are those of the middle child.
+  static constexpr Id Outer[3] = { 1, 5, 6 };
+  static constexpr Id Middle[3] = { 11, 9, 10 };
 
   vtkIdType GetNumberOfVertices() const
   {
@@ -34,34 +38,62 @@ struct TriangleSplit
     return 12 * (corner / 3) + ends[corner % 3];
   }
 
+  /// The vertices of the children of a triangle with vertices x and edges e. `first`: the point of
+  /// edge 0.
   template <typename Out>
-  void SetVertices(vtkIdType face, Out* out) const
+  static void SetChildren(const Id* x, const Id* e, Id first, Out* out)
   {
-    const Id* x = this->Mesh.Vertices.data() + 3 * face;
-    const Id* e = this->Mesh.Edges.data() + 3 * face;
-    const Id first = static_cast<Id>(this->Mesh.NumberOfVertices);
     const Id x01 = first + e[0];
     const Id x12 = first + e[1];
     const Id x02 = first + e[2];
     const Id children[12] = { x[0], x01, x02, x01, x[1], x12, x02, x12, x[2], x01, x12, x02 };
-    std::copy(children, children + 12, out + 12 * face);
+    std::copy(children, children + 12, out);
+  }
+  template <typename Out>
+  void SetVertices(vtkIdType face, Out* out) const
+  {
+    SetChildren(this->Mesh.Vertices.data() + 3 * face, this->Mesh.Edges.data() + 3 * face,
+      static_cast<Id>(this->Mesh.NumberOfVertices), out + 12 * face);
+  }
+  /// The vertices of the children of the children.
+  template <typename Out>
+  void SetGrandchildren(vtkIdType face, Out* out) const
+  {
+    const Id* e = this->Mesh.Edges.data() + 3 * face;
+    const vtkIdType edgesOfMesh = this->Mesh.GetNumberOfEdges();
+    const Id inside = static_cast<Id>(2 * edgesOfMesh + 3 * face);
+    Id x[12];
+    SetChildren(
+      this->Mesh.Vertices.data() + 3 * face, e, static_cast<Id>(this->Mesh.NumberOfVertices), x);
+    Id edges[12];
+    for (Id i = 0; i < 3; ++i)
+    {
+      const Id along = this->Mesh.EdgeVertices[2 * e[i]] == x[4 * i] ? 0 : 1;
+      edges[this->GetStart(i)] = 2 * e[i] + along;
+      edges[this->GetEnd(i)] = 2 * e[i] + 1 - along;
+      edges[Outer[i]] = inside + i;
+      edges[Middle[i]] = inside + i;
+    }
+    for (int child = 0; child < 4; ++child)
+    {
+      SetChildren(x + 3 * child, edges + 3 * child, static_cast<Id>(this->GetNumberOfVertices()),
+        out + 48 * face + 12 * child);
+    }
   }
 
   /// Half-edges inside a face: their edges and twins.
   void SetInside(vtkIdType face, PolygonMesh<Id>& out) const
   {
-    constexpr Id outer[3] = { 1, 5, 6 };
-    constexpr Id middle[3] = { 11, 9, 10 };
     const Id first = static_cast<Id>(12 * face);
     const Id* e = this->Mesh.Edges.data() + 3 * face;
     for (int i = 0; i < 3; ++i)
     {
       const Id edge = static_cast<Id>(2 * this->Mesh.GetNumberOfEdges() + 3 * face + i);
-      out.Edges[first + outer[i]] = edge;
-      out.Edges[first + middle[i]] = edge;
-      out.Twins[first + outer[i]] = first + middle[i];
-      out.Twins[first + middle[i]] = first + outer[i];
-      out.EdgeCorners[edge] = first + outer[i];
+      out.Edges[first + Outer[i]] = edge;
+      out.Edges[first + Middle[i]] = edge;
+      out.Twins[first + Outer[i]] = first + Middle[i];
+      out.Twins[first + Middle[i]] = first + Outer[i];
+      out.EdgeCorners[edge] = first + Outer[i];
       out.EdgeVertices[2 * edge] = static_cast<Id>(this->Mesh.NumberOfVertices) + e[i];
       out.EdgeVertices[2 * edge + 1] =
         static_cast<Id>(this->Mesh.NumberOfVertices) + e[(i + 2) % 3];
@@ -110,6 +142,43 @@ struct QuadSplit
       quad[2] = middle;
       quad[3] = before;
       before = after;
+    }
+  }
+
+  /// The vertices of the children of the children of a quad.
+  template <typename Out>
+  void SetGrandchildren(vtkIdType face, Out* out) const
+  {
+    const Id* x = this->Mesh.Vertices.data() + 4 * face;
+    const Id* e = this->Mesh.Edges.data() + 4 * face;
+    const Id vertices = static_cast<Id>(this->Mesh.NumberOfVertices);
+    const Id middle =
+      vertices + static_cast<Id>(this->Mesh.GetNumberOfEdges()) + static_cast<Id>(face);
+    const Id inside = static_cast<Id>(2 * this->Mesh.GetNumberOfEdges() + 4 * face);
+    const Id points = static_cast<Id>(this->GetNumberOfVertices());
+    const Id middles = points + 2 * static_cast<Id>(this->Mesh.GetNumberOfEdges()) +
+      static_cast<Id>(this->Mesh.GetNumberOfCorners() + 4 * face);
+    Id halves[4][2]; // of each edge: that which begins at the corner, and the other
+    for (int i = 0; i < 4; ++i)
+    {
+      const Id along = this->Mesh.EdgeVertices[2 * e[i]] == x[i] ? 0 : 1;
+      halves[i][0] = points + 2 * e[i] + along;
+      halves[i][1] = points + 2 * e[i] + 1 - along;
+    }
+    Out* quads = out + 64 * face;
+    for (int i = 0; i < 4; ++i, quads += 16)
+    {
+      const int before = (i + 3) % 4;
+      const Id corners[4] = { x[i], vertices + e[i], middle, vertices + e[before] };
+      const Id edges[4] = { halves[i][0], points + inside + i, points + inside + before,
+        halves[before][1] };
+      for (int k = 0; k < 4; ++k)
+      {
+        quads[4 * k] = corners[k];
+        quads[4 * k + 1] = edges[k];
+        quads[4 * k + 2] = middles + i;
+        quads[4 * k + 3] = edges[(k + 3) % 4];
+      }
     }
   }
 
@@ -173,6 +242,7 @@ public:
     {
       this->WriteFaces(out.Vertices.data());
     }
+    out.EdgesNotStored = isWhole ? 0 : edges;
     if (isWhole || !this->Level.Lines.empty())
     {
       out.EdgeVertices = Buffer<Id>(2 * edges);
@@ -196,6 +266,14 @@ public:
   void WriteFaces(Out* ids) const
   {
     ForEach(this->Mesh.NumberOfFaces, [&](vtkIdType f) { this->Children.SetVertices(f, ids); });
+  }
+
+  /// The faces of the level after the next one.
+  template <typename Out>
+  void WriteGrandchildren(Out* ids) const
+  {
+    ForEach(
+      this->Mesh.NumberOfFaces, [&](vtkIdType f) { this->Children.SetGrandchildren(f, ids); });
   }
 
 private:
@@ -425,6 +503,18 @@ void WriteQuads(const SurfaceLevel<Id>& level, Out* ids)
   PrimalRefiner<Id, QuadSplit<Id>>(level).WriteFaces(ids);
 }
 
+template <typename Id, typename Out>
+void WriteTrianglesOfNext(const SurfaceLevel<Id>& level, Out* ids)
+{
+  PrimalRefiner<Id, TriangleSplit<Id>>(level).WriteGrandchildren(ids);
+}
+
+template <typename Id, typename Out>
+void WriteQuadsOfNext(const SurfaceLevel<Id>& level, Out* ids)
+{
+  PrimalRefiner<Id, QuadSplit<Id>>(level).WriteGrandchildren(ids);
+}
+
 void ListTriangleChildren(const SurfaceSegments& segments, SurfaceSegments& children)
 {
   AppendChildren(segments.Vertices, 1, children.Vertices);
@@ -454,5 +544,7 @@ SUBDIVISION_COMPILE_FUNCTION(RefineTriangleTags);
 SUBDIVISION_COMPILE_FUNCTION(RefineToQuadTags);
 SUBDIVISION_COMPILE_WRITER(WriteTriangles);
 SUBDIVISION_COMPILE_WRITER(WriteQuads);
+SUBDIVISION_COMPILE_WRITER(WriteTrianglesOfNext);
+SUBDIVISION_COMPILE_WRITER(WriteQuadsOfNext);
 
 }

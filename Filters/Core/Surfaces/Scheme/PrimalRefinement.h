@@ -24,43 +24,86 @@ SurfaceLevel<Id> RefineTriangles(const SurfaceLevel<Id>& level, Depth depth);
 template <typename Id>
 SurfaceLevel<Id> RefineToQuads(const SurfaceLevel<Id>& level, Depth depth);
 
+/// The two triangles at whose edge a new point lies, on the level that RefineTriangles made.
+template <typename Id>
+struct TrianglesOfEdgePoint
+{
+  Id Children[2]; ///< the first corner of their children
+  Id Edges[2];    ///< which of its edges it is, for each triangle
+
+  /// False: two triangles have the edge in the same direction, or not two have it.
+  bool Find(const PolygonMesh<Id>& mesh, Id point)
+  {
+    const Id corner = mesh.VertexCorners[point];
+    if (corner < 0)
+    {
+      return false;
+    }
+    // The half of the half-edge that ends at x1 of its triangle, and so is in the child at x1, and
+    // the half of its twin.
+    const Id twin = mesh.Twins[corner];
+    if (twin < 0 || twin % 12 % 4 != 0)
+    {
+      return false; // a boundary, or the other triangle has the edge in the same direction
+    }
+    this->Children[0] = corner / 12 * 12;
+    this->Children[1] = twin / 12 * 12;
+    this->Edges[0] = corner % 12 == 3 ? 0 : corner % 12 == 7 ? 1 : 2;
+    this->Edges[1] = twin % 12 / 4;
+    return true;
+  }
+};
+
 /// Finds the six vertices around the point of an edge on a level that RefineTriangles made, in the
 /// order of VisitCycle: without a walk, of which each step would wait for the one before. False: it
-/// takes a walk, because two triangles have the edge in the same direction, or not two have it.
+/// takes a walk.
 template <typename Id>
 bool FindRingOfEdgePoint(const PolygonMesh<Id>& mesh, Id point, Id ring[6])
 {
-  const Id corner = mesh.VertexCorners[point];
-  if (corner < 0)
+  TrianglesOfEdgePoint<Id> triangles;
+  if (!triangles.Find(mesh, point))
   {
     return false;
   }
-  // The half of the half-edge that ends at x1 of its triangle, and so is in the child at x1, and
-  // the half of its twin.
-  const Id halves[2] = { corner, mesh.Twins[corner] };
-  if (halves[1] < 0 || halves[1] % 12 % 4 != 0)
-  {
-    return false; // a boundary, or the other triangle has the edge in the same direction
-  }
-  const Id edge = corner % 12 == 3 ? 0 : corner % 12 == 7 ? 1 : 2;
-  const Id edges[2] = { edge, halves[1] % 12 / 4 };
   for (int side = 0; side < 2; ++side)
   {
-    const Id* children = mesh.Vertices.data() + halves[side] / 12 * 12;
+    const Id* children = mesh.Vertices.data() + triangles.Children[side];
+    const Id edge = triangles.Edges[side];
     // Child i has old vertex i as its corner i, and the middle child has the edge points.
-    ring[3 * side] = children[4 * ((edges[side] + 1) % 3)];
-    ring[3 * side + 1] = children[9 + (edges[side] + 1) % 3];
-    ring[3 * side + 2] = children[9 + (edges[side] + 2) % 3];
+    ring[3 * side] = children[4 * ((edge + 1) % 3)];
+    ring[3 * side + 1] = children[9 + (edge + 1) % 3];
+    ring[3 * side + 2] = children[9 + (edge + 2) % 3];
   }
   return true;
 }
 
-/// Finds the neighbours, and the vertices opposite in the quads between them, of the point of an
-/// edge or a face on a level of quads that RefineToQuads made, in the order of VisitCycle. False:
-/// it takes a walk, because it is on the boundary, two faces have the edge in the same direction,
-/// or the face had not four corners.
+/// The same for the edges to these vertices.
 template <typename Id>
-bool FindQuadsOfNewPoint(const PolygonMesh<Id>& mesh, Id point, Id ring[8])
+bool FindEdgesOfEdgePoint(const PolygonMesh<Id>& mesh, Id point, Id ring[6])
+{
+  TrianglesOfEdgePoint<Id> triangles;
+  if (!triangles.Find(mesh, point))
+  {
+    return false;
+  }
+  constexpr Id seconds[3] = { 3, 7, 2 }; // the second halves of a triangle's edges
+  for (int side = 0; side < 2; ++side)
+  {
+    const Id* children = mesh.Edges.data() + triangles.Children[side];
+    const Id edge = triangles.Edges[side];
+    ring[3 * side] = children[seconds[edge]];
+    ring[3 * side + 1] = children[9 + edge];
+    ring[3 * side + 2] = children[9 + (edge + 2) % 3];
+  }
+  return true;
+}
+
+/// Finds the four quads around the point of an edge or a face on a level that RefineToQuads made,
+/// in the order of VisitCycle: the first corner of each. `own`: the corner of the point in the
+/// first and third of them, and in the others. False: it takes a walk, because it is on the
+/// boundary, two faces have the edge in the same direction, or the face had not four corners.
+template <typename Id>
+bool FindQuadsOfNewPoint(const PolygonMesh<Id>& mesh, Id point, Id quads[4], Id own[2])
 {
   const Id corner = mesh.VertexCorners[point];
   if (corner < 0)
@@ -70,16 +113,15 @@ bool FindQuadsOfNewPoint(const PolygonMesh<Id>& mesh, Id point, Id ring[8])
   const Id first = corner / 4 * 4;
   if (corner % 4 == 2) // of a face: the children follow one another
   {
-    if (first + 16 > mesh.Vertices.size() || mesh.Twins[first + 13] != corner)
+    if (first + 16 > mesh.Twins.size() || mesh.Twins[first + 13] != corner)
     {
       return false;
     }
-    const Id* at = mesh.Vertices.data() + first;
-    for (int k = 0; k < 4; ++k)
+    for (Id k = 0; k < 4; ++k)
     {
-      ring[2 * k] = at[4 * k + 3];
-      ring[2 * k + 1] = at[4 * k];
+      quads[k] = first + 4 * k;
     }
+    own[0] = own[1] = 2;
     return true;
   }
   // The two children at the edge on this side of it, then those on the other side.
@@ -89,12 +131,31 @@ bool FindQuadsOfNewPoint(const PolygonMesh<Id>& mesh, Id point, Id ring[8])
   {
     return false;
   }
-  const Id children[4] = { first, second, third - 3, mesh.Twins[third - 1] - 1 };
+  quads[0] = first;
+  quads[1] = second;
+  quads[2] = third - 3;
+  quads[3] = mesh.Twins[third - 1] - 1;
+  own[0] = 3;
+  own[1] = 1;
+  return true;
+}
+
+/// Finds the neighbours of the point of an edge or a face, and the vertices opposite in the quads
+/// between them. False: it takes a walk.
+template <typename Id>
+bool FindRingOfNewPoint(const PolygonMesh<Id>& mesh, Id point, Id ring[8])
+{
+  Id quads[4];
+  Id own[2];
+  if (!FindQuadsOfNewPoint(mesh, point, quads, own))
+  {
+    return false;
+  }
   for (int k = 0; k < 4; ++k)
   {
-    const Id* child = mesh.Vertices.data() + children[k];
-    ring[2 * k] = child[k % 2 == 0 ? 0 : 2];
-    ring[2 * k + 1] = child[k % 2 == 0 ? 1 : 3];
+    const Id* quad = mesh.Vertices.data() + quads[k];
+    ring[2 * k] = quad[(own[k % 2] + 1) % 4];
+    ring[2 * k + 1] = quad[(own[k % 2] + 2) % 4];
   }
   return true;
 }
@@ -104,6 +165,11 @@ template <typename Id, typename Out>
 void WriteTriangles(const SurfaceLevel<Id>& level, Out* ids);
 template <typename Id, typename Out>
 void WriteQuads(const SurfaceLevel<Id>& level, Out* ids);
+/// The same for the level after the next one, if all faces of this one have three corners, or four.
+template <typename Id, typename Out>
+void WriteTrianglesOfNext(const SurfaceLevel<Id>& level, Out* ids);
+template <typename Id, typename Out>
+void WriteQuadsOfNext(const SurfaceLevel<Id>& level, Out* ids);
 
 /// Tags of the next level. Halves of an edge have its tag, its midpoint the vertex tag that
 /// corresponds to it, and old vertices keep theirs. All other edges and vertices are smooth.

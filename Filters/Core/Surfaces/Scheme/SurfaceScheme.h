@@ -68,6 +68,8 @@ struct SurfaceTags
 
 template <typename Id>
 struct DualPlaces;
+template <typename Id>
+class IrregularRows;
 
 template <typename Id>
 struct SurfaceLevel
@@ -193,6 +195,21 @@ public:
   virtual bool WritesFaces() const { return false; }
   virtual void WriteFaces(const SurfaceLevel<Id>& /*level*/, int* /*ids*/) const {}
   virtual void WriteFaces(const SurfaceLevel<Id>& /*level*/, long long* /*ids*/) const {}
+  /// Whether the step from the next level can be taken if that level is not made (SkippedLevel.h):
+  /// the next four methods then do for it, from this level, what those of almost the same names do
+  /// for a level. `others` appends rows that are not regular.
+  virtual bool SkipsNext(const SurfaceLevel<Id>& /*level*/) const { return false; }
+  virtual void AppendRowsOfNext(const SurfaceLevel<Id>& /*level*/,
+    const IrregularRows<Id>& /*others*/, vtkIdType /*begin*/, vtkIdType /*end*/,
+    RowBlock<Id>& /*rows*/) const
+  {
+  }
+  virtual void GetParentsOfNext(
+    const SurfaceLevel<Id>& /*level*/, vtkIdType /*row*/, std::vector<vtkIdType>& /*parents*/) const
+  {
+  }
+  virtual void WriteFacesOfNext(const SurfaceLevel<Id>& /*level*/, int* /*ids*/) const {}
+  virtual void WriteFacesOfNext(const SurfaceLevel<Id>& /*level*/, long long* /*ids*/) const {}
   /// Tags of the next level from those of this one (there may be several sets for one level).
   virtual SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const = 0;

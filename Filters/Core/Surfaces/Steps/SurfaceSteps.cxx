@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Dual/DualPlaces.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,12 +76,20 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   const auto isRight = [&](int level) { return !claimed.IsExceededBy(this->Levels[level], level); };
   for (int step = 0; step < steps && isRight(step) && !(stop && stop(0.5 * step / steps)); ++step)
   {
-    const Depth depth = lastIsWhole || step + 2 < steps ? Depth::ForRefinement
-      : step + 2 == steps                               ? Depth::ForLastStep
-      : this->Scheme->WritesFaces()                     ? Depth::ForCounts
-                                                        : Depth::ForOutput;
-    this->Scheme->Prepare(this->Levels.back());
-    this->Levels.push_back(this->Scheme->Refine(this->Levels.back(), depth));
+    SurfaceLevel<Id>& level = this->Levels.back();
+    this->Scheme->Prepare(level);
+    if (!lastIsWhole && step + 2 == steps && this->Scheme->SkipsNext(level))
+    {
+      this->Irregular = FindIrregularVertices(level);
+      this->SkipsLevel = static_cast<double>(this->Irregular.size()) <=
+        MostIrregularVertices * static_cast<double>(level.Mesh.NumberOfVertices);
+    }
+    const bool isLast = step + 1 == steps;
+    const Depth depth = lastIsWhole || step + 2 < steps             ? Depth::ForRefinement
+      : this->SkipsLevel || (isLast && this->Scheme->WritesFaces()) ? Depth::ForCounts
+      : isLast                                                      ? Depth::ForOutput
+                                                                    : Depth::ForLastStep;
+    this->Levels.push_back(this->Scheme->Refine(level, depth));
   }
   if (lastIsWhole)
   {
@@ -102,7 +111,9 @@ void SurfaceSteps<Id>::WriteFaces(int level, Out* ids) const
   const Buffer<Id>& vertices = this->Levels[level].Mesh.Vertices;
   if (vertices.empty() && this->GetNumberOfCorners(level) > 0)
   {
-    this->Scheme->WriteFaces(this->Levels[level - 1], ids);
+    this->StartsFromSkipped(level - 1)
+      ? this->Scheme->WriteFacesOfNext(this->Levels[level - 2], ids)
+      : this->Scheme->WriteFaces(this->Levels[level - 1], ids);
     return;
   }
   ForEach(vertices.size(), [&](vtkIdType c) { ids[c] = static_cast<Out>(vertices[c]); });
@@ -152,6 +163,11 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
   this->SharpSteps.clear();
   this->Limits = SharpLimits<Id>();
   const int steps = this->GetNumberOfSteps();
+  if (this->SkipsLevel && IsSharpAfter(sharpness, steps - 1))
+  {
+    this->Levels[steps - 1] = this->Scheme->Refine(this->Levels[steps - 2], Depth::ForLastStep);
+    this->SkipsLevel = false;
+  }
   for (int step = 0; step < steps && IsSharpAfter(sharpness, step); ++step)
   {
     this->SharpSteps.emplace_back(this->Levels[step],
@@ -185,6 +201,15 @@ BlockOperator<Id> SurfaceSteps<Id>::GetStep(int step) const
     return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
       [this, step, &level](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
       { this->SharpSteps[step].Append(*this->Scheme, level, begin, end, block); });
+  }
+  if (this->StartsFromSkipped(step))
+  {
+    const SurfaceLevel<Id>& before = this->Levels[step - 1];
+    const auto others =
+      std::make_shared<const IrregularRows<Id>>(*this->Scheme, before, this->Irregular);
+    return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
+      [this, &before, others](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
+      { this->Scheme->AppendRowsOfNext(before, *others, begin, end, block); });
   }
   return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
     [this, &level](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)

@@ -61,6 +61,13 @@ public:
   template <typename Out>
   void WriteFaces(int level, Out* ids) const;
   const SurfaceScheme<Id>& GetScheme() const { return *this->Scheme; }
+  /// SurfaceScheme::GetParents for a step.
+  void GetParents(int step, vtkIdType row, std::vector<vtkIdType>& parents) const
+  {
+    this->StartsFromSkipped(step)
+      ? this->Scheme->GetParentsOfNext(this->Levels[step - 1], row, parents)
+      : this->Scheme->GetParents(this->Levels[step], row, parents);
+  }
 
   BlockOperator<Id> GetStep(int step) const;
   /// The limits of the vertices of the last level, which must have been made with `lastIsWhole`.
@@ -76,11 +83,19 @@ private:
   SharpTagPair<Id> FindSharpTags(
     const EdgeSharpness& sharpness, int step, int level, const Classify& classify) const;
 
+  /// Whether the level before a step has only its counts and lines (SkippedLevel.h).
+  bool StartsFromSkipped(int step) const
+  {
+    return this->SkipsLevel && step + 1 == this->GetNumberOfSteps();
+  }
+
   std::vector<SurfaceLevel<Id>> Levels;
   std::vector<SharpRows<Id>> SharpSteps; ///< the first steps, in which edges are still sharp
   SharpLimits<Id> Limits; ///< at vertices near edges that are still sharp after the last step
   std::shared_ptr<const SurfaceScheme<Id>> Scheme;
   bool LastIsWhole;
+  bool SkipsLevel = false;   ///< the last but one
+  std::vector<Id> Irregular; ///< then: FindIrregularVertices of the level before it
   /// The control level's tags as they were given.
   Buffer<EdgeTag> GivenEdges;
   Buffer<VertexTag> GivenVertices;

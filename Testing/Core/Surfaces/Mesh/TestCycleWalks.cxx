@@ -111,7 +111,7 @@ TEST(FindRingOfEdgePoint, IsThatOfAWalk)
   EXPECT_GT(left, 100) << "at boundaries and turned triangles";
 }
 
-TEST(FindQuadsOfNewPoint, AreThoseOfAWalk)
+TEST(FindRingOfNewPoint, AreThoseOfAWalk)
 {
   int ofEdges = 0;
   int ofFaces = 0;
@@ -129,7 +129,7 @@ TEST(FindQuadsOfNewPoint, AreThoseOfAWalk)
       {
         const int vertex = static_cast<int>(v);
         std::vector<int> found(8);
-        if (!FindQuadsOfNewPoint(mesh, vertex, found.data()))
+        if (!FindRingOfNewPoint(mesh, vertex, found.data()))
         {
           ++left;
           continue;

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CatmullClarkRegular.h
+ * The rows of Catmull-Clark where the surface is smooth and consists of quads.
+ */
+#ifndef SubdivisionObjects_CatmullClarkRegular_h
+#define SubdivisionObjects_CatmullClarkRegular_h
+
+#include "Core/Surfaces/Mesh/CycleWalks.h"
+#include "Core/Surfaces/Scheme/SurfaceScheme.h"
+
+#include <array>
+
+namespace subdivision
+{
+
+/// The masks of a smooth vertex of four quads, each of which has a neighbour and the vertex
+/// opposite in it; of an edge between two quads, the mean of its ends and of the points of both; of
+/// a face.
+inline constexpr std::array<double, 9> QuadsAtVertex{ 9. / 16., 3. / 32., 1. / 64., 3. / 32.,
+  1. / 64., 3. / 32., 1. / 64., 3. / 32., 1. / 64. };
+inline constexpr std::array<double, 6> QuadsAtEdge{ 3. / 8., 3. / 8., 1. / 16., 1. / 16., 1. / 16.,
+  1. / 16. };
+inline constexpr std::array<double, 4> QuadOfFace{ 1. / 4., 1. / 4., 1. / 4., 1. / 4. };
+
+/// Appends the rows of vertices, for which it takes walks. `areQuads`: of all faces.
+/// members(step, two) writes the neighbour by whose edge a walk enters a quad, and the vertex
+/// opposite. other(v, steps) appends the entries of a vertex that is not smooth, or not of quads.
+template <typename Id, typename Members, typename Other>
+void AppendQuadVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
+  vtkIdType end, const Members& members, const Other& other, RowBlock<Id>& rows)
+{
+  if (begin >= end)
+  {
+    return;
+  }
+  const bool areQuads = level.Mesh.Arity == 4;
+  const auto isSmooth = [&tags](vtkIdType v) { return tags.Vertices[v] == VertexTag::Smooth; };
+  CycleWalks<Id> walks;
+  for (vtkIdType first = begin; first < end; first += walks.Most)
+  {
+    const vtkIdType last = std::min<vtkIdType>(end, first + walks.Most);
+    walks.Walk(level.Mesh, static_cast<Id>(first), static_cast<Id>(last), isSmooth);
+    for (vtkIdType vertex = first; vertex < last; ++vertex)
+    {
+      vertex += rows.AddRun(QuadsAtVertex, areQuads ? last - vertex : 0,
+        [&](vtkIdType i, Id* columns)
+        {
+          columns[0] = static_cast<Id>(vertex + i);
+          const auto& steps = walks.Get(columns[0]);
+          const bool isRegular = steps.size() == 4;
+          for (std::size_t k = 0; isRegular && k < 4; ++k)
+          {
+            members(steps[k], columns + 2 * k + 1);
+          }
+          return isRegular;
+        });
+      if (vertex < last)
+      {
+        other(static_cast<Id>(vertex), walks.Get(static_cast<Id>(vertex)));
+        rows.EndRow();
+      }
+    }
+  }
+}
+
+/// Appends the entries of a smooth vertex of any number of quads. Each face point is a quarter of
+/// the face's four corners, and each neighbour lies in two faces.
+template <typename Id, typename Members>
+void AppendQuadVertex(
+  Id vertex, const std::vector<FanStep<Id>>& steps, const Members& members, RowBlock<Id>& rows)
+{
+  const int k = static_cast<int>(steps.size());
+  const double edge = 1. / (static_cast<double>(k) * k);
+  const double own = static_cast<double>(k - 2) / k;
+  rows.Add(vertex, own + edge * k / 4.);
+  for (const FanStep<Id>& step : steps)
+  {
+    Id two[2];
+    members(step, two);
+    rows.Add(two[0], 1.5 * edge);
+    rows.Add(two[1], 0.25 * edge);
+  }
+}
+
+}
+
+#endif
