@@ -89,7 +89,7 @@ vtkIdType vtkMultiDimensionalSubdivision::GetNumberOfTopologyBuilds() const
 int vtkMultiDimensionalSubdivision::GetLayersOfCells() const
 {
   const bool readsLimit = this->ProjectToLimit || this->GenerateLimitNormals ||
-    this->InterpolatePoints || this->InterpolateArrays;
+    this->GenerateTangents || this->InterpolatePoints || this->InterpolateArrays;
   return this->VolumeScheme == TET_OCT && readsLimit ? 3 : 2;
 }
 
@@ -104,14 +104,16 @@ int vtkMultiDimensionalSubdivision::RequestData(
   {
     vtkWarningMacro("KeepCellTypes needs VolumeScheme = LINEAR: it is ignored.");
   }
-  if (options.KeepCellTypes && (this->GenerateClassification || this->GenerateLimitNormals))
+  if (options.KeepCellTypes &&
+    (this->GenerateClassification || this->GenerateLimitNormals || this->GenerateTangents))
   {
-    vtkWarningMacro("With KeepCellTypes there are no rules and normals: GenerateClassification and "
-                    "GenerateLimitNormals are ignored.");
+    vtkWarningMacro("With KeepCellTypes there are no rules and normals: GenerateClassification, "
+                    "GenerateLimitNormals and GenerateTangents are ignored.");
   }
   options.GenerateClassification = this->GenerateClassification;
   options.ProjectToLimit = this->ProjectToLimit;
   options.GenerateLimitNormals = this->GenerateLimitNormals;
+  options.GenerateTangents = this->GenerateTangents;
   options.Use32BitIds = this->Use32BitIds;
   options.Cache = this->CacheOperator ? this->Cache.get() : nullptr;
   options.Places = this->Places;
@@ -119,7 +121,8 @@ int vtkMultiDimensionalSubdivision::RequestData(
   {
     options.Levels = 0;
     options.ProjectToLimit = true;
-    options.GenerateLimitNormals = options.GenerateClassification = options.KeepCellTypes = false;
+    options.GenerateLimitNormals = options.GenerateTangents = false;
+    options.GenerateClassification = options.KeepCellTypes = false;
     options.Cache = nullptr;
   }
   const int result = this->Run(inputVector, outputVector, options,
@@ -147,6 +150,7 @@ void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateClassification: " << this->GenerateClassification << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
+  os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";
   os << indent << "OutputDimensions: " << this->OutputDimensions << "\n";
   os << indent << "Use32BitIds: " << this->Use32BitIds << "\n";
   os << indent << "CacheOperator: " << this->CacheOperator << "\n";
