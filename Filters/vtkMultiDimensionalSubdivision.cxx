@@ -109,7 +109,7 @@ vtkIdType vtkMultiDimensionalSubdivision::GetNumberOfTopologyBuilds() const
 int vtkMultiDimensionalSubdivision::GetLayersOfCells() const
 {
   const bool readsLimit = this->ProjectToLimit || this->GenerateLimitNormals ||
-    this->InterpolatePoints || this->InterpolateArrays;
+    this->GenerateTangents || this->InterpolatePoints || this->InterpolateArrays;
   return this->VolumeScheme == TET_OCT && readsLimit ? 3 : 2;
 }
 
@@ -124,10 +124,11 @@ int vtkMultiDimensionalSubdivision::RequestData(
   {
     vtkWarningMacro("KeepCellTypes needs VolumeScheme = LINEAR: it is ignored.");
   }
-  if (options.KeepCellTypes && (this->GenerateClassification || this->GenerateLimitNormals))
+  if (options.KeepCellTypes &&
+    (this->GenerateClassification || this->GenerateLimitNormals || this->GenerateTangents))
   {
-    vtkWarningMacro("With KeepCellTypes there are no rules and normals: GenerateClassification and "
-                    "GenerateLimitNormals are ignored.");
+    vtkWarningMacro("With KeepCellTypes there are no rules and normals: GenerateClassification, "
+                    "GenerateLimitNormals and GenerateTangents are ignored.");
   }
   const bool writesBezierCells = this->WritesBezierCells();
   if (this->OutputCells == BEZIER_CELLS && this->HasOutput() && !this->Places && !writesBezierCells)
@@ -142,6 +143,7 @@ int vtkMultiDimensionalSubdivision::RequestData(
   options.GenerateClassification = this->GenerateClassification;
   options.ProjectToLimit = this->ProjectToLimit || writesBezierCells;
   options.GenerateLimitNormals = this->GenerateLimitNormals;
+  options.GenerateTangents = this->GenerateTangents;
   options.Use32BitIds = this->Use32BitIds;
   options.Cache = this->CacheOperator ? this->Cache.get() : nullptr;
   options.Places = this->Places;
@@ -149,7 +151,8 @@ int vtkMultiDimensionalSubdivision::RequestData(
   {
     options.Levels = 0;
     options.ProjectToLimit = true;
-    options.GenerateLimitNormals = options.GenerateClassification = options.KeepCellTypes = false;
+    options.GenerateLimitNormals = options.GenerateTangents = false;
+    options.GenerateClassification = options.KeepCellTypes = false;
     options.Cache = nullptr;
   }
   const int result = this->Run(inputVector, outputVector, options,
@@ -181,6 +184,7 @@ void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateClassification: " << this->GenerateClassification << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
+  os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";
   os << indent << "OutputCells: " << this->OutputCells << "\n";
   os << indent << "BezierTolerance: " << this->BezierTolerance << "\n";
   os << indent << "OutputDimensions: " << this->OutputDimensions << "\n";

@@ -152,11 +152,11 @@ public:
    * pyramids and 4 tetrahedra; simplices as without the option, each tetrahedron of each level
    * around its shortest diagonal. New points are the means of the corners of edges, quads and
    * hexahedra; so cells that fit together fit after any level, and keep their volume together.
-   * Options on rules and limits mean nothing then; of GenerateClassification and
-   * GenerateLimitNormals a warning says so. Quads and polygons of three points are read, larger
-   * polygons, prisms of more than three sides and polyhedra are errors. The output has no stamp:
-   * filters in a row refine what they read. Off by default; without LINEAR it is ignored with a
-   * warning.
+   * Options on rules and limits mean nothing then; of GenerateClassification,
+   * GenerateLimitNormals and GenerateTangents a warning says so. Quads and polygons of three points
+   * are read, larger polygons, prisms of more than three sides and polyhedra are errors. The output
+   * has no stamp: filters in a row refine what they read. Off by default; without LINEAR it is
+   * ignored with a warning.
    */
   vtkSetMacro(KeepCellTypes, bool);
   vtkGetMacro(KeepCellTypes, bool);
@@ -217,6 +217,23 @@ public:
   vtkSetMacro(GenerateLimitNormals, bool);
   vtkGetMacro(GenerateLimitNormals, bool);
   vtkBooleanMacro(GenerateLimitNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to output the point arrays `LimitTangent1` and `LimitTangent2` (3 components, of the
+   * type of the points, not normalised): two tangents of the limit where each point ends up. On
+   * surfaces and boundaries of solids they span the tangent plane, and their cross product has the
+   * direction of the normal; on creases and borders the first one runs along the curve, and both
+   * are those of one side. On curves the first one is the curve's tangent, in the direction of its
+   * lines if these follow one another, and the second is zero. Both are zero where
+   * GenerateLimitNormals says that there is no tangent plane, except on curves, borders and creases
+   * with seven and more triangles on a side, and sharp joints, which have the first. Off by
+   * default.
+   */
+  vtkSetMacro(GenerateTangents, bool);
+  vtkGetMacro(GenerateTangents, bool);
+  vtkBooleanMacro(GenerateTangents, bool);
   ///@}
 
   enum OutputCellTypes
@@ -371,6 +388,7 @@ protected:
   bool GenerateClassification = false;
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;
+  bool GenerateTangents = false;
   int OutputCells = LINEAR_CELLS;
   double BezierTolerance = 1e-4;
   int OutputDimensions = ALL_DIMENSIONS;

@@ -20,7 +20,7 @@ package_lists()
   analysis_packages=(python3-matplotlib)
   debian_packages=(dpkg-dev file gzip lintian)
   # Other libraries that tests and benchmarks compare with; without them the tests say "skipped".
-  compared_packages=(libopenmesh-dev libcgal-dev libosd-dev)
+  compared_packages=(libopenmesh-dev libcgal-dev)
   peer_packages=(libosd-dev libopenmesh-dev libcgal-dev libdune-grid-dev libdune-uggrid-dev)
 
   # What the CMake files of VTK and ParaView look for and their packages do not bring.
@@ -39,6 +39,7 @@ package_lists()
       vtk_version=9.1
       debian_revision=1~deb12
       formatter=clang-format-19
+      compared_packages+=(libosd-dev) # not tried on later suites
       paraview_packages+=("${qt5[@]}" qtxmlpatterns5-dev-tools)
       client_packages=(python3-pyqt5)
       ;;

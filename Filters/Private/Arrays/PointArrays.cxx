@@ -412,6 +412,18 @@ void PointArrays::SetLimitNormals(const Buffer<double>& normals)
     normals.data(), this->Normals->GetVoidPointer(0), this->Points->GetDataType(), normals.size());
 }
 
+void PointArrays::SetLimitTangents(const Buffer<double> (&tangents)[2])
+{
+  for (int t = 0; t < 2; ++t)
+  {
+    const int type = this->Points->GetDataType();
+    this->Tangents[t] = MakeArray(type, 3, tangents[t].size() / 3);
+    this->Tangents[t]->SetName(LimitTangentNames[t]);
+    StoreDoubles(
+      tangents[t].data(), this->Tangents[t]->GetVoidPointer(0), type, tangents[t].size());
+  }
+}
+
 void PointArrays::Finish(vtkPointSet* output)
 {
   if (this->FinalPoints)
@@ -444,6 +456,10 @@ void PointArrays::Finish(vtkPointSet* output)
   {
     AddInstead(from, this->Normals, output->GetPointData());
     output->GetPointData()->SetActiveNormals(this->Normals->GetName());
+  }
+  for (int t = 0; t < 2 && this->Tangents[t]; ++t)
+  {
+    AddInstead(from, this->Tangents[t], output->GetPointData());
   }
   if (this->Options.OriginalIds)
   {

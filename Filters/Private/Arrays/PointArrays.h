@@ -154,6 +154,8 @@ public:
   /// Sets normals that the filter made, three numbers for each current point, in the type of the
   /// points. Finish adds them to the output as LimitNormals, its active normals.
   void SetLimitNormals(const Buffer<double>& normals);
+  /// The same with two tangents of each point, as LimitTangent1 and LimitTangent2.
+  void SetLimitTangents(const Buffer<double> (&tangents)[2]);
 
   /// Leaves out the normals of the input, even if no point moves here: points of other partitions
   /// do.
@@ -209,6 +211,7 @@ private:
   vtkSmartPointer<vtkDataArray> Points;
   vtkSmartPointer<vtkDataArray> FinalPoints; ///< null unless they are known beforehand
   vtkSmartPointer<vtkDataArray> Normals;
+  vtkSmartPointer<vtkDataArray> Tangents[2];
   std::vector<Entry> Entries;
   std::vector<Interpolated> ToInterpolate; ///< in an order that all parts of a mesh have
   bool HasGathered = false;

@@ -2,7 +2,7 @@
 /**
  * @file LimitOperators.h
  * The operators that follow the last step: they move points and arrays to the limit, and compute
- * its normals.
+ * its normals and tangents.
  */
 #ifndef SubdivisionObjects_LimitOperators_h
 #define SubdivisionObjects_LimitOperators_h
@@ -21,12 +21,13 @@ struct LimitOperators
   SparseRows<Id> Rows; ///< none: points stay where they are
   LimitTangents<Id> Tangents;
   bool HasNormals = false;
+  bool HasTangents = false; ///< these go to arrays of their own
 
   LimitOperators() = default;
   /// The level is that of any volume scheme.
   template <typename Level>
   LimitOperators(const Level& level, const SemiSharpStages<Id>& creases,
-    const ControlSolids& solids, bool project, bool generateNormals);
+    const ControlSolids& solids, bool project, bool generateNormals, bool generateTangents);
 
   /// `arrays` are those of the level; `inverted` and `turned` as in ComputeLimitNormals.
   void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted,

@@ -33,10 +33,10 @@ double UniformRun::GetPointsWeight() const
 void UniformRun::PlanInterpolation()
 {
   this->Solves = AgreeWithOthers(this->Interpolates(), this->Input, this->Options);
-  // Normals need the points before they are projected.
+  // Normals and tangents need the points before they are projected.
   const KeptOperator* kept = this->Found;
-  const bool knowsPoints = kept && kept->Steps && kept->PointsOut &&
-    !this->Options.GenerateLimitNormals && kept->PointsWeight == this->GetPointsWeight() &&
+  const bool knowsPoints = kept && kept->Steps && kept->PointsOut && !this->Options.HasFrames() &&
+    kept->PointsWeight == this->GetPointsWeight() &&
     HoldsSameValues(this->Points->GetPoints(), kept->PointsIn) && kept->HasPoints();
   this->ReusesPoints = AgreeWithOthers(knowsPoints, this->Input, this->Options);
 }

@@ -83,6 +83,7 @@ TopologyKey UniformRun::MakeKey() const
   key.Choices.push_back(this->Mesh.IsStamped);
   key.Choices.push_back(this->Options.ProjectToLimit);
   key.Choices.push_back(this->Options.GenerateLimitNormals);
+  key.Choices.push_back(this->Options.GenerateTangents);
   key.Choices.push_back(this->Interpolates());
   key.Choices.push_back(this->Points->HasWeights());
   for (const auto& tuples : this->Mesh.Derived.Tuples.Tuples)

@@ -148,7 +148,7 @@ SharedKeys UniformRun::MakeTriangleKeys(vtkIdType triangles) const
 /// Finds the control triangles that are turned.
 void UniformRun::FindTurned()
 {
-  if (!this->Options.GenerateLimitNormals)
+  if (!this->Options.HasFrames())
   {
     return;
   }

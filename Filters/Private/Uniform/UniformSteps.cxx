@@ -303,7 +303,7 @@ void UniformRun::AddClassificationOf(const Rows& last)
   this->AddClassification(vertices, edges);
 }
 
-/// Moves the vertices of the last level to their limits, and computes normals.
+/// Moves the vertices of the last level to their limits, and computes normals and tangents.
 template <typename Scheme>
 void UniformRun::GoToLimit(const typename Scheme::Level& level, Kept<Scheme>& kept)
 {
@@ -313,7 +313,8 @@ void UniformRun::GoToLimit(const typename Scheme::Level& level, Kept<Scheme>& ke
       BuildSharpStages<Scheme>(
         this->Mesh, this->Options.Features, this->Control, this->Options.Levels),
       { this->Control.Solids, this->Mesh.MadeLevels + this->Options.Levels },
-      this->Options.ProjectToLimit, this->Options.GenerateLimitNormals);
+      this->Options.ProjectToLimit, this->Options.GenerateLimitNormals,
+      this->Options.GenerateTangents);
     limit.Apply(*this->Points, this->Mesh.Inverted, this->Turned);
     kept.SetLimit(std::move(limit));
   }

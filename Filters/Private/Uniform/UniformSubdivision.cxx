@@ -116,6 +116,10 @@ void UniformRun::StartPoints()
   {
     arrays.Replaced.emplace_back(LimitNormalsName);
   }
+  if (this->Options.GenerateTangents)
+  {
+    arrays.Replaced.insert(arrays.Replaced.end(), { LimitTangentNames[0], LimitTangentNames[1] });
+  }
   if (this->Options.GenerateClassification)
   {
     arrays.Replaced.insert(arrays.Replaced.end(), { RuleName, TypeName });

@@ -36,7 +36,10 @@ struct UniformOptions : RunOptions
   bool GenerateClassification = false;
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;
-  bool ReadsLimit() const { return this->ProjectToLimit || this->GenerateLimitNormals; }
+  bool GenerateTangents = false;
+  /// Whether something is computed from points before they are projected.
+  bool HasFrames() const { return this->GenerateLimitNormals || this->GenerateTangents; }
+  bool ReadsLimit() const { return this->ProjectToLimit || this->HasFrames(); }
   bool MovesPoints() const
   {
     return this->ProjectToLimit || (this->Levels > 0 && this->Scheme != StampScheme::Linear);

@@ -376,8 +376,12 @@ TEST(LimitProjection, BoundariesAreThoseOfTheOtherScheme)
 
 TEST(LimitProjection, NormalsAreMadeAgainWithThePoints)
 {
-  const Configure configure =
-    And(Projected, [](Filter* filter) { filter->GenerateLimitNormalsOn(); });
+  const Configure configure = And(Projected,
+    [](Filter* filter)
+    {
+      filter->GenerateLimitNormalsOn();
+      filter->GenerateTangentsOn();
+    });
   Kept filter(configure);
   const Grid input = MakeInput();
   EXPECT_EQ(Compare(filter.Update(input), Fresh(input, configure)), "");
@@ -391,8 +395,64 @@ TEST(LimitProjection, NormalsAreMadeAgainWithThePoints)
   const Grid mirrored = filter.Update(changed);
   EXPECT_EQ(Compare(mirrored, Fresh(changed, configure)), "");
   EXPECT_EQ(filter.CountBuilds(), 1);
-  // An earlier filter's normals are replaced.
-  const Configure normals = [](Filter* f) { f->GenerateLimitNormalsOn(); };
+  // An earlier filter's normals and tangents are replaced.
+  const Configure normals = [](Filter* f)
+  {
+    f->GenerateLimitNormalsOn();
+    f->GenerateTangentsOn();
+  };
   const Grid twice = Execute(Execute(input, 1, normals), 1, normals);
   EXPECT_EQ(Compare(twice, Execute(input, 2, normals)), "");
+}
+
+/// The tangents of a surface are perpendicular to its normals, on curves along them, and in solids
+/// zero; all where the points were before they were projected.
+TEST(LimitProjection, Tangents)
+{
+  const Grid input = MakeBoxWithFeatures();
+  const Configure frames = [](Filter* filter)
+  {
+    filter->GenerateLimitNormalsOn();
+    filter->GenerateTangentsOn();
+    filter->GenerateClassificationOn();
+    filter->DetectFeaturesOn();
+    filter->SetFeatureAngle(60.);
+  };
+  for (const int levels : { 0, 2 })
+  {
+    const Grid plain = Execute(input, levels, frames);
+    const Grid projected = Execute(input, levels, And(Projected, frames));
+    int counts[4] = { 0, 0, 0, 0 }; // of the rules
+    for (const char* name : { "LimitTangent1", "LimitTangent2" })
+    {
+      vtkDataArray* array = projected->GetPointData()->GetArray(name);
+      ASSERT_NE(array, nullptr);
+      EXPECT_EQ(array->GetDataType(), input->GetPoints()->GetDataType());
+      EXPECT_EQ(CompareValues(array, plain->GetPointData()->GetArray(name)), "");
+      EXPECT_FALSE(Execute(input, levels)->GetPointData()->HasArray(name));
+      for (vtkIdType i = 0; i < projected->GetNumberOfPoints(); ++i)
+      {
+        Point tangent;
+        Point normal;
+        array->GetTuple(i, tangent.data());
+        projected->GetPointData()->GetArray("LimitNormals")->GetTuple(i, normal.data());
+        const auto rule = static_cast<int>(
+          projected->GetPointData()->GetArray("RuleDimension")->GetComponent(i, 0));
+        const double length = std::hypot(tangent[0], tangent[1], tangent[2]);
+        if (rule == 3)
+        {
+          EXPECT_EQ(length, 0.) << i;
+        }
+        if (rule == 2 && length > 0.)
+        {
+          EXPECT_NEAR(
+            tangent[0] * normal[0] + tangent[1] * normal[1] + tangent[2] * normal[2], 0., 1e-12)
+            << i;
+        }
+        counts[rule % 4] += length > 0.;
+      }
+    }
+    EXPECT_GT(counts[1], 0);
+    EXPECT_GT(counts[2], 0);
+  }
 }

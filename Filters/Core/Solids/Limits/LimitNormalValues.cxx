@@ -31,6 +31,46 @@ inline Vector Normalise(const Vector& a, double least)
     : Vector{ 0., 0., 0. };
 }
 
+/// Whether normals of sectors point against the cross products of their tangents.
+template <typename Id>
+class SectorTurns
+{
+public:
+  SectorTurns(const LimitTangents<Id>& tangents, const std::vector<vtkIdType>& inverted,
+    const Buffer<unsigned char>& turned)
+    : Tangents(tangents)
+    , Inverted(inverted)
+    , Turned(turned)
+  {
+  }
+  bool IsTurned(vtkIdType sector) const
+  {
+    const Id triangle = this->Tangents.Triangles[sector];
+    return (triangle >= 0 && !this->Turned.empty() && this->Turned[triangle] != 0) ||
+      !this->IsOutwards(sector);
+  }
+
+private:
+  /// Whether most triangles of a sector have their solid behind them; true without solids.
+  bool IsOutwards(vtkIdType sector) const
+  {
+    vtkIdType outwards = 0;
+    for (vtkIdType i = this->Tangents.SideOffsets[sector];
+      i < this->Tangents.SideOffsets[sector + 1]; ++i)
+    {
+      const vtkIdType side = this->Tangents.Sides[i];
+      const bool isInverted =
+        std::binary_search(this->Inverted.begin(), this->Inverted.end(), side - side % 2);
+      outwards += (side % 2 == 1) == isInverted ? 1 : -1;
+    }
+    return outwards >= 0;
+  }
+
+  const LimitTangents<Id>& Tangents;
+  const std::vector<vtkIdType>& Inverted;
+  const Buffer<unsigned char>& Turned;
+};
+
 }
 
 template <typename Id>
@@ -48,23 +88,7 @@ void ComputeSectorNormals(const LimitTangents<Id>& tangents, const Coordinates& 
     return GetTangentError(rows.Columns.data() + begin, rows.Weights.data() + begin,
       rows.Offsets[sector + 1] - begin, points.Values, points.GetUnit());
   };
-  auto isTurned = [&](vtkIdType sector)
-  {
-    const Id triangle = tangents.Triangles[sector];
-    return triangle >= 0 && !turned.empty() && turned[triangle] != 0;
-  };
-  // Whether most triangles of a sector have their solid behind them; true without solids.
-  auto isOutwards = [&](vtkIdType sector)
-  {
-    vtkIdType outwards = 0;
-    for (vtkIdType i = tangents.SideOffsets[sector]; i < tangents.SideOffsets[sector + 1]; ++i)
-    {
-      const vtkIdType side = tangents.Sides[i];
-      const bool isInverted = std::binary_search(inverted.begin(), inverted.end(), side - side % 2);
-      outwards += (side % 2 == 1) == isInverted ? 1 : -1;
-    }
-    return outwards >= 0;
-  };
+  const SectorTurns<Id> turns(tangents, inverted, turned);
   auto normalOf = [&](vtkIdType sector)
   {
     Vector normal;
@@ -77,7 +101,7 @@ void ComputeSectorNormals(const LimitTangents<Id>& tangents, const Coordinates& 
       FindPerpendicular(
         std::hypot(a[0], a[1], a[2]) < std::hypot(b[0], b[1], b[2]) ? b : a, normal.data());
     }
-    if (isTurned(sector) || !isOutwards(sector))
+    if (turns.IsTurned(sector))
     {
       normal = { -normal[0], -normal[1], -normal[2] };
     }
@@ -101,6 +125,34 @@ void ComputeSectorNormals(const LimitTangents<Id>& tangents, const Coordinates& 
 }
 
 template <typename Id>
+void ComputeLimitTangents(const LimitTangents<Id>& tangents, const Coordinates& points,
+  const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned, double* first,
+  double* second)
+{
+  const vtkIdType sectors = tangents.GetNumberOfSectors();
+  Buffer<double> ofSectors[2] = { Buffer<double>(3 * sectors), Buffer<double>(3 * sectors) };
+  tangents.First.Apply(points.Values, ofSectors[0].data(), 3);
+  tangents.Second.Apply(points.Values, ofSectors[1].data(), 3);
+  const SectorTurns<Id> turns(tangents, inverted, turned);
+  ForEach(tangents.Sectors.GetNumberOfRows(),
+    [&](vtkIdType v)
+    {
+      const vtkIdType sector = tangents.Sectors.Offsets[v];
+      const bool hasSector = sector < tangents.Sectors.Offsets[v + 1];
+      const vtkIdType from = tangents.AlongCurves[2 * v];
+      const vtkIdType to = tangents.AlongCurves[2 * v + 1];
+      const double sign = hasSector && turns.IsTurned(sector) ? -1. : 1.;
+      for (int c = 0; c < 3; ++c)
+      {
+        first[3 * v + c] = hasSector ? ofSectors[0][3 * sector + c]
+          : from >= 0                ? points.Values[3 * to + c] - points.Values[3 * from + c]
+                                     : 0.;
+        second[3 * v + c] = hasSector ? sign * ofSectors[1][3 * sector + c] : 0.;
+      }
+    });
+}
+
+template <typename Id>
 void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& points,
   const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned, double* normals)
 {
@@ -111,6 +163,7 @@ void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& p
 }
 
 SUBDIVISION_COMPILE_FUNCTION(ComputeSectorNormals);
+SUBDIVISION_COMPILE_FUNCTION(ComputeLimitTangents);
 SUBDIVISION_COMPILE_FUNCTION(ComputeLimitNormals);
 
 }

@@ -366,17 +366,13 @@ Buffer<T> JoinOffsets(
   return offsets;
 }
 
-/// The tangents of `rows` vertices: vertexOf(row).
-template <typename Level, typename VertexOf>
-LimitTangents<typename Level::IdType> BuildTangents(const Level& level,
-  const SemiSharpStages<typename Level::IdType>& creases, const ControlSolids& solids,
-  vtkIdType rows, const VertexOf& vertexOf)
+/// The vertices without tangents because a crease there is still sharp, or because the scheme has
+/// none.
+template <typename Level>
+std::vector<bool> FindSharpVertices(
+  const Level& level, const SemiSharpStages<typename Level::IdType>& creases)
 {
-  using Id = typename Level::IdType;
-  const SectorWalker<SchemeOf<Level>> walker(level, solids);
   const vtkIdType vertices = level.Complex.NumberOfVertices;
-  constexpr vtkIdType block = 4096;
-  const vtkIdType blocks = (rows + block - 1) / block;
   std::vector<bool> isSharp(vertices, !SchemeOf<Level>::Traits.HasTangents);
   for (const SharpRow& row : creases.ListParts(level.Complex).GetRows())
   {
@@ -385,6 +381,46 @@ LimitTangents<typename Level::IdType> BuildTangents(const Level& level,
       isSharp[row.Row] = true;
     }
   }
+  return isSharp;
+}
+
+/// LimitTangents::AlongCurves. `missing`: the vertices without sector.
+template <typename Level>
+Buffer<typename Level::IdType> FindCurves(
+  const Level& level, const std::vector<bool>& isSharp, const Buffer<unsigned char>& missing)
+{
+  using Id = typename Level::IdType;
+  const auto& complex = level.Complex;
+  Buffer<Id> along(2 * missing.size(), Id(-1));
+  ForEach(missing.size(),
+    [&](vtkIdType v)
+    {
+      const Row<Id> ring = level.Strata.VertexRings.GetCarriers(v);
+      if (!missing[v] || isSharp[v] || level.Strata.Vertices[v].GetRule() != Rule::Curve ||
+        ring.size() != 2)
+      {
+        return;
+      }
+      const Id vertex = static_cast<Id>(v);
+      const Id* edges = ring.begin();
+      const bool endsHere = complex.EdgeVertices[2 * vtkIdType(edges[0]) + 1] == vertex;
+      along[2 * v] = complex.GetOtherEnd(edges[endsHere ? 0 : 1], vertex);
+      along[2 * v + 1] = complex.GetOtherEnd(edges[endsHere ? 1 : 0], vertex);
+    });
+  return along;
+}
+
+/// The tangents of `rows` vertices: vertexOf(row).
+template <typename Level, typename VertexOf>
+LimitTangents<typename Level::IdType> BuildTangents(const Level& level,
+  const std::vector<bool>& isSharp, const ControlSolids& solids, vtkIdType rows,
+  const VertexOf& vertexOf)
+{
+  using Id = typename Level::IdType;
+  const SectorWalker<SchemeOf<Level>> walker(level, solids);
+  const vtkIdType vertices = level.Complex.NumberOfVertices;
+  constexpr vtkIdType block = 4096;
+  const vtkIdType blocks = (rows + block - 1) / block;
   std::vector<SectorPart<Id>> parts(blocks);
   LimitTangents<Id> tangents;
   tangents.Sectors.Offsets = Buffer<Id>(rows + 1);
@@ -431,10 +467,12 @@ LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   const SemiSharpStages<typename Level::IdType>& creases, const ControlSolids& solids)
 {
   using Id = typename Level::IdType;
-  LimitTangents<Id> tangents = BuildTangents(level, creases, solids, level.Complex.NumberOfVertices,
+  const std::vector<bool> isSharp = FindSharpVertices(level, creases);
+  LimitTangents<Id> tangents = BuildTangents(level, isSharp, solids, level.Complex.NumberOfVertices,
     [](vtkIdType v) { return static_cast<Id>(v); });
-  tangents.Shading =
-    FindShadingFacets(level, tangents.FindMissing(), FindShadingCells(level, solids.Steps));
+  const Buffer<unsigned char> missing = tangents.FindMissing();
+  tangents.AlongCurves = FindCurves(level, isSharp, missing);
+  tangents.Shading = FindShadingFacets(level, missing, FindShadingCells(level, solids.Steps));
   return tangents;
 }
 
@@ -443,8 +481,8 @@ LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   const SemiSharpStages<typename Level::IdType>& creases, const ControlSolids& solids,
   const Buffer<typename Level::IdType>& vertices)
 {
-  return BuildTangents(
-    level, creases, solids, vertices.size(), [&vertices](vtkIdType row) { return vertices[row]; });
+  return BuildTangents(level, FindSharpVertices(level, creases), solids, vertices.size(),
+    [&vertices](vtkIdType row) { return vertices[row]; });
 }
 
 #define SUBDIVISION_NORMALS(Scheme)                                                                \

@@ -47,6 +47,9 @@ struct LimitTangents
   Buffer<vtkIdType> Sides;
   /// The control triangle in which that triangle of each sector lies; -1 on a solid.
   Buffer<Id> Triangles;
+  /// For each vertex of a curve the neighbour from which the curve comes, and that to which it
+  /// goes; -1: the vertex has sectors, or lies on no curve. Only of whole levels.
+  Buffer<Id> AlongCurves;
   /// What gives normals for shading to the vertices without sector.
   ShadingFacets<Id> Shading;
 
@@ -63,7 +66,8 @@ struct LimitTangents
   {
     return this->Sectors.GetMemorySize() + this->First.GetMemorySize() +
       this->Second.GetMemorySize() + this->SideOffsets.GetMemorySize() +
-      this->Sides.GetMemorySize() + this->Triangles.GetMemorySize() + this->Shading.GetMemorySize();
+      this->Sides.GetMemorySize() + this->Triangles.GetMemorySize() +
+      this->AlongCurves.GetMemorySize() + this->Shading.GetMemorySize();
   }
 };
 
@@ -100,6 +104,14 @@ LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
 template <typename Id>
 void ComputeSectorNormals(const LimitTangents<Id>& tangents, const Coordinates& points,
   const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned, double* normals);
+
+/// Computes two tangents of each vertex, three numbers each, from the points of the level: those of
+/// its first sector, whose cross product has the direction of the normal, or on a curve the first
+/// along it, or zeros. The other arguments are those of ComputeLimitNormals.
+template <typename Id>
+void ComputeLimitTangents(const LimitTangents<Id>& tangents, const Coordinates& points,
+  const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned, double* first,
+  double* second);
 
 /// Computes unit normals, three numbers for each vertex, from the points of the level. Vertices
 /// without sector get a normal for shading (ShadingNormals.h), or zero inside solids. `inverted`

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 using namespace coretest;
 
@@ -28,6 +29,18 @@ std::vector<double> MakeNormals(const Level<int>& level, const std::vector<doubl
   ComputeLimitNormals(
     BuildLimitTangents(level, {}, { {}, steps }), points.data(), inverted, turned, normals.data());
   return normals;
+}
+
+/// Both tangents of each vertex.
+std::pair<std::vector<double>, std::vector<double>> MakeTangents(
+  const Level<int>& level, const std::vector<double>& points)
+{
+  std::pair<std::vector<double>, std::vector<double>> tangents;
+  tangents.first.assign(points.size(), 7.);
+  tangents.second.assign(points.size(), 7.);
+  ComputeLimitTangents(BuildLimitTangents(level), points.data(), {},
+    FindTriangleSides(level).ListTurned(), tangents.first.data(), tangents.second.data());
+  return tangents;
 }
 
 /// Twice the number of each tetrahedron of negative volume.
@@ -107,6 +120,79 @@ TEST(LimitNormals, AStepDoesNotTurnThem)
     }
   }
   EXPECT_GT(some, 1000);
+}
+
+/// Tangents of a sector span the plane of its normal; those of curves become half in a step.
+TEST(LimitNormals, AreThoseOfTheTangents)
+{
+  int ofSectors = 0;
+  int ofCurves = 0;
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    for (const char* options : { "Blend", "Sharp", "Follow1" })
+    {
+      SCOPED_TRACE(mesh.Name + " " + options);
+      Subdivided<int> level = BuildNamed<int>(mesh, options);
+      const std::vector<double> points = MakeValues(3 * level.Level.Complex.NumberOfVertices, 5);
+      const std::vector<double> normals = MakeNormals(level.Level, points);
+      const LimitTangents<int> tangents = BuildLimitTangents(level.Level);
+      const auto [first, second] = MakeTangents(level.Level, points);
+      const std::vector<double> later = ApplyTo(CopyStencils(level.Level), points, 3);
+      const auto next = MakeTangents(RefineOnce(level).Level, later);
+      for (int v = 0; v < level.Level.Complex.NumberOfVertices; ++v)
+      {
+        const Vector a = At(first, v);
+        const Vector b = At(second, v);
+        const int sectors = tangents.Sectors.Offsets[v + 1] - tangents.Sectors.Offsets[v];
+        const Vector cross = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+          a[0] * b[1] - a[1] * b[0] };
+        if (sectors == 1 && Length(cross) > 1e-6)
+        {
+          ++ofSectors;
+          EXPECT_NEAR(Dot(cross, At(normals, v)), Length(cross), 1e-9 * Length(cross)) << v;
+        }
+        if (sectors > 0)
+        {
+          continue;
+        }
+        EXPECT_EQ(Length(b), 0.) << v;
+        const auto& ring = level.Level.Strata.VertexRings;
+        const bool isOnCurve =
+          level.Level.Strata.Vertices[v].GetRule() == Rule::Curve && ring.GetSize(v) == 2;
+        EXPECT_EQ(Length(a) > 0., isOnCurve) << v;
+        ofCurves += isOnCurve;
+        const Vector half = At(next.first, v);
+        for (int c = 0; c < 3; ++c)
+        {
+          EXPECT_NEAR(half[c], a[c] / 2., 1e-14) << v;
+        }
+      }
+    }
+  }
+  EXPECT_GT(ofSectors, 500);
+  EXPECT_GT(ofCurves, 50);
+}
+
+TEST(LimitNormals, TangentsRunAlongTheLines)
+{
+  for (const bool turned : { false, true })
+  {
+    Mesh mesh;
+    mesh.Cells.NumberOfPoints = 4;
+    for (int i = 0; i < 3; ++i)
+    {
+      mesh.Cells.Dimensions.push_back(1);
+      mesh.Cells.Connectivity.push_back(turned ? i + 1 : i);
+      mesh.Cells.Connectivity.push_back(turned ? i : i + 1);
+    }
+    const std::vector<double> points = { 0, 0, 0, 1, 2, 0, 3, 1, 0, 4, 4, 4 };
+    const auto first = MakeTangents(Build<int>(mesh.Cells).Level, points).first;
+    const double sign = turned ? -1. : 1.;
+    EXPECT_EQ(At(first, 0), (Vector{ 0., 0., 0. }));
+    EXPECT_EQ(At(first, 1), (Vector{ 3. * sign, 1. * sign, 0. * sign }));
+    EXPECT_EQ(At(first, 2), (Vector{ 3. * sign, 2. * sign, 4. * sign }));
+    EXPECT_EQ(At(first, 3), (Vector{ 0., 0., 0. }));
+  }
 }
 
 TEST(LimitNormals, OfSolidsPointOutwards)
