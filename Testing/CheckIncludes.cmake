@@ -40,6 +40,9 @@ foreach (scheme IN ITEMS Loop CatmullClark Butterfly Dual FourEight SqrtThree Li
   list(APPEND schemes Core/Surfaces/${scheme})
 endforeach ()
 room(Core/Surfaces/Steps ${ground} Core/Surfaces/Mesh Core/Surfaces/Scheme ${schemes})
+# Both wings.
+room(Core/Smoothness ${ground} Core/Solids/Complex Core/Solids/Strata Core/Solids/Scheme Core/Solids/BoxSpline
+  Core/Solids/AllSchemes Core/Solids/Limits Core/Surfaces/Mesh Core/Surfaces/Scheme Core/Surfaces/Steps)
 # Between VTK and Core, upwards.
 room(Private)
 room(Private/Reading Core Private)
