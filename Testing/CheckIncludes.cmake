@@ -56,6 +56,7 @@ room(Private/Surface Core Private Private/Reading Private/Arrays Private/Control
 room(Private/AdaptiveSurface Core Private Private/Reading Private/Arrays Private/Control Private/Criteria Private/Surface)
 room(Private/Deformation Core Private Private/Reading Private/Arrays Private/Control Private/Uniform Private/Surface)
 room(Private/Topology Core Private Private/Reading Private/Arrays Private/Control)
+room(Private/Smoothness Core Private Private/Reading Private/Arrays Private/Control Private/Surface)
 room(Private/Labels Core Private Private/Control)
 room(Private/Models Private)
 
