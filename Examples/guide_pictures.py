@@ -513,6 +513,18 @@ def topology():
     write("topology", shown, (0.7, -1.0, 0.5), 2)
 
 
+def smoothness():
+    source = simple.SubdivisionModel(Model="SpringAndValve")
+    shown = []
+    colours = look.category_colours([("holds", BLUE), ("fails", (0.85, 0.25, 0.15))])
+    for failing in (0, 1):
+        grid = output(simple.SubdivisionSmoothness(Input=source, FailingOnly=failing))
+        edges = only_cells(grid, "SimplexDimension", 1)
+        actors = look.actors_of(edges, ("cell", "Failing", colours), 8.0)
+        shown.append((f"FailingOnly {failing}", actors, look.used_points(grid)))
+    write("smoothness", shown, (0.7, -1.0, 0.5), 2)
+
+
 def dimensions():
     smooth = source_of(subdivide(model("Ship"), 3))
     parts = look.part_array(model("Ship"))
@@ -554,7 +566,7 @@ def draw():
     for make in (levels, volume_schemes, sharpness, marks, levels_of_marks, crease_geometry, rules_by_region, features,
                  interpolation, quadratic_cells, join_blocks, interface_values, surface_options, bezier_cells, seams, boundary, corners,
                  criteria, criteria_of_places, adaptive_criteria, deformation_levels, outside_points, cages, labels,
-                 topology, dimensions, models, figure):
+                 topology, smoothness, dimensions, models, figure):
         make()
     print(f"What properties do is in gallery_*.png in {os.getcwd()}, and small in the folder guide.")
 

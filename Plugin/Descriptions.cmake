@@ -107,7 +107,7 @@ function (describe variable)
   set(descriptions)
   foreach (name IN ITEMS AdaptiveSurfaceSubdivision ExtractDimensions MultiDimensionalSubdivision RedGreenRefinement
       SimplicialComplexTopology SubdivisionCageAround SubdivisionCageSource SubdivisionDeformation SubdivisionLabelSolid
-      SubdivisionLimitProbe SubdivisionModelSource SurfaceSubdivision)
+      SubdivisionLimitProbe SubdivisionModelSource SubdivisionSmoothness SurfaceSubdivision)
     read_proxy("${name}")
     set(head "${proxy_head}")
     set(tail "${proxy_tail}")

@@ -40,6 +40,9 @@ foreach (scheme IN ITEMS Loop CatmullClark Butterfly Dual FourEight SqrtThree Li
   list(APPEND schemes Core/Surfaces/${scheme})
 endforeach ()
 room(Core/Surfaces/Steps ${ground} Core/Surfaces/Mesh Core/Surfaces/Scheme ${schemes})
+# Both wings.
+room(Core/Smoothness ${ground} Core/Solids/Complex Core/Solids/Strata Core/Solids/Scheme Core/Solids/BoxSpline
+  Core/Solids/AllSchemes Core/Solids/Limits Core/Surfaces/Mesh Core/Surfaces/Scheme Core/Surfaces/Steps)
 # Between VTK and Core, upwards.
 room(Private)
 room(Private/Reading Core Private)
@@ -54,6 +57,7 @@ room(Private/Surface Core Private Private/Reading Private/Arrays Private/Control
 room(Private/AdaptiveSurface Core Private Private/Reading Private/Arrays Private/Control Private/Criteria Private/Surface)
 room(Private/Deformation Core Private Private/Reading Private/Arrays Private/Control Private/Uniform Private/Surface)
 room(Private/Topology Core Private Private/Reading Private/Arrays Private/Control)
+room(Private/Smoothness Core Private Private/Reading Private/Arrays Private/Control Private/Surface)
 room(Private/Labels Core Private Private/Control)
 room(Private/Models Private)
 

@@ -33,6 +33,8 @@ constexpr const char* LimitNormalsName = "LimitNormals";
 constexpr const char* PlaceDerivativeNames[3] = { "DerivativeU", "DerivativeV", "DerivativeW" };
 constexpr const char* MeanCurvatureName = "MeanCurvature";
 constexpr const char* GaussianCurvatureName = "GaussianCurvature";
+/// Where a scheme is known not to be smooth: of points and of cells.
+constexpr const char* FailingName = "Failing";
 constexpr const char* LimitTangentNames[2] = { "LimitTangent1", "LimitTangent2" };
 /// The point array that says which points are the same one (MaterialFields.h).
 constexpr const char* MaterialPointIdsName = "MaterialPointIds";

@@ -137,6 +137,22 @@ class Limits(unittest.TestCase):
         at = subdivisionobjects.evaluate_limit(self.filter_of(line), data["CellId"], data["CellParameters"])
         np.testing.assert_allclose(at.points, points, rtol=0, atol=1e-14)
 
+    def test_smoothness(self):
+        """A point with four neighbours inside a solid fails by one scheme, and its four cells are refined for that."""
+        points = [[0, 0, 0], [1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]
+        mesh = meshes.to_vtk(np.array(points, float), [[0, 1, 2, 3], [0, 1, 2, 4], [0, 1, 3, 4], [0, 2, 3, 4]])
+        smooth = subdivisionobjects.smoothness(mesh, sample_maps=False)
+        failing = meshes.data_arrays(smooth.GetPointData())["Failing"]
+        self.assertEqual(failing[0], 1)
+        values = meshes.data_arrays(smooth.GetCellData())["Eigenvalues"][0]
+        np.testing.assert_allclose(values[:5], [1, 1 / 4, 3 / 16, 3 / 16, 3 / 16], rtol=0, atol=1e-9)
+        mesh.GetPointData().AddArray(smooth.GetPointData().GetArray("Failing"))
+        finer = subdivisionobjects.red_green_refinement(mesh, refine={"array_range": (1, 1)}, range_array="Failing",
+                                                        maximum_level=1)
+        self.assertEqual(finer.GetNumberOfCells(), 32)
+        other = subdivisionobjects.smoothness(mesh, scheme="Tet Oct", failing_only=True)
+        self.assertEqual(other.GetNumberOfCells(), 0)
+
     @staticmethod
     def filter_of(mesh):
         made = subdivisionobjects.vtkMultiDimensionalSubdivision()

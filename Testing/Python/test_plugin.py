@@ -21,7 +21,7 @@ MODELS = ["MixedDimensions", "Screw", "SpringAndValve", "Ship", "MechanicalPart"
           "Cylinder"]
 # Those with the options that filters share.
 FILTERS = ["AdaptiveSurfaceSubdivision", "MultiDimensionalSubdivision", "RedGreenRefinement", "SimplicialComplexTopology",
-           "SubdivisionDeformation", "SubdivisionLimitProbe", "SurfaceSubdivision"]
+           "SubdivisionDeformation", "SubdivisionLimitProbe", "SubdivisionSmoothness", "SurfaceSubdivision"]
 
 
 def definition(name):
@@ -133,7 +133,7 @@ class Proxies(unittest.TestCase):
         self.assertEqual(plain, {
             ("AdaptiveSurfaceSubdivision", "Refinement"), ("MultiDimensionalSubdivision", "Subdivision"),
             ("RedGreenRefinement", "Refinement"), ("SimplicialComplexTopology", "Topology"),
-            ("SubdivisionDeformation", "Deformation")})
+            ("SubdivisionDeformation", "Deformation"), ("SubdivisionSmoothness", "Smoothness")})
 
     def test_own_properties_stand_first(self):
         """Then those that filters share. Of these a filter replaces some, where they stand."""
@@ -260,7 +260,7 @@ class Proxies(unittest.TestCase):
             self.assertIn("Interpolated arrays: Heat", str(proxy.GetClientSideObject()))
 
     def test_what_has_no_effect_is_hidden(self):
-        for name in ("SubdivisionDeformation", "SimplicialComplexTopology"):
+        for name in ("SubdivisionDeformation", "SimplicialComplexTopology", "SubdivisionSmoothness"):
             for key in ("InterfaceValues", "FieldsOfCells"):
                 self.assertEqual(definition(name).GetProperty(key).GetPanelVisibility(), "never", f"{name}.{key}")
 
@@ -288,7 +288,7 @@ class Proxies(unittest.TestCase):
         """Without the gear: its error tells the user to change it. A group that is advanced would hide it."""
         for name in ("MultiDimensionalSubdivision", "SurfaceSubdivision", "RedGreenRefinement",
                      "AdaptiveSurfaceSubdivision", "SubdivisionDeformation", "SubdivisionLabelSolid",
-                     "SimplicialComplexTopology", "SubdivisionLimitProbe"):
+                     "SimplicialComplexTopology", "SubdivisionLimitProbe", "SubdivisionSmoothness"):
             proxy = definition(name)
             prop = proxy.GetProperty("MaximumNumberOfCells")
             self.assertEqual(prop.GetPanelVisibility(), "default", name)

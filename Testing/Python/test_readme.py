@@ -33,12 +33,12 @@ blocks = [("README.md", block) for block in readme.blocks("python", before="## I
 assert len(blocks) == 1, len(blocks)
 for page in readme.GUIDE[:-1]:
     blocks += [(page.name, block) for block in readme.blocks("python", path=page)]
-assert len(blocks) == 13, [name for name, _ in blocks]
+assert len(blocks) == 14, [name for name, _ in blocks]
 for name, block in blocks:  # here and not in a function, as in a script
     exec(compile(block, name, "exec"))
 for name in ("volume.png", "figure.png"):
     assert os.path.isfile(name), name
-for name in ("smooth", "solids", "bent", "solid", "screw", "bunny", "topology", "cage", "probe"):
+for name in ("smooth", "solids", "bent", "solid", "screw", "bunny", "topology", "cage", "probe", "smoothness"):
     proxy = globals()[name]
     proxy.UpdatePipeline()
     assert proxy.GetDataInformation().GetNumberOfCells() > 0, name

@@ -27,6 +27,7 @@ OTHER_DEFAULTS = {
     "MultiDimensionalSubdivision.MarkFunction": "the same",
     "SimplicialComplexTopology.MarkFunction": "the same",
     "SubdivisionLimitProbe.MarkFunction": "the same",
+    "SubdivisionSmoothness.MarkFunction": "the same",
     "SurfaceSubdivision.MarkFunction": "the same",
     "SurfaceSubdivision.GenerateNormals": "an older name, which has no value of its own and so sets nothing",
 }
@@ -35,7 +36,7 @@ SURFACES = ("SurfaceSubdivision", "AdaptiveSurfaceSubdivision")
 NOT_OFFERED = {f"{name}.{option}" for name in SURFACES for option in ("EmbeddedCells",)}
 # Filters without rules to interpolate.
 NOT_OFFERED |= {f"{name}.{option}" for name in ("AdaptiveSurfaceSubdivision", "SimplicialComplexTopology",
-                                                "SubdivisionDeformation")
+                                                "SubdivisionDeformation", "SubdivisionSmoothness")
                 for option in ("InterpolatePoints", "InterpolateArrays", "InterpolationWeight")}
 ARRAYS_NOT_OFFERED = {2, 3}
 

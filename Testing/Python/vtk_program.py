@@ -25,7 +25,7 @@ SHIP = str(DATA / "Ship.vtu")
 HIDDEN = {"vtkSurfaceSubdivision": {"Adaptive", "GenerateNormals", "EmbeddedCells"},
           "vtkAdaptiveSurfaceSubdivision": {"EmbeddedCells", "LoopWeights"},
           "vtkSimplicialComplexTopology": {"InterfaceValues", "LoopWeights"},
-          "vtkSubdivisionLimitProbe": {"InterfaceValues"},
+          "vtkSubdivisionLimitProbe": {"InterfaceValues"}, "vtkSubdivisionSmoothness": {"InterfaceValues"},
           "vtkSubdivisionDeformation": {"InterpolateIntegers", "GenerateOriginalIds", "GenerateGlobalIds",
                                         "InterfaceValues"}}
 UNSMOOTHED = {"InterpolatePoints", "InterpolateArrays", "InterpolationWeight"}

@@ -21,6 +21,7 @@
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSphere.h"
 #include "vtkSubdivisionCageSource.h"
+#include "vtkSubdivisionSmoothness.h"
 
 #include <algorithm>
 
@@ -291,6 +292,16 @@ TEST(Aborted, FiltersOfSolids)
       });
   }
   CheckAllInputs<vtkSimplicialComplexTopology>("topology", box, other);
+  for (int scheme = 0; scheme <= vtkSubdivisionSmoothness::LOOP; ++scheme)
+  {
+    CheckStops("smoothness " + std::to_string(scheme), { box },
+      [scheme]
+      {
+        auto filter = vtkSmartPointer<vtkSubdivisionSmoothness>::New();
+        filter->SetScheme(scheme);
+        return filter;
+      });
+  }
 }
 
 TEST(Aborted, OtherWorkOnSolids)

@@ -13,6 +13,7 @@
 #include "vtkAdaptiveSurfaceSubdivision.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSimplicialComplexTopology.h"
+#include "vtkSubdivisionSmoothness.h"
 
 #include <cstring>
 
@@ -230,6 +231,8 @@ TEST(EditedOutputs, OfOtherFilters)
     });
   CheckThatEditsDoNotCount("topology", { WithValues(MakeKuhnBox(1, 0.1)) },
     [] { return vtkSmartPointer<vtkSimplicialComplexTopology>::New(); });
+  CheckThatEditsDoNotCount("smoothness", { WithValues(MakeKuhnBox(1, 0.1)) },
+    [] { return vtkSmartPointer<vtkSubdivisionSmoothness>::New(); });
   CheckThatEditsDoNotCount("adaptive",
     { WithValues(surfacetools::MakeInput(
       surfacetools::MakeSheet(3, 3, true, { 1., 0., 0. }, { 0., 1., 0.5 }))) },

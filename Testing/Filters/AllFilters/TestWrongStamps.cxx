@@ -12,6 +12,7 @@
 #include "vtkPolyData.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSimplicialComplexTopology.h"
+#include "vtkSubdivisionSmoothness.h"
 #include "vtkSurfaceSubdivision.h"
 
 #include <set>
@@ -108,6 +109,7 @@ TEST(WrongStamp, SwappedTetsWarnOnce)
   const Grid swapped = MakeSwapped(vtkMultiDimensionalSubdivision::BOX_SPLINE);
   const auto plain = WithoutStamp<vtkUnstructuredGrid>(swapped);
   ExpectWarningsOfPlainMesh<vtkSimplicialComplexTopology>(swapped, plain, 1, [](auto*) {});
+  ExpectWarningsOfPlainMesh<vtkSubdivisionSmoothness>(swapped, plain, 1, [](auto*) {});
   ExpectWarningsOfPlainMesh<vtkRedGreenRefinement>(swapped, plain, 2,
     [](vtkRedGreenRefinement* filter)
     {

@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Smoothness/SolidMaps.h"
+
+#include "Core/Rules/Pi.h"
+#include "Core/Smoothness/LocalMatrix.h"
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+
+namespace subdivision
+{
+namespace
+{
+
+/// Where a vertex lies: its weights on the star's vertices, in multiples of the smallest.
+using Place = std::vector<int>;
+using Point = std::array<double, 3>;
+
+Place Add(const Place& a, const Place& b)
+{
+  Place sum(a);
+  for (std::size_t i = 0; i < sum.size(); ++i)
+  {
+    sum[i] += b[i];
+  }
+  return sum;
+}
+
+/// How far a place is from the middle: the solids there end at 1, and twice as far at 2.
+int Measure(const Place& offset)
+{
+  int most = 0;
+  for (const int weight : offset)
+  {
+    most = std::max(most, std::abs(weight));
+  }
+  return most;
+}
+
+double Determinant(const Point& a, const Point& b, const Point& c)
+{
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+    a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+double Dot(const Point& a, const Point& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The signed solid angle of a triangle, seen from the origin (A. van Oosterom and J. Strackee).
+double FindSolidAngle(const Point& a, const Point& b, const Point& c)
+{
+  const double la = std::sqrt(Dot(a, a));
+  const double lb = std::sqrt(Dot(b, b));
+  const double lc = std::sqrt(Dot(c, c));
+  return 2. *
+    std::atan2(
+      Determinant(a, b, c), la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb);
+}
+
+/// The parity of the order of four vertices, 1 or -1.
+int FindParity(const std::array<int, 4>& order)
+{
+  int sign = 1;
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j < i; ++j)
+    {
+      sign = order[j] > order[i] ? -sign : sign;
+    }
+  }
+  return sign;
+}
+
+/// For each tetrahedron 1 or -1: whether the order of its vertices is that of the first one.
+/// Across a face the orders (face, apex) of two tetrahedra are opposite.
+std::vector<int> FindTurns(const std::vector<std::array<int, 4>>& tets)
+{
+  std::map<std::array<int, 3>, std::vector<std::pair<int, int>>> atFaces; // tetrahedron, sign
+  for (std::size_t t = 0; t < tets.size(); ++t)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      std::array<int, 3> face{ { tets[t][(k + 1) % 4], tets[t][(k + 2) % 4],
+        tets[t][(k + 3) % 4] } };
+      std::sort(face.begin(), face.end());
+      std::array<int, 4> order = tets[t];
+      std::replace(order.begin(), order.end(), tets[t][k], std::numeric_limits<int>::max());
+      atFaces[face].emplace_back(static_cast<int>(t), FindParity(order));
+    }
+  }
+  std::vector<int> turns(tets.size(), 0);
+  turns[0] = 1;
+  for (std::size_t known = 1, before = 0; known != before;)
+  {
+    before = known;
+    for (const auto& [face, sides] : atFaces)
+    {
+      for (int i = 0; sides.size() == 2 && i < 2; ++i)
+      {
+        const auto [from, fromSign] = sides[i];
+        const auto [to, toSign] = sides[1 - i];
+        if (turns[from] != 0 && turns[to] == 0)
+        {
+          turns[to] = -turns[from] * fromSign * toSign;
+          ++known;
+        }
+      }
+    }
+  }
+  return turns;
+}
+
+/// The levels around the middle of a star.
+template <typename Scheme>
+class StarLevels
+{
+public:
+  using Level = typename Scheme::Level;
+
+  explicit StarLevels(const SolidStar& star)
+    : Star(star)
+    , First(std::min(star.Corners - 1, 2))
+  {
+    this->MakeControl();
+    for (; this->Steps <= this->First; ++this->Steps)
+    {
+      this->Places = this->MakeChildPlaces();
+      this->Current = Refine(this->Current, Depth::ForRefinement);
+    }
+    this->MakeCells();
+    this->Children = this->MakeChildPlaces();
+    this->Operator = TakeStencils(this->Current);
+    this->Number();
+  }
+
+  SmoothnessFacts Examine(bool samples) const
+  {
+    SmoothnessFacts facts;
+    const LocalMatrix near = this->MakeMatrix(this->Near);
+    facts.Valence = near.GetSize() - 1;
+    if (!this->IsClosed)
+    {
+      return facts;
+    }
+    const std::vector<double> moduli = near.FindModuli();
+    facts.SetEigenvalues(moduli);
+    facts.Condition = HoldsInside(moduli, 3);
+    const std::vector<double> basis =
+      samples && facts.Condition == Answer::Yes ? near.FindLeading(3) : std::vector<double>();
+    const std::vector<double> values = basis.empty()
+      ? std::vector<double>()
+      : this->MakeMatrix(static_cast<int>(this->Vertices.size())).Continue(this->Near, basis, 3);
+    if (!values.empty())
+    {
+      this->Sample(this->TakeStep(values), facts);
+    }
+    return facts;
+  }
+
+private:
+  void MakeControl()
+  {
+    SimplexList list;
+    for (const auto& tet : this->Star.Tets)
+    {
+      list.Dimensions.push_back(3);
+      list.Connectivity.insert(list.Connectivity.end(), tet.begin(), tet.end());
+    }
+    const vtkIdType size =
+      1 + *std::max_element(list.Connectivity.begin(), list.Connectivity.end());
+    list.NumberOfPoints = size;
+    subdivision::Level<int> control;
+    control.Complex = BuildComplex<int>(list, this->Runs);
+    control.Strata = BuildStrata(control.Complex, SingularSimplices(), StrataOptions());
+    this->Current = Scheme::Start(std::move(control));
+    this->Places.assign(size, Place(size, 0));
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      this->Places[i][i] = 1;
+    }
+  }
+
+  /// Vertices keep their place, in smaller multiples; new ones are the middle of two.
+  std::vector<Place> MakeChildPlaces() const
+  {
+    std::vector<Place> made;
+    for (const Place& place : this->Places)
+    {
+      made.push_back(Add(place, place));
+    }
+    const auto add = [&](int a, int b) { made.push_back(Add(this->Places[a], this->Places[b])); };
+    const auto& ends = this->Current.Complex.EdgeVertices;
+    for (vtkIdType e = 0; e < this->Current.Complex.NumberOfEdges; ++e)
+    {
+      add(ends[2 * e], ends[2 * e + 1]);
+    }
+    if constexpr (Scheme::Traits.HasPieces)
+    {
+      for (vtkIdType o = 0; o < this->Current.NumberOfOctahedra; ++o)
+      {
+        add(this->Current.OctVertices[6 * o], this->Current.OctVertices[6 * o + 1]);
+      }
+    }
+    return made;
+  }
+
+  /// The middle on a level: the vertex, that in the middle of the edge, or one inside the face.
+  Place GetMiddle(int steps) const
+  {
+    Place middle(this->Places.front().size(), 0);
+    constexpr int parts[4][4] = { { 1 }, { 1, 1 }, { 2, 1, 1 }, { 1, 1, 1, 1 } };
+    const int* part = parts[this->Star.Corners - 1];
+    for (int i = 0; i < this->Star.Corners; ++i)
+    {
+      middle[i] = part[i] << (steps - this->First);
+    }
+    return middle;
+  }
+
+  static Place Subtract(const Place& place, const Place& middle)
+  {
+    Place offset(place);
+    for (std::size_t i = 0; i < offset.size(); ++i)
+    {
+      offset[i] -= middle[i];
+    }
+    return offset;
+  }
+
+  /// The children of the last level's solids, as tetrahedra.
+  void MakeCells()
+  {
+    const std::vector<CellRun> runs = RefineRuns(this->Runs, this->Steps);
+    const CellCounts counts = CountCells(RefineRuns(runs, 1));
+    std::vector<int> offsets(static_cast<std::size_t>(counts.Cells) + 1);
+    std::vector<unsigned char> types(static_cast<std::size_t>(counts.Cells));
+    this->Cells.resize(static_cast<std::size_t>(counts.Entries));
+    const CellStorage<int> storage{ this->Cells.data(), offsets.data(), types.data() };
+    Scheme::WriteChildren(this->Current, runs, 1, static_cast<const double*>(nullptr), storage);
+  }
+
+  /// The rows and columns of the matrix: the middle, what lies near it, and the rest of the star.
+  void Number()
+  {
+    std::map<Place, int> rows;
+    const Place finer = this->GetMiddle(this->Steps + 1);
+    for (std::size_t i = 0; i < this->Children.size(); ++i)
+    {
+      this->Children[i] = Subtract(this->Children[i], finer);
+      rows[this->Children[i]] = static_cast<int>(i);
+    }
+    const Place middle = this->GetMiddle(this->Steps);
+    this->Columns.assign(this->Places.size(), -1);
+    for (int far = 0; far <= 2; ++far)
+    {
+      for (std::size_t i = 0; i < this->Places.size(); ++i)
+      {
+        const Place offset = Subtract(this->Places[i], middle);
+        const auto row = rows.find(offset);
+        if (Measure(offset) == far && row != rows.end())
+        {
+          this->Columns[i] = static_cast<int>(this->Vertices.size());
+          this->Vertices.push_back(static_cast<int>(i));
+          this->Rows.push_back(row->second);
+        }
+      }
+      this->Near = far == 1 ? static_cast<int>(this->Vertices.size()) : this->Near;
+    }
+    for (int i = 0; i < static_cast<int>(this->Rows.size()); ++i)
+    {
+      const double inside = this->SumRow(this->Rows[i],
+        [&](int vertex)
+        {
+          const int column = this->Columns[vertex];
+          return column >= 0 && (i >= this->Near || column < this->Near) ? 1. : 0.;
+        });
+      this->IsClosed = this->IsClosed && std::abs(inside - 1.) < 1e-9;
+    }
+  }
+
+  template <typename Get>
+  double SumRow(int row, const Get& get) const
+  {
+    ExplicitRows<int> entries;
+    this->Operator.AppendRow(row, 1., entries);
+    double sum = 0.;
+    for (std::size_t k = 0; k < entries.Columns.size(); ++k)
+    {
+      sum += entries.Weights[k] * get(entries.Columns[k]);
+    }
+    return sum;
+  }
+
+  LocalMatrix MakeMatrix(int size) const
+  {
+    LocalMatrix matrix(size);
+    for (int i = 0; i < size; ++i)
+    {
+      ExplicitRows<int> entries;
+      this->Operator.AppendRow(this->Rows[i], 1., entries);
+      for (std::size_t k = 0; k < entries.Columns.size(); ++k)
+      {
+        const int column = this->Columns[entries.Columns[k]];
+        if (column >= 0 && column < size)
+        {
+          matrix.At(i, column) += entries.Weights[k];
+        }
+      }
+    }
+    return matrix;
+  }
+
+  /// The map at the vertices of the next level, not a number where it is not known.
+  std::vector<Point> TakeStep(const std::vector<double>& values) const
+  {
+    std::vector<Point> made(this->Children.size());
+    for (std::size_t row = 0; row < made.size(); ++row)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        made[row][c] = this->SumRow(static_cast<int>(row),
+          [&](int vertex)
+          {
+            const int column = this->Columns[vertex];
+            return column < 0 ? std::numeric_limits<double>::quiet_NaN()
+                              : values[3 * column + c] - values[c];
+          });
+      }
+    }
+    return made;
+  }
+
+  void Sample(const std::vector<Point>& map, SmoothnessFacts& facts) const
+  {
+    const std::vector<int> turns = FindTurns(this->Star.Tets);
+    const Point middle = map[this->Rows[0]];
+    std::vector<double> volumes;
+    double around = 0.;
+    for (std::size_t cell = 0; 4 * cell < this->Cells.size(); ++cell)
+    {
+      std::array<Point, 4> corners;
+      int far = 0;
+      int near = 4;
+      for (int k = 0; k < 4; ++k)
+      {
+        const int vertex = this->Cells[4 * cell + k];
+        const int distance = Measure(this->Children[vertex]);
+        far = std::max(far, distance);
+        near = std::min(near, distance);
+        for (int c = 0; c < 3; ++c)
+        {
+          corners[k][c] = map[vertex][c] - middle[c];
+        }
+      }
+      const int turn = turns[cell >> (3 * (this->Steps + 1))];
+      if (near > 0 && far <= 3)
+      {
+        volumes.push_back(turn * this->FindVolume(corners));
+      }
+      else if (near == 0)
+      {
+        around += turn * this->FindAngle(4 * cell, corners);
+      }
+    }
+    this->Judge(volumes, around, facts);
+  }
+
+  static double FindVolume(const std::array<Point, 4>& corners)
+  {
+    Point edges[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        edges[k][c] = corners[k + 1][c] - corners[0][c];
+      }
+    }
+    return Determinant(edges[0], edges[1], edges[2]);
+  }
+
+  /// The solid angle of the face opposite to the middle, as seen from there: positive in a positive
+  /// tetrahedron.
+  double FindAngle(std::size_t first, const std::array<Point, 4>& corners) const
+  {
+    int at = 0;
+    while (Measure(this->Children[this->Cells[first + at]]) > 0)
+    {
+      ++at;
+    }
+    const int sign = at % 2 == 0 ? 1 : -1;
+    return sign *
+      FindSolidAngle(corners[at == 0 ? 1 : 0], corners[at <= 1 ? 2 : 1], corners[at <= 2 ? 3 : 2]);
+  }
+
+  static void Judge(const std::vector<double>& volumes, double around, SmoothnessFacts& facts)
+  {
+    const auto [least, most] = std::minmax_element(volumes.begin(), volumes.end());
+    if (volumes.empty() ||
+      !std::all_of(volumes.begin(), volumes.end(), [](double v) { return std::isfinite(v); }))
+    {
+      return;
+    }
+    const double rounding = 1e-10 * std::max(std::abs(*least), std::abs(*most));
+    const bool isRegular = *least > rounding || *most < -rounding;
+    const bool goesOnce = std::abs(std::abs(around) - 4. * Pi) < 1e-6;
+    facts.Samples = static_cast<int>(volumes.size());
+    facts.Regular = isRegular ? Answer::Yes : Answer::No;
+    facts.Injective = isRegular && goesOnce ? Answer::Yes : Answer::No;
+  }
+
+  const SolidStar& Star;
+  const int First; ///< the steps after which the vertex in the middle exists
+  std::vector<CellRun> Runs;
+  int Steps = 0; ///< of the last level
+  Level Current;
+  std::vector<Place> Places;   ///< of the vertices of the last level
+  std::vector<Place> Children; ///< of those of the next level, seen from the middle
+  Stencils<int> Operator;      ///< from the one to the other
+  std::vector<int> Cells;      ///< of the next level
+  std::vector<int> Columns;    ///< of each vertex of the last level, -1: none
+  std::vector<int> Vertices;   ///< of each column
+  std::vector<int> Rows;       ///< of each column, the vertex of the next level at its place
+  int Near = 0;                ///< the columns of the solids at the middle
+  bool IsClosed = true;        ///< these read no others, and all columns no vertices beyond them
+};
+
+}
+
+template <typename Scheme>
+SmoothnessFacts ExamineSolid(const SolidStar& star, bool samples)
+{
+  return StarLevels<Scheme>(star).Examine(samples);
+}
+
+template SmoothnessFacts ExamineSolid<BoxSplineScheme<int>>(const SolidStar&, bool);
+template SmoothnessFacts ExamineSolid<TetOctScheme<int>>(const SolidStar&, bool);
+
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SolidMaps.h
+ * Spectra and characteristic maps of volume schemes around a vertex, an edge or a face inside a
+ * solid, by what the scheme makes of the tetrahedra there.
+ */
+#ifndef SubdivisionObjects_SolidMaps_h
+#define SubdivisionObjects_SolidMaps_h
+
+#include "Core/Smoothness/SmoothnessFacts.h"
+#include "Core/Solids/Scheme/SolidScheme.h"
+
+#include <array>
+#include <vector>
+
+namespace subdivision
+{
+
+/**
+ * All control tetrahedra at a vertex, an edge or a face that lies inside a solid, or one
+ * tetrahedron, in the order of their vertices that the scheme wants. They number the vertices; the
+ * first ones, as many as `Corners` says, are those of the vertex, edge, face or tetrahedron.
+ */
+struct SolidStar
+{
+  int Corners = 1;
+  std::vector<std::array<int, 4>> Tets;
+};
+
+/**
+ * Of an edge the vertex in its middle after one step is examined, of a face one of the three inside
+ * it after two, of a tetrahedron that in its middle. Sets eigenvalues and condition, and, where the
+ * condition holds and `samples`, looks at the characteristic map: the eigenvectors of l1, l2, l3,
+ * as coordinates of the vertices up to twice as far as the solids at the vertex go, are taken one
+ * step further. It is regular if all tetrahedra of that level which do not touch the vertex, but go
+ * no farther than three times as far as those that do, have the same orientation; a step repeats
+ * what lies between. It is injective too if those that touch the vertex go around it once: they,
+ * and all their images by further steps, then cover space once.
+ */
+template <typename Scheme>
+SmoothnessFacts ExamineSolid(const SolidStar& star, bool samples);
+
+}
+
+#endif

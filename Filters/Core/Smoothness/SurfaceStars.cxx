@@ -1,0 +1,534 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Smoothness/SurfaceStars.h"
+
+#include "Core/Memory/Loops.h"
+#include "Core/Rules/Pi.h"
+#include "Core/Smoothness/LocalMatrix.h"
+#include "Core/Smoothness/StarMesh.h"
+#include "Core/Surfaces/Steps/SurfaceSteps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <numeric>
+
+namespace subdivision
+{
+namespace
+{
+
+using Kind = SurfaceStar::Kind;
+using Place = std::array<double, 2>;
+using Matrix = SparseRows<int>;
+
+/// The steps after which the mesh around the vertex repeats, and how much smaller it then is.
+struct Period
+{
+  int Steps;
+  double Factor;
+};
+
+Period GetPeriod(SurfaceSchemeKind scheme)
+{
+  switch (scheme)
+  {
+    case SurfaceSchemeKind::SqrtThree:
+      return { 2, 3. };
+    case SurfaceSchemeKind::FourEight:
+    case SurfaceSchemeKind::Midedge:
+      return { 2, 2. };
+    default:
+      return { 1, 2. };
+  }
+}
+
+/// The levels of a star's mesh.
+class Levels
+{
+public:
+  Levels(const SurfaceStar& star, const StarMesh& mesh, int steps)
+  {
+    const auto scheme = MakeSurfaceScheme<int>(star.Scheme, star.ModifiedBoundary, star.Weights);
+    SurfaceLevel<int> control;
+    PolygonList<int> faces = mesh.MakeList();
+    control.Mesh = BuildPolygonMesh(std::move(faces), control.Lines);
+    SurfaceFeatures features;
+    features.DartEnds = true;
+    if (star.EndsCrease)
+    {
+      features.SharpEdges.assign(control.Mesh.GetNumberOfEdges(), 0);
+      for (const vtkIdType e : InTurn(control.Mesh.GetNumberOfEdges()))
+      {
+        const int* ends = control.Mesh.EdgeVertices.data() + 2 * e;
+        features.SharpEdges[e] = mesh.IsOnFirstRay(ends[0]) && mesh.IsOnFirstRay(ends[1]) ? 1 : 0;
+      }
+    }
+    const auto size = static_cast<std::size_t>(mesh.GetNumberOfVertices());
+    features.Corners.assign(size, 0);
+    features.Corners[0] = star.Where == Kind::Corner ? 1 : 0;
+    if (star.Where == Kind::Corner)
+    {
+      features.Angles.assign(size, -1.);
+      features.Flatness.assign(size, -1.);
+      features.Angles[0] = star.Angle;
+      features.Flatness[0] = star.Flatness;
+    }
+    control.Tags = ClassifySurface(control.Mesh, *scheme, features, mesh.GetPoints());
+    this->Steps = std::make_unique<SurfaceSteps<int>>(
+      std::move(control), scheme, steps, true, [](double) { return false; });
+  }
+
+  const SurfaceLevel<int>& Get(int level) const { return this->Steps->GetLevel(level); }
+  const SurfaceScheme<int>& GetScheme() const { return this->Steps->GetScheme(); }
+  Matrix GetStep(int step) const { return this->Steps->GetStep(step).Store(); }
+  /// From one level to a later one.
+  Matrix GetSteps(int from, int to) const
+  {
+    Matrix product = this->GetStep(from);
+    for (int step = from + 1; step < to; ++step)
+    {
+      product = Multiply(this->GetStep(step), product);
+    }
+    return product;
+  }
+
+private:
+  std::unique_ptr<SurfaceSteps<int>> Steps;
+};
+
+template <typename Get>
+double SumRow(const Matrix& matrix, vtkIdType row, const Get& get)
+{
+  double sum = 0.;
+  for (vtkIdType k = matrix.Offsets[row]; k < matrix.Offsets[row + 1]; ++k)
+  {
+    sum += matrix.Weights[k] * get(matrix.Columns[k]);
+  }
+  return sum;
+}
+
+/// Where the vertices of all levels lie in the control mesh. New ones are in the middle of those
+/// that they come from, but steps that turn the mesh need care: after the second of them vertices
+/// have to lie on edges of the level before both, which the flat mesh bends where it is irregular.
+class PlaceFinder
+{
+public:
+  PlaceFinder(const Levels& levels, const std::vector<Place>& control)
+    : Made(levels)
+    , Places{ control }
+  {
+  }
+
+  std::vector<std::vector<Place>> Find(int steps)
+  {
+    const SurfaceScheme<int>& scheme = this->Made.GetScheme();
+    for (int level = 0; level < steps; ++level)
+    {
+      const bool isSecond = level % 2 == 1 && !scheme.HalvesEdges();
+      const Matrix step = this->Made.GetStep(level);
+      std::vector<Place> made(static_cast<std::size_t>(step.GetNumberOfRows()));
+      for (std::size_t v = 0; v < made.size(); ++v)
+      {
+        const auto row = static_cast<vtkIdType>(v);
+        const std::vector<vtkIdType> parents = this->GetParents(level, row);
+        made[v] = parents.size() == 2 && scheme.NeedsTriangles() && !scheme.HalvesEdges()
+          ? this->CutInThree(step, row, parents)
+          : isSecond && parents.size() > 2 ? this->FindOnEdge(level, parents)
+                                           : this->Mix(this->Places[level], parents);
+      }
+      this->Places.push_back(std::move(made));
+    }
+    return this->Places;
+  }
+
+private:
+  std::vector<vtkIdType> GetParents(int level, vtkIdType row) const
+  {
+    std::vector<vtkIdType> parents;
+    this->Made.GetScheme().GetParents(this->Made.Get(level), row, parents);
+    return parents;
+  }
+
+  /// A vertex as often as it is in the list.
+  static Place Mix(const std::vector<Place>& places, const std::vector<vtkIdType>& parents)
+  {
+    Place sum{ { 0., 0. } };
+    for (const vtkIdType parent : parents)
+    {
+      sum[0] += places[parent][0] / static_cast<double>(parents.size());
+      sum[1] += places[parent][1] / static_cast<double>(parents.size());
+    }
+    return sum;
+  }
+
+  /// On an edge that sqrt(3) cuts in three, nearer to the end with the larger weight.
+  Place CutInThree(const Matrix& step, vtkIdType row, const std::vector<vtkIdType>& ends) const
+  {
+    const auto weigh = [&](vtkIdType end)
+    { return SumRow(step, row, [end](int v) { return v == end ? 1. : 0.; }); };
+    const vtkIdType near = weigh(ends[0]) > weigh(ends[1]) ? ends[0] : ends[1];
+    return this->Mix(this->Places.back(), { ends[0], ends[1], near });
+  }
+
+  /// The middle of a face of two centres and the edge between them (4-8); of a face with one end of
+  /// this edge (sqrt(3)) the third at that end.
+  Place FindOnEdge(int level, const std::vector<vtkIdType>& parents) const
+  {
+    const std::vector<Place>& before = this->Places[level - 1];
+    std::vector<vtkIdType> old;
+    std::vector<vtkIdType> common;
+    for (const vtkIdType parent : parents)
+    {
+      const std::vector<vtkIdType> from = this->GetParents(level - 1, parent);
+      if (from.size() == 1)
+      {
+        old.push_back(parent);
+        continue;
+      }
+      const bool isFirst = common.empty();
+      std::vector<vtkIdType> both;
+      std::copy_if(from.begin(), from.end(), std::back_inserter(both), [&](vtkIdType v)
+        { return isFirst || std::find(common.begin(), common.end(), v) != common.end(); });
+      common = both;
+    }
+    if (old.size() == 1)
+    {
+      common.push_back(old[0]);
+      return Mix(before, common);
+    }
+    return Mix(before, old);
+  }
+
+  const Levels& Made;
+  std::vector<std::vector<Place>> Places;
+};
+
+std::array<long long, 2> Round(const Place& place, double factor)
+{
+  return { { std::llround(place[0] * factor * 1e6), std::llround(place[1] * factor * 1e6) } };
+}
+
+/// What steps do around the vertex in the middle.
+class VertexStar
+{
+public:
+  explicit VertexStar(const SurfaceStar& star)
+    : Star(star)
+    , Repeats(GetPeriod(star.Scheme))
+    , Mesh(star.Faces, GetAngle(star), GetRegularFaces(star.Scheme) == 4)
+    , Made(star, Mesh, GetLast())
+  {
+    const int period = this->Repeats.Steps;
+    this->Places = PlaceFinder(this->Made, this->Mesh.GetPlaces()).Find(this->GetLast());
+    const double near = 3. / this->Repeats.Factor;
+    this->Columns.assign(this->Places[period].size(), -1);
+    for (std::size_t v = 0; v < this->Places[period].size(); ++v)
+    {
+      if (this->Mesh.Measure(this->Places[period][v]) < near + 1e-6)
+      {
+        this->Columns[v] = static_cast<int>(this->Vertices.size());
+        this->Vertices.push_back(static_cast<int>(v));
+      }
+    }
+  }
+
+  SmoothnessFacts Examine(bool samples) const
+  {
+    SmoothnessFacts facts;
+    facts.Valence = this->Star.Faces;
+    LocalMatrix matrix;
+    if (!this->MakeMatrix(matrix))
+    {
+      return facts;
+    }
+    const std::vector<double> moduli = matrix.FindModuli();
+    facts.SetEigenvalues(moduli);
+    facts.Condition = this->Star.IsAround() ? HoldsInside(moduli, 2)
+                                            : HoldsBesideCurves(moduli, 1. / this->Repeats.Factor,
+                                                this->Star.Where == Kind::Corner ? 2 : 1);
+    if (samples && facts.Condition == Answer::Yes)
+    {
+      const std::vector<double> basis = matrix.FindLeading(2);
+      if (!basis.empty())
+      {
+        this->Sample(basis, facts);
+      }
+    }
+    return facts;
+  }
+
+private:
+  /// Only rules know the angle of a corner; here any does.
+  static double GetAngle(const SurfaceStar& star)
+  {
+    return star.IsAround() ? 2. * Pi : star.Faces == 1 ? 2. / 3. * Pi : Pi;
+  }
+  int GetLast() const { return this->Repeats.Steps == 1 ? 3 : 4; }
+
+  /// Returns false if rows read what lies farther away.
+  bool MakeMatrix(LocalMatrix& matrix) const
+  {
+    const int period = this->Repeats.Steps;
+    const Matrix steps = this->Made.GetSteps(period, 2 * period);
+    std::map<std::array<long long, 2>, vtkIdType> rows;
+    for (std::size_t v = 0; v < this->Places[2 * period].size(); ++v)
+    {
+      rows[Round(this->Places[2 * period][v], this->Repeats.Factor)] = static_cast<vtkIdType>(v);
+    }
+    matrix = LocalMatrix(static_cast<int>(this->Vertices.size()));
+    bool isClosed = true;
+    for (int i = 0; i < matrix.GetSize(); ++i)
+    {
+      const auto row = rows.find(Round(this->Places[period][this->Vertices[i]], 1.));
+      if (row == rows.end())
+      {
+        return false;
+      }
+      for (vtkIdType k = steps.Offsets[row->second]; k < steps.Offsets[row->second + 1]; ++k)
+      {
+        const int column = this->Columns[steps.Columns[k]];
+        isClosed = isClosed && (column >= 0 || std::abs(steps.Weights[k]) < 1e-14);
+        if (column >= 0)
+        {
+          matrix.At(i, column) += steps.Weights[k];
+        }
+      }
+    }
+    return isClosed;
+  }
+
+  void Sample(const std::vector<double>& basis, SmoothnessFacts& facts) const
+  {
+    const int period = this->Repeats.Steps;
+    const Matrix further = this->Made.GetSteps(period, this->GetLast());
+    std::vector<Place> map(static_cast<std::size_t>(further.GetNumberOfRows()));
+    const int middle = this->Columns[0];
+    for (std::size_t v = 0; v < map.size(); ++v)
+    {
+      for (int c = 0; c < 2; ++c)
+      {
+        map[v][c] = SumRow(further, static_cast<vtkIdType>(v),
+          [&](int vertex)
+          {
+            const int column = this->Columns[vertex];
+            return column < 0 ? 0. : basis[2 * column + c] - basis[2 * middle + c];
+          });
+      }
+    }
+    const double outer = 1. / this->Repeats.Factor;
+    const bool isRegular = this->KeepsOrientation(map, outer, facts.Samples);
+    facts.Regular = isRegular ? Answer::Yes : Answer::No;
+    facts.Injective = isRegular && this->GoesOnce(map, outer) ? Answer::Yes : Answer::No;
+  }
+
+  bool KeepsOrientation(const std::vector<Place>& map, double outer, int& samples) const
+  {
+    const PolygonMesh<int>& mesh = this->Made.Get(this->GetLast()).Mesh;
+    const std::vector<Place>& places = this->Places.back();
+    int positive = 0;
+    for (const int corner : InTurn(static_cast<int>(mesh.GetNumberOfCorners())))
+    {
+      const int face = mesh.GetFace(corner);
+      const int first = mesh.GetFirst(face);
+      if (mesh.GetSize(face) == 3 && corner != first)
+      {
+        continue; // a triangle is looked at once
+      }
+      bool isBetween = true;
+      for (int k = first; k < first + mesh.GetSize(face); ++k)
+      {
+        const double distance = this->Mesh.Measure(places[mesh.Vertices[k]]);
+        isBetween =
+          isBetween && distance < outer + 1e-6 && distance > outer / this->Repeats.Factor - 1e-6;
+      }
+      if (isBetween)
+      {
+        const int ids[3] = { mesh.Vertices[corner], mesh.Vertices[mesh.Next(corner)],
+          mesh.Vertices[mesh.Next(mesh.Next(corner))] };
+        positive += FindArea(map, ids) * FindArea(places, ids) > 0. ? 1 : -1;
+        ++samples;
+      }
+    }
+    // A map that turns the plane over is as good.
+    return samples > 0 && std::abs(positive) == samples;
+  }
+
+  static double FindArea(const std::vector<Place>& at, const int (&ids)[3])
+  {
+    const Place& a = at[ids[0]];
+    const Place& b = at[ids[1]];
+    const Place& c = at[ids[2]];
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  }
+
+  /// Whether the image of the first ring turns in one direction and goes around once, or at a curve
+  /// less than once.
+  bool GoesOnce(const std::vector<Place>& map, double outer) const
+  {
+    std::vector<std::pair<double, int>> ring;
+    for (std::size_t v = 0; v < map.size(); ++v)
+    {
+      const Place& place = this->Places.back()[v];
+      if (std::abs(this->Mesh.Measure(place) - outer) < 1e-6)
+      {
+        ring.emplace_back(this->Mesh.FindTurn(place), static_cast<int>(v));
+      }
+    }
+    std::sort(ring.begin(), ring.end());
+    const bool isInside = this->Star.IsAround();
+    if (isInside)
+    {
+      ring.push_back(ring.front());
+    }
+    double sum = 0.;
+    int positive = 0;
+    for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+    {
+      const Place& a = map[ring[i].second];
+      const Place& b = map[ring[i + 1].second];
+      const double turn =
+        std::arg(std::complex<double>(b[0], b[1]) / std::complex<double>(a[0], a[1]));
+      sum += turn;
+      positive += turn > 0. ? 1 : -1;
+    }
+    const bool isOneWay = std::abs(positive) == static_cast<int>(ring.size()) - 1;
+    return isOneWay &&
+      (isInside ? std::abs(std::abs(sum) - 2. * Pi) < 1e-6 : std::abs(sum) < 2. * Pi);
+  }
+
+  const SurfaceStar Star;
+  const Period Repeats;
+  const StarMesh Mesh;
+  const Levels Made;
+  std::vector<std::vector<Place>> Places; ///< of the vertices of each level
+  std::vector<int> Columns;               ///< of the vertices of the level after one period
+  std::vector<int> Vertices;
+};
+
+/// The corners of the face in the middle of a level of a dual scheme, around which all is
+/// symmetric.
+std::vector<int> FindMiddle(const PolygonMesh<int>& mesh, const std::vector<Place>& points)
+{
+  int best = 0;
+  double least = 1e300;
+  for (int face = 0; face < mesh.NumberOfFaces; ++face)
+  {
+    Place sum{ { 0., 0. } };
+    const int first = mesh.GetFirst(face);
+    const int size = mesh.GetSize(face);
+    for (int k = first; k < first + size; ++k)
+    {
+      sum[0] += points[mesh.Vertices[k]][0] / size;
+      sum[1] += points[mesh.Vertices[k]][1] / size;
+    }
+    const double distance = std::hypot(sum[0], sum[1]);
+    best = distance < least ? face : best;
+    least = std::min(least, distance);
+  }
+  const int* corners = mesh.Vertices.data() + mesh.GetFirst(best);
+  return { corners, corners + mesh.GetSize(best) };
+}
+
+SmoothnessFacts ExamineFace(const SurfaceStar& star)
+{
+  const Period period = GetPeriod(star.Scheme);
+  const StarMesh mesh(star.Faces, 2. * Pi, true);
+  const Levels levels(star, mesh, 2 + period.Steps);
+  std::vector<std::vector<Place>> points{ mesh.GetPlaces() };
+  for (int step = 0; step < 2 + period.Steps; ++step)
+  {
+    const Matrix rows = levels.GetStep(step);
+    std::vector<Place> next(static_cast<std::size_t>(rows.GetNumberOfRows()));
+    for (std::size_t v = 0; v < next.size(); ++v)
+    {
+      for (int c = 0; c < 2; ++c)
+      {
+        next[v][c] =
+          SumRow(rows, static_cast<vtkIdType>(v), [&](int from) { return points.back()[from][c]; });
+      }
+    }
+    points.push_back(next);
+  }
+  const std::vector<int> here = FindMiddle(levels.Get(2).Mesh, points[2]);
+  const std::vector<int> there = FindMiddle(levels.Get(2 + period.Steps).Mesh, points.back());
+  const Matrix steps = levels.GetSteps(2, 2 + period.Steps);
+  SmoothnessFacts facts;
+  facts.Valence = star.Faces;
+  const int size = static_cast<int>(here.size());
+  LocalMatrix matrix(size);
+  std::vector<int> taken;
+  for (const int row : there)
+  {
+    std::vector<double> weights(size, 0.);
+    for (vtkIdType k = steps.Offsets[row]; k < steps.Offsets[row + 1]; ++k)
+    {
+      const auto at = std::find(here.begin(), here.end(), steps.Columns[k]);
+      weights[at == here.end() ? 0 : at - here.begin()] += at == here.end() ? 0. : steps.Weights[k];
+    }
+    // Each new corner reads the old one in its place most.
+    const auto own =
+      static_cast<int>(std::max_element(weights.begin(), weights.end()) - weights.begin());
+    if (std::abs(std::accumulate(weights.begin(), weights.end(), 0.) - 1.) > 1e-9 ||
+      std::find(taken.begin(), taken.end(), own) != taken.end())
+    {
+      return facts;
+    }
+    taken.push_back(own);
+    for (int column = 0; column < size; ++column)
+    {
+      matrix.At(own, column) = weights[column];
+    }
+  }
+  std::vector<double> moduli = matrix.FindModuli();
+  facts.SetEigenvalues(moduli);
+  moduli.resize(std::max<std::size_t>(moduli.size(), 4), 0.);
+  moduli[3] = std::max(moduli[3], 1. / 4.);
+  facts.Condition = HoldsInside(moduli, 2);
+  return facts;
+}
+
+}
+
+int GetRegularFaces(SurfaceSchemeKind scheme)
+{
+  switch (scheme)
+  {
+    case SurfaceSchemeKind::Loop:
+    case SurfaceSchemeKind::ModifiedButterfly:
+    case SurfaceSchemeKind::SqrtThree:
+      return 6;
+    default:
+      return 4;
+  }
+}
+
+bool IsDual(SurfaceSchemeKind scheme)
+{
+  return scheme == SurfaceSchemeKind::DooSabin || scheme == SurfaceSchemeKind::Midedge;
+}
+
+bool HasCentres(SurfaceSchemeKind scheme)
+{
+  return scheme == SurfaceSchemeKind::CatmullClark || scheme == SurfaceSchemeKind::FourEight;
+}
+
+SmoothnessFacts ExamineSurface(const SurfaceStar& star, bool samples)
+{
+  const bool isPossible = star.Faces >= (star.IsAround() ? 3 : 1);
+  if (isPossible && !IsDual(star.Scheme))
+  {
+    return VertexStar(star).Examine(samples);
+  }
+  if (isPossible && star.Where == Kind::Closed)
+  {
+    return ExamineFace(star);
+  }
+  SmoothnessFacts facts;
+  facts.Valence = star.Faces;
+  facts.SetEigenvalues({ 1. });
+  return facts;
+}
+
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SmoothnessProbe.h
+ * Does the work of vtkSubdivisionSmoothness: examines what a scheme does at each simplex of a mesh,
+ * and writes that as cells with arrays.
+ */
+#ifndef SubdivisionObjects_SmoothnessProbe_h
+#define SubdivisionObjects_SmoothnessProbe_h
+
+#include "Core/Surfaces/Steps/SurfaceSchemes.h"
+#include "Private/Control/RunOptions.h"
+
+class vtkPointSet;
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace subdivision
+{
+
+struct SmoothnessOptions : RunOptions
+{
+  bool SampleMaps = true;
+  bool FailingOnly = false;
+  // Of solids:
+  bool IsTetOct = false;
+  // Of surfaces:
+  SurfaceSchemeKind Scheme = SurfaceSchemeKind::Loop;
+  bool ModifiedBoundary = true;
+};
+
+/// By the rules of vtkMultiDimensionalSubdivision. Returns false after an error (passed to Fail) or
+/// if Progress asks to stop. The caller then empties the output.
+bool ProbeSolids(vtkPointSet* input, const SmoothnessOptions& options, vtkUnstructuredGrid* output);
+
+/// The same by those of vtkSurfaceSubdivision.
+bool ProbeSurfaces(
+  vtkPolyData* input, const SmoothnessOptions& options, vtkUnstructuredGrid* output);
+
+}
+
+#endif

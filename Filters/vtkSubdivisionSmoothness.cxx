@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSubdivisionSmoothness.h"
+
+#include "Private/Smoothness/SmoothnessProbe.h"
+#include "Private/Surface/SurfaceInput.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkSubdivisionSmoothness);
+
+vtkSubdivisionSmoothness::vtkSubdivisionSmoothness() = default;
+vtkSubdivisionSmoothness::~vtkSubdivisionSmoothness() = default;
+
+int vtkSubdivisionSmoothness::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  if (!vtkUnstructuredGrid::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT())))
+  {
+    info->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkUnstructuredGrid>());
+  }
+  return 1;
+}
+
+int vtkSubdivisionSmoothness::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (vtkCompositeDataSet::SafeDownCast(vtkDataObject::GetData(inputVector[0])) ||
+    this->SharesRanks())
+  {
+    vtkErrorMacro("The mesh consists of blocks, or is shared by several ranks. Merge it to one "
+                  "data set first.");
+    return 0;
+  }
+  subdivision::SmoothnessOptions options;
+  options.SampleMaps = this->SampleMaps;
+  options.FailingOnly = this->FailingOnly;
+  options.IsTetOct = this->Scheme == TET_OCT;
+  const bool isOfSurfaces = this->Scheme >= LOOP;
+  options.Scheme =
+    static_cast<subdivision::SurfaceSchemeKind>(isOfSurfaces ? this->Scheme - LOOP : 0);
+  options.ModifiedBoundary = this->ModifiedBoundary;
+  return this->Run(inputVector, outputVector, options,
+    "Results at the border of the partition are not those of the whole mesh.",
+    "the simplices of the input. Use a part of the input.",
+    [&](vtkPointSet* input, vtkPointSet* output)
+    {
+      auto* made = vtkUnstructuredGrid::SafeDownCast(output);
+      if (!isOfSurfaces)
+      {
+        return subdivision::ProbeSolids(input, options, made);
+      }
+      vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(input);
+      if (auto* grid = vtkUnstructuredGrid::SafeDownCast(input))
+      {
+        std::vector<std::string> warnings;
+        surface = subdivision::MakeSurface(grid, false, warnings);
+        subdivision::Tell(warnings, options);
+      }
+      // Cells have other ids now.
+      return this->ReadFeatureOptions(surface, options) &&
+        subdivision::ProbeSurfaces(surface, options, made);
+    });
+}
+
+void vtkSubdivisionSmoothness::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Scheme: " << this->Scheme << "\n";
+  os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
+  os << indent << "SampleMaps: " << this->SampleMaps << "\n";
+  os << indent << "FailingOnly: " << this->FailingOnly << "\n";
+}

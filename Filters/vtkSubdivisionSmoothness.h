@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSubdivisionSmoothness
+ * @brief   shows where a subdivision scheme is smooth on a mesh, and where it is known not to be
+ *
+ * Examines what one step of a scheme does around each vertex, and around the vertices that steps
+ * make inside each edge and face: the leading eigenvalues of the local matrix, whether the
+ * conditions for a smooth limit hold, and whether the characteristic map is regular and injective.
+ * All this depends on how cells hang together, and on the rules, not on the shape. What fails can
+ * be seen, selected and refined. The filter subdivides nothing and moves no point.
+ *
+ * @par Theory
+ * Let 1, l1, l2, ... be the moduli of the eigenvalues of the matrix that takes a vertex and its
+ * ring to the vertex and its ring one level later. Y.-S. Chang and H. Qin, "A Framework for
+ * Multi-dimensional Adaptive Subdivision Objects", section 3, have for surfaces condition (23), 1 >
+ * l1 >= l2 > l3, and for solids condition (24), 1 > l1 >= l2 >= l3 > l4, which they call empirical.
+ * The eigenvectors of l1, l2 (and l3) are the characteristic map. U. Reif (1995) proved for
+ * surfaces that the limit is C^1 if the condition holds and this map is regular and injective. For
+ * solids there is no such theorem in these papers: there the answers are necessary, and no proof.
+ * `Failing` is 1 where a condition does not hold or the map is not regular or not injective.
+ *
+ * @par Which matrix
+ * The dimension d of a vertex's rule decides. d = 3: all neighbours, condition (24). d = 2: the
+ * neighbours in the surface or the boundary, condition (23). d = 1: those on the curve, 1 > l1 >
+ * l2. d = 0, a vertex that stays: its matrix is 1 alone, and there is no condition. Blended joints,
+ * which are no manifolds, have eigenvalues of all their neighbours and no condition. Besides, each
+ * sector of a surface or a boundary at a vertex with d = 0 or 1, from one curve to the next, is a
+ * cell of its own: there (23) has to hold with the eigenvalue of the curve (of both curves at a
+ * corner) among l1 and l2, else the surface folds. In surface schemes with BOX_SPLINE and TET_OCT
+ * these are the rules of vtkMultiDimensionalSubdivision, the boundary rule of the first paper, for
+ * which sectors of six and more triangles fail.
+ *
+ * @par Edges and faces
+ * Edges inside solids: the vertex in the middle, after one step, whose eigenvalues depend on the
+ * number of tetrahedra and, in the box spline, on the edges that these mark. Faces inside solids: a
+ * vertex inside, after two steps. On surfaces and curves what steps make inside edges is regular,
+ * and so it is inside faces but for schemes that put a vertex into the middle of a face
+ * (CATMULL_CLARK, FOUR_EIGHT). In DOO_SABIN and MIDEDGE, which keep no vertex, a vertex with k
+ * faces, or a face of k corners, is examined as a face of k corners; boundaries are not examined
+ * there.
+ *
+ * @par Sampling
+ * Surfaces: a regular mesh around one vertex with as many faces stands for the real one, and the
+ * map is looked at by all faces of two further levels (SQRT_THREE and FOUR_EIGHT: two steps)
+ * between the first ring and its image by a step: faces keep their orientation (regular), and the
+ * first ring goes around once (injective), or less than once at a curve. Solids: by all tetrahedra
+ * of the next level between the ones that touch the vertex and three times as far: they have one
+ * orientation (regular), and those at the vertex go around it once (injective). Points between are
+ * not looked at. Nothing is sampled where a condition fails, at joints, and at vertices with
+ * octahedra.
+ *
+ * @par Inputs
+ * Port 0: one data set that is no collection of blocks. Ports 1 and 2: marks, see
+ * vtkMarkedSubdivisionAlgorithm. All options of vtkSubdivisionAlgorithm that choose rules count;
+ * surface schemes ignore those that vtkSurfaceSubdivision ignores, and leave solids out with a
+ * warning. Angles of corners are those of the mesh. A crease or surface that is sharp to a finite
+ * degree has the rules that it has when it has become smooth. Output of a subdivision filter has
+ * the rules of its next level.
+ *
+ * @par Output
+ * A vtkUnstructuredGrid. Points: all points of the input with their ids and arrays, then centres of
+ * split cells; point array `Failing` (unsigned char): 1 where a cell of the output fails, for
+ * instance to refine there, by vtkRedGreenRefinement with RefineByArrayRange. Cells: a VTK_VERTEX
+ * for each vertex, followed by one for each of its sectors; then a VTK_LINE for each edge; then a
+ * triangle, quad or polygon for each face. Cell arrays of the input do not pass. Cell arrays:
+ *  - `SimplexDimension` (unsigned char): 0, 1 or 2.
+ *  - `RuleDimension` (signed char): 0 stays, 1 curve, 2 surface, 3 solid, 4 blended; sectors
+ * have 2.
+ *  - `Sector` (int): the number of the sector at its vertex; -1: the simplex itself.
+ *  - `Valence` (int): neighbours of a vertex; triangles of a sector, or at an edge; tetrahedra at a
+ *    face, or in surface schemes its corners.
+ *  - `Eigenvalues` (double, six components L0 to L5): moduli, the largest first, 0 where the matrix
+ * is too small; all 0: not examined. Of two steps in SQRT_THREE, FOUR_EIGHT and MIDEDGE.
+ *  - `Condition`, `Regular`, `Injective` (signed char): 1 yes, 0 no, -1 there is no answer.
+ *  - `Samples` (int): the triangles or tetrahedra at which the map was looked at.
+ *  - `Failing` (unsigned char): 1 if one of the three is 0.
+ *
+ * @par Complexity
+ * Equal matrices and equal stars are solved once; but inside solids nearly every vertex is one of
+ * its kind, and then takes some milliseconds, most of them for its characteristic map (SampleMaps).
+ * Time grows with the third power of a vertex's number of neighbours.
+ *
+ * @par Threads and ghosts
+ * Threaded by vtkSMPTools inside solids; the output is the same, bit for bit, for any number of
+ * threads. Hidden cells take no part. Ghost arrays of cells do not pass.
+ *
+ * @par Errors
+ * The filter stops, with an error and an empty output, if the input consists of blocks or is shared
+ * by ranks, if an array cannot be used, if there are more cells to output than
+ * MaximumNumberOfCells, or if memory runs out.
+ *
+ * @sa
+ * vtkSimplicialComplexTopology vtkMultiDimensionalSubdivision vtkSurfaceSubdivision
+ */
+#ifndef vtkSubdivisionSmoothness_h
+#define vtkSubdivisionSmoothness_h
+
+#include "vtkMarkedSubdivisionAlgorithm.h"
+#include "vtkSubdivisionObjectsModule.h" // for export macro
+
+class VTKSUBDIVISIONOBJECTS_EXPORT vtkSubdivisionSmoothness : public vtkMarkedSubdivisionAlgorithm
+{
+public:
+  static vtkSubdivisionSmoothness* New();
+  vtkTypeMacro(vtkSubdivisionSmoothness, vtkMarkedSubdivisionAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The output.
+  vtkUnstructuredGrid* GetOutput() { return this->GetUnstructuredGridOutput(); }
+
+  enum Schemes
+  {
+    BOX_SPLINE,
+    TET_OCT,
+    LOOP,
+    MODIFIED_BUTTERFLY,
+    CATMULL_CLARK,
+    DOO_SABIN,
+    MIDEDGE,
+    FOUR_EIGHT,
+    SQRT_THREE
+  };
+  ///@{
+  /**
+   * The scheme that is examined: BOX_SPLINE (0, the default) and TET_OCT (1) of
+   * vtkMultiDimensionalSubdivision, with curves and surfaces, or LOOP (2), MODIFIED_BUTTERFLY (3),
+   * CATMULL_CLARK (4), DOO_SABIN (5), MIDEDGE (6), FOUR_EIGHT (7), SQRT_THREE (8) of
+   * vtkSurfaceSubdivision.
+   */
+  vtkSetClampMacro(Scheme, int, BOX_SPLINE, SQRT_THREE);
+  vtkGetMacro(Scheme, int);
+  void SetSchemeToBoxSpline() { this->SetScheme(BOX_SPLINE); }
+  void SetSchemeToTetOct() { this->SetScheme(TET_OCT); }
+  void SetSchemeToLoop() { this->SetScheme(LOOP); }
+  void SetSchemeToModifiedButterfly() { this->SetScheme(MODIFIED_BUTTERFLY); }
+  void SetSchemeToCatmullClark() { this->SetScheme(CATMULL_CLARK); }
+  void SetSchemeToDooSabin() { this->SetScheme(DOO_SABIN); }
+  void SetSchemeToMidedge() { this->SetScheme(MIDEDGE); }
+  void SetSchemeToFourEight() { this->SetScheme(FOUR_EIGHT); }
+  void SetSchemeToSqrtThree() { this->SetScheme(SQRT_THREE); }
+  ///@}
+
+  ///@{
+  /**
+   * As in vtkSurfaceSubdivision: whether LOOP and CATMULL_CLARK have the rules for edges that end
+   * on boundaries and creases which keep the surface smooth there. Other schemes ignore it. On by
+   * default.
+   */
+  vtkSetMacro(ModifiedBoundary, bool);
+  vtkGetMacro(ModifiedBoundary, bool);
+  vtkBooleanMacro(ModifiedBoundary, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether characteristic maps are sampled. If off, `Regular` and `Injective` are -1, and large
+   * solids take a small part of the time. On by default.
+   */
+  vtkSetMacro(SampleMaps, bool);
+  vtkGetMacro(SampleMaps, bool);
+  vtkBooleanMacro(SampleMaps, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether only the cells are output at which something fails. Off by default.
+   */
+  vtkSetMacro(FailingOnly, bool);
+  vtkGetMacro(FailingOnly, bool);
+  vtkBooleanMacro(FailingOnly, bool);
+  ///@}
+
+protected:
+  vtkSubdivisionSmoothness();
+  ~vtkSubdivisionSmoothness() override;
+
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int Scheme = BOX_SPLINE;
+  bool ModifiedBoundary = true;
+  bool SampleMaps = true;
+  bool FailingOnly = false;
+
+private:
+  vtkSubdivisionSmoothness(const vtkSubdivisionSmoothness&) = delete;
+  void operator=(const vtkSubdivisionSmoothness&) = delete;
+};
+
+#endif
