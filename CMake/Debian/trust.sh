@@ -1,5 +1,6 @@
 # shellcheck shell=bash
-# ./dev test --asan, ./dev test --tsan and ./dev fuzz: tests under sanitizers, and fuzzers. Sourced by ./dev.
+# ./dev test --asan, ./dev test --tsan, ./dev lint and ./dev fuzz: tests under sanitizers, programs that look for faults
+# in the sources, and fuzzers. Sourced by ./dev.
 
 # The C++ tests with checks of addresses, leaks and undefined behaviour (asan) or of threads (tsan).
 sanitize() # asan|tsan [NAME]
@@ -16,6 +17,24 @@ sanitize() # asan|tsan [NAME]
     TSAN_OPTIONS="suppressions=$options/threads.txt" \
     ctest --test-dir "$build/$tree" --output-on-failure --parallel "$jobs" --no-tests=error \
     --label-regex '^(cxx|core|program)$' ${name:+-R "$name"}
+}
+
+# clang-tidy, with the checks of .clang-tidy, and cppcheck over Filters and Program, or over sources whose names match
+# NAME. Whatever they say is an error.
+lint() # [NAME]
+{
+  local name=${1:-.} bad=0 files
+  need "${vtk_packages[@]}" clang-tidy cppcheck
+  use_vtk
+  configure lint "${vtk_options[@]}"
+  files=$(find "$root/Filters" "$root/Program" -name '*.cxx' | grep -E -- "$name" | sort) || die "no source matches $name"
+  say "cppcheck"
+  xargs -P "$jobs" -n 20 cppcheck --enable=warning,performance,portability --std=c++17 --language=c++ --quiet \
+    --error-exitcode=1 -I "$root/Filters" --suppress=missingIncludeSystem \
+    --suppressions-list="$root/Testing/Lint/cppcheck.txt" <<<"$files" || bad=1
+  say "clang-tidy"
+  xargs -P "$jobs" -n 1 clang-tidy --quiet --warnings-as-errors='*' -p "$build/lint" <<<"$files" 2>"$build/lint/errors.log" || bad=1
+  [ $bad = 0 ] || die "see above; Testing/Lint/cppcheck.txt and .clang-tidy have what is not to be told"
 }
 
 # Each fuzzer for its part of the time. What it finds new stays in build/fuzz/corpus, and a crash in build/fuzz/crashes.
