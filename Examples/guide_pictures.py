@@ -513,16 +513,27 @@ def topology():
     write("topology", shown, (0.7, -1.0, 0.5), 2)
 
 
+def spindle(count):
+    """Tetrahedra around a long edge."""
+    turns = 2 * np.pi * np.arange(count) / count
+    ring = np.stack([np.cos(turns), np.sin(turns), 0 * turns], axis=1)
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(to_points(np.concatenate([[[0, 0, -2], [0, 0, 2]], ring])))
+    for i in range(count):
+        grid.InsertNextCell(VTK_TETRA, 4, (0, 1, 2 + i, 2 + (i + 1) % count))
+    return grid
+
+
 def smoothness():
-    source = simple.SubdivisionModel(Model="SpringAndValve")
-    shown = []
+    grid = spindle(9)
     colours = look.category_colours([("holds", BLUE), ("fails", (0.85, 0.25, 0.15))])
-    for failing in (0, 1):
-        grid = output(simple.SubdivisionSmoothness(Input=source, FailingOnly=failing))
-        edges = only_cells(grid, "SimplexDimension", 1)
-        actors = look.actors_of(edges, ("cell", "Failing", colours), 8.0)
-        shown.append((f"FailingOnly {failing}", actors, look.used_points(grid)))
-    write("smoothness", shown, (0.7, -1.0, 0.5), 2)
+    shown = []
+    for scheme in ("Box Spline", "Tet Oct"):
+        found = output(simple.SubdivisionSmoothness(Input=source_of(grid), Scheme=scheme))
+        edges = only_cells(found, "SimplexDimension", 1)
+        actors = look.actors_of(edges, ("cell", "Failing", colours), 4.0)
+        shown.append((f"Scheme: {scheme}", actors, look.used_points(grid)))
+    write("smoothness", shown, VIEW, 2)
 
 
 def dimensions():

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Smoothness/LocalMatrix.h"
 
+#define EIGEN_MPL2_ONLY // nothing under another licence
 #include <Eigen/Dense>
 
 #include <algorithm>

@@ -16,6 +16,9 @@ namespace subdivision
 class LocalMatrix
 {
 public:
+  /// Larger matrices are not made: time grows with the third power, and nothing stops the algebra.
+  static constexpr int MostItems = 600;
+
   explicit LocalMatrix(int size = 0)
     : Size(size)
     , Values(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 0.)

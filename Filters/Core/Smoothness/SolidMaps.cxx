@@ -435,6 +435,13 @@ private:
 template <typename Scheme>
 SmoothnessFacts ExamineSolid(const SolidStar& star, bool samples)
 {
+  // An edge has about six vertices near by for each tetrahedron, a vertex three.
+  if (static_cast<int>(star.Tets.size()) * (star.Corners == 1 ? 3 : 6) > LocalMatrix::MostItems)
+  {
+    SmoothnessFacts facts;
+    facts.SetEigenvalues({});
+    return facts;
+  }
   return StarLevels<Scheme>(star).Examine(samples);
 }
 

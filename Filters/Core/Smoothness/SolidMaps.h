@@ -36,6 +36,7 @@ struct SolidStar
  * no farther than three times as far as those that do, have the same orientation; a step repeats
  * what lies between. It is injective too if those that touch the vertex go around it once: they,
  * and all their images by further steps, then cover space once.
+ * Stars of too many tetrahedra are not examined (LocalMatrix.h): all eigenvalues are 0.
  */
 template <typename Scheme>
 SmoothnessFacts ExamineSolid(const SolidStar& star, bool samples);

@@ -74,14 +74,19 @@ private:
   SmoothnessFacts Solve(Rule rule) const
   {
     const int size = 1 + static_cast<int>(this->Keys.Ids.size());
+    SmoothnessFacts facts;
+    facts.Valence = size - 1;
+    if (size > LocalMatrix::MostItems)
+    {
+      facts.SetEigenvalues({});
+      return facts;
+    }
     LocalMatrix matrix(size);
     const int* row = this->Local.data() + 1;
     for (int i = 0; i < size; ++i)
     {
       this->Here.Weigh(row, i, [&](int item, double weight) { matrix.At(i, item) += weight; });
     }
-    SmoothnessFacts facts;
-    facts.Valence = size - 1;
     const std::vector<double> moduli = matrix.FindModuli();
     facts.SetEigenvalues(moduli);
     facts.Condition = FindCondition(rule, moduli);
@@ -257,6 +262,13 @@ std::vector<Sheet> FindSheets(const Level& level)
 SmoothnessFacts ExamineSheet(const Sheet& sheet)
 {
   const int last = sheet.Triangles + 1;
+  SmoothnessFacts facts;
+  facts.Valence = sheet.Triangles;
+  if (last >= LocalMatrix::MostItems)
+  {
+    facts.SetEigenvalues({});
+    return facts;
+  }
   LocalMatrix matrix(1 + last);
   matrix.At(0, 0) = sheet.IsCorner ? 1. : 3. / 4.;
   matrix.At(0, 1) = matrix.At(0, last) = sheet.IsCorner ? 0. : 1. / 8.;
@@ -269,8 +281,6 @@ SmoothnessFacts ExamineSheet(const Sheet& sheet)
       matrix.At(i, i - 1) = matrix.At(i, i + 1) = 1. / 8.;
     }
   }
-  SmoothnessFacts facts;
-  facts.Valence = sheet.Triangles;
   const std::vector<double> moduli = matrix.FindModuli();
   facts.SetEigenvalues(moduli);
   facts.Condition = HoldsBesideCurves(moduli, 1. / 2., sheet.IsCorner ? 2 : 1);

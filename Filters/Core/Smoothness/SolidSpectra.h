@@ -22,7 +22,8 @@ namespace subdivision
  * neighbours on a curve, the neighbours in a surface, all neighbours in a solid or at a blended
  * joint, and in a tet/oct level the opposites in octahedra. So the rule's dimension decides which
  * condition there is; there is none at corners and joints. Equal matrices are solved once in each
- * thread.
+ * thread. Matrices of more than LocalMatrix::MostItems rows are not examined: all eigenvalues are
+ * 0.
  */
 template <typename Level>
 void FindSpectra(const Level& level, vtkIdType size,

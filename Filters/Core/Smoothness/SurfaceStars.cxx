@@ -516,7 +516,9 @@ bool HasCentres(SurfaceSchemeKind scheme)
 
 SmoothnessFacts ExamineSurface(const SurfaceStar& star, bool samples)
 {
-  const bool isPossible = star.Faces >= (star.IsAround() ? 3 : 1);
+  const int itemsOfFace = GetRegularFaces(star.Scheme) == 4 ? 15 : 6; // three rings
+  const bool isPossible =
+    star.Faces >= (star.IsAround() ? 3 : 1) && star.Faces < LocalMatrix::MostItems / itemsOfFace;
   if (isPossible && !IsDual(star.Scheme))
   {
     return VertexStar(star).Examine(samples);
@@ -527,7 +529,7 @@ SmoothnessFacts ExamineSurface(const SurfaceStar& star, bool samples)
   }
   SmoothnessFacts facts;
   facts.Valence = star.Faces;
-  facts.SetEigenvalues({ 1. });
+  facts.SetEigenvalues({});
   return facts;
 }
 

@@ -59,6 +59,8 @@ bool HasCentres(SurfaceSchemeKind scheme);
  * sqrt(3), 4-8 and midedge, whose steps turn the mesh, of two steps. In dual schemes, which have no
  * such vertex, those of the corners of one face: there the condition compares with 1/4 too, which
  * second derivatives around the face have.
+ * Stars of too many faces (LocalMatrix.h), and closed ones of fewer than three, are not examined:
+ * all eigenvalues are 0.
  *
  * Where the condition holds and `samples`, the characteristic map, the eigenvectors of l1 and l2,
  * is taken further until edges have a quarter of the length (a ninth for sqrt(3)). It is regular if

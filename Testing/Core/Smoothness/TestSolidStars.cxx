@@ -217,6 +217,25 @@ TEST(SmoothnessOfSolids, BothWaysGiveTheSameEigenvalues)
   }
 }
 
+TEST(SmoothnessOfSolids, TooMuchIsNotExamined)
+{
+  EXPECT_EQ(ExamineSolid<Oct>(MakeEdge(101), true).Eigenvalues[0], 0.);
+  EXPECT_NEAR(ExamineSolid<Oct>(MakeEdge(60), false).Eigenvalues[0], 1., 1e-9);
+  EXPECT_EQ(ExamineSheet({ 0, 599, false }).Eigenvalues[0], 0.);
+  std::vector<std::array<int, 3>> many; // a double pyramid
+  for (int i = 0; i < 700; ++i)
+  {
+    for (const int apex : { 1, 2 })
+    {
+      many.push_back({ { apex, 3 + i, 3 + (i + 1) % 700 } });
+    }
+  }
+  const SmoothnessFacts facts = FindSpectrum<Box>(MakeVertex(many));
+  EXPECT_EQ(facts.Eigenvalues[0], 0.);
+  EXPECT_EQ(facts.Condition, Answer::None);
+  EXPECT_EQ(facts.Valence, 702);
+}
+
 TEST(SmoothnessOfSolids, SheetsAtCurvesAndCorners)
 {
   for (int k = 1; k <= 10; ++k)

@@ -221,6 +221,12 @@ TEST(SmoothnessOfSurfaces, StarsThatDoNotExist)
     EXPECT_FALSE(facts.Fails());
     EXPECT_EQ(facts.Valence, 2);
   }
+  for (const int faces : { 2, 40, 100, 1000000 }) // too few, or too many for the algebra
+  {
+    const SmoothnessFacts facts = Examine(Scheme::CatmullClark, faces);
+    EXPECT_EQ(facts.Eigenvalues[0], 0.);
+    EXPECT_EQ(facts.Condition, Answer::None);
+  }
 }
 
 TEST(SmoothnessOfSurfaces, WithoutSamplesThereIsNoMap)
