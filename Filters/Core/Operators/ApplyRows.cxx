@@ -577,8 +577,8 @@ void StoreDoubles(const double* in, void* out, int type, vtkIdType size)
   }
 }
 
-void ApplyToArrays(const PointOperator& operation, const std::vector<MovedArray>& arrays,
-  const PointOperator::User& also)
+void ApplyToArrays(
+  const PointOperator& operation, std::vector<MovedArray> arrays, const PointOperator::User& also)
 {
   if (operation.GetNumberBetween() > 0)
   {
@@ -592,10 +592,9 @@ void ApplyToArrays(const PointOperator& operation, const std::vector<MovedArray>
   {
     return;
   }
-  std::vector<MovedArray> single = arrays;
-  const PackedArrays packed(operation, single);
+  const PackedArrays packed(operation, arrays);
   std::vector<Applier> appliers;
-  for (const MovedArray& array : single)
+  for (const MovedArray& array : arrays)
   {
     appliers.push_back(FindApplier(array));
   }
@@ -603,9 +602,9 @@ void ApplyToArrays(const PointOperator& operation, const std::vector<MovedArray>
     [&](const RowsView& view)
     {
       packed.Apply(view);
-      for (std::size_t i = 0; i < single.size(); ++i)
+      for (std::size_t i = 0; i < arrays.size(); ++i)
       {
-        appliers[i](view, single[i].In, single[i].Out, single[i].Components);
+        appliers[i](view, arrays[i].In, arrays[i].Out, arrays[i].Components);
       }
       if (also)
       {

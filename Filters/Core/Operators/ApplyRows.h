@@ -8,6 +8,7 @@
 
 #include "Core/Operators/PointOperator.h"
 
+#include <memory>
 #include <vector>
 
 namespace subdivision
@@ -25,12 +26,15 @@ struct MovedArray
   /// Number of values of In, each of `Components` numbers: at least one for each column, but rows
   /// of a part of a mesh may read those of more points. 0: it is not known.
   vtkIdType Tuples = 0;
+  /// What keeps In, if nobody else does. It is let go as soon as its values are not needed, which
+  /// may be before those of Out take memory.
+  std::shared_ptr<const void> Owner = nullptr;
 };
 
 /// Applies an operator to all arrays in one pass, so that each row is made or read only once. Each
 /// block goes to `also` too, if it is not empty. An operator with values between makes a pass for
 /// each array, so that only one array has such values at a time, and `also` must be empty.
-void ApplyToArrays(const PointOperator& operation, const std::vector<MovedArray>& arrays,
+void ApplyToArrays(const PointOperator& operation, std::vector<MovedArray> arrays,
   const PointOperator::User& also = PointOperator::User());
 
 /// Values of any type in double: they themselves if they are, else `converted`.

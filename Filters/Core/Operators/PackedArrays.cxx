@@ -148,8 +148,13 @@ PackedArrays::PackedArrays(const PointOperator& operation, std::vector<MovedArra
   for (Pack& pack : this->Packs)
   {
     Fill(pack);
+    for (MovedArray& array : pack.Arrays)
+    {
+      array.In = nullptr;
+      array.Owner = nullptr;
+    }
   }
-  arrays = std::move(left);
+  arrays = std::move(left); // which lets go of the others
 }
 
 void PackedArrays::Fill(Pack& pack)

@@ -18,8 +18,9 @@ namespace subdivision
 class PackedArrays
 {
 public:
-  /// Takes from `arrays` those that are moved together, and copies their values. It takes none
-  /// where that costs more than it saves: if an operator does not make many rows of few columns.
+  /// Takes from `arrays` those that are moved together, copies their values, and lets go of them.
+  /// It takes none where that costs more than it saves: if an operator does not make many rows of
+  /// few columns.
   PackedArrays(const PointOperator& operation, std::vector<MovedArray>& arrays);
 
   /// Applies a block to them.

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace subdivision
 {
@@ -237,7 +238,6 @@ void PointArrays::AdvanceSmoothed(const PointOperator& operation, const PointOpe
   this->HasMoved = true;
   this->Doubles = Buffer<double>();
   std::vector<MovedArray> arrays;
-  std::vector<vtkSmartPointer<vtkDataArray>> before; // their values are read
   auto replace = [&](vtkSmartPointer<vtkDataArray>& array)
   {
     const vtkSmartPointer<vtkDataArray> from = array;
@@ -248,8 +248,7 @@ void PointArrays::AdvanceSmoothed(const PointOperator& operation, const PointOpe
     if (array->GetNumberOfValues() > 0)
     {
       arrays.push_back({ from->GetVoidPointer(0), type, array->GetVoidPointer(0), type, components,
-        from->GetNumberOfTuples() });
-      before.push_back(from);
+        from->GetNumberOfTuples(), { from.GetPointer(), [from](const void*) {} } });
     }
   };
   if (!this->FinalPoints)
@@ -263,7 +262,7 @@ void PointArrays::AdvanceSmoothed(const PointOperator& operation, const PointOpe
       replace(entry.Current);
     }
   }
-  ApplyToArrays(operation, arrays, also);
+  ApplyToArrays(operation, std::move(arrays), also);
   for (const Entry& entry : this->Entries)
   {
     if (this->HasWeights(entry))

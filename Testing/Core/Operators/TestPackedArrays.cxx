@@ -10,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <random>
 
 using namespace subdivision;
@@ -122,10 +124,18 @@ void Check(const PointOperator& operation, const std::string& name, bool wild)
       { { single[i].In.data(), values.InType, single[i].Out.data(), values.OutType,
         values.Components, columns } });
   }
-  std::vector<MovedArray> left = arrays;
-  const PackedArrays packed(operation, left);
-  EXPECT_EQ(left.size(), 5u) << name << ": long long, nine components, and three without partner";
   ApplyToArrays(operation, arrays);
+  std::vector<std::weak_ptr<const void>> owners;
+  for (MovedArray& array : arrays)
+  {
+    array.Owner = std::make_shared<int>(0);
+    owners.emplace_back(array.Owner);
+  }
+  const PackedArrays packed(operation, arrays);
+  EXPECT_EQ(arrays.size(), 5u) << name << ": long long, nine components, and three without partner";
+  const auto kept =
+    std::count_if(owners.begin(), owners.end(), [](const auto& owner) { return !owner.expired(); });
+  EXPECT_EQ(kept, 5) << name << ": values that were copied are let go";
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     const auto count = all[i].OutType == VTK_DOUBLE ? CountDifferences<double>
