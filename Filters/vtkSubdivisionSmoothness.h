@@ -26,7 +26,7 @@
  * which are no manifolds, have eigenvalues of all their neighbours and no condition. Besides, each
  * sector of a surface or a boundary at a vertex with d = 0 or 1, from one curve to the next, is a
  * cell of its own: there (23) has to hold with the eigenvalue of the curve (of both curves at a
- * corner) among l1 and l2, else the surface folds. In surface schemes with BOX_SPLINE and TET_OCT
+ * corner) among l1 and l2, else the surface folds. With BOX_SPLINE and TET_OCT
  * these are the rules of vtkMultiDimensionalSubdivision, the boundary rule of the first paper, for
  * which sectors of six and more triangles fail.
  *

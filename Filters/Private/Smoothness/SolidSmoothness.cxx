@@ -514,6 +514,12 @@ private:
   {
     this->Mesh = ReadControlMesh(this->Input, trustStamp, this->Options.Features,
       this->Options.IsTetOct ? StampScheme::TetOct : StampScheme::BoxSpline);
+    if (this->Mesh.IsOfOtherScheme)
+    {
+      this->Mesh.Warnings.emplace_back(
+        "An earlier filter made the input with another VolumeScheme. This filter takes it as any "
+        "other mesh: it looks for features again, and octahedra are four tetrahedra each.");
+    }
     this->Points = std::make_unique<PointArrays>(this->Input, this->Mesh.Cells,
       this->Mesh.GetGlobalIds(), static_cast<vtkIdType>(this->Mesh.GlobalIds.size()),
       GetPointOptions(this->Input, this->Options, this->Mesh.IsStamped));

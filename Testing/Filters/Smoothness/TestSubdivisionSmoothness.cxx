@@ -422,6 +422,13 @@ TEST(SubdivisionSmoothness, LevelsOfAFilter)
     }
     // The vertex in the middle of the edge, and the two halves of the edge.
     EXPECT_EQ(failing, scheme == Filter::BOX_SPLINE ? 3 : 0);
+    vtkNew<Filter> other;
+    vtkNew<Messages> messages;
+    messages->Watch(other);
+    other->SetScheme(Filter::TET_OCT - scheme);
+    other->SetInputDataObject(fine);
+    other->Update();
+    EXPECT_EQ(messages->CountWarnings("with another VolumeScheme"), 1);
   }
   const Grid fan = MakeHalfFan(7);
   for (const int scheme : { Filter::LOOP, Filter::DOO_SABIN, Filter::FOUR_EIGHT })
