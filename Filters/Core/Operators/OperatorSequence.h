@@ -36,6 +36,7 @@ void ApplyInSequence(const std::vector<Operator>& operators, const double* value
   for (std::size_t i = 0; i < operators.size(); ++i)
   {
     const vtkIdType size = components * operators[i].GetNumberOfRows();
+    // NOLINTNEXTLINE(bugprone-use-after-move): it is moved in the last turn only
     const bool isReused = i + 1 == operators.size() && result.size() == size;
     Buffer<double> next = isReused ? std::move(result) : Buffer<double>(size);
     operators[i].Apply(i == 0 ? values : current.data(), next.data(), components);

@@ -100,10 +100,17 @@ inline void Partners::FindLargest(std::vector<double>& values)
     }
   }
   const std::size_t size = values.size() * sizeof(double);
+  const auto copy = [size](void* to, const void* from)
+  {
+    if (size > 0) // else there is no place to copy from, which memcpy does not allow
+    {
+      std::memcpy(to, from, size);
+    }
+  };
   const auto pack = [&]
   {
     std::vector<char> message(size);
-    std::memcpy(message.data(), values.data(), size);
+    copy(message.data(), values.data());
     return message;
   };
   Messages toFirst;
@@ -112,7 +119,7 @@ inline void Partners::FindLargest(std::vector<double>& values)
   for (const auto& [from, message] : toFirst)
   {
     std::vector<double> others(values.size());
-    std::memcpy(others.data(), message.data(), size);
+    copy(others.data(), message.data());
     for (std::size_t i = 0; i < values.size(); ++i)
     {
       values[i] = others[i] > values[i] ? others[i] : values[i];
@@ -124,7 +131,7 @@ inline void Partners::FindLargest(std::vector<double>& values)
     fromFirst[to] = pack();
   }
   this->Send(fromFirst);
-  std::memcpy(values.data(), fromFirst.at(first).data(), size);
+  copy(values.data(), fromFirst.at(first).data());
 }
 
 }
