@@ -12,7 +12,6 @@
 #include "Private/Control/SizeChecks.h"
 #include "Private/Smoothness/SmoothnessCells.h"
 
-#include "vtkSMPThreadLocal.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -357,20 +356,17 @@ private:
       return;
     }
     const StarReader<Scheme> reader(this->Here, true);
-    constexpr vtkIdType block = 16;
-    const vtkIdType size = facts.size();
-    const auto examine = [&](vtkIdType begin, vtkIdType end)
+    // In this thread: a star is a mesh of its own, whose loops use threads where it is large, and
+    // loops of threads inside those of other threads may wait for each other.
+    for (const vtkIdType v : InTurn(facts.size()))
     {
-      for (vtkIdType v = begin * block; v < std::min(size, end * block); ++v)
+      BetweenLoops::Act();
+      const Rule rule = this->GetRule(static_cast<Id>(v));
+      if (facts[v].Condition == Answer::Yes && FindDimension(rule) == 3)
       {
-        const Rule rule = this->GetRule(static_cast<Id>(v));
-        if (facts[v].Condition == Answer::Yes && FindDimension(rule) == 3)
-        {
-          TakeMap(reader.ExamineVertex(static_cast<Id>(v), this->Tets[v]), facts[v]);
-        }
+        TakeMap(reader.ExamineVertex(static_cast<Id>(v), this->Tets[v]), facts[v]);
       }
-    };
-    ForRangesOfBlocks((size + block - 1) / block, examine);
+    }
   }
 
   /// A surface with the edges of the vertex all inside of it, or one of them the end of a crease.
@@ -413,31 +409,12 @@ private:
   {
     const vtkIdType size = this->Complex.NumberOfEdges;
     Buffer<SmoothnessFacts> facts(size);
-    vtkSMPThreadLocal<std::shared_ptr<StarReader<Scheme>>> readers;
-    constexpr vtkIdType block = 256;
-    const auto examine = [&](vtkIdType begin, vtkIdType end)
-    {
-      auto& reader = readers.Local();
-      if (!reader)
-      {
-        reader = std::make_shared<StarReader<Scheme>>(this->Here, this->Options.SampleMaps);
-      }
-      for (vtkIdType e = begin * block; e < std::min(size, end * block); ++e)
-      {
-        if (FindDimension(this->Here.Strata.Edges[e].GetRule()) == 3)
-        {
-          facts[e] = reader->ExamineEdge(static_cast<Id>(e));
-        }
-      }
-    };
-    ForRangesOfBlocks((size + block - 1) / block, examine);
+    StarReader<Scheme> reader(this->Here, this->Options.SampleMaps);
     for (const vtkIdType e : InTurn(size))
     {
       const Rule rule = this->Here.Strata.Edges[e].GetRule();
-      if (FindDimension(rule) != 3)
-      {
-        facts[e] = this->ExamineRegular(rule);
-      }
+      facts[e] = FindDimension(rule) == 3 ? reader.ExamineEdge(static_cast<Id>(e))
+                                          : this->ExamineRegular(rule);
       facts[e].Valence = this->Triangles[e];
       this->Cells.Add(
         1, this->Complex.EdgeVertices.data() + 2 * e, 2, -1, FindDimension(rule), facts[e]);
