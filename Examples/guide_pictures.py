@@ -300,14 +300,16 @@ def bezier_cells():
     cube = source_of(gallery_surfaces.mesh(*gallery_surfaces.CUBE))
     shown = [surface_picture("linear cells,\n1 level, on the limit", surface(
         gallery_surfaces.mesh(*gallery_surfaces.CUBE), Scheme="Catmull-Clark", NumberOfLevels=1, ProjectToLimit=1), True)]
-    for levels_most, tolerance in ((0, 1e-4), (4, 1e-3)):
+    for levels_most, tolerance in ((0, 1e-4), (4, 1e-4)):
         cells = simple.SurfaceSubdivision(Input=cube, Scheme="Catmull-Clark", OutputCells="Bezier",
                                           NumberOfLevels=levels_most, BezierTolerance=tolerance)
         made = output(cells)
         fine = look.surface_of(output(simple.Tessellate(Input=cells, ChordError=1e-4, MaximumNumberofSubdivisions=5)))
         words, actors, points = surface_picture(f"{made.GetNumberOfCells()} Bezier cells:\nat most {levels_most} levels",
                                                 normals_of(fine))
-        shown.append((words, actors + [look.polygons(curved_edges(made), None, False, True)], points))
+        edges = look.tubes(curved_edges(made), 0.004, None)
+        edges.GetProperty().SetColor(0.2, 0.22, 0.26)
+        shown.append((words, [*actors, edges], points))
     write("bezier_cells", shown, (0.45, -1.0, 0.35))
 
 
