@@ -4,17 +4,15 @@
 #include "Core/Memory/Buffer.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Bezier/PatchShape.h"
+#include "Private/Bezier/RootLattice.h"
 #include "Private/Bezier/ValueRanges.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/Reading/ReadableMesh.h"
 
-#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkFieldData.h"
-#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -22,7 +20,6 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <array>
 #include <cmath>
 #include <map>
 
@@ -47,62 +44,6 @@ struct Patch
   vtkIdType First; ///< of its cells
   int Level;
   LatticePart Part;
-};
-
-/// Which corner of which cell of a root each point of its lattice is: 4 * cell + corner.
-class RootLattice
-{
-public:
-  RootLattice(const PatchShape& shape, int steps)
-    : Shape(shape)
-    , Size((1 << steps) + 1)
-    , Corners(this->Count(), -1)
-  {
-    LatticePart whole;
-    for (int axis = 0; axis < shape.Dimension; ++axis)
-    {
-      whole.Axes[axis][axis] = this->Size - 1;
-    }
-    this->Add(whole, steps, 0);
-  }
-  int GetDivisions() const { return this->Size - 1; }
-  vtkIdType GetCorner(const LatticePoint& point) const { return this->Corners[this->Index(point)]; }
-
-private:
-  vtkIdType Count() const
-  {
-    vtkIdType count = 1;
-    for (int axis = 0; axis < this->Shape.Dimension; ++axis)
-    {
-      count *= this->Size;
-    }
-    return count;
-  }
-  vtkIdType Index(const LatticePoint& point) const
-  {
-    return point[0] + vtkIdType(this->Size) * (point[1] + vtkIdType(this->Size) * point[2]);
-  }
-  void Add(const LatticePart& part, int steps, vtkIdType cell)
-  {
-    if (steps == 0)
-    {
-      for (int corner = 0; corner < this->Shape.Corners; ++corner)
-      {
-        const LatticePoint point = part.At(this->Shape.CornerPoints[corner], 2);
-        this->Corners[this->Index(point)] = 4 * cell + corner;
-      }
-      return;
-    }
-    const auto children = static_cast<vtkIdType>(this->Shape.Children.size());
-    for (vtkIdType c = 0; c < children; ++c)
-    {
-      this->Add(part.Take(this->Shape.Children[c]), steps - 1, children * cell + c);
-    }
-  }
-
-  const PatchShape& Shape;
-  const int Size;
-  Buffer<vtkIdType> Corners;
 };
 
 class BezierWriter
@@ -629,48 +570,6 @@ void BezierWriter::WriteValues()
   }
 }
 
-/// Whether a mesh has solids or, with `toQuads`, faces that are no quads.
-bool HasCellsOfMoreSteps(vtkPointSet* mesh, bool toQuads)
-{
-  const CellReader reader(mesh);
-  std::array<signed char, 256> dimensions;
-  dimensions.fill(-1);
-  std::vector<vtkIdType> scratch;
-  for (const vtkIdType c : InTurn(reader.GetNumberOfCells()))
-  {
-    const int type = reader.GetCellType(c);
-    if (dimensions[type] < 0)
-    {
-      const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
-      dimensions[type] = static_cast<signed char>(cell ? cell->GetCellDimension() : 0);
-    }
-    if (dimensions[type] == 3 ||
-      (toQuads && dimensions[type] == 2 && reader.GetCell(c, scratch).Size != 4))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-}
-
-int CountFurtherSteps(vtkDataObject* input, bool toQuads)
-{
-  bool needsMore = !input;
-  ChangeMeshes(input,
-    [&](vtkDataObject* object, unsigned int) -> vtkSmartPointer<vtkDataObject>
-    {
-      auto* mesh = vtkPointSet::SafeDownCast(object);
-      if (mesh)
-      {
-        needsMore = needsMore || HasCellsOfMoreSteps(mesh, toQuads);
-      }
-      return object;
-    });
-  // The first step makes quads of other faces, and cells of the next level need the same steps.
-  return needsMore ? PatchShape::Get(PatchShape::Tetrahedron).SampleLevels
-                   : PatchShape::Get(PatchShape::Quad).SampleLevels;
 }
 
 vtkSmartPointer<vtkDataObject> MakeBezierCells(vtkDataObject* data, const BezierOptions& options)
