@@ -8,11 +8,33 @@
 
 #include "Core/Memory/Store.h"
 
+#include "vtkType.h"
+
 #include <algorithm>
 #include <cstring>
+#include <type_traits>
 
 namespace subdivision
 {
+
+/// How many components are summed together. If their number N is 0, which means that it is known at
+/// run time only, one after another: loops of unknown length are slow for few components.
+template <int N>
+constexpr int Width = N == 0 ? 1 : N;
+
+template <typename In, typename Out>
+Out* CopyValues(const In* from, vtkIdType size, Out* to)
+{
+  if constexpr (std::is_same<In, Out>::value)
+  {
+    return std::copy(from, from + size, to);
+  }
+  else
+  {
+    return std::transform(
+      from, from + size, to, [](In value) { return Store<Out>(static_cast<double>(value)); });
+  }
+}
 
 /// The sums of W components. They are an object outside of the loop over rows: compilers then add
 /// two at a time, but not in an array inside of it.
