@@ -1,0 +1,420 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a subdivision of a surface is before its output: whether the stamp is true, where creases
+// are, and the levels.
+#include "Private/Surface/SurfaceRun.h"
+
+#include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
+#include "Core/Rules/Pi.h"
+#include "Core/Surfaces/Scheme/SurfaceRings.h"
+#include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
+#include "Private/Control/Partners.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace subdivision
+{
+
+/// Decides whether the stamp is true, and makes or finds the levels. Returns false if Progress asks
+/// to stop.
+template <typename Id>
+bool SurfaceRun<Id>::Plan()
+{
+  this->Marked = FindMarkedEdges(this->Input, this->Options.Features.Marks, this->Options.Warn);
+  Partners* others = FindPartners(this->Options, this->Input);
+  const bool isMarked =
+    others ? others->Sum(this->Marked.Points.empty() ? 0 : 1) > 0 : !this->Marked.Points.empty();
+  const bool isStamped = !isMarked && this->ReadStamp();
+  bool isDone = this->Build();
+  const bool isFalse = isStamped && (this->ExceedsStamp || (isDone && !this->IsDescendant()));
+  if (this->Options.IsRegion && (isFalse || !isStamped))
+  {
+    this->Options.Fail("Field data say that an earlier filter made the input, but not of what. "
+                       "Remove the field arrays whose names begin with \"Subdivision\".");
+    return false;
+  }
+  if (isFalse)
+  {
+    if (this->Stamp.IsOfPart())
+    {
+      this->Options.Warn("The cells of the input are not those that an earlier filter made: this "
+                         "filter takes them as any other mesh.");
+    }
+    this->ForgetStamp();
+    isDone = this->Build();
+  }
+  Tell(this->Warnings, this->Options);
+  return isDone;
+}
+
+/// Finds the control mesh of an earlier filter. Returns false if there is none.
+template <typename Id>
+bool SurfaceRun<Id>::ReadStamp()
+{
+  const bool isStamped = this->IsWhole() &&
+    (ReadSurfaceStamp(this->Input, this->Stamp) ||
+      ReadStampOfPart(this->Input, this->Cells, this->Stamp)) &&
+    this->Stamp.Scheme == static_cast<int>(this->Options.Scheme) && this->FitsStamp() &&
+    LiftSurfaceCells(
+      this->Cells, this->Stamp,
+      [this](vtkIdType a, vtkIdType b) { return this->HasSameFlags(a, b); }, this->Lifted);
+  if (!isStamped)
+  {
+    this->Stamp = SurfaceStamp();
+  }
+  this->MadeLevels = this->Stamp.Levels;
+  return isStamped;
+}
+
+template <typename Id>
+void SurfaceRun<Id>::ForgetStamp()
+{
+  this->Stamp = SurfaceStamp();
+  this->ExceedsStamp = false;
+  this->MadeLevels = 0;
+  this->Warnings.clear();
+  this->Own.clear();
+  this->Steps = nullptr;
+  this->Joined = nullptr;
+  this->JoinedControl = nullptr;
+  this->Kept = nullptr;
+  this->Creases = SharpPairs();
+}
+
+template <typename Id>
+void SurfaceRun<Id>::StartPoints()
+{
+  PointArrayOptions arrays;
+  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
+  arrays.HasMaterialFields = this->Options.HasMaterialFields;
+  arrays.CarryOriginalIds = this->Stamp.Levels > 0 &&
+    HasIds(this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
+  arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;
+  arrays.Warn = [this](const std::string& warning) { this->Warnings.push_back(warning); };
+  arrays.Precision = this->Options.OutputPointsPrecision;
+  if (arrays.OriginalIds)
+  {
+    arrays.Replaced.emplace_back(OriginalPointIdsName);
+  }
+  if (this->Options.GenerateLimitNormals && this->Scheme->HasLimit())
+  {
+    arrays.Replaced.emplace_back(LimitNormalsName);
+  }
+  if (this->Options.GenerateTangents && this->Scheme->HasLimit())
+  {
+    arrays.Replaced.insert(arrays.Replaced.end(), { LimitTangentNames[0], LimitTangentNames[1] });
+  }
+  this->GlobalIds = this->Stamp.GlobalIds.empty()
+    ? ReadIdsOf(this->Input->GetPointData(), this->Input->GetNumberOfPoints())
+    : this->Stamp.GlobalIds;
+  this->NoCentres.Simplices.NumberOfPoints = this->Input->GetNumberOfPoints();
+  this->Points = std::make_unique<PointArrays>(this->Input, this->NoCentres,
+    this->GlobalIds.empty() ? nullptr : this->GlobalIds.data(),
+    static_cast<vtkIdType>(this->GlobalIds.size()), arrays);
+}
+
+template <typename Id>
+SurfaceTags<Id> SurfaceRun<Id>::Classify(
+  const SurfaceLevel<Id>& control, const SurfaceFeatures& features)
+{
+  SurfaceTags<Id> tags =
+    ClassifySurface(control.Mesh, *this->Scheme, features, this->GetControlCoordinates());
+  // Angles are those of the first input.
+  const std::size_t size = tags.Sectors.size();
+  if (this->MadeLevels > 0 && this->Stamp.Angles.size() == 2 * size)
+  {
+    for (std::size_t s = 0; s < size; ++s)
+    {
+      tags.Sectors[s].Angle = this->Stamp.Angles[s];
+      tags.Sectors[s].Flatness = this->Stamp.Angles[size + s];
+    }
+  }
+  return tags;
+}
+
+template <typename Id>
+KeptSurfaceOf<Id>* SurfaceRun<Id>::FindKept(const SurfaceKey& key)
+{
+  return dynamic_cast<KeptSurfaceOf<Id>*>(
+    this->Options.Cache->FindUnused([&key](const KeptSurface& kept)
+      { return dynamic_cast<const KeptSurfaceOf<Id>*>(&kept) && kept.Key == key; }));
+}
+
+/// Makes the levels and rules of `control`, or finds kept ones that fit. Null if Progress asks to
+/// stop.
+template <typename Id>
+SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
+  const SurfaceCells& cells, const SurfaceCells& control, KeptSurface*& found)
+{
+  SurfaceKey key{ this->Options.Scheme, this->Options.ModifiedBoundary,
+    this->Options.Features.Weights, this->Options.Levels, this->NeedsLimit(),
+    this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
+  KeptSurfaceOf<Id>* kept = nullptr;
+  if (this->Options.Cache)
+  {
+    key.Cells = cells;
+    kept = this->FindKept(key);
+  }
+  SurfaceLevel<Id> fresh;
+  if (!kept)
+  {
+    fresh = this->MakeFirstLevel(control);
+  }
+  const SurfaceLevel<Id>& first = kept ? kept->Steps->GetLevel(0) : fresh;
+  SurfaceCreases creases = this->ReadCreases(control, first);
+  if (this->Joined)
+  {
+    AddSeamCorners(first.Mesh, this->JoinedMesh, this->Joined->GetLevel(0).Tags, creases.Features);
+  }
+  SurfaceTags<Id> tags = this->Classify(first, creases.Features);
+  this->ControlSectors = tags.Sectors;
+  SurfaceSteps<Id>* steps = nullptr;
+  if (kept && kept->Steps->ReplaceSectors(tags))
+  {
+    kept->Used = true;
+    steps = kept->Steps.get();
+  }
+  else
+  {
+    if (kept)
+    {
+      kept = nullptr;
+      fresh = this->MakeFirstLevel(control);
+    }
+    fresh.Tags = std::move(tags);
+    const ClaimedLevel claimed = this->GetClaimedLevel();
+    auto own = std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme,
+      this->GetAllLevels(), this->NeedsLimit(), this->Options.Progress, claimed);
+    steps = own.get();
+    const int made = steps->GetNumberOfSteps();
+    if (made < this->GetAllLevels())
+    {
+      this->ExceedsStamp = claimed.IsExceededBy(steps->GetLevel(made), made);
+      return nullptr;
+    }
+    if (this->Options.Cache)
+    {
+      auto keep = std::make_unique<KeptSurfaceOf<Id>>();
+      keep->Key = std::move(key);
+      keep->Steps = std::move(own);
+      kept = keep.get();
+      this->Options.Cache->Add(std::move(keep));
+      ++this->Options.Cache->NumberOfBuilds;
+    }
+    else
+    {
+      this->Own.push_back(std::move(own));
+    }
+  }
+  this->SetSharpness(*steps, creases);
+  this->MakeControl(control, creases, kept);
+  found = kept;
+  return steps;
+}
+
+/// Sets the semi-sharp creases of levels that begin with the control level.
+template <typename Id>
+void SurfaceRun<Id>::SetSharpness(SurfaceSteps<Id>& steps, const SurfaceCreases& creases)
+{
+  const bool useSharpness = this->Scheme->HalvesEdges() && this->Scheme->UsesTags();
+  steps.SetSharpness(useSharpness ? creases.Sharpness : EdgeSharpness(),
+    [&](const std::vector<bool>& sharp)
+    {
+      SurfaceFeatures sharper = creases.Features;
+      sharper.SharpEdges.resize(sharp.size(), 0);
+      for (std::size_t e = 0; e < sharp.size(); ++e)
+      {
+        sharper.SharpEdges[e] |= sharp[e];
+      }
+      const SurfaceLevel<Id>& made = steps.GetLevel(0);
+      SurfaceTags<Id> more =
+        ClassifySurface(made.Mesh, *this->Scheme, sharper, this->GetControlCoordinates());
+      for (Sector<Id>& sector : more.Sectors) // corners that stay what they were
+      {
+        const Sector<Id>* known = FindEqualSector(made.Tags, sector);
+        sector.Angle = known ? known->Angle : sector.Angle;
+        sector.Flatness = known ? known->Flatness : sector.Flatness;
+      }
+      return more;
+    });
+}
+
+/// Sets the creases that no cell array has: those of the stamp, or features and marks.
+template <typename Id>
+void SurfaceRun<Id>::FindCreases(const PolygonMesh<Id>& mesh, const SurfaceCells& cells)
+{
+  const bool isJoined = &cells == &this->JoinedMesh.Cells;
+  this->Creases = this->Stamp.Creases; // none on a control mesh
+  if (this->MadeLevels == 0)
+  {
+    this->Creases.Points = FindDerivedEdges(
+      mesh, cells.FaceCells, this->Points->GetCoordinates(), this->Options.Features);
+  }
+  if (!this->Marked.Sharpness.empty())
+  {
+    this->Creases.Sharpness.assign(
+      this->Creases.Points.size() / 2, std::numeric_limits<double>::infinity());
+    this->Creases.Sharpness.insert(
+      this->Creases.Sharpness.end(), this->Marked.Sharpness.begin(), this->Marked.Sharpness.end());
+  }
+  for (const vtkIdType point : InTurn(this->Marked.Points))
+  {
+    this->Creases.Points.push_back(isJoined ? this->JoinedMesh.FirstPoints[point] : point);
+  }
+}
+
+/// Collects creases and corners of a control level from arrays, angles and the stamp.
+template <typename Id>
+SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level)
+{
+  FeatureOptions features = this->Options.Features;
+  if (this->MadeLevels > 0 && !this->Scheme->HalvesEdges())
+  {
+    // The stamp has the creases; lifted faces have no cell data to read them from.
+    features.Singular = nullptr;
+    features.Sharpness = nullptr;
+  }
+  SurfaceCreases creases = ReadSurfaceCreases(features, cells, level);
+  for (double& sharpness : InTurn(creases.Sharpness))
+  {
+    sharpness += sharpness > 0. ? this->MadeLevels : 0.;
+  }
+  const vtkIdType points = this->GetControl().NumberOfPoints;
+  creases.Features.Angles = ReadPointValues(this->Options.Angles, points, Pi / 180.);
+  creases.Features.Flatness = ReadPointValues(this->Options.Flatness, points, 1.);
+  if (this->Stamp.IsOfPart())
+  {
+    TakeGivenOfPart(this->Stamp, creases.Features);
+  }
+  this->Given = { creases.Features.Angles, creases.Features.Flatness };
+  this->FindCreases(level.Mesh, cells);
+  AddSharpEdges(level.Mesh, this->Creases, creases);
+  if (!this->FindsRules())
+  {
+    ReadSharpCorners(this->Stamp, level.Mesh, creases.Features);
+  }
+  else
+  {
+    WriteSharpCorners(level.Mesh, creases, this->GetControlCoordinates(), this->Stamp);
+  }
+  if (!this->Scheme->HalvesEdges())
+  {
+    this->Creases = { ListSharpEdges(level.Mesh, creases.Features), {} };
+  }
+  return creases;
+}
+
+template <typename Id>
+bool SurfaceRun<Id>::Build()
+{
+  this->StartPoints();
+  this->KeepControlCoordinates();
+  if (this->MadeLevels == 0 && this->FindSeams())
+  {
+    KeptSurface* kept = nullptr;
+    this->Joined = this->MakeSteps(this->JoinedMesh.Cells, this->JoinedMesh.Cells, kept);
+    if (!this->Joined)
+    {
+      return false;
+    }
+    this->JoinedControl = this->Control;
+  }
+  this->Steps = this->MakeSteps(this->Cells, this->GetControl(), this->Kept);
+  return this->Steps != nullptr;
+}
+
+/// The turned faces of the last level of `steps`; of a part, as in the whole surface.
+template <typename Id>
+Buffer<unsigned char> SurfaceRun<Id>::FindTurned(const SurfaceSteps<Id>& steps) const
+{
+  const PolygonMesh<Id>& mesh = steps.GetLevel(0).Mesh;
+  Partners* others = FindPartners(this->Options, this->Input);
+  return SpreadTurned(
+    steps, others ? this->FindTurnedOfPart(mesh, *others) : FindTurnedFaces(mesh));
+}
+
+/// Computes the points of the output on the joined mesh, and their normals and tangents.
+/// `turned`: faces of its last level.
+template <typename Id>
+vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints(const Buffer<unsigned char>& turned)
+{
+  vtkSmartPointer<vtkDataArray> points = this->Points->GetPoints();
+  auto apply = [this, &points](const BlockOperator<Id>& rows)
+  {
+    this->AppendFactors(rows);
+    const auto next = MakeArray(points->GetDataType(), 3, rows.GetNumberOfRows());
+    if (points->GetDataType() == VTK_FLOAT)
+    {
+      rows.Apply(static_cast<const float*>(points->GetVoidPointer(0)),
+        static_cast<float*>(next->GetVoidPointer(0)), 3);
+    }
+    else
+    {
+      rows.Apply(static_cast<const double*>(points->GetVoidPointer(0)),
+        static_cast<double*>(next->GetVoidPointer(0)), 3);
+    }
+    points = next;
+  };
+  for (int step = 0; step < this->Options.Levels; ++step)
+  {
+    apply(this->Joined->GetStep(step));
+  }
+  const Buffer<vtkIdType> sources =
+    FindJoinedVertices(*this->Steps, *this->Joined, this->Cells.NumberOfPoints);
+  const TangentPairs tangents =
+    this->WantsFrames() ? FindLimitTangents(*this->Joined, turned, points) : TangentPairs(0);
+  if (this->Options.ProjectToLimit && this->Scheme->HasLimit())
+  {
+    apply(this->Joined->GetLimit(LimitKind::Position));
+  }
+  if (this->WantsFrames())
+  {
+    this->AddFrames(*this->Joined, turned, tangents, points, sources);
+  }
+  if (this->Options.Factors)
+  {
+    this->Options.Factors->Append(BlockOperator<Id>(points->GetNumberOfTuples(), sources.size(),
+      [&sources](vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+      {
+        for (; begin < end; ++begin)
+        {
+          rows.Add(sources[begin], 1.);
+          rows.EndRow();
+        }
+      }));
+  }
+  return vtkDataArray::SafeDownCast(Gather(points, { sources.begin(), sources.end() }));
+}
+
+/// Whether the input is what the steps made of the control mesh.
+template <typename Id>
+bool SurfaceRun<Id>::IsDescendant() const
+{
+  const SurfaceLevel<Id>& level = this->Steps->GetLevel(this->MadeLevels);
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const SurfaceCells& cells = this->Cells;
+  Buffer<vtkIdType> corners(this->Steps->GetNumberOfCorners(this->MadeLevels));
+  if (mesh.NumberOfVertices != cells.NumberOfPoints ||
+    mesh.NumberOfFaces != cells.GetNumberOfFaces() ||
+    corners.size() != static_cast<vtkIdType>(cells.Corners.size()) ||
+    2 * level.Lines.size() != static_cast<vtkIdType>(cells.Segments.size()))
+  {
+    return false;
+  }
+  for (const vtkIdType i : InTurn(2 * level.Lines.size()))
+  {
+    const Id line = level.Lines[i / 2];
+    if (mesh.EdgeVertices[2 * (line / 2) + (line % 2 + i % 2) % 2] != cells.Segments[i])
+    {
+      return false;
+    }
+  }
+  this->Steps->WriteFaces(this->MadeLevels, corners.data());
+  return std::equal(corners.begin(), corners.end(), cells.Corners.begin());
+}
+
+SUBDIVISION_COMPILE(class SurfaceRun);
+
+}
