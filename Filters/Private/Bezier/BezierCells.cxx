@@ -4,14 +4,12 @@
 #include "Core/Memory/Buffer.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Bezier/RootLattice.h"
+#include "Private/Bezier/BezierRoots.h"
 #include "Private/Bezier/ValueRanges.h"
-#include "Private/Reading/CellReader.h"
 #include "Private/Reading/ReadableMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -21,21 +19,11 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
-#include <map>
 
 namespace subdivision
 {
 namespace
 {
-
-/// A cell of the control mesh, or one that is written as it is.
-struct Root
-{
-  vtkIdType First; ///< of its cells
-  int Kind;        ///< a PatchShape::Kind; -1: it is written as it is
-  int Steps;       ///< in which it was split
-  int Levels;      ///< how often it may be split
-};
 
 /// A part of a root that becomes one cell.
 struct Patch
@@ -53,13 +41,11 @@ public:
     : Mesh(mesh)
     , Ranges(ranges)
     , Options(options)
-    , Reader(mesh)
+    , Cells(mesh, options.Steps, options.Levels)
   {
   }
   vtkSmartPointer<vtkUnstructuredGrid> Write()
   {
-    this->ReadCells();
-    this->FindRoots();
     this->ReadValues();
     this->ChoosePatches();
     this->NumberPoints();
@@ -69,11 +55,6 @@ public:
   }
 
 private:
-  void ReadCells();
-  void FindRoots();
-  vtkIdType FindRoot(vtkIdType first, Root& root) const;
-  vtkIdType CountSides(vtkIdType first, vtkIdType size) const;
-  bool IsWhole(const Root& root) const;
   void ReadValues();
   void ChoosePatches();
   void Split(const Patch& patch, std::vector<Patch>& patches) const;
@@ -83,20 +64,6 @@ private:
   void WriteValues();
   void FitValues(vtkIdType p, std::vector<double>& values) const;
 
-  const PatchShape& GetShape(const Root& root) const
-  {
-    return PatchShape::Get(static_cast<PatchShape::Kind>(root.Kind));
-  }
-  vtkIdType CountCells(const Root& root, int level) const
-  {
-    return root.Kind < 0 ? 1
-                         : vtkIdType(1) << (this->GetShape(root).Dimension * (root.Steps - level));
-  }
-  vtkIdType GetPoint(const Root& root, const LatticePoint& point) const
-  {
-    const RootLattice& lattice = this->Lattices.at({ root.Kind, root.Steps });
-    return this->Corners[4 * root.First + lattice.GetCorner(point)];
-  }
   /// The points of the mesh that are the nodes of a patch, or the points of a cell that is written
   /// as it is.
   void GetNodes(const Patch& patch, std::vector<vtkIdType>& nodes) const;
@@ -104,16 +71,11 @@ private:
   vtkPointSet* Mesh;
   const ValueRanges& Ranges;
   const BezierOptions& Options;
-  const CellReader Reader;
-  /// The points of each cell, up to four; larger cells have none here.
-  Buffer<vtkIdType> Corners;
-  Buffer<unsigned char> Types;
-  std::vector<Root> Roots;
-  std::map<std::pair<int, int>, RootLattice> Lattices; ///< by kind and steps
-  std::vector<vtkDataArray*> Arrays;                   ///< what is fitted, points first
+  const BezierRoots Cells;
+  std::vector<vtkDataArray*> Arrays; ///< what is fitted, points first
   int Components = 0;
-  Buffer<double> Values; ///< of each point, one array after the other
-  std::vector<double> Scales;
+  Buffer<double> Values;       ///< of each point, one array after the other
+  std::vector<double> Allowed; ///< what each component may leave out
   std::vector<Patch> Patches;
   std::vector<vtkIdType> Offsets; ///< where each patch begins in Ids
   std::vector<vtkIdType> Ids;     ///< of the control points of each patch
@@ -121,130 +83,6 @@ private:
   std::vector<vtkIdType> Owners;  ///< the first patch of each control point
   vtkSmartPointer<vtkUnstructuredGrid> Output = vtkSmartPointer<vtkUnstructuredGrid>::New();
 };
-
-void BezierWriter::ReadCells()
-{
-  const vtkIdType cells = this->Reader.GetNumberOfCells();
-  this->Corners = Buffer<vtkIdType>(4 * cells);
-  this->Types = Buffer<unsigned char>(cells);
-  ForRanges(cells,
-    [this](vtkIdType begin, vtkIdType end)
-    {
-      std::vector<vtkIdType> scratch;
-      for (vtkIdType c = begin; c < end; ++c)
-      {
-        const CellIds cell = this->Reader.GetCell(c, scratch);
-        this->Types[c] = static_cast<unsigned char>(this->Reader.GetGridType(c, cell.Size));
-        std::copy_n(cell.Ids, std::min<vtkIdType>(cell.Size, 4), this->Corners.data() + 4 * c);
-      }
-    });
-}
-
-int FindKind(int type)
-{
-  switch (type)
-  {
-    case VTK_LINE:
-      return PatchShape::Curve;
-    case VTK_TRIANGLE:
-      return PatchShape::Triangle;
-    case VTK_QUAD:
-      return PatchShape::Quad;
-    case VTK_TETRA:
-      return PatchShape::Tetrahedron;
-    default:
-      return -1;
-  }
-}
-
-/// How many groups of `size` quads from `first` on came from one face: as many as it had sides. The
-/// quad at each side has the face's point as its third one, the point of the edge behind its corner
-/// as its second one, and that of the edge before as its last one.
-vtkIdType BezierWriter::CountSides(vtkIdType first, vtkIdType size) const
-{
-  // Each step puts a corner of a quad first in the child there: so it is first in the first cell of
-  // that quarter.
-  const auto get = [&](vtkIdType side, int corner)
-  { return this->Corners[4 * (first + size * side + corner * (size / 4))]; };
-  const vtkIdType most = (this->Types.size() - first) / size;
-  vtkIdType sides = 1;
-  while (sides < most && this->Types[first + size * sides] == VTK_QUAD &&
-    get(sides, 2) == get(0, 2) && get(sides - 1, 1) == get(sides, 3))
-  {
-    if (get(sides, 1) == get(0, 3))
-    {
-      return sides + 1;
-    }
-    ++sides;
-  }
-  return 0;
-}
-
-/// Whether all cells of a root are there and of one type.
-bool BezierWriter::IsWhole(const Root& root) const
-{
-  const vtkIdType end = root.First + this->CountCells(root, 0);
-  if (end > this->Types.size())
-  {
-    return false;
-  }
-  const unsigned char type = this->Types[root.First];
-  return std::all_of(this->Types.data() + root.First, this->Types.data() + end,
-    [type](unsigned char t) { return t == type; });
-}
-
-/// Finds the control cell that the cells from `first` on came from, or one side of a face that has
-/// not four. Returns the number of its cells.
-vtkIdType BezierWriter::FindRoot(vtkIdType first, Root& root) const
-{
-  root = { first, FindKind(this->Types[first]), this->Options.Steps, this->Options.Levels };
-  if (root.Kind == PatchShape::Quad)
-  {
-    const vtkIdType size = vtkIdType(1) << (2 * (root.Steps - 1));
-    if (this->CountSides(first, size) != 4)
-    {
-      --root.Steps;
-      root.Levels = std::max(0, root.Levels - 1);
-    }
-  }
-  if (root.Kind >= 0 && !this->IsWhole(root))
-  {
-    root.Kind = -1;
-  }
-  return this->CountCells(root, 0);
-}
-
-void BezierWriter::FindRoots()
-{
-  Turns turns;
-  vtkIdType sidesLeft = 0; // of a face that has not four
-  for (vtkIdType first = 0; first < this->Types.size();)
-  {
-    turns.Next();
-    Root root;
-    if (sidesLeft > 0)
-    {
-      root = this->Roots.back();
-      root.First = first;
-      first += this->CountCells(root, 0);
-      --sidesLeft;
-    }
-    else
-    {
-      first += this->FindRoot(first, root);
-      if (root.Kind == PatchShape::Quad && root.Steps < this->Options.Steps)
-      {
-        sidesLeft =
-          std::max<vtkIdType>(0, this->CountSides(root.First, this->CountCells(root, 0)) - 1);
-      }
-    }
-    this->Roots.push_back(root);
-    if (root.Kind >= 0)
-    {
-      this->Lattices.try_emplace({ root.Kind, root.Steps }, this->GetShape(root), root.Steps);
-    }
-  }
-}
 
 /// Points and arrays of floating point numbers, in double, side by side.
 void BezierWriter::ReadValues()
@@ -255,16 +93,18 @@ void BezierWriter::ReadValues()
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)
   {
     vtkDataArray* array = data->GetArray(a);
-    if (array && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE))
+    if (array && array->GetName() &&
+      (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE))
     {
       this->Arrays.push_back(array);
     }
   }
   for (vtkDataArray* array : this->Arrays)
   {
-    const double range = this->Ranges.Get(array == this->Arrays[0] ? nullptr : array->GetName());
     this->Components += array->GetNumberOfComponents();
-    this->Scales.resize(this->Components, range > 0. ? 1. / range : 0.);
+    this->Allowed.resize(this->Components,
+      this->Ranges.GetTolerance(array == this->Arrays[0] ? nullptr : array->GetName(),
+        this->Options.Tolerance, array->GetDataType() == VTK_FLOAT));
   }
   this->Values = Buffer<double>(this->Components * size);
   int component = 0;
@@ -296,17 +136,15 @@ void BezierWriter::ReadValues()
 /// Whether the polynomial of a patch is the limit at the points of one further step.
 bool BezierWriter::Fits(const Patch& patch) const
 {
-  constexpr double rounding = 1e-12;
-  const double tolerance = std::max(this->Options.Tolerance, rounding);
-  const Root& root = this->Roots[patch.Root];
-  const PatchShape& shape = this->GetShape(root);
+  const Root& root = this->Cells.GetRoot(patch.Root);
+  const PatchShape& shape = BezierRoots::GetShape(root);
   std::vector<vtkIdType> nodes;
   this->GetNodes(patch, nodes);
   std::vector<double> values(this->Components);
   for (std::size_t i = 0; i < shape.Checked.size(); ++i)
   {
     const vtkIdType point =
-      this->GetPoint(root, patch.Part.At(shape.Checked[i], 2 * shape.Divisions));
+      this->Cells.GetPoint(root, patch.Part.At(shape.Checked[i], 2 * shape.Divisions));
     std::fill(values.begin(), values.end(), 0.);
     for (std::size_t k = 0; k < nodes.size(); ++k)
     {
@@ -319,7 +157,7 @@ bool BezierWriter::Fits(const Patch& patch) const
     for (int c = 0; c < this->Components; ++c)
     {
       const double error = std::abs(values[c] - this->Values[this->Components * point + c]);
-      if (!(error * this->Scales[c] <= tolerance)) // also where it is not a number
+      if (!(error <= this->Allowed[c])) // also where it is not a number
       {
         return false;
       }
@@ -330,7 +168,7 @@ bool BezierWriter::Fits(const Patch& patch) const
 
 void BezierWriter::Split(const Patch& patch, std::vector<Patch>& patches) const
 {
-  const Root& root = this->Roots[patch.Root];
+  const Root& root = this->Cells.GetRoot(patch.Root);
   if (root.Kind < 0 || patch.Level == root.Levels || this->Fits(patch))
   {
     patches.push_back(patch);
@@ -338,34 +176,25 @@ void BezierWriter::Split(const Patch& patch, std::vector<Patch>& patches) const
   }
   Patch child = patch;
   ++child.Level;
-  for (const LatticePart& part : this->GetShape(root).Children)
+  for (const LatticePart& part : BezierRoots::GetShape(root).Children)
   {
     child.Part = patch.Part.Take(part);
     this->Split(child, patches);
-    child.First += this->CountCells(root, child.Level);
+    child.First += BezierRoots::CountCells(root, child.Level);
   }
 }
 
 void BezierWriter::ChoosePatches()
 {
-  const auto size = static_cast<vtkIdType>(this->Roots.size());
-  std::vector<std::vector<Patch>> patches(this->Roots.size());
+  const vtkIdType size = this->Cells.GetNumberOfRoots();
+  std::vector<std::vector<Patch>> patches(static_cast<std::size_t>(size));
   ForRangesOfBlocks(size,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType r = begin; r < end; ++r)
       {
-        const Root& root = this->Roots[r];
-        Patch whole{ r, root.First, 0, {} };
-        if (root.Kind >= 0)
-        {
-          const int divisions = 1 << root.Steps;
-          for (int axis = 0; axis < this->GetShape(root).Dimension; ++axis)
-          {
-            whole.Part.Axes[axis][axis] = divisions;
-          }
-        }
-        this->Split(whole, patches[r]);
+        const Root& root = this->Cells.GetRoot(r);
+        this->Split({ r, root.First, 0, this->Cells.GetWhole(root) }, patches[r]);
       }
     });
   for (const auto& ofRoot : InTurn(patches))
@@ -376,19 +205,17 @@ void BezierWriter::ChoosePatches()
 
 void BezierWriter::GetNodes(const Patch& patch, std::vector<vtkIdType>& nodes) const
 {
-  const Root& root = this->Roots[patch.Root];
+  const Root& root = this->Cells.GetRoot(patch.Root);
   nodes.clear();
   if (root.Kind < 0)
   {
-    std::vector<vtkIdType> scratch;
-    const CellIds cell = this->Reader.GetCell(root.First, scratch);
-    nodes.assign(cell.Ids, cell.Ids + cell.Size);
+    this->Cells.GetPoints(root, nodes);
     return;
   }
-  const PatchShape& shape = this->GetShape(root);
+  const PatchShape& shape = BezierRoots::GetShape(root);
   for (const LatticePoint& node : shape.Nodes)
   {
-    nodes.push_back(this->GetPoint(root, patch.Part.At(node, shape.Divisions)));
+    nodes.push_back(this->Cells.GetPoint(root, patch.Part.At(node, shape.Divisions)));
   }
 }
 
@@ -401,8 +228,8 @@ void BezierWriter::NumberPoints()
   this->Offsets.push_back(0);
   for (const Patch& patch : InTurn(this->Patches))
   {
-    const Root& root = this->Roots[patch.Root];
-    const int corners = root.Kind < 0 ? VTK_INT_MAX : this->GetShape(root).Corners;
+    const Root& root = this->Cells.GetRoot(patch.Root);
+    const int corners = root.Kind < 0 ? VTK_INT_MAX : BezierRoots::GetShape(root).Corners;
     // Steps that a root lacks count as levels: control points belong to their lattice.
     const int level = root.Kind < 0 ? 0 : patch.Level + this->Options.Steps - root.Steps;
     this->GetNodes(patch, nodes);
@@ -465,10 +292,10 @@ void BezierWriter::WriteCells()
     [&](vtkIdType p)
     {
       const Patch& patch = this->Patches[p];
-      const Root& root = this->Roots[patch.Root];
+      const Root& root = this->Cells.GetRoot(patch.Root);
       types->SetValue(p,
         static_cast<unsigned char>(
-          root.Kind < 0 ? this->Types[root.First] : this->GetShape(root).CellType));
+          root.Kind < 0 ? this->Cells.GetType(root) : BezierRoots::GetShape(root).CellType));
       sources[p] = patch.First;
     });
   vtkNew<vtkCellArray> cells;
@@ -485,12 +312,12 @@ void BezierWriter::WriteCells()
 void BezierWriter::FitValues(vtkIdType p, std::vector<double>& values) const
 {
   const Patch& patch = this->Patches[p];
-  const Root& root = this->Roots[patch.Root];
+  const Root& root = this->Cells.GetRoot(patch.Root);
   if (root.Kind < 0)
   {
     return;
   }
-  const PatchShape& shape = this->GetShape(root);
+  const PatchShape& shape = BezierRoots::GetShape(root);
   std::vector<vtkIdType> nodes;
   this->GetNodes(patch, nodes);
   for (std::size_t k = shape.Corners; k < nodes.size(); ++k)

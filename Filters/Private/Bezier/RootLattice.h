@@ -21,14 +21,17 @@ public:
     , Size((1 << steps) + 1)
     , Corners(this->Count(), -1)
   {
+    this->Add(this->GetWhole(), steps, 0);
+  }
+  LatticePart GetWhole() const
+  {
     LatticePart whole;
-    for (int axis = 0; axis < shape.Dimension; ++axis)
+    for (int axis = 0; axis < this->Shape.Dimension; ++axis)
     {
       whole.Axes[axis][axis] = this->Size - 1;
     }
-    this->Add(whole, steps, 0);
+    return whole;
   }
-  int GetDivisions() const { return this->Size - 1; }
   vtkIdType GetCorner(const LatticePoint& point) const { return this->Corners[this->Index(point)]; }
 
 private:

@@ -95,21 +95,27 @@ void ValueRanges::Join(vtkMultiProcessController* controller)
   }
 }
 
-double ValueRanges::Get(const char* name) const
+double ValueRanges::GetTolerance(const char* name, double part, bool isSingle) const
 {
   const auto ranges = this->Arrays.find(name ? name : "");
-  double largest = 0.;
+  double longest = 0.;
   double squares = 0.;
+  double largest = 0.;
   if (ranges != this->Arrays.end())
   {
     for (const auto& [least, most] : ranges->second)
     {
       const double length = std::max(0., most - least);
-      largest = std::max(largest, length);
+      longest = std::max(longest, length);
       squares += length * length;
+      if (most >= least) // there are values
+      {
+        largest = std::max({ largest, std::abs(least), std::abs(most) });
+      }
     }
   }
-  return name ? largest : std::sqrt(squares);
+  const double rounding = isSingle ? 1e-6 : 1e-12;
+  return std::max(part * (name ? longest : std::sqrt(squares)), rounding * largest);
 }
 
 }

@@ -4,71 +4,22 @@
  * OutputCells = Bezier: cells that VTK itself evaluates are the limit, exactly where it is a
  * polynomial and within the tolerance elsewhere.
  */
-#include "MultiDimensionalSubdivisionTools.h"
-
-#include "vtkSubdivisionModelSource.h"
-#include "vtkSubdivisionOperator.h"
-#include "vtkSurfaceSubdivision.h"
+#include "BezierTools.h"
 
 #include "vtkGenericCell.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkPolyData.h"
-#include "vtkSMPTools.h"
+#include "vtkMath.h"
 #include "vtkStaticCellLocator.h"
+#include "vtkTetra.h"
+#include "vtkTriangle.h"
 
-#include <functional>
 #include <map>
 #include <set>
 
-using namespace multi_dimensional_subdivision_tools;
+using namespace bezier_tools;
 
 namespace
 {
 
-using Filter = vtkMultiDimensionalSubdivision;
-using Configure = std::function<void(Filter*)>;
-
-Grid MakeBezier(vtkDataObject* input, int levels, const Configure& configure = nullptr)
-{
-  vtkNew<Filter> filter;
-  filter->SetNumberOfLevels(levels);
-  filter->SetOutputCellsToBezier();
-  if (configure)
-  {
-    configure(filter);
-  }
-  return UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input);
-}
-
-Grid MakeBezierSurface(vtkDataObject* input, int scheme, int levels, double tolerance = 1e-4)
-{
-  vtkNew<vtkSurfaceSubdivision> filter;
-  filter->SetInputDataObject(input);
-  filter->SetScheme(scheme);
-  filter->SetNumberOfLevels(levels);
-  filter->SetOutputCellsToBezier();
-  filter->SetBezierTolerance(tolerance);
-  vtkNew<Messages> messages;
-  messages->Watch(filter);
-  filter->Update();
-  EXPECT_TRUE(messages->Errors.empty() && messages->Warnings.empty());
-  EXPECT_EQ(filter->GetOutput(), nullptr);
-  const auto output = Grid::New();
-  output->DeepCopy(filter->GetUnstructuredGridOutput());
-  return output;
-}
-
-/// A point of a cell, as VTK evaluates it, and a value of an array there.
-Point EvaluateCell(vtkUnstructuredGrid* grid, vtkIdType c, const Point& at)
-{
-  vtkNew<vtkGenericCell> cell;
-  grid->GetCell(c, cell);
-  std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()));
-  int part = 0;
-  Point p;
-  cell->EvaluateLocation(part, at.data(), p.data(), weights.data());
-  return p;
-}
 double InterpolateInCell(
   vtkUnstructuredGrid* grid, vtkDataArray* array, vtkIdType c, const Point& at)
 {
@@ -82,23 +33,6 @@ double InterpolateInCell(
     sum += weights[static_cast<std::size_t>(k)] * array->GetComponent(cell->GetPointId(k), 0);
   }
   return sum;
-}
-
-/// Places inside and on the faces of a cell of a dimension.
-std::vector<Point> MakePlaces(int dimension)
-{
-  std::vector<Point> places;
-  for (const double u : { 0., 0.17, 0.36, 0.6 })
-  {
-    for (const double v : { 0., 0.11, 0.33 })
-    {
-      for (const double w : { 0., 0.05 })
-      {
-        places.push_back({ u, dimension > 1 ? v : 0., dimension > 2 ? w : 0. });
-      }
-    }
-  }
-  return places;
 }
 
 /// The parameters in the input's cell, whose corners may be in another order: the box spline orders
@@ -171,109 +105,6 @@ vtkIdType ExpectLimit(
   return static_cast<vtkIdType>(places.size());
 }
 
-void AddScalar(vtkUnstructuredGrid* grid)
-{
-  grid->GetPointData()->AddArray(
-    MakeArray<vtkDoubleArray>("Scalar", 1, grid->GetNumberOfPoints(), -1., 1., 3));
-}
-
-std::vector<Point> Shake(std::vector<Point> points, double size)
-{
-  std::mt19937 generator(5);
-  std::uniform_real_distribution<double> random(-size, size);
-  for (Point& p : points)
-  {
-    for (double& x : p)
-    {
-      x += random(generator);
-    }
-  }
-  return points;
-}
-
-/// n by n squares, each as two triangles or as a quad.
-Grid MakeSheet(int n, bool triangles, double shake)
-{
-  std::vector<Point> points;
-  std::vector<Cell> cells;
-  for (int j = 0; j <= n; ++j)
-  {
-    for (int i = 0; i <= n; ++i)
-    {
-      points.push_back({ double(i), double(j), 0. });
-      const vtkIdType first = i + (n + 1) * j;
-      if (i == n || j == n)
-      {
-        continue;
-      }
-      if (triangles)
-      {
-        cells.push_back({ VTK_TRIANGLE, { first, first + 1, first + n + 2 } });
-        cells.push_back({ VTK_TRIANGLE, { first, first + n + 2, first + n + 1 } });
-      }
-      else
-      {
-        cells.push_back({ VTK_QUAD, { first, first + 1, first + n + 2, first + n + 1 } });
-      }
-    }
-  }
-  Grid grid = MakeGrid(Shake(points, shake), cells);
-  AddScalar(grid);
-  return grid;
-}
-
-/// n^3 cells of six tetrahedra around a diagonal each. The axes have obtuse angles, so that the box
-/// spline marks the edges by which the tetrahedra are regular.
-Grid MakeLattice(int n)
-{
-  std::vector<Point> points;
-  std::vector<Cell> cells;
-  for (int k = 0; k <= n; ++k)
-  {
-    for (int j = 0; j <= n; ++j)
-    {
-      for (int i = 0; i <= n; ++i)
-      {
-        points.push_back({ double(-i + j + k), double(i - j + k), double(i + j - k) });
-        if (i == n || j == n || k == n)
-        {
-          continue;
-        }
-        const vtkIdType steps[3] = { 1, n + 1, vtkIdType(n + 1) * (n + 1) };
-        std::array<int, 3> order{ { 0, 1, 2 } };
-        do
-        {
-          vtkIdType at = i + (n + 1) * (j + vtkIdType(n + 1) * k);
-          Ids ids{ at };
-          for (const int axis : order)
-          {
-            ids.push_back(at += steps[axis]);
-          }
-          const bool isEven = (order[0] == 0 && order[1] == 1) ||
-            (order[0] == 1 && order[1] == 2) || (order[0] == 2 && order[1] == 0);
-          if (!isEven)
-          {
-            std::swap(ids[1], ids[2]);
-          }
-          cells.push_back({ VTK_TETRA, ids });
-        } while (std::next_permutation(order.begin(), order.end()));
-      }
-    }
-  }
-  Grid grid = MakeGrid(Shake(points, 0.03), cells);
-  AddScalar(grid);
-  return grid;
-}
-
-vtkSmartPointer<vtkPolyData> ToSurface(vtkUnstructuredGrid* grid)
-{
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(grid->GetPoints());
-  surface->SetPolys(grid->GetCells());
-  surface->GetPointData()->ShallowCopy(grid->GetPointData());
-  return surface;
-}
-
 /// The largest distance of places of the cells from the limit, as a mesh of many levels.
 double FindDistance(vtkUnstructuredGrid* bezier, vtkDataSet* limit)
 {
@@ -314,6 +145,81 @@ std::map<Ids, int> CountEdges(vtkUnstructuredGrid* bezier)
     }
   }
   return edges;
+}
+
+/// Places and weights of the rule of Gauss with three points, for an interval from 0 to 1.
+const std::array<std::array<double, 2>, 3> Gauss{ { { { 0.1127016653792583, 5. / 18. } },
+  { { 0.5, 8. / 18. } }, { { 0.8872983346207417, 5. / 18. } } } };
+
+/// The derivative of a cell by one of its parameters.
+Point Differentiate(vtkCell* cell, const Point& at, int axis)
+{
+  constexpr double step = 1e-4;
+  std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()));
+  Point values[2];
+  for (int side = 0; side < 2; ++side)
+  {
+    Point there = at;
+    there[axis] += side == 0 ? -step : step;
+    int part = 0;
+    cell->EvaluateLocation(part, there.data(), values[side].data(), weights.data());
+  }
+  Point derivative;
+  for (int i = 0; i < 3; ++i)
+  {
+    derivative[i] = (values[1][i] - values[0][i]) / (2. * step);
+  }
+  return derivative;
+}
+
+/// The area of triangles, by the rule of Gauss where the third corner is a side of a square.
+double IntegrateArea(vtkUnstructuredGrid* grid)
+{
+  double area = 0.;
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    grid->GetCell(c, cell);
+    for (const auto& x : Gauss)
+    {
+      for (const auto& y : Gauss)
+      {
+        const Point at{ x[0] * (1. - y[0]), y[0], 0. };
+        Point normal;
+        vtkMath::Cross(
+          Differentiate(cell, at, 0).data(), Differentiate(cell, at, 1).data(), normal.data());
+        area += x[1] * y[1] * (1. - y[0]) * vtkMath::Norm(normal.data());
+      }
+    }
+  }
+  return area;
+}
+
+/// The same for the volume of tetrahedra.
+double IntegrateVolume(vtkUnstructuredGrid* grid)
+{
+  double volume = 0.;
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    grid->GetCell(c, cell);
+    for (const auto& x : Gauss)
+    {
+      for (const auto& y : Gauss)
+      {
+        for (const auto& z : Gauss)
+        {
+          const double rest = 1. - z[0];
+          const Point at{ x[0] * (1. - y[0]) * rest, y[0] * rest, z[0] };
+          const Point axes[3] = { Differentiate(cell, at, 0), Differentiate(cell, at, 1),
+            Differentiate(cell, at, 2) };
+          volume += x[1] * y[1] * z[1] * (1. - y[0]) * rest * rest *
+            vtkMath::Determinant3x3(axes[0].data(), axes[1].data(), axes[2].data());
+        }
+      }
+    }
+  }
+  return volume;
 }
 
 }
@@ -423,19 +329,7 @@ TEST(BezierCells, AreSplitAroundExtraordinaryVerticesOnly)
 
 TEST(BezierCells, KeepTheirTolerance)
 {
-  std::vector<Cell> octahedron;
-  for (const vtkIdType top : { 4, 5 })
-  {
-    for (vtkIdType i = 0; i < 4; ++i)
-    {
-      octahedron.push_back({ VTK_TRIANGLE, { i, (i + 1) % 4, top } });
-    }
-  }
-  const Grid surface =
-    MakeGrid(Shake({ { { 1., 0., 0. } }, { { 0., 1., 0. } }, { { -1., 0., 0. } },
-                     { { 0., -1., 0. } }, { { 0., 0., 1. } }, { { 0., 0., -1. } } },
-               0.2),
-      octahedron);
+  const Grid surface = MakeOctahedron();
   for (const Grid& input : { surface, MakeLattice(1) })
   {
     const int levels = input == surface ? 4 : 1;
@@ -492,117 +386,36 @@ TEST(BezierCells, FacesThatAreNoQuadsAreSplit)
   }
 }
 
-TEST(BezierCells, DataOfCellsAndPointsStay)
+TEST(BezierCells, QuadratureFindsAreaAndVolume)
 {
-  const Grid input = MakeSheet(4, true, 0.1);
-  input->GetCellData()->AddArray(
-    MakeArray<vtkIntArray>("Material", 1, input->GetNumberOfCells(), 0., 9., 5));
-  const Grid linear = MakeBezier(input, 1,
-    [](Filter* filter)
-    {
-      filter->SetOutputCellsToLinear();
-      filter->GenerateOriginalIdsOn();
-    });
-  const Grid bezier = MakeBezier(input, 1,
-    [](Filter* filter)
-    {
-      filter->GenerateOriginalIdsOn();
-      filter->SetBezierTolerance(0.);
-    });
-  ASSERT_NE(bezier->GetPointData()->GetArray("Scalar"), nullptr);
-  vtkDataArray* cells = bezier->GetCellData()->GetArray("vtkOriginalCellIds");
-  ASSERT_NE(cells, nullptr);
-  EXPECT_NE(bezier->GetCellData()->GetArray("Material"), nullptr);
-  EXPECT_NE(linear->GetFieldData()->GetAbstractArray("Subdivision"), nullptr);
-  EXPECT_EQ(bezier->GetFieldData()->GetAbstractArray("Subdivision"), nullptr);
-  for (vtkIdType c = 1; c < bezier->GetNumberOfCells(); ++c)
-  {
-    EXPECT_LE(cells->GetComponent(c - 1, 0), cells->GetComponent(c, 0));
-  }
-}
-
-TEST(BezierCells, OtherCellsStay)
-{
-  const Grid input = MakeGrid({ { { 0., 0., 0. } }, { { 1., 0., 0. } }, { { 0., 1., 0. } } },
-    { { VTK_VERTEX, { 1 } }, { VTK_LINE, { 0, 2 } } });
-  const Grid bezier = MakeBezier(input, 2);
-  ASSERT_EQ(bezier->GetNumberOfCells(), 2);
-  EXPECT_EQ(bezier->GetCellType(0), VTK_VERTEX);
-  EXPECT_EQ(bezier->GetCellType(1), VTK_BEZIER_CURVE);
-  EXPECT_EQ(MakeBezier(vtkSmartPointer<vtkUnstructuredGrid>::New(), 1)->GetNumberOfCells(), 0);
-}
-
-TEST(BezierCells, SomeOptionsLeaveThemLinear)
-{
-  const Grid input = MakeLattice(1);
-  for (const bool keeps : { false, true })
+  const Grid surface = MakeOctahedron();
+  const Grid solid = MakeLattice(1);
+  for (const Grid& input : { surface, solid })
   {
     vtkNew<Filter> filter;
-    vtkNew<Messages> messages;
-    messages->Watch(filter);
+    filter->SetNumberOfLevels(input == surface ? 8 : 5);
+    filter->ProjectToLimitOn();
     filter->SetInputData(input);
-    filter->SetOutputCellsToBezier();
-    keeps ? filter->SetVolumeSchemeToLinear() : filter->SetVolumeSchemeToTetOct();
-    filter->SetKeepCellTypes(keeps);
     filter->Update();
-    EXPECT_EQ(messages->CountWarnings("Bezier cells need VolumeScheme = BoxSpline or Linear"), 1);
-    EXPECT_EQ(filter->GetOutput()->GetCellType(0), VTK_TETRA);
-    EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
+    vtkUnstructuredGrid* limit = filter->GetOutput();
+    double sum = 0.; // of the linear cells
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType c = 0; c < limit->GetNumberOfCells(); ++c)
+    {
+      limit->GetCellPoints(c, ids);
+      Point p[4];
+      for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+      {
+        limit->GetPoint(ids->GetId(k), p[k].data());
+      }
+      sum += input == surface
+        ? vtkTriangle::TriangleArea(p[0].data(), p[1].data(), p[2].data())
+        : vtkTetra::ComputeVolume(p[0].data(), p[1].data(), p[2].data(), p[3].data());
+    }
+    const Grid bezier = MakeBezier(
+      input, input == surface ? 3 : 1, [](Filter* made) { made->SetBezierTolerance(1e-6); });
+    const double found = input == surface ? IntegrateArea(bezier) : IntegrateVolume(bezier);
+    // The linear cells are inscribed: their error falls by 4 with each level.
+    EXPECT_NEAR(found / sum, 1., input == surface ? 3e-5 : 3e-3);
   }
-  vtkNew<vtkSurfaceSubdivision> surface;
-  vtkNew<Messages> messages;
-  messages->Watch(surface);
-  surface->SetInputData(ToSurface(MakeSheet(2, false, 0.)));
-  surface->SetSchemeToDooSabin();
-  surface->SetOutputCellsToBezier();
-  surface->Update();
-  EXPECT_EQ(messages->CountWarnings("Bezier cells need Scheme = Loop"), 1);
-  ASSERT_NE(surface->GetOutput(), nullptr);
-  EXPECT_GT(surface->GetOutput()->GetNumberOfCells(), 0);
-}
-
-TEST(BezierCells, BlocksKeepTheirStructure)
-{
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  const Grid left = MakeSheet(3, true, 0.1);
-  const Grid right = MakeSheet(3, true, 0.1);
-  right->GetPoints()->SetPoint(0, 20., 0., 0.);
-  blocks->SetBlock(0, ToSurface(left));
-  blocks->SetBlock(2, ToSurface(right));
-  vtkNew<vtkSurfaceSubdivision> filter;
-  filter->SetInputData(blocks);
-  filter->SetOutputCellsToBezier();
-  filter->Update();
-  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  ASSERT_NE(output, nullptr);
-  EXPECT_EQ(output->GetBlock(1), nullptr);
-  for (const unsigned block : { 0u, 2u })
-  {
-    auto* grid = vtkUnstructuredGrid::SafeDownCast(output->GetBlock(block));
-    ASSERT_NE(grid, nullptr);
-    EXPECT_EQ(grid->GetCellType(0), VTK_BEZIER_TRIANGLE);
-  }
-}
-
-TEST(BezierCells, DoNotDependOnThreads)
-{
-  const Grid input = MakeSheet(60, true, 0.2);
-  vtkSMPTools::Initialize(1);
-  const Grid one = MakeBezier(input, 1);
-  vtkSMPTools::Initialize(4);
-  const Grid four = MakeBezier(input, 1);
-  vtkSMPTools::Initialize(0);
-  EXPECT_GT(one->GetNumberOfCells(), 60 * 60 * 2);
-  EXPECT_EQ(Compare(one, four), "");
-}
-
-TEST(BezierCells, TheOperatorIsThatOfLinearCells)
-{
-  const Grid input = MakeSheet(3, true, 0.1);
-  vtkNew<Filter> filter;
-  filter->SetInputData(input);
-  filter->SetOutputCellsToBezier();
-  vtkNew<vtkSubdivisionOperator> result;
-  ASSERT_TRUE(filter->ComputeOperator(result));
-  EXPECT_EQ(result->GetNumberOfRows(), 16 + 33);
 }

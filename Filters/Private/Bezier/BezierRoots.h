@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BezierRoots.h
+ * The cells of the control mesh, found again in a mesh that was split uniformly.
+ */
+#ifndef SubdivisionObjects_BezierRoots_h
+#define SubdivisionObjects_BezierRoots_h
+
+#include "Private/Bezier/RootLattice.h"
+#include "Private/Reading/CellReader.h"
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace subdivision
+{
+
+/// A cell of the control mesh, or one that is written as it is.
+struct Root
+{
+  vtkIdType First; ///< of its cells
+  int Kind;        ///< a PatchShape::Kind; -1: it is written as it is
+  int Steps;       ///< in which it was split
+  int Levels;      ///< how often it may be split
+};
+
+class BezierRoots
+{
+public:
+  /// `steps`: how often the mesh was split; `levels`: how often a root may be.
+  BezierRoots(vtkPointSet* mesh, int steps, int levels)
+    : Steps(steps)
+    , Levels(levels)
+    , Reader(mesh)
+  {
+    this->ReadCells();
+    this->FindRoots();
+  }
+
+  vtkIdType GetNumberOfRoots() const { return static_cast<vtkIdType>(this->Roots.size()); }
+  const Root& GetRoot(vtkIdType r) const { return this->Roots[r]; }
+
+  static const PatchShape& GetShape(const Root& root)
+  {
+    return PatchShape::Get(static_cast<PatchShape::Kind>(root.Kind));
+  }
+  /// How many cells a part of a root has that was split off at a level.
+  static vtkIdType CountCells(const Root& root, int level)
+  {
+    return root.Kind < 0 ? 1 : vtkIdType(1) << (GetShape(root).Dimension * (root.Steps - level));
+  }
+  LatticePart GetWhole(const Root& root) const
+  {
+    return root.Kind < 0 ? LatticePart() : this->GetLattice(root).GetWhole();
+  }
+  /// A point of the mesh, by its place in the lattice of a root.
+  vtkIdType GetPoint(const Root& root, const LatticePoint& point) const
+  {
+    return this->Corners[4 * root.First + this->GetLattice(root).GetCorner(point)];
+  }
+  /// Of a root that is written as it is.
+  unsigned char GetType(const Root& root) const { return this->Types[root.First]; }
+  void GetPoints(const Root& root, std::vector<vtkIdType>& points) const
+  {
+    std::vector<vtkIdType> scratch;
+    const CellIds cell = this->Reader.GetCell(root.First, scratch);
+    points.assign(cell.Ids, cell.Ids + cell.Size);
+  }
+
+private:
+  void ReadCells();
+  void FindRoots();
+  vtkIdType FindRoot(vtkIdType first, Root& root) const;
+  vtkIdType CountSides(vtkIdType first, vtkIdType size) const;
+  bool IsWhole(const Root& root) const;
+  const RootLattice& GetLattice(const Root& root) const
+  {
+    return this->Lattices.at({ root.Kind, root.Steps });
+  }
+
+  const int Steps;
+  const int Levels;
+  const CellReader Reader;
+  /// The points of each cell, up to four; larger cells have none here.
+  Buffer<vtkIdType> Corners;
+  Buffer<unsigned char> Types;
+  std::vector<Root> Roots;
+  std::map<std::pair<int, int>, RootLattice> Lattices; ///< by kind and steps
+};
+
+}
+
+#endif

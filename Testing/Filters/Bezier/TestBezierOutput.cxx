@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestBezierOutput.cxx
+ * OutputCells = Bezier: what the output has besides the shape of its cells, and where cells stay
+ * linear.
+ */
+#include "BezierTools.h"
+
+#include "vtkSubdivisionOperator.h"
+
+#include "vtkMultiBlockDataSet.h"
+#include "vtkSMPTools.h"
+
+using namespace bezier_tools;
+
+TEST(BezierOutput, DataOfCellsAndPointsStay)
+{
+  const Grid input = MakeSheet(4, true, 0.1);
+  input->GetCellData()->AddArray(
+    MakeArray<vtkIntArray>("Material", 1, input->GetNumberOfCells(), 0., 9., 5));
+  const Grid linear = MakeBezier(input, 1,
+    [](Filter* filter)
+    {
+      filter->SetOutputCellsToLinear();
+      filter->GenerateOriginalIdsOn();
+    });
+  const Grid bezier = MakeBezier(input, 1,
+    [](Filter* filter)
+    {
+      filter->GenerateOriginalIdsOn();
+      filter->SetBezierTolerance(0.);
+    });
+  ASSERT_NE(bezier->GetPointData()->GetArray("Scalar"), nullptr);
+  vtkDataArray* cells = bezier->GetCellData()->GetArray("vtkOriginalCellIds");
+  ASSERT_NE(cells, nullptr);
+  EXPECT_NE(bezier->GetCellData()->GetArray("Material"), nullptr);
+  EXPECT_NE(linear->GetFieldData()->GetAbstractArray("Subdivision"), nullptr);
+  EXPECT_EQ(bezier->GetFieldData()->GetAbstractArray("Subdivision"), nullptr);
+  for (vtkIdType c = 1; c < bezier->GetNumberOfCells(); ++c)
+  {
+    EXPECT_LE(cells->GetComponent(c - 1, 0), cells->GetComponent(c, 0));
+  }
+}
+
+TEST(BezierOutput, OtherCellsStay)
+{
+  const Grid input = MakeGrid({ { { 0., 0., 0. } }, { { 1., 0., 0. } }, { { 0., 1., 0. } } },
+    { { VTK_VERTEX, { 1 } }, { VTK_LINE, { 0, 2 } } });
+  const Grid bezier = MakeBezier(input, 2);
+  ASSERT_EQ(bezier->GetNumberOfCells(), 2);
+  EXPECT_EQ(bezier->GetCellType(0), VTK_VERTEX);
+  EXPECT_EQ(bezier->GetCellType(1), VTK_BEZIER_CURVE);
+  EXPECT_EQ(MakeBezier(vtkSmartPointer<vtkUnstructuredGrid>::New(), 1)->GetNumberOfCells(), 0);
+}
+
+TEST(BezierOutput, SomeOptionsLeaveThemLinear)
+{
+  const Grid input = MakeLattice(1);
+  for (const bool keeps : { false, true })
+  {
+    vtkNew<Filter> filter;
+    vtkNew<Messages> messages;
+    messages->Watch(filter);
+    filter->SetInputData(input);
+    filter->SetOutputCellsToBezier();
+    keeps ? filter->SetVolumeSchemeToLinear() : filter->SetVolumeSchemeToTetOct();
+    filter->SetKeepCellTypes(keeps);
+    filter->Update();
+    EXPECT_EQ(messages->CountWarnings("Bezier cells need VolumeScheme = BoxSpline or Linear"), 1);
+    EXPECT_EQ(filter->GetOutput()->GetCellType(0), VTK_TETRA);
+    EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
+  }
+  vtkNew<vtkSurfaceSubdivision> surface;
+  vtkNew<Messages> messages;
+  messages->Watch(surface);
+  surface->SetInputData(ToSurface(MakeSheet(2, false, 0.)));
+  surface->SetSchemeToDooSabin();
+  surface->SetOutputCellsToBezier();
+  surface->Update();
+  EXPECT_EQ(messages->CountWarnings("Bezier cells need Scheme = Loop"), 1);
+  ASSERT_NE(surface->GetOutput(), nullptr);
+  EXPECT_GT(surface->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST(BezierOutput, BlocksKeepTheirStructure)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  const Grid left = MakeSheet(3, true, 0.1);
+  const Grid right = MakeSheet(3, true, 0.1);
+  right->GetPoints()->SetPoint(0, 20., 0., 0.);
+  blocks->SetBlock(0, ToSurface(left));
+  blocks->SetBlock(2, ToSurface(right));
+  vtkNew<vtkSurfaceSubdivision> filter;
+  filter->SetInputData(blocks);
+  filter->SetOutputCellsToBezier();
+  filter->Update();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_NE(output, nullptr);
+  EXPECT_EQ(output->GetBlock(1), nullptr);
+  for (const unsigned block : { 0u, 2u })
+  {
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(output->GetBlock(block));
+    ASSERT_NE(grid, nullptr);
+    EXPECT_EQ(grid->GetCellType(0), VTK_BEZIER_TRIANGLE);
+  }
+}
+
+TEST(BezierOutput, DoNotDependOnThreads)
+{
+  const Grid input = MakeSheet(60, true, 0.2);
+  vtkSMPTools::Initialize(1);
+  const Grid one = MakeBezier(input, 1);
+  vtkSMPTools::Initialize(4);
+  const Grid four = MakeBezier(input, 1);
+  vtkSMPTools::Initialize(0);
+  EXPECT_GT(one->GetNumberOfCells(), 60 * 60 * 2);
+  EXPECT_EQ(Compare(one, four), "");
+}
+
+TEST(BezierOutput, TheOperatorIsThatOfLinearCells)
+{
+  const Grid input = MakeSheet(3, true, 0.1);
+  vtkNew<Filter> filter;
+  filter->SetInputData(input);
+  filter->SetOutputCellsToBezier();
+  vtkNew<vtkSubdivisionOperator> result;
+  ASSERT_TRUE(filter->ComputeOperator(result));
+  EXPECT_EQ(result->GetNumberOfRows(), 16 + 33);
+}
+
+TEST(BezierOutput, ArraysKeepTheToleranceToo)
+{
+  // All points at one place: only values differ from a polynomial.
+  const Grid input = MakeOctahedron();
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    input->GetPoints()->SetPoint(i, 1., 2., 3.);
+  }
+  EXPECT_EQ(MakeBezier(input, 2)->GetNumberOfCells(), 8);
+  AddScalar(input);
+  const Grid coarse = MakeBezier(input, 2, [](Filter* filter) { filter->SetBezierTolerance(0.5); });
+  EXPECT_EQ(coarse->GetNumberOfCells(), 8);
+  EXPECT_GT(MakeBezier(input, 2)->GetNumberOfCells(), 8);
+}
+
+TEST(BezierOutput, EqualValuesSplitNothing)
+{
+  const Grid input = MakeSheet(6, true, 0.2);
+  const vtkIdType cells = MakeBezier(input, 2)->GetNumberOfCells();
+  for (const double value : { 0., 1. / 3., 1e9 / 7. })
+  {
+    vtkNew<vtkDoubleArray> equal;
+    equal->SetName("Equal");
+    equal->SetNumberOfTuples(input->GetNumberOfPoints());
+    equal->Fill(value);
+    input->GetPointData()->AddArray(equal);
+    EXPECT_EQ(MakeBezier(input, 2)->GetNumberOfCells(), cells) << value;
+  }
+}
+
+TEST(BezierOutput, IdsOf32BitsAndSinglePrecision)
+{
+  const Grid input = MakeSheet(3, true, 0.1);
+  const Grid wide = MakeBezier(input, 1);
+  const Grid narrow = MakeBezier(input, 1,
+    [](Filter* filter)
+    {
+      filter->Use32BitIdsOn();
+      filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+    });
+  EXPECT_TRUE(wide->GetCells()->IsStorage64Bit());
+  EXPECT_FALSE(narrow->GetCells()->IsStorage64Bit());
+  EXPECT_EQ(narrow->GetPoints()->GetDataType(), VTK_FLOAT);
+  EXPECT_EQ(GetCells(wide), GetCells(narrow));
+  for (vtkIdType i = 0; i < wide->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(GetPoint(wide, i)[0], GetPoint(narrow, i)[0], 1e-5);
+  }
+}
