@@ -29,7 +29,6 @@ namespace
 struct Patch
 {
   vtkIdType Root;
-  vtkIdType First; ///< of its cells
   int Level;
   LatticePart Part;
 };
@@ -180,7 +179,6 @@ void BezierWriter::Split(const Patch& patch, std::vector<Patch>& patches) const
   {
     child.Part = patch.Part.Take(part);
     this->Split(child, patches);
-    child.First += BezierRoots::CountCells(root, child.Level);
   }
 }
 
@@ -194,7 +192,7 @@ void BezierWriter::ChoosePatches()
       for (vtkIdType r = begin; r < end; ++r)
       {
         const Root& root = this->Cells.GetRoot(r);
-        this->Split({ r, root.First, 0, this->Cells.GetWhole(root) }, patches[r]);
+        this->Split({ r, 0, this->Cells.GetWhole(root) }, patches[r]);
       }
     });
   for (const auto& ofRoot : InTurn(patches))
@@ -296,7 +294,7 @@ void BezierWriter::WriteCells()
       types->SetValue(p,
         static_cast<unsigned char>(
           root.Kind < 0 ? this->Cells.GetType(root) : BezierRoots::GetShape(root).CellType));
-      sources[p] = patch.First;
+      sources[p] = root.First; // a root's cells have its data
     });
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, ids);

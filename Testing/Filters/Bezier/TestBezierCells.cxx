@@ -370,6 +370,8 @@ TEST(BezierCells, FacesThatAreNoQuadsAreSplit)
     const auto surface = ToSurface(MakeGrid(points, cells));
     const Grid whole = MakeBezierSurface(surface, vtkSurfaceSubdivision::CATMULL_CLARK, 1, 1.);
     EXPECT_EQ(whole->GetNumberOfCells(), 3 * sides) << "a cell was split that fits";
+    const Grid once = MakeBezierSurface(surface, vtkSurfaceSubdivision::CATMULL_CLARK, 1, 0.);
+    EXPECT_EQ(once->GetNumberOfCells(), 2 * sides + 4 * sides) << "each face is split once";
     const Grid bezier = MakeBezierSurface(surface, vtkSurfaceSubdivision::CATMULL_CLARK, 3, 1e-4);
     EXPECT_GT(bezier->GetNumberOfCells(), 3 * sides);
     vtkNew<vtkSurfaceSubdivision> limit;
@@ -378,6 +380,9 @@ TEST(BezierCells, FacesThatAreNoQuadsAreSplit)
     limit->SetNumberOfLevels(6);
     limit->ProjectToLimitOn();
     limit->Update();
+    const Grid never = MakeBezierSurface(surface, vtkSurfaceSubdivision::CATMULL_CLARK, 0);
+    EXPECT_EQ(never->GetNumberOfCells(), 3 * sides);
+    EXPECT_LT(FindDistance(never, limit->GetOutput()), 2e-2);
     EXPECT_LT(FindDistance(bezier, limit->GetOutput()), 2e-3);
     for (vtkIdType c = 0; c < bezier->GetNumberOfCells(); ++c)
     {
