@@ -158,11 +158,24 @@ std::vector<vtkIdType> FindInvertedTets(const SimplexList& simplices, const Coor
 
 InvertedCells FindInvertedCells(const SimplexList& control, int levels,
   const std::vector<vtkIdType>& inverted, double tie, vtkUnstructuredGrid* output,
-  unsigned char* marks)
+  const KnownSigns& signs, unsigned char* marks)
 {
   const vtkIdType size = control.GetNumberOfSimplices();
-  const Buffer<vtkIdType> firsts =
-    FindFirsts(control, [levels](int dimension) { return vtkIdType(1) << (dimension * levels); });
+  const auto findFirsts = [&control](int steps)
+  {
+    return FindFirsts(
+      control, [steps](int dimension) { return vtkIdType(1) << (dimension * steps); });
+  };
+  const Buffer<vtkIdType> firsts = findFirsts(levels);
+  const bool knows = !signs.Signs.empty();
+  const Buffer<vtkIdType> firstSigns =
+    knows ? findFirsts(levels - signs.Steps) : Buffer<vtkIdType>();
+  const int shift = 3 * signs.Steps;
+  const auto getSign = [&](vtkIdType i, vtkIdType cell) -> int
+  {
+    const vtkIdType place = firstSigns[i] + ((cell - firsts[i]) >> shift);
+    return signs.Signs[static_cast<std::size_t>(place)];
+  };
   std::atomic<vtkIdType> count(0);
   std::atomic<vtkIdType> least(firsts[size]);
   WithCheck(output, tie,
@@ -188,6 +201,12 @@ InvertedCells FindInvertedCells(const SimplexList& control, int levels,
         const int wrong = isKnown ? 1 : -1;
         for (vtkIdType first = begin; first < end && !isFlat; first += InGroup)
         {
+          if (knows && getSign(i, first) == -wrong)
+          {
+            // to the end of these descendants, less the step of the loop
+            first = firsts[i] + ((((first - firsts[i]) >> shift) + 1) << shift) - InGroup;
+            continue;
+          }
           const vtkIdType last = std::min(end, first + InGroup);
           if (last - first == InGroup && check.HaveSign(first, -wrong))
           {

@@ -21,6 +21,15 @@ namespace subdivision
 /// volume, and 2i + 1 for each one whose volume is zero but for rounding; it is ascending.
 std::vector<vtkIdType> FindInvertedTets(const SimplexList& simplices, const Coordinates& points);
 
+/// What is known of the tetrahedra of an output before they are looked at.
+struct KnownSigns
+{
+  /// For each cell `Steps` steps before: the sign that the volumes of all its descendants have, or
+  /// 0. Empty: nothing is known.
+  std::vector<signed char> Signs;
+  int Steps = 0;
+};
+
 struct InvertedCells
 {
   vtkIdType Count = 0;
@@ -29,11 +38,12 @@ struct InvertedCells
 
 /// Finds the tetrahedra of an output, `levels` steps after a control mesh, whose volume has another
 /// sign than that of their control tetrahedron; children of flat ones are left out. `inverted` is
-/// the result of FindInvertedTets, `tie` that of Coordinates. `marks`: one for each cell of the
-/// output, set to 1 for those that were found; may be null.
+/// the result of FindInvertedTets, `tie` that of Coordinates. `signs`: what the writer of the cells
+/// saw, so that most need no look. `marks`: one for each cell of the output, set to 1 for those
+/// that were found; may be null.
 InvertedCells FindInvertedCells(const SimplexList& control, int levels,
   const std::vector<vtkIdType>& inverted, double tie, vtkUnstructuredGrid* output,
-  unsigned char* marks);
+  const KnownSigns& signs, unsigned char* marks);
 
 }
 

@@ -125,9 +125,15 @@ UniformCells MakeChildren(const typename Scheme::Level& level, const std::vector
   int steps, vtkDataArray* points, bool small)
 {
   const std::vector<CellRun> children = RefineRuns(runs, steps);
+  KnownSigns signs{ {}, steps };
+  if (points)
+  {
+    signs.Signs.resize(static_cast<std::size_t>(CountCells(runs).Cells));
+  }
   UniformCells made = Fill(CountCells(children), small, CountPoints<Scheme>(level, steps),
-    [&](const auto& storage)
+    [&](auto storage)
     {
+      storage.Signs = points ? signs.Signs.data() : nullptr;
       if (points && points->GetDataType() == VTK_FLOAT)
       {
         Scheme::WriteChildren(
@@ -143,6 +149,7 @@ UniformCells MakeChildren(const typename Scheme::Level& level, const std::vector
   {
     AddOctahedra(children, Scheme::CountSteps(level) + steps, made);
   }
+  made.Signs = std::move(signs);
   return made;
 }
 

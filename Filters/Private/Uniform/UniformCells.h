@@ -8,6 +8,7 @@
 
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Strata/Singularities.h"
+#include "Private/Reading/SolidOrientation.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdTypeArray.h"
@@ -27,6 +28,7 @@ struct UniformCells
   vtkSmartPointer<vtkUnsignedCharArray> Types;
   /// The octahedron that each cell is a piece of, -1 for none; null in a scheme without octahedra.
   vtkSmartPointer<vtkIdTypeArray> Octahedra;
+  KnownSigns Signs; ///< of the volumes
 };
 
 /// A level's cells after 1 or 2 steps; `runs` are those of the level. `small`: with 32-bit ids

@@ -94,7 +94,7 @@ void UniformRun::CheckOrientation()
   }
   const InvertedCells found =
     FindInvertedCells(this->Mesh.GetControl(), levels, this->Mesh.Inverted, this->Points->GetTie(),
-      this->Output, marks ? marks->GetPointer(0) : nullptr);
+      this->Output, this->Cells.Signs, marks ? marks->GetPointer(0) : nullptr);
   if (kept)
   {
     kept->IsUpright = found.Count == 0;

@@ -44,10 +44,10 @@ struct BoxSplineScheme
 
   template <typename Out, typename T>
   static void WriteChildren(const Level& level, const std::vector<CellRun>& runs, int steps,
-    const T*, const CellStorage<Out>& out)
+    const T* points, const CellStorage<Out>& out)
   {
-    steps == 1 ? subdivision::WriteChildren(level.Complex, runs, out)
-               : WriteGrandchildren(level.Complex, runs, out);
+    steps == 1 ? subdivision::WriteChildren(level.Complex, runs, out, 3, points)
+               : WriteGrandchildren(level.Complex, runs, out, 3, Id(0), points);
   }
   static bool HasCells(
     const Level& level, const std::vector<CellRun>& runs, const SimplexList& cells)

@@ -45,10 +45,11 @@ const Id* GetVertices(const SimplicialComplex<Id>& complex, const CellRun& run)
 }
 
 /// Writes the children of a run's cells by `table`. lattice(i, points) gives the lattice points of
-/// the `Parents` cells that cell i of the complex consists of: itself, or its children.
-template <int Parents, int Children, int Corners, typename Out, typename Lattice>
-void WriteChildrenOfRun(
-  const CellRun& run, const int (&table)[Children][Corners], Out* out, const Lattice& lattice)
+/// the `Parents` cells that cell i of the complex consists of: itself, or its children. look(i,
+/// points) is called with them.
+template <int Parents, int Children, int Corners, typename Out, typename Lattice, typename Look>
+void WriteChildrenOfRun(const CellRun& run, const int (&table)[Children][Corners], Out* out,
+  const Lattice& lattice, const Look& look)
 {
   constexpr int size = Corners == 4 ? 10 : Corners * (Corners + 1) / 2; // of a lattice
   ForEach(run.Count,
@@ -66,6 +67,29 @@ void WriteChildrenOfRun(
             *next++ = points[parent * size + corner];
           }
         }
+      }
+      look(i, points);
+    });
+}
+template <int Parents, int Children, int Corners, typename Out, typename Lattice>
+void WriteChildrenOfRun(
+  const CellRun& run, const int (&table)[Children][Corners], Out* out, const Lattice& lattice)
+{
+  WriteChildrenOfRun<Parents>(run, table, out, lattice, [](vtkIdType, const Out*) {});
+}
+
+/// The same for tetrahedra, with a look at their volumes. `signs`: one for each cell of the run, or
+/// null.
+template <int Parents, typename Out, typename Lattice>
+void WriteChildrenOfTets(const CellRun& run, Out* out, const Lattice& lattice,
+  const StoredPoints& points, signed char* signs)
+{
+  WriteChildrenOfRun<Parents>(run, tetrahedron::Children, out, lattice,
+    [&points, signs](vtkIdType i, const Out* lattices)
+    {
+      if (signs)
+      {
+        signs[i] = GetSignOfChildren<Parents>(lattices, points);
       }
     });
 }
@@ -157,7 +181,7 @@ void WriteCells(const SimplicialComplex<Id>& complex, const std::vector<CellRun>
 
 template <typename Id, typename Out>
 void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
-  const CellStorage<Out>& out, int highest)
+  const CellStorage<Out>& out, int highest, const StoredPoints& points)
 {
   const std::vector<CellRun> children = RefineRuns(runs, 1);
   const CellCounts counts = CountCells(children);
@@ -172,25 +196,26 @@ void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellR
       continue;
     }
     Out* connectivity = out.Connectivity + children[r].FirstEntry;
+    signed char* signs = out.Signs ? out.Signs + run.FirstCell : nullptr;
     switch (run.Dimension)
     {
       case 0:
-        WriteChildrenOfRun<1>(run, VertexChildren, connectivity,
-          [&](vtkIdType i, Out* points) { points[0] = static_cast<Out>(complex.VertexCells[i]); });
+        WriteChildrenOfRun<1>(run, VertexChildren, connectivity, [&](vtkIdType i, Out* lattice)
+          { lattice[0] = static_cast<Out>(complex.VertexCells[i]); });
         break;
       case 1:
         WriteChildrenOfRun<1>(run, LineChildren, connectivity,
-          [&](vtkIdType i, Out* points)
+          [&](vtkIdType i, Out* lattice)
           {
             const Id edge = run.Equal ? complex.EqualLines.Twins[i] : static_cast<Id>(i);
             const Id* ends =
               (run.Equal ? complex.EqualLines.Vertices : complex.EdgeVertices).data() + 2 * i;
-            CopyLattices<2>(ends, &edge, 1, midpoints, points);
+            CopyLattices<2>(ends, &edge, 1, midpoints, lattice);
           });
         break;
       case 2:
         WriteChildrenOfRun<1>(run, triangle::Children, connectivity,
-          [&](vtkIdType i, Out* points)
+          [&](vtkIdType i, Out* lattice)
           {
             Id own[3];
             const Id* vertices = complex.FaceVertices.data() + 3 * i;
@@ -201,12 +226,13 @@ void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellR
               vertices = complex.EqualTriangles.Vertices.data() + 3 * i;
               edges = own;
             }
-            CopyLattices<3>(vertices, edges, 1, midpoints, points);
+            CopyLattices<3>(vertices, edges, 1, midpoints, lattice);
           });
         break;
       default:
-        WriteChildrenOfRun<1>(run, tetrahedron::Children, connectivity,
-          [&](vtkIdType i, Out* points)
+        WriteChildrenOfTets<1>(
+          run, connectivity,
+          [&](vtkIdType i, Out* lattice)
           {
             Id own[6];
             const Id* vertices = complex.TetVertices.data() + 4 * i;
@@ -217,8 +243,9 @@ void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellR
               vertices = complex.EqualTets.Vertices.data() + 4 * i;
               edges = own;
             }
-            CopyLattices<4>(vertices, edges, 1, midpoints, points);
-          });
+            CopyLattices<4>(vertices, edges, 1, midpoints, lattice);
+          },
+          points, signs);
         break;
     }
   }
@@ -226,7 +253,7 @@ void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellR
 
 template <typename Id, typename Out>
 void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
-  const CellStorage<Out>& out, int highest, Id centres)
+  const CellStorage<Out>& out, int highest, Id centres, const StoredPoints& points)
 {
   const std::vector<CellRun> grandchildren = RefineRuns(runs, 2);
   const CellCounts counts = CountCells(grandchildren);
@@ -242,39 +269,42 @@ void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<
       continue;
     }
     Out* connectivity = out.Connectivity + grandchildren[r].FirstEntry;
+    signed char* signs = out.Signs ? out.Signs + run.FirstCell : nullptr;
     switch (run.Dimension)
     {
       case 0:
-        WriteChildrenOfRun<1>(run, VertexChildren, connectivity,
-          [&](vtkIdType i, Out* points) { points[0] = static_cast<Out>(complex.VertexCells[i]); });
+        WriteChildrenOfRun<1>(run, VertexChildren, connectivity, [&](vtkIdType i, Out* lattice)
+          { lattice[0] = static_cast<Out>(complex.VertexCells[i]); });
         break;
       case 1:
         WriteChildrenOfRun<2>(run, LineChildren, connectivity,
-          [&](vtkIdType i, Out* points)
+          [&](vtkIdType i, Out* lattice)
           {
             const Id e = static_cast<Id>(i);
             const Id* ends = complex.EdgeVertices.data() + 2 * i;
             const Id vertices[4] = { ends[0], ids.Midpoint(e), ids.Midpoint(e), ends[1] };
             const Id edges[2] = { 2 * e, 2 * e + 1 };
-            CopyLattices<2>(vertices, edges, 2, midpoints, points);
+            CopyLattices<2>(vertices, edges, 2, midpoints, lattice);
           });
         break;
       case 2:
         WriteChildrenOfRun<4>(run, triangle::Children, connectivity,
-          [&](vtkIdType i, Out* points)
+          [&](vtkIdType i, Out* lattice)
           {
             const TriangleChildren<Id> children(complex, ids, static_cast<Id>(i));
-            CopyLattices<3>(children.Vertices, children.Edges, 4, midpoints, points);
+            CopyLattices<3>(children.Vertices, children.Edges, 4, midpoints, lattice);
           });
         break;
       default:
-        WriteChildrenOfRun<8>(run, tetrahedron::Children, connectivity,
-          [&](vtkIdType i, Out* points)
+        WriteChildrenOfTets<8>(
+          run, connectivity,
+          [&](vtkIdType i, Out* lattices)
           {
             const SolidParts<MarkedTetShape, Id> parts(
               complex, GetTets(complex), ids, static_cast<Id>(i));
-            CopyChildLattices(parts, midpoints, points);
-          });
+            CopyChildLattices(parts, midpoints, lattices);
+          },
+          points, signs);
         break;
     }
   }

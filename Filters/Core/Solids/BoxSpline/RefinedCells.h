@@ -7,6 +7,7 @@
 #define SubdivisionObjects_RefinedCells_h
 
 #include "Core/Solids/BoxSpline/Refinement.h"
+#include "Core/Solids/BoxSpline/SignOfChildren.h"
 
 #include <vector>
 
@@ -20,6 +21,9 @@ struct CellStorage
   Out* Connectivity;
   Out* Offsets; ///< one more than there are cells
   unsigned char* Types;
+  /// One for each cell of the level, or null: set to the sign that the volumes of all cells in a
+  /// tetrahedron have, if the writer knows it.
+  signed char* Signs = nullptr;
 };
 
 struct CellCounts
@@ -38,17 +42,18 @@ void WriteCells(const SimplicialComplex<Id>& complex, const std::vector<CellRun>
   const CellStorage<Out>& out);
 
 /// Writes the children of a level's cells; `runs` are those of the level itself. Of cells of a
-/// higher dimension than `highest` only types and offsets.
+/// higher dimension than `highest` only types and offsets. `points`: those of the children, only
+/// needed for out.Signs.
 template <typename Id, typename Out>
 void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
-  const CellStorage<Out>& out, int highest = 3);
+  const CellStorage<Out>& out, int highest = 3, const StoredPoints& points = {});
 
 /// Writes the children of the children of a level's cells, as WriteChildren does. The level was
 /// made with Depth::ForRefinement and has no equal cells. `centres` is the number of its octahedra,
 /// whose centres are vertices of the next level.
 template <typename Id, typename Out>
 void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
-  const CellStorage<Out>& out, int highest = 3, Id centres = 0);
+  const CellStorage<Out>& out, int highest = 3, Id centres = 0, const StoredPoints& points = {});
 
 /// Whether `cells` are the cells of a level.
 template <typename Id>
