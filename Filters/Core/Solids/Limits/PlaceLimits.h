@@ -9,7 +9,8 @@
  * (LocalLimit.h), and so needs no other mechanism for its basis. A simplex that is not regular is
  * split, and the part with the place is looked at, until it is regular or so small that a
  * polynomial is the limit but for rounding. Tetrahedra are split in any case, as their limits are
- * polynomials of a higher degree.
+ * polynomials of a higher degree. Polynomials of large parts of curves and sheets are found once
+ * for all simplices with the same neighbourhood (PatchPolynomials.h).
  */
 #ifndef SubdivisionObjects_PlaceLimits_h
 #define SubdivisionObjects_PlaceLimits_h

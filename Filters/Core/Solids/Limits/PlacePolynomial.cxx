@@ -3,6 +3,7 @@
 
 #include "Core/Solids/Complex/Simplices.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -149,6 +150,51 @@ CornerWeights Multiply(const CornerMatrix& matrix, const CornerWeights& weights)
     }
   }
   return product;
+}
+
+std::vector<int> ListChildrenTo(int part)
+{
+  std::vector<int> children;
+  for (; part > 1; part /= 4)
+  {
+    children.insert(children.begin(), part % 4);
+  }
+  return children;
+}
+
+void PlaceInPart::GoToChild(int dimension, int child)
+{
+  const SimplexChild& taken = ListChildren(dimension)[child];
+  this->At = Multiply(taken.ToChild, this->At);
+  for (CornerWeights& direction : this->Directions)
+  {
+    direction = Multiply(taken.ToChild, direction);
+  }
+  const std::array<int, 4> carriers = this->Carriers;
+  for (int i = 0; i <= dimension; ++i)
+  {
+    const int point = taken.Corners[i];
+    const int* ends = point <= dimension ? nullptr : GetEdgeEnds(dimension, point - dimension - 1);
+    this->Carriers[i] = ends ? carriers[ends[0]] | carriers[ends[1]] : carriers[point];
+  }
+}
+
+int PlaceInPart::FindChild(int dimension) const
+{
+  const std::vector<SimplexChild>& children = ListChildren(dimension);
+  int best = -1;
+  double most = 0.;
+  for (std::size_t c = 0; c < children.size(); ++c)
+  {
+    const CornerWeights at = Multiply(children[c].ToChild, this->At);
+    const double least = *std::min_element(at.begin(), at.begin() + dimension + 1);
+    if (best < 0 || least > most)
+    {
+      best = static_cast<int>(c);
+      most = least;
+    }
+  }
+  return best;
 }
 
 std::vector<std::array<double, PlaceParts::Count>> WeightLattice(

@@ -45,6 +45,48 @@ const int* GetEdgeEnds(int dimension, int edge);
 
 CornerWeights Multiply(const CornerMatrix& matrix, const CornerWeights& weights);
 
+/// The numbers of the children that lead from a simplex to a part of it (SheetKey::Part).
+std::vector<int> ListChildrenTo(int part);
+
+/// A place in a part of its simplex.
+struct PlaceInPart
+{
+  /// The corners of the simplex between which each corner of the part lies, as bits.
+  std::array<int, 4> Carriers{ { 1, 2, 4, 8 } };
+  CornerWeights At{};                        ///< the place
+  std::array<CornerWeights, 3> Directions{}; ///< how it changes with the parameters
+
+  void GoToChild(int dimension, int child);
+  /// The child with the place.
+  int FindChild(int dimension) const;
+};
+
+template <typename Id>
+PlaceInPart StartPart(const LimitPlace<Id>& place)
+{
+  PlaceInPart part;
+  const int first = place.Order[0];
+  part.At[first] = 1.;
+  for (int k = 1; k <= place.Dimension; ++k)
+  {
+    const int corner = place.Order[k];
+    part.At[corner] += place.Parameters[k - 1];
+    part.At[first] -= place.Parameters[k - 1];
+    part.Directions[k - 1][corner] = 1.;
+    part.Directions[k - 1][first] = -1.;
+  }
+  return part;
+}
+
+inline PlaceInPart GoToPart(int dimension, PlaceInPart place, int part)
+{
+  for (const int child : ListChildrenTo(part))
+  {
+    place.GoToChild(dimension, child);
+  }
+  return place;
+}
+
 }
 
 #endif

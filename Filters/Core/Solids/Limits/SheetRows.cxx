@@ -2,6 +2,7 @@
 #include "Core/Solids/Limits/SheetRows.h"
 
 #include "Core/Solids/Complex/SimplicialComplex.h"
+#include "Core/Solids/Limits/LatticeNames.h"
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/Scheme/Level.h"
 
@@ -20,7 +21,8 @@ class SheetMesh
 public:
   explicit SheetMesh(const SheetKey& key)
   {
-    if (key.Places == SheetPlaces::CurveVertex || key.Places == SheetPlaces::CurveEdge)
+    if (key.Places == SheetPlaces::CurveVertex || key.Places == SheetPlaces::CurveEdge ||
+      key.Places == SheetPlaces::CurveLattice)
     {
       this->AddCurve(key);
     }
@@ -30,7 +32,7 @@ public:
     }
   }
   /// The rows of the places, over the columns of the key.
-  std::vector<double> FindRows(SheetPlaces places, LoopWeights ofSurfaces) const;
+  std::vector<double> FindRows(const SheetKey& key, LoopWeights ofSurfaces) const;
 
 private:
   using Corners = std::array<int, 3>;
@@ -157,8 +159,9 @@ void SheetMesh::AddTriangles(const SheetKey& key)
   }
 }
 
-std::vector<double> SheetMesh::FindRows(SheetPlaces places, LoopWeights ofSurfaces) const
+std::vector<double> SheetMesh::FindRows(const SheetKey& key, LoopWeights ofSurfaces) const
 {
+  const SheetPlaces places = key.Places;
   const auto columns = static_cast<int>(this->Equals.size());
   SimplexList cells = this->Cells;
   cells.NumberOfPoints = columns;
@@ -195,6 +198,22 @@ std::vector<double> SheetMesh::FindRows(SheetPlaces places, LoopWeights ofSurfac
       { { middle, middle + 2 } }, { { middle + 1, middle + 2 } } };
     found = { middle + 3, middle + 4, middle + 5 };
   }
+  else if (places == SheetPlaces::CurveLattice || places == SheetPlaces::FaceLattice)
+  {
+    const int dimension = places == SheetPlaces::FaceLattice ? 2 : 1;
+    VertexNames<int> names(columns);
+    std::array<int, 4> corners{ { 0, 1, 2, -1 } };
+    for (const int child : ListChildrenTo(key.Part))
+    {
+      corners = GetCornersOfChild(corners, dimension, child, names);
+    }
+    found.clear();
+    for (const PlaceNode& node : ListLattice(dimension))
+    {
+      found.push_back(FindNode(corners, node, names));
+    }
+    midpoints = names.GetMidpoints();
+  }
   const SparseRows<int> rows = LocalLimit<int>(level, {}, midpoints).BuildRows();
   std::vector<double> weights;
   for (const int row : found)
@@ -213,7 +232,7 @@ std::vector<double> SheetMesh::FindRows(SheetPlaces places, LoopWeights ofSurfac
 
 std::vector<double> SheetRows::Make(const SheetKey& key) const
 {
-  return SheetMesh(key).FindRows(key.Places, this->Weights);
+  return SheetMesh(key).FindRows(key, this->Weights);
 }
 
 }

@@ -22,14 +22,17 @@ namespace subdivision
 
 /// What the places belong to. A vertex has one place, itself. An edge abc... has three: between a
 /// and the middle, the middle, between the middle and b. A face abc has three: near a, near b and
-/// near c, each in the middle of the edge that cuts off a corner of the face in two steps.
+/// near c, each in the middle of the edge that cuts off a corner of the face in two steps. A
+/// lattice has the nodes of a polynomial (PlacePolynomial.h).
 enum class SheetPlaces : unsigned char
 {
   Vertex,
   CurveVertex,
   Edge,
   CurveEdge,
-  Face
+  Face,
+  CurveLattice,
+  FaceLattice
 };
 
 /// How the triangles of a sheet lie around a corner of one of them.
@@ -66,10 +69,14 @@ struct SheetKey
 {
   SheetPlaces Places = SheetPlaces::Vertex;
   std::array<SheetFan, 3> Fans;
+  /// In which part of the simplex a lattice lies: 1 for the whole, for a child (ListChildren) four
+  /// times the number of its parent and its own.
+  unsigned char Part = 1;
 
   std::uint64_t Pack() const
   {
-    auto packed = static_cast<std::uint64_t>(this->Places);
+    std::uint64_t packed =
+      static_cast<std::uint64_t>(this->Part) << 8 | static_cast<std::uint64_t>(this->Places);
     for (const SheetFan& fan : this->Fans)
     {
       packed = packed << 13 | static_cast<std::uint64_t>(fan.What) << 10 |
