@@ -19,6 +19,24 @@ sanitize() # asan|tsan [NAME]
     --label-regex '^(cxx|core|program)$' ${name:+-R "$name"}
 }
 
+# Tests that take ids of type int whatever the size: they name the type, or what they call works on stars, or in batches
+# of vertices and places. There a table that is too large is an error of the filter.
+any_ids='Smoothness|EvaluateLimit|LimitProbe|BezierCells|Deformation|RedGreen(Random|LimitDifference|LimitBatches|OfFile)'
+any_ids+='|RedGreen.SameBits|NarrowIdsChangeNothing|Valence2000|NormalsSettleFast|FourEight|TwelveLevels'
+
+# The C++ tests of filters where ids of type int only reach to 30,000, so that many meshes of the tests are too large for
+# them; a table that is too large for the ids that were chosen is an error.
+narrow() # [NAME]
+{
+  local name=${1:-}
+  need "${vtk_packages[@]}"
+  use_vtk
+  configure narrow "${vtk_options[@]}"
+  build narrow SubdivisionObjectsTests
+  say "C++ tests with narrow ids"
+  ctest --test-dir "$build/narrow" --output-on-failure --parallel "$jobs" --no-tests=error --label-regex '^cxx$' -E "$any_ids" ${name:+-R "$name"}
+}
+
 # clang-tidy, with the checks of .clang-tidy, and cppcheck over Filters and Program, or over sources whose names match
 # NAME. Whatever they say is an error.
 lint() # [NAME]

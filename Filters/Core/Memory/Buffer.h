@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_Buffer_h
 #define SubdivisionObjects_Buffer_h
 
+#include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 
 #include "vtkType.h"
@@ -13,6 +14,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -131,7 +134,7 @@ struct Rows
 };
 
 /// Replaces the counts in offsets[0 .. size - 1) by their exclusive prefix sums, and the last
-/// element by the total.
+/// element by the total. Throws std::length_error if ids of type int are too small for that.
 template <typename Id>
 void CountsToOffsets(Buffer<Id>& offsets)
 {
@@ -151,32 +154,37 @@ void CountsToOffsets(Buffer<Id>& offsets)
       },
       16);
   };
-  Buffer<Id> starts(blocks + 1);
+  Buffer<vtkIdType> starts(blocks + 1);
   forBlocks(
     [&](vtkIdType b, vtkIdType begin)
     {
-      Id sum = 0;
+      vtkIdType sum = 0;
       for (vtkIdType i = begin; i < std::min(rows, begin + block); ++i)
       {
         sum += offsets[i];
       }
       starts[b] = sum;
     });
-  Id total = 0;
+  vtkIdType total = 0;
   for (vtkIdType b = 0; b < blocks; ++b)
   {
     total += std::exchange(starts[b], total);
   }
+  if (std::is_same<Id, int>::value && total > LargestSmallId)
+  {
+    throw std::length_error(
+      "a table of " + std::to_string(total) + " entries is too large for ids of type int");
+  }
   forBlocks(
     [&](vtkIdType b, vtkIdType begin)
     {
-      Id sum = starts[b];
+      auto sum = static_cast<Id>(starts[b]);
       for (vtkIdType i = begin; i < std::min(rows, begin + block); ++i)
       {
         sum += std::exchange(offsets[i], sum);
       }
     });
-  offsets[rows] = total;
+  offsets[rows] = static_cast<Id>(total);
 }
 
 /// Lists items by their row: row r has item(i) for those i of [0, size), in ascending order, whose

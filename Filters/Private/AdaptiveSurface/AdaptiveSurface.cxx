@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/AdaptiveSurface/AdaptiveSurface.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Memory/Sorting.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeOutput.h"
@@ -29,7 +30,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 namespace subdivision
@@ -486,8 +486,7 @@ bool RefineSurface(vtkPolyData* input, const SurfaceOptions& options,
     options.Warn(TooManyGiven);
   }
   const double points = static_cast<double>(cells.NumberOfPoints);
-  const bool isLarge =
-    6. * (std::max(most, given) + points) > static_cast<double>(std::numeric_limits<int>::max());
+  const bool isLarge = 6. * (std::max(most, given) + points) > static_cast<double>(LargestSmallId);
   return isLarge
     ? AdaptiveRun<long long>(input, options, own, cells, others, output).Run(most, memoryIsLimit)
     : AdaptiveRun<int>(input, options, own, cells, others, output).Run(most, memoryIsLimit);

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <memory>
 #include <new>
+#include <stdexcept>
+#include <string>
 
 namespace subdivision
 {
@@ -78,6 +80,11 @@ bool DoWork(const FilterTraits& traits, RunOptions& options, const std::function
   catch (const std::bad_alloc&)
   {
     options.Fail("There is not enough memory for " + traits.Memory);
+  }
+  catch (const std::length_error& tooLong)
+  {
+    options.Fail("The mesh is too large: " + std::string(tooLong.what()) +
+      ". Use fewer levels, or a part of it.");
   }
   return false;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Control/SizeChecks.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 
 #include "vtkAbstractArray.h"
@@ -86,7 +87,7 @@ bool NeedsLargeIds(const SimplexList& control, int levels, const SchemeTraits& s
     counts = counts.Refine();
     largest = std::max(largest, counts.Vertices);
   }
-  return largest > static_cast<double>(std::numeric_limits<int>::max());
+  return largest > static_cast<double>(LargestSmallId);
 }
 
 std::string CheckMemory(const SizeEstimate& estimate)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/RedGreen/RedGreenRun.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/CellArrays.h"
@@ -18,7 +19,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
 namespace subdivision
@@ -35,8 +35,8 @@ bool RedGreenRun::Run()
   const vtkIdType simplices = std::max(
     this->Mesh.Control.Cells.Simplices.GetNumberOfSimplices(), this->Input->GetNumberOfCells());
   const double largest = 12. * (static_cast<double>(simplices) + this->MostCells);
-  return largest < static_cast<double>(std::numeric_limits<int>::max()) ? this->Refine<int>()
-                                                                        : this->Refine<long long>();
+  return largest < static_cast<double>(LargestSmallId) ? this->Refine<int>()
+                                                       : this->Refine<long long>();
 }
 
 // ------------------------------------------------------------------------------------------------

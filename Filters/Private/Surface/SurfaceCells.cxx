@@ -15,7 +15,6 @@
 #include "vtkTypeInt32Array.h"
 
 #include <algorithm>
-#include <limits>
 #include <type_traits>
 
 namespace subdivision
@@ -218,8 +217,8 @@ void WriteCells(const SurfaceLevel<Id>& level, vtkIdType corners,
   const std::vector<vtkIdType>& vertices, bool use32BitIds, const WriteFaces& writeFaces,
   vtkPolyData* output)
 {
-  const bool small = use32BitIds &&
-    std::max<vtkIdType>(corners, level.Mesh.NumberOfVertices) < std::numeric_limits<int>::max();
+  const bool small =
+    use32BitIds && std::max<vtkIdType>(corners, level.Mesh.NumberOfVertices) < LargestSmallId;
   if (small)
   {
     WriteCells<vtkTypeInt32Array>(level, corners, vertices, writeFaces, output);

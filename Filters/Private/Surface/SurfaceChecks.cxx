@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceChecks.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Surface/SurfaceCreases.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -136,7 +136,7 @@ bool ReadAndCheck(vtkPolyData* input, const SurfaceScheme<int>& scheme,
       (faces + static_cast<double>(cells.Corners.size()) +
         static_cast<double>(cells.NumberOfPoints) +
         std::ldexp(static_cast<double>(cells.Segments.size()), options.Levels)) >
-    static_cast<double>(std::numeric_limits<int>::max());
+    static_cast<double>(LargestSmallId);
   return true;
 }
 

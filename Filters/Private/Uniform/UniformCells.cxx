@@ -8,8 +8,6 @@
 #include "vtkNew.h"
 #include "vtkTypeInt32Array.h"
 
-#include <limits>
-
 namespace subdivision
 {
 namespace
@@ -52,8 +50,7 @@ UniformCells Fill(const CellCounts& counts, bool small, double points, const Wri
       static_cast<unsigned char*>(types->GetVoidPointer(0)) });
     made.Cells->SetData(offsets, connectivity);
   };
-  if (small &&
-    std::max(static_cast<double>(counts.Entries), points) < std::numeric_limits<int>::max())
+  if (small && std::max(static_cast<double>(counts.Entries), points) < LargestSmallId)
   {
     vtkNew<vtkTypeInt32Array> offsets;
     vtkNew<vtkTypeInt32Array> connectivity;

@@ -18,6 +18,8 @@
 #include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+
 namespace subdivision
 {
 namespace
@@ -155,7 +157,8 @@ bool UniformRun::FindKeptOrBuild()
 bool UniformRun::Build()
 {
   const bool further = this->Options.ReadsLimit() || this->Interpolates();
-  const int levels = this->Options.Levels + (further ? 1 : 0);
+  // The rings of the level that is read are made without a step, too.
+  const int levels = std::max(1, this->Options.Levels + (further ? 1 : 0));
   const bool large =
     NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + levels, this->GetScheme());
   return large ? this->BuildLevel<long long>() : this->BuildLevel<int>();

@@ -14,6 +14,7 @@
 #include <new>
 #include <numeric>
 #include <set>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -203,6 +204,17 @@ TEST(CoreCountsToOffsets, AreExclusiveSumsWithTheTotalLast)
 }
 
 // The sums are made in blocks of 65536 rows, in threads from 16 blocks on.
+TEST(CoreCountsToOffsets, TooManyForIntAreAnError)
+{
+  Buffer<int> offsets(4);
+  std::fill(offsets.begin(), offsets.end(), 1 << 30);
+  EXPECT_THROW(CountsToOffsets(offsets), std::length_error);
+  Buffer<long long> large(4);
+  std::fill(large.begin(), large.end(), 1 << 30);
+  CountsToOffsets(large);
+  EXPECT_EQ(large[3], 3LL << 30);
+}
+
 TEST(CoreCountsToOffsets, BlocksJoinWithoutASeam)
 {
   const FourThreads threads;
