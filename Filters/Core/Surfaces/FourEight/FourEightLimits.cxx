@@ -23,28 +23,6 @@ namespace
 template <typename Id>
 using Entries = std::vector<std::pair<Id, double>>;
 
-/// Adds up entries with the same column. They keep their order, so that sums do not depend on what
-/// else is in a patch: its vertices have the order of the level.
-template <typename Id>
-void Merge(Entries<Id>& entries)
-{
-  std::stable_sort(
-    entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::size_t size = 0;
-  for (const auto& entry : entries)
-  {
-    if (size > 0 && entries[size - 1].first == entry.first)
-    {
-      entries[size - 1].second += entry.second;
-    }
-    else
-    {
-      entries[size++] = entry;
-    }
-  }
-  entries.resize(size);
-}
-
 /// A vertex whose limit is wanted, on some level.
 template <typename Id>
 struct WantedLimit
@@ -341,27 +319,38 @@ private:
     wanted.Corner = GetCornerAt(next.Mesh, topology.GetHalfEdgeAt(wanted.Corner), wanted.Vertex);
   }
 
-  /// Takes the entries of a row from the level after the last patch to the first level.
+  /// Takes the entries of a row from the level after the last patch to the first level. Columns
+  /// keep the order in which walks around vertices find them, so that no sum depends on how
+  /// vertices are numbered.
   void PullBack(Entries<Id>& entries)
   {
     for (auto patch = this->Patches.rbegin(); patch != this->Patches.rend(); ++patch)
     {
-      Merge(entries);
       const SurfaceLevel<Id>& level = (*patch)->Level;
       Entries<Id> before;
+      this->Found.resize(static_cast<std::size_t>(level.Mesh.NumberOfVertices), -1);
       for (const auto& [row, weight] : entries)
       {
         this->Step.Clear();
         this->Scheme.AppendRows(level, level.Tags, row, row + 1, this->Step);
         for (std::size_t i = 0; i < this->Step.GetNumberOfEntries(); ++i)
         {
-          before.emplace_back(
-            (*patch)->Vertices[this->Step.GetColumns()[i]], weight * this->Step.GetWeights()[i]);
+          const Id column = this->Step.GetColumns()[i];
+          if (this->Found[column] < 0)
+          {
+            this->Found[column] = static_cast<Id>(before.size());
+            before.emplace_back(column, 0.);
+          }
+          before[this->Found[column]].second += weight * this->Step.GetWeights()[i];
         }
+      }
+      for (auto& [column, weight] : before)
+      {
+        this->Found[column] = -1;
+        column = (*patch)->Vertices[column];
       }
       entries = std::move(before);
     }
-    Merge(entries);
   }
 
   const SurfaceScheme<Id>& Scheme;
@@ -374,6 +363,7 @@ private:
   std::vector<std::unique_ptr<FourEightCurveMask>> CurveMasks;
   std::size_t AtATime = 8; ///< how many vertices share a patch, by the size of the one before
   std::vector<Id> Ring;
+  std::vector<Id> Found; ///< of each column the number of its entry, -1: none
   RowBlock<Id> Step;
 };
 
