@@ -4,6 +4,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Control/RunOptions.h"
 #include "Private/Distribution/GatheredMesh.h"
+#include "Private/Reading/Impulse.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Reading/SelectedParts.h"
@@ -152,6 +153,25 @@ vtkSmartPointer<vtkDataObject> vtkMarkedSubdivisionAlgorithm::Mark(
       AddFlags(parts->second.Cells, mesh->GetNumberOfCells(), copy->GetCellData());
       return copy;
     });
+}
+
+vtkSmartPointer<vtkDataObject> vtkMarkedSubdivisionAlgorithm::AddBasis(
+  vtkDataObject* readable, vtkIdType point)
+{
+  if (point < 0 || !readable)
+  {
+    return readable;
+  }
+  bool found = false;
+  const auto made = subdivision::AddImpulse(readable, point, found);
+  if (!found && !this->SharesRanks())
+  {
+    vtkWarningMacro("BasisPoint is " << point
+                                     << ", but the input has no such point: BasisFunction is 0 "
+                                        "everywhere. Take the global id of a point or, in a data "
+                                        "set without global ids and blocks, its index.");
+  }
+  return made;
 }
 
 bool vtkMarkedSubdivisionAlgorithm::ReadFeatureOptions(

@@ -236,6 +236,19 @@ public:
   vtkBooleanMacro(GenerateTangents, bool);
   ///@}
 
+  ///@{
+  /**
+   * The point whose basis function is output, as point array `BasisFunction` (double): what becomes
+   * of 1 at this point and 0 at all others, by the same operator as of any array; with
+   * ProjectToLimit its limit, with InterpolateArrays that function which is 1 there and 0 at all
+   * other points. Where the input has global ids it is the point of that id; else, in a single data
+   * set, of that index. If there is no such point a warning says so. All basis functions add up to
+   * 1. -1, the default: none.
+   */
+  vtkSetMacro(BasisPoint, vtkIdType);
+  vtkGetMacro(BasisPoint, vtkIdType);
+  ///@}
+
   enum OutputCellTypes
   {
     LINEAR_CELLS,
@@ -379,6 +392,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
+  vtkSmartPointer<vtkDataObject> Mark(vtkDataObject* input, vtkDataObject* readable) override;
   vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made) override;
   bool HasGhostLayers() const override { return !this->WritesBezierCells(); }
 
@@ -389,6 +403,7 @@ protected:
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;
   bool GenerateTangents = false;
+  vtkIdType BasisPoint = -1;
   int OutputCells = LINEAR_CELLS;
   double BezierTolerance = 1e-4;
   int OutputDimensions = ALL_DIMENSIONS;

@@ -44,6 +44,12 @@ int vtkSubdivisionSmoothness::RequestData(
   subdivision::SmoothnessOptions options;
   options.SampleMaps = this->SampleMaps;
   options.FailingOnly = this->FailingOnly;
+  options.MapOfCell = this->MapOfCell;
+  options.MapLevels = this->MapLevels;
+  if (options.MapOfCell >= 0 && !options.FailingOnly)
+  {
+    options.SampleMaps = false; // the ids of cells do not depend on it
+  }
   options.IsTetOct = this->Scheme == TET_OCT;
   const bool isOfSurfaces = this->Scheme >= LOOP;
   options.Scheme =
@@ -79,4 +85,6 @@ void vtkSubdivisionSmoothness::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
   os << indent << "SampleMaps: " << this->SampleMaps << "\n";
   os << indent << "FailingOnly: " << this->FailingOnly << "\n";
+  os << indent << "MapOfCell: " << this->MapOfCell << "\n";
+  os << indent << "MapLevels: " << this->MapLevels << "\n";
 }

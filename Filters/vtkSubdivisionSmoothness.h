@@ -75,6 +75,22 @@
  *  - `Samples` (int): the triangles or tetrahedra at which the map was looked at.
  *  - `Failing` (unsigned char): 1 if one of the three is 0.
  *
+ * @par Characteristic map
+ * With MapOfCell the output is the characteristic map of that cell: what the limit looks like at
+ * the vertex, sector, edge or face, but for a linear map and what vanishes when one looks from
+ * near. Its points are the eigenvectors of l1 and l2, and l3 in solids, around the vertex that is
+ * examined, after MapLevels further levels (SQRT_THREE and FOUR_EIGHT: of two steps each), as far
+ * as they are known from the star of the vertex, edge or face. Complex eigenvalues have the real
+ * and the imaginary part of a vector. Eigenvectors of equal eigenvalues are not unique, and none
+ * has a scale: of all linear images the one is chosen whose points have equal moments in all
+ * directions, whose middle is the origin, whose first edge lies on the x axis, as long as in the
+ * star, and in solids whose second edge lies in the x-y plane. Cells are triangles, quads or
+ * tetrahedra.
+ *  - `Jacobian` (cells, double): the size of a cell divided by what it has in the star. Negative:
+ * the map folds there, and is not regular.
+ *  - `Ring` (points, double): how many rings of the star the point is away from the middle.
+ *  - `Eigenvalues` (field data, double, six values).
+ *
  * @par Complexity
  * Equal matrices and equal stars are solved once; but inside solids nearly every vertex is one of
  * its kind, and then takes some milliseconds, most of them for its characteristic map (SampleMaps).
@@ -90,7 +106,9 @@
  * @par Errors
  * The filter stops, with an error and an empty output, if the input consists of blocks or is shared
  * by ranks, if an array cannot be used, if there are more cells to output than
- * MaximumNumberOfCells, or if memory runs out.
+ * MaximumNumberOfCells, if MapOfCell is no cell of the output or has no unique map (vertices and
+ * edges on curves, corners, joints, dual schemes, vertices with octahedra, Condition 0), or if
+ * memory runs out.
  *
  * @sa
  * vtkSimplicialComplexTopology vtkMultiDimensionalSubdivision vtkSurfaceSubdivision
@@ -173,6 +191,24 @@ public:
   vtkBooleanMacro(FailingOnly, bool);
   ///@}
 
+  ///@{
+  /**
+   * The cell of the output whose characteristic map is output instead of all cells: its id as it is
+   * with MapOfCell = -1 and the same FailingOnly. See "Characteristic map" above. -1, the default:
+   * none.
+   */
+  vtkSetMacro(MapOfCell, vtkIdType);
+  vtkGetMacro(MapOfCell, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * How often the characteristic map is subdivided further. 1 to 4, default 2.
+   */
+  vtkSetClampMacro(MapLevels, int, 1, 4);
+  vtkGetMacro(MapLevels, int);
+  ///@}
+
 protected:
   vtkSubdivisionSmoothness();
   ~vtkSubdivisionSmoothness() override;
@@ -186,6 +222,8 @@ protected:
   bool ModifiedBoundary = true;
   bool SampleMaps = true;
   bool FailingOnly = false;
+  vtkIdType MapOfCell = -1;
+  int MapLevels = 2;
 
 private:
   vtkSubdivisionSmoothness(const vtkSubdivisionSmoothness&) = delete;

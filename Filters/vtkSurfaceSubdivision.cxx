@@ -67,6 +67,12 @@ void vtkSurfaceSubdivision::Inspect(vtkDataObject*, vtkDataObject* readable)
   }
 }
 
+vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Mark(
+  vtkDataObject* input, vtkDataObject* readable)
+{
+  return this->AddBasis(this->Superclass::Mark(input, readable), this->BasisPoint);
+}
+
 vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Finish(vtkDataObject* made)
 {
   if (!this->WritesBezierCells())
@@ -133,6 +139,7 @@ void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
   os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";
+  os << indent << "BasisPoint: " << this->BasisPoint << "\n";
   os << indent << "OutputCells: " << this->OutputCells << "\n";
   os << indent << "BezierTolerance: " << this->BezierTolerance << "\n";
   os << indent << "JoinSeams: " << this->JoinSeams << "\n";

@@ -69,8 +69,8 @@
  * tangents at points inside and on boundaries, but not between two faces; Midedge has two inside at
  * points of four and more faces, and one along boundaries. Points of Midedge that can be coloured
  * black and white, neighbours differently, as those of quads mostly can, have no control points for
- * InterpolatePoints; a warning says so. DooSabin takes time quadratic in the number of corners of a
- * face.
+ * InterpolatePoints, nor do those of FourEight on quads; a warning says so. DooSabin takes time
+ * quadratic in the number of corners of a face.
  *
  * @par Creases and corners
  * Sharp are boundaries, edges of line cells that the array at index 0 flags, edges around flagged
@@ -89,9 +89,12 @@
  * SqrtThree and FourEight leave curves alone in odd steps; in even ones SqrtThree cuts them into
  * thirds and FourEight in halves, by the rules of the cubic B-spline. They replace all other edges,
  * so that line cells are creases with any flag or sharpness, and an end of a crease is a corner.
- * FourEight has triangles on curves after odd steps. These two have no rules for the number of
- * faces on a curve, and ModifiedBoundary changes nothing: tangent planes exist on curves for two to
- * five (SqrtThree) and for two and three faces (FourEight), at corners for up to two and for one.
+ * FourEight has triangles on curves after odd steps. A limit of FourEight reads all faces that
+ * touch those of a point; where the points of these are not inside, with four quads each, its row
+ * is made by up to four steps around it, in some 20 microseconds. These two have no rules for the
+ * number of faces on a curve, and ModifiedBoundary changes nothing: tangent planes exist on curves
+ * for two to five (SqrtThree) and for two and three faces (FourEight), at corners for up to two and
+ * for one.
  *
  * @par Non-manifold input
  * Edges with three and more faces, vertices where fans of faces or lines meet: Loop follows
@@ -138,9 +141,9 @@
  *
  * @par Errors
  * The filter stops, with an error and an empty output, if the output would have more than
- * MaximumNumberOfCells cells or take more memory than there is, or if ModifiedButterfly or DooSabin
- * would take more than 4 * 10^8 of the steps above (k = 20,000 for one level, 6,000 with normals).
- * Other topology is never an error.
+ * MaximumNumberOfCells cells or take more memory than there is, or if ModifiedButterfly, DooSabin
+ * or limits of FourEight would take more than 4 * 10^8 of the steps above (k = 20,000 for one
+ * level, 6,000 with normals). Other topology is never an error.
  *
  * @sa
  * vtkAdaptiveSurfaceSubdivision vtkMultiDimensionalSubdivision vtkLoopSubdivisionFilter
@@ -233,8 +236,7 @@ public:
   ///@{
   /**
    * Whether output points, and all arrays that are smoothed, are moved to the limit of infinitely
-   * many steps, also where creases are still sharp for some levels. Off by default; for schemes
-   * without limit masks a warning says that nothing happens.
+   * many steps, also where creases are still sharp for some levels. Off by default.
    */
   vtkSetMacro(ProjectToLimit, bool);
   vtkGetMacro(ProjectToLimit, bool);
@@ -249,8 +251,8 @@ public:
    * one sector, the first tangent along the curve. Where orientations of faces differ they have
    * the side of the first face of their part (all faces that can be reached over edges of two
    * faces); on a part with one side only, like a Moebius band, that of a face at the point, which
-   * with SqrtThree may be another one on another level. On a crease that is still sharp for more
-   * than 26 levels they are as if it were for 26.
+   * with SqrtThree and FourEight may be another one on another level. On a crease that is still
+   * sharp for more than 26 levels they are as if it were for 26.
    *
    * Where there are no tangents normals are not zero all the same, so that nothing is drawn black:
    * at joints and all other points with faces they are the mean of the normals of these, weighted
@@ -273,6 +275,19 @@ public:
   bool GetGenerateNormals() { return this->GetGenerateLimitNormals(); }
   void GenerateNormalsOn() { this->GenerateLimitNormalsOn(); }
   void GenerateNormalsOff() { this->GenerateLimitNormalsOff(); }
+  ///@}
+
+  ///@{
+  /**
+   * The point whose basis function is output, as point array `BasisFunction` (double): what becomes
+   * of 1 at this point and 0 at all others, by the same operator as of any array; with
+   * ProjectToLimit its limit, with InterpolateArrays that function which is 1 there and 0 at all
+   * other points. Where the input has global ids it is the point of that id; else, in a single data
+   * set, of that index. If there is no such point a warning says so. All basis functions add up to
+   * 1. -1, the default: none.
+   */
+  vtkSetMacro(BasisPoint, vtkIdType);
+  vtkGetMacro(BasisPoint, vtkIdType);
   ///@}
 
   enum OutputCellTypes
@@ -377,6 +392,7 @@ protected:
     return this->Scheme != DOO_SABIN && this->Scheme != MIDEDGE;
   }
   void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
+  vtkSmartPointer<vtkDataObject> Mark(vtkDataObject* input, vtkDataObject* readable) override;
   vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -388,6 +404,7 @@ protected:
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;
   bool GenerateTangents = false;
+  vtkIdType BasisPoint = -1;
   int OutputCells = LINEAR_CELLS;
   double BezierTolerance = 1e-4;
   bool JoinSeams = true;

@@ -225,7 +225,7 @@ void RegisterWorst()
     { "Catmull-Clark", Surface::CATMULL_CLARK, false, true },
     { "Doo-Sabin", Surface::DOO_SABIN, false, false },
     { "Midedge", Surface::MIDEDGE, false, false },
-    { "4-8", Surface::FOUR_EIGHT, false, false },
+    { "4-8", Surface::FOUR_EIGHT, false, true },
   };
   for (const auto& scheme : schemes)
   {

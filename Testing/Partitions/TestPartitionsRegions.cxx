@@ -157,6 +157,7 @@ TEST(PartitionsRegions, LetFiltersGoOn)
       once.Features.DetectFeatures = filters[0].Features.DetectFeatures = turn % 3 > 0;
       once.Features.FeatureAngle = filters[0].Features.FeatureAngle = 50.;
       filters.back().GenerateLimitNormals = once.GenerateLimitNormals = turn % 2 > 0;
+      filters.back().ProjectToLimit = once.ProjectToLimit = turn % 4 > 1;
       ExpectWhole(
         Subdivide(mesh, { once }), SubdivideParts(Cut(mesh, partition), partition, filters));
     });

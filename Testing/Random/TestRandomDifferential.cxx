@@ -362,7 +362,7 @@ void ExpectSameNormals(vtkPointSet* control, vtkPointSet* later, vtkIdType point
   }
 }
 
-void CheckLimitsOfSurface(unsigned seed)
+void CheckLimitsOfSurface(unsigned seed, bool isFourEight)
 {
   Chance chance(seed);
   const Data surface = MakeSurface(chance);
@@ -370,12 +370,14 @@ void CheckLimitsOfSurface(unsigned seed)
   const int schemes[] = { vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::CATMULL_CLARK,
     vtkSurfaceSubdivision::MODIFIED_BUTTERFLY, vtkSurfaceSubdivision::SQRT_THREE };
   options.Scheme = schemes[Draw(chance, 4)];
+  options.Scheme = isFourEight ? vtkSurfaceSubdivision::FOUR_EIGHT : options.Scheme;
   options.Limit = true;
   SCOPED_TRACE(options.Describe());
   const Data control = options.Run(surface, 0);
-  // The faces of sqrt(3) come in another order on each level, and with them the sides of a Moebius
-  // band.
-  const bool hasSides = options.Scheme != vtkSurfaceSubdivision::SQRT_THREE || !IsOneSided(surface);
+  // The faces of sqrt(3) and 4-8 come in another order on each level, and with them the sides of a
+  // Moebius band.
+  const bool keepsOrder = !isFourEight && options.Scheme != vtkSurfaceSubdivision::SQRT_THREE;
+  const bool hasSides = keepsOrder || !IsOneSided(surface);
   for (int levels = 1; levels <= 2; ++levels)
   {
     SCOPED_TRACE(levels);
@@ -410,7 +412,12 @@ TEST(RandomDifferential, LimitsOfDualSurfaces)
 
 TEST(RandomDifferential, LimitsOfSurfaces)
 {
-  ForSeeds(0.15, CheckLimitsOfSurface);
+  ForSeeds(0.15, [](unsigned seed) { CheckLimitsOfSurface(seed, false); });
+}
+
+TEST(RandomDifferential, LimitsOfFourEight)
+{
+  ForSeeds(0.05, [](unsigned seed) { CheckLimitsOfSurface(seed, true); });
 }
 
 /// Surfaces whose limits or normals once depended on the level: curves of creases that go through
@@ -420,7 +427,7 @@ TEST(RandomDifferential, LimitsOfSurfacesThatOnceDiffered)
   for (const unsigned seed : { 24u, 129u, 153u, 176u, 200u, 245u, 3817636649u })
   {
     SCOPED_TRACE(seed);
-    CheckLimitsOfSurface(seed);
+    CheckLimitsOfSurface(seed, false);
   }
 }
 

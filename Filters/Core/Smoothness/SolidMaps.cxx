@@ -123,19 +123,31 @@ class StarLevels
 public:
   using Level = typename Scheme::Level;
 
-  explicit StarLevels(const SolidStar& star)
+  /// `levels`: that are made of the star of the middle, 1 or more.
+  StarLevels(const SolidStar& star, int levels)
     : Star(star)
     , First(std::min(star.Corners - 1, 2))
   {
     this->MakeControl();
     for (; this->Steps <= this->First; ++this->Steps)
     {
-      this->Places = this->MakeChildPlaces();
+      this->Places = this->MakeChildPlaces(this->Places);
       this->Current = Refine(this->Current, Depth::ForRefinement);
     }
-    this->MakeCells();
-    this->Children = this->MakeChildPlaces();
-    this->Operator = TakeStencils(this->Current);
+    for (int level = 1; level <= levels; ++level)
+    {
+      this->Finer.push_back(this->MakeChildPlaces(level == 1 ? this->Places : this->Finer.back()));
+      if (level == levels)
+      {
+        this->MakeCells();
+        this->Operators.push_back(TakeStencils(this->Current));
+        break;
+      }
+      Level next = Refine(this->Current, Depth::ForRefinement);
+      this->Operators.push_back(TakeStencils(this->Current));
+      this->Current = std::move(next);
+    }
+    this->Children = this->Finer.front();
     this->Number();
   }
 
@@ -153,9 +165,7 @@ public:
     facts.Condition = HoldsInside(moduli, 3);
     const std::vector<double> basis =
       samples && facts.Condition == Answer::Yes ? near.FindLeading(3) : std::vector<double>();
-    const std::vector<double> values = basis.empty()
-      ? std::vector<double>()
-      : this->MakeMatrix(static_cast<int>(this->Vertices.size())).Continue(this->Near, basis, 3);
+    const std::vector<double> values = this->FindValues(basis);
     if (!values.empty())
     {
       this->Sample(this->TakeStep(values), facts);
@@ -163,7 +173,105 @@ public:
     return facts;
   }
 
+  StarMap MakeMap() const
+  {
+    StarMap map;
+    const LocalMatrix near = this->MakeMatrix(this->Near);
+    const std::vector<double> moduli = this->IsClosed ? near.FindModuli() : std::vector<double>();
+    map.Facts.Valence = near.GetSize() - 1;
+    map.Facts.SetEigenvalues(moduli);
+    map.Facts.Condition = HoldsInside(moduli, 3);
+    const std::vector<double> values = map.Facts.Condition == Answer::Yes
+      ? this->FindValues(near.FindLeading(3))
+      : std::vector<double>();
+    if (values.empty())
+    {
+      return map;
+    }
+    std::vector<Point> points(this->Places.size(), NotKnown());
+    for (std::size_t i = 0; i < this->Vertices.size(); ++i)
+    {
+      std::copy_n(
+        values.begin() + 3 * static_cast<std::ptrdiff_t>(i), 3, points[this->Vertices[i]].begin());
+    }
+    for (std::size_t level = 0; level < this->Finer.size(); ++level)
+    {
+      points = this->TakeStepInside(points, level);
+    }
+    const SmoothnessFacts facts = map.Facts;
+    map = this->MakeMap(std::move(points));
+    map.Facts = facts;
+    return map;
+  }
+
 private:
+  static Point NotKnown()
+  {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    return { { unknown, unknown, unknown } };
+  }
+
+  /// The leading eigenvectors of the middle, continued to the star.
+  std::vector<double> FindValues(const std::vector<double>& basis) const
+  {
+    return basis.empty()
+      ? std::vector<double>()
+      : this->MakeMatrix(static_cast<int>(this->Vertices.size())).Continue(this->Near, basis, 3);
+  }
+
+  /// Where the star ends rules are not those of what is mapped: there nothing is known.
+  std::vector<Point> TakeStepInside(const std::vector<Point>& points, std::size_t level) const
+  {
+    const std::vector<Place>& places = this->Finer[level];
+    std::vector<Point> made(places.size(), NotKnown());
+    for (std::size_t row = 0; row < made.size(); ++row)
+    {
+      const auto corners = places[row].begin() + this->Star.Corners;
+      if (std::find(places[row].begin(), corners, 0) == corners)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          made[row][c] = SumRow(this->Operators[level], static_cast<int>(row),
+            [&](int vertex) { return points[vertex][c]; });
+        }
+      }
+    }
+    return made;
+  }
+
+  /// The map with the children of the last level's solids.
+  StarMap MakeMap(std::vector<Point>&& points) const
+  {
+    const std::vector<Place>& places = this->Finer.back();
+    const int steps = this->Steps + static_cast<int>(this->Finer.size());
+    const Place middle = this->GetMiddle(steps);
+    const double ring = std::ldexp(1., steps - this->First);
+    int origin = 0;
+    std::vector<double> rings;
+    for (const Place& place : places)
+    {
+      rings.push_back(Measure(Subtract(place, middle)) / ring);
+      origin = rings.back() == 0. ? static_cast<int>(rings.size()) - 1 : origin;
+    }
+    StarMapMaker maker(3, std::move(points), rings);
+    const std::vector<int> turns = FindTurns(this->Star.Tets);
+    const double size = 1. / (6. * ring * ring * ring);
+    for (std::size_t cell = 0; 4 * cell < this->Cells.size(); ++cell)
+    {
+      maker.AddCell(this->Cells.data() + 4 * cell, 4, turns[cell >> (3 * steps)] * size);
+    }
+    int guides[2] = { origin, origin }; // the farthest towards the second and third vertex
+    for (int v = 0; v < static_cast<int>(places.size()); ++v)
+    {
+      for (int g = 0; g < 2; ++g)
+      {
+        const bool isFarther = places[v][g + 1] > places[guides[g]][g + 1];
+        guides[g] = isFarther && maker.IsKnown(v) ? v : guides[g];
+      }
+    }
+    return maker.Make(origin, guides[0], guides[1]);
+  }
+
   void MakeControl()
   {
     SimplexList list;
@@ -187,14 +295,14 @@ private:
   }
 
   /// Vertices keep their place, in smaller multiples; new ones are the middle of two.
-  std::vector<Place> MakeChildPlaces() const
+  std::vector<Place> MakeChildPlaces(const std::vector<Place>& places) const
   {
     std::vector<Place> made;
-    for (const Place& place : this->Places)
+    for (const Place& place : places)
     {
       made.push_back(Add(place, place));
     }
-    const auto add = [&](int a, int b) { made.push_back(Add(this->Places[a], this->Places[b])); };
+    const auto add = [&](int a, int b) { made.push_back(Add(places[a], places[b])); };
     const auto& ends = this->Current.Complex.EdgeVertices;
     for (vtkIdType e = 0; e < this->Current.Complex.NumberOfEdges; ++e)
     {
@@ -236,7 +344,8 @@ private:
   /// The children of the last level's solids, as tetrahedra.
   void MakeCells()
   {
-    const std::vector<CellRun> runs = RefineRuns(this->Runs, this->Steps);
+    const std::vector<CellRun> runs =
+      RefineRuns(this->Runs, this->Steps + static_cast<int>(this->Finer.size()) - 1);
     const CellCounts counts = CountCells(RefineRuns(runs, 1));
     std::vector<int> offsets(static_cast<std::size_t>(counts.Cells) + 1);
     std::vector<unsigned char> types(static_cast<std::size_t>(counts.Cells));
@@ -274,7 +383,7 @@ private:
     }
     for (int i = 0; i < static_cast<int>(this->Rows.size()); ++i)
     {
-      const double inside = this->SumRow(this->Rows[i],
+      const double inside = SumRow(this->Operators.front(), this->Rows[i],
         [&](int vertex)
         {
           const int column = this->Columns[vertex];
@@ -285,10 +394,10 @@ private:
   }
 
   template <typename Get>
-  double SumRow(int row, const Get& get) const
+  static double SumRow(const Stencils<int>& rows, int row, const Get& get)
   {
     ExplicitRows<int> entries;
-    this->Operator.AppendRow(row, 1., entries);
+    rows.AppendRow(row, 1., entries);
     double sum = 0.;
     for (std::size_t k = 0; k < entries.Columns.size(); ++k)
     {
@@ -303,7 +412,7 @@ private:
     for (int i = 0; i < size; ++i)
     {
       ExplicitRows<int> entries;
-      this->Operator.AppendRow(this->Rows[i], 1., entries);
+      this->Operators.front().AppendRow(this->Rows[i], 1., entries);
       for (std::size_t k = 0; k < entries.Columns.size(); ++k)
       {
         const int column = this->Columns[entries.Columns[k]];
@@ -324,7 +433,7 @@ private:
     {
       for (int c = 0; c < 3; ++c)
       {
-        made[row][c] = this->SumRow(static_cast<int>(row),
+        made[row][c] = SumRow(this->Operators.front(), static_cast<int>(row),
           [&](int vertex)
           {
             const int column = this->Columns[vertex];
@@ -417,35 +526,55 @@ private:
   const SolidStar& Star;
   const int First; ///< the steps after which the vertex in the middle exists
   std::vector<CellRun> Runs;
-  int Steps = 0; ///< of the last level
+  int Steps = 0; ///< of the level of the matrix
   Level Current;
-  std::vector<Place> Places;   ///< of the vertices of the last level
-  std::vector<Place> Children; ///< of those of the next level, seen from the middle
-  Stencils<int> Operator;      ///< from the one to the other
-  std::vector<int> Cells;      ///< of the next level
-  std::vector<int> Columns;    ///< of each vertex of the last level, -1: none
-  std::vector<int> Vertices;   ///< of each column
-  std::vector<int> Rows;       ///< of each column, the vertex of the next level at its place
-  int Near = 0;                ///< the columns of the solids at the middle
-  bool IsClosed = true;        ///< these read no others, and all columns no vertices beyond them
+  std::vector<Place> Places;             ///< of the vertices of that level
+  std::vector<Place> Children;           ///< of those of the next level, seen from the middle
+  std::vector<std::vector<Place>> Finer; ///< of those of all further levels
+  std::vector<Stencils<int>> Operators;  ///< to each of these
+  std::vector<int> Cells;                ///< of the last of them
+  std::vector<int> Columns;              ///< of each vertex of that level, -1: none
+  std::vector<int> Vertices;             ///< of each column
+  std::vector<int> Rows; ///< of each column, the vertex of the next level at its place
+  int Near = 0;          ///< the columns of the solids at the middle
+  bool IsClosed = true;  ///< these read no others, and all columns no vertices beyond them
 };
 
+}
+
+/// An edge has about six vertices near by for each tetrahedron, a vertex three.
+bool CanExamine(const SolidStar& star)
+{
+  return static_cast<int>(star.Tets.size()) * (star.Corners == 1 ? 3 : 6) <= LocalMatrix::MostItems;
 }
 
 template <typename Scheme>
 SmoothnessFacts ExamineSolid(const SolidStar& star, bool samples)
 {
-  // An edge has about six vertices near by for each tetrahedron, a vertex three.
-  if (static_cast<int>(star.Tets.size()) * (star.Corners == 1 ? 3 : 6) > LocalMatrix::MostItems)
+  if (!CanExamine(star))
   {
     SmoothnessFacts facts;
     facts.SetEigenvalues({});
     return facts;
   }
-  return StarLevels<Scheme>(star).Examine(samples);
+  return StarLevels<Scheme>(star, 1).Examine(samples);
+}
+
+template <typename Scheme>
+StarMap MapSolid(const SolidStar& star, int levels)
+{
+  return CanExamine(star) ? StarLevels<Scheme>(star, levels).MakeMap() : StarMap();
+}
+
+double CountCellsOfMap(const SolidStar& star, int levels)
+{
+  const int steps = std::min(star.Corners - 1, 2) + 1 + levels;
+  return static_cast<double>(star.Tets.size()) * std::pow(8., steps);
 }
 
 template SmoothnessFacts ExamineSolid<BoxSplineScheme<int>>(const SolidStar&, bool);
 template SmoothnessFacts ExamineSolid<TetOctScheme<int>>(const SolidStar&, bool);
+template StarMap MapSolid<BoxSplineScheme<int>>(const SolidStar&, int);
+template StarMap MapSolid<TetOctScheme<int>>(const SolidStar&, int);
 
 }

@@ -7,7 +7,7 @@
 #ifndef SubdivisionObjects_SolidMaps_h
 #define SubdivisionObjects_SolidMaps_h
 
-#include "Core/Smoothness/SmoothnessFacts.h"
+#include "Core/Smoothness/StarMap.h"
 #include "Core/Solids/Scheme/SolidScheme.h"
 
 #include <array>
@@ -40,6 +40,14 @@ struct SolidStar
  */
 template <typename Scheme>
 SmoothnessFacts ExamineSolid(const SolidStar& star, bool samples);
+
+/// The characteristic map itself, after `levels` further steps, 1 or more, as far as it is known.
+/// It is empty where l3 = l4, so that it is not unique.
+template <typename Scheme>
+StarMap MapSolid(const SolidStar& star, int levels);
+
+/// How many tetrahedra such a map may have.
+double CountCellsOfMap(const SolidStar& star, int levels);
 
 }
 

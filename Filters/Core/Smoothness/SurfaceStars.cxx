@@ -4,13 +4,13 @@
 #include "Core/Memory/Loops.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Smoothness/LocalMatrix.h"
-#include "Core/Smoothness/StarMesh.h"
-#include "Core/Surfaces/Steps/SurfaceSteps.h"
+#include "Core/Smoothness/SurfaceStarLevels.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -21,189 +21,7 @@ namespace
 
 using Kind = SurfaceStar::Kind;
 using Place = std::array<double, 2>;
-using Matrix = SparseRows<int>;
-
-/// The steps after which the mesh around the vertex repeats, and how much smaller it then is.
-struct Period
-{
-  int Steps;
-  double Factor;
-};
-
-Period GetPeriod(SurfaceSchemeKind scheme)
-{
-  switch (scheme)
-  {
-    case SurfaceSchemeKind::SqrtThree:
-      return { 2, 3. };
-    case SurfaceSchemeKind::FourEight:
-    case SurfaceSchemeKind::Midedge:
-      return { 2, 2. };
-    default:
-      return { 1, 2. };
-  }
-}
-
-/// The levels of a star's mesh.
-class Levels
-{
-public:
-  Levels(const SurfaceStar& star, const StarMesh& mesh, int steps)
-  {
-    const auto scheme = MakeSurfaceScheme<int>(star.Scheme, star.ModifiedBoundary, star.Weights);
-    SurfaceLevel<int> control;
-    PolygonList<int> faces = mesh.MakeList();
-    control.Mesh = BuildPolygonMesh(std::move(faces), control.Lines);
-    SurfaceFeatures features;
-    features.DartEnds = true;
-    if (star.EndsCrease)
-    {
-      features.SharpEdges.assign(control.Mesh.GetNumberOfEdges(), 0);
-      for (const vtkIdType e : InTurn(control.Mesh.GetNumberOfEdges()))
-      {
-        const int* ends = control.Mesh.EdgeVertices.data() + 2 * e;
-        features.SharpEdges[e] = mesh.IsOnFirstRay(ends[0]) && mesh.IsOnFirstRay(ends[1]) ? 1 : 0;
-      }
-    }
-    const auto size = static_cast<std::size_t>(mesh.GetNumberOfVertices());
-    features.Corners.assign(size, 0);
-    features.Corners[0] = star.Where == Kind::Corner ? 1 : 0;
-    if (star.Where == Kind::Corner)
-    {
-      features.Angles.assign(size, -1.);
-      features.Flatness.assign(size, -1.);
-      features.Angles[0] = star.Angle;
-      features.Flatness[0] = star.Flatness;
-    }
-    control.Tags = ClassifySurface(control.Mesh, *scheme, features, mesh.GetPoints());
-    this->Steps = std::make_unique<SurfaceSteps<int>>(
-      std::move(control), scheme, steps, true, [](double) { return false; });
-  }
-
-  const SurfaceLevel<int>& Get(int level) const { return this->Steps->GetLevel(level); }
-  const SurfaceScheme<int>& GetScheme() const { return this->Steps->GetScheme(); }
-  Matrix GetStep(int step) const { return this->Steps->GetStep(step).Store(); }
-  /// From one level to a later one.
-  Matrix GetSteps(int from, int to) const
-  {
-    Matrix product = this->GetStep(from);
-    for (int step = from + 1; step < to; ++step)
-    {
-      product = Multiply(this->GetStep(step), product);
-    }
-    return product;
-  }
-
-private:
-  std::unique_ptr<SurfaceSteps<int>> Steps;
-};
-
-template <typename Get>
-double SumRow(const Matrix& matrix, vtkIdType row, const Get& get)
-{
-  double sum = 0.;
-  for (vtkIdType k = matrix.Offsets[row]; k < matrix.Offsets[row + 1]; ++k)
-  {
-    sum += matrix.Weights[k] * get(matrix.Columns[k]);
-  }
-  return sum;
-}
-
-/// Where the vertices of all levels lie in the control mesh. New ones are in the middle of those
-/// that they come from, but steps that turn the mesh need care: after the second of them vertices
-/// have to lie on edges of the level before both, which the flat mesh bends where it is irregular.
-class PlaceFinder
-{
-public:
-  PlaceFinder(const Levels& levels, const std::vector<Place>& control)
-    : Made(levels)
-    , Places{ control }
-  {
-  }
-
-  std::vector<std::vector<Place>> Find(int steps)
-  {
-    const SurfaceScheme<int>& scheme = this->Made.GetScheme();
-    for (int level = 0; level < steps; ++level)
-    {
-      const bool isSecond = level % 2 == 1 && !scheme.HalvesEdges();
-      const Matrix step = this->Made.GetStep(level);
-      std::vector<Place> made(static_cast<std::size_t>(step.GetNumberOfRows()));
-      for (std::size_t v = 0; v < made.size(); ++v)
-      {
-        const auto row = static_cast<vtkIdType>(v);
-        const std::vector<vtkIdType> parents = this->GetParents(level, row);
-        made[v] = parents.size() == 2 && scheme.NeedsTriangles() && !scheme.HalvesEdges()
-          ? this->CutInThree(step, row, parents)
-          : isSecond && parents.size() > 2 ? this->FindOnEdge(level, parents)
-                                           : this->Mix(this->Places[level], parents);
-      }
-      this->Places.push_back(std::move(made));
-    }
-    return this->Places;
-  }
-
-private:
-  std::vector<vtkIdType> GetParents(int level, vtkIdType row) const
-  {
-    std::vector<vtkIdType> parents;
-    this->Made.GetScheme().GetParents(this->Made.Get(level), row, parents);
-    return parents;
-  }
-
-  /// A vertex as often as it is in the list.
-  static Place Mix(const std::vector<Place>& places, const std::vector<vtkIdType>& parents)
-  {
-    Place sum{ { 0., 0. } };
-    for (const vtkIdType parent : parents)
-    {
-      sum[0] += places[parent][0] / static_cast<double>(parents.size());
-      sum[1] += places[parent][1] / static_cast<double>(parents.size());
-    }
-    return sum;
-  }
-
-  /// On an edge that sqrt(3) cuts in three, nearer to the end with the larger weight.
-  Place CutInThree(const Matrix& step, vtkIdType row, const std::vector<vtkIdType>& ends) const
-  {
-    const auto weigh = [&](vtkIdType end)
-    { return SumRow(step, row, [end](int v) { return v == end ? 1. : 0.; }); };
-    const vtkIdType near = weigh(ends[0]) > weigh(ends[1]) ? ends[0] : ends[1];
-    return this->Mix(this->Places.back(), { ends[0], ends[1], near });
-  }
-
-  /// The middle of a face of two centres and the edge between them (4-8); of a face with one end of
-  /// this edge (sqrt(3)) the third at that end.
-  Place FindOnEdge(int level, const std::vector<vtkIdType>& parents) const
-  {
-    const std::vector<Place>& before = this->Places[level - 1];
-    std::vector<vtkIdType> old;
-    std::vector<vtkIdType> common;
-    for (const vtkIdType parent : parents)
-    {
-      const std::vector<vtkIdType> from = this->GetParents(level - 1, parent);
-      if (from.size() == 1)
-      {
-        old.push_back(parent);
-        continue;
-      }
-      const bool isFirst = common.empty();
-      std::vector<vtkIdType> both;
-      std::copy_if(from.begin(), from.end(), std::back_inserter(both), [&](vtkIdType v)
-        { return isFirst || std::find(common.begin(), common.end(), v) != common.end(); });
-      common = both;
-    }
-    if (old.size() == 1)
-    {
-      common.push_back(old[0]);
-      return Mix(before, common);
-    }
-    return Mix(before, old);
-  }
-
-  const Levels& Made;
-  std::vector<std::vector<Place>> Places;
-};
+using Matrix = SurfaceStarLevels::Matrix;
 
 std::array<long long, 2> Round(const Place& place, double factor)
 {
@@ -214,14 +32,16 @@ std::array<long long, 2> Round(const Place& place, double factor)
 class VertexStar
 {
 public:
-  explicit VertexStar(const SurfaceStar& star)
+  /// `levels`: that are made after the first one.
+  VertexStar(const SurfaceStar& star, int levels)
     : Star(star)
     , Repeats(GetPeriod(star.Scheme))
+    , Last(Repeats.Steps * (1 + levels))
     , Mesh(star.Faces, GetAngle(star), GetRegularFaces(star.Scheme) == 4)
-    , Made(star, Mesh, GetLast())
+    , Made(star, Mesh, Last)
   {
     const int period = this->Repeats.Steps;
-    this->Places = PlaceFinder(this->Made, this->Mesh.GetPlaces()).Find(this->GetLast());
+    this->Places = FindStarPlaces(this->Made, this->Mesh.GetPlaces(), this->Last);
     const double near = 3. / this->Repeats.Factor;
     this->Columns.assign(this->Places[period].size(), -1);
     for (std::size_t v = 0; v < this->Places[period].size(); ++v)
@@ -237,17 +57,8 @@ public:
   SmoothnessFacts Examine(bool samples) const
   {
     SmoothnessFacts facts;
-    facts.Valence = this->Star.Faces;
     LocalMatrix matrix;
-    if (!this->MakeMatrix(matrix))
-    {
-      return facts;
-    }
-    const std::vector<double> moduli = matrix.FindModuli();
-    facts.SetEigenvalues(moduli);
-    facts.Condition = this->Star.IsAround() ? HoldsInside(moduli, 2)
-                                            : HoldsBesideCurves(moduli, 1. / this->Repeats.Factor,
-                                                this->Star.Where == Kind::Corner ? 2 : 1);
+    this->FindEigenvalues(matrix, facts);
     if (samples && facts.Condition == Answer::Yes)
     {
       const std::vector<double> basis = matrix.FindLeading(2);
@@ -259,13 +70,94 @@ public:
     return facts;
   }
 
+  StarMap MakeMap() const
+  {
+    StarMap map;
+    LocalMatrix matrix;
+    const bool isUnique = this->FindEigenvalues(matrix, map.Facts);
+    const std::vector<double> basis = isUnique ? matrix.FindLeading(2) : std::vector<double>();
+    if (!basis.empty())
+    {
+      const SmoothnessFacts facts = map.Facts;
+      map = this->MakeMap(basis);
+      map.Facts = facts;
+    }
+    return map;
+  }
+
 private:
+  /// Returns whether l2 > l3.
+  bool FindEigenvalues(LocalMatrix& matrix, SmoothnessFacts& facts) const
+  {
+    facts.Valence = this->Star.Faces;
+    if (!this->MakeMatrix(matrix))
+    {
+      return false;
+    }
+    const std::vector<double> moduli = matrix.FindModuli();
+    facts.SetEigenvalues(moduli);
+    facts.Condition = this->Star.IsAround() ? HoldsInside(moduli, 2)
+                                            : HoldsBesideCurves(moduli, 1. / this->Repeats.Factor,
+                                                this->Star.Where == Kind::Corner ? 2 : 1);
+    return HoldsInside(moduli, 2) == Answer::Yes;
+  }
+
+  StarMap MakeMap(const std::vector<double>& basis) const
+  {
+    const int period = this->Repeats.Steps;
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    std::vector<StarMap::Point> points(
+      this->Columns.size(), StarMap::Point{ { unknown, unknown, 0. } });
+    for (std::size_t i = 0; i < this->Vertices.size(); ++i)
+    {
+      points[this->Vertices[i]] = { { basis[2 * i], basis[2 * i + 1], 0. } };
+    }
+    for (int step = period; step < this->Last; ++step)
+    {
+      const Matrix rows = this->Made.GetStep(step);
+      std::vector<StarMap::Point> made(static_cast<std::size_t>(rows.GetNumberOfRows()));
+      for (std::size_t v = 0; v < made.size(); ++v)
+      {
+        for (int c = 0; c < 2; ++c)
+        {
+          made[v][c] = SurfaceStarLevels::SumRow(
+            rows, static_cast<vtkIdType>(v), [&](int from) { return points[from][c]; });
+        }
+      }
+      points = std::move(made);
+    }
+    const std::vector<Place>& places = this->Places.back();
+    std::vector<double> rings;
+    for (const Place& place : places)
+    {
+      rings.push_back(this->Mesh.Measure(place));
+    }
+    StarMapMaker maker(2, std::move(points), rings);
+    const PolygonMesh<int>& mesh = this->Made.Get(this->Last).Mesh;
+    for (const int face : InTurn(static_cast<int>(mesh.NumberOfFaces)))
+    {
+      const int* corners = mesh.Vertices.data() + mesh.GetFirst(face);
+      double area = 0.;
+      for (int i = 2; i < mesh.GetSize(face); ++i)
+      {
+        area += FindArea(places, { corners[0], corners[i - 1], corners[i] }) / 2.;
+      }
+      maker.AddCell(corners, mesh.GetSize(face), area);
+    }
+    int first = 0;
+    for (int v = 0; v < static_cast<int>(places.size()); ++v)
+    {
+      const bool isOnRay = this->Mesh.FindTurn(places[v]) < 1e-6;
+      first = isOnRay && maker.IsKnown(v) && rings[v] > rings[first] ? v : first;
+    }
+    return maker.Make(0, first, first);
+  }
+
   /// Only rules know the angle of a corner; here any does.
   static double GetAngle(const SurfaceStar& star)
   {
     return star.IsAround() ? 2. * Pi : star.Faces == 1 ? 2. / 3. * Pi : Pi;
   }
-  int GetLast() const { return this->Repeats.Steps == 1 ? 3 : 4; }
 
   /// Returns false if rows read what lies farther away.
   bool MakeMatrix(LocalMatrix& matrix) const
@@ -302,14 +194,14 @@ private:
   void Sample(const std::vector<double>& basis, SmoothnessFacts& facts) const
   {
     const int period = this->Repeats.Steps;
-    const Matrix further = this->Made.GetSteps(period, this->GetLast());
+    const Matrix further = this->Made.GetSteps(period, this->Last);
     std::vector<Place> map(static_cast<std::size_t>(further.GetNumberOfRows()));
     const int middle = this->Columns[0];
     for (std::size_t v = 0; v < map.size(); ++v)
     {
       for (int c = 0; c < 2; ++c)
       {
-        map[v][c] = SumRow(further, static_cast<vtkIdType>(v),
+        map[v][c] = SurfaceStarLevels::SumRow(further, static_cast<vtkIdType>(v),
           [&](int vertex)
           {
             const int column = this->Columns[vertex];
@@ -325,7 +217,7 @@ private:
 
   bool KeepsOrientation(const std::vector<Place>& map, double outer, int& samples) const
   {
-    const PolygonMesh<int>& mesh = this->Made.Get(this->GetLast()).Mesh;
+    const PolygonMesh<int>& mesh = this->Made.Get(this->Last).Mesh;
     const std::vector<Place>& places = this->Places.back();
     int positive = 0;
     for (const int corner : InTurn(static_cast<int>(mesh.GetNumberOfCorners())))
@@ -355,6 +247,7 @@ private:
     return samples > 0 && std::abs(positive) == samples;
   }
 
+  /// Twice the signed area of a triangle.
   static double FindArea(const std::vector<Place>& at, const int (&ids)[3])
   {
     const Place& a = at[ids[0]];
@@ -400,8 +293,9 @@ private:
 
   const SurfaceStar Star;
   const Period Repeats;
+  const int Last; ///< level
   const StarMesh Mesh;
-  const Levels Made;
+  const SurfaceStarLevels Made;
   std::vector<std::vector<Place>> Places; ///< of the vertices of each level
   std::vector<int> Columns;               ///< of the vertices of the level after one period
   std::vector<int> Vertices;
@@ -435,7 +329,7 @@ SmoothnessFacts ExamineFace(const SurfaceStar& star)
 {
   const Period period = GetPeriod(star.Scheme);
   const StarMesh mesh(star.Faces, 2. * Pi, true);
-  const Levels levels(star, mesh, 2 + period.Steps);
+  const SurfaceStarLevels levels(star, mesh, 2 + period.Steps);
   std::vector<std::vector<Place>> points{ mesh.GetPlaces() };
   for (int step = 0; step < 2 + period.Steps; ++step)
   {
@@ -445,8 +339,8 @@ SmoothnessFacts ExamineFace(const SurfaceStar& star)
     {
       for (int c = 0; c < 2; ++c)
       {
-        next[v][c] =
-          SumRow(rows, static_cast<vtkIdType>(v), [&](int from) { return points.back()[from][c]; });
+        next[v][c] = SurfaceStarLevels::SumRow(
+          rows, static_cast<vtkIdType>(v), [&](int from) { return points.back()[from][c]; });
       }
     }
     points.push_back(next);
@@ -514,14 +408,25 @@ bool HasCentres(SurfaceSchemeKind scheme)
   return scheme == SurfaceSchemeKind::CatmullClark || scheme == SurfaceSchemeKind::FourEight;
 }
 
-SmoothnessFacts ExamineSurface(const SurfaceStar& star, bool samples)
+bool CanExamine(const SurfaceStar& star)
 {
   const int itemsOfFace = GetRegularFaces(star.Scheme) == 4 ? 15 : 6; // three rings
-  const bool isPossible =
-    star.Faces >= (star.IsAround() ? 3 : 1) && star.Faces < LocalMatrix::MostItems / itemsOfFace;
+  return star.Faces >= (star.IsAround() ? 3 : 1) &&
+    star.Faces < LocalMatrix::MostItems / itemsOfFace;
+}
+
+StarMap MapSurface(const SurfaceStar& star, int levels)
+{
+  return CanExamine(star) && !IsDual(star.Scheme) ? VertexStar(star, levels).MakeMap() : StarMap();
+}
+
+SmoothnessFacts ExamineSurface(const SurfaceStar& star, bool samples)
+{
+  const bool isPossible = CanExamine(star);
   if (isPossible && !IsDual(star.Scheme))
   {
-    return VertexStar(star).Examine(samples);
+    constexpr int further = 2; // sqrt(3), 4-8: one
+    return VertexStar(star, GetPeriod(star.Scheme).Steps == 1 ? further : 1).Examine(samples);
   }
   if (isPossible && star.Where == Kind::Closed)
   {

@@ -7,7 +7,7 @@
 #ifndef SubdivisionObjects_SurfaceStars_h
 #define SubdivisionObjects_SurfaceStars_h
 
-#include "Core/Smoothness/SmoothnessFacts.h"
+#include "Core/Smoothness/StarMap.h"
 #include "Core/Surfaces/Steps/SurfaceSchemes.h"
 
 #include <tuple>
@@ -69,6 +69,11 @@ bool HasCentres(SurfaceSchemeKind scheme);
  * a curve less than once.
  */
 SmoothnessFacts ExamineSurface(const SurfaceStar& star, bool samples);
+
+/// The characteristic map itself, after `levels` further levels, 1 or more (sqrt(3), 4-8: of two
+/// steps each), as far as it is known. It is empty in dual schemes, and where l2 = l3, so that it
+/// is not unique.
+StarMap MapSurface(const SurfaceStar& star, int levels);
 
 }
 

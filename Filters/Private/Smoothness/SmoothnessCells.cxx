@@ -6,6 +6,7 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/SizeChecks.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -15,6 +16,7 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkSignedCharArray.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -152,6 +154,69 @@ void SmoothnessCells::MarkPoints(vtkUnstructuredGrid* output) const
       }
     });
   output->GetPointData()->AddArray(marks);
+}
+
+bool SmoothnessCells::WriteMap(const StarMap& map, vtkUnstructuredGrid* output) const
+{
+  const auto wanted = static_cast<std::size_t>(this->Options.MapOfCell);
+  if (wanted >= this->Cells.size())
+  {
+    this->Options.Fail("MapOfCell is " + std::to_string(wanted) + ", but the output has " +
+      std::to_string(this->Cells.size()) +
+      " cells. Take the id of one of them, counted from 0, as it is with MapOfCell = -1.");
+    return false;
+  }
+  if (map.IsEmpty())
+  {
+    this->Options.Fail("There is no characteristic map at cell " + std::to_string(wanted) +
+      ": vertices and edges on curves, corners, joints, dual schemes and vertices with octahedra "
+      "have none, and where the eigenvalues that lead are not larger than the next one (Condition "
+      "is 0) it is not unique. Choose another cell, or take MapOfCell = -1 to look at all.");
+    return false;
+  }
+  const auto size = static_cast<vtkIdType>(map.Points.size());
+  const auto cells = static_cast<vtkIdType>(map.Ends.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataType(
+    this->Options.OutputPointsPrecision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE);
+  points->SetNumberOfPoints(size);
+  vtkNew<vtkDoubleArray> rings;
+  rings->SetName("Ring");
+  rings->SetNumberOfTuples(size);
+  for (const vtkIdType i : InTurn(size))
+  {
+    points->SetPoint(i, map.Points[i].data());
+    rings->SetValue(i, map.Rings[i]);
+  }
+  vtkNew<vtkCellArray> made;
+  vtkNew<vtkUnsignedCharArray> types;
+  vtkNew<vtkDoubleArray> jacobians;
+  jacobians->SetName("Jacobian");
+  for (vtkIdType i = 0, begin = 0; i < cells; begin = map.Ends[i++])
+  {
+    const vtkIdType corners = map.Ends[i] - begin;
+    made->InsertNextCell(static_cast<int>(corners));
+    for (vtkIdType k = begin; k < map.Ends[i]; ++k)
+    {
+      made->InsertCellPoint(map.Corners[k]);
+    }
+    types->InsertNextValue(
+      map.Dimension == 3 ? static_cast<unsigned char>(VTK_TETRA) : FindType(2, corners));
+    jacobians->InsertNextValue(map.Jacobians[i]);
+  }
+  vtkNew<vtkDoubleArray> eigenvalues;
+  eigenvalues->SetName("Eigenvalues");
+  for (const double value : map.Facts.Eigenvalues)
+  {
+    eigenvalues->InsertNextValue(value);
+  }
+  output->SetPoints(points);
+  output->GetPointData()->AddArray(rings);
+  output->SetCells(types, made);
+  output->GetCellData()->AddArray(jacobians);
+  output->GetCellData()->SetActiveScalars("Jacobian"); // what views show
+  output->GetFieldData()->AddArray(eigenvalues);
+  return true;
 }
 
 PointArrayOptions GetPointOptions(

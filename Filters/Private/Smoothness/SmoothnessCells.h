@@ -6,7 +6,7 @@
 #ifndef SubdivisionObjects_SmoothnessCells_h
 #define SubdivisionObjects_SmoothnessCells_h
 
-#include "Core/Smoothness/SmoothnessFacts.h"
+#include "Core/Smoothness/StarMap.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Smoothness/SmoothnessProbe.h"
 
@@ -25,18 +25,19 @@ public:
   }
 
   /// Adds a cell of dimension 0 to 2. `sector`: which one at a vertex, -1: the vertex itself;
-  /// `rule`: the dimension of its rule, 4: blended.
+  /// `rule`: the dimension of its rule, 4: blended. Returns whether it is that of MapOfCell.
   template <typename Id>
-  void Add(
+  bool Add(
     int dimension, const Id* points, int size, int sector, int rule, const SmoothnessFacts& facts)
   {
     if (this->Options.FailingOnly && !facts.Fails())
     {
-      return;
+      return false;
     }
     this->Connectivity.insert(this->Connectivity.end(), points, points + size);
     this->Cells.push_back({ facts, static_cast<vtkIdType>(this->Connectivity.size()), sector,
       static_cast<unsigned char>(dimension), static_cast<signed char>(rule) });
+    return static_cast<vtkIdType>(this->Cells.size()) == this->Options.MapOfCell + 1;
   }
 
   /// An error message if there are more cells than MaximumNumberOfCells, or if they do not fit in
@@ -44,6 +45,9 @@ public:
   static std::string CheckSize(double cells, double points, const SmoothnessOptions& options);
 
   void Write(vtkUnstructuredGrid* output) const;
+
+  /// Writes the map of MapOfCell instead. Returns false after an error, if there is none.
+  bool WriteMap(const StarMap& map, vtkUnstructuredGrid* output) const;
 
 private:
   struct Cell

@@ -2,7 +2,7 @@
 /**
  * @file SmoothnessProbe.h
  * Does the work of vtkSubdivisionSmoothness: examines what a scheme does at each simplex of a mesh,
- * and writes that as cells with arrays.
+ * and writes that as cells with arrays, or one characteristic map.
  */
 #ifndef SubdivisionObjects_SmoothnessProbe_h
 #define SubdivisionObjects_SmoothnessProbe_h
@@ -21,6 +21,8 @@ struct SmoothnessOptions : RunOptions
 {
   bool SampleMaps = true;
   bool FailingOnly = false;
+  vtkIdType MapOfCell = -1; ///< the cell whose characteristic map is the output; -1: none
+  int MapLevels = 2;
   // Of solids:
   bool IsTetOct = false;
   // Of surfaces:

@@ -3,21 +3,19 @@
 
 #include "Core/Memory/Loops.h"
 #include "Core/Rules/Pi.h"
-#include "Core/Smoothness/SolidMaps.h"
 #include "Core/Smoothness/SolidSpectra.h"
 #include "Core/Smoothness/SurfaceStars.h"
-#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Private/Control/ControlComplex.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Smoothness/SmoothnessCells.h"
+#include "Private/Smoothness/SolidStars.h"
 
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <unordered_map>
 
 namespace subdivision
 {
@@ -29,173 +27,6 @@ int FindDimension(Rule rule)
 {
   return rule == Rule::RegularEdge ? 3 : static_cast<int>(rule);
 }
-
-/// How an edge lies in a tetrahedron of the box spline: it is marked, or the marked edges at its
-/// first end go to the one or to the other vertex of the tetrahedron.
-enum Mark
-{
-  OnEdge,
-  ToFirst,
-  ToSecond
-};
-
-/// What lies at the simplices of a level, as stars of their own. Equal stars are examined once.
-template <typename Scheme>
-class StarReader
-{
-public:
-  using Id = typename Scheme::Id;
-  using Level = typename Scheme::Level;
-  /// The same scheme with the ids of small meshes.
-  using SmallScheme =
-    std::conditional_t<Scheme::Traits.HasPieces, TetOctScheme<int>, BoxSplineScheme<int>>;
-
-  StarReader(const Level& level, bool samples)
-    : Here(level)
-    , Complex(level.Complex)
-    , Samples(samples)
-  {
-  }
-
-  /// All tetrahedra at an inner vertex.
-  template <typename Tets>
-  SmoothnessFacts ExamineVertex(Id vertex, const Tets& tets) const
-  {
-    SolidStar star;
-    std::unordered_map<Id, int> numbers{ { vertex, 0 } };
-    for (const Id tet : tets)
-    {
-      std::array<int, 4> made{};
-      for (int k = 0; k < 4; ++k)
-      {
-        const Id corner = this->Complex.TetVertices[4 * vtkIdType(tet) + k];
-        made[k] = numbers.emplace(corner, static_cast<int>(numbers.size())).first->second;
-      }
-      star.Tets.push_back(made);
-    }
-    return ExamineSolid<SmallScheme>(star, this->Samples);
-  }
-
-  SmoothnessFacts ExamineEdge(Id edge)
-  {
-    std::vector<int> marks;
-    if (!this->ReadMarks(edge, marks))
-    {
-      return this->ExamineInside();
-    }
-    std::vector<int> least = marks;
-    for (std::size_t i = 1; i < marks.size(); ++i) // where the walk begins does not matter
-    {
-      std::rotate(marks.begin(), marks.begin() + 1, marks.end());
-      least = std::min(least, marks);
-    }
-    const auto known = this->Edges.find(least);
-    return known != this->Edges.end()
-      ? known->second
-      : this->Edges.emplace(least, this->ExamineMarks(least)).first->second;
-  }
-
-  /// A face between two tetrahedra: whether these mark the same edge of it decides.
-  SmoothnessFacts ExamineFace(Id face)
-  {
-    const Row<Id> solids = this->Complex.FaceTets[face];
-    const bool areTets = solids.begin()[0] < this->Complex.NumberOfTets &&
-      solids.begin()[1] < this->Complex.NumberOfTets;
-    const bool isSame = !Scheme::Traits.OrdersTets || !areTets ||
-      this->FindMarked(solids.begin()[0], face) == this->FindMarked(solids.begin()[1], face);
-    std::unique_ptr<SmoothnessFacts>& known = this->Faces[isSame ? 0 : 1];
-    if (!known)
-    {
-      SolidStar star;
-      star.Corners = 3;
-      star.Tets = { { { 0, 3, 1, 2 } }, { { 0, 4, 1, 2 } } };
-      star.Tets[1] = isSame ? star.Tets[1] : std::array<int, 4>{ { 0, 4, 2, 1 } };
-      known = std::make_unique<SmoothnessFacts>(ExamineSolid<SmallScheme>(star, this->Samples));
-    }
-    return *known;
-  }
-
-private:
-  /// Inside a tetrahedron, where the mesh is a lattice.
-  SmoothnessFacts ExamineInside()
-  {
-    if (!this->Inside)
-    {
-      const SolidStar star{ 4, { { { 0, 1, 2, 3 } } } };
-      this->Inside =
-        std::make_unique<SmoothnessFacts>(ExamineSolid<SmallScheme>(star, this->Samples));
-    }
-    return *this->Inside;
-  }
-
-  SmoothnessFacts ExamineMarks(const std::vector<int>& marks) const
-  {
-    SolidStar star;
-    star.Corners = 2;
-    const int size = static_cast<int>(marks.size());
-    for (int i = 0; i < size; ++i)
-    {
-      const int first = 2 + i;
-      const int second = 2 + (i + 1) % size;
-      const std::array<int, 4> orders[3] = { { { 0, first, 1, second } },
-        { { 0, 1, first, second } }, { { 0, 1, second, first } } };
-      star.Tets.push_back(orders[marks[i]]);
-    }
-    return ExamineSolid<SmallScheme>(star, this->Samples);
-  }
-
-  /// The mark of each tetrahedron around an edge. Returns false if there are octahedra at it.
-  bool ReadMarks(Id edge, std::vector<int>& marks) const
-  {
-    const auto isTet = [this](Id solid) { return solid < this->Complex.NumberOfTets; };
-    const Row<Id> faces = this->Here.Strata.EdgeRings.GetCarriers(edge);
-    const Id first = faces.begin()[0];
-    const Id firstTet = this->Complex.FaceTets[first].begin()[0];
-    Id face = first;
-    Id tet = firstTet;
-    do
-    {
-      if (!isTet(tet))
-      {
-        return false;
-      }
-      const Id* tetFaces = this->Complex.TetFaces.data() + 4 * vtkIdType(tet);
-      const int* ends = tetrahedron::EdgeVertices[this->Complex.EdgeInTet(tet, edge)];
-      const Id* corners = this->Complex.TetVertices.data() + 4 * vtkIdType(tet);
-      const int start =
-        corners[ends[0]] == this->Complex.EdgeVertices[2 * vtkIdType(edge)] ? ends[0] : ends[1];
-      const int end = start == ends[0] ? ends[1] : ends[0];
-      const int beyond = this->Complex.FaceInTet(tet, face); // not on the face
-      const int here = 6 - start - end - beyond;
-      const int partner = start ^ 2; // marked edges are 02 and 13
-      marks.push_back(!Scheme::Traits.OrdersTets || partner == end ? OnEdge
-          : partner == here                                        ? ToFirst
-                                                                   : ToSecond);
-      face = tetFaces[here];
-      const Row<Id> sides = this->Complex.FaceTets[face];
-      if (sides.size() != 2)
-      {
-        return false;
-      }
-      tet = sides.begin()[0] == tet ? sides.begin()[1] : sides.begin()[0];
-    } while (tet != firstTet && static_cast<vtkIdType>(marks.size()) < faces.size());
-    return true;
-  }
-
-  /// The edge of a face that a tetrahedron of the box spline marks, as the vertex opposite to it.
-  Id FindMarked(Id tet, Id face) const
-  {
-    const Id* corners = this->Complex.TetVertices.data() + 4 * vtkIdType(tet);
-    return corners[this->Complex.FaceInTet(tet, face) ^ 2];
-  }
-
-  const Level& Here;
-  const SimplicialComplex<Id>& Complex;
-  const bool Samples;
-  std::map<std::vector<int>, SmoothnessFacts> Edges;
-  std::unique_ptr<SmoothnessFacts> Faces[2];
-  std::unique_ptr<SmoothnessFacts> Inside;
-};
 
 /// Takes over what sampling the characteristic map has shown.
 void TakeMap(const SmoothnessFacts& from, SmoothnessFacts& facts)
@@ -225,7 +56,7 @@ public:
   {
   }
 
-  const SmoothnessFacts& Examine(SurfaceStar::Kind kind, bool endsCrease, int faces)
+  SurfaceStar MakeStar(SurfaceStar::Kind kind, bool endsCrease, int faces) const
   {
     SurfaceStar star;
     star.ModifiedBoundary = false;
@@ -234,6 +65,12 @@ public:
     star.EndsCrease = endsCrease;
     star.Faces = faces;
     star.Angle = kind == SurfaceStar::Kind::Corner ? Pi / 2. : 0.; // these rules do not read it
+    return star;
+  }
+
+  const SmoothnessFacts& Examine(SurfaceStar::Kind kind, bool endsCrease, int faces)
+  {
+    const SurfaceStar star = this->MakeStar(kind, endsCrease, faces);
     auto known = this->Known.find(star);
     if (known == this->Known.end())
     {
@@ -269,8 +106,10 @@ public:
   {
     this->CountAround();
     return this->ExamineVertices() && !this->IsStopped(0.6) && this->ExamineEdges() &&
-      !this->IsStopped(0.9) && this->ExamineFaces();
+      !this->IsStopped(0.9) && this->ExamineFaces() && !this->IsTooLarge;
   }
+
+  const StarMap& GetMap() const { return this->Map; }
 
 private:
   bool IsStopped(double done) const
@@ -331,18 +170,20 @@ private:
       {
         this->SampleSurface(v, facts[v]);
       }
-      if (this->Neighbours[v] >= 0)
+      if (this->Neighbours[v] >= 0 &&
+        this->Cells.Add(0, &v, 1, -1, FindDimension(this->GetRule(v)), facts[v]))
       {
-        this->Cells.Add(0, &v, 1, -1, FindDimension(this->GetRule(v)), facts[v]);
+        this->MapVertex(v);
       }
       for (int sector = 0; sheet != sheets.end() && sheet->Vertex == v; ++sheet, ++sector)
       {
         SmoothnessFacts found = ExamineSheet(*sheet);
-        TakeMap(this->Sheets.Examine(
-                  sheet->IsCorner ? SurfaceStar::Kind::Corner : SurfaceStar::Kind::Curve, false,
-                  sheet->Triangles),
-          found);
-        this->Cells.Add(0, &v, 1, sector, 2, found);
+        const auto kind = sheet->IsCorner ? SurfaceStar::Kind::Corner : SurfaceStar::Kind::Curve;
+        TakeMap(this->Sheets.Examine(kind, false, sheet->Triangles), found);
+        if (this->Cells.Add(0, &v, 1, sector, 2, found))
+        {
+          this->MapSheet(kind, false, sheet->Triangles);
+        }
       }
     }
     return true;
@@ -372,6 +213,15 @@ private:
   /// A surface with the edges of the vertex all inside of it, or one of them the end of a crease.
   void SampleSurface(Id vertex, SmoothnessFacts& facts)
   {
+    bool endsCrease = false;
+    if (const int triangles = this->CountTriangles(vertex, endsCrease))
+    {
+      TakeMap(this->Sheets.Examine(SurfaceStar::Kind::Closed, endsCrease, triangles), facts);
+    }
+  }
+  /// 0: something else is there.
+  int CountTriangles(Id vertex, bool& endsCrease) const
+  {
     const Row<Id> edges = this->Here.Strata.VertexRings.GetCarriers(vertex);
     const auto count = [&](Rule rule)
     {
@@ -379,12 +229,10 @@ private:
         [&](Id edge) { return this->Here.Strata.Edges[edge].GetRule() == rule; });
     };
     const auto creases = count(Rule::Curve);
-    if (creases <= 1 && creases + count(Rule::Surface) == edges.size())
-    {
-      TakeMap(this->Sheets.Examine(
-                SurfaceStar::Kind::Closed, creases == 1, static_cast<int>(edges.size())),
-        facts);
-    }
+    endsCrease = creases == 1;
+    return creases <= 1 && creases + count(Rule::Surface) == edges.size()
+      ? static_cast<int>(edges.size())
+      : 0;
   }
 
   /// What a step makes inside an edge or a face of dimension 0 to 2, or blended.
@@ -416,8 +264,12 @@ private:
       facts[e] = FindDimension(rule) == 3 ? reader.ExamineEdge(static_cast<Id>(e))
                                           : this->ExamineRegular(rule);
       facts[e].Valence = this->Triangles[e];
-      this->Cells.Add(
-        1, this->Complex.EdgeVertices.data() + 2 * e, 2, -1, FindDimension(rule), facts[e]);
+      const Id* ends = this->Complex.EdgeVertices.data() + 2 * e;
+      if (this->Cells.Add(1, ends, 2, -1, FindDimension(rule), facts[e]))
+      {
+        FindDimension(rule) == 3 ? this->MapStar(reader.MakeEdgeStar(static_cast<Id>(e)))
+                                 : this->MapRegular(rule);
+      }
     }
     return true;
   }
@@ -429,14 +281,64 @@ private:
     {
       const Rule rule = this->Here.Strata.Faces[f].GetRule();
       const Row<Id> solids = this->Complex.FaceTets[f];
-      SmoothnessFacts facts = FindDimension(rule) == 3 && solids.size() == 2
+      const bool isInside = FindDimension(rule) == 3 && solids.size() == 2;
+      SmoothnessFacts facts = isInside
         ? reader.ExamineFace(f)
         : this->ExamineRegular(rule == Rule::Surface ? rule : Rule::Blend);
       facts.Valence = static_cast<int>(solids.size());
-      this->Cells.Add(
-        2, this->Complex.FaceVertices.data() + 3 * vtkIdType(f), 3, -1, FindDimension(rule), facts);
+      const Id* corners = this->Complex.FaceVertices.data() + 3 * vtkIdType(f);
+      if (this->Cells.Add(2, corners, 3, -1, FindDimension(rule), facts))
+      {
+        isInside ? this->MapStar(reader.MakeFaceStar(f)) : this->MapRegular(rule);
+      }
     }
     return true;
+  }
+
+  // The map of MapOfCell:
+
+  void MapStar(const SolidStar& star)
+  {
+    using SmallScheme = typename StarReader<Scheme>::SmallScheme;
+    const double cells = CountCellsOfMap(star, this->Options.MapLevels);
+    this->IsTooLarge = cells > static_cast<double>(this->Options.MaximumNumberOfCells);
+    if (this->IsTooLarge)
+    {
+      this->Options.Fail("The characteristic map may have " +
+        std::to_string(static_cast<long long>(cells)) +
+        " cells, which is above MaximumNumberOfCells = " +
+        std::to_string(this->Options.MaximumNumberOfCells) +
+        ". Take fewer MapLevels, or raise MaximumNumberOfCells.");
+      return;
+    }
+    this->Map = MapSolid<SmallScheme>(star, this->Options.MapLevels);
+  }
+  void MapSheet(SurfaceStar::Kind kind, bool endsCrease, int triangles)
+  {
+    this->Map =
+      MapSurface(this->Sheets.MakeStar(kind, endsCrease, triangles), this->Options.MapLevels);
+  }
+  void MapRegular(Rule rule)
+  {
+    if (rule == Rule::Surface)
+    {
+      this->MapSheet(SurfaceStar::Kind::Closed, false, 6);
+    }
+  }
+  void MapVertex(Id vertex)
+  {
+    const Rule rule = this->GetRule(vertex);
+    bool endsCrease = false;
+    const int triangles = rule == Rule::Surface ? this->CountTriangles(vertex, endsCrease) : 0;
+    if (FindDimension(rule) == 3 && !this->HasOctahedra())
+    {
+      this->MapStar(
+        StarReader<Scheme>(this->Here, false).MakeVertexStar(vertex, this->Tets[vertex]));
+    }
+    else if (triangles > 0)
+    {
+      this->MapSheet(SurfaceStar::Kind::Closed, endsCrease, triangles);
+    }
   }
 
   const Level& Here;
@@ -447,6 +349,8 @@ private:
   Buffer<int> Neighbours; ///< of each vertex, -1: no cell has it
   Buffer<int> Triangles;  ///< at each edge
   Rows<vtkIdType> Tets;   ///< at each vertex
+  StarMap Map;            ///< of MapOfCell
+  bool IsTooLarge = false;
 };
 
 class SolidSmoothness
@@ -530,7 +434,16 @@ private:
       return true;
     }
     SmoothnessCells cells(this->Options);
-    if (SolidProbe<Scheme>(level, this->Options, cells).Run())
+    SolidProbe<Scheme> probe(level, this->Options, cells);
+    if (!probe.Run())
+    {
+      return true;
+    }
+    if (this->Options.MapOfCell >= 0)
+    {
+      isDone = cells.WriteMap(probe.GetMap(), this->Output);
+    }
+    else
     {
       this->Points->Finish(this->Output);
       cells.Write(this->Output);

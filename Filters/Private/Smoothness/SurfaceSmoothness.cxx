@@ -55,6 +55,9 @@ public:
     return true;
   }
 
+  /// That of MapOfCell.
+  const StarMap& GetMap() const { return this->Map; }
+
 private:
   void CountAround(const std::vector<vtkIdType>& vertexCells)
   {
@@ -77,7 +80,9 @@ private:
   const SmoothnessFacts& Examine(
     Kind kind, int faces, bool endsCrease = false, double angle = 0., double flatness = 0.)
   {
-    SurfaceStar star;
+    SurfaceStar& star = this->Star;
+    star = SurfaceStar();
+    this->HasStar = true;
     star.Scheme = this->Options.Scheme;
     star.ModifiedBoundary = this->Options.ModifiedBoundary;
     star.Weights = this->Options.Features.Weights;
@@ -92,6 +97,16 @@ private:
       known = this->Known.emplace(star, ExamineSurface(star, this->Options.SampleMaps)).first;
     }
     return known->second;
+  }
+
+  /// Makes the map of what was examined last, if its cell is the wanted one.
+  void Keep(bool isWanted)
+  {
+    if (isWanted && this->HasStar)
+    {
+      this->Map = MapSurface(this->Star, this->Options.MapLevels);
+    }
+    this->HasStar = false;
   }
 
   static SmoothnessFacts GetTrivial(bool isKnown)
@@ -116,7 +131,7 @@ private:
     const auto add = [&](int sector, int rule, SmoothnessFacts facts, int valence)
     {
       facts.Valence = valence;
-      this->Cells.Add(0, &vertex, 1, sector, rule, facts);
+      this->Keep(this->Cells.Add(0, &vertex, 1, sector, rule, facts));
     };
     const int neighbours = this->Neighbours[vertex];
     switch (tag)
@@ -227,7 +242,7 @@ private:
     }
     facts.Valence = this->Triangles[edge];
     const int rule = tag == EdgeTag::Smooth ? 2 : IsSharp(tag) ? 1 : 4;
-    this->Cells.Add(1, this->Mesh.EdgeVertices.data() + 2 * edge, 2, -1, rule, facts);
+    this->Keep(this->Cells.Add(1, this->Mesh.EdgeVertices.data() + 2 * edge, 2, -1, rule, facts));
   }
 
   void ExamineFace(vtkIdType face)
@@ -238,7 +253,7 @@ private:
     SmoothnessFacts facts =
       this->Examine(Kind::Closed, becomesOne ? size : GetRegularFaces(this->Options.Scheme));
     facts.Valence = size;
-    this->Cells.Add(2, this->Mesh.Vertices.data() + first, size, -1, 2, facts);
+    this->Keep(this->Cells.Add(2, this->Mesh.Vertices.data() + first, size, -1, 2, facts));
   }
 
   const PolygonMesh<int>& Mesh;
@@ -248,6 +263,9 @@ private:
   Buffer<int> Neighbours; ///< of each vertex, -1: no cell has it
   Buffer<int> Triangles;  ///< at each edge
   std::map<SurfaceStar, SmoothnessFacts> Known;
+  SurfaceStar Star; ///< that was examined for the next cell
+  bool HasStar = false;
+  StarMap Map;
 };
 
 /// Makes the levels up to that of the input.
@@ -316,9 +334,14 @@ private:
       return false;
     }
     SmoothnessCells cells(this->Options);
-    if (!SurfaceProbe(level, this->Options, cells).Run(this->VertexCells))
+    SurfaceProbe probe(level, this->Options, cells);
+    if (!probe.Run(this->VertexCells))
     {
       return false;
+    }
+    if (this->Options.MapOfCell >= 0)
+    {
+      return cells.WriteMap(probe.GetMap(), this->Output);
     }
     SimplicesOfCells noCentres;
     noCentres.Simplices.NumberOfPoints = this->Input->GetNumberOfPoints();

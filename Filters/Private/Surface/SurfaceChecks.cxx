@@ -64,13 +64,47 @@ struct ManyNeighbours
   }
 };
 
+/// How often the values of k neighbours are computed for all of these, around vertices and faces.
+struct DensePasses
+{
+  DensePasses(const SurfaceScheme<int>& scheme, const SurfaceOptions& options)
+  {
+    const bool hasTangents = options.GenerateLimitNormals || options.GenerateTangents;
+    const double levels = options.Levels;
+    switch (scheme.GetDenseRows())
+    {
+      case DenseRows::OfVertices:
+        // Each tangent is a sum of all these rows, which takes about five times as long as they do.
+        this->OfVertices = levels > 0. ? levels + (hasTangents ? 10. : 0.) : 0.;
+        return;
+      case DenseRows::OfFaces:
+        // The faces that a dual scheme makes of vertices are there from the second level on.
+        this->OfVertices = std::max(levels - 1., 0.);
+        this->OfFaces = levels;
+        return;
+      case DenseRows::OfLimits:
+        // The limits of neighbours, of opposite corners and of what is near them read all of these.
+        this->OfVertices = 5. *
+          ((options.ProjectToLimit ? 1. : 0.) + (options.Interpolation.IsOn() ? 1. : 0.) +
+            (hasTangents ? 2. : 0.));
+        this->OfFaces = this->OfVertices;
+        return;
+      default:
+        return;
+    }
+  }
+
+  double OfVertices = 0.;
+  double OfFaces = 0.;
+};
+
 /// The error message if the rows of a step would have more values than can be computed in seconds.
 std::string CheckDenseRows(
   const SurfaceCells& cells, const SurfaceScheme<int>& scheme, const SurfaceOptions& options)
 {
   constexpr double most = 4e8; // some 10 s
-  const DenseRows kind = scheme.GetDenseRows();
-  if (kind == DenseRows::None || options.Levels == 0)
+  const DensePasses passes(scheme, options);
+  if (passes.OfVertices + passes.OfFaces == 0.)
   {
     return std::string();
   }
@@ -85,14 +119,8 @@ std::string CheckDenseRows(
   ManyNeighbours faces;
   ForEachInTurn(cells.GetNumberOfFaces(), [&](vtkIdType face)
     { faces.Add(cells.FaceCells[face], cells.FaceOffsets[face + 1] - cells.FaceOffsets[face]); });
-  // The faces that a dual scheme makes of vertices are there from the second level on. Each tangent
-  // is a sum of all these rows, which takes about five times as long as they do.
-  const bool isDual = kind == DenseRows::OfFaces;
-  const bool hasTangents =
-    scheme.HasLimit() && (options.GenerateLimitNormals || options.GenerateTangents);
-  const double ofVertices =
-    vertices.Values * (isDual ? options.Levels - 1. : options.Levels + (hasTangents ? 10. : 0.));
-  const double ofFaces = isDual ? faces.Values * options.Levels : 0.;
+  const double ofVertices = vertices.Values * passes.OfVertices;
+  const double ofFaces = faces.Values * passes.OfFaces;
   if (ofVertices + ofFaces <= most)
   {
     return std::string();
@@ -104,8 +132,9 @@ std::string CheckDenseRows(
   message << ". This scheme computes each new point there from all of them: "
           << static_cast<vtkIdType>(ofVertices + ofFaces) << " values, above "
           << static_cast<vtkIdType>(most) << ", which would take too long. "
-          << (isDual ? "Take the scheme CatmullClark or Midedge"
-                     : "Take the scheme Loop or SqrtThree")
+          << (scheme.GetDenseRows() == DenseRows::OfVertices
+                 ? "Take the scheme Loop or SqrtThree"
+                 : "Take the scheme CatmullClark or Midedge")
           << (ofFaces > ofVertices ? ", or cut the cell into smaller ones."
                                    : ", or cut the faces there so that fewer share the point.");
   return message.str();
@@ -142,14 +171,6 @@ bool ReadAndCheck(vtkPolyData* input, const SurfaceScheme<int>& scheme,
 
 void WarnOfUnused(const SurfaceScheme<int>& scheme, const SurfaceOptions& options)
 {
-  if (!scheme.HasLimit() &&
-    (options.ProjectToLimit || options.GenerateLimitNormals || options.GenerateTangents ||
-      options.Interpolation.IsOn()))
-  {
-    options.Warn("The filter computes no limits for this scheme: it ignores ProjectToLimit, "
-                 "GenerateLimitNormals, GenerateTangents, InterpolatePoints and InterpolateArrays. "
-                 "Use another scheme than FourEight.");
-  }
   const FeatureOptions& features = options.Features;
   auto isKnown = [](JointRule rule) { return FindKnownRule(rule) == rule; };
   if (features.Embedded != EmbeddedRule::Follow || features.Part || features.Rules ||

@@ -12,7 +12,7 @@ namespace subdivision
 template <typename Id>
 bool SurfaceRun<Id>::Interpolates() const
 {
-  return this->Options.Interpolation.IsOn() && this->MadeLevels == 0 && this->Scheme->HasLimit();
+  return this->Options.Interpolation.IsOn() && this->MadeLevels == 0;
 }
 
 /// Makes the level of `cells` alone, for its limits, or finds it kept.

@@ -98,11 +98,11 @@ void SurfaceRun<Id>::StartPoints()
   {
     arrays.Replaced.emplace_back(OriginalPointIdsName);
   }
-  if (this->Options.GenerateLimitNormals && this->Scheme->HasLimit())
+  if (this->Options.GenerateLimitNormals)
   {
     arrays.Replaced.emplace_back(LimitNormalsName);
   }
-  if (this->Options.GenerateTangents && this->Scheme->HasLimit())
+  if (this->Options.GenerateTangents)
   {
     arrays.Replaced.insert(arrays.Replaced.end(), { LimitTangentNames[0], LimitTangentNames[1] });
   }
@@ -365,7 +365,7 @@ vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints(const Buffer<unsigned
     FindJoinedVertices(*this->Steps, *this->Joined, this->Cells.NumberOfPoints);
   const TangentPairs tangents =
     this->WantsFrames() ? FindLimitTangents(*this->Joined, turned, points) : TangentPairs(0);
-  if (this->Options.ProjectToLimit && this->Scheme->HasLimit())
+  if (this->Options.ProjectToLimit)
   {
     apply(this->Joined->GetLimit(LimitKind::Position));
   }

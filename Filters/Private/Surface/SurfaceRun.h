@@ -102,12 +102,7 @@ private:
     { return !array || array->GetComponent(a, 0) == array->GetComponent(b, 0); };
     return same(this->Options.Features.Singular) && same(this->Options.Features.Sharpness);
   }
-  bool NeedsLimit() const
-  {
-    return (this->Options.ProjectToLimit || this->Options.GenerateLimitNormals ||
-             this->Options.GenerateTangents) &&
-      this->Scheme->HasLimit();
-  }
+  bool NeedsLimit() const { return this->Options.ProjectToLimit || this->WantsFrames(); }
   bool IsStopped(double done) const
   {
     return this->Options.Progress && this->Options.Progress(done);
@@ -169,8 +164,7 @@ private:
   void Write();
   bool WantsFrames() const
   {
-    return (this->Options.GenerateLimitNormals || this->Options.GenerateTangents) &&
-      this->Scheme->HasLimit();
+    return this->Options.GenerateLimitNormals || this->Options.GenerateTangents;
   }
   Buffer<unsigned char> FindTurned(const SurfaceSteps<Id>& steps) const;
   // Parts (SurfaceParts.cxx).

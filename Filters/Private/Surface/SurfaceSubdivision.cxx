@@ -60,7 +60,7 @@ bool SurfaceRun<Id>::Execute()
   const TangentPairs tangents = addFrames
     ? FindLimitTangents(*this->Steps, turned, this->Points->GetPoints())
     : TangentPairs(0);
-  if (this->Options.ProjectToLimit && this->Scheme->HasLimit())
+  if (this->Options.ProjectToLimit)
   {
     const BlockOperator<Id> limit = this->Steps->GetLimit(LimitKind::Position);
     if (!this->Joined)
@@ -78,7 +78,7 @@ bool SurfaceRun<Id>::Execute()
   {
     MoveLimitFramesToEnd(this->Output);
   }
-  if (this->Options.GenerateLimitNormals && this->Scheme->HasLimit())
+  if (this->Options.GenerateLimitNormals)
   {
     this->Output->GetPointData()->SetActiveNormals(LimitNormalsName);
   }
@@ -132,7 +132,7 @@ void SurfaceRun<Id>::WriteStamp()
   }
   SurfaceStamp stamp;
   stamp.Scheme = static_cast<int>(this->Options.Scheme);
-  const bool isLimit = this->Options.ProjectToLimit && this->Scheme->HasLimit();
+  const bool isLimit = this->Options.ProjectToLimit;
   if (Partners* others = FindPartners(this->Options, this->Input))
   {
     this->WriteStampOfPart(*others, !isLimit && this->GetAllLevels() > 0);

@@ -68,9 +68,8 @@ TEST(InputNormals, AreReplacedOrLeftOut)
       SCOPED_TRACE(scheme);
       vtkNew<vtkSurfaceSubdivision> surfaces;
       surfaces->SetScheme(scheme);
-      const bool hasLimits = scheme != vtkSurfaceSubdivision::FOUR_EIGHT;
-      surfaces->SetGenerateLimitNormals(generates && hasLimits);
-      ExpectOwnNormals(RunOn(surfaces, sphere), generates && hasLimits);
+      surfaces->SetGenerateLimitNormals(generates);
+      ExpectOwnNormals(RunOn(surfaces, sphere), generates);
     }
     vtkNew<vtkAdaptiveSurfaceSubdivision> adaptive;
     adaptive->SetGenerateLimitNormals(generates);

@@ -100,6 +100,28 @@ TEST(SurfaceDenseRows, DooSabinAtAVertexFromTheSecondLevelOn)
     FindError(fan, vtkSurfaceSubdivision::DOO_SABIN, 2), "Point 3 has 30000 faces around it");
 }
 
+TEST(SurfaceDenseRows, LimitsOfFourEight)
+{
+  const auto limit = [](vtkSurfaceSubdivision* filter) { filter->ProjectToLimitOn(); };
+  const auto all = [](vtkSurfaceSubdivision* filter)
+  {
+    filter->ProjectToLimitOn();
+    filter->GenerateTangentsOn();
+  };
+  for (const int levels : { 0, 1 })
+  {
+    const std::string error =
+      FindError(MakeLateFan(Many), vtkSurfaceSubdivision::FOUR_EIGHT, levels, limit);
+    ExpectHas(error, "Point 3 has 30000 faces around it");
+    ExpectHas(error, "4500000000 values");
+    ExpectHas(error, "Take the scheme CatmullClark or Midedge, or cut the faces");
+  }
+  ExpectHas(FindError(MakePolygon(8000), vtkSurfaceSubdivision::FOUR_EIGHT, 1, all),
+    "Cell 1 has 8000 corners");
+  EXPECT_EQ(FindError(MakeLateFan(2000), vtkSurfaceSubdivision::FOUR_EIGHT, 1, all), "no error");
+  EXPECT_EQ(FindError(MakePolygon(2000), vtkSurfaceSubdivision::FOUR_EIGHT, 1, all), "no error");
+}
+
 TEST(SurfaceDenseRows, OtherSchemesTakeThem)
 {
   for (int scheme = 0; scheme <= vtkSurfaceSubdivision::LINEAR; ++scheme)

@@ -95,7 +95,13 @@ vtkSmartPointer<vtkPolyData> RunWithCorners(const Model& model, int scheme, int 
 
 constexpr int SchemesWithLimits[] = { vtkSurfaceSubdivision::LOOP,
   vtkSurfaceSubdivision::CATMULL_CLARK, vtkSurfaceSubdivision::MODIFIED_BUTTERFLY,
-  vtkSurfaceSubdivision::SQRT_THREE };
+  vtkSurfaceSubdivision::FOUR_EIGHT, vtkSurfaceSubdivision::SQRT_THREE };
+
+bool IsOfTriangles(int scheme)
+{
+  return scheme != vtkSurfaceSubdivision::CATMULL_CLARK &&
+    scheme != vtkSurfaceSubdivision::FOUR_EIGHT;
+}
 
 }
 
@@ -105,7 +111,7 @@ TEST(SurfaceLimits, NearConcaveCornersTheyAreThoseOfAllLevels)
   {
     for (const int from : { 2, 3 })
     {
-      const Model model = MakeNotched(scheme != vtkSurfaceSubdivision::CATMULL_CLARK, from);
+      const Model model = MakeNotched(IsOfTriangles(scheme), from);
       Walk walk(model, static_cast<SurfaceSchemeKind>(scheme));
       const std::vector<Point> limits = walk.GetLimit();
       const std::vector<Point> first = walk.GetLimit(LimitKind::Tangent1);
@@ -135,7 +141,7 @@ TEST(SurfaceLimits, NormalsAtCornersDoNotDependOnTheOrderOfFaces)
   {
     for (const int scheme : SchemesWithLimits)
     {
-      const bool triangles = scheme != vtkSurfaceSubdivision::CATMULL_CLARK;
+      const bool triangles = IsOfTriangles(scheme);
       Model model;
       model.Points = { { 0, 0, 0 } };
       for (int i = 0; i < 10; ++i)
@@ -209,7 +215,7 @@ TEST(SurfaceLimits, NormalsOfOneSideWhereFacesAreTurnedOver)
 {
   for (const int scheme : SchemesWithLimits)
   {
-    const bool triangles = scheme != vtkSurfaceSubdivision::CATMULL_CLARK;
+    const bool triangles = IsOfTriangles(scheme);
     Model model = MakeSheet(5, 5, triangles, { 1., 0., 0. }, { 0., 1., 0. });
     model.Corners.clear();
     for (std::size_t face = 1; face < model.Faces.size(); ++face)

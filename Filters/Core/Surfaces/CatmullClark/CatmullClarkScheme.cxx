@@ -121,7 +121,6 @@ public:
     WriteQuadsOfNext(level, ids);
   }
 
-  bool HasLimit() const override { return true; }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
   {

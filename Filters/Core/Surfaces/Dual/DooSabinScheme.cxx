@@ -77,7 +77,6 @@ public:
       : child < faces + sides ? level.Mesh.GetFace(FindByCount(level.Dual->Sides, child - faces))
                               : FindOrientingFace(level, child - faces - sides, GetVertexFaceSize);
   }
-  bool HasLimit() const override { return true; }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
   int GetCarrierPeriod() const override { return 0; }

@@ -81,7 +81,6 @@ public:
                              level, child - faces, [&level](vtkIdType k, bool cycle)
                              { return GetVertexFaceSize(level, k, cycle); });
   }
-  bool HasLimit() const override { return true; }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
   int GetCarrierPeriod() const override { return 0; }

@@ -2,6 +2,7 @@
 #include "Core/Surfaces/FourEight/FourEightScheme.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Surfaces/FourEight/FourEightLimits.h"
 #include "Core/Surfaces/FourEight/FourEightRefinement.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
 #include "Core/Surfaces/Scheme/FixedEdges.h"
@@ -18,6 +19,7 @@ public:
   bool NeedsTriangles() const override { return false; }
   bool HalvesEdges() const override { return false; }
   bool HasCornersOfOneFace() const override { return true; }
+  DenseRows GetDenseRows() const override { return DenseRows::OfLimits; }
   double CountFaces(double faces, double corners, int steps) const override
   {
     return steps > 0 ? corners * std::pow(2., steps - 1) : faces;
@@ -49,6 +51,15 @@ public:
     Buffer<Carrier<Id>>& children) const override;
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
+  vtkIdType GetOrientingFace(const SurfaceLevel<Id>& level, vtkIdType child) const override
+  {
+    return level.Mesh.GetFace(FourEightTopology<Id>(level).FindCornerOf(static_cast<Id>(child)));
+  }
+  void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& /*tags*/,
+    LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    AppendFourEightLimits(*this, level, kind, begin, end, rows);
+  }
 
 private:
   void AppendVertex(const FourEightTopology<Id>& topology, const SurfaceTags<Id>& tags, Id vertex,

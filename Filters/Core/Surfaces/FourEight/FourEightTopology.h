@@ -65,6 +65,11 @@ public:
     return this->IsFixed(corner) ? !this->IsEven : corner < this->Mesh.Twins[corner];
   }
   Id GetChild(Id corner) const { return this->ChildrenBefore[corner]; }
+  /// The corner that a child face belongs to.
+  Id FindCornerOf(Id child) const
+  {
+    return Find(this->ChildrenBefore, this->Mesh.GetNumberOfCorners(), child);
+  }
   /// The first corner of that child.
   Id GetStart(Id corner) const
   {

@@ -33,7 +33,6 @@ public:
   }
 
   /// There are no tangent planes at vertices: these rows are empty.
-  bool HasLimit() const override { return true; }
   void AppendLimitRows(const SurfaceLevel<Id>&, const SurfaceTags<Id>&, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
   {

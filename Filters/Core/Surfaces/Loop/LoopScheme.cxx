@@ -62,7 +62,6 @@ public:
     WriteTrianglesOfNext(level, ids);
   }
 
-  bool HasLimit() const override { return true; }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
 

@@ -30,6 +30,8 @@ public:
   /// The position of an id in one of the lists below, that is, its number in the patch; -1 if it is
   /// not there.
   static Id Find(const std::vector<Id>& ids, Id id);
+  /// The same for a corner.
+  Id FindCorner(const PolygonMesh<Id>& whole, Id corner) const;
 
   SurfaceLevel<Id> Level;   ///< with the tags of the whole level
   std::vector<Id> Vertices; ///< of the whole level, ascending
@@ -41,7 +43,6 @@ private:
   void CropFaces(const PolygonMesh<Id>& whole);
   void CropEdges(const PolygonMesh<Id>& whole);
   void CropVertices(const PolygonMesh<Id>& whole);
-  Id FindCorner(const PolygonMesh<Id>& whole, Id corner) const;
 
   std::vector<bool> IsInside; ///< of each vertex of the patch
 };

@@ -133,7 +133,8 @@ enum class DenseRows
 {
   None,
   OfVertices, ///< k faces around a vertex
-  OfFaces     ///< k corners of a face; vertices become such faces in dual schemes
+  OfFaces,    ///< k corners of a face; vertices become such faces in dual schemes
+  OfLimits    ///< both, in rows of limits alone
 };
 
 template <typename Id>
@@ -221,18 +222,15 @@ public:
   virtual void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
     bool areWhole, Buffer<Carrier<Id>>& children) const = 0;
 
-  /// The face whose orientation a face of the next level has, in schemes with limits.
+  /// The face whose orientation a face of the next level has.
   virtual vtkIdType GetOrientingFace(const SurfaceLevel<Id>& /*level*/, vtkIdType child) const
   {
     return child;
   }
-  /// Whether the scheme has limits. AppendLimitRows then appends one row for each vertex from
-  /// `begin` to `end` - 1: its limit position, or a tangent there.
-  virtual bool HasLimit() const { return false; }
-  virtual void AppendLimitRows(const SurfaceLevel<Id>& /*level*/, const SurfaceTags<Id>& /*tags*/,
-    LimitKind /*kind*/, vtkIdType /*begin*/, vtkIdType /*end*/, RowBlock<Id>& /*rows*/) const
-  {
-  }
+  /// Appends one row for each vertex from `begin` to `end` - 1: its limit position, or a tangent
+  /// there.
+  virtual void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
+    LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const = 0;
 };
 
 }

@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
+#include "Core/Surfaces/Scheme/CurveTangents.h"
 #include "Core/Surfaces/Scheme/FixedEdges.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeMasks.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeRefinement.h"
@@ -66,7 +67,6 @@ public:
   {
     return child / 3;
   }
-  bool HasLimit() const override { return true; }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
 
@@ -79,8 +79,8 @@ private:
   void AppendSmoothPosition(const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const;
   void AppendSmoothTangent(
     const SurfaceLevel<Id>& level, Id vertex, LimitKind kind, RowBlock<Id>& rows) const;
-  void AppendSectorTangent(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id vertex,
-    LimitKind kind, std::vector<Id>& ring, RowBlock<Id>& rows) const;
+  void AppendAcross(const SurfaceLevel<Id>& level, Id vertex, double turn,
+    const std::vector<Id>& ring, RowBlock<Id>& rows) const;
 };
 
 /// In an even step, the edge opposite to the vertex in the face of a step around it, as its corner,
@@ -314,7 +314,9 @@ void SqrtThreeScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level,
     }
     else
     {
-      this->AppendSectorTangent(level, tags, vertex, kind, edges, rows);
+      AppendSectorTangent(level, tags, vertex, kind, edges, rows,
+        [&](const SectorEnds<Id>&, double turn)
+        { this->AppendAcross(level, vertex, turn, edges, rows); });
     }
     rows.EndRow();
   }
@@ -445,55 +447,14 @@ void SqrtThreeScheme<Id>::AppendSmoothTangent(
     });
 }
 
-/// Appends a tangent of a vertex on a curve or of a corner, in the sector of FindTangentCorner:
-/// along the curve and across it; at a corner along the first sharp edge of the sector, and
-/// perpendicular to that in the plane of both.
+/// Appends the tangent across a curve in a sector, times `turn`. `ring`: the other ends of its
+/// edges.
 template <typename Id>
-void SqrtThreeScheme<Id>::AppendSectorTangent(const SurfaceLevel<Id>& level,
-  const SurfaceTags<Id>& tags, Id vertex, LimitKind kind, std::vector<Id>& ring,
-  RowBlock<Id>& rows) const
+void SqrtThreeScheme<Id>::AppendAcross(const SurfaceLevel<Id>& level, Id vertex, double turn,
+  const std::vector<Id>& ring, RowBlock<Id>& rows) const
 {
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  const bool isCurve = IsOnCurve(mesh, tags, vertex);
-  const Id corner = FindTangentCorner(mesh, tags, vertex);
-  const SectorEnds<Id> ends = corner < 0 ? SectorEnds<Id>() : FindSectorEnds(mesh, tags, corner);
-  if (ends.Size == 0)
-  {
-    CollectSharpEdges(mesh, tags, vertex, ring);
-    if (isCurve && kind == LimitKind::Tangent1 && ring.size() == 2)
-    {
-      rows.Add(mesh.GetOtherEnd(ring[0], vertex), 1.);
-      rows.Add(mesh.GetOtherEnd(ring[1], vertex), -1.);
-    }
-    return;
-  }
-  ring.clear();
-  FanStep<Id> step = ends.First;
-  for (int i = 0; i < ends.Size; ++i)
-  {
-    ring.push_back(mesh.GetOtherEnd(mesh.Edges[step.GetHalfEdgeIn(mesh)], vertex));
-    step.Advance(mesh);
-  }
-  ring.push_back(mesh.GetOtherEnd(mesh.Edges[ends.Last.GetHalfEdgeOut(mesh)], vertex));
-  const double turn = ends.First.Forward ? 1. : -1.;
-  if (kind == LimitKind::Tangent1)
-  {
-    rows.Add(ring.front(), 1.);
-    rows.Add(isCurve ? ring.back() : vertex, -1.);
-    return;
-  }
-  if (!isCurve)
-  {
-    const Sector<Id>* sector = FindFirstSector(tags, vertex);
-    const double angle = sector ? sector->Angle : Pi / 2.;
-    const double first = -turn * std::cos(angle) / std::sin(angle);
-    const double last = turn / std::sin(angle);
-    rows.Add(ring.front(), first);
-    rows.Add(ring.back(), last);
-    rows.Add(vertex, -first - last);
-    return;
-  }
-  SqrtThreeTransversalMask mask(level.Step % 2 == 0 ? ends.Size : ends.Size - 1);
+  const int size = static_cast<int>(ring.size()) - 1;
+  SqrtThreeTransversalMask mask(level.Step % 2 == 0 ? size : size - 1);
   if (level.Step % 2 == 1)
   {
     mask.MakeOdd();

@@ -174,7 +174,7 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
       this->FindSharpTags(sharpness, step, step, classify),
       ListEdgesSharpAfter<Id>(sharpness, step));
   }
-  if (!this->LastIsWhole || !this->Scheme->HasLimit() || !IsSharpAfter(sharpness, steps))
+  if (!this->LastIsWhole || !IsSharpAfter(sharpness, steps))
   {
     return;
   }

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FourEightMasks.h
+ * Weights of the limits of the 4-8 scheme (Mathematics 12), at a vertex around which all is regular
+ * (FourEightStar.h).
+ */
+#ifndef SubdivisionObjects_FourEightMasks_h
+#define SubdivisionObjects_FourEightMasks_h
+
+namespace subdivision
+{
+
+/// What the weights of a limit position add up to: of the vertex, of its neighbours, of the
+/// opposite corners of its faces, of the vertices straight ahead, and of the knight's moves.
+struct FourEightTotals
+{
+  static constexpr double Own = 35. / 120.;
+  static constexpr double Edges = 59. / 120.;
+  static constexpr double Faces = 22. / 120.;
+  static constexpr double Ahead = 3. / 120.;
+  static constexpr double Knights = 1. / 120.;
+};
+
+/// The weights of a tangent where neighbouring edges are `angle` apart. Each is to be multiplied by
+/// the cosine or the sine of a direction: that of the edge or, for opposite corners, of the middle
+/// of the face. A knight's move has two, of the edge and of the face between which it lies.
+struct FourEightWave
+{
+  explicit FourEightWave(double angle);
+
+  double Value = 0.; ///< the eigenvalue of one step
+  double Edge = 1.;
+  double Face = 1.;
+  double Ahead = 1.;
+  double KnightOfEdge = 1.;
+  double KnightOfFace = 1.;
+};
+
+/// The weights of the tangent across a curve in a sector of k faces, k > 1, on a level after an
+/// even number of steps. Inside the sector they are those of the sine, which is zero on the curve.
+struct FourEightCurveMask
+{
+  explicit FourEightCurveMask(int k);
+
+  FourEightWave Inside;
+  double Own = 0.;    ///< of the vertex
+  double End = 0.;    ///< of both neighbours on the curve
+  double Beyond = 0.; ///< of the next ones
+};
+
+}
+
+#endif

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CurveTangents.h
+ * Tangents of vertices on curves and of corners in sqrt(3) and 4-8.
+ */
+#ifndef SubdivisionObjects_CurveTangents_h
+#define SubdivisionObjects_CurveTangents_h
+
+#include "Core/Surfaces/Scheme/SurfaceRings.h"
+
+#include <cmath>
+
+namespace subdivision
+{
+
+/// Appends a tangent of a vertex on a curve or of a corner, in the sector of FindTangentCorner:
+/// along the curve and across it; at a corner along the first sharp edge of the sector, and
+/// perpendicular to that in the plane of both. `ring` gets the other ends of the sector's edges.
+/// `across(ends, turn)` appends the tangent across a curve, times `turn`.
+template <typename Id, typename Across>
+void AppendSectorTangent(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id vertex,
+  LimitKind kind, std::vector<Id>& ring, RowBlock<Id>& rows, const Across& across)
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const bool isCurve = IsOnCurve(mesh, tags, vertex);
+  const Id corner = FindTangentCorner(mesh, tags, vertex);
+  const SectorEnds<Id> ends = corner < 0 ? SectorEnds<Id>() : FindSectorEnds(mesh, tags, corner);
+  if (ends.Size == 0)
+  {
+    CollectSharpEdges(mesh, tags, vertex, ring);
+    if (isCurve && kind == LimitKind::Tangent1 && ring.size() == 2)
+    {
+      rows.Add(mesh.GetOtherEnd(ring[0], vertex), 1.);
+      rows.Add(mesh.GetOtherEnd(ring[1], vertex), -1.);
+    }
+    return;
+  }
+  ring.clear();
+  FanStep<Id> step = ends.First;
+  for (int i = 0; i < ends.Size; ++i)
+  {
+    ring.push_back(mesh.GetOtherEnd(mesh.Edges[step.GetHalfEdgeIn(mesh)], vertex));
+    step.Advance(mesh);
+  }
+  ring.push_back(mesh.GetOtherEnd(mesh.Edges[ends.Last.GetHalfEdgeOut(mesh)], vertex));
+  const double turn = ends.First.Forward ? 1. : -1.;
+  if (kind == LimitKind::Tangent1)
+  {
+    rows.Add(ring.front(), 1.);
+    rows.Add(isCurve ? ring.back() : vertex, -1.);
+    return;
+  }
+  if (isCurve)
+  {
+    across(ends, turn);
+    return;
+  }
+  const Sector<Id>* sector = FindFirstSector(tags, vertex);
+  const double angle = sector ? sector->Angle : Pi / 2.;
+  const double first = -turn * std::cos(angle) / std::sin(angle);
+  const double last = turn / std::sin(angle);
+  rows.Add(ring.front(), first);
+  rows.Add(ring.back(), last);
+  rows.Add(vertex, -first - last);
+}
+
+}
+
+#endif
