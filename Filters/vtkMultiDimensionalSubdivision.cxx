@@ -3,6 +3,7 @@
 
 #include "Private/Bezier/BezierCells.h"
 #include "Private/Distribution/Dimensions.h"
+#include "Private/Reading/InputArrays.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkDataArray.h"
@@ -119,6 +120,15 @@ int vtkMultiDimensionalSubdivision::GetLayersOfCells() const
   return this->VolumeScheme == TET_OCT && readsLimit ? 3 : 2;
 }
 
+bool vtkMultiDimensionalSubdivision::ReadFeatureOptions(
+  vtkPointSet* input, subdivision::RunOptions& options)
+{
+  options.Features.ModifiedBoundary = this->ModifiedBoundary && this->VolumeScheme != LINEAR;
+  return this->Superclass::ReadFeatureOptions(input, options) &&
+    subdivision::FindCornerAngles(
+      this, input, options.Warn, options.Fail, options.Features.CornerAngles);
+}
+
 int vtkMultiDimensionalSubdivision::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -187,6 +197,7 @@ void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
   os << indent << "KeepCellTypes: " << this->KeepCellTypes << "\n";
+  os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
   os << indent << "GenerateClassification: " << this->GenerateClassification << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";

@@ -18,7 +18,7 @@
  * neighbours (rule G-2).
  *
  * On surfaces these are the plain rules of Loop's scheme also next to boundaries and creases;
- * vtkSurfaceSubdivision has by default others there, which depend on the number of faces.
+ * ModifiedBoundary chooses others there, which vtkSurfaceSubdivision has by default.
  *
  * @par Tet/oct scheme
  * VolumeScheme = TET_OCT: S. Schaefer, J. Hakenberg and J. Warren, "Smooth Subdivision of
@@ -161,6 +161,23 @@ public:
   vtkSetMacro(KeepCellTypes, bool);
   vtkGetMacro(KeepCellTypes, bool);
   vtkBooleanMacro(KeepCellTypes, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the rules of surfaces and of the boundaries of solids next to borders, creases and
+   * corners depend on the number of triangles there (D. Zorin, survey in "Subdivision for Modeling
+   * and Animation"), as in vtkSurfaceSubdivision. A new point on an edge that ends on a border or
+   * crease has the weights of that sector, which is bounded by two edges that are not smooth. By
+   * the plain rules a surface is not smooth there from 7 triangles on. With 3 triangles both are
+   * the same. At a corner with an angle in the array at index 10 the weights depend on that angle
+   * too, and from 180 degrees on new points move towards the plane of the two edges that bound the
+   * sector; all other corners have the plain rules. Limits, normals and tangents follow. No effect
+   * with VolumeScheme = LINEAR. Off by default.
+   */
+  vtkSetMacro(ModifiedBoundary, bool);
+  vtkGetMacro(ModifiedBoundary, bool);
+  vtkBooleanMacro(ModifiedBoundary, bool);
   ///@}
 
   ///@{
@@ -389,6 +406,7 @@ protected:
   bool HasInterfaces() const override { return true; }
   /// Tet/oct limits need a third layer, because octahedra reach one edge farther.
   int GetLayersOfCells() const override;
+  bool ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
@@ -399,6 +417,7 @@ protected:
   int NumberOfLevels = 1;
   int VolumeScheme = BOX_SPLINE;
   bool KeepCellTypes = false;
+  bool ModifiedBoundary = false;
   bool GenerateClassification = false;
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRedGreenRefinement.h"
 
+#include "Private/Reading/InputArrays.h"
 #include "Private/RedGreen/RedGreenRefinement.h"
 
 #include "vtkObjectFactory.h"
@@ -10,6 +11,14 @@ vtkStandardNewMacro(vtkRedGreenRefinement);
 
 vtkRedGreenRefinement::vtkRedGreenRefinement() = default;
 vtkRedGreenRefinement::~vtkRedGreenRefinement() = default;
+
+bool vtkRedGreenRefinement::ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options)
+{
+  options.Features.ModifiedBoundary = this->ModifiedBoundary;
+  return this->Superclass::ReadFeatureOptions(input, options) &&
+    subdivision::FindCornerAngles(
+      this, input, options.Warn, options.Fail, options.Features.CornerAngles);
+}
 
 int vtkRedGreenRefinement::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -35,5 +44,6 @@ void vtkRedGreenRefinement::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Placement: " << this->Placement << "\n";
   os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
+  os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
 }

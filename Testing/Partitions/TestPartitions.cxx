@@ -97,6 +97,19 @@ const Choice Choices[] = { { "defaults", [](subdivision::UniformOptions&) {} },
       Mark(o.Features.Marks);
       o.Features.DetectFeatures = true;
     } },
+  { "modified boundary",
+    [](subdivision::UniformOptions& o)
+    {
+      o.Features.ModifiedBoundary = true;
+      o.Features.DetectFeatures = true;
+    } },
+  { "limits of it",
+    [](subdivision::UniformOptions& o)
+    {
+      o.Features.ModifiedBoundary = true;
+      o.ProjectToLimit = true;
+      o.GenerateLimitNormals = true;
+    } },
   { "sharp joints", [](subdivision::UniformOptions& o)
     { o.Features.Type1 = o.Features.Type2 = o.Features.Type3 = subdivision::JointRule::Sharp; } } };
 

@@ -164,7 +164,8 @@ Stencils<Id> CopyStencils(const Level<Id>& level)
   };
   Level<Id> copied;
   copied.Complex.EdgeVertices = copy(level.Complex.EdgeVertices);
-  copied.Strata.Weights = level.Strata.Weights;
+  copied.Strata.TakeChoices(level.Strata);
+  copied.Strata.Sectors = level.Strata.Sectors;
   copied.Strata.Vertices = copy(level.Strata.Vertices);
   copied.Strata.Edges = copy(level.Strata.Edges);
   copied.Strata.VertexRings.Offsets = copy(level.Strata.VertexRings.Offsets);

@@ -282,7 +282,7 @@ Grid MakeRandomComplex(unsigned seed, bool withSolids)
 Configure RandomOptions(unsigned seed)
 {
   std::mt19937 random(seed);
-  std::array<int, 10> bits;
+  std::array<int, 11> bits;
   for (int& bit : bits)
   {
     bit = static_cast<int>(random() >> 8);
@@ -300,6 +300,7 @@ Configure RandomOptions(unsigned seed)
     SetCellArray(filter, 3, bits[7] % 2 ? "Rule" : "None");
     filter->SetDetectFeatures(bits[8] % 2);
     filter->SetLoopWeights(bits[9] % 2);
+    filter->SetModifiedBoundary(bits[10] % 2);
   };
 }
 

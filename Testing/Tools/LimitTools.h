@@ -16,7 +16,7 @@ namespace coretest
 
 /// Choices of rules that together reach every line of Mathematics 4 and 6, and of weights.
 const char* const OptionNames[] = { "Blend", "Dart", "Sharp", "Follow1", "Follow2", "Follow3",
-  "FollowPart", "Regional", "LoopWeights" };
+  "FollowPart", "Regional", "LoopWeights", "ModifiedBoundary", "ModifiedDart" };
 
 template <typename Id>
 StrataOptions MakeOptions(const std::string& name, const SimplicialComplex<Id>& complex)
@@ -34,6 +34,17 @@ StrataOptions MakeOptions(const std::string& name, const SimplicialComplex<Id>& 
   };
   options.DartEnds = name == "Dart" || name == "Regional";
   options.Weights = name == "LoopWeights" ? LoopWeights::Loop : LoopWeights::Warren;
+  if (name == "ModifiedBoundary" || name == "ModifiedDart")
+  {
+    options.ModifiedBoundary = true;
+    options.DartEnds = name == "ModifiedDart";
+    options.CornerAngles = Buffer<double>(complex.NumberOfVertices);
+    const double angles[] = { -1., 0.4, 1.5, 2.5, 4., 5. };
+    for (double& angle : options.CornerAngles)
+    {
+      angle = angles[random() % 6];
+    }
+  }
   if (name == "Sharp")
   {
     options.Type1 = options.Type2 = options.Type3 = JointRule::Sharp;

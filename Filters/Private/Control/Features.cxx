@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Sorting.h"
+#include "Core/Rules/Pi.h"
 
 #include "vtkVariant.h"
 
@@ -234,17 +235,39 @@ bool LiftFeatureValues(
     LiftValues(control, levels, values.Sharpness, lifted.Sharpness);
 }
 
+namespace
+{
+
+/// The angles of corners for ModifiedBoundary, in radians; -1: none. Points beyond the array, the
+/// centres of split cells, have none either.
+std::vector<double> ReadCornerAngles(const FeatureOptions& options)
+{
+  std::vector<double> angles;
+  if (options.ModifiedBoundary && options.CornerAngles)
+  {
+    for (const vtkIdType i : InTurn(options.CornerAngles->GetNumberOfTuples()))
+    {
+      const double angle = options.CornerAngles->GetComponent(i, 0);
+      angles.push_back(angle >= 0. ? angle * (Pi / 180.) : -1.);
+    }
+  }
+  return angles;
+}
+
+}
+
 std::vector<long long> EncodeChoices(const FeatureOptions& options, const FeatureValues& values)
 {
   std::vector<long long> choices = { options.DartEnds, static_cast<int>(options.Weights),
     static_cast<int>(options.Embedded), options.PreserveInterfaces, options.DetectFeatures,
     static_cast<int>(options.Type1), static_cast<int>(options.Type2),
-    static_cast<int>(options.Type3) };
+    static_cast<int>(options.Type3), options.ModifiedBoundary };
   Encode(values.Singular, choices);
   Encode(values.Material, choices);
   Encode(values.Part, choices);
   Encode(values.Rules, choices);
   Encode(values.Sharpness, choices);
+  Encode(ReadCornerAngles(options), choices);
   return choices;
 }
 
@@ -314,6 +337,15 @@ StrataOptions MakeStrataOptions(const FeatureOptions& options, const FeatureValu
   strata.Type3 = options.Type3;
   strata.DartEnds = options.DartEnds;
   strata.Weights = options.Weights;
+  strata.ModifiedBoundary = options.ModifiedBoundary;
+  const std::vector<double> angles = ReadCornerAngles(options);
+  if (!angles.empty())
+  {
+    strata.CornerAngles = Buffer<double>(complex.NumberOfVertices, -1.);
+    std::copy_n(angles.begin(),
+      std::min(angles.size(), static_cast<std::size_t>(complex.NumberOfVertices)),
+      strata.CornerAngles.begin());
+  }
   if (!values.Part.empty())
   {
     auto parts = [&](int dimension)

@@ -34,6 +34,7 @@ struct FeatureOptions
 {
   bool DartEnds = false;
   LoopWeights Weights = LoopWeights::Warren;
+  bool ModifiedBoundary = false; ///< SectorEdges.h
   EmbeddedRule Embedded = EmbeddedRule::Follow;
   bool PreserveInterfaces = false;
   bool DetectFeatures = false;
@@ -47,6 +48,8 @@ struct FeatureOptions
   vtkSmartPointer<vtkDataArray> Part;
   vtkSmartPointer<vtkDataArray> Rules;
   vtkSmartPointer<vtkDataArray> Sharpness;
+  /// A point array of the input, with angles of corners in degrees for ModifiedBoundary.
+  vtkSmartPointer<vtkDataArray> CornerAngles;
 
   MarkOptions Marks;
 };

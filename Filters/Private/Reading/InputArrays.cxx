@@ -9,6 +9,8 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
 
 #include <cmath>
 #include <sstream>
@@ -115,6 +117,17 @@ bool FindInputArray(vtkAlgorithm* algorithm, vtkDataSetAttributes* data, vtkIdTy
   }
   warn(subject + fault + " It is ignored.");
   return true;
+}
+
+bool FindCornerAngles(vtkAlgorithm* algorithm, vtkPointSet* input,
+  const std::function<void(const std::string&)>& warn,
+  const std::function<void(const std::string&)>& fail, vtkSmartPointer<vtkDataArray>& array)
+{
+  vtkDataArray* found = nullptr;
+  const bool isUsable = FindInputArray(algorithm, input->GetPointData(), input->GetNumberOfPoints(),
+    { CornerAngleArray, nullptr, false, true }, warn, fail, found);
+  array = found;
+  return isUsable;
 }
 
 }

@@ -6,14 +6,16 @@
 #ifndef SubdivisionObjects_InputArrays_h
 #define SubdivisionObjects_InputArrays_h
 
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <functional>
 #include <string>
 
 class vtkAlgorithm;
-class vtkDataArray;
 class vtkDataSetAttributes;
+class vtkPointSet;
 
 namespace subdivision
 {
@@ -37,6 +39,15 @@ std::string GetInputArrayName(vtkAlgorithm* algorithm, int index, int& associati
 bool FindInputArray(vtkAlgorithm* algorithm, vtkDataSetAttributes* data, vtkIdType size,
   const ArrayRequest& request, const std::function<void(const std::string&)>& warn,
   const std::function<void(const std::string&)>& fail, vtkDataArray*& array);
+
+/// The index of the point array with the angles of corners, in the filters of solids that have
+/// ModifiedBoundary.
+constexpr int CornerAngleArray = 10;
+
+/// Finds it.
+bool FindCornerAngles(vtkAlgorithm* algorithm, vtkPointSet* input,
+  const std::function<void(const std::string&)>& warn,
+  const std::function<void(const std::string&)>& fail, vtkSmartPointer<vtkDataArray>& array);
 
 }
 

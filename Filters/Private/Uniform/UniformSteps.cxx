@@ -71,10 +71,10 @@ bool UniformRun::Step(typename Scheme::Level& level, KeptOperator* keep)
     this->StepNever<Scheme>(level, *kept, keep);
   }
   // Whether the last two operators are stored. If not, StepTwice makes the last two steps at once,
-  // row by row; it cannot where operators are kept or blended, values are divided by weights, or
-  // the last level is needed.
+  // row by row; it cannot where operators are kept or blended, rows depend on sectors, values are
+  // divided by weights, or the last level is needed.
   const bool stored = keep || this->Options.ReadsLimit() || steps < 2 ||
-    this->Points->HasWeights() || HasEqualCells(level.Complex) ||
+    this->Points->HasWeights() || HasEqualCells(level.Complex) || !level.Strata.Sectors.empty() ||
     IsSharpAfter(this->Control.Sharpness, steps - 2);
   for (int step = 0; step < steps; ++step)
   {
@@ -210,7 +210,7 @@ void UniformRun::StepLast(typename Scheme::Level& level, Kept<Scheme>& kept, boo
   const std::unique_ptr<LevelCut<Scheme>> cut = this->CutOff<Scheme>(level, kept);
   this->GatherDerived<Scheme>(level, 1);
   if (Scheme::Traits.HasPieces && !keeps && !this->Options.ReadsLimit() &&
-    !IsSharpAfter(this->Control.Sharpness, step))
+    level.Strata.Sectors.empty() && !IsSharpAfter(this->Control.Sharpness, step))
   {
     this->StepLastInPieces<Scheme>(level);
     return;

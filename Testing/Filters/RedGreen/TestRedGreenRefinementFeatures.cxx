@@ -26,6 +26,13 @@ void SetCellArray(Base* filter, int index, const char* name)
   filter->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name);
 }
 
+void SetModifiedBoundary(Base* filter)
+{
+  auto* uniform = vtkMultiDimensionalSubdivision::SafeDownCast(filter);
+  uniform ? uniform->ModifiedBoundaryOn()
+          : vtkRedGreenRefinement::SafeDownCast(filter)->ModifiedBoundaryOn();
+}
+
 std::vector<FeatureCase> MakeCases()
 {
   return {
@@ -38,6 +45,20 @@ std::vector<FeatureCase> MakeCases()
         filter->SetCreaseEndToDart();
       } },
     { "LoopWeights", [](Base* filter) { filter->SetLoopWeightsToLoop(); } },
+    { "ModifiedBoundary",
+      [](Base* filter)
+      {
+        filter->SetInputArrayToProcess(10, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Angles");
+        SetModifiedBoundary(filter);
+      } },
+    { "ModifiedBoundaryAndFlags",
+      [](Base* filter)
+      {
+        SetCellArray(filter, 0, "Flags");
+        SetCellArray(filter, 4, "Sharpness");
+        filter->SetInputArrayToProcess(10, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Angles");
+        SetModifiedBoundary(filter);
+      } },
     { "Embedded", [](Base* filter) { filter->SetEmbeddedCellsToSingular(); } },
     { "EmbeddedInside", [](Base* filter) { filter->SetEmbeddedCellsToSingularInside(); } },
     { "Interfaces",
@@ -125,6 +146,8 @@ Grid MakeFeatured(coretest::Mesh mesh)
   grid->GetCellData()->AddArray(sharpness);
   grid->GetCellData()->AddArray(MakeArray<vtkIntArray>("Regions", 1, size, 0., 2.999, 2));
   grid->GetCellData()->AddArray(MakeArray<vtkIntArray>("Rules", 1, size, 0., 6.999, 3));
+  grid->GetPointData()->AddArray(
+    MakeArray<vtkDoubleArray>("Angles", 1, grid->GetNumberOfPoints(), -60., 360., 5));
   grid->GetPointData()->AddArray(
     MakeArray<vtkDoubleArray>("V", 1, grid->GetNumberOfPoints(), -1., 1., 4));
   return grid;

@@ -196,7 +196,10 @@ typename Scheme::Level LevelCut<Scheme>::Cut(const Level& level) const
 template <typename Scheme>
 void LevelCut<Scheme>::CutRings(const Level& level, Level& part) const
 {
-  part.Strata.Weights = level.Strata.Weights;
+  part.Strata.TakeChoices(level.Strata);
+  part.Strata.Sectors = CutSectorEdges(
+    level.Strata.Sectors, [this](Id edge) { return this->Edges.New[edge]; },
+    [this](Id vertex) { return this->ColumnOf[vertex]; });
   part.Strata.Vertices = this->Vertices.Pick(level.Strata.Vertices);
   part.Strata.Edges = this->Edges.Pick(level.Strata.Edges);
   part.Strata.VertexRings = this->CutRings(level.Strata.VertexRings, this->Vertices);

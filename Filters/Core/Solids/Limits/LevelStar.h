@@ -9,16 +9,38 @@
 
 #include "Core/Solids/Limits/LimitRowMaker.h"
 
+#include <array>
+#include <cstring>
 #include <numeric>
+#include <vector>
 
 namespace subdivision
 {
 
-/// Numbers beyond Rule for rows of two kinds: of the centres of solids, and of vertices whose
-/// weights follow from numbers at their spokes. The latter have these numbers behind the ring, one
-/// for each member.
+/// Numbers beyond Rule for rows of three kinds: of the centres of solids; of vertices whose weights
+/// follow from numbers at their spokes, and have these numbers behind the ring, one for each
+/// member; and of edges whose rule depends on sectors (SectorEdges.h), which have the weights of
+/// their two ends and of the members behind the ring.
 constexpr int CentreRow = 16;
 constexpr int SpokesRow = 17;
+constexpr int SectorRow = 18;
+
+/// Writes a weight as numbers of a row, and reads it.
+inline void PutWeight(double weight, std::vector<int>& numbers)
+{
+  int bits[2];
+  static_assert(sizeof(bits) == sizeof(weight), "a weight is two numbers");
+  std::memcpy(bits, &weight, sizeof(bits));
+  numbers.push_back(bits[0]);
+  numbers.push_back(bits[1]);
+}
+inline double TakeWeight(const int*& numbers)
+{
+  double weight = 0.;
+  std::memcpy(&weight, numbers, sizeof(weight));
+  numbers += 2;
+  return weight;
+}
 
 /// The star of a vertex of a level (LimitRowMaker.h): its items are its edges, and the solids at it
 /// in which rings have members. The key of solid s is NumberOfEdges + s.
@@ -72,6 +94,11 @@ public:
     {
       rows[start] = static_cast<int>(rules.Strata.Edges[key].GetRule());
       all = this->ReadEdgeRow(rules.Strata, vertex, key, first, rows, number, add);
+      const auto sectors = FindSectorEdges(rules.Strata.Sectors, key);
+      if (!sectors.IsEmpty())
+      {
+        return this->ReadSectors(sectors, vertex, first, rows, start, number) && all;
+      }
     }
     rows[start + 1] = static_cast<int>(rows.size() - start) - 2;
     return all;
@@ -101,6 +128,16 @@ public:
       for (int k = 0; k < size; ++k)
       {
         add(ring[k], masks.CountedOther * static_cast<double>(counts[k]) / all);
+      }
+      return;
+    }
+    if (kind == SectorRow)
+    {
+      add(0, TakeWeight(row));
+      add(item, TakeWeight(row));
+      for (int k = 0; k < size; ++k)
+      {
+        add(ring[k], TakeWeight(row));
       }
       return;
     }
@@ -173,6 +210,61 @@ private:
       add(this->Solids.GetEdgeBeyond(*solid, vertex, far));
     }
     return all;
+  }
+
+  /// Turns the row of an edge, from `start` on, into one of sectors. After the first step the rule
+  /// at the far end, and what depends on both ends, is no longer that of an edge at the vertex.
+  template <typename Number>
+  bool ReadSectors(const SectorEdgeRange<Id>& sectors, Id vertex, bool first, Neighbourhood& rows,
+    std::size_t start, const Number& number) const
+  {
+    const int near =
+      this->Complex.EdgeVertices[2 * vtkIdType(sectors.begin()->Edge)] == vertex ? 0 : 1;
+    std::array<SectorEdge<Id>, 2> taken;
+    std::size_t size = 0;
+    bool all = true;
+    for (const SectorEdge<Id>& sector : sectors)
+    {
+      all = all && sector.End == near && !sector.IsShared;
+      if (first || sector.End == near)
+      {
+        taken[size] = sector;
+        taken[size++].IsShared = first && sector.IsShared;
+      }
+    }
+    if (size > 0)
+    {
+      this->WriteSectors({ taken.data(), taken.data() + size }, near, rows, start, number);
+    }
+    else
+    {
+      rows[start + 1] = static_cast<int>(rows.size() - start) - 2;
+    }
+    return all;
+  }
+
+  template <typename Number>
+  void WriteSectors(const SectorEdgeRange<Id>& sectors, int near, Neighbourhood& rows,
+    std::size_t start, const Number& number) const
+  {
+    const SectorMask mask = GetSectorMask(sectors);
+    std::vector<double> weights(rows.size() - start - 2, mask.Ring);
+    for (const SectorEdge<Id>& sector : sectors)
+    {
+      for (int k = 0; k < 2 && sector.Flatness > 0.; ++k)
+      {
+        rows.push_back(number(sector.End == near ? sector.Bounds[k] : Id(-1), sector.Ends[k]));
+        weights.push_back(mask.Bounds[sector.End][k]);
+      }
+    }
+    rows[start] = SectorRow;
+    rows[start + 1] = static_cast<int>(rows.size() - start) - 2;
+    PutWeight(mask.Ends[near], rows);
+    PutWeight(mask.Ends[1 - near], rows);
+    for (const double weight : weights)
+    {
+      PutWeight(weight, rows);
+    }
   }
 
   const LevelType& Here;

@@ -3,12 +3,16 @@
 
 #include "Core/Memory/Loops.h"
 #include "Core/Rules/Pi.h"
+#include "Core/Rules/SectorMasks.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/Simplices.h"
+#include "Core/Solids/Limits/TrianglePairs.h"
+#include "Core/Solids/Scheme/SharpSectors.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -30,49 +34,26 @@ struct SectorPart
   std::vector<Id> Triangles;
 };
 
-/// The triangles of surfaces that continue each other across edges.
-template <typename Scheme>
-class TrianglePairs
-{
-public:
-  using Id = typename Scheme::Id;
-
-  explicit TrianglePairs(const typename Scheme::Level& level)
-    : Complex(level.Complex)
-    , Strata(level.Strata)
-  {
-    this->FindFacesAtCurves();
-  }
-  Row<Id> GetFacesAtCurve(Id edge) const { return this->FacesAtCurves[edge]; }
-  Rule RuleOf(Id edge) const { return this->Strata.Edges[edge].GetRule(); }
-  /// Links for FindSides, over edges with an end that is sure; no flags: all are.
-  template <typename Visit>
-  void ForLinks(Id face, const std::vector<char>& isSure, const Visit& visit) const;
-
-private:
-  void FindFacesAtCurves();
-  bool FindPair(Id edge, Id (&faces)[2]) const;
-  bool Contradict(Id edge, const Id (&faces)[2]) const;
-
-  const SimplicialComplex<Id>& Complex;
-  const subdivision::Strata<Id>& Strata;
-  Rows<Id> FacesAtCurves; ///< the faces of less than two tetrahedra at each edge with d = 1
-};
-
 template <typename Scheme>
 class SectorWalker
 {
 public:
   using Id = typename Scheme::Id;
 
-  SectorWalker(const typename Scheme::Level& level, const ControlSolids& solids)
+  SectorWalker(const typename Scheme::Level& level, const SemiSharpStages<Id>& creases,
+    const ControlSolids& solids)
     : Here(level)
     , Complex(level.Complex)
     , Strata(level.Strata)
     , Solids(solids)
     , Tets(level, solids.Steps)
     , Pairs(level)
+    , OwnRows(MakeSectorRows(level.Strata, level.Complex.EdgeVertices))
   {
+    if (!creases.Stages.empty())
+    {
+      this->BlendOwnRows(creases);
+    }
   }
 
   /// Appends the sectors of a vertex, and says how many they are.
@@ -86,10 +67,22 @@ private:
     bool IsClosed = false;
   };
 
-  /// The most triangles that a sector with a tangent plane has.
+  /// Weights of two tangents: of the vertex, and of the far ends of the edges of a walk.
+  struct Tangents
+  {
+    std::vector<std::array<double, 2>> Edges;
+    std::array<double, 2> Own{ { 0., 0. } };
+  };
+
+  /// The most triangles that a sector with a tangent plane has by the plain rule.
   static constexpr std::size_t MostTriangles = 6;
   bool Follow(Id vertex, Id edge, Id face, Walk& walk) const;
   void AppendSector(Id vertex, const Walk& walk, SectorPart<Id>& part) const;
+  void BlendOwnRows(const SemiSharpStages<Id>& creases);
+  Tangents FindTangents(const Walk& walk) const;
+  bool IsPlain(Id vertex, const Walk& walk) const;
+  void AppendAfterStep(
+    Id vertex, const Walk& walk, const Tangents& tangents, double sign, SectorPart<Id>& part) const;
   void AppendSides(
     Id vertex, const Walk& walk, const std::vector<Id>& around, SectorPart<Id>& part) const;
   std::pair<Id, double> GetSign(Id vertex, const Walk& walk) const;
@@ -107,35 +100,9 @@ private:
   const ControlSolids& Solids;
   const typename Scheme::ControlTets Tets;
   const TrianglePairs<Scheme> Pairs;
+  ExplicitRows<Id> OwnRows;      ///< of edges whose rule depends on sectors
+  std::vector<SharpRow> Blended; ///< those of them that depend on creases that are still sharp
 };
-
-template <typename Scheme>
-void TrianglePairs<Scheme>::FindFacesAtCurves()
-{
-  const vtkIdType edges = this->Complex.NumberOfEdges;
-  this->FacesAtCurves.Offsets = Buffer<Id>(edges + 1, 0);
-  auto forPairs = [&](const auto& act)
-  {
-    ForEachInTurn(this->Complex.NumberOfFaces,
-      [&](vtkIdType f)
-      {
-        const Id face = static_cast<Id>(f);
-        for (int k = 0; k < 3 && this->Complex.FaceTets[face].size() < 2; ++k)
-        {
-          const Id edge = this->Complex.FaceEdges[3 * f + k];
-          if (this->RuleOf(edge) == Rule::Curve)
-          {
-            act(edge, face);
-          }
-        }
-      });
-  };
-  forPairs([&](Id edge, Id) { ++this->FacesAtCurves.Offsets[edge]; });
-  CountsToOffsets(this->FacesAtCurves.Offsets);
-  this->FacesAtCurves.Items = Buffer<Id>(this->FacesAtCurves.Offsets[edges]);
-  std::vector<Id> next(this->FacesAtCurves.Offsets.begin(), this->FacesAtCurves.Offsets.end());
-  forPairs([&](Id edge, Id face) { this->FacesAtCurves.Items[next[edge]++] = face; });
-}
 
 /// Walks around a vertex from an edge over a face and further smooth edges, back to the first edge
 /// or to the next sharp edge. Returns whether the faces on the way are a sector.
@@ -197,7 +164,8 @@ typename Scheme::Id SectorWalker<Scheme>::Append(Id vertex, SectorPart<Id>& part
     {
       // Each sector is found from both of its ends: once is enough.
       if (edge < other && this->Follow(vertex, edge, face, walk) && !walk.IsClosed &&
-        walk.Edges.back() == other && walk.Faces.size() <= MostTriangles)
+        walk.Edges.back() == other &&
+        (this->Strata.ModifiedBoundary || walk.Faces.size() <= MostTriangles))
       {
         this->AppendSector(vertex, walk, part);
         ++sectors;
@@ -205,52 +173,6 @@ typename Scheme::Id SectorWalker<Scheme>::Append(Id vertex, SectorPart<Id>& part
     }
   }
   return sectors;
-}
-
-/// Finds the two maximal triangles that continue each other across an edge, smooth or crease.
-/// Returns false if there are not exactly two.
-template <typename Scheme>
-bool TrianglePairs<Scheme>::FindPair(Id edge, Id (&faces)[2]) const
-{
-  const Row<Id> row = this->RuleOf(edge) == Rule::Surface ? this->Strata.EdgeRings.GetCarriers(edge)
-                                                          : this->FacesAtCurves[edge];
-  if (row.size() != 2)
-  {
-    return false;
-  }
-  std::copy(row.begin(), row.end(), faces);
-  return faces[0] >= 0 && faces[1] >= 0 && this->Complex.FaceTets[faces[0]].size() == 0 &&
-    this->Complex.FaceTets[faces[1]].size() == 0;
-}
-
-/// Whether both triangles run along their edge in the same direction.
-template <typename Scheme>
-bool TrianglePairs<Scheme>::Contradict(Id edge, const Id (&faces)[2]) const
-{
-  const Id* ends = this->Complex.EdgeVertices.data() + 2 * vtkIdType(edge);
-  auto runsAlong = [&](Id face)
-  {
-    return (this->Complex.VertexInFace(face, ends[0]) + 1) % 3 ==
-      this->Complex.VertexInFace(face, ends[1]);
-  };
-  return runsAlong(faces[0]) == runsAlong(faces[1]);
-}
-
-template <typename Scheme>
-template <typename Visit>
-void TrianglePairs<Scheme>::ForLinks(
-  Id face, const std::vector<char>& isSure, const Visit& visit) const
-{
-  for (int k = 0; k < 3 && this->Complex.FaceTets[face].size() == 0; ++k)
-  {
-    Id faces[2];
-    const Id edge = this->Complex.FaceEdges[3 * vtkIdType(face) + k];
-    const Id* ends = this->Complex.EdgeVertices.data() + 2 * vtkIdType(edge);
-    if ((isSure.empty() || isSure[ends[0]] || isSure[ends[1]]) && this->FindPair(edge, faces))
-    {
-      visit(vtkIdType(faces[faces[0] == face ? 1 : 0]), this->Contradict(edge, faces));
-    }
-  }
 }
 
 /// Appends LimitTangents::Sides for the triangles of a walk.
@@ -294,7 +216,6 @@ std::pair<typename Scheme::Id, double> SectorWalker<Scheme>::GetSign(
 template <typename Scheme>
 void SectorWalker<Scheme>::AppendSector(Id vertex, const Walk& walk, SectorPart<Id>& part) const
 {
-  const std::size_t size = walk.Edges.size();
   std::vector<Id> around;
   for (Id edge : walk.Edges)
   {
@@ -303,38 +224,139 @@ void SectorWalker<Scheme>::AppendSector(Id vertex, const Walk& walk, SectorPart<
   const auto [face, sign] = this->GetSign(vertex, walk);
   part.Triangles.push_back(face < 0 ? face : static_cast<Id>(face >> 2 * this->Solids.Steps));
   this->AppendSides(vertex, walk, around, part);
-  auto append = [&part, sign = sign](Id column, double first, double second)
+  const Tangents tangents = this->FindTangents(walk);
+  if (!this->IsPlain(vertex, walk))
+  {
+    this->AppendAfterStep(vertex, walk, tangents, sign, part);
+    return;
+  }
+  auto append = [&part, sign = sign](Id column, const std::array<double, 2>& weights)
   {
     part.Columns.push_back(column);
-    part.First.push_back(first);
-    part.Second.push_back(sign * second);
+    part.First.push_back(weights[0]);
+    part.Second.push_back(sign * weights[1]);
   };
+  const std::size_t size = around.size();
+  for (std::size_t j = walk.IsClosed ? 0 : 1; j < (walk.IsClosed ? size : size - 1); ++j)
+  {
+    append(around[j], tangents.Edges[j]);
+  }
+  if (!walk.IsClosed)
+  {
+    append(around.front(), tangents.Edges.front());
+    append(around.back(), tangents.Edges.back());
+    append(vertex, tangents.Own);
+  }
+  part.Sizes.push_back(static_cast<Id>(walk.IsClosed ? size : size + 1));
+}
+
+/// The weights where all rules stay the same in further steps.
+template <typename Scheme>
+typename SectorWalker<Scheme>::Tangents SectorWalker<Scheme>::FindTangents(const Walk& walk) const
+{
+  const std::size_t size = walk.Edges.size();
+  Tangents tangents;
+  tangents.Edges.resize(size);
   if (walk.IsClosed)
   {
     for (std::size_t j = 0; j < size; ++j)
     {
       const double angle = 2. * Pi * static_cast<double>(j) / static_cast<double>(size);
-      append(around[j], std::cos(angle), std::sin(angle));
+      tangents.Edges[j] = { { std::cos(angle), std::sin(angle) } };
     }
-    part.Sizes.push_back(static_cast<Id>(size));
+    return tangents;
   }
-  else
+  const double angle = Pi / static_cast<double>(size - 1);
+  double sum = 0.;
+  for (std::size_t j = 1; j + 1 < size; ++j)
   {
-    const double angle = Pi / static_cast<double>(size - 1);
-    double sum = 0.;
-    for (std::size_t j = 1; j + 1 < size; ++j)
-    {
-      const double weight = std::sin(angle * static_cast<double>(j));
-      append(around[j], 0., weight);
-      sum += weight;
-    }
-    // One triangle: the second difference.
-    const double end = size == 2 ? 1. : (std::sin(angle) - sum) / (1. + 2. * std::cos(angle));
-    append(around.front(), 1., end);
-    append(around.back(), -1., end);
-    append(vertex, 0., -2. * end - sum);
-    part.Sizes.push_back(static_cast<Id>(size + 1));
+    const double weight = std::sin(angle * static_cast<double>(j));
+    tangents.Edges[j] = { { 0., weight } };
+    sum += weight;
   }
+  // One triangle: the second difference.
+  double end = size == 2 ? 1. : (std::sin(angle) - sum) / (1. + 2. * std::cos(angle));
+  tangents.Own = { { 0., -2. * end - sum } };
+  if (this->Strata.ModifiedBoundary && size > 2)
+  {
+    const TransversalMask mask = GetTransversalMask(static_cast<int>(size) - 1, false, true);
+    end = mask.End;
+    tangents.Own[1] = mask.Own;
+  }
+  tangents.Edges.front() = { { 1., end } };
+  tangents.Edges.back() = { { -1., end } };
+  return tangents;
+}
+
+/// Makes blends of rows next to creases that are still sharp.
+template <typename Scheme>
+void SectorWalker<Scheme>::BlendOwnRows(const SemiSharpStages<Id>& creases)
+{
+  const StoredRows<Id> smooth = GetStoredRows(this->Here);
+  const subdivision::Strata<Id>& strata = creases.Stages.front().Strata;
+  const StoredRows<Id> sharp{ strata.Vertices, strata.Edges, this->Complex.EdgeVertices,
+    strata.VertexRings, strata.EdgeRings, GetSolidRows(this->Here) };
+  const ExplicitRows<Id> ofSharp = MakeSectorRows(strata, this->Complex.EdgeVertices);
+  const std::vector<SharpRow> rows = creases.ListParts(this->Complex).GetRows();
+  std::vector<SharpRow> all = rows;
+  AddSharpSectors(this->OwnRows.Rows, ofSharp.Rows, this->Complex.EdgeVertices,
+    this->Complex.NumberOfVertices, all);
+  std::set_difference(all.begin(), all.end(), rows.begin(), rows.end(),
+    std::back_inserter(this->Blended),
+    [](const SharpRow& a, const SharpRow& b) { return a.Row < b.Row; });
+  this->OwnRows = BlendRows(
+    this->Blended, this->OwnRows, [&](Id row, double factor, ExplicitRows<Id>& out)
+    { AppendRow(smooth, this->OwnRows, row, factor, out); },
+    [&](Id row, double factor, ExplicitRows<Id>& out)
+    { AppendRow(sharp, ofSharp, row, factor, out); });
+}
+
+/// Whether the rules at the edges of a walk stay the same: no other end changes them.
+template <typename Scheme>
+bool SectorWalker<Scheme>::IsPlain(Id vertex, const Walk& walk) const
+{
+  const auto isPlain = [&](Id edge)
+  {
+    const SharpRow row{ vtkIdType(this->Complex.NumberOfVertices) + edge, 0. };
+    const auto sectors = FindSectorEdges(this->Strata.Sectors, edge);
+    return !std::binary_search(this->Blended.begin(), this->Blended.end(), row,
+             [](const SharpRow& a, const SharpRow& b) { return a.Row < b.Row; }) &&
+      std::all_of(sectors.begin(), sectors.end(),
+        [&](const SectorEdge<Id>& sector)
+        {
+          return !sector.IsShared &&
+            this->Complex.EdgeVertices[2 * vtkIdType(edge) + sector.End] == vertex;
+        });
+  };
+  return std::all_of(walk.Edges.begin(), walk.Edges.end(), isPlain);
+}
+
+/// Appends the tangents of the next level times the rows of the step to it.
+template <typename Scheme>
+void SectorWalker<Scheme>::AppendAfterStep(
+  Id vertex, const Walk& walk, const Tangents& tangents, double sign, SectorPart<Id>& part) const
+{
+  const StoredRows<Id> stored = GetStoredRows(this->Here);
+  ExplicitRows<Id> row;
+  const std::size_t before = part.Columns.size();
+  const auto append = [&](vtkIdType number, const std::array<double, 2>& weights)
+  {
+    row.Columns.clear();
+    row.Weights.clear();
+    AppendRow(stored, this->OwnRows, number, 1., row);
+    for (std::size_t k = 0; k < row.Columns.size(); ++k)
+    {
+      part.Columns.push_back(row.Columns[k]);
+      part.First.push_back(weights[0] * row.Weights[k]);
+      part.Second.push_back(sign * weights[1] * row.Weights[k]);
+    }
+  };
+  for (std::size_t j = 0; j < walk.Edges.size(); ++j)
+  {
+    append(vtkIdType(this->Complex.NumberOfVertices) + walk.Edges[j], tangents.Edges[j]);
+  }
+  append(vertex, tangents.Own);
+  part.Sizes.push_back(static_cast<Id>(part.Columns.size() - before));
 }
 
 /// One buffer of what several parts hold.
@@ -413,11 +435,11 @@ Buffer<typename Level::IdType> FindCurves(
 /// The tangents of `rows` vertices: vertexOf(row).
 template <typename Level, typename VertexOf>
 LimitTangents<typename Level::IdType> BuildTangents(const Level& level,
-  const std::vector<bool>& isSharp, const ControlSolids& solids, vtkIdType rows,
-  const VertexOf& vertexOf)
+  const SemiSharpStages<typename Level::IdType>& creases, const std::vector<bool>& isSharp,
+  const ControlSolids& solids, vtkIdType rows, const VertexOf& vertexOf)
 {
   using Id = typename Level::IdType;
-  const SectorWalker<SchemeOf<Level>> walker(level, solids);
+  const SectorWalker<SchemeOf<Level>> walker(level, creases, solids);
   const vtkIdType vertices = level.Complex.NumberOfVertices;
   constexpr vtkIdType block = 4096;
   const vtkIdType blocks = (rows + block - 1) / block;
@@ -468,8 +490,8 @@ LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
 {
   using Id = typename Level::IdType;
   const std::vector<bool> isSharp = FindSharpVertices(level, creases);
-  LimitTangents<Id> tangents = BuildTangents(level, isSharp, solids, level.Complex.NumberOfVertices,
-    [](vtkIdType v) { return static_cast<Id>(v); });
+  LimitTangents<Id> tangents = BuildTangents(level, creases, isSharp, solids,
+    level.Complex.NumberOfVertices, [](vtkIdType v) { return static_cast<Id>(v); });
   const Buffer<unsigned char> missing = tangents.FindMissing();
   tangents.AlongCurves = FindCurves(level, isSharp, missing);
   tangents.Shading = FindShadingFacets(level, missing, FindShadingCells(level, solids.Steps));
@@ -481,7 +503,7 @@ LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   const SemiSharpStages<typename Level::IdType>& creases, const ControlSolids& solids,
   const Buffer<typename Level::IdType>& vertices)
 {
-  return BuildTangents(level, FindSharpVertices(level, creases), solids, vertices.size(),
+  return BuildTangents(level, creases, FindSharpVertices(level, creases), solids, vertices.size(),
     [&vertices](vtkIdType row) { return vertices[row]; });
 }
 

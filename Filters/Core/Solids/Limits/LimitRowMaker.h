@@ -19,6 +19,7 @@
 #define SubdivisionObjects_LimitRowMaker_h
 
 #include "Core/Solids/Limits/LimitStencils.h"
+#include "Core/Solids/Scheme/SharpSectors.h"
 
 #include "vtkSMPThreadLocal.h"
 
@@ -229,6 +230,7 @@ private:
   void TakeFirstStep();
   StarRules<Id> GetStage(int step) const;
   double GetSharpness(int item, int step) const;
+  bool IsOfSector(Id edge, int step) const;
   template <typename Emit>
   void ForEachEntry(const StarRules<Id>& rules, int item, bool first, const Emit& emit);
   template <typename Emit>
@@ -299,7 +301,8 @@ void LimitRowMaker<Star>::Make(Id vertex, LimitRow<Id>& row)
   row.Weights = this->NextWeights;
 }
 
-/// Reads the smooth rows of all items, without members that only the first step reads.
+/// Reads the smooth rows of all items, without members that only the first step reads. HasRelief:
+/// whether the first step differs, also by what is still sharp at far ends.
 template <typename Star>
 void LimitRowMaker<Star>::ReadNeighbourhood()
 {
@@ -313,7 +316,8 @@ void LimitRowMaker<Star>::ReadNeighbourhood()
   {
     const bool all =
       this->Here.ReadRow(rules, this->Vertex, this->Keys.Ids[i], false, this->Local, number);
-    this->HasRelief = this->HasRelief || !all;
+    this->HasRelief =
+      this->HasRelief || !all || this->GetSharpness(static_cast<int>(i) + 1, 0) > 0.;
   }
 }
 
@@ -327,21 +331,37 @@ StarRules<typename Star::IdType> LimitRowMaker<Star>::GetStage(int step) const
   return { stage.Strata, stage.TetsAtSpokes.get() };
 }
 
-/// The weight of the sharp row of an item (SemiSharp.h).
+/// The weight of the sharp row of an item (SemiSharp.h, SharpSectors.h).
 template <typename Star>
 double LimitRowMaker<Star>::GetSharpness(int item, int step) const
 {
-  if (this->MostSharpness <= step)
+  const Id edge = item > 0 ? this->Keys.Ids[item - 1] : 0;
+  if (this->Creases.Stages.empty() || edge >= this->NumberOfEdges || this->MostSharpness < step)
   {
-    return 0.;
+    return 0.; // the second: an octahedron
   }
-  const vtkIdType edge = item > 0 ? this->Keys.Ids[item - 1] : 0;
-  if (edge >= this->NumberOfEdges)
+  const double own =
+    this->Sharp.GetSharpness(item > 0 ? this->NumberOfVertices + edge : this->Vertex, step);
+  if (own > 0. || item == 0 || !this->IsOfSector(edge, step))
   {
-    return 0.; // an octahedron
+    return std::min(1., own);
   }
-  return std::min(
-    1., this->Sharp.GetSharpness(item > 0 ? this->NumberOfVertices + edge : this->Vertex, step));
+  const Id ends[2] = { this->Vertex, this->Here.GetOppositeEnd(this->Vertex, edge) };
+  return std::min(1.,
+    GetMeanOfEnds(ends,
+      [&](Id end)
+      {
+        const bool isFar = end != this->Vertex;
+        return isFar && step > 0 ? 0. : this->Sharp.GetSharpness(end, step);
+      }));
+}
+
+/// Whether the smooth or the sharp rule of an edge depends on sectors.
+template <typename Star>
+bool LimitRowMaker<Star>::IsOfSector(Id edge, int step) const
+{
+  return !FindSectorEdges(this->Here.GetRules().Strata.Sectors, edge).IsEmpty() ||
+    !FindSectorEdges(this->GetStage(step).Strata.Sectors, edge).IsEmpty();
 }
 
 /// Calls emit(key, vertex, weight) for each entry of an item's row. The key is negative for the

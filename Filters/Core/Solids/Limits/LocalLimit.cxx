@@ -7,6 +7,7 @@
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/LocalVertices.h"
 #include "Core/Solids/Limits/Restriction.h"
+#include "Core/Solids/Scheme/SharpSectors.h"
 
 #include <algorithm>
 #include <limits>
@@ -264,24 +265,45 @@ void LocalLimit<Id>::Builder<LevelType>::TakeOperators(
       const Id* ends = complex.EdgeVertices.data() + 2 * e;
       trace.Whole[vertices + e] = edgesInside[e] && (part.Whole[ends[0]] || part.Whole[ends[1]]);
     });
-  const std::vector<SharpRow> rows =
+  const auto leaveOut = [&](const Strata<Id>& strata)
+  {
+    for (const SectorEdge<Id>& sector : strata.Sectors)
+    {
+      trace.Whole[vertices + sector.Edge] &= sector.IsComplete() ? 1 : 0;
+    }
+  };
+  leaveOut(part.Level.Strata);
+  std::vector<SharpRow> rows =
     part.Creases.ListParts(complex, std::numeric_limits<double>::infinity()).GetRows();
+  trace.Smooth = TakeStencils(part.Level);
   if (!rows.empty())
   {
+    LevelType sharp;
+    TakeSpokes(part.Level, part.Creases.Stages.front(), sharp);
+    const Buffer<Id>& edgeVertices = trace.Smooth.EdgeVertices;
+    sharp.Complex.EdgeVertices = Buffer<Id>(2 * edges);
+    CopyInThreads(edgeVertices.data(), 2 * edges, sharp.Complex.EdgeVertices.data());
+    sharp.Strata = std::move(part.Creases.Stages.front().Strata);
+    leaveOut(sharp.Strata);
+    trace.Sharp = TakeStencils(sharp);
     // As BlendSemiSharp does.
+    AddSharpSectors(
+      trace.Smooth.Explicit.Rows, trace.Sharp.Explicit.Rows, edgeVertices, vertices, rows);
     trace.Weights.assign(vertices + edges + centres, 0.);
     for (const SharpRow& row : rows)
     {
       trace.Weights[row.Row] = std::min(1., row.Sharpness);
     }
-    LevelType sharp;
-    TakeSpokes(part.Level, part.Creases.Stages.front(), sharp);
-    sharp.Complex.EdgeVertices = Buffer<Id>(2 * edges);
-    CopyInThreads(complex.EdgeVertices.data(), 2 * edges, sharp.Complex.EdgeVertices.data());
-    sharp.Strata = std::move(part.Creases.Stages.front().Strata);
-    trace.Sharp = TakeStencils(sharp);
+    // The sharpness of all lines at both ends counts in rows of sectors.
+    for (const Stencils<Id>* stencils : { &trace.Smooth, &trace.Sharp })
+    {
+      for (const Id row : stencils->Explicit.Rows)
+      {
+        const Id* ends = edgeVertices.data() + 2 * (row - vertices);
+        trace.Whole[row] &= part.Whole[ends[0]] && part.Whole[ends[1]] ? 1 : 0;
+      }
+    }
   }
-  trace.Smooth = TakeStencils(part.Level);
 }
 
 template <typename Id>

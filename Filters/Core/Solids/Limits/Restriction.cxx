@@ -298,7 +298,11 @@ template <typename LevelType>
 Strata<typename LevelType::IdType> Restriction<LevelType>::Restrict(const Strata<Id>& strata) const
 {
   Strata<Id> part;
-  part.Weights = strata.Weights;
+  part.TakeChoices(strata);
+  part.Sectors = CutSectorEdges(
+    strata.Sectors,
+    [this](Id edge) { return this->EdgesInside[edge] ? this->Edges.New[edge] : Id(-1); },
+    [this](Id vertex) { return this->Vertices.New[vertex]; });
   part.Vertices = this->Restrict(strata.Vertices, this->Vertices, this->At, Rule::Corner);
   part.Edges = this->Restrict(strata.Edges, this->Edges, this->EdgesInside, Rule::Curve);
   part.Faces = this->Restrict(strata.Faces, this->Faces, this->FacesInside, Rule::Surface);

@@ -28,7 +28,8 @@ struct SheetPatch
 /**
  * `whole`: the vertices of the level at which nothing is missing; empty: all. Each method returns
  * false where the places depend on more than a sheet: at joints, inside solids, where a crease ends
- * in a dart, and where too many triangles meet.
+ * in a dart, where too many triangles meet, and next to a sector with rules of its own
+ * (SectorEdges.h).
  */
 template <typename LevelType>
 class SheetReader
@@ -56,12 +57,12 @@ private:
   Rule RuleOfVertex(Id vertex) const { return this->Strata.Vertices[vertex].GetRule(); }
   Rule RuleOfEdge(Id edge) const { return this->Strata.Edges[edge].GetRule(); }
   bool IsWhole(Id vertex) const { return this->Whole.empty() || this->Whole[vertex]; }
-  /// Whether an edge has a triangle of the sheet on both sides.
+  /// Whether an edge has a triangle of the sheet on both sides, and the plain rule.
   bool IsInside(Id edge) const
   {
     const Row<Id> faces = this->Strata.EdgeRings.GetCarriers(edge);
     return this->RuleOfEdge(edge) == Rule::Surface && faces.size() == 2 && faces.begin()[0] >= 0 &&
-      faces.begin()[1] >= 0;
+      faces.begin()[1] >= 0 && FindSectorEdges(this->Strata.Sectors, edge).IsEmpty();
   }
   Id GetThird(Id face, Id edge) const;
   bool ReadCurveEdge(Id a, Id b, SheetPatch<Id>& patch) const;

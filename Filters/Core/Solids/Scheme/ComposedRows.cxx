@@ -10,36 +10,19 @@ template <typename Id>
 SparseRows<int> Compose(const SparseRows<int>& rows, const Stencils<Id>& step)
 {
   const vtkIdType size = step.GetNumberOfRows();
-  constexpr vtkIdType byRule = -1;
-  constexpr vtkIdType unused = -2;
-  Buffer<vtkIdType> sources(size, unused); // of each row: one of these two, or an explicit row
+  Buffer<unsigned char> isUsed(size, 0);
   for (int column : rows.Columns)
   {
-    sources[column] = byRule;
-  }
-  const ExplicitRows<Id>& explicitRows = step.Explicit;
-  for (std::size_t i = 0; i < explicitRows.Rows.size(); ++i)
-  {
-    vtkIdType& source = sources[explicitRows.Rows[i]];
-    source = source == byRule ? static_cast<vtkIdType>(i) : source;
+    isUsed[column] = 1;
   }
   ExplicitRows<Id> wanted;
   Buffer<int> offsets(size + 1);
   for (vtkIdType row = 0; row < size; ++row)
   {
     offsets[row] = static_cast<int>(wanted.Columns.size());
-    if (sources[row] == byRule)
+    if (isUsed[row])
     {
       step.AppendRow(row, 1., wanted);
-    }
-    else if (sources[row] >= 0)
-    {
-      const Id begin = explicitRows.Offsets[sources[row]];
-      const Id end = explicitRows.Offsets[sources[row] + 1];
-      wanted.Columns.insert(wanted.Columns.end(), explicitRows.Columns.begin() + begin,
-        explicitRows.Columns.begin() + end);
-      wanted.Weights.insert(wanted.Weights.end(), explicitRows.Weights.begin() + begin,
-        explicitRows.Weights.begin() + end);
     }
   }
   offsets[size] = static_cast<int>(wanted.Columns.size());

@@ -126,7 +126,9 @@ void Refiner<Split>::MakeEdges()
   const auto& parent = this->Parent;
   auto& ends = this->Next.Complex.EdgeVertices;
   auto& strata = this->Next.Strata;
-  strata.Weights = this->Strata.Weights;
+  strata.TakeChoices(this->Strata);
+  strata.Sectors =
+    RefineSectorEdges(this->Strata.Sectors, parent.EdgeVertices, parent.NumberOfVertices);
   ends = Buffer<Id>(2 * vtkIdType(this->Next.Complex.NumberOfEdges));
   strata.Edges = Buffer<Stratum>(this->Next.Complex.NumberOfEdges);
   strata.Vertices = Buffer<Stratum>(this->Next.Complex.NumberOfVertices);

@@ -2,6 +2,7 @@
 #include "Core/Solids/Scheme/SemiSharp.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Solids/Scheme/SharpSectors.h"
 
 #include <algorithm>
 #include <tuple>
@@ -129,19 +130,15 @@ template <typename Id>
 void BlendSemiSharp(
   const std::vector<SharpRow>& rows, const Stencils<Id>& sharp, Stencils<Id>& smooth)
 {
-  ExplicitRows<Id> blends;
-  for (const SharpRow& row : rows)
+  std::vector<SharpRow> all = rows;
+  AddSharpSectors(
+    smooth.Explicit.Rows, sharp.Explicit.Rows, smooth.EdgeVertices, smooth.Vertices.size(), all);
+  const auto appendOf = [](const Stencils<Id>& stencils)
   {
-    const double weight = std::min(1., row.Sharpness);
-    blends.Rows.push_back(static_cast<Id>(row.Row));
-    if (weight < 1.)
-    {
-      smooth.AppendRow(row.Row, 1. - weight, blends);
-    }
-    sharp.AppendRow(row.Row, weight, blends);
-    blends.Offsets.push_back(static_cast<Id>(blends.Columns.size()));
-  }
-  smooth.Explicit = std::move(blends);
+    return [&stencils](Id row, double factor, ExplicitRows<Id>& out)
+    { stencils.AppendRow(row, factor, out); };
+  };
+  smooth.Explicit = BlendRows(all, smooth.Explicit, appendOf(smooth), appendOf(sharp));
 }
 
 #define SUBDIVISION_PARTS(Id)                                                                      \

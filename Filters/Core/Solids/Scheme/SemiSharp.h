@@ -78,8 +78,8 @@ template <typename Id>
 std::vector<SharpRow> FindSharpRows(
   const SolidSharpness& sharpness, int steps, int depth, const SimplicialComplex<Id>& complex);
 
-/// Replaces these rows of `smooth` by blends with rows of `sharp`, which is the same operator with
-/// all edges and faces singular that are still sharp.
+/// Replaces these rows of `smooth`, which ascend, by blends with rows of `sharp`, which is the same
+/// operator with all edges and faces singular that are still sharp.
 template <typename Id>
 void BlendSemiSharp(
   const std::vector<SharpRow>& rows, const Stencils<Id>& sharp, Stencils<Id>& smooth);

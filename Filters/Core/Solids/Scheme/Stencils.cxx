@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Operators/ForBlocks.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace subdivision
@@ -146,15 +147,69 @@ std::size_t Stencils<Id>::GetMemorySize() const
 }
 
 template <typename Id>
-void Stencils<Id>::AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& rows) const
+ExplicitRows<Id> MakeSectorRows(const Strata<Id>& strata, const Buffer<Id>& edgeVertices)
 {
-  const vtkIdType starts[3] = { 0, this->Vertices.size(),
-    this->Vertices.size() + this->Edges.size() };
-  const std::size_t kind = row < starts[1] ? 0 : row < starts[2] ? 1 : 2;
-  const vtkIdType i = row - starts[kind];
-  AppendWeighted(this->GetStored().Get(kind, i, i + 1), 0, factor, rows);
+  ExplicitRows<Id> rows;
+  const auto add = [&rows](Id column, double weight)
+  {
+    rows.Columns.push_back(column);
+    rows.Weights.push_back(weight);
+  };
+  const auto vertices = static_cast<Id>(strata.Vertices.size());
+  const std::vector<SectorEdge<Id>>& sectors = strata.Sectors;
+  for (std::size_t i = 0; i < sectors.size();)
+  {
+    const Id edge = sectors[i].Edge;
+    const SectorEdgeRange<Id> ofEdge = FindSectorEdges(sectors, edge);
+    i += static_cast<std::size_t>(ofEdge.end() - ofEdge.begin());
+    if (!AreComplete(ofEdge))
+    {
+      continue; // at the border of a part, where no row is read
+    }
+    const SectorMask mask = GetSectorMask(ofEdge);
+    rows.Rows.push_back(vertices + edge);
+    add(edgeVertices[2 * vtkIdType(edge)], mask.Ends[0]);
+    add(edgeVertices[2 * vtkIdType(edge) + 1], mask.Ends[1]);
+    for (Id member : strata.EdgeRings.GetMembers(edge))
+    {
+      add(member, mask.Ring);
+    }
+    for (const SectorEdge<Id>& sector : ofEdge)
+    {
+      for (int k = 0; k < 2 && sector.Flatness > 0.; ++k)
+      {
+        add(sector.Ends[k], mask.Bounds[sector.End][k]);
+      }
+    }
+    rows.Offsets.push_back(static_cast<Id>(rows.Columns.size()));
+  }
+  return rows;
 }
 
+template <typename Id>
+void AppendRow(const StoredRows<Id>& stored, const ExplicitRows<Id>& own, vtkIdType row,
+  double factor, ExplicitRows<Id>& rows)
+{
+  const auto found = std::lower_bound(own.Rows.begin(), own.Rows.end(), static_cast<Id>(row));
+  if (found != own.Rows.end() && *found == row)
+  {
+    const auto place = static_cast<std::size_t>(found - own.Rows.begin());
+    for (Id k = own.Offsets[place]; k < own.Offsets[place + 1]; ++k)
+    {
+      rows.Columns.push_back(own.Columns[static_cast<std::size_t>(k)]);
+      rows.Weights.push_back(own.Weights[static_cast<std::size_t>(k)] * factor);
+    }
+    return;
+  }
+  const vtkIdType starts[3] = { 0, stored.Vertices.size(),
+    stored.Vertices.size() + stored.Edges.size() };
+  const std::size_t kind = row < starts[1] ? 0 : row < starts[2] ? 1 : 2;
+  const vtkIdType i = row - starts[kind];
+  AppendWeighted(stored.Get(kind, i, i + 1), 0, factor, rows);
+}
+
+SUBDIVISION_COMPILE_FUNCTION(MakeSectorRows);
+SUBDIVISION_COMPILE_FUNCTION(AppendRow);
 SUBDIVISION_COMPILE(class LevelRows);
 SUBDIVISION_COMPILE(struct Stencils);
 

@@ -21,7 +21,7 @@
 namespace subdivision
 {
 
-/// Rows with explicit weights, which replace those that rules and rings give.
+/// Rows with explicit weights, which replace those that rules and rings give. Rows ascend.
 template <typename Id>
 struct ExplicitRows
 {
@@ -71,8 +71,18 @@ StoredRows<typename Level::IdType> GetStoredRows(const Level& level)
     level.Strata.VertexRings, level.Strata.EdgeRings, GetSolidRows(level) };
 }
 
-/// The operator that takes a level to the next, while the level stays whole. ChildRows.h has that
-/// of a level which is never made.
+/// The rows of the edges of a level whose rule depends on sectors (SectorEdges.h).
+template <typename Id>
+ExplicitRows<Id> MakeSectorRows(const Strata<Id>& strata, const Buffer<Id>& edgeVertices);
+
+/// Appends columns and weights of a row, each weight times `factor`. `own`: rows that replace some
+/// of those that are stored.
+template <typename Id>
+void AppendRow(const StoredRows<Id>& stored, const ExplicitRows<Id>& own, vtkIdType row,
+  double factor, ExplicitRows<Id>& rows);
+
+/// The operator that takes a level to the next, while the level stays whole and has no sectors
+/// (SectorEdges.h). ChildRows.h has that of a level which is never made.
 template <typename Id>
 class LevelRows : public RingOperator<Id>
 {
@@ -102,7 +112,7 @@ struct Stencils : RingOperator<Id>
   Buffer<Id> CentreVertices; ///< as in SolidRows
   vtkIdType NumberOfCounted = 0;
   std::shared_ptr<const Buffer<Id>> Counts; ///< null: none
-  ExplicitRows<Id> Explicit;                ///< semi-sharp creases need them
+  ExplicitRows<Id> Explicit;                ///< of sectors, and of semi-sharp creases
 
   vtkIdType GetNumberOfColumns() const override { return this->Vertices.size(); }
   vtkIdType GetNumberOfRows() const override { return this->GetStored().GetNumberOfRows(); }
@@ -110,8 +120,11 @@ struct Stencils : RingOperator<Id>
   void ForEachBlock(const PointOperator::User& use) const override;
   std::size_t GetMemorySize() const;
 
-  /// Appends columns and weights of the row that the rule gives, each weight times `factor`.
-  void AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& rows) const;
+  /// Appends columns and weights of a row, each weight times `factor`.
+  void AppendRow(vtkIdType row, double factor, ExplicitRows<Id>& rows) const
+  {
+    subdivision::AppendRow(this->GetStored(), this->Explicit, row, factor, rows);
+  }
 
 private:
   StoredRows<Id> GetStored() const;
@@ -125,6 +138,7 @@ Stencils<typename Level::IdType> TakeStencils(Level& level)
   using Id = typename Level::IdType;
   Stencils<Id> stencils;
   TakeSolidRows(level, stencils);
+  stencils.Explicit = MakeSectorRows(level.Strata, level.Complex.EdgeVertices);
   stencils.Vertices = std::move(level.Strata.Vertices);
   stencils.Edges = std::move(level.Strata.Edges);
   stencils.EdgeVertices = std::move(level.Complex.EdgeVertices);

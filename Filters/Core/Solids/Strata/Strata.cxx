@@ -206,6 +206,7 @@ Strata<Id> StrataBuilder<Id>::Build()
   const vtkIdType vertices = this->Complex.NumberOfVertices;
   Strata<Id> strata;
   strata.Weights = this->Options.Weights;
+  strata.ModifiedBoundary = this->Options.ModifiedBoundary;
   this->EdgePlaces = Buffer<Place>(edges);
   ForEach(edges,
     [&](vtkIdType e) { this->EdgePlaces[e] = this->Around.PlaceEdge(static_cast<Id>(e), 3); });
@@ -245,6 +246,10 @@ Strata<Id> StrataBuilder<Id>::Build()
     [&](vtkIdType v, Id edge) { return this->IsInVertexRing(edge, vertexDecisions[v]); },
     [&](vtkIdType v, Id edge) { return this->Complex.GetOtherEnd(edge, static_cast<Id>(v)); },
     std::vector<std::vector<Id>>());
+  if (strata.ModifiedBoundary)
+  {
+    strata.Sectors = this->CollectSectors(strata);
+  }
   return strata;
 }
 

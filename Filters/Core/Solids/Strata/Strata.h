@@ -14,6 +14,9 @@
 #include "Core/Rules/Rule.h"
 #include "Core/Rules/Stratum.h"
 #include "Core/Solids/Complex/SimplicialComplex.h"
+#include "Core/Solids/Strata/SectorEdges.h"
+
+#include <vector>
 
 namespace subdivision
 {
@@ -35,6 +38,11 @@ struct StrataOptions
   /// the crease. Otherwise it is a corner.
   bool DartEnds = false;
   LoopWeights Weights = LoopWeights::Warren;
+  /// Whether edges that end on a curve or at a corner follow the rules of SectorEdges.h there.
+  bool ModifiedBoundary = false;
+  /// For these rules the angle of each sector at a corner, by vertex, in radians; negative or not a
+  /// number: the plain rule; may be empty.
+  Buffer<double> CornerAngles;
   /// The part of each maximal edge and face for the choice FollowPart, negative for none; may be
   /// empty.
   Buffer<int> EdgeParts;
@@ -87,6 +95,15 @@ struct Strata
   Rings<Id> VertexRings;
   Rings<Id> EdgeRings;
   LoopWeights Weights = LoopWeights::Warren; ///< of vertices with d = 2
+  bool ModifiedBoundary = false;
+  std::vector<SectorEdge<Id>> Sectors; ///< the edges whose rule that changes
+
+  /// What is the same on all levels and in all parts.
+  void TakeChoices(const Strata& other)
+  {
+    this->Weights = other.Weights;
+    this->ModifiedBoundary = other.ModifiedBoundary;
+  }
 };
 
 template <typename Id>

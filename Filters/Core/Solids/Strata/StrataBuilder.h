@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file StrataBuilder.h
- * The decisions behind Strata.h: edges first (StrataEdges.cxx), then vertices (StrataVertices.cxx).
+ * The decisions behind Strata.h: edges first (StrataEdges.cxx), then vertices (StrataVertices.cxx),
+ * and at last what depends on sectors (StrataSectors.cxx).
  */
 #ifndef SubdivisionObjects_StrataBuilder_h
 #define SubdivisionObjects_StrataBuilder_h
@@ -70,6 +71,10 @@ private:
   bool LiesOnBoundaryCurve(Id vertex) const;
   int FindPartAtVertex(Id vertex, int k) const;
   int FindPartAtEdge(Id edge) const;
+  // Sectors.
+  void AppendSectors(
+    Id vertex, const Strata<Id>& strata, std::vector<SectorEdge<Id>>& sectors) const;
+  std::vector<SectorEdge<Id>> CollectSectors(const Strata<Id>& strata) const;
   // Shared.
   int TypeOf(unsigned char dimensions, const Place places[4]) const;
   JointRule Choice(int type, unsigned char regional) const;

@@ -2,7 +2,7 @@
 #include "Core/Surfaces/Loop/LoopScheme.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Rules/Pi.h"
+#include "Core/Rules/SectorMasks.h"
 #include "Core/Surfaces/Loop/LoopRegular.h"
 #include "Core/Surfaces/Loop/LoopRowsOfNext.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
@@ -37,7 +37,7 @@ public:
   bool BlendsJoints() const override { return true; }
   double GetThirdEigenvalue(int k, double angle) const override
   {
-    return 0.5 + (std::cos(Pi / k) - std::cos(angle / k)) / 4.;
+    return GetThirdEigenvalueOfTriangles(k, angle);
   }
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
@@ -211,7 +211,7 @@ void LoopScheme<Id>::AppendEdgeAtCurve(
     }
     const Id at = GetCornerAt(mesh, corner, vertex);
     const double angle = this->ModifiedBoundary ? FindAngleOfFace(mesh, tags, vertex, at) : 0.;
-    const double gamma = angle > 0. ? 0.5 - std::cos(angle) / 4. : 3. / 8.;
+    const double gamma = angle > 0. ? GetFarEndWeight(angle) : PlainEndWeight;
     weights[end] += 0.75 - gamma;
     weights[1 - end] += gamma;
     ++asking;

@@ -7,6 +7,7 @@
 #ifndef SubdivisionObjects_SectorRows_h
 #define SubdivisionObjects_SectorRows_h
 
+#include "Core/Rules/SectorMasks.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <cmath>
@@ -62,9 +63,9 @@ FlatPoint<Id> FindFlatPoint(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& 
   const double t = sector->Angle / ends.Size;
   const double c = isFace ? std::cos(j * t) + std::cos((j + 1) * t) : std::cos(j * t);
   const double s = isFace ? std::sin(j * t) + std::sin((j + 1) * t) : std::sin(j * t);
-  // Halved, because after the step the new points of the two sharp edges are at their midpoints.
-  flat.Weights[0] = (c - s * std::cos(sector->Angle) / std::sin(sector->Angle)) / 2.;
-  flat.Weights[1] = s / std::sin(sector->Angle) / 2.;
+  const FlatWeights weights = GetFlatWeights(sector->Angle, c, s);
+  flat.Weights[0] = weights.First;
+  flat.Weights[1] = weights.Last;
   flat.Flatness = sector->Flatness;
   flat.Corner = vertex;
   flat.Ends[0] = mesh.GetOtherEnd(mesh.Edges[ends.First.GetHalfEdgeIn(mesh)], vertex);

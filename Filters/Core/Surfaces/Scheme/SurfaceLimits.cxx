@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Rules/Masks.h"
 #include "Core/Rules/Pi.h"
+#include "Core/Rules/SectorMasks.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <cmath>
@@ -469,38 +470,18 @@ void LimitFinder<Id>::SetTransversalMask()
     return;
   }
   const double t = Pi / static_cast<double>(k);
-  const double cosine = std::cos(t);
-  const double plain = 3. / 8.;
-  const double g = !this->ModifiedBoundary ? plain : (this->Quads ? 3. / 8. : 0.5) - cosine / 4.;
-  const double a = g + cosine / 8.;
-  const double value = this->Quads
-    ? (a + 0.25 + std::sqrt((a - 0.25) * (a - 0.25) + (1. + cosine) / 8.)) / 2.
-    : g + cosine / 4.;
-  const double sum = 1. / std::tan(t / 2.);
-  const double faces = this->Quads ? 1. / (16. * (value - 0.25)) : 0.;
-  const double h = std::sin(t) * (this->Quads ? 0.5 + 2. * faces : 1.);
-  const double rest = (0.75 - g) * sum + faces * sum / 2.;
-  const double d = value - 0.5;
-  double end = 0.;
-  if (std::abs(d) < 1e-12)
-  {
-    mask.Own = -h;
-    end = (value - 0.75) * mask.Own - rest;
-  }
-  else
-  {
-    mask.Own = (h / (8. * d) + rest) / (value - 0.75 - 1. / (8. * d));
-    end = (mask.Own + h) / (8. * d);
-  }
+  const TransversalMask weights =
+    GetTransversalMask(static_cast<int>(k), this->Quads, this->ModifiedBoundary);
+  mask.Own = weights.Own;
   for (std::size_t j = 1; j < k; ++j)
   {
     mask.Edges[j] = std::sin(static_cast<double>(j) * t);
   }
-  mask.Edges[0] = mask.Edges[k] = end;
+  mask.Edges[0] = mask.Edges[k] = weights.End;
   for (std::size_t j = 0; j < mask.Faces.size(); ++j)
   {
-    mask.Faces[j] =
-      faces * (std::sin(static_cast<double>(j) * t) + std::sin(static_cast<double>(j + 1) * t));
+    mask.Faces[j] = weights.Faces *
+      (std::sin(static_cast<double>(j) * t) + std::sin(static_cast<double>(j + 1) * t));
   }
 }
 

@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Rules/Pi.h"
+#include "Core/Rules/SectorMasks.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <cmath>
@@ -12,14 +13,6 @@ namespace subdivision
 {
 namespace
 {
-
-/// Keeps the angle of a sector away from 0, pi and 2 pi, where the rules degenerate (Mathematics
-/// 12). An angle that is pi within rounding counts as convex.
-double ClampAngle(double angle, double tie)
-{
-  return angle < Pi * (1. + tie) ? std::max(Pi / 8., std::min(angle, 7. * Pi / 8.))
-                                 : std::max(9. * Pi / 8., std::min(angle, 15. * Pi / 8.));
-}
 
 template <typename Id>
 class Classification
@@ -223,7 +216,8 @@ private:
   {
     const double alpha =
       isOnly && !this->Features.Angles.empty() ? this->Features.Angles[sector.Vertex] : -1.;
-    sector.Angle = ClampAngle(alpha >= 0. ? alpha : this->MeasureAngle(sector), this->Points.Tie);
+    sector.Angle =
+      ClampCornerAngle(alpha >= 0. ? alpha : this->MeasureAngle(sector), this->Points.Tie);
     const double given =
       this->Features.Flatness.empty() ? -1. : this->Features.Flatness[sector.Vertex];
     if (given >= 0.)
@@ -232,8 +226,7 @@ private:
     }
     else if (sector.Angle > Pi)
     {
-      const double third = this->Scheme.GetThirdEigenvalue(sector.Size, sector.Angle);
-      sector.Flatness = third > 0.25 ? 1. - 0.25 / third : 0.;
+      sector.Flatness = GetFlatness(this->Scheme.GetThirdEigenvalue(sector.Size, sector.Angle));
     }
   }
 

@@ -1,0 +1,497 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestModifiedBoundary.cxx
+ * The survey's rules next to boundaries, creases and corners in the main filter: against
+ * vtkSurfaceSubdivision, on solids, in a row, with limits and normals.
+ */
+#include "MultiDimensionalSubdivisionTools.h"
+#include "RandomSurfaces.h"
+
+#include "vtkSMPTools.h"
+#include "vtkSubdivisionModelSource.h"
+#include "vtkSurfaceSubdivision.h"
+
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+
+using namespace multi_dimensional_subdivision_tools;
+using surfacetools::Model;
+
+namespace
+{
+
+using Filter = vtkMultiDimensionalSubdivision;
+using Configure = std::function<void(Filter*)>;
+
+constexpr const char* AngleName = "Angle";
+
+template <typename FilterType>
+void SetAngles(FilterType* filter)
+{
+  const bool isOfSurfaces = filter->IsA("vtkSurfaceSubdivision");
+  filter->SetInputArrayToProcess(
+    isOfSurfaces ? 5 : 10, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, AngleName);
+}
+
+Grid Execute(vtkPointSet* input, int levels, const Configure& configure = {})
+{
+  vtkNew<Filter> filter;
+  filter->SetNumberOfLevels(levels);
+  filter->ModifiedBoundaryOn();
+  SetAngles(filter.Get());
+  if (configure)
+  {
+    configure(filter);
+  }
+  return UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input);
+}
+
+/// A rough surface with borders, and creases that touch neither a border nor each other, which end
+/// in darts; some border vertices are flagged as corners. Each point has an angle.
+vtkSmartPointer<vtkPolyData> MakeCreased(unsigned seed, bool hasCreases)
+{
+  std::mt19937 random(seed);
+  Model model = surfacetools::RandomSurface(seed).Get();
+  std::map<std::pair<vtkIdType, vtkIdType>, int> counts;
+  for (const auto& face : model.Faces)
+  {
+    for (std::size_t k = 0; k < face.size(); ++k)
+    {
+      ++counts[std::minmax(face[k], face[(k + 1) % face.size()])];
+    }
+  }
+  std::set<vtkIdType> border;
+  for (const auto& [edge, count] : counts)
+  {
+    if (count == 1)
+    {
+      border.insert({ edge.first, edge.second });
+    }
+  }
+  std::map<vtkIdType, int> creases;
+  model.Lines.clear();
+  for (const auto& [edge, count] : counts)
+  {
+    const bool isInside = border.count(edge.first) == 0 && border.count(edge.second) == 0;
+    if (hasCreases && isInside && count == 2 && random() % 3 == 0 && creases[edge.first] < 2 &&
+      creases[edge.second] < 2)
+    {
+      ++creases[edge.first];
+      ++creases[edge.second];
+      model.Lines.push_back({ edge.first, edge.second });
+    }
+  }
+  const auto input = surfacetools::MakeInput(model);
+  vtkNew<vtkCellArray> corners;
+  for (const vtkIdType vertex : border)
+  {
+    if (random() % 6 == 0)
+    {
+      corners->InsertNextCell(1, &vertex);
+    }
+  }
+  const vtkIdType flagged = corners->GetNumberOfCells() + input->GetNumberOfLines();
+  input->SetVerts(corners);
+  vtkNew<vtkIntArray> flags;
+  flags->SetName("Singular");
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    flags->InsertNextValue(cell < flagged);
+  }
+  input->GetCellData()->Initialize();
+  input->GetCellData()->AddArray(flags);
+  input->GetPointData()->AddArray(
+    MakeArray<vtkDoubleArray>(AngleName, 1, input->GetNumberOfPoints(), 0., 360., seed));
+  return input;
+}
+
+/// The same with creases that are sharp for no, one or two levels, or for ever.
+vtkSmartPointer<vtkPolyData> MakeSemiSharp(unsigned seed)
+{
+  const auto input = MakeCreased(seed, true);
+  vtkNew<vtkDoubleArray> sharpness;
+  sharpness->SetName("Sharpness");
+  vtkDataArray* flags = input->GetCellData()->GetArray("Singular");
+  const vtkIdType vertices = input->GetNumberOfVerts();
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    const bool isLine = cell >= vertices && cell < vertices + input->GetNumberOfLines();
+    const double values[] = { 0., 1., 2., std::numeric_limits<double>::infinity() };
+    sharpness->InsertNextValue(isLine ? values[(seed + cell) % 4] : 0.);
+    flags->SetComponent(cell, 0, cell < vertices ? 1. : 0.);
+  }
+  input->GetCellData()->AddArray(sharpness);
+  return input;
+}
+
+/// Points of the input, then those of all cells, or an array there: filters number new points each
+/// in their own way.
+std::vector<Point> Collect(vtkPointSet* mesh, vtkIdType points, const char* array = nullptr)
+{
+  std::vector<Point> found;
+  const auto add = [&](vtkIdType i)
+  {
+    found.emplace_back();
+    array ? mesh->GetPointData()->GetArray(array)->GetTuple(i, found.back().data())
+          : mesh->GetPoint(i, found.back().data());
+  };
+  for (vtkIdType i = 0; i < points; ++i)
+  {
+    add(i);
+  }
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetCellPoints(cell, ids);
+    std::for_each(ids->begin(), ids->end(), add);
+  }
+  return found;
+}
+
+double GetDifference(const std::vector<Point>& a, const std::vector<Point>& b)
+{
+  EXPECT_EQ(a.size(), b.size());
+  double most = 0.;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      most = std::max(most, std::abs(a[i][c] - b[i][c]));
+    }
+  }
+  return most;
+}
+
+/// What both filters make of a surface.
+void ExpectSameSurfaces(vtkPolyData* input, int levels, bool limit, bool normals)
+{
+  vtkNew<vtkSurfaceSubdivision> loop;
+  loop->SetInputData(input);
+  loop->SetNumberOfLevels(levels);
+  loop->SetProjectToLimit(limit);
+  loop->SetGenerateLimitNormals(normals);
+  loop->SetCreaseEndToDart();
+  SetAngles(loop.Get());
+  const char* sharpness = input->GetCellData()->HasArray("Sharpness") ? "Sharpness" : "None";
+  loop->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, sharpness);
+  loop->Update();
+  const Grid main = Execute(input, levels,
+    [=](Filter* filter)
+    {
+      filter->SetProjectToLimit(limit);
+      filter->SetGenerateLimitNormals(normals);
+      filter->SetCreaseEndToDart();
+      filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, sharpness);
+    });
+  const vtkIdType points = input->GetNumberOfPoints();
+  EXPECT_LT(GetDifference(Collect(main, points), Collect(loop->GetOutput(), points)), 1e-12)
+    << levels << " levels";
+  if (normals)
+  {
+    EXPECT_LT(GetDifference(Collect(main, points, "LimitNormals"),
+                Collect(loop->GetOutput(), points, "LimitNormals")),
+      1e-9);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> WithoutCorners(vtkPolyData* input)
+{
+  const auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->SetPoints(input->GetPoints());
+  copy->SetPolys(input->GetPolys());
+  copy->GetPointData()->ShallowCopy(input->GetPointData());
+  return copy;
+}
+
+/// A box of hexahedra with shells, lines and a fin, creases that are sharp for some levels, and
+/// angles.
+Grid MakeBox()
+{
+  const Grid box = MakeMixedBox(2);
+  vtkNew<vtkDoubleArray> sharpness;
+  sharpness->SetName("Sharpness");
+  for (vtkIdType cell = 0; cell < box->GetNumberOfCells(); ++cell)
+  {
+    sharpness->InsertNextValue(
+      box->GetCellType(cell) == VTK_LINE ? 0.75 * static_cast<double>(cell % 4) : 0.);
+  }
+  box->GetCellData()->AddArray(sharpness);
+  box->GetPointData()->AddArray(
+    MakeArray<vtkDoubleArray>(AngleName, 1, box->GetNumberOfPoints(), -100., 360., 3));
+  return box;
+}
+
+void UseFeatures(Filter* filter)
+{
+  filter->DetectFeaturesOn();
+  filter->SetFeatureAngle(50.);
+  filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Sharpness");
+}
+
+}
+
+TEST(ModifiedBoundary, SurfacesAreThoseOfTheSurfaceFilter)
+{
+  for (unsigned seed = 0; seed < 40; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto input = MakeCreased(seed, seed % 2);
+    for (int levels = 0; levels <= 3; ++levels)
+    {
+      ExpectSameSurfaces(input, levels, false, false);
+      ExpectSameSurfaces(input, levels, true, false);
+    }
+    // Normals of a crease are those of one side in the surface filter, of both in the other one.
+    ExpectSameSurfaces(WithoutCorners(input), 1, true, true);
+  }
+}
+
+/// Creases that are sharp for whole levels have all rules near them in both filters.
+TEST(ModifiedBoundary, SemiSharpCreasesAreThoseOfTheSurfaceFilter)
+{
+  for (unsigned seed = 0; seed < 40; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto input = MakeSemiSharp(seed);
+    for (int levels = 0; levels <= 3; ++levels)
+    {
+      ExpectSameSurfaces(input, levels, false, false);
+      ExpectSameSurfaces(input, levels, true, false);
+    }
+  }
+}
+
+TEST(ModifiedBoundary, ChangesSomethingAndOffIsTheDefault)
+{
+  const auto input = MakeCreased(3, true);
+  const Grid on = Execute(input, 2);
+  const Grid off = Execute(input, 2, [](Filter* filter) { filter->ModifiedBoundaryOff(); });
+  EXPECT_NE(Compare(on, off), "");
+  vtkNew<Filter> filter;
+  EXPECT_FALSE(filter->GetModifiedBoundary());
+  filter->SetNumberOfLevels(2);
+  EXPECT_EQ(Compare(off, UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input)), "");
+  const Grid linear = Execute(input, 2, [](Filter* f) { f->SetVolumeSchemeToLinear(); });
+  filter->SetVolumeSchemeToLinear();
+  EXPECT_EQ(Compare(linear, UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input)), "");
+}
+
+/// A tube of triangles, three at each boundary vertex: both rules are the same, bit for bit.
+TEST(ModifiedBoundary, RegularBoundariesKeepTheirBits)
+{
+  std::vector<Point> points;
+  std::vector<Cell> cells;
+  constexpr vtkIdType around = 7;
+  for (vtkIdType i = 0; i < 4 * around; ++i)
+  {
+    const double angle = 0.9 * static_cast<double>(i % around);
+    points.push_back({ std::cos(angle), std::sin(angle), 0.3 * static_cast<double>(i / around) });
+    const vtkIdType right = i - i % around + (i + 1) % around;
+    if (i < 3 * around)
+    {
+      cells.push_back({ VTK_TRIANGLE, { i, right, right + around } });
+      cells.push_back({ VTK_TRIANGLE, { i, right + around, i + around } });
+    }
+  }
+  const Grid tube = MakeGrid(points, cells);
+  for (const bool limit : { false, true })
+  {
+    const Grid on = Execute(tube, 2,
+      [=](Filter* filter)
+      {
+        filter->SetInputArrayToProcess(10, 0, 0, 0, "None");
+        filter->SetProjectToLimit(limit);
+      });
+    const Grid off = Execute(tube, 2,
+      [=](Filter* filter)
+      {
+        filter->SetInputArrayToProcess(10, 0, 0, 0, "None");
+        filter->ModifiedBoundaryOff();
+        filter->SetProjectToLimit(limit);
+      });
+    EXPECT_EQ(Compare(on, off), "");
+  }
+}
+
+/// The boundary of a solid, with creases and corners on it, is that surface subdivided alone.
+TEST(ModifiedBoundary, BoundariesOfSolidsAreSurfaces)
+{
+  for (const int model : { vtkSubdivisionModelSource::MECHANICAL_PART })
+  {
+    vtkNew<vtkSubdivisionModelSource> source;
+    source->SetModel(model);
+    source->Update();
+    vtkUnstructuredGrid* mesh = source->GetOutput();
+    std::map<std::set<vtkIdType>, Ids> faces;
+    std::vector<Point> points;
+    std::vector<Cell> cells[2];
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      points.push_back(GetPoint(mesh, i));
+    }
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      const Ids ids = GetCell(mesh, cell);
+      if (mesh->GetCellType(cell) != VTK_TETRA)
+      {
+        continue;
+      }
+      cells[0].push_back({ VTK_TETRA, ids });
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        const Ids face = { ids[k], ids[(k + 1) % 4], ids[(k + 2) % 4] };
+        const std::set<vtkIdType> key(face.begin(), face.end());
+        faces.erase(key) == 0 ? void(faces[key] = face) : void();
+      }
+    }
+    for (const auto& [key, face] : faces)
+    {
+      cells[1].push_back({ VTK_TRIANGLE, face });
+    }
+    ASSERT_GT(cells[0].size(), 10u);
+    Grid made[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      const Grid input = MakeGrid(points, cells[i]);
+      input->GetPointData()->AddArray(
+        MakeArray<vtkDoubleArray>(AngleName, 1, input->GetNumberOfPoints(), 0., 360., 5));
+      made[i] = Execute(input, 2,
+        [](Filter* filter)
+        {
+          filter->DetectFeaturesOn();
+          filter->ProjectToLimitOn();
+        });
+    }
+    std::vector<Point> solid;
+    for (vtkIdType i = 0; i < made[0]->GetNumberOfPoints(); ++i)
+    {
+      solid.push_back(GetPoint(made[0], i));
+    }
+    std::sort(solid.begin(), solid.end());
+    std::set<vtkIdType> used;
+    for (const Ids& cell : GetCells(made[1]))
+    {
+      used.insert(cell.begin(), cell.end());
+    }
+    for (const vtkIdType i : used)
+    {
+      const Point p = GetPoint(made[1], i);
+      auto at = std::lower_bound(solid.begin(), solid.end(), Point{ p[0] - 1e-12, -1e9, -1e9 });
+      double least = 1e9;
+      for (; at != solid.end() && (*at)[0] <= p[0] + 1e-12; ++at)
+      {
+        least = std::min(least, std::max(std::abs((*at)[1] - p[1]), std::abs((*at)[2] - p[2])));
+      }
+      ASSERT_LT(least, 1e-12) << "point " << i;
+    }
+  }
+}
+
+TEST(ModifiedBoundary, FiltersInARowAreOne)
+{
+  const Grid box = MakeBox();
+  for (const int scheme : { Filter::BOX_SPLINE, Filter::TET_OCT })
+  {
+    for (const bool cached : { true, false })
+    {
+      const Configure configure = [=](Filter* filter)
+      {
+        UseFeatures(filter);
+        filter->SetVolumeScheme(scheme);
+        filter->SetCacheOperator(cached);
+      };
+      const Grid whole = Execute(box, 3, configure);
+      Grid step = box;
+      for (int level = 0; level < 3; ++level)
+      {
+        step = Execute(step, 1, configure);
+      }
+      EXPECT_EQ(Compare(step, whole), "") << "scheme " << scheme << " cached " << cached;
+    }
+  }
+}
+
+TEST(ModifiedBoundary, LimitsDoNotDependOnLevels)
+{
+  const Grid box = MakeBox();
+  for (const int scheme : { Filter::BOX_SPLINE, Filter::TET_OCT })
+  {
+    const auto limit = [&](int levels)
+    {
+      return Execute(box, levels,
+        [=](Filter* filter)
+        {
+          UseFeatures(filter);
+          filter->SetVolumeScheme(scheme);
+          filter->ProjectToLimitOn();
+        });
+    };
+    const Grid early = limit(0);
+    for (int levels = 1; levels < 3; ++levels)
+    {
+      const Grid late = limit(levels);
+      for (vtkIdType i = 0; i < box->GetNumberOfPoints(); ++i)
+      {
+        const Point a = GetPoint(early, i);
+        const Point b = GetPoint(late, i);
+        ASSERT_LT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 1e-12)
+          << "point " << i << " after " << levels << " levels, scheme " << scheme;
+      }
+    }
+  }
+}
+
+TEST(ModifiedBoundary, ThreadsDoNotMatter)
+{
+  const Grid box = MakeBox();
+  const auto run = [&](int threads)
+  {
+    vtkSMPTools::Initialize(threads);
+    return Execute(box, 3,
+      [](Filter* filter)
+      {
+        UseFeatures(filter);
+        filter->ProjectToLimitOn();
+        filter->GenerateLimitNormalsOn();
+      });
+  };
+  const std::string before = vtkSMPTools::GetBackend();
+  ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
+  const Grid one = run(1);
+  EXPECT_EQ(Compare(one, run(4)), "");
+  vtkSMPTools::SetBackend(before.c_str());
+  vtkSMPTools::Initialize(0);
+}
+
+TEST(ModifiedBoundary, OnlyAnglesOfCornersChangeTheOperator)
+{
+  vtkNew<Filter> filter;
+  filter->ModifiedBoundaryOn();
+  SetAngles(filter.Get());
+  const Grid box = MakeBox();
+  filter->DetectFeaturesOn();
+  const Grid first = UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), box);
+  EXPECT_EQ(filter->GetNumberOfTopologyBuilds(), 1);
+  const Grid other = DeepCopy(box);
+  other->GetPointData()->GetArray(AngleName)->Fill(200.);
+  const Grid second = UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), other);
+  EXPECT_EQ(filter->GetNumberOfTopologyBuilds(), 2);
+  EXPECT_NE(GetDifference(Collect(first, 0), Collect(second, 0)), 0.);
+  const Grid fresh = Execute(other, 1, [](Filter* f) { f->DetectFeaturesOn(); });
+  EXPECT_EQ(Compare(second, fresh), "");
+}
+
+TEST(ModifiedBoundary, AnArrayThatIsMissingIsAnError)
+{
+  vtkNew<Messages> messages;
+  vtkNew<Filter> filter;
+  messages->Watch(filter);
+  filter->ModifiedBoundaryOn();
+  filter->SetInputArrayToProcess(10, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Nothing");
+  filter->SetInputData(MakeBox());
+  filter->Update();
+  ASSERT_FALSE(messages->Errors.empty());
+  EXPECT_NE(messages->Errors[0].find("Nothing"), std::string::npos);
+}
