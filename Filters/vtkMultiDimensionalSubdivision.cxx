@@ -3,7 +3,7 @@
 
 #include "Private/Bezier/BezierCells.h"
 #include "Private/Distribution/Dimensions.h"
-#include "Private/Uniform/UniformSubdivision.h"
+#include "Private/Uniform/UniformBounds.h"
 
 #include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
@@ -140,6 +140,10 @@ int vtkMultiDimensionalSubdivision::RequestData(
   {
     vtkWarningMacro("Bezier cells have no global ids: GenerateGlobalIds is ignored.");
   }
+  if (writesBezierCells && this->GenerateErrorBounds)
+  {
+    vtkWarningMacro("Bezier cells have no error bounds: GenerateErrorBounds is ignored.");
+  }
   options.GenerateClassification = this->GenerateClassification;
   options.ProjectToLimit = this->ProjectToLimit || writesBezierCells;
   options.GenerateLimitNormals = this->GenerateLimitNormals;
@@ -155,6 +159,8 @@ int vtkMultiDimensionalSubdivision::RequestData(
     options.GenerateClassification = options.KeepCellTypes = false;
     options.Cache = nullptr;
   }
+  const bool addsBounds =
+    this->GenerateErrorBounds && this->HasOutput() && !this->Places && !writesBezierCells;
   const int result = this->Run(inputVector, outputVector, options,
     "Results at the border of the partition are not those of the whole mesh.",
     "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
@@ -165,8 +171,9 @@ int vtkMultiDimensionalSubdivision::RequestData(
       {
         options.Levels = this->NumberOfLevels + this->FurtherLevels;
       }
-      return subdivision::SubdivideUniformly(
-        input, options, vtkUnstructuredGrid::SafeDownCast(output));
+      auto* grid = vtkUnstructuredGrid::SafeDownCast(output);
+      return subdivision::SubdivideUniformly(input, options, grid) &&
+        (!addsBounds || subdivision::AddUniformBounds(input, options, grid));
     });
   if (!this->Places)
   {
@@ -185,6 +192,7 @@ void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
   os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";
+  os << indent << "GenerateErrorBounds: " << this->GenerateErrorBounds << "\n";
   os << indent << "OutputCells: " << this->OutputCells << "\n";
   os << indent << "BezierTolerance: " << this->BezierTolerance << "\n";
   os << indent << "OutputDimensions: " << this->OutputDimensions << "\n";
