@@ -110,7 +110,8 @@ int vtkMultiDimensionalSubdivision::GetLayersOfCells() const
 {
   const bool readsLimit = this->ProjectToLimit || this->GenerateLimitNormals ||
     this->GenerateTangents || this->InterpolatePoints || this->InterpolateArrays;
-  return this->VolumeScheme == TET_OCT && readsLimit ? 3 : 2;
+  const int further = this->GenerateErrorBounds ? 1 : 0; // deviations next to a cell count
+  return further + (this->VolumeScheme == TET_OCT && readsLimit ? 3 : 2);
 }
 
 int vtkMultiDimensionalSubdivision::RequestData(
@@ -161,6 +162,7 @@ int vtkMultiDimensionalSubdivision::RequestData(
   }
   const bool addsBounds =
     this->GenerateErrorBounds && this->HasOutput() && !this->Places && !writesBezierCells;
+  options.KeepsCopies = addsBounds;
   const int result = this->Run(inputVector, outputVector, options,
     "Results at the border of the partition are not those of the whole mesh.",
     "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +

@@ -246,13 +246,14 @@ public:
    * how far a point of the input is away from its limit, and `ASmoothingDistance` for values; NaN
    * at all other points. All vtkDoubleArray with one component. The bounds hold for the points and
    * values of the output, whether they are projected to the limit or not, but for rounding in
-   * double precision, and are 1 to 3 times the truth (Mathematics 14).
+   * double precision, and are 1 to 3 times the truth (Mathematics 14); more where the truth is much
+   * smaller than next to the cell.
    *
    * They are read off a mesh of 3 more levels, which counts for MaximumNumberOfCells and memory:
    * 512 times as many tetrahedra, 64 times as many triangles. With a warning the filter makes no
    * bounds where it has no proof: with VolumeScheme = TET_OCT, KeepCellTypes, Bezier cells, creases
-   * that are sharp for more than one level after the last, InterfaceValues = DISCONTINUOUS_VALUES,
-   * and on several ranks. Off by default.
+   * that are sharp for more than one level after the last, and InterfaceValues =
+   * DISCONTINUOUS_VALUES. Off by default.
    */
   vtkSetMacro(GenerateErrorBounds, bool);
   vtkGetMacro(GenerateErrorBounds, bool);

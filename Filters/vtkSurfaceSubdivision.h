@@ -275,7 +275,7 @@ public:
    * and `ASmoothingDistance` for values; NaN at all other points. All vtkDoubleArray with one
    * component. The bounds hold for the points and values of the output, whether they are projected
    * to the limit or not, but for rounding in double precision, and are 1 to 3 times the truth
-   * (Mathematics 14).
+   * (Mathematics 14); more where the truth is much smaller than next to the cell.
    *
    * They are read off a mesh of 3 more levels, 64 times as many faces, which counts for
    * MaximumNumberOfCells and memory. For LOOP, CATMULL_CLARK and LINEAR. With a warning the filter

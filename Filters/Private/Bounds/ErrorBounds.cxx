@@ -73,20 +73,41 @@ public:
     this->Quiet.Warn = [](const std::string&) {}; // the run before has told all
     this->Quiet.Fail = [this](const std::string& error)
     { this->Options.Fail("GenerateErrorBounds makes a mesh of 3 more levels. " + error); };
-    this->Quiet.FindPartners = nullptr;
-    this->Quiet.GenerateOriginalIds = false;
+    this->Quiet.GenerateOriginalIds = this->Quiet.GenerateGlobalIds = false;
     this->Quiet.OutputPointsPrecision = vtkAlgorithm::DOUBLE_PRECISION;
   }
 
   bool Add();
 
 private:
+  /// Why there are no bounds, the last of all partitions' reasons.
+  enum Reasons : int
+  {
+    None,
+    NotNested,
+    NegativeWeights,
+    Sharp,
+    Seams
+  };
+  Reasons FindReason(const NestedPieces& pieces) const;
   /// Warns that there are no bounds.
-  bool Refuse(const std::string& reason)
+  bool Refuse(const std::string& reason) const
   {
     this->Options.Warn(reason + ": GenerateErrorBounds is ignored.");
     return true;
   }
+  bool Refuse(Reasons reason) const;
+  /// The largest that a partition has.
+  double FindLargest(double value) const
+  {
+    std::vector<double> values{ value };
+    if (this->Others)
+    {
+      this->Others->FindLargest(values);
+    }
+    return values[0];
+  }
+  NestedPieces MakePieces(vtkPointSet* fine, vtkPointSet* control) const;
   bool HasMemory() const;
   bool HasNegativeWeights() const;
   Buffer<double> Apply(int step, const Buffer<double>& values, int components) const;
@@ -97,6 +118,7 @@ private:
   const BoundedRun& Given;
   const RunOptions& Options;
   RunOptions Quiet;
+  Partners* Others = nullptr; ///< null: the mesh is the whole
   MatrixFactors Factors;
 };
 
@@ -164,20 +186,20 @@ void BoundMaker::AddBounds(
   const NestedPieces& pieces, vtkDataArray* control, vtkDataArray* shown, const std::string& name)
 {
   const int components = control->GetNumberOfComponents();
-  Buffer<double> next = ReadValues(control);
-  for (int step = 0; step <= this->Given.Levels; ++step)
+  const Buffer<double> given = ReadValues(control);
+  Buffer<double> next = this->Apply(0, given, components);
+  for (int step = 1; step <= this->Given.Levels; ++step)
   {
     next = this->Apply(step, next, components);
   }
-  const Buffer<double> values = ReadValues(shown);
+  // All later values are means of these.
   double largest = 0.;
-  for (const Buffer<double>* all : { static_cast<const Buffer<double>*>(&next), &values })
+  for (const double value : InTurn(given))
   {
-    for (const double value : InTurn(*all))
-    {
-      largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
-    }
+    largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
   }
+  largest = this->FindLargest(largest);
+  const Buffer<double> values = ReadValues(shown);
   const auto bounds = MakeResult(name + ErrorBoundName, pieces.GetNumberOfCells());
   const BoundedValues bounded{ components, values.data(), next,
     [&](int step, const Buffer<double>& before)
@@ -210,13 +232,58 @@ void BoundMaker::AddDistances(vtkDataArray* given, vtkDataArray* limit, const st
   this->Given.Output->GetPointData()->AddArray(distances);
 }
 
+NestedPieces BoundMaker::MakePieces(vtkPointSet* fine, vtkPointSet* control) const
+{
+  std::array<vtkIdType, Further + 1> points{};
+  for (int step = 0; step <= Further; ++step)
+  {
+    const int last = this->Given.Levels + step - 1;
+    points[step] = last < 0
+      ? control->GetNumberOfPoints()
+      : this->Factors.Get()[this->Factors.GetOperations()[last].End - 1].GetNumberOfRows();
+  }
+  return NestedPieces(fine, points);
+}
+
+BoundMaker::Reasons BoundMaker::FindReason(const NestedPieces& pieces) const
+{
+  if (this->Factors.GetNumberOfSharpSteps() > this->Given.Levels + 1)
+  {
+    return Sharp;
+  }
+  if (this->HasNegativeWeights())
+  {
+    return NegativeWeights;
+  }
+  return pieces.AreOf(this->Given.Output) ? None : NotNested;
+}
+
+bool BoundMaker::Refuse(Reasons reason) const
+{
+  switch (reason)
+  {
+    case Seams:
+      return this->Refuse("Seams of texture coordinates that are joined have no error bounds "
+                          "(switch JoinSeams off)");
+    case Sharp:
+      return this->Refuse("A crease is still sharp for more than one level after the last, so that "
+                          "there are no error bounds (take more levels, or infinite sharpness)");
+    case NegativeWeights:
+      return this->Refuse("Rules with negative weights have no error bounds (set FlatnessArray, or "
+                          "take another scheme)");
+    default:
+      return this->Refuse("Faces that are no quads, and lines of several pieces, have no error "
+                          "bounds on level 0 (take a level)");
+  }
+}
+
 /// Returns false after an error, or a stop.
 bool BoundMaker::Add()
 {
-  Partners* others = FindPartners(this->Options, this->Given.Input);
-  if (others && others->GetNumberOfPartitions() > 1)
+  this->Others = FindPartners(this->Options, this->Given.Input);
+  if (this->Others && !this->Given.KnowsParts)
   {
-    return this->Refuse("Error bounds are computed in one process only");
+    return this->Refuse("This filter makes error bounds in one process only");
   }
   if (this->Options.HasMaterialFields)
   {
@@ -228,42 +295,24 @@ bool BoundMaker::Add()
   }
   const auto control = this->Given.Subdivide(0, false, this->Quiet, nullptr);
   const auto limit = control ? this->Given.Subdivide(0, true, this->Quiet, nullptr) : nullptr;
+  RunOptions alone = this->Quiet; // operators do not depend on other partitions
+  alone.FindPartners = nullptr;
+  alone.Interpolation = InterpolationOptions();
   const int levels = this->Given.Levels + Further;
-  const auto fine =
-    limit ? this->Given.Subdivide(levels, false, this->Quiet, &this->Factors) : nullptr;
+  const auto fine = limit ? this->Given.Subdivide(levels, false, alone, &this->Factors) : nullptr;
   if (!fine)
   {
     return false;
   }
-  const auto& operations = this->Factors.GetOperations();
-  if (operations.size() != static_cast<std::size_t>(levels))
+  if (this->Factors.GetOperations().size() != static_cast<std::size_t>(levels))
   {
-    return this->Refuse("Seams of texture coordinates that are joined have no error bounds (switch "
-                        "JoinSeams off)");
+    return this->Refuse(Seams); // the mesh is the whole
   }
-  if (this->Factors.GetNumberOfSharpSteps() > this->Given.Levels + 1)
+  const NestedPieces pieces = this->MakePieces(fine, control);
+  const auto reason = static_cast<Reasons>(this->FindLargest(this->FindReason(pieces)));
+  if (reason != None)
   {
-    return this->Refuse("A crease is still sharp for more than one level after the last, so that "
-                        "there are no error bounds (take more levels, or infinite sharpness)");
-  }
-  if (this->HasNegativeWeights())
-  {
-    return this->Refuse("Rules with negative weights have no error bounds (set FlatnessArray, or "
-                        "take another scheme)");
-  }
-  std::array<vtkIdType, Further + 1> points;
-  for (int step = 0; step <= Further; ++step)
-  {
-    points[step] = step + this->Given.Levels == 0
-      ? control->GetNumberOfPoints()
-      : this->Factors.Get()[operations[this->Given.Levels + step - 1].End - 1].GetNumberOfRows();
-  }
-  const NestedPieces pieces(fine, points);
-  if (!pieces.AreOf(this->Given.Output))
-  {
-    return this->Refuse(
-      "Faces that are no quads, and lines of several pieces, have no error bounds on "
-      "level 0 (take a level)");
+    return this->Refuse(reason);
   }
   this->AddBounds(
     pieces, control->GetPoints()->GetData(), this->Given.Output->GetPoints()->GetData(), "");

@@ -28,6 +28,7 @@ struct BoundedRun
   vtkPointSet* Input;
   vtkPointSet* Output; ///< gets the arrays
   int Levels;
+  bool KnowsParts; ///< whether the runs on parts of a mesh give what they give on the whole
   /// Makes another run: with so many levels, projected or not; the operators of its steps go to
   /// `factors`, unless that is null. Returns null after an error, or if it was stopped.
   std::function<vtkSmartPointer<vtkPointSet>(
@@ -38,7 +39,8 @@ struct BoundedRun
 /**
  * Adds the cell arrays ErrorBoundName and the point arrays SmoothingDistanceName of the points and
  * of all point arrays of floating point numbers. Needs a run of three more levels. Warns, and adds
- * nothing, where there is no proof of a bound. Returns false after an error, or a stop.
+ * nothing, where there is no proof of a bound. If other partitions have parts of the mesh, all call
+ * this together. Returns false after an error, or a stop.
  */
 bool AddErrorBounds(const BoundedRun& run, const RunOptions& options);
 

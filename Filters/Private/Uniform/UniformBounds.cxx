@@ -17,7 +17,7 @@ bool AddUniformBounds(
                  "GenerateErrorBounds is ignored.");
     return true;
   }
-  BoundedRun bounded{ input, output, options.Levels, {} };
+  BoundedRun bounded{ input, output, options.Levels, true, {} };
   bounded.Subdivide = [&](int levels, bool project, const RunOptions& shared,
                         MatrixFactors* factors) -> vtkSmartPointer<vtkPointSet>
   {
