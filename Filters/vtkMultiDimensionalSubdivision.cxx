@@ -4,6 +4,7 @@
 #include "Private/Bezier/BezierCells.h"
 #include "Private/Distribution/Dimensions.h"
 #include "Private/Reading/InputArrays.h"
+#include "Private/Uniform/UniformBounds.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkDataArray.h"
@@ -117,7 +118,8 @@ int vtkMultiDimensionalSubdivision::GetLayersOfCells() const
 {
   const bool readsLimit = this->ProjectToLimit || this->GenerateLimitNormals ||
     this->GenerateTangents || this->InterpolatePoints || this->InterpolateArrays;
-  return this->VolumeScheme == TET_OCT && readsLimit ? 3 : 2;
+  const int further = this->GenerateErrorBounds ? 1 : 0; // deviations next to a cell count
+  return further + (this->VolumeScheme == TET_OCT && readsLimit ? 3 : 2);
 }
 
 bool vtkMultiDimensionalSubdivision::ReadFeatureOptions(
@@ -156,6 +158,10 @@ int vtkMultiDimensionalSubdivision::RequestData(
   {
     vtkWarningMacro("Bezier cells have no global ids: GenerateGlobalIds is ignored.");
   }
+  if (writesBezierCells && this->GenerateErrorBounds)
+  {
+    vtkWarningMacro("Bezier cells have no error bounds: GenerateErrorBounds is ignored.");
+  }
   options.GenerateClassification = this->GenerateClassification;
   options.ProjectToLimit = this->ProjectToLimit || writesBezierCells;
   options.GenerateLimitNormals = this->GenerateLimitNormals;
@@ -171,6 +177,9 @@ int vtkMultiDimensionalSubdivision::RequestData(
     options.GenerateClassification = options.KeepCellTypes = false;
     options.Cache = nullptr;
   }
+  const bool addsBounds =
+    this->GenerateErrorBounds && this->HasOutput() && !this->Places && !writesBezierCells;
+  options.KeepsCopies = addsBounds;
   const int result = this->Run(inputVector, outputVector, options,
     "Results at the border of the partition are not those of the whole mesh.",
     "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
@@ -181,8 +190,9 @@ int vtkMultiDimensionalSubdivision::RequestData(
       {
         options.Levels = this->NumberOfLevels + this->FurtherLevels;
       }
-      return subdivision::SubdivideUniformly(
-        input, options, vtkUnstructuredGrid::SafeDownCast(output));
+      auto* grid = vtkUnstructuredGrid::SafeDownCast(output);
+      return subdivision::SubdivideUniformly(input, options, grid) &&
+        (!addsBounds || subdivision::AddUniformBounds(input, options, grid));
     });
   if (!this->Places)
   {
@@ -203,6 +213,7 @@ void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
   os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";
   os << indent << "BasisPoint: " << this->BasisPoint << "\n";
+  os << indent << "GenerateErrorBounds: " << this->GenerateErrorBounds << "\n";
   os << indent << "OutputCells: " << this->OutputCells << "\n";
   os << indent << "BezierTolerance: " << this->BezierTolerance << "\n";
   os << indent << "OutputDimensions: " << this->OutputDimensions << "\n";

@@ -3,7 +3,7 @@
 
 #include "Private/Bezier/BezierCells.h"
 #include "Private/Reading/InputArrays.h"
-#include "Private/Surface/SurfaceSubdivision.h"
+#include "Private/Surface/SurfaceBounds.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -109,21 +109,27 @@ int vtkSurfaceSubdivision::RequestData(
   {
     vtkWarningMacro("Bezier cells have no global ids: GenerateGlobalIds is ignored.");
   }
+  if (writesBezierCells && this->GenerateErrorBounds)
+  {
+    vtkWarningMacro("Bezier cells have no error bounds: GenerateErrorBounds is ignored.");
+  }
   options.ProjectToLimit = this->ProjectToLimit || (writesBezierCells && this->Scheme != LINEAR);
   options.GenerateLimitNormals = this->GenerateLimitNormals;
   options.GenerateTangents = this->GenerateTangents;
   options.Use32BitIds = this->Use32BitIds;
   options.JoinSeams = this->JoinSeams;
   options.Cache = this->CacheOperator ? this->Cache.get() : nullptr;
+  const bool addsBounds = this->GenerateErrorBounds && this->HasOutput() && !writesBezierCells;
   const int result = this->Run(inputVector, outputVector, options, nullptr,
     "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
       ". Use fewer levels, or a part of the input.",
     [&](vtkPointSet* input, vtkPointSet* output)
     {
       options.Levels = this->NumberOfLevels + (writesBezierCells ? this->FurtherLevels : 0);
-      return this->ReadArrays(input, options) &&
-        subdivision::SubdivideSurface(
-          vtkPolyData::SafeDownCast(input), options, vtkPolyData::SafeDownCast(output));
+      auto* from = vtkPolyData::SafeDownCast(input);
+      auto* to = vtkPolyData::SafeDownCast(output);
+      return this->ReadArrays(input, options) && subdivision::SubdivideSurface(from, options, to) &&
+        (!addsBounds || subdivision::AddSurfaceBounds(from, options, to));
     });
   this->Cache->ForgetUnused();
   return result;
@@ -140,6 +146,7 @@ void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
   os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";
   os << indent << "BasisPoint: " << this->BasisPoint << "\n";
+  os << indent << "GenerateErrorBounds: " << this->GenerateErrorBounds << "\n";
   os << indent << "OutputCells: " << this->OutputCells << "\n";
   os << indent << "BezierTolerance: " << this->BezierTolerance << "\n";
   os << indent << "JoinSeams: " << this->JoinSeams << "\n";

@@ -327,7 +327,9 @@ void MatrixFactors::Append(const PointOperator& operation)
   {
     throw std::invalid_argument("an operator with values between has no factors");
   }
+  const std::size_t begin = this->Factors.size();
   FactorMaker(operation).Make(this->Factors);
+  this->Operations.push_back({ begin, this->Factors.size() });
 }
 
 MatrixFactors::Matrix MatrixFactors::Multiply() const

@@ -14,6 +14,7 @@
 
 #include "Core/Operators/SparseRows.h"
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,21 @@ public:
   void Append(const PointOperator& operation);
   void Append(Matrix&& factor) { this->Factors.push_back(std::move(factor)); }
 
+  /// The factors of one operator that was appended, from Begin to End.
+  struct Operation
+  {
+    std::size_t Begin;
+    std::size_t End;
+  };
+  const std::vector<Operation>& GetOperations() const { return this->Operations; }
+
+  ///@{
+  /// How many of the operators, from the first on, some crease is semi-sharp in: all after them are
+  /// alike.
+  void SetNumberOfSharpSteps(int steps) { this->NumberOfSharpSteps = steps; }
+  int GetNumberOfSharpSteps() const { return this->NumberOfSharpSteps; }
+  ///@}
+
   /// The first factor is applied first.
   const std::vector<Matrix>& Get() const { return this->Factors; }
   vtkIdType GetNumberOfRows() const
@@ -46,6 +62,8 @@ public:
 
 private:
   std::vector<Matrix> Factors;
+  std::vector<Operation> Operations;
+  int NumberOfSharpSteps = 0;
 };
 
 }

@@ -32,6 +32,11 @@ bool SurfaceRun<Id>::Execute()
   {
     this->Points->ReusePoints(this->FollowPoints(turned));
   }
+  if (this->Options.Factors)
+  {
+    this->Options.Factors->SetNumberOfSharpSteps(
+      std::max(0, this->Steps->GetNumberOfSharpSteps() - this->MadeLevels));
+  }
   for (int step = 0; step < levels; ++step)
   {
     if (this->IsStopped(0.5 + 0.5 * (step + 1.) / (levels + 1.)))

@@ -179,6 +179,13 @@ void UniformRun::FindFactors() const
     return;
   }
   AppendCentres(this->Mesh.Cells, *factors);
+  for (int step = 0; step < this->Options.Levels; ++step)
+  {
+    if (IsSharpAfter(this->Control.Sharpness, step)) // not known if operators were kept
+    {
+      factors->SetNumberOfSharpSteps(step + 1);
+    }
+  }
   const KeptOperator& made = this->Found ? *this->Found : *this->ToKeep;
   if (made.Steps)
   {

@@ -46,13 +46,13 @@ void AddLayer(const SimplexList& simplices, std::vector<char>& flags)
 }
 
 /// Finds the control simplices whose children the output needs. With limits all are made to the
-/// end, because a limit depends on a ring of the last level; and with fields of materials, because
-/// the colours of a point are those of all cells at it.
+/// end, because a limit depends on a ring of the last level; with fields of materials, because the
+/// colours of a point are those of all cells at it; and where somebody else reads them.
 void UniformRun::FindWanted()
 {
   this->Wanted = WantedSimplices();
   if (!this->Others || this->Options.Levels == 0 || this->Options.ReadsLimit() ||
-    this->Points->HasWeights())
+    this->Options.KeepsCopies || this->Points->HasWeights())
   {
     return;
   }

@@ -45,6 +45,7 @@ struct UniformOptions : RunOptions
     return this->ProjectToLimit || (this->Levels > 0 && this->Scheme != StampScheme::Linear);
   }
   bool Use32BitIds = false;
+  bool KeepsCopies = false;   ///< all cells of a part, also those of others, are made to the end
   bool KeepCellTypes = false; ///< with StampScheme::Linear (KeptTypes.h)
   /// Where operators are kept; null: nowhere.
   OperatorCache* Cache = nullptr;

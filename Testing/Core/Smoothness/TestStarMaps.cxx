@@ -216,8 +216,7 @@ TEST(StarMaps, TetOct)
     EXPECT_LT(std::max(along, across), 1.);
     for (const Point& point : coarse.Points)
     {
-      ASSERT_TRUE(
-        HasPoint(map, { { along * point[0], across * point[1], across * point[2] } }));
+      ASSERT_TRUE(HasPoint(map, { { along * point[0], across * point[1], across * point[2] } }));
     }
   }
   EXPECT_TRUE(MapSolid<Oct>(MakeEdge(11), 2).IsEmpty()); // l3 = l4

@@ -54,6 +54,8 @@ public:
     const std::function<SurfaceTags<Id>(const std::vector<bool>& sharpEdges)>& classify);
 
   int GetNumberOfSteps() const { return static_cast<int>(this->Levels.size()) - 1; }
+  /// The number of the first steps in which edges are semi-sharp.
+  int GetNumberOfSharpSteps() const { return static_cast<int>(this->SharpSteps.size()); }
   const SurfaceLevel<Id>& GetLevel(int level) const { return this->Levels[level]; }
   /// The number of corners of a level, and the vertex of each. The last level may not store them
   /// (Depth::ForCounts); WriteFaces then computes them.

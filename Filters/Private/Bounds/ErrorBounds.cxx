@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Bounds/ErrorBounds.h"
+
+#include "Private/Arrays/Arrays.h"
+#include "Private/Bounds/Deviations.h"
+#include "Private/Bounds/NestedPieces.h"
+#include "Private/Control/Partners.h"
+#include "Private/Control/SizeChecks.h"
+#include "Private/Reading/CellReader.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr int Further = NestedPieces::Steps;
+
+/// Whether an array of the points is one of the distances that this file adds.
+bool IsDistance(const std::string& name)
+{
+  const std::string end = SmoothingDistanceName;
+  return name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+}
+
+bool IsOfNumbers(vtkDataArray* array)
+{
+  return array && array->GetName() &&
+    (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE);
+}
+
+Buffer<double> ReadValues(vtkDataArray* array)
+{
+  const vtkSmartPointer<vtkDataArray> contiguous = Contiguous(array);
+  Buffer<double> values(array->GetNumberOfValues());
+  const void* from = contiguous->GetVoidPointer(0);
+  array->GetDataType() == VTK_FLOAT
+    ? CopyInThreads(static_cast<const float*>(from), values.size(), values.data())
+    : CopyInThreads(static_cast<const double*>(from), values.size(), values.data());
+  return values;
+}
+
+vtkSmartPointer<vtkDoubleArray> MakeResult(const std::string& name, vtkIdType size)
+{
+  auto result = vtkSmartPointer<vtkDoubleArray>::New();
+  result->SetName(name.c_str());
+  result->SetNumberOfTuples(size);
+  return result;
+}
+
+class BoundMaker
+{
+public:
+  BoundMaker(const BoundedRun& run, const RunOptions& options)
+    : Given(run)
+    , Options(options)
+    , Quiet(options)
+  {
+    this->Quiet.Warn = [](const std::string&) {}; // the run before has told all
+    this->Quiet.Fail = [this](const std::string& error)
+    { this->Options.Fail("GenerateErrorBounds makes a mesh of 3 more levels. " + error); };
+    this->Quiet.GenerateOriginalIds = this->Quiet.GenerateGlobalIds = false;
+    this->Quiet.OutputPointsPrecision = vtkAlgorithm::DOUBLE_PRECISION;
+  }
+
+  bool Add();
+
+private:
+  /// Why there are no bounds, the last of all partitions' reasons.
+  enum Reasons : int
+  {
+    None,
+    NotNested,
+    NegativeWeights,
+    Sharp,
+    Seams
+  };
+  Reasons FindReason(const NestedPieces& pieces) const;
+  /// Warns that there are no bounds.
+  bool Refuse(const std::string& reason) const
+  {
+    this->Options.Warn(reason + ": GenerateErrorBounds is ignored.");
+    return true;
+  }
+  bool Refuse(Reasons reason) const;
+  /// The largest that a partition has.
+  double FindLargest(double value) const
+  {
+    std::vector<double> values{ value };
+    if (this->Others)
+    {
+      this->Others->FindLargest(values);
+    }
+    return values[0];
+  }
+  NestedPieces MakePieces(vtkPointSet* fine, vtkPointSet* control) const;
+  bool HasMemory() const;
+  bool HasNegativeWeights() const;
+  Buffer<double> Apply(int step, const Buffer<double>& values, int components) const;
+  void AddBounds(const NestedPieces& pieces, vtkDataArray* control, vtkDataArray* shown,
+    const std::string& name);
+  void AddDistances(vtkDataArray* given, vtkDataArray* limit, const std::string& name);
+
+  const BoundedRun& Given;
+  const RunOptions& Options;
+  RunOptions Quiet;
+  Partners* Others = nullptr; ///< null: the mesh is the whole
+  MatrixFactors Factors;
+};
+
+/// Values after a step, which is counted from the control points.
+Buffer<double> BoundMaker::Apply(int step, const Buffer<double>& values, int components) const
+{
+  const MatrixFactors::Operation& operation = this->Factors.GetOperations()[step];
+  Buffer<double> result;
+  for (std::size_t f = operation.Begin; f < operation.End; ++f)
+  {
+    const MatrixFactors::Matrix& factor = this->Factors.Get()[f];
+    Buffer<double> next(components * factor.GetNumberOfRows());
+    factor.Apply(f == operation.Begin ? values.data() : result.data(), next.data(), components);
+    result = std::move(next);
+  }
+  return result;
+}
+
+/// A rough estimate of what matrices and values of the finest mesh take, beside that mesh.
+bool BoundMaker::HasMemory() const
+{
+  const CellReader cells(this->Given.Output);
+  double counts[4] = { 0., 0., 0., 0. };
+  double pieces = 0.;
+  std::vector<vtkIdType> scratch;
+  for (const vtkIdType c : InTurn(cells.GetNumberOfCells()))
+  {
+    const int type = cells.GetGridType(c, cells.GetCell(c, scratch).Size);
+    const int dimension = type == VTK_TETRA ? 3 : type == VTK_LINE ? 1 : type == VTK_VERTEX ? 0 : 2;
+    const double children = std::ldexp(1., dimension * Further);
+    counts[dimension] += children;
+    pieces += children;
+  }
+  const double points = static_cast<double>(this->Given.Output->GetNumberOfPoints()) + counts[1] +
+    counts[2] + counts[3] / 5.;
+  int components = 3;
+  for (int a = 0; a < this->Given.Output->GetPointData()->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = this->Given.Output->GetPointData()->GetArray(a);
+    components = array ? std::max(components, array->GetNumberOfComponents()) : components;
+  }
+  constexpr double bytesOfRow = 16. * 24.; // of steps as they are, and as matrices
+  const double bytes = points * (bytesOfRow + 64. * components) + 48. * pieces;
+  const std::string tooLarge = CheckMemory(pieces, points, bytes, this->Given.Levels + Further);
+  if (!tooLarge.empty())
+  {
+    this->Quiet.Fail(tooLarge);
+  }
+  return tooLarge.empty();
+}
+
+bool BoundMaker::HasNegativeWeights() const
+{
+  const auto& factors = this->Factors.Get();
+  return std::any_of(factors.begin(), factors.end(),
+    [](const MatrixFactors::Matrix& factor)
+    {
+      return std::any_of(
+        factor.Weights.begin(), factor.Weights.end(), [](double w) { return w < 0.; });
+    });
+}
+
+/// `shown`: values of the output that follow from those of the control points.
+void BoundMaker::AddBounds(
+  const NestedPieces& pieces, vtkDataArray* control, vtkDataArray* shown, const std::string& name)
+{
+  const int components = control->GetNumberOfComponents();
+  const Buffer<double> given = ReadValues(control);
+  Buffer<double> next = this->Apply(0, given, components);
+  for (int step = 1; step <= this->Given.Levels; ++step)
+  {
+    next = this->Apply(step, next, components);
+  }
+  // All later values are means of these.
+  double largest = 0.;
+  for (const double value : InTurn(given))
+  {
+    largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
+  }
+  largest = this->FindLargest(largest);
+  const Buffer<double> values = ReadValues(shown);
+  const auto bounds = MakeResult(name + ErrorBoundName, pieces.GetNumberOfCells());
+  const BoundedValues bounded{ components, values.data(), next,
+    [&](int step, const Buffer<double>& before)
+    { return this->Apply(this->Given.Levels + step - 1, before, components); },
+    64. * std::numeric_limits<double>::epsilon() * largest };
+  FindBounds(pieces, bounded, bounds->GetPointer(0));
+  this->Given.Output->GetCellData()->AddArray(bounds);
+}
+
+/// `given` are values of points of the input, which come first in the output.
+void BoundMaker::AddDistances(vtkDataArray* given, vtkDataArray* limit, const std::string& name)
+{
+  const int components = given->GetNumberOfComponents();
+  const Buffer<double> from = ReadValues(given);
+  const Buffer<double> to = ReadValues(limit);
+  const auto distances =
+    MakeResult(name + SmoothingDistanceName, this->Given.Output->GetNumberOfPoints());
+  distances->Fill(std::numeric_limits<double>::quiet_NaN());
+  ForEach(given->GetNumberOfTuples(),
+    [&](vtkIdType i)
+    {
+      double squares = 0.;
+      for (int c = 0; c < components; ++c)
+      {
+        const double difference = from[components * i + c] - to[components * i + c];
+        squares += difference * difference;
+      }
+      distances->SetValue(i, std::sqrt(squares));
+    });
+  this->Given.Output->GetPointData()->AddArray(distances);
+}
+
+NestedPieces BoundMaker::MakePieces(vtkPointSet* fine, vtkPointSet* control) const
+{
+  std::array<vtkIdType, Further + 1> points{};
+  for (int step = 0; step <= Further; ++step)
+  {
+    const int last = this->Given.Levels + step - 1;
+    points[step] = last < 0
+      ? control->GetNumberOfPoints()
+      : this->Factors.Get()[this->Factors.GetOperations()[last].End - 1].GetNumberOfRows();
+  }
+  return NestedPieces(fine, points);
+}
+
+BoundMaker::Reasons BoundMaker::FindReason(const NestedPieces& pieces) const
+{
+  if (this->Factors.GetNumberOfSharpSteps() > this->Given.Levels + 1)
+  {
+    return Sharp;
+  }
+  if (this->HasNegativeWeights())
+  {
+    return NegativeWeights;
+  }
+  return pieces.AreOf(this->Given.Output) ? None : NotNested;
+}
+
+bool BoundMaker::Refuse(Reasons reason) const
+{
+  switch (reason)
+  {
+    case Seams:
+      return this->Refuse("Seams of texture coordinates that are joined have no error bounds "
+                          "(switch JoinSeams off)");
+    case Sharp:
+      return this->Refuse("A crease is still sharp for more than one level after the last, so that "
+                          "there are no error bounds (take more levels, or infinite sharpness)");
+    case NegativeWeights:
+      return this->Refuse("Rules with negative weights have no error bounds (set FlatnessArray, or "
+                          "take another scheme)");
+    default:
+      return this->Refuse("Faces that are no quads, and lines of several pieces, have no error "
+                          "bounds on level 0 (take a level)");
+  }
+}
+
+/// Returns false after an error, or a stop.
+bool BoundMaker::Add()
+{
+  this->Others = FindPartners(this->Options, this->Given.Input);
+  if (this->Others && !this->Given.KnowsParts)
+  {
+    return this->Refuse("This filter makes error bounds in one process only");
+  }
+  if (this->Options.HasMaterialFields)
+  {
+    return this->Refuse("Values that jump at interfaces have no error bounds");
+  }
+  if (!this->HasMemory())
+  {
+    return false;
+  }
+  const auto control = this->Given.Subdivide(0, false, this->Quiet, nullptr);
+  const auto limit = control ? this->Given.Subdivide(0, true, this->Quiet, nullptr) : nullptr;
+  RunOptions alone = this->Quiet; // operators do not depend on other partitions
+  alone.FindPartners = nullptr;
+  alone.Interpolation = InterpolationOptions();
+  const int levels = this->Given.Levels + Further;
+  const auto fine = limit ? this->Given.Subdivide(levels, false, alone, &this->Factors) : nullptr;
+  if (!fine)
+  {
+    return false;
+  }
+  if (this->Factors.GetOperations().size() != static_cast<std::size_t>(levels))
+  {
+    return this->Refuse(Seams); // the mesh is the whole
+  }
+  const NestedPieces pieces = this->MakePieces(fine, control);
+  const auto reason = static_cast<Reasons>(this->FindLargest(this->FindReason(pieces)));
+  if (reason != None)
+  {
+    return this->Refuse(reason);
+  }
+  this->AddBounds(
+    pieces, control->GetPoints()->GetData(), this->Given.Output->GetPoints()->GetData(), "");
+  this->AddDistances(this->Given.Input->GetPoints()->GetData(), limit->GetPoints()->GetData(), "");
+  vtkPointData* given = this->Given.Input->GetPointData();
+  std::vector<vtkDataArray*> arrays;
+  for (int a = 0; a < given->GetNumberOfArrays(); ++a)
+  {
+    arrays.push_back(given->GetArray(a));
+  }
+  for (vtkDataArray* array : arrays)
+  {
+    if (!IsOfNumbers(array) || IsDistance(array->GetName()) || array == given->GetNormals())
+    {
+      continue;
+    }
+    const char* name = array->GetName();
+    vtkDataArray* of[3] = { this->Given.Output->GetPointData()->GetArray(name),
+      control->GetPointData()->GetArray(name), limit->GetPointData()->GetArray(name) };
+    if (std::all_of(std::begin(of), std::end(of), IsOfNumbers))
+    {
+      this->AddBounds(pieces, of[1], of[0], name);
+      this->AddDistances(array, of[2], name);
+    }
+  }
+  return true;
+}
+
+}
+
+bool AddErrorBounds(const BoundedRun& run, const RunOptions& options)
+{
+  return BoundMaker(run, options).Add();
+}
+
+}

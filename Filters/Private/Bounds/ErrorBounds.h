@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ErrorBounds.h
+ * Adds certified bounds on the distance from the limit to an output.
+ */
+#ifndef SubdivisionObjects_ErrorBounds_h
+#define SubdivisionObjects_ErrorBounds_h
+
+#include "Core/Operators/MatrixFactors.h"
+#include "Private/Control/RunOptions.h"
+
+#include "vtkPointSet.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+
+namespace subdivision
+{
+
+/// Bounds on the distance from the limit, of cells, and how far it is away from points of the
+/// input. Those of a point array have its name before.
+constexpr const char* ErrorBoundName = "ErrorBound";
+constexpr const char* SmoothingDistanceName = "SmoothingDistance";
+
+/// A run of a filter, for bounds of its output.
+struct BoundedRun
+{
+  vtkPointSet* Input;
+  vtkPointSet* Output; ///< gets the arrays
+  int Levels;
+  bool KnowsParts; ///< whether the runs on parts of a mesh give what they give on the whole
+  /// Makes another run: with so many levels, projected or not; the operators of its steps go to
+  /// `factors`, unless that is null. Returns null after an error, or if it was stopped.
+  std::function<vtkSmartPointer<vtkPointSet>(
+    int levels, bool project, const RunOptions& options, MatrixFactors* factors)>
+    Subdivide;
+};
+
+/**
+ * Adds the cell arrays ErrorBoundName and the point arrays SmoothingDistanceName of the points and
+ * of all point arrays of floating point numbers. Needs a run of three more levels. Warns, and adds
+ * nothing, where there is no proof of a bound. If other partitions have parts of the mesh, all call
+ * this together. Returns false after an error, or a stop.
+ */
+bool AddErrorBounds(const BoundedRun& run, const RunOptions& options);
+
+}
+
+#endif

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BoundTools.h"
+
+#include "Private/Bezier/BezierRoots.h"
+
+#include <map>
+
+namespace bound_tools
+{
+namespace
+{
+
+using subdivision::BezierRoots;
+using subdivision::LatticePoint;
+using subdivision::PatchShape;
+using subdivision::Root;
+
+/// The weights of the corners at a point of the lattice.
+std::array<double, 4> WeighCorners(const PatchShape& shape, const LatticePoint& point, int all)
+{
+  const double x = static_cast<double>(point[0]) / all;
+  const double y = static_cast<double>(point[1]) / all;
+  const double z = static_cast<double>(point[2]) / all;
+  return shape.Corners == shape.Dimension + 1
+    ? std::array<double, 4>{ { 1. - x - y - z, x, y, z } }
+    : std::array<double, 4>{ { (1. - x) * (1. - y), x * (1. - y), x * y, (1. - x) * y } };
+}
+
+/// act(point, weights) for each point of the lattice of a cell.
+template <typename Act>
+void ForLattice(const PatchShape& shape, int steps, const Act& act)
+{
+  const int all = 1 << steps;
+  const bool isQuad = shape.Corners != shape.Dimension + 1;
+  for (int i = 0; i <= all; ++i)
+  {
+    for (int j = 0; j <= (shape.Dimension > 1 ? all : 0); ++j)
+    {
+      for (int k = 0; k <= (shape.Dimension > 2 ? all : 0); ++k)
+      {
+        if (isQuad || i + j + k <= all)
+        {
+          act(LatticePoint{ { i, j, k } }, WeighCorners(shape, { { i, j, k } }, all));
+        }
+      }
+    }
+  }
+}
+
+/// The largest distance of each cell.
+std::vector<double> FindDistances(
+  vtkDataArray* coarse, vtkDataArray* fine, const BezierRoots& roots, int steps, vtkIdType& samples)
+{
+  const int components = coarse->GetNumberOfComponents();
+  std::vector<double> distances;
+  for (vtkIdType r = 0; r < roots.GetNumberOfRoots(); ++r)
+  {
+    const Root& root = roots.GetRoot(r);
+    double most = 0.;
+    const auto add = [&](vtkIdType point, const std::array<double, 4>& weights, const Ids& corners)
+    {
+      double squares = 0.;
+      for (int c = 0; c < components; ++c)
+      {
+        double difference = fine->GetComponent(point, c);
+        for (std::size_t k = 0; k < corners.size(); ++k)
+        {
+          difference -= weights[k] * coarse->GetComponent(corners[k], c);
+        }
+        squares += difference * difference;
+      }
+      most = std::max(most, std::sqrt(squares));
+      ++samples;
+    };
+    if (root.Kind < 0)
+    {
+      Ids ids;
+      roots.GetPoints(root, ids);
+      add(ids[0], { { 1., 0., 0., 0. } }, { ids[0] });
+    }
+    else
+    {
+      const PatchShape& shape = BezierRoots::GetShape(root);
+      Ids corners;
+      for (const LatticePoint& corner : shape.CornerPoints)
+      {
+        corners.push_back(roots.GetPoint(root, roots.GetWhole(root).At(corner, 2)));
+      }
+      ForLattice(shape, steps, [&](const LatticePoint& point, const std::array<double, 4>& weights)
+        { add(roots.GetPoint(root, point), weights, corners); });
+    }
+    distances.push_back(most);
+  }
+  return distances;
+}
+
+}
+
+Grid WithValues(vtkPointSet* mesh)
+{
+  const auto grid = Grid::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->DeepCopy(mesh->GetPoints());
+  grid->SetPoints(points);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
+  {
+    mesh->GetCellPoints(c, ids);
+    grid->InsertNextCell(mesh->GetCellType(c), ids);
+  }
+  grid->GetCellData()->ShallowCopy(mesh->GetCellData());
+  vtkNew<vtkDoubleArray> copy;
+  copy->DeepCopy(points->GetData());
+  copy->SetName("Copy");
+  grid->GetPointData()->AddArray(copy);
+  const vtkIdType size = mesh->GetNumberOfPoints();
+  grid->GetPointData()->AddArray(MakeArray<vtkDoubleArray>("One", 1, size, -1., 1., 7));
+  grid->GetPointData()->AddArray(MakeArray<vtkDoubleArray>("Two", 2, size, 0., 100., 8));
+  return grid;
+}
+
+double Tightness::GetMedian()
+{
+  const auto middle = this->Ratios.begin() + static_cast<std::ptrdiff_t>(this->Ratios.size() / 2);
+  std::nth_element(this->Ratios.begin(), middle, this->Ratios.end());
+  return *middle;
+}
+
+double Tightness::GetLargest() const
+{
+  return *std::max_element(this->Ratios.begin(), this->Ratios.end());
+}
+
+void ExpectBounds(
+  vtkPointSet* coarse, vtkPointSet* fine, int steps, Tightness& tightness, double rounding)
+{
+  const BezierRoots roots(fine, steps, steps);
+  ASSERT_EQ(roots.GetNumberOfRoots(), coarse->GetNumberOfCells());
+  std::map<std::string, vtkDataArray*> arrays{ { "", coarse->GetPoints()->GetData() } };
+  for (const char* name : { "Copy", "One", "Two" })
+  {
+    if (vtkDataArray* array = coarse->GetPointData()->GetArray(name))
+    {
+      arrays[name] = array;
+    }
+  }
+  for (const auto& [name, array] : arrays)
+  {
+    vtkDataArray* bounds = coarse->GetCellData()->GetArray((name + "ErrorBound").c_str());
+    ASSERT_NE(bounds, nullptr) << name;
+    ASSERT_EQ(bounds->GetNumberOfTuples(), coarse->GetNumberOfCells());
+    vtkDataArray* limits =
+      name.empty() ? fine->GetPoints()->GetData() : fine->GetPointData()->GetArray(name.c_str());
+    double size = 0.;
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      double range[2];
+      array->GetRange(range, c);
+      size = std::max({ size, std::abs(range[0]), std::abs(range[1]) });
+    }
+    const std::vector<double> distances =
+      FindDistances(array, limits, roots, steps, tightness.Samples);
+    for (std::size_t c = 0; c < distances.size(); ++c)
+    {
+      const double bound = bounds->GetComponent(static_cast<vtkIdType>(c), 0);
+      ASSERT_LE(distances[c], bound + rounding * size) << name << " in cell " << c;
+      ASSERT_TRUE(std::isfinite(bound)) << name << " in cell " << c;
+      if (name.empty() && distances[c] > 1e-4 * size)
+      {
+        tightness.Ratios.push_back(bound / distances[c]);
+      }
+    }
+  }
+}
+
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BoundTools.h
+ * How far cells are away from the limit, found at many places, and comparisons with bounds.
+ */
+#ifndef SubdivisionObjects_BoundTools_h
+#define SubdivisionObjects_BoundTools_h
+
+#include "FeatureTools.h"
+
+#include "vtkPolyData.h"
+#include "vtkSurfaceSubdivision.h"
+
+namespace bound_tools
+{
+
+using namespace feature_tools;
+
+/// Adds a copy of the points, as `Copy`, and arrays of one and of two components.
+Grid WithValues(vtkPointSet* mesh);
+
+/// An output, the same after further steps on the limit, and what was found at the points there.
+template <typename FilterClass>
+struct Bounded
+{
+  using Output = std::decay_t<decltype(*std::declval<FilterClass>().GetOutput())>;
+  vtkSmartPointer<Output> Coarse;
+  vtkSmartPointer<Output> Fine;
+  int Steps;
+};
+
+template <typename FilterClass>
+Bounded<FilterClass> MakeBounded(vtkDataObject* input, int levels, int steps,
+  const std::function<void(FilterClass*)>& configure, bool projects)
+{
+  vtkNew<FilterClass> filter;
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  filter->SetNumberOfLevels(levels);
+  filter->SetProjectToLimit(projects);
+  filter->GenerateErrorBoundsOn();
+  if (configure)
+  {
+    configure(filter);
+  }
+  using Output = typename Bounded<FilterClass>::Output;
+  Bounded<FilterClass> bounded;
+  bounded.Coarse = UpdateWithoutErrors<Output>(filter.Get(), input);
+  filter->GenerateErrorBoundsOff();
+  filter->SetNumberOfLevels(levels + steps);
+  filter->ProjectToLimitOn();
+  bounded.Fine = UpdateWithoutErrors<Output>(filter.Get(), input);
+  bounded.Steps = steps;
+  return bounded;
+}
+
+/// How far bounds are from what was found.
+struct Tightness
+{
+  vtkIdType Samples = 0;
+  std::vector<double> Ratios; ///< of bounds, where the truth is not rounding
+  double GetMedian();
+  double GetLargest() const;
+};
+
+/// Expects that bounds hold at all points of the fine mesh, for points and arrays; the ratios are
+/// those of the points.
+void ExpectBounds(
+  vtkPointSet* coarse, vtkPointSet* fine, int steps, Tightness& tightness, double rounding = 1e-12);
+
+template <typename FilterClass>
+void ExpectBounds(const Bounded<FilterClass>& bounded, Tightness& tightness)
+{
+  ExpectBounds(bounded.Coarse, bounded.Fine, bounded.Steps, tightness);
+}
+
+}
+
+#endif
