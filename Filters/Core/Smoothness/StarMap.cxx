@@ -103,7 +103,10 @@ void StarMapMaker::Straighten(int middle, int first, int second, std::vector<Poi
     inverse[i] = Scale(row, 1. / std::sqrt(multiply(row, row)));
   }
   this->Apply(inverse, points);
-  const Point x = Normalise(points[first]);
+  // Moments are 1 now. A first point in the middle but for rounding has no direction and no length.
+  const double length = std::sqrt(Dot(points[first], points[first]));
+  const bool collapses = length < 1e-9;
+  const Point x = collapses ? Point{ { 1., 0., 0. } } : Normalise(points[first]);
   Point y = Subtract(points[second], x, Dot(points[second], x));
   y = Dot(y, y) > 1e-12 * Dot(points[second], points[second]) ? Normalise(y) : FindAcross(x);
   Point z = Cross(x, y);
@@ -112,8 +115,7 @@ void StarMapMaker::Straighten(int middle, int first, int second, std::vector<Poi
     z = { { 0., 0., 1. } };
     y = Cross(z, x);
   }
-  const double length = std::sqrt(Dot(points[first], points[first]));
-  const double factor = length > 0. ? this->Rings[first] / length : 1.;
+  const double factor = collapses ? 1. : this->Rings[first] / length;
   this->Apply({ { Scale(x, factor), Scale(y, factor), Scale(z, factor) } }, points);
 }
 

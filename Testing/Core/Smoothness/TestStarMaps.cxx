@@ -175,7 +175,8 @@ TEST(StarMaps, AStepRepeatsThem)
   }
 }
 
-// Beside curves a sector of k triangles fills half a plane; with the plain rule it folds for k > 6.
+// Beside curves a sector of k triangles fills half a plane; with the plain rule it does not for k
+// > 6.
 TEST(StarMaps, SectorsFillHalfAPlane)
 {
   for (int k = 2; k <= 9; ++k)
@@ -192,7 +193,7 @@ TEST(StarMaps, SectorsFillHalfAPlane)
   for (int k = 7; k <= 9; ++k)
   {
     const StarMap map = Map(Scheme::Loop, k, 2, SurfaceStar::Kind::Curve, false);
-    EXPECT_TRUE(map.IsEmpty() || FindLeast(map) < 0.) << k;
+    EXPECT_TRUE(map.IsEmpty() || FindLeast(map) < 1e-9) << k; // collapses at the curve, or folds
   }
 }
 
