@@ -252,6 +252,7 @@ TEST(ErrorBounds, HoldWithFeaturesOfAllKinds)
       filter->SetDetectFeatures(seed % 2 == 0);
       filter->SetCreaseEnd(static_cast<int>(seed / 2 % 2));
       filter->SetLoopWeights(static_cast<int>(seed / 3 % 2));
+      filter->SetModifiedBoundary(seed % 3 == 1);
       filter->SetEmbeddedCells(static_cast<int>(seed % 3));
       filter->SetType1Rule(static_cast<int>(seed % 4));
       filter->SetType2Rule(static_cast<int>(seed % 2));
