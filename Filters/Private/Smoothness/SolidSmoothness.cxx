@@ -219,17 +219,18 @@ SmoothnessFacts ExamineCurve()
 class SheetReader
 {
 public:
-  SheetReader(bool samples, LoopWeights weights)
+  SheetReader(bool samples, const FeatureOptions& rules)
     : Samples(samples)
-    , Weights(weights)
+    , Rules(rules)
   {
   }
 
   const SmoothnessFacts& Examine(SurfaceStar::Kind kind, bool endsCrease, int faces)
   {
     SurfaceStar star;
-    star.ModifiedBoundary = false;
-    star.Weights = this->Weights;
+    star.ModifiedBoundary =
+      this->Rules.ModifiedBoundary && kind == SurfaceStar::Kind::Curve; // corners have no angle
+    star.Weights = this->Rules.Weights;
     star.Where = kind;
     star.EndsCrease = endsCrease;
     star.Faces = faces;
@@ -244,7 +245,7 @@ public:
 
 private:
   const bool Samples;
-  const LoopWeights Weights;
+  const FeatureOptions& Rules;
   std::map<SurfaceStar, SmoothnessFacts> Known;
 };
 
@@ -259,7 +260,7 @@ public:
     : Here(level)
     , Complex(level.Complex)
     , Options(options)
-    , Sheets(options.SampleMaps, options.Features.Weights)
+    , Sheets(options.SampleMaps, options.Features)
     , Cells(cells)
   {
   }
@@ -337,7 +338,7 @@ private:
       }
       for (int sector = 0; sheet != sheets.end() && sheet->Vertex == v; ++sheet, ++sector)
       {
-        SmoothnessFacts found = ExamineSheet(*sheet);
+        SmoothnessFacts found = ExamineSheet(*sheet, this->Options.Features.ModifiedBoundary);
         TakeMap(this->Sheets.Examine(
                   sheet->IsCorner ? SurfaceStar::Kind::Corner : SurfaceStar::Kind::Curve, false,
                   sheet->Triangles),
