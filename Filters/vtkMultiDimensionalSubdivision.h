@@ -52,6 +52,11 @@
  * `SubdivisionInvertedCells`, if it had inverted or flat solids, `SubdivisionInterpolated`, if
  * values were interpolated), by which the next filter recognises this output.
  *
+ * @par Arrays read, by SetInputArrayToProcess
+ * Besides those of vtkMarkedSubdivisionAlgorithm:
+ *  - 10, point array of angles of corners for ModifiedBoundary: numbers, in degrees, each of all
+ *    sectors at the corner. Negative or not a number: the plain rule. Unset: none.
+ *
  * @par Solids that are turned inside out
  * Smoothing may turn solids inside out where the control mesh is very thin. One warning says how
  * many of the output's solids have another orientation than the control cell they come from;
@@ -222,15 +227,15 @@ public:
    * on a crease or on the border of a surface has the mean of the normals of its one or two sides.
    *
    * There is no tangent plane on curves, at corners, darts and non-manifold joints, on creases and
-   * borders with seven and more triangles on a side, on surfaces inside a solid, and on semi-sharp
-   * creases that are still sharp on the last level. So that nothing is drawn black, points with
-   * triangles there (those of surfaces and of the boundaries of solids) have the mean of the
-   * triangles' normals, weighted by area (of the largest one where they cancel), points of curves a
-   * direction perpendicular to the curve, and single points the z axis; where tangents are parallel
-   * but for rounding the normal is perpendicular to them. All this depends on coordinates, not on
-   * numbers of points. Normals are zero only inside solids: no surface is there that they would be
-   * perpendicular to. Filters that make one, by cutting or clipping, have to make normals, too. Off
-   * by default.
+   * borders with seven and more triangles on a side (but with ModifiedBoundary), on surfaces inside
+   * a solid, and on semi-sharp creases that are still sharp on the last level. So that nothing is
+   * drawn black, points with triangles there (those of surfaces and of the boundaries of solids)
+   * have the mean of the triangles' normals, weighted by area (of the largest one where they
+   * cancel), points of curves a direction perpendicular to the curve, and single points the z axis;
+   * where tangents are parallel but for rounding the normal is perpendicular to them. All this
+   * depends on coordinates, not on numbers of points. Normals are zero only inside solids: no
+   * surface is there that they would be perpendicular to. Filters that make one, by cutting or
+   * clipping, have to make normals, too. Off by default.
    */
   vtkSetMacro(GenerateLimitNormals, bool);
   vtkGetMacro(GenerateLimitNormals, bool);

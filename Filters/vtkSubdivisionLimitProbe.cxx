@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionLimitProbe.h"
 
+#include "Private/Reading/InputArrays.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkCompositeDataSet.h"
@@ -52,6 +53,15 @@ int vtkSubdivisionLimitProbe::RequestDataObject(
   return 1;
 }
 
+bool vtkSubdivisionLimitProbe::ReadFeatureOptions(
+  vtkPointSet* input, subdivision::RunOptions& options)
+{
+  options.Features.ModifiedBoundary = this->ModifiedBoundary;
+  return this->Superclass::ReadFeatureOptions(input, options) &&
+    subdivision::FindCornerAngles(
+      this, input, options.Warn, options.Fail, options.Features.CornerAngles);
+}
+
 int vtkSubdivisionLimitProbe::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -87,4 +97,5 @@ int vtkSubdivisionLimitProbe::RequestData(
 void vtkSubdivisionLimitProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
 }

@@ -21,6 +21,11 @@
  * the cell of the control mesh with the place; `CellParameters`, the weights of its second, third
  * and fourth point, which are -1 in cells that are no vertices, lines, triangles or tetrahedra.
  *
+ * @par Arrays read, by SetInputArrayToProcess
+ * Besides those of vtkMarkedSubdivisionAlgorithm:
+ *  - 10, point array of angles of corners for ModifiedBoundary: numbers, in degrees, each of all
+ *    sectors at the corner. Negative or not a number: the plain rule. Unset: none.
+ *
  * @par Method
  * Two levels on the limit tell where to begin. Newton's method then makes the distance smaller, up
  * to rounding, also across the borders of cells. Where two parts of the object are almost equally
@@ -51,16 +56,30 @@ public:
   /// Connects the points, at port 3.
   void SetPlacesConnection(vtkAlgorithmOutput* output);
 
+  ///@{
+  /**
+   * Whether the rules of surfaces and of the boundaries of solids next to borders, creases and
+   * corners are those of vtkMultiDimensionalSubdivision with the same option, so that the limit is
+   * the one that it has. Off by default.
+   */
+  vtkSetMacro(ModifiedBoundary, bool);
+  vtkGetMacro(ModifiedBoundary, bool);
+  vtkBooleanMacro(ModifiedBoundary, bool);
+  ///@}
+
 protected:
   vtkSubdivisionLimitProbe();
   ~vtkSubdivisionLimitProbe() override;
 
   bool CanInterpolate() const override { return true; }
+  bool ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+
+  bool ModifiedBoundary = false;
 
 private:
   vtkSubdivisionLimitProbe(const vtkSubdivisionLimitProbe&) = delete;

@@ -55,6 +55,7 @@ int vtkSubdivisionSmoothness::RequestData(
   options.Scheme =
     static_cast<subdivision::SurfaceSchemeKind>(isOfSurfaces ? this->Scheme - LOOP : 0);
   options.ModifiedBoundary = this->ModifiedBoundary;
+  options.Features.ModifiedBoundary = this->ModifiedBoundaryOfSolids && !isOfSurfaces;
   return this->Run(inputVector, outputVector, options,
     "Results at the border of the partition are not those of the whole mesh.",
     "the simplices of the input. Use a part of the input.",
@@ -83,6 +84,7 @@ void vtkSubdivisionSmoothness::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Scheme: " << this->Scheme << "\n";
   os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
+  os << indent << "ModifiedBoundaryOfSolids: " << this->ModifiedBoundaryOfSolids << "\n";
   os << indent << "SampleMaps: " << this->SampleMaps << "\n";
   os << indent << "FailingOnly: " << this->FailingOnly << "\n";
   os << indent << "MapOfCell: " << this->MapOfCell << "\n";

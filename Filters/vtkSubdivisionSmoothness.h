@@ -174,6 +174,17 @@ public:
 
   ///@{
   /**
+   * The same for BOX_SPLINE and TET_OCT: whether sectors at borders and creases have the rules of
+   * vtkMultiDimensionalSubdivision with its option ModifiedBoundary. Corners have the plain rules,
+   * as without an angle. Off by default, as there.
+   */
+  vtkSetMacro(ModifiedBoundaryOfSolids, bool);
+  vtkGetMacro(ModifiedBoundaryOfSolids, bool);
+  vtkBooleanMacro(ModifiedBoundaryOfSolids, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether characteristic maps are sampled. If off, `Regular` and `Injective` are -1, and large
    * solids take a small part of the time. On by default.
    */
@@ -220,6 +231,7 @@ protected:
 
   int Scheme = BOX_SPLINE;
   bool ModifiedBoundary = true;
+  bool ModifiedBoundaryOfSolids = false;
   bool SampleMaps = true;
   bool FailingOnly = false;
   vtkIdType MapOfCell = -1;

@@ -52,9 +52,24 @@ void Mark(subdivision::MarkOptions& marks)
   marks.Surfaces = true;
 }
 
+/// Angles of corners, convex and concave ones, that follow from coordinates.
+vtkSmartPointer<vtkDataArray> MakeAngles(vtkPointSet* mesh)
+{
+  const auto angles = vtkSmartPointer<vtkDoubleArray>::New();
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const Point p = GetPoint(mesh, i);
+    const double number = 1.7 * p[0] + 2.3 * p[1] + 0.9 * p[2];
+    angles->InsertNextValue(360. * (number - std::floor(number)) - 30.);
+  }
+  return angles;
+}
+
 bool Subdivide(vtkPointSet* input, const subdivision::UniformOptions& options, vtkPointSet* output)
 {
-  return SubdivideUniformly(input, options, vtkUnstructuredGrid::SafeDownCast(output));
+  subdivision::UniformOptions own = options;
+  own.Features.CornerAngles = own.Features.ModifiedBoundary ? MakeAngles(input) : nullptr;
+  return SubdivideUniformly(input, own, vtkUnstructuredGrid::SafeDownCast(output));
 }
 
 /// The same as on ranks, where parts know each other.

@@ -22,7 +22,8 @@ CUTS = {"slabs": (ranks.in_slabs, True), "cell by cell": (ranks.by_chance, True)
         "cell by cell, by coordinates": (ranks.by_chance, False)}
 SOLID = [("vtkMultiDimensionalSubdivision", {"NumberOfLevels": 2}),
          ("vtkMultiDimensionalSubdivision", {"NumberOfLevels": 1, "VolumeScheme": 1, "ProjectToLimit": 1,
-                                             "GenerateClassification": 1, "DetectFeatures": 1})]
+                                             "GenerateClassification": 1, "DetectFeatures": 1}),
+         ("vtkMultiDimensionalSubdivision", {"NumberOfLevels": 2, "ModifiedBoundary": 1, "DetectFeatures": 1})]
 SURFACE = [("vtkSurfaceSubdivision", {"Scheme": scheme, "NumberOfLevels": 2, "DetectFeatures": int(scheme == 0),
                                       "GenerateGlobalIds": 1})
            for scheme in range(7)]

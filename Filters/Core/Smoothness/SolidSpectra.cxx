@@ -3,6 +3,8 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
+#include "Core/Rules/Pi.h"
+#include "Core/Rules/SectorMasks.h"
 #include "Core/Smoothness/LocalMatrix.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/LevelStar.h"
@@ -259,7 +261,7 @@ std::vector<Sheet> FindSheets(const Level& level)
   return SheetFinder<Level>(level).Find();
 }
 
-SmoothnessFacts ExamineSheet(const Sheet& sheet)
+SmoothnessFacts ExamineSheet(const Sheet& sheet, bool modified)
 {
   const int last = sheet.Triangles + 1;
   SmoothnessFacts facts;
@@ -269,15 +271,19 @@ SmoothnessFacts ExamineSheet(const Sheet& sheet)
     facts.SetEigenvalues({});
     return facts;
   }
+  const double far =
+    modified && !sheet.IsCorner ? GetFarEndWeight(Pi / sheet.Triangles) : PlainEndWeight;
   LocalMatrix matrix(1 + last);
   matrix.At(0, 0) = sheet.IsCorner ? 1. : 3. / 4.;
   matrix.At(0, 1) = matrix.At(0, last) = sheet.IsCorner ? 0. : 1. / 8.;
   for (int i = 1; i <= last; ++i)
   {
     const bool isEnd = i == 1 || i == last;
-    matrix.At(i, 0) = matrix.At(i, i) = isEnd ? 1. / 2. : 3. / 8.;
+    matrix.At(i, 0) = matrix.At(i, i) = 1. / 2.;
     if (!isEnd)
     {
+      matrix.At(i, 0) = 0.75 - far;
+      matrix.At(i, i) = far;
       matrix.At(i, i - 1) = matrix.At(i, i + 1) = 1. / 8.;
     }
   }

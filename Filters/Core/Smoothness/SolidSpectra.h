@@ -44,8 +44,9 @@ template <typename Level>
 std::vector<Sheet> FindSheets(const Level& level);
 
 /// A sheet by the rules of vtkMultiDimensionalSubdivision, whose edges at a curve have the weights
-/// of those inside.
-SmoothnessFacts ExamineSheet(const Sheet& sheet);
+/// of those inside, or if `modified` those of SectorEdges.h; at a corner, which has no angle here,
+/// the former in any case.
+SmoothnessFacts ExamineSheet(const Sheet& sheet, bool modified = false);
 
 }
 

@@ -50,17 +50,18 @@ SmoothnessFacts ExamineCurve()
 class SheetReader
 {
 public:
-  SheetReader(bool samples, LoopWeights weights)
+  SheetReader(bool samples, const FeatureOptions& rules)
     : Samples(samples)
-    , Weights(weights)
+    , Rules(rules)
   {
   }
 
   SurfaceStar MakeStar(SurfaceStar::Kind kind, bool endsCrease, int faces) const
   {
     SurfaceStar star;
-    star.ModifiedBoundary = false;
-    star.Weights = this->Weights;
+    star.ModifiedBoundary =
+      this->Rules.ModifiedBoundary && kind == SurfaceStar::Kind::Curve; // corners have no angle
+    star.Weights = this->Rules.Weights;
     star.Where = kind;
     star.EndsCrease = endsCrease;
     star.Faces = faces;
@@ -81,7 +82,7 @@ public:
 
 private:
   const bool Samples;
-  const LoopWeights Weights;
+  const FeatureOptions& Rules;
   std::map<SurfaceStar, SmoothnessFacts> Known;
 };
 
@@ -96,7 +97,7 @@ public:
     : Here(level)
     , Complex(level.Complex)
     , Options(options)
-    , Sheets(options.SampleMaps, options.Features.Weights)
+    , Sheets(options.SampleMaps, options.Features)
     , Cells(cells)
   {
   }
@@ -177,7 +178,7 @@ private:
       }
       for (int sector = 0; sheet != sheets.end() && sheet->Vertex == v; ++sheet, ++sector)
       {
-        SmoothnessFacts found = ExamineSheet(*sheet);
+        SmoothnessFacts found = ExamineSheet(*sheet, this->Options.Features.ModifiedBoundary);
         const auto kind = sheet->IsCorner ? SurfaceStar::Kind::Corner : SurfaceStar::Kind::Curve;
         TakeMap(this->Sheets.Examine(kind, false, sheet->Triangles), found);
         if (this->Cells.Add(0, &v, 1, sector, 2, found))

@@ -320,6 +320,10 @@ TEST(SubdivisionSmoothness, SectorsAtABoundary)
     EXPECT_EQ(Answers(plain, { 0 }, 0), k < 6 ? Smooth : Failing);
     EXPECT_EQ(Get(plain, "Valence", Find(plain, { 0 }, 0)), k);
     EXPECT_EQ(Find(plain, { 0 }, 1), -1);
+    const Grid modified = Examine(
+      fan, Filter::BOX_SPLINE, [](Filter* filter) { filter->ModifiedBoundaryOfSolidsOn(); });
+    EXPECT_EQ(Answers(modified, { 0 }, 0), Smooth);
+    EXPECT_EQ(Answers(modified, { 0 }), Answers(plain, { 0 }));
     const Grid unmodified =
       Examine(fan, Filter::LOOP, [](Filter* filter) { filter->ModifiedBoundaryOff(); });
     EXPECT_EQ(Answers(unmodified, { 0 }, 0), k < 6 ? Smooth : Failing);
@@ -496,6 +500,7 @@ TEST(SubdivisionSmoothness, OptionsArePrinted)
   vtkNew<Filter> filter;
   EXPECT_EQ(filter->GetScheme(), Filter::BOX_SPLINE);
   EXPECT_TRUE(filter->GetModifiedBoundary());
+  EXPECT_FALSE(filter->GetModifiedBoundaryOfSolids());
   EXPECT_TRUE(filter->GetSampleMaps());
   EXPECT_FALSE(filter->GetFailingOnly());
   filter->SetScheme(99);

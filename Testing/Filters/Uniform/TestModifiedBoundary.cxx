@@ -7,6 +7,7 @@
 #include "MultiDimensionalSubdivisionTools.h"
 #include "RandomSurfaces.h"
 
+#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSubdivisionModelSource.h"
 #include "vtkSurfaceSubdivision.h"
@@ -439,6 +440,61 @@ TEST(ModifiedBoundary, LimitsDoNotDependOnLevels)
         ASSERT_LT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 1e-12)
           << "point " << i << " after " << levels << " levels, scheme " << scheme;
       }
+    }
+  }
+}
+
+/// The limit at places of triangles is that of the points which levels make there.
+TEST(ModifiedBoundary, PlacesAreThoseOfLevels)
+{
+  for (unsigned seed = 2; seed < 20; seed += 3)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto input = MakeSemiSharp(seed);
+    const auto configure = [](Filter* filter)
+    {
+      filter->ModifiedBoundaryOn();
+      SetAngles(filter);
+      filter->SetCreaseEndToDart();
+      filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Sharpness");
+    };
+    const Grid fine = Execute(input, 2,
+      [&](Filter* filter)
+      {
+        configure(filter);
+        filter->ProjectToLimitOn();
+      });
+    vtkNew<vtkIdTypeArray> cells;
+    vtkNew<vtkDoubleArray> parameters;
+    parameters->SetNumberOfComponents(3);
+    Ids expected;
+    const vtkIdType first = input->GetNumberOfVerts() + input->GetNumberOfLines();
+    const vtkIdType begin = input->GetNumberOfVerts() + 4 * input->GetNumberOfLines();
+    for (vtkIdType i = 0; i < input->GetNumberOfPolys(); ++i)
+    {
+      // Children are consecutive: at the first corner, and in the middle of the middle one.
+      const Ids corner = GetCell(fine, begin + 16 * i);
+      const Ids middle = GetCell(fine, begin + 16 * i + 15);
+      const std::pair<vtkIdType, Point> places[] = { { corner[0], { 0., 0., 0. } },
+        { corner[1], { 0.25, 0., 0. } }, { corner[2], { 0., 0.25, 0. } },
+        { middle[0], { 0.5, 0.25, 0. } } };
+      for (const auto& [point, place] : places)
+      {
+        cells->InsertNextValue(first + i);
+        parameters->InsertNextTuple(place.data());
+        expected.push_back(point);
+      }
+    }
+    vtkNew<Filter> filter;
+    configure(filter);
+    filter->SetInputData(input);
+    vtkNew<vtkPolyData> result;
+    ASSERT_TRUE(filter->EvaluateLimit(cells, parameters, result));
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      const Point a = GetPoint(result, static_cast<vtkIdType>(i));
+      const Point b = GetPoint(fine, expected[i]);
+      ASSERT_LT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 1e-12) << "place " << i;
     }
   }
 }
