@@ -278,8 +278,8 @@ public:
    * which no distance exceeds between a place of the cell and the place of the limit with the same
    * parameters, and for each point array of floating point numbers, A, the array `AErrorBound`, the
    * same for the Euclidean norm of the difference of its values. Point arrays: `SmoothingDistance`,
-   * how far a point of the input is away from its limit, and `ASmoothingDistance` for values; NaN
-   * at all other points. All vtkDoubleArray with one component. The bounds hold for the points and
+   * how far a point of the input is away from its limit, and `ASmoothingDistance` for values; -1 at
+   * all other points. All vtkDoubleArray with one component. The bounds hold for the points and
    * values of the output, whether they are projected to the limit or not, but for rounding in
    * double precision, and are 1 to 3 times the truth (Mathematics 14); more where the truth is much
    * smaller than next to the cell.

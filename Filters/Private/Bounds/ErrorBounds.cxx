@@ -217,7 +217,7 @@ void BoundMaker::AddDistances(vtkDataArray* given, vtkDataArray* limit, const st
   const Buffer<double> to = ReadValues(limit);
   const auto distances =
     MakeResult(name + SmoothingDistanceName, this->Given.Output->GetNumberOfPoints());
-  distances->Fill(std::numeric_limits<double>::quiet_NaN());
+  distances->Fill(-1.); // as ids of points that the input does not have
   ForEach(given->GetNumberOfTuples(),
     [&](vtkIdType i)
     {
