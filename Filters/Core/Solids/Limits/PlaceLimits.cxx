@@ -417,8 +417,8 @@ struct NodeRows
 /// Adds the rows of the nodes of each place, in threads. Consecutive places often have the same
 /// nodes, whose rows are read once then.
 template <typename Id>
-void Combine(const SparseRows<Id>& limits, const std::vector<PlaceNodes<Id>>& places,
-  std::array<SparseRows<Id>, PlaceParts::Count>& rows)
+void Combine(
+  const SparseRows<Id>& limits, const std::vector<PlaceNodes<Id>>& places, PlaceRows<Id>& rows)
 {
   const auto size = static_cast<vtkIdType>(places.size());
   const auto forPlaces = [&](const auto& act)
