@@ -2,6 +2,7 @@
 #include "vtkMultiDimensionalSubdivision.h"
 
 #include "Private/Bezier/BezierCells.h"
+#include "Private/Control/PlaceOutput.h"
 #include "Private/Distribution/Dimensions.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Uniform/UniformBounds.h"
@@ -87,13 +88,10 @@ bool vtkMultiDimensionalSubdivision::ComputeOperator(vtkSubdivisionOperator* res
 bool vtkMultiDimensionalSubdivision::EvaluateLimit(
   vtkIdTypeArray* cells, vtkDataArray* parameters, vtkPolyData* result)
 {
-  if (cells->GetNumberOfComponents() != 1 || parameters->GetNumberOfComponents() != 3 ||
-    cells->GetNumberOfTuples() != parameters->GetNumberOfTuples())
+  const std::string error = subdivision::CheckPlaceArrays(cells, parameters);
+  if (!error.empty())
   {
-    vtkErrorMacro("Each place has one cell and three parameters, and not "
-      << cells->GetNumberOfTuples() << " cells of " << cells->GetNumberOfComponents()
-      << " numbers and " << parameters->GetNumberOfTuples() << " parameters of "
-      << parameters->GetNumberOfComponents() << ".");
+    vtkErrorMacro(<< error);
     return false;
   }
   if (this->InterfaceValues == DISCONTINUOUS_VALUES)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionLimitProbe.h"
 
+#include "Private/Control/PlaceOutput.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Uniform/UniformSubdivision.h"
 

@@ -2,6 +2,7 @@
 #include "vtkSurfaceSubdivision.h"
 
 #include "Private/Bezier/BezierCells.h"
+#include "Private/Control/PlaceOutput.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Surface/SurfaceBounds.h"
 
@@ -38,6 +39,33 @@ vtkIdType vtkSurfaceSubdivision::GetNumberOfTopologyBuilds() const
   return this->Cache->NumberOfBuilds;
 }
 
+bool vtkSurfaceSubdivision::EvaluateLimit(
+  vtkIdTypeArray* cells, vtkDataArray* parameters, vtkPolyData* result)
+{
+  result->Initialize();
+  const std::string error = subdivision::CheckPlaceArrays(cells, parameters);
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  if (this->Scheme != LOOP && this->Scheme != CATMULL_CLARK)
+  {
+    vtkErrorMacro("Places have limits with Scheme = Loop or CatmullClark only.");
+    return false;
+  }
+  if (this->InterfaceValues == DISCONTINUOUS_VALUES)
+  {
+    vtkErrorMacro("Places have no values that jump: switch InterfaceValues to Continuous.");
+    return false;
+  }
+  const subdivision::PlaceRequest request{ cells, parameters, result, nullptr };
+  this->Places = &request;
+  this->RunAside();
+  this->Places = nullptr;
+  return result->GetNumberOfPoints() == cells->GetNumberOfTuples();
+}
+
 bool vtkSurfaceSubdivision::ReadArrays(vtkPointSet* input, subdivision::SurfaceOptions& options)
 {
   auto find = [&](const subdivision::ArrayRequest& request, auto& result)
@@ -54,7 +82,7 @@ bool vtkSurfaceSubdivision::ReadArrays(vtkPointSet* input, subdivision::SurfaceO
 
 bool vtkSurfaceSubdivision::WritesBezierCells() const
 {
-  return this->OutputCells == BEZIER_CELLS && this->HasOutput() &&
+  return this->OutputCells == BEZIER_CELLS && this->HasOutput() && !this->Places &&
     (this->Scheme == LOOP || this->Scheme == CATMULL_CLARK || this->Scheme == LINEAR);
 }
 
@@ -100,7 +128,7 @@ int vtkSurfaceSubdivision::RequestData(
   options.Levels = this->NumberOfLevels;
   options.ModifiedBoundary = this->ModifiedBoundary;
   const bool writesBezierCells = this->WritesBezierCells();
-  if (this->OutputCells == BEZIER_CELLS && this->HasOutput() && !writesBezierCells)
+  if (this->OutputCells == BEZIER_CELLS && this->HasOutput() && !this->Places && !writesBezierCells)
   {
     vtkWarningMacro("Bezier cells need Scheme = Loop, CatmullClark or Linear: the cells stay "
                     "linear.");
@@ -119,19 +147,36 @@ int vtkSurfaceSubdivision::RequestData(
   options.Use32BitIds = this->Use32BitIds;
   options.JoinSeams = this->JoinSeams;
   options.Cache = this->CacheOperator ? this->Cache.get() : nullptr;
-  const bool addsBounds = this->GenerateErrorBounds && this->HasOutput() && !writesBezierCells;
+  const bool addsBounds =
+    this->GenerateErrorBounds && this->HasOutput() && !this->Places && !writesBezierCells;
+  options.Places = this->Places;
+  if (this->Places)
+  {
+    options.ProjectToLimit = true;
+    options.GenerateLimitNormals = options.GenerateTangents = false;
+    options.Cache = nullptr;
+  }
   const int result = this->Run(inputVector, outputVector, options, nullptr,
     "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
       ". Use fewer levels, or a part of the input.",
     [&](vtkPointSet* input, vtkPointSet* output)
     {
-      options.Levels = this->NumberOfLevels + (writesBezierCells ? this->FurtherLevels : 0);
+      options.Levels = this->Places ? 0
+        : writesBezierCells         ? this->NumberOfLevels + this->FurtherLevels
+                                    : this->NumberOfLevels;
+      if (this->Places && this->OutputPointsPrecision == DEFAULT_PRECISION)
+      {
+        options.OutputPointsPrecision = DOUBLE_PRECISION;
+      }
       auto* from = vtkPolyData::SafeDownCast(input);
       auto* to = vtkPolyData::SafeDownCast(output);
       return this->ReadArrays(input, options) && subdivision::SubdivideSurface(from, options, to) &&
         (!addsBounds || subdivision::AddSurfaceBounds(from, options, to));
     });
-  this->Cache->ForgetUnused();
+  if (!this->Places)
+  {
+    this->Cache->ForgetUnused();
+  }
   return result;
 }
 

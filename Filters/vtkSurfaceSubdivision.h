@@ -157,9 +157,13 @@
 
 #include <memory> // for std::unique_ptr
 
+class vtkDataArray;
+class vtkIdTypeArray;
+
 namespace subdivision
 {
 class SurfaceCache;
+struct PlaceRequest;
 struct SurfaceOptions;
 }
 
@@ -390,6 +394,41 @@ public:
   bool ComputeOperator(vtkSubdivisionOperator* result) { return this->FindOperator(result); }
 
   /**
+   * Evaluates the limit at places of cells of the present input, a vtkPolyData, which is updated,
+   * by the present rules of Scheme = LOOP or CATMULL_CLARK; NumberOfLevels does not matter. Place i
+   * is in cell cells[i], at parameters[i], which has 3 components, of which a vertex reads none and
+   * a line one:
+   *  - a line: the second point has the weight u, the first 1 - u;
+   *  - a triangle by LOOP: the second point has the weight u, the third v, the first 1 - u - v;
+   *  - a quad by CATMULL_CLARK: u in [0, 1] goes from the first point to the second, v from the
+   * first to the fourth, bilinearly;
+   *  - any other polygon by CATMULL_CLARK: w is the number k = 0, 1, ... of one of its points, and
+   * u and v are those of the quad that the first step makes there: u along the edge to the next
+   *    point, v along the edge to the point before, and the centre at (1, 1).
+   *
+   * Polygons that LOOP cuts into triangles have no places, nor have strips, poly lines and poly
+   * vertices of several cells.
+   *
+   * `result` has a point and a vertex for each place, in double unless OutputPointsPrecision says
+   * otherwise, with all smoothed arrays there (an array that is not smoothed has the value of the
+   * nearest corner), and the arrays DerivativeU, DerivativeV
+   * and DerivativeW of the points by the parameters, the last one zero. In polygons LimitNormals,
+   * MeanCurvature and GaussianCurvature follow from the derivatives, with the normal as the points
+   * of the cell turn; on lines MeanCurvature has the curvature of the curve. All others are 0.
+   *
+   * Values are exact but for rounding, 1e-12 of the size of the mesh and less, also near
+   * extraordinary vertices, curves and creases; a sharpness above 52 counts as 52. So are
+   * derivatives, relative to those of the part of the cell around the place that is regular. At an
+   * extraordinary vertex itself derivatives may be 0 or infinite: there the first ones are those of
+   * a small part, in the tangent plane, with about the directions of the two edges, and the second
+   * ones are 0. A cell takes a few local steps if not all is regular around it, and a place 2^-k
+   * from an extraordinary vertex k of them; memory per thread is quadratic in the number of points
+   * around a cell. With JoinSeams points and derivatives follow the joined mesh.
+   * Returns false after an error.
+   */
+  bool EvaluateLimit(vtkIdTypeArray* cells, vtkDataArray* parameters, vtkPolyData* result);
+
+  /**
    * How often this filter built topology while CacheOperator was on.
    */
   vtkIdType GetNumberOfTopologyBuilds() const;
@@ -443,6 +482,7 @@ private:
 
   int FurtherLevels = 0; ///< that Bezier cells need
   std::unique_ptr<subdivision::SurfaceCache> Cache;
+  const subdivision::PlaceRequest* Places = nullptr; ///< what EvaluateLimit wants
 
   vtkSurfaceSubdivision(const vtkSurfaceSubdivision&) = delete;
   void operator=(const vtkSurfaceSubdivision&) = delete;

@@ -39,6 +39,7 @@ foreach (scheme IN ITEMS Loop CatmullClark Butterfly Dual FourEight SqrtThree Li
   room(Core/Surfaces/${scheme} ${ground} Core/Surfaces/Mesh Core/Surfaces/Scheme)
   list(APPEND schemes Core/Surfaces/${scheme})
 endforeach ()
+room(Core/Surfaces/Places ${ground} Core/Surfaces/Mesh Core/Surfaces/Scheme)
 room(Core/Surfaces/Steps ${ground} Core/Surfaces/Mesh Core/Surfaces/Scheme ${schemes})
 # Both wings.
 room(Core/Smoothness ${ground} Core/Solids/Complex Core/Solids/Strata Core/Solids/Scheme Core/Solids/BoxSpline

@@ -7,11 +7,13 @@ from .run import Arrays, listen_to
 
 
 def evaluate_limit(made, cells, parameters) -> Arrays:
-    """The limit of a vtkMultiDimensionalSubdivision, with its input and rules, at many places.
+    """The limit of a vtkMultiDimensionalSubdivision or vtkSurfaceSubdivision, with its input and rules, at many places.
 
     cells: the id of a cell for each place, which is a vertex, line, triangle or tetrahedron. parameters: a row of one to
     three numbers u, v, w for each: the weights of the second, third and fourth point of the cell; the first has the
-    rest. Gives points, and in point_data all smoothed arrays there, the derivatives DerivativeU, DerivativeV and
+    rest. By CatmullClark cells are polygons: in a quad u goes from the first point to the second and v to the fourth,
+    both from 0 to 1; in others w is the number of a point, and u and v those in the quad that the first step makes there.
+    Gives points, and in point_data all smoothed arrays there, the derivatives DerivativeU, DerivativeV and
     DerivativeW of the points, and the LimitNormals, MeanCurvature and GaussianCurvature of surfaces; MeanCurvature of a
     curve is its curvature.
     """

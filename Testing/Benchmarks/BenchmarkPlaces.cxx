@@ -12,6 +12,9 @@
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Core/Solids/Limits/PlaceLimits.h"
+#include "Core/Surfaces/Places/SurfacePlaces.h"
+#include "Core/Surfaces/Scheme/SurfaceTags.h"
+#include "Core/Surfaces/Steps/SurfaceSchemes.h"
 
 #include <array>
 #include <memory>
@@ -91,8 +94,61 @@ Produced ApplyRows(Stopwatch& watch, const Control& control)
   return { static_cast<double>(control.Places.size()), 24. * static_cast<double>(size) };
 }
 
+/// A surface, its control level, and the same places in all of its faces.
+struct SurfaceControl
+{
+  SurfaceControl(const FlatMesh& mesh, SurfaceSchemeKind kind)
+    : Scheme(MakeSurfaceScheme<int>(kind, true))
+  {
+    const auto ids = static_cast<vtkIdType>(mesh.Cells.size());
+    PolygonList<int> list;
+    list.NumberOfVertices = mesh.GetNumberOfPoints();
+    list.FaceOffsets = Buffer<int>(vtkIdType(mesh.GetNumberOfCells()) + 1);
+    list.Vertices = Buffer<int>(ids);
+    list.Segments = Buffer<int>(0);
+    std::copy(mesh.Cells.begin(), mesh.Cells.end(), list.Vertices.begin());
+    for (int face = 0; face <= mesh.GetNumberOfCells(); ++face)
+    {
+      list.FaceOffsets[face] = mesh.Corners * face;
+    }
+    this->Level.Mesh = BuildPolygonMesh(std::move(list), this->Level.Lines);
+    this->Level.Tags =
+      ClassifySurface(this->Level.Mesh, *this->Scheme, SurfaceFeatures(), mesh.Points.data());
+    this->Scheme->Prepare(this->Level);
+    for (int face = 0; face < mesh.GetNumberOfCells(); ++face)
+    {
+      for (int i = 0; i < PlacesOfCell; ++i)
+      {
+        SurfacePlace<int> place;
+        place.Dimension = 2;
+        place.Part = face;
+        place.At = GetPlace(i);
+        this->Places.push_back(place);
+      }
+    }
+  }
+
+  std::shared_ptr<const SurfaceScheme<int>> Scheme;
+  SurfaceLevel<int> Level;
+  std::vector<SurfacePlace<int>> Places;
+};
+
+Produced MakeSurfaceRows(Stopwatch& watch, const SurfaceControl& control)
+{
+  PlaceRows<int> rows;
+  watch.Time(
+    [&]()
+    {
+      rows = FindSurfacePlaces(*control.Scheme, control.Level, SharpCreases<int>(), control.Places);
+    });
+  return { static_cast<double>(control.Places.size()),
+    static_cast<double>(rows[0].GetMemorySize()) };
+}
+
 void RegisterPlaces()
 {
+  static const SurfaceControl triangles(MakeSphere(4), SurfaceSchemeKind::Loop);
+  static const SurfaceControl quads(MakeQuadSphere(29), SurfaceSchemeKind::CatmullClark);
   static const Control sphere(MakeSphere(4));
   static const Control cube(MakeCube(3));
   for (const int threads : ThreadCounts)
@@ -103,6 +159,10 @@ void RegisterPlaces()
       [](Stopwatch& watch) { return ApplyRows(watch, sphere); });
     Register("places/make rows/cube of solids/levels:0", threads,
       [](Stopwatch& watch) { return MakeRows(watch, cube); });
+    Register("places/make rows/sphere by Loop/levels:0", threads,
+      [](Stopwatch& watch) { return MakeSurfaceRows(watch, triangles); });
+    Register("places/make rows/sphere of quads by CatmullClark/levels:0", threads,
+      [](Stopwatch& watch) { return MakeSurfaceRows(watch, quads); });
   }
 }
 

@@ -7,9 +7,11 @@
 #define SubdivisionObjects_SurfaceRun_h
 
 #include "Core/Operators/MatrixFactors.h"
+#include "Core/Surfaces/Places/SurfacePlaces.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
 #include "Private/Arrays/PointArrays.h"
+#include "Private/Control/PlaceOutput.h"
 #include "Private/Control/Stamp.h"
 #include "Private/Surface/SurfaceCreases.h"
 #include "Private/Surface/SurfaceFrames.h"
@@ -21,6 +23,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -29,6 +32,13 @@
 
 namespace subdivision
 {
+
+/// The cells of places.
+struct PlaceOrigins
+{
+  std::vector<vtkIdType> Points; ///< the nearest corner of each
+  std::vector<int> Dimensions;
+};
 
 template <typename Id>
 class SurfaceRun
@@ -53,6 +63,8 @@ public:
     this->Write();
     return true;
   }
+  /// Finds the limit at places instead of making an output (SurfacePlaces.cxx).
+  bool FindPlaces(SurfaceCells&& cells, const PlaceRequest& request);
   /// Makes the levels, without an output; `first` is the one of the cells. Null after an error
   /// (passed to Fail) or if Progress asks to stop.
   const SurfaceSteps<Id>* MakeLevels(SurfaceCells&& cells, int& first)
@@ -163,6 +175,13 @@ private:
   KeptSurfaceOf<Id>* FindKept(const SurfaceKey& key);
   bool Execute();
   void Write();
+  // Places (SurfacePlaces.cxx).
+  bool ReadPlaces(const PlaceRequest& request, std::vector<SurfacePlace<Id>>& places,
+    PlaceOrigins& origins) const;
+  SurfacePlace<Id> TakePlaceOfLine(
+    const SurfaceLevel<Id>& level, const SurfacePlace<Id>& place) const;
+  void SumPlaces(const SurfaceSteps<Id>& steps, const std::vector<SurfacePlace<Id>>& places,
+    const std::function<void(vtkIdType, const PlaceRows<Id>&)>& use) const;
   bool WantsFrames() const
   {
     return this->Options.GenerateLimitNormals || this->Options.GenerateTangents;

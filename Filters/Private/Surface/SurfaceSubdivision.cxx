@@ -188,13 +188,18 @@ static bool SubdivideMesh(vtkPolyData* input, const SurfaceOptions& options, vtk
   {
     return false;
   }
+  const auto run = [&](auto&& made)
+  {
+    return options.Places ? made.FindPlaces(std::move(cells), *options.Places)
+                          : made.Run(std::move(cells));
+  };
   if (isLarge)
   {
     const auto largeScheme = MakeSurfaceScheme<long long>(
       options.Scheme, options.ModifiedBoundary, options.Features.Weights);
-    return SurfaceRun<long long>(input, options, largeScheme, output).Run(std::move(cells));
+    return run(SurfaceRun<long long>(input, options, largeScheme, output));
   }
-  return SurfaceRun<int>(input, options, scheme, output).Run(std::move(cells));
+  return run(SurfaceRun<int>(input, options, scheme, output));
 }
 
 bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)

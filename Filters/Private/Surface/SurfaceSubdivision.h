@@ -14,6 +14,8 @@ class vtkPolyData;
 namespace subdivision
 {
 
+struct PlaceRequest;
+
 struct SurfaceOptions : RunOptions
 {
   SurfaceSchemeKind Scheme = SurfaceSchemeKind::Loop;
@@ -31,6 +33,8 @@ struct SurfaceOptions : RunOptions
   bool IsRegion = false;
   /// Where levels are kept; null: nowhere.
   SurfaceCache* Cache = nullptr;
+  /// Null, or what is wanted in place of an output, by schemes that FindSurfacePlaces knows.
+  const PlaceRequest* Places = nullptr;
 };
 
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then

@@ -2,16 +2,13 @@
 // The limit at places of cells, with derivatives.
 #include "Private/Uniform/UniformRun.h"
 
-#include "Core/Memory/GrowingBuffer.h"
 #include "Core/Memory/Loops.h"
-#include "Core/Operators/ApplyRows.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/PlaceLimits.h"
-#include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/PlaceOutput.h"
 #include "Private/Uniform/NearestPlaces.h"
 
-#include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -30,82 +27,6 @@ namespace
 {
 
 using Vector = std::array<double, 3>;
-using Parts = std::array<Vector, PlaceParts::Count>;
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
-}
-
-double GetCurvatureOfCurve(const Vector& first, const Vector& second)
-{
-  const double speed = std::sqrt(Dot(first, first));
-  const Vector cross = Cross(first, second);
-  return speed > 0. ? std::sqrt(Dot(cross, cross)) / (speed * speed * speed) : 0.;
-}
-
-/// The unit normal, the mean and the Gaussian curvature; zero where the tangents span no plane.
-struct SurfaceShape
-{
-  Vector Normal{};
-  double Mean = 0.;
-  double Gaussian = 0.;
-};
-SurfaceShape FindShape(const Parts& parts)
-{
-  const Vector& u = parts[PlaceParts::First];
-  const Vector& v = parts[PlaceParts::First + 1];
-  SurfaceShape shape;
-  Vector normal = Cross(u, v);
-  const double area = std::sqrt(Dot(normal, normal));
-  if (!(area > 0.))
-  {
-    return shape;
-  }
-  for (double& x : normal)
-  {
-    x /= area;
-  }
-  const double e = Dot(u, u);
-  const double f = Dot(u, v);
-  const double g = Dot(v, v);
-  const double l = Dot(parts[PlaceParts::Second], normal);
-  const double m = Dot(parts[PlaceParts::Mixed], normal);
-  const double n = Dot(parts[PlaceParts::SecondOfSecond], normal);
-  shape.Normal = normal;
-  shape.Mean = 0.5 * (e * n - 2. * f * m + g * l) / (area * area);
-  shape.Gaussian = (l * n - m * m) / (area * area);
-  return shape;
-}
-
-vtkDoubleArray* AddArray(const char* name, int components, vtkIdType size, vtkPolyData* output)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(size);
-  array->Fill(0.);
-  output->GetPointData()->AddArray(array);
-  return array;
-}
-
-/// The value and the derivatives of the points at a place.
-template <typename Id>
-Parts SumParts(const PlaceLimits<Id>& limits, vtkIdType place, const double* points)
-{
-  Parts parts{};
-  for (int p = 0; p < PlaceParts::Count; ++p)
-  {
-    WeightedRows<Id> row = limits.Rows[p].GetRows(place, place + 1);
-    row.FirstRow = 0;
-    SumRows(row, points, parts[p].data(), 3);
-  }
-  return parts;
-}
 
 /// The places of a part are looked at together: few, so that their rows take little memory and a
 /// user can stop between them. Those in solids have far more entries.
@@ -131,81 +52,6 @@ void ForParts(const LevelType& level, const SemiSharpStages<Id>& creases,
   }
 }
 
-/// Derivatives of the points, normals and curvatures, as arrays of the output.
-class DerivativeArrays
-{
-public:
-  DerivativeArrays(vtkIdType size, vtkPolyData* output)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      this->Tangents[k] = AddArray(PlaceDerivativeNames[k], 3, size, output)->GetPointer(0);
-    }
-    this->Normals = AddArray(LimitNormalsName, 3, size, output)->GetPointer(0);
-    this->Mean = AddArray(MeanCurvatureName, 1, size, output)->GetPointer(0);
-    this->Gaussian = AddArray(GaussianCurvatureName, 1, size, output)->GetPointer(0);
-  }
-
-  void Set(vtkIdType i, int dimension, const Parts& parts)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      std::copy_n(parts[PlaceParts::First + k].data(), 3, this->Tangents[k] + 3 * i);
-    }
-    if (dimension == 1)
-    {
-      this->Mean[i] = GetCurvatureOfCurve(parts[PlaceParts::First], parts[PlaceParts::Second]);
-    }
-    if (dimension == 2)
-    {
-      const SurfaceShape shape = FindShape(parts);
-      std::copy_n(shape.Normal.data(), 3, this->Normals + 3 * i);
-      this->Mean[i] = shape.Mean;
-      this->Gaussian[i] = shape.Gaussian;
-    }
-  }
-
-private:
-  std::array<double*, 3> Tangents{};
-  double* Normals = nullptr;
-  double* Mean = nullptr;
-  double* Gaussian = nullptr;
-};
-
-/// Rows of the parts, one after the other. Together they may have more entries than an int counts.
-class AppendedRows
-{
-public:
-  template <typename Id>
-  void Append(const SparseRows<Id>& part)
-  {
-    this->NumberOfColumns = part.NumberOfColumns;
-    const vtkIdType rows = part.GetNumberOfRows();
-    const vtkIdType before = this->Columns.size();
-    const vtkIdType entries = part.Columns.size();
-    std::transform(part.Offsets.begin(), part.Offsets.begin() + rows, this->Offsets.Extend(rows),
-      [&](Id offset) { return before + offset; });
-    std::copy_n(part.Columns.begin(), entries, this->Columns.Extend(entries));
-    std::copy_n(part.Weights.begin(), entries, this->Weights.Extend(entries));
-  }
-  SparseRows<vtkIdType> Finish()
-  {
-    this->Offsets.push_back(this->Columns.size());
-    SparseRows<vtkIdType> rows;
-    rows.NumberOfColumns = this->NumberOfColumns;
-    rows.Offsets = this->Offsets.Copy();
-    rows.Columns = this->Columns.Copy();
-    rows.Weights = this->Weights.Copy();
-    return rows;
-  }
-
-private:
-  vtkIdType NumberOfColumns = 0;
-  GrowingBuffer<vtkIdType> Offsets;
-  GrowingBuffer<vtkIdType> Columns;
-  GrowingBuffer<double> Weights;
-};
-
 /// Gives a place the order of the points of its cell, which is one simplex.
 template <typename Id>
 void SetOrder(vtkIdList* points, LimitPlace<Id>& place)
@@ -216,17 +62,6 @@ void SetOrder(vtkIdList* points, LimitPlace<Id>& place)
     place.Order[k] = static_cast<int>(
       std::find(first, first + place.Dimension, static_cast<Id>(points->GetId(k))) - first);
   }
-}
-
-/// One vertex for each point.
-void AddVertices(vtkIdType size, vtkPolyData* output)
-{
-  vtkNew<vtkCellArray> vertices;
-  for (const vtkIdType i : InTurn(size))
-  {
-    vertices->InsertNextCell(1, &i);
-  }
-  output->SetVerts(vertices);
 }
 
 /// Whether a place lies in its simplex, but for rounding.
@@ -353,14 +188,14 @@ bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme:
       [&](vtkIdType begin, const PlaceLimits<Id>& limits)
       {
         ForEach(limits.Rows[PlaceParts::Value].GetNumberOfRows(),
-          [&](vtkIdType i) { values[begin + i] = SumParts(limits, i, coordinates); });
+          [&](vtkIdType i) { values[begin + i] = SumParts(limits.Rows, i, coordinates); });
       });
     return values;
   };
   const std::vector<NearestPlace> nearest = FindNearestPlaces(simplices, fine, targets, evaluate);
   const auto size = static_cast<vtkIdType>(nearest.size());
-  double* distances = AddArray("Distance", 1, size, found)->GetPointer(0);
-  double* parameters = AddArray("CellParameters", 3, size, found)->GetPointer(0);
+  double* distances = AddPlaceArray("Distance", 1, size, found)->GetPointer(0);
+  double* parameters = AddPlaceArray("CellParameters", 3, size, found)->GetPointer(0);
   vtkNew<vtkIdTypeArray> cells;
   cells->SetName("CellId");
   vtkNew<vtkIdList> points;
@@ -433,7 +268,8 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
       ForEach(limits.Rows[PlaceParts::Value].GetNumberOfRows(),
         [&](vtkIdType i)
         {
-          derivatives.Set(begin + i, places[begin + i].Dimension, SumParts(limits, i, coordinates));
+          derivatives.Set(
+            begin + i, places[begin + i].Dimension, SumParts(limits.Rows, i, coordinates));
         });
     });
   this->Points->Advance(rows.Finish(),
@@ -448,11 +284,7 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
     });
   this->Points->ForgetInputPoints();
   this->Points->Finish(output);
-  for (int i = 0; i < found->GetPointData()->GetNumberOfArrays(); ++i)
-  {
-    output->GetPointData()->AddArray(found->GetPointData()->GetArray(i));
-  }
-  AddVertices(output->GetNumberOfPoints(), output);
+  FinishPlaces(found, output);
   return true;
 }
 

@@ -22,6 +22,8 @@
 #include <variant>
 #include <vector>
 
+class vtkPolyData;
+
 namespace subdivision
 {
 

@@ -10,24 +10,13 @@
 #include "Private/Uniform/OperatorCache.h"
 
 class vtkDataArray;
-class vtkDataSet;
-class vtkIdTypeArray;
 class vtkPointSet;
-class vtkPolyData;
 class vtkUnstructuredGrid;
 
 namespace subdivision
 {
 
-/// Places at which the limit is asked for, in cells of the input, and what gets it.
-struct PlaceRequest
-{
-  vtkIdTypeArray* Cells = nullptr;
-  vtkDataArray* Parameters = nullptr; ///< three components
-  vtkPolyData* Output = nullptr;
-  /// If not null, places are those nearest to its points, and the arrays above are not read.
-  vtkDataSet* Targets = nullptr;
-};
+struct PlaceRequest;
 
 struct UniformOptions : RunOptions
 {

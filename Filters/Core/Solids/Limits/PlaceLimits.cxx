@@ -132,7 +132,7 @@ std::vector<PlaceNodes<Id>> FindNodes(RegularReader<LevelType>& reader,
 template <typename LevelType, typename Id>
 void Combine(const SparseRows<Id>& limits, const RegularReader<LevelType>& reader,
   const std::vector<LimitPlace<Id>>& places, const std::vector<PlaceNodes<Id>>& nodes,
-  std::array<SparseRows<Id>, PlaceParts::Count>& rows)
+  PlaceRows<Id>& rows)
 {
   const auto size = static_cast<vtkIdType>(places.size());
   vtkSMPThreadLocal<std::shared_ptr<RowsOfPlace<LevelType>>> ofThreads;

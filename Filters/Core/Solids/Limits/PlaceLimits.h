@@ -15,7 +15,7 @@
 #ifndef SubdivisionObjects_PlaceLimits_h
 #define SubdivisionObjects_PlaceLimits_h
 
-#include "Core/Operators/SparseRows.h"
+#include "Core/Operators/PlaceParts.h"
 #include "Core/Solids/Limits/LimitStencils.h"
 
 #include <array>
@@ -35,21 +35,6 @@ struct LimitPlace
   std::array<double, 3> Parameters{ { 0., 0., 0. } };
 };
 
-/// What there is a row of for each place: the value, its derivatives by the parameters, and the
-/// second derivatives by the first two of them.
-struct PlaceParts
-{
-  enum : int
-  {
-    Value,
-    First, ///< and two more
-    Second = First + 3,
-    Mixed,
-    SecondOfSecond,
-    Count
-  };
-};
-
 template <typename Id>
 struct PlaceLimits
 {
@@ -59,8 +44,7 @@ struct PlaceLimits
   PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& creases,
     const std::vector<LimitPlace<Id>>& places);
 
-  /// Over the vertices of the level, one row for each place; all have the same columns.
-  std::array<SparseRows<Id>, PlaceParts::Count> Rows;
+  PlaceRows<Id> Rows;
 };
 
 }

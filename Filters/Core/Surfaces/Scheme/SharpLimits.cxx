@@ -3,7 +3,6 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Operators/BlockOperator.h"
-#include "Core/Surfaces/Scheme/SurfacePatch.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <cmath>
@@ -40,25 +39,26 @@ public:
   using RowEntries = typename SharpLimits<Id>::RowEntries;
 
   Descent(const SurfaceLevel<Id>& level, const SurfaceScheme<Id>& scheme,
-    const std::vector<Id>& vertices, const std::vector<SharpEdge<Id>>& edges,
-    std::vector<SharpTags<Id>>&& stages, std::vector<RowEntries>* limits)
+    const std::vector<Id>& vertices, const SharpCreases<Id>& creases,
+    std::vector<RowEntries>* limits)
     : Scheme(scheme)
     , Vertices(vertices)
-    , Edges(edges)
-    , Stages(std::move(stages))
+    , Steps(creases.Stages.back().Until)
     , Limits(limits)
   {
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
       this->Owners.push_back(i);
     }
-    this->Crop(level);
-    const BlockOperator<Id> start(level.Mesh.NumberOfVertices, this->Patch->Vertices.size(),
-      [this](vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+    this->Crop(level, creases);
+    const std::vector<Id>& inside = this->Patch->GetVertices();
+    const BlockOperator<Id> start(level.Mesh.NumberOfVertices,
+      static_cast<vtkIdType>(inside.size()),
+      [&inside](vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
       {
         for (vtkIdType row = begin; row < end; ++row)
         {
-          rows.Add(this->Patch->Vertices[row], 1.);
+          rows.Add(inside[row], 1.);
           rows.EndRow();
         }
       });
@@ -67,54 +67,33 @@ public:
 
   void Run()
   {
-    const int steps = this->Stages.back().Until;
-    for (int step = 0; step < steps; ++step)
+    for (int step = 0; step < this->Steps; ++step)
     {
       this->FinishSmooth(step);
       if (step == SharpLimits<Id>::MostStepsOfTangents)
       {
         this->KeepTangents(step);
       }
-      this->Step(step);
+      this->Step();
     }
-    this->Edges.clear();
-    this->FinishSmooth(steps);
+    this->FinishSmooth(this->Steps);
   }
 
 private:
-  void Step(int step)
+  void Step()
   {
-    if (this->Stages.size() > 1 && this->Stages.front().Until <= step)
-    {
-      this->Stages.erase(this->Stages.begin());
-    }
-    const SurfaceLevel<Id> level = std::move(this->Patch->Level);
-    const SharpTagPair<Id>& tags = this->Stages.front().Tags;
-    const SharpRows<Id> sharp(
-      level, { this->CopyTags(tags.Whole), this->CopyTags(tags.All) }, this->Edges);
-    SurfaceLevel<Id> next = this->Scheme.Refine(level, Depth::ForRefinement);
-    for (SharpTags<Id>& stage : this->Stages)
-    {
-      stage.Tags = { this->Scheme.RefineTags(level, stage.Tags.Whole),
-        this->Scheme.RefineTags(level, stage.Tags.All) };
-    }
-    std::vector<SharpEdge<Id>> halves;
-    for (const SharpEdge<Id>& edge : this->Edges)
-    {
-      for (Id half = 2 * edge.Edge; half < 2 * edge.Edge + 2 && edge.Left > 1.; ++half)
-      {
-        halves.push_back({ half, edge.Left - 1. });
-      }
-    }
-    this->Edges = std::move(halves);
-    this->Crop(next);
-    const BlockOperator<Id> rows(level.Mesh.NumberOfVertices, this->Patch->Vertices.size(),
+    SharpCreases<Id> creases;
+    const SurfaceLevel<Id> next = this->Patch->Refine(creases);
+    const std::unique_ptr<SharpPatch<Id>> before = std::move(this->Patch);
+    this->Crop(next, creases);
+    const std::vector<Id>& inside = this->Patch->GetVertices();
+    const BlockOperator<Id> rows(before->GetLevel().Mesh.NumberOfVertices,
+      static_cast<vtkIdType>(inside.size()),
       [&](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
       {
         for (vtkIdType row = begin; row < end; ++row)
         {
-          const vtkIdType made = this->Patch->Vertices[row];
-          sharp.Append(this->Scheme, level, made, made + 1, block);
+          before->AppendRow(inside[row], block);
         }
       });
     this->Rows = Multiply(rows.Store(), this->Rows);
@@ -122,14 +101,13 @@ private:
 
   void Keep(LimitKind kind, double factor)
   {
-    const SurfaceLevel<Id>& level = this->Patch->Level;
-    const BlockOperator<Id> limit(level.Mesh.NumberOfVertices, this->Vertices.size(),
+    const BlockOperator<Id> limit(this->Patch->GetLevel().Mesh.NumberOfVertices,
+      static_cast<vtkIdType>(this->Vertices.size()),
       [&](vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          const Id vertex = this->Vertices[i];
-          this->Scheme.AppendLimitRows(level, level.Tags, kind, vertex, vertex + 1, rows);
+          this->Patch->AppendLimitRow(this->Vertices[i], kind, rows);
         }
       });
     const SparseRows<Id> rows = Multiply(limit.Store(), this->Rows);
@@ -153,8 +131,8 @@ private:
   /// Takes the limit rows of those vertices that have no sharp edge near them any more.
   void FinishSmooth(int step)
   {
-    const PolygonMesh<Id>& mesh = this->Patch->Level.Mesh;
-    const std::vector<Id> near = CollectNear(mesh, this->Edges);
+    const std::vector<Id> near =
+      CollectNear(this->Patch->GetLevel().Mesh, this->Patch->GetSharpEdges());
     std::vector<Id> rest[2];
     std::vector<std::size_t> owners[2];
     for (std::size_t i = 0; i < this->Vertices.size(); ++i)
@@ -175,49 +153,21 @@ private:
     this->Owners = std::move(owners[1]);
   }
 
-  static SurfaceTags<Id> CopyTags(const SurfaceTags<Id>& tags)
+  /// Takes the patch of a level around Vertices, and renumbers these.
+  void Crop(const SurfaceLevel<Id>& level, const SharpCreases<Id>& creases)
   {
-    SurfaceTags<Id> copy;
-    copy.Edges = Buffer<EdgeTag>(tags.Edges.size());
-    copy.Vertices = Buffer<VertexTag>(tags.Vertices.size());
-    std::copy(tags.Edges.begin(), tags.Edges.end(), copy.Edges.begin());
-    std::copy(tags.Vertices.begin(), tags.Vertices.end(), copy.Vertices.begin());
-    copy.Sectors = tags.Sectors;
-    return copy;
-  }
-
-  /// Replaces a level by its patch around Vertices, and renumbers Vertices, Stages and Edges.
-  void Crop(const SurfaceLevel<Id>& level)
-  {
-    this->Patch = std::make_unique<SurfacePatch<Id>>(level, this->Vertices);
+    this->Patch = std::make_unique<SharpPatch<Id>>(this->Scheme, level, creases, this->Vertices);
     for (Id& vertex : this->Vertices)
     {
-      vertex = SurfacePatch<Id>::Find(this->Patch->Vertices, vertex);
+      vertex = this->Patch->FindVertex(vertex);
     }
-    for (SharpTags<Id>& stage : this->Stages)
-    {
-      stage.Tags = { this->Patch->CropTags(level, stage.Tags.Whole),
-        this->Patch->CropTags(level, stage.Tags.All) };
-    }
-    std::vector<SharpEdge<Id>> kept;
-    for (const SharpEdge<Id>& edge : this->Edges)
-    {
-      const Id own = SurfacePatch<Id>::Find(this->Patch->Edges, edge.Edge);
-      if (own >= 0)
-      {
-        kept.push_back({ own, edge.Left });
-      }
-    }
-    this->Edges = std::move(kept);
-    this->Scheme.Prepare(this->Patch->Level);
   }
 
   const SurfaceScheme<Id>& Scheme;
   std::vector<Id> Vertices;        ///< of the patch
   std::vector<std::size_t> Owners; ///< the row of Limits that each vertex belongs to
-  std::vector<SharpEdge<Id>> Edges;
-  std::vector<SharpTags<Id>> Stages;
-  std::unique_ptr<SurfacePatch<Id>> Patch;
+  const int Steps;                 ///< after which no crease is sharp
+  std::unique_ptr<SharpPatch<Id>> Patch;
   SparseRows<Id> Rows;             ///< the operator from the level's vertices to those of the patch
   std::vector<RowEntries>* Limits; ///< of each kind
 };
@@ -225,15 +175,15 @@ private:
 }
 
 template <typename Id>
-SharpLimits<Id>::SharpLimits(const SurfaceLevel<Id>& level, const SurfaceScheme<Id>& scheme,
-  const std::vector<SharpEdge<Id>>& edges, std::vector<SharpTags<Id>> stages)
+SharpLimits<Id>::SharpLimits(
+  const SurfaceLevel<Id>& level, const SurfaceScheme<Id>& scheme, const SharpCreases<Id>& creases)
 {
-  this->Vertices = CollectNear(level.Mesh, edges);
+  this->Vertices = CollectNear(level.Mesh, creases.Edges);
   for (auto& rows : this->Rows)
   {
     rows.resize(this->Vertices.size());
   }
-  Descent<Id>(level, scheme, this->Vertices, edges, std::move(stages), this->Rows).Run();
+  Descent<Id>(level, scheme, this->Vertices, creases, this->Rows).Run();
 }
 
 template <typename Id>

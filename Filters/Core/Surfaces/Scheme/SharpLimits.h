@@ -3,14 +3,14 @@
  * @file SharpLimits.h
  * Limit positions and tangents of vertices near creases that are still sharp for some steps.
  *
- * These steps are made for a patch around the creases only (SurfacePatch.h). After each step the
+ * These steps are made for a patch around the creases only (SharpPatch.h). After each step the
  * patch is cropped to the surroundings of the same vertices, so that it does not grow. A limit row
  * on the last patch times the operators of all these steps is a row over the vertices of the level.
  */
 #ifndef SubdivisionObjects_SharpLimits_h
 #define SubdivisionObjects_SharpLimits_h
 
-#include "Core/Surfaces/Scheme/SharpRows.h"
+#include "Core/Surfaces/Scheme/SharpPatch.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,14 +18,6 @@
 
 namespace subdivision
 {
-
-/// Tags of some steps.
-template <typename Id>
-struct SharpTags
-{
-  int Until = 0; ///< the tags hold in steps before this one
-  SharpTagPair<Id> Tags;
-};
 
 template <typename Id>
 class SharpLimits
@@ -41,9 +33,9 @@ public:
   using RowEntries = std::vector<std::pair<Id, double>>;
 
   SharpLimits() = default;
-  /// `edges`: pieces of the level's edges, ascending. `stages`: ascending.
+  /// `creases`: of the level.
   SharpLimits(const SurfaceLevel<Id>& level, const SurfaceScheme<Id>& scheme,
-    const std::vector<SharpEdge<Id>>& edges, std::vector<SharpTags<Id>> stages);
+    const SharpCreases<Id>& creases);
 
   /// Goes through vertices [begin, end): calls own(row) for each vertex that has a row in this
   /// object, and others(first, last) for the ranges between.

@@ -166,14 +166,15 @@ void SurfacePatch<Id>::CropEdges(const PolygonMesh<Id>& whole)
   {
     mesh.EdgeCorners[mesh.Edges[c]] = static_cast<Id>(c); // the first one remains
   }
-  for (const auto& sheaf : whole.Sheaves)
+  for (vtkIdType e = 0; e < edges && !whole.Sheaves.empty(); ++e)
   {
-    typename PolygonMesh<Id>::Sheaf own{ Find(this->Edges, sheaf.Edge), {} };
-    for (Id corner : sheaf.Corners)
+    const auto* sheaf = whole.FindSheaf(this->Edges[e]);
+    typename PolygonMesh<Id>::Sheaf own{ static_cast<Id>(e), {} };
+    for (std::size_t i = 0; sheaf && i < sheaf->Corners.size(); ++i)
     {
-      own.Corners.push_back(this->FindCorner(whole, corner));
+      own.Corners.push_back(this->FindCorner(whole, sheaf->Corners[i]));
     }
-    if (own.Edge >= 0 && *std::min_element(own.Corners.begin(), own.Corners.end()) >= 0)
+    if (sheaf && *std::min_element(own.Corners.begin(), own.Corners.end()) >= 0)
     {
       mesh.Sheaves.push_back(std::move(own));
     }
@@ -234,14 +235,16 @@ SurfaceTags<Id> SurfacePatch<Id>::CropTags(
   {
     own.Vertices[v] = this->IsInside[v] ? tags.Vertices[this->Vertices[v]] : VertexTag::Corner;
   }
-  for (Sector<Id> sector : tags.Sectors)
+  for (vtkIdType v = 0; v < mesh.NumberOfVertices && !tags.Sectors.empty(); ++v)
   {
-    sector.Vertex = Find(this->Vertices, sector.Vertex);
-    if (sector.Vertex >= 0 && this->IsInside[sector.Vertex])
+    const Id vertex = this->Vertices[v];
+    for (auto at = FindSectors(tags, vertex);
+      this->IsInside[v] && at != tags.Sectors.end() && at->Vertex == vertex; ++at)
     {
-      sector.First = this->FindCorner(whole.Mesh, sector.First);
-      sector.Last = this->FindCorner(whole.Mesh, sector.Last);
-      own.Sectors.push_back(sector);
+      own.Sectors.push_back(*at);
+      own.Sectors.back().Vertex = static_cast<Id>(v);
+      own.Sectors.back().First = this->FindCorner(whole.Mesh, at->First);
+      own.Sectors.back().Last = this->FindCorner(whole.Mesh, at->Last);
     }
   }
   return own;

@@ -162,6 +162,7 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
 {
   this->SharpSteps.clear();
   this->Limits = SharpLimits<Id>();
+  this->Creases = SharpCreases<Id>();
   const int steps = this->GetNumberOfSteps();
   if (this->SkipsLevel && IsSharpAfter(sharpness, steps - 1))
   {
@@ -179,7 +180,8 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
     return;
   }
   // One stage for each range of steps in which the same edges are sharp, wholly or in part.
-  std::vector<SharpTags<Id>> stages;
+  this->Creases.Edges = ListEdgesSharpAfter<Id>(sharpness, steps);
+  std::vector<SharpTags<Id>>& stages = this->Creases.Stages;
   const int most = steps + SharpLimits<Id>::MostSteps;
   for (int step = steps; IsSharpAfter(sharpness, step) && step < most;
     step = steps + stages.back().Until)
@@ -187,8 +189,7 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
     stages.push_back({ FindEndOfStage(sharpness, step, most) - steps,
       this->FindSharpTags(sharpness, step, steps, classify) });
   }
-  this->Limits = SharpLimits<Id>(this->Levels.back(), *this->Scheme,
-    ListEdgesSharpAfter<Id>(sharpness, steps), std::move(stages));
+  this->Limits = SharpLimits<Id>(this->Levels.back(), *this->Scheme, this->Creases);
 }
 
 template <typename Id>

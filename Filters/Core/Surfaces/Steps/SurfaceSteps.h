@@ -74,6 +74,8 @@ public:
   BlockOperator<Id> GetStep(int step) const;
   /// The limits of the vertices of the last level, which must have been made with `lastIsWhole`.
   BlockOperator<Id> GetLimit(LimitKind kind) const;
+  /// The creases of that level which are still sharp.
+  const SharpCreases<Id>& GetSharpCreases() const { return this->Creases; }
 
   /// The order of the ids of the last level.
   SurfaceSegments ListSegments() const;
@@ -93,7 +95,8 @@ private:
 
   std::vector<SurfaceLevel<Id>> Levels;
   std::vector<SharpRows<Id>> SharpSteps; ///< the first steps, in which edges are still sharp
-  SharpLimits<Id> Limits; ///< at vertices near edges that are still sharp after the last step
+  SharpCreases<Id> Creases; ///< that are still sharp after the last step, where limits are known
+  SharpLimits<Id> Limits;   ///< at vertices near these
   std::shared_ptr<const SurfaceScheme<Id>> Scheme;
   bool LastIsWhole;
   bool SkipsLevel = false;   ///< the last but one

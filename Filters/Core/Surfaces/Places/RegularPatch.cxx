@@ -1,0 +1,518 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/Places/RegularPatch.h"
+
+#include "Core/Memory/Ids.h"
+#include "Core/Surfaces/Scheme/SurfaceRings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace subdivision
+{
+namespace
+{
+
+template <typename Id>
+ControlPoint<Id> Combine(std::initializer_list<std::pair<const ControlPoint<Id>*, double>> parts)
+{
+  ControlPoint<Id> sum;
+  for (const auto& [point, factor] : parts)
+  {
+    for (const auto& [vertex, weight] : *point)
+    {
+      sum.emplace_back(vertex, factor * weight);
+    }
+  }
+  return sum;
+}
+
+/// Tells whether rules at the corners of a face are those of a uniform spline.
+template <typename Id>
+class RegularRules
+{
+public:
+  RegularRules(const SurfaceLevel<Id>& level, int sides)
+    : Mesh(level.Mesh)
+    , Tags(level.Tags)
+    , Sides(sides)
+  {
+  }
+
+  bool IsRegularFace(Id face)
+  {
+    if (this->Mesh.GetSize(face) != this->Sides)
+    {
+      return false;
+    }
+    const Id first = this->Mesh.GetFirst(face);
+    for (Id corner = first; corner < first + this->Sides; ++corner)
+    {
+      if (!this->IsRegularCorner(corner))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  bool IsSmooth(Id halfEdge) const
+  {
+    return this->Tags.Edges[this->Mesh.Edges[halfEdge]] == EdgeTag::Smooth;
+  }
+  bool IsOnCurve(Id edge) const
+  {
+    return std::find(this->Curve.begin(), this->Curve.end(), edge) != this->Curve.end();
+  }
+
+  bool IsRegularCorner(Id corner)
+  {
+    const Id vertex = this->Mesh.Vertices[corner];
+    const bool isQuad = this->Sides == 4;
+    if (this->Tags.Vertices[vertex] == VertexTag::Smooth)
+    {
+      return this->IsRegularFan({ corner, true }, isQuad ? 4 : 6, true);
+    }
+    const SectorEnds<Id> ends = FindSectorEnds(this->Mesh, this->Tags, corner);
+    if (this->Tags.Vertices[vertex] == VertexTag::Corner)
+    {
+      const Id halfEdges[2] = { corner, this->Mesh.Previous(corner) };
+      return ends.Size == 1 && this->IsRegularFan(ends.First, 1, false) &&
+        std::all_of(halfEdges, halfEdges + 2,
+          [this](Id halfEdge) { return IsSharp(this->Tags.Edges[this->Mesh.Edges[halfEdge]]); });
+    }
+    if (this->Tags.Vertices[vertex] != VertexTag::Curve || ends.Size != (isQuad ? 2 : 3))
+    {
+      return false;
+    }
+    CollectCurveEdges(this->Mesh, this->Tags, vertex, this->Curve);
+    return this->Curve.size() == 2 &&
+      this->IsOnCurve(this->Mesh.Edges[ends.First.GetHalfEdgeIn(this->Mesh)]) &&
+      this->IsOnCurve(this->Mesh.Edges[ends.Last.GetHalfEdgeOut(this->Mesh)]) &&
+      this->IsRegularFan(ends.First, ends.Size, false);
+  }
+
+  /// Whether so many faces follow one another, and rules in them are those of a uniform spline.
+  bool IsRegularFan(FanStep<Id> step, int size, bool isClosed)
+  {
+    const Id begin = step.Corner;
+    for (int i = 0; i < size; ++i)
+    {
+      const Id face = this->Mesh.GetFace(step.Corner);
+      if (this->Mesh.GetSize(face) != this->Sides || this->HasOtherRules(face))
+      {
+        return false;
+      }
+      if (i + 1 == size && !isClosed)
+      {
+        return true;
+      }
+      const Id out = step.GetHalfEdgeOut(this->Mesh);
+      if (!this->IsSmooth(out) || this->IsBentAtEnd(out, this->Mesh.Vertices[begin]) ||
+        !step.Advance(this->Mesh) || (step.Corner == begin && i + 1 < size))
+      {
+        return false;
+      }
+    }
+    return step.Corner == begin;
+  }
+
+  /// Whether new points of a face are moved to the plane of a corner.
+  bool HasOtherRules(Id face) const
+  {
+    const Id* first = this->Mesh.Vertices.data() + this->Mesh.GetFirst(face);
+    return !this->Tags.Sectors.empty() &&
+      std::any_of(first, first + this->Sides,
+        [this](Id vertex)
+        {
+          auto at = FindSectors(this->Tags, vertex);
+          while (at != this->Tags.Sectors.end() && at->Vertex == vertex && !(at->Flatness > 0.))
+          {
+            ++at;
+          }
+          return at != this->Tags.Sectors.end() && at->Vertex == vertex;
+        });
+  }
+
+  /// Whether the far end of an edge gives its point weights that those of a uniform spline are not.
+  bool IsBentAtEnd(Id halfEdge, Id vertex) const
+  {
+    const Id other = this->Mesh.GetOtherEnd(this->Mesh.Edges[halfEdge], vertex);
+    const double angle =
+      FindAngleOfFace(this->Mesh, this->Tags, other, GetCornerAt(this->Mesh, halfEdge, other));
+    const double regular = this->Sides == 4 ? Pi / 2. : Pi / 3.;
+    return angle > 0. && std::abs(angle - regular) > 1e-14;
+  }
+
+  const PolygonMesh<Id>& Mesh;
+  const SurfaceTags<Id>& Tags;
+  const int Sides;
+  std::vector<Id> Curve;
+};
+
+/// Collects control points of a regular face.
+template <typename Id>
+class ControlPointReader
+{
+public:
+  ControlPointReader(const SurfaceLevel<Id>& level, Id face)
+    : Mesh(level.Mesh)
+    , First(level.Mesh.GetFirst(face))
+    , Sides(level.Mesh.GetSize(face))
+  {
+    for (Id k = 0; k < this->Sides; ++k)
+    {
+      this->Smooth.push_back(
+        level.Tags.Edges[this->Mesh.Edges[this->First + k]] == EdgeTag::Smooth);
+    }
+    this->Tags = &level.Tags;
+  }
+
+  std::vector<ControlPoint<Id>> ReadQuad()
+  {
+    using Grid = std::array<std::array<ControlPoint<Id>, 4>, 4>;
+    // Of each edge: its direction, and the row of the grid that lies beyond it.
+    constexpr int own[4][2] = { { 1, 1 }, { 2, 1 }, { 2, 2 }, { 1, 2 } };
+    constexpr int beyond[4][2] = { { 0, -1 }, { 1, 0 }, { 0, 1 }, { -1, 0 } };
+    Grid grid;
+    for (int k = 0; k < 4; ++k)
+    {
+      const int* at = own[k];
+      const int* end = own[(k + 1) % 4];
+      grid[at[0]][at[1]] = this->GetCorner(k);
+      if (!this->Smooth[k])
+      {
+        continue;
+      }
+      const std::vector<Id> left = this->Walk(k, false, 1);
+      const std::vector<Id> right = this->Walk((k + 1) % 4, true, 1);
+      grid[at[0] + beyond[k][0]][at[1] + beyond[k][1]] = { { left[0], 1. } };
+      grid[end[0] + beyond[k][0]][end[1] + beyond[k][1]] = { { right[0], 1. } };
+      const int before = (k + 3) % 4;
+      if (this->Smooth[before])
+      {
+        grid[at[0] + beyond[k][0] + beyond[before][0]][at[1] + beyond[k][1] + beyond[before][1]] = {
+          { this->GetOpposite(k), 1. }
+        };
+      }
+    }
+    const auto mirror =
+      [](ControlPoint<Id>& to, const ControlPoint<Id>& on, const ControlPoint<Id>& inside)
+    {
+      if (!on.empty() && !inside.empty())
+      {
+        to = Combine<Id>({ { &on, 2. }, { &inside, -1. } });
+      }
+    };
+    for (int i = 0; i < 4; ++i)
+    {
+      if (!this->Smooth[3])
+      {
+        mirror(grid[0][i], grid[1][i], grid[2][i]);
+      }
+      if (!this->Smooth[1])
+      {
+        mirror(grid[3][i], grid[2][i], grid[1][i]);
+      }
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      if (!this->Smooth[0])
+      {
+        mirror(grid[i][0], grid[i][1], grid[i][2]);
+      }
+      if (!this->Smooth[2])
+      {
+        mirror(grid[i][3], grid[i][2], grid[i][1]);
+      }
+    }
+    std::vector<ControlPoint<Id>> points;
+    for (int y = 0; y < 4; ++y)
+    {
+      for (int x = 0; x < 4; ++x)
+      {
+        points.push_back(grid[x][y]);
+      }
+    }
+    return points;
+  }
+
+  /// The corners; the points beyond edges k; then for each corner k the point next to that beyond
+  /// edge k, and the one next to that beyond the edge before.
+  std::vector<ControlPoint<Id>> ReadTriangle()
+  {
+    std::array<ControlPoint<Id>, 3> own;
+    std::array<ControlPoint<Id>, 3> beyond;
+    for (int k = 0; k < 3; ++k)
+    {
+      own[k] = this->GetCorner(k);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      beyond[k] = this->Smooth[k] ? ControlPoint<Id>{ { this->Walk(k, false, 1)[0], 1. } }
+                                  : Mirror(own[k], own[(k + 1) % 3], own[(k + 2) % 3]);
+    }
+    std::vector<ControlPoint<Id>> points(own.begin(), own.end());
+    points.insert(points.end(), beyond.begin(), beyond.end());
+    for (int k = 0; k < 3; ++k)
+    {
+      const ControlPoint<Id>& next = own[(k + 1) % 3];
+      const ControlPoint<Id>& last = own[(k + 2) % 3];
+      const ControlPoint<Id>& beyondNext = beyond[k];
+      const ControlPoint<Id>& beyondLast = beyond[(k + 2) % 3];
+      ControlPoint<Id> atNext;
+      ControlPoint<Id> atLast;
+      const std::vector<Id> forward = this->Walk(k, false, 2);
+      const std::vector<Id> backward = this->Walk(k, true, 2);
+      if (forward.size() > 1)
+      {
+        atNext = { { forward[1], 1. } };
+      }
+      if (backward.size() > 1)
+      {
+        atLast = { { backward[1], 1. } };
+      }
+      if (forward.empty() && backward.empty()) // a corner
+      {
+        atNext = Combine<Id>({ { &own[k], 2. }, { &last, -1. } });
+        atLast = Combine<Id>({ { &own[k], 2. }, { &next, -1. } });
+      }
+      else if (forward.size() == 1 && backward.size() == 1) // the face is in the middle
+      {
+        atNext = Mirror(own[k], beyondNext, next);
+        atLast = Mirror(own[k], beyondLast, last);
+      }
+      else if (forward.empty())
+      {
+        atNext = Mirror(own[k], atLast, beyondLast);
+      }
+      else if (backward.empty())
+      {
+        atLast = Mirror(own[k], atNext, beyondNext);
+      }
+      points.push_back(atNext);
+      points.push_back(atLast);
+    }
+    return points;
+  }
+
+private:
+  ControlPoint<Id> GetCorner(int k) const
+  {
+    return { { this->Mesh.Vertices[this->First + k], 1. } };
+  }
+  /// The point beyond an edge on a curve.
+  static ControlPoint<Id> Mirror(
+    const ControlPoint<Id>& a, const ControlPoint<Id>& b, const ControlPoint<Id>& inside)
+  {
+    return Combine<Id>({ { &a, 1. }, { &b, 1. }, { &inside, -1. } });
+  }
+
+  /// The other ends of the edges to which a walk around corner k comes: across edge k, or, if
+  /// `isBack`, the edge before. At most so many, fewer where a curve stops it.
+  std::vector<Id> Walk(int k, bool isBack, int most) const
+  {
+    const Id corner = static_cast<Id>(this->First + k);
+    const Id vertex = this->Mesh.Vertices[corner];
+    std::vector<Id> ends;
+    FanStep<Id> step{ corner, isBack };
+    while (static_cast<int>(ends.size()) < most &&
+      this->Tags->Edges[this->Mesh.Edges[step.GetHalfEdgeOut(this->Mesh)]] == EdgeTag::Smooth)
+    {
+      step.Advance(this->Mesh);
+      ends.push_back(
+        this->Mesh.GetOtherEnd(this->Mesh.Edges[step.GetHalfEdgeOut(this->Mesh)], vertex));
+    }
+    return ends;
+  }
+
+  /// The vertex opposite to corner k in the quad that shares only this corner with the face.
+  Id GetOpposite(int k) const
+  {
+    FanStep<Id> step{ static_cast<Id>(this->First + k), false };
+    step.Advance(this->Mesh);
+    step.Advance(this->Mesh);
+    return this->Mesh.Vertices[this->Mesh.Next(this->Mesh.Next(step.Corner))];
+  }
+
+  const PolygonMesh<Id>& Mesh;
+  const SurfaceTags<Id>* Tags;
+  const Id First;
+  const Id Sides;
+  std::vector<bool> Smooth; ///< of each edge of the face
+};
+
+/// The uniform cubic B-splines that are not zero in [0, 1], and two derivatives of each.
+std::array<std::array<double, 3>, 4> GetCubics(double t)
+{
+  const double r = 1. - t;
+  return { { { { r * r * r / 6., -r * r / 2., r } },
+    { { 2. / 3. - t * t * (2. - t) / 2., t * (1.5 * t - 2.), 3. * t - 2. } },
+    { { 2. / 3. - r * r * (2. - r) / 2., -r * (1.5 * r - 2.), 3. * r - 2. } },
+    { { t * t * t / 6., t * t / 2., t } } } };
+}
+
+/// A term of a quartic polynomial in the weights of three corners.
+struct Monomial
+{
+  double Factor;
+  std::array<int, 3> Powers;
+};
+
+/// The polynomials of the box spline over a triangle, times 12, by where their control point is: at
+/// the first corner; beyond the edge from the first to the second; next to that, at the first.
+const std::vector<Monomial>& GetQuartic(int kind)
+{
+  static const std::vector<Monomial> quartics[3] = {
+    { { 6., { { 4, 0, 0 } } }, { 24., { { 3, 1, 0 } } }, { 24., { { 3, 0, 1 } } },
+      { 24., { { 2, 2, 0 } } }, { 60., { { 2, 1, 1 } } }, { 24., { { 2, 0, 2 } } },
+      { 8., { { 1, 3, 0 } } }, { 36., { { 1, 2, 1 } } }, { 36., { { 1, 1, 2 } } },
+      { 8., { { 1, 0, 3 } } }, { 1., { { 0, 4, 0 } } }, { 6., { { 0, 3, 1 } } },
+      { 12., { { 0, 2, 2 } } }, { 6., { { 0, 1, 3 } } }, { 1., { { 0, 0, 4 } } } },
+    { { 1., { { 4, 0, 0 } } }, { 6., { { 3, 1, 0 } } }, { 2., { { 3, 0, 1 } } },
+      { 12., { { 2, 2, 0 } } }, { 6., { { 2, 1, 1 } } }, { 6., { { 1, 3, 0 } } },
+      { 6., { { 1, 2, 1 } } }, { 1., { { 0, 4, 0 } } }, { 2., { { 0, 3, 1 } } } },
+    { { 1., { { 4, 0, 0 } } }, { 2., { { 3, 1, 0 } } } },
+  };
+  return quartics[kind];
+}
+
+/// A power of a number and its first two derivatives, without factors that count on.
+double Differentiate(double x, int power, int order)
+{
+  double value = 1.;
+  for (int i = 0; i < order; ++i)
+  {
+    value *= power - i;
+  }
+  for (int i = order; i < power; ++i)
+  {
+    value *= x;
+  }
+  return value;
+}
+
+/// One of the quartics, with the corners in the given order.
+LocalJet EvaluateQuartic(int kind, const std::array<int, 3>& corners, double x, double y)
+{
+  const std::array<double, 3> weights{ { 1. - x - y, x, y } };
+  LocalJet jet{};
+  for (const Monomial& term : GetQuartic(kind))
+  {
+    std::array<int, 3> powers{};
+    for (int i = 0; i < 3; ++i)
+    {
+      powers[corners[i]] = term.Powers[i];
+    }
+    const auto multiply = [&](int a, int b)
+    {
+      double product = term.Factor / 12.;
+      for (int i = 0; i < 3; ++i)
+      {
+        product *= Differentiate(weights[i], powers[i], (i == a ? 1 : 0) + (i == b ? 1 : 0));
+      }
+      return product;
+    };
+    const double ofNone = multiply(0, 0);
+    jet[0] += multiply(-1, -1);
+    jet[1] += multiply(1, -1) - multiply(0, -1);
+    jet[2] += multiply(2, -1) - multiply(0, -1);
+    jet[3] += multiply(1, 1) - 2. * multiply(0, 1) + ofNone;
+    jet[4] += multiply(1, 2) - multiply(0, 1) - multiply(0, 2) + ofNone;
+    jet[5] += multiply(2, 2) - 2. * multiply(0, 2) + ofNone;
+  }
+  return jet;
+}
+
+}
+
+template <typename Id>
+bool RegularPatch<Id>::FindFace(const SurfaceLevel<Id>& level, Id face)
+{
+  const int sides = static_cast<int>(level.Mesh.GetSize(face));
+  if ((sides != 3 && sides != 4) || !RegularRules<Id>(level, sides).IsRegularFace(face))
+  {
+    return false;
+  }
+  ControlPointReader<Id> reader(level, face);
+  this->Domain = sides == 4 ? PolynomialDomain::Quad : PolynomialDomain::Triangle;
+  this->Points = sides == 4 ? reader.ReadQuad() : reader.ReadTriangle();
+  return true;
+}
+
+template <typename Id>
+bool RegularPatch<Id>::FindLine(const SurfaceLevel<Id>& level, Id edge)
+{
+  if (!IsSharp(level.Tags.Edges[edge]))
+  {
+    return false;
+  }
+  const Id* ends = level.Mesh.EdgeVertices.data() + 2 * static_cast<vtkIdType>(edge);
+  std::array<ControlPoint<Id>, 2> beyond;
+  std::vector<Id> curve;
+  for (int end = 0; end < 2; ++end)
+  {
+    const Id vertex = ends[end];
+    if (level.Tags.Vertices[vertex] == VertexTag::Corner)
+    {
+      beyond[end] = { { vertex, 2. }, { ends[1 - end], -1. } };
+      continue;
+    }
+    CollectCurveEdges(level.Mesh, level.Tags, vertex, curve);
+    if (level.Tags.Vertices[vertex] != VertexTag::Curve || curve.size() != 2 ||
+      std::find(curve.begin(), curve.end(), edge) == curve.end())
+    {
+      return false;
+    }
+    const Id other = curve[0] == edge ? curve[1] : curve[0];
+    beyond[end] = { { level.Mesh.GetOtherEnd(other, vertex), 1. } };
+  }
+  this->Domain = PolynomialDomain::Line;
+  this->Points = { beyond[0], { { ends[0], 1. } }, { { ends[1], 1. } }, beyond[1] };
+  return true;
+}
+
+std::vector<LocalJet> WeightControlPoints(PolynomialDomain domain, double x, double y)
+{
+  std::vector<LocalJet> weights;
+  if (domain == PolynomialDomain::Triangle)
+  {
+    const auto add = [&](int kind, int a, int b, int c)
+    { weights.push_back(EvaluateQuartic(kind, { { a, b, c } }, x, y)); };
+    for (int kind = 0; kind < 2; ++kind)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        add(kind, k, (k + 1) % 3, (k + 2) % 3);
+      }
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      add(2, k, (k + 1) % 3, (k + 2) % 3);
+      add(2, k, (k + 2) % 3, (k + 1) % 3);
+    }
+    return weights;
+  }
+  const auto ofX = GetCubics(x);
+  if (domain == PolynomialDomain::Line)
+  {
+    for (const auto& a : ofX)
+    {
+      weights.push_back({ { a[0], a[1], 0., a[2], 0., 0. } });
+    }
+    return weights;
+  }
+  for (const auto& b : GetCubics(y))
+  {
+    for (const auto& a : ofX)
+    {
+      weights.push_back(
+        { { a[0] * b[0], a[1] * b[0], a[0] * b[1], a[2] * b[0], a[1] * b[1], a[0] * b[2] } });
+    }
+  }
+  return weights;
+}
+
+SUBDIVISION_COMPILE(struct RegularPatch);
+
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RegularPatch.h
+ * The polynomial that is the limit over a regular face or line (Mathematics 8, 12).
+ *
+ * Over a quad of Catmull-Clark's scheme it is bicubic, over a triangle of Loop's scheme quartic, on
+ * a line cubic. It has 16, 12 or 4 control points: the vertices of the face and around it. Beyond a
+ * curve these are mirrored, so that the uniform spline follows the rules of the curve.
+ */
+#ifndef SubdivisionObjects_RegularPatch_h
+#define SubdivisionObjects_RegularPatch_h
+
+#include "Core/Surfaces/Scheme/SurfaceScheme.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace subdivision
+{
+
+/// A value, its first two derivatives and its second ones: by x twice, by x and y, by y twice.
+using LocalJet = std::array<double, 6>;
+
+/// The vertices and weights that a control point is the sum of.
+template <typename Id>
+using ControlPoint = std::vector<std::pair<Id, double>>;
+
+enum class PolynomialDomain
+{
+  Line,
+  Triangle,
+  Quad
+};
+
+template <typename Id>
+struct RegularPatch
+{
+  PolynomialDomain Domain = PolynomialDomain::Line;
+  std::vector<ControlPoint<Id>> Points;
+
+  /// Finds the control points over a face or a line. False: it is not regular, or rules near it are
+  /// not. All faces must have the number of corners of the scheme.
+  bool FindFace(const SurfaceLevel<Id>& level, Id face);
+  bool FindLine(const SurfaceLevel<Id>& level, Id edge);
+};
+
+/// Weights of the control points at (x, y). On a line x goes from the first vertex of the edge to
+/// the second one. In a face the corners are at (0, 0), (1, 0), then (0, 1), or (1, 1) and (0, 1).
+std::vector<LocalJet> WeightControlPoints(PolynomialDomain domain, double x, double y);
+
+}
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PlaceOutput.h
+ * Places at which the limit is asked for, and what the answer has besides the arrays of the mesh:
+ * derivatives, normals and curvatures.
+ */
+#ifndef SubdivisionObjects_PlaceOutput_h
+#define SubdivisionObjects_PlaceOutput_h
+
+#include "Core/Memory/GrowingBuffer.h"
+#include "Core/Operators/ApplyRows.h"
+#include "Core/Operators/PlaceParts.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+class vtkDataArray;
+class vtkDataSet;
+class vtkDoubleArray;
+class vtkIdTypeArray;
+class vtkPolyData;
+
+namespace subdivision
+{
+
+/// Places at which the limit is asked for, in cells of the input, and what gets it.
+struct PlaceRequest
+{
+  vtkIdTypeArray* Cells = nullptr;
+  vtkDataArray* Parameters = nullptr; ///< three components
+  vtkPolyData* Output = nullptr;
+  /// If not null, places are those nearest to its points, and the arrays above are not read.
+  vtkDataSet* Targets = nullptr;
+};
+
+/// The error message if not each place has one cell and three parameters; else empty.
+std::string CheckPlaceArrays(vtkIdTypeArray* cells, vtkDataArray* parameters);
+
+/// The value and the derivatives of the points at a place.
+using PlacePoint = std::array<std::array<double, 3>, PlaceParts::Count>;
+
+template <typename Id>
+PlacePoint SumParts(const PlaceRows<Id>& rows, vtkIdType place, const double* points)
+{
+  PlacePoint parts{};
+  for (int p = 0; p < PlaceParts::Count; ++p)
+  {
+    WeightedRows<Id> row = rows[p].GetRows(place, place + 1);
+    row.FirstRow = 0;
+    SumRows(row, points, parts[p].data(), 3);
+  }
+  return parts;
+}
+
+/// A point array of zeros.
+vtkDoubleArray* AddPlaceArray(
+  const char* name, int components, vtkIdType size, vtkPolyData* output);
+
+/// Derivatives of the points, normals and curvatures, as arrays of an output.
+class DerivativeArrays
+{
+public:
+  DerivativeArrays(vtkIdType size, vtkPolyData* output);
+  /// `dimension`: of the cell with place i.
+  void Set(vtkIdType i, int dimension, const PlacePoint& parts);
+
+private:
+  std::array<double*, 3> Tangents{};
+  double* Normals = nullptr;
+  double* Mean = nullptr;
+  double* Gaussian = nullptr;
+};
+
+/// Rows of some places after those of others. Together they may have more entries than an int
+/// counts.
+class AppendedRows
+{
+public:
+  template <typename Id>
+  void Append(const SparseRows<Id>& part)
+  {
+    this->NumberOfColumns = part.NumberOfColumns;
+    const vtkIdType rows = part.GetNumberOfRows();
+    const vtkIdType before = this->Columns.size();
+    const vtkIdType entries = part.Columns.size();
+    std::transform(part.Offsets.begin(), part.Offsets.begin() + rows, this->Offsets.Extend(rows),
+      [&](Id offset) { return before + offset; });
+    std::copy_n(part.Columns.begin(), entries, this->Columns.Extend(entries));
+    std::copy_n(part.Weights.begin(), entries, this->Weights.Extend(entries));
+  }
+  SparseRows<vtkIdType> Finish();
+
+private:
+  vtkIdType NumberOfColumns = 0;
+  GrowingBuffer<vtkIdType> Offsets;
+  GrowingBuffer<vtkIdType> Columns;
+  GrowingBuffer<double> Weights;
+};
+
+/// Gives an output with points one vertex for each, and all point arrays of another.
+void FinishPlaces(vtkPolyData* arrays, vtkPolyData* output);
+
+}
+
+#endif

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The limit at places of cells, with derivatives.
+#include "Core/Surfaces/Places/SurfacePlaces.h"
+
+#include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
+#include "Private/Arrays/Arrays.h"
+#include "Private/Surface/SurfaceRun.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace subdivision
+{
+namespace
+{
+
+/// What a cell has become: which of the vertices, lines or faces, if it is one.
+struct PartOfCell
+{
+  int Dimension = -1;
+  int Count = 0;
+  vtkIdType Part = -1;
+};
+
+std::vector<PartOfCell> ListParts(const SurfaceCells& cells, vtkIdType size)
+{
+  std::vector<PartOfCell> parts(static_cast<std::size_t>(size));
+  const auto add = [&parts](const std::vector<vtkIdType>& owners, int dimension)
+  {
+    for (const std::size_t i : InTurn(owners.size()))
+    {
+      PartOfCell& part = parts[owners[i]];
+      part = { dimension, part.Count + 1, static_cast<vtkIdType>(i) };
+    }
+  };
+  add(cells.VertexCells, 0);
+  add(cells.SegmentCells, 1);
+  add(cells.FaceCells, 2);
+  return parts;
+}
+
+/// Moves a parameter into [0, 1], but by rounding only. False: it is outside.
+bool MoveInside(double& x)
+{
+  constexpr double rounding = 1e-9;
+  const bool isInside = x >= -rounding && x <= 1. + rounding;
+  x = std::min(1., std::max(0., x));
+  return isInside;
+}
+
+/// Sets the place in a triangle whose corners `order` are the points of its cell. False: it is
+/// outside.
+template <typename Id>
+bool SetInTriangle(double u, double v, const std::array<int, 3>& order, SurfacePlace<Id>& place)
+{
+  double rest = 1. - u - v;
+  if (!MoveInside(u) || !MoveInside(v) || !MoveInside(rest))
+  {
+    return false;
+  }
+  if (u + v > 1.)
+  {
+    v = 1. - u;
+  }
+  std::array<double, 3> weights{};
+  std::array<std::array<double, 2>, 3> changes{};
+  weights[order[0]] = std::max(0., 1. - u - v);
+  weights[order[1]] = u;
+  weights[order[2]] = v;
+  changes[order[0]] = { { -1., -1. } };
+  changes[order[1]] = { { 1., 0. } };
+  changes[order[2]] = { { 0., 1. } };
+  place.At = { { weights[1], weights[2] } };
+  place.Directions = { { changes[1], changes[2] } };
+  return true;
+}
+
+}
+
+/// A place of a line as one of a face, if its edge is in one.
+template <typename Id>
+SurfacePlace<Id> SurfaceRun<Id>::TakePlaceOfLine(
+  const SurfaceLevel<Id>& level, const SurfacePlace<Id>& place) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const Id corner = mesh.EdgeCorners[place.Part];
+  if (corner < 0)
+  {
+    return place;
+  }
+  SurfacePlace<Id> taken;
+  taken.Dimension = 2;
+  taken.Part = mesh.GetFace(corner);
+  const Id sides = mesh.GetSize(taken.Part);
+  const int k = static_cast<int>(corner - mesh.GetFirst(taken.Part));
+  // Along the half-edge, and how that changes with the parameters.
+  const bool isTurned =
+    mesh.Vertices[corner] != mesh.EdgeVertices[2 * static_cast<vtkIdType>(place.Part)];
+  const double x = isTurned ? 1. - place.At[0] : place.At[0];
+  const double slope = isTurned ? -place.Directions[0][0] : place.Directions[0][0];
+  const bool isTriangle = this->Scheme->NeedsTriangles();
+  if (!isTriangle && sides != 4)
+  {
+    const bool isInFirst = x <= 0.5;
+    taken.Corner = isInFirst ? k : (k + 1) % static_cast<int>(sides);
+    taken.At = { { isInFirst ? 2. * x : 0., isInFirst ? 0. : 2. * (1. - x) } };
+    taken.Directions = { { { { isInFirst ? 2. * slope : 0., 0. } },
+      { { isInFirst ? 0. : -2. * slope, 0. } } } };
+    return taken;
+  }
+  // The corners of the face in x and y.
+  constexpr double ofTriangle[3][2] = { { 0., 0. }, { 1., 0. }, { 0., 1. } };
+  constexpr double ofQuad[4][2] = { { 0., 0. }, { 1., 0. }, { 1., 1. }, { 0., 1. } };
+  const double* from = isTriangle ? ofTriangle[k] : ofQuad[k];
+  const double* to = isTriangle ? ofTriangle[(k + 1) % 3] : ofQuad[(k + 1) % 4];
+  for (int i = 0; i < 2; ++i)
+  {
+    taken.At[i] = from[i] == to[i] ? from[i] : from[i] < to[i] ? x : 1. - x;
+    taken.Directions[i] = { { (to[i] - from[i]) * slope, 0. } };
+  }
+  return taken;
+}
+
+/// Finds the part of the cell of each place. Returns false, after an error, if a cell is none.
+template <typename Id>
+bool SurfaceRun<Id>::ReadPlaces(
+  const PlaceRequest& request, std::vector<SurfacePlace<Id>>& places, PlaceOrigins& origins) const
+{
+  const SurfaceLevel<Id>& level = this->Steps->GetLevel(this->Steps->GetNumberOfSteps());
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const vtkIdType size = this->Input->GetNumberOfCells();
+  const std::vector<PartOfCell> parts = ListParts(this->Cells, size);
+  vtkNew<vtkIdList> points;
+  for (const vtkIdType i : InTurn(request.Cells->GetNumberOfTuples()))
+  {
+    const vtkIdType cell = request.Cells->GetValue(i);
+    const auto fail = [&](const std::string& what)
+    {
+      this->Options.Fail(
+        "Place " + std::to_string(i) + " is in cell " + std::to_string(cell) + what);
+      return false;
+    };
+    if (cell < 0 || cell >= size)
+    {
+      return fail(": the input has no such cell.");
+    }
+    const PartOfCell& part = parts[cell];
+    this->Input->GetCellPoints(cell, points);
+    if (part.Count != 1 ||
+      (part.Dimension == 2 && points->GetNumberOfIds() != mesh.GetSize(static_cast<Id>(part.Part))))
+    {
+      return fail(", which was cut into several cells or left out, or has a point twice. Cut it by "
+                  "another filter first, or use Scheme = CatmullClark for polygons.");
+    }
+    std::array<double, 3> p{};
+    const bool isTriangle = this->Scheme->NeedsTriangles();
+    const bool isPolygon = part.Dimension == 2 && !isTriangle && points->GetNumberOfIds() != 4;
+    for (int k = 0; k < part.Dimension + (isPolygon ? 1 : 0); ++k)
+    {
+      p[k] = request.Parameters->GetComponent(i, k);
+      if (!std::isfinite(p[k]))
+      {
+        return fail(", and its parameters are not finite.");
+      }
+    }
+    SurfacePlace<Id> place;
+    place.Dimension = part.Dimension;
+    place.Part = static_cast<Id>(part.Part);
+    bool isInside = true;
+    vtkIdType corner = 0; // the nearest, of the points of the cell
+    if (part.Dimension == 0)
+    {
+      place.Part = static_cast<Id>(this->Cells.Vertices[part.Part]);
+    }
+    else if (part.Dimension == 1)
+    {
+      isInside = MoveInside(p[0]);
+      corner = p[0] > 0.5 ? 1 : 0;
+      const Id line = level.Lines[part.Part];
+      place.Part = line / 2;
+      place.At[0] = line % 2 == 0 ? p[0] : 1. - p[0];
+      place.Directions = { { { { line % 2 == 0 ? 1. : -1., 0. } }, { { 0., 0. } } } };
+      place = this->TakePlaceOfLine(level, place);
+    }
+    else if (isTriangle)
+    {
+      std::array<int, 3> order{};
+      const Id* corners = mesh.Vertices.data() + mesh.GetFirst(place.Part);
+      for (int k = 0; k < 3; ++k)
+      {
+        order[k] = static_cast<int>(
+          std::find(corners, corners + 2, static_cast<Id>(points->GetId(k))) - corners);
+      }
+      isInside = SetInTriangle(p[0], p[1], order, place);
+      const double first = 1. - p[0] - p[1];
+      corner = first >= std::max(p[0], p[1]) ? 0 : p[0] >= p[1] ? 1 : 2;
+    }
+    else
+    {
+      isInside = MoveInside(p[0]);
+      isInside = MoveInside(p[1]) && isInside;
+      place.At = { { p[0], p[1] } };
+      corner = p[1] <= 0.5 ? (p[0] <= 0.5 ? 0 : 1) : (p[0] <= 0.5 ? 3 : 2);
+      if (isPolygon)
+      {
+        const double last = static_cast<double>(points->GetNumberOfIds()) - 1.;
+        if (p[2] != std::floor(p[2]) || p[2] < 0. || p[2] > last)
+        {
+          return fail(
+            ", a polygon that is no quad: its third parameter is the number of one of its "
+            "points, from 0 on.");
+        }
+        place.Corner = static_cast<int>(p[2]);
+        corner = place.Corner;
+      }
+    }
+    if (!isInside)
+    {
+      return fail(": it is outside of the cell. Parameters are not negative, and 1 at most; in a "
+                  "triangle that is their sum.");
+    }
+    origins.Points.push_back(points->GetId(corner));
+    origins.Dimensions.push_back(part.Dimension);
+    places.push_back(place);
+  }
+  return true;
+}
+
+/// Calls use(begin, rows) for the rows of some places at a time, so that they take little memory.
+template <typename Id>
+void SurfaceRun<Id>::SumPlaces(const SurfaceSteps<Id>& steps,
+  const std::vector<SurfacePlace<Id>>& places,
+  const std::function<void(vtkIdType, const PlaceRows<Id>&)>& use) const
+{
+  constexpr std::size_t most = 8192;
+  for (std::size_t begin = 0; begin < places.size(); begin += most)
+  {
+    const auto first = places.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto count = static_cast<std::ptrdiff_t>(std::min(most, places.size() - begin));
+    use(static_cast<vtkIdType>(begin),
+      FindSurfacePlaces(*this->Scheme, steps.GetLevel(steps.GetNumberOfSteps()),
+        steps.GetSharpCreases(), std::vector<SurfacePlace<Id>>(first, first + count)));
+    BetweenLoops::Act();
+  }
+}
+
+template <typename Id>
+bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& request)
+{
+  this->Cells = std::move(cells);
+  std::vector<SurfacePlace<Id>> places;
+  PlaceOrigins origins;
+  if (!this->Plan() || !this->ReadPlaces(request, places, origins))
+  {
+    return false;
+  }
+  this->Interpolate();
+  const auto size = static_cast<vtkIdType>(places.size());
+  const double* coordinates = this->Points->GetCoordinates();
+  vtkNew<vtkPolyData> found; // with further arrays
+  DerivativeArrays derivatives(size, found);
+  vtkNew<vtkDoubleArray> values;
+  values->SetNumberOfComponents(3);
+  values->SetNumberOfTuples(size);
+  AppendedRows rows;
+  this->SumPlaces(this->Joined ? *this->Joined : *this->Steps, places,
+    [&](vtkIdType begin, const PlaceRows<Id>& parts)
+    {
+      if (!this->Joined)
+      {
+        rows.Append(parts[PlaceParts::Value]);
+      }
+      ForEach(parts[PlaceParts::Value].GetNumberOfRows(),
+        [&](vtkIdType i)
+        {
+          const PlacePoint point = SumParts(parts, i, coordinates);
+          values->SetTypedTuple(begin + i, point[PlaceParts::Value].data());
+          derivatives.Set(begin + i, origins.Dimensions[begin + i], point);
+        });
+    });
+  if (this->Joined)
+  {
+    this->SumPlaces(*this->Steps, places,
+      [&rows](vtkIdType, const PlaceRows<Id>& parts) { rows.Append(parts[PlaceParts::Value]); });
+    const auto points = MakeArray(this->Points->GetPoints()->GetDataType(), 3, size);
+    for (const vtkIdType i : InTurn(size))
+    {
+      points->SetTuple(i, values->GetTuple(i));
+    }
+    this->Points->ReusePoints(points);
+  }
+  this->Points->Advance(rows.Finish(), [&origins](vtkIdType row) { return origins.Points[row]; });
+  this->Points->ForgetInputPoints();
+  request.Output->Initialize();
+  this->Points->Finish(request.Output);
+  FinishPlaces(found, request.Output);
+  return true;
+}
+
+SUBDIVISION_COMPILE(class SurfaceRun);
+
+}
