@@ -380,6 +380,7 @@ bool vtkSubdivisionAlgorithm::ReadFeatureOptions(vtkPointSet* input, subdivision
   options.PreserveInterfaces = this->PreserveInterfaces;
   options.DetectFeatures = this->DetectFeatures;
   options.FeatureAngle = this->FeatureAngle;
+  options.MergesPoints = this->MergePoints;
   options.Type1 = static_cast<JointRule>(this->Type1Rule);
   options.Type2 = this->Type2Rule == TYPE2_FOLLOW_PART ? JointRule::FollowPart
                                                        : static_cast<JointRule>(this->Type2Rule);

@@ -12,6 +12,7 @@
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/FittingMarks.h"
+#include "Private/Control/OpenPoints.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Surface/SurfaceCellArrays.h"
 #include "Private/Surface/SurfaceChecks.h"
@@ -133,6 +134,13 @@ void AdaptiveRun<Id>::ReadControl()
     { FindDerivedEdges(this->Control.Mesh, this->Cells.FaceCells, points, this->Options.Features),
       {} },
     creases);
+  const std::string coincident = this->Options.Features.MergesPoints
+    ? ""
+    : DescribeCoincidentOfSurface(this->Control.Mesh, points);
+  if (!coincident.empty())
+  {
+    this->Options.Warn(coincident);
+  }
   this->Control.Tags = ClassifySurface(this->Control.Mesh, *this->Scheme, creases.Features, points);
   this->Scheme->RestrictTags(this->Control);
   this->Mesh = std::make_unique<AdaptiveSqrtThree<Id>>(this->Control);

@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
+#include "Private/Control/OpenPoints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -260,6 +261,17 @@ void AddDerivedSharpness(const SimplicialComplex<Id>& complex, ControlTraits& co
   }
 }
 
+template <typename Id>
+void WarnOfCoincident(const FeatureOptions& features, const SimplicialComplex<Id>& complex,
+  const Coordinates& points, const WarnFunction& warn)
+{
+  const std::string warning = features.MergesPoints ? "" : DescribeCoincident(complex, points);
+  if (!warning.empty())
+  {
+    warn(warning);
+  }
+}
+
 /// Builds the control level: complex, singular simplices and strata.
 template <typename Id>
 bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
@@ -282,6 +294,7 @@ bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
   if (!mesh.IsStamped)
   {
     WarnOfContradictions(features, mesh.Values, mesh.Cells, complex, control.Runs, warn);
+    WarnOfCoincident(features, complex, points, warn);
   }
   control.ManifoldDimensions = FindManifoldDimensions(complex, control.Runs);
   control.Sharpness = FindSharpness(mesh.Values, complex, control.Runs);

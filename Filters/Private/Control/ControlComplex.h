@@ -39,10 +39,10 @@ struct ControlComplex : ControlTraits
 
 using WarnFunction = std::function<void(const std::string&)>;
 
-/// `points` are coordinates of the control points, read for features only; `warn` gets messages on
-/// flags that contradict each other; `depth` is that of the current level. Returns false if the
-/// stamp is wrong: its levels do not lead from the control mesh to the simplices that were read, or
-/// the mesh does not have its singular simplices.
+/// `points` are coordinates of the control points, read for features and for points at one place;
+/// `warn` gets messages on these and on flags that contradict each other; `depth` is that of the
+/// current level. Returns false if the stamp is wrong: its levels do not lead from the control mesh
+/// to the simplices that were read, or the mesh does not have its singular simplices.
 template <typename Id>
 bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
   const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control);

@@ -41,6 +41,7 @@ struct FeatureOptions
   JointRule Type1 = JointRule::Blend;
   JointRule Type2 = JointRule::Blend;
   JointRule Type3 = JointRule::Blend;
+  bool MergesPoints = false; ///< no warning tells of points at one place
   /// Cell arrays of the input, null where there is none. Their length and type were checked.
   vtkSmartPointer<vtkDataArray> Singular;
   vtkSmartPointer<vtkDataArray> Material;

@@ -17,6 +17,7 @@
 #include "vtkSmartPointer.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace subdivision
@@ -54,6 +55,7 @@ struct KeptSurface
   virtual std::size_t GetMemorySize() const = 0;
 
   SurfaceKey Key;
+  std::string Warning;                 ///< of points at one place
   vtkSmartPointer<vtkCellArray> Verts; ///< the cells of the output, once they are written
   vtkSmartPointer<vtkCellArray> Lines;
   vtkSmartPointer<vtkCellArray> Polys;

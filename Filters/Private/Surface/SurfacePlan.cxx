@@ -9,6 +9,7 @@
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/OpenPoints.h"
 #include "Private/Control/Partners.h"
 
 #include <algorithm>
@@ -142,6 +143,15 @@ KeptSurfaceOf<Id>* SurfaceRun<Id>::FindKept(const SurfaceKey& key)
       { return dynamic_cast<const KeptSurfaceOf<Id>*>(&kept) && kept.Key == key; }));
 }
 
+/// A warning of points at one place; empty where seams join them.
+template <typename Id>
+std::string SurfaceRun<Id>::DescribeCoincident(const PolygonMesh<Id>& mesh)
+{
+  const bool isTold =
+    this->MadeLevels == 0 && !this->Joined && !this->Options.Features.MergesPoints;
+  return isTold ? DescribeCoincidentOfSurface(mesh, this->Points->GetCoordinates()) : std::string();
+}
+
 /// Makes the levels and rules of `control`, or finds kept ones that fit. Null if Progress asks to
 /// stop.
 template <typename Id>
@@ -170,6 +180,11 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   }
   SurfaceTags<Id> tags = this->Classify(first, creases.Features);
   this->ControlSectors = tags.Sectors;
+  const std::string coincident = kept ? kept->Warning : this->DescribeCoincident(first.Mesh);
+  if (!coincident.empty())
+  {
+    this->Warnings.push_back(coincident);
+  }
   SurfaceSteps<Id>* steps = nullptr;
   if (kept && kept->Steps->ReplaceSectors(tags))
   {
@@ -198,6 +213,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
     {
       auto keep = std::make_unique<KeptSurfaceOf<Id>>();
       keep->Key = std::move(key);
+      keep->Warning = coincident;
       keep->Steps = std::move(own);
       kept = keep.get();
       this->Options.Cache->Add(std::move(keep));

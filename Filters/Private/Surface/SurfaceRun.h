@@ -164,6 +164,7 @@ private:
   vtkSmartPointer<vtkDataArray> FollowPoints(const Buffer<unsigned char>& turned);
   bool IsDescendant() const;
   SurfaceTags<Id> Classify(const SurfaceLevel<Id>& control, const SurfaceFeatures& features);
+  std::string DescribeCoincident(const PolygonMesh<Id>& mesh);
   KeptSurfaceOf<Id>* FindKept(const SurfaceKey& key);
   bool Execute();
   void Write();
