@@ -1,6 +1,7 @@
 # shellcheck shell=bash
-# ./dev test --asan, ./dev test --tsan, ./dev lint and ./dev fuzz: tests under sanitizers, programs that look for faults
-# in the sources, and fuzzers. Sourced by ./dev.
+# ./dev test --asan, ./dev test --tsan, ./dev lint, ./dev fuzz, ./dev mutate and ./dev reliability: tests under sanitizers,
+# programs that look for faults in the sources, fuzzers, changed lines that tests have to see, and figures of all that.
+# Sourced by ./dev.
 
 # The C++ tests with checks of addresses, leaks and undefined behaviour (asan) or of threads (tsan).
 sanitize() # asan|tsan [NAME]
@@ -55,6 +56,29 @@ fuzz() # [SECONDS]
       "bin/Fuzz$name" "corpus/$name" "$root/Testing/Fuzz/Corpus/$name" -max_total_time=$((seconds / 2)) \
       -rss_limit_mb=2500 -timeout=30 -max_len=4096 -print_final_stats=1 -artifact_prefix=crashes/ 2>&1 |
       tee "Fuzz$name.log" | grep -E '^(stat::|==|SUMMARY|Test unit|[a-z-]+: )' || true)
+    python3 "$root/Testing/Reliability/results.py" fuzz "$root" "$build" "$name" "$build/fuzz/Fuzz$name.log"
     ! grep -q '^SUMMARY' "$build/fuzz/Fuzz$name.log" || die "Fuzz$name found a fault: see build/fuzz/Fuzz$name.log"
   done
+}
+
+# Changes lines of Filters one at a time, and sees whether a test fails (Testing/Mutations/README.md).
+mutate() # [PLACE...] [OPTION OF mutate.py...]
+{
+  need "${vtk_packages[@]}" "${compared_packages[@]}"
+  use_vtk
+  configure vtk "${vtk_options[@]}"
+  build vtk Filters SubdivisionObjectsTests SubdivisionObjectsCoreTests
+  python3 "$root/Testing/Mutations/mutate.py" "$root" "$build/vtk" "$@"
+}
+
+# Counts inputs, allocations that fail and times to stop, and writes Documentation/Reliability.md with what the other
+# commands left.
+reliability() # [inputs|memory|abort...]
+{
+  need "${vtk_packages[@]}" "${compared_packages[@]}"
+  use_vtk
+  configure vtk "${vtk_options[@]}"
+  build vtk SubdivisionObjectsTests SubdivisionObjectsFaultTests vtkSubdivisionObjectsPython SubdivisionObjectsPythonFunctions
+  python3 "$root/Testing/Reliability/measure.py" "$root" "$build" "$build/vtk" "$@"
+  python3 "$root/Testing/Reliability/write_page.py" "$root" "$build"
 }

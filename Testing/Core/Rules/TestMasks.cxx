@@ -193,6 +193,11 @@ TEST(CoreMasks, LoopsOwnWeights)
   const Rows1 five(FindInZoo("Icosahedron"), options);
   ExpectWeights(five.Vertex(0),
     Star({ 0 }, 3. / 8. + wave * wave, { 1, 3, 5, 7, 9 }, (5. / 8. - wave * wave) / 5.));
+  const Rows1 seven(MakeFan("", 7, true), options);
+  const double seventh = 3. / 8. + 0.62348980185873353 / 4.; // cos(2 pi / 7)
+  ExpectWeights(seven.Vertex(0),
+    Star({ 0 }, 3. / 8. + seventh * seventh, { 1, 2, 3, 4, 5, 6, 7 },
+      (5. / 8. - seventh * seventh) / 7.));
   const Rows1 eight(MakeFan("", 8, true), options);
   const double eighth = (29. - 6. * std::sqrt(2.)) / 64.; // 5/8 - ((3 + sqrt(2)) / 8)^2
   ExpectWeights(eight.Vertex(0), Star({ 0 }, 1. - eighth, { 1, 2, 3, 4, 5, 6, 7, 8 }, eighth / 8.));

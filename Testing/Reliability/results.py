@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What commands leave of reliability in BUILD/reliability: a file for each kind of figures.
+
+    results.py fuzz SOURCE BUILD NAME LOG    adds a run of libFuzzer, whose output LOG has, to earlier ones
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+
+def get_commit(source):
+    """Hash and date of the commit that is checked out."""
+    return subprocess.run(["git", "-C", str(source), "log", "-1", "--format=%h of %cs"], stdout=subprocess.PIPE,
+                          text=True, check=False).stdout.strip() or "no commit"
+
+
+def read(build, name):
+    path = pathlib.Path(build, "reliability", name + ".json")
+    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+
+
+def write(source, build, name, command, figures):
+    path = pathlib.Path(build, "reliability", name + ".json")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    made = {"command": command, "commit": get_commit(source), "figures": figures}
+    path.write_text(json.dumps(made, indent=1) + "\n", encoding="utf-8")
+
+
+def read_fuzz_log(text):
+    """Executions, and what they found."""
+    count = re.findall(r"stat::number_of_executed_units: (\d+)", text) or re.findall(r"^#(\d+)\s", text, re.M) or ["0"]
+    covered = re.findall(r"cov: (\d+)", text) or ["0"]
+    faults = re.findall(r"^SUMMARY: (\S+): (\S+)", text, re.M)
+    hangs = sum(kind == "libFuzzer" and what == "timeout" for kind, what in faults)
+    reports = sum(kind.endswith("Sanitizer") for kind, what in faults)
+    return {"executions": int(count[-1]), "covered": int(covered[-1]), "hangs": hangs, "reports": reports,
+            "crashes": len(faults) - hangs - reports}
+
+
+def add_fuzz_run(source, build, name, log):
+    run = read_fuzz_log(pathlib.Path(log).read_text(encoding="utf-8", errors="replace"))
+    figures = read(build, "fuzz").get("figures", {})
+    sums = figures.setdefault(name, {"executions": 0, "covered": 0, "hangs": 0, "reports": 0, "crashes": 0})
+    for key, value in run.items():
+        sums[key] = max(sums[key], value) if key == "covered" else sums[key] + value
+    write(source, build, "fuzz", "./dev fuzz SECONDS", figures)
+
+
+if __name__ == "__main__":
+    add_fuzz_run(*sys.argv[2:])
