@@ -15,7 +15,7 @@ import sys
 sys.dont_write_bytecode = True
 import results
 
-INPUTS = "InputContract.*:HostileInput.*:*FilesThroughFilters*:WrongStamps*:Storage*:InputKinds*"
+INPUTS = "InputContract.*:HostileInput.*:WrongStamps*:InputKinds*"
 
 
 def run_tests(binaries, source, program, filters):

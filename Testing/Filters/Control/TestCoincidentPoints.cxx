@@ -5,6 +5,7 @@
  * none of others.
  */
 #include "FeatureTools.h"
+#include "FileTools.h"
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
 #include "vtkFloatArray.h"
@@ -119,6 +120,12 @@ TEST(CoincidentPoints, NothingIsSaidWhereNothingWouldBeJoined)
   // Parts that touch at a point or along an edge only.
   EXPECT_TRUE(TellOf({ Tet, { VTK_TETRA, { 4, 7, 8, 5 } } }).empty());
   EXPECT_TRUE(TellOf({ { VTK_TRIANGLE, { 0, 1, 3 } }, { VTK_TRIANGLE, { 4, 7, 8 } } }).empty());
+  // Edges inside of surfaces, which two triangles have already.
+  const Grid tents = MakeGrid(Places,
+    { { VTK_TRIANGLE, { 0, 1, 3 } }, { VTK_TRIANGLE, { 1, 0, 7 } }, { VTK_TRIANGLE, { 4, 5, 8 } },
+      { VTK_TRIANGLE, { 5, 4, 2 } } });
+  EXPECT_TRUE(Tell(tents).empty());
+  EXPECT_TRUE(Tell<vtkSurfaceSubdivision>(tents).empty());
   // The inside of a line, a point without cells, and a vertex.
   EXPECT_TRUE(
     TellOf({ { VTK_LINE, { 3, 0 } }, { VTK_LINE, { 0, 7 } }, { VTK_LINE, { 4, 8 } } }).empty());
@@ -178,4 +185,26 @@ TEST(CoincidentPoints, SeamsOfATextureAreJoined)
   EXPECT_TRUE(Has(Tell<vtkSurfaceSubdivision>(
                     MakeSeam(true), [](vtkSurfaceSubdivision* filter) { filter->JoinSeamsOff(); }),
     "3 points"));
+}
+
+/// A crack whose sides share points, and cells of no size at a pole, are no reason to warn.
+TEST(CoincidentPoints, OfRealFiles)
+{
+  const std::pair<const char*, const char*> files[] = {
+    { "hostile_duplicate_points.vtu", "3670 points" },
+    { "nat_bunny_verts_dup_points.vtp", "370 points" },
+    { "tet_gmsh_coil_crack.vtu", nullptr },
+    { "nat_ogs_sphere_zero_volume.vtu", nullptr },
+  };
+  for (const auto& file : files)
+  {
+    const std::string path = file_tools::GetSharedFile(file.first);
+    if (const std::string reason = file_tools::WhyNotRead(path); !reason.empty())
+    {
+      GTEST_SKIP() << reason;
+    }
+    const auto warnings = Tell<Filter>(
+      file_tools::ReadFile(path), [](Filter* filter) { filter->SetNumberOfLevels(0); });
+    EXPECT_TRUE(file.second ? Has(warnings, file.second) : warnings.empty()) << file.first;
+  }
 }
