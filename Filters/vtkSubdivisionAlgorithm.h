@@ -419,7 +419,9 @@ public:
    * that ids stay. Cells that become degenerate are left out with a warning. It also joins parts
    * that only touch, and points that were doubled on purpose. Points that are almost at one place
    * stay apart. Takes n log n steps for n points. Off by default: parts are joined where they share
-   * points.
+   * points, and a warning counts the points that cells would share with this option, and names two
+   * of them, also along cracks whose points are doubled on purpose. vtkRedGreenRefinement, which
+   * works where it refines only, does not look for them.
    */
   vtkSetMacro(MergePoints, bool);
   vtkGetMacro(MergePoints, bool);

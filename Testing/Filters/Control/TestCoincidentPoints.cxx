@@ -188,7 +188,7 @@ TEST(CoincidentPoints, SeamsOfATextureAreJoined)
 }
 
 /// A crack whose sides share points, and cells of no size at a pole, are no reason to warn.
-TEST(CoincidentPoints, OfRealFiles)
+TEST(CoincidentPointsOfFiles, AreWhatTheyHave)
 {
   const std::pair<const char*, const char*> files[] = {
     { "hostile_duplicate_points.vtu", "3670 points" },
