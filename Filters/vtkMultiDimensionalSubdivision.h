@@ -54,8 +54,9 @@
  *
  * @par Arrays read, by SetInputArrayToProcess
  * Besides those of vtkMarkedSubdivisionAlgorithm:
- *  - 10, point array of angles of corners for ModifiedBoundary: numbers, in degrees, each of all
- *    sectors at the corner. Negative or not a number: the plain rule. Unset: none.
+ *  - 10, point array of angles of corners for ModifiedBoundary (property CornerAngleArray):
+ *    numbers, in degrees, each of all sectors at the corner. Negative or not a number: the plain
+ *    rule. Unset: none.
  *
  * @par Solids that are turned inside out
  * Smoothing may turn solids inside out where the control mesh is very thin. One warning says how

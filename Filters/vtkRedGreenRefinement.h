@@ -70,8 +70,9 @@
  *
  * @par Arrays read, by SetInputArrayToProcess
  * Besides those of vtkRefinementAlgorithm:
- *  - 10, point array of angles of corners for ModifiedBoundary: numbers, in degrees, each of all
- *    sectors at the corner. Negative or not a number: the plain rule. Unset: none.
+ *  - 10, point array of angles of corners for ModifiedBoundary (property CornerAngleArray):
+ *    numbers, in degrees, each of all sectors at the corner. Negative or not a number: the plain
+ *    rule. Unset: none.
  *
  * @sa
  * vtkMultiDimensionalSubdivision vtkAdaptiveSurfaceSubdivision

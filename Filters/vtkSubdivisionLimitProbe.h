@@ -23,8 +23,9 @@
  *
  * @par Arrays read, by SetInputArrayToProcess
  * Besides those of vtkMarkedSubdivisionAlgorithm:
- *  - 10, point array of angles of corners for ModifiedBoundary: numbers, in degrees, each of all
- *    sectors at the corner. Negative or not a number: the plain rule. Unset: none.
+ *  - 10, point array of angles of corners for ModifiedBoundary (property CornerAngleArray):
+ *    numbers, in degrees, each of all sectors at the corner. Negative or not a number: the plain
+ *    rule. Unset: none.
  *
  * @par Method
  * Two levels on the limit tell where to begin. Newton's method then makes the distance smaller, up

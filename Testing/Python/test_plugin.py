@@ -138,11 +138,12 @@ class Proxies(unittest.TestCase):
     def test_own_properties_stand_first(self):
         """Then those that filters share. Of these a filter replaces some, where they stand."""
         shared = (PLUGIN / "Interpolation.xml.in").read_text(encoding="utf-8")
+        boundary = (PLUGIN / "ModifiedBoundary.xml.in").read_text(encoding="utf-8")
         criteria = (PLUGIN / "RefinementAlgorithm.xml").read_text(encoding="utf-8")
         criteria = criteria[criteria.index("      </Documentation>\n") + 23:criteria.index("    </SourceProxy>")]
         for name in FILTERS:
             text = (PLUGIN / f"{name}.xml").read_text(encoding="utf-8").replace("@INTERPOLATION@", shared)
-            text = text.replace("@REFINEMENT@", criteria)
+            text = text.replace("@REFINEMENT@", criteria).replace("@MODIFIED_BOUNDARY@", boundary)
             elements = [element for element in next(ElementTree.fromstring(text).iter("SourceProxy"))
                         if element.get("command")]
             own = {element.get("name") for element in elements if not element.get("override")} - {"Input"}
