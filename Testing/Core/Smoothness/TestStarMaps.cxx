@@ -191,6 +191,34 @@ TEST(StarMaps, SectorsFillHalfAPlane)
   }
 }
 
+// Of all linear images the one is taken whose points are spread alike in all directions.
+TEST(StarMaps, HaveEqualMoments)
+{
+  for (const StarMap& map : { Map(Scheme::Loop, 4, 2, SurfaceStar::Kind::Curve),
+         Map(Scheme::CatmullClark, 5), MapSolid<Oct>(MakeEdge(3), 2) })
+  {
+    ASSERT_FALSE(map.IsEmpty());
+    double moments[3][3] = {};
+    for (const int corner : map.Corners)
+    {
+      for (int i = 0; i < map.Dimension; ++i)
+      {
+        for (int j = 0; j < map.Dimension; ++j)
+        {
+          moments[i][j] += map.Points[corner][i] * map.Points[corner][j];
+        }
+      }
+    }
+    for (int i = 0; i < map.Dimension; ++i)
+    {
+      for (int j = 0; j < map.Dimension; ++j)
+      {
+        EXPECT_NEAR(moments[i][j], i == j ? moments[0][0] : 0., 1e-9 * moments[0][0]);
+      }
+    }
+  }
+}
+
 // Schaefer's figures 11 and 12: around a vertex, and along edges of n tetrahedra.
 TEST(StarMaps, TetOct)
 {
