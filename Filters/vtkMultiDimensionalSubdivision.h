@@ -267,7 +267,7 @@ public:
    * ProjectToLimit its limit, with InterpolateArrays that function which is 1 there and 0 at all
    * other points. Where the input has global ids it is the point of that id; else, in a single data
    * set, of that index. If there is no such point a warning says so. All basis functions add up to
-   * 1. -1, the default: none.
+   * 1. Negative: there is no such array; default -1.
    */
   vtkSetMacro(BasisPoint, vtkIdType);
   vtkGetMacro(BasisPoint, vtkIdType);

@@ -205,8 +205,8 @@ public:
   ///@{
   /**
    * The cell of the output whose characteristic map is output instead of all cells: its id as it is
-   * with MapOfCell = -1 and the same FailingOnly. See "Characteristic map" above. -1, the default:
-   * none.
+   * with MapOfCell = -1 and the same FailingOnly. See "Characteristic map" above. Negative: all
+   * cells are output; default -1.
    */
   vtkSetMacro(MapOfCell, vtkIdType);
   vtkGetMacro(MapOfCell, vtkIdType);

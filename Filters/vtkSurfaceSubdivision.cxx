@@ -95,6 +95,12 @@ void vtkSurfaceSubdivision::Inspect(vtkDataObject*, vtkDataObject* readable)
   }
 }
 
+int vtkSurfaceSubdivision::GetLayersOfCells() const
+{
+  return subdivision::CountLayersOfSurface(
+    static_cast<subdivision::SurfaceSchemeKind>(this->Scheme));
+}
+
 vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Mark(
   vtkDataObject* input, vtkDataObject* readable)
 {

@@ -312,7 +312,7 @@ public:
    * ProjectToLimit its limit, with InterpolateArrays that function which is 1 there and 0 at all
    * other points. Where the input has global ids it is the point of that id; else, in a single data
    * set, of that index. If there is no such point a warning says so. All basis functions add up to
-   * 1. -1, the default: none.
+   * 1. Negative: there is no such array; default -1.
    */
   vtkSetMacro(BasisPoint, vtkIdType);
   vtkGetMacro(BasisPoint, vtkIdType);
@@ -450,6 +450,7 @@ protected:
   bool WritesSurfaces() const override { return !this->WritesBezierCells(); }
   bool HasGhostLayers() const override { return !this->WritesBezierCells(); }
   bool CanInterpolate() const override { return true; }
+  int GetLayersOfCells() const override;
   bool HasInterfaces() const override
   {
     return this->Scheme != DOO_SABIN && this->Scheme != MIDEDGE;

@@ -80,6 +80,7 @@ std::vector<Mesh> SubdivideParts(std::vector<Mesh> parts, const Partition& parti
     distribution.IsOfSurfaces = true;
     distribution.WorksInRounds = true;
     distribution.GhostLayers = f + 1 == filters.size() ? ghostLayers : 0;
+    distribution.Layers = subdivision::CountLayersOfSurface(options.Scheme);
     std::vector<Mesh> outputs;
     EXPECT_TRUE(RunOnParts(
       parts, partition, distribution, options, [&options](vtkPointSet* input, vtkPointSet* output)

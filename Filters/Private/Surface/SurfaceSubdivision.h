@@ -41,6 +41,14 @@ struct SurfaceOptions : RunOptions
 /// empties the output.
 bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output);
 
+/// How many layers of cells around its own a part of a mesh needs (Distribution.h). Cells of 4-8
+/// lie in two control cells, and limits of their points reach one cell farther; a filter that goes
+/// on may ask for them.
+constexpr int CountLayersOfSurface(SurfaceSchemeKind scheme)
+{
+  return scheme == SurfaceSchemeKind::FourEight ? 3 : 2;
+}
+
 }
 
 #endif

@@ -2,6 +2,7 @@
 #include "Core/Surfaces/FourEight/FourEightRim.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 
 namespace subdivision
 {
@@ -22,7 +23,7 @@ std::vector<Id> FindRim(const PolygonMesh<Id>& whole, const SurfacePatch<Id>& pa
 {
   const PolygonMesh<Id>& mesh = patch.Level.Mesh;
   std::vector<Id> rim;
-  for (Id corner = 0; corner < mesh.GetNumberOfCorners(); ++corner)
+  for (const Id corner : InTurn(static_cast<Id>(mesh.GetNumberOfCorners())))
   {
     const Id face = mesh.GetFace(corner);
     const Id same = whole.GetFirst(patch.Faces[face]) + corner - mesh.GetFirst(face);
