@@ -449,6 +449,7 @@ protected:
   bool IsOfSurfaces() const override { return true; }
   bool WritesSurfaces() const override { return !this->WritesBezierCells(); }
   bool HasGhostLayers() const override { return !this->WritesBezierCells(); }
+  bool HasOriginalCellIds() const override { return this->GenerateOriginalIds || this->Places; }
   bool CanInterpolate() const override { return true; }
   int GetLayersOfCells() const override;
   bool HasInterfaces() const override

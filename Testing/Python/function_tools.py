@@ -123,6 +123,16 @@ class Limits(unittest.TestCase):
         np.testing.assert_allclose(at.point_data["DerivativeU"], [(TET[2] - TET[0]) / 2] * 2, rtol=0, atol=1e-14)
         np.testing.assert_allclose(at.point_data["T"], at.points @ [1, 2, 0], rtol=0, atol=1e-15)
 
+    def test_places_of_surfaces(self):
+        """The limit of a quad alone is bilinear."""
+        points = np.array([[0, 0, 0], [2, 0, 0], [2, 1, 1], [0, 1, 0]], float)
+        made = subdivisionobjects.vtkSurfaceSubdivision()
+        made.SetInputDataObject(meshes.to_vtk(points, {"quad": [[0, 1, 2, 3]]}))
+        made.SetSchemeToCatmullClark()
+        at = subdivisionobjects.evaluate_limit(made, [0, 0], [[0.25, 0.5], [1, 1]])
+        np.testing.assert_allclose(at.points, [[0.5, 0.5, 0.125], [2, 1, 1]], rtol=0, atol=1e-14)
+        np.testing.assert_allclose(at.point_data["DerivativeU"], [[2, 0, 0.5], [2, 0, 1]], rtol=0, atol=1e-14)
+
     def test_probe(self):
         """The middle of a curve is nearest to points on its normal."""
         line = meshes.to_vtk(TET, {"line": [[0, 1], [1, 2]]}, {"T": TET[:, 0] + 2 * TET[:, 1]})

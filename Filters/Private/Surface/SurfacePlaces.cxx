@@ -4,9 +4,11 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
+#include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Surface/SurfaceRun.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
@@ -21,23 +23,33 @@ namespace subdivision
 namespace
 {
 
-/// What a cell has become: which of the vertices, lines or faces, if it is one.
+/// What a cell of the input has become: which of the vertices, lines or faces, if it is one.
 struct PartOfCell
 {
   int Dimension = -1;
   int Count = 0;
   vtkIdType Part = -1;
+  vtkIdType Cell = -1; ///< of the surface of the input
 };
 
-std::vector<PartOfCell> ListParts(const SurfaceCells& cells, vtkIdType size)
+/// The parts of the cells of a vtkPolyData, or of those of the grid that it was made of.
+std::vector<PartOfCell> ListParts(const SurfaceCells& cells, vtkPolyData* surface)
 {
+  vtkDataArray* sources = surface->GetCellData()->GetArray(SourceCellsName);
+  const auto getSource = [sources](vtkIdType cell)
+  { return sources ? static_cast<vtkIdType>(sources->GetComponent(cell, 0)) : cell; };
+  vtkIdType size = 0;
+  for (const vtkIdType cell : InTurn(surface->GetNumberOfCells()))
+  {
+    size = std::max(size, getSource(cell) + 1);
+  }
   std::vector<PartOfCell> parts(static_cast<std::size_t>(size));
-  const auto add = [&parts](const std::vector<vtkIdType>& owners, int dimension)
+  const auto add = [&](const std::vector<vtkIdType>& owners, int dimension)
   {
     for (const std::size_t i : InTurn(owners.size()))
     {
-      PartOfCell& part = parts[owners[i]];
-      part = { dimension, part.Count + 1, static_cast<vtkIdType>(i) };
+      PartOfCell& part = parts[getSource(owners[i])];
+      part = { dimension, part.Count + 1, static_cast<vtkIdType>(i), owners[i] };
     }
   };
   add(cells.VertexCells, 0);
@@ -135,8 +147,7 @@ bool SurfaceRun<Id>::ReadPlaces(
 {
   const SurfaceLevel<Id>& level = this->Steps->GetLevel(this->Steps->GetNumberOfSteps());
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const vtkIdType size = this->Input->GetNumberOfCells();
-  const std::vector<PartOfCell> parts = ListParts(this->Cells, size);
+  const std::vector<PartOfCell> parts = ListParts(this->Cells, this->Input);
   vtkNew<vtkIdList> points;
   for (const vtkIdType i : InTurn(request.Cells->GetNumberOfTuples()))
   {
@@ -147,12 +158,16 @@ bool SurfaceRun<Id>::ReadPlaces(
         "Place " + std::to_string(i) + " is in cell " + std::to_string(cell) + what);
       return false;
     };
-    if (cell < 0 || cell >= size)
+    if (cell < 0 || cell >= static_cast<vtkIdType>(parts.size()))
     {
       return fail(": the input has no such cell.");
     }
     const PartOfCell& part = parts[cell];
-    this->Input->GetCellPoints(cell, points);
+    points->Reset();
+    if (part.Count == 1)
+    {
+      this->Input->GetCellPoints(part.Cell, points);
+    }
     if (part.Count != 1 ||
       (part.Dimension == 2 && points->GetNumberOfIds() != mesh.GetSize(static_cast<Id>(part.Part))))
     {

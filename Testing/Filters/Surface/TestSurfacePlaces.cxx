@@ -348,6 +348,48 @@ TEST(SurfacePlaces, ArraysThatAreNotSmoothed)
   }
 }
 
+/// Cells of a grid keep their ids, also where lines come after polygons, and solids are left out.
+TEST(SurfacePlaces, CellsOfGrids)
+{
+  const auto input = MakeInput(MakeZoo(false)["cube"]);
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(input->GetPoints());
+  grid->Allocate();
+  const vtkIdType solid[4] = { 0, 1, 2, 5 };
+  grid->InsertNextCell(VTK_TETRA, 4, solid);
+  vtkNew<vtkIdList> points;
+  Places places;
+  Places expected;
+  for (vtkIdType face = 0; face < 6; ++face)
+  {
+    input->GetCellPoints(face, points);
+    grid->InsertNextCell(VTK_QUAD, points);
+    places.Add(1 + face, { 0.3, 0.1, 0. });
+    expected.Add(face, { 0.3, 0.1, 0. });
+  }
+  const vtkIdType edge[2] = { 0, 1 };
+  grid->InsertNextCell(VTK_LINE, 2, edge);
+  places.Add(7, { 1., 0., 0. });
+  expected.Add(0, { 1., 0., 0. });
+  vtkNew<Filter> filter;
+  filter->SetInputData(grid);
+  filter->SetSchemeToCatmullClark();
+  const auto found = Evaluate(filter.Get(), places);
+  const auto wanted = Evaluate(input, Filter::CATMULL_CLARK, expected);
+  for (vtkIdType i = 0; i < places.GetSize(); ++i)
+  {
+    EXPECT_LT(GetDistance(GetPoint(found, i), GetPoint(wanted, i)), 1e-14) << i;
+  }
+  vtkNew<multi_dimensional_subdivision_tools::Messages> messages;
+  messages->Watch(filter);
+  Places inside;
+  inside.Add(0, { 0.1, 0.1, 0.1 });
+  vtkNew<vtkPolyData> result;
+  EXPECT_FALSE(filter->EvaluateLimit(inside.Cells, inside.Parameters, result));
+  ASSERT_FALSE(messages->Errors.empty());
+  EXPECT_NE(messages->Errors[0].find("cell 0, which was cut"), std::string::npos);
+}
+
 TEST(SurfacePlaces, Errors)
 {
   Model model = MakeZoo(false)["pentagon and triangle"];
