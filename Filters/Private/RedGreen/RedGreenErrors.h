@@ -168,6 +168,7 @@ private:
   /// Edges and faces of the control mesh that do not follow the rule for the inside of a solid;
   /// sorted.
   std::vector<Carrier> Curved;
+  Buffer<vtkIdType> FirstCurved; ///< of each control vertex, in Curved
   KnownSheetRows Rows;
   // Of each vertex of the state so far:
   std::vector<Carrier> Carriers;
