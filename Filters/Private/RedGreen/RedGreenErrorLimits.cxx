@@ -173,7 +173,7 @@ void RedGreenErrors<Id>::FindLimitsInSheets(
     [&](const auto& level)
     {
       const SheetLimits<Id> limits(
-        level, numbering.Midpoints, wanted, sites, control.data(), this->Components);
+        level, numbering.Midpoints, wanted, sites, control.data(), this->Components, &this->Rows);
       const vtkIdType size = this->Components;
       for (std::size_t i = 0; i < this->Corners.size(); ++i)
       {

@@ -63,6 +63,12 @@ void RedGreenErrors<Id>::FindCurved(const SimplicialComplex<Id>& complex, const 
     }
   }
   StableSort(this->Curved, std::less<>());
+  this->FirstCurved = Buffer<vtkIdType>(complex.NumberOfVertices + vtkIdType(1), 0);
+  for (const Carrier& carrier : InTurn(this->Curved))
+  {
+    ++this->FirstCurved[carrier[0]];
+  }
+  CountsToOffsets(this->FirstCurved);
 }
 
 template <typename Id>
@@ -102,7 +108,9 @@ typename RedGreenErrors<Id>::Carrier RedGreenErrors<Id>::Unite(const Carrier& a,
 template <typename Id>
 bool RedGreenErrors<Id>::IsCurved(const Carrier& carrier) const
 {
-  return carrier[3] < 0 && std::binary_search(this->Curved.begin(), this->Curved.end(), carrier);
+  return carrier[3] < 0 &&
+    std::binary_search(this->Curved.begin() + this->FirstCurved[carrier[0]],
+      this->Curved.begin() + this->FirstCurved[carrier[0] + vtkIdType(1)], carrier);
 }
 
 // ------------------------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #define SubdivisionObjects_RedGreenErrors_h
 
 #include "Core/Memory/PairTable.h"
+#include "Core/Solids/Limits/SheetLimits.h"
 #include "Private/Criteria/RefinementCriteria.h"
 #include "Private/RedGreen/RedGreenLimit.h"
 #include "Private/RedGreen/RefinementMarks.h"
@@ -167,6 +168,8 @@ private:
   /// Edges and faces of the control mesh that do not follow the rule for the inside of a solid;
   /// sorted.
   std::vector<Carrier> Curved;
+  Buffer<vtkIdType> FirstCurved; ///< of each control vertex, in Curved
+  KnownSheetRows Rows;
   // Of each vertex of the state so far:
   std::vector<Carrier> Carriers;
   std::vector<unsigned char> MayBeCurved; ///< 0: no edge at it is on a curve or surface

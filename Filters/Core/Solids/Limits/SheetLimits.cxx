@@ -7,11 +7,8 @@
 #include "Core/Solids/Limits/Restriction.h"
 #include "Core/Solids/Limits/SheetReader.h"
 
-#include "vtkSMPThreadLocal.h"
-
 #include <algorithm>
 #include <limits>
-#include <memory>
 
 namespace subdivision
 {
@@ -23,11 +20,12 @@ class SheetLimits<Id>::Finder
 {
 public:
   Finder(SheetLimits& limits, LocalVertices<Id>& vertices, const std::vector<LimitSite<Id>>& sites,
-    int components)
+    int components, KnownSheetRows& known)
     : Limits(limits)
     , Vertices(vertices)
     , Sites(sites)
     , Components(components)
+    , Known(known)
     , OnLevel(vertices.GetNumberOfLevels())
   {
     ForEachInTurn(static_cast<vtkIdType>(sites.size()),
@@ -48,11 +46,7 @@ private:
   /// What a thread keeps from one place to the next.
   struct Memory
   {
-    explicit Memory(LoopWeights weights)
-      : Rows(weights)
-    {
-    }
-    SheetRows Rows;
+    SheetRows& Rows;
     SheetPatch<Id> Patch;
   };
   /// Whether the values at one vertex come before those at another. Where a place has several
@@ -80,11 +74,11 @@ private:
   LocalVertices<Id>& Vertices;
   const std::vector<LimitSite<Id>>& Sites;
   const int Components;
+  KnownSheetRows& Known;
   LoopWeights Weights = LoopWeights::Warren; ///< of the levels
   std::vector<std::vector<Id>> OnLevel;      ///< sites
   Buffer<double> Values;                     ///< at the vertices of the current part
   Buffer<unsigned char> Whole;               ///< vertices at which nothing is missing; empty: all
-  vtkSMPThreadLocal<std::shared_ptr<Memory>> Memories;
 };
 
 template <typename Id>
@@ -170,14 +164,10 @@ void SheetLimits<Id>::Finder<LevelType>::WithMemories(vtkIdType size, const Act&
   ForRanges(size,
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::shared_ptr<Memory>& memory = this->Memories.Local();
-      if (!memory)
-      {
-        memory = std::make_shared<Memory>(this->Weights);
-      }
+      Memory memory{ this->Known.OfThread(this->Weights), {} };
       for (vtkIdType i = begin; i < end; ++i)
       {
-        act(i, *memory);
+        act(i, memory);
       }
     });
 }
@@ -313,7 +303,8 @@ template <typename Id>
 template <typename LevelType>
 SheetLimits<Id>::SheetLimits(const LevelType& control,
   const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted,
-  const std::vector<LimitSite<Id>>& sites, const double* values, int components)
+  const std::vector<LimitSite<Id>>& sites, const double* values, int components,
+  KnownSheetRows* known)
   : OfVertices(
       components * (control.Complex.NumberOfVertices + static_cast<vtkIdType>(midpoints.size())),
       std::numeric_limits<double>::quiet_NaN())
@@ -321,14 +312,15 @@ SheetLimits<Id>::SheetLimits(const LevelType& control,
       std::numeric_limits<double>::quiet_NaN())
 {
   LocalVertices<Id> vertices(control.Complex.NumberOfVertices, midpoints, wanted);
-  Finder<LevelType>(*this, vertices, sites, components).Run(control, values);
+  KnownSheetRows own;
+  Finder<LevelType>(*this, vertices, sites, components, known ? *known : own).Run(control, values);
 }
 
 SUBDIVISION_COMPILE(class SheetLimits);
 #define SUBDIVISION_SHEETS(Level)                                                                  \
   template SheetLimits<Level::IdType>::SheetLimits(const Level&,                                   \
     const std::vector<std::array<Level::IdType, 2>>&, const Buffer<unsigned char>&,                \
-    const std::vector<LimitSite<Level::IdType>>&, const double*, int)
+    const std::vector<LimitSite<Level::IdType>>&, const double*, int, KnownSheetRows*)
 SUBDIVISION_SHEETS(Level<int>);
 SUBDIVISION_SHEETS(Level<long long>);
 SUBDIVISION_SHEETS(TetOctLevel<int>);

@@ -11,8 +11,12 @@
 
 #include "Core/Memory/Buffer.h"
 #include "Core/Solids/Limits/LocalVertices.h"
+#include "Core/Solids/Limits/SheetRows.h"
+
+#include "vtkSMPThreadLocal.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace subdivision
@@ -27,6 +31,25 @@ struct LimitSite
   bool IsFace() const { return this->Corners[2] >= 0; }
 };
 
+/// The rows that each thread has found, for the next objects of SheetLimits on levels with the same
+/// weights.
+class KnownSheetRows
+{
+public:
+  SheetRows& OfThread(LoopWeights weights)
+  {
+    std::shared_ptr<SheetRows>& rows = this->Rows.Local();
+    if (!rows)
+    {
+      rows = std::make_shared<SheetRows>(weights);
+    }
+    return *rows;
+  }
+
+private:
+  vtkSMPThreadLocal<std::shared_ptr<SheetRows>> Rows;
+};
+
 template <typename Id>
 class SheetLimits
 {
@@ -35,11 +58,11 @@ public:
 
   /// `midpoints`, `wanted`: as in the constructor of LocalLimit, and corners of sites are numbers
   /// of these vertices, which must exist as corners of the leaves of a red-green refinement.
-  /// `values`: at the control vertices, interleaved.
+  /// `values`: at the control vertices, interleaved. `known`: rows to use and to add to, if any.
   template <typename LevelType>
   SheetLimits(const LevelType& control, const std::vector<std::array<Id, 2>>& midpoints,
     const Buffer<unsigned char>& wanted, const std::vector<LimitSite<Id>>& sites,
-    const double* values, int components);
+    const double* values, int components, KnownSheetRows* known = nullptr);
 
   /// The values at the wanted vertices, and at the three places of each site. They are not a number
   /// where something lies neither on a curve nor in a sheet, or depends on values that are none.
