@@ -28,9 +28,10 @@ const Partition Partitions[] = { { "halves", 2, 1, false, KnownBy::GlobalIds },
 
 /// What a filter makes of the parts of a mesh.
 std::vector<Mesh> RunOnParts(const std::vector<Mesh>& cut, const Partition& partition,
-  bool isOfSurfaces, const subdivision::FilterWork& work)
+  bool isOfSurfaces, const subdivision::FilterWork& work, int layers = 2)
 {
   subdivision::DistributionOptions distribution;
+  distribution.Layers = layers;
   distribution.IsOfSurfaces = isOfSurfaces;
   subdivision::RunOptions options;
   options.Warn = [](const std::string& message) { ADD_FAILURE() << message; };
@@ -180,7 +181,8 @@ TEST(Partitions, GiveTheWholeOfSurfaces)
           SCOPED_TRACE(std::string(partition.Name) + ", " + choice.Name + ", scheme " +
             std::to_string(scheme) + ", mesh of " + std::to_string(surface->GetNumberOfCells()) +
             " cells");
-          ExpectWhole(whole, RunOnParts(cut, partition, true, work));
+          const int layers = subdivision::CountLayersOfSurface(options.Scheme);
+          ExpectWhole(whole, RunOnParts(cut, partition, true, work, layers));
           if (HasFailure())
           {
             return;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Limits/PatchPolynomials.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace subdivision
 {
 namespace
@@ -55,20 +58,32 @@ Polynomial Multiply(const Polynomial& polynomial, double a, double b, double c)
   return product;
 }
 
-/// The polynomial that is 1 at a node of the lattice and 0 at all others.
+/// Coefficients of regular patches are multiples of 1/24, whose last digits got lost in sums.
+double Sharpen(double coefficient)
+{
+  const double sharp = std::round(24. * coefficient) / 24.;
+  return std::abs(sharp - coefficient) < 1e-13 ? sharp : coefficient;
+}
+
+/// The polynomial that is 1 at a node of the lattice and 0 at all others: integers, divided once.
 Polynomial ExpandNode(const PlaceNode& node)
 {
   const double weights[3][3] = { { 1., -1., -1. }, { 0., 1., 0. }, { 0., 0., 1. } };
   Polynomial polynomial{};
   polynomial[0] = 1.;
+  double divisor = 1.;
   for (int i = 0; i < 3; ++i)
   {
     for (int r = 0; r < node[i]; ++r)
     {
-      const double scale = static_cast<double>(LatticeSize) / (r + 1);
-      polynomial = Multiply(polynomial, scale * weights[i][0] - static_cast<double>(r) / (r + 1),
-        scale * weights[i][1], scale * weights[i][2]);
+      polynomial = Multiply(polynomial, LatticeSize * weights[i][0] - r,
+        LatticeSize * weights[i][1], LatticeSize * weights[i][2]);
+      divisor *= r + 1;
     }
+  }
+  for (double& value : polynomial)
+  {
+    value /= divisor;
   }
   return polynomial;
 }
@@ -137,6 +152,7 @@ const std::vector<double>& PatchPolynomials::Find(const SheetKey& key)
         }
       }
     }
+    std::transform(found.begin(), found.end(), found.begin(), Sharpen);
   }
   return found;
 }
