@@ -597,7 +597,7 @@ def maps_of_solids():
         inside = (vtk_to_numpy(edges.GetCellData().GetArray("SimplexDimension")) == 1) & (
             vtk_to_numpy(edges.GetCellData().GetArray("RuleDimension")) == 3)
         add(f"Tet Oct, an edge of {count}", spindle(count), int(np.flatnonzero(inside)[0]), "Tet Oct")
-    add("Box Spline, a vertex:\nnegative inside", octahedron, 0, "Box Spline")
+    add("Box Spline, a vertex:\nblue cells fold", octahedron, 0, "Box Spline")
     write("maps_of_solids", shown, VIEW, 3)
 
 

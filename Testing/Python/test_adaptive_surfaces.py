@@ -54,7 +54,8 @@ class InParaView(unittest.TestCase):
             simple.AdaptiveSurfaceSubdivision(Input=self.sphere), simple.RedGreenRefinement(Input=self.sphere)))
         self.assertEqual(redgreen - adaptive, {"Placement", "EmbeddedCells", "PartArray", "RuleArray",
                                                "InterpolatePoints", "InterpolateArrays", "InterpolatedArrays",
-                                               "InterpolationWeight", "VolumeScheme"})
+                                               "InterpolationWeight", "VolumeScheme", "ModifiedBoundary",
+                                               "CornerAngleArray"})
         self.assertEqual(adaptive - redgreen, {"GenerateTangents", "Use32BitIds"})
 
     def test_selection(self):

@@ -99,7 +99,8 @@ int GoToPartOfLine(SurfacePlace<Id>& place)
 template <typename Id>
 std::array<double, PlaceParts::Count> TurnJet(const LocalJet& jet, const SurfacePlace<Id>& place)
 {
-  const auto& [x, y] = place.Directions;
+  const auto& x = place.Directions[0]; // a structured binding cannot be captured
+  const auto& y = place.Directions[1];
   const auto second = [&](int p, int q)
   { return jet[3] * x[p] * x[q] + jet[4] * (x[p] * y[q] + y[p] * x[q]) + jet[5] * y[p] * y[q]; };
   std::array<double, PlaceParts::Count> parts{};
