@@ -428,6 +428,13 @@ bool IsSameArray(vtkAbstractArray* a, vtkAbstractArray* b)
   {
     return false;
   }
+  // Bytes first: a vtkVariant for each value of a large output takes seconds.
+  const auto size = static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize();
+  if (a->HasStandardMemoryLayout() && b->HasStandardMemoryLayout() && a->IsNumeric() && size > 0 &&
+    std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), size) == 0)
+  {
+    return true;
+  }
   for (vtkIdType i = 0; i < a->GetNumberOfValues(); ++i)
   {
     // A vtkVariant of NaN is not equal to itself, its text is.
