@@ -97,7 +97,10 @@ vtkIdType BezierRoots::FindRoot(vtkIdType first, Root& root) const
       root.Levels = std::max(0, root.Levels - 1);
     }
   }
-  if (root.Kind >= 0 && !this->IsWhole(root))
+  // Solids need a step more than others, which was not made if they were not seen in the input.
+  const bool isKnown = root.Kind >= 0 && root.Steps - root.Levels >= GetShape(root).SampleLevels &&
+    this->IsWhole(root);
+  if (!isKnown)
   {
     root.Kind = -1;
   }
