@@ -16,10 +16,12 @@ import demo_pictures as look
 import gallery_surfaces
 import numpy as np
 import picture_files
+import scheme_pictures
 from deformation import quads, shaded, source_of, to_points, wires
 from gallery import Figure, Mesh, ball, model, only_cells, subdivide
 from paraview import simple
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from side_by_side import BLUE, VIEW, add_array, output, points_of, write
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_QUADRATIC_TETRA,
@@ -30,32 +32,6 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkIOImage import vtkPNGReader
-
-BLUE = (0.62, 0.74, 0.86)
-VIEW = (0.6, -1.0, 0.45)
-
-
-def add_array(data, name, values):
-    array = numpy_to_vtk(np.asarray(values), deep=True)
-    array.SetName(name)
-    data.AddArray(array)
-
-
-def output(proxy):
-    proxy.UpdatePipeline()
-    return proxy.GetClientSideObject().GetOutputDataObject(0)
-
-
-def points_of(data):
-    return look.points_of(data).astype(float)
-
-
-def write(name, shown, direction, columns=3):
-    """shown: (caption, actors, points that the picture has to have in it)."""
-    frame = np.concatenate([points for _, _, points in shown])
-    images = [look.render(actors, [look.caption(words)], frame, direction) for words, actors, _ in shown]
-    picture_files.write_figure(images, f"gallery_{name}", columns)
-
 
 # ---------------------------------------------------------------- Multi-dimensional Subdivision
 
@@ -515,110 +491,6 @@ def topology():
     write("topology", shown, (0.7, -1.0, 0.5), 2)
 
 
-def spindle(count):
-    """Tetrahedra around a long edge."""
-    turns = 2 * np.pi * np.arange(count) / count
-    ring = np.stack([np.cos(turns), np.sin(turns), 0 * turns], axis=1)
-    grid = vtkUnstructuredGrid()
-    grid.SetPoints(to_points(np.concatenate([[[0, 0, -2], [0, 0, 2]], ring])))
-    for i in range(count):
-        grid.InsertNextCell(VTK_TETRA, 4, (0, 1, 2 + i, 2 + (i + 1) % count))
-    return grid
-
-
-def smoothness():
-    grid = spindle(9)
-    colours = look.category_colours([("holds", BLUE), ("fails", (0.85, 0.25, 0.15))])
-    shown = []
-    for scheme in ("Box Spline", "Tet Oct"):
-        found = output(simple.SubdivisionSmoothness(Input=source_of(grid), Scheme=scheme))
-        edges = only_cells(found, "SimplexDimension", 1)
-        actors = look.actors_of(edges, ("cell", "Failing", colours), 4.0)
-        shown.append((f"Scheme: {scheme}", actors, look.used_points(grid)))
-    write("smoothness", shown, VIEW, 2)
-
-
-def fan(count):
-    """Triangles around a point."""
-    turns = 2 * np.pi * np.arange(count) / count
-    ring = np.stack([np.cos(turns), np.sin(turns), 0 * turns], axis=1)
-    data = vtkPolyData()
-    data.SetPoints(to_points(np.concatenate([[[0, 0, 0]], ring])))
-    data.SetPolys(vtkCellArray())
-    for i in range(count):
-        data.GetPolys().InsertNextCell(3, (0, 1 + i, 1 + (i + 1) % count))
-    return data
-
-
-def characteristic_map(grid, cell, **options):
-    return output(simple.SubdivisionSmoothness(Input=source_of(grid), MapOfCell=cell, **options))
-
-
-def maps_of_surfaces():
-    """Kobbelt's figure 17: the first cell is the vertex in the middle."""
-    shown = []
-    for count in range(3, 10):
-        found = characteristic_map(fan(count), 0, Scheme="Sqrt Three")
-        colours = look.tension_colours(0.0, 2.0)
-        points = points_of(found)
-        size = np.abs(points).max()
-        shown.append((f"{count} triangles", look.actors_of(found, ("cell", "Jacobian", colours), 1.0, edges=True),
-                      points / size))
-        for actor in shown[-1][1]:
-            actor.SetScale(1 / size)
-    write("maps_of_surfaces", shown, (0.0, -0.02, 1.0), 4)
-
-
-def maps_of_solids():
-    """Schaefer's figures 11 and 12, and a map that folds."""
-    octahedron = vtkUnstructuredGrid()
-    octahedron.SetPoints(to_points(np.array([[0, 0, 0], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1.0],
-                                             [0, 0, -1.0]]) * [1.5, 1.0, 1.5]))
-    for x in (1, 2):
-        for y in (3, 4):
-            for z in (5, 6):
-                octahedron.InsertNextCell(VTK_TETRA, 4, (0, x, y, z))
-    shown = []
-
-    def add(words, grid, cell, scheme):
-        found = characteristic_map(grid, cell, Scheme=scheme)
-        jacobians = vtk_to_numpy(found.GetCellData().GetArray("Jacobian"))
-        most = np.abs(jacobians).max()
-        points = points_of(found)
-        size = np.abs(points).max()
-        actors = look.actors_of(found, ("cell", "Jacobian", look.tension_colours(-most, most)), 1.0, edges=True)
-        for actor in actors:
-            actor.SetScale(1 / size)
-        shown.append((words, actors, points / size))
-
-    add("Tet Oct, a vertex", octahedron, 0, "Tet Oct")
-    for count in (3, 5, 9):
-        edges = output(simple.SubdivisionSmoothness(Input=source_of(spindle(count)), Scheme="Tet Oct"))
-        inside = (vtk_to_numpy(edges.GetCellData().GetArray("SimplexDimension")) == 1) & (
-            vtk_to_numpy(edges.GetCellData().GetArray("RuleDimension")) == 3)
-        add(f"Tet Oct, an edge of {count}", spindle(count), int(np.flatnonzero(inside)[0]), "Tet Oct")
-    add("Box Spline, a vertex:\nblue cells fold", octahedron, 0, "Box Spline")
-    write("maps_of_solids", shown, VIEW, 3)
-
-
-def basis_functions():
-    """As heights over a net of quads."""
-    steps = np.arange(7.0)
-    net = quads(np.stack(np.meshgrid(steps, steps, [0.0], indexing="ij"), axis=-1)[:, :, 0])
-    shown = []
-    for scheme in ("Catmull-Clark", "Loop", "Modified Butterfly", "Sqrt Three", "Four-Eight", "Doo-Sabin"):
-        levels = 8 if scheme == "Four-Eight" else 6 if scheme == "Sqrt Three" else 4
-        found = output(simple.SurfaceSubdivision(Input=source_of(net), Scheme=scheme, NumberOfLevels=levels,
-                                                 ProjectToLimit=1, BasisPoint=24))
-        heights = vtk_to_numpy(found.GetPointData().GetArray("BasisFunction"))
-        points = points_of(found)
-        points[:, 2] = 3.0 * heights
-        found.SetPoints(to_points(points))
-        shown.append((scheme, look.actors_of(found, ("point", "BasisFunction", look.tension_colours(-1.0, 1.0)), 1.0),
-                      points))
-    write("basis_functions", shown, VIEW, 3)
-
-
 def dimensions():
     smooth = source_of(subdivide(model("Ship"), 3))
     parts = look.part_array(model("Ship"))
@@ -660,7 +532,8 @@ def draw():
     for make in (levels, volume_schemes, sharpness, marks, levels_of_marks, crease_geometry, rules_by_region, features,
                  interpolation, quadratic_cells, join_blocks, interface_values, surface_options, bezier_cells, seams, boundary, corners,
                  criteria, criteria_of_places, adaptive_criteria, deformation_levels, outside_points, cages, labels,
-                 topology, smoothness, maps_of_surfaces, maps_of_solids, basis_functions, dimensions, models, figure):
+                 topology, scheme_pictures.smoothness, scheme_pictures.maps_of_surfaces,
+                 scheme_pictures.maps_of_solids, scheme_pictures.basis_functions, dimensions, models, figure):
         make()
     print(f"What properties do is in gallery_*.png in {os.getcwd()}, and small in the folder guide.")
 
