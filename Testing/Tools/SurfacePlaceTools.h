@@ -6,10 +6,8 @@
 #ifndef SurfacePlaceTools_h
 #define SurfacePlaceTools_h
 
+#include "PlaceTools.h"
 #include "SurfaceTools.h"
-
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 
 namespace surfacetools
 {
@@ -19,29 +17,8 @@ using Configure = std::function<void(Filter*)>;
 /// The schemes that have limits at places.
 constexpr int PlaceSchemes[] = { Filter::LOOP, Filter::CATMULL_CLARK };
 
-struct Places
-{
-  vtkNew<vtkIdTypeArray> Cells;
-  vtkNew<vtkDoubleArray> Parameters;
-  Places() { this->Parameters->SetNumberOfComponents(3); }
-  void Add(vtkIdType cell, const Point& p)
-  {
-    this->Cells->InsertNextValue(cell);
-    this->Parameters->InsertNextTuple(p.data());
-  }
-  vtkIdType GetSize() const { return this->Cells->GetNumberOfTuples(); }
-};
-
-/// The limit at places, which must not fail.
-template <typename AnyFilter>
-vtkSmartPointer<vtkPolyData> Evaluate(AnyFilter* filter, const Places& places)
-{
-  const auto result = vtkSmartPointer<vtkPolyData>::New();
-  EXPECT_TRUE(filter->EvaluateLimit(places.Cells, places.Parameters, result));
-  EXPECT_EQ(result->GetNumberOfPoints(), places.GetSize());
-  EXPECT_EQ(result->GetNumberOfVerts(), places.GetSize());
-  return result;
-}
+using place_tools::Evaluate;
+using place_tools::Places;
 
 vtkSmartPointer<vtkPolyData> Evaluate(
   vtkPolyData* input, int scheme, const Places& places, const Configure& configure = nullptr);

@@ -5,39 +5,19 @@
  * differences.
  */
 #include "MultiDimensionalSubdivisionTools.h"
+#include "PlaceTools.h"
 
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSubdivisionModelSource.h"
 
 using namespace multi_dimensional_subdivision_tools;
+using namespace place_tools;
 
 namespace
 {
 
 using Filter = vtkMultiDimensionalSubdivision;
-
-struct Places
-{
-  vtkNew<vtkIdTypeArray> Cells;
-  vtkNew<vtkDoubleArray> Parameters;
-  Places() { this->Parameters->SetNumberOfComponents(3); }
-  void Add(vtkIdType cell, const Point& p)
-  {
-    this->Cells->InsertNextValue(cell);
-    this->Parameters->InsertNextTuple(p.data());
-  }
-  vtkIdType GetSize() const { return this->Cells->GetNumberOfTuples(); }
-};
-
-vtkSmartPointer<vtkPolyData> Evaluate(Filter* filter, const Places& places)
-{
-  const auto result = vtkSmartPointer<vtkPolyData>::New();
-  EXPECT_TRUE(filter->EvaluateLimit(places.Cells, places.Parameters, result));
-  EXPECT_EQ(result->GetNumberOfPoints(), places.GetSize());
-  EXPECT_EQ(result->GetNumberOfVerts(), places.GetSize());
-  return result;
-}
 
 Point GetTuple(vtkPolyData* result, const char* name, vtkIdType i)
 {
