@@ -135,7 +135,7 @@ double Tightness::GetLargest() const
 void ExpectBounds(
   vtkPointSet* coarse, vtkPointSet* fine, int steps, Tightness& tightness, double rounding)
 {
-  const BezierRoots roots(fine, steps, steps);
+  const BezierRoots roots(fine, steps);
   ASSERT_EQ(roots.GetNumberOfRoots(), coarse->GetNumberOfCells());
   std::map<std::string, vtkDataArray*> arrays{ { "", coarse->GetPoints()->GetData() } };
   for (const char* name : { "Copy", "One", "Two" })

@@ -83,6 +83,12 @@ bool BezierRoots::IsWhole(const Root& root) const
     [type](unsigned char t) { return t == type; });
 }
 
+/// Solids need a step more than others, which was not made if they were not seen in the input.
+bool BezierRoots::HasPatchPoints(const Root& root) const
+{
+  return !this->ArePatches || root.Steps - root.Levels >= GetShape(root).SampleLevels;
+}
+
 /// Finds the control cell that the cells from `first` on came from, or one side of a face that has
 /// not four. Returns the number of its cells.
 vtkIdType BezierRoots::FindRoot(vtkIdType first, Root& root) const
@@ -97,10 +103,7 @@ vtkIdType BezierRoots::FindRoot(vtkIdType first, Root& root) const
       root.Levels = std::max(0, root.Levels - 1);
     }
   }
-  // Solids need a step more than others, which was not made if they were not seen in the input.
-  const bool isKnown = root.Kind >= 0 && root.Steps - root.Levels >= GetShape(root).SampleLevels &&
-    this->IsWhole(root);
-  if (!isKnown)
+  if (root.Kind >= 0 && !(this->HasPatchPoints(root) && this->IsWhole(root)))
   {
     root.Kind = -1;
   }

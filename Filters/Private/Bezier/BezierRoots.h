@@ -28,16 +28,17 @@ struct Root
 class BezierRoots
 {
 public:
-  /// `steps`: how often the mesh was split; `levels`: how often a root may be.
-  BezierRoots(vtkPointSet* mesh, int steps, int levels)
-    : Steps(steps)
-    , Levels(levels)
-    , Reader(mesh)
+  /// Finds the roots only. `steps`: how often the mesh was split.
+  BezierRoots(vtkPointSet* mesh, int steps)
+    : BezierRoots(mesh, steps, steps, false)
   {
-    this->ReadCells();
-    this->FindRoots();
   }
-
+  /// For patches. `levels`: how often a root may be split; the steps beyond them give the points
+  /// that a patch needs, and a root with too few is written as it is.
+  BezierRoots(vtkPointSet* mesh, int steps, int levels)
+    : BezierRoots(mesh, steps, levels, true)
+  {
+  }
   vtkIdType GetNumberOfRoots() const { return static_cast<vtkIdType>(this->Roots.size()); }
   const Root& GetRoot(vtkIdType r) const { return this->Roots[r]; }
 
@@ -69,11 +70,21 @@ public:
   }
 
 private:
+  BezierRoots(vtkPointSet* mesh, int steps, int levels, bool arePatches)
+    : Steps(steps)
+    , Levels(levels)
+    , ArePatches(arePatches)
+    , Reader(mesh)
+  {
+    this->ReadCells();
+    this->FindRoots();
+  }
   void ReadCells();
   void FindRoots();
   vtkIdType FindRoot(vtkIdType first, Root& root) const;
   vtkIdType CountSides(vtkIdType first, vtkIdType size) const;
   bool IsWhole(const Root& root) const;
+  bool HasPatchPoints(const Root& root) const;
   const RootLattice& GetLattice(const Root& root) const
   {
     return this->Lattices.at({ root.Kind, root.Steps });
@@ -81,6 +92,7 @@ private:
 
   const int Steps;
   const int Levels;
+  const bool ArePatches;
   const CellReader Reader;
   /// The points of each cell, up to four; larger cells have none here.
   Buffer<vtkIdType> Corners;

@@ -98,7 +98,7 @@ std::vector<MiddlePoint> ListMiddlePoints(const PatchShape& shape, int step)
 NestedPieces::NestedPieces(vtkPointSet* fine, const std::array<vtkIdType, Steps + 1>& points)
   : Points(points)
 {
-  const BezierRoots roots(fine, Steps, Steps);
+  const BezierRoots roots(fine, Steps);
   this->ReadCells(roots);
   if (this->IsNested)
   {
