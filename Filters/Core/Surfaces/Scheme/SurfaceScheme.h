@@ -87,6 +87,9 @@ struct SurfaceLevel
   /// If a step that halves edges made this level (PrimalRefinement.h): how many vertices the level
   /// before had. Then come the edge points. Otherwise -1.
   vtkIdType VerticesBefore = -1;
+  /// In sqrt(3): the first vertex that a step made; those after it were all made by steps. -1: it is
+  /// not known.
+  vtkIdType FirstMade = -1;
   /// What Prepare counts: running counts, from which ids of children follow where arithmetic alone
   /// is not enough; in Butterfly the valences of smooth vertices.
   Buffer<Id> Places;
