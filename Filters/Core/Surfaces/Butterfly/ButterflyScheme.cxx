@@ -5,14 +5,21 @@
 #include "Core/Surfaces/Butterfly/ButterflyMasks.h"
 #include "Core/Surfaces/Butterfly/ButterflyTangents.h"
 #include "Core/Surfaces/Scheme/PrimalRefinement.h"
+#include "Core/Surfaces/Scheme/RegularGroups.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <algorithm>
+#include <array>
 
 namespace subdivision
 {
 namespace
 {
+
+/// The mask of an edge between two vertices of six faces: its ends, and on each side the vertex
+/// opposite and the two beyond.
+constexpr std::array<double, 8> ButterflyEdge{ 1. / 2., 1. / 2., 1. / 8., -1. / 16., -1. / 16.,
+  1. / 8., -1. / 16., -1. / 16. };
 
 /// One end of a smooth edge, and the faces around it.
 template <typename Id>
@@ -48,7 +55,7 @@ void ButterflyScheme<Id>::Prepare(SurfaceLevel<Id>& level) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   level.Places = Buffer<Id>(mesh.NumberOfVertices);
-  auto count = [&mesh, &level](Id corner)
+  const auto count = [&mesh, &level](Id corner)
   {
     Id faces = 0;
     FanStep<Id> step{ corner, true };
@@ -63,11 +70,22 @@ void ButterflyScheme<Id>::Prepare(SurfaceLevel<Id>& level) const
     } while (step.Corner != corner);
     return faces;
   };
+  const vtkIdType firstNew =
+    level.VerticesBefore < 0 ? mesh.NumberOfVertices : level.VerticesBefore;
+  const auto isInside = [&mesh, &level](Id vertex) // the point of an edge, with six smooth edges
+  {
+    Id edges[6];
+    return FindEdgesOfEdgePoint(mesh, vertex, edges) &&
+      std::all_of(
+        edges, edges + 6, [&](Id edge) { return level.Tags.Edges[edge] == EdgeTag::Smooth; });
+  };
   ForEach(mesh.NumberOfVertices,
     [&](vtkIdType v)
     {
       const Id corner = mesh.VertexCorners[v];
-      level.Places[v] = corner < 0 ? 0 : count(corner);
+      level.Places[v] = corner < 0                      ? 0
+        : v >= firstNew && isInside(static_cast<Id>(v)) ? 6
+                                                        : count(corner);
     });
 }
 
@@ -85,6 +103,27 @@ public:
   {
   }
 
+  /// Writes the columns of an edge with the mask ButterflyEdge; false: it has another.
+  bool FindRegular(Id edge, Id columns[8])
+  {
+    columns[0] = this->Mesh.EdgeVertices[2 * edge];
+    columns[1] = this->Mesh.EdgeVertices[2 * edge + 1];
+    if (this->Tags.Edges[edge] != EdgeTag::Smooth || !this->IsInside(columns[0]) ||
+      !this->IsInside(columns[1]))
+    {
+      return false;
+    }
+    this->SetHalfEdges(edge);
+    Id* next = columns + 2;
+    for (int side = 0; side < 2; ++side)
+    {
+      *next++ = this->GetOpposite(side);
+      *next++ = this->GetWing(side, columns[0]);
+      *next++ = this->GetWing(side, columns[1]);
+    }
+    return true;
+  }
+
   void Append(Id edge)
   {
     if (this->Tags.Edges[edge] != EdgeTag::Smooth)
@@ -92,8 +131,7 @@ public:
       this->AppendCurve(edge, 1.);
       return;
     }
-    this->HalfEdges[0] = this->Mesh.EdgeCorners[edge];
-    this->HalfEdges[1] = this->Mesh.Twins[this->HalfEdges[0]];
+    this->SetHalfEdges(edge);
     const EdgeEnd<Id> ends[2] = { this->FindEnd(edge, 0), this->FindEnd(edge, 1) };
     if (ends[0].IsRegular && ends[1].IsRegular)
     {
@@ -111,6 +149,17 @@ public:
   }
 
 private:
+  void SetHalfEdges(Id edge)
+  {
+    this->HalfEdges[0] = this->Mesh.EdgeCorners[edge];
+    this->HalfEdges[1] = this->Mesh.Twins[this->HalfEdges[0]];
+  }
+  /// Whether a vertex has six faces and smooth edges all around.
+  bool IsInside(Id vertex)
+  {
+    return this->Tags.Vertices[vertex] == VertexTag::Smooth && this->Valences[vertex] == 6 &&
+      !this->HasOtherSharpEdges(vertex);
+  }
   EdgeEnd<Id> FindEnd(Id edge, int which);
   bool HasOtherSharpEdges(Id vertex)
   {
@@ -139,10 +188,14 @@ private:
                                                    : this->Mesh.Next(halfEdge);
   }
   /// The vertex across that half-edge.
-  void AddWing(int side, Id vertex, double weight)
+  Id GetWing(int side, Id vertex) const
   {
     const Id twin = this->Mesh.Twins[this->GetSide(side, vertex)];
-    this->Rows.Add(this->Mesh.Vertices[this->Mesh.Previous(twin)], weight);
+    return this->Mesh.Vertices[this->Mesh.Previous(twin)];
+  }
+  void AddWing(int side, Id vertex, double weight)
+  {
+    this->Rows.Add(this->GetWing(side, vertex), weight);
   }
 
   const PolygonMesh<Id>& Mesh;
@@ -220,25 +273,13 @@ void EdgeRows<Id>::AppendCurve(Id edge, double factor)
   this->Rows.Add(this->Mesh.EdgeVertices[2 * edge + 1], factor * weights[1]);
 }
 
-/// Both ends are regular.
+/// Both ends are regular, at least one of them on a curve.
 template <typename Id>
 void EdgeRows<Id>::AppendRegular(const EdgeEnd<Id>* ends)
 {
   const Id a = ends[0].Vertex;
   const Id b = ends[1].Vertex;
   const int sides[2] = { ends[0].CurveSide, ends[1].CurveSide };
-  if (sides[0] < 0 && sides[1] < 0)
-  {
-    this->Rows.Add(a, 1. / 2.);
-    this->Rows.Add(b, 1. / 2.);
-    for (int side = 0; side < 2; ++side)
-    {
-      this->Rows.Add(this->GetOpposite(side), 1. / 8.);
-      this->AddWing(side, a, -1. / 16.);
-      this->AddWing(side, b, -1. / 16.);
-    }
-    return;
-  }
   if (sides[0] < 0 || sides[1] < 0)
   {
     const Id inside = sides[0] < 0 ? a : b;
@@ -351,11 +392,10 @@ void ButterflyScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Surfac
     rows.EndRow();
   }
   EdgeRows<Id> edges(level, tags, rows);
-  for (vtkIdType row = std::max(begin, vertices); row < end; ++row)
-  {
-    edges.Append(static_cast<Id>(row - vertices));
-    rows.EndRow();
-  }
+  AppendRegularGroups<1>(
+    ButterflyEdge, std::max<vtkIdType>(begin - vertices, 0), end - vertices,
+    [&](vtkIdType edge, Id* columns) { return edges.FindRegular(static_cast<Id>(edge), columns); },
+    [&](vtkIdType edge) { edges.Append(static_cast<Id>(edge)); }, rows);
 }
 
 template <typename Id>
