@@ -108,8 +108,8 @@ public:
   {
     columns[0] = this->Mesh.EdgeVertices[2 * edge];
     columns[1] = this->Mesh.EdgeVertices[2 * edge + 1];
-    if (this->Tags.Edges[edge] != EdgeTag::Smooth || !this->IsInside(columns[0]) ||
-      !this->IsInside(columns[1]))
+    if (this->HasOtherTags || this->Tags.Edges[edge] != EdgeTag::Smooth ||
+      !this->IsInside(columns[0]) || !this->IsInside(columns[1]))
     {
       return false;
     }
@@ -120,6 +120,36 @@ public:
       *next++ = this->GetOpposite(side);
       *next++ = this->GetWing(side, columns[0]);
       *next++ = this->GetWing(side, columns[1]);
+    }
+    return true;
+  }
+
+  /// The same for the three edges inside a triangle of the level before, across each of its corners
+  /// x: the children of triangle f are 4 f + i at x_i, whose corner i it is, and 4 f + 3, whose
+  /// corners p_i are the points of the edges from x_i on.
+  bool FindInside(Id face, Id columns[24]) const
+  {
+    const Id first = 12 * face;
+    const Id* x = this->Mesh.Vertices.data() + first;
+    const Id* p = x + 9;
+    if (this->HasOtherTags || !this->IsInside(p[0]) || !this->IsInside(p[1]) ||
+      !this->IsInside(p[2]))
+    {
+      return false;
+    }
+    constexpr Id before[3] = { 2, 3, 7 }; // the half-edges that end at x_i
+    for (int i = 0; i < 3; ++i)
+    {
+      const int next = (i + 1) % 3;
+      const int last = (i + 2) % 3;
+      *columns++ = p[i];
+      *columns++ = p[last];
+      *columns++ = x[4 * i];
+      *columns++ = this->GetBeyond(first + 4 * i);
+      *columns++ = this->GetBeyond(first + before[i]);
+      *columns++ = p[next];
+      *columns++ = x[4 * next];
+      *columns++ = x[4 * last];
     }
     return true;
   }
@@ -155,10 +185,9 @@ private:
     this->HalfEdges[1] = this->Mesh.Twins[this->HalfEdges[0]];
   }
   /// Whether a vertex has six faces and smooth edges all around.
-  bool IsInside(Id vertex)
+  bool IsInside(Id vertex) const
   {
-    return this->Tags.Vertices[vertex] == VertexTag::Smooth && this->Valences[vertex] == 6 &&
-      !this->HasOtherSharpEdges(vertex);
+    return this->Tags.Vertices[vertex] == VertexTag::Smooth && this->Valences[vertex] == 6;
   }
   EdgeEnd<Id> FindEnd(Id edge, int which);
   bool HasOtherSharpEdges(Id vertex)
@@ -188,10 +217,10 @@ private:
                                                    : this->Mesh.Next(halfEdge);
   }
   /// The vertex across that half-edge.
-  Id GetWing(int side, Id vertex) const
+  Id GetWing(int side, Id vertex) const { return this->GetBeyond(this->GetSide(side, vertex)); }
+  Id GetBeyond(Id halfEdge) const
   {
-    const Id twin = this->Mesh.Twins[this->GetSide(side, vertex)];
-    return this->Mesh.Vertices[this->Mesh.Previous(twin)];
+    return this->Mesh.Vertices[this->Mesh.Previous(this->Mesh.Twins[halfEdge])];
   }
   void AddWing(int side, Id vertex, double weight)
   {
@@ -273,13 +302,25 @@ void EdgeRows<Id>::AppendCurve(Id edge, double factor)
   this->Rows.Add(this->Mesh.EdgeVertices[2 * edge + 1], factor * weights[1]);
 }
 
-/// Both ends are regular, at least one of them on a curve.
+/// Both ends are regular.
 template <typename Id>
 void EdgeRows<Id>::AppendRegular(const EdgeEnd<Id>* ends)
 {
   const Id a = ends[0].Vertex;
   const Id b = ends[1].Vertex;
   const int sides[2] = { ends[0].CurveSide, ends[1].CurveSide };
+  if (sides[0] < 0 && sides[1] < 0)
+  {
+    this->Rows.Add(a, 1. / 2.);
+    this->Rows.Add(b, 1. / 2.);
+    for (int side = 0; side < 2; ++side)
+    {
+      this->Rows.Add(this->GetOpposite(side), 1. / 8.);
+      this->AddWing(side, a, -1. / 16.);
+      this->AddWing(side, b, -1. / 16.);
+    }
+    return;
+  }
   if (sides[0] < 0 || sides[1] < 0)
   {
     const Id inside = sides[0] < 0 ? a : b;
@@ -385,17 +426,37 @@ template <typename Id>
 void ButterflyScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
   vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
 {
-  const vtkIdType vertices = level.Mesh.NumberOfVertices;
-  for (vtkIdType row = begin; row < std::min(end, vertices); ++row)
-  {
-    rows.Add(row, 1.);
-    rows.EndRow();
-  }
+  const PolygonMesh<Id>& mesh = level.Mesh;
   EdgeRows<Id> edges(level, tags, rows);
-  AppendRegularGroups<1>(
-    ButterflyEdge, std::max<vtkIdType>(begin - vertices, 0), end - vertices,
-    [&](vtkIdType edge, Id* columns) { return edges.FindRegular(static_cast<Id>(edge), columns); },
-    [&](vtkIdType edge) { edges.Append(static_cast<Id>(edge)); }, rows);
+  // Edges inside the triangles of the level before come last.
+  const vtkIdType inside = level.VerticesBefore < 0 ? 0 : mesh.NumberOfFaces / 4 * 3;
+  const vtkIdType others = mesh.GetNumberOfEdges() - inside;
+  ForKindsOfRows<3>({ mesh.NumberOfVertices, others, inside }, begin, end,
+    [&](std::size_t kind, vtkIdType first, vtkIdType last)
+    {
+      const auto append = [&](vtkIdType edge)
+      { edges.Append(static_cast<Id>(kind == 1 ? edge : others + edge)); };
+      switch (kind)
+      {
+        case 0:
+          rows.AddCopies(first, last - first);
+          break;
+        case 1:
+          AppendRegularGroups<1>(
+            ButterflyEdge, first, last,
+            [&](vtkIdType edge, Id* columns)
+            { return edges.FindRegular(static_cast<Id>(edge), columns); },
+            append, rows);
+          break;
+        default:
+          AppendRegularGroups<3>(
+            ButterflyEdge, first, last,
+            [&](vtkIdType face, Id* columns)
+            { return edges.FindInside(static_cast<Id>(face), columns); },
+            append, rows);
+          break;
+      }
+    });
 }
 
 template <typename Id>
