@@ -72,20 +72,18 @@ void ButterflyScheme<Id>::Prepare(SurfaceLevel<Id>& level) const
   };
   const vtkIdType firstNew =
     level.VerticesBefore < 0 ? mesh.NumberOfVertices : level.VerticesBefore;
-  const auto isInside = [&mesh, &level](Id vertex) // the point of an edge, with six smooth edges
+  // The point of an edge has only smooth edges around it if both halves of its edge are.
+  const auto isInside = [&](vtkIdType vertex)
   {
-    Id edges[6];
-    return FindEdgesOfEdgePoint(mesh, vertex, edges) &&
-      std::all_of(
-        edges, edges + 6, [&](Id edge) { return level.Tags.Edges[edge] == EdgeTag::Smooth; });
+    const vtkIdType half = 2 * (vertex - firstNew);
+    return half >= 0 && level.Tags.Edges[half] == EdgeTag::Smooth &&
+      level.Tags.Edges[half + 1] == EdgeTag::Smooth;
   };
   ForEach(mesh.NumberOfVertices,
     [&](vtkIdType v)
     {
       const Id corner = mesh.VertexCorners[v];
-      level.Places[v] = corner < 0                      ? 0
-        : v >= firstNew && isInside(static_cast<Id>(v)) ? 6
-                                                        : count(corner);
+      level.Places[v] = corner < 0 ? 0 : isInside(v) ? 6 : count(corner);
     });
 }
 

@@ -76,10 +76,10 @@ public:
   vtkIdType GetOrientingFace(const SurfaceLevel<Id>& level, vtkIdType child) const override
   {
     const vtkIdType faces = level.Mesh.NumberOfFaces;
-    return child < faces ? child
-                         : FindOrientingFace(
-                             level, child - faces, [&level](vtkIdType k, bool cycle)
-                             { return GetVertexFaceSize(level, k, cycle); });
+    return child < faces
+      ? child
+      : FindOrientingFace(level, child - faces,
+          [&level](vtkIdType k, bool cycle) { return GetVertexFaceSize(level, k, cycle); });
   }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
@@ -90,8 +90,9 @@ public:
     children = Buffer<Carrier<Id>>(faces.size() + level.Dual->GetNumberOfFaces());
     std::copy(faces.begin(), faces.end(), children.begin());
     CarryFans<Id>(
-      level, faces, [&level](vtkIdType k, bool cycle)
-      { return GetVertexFaceSize(level, k, cycle); }, children.data() + faces.size());
+      level, faces,
+      [&level](vtkIdType k, bool cycle) { return GetVertexFaceSize(level, k, cycle); },
+      children.data() + faces.size());
   }
 
 private:
@@ -159,6 +160,8 @@ void MidedgeScheme<Id>::GetParents(
 template <typename Id>
 class MidedgeRefiner : DualRefiner<Id>
 {
+  using Fan = typename DualRefiner<Id>::Fan;
+
 public:
   MidedgeRefiner(const SurfaceLevel<Id>& level, Depth depth)
     : DualRefiner<Id>(level, depth)
@@ -184,8 +187,7 @@ public:
           this->SetVertexCorner(this->Places.Sides[first], corner);
         }
       });
-    this->SetVertexFaces(
-      [this](Id vertex, Id corner, Id at) { return this->SetFan(vertex, corner, at); });
+    this->SetVertexFaces([this](const Fan& fan, Id at) { return this->SetFan(fan, at); });
     return std::move(this->Next);
   }
 
@@ -197,80 +199,43 @@ private:
   {
     Id chain = static_cast<Id>(this->Sides) + this->Places.Chains[vertex];
     bool found = false;
+    std::vector<FanStep<Id>> steps;
     VisitFans(this->Mesh, vertex,
       [&](Id other)
       {
         found = found || other == corner;
-        chain += !found && !VisitFanForward(this->Mesh, other, [](const FanStep<Id>&) {});
+        chain += !found && !FindFanForward(this->Mesh, other, steps);
       });
     return chain;
   }
 
-  /// A face of a fan: its half-edges in and out of the fan, and that inside the face towards the
-  /// vertex.
-  struct Step
-  {
-    Id In = -1;
-    Id Out = -1;
-    Id Inside = -1;
-  };
+  /// The half-edge inside a face of a fan, towards the vertex.
+  Id GetInside(const FanStep<Id>& step) const { return this->Mesh.Previous(step.Corner); }
 
-  vtkIdType SetFan(Id vertex, Id corner, Id at)
+  vtkIdType SetFan(const Fan& fan, Id at)
   {
-    // One walk around the vertex finds what is written: each step reads many places of memory.
-    constexpr vtkIdType most = 16; // longer fans are walked twice
-    Step steps[most];
-    Step before;
-    Step last;
-    vtkIdType k = 0;
-    const bool cycle = VisitFanForward(this->Mesh, corner,
-      [&](const FanStep<Id>& step)
-      {
-        before = last;
-        last = { step.GetHalfEdgeIn(this->Mesh), step.GetHalfEdgeOut(this->Mesh),
-          this->Mesh.Previous(step.Corner) };
-        if (k < most)
-        {
-          steps[k] = last;
-        }
-        ++k;
-      });
-    const vtkIdType size = GetVertexFaceSize(this->Level, k, cycle);
-    if (size < 3 && cycle)
-    {
-      this->Join(before.Inside, last.Inside);
-    }
-    else if (size < 3)
-    {
-      this->Open(last.Inside);
-    }
+    const vtkIdType size =
+      GetVertexFaceSize(this->Level, static_cast<vtkIdType>(fan.Steps.size()), fan.IsCycle);
+    const Id last = this->GetInside(fan.Steps.back());
     if (size < 3)
     {
+      fan.IsCycle ? this->Join(this->GetInside(fan.Steps.front()), last) : this->Open(last);
       return 0;
     }
     Buffer<Id>& vertices = this->Next.Mesh.Vertices;
-    auto set = [&](Id in, Id inside)
+    for (const FanStep<Id>& step : fan.Steps)
     {
-      vertices[at] = this->GetSide(in);
-      this->Join(at++, inside);
-    };
-    if (k <= most)
-    {
-      std::for_each(steps, steps + k, [&](const Step& step) { set(step.In, step.Inside); });
+      vertices[at] = this->GetSide(step.GetHalfEdgeIn(this->Mesh));
+      this->Join(at++, this->GetInside(step));
     }
-    else
+    if (!fan.IsCycle)
     {
-      VisitFanForward(this->Mesh, corner, [&](const FanStep<Id>& step)
-        { set(step.GetHalfEdgeIn(this->Mesh), this->Mesh.Previous(step.Corner)); });
-    }
-    if (!cycle)
-    {
-      vertices[at] = this->GetSide(last.Out);
+      vertices[at] = this->GetSide(fan.Steps.back().GetHalfEdgeOut(this->Mesh));
       this->Open(at++);
     }
-    if (!cycle && this->Keeps)
+    if (!fan.IsCycle && this->Keeps)
     {
-      vertices[at] = this->GetChainVertex(vertex, corner);
+      vertices[at] = this->GetChainVertex(fan.Vertex, fan.Corner);
       this->SetVertexCorner(vertices[at], at);
       this->Open(at);
     }

@@ -33,7 +33,7 @@ public:
   }
 
   /// Walks around up to Most vertices from `first` on: around those that wanted(vertex) takes, each
-  /// of which must have one fan that is a cycle.
+  /// of which must have one fan. Walks go forward from its corner, also in a chain.
   template <typename Wanted>
   void Walk(const PolygonMesh<Id>& mesh, Id first, Id end, const Wanted& wanted)
   {
@@ -57,7 +57,9 @@ public:
       {
         Steps& steps = this->Cycles[walking[i]];
         FanStep<Id> step = steps.back();
-        if (step.Advance(mesh) && step.Corner != steps.front().Corner)
+        const bool goesOn = step.Advance(mesh);
+        this->AreCycles[walking[i]] = goesOn;
+        if (goesOn && step.Corner != steps.front().Corner)
         {
           steps.push_back(step);
           walking[left++] = walking[i];
@@ -69,9 +71,12 @@ public:
 
   /// The steps of VisitCycle around a vertex; empty if it was not wanted.
   const Steps& Get(Id vertex) const { return this->Cycles[vertex - this->First]; }
+  /// Whether the fan of a vertex that was wanted is a cycle. If not, the steps are not all there.
+  bool IsCycle(Id vertex) const { return this->AreCycles[vertex - this->First]; }
 
 private:
   std::array<Steps, Most> Cycles;
+  std::array<bool, Most> AreCycles{};
   Id First = 0;
 };
 

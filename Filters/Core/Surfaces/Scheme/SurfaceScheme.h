@@ -87,13 +87,16 @@ struct SurfaceLevel
   /// If a step that halves edges made this level (PrimalRefinement.h): how many vertices the level
   /// before had. Then come the edge points. Otherwise -1.
   vtkIdType VerticesBefore = -1;
-  /// In sqrt(3): the first vertex that a step made; those after it were all made by steps. -1: it is
-  /// not known.
+  /// In sqrt(3): the first vertex that a step made; those after it were all made by steps. -1: it
+  /// is not known.
   vtkIdType FirstMade = -1;
   /// What Prepare counts: running counts, from which ids of children follow where arithmetic alone
   /// is not enough; in Butterfly the valences of smooth vertices.
   Buffer<Id> Places;
   std::shared_ptr<const DualPlaces<Id>> Dual; ///< the same for dual schemes
+  /// In Doo-Sabin, if a step made this level: how many faces each vertex has, all of one fan;
+  /// negative if this is a chain.
+  Buffer<signed char> FanSizes;
 };
 
 /// The order in which a level numbers its parts: which of those of the control level they come
