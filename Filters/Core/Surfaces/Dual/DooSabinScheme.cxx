@@ -224,10 +224,6 @@ public:
     const vtkIdType sides = this->Places.GetNumberOfSides();
     this->Start(this->Corners + 2 * this->Places.GetNumberOfOpenSides(),
       this->Mesh.NumberOfFaces + sides, this->Corners + 4 * sides);
-    if (this->Whole)
-    {
-      this->Next.FanSizes = Buffer<signed char>(this->Next.Mesh.NumberOfVertices, 0);
-    }
     this->SetInnerFaces();
     ForEach(this->Corners, [this](vtkIdType c) { this->SetCorner(static_cast<Id>(c)); });
     this->SetVertexFaces([this](const Fan& fan, Id at) { return this->SetFan(fan, at); });
@@ -250,14 +246,6 @@ private:
   {
     const Id first = GetFirstOfSide(this->Mesh, corner);
     return this->GetSideStart(first) + (this->Mesh.Vertices[first] == vertex ? 1 : 3);
-  }
-
-  void SetFanSize(Id vertex, signed char size)
-  {
-    if (this->Whole)
-    {
-      this->Next.FanSizes[vertex] = size;
-    }
   }
 
   /// Sets the vertex at a corner, and the face along its side if it is the first corner there.

@@ -76,6 +76,11 @@ void CountFans(const SurfaceLevel<Id>& level, const VertexFaceSize& size, DualPl
   const auto look = [&](vtkIdType vertex)
   {
     const int k = level.FanSizes[vertex];
+    if (k == level.UnknownFan)
+    {
+      ForFansForward(mesh, vertex, vertex + 1, walk);
+      return;
+    }
     set(vertex,
       [k](const auto& add)
       {

@@ -47,6 +47,7 @@ protected:
       out.Twins = Buffer<Id>(size);
       out.CornerFaces = Buffer<Id>(size);
       out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
+      this->Next.FanSizes = Buffer<signed char>(out.NumberOfVertices, 0);
       std::fill(out.VertexCorners.begin() + vertices, out.VertexCorners.end(), static_cast<Id>(-1));
     }
   }
@@ -123,6 +124,15 @@ protected:
     if (this->Whole)
     {
       this->Next.Mesh.VertexCorners[vertex] = corner;
+    }
+  }
+
+  /// SurfaceLevel::FanSizes of the next level.
+  void SetFanSize(Id vertex, int size)
+  {
+    if (this->Whole)
+    {
+      this->Next.FanSizes[vertex] = static_cast<signed char>(size);
     }
   }
 

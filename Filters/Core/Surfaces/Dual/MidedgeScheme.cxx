@@ -185,6 +185,7 @@ public:
         if (first == corner)
         {
           this->SetVertexCorner(this->Places.Sides[first], corner);
+          this->SetFanSize(this->Places.Sides[first], this->FindFanSize(corner));
         }
       });
     this->SetVertexFaces([this](const Fan& fan, Id at) { return this->SetFan(fan, at); });
@@ -207,6 +208,27 @@ private:
         chain += !found && !FindFanForward(this->Mesh, other, steps);
       });
     return chain;
+  }
+
+  /// How many faces the vertex on the side of a corner has: its faces, and those of the ends.
+  int FindFanSize(Id corner) const
+  {
+    const bool isOpen = this->Mesh.Twins[corner] < 0;
+    int size = isOpen ? 1 : 2;
+    bool isCycle = !isOpen;
+    for (const Id half : { corner, this->Mesh.Next(corner) })
+    {
+      const Id vertex = this->Mesh.Vertices[half];
+      if (this->Mesh.VertexCorners[vertex] < 0)
+      {
+        return this->Next.UnknownFan; // several fans
+      }
+      const bool hasFace = this->Places.Faces[vertex] < this->Places.Faces[vertex + 1];
+      const bool isChain = this->Places.Chains[vertex] < this->Places.Chains[vertex + 1];
+      size += hasFace;
+      isCycle = isCycle && (hasFace || !isChain); // without a face the sides of a cycle are joined
+    }
+    return isCycle ? size : -size;
   }
 
   /// The half-edge inside a face of a fan, towards the vertex.
@@ -237,6 +259,7 @@ private:
     {
       vertices[at] = this->GetChainVertex(fan.Vertex, fan.Corner);
       this->SetVertexCorner(vertices[at], at);
+      this->SetFanSize(vertices[at], -1);
       this->Open(at);
     }
     return size;

@@ -94,9 +94,10 @@ struct SurfaceLevel
   /// is not enough; in Butterfly the valences of smooth vertices.
   Buffer<Id> Places;
   std::shared_ptr<const DualPlaces<Id>> Dual; ///< the same for dual schemes
-  /// In Doo-Sabin, if a step made this level: how many faces each vertex has, all of one fan;
-  /// negative if this is a chain.
+  /// If a step of a dual scheme made this level: how many faces each vertex has, all of one fan;
+  /// negative if this is a chain, UnknownFan where it takes a walk.
   Buffer<signed char> FanSizes;
+  static constexpr signed char UnknownFan = 127;
 };
 
 /// The order in which a level numbers its parts: which of those of the control level they come
