@@ -441,17 +441,13 @@ void ButterflyScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Surfac
           break;
         case 1:
           AppendRegularGroups<1>(
-            ButterflyEdge, first, last,
-            [&](vtkIdType edge, Id* columns)
-            { return edges.FindRegular(static_cast<Id>(edge), columns); },
-            append, rows);
+            ButterflyEdge, first, last, [&](vtkIdType edge, Id* columns)
+            { return edges.FindRegular(static_cast<Id>(edge), columns); }, append, rows);
           break;
         default:
           AppendRegularGroups<3>(
-            ButterflyEdge, first, last,
-            [&](vtkIdType face, Id* columns)
-            { return edges.FindInside(static_cast<Id>(face), columns); },
-            append, rows);
+            ButterflyEdge, first, last, [&](vtkIdType face, Id* columns)
+            { return edges.FindInside(static_cast<Id>(face), columns); }, append, rows);
           break;
       }
     });

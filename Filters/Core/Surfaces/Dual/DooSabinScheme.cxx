@@ -43,6 +43,7 @@ public:
   void Prepare(SurfaceLevel<Id>& level) const override
   {
     level.Dual = CountDualPlaces(level, GetVertexFaceSize);
+    level.FanSizes = {}; // they are counted
   }
   vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
   {

@@ -90,10 +90,9 @@ void CountFans(const SurfaceLevel<Id>& level, const VertexFaceSize& size, DualPl
         }
       });
   };
-  level.FanSizes.empty()
-    ? ForRanges(
-        vertices, [&](vtkIdType begin, vtkIdType end) { ForFansForward(mesh, begin, end, walk); })
-    : ForEach(vertices, look);
+  level.FanSizes.empty() ? ForRanges(vertices, [&](vtkIdType begin, vtkIdType end)
+                             { ForFansForward(mesh, begin, end, walk); })
+                         : ForEach(vertices, look);
   CountsToOffsets(places.Faces);
   CountsToOffsets(places.Corners);
   CountsToOffsets(places.Chains);
@@ -312,8 +311,7 @@ void ListDualChildren(
   const std::vector<Id>& first = places.FirstLines;
   AppendCounted(segments.Vertices, segments.Sizes, places.Kept, 1, children.Vertices);
   AppendVariedChildren(
-    segments.Lines, segments.Sizes,
-    [&first](vtkIdType line)
+    segments.Lines, segments.Sizes, [&first](vtkIdType line)
     { return std::lower_bound(first.begin(), first.end(), line) - first.begin(); },
     children.Vertices);
   AppendCounted(segments.Vertices, segments.Sizes, places.Faces, 1, children.Faces);

@@ -90,8 +90,7 @@ template <typename Id>
 void AppendCounted(const IdSegments& parents, const std::vector<vtkIdType>& sizes,
   const Buffer<Id>& before, vtkIdType ofEach, IdSegments& children)
 {
-  AppendVariedChildren(
-    parents, sizes, [&](vtkIdType i) { return ofEach * before[i]; }, children);
+  AppendVariedChildren(parents, sizes, [&](vtkIdType i) { return ofEach * before[i]; }, children);
 }
 
 /// Writes the carriers of vertex faces: what the faces of their fans share.

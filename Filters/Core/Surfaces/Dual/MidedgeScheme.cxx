@@ -46,6 +46,7 @@ public:
   {
     level.Dual = CountDualPlaces(
       level, [&level](vtkIdType k, bool cycle) { return GetVertexFaceSize(level, k, cycle); });
+    level.FanSizes = {}; // they are counted
   }
   vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
   {
@@ -76,10 +77,10 @@ public:
   vtkIdType GetOrientingFace(const SurfaceLevel<Id>& level, vtkIdType child) const override
   {
     const vtkIdType faces = level.Mesh.NumberOfFaces;
-    return child < faces
-      ? child
-      : FindOrientingFace(level, child - faces,
-          [&level](vtkIdType k, bool cycle) { return GetVertexFaceSize(level, k, cycle); });
+    return child < faces ? child
+                         : FindOrientingFace(
+                             level, child - faces, [&level](vtkIdType k, bool cycle)
+                             { return GetVertexFaceSize(level, k, cycle); });
   }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
@@ -90,9 +91,8 @@ public:
     children = Buffer<Carrier<Id>>(faces.size() + level.Dual->GetNumberOfFaces());
     std::copy(faces.begin(), faces.end(), children.begin());
     CarryFans<Id>(
-      level, faces,
-      [&level](vtkIdType k, bool cycle) { return GetVertexFaceSize(level, k, cycle); },
-      children.data() + faces.size());
+      level, faces, [&level](vtkIdType k, bool cycle)
+      { return GetVertexFaceSize(level, k, cycle); }, children.data() + faces.size());
   }
 
 private:

@@ -443,8 +443,7 @@ void CountSqrtThreePlaces(SurfaceLevel<Id>& level)
   const Id vertices = static_cast<Id>(mesh.NumberOfVertices);
   const Id all = centres[mesh.NumberOfFaces];
   level.Places = Buffer<Id>(mesh.NumberOfFaces + mesh.GetNumberOfEdges() + 2);
-  ForEach(mesh.NumberOfFaces,
-    [&](vtkIdType f)
+  ForEach(mesh.NumberOfFaces, [&](vtkIdType f)
     { level.Places[f] = cuts[f] < 0 ? vertices + centres[f] : -1 - (3 * centres[f] + cuts[f]); });
   Id* places = level.Places.data() + mesh.NumberOfFaces;
   ForEach(

@@ -291,8 +291,7 @@ void SqrtThreeScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level, const Su
     },
     append, rows);
   AppendRegularGroups<1>(
-    SqrtThreeVertex, std::max(begin, firstMade), end,
-    [&](vtkIdType row, Id* columns)
+    SqrtThreeVertex, std::max(begin, firstMade), end, [&](vtkIdType row, Id* columns)
     { return isSmooth(row) && FindRingOfMade(level, static_cast<Id>(row), columns); },
     [&](vtkIdType row)
     {
