@@ -121,12 +121,16 @@ void SumBlock(const EqualRows<Id>& rows, const In* in, Out* out, int components)
   {
     switch (rows.Size) // loops of known length for the masks of regular vertices, edges and faces
     {
+      case 3:
+        return SumEqualRows<N, 3>(rows, in, out, components);
       case 4:
         return SumEqualRows<N, 4>(rows, in, out, components);
       case 6:
         return SumEqualRows<N, 6>(rows, in, out, components);
       case 7:
         return SumEqualRows<N, 7>(rows, in, out, components);
+      case 8:
+        return SumEqualRows<N, 8>(rows, in, out, components);
       case 9:
         return SumEqualRows<N, 9>(rows, in, out, components);
       default:

@@ -78,7 +78,22 @@ public:
     }
     return count;
   }
-  /// Not for rows of AddRun.
+  /// Adds `count` whole rows that copy consecutive columns from `column` on.
+  void AddCopies(vtkIdType column, vtkIdType count)
+  {
+    const std::size_t run = this->Runs.size();
+    this->AddRun(One, count,
+      [column](vtkIdType i, Id* columns)
+      {
+        *columns = static_cast<Id>(column + i);
+        return true;
+      });
+    if (run < this->Runs.size())
+    {
+      this->Runs.back().Weights = nullptr;
+    }
+  }
+  /// Not for rows of AddRun and AddCopies.
   void SetWeight(std::size_t entry, double weight) { this->Weights[entry] = weight; }
   void EndRow() { this->Offsets.push_back(static_cast<Id>(this->Size)); }
   void Clear()
@@ -135,9 +150,11 @@ public:
       {
         use(this->GetRows(first, done, run.Begin));
       }
-      use(EqualRows<Id>{ first + static_cast<vtkIdType>(run.Begin),
-        static_cast<vtkIdType>(run.End - run.Begin), run.Size,
-        this->Columns.data() + this->GetBegin(run.Begin), run.Weights });
+      const vtkIdType row = first + static_cast<vtkIdType>(run.Begin);
+      const vtkIdType count = static_cast<vtkIdType>(run.End - run.Begin);
+      const Id* columns = this->Columns.data() + this->GetBegin(run.Begin);
+      run.Weights ? use(EqualRows<Id>{ row, count, run.Size, columns, run.Weights })
+                  : use(CopiedRows{ row, count, static_cast<vtkIdType>(*columns) });
       done = run.End;
     }
     if (done < this->GetNumberOfRows())
@@ -161,7 +178,9 @@ private:
       this->Offsets.data() + begin, this->Columns.data(), this->Weights.data() };
   }
 
-  /// Rows that were added with the same weights.
+  static constexpr std::array<double, 1> One{ 1. };
+
+  /// Rows that were added with the same weights; without weights they copy consecutive columns.
   struct Run
   {
     std::size_t Begin;
@@ -174,7 +193,8 @@ private:
   {
     for (std::size_t row = std::max(begin, run.Begin); row < run.End; ++row)
     {
-      std::copy_n(run.Weights, run.Size, this->Weights.begin() + this->GetBegin(row));
+      std::copy_n(run.Weights ? run.Weights : One.data(), run.Size,
+        this->Weights.begin() + this->GetBegin(row));
     }
   }
 

@@ -236,6 +236,37 @@ TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevelsOnRandomSurfaces)
     GetParam() == SurfaceSchemeKind::Loop || GetParam() == SurfaceSchemeKind::CatmullClark);
 }
 
+/// What a level knows of the step that made it saves walks, and changes nothing.
+TEST_P(SurfaceLastStep, IsTheSameAsWithoutTheLevelBefore)
+{
+  const bool triangles = MakeSurfaceScheme<int>(GetParam(), true)->NeedsTriangles();
+  for (const auto& entry : MakeZoo(triangles))
+  {
+    Walk known(entry.second, GetParam());
+    Walk unknown(entry.second, GetParam());
+    for (int step = 0; step < 4; ++step)
+    {
+      SCOPED_TRACE(entry.first + ", step " + std::to_string(step));
+      unknown.Level.VerticesBefore = -1;
+      unknown.Level.FirstMade = -1;
+      unknown.Level.FanSizes = {};
+      unknown.Scheme->Prepare(unknown.Level);
+      ExpectEqual(known.Level.Places, unknown.Level.Places);
+      const RowBlock<int> rows = known.GetRows();
+      const RowBlock<int> expected = unknown.GetRows();
+      ASSERT_EQ(rows.GetNumberOfRows(), expected.GetNumberOfRows());
+      ASSERT_EQ(rows.GetNumberOfEntries(), expected.GetNumberOfEntries());
+      const std::size_t size = rows.GetNumberOfEntries();
+      EXPECT_TRUE(std::equal(rows.GetColumns(), rows.GetColumns() + size, expected.GetColumns()));
+      EXPECT_TRUE(std::equal(rows.GetWeights(), rows.GetWeights() + size, expected.GetWeights()));
+      known.Step();
+      unknown.Step();
+      ExpectEqual(known.Level.Mesh.Vertices, unknown.Level.Mesh.Vertices);
+      ExpectEqual(known.Level.Mesh.Twins, unknown.Level.Mesh.Twins);
+    }
+  }
+}
+
 /// Also arrays that are gathered, and after other levels by another filter.
 TEST(SurfaceSkippedLevel, OutputsAreThoseOfWholeLevels)
 {

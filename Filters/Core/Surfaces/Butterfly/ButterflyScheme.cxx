@@ -5,14 +5,21 @@
 #include "Core/Surfaces/Butterfly/ButterflyMasks.h"
 #include "Core/Surfaces/Butterfly/ButterflyTangents.h"
 #include "Core/Surfaces/Scheme/PrimalRefinement.h"
+#include "Core/Surfaces/Scheme/RegularGroups.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <algorithm>
+#include <array>
 
 namespace subdivision
 {
 namespace
 {
+
+/// The mask of an edge between two vertices of six faces: its ends, and on each side the vertex
+/// opposite and the two beyond.
+constexpr std::array<double, 8> ButterflyEdge{ 1. / 2., 1. / 2., 1. / 8., -1. / 16., -1. / 16.,
+  1. / 8., -1. / 16., -1. / 16. };
 
 /// One end of a smooth edge, and the faces around it.
 template <typename Id>
@@ -48,7 +55,7 @@ void ButterflyScheme<Id>::Prepare(SurfaceLevel<Id>& level) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   level.Places = Buffer<Id>(mesh.NumberOfVertices);
-  auto count = [&mesh, &level](Id corner)
+  const auto count = [&mesh, &level](Id corner)
   {
     Id faces = 0;
     FanStep<Id> step{ corner, true };
@@ -63,11 +70,20 @@ void ButterflyScheme<Id>::Prepare(SurfaceLevel<Id>& level) const
     } while (step.Corner != corner);
     return faces;
   };
+  const vtkIdType firstNew =
+    level.VerticesBefore < 0 ? mesh.NumberOfVertices : level.VerticesBefore;
+  // The point of an edge has only smooth edges around it if both halves of its edge are.
+  const auto isInside = [&](vtkIdType vertex)
+  {
+    const vtkIdType half = 2 * (vertex - firstNew);
+    return half >= 0 && level.Tags.Edges[half] == EdgeTag::Smooth &&
+      level.Tags.Edges[half + 1] == EdgeTag::Smooth;
+  };
   ForEach(mesh.NumberOfVertices,
     [&](vtkIdType v)
     {
       const Id corner = mesh.VertexCorners[v];
-      level.Places[v] = corner < 0 ? 0 : count(corner);
+      level.Places[v] = corner < 0 ? 0 : isInside(v) ? 6 : count(corner);
     });
 }
 
@@ -85,6 +101,57 @@ public:
   {
   }
 
+  /// Writes the columns of an edge with the mask ButterflyEdge; false: it has another.
+  bool FindRegular(Id edge, Id columns[8])
+  {
+    columns[0] = this->Mesh.EdgeVertices[2 * edge];
+    columns[1] = this->Mesh.EdgeVertices[2 * edge + 1];
+    if (this->HasOtherTags || this->Tags.Edges[edge] != EdgeTag::Smooth ||
+      !this->IsInside(columns[0]) || !this->IsInside(columns[1]))
+    {
+      return false;
+    }
+    this->SetHalfEdges(edge);
+    Id* next = columns + 2;
+    for (int side = 0; side < 2; ++side)
+    {
+      *next++ = this->GetOpposite(side);
+      *next++ = this->GetWing(side, columns[0]);
+      *next++ = this->GetWing(side, columns[1]);
+    }
+    return true;
+  }
+
+  /// The same for the three edges inside a triangle of the level before, across each of its corners
+  /// x: the children of triangle f are 4 f + i at x_i, whose corner i it is, and 4 f + 3, whose
+  /// corners p_i are the points of the edges from x_i on.
+  bool FindInside(Id face, Id columns[24]) const
+  {
+    const Id first = 12 * face;
+    const Id* x = this->Mesh.Vertices.data() + first;
+    const Id* p = x + 9;
+    if (this->HasOtherTags || !this->IsInside(p[0]) || !this->IsInside(p[1]) ||
+      !this->IsInside(p[2]))
+    {
+      return false;
+    }
+    constexpr Id before[3] = { 2, 3, 7 }; // the half-edges that end at x_i
+    for (int i = 0; i < 3; ++i)
+    {
+      const int next = (i + 1) % 3;
+      const int last = (i + 2) % 3;
+      *columns++ = p[i];
+      *columns++ = p[last];
+      *columns++ = x[4 * i];
+      *columns++ = this->GetBeyond(first + 4 * i);
+      *columns++ = this->GetBeyond(first + before[i]);
+      *columns++ = p[next];
+      *columns++ = x[4 * next];
+      *columns++ = x[4 * last];
+    }
+    return true;
+  }
+
   void Append(Id edge)
   {
     if (this->Tags.Edges[edge] != EdgeTag::Smooth)
@@ -92,8 +159,7 @@ public:
       this->AppendCurve(edge, 1.);
       return;
     }
-    this->HalfEdges[0] = this->Mesh.EdgeCorners[edge];
-    this->HalfEdges[1] = this->Mesh.Twins[this->HalfEdges[0]];
+    this->SetHalfEdges(edge);
     const EdgeEnd<Id> ends[2] = { this->FindEnd(edge, 0), this->FindEnd(edge, 1) };
     if (ends[0].IsRegular && ends[1].IsRegular)
     {
@@ -111,6 +177,16 @@ public:
   }
 
 private:
+  void SetHalfEdges(Id edge)
+  {
+    this->HalfEdges[0] = this->Mesh.EdgeCorners[edge];
+    this->HalfEdges[1] = this->Mesh.Twins[this->HalfEdges[0]];
+  }
+  /// Whether a vertex has six faces and smooth edges all around.
+  bool IsInside(Id vertex) const
+  {
+    return this->Tags.Vertices[vertex] == VertexTag::Smooth && this->Valences[vertex] == 6;
+  }
   EdgeEnd<Id> FindEnd(Id edge, int which);
   bool HasOtherSharpEdges(Id vertex)
   {
@@ -139,10 +215,14 @@ private:
                                                    : this->Mesh.Next(halfEdge);
   }
   /// The vertex across that half-edge.
+  Id GetWing(int side, Id vertex) const { return this->GetBeyond(this->GetSide(side, vertex)); }
+  Id GetBeyond(Id halfEdge) const
+  {
+    return this->Mesh.Vertices[this->Mesh.Previous(this->Mesh.Twins[halfEdge])];
+  }
   void AddWing(int side, Id vertex, double weight)
   {
-    const Id twin = this->Mesh.Twins[this->GetSide(side, vertex)];
-    this->Rows.Add(this->Mesh.Vertices[this->Mesh.Previous(twin)], weight);
+    this->Rows.Add(this->GetWing(side, vertex), weight);
   }
 
   const PolygonMesh<Id>& Mesh;
@@ -344,18 +424,33 @@ template <typename Id>
 void ButterflyScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
   vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
 {
-  const vtkIdType vertices = level.Mesh.NumberOfVertices;
-  for (vtkIdType row = begin; row < std::min(end, vertices); ++row)
-  {
-    rows.Add(row, 1.);
-    rows.EndRow();
-  }
+  const PolygonMesh<Id>& mesh = level.Mesh;
   EdgeRows<Id> edges(level, tags, rows);
-  for (vtkIdType row = std::max(begin, vertices); row < end; ++row)
-  {
-    edges.Append(static_cast<Id>(row - vertices));
-    rows.EndRow();
-  }
+  // Edges inside the triangles of the level before come last.
+  const vtkIdType inside = level.VerticesBefore < 0 ? 0 : mesh.NumberOfFaces / 4 * 3;
+  const vtkIdType others = mesh.GetNumberOfEdges() - inside;
+  ForKindsOfRows<3>({ mesh.NumberOfVertices, others, inside }, begin, end,
+    [&](std::size_t kind, vtkIdType first, vtkIdType last)
+    {
+      const auto append = [&](vtkIdType edge)
+      { edges.Append(static_cast<Id>(kind == 1 ? edge : others + edge)); };
+      switch (kind)
+      {
+        case 0:
+          rows.AddCopies(first, last - first);
+          break;
+        case 1:
+          AppendRegularGroups<1>(
+            ButterflyEdge, first, last, [&](vtkIdType edge, Id* columns)
+            { return edges.FindRegular(static_cast<Id>(edge), columns); }, append, rows);
+          break;
+        default:
+          AppendRegularGroups<3>(
+            ButterflyEdge, first, last, [&](vtkIdType face, Id* columns)
+            { return edges.FindInside(static_cast<Id>(face), columns); }, append, rows);
+          break;
+      }
+    });
 }
 
 template <typename Id>

@@ -6,7 +6,7 @@
 #ifndef SubdivisionObjects_CatmullClarkRegular_h
 #define SubdivisionObjects_CatmullClarkRegular_h
 
-#include "Core/Surfaces/Mesh/CycleWalks.h"
+#include "Core/Surfaces/Scheme/CycleRows.h"
 #include "Core/Surfaces/Scheme/SurfaceScheme.h"
 
 #include <array>
@@ -30,38 +30,21 @@ template <typename Id, typename Members, typename Other>
 void AppendQuadVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
   vtkIdType end, const Members& members, const Other& other, RowBlock<Id>& rows)
 {
-  if (begin >= end)
-  {
-    return;
-  }
   const bool areQuads = level.Mesh.Arity == 4;
-  const auto isSmooth = [&tags](vtkIdType v) { return tags.Vertices[v] == VertexTag::Smooth; };
-  CycleWalks<Id> walks;
-  for (vtkIdType first = begin; first < end; first += walks.Most)
-  {
-    const vtkIdType last = std::min<vtkIdType>(end, first + walks.Most);
-    walks.Walk(level.Mesh, static_cast<Id>(first), static_cast<Id>(last), isSmooth);
-    for (vtkIdType vertex = first; vertex < last; ++vertex)
+  AppendCycleRows(
+    level.Mesh, QuadsAtVertex, begin, end,
+    [&tags](vtkIdType v) { return tags.Vertices[v] == VertexTag::Smooth; },
+    [&](Id vertex, const std::vector<FanStep<Id>>& steps, Id* columns)
     {
-      vertex += rows.AddRun(QuadsAtVertex, areQuads ? last - vertex : 0,
-        [&](vtkIdType i, Id* columns)
-        {
-          columns[0] = static_cast<Id>(vertex + i);
-          const auto& steps = walks.Get(columns[0]);
-          const bool isRegular = steps.size() == 4;
-          for (std::size_t k = 0; isRegular && k < 4; ++k)
-          {
-            members(steps[k], columns + 2 * k + 1);
-          }
-          return isRegular;
-        });
-      if (vertex < last)
+      columns[0] = vertex;
+      const bool isRegular = areQuads && steps.size() == 4;
+      for (std::size_t k = 0; isRegular && k < 4; ++k)
       {
-        other(static_cast<Id>(vertex), walks.Get(static_cast<Id>(vertex)));
-        rows.EndRow();
+        members(steps[k], columns + 2 * k + 1);
       }
-    }
-  }
+      return isRegular;
+    },
+    other, rows);
 }
 
 /// Appends the entries of a smooth vertex of any number of quads. Each face point is a quarter of

@@ -7,6 +7,7 @@
 #include "Core/Surfaces/Dual/DualRefiner.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace subdivision
@@ -42,6 +43,7 @@ public:
   void Prepare(SurfaceLevel<Id>& level) const override
   {
     level.Dual = CountDualPlaces(level, GetVertexFaceSize);
+    level.FanSizes = {}; // they are counted
   }
   vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
   {
@@ -111,6 +113,31 @@ void FindCornerWeights(vtkIdType k, std::vector<double>& weights)
   }
 }
 
+/// The same for a quad.
+const std::array<double, 4> DooSabinQuad = []()
+{
+  std::vector<double> weights;
+  FindCornerWeights(4, weights);
+  return std::array<double, 4>{ weights[0], weights[1], weights[2], weights[3] };
+}();
+
+/// Writes the vertices of a corner's face from the corner on, if it is a quad.
+template <typename Id>
+bool FindQuad(const PolygonMesh<Id>& mesh, Id corner, Id columns[4])
+{
+  const Id face = mesh.GetFace(corner);
+  if (mesh.GetSize(face) != 4)
+  {
+    return false;
+  }
+  const Id first = mesh.GetFirst(face);
+  for (Id k = 0; k < 4; ++k)
+  {
+    columns[k] = mesh.Vertices[first + (corner - first + k) % 4];
+  }
+  return true;
+}
+
 template <typename Id>
 void DooSabinScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&,
   vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
@@ -121,6 +148,12 @@ void DooSabinScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Surface
   std::vector<double> weights;
   for (vtkIdType row = begin; row < end; ++row)
   {
+    row += rows.AddRun(DooSabinQuad, std::max<vtkIdType>(std::min(end, corners) - row, 0),
+      [&](vtkIdType i, Id* columns) { return FindQuad(mesh, static_cast<Id>(row + i), columns); });
+    if (row == end)
+    {
+      break;
+    }
     if (row >= lone)
     {
       AppendLoneRow(level, row - lone, rows);
@@ -178,6 +211,8 @@ void DooSabinScheme<Id>::GetParents(
 template <typename Id>
 class DooSabinRefiner : DualRefiner<Id>
 {
+  using Fan = typename DualRefiner<Id>::Fan;
+
 public:
   DooSabinRefiner(const SurfaceLevel<Id>& level, Depth depth)
     : DualRefiner<Id>(level, depth)
@@ -192,8 +227,7 @@ public:
       this->Mesh.NumberOfFaces + sides, this->Corners + 4 * sides);
     this->SetInnerFaces();
     ForEach(this->Corners, [this](vtkIdType c) { this->SetCorner(static_cast<Id>(c)); });
-    this->SetVertexFaces(
-      [this](Id vertex, Id corner, Id at) { return this->SetFan(vertex, corner, at); });
+    this->SetVertexFaces([this](const Fan& fan, Id at) { return this->SetFan(fan, at); });
     return std::move(this->Next);
   }
 
@@ -238,6 +272,7 @@ private:
         const Id point = this->GetOpenPoint(corner, this->Mesh.Vertices[corner]) + end;
         vertices[start + 2 + end] = point;
         this->SetVertexCorner(point, start + 2 + end);
+        this->SetFanSize(point, -2); // this face and that of the vertex
       }
       this->Open(start + 2);
       return;
@@ -249,39 +284,36 @@ private:
     this->Join(start + 2, twin);
   }
 
-  vtkIdType SetFan(Id vertex, Id corner, Id at)
+  vtkIdType SetFan(const Fan& fan, Id at)
   {
-    Id first = -1; // half-edge by which the fan begins
-    Id crossed[2] = { -1, -1 };
-    vtkIdType k = 0;
-    const bool cycle = VisitFanForward(this->Mesh, corner,
-      [&](const FanStep<Id>& step)
-      {
-        first = k == 0 ? step.GetHalfEdgeIn(this->Mesh) : first;
-        crossed[0] = crossed[1];
-        crossed[1] = step.GetHalfEdgeOut(this->Mesh);
-        ++k;
-      });
-    if (GetVertexFaceSize(k, cycle) < 3)
+    const Id vertex = fan.Vertex;
+    const vtkIdType size = GetVertexFaceSize(static_cast<vtkIdType>(fan.Steps.size()), fan.IsCycle);
+    for (const FanStep<Id>& step : fan.Steps)
     {
-      this->Join(this->GetAcross(crossed[0], vertex), this->GetAcross(crossed[1], vertex));
+      this->SetFanSize(
+        step.Corner, size < 3 ? 3 : 4); // faces inside, along two sides, and this one
+    }
+    if (size < 3)
+    {
+      this->Join(this->GetAcross(fan.Steps.front().GetHalfEdgeOut(this->Mesh), vertex),
+        this->GetAcross(fan.Steps.back().GetHalfEdgeOut(this->Mesh), vertex));
       return 0;
     }
     Buffer<Id>& vertices = this->Next.Mesh.Vertices;
-    VisitFanForward(this->Mesh, corner,
-      [&](const FanStep<Id>& step)
-      {
-        vertices[at] = step.Corner;
-        this->Join(at++, this->GetAcross(step.GetHalfEdgeOut(this->Mesh), vertex));
-      });
-    if (!cycle)
+    for (const FanStep<Id>& step : fan.Steps)
     {
-      vertices[at] = this->GetOpenPoint(crossed[1], vertex);
+      vertices[at] = step.Corner;
+      this->Join(at++, this->GetAcross(step.GetHalfEdgeOut(this->Mesh), vertex));
+    }
+    if (!fan.IsCycle)
+    {
+      vertices[at] = this->GetOpenPoint(fan.Steps.back().GetHalfEdgeOut(this->Mesh), vertex);
       this->Open(at++);
+      const Id first = fan.Steps.front().GetHalfEdgeIn(this->Mesh);
       vertices[at] = this->GetOpenPoint(first, vertex);
       this->Join(at, this->GetAcross(first, vertex));
     }
-    return GetVertexFaceSize(k, cycle);
+    return size;
   }
 
   const vtkIdType Corners;

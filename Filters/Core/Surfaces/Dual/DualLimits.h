@@ -43,12 +43,11 @@ struct DualFan
       const Id from = mesh.Vertices[halfEdge];
       this->Ends.push_back(from == vertex ? mesh.Vertices[mesh.Next(halfEdge)] : from);
     };
-    this->IsCycle = VisitFanForward(mesh, corner,
-      [&](const FanStep<Id>& step)
-      {
-        add(step.GetHalfEdgeIn(mesh));
-        this->Steps.push_back(step);
-      });
+    this->IsCycle = FindFanForward(mesh, corner, this->Steps);
+    for (const FanStep<Id>& step : this->Steps)
+    {
+      add(step.GetHalfEdgeIn(mesh));
+    }
     if (!this->IsCycle)
     {
       add(this->Steps.back().GetHalfEdgeOut(mesh));

@@ -4,6 +4,8 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 
+#include <cstdlib>
+
 namespace subdivision
 {
 namespace
@@ -34,36 +36,63 @@ void CountSides(const PolygonMesh<Id>& mesh, DualPlaces<Id>& places)
 }
 
 template <typename Id>
-void CountFans(const PolygonMesh<Id>& mesh, const VertexFaceSize& size, DualPlaces<Id>& places)
+void CountFans(const SurfaceLevel<Id>& level, const VertexFaceSize& size, DualPlaces<Id>& places)
 {
+  const PolygonMesh<Id>& mesh = level.Mesh;
   const vtkIdType vertices = mesh.NumberOfVertices;
-  places.Faces = Buffer<Id>(vertices + 1);
-  places.Corners = Buffer<Id>(vertices + 1);
-  places.Chains = Buffer<Id>(vertices + 1);
-  places.Kept = Buffer<Id>(vertices + 1);
-  ForEach(vertices,
-    [&](vtkIdType v)
+  for (Buffer<Id>* counts : { &places.Faces, &places.Corners, &places.Chains, &places.Kept })
+  {
+    *counts = Buffer<Id>(vertices + 1);
+  }
+  const auto set = [&](vtkIdType vertex, const auto& forFans)
+  {
+    Id faces = 0;
+    Id corners = 0;
+    Id chains = 0;
+    Id fans = 0;
+    forFans(
+      [&](vtkIdType k, bool cycle)
+      {
+        const vtkIdType face = size(k, cycle);
+        faces += face >= 3;
+        corners += face >= 3 ? static_cast<Id>(face) : 0;
+        chains += !cycle;
+        ++fans;
+      });
+    places.Faces[vertex] = faces;
+    places.Corners[vertex] = corners;
+    places.Chains[vertex] = chains;
+    places.Kept[vertex] = fans == 0;
+  };
+  const auto walk = [&](Id vertex, const auto& visitFans)
+  {
+    set(vertex,
+      [&](const auto& add)
+      {
+        visitFans([&](Id, const std::vector<FanStep<Id>>& steps, bool cycle)
+          { add(static_cast<vtkIdType>(steps.size()), cycle); });
+      });
+  };
+  const auto look = [&](vtkIdType vertex)
+  {
+    const int k = level.FanSizes[vertex];
+    if (k == level.UnknownFan)
     {
-      Id faces = 0;
-      Id corners = 0;
-      Id chains = 0;
-      Id fans = 0;
-      VisitFans(mesh, static_cast<Id>(v),
-        [&](Id corner)
+      ForFansForward(mesh, vertex, vertex + 1, walk);
+      return;
+    }
+    set(vertex,
+      [k](const auto& add)
+      {
+        if (k != 0)
         {
-          vtkIdType k = 0;
-          const bool cycle = VisitFanForward(mesh, corner, [&k](const FanStep<Id>&) { ++k; });
-          const vtkIdType face = size(k, cycle);
-          faces += face >= 3;
-          corners += face >= 3 ? static_cast<Id>(face) : 0;
-          chains += !cycle;
-          ++fans;
-        });
-      places.Faces[v] = faces;
-      places.Corners[v] = corners;
-      places.Chains[v] = chains;
-      places.Kept[v] = fans == 0;
-    });
+          add(std::abs(k), k > 0);
+        }
+      });
+  };
+  level.FanSizes.empty() ? ForRanges(vertices, [&](vtkIdType begin, vtkIdType end)
+                             { ForFansForward(mesh, begin, end, walk); })
+                         : ForEach(vertices, look);
   CountsToOffsets(places.Faces);
   CountsToOffsets(places.Corners);
   CountsToOffsets(places.Chains);
@@ -135,7 +164,7 @@ std::shared_ptr<const DualPlaces<Id>> CountDualPlaces(
 {
   auto places = std::make_shared<DualPlaces<Id>>();
   CountSides(level.Mesh, *places);
-  CountFans(level.Mesh, size, *places);
+  CountFans(level, size, *places);
   CountLines(level, *places);
   return places;
 }
@@ -187,12 +216,12 @@ Id FindOrientingFace(
   const Id vertex = FindByCount(level.Dual->Faces, vertexFace);
   vtkIdType left = vertexFace - level.Dual->Faces[vertex];
   Id face = -1;
+  std::vector<FanStep<Id>> steps;
   VisitFans(mesh, vertex,
     [&](Id corner)
     {
-      vtkIdType k = 0;
-      const bool cycle = VisitFanForward(mesh, corner, [&k](const FanStep<Id>&) { ++k; });
-      if (size(k, cycle) >= 3 && left-- == 0)
+      const bool cycle = FindFanForward(mesh, corner, steps);
+      if (size(static_cast<vtkIdType>(steps.size()), cycle) >= 3 && left-- == 0)
       {
         face = mesh.GetFace(corner);
       }
@@ -252,27 +281,26 @@ void CarryFans(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
   const VertexFaceSize& size, Carrier<Id>* fans)
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
-  ForEach(mesh.NumberOfVertices,
-    [&](vtkIdType v)
-    {
-      Carrier<Id>* fan = fans + level.Dual->Faces[v];
-      VisitFans(mesh, static_cast<Id>(v),
-        [&](Id corner)
+  const auto carry = [&](Id vertex, const auto& visitFans)
+  {
+    Carrier<Id>* fan = fans + level.Dual->Faces[vertex];
+    visitFans(
+      [&](Id, const std::vector<FanStep<Id>>& steps, bool cycle)
+      {
+        if (size(static_cast<vtkIdType>(steps.size()), cycle) < 3)
         {
-          vtkIdType k = 0;
-          CommonCarrier<Id> common;
-          const bool cycle = VisitFanForward(mesh, corner,
-            [&](const FanStep<Id>& step)
-            {
-              common.Add(faces[mesh.GetFace(step.Corner)]);
-              ++k;
-            });
-          if (size(k, cycle) >= 3)
-          {
-            *fan++ = common.Get();
-          }
-        });
-    });
+          return;
+        }
+        CommonCarrier<Id> common;
+        for (const FanStep<Id>& step : steps)
+        {
+          common.Add(faces[mesh.GetFace(step.Corner)]);
+        }
+        *fan++ = common.Get();
+      });
+  };
+  ForRanges(mesh.NumberOfVertices,
+    [&](vtkIdType begin, vtkIdType end) { ForFansForward(mesh, begin, end, carry); });
 }
 
 template <typename Id>

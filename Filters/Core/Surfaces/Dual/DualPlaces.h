@@ -18,10 +18,12 @@
 #ifndef SubdivisionObjects_DualPlaces_h
 #define SubdivisionObjects_DualPlaces_h
 
+#include "Core/Surfaces/Mesh/CycleWalks.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <algorithm>
 #include <functional>
+#include <vector>
 
 namespace subdivision
 {
@@ -122,26 +124,63 @@ Id GetFirstOfSide(const PolygonMesh<Id>& mesh, Id corner)
   return twin >= 0 && twin < corner ? twin : corner;
 }
 
-/// Calls visit(step) for each face of the fan of a corner. A cycle begins with the face of the
-/// corner. The walk has the direction in which the corner's face is entered forward, so that a
-/// vertex face made in this order has the orientation of that face. Returns whether the fan is a
-/// cycle.
-template <typename Id, typename Visit>
-bool VisitFanForward(const PolygonMesh<Id>& mesh, Id corner, const Visit& visit)
+/// Finds the steps through the fan of a corner. A cycle begins with the face of the corner. The
+/// walk has the direction in which the corner's face is entered forward, so that a vertex face made
+/// in this order has the orientation of that face. Returns whether the fan is a cycle.
+template <typename Id>
+bool FindFanForward(const PolygonMesh<Id>& mesh, Id corner, std::vector<FanStep<Id>>& steps)
 {
-  FanStep<Id> step{ corner, false };
-  bool cycle = false;
-  while (!cycle && step.Advance(mesh))
-  {
-    cycle = step.Corner == corner;
-  }
-  step = cycle ? FanStep<Id>{ corner, true } : step.Turn();
-  const Id first = step.Corner;
+  FanStep<Id> step{ corner, true };
+  steps.clear();
   do
   {
-    visit(step);
-  } while (step.Advance(mesh) && step.Corner != first);
-  return cycle;
+    steps.push_back(step);
+    if (!step.Advance(mesh)) // a chain, of which the walk finds the beginning only now
+    {
+      step = { corner, false };
+      while (step.Advance(mesh))
+      {
+      }
+      step = step.Turn();
+      steps.clear();
+      do
+      {
+        steps.push_back(step);
+      } while (step.Advance(mesh));
+      return false;
+    }
+  } while (step.Corner != corner);
+  return true;
+}
+
+/// Calls act(vertex, visitFans) for vertices [begin, end), in which visitFans(visit) calls
+/// visit(corner, steps, cycle) for each fan of the vertex, with what FindFanForward finds. Walks
+/// around several vertices take turns.
+template <typename Id, typename Act>
+void ForFansForward(const PolygonMesh<Id>& mesh, vtkIdType begin, vtkIdType end, const Act& act)
+{
+  CycleWalks<Id> walks;
+  std::vector<FanStep<Id>> steps;
+  for (vtkIdType first = begin; first < end; first += walks.Most)
+  {
+    const Id last = static_cast<Id>(std::min<vtkIdType>(end, first + walks.Most));
+    walks.Walk(mesh, static_cast<Id>(first), last,
+      [&mesh](Id vertex) { return mesh.VertexCorners[vertex] >= 0; });
+    for (Id vertex = static_cast<Id>(first); vertex < last; ++vertex)
+    {
+      const bool isKnown = mesh.VertexCorners[vertex] >= 0 && walks.IsCycle(vertex);
+      act(vertex,
+        [&](const auto& visit)
+        {
+          VisitFans(mesh, vertex,
+            [&](Id corner)
+            {
+              const bool cycle = isKnown || FindFanForward(mesh, corner, steps);
+              visit(corner, isKnown ? walks.Get(vertex) : steps, cycle);
+            });
+        });
+    }
+  }
 }
 
 }

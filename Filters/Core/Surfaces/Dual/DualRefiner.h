@@ -47,6 +47,7 @@ protected:
       out.Twins = Buffer<Id>(size);
       out.CornerFaces = Buffer<Id>(size);
       out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
+      this->Next.FanSizes = Buffer<signed char>(out.NumberOfVertices, 0);
       std::fill(out.VertexCorners.begin() + vertices, out.VertexCorners.end(), static_cast<Id>(-1));
     }
   }
@@ -71,29 +72,36 @@ protected:
         this->SetFace(face, this->Mesh.GetFirst(face), this->Mesh.GetSize(face));
       });
   }
-  /// Makes the vertex faces. setFan(vertex, corner, at) writes the face of the fan of `corner`,
-  /// from corner `at` of the next level on, and returns the number of its corners, or 0 if there is
+  struct Fan
+  {
+    Id Vertex;
+    Id Corner;
+    const std::vector<FanStep<Id>>& Steps; ///< of FindFanForward
+    bool IsCycle;
+  };
+  /// Makes the vertex faces. setFan(fan, at) writes the face of a fan, from corner `at` of the next
+  /// level on, and returns the number of its corners, or 0 if there is
   /// no face.
   template <typename SetFan>
   void SetVertexFaces(const SetFan& setFan)
   {
-    ForEach(this->Mesh.NumberOfVertices,
-      [&](vtkIdType v)
-      {
-        const Id vertex = static_cast<Id>(v);
-        vtkIdType face = this->FirstVertexFace + this->Places.Faces[v];
-        vtkIdType at = this->FirstVertexCorner + this->Places.Corners[v];
-        VisitFans(this->Mesh, vertex,
-          [&](Id corner)
+    const auto set = [&](Id vertex, const auto& visitFans)
+    {
+      vtkIdType face = this->FirstVertexFace + this->Places.Faces[vertex];
+      vtkIdType at = this->FirstVertexCorner + this->Places.Corners[vertex];
+      visitFans(
+        [&](Id corner, const std::vector<FanStep<Id>>& steps, bool cycle)
+        {
+          const vtkIdType size = setFan(Fan{ vertex, corner, steps, cycle }, static_cast<Id>(at));
+          if (size > 0)
           {
-            const vtkIdType size = setFan(vertex, corner, static_cast<Id>(at));
-            if (size > 0)
-            {
-              this->SetFace(face++, at, size);
-              at += size;
-            }
-          });
-      });
+            this->SetFace(face++, at, size);
+            at += size;
+          }
+        });
+    };
+    ForRanges(this->Mesh.NumberOfVertices,
+      [&](vtkIdType begin, vtkIdType end) { ForFansForward(this->Mesh, begin, end, set); });
   }
 
   void Join(Id a, Id b)
@@ -116,6 +124,15 @@ protected:
     if (this->Whole)
     {
       this->Next.Mesh.VertexCorners[vertex] = corner;
+    }
+  }
+
+  /// SurfaceLevel::FanSizes of the next level.
+  void SetFanSize(Id vertex, int size)
+  {
+    if (this->Whole)
+    {
+      this->Next.FanSizes[vertex] = static_cast<signed char>(size);
     }
   }
 

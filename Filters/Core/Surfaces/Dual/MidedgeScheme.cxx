@@ -46,6 +46,7 @@ public:
   {
     level.Dual = CountDualPlaces(
       level, [&level](vtkIdType k, bool cycle) { return GetVertexFaceSize(level, k, cycle); });
+    level.FanSizes = {}; // they are counted
   }
   vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
   {
@@ -159,6 +160,8 @@ void MidedgeScheme<Id>::GetParents(
 template <typename Id>
 class MidedgeRefiner : DualRefiner<Id>
 {
+  using Fan = typename DualRefiner<Id>::Fan;
+
 public:
   MidedgeRefiner(const SurfaceLevel<Id>& level, Depth depth)
     : DualRefiner<Id>(level, depth)
@@ -182,10 +185,10 @@ public:
         if (first == corner)
         {
           this->SetVertexCorner(this->Places.Sides[first], corner);
+          this->SetFanSize(this->Places.Sides[first], this->FindFanSize(corner));
         }
       });
-    this->SetVertexFaces(
-      [this](Id vertex, Id corner, Id at) { return this->SetFan(vertex, corner, at); });
+    this->SetVertexFaces([this](const Fan& fan, Id at) { return this->SetFan(fan, at); });
     return std::move(this->Next);
   }
 
@@ -197,81 +200,66 @@ private:
   {
     Id chain = static_cast<Id>(this->Sides) + this->Places.Chains[vertex];
     bool found = false;
+    std::vector<FanStep<Id>> steps;
     VisitFans(this->Mesh, vertex,
       [&](Id other)
       {
         found = found || other == corner;
-        chain += !found && !VisitFanForward(this->Mesh, other, [](const FanStep<Id>&) {});
+        chain += !found && !FindFanForward(this->Mesh, other, steps);
       });
     return chain;
   }
 
-  /// A face of a fan: its half-edges in and out of the fan, and that inside the face towards the
-  /// vertex.
-  struct Step
+  /// How many faces the vertex on the side of a corner has: its faces, and those of the ends.
+  int FindFanSize(Id corner) const
   {
-    Id In = -1;
-    Id Out = -1;
-    Id Inside = -1;
-  };
-
-  vtkIdType SetFan(Id vertex, Id corner, Id at)
-  {
-    // One walk around the vertex finds what is written: each step reads many places of memory.
-    constexpr vtkIdType most = 16; // longer fans are walked twice
-    Step steps[most];
-    Step before;
-    Step last;
-    vtkIdType k = 0;
-    const bool cycle = VisitFanForward(this->Mesh, corner,
-      [&](const FanStep<Id>& step)
+    const bool isOpen = this->Mesh.Twins[corner] < 0;
+    int size = isOpen ? 1 : 2;
+    bool isCycle = !isOpen;
+    for (const Id half : { corner, this->Mesh.Next(corner) })
+    {
+      const Id vertex = this->Mesh.Vertices[half];
+      if (this->Mesh.VertexCorners[vertex] < 0)
       {
-        before = last;
-        last = { step.GetHalfEdgeIn(this->Mesh), step.GetHalfEdgeOut(this->Mesh),
-          this->Mesh.Previous(step.Corner) };
-        if (k < most)
-        {
-          steps[k] = last;
-        }
-        ++k;
-      });
-    const vtkIdType size = GetVertexFaceSize(this->Level, k, cycle);
-    if (size < 3 && cycle)
-    {
-      this->Join(before.Inside, last.Inside);
+        return this->Next.UnknownFan; // several fans
+      }
+      const bool hasFace = this->Places.Faces[vertex] < this->Places.Faces[vertex + 1];
+      const bool isChain = this->Places.Chains[vertex] < this->Places.Chains[vertex + 1];
+      size += hasFace;
+      isCycle = isCycle && (hasFace || !isChain); // without a face the sides of a cycle are joined
     }
-    else if (size < 3)
-    {
-      this->Open(last.Inside);
-    }
+    return isCycle ? size : -size;
+  }
+
+  /// The half-edge inside a face of a fan, towards the vertex.
+  Id GetInside(const FanStep<Id>& step) const { return this->Mesh.Previous(step.Corner); }
+
+  vtkIdType SetFan(const Fan& fan, Id at)
+  {
+    const vtkIdType size =
+      GetVertexFaceSize(this->Level, static_cast<vtkIdType>(fan.Steps.size()), fan.IsCycle);
+    const Id last = this->GetInside(fan.Steps.back());
     if (size < 3)
     {
+      fan.IsCycle ? this->Join(this->GetInside(fan.Steps.front()), last) : this->Open(last);
       return 0;
     }
     Buffer<Id>& vertices = this->Next.Mesh.Vertices;
-    auto set = [&](Id in, Id inside)
+    for (const FanStep<Id>& step : fan.Steps)
     {
-      vertices[at] = this->GetSide(in);
-      this->Join(at++, inside);
-    };
-    if (k <= most)
-    {
-      std::for_each(steps, steps + k, [&](const Step& step) { set(step.In, step.Inside); });
+      vertices[at] = this->GetSide(step.GetHalfEdgeIn(this->Mesh));
+      this->Join(at++, this->GetInside(step));
     }
-    else
+    if (!fan.IsCycle)
     {
-      VisitFanForward(this->Mesh, corner, [&](const FanStep<Id>& step)
-        { set(step.GetHalfEdgeIn(this->Mesh), this->Mesh.Previous(step.Corner)); });
-    }
-    if (!cycle)
-    {
-      vertices[at] = this->GetSide(last.Out);
+      vertices[at] = this->GetSide(fan.Steps.back().GetHalfEdgeOut(this->Mesh));
       this->Open(at++);
     }
-    if (!cycle && this->Keeps)
+    if (!fan.IsCycle && this->Keeps)
     {
-      vertices[at] = this->GetChainVertex(vertex, corner);
+      vertices[at] = this->GetChainVertex(fan.Vertex, fan.Corner);
       this->SetVertexCorner(vertices[at], at);
+      this->SetFanSize(vertices[at], -1);
       this->Open(at);
     }
     return size;

@@ -7,10 +7,12 @@
 #define SubdivisionObjects_LoopRegular_h
 
 #include "Core/Rules/Masks.h"
-#include "Core/Surfaces/Mesh/CycleWalks.h"
+#include "Core/Surfaces/Scheme/CycleRows.h"
 #include "Core/Surfaces/Scheme/SurfaceScheme.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace subdivision
 {
@@ -52,52 +54,33 @@ void AppendLoopVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& ta
   LoopWeights weights, vtkIdType begin, vtkIdType end, const Neighbour& neighbour,
   const Other& other, RowBlock<Id>& rows)
 {
-  if (begin >= end)
-  {
-    return;
-  }
   const auto isSmooth = [&](vtkIdType v) { return tags.Vertices[v] == VertexTag::Smooth; };
-  CycleWalks<Id> walks;
+  using Steps = std::vector<FanStep<Id>>;
   std::vector<Id> ring;
-  for (vtkIdType first = begin; first < end; first += walks.Most)
-  {
-    const vtkIdType last = std::min<vtkIdType>(end, first + walks.Most);
-    walks.Walk(level.Mesh, static_cast<Id>(first), static_cast<Id>(last), isSmooth);
-    for (vtkIdType vertex = first; vertex < last; ++vertex)
+  AppendCycleRows(
+    level.Mesh, LoopVertex, begin, end, isSmooth,
+    [&](Id vertex, const Steps& steps, Id* columns)
     {
-      vertex += rows.AddRun(LoopVertex, last - vertex,
-        [&](vtkIdType i, Id* columns)
-        {
-          columns[0] = static_cast<Id>(vertex + i);
-          const auto& steps = walks.Get(columns[0]);
-          const bool isRegular = steps.size() == 6;
-          for (std::size_t k = 0; isRegular && k < 6; ++k)
-          {
-            columns[k + 1] = neighbour(steps[k]);
-          }
-          return isRegular;
-        });
-      if (vertex == last)
+      *columns++ = vertex;
+      const bool isRegular = steps.size() == 6;
+      for (std::size_t k = 0; isRegular && k < 6; ++k)
       {
-        break;
+        *columns++ = neighbour(steps[k]);
       }
-      const Id v = static_cast<Id>(vertex);
-      if (isSmooth(v))
+      return isRegular;
+    },
+    [&](Id vertex, const Steps& steps)
+    {
+      if (!isSmooth(vertex))
       {
-        ring.clear();
-        for (const FanStep<Id>& step : walks.Get(v))
-        {
-          ring.push_back(neighbour(step));
-        }
-        AppendLoopRing(v, Rule::Surface, weights, ring, rows);
+        other(vertex);
+        return;
       }
-      else
-      {
-        other(v);
-      }
-      rows.EndRow();
-    }
-  }
+      ring.clear();
+      std::transform(steps.begin(), steps.end(), std::back_inserter(ring), neighbour);
+      AppendLoopRing(vertex, Rule::Surface, weights, ring, rows);
+    },
+    rows);
 }
 
 }

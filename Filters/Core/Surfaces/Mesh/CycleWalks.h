@@ -33,7 +33,7 @@ public:
   }
 
   /// Walks around up to Most vertices from `first` on: around those that wanted(vertex) takes, each
-  /// of which must have one fan that is a cycle.
+  /// of which must have one fan. Walks go forward from its corner, also in a chain.
   template <typename Wanted>
   void Walk(const PolygonMesh<Id>& mesh, Id first, Id end, const Wanted& wanted)
   {
@@ -42,12 +42,12 @@ public:
     int count = 0;
     for (Id vertex = first; vertex < end; ++vertex)
     {
-      Steps& steps = this->Cycles[vertex - first];
-      steps.clear();
+      const int walk = static_cast<int>(vertex - first);
+      this->Cycles[walk].clear();
       if (wanted(vertex))
       {
-        steps.push_back({ mesh.VertexCorners[vertex], true });
-        walking[count++] = vertex - first;
+        this->Add(walk, { mesh.VertexCorners[vertex], true });
+        walking[count++] = walk;
       }
     }
     while (count > 0)
@@ -55,12 +55,15 @@ public:
       int left = 0;
       for (int i = 0; i < count; ++i)
       {
-        Steps& steps = this->Cycles[walking[i]];
-        FanStep<Id> step = steps.back();
-        if (step.Advance(mesh) && step.Corner != steps.front().Corner)
+        const int walk = walking[i];
+        const FanStep<Id>& last = this->Cycles[walk].back();
+        FanStep<Id> step{ last.Corner, last.Forward };
+        const bool goesOn = step.Advance(mesh);
+        this->AreCycles[walk] = goesOn;
+        if (goesOn && step.Corner != mesh.VertexCorners[first + walk])
         {
-          steps.push_back(step);
-          walking[left++] = walking[i];
+          this->Add(walk, step);
+          walking[left++] = walk;
         }
       }
       count = left;
@@ -69,9 +72,20 @@ public:
 
   /// The steps of VisitCycle around a vertex; empty if it was not wanted.
   const Steps& Get(Id vertex) const { return this->Cycles[vertex - this->First]; }
+  /// Whether the fan of a vertex that was wanted is a cycle. If not, the steps are not all there.
+  bool IsCycle(Id vertex) const { return this->AreCycles[vertex - this->First]; }
 
 private:
+  /// Moves a step in parts, as Advance wrote it: a load of both would wait for these stores.
+  void Add(int walk, const FanStep<Id>& step)
+  {
+    FanStep<Id>& next = this->Cycles[walk].emplace_back();
+    next.Corner = step.Corner;
+    next.Forward = step.Forward;
+  }
+
   std::array<Steps, Most> Cycles;
+  std::array<bool, Most> AreCycles{};
   Id First = 0;
 };
 

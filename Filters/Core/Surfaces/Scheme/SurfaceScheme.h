@@ -87,10 +87,17 @@ struct SurfaceLevel
   /// If a step that halves edges made this level (PrimalRefinement.h): how many vertices the level
   /// before had. Then come the edge points. Otherwise -1.
   vtkIdType VerticesBefore = -1;
+  /// In sqrt(3): the first vertex that a step made; those after it were all made by steps. -1: it
+  /// is not known.
+  vtkIdType FirstMade = -1;
   /// What Prepare counts: running counts, from which ids of children follow where arithmetic alone
   /// is not enough; in Butterfly the valences of smooth vertices.
   Buffer<Id> Places;
   std::shared_ptr<const DualPlaces<Id>> Dual; ///< the same for dual schemes
+  /// If a step of a dual scheme made this level: how many faces each vertex has, all of one fan;
+  /// negative if this is a chain, UnknownFan where it takes a walk.
+  Buffer<signed char> FanSizes;
+  static constexpr signed char UnknownFan = 127;
 };
 
 /// The order in which a level numbers its parts: which of those of the control level they come

@@ -8,6 +8,7 @@
 
 #include "Core/Rules/Pi.h"
 
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -36,6 +37,17 @@ inline double GetSqrtThreeRingWeight(int n)
   }();
   return n < static_cast<int>(usual.size()) ? usual[n] : ComputeSqrtThreeRingWeight(n);
 }
+
+/// The mask of a smooth vertex with six neighbours, and that of the centre of a face.
+inline const std::array<double, 7> SqrtThreeVertex = []()
+{
+  std::array<double, 7> weights;
+  const double ring = ComputeSqrtThreeRingWeight(6) / 6;
+  weights.fill(ring);
+  weights[0] = 1. - ring * 6;
+  return weights;
+}();
+inline constexpr std::array<double, 3> SqrtThreeCentre{ 1. / 3., 1. / 3., 1. / 3. };
 
 /// The weights of the tangent across a curve in a sector of k triangles, on a level after an even
 /// number of steps: of the vertex, of both end neighbours, and of the inner neighbours, sin(j pi /

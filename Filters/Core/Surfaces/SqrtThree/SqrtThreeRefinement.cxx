@@ -23,6 +23,8 @@ public:
   {
     SurfaceLevel<Id> next;
     next.Step = this->Level.Step + 1;
+    next.FirstMade =
+      this->Level.FirstMade < 0 ? this->Mesh.NumberOfVertices : this->Level.FirstMade;
     PolygonMesh<Id>& out = next.Mesh;
     out.Arity = 3;
     out.NumberOfVertices = this->Children.GetNumberOfVertices();

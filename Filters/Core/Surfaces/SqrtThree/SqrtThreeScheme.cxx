@@ -5,11 +5,15 @@
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
 #include "Core/Surfaces/Scheme/CurveTangents.h"
+#include "Core/Surfaces/Scheme/CycleRows.h"
 #include "Core/Surfaces/Scheme/FixedEdges.h"
+#include "Core/Surfaces/Scheme/RegularGroups.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeMasks.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeRefinement.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace subdivision
 {
@@ -72,8 +76,10 @@ public:
 
 private:
   using Topology = SqrtThreeTopology<Id>;
-  void AppendSmooth(const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const;
-  bool AppendCentre(const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const;
+  void AppendVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
+    vtkIdType end, std::vector<Id>& edges, RowBlock<Id>& rows) const;
+  void AppendSmooth(const SurfaceLevel<Id>& level, Id vertex, const std::vector<FanStep<Id>>& steps,
+    RowBlock<Id>& rows) const;
   void AppendThird(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, bool second,
     std::vector<Id>& edges, RowBlock<Id>& rows) const;
   void AppendSmoothPosition(const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const;
@@ -82,6 +88,71 @@ private:
   void AppendAcross(const SurfaceLevel<Id>& level, Id vertex, double turn,
     const std::vector<Id>& ring, RowBlock<Id>& rows) const;
 };
+
+/// The vertex at the other end of the edge by which a walk enters a face.
+template <typename Id>
+Id GetNeighbour(const PolygonMesh<Id>& mesh, const FanStep<Id>& step)
+{
+  return mesh.Vertices[step.Forward ? mesh.Next(step.Corner) : mesh.Previous(step.Corner)];
+}
+
+template <typename Id>
+std::vector<FanStep<Id>> GetCycle(const PolygonMesh<Id>& mesh, Id vertex)
+{
+  std::vector<FanStep<Id>> steps;
+  VisitCycle(
+    mesh, mesh.VertexCorners[vertex], [&](const FanStep<Id>& step) { steps.push_back(step); });
+  return steps;
+}
+
+/// Writes the neighbours of a vertex in the order of VisitCycle, if every other one of its six
+/// faces is `stride` corners after the one before, beginning with that of `corner`. `at`: the
+/// vertex's corner in each of them.
+template <typename Id>
+bool FindRingOfThree(
+  const PolygonMesh<Id>& mesh, Id vertex, Id first, Id stride, int at, Id ring[6])
+{
+  for (Id* pair = ring; pair < ring + 6; pair += 2)
+  {
+    const Id* face = mesh.Vertices.data() + first;
+    if (face[at] != vertex)
+    {
+      return false;
+    }
+    pair[0] = face[(at + 1) % 3];
+    pair[1] = face[(at + 2) % 3];
+    first += stride;
+  }
+  return ring[1] != ring[2] && ring[3] != ring[4] && ring[5] != ring[0];
+}
+
+/// Writes a vertex that a step made and its six neighbours, without a walk: at the centre of face f
+/// the step makes the children 3 f + i. In each of these the half-edge from the centre begins child
+/// 9 f + 3 i + 2 of the next step, whose first half-edge begins child 3 (9 f + 3 i + 2) of the step
+/// after it, and so on. Returns false for vertices which these faces do not surround.
+template <typename Id>
+bool FindRingOfMade(const SurfaceLevel<Id>& level, Id vertex, Id columns[7])
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  columns[0] = vertex;
+  Id corner = mesh.VertexCorners[vertex];
+  if (corner % 9 == 2)
+  {
+    return FindRingOfThree(mesh, vertex, corner - 2, Id(3), 2, columns + 1);
+  }
+  if (corner <= 0 || !level.Places.empty())
+  {
+    return false; // may have ghosts
+  }
+  const Id first = corner;
+  Id stride = 3;
+  while (corner % 3 == 0)
+  {
+    corner /= 3;
+    stride *= 3;
+  }
+  return corner % 9 == 2 && FindRingOfThree(mesh, vertex, first, stride, 0, columns + 1);
+}
 
 /// In an even step, the edge opposite to the vertex in the face of a step around it, as its corner,
 /// if this edge is fixed; otherwise -1.
@@ -94,6 +165,13 @@ Id FindFixedOpposite(const SurfaceLevel<Id>& level, const FanStep<Id>& step)
   }
   const Id opposite = level.Mesh.Next(step.Corner);
   return IsSharp(level.Tags.Edges[level.Mesh.Edges[opposite]]) ? opposite : -1;
+}
+
+template <typename Id>
+int CountFixedOpposites(const SurfaceLevel<Id>& level, const std::vector<FanStep<Id>>& steps)
+{
+  return static_cast<int>(std::count_if(steps.begin(), steps.end(),
+    [&](const FanStep<Id>& step) { return FindFixedOpposite(level, step) >= 0; }));
 }
 
 template <typename Id>
@@ -151,39 +229,21 @@ void SqrtThreeScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Surfac
   const vtkIdType vertices = mesh.NumberOfVertices;
   const vtkIdType thirds = vertices + topology.Centres;
   std::vector<Id> edges;
-  vtkIdType row = begin;
-  for (; row < std::min(end, vertices); ++row)
-  {
-    const Id vertex = static_cast<Id>(row);
-    if (tags.Vertices[row] == VertexTag::Smooth)
-    {
-      this->AppendSmooth(level, vertex, rows);
-    }
-    else if (topology.IsEven)
-    {
-      AppendCurveVertex(mesh, tags, vertex, 19. / 27., edges, rows);
-    }
-    else
-    {
-      rows.Add(row, 1.);
-    }
-    rows.EndRow();
-  }
+  this->AppendVertices(level, tags, begin, std::min(end, vertices), edges, rows);
+  vtkIdType row = std::max(begin, vertices);
   if (row < std::min(end, thirds))
   {
     Id face = topology.FindFace(static_cast<Id>(row - vertices));
-    for (; row < std::min(end, thirds); ++row, ++face)
-    {
-      while (topology.GetCentre(face) < 0)
+    row += rows.AddRun(SqrtThreeCentre, std::min(end, thirds) - row,
+      [&](vtkIdType, Id* columns)
       {
-        ++face;
-      }
-      for (int i = 0; i < 3; ++i)
-      {
-        rows.Add(mesh.Vertices[3 * face + i], 1. / 3.);
-      }
-      rows.EndRow();
-    }
+        while (topology.GetCentre(face) < 0)
+        {
+          ++face;
+        }
+        std::copy_n(mesh.Vertices.data() + 3 * face++, 3, columns);
+        return true;
+      });
   }
   for (; row < end; ++row)
   {
@@ -193,73 +253,83 @@ void SqrtThreeScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Surfac
   }
 }
 
-/// Appends the row of a smooth vertex p. In even steps it has a ghost neighbour a + b - p beyond
-/// each fixed edge ab opposite to it, which keeps a flat grid exact (Mathematics 11).
 template <typename Id>
-void SqrtThreeScheme<Id>::AppendSmooth(
-  const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const
+void SqrtThreeScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
+  vtkIdType begin, vtkIdType end, std::vector<Id>& edges, RowBlock<Id>& rows) const
 {
-  if (this->AppendCentre(level, vertex, rows))
-  {
-    return;
-  }
+  using Steps = std::vector<FanStep<Id>>;
   const PolygonMesh<Id>& mesh = level.Mesh;
-  int n = 0;
+  const auto isSmooth = [&](vtkIdType v) { return tags.Vertices[v] == VertexTag::Smooth; };
+  const auto append = [&](Id vertex, const Steps& steps)
+  {
+    if (isSmooth(vertex))
+    {
+      this->AppendSmooth(level, vertex, steps, rows);
+    }
+    else if (level.Step % 2 == 1)
+    {
+      AppendCurveVertex(mesh, tags, vertex, 19. / 27., edges, rows);
+    }
+    else
+    {
+      rows.Add(vertex, 1.);
+    }
+  };
+  const vtkIdType firstMade = level.FirstMade < 0 ? end : std::min(end, level.FirstMade);
+  AppendCycleRows(
+    mesh, SqrtThreeVertex, begin, firstMade, isSmooth,
+    [&](Id vertex, const Steps& steps, Id* columns)
+    {
+      bool isRegular = steps.size() == 6;
+      *columns++ = vertex;
+      for (std::size_t k = 0; isRegular && k < 6; ++k)
+      {
+        *columns++ = GetNeighbour(mesh, steps[k]);
+        isRegular = FindFixedOpposite(level, steps[k]) < 0;
+      }
+      return isRegular;
+    },
+    append, rows);
+  AppendRegularGroups<1>(
+    SqrtThreeVertex, std::max(begin, firstMade), end, [&](vtkIdType row, Id* columns)
+    { return isSmooth(row) && FindRingOfMade(level, static_cast<Id>(row), columns); },
+    [&](vtkIdType row)
+    {
+      const Id vertex = static_cast<Id>(row);
+      append(vertex, isSmooth(row) ? GetCycle(mesh, vertex) : Steps());
+    },
+    rows);
+}
+
+/// Appends the row of a smooth vertex p. In even steps it has a ghost neighbour a + b - p beyond
+/// each fixed edge ab opposite to it, which keeps a flat grid exact (Mathematics 11). `steps`:
+/// those of a walk around it.
+template <typename Id>
+void SqrtThreeScheme<Id>::AppendSmooth(const SurfaceLevel<Id>& level, Id vertex,
+  const std::vector<FanStep<Id>>& steps, RowBlock<Id>& rows) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
   int ghosts = 0;
   const std::size_t own = rows.GetNumberOfEntries();
   rows.Add(vertex, 0.); // weights follow when all entries are known
-  VisitCycle(mesh, mesh.VertexCorners[vertex],
-    [&](const FanStep<Id>& step)
+  for (const FanStep<Id>& step : steps)
+  {
+    rows.Add(GetNeighbour(mesh, step), 0.);
+    const Id opposite = FindFixedOpposite(level, step);
+    if (opposite >= 0)
     {
-      ++n;
-      const Id in = step.GetHalfEdgeIn(mesh);
-      rows.Add(mesh.Vertices[in == step.Corner ? mesh.Next(in) : in], 0.);
-      const Id opposite = FindFixedOpposite(level, step);
-      if (opposite >= 0)
-      {
-        ++ghosts;
-        rows.Add(mesh.Vertices[opposite], 0.);
-        rows.Add(mesh.Vertices[mesh.Next(opposite)], 0.);
-      }
-    });
-  n += ghosts;
+      ++ghosts;
+      rows.Add(mesh.Vertices[opposite], 0.);
+      rows.Add(mesh.Vertices[mesh.Next(opposite)], 0.);
+    }
+  }
+  const int n = static_cast<int>(steps.size()) + ghosts;
   const double ring = GetSqrtThreeRingWeight(n) / n;
   rows.SetWeight(own, 1. - ring * (n + ghosts));
   for (std::size_t entry = own + 1; entry < rows.GetNumberOfEntries(); ++entry)
   {
     rows.SetWeight(entry, ring);
   }
-}
-
-/// Appends the same row without a walk if the vertex is the centre of a face without fixed edges:
-/// the three children of that face have all its neighbours, in the same order. Returns false for
-/// other vertices.
-template <typename Id>
-bool SqrtThreeScheme<Id>::AppendCentre(
-  const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const
-{
-  const Id corner = level.Mesh.VertexCorners[vertex];
-  if (level.Step == 0 || corner % 9 != 2)
-  {
-    return false;
-  }
-  const Id* faces = level.Mesh.Vertices.data() + (corner - 2);
-  for (int i = 0; i < 9; i += 3)
-  {
-    if (faces[i + 2] != vertex || faces[i + 1] == faces[(i + 3) % 9])
-    {
-      return false;
-    }
-  }
-  constexpr int n = 6;
-  const double ring = GetSqrtThreeRingWeight(n) / n;
-  rows.Add(vertex, 1. - ring * n);
-  for (int i = 0; i < 9; i += 3)
-  {
-    rows.Add(faces[i], ring);
-    rows.Add(faces[i + 1], ring);
-  }
-  return true;
 }
 
 /// Appends the row of the point at one third of a fixed edge: that of a cubic B-spline cut into
@@ -330,30 +400,18 @@ void SqrtThreeScheme<Id>::AppendSmoothPosition(
   const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const Id start = mesh.VertexCorners[vertex];
-  int n = 0;
-  int ghosts = 0;
-  VisitCycle(mesh, start,
-    [&](const FanStep<Id>& step)
-    {
-      ++n;
-      ghosts += FindFixedOpposite(level, step) >= 0;
-    });
+  const std::vector<FanStep<Id>> steps = GetCycle(mesh, vertex);
+  const int n = static_cast<int>(steps.size());
+  const int ghosts = CountFixedOpposites(level, steps);
   const double a = GetSqrtThreeRingWeight(n + ghosts);
   const double b = 3. * a / (1. + 3. * a);
-  auto addRing = [&](RowBlock<Id>& out, double weight)
-  {
-    VisitCycle(mesh, start,
-      [&](const FanStep<Id>& step)
-      {
-        const Id in = step.GetHalfEdgeIn(mesh);
-        out.Add(mesh.Vertices[in == step.Corner ? mesh.Next(in) : in], weight);
-      });
-  };
   if (ghosts == 0)
   {
     rows.Add(vertex, 1. - b);
-    addRing(rows, b / n);
+    for (const FanStep<Id>& step : steps)
+    {
+      rows.Add(GetNeighbour(mesh, step), b / n);
+    }
     return;
   }
   RowBlock<Id> next;
@@ -366,27 +424,26 @@ void SqrtThreeScheme<Id>::AppendSmoothPosition(
     }
     next.Clear();
   };
-  this->AppendSmooth(level, vertex, next);
+  this->AppendSmooth(level, vertex, steps, next);
   addNext(1. - b);
   const double ring = b / (n + ghosts);
-  VisitCycle(mesh, start,
-    [&](const FanStep<Id>& step)
+  for (const FanStep<Id>& step : steps)
+  {
+    const Id opposite = FindFixedOpposite(level, step);
+    if (opposite < 0)
     {
-      const Id opposite = FindFixedOpposite(level, step);
-      if (opposite < 0)
+      for (Id c : { step.Corner, mesh.Next(step.Corner), mesh.Previous(step.Corner) })
       {
-        for (Id c : { step.Corner, mesh.Next(step.Corner), mesh.Previous(step.Corner) })
-        {
-          rows.Add(mesh.Vertices[c], ring / 3.);
-        }
-        return;
+        rows.Add(mesh.Vertices[c], ring / 3.);
       }
-      for (const bool second : { false, true })
-      {
-        this->AppendThird(mesh, level.Tags, mesh.Edges[opposite], second, edges, next);
-        addNext(ring);
-      }
-    });
+      continue;
+    }
+    for (const bool second : { false, true })
+    {
+      this->AppendThird(mesh, level.Tags, mesh.Edges[opposite], second, edges, next);
+      addNext(ring);
+    }
+  }
 }
 
 /// Appends a tangent: the sum over the ring with the weights cos or sin of the angle. A step turns
@@ -397,15 +454,9 @@ void SqrtThreeScheme<Id>::AppendSmoothTangent(
   const SurfaceLevel<Id>& level, Id vertex, LimitKind kind, RowBlock<Id>& rows) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const Id start = mesh.VertexCorners[vertex];
-  int n = 0;
-  int ghosts = 0;
-  VisitCycle(mesh, start,
-    [&](const FanStep<Id>& step)
-    {
-      ++n;
-      ghosts += FindFixedOpposite(level, step) >= 0;
-    });
+  const std::vector<FanStep<Id>> steps = GetCycle(mesh, vertex);
+  const int n = static_cast<int>(steps.size());
+  const int ghosts = CountFixedOpposites(level, steps);
   int j = 0;
   auto getNext = [&]
   {
@@ -414,37 +465,35 @@ void SqrtThreeScheme<Id>::AppendSmoothTangent(
   };
   std::vector<Id> edges;
   RowBlock<Id> third;
-  VisitCycle(mesh, start,
-    [&](const FanStep<Id>& step)
+  for (const FanStep<Id>& step : steps)
+  {
+    const Id first = GetNeighbour(mesh, step);
+    const Id opposite = FindFixedOpposite(level, step);
+    if (ghosts == 0)
     {
-      const Id in = step.GetHalfEdgeIn(mesh);
-      const Id first = mesh.Vertices[in == step.Corner ? mesh.Next(in) : in];
-      const Id opposite = FindFixedOpposite(level, step);
-      if (ghosts == 0)
+      rows.Add(first, getNext());
+    }
+    else if (opposite < 0)
+    {
+      const double weight = getNext() / 3.;
+      for (Id c : { step.Corner, mesh.Next(step.Corner), mesh.Previous(step.Corner) })
       {
-        rows.Add(first, getNext());
+        rows.Add(mesh.Vertices[c], weight);
       }
-      else if (opposite < 0)
+    }
+    for (int end = 0; end < 2 && opposite >= 0; ++end)
+    {
+      const Id edge = mesh.Edges[opposite];
+      const bool isFirst = mesh.EdgeVertices[2 * edge] == first;
+      third.Clear();
+      this->AppendThird(mesh, level.Tags, edge, isFirst == (end == 1), edges, third);
+      const double weight = getNext();
+      for (std::size_t k = 0; k < third.GetNumberOfEntries(); ++k)
       {
-        const double weight = getNext() / 3.;
-        for (Id c : { step.Corner, mesh.Next(step.Corner), mesh.Previous(step.Corner) })
-        {
-          rows.Add(mesh.Vertices[c], weight);
-        }
+        rows.Add(third.GetColumns()[k], weight * third.GetWeights()[k]);
       }
-      for (int end = 0; end < 2 && opposite >= 0; ++end)
-      {
-        const Id edge = mesh.Edges[opposite];
-        const bool isFirst = mesh.EdgeVertices[2 * edge] == first;
-        third.Clear();
-        this->AppendThird(mesh, level.Tags, edge, isFirst == (end == 1), edges, third);
-        const double weight = getNext();
-        for (std::size_t k = 0; k < third.GetNumberOfEntries(); ++k)
-        {
-          rows.Add(third.GetColumns()[k], weight * third.GetWeights()[k]);
-        }
-      }
-    });
+    }
+  }
 }
 
 /// Appends the tangent across a curve in a sector, times `turn`. `ring`: the other ends of its

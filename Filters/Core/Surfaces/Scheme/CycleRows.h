@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CycleRows.h
+ * Rows of vertices for which walks are taken, several of which take turns.
+ */
+#ifndef SubdivisionObjects_CycleRows_h
+#define SubdivisionObjects_CycleRows_h
+
+#include "Core/Operators/RowBlock.h"
+#include "Core/Surfaces/Mesh/CycleWalks.h"
+
+#include <algorithm>
+#include <array>
+
+namespace subdivision
+{
+
+/// Appends the rows of vertices [begin, end). wanted(v): takes a walk around v, which must have one
+/// fan that is a cycle. regular(v, steps, columns) writes the columns of a vertex that has these
+/// weights, or returns false; other(v, steps) then appends its entries. `steps`: those of
+/// VisitCycle; empty if the vertex was not wanted.
+template <std::size_t N, typename Id, typename Wanted, typename Regular, typename Other>
+void AppendCycleRows(const PolygonMesh<Id>& mesh, const std::array<double, N>& weights,
+  vtkIdType begin, vtkIdType end, const Wanted& wanted, const Regular& regular, const Other& other,
+  RowBlock<Id>& rows)
+{
+  if (begin >= end)
+  {
+    return;
+  }
+  CycleWalks<Id> walks;
+  for (vtkIdType first = begin; first < end; first += walks.Most)
+  {
+    const vtkIdType last = std::min<vtkIdType>(end, first + walks.Most);
+    walks.Walk(mesh, static_cast<Id>(first), static_cast<Id>(last), wanted);
+    for (vtkIdType vertex = first; vertex < last; ++vertex)
+    {
+      vertex += rows.AddRun(weights, last - vertex,
+        [&](vtkIdType i, Id* columns)
+        {
+          const Id v = static_cast<Id>(vertex + i);
+          return regular(v, walks.Get(v), columns);
+        });
+      if (vertex < last)
+      {
+        other(static_cast<Id>(vertex), walks.Get(static_cast<Id>(vertex)));
+        rows.EndRow();
+      }
+    }
+  }
+}
+
+}
+
+#endif
