@@ -72,7 +72,8 @@ vtkSmartPointer<vtkDataObject> vtkMultiDimensionalSubdivision::Finish(vtkDataObj
   }
   return subdivision::MakeBezierCells(part,
     { this->NumberOfLevels, this->NumberOfLevels + this->FurtherLevels, this->BezierTolerance,
-      this->Use32BitIds, this->SharesRanks() ? this->Controller.Get() : nullptr });
+      this->Use32BitIds, this->SharesRanks() ? this->Controller.Get() : nullptr,
+      [this](const std::string& text) { vtkErrorMacro(<< text); } });
 }
 
 bool vtkMultiDimensionalSubdivision::ComputeOperator(vtkSubdivisionOperator* result)

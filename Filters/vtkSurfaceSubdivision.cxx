@@ -115,7 +115,8 @@ vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Finish(vtkDataObject* made
   }
   return subdivision::MakeBezierCells(made,
     { this->NumberOfLevels, this->NumberOfLevels + this->FurtherLevels, this->BezierTolerance,
-      this->Use32BitIds, this->SharesRanks() ? this->Controller.Get() : nullptr });
+      this->Use32BitIds, this->SharesRanks() ? this->Controller.Get() : nullptr,
+      [this](const std::string& text) { vtkErrorMacro(<< text); } });
 }
 
 int vtkSurfaceSubdivision::RequestData(

@@ -3,13 +3,21 @@
 # programs that look for faults in the sources, fuzzers, changed lines that tests have to see, and figures of all that.
 # Sourced by ./dev.
 
+# The tree of a sanitizer. That of asan has the fuzzers, too: both need the library with the same checks, by Clang.
+configure_sanitizer() # asan|tsan
+{
+  local packages=("${vtk_packages[@]}")
+  [ "$1" = tsan ] || packages+=(clang libclang-rt-dev)
+  need "${packages[@]}"
+  use_vtk
+  configure "$1" "${vtk_options[@]}"
+}
+
 # The C++ tests with checks of addresses, leaks and undefined behaviour (asan) or of threads (tsan).
 sanitize() # asan|tsan [NAME]
 {
   local tree=$1 name=${2:-} options=$root/Testing/Sanitizers
-  need "${vtk_packages[@]}"
-  use_vtk
-  configure "$tree" "${vtk_options[@]}"
+  configure_sanitizer "$tree"
   # Lists of tests are made while building, by the tests themselves.
   ASAN_OPTIONS=detect_leaks=0 build "$tree" SubdivisionObjectsTests SubdivisionObjectsCoreTests SubdivisionObjectsProgramTests
   say "C++ tests under $tree"
@@ -56,25 +64,27 @@ lint() # [NAME]
   [ $bad = 0 ] || die "see above; Testing/Lint/cppcheck.txt and .clang-tidy have what is not to be told"
 }
 
-# Each fuzzer for its part of the time. What it finds new stays in build/fuzz/corpus, and a crash in build/fuzz/crashes.
-fuzz() # [SECONDS]
+# Each fuzzer for its part of the time, or one for all of it. What it finds new stays in build/fuzz/corpus, and a crash in
+# build/fuzz/crashes.
+fuzz() # [SECONDS [Filters|Files]]
 {
-  local seconds=${1:-120} name
-  [[ "$seconds" =~ ^[0-9]+$ ]] || die "for how many seconds? ./dev fuzz 600"
-  need "${vtk_packages[@]}" clang libclang-rt-dev
-  use_vtk
-  configure fuzz -DCMAKE_CXX_COMPILER=clang++ "${vtk_options[@]}"
-  build fuzz FuzzFilters FuzzFiles
+  local seconds=${1:-120} names=(${2:-Filters Files}) name start
+  [[ "$seconds" =~ ^[0-9]+$ ]] && seconds=$((seconds / ${#names[@]})) && [ "$seconds" -gt 0 ] ||
+    die "for how many seconds? ./dev fuzz 600"
+  [[ "${names[*]}" =~ ^(Filters Files|Filters|Files)$ ]] || die "no such fuzzer: ${names[*]}"
+  configure_sanitizer asan
+  build asan FuzzFilters FuzzFiles
   mkdir -p "$build/fuzz/crashes"
-  for name in Filters Files; do
+  for name in "${names[@]}"; do
     mkdir -p "$build/fuzz/corpus/$name"
-    say "Fuzz$name for $((seconds / 2)) s"
+    say "Fuzz$name for $seconds s"
+    start=$SECONDS
     (cd "$build/fuzz" && LSAN_OPTIONS="suppressions=$root/Testing/Sanitizers/leaks.txt:print_suppressions=0" \
       ASAN_OPTIONS=allocator_may_return_null=1 \
-      "bin/Fuzz$name" "corpus/$name" "$root/Testing/Fuzz/Corpus/$name" -max_total_time=$((seconds / 2)) \
+      "$build/asan/bin/Fuzz$name" "corpus/$name" "$root/Testing/Fuzz/Corpus/$name" -max_total_time="$seconds" \
       -rss_limit_mb=2500 -timeout=30 -max_len=4096 -print_final_stats=1 -artifact_prefix=crashes/ 2>&1 |
       tee "Fuzz$name.log" | grep -E '^(stat::|==|SUMMARY|Test unit|[a-z-]+: )' || true)
-    python3 "$root/Testing/Reliability/results.py" fuzz "$root" "$build" "$name" "$build/fuzz/Fuzz$name.log"
+    python3 "$root/Testing/Reliability/results.py" fuzz "$root" "$build" "$name" "$build/fuzz/Fuzz$name.log" $((SECONDS - start))
     ! grep -q '^SUMMARY' "$build/fuzz/Fuzz$name.log" || die "Fuzz$name found a fault: see build/fuzz/Fuzz$name.log"
   done
 }

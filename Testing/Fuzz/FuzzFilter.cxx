@@ -44,11 +44,13 @@ public:
 };
 vtkStandardNewMacro(SilentWindow);
 
-/// Numbers of cells and boxes for which memory is taken have to stay small.
+/// Numbers of cells for which memory and time are taken have to stay small, and those of boxes
+/// along each axis more so.
 double GetMost(const Option& option)
 {
-  return std::strstr(option.Property, "NumberOf") && std::strstr(option.Property, "Cells") ? 20000.
-                                                                                           : 1e300;
+  const bool isOfCells =
+    std::strstr(option.Property, "NumberOf") && std::strstr(option.Property, "Cells");
+  return !isOfCells ? 1e300 : option.Count > 1 ? 8. : 20000.;
 }
 
 double ChooseReal(Bytes& bytes)

@@ -28,9 +28,9 @@ void SmoothnessFacts::SetEigenvalues(const std::vector<double>& moduli)
 Answer HoldsInside(const std::vector<double>& moduli, int dimension)
 {
   const auto d = static_cast<std::size_t>(dimension);
-  const bool holds = Get(moduli, 1) < 1. - EqualEigenvalues &&
-    Get(moduli, d) > Get(moduli, d + 1) + EqualEigenvalues;
-  return moduli.empty() ? Answer::None : holds ? Answer::Yes : Answer::No;
+  const bool shrinks = Get(moduli, 1) < 1. - EqualEigenvalues;
+  const bool hasGap = Get(moduli, d) > Get(moduli, d + 1) + EqualEigenvalues;
+  return moduli.empty() ? Answer::None : shrinks && hasGap ? Answer::Yes : Answer::No;
 }
 
 Answer HoldsBesideCurves(const std::vector<double>& moduli, double along, int curves)

@@ -45,6 +45,7 @@ public:
   }
   vtkSmartPointer<vtkUnstructuredGrid> Write()
   {
+    this->CheckSteps();
     this->ReadValues();
     this->ChoosePatches();
     this->NumberPoints();
@@ -54,6 +55,7 @@ public:
   }
 
 private:
+  void CheckSteps() const;
   void ReadValues();
   void ChoosePatches();
   void Split(const Patch& patch, std::vector<Patch>& patches) const;
@@ -82,6 +84,20 @@ private:
   std::vector<vtkIdType> Owners;  ///< the first patch of each control point
   vtkSmartPointer<vtkUnstructuredGrid> Output = vtkSmartPointer<vtkUnstructuredGrid>::New();
 };
+
+/// CountFurtherSteps sees what CellsToSimplices and MakeSurface read, so that this does not happen.
+void BezierWriter::CheckSteps() const
+{
+  const vtkIdType cell = this->Cells.GetFirstWithoutPoints();
+  if (cell >= 0)
+  {
+    this->Options.Fail("Cell " + std::to_string(cell) + " after " +
+      std::to_string(this->Options.Steps) + " steps, of type " +
+      std::to_string(this->Mesh->GetCellType(cell)) +
+      ", was split too seldom for a Bezier cell: it and others of its kind stay linear. This is a "
+      "fault of the filter, not of the input: report it, and set OutputCells to Linear.");
+  }
+}
 
 /// Points and arrays of floating point numbers, in double, side by side.
 void BezierWriter::ReadValues()

@@ -8,6 +8,9 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
+#include <string>
+
 class vtkDataObject;
 class vtkMultiProcessController;
 
@@ -26,6 +29,8 @@ struct BezierOptions
   bool Use32BitIds = false;
   /// The ranks that have parts of the mesh; null: this process has all.
   vtkMultiProcessController* Controller = nullptr;
+  /// Called with an error, where Steps are too few for a cell. Such cells stay linear.
+  std::function<void(const std::string&)> Fail;
 };
 
 /// How many steps beyond Levels an input needs: more if it has solids or, where faces become quads,

@@ -83,7 +83,7 @@ bool BezierRoots::IsWhole(const Root& root) const
     [type](unsigned char t) { return t == type; });
 }
 
-/// Solids need a step more than others, which was not made if they were not seen in the input.
+/// Solids need a step more than others: who split the mesh has to know that there are some.
 bool BezierRoots::HasPatchPoints(const Root& root) const
 {
   return !this->ArePatches || root.Steps - root.Levels >= GetShape(root).SampleLevels;
@@ -91,7 +91,7 @@ bool BezierRoots::HasPatchPoints(const Root& root) const
 
 /// Finds the control cell that the cells from `first` on came from, or one side of a face that has
 /// not four. Returns the number of its cells.
-vtkIdType BezierRoots::FindRoot(vtkIdType first, Root& root) const
+vtkIdType BezierRoots::FindRoot(vtkIdType first, Root& root)
 {
   root = { first, FindKind(this->Types[first]), this->Steps, this->Levels };
   if (root.Kind == PatchShape::Quad)
@@ -103,9 +103,14 @@ vtkIdType BezierRoots::FindRoot(vtkIdType first, Root& root) const
       root.Levels = std::max(0, root.Levels - 1);
     }
   }
-  if (root.Kind >= 0 && !(this->HasPatchPoints(root) && this->IsWhole(root)))
+  if (root.Kind >= 0 && !this->IsWhole(root))
   {
     root.Kind = -1;
+  }
+  if (root.Kind >= 0 && !this->HasPatchPoints(root))
+  {
+    root.Kind = -1;
+    this->FirstWithoutPoints = this->FirstWithoutPoints < 0 ? first : this->FirstWithoutPoints;
   }
   return CountCells(root, 0);
 }

@@ -34,11 +34,13 @@ public:
   {
   }
   /// For patches. `levels`: how often a root may be split; the steps beyond them give the points
-  /// that a patch needs, and a root with too few is written as it is.
+  /// that a patch needs, and the cells of a root with too few stay as they are.
   BezierRoots(vtkPointSet* mesh, int steps, int levels)
     : BezierRoots(mesh, steps, levels, true)
   {
   }
+  /// The first cell of a root that was split too seldom for a patch; -1 if there is none.
+  vtkIdType GetFirstWithoutPoints() const { return this->FirstWithoutPoints; }
   vtkIdType GetNumberOfRoots() const { return static_cast<vtkIdType>(this->Roots.size()); }
   const Root& GetRoot(vtkIdType r) const { return this->Roots[r]; }
 
@@ -81,7 +83,7 @@ private:
   }
   void ReadCells();
   void FindRoots();
-  vtkIdType FindRoot(vtkIdType first, Root& root) const;
+  vtkIdType FindRoot(vtkIdType first, Root& root);
   vtkIdType CountSides(vtkIdType first, vtkIdType size) const;
   bool IsWhole(const Root& root) const;
   bool HasPatchPoints(const Root& root) const;
@@ -98,6 +100,7 @@ private:
   Buffer<vtkIdType> Corners;
   Buffer<unsigned char> Types;
   std::vector<Root> Roots;
+  vtkIdType FirstWithoutPoints = -1;
   std::map<std::pair<int, int>, RootLattice> Lattices; ///< by kind and steps
 };
 

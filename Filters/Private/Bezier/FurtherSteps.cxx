@@ -3,13 +3,13 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/Bezier/PatchShape.h"
-#include "Private/Reading/CellReader.h"
+#include "Private/Reading/CellChecks.h"
 #include "Private/Reading/ReadableMesh.h"
 
-#include "vtkCell.h"
-#include "vtkGenericCell.h"
+#include "vtkCellType.h"
 #include "vtkPointSet.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -18,23 +18,36 @@ namespace subdivision
 namespace
 {
 
+/// Four points in a loop, which stay four when repeated ones are dropped.
+bool IsQuad(int type, const CellIds& cell)
+{
+  if (type == VTK_TRIANGLE_STRIP || cell.Size != 4)
+  {
+    return false;
+  }
+  std::array<vtkIdType, 4> points;
+  std::copy_n(cell.Ids, 4, points.begin());
+  std::sort(points.begin(), points.end());
+  return std::adjacent_find(points.begin(), points.end()) == points.end();
+}
+
 /// Whether a mesh has solids or, with `toQuads`, faces that are no quads.
 bool HasCellsOfMoreSteps(vtkPointSet* mesh, bool toQuads)
 {
   const CellReader reader(mesh);
+  constexpr signed char unknown = -2;
   std::array<signed char, 256> dimensions;
-  dimensions.fill(-1);
+  dimensions.fill(unknown);
   std::vector<vtkIdType> scratch;
   for (const vtkIdType c : InTurn(reader.GetNumberOfCells()))
   {
     const int type = reader.GetCellType(c);
-    if (dimensions[type] < 0)
+    signed char& dimension = dimensions[type];
+    if (dimension == unknown)
     {
-      const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
-      dimensions[type] = static_cast<signed char>(cell ? cell->GetCellDimension() : 0);
+      dimension = static_cast<signed char>(GetDimensionOfType(type));
     }
-    if (dimensions[type] == 3 ||
-      (toQuads && dimensions[type] == 2 && reader.GetCell(c, scratch).Size != 4))
+    if (dimension == 3 || (toQuads && dimension == 2 && !IsQuad(type, reader.GetCell(c, scratch))))
     {
       return true;
     }

@@ -4,6 +4,7 @@
 #include "Core/Memory/Loops.h"
 #include "Private/Reading/NonLinearCells.h"
 #include "Private/Reading/PolyhedronFaces.h"
+#include "Private/Reading/SolidCells.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCell.h"
@@ -361,6 +362,26 @@ const unsigned char* GetGhosts(vtkPointSet* input, vtkIdType numberOfCells)
   auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
     input->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   return ghosts && ghosts->GetNumberOfValues() >= numberOfCells ? ghosts->GetPointer(0) : nullptr;
+}
+
+int GetDimensionOfType(int cellType)
+{
+  const int type = IsNonLinear(cellType) ? GetCornerCell(cellType, VTK_INT_MAX).Type : cellType;
+  if (IsPolyhedron(type) || GetFaceTable(type))
+  {
+    return 3;
+  }
+  switch (type)
+  {
+    case VTK_VERTEX:
+    case VTK_POLY_VERTEX:
+      return 0;
+    case VTK_LINE:
+    case VTK_POLY_LINE:
+      return 1;
+    default:
+      return GetRequiredSize(type) == 0 ? -1 : 2;
+  }
 }
 
 CheckedCells CheckCells(vtkPointSet* input, const CellReader& cells)

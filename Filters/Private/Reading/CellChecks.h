@@ -47,6 +47,10 @@ struct CheckedCells
 /// Ghost types of the cells, or null.
 const unsigned char* GetGhosts(vtkPointSet* input, vtkIdType numberOfCells);
 
+/// The dimension of the simplices that cells of a type become, also of FaceLoops
+/// (PolyhedronFaces.h), which VTK does not know; -1 for a type that is not supported.
+int GetDimensionOfType(int cellType);
+
 CheckedCells CheckCells(vtkPointSet* input, const CellReader& cells);
 
 /// The warnings, one for each kind of fault.

@@ -6,9 +6,7 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/NonLinearCells.h"
-#include "Private/Reading/PolyhedronFaces.h"
 #include "Private/Reading/ReadableMesh.h"
-#include "Private/Reading/SolidCells.h"
 #include "Private/Reading/TrianglesNearQuads.h"
 
 #include "vtkCellArray.h"
@@ -82,7 +80,7 @@ vtkIdType SortCells(vtkUnstructuredGrid* grid, const CellReader& reader,
     const int type = reader.GetCellType(c);
     const CellIds cell = reader.GetCell(c, scratch);
     const CellPieces* table = IsNonLinear(type) ? nonLinear.Find(type, c, cell.Size) : nullptr;
-    if (IsPolyhedron(type) || GetFaceTable(type) || (table && table->Dimension == 3))
+    if (GetDimensionOfType(type) == 3)
     {
       first = solids++ == 0 ? c : first;
     }

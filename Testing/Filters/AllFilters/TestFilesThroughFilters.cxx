@@ -409,11 +409,11 @@ TEST_P(FilesThroughFilters, RedGreenRefinement)
 
 TEST_P(FilesThroughFilters, SurfaceSubdivision)
 {
-  using Filter = vtkSurfaceSubdivision;
-  for (int scheme = Filter::LOOP; scheme <= Filter::LINEAR; ++scheme)
+  using Surface = vtkSurfaceSubdivision;
+  for (int scheme = Surface::LOOP; scheme <= Surface::LINEAR; ++scheme)
   {
     SCOPED_TRACE(scheme);
-    vtkNew<Filter> filter;
+    vtkNew<Surface> filter;
     vtkNew<Messages> messages;
     filter->SetScheme(scheme);
     filter->GenerateOriginalIdsOn();
@@ -430,25 +430,25 @@ TEST_P(FilesThroughFilters, SurfaceSubdivision)
         if (shape.Dimension != 2)
         {
           const vtkIdType lines =
-            scheme == Filter::SQRT_THREE || scheme == Filter::FOUR_EIGHT ? 1 : 2;
+            scheme == Surface::SQRT_THREE || scheme == Surface::FOUR_EIGHT ? 1 : 2;
           const vtkIdType children = shape.Dimension == 3 ? 0 : shape.Dimension == 1 ? lines : 1;
           return { children, children, 1 };
         }
         switch (scheme)
         {
-          case Filter::CATMULL_CLARK:
+          case Surface::CATMULL_CLARK:
             return { size, size, 1 };
-          case Filter::DOO_SABIN: // the faces of its edges and vertices may be with neighbours
-          case Filter::MIDEDGE:
+          case Surface::DOO_SABIN: // the faces of its edges and vertices may be with neighbours
+          case Surface::MIDEDGE:
             return { 1, 1 + 2 * size, 1 };
-          case Filter::FOUR_EIGHT: // a face of two triangles on an edge is in one of two cells
-          case Filter::SQRT_THREE:
+          case Surface::FOUR_EIGHT: // a face of two triangles on an edge is in one of two cells
+          case Surface::SQRT_THREE:
             return { 0, 6 * size, 1 };
           default:
             return { 4 * (size - 2), 4 * (size - 2), 1 };
         }
       });
-    if (scheme == Filter::SQRT_THREE)
+    if (scheme == Surface::SQRT_THREE)
     {
       vtkIdType triangles = 0;
       for (const Shape& shape : this->Cells->Shapes)

@@ -6,12 +6,56 @@
  */
 #include "BezierTools.h"
 
+#include "Private/Bezier/BezierCells.h"
+
 #include "vtkSubdivisionOperator.h"
 
+#include "vtkGenericCell.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkSMPTools.h"
 
 using namespace bezier_tools;
+
+namespace
+{
+
+/// One cell that fills its place in parameters, as the class of VTK for its type has it.
+Grid MakeCellOfType(int type)
+{
+  const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+  const double* at = cell->GetParametricCoords();
+  std::vector<Point> points;
+  Cell ids{ type, {} };
+  for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
+  {
+    points.push_back({ at[3 * i], at[3 * i + 1], at[3 * i + 2] });
+    ids.Points.push_back(i);
+  }
+  return MakeGrid(points, { ids });
+}
+
+/// A tetrahedron as VTK stores polyhedra.
+Grid MakePolyhedron()
+{
+  const Grid grid = MakeGrid(
+    { { { 0., 0., 0. } }, { { 1., 0., 0. } }, { { 0., 1., 0. } }, { { 0., 0., 1. } } }, {});
+  grid->Allocate(1);
+  const vtkIdType faces[] = { 3, 0, 2, 1, 3, 0, 1, 3, 3, 1, 2, 3, 3, 2, 0, 3 };
+  grid->InsertNextCell(VTK_POLYHEDRON, 4, faces);
+  return grid;
+}
+
+std::set<int> GetTypes(vtkUnstructuredGrid* grid)
+{
+  std::set<int> types;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    types.insert(grid->GetCellType(c));
+  }
+  return types;
+}
+
+}
 
 TEST(BezierOutput, DataOfCellsAndPointsStay)
 {
@@ -51,6 +95,93 @@ TEST(BezierOutput, OtherCellsStay)
   EXPECT_EQ(bezier->GetCellType(0), VTK_VERTEX);
   EXPECT_EQ(bezier->GetCellType(1), VTK_BEZIER_CURVE);
   EXPECT_EQ(MakeBezier(vtkSmartPointer<vtkUnstructuredGrid>::New(), 1)->GetNumberOfCells(), 0);
+}
+
+TEST(BezierOutput, SolidsOfAllTypesBecomeBezierTetrahedra)
+{
+  const std::set<int> tetrahedra{ VTK_BEZIER_TETRAHEDRON };
+  for (const int type : { VTK_TETRA, VTK_VOXEL, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID,
+         VTK_PENTAGONAL_PRISM, VTK_HEXAGONAL_PRISM, VTK_QUADRATIC_TETRA, VTK_QUADRATIC_HEXAHEDRON,
+         VTK_TRIQUADRATIC_HEXAHEDRON, VTK_QUADRATIC_WEDGE, VTK_QUADRATIC_PYRAMID, VTK_POLYHEDRON })
+  {
+    const Grid input = type == VTK_POLYHEDRON ? MakePolyhedron() : MakeCellOfType(type);
+    const auto cut = [](Filter* filter) { filter->SetQuadraticCellsToPieces(); };
+    for (const int levels : { 0, 1 })
+    {
+      EXPECT_EQ(GetTypes(MakeBezier(input, levels, cut)), tetrahedra) << type << " " << levels;
+    }
+  }
+}
+
+TEST(BezierOutput, FacesOfAllTypesBecomeBezierCells)
+{
+  for (const int type : { VTK_TRIANGLE, VTK_QUAD, VTK_PIXEL, VTK_POLYGON, VTK_TRIANGLE_STRIP,
+         VTK_QUADRATIC_TRIANGLE, VTK_QUADRATIC_QUAD, VTK_BIQUADRATIC_QUAD })
+  {
+    const std::vector<Point> square{ { { 0., 0., 0. } }, { { 1., 0., 0. } }, { { 0., 1., 0. } },
+      { { 1., 1., 0. } } };
+    const bool isSquare = type == VTK_POLYGON || type == VTK_TRIANGLE_STRIP;
+    const Grid input = isSquare
+      ? MakeGrid(square, { { type, type == VTK_POLYGON ? Ids{ 0, 1, 3, 2 } : Ids{ 0, 1, 2, 3 } } })
+      : MakeCellOfType(type);
+    for (const int levels : { 0, 1 })
+    {
+      for (const auto& [scheme, wanted] :
+        { std::make_pair(vtkSurfaceSubdivision::LOOP, VTK_BEZIER_TRIANGLE),
+          std::make_pair(vtkSurfaceSubdivision::LINEAR, VTK_BEZIER_TRIANGLE),
+          std::make_pair(vtkSurfaceSubdivision::CATMULL_CLARK, VTK_BEZIER_QUADRILATERAL) })
+      {
+        vtkNew<vtkSurfaceSubdivision> filter;
+        filter->SetInputDataObject(input);
+        filter->SetScheme(scheme);
+        filter->SetNumberOfLevels(levels);
+        filter->SetQuadraticCellsToPieces();
+        filter->SetOutputCellsToBezier();
+        filter->Update();
+        EXPECT_EQ(GetTypes(filter->GetUnstructuredGridOutput()), std::set<int>{ wanted })
+          << type << " " << scheme << " " << levels;
+      }
+      EXPECT_EQ(GetTypes(MakeBezier(
+                  input, levels, [](Filter* filter) { filter->SetQuadraticCellsToPieces(); })),
+        std::set<int>{ VTK_BEZIER_TRIANGLE })
+        << type << " " << levels;
+    }
+  }
+}
+
+TEST(BezierOutput, QuadsWithTwoEqualPointsAreTriangles)
+{
+  const Grid input =
+    MakeGrid({ { { 0., 0., 0. } }, { { 1., 0., 0. } }, { { 0., 1., 0. } }, { { 1., 1., 0. } } },
+      { { VTK_POLYGON, { 0, 1, 3, 2 } }, { VTK_POLYGON, { 0, 1, 1, 2 } } });
+  vtkNew<vtkSurfaceSubdivision> filter;
+  filter->SetInputDataObject(ToSurface(input));
+  filter->SetSchemeToCatmullClark();
+  filter->SetNumberOfLevels(0);
+  filter->SetOutputCellsToBezier();
+  filter->Update();
+  vtkUnstructuredGrid* bezier = filter->GetUnstructuredGridOutput();
+  EXPECT_EQ(bezier->GetNumberOfCells(), 1 + 3);
+  EXPECT_EQ(GetTypes(bezier), std::set<int>{ VTK_BEZIER_QUADRILATERAL });
+}
+
+TEST(BezierOutput, SolidsWithoutTheirThirdStepAreTold)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputDataObject(MakeLattice(1));
+  filter->SetNumberOfLevels(2);
+  filter->ProjectToLimitOn();
+  filter->Update();
+  std::vector<std::string> errors;
+  subdivision::BezierOptions options;
+  options.Steps = 2;
+  options.Fail = [&](const std::string& text) { errors.push_back(text); };
+  const auto made = subdivision::MakeBezierCells(filter->GetOutput(), options);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_NE(errors[0].find("Cell 0 after 2 steps, of type 10"), std::string::npos) << errors[0];
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(made);
+  ASSERT_NE(grid, nullptr);
+  EXPECT_EQ(GetTypes(grid), std::set<int>{ VTK_TETRA });
 }
 
 TEST(BezierOutput, SomeOptionsLeaveThemLinear)

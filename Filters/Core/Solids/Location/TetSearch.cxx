@@ -5,6 +5,7 @@
 #include "Core/Solids/Location/PointGroups.h"
 #include "Core/Solids/Location/TetFrame.h"
 
+#include <array>
 #include <cmath>
 
 namespace subdivision
@@ -42,8 +43,7 @@ public:
     const double* y = points.Coordinates[1].data() + begin;
     const double* z = points.Coordinates[2].data() + begin;
     const double first[3] = { this->First[0], this->First[1], this->First[2] };
-    double g[3][3];
-    std::copy(this->Gradients[0], this->Gradients[0] + 9, g[0]);
+    const auto g = this->Gradients; // a copy, which no write to `least` can change
     for (int i = 0; i < end - begin; ++i)
     {
       const double dx = x[i] - first[0];
@@ -63,7 +63,7 @@ public:
 
 private:
   const double* First;
-  double Gradients[3][3];
+  std::array<std::array<double, 3>, 3> Gradients;
 };
 
 }

@@ -241,10 +241,17 @@ SurfaceTags<Id> SurfacePatch<Id>::CropTags(
     for (auto at = FindSectors(tags, vertex);
       this->IsInside[v] && at != tags.Sectors.end() && at->Vertex == vertex; ++at)
     {
+      // After a step of some schemes sectors keep the corners of the control level.
+      const auto findCorner = [&](Id corner)
+      {
+        const bool isHere = corner >= 0 && corner < whole.Mesh.GetNumberOfCorners() &&
+          whole.Mesh.Vertices[corner] == vertex;
+        return isHere ? this->FindCorner(whole.Mesh, corner) : Id(-1);
+      };
       own.Sectors.push_back(*at);
       own.Sectors.back().Vertex = static_cast<Id>(v);
-      own.Sectors.back().First = this->FindCorner(whole.Mesh, at->First);
-      own.Sectors.back().Last = this->FindCorner(whole.Mesh, at->Last);
+      own.Sectors.back().First = findCorner(at->First);
+      own.Sectors.back().Last = findCorner(at->Last);
     }
   }
   return own;

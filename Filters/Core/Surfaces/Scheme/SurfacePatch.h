@@ -24,7 +24,8 @@ public:
   /// `vertices`: ascending.
   SurfacePatch(const SurfaceLevel<Id>& whole, const std::vector<Id>& vertices);
 
-  /// Tags of the whole level as tags of the patch.
+  /// Tags of the whole level as tags of the patch. Corners of sectors that are none of this level,
+  /// which some schemes leave after a step, become -1.
   SurfaceTags<Id> CropTags(const SurfaceLevel<Id>& whole, const SurfaceTags<Id>& tags) const;
 
   /// The position of an id in one of the lists below, that is, its number in the patch; -1 if it is
