@@ -38,12 +38,21 @@ import schemata
 MOST_OBJECTS = 5  # of a header; they are compiled without optimisation, which takes a third of the time
 MOST_TOGETHER = 8  # of a header with many mutations in it, which is compiled once
 AT_ONCE = 2
+FAST_SHARE = 0.15  # of the time of all tests of a folder: those that take so much together run first
 # Whose tests run next, after those of the own folder: folders and files.
-NEXT_TESTS = {"Core/Solids/Strata": ["Core/Rules", "Filters/Control/TestFeaturesJoints.cxx", "Filters/Control"],
-              "Core/Rules": ["Core/Surfaces", "Core/Solids/Strata", "Core/Solids/TetOct"],
-              "Core/Solids/RedGreen": ["Filters/RedGreen"], "Core/Surfaces/SqrtThree": ["Filters/AdaptiveSurface", "Filters/Surface"]}
-for scheme in ("Butterfly", "CatmullClark", "Dual", "FourEight", "Loop", "Scheme"):
-    NEXT_TESTS["Core/Surfaces/" + scheme] = ["Filters/Surface"]
+NEXT_TESTS = {
+    "Core/Rules": ["Core/Surfaces", "Core/Solids/Strata", "Core/Solids/TetOct"],
+    "Core/Solids/RedGreen": ["Filters/RedGreen/TestRedGreen.cxx", "Filters/RedGreen"],
+    "Core/Solids/Strata": ["Core/Rules", "Filters/Control/TestFeaturesJoints.cxx", "Filters/Control"],
+    "Core/Surfaces/Butterfly": ["Filters/Surface/TestSurfaceButterflyMeshes.cxx", "Filters/Surface/TestSurfaceLimits.cxx"],
+    "Core/Surfaces/FourEight": ["Filters/Surface/TestSurfaceFourEight.cxx", "Filters/Surface/TestSurfaceFourEightLimits.cxx",
+                                "Filters/Surface/TestSurfaceLimits.cxx"],
+    "Core/Surfaces/SqrtThree": ["Filters/Surface/TestSurfaceSqrtThree.cxx", "Filters/AdaptiveSurface/TestAdaptiveSqrtThree.cxx",
+                                "Filters/AdaptiveSurface", "Filters/Surface/TestSurfaceLimits.cxx"],
+}
+for scheme in ("CatmullClark", "Loop", "Scheme"):
+    NEXT_TESTS["Core/Surfaces/" + scheme] = ["Filters/Surface/TestSurfaceMasks.cxx", "Filters/Surface/TestSurfaceLimits.cxx",
+                                             "Filters/Surface/TestSurfaceSubdivision.cxx"]
 LIBRARY = "libvtkSubdivisionObjects.so"
 HERE = pathlib.Path(__file__).parent
 
@@ -269,22 +278,34 @@ class Runner:
         return failed[0] if failed else "crash"
 
     def find_suites(self, folder):
-        """The program and the names of the tests in a folder, and how long they take."""
+        """The program of the tests in a folder or file, their names, and the same in two parts, of which the fast one runs first."""
         if folder not in self.suites:
             names = set()
             for test in [folder] if folder.is_file() else folder.rglob("Test*.cxx"):
                 text = test.read_text(encoding="utf-8")
                 names.update(re.findall(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)\((\w+),", text, re.M))
             which = "Core" if "Core" in folder.parts else "Filters"
-            filters = ":".join(sorted("%s.*:*/%s.*:%s/*" % (name, name, name) for name in names))
-            begin = time.time()
-            filters += "-*Files*"  # large ones
-            failed = self.run(self.tests[which], filters, 3000, own=False)
+            every = ":".join(sorted("%s.*:*/%s.*:%s/*" % (name, name, name) for name in names))
+            large = "-*Files*"
+            failed = self.run(self.tests[which], every + large, 3000, own=False)
             if failed:
                 sys.exit("%s fails without a mutation" % failed)
-            self.seconds[folder] = time.time() - begin
-            self.suites[folder] = (self.tests[which], filters)
-        return self.suites[folder], self.seconds[folder]
+            times = re.findall(r"\[       OK \] (\S+) \((\d+) ms\)", (self.work / "tests.log").read_text(encoding="utf-8"))
+            times = sorted((int(time), name) for name, time in times)
+            whole = sum(one for one, _ in times)
+            fast = [name for i, (_, name) in enumerate(times) if sum(one for one, _ in times[:i + 1]) < FAST_SHARE * whole]
+            parts = [":".join(fast)] if fast else []
+            parts.append(every + large + "".join(":" + name for name in fast))
+            self.suites[folder] = (self.tests[which], every, parts)
+            self.seconds[folder] = whole / 1000.
+        return self.suites[folder]
+
+    def run_suites(self, folder, number):
+        program, _, parts = self.find_suites(folder)
+        failed = ""
+        for part in parts:
+            failed = failed or self.run(program, part, 30. + 6. * self.seconds[folder], number=number)
+        return failed
 
     def judge(self, mutation, is_explained):
         """Returns what becomes of a mutation, and which test killed it. Tests near by are enough for an explained one."""
@@ -320,30 +341,25 @@ class Runner:
 
     def run_own(self, path, number=0):
         """Runs the tests of the folder with the same name. Returns the one that failed, or ""."""
-        place = os.path.dirname(path).replace("Filters/", "", 1)
-        (name, filters), seconds = self.find_suites(self.find_test_folder(place))
-        return self.run(name, filters, 30. + 6. * seconds, number=number)
+        return self.run_suites(self.find_test_folder(os.path.dirname(path).replace("Filters/", "", 1)), number)
 
     def run_next(self, path, number=0):
         """Runs the tests of the folders near it."""
-        place = os.path.dirname(path).replace("Filters/", "", 1)
         failed = ""
-        for further in NEXT_TESTS.get(place, []):
-            if not failed:
-                (name, filters), seconds = self.find_suites(self.source / "Testing" / further)
-                failed = self.run(name, filters, 30. + 6. * seconds, number=number)
+        for further in NEXT_TESTS.get(os.path.dirname(path).replace("Filters/", "", 1), []):
+            failed = failed or self.run_suites(self.source / "Testing" / further, number)
         return failed
 
     def run_rest(self, path, number=0):
         """Runs all other tests, as long as there is time."""
         place = os.path.dirname(path).replace("Filters/", "", 1)
-        (own, filters), _ = self.find_suites(self.find_test_folder(place))
+        own, every, _ = self.find_suites(self.find_test_folder(place))
         begin = time.time()
         slow = "Partitions*:*Random*:Fuzz*"
         for name in self.tests.values():
             left = self.rest - (time.time() - begin)
             if left > 1.:
-                failed = self.run(name, "-" + slow + ":" + (filters.split("-")[0] if name == own else ""), left, number=number)
+                failed = self.run(name, "-" + slow + ":" + (every if name == own else ""), left, number=number)
                 if failed and failed != "time":  # there was no more time for it
                     return failed
         return ""
