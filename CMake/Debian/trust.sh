@@ -100,9 +100,15 @@ mutate() # [PLACE...] [OPTION OF mutate.py...]
 }
 
 # Counts inputs, allocations that fail and times to stop, and writes Documentation/Reliability.md with what the other
-# commands left.
-reliability() # [inputs|memory|abort...]
+# commands left; `fuzz` and `mutations` measure nothing, and write the page alone.
+reliability() # [inputs|memory|abort...] | fuzz | mutations
 {
+  case "$*" in
+    fuzz | mutations)
+      python3 "$root/Testing/Reliability/write_page.py" "$root" "$build"
+      return 0
+      ;;
+  esac
   need "${vtk_packages[@]}" "${compared_packages[@]}"
   use_vtk
   configure vtk "${vtk_options[@]}"

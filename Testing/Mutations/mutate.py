@@ -33,11 +33,26 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "Reliability"))
 import mutations
 import results as reliability
+import schemata
 
 MOST_OBJECTS = 5  # of a header; they are compiled without optimisation, which takes a third of the time
+MOST_TOGETHER = 8  # of a header with many mutations in it, which is compiled once
 AT_ONCE = 2
-# Whose tests run next, after those of the own folder.
-NEXT_TESTS = {"Core/Solids/Strata": ["Core/Rules", "Filters/Control"], "Core/Rules": ["Core/Surfaces/Loop", "Filters/Surface"]}
+FAST_SHARE = 0.15  # of the time of all tests of a folder: those that take so much together run first
+# Whose tests run next, after those of the own folder: folders and files.
+NEXT_TESTS = {
+    "Core/Rules": ["Core/Surfaces", "Core/Solids/Strata", "Core/Solids/TetOct"],
+    "Core/Solids/RedGreen": ["Filters/RedGreen/TestRedGreen.cxx", "Filters/RedGreen"],
+    "Core/Solids/Strata": ["Core/Rules", "Filters/Control/TestFeaturesJoints.cxx", "Filters/Control"],
+    "Core/Surfaces/Butterfly": ["Filters/Surface/TestSurfaceButterflyMeshes.cxx", "Filters/Surface/TestSurfaceLimits.cxx"],
+    "Core/Surfaces/FourEight": ["Filters/Surface/TestSurfaceFourEight.cxx", "Filters/Surface/TestSurfaceFourEightLimits.cxx",
+                                "Filters/Surface/TestSurfaceLimits.cxx"],
+    "Core/Surfaces/SqrtThree": ["Filters/Surface/TestSurfaceSqrtThree.cxx", "Filters/AdaptiveSurface/TestAdaptiveSqrtThree.cxx",
+                                "Filters/AdaptiveSurface", "Filters/Surface/TestSurfaceLimits.cxx"],
+}
+for scheme in ("CatmullClark", "Loop", "Scheme"):
+    NEXT_TESTS["Core/Surfaces/" + scheme] = ["Filters/Surface/TestSurfaceMasks.cxx", "Filters/Surface/TestSurfaceLimits.cxx",
+                                             "Filters/Surface/TestSurfaceSubdivision.cxx"]
 LIBRARY = "libvtkSubdivisionObjects.so"
 HERE = pathlib.Path(__file__).parent
 
@@ -93,16 +108,21 @@ class Runner:
         self.rest = rest
         self.commands = Commands(build)
         self.work = work
-        self.overlay = self.work / "sources"
-        self.binaries = self.work / "binaries"
+        self.use_folder("alone")
+        self.prepared = None  # the file in the folder "together"
+        self.numbers = {}  # of its mutations, by key
         self.tests = {"Core": "SubdivisionObjectsCoreTests", "Filters": "SubdivisionObjectsTests"}
         self.seconds = {}
         self.suites = {}
+
+    def use_folder(self, name):
+        self.overlay = self.work / name / "sources"
+        self.binaries = self.work / name / "binaries"
         self.binaries.mkdir(parents=True, exist_ok=True)
 
     # ---- building
 
-    def compile(self, source, changed):
+    def compile(self, source, changed, options=()):
         """Compiles a source; `changed` is the file that was written. Returns the object, None if it cannot be."""
         entry = self.commands.objects[str(source)]
         target = self.binaries / (hashlib.sha1(str(source).encode()).hexdigest()[:12] + ".o")
@@ -116,19 +136,24 @@ class Runner:
             words[words.index("-c") + 1] = str(self.overlay / changed)
         words.insert(1, "-I%s" % (self.overlay / "Filters"))
         # What a mutation leaves unused is no error.
-        words += ["-Wno-error", "-w"] + ([] if changed.endswith(".cxx") else ["-O0"])
-        made = subprocess.run(words, cwd=self.build, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        words += ["-Wno-error", "-w"] + ([] if changed.endswith(".cxx") else ["-O0"]) + list(options)
+        made = subprocess.run(words, cwd=self.build, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.errors = made.stderr
         return target if made.returncode == 0 else None
 
     def link(self, target, objects, output):
-        command = self.commands.get_link(target)
-        for original, own in objects.items():
-            command = command.replace(" %s " % original, " %s " % own)
-        words = shlex.split(command.replace(": && ", "").replace(" && :", ""))
+        words = shlex.split(self.commands.get_link(target).replace(": && ", ""))
+        words = words[:words.index("&&")]  # CMake lists tests then
+        own = [str(objects[word]) for word in words if word in objects]
+        words = [word for word in words if word not in objects]
+        first = next(i for i, word in enumerate(words) if word.endswith(".o"))
+        words[first:first] = own  # of functions that several objects have, the linker takes the first
+        if target.startswith("lib/"):
+            words.insert(1, "-Wl,-Bsymbolic-functions")  # not the functions of the same name in the tests
         words[words.index("-o") + 1] = str(output)
         return subprocess.run(words, cwd=self.build, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
 
-    def find_sources(self, path):
+    def find_sources(self, path, most=MOST_OBJECTS):
         """What to compile for a changed file, nearest first, and whether equal objects mean an equal library."""
         whole = self.source / path
         if path.endswith(".cxx"):
@@ -136,10 +161,27 @@ class Runner:
         folder = os.path.dirname(path).replace("Filters/", "", 1)
         includers = self.commands.find_includers(whole)
         library = [one for one in includers if one.startswith(str(self.source / "Filters"))]
-        library.sort(key=lambda one: (-len(os.path.commonpath([one, str(whole)])), one))
+        names = set(re.findall(r"\b([A-Z]\w+)\(", whole.read_text(encoding="utf-8")))
+        distances = {one: self.find_distance(one, whole, names) for one in library}
+        if any(distance < 2 for distance in distances.values()):
+            library = [one for one in library if distances[one] < 2]
+        library.sort(key=lambda one: (distances[one], -len(os.path.commonpath([one, str(whole)])), one))
         tests = [one for one in includers
                  if one.startswith((str(self.source / "Testing" / folder), str(self.find_test_folder(folder))))]
-        return library[:MOST_OBJECTS] + sorted(tests)[:MOST_OBJECTS], False
+        return library[:most] + sorted(tests)[:MOST_OBJECTS], False
+
+    def find_distance(self, source, header, names):
+        """0 if a source calls functions of a header, 1 if a header does that it includes itself, else 2."""
+        text = pathlib.Path(source).read_text(encoding="utf-8")
+        texts = [text]
+        for included in re.findall(r'#include "([^"]+)"', text):
+            path = self.source / "Filters" / included
+            if path != header and path.exists():
+                texts.append(path.read_text(encoding="utf-8"))
+        for distance, one in enumerate(["\n".join(texts[:1]), "\n".join(texts)]):
+            if names.intersection(re.findall(r"\b([A-Z]\w+)\(", one)):
+                return distance
+        return 2
 
     def find_test_folder(self, folder):
         """The folder of Testing that has the tests of a folder of Filters."""
@@ -162,27 +204,64 @@ class Runner:
             original = self.commands.objects[source]["output"]
             objects[original] = made
             is_same = is_same and made.read_bytes() == (self.build / original).read_bytes()
-        if is_same:
-            return "same"
+        return "same" if is_same else "" if self.link_all(objects) else "does not compile"
+
+    def link_all(self, objects):
+        """Makes the library, and those tests of which objects have changed."""
         for name in self.tests.values():
             (self.binaries / name).unlink(missing_ok=True)
         library = (self.build / "lib" / LIBRARY).resolve()
         if not self.link("lib/" + library.name, objects, self.binaries / LIBRARY):
-            return "does not compile"
-        for name in self.tests.values():
-            if any("/%s.dir/" % name in original for original in objects):
-                if not self.link("bin/" + name, objects, self.binaries / name):
-                    return "does not compile"
-        return ""
+            return False
+        return all(self.link("bin/" + name, objects, self.binaries / name) for name in self.tests.values()
+                   if any("/%s.dir/" % name in original for original in objects))
+
+    def prepare(self, path, several):
+        """Builds a file with many of its mutations in it."""
+        self.prepared = path
+        self.numbers = {}
+        self.use_folder("together")
+        text = (self.source / path).read_text(encoding="utf-8")
+        sources, _ = self.find_sources(path, MOST_TOGETHER)
+        overlay = self.overlay / path
+        overlay.parent.mkdir(parents=True, exist_ok=True)
+        (self.overlay / "Filters" / schemata.HEADER).write_text(schemata.HEADER_TEXT, encoding="utf-8")
+        for constants in (True, False):
+            made = schemata.Schemata(text, several, constants)
+            for _ in range(8):
+                if not made.numbers or not sources:
+                    break
+                changed, owners = made.write()
+                overlay.write_text(changed, encoding="utf-8")
+                objects = {}
+                for source in sources:
+                    objects[self.commands.objects[source]["output"]] = self.compile(pathlib.Path(source), path, ["-O1"])
+                    if not objects[self.commands.objects[source]["output"]]:
+                        break
+                else:
+                    if not self.link_all(objects) or self.run_own(path):  # it has to pass with none switched on
+                        break
+                    overlay.unlink()
+                    self.numbers = made.numbers
+                    return
+                lines = re.findall(r"%s:(\d+):\d+: (?:fatal )?error" % re.escape(str(overlay)), self.errors)
+                wrong = {owners[int(line) - 1] for line in lines} - {None}
+                if not wrong:
+                    break
+                for place in wrong:
+                    made.drop(place)
+        overlay.unlink(missing_ok=True)
 
     # ---- running
 
-    def run(self, name, filters, seconds, own=True):
+    def run(self, name, filters, seconds, own=True, number=0):
         """Runs tests until one fails. Returns "", the name of the test that failed, or "time"."""
         program = self.binaries / name if own and (self.binaries / name).exists() else self.build / "bin" / name
         environment = {**os.environ, "GTEST_FAIL_FAST": "1", "GTEST_FILTER": filters, "VTK_SMP_BACKEND_IN_USE": "STDThread",
                        "SUBDIVISIONOBJECTS_DATA": str(self.source / "Data"), "SUBDIVISIONOBJECTS_RANDOM_SECONDS": "2",
                        "SUBDIVISIONOBJECTS_SHARED_DATA": str(self.source.parent / "shared" / "data")}
+        if number:
+            environment[schemata.VARIABLE] = str(number)
         if own:
             environment["LD_PRELOAD"] = str(self.binaries / LIBRARY)
         log = self.work / "tests.log"
@@ -199,53 +278,91 @@ class Runner:
         return failed[0] if failed else "crash"
 
     def find_suites(self, folder):
-        """The program and the names of the tests in a folder, and how long they take."""
+        """The program of the tests in a folder or file, their names, and the same in two parts, of which the fast one runs first."""
         if folder not in self.suites:
             names = set()
-            for test in folder.rglob("Test*.cxx"):
+            for test in [folder] if folder.is_file() else folder.rglob("Test*.cxx"):
                 text = test.read_text(encoding="utf-8")
                 names.update(re.findall(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)\((\w+),", text, re.M))
             which = "Core" if "Core" in folder.parts else "Filters"
-            filters = ":".join(sorted("%s.*:*/%s.*:%s/*" % (name, name, name) for name in names))
-            begin = time.time()
-            filters += "-*Files*"  # large ones
-            failed = self.run(self.tests[which], filters, 3000, own=False)
+            every = ":".join(sorted("%s.*:*/%s.*:%s/*" % (name, name, name) for name in names))
+            large = "-*Files*"
+            failed = self.run(self.tests[which], every + large, 3000, own=False)
             if failed:
                 sys.exit("%s fails without a mutation" % failed)
-            self.seconds[folder] = time.time() - begin
-            self.suites[folder] = (self.tests[which], filters)
-        return self.suites[folder], self.seconds[folder]
+            times = re.findall(r"\[       OK \] (\S+) \((\d+) ms\)", (self.work / "tests.log").read_text(encoding="utf-8"))
+            times = sorted((int(time), name) for name, time in times)
+            whole = sum(one for one, _ in times)
+            fast = [name for i, (_, name) in enumerate(times) if sum(one for one, _ in times[:i + 1]) < FAST_SHARE * whole]
+            parts = [":".join(fast)] if fast else []
+            parts.append(every + large + "".join(":" + name for name in fast))
+            self.suites[folder] = (self.tests[which], every, parts)
+            self.seconds[folder] = whole / 1000.
+        return self.suites[folder]
 
-    def judge(self, mutation):
-        """Returns what becomes of a mutation, and which test killed it."""
+    def run_suites(self, folder, number):
+        program, _, parts = self.find_suites(folder)
+        failed = ""
+        for part in parts:
+            failed = failed or self.run(program, part, 30. + 6. * self.seconds[folder], number=number)
+        return failed
+
+    def judge(self, mutation, is_explained):
+        """Returns what becomes of a mutation, and which test killed it. Tests near by are enough for an explained one."""
+        number = self.numbers.get(mutation.key)
+        if number:
+            self.use_folder("together")
+            failed = self.run_own(mutation.path, number)
+            if not is_explained:
+                failed = failed or self.run_next(mutation.path, number) or self.run_rest(mutation.path, number)
+            if failed:
+                return "killed", failed
+        sources, is_whole = self.find_sources(mutation.path)
+        if number and not is_whole:
+            return "survived", ""
+        self.use_folder("alone")
         path = self.overlay / mutation.path
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(mutation.apply((self.source / mutation.path).read_text(encoding="utf-8")), encoding="utf-8")
         try:
-            sources, is_whole = self.find_sources(mutation.path)
-            place = os.path.dirname(mutation.path).replace("Filters/", "", 1)
-            (name, filters), seconds = self.find_suites(self.find_test_folder(place))
             objects = {}
             failed = ""
             while sources and not failed:  # most are killed before all sources are compiled
                 result = self.build_changed(mutation.path, sources[:AT_ONCE], objects, is_whole)
-                if result:
-                    return result, ""
-                failed = self.run(name, filters, 30. + 6. * seconds)
+                if result or number:
+                    return result or "survived", ""
+                failed = self.run_own(mutation.path)
                 sources = sources[AT_ONCE:]
-            for further in [] if failed else NEXT_TESTS.get(place, []):
-                (another, names), seconds = self.find_suites(self.source / "Testing" / further)
-                failed = failed or self.run(another, names, 30. + 6. * seconds)
-            begin = time.time()
-            slow = "Partitions*:*Random*:Fuzz*"
-            for other in self.tests.values():
-                left = self.rest - (time.time() - begin)
-                if not failed and left > 1.:
-                    failed = self.run(other, "-" + slow + ":" + (filters.split("-")[0] if other == name else ""), left)
-                    failed = "" if failed == "time" else failed  # there was no more time for it
+            if not is_explained:
+                failed = failed or self.run_next(mutation.path) or self.run_rest(mutation.path)
             return ("killed", failed) if failed else ("survived", "")
         finally:
             path.unlink()
+
+    def run_own(self, path, number=0):
+        """Runs the tests of the folder with the same name. Returns the one that failed, or ""."""
+        return self.run_suites(self.find_test_folder(os.path.dirname(path).replace("Filters/", "", 1)), number)
+
+    def run_next(self, path, number=0):
+        """Runs the tests of the folders near it."""
+        failed = ""
+        for further in NEXT_TESTS.get(os.path.dirname(path).replace("Filters/", "", 1), []):
+            failed = failed or self.run_suites(self.source / "Testing" / further, number)
+        return failed
+
+    def run_rest(self, path, number=0):
+        """Runs all other tests, as long as there is time."""
+        place = os.path.dirname(path).replace("Filters/", "", 1)
+        own, every, _ = self.find_suites(self.find_test_folder(place))
+        begin = time.time()
+        slow = "Partitions*:*Random*:Fuzz*"
+        for name in self.tests.values():
+            left = self.rest - (time.time() - begin)
+            if left > 1.:
+                failed = self.run(name, "-" + slow + ":" + (every if name == own else ""), left, number=number)
+                if failed and failed != "time":  # there was no more time for it
+                    return failed
+        return ""
 
 
 def limit_memory():
@@ -285,7 +402,12 @@ def write_report(path, tried, explained):
 
 def write_figures(source, build, entries, explained):
     """Leaves the counts of all that was tried, for Documentation/Reliability.md."""
-    figures = {"killed": 0, "explained": 0, "survived": 0}
+    figures = {"killed": 0, "explained": 0, "survived": 0, "files": {}}
+    for path in sorted({entry["path"] for entry in entries}):
+        if (source / path).exists():
+            there_are = len(mutations.list_mutations(path, (source / path).read_text(encoding="utf-8")))
+            tried = sum(entry["path"] == path for entry in entries)
+            figures["files"][path.replace("Filters/", "", 1)] = [tried, there_are]
     for entry in entries:
         has_reason = (entry["path"], entry["old"], entry["new"]) in explained
         result = "explained" if entry["result"] == "survived" and has_reason else entry["result"]
@@ -323,15 +445,23 @@ def main():
     print("%d of %d mutations" % (len(chosen), len(all_of_them)))
     file = work / "results.json"
     results = json.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
+    keys = {one.key for one in all_of_them}  # lines that are gone take their mutations with them
+    results = {key: entry for key, entry in results.items() if key in keys or entry["path"] not in digests}
     lock = threading.Lock()
 
-    def try_one(mutation):
+    def is_open(mutation):
         entry = results.get(mutation.key)
-        if entry and entry["file"] == digests[mutation.path] and not (arguments.again and entry["result"] == "survived"):
-            return entry
+        is_known = entry and entry["file"] == digests[mutation.path]
+        return not is_known or arguments.again and entry["result"] == "survived"
+
+    def try_one(mutation):
+        if not is_open(mutation):
+            return results[mutation.key]
         begin = time.time()
         runner = runners.get()
-        result, test = runner.judge(mutation)
+        if runner.prepared != mutation.path:
+            runner.prepare(mutation.path, [one for one in chosen if one.path == mutation.path and is_open(one)])
+        result, test = runner.judge(mutation, (mutation.path, mutation.old.strip(), mutation.new.strip()) in explained)
         runners.put(runner)
         entry = {"path": mutation.path, "line": mutation.number, "old": mutation.old.strip(), "new": mutation.new.strip(),
                  "result": result, "test": test, "seconds": round(time.time() - begin, 1), "file": digests[mutation.path]}
@@ -347,7 +477,7 @@ def main():
         tried = list(pool.map(try_one, chosen))
     summary, counts = write_report(work / "report.txt", tried, explained)
     print(summary)
-    write_figures(source, arguments.build.resolve().parent, results.values(), explained)
+    write_figures(source, arguments.build.resolve().parent, list(results.values()), explained)
     return 1 if counts.get("survived", 0) else 0
 
 

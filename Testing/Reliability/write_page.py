@@ -30,6 +30,17 @@ def tell_mutations(figures):
         figures["killed"], figures["explained"], figures["survived"], figures["killed"] + figures["explained"] + figures["survived"])
 
 
+def tell_mutated_files(figures):
+    """How many of the mutations of each folder were tried; of a folder that counts files with mutations tried only."""
+    folders = {}
+    for path, (tried, there_are) in figures.get("files", {}).items():
+        folder = folders.setdefault(path.rsplit("/", 1)[0], [0, 0, 0])
+        for i, more in enumerate((1, tried, there_are)):
+            folder[i] += more
+    return ", ".join("%s %d of %d (%d file%s)" % (folder, tried, there_are, files, "s"[:files > 1])
+                     for folder, (files, tried, there_are) in sorted(folders.items()))
+
+
 def tell_of_fuzz(key):
     return lambda figures: "{:,}".format(sum_up(figures, key))
 
@@ -53,6 +64,7 @@ ROWS = [
     ("Time from a click to the stop, median and worst of the whole run, in ms", "abort", tell_latency),
     ("Allocations that failed, and were survived, of those tried", "memory", lambda f: "{0:,} of {0:,}".format(f["tried"])),
     ("Mutations", "mutations", tell_mutations),
+    ("Mutations tried, of those that the files have", "mutations", tell_mutated_files),
 ]
 
 

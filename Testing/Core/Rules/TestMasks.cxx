@@ -2,6 +2,8 @@
 // Mathematics 5 and 6: the weights, number by number, and eq. 12 on Kuhn lattices.
 #include "CoreZoo.h"
 
+#include "Core/Rules/Masks.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -329,4 +331,29 @@ TEST(CoreMasks, SingularSimplices)
   const Subdivided<int> dart = Build<int>(end.Cells, end.Singular, darts);
   EXPECT_EQ(dart.Level.Strata.Vertices[0].GetRule(), Rule::Surface);
   EXPECT_EQ(GetRing(dart.Level.Strata.VertexRings, 0), (Tuple{ 2, 3, 4, 5 }));
+}
+
+namespace
+{
+
+void ExpectMask(const Mask& mask, double own, double ring)
+{
+  EXPECT_EQ(mask.Own, own);
+  EXPECT_EQ(mask.Ring, ring);
+}
+
+}
+
+/// What meshes do not reach: masks for rings that a rule never has are finite, too.
+TEST(CoreMasks, EachRuleHasAMaskForEachRing)
+{
+  for (Rule rule :
+    { Rule::Corner, Rule::Curve, Rule::Surface, Rule::Solid, Rule::Blend, Rule::RegularEdge })
+  {
+    ExpectMask(EdgeMask(rule, 0), 1. / 2., 0.);
+  }
+  ExpectMask(EdgeMask(Rule::Solid, 1), 5. / 16., 3. / 8.);
+  ExpectMask(EdgeMask(Rule::Curve, 2), 1. / 2., 0.);
+  ExpectMask(EdgeMask(Rule::Corner, 2), 1. / 2., 0.);
+  ExpectMask(VertexMask(Rule::Corner, 2, LoopWeights::Warren), 1., 0.);
 }

@@ -35,6 +35,17 @@ struct Decision
   int Part;
 };
 
+constexpr Decision Decide(Rule rule, int type, RingKind ring)
+{
+  return { Stratum(rule, type), ring, {}, {} };
+}
+
+/// With all neighbours in the C_k of some dimensions.
+constexpr Decision DecideIn(Rule rule, int type, unsigned char dimensions)
+{
+  return { Stratum(rule, type), RingKind::InDimensions, dimensions, {} };
+}
+
 constexpr Rule RuleOfDimension(int d)
 {
   return static_cast<Rule>(d);
@@ -59,14 +70,14 @@ private:
   // Edges.
   Decision DecideEdge(Id edge) const;
   Decision DecideJointEdge(Id edge, int type, unsigned char dimensions, JointRule rule) const;
-  Decision DecideEdgeIn(Id edge, int k, Place place, int type, bool follow) const;
+  Decision DecideEdgeIn(Id edge, int k, Place place, int type) const;
   bool IsRegular(Id edge) const;
   bool IsInEdgeRing(Id face, const Decision& decision) const;
   // Vertices.
   Decision DecideVertex(Id vertex) const;
   bool DecideSingularVertex(Id vertex, int type, Decision& decision) const;
   Decision DecideJointVertex(Id vertex, int type, unsigned char dimensions, JointRule rule) const;
-  Decision DecideVertexIn(Id vertex, int k, Place place, int type, bool follow) const;
+  Decision DecideVertexIn(Id vertex, int k, Place place, int type) const;
   bool IsInVertexRing(Id edge, const Decision& decision) const;
   bool LiesOnBoundaryCurve(Id vertex) const;
   int FindPartAtVertex(Id vertex, int k) const;

@@ -14,21 +14,18 @@ template <typename Id>
 Decision StrataBuilder<Id>::DecideEdge(Id edge) const
 {
   const unsigned char dimensions = this->Around.EdgeDimensions(edge);
-  Place places[4] = {};
-  for (int k = 1; k <= 3; ++k)
-  {
-    places[k] = k == 3 ? this->EdgePlaces[edge] : this->Around.PlaceEdge(edge, k);
-  }
+  // No edge is a joint inside C_1 alone.
+  const Place places[4] = { {}, {}, this->Around.PlaceEdge(edge, 2), this->EdgePlaces[edge] };
   const int type = this->TypeOf(dimensions, places);
   const int singularFaces = this->CountSingularFaces(edge);
   const bool flagged = !this->Singular.Edges.empty() && this->Singular.Edges[edge];
   if (flagged || singularFaces == 1 || singularFaces > 2)
   {
-    return { Stratum(Rule::Curve, type), RingKind::Creases, 0, 0 };
+    return Decide(Rule::Curve, type, RingKind::Creases);
   }
   if (singularFaces == 2)
   {
-    return { Stratum(Rule::Surface, type), RingKind::SingularFaces, 0, 0 };
+    return Decide(Rule::Surface, type, RingKind::SingularFaces);
   }
   if (type)
   {
@@ -37,7 +34,7 @@ Decision StrataBuilder<Id>::DecideEdge(Id edge) const
     return this->DecideJointEdge(edge, type, dimensions, this->Choice(type, regional));
   }
   const int k = dimensions == 1 ? 1 : dimensions == 2 ? 2 : 3;
-  return this->DecideEdgeIn(edge, k, places[k], 0, false);
+  return this->DecideEdgeIn(edge, k, places[k], 0);
 }
 
 template <typename Id>
@@ -47,7 +44,7 @@ Decision StrataBuilder<Id>::DecideJointEdge(
   switch (rule)
   {
     case JointRule::Sharp:
-      return { Stratum(Rule::Curve, type), RingKind::SharpJoints, 0, 0 };
+      return Decide(Rule::Curve, type, RingKind::SharpJoints);
     case JointRule::FollowDimension1:
     case JointRule::FollowDimension2:
     case JointRule::FollowDimension3:
@@ -56,7 +53,7 @@ Decision StrataBuilder<Id>::DecideJointEdge(
       if (dimensions & DimensionBit(k))
       {
         const Place place = k == 3 ? this->EdgePlaces[edge] : this->Around.PlaceEdge(edge, k);
-        return this->DecideEdgeIn(edge, k, place, type, true);
+        return this->DecideEdgeIn(edge, k, place, type);
       }
       break;
     }
@@ -72,36 +69,36 @@ Decision StrataBuilder<Id>::DecideJointEdge(
     default:
       break;
   }
-  return { Stratum(Rule::Blend, type), RingKind::InDimensions, AllDimensions, 0 };
+  return DecideIn(Rule::Blend, type, AllDimensions);
 }
 
-/// Decides an edge inside C_k alone, where it has the given place. `follow` tells that it lies in
-/// other C_k too, which the choice FollowDimension ignores.
+/// Decides an edge inside C_k alone, where it has the given place. If it is a joint of C_k, it lies
+/// in other C_k too, which the choice FollowDimension ignores.
 template <typename Id>
-Decision StrataBuilder<Id>::DecideEdgeIn(Id edge, int k, Place place, int type, bool follow) const
+Decision StrataBuilder<Id>::DecideEdgeIn(Id edge, int k, Place place, int type) const
 {
   if (k == 1)
   {
-    return { Stratum(Rule::Curve, type), RingKind::None, 0, 0 };
+    return Decide(Rule::Curve, type, RingKind::None);
   }
   switch (place)
   {
     case Place::Boundary:
-      return k == 3 ? Decision{ Stratum(Rule::Surface, type), RingKind::BoundaryOfSolid, 0, 0 }
-                    : Decision{ Stratum(Rule::Curve, type), RingKind::BoundaryOfSurface, 0, 0 };
+      return k == 3 ? Decide(Rule::Surface, type, RingKind::BoundaryOfSolid)
+                    : Decide(Rule::Curve, type, RingKind::BoundaryOfSurface);
     case Place::Interior:
     {
       const Rule rule = k == 2  ? Rule::Surface
         : this->IsRegular(edge) ? Rule::RegularEdge
                                 : Rule::Solid;
-      return { Stratum(rule, type), RingKind::InDimensions, DimensionBit(k), 0 };
+      return DecideIn(rule, type, DimensionBit(k));
     }
     default:
       break;
   }
   const int inner = place == Place::Type2 ? 2 : 3;
   const unsigned char regional =
-    follow && !this->Options.EdgeChoices.empty() ? this->Options.EdgeChoices[edge] : 0;
+    this->Options.EdgeChoices.empty() ? 0 : this->Options.EdgeChoices[edge];
   Decision decision =
     this->DecideJointEdge(edge, type, DimensionBit(k), this->Choice(inner, regional));
   if (decision.Ring == RingKind::InDimensions)
@@ -161,7 +158,7 @@ int StrataBuilder<Id>::FindPartAtEdge(Id edge) const
   for (Id face : this->Around.EdgeFaces[edge])
   {
     const int part = this->PartOfFace(face);
-    if (part < 0 || part >= best || this->Complex.FaceTets[face].size() > 0)
+    if (part < 0 || part >= best)
     {
       continue;
     }

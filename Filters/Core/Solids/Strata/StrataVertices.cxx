@@ -12,7 +12,7 @@ namespace
 Decision DecideCurves(std::size_t edges, RingKind ring, int type)
 {
   const Rule rule = RuleOfCurves(edges);
-  return { Stratum(rule, type), rule == Rule::Curve ? ring : RingKind::None, 0, 0 };
+  return Decide(rule, type, rule == Rule::Curve ? ring : RingKind::None);
 }
 
 }
@@ -37,7 +37,7 @@ Decision StrataBuilder<Id>::DecideVertex(Id vertex) const
   }
   if (dimensions == 0) // isolated
   {
-    return { Stratum(Rule::Corner), RingKind::None, 0, 0 };
+    return Decide(Rule::Corner, 0, RingKind::None);
   }
   if (type)
   {
@@ -46,7 +46,7 @@ Decision StrataBuilder<Id>::DecideVertex(Id vertex) const
     return this->DecideJointVertex(vertex, type, dimensions, this->Choice(type, regional));
   }
   const int k = dimensions == 1 ? 1 : dimensions == 2 ? 2 : 3;
-  return this->DecideVertexIn(vertex, k, places[k], 0, false);
+  return this->DecideVertexIn(vertex, k, places[k], 0);
 }
 
 /// Items 1 to 3 of the list for vertices in Mathematics 4: singular vertices, creases, singular
@@ -59,7 +59,7 @@ bool StrataBuilder<Id>::DecideSingularVertex(Id vertex, int type, Decision& deci
   {
     return false;
   }
-  const Decision corner = { Stratum(Rule::Corner, type), RingKind::None, 0, 0 };
+  const Decision corner = Decide(Rule::Corner, type, RingKind::None);
   if (!this->Singular.Vertices.empty() && this->Singular.Vertices[vertex])
   {
     decision = corner;
@@ -82,8 +82,7 @@ bool StrataBuilder<Id>::DecideSingularVertex(Id vertex, int type, Decision& deci
   {
     const bool closed =
       this->Around.IsClosedFan(vertex, [this](Id face) { return this->IsSingularFace(face); });
-    decision =
-      closed ? Decision{ Stratum(Rule::Surface, type), RingKind::SingularFaces, 0, 0 } : corner;
+    decision = closed ? Decide(Rule::Surface, type, RingKind::SingularFaces) : corner;
     return true;
   }
   return false;
@@ -125,7 +124,7 @@ Decision StrataBuilder<Id>::DecideJointVertex(
       if (dimensions & DimensionBit(k))
       {
         const Place place = this->Around.PlaceVertex(vertex, k, this->EdgePlaces);
-        return this->DecideVertexIn(vertex, k, place, type, true);
+        return this->DecideVertexIn(vertex, k, place, type);
       }
       break;
     }
@@ -142,26 +141,25 @@ Decision StrataBuilder<Id>::DecideJointVertex(
     default:
       break;
   }
-  return { Stratum(Rule::Blend, type), RingKind::InDimensions, AllDimensions, 0 };
+  return DecideIn(Rule::Blend, type, AllDimensions);
 }
 
 template <typename Id>
-Decision StrataBuilder<Id>::DecideVertexIn(
-  Id vertex, int k, Place place, int type, bool follow) const
+Decision StrataBuilder<Id>::DecideVertexIn(Id vertex, int k, Place place, int type) const
 {
   if (place == Place::Interior)
   {
-    return { Stratum(RuleOfDimension(k), type), RingKind::InDimensions, DimensionBit(k), 0 };
+    return DecideIn(RuleOfDimension(k), type, DimensionBit(k));
   }
   if (place == Place::Boundary)
   {
     const RingKind rings[4] = { RingKind::None, RingKind::None, RingKind::BoundaryOfSurface,
       RingKind::BoundaryOfSolid };
-    return { Stratum(RuleOfDimension(k - 1), type), rings[k], 0, 0 };
+    return Decide(RuleOfDimension(k - 1), type, rings[k]);
   }
   const int inner = place == Place::Type2 ? 2 : 3;
   const unsigned char regional =
-    follow && !this->Options.VertexChoices.empty() ? this->Options.VertexChoices[vertex] : 0;
+    this->Options.VertexChoices.empty() ? 0 : this->Options.VertexChoices[vertex];
   Decision decision =
     this->DecideJointVertex(vertex, type, DimensionBit(k), this->Choice(inner, regional));
   if (decision.Ring == RingKind::InDimensions)

@@ -137,6 +137,18 @@ TEST(CoreStrata, Joints)
       { { 0, 2 }, Rule::Curve, 0, 0 }, { { 1 }, Rule::Corner, 0, 0 } });
 }
 
+/// Faces of C_3 alone are counted at a regular edge that follows C_3.
+TEST(CoreStrata, AFollowedSolidHasRegularEdges)
+{
+  const Mesh mesh = FindInZoo("FinInRegularEdge");
+  StrataOptions options;
+  options.Type1 = JointRule::FollowDimension3;
+  const Subdivided<int> built = Build<int>(mesh.Cells, mesh.Singular, options);
+  const int edge = FindEdge(built.Level.Complex, 0, 1);
+  EXPECT_EQ(built.Level.Strata.Edges[edge].GetRule(), Rule::RegularEdge);
+  EXPECT_EQ(built.Level.Strata.EdgeRings.GetSize(edge), 4);
+}
+
 TEST(CoreStrata, Singularities)
 {
   ExpectKnown("CreasedSurface",
