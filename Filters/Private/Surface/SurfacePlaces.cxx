@@ -290,9 +290,9 @@ bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& reques
     {
       if (!this->Joined)
       {
-        rows.Append(parts[PlaceParts::Value]);
+        rows.Append(parts);
       }
-      ForEach(parts[PlaceParts::Value].GetNumberOfRows(),
+      ForEach(parts.GetNumberOfPlaces(),
         [&](vtkIdType i)
         {
           const PlacePoint point = SumParts(parts, i, coordinates);
@@ -302,8 +302,8 @@ bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& reques
     });
   if (this->Joined)
   {
-    this->SumPlaces(*this->Steps, places,
-      [&rows](vtkIdType, const PlaceRows<Id>& parts) { rows.Append(parts[PlaceParts::Value]); });
+    this->SumPlaces(
+      *this->Steps, places, [&rows](vtkIdType, const PlaceRows<Id>& parts) { rows.Append(parts); });
     const auto points = MakeArray(this->Points->GetPoints()->GetDataType(), 3, size);
     for (const vtkIdType i : InTurn(size))
     {

@@ -187,7 +187,7 @@ bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme:
     ForParts(level, creases, at,
       [&](vtkIdType begin, const PlaceLimits<Id>& limits)
       {
-        ForEach(limits.Rows[PlaceParts::Value].GetNumberOfRows(),
+        ForEach(limits.Rows.GetNumberOfPlaces(),
           [&](vtkIdType i) { values[begin + i] = SumParts(limits.Rows, i, coordinates); });
       });
     return values;
@@ -264,8 +264,8 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
   ForParts(level, creases, places,
     [&](vtkIdType begin, const PlaceLimits<Id>& limits)
     {
-      rows.Append(limits.Rows[PlaceParts::Value]);
-      ForEach(limits.Rows[PlaceParts::Value].GetNumberOfRows(),
+      rows.Append(limits.Rows);
+      ForEach(limits.Rows.GetNumberOfPlaces(),
         [&](vtkIdType i)
         {
           derivatives.Set(
