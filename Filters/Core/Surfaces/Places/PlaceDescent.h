@@ -8,6 +8,7 @@
 
 #include "Core/Surfaces/Places/PartSurroundings.h"
 #include "Core/Surfaces/Places/PatchWeights.h"
+#include "Core/Surfaces/Places/QuadParts.h"
 #include "Core/Surfaces/Places/RegularPatch.h"
 #include "Core/Surfaces/Places/SurfacePlaces.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
@@ -66,27 +67,6 @@ struct MovingPlace
   SurfacePlace<Id> Place;
   PlaceRow<Id>* Row;
 };
-
-/// Splits a quad with a place at its corner k: the part there begins at this corner.
-template <typename Id>
-void GoToCornerOfQuad(int k, SurfacePlace<Id>& place)
-{
-  const std::array<double, 2> at = place.At;
-  const auto directions = place.Directions;
-  // x of the part is along the edge that begins at the corner, y along the one before.
-  constexpr int axes[4][2] = { { 0, 1 }, { 1, 0 }, { 0, 1 }, { 1, 0 } };
-  constexpr bool turned[4][2] = { { false, false }, { false, true }, { true, true },
-    { true, false } };
-  for (int i = 0; i < 2; ++i)
-  {
-    const int axis = axes[k][i];
-    place.At[i] = 2. * (turned[k][i] ? 1. - at[axis] : at[axis]);
-    for (int p = 0; p < 2; ++p)
-    {
-      place.Directions[i][p] = (turned[k][i] ? -2. : 2.) * directions[axis][p];
-    }
-  }
-}
 
 /// Goes on to the part of a quad, triangle or line, and returns its number.
 template <typename Id>
