@@ -238,9 +238,7 @@ TEST(SurfaceLimitProbe, FootPoints)
       std::vector<Point> targets;
       // Next to extraordinary vertices radii of curvature may be small.
       const auto getOffset = [&](vtkIdType i)
-      {
-        return places.Parameters->GetComponent(i, 0) < 1e-3 ? 1e-6 : 2e-3;
-      };
+      { return places.Parameters->GetComponent(i, 0) < 1e-3 ? 1e-6 : 2e-3; };
       for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
       {
         Point p = GetPoint(at, i);
