@@ -145,6 +145,7 @@ bool SurfaceRun<Id>::ReadPlace(vtkIdType i, const PlaceInCell& given, const Part
       return fail(", and its parameters are not finite.");
     }
   }
+  place = SurfacePlace<Id>();
   place.Dimension = part.Dimension;
   place.Part = static_cast<Id>(part.Part);
   bool isInside = true;
@@ -304,6 +305,10 @@ bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& reques
     });
   if (this->Joined)
   {
+    if (!read(*this->Steps)) // edges have other numbers there
+    {
+      return false;
+    }
     this->SumPlaces(
       *this->Steps, places, [&rows](vtkIdType, const PlaceRows<Id>& some) { rows.Append(some); });
     const auto points = MakeArray(this->Points->GetPoints()->GetDataType(), 3, size);

@@ -259,8 +259,8 @@ TEST(SurfaceLimitProbe, FootPoints)
   }
 }
 
-/// Lines on faces, lines alone and vertices are searched; seams are crossed; grids keep cell ids.
-TEST(SurfaceLimitProbe, LinesVerticesSeamsAndGrids)
+/// Lines and vertices are searched; grids keep cell ids.
+TEST(SurfaceLimitProbe, LinesVerticesAndGrids)
 {
   for (const int scheme : PlaceSchemes)
   {
@@ -318,6 +318,15 @@ TEST(SurfaceLimitProbe, LinesVerticesSeamsAndGrids)
     EXPECT_EQ(GetTuple(ofGrid, "CellId", places.GetSize())[0],
       static_cast<double>(input->GetNumberOfCells()));
     EXPECT_EQ(GetTuple(ofGrid, "Distance", places.GetSize())[0], 0.);
+  }
+}
+
+/// Seams are crossed, as points follow the mesh in which they are joined.
+TEST(SurfaceLimitProbe, SeamsAreCrossed)
+{
+  for (const int scheme : PlaceSchemes)
+  {
+    CheckAgainstFineLevel(MakeSeamedSheet(scheme == Filter::LOOP), scheme, 60);
   }
 }
 
