@@ -3,6 +3,7 @@
 
 #include "Private/Control/PlaceOutput.h"
 #include "Private/Reading/InputArrays.h"
+#include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkCompositeDataSet.h"
@@ -81,22 +82,48 @@ int vtkSubdivisionLimitProbe::RequestData(
                   "nearest places are wanted. On the command line it is --places FILE.");
     return 0;
   }
+  const std::string memory =
+    "the search for nearest places. Use fewer points, or a part of the control mesh.";
+  const auto run = [&](auto& options, const auto& work)
+  {
+    options.Levels = 0;
+    options.ProjectToLimit = true;
+    options.Places = &request;
+    return this->Run(inputVector, outputVector, options,
+      "Results at the border of the partition are not those of the whole mesh.", memory,
+      [&](vtkPointSet* input, vtkPointSet* output)
+      {
+        request.Output = vtkPolyData::SafeDownCast(output);
+        return work(input);
+      });
+  };
+  if (this->IsOfSurfaces())
+  {
+    subdivision::SurfaceOptions options;
+    options.Scheme = this->SurfaceScheme == CATMULL_CLARK
+      ? subdivision::SurfaceSchemeKind::CatmullClark
+      : subdivision::SurfaceSchemeKind::Loop;
+    options.ModifiedBoundary = this->ModifiedBoundary;
+    return run(options,
+      [&](vtkPointSet* input)
+      {
+        if (options.OutputPointsPrecision == DEFAULT_PRECISION)
+        {
+          options.OutputPointsPrecision = DOUBLE_PRECISION;
+        }
+        options.Angles = options.Features.CornerAngles;
+        return subdivision::SubdivideSurface(
+          vtkPolyData::SafeDownCast(input), options, request.Output);
+      });
+  }
   subdivision::UniformOptions options;
-  options.Levels = 0;
-  options.ProjectToLimit = true;
-  options.Places = &request;
-  return this->Run(inputVector, outputVector, options,
-    "Results at the border of the partition are not those of the whole mesh.",
-    "the search for nearest places. Use fewer points, or a part of the control mesh.",
-    [&](vtkPointSet* input, vtkPointSet* output)
-    {
-      request.Output = vtkPolyData::SafeDownCast(output);
-      return subdivision::SubdivideUniformly(input, options, nullptr);
-    });
+  return run(options,
+    [&](vtkPointSet* input) { return subdivision::SubdivideUniformly(input, options, nullptr); });
 }
 
 void vtkSubdivisionLimitProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "SurfaceScheme: " << this->SurfaceScheme << "\n";
   os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
 }

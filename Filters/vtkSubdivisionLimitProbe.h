@@ -6,7 +6,9 @@
  * Finds for each point the place of the limit that is nearest to it, with all values there. The
  * limit is what vtkMultiDimensionalSubdivision makes of the input after infinitely many levels:
  * curves, surfaces, and solids with VolumeScheme = BOX_SPLINE. A point inside a solid is its own
- * nearest place: the filter finds from where in the control mesh it comes.
+ * nearest place: the filter finds from where in the control mesh it comes. With another
+ * SurfaceScheme it is what vtkSurfaceSubdivision makes of the polygons and lines: quads and other
+ * polygons then keep their own parameters.
  *
  * @par Inputs
  * Port 0: the control mesh, one data set that is no collection of blocks. Ports 1 and 2: marks, see
@@ -18,19 +20,23 @@
  * unless OutputPointsPrecision says otherwise. Point arrays: those of the control mesh, smoothed,
  * as vtkMultiDimensionalSubdivision::EvaluateLimit has them; DerivativeU, DerivativeV, DerivativeW,
  * LimitNormals, MeanCurvature and GaussianCurvature, as there; `Distance` to the place; `CellId`,
- * the cell of the control mesh with the place; `CellParameters`, the weights of its second, third
- * and fourth point, which are -1 in cells that are no vertices, lines, triangles or tetrahedra.
+ * the cell of the control mesh with the place; `CellParameters`, the parameters of the place there
+ * as EvaluateLimit of the same scheme has them. In simplices they are the weights of the second,
+ * third and fourth point. They are -1 in cells that the scheme cuts: for LOOP all that are no
+ * vertices, lines, triangles or tetrahedra.
  *
  * @par Arrays read, by SetInputArrayToProcess
  * Besides those of vtkMarkedSubdivisionAlgorithm:
  *  - 10, point array of angles of corners for ModifiedBoundary (property CornerAngleArray):
  *    numbers, in degrees, each of all sectors at the corner. Negative or not a number: the plain
- *    rule. Unset: none.
+ *    rule. Unset: none. With another SurfaceScheme than LOOP it is array 5 of
+ *    vtkSurfaceSubdivision.
  *
  * @par Method
  * Two levels on the limit tell where to begin. Newton's method then makes the distance smaller, up
- * to rounding, also across the borders of cells. Where two parts of the object are almost equally
- * near, the farther one may be found: those two levels, and not the limit, choose between them.
+ * to rounding, also across the borders of cells; by CATMULL_CLARK it searches in quads. Where two
+ * parts of the object are almost equally near, the farther one may be found: those two levels, and
+ * not the limit, choose between them.
  *
  * @sa
  * vtkMultiDimensionalSubdivision vtkProbeFilter
@@ -57,6 +63,27 @@ public:
   /// Connects the points, at port 3.
   void SetPlacesConnection(vtkAlgorithmOutput* output);
 
+  enum SurfaceSchemes
+  {
+    LOOP,
+    CATMULL_CLARK,
+    LOOP_OF_SURFACES
+  };
+  ///@{
+  /**
+   * Whose limit it is: LOOP (0, the default; that of vtkMultiDimensionalSubdivision, which has
+   * solids, too), CATMULL_CLARK (1; that of vtkSurfaceSubdivision with Scheme = CATMULL_CLARK) or
+   * LOOP_OF_SURFACES (2; that of vtkSurfaceSubdivision with Scheme = LOOP, which is flat in concave
+   * sectors and joins seams). The latter two leave solids out with a warning, and their limit is
+   * that of vtkSurfaceSubdivision with the same ModifiedBoundary.
+   */
+  vtkSetClampMacro(SurfaceScheme, int, LOOP, LOOP_OF_SURFACES);
+  vtkGetMacro(SurfaceScheme, int);
+  void SetSurfaceSchemeToLoop() { this->SetSurfaceScheme(LOOP); }
+  void SetSurfaceSchemeToCatmullClark() { this->SetSurfaceScheme(CATMULL_CLARK); }
+  void SetSurfaceSchemeToLoopOfSurfaces() { this->SetSurfaceScheme(LOOP_OF_SURFACES); }
+  ///@}
+
   ///@{
   /**
    * Whether the rules of surfaces and of the boundaries of solids next to borders, creases and
@@ -72,6 +99,11 @@ protected:
   vtkSubdivisionLimitProbe();
   ~vtkSubdivisionLimitProbe() override;
 
+  bool IsOfSurfaces() const override { return this->SurfaceScheme != LOOP; }
+  bool HasOriginalCellIds() const override
+  {
+    return this->GenerateOriginalIds || this->IsOfSurfaces();
+  }
   bool CanInterpolate() const override { return true; }
   bool ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -80,6 +112,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+  int SurfaceScheme = LOOP;
   bool ModifiedBoundary = false;
 
 private:

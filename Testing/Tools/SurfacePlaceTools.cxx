@@ -198,6 +198,40 @@ Model MakeBumpySheet(int size, bool triangles, bool hasCreases)
   return sheet;
 }
 
+vtkSmartPointer<vtkPolyData> MakeSeamedSheet(bool triangles)
+{
+  Model model = MakeBumpySheet(4, triangles, false);
+  std::map<vtkIdType, vtkIdType> copies;
+  for (vtkIdType p = 10; p < 15; ++p)
+  {
+    copies[p] = static_cast<vtkIdType>(model.Points.size());
+    model.Points.push_back(model.Points[static_cast<std::size_t>(p)]);
+  }
+  for (std::size_t f = model.Faces.size() / 2; f < model.Faces.size(); ++f)
+  {
+    for (vtkIdType& p : model.Faces[f])
+    {
+      p = copies.count(p) ? copies[p] : p;
+    }
+  }
+  const auto size = static_cast<vtkIdType>(model.Points.size());
+  for (int i = 0; i < 3; ++i)
+  {
+    model.Points.push_back({ 0.5 * i, 0.3 * i * i, 9. });
+  }
+  model.Lines = { { size, size + 1 }, { size + 1, size + 2 } };
+  const auto seamed = MakeInput(model);
+  vtkNew<vtkDoubleArray> texture;
+  texture->SetName("Texture");
+  texture->SetNumberOfComponents(2);
+  for (vtkIdType p = 0; p < seamed->GetNumberOfPoints(); ++p)
+  {
+    texture->InsertNextTuple2(static_cast<double>(p % 5), static_cast<double>(p) / 5.);
+  }
+  seamed->GetPointData()->SetTCoords(texture);
+  return seamed;
+}
+
 vtkSmartPointer<vtkPolyData> MakeCreasedInput(
   const Model& model, const char* name, const std::function<double(vtkIdType)>& getValue)
 {

@@ -34,6 +34,10 @@ void CheckAgainstLevels(
 /// A bumpy grid, with creases that cross and end.
 Model MakeBumpySheet(int size, bool triangles, bool hasCreases);
 
+/// A bumpy sheet of two halves that have the points between them twice, for texture coordinates,
+/// and lines beside it.
+vtkSmartPointer<vtkPolyData> MakeSeamedSheet(bool triangles);
+
 /// An input with a value for each of its lines, which stand first.
 vtkSmartPointer<vtkPolyData> MakeCreasedInput(
   const Model& model, const char* name, const std::function<double(vtkIdType)>& getValue);

@@ -10,6 +10,7 @@
 #include "Core/Memory/GrowingBuffer.h"
 #include "Core/Operators/ApplyRows.h"
 #include "Core/Operators/PlaceParts.h"
+#include "Core/Operators/SparseRows.h"
 
 #include <algorithm>
 #include <array>
@@ -46,7 +47,7 @@ PlacePoint SumParts(const PlaceRows<Id>& rows, vtkIdType place, const double* po
   PlacePoint parts{};
   for (int p = 0; p < PlaceParts::Count; ++p)
   {
-    WeightedRows<Id> row = rows[p].GetRows(place, place + 1);
+    WeightedRows<Id> row = rows.GetRows(p, place, place + 1);
     row.FirstRow = 0;
     SumRows(row, points, parts[p].data(), 3);
   }
@@ -77,17 +78,18 @@ private:
 class AppendedRows
 {
 public:
+  /// The rows of the values.
   template <typename Id>
-  void Append(const SparseRows<Id>& part)
+  void Append(const PlaceRows<Id>& part)
   {
     this->NumberOfColumns = part.NumberOfColumns;
-    const vtkIdType rows = part.GetNumberOfRows();
+    const vtkIdType rows = part.GetNumberOfPlaces();
     const vtkIdType before = this->Columns.size();
     const vtkIdType entries = part.Columns.size();
     std::transform(part.Offsets.begin(), part.Offsets.begin() + rows, this->Offsets.Extend(rows),
       [&](Id offset) { return before + offset; });
     std::copy_n(part.Columns.begin(), entries, this->Columns.Extend(entries));
-    std::copy_n(part.Weights.begin(), entries, this->Weights.Extend(entries));
+    std::copy_n(part.Weights[PlaceParts::Value].begin(), entries, this->Weights.Extend(entries));
   }
   SparseRows<vtkIdType> Finish();
 

@@ -23,41 +23,6 @@ namespace subdivision
 namespace
 {
 
-/// What a cell of the input has become: which of the vertices, lines or faces, if it is one.
-struct PartOfCell
-{
-  int Dimension = -1;
-  int Count = 0;
-  vtkIdType Part = -1;
-  vtkIdType Cell = -1; ///< of the surface of the input
-};
-
-/// The parts of the cells of a vtkPolyData, or of those of the grid that it was made of.
-std::vector<PartOfCell> ListParts(const SurfaceCells& cells, vtkPolyData* surface)
-{
-  vtkDataArray* sources = surface->GetCellData()->GetArray(SourceCellsName);
-  const auto getSource = [sources](vtkIdType cell)
-  { return sources ? static_cast<vtkIdType>(sources->GetComponent(cell, 0)) : cell; };
-  vtkIdType size = 0;
-  for (const vtkIdType cell : InTurn(surface->GetNumberOfCells()))
-  {
-    size = std::max(size, getSource(cell) + 1);
-  }
-  std::vector<PartOfCell> parts(static_cast<std::size_t>(size));
-  const auto add = [&](const std::vector<vtkIdType>& owners, int dimension)
-  {
-    for (const std::size_t i : InTurn(owners.size()))
-    {
-      PartOfCell& part = parts[getSource(owners[i])];
-      part = { dimension, part.Count + 1, static_cast<vtkIdType>(i), owners[i] };
-    }
-  };
-  add(cells.VertexCells, 0);
-  add(cells.SegmentCells, 1);
-  add(cells.FaceCells, 2);
-  return parts;
-}
-
 /// Moves a parameter into [0, 1], but by rounding only. False: it is outside.
 bool MoveInside(double& x)
 {
@@ -96,13 +61,13 @@ bool SetInTriangle(double u, double v, const std::array<int, 3>& order, SurfaceP
 
 }
 
-/// A place of a line as one of a face, if its edge is in one.
+/// A place of a line as one of a face, if its edge is in one; other places as they are.
 template <typename Id>
 SurfacePlace<Id> SurfaceRun<Id>::TakePlaceOfLine(
   const SurfaceLevel<Id>& level, const SurfacePlace<Id>& place) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const Id corner = mesh.EdgeCorners[place.Part];
+  const Id corner = place.Dimension == 1 ? mesh.EdgeCorners[place.Part] : Id(-1);
   if (corner < 0)
   {
     return place;
@@ -140,111 +105,102 @@ SurfacePlace<Id> SurfaceRun<Id>::TakePlaceOfLine(
   return taken;
 }
 
-/// Finds the part of the cell of each place. Returns false, after an error, if a cell is none.
+/// Finds the part of the cell of a place. Returns false, after an error, if the cell is none.
 template <typename Id>
-bool SurfaceRun<Id>::ReadPlaces(
-  const PlaceRequest& request, std::vector<SurfacePlace<Id>>& places, PlaceOrigins& origins) const
+bool SurfaceRun<Id>::ReadPlace(vtkIdType i, const PlaceInCell& given, const PartsOfCells& parts,
+  const SurfaceSteps<Id>& steps, SurfacePlace<Id>& place, PlaceOrigin& origin) const
 {
-  const SurfaceLevel<Id>& level = this->Steps->GetLevel(this->Steps->GetNumberOfSteps());
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  const std::vector<PartOfCell> parts = ListParts(this->Cells, this->Input);
-  vtkNew<vtkIdList> points;
-  for (const vtkIdType i : InTurn(request.Cells->GetNumberOfTuples()))
+  const PolygonMesh<Id>& mesh = GetLast(*this->Steps).Mesh;
+  const SurfaceLevel<Id>& level = GetLast(steps);
+  const vtkIdType cell = given.Cell;
+  const auto fail = [&](const std::string& what)
   {
-    const vtkIdType cell = request.Cells->GetValue(i);
-    const auto fail = [&](const std::string& what)
-    {
-      this->Options.Fail(
-        "Place " + std::to_string(i) + " is in cell " + std::to_string(cell) + what);
-      return false;
-    };
-    if (cell < 0 || cell >= static_cast<vtkIdType>(parts.size()))
-    {
-      return fail(": the input has no such cell.");
-    }
-    const PartOfCell& part = parts[cell];
-    points->Reset();
-    if (part.Count == 1)
-    {
-      this->Input->GetCellPoints(part.Cell, points);
-    }
-    if (part.Count != 1 ||
-      (part.Dimension == 2 && points->GetNumberOfIds() != mesh.GetSize(static_cast<Id>(part.Part))))
-    {
-      return fail(", which was cut into several cells or left out, or has a point twice. Cut it by "
-                  "another filter first, or use Scheme = CatmullClark for polygons.");
-    }
-    std::array<double, 3> p{};
-    const bool isTriangle = this->Scheme->NeedsTriangles();
-    const bool isPolygon = part.Dimension == 2 && !isTriangle && points->GetNumberOfIds() != 4;
-    for (int k = 0; k < part.Dimension + (isPolygon ? 1 : 0); ++k)
-    {
-      p[k] = request.Parameters->GetComponent(i, k);
-      if (!std::isfinite(p[k]))
-      {
-        return fail(", and its parameters are not finite.");
-      }
-    }
-    SurfacePlace<Id> place;
-    place.Dimension = part.Dimension;
-    place.Part = static_cast<Id>(part.Part);
-    bool isInside = true;
-    vtkIdType corner = 0; // the nearest, of the points of the cell
-    if (part.Dimension == 0)
-    {
-      place.Part = static_cast<Id>(this->Cells.Vertices[part.Part]);
-    }
-    else if (part.Dimension == 1)
-    {
-      isInside = MoveInside(p[0]);
-      corner = p[0] > 0.5 ? 1 : 0;
-      const Id line = level.Lines[part.Part];
-      place.Part = line / 2;
-      place.At[0] = line % 2 == 0 ? p[0] : 1. - p[0];
-      place.Directions = { { { { line % 2 == 0 ? 1. : -1., 0. } }, { { 0., 0. } } } };
-      place = this->TakePlaceOfLine(level, place);
-    }
-    else if (isTriangle)
-    {
-      std::array<int, 3> order{};
-      const Id* corners = mesh.Vertices.data() + mesh.GetFirst(place.Part);
-      for (int k = 0; k < 3; ++k)
-      {
-        order[k] = static_cast<int>(
-          std::find(corners, corners + 2, static_cast<Id>(points->GetId(k))) - corners);
-      }
-      isInside = SetInTriangle(p[0], p[1], order, place);
-      const double first = 1. - p[0] - p[1];
-      corner = first >= std::max(p[0], p[1]) ? 0 : p[0] >= p[1] ? 1 : 2;
-    }
-    else
-    {
-      isInside = MoveInside(p[0]);
-      isInside = MoveInside(p[1]) && isInside;
-      place.At = { { p[0], p[1] } };
-      corner = p[1] <= 0.5 ? (p[0] <= 0.5 ? 0 : 1) : (p[0] <= 0.5 ? 3 : 2);
-      if (isPolygon)
-      {
-        const double last = static_cast<double>(points->GetNumberOfIds()) - 1.;
-        if (p[2] != std::floor(p[2]) || p[2] < 0. || p[2] > last)
-        {
-          return fail(
-            ", a polygon that is no quad: its third parameter is the number of one of its "
-            "points, from 0 on.");
-        }
-        place.Corner = static_cast<int>(p[2]);
-        corner = place.Corner;
-      }
-    }
-    if (!isInside)
-    {
-      return fail(": it is outside of the cell. Parameters are not negative, and 1 at most; in a "
-                  "triangle that is their sum.");
-    }
-    origins.Points.push_back(points->GetId(corner));
-    origins.Dimensions.push_back(part.Dimension);
-    places.push_back(place);
+    this->Options.Fail("Place " + std::to_string(i) + " is in cell " + std::to_string(cell) + what);
+    return false;
+  };
+  if (cell < 0 || cell >= parts.GetNumberOfCells())
+  {
+    return fail(": the input has no such cell.");
   }
+  const PartOfCell& part = parts[cell];
+  vtkNew<vtkIdList> points;
+  if (part.Count == 1)
+  {
+    this->Input->GetCellPoints(part.Cell, points);
+  }
+  if (part.Count != 1 ||
+    (part.Dimension == 2 && points->GetNumberOfIds() != mesh.GetSize(static_cast<Id>(part.Part))))
+  {
+    return fail(", which was cut into several cells or left out, or has a point twice. Cut it by "
+                "another filter first, or use Scheme = CatmullClark for polygons.");
+  }
+  std::array<double, 3> p{};
+  const bool isTriangle = this->Scheme->NeedsTriangles();
+  const bool isPolygon = part.Dimension == 2 && !isTriangle && points->GetNumberOfIds() != 4;
+  for (int k = 0; k < part.Dimension + (isPolygon ? 1 : 0); ++k)
+  {
+    p[k] = given.Parameters[k];
+    if (!std::isfinite(p[k]))
+    {
+      return fail(", and its parameters are not finite.");
+    }
+  }
+  place = SurfacePlace<Id>();
+  place.Dimension = part.Dimension;
+  place.Part = static_cast<Id>(part.Part);
+  bool isInside = true;
+  vtkIdType corner = 0; // the nearest, of the points of the cell
+  if (part.Dimension == 0)
+  {
+    place.Part = static_cast<Id>(this->GetCellsOf(steps).Vertices[part.Part]);
+  }
+  else if (part.Dimension == 1)
+  {
+    isInside = MoveInside(p[0]);
+    corner = p[0] > 0.5 ? 1 : 0;
+    const Id line = level.Lines[part.Part];
+    place.Part = line / 2;
+    place.At[0] = line % 2 == 0 ? p[0] : 1. - p[0];
+    place.Directions = { { { { line % 2 == 0 ? 1. : -1., 0. } }, { { 0., 0. } } } };
+    place = this->TakePlaceOfLine(level, place);
+  }
+  else if (isTriangle)
+  {
+    std::array<int, 3> order{};
+    const Id* corners = mesh.Vertices.data() + mesh.GetFirst(place.Part);
+    for (int k = 0; k < 3; ++k)
+    {
+      order[k] = static_cast<int>(
+        std::find(corners, corners + 2, static_cast<Id>(points->GetId(k))) - corners);
+    }
+    isInside = SetInTriangle(p[0], p[1], order, place);
+    const double first = 1. - p[0] - p[1];
+    corner = first >= std::max(p[0], p[1]) ? 0 : p[0] >= p[1] ? 1 : 2;
+  }
+  else
+  {
+    isInside = MoveInside(p[0]);
+    isInside = MoveInside(p[1]) && isInside;
+    place.At = { { p[0], p[1] } };
+    corner = p[1] <= 0.5 ? (p[0] <= 0.5 ? 0 : 1) : (p[0] <= 0.5 ? 3 : 2);
+    if (isPolygon)
+    {
+      const double last = static_cast<double>(points->GetNumberOfIds()) - 1.;
+      if (p[2] != std::floor(p[2]) || p[2] < 0. || p[2] > last)
+      {
+        return fail(", a polygon that is no quad: its third parameter is the number of one of its "
+                    "points, from 0 on.");
+      }
+      place.Corner = static_cast<int>(p[2]);
+      corner = place.Corner;
+    }
+  }
+  if (!isInside)
+  {
+    return fail(": it is outside of the cell. Parameters are not negative, and 1 at most; in a "
+                "triangle that is their sum.");
+  }
+  origin = { points->GetId(corner), part.Dimension };
   return true;
 }
 
@@ -260,8 +216,8 @@ void SurfaceRun<Id>::SumPlaces(const SurfaceSteps<Id>& steps,
     const auto first = places.begin() + static_cast<std::ptrdiff_t>(begin);
     const auto count = static_cast<std::ptrdiff_t>(std::min(most, places.size() - begin));
     use(static_cast<vtkIdType>(begin),
-      FindSurfacePlaces(*this->Scheme, steps.GetLevel(steps.GetNumberOfSteps()),
-        steps.GetSharpCreases(), std::vector<SurfacePlace<Id>>(first, first + count)));
+      FindSurfacePlaces(*this->Scheme, GetLast(steps), steps.GetSharpCreases(),
+        std::vector<SurfacePlace<Id>>(first, first + count)));
     BetweenLoops::Act();
   }
 }
@@ -270,40 +226,91 @@ template <typename Id>
 bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& request)
 {
   this->Cells = std::move(cells);
-  std::vector<SurfacePlace<Id>> places;
-  PlaceOrigins origins;
-  if (!this->Plan() || !this->ReadPlaces(request, places, origins))
+  if (!this->Plan())
   {
     return false;
   }
-  this->Interpolate();
+  const PartsOfCells parts(this->Cells, this->Input);
+  vtkNew<vtkPolyData> found; // with further arrays
+  std::vector<PlaceInCell> asked;
+  std::vector<NearestPlace> nearest;
+  if (request.Targets)
+  {
+    this->Interpolate();
+    if (!this->FindNearest(request.Targets, parts, nearest, asked))
+    {
+      return false;
+    }
+    AddNearestArrays(nearest, asked, found);
+  }
+  else
+  {
+    for (const vtkIdType i : InTurn(request.Cells->GetNumberOfTuples()))
+    {
+      asked.push_back({ request.Cells->GetValue(i), {} });
+      request.Parameters->GetTuple(i, asked.back().Parameters.data());
+    }
+  }
+  std::vector<PlaceOrigin> origins(asked.size());
+  std::vector<SurfacePlace<Id>> places(asked.size());
+  const auto read = [&](const SurfaceSteps<Id>& steps)
+  {
+    const SurfaceSearch<Id> search(
+      this->GetCellsOf(steps), GetLast(steps), this->Scheme->NeedsTriangles());
+    for (const vtkIdType i : InTurn(static_cast<vtkIdType>(asked.size())))
+    {
+      if (request.Targets && parts[asked[i].Cell].Count != 1)
+      {
+        const SurfacePlace<Id> place = search.MakePlace(nearest[i]);
+        origins[i] = { static_cast<vtkIdType>(search.FindNearestVertex(nearest[i])),
+          place.Dimension };
+        places[i] = this->TakePlaceOfLine(GetLast(steps), place);
+      }
+      else if (!this->ReadPlace(i, asked[i], parts, steps, places[i], origins[i]))
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  if (!read(this->GetStepsOfPoints()))
+  {
+    return false;
+  }
+  if (!request.Targets)
+  {
+    this->Interpolate();
+  }
   const auto size = static_cast<vtkIdType>(places.size());
   const double* coordinates = this->Points->GetCoordinates();
-  vtkNew<vtkPolyData> found; // with further arrays
   DerivativeArrays derivatives(size, found);
   vtkNew<vtkDoubleArray> values;
   values->SetNumberOfComponents(3);
   values->SetNumberOfTuples(size);
   AppendedRows rows;
-  this->SumPlaces(this->Joined ? *this->Joined : *this->Steps, places,
-    [&](vtkIdType begin, const PlaceRows<Id>& parts)
+  this->SumPlaces(this->GetStepsOfPoints(), places,
+    [&](vtkIdType begin, const PlaceRows<Id>& some)
     {
       if (!this->Joined)
       {
-        rows.Append(parts[PlaceParts::Value]);
+        rows.Append(some);
       }
-      ForEach(parts[PlaceParts::Value].GetNumberOfRows(),
+      ForEach(some.GetNumberOfPlaces(),
         [&](vtkIdType i)
         {
-          const PlacePoint point = SumParts(parts, i, coordinates);
+          const PlacePoint point = SumParts(some, i, coordinates);
           values->SetTypedTuple(begin + i, point[PlaceParts::Value].data());
-          derivatives.Set(begin + i, origins.Dimensions[begin + i], point);
+          derivatives.Set(begin + i, origins[begin + i].Dimension, point);
         });
     });
   if (this->Joined)
   {
-    this->SumPlaces(*this->Steps, places,
-      [&rows](vtkIdType, const PlaceRows<Id>& parts) { rows.Append(parts[PlaceParts::Value]); });
+    if (!read(*this->Steps)) // edges have other numbers there
+    {
+      return false;
+    }
+    this->SumPlaces(
+      *this->Steps, places, [&rows](vtkIdType, const PlaceRows<Id>& some) { rows.Append(some); });
     const auto points = MakeArray(this->Points->GetPoints()->GetDataType(), 3, size);
     for (const vtkIdType i : InTurn(size))
     {
@@ -311,7 +318,7 @@ bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& reques
     }
     this->Points->ReusePoints(points);
   }
-  this->Points->Advance(rows.Finish(), [&origins](vtkIdType row) { return origins.Points[row]; });
+  this->Points->Advance(rows.Finish(), [&origins](vtkIdType row) { return origins[row].Point; });
   this->Points->ForgetInputPoints();
   request.Output->Initialize();
   this->Points->Finish(request.Output);

@@ -11,12 +11,15 @@
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
 #include "Private/Arrays/PointArrays.h"
+#include "Private/Control/NearestPlaces.h"
 #include "Private/Control/PlaceOutput.h"
 #include "Private/Control/Stamp.h"
+#include "Private/Surface/PartsOfCells.h"
 #include "Private/Surface/SurfaceCreases.h"
 #include "Private/Surface/SurfaceFrames.h"
 #include "Private/Surface/SurfaceNumbers.h"
 #include "Private/Surface/SurfaceSeams.h"
+#include "Private/Surface/SurfaceSearch.h"
 #include "Private/Surface/SurfaceStamp.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 
@@ -33,11 +36,11 @@
 namespace subdivision
 {
 
-/// The cells of places.
-struct PlaceOrigins
+/// Of the cell of a place.
+struct PlaceOrigin
 {
-  std::vector<vtkIdType> Points; ///< the nearest corner of each
-  std::vector<int> Dimensions;
+  vtkIdType Point = -1; ///< the nearest corner
+  int Dimension = 0;
 };
 
 template <typename Id>
@@ -175,13 +178,28 @@ private:
   KeptSurfaceOf<Id>* FindKept(const SurfaceKey& key);
   bool Execute();
   void Write();
-  // Places (SurfacePlaces.cxx).
-  bool ReadPlaces(const PlaceRequest& request, std::vector<SurfacePlace<Id>>& places,
-    PlaceOrigins& origins) const;
+  // Places (SurfacePlaces.cxx, SurfaceNearest.cxx).
+  static const SurfaceLevel<Id>& GetLast(const SurfaceSteps<Id>& steps)
+  {
+    return steps.GetLevel(steps.GetNumberOfSteps());
+  }
+  /// The steps that points follow, and the cells that steps began with.
+  const SurfaceSteps<Id>& GetStepsOfPoints() const
+  {
+    return this->Joined ? *this->Joined : *this->Steps;
+  }
+  const SurfaceCells& GetCellsOf(const SurfaceSteps<Id>& steps) const
+  {
+    return &steps == this->Joined ? this->JoinedMesh.Cells : this->Cells;
+  }
+  bool ReadPlace(vtkIdType i, const PlaceInCell& given, const PartsOfCells& parts,
+    const SurfaceSteps<Id>& steps, SurfacePlace<Id>& place, PlaceOrigin& origin) const;
   SurfacePlace<Id> TakePlaceOfLine(
     const SurfaceLevel<Id>& level, const SurfacePlace<Id>& place) const;
   void SumPlaces(const SurfaceSteps<Id>& steps, const std::vector<SurfacePlace<Id>>& places,
     const std::function<void(vtkIdType, const PlaceRows<Id>&)>& use) const;
+  bool FindNearest(vtkDataSet* targets, const PartsOfCells& parts,
+    std::vector<NearestPlace>& nearest, std::vector<PlaceInCell>& inCells);
   bool WantsFrames() const
   {
     return this->Options.GenerateLimitNormals || this->Options.GenerateTangents;

@@ -6,10 +6,9 @@
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/PlaceLimits.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/NearestPlaces.h"
 #include "Private/Control/PlaceOutput.h"
-#include "Private/Uniform/NearestPlaces.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -152,9 +151,10 @@ bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme:
   {
     request.Targets->GetPoint(i, targets[i].data());
   }
+  constexpr int levels = 2;
   UniformOptions options = this->Options;
   options.Places = nullptr;
-  options.Levels = NearestLevels;
+  options.Levels = levels;
   options.Warn = [](const std::string&) {}; // this run has told all
   vtkNew<vtkUnstructuredGrid> fine;
   if (!UniformRun(this->Input, options, fine).Run())
@@ -171,9 +171,9 @@ bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme:
   const auto makePlace = [&](const NearestPlace& nearest)
   {
     LimitPlace<Id> place;
-    place.Dimension = simplices.Dimensions[nearest.Simplex];
-    std::transform(simplices.Connectivity.begin() + starts[nearest.Simplex],
-      simplices.Connectivity.begin() + starts[nearest.Simplex + 1], place.Corners.begin(),
+    place.Dimension = simplices.Dimensions[nearest.Cell];
+    std::transform(simplices.Connectivity.begin() + starts[nearest.Cell],
+      simplices.Connectivity.begin() + starts[nearest.Cell + 1], place.Corners.begin(),
       [](vtkIdType id) { return static_cast<Id>(id); });
     std::copy_n(nearest.Weights.begin() + 1, 3, place.Parameters.begin());
     return place;
@@ -187,47 +187,42 @@ bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme:
     ForParts(level, creases, at,
       [&](vtkIdType begin, const PlaceLimits<Id>& limits)
       {
-        ForEach(limits.Rows[PlaceParts::Value].GetNumberOfRows(),
+        ForEach(limits.Rows.GetNumberOfPlaces(),
           [&](vtkIdType i) { values[begin + i] = SumParts(limits.Rows, i, coordinates); });
       });
     return values;
   };
-  const std::vector<NearestPlace> nearest = FindNearestPlaces(simplices, fine, targets, evaluate);
-  const auto size = static_cast<vtkIdType>(nearest.size());
-  double* distances = AddPlaceArray("Distance", 1, size, found)->GetPointer(0);
-  double* parameters = AddPlaceArray("CellParameters", 3, size, found)->GetPointer(0);
-  vtkNew<vtkIdTypeArray> cells;
-  cells->SetName("CellId");
-  vtkNew<vtkIdList> points;
-  for (const vtkIdType i : InTurn(size))
+  const SearchedCells searched{ simplices.NumberOfPoints, simplices.Dimensions,
+    simplices.Connectivity, false };
+  const std::vector<NearestPlace> nearest =
+    FindNearestPlaces(searched, fine, levels, targets, evaluate);
+  const std::string error = CheckNearestPlaces(nearest, searched.GetNumberOfCells() > 0);
+  if (!error.empty())
   {
-    if (nearest[i].Simplex < 0)
+    this->Options.Fail(error);
+    return false;
+  }
+  std::vector<PlaceInCell> inCells;
+  vtkNew<vtkIdList> points;
+  for (const NearestPlace& one : InTurn(nearest))
+  {
+    PlaceInCell inCell;
+    inCell.Cell = parents.empty() ? one.Cell : parents[one.Cell];
+    LimitPlace<Id> place = makePlace(one);
+    if (counts[inCell.Cell] == 1)
     {
-      this->Options.Fail("Point " + std::to_string(i) + " has no nearest place: " +
-        (simplices.GetNumberOfSimplices() > 0 ? "it is not finite." : "the mesh has no cells."));
-      return false;
-    }
-    const vtkIdType simplex = nearest[i].Simplex;
-    const vtkIdType cell = parents.empty() ? simplex : parents[simplex];
-    LimitPlace<Id> place = makePlace(nearest[i]);
-    if (counts[cell] == 1)
-    {
-      this->Input->GetCellPoints(cell, points);
+      this->Input->GetCellPoints(inCell.Cell, points);
       SetOrder(points, place);
       for (int k = 0; k < place.Dimension; ++k)
       {
-        place.Parameters[k] = nearest[i].Weights[place.Order[k + 1]];
+        place.Parameters[k] = one.Weights[place.Order[k + 1]];
       }
+      inCell.Parameters = place.Parameters;
     }
     places.push_back(place);
-    cells->InsertNextValue(cell);
-    distances[i] = nearest[i].Distance;
-    for (int k = 0; k < 3; ++k)
-    {
-      parameters[3 * i + k] = counts[cell] == 1 ? place.Parameters[k] : -1.;
-    }
+    inCells.push_back(inCell);
   }
-  found->GetPointData()->AddArray(cells);
+  AddNearestArrays(nearest, inCells, found);
   return true;
 }
 
@@ -264,8 +259,8 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
   ForParts(level, creases, places,
     [&](vtkIdType begin, const PlaceLimits<Id>& limits)
     {
-      rows.Append(limits.Rows[PlaceParts::Value]);
-      ForEach(limits.Rows[PlaceParts::Value].GetNumberOfRows(),
+      rows.Append(limits.Rows);
+      ForEach(limits.Rows.GetNumberOfPlaces(),
         [&](vtkIdType i)
         {
           derivatives.Set(

@@ -219,6 +219,9 @@ void RegisterOpenSubdiv()
     Register("peer/OpenSubdiv limit stencils apply/sphere/levels:0", threads,
       [](Stopwatch& watch) { return EvaluateLimitTable(watch, coarse); });
   }
+  static const FlatMesh coarseQuads = MakeQuadSphere(29);
+  Register("peer/OpenSubdiv limit stencils make/sphere of quads/levels:0", 1,
+    [](Stopwatch& watch) { return BuildLimitTable(watch, coarseQuads); });
   static const FlatMesh sphere = MakeSphere(5);
   Register("peer/OpenSubdiv Loop/sphere/levels:3", 1,
     [](Stopwatch& watch) { return RefineAndInterpolate(watch, sphere, 3); });

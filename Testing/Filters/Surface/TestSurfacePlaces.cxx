@@ -294,31 +294,7 @@ TEST(SurfacePlaces, InterpolationFiltersInARowAndSeams)
       fine->GetCellPoints(i, points);
       EXPECT_LT(GetDistance(GetPoint(next, i), GetPoint(limit, points->GetId(0))), 1e-13);
     }
-    // A sheet of two halves that have the points between them twice, for texture coordinates.
-    Model model = MakeBumpySheet(4, scheme == Filter::LOOP, false);
-    std::map<vtkIdType, vtkIdType> copies;
-    for (vtkIdType p = 10; p < 15; ++p)
-    {
-      copies[p] = static_cast<vtkIdType>(model.Points.size());
-      model.Points.push_back(model.Points[static_cast<std::size_t>(p)]);
-    }
-    for (std::size_t f = model.Faces.size() / 2; f < model.Faces.size(); ++f)
-    {
-      for (vtkIdType& p : model.Faces[f])
-      {
-        p = copies.count(p) ? copies[p] : p;
-      }
-    }
-    const auto seamed = MakeInput(model);
-    vtkNew<vtkDoubleArray> texture;
-    texture->SetName("Texture");
-    texture->SetNumberOfComponents(2);
-    for (vtkIdType p = 0; p < seamed->GetNumberOfPoints(); ++p)
-    {
-      texture->InsertNextTuple2(static_cast<double>(p % 5), static_cast<double>(p) / 5.);
-    }
-    seamed->GetPointData()->SetTCoords(texture);
-    CheckAgainstLevels(seamed, scheme, 2);
+    CheckAgainstLevels(MakeSeamedSheet(scheme == Filter::LOOP), scheme, 2);
   }
 }
 

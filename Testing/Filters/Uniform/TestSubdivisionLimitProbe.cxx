@@ -66,15 +66,32 @@ vtkSmartPointer<vtkPolyData> MakePoints(const std::vector<Point>& targets)
   return data;
 }
 
+/// Switches ModifiedBoundary on, with angles of corners.
+template <typename FilterType>
+void ModifyBoundary(FilterType* filter)
+{
+  filter->ModifiedBoundaryOn();
+  filter->SetInputArrayToProcess(10, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Angle");
+}
+
 /// Runs the filter and copies its output, which has to fit together.
-vtkSmartPointer<vtkPolyData> Probe(vtkUnstructuredGrid* mesh, const std::vector<Point>& targets)
+vtkSmartPointer<vtkPolyData> Probe(
+  vtkUnstructuredGrid* mesh, const std::vector<Point>& targets, bool modifiedBoundary = false)
 {
   vtkNew<vtkSubdivisionLimitProbe> filter;
+  if (modifiedBoundary)
+  {
+    ModifyBoundary(filter.Get());
+  }
   filter->SetInputDataObject(3, MakePoints(targets));
   const auto found = UpdateWithoutErrors<vtkPolyData>(filter.Get(), mesh);
   EXPECT_EQ(found->GetNumberOfPoints(), static_cast<vtkIdType>(targets.size()));
   EXPECT_EQ(found->GetNumberOfVerts(), found->GetNumberOfPoints());
   vtkNew<vtkMultiDimensionalSubdivision> evaluator;
+  if (modifiedBoundary)
+  {
+    ModifyBoundary(evaluator.Get());
+  }
   evaluator->SetInputData(mesh);
   vtkNew<vtkPolyData> again;
   EXPECT_TRUE(evaluator->EvaluateLimit(
@@ -188,6 +205,78 @@ TEST(SubdivisionLimitProbe, FootPoints)
       mesh->GetCellType(cell) == VTK_LINE ? 0. : 0.2, 1e-10)
       << i;
   }
+}
+
+/// The limit is that of ModifiedBoundary, next to borders, creases and corners with an angle.
+TEST(SubdivisionLimitProbe, FootPointsOfModifiedBoundary)
+{
+  const Grid mesh = MakeSurface();
+  mesh->GetPointData()->AddArray(
+    MakeArray<vtkDoubleArray>("Angle", 1, mesh->GetNumberOfPoints(), 60., 160., 3));
+  const vtkIdType crease[3] = { 14, 15, 16 };
+  const vtkIdType corners[2] = { 0, 15 };
+  vtkNew<vtkIntArray> flags;
+  flags->SetName("Singular");
+  const vtkIdType triangles = mesh->GetNumberOfCells();
+  mesh->InsertNextCell(VTK_LINE, 2, crease);
+  mesh->InsertNextCell(VTK_LINE, 2, crease + 1);
+  mesh->InsertNextCell(VTK_VERTEX, 1, corners);
+  mesh->InsertNextCell(VTK_VERTEX, 1, corners + 1);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    flags->InsertNextValue(i < triangles ? 0 : 1);
+  }
+  mesh->GetCellData()->AddArray(flags);
+  vtkNew<vtkIdTypeArray> cells;
+  vtkNew<vtkDoubleArray> parameters;
+  parameters->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < triangles; ++i)
+  {
+    for (const Point& p : { Point{ 0.3, 0.4, 0. }, Point{ 0.05, 0.1, 0. } })
+    {
+      cells->InsertNextValue(i);
+      parameters->InsertNextTuple(p.data());
+    }
+  }
+  const auto evaluate = [&](bool modified)
+  {
+    vtkNew<vtkMultiDimensionalSubdivision> evaluator;
+    evaluator->SetInputData(mesh);
+    if (modified)
+    {
+      ModifyBoundary(evaluator.Get());
+    }
+    const auto at = vtkSmartPointer<vtkPolyData>::New();
+    EXPECT_TRUE(evaluator->EvaluateLimit(cells, parameters, at));
+    return at;
+  };
+  const auto at = evaluate(true);
+  const auto plain = evaluate(false);
+  std::vector<Point> targets;
+  for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
+  {
+    Point p = GetPoint(at, i);
+    Point normal;
+    at->GetPointData()->GetArray("LimitNormals")->GetTuple(i, normal.data());
+    for (int c = 0; c < 3; ++c)
+    {
+      p[c] += 0.05 * normal[c];
+    }
+    targets.push_back(p);
+  }
+  const auto found = Probe(mesh, targets, true);
+  double difference = 0.;
+  for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(found->GetPointData()->GetArray("CellId")->GetComponent(i, 0), cells->GetValue(i));
+    EXPECT_NEAR(found->GetPointData()->GetArray("Distance")->GetComponent(i, 0), 0.05, 1e-10) << i;
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(GetPoint(found, i)[c], GetPoint(at, i)[c], 1e-8) << i;
+      difference = std::max(difference, std::abs(GetPoint(at, i)[c] - GetPoint(plain, i)[c]));
+    }
+  }
+  EXPECT_GT(difference, 0.01); // so that a filter without the option fails
 }
 
 TEST(SubdivisionLimitProbe, PointsInsideSolidsAreTheirOwnPlaces)

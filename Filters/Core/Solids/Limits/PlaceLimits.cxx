@@ -102,10 +102,11 @@ std::vector<PlaceNodes<Id>> FindNodes(RegularReader<LevelType>& reader,
     {
       throw std::invalid_argument("this scheme has solids that are no tetrahedra");
     }
-    const RegularSimplex& regular = reader.Find(place);
+    const RegularSimplex<Id>& regular = reader.Find(place);
     nodes.Part = regular.IsPatch && sharpSteps == 0 ? FindPart(part, dimension, regular.Parts) : 0;
     if (nodes.Part > 0)
     {
+      nodes.Simplex = &regular;
       all.push_back(std::move(nodes));
       continue;
     }
@@ -129,26 +130,26 @@ std::vector<PlaceNodes<Id>> FindNodes(RegularReader<LevelType>& reader,
 }
 
 /// Makes the rows of all places, in threads.
-template <typename LevelType, typename Id>
-void Combine(const SparseRows<Id>& limits, const RegularReader<LevelType>& reader,
+template <typename Id>
+void Combine(const SparseRows<Id>& limits, LoopWeights weights,
   const std::vector<LimitPlace<Id>>& places, const std::vector<PlaceNodes<Id>>& nodes,
   PlaceRows<Id>& rows)
 {
   const auto size = static_cast<vtkIdType>(places.size());
-  vtkSMPThreadLocal<std::shared_ptr<RowsOfPlace<LevelType>>> ofThreads;
+  vtkSMPThreadLocal<std::shared_ptr<RowsOfPlace<Id>>> ofThreads;
   const auto forPlaces = [&](const auto& act)
   {
     ForRanges(size,
       [&](vtkIdType begin, vtkIdType end)
       {
-        std::shared_ptr<RowsOfPlace<LevelType>>& made = ofThreads.Local();
+        std::shared_ptr<RowsOfPlace<Id>>& made = ofThreads.Local();
         if (!made)
         {
-          made = std::make_shared<RowsOfPlace<LevelType>>(limits, reader);
+          made = std::make_shared<RowsOfPlace<Id>>(limits, weights);
         }
         for (vtkIdType i = begin; i < end; ++i)
         {
-          act(i, *made, made->FindColumns(places[i], nodes[i]));
+          act(i, *made, made->FindColumns(nodes[i]));
         }
       });
   };
@@ -156,24 +157,12 @@ void Combine(const SparseRows<Id>& limits, const RegularReader<LevelType>& reade
   forPlaces([&](vtkIdType i, const auto&, const std::vector<Id>& columns)
     { offsets[i] = static_cast<Id>(columns.size()); });
   CountsToOffsets(offsets);
-  for (SparseRows<Id>& part : rows)
-  {
-    part.NumberOfColumns = limits.NumberOfColumns;
-    part.Offsets = Buffer<Id>(size + 1);
-    CopyInThreads(offsets.data(), size + 1, part.Offsets.data());
-    part.Columns = Buffer<Id>(offsets[size]);
-    part.Weights = Buffer<double>(offsets[size]);
-  }
+  rows = PlaceRows<Id>(limits.NumberOfColumns, std::move(offsets));
   forPlaces(
     [&](vtkIdType i, auto& made, const std::vector<Id>& columns)
     {
-      std::array<double*, PlaceParts::Count> sums;
-      for (int p = 0; p < PlaceParts::Count; ++p)
-      {
-        std::copy(columns.begin(), columns.end(), rows[p].Columns.begin() + offsets[i]);
-        sums[p] = rows[p].Weights.data() + offsets[i];
-      }
-      made.Sum(places[i], nodes[i], sums);
+      std::copy(columns.begin(), columns.end(), rows.Columns.begin() + rows.Offsets[i]);
+      made.Sum(places[i], nodes[i], rows.GetWeights(i));
     });
 }
 
@@ -215,7 +204,7 @@ PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& 
   const std::vector<PlaceNodes<Id>> nodes = FindNodes(reader, creases, places, names);
   if constexpr (std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value)
   {
-    Combine(MakeRowsThatStay(vertices), reader, places, nodes, this->Rows);
+    Combine(MakeRowsThatStay(vertices), reader.GetWeights(), places, nodes, this->Rows);
   }
   else
   {
@@ -227,8 +216,8 @@ PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& 
         wanted[vertex] = 1;
       }
     }
-    Combine(LocalLimit<Id>(level, creases, names.GetMidpoints(), wanted).BuildRows(), reader,
-      places, nodes, this->Rows);
+    Combine(LocalLimit<Id>(level, creases, names.GetMidpoints(), wanted).BuildRows(),
+      reader.GetWeights(), places, nodes, this->Rows);
   }
 }
 

@@ -24,28 +24,26 @@ struct PlaceNodes
 {
   std::vector<Id> Vertices;
   std::vector<std::array<double, PlaceParts::Count>> Weights;
-  int Part = 0; ///< SheetKey::Part; 0: there are nodes
+  int Part = 0;                                ///< SheetKey::Part; 0: there are nodes
+  const RegularSimplex<Id>* Simplex = nullptr; ///< in which the part is
 };
 
 /// The rows of a place over the columns that they have.
-template <typename LevelType>
+template <typename Id>
 class RowsOfPlace
 {
 public:
-  using Id = typename LevelType::IdType;
-
-  RowsOfPlace(const SparseRows<Id>& limits, const RegularReader<LevelType>& reader)
+  RowsOfPlace(const SparseRows<Id>& limits, LoopWeights weights)
     : Limits(limits)
-    , Reader(reader)
-    , Polynomials(reader.GetWeights())
+    , Polynomials(weights)
   {
   }
 
   /// Finds the columns, ascending. Consecutive places often have the same, which are read once
   /// then.
-  const std::vector<Id>& FindColumns(const LimitPlace<Id>& place, const PlaceNodes<Id>& nodes)
+  const std::vector<Id>& FindColumns(const PlaceNodes<Id>& nodes)
   {
-    nodes.Part > 0 ? this->ReadPatch(place, nodes.Part) : this->ReadNodes(nodes.Vertices);
+    nodes.Part > 0 ? this->ReadPatch(nodes) : this->ReadNodes(nodes.Vertices);
     return this->Columns;
   }
   /// The sums of what FindColumns read last: one weight for each column.
@@ -56,8 +54,7 @@ public:
     {
       for (int part = 0; part < PlaceParts::Count; ++part)
       {
-        this->AddUp(
-          nodes.Weights.size(), sums[part], [&](std::size_t n) { return nodes.Weights[n][part]; });
+        this->AddNodes(nodes.Weights, part, sums[part]);
       }
       return;
     }
@@ -66,23 +63,23 @@ public:
       this->WeightPatch();
     }
     const PlaceInPart part = GoToPart(place.Dimension, StartPart(place), nodes.Part);
-    const auto powers = FindPatchPowers(part.At, part.Directions);
-    for (int p = 0; p < PlaceParts::Count; ++p)
-    {
-      this->AddUp(PatchPowers, sums[p], [&](std::size_t n) { return powers[p][n]; });
-    }
+    const CornerWeights& first = part.Directions[0];
+    const CornerWeights& second = part.Directions[1];
+    const PatchParts powers = FindPatchPowers(PatchPowers::Quartic, part.At[1], part.At[2],
+      { { { { first[1], second[1] } }, { { first[2], second[2] } } } });
+    SumPowers(PatchPowers::Quartic, powers, this->Weights.data(), this->Columns.size(), sums);
   }
 
 private:
-  /// Adds rows of the matrix with their weights.
-  template <typename GetWeight>
-  void AddUp(std::size_t rows, double* sums, const GetWeight& getWeight) const
+  /// Adds the rows of nodes with their weights for one of PlaceParts.
+  void AddNodes(
+    const std::vector<std::array<double, PlaceParts::Count>>& nodes, int part, double* sums) const
   {
     const std::size_t columns = this->Columns.size();
     std::fill_n(sums, columns, 0.);
-    for (std::size_t n = 0; n < rows; ++n)
+    for (std::size_t n = 0; n < nodes.size(); ++n)
     {
-      const double weight = getWeight(n);
+      const double weight = nodes[n][part];
       if (weight == 0.)
       {
         continue;
@@ -136,43 +133,41 @@ private:
           this->Limits.Weights[k];
       });
   }
-  void ReadPatch(const LimitPlace<Id>& place, int part)
+  void ReadPatch(const PlaceNodes<Id>& nodes)
   {
-    if (this->Part == part && this->Corners == place.Corners)
+    if (this->Part == nodes.Part && this->Simplex == nodes.Simplex)
     {
       return;
     }
-    this->Part = part;
-    this->Corners = place.Corners;
+    this->Part = nodes.Part;
+    this->Simplex = nodes.Simplex;
     this->Nodes.clear();
-    this->Reader.ReadPatch(place, this->Patch);
-    this->Patch.Key.Part = static_cast<unsigned char>(part);
-    this->Columns = this->Patch.Columns;
+    this->Columns = this->Simplex->Patch.Columns;
     this->SortColumns();
     this->Weights.clear();
   }
   void WeightPatch()
   {
-    const std::vector<double>& polynomials = this->Polynomials.Find(this->Patch.Key);
-    this->Weights.assign(PatchPowers * this->Columns.size(), 0.);
-    for (std::size_t c = 0; c < this->Patch.Columns.size(); ++c)
+    SheetKey key = this->Simplex->Patch.Key;
+    key.Part = static_cast<unsigned char>(this->Part);
+    const std::vector<double>& polynomials = this->Polynomials.Find(key);
+    const std::vector<Id>& columns = this->Simplex->Patch.Columns;
+    this->Weights.assign(QuarticPowers * this->Columns.size(), 0.);
+    for (std::size_t c = 0; c < columns.size(); ++c)
     {
-      const std::size_t to = this->FindPlace(this->Patch.Columns[c]);
-      for (std::size_t p = 0; p < PatchPowers; ++p)
+      const std::size_t to = this->FindPlace(columns[c]);
+      for (std::size_t p = 0; p < QuarticPowers; ++p)
       {
-        this->Weights[p * this->Columns.size() + to] +=
-          polynomials[p * this->Patch.Columns.size() + c];
+        this->Weights[p * this->Columns.size() + to] += polynomials[p * columns.size() + c];
       }
     }
   }
 
   const SparseRows<Id>& Limits;
-  const RegularReader<LevelType>& Reader;
   PatchPolynomials Polynomials;
-  SheetPatch<Id> Patch;
-  std::array<Id, 4> Corners{}; ///< whose patch was read last
-  int Part = 0;                ///< of that patch; 0: nodes were read last
-  std::vector<Id> Nodes;       ///< that were read last, if no patch was
+  const RegularSimplex<Id>* Simplex = nullptr; ///< whose patch was read last
+  int Part = 0;                                ///< of that patch; 0: nodes were read last
+  std::vector<Id> Nodes;                       ///< that were read last, if no patch was
   std::vector<Id> Columns;
   std::vector<double> Weights; ///< of all columns for the first node or power, for the second, ...
 };

@@ -24,12 +24,14 @@ namespace subdivision
 /// has, one bit for each.
 using RegularParts = std::array<bool, 16>;
 
+template <typename Id>
 struct RegularSimplex
 {
   RegularParts Parts{};
-  /// Whether it is a part of a curve, or of a sheet, inside of which all is regular: SheetReader
-  /// can read what the limit over it depends on.
+  /// Whether it is a part of a curve, or of a sheet, inside of which all is regular. Then this is
+  /// what the limit over it depends on; the places of the key are a lattice in the whole simplex.
   bool IsPatch = false;
+  SheetPatch<Id> Patch;
 };
 
 /// Finds what is regular in the simplices of places.
@@ -74,13 +76,13 @@ public:
     std::sort(this->Faces.begin(), this->Faces.end());
   }
 
-  const RegularSimplex& Find(const LimitPlace<Id>& place)
+  const RegularSimplex<Id>& Find(const LimitPlace<Id>& place)
   {
     if (this->Last && this->Last->first == place.Corners)
     {
       return this->Last->second;
     }
-    const auto [found, isNew] = this->Found.try_emplace(place.Corners, RegularSimplex{});
+    const auto [found, isNew] = this->Found.try_emplace(place.Corners);
     this->Last = &*found;
     if (isNew && place.Dimension == 1)
     {
@@ -93,22 +95,6 @@ public:
     return found->second;
   }
   LoopWeights GetWeights() const { return this->Level.Strata.Weights; }
-  /// What a patch depends on. The places of its key are a lattice in the whole simplex.
-  void ReadPatch(const LimitPlace<Id>& place, SheetPatch<Id>& patch) const
-  {
-    const std::array<Id, 4>& corners = place.Corners;
-    if (place.Dimension == 2)
-    {
-      const std::array<Id, 3> ofFace{ { corners[0], corners[1], corners[2] } };
-      this->Reader.ReadFace(this->FindFace(ofFace), ofFace, patch);
-      patch.Key.Places = SheetPlaces::FaceLattice;
-      return;
-    }
-    const auto takesFirst = [](Id, Id) { return false; };
-    this->Reader.ReadEdge(
-      this->Edges.Find(corners[0], corners[1]), corners[0], corners[1], takesFirst, patch);
-    patch.Key.Places = SheetPlaces::CurveLattice;
-  }
 
 private:
   Id FindFace(std::array<Id, 3> corners) const
@@ -134,7 +120,7 @@ private:
         faces.begin()[1] >= 0);
   }
 
-  void ReadLine(const std::array<Id, 4>& corners, RegularSimplex& simplex)
+  void ReadLine(const std::array<Id, 4>& corners, RegularSimplex<Id>& simplex)
   {
     RegularParts& parts = simplex.Parts;
     const Id edge = this->Edges.Find(corners[0], corners[1]);
@@ -152,9 +138,15 @@ private:
                  : columns.size() == 7);
     }
     simplex.IsPatch = isCurve && parts[1] && parts[2];
+    if (simplex.IsPatch)
+    {
+      const auto takesFirst = [](Id, Id) { return false; };
+      this->Reader.ReadEdge(edge, corners[0], corners[1], takesFirst, simplex.Patch);
+      simplex.Patch.Key.Places = SheetPlaces::CurveLattice;
+    }
   }
 
-  void ReadTriangle(const std::array<Id, 4>& corners, RegularSimplex& simplex)
+  void ReadTriangle(const std::array<Id, 4>& corners, RegularSimplex<Id>& simplex)
   {
     RegularParts& parts = simplex.Parts;
     const std::array<Id, 3> ordered{ { corners[0], corners[1], corners[2] } };
@@ -169,15 +161,15 @@ private:
       const int k = (i + 1) % 3;
       parts[1 << i | 1 << k] = this->IsRegularEdge(this->Edges.Find(corners[i], corners[k]));
     }
-    SheetPatch<Id> patch;
-    const bool isSheet = this->Reader.ReadFace(face, ordered, patch);
+    const bool isSheet = this->Reader.ReadFace(face, ordered, simplex.Patch);
     for (int i = 0; isSheet && i < 3; ++i)
     {
-      const SheetFan& fan = patch.Key.Fans[i];
+      const SheetFan& fan = simplex.Patch.Key.Fans[i];
       parts[1 << i] = (fan.What == SheetFan::Kind::Closed && fan.After == 4) ||
         (fan.What == SheetFan::Kind::Open && fan.After + fan.Before == 2);
     }
     simplex.IsPatch = isSheet && parts[3] && parts[5] && parts[6];
+    simplex.Patch.Key.Places = SheetPlaces::FaceLattice;
   }
 
   const Buffer<unsigned char> None;
@@ -185,8 +177,8 @@ private:
   const SheetReader<LevelType> Reader;
   PairTable<Id> Edges;
   std::vector<std::pair<std::array<Id, 3>, Id>> Faces; ///< by their corners, ascending
-  std::map<std::array<Id, 4>, RegularSimplex> Found;
-  const std::pair<const std::array<Id, 4>, RegularSimplex>* Last = nullptr; ///< that was found
+  std::map<std::array<Id, 4>, RegularSimplex<Id>> Found;
+  const std::pair<const std::array<Id, 4>, RegularSimplex<Id>>* Last = nullptr; ///< that was found
 };
 
 }

@@ -342,88 +342,6 @@ private:
   std::vector<bool> Smooth; ///< of each edge of the face
 };
 
-/// The uniform cubic B-splines that are not zero in [0, 1], and two derivatives of each.
-std::array<std::array<double, 3>, 4> GetCubics(double t)
-{
-  const double r = 1. - t;
-  return { { { { r * r * r / 6., -r * r / 2., r } },
-    { { 2. / 3. - t * t * (2. - t) / 2., t * (1.5 * t - 2.), 3. * t - 2. } },
-    { { 2. / 3. - r * r * (2. - r) / 2., -r * (1.5 * r - 2.), 3. * r - 2. } },
-    { { t * t * t / 6., t * t / 2., t } } } };
-}
-
-/// A term of a quartic polynomial in the weights of three corners.
-struct Monomial
-{
-  double Factor;
-  std::array<int, 3> Powers;
-};
-
-/// The polynomials of the box spline over a triangle, times 12, by where their control point is: at
-/// the first corner; beyond the edge from the first to the second; next to that, at the first.
-const std::vector<Monomial>& GetQuartic(int kind)
-{
-  static const std::vector<Monomial> quartics[3] = {
-    { { 6., { { 4, 0, 0 } } }, { 24., { { 3, 1, 0 } } }, { 24., { { 3, 0, 1 } } },
-      { 24., { { 2, 2, 0 } } }, { 60., { { 2, 1, 1 } } }, { 24., { { 2, 0, 2 } } },
-      { 8., { { 1, 3, 0 } } }, { 36., { { 1, 2, 1 } } }, { 36., { { 1, 1, 2 } } },
-      { 8., { { 1, 0, 3 } } }, { 1., { { 0, 4, 0 } } }, { 6., { { 0, 3, 1 } } },
-      { 12., { { 0, 2, 2 } } }, { 6., { { 0, 1, 3 } } }, { 1., { { 0, 0, 4 } } } },
-    { { 1., { { 4, 0, 0 } } }, { 6., { { 3, 1, 0 } } }, { 2., { { 3, 0, 1 } } },
-      { 12., { { 2, 2, 0 } } }, { 6., { { 2, 1, 1 } } }, { 6., { { 1, 3, 0 } } },
-      { 6., { { 1, 2, 1 } } }, { 1., { { 0, 4, 0 } } }, { 2., { { 0, 3, 1 } } } },
-    { { 1., { { 4, 0, 0 } } }, { 2., { { 3, 1, 0 } } } },
-  };
-  return quartics[kind];
-}
-
-/// A power of a number and its first two derivatives, without factors that count on.
-double Differentiate(double x, int power, int order)
-{
-  double value = 1.;
-  for (int i = 0; i < order; ++i)
-  {
-    value *= power - i;
-  }
-  for (int i = order; i < power; ++i)
-  {
-    value *= x;
-  }
-  return value;
-}
-
-/// One of the quartics, with the corners in the given order.
-LocalJet EvaluateQuartic(int kind, const std::array<int, 3>& corners, double x, double y)
-{
-  const std::array<double, 3> weights{ { 1. - x - y, x, y } };
-  LocalJet jet{};
-  for (const Monomial& term : GetQuartic(kind))
-  {
-    std::array<int, 3> powers{};
-    for (int i = 0; i < 3; ++i)
-    {
-      powers[corners[i]] = term.Powers[i];
-    }
-    const auto multiply = [&](int a, int b)
-    {
-      double product = term.Factor / 12.;
-      for (int i = 0; i < 3; ++i)
-      {
-        product *= Differentiate(weights[i], powers[i], (i == a ? 1 : 0) + (i == b ? 1 : 0));
-      }
-      return product;
-    };
-    const double ofNone = multiply(0, 0);
-    jet[0] += multiply(-1, -1);
-    jet[1] += multiply(1, -1) - multiply(0, -1);
-    jet[2] += multiply(2, -1) - multiply(0, -1);
-    jet[3] += multiply(1, 1) - 2. * multiply(0, 1) + ofNone;
-    jet[4] += multiply(1, 2) - multiply(0, 1) - multiply(0, 2) + ofNone;
-    jet[5] += multiply(2, 2) - 2. * multiply(0, 2) + ofNone;
-  }
-  return jet;
-}
-
 }
 
 template <typename Id>
@@ -472,47 +390,31 @@ bool RegularPatch<Id>::FindLine(const SurfaceLevel<Id>& level, Id edge)
   return true;
 }
 
-std::vector<LocalJet> WeightControlPoints(PolynomialDomain domain, double x, double y)
+template <typename Id>
+PatchColumns<Id>::PatchColumns(const RegularPatch<Id>& patch)
+  : Domain(patch.Domain)
 {
-  std::vector<LocalJet> weights;
-  if (domain == PolynomialDomain::Triangle)
+  for (std::size_t point = 0; point < patch.Points.size(); ++point)
   {
-    const auto add = [&](int kind, int a, int b, int c)
-    { weights.push_back(EvaluateQuartic(kind, { { a, b, c } }, x, y)); };
-    for (int kind = 0; kind < 2; ++kind)
+    for (const auto& [vertex, weight] : patch.Points[point])
     {
-      for (int k = 0; k < 3; ++k)
-      {
-        add(kind, k, (k + 1) % 3, (k + 2) % 3);
-      }
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      add(2, k, (k + 1) % 3, (k + 2) % 3);
-      add(2, k, (k + 2) % 3, (k + 1) % 3);
-    }
-    return weights;
-  }
-  const auto ofX = GetCubics(x);
-  if (domain == PolynomialDomain::Line)
-  {
-    for (const auto& a : ofX)
-    {
-      weights.push_back({ { a[0], a[1], 0., a[2], 0., 0. } });
-    }
-    return weights;
-  }
-  for (const auto& b : GetCubics(y))
-  {
-    for (const auto& a : ofX)
-    {
-      weights.push_back(
-        { { a[0] * b[0], a[1] * b[0], a[0] * b[1], a[2] * b[0], a[1] * b[1], a[0] * b[2] } });
+      this->Vertices.push_back(vertex);
+      this->Entries.push_back({ static_cast<int>(point), 0, weight });
     }
   }
-  return weights;
+  const std::vector<Id> all = this->Vertices;
+  std::sort(this->Vertices.begin(), this->Vertices.end());
+  this->Vertices.erase(
+    std::unique(this->Vertices.begin(), this->Vertices.end()), this->Vertices.end());
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    this->Entries[i].Column =
+      static_cast<int>(std::lower_bound(this->Vertices.begin(), this->Vertices.end(), all[i]) -
+        this->Vertices.begin());
+  }
 }
 
 SUBDIVISION_COMPILE(struct RegularPatch);
+SUBDIVISION_COMPILE(struct PatchColumns);
 
 }

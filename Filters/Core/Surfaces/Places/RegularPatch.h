@@ -12,15 +12,11 @@
 
 #include "Core/Surfaces/Scheme/SurfaceScheme.h"
 
-#include <array>
 #include <utility>
 #include <vector>
 
 namespace subdivision
 {
-
-/// A value, its first two derivatives and its second ones: by x twice, by x and y, by y twice.
-using LocalJet = std::array<double, 6>;
 
 /// The vertices and weights that a control point is the sum of.
 template <typename Id>
@@ -45,9 +41,24 @@ struct RegularPatch
   bool FindLine(const SurfaceLevel<Id>& level, Id edge);
 };
 
-/// Weights of the control points at (x, y). On a line x goes from the first vertex of the edge to
-/// the second one. In a face the corners are at (0, 0), (1, 0), then (0, 1), or (1, 1) and (0, 1).
-std::vector<LocalJet> WeightControlPoints(PolynomialDomain domain, double x, double y);
+/// The vertices of a level that the control points are sums of.
+template <typename Id>
+struct PatchColumns
+{
+  struct Entry
+  {
+    int Point;
+    int Column;
+    double Weight;
+  };
+
+  PatchColumns() = default;
+  explicit PatchColumns(const RegularPatch<Id>& patch);
+
+  PolynomialDomain Domain = PolynomialDomain::Line;
+  std::vector<Id> Vertices; ///< ascending
+  std::vector<Entry> Entries;
+};
 
 }
 

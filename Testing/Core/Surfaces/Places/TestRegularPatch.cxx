@@ -4,6 +4,7 @@
  * The polynomials over regular faces: sums, reproduction of linear functions, limits of vertices at
  * corners, derivatives, and what counts as regular.
  */
+#include "Core/Surfaces/Places/PatchWeights.h"
 #include "Core/Surfaces/Places/RegularPatch.h"
 #include "SurfaceTools.h"
 
@@ -12,11 +13,36 @@ using namespace surfacetools;
 namespace
 {
 
+/// A value, its first two derivatives and its second ones: by x twice, by x and y, by y twice.
+using LocalJet = std::array<double, 6>;
+
+constexpr int PartsOfJet[6] = { PlaceParts::Value, PlaceParts::First, PlaceParts::First + 1,
+  PlaceParts::Second, PlaceParts::Mixed, PlaceParts::SecondOfSecond };
+
+/// Of each control point, by x and y themselves.
+std::vector<LocalJet> WeightPoints(PolynomialDomain domain, double x, double y)
+{
+  const PatchParts parts =
+    WeightControlPoints(domain, { { x, y } }, { { { { 1., 0. } }, { { 0., 1. } } } });
+  const std::size_t points = domain == PolynomialDomain::Line ? 4
+    : domain == PolynomialDomain::Triangle                    ? 12
+                                                              : 16;
+  std::vector<LocalJet> weights(points);
+  for (std::size_t j = 0; j < points; ++j)
+  {
+    for (std::size_t k = 0; k < 6; ++k)
+    {
+      weights[j][k] = parts[PartsOfJet[k]][j];
+    }
+  }
+  return weights;
+}
+
 /// The value and derivatives of a function that has its control points' values.
 LocalJet Evaluate(
   const RegularPatch<int>& patch, double x, double y, const std::function<double(int)>& getValue)
 {
-  const std::vector<LocalJet> weights = WeightControlPoints(patch.Domain, x, y);
+  const std::vector<LocalJet> weights = WeightPoints(patch.Domain, x, y);
   LocalJet sum{};
   for (std::size_t j = 0; j < weights.size(); ++j)
   {
@@ -56,11 +82,11 @@ TEST(RegularPatch, WeightsSumToOneAndDerivativesAreDifferences)
     const double h = 1e-4;
     const double x = 0.31;
     const double y = domain == PolynomialDomain::Line ? 0. : 0.23;
-    const auto at = WeightControlPoints(domain, x, y);
-    const auto right = WeightControlPoints(domain, x + h, y);
-    const auto left = WeightControlPoints(domain, x - h, y);
-    const auto up = WeightControlPoints(domain, x, y + h);
-    const auto down = WeightControlPoints(domain, x, y - h);
+    const auto at = WeightPoints(domain, x, y);
+    const auto right = WeightPoints(domain, x + h, y);
+    const auto left = WeightPoints(domain, x - h, y);
+    const auto up = WeightPoints(domain, x, y + h);
+    const auto down = WeightPoints(domain, x, y - h);
     LocalJet sum{};
     for (std::size_t j = 0; j < at.size(); ++j)
     {

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file NearestPlaces.h
+ * The places of a limit that are nearest to given points.
+ *
+ * A fine level on the limit tells where to begin. From there the squared distance is made smaller
+ * by steps of Newton's method, which stop at the border of a cell. Where a search ends there, it
+ * goes on in the other cells at that place of the border.
+ */
+#ifndef SubdivisionObjects_NearestPlaces_h
+#define SubdivisionObjects_NearestPlaces_h
+
+#include "Core/Operators/PlaceParts.h"
+
+#include "vtkType.h"
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+class vtkPolyData;
+
+namespace subdivision
+{
+
+/// Where places are searched: a view of simplices, or of quads in place of triangles.
+struct SearchedCells
+{
+  vtkIdType NumberOfPoints;
+  const std::vector<unsigned char>& Dimensions;
+  const std::vector<vtkIdType>& Connectivity; ///< of one cell after the other
+  bool HasQuads;
+
+  vtkIdType GetNumberOfCells() const { return static_cast<vtkIdType>(this->Dimensions.size()); }
+  bool IsQuad(vtkIdType cell) const { return this->HasQuads && this->Dimensions[cell] == 2; }
+  int CountCorners(vtkIdType cell) const
+  {
+    return this->Dimensions[cell] + (this->IsQuad(cell) ? 2 : 1);
+  }
+};
+
+struct NearestPlace
+{
+  vtkIdType Cell = -1;
+  /// Of the corners of a simplex. In a quad x and y: 0 and 0 at its first corner, 1 and 0 at the
+  /// second one.
+  std::array<double, 4> Weights{};
+  double Distance = 0.;
+};
+
+/// Gives the value and the derivatives (PlaceParts) of each place, three numbers each.
+using PlaceValues = std::vector<std::array<std::array<double, 3>, PlaceParts::Count>>;
+using EvaluatePlaces = std::function<PlaceValues(const std::vector<NearestPlace>& places)>;
+
+/// `fine`: the cells after `levels` steps, projected to the limit; each cell in as many pieces as a
+/// step makes, one cell after the other. Points that are not finite get no cell.
+std::vector<NearestPlace> FindNearestPlaces(const SearchedCells& cells, vtkDataSet* fine,
+  int levels, const std::vector<std::array<double, 3>>& points, const EvaluatePlaces& evaluate);
+
+/// The error message if a point has no place; else empty.
+std::string CheckNearestPlaces(const std::vector<NearestPlace>& places, bool hasCells);
+
+/// What the output says of a nearest place.
+struct PlaceInCell
+{
+  vtkIdType Cell = -1;                                   ///< of the input
+  std::array<double, 3> Parameters{ { -1., -1., -1. } }; ///< -1: it has none of its own
+};
+/// Adds the arrays Distance, CellId and CellParameters.
+void AddNearestArrays(const std::vector<NearestPlace>& places,
+  const std::vector<PlaceInCell>& inCells, vtkPolyData* output);
+
+}
+
+#endif
