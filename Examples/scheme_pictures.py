@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How smooth schemes are: what fails, characteristic maps, and basis functions. guide_pictures.py makes them."""
+"""How smooth schemes are, and how near: what fails, characteristic maps, basis functions, normals next to borders, and
+bounds. guide_pictures.py makes them."""
 
 import demo_pictures as look
 import numpy as np
@@ -112,3 +113,64 @@ def basis_functions():
         shown.append((scheme, look.actors_of(found, ("point", "BasisFunction", look.tension_colours(-1.0, 1.0)), 1.0),
                       points))
     write("basis_functions", shown, VIEW, 3)
+
+
+def border_fan(count):
+    """Triangles on one side of a point of a border, once more around, not flat."""
+    turns = np.pi * np.arange(count + 1) / count
+    rings = [[0, 0, 0.8]]
+    for radius, lift in ((1.0, 0.0), (2.0, 0.3)):
+        rings += [[radius * np.cos(t), -radius * np.sin(t), lift * np.cos(2 * t)] for t in turns]
+    data = vtkPolyData()
+    data.SetPoints(to_points(np.array(rings)))
+    data.SetPolys(vtkCellArray())
+    inner, outer = 1, 2 + count
+    for i in range(count):
+        data.GetPolys().InsertNextCell(3, (0, inner + i + 1, inner + i))
+        data.GetPolys().InsertNextCell(3, (inner + i, inner + i + 1, outer + i))
+        data.GetPolys().InsertNextCell(3, (inner + i + 1, outer + i + 1, outer + i))
+    return data
+
+
+def normals_at(data, points, length):
+    """Lines along the limit normals at some points."""
+    where = points_of(data)[points]
+    normals = vtk_to_numpy(data.GetPointData().GetArray("LimitNormals"))[points]
+    lines = vtkPolyData()
+    lines.SetPoints(to_points(np.concatenate([where, where + length * normals])))
+    lines.SetLines(vtkCellArray())
+    for i in range(len(points)):
+        lines.GetLines().InsertNextCell(2, (i, len(points) + i))
+    return lines
+
+
+def modified_boundary():
+    """A point of a border in many triangles: by the plain rules there is a crease in the middle."""
+    net = border_fan(9)
+    shown = []
+    for words, modified in (("ModifiedBoundary: Off", 0), ("ModifiedBoundary: On", 1)):
+        found = output(simple.MultidimensionalSubdivision(
+            Input=source_of(net), NumberOfLevels=5, ProjectToLimit=1, GenerateLimitNormals=1,
+            ModifiedBoundary=modified))
+        points = points_of(found)
+        near = np.flatnonzero(np.linalg.norm(points - points[0], axis=1) < 0.3)
+        bristles = normals_at(found, near[::3], 0.25)
+        actors = look.actors_of(found, None, 1.0) + [look.tubes(bristles, 0.004, None)]
+        for actor, colour in zip(actors, (BLUE, (0.85, 0.25, 0.15))):
+            actor.GetProperty().SetColor(*colour)
+        actors[-1].GetProperty().SetAmbient(0.8)
+        shown.append((words, actors, points[np.linalg.norm(points - points[0], axis=1) < 0.8]))
+    write("modified_boundary", shown, (0.3, -1.0, 0.9), 2)
+
+
+def error_bounds():
+    """Each cell in the colour of its bound."""
+    model = simple.SubdivisionModel(Model="Character")
+    shown = []
+    for levels in (0, 1, 2):
+        found = output(simple.MultidimensionalSubdivision(Input=model, NumberOfLevels=levels, GenerateErrorBounds=1))
+        bounds = vtk_to_numpy(found.GetCellData().GetArray("ErrorBound"))
+        colours = look.tension_colours(0.0, bounds.max())
+        actors = look.actors_of(found, ("cell", "ErrorBound", colours), 1.0, edges=True)
+        shown.append((f"NumberOfLevels: {levels}\nred: {bounds.max():.2g}", actors, points_of(found)))
+    write("error_bounds", shown, VIEW, 3)

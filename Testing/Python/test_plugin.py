@@ -6,10 +6,13 @@ import re
 import unittest
 from xml.etree import ElementTree
 
+import numpy as np
 import tools
 from headers import NO_OPTIONS
 from paraview import servermanager, simple
-from vtkmodules.vtkCommonCore import vtkDataArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 
@@ -38,6 +41,11 @@ def properties(proxy):
     while not iterator.IsAtEnd():
         yield iterator.GetKey(), iterator.GetProperty()
         iterator.Next()
+
+
+def updated(proxy):
+    proxy.UpdatePipeline()
+    return tools.output(proxy)
 
 
 def options(cls):
@@ -290,6 +298,50 @@ class Proxies(unittest.TestCase):
                 group = proxy.GetPropertyGroup(i)
                 if prop in [group.GetProperty(k) for k in range(group.GetNumberOfProperties())]:
                     self.assertEqual(group.GetPanelVisibility(), "default", name)
+
+    def test_error_bounds_hold_at_points(self):
+        sphere = simple.Sphere(ThetaResolution=5, PhiResolution=4)
+        for create in (simple.MultidimensionalSubdivision, simple.SurfaceSubdivision):
+            options = {"Input": sphere, "NumberOfLevels": 1, "OutputPointsPrecision": "Double"}
+            made = updated(create(**options, GenerateErrorBounds=1))
+            limit = updated(create(**options, ProjectToLimit=1))
+            bounds = vtk_to_numpy(made.GetCellData().GetArray("ErrorBound"))
+            points = [vtk_to_numpy(data.GetPoints().GetData()) for data in (made, limit)]
+            distances = np.linalg.norm(points[0] - points[1], axis=1)
+            self.assertGreater(distances.max(), 0.01)
+            for cell, bound in enumerate(bounds):
+                ids = made.GetCell(cell).GetPointIds()
+                self.assertLessEqual(max(distances[ids.GetId(i)] for i in range(ids.GetNumberOfIds())), bound)
+            self.assertLess(bounds.max(), 4 * distances.max())
+            moved = vtk_to_numpy(made.GetPointData().GetArray("SmoothingDistance"))
+            self.assertGreater(moved.max(), 0.01)
+            self.assertEqual(moved.min(), -1)  # new points
+            self.assertIsNone(limit.GetCellData().GetArray("ErrorBound"))
+
+    def test_modified_boundary_is_that_of_surfaces(self):
+        turns = np.pi * np.arange(8) / 7  # seven triangles on one side of point 0
+        corners = np.stack([np.cos(turns), np.sin(turns), 0.3 * np.cos(2 * turns)], axis=1)
+        fan = vtkPolyData()
+        fan.SetPoints(vtkPoints())
+        fan.SetPolys(vtkCellArray())
+        for corner in np.concatenate([[[0, 0, 0.5]], corners]):
+            fan.GetPoints().InsertNextPoint(corner)
+        for i in range(1, 8):
+            fan.GetPolys().InsertNextCell(3, (0, i, i + 1))
+        producer = simple.TrivialProducer()
+        producer.GetClientSideObject().SetOutput(fan)
+
+        def points(create, **options):
+            made = create(Input=producer, NumberOfLevels=2, OutputPointsPrecision="Double", **options)
+            found = vtk_to_numpy(updated(made).GetPoints().GetData())
+            return found[np.lexsort(np.round(found, 9).T)]  # points of edges have another order in each filter
+
+        plain = points(simple.MultidimensionalSubdivision)
+        modified = points(simple.MultidimensionalSubdivision, ModifiedBoundary=1)
+        np.testing.assert_allclose(modified, points(simple.SurfaceSubdivision, Scheme="Loop"), atol=1e-12)
+        np.testing.assert_allclose(plain, points(simple.SurfaceSubdivision, Scheme="Loop", ModifiedBoundary=0),
+                                   atol=1e-12)
+        self.assertGreater(np.abs(plain - modified).max(), 1e-3)
 
     def test_the_guard_stops_it(self):
         proxy = simple.MultidimensionalSubdivision(

@@ -1,34 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Bounds/Deviations.h"
 
+#include "Private/Bounds/VectorRanges.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
+#include <vector>
 
 namespace subdivision
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-/// A bound that is known, or infinity.
-double Known(double bound)
-{
-  return bound < Infinity ? bound : Infinity; // also if it is not a number
-}
-
-double GetNorm(const double* vector, int components)
-{
-  double squares = 0.;
-  for (int c = 0; c < components; ++c)
-  {
-    squares += vector[c] * vector[c];
-  }
-  return std::sqrt(squares);
-}
 
 /// Values at the points after a step: those before, and means of them.
 Buffer<double> MakeMiddles(
@@ -59,112 +42,6 @@ Buffer<double> MakeMiddles(
   return middles;
 }
 
-}
-
-VectorRange::VectorRange(int components)
-  : Components(components)
-  , Values(2 * static_cast<std::size_t>(components) + 1)
-{
-}
-
-void VectorRange::Clear()
-{
-  std::fill_n(this->Values.begin(), this->Components, Infinity);
-  std::fill_n(this->Values.begin() + this->Components, this->Components, -Infinity);
-  this->Values.back() = 0.;
-}
-
-void VectorRange::Add(const double* range)
-{
-  for (int c = 0; c < this->Components; ++c)
-  {
-    double& least = this->Values[c];
-    double& largest = this->Values[this->Components + c];
-    least = std::min(least, range[c]);
-    largest = std::max(largest, range[this->Components + c]);
-  }
-  this->Values.back() = std::max(this->Values.back(), range[2 * this->Components]);
-}
-
-void VectorRange::AddZero()
-{
-  for (int c = 0; c < this->Components; ++c)
-  {
-    this->Values[c] = std::min(0., this->Values[c]);
-    this->Values[this->Components + c] = std::max(0., this->Values[this->Components + c]);
-  }
-}
-
-Deviations::Deviations(const NestedPieces& pieces, int components)
-  : Pieces(pieces)
-  , Components(components)
-  , Stride(2 * components + 1)
-  , Values(Stride * pieces.GetNumberOfPoints(NestedPieces::Steps))
-{
-  ForEach(pieces.GetNumberOfPoints(NestedPieces::Steps),
-    [this](vtkIdType i)
-    {
-      double* range = this->Values.data() + this->Stride * i;
-      std::fill_n(range, this->Components, Infinity);
-      std::fill_n(range + this->Components, this->Components, -Infinity);
-      range[2 * this->Components] = 0.;
-    });
-}
-
-void Deviations::Add(vtkIdType point, const double* vector)
-{
-  double* range = this->Values.data() + this->Stride * point;
-  for (int c = 0; c < this->Components; ++c)
-  {
-    double& least = range[c];
-    double& largest = range[this->Components + c];
-    const bool isKnown = std::isfinite(vector[c]);
-    least = isKnown ? std::min(least, vector[c]) : -Infinity;
-    largest = isKnown ? std::max(largest, vector[c]) : Infinity;
-  }
-  double& norm = range[2 * this->Components];
-  norm = std::max(norm, Known(GetNorm(vector, this->Components)));
-}
-
-void Deviations::Spread(int layers)
-{
-  for (int layer = 0; layer < layers; ++layer)
-  {
-    this->SpreadOnce();
-  }
-}
-
-void Deviations::SpreadOnce()
-{
-  Buffer<double> spread(this->Values.size());
-  CopyInThreads(this->Values.data(), this->Values.size(), spread.data());
-  VectorRange range(this->Components);
-  ForEachInTurn(this->Pieces.GetNumberOfPieces(),
-    [&](vtkIdType p)
-    {
-      const vtkIdType* corners = this->Pieces.GetPiece(p);
-      range.Clear();
-      for (int k = 0; k < NestedPieces::MostCorners && corners[k] >= 0; ++k)
-      {
-        range.Add(this->Get(corners[k]));
-      }
-      for (int k = 0; k < NestedPieces::MostCorners && corners[k] >= 0; ++k)
-      {
-        double* to = spread.data() + this->Stride * corners[k];
-        for (int c = 0; c < this->Components; ++c)
-        {
-          to[c] = std::min(to[c], range.GetLeast(c));
-          to[this->Components + c] = std::max(to[this->Components + c], range.GetLargest(c));
-        }
-        to[2 * this->Components] = std::max(to[2 * this->Components], range.GetNorm());
-      }
-    });
-  this->Values = std::move(spread);
-}
-
-namespace
-{
-
 /// By how much a step moves the points away from linear values; 0 where no cell has a point.
 Buffer<double> FindMoves(const NestedPieces& pieces, int step, int components,
   Buffer<double>&& stepped, const Buffer<double>& middles)
@@ -182,23 +59,81 @@ Buffer<double> FindMoves(const NestedPieces& pieces, int step, int components,
   return std::move(stepped);
 }
 
-/// The limit over a piece reads the points of the pieces at it; with solids, whose edges have rings
-/// beyond these, one layer more.
-Deviations SpreadMoves(const NestedPieces& pieces, int components, const Buffer<double>& moves)
+/// For each place of a cell the vectors of the points on which the limit next to it depends: those
+/// of the pieces at it that belong to its sector; where the sector has tetrahedra, whose edges have
+/// rings beyond these, or if `isWide`, of one layer of pieces more.
+VectorRanges Spread(const NestedPieces& pieces, const Sectors& sectors, int components,
+  const VectorRanges& ofPoints, bool isWide)
 {
-  Deviations deviations(pieces, components);
+  const auto forPlaces = [&pieces](const auto& act) // act(cell, point, place)
+  {
+    ForEach(pieces.GetNumberOfCells(),
+      [&](vtkIdType c)
+      {
+        const vtkIdType first = pieces.GetFirstPlace(c);
+        for (vtkIdType place = first; place < pieces.GetFirstPlace(c + 1); ++place)
+        {
+          act(c, static_cast<int>(place - first), place);
+        }
+      });
+  };
+  const auto spreadInCells = [&](VectorRanges& to, const auto& getRange)
+  {
+    forPlaces(
+      [&](vtkIdType c, int point, vtkIdType place)
+      {
+        for (const int neighbour : pieces.GetLattice(c).Neighbours[point])
+        {
+          to.Extend(place, getRange(pieces.GetFirstPlace(c) + neighbour));
+        }
+      });
+  };
+  const auto ignore = [](vtkIdType) {};
+  VectorRanges inCells(pieces.GetNumberOfPlaces(), components);
+  spreadInCells(inCells, [&](vtkIdType place) { return ofPoints.Get(pieces.GetPoint(place)); });
+  VectorRanges near(pieces.GetNumberOfPlaces(), components);
+  forPlaces(
+    [&](vtkIdType c, int point, vtkIdType place)
+    {
+      sectors.ForSector(
+        c, point, [&](vtkIdType other) { near.Extend(place, inCells.Get(other)); },
+        [&](vtkIdType other) { near.Extend(place, ofPoints.Get(pieces.GetPoint(other))); });
+    });
+  if (isWide || pieces.HasTets())
+  {
+    spreadInCells(inCells, [&](vtkIdType place) { return near.Get(place); });
+    forPlaces(
+      [&](vtkIdType c, int point, vtkIdType place)
+      {
+        sectors.ForSector(
+          c, point,
+          [&](vtkIdType other)
+          {
+            if (isWide || pieces.GetDimension(sectors.GetCell(other)) == 3)
+            {
+              near.Extend(place, inCells.Get(other));
+            }
+          },
+          ignore);
+      });
+  }
+  return near;
+}
+
+VectorRanges MakeRanges(const NestedPieces& pieces, int components, const Buffer<double>& vectors)
+{
+  VectorRanges ranges(pieces.GetNumberOfPoints(NestedPieces::Steps), components);
   ForEach(pieces.GetNumberOfPoints(NestedPieces::Steps),
-    [&](vtkIdType i) { deviations.Add(i, moves.data() + components * i); });
-  deviations.Spread(pieces.HasTets() ? 2 : 1);
-  return deviations;
+    [&](vtkIdType i) { ranges.Add(i, vectors.data() + components * i); });
+  return ranges;
 }
 
 /// What all steps after step 3 together add to bilinear pieces: what a row makes of them after m
 /// steps is h a + h^2 b with h = 2^-m, where a and b follow from two steps (Mathematics 14).
-Deviations FindTailOfQuads(const NestedPieces& pieces, int components, const Buffer<double>& first,
-  const Buffer<double>& second)
+VectorRanges FindTailOfQuads(const NestedPieces& pieces, int components,
+  const Buffer<double>& first, const Buffer<double>& second)
 {
-  Deviations tail(pieces, components);
+  VectorRanges tail(pieces.GetNumberOfPoints(NestedPieces::Steps), components);
   const vtkIdType old = pieces.GetNumberOfPoints(1);
   const vtkIdType before = pieces.GetNumberOfPoints(2);
   ForRanges(pieces.GetNumberOfPoints(3),
@@ -238,7 +173,6 @@ Deviations FindTailOfQuads(const NestedPieces& pieces, int components, const Buf
         }
       }
     });
-  tail.Spread(2); // both halves of an edge
   return tail;
 }
 
@@ -267,62 +201,123 @@ double BoundPiece(int components, const double* differences, int corners, const 
   return std::min(Known(byNorms), Known(byComponents)) + further;
 }
 
+/// Finds bounds of cells from what steps and all later steps add.
+class CellBounds
+{
+public:
+  CellBounds(const NestedPieces& pieces, const Sectors& sectors, const BoundedValues& values,
+    const Buffer<double>& linear, const VectorRanges& steps, const VectorRanges& tail)
+    : Pieces(pieces)
+    , AllSectors(sectors)
+    , Values(values)
+    , Linear(linear)
+    , Steps(steps)
+    , Tail(tail)
+    , OfSteps(values.Components)
+    , OfTail(values.Components)
+    , OfPiece(static_cast<std::size_t>(values.Components) * NestedPieces::MostCorners)
+  {
+  }
+
+  double Find(vtkIdType cell)
+  {
+    const NestedPieces::Lattice& lattice = this->Pieces.GetLattice(cell);
+    this->Differences.resize(this->Values.Components * lattice.Points.size());
+    for (std::size_t i = 0; i < lattice.Points.size(); ++i)
+    {
+      this->FindDifference(
+        cell, static_cast<int>(i), this->Differences.data() + this->Values.Components * i);
+    }
+    double bound = 0.;
+    for (int piece = 0; piece < lattice.GetNumberOfPieces(); ++piece)
+    {
+      bound = std::max(bound, this->FindOfPiece(cell, piece));
+    }
+    return bound + this->Values.Rounding;
+  }
+
+private:
+  double FindOfPiece(vtkIdType cell, int piece)
+  {
+    const NestedPieces::Lattice& lattice = this->Pieces.GetLattice(cell);
+    this->OfSteps.Clear();
+    this->OfTail.Clear();
+    bool hasTets = false;
+    for (int k = 0; k < lattice.Corners; ++k)
+    {
+      const int point = lattice.Pieces[lattice.Corners * piece + k];
+      const vtkIdType place = this->Pieces.GetFirstPlace(cell) + point;
+      this->OfSteps.Add(this->Steps.Get(place));
+      this->OfTail.Add(this->Tail.Get(place));
+      std::copy_n(this->Differences.data() + this->Values.Components * point,
+        this->Values.Components, this->OfPiece.data() + this->Values.Components * k);
+      hasTets = hasTets || this->AllSectors.HasTets(cell, point);
+    }
+    this->OfTail.AddZero();
+    // Rows of vertices in faces between solids, which step 3 does not have, may make a little more
+    // of the kink there than rows of edges.
+    const double further = hasTets ? 0.25 * this->OfTail.GetNorm() : 0.;
+    return BoundPiece(this->Values.Components, this->OfPiece.data(), lattice.Corners, this->OfSteps,
+      this->OfTail, further);
+  }
+
+  /// Of linear values from those of the output.
+  void FindDifference(vtkIdType cell, int point, double* difference) const
+  {
+    const NestedPieces::Weights& weights = this->Pieces.GetLattice(cell).Points[point];
+    const vtkIdType id = this->Pieces.GetPoint(this->Pieces.GetFirstPlace(cell) + point);
+    const int components = this->Values.Components;
+    for (int c = 0; c < components; ++c)
+    {
+      double shown = 0.;
+      for (int corner = 0; corner < this->Pieces.GetNumberOfCorners(cell); ++corner)
+      {
+        shown += weights[corner] *
+          this->Values.Shown[components * this->Pieces.GetCorner(cell, corner) + c];
+      }
+      difference[c] = this->Linear[components * id + c] - shown;
+    }
+  }
+
+  const NestedPieces& Pieces;
+  const Sectors& AllSectors;
+  const BoundedValues& Values;
+  const Buffer<double>& Linear;
+  const VectorRanges& Steps;
+  const VectorRanges& Tail;
+  VectorRange OfSteps;
+  VectorRange OfTail;
+  std::vector<double> Differences; ///< at all points of the cell
+  std::vector<double> OfPiece;
+};
+
 }
 
-void FindBounds(const NestedPieces& pieces, const BoundedValues& values, double* bounds)
+void FindBounds(
+  const NestedPieces& pieces, const Sectors& sectors, const BoundedValues& values, double* bounds)
 {
   const int components = values.Components;
   const Buffer<double> middles = MakeMiddles(pieces, 2, components, values.Next);
   const Buffer<double> linear = MakeMiddles(pieces, 3, components, middles);
   const Buffer<double> kinks = FindMoves(pieces, 3, components, values.Step(3, middles), linear);
   Buffer<double> stepped = values.Step(2, values.Next);
-  const Deviations steps = SpreadMoves(
-    pieces, components, FindMoves(pieces, 3, components, values.Step(3, stepped), linear));
-  const Deviations tail = pieces.HasQuads()
-    ? FindTailOfQuads(
-        pieces, components, FindMoves(pieces, 2, components, std::move(stepped), middles), kinks)
-    : SpreadMoves(pieces, components, kinks);
-  // Rows of vertices in faces between solids, which step 3 does not have, may make a little more of
-  // the kink there than rows of edges.
-  const double further = pieces.HasTets() ? 0.25 : 0.;
+  const VectorRanges steps = Spread(pieces, sectors, components,
+    MakeRanges(
+      pieces, components, FindMoves(pieces, 3, components, values.Step(3, stepped), linear)),
+    false);
+  const bool hasQuads = pieces.HasQuads(); // then both halves of an edge count
+  const VectorRanges tail = Spread(pieces, sectors, components,
+    hasQuads ? FindTailOfQuads(pieces, components,
+                 FindMoves(pieces, 2, components, std::move(stepped), middles), kinks)
+             : MakeRanges(pieces, components, kinks),
+    hasQuads);
   ForRanges(pieces.GetNumberOfCells(),
     [&](vtkIdType begin, vtkIdType end)
     {
-      VectorRange ofSteps(components);
-      VectorRange ofTail(components);
-      std::vector<double> differences(
-        static_cast<std::size_t>(components) * NestedPieces::MostCorners);
+      CellBounds find(pieces, sectors, values, linear, steps, tail);
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        const int corners = pieces.GetNumberOfCorners(cell);
-        double bound = 0.;
-        for (vtkIdType p = pieces.GetFirst(cell); p < pieces.GetFirst(cell + 1); ++p)
-        {
-          const vtkIdType* piece = pieces.GetPiece(p);
-          ofSteps.Clear();
-          ofTail.Clear();
-          for (int k = 0; k < corners; ++k)
-          {
-            ofSteps.Add(steps.Get(piece[k]));
-            ofTail.Add(tail.Get(piece[k]));
-            const NestedPieces::Weights& weights = pieces.GetWeights(cell, p, k);
-            for (int c = 0; c < components; ++c)
-            {
-              double shown = 0.;
-              for (int corner = 0; corner < corners; ++corner)
-              {
-                shown +=
-                  weights[corner] * values.Shown[components * pieces.GetCorner(cell, corner) + c];
-              }
-              differences[components * k + c] = linear[components * piece[k] + c] - shown;
-            }
-          }
-          ofTail.AddZero();
-          bound = std::max(bound,
-            BoundPiece(components, differences.data(), corners, ofSteps, ofTail,
-              further * ofTail.GetNorm()));
-        }
-        bounds[cell] = bound + values.Rounding;
+        bounds[cell] = find.Find(cell);
       }
     });
 }

@@ -9,52 +9,12 @@
 
 #include "Core/Memory/Buffer.h"
 #include "Private/Bounds/NestedPieces.h"
+#include "Private/Bounds/Sectors.h"
 
 #include <functional>
-#include <vector>
 
 namespace subdivision
 {
-
-/// The least and the largest components of some vectors, and their largest norm.
-class VectorRange
-{
-public:
-  explicit VectorRange(int components);
-  void Clear();
-  /// Adds a range as Deviations has it.
-  void Add(const double* range);
-  void AddZero();
-  double GetLeast(int component) const { return this->Values[component]; }
-  double GetLargest(int component) const { return this->Values[this->Components + component]; }
-  double GetNorm() const { return this->Values[2 * this->Components]; }
-
-private:
-  int Components;
-  std::vector<double> Values;
-};
-
-/// For each point after all steps the range of some vectors, those that belong to it and to the
-/// points around it.
-class Deviations
-{
-public:
-  Deviations(const NestedPieces& pieces, int components);
-  /// Adds a vector to a point.
-  void Add(vtkIdType point, const double* vector);
-  /// Extends the ranges of points by those around them, in so many layers of pieces.
-  void Spread(int layers);
-
-  const double* Get(vtkIdType point) const { return this->Values.data() + this->Stride * point; }
-
-private:
-  void SpreadOnce();
-
-  const NestedPieces& Pieces;
-  int Components;
-  vtkIdType Stride;
-  Buffer<double> Values;
-};
 
 /// Values of one array at the points of an output, and after one further step.
 struct BoundedValues
@@ -68,7 +28,8 @@ struct BoundedValues
 };
 
 /// Sets the bound of each cell; infinity where values are not finite.
-void FindBounds(const NestedPieces& pieces, const BoundedValues& values, double* bounds);
+void FindBounds(
+  const NestedPieces& pieces, const Sectors& sectors, const BoundedValues& values, double* bounds);
 
 }
 

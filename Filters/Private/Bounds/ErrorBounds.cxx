@@ -4,6 +4,7 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Bounds/Deviations.h"
 #include "Private/Bounds/NestedPieces.h"
+#include "Private/Bounds/Sectors.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Reading/CellReader.h"
@@ -111,8 +112,9 @@ private:
   bool HasMemory() const;
   bool HasNegativeWeights() const;
   Buffer<double> Apply(int step, const Buffer<double>& values, int components) const;
-  void AddBounds(const NestedPieces& pieces, vtkDataArray* control, vtkDataArray* shown,
-    const std::string& name);
+  Sectors::Step GetLastStep() const;
+  void AddBounds(const NestedPieces& pieces, const Sectors& sectors, vtkDataArray* control,
+    vtkDataArray* shown, const std::string& name);
   void AddDistances(vtkDataArray* given, vtkDataArray* limit, const std::string& name);
 
   const BoundedRun& Given;
@@ -137,12 +139,25 @@ Buffer<double> BoundMaker::Apply(int step, const Buffer<double>& values, int com
   return result;
 }
 
+Sectors::Step BoundMaker::GetLastStep() const
+{
+  const MatrixFactors::Operation& operation = this->Factors.GetOperations().back();
+  Sectors::Step step;
+  for (std::size_t f = operation.Begin; f < operation.End; ++f)
+  {
+    step.push_back(&this->Factors.Get()[f]);
+  }
+  return step;
+}
+
 /// A rough estimate of what matrices and values of the finest mesh take, beside that mesh.
 bool BoundMaker::HasMemory() const
 {
   const CellReader cells(this->Given.Output);
   double counts[4] = { 0., 0., 0., 0. };
+  constexpr double placesOfCells[4] = { 1., 9., 81., 165. }; // those of a quad, not fewer
   double pieces = 0.;
+  double places = 0.;
   std::vector<vtkIdType> scratch;
   for (const vtkIdType c : InTurn(cells.GetNumberOfCells()))
   {
@@ -151,6 +166,7 @@ bool BoundMaker::HasMemory() const
     const double children = std::ldexp(1., dimension * Further);
     counts[dimension] += children;
     pieces += children;
+    places += placesOfCells[dimension];
   }
   const double points = static_cast<double>(this->Given.Output->GetNumberOfPoints()) + counts[1] +
     counts[2] + counts[3] / 5.;
@@ -161,7 +177,8 @@ bool BoundMaker::HasMemory() const
     components = array ? std::max(components, array->GetNumberOfComponents()) : components;
   }
   constexpr double bytesOfRow = 16. * 24.; // of steps as they are, and as matrices
-  const double bytes = points * (bytesOfRow + 64. * components) + 48. * pieces;
+  const double bytes = points * (bytesOfRow + 64. * components) + 48. * pieces +
+    places * (40. + 24. * (2. * components + 1.));
   const std::string tooLarge = CheckMemory(pieces, points, bytes, this->Given.Levels + Further);
   if (!tooLarge.empty())
   {
@@ -182,8 +199,8 @@ bool BoundMaker::HasNegativeWeights() const
 }
 
 /// `shown`: values of the output that follow from those of the control points.
-void BoundMaker::AddBounds(
-  const NestedPieces& pieces, vtkDataArray* control, vtkDataArray* shown, const std::string& name)
+void BoundMaker::AddBounds(const NestedPieces& pieces, const Sectors& sectors,
+  vtkDataArray* control, vtkDataArray* shown, const std::string& name)
 {
   const int components = control->GetNumberOfComponents();
   const Buffer<double> given = ReadValues(control);
@@ -205,7 +222,7 @@ void BoundMaker::AddBounds(
     [&](int step, const Buffer<double>& before)
     { return this->Apply(this->Given.Levels + step - 1, before, components); },
     64. * std::numeric_limits<double>::epsilon() * largest };
-  FindBounds(pieces, bounded, bounds->GetPointer(0));
+  FindBounds(pieces, sectors, bounded, bounds->GetPointer(0));
   this->Given.Output->GetCellData()->AddArray(bounds);
 }
 
@@ -314,8 +331,9 @@ bool BoundMaker::Add()
   {
     return this->Refuse(reason);
   }
-  this->AddBounds(
-    pieces, control->GetPoints()->GetData(), this->Given.Output->GetPoints()->GetData(), "");
+  const Sectors sectors(pieces, this->GetLastStep());
+  this->AddBounds(pieces, sectors, control->GetPoints()->GetData(),
+    this->Given.Output->GetPoints()->GetData(), "");
   this->AddDistances(this->Given.Input->GetPoints()->GetData(), limit->GetPoints()->GetData(), "");
   vtkPointData* given = this->Given.Input->GetPointData();
   std::vector<vtkDataArray*> arrays;
@@ -334,7 +352,7 @@ bool BoundMaker::Add()
       control->GetPointData()->GetArray(name), limit->GetPointData()->GetArray(name) };
     if (std::all_of(std::begin(of), std::end(of), IsOfNumbers))
     {
-      this->AddBounds(pieces, of[1], of[0], name);
+      this->AddBounds(pieces, sectors, of[1], of[0], name);
       this->AddDistances(array, of[2], name);
     }
   }

@@ -51,6 +51,55 @@ std::vector<LatticePart> ListParts(const PatchShape& shape, int steps)
   return parts;
 }
 
+/// The pieces that all steps make, and their points in the order in which pieces have them first;
+/// `points` gets these on the shape's lattice.
+NestedPieces::Lattice MakeLattice(const PatchShape& shape, std::vector<LatticePoint>& points)
+{
+  NestedPieces::Lattice lattice;
+  lattice.Dimension = shape.Dimension;
+  lattice.Corners = shape.Corners;
+  std::map<LatticePoint, int> numbers;
+  for (const LatticePart& part : ListParts(shape, NestedPieces::Steps))
+  {
+    for (const LatticePoint& corner : shape.CornerPoints)
+    {
+      const LatticePoint point = part.At(corner, 2);
+      const auto [at, isNew] = numbers.try_emplace(point, static_cast<int>(points.size()));
+      if (isNew)
+      {
+        points.push_back(point);
+      }
+      lattice.Pieces.push_back(at->second);
+    }
+  }
+  for (const LatticePoint& point : points)
+  {
+    lattice.Points.push_back(WeighCorners(shape, point, 1 << NestedPieces::Steps));
+    NestedPieces::Mask face = 0;
+    for (int k = 0; k < shape.Corners; ++k)
+    {
+      face |= lattice.Points.back()[k] > 0. ? 1U << k : 0U;
+    }
+    lattice.Faces.push_back(face);
+  }
+  lattice.Neighbours.resize(points.size());
+  for (std::size_t piece = 0; piece < lattice.Pieces.size(); piece += shape.Corners)
+  {
+    const auto begin = lattice.Pieces.begin() + static_cast<std::ptrdiff_t>(piece);
+    for (int k = 0; k < shape.Corners; ++k)
+    {
+      std::vector<int>& neighbours = lattice.Neighbours[begin[k]];
+      neighbours.insert(neighbours.end(), begin, begin + shape.Corners);
+    }
+  }
+  for (std::vector<int>& neighbours : lattice.Neighbours)
+  {
+    std::sort(neighbours.begin(), neighbours.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  }
+  return lattice;
+}
+
 /// A point that a step makes in the middle of others.
 struct MiddlePoint
 {
@@ -102,7 +151,7 @@ NestedPieces::NestedPieces(vtkPointSet* fine, const std::array<vtkIdType, Steps 
   this->ReadCells(roots);
   if (this->IsNested)
   {
-    this->ReadPieces(roots);
+    this->ReadPlaces(roots);
     this->FindParents(roots, 2);
     this->FindParents(roots, 3);
   }
@@ -159,50 +208,49 @@ bool NestedPieces::AreOf(vtkPointSet* mesh) const
   return true;
 }
 
-void NestedPieces::ReadPieces(const BezierRoots& roots)
+void NestedPieces::ReadPlaces(const BezierRoots& roots)
 {
-  std::array<std::vector<LatticePart>, PatchShape::NumberOfKinds> parts;
-  this->Places[0].assign(MostCorners, Weights{ { 1., 0., 0., 0. } });
+  std::array<std::vector<LatticePoint>, PatchShape::NumberOfKinds> points;
+  this->Lattices[0].Points.push_back({ { 1., 0., 0., 0. } });
+  this->Lattices[0].Faces.push_back(1);
+  this->Lattices[0].Neighbours.push_back({ 0 });
+  this->Lattices[0].Pieces.push_back(0);
   for (int kind = 0; kind < PatchShape::NumberOfKinds; ++kind)
   {
-    const PatchShape& shape = PatchShape::Get(static_cast<PatchShape::Kind>(kind));
-    parts[kind] = ListParts(shape, Steps);
-    for (const LatticePart& part : parts[kind])
-    {
-      for (int k = 0; k < MostCorners; ++k)
-      {
-        const LatticePoint corner = shape.CornerPoints[std::min(k, shape.Corners - 1)];
-        this->Places[kind + 1].push_back(WeighCorners(shape, part.At(corner, 2), 1 << Steps));
-      }
-    }
+    this->Lattices[kind + 1] =
+      MakeLattice(PatchShape::Get(static_cast<PatchShape::Kind>(kind)), points[kind]);
   }
-  this->Firsts.push_back(0);
-  for (const signed char kind : InTurn(this->Kinds))
+  this->FirstPlaces.push_back(0);
+  for (const vtkIdType c : InTurn(this->GetNumberOfCells()))
   {
-    this->Firsts.push_back(
-      this->Firsts.back() + (kind < 0 ? 1 : static_cast<vtkIdType>(parts[kind].size())));
+    this->FirstPlaces.push_back(
+      this->FirstPlaces.back() + static_cast<vtkIdType>(this->GetLattice(c).Points.size()));
   }
-  this->Corners = Buffer<vtkIdType>(MostCorners * this->Firsts.back(), -1);
+  this->PlacePoints = Buffer<vtkIdType>(this->FirstPlaces.back());
   ForEach(this->GetNumberOfCells(),
     [&](vtkIdType c)
     {
-      vtkIdType* to = this->Corners.data() + MostCorners * this->Firsts[c];
+      vtkIdType* to = this->PlacePoints.data() + this->FirstPlaces[c];
       if (this->Kinds[c] < 0)
       {
         *to = this->GetCorner(c, 0);
         return;
       }
       const Root& root = roots.GetRoot(c);
-      const PatchShape& shape = BezierRoots::GetShape(root);
-      for (const LatticePart& part : parts[this->Kinds[c]])
+      for (const LatticePoint& point : points[this->Kinds[c]])
       {
-        for (int k = 0; k < shape.Corners; ++k)
-        {
-          to[k] = roots.GetPoint(root, part.At(shape.CornerPoints[k], 2));
-        }
-        to += MostCorners;
+        *to++ = roots.GetPoint(root, point);
       }
     });
+}
+
+NestedPieces::Mask NestedPieces::Lattice::Close(Mask corners) const
+{
+  // Of two opposite corners of a quad, or three of them, that is the quad. All other sets are
+  // faces.
+  const bool isFace = (corners & (corners - 1U)) == 0 || corners == 3U || corners == 6U ||
+    corners == 12U || corners == 9U;
+  return this->Dimension == 2 && this->Corners == 4 && !isFace ? this->GetWhole() : corners;
 }
 
 /// All cells that have a new point find the same parents.

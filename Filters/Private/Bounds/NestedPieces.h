@@ -26,6 +26,25 @@ public:
   static constexpr int Steps = 3;
   static constexpr int MostCorners = 4;
   using Weights = std::array<double, MostCorners>;
+  /// Some corners of a cell, a bit for each. Those of a vertex, an edge, a face or all are a face.
+  using Mask = unsigned;
+
+  /// The points of a cell after all steps, and its pieces.
+  struct Lattice
+  {
+    int Dimension = 0;
+    int Corners = 1;
+    std::vector<Weights> Points; ///< each as weights of the corners of the cell
+    std::vector<Mask> Faces;     ///< which face each point is inside of
+    std::vector<std::vector<int>>
+      Neighbours;            ///< the points of the pieces at each point, itself too
+    std::vector<int> Pieces; ///< the points of each piece, one after the other
+
+    int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()) / this->Corners; }
+    Mask GetWhole() const { return (1U << this->Corners) - 1U; }
+    /// The smallest face that has some corners.
+    Mask Close(Mask corners) const;
+  };
 
   /// `fine` is the mesh after the steps, `points` the numbers of points before, after one, two, and
   /// all steps.
@@ -37,27 +56,20 @@ public:
   bool HasQuads() const { return this->Has[PatchShape::Quad]; }
 
   vtkIdType GetNumberOfCells() const { return static_cast<vtkIdType>(this->Kinds.size()); }
-  int GetNumberOfCorners(vtkIdType cell) const { return CountCorners(this->Kinds[cell]); }
+  int GetNumberOfCorners(vtkIdType cell) const { return this->GetLattice(cell).Corners; }
   vtkIdType GetCorner(vtkIdType cell, int corner) const
   {
     return this->CellCorners[MostCorners * cell + corner];
   }
 
-  /// The pieces of a cell after all steps are those from GetFirst(cell) to before that of the next
-  /// cell. They have as many corners as the cell.
-  vtkIdType GetNumberOfPieces() const { return this->Corners.size() / MostCorners; }
-  vtkIdType GetFirst(vtkIdType cell) const { return this->Firsts[cell]; }
-  /// The corners of a piece; -1 behind the last one.
-  const vtkIdType* GetPiece(vtkIdType piece) const
-  {
-    return this->Corners.data() + MostCorners * piece;
-  }
-  /// Where a corner of a piece is, as weights of the corners of its cell.
-  const Weights& GetWeights(vtkIdType cell, vtkIdType piece, int corner) const
-  {
-    return this
-      ->Places[this->Kinds[cell] + 1][MostCorners * (piece - this->GetFirst(cell)) + corner];
-  }
+  int GetDimension(vtkIdType cell) const { return this->GetLattice(cell).Dimension; }
+  const Lattice& GetLattice(vtkIdType cell) const { return this->Lattices[this->Kinds[cell] + 1]; }
+
+  /// A place is a point of a cell after all steps: those of a cell are from GetFirstPlace(cell) to
+  /// before that of the next cell, in the order of its lattice.
+  vtkIdType GetNumberOfPlaces() const { return this->PlacePoints.size(); }
+  vtkIdType GetFirstPlace(vtkIdType cell) const { return this->FirstPlaces[cell]; }
+  vtkIdType GetPoint(vtkIdType place) const { return this->PlacePoints[place]; }
 
   vtkIdType GetNumberOfPoints(int step) const { return this->Points[step]; }
   /// The points in whose middle a point is that step 2 or 3 made; -1 behind the last one, all -1 if
@@ -68,21 +80,17 @@ public:
   }
 
 private:
-  static int CountCorners(int kind)
-  {
-    return kind < 0 ? 1 : PatchShape::Get(static_cast<PatchShape::Kind>(kind)).Corners;
-  }
   void ReadCells(const BezierRoots& roots);
-  void ReadPieces(const BezierRoots& roots);
+  void ReadPlaces(const BezierRoots& roots);
   void FindParents(const BezierRoots& roots, int step);
 
   std::array<vtkIdType, Steps + 1> Points;
   std::vector<signed char> Kinds; ///< a PatchShape::Kind; -1: a vertex
   std::vector<vtkIdType> CellCorners;
-  std::vector<vtkIdType> Firsts; ///< of each cell, and one past the last
-  Buffer<vtkIdType> Corners;
+  std::vector<vtkIdType> FirstPlaces; ///< of each cell, and one past the last
+  Buffer<vtkIdType> PlacePoints;
   std::array<Buffer<vtkIdType>, Steps + 1> Parents; ///< of the points of the last two steps
-  std::array<std::vector<Weights>, PatchShape::NumberOfKinds + 1> Places; ///< by kind + 1
+  std::array<Lattice, PatchShape::NumberOfKinds + 1> Lattices; ///< by kind + 1
   std::array<bool, PatchShape::NumberOfKinds> Has{};
   bool IsNested = true;
 };

@@ -74,8 +74,8 @@ TEST(SurfaceErrorBounds, HoldAndAreNearTheTruth)
       all.Ratios = ratios;
       std::cout << "scheme " << scheme << (projects ? " on the limit" : "") << ": median "
                 << all.GetMedian() << ", most " << all.GetLargest() << "\n";
-      EXPECT_LT(all.GetMedian(), 2.5) << scheme;
-      EXPECT_LT(all.GetLargest(), projects ? 5. : 3.) << scheme;
+      EXPECT_LT(all.GetMedian(), 2.) << scheme;
+      EXPECT_LT(all.GetLargest(), 3.) << scheme;
     }
   }
 }

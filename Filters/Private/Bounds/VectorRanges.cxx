@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Bounds/VectorRanges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace subdivision
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+void ClearRange(int components, double* range)
+{
+  std::fill_n(range, components, Infinity);
+  std::fill_n(range + components, components, -Infinity);
+  range[2 * components] = 0.;
+}
+
+void ExtendRange(int components, const double* by, double* range)
+{
+  for (int c = 0; c < components; ++c)
+  {
+    double& least = range[c];
+    double& largest = range[components + c];
+    least = std::min(least, by[c]);
+    largest = std::max(largest, by[components + c]);
+  }
+  range[2 * components] = std::max(range[2 * components], by[2 * components]);
+}
+
+}
+
+double Known(double bound)
+{
+  return bound < Infinity ? bound : Infinity; // also if it is not a number
+}
+
+double GetNorm(const double* vector, int components)
+{
+  double squares = 0.;
+  for (int c = 0; c < components; ++c)
+  {
+    squares += vector[c] * vector[c];
+  }
+  return std::sqrt(squares);
+}
+
+VectorRange::VectorRange(int components)
+  : Components(components)
+  , Values(2 * static_cast<std::size_t>(components) + 1)
+{
+}
+
+void VectorRange::Clear()
+{
+  ClearRange(this->Components, this->Values.data());
+}
+
+void VectorRange::Add(const double* range)
+{
+  ExtendRange(this->Components, range, this->Values.data());
+}
+
+void VectorRange::AddZero()
+{
+  for (int c = 0; c < this->Components; ++c)
+  {
+    this->Values[c] = std::min(0., this->Values[c]);
+    this->Values[this->Components + c] = std::max(0., this->Values[this->Components + c]);
+  }
+}
+
+VectorRanges::VectorRanges(vtkIdType items, int components)
+  : Components(components)
+  , Stride(2 * components + 1)
+  , Values(Stride * items)
+{
+  ForEach(items,
+    [this](vtkIdType i) { ClearRange(this->Components, this->Values.data() + this->Stride * i); });
+}
+
+void VectorRanges::Add(vtkIdType item, const double* vector)
+{
+  double* range = this->Values.data() + this->Stride * item;
+  for (int c = 0; c < this->Components; ++c)
+  {
+    double& least = range[c];
+    double& largest = range[this->Components + c];
+    const bool isKnown = std::isfinite(vector[c]);
+    least = isKnown ? std::min(least, vector[c]) : -Infinity;
+    largest = isKnown ? std::max(largest, vector[c]) : Infinity;
+  }
+  double& norm = range[2 * this->Components];
+  norm = std::max(norm, Known(GetNorm(vector, this->Components)));
+}
+
+void VectorRanges::Extend(vtkIdType item, const double* range)
+{
+  ExtendRange(this->Components, range, this->Values.data() + this->Stride * item);
+}
+
+}
