@@ -10,8 +10,11 @@
 #include "Core/Solids/Limits/PlacePolynomial.h"
 #include "Core/Solids/Limits/SheetRows.h"
 
+#include "vtkSMPThreadLocal.h"
+
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -34,12 +37,31 @@ public:
   {
   }
   /// The weights of all columns of a key for the first power, then for the second, ... Its places
-  /// are FaceLattice or CurveLattice.
+  /// are FaceLattice, EdgeLattice or CurveLattice.
   const std::vector<double>& Find(const SheetKey& key);
+  SheetRows& GetRows() { return this->Rows; }
 
 private:
   SheetRows Rows;
   std::unordered_map<std::uint64_t, std::vector<double>> Found;
+};
+
+/// What each thread has found, for all that works on levels with the same weights.
+class KnownSheetRows
+{
+public:
+  PatchPolynomials& OfThread(LoopWeights weights)
+  {
+    std::shared_ptr<PatchPolynomials>& rows = this->Rows.Local();
+    if (!rows)
+    {
+      rows = std::make_shared<PatchPolynomials>(weights);
+    }
+    return *rows;
+  }
+
+private:
+  vtkSMPThreadLocal<std::shared_ptr<PatchPolynomials>> Rows;
 };
 
 }

@@ -148,7 +148,7 @@ void SheetLimits<Id>::Finder<LevelType>::WithMemories(vtkIdType size, const Act&
   ForRanges(size,
     [&](vtkIdType begin, vtkIdType end)
     {
-      Memory memory{ this->Known.OfThread(this->Weights), {} };
+      Memory memory{ this->Known.OfThread(this->Weights).GetRows(), {} };
       for (vtkIdType i = begin; i < end; ++i)
       {
         act(i, memory);
