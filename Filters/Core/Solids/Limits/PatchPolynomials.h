@@ -39,11 +39,14 @@ public:
   /// The weights of all columns of a key for the first power, then for the second, ... Its places
   /// are FaceLattice, EdgeLattice or CurveLattice.
   const std::vector<double>& Find(const SheetKey& key);
+  /// The same without zeros: a row for each power.
+  const SparseRows<int>& FindSparse(const SheetKey& key);
   SheetRows& GetRows() { return this->Rows; }
 
 private:
   SheetRows Rows;
   std::unordered_map<std::uint64_t, std::vector<double>> Found;
+  std::unordered_map<std::uint64_t, SparseRows<int>> Sparse;
 };
 
 /// What each thread has found, for all that works on levels with the same weights.

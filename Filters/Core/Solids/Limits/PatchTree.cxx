@@ -110,8 +110,7 @@ void PatchTree::WithSize(const Act& act) const
 }
 
 template <typename Size>
-void PatchTree::SumChild(
-  const SparseRows<int>& rows, const double* from, double* to, Size size) const
+void PatchTree::SumRows(const SparseRows<int>& rows, const double* from, double* to, Size size)
 {
   for (vtkIdType row = 0; row < rows.GetNumberOfRows(); ++row, to += size)
   {
@@ -122,27 +121,6 @@ void PatchTree::SumChild(
       for (std::size_t c = 0; c < size; ++c)
       {
         to[c] += weight * value[c];
-      }
-    }
-  }
-}
-
-template <typename Size>
-void PatchTree::SumPowers(
-  const std::vector<double>& weights, const Node& from, double* to, Size size) const
-{
-  const double* weight = weights.data();
-  for (int power = 0; power < PatchPowers; ++power, to += size)
-  {
-    const double* value = this->Values.data() + from.Values;
-    for (std::size_t k = 0; k < from.Columns; ++k, ++weight, value += size)
-    {
-      if (*weight != 0.)
-      {
-        for (std::size_t c = 0; c < size; ++c)
-        {
-          to[c] += *weight * value[c];
-        }
       }
     }
   }
@@ -163,8 +141,8 @@ int PatchTree::GetChild(int parent, int child)
     this->WithSize(
       [&](auto size)
       {
-        this->SumChild(found.Rows, values + this->Nodes[parent].Values,
-          values + this->Nodes[added].Values, size);
+        SumRows(found.Rows, values + this->Nodes[parent].Values, values + this->Nodes[added].Values,
+          size);
       });
     this->Nodes[parent].Children[child] = added;
   }
@@ -179,9 +157,9 @@ void PatchTree::MakePowers(Node& node)
                                                : SheetPlaces::CurveLattice;
   const std::size_t first = this->Powers.size();
   this->Powers.resize(first + PatchPowers * this->Components, 0.);
-  const std::vector<double>& weights = this->Polynomials.Find(key);
-  this->WithSize(
-    [&](auto size) { this->SumPowers(weights, node, this->Powers.data() + first, size); });
+  const SparseRows<int>& rows = this->Polynomials.FindSparse(key);
+  this->WithSize([&](auto size)
+    { SumRows(rows, this->Values.data() + node.Values, this->Powers.data() + first, size); });
   node.Powers = static_cast<std::ptrdiff_t>(first);
 }
 

@@ -55,9 +55,7 @@ private:
   int GetChild(int parent, int child);
   void MakePowers(Node& node);
   template <typename Size>
-  void SumChild(const SparseRows<int>& rows, const double* from, double* to, Size size) const;
-  template <typename Size>
-  void SumPowers(const std::vector<double>& weights, const Node& from, double* to, Size size) const;
+  static void SumRows(const SparseRows<int>& rows, const double* from, double* to, Size size);
   template <typename Act>
   void WithSize(const Act& act) const;
 
