@@ -220,7 +220,7 @@ bool FindHeight(const double* p, const double* const* corners, double& height)
   }
   height = square > 0. ? height / std::sqrt(square) : 0.;
   bool isOver = square > 0. && std::isfinite(square);
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; isOver && i < 3; ++i)
   {
     const double* a = corners[i];
     const double* b = corners[(i + 1) % 3];
@@ -231,7 +231,7 @@ bool FindHeight(const double* p, const double* const* corners, double& height)
       const int e = (c + 2) % 3;
       side += normal[c] * ((b[d] - a[d]) * (p[e] - a[e]) - (b[e] - a[e]) * (p[d] - a[d]));
     }
-    isOver = isOver && side >= 0.;
+    isOver = side >= 0.;
   }
   return isOver;
 }

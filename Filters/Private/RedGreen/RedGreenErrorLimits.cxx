@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The limits from which RedGreenErrors measures: those in curves and sheets by rows of equal
-// neighbourhoods, all others by LocalLimit.
+// The limits from which RedGreenErrors measures: those over control simplices in curves and sheets
+// by polynomials, next to joints by rows of equal neighbourhoods, all others by LocalLimit.
 #include "Private/RedGreen/RedGreenErrors.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Solids/Limits/PatchLimits.h"
 #include "Core/Solids/Limits/SheetLimits.h"
 #include "Core/Solids/Location/CurveOrder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace subdivision
@@ -101,6 +103,17 @@ bool RedGreenErrors<Id>::IsUnknown(Id site, int place) const
 }
 
 template <typename Id>
+bool RedGreenErrors<Id>::IsKnown(Id site) const
+{
+  bool isKnown = true;
+  for (int place = 0; place < PlacesOfSite; ++place)
+  {
+    isKnown = isKnown && !this->IsUnknown(site, place);
+  }
+  return isKnown;
+}
+
+template <typename Id>
 void RedGreenErrors<Id>::FindLimits(const RedGreen<Id>& state)
 {
   const double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -128,28 +141,143 @@ void RedGreenErrors<Id>::FindLimits(const RedGreen<Id>& state)
   const Buffer<double> control = this->GetControlValues();
   if (this->Limit.GetCreases().Stages.empty()) // edges that are sharp for some steps are no curves
   {
+    this->FindLimitsInPatches(control);
     this->FindLimitsInSheets(state, control);
   }
   this->FindOtherLimits(state, control);
 }
 
-/// Finds the limits that depend on curves and sheets alone.
+/// Finds the limits over control simplices that depend on curves and sheets alone.
+template <typename Id>
+void RedGreenErrors<Id>::FindLimitsInPatches(const Buffer<double>& control)
+{
+  // The corners and sites on each simplex, corners first.
+  const auto corners = static_cast<vtkIdType>(this->Corners.size());
+  const auto all = corners + static_cast<vtkIdType>(this->Sites.size());
+  const auto getSimplex = [&](vtkIdType i)
+  {
+    if (i < corners)
+    {
+      return this->Places[this->Corners[i]].Simplex;
+    }
+    const Site& site = this->Sites[i - corners];
+    return site.GetSize() < 4 ? site.Curved : Id(-1);
+  };
+  subdivision::Rows<Id> on;
+  on.Offsets = Buffer<Id>(static_cast<vtkIdType>(this->Curved.size()) + 1, 0);
+  ForEachInTurn(all,
+    [&](vtkIdType i)
+    {
+      const Id simplex = getSimplex(i);
+      simplex < 0 ? void() : void(++on.Offsets[simplex]);
+    });
+  CountsToOffsets(on.Offsets);
+  on.Items = Buffer<Id>(on.Offsets[static_cast<vtkIdType>(this->Curved.size())]);
+  Buffer<Id> next(on.Offsets.size());
+  CopyInThreads(on.Offsets.data(), on.Offsets.size(), next.data());
+  ForEachInTurn(all,
+    [&](vtkIdType i)
+    {
+      const Id simplex = getSimplex(i);
+      simplex < 0 ? void() : void(on.Items[next[simplex]++] = static_cast<Id>(i));
+    });
+  this->Limit.WithControl(
+    [&](const auto& level)
+    {
+      const PatchLimits<std::decay_t<decltype(level)>> limits(
+        level, control.data(), this->Components);
+      ForRanges(static_cast<vtkIdType>(this->Curved.size()),
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          PatchTree tree(this->Rows.OfThread(level.Strata.Weights), this->Components);
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            const PatchSimplex<Id>& simplex = this->Curved[i];
+            const Row<Id> items = on[static_cast<Id>(i)];
+            if (items.size() > 0 && simplex.Corners[1] < 0)
+            {
+              limits.FindAtVertex(simplex.Number, tree.GetPolynomials().GetRows(),
+                this->AtVertices.data() + this->Components * vtkIdType(*items.begin()));
+            }
+            else if (items.size() > 0 && limits.Start(simplex, tree))
+            {
+              this->FindLimitsOn(simplex, items, tree);
+            }
+          }
+        });
+    });
+}
+
+template <typename Id>
+void RedGreenErrors<Id>::FindLimitsOn(
+  const PatchSimplex<Id>& simplex, const Row<Id>& items, PatchTree& tree)
+{
+  const auto corners = static_cast<vtkIdType>(this->Corners.size());
+  for (const Id item : items)
+  {
+    if (item < corners)
+    {
+      tree.Find(this->Places[this->Corners[item]].Weights,
+        this->AtVertices.data() + this->Components * vtkIdType(item));
+      continue;
+    }
+    const Site& site = this->Sites[item - corners];
+    const int size = site.GetSize();
+    std::array<std::array<double, 3>, 3> at{};
+    for (int k = 0; k < size; ++k)
+    {
+      at[k] = this->GetWeights(site.Corners[k], simplex);
+    }
+    for (int place = 0; place < PlacesOfSite; ++place)
+    {
+      if ((site.Used & 1 << place) == 0)
+      {
+        continue;
+      }
+      // In an edge at a quarter, a half and three quarters, in a face near one of the corners.
+      std::array<double, 3> weights;
+      for (int i = 0; i < 3; ++i)
+      {
+        weights[i] = size == 2
+          ? 0.25 * ((3 - place) * at[0][i] + (1 + place) * at[1][i])
+          : 0.5 * at[place][i] + 0.25 * (at[(place + 1) % 3][i] + at[(place + 2) % 3][i]);
+      }
+      tree.Find(weights,
+        this->AtSites.data() +
+          this->Components * (PlacesOfSite * vtkIdType(item - corners) + place));
+    }
+  }
+}
+
+/// Finds the limits that depend on curves and sheets of finer levels alone.
 template <typename Id>
 void RedGreenErrors<Id>::FindLimitsInSheets(
   const RedGreen<Id>& state, const Buffer<double>& control)
 {
   Buffer<Id> needed(state.GetNumberOfVertices(), Id(-1));
   const auto need = [&](Id vertex) { needed[vertex] = this->IsOnCurve(vertex) ? 0 : -1; };
-  std::for_each(this->Corners.begin(), this->Corners.end(), need);
-  std::vector<Id> own; // the sites
+  std::vector<Id> corners; // those that are not known yet, and the sites
+  for (const Id i : InTurn(static_cast<Id>(this->Corners.size())))
+  {
+    if (this->IsOnCurve(this->Corners[i]) && !this->IsKnown(this->AtVertices, i))
+    {
+      need(this->Corners[i]);
+      corners.push_back(i);
+    }
+  }
+  std::vector<Id> own;
   for (const Id i : InTurn(static_cast<Id>(this->Sites.size())))
   {
     const Site& site = this->Sites[i];
-    if (site.IsCurved && site.GetSize() < 4)
+    if (site.Curved >= 0 && site.GetSize() < 4 && !this->IsKnown(i))
     {
       own.push_back(i);
       std::for_each(site.Corners.begin(), site.Corners.begin() + site.GetSize(), need);
     }
+  }
+  if (corners.empty() && own.empty())
+  {
+    return;
   }
   const Numbering numbering = this->NumberVertices(state, std::move(needed));
   std::vector<LimitSite<Id>> sites(own.size());
@@ -162,12 +290,9 @@ void RedGreenErrors<Id>::FindLimitsInSheets(
   }
   Buffer<unsigned char> wanted(
     state.GetNumberOfInputVertices() + static_cast<vtkIdType>(numbering.Midpoints.size()), 0);
-  for (const Id corner : this->Corners)
+  for (const Id corner : corners)
   {
-    if (numbering.Numbers[corner] >= 0)
-    {
-      wanted[numbering.Numbers[corner]] = 1;
-    }
+    wanted[numbering.Numbers[this->Corners[corner]]] = 1;
   }
   this->Limit.WithControl(
     [&](const auto& level)
@@ -175,14 +300,10 @@ void RedGreenErrors<Id>::FindLimitsInSheets(
       const SheetLimits<Id> limits(
         level, numbering.Midpoints, wanted, sites, control.data(), this->Components, &this->Rows);
       const vtkIdType size = this->Components;
-      for (std::size_t i = 0; i < this->Corners.size(); ++i)
+      for (const Id corner : corners)
       {
-        const Id number = numbering.Numbers[this->Corners[i]];
-        if (number >= 0)
-        {
-          std::copy_n(limits.OfVertices.data() + size * number, size,
-            this->AtVertices.data() + size * static_cast<vtkIdType>(i));
-        }
+        std::copy_n(limits.OfVertices.data() + size * numbering.Numbers[this->Corners[corner]],
+          size, this->AtVertices.data() + size * vtkIdType(corner));
       }
       for (std::size_t i = 0; i < own.size(); ++i)
       {
@@ -222,12 +343,7 @@ std::vector<typename RedGreenErrors<Id>::Unknown> RedGreenErrors<Id>::FindUnknow
   }
   for (const Id i : InTurn(static_cast<Id>(this->Sites.size())))
   {
-    bool isKnown = true;
-    for (int place = 0; place < PlacesOfSite; ++place)
-    {
-      isKnown = isKnown && !this->IsUnknown(i, place);
-    }
-    if (!isKnown)
+    if (!this->IsKnown(i))
     {
       unknown.push_back({ i, false });
     }
@@ -299,7 +415,7 @@ void RedGreenErrors<Id>::FindLimitsOf(
       continue;
     }
     const Site& site = this->Sites[of.Number];
-    isCurved = isCurved && site.IsCurved;
+    isCurved = isCurved && site.Curved >= 0;
     for (int k = 0; k < site.GetSize(); ++k)
     {
       needed[site.Corners[k]] = 0;

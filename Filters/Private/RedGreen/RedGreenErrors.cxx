@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -49,7 +49,7 @@ void RedGreenErrors<Id>::FindCurved(const SimplicialComplex<Id>& complex, const 
     {
       const Id* ends = complex.EdgeVertices.data() + 2 * static_cast<vtkIdType>(e);
       this->Curved.push_back(
-        { { std::min(ends[0], ends[1]), std::max(ends[0], ends[1]), -1, -1 } });
+        { { { std::min(ends[0], ends[1]), std::max(ends[0], ends[1]), -1 } }, e });
     }
   }
   for (const Id f : InTurn(complex.NumberOfFaces))
@@ -57,18 +57,23 @@ void RedGreenErrors<Id>::FindCurved(const SimplicialComplex<Id>& complex, const 
     if (strata.Faces[f].GetRule() != Rule::Solid)
     {
       const Id* corners = complex.FaceVertices.data() + 3 * static_cast<vtkIdType>(f);
-      Carrier face = { { corners[0], corners[1], corners[2], -1 } };
-      std::sort(face.begin(), face.begin() + 3);
+      PatchSimplex<Id> face{ { { corners[0], corners[1], corners[2] } }, f };
+      std::sort(face.Corners.begin(), face.Corners.end());
       this->Curved.push_back(face);
     }
   }
-  StableSort(this->Curved, std::less<>());
+  StableSort(this->Curved,
+    [](const PatchSimplex<Id>& a, const PatchSimplex<Id>& b) { return a.Corners < b.Corners; });
   this->FirstCurved = Buffer<vtkIdType>(complex.NumberOfVertices + vtkIdType(1), 0);
-  for (const Carrier& carrier : InTurn(this->Curved))
+  for (const PatchSimplex<Id>& simplex : InTurn(this->Curved))
   {
-    ++this->FirstCurved[carrier[0]];
+    ++this->FirstCurved[simplex.Corners[0]];
   }
   CountsToOffsets(this->FirstCurved);
+  for (const Id v : InTurn(complex.NumberOfVertices))
+  {
+    this->Curved.push_back({ { { v, -1, -1 } }, v });
+  }
 }
 
 template <typename Id>
@@ -76,6 +81,7 @@ void RedGreenErrors<Id>::FindCarriers(const RedGreen<Id>& state)
 {
   const auto first = static_cast<Id>(this->Carriers.size());
   this->Carriers.resize(state.GetNumberOfVertices());
+  this->Places.resize(state.GetNumberOfVertices());
   this->MayBeCurved.resize(state.GetNumberOfVertices(), 1);
   ForEachInTurn(state.GetNumberOfVertices() - first,
     [&](vtkIdType i)
@@ -85,12 +91,51 @@ void RedGreenErrors<Id>::FindCarriers(const RedGreen<Id>& state)
       if (vertex < state.GetNumberOfInputVertices())
       {
         carrier = { { vertex, -1, -1, -1 } };
+        this->Places[vertex] = { static_cast<Id>(
+                                   this->FirstCurved[state.GetNumberOfInputVertices()] + vertex),
+          { { 1., 0., 0. } } };
         return;
       }
       const auto ends = state.GetEnds(vertex);
       carrier = Unite(this->Carriers[ends[0]], this->Carriers[ends[1]]);
-      this->MayBeCurved[vertex] = carrier[2] < 0 || this->IsCurved(carrier) ? 1 : 0;
+      PlaceOfVertex& place = this->Places[vertex];
+      place.Simplex = this->FindNumber(carrier);
+      this->MayBeCurved[vertex] = carrier[2] < 0 || place.Simplex >= 0 ? 1 : 0;
+      if (place.Simplex >= 0)
+      {
+        const auto a = this->GetWeights(ends[0], this->Curved[place.Simplex]);
+        const auto b = this->GetWeights(ends[1], this->Curved[place.Simplex]);
+        for (int k = 0; k < 3; ++k)
+        {
+          place.Weights[k] = 0.5 * (a[k] + b[k]);
+        }
+      }
     });
+}
+
+/// The weights of the corners of a simplex on which a vertex lies, or at whose faces. They are not
+/// numbers where these are not exact.
+template <typename Id>
+std::array<double, 3> RedGreenErrors<Id>::GetWeights(
+  Id vertex, const PatchSimplex<Id>& simplex) const
+{
+  constexpr double least = 1. / (std::int64_t(1) << 48);
+  const Carrier& carrier = this->Carriers[vertex];
+  std::array<double, 3> weights{};
+  for (int i = 0, k = 0; i < 3 && carrier[i] >= 0; ++i, ++k)
+  {
+    while (simplex.Corners[k] != carrier[i])
+    {
+      ++k;
+    }
+    weights[k] = this->Places[vertex].Weights[i];
+    if (weights[k] < least)
+    {
+      weights.fill(std::numeric_limits<double>::quiet_NaN());
+      break;
+    }
+  }
+  return weights;
 }
 
 template <typename Id>
@@ -103,14 +148,22 @@ typename RedGreenErrors<Id>::Carrier RedGreenErrors<Id>::Unite(const Carrier& a,
   return both;
 }
 
-/// Whether the limit of a control simplex is a curve, a surface, or a boundary, joint or singular
-/// surface of a solid.
+/// The number of a control edge or face whose limit is a curve, a surface, or a boundary, joint or
+/// singular surface of a solid; else -1.
 template <typename Id>
-bool RedGreenErrors<Id>::IsCurved(const Carrier& carrier) const
+Id RedGreenErrors<Id>::FindNumber(const Carrier& carrier) const
 {
-  return carrier[3] < 0 &&
-    std::binary_search(this->Curved.begin() + this->FirstCurved[carrier[0]],
-      this->Curved.begin() + this->FirstCurved[carrier[0] + vtkIdType(1)], carrier);
+  if (carrier[3] >= 0)
+  {
+    return -1;
+  }
+  const std::array<Id, 3> corners{ { carrier[0], carrier[1], carrier[2] } };
+  const auto last = this->Curved.begin() + this->FirstCurved[carrier[0] + vtkIdType(1)];
+  const auto found = std::lower_bound(this->Curved.begin() + this->FirstCurved[carrier[0]], last,
+    corners, [](const PatchSimplex<Id>& simplex, const std::array<Id, 3>& wanted)
+    { return simplex.Corners < wanted; });
+  return found == last || found->Corners != corners ? Id(-1)
+                                                    : static_cast<Id>(found - this->Curved.begin());
 }
 
 // ------------------------------------------------------------------------------------------------
@@ -148,8 +201,7 @@ void RedGreenErrors<Id>::AddSample(int place, const std::array<Id, 3>& corners,
 /// Adds the places at which an edge is measured: three on an edge of the uniform refinement, so
 /// that a curve is noticed that crosses the edge in its middle; on any other edge its middle.
 template <typename Id>
-void RedGreenErrors<Id>::AddEdge(
-  const EdgeOfCell& edge, const std::array<Id, 4>& leaf, bool isCurved)
+void RedGreenErrors<Id>::AddEdge(const EdgeOfCell& edge, const std::array<Id, 4>& leaf, Id curved)
 {
   const Id a = edge.Ends[0];
   const Id b = edge.Ends[1];
@@ -162,10 +214,10 @@ void RedGreenErrors<Id>::AddEdge(
   this->Sides.emplace_back();
   this->Sides.back().IsBoundary = Unite(this->Carriers[a], this->Carriers[b])[2] < 0;
   const auto add = [&](int place, double weight)
-  { this->AddSample(place, { { a, b, -1 } }, { { number, -1, -1 } }, weight, isCurved); };
+  { this->AddSample(place, { { a, b, -1 } }, { { number, -1, -1 } }, weight, curved >= 0); };
   if (edge.IsUniform)
   {
-    this->Sites.push_back({ { { a, b, -1, -1 } }, isCurved });
+    this->Sites.push_back({ { { a, b, -1, -1 } }, curved });
     add(0, 0.25);
     add(1, 0.5);
     add(2, 0.75);
@@ -176,11 +228,11 @@ void RedGreenErrors<Id>::AddEdge(
   if (isFromCorner || isToCorner)
   {
     const auto& split = edge.Of[isFromCorner ? 1 : 0];
-    this->Sites.push_back({ { { isFromCorner ? a : b, split[0], split[1], -1 } }, isCurved });
+    this->Sites.push_back({ { { isFromCorner ? a : b, split[0], split[1], -1 } }, curved });
   }
   else // between midpoints of opposite edges: in the middle of the leaf, like the diagonal
   {
-    this->Sites.push_back({ { { leaf[0], leaf[2], leaf[1], leaf[3] } }, isCurved });
+    this->Sites.push_back({ { { leaf[0], leaf[2], leaf[1], leaf[3] } }, curved });
   }
   add(0, 0.5);
 }
@@ -208,7 +260,7 @@ void RedGreenErrors<Id>::AddSide(Id edge, Id opposite, bool isOfSolid)
 /// Adds the places at which the inside of a triangle of a surface is measured.
 template <typename Id>
 void RedGreenErrors<Id>::AddTriangle(const RedGreen<Id>& state, const std::array<Id, 4>& leaf,
-  const std::array<Id, 3>& corners, bool isOfSolid)
+  const std::array<Id, 3>& corners, Id curved, bool isOfSolid)
 {
   int green = -1; // the corner opposite to the side that is no edge of the uniform refinement
   std::array<Id, 3> sides;
@@ -225,7 +277,7 @@ void RedGreenErrors<Id>::AddTriangle(const RedGreen<Id>& state, const std::array
   }
   if (green < 0)
   {
-    this->Sites.push_back({ { { corners[0], corners[1], corners[2], -1 } }, true });
+    this->Sites.push_back({ { { corners[0], corners[1], corners[2], -1 } }, curved });
     for (int i = 0; i < 3; ++i)
     {
       this->AddSample(i, corners, sides, 0., true);
@@ -245,7 +297,7 @@ void RedGreenErrors<Id>::AddTriangle(const RedGreen<Id>& state, const std::array
         std::swap(near, beside);
       }
       this->Sites.push_back(
-        { { { near, ends[0] == near ? ends[1] : ends[0], beside, -1 } }, true });
+        { { { near, ends[0] == near ? ends[1] : ends[0], beside, -1 } }, curved });
       this->AddSample(0, corners, { { sides[green], -1, -1 } }, 0., true);
     }
   }
@@ -279,10 +331,10 @@ void RedGreenErrors<Id>::FindSamples(const RedGreen<Id>& state, const Cells& cel
         {
           const auto first = static_cast<Id>(*a);
           const auto second = static_cast<Id>(*b);
-          const bool isCurved = this->IsCurved(first, second);
-          if (isCurved || this->OfAttribute)
+          const Id curved = this->FindNumber(first, second);
+          if (curved >= 0 || this->OfAttribute)
           {
-            this->AddEdge(LookAt(state, leaf, first, second), leaf, isCurved);
+            this->AddEdge(LookAt(state, leaf, first, second), leaf, curved);
           }
         }
       }
@@ -299,11 +351,13 @@ void RedGreenErrors<Id>::FindSamples(const RedGreen<Id>& state, const Cells& cel
           }
         }
         const auto mayBe = [this](Id vertex) { return this->MayBeCurved[vertex] != 0; };
-        if (std::all_of(corners.begin(), corners.end(), mayBe) &&
-          this->IsCurved(Unite(Unite(this->Carriers[corners[0]], this->Carriers[corners[1]]),
-            this->Carriers[corners[2]])))
+        const Id curved = std::all_of(corners.begin(), corners.end(), mayBe)
+          ? this->FindNumber(Unite(Unite(this->Carriers[corners[0]], this->Carriers[corners[1]]),
+              this->Carriers[corners[2]]))
+          : Id(-1);
+        if (curved >= 0)
         {
-          this->AddTriangle(state, leaf, corners, size == 4);
+          this->AddTriangle(state, leaf, corners, curved, size == 4);
         }
       }
     });

@@ -7,7 +7,9 @@
 #ifndef SubdivisionObjects_RedGreenErrors_h
 #define SubdivisionObjects_RedGreenErrors_h
 
+#include "Core/Memory/Buffer.h"
 #include "Core/Memory/PairTable.h"
+#include "Core/Solids/Limits/PatchLimits.h"
 #include "Core/Solids/Limits/SheetLimits.h"
 #include "Private/Criteria/RefinementCriteria.h"
 #include "Private/RedGreen/RedGreenLimit.h"
@@ -63,7 +65,7 @@ private:
   struct Site
   {
     std::array<Id, 4> Corners;
-    bool IsCurved;          ///< not inside a solid
+    Id Curved;              ///< the number of the simplex on which it lies, -1: inside a solid
     unsigned char Used = 0; ///< a bit for each place
     int GetSize() const { return this->Corners[2] < 0 ? 2 : this->Corners[3] < 0 ? 3 : 4; }
   };
@@ -97,6 +99,12 @@ private:
     /// on a control edge, where input cells end, or has more than two triangles.
     bool IsBoundary = false;
   };
+  /// Where a vertex lies on a curve or surface.
+  struct PlaceOfVertex
+  {
+    Id Simplex;                    ///< its number; -1: the vertex is inside a solid
+    std::array<double, 3> Weights; ///< of the corners
+  };
   /// Some vertices of the state and those from which they come, numbered as LocalLimit takes them.
   struct Numbering
   {
@@ -113,18 +121,16 @@ private:
 
   void FindCurved(const SimplicialComplex<Id>& complex, const Strata<Id>& strata);
   void FindCarriers(const RedGreen<Id>& state);
-  bool IsCurved(const Carrier& carrier) const;
-  bool IsCurved(Id a, Id b) const
+  Id FindNumber(const Carrier& carrier) const;
+  Id FindNumber(Id a, Id b) const
   {
-    return this->MayBeCurved[a] && this->MayBeCurved[b] &&
-      this->IsCurved(Unite(this->Carriers[a], this->Carriers[b]));
+    return this->MayBeCurved[a] && this->MayBeCurved[b]
+      ? this->FindNumber(Unite(this->Carriers[a], this->Carriers[b]))
+      : Id(-1);
   }
   /// Whether a vertex is one of the control mesh or lies on a curve or surface.
-  bool IsOnCurve(Id vertex) const
-  {
-    const Carrier& carrier = this->Carriers[vertex];
-    return carrier[1] < 0 || this->IsCurved(carrier);
-  }
+  bool IsOnCurve(Id vertex) const { return this->Places[vertex].Simplex >= 0; }
+  std::array<double, 3> GetWeights(Id vertex, const PatchSimplex<Id>& simplex) const;
   static Carrier Unite(const Carrier& a, const Carrier& b);
 
   template <typename Cells>
@@ -132,12 +138,14 @@ private:
   static EdgeOfCell LookAt(const RedGreen<Id>& state, const std::array<Id, 4>& leaf, Id a, Id b);
   void AddSample(int place, const std::array<Id, 3>& corners, const std::array<Id, 3>& edges,
     double weight, bool ofShape);
-  void AddEdge(const EdgeOfCell& edge, const std::array<Id, 4>& leaf, bool isCurved);
+  void AddEdge(const EdgeOfCell& edge, const std::array<Id, 4>& leaf, Id curved);
   void AddSide(Id edge, Id opposite, bool isOfSolid);
   void AddTriangle(const RedGreen<Id>& state, const std::array<Id, 4>& leaf,
-    const std::array<Id, 3>& corners, bool isOfSolid);
+    const std::array<Id, 3>& corners, Id curved, bool isOfSolid);
 
   void FindLimits(const RedGreen<Id>& state);
+  void FindLimitsInPatches(const Buffer<double>& control);
+  void FindLimitsOn(const PatchSimplex<Id>& simplex, const Row<Id>& items, PatchTree& tree);
   void FindLimitsInSheets(const RedGreen<Id>& state, const Buffer<double>& control);
   void FindOtherLimits(const RedGreen<Id>& state, const Buffer<double>& control);
   std::vector<Unknown> FindUnknown() const;
@@ -150,6 +158,7 @@ private:
   Buffer<double> GetControlValues() const;
   bool IsKnown(const Buffer<double>& values, vtkIdType place) const;
   bool IsUnknown(Id site, int place) const;
+  bool IsKnown(Id site) const;
   const double* AtCorner(Id vertex) const
   {
     return this->AtVertices.data() + this->Components * vtkIdType(this->NumberOfCorner[vertex]);
@@ -165,13 +174,14 @@ private:
   const RefinementCriteria& Criteria;
   const bool OfAttribute;
   int Components = 0; ///< coordinates, then the attribute
-  /// Edges and faces of the control mesh that do not follow the rule for the inside of a solid;
-  /// sorted.
-  std::vector<Carrier> Curved;
+  /// Edges and faces of the control mesh that do not follow the rule for the inside of a solid,
+  /// sorted by their corners, which ascend; then all vertices.
+  std::vector<PatchSimplex<Id>> Curved;
   Buffer<vtkIdType> FirstCurved; ///< of each control vertex, in Curved
   KnownSheetRows Rows;
   // Of each vertex of the state so far:
   std::vector<Carrier> Carriers;
+  std::vector<PlaceOfVertex> Places;
   std::vector<unsigned char> MayBeCurved; ///< 0: no edge at it is on a curve or surface
   // Of one round:
   PairTable<Id> Edges;

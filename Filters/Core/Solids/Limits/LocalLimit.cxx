@@ -88,7 +88,7 @@ private:
   void FindControlParts(const LevelType& control, Piece& piece) const;
   void FollowParts(const Restriction<LevelType>& restriction, Piece& piece) const;
   static SemiSharpStages<Id> RefineCreases(Piece& part, const SimplicialComplex<Id>& children);
-  static void TakeOperators(Piece& part, const Buffer<unsigned char>& edgesInside, Trace& trace);
+  static void TakeOperators(Piece& part, Trace& trace);
   static SparseRows<Id> MakeRows(const Trace& trace, const Buffer<Id>& vertices);
   static SparseRows<Id> MakeCopies(const Buffer<Id>& vertices);
   bool FollowBack(std::vector<Trace>& traces, Id columns, std::vector<Step>& steps) const;
@@ -247,24 +247,14 @@ SemiSharpStages<Id> LocalLimit<Id>::Builder<LevelType>::RefineCreases(
   return refined;
 }
 
-/// Moves the operators out of a part that was refined. `edgesInside`: whose rings are complete.
+/// Moves the operators out of a part that was refined, of which the trace has the whole vertices.
 template <typename Id>
 template <typename LevelType>
-void LocalLimit<Id>::Builder<LevelType>::TakeOperators(
-  Piece& part, const Buffer<unsigned char>& edgesInside, Trace& trace)
+void LocalLimit<Id>::Builder<LevelType>::TakeOperators(Piece& part, Trace& trace)
 {
   const SimplicialComplex<Id>& complex = part.Level.Complex;
   const vtkIdType vertices = complex.NumberOfVertices;
   const vtkIdType edges = complex.NumberOfEdges;
-  const vtkIdType centres = SchemeOf<LevelType>::CountCentres(part.Level);
-  trace.Whole = Buffer<unsigned char>(vertices + edges + centres, 1); // centres have all vertices
-  CopyInThreads(part.Whole.data(), vertices, trace.Whole.data());
-  ForEach(edges,
-    [&](vtkIdType e)
-    {
-      const Id* ends = complex.EdgeVertices.data() + 2 * e;
-      trace.Whole[vertices + e] = edgesInside[e] && (part.Whole[ends[0]] || part.Whole[ends[1]]);
-    });
   const auto leaveOut = [&](const Strata<Id>& strata)
   {
     for (const SectorEdge<Id>& sector : strata.Sectors)
@@ -272,7 +262,6 @@ void LocalLimit<Id>::Builder<LevelType>::TakeOperators(
       trace.Whole[vertices + sector.Edge] &= sector.IsComplete() ? 1 : 0;
     }
   };
-  leaveOut(part.Level.Strata);
   std::vector<SharpRow> rows =
     part.Creases.ListParts(complex, std::numeric_limits<double>::infinity()).GetRows();
   trace.Smooth = TakeStencils(part.Level);
@@ -289,7 +278,7 @@ void LocalLimit<Id>::Builder<LevelType>::TakeOperators(
     // As BlendSemiSharp does.
     AddSharpSectors(
       trace.Smooth.Explicit.Rows, trace.Sharp.Explicit.Rows, edgeVertices, vertices, rows);
-    trace.Weights.assign(vertices + edges + centres, 0.);
+    trace.Weights.assign(trace.Whole.size(), 0.);
     for (const SharpRow& row : rows)
     {
       trace.Weights[row.Row] = std::min(1., row.Sharpness);
@@ -300,7 +289,7 @@ void LocalLimit<Id>::Builder<LevelType>::TakeOperators(
       for (const Id row : stencils->Explicit.Rows)
       {
         const Id* ends = edgeVertices.data() + 2 * (row - vertices);
-        trace.Whole[row] &= part.Whole[ends[0]] && part.Whole[ends[1]] ? 1 : 0;
+        trace.Whole[row] &= trace.Whole[ends[0]] && trace.Whole[ends[1]] ? 1 : 0;
       }
     }
   }
@@ -335,18 +324,16 @@ bool LocalLimit<Id>::Builder<LevelType>::Build(const LevelType& control,
     Piece part;
     part.Level = restriction.Restrict();
     part.Creases = restriction.Restrict(*levelCreases);
-    part.Whole = Buffer<unsigned char>(old.size());
-    ForEach(old.size(), [&](vtkIdType v)
-      { part.Whole[v] = support[old[v]] && (current.Whole.empty() || current.Whole[old[v]]); });
     this->Vertices.FollowToPart(part.Level, restriction.GetNewVertices(), l);
     current.Level = LevelType(); // nothing reads it any more
     Trace& next = traces[l + 1];
+    next.Whole = restriction.FlagWhole(part.Level, current.Whole);
     next.Columns = Buffer<Id>(old.size());
     CopyInThreads(old.data(), old.size(), next.Columns.data());
     current.Level = Refine(part.Level, Depth::ForRefinement);
     current.Creases = RefineCreases(part, current.Level.Complex);
     this->FollowParts(restriction, current);
-    TakeOperators(part, restriction.FlagEdgesInside(), next);
+    TakeOperators(part, next);
     current.Whole = Buffer<unsigned char>(next.Whole.size());
     CopyInThreads(next.Whole.data(), next.Whole.size(), current.Whole.data());
     level = &current.Level;

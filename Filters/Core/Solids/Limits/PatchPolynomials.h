@@ -11,7 +11,10 @@
 #include "Core/Solids/Limits/PlacePolynomial.h"
 #include "Core/Solids/Limits/SheetRows.h"
 
+#include "vtkSMPThreadLocal.h"
+
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -26,14 +29,35 @@ public:
   {
   }
   /// The weights of all columns of a key for the first of PatchPowers::Quartic, then for the
-  /// second,
-  /// ...; u and v are the weights of the second and the third corner. The places of the key are
-  /// FaceLattice or CurveLattice.
+  /// second, ...; u and v are the weights of the second and the third corner. The places of the key
+  /// are FaceLattice, EdgeLattice or CurveLattice.
   const std::vector<double>& Find(const SheetKey& key);
+  /// The same without zeros: a row for each power.
+  const SparseRows<int>& FindSparse(const SheetKey& key);
+  SheetRows& GetRows() { return this->Rows; }
 
 private:
   SheetRows Rows;
   std::unordered_map<std::uint64_t, std::vector<double>> Found;
+  std::unordered_map<std::uint64_t, SparseRows<int>> Sparse;
+};
+
+/// What each thread has found, for all that works on levels with the same weights.
+class KnownSheetRows
+{
+public:
+  PatchPolynomials& OfThread(LoopWeights weights)
+  {
+    std::shared_ptr<PatchPolynomials>& rows = this->Rows.Local();
+    if (!rows)
+    {
+      rows = std::make_shared<PatchPolynomials>(weights);
+    }
+    return *rows;
+  }
+
+private:
+  vtkSMPThreadLocal<std::shared_ptr<PatchPolynomials>> Rows;
 };
 
 }

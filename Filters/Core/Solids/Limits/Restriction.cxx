@@ -146,6 +146,33 @@ Restriction<LevelType>::Restriction(
   this->Tets = Selection<Id>(tets);
 }
 
+template <typename LevelType>
+Buffer<unsigned char> Restriction<LevelType>::FlagWhole(
+  const LevelType& part, const Buffer<unsigned char>& before) const
+{
+  const vtkIdType vertices = this->Vertices.Old.size();
+  const vtkIdType edges = this->Edges.Old.size();
+  Buffer<unsigned char> whole(vertices + edges + SchemeOf<LevelType>::CountCentres(part), 1);
+  ForEach(vertices,
+    [&](vtkIdType v)
+    {
+      const Id old = this->Vertices.Old[v];
+      whole[v] = this->At[old] && (before.empty() || before[old]);
+    });
+  ForEach(edges,
+    [&](vtkIdType e)
+    {
+      const Id* ends = part.Complex.EdgeVertices.data() + 2 * e;
+      whole[vertices + e] =
+        this->EdgesInside[this->Edges.Old[e]] && (whole[ends[0]] || whole[ends[1]]);
+    });
+  for (const SectorEdge<Id>& sector : part.Strata.Sectors)
+  {
+    whole[vertices + sector.Edge] &= sector.IsComplete() ? 1 : 0;
+  }
+  return whole; // centres have all vertices
+}
+
 /// The solids at each face.
 template <typename LevelType>
 Rows<typename LevelType::IdType> Restriction<LevelType>::RestrictFaceCells() const

@@ -73,8 +73,9 @@ public:
   const Buffer<Id>& GetOldTets() const { return this->Tets.Old; }
   const Buffer<Id>& GetOldOcts() const { return this->Octs.Old; }
   vtkIdType GetNumberOfTets() const { return this->Tets.New.size(); } ///< of the level
-  /// Whether the ring of an edge of the part is complete.
-  Buffer<unsigned char> FlagEdgesInside() const { return this->Edges.Pick(this->EdgesInside); }
+  /// Flags the vertices that `part`, which Restrict() made, has when it is refined where nothing is
+  /// missing. `before`: those of the level; empty: all.
+  Buffer<unsigned char> FlagWhole(const LevelType& part, const Buffer<unsigned char>& before) const;
 
 private:
   Buffer<Stratum> Restrict(const Buffer<Stratum>& strata, const Selection<Id>& owners,

@@ -59,8 +59,7 @@ private:
       of + size * a, of + size * (a + 1), of + size * b, of + size * (b + 1));
   }
 
-  void GoOn(LevelType& part, const Restriction<LevelType>& restriction,
-    const Buffer<unsigned char>& support);
+  void GoOn(LevelType& part, const Restriction<LevelType>& restriction);
   void FindVertices(const LevelType& level, std::size_t number);
   void FindSites(const LevelType& level, std::size_t number);
   bool ReadSite(const SheetReader<LevelType>& reader, const PairTable<Id>& edges,
@@ -109,7 +108,7 @@ void SheetLimits<Id>::Finder<LevelType>::Run(const LevelType& control, const dou
     this->Vertices.FollowToPart(part, restriction.GetNewVertices(), l);
     current = LevelType(); // nothing reads it any more
     current = Refine(part, Depth::ForRefinement);
-    this->GoOn(part, restriction, support);
+    this->GoOn(part, restriction);
     level = &current;
   }
 }
@@ -119,40 +118,25 @@ void SheetLimits<Id>::Finder<LevelType>::Run(const LevelType& control, const dou
 template <typename Id>
 template <typename LevelType>
 void SheetLimits<Id>::Finder<LevelType>::GoOn(
-  LevelType& part, const Restriction<LevelType>& restriction, const Buffer<unsigned char>& support)
+  LevelType& part, const Restriction<LevelType>& restriction)
 {
-  const SimplicialComplex<Id>& complex = part.Complex;
   const Buffer<Id>& old = restriction.GetOldVertices();
   const vtkIdType size = this->Components;
-  const vtkIdType vertices = complex.NumberOfVertices;
-  const vtkIdType edges = complex.NumberOfEdges;
-  const vtkIdType all = vertices + edges + SchemeOf<LevelType>::CountCentres(part);
-  const Buffer<unsigned char> inside = restriction.FlagEdgesInside();
-  Buffer<double> before(size * vertices);
-  Buffer<unsigned char> whole(all, 1); // centres have all vertices
-  ForEach(vertices,
-    [&](vtkIdType v)
-    {
-      std::copy_n(this->Values.data() + size * old[v], size, before.data() + size * v);
-      whole[v] = support[old[v]] && (this->Whole.empty() || this->Whole[old[v]]);
-    });
-  ForEach(edges,
-    [&](vtkIdType e)
-    {
-      const Id* ends = complex.EdgeVertices.data() + 2 * e;
-      whole[vertices + e] = inside[e] && (whole[ends[0]] || whole[ends[1]]);
-    });
+  Buffer<double> before(size * old.size());
+  ForEach(old.size(), [&](vtkIdType v)
+    { std::copy_n(this->Values.data() + size * old[v], size, before.data() + size * v); });
+  this->Whole = restriction.FlagWhole(part, this->Whole);
+  const vtkIdType all = this->Whole.size();
   this->Values = Buffer<double>(size * all);
   TakeStencils(part).Apply(before.data(), this->Values.data(), this->Components);
   ForEach(all,
     [&](vtkIdType v)
     {
-      if (!whole[v])
+      if (!this->Whole[v])
       {
         std::fill_n(this->Values.data() + size * v, size, std::numeric_limits<double>::quiet_NaN());
       }
     });
-  this->Whole = std::move(whole);
 }
 
 /// act(i, memory of the thread) for each i.
@@ -164,7 +148,7 @@ void SheetLimits<Id>::Finder<LevelType>::WithMemories(vtkIdType size, const Act&
   ForRanges(size,
     [&](vtkIdType begin, vtkIdType end)
     {
-      Memory memory{ this->Known.OfThread(this->Weights), {} };
+      Memory memory{ this->Known.OfThread(this->Weights).GetRows(), {} };
       for (vtkIdType i = begin; i < end; ++i)
       {
         act(i, memory);

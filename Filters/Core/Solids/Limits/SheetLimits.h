@@ -11,12 +11,9 @@
 
 #include "Core/Memory/Buffer.h"
 #include "Core/Solids/Limits/LocalVertices.h"
-#include "Core/Solids/Limits/SheetRows.h"
-
-#include "vtkSMPThreadLocal.h"
+#include "Core/Solids/Limits/PatchPolynomials.h"
 
 #include <array>
-#include <memory>
 #include <vector>
 
 namespace subdivision
@@ -29,25 +26,6 @@ struct LimitSite
 {
   std::array<Id, 3> Corners{ { -1, -1, -1 } }; ///< an edge has two
   bool IsFace() const { return this->Corners[2] >= 0; }
-};
-
-/// The rows that each thread has found, for the next objects of SheetLimits on levels with the same
-/// weights.
-class KnownSheetRows
-{
-public:
-  SheetRows& OfThread(LoopWeights weights)
-  {
-    std::shared_ptr<SheetRows>& rows = this->Rows.Local();
-    if (!rows)
-    {
-      rows = std::make_shared<SheetRows>(weights);
-    }
-    return *rows;
-  }
-
-private:
-  vtkSMPThreadLocal<std::shared_ptr<SheetRows>> Rows;
 };
 
 template <typename Id>

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Limits/SheetRows.h"
 
+#include "Core/Operators/BlockOperator.h"
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/SimplicialComplex.h"
 #include "Core/Solids/Limits/LatticeNames.h"
 #include "Core/Solids/Limits/LocalLimit.h"
-#include "Core/Solids/Scheme/Level.h"
+#include "Core/Solids/Limits/SheetReader.h"
 
 #include <algorithm>
 #include <numeric>
@@ -33,6 +35,7 @@ public:
   }
   /// The rows of the places, over the columns of the key.
   std::vector<double> FindRows(const SheetKey& key, LoopWeights ofSurfaces) const;
+  SheetChild FindChild(const SheetKey& key, int child, LoopWeights ofSurfaces) const;
 
 private:
   using Corners = std::array<int, 3>;
@@ -40,6 +43,7 @@ private:
   void AddCurve(const SheetKey& key);
   void AddTriangles(const SheetKey& key);
   void AddCell(const int* corners, int size);
+  Level<int> MakeLevel(LoopWeights ofSurfaces) const;
   int FindFirst(int column) const
   {
     while (this->Equals[column] != column)
@@ -159,9 +163,8 @@ void SheetMesh::AddTriangles(const SheetKey& key)
   }
 }
 
-std::vector<double> SheetMesh::FindRows(const SheetKey& key, LoopWeights ofSurfaces) const
+Level<int> SheetMesh::MakeLevel(LoopWeights ofSurfaces) const
 {
-  const SheetPlaces places = key.Places;
   const auto columns = static_cast<int>(this->Equals.size());
   SimplexList cells = this->Cells;
   cells.NumberOfPoints = columns;
@@ -184,6 +187,14 @@ std::vector<double> SheetMesh::FindRows(const SheetKey& key, LoopWeights ofSurfa
   StrataOptions options;
   options.Weights = ofSurfaces;
   level.Strata = BuildStrata(level.Complex, singular, options);
+  return level;
+}
+
+std::vector<double> SheetMesh::FindRows(const SheetKey& key, LoopWeights ofSurfaces) const
+{
+  const SheetPlaces places = key.Places;
+  const auto columns = static_cast<int>(this->Equals.size());
+  const Level<int> level = this->MakeLevel(ofSurfaces);
   std::vector<std::array<int, 2>> midpoints;
   std::vector<int> found = { 0 };
   const int middle = columns; // the first midpoint
@@ -198,7 +209,8 @@ std::vector<double> SheetMesh::FindRows(const SheetKey& key, LoopWeights ofSurfa
       { { middle, middle + 2 } }, { { middle + 1, middle + 2 } } };
     found = { middle + 3, middle + 4, middle + 5 };
   }
-  else if (places == SheetPlaces::CurveLattice || places == SheetPlaces::FaceLattice)
+  else if (places == SheetPlaces::CurveLattice || places == SheetPlaces::FaceLattice ||
+    places == SheetPlaces::EdgeLattice)
   {
     const int dimension = places == SheetPlaces::FaceLattice ? 2 : 1;
     VertexNames<int> names(columns);
@@ -228,6 +240,87 @@ std::vector<double> SheetMesh::FindRows(const SheetKey& key, LoopWeights ofSurfa
   return weights;
 }
 
+/// Reads the child off this mesh after a step. All that it depends on is there.
+SheetChild SheetMesh::FindChild(const SheetKey& key, int child, LoopWeights ofSurfaces) const
+{
+  Level<int> level = this->MakeLevel(ofSurfaces);
+  const Level<int> refined = Refine(level, Depth::ForRefinement);
+  const auto findEdge = [](const Level<int>& of, int a, int b)
+  {
+    int edge = 0;
+    for (const auto& ends = of.Complex.EdgeVertices; edge < of.Complex.NumberOfEdges; ++edge)
+    {
+      const int first = ends[2 * edge];
+      const int second = ends[2 * edge + 1];
+      if ((first == a && second == b) || (first == b && second == a))
+      {
+        break;
+      }
+    }
+    return edge;
+  };
+  const auto getMiddle = [&](int a, int b)
+  { return a == b ? a : level.Complex.NumberOfVertices + findEdge(level, a, b); };
+  const bool isFace = key.Places == SheetPlaces::Face;
+  std::array<int, 3> corners{ { -1, -1, -1 } };
+  for (int i = 0; i < (isFace ? 3 : 2); ++i)
+  {
+    corners[i] = child < 3 ? getMiddle(child, i) : getMiddle(i, (i + 1) % 3);
+  }
+  const Buffer<unsigned char> none;
+  const SheetReader<Level<int>> reader(refined, none);
+  const int edge = findEdge(refined, corners[0], corners[1]);
+  SheetPatch<int> patch;
+  bool isSheet = false;
+  if (isFace)
+  {
+    const int face = reader.FindFace(edge, corners);
+    isSheet = face >= 0 && reader.ReadFace(face, corners, patch);
+  }
+  else
+  {
+    const int third = key.Places == SheetPlaces::Edge ? getMiddle(child, 2) : -1;
+    isSheet = reader.ReadEdge(
+      edge, corners[0], corners[1], [third](int a, int) { return a == third; }, patch);
+  }
+  SheetChild made;
+  if (!isSheet)
+  {
+    return made;
+  }
+  made.Key = patch.Key;
+  const Stencils<int> stencils = TakeStencils(level);
+  const auto append = [&](vtkIdType begin, vtkIdType end, RowBlock<int>& rows)
+  {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      ExplicitRows<int> entries;
+      stencils.AppendRow(patch.Columns[i], 1., entries);
+      for (std::size_t k = 0; k < entries.Columns.size(); ++k)
+      {
+        rows.Add(entries.Columns[k], entries.Weights[k]);
+      }
+      rows.EndRow();
+    }
+  };
+  made.Rows = BlockOperator<int>(static_cast<vtkIdType>(this->Equals.size()),
+    static_cast<vtkIdType>(patch.Columns.size()), append)
+                .Store();
+  return made;
+}
+
+}
+
+const SheetChild& SheetRows::FindChild(const SheetKey& key, int child)
+{
+  SheetKey part = key;
+  part.Part = static_cast<unsigned char>(4 + child);
+  const auto [found, isNew] = this->Children.try_emplace(part.Pack());
+  if (isNew)
+  {
+    found->second = SheetMesh(key).FindChild(key, child, this->Weights);
+  }
+  return found->second;
 }
 
 std::vector<double> SheetRows::Make(const SheetKey& key) const

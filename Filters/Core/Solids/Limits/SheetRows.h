@@ -10,6 +10,7 @@
 #ifndef SubdivisionObjects_SheetRows_h
 #define SubdivisionObjects_SheetRows_h
 
+#include "Core/Operators/SparseRows.h"
 #include "Core/Rules/LoopWeights.h"
 
 #include <array>
@@ -32,7 +33,8 @@ enum class SheetPlaces : unsigned char
   CurveEdge,
   Face,
   CurveLattice,
-  FaceLattice
+  FaceLattice,
+  EdgeLattice
 };
 
 /// How the triangles of a sheet lie around a corner of one of them.
@@ -86,6 +88,13 @@ struct SheetKey
   }
 };
 
+/// What a part of a curve, edge or face depends on after a step of subdivision.
+struct SheetChild
+{
+  SheetKey Key;
+  SparseRows<int> Rows; ///< of its columns, over those of the parent; none: it is no sheet
+};
+
 class SheetRows
 {
 public:
@@ -105,11 +114,15 @@ public:
     return weights;
   }
 
+  /// A child (ListChildren) of an edge or a face.
+  const SheetChild& FindChild(const SheetKey& key, int child);
+
 private:
   std::vector<double> Make(const SheetKey& key) const;
 
   LoopWeights Weights;
   std::unordered_map<std::uint64_t, std::vector<double>> Found;
+  std::unordered_map<std::uint64_t, SheetChild> Children;
 };
 
 }

@@ -3,6 +3,7 @@
 #include "LimitTools.h"
 #include "TetOctTools.h"
 
+#include "Core/Solids/Limits/LatticeNames.h"
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/Limits/SheetLimits.h"
 
@@ -214,4 +215,145 @@ TEST(SheetLimits, KnowAllOfCurvesAndSurfaces)
     }
   }
   EXPECT_GT(meshes, 3);
+}
+
+namespace
+{
+
+/// Small faces and edges of some levels in a row, on curves and surfaces of a mesh.
+class DeepSites
+{
+public:
+  DeepSites(const Level<int>& level, unsigned int seed)
+    : Given(level.Complex.NumberOfVertices)
+    , Names(level.Complex.NumberOfVertices)
+    , Random(seed)
+  {
+    const auto isCurved = [](Stratum stratum)
+    { return stratum.GetRule() != Rule::Solid && stratum.GetRule() != Rule::RegularEdge; };
+    this->GoDown(level.Complex.FaceVertices, level.Strata.Faces, 3, isCurved);
+    this->GoDown(level.Complex.EdgeVertices, level.Strata.Edges, 2, isCurved);
+    this->Existing = this->Names.GetMidpoints();
+    for (const LimitSite<int>& site : this->Sites)
+    {
+      this->NamePlaces(site);
+    }
+  }
+
+  /// All limits that rows of sheets give are those of a mesh with its solids.
+  void Compare(const Level<int>& level) const
+  {
+    const std::vector<double> values = MakeValues(Components * this->Given, 3);
+    const SheetLimits<int> limits(level, this->Existing,
+      Buffer<unsigned char>(this->Given + static_cast<vtkIdType>(this->Existing.size()), 1),
+      this->Sites, values.data(), Components);
+    const auto find = [&](bool isCurvedOnly)
+    {
+      return ApplyTo(LocalLimit<int>(level, {}, this->Names.GetMidpoints(), Buffer<unsigned char>(),
+                       1, nullptr, isCurvedOnly),
+        values, Components);
+    };
+    const std::vector<double> expected = find(false);
+    const std::vector<double> curved = find(true);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      if (i / Components >= static_cast<std::size_t>(this->Given))
+      {
+        ASSERT_NEAR(curved[i], expected[i], 1e-12) << i;
+      }
+    }
+    const auto compare = [&](const Buffer<double>& found, vtkIdType at, int vertex)
+    {
+      for (int c = 0; c < Components && !std::isnan(found[Components * at]); ++c)
+      {
+        ASSERT_NEAR(found[Components * at + c], expected[Components * vertex + c], 1e-12);
+      }
+    };
+    for (int v = this->Given; v < this->Given + static_cast<int>(this->Existing.size()); ++v)
+    {
+      compare(limits.OfVertices, v, v);
+    }
+    for (std::size_t i = 0; i < this->Places.size(); ++i)
+    {
+      compare(limits.OfSites, static_cast<vtkIdType>(i), this->Places[i]);
+    }
+  }
+  bool IsEmpty() const { return this->Sites.empty(); }
+
+private:
+  template <typename IsCurved>
+  void GoDown(
+    const Buffer<int>& vertices, const Buffer<Stratum>& strata, int size, const IsCurved& isCurved)
+  {
+    for (int descent = 0; descent < 5 && !strata.empty(); ++descent)
+    {
+      const auto start = static_cast<vtkIdType>(this->Random() % strata.size());
+      if (!isCurved(strata[start]))
+      {
+        continue;
+      }
+      std::array<int, 4> corners{ { -1, -1, -1, -1 } };
+      std::copy_n(vertices.data() + size * start, size, corners.begin());
+      for (int depth = 0; depth < 5; ++depth)
+      {
+        const auto children = ListChildren(size - 1).size();
+        corners = GetCornersOfChild(
+          corners, size - 1, static_cast<int>(this->Random() % children), this->Names);
+        this->Sites.push_back({ { { corners[0], corners[1], size < 3 ? -1 : corners[2] } } });
+      }
+    }
+  }
+  void NamePlaces(const LimitSite<int>& site)
+  {
+    const auto& at = site.Corners;
+    const auto middle = [this](int a, int b) { return this->Names.GetMidpoint(a, b); };
+    for (int k = 0; k < 3; ++k)
+    {
+      if (site.IsFace())
+      {
+        const int first = middle(at[k], at[(k + 1) % 3]);
+        this->Places.push_back(middle(first, middle(at[k], at[(k + 2) % 3])));
+      }
+      else
+      {
+        const int half = middle(at[0], at[1]);
+        this->Places.push_back(k == 1 ? half : middle(half, at[k / 2]));
+      }
+    }
+  }
+
+  const int Given;
+  VertexNames<int> Names;
+  std::mt19937 Random;
+  std::vector<LimitSite<int>> Sites;
+  std::vector<std::array<int, 2>> Existing; ///< midpoints that are corners of sites
+  std::vector<int> Places;                  ///< three vertices for each site
+};
+
+}
+
+/// Parts without solids have edges and faces that only look like creases and boundaries, and
+/// sectors of which a bound is missing.
+TEST(SheetLimits, DeepPartsAreThoseOfTheMeshWithItsSolids)
+{
+  int cases = 0;
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    for (const char* options : OptionNames)
+    {
+      SCOPED_TRACE(mesh.Name + " " + options);
+      const Level<int> level = std::move(BuildNamed<int>(mesh, options).Level);
+      const DeepSites sites(level, 7 + cases);
+      if (!sites.IsEmpty())
+      {
+        ++cases;
+        sites.Compare(level);
+      }
+      if (testing::Test::HasFatalFailure())
+      {
+        return;
+      }
+    }
+  }
+  EXPECT_GT(cases, 100);
 }
