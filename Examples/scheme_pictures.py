@@ -65,6 +65,21 @@ def maps_of_surfaces():
     write("maps_of_surfaces", shown, (0.0, -0.02, 1.0), 4)
 
 
+def maps_of_faces():
+    """The vertex in the middle becomes a face, which is what repeats."""
+    shown = []
+    for scheme in ("Doo-Sabin", "Midedge"):
+        for count in (4, 5, 8):
+            found = characteristic_map(fan(count), 0, Scheme=scheme)
+            actors = look.actors_of(found, ("cell", "Jacobian", look.tension_colours(0.0, 2.0)), 1.0, edges=True)
+            points = points_of(found)
+            size = np.abs(points).max()
+            for actor in actors:
+                actor.SetScale(1 / size)
+            shown.append((f"{scheme}, {count} corners", actors, points / size))
+    write("maps_of_faces", shown, (0.0, -0.02, 1.0), 3)
+
+
 def maps_of_solids():
     """Schaefer's figures 11 and 12, and a map that folds."""
     octahedron = vtkUnstructuredGrid()

@@ -17,7 +17,8 @@
  *
  * @par Control meshes in a plane
  * A control mesh without solids, such as one in the plane of an image, holds the points that lie on
- * it. With SurfaceScheme = LOOP it is subdivided as by vtkMultiDimensionalSubdivision. With
+ * it. With SurfaceScheme = LOOP it is subdivided as by vtkMultiDimensionalSubdivision, with the
+ * plain rules next to boundaries and creases (ModifiedBoundary off, its default). With
  * CATMULL_CLARK it is subdivided as by vtkSurfaceSubdivision with its scheme of this name and its
  * other defaults: polygons of any size become quads, creases and corners follow flags and
  * sharpness (arrays 0 and 4), PreserveInterfaces and DetectFeatures, and boundary points of one

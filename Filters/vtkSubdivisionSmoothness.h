@@ -79,13 +79,15 @@
  * With MapOfCell the output is the characteristic map of that cell: what the limit looks like at
  * the vertex, sector, edge or face, but for a linear map and what vanishes when one looks from
  * near. Its points are the eigenvectors of l1 and l2, and l3 in solids, around the vertex that is
- * examined, after MapLevels further levels (SQRT_THREE and FOUR_EIGHT: of two steps each), as far
- * as they are known from the star of the vertex, edge or face. Complex eigenvalues have the real
- * and the imaginary part of a vector. Eigenvectors of equal eigenvalues are not unique, and none
- * has a scale: of all linear images the one is chosen whose points have equal moments in all
+ * examined, after MapLevels further levels (SQRT_THREE, FOUR_EIGHT and MIDEDGE: of two steps each),
+ * as far as they are known from the star of the vertex, edge or face. Complex eigenvalues have the
+ * real and the imaginary part of a vector. Eigenvectors of equal eigenvalues are not unique, and
+ * none has a scale: of all linear images the one is chosen whose points have equal moments in all
  * directions, whose middle is the origin, whose first edge lies on the x axis, as long as in the
  * star, and in solids whose second edge lies in the x-y plane. Cells are triangles, quads or
- * tetrahedra.
+ * tetrahedra. In DOO_SABIN and MIDEDGE, which keep no vertex, the star is a face with four layers
+ * of faces around it, its middle is the origin, and the middle of one of its edges lies on the x
+ * axis, half a ring away.
  *  - `Jacobian` (cells, double): the size of a cell divided by what it has in the star. Negative:
  * the map folds there, and is not regular.
  *  - `Ring` (points, double): how many rings of the star the point is away from the middle.
@@ -107,8 +109,8 @@
  * The filter stops, with an error and an empty output, if the input consists of blocks or is shared
  * by ranks, if an array cannot be used, if there are more cells to output than
  * MaximumNumberOfCells, if MapOfCell is no cell of the output or has no unique map (vertices and
- * edges on curves, corners, joints, dual schemes, vertices with octahedra, Condition 0), or if
- * memory runs out.
+ * edges on curves, corners, joints, boundaries in dual schemes, vertices with octahedra, Condition
+ * 0), or if memory runs out.
  *
  * @sa
  * vtkSimplicialComplexTopology vtkMultiDimensionalSubdivision vtkSurfaceSubdivision

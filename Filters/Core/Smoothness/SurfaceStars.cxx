@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Loops.h"
 #include "Core/Rules/Pi.h"
+#include "Core/Smoothness/FaceStars.h"
 #include "Core/Smoothness/LocalMatrix.h"
 #include "Core/Smoothness/SurfaceStarLevels.h"
 
@@ -12,7 +13,6 @@
 #include <complex>
 #include <limits>
 #include <map>
-#include <numeric>
 
 namespace subdivision
 {
@@ -301,88 +301,6 @@ private:
   std::vector<int> Vertices;
 };
 
-/// The corners of the face in the middle of a level of a dual scheme, around which all is
-/// symmetric.
-std::vector<int> FindMiddle(const PolygonMesh<int>& mesh, const std::vector<Place>& points)
-{
-  int best = 0;
-  double least = 1e300;
-  for (int face = 0; face < mesh.NumberOfFaces; ++face)
-  {
-    Place sum{ { 0., 0. } };
-    const int first = mesh.GetFirst(face);
-    const int size = mesh.GetSize(face);
-    for (int k = first; k < first + size; ++k)
-    {
-      sum[0] += points[mesh.Vertices[k]][0] / size;
-      sum[1] += points[mesh.Vertices[k]][1] / size;
-    }
-    const double distance = std::hypot(sum[0], sum[1]);
-    best = distance < least ? face : best;
-    least = std::min(least, distance);
-  }
-  const int* corners = mesh.Vertices.data() + mesh.GetFirst(best);
-  return { corners, corners + mesh.GetSize(best) };
-}
-
-SmoothnessFacts ExamineFace(const SurfaceStar& star)
-{
-  const Period period = GetPeriod(star.Scheme);
-  const StarMesh mesh(star.Faces, 2. * Pi, true);
-  const SurfaceStarLevels levels(star, mesh, 2 + period.Steps);
-  std::vector<std::vector<Place>> points{ mesh.GetPlaces() };
-  for (int step = 0; step < 2 + period.Steps; ++step)
-  {
-    const Matrix rows = levels.GetStep(step);
-    std::vector<Place> next(static_cast<std::size_t>(rows.GetNumberOfRows()));
-    for (std::size_t v = 0; v < next.size(); ++v)
-    {
-      for (int c = 0; c < 2; ++c)
-      {
-        next[v][c] = SurfaceStarLevels::SumRow(
-          rows, static_cast<vtkIdType>(v), [&](int from) { return points.back()[from][c]; });
-      }
-    }
-    points.push_back(next);
-  }
-  const std::vector<int> here = FindMiddle(levels.Get(2).Mesh, points[2]);
-  const std::vector<int> there = FindMiddle(levels.Get(2 + period.Steps).Mesh, points.back());
-  const Matrix steps = levels.GetSteps(2, 2 + period.Steps);
-  SmoothnessFacts facts;
-  facts.Valence = star.Faces;
-  const int size = static_cast<int>(here.size());
-  LocalMatrix matrix(size);
-  std::vector<int> taken;
-  for (const int row : there)
-  {
-    std::vector<double> weights(size, 0.);
-    for (vtkIdType k = steps.Offsets[row]; k < steps.Offsets[row + 1]; ++k)
-    {
-      const auto at = std::find(here.begin(), here.end(), steps.Columns[k]);
-      weights[at == here.end() ? 0 : at - here.begin()] += at == here.end() ? 0. : steps.Weights[k];
-    }
-    // Each new corner reads the old one in its place most.
-    const auto own =
-      static_cast<int>(std::max_element(weights.begin(), weights.end()) - weights.begin());
-    if (std::abs(std::accumulate(weights.begin(), weights.end(), 0.) - 1.) > 1e-9 ||
-      std::find(taken.begin(), taken.end(), own) != taken.end())
-    {
-      return facts;
-    }
-    taken.push_back(own);
-    for (int column = 0; column < size; ++column)
-    {
-      matrix.At(own, column) = weights[column];
-    }
-  }
-  std::vector<double> moduli = matrix.FindModuli();
-  facts.SetEigenvalues(moduli);
-  moduli.resize(std::max<std::size_t>(moduli.size(), 4), 0.);
-  moduli[3] = std::max(moduli[3], 1. / 4.);
-  facts.Condition = HoldsInside(moduli, 2);
-  return facts;
-}
-
 }
 
 int GetRegularFaces(SurfaceSchemeKind scheme)
@@ -417,7 +335,15 @@ bool CanExamine(const SurfaceStar& star)
 
 StarMap MapSurface(const SurfaceStar& star, int levels)
 {
-  return CanExamine(star) && !IsDual(star.Scheme) ? VertexStar(star, levels).MakeMap() : StarMap();
+  if (!CanExamine(star))
+  {
+    return {};
+  }
+  if (IsDual(star.Scheme))
+  {
+    return star.Where == Kind::Closed ? MapFace(star, levels) : StarMap();
+  }
+  return VertexStar(star, levels).MakeMap();
 }
 
 SmoothnessFacts ExamineSurface(const SurfaceStar& star, bool samples)

@@ -70,9 +70,9 @@ bool HasCentres(SurfaceSchemeKind scheme);
  */
 SmoothnessFacts ExamineSurface(const SurfaceStar& star, bool samples);
 
-/// The characteristic map itself, after `levels` further levels, 1 or more (sqrt(3), 4-8: of two
-/// steps each), as far as it is known. It is empty in dual schemes, and where l2 = l3, so that it
-/// is not unique.
+/// The characteristic map itself, after `levels` further levels, 1 or more (sqrt(3), 4-8, midedge:
+/// of two steps each), as far as it is known. In dual schemes it is that of a face (FaceStars.h),
+/// and empty at boundaries. It is empty where l2 = l3, so that it is not unique.
 StarMap MapSurface(const SurfaceStar& star, int levels);
 
 }

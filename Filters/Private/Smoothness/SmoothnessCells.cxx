@@ -169,8 +169,9 @@ bool SmoothnessCells::WriteMap(const StarMap& map, vtkUnstructuredGrid* output) 
   if (map.IsEmpty())
   {
     this->Options.Fail("There is no characteristic map at cell " + std::to_string(wanted) +
-      ": vertices and edges on curves, corners, joints, dual schemes and vertices with octahedra "
-      "have none, and where the eigenvalues that lead are not larger than the next one (Condition "
+      ": vertices and edges on curves, corners, joints, boundaries in dual schemes and vertices "
+      "with octahedra have none, and where the eigenvalues that lead are not larger than the next "
+      "one (Condition "
       "is 0) it is not unique. Choose another cell, or take MapOfCell = -1 to look at all.");
     return false;
   }

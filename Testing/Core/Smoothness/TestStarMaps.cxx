@@ -256,10 +256,43 @@ TEST(StarMaps, AJacobianIsNegativeWhereAMapFolds)
   EXPECT_GT(FindLeast(other), 0.);
 }
 
+// Faces are what repeats in dual schemes.
+TEST(StarMaps, OfFacesInDualSchemes)
+{
+  for (const Scheme scheme : { Scheme::DooSabin, Scheme::Midedge })
+  {
+    for (int n = scheme == Scheme::Midedge ? 4 : 3; n <= 10; ++n)
+    {
+      SCOPED_TRACE(n);
+      const StarMap map = Map(scheme, n);
+      ASSERT_FALSE(map.IsEmpty());
+      EXPECT_GT(FindLeast(map), 0.);
+      EXPECT_EQ(std::count_if(map.Points.begin(), map.Points.end(),
+                  [&](const Point& p)
+                  {
+                    const double angle = Pi / n;
+                    return std::abs(std::hypot(p[0], p[1]) - 0.125 / std::cos(angle)) < 1e-9;
+                  }),
+        n); // the face in the middle is regular
+      if (n == 4)
+      {
+        EXPECT_NEAR(FindLeast(map), 1., 1e-9);
+        EXPECT_NEAR(FindMost(map), 1., 1e-9);
+      }
+      // A further level has the same points nearer to the middle, where rings are half as long.
+      const StarMap finer = Map(scheme, n, 3);
+      for (const Point& point : map.Points)
+      {
+        ASSERT_TRUE(HasPoint(finer, { { point[0] / 2., point[1] / 2., 0. } }));
+      }
+    }
+  }
+}
+
 TEST(StarMaps, AreEmptyWhereThereIsNone)
 {
-  EXPECT_TRUE(Map(Scheme::DooSabin, 4).IsEmpty());
-  EXPECT_TRUE(Map(Scheme::Midedge, 5).IsEmpty());
+  EXPECT_TRUE(Map(Scheme::DooSabin, 4, 2, SurfaceStar::Kind::Curve).IsEmpty());
+  EXPECT_TRUE(Map(Scheme::Midedge, 3).IsEmpty()); // l3 = 1/4, too
   EXPECT_TRUE(Map(Scheme::Loop, 2).IsEmpty());
   EXPECT_TRUE(Map(Scheme::Loop, 1000).IsEmpty());
   EXPECT_TRUE(MapSolid<Box>(MakeEdge(8), 2).IsEmpty());

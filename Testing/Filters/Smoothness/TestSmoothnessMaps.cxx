@@ -158,6 +158,25 @@ TEST(SmoothnessMaps, IdsAreThoseOfTheOutput)
     FindError(fan, Smoothness::LOOP, all->GetNumberOfCells() + 9).find("has"), std::string::npos);
 }
 
+// A vertex becomes a face of as many corners, which is what repeats.
+TEST(SmoothnessMaps, OfDualSchemesAreAroundFaces)
+{
+  const Grid fan = MakeFan(5);
+  for (const int scheme : { int(Smoothness::DOO_SABIN), int(Smoothness::MIDEDGE) })
+  {
+    const Grid map = Examine(fan, scheme, 0);
+    ASSERT_GT(map->GetNumberOfCells(), 50);
+    int faces = 0;
+    for (vtkIdType c = 0; c < map->GetNumberOfCells(); ++c)
+    {
+      EXPECT_GT(Get(map, "Jacobian", c), 0.);
+      faces += map->GetCellType(c) == VTK_POLYGON ? 1 : 0;
+      EXPECT_EQ(GetCell(map, c).size(), map->GetCellType(c) == VTK_POLYGON ? 5U : 4U);
+    }
+    EXPECT_EQ(faces, 1);
+  }
+}
+
 TEST(SmoothnessMaps, WhereThereIsNoneIsSaid)
 {
   const Grid fan = MakeFan(5);
@@ -168,7 +187,7 @@ TEST(SmoothnessMaps, WhereThereIsNoneIsSaid)
     ++curve;
   }
   for (const auto& [scheme, cell] : { std::make_pair(int(Smoothness::LOOP), curve),
-         std::make_pair(int(Smoothness::DOO_SABIN), vtkIdType(0)) })
+         std::make_pair(int(Smoothness::DOO_SABIN), curve) })
   {
     const std::string error = FindError(fan, scheme, cell);
     EXPECT_NE(
