@@ -397,8 +397,7 @@ public:
    * rules; NumberOfLevels does not matter. Place i is in cell cells[i], a vertex, line, triangle or
    * tetrahedron, at parameters[i] (3 components, of which a cell of dimension d reads d): the
    * second point of the cell has the weight u, the third v, the fourth w, and the first 1 - u - v -
-   * w; no weight is negative. Curves and surfaces have limits by all volume schemes, solids by
-   * BOX_SPLINE and LINEAR.
+   * w; no weight is negative. In an output of TET_OCT the pieces of octahedra have no places.
    *
    * `result` has a point and a vertex for each place, in double, with all smoothed arrays there (an
    * array that is not smoothed has the value of the nearest corner), and the arrays DerivativeU,
@@ -408,7 +407,8 @@ public:
    *
    * Values are exact but for rounding, 1e-12 of the size of the mesh and less. So are
    * derivatives of curves and surfaces where a regular part is, however small; the error grows with
-   * the number of that part's splits, to 1e-7 at extraordinary vertices and irregular creases.
+   * the number of that part's splits, to 1e-7 at extraordinary vertices and irregular creases. In
+   * solids by TET_OCT it is 1e-6.
    * Second derivatives need a place that is not too near to these. Returns false after an error.
    */
   bool EvaluateLimit(vtkIdTypeArray* cells, vtkDataArray* parameters, vtkPolyData* result);

@@ -80,7 +80,7 @@ double CountPoints(const typename Scheme::Level& level, int steps)
 void AddOctahedra(const std::vector<CellRun>& runs, int steps, UniformCells& made)
 {
   made.Octahedra = vtkSmartPointer<vtkIdTypeArray>::New();
-  made.Octahedra->SetName("OctahedronId");
+  made.Octahedra->SetName(OctahedraName);
   Allocate(made.Octahedra, 1, CountCells(runs).Cells);
   NumberOctahedra(runs, steps, made.Octahedra->GetPointer(0));
 }

@@ -452,9 +452,6 @@ TEST(EvaluateLimit, Errors)
   fails(0, { std::nan(""), 0., 0. }, "not finite");
   fails(0, { 0.6, 0.6, 0. }, "outside of cell 0");
   fails(0, { -0.1, 0.2, 0. }, "outside of cell 0");
-  filter->SetVolumeSchemeToTetOct();
-  fails(0, { 0.2, 0.2, 0.2 }, "BoxSpline or Linear");
-  filter->SetVolumeSchemeToBoxSpline();
   filter->SetInterfaceValuesToDiscontinuous();
   fails(0, { 0.2, 0.2, 0.2 }, "InterfaceValues");
   filter->SetInterfaceValuesToContinuous();

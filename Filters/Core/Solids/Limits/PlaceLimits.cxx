@@ -6,13 +6,13 @@
 #include "Core/Solids/Limits/LatticeNames.h"
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/Limits/PlaceRows.h"
+#include "Core/Solids/Limits/TetOctPlaces.h"
 
 #include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 #include <type_traits>
 
 namespace subdivision
@@ -25,6 +25,9 @@ namespace
 constexpr int MostSplits = 24;
 /// The same inside a tetrahedron, where limits are smoother.
 constexpr int SplitsInside = 8;
+/// The same by the tet/oct scheme, whose limits are no polynomials: the value is linear between
+/// four limits then, with an error of the square of their distance.
+constexpr int SplitsOfTetOct = 22;
 /// And of patches, whose parts are numbered in a byte.
 constexpr int SplitsOfPatch = 3;
 
@@ -100,7 +103,14 @@ std::vector<PlaceNodes<Id>> FindNodes(RegularReader<LevelType>& reader,
     }
     if (dimension == 3 && SchemeOf<LevelType>::Traits.HasPieces)
     {
-      throw std::invalid_argument("this scheme has solids that are no tetrahedra");
+      TetOctPlace<Id> inside(place.Corners, part);
+      for (int splits = 0; splits < SplitsOfTetOct; ++splits)
+      {
+        inside.Split(names);
+      }
+      inside.Finish(names, nodes.Vertices, nodes.Weights);
+      all.push_back(std::move(nodes));
+      continue;
     }
     const RegularSimplex<Id>& regular = reader.Find(place);
     nodes.Part = regular.IsPatch && sharpSteps == 0 ? FindPart(part, dimension, regular.Parts) : 0;

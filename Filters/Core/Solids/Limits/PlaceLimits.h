@@ -9,8 +9,9 @@
  * (LocalLimit.h), and so needs no other mechanism for its basis. A simplex that is not regular is
  * split, and the part with the place is looked at, until it is regular or so small that a
  * polynomial is the limit but for rounding. Tetrahedra are split in any case, as their limits are
- * polynomials of a higher degree. Polynomials of large parts of curves and sheets are found once
- * for all simplices with the same neighbourhood (PatchPolynomials.h).
+ * polynomials of a higher degree; those of the tet/oct scheme into tetrahedra and octahedra that
+ * are so small that the limit is linear (TetOctPlaces.h). Polynomials of large parts of curves and
+ * sheets are found once for all simplices with the same neighbourhood (PatchPolynomials.h).
  */
 #ifndef SubdivisionObjects_PlaceLimits_h
 #define SubdivisionObjects_PlaceLimits_h
@@ -38,8 +39,7 @@ struct LimitPlace
 template <typename Id>
 struct PlaceLimits
 {
-  /// `level` was made with Depth::ForRefinement, or is the control level. Throws
-  /// std::invalid_argument for a place in a tetrahedron of a scheme with other solids.
+  /// `level` was made with Depth::ForRefinement, or is the control level.
   template <typename LevelType>
   PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& creases,
     const std::vector<LimitPlace<Id>>& places);

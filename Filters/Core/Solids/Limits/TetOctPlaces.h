@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TetOctPlaces.h
+ * A place in a tetrahedron of the tet/oct scheme, by steps to ever smaller tetrahedra and octahedra
+ * around it.
+ */
+#ifndef SubdivisionObjects_TetOctPlaces_h
+#define SubdivisionObjects_TetOctPlaces_h
+
+#include "Core/Solids/Limits/LatticeNames.h"
+#include "Core/Solids/Limits/PlacePolynomial.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace subdivision
+{
+
+/**
+ * Where a place is in the tetrahedron or octahedron to which the steps have come, and how that
+ * changes with the parameters: first the place, then its three derivatives. In a tetrahedron these
+ * are weights of its corners. An octahedron has three diagonals from a vertex at -1 to one at 1,
+ * and a place has coordinates along these, whose absolute values sum to 1 at most.
+ */
+template <typename Id>
+class TetOctPlace
+{
+public:
+  TetOctPlace(const std::array<Id, 4>& corners, const PlaceInPart& place)
+    : Tet(corners)
+    , At{ { place.At, place.Directions[0], place.Directions[1], place.Directions[2] } }
+  {
+  }
+
+  /// Goes on to the part of a step with the place.
+  void Split(VertexNames<Id>& names)
+  {
+    this->IsOct ? this->SplitOct(names) : this->SplitTet(names);
+  }
+  /// Adds four vertices around the place, and the weight of each in the value and the three first
+  /// derivatives of the function that is linear between them. Second derivatives are 0.
+  void Finish(VertexNames<Id>& names, std::vector<Id>& vertices,
+    std::vector<std::array<double, PlaceParts::Count>>& weights)
+  {
+    if (this->IsOct)
+    {
+      this->GoToFace(names);
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      vertices.push_back(this->Tet[i]);
+      weights.push_back({ { this->At[0][i], this->At[1][i], this->At[2][i], this->At[3][i] } });
+    }
+  }
+
+private:
+  void SplitTet(VertexNames<Id>& names)
+  {
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      if (this->At[0][corner] >= 0.5)
+      {
+        for (int i = 0; i < 4; ++i)
+        {
+          if (i != corner)
+          {
+            this->Tet[i] = names.GetMidpoint(this->Tet[corner], this->Tet[i]);
+          }
+        }
+        this->Double();
+        this->At[0][corner] -= 1.;
+        return;
+      }
+    }
+    // The diagonals lead from the middle of an edge without corner 0 to that of the opposite one.
+    const std::array<Id, 4> tet = this->Tet;
+    for (int k = 0; k < 3; ++k)
+    {
+      const int others[2] = { 1 + (k + 1) % 3, 1 + (k + 2) % 3 };
+      this->Oct[k] = { { names.GetMidpoint(tet[others[0]], tet[others[1]]),
+        names.GetMidpoint(tet[0], tet[k + 1]) } };
+    }
+    for (CornerWeights& at : this->At)
+    {
+      const CornerWeights w = at;
+      at = { { w[0] + w[1] - w[2] - w[3], w[0] + w[2] - w[1] - w[3], w[0] + w[3] - w[1] - w[2],
+        0. } };
+    }
+    this->IsOct = true;
+  }
+
+  void SplitOct(VertexNames<Id>& names)
+  {
+    const Id centre = names.GetMidpoint(this->Oct[0][0], this->Oct[0][1]);
+    const CornerWeights at = this->At[0];
+    for (int k = 0; k < 3; ++k)
+    {
+      const int others[2] = { (k + 1) % 3, (k + 2) % 3 };
+      if (std::abs(at[k]) < std::abs(at[others[0]]) + std::abs(at[others[1]]))
+      {
+        continue;
+      }
+      const int end = at[k] < 0. ? 0 : 1;
+      const Id corner = this->Oct[k][end];
+      for (const int other : others)
+      {
+        for (Id& vertex : this->Oct[other])
+        {
+          vertex = names.GetMidpoint(corner, vertex);
+        }
+      }
+      this->Oct[k][1 - end] = centre;
+      this->Double();
+      this->At[0][k] += end == 0 ? 1. : -1.;
+      return;
+    }
+    // The tetrahedron of the centre and the middles of the edges of a face; corner k + 1 is
+    // opposite to the face's vertex k.
+    std::array<Id, 3> face = this->FindFace();
+    const std::array<double, 3> signs = this->FindSigns();
+    this->Tet[0] = centre;
+    for (int k = 0; k < 3; ++k)
+    {
+      this->Tet[k + 1] = names.GetMidpoint(face[(k + 1) % 3], face[(k + 2) % 3]);
+    }
+    for (std::size_t p = 0; p < this->At.size(); ++p)
+    {
+      const CornerWeights q = this->At[p];
+      const double x = signs[0] * q[0];
+      const double y = signs[1] * q[1];
+      const double z = signs[2] * q[2];
+      this->At[p] = { { (p == 0 ? 1. : 0.) - (x + y + z), y + z - x, x + z - y, x + y - z } };
+    }
+    this->IsOct = false;
+  }
+
+  /// The tetrahedron of the centre and a face, which is no part of a step.
+  void GoToFace(VertexNames<Id>& names)
+  {
+    const std::array<Id, 3> face = this->FindFace();
+    const std::array<double, 3> signs = this->FindSigns();
+    this->Tet = { { names.GetMidpoint(this->Oct[0][0], this->Oct[0][1]), face[0], face[1],
+      face[2] } };
+    for (std::size_t p = 0; p < this->At.size(); ++p)
+    {
+      CornerWeights weights{ { p == 0 ? 1. : 0., 0., 0., 0. } };
+      for (int k = 0; k < 3; ++k)
+      {
+        weights[k + 1] = signs[k] * this->At[p][k];
+        weights[0] -= weights[k + 1];
+      }
+      this->At[p] = weights;
+    }
+    this->IsOct = false;
+  }
+
+  std::array<Id, 3> FindFace() const
+  {
+    std::array<Id, 3> face{};
+    for (int k = 0; k < 3; ++k)
+    {
+      face[k] = this->Oct[k][this->At[0][k] < 0. ? 0 : 1];
+    }
+    return face;
+  }
+  std::array<double, 3> FindSigns() const
+  {
+    std::array<double, 3> signs{};
+    for (int k = 0; k < 3; ++k)
+    {
+      signs[k] = this->At[0][k] < 0. ? -1. : 1.;
+    }
+    return signs;
+  }
+  void Double()
+  {
+    for (CornerWeights& at : this->At)
+    {
+      for (double& x : at)
+      {
+        x *= 2.;
+      }
+    }
+  }
+
+  bool IsOct = false;
+  std::array<Id, 4> Tet;
+  std::array<std::array<Id, 2>, 3> Oct{}; ///< the ends of each diagonal, first that at -1
+  std::array<CornerWeights, 4> At;
+};
+
+}
+
+#endif
