@@ -36,7 +36,6 @@ import results as reliability
 import schemata
 
 MOST_OBJECTS = 5  # of a header; they are compiled without optimisation, which takes a third of the time
-MOST_TOGETHER = 8  # of a header with many mutations in it, which is compiled once
 AT_ONCE = 2
 FAST_SHARE = 0.15  # of the time of all tests of a folder: those that take so much together run first
 # Whose tests run next, after those of the own folder: folders and files.
@@ -153,7 +152,7 @@ class Runner:
         words[words.index("-o") + 1] = str(output)
         return subprocess.run(words, cwd=self.build, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
 
-    def find_sources(self, path, most=MOST_OBJECTS):
+    def find_sources(self, path):
         """What to compile for a changed file, nearest first, and whether equal objects mean an equal library."""
         whole = self.source / path
         if path.endswith(".cxx"):
@@ -168,7 +167,7 @@ class Runner:
         library.sort(key=lambda one: (distances[one], -len(os.path.commonpath([one, str(whole)])), one))
         tests = [one for one in includers
                  if one.startswith((str(self.source / "Testing" / folder), str(self.find_test_folder(folder))))]
-        return library[:most] + sorted(tests)[:MOST_OBJECTS], False
+        return library[:MOST_OBJECTS] + sorted(tests)[:MOST_OBJECTS], False
 
     def find_distance(self, source, header, names):
         """0 if a source calls functions of a header, 1 if a header does that it includes itself, else 2."""
@@ -222,7 +221,7 @@ class Runner:
         self.numbers = {}
         self.use_folder("together")
         text = (self.source / path).read_text(encoding="utf-8")
-        sources, _ = self.find_sources(path, MOST_TOGETHER)
+        sources, _ = self.find_sources(path)
         overlay = self.overlay / path
         overlay.parent.mkdir(parents=True, exist_ok=True)
         (self.overlay / "Filters" / schemata.HEADER).write_text(schemata.HEADER_TEXT, encoding="utf-8")
@@ -449,10 +448,13 @@ def main():
     results = {key: entry for key, entry in results.items() if key in keys or entry["path"] not in digests}
     lock = threading.Lock()
 
+    def has_reason(mutation):
+        return (mutation.path, mutation.old.strip(), mutation.new.strip()) in explained
+
     def is_open(mutation):
         entry = results.get(mutation.key)
         is_known = entry and entry["file"] == digests[mutation.path]
-        return not is_known or arguments.again and entry["result"] == "survived"
+        return not is_known or arguments.again and entry["result"] == "survived" and not has_reason(mutation)
 
     def try_one(mutation):
         if not is_open(mutation):
@@ -461,7 +463,7 @@ def main():
         runner = runners.get()
         if runner.prepared != mutation.path:
             runner.prepare(mutation.path, [one for one in chosen if one.path == mutation.path and is_open(one)])
-        result, test = runner.judge(mutation, (mutation.path, mutation.old.strip(), mutation.new.strip()) in explained)
+        result, test = runner.judge(mutation, has_reason(mutation))
         runners.put(runner)
         entry = {"path": mutation.path, "line": mutation.number, "old": mutation.old.strip(), "new": mutation.new.strip(),
                  "result": result, "test": test, "seconds": round(time.time() - begin, 1), "file": digests[mutation.path]}

@@ -23,9 +23,13 @@ inline int ReadChoice()
   return text ? std::atoi(text) : 0;
 }
 inline const int Choice = ReadChoice();
+inline bool IsSwitchedOn(int k) // a variable that it initializes is no constant
+{
+  return k == Choice;
+}
 constexpr bool IsChosen(int k)
 {
-  return !__builtin_is_constant_evaluated() && k == Choice;
+  return !__builtin_is_constant_evaluated() && IsSwitchedOn(k);
 }
 }
 #endif
@@ -39,7 +43,8 @@ RETURN = re.compile(r"^\s*return\b.*;\s*$", re.S)
 CONSTANT = re.compile(r"^(?:inline |static )?constexpr (\w+ \w+)( =\s+| ?(?={))(.*);\s*$", re.S)
 CONSTANT_BEGIN = re.compile(r"^constexpr (\w+ \w+(?: =|\{))")
 ONE_LINE = re.compile(r"^(.*\)(?: const)? \{ )(return .*;)( \})$")
-DECLARATION = re.compile(r"^(\s*(?:[\w:<>,*& \[\].\->()]+?[ *&])?(\w+) = )(.*);\s*$", re.S)
+VARIABLE_IN_BRACES = re.compile(r"^\s*(const )?[\w:]+(<.*>)? [*&]?\w+[{(\[]")
+DECLARATION = re.compile(r"^(\s*(?:[\w:<>,*& \[\].\->()]+?[ *&])?(\w+) =\s+)(.*);\s*$", re.S)
 
 
 def hide(text):
@@ -89,8 +94,8 @@ def split_outside(text, sign):
     return parts
 
 
-def choose_value(number, changed, rest):
-    return "::mutation::IsChosen(%d) ? (%s) : %s" % (number, changed, rest)
+def choose_value(number, changed, rest, ask="IsChosen"):
+    return "::mutation::%s(%d) ? (%s) : %s" % (ask, number, changed, rest)
 
 
 def is_declaration(text):
@@ -98,7 +103,7 @@ def is_declaration(text):
     left = DECLARATION.match(text)
     if not left:
         return False
-    bare = left[1][:-len(" = ")].strip()
+    bare = left[1].rpartition("=")[0].strip()
     while re.search(r"[\[(<][^\[\](<>)]*[\])>]", bare):
         bare = re.sub(r"[\[(<][^\[\](<>)]*[\])>]", "", bare)
     return " " in bare.strip() and not bare.strip().endswith(("+", "-", "*", "/", "|", "&", "%"))
@@ -128,7 +133,7 @@ class Statement:
             return "statement"
         if ONE_LINE.match(self.text):
             return "one line"
-        if not self.text.rstrip().endswith(";"):
+        if not self.text.rstrip().endswith(";") or VARIABLE_IN_BRACES.match(self.text):
             return ""
         if is_declaration(self.text):
             return "" if DECLARATION.match(self.text)[3].lstrip().startswith("{") else "declaration"
@@ -188,7 +193,7 @@ class Statement:
             head, _, value = DECLARATION.match(self.text).groups()
             value = "(%s)" % value
             for number, changed in reversed(self.changed):
-                value = choose_value(number, DECLARATION.match(changed)[3], value)
+                value = choose_value(number, DECLARATION.match(changed)[3], value, "IsSwitchedOn")
             return head + value + ";"
         if self.kind == "constant":
             return self.write_constant()
@@ -215,7 +220,7 @@ class Statement:
         kind = "" if equals.strip() else name.split()[0]  # of what stands in braces without =
         value = kind + value
         for number, changed in reversed(self.changed):
-            value = choose_value(number, kind + CONSTANT.match(changed)[3], value)
+            value = choose_value(number, kind + CONSTANT.match(changed)[3], value, "IsSwitchedOn")
         return "inline const %s = %s;" % (name, value)
 
 

@@ -31,6 +31,8 @@ TEST(SqrtThreeMasks, ATransversalMaskIsALeftEigenvectorOfTwoSteps)
     const auto size = static_cast<std::size_t>(k) + 1;
     ASSERT_EQ(even.Inside.size(), size);
     ASSERT_EQ(odd.Inside.size(), size + 1);
+    EXPECT_EQ(even.Inside.front(), 0.);
+    EXPECT_EQ(even.Inside.back(), 0.);
     EXPECT_EQ(odd.Inside.front(), 0.);
     EXPECT_EQ(odd.Inside.back(), 0.);
     // The second step.
