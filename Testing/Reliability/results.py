@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What commands leave of reliability in BUILD/reliability: a file for each kind of figures.
 
-    results.py fuzz SOURCE BUILD NAME LOG    adds a run of libFuzzer, whose output LOG has, to earlier ones
+    results.py fuzz SOURCE BUILD NAME LOG SECONDS    adds a run of libFuzzer, whose output LOG has, to earlier ones
 """
 import json
 import pathlib
@@ -29,22 +29,26 @@ def write(source, build, name, command, figures):
 
 
 def read_fuzz_log(text):
-    """Executions, and what they found."""
+    """Executions, what they reached of the places where the code branches, and what they found."""
     count = re.findall(r"stat::number_of_executed_units: (\d+)", text) or re.findall(r"^#(\d+)\s", text, re.M) or ["0"]
     covered = re.findall(r"cov: (\d+)", text) or ["0"]
+    places = re.findall(r"\((\d+) inline 8-bit counters\)", text) or ["0"]
     faults = re.findall(r"^SUMMARY: (\S+): (\S+)", text, re.M)
     hangs = sum(kind == "libFuzzer" and what == "timeout" for kind, what in faults)
     reports = sum(kind.endswith("Sanitizer") for kind, what in faults)
-    return {"executions": int(count[-1]), "covered": int(covered[-1]), "hangs": hangs, "reports": reports,
-            "crashes": len(faults) - hangs - reports}
+    return {"executions": int(count[-1]), "covered": int(covered[-1]), "places": int(places[0]), "hangs": hangs,
+            "reports": reports, "crashes": len(faults) - hangs - reports}
 
 
-def add_fuzz_run(source, build, name, log):
+def add_fuzz_run(source, build, name, log, seconds):
+    """Of places the most counts that one run reached: a later one may end before it has tried all that earlier ones kept."""
     run = read_fuzz_log(pathlib.Path(log).read_text(encoding="utf-8", errors="replace"))
+    run["seconds"] = int(seconds)
     figures = read(build, "fuzz").get("figures", {})
-    sums = figures.setdefault(name, {"executions": 0, "covered": 0, "hangs": 0, "reports": 0, "crashes": 0})
-    for key, value in run.items():
-        sums[key] = max(sums[key], value) if key == "covered" else sums[key] + value
+    before = figures.get(name, {})
+    figures[name] = {key: before.get(key, 0) + value for key, value in run.items()}
+    figures[name]["covered"] = max(before.get("covered", 0), run["covered"])
+    figures[name]["places"] = run["places"]
     write(source, build, "fuzz", "./dev fuzz SECONDS", figures)
 
 

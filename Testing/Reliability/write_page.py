@@ -45,6 +45,15 @@ def tell_of_fuzz(key):
     return lambda figures: "{:,}".format(sum_up(figures, key))
 
 
+def tell_of_fuzzers(tell):
+    """One figure for each fuzzer."""
+    return lambda figures: ", ".join("Fuzz%s %s" % (name, tell(one)) for name, one in sorted(figures.items()))
+
+
+def tell_coverage(one):
+    return "{:,} of {:,} ({:.0%})".format(one["covered"], one["places"], one["covered"] / max(1, one["places"]))
+
+
 def tell_nothing_lost(figures):
     """A lost array and a number that is not finite are faults: the fuzzer ends with a crash."""
     return "{:,}".format(sum_up(figures, "crashes"))
@@ -54,8 +63,9 @@ def tell_nothing_lost(figures):
 ROWS = [
     ("Damaged and unlikely inputs, each with its row in the guide", "inputs", lambda f: "%d" % f["rows"]),
     ("Tests of such inputs, all passed", "inputs", lambda f: "%d" % f["tests"]),
-    ("Executions fuzzed", "fuzz", tell_of_fuzz("executions")),
-    ("Places of the code that the fuzzers reached", "fuzz", tell_of_fuzz("covered")),
+    ("Executions fuzzed", "fuzz", tell_of_fuzzers(lambda one: "{:,}".format(one["executions"]))),
+    ("Hours fuzzed", "fuzz", tell_of_fuzzers(lambda one: "%.1f" % (one["seconds"] / 3600))),
+    ("Branches of the code that the fuzzers reached", "fuzz", tell_of_fuzzers(tell_coverage)),
     ("Crashes", "fuzz", tell_of_fuzz("crashes")),
     ("Hangs (30 s and more)", "fuzz", tell_of_fuzz("hangs")),
     ("Reports of sanitizers", "fuzz", tell_of_fuzz("reports")),
