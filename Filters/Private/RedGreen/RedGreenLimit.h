@@ -34,7 +34,7 @@ public:
   SparseRows<Id> GetControlRows() const;
   /// Sets the coordinates and the attribute of the control vertices, where they are not those that
   /// the criteria read; empty: they are.
-  void SetControlValues(std::vector<double> coordinates, std::vector<double> attribute)
+  void SetControlValues(std::vector<double>&& coordinates, std::vector<double>&& attribute)
   {
     this->ControlCoordinates = std::move(coordinates);
     this->ControlAttribute = std::move(attribute);

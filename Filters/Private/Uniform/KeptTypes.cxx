@@ -56,6 +56,11 @@ public:
     , Result(result)
   {
     result.Cells.NumberOfPoints = input->GetNumberOfPoints();
+  }
+
+  void Read()
+  {
+    KeptCells& result = this->Result;
     std::vector<vtkIdType> scratch;
     for (const vtkIdType cell : InTurn(this->Reader.GetNumberOfCells()))
     {
@@ -295,7 +300,7 @@ bool RefineKeepingTypes(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output)
 {
   KeptCells kept;
-  KeptReader(input, kept);
+  KeptReader(input, kept).Read();
   Tell(kept.Warnings, options);
   const std::string error = kept.Error.empty() ? CheckSize(input, kept.Cells, options) : kept.Error;
   if (!error.empty())
