@@ -539,6 +539,44 @@ TEST(ModifiedBoundary, OnlyAnglesOfCornersChangeTheOperator)
   EXPECT_EQ(Compare(second, fresh), "");
 }
 
+/// Without angles, which would show in what is kept.
+TEST(ModifiedBoundary, SwitchedFiltersMakeWhatFreshOnesMake)
+{
+  const auto input = MakeCreased(3, true);
+  vtkNew<Filter> filter;
+  for (const bool modified : { true, false, true })
+  {
+    const Configure configure = [=](Filter* f)
+    {
+      f->SetInputArrayToProcess(10, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "None");
+      f->SetModifiedBoundary(modified);
+    };
+    configure(filter);
+    const Grid made = UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input);
+    EXPECT_EQ(Compare(made, Execute(input, 1, configure)), "") << modified;
+  }
+}
+
+/// No crease is semi-sharp: the last two steps are one where operators are not kept.
+TEST(ModifiedBoundary, KeptOperatorsDoNotMatter)
+{
+  const auto input = MakeCreased(3, true);
+  for (const int scheme : { Filter::BOX_SPLINE, Filter::TET_OCT })
+  {
+    Grid made[2];
+    for (const bool cached : { false, true })
+    {
+      made[cached] = Execute(input, 2,
+        [=](Filter* filter)
+        {
+          filter->SetVolumeScheme(scheme);
+          filter->SetCacheOperator(cached);
+        });
+    }
+    EXPECT_EQ(Compare(made[0], made[1]), "") << "scheme " << scheme;
+  }
+}
+
 TEST(ModifiedBoundary, AnArrayThatIsMissingIsAnError)
 {
   vtkNew<Messages> messages;

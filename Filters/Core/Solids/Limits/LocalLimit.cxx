@@ -265,7 +265,10 @@ void LocalLimit<Id>::Builder<LevelType>::TakeOperators(Piece& part, Trace& trace
   std::vector<SharpRow> rows =
     part.Creases.ListParts(complex, std::numeric_limits<double>::infinity()).GetRows();
   trace.Smooth = TakeStencils(part.Level);
-  if (!rows.empty())
+  // Creases beyond the part count in rows of sectors, too, which then are not whole.
+  const bool hasSectors = !part.Creases.Stages.empty() &&
+    (!trace.Smooth.Explicit.Rows.empty() || !part.Creases.Stages.front().Strata.Sectors.empty());
+  if (!rows.empty() || hasSectors)
   {
     LevelType sharp;
     TakeSpokes(part.Level, part.Creases.Stages.front(), sharp);

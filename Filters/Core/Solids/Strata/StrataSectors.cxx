@@ -35,8 +35,8 @@ bool WalkSector(const SimplicialComplex<Id>& complex, const Strata<Id>& strata, 
     {
       return walk.size() > 2 && next != edge;
     }
-    const Row<Id> faces = strata.EdgeRings.GetCarriers(next);
-    if (faces.size() != 2 || (faces.begin()[0] != face && faces.begin()[1] != face))
+    const Row<Id> faces = strata.EdgeRings.GetCarriers(next); // two, as at all edges of surfaces
+    if (faces.begin()[0] != face && faces.begin()[1] != face)
     {
       return false; // of another surface
     }

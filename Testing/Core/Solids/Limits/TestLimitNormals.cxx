@@ -22,12 +22,13 @@ Vector At(const std::vector<double>& points, vtkIdType i)
 }
 
 std::vector<double> MakeNormals(const Level<int>& level, const std::vector<double>& points,
-  int steps = 0, const std::vector<vtkIdType>& inverted = {})
+  int steps = 0, const std::vector<vtkIdType>& inverted = {},
+  const SemiSharpStages<int>& creases = {})
 {
   std::vector<double> normals(points.size(), 7.);
   const Buffer<unsigned char> turned = TakeParents(FindTriangleSides(level).ListTurned(), steps);
-  ComputeLimitNormals(
-    BuildLimitTangents(level, {}, { {}, steps }), points.data(), inverted, turned, normals.data());
+  ComputeLimitNormals(BuildLimitTangents(level, creases, { {}, steps }), points.data(), inverted,
+    turned, normals.data());
   return normals;
 }
 
@@ -120,6 +121,42 @@ TEST(LimitNormals, AStepDoesNotTurnThem)
     }
   }
   EXPECT_GT(some, 1000);
+}
+
+/// The same where the other ends of edges lie on creases that are still sharp: these have sectors.
+TEST(LimitNormals, AStepNextToSemiSharpCreasesDoesNotTurnThem)
+{
+  int some = 0;
+  unsigned int seed = 0;
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    for (const char* options : { "Blend", "ModifiedBoundary", "ModifiedDart" })
+    {
+      SCOPED_TRACE(mesh.Name + " " + options);
+      SemiSharpMesh semi(mesh, options, ++seed);
+      std::fill(semi.Sharpness.Faces.begin(), semi.Sharpness.Faces.end(), 0.);
+      for (std::size_t edge = 0; edge < semi.Sharpness.Edges.size(); ++edge)
+      {
+        semi.Sharpness.Edges[edge] *= edge % 4 == 0 ? 1. : 0.;
+      }
+      const Level<int> level = semi.MakeSmoothLevel(0);
+      const Level<int> next = semi.MakeSmoothLevel(1);
+      const std::vector<double> points = MakeValues(3 * level.Complex.NumberOfVertices, 5);
+      const std::vector<double> later = ApplyTo(semi.MakeStencils(0), points, 3);
+      const std::vector<double> before = MakeNormals(level, points, 0, {}, semi.MakeStages(0));
+      const std::vector<double> after = MakeNormals(next, later, 0, {}, semi.MakeStages(1));
+      const LimitTangents<int> tangents = BuildLimitTangents(level, semi.MakeStages(0));
+      for (int v = 0; v < level.Complex.NumberOfVertices; ++v)
+      {
+        if (tangents.Sectors.Offsets[v] < tangents.Sectors.Offsets[v + 1])
+        {
+          ASSERT_NEAR(Dot(At(before, v), At(after, v)), Length(At(before, v)), 1e-9) << v;
+          ++some;
+        }
+      }
+    }
+  }
+  EXPECT_GT(some, 200);
 }
 
 /// Tangents of a sector span the plane of its normal; those of curves become half in a step.

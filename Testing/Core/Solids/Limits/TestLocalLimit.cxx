@@ -362,6 +362,70 @@ TEST(LocalLimit, SemiSharpCreases)
   }
 }
 
+/// Creases meet in the middle of a disk, some sharp for one step. The limit at the middle of an
+/// edge opposite reads edges that end where they meet, whose rows depend on all of the creases: too
+/// small a part must be found out.
+TEST(LocalLimit, SectorsAtSemiSharpCreasesBeyondThePart)
+{
+  struct Case
+  {
+    std::vector<int> Lasting; ///< far ends of creases
+    std::vector<int> All;     ///< with those that are sharp for one step
+    double Angle;
+  };
+  // A concave corner; a curve; a curve that is a corner without an angle for a step.
+  const Case cases[] = { { {}, { 1, 2, 3 }, 4. }, { {}, { 1, 2 }, -1. },
+    { { 1, 2 }, { 1, 2, 3 }, -1. } };
+  constexpr int around = 8;
+  Mesh mesh("Disk");
+  const int points = 2 * around + 1;
+  mesh.Cells.NumberOfPoints = points;
+  for (int i = 1; i <= around; ++i)
+  {
+    const int next = i % around + 1;
+    mesh.AddCells({ { 0, i, next }, { i, i + around, next }, { next, i + around, next + around } });
+  }
+  for (const Case& one : cases)
+  {
+    SCOPED_TRACE(&one - cases);
+    StrataOptions options;
+    options.ModifiedBoundary = true;
+    options.CornerAngles = Buffer<double>(points, one.Angle);
+    const auto build = [&](const std::vector<int>& ends)
+    {
+      Mesh creased;
+      for (const int end : ends)
+      {
+        creased.Singular.insert({ 0, end });
+      }
+      return std::move(Build<int>(mesh.Cells, creased.Singular, options).Level);
+    };
+    Level<int> smooth = build(one.Lasting);
+    SemiSharpStages<int> creases;
+    creases.Sharpness = Buffer<double>(smooth.Complex.NumberOfEdges, 0.);
+    for (const int end : one.All)
+    {
+      const bool lasts = std::count(one.Lasting.begin(), one.Lasting.end(), end) > 0;
+      creases.Sharpness[FindEdge(smooth.Complex, 0, end)] = lasts ? 0. : 1.;
+    }
+    creases.Stages.push_back({ 1, std::move(build(one.All).Strata) });
+    Buffer<unsigned char> wanted(points + 1, 0);
+    wanted[points] = 1;
+    const std::vector<double> values = MakeValues(points, 3);
+    std::vector<double> limits(points + 1);
+    LocalLimit<int>(smooth, creases, { { 5, 6 } }, wanted, 0)
+      .Apply(values.data(), limits.data(), 1);
+    const int middle = points + FindEdge(smooth.Complex, 5, 6);
+    const Level<int> next = Refine(smooth, Depth::ForRefinement);
+    const auto rows = creases.ListParts(smooth.Complex).GetRows();
+    Level<int> sharp = build(one.All);
+    Stencils<int> stencils = TakeStencils(smooth);
+    BlendSemiSharp(rows, TakeStencils(sharp), stencils);
+    const auto uniform = ApplyTo(BuildLimitRows(next), ApplyTo(stencils, values, 1), 1);
+    EXPECT_NEAR(limits.back(), uniform[middle], 1e-13);
+  }
+}
+
 /// Creases that are sharp for ever are sharp.
 TEST(LocalLimit, InfinitelySharpCreases)
 {
