@@ -9,12 +9,15 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
 
 namespace place_tools
 {
@@ -41,6 +44,37 @@ vtkSmartPointer<vtkPolyData> Evaluate(const FilterPointer& filter, const Places&
   EXPECT_EQ(result->GetNumberOfPoints(), places.GetSize());
   EXPECT_EQ(result->GetNumberOfVerts(), places.GetSize());
   return result;
+}
+
+/// Points that a probe looks for.
+inline vtkSmartPointer<vtkPolyData> MakeTargets(const std::vector<std::array<double, 3>>& targets)
+{
+  const auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const std::array<double, 3>& target : targets)
+  {
+    points->InsertNextPoint(target.data());
+  }
+  data->SetPoints(points);
+  return data;
+}
+
+/// The points of a limit, moved along its normals.
+inline std::vector<std::array<double, 3>> MoveAlongNormals(vtkPolyData* limit, double distance)
+{
+  std::vector<std::array<double, 3>> moved(static_cast<std::size_t>(limit->GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < limit->GetNumberOfPoints(); ++i)
+  {
+    double normal[3];
+    limit->GetPoint(i, moved[i].data());
+    limit->GetPointData()->GetArray("LimitNormals")->GetTuple(i, normal);
+    for (int c = 0; c < 3; ++c)
+    {
+      moved[i][c] += distance * normal[c];
+    }
+  }
+  return moved;
 }
 
 }

@@ -5,6 +5,7 @@
  * places are found again, and the places are those of EvaluateLimit.
  */
 #include "MultiDimensionalSubdivisionTools.h"
+#include "PlaceTools.h"
 #include "SurfacePlaceTools.h"
 
 #include "vtkCellArray.h"
@@ -47,26 +48,13 @@ struct Rules
   }
 };
 
-vtkSmartPointer<vtkPolyData> MakeTargets(const std::vector<Point>& targets)
-{
-  const auto data = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Point& target : targets)
-  {
-    points->InsertNextPoint(target.data());
-  }
-  data->SetPoints(points);
-  return data;
-}
-
 /// What the probe finds. Places in cells that were not cut have to be those of EvaluateLimit.
 vtkSmartPointer<vtkPolyData> Probe(
   vtkDataSet* input, int scheme, const std::vector<Point>& targets, const Rules& rules = Rules())
 {
   vtkNew<ProbeFilter> filter;
   filter->SetInputDataObject(input);
-  filter->SetInputDataObject(3, MakeTargets(targets));
+  filter->SetInputDataObject(3, place_tools::MakeTargets(targets));
   filter->SetSurfaceScheme(GetScheme(scheme));
   rules.Set(filter.Get());
   filter->Update();
@@ -338,7 +326,7 @@ TEST(SurfaceLimitProbe, Errors)
   filter->SetInputDataObject(input);
   vtkNew<multi_dimensional_subdivision_tools::Messages> messages;
   messages->Watch(filter);
-  filter->SetInputDataObject(3, MakeTargets({ { std::nan(""), 0., 0. } }));
+  filter->SetInputDataObject(3, place_tools::MakeTargets({ { std::nan(""), 0., 0. } }));
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   ASSERT_FALSE(messages->Errors.empty());
@@ -351,7 +339,7 @@ TEST(SurfaceLimitProbe, Errors)
   points->InsertNextPoint(0., 0., 0.);
   nothing->SetPoints(points);
   filter->SetInputDataObject(nothing);
-  filter->SetInputDataObject(3, MakeTargets({ { 0., 0., 0. } }));
+  filter->SetInputDataObject(3, place_tools::MakeTargets({ { 0., 0., 0. } }));
   filter->Update();
   ASSERT_FALSE(messages->Errors.empty());
   EXPECT_NE(messages->Errors[0].find("no cells"), std::string::npos) << messages->Errors[0];

@@ -5,6 +5,7 @@
  * nearer.
  */
 #include "MultiDimensionalSubdivisionTools.h"
+#include "PlaceTools.h"
 
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
@@ -53,19 +54,6 @@ Grid MakeModel(int model)
   return grid;
 }
 
-vtkSmartPointer<vtkPolyData> MakePoints(const std::vector<Point>& targets)
-{
-  const auto data = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Point& target : targets)
-  {
-    points->InsertNextPoint(target.data());
-  }
-  data->SetPoints(points);
-  return data;
-}
-
 /// Switches ModifiedBoundary on, with angles of corners.
 template <typename FilterType>
 void ModifyBoundary(FilterType* filter)
@@ -83,7 +71,7 @@ vtkSmartPointer<vtkPolyData> Probe(
   {
     ModifyBoundary(filter.Get());
   }
-  filter->SetInputDataObject(3, MakePoints(targets));
+  filter->SetInputDataObject(3, place_tools::MakeTargets(targets));
   const auto found = UpdateWithoutErrors<vtkPolyData>(filter.Get(), mesh);
   EXPECT_EQ(found->GetNumberOfPoints(), static_cast<vtkIdType>(targets.size()));
   EXPECT_EQ(found->GetNumberOfVerts(), found->GetNumberOfPoints());
@@ -180,18 +168,7 @@ TEST(SubdivisionLimitProbe, FootPoints)
   }
   vtkNew<vtkPolyData> at;
   ASSERT_TRUE(evaluator->EvaluateLimit(cells, parameters, at));
-  std::vector<Point> targets;
-  for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
-  {
-    Point p = GetPoint(at, i);
-    Point normal;
-    at->GetPointData()->GetArray("LimitNormals")->GetTuple(i, normal.data());
-    for (int c = 0; c < 3; ++c)
-    {
-      p[c] += 0.2 * normal[c]; // zero on curves
-    }
-    targets.push_back(p);
-  }
+  const std::vector<Point> targets = place_tools::MoveAlongNormals(at, 0.2); // zero on curves
   const auto found = Probe(mesh, targets);
   for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
   {
@@ -252,18 +229,7 @@ TEST(SubdivisionLimitProbe, FootPointsOfModifiedBoundary)
   };
   const auto at = evaluate(true);
   const auto plain = evaluate(false);
-  std::vector<Point> targets;
-  for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
-  {
-    Point p = GetPoint(at, i);
-    Point normal;
-    at->GetPointData()->GetArray("LimitNormals")->GetTuple(i, normal.data());
-    for (int c = 0; c < 3; ++c)
-    {
-      p[c] += 0.05 * normal[c];
-    }
-    targets.push_back(p);
-  }
+  const std::vector<Point> targets = place_tools::MoveAlongNormals(at, 0.05);
   const auto found = Probe(mesh, targets, true);
   double difference = 0.;
   for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
@@ -321,7 +287,7 @@ TEST(SubdivisionLimitProbe, SplitCellsAndErrors)
 {
   const Grid box = MakeMixedBox(2);
   vtkNew<vtkSubdivisionLimitProbe> filter;
-  filter->SetInputDataObject(3, MakePoints({ { 0.4, 0.4, 0.4 }, { 1.4, 1.3, 1.2 } }));
+  filter->SetInputDataObject(3, place_tools::MakeTargets({ { 0.4, 0.4, 0.4 }, { 1.4, 1.3, 1.2 } }));
   const auto found = UpdateWithoutErrors<vtkPolyData>(filter.Get(), box);
   ASSERT_EQ(found->GetNumberOfPoints(), 2);
   for (vtkIdType i = 0; i < 2; ++i)
@@ -337,7 +303,7 @@ TEST(SubdivisionLimitProbe, SplitCellsAndErrors)
   {
     messages->Errors.clear();
     filter->SetInputDataObject(mesh);
-    filter->SetInputDataObject(3, MakePoints({ target }));
+    filter->SetInputDataObject(3, place_tools::MakeTargets({ target }));
     filter->Update();
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
     ASSERT_FALSE(messages->Errors.empty()) << part;

@@ -18,13 +18,6 @@ namespace subdivision
 namespace
 {
 
-/// The vertex at the other end of the edge by which a walk enters a face.
-template <typename Id>
-Id GetNeighbour(const PolygonMesh<Id>& mesh, const FanStep<Id>& step)
-{
-  return mesh.Vertices[step.Forward ? mesh.Next(step.Corner) : mesh.Previous(step.Corner)];
-}
-
 template <typename Id>
 class LoopScheme : public QuarteringScheme<Id>
 {

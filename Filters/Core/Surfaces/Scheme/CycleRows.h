@@ -15,6 +15,13 @@
 namespace subdivision
 {
 
+/// The vertex at the other end of the edge by which a walk enters a face.
+template <typename Id>
+Id GetNeighbour(const PolygonMesh<Id>& mesh, const FanStep<Id>& step)
+{
+  return mesh.Vertices[step.Forward ? mesh.Next(step.Corner) : mesh.Previous(step.Corner)];
+}
+
 /// Appends the rows of vertices [begin, end). wanted(v): takes a walk around v, which must have one
 /// fan that is a cycle. regular(v, steps, columns) writes the columns of a vertex that has these
 /// weights, or returns false; other(v, steps) then appends its entries. `steps`: those of

@@ -89,13 +89,6 @@ private:
     const std::vector<Id>& ring, RowBlock<Id>& rows) const;
 };
 
-/// The vertex at the other end of the edge by which a walk enters a face.
-template <typename Id>
-Id GetNeighbour(const PolygonMesh<Id>& mesh, const FanStep<Id>& step)
-{
-  return mesh.Vertices[step.Forward ? mesh.Next(step.Corner) : mesh.Previous(step.Corner)];
-}
-
 template <typename Id>
 std::vector<FanStep<Id>> GetCycle(const PolygonMesh<Id>& mesh, Id vertex)
 {
