@@ -301,6 +301,20 @@ INSTANTIATE_TEST_SUITE_P(Schemes, SurfaceLastStep,
     SurfaceSchemeKind::CatmullClark, SurfaceSchemeKind::DooSabin, SurfaceSchemeKind::Midedge,
     SurfaceSchemeKind::FourEight, SurfaceSchemeKind::SqrtThree, SurfaceSchemeKind::Linear));
 
+/// Three faces of an input may be numbered around a vertex as those that a step makes.
+TEST(SurfaceSqrtThree, AnInputVertexHasAllOfItsRing)
+{
+  Model fan;
+  fan.Points = MakeRandomPoints(10, 1);
+  for (const vtkIdType first : { 0, 3, 6, 1, 2, 4, 5, 7, 8 })
+  {
+    fan.Faces.push_back({ first, (first + 1) % 9, 9 });
+  }
+  const Walk walk(fan, SurfaceSchemeKind::SqrtThree);
+  const RowBlock<int> rows = walk.GetRows();
+  EXPECT_EQ(rows.GetEnd(9) - rows.GetBegin(9), 10);
+}
+
 /// In odd steps, and in even ones where no edge is fixed, the row of a smooth vertex is its ring in
 /// the order of its fan.
 TEST(SurfaceSqrtThree, RowsHaveTheRingInTheOrderOfTheFan)

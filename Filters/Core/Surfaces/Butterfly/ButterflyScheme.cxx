@@ -72,13 +72,10 @@ void ButterflyScheme<Id>::Prepare(SurfaceLevel<Id>& level) const
   };
   const vtkIdType firstNew =
     level.VerticesBefore < 0 ? mesh.NumberOfVertices : level.VerticesBefore;
-  // The point of an edge has only smooth edges around it if both halves of its edge are.
+  // The point of an edge has only smooth edges around it if its edge is, of which both halves have
+  // the tag.
   const auto isInside = [&](vtkIdType vertex)
-  {
-    const vtkIdType half = 2 * (vertex - firstNew);
-    return half >= 0 && level.Tags.Edges[half] == EdgeTag::Smooth &&
-      level.Tags.Edges[half + 1] == EdgeTag::Smooth;
-  };
+  { return vertex >= firstNew && level.Tags.Edges[2 * (vertex - firstNew)] == EdgeTag::Smooth; };
   ForEach(mesh.NumberOfVertices,
     [&](vtkIdType v)
     {
