@@ -35,6 +35,16 @@ std::vector<Complex> FindEigenvalues(const Eigen::MatrixXd& matrix)
   return found;
 }
 
+/// Eigen 5 takes as a template argument what 3 takes as an argument.
+Eigen::MatrixXd FindRightSingularVectors(const Eigen::MatrixXd& matrix)
+{
+#if EIGEN_VERSION_AT_LEAST(5, 0, 0)
+  return Eigen::BDCSVD<Eigen::MatrixXd, Eigen::ComputeFullV>(matrix).matrixV();
+#else
+  return Eigen::BDCSVD<Eigen::MatrixXd>(matrix, Eigen::ComputeFullV).matrixV();
+#endif
+}
+
 Eigen::MatrixXd Copy(const double* values, Eigen::Index rows, Eigen::Index columns)
 {
   return Eigen::Map<const RowMajor>(values, rows, columns);
@@ -83,8 +93,7 @@ std::vector<double> LocalMatrix::FindLeading(int count) const
     }
     product = (matrix * matrix - 2. * value.real() * matrix + std::norm(value) * unit) * product;
   }
-  const Eigen::BDCSVD<Eigen::MatrixXd> parts(product, Eigen::ComputeFullV);
-  return Store(parts.matrixV().rightCols(count));
+  return Store(FindRightSingularVectors(product).rightCols(count));
 }
 
 /// With the basis X of the known items, A X = X B there. The others, Y, follow from
