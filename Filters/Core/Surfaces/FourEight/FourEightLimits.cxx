@@ -213,11 +213,11 @@ private:
     const FourEightCurveMask& mask = Recall(this->CurveMasks, k, static_cast<int>(k));
     const double factor = this->Scale(mask.Inside) * wanted.Turn;
     entries.emplace_back(wanted.Vertex, factor * mask.Own);
-    for (const auto& [wedge, end] : { std::make_pair(&this->Star.Wedges.front(), 0),
-           std::make_pair(&this->Star.Wedges.back(), 1) })
+    for (int end = 0; end < 2; ++end)
     {
-      entries.emplace_back(wedge->Ends[end], factor * mask.End);
-      entries.emplace_back(wedge->Ahead[end], factor * mask.Beyond);
+      const auto& wedge = end == 0 ? this->Star.Wedges.front() : this->Star.Wedges.back();
+      entries.emplace_back(wedge.Ends[end], factor * mask.End);
+      entries.emplace_back(wedge.Ahead[end], factor * mask.Beyond);
     }
     this->AddWave(
       mask.Inside, factor, false, [=](double j) { return std::sin(j * angle); }, entries);
