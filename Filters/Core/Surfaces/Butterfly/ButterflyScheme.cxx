@@ -3,6 +3,8 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Butterfly/ButterflyMasks.h"
+#include "Core/Surfaces/Butterfly/ButterflyRegular.h"
+#include "Core/Surfaces/Butterfly/ButterflyRowsOfNext.h"
 #include "Core/Surfaces/Butterfly/ButterflyTangents.h"
 #include "Core/Surfaces/Scheme/PrimalRefinement.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
@@ -15,11 +17,6 @@ namespace subdivision
 {
 namespace
 {
-
-/// The mask of an edge between two vertices of six faces: its ends, and on each side the vertex
-/// opposite and the two beyond.
-constexpr std::array<double, 8> ButterflyEdge{ 1. / 2., 1. / 2., 1. / 8., -1. / 16., -1. / 16.,
-  1. / 8., -1. / 16., -1. / 16. };
 
 /// One end of a smooth edge, and the faces around it.
 template <typename Id>
@@ -45,6 +42,13 @@ public:
   void Prepare(SurfaceLevel<Id>& level) const override;
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
+
+  bool SkipsNext(const SurfaceLevel<Id>&) const override { return true; }
+  void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    AppendButterflyRowsOfNext(level, others, begin, end, rows);
+  }
 
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
@@ -194,7 +198,6 @@ private:
     CollectSharpEdges(this->Mesh, this->Tags, vertex, this->Around);
     return !this->Around.empty();
   }
-  void CollectCycle(Id edge, const EdgeEnd<Id>& end);
   void AppendCurve(Id edge, double factor);
   void AppendRegular(const EdgeEnd<Id>* ends);
   void AppendExtraordinary(Id edge, const EdgeEnd<Id>& end, double factor);
@@ -253,19 +256,6 @@ EdgeEnd<Id> EdgeRows<Id>::FindEnd(Id edge, int which)
     end.CurveSide = this->Tags.Edges[first] == EdgeTag::Smooth;
   }
   return end;
-}
-
-/// Neighbours of an end with faces all around, beginning with the edge's other end.
-template <typename Id>
-void EdgeRows<Id>::CollectCycle(Id edge, const EdgeEnd<Id>& end)
-{
-  this->Around.clear();
-  FanStep<Id> step{ end.Corner, this->Mesh.Edges[end.Corner] == edge };
-  do
-  {
-    this->Around.push_back(
-      this->Mesh.GetOtherEnd(this->Mesh.Edges[step.GetHalfEdgeIn(this->Mesh)], end.Vertex));
-  } while (step.Advance(this->Mesh) && step.Corner != end.Corner);
 }
 
 /// Appends the four-point rule along the curve of an edge vw. Where the curve ends at v, the
@@ -355,23 +345,9 @@ void EdgeRows<Id>::AppendExtraordinary(Id edge, const EdgeEnd<Id>& end, double f
     this->AppendSector(edge, end, factor);
     return;
   }
-  this->CollectCycle(edge, end);
-  const int k = static_cast<int>(this->Around.size());
-  // The weights depend on k only; they are stored for further edges with the same k.
-  thread_local std::vector<double> weights;
-  if (static_cast<int>(weights.size()) != k)
-  {
-    weights.resize(k);
-    for (int j = 0; j < k; ++j)
-    {
-      weights[j] = butterfly::Ring(k, j);
-    }
-  }
-  this->Rows.Add(end.Vertex, factor * butterfly::Centre);
-  for (int j = 0; j < k; ++j)
-  {
-    this->Rows.Add(this->Around[j], factor * weights[j]);
-  }
+  AppendButterflyRing(
+    this->Mesh, edge, end.Vertex, end.Corner, factor,
+    [&](Id around) { return this->Mesh.GetOtherEnd(around, end.Vertex); }, this->Rows);
 }
 
 template <typename Id>

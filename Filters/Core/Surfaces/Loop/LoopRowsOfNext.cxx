@@ -193,30 +193,6 @@ void AppendLoopRowsOfNext(const SurfaceLevel<Id>& level, LoopWeights weights,
     });
 }
 
-template <typename Id>
-void GetLoopParentsOfNext(
-  const PolygonMesh<Id>& mesh, vtkIdType row, std::vector<vtkIdType>& parents)
-{
-  const vtkIdType vertices = mesh.NumberOfVertices;
-  const vtkIdType edges = mesh.GetNumberOfEdges();
-  const vtkIdType half = row - vertices - edges;
-  const vtkIdType inside = half - 2 * edges;
-  if (half < 0)
-  {
-    parents.assign({ row });
-  }
-  else if (inside < 0)
-  {
-    parents.assign({ mesh.EdgeVertices[half], vertices + half / 2 });
-  }
-  else
-  {
-    const vtkIdType before = inside % 3 == 0 ? inside + 2 : inside - 1;
-    parents.assign({ vertices + mesh.Edges[inside], vertices + mesh.Edges[before] });
-  }
-}
-
 SUBDIVISION_COMPILE_FUNCTION(AppendLoopRowsOfNext);
-SUBDIVISION_COMPILE_FUNCTION(GetLoopParentsOfNext);
 
 }

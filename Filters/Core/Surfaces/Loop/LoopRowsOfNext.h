@@ -18,10 +18,6 @@ template <typename Id>
 void AppendLoopRowsOfNext(const SurfaceLevel<Id>& level, LoopWeights weights,
   const IrregularRows<Id>& others, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows);
 
-template <typename Id>
-void GetLoopParentsOfNext(
-  const PolygonMesh<Id>& mesh, vtkIdType row, std::vector<vtkIdType>& parents);
-
 }
 
 #endif

@@ -182,6 +182,11 @@ SurfaceTags<Id> RefineToQuadTags(const SurfaceLevel<Id>& level, const SurfaceTag
 void ListTriangleChildren(const SurfaceSegments& segments, SurfaceSegments& children);
 void ListQuadChildren(const SurfaceSegments& segments, SurfaceSegments& children);
 
+/// SurfaceScheme::GetParentsOfNext, where triangles are split into four.
+template <typename Id>
+void GetParentsOfTrianglesOfNext(
+  const PolygonMesh<Id>& mesh, vtkIdType row, std::vector<vtkIdType>& parents);
+
 /// Base class of the schemes that split each triangle into four, with one new vertex on each edge.
 template <typename Id>
 class QuarteringScheme : public SurfaceScheme<Id>
@@ -220,6 +225,19 @@ public:
   void WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const override
   {
     WriteTriangles(level, ids);
+  }
+  void GetParentsOfNext(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
+  {
+    GetParentsOfTrianglesOfNext(level.Mesh, row, parents);
+  }
+  void WriteFacesOfNext(const SurfaceLevel<Id>& level, int* ids) const override
+  {
+    WriteTrianglesOfNext(level, ids);
+  }
+  void WriteFacesOfNext(const SurfaceLevel<Id>& level, long long* ids) const override
+  {
+    WriteTrianglesOfNext(level, ids);
   }
   SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override

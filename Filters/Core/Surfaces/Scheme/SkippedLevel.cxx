@@ -118,8 +118,10 @@ IrregularRows<Id>::IrregularRows(
   own.Faces = { { Kinds::Face, 1, {} } };
   own.Corners = { { Kinds::Face, level.Mesh.Arity, {} } };
   SurfaceSegments next;
+  scheme.Prepare(this->Patch.Level);
   scheme.ListChildren(this->Patch.Level, own, next);
-  const SurfaceLevel<Id> nextLevel = scheme.Refine(this->Patch.Level, Depth::ForLastStep);
+  SurfaceLevel<Id> nextLevel = scheme.Refine(this->Patch.Level, Depth::ForLastStep);
+  scheme.Prepare(nextLevel);
   scheme.ListChildren(nextLevel, next, this->Children);
   const BlockOperator<Id> rows(nextLevel.Mesh.NumberOfVertices, scheme.GetNumberOfRows(nextLevel),
     [&](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)

@@ -77,7 +77,10 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   for (int step = 0; step < steps && isRight(step) && !(stop && stop(0.5 * step / steps)); ++step)
   {
     SurfaceLevel<Id>& level = this->Levels.back();
-    this->Scheme->Prepare(level);
+    if (!this->SkipsLevel)
+    {
+      this->Scheme->Prepare(level);
+    }
     if (!lastIsWhole && step + 2 == steps && this->Scheme->SkipsNext(level))
     {
       this->Irregular = FindIrregularVertices(level);
@@ -167,6 +170,7 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
   if (this->SkipsLevel && IsSharpAfter(sharpness, steps - 1))
   {
     this->Levels[steps - 1] = this->Scheme->Refine(this->Levels[steps - 2], Depth::ForLastStep);
+    this->Scheme->Prepare(this->Levels[steps - 1]);
     this->SkipsLevel = false;
   }
   for (int step = 0; step < steps && IsSharpAfter(sharpness, step); ++step)
