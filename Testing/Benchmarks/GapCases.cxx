@@ -14,6 +14,7 @@
 #include "vtkSubdivisionLabelSolid.h"
 #include "vtkSubdivisionLimitProbe.h"
 #include "vtkSubdivisionModelSource.h"
+#include "vtkSubdivisionSmoothness.h"
 #include "vtkSurfaceSubdivision.h"
 
 #include <utility>
@@ -114,6 +115,9 @@ void AddMain(std::vector<GapCase>& cases)
   add("kept", coarse, 3, plain, MovePoints);
   add("kept, fine input", fine, 1, plain, MovePoints);
   add("kept, limits", coarse, 3, [](Main* filter) { filter->ProjectToLimitOn(); }, MovePoints);
+  const MakeInput few = [](double scale) { return MakeSolid(20, scale); };
+  add("Bezier cells", few, 1, [](Main* filter) { filter->SetOutputCellsToBezier(); });
+  add("error bounds", few, 0, [](Main* filter) { filter->GenerateErrorBoundsOn(); });
   const Configure<Main> interfaces = [](Main* filter) { filter->PreserveInterfacesOn(); };
   const Configure<Main> jumps = [](Main* filter)
   {
@@ -241,6 +245,12 @@ void AddSurfaces(std::vector<GapCase>& cases)
     add(", limits, normals", coarse, scheme.Levels, limits);
     add(", fine input, limits, normals", fine, scheme.LevelsOfFine, limits);
     add(", kept", fine, scheme.LevelsOfFine, limits, MovePoints);
+    if (scheme.Kind == Surface::LOOP || scheme.Kind == Surface::CATMULL_CLARK)
+    {
+      const MakeInput few = [=](double scale) { return MakeSurface(scheme.OfTriangles, 1, scale); };
+      add(", Bezier cells", few, 1, [](Surface* filter) { filter->SetOutputCellsToBezier(); });
+      add(", error bounds", few, 0, [](Surface* filter) { filter->GenerateErrorBoundsOn(); });
+    }
   }
   cases.push_back(MakeCase<Surface>(
     "surface, blocks", [](double scale) { return MakeBlocks(MakeSurface(true, 2, scale)); },
@@ -417,6 +427,20 @@ void AddOthers(std::vector<GapCase>& cases)
   };
   probe("solid", [](double scale) { return MakeSolid(20, scale); }, 9);
   probe("surface", [](double scale) { return MakeSurface(true, 2, scale); }, 30);
+  const auto smoothness = [&](const std::string& name, const MakeInput& input, int scheme)
+  {
+    cases.push_back(MakeCase<vtkSubdivisionSmoothness>("smoothness, " + name, input,
+      [=](vtkSubdivisionSmoothness* filter) { filter->SetScheme(scheme); }));
+  };
+  smoothness(
+    "box spline", [](double scale) { return MakeSolid(30, scale); },
+    vtkSubdivisionSmoothness::BOX_SPLINE);
+  smoothness(
+    "tet/oct", [](double scale) { return MakeSolid(20, scale); },
+    vtkSubdivisionSmoothness::TET_OCT);
+  smoothness(
+    "Loop", [](double scale) { return MakeSurface(true, 2, scale); },
+    vtkSubdivisionSmoothness::LOOP);
   cases.push_back(MakeCase<vtkSimplicialComplexTopology>(
     "topology", [](double scale) { return MakeSolid(94, scale); },
     [](vtkSimplicialComplexTopology*) {}));

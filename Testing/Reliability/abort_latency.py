@@ -18,8 +18,8 @@ from vtkmodules.vtkCommonCore import VTK_INT
 
 from subdivisionobjects import (
     vtkAdaptiveSurfaceSubdivision, vtkMultiDimensionalSubdivision, vtkRedGreenRefinement, vtkSimplicialComplexTopology,
-    vtkSubdivisionDeformation, vtkSubdivisionLabelSolid, vtkSubdivisionModelSource, vtkSubdivisionSmoothness,
-    vtkSurfaceSubdivision)
+    vtkSubdivisionDeformation, vtkSubdivisionLabelSolid, vtkSubdivisionLimitProbe, vtkSubdivisionModelSource,
+    vtkSubdivisionSmoothness, vtkSurfaceSubdivision)
 
 
 def subdivided(levels, surface=False):
@@ -51,14 +51,20 @@ def make_labels():
 
 
 def list_cases():
-    """Filters with their inputs."""
+    """Filters with their inputs, each of which takes seconds."""
     solids = subdivided(1)
+    fine = subdivided(2)
     surface = subdivided(1, True)
 
-    def uniform():
+    def uniform(levels, configure=lambda made: None):
         made = vtkMultiDimensionalSubdivision()
-        made.SetNumberOfLevels(2)
-        return made, [solids]
+        made.SetNumberOfLevels(levels)
+        configure(made)
+        return made
+
+    def limits(made):
+        made.ProjectToLimitOn()
+        made.GenerateLimitNormalsOn()
 
     def red_green():
         made = vtkRedGreenRefinement()
@@ -69,27 +75,32 @@ def list_cases():
 
     def surfaces():
         made = vtkSurfaceSubdivision()
-        made.SetNumberOfLevels(4)
+        made.SetNumberOfLevels(5)
         return made, [surface]
 
     def adaptive():
         made = vtkAdaptiveSurfaceSubdivision()
         made.RefineByAttributeErrorOff()
         made.RefineByEdgeLengthOn()
-        made.SetMaximumEdgeLength(surface.GetLength() / 150.)
+        made.SetMaximumEdgeLength(surface.GetLength() / 250.)
         return made, [surface]
 
-    def deformation():
-        made = vtkSubdivisionDeformation()
-        return made, [subdivided(2), solids, solids]
+    def probe():
+        made = vtkSubdivisionLimitProbe()
+        made.SetInputDataObject(3, surface)
+        return made, [surface]
 
     return {
-        "Multi-dimensional Subdivision": uniform,
+        "Multi-dimensional Subdivision": lambda: (uniform(3), [fine]),
+        "the same with limits and normals": lambda: (uniform(2, limits), [fine]),
+        "the same with Bezier cells": lambda: (uniform(1, lambda made: made.SetOutputCellsToBezier()), [solids]),
+        "the same with error bounds": lambda: (uniform(0, lambda made: made.GenerateErrorBoundsOn()), [solids]),
         "Red-Green Refinement": red_green,
         "Surface Subdivision": surfaces,
         "Adaptive Surface Subdivision": adaptive,
-        "Subdivision Deformation": deformation,
-        "Simplicial Complex Topology": lambda: (vtkSimplicialComplexTopology(), [subdivided(2)]),
+        "Subdivision Deformation": lambda: (vtkSubdivisionDeformation(), [fine, solids, solids]),
+        "Subdivision Limit Probe": probe,
+        "Simplicial Complex Topology": lambda: (vtkSimplicialComplexTopology(), [subdivided(3)]),
         "Subdivision Smoothness": lambda: (vtkSubdivisionSmoothness(), [solids]),
         "Subdivision Label Solid": lambda: (vtkSubdivisionLabelSolid(), [make_labels()]),
     }

@@ -21,6 +21,7 @@
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSphere.h"
 #include "vtkSubdivisionCageSource.h"
+#include "vtkSubdivisionLimitProbe.h"
 #include "vtkSubdivisionSmoothness.h"
 
 #include <algorithm>
@@ -365,6 +366,24 @@ TEST(Aborted, OtherWorkOnSolids)
   }
 }
 
+TEST(Aborted, FurtherLevelsOfSolids)
+{
+  const Grid box = MakeKuhnBox(1, 0.1);
+  AddArrays(box);
+  for (const bool isBezier : { false, true })
+  {
+    CheckStops(isBezier ? "Bezier cells" : "error bounds", { box },
+      [isBezier]
+      {
+        auto filter = vtkSmartPointer<Filter>::New();
+        filter->SetNumberOfLevels(0);
+        filter->SetOutputCells(isBezier);
+        filter->SetGenerateErrorBounds(!isBezier);
+        return filter;
+      });
+  }
+}
+
 TEST(Aborted, FiltersWithoutSubdivision)
 {
   const Grid box = MakeKuhnBox(4, 0.1);
@@ -402,6 +421,36 @@ TEST(Aborted, FiltersOfSurfaces)
       });
   }
   CheckAllInputs<vtkAdaptiveSurfaceSubdivision>("adaptive", sheet, other);
+  for (const bool isBezier : { false, true })
+  {
+    CheckStops(isBezier ? "Bezier cells" : "error bounds", { sheet },
+      [isBezier]
+      {
+        auto filter = vtkSmartPointer<vtkSurfaceSubdivision>::New();
+        filter->SetOutputCells(isBezier);
+        filter->SetGenerateErrorBounds(!isBezier);
+        return filter;
+      });
+  }
+}
+
+TEST(Aborted, Probe)
+{
+  const Grid box = MakeKuhnBox(1, 0.1);
+  const Grid places = deformation_tools::MakeCloud(5, { 0.2, 0.2, 0.2 }, { 0.8, 0.8, 0.8 }, 1);
+  for (const bool ofSurface : { false, true })
+  {
+    const Object input = ofSurface ? Object(surfacetools::MakeInput(surfacetools::MakeSheet(
+                                       3, 3, true, { 1., 0., 0. }, { 0., 1., 0.5 })))
+                                   : Object(box);
+    CheckStops(ofSurface ? "probe of a surface" : "probe of solids", { input },
+      [&places]
+      {
+        auto filter = vtkSmartPointer<vtkSubdivisionLimitProbe>::New();
+        filter->SetInputDataObject(3, places);
+        return filter;
+      });
+  }
 }
 
 TEST(Aborted, Deformation)
