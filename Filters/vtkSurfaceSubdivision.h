@@ -174,7 +174,8 @@ public:
   vtkTypeMacro(vtkSurfaceSubdivision, vtkMarkedSubdivisionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The output; null if it has Bezier cells (OutputCells).
+  /// The output; null if it has Bezier cells (OutputCells). Then GetOutputDataObject(0) has it, a
+  /// vtkUnstructuredGrid.
   vtkPolyData* GetOutput() { return this->GetPolyDataOutput(); }
 
   enum Schemes
