@@ -407,9 +407,17 @@ public:
    *
    * Values are exact but for rounding, 1e-12 of the size of the mesh and less. So are
    * derivatives of curves and surfaces where a regular part is, however small; the error grows with
-   * the number of that part's splits, to 1e-7 at extraordinary vertices and irregular creases. In
-   * solids by TET_OCT it is 1e-6.
-   * Second derivatives need a place that is not too near to these. Returns false after an error.
+   * the number of that part's splits: 2^-k of a cell from an extraordinary vertex it is 1e-14 +
+   * 1e-15 * 2^k of the size of the mesh. In solids it is 1e-7, by TET_OCT 1e-6. Second derivatives
+   * need a place that is not too near to irregular vertices and creases.
+   *
+   * AT an extraordinary vertex the limit has no derivatives by these parameters: they tend to 0
+   * with three to five triangles, and to infinity with seven and more. What the arrays have there
+   * is the slope over a part of 2^-24 of the cell. Its length means nothing, and its direction
+   * comes near the tangent plane only (the normal is wrong by 1e-7 with seven triangles, by 1e-3
+   * with twelve, by 1e-4 with four, and altogether with three). GenerateLimitNormals has exact
+   * normals there, and vtkSurfaceSubdivision::EvaluateLimit exact tangent planes. Returns false
+   * after an error.
    */
   bool EvaluateLimit(vtkIdTypeArray* cells, vtkDataArray* parameters, vtkPolyData* result);
 

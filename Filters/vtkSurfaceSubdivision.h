@@ -174,7 +174,8 @@ public:
   vtkTypeMacro(vtkSurfaceSubdivision, vtkMarkedSubdivisionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The output; null if it has Bezier cells (OutputCells).
+  /// The output; null if it has Bezier cells (OutputCells). Then GetOutputDataObject(0) has it, a
+  /// vtkUnstructuredGrid.
   vtkPolyData* GetOutput() { return this->GetPolyDataOutput(); }
 
   enum Schemes
@@ -419,12 +420,12 @@ public:
    * Values are exact but for rounding, 1e-12 of the size of the mesh and less, also near
    * extraordinary vertices, curves and creases; a sharpness above 52 counts as 52. So are
    * derivatives, relative to those of the part of the cell around the place that is regular. At an
-   * extraordinary vertex itself derivatives may be 0 or infinite: there the first ones are those of
-   * a small part, in the tangent plane, with about the directions of the two edges, and the second
-   * ones are 0. A cell takes a few local steps if not all is regular around it, and a place 2^-k
-   * from an extraordinary vertex k of them; memory per thread is quadratic in the number of points
-   * around a cell. With JoinSeams points and derivatives follow the joined mesh.
-   * Returns false after an error.
+   * extraordinary vertex itself they tend to 0 or to infinity: there the first ones are those of a
+   * part of 2^-26, turned into the tangent plane, with about the directions of the two edges. This
+   * plane and LimitNormals are exact, the lengths mean nothing. The second ones are 0. A cell takes
+   * a few local steps if not all is regular around it, and a place 2^-k from an extraordinary
+   * vertex k of them; memory per thread is quadratic in the number of points around a cell. With
+   * JoinSeams points and derivatives follow the joined mesh. Returns false after an error.
    */
   bool EvaluateLimit(vtkIdTypeArray* cells, vtkDataArray* parameters, vtkPolyData* result);
 

@@ -106,7 +106,8 @@ bool UniformRun::ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<
       this->Options.Fail("Place " + std::to_string(i) + " is in cell " + std::to_string(cell) +
         (cell < 0 || cell >= cells
             ? ": the input has no such cell."
-            : ", which is no vertex, line, triangle or tetrahedron, or was left out."));
+            : ", which is no vertex, line, triangle or tetrahedron, or was left out. For quads and "
+              "other polygons use the Surface Subdivision with CatmullClark."));
       return false;
     }
     LimitPlace<Id> place;

@@ -7,8 +7,10 @@
 #include "SurfacePlaceTools.h"
 
 #include "vtkIdList.h"
+#include "vtkMultiDimensionalSubdivision.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace surfacetools;
 
@@ -245,5 +247,46 @@ TEST(SurfacePlaceDerivatives, NormalsAtExtraordinaryVertices)
       }
       EXPECT_LT(GetDistance(GetPoint(result, 0), GetPoint(limit, 0)), 1e-14);
     }
+  }
+}
+
+/// Beside an extraordinary vertex, 2^-k of a face away, the main filter has the derivatives of this
+/// one, with an error that doubles with k. At the vertex it comes near the tangent plane only.
+TEST(SurfacePlaceDerivatives, MainFilterNearExtraordinaryVertices)
+{
+  // With three triangles nothing is left of the slopes at the vertex in double precision.
+  const std::map<int, double> errorsOfNormals = { { 3, 2. }, { 4, 1e-4 }, { 5, 1e-6 }, { 7, 1e-6 },
+    { 12, 2e-3 } };
+  for (const auto& [n, errorOfNormal] : errorsOfNormals)
+  {
+    const auto input = MakeInput(MakeStar(n, true));
+    Places places;
+    places.Add(0, { 0., 0., 0. });
+    for (int k = 1; k <= 22; ++k)
+    {
+      places.Add(0, { std::ldexp(1., -k), std::ldexp(1., -k - 1), 0. });
+    }
+    const auto expected = Evaluate(input, Filter::LOOP, places);
+    vtkNew<vtkMultiDimensionalSubdivision> filter;
+    filter->SetInputData(input);
+    const auto result = Evaluate(filter.Get(), places);
+    for (vtkIdType k = 0; k < places.GetSize(); ++k)
+    {
+      SCOPED_TRACE(testing::Message() << "valence " << n << ", place " << k);
+      EXPECT_LT(GetDistance(GetPoint(result, k), GetPoint(expected, k)), 1e-14);
+      for (const char* name : { "DerivativeU", "DerivativeV" })
+      {
+        if (k > 0)
+        {
+          EXPECT_LT(GetDistance(GetTuple(result, name, k), GetTuple(expected, name, k)),
+            (1e-14 + std::ldexp(1e-15, static_cast<int>(k))) * input->GetLength())
+            << name;
+        }
+      }
+    }
+    EXPECT_LT(
+      GetDistance(GetTuple(result, "LimitNormals", 0), GetTuple(expected, "LimitNormals", 0)),
+      errorOfNormal)
+      << n;
   }
 }

@@ -446,6 +446,9 @@ TEST(EvaluateLimit, Errors)
     ++hexahedron;
   }
   fails(hexahedron, { 0.2, 0.2, 0.2 }, "no vertex, line, triangle or tetrahedron");
+  filter->SetInputData(MakeGrid({ { 0., 0., 0. }, { 1., 0., 0. }, { 1., 1., 0. }, { 0., 1., 0. } },
+    { { VTK_QUAD, { 0, 1, 2, 3 } } }));
+  fails(0, { 0.2, 0.2, 0. }, "Surface Subdivision with CatmullClark");
   const Grid tet = MakeGrid({ { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1., 0. }, { 0., 0., 1. } },
     { { VTK_TETRA, { 0, 1, 2, 3 } } });
   filter->SetInputData(tet);
