@@ -10,12 +10,12 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 RINGS = 3
 
 
-def straight(made, k, angle, closed):
+def straight(made, k, angle, closed, rings=RINGS):
     """The same triangles, with rings that are straight inside each of k sectors: midpoints lie on them again."""
     points = coordinates(made)
     points[:] = 0
     at = 1
-    for r in range(1, RINGS + 1):
+    for r in range(1, rings + 1):
         for i in range(k * r + (0 if closed else 1)):
             s, j = divmod(i, r)
             t = np.array([s, s + 1]) * angle / k
