@@ -26,20 +26,6 @@ void ForFaces(
   }
 }
 
-/// Calls act(column) for the columns of a row of the product of some factors.
-template <typename Act>
-void ForColumns(const Sectors::Step& step, std::size_t factors, vtkIdType row, const Act& act)
-{
-  const MatrixFactors::Matrix& factor = *step[factors - 1];
-  for (vtkIdType e = factor.Offsets[row]; e < factor.Offsets[row + 1]; ++e)
-  {
-    if (factor.Weights[e] != 0.)
-    {
-      factors == 1 ? act(factor.Columns[e]) : ForColumns(step, factors - 1, factor.Columns[e], act);
-    }
-  }
-}
-
 }
 
 Sectors::Sectors(const NestedPieces& pieces, const Step& last)
@@ -140,8 +126,8 @@ void Sectors::FindInfluences(const Step& last)
     const Row<vtkIdType> places = this->PlacesOfPoints[point];
     if (places.size() > 1 || (places.size() == 1 && !this->IsInside(*places.begin())))
     {
-      ForColumns(
-        last, last.size(), point, [&](vtkIdType column) { this->AddInfluences(point, column); });
+      ForColumns(last, last.size(), point, 1.,
+        [&](vtkIdType column, double) { this->AddInfluences(point, column); });
     }
   }
   for (std::vector<vtkIdType>& influences : InTurn(this->Influences))

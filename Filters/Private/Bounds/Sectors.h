@@ -33,6 +33,8 @@ public:
   template <typename Whole, typename Rest>
   void ForSector(vtkIdType cell, int point, const Whole& whole, const Rest& rest) const;
   vtkIdType GetCell(vtkIdType place) const { return this->CellsOfPlaces[place]; }
+  /// The places that are a point.
+  Row<vtkIdType> GetPlaces(vtkIdType point) const { return this->PlacesOfPoints[point]; }
   /// Whether the sector at a place of a cell has tetrahedra.
   bool HasTets(vtkIdType cell, int point) const
   {
@@ -78,6 +80,23 @@ private:
   std::vector<vtkIdType> FirstSectors;
   std::vector<Sector> Found;
 };
+
+/// Calls act(column, weight) for the columns of a row of the product of some factors.
+template <typename Act>
+void ForColumns(
+  const Sectors::Step& step, std::size_t factors, vtkIdType row, double weight, const Act& act)
+{
+  const MatrixFactors::Matrix& factor = *step[factors - 1];
+  for (vtkIdType e = factor.Offsets[row]; e < factor.Offsets[row + 1]; ++e)
+  {
+    if (factor.Weights[e] != 0.)
+    {
+      const double product = weight * factor.Weights[e];
+      factors == 1 ? act(factor.Columns[e], product)
+                   : ForColumns(step, factors - 1, factor.Columns[e], product, act);
+    }
+  }
+}
 
 template <typename Whole, typename Rest>
 void Sectors::ForSector(vtkIdType cell, int point, const Whole& whole, const Rest& rest) const
