@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Bounds/DeeperBounds.h"
 
+#include "Core/Memory/UnevenRanges.h"
 #include "Private/Bounds/VectorRanges.h"
 
 #include <algorithm>
@@ -157,7 +158,7 @@ void Tightener::Look(
 void AddSamples(const NestedPieces& pieces, const BoundedValues& values,
   const Buffer<double>& limits, std::vector<CellBound>& bounds)
 {
-  ForRanges(pieces.GetNumberOfCells(),
+  ForUnevenRanges(pieces.GetNumberOfCells(),
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<double> difference(static_cast<std::size_t>(values.Components));

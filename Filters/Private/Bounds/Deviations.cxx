@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Bounds/Deviations.h"
 
+#include "Core/Memory/UnevenRanges.h"
 #include "Private/Bounds/VectorRanges.h"
 
 #include <algorithm>
@@ -68,13 +69,16 @@ VectorRanges Spread(const NestedPieces& pieces, const Sectors& sectors, int comp
 {
   const auto forPlaces = [&pieces](const auto& act) // act(cell, point, place)
   {
-    ForEach(pieces.GetNumberOfCells(),
-      [&](vtkIdType c)
+    ForUnevenRanges(pieces.GetNumberOfCells(),
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const vtkIdType first = pieces.GetFirstPlace(c);
-        for (vtkIdType place = first; place < pieces.GetFirstPlace(c + 1); ++place)
+        for (vtkIdType c = begin; c < end; ++c)
         {
-          act(c, static_cast<int>(place - first), place);
+          const vtkIdType first = pieces.GetFirstPlace(c);
+          for (vtkIdType place = first; place < pieces.GetFirstPlace(c + 1); ++place)
+          {
+            act(c, static_cast<int>(place - first), place);
+          }
         }
       });
   };
@@ -89,34 +93,61 @@ VectorRanges Spread(const NestedPieces& pieces, const Sectors& sectors, int comp
         }
       });
   };
-  const auto ignore = [](vtkIdType) {};
   VectorRanges inCells(pieces.GetNumberOfPlaces(), components);
   spreadInCells(inCells, [&](vtkIdType place) { return ofPoints.Get(pieces.GetPoint(place)); });
   VectorRanges near(pieces.GetNumberOfPlaces(), components);
-  forPlaces(
-    [&](vtkIdType c, int point, vtkIdType place)
+  // Extends by what the sector at each place has. Places at one point with one sector have the
+  // same: where there are many, it is found once.
+  const auto spreadInSectors = [&](const auto& whole, const auto& rest)
+  {
+    constexpr vtkIdType many = 64;
+    const auto spreadTo = [&](vtkIdType c, int point, vtkIdType place)
     {
       sectors.ForSector(
-        c, point, [&](vtkIdType other) { near.Extend(place, inCells.Get(other)); },
-        [&](vtkIdType other) { near.Extend(place, ofPoints.Get(pieces.GetPoint(other))); });
-    });
-  if (isWide || pieces.HasTets())
-  {
-    spreadInCells(inCells, [&](vtkIdType place) { return near.Get(place); });
+        c, point, [&](vtkIdType other) { whole(place, other); },
+        [&](vtkIdType other) { rest(place, other); });
+    };
     forPlaces(
       [&](vtkIdType c, int point, vtkIdType place)
       {
-        sectors.ForSector(
-          c, point,
-          [&](vtkIdType other)
-          {
-            if (isWide || pieces.GetDimension(sectors.GetCell(other)) == 3)
-            {
-              near.Extend(place, inCells.Get(other));
-            }
-          },
-          ignore);
+        if (sectors.GetPlaces(pieces.GetPoint(place)).size() < many)
+        {
+          spreadTo(c, point, place);
+        }
       });
+    const auto spreadToAll = [&](vtkIdType place, const std::vector<vtkIdType>& others)
+    {
+      const vtkIdType c = sectors.GetCell(place);
+      spreadTo(c, static_cast<int>(place - pieces.GetFirstPlace(c)), place);
+      for (const vtkIdType other : others)
+      {
+        near.Extend(other, near.Get(place));
+      }
+    };
+    for (const vtkIdType at : InTurn(pieces.GetNumberOfPoints(NestedPieces::Steps)))
+    {
+      if (sectors.GetPlaces(at).size() >= many)
+      {
+        BetweenLoops::Act();
+        sectors.ForGroups(at, spreadToAll);
+      }
+    }
+  };
+  spreadInSectors([&](vtkIdType place, vtkIdType other) { near.Extend(place, inCells.Get(other)); },
+    [&](vtkIdType place, vtkIdType other)
+    { near.Extend(place, ofPoints.Get(pieces.GetPoint(other))); });
+  if (isWide || pieces.HasTets())
+  {
+    spreadInCells(inCells, [&](vtkIdType place) { return near.Get(place); });
+    spreadInSectors(
+      [&](vtkIdType place, vtkIdType other)
+      {
+        if (isWide || pieces.GetDimension(sectors.GetCell(other)) == 3)
+        {
+          near.Extend(place, inCells.Get(other));
+        }
+      },
+      [](vtkIdType, vtkIdType) {});
   }
   return near;
 }
@@ -361,7 +392,7 @@ std::vector<CellBound> FindBounds(
              : MakeRanges(pieces, components, kinks),
     hasQuads);
   std::vector<CellBound> bounds(static_cast<std::size_t>(cells));
-  ForRanges(cells,
+  ForUnevenRanges(cells,
     [&](vtkIdType begin, vtkIdType end)
     {
       CellBounds find(pieces, sectors, values, linear, steps, tail);

@@ -296,6 +296,24 @@ TEST(ErrorBounds, AreNearTheTruthOnRandomComplexes)
   EXPECT_LE(found.Ratios.back(), 3.);
 }
 
+/// Where many cells have a point, what the limit depends on there is found for all of them at once.
+TEST(ErrorBounds, OfAWheelAreTheSameAllAround)
+{
+  const Configure bounds = [](Filter* filter) { filter->GenerateErrorBoundsOn(); };
+  for (const int n : { 20, 200 })
+  {
+    const Grid wheel = Execute(MakeFan(n), 0, bounds);
+    vtkDataArray* of = wheel->GetCellData()->GetArray("ErrorBound");
+    ASSERT_NE(of, nullptr);
+    const double first = of->GetComponent(0, 0);
+    EXPECT_GT(first, 0.01);
+    for (vtkIdType c = 0; c < n; ++c)
+    {
+      EXPECT_NEAR(of->GetComponent(c, 0), first, 1e-9) << "triangle " << c << " of " << n;
+    }
+  }
+}
+
 TEST(ErrorBounds, OfTheLinearSchemeAreRounding)
 {
   Tightness found;
