@@ -43,8 +43,10 @@
  * Surfaces: a regular mesh around one vertex with as many faces stands for the real one, and the
  * map is looked at by all faces of two further levels (SQRT_THREE and FOUR_EIGHT: two steps)
  * between the first ring and its image by a step: faces keep their orientation (regular), and the
- * first ring goes around once (injective), or less than once at a curve. Solids: by all tetrahedra
- * of the next level between the ones that touch the vertex and three times as far: they have one
+ * first ring goes around once (injective), or less than once at a curve. In DOO_SABIN and MIDEDGE
+ * the face that is examined lies in the middle, and the ring is that of the vertices an edge away
+ * from its corners; a step (MIDEDGE: two) takes it to the corners. Solids: by all tetrahedra of the
+ * next level between the ones that touch the vertex and three times as far: they have one
  * orientation (regular), and those at the vertex go around it once (injective). Points between are
  * not looked at. Nothing is sampled where a condition fails, at joints, and at vertices with
  * octahedra.
@@ -99,7 +101,7 @@
  * Time grows with the third power of a vertex's number of neighbours.
  * So vertices of 600 and more neighbours are not examined, maps are sampled where up to 200
  * tetrahedra touch a vertex, edges have up to 100 tetrahedra, and stars of surfaces up to 99
- * triangles or 39 quads.
+ * triangles or 39 quads; in DOO_SABIN and MIDEDGE faces have up to 59 corners (39 for MapOfCell).
  *
  * @par Threads and ghosts
  * Threaded by vtkSMPTools inside solids; the output is the same, bit for bit, for any number of

@@ -281,8 +281,9 @@ public:
    * values. Point arrays: `SmoothingDistance`, how far a point of the input is away from its limit,
    * and `ASmoothingDistance` for values; -1 at all other points. All vtkDoubleArray with one
    * component. The bounds hold for the points and values of the output, whether they are projected
-   * to the limit or not, but for rounding in double precision, and are 1 to 3 times the truth
-   * (Mathematics 14); more where the truth is much smaller than next to the cell.
+   * to the limit or not, but for rounding in double precision. They are at most 3 times the truth
+   * in all that was tried, unless the truth is rounding, or less than 1/640 of what is first found
+   * (1/160000 in lines): Mathematics 14.
    *
    * They are read off a mesh of 3 more levels, 64 times as many faces, which counts for
    * MaximumNumberOfCells and memory. For LOOP, CATMULL_CLARK and LINEAR. With a warning the filter

@@ -7,10 +7,10 @@ from contractions import contractivity
 from pages import Page, Row, Table, number, yes
 from surface_maps import Local
 from surface_matrices import FOUR_EIGHT, SQRT_THREE, is_smooth, quad_matrix, triangle_matrix
-from surface_tools import (CATMULL_CLARK, LOOP, coordinates, faces_of, fan, point_array, quad_star, run, spectrum, wheel,
-                           with_identity)
+from surface_tools import (CATMULL_CLARK, LOOP, add, coordinates, faces_of, fan, mesh, point_array, quad_star, run, spectrum,
+                           wheel)
 
-from subdivisionobjects import vtkSurfaceSubdivision
+from subdivisionobjects import vtkSubdivisionSmoothness, vtkSurfaceSubdivision
 
 BUTTERFLY = vtkSurfaceSubdivision.MODIFIED_BUTTERFLY
 QUICK = {1, 2, 3, 4, 5, 6, 7, 8, 13, 50}
@@ -142,19 +142,36 @@ def dual_matrix(scheme, k, steps):
 
     first = run(quad_star(k, 2 * np.pi, True, 3), scheme, 2)
     here = middle(first)
-    second = run(with_identity(first), scheme, steps)
-    rows = point_array(second, "e")[middle(second)][:, here]
+    columns = np.zeros((first.GetNumberOfPoints(), k))
+    columns[here, np.arange(k)] = 1
+    add(first.GetPointData(), "e", columns)
+    second = run(first, scheme, steps)
+    rows = point_array(second, "e")[middle(second)]
     np.testing.assert_allclose(rows.sum(axis=1), 1, atol=1e-12)
     order = rows.argmax(axis=0)  # each new corner reads its own old one most
     assert sorted(order) == list(range(k))
     return rows[order]
 
 
-def dual(scheme, k, steps, expected):
+def dual_map(scheme, k):
+    """What vtkSubdivisionSmoothness says of the characteristic map at a face of k corners."""
+    turns = 2 * np.pi * np.arange(k) / k
+    probe = vtkSubdivisionSmoothness()
+    probe.SetInputData(mesh(np.stack([np.cos(turns), np.sin(turns), 0 * turns], axis=1), [list(range(k))]))
+    probe.SetScheme(scheme)
+    probe.Update()
+    cells = probe.GetOutput().GetCellData()
+    face = probe.GetOutput().GetNumberOfCells() - 1
+    regular, injective, count = (int(cells.GetArray(name).GetComponent(face, 0))
+                                 for name in ("Regular", "Injective", "Samples"))
+    return ["-", "-", "-"] if regular < 0 else [yes(regular), yes(injective), str(count)]
+
+
+def dual(scheme, smoothness, k, steps, expected):
     values = spectrum(dual_matrix(scheme, k, steps))
     around = max((values + [0.] * 4)[3], 1 / 4)  # the faces around have second derivatives, which steps quarter
     return [number(value) for value in (values + [0.] * 4)[1:4]] + [
-        number(expected(k)), yes(is_interior(values[:3] + [around]))]
+        number(expected(k)), yes(is_interior(values[:3] + [around]))] + dual_map(smoothness, k)
 
 
 DIFFERENCES = """Why sqrt(3) is C^2 on regular meshes, by the appendix of [K]. *S* is what steps do to the points up to some
@@ -165,7 +182,7 @@ four do: [K] prints 0.78. The spectral radius, for two steps, is below what any 
 AROUND = """The matrix is that of the corners of one face. Second derivatives around it have 1/4, whatever *k* is; the
 condition takes the larger of this and l3."""
 OTHERS = """Schemes whose steps turn the mesh (sqrt(3), 4-8), where eigenvalues are those of **two** steps, and dual
-schemes (Doo-Sabin, midedge), where what repeats is a face. Characteristic maps were not sampled here. The
+schemes (Doo-Sabin, midedge), where what repeats is a face. Of the latter characteristic maps are sampled, too. The
 numbers are read off what the filter makes: see [how](README.md)."""
 
 
@@ -198,11 +215,12 @@ def make_pages():
               ["k", "l1", "l2", "l3", "condition"],
               [Row(str(k), lambda k=k: four_eight_boundary(k), k in QUICK) for k in range(2, 13)]),
         Table("Doo-Sabin", "One step, faces of *k* corners; the weights give l1 = l2 = 1/2 and l3 = 1/4. " + AROUND,
-              ["k", "l1", "l2", "l3", "closed form", "condition (23)"],
-              [Row(str(k), lambda k=k: dual(vtkSurfaceSubdivision.DOO_SABIN, k, 1, lambda _: 1 / 2)) for k in rows]),
+              ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
+              [Row(str(k), lambda k=k: dual(vtkSurfaceSubdivision.DOO_SABIN, vtkSubdivisionSmoothness.DOO_SABIN, k, 1,
+                                            lambda _: 1 / 2), k in QUICK) for k in range(3, 51)]),
         Table("Midedge", "Two steps, faces of *k* corners; l1 is cos^2(pi/k). At *k* = 3 it is no larger than 1/4, "
               "and the condition fails. " + AROUND,
-              ["k", "l1", "l2", "l3", "closed form", "condition (23)"],
-              [Row(str(k), lambda k=k: dual(vtkSurfaceSubdivision.MIDEDGE, k, 2, lambda k: np.cos(np.pi / k) ** 2))
-               for k in rows])])
+              ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
+              [Row(str(k), lambda k=k: dual(vtkSurfaceSubdivision.MIDEDGE, vtkSubdivisionSmoothness.MIDEDGE, k, 2,
+                                            lambda k: np.cos(np.pi / k) ** 2), k in QUICK) for k in range(3, 51)])])
     return [loop, catmull_clark, butterfly, others]

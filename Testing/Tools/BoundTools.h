@@ -8,7 +8,10 @@
 
 #include "FeatureTools.h"
 
+#include "Core/Operators/MatrixFactors.h"
+
 #include "vtkPolyData.h"
+#include "vtkSubdivisionOperator.h"
 #include "vtkSurfaceSubdivision.h"
 
 namespace bound_tools
@@ -53,6 +56,31 @@ Bounded<FilterClass> MakeBounded(vtkDataObject* input, int levels, int steps,
   return bounded;
 }
 
+/// The last factors of the operator of a filter.
+template <typename FilterClass>
+std::vector<subdivision::MatrixFactors::Matrix> GetLastFactors(FilterClass* filter, int count)
+{
+  vtkNew<vtkSubdivisionOperator> operation;
+  EXPECT_TRUE(filter->ComputeOperator(operation));
+  std::vector<subdivision::MatrixFactors::Matrix> factors(static_cast<std::size_t>(count));
+  for (int f = 0; f < count; ++f)
+  {
+    vtkNew<vtkIdTypeArray> offsets;
+    vtkNew<vtkIdTypeArray> ids;
+    vtkNew<vtkDoubleArray> weights;
+    operation->GetFactor(operation->GetNumberOfFactors() - count + f, offsets, ids, weights);
+    const auto copy = [](auto* array, auto& buffer)
+    {
+      buffer = std::decay_t<decltype(buffer)>(array->GetNumberOfValues());
+      std::copy(array->GetPointer(0), array->GetPointer(0) + buffer.size(), buffer.data());
+    };
+    copy(offsets.Get(), factors[f].Offsets);
+    copy(ids.Get(), factors[f].Columns);
+    copy(weights.Get(), factors[f].Weights);
+  }
+  return factors;
+}
+
 /// How far bounds are from what was found.
 struct Tightness
 {
@@ -63,7 +91,7 @@ struct Tightness
 };
 
 /// Expects that bounds hold at all points of the fine mesh, for points and arrays; the ratios are
-/// those of the points.
+/// those of all of them.
 void ExpectBounds(
   vtkPointSet* coarse, vtkPointSet* fine, int steps, Tightness& tightness, double rounding = 1e-12);
 

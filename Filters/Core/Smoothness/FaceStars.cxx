@@ -4,6 +4,7 @@
 #include "Core/Memory/Loops.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Smoothness/LocalMatrix.h"
+#include "Core/Smoothness/MapSamples.h"
 #include "Core/Smoothness/SurfaceStarLevels.h"
 
 #include <algorithm>
@@ -11,13 +12,14 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace subdivision
 {
 namespace
 {
 
-using Place = std::array<double, 2>;
+using Place = MapPlace;
 using Matrix = SurfaceStarLevels::Matrix;
 
 /// The face in the middle of a level of a dual scheme, around which all is symmetric.
@@ -89,9 +91,11 @@ std::vector<int> Walk(const PolygonMesh<int>& mesh, int corner, int distance)
 class FaceStar
 {
 public:
-  /// `periods`: that are made after the second level.
-  FaceStar(const SurfaceStar& star, int periods)
+  /// `periods`: that are made after the second level. `distance`: how many edges away from the face
+  /// in the middle the faces are whose corners belong to the map.
+  FaceStar(const SurfaceStar& star, int periods, int distance)
     : Star(star)
+    , Distance(distance)
     , Repeats(GetPeriod(star.Scheme))
     , Last(Here + Repeats.Steps * periods)
     , Mesh(star.Faces, 2. * Pi, true)
@@ -104,43 +108,33 @@ public:
     }
   }
 
-  SmoothnessFacts Examine() const
+  SmoothnessFacts Examine(bool samples) const
   {
     SmoothnessFacts facts;
-    facts.Valence = this->Star.Faces;
-    LocalMatrix matrix;
     std::vector<int> order;
-    if (!this->MakeMatrix(matrix, order))
+    this->FindEigenvalues(facts, order);
+    if (samples && facts.Condition == Answer::Yes)
     {
-      return facts;
+      const std::vector<Place> map = this->FindMap(order[0]);
+      if (!map.empty())
+      {
+        this->Sample(map, facts);
+      }
     }
-    std::vector<double> moduli = matrix.FindModuli();
-    facts.SetEigenvalues(moduli);
-    moduli.resize(std::max<std::size_t>(moduli.size(), 4), 0.);
-    moduli[3] = std::max(moduli[3], 1. / 4.);
-    facts.Condition = HoldsInside(moduli, 2);
     return facts;
   }
 
   StarMap MakeMap() const
   {
     StarMap map;
-    map.Facts = this->Examine();
-    LocalMatrix ofCorners;
     std::vector<int> order;
-    if (map.Facts.Condition != Answer::Yes || !this->MakeMatrix(ofCorners, order))
-    {
-      return map;
-    }
-    LocalMatrix matrix;
-    std::vector<int> vertices;
-    const std::vector<double> basis = this->MakeMatrixAround(order[0], matrix, vertices)
-      ? matrix.FindLeading(2)
-      : std::vector<double>();
-    if (!basis.empty())
+    this->FindEigenvalues(map.Facts, order);
+    const std::vector<Place> points =
+      map.Facts.Condition == Answer::Yes ? this->FindMap(order[0]) : std::vector<Place>();
+    if (!points.empty())
     {
       const SmoothnessFacts facts = map.Facts;
-      map = this->MakeMap(vertices, basis);
+      map = this->MakeMap(points);
       map.Facts = facts;
     }
     return map;
@@ -148,8 +142,6 @@ public:
 
 private:
   static constexpr int Here = 2; ///< the level whose face in the middle is examined
-  /// What depends on no vertex farther away, and has such that later levels are known around.
-  static constexpr int Distance = 4;
 
   std::vector<Place> Apply(int step, const std::vector<Place>& points) const
   {
@@ -169,6 +161,21 @@ private:
   int FindMiddleOf(int level) const
   {
     return FindMiddle(this->Made.Get(level).Mesh, this->Points[level]);
+  }
+
+  void FindEigenvalues(SmoothnessFacts& facts, std::vector<int>& order) const
+  {
+    facts.Valence = this->Star.Faces;
+    LocalMatrix matrix;
+    if (!this->MakeMatrix(matrix, order))
+    {
+      return;
+    }
+    std::vector<double> moduli = matrix.FindModuli();
+    facts.SetEigenvalues(moduli);
+    moduli.resize(std::max<std::size_t>(moduli.size(), 4), 0.);
+    moduli[3] = std::max(moduli[3], 1. / 4.);
+    facts.Condition = HoldsInside(moduli, 2);
   }
 
   /// Of the corners of the face. `order`: for each of its new corners the old one in its place,
@@ -213,8 +220,9 @@ private:
     const int later = Here + this->Repeats.Steps;
     const PolygonMesh<int>& before = this->Made.Get(Here).Mesh;
     const PolygonMesh<int>& after = this->Made.Get(later).Mesh;
-    vertices = Walk(before, before.GetFirst(this->FindMiddleOf(Here)) + first, Distance);
-    const std::vector<int> made = Walk(after, after.GetFirst(this->FindMiddleOf(later)), Distance);
+    vertices = Walk(before, before.GetFirst(this->FindMiddleOf(Here)) + first, this->Distance);
+    const std::vector<int> made =
+      Walk(after, after.GetFirst(this->FindMiddleOf(later)), this->Distance);
     const auto size = static_cast<int>(vertices.size());
     if (size > LocalMatrix::MostItems || made.size() != vertices.size())
     {
@@ -243,20 +251,106 @@ private:
     return isClosed;
   }
 
-  StarMap MakeMap(const std::vector<int>& vertices, const std::vector<double>& basis) const
+  /// Where the map takes the vertices of the last level; what is not known is not a number. Empty
+  /// if there is none. `first` as in MakeMatrixAround.
+  std::vector<Place> FindMap(int first) const
   {
+    LocalMatrix matrix;
+    std::vector<int> vertices;
+    const std::vector<double> basis = this->MakeMatrixAround(first, matrix, vertices)
+      ? matrix.FindLeading(2)
+      : std::vector<double>();
+    if (basis.empty())
+    {
+      return {};
+    }
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     std::vector<Place> map(this->Points[Here].size(), Place{ { unknown, unknown } });
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
       map[vertices[i]] = { { basis[2 * i], basis[2 * i + 1] } };
     }
-    double edge = 1.;
     for (int step = Here; step < this->Last; ++step)
     {
       map = this->Apply(step, map);
-      edge /= (step - Here) % this->Repeats.Steps == 0 ? this->Repeats.Factor : 1.;
     }
+    return map;
+  }
+
+  /// The length of an edge of the last level.
+  double GetEdge() const
+  {
+    double edge = 1.;
+    for (int step = Here; step < this->Last; step += this->Repeats.Steps)
+    {
+      edge /= this->Repeats.Factor;
+    }
+    return edge;
+  }
+
+  static Place FindCentre(const std::vector<Place>& map, const std::vector<int>& corners)
+  {
+    Place middle{ { 0., 0. } };
+    for (const int corner : corners)
+    {
+      for (int c = 0; c < 2; ++c)
+      {
+        middle[c] += map[corner][c] / static_cast<double>(corners.size());
+      }
+    }
+    return middle;
+  }
+
+  /// `map` as FindMap makes it.
+  void Sample(std::vector<Place> map, SmoothnessFacts& facts) const
+  {
+    const PolygonMesh<int>& mesh = this->Made.Get(this->Last).Mesh;
+    const std::vector<int> corners = GetCorners(mesh, this->FindMiddleOf(this->Last));
+    const double edge = this->GetEdge();
+    const std::vector<double> rings = this->FindRings(corners, edge);
+    const auto isNear = [&](int vertex, double least, double most)
+    {
+      const double away = rings[vertex] + edge / 2.;
+      return away > least - 1e-6 && away < most + 1e-6;
+    };
+    std::vector<std::array<int, 3>> triangles;
+    for (const int face : InTurn(static_cast<int>(mesh.NumberOfFaces)))
+    {
+      const std::vector<int> ids = GetCorners(mesh, face);
+      if (std::any_of(ids.begin(), ids.end(), [&](int v) { return isNear(v, 1., 2.); }))
+      {
+        for (std::size_t k = 0; k < ids.size(); ++k)
+        {
+          triangles.push_back({ { ids[k], ids[(k + 1) % ids.size()], ids[(k + 2) % ids.size()] } });
+        }
+      }
+    }
+    std::vector<std::pair<double, int>> ring;
+    const std::vector<Place>& places = this->Points.back();
+    for (int v = 0; v < static_cast<int>(places.size()); ++v)
+    {
+      if (isNear(v, 2., 2.))
+      {
+        ring.emplace_back(std::atan2(places[v][1], places[v][0]), v);
+      }
+    }
+    std::sort(ring.begin(), ring.end());
+    std::vector<int> sorted;
+    for (const auto& [turn, vertex] : ring)
+    {
+      sorted.push_back(vertex);
+    }
+    const Place middle = FindCentre(map, corners);
+    for (Place& place : map)
+    {
+      place = { { place[0] - middle[0], place[1] - middle[1] } };
+    }
+    SetSamples(map, triangles, sorted, false, facts);
+  }
+
+  StarMap MakeMap(const std::vector<Place>& map) const
+  {
+    const double edge = this->GetEdge();
     const PolygonMesh<int>& mesh = this->Made.Get(this->Last).Mesh;
     const std::vector<int> corners = GetCorners(mesh, this->FindMiddleOf(this->Last));
     std::vector<StarMap::Point> points;
@@ -265,18 +359,10 @@ private:
       points.push_back({ { place[0], place[1], 0. } });
     }
     // Two more, of no cell: the middle, and that of an edge.
-    StarMap::Point middle{ { 0., 0., 0. } };
-    StarMap::Point ofEdge{ { 0., 0., 0. } };
-    for (std::size_t k = 0; k < corners.size(); ++k)
-    {
-      for (int c = 0; c < 2; ++c)
-      {
-        middle[c] += map[corners[k]][c] / static_cast<double>(corners.size());
-        ofEdge[c] += k < 2 ? map[corners[k]][c] / 2. : 0.;
-      }
-    }
-    points.push_back(middle);
-    points.push_back(ofEdge);
+    const Place middle = FindCentre(map, corners);
+    const Place ofEdge = FindCentre(map, { corners[0], corners[1] });
+    points.push_back({ { middle[0], middle[1], 0. } });
+    points.push_back({ { ofEdge[0], ofEdge[1], 0. } });
     std::vector<double> rings = this->FindRings(corners, edge);
     rings.push_back(0.);
     rings.push_back(edge / 2.);
@@ -328,6 +414,7 @@ private:
   }
 
   const SurfaceStar Star;
+  const int Distance;
   const Period Repeats;
   const int Last; ///< level
   const StarMesh Mesh;
@@ -337,14 +424,14 @@ private:
 
 }
 
-SmoothnessFacts ExamineFace(const SurfaceStar& star)
+SmoothnessFacts ExamineFace(const SurfaceStar& star, bool samples)
 {
-  return FaceStar(star, 1).Examine();
+  return FaceStar(star, samples ? 2 : 1, SampledDistance).Examine(samples);
 }
 
 StarMap MapFace(const SurfaceStar& star, int levels)
 {
-  return FaceStar(star, std::max(1, levels)).MakeMap();
+  return FaceStar(star, std::max(1, levels), MappedDistance).MakeMap();
 }
 
 }

@@ -5,14 +5,15 @@
 #include "Core/Rules/Pi.h"
 #include "Core/Smoothness/FaceStars.h"
 #include "Core/Smoothness/LocalMatrix.h"
+#include "Core/Smoothness/MapSamples.h"
 #include "Core/Smoothness/SurfaceStarLevels.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace subdivision
 {
@@ -20,7 +21,7 @@ namespace
 {
 
 using Kind = SurfaceStar::Kind;
-using Place = std::array<double, 2>;
+using Place = MapPlace;
 using Matrix = SurfaceStarLevels::Matrix;
 
 std::array<long long, 2> Round(const Place& place, double factor)
@@ -140,7 +141,7 @@ private:
       double area = 0.;
       for (int i = 2; i < mesh.GetSize(face); ++i)
       {
-        area += FindArea(places, { corners[0], corners[i - 1], corners[i] }) / 2.;
+        area += FindTriangleArea(places, { { corners[0], corners[i - 1], corners[i] } }) / 2.;
       }
       maker.AddCell(corners, mesh.GetSize(face), area);
     }
@@ -210,16 +211,16 @@ private:
       }
     }
     const double outer = 1. / this->Repeats.Factor;
-    const bool isRegular = this->KeepsOrientation(map, outer, facts.Samples);
-    facts.Regular = isRegular ? Answer::Yes : Answer::No;
-    facts.Injective = isRegular && this->GoesOnce(map, outer) ? Answer::Yes : Answer::No;
+    SetSamples(
+      map, this->ListTriangles(outer), this->ListRing(outer), !this->Star.IsAround(), facts);
   }
 
-  bool KeepsOrientation(const std::vector<Place>& map, double outer, int& samples) const
+  /// Three corners in a row of each face between the first ring and its image by a step.
+  std::vector<std::array<int, 3>> ListTriangles(double outer) const
   {
     const PolygonMesh<int>& mesh = this->Made.Get(this->Last).Mesh;
     const std::vector<Place>& places = this->Places.back();
-    int positive = 0;
+    std::vector<std::array<int, 3>> triangles;
     for (const int corner : InTurn(static_cast<int>(mesh.GetNumberOfCorners())))
     {
       const int face = mesh.GetFace(corner);
@@ -237,58 +238,37 @@ private:
       }
       if (isBetween)
       {
-        const int ids[3] = { mesh.Vertices[corner], mesh.Vertices[mesh.Next(corner)],
-          mesh.Vertices[mesh.Next(mesh.Next(corner))] };
-        positive += FindArea(map, ids) * FindArea(places, ids) > 0. ? 1 : -1;
-        ++samples;
+        std::array<int, 3> ids{ { mesh.Vertices[corner], mesh.Vertices[mesh.Next(corner)],
+          mesh.Vertices[mesh.Next(mesh.Next(corner))] } };
+        if (FindTriangleArea(places, ids) < 0.)
+        {
+          std::swap(ids[0], ids[1]);
+        }
+        triangles.push_back(ids);
       }
     }
-    // A map that turns the plane over is as good.
-    return samples > 0 && std::abs(positive) == samples;
+    return triangles;
   }
 
-  /// Twice the signed area of a triangle.
-  static double FindArea(const std::vector<Place>& at, const int (&ids)[3])
+  /// The vertices of a ring, in the order in which they lie around the middle.
+  std::vector<int> ListRing(double distance) const
   {
-    const Place& a = at[ids[0]];
-    const Place& b = at[ids[1]];
-    const Place& c = at[ids[2]];
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-  }
-
-  /// Whether the image of the first ring turns in one direction and goes around once, or at a curve
-  /// less than once.
-  bool GoesOnce(const std::vector<Place>& map, double outer) const
-  {
-    std::vector<std::pair<double, int>> ring;
-    for (std::size_t v = 0; v < map.size(); ++v)
+    std::vector<std::pair<double, int>> found;
+    for (std::size_t v = 0; v < this->Places.back().size(); ++v)
     {
       const Place& place = this->Places.back()[v];
-      if (std::abs(this->Mesh.Measure(place) - outer) < 1e-6)
+      if (std::abs(this->Mesh.Measure(place) - distance) < 1e-6)
       {
-        ring.emplace_back(this->Mesh.FindTurn(place), static_cast<int>(v));
+        found.emplace_back(this->Mesh.FindTurn(place), static_cast<int>(v));
       }
     }
-    std::sort(ring.begin(), ring.end());
-    const bool isInside = this->Star.IsAround();
-    if (isInside)
+    std::sort(found.begin(), found.end());
+    std::vector<int> ring;
+    for (const auto& [turn, vertex] : found)
     {
-      ring.push_back(ring.front());
+      ring.push_back(vertex);
     }
-    double sum = 0.;
-    int positive = 0;
-    for (std::size_t i = 0; i + 1 < ring.size(); ++i)
-    {
-      const Place& a = map[ring[i].second];
-      const Place& b = map[ring[i + 1].second];
-      const double turn =
-        std::arg(std::complex<double>(b[0], b[1]) / std::complex<double>(a[0], a[1]));
-      sum += turn;
-      positive += turn > 0. ? 1 : -1;
-    }
-    const bool isOneWay = std::abs(positive) == static_cast<int>(ring.size()) - 1;
-    return isOneWay &&
-      (isInside ? std::abs(std::abs(sum) - 2. * Pi) < 1e-6 : std::abs(sum) < 2. * Pi);
+    return ring;
   }
 
   const SurfaceStar Star;
@@ -326,37 +306,42 @@ bool HasCentres(SurfaceSchemeKind scheme)
   return scheme == SurfaceSchemeKind::CatmullClark || scheme == SurfaceSchemeKind::FourEight;
 }
 
-bool CanExamine(const SurfaceStar& star)
+bool CanExamine(const SurfaceStar& star, int itemsOfFace)
 {
-  const int itemsOfFace = GetRegularFaces(star.Scheme) == 4 ? 15 : 6; // three rings
   return star.Faces >= (star.IsAround() ? 3 : 1) &&
     star.Faces < LocalMatrix::MostItems / itemsOfFace;
 }
 
+int CountItemsOfFace(SurfaceSchemeKind scheme)
+{
+  return GetRegularFaces(scheme) == 4 ? 15 : 6; // three rings
+}
+
 StarMap MapSurface(const SurfaceStar& star, int levels)
 {
-  if (!CanExamine(star))
-  {
-    return {};
-  }
   if (IsDual(star.Scheme))
   {
-    return star.Where == Kind::Closed ? MapFace(star, levels) : StarMap();
+    return star.Where == Kind::Closed && CanExamine(star, CountAroundCorner(MappedDistance))
+      ? MapFace(star, levels)
+      : StarMap();
   }
-  return VertexStar(star, levels).MakeMap();
+  return CanExamine(star, CountItemsOfFace(star.Scheme)) ? VertexStar(star, levels).MakeMap()
+                                                         : StarMap();
 }
 
 SmoothnessFacts ExamineSurface(const SurfaceStar& star, bool samples)
 {
-  const bool isPossible = CanExamine(star);
-  if (isPossible && !IsDual(star.Scheme))
+  if (IsDual(star.Scheme))
+  {
+    if (star.Where == Kind::Closed && CanExamine(star, CountAroundCorner(SampledDistance)))
+    {
+      return ExamineFace(star, samples);
+    }
+  }
+  else if (CanExamine(star, CountItemsOfFace(star.Scheme)))
   {
     constexpr int further = 2; // sqrt(3), 4-8: one
     return VertexStar(star, GetPeriod(star.Scheme).Steps == 1 ? further : 1).Examine(samples);
-  }
-  if (isPossible && star.Where == Kind::Closed)
-  {
-    return ExamineFace(star);
   }
   SmoothnessFacts facts;
   facts.Valence = star.Faces;

@@ -66,7 +66,7 @@ bool HasCentres(SurfaceSchemeKind scheme);
  * is taken further until edges have a quarter of the length (a ninth for sqrt(3)). It is regular if
  * all triangles (three corners in a row of each face) that lie between the first ring and its image
  * by a step keep their orientation; it is injective too if the first ring goes around once, or at
- * a curve less than once.
+ * a curve less than once. FaceStars.h says what is looked at in dual schemes.
  */
 SmoothnessFacts ExamineSurface(const SurfaceStar& star, bool samples);
 

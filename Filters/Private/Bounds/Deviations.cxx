@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Bounds/Deviations.h"
 
+#include "Core/Memory/UnevenRanges.h"
 #include "Private/Bounds/VectorRanges.h"
 
 #include <algorithm>
@@ -44,19 +45,20 @@ Buffer<double> MakeMiddles(
 
 /// By how much a step moves the points away from linear values; 0 where no cell has a point.
 Buffer<double> FindMoves(const NestedPieces& pieces, int step, int components,
-  Buffer<double>&& stepped, const Buffer<double>& middles)
+  const Buffer<double>& stepped, const Buffer<double>& middles)
 {
   const vtkIdType before = pieces.GetNumberOfPoints(step - 1);
+  Buffer<double> moves(stepped.size());
   ForEach(pieces.GetNumberOfPoints(step),
     [&](vtkIdType i)
     {
       const bool isUsed = i < before || pieces.GetParents(step, i)[0] >= 0;
       for (vtkIdType k = components * i; k < components * (i + 1); ++k)
       {
-        stepped[k] = isUsed ? stepped[k] - middles[k] : 0.;
+        moves[k] = isUsed ? stepped[k] - middles[k] : 0.;
       }
     });
-  return std::move(stepped);
+  return moves;
 }
 
 /// For each place of a cell the vectors of the points on which the limit next to it depends: those
@@ -67,13 +69,16 @@ VectorRanges Spread(const NestedPieces& pieces, const Sectors& sectors, int comp
 {
   const auto forPlaces = [&pieces](const auto& act) // act(cell, point, place)
   {
-    ForEach(pieces.GetNumberOfCells(),
-      [&](vtkIdType c)
+    ForUnevenRanges(pieces.GetNumberOfCells(),
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const vtkIdType first = pieces.GetFirstPlace(c);
-        for (vtkIdType place = first; place < pieces.GetFirstPlace(c + 1); ++place)
+        for (vtkIdType c = begin; c < end; ++c)
         {
-          act(c, static_cast<int>(place - first), place);
+          const vtkIdType first = pieces.GetFirstPlace(c);
+          for (vtkIdType place = first; place < pieces.GetFirstPlace(c + 1); ++place)
+          {
+            act(c, static_cast<int>(place - first), place);
+          }
         }
       });
   };
@@ -88,34 +93,61 @@ VectorRanges Spread(const NestedPieces& pieces, const Sectors& sectors, int comp
         }
       });
   };
-  const auto ignore = [](vtkIdType) {};
   VectorRanges inCells(pieces.GetNumberOfPlaces(), components);
   spreadInCells(inCells, [&](vtkIdType place) { return ofPoints.Get(pieces.GetPoint(place)); });
   VectorRanges near(pieces.GetNumberOfPlaces(), components);
-  forPlaces(
-    [&](vtkIdType c, int point, vtkIdType place)
+  // Extends by what the sector at each place has. Places at one point with one sector have the
+  // same: where there are many, it is found once.
+  const auto spreadInSectors = [&](const auto& whole, const auto& rest)
+  {
+    constexpr vtkIdType many = 64;
+    const auto spreadTo = [&](vtkIdType c, int point, vtkIdType place)
     {
       sectors.ForSector(
-        c, point, [&](vtkIdType other) { near.Extend(place, inCells.Get(other)); },
-        [&](vtkIdType other) { near.Extend(place, ofPoints.Get(pieces.GetPoint(other))); });
-    });
-  if (isWide || pieces.HasTets())
-  {
-    spreadInCells(inCells, [&](vtkIdType place) { return near.Get(place); });
+        c, point, [&](vtkIdType other) { whole(place, other); },
+        [&](vtkIdType other) { rest(place, other); });
+    };
     forPlaces(
       [&](vtkIdType c, int point, vtkIdType place)
       {
-        sectors.ForSector(
-          c, point,
-          [&](vtkIdType other)
-          {
-            if (isWide || pieces.GetDimension(sectors.GetCell(other)) == 3)
-            {
-              near.Extend(place, inCells.Get(other));
-            }
-          },
-          ignore);
+        if (sectors.GetPlaces(pieces.GetPoint(place)).size() < many)
+        {
+          spreadTo(c, point, place);
+        }
       });
+    const auto spreadToAll = [&](vtkIdType place, const std::vector<vtkIdType>& others)
+    {
+      const vtkIdType c = sectors.GetCell(place);
+      spreadTo(c, static_cast<int>(place - pieces.GetFirstPlace(c)), place);
+      for (const vtkIdType other : others)
+      {
+        near.Extend(other, near.Get(place));
+      }
+    };
+    for (const vtkIdType at : InTurn(pieces.GetNumberOfPoints(NestedPieces::Steps)))
+    {
+      if (sectors.GetPlaces(at).size() >= many)
+      {
+        BetweenLoops::Act();
+        sectors.ForGroups(at, spreadToAll);
+      }
+    }
+  };
+  spreadInSectors([&](vtkIdType place, vtkIdType other) { near.Extend(place, inCells.Get(other)); },
+    [&](vtkIdType place, vtkIdType other)
+    { near.Extend(place, ofPoints.Get(pieces.GetPoint(other))); });
+  if (isWide || pieces.HasTets())
+  {
+    spreadInCells(inCells, [&](vtkIdType place) { return near.Get(place); });
+    spreadInSectors(
+      [&](vtkIdType place, vtkIdType other)
+      {
+        if (isWide || pieces.GetDimension(sectors.GetCell(other)) == 3)
+        {
+          near.Extend(place, inCells.Get(other));
+        }
+      },
+      [](vtkIdType, vtkIdType) {});
   }
   return near;
 }
@@ -219,7 +251,7 @@ public:
   {
   }
 
-  double Find(vtkIdType cell)
+  CellBound Find(vtkIdType cell)
   {
     const NestedPieces::Lattice& lattice = this->Pieces.GetLattice(cell);
     this->Differences.resize(this->Values.Components * lattice.Points.size());
@@ -228,12 +260,22 @@ public:
       this->FindDifference(
         cell, static_cast<int>(i), this->Differences.data() + this->Values.Components * i);
     }
-    double bound = 0.;
+    CellBound bound;
+    this->OfPieces.clear();
     for (int piece = 0; piece < lattice.GetNumberOfPieces(); ++piece)
     {
-      bound = std::max(bound, this->FindOfPiece(cell, piece));
+      this->OfPieces.push_back(this->FindOfPiece(cell, piece) + this->Values.Rounding);
+      bound.Largest = std::max(bound.Largest, this->OfPieces.back());
     }
-    return bound + this->Values.Rounding;
+    for (int point = 0; point < static_cast<int>(lattice.Points.size()); ++point)
+    {
+      bound.Least = std::max(bound.Least, this->FindLeast(cell, point) - this->Values.Rounding);
+    }
+    if (!IsNear(bound.Largest, bound.Least, this->Values.Rounding))
+    {
+      bound.OfPieces = this->OfPieces;
+    }
+    return bound;
   }
 
 private:
@@ -242,7 +284,6 @@ private:
     const NestedPieces::Lattice& lattice = this->Pieces.GetLattice(cell);
     this->OfSteps.Clear();
     this->OfTail.Clear();
-    bool hasTets = false;
     for (int k = 0; k < lattice.Corners; ++k)
     {
       const int point = lattice.Pieces[lattice.Corners * piece + k];
@@ -251,32 +292,57 @@ private:
       this->OfTail.Add(this->Tail.Get(place));
       std::copy_n(this->Differences.data() + this->Values.Components * point,
         this->Values.Components, this->OfPiece.data() + this->Values.Components * k);
-      hasTets = hasTets || this->AllSectors.HasTets(cell, point);
     }
     this->OfTail.AddZero();
-    // Rows of vertices in faces between solids, which step 3 does not have, may make a little more
-    // of the kink there than rows of edges.
-    const double further = hasTets ? 0.25 * this->OfTail.GetNorm() : 0.;
+    double further = 0.;
+    for (int k = 0; k < lattice.Corners; ++k)
+    {
+      const int point = lattice.Pieces[lattice.Corners * piece + k];
+      further = std::max(further, this->GetFurther(cell, point));
+    }
     return BoundPiece(this->Values.Components, this->OfPiece.data(), lattice.Corners, this->OfSteps,
       this->OfTail, further);
+  }
+
+  /// What the limit is away at a point at least: |x + a + b| as in BoundPiece, of this point.
+  double FindLeast(vtkIdType cell, int point)
+  {
+    const int components = this->Values.Components;
+    const vtkIdType place = this->Pieces.GetFirstPlace(cell) + point;
+    this->OfSteps.Clear();
+    this->OfTail.Clear();
+    this->OfSteps.Add(this->Steps.Get(place));
+    this->OfTail.Add(this->Tail.Get(place));
+    this->OfTail.AddZero();
+    const double* x = this->Differences.data() + components * point;
+    double squares = 0.;
+    for (int c = 0; c < components; ++c)
+    {
+      const double least = x[c] + this->OfSteps.GetLeast(c) + this->OfTail.GetLeast(c);
+      const double largest = x[c] + this->OfSteps.GetLargest(c) + this->OfTail.GetLargest(c);
+      const double nearest = least > 0. ? least : largest < 0. ? -largest : 0.;
+      squares += nearest * nearest;
+    }
+    const double byNorms =
+      GetNorm(x, components) - this->OfSteps.GetNorm() - this->OfTail.GetNorm();
+    const double least = std::max(std::sqrt(squares), std::isfinite(byNorms) ? byNorms : 0.);
+    return least - this->GetFurther(cell, point);
+  }
+
+  /// Rows of vertices in faces between solids, which step 3 does not have, may make a little more
+  /// of the kink there than rows of edges.
+  double GetFurther(vtkIdType cell, int point) const
+  {
+    return this->AllSectors.HasTets(cell, point) ? 0.25 * this->OfTail.GetNorm() : 0.;
   }
 
   /// Of linear values from those of the output.
   void FindDifference(vtkIdType cell, int point, double* difference) const
   {
-    const NestedPieces::Weights& weights = this->Pieces.GetLattice(cell).Points[point];
     const vtkIdType id = this->Pieces.GetPoint(this->Pieces.GetFirstPlace(cell) + point);
     const int components = this->Values.Components;
-    for (int c = 0; c < components; ++c)
-    {
-      double shown = 0.;
-      for (int corner = 0; corner < this->Pieces.GetNumberOfCorners(cell); ++corner)
-      {
-        shown += weights[corner] *
-          this->Values.Shown[components * this->Pieces.GetCorner(cell, corner) + c];
-      }
-      difference[c] = this->Linear[components * id + c] - shown;
-    }
+    std::copy_n(this->Linear.data() + components * id, components, difference);
+    AddShown(this->Pieces, this->Values, cell, point, -1., difference);
   }
 
   const NestedPieces& Pieces;
@@ -289,29 +355,44 @@ private:
   VectorRange OfTail;
   std::vector<double> Differences; ///< at all points of the cell
   std::vector<double> OfPiece;
+  std::vector<double> OfPieces;
 };
 
 }
 
-void FindBounds(
-  const NestedPieces& pieces, const Sectors& sectors, const BoundedValues& values, double* bounds)
+void AddShown(const NestedPieces& pieces, const BoundedValues& values, vtkIdType cell, int point,
+  double factor, double* value)
+{
+  const NestedPieces::Weights& weights = pieces.GetLattice(cell).Points[point];
+  for (int c = 0; c < values.Components; ++c)
+  {
+    double shown = 0.;
+    for (int corner = 0; corner < pieces.GetNumberOfCorners(cell); ++corner)
+    {
+      shown +=
+        weights[corner] * values.Shown[values.Components * pieces.GetCorner(cell, corner) + c];
+    }
+    value[c] += factor * shown;
+  }
+}
+
+std::vector<CellBound> FindBounds(
+  const NestedPieces& pieces, const Sectors& sectors, const BoundedValues& values, vtkIdType cells)
 {
   const int components = values.Components;
   const Buffer<double> middles = MakeMiddles(pieces, 2, components, values.Next);
   const Buffer<double> linear = MakeMiddles(pieces, 3, components, middles);
-  const Buffer<double> kinks = FindMoves(pieces, 3, components, values.Step(3, middles), linear);
-  Buffer<double> stepped = values.Step(2, values.Next);
+  const Buffer<double> kinks = FindMoves(pieces, 3, components, values.LastStep(middles), linear);
   const VectorRanges steps = Spread(pieces, sectors, components,
-    MakeRanges(
-      pieces, components, FindMoves(pieces, 3, components, values.Step(3, stepped), linear)),
-    false);
+    MakeRanges(pieces, components, FindMoves(pieces, 3, components, values.Third, linear)), false);
   const bool hasQuads = pieces.HasQuads(); // then both halves of an edge count
   const VectorRanges tail = Spread(pieces, sectors, components,
     hasQuads ? FindTailOfQuads(pieces, components,
-                 FindMoves(pieces, 2, components, std::move(stepped), middles), kinks)
+                 FindMoves(pieces, 2, components, values.Second, middles), kinks)
              : MakeRanges(pieces, components, kinks),
     hasQuads);
-  ForRanges(pieces.GetNumberOfCells(),
+  std::vector<CellBound> bounds(static_cast<std::size_t>(cells));
+  ForUnevenRanges(cells,
     [&](vtkIdType begin, vtkIdType end)
     {
       CellBounds find(pieces, sectors, values, linear, steps, tail);
@@ -320,6 +401,7 @@ void FindBounds(
         bounds[cell] = find.Find(cell);
       }
     });
+  return bounds;
 }
 
 }

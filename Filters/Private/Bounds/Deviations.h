@@ -12,24 +12,51 @@
 #include "Private/Bounds/Sectors.h"
 
 #include <functional>
+#include <limits>
+#include <vector>
 
 namespace subdivision
 {
 
-/// Values of one array at the points of an output, and after one further step.
+/// Values of one array at the points of cells, and after further steps.
 struct BoundedValues
 {
   int Components;
-  const double* Shown;        ///< of the output
-  const Buffer<double>& Next; ///< control values after one step
-  /// Applies step 2 or 3.
-  std::function<Buffer<double>(int step, const Buffer<double>& values)> Step;
+  const double* Shown;          ///< at the corners of cells
+  const Buffer<double>& Next;   ///< control values after one step
+  const Buffer<double>& Second; ///< after two
+  const Buffer<double>& Third;  ///< after three
+  /// Applies step 3.
+  std::function<Buffer<double>(const Buffer<double>& values)> LastStep;
   double Rounding; ///< what all bounds are increased by
 };
 
-/// Sets the bound of each cell; infinity where values are not finite.
-void FindBounds(
-  const NestedPieces& pieces, const Sectors& sectors, const BoundedValues& values, double* bounds);
+/// What is known of the largest distance of a cell.
+struct CellBound
+{
+  double Least = 0.;            ///< it is not smaller; 0: nothing is known
+  double Largest = 0.;          ///< nor larger; infinity where values are not finite
+  std::vector<double> OfPieces; ///< Largest of each of its pieces, where asked for
+};
+
+/// How many times the least a bound may be. What a reader is promised is a little more
+/// (Mathematics 14).
+constexpr double NearBound = 2.5;
+
+/// Whether a bound is near enough, or only what numbers are rounded by, or of no numbers.
+inline bool IsNear(double bound, double least, double rounding)
+{
+  return bound <= NearBound * least || bound <= 16. * rounding ||
+    !(bound < std::numeric_limits<double>::infinity());
+}
+
+/// Finds the bounds of cells [0, cells), with those of pieces where the cell's is not near.
+std::vector<CellBound> FindBounds(
+  const NestedPieces& pieces, const Sectors& sectors, const BoundedValues& values, vtkIdType cells);
+
+/// What a cell shows at one of its points: adds the weights of its corners to `value`.
+void AddShown(const NestedPieces& pieces, const BoundedValues& values, vtkIdType cell, int point,
+  double factor, double* value);
 
 }
 

@@ -2,6 +2,7 @@
 #include "Private/Bounds/ErrorBounds.h"
 
 #include "Private/Arrays/Arrays.h"
+#include "Private/Bounds/DeeperBounds.h"
 #include "Private/Bounds/Deviations.h"
 #include "Private/Bounds/NestedPieces.h"
 #include "Private/Bounds/Sectors.h"
@@ -63,6 +64,20 @@ vtkSmartPointer<vtkDoubleArray> MakeResult(const std::string& name, vtkIdType si
   return result;
 }
 
+Buffer<double> ApplyOperation(const MatrixFactors& factors,
+  const MatrixFactors::Operation& operation, const Buffer<double>& values, int components)
+{
+  Buffer<double> result;
+  for (std::size_t f = operation.Begin; f < operation.End; ++f)
+  {
+    const MatrixFactors::Matrix& factor = factors.Get()[f];
+    Buffer<double> next(components * factor.GetNumberOfRows());
+    factor.Apply(f == operation.Begin ? values.data() : result.data(), next.data(), components);
+    result = std::move(next);
+  }
+  return result;
+}
+
 class BoundMaker
 {
 public:
@@ -108,13 +123,22 @@ private:
     }
     return values[0];
   }
+  /// For operators, which do not depend on other partitions.
+  RunOptions GetAlone() const
+  {
+    RunOptions alone = this->Quiet;
+    alone.FindPartners = nullptr;
+    alone.Interpolation = InterpolationOptions();
+    return alone;
+  }
   NestedPieces MakePieces(vtkPointSet* fine, vtkPointSet* control) const;
   bool HasMemory() const;
   bool HasNegativeWeights() const;
   Buffer<double> Apply(int step, const Buffer<double>& values, int components) const;
   Sectors::Step GetLastStep() const;
-  void AddBounds(const NestedPieces& pieces, const Sectors& sectors, vtkDataArray* control,
-    vtkDataArray* shown, const std::string& name);
+  bool FindLimits();
+  bool AddBounds(const SteppedPieces& pieces, vtkDataArray* control, vtkDataArray* shown,
+    const std::string& name);
   void AddDistances(vtkDataArray* given, vtkDataArray* limit, const std::string& name);
 
   const BoundedRun& Given;
@@ -122,21 +146,14 @@ private:
   RunOptions Quiet;
   Partners* Others = nullptr; ///< null: the mesh is the whole
   MatrixFactors Factors;
+  MatrixFactors Limits; ///< the limit after step 2 of the further ones is the last
+  bool AreLimitsFound = false;
 };
 
 /// Values after a step, which is counted from the control points.
 Buffer<double> BoundMaker::Apply(int step, const Buffer<double>& values, int components) const
 {
-  const MatrixFactors::Operation& operation = this->Factors.GetOperations()[step];
-  Buffer<double> result;
-  for (std::size_t f = operation.Begin; f < operation.End; ++f)
-  {
-    const MatrixFactors::Matrix& factor = this->Factors.Get()[f];
-    Buffer<double> next(components * factor.GetNumberOfRows());
-    factor.Apply(f == operation.Begin ? values.data() : result.data(), next.data(), components);
-    result = std::move(next);
-  }
-  return result;
+  return ApplyOperation(this->Factors, this->Factors.GetOperations()[step], values, components);
 }
 
 Sectors::Step BoundMaker::GetLastStep() const
@@ -198,9 +215,27 @@ bool BoundMaker::HasNegativeWeights() const
     });
 }
 
-/// `shown`: values of the output that follow from those of the control points.
-void BoundMaker::AddBounds(const NestedPieces& pieces, const Sectors& sectors,
-  vtkDataArray* control, vtkDataArray* shown, const std::string& name)
+/// Finds the rows of limits, once. Returns false after an error, or a stop.
+bool BoundMaker::FindLimits()
+{
+  if (this->AreLimitsFound)
+  {
+    return true;
+  }
+  this->AreLimitsFound = true;
+  const int levels = this->Given.Levels + Further - 1;
+  const auto made = this->Given.Subdivide(levels, true, this->GetAlone(), &this->Limits);
+  if (this->Limits.GetOperations().size() != static_cast<std::size_t>(levels) + 1)
+  {
+    this->Limits = MatrixFactors(); // a scheme whose points are on the limit
+  }
+  return made != nullptr;
+}
+
+/// `shown`: values of the output that follow from those of the control points. Returns false after
+/// an error, or a stop.
+bool BoundMaker::AddBounds(
+  const SteppedPieces& pieces, vtkDataArray* control, vtkDataArray* shown, const std::string& name)
 {
   const int components = control->GetNumberOfComponents();
   const Buffer<double> given = ReadValues(control);
@@ -217,13 +252,32 @@ void BoundMaker::AddBounds(const NestedPieces& pieces, const Sectors& sectors,
   }
   largest = this->FindLargest(largest);
   const Buffer<double> values = ReadValues(shown);
-  const auto bounds = MakeResult(name + ErrorBoundName, pieces.GetNumberOfCells());
-  const BoundedValues bounded{ components, values.data(), next,
-    [&](int step, const Buffer<double>& before)
-    { return this->Apply(this->Given.Levels + step - 1, before, components); },
+  const Buffer<double> second = this->Apply(this->Given.Levels + 1, next, components);
+  const Buffer<double> third = this->Apply(this->Given.Levels + 2, second, components);
+  const BoundedValues bounded{ components, values.data(), next, second, third,
+    [&](const Buffer<double>& before)
+    { return this->Apply(this->Given.Levels + 2, before, components); },
     64. * std::numeric_limits<double>::epsilon() * largest };
-  FindBounds(pieces, sectors, bounded, bounds->GetPointer(0));
+  const vtkIdType cells = pieces.Pieces.GetNumberOfCells();
+  std::vector<CellBound> found = FindBounds(pieces.Pieces, pieces.AllSectors, bounded, cells);
+  if (std::any_of(
+        found.begin(), found.end(), [](const CellBound& bound) { return !bound.OfPieces.empty(); }))
+  {
+    if (!this->FindLimits())
+    {
+      return false;
+    }
+    const bool hasLimits = !this->Limits.GetOperations().empty();
+    TightenBounds(pieces, bounded,
+      hasLimits
+        ? ApplyOperation(this->Limits, this->Limits.GetOperations().back(), second, components)
+        : Buffer<double>(),
+      found);
+  }
+  const auto bounds = MakeResult(name + ErrorBoundName, cells);
+  ForEach(cells, [&](vtkIdType c) { bounds->SetValue(c, found[c].Largest); });
   this->Given.Output->GetCellData()->AddArray(bounds);
+  return true;
 }
 
 /// `given` are values of points of the input, which come first in the output.
@@ -312,11 +366,9 @@ bool BoundMaker::Add()
   }
   const auto control = this->Given.Subdivide(0, false, this->Quiet, nullptr);
   const auto limit = control ? this->Given.Subdivide(0, true, this->Quiet, nullptr) : nullptr;
-  RunOptions alone = this->Quiet; // operators do not depend on other partitions
-  alone.FindPartners = nullptr;
-  alone.Interpolation = InterpolationOptions();
   const int levels = this->Given.Levels + Further;
-  const auto fine = limit ? this->Given.Subdivide(levels, false, alone, &this->Factors) : nullptr;
+  const auto fine =
+    limit ? this->Given.Subdivide(levels, false, this->GetAlone(), &this->Factors) : nullptr;
   if (!fine)
   {
     return false;
@@ -331,9 +383,14 @@ bool BoundMaker::Add()
   {
     return this->Refuse(reason);
   }
-  const Sectors sectors(pieces, this->GetLastStep());
-  this->AddBounds(pieces, sectors, control->GetPoints()->GetData(),
-    this->Given.Output->GetPoints()->GetData(), "");
+  const Sectors::Step last = this->GetLastStep();
+  const Sectors sectors(pieces, last);
+  const SteppedPieces stepped{ pieces, sectors, last };
+  if (!this->AddBounds(
+        stepped, control->GetPoints()->GetData(), this->Given.Output->GetPoints()->GetData(), ""))
+  {
+    return false;
+  }
   this->AddDistances(this->Given.Input->GetPoints()->GetData(), limit->GetPoints()->GetData(), "");
   vtkPointData* given = this->Given.Input->GetPointData();
   std::vector<vtkDataArray*> arrays;
@@ -352,7 +409,10 @@ bool BoundMaker::Add()
       control->GetPointData()->GetArray(name), limit->GetPointData()->GetArray(name) };
     if (std::all_of(std::begin(of), std::end(of), IsOfNumbers))
     {
-      this->AddBounds(pieces, sectors, of[1], of[0], name);
+      if (!this->AddBounds(stepped, of[1], of[0], name))
+      {
+        return false;
+      }
       this->AddDistances(array, of[2], name);
     }
   }

@@ -8,7 +8,7 @@
 #define SubdivisionObjects_NestedPieces_h
 
 #include "Core/Memory/Buffer.h"
-#include "Private/Bezier/PatchShape.h"
+#include "Private/Bounds/PieceLattice.h"
 
 #include <array>
 #include <vector>
@@ -23,32 +23,20 @@ class BezierRoots;
 class NestedPieces
 {
 public:
-  static constexpr int Steps = 3;
-  static constexpr int MostCorners = 4;
-  using Weights = std::array<double, MostCorners>;
-  /// Some corners of a cell, a bit for each. Those of a vertex, an edge, a face or all are a face.
-  using Mask = unsigned;
-
-  /// The points of a cell after all steps, and its pieces.
-  struct Lattice
-  {
-    int Dimension = 0;
-    int Corners = 1;
-    std::vector<Weights> Points; ///< each as weights of the corners of the cell
-    std::vector<Mask> Faces;     ///< which face each point is inside of
-    std::vector<std::vector<int>>
-      Neighbours;            ///< the points of the pieces at each point, itself too
-    std::vector<int> Pieces; ///< the points of each piece, one after the other
-
-    int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()) / this->Corners; }
-    Mask GetWhole() const { return (1U << this->Corners) - 1U; }
-    /// The smallest face that has some corners.
-    Mask Close(Mask corners) const;
-  };
+  using Lattice = PieceLattice;
+  using Weights = Lattice::Weights;
+  using Mask = Lattice::Mask;
+  static constexpr int Steps = Lattice::Steps;
+  static constexpr int MostCorners = Lattice::MostCorners;
 
   /// `fine` is the mesh after the steps, `points` the numbers of points before, after one, two, and
   /// all steps.
   NestedPieces(vtkPointSet* fine, const std::array<vtkIdType, Steps + 1>& points);
+
+  /// `kinds` has the kind of each cell (PieceLattice::Get), `placePoints` the points of all cells,
+  /// each in the order of its lattice.
+  NestedPieces(std::vector<signed char> kinds, Buffer<vtkIdType> placePoints,
+    const std::array<vtkIdType, Steps + 1>& points);
 
   /// Whether these are the cells of `mesh`, in its order.
   bool AreOf(vtkPointSet* mesh) const;
@@ -63,7 +51,8 @@ public:
   }
 
   int GetDimension(vtkIdType cell) const { return this->GetLattice(cell).Dimension; }
-  const Lattice& GetLattice(vtkIdType cell) const { return this->Lattices[this->Kinds[cell] + 1]; }
+  int GetKind(vtkIdType cell) const { return this->Kinds[cell]; }
+  const Lattice& GetLattice(vtkIdType cell) const { return *this->Lattices[this->Kinds[cell] + 1]; }
 
   /// A place is a point of a cell after all steps: those of a cell are from GetFirstPlace(cell) to
   /// before that of the next cell, in the order of its lattice.
@@ -82,15 +71,18 @@ public:
 private:
   void ReadCells(const BezierRoots& roots);
   void ReadPlaces(const BezierRoots& roots);
-  void FindParents(const BezierRoots& roots, int step);
+  void CountPlaces();
+  void FindCorners();
+  void FindParents(int step);
 
   std::array<vtkIdType, Steps + 1> Points;
   std::vector<signed char> Kinds; ///< a PatchShape::Kind; -1: a vertex
-  std::vector<vtkIdType> CellCorners;
+  Buffer<vtkIdType> CellCorners;
   std::vector<vtkIdType> FirstPlaces; ///< of each cell, and one past the last
   Buffer<vtkIdType> PlacePoints;
   std::array<Buffer<vtkIdType>, Steps + 1> Parents; ///< of the points of the last two steps
-  std::array<Lattice, PatchShape::NumberOfKinds + 1> Lattices; ///< by kind + 1
+  const std::array<const Lattice*, PatchShape::NumberOfKinds + 1> Lattices{ &Lattice::Get(-1),
+    &Lattice::Get(0), &Lattice::Get(1), &Lattice::Get(2), &Lattice::Get(3) }; ///< by kind + 1
   std::array<bool, PatchShape::NumberOfKinds> Has{};
   bool IsNested = true;
 };

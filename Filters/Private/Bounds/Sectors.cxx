@@ -3,9 +3,9 @@
 
 #include "Core/Memory/Sorting.h"
 #include "Core/Memory/TupleIndex.h"
+#include "Core/Memory/UnevenRanges.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace subdivision
 {
@@ -26,20 +26,6 @@ void ForFaces(
   }
 }
 
-/// Calls act(column) for the columns of a row of the product of some factors.
-template <typename Act>
-void ForColumns(const Sectors::Step& step, std::size_t factors, vtkIdType row, const Act& act)
-{
-  const MatrixFactors::Matrix& factor = *step[factors - 1];
-  for (vtkIdType e = factor.Offsets[row]; e < factor.Offsets[row + 1]; ++e)
-  {
-    if (factor.Weights[e] != 0.)
-    {
-      factors == 1 ? act(factor.Columns[e]) : ForColumns(step, factors - 1, factor.Columns[e], act);
-    }
-  }
-}
-
 }
 
 Sectors::Sectors(const NestedPieces& pieces, const Step& last)
@@ -48,22 +34,28 @@ Sectors::Sectors(const NestedPieces& pieces, const Step& last)
   this->NumberFaces();
   this->ListPlaces();
   this->FindInfluences(last);
-  for (const vtkIdType c : InTurn(pieces.GetNumberOfCells()))
-  {
-    this->FirstSectors.push_back(static_cast<vtkIdType>(this->Found.size()));
-    this->Found.resize(this->Found.size() + pieces.GetLattice(c).GetWhole());
-  }
-  ForEach(pieces.GetNumberOfCells(),
-    [this](vtkIdType c)
+  this->Found.resize(static_cast<std::size_t>(this->NumberOfFaces));
+  this->Numbers = Buffer<int>(this->Faces.size(), -1);
+  // Faces of very many cells take long, so each of these comes alone, and reports.
+  const auto isLarge = [this](vtkIdType face) { return this->Holders[face].size() > 1024; };
+  ForUnevenRanges(this->NumberOfFaces,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const NestedPieces::Lattice& lattice = this->Pieces.GetLattice(c);
-      ForFaces(lattice, lattice.GetWhole(), 0,
-        [&](Mask face)
+      for (vtkIdType face = begin; face < end; ++face)
+      {
+        if (!isLarge(face))
         {
-          this->Found[this->FirstSectors[c] + static_cast<int>(face) - 1] =
-            this->FindSector(c, face);
-        });
+          this->FindSectors(face);
+        }
+      }
     });
+  for (const vtkIdType face : InTurn(this->NumberOfFaces))
+  {
+    if (isLarge(face))
+    {
+      this->FindSectors(face);
+    }
+  }
 }
 
 /// Faces with the same corners are one, whatever cells they are of.
@@ -111,6 +103,15 @@ void Sectors::NumberFaces()
       vtkIdType next = offsets[c];
       forFaces(c, [&](Mask face) { this->Faces[Masks * c + face] = numbers.Numbers[next++]; });
     });
+  std::vector<Member> holders;
+  holders.reserve(static_cast<std::size_t>(faces.size()));
+  for (const vtkIdType c : InTurn(cells))
+  {
+    forFaces(c, [&](Mask face) { holders.push_back(Masks * c + face); });
+  }
+  this->Holders = ListByRow<vtkIdType>(
+    this->NumberOfFaces, faces.size(), [&](vtkIdType i) { return numbers.Numbers[i]; },
+    [&](vtkIdType i) { return holders[i]; });
 }
 
 void Sectors::ListPlaces()
@@ -134,14 +135,19 @@ void Sectors::FindInfluences(const Step& last)
 {
   this->Influences.resize(static_cast<std::size_t>(this->NumberOfFaces));
   this->IsOpen.resize(static_cast<std::size_t>(this->NumberOfFaces), 0);
+  Turns turns;
   for (const vtkIdType point : InTurn(this->Pieces.GetNumberOfPoints(NestedPieces::Steps)))
   {
     // Inside a cell that is no face all columns are in that cell.
     const Row<vtkIdType> places = this->PlacesOfPoints[point];
     if (places.size() > 1 || (places.size() == 1 && !this->IsInside(*places.begin())))
     {
-      ForColumns(
-        last, last.size(), point, [&](vtkIdType column) { this->AddInfluences(point, column); });
+      ForColumns(last, last.size(), point, 1.,
+        [&](vtkIdType column, double)
+        {
+          turns.Next();
+          this->AddInfluences(point, column);
+        });
     }
   }
   for (std::vector<vtkIdType>& influences : InTurn(this->Influences))
@@ -160,26 +166,42 @@ bool Sectors::IsInside(vtkIdType place) const
 /// What lies between a point and a column of its row counts for the face that has the point.
 void Sectors::AddInfluences(vtkIdType point, vtkIdType column)
 {
-  vtkIdType face = -1;
-  bool isFound = false;
-  for (const vtkIdType place : this->PlacesOfPoints[point])
+  const Row<vtkIdType> places = this->PlacesOfPoints[point];
+  const Row<vtkIdType> others = this->PlacesOfPoints[column];
+  const auto getFace = [this](vtkIdType place)
   {
     const vtkIdType cell = this->CellsOfPlaces[place];
-    const NestedPieces::Lattice& lattice = this->Pieces.GetLattice(cell);
-    const Mask own = lattice.Faces[place - this->Pieces.GetFirstPlace(cell)];
-    face = this->GetFace(cell, own);
-    for (const vtkIdType other : this->PlacesOfPoints[column])
+    return this->Pieces.GetLattice(cell).Faces[place - this->Pieces.GetFirstPlace(cell)];
+  };
+  const vtkIdType face =
+    this->GetFace(this->CellsOfPlaces[*places.begin()], getFace(*places.begin()));
+  bool isFound = false;
+  const auto add = [&](vtkIdType place, vtkIdType other)
+  {
+    isFound = true;
+    const vtkIdType cell = this->CellsOfPlaces[place];
+    const Mask own = getFace(place);
+    const Mask both = this->Pieces.GetLattice(cell).Close(own | getFace(other));
+    if (both != own)
     {
-      if (this->CellsOfPlaces[other] == cell)
-      {
-        isFound = true;
-        const Mask both =
-          lattice.Close(own | lattice.Faces[other - this->Pieces.GetFirstPlace(cell)]);
-        if (both != own)
-        {
-          this->Influences[face].push_back(Masks * cell + both);
-        }
-      }
+      this->Influences[face].push_back(Masks * cell + both);
+    }
+  };
+  // Through the shorter list: an edge of many cells has many in both.
+  if (places.size() <= others.size())
+  {
+    for (const vtkIdType place : places)
+    {
+      this->ForPlacesIn(
+        this->CellsOfPlaces[place], column, [&](vtkIdType other) { add(place, other); });
+    }
+  }
+  else
+  {
+    for (const vtkIdType other : others)
+    {
+      this->ForPlacesIn(
+        this->CellsOfPlaces[other], point, [&](vtkIdType place) { add(place, other); });
     }
   }
   if (!isFound)
@@ -203,19 +225,143 @@ Sectors::Mask Sectors::FindCorners(vtkIdType cell, vtkIdType of, Mask face) cons
   return corners;
 }
 
-/// From the cell on over rows of faces that have the given one.
-Sectors::Sector Sectors::FindSector(vtkIdType cell, Mask face) const
+bool Sectors::FaceSet::Insert(vtkIdType face)
 {
+  if (2 * this->Count >= this->Slots.size())
+  {
+    std::vector<vtkIdType> before(std::max<std::size_t>(64, 2 * this->Slots.size()), -1);
+    before.swap(this->Slots);
+    for (const vtkIdType other : before)
+    {
+      if (other >= 0)
+      {
+        this->Slots[this->Find(other)] = other;
+      }
+    }
+  }
+  vtkIdType& slot = this->Slots[this->Find(face)];
+  const bool isNew = slot != face;
+  slot = face;
+  this->Count += isNew ? 1 : 0;
+  return isNew;
+}
+
+/// Finds the sectors of the cells that have a face.
+void Sectors::FindSectors(vtkIdType face)
+{
+  const auto getWhole = [this](Member member)
+  {
+    const vtkIdType cell = member / Masks;
+    return Masks * cell + static_cast<vtkIdType>(this->Pieces.GetLattice(cell).GetWhole());
+  };
+  const auto isWhole = [&](Member member) { return member == getWhole(member); };
+  // Leaves out faces of cells that are members themselves.
+  const auto keepLargest = [&](std::vector<Member>& members, Member from)
+  {
+    FaceSet ofCells;
+    const Mask least = static_cast<Mask>(from % Masks);
+    for (const Member member : members)
+    {
+      const vtkIdType cell = member / Masks;
+      if (isWhole(member))
+      {
+        ForFaces(this->Pieces.GetLattice(cell), static_cast<Mask>(member % Masks),
+          this->FindCorners(cell, from / Masks, least),
+          [&](Mask mask) { ofCells.Insert(this->GetFace(cell, mask)); });
+      }
+    }
+    const auto isCovered = [&](Member member)
+    {
+      return !isWhole(member) &&
+        ofCells.Has(this->GetFace(member / Masks, static_cast<Mask>(member % Masks)));
+    };
+    members.erase(std::remove_if(members.begin(), members.end(), isCovered), members.end());
+  };
+  const auto getHolder = [&](Member member, Member from)
+  {
+    const vtkIdType cell = member / Masks;
+    return Masks * cell + this->FindCorners(cell, from / Masks, static_cast<Mask>(from % Masks));
+  };
+  const auto isAll = [](Member) { return false; };
+  const Member any = *this->Holders[face].begin();
+  // All sectors have what the face itself depends on; so cells in that have no more.
+  FaceSet facesOfAll;
+  const Sector common = this->FollowInfluences(any, any, {}, facesOfAll, isAll);
+  for (const Member member : common.Members)
+  {
+    if (isWhole(member))
+    {
+      this->Numbers[getHolder(member, any)] = 0;
+    }
+  }
+  if (std::any_of(common.Members.begin(), common.Members.end(), isWhole))
+  {
+    this->Found[face].push_back(common);
+    keepLargest(this->Found[face].back().Members, any);
+  }
+  Turns turns;
+  for (const Member from : this->Holders[face])
+  {
+    turns.Next();
+    if (this->Numbers[from] >= 0)
+    {
+      continue;
+    }
+    const int number = static_cast<int>(this->Found[face].size());
+    FaceSet unused;
+    Sector sector = this->FollowInfluences(from, getWhole(from), facesOfAll, unused, isAll);
+    this->Numbers[from] = number;
+    // A cell that reaches one of this sector has the same one. Its neighbour comes before it here,
+    // so that the way is short.
+    for (const Member member : sector.Members)
+    {
+      turns.Next();
+      const Member holder = getHolder(member, from);
+      if (!isWhole(member) || this->Numbers[holder] >= 0)
+      {
+        continue;
+      }
+      bool isReached = false;
+      FaceSet ofMember;
+      this->FollowInfluences(holder, member, facesOfAll, ofMember,
+        [&](Member reached)
+        {
+          isReached = isWhole(reached) && this->Numbers[getHolder(reached, from)] == number;
+          return isReached;
+        });
+      this->Numbers[holder] = isReached ? number : -1;
+    }
+    sector.Members.insert(sector.Members.end(), common.Members.begin(), common.Members.end());
+    sector.IsOpen = sector.IsOpen || common.IsOpen;
+    keepLargest(sector.Members, from);
+    this->Found[face].push_back(std::move(sector));
+  }
+}
+
+/// From a face or cell on over rows of faces that have the face of a holder, but for those of
+/// `leftOut`, until reach(member). `known` gets the numbers of these faces.
+template <typename Reach>
+Sectors::Sector Sectors::FollowInfluences(
+  Member holder, Member from, const FaceSet& leftOut, FaceSet& known, const Reach& reach) const
+{
+  const vtkIdType cell = holder / Masks;
+  const Mask face = static_cast<Mask>(holder % Masks);
   Sector sector;
   std::vector<vtkIdType> found;
-  const auto has = [&found](vtkIdType number)
-  { return std::find(found.begin(), found.end(), number) != found.end(); };
-  const auto add = [&](vtkIdType other, Mask whole)
+  const auto add = [&](Member member) // returns whether it goes on
   {
-    if (has(this->GetFace(other, whole)))
+    const vtkIdType other = member / Masks;
+    const Mask whole = static_cast<Mask>(member % Masks);
+    const vtkIdType all = this->GetFace(other, whole);
+    if (known.Has(all) || leftOut.Has(all))
     {
-      return; // with all its faces
+      return true; // with all its faces
     }
+    if (reach(member))
+    {
+      return false;
+    }
+    sector.Members.push_back(member);
     const NestedPieces::Lattice& lattice = this->Pieces.GetLattice(other);
     sector.HasTets =
       sector.HasTets || (this->Pieces.GetDimension(other) == 3 && whole == lattice.GetWhole());
@@ -223,23 +369,22 @@ Sectors::Sector Sectors::FindSector(vtkIdType cell, Mask face) const
       [&](Mask mask)
       {
         const vtkIdType number = this->GetFace(other, mask);
-        if (!has(number))
+        if (!leftOut.Has(number) && known.Insert(number))
         {
           found.push_back(number);
         }
       });
+    return true;
   };
-  add(cell, this->Pieces.GetLattice(cell).GetWhole());
-  for (std::size_t i = 0; i < found.size(); ++i)
+  bool goesOn = add(from);
+  Turns turns;
+  for (std::size_t i = 0; goesOn && i < found.size(); ++i)
   {
+    turns.Next();
     sector.IsOpen = sector.IsOpen || this->IsOpen[found[i]];
-    for (const vtkIdType influence : this->Influences[found[i]])
-    {
-      add(influence / Masks, static_cast<Mask>(influence % Masks));
-    }
+    const std::vector<Member>& influences = this->Influences[found[i]];
+    goesOn = std::all_of(influences.begin(), influences.end(), add);
   }
-  sector.Faces = std::move(found);
-  std::sort(sector.Faces.begin(), sector.Faces.end());
   return sector;
 }
 

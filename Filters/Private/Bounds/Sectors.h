@@ -12,6 +12,7 @@
 #include "Private/Bounds/NestedPieces.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace subdivision
@@ -32,7 +33,12 @@ public:
   /// neighbours there belong to it. Of other cells calls rest(place) for the neighbours that do.
   template <typename Whole, typename Rest>
   void ForSector(vtkIdType cell, int point, const Whole& whole, const Rest& rest) const;
+  /// Calls act(first, others) for each sector at a point: a place in it, and all further ones.
+  template <typename Act>
+  void ForGroups(vtkIdType point, const Act& act) const;
   vtkIdType GetCell(vtkIdType place) const { return this->CellsOfPlaces[place]; }
+  /// The places that are a point.
+  Row<vtkIdType> GetPlaces(vtkIdType point) const { return this->PlacesOfPoints[point]; }
   /// Whether the sector at a place of a cell has tetrahedra.
   bool HasTets(vtkIdType cell, int point) const
   {
@@ -40,31 +46,60 @@ public:
   }
 
 private:
-  /// All faces of the cells that a limit depends on, in ascending order.
-  struct Sector
+  /// A set of numbers of faces.
+  class FaceSet
   {
-    std::vector<vtkIdType> Faces;
-    bool IsOpen = false; ///< a row was not understood: all belongs to it
-    bool HasTets = false;
-
+  public:
     bool Has(vtkIdType face) const
     {
-      return this->IsOpen || std::binary_search(this->Faces.begin(), this->Faces.end(), face);
+      return this->Count > 0 && this->Slots[this->Find(face)] == face;
     }
+    /// Whether it was not in the set.
+    bool Insert(vtkIdType face);
+
+  private:
+    std::size_t Find(vtkIdType face) const
+    {
+      const std::size_t last = this->Slots.size() - 1; // of a power of two
+      std::size_t at = static_cast<std::size_t>(face) & last;
+      while (this->Slots[at] >= 0 && this->Slots[at] != face)
+      {
+        at = (at + 1) & last;
+      }
+      return at;
+    }
+    std::size_t Count = 0;
+    std::vector<vtkIdType> Slots; ///< at most half of them are used
+  };
+
+  /// A face of a cell, or all of it, as Masks * cell + mask.
+  using Member = vtkIdType;
+  /// What a limit in a face depends on. Cells of which each depends on the other have one sector.
+  struct Sector
+  {
+    std::vector<Member> Members; ///< with all faces that have the given one
+    bool IsOpen = false;         ///< a row was not understood: all belongs to it
+    bool HasTets = false;
   };
   static constexpr int Masks = 1 << NestedPieces::MostCorners;
 
   vtkIdType GetFace(vtkIdType cell, Mask mask) const { return this->Faces[Masks * cell + mask]; }
   const Sector& GetSector(vtkIdType cell, Mask face) const
   {
-    return this->Found[this->FirstSectors[cell] + static_cast<int>(face) - 1];
+    return this->Found[this->GetFace(cell, face)][this->Numbers[Masks * cell + face]];
   }
+  /// act(place) for the places of a cell that are a point.
+  template <typename Act>
+  void ForPlacesIn(vtkIdType cell, vtkIdType point, const Act& act) const;
   void NumberFaces();
   void ListPlaces();
   void FindInfluences(const Step& last);
   bool IsInside(vtkIdType place) const;
   void AddInfluences(vtkIdType point, vtkIdType column);
-  Sector FindSector(vtkIdType cell, Mask face) const;
+  void FindSectors(vtkIdType face);
+  template <typename Reach>
+  Sector FollowInfluences(
+    Member holder, Member from, const FaceSet& leftOut, FaceSet& known, const Reach& reach) const;
   Mask FindCorners(vtkIdType cell, vtkIdType of, Mask face) const;
 
   const NestedPieces& Pieces;
@@ -72,36 +107,99 @@ private:
   vtkIdType NumberOfFaces = 0;
   Rows<vtkIdType> PlacesOfPoints;
   Buffer<vtkIdType> CellsOfPlaces;
-  /// For each face the larger ones on whose values limits in it depend, as Masks * cell + mask.
-  std::vector<std::vector<vtkIdType>> Influences;
-  std::vector<char> IsOpen; ///< of each face, whether a row was not understood
-  std::vector<vtkIdType> FirstSectors;
-  std::vector<Sector> Found;
+  Rows<Member> Holders; ///< of each face
+  /// For each face the larger ones on whose values limits in it depend.
+  std::vector<std::vector<Member>> Influences;
+  std::vector<char> IsOpen;               ///< of each face, whether a row was not understood
+  std::vector<std::vector<Sector>> Found; ///< of each face
+  Buffer<int> Numbers; ///< of each holder, which of the sectors of its face it has
 };
+
+/// Calls act(column, weight) for the columns of a row of the product of some factors.
+template <typename Act>
+void ForColumns(
+  const Sectors::Step& step, std::size_t factors, vtkIdType row, double weight, const Act& act)
+{
+  const MatrixFactors::Matrix& factor = *step[factors - 1];
+  for (vtkIdType e = factor.Offsets[row]; e < factor.Offsets[row + 1]; ++e)
+  {
+    if (factor.Weights[e] != 0.)
+    {
+      const double product = weight * factor.Weights[e];
+      factors == 1 ? act(factor.Columns[e], product)
+                   : ForColumns(step, factors - 1, factor.Columns[e], product, act);
+    }
+  }
+}
+
+template <typename Act>
+void Sectors::ForPlacesIn(vtkIdType cell, vtkIdType point, const Act& act) const
+{
+  const Row<vtkIdType> places = this->PlacesOfPoints[point]; // in the order of cells
+  const vtkIdType first = this->Pieces.GetFirstPlace(cell);
+  for (const vtkIdType* place = std::lower_bound(places.begin(), places.end(), first);
+    place != places.end() && this->CellsOfPlaces[*place] == cell; ++place)
+  {
+    act(*place);
+  }
+}
 
 template <typename Whole, typename Rest>
 void Sectors::ForSector(vtkIdType cell, int point, const Whole& whole, const Rest& rest) const
 {
+  const vtkIdType id = this->Pieces.GetPoint(this->Pieces.GetFirstPlace(cell) + point);
   const Sector& sector = this->GetSector(cell, this->Pieces.GetLattice(cell).Faces[point]);
-  for (const vtkIdType place :
-    this->PlacesOfPoints[this->Pieces.GetPoint(this->Pieces.GetFirstPlace(cell) + point)])
+  if (sector.IsOpen)
   {
-    const vtkIdType other = this->CellsOfPlaces[place];
+    std::for_each(this->PlacesOfPoints[id].begin(), this->PlacesOfPoints[id].end(), whole);
+    return;
+  }
+  for (const Member member : sector.Members)
+  {
+    const vtkIdType other = member / Masks;
+    const Mask mask = static_cast<Mask>(member % Masks);
     const NestedPieces::Lattice& its = this->Pieces.GetLattice(other);
-    if (sector.Has(this->GetFace(other, its.GetWhole())))
-    {
-      whole(place);
-      continue;
-    }
     const vtkIdType first = this->Pieces.GetFirstPlace(other);
-    for (const int neighbour : its.Neighbours[place - first])
-    {
-      if (sector.Has(
-            this->GetFace(other, its.Close(its.Faces[place - first] | its.Faces[neighbour]))))
+    this->ForPlacesIn(other, id,
+      [&](vtkIdType place)
       {
-        rest(first + neighbour);
-      }
+        if (mask == its.GetWhole())
+        {
+          whole(place);
+          return;
+        }
+        for (const int neighbour : its.Neighbours[place - first])
+        {
+          const Mask both = its.Close(its.Faces[place - first] | its.Faces[neighbour]);
+          if ((both | mask) == mask)
+          {
+            rest(first + neighbour);
+          }
+        }
+      });
+  }
+}
+
+template <typename Act>
+void Sectors::ForGroups(vtkIdType point, const Act& act) const
+{
+  using Grouped = std::pair<const Sector*, vtkIdType>;
+  std::vector<Grouped> places;
+  for (const vtkIdType place : this->PlacesOfPoints[point])
+  {
+    const vtkIdType cell = this->CellsOfPlaces[place];
+    const Mask face = this->Pieces.GetLattice(cell).Faces[place - this->Pieces.GetFirstPlace(cell)];
+    places.emplace_back(&this->GetSector(cell, face), place);
+  }
+  std::sort(places.begin(), places.end());
+  for (std::size_t i = 0, end = 0; i < places.size(); i = end)
+  {
+    std::vector<vtkIdType> others;
+    for (end = i + 1; end < places.size() && places[end].first == places[i].first; ++end)
+    {
+      others.push_back(places[end].second);
     }
+    act(places[i].second, others);
   }
 }
 

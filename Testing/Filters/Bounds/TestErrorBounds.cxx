@@ -244,7 +244,7 @@ TEST(ErrorBounds, HoldOnModelsAndAreNearTheTruth)
 TEST(ErrorBounds, HoldWithFeaturesOfAllKinds)
 {
   Tightness found;
-  for (unsigned seed = 20; seed < 32; ++seed)
+  for (unsigned seed = 20; seed < 60; ++seed)
   {
     const Grid input = WithValues(MakeRandomComplex(seed, seed % 3 == 0));
     const Configure configure = [&](Filter* filter)
@@ -262,11 +262,14 @@ TEST(ErrorBounds, HoldWithFeaturesOfAllKinds)
       MakeBounded<Filter>(input, seed % 2, seed % 3 == 0 ? 4 : 5, configure, seed % 2 == 0), found);
   }
   EXPECT_GT(found.Samples, 100000);
+  EXPECT_LE(found.GetLargest(), 3.);
 }
 
 TEST(ErrorBounds, AreNearTheTruthOnRandomComplexes)
 {
-  // Most of them have joints and creases everywhere: what lies beyond them does not count.
+  // Most of them have joints and creases everywhere: what lies beyond them does not count. Where
+  // this is not enough, or what the limit of an array does far from a cell is much larger than what
+  // it does there, further steps of the cell are looked at.
   Tightness found;
   for (unsigned seed = 1; seed < 400; ++seed)
   {
@@ -286,15 +289,29 @@ TEST(ErrorBounds, AreNearTheTruthOnRandomComplexes)
   }
   std::sort(found.Ratios.begin(), found.Ratios.end());
   const std::size_t size = found.Ratios.size();
-  const auto above = std::count_if(
-    found.Ratios.begin(), found.Ratios.end(), [](double ratio) { return ratio > 3.; });
-  std::cout << size << " cells: median " << found.Ratios[size / 2] << ", 99 of 100 "
-            << found.Ratios[size * 99 / 100] << ", most " << found.Ratios.back() << ", " << above
-            << " above 3\n";
-  EXPECT_GT(size, 5000U);
-  EXPECT_LT(found.Ratios[size * 99 / 100], 2.);
-  EXPECT_LE(above, 6);
-  EXPECT_LT(found.Ratios.back(), 4.);
+  std::cout << size << " bounds of cells: median " << found.Ratios[size / 2] << ", 99 of 100 "
+            << found.Ratios[size * 99 / 100] << ", most " << found.Ratios.back() << "\n";
+  EXPECT_GT(size, 20000U);
+  EXPECT_LT(found.Ratios[size * 99 / 100], 2.2);
+  EXPECT_LE(found.Ratios.back(), 3.);
+}
+
+/// Where many cells have a point, what the limit depends on there is found for all of them at once.
+TEST(ErrorBounds, OfAWheelAreTheSameAllAround)
+{
+  const Configure bounds = [](Filter* filter) { filter->GenerateErrorBoundsOn(); };
+  for (const int n : { 20, 200 })
+  {
+    const Grid wheel = Execute(MakeFan(n), 0, bounds);
+    vtkDataArray* of = wheel->GetCellData()->GetArray("ErrorBound");
+    ASSERT_NE(of, nullptr);
+    const double first = of->GetComponent(0, 0);
+    EXPECT_GT(first, 0.01);
+    for (vtkIdType c = 0; c < n; ++c)
+    {
+      EXPECT_NEAR(of->GetComponent(c, 0), first, 1e-9) << "triangle " << c << " of " << n;
+    }
+  }
 }
 
 TEST(ErrorBounds, OfTheLinearSchemeAreRounding)

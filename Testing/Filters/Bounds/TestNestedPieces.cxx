@@ -3,12 +3,10 @@
  * @file TestNestedPieces.cxx
  * Pieces of cells, the sectors of their points, and ranges of vectors.
  */
-#include "FeatureTools.h"
+#include "BoundTools.h"
 
 #include "Private/Bounds/Sectors.h"
 #include "Private/Bounds/VectorRanges.h"
-
-#include "vtkSubdivisionOperator.h"
 
 using namespace feature_tools;
 using subdivision::MatrixFactors;
@@ -110,25 +108,7 @@ std::set<vtkIdType> FindSector(vtkDataObject* input, vtkIdType cell, vtkIdType c
   vtkNew<Filter> filter;
   filter->SetInputDataObject(input);
   filter->SetNumberOfLevels(NestedPieces::Steps);
-  vtkNew<vtkSubdivisionOperator> operation;
-  EXPECT_TRUE(filter->ComputeOperator(operation));
-  // The last step: two factors.
-  std::vector<MatrixFactors::Matrix> factors(2);
-  for (int f = 0; f < 2; ++f)
-  {
-    vtkNew<vtkIdTypeArray> offsets;
-    vtkNew<vtkIdTypeArray> ids;
-    vtkNew<vtkDoubleArray> weights;
-    operation->GetFactor(operation->GetNumberOfFactors() - 2 + f, offsets, ids, weights);
-    const auto copy = [](auto* array, auto& buffer)
-    {
-      buffer = std::decay_t<decltype(buffer)>(array->GetNumberOfValues());
-      std::copy(array->GetPointer(0), array->GetPointer(0) + buffer.size(), buffer.data());
-    };
-    copy(offsets.Get(), factors[f].Offsets);
-    copy(ids.Get(), factors[f].Columns);
-    copy(weights.Get(), factors[f].Weights);
-  }
+  const std::vector<MatrixFactors::Matrix> factors = bound_tools::GetLastFactors(filter.Get(), 2);
   const Sectors sectors(pieces, { &factors[0], &factors[1] });
   std::set<vtkIdType> points;
   const NestedPieces::Lattice& lattice = pieces.GetLattice(cell);

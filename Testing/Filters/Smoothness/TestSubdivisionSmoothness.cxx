@@ -392,14 +392,14 @@ TEST(SubdivisionSmoothness, PolygonsOfDualSchemesAndOfCatmullClark)
     { { VTK_TRIANGLE, { 0, 2, 1 } }, { VTK_TRIANGLE, { 3, 4, 5 } }, { VTK_QUAD, { 0, 1, 4, 3 } },
       { VTK_QUAD, { 1, 2, 5, 4 } }, { VTK_QUAD, { 2, 0, 3, 5 } } });
   const Grid doo = Examine(prism, Filter::DOO_SABIN);
-  EXPECT_EQ(Answers(doo, { 0 }), V({ 1, -1, -1 }));
+  EXPECT_EQ(Answers(doo, { 0 }), V({ 1, 1, 1 }));
   EXPECT_NEAR(Eigenvalue(doo, { 0, 1, 2 }, 1), .5, 1e-9);
   EXPECT_EQ(doo->GetCellType(Find(doo, { 0, 1, 3, 4 })), VTK_QUAD);
   const Grid midedge = Examine(prism, Filter::MIDEDGE);
   EXPECT_EQ(Answers(midedge, { 0 }), Failing);
   EXPECT_EQ(Answers(midedge, { 0, 1, 2 }), Failing);
-  EXPECT_EQ(Answers(midedge, { 0, 1, 3, 4 }), V({ 1, -1, -1 }));
-  EXPECT_EQ(Answers(midedge, { 0, 1 }), V({ 1, -1, -1 }));
+  EXPECT_EQ(Answers(midedge, { 0, 1, 3, 4 }), V({ 1, 1, 1 }));
+  EXPECT_EQ(Answers(midedge, { 0, 1 }), V({ 1, 1, 1 }));
   const Grid clark = Examine(prism, Filter::CATMULL_CLARK);
   EXPECT_NEAR(Eigenvalue(clark, { 0, 1, 2 }, 1), .4101, 5e-5); // a vertex of three quads
   EXPECT_NEAR(Eigenvalue(clark, { 0, 1, 3, 4 }, 1), .5, 1e-9);

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Bounds/DeeperBounds.h"
+
+#include "Core/Memory/UnevenRanges.h"
+#include "Private/Bounds/VectorRanges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace subdivision
+{
+namespace
+{
+
+using Part = DeeperPieces::Part;
+
+/// Whether further steps may bring a bound near: not where the truth is rounding, or much smaller.
+bool CanHelp(const CellBound& bound, int dimension, double rounding)
+{
+  return bound.Least > 16. * rounding &&
+    bound.Largest <= std::ldexp(NearBound * bound.Least, 2 * MostFurtherSteps[dimension]);
+}
+
+class Tightener
+{
+public:
+  explicit Tightener(std::vector<CellBound>& bounds)
+    : Bounds(bounds)
+    , Settled(bounds.size(), 0.)
+  {
+  }
+
+  void Run(const SteppedPieces& pieces, const BoundedValues& values);
+
+private:
+  /// Parts of cells at one step, each with the cell of the mesh in which it lies.
+  struct Parts
+  {
+    std::vector<Part> Wanted;
+    std::vector<vtkIdType> Roots;
+  };
+  /// About so many parts are looked at together, so that their memory is small.
+  static constexpr std::size_t Batch = 64;
+
+  void AddParts(const NestedPieces& pieces, vtkIdType cell, vtkIdType root, const CellBound& bound,
+    double rounding, Parts& parts);
+  void Look(
+    const SteppedPieces& pieces, const BoundedValues& values, const Parts& parts, int further);
+
+  std::vector<CellBound>& Bounds;
+  std::vector<double> Settled; ///< the largest bound of parts that are not looked at any more
+};
+
+void Tightener::Run(const SteppedPieces& pieces, const BoundedValues& values)
+{
+  Parts parts;
+  for (const vtkIdType cell : InTurn(pieces.Pieces.GetNumberOfCells()))
+  {
+    const CellBound& bound = this->Bounds[cell];
+    if (!IsNear(bound.Largest, bound.Least, values.Rounding) &&
+      CanHelp(bound, pieces.Pieces.GetDimension(cell), values.Rounding))
+    {
+      this->AddParts(pieces.Pieces, cell, cell, bound, values.Rounding, parts);
+    }
+  }
+  const std::vector<vtkIdType> roots = parts.Roots;
+  this->Look(pieces, values, parts, 1);
+  for (const vtkIdType root : InTurn(roots))
+  {
+    this->Bounds[root].Largest = std::min(this->Bounds[root].Largest, this->Settled[root]);
+  }
+}
+
+/// Adds the children of a cell that have pieces whose bounds are not near.
+void Tightener::AddParts(const NestedPieces& pieces, vtkIdType cell, vtkIdType root,
+  const CellBound& bound, double rounding, Parts& parts)
+{
+  const auto children = static_cast<int>(pieces.GetLattice(cell).Children.size());
+  const auto size = static_cast<std::ptrdiff_t>(bound.OfPieces.size()) / children;
+  double& settled = this->Settled[root];
+  if (size == 0)
+  {
+    settled = std::max(settled, bound.Largest);
+    return;
+  }
+  for (int child = 0; child < children; ++child)
+  {
+    const auto begin = bound.OfPieces.begin() + child * size;
+    const double most = *std::max_element(begin, begin + size);
+    if (IsNear(most, this->Bounds[root].Least, rounding))
+    {
+      settled = std::max(settled, most);
+      continue;
+    }
+    parts.Wanted.push_back({ cell, child });
+    parts.Roots.push_back(root);
+  }
+}
+
+void Tightener::Look(
+  const SteppedPieces& pieces, const BoundedValues& values, const Parts& parts, int further)
+{
+  const int components = values.Components;
+  std::size_t end = 0;
+  for (std::size_t begin = 0; begin < parts.Wanted.size(); begin = end)
+  {
+    // All parts of a cell together: what it gets does not depend on other cells.
+    while (end < parts.Wanted.size() &&
+      (end < begin + Batch || parts.Roots[end] == parts.Roots[end - 1]))
+    {
+      ++end;
+    }
+    const DeeperPieces deeper(pieces,
+      { parts.Wanted.begin() + static_cast<std::ptrdiff_t>(begin),
+        parts.Wanted.begin() + static_cast<std::ptrdiff_t>(end) });
+    const SteppedPieces made = deeper.Get();
+    const Buffer<double> next = deeper.Take(1, values.Second, components);
+    const Buffer<double> second = deeper.Take(2, values.Third, components);
+    const auto step = [&](const Buffer<double>& before)
+    {
+      Buffer<double> after(components * made.Last.back()->GetNumberOfRows());
+      made.Last.back()->Apply(before.data(), after.data(), components);
+      return after;
+    };
+    const Buffer<double> third = step(second);
+    std::vector<double> shown(components * deeper.GetCorners().size(), 0.);
+    for (std::size_t i = 0; i < deeper.GetCorners().size(); ++i)
+    {
+      const auto& [cell, point] = deeper.GetCorners()[i];
+      AddShown(pieces.Pieces, values, cell, point, 1., shown.data() + components * i);
+    }
+    const BoundedValues ofParts{ components, shown.data(), next, second, third, step,
+      values.Rounding };
+    const std::vector<CellBound> found =
+      FindBounds(made.Pieces, made.AllSectors, ofParts, static_cast<vtkIdType>(end - begin));
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      double& least = this->Bounds[parts.Roots[begin + i]].Least;
+      least = std::max(least, found[i].Least);
+    }
+    Parts left;
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      const vtkIdType root = parts.Roots[begin + i];
+      const auto cell = static_cast<vtkIdType>(i);
+      if (further == MostFurtherSteps[made.Pieces.GetDimension(cell)])
+      {
+        this->Settled[root] = std::max(this->Settled[root], found[i].Largest);
+        continue;
+      }
+      this->AddParts(made.Pieces, cell, root, found[i], values.Rounding, left);
+    }
+    this->Look(made, ofParts, left, further + 1);
+  }
+}
+
+/// The distances of points that are known to be on the limit.
+void AddSamples(const NestedPieces& pieces, const BoundedValues& values,
+  const Buffer<double>& limits, std::vector<CellBound>& bounds)
+{
+  ForUnevenRanges(pieces.GetNumberOfCells(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<double> difference(static_cast<std::size_t>(values.Components));
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        CellBound& bound = bounds[cell];
+        if (IsNear(bound.Largest, bound.Least, values.Rounding))
+        {
+          continue;
+        }
+        double most = 0.;
+        const vtkIdType first = pieces.GetFirstPlace(cell);
+        for (vtkIdType place = first; place < pieces.GetFirstPlace(cell + 1); ++place)
+        {
+          const vtkIdType point = pieces.GetPoint(place);
+          if (point < pieces.GetNumberOfPoints(NestedPieces::Steps - 1))
+          {
+            std::copy_n(
+              limits.data() + values.Components * point, values.Components, difference.data());
+            AddShown(pieces, values, cell, static_cast<int>(place - first), -1., difference.data());
+            most = std::max(most, GetNorm(difference.data(), values.Components));
+          }
+        }
+        bound.Least = std::max(bound.Least, most - values.Rounding);
+        if (pieces.GetDimension(cell) == 0)
+        {
+          bound.Largest = std::min(bound.Largest, most + values.Rounding);
+        }
+      }
+    });
+}
+
+}
+
+void TightenBounds(const SteppedPieces& pieces, const BoundedValues& values,
+  const Buffer<double>& limits, std::vector<CellBound>& bounds)
+{
+  if (!limits.empty())
+  {
+    AddSamples(pieces.Pieces, values, limits, bounds);
+  }
+  Tightener(bounds).Run(pieces, values);
+}
+
+}

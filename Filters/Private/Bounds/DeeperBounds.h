@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file DeeperBounds.h
+ * Makes bounds smaller by further steps, where they are not near the truth.
+ */
+#ifndef SubdivisionObjects_DeeperBounds_h
+#define SubdivisionObjects_DeeperBounds_h
+
+#include "Private/Bounds/DeeperPieces.h"
+#include "Private/Bounds/Deviations.h"
+
+#include <vector>
+
+namespace subdivision
+{
+
+/// How many steps are looked at beyond the three of all cells, by the dimension of a cell: so that
+/// 512 parts of it are the most.
+constexpr int MostFurtherSteps[4] = { 0, 8, 4, 3 };
+
+/**
+ * Looks at the parts of cells whose pieces have bounds that are not near the cell's Least, one step
+ * deeper each time, until they are, or until MostFurtherSteps. Each step leaves about a quarter of
+ * what a bound is too large by. A cell whose bound would not come near even so is left alone.
+ * `limits` are values on the limit at points before the last step; empty if nobody knows them.
+ */
+void TightenBounds(const SteppedPieces& pieces, const BoundedValues& values,
+  const Buffer<double>& limits, std::vector<CellBound>& bounds);
+
+}
+
+#endif

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file DeeperPieces.h
+ * Parts of cells as cells of their own, one step deeper, without a mesh that is split once more.
+ *
+ * A cell looks the same on each level: what lies inside one of its edges or faces repeats at half
+ * the size. So the rows of the next step are those of the last one, at other places (Mathematics
+ * 14).
+ */
+#ifndef SubdivisionObjects_DeeperPieces_h
+#define SubdivisionObjects_DeeperPieces_h
+
+#include "Private/Bounds/NestedPieces.h"
+#include "Private/Bounds/Sectors.h"
+
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace subdivision
+{
+
+/// Cells, what their limits depend on, and the last of their steps.
+struct SteppedPieces
+{
+  const NestedPieces& Pieces;
+  const Sectors& AllSectors;
+  Sectors::Step Last;
+};
+
+class DeeperPieces
+{
+public:
+  /// Whole numbers for the corners of a cell.
+  using Weights = std::array<int, NestedPieces::MostCorners>;
+
+  /// A child of a cell (PieceLattice::Children).
+  struct Part
+  {
+    vtkIdType Cell;
+    int Child;
+    bool operator<(const Part& other) const
+    {
+      return this->Cell < other.Cell || (this->Cell == other.Cell && this->Child < other.Child);
+    }
+    bool operator==(const Part& other) const
+    {
+      return this->Cell == other.Cell && this->Child == other.Child;
+    }
+  };
+
+  /// The first cells are `wanted`, in their order; after them come the other parts at their points.
+  /// A row is not a number where it may read what these do not have; what wanted cells depend on is
+  /// there, but where a rule reads more than cells that meet.
+  DeeperPieces(const SteppedPieces& from, const std::vector<Part>& wanted);
+  DeeperPieces(const DeeperPieces&) = delete;
+  DeeperPieces& operator=(const DeeperPieces&) = delete;
+
+  SteppedPieces Get() const { return { *this->Pieces, *this->AllSectors, { &this->Last } }; }
+
+  /// Values at the points after step 1 or 2, of those at the points before.
+  Buffer<double> Take(int step, const Buffer<double>& values, int components) const;
+  /// For each point that is a corner of a cell, a place in the cells before.
+  struct Corner
+  {
+    vtkIdType Cell;
+    int Point; ///< of its lattice
+  };
+  const std::vector<Corner>& GetCorners() const { return this->Corners; }
+
+private:
+  using Mask = NestedPieces::Mask;
+  /// How a place is moved to one where its row is known.
+  struct Shift
+  {
+    vtkIdType Cell;
+    Mask Face;           ///< all cells that have it are alike there
+    Weights Corners;     ///< how much of each corner is taken away
+    LatticePoint Inside; ///< the same inside a quad
+  };
+  void ListParts(const std::vector<Part>& wanted);
+  void NumberOldPoints();
+  void NumberNewPoints();
+  void FindPieces();
+  void MakeRows();
+  vtkIdType FindRow(const Part& part, int point, Shift& shift) const;
+  bool Match(const Shift& shift, vtkIdType cell, Weights& corners) const;
+  vtkIdType ShiftColumn(const Shift& shift, vtkIdType column) const;
+  vtkIdType FindNumber(vtkIdType old) const;
+  const NestedPieces::Lattice& GetLattice(const Part& part) const
+  {
+    return this->From.Pieces.GetLattice(part.Cell);
+  }
+  /// The point before that is one of a part, and was there before the last step.
+  vtkIdType GetOld(const Part& part, int point) const;
+
+  const SteppedPieces From;
+  std::vector<Part> Parts;
+  std::vector<vtkIdType> FirstPlaces; ///< of each part
+  Buffer<vtkIdType> PlacePoints;
+  std::array<vtkIdType, NestedPieces::Steps + 1> Counts{};
+  std::vector<vtkIdType> Old;                                ///< of each point before the last step
+  std::vector<std::pair<vtkIdType, vtkIdType>> NumbersOfOld; ///< ascending
+  std::vector<Corner> Corners;
+  std::unique_ptr<NestedPieces> Pieces;
+  MatrixFactors::Matrix Last;
+  std::unique_ptr<Sectors> AllSectors;
+};
+
+}
+
+#endif

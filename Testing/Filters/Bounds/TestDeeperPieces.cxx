@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestDeeperPieces.cxx
+ * Parts of cells one step deeper are those of a mesh that is split once more.
+ */
+#include "BezierTools.h"
+#include "BoundTools.h"
+
+#include "Private/Bounds/DeeperPieces.h"
+
+using namespace bound_tools;
+using bezier_tools::MakeSheet;
+using subdivision::Buffer;
+using subdivision::DeeperPieces;
+using subdivision::NestedPieces;
+using subdivision::PieceLattice;
+using subdivision::Sectors;
+
+namespace
+{
+
+/// The levels of a filter from `first` on, and their values of array Two.
+template <typename FilterClass>
+class Levels
+{
+public:
+  using Set = std::function<void(FilterClass*)>;
+
+  Levels(vtkDataObject* input, int first, const Set& configure)
+  {
+    for (int level = first; level <= first + NestedPieces::Steps + 1; ++level)
+    {
+      vtkNew<FilterClass> filter;
+      filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+      filter->SetNumberOfLevels(level);
+      if (configure)
+      {
+        configure(filter);
+      }
+      using Output = typename Bounded<FilterClass>::Output;
+      this->Meshes.push_back(UpdateWithoutErrors<Output>(filter.Get(), input));
+      if (level == first + NestedPieces::Steps)
+      {
+        this->Factors = GetLastFactors(filter.Get(), 2);
+      }
+    }
+  }
+
+  NestedPieces MakePieces(int from) const
+  {
+    std::array<vtkIdType, NestedPieces::Steps + 1> points{};
+    for (int step = 0; step <= NestedPieces::Steps; ++step)
+    {
+      points[step] = this->Meshes[from + step]->GetNumberOfPoints();
+    }
+    return NestedPieces(this->Meshes[from + NestedPieces::Steps], points);
+  }
+
+  Buffer<double> GetValues(int level) const
+  {
+    vtkDataArray* array = this->Meshes[level]->GetPointData()->GetArray("Two");
+    Buffer<double> values(2 * array->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < values.size(); ++i)
+    {
+      values[i] = array->GetComponent(i / 2, static_cast<int>(i % 2));
+    }
+    return values;
+  }
+
+  Sectors::Step GetStep() const
+  {
+    // The operator of a surface is one matrix.
+    const bool isOne =
+      this->Factors[1].Columns.size() > 0 && this->GetLargestColumn(1) < this->GetPointsBefore();
+    return isOne ? Sectors::Step{ &this->Factors[1] }
+                 : Sectors::Step{ &this->Factors[0], &this->Factors[1] };
+  }
+
+private:
+  long long GetLargestColumn(int factor) const
+  {
+    const Buffer<long long>& columns = this->Factors[factor].Columns;
+    return *std::max_element(columns.begin(), columns.end());
+  }
+  long long GetPointsBefore() const
+  {
+    return this->Meshes[NestedPieces::Steps - 1]->GetNumberOfPoints();
+  }
+
+  std::vector<vtkSmartPointer<vtkPointSet>> Meshes;
+  std::vector<subdivision::MatrixFactors::Matrix> Factors;
+};
+
+/// Compares all parts, or each one alone. Returns how many values were compared.
+template <typename FilterClass>
+vtkIdType Compare(vtkDataObject* input, int first, bool isAlone,
+  const std::function<void(FilterClass*)>& configure = {})
+{
+  const Levels<FilterClass> levels(input, first, configure);
+  const NestedPieces pieces = levels.MakePieces(0);
+  const NestedPieces expected = levels.MakePieces(1);
+  const Sectors sectors(pieces, levels.GetStep());
+  const Buffer<double> finest = levels.GetValues(NestedPieces::Steps + 1);
+  std::vector<DeeperPieces::Part> parts;
+  for (vtkIdType c = 0; c < pieces.GetNumberOfCells(); ++c)
+  {
+    for (int child = 0; child < static_cast<int>(pieces.GetLattice(c).Children.size()); ++child)
+    {
+      parts.push_back({ c, child });
+    }
+  }
+  EXPECT_EQ(static_cast<vtkIdType>(parts.size()), expected.GetNumberOfCells());
+  vtkIdType compared = 0;
+  const auto compare = [&](const std::vector<DeeperPieces::Part>& wanted, vtkIdType cell)
+  {
+    const DeeperPieces deeper({ pieces, sectors, levels.GetStep() }, wanted);
+    const auto made = deeper.Get();
+    const Buffer<double> second = deeper.Take(2, levels.GetValues(NestedPieces::Steps), 2);
+    Buffer<double> third(2 * made.Pieces.GetNumberOfPoints(NestedPieces::Steps));
+    made.Last[0]->Apply(second.data(), third.data(), 2);
+    for (std::size_t c = 0; c < wanted.size(); ++c)
+    {
+      const vtkIdType own = made.Pieces.GetFirstPlace(static_cast<vtkIdType>(c));
+      const vtkIdType other = expected.GetFirstPlace(cell + static_cast<vtkIdType>(c));
+      const PieceLattice& lattice = made.Pieces.GetLattice(static_cast<vtkIdType>(c));
+      for (std::size_t i = 0; i < lattice.Places.size(); ++i)
+      {
+        for (int x = 0; x < 2; ++x)
+        {
+          const auto at = static_cast<vtkIdType>(i);
+          ASSERT_NEAR(third[2 * made.Pieces.GetPoint(own + at) + x],
+            finest[2 * expected.GetPoint(other + at) + x], 1e-10)
+            << "cell " << cell + static_cast<vtkIdType>(c) << " point " << i;
+          ++compared;
+        }
+      }
+    }
+  };
+  if (!isAlone)
+  {
+    compare(parts, 0);
+    return compared;
+  }
+  for (std::size_t p = 0; p < parts.size(); p += 7)
+  {
+    compare({ parts[p] }, static_cast<vtkIdType>(p));
+  }
+  return compared;
+}
+
+}
+
+TEST(DeeperPieces, AreThoseOfAMeshThatIsSplitOnceMore)
+{
+  vtkIdType compared = 0;
+  for (unsigned seed = 1; seed < 25; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const bool withSolids = seed % 4 == 0;
+    const Configure configure = [&](Filter* filter)
+    {
+      filter->SetDetectFeatures(seed % 2 == 0);
+      filter->SetEmbeddedCells(static_cast<int>(seed % 3));
+      filter->SetModifiedBoundary(seed % 3 == 1);
+      filter->SetCreaseEnd(static_cast<int>(seed / 2 % 2));
+    };
+    compared += Compare<Filter>(WithValues(MakeRandomComplex(seed, withSolids)),
+      withSolids ? 0 : static_cast<int>(seed % 2), seed % 3 == 0, configure);
+  }
+  EXPECT_GT(compared, 100000);
+}
+
+TEST(DeeperPieces, OfQuads)
+{
+  for (const bool isAlone : { false, true })
+  {
+    for (const bool modified : { false, true })
+    {
+      EXPECT_GT(Compare<vtkSurfaceSubdivision>(WithValues(MakeSheet(3, false, 0.2)), 0, isAlone,
+                  [&](vtkSurfaceSubdivision* filter)
+                  {
+                    filter->SetSchemeToCatmullClark();
+                    filter->SetModifiedBoundary(modified);
+                  }),
+        100);
+    }
+  }
+}
+
+TEST(DeeperPieces, HaveWhatMeetsThem)
+{
+  // Two triangles with a common edge.
+  const Grid grid =
+    WithValues(MakeGrid({ { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1., 0. }, { 1., 1., 0. } },
+      { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 3, 2, 1 } } }));
+  const Levels<Filter> levels(grid, 0, {});
+  const NestedPieces pieces = levels.MakePieces(0);
+  const Sectors sectors(pieces, levels.GetStep());
+  const DeeperPieces deeper({ pieces, sectors, levels.GetStep() }, { { 0, 1 } });
+  const auto made = deeper.Get();
+  // All children of its triangle, and three beyond the edge at whose end it lies.
+  EXPECT_EQ(made.Pieces.GetNumberOfCells(), 7);
+  EXPECT_EQ(made.Pieces.GetNumberOfPoints(0), 8);
+  EXPECT_EQ(deeper.GetCorners().size(), 8U);
+}
