@@ -19,7 +19,9 @@ enum class Depth
   /// Only what moves points and writes cells: no faces but the triangle cells, no incidences.
   ForOutput,
   /// Surfaces only: counts, but no faces. SurfaceSteps writes the faces straight into the output.
-  ForCounts
+  ForCounts,
+  /// Surfaces only: everything that further steps read, but nothing that limits alone read.
+  ForSteps
 };
 
 }

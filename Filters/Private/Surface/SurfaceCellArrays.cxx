@@ -53,7 +53,7 @@ Buffer<Carrier<Id>> FindCarriers(const SurfaceSteps<Id>& steps, int first, int l
   {
     const bool areWhole = period > 0 && (step - first) % period == 0;
     Buffer<Carrier<Id>> children;
-    steps.GetScheme().CarryFaces(steps.GetLevel(step), carriers, areWhole, children);
+    steps.CarryFaces(step, carriers, areWhole, children);
     carriers = std::move(children);
   }
   return carriers;

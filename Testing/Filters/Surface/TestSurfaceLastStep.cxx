@@ -15,13 +15,14 @@ using namespace surfacetools;
 namespace
 {
 
-/// Skips levels whatever part of the surface is irregular.
+/// Skips levels whatever part of the surface is irregular, or skips none.
 struct WithSkippedLevels
 {
-  WithSkippedLevels() { MostIrregularVertices = 1.; }
+  explicit WithSkippedLevels(double most = 1.) { MostIrregularVertices = most; }
   ~WithSkippedLevels() { MostIrregularVertices = Default; }
   const double Default = MostIrregularVertices;
 };
+constexpr double NoLevels = -1.;
 
 class SurfaceLastStep : public testing::TestWithParam<SurfaceSchemeKind>
 {
@@ -56,12 +57,58 @@ std::set<vtkIdType> GetParents(const SurfaceSteps<int>& steps, int step, vtkIdTy
   return { parents.begin(), parents.end() };
 }
 
+/// Whether all faces have twins, which run the other way.
+bool IsOriented(const SurfaceLevel<int>& level)
+{
+  const PolygonMesh<int>& mesh = level.Mesh;
+  int corners = 0;
+  return std::all_of(mesh.Twins.begin(), mesh.Twins.end(),
+    [&](int twin) { return twin >= 0 && mesh.Vertices[twin] != mesh.Vertices[corners++]; });
+}
+bool IsSmooth(const SurfaceLevel<int>& level)
+{
+  return std::all_of(level.Tags.Edges.begin(), level.Tags.Edges.end(),
+           [](EdgeTag tag) { return tag == EdgeTag::Smooth; }) &&
+    std::all_of(level.Tags.Vertices.begin(), level.Tags.Vertices.end(),
+      [](VertexTag tag) { return tag == VertexTag::Smooth; });
+}
+/// Whether each vertex has one fan, of three or more faces.
+bool HasWholeFans(const SurfaceLevel<int>& level)
+{
+  bool areWhole = level.Lines.empty();
+  for (int v = 0; v < level.Mesh.NumberOfVertices && areWhole; ++v)
+  {
+    int faces = 0;
+    areWhole = level.Mesh.VertexCorners[v] >= 0 &&
+      VisitFan(level.Mesh, level.Mesh.VertexCorners[v], [&](const FanStep<int>&) { ++faces; }) &&
+      faces > 2;
+  }
+  return areWhole;
+}
+
 bool Skips(const SurfaceSteps<int>& steps, SurfaceSchemeKind kind)
 {
   const int count = steps.GetNumberOfSteps();
-  return count > 1 &&
-    (kind == SurfaceSchemeKind::Loop || kind == SurfaceSchemeKind::ModifiedButterfly ||
-      (kind == SurfaceSchemeKind::CatmullClark && steps.GetLevel(count - 2).Mesh.Arity == 4));
+  if (count < 2)
+  {
+    return false;
+  }
+  const SurfaceLevel<int>& level = steps.GetLevel(count - 2);
+  switch (kind)
+  {
+    case SurfaceSchemeKind::Loop:
+    case SurfaceSchemeKind::ModifiedButterfly:
+      return true;
+    case SurfaceSchemeKind::CatmullClark:
+      return level.Mesh.Arity == 4;
+    case SurfaceSchemeKind::FourEight:
+      return IsSmooth(level) && IsOriented(level);
+    case SurfaceSchemeKind::DooSabin:
+    case SurfaceSchemeKind::Midedge:
+      return HasWholeFans(level) && IsOriented(level);
+    default:
+      return false;
+  }
 }
 
 template <typename T>
@@ -89,8 +136,8 @@ void ExpectSameSteps(const SurfaceSteps<int>& brief, const SurfaceSteps<int>& fu
     }
     const auto faces = MakeCarriers<int>(full.GetLevel(step).Mesh.NumberOfFaces);
     Buffer<Carrier<int>> carriers[2];
-    brief.GetScheme().CarryFaces(brief.GetLevel(step), faces, true, carriers[0]);
-    full.GetScheme().CarryFaces(full.GetLevel(step), faces, true, carriers[1]);
+    brief.CarryFaces(step, faces, true, carriers[0]);
+    full.CarryFaces(step, faces, true, carriers[1]);
     ExpectEqual(carriers[0], carriers[1]);
   }
 }
@@ -98,6 +145,64 @@ void ExpectSameSteps(const SurfaceSteps<int>& brief, const SurfaceSteps<int>& fu
 bool IsLeftOut(const SurfaceLevel<int>& level)
 {
   return level.Mesh.Twins.empty() && level.Mesh.NumberOfFaces > 0;
+}
+
+/// A torus, of which some faces are split, in some a vertex is taken out, and in some one face is
+/// turned over.
+Model MakeTorus(unsigned seed, bool triangles)
+{
+  constexpr vtkIdType n = 5;
+  const auto at = [](vtkIdType i, vtkIdType j) { return (i + n) % n * n + (j + n) % n; };
+  std::mt19937 random(seed);
+  const auto isDrawn = [&random](double part)
+  { return std::uniform_real_distribution<double>(0., 1.)(random) < part; };
+  const bool isCut = seed % 3 == 0 && !triangles;
+  vtkIdType points = isCut ? n * n - 1 : n * n;
+  Model torus;
+  if (isCut)
+  {
+    torus.Faces = { { at(0, -2), at(0, -1), at(0, 0), at(-1, 0), at(-2, 0), at(-2, -1), at(-2, -2),
+      at(-1, -2) } };
+  }
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    for (vtkIdType j = 0; j < n; ++j)
+    {
+      const std::vector<vtkIdType> quad{ at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) };
+      if (isCut && i >= n - 2 && j >= n - 2)
+      {
+        continue;
+      }
+      if (!triangles && isDrawn(0.6))
+      {
+        torus.Faces.push_back(quad);
+      }
+      else if (isDrawn(0.5))
+      {
+        torus.Faces.push_back({ quad[0], quad[1], quad[2] });
+        torus.Faces.push_back({ quad[2], quad[3], quad[0] });
+      }
+      else
+      {
+        for (std::size_t k = 0; k < 4; ++k)
+        {
+          torus.Faces.push_back({ quad[k], quad[(k + 1) % 4], points });
+        }
+        ++points;
+      }
+    }
+  }
+  std::shuffle(torus.Faces.begin(), torus.Faces.end(), random);
+  for (auto& face : torus.Faces)
+  {
+    std::rotate(face.begin(), face.begin() + (isDrawn(0.5) ? 2 : 1), face.end());
+  }
+  if (seed % 4 == 3)
+  {
+    std::reverse(torus.Faces[0].begin(), torus.Faces[0].end());
+  }
+  torus.Points = MakeRandomPoints(static_cast<std::size_t>(points), seed);
+  return torus;
 }
 
 /// A sheet, or faces anywhere on few points, with flags, angles and flatness at random.
@@ -193,6 +298,39 @@ private:
   EdgeSharpness Sharpness;
 };
 
+/// Arrays that are gathered.
+vtkSmartPointer<vtkPolyData> AddArrays(const vtkSmartPointer<vtkPolyData>& input)
+{
+  vtkNew<vtkIntArray> marks;
+  marks->SetName("marks");
+  vtkNew<vtkIntArray> ofCells;
+  ofCells->SetName("cells");
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    marks->InsertNextValue(7 * i % 11);
+  }
+  for (int i = 0; i < input->GetNumberOfCells(); ++i)
+  {
+    ofCells->InsertNextValue(i);
+  }
+  input->GetPointData()->AddArray(marks);
+  input->GetCellData()->AddArray(ofCells);
+  return input;
+}
+
+void ExpectSameOutputs(const vtkSmartPointer<vtkPolyData>& input, int scheme)
+{
+  vtkSmartPointer<vtkPolyData> whole;
+  {
+    const WithSkippedLevels making(NoLevels);
+    whole = RunFilter(input, scheme, 4);
+  }
+  const WithSkippedLevels skipping;
+  ExpectSameBits(whole, RunFilter(input, scheme, 4));
+  ExpectSameBits(whole, RunFilter(RunFilter(input, scheme, 1), scheme, 3));
+  ExpectSameBits(whole, RunFilter(RunFilter(input, scheme, 3), scheme, 1));
+}
+
 }
 
 TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevels)
@@ -237,6 +375,27 @@ TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevelsOnRandomSurfaces)
       GetParam() == SurfaceSchemeKind::CatmullClark);
 }
 
+TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevelsOnClosedSurfaces)
+{
+  const WithSkippedLevels skipping;
+  const bool triangles = MakeSurfaceScheme<int>(GetParam(), true)->NeedsTriangles();
+  int skipped = 0;
+  for (unsigned seed = 0; seed < 24; ++seed)
+  {
+    const int count = 2 + static_cast<int>(seed / 4) % 2;
+    SCOPED_TRACE(std::to_string(seed) + ", " + std::to_string(count) + " steps");
+    Walk first(MakeTorus(seed, triangles), GetParam());
+    Walk second(MakeTorus(seed, triangles), GetParam());
+    const SurfaceSteps<int> brief(std::move(first.Level), first.Scheme, count, false, nullptr);
+    const SurfaceSteps<int> full(std::move(second.Level), second.Scheme, count, true, nullptr);
+    EXPECT_EQ(IsLeftOut(brief.GetLevel(count - 1)), Skips(brief, GetParam()));
+    skipped += IsLeftOut(brief.GetLevel(count - 1));
+    ExpectSameSteps(brief, full);
+  }
+  EXPECT_EQ(skipped >= 12,
+    GetParam() != SurfaceSchemeKind::SqrtThree && GetParam() != SurfaceSchemeKind::Linear);
+}
+
 /// What a level knows of the step that made it saves walks, and changes nothing.
 TEST_P(SurfaceLastStep, IsTheSameAsWithoutTheLevelBefore)
 {
@@ -274,27 +433,18 @@ TEST(SurfaceSkippedLevel, OutputsAreThoseOfWholeLevels)
   for (const int scheme : { vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::MODIFIED_BUTTERFLY,
          vtkSurfaceSubdivision::CATMULL_CLARK })
   {
-    const auto input = MakeInput(
-      MakeSheet(5, 4, scheme != vtkSurfaceSubdivision::CATMULL_CLARK, { 1, 0, 0 }, { 0, 1, 1 }));
-    vtkNew<vtkIntArray> marks;
-    marks->SetName("marks");
-    vtkNew<vtkIntArray> ofCells;
-    ofCells->SetName("cells");
-    for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
-    {
-      marks->InsertNextValue(7 * i % 11);
-    }
-    for (int i = 0; i < input->GetNumberOfCells(); ++i)
-    {
-      ofCells->InsertNextValue(i);
-    }
-    input->GetPointData()->AddArray(marks);
-    input->GetCellData()->AddArray(ofCells);
-    const auto whole = RunFilter(input, scheme, 4);
-    const WithSkippedLevels skipping;
-    ExpectSameBits(whole, RunFilter(input, scheme, 4));
-    ExpectSameBits(whole, RunFilter(RunFilter(input, scheme, 1), scheme, 3));
-    ExpectSameBits(whole, RunFilter(RunFilter(input, scheme, 3), scheme, 1));
+    ExpectSameOutputs(AddArrays(MakeInput(MakeSheet(5, 4,
+                        scheme != vtkSurfaceSubdivision::CATMULL_CLARK, { 1, 0, 0 }, { 0, 1, 1 }))),
+      scheme);
+  }
+}
+
+TEST(SurfaceSkippedLevel, OutputsOfClosedSurfacesAreThoseOfWholeLevels)
+{
+  for (const int scheme : { vtkSurfaceSubdivision::FOUR_EIGHT, vtkSurfaceSubdivision::MIDEDGE,
+         vtkSurfaceSubdivision::DOO_SABIN })
+  {
+    ExpectSameOutputs(AddArrays(MakeInput(MakeTorus(1, false))), scheme);
   }
 }
 

@@ -2,8 +2,10 @@
 #include "Core/Surfaces/Dual/DooSabinScheme.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Rules/Pi.h"
+#include "Core/Surfaces/Dual/DooSabinNext.h"
+#include "Core/Surfaces/Dual/DooSabinWeights.h"
 #include "Core/Surfaces/Dual/DualLimits.h"
+#include "Core/Surfaces/Dual/DualNext.h"
 #include "Core/Surfaces/Dual/DualRefiner.h"
 
 #include <algorithm>
@@ -24,6 +26,13 @@ constexpr double NearEnd = 3. / 4.;
 vtkIdType GetVertexFaceSize(vtkIdType k, bool cycle)
 {
   return cycle ? k : k + 2;
+}
+
+/// The number of vertices of the next level besides the lone ones.
+template <typename Id>
+vtkIdType GetFirstLone(const SurfaceLevel<Id>& level)
+{
+  return level.Mesh.GetNumberOfCorners() + 2 * level.Dual->GetNumberOfOpenSides();
 }
 
 template <typename Id>
@@ -54,6 +63,29 @@ public:
   void GetParents(
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
   SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override;
+  bool WritesFaces() const override { return true; }
+  void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override;
+  void WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const override;
+  bool CountsChildren() const override { return true; }
+  bool SkipsNext(const SurfaceLevel<Id>& level) const override { return IsClosedDual(level); }
+  void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& /*others*/,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    AppendDooSabinRowsOfNext(level, begin, end, rows);
+  }
+  void GetParentsOfNext(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
+  {
+    GetDooSabinParentsOfNext(level, row, parents);
+  }
+  void WriteFacesOfNext(const SurfaceLevel<Id>& level, int* ids) const override
+  {
+    WriteDooSabinOfNext(level, ids);
+  }
+  void WriteFacesOfNext(const SurfaceLevel<Id>& level, long long* ids) const override
+  {
+    WriteDooSabinOfNext(level, ids);
+  }
   void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
     SurfaceSegments& children) const override
   {
@@ -86,10 +118,6 @@ public:
     Buffer<Carrier<Id>>& children) const override;
 
 private:
-  static vtkIdType GetFirstLone(const SurfaceLevel<Id>& level)
-  {
-    return level.Mesh.GetNumberOfCorners() + 2 * level.Dual->GetNumberOfOpenSides();
-  }
   /// The open side to which a row belongs; `isFirst` tells whether the point is near the beginning
   /// of its half-edge.
   static Id FindOpenSide(const SurfaceLevel<Id>& level, vtkIdType row, bool& isFirst)
@@ -99,27 +127,6 @@ private:
     return FindByCount(level.Dual->OpenSides, point / 2);
   }
 };
-
-/// The weights of a face's corners, counted from the one where the new vertex is.
-void FindCornerWeights(vtkIdType k, std::vector<double>& weights)
-{
-  weights.resize(k);
-  const double size = static_cast<double>(k);
-  weights[0] = 1. / 4. + 5. / (4. * size);
-  for (vtkIdType j = 1; j < k; ++j)
-  {
-    const double angle = 2. * Pi * static_cast<double>(std::min(j, k - j)) / size;
-    weights[j] = (3. + 2. * std::cos(angle)) / (4. * size);
-  }
-}
-
-/// The same for a quad.
-const std::array<double, 4> DooSabinQuad = []()
-{
-  std::vector<double> weights;
-  FindCornerWeights(4, weights);
-  return std::array<double, 4>{ weights[0], weights[1], weights[2], weights[3] };
-}();
 
 /// Writes the vertices of a corner's face from the corner on, if it is a quad.
 template <typename Id>
@@ -208,27 +215,28 @@ void DooSabinScheme<Id>::GetParents(
   }
 }
 
-template <typename Id>
-class DooSabinRefiner : DualRefiner<Id>
+template <typename Id, typename Out = Id>
+class DooSabinRefiner : DualRefiner<Id, Out>
 {
-  using Fan = typename DualRefiner<Id>::Fan;
+  using typename DualRefiner<Id, Out>::Fan;
 
 public:
-  DooSabinRefiner(const SurfaceLevel<Id>& level, Depth depth)
-    : DualRefiner<Id>(level, depth)
+  explicit DooSabinRefiner(const SurfaceLevel<Id>& level)
+    : DualRefiner<Id, Out>(
+        level, GetFirstLone(level), level.Dual->GetNumberOfSides(), GetVertexFaceSize)
     , Corners(level.Mesh.GetNumberOfCorners())
   {
   }
 
-  SurfaceLevel<Id> Run()
+  SurfaceLevel<Id> Run(Depth depth)
   {
-    const vtkIdType sides = this->Places.GetNumberOfSides();
-    this->Start(this->Corners + 2 * this->Places.GetNumberOfOpenSides(),
-      this->Mesh.NumberOfFaces + sides, this->Corners + 4 * sides);
-    this->SetInnerFaces();
-    ForEach(this->Corners, [this](vtkIdType c) { this->SetCorner(static_cast<Id>(c)); });
-    this->SetVertexFaces([this](const Fan& fan, Id at) { return this->SetFan(fan, at); });
-    return std::move(this->Next);
+    return this->MakeNext(depth, [this](Id* ids) { this->WriteFaces(ids); });
+  }
+
+  void WriteFaces(Out* ids)
+  {
+    ForEach(this->Corners, [&](vtkIdType c) { this->SetCorner(static_cast<Id>(c), ids); });
+    this->SetVertexFaces([&](const Fan& fan, Id at) { return this->SetFan(fan, at, ids); });
   }
 
 private:
@@ -250,10 +258,10 @@ private:
   }
 
   /// Sets the vertex at a corner, and the face along its side if it is the first corner there.
-  void SetCorner(Id corner)
+  void SetCorner(Id corner, Out* ids)
   {
-    Buffer<Id>& vertices = this->Next.Mesh.Vertices;
-    vertices[corner] = corner;
+    const auto set = [ids](Id at, Id vertex) { ids[at] = static_cast<Out>(vertex); };
+    set(corner, corner);
     this->SetVertexCorner(corner, corner);
     if (GetFirstOfSide(this->Mesh, corner) != corner)
     {
@@ -261,16 +269,15 @@ private:
     }
     const Id twin = this->Mesh.Twins[corner];
     const Id start = this->GetSideStart(corner);
-    this->SetFace(this->Mesh.NumberOfFaces + this->Places.Sides[corner], start, 4);
-    vertices[start] = this->Mesh.Next(corner);
-    vertices[start + 1] = corner;
+    set(start, this->Mesh.Next(corner));
+    set(start + 1, corner);
     this->Join(start, corner);
     if (twin < 0)
     {
       for (Id end = 0; end < 2; ++end)
       {
         const Id point = this->GetOpenPoint(corner, this->Mesh.Vertices[corner]) + end;
-        vertices[start + 2 + end] = point;
+        set(start + 2 + end, point);
         this->SetVertexCorner(point, start + 2 + end);
         this->SetFanSize(point, -2); // this face and that of the vertex
       }
@@ -279,12 +286,12 @@ private:
     }
     const bool sameWay = this->Mesh.Vertices[twin] == this->Mesh.Vertices[corner];
     const Id next = this->Mesh.Next(twin);
-    vertices[start + 2] = sameWay ? twin : next;
-    vertices[start + 3] = sameWay ? next : twin;
+    set(start + 2, sameWay ? twin : next);
+    set(start + 3, sameWay ? next : twin);
     this->Join(start + 2, twin);
   }
 
-  vtkIdType SetFan(const Fan& fan, Id at)
+  vtkIdType SetFan(const Fan& fan, Id at, Out* ids)
   {
     const Id vertex = fan.Vertex;
     const vtkIdType size = GetVertexFaceSize(static_cast<vtkIdType>(fan.Steps.size()), fan.IsCycle);
@@ -299,18 +306,18 @@ private:
         this->GetAcross(fan.Steps.back().GetHalfEdgeOut(this->Mesh), vertex));
       return 0;
     }
-    Buffer<Id>& vertices = this->Next.Mesh.Vertices;
     for (const FanStep<Id>& step : fan.Steps)
     {
-      vertices[at] = step.Corner;
+      ids[at] = static_cast<Out>(step.Corner);
       this->Join(at++, this->GetAcross(step.GetHalfEdgeOut(this->Mesh), vertex));
     }
     if (!fan.IsCycle)
     {
-      vertices[at] = this->GetOpenPoint(fan.Steps.back().GetHalfEdgeOut(this->Mesh), vertex);
+      ids[at] =
+        static_cast<Out>(this->GetOpenPoint(fan.Steps.back().GetHalfEdgeOut(this->Mesh), vertex));
       this->Open(at++);
       const Id first = fan.Steps.front().GetHalfEdgeIn(this->Mesh);
-      vertices[at] = this->GetOpenPoint(first, vertex);
+      ids[at] = static_cast<Out>(this->GetOpenPoint(first, vertex));
       this->Join(at, this->GetAcross(first, vertex));
     }
     return size;
@@ -427,7 +434,18 @@ void DooSabinScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const Su
 template <typename Id>
 SurfaceLevel<Id> DooSabinScheme<Id>::Refine(const SurfaceLevel<Id>& level, Depth depth) const
 {
-  return DooSabinRefiner<Id>(level, depth).Run();
+  return level.Dual ? DooSabinRefiner<Id>(level).Run(depth) : CountDooSabin(level);
+}
+
+template <typename Id>
+void DooSabinScheme<Id>::WriteFaces(const SurfaceLevel<Id>& level, int* ids) const
+{
+  DooSabinRefiner<Id, int>(level).WriteFaces(ids);
+}
+template <typename Id>
+void DooSabinScheme<Id>::WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const
+{
+  DooSabinRefiner<Id, long long>(level).WriteFaces(ids);
 }
 
 template <typename Id>

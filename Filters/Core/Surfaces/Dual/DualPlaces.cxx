@@ -23,16 +23,19 @@ void CountSides(const PolygonMesh<Id>& mesh, DualPlaces<Id>& places)
 {
   const vtkIdType corners = mesh.GetNumberOfCorners();
   places.Sides = Buffer<Id>(corners + 1);
-  places.OpenSides = Buffer<Id>(corners + 1);
   ForEach(corners,
     [&](vtkIdType c)
     {
       const Id corner = static_cast<Id>(c);
       places.Sides[c] = GetFirstOfSide(mesh, corner) == corner;
-      places.OpenSides[c] = mesh.Twins[c] < 0;
     });
   CountsToOffsets(places.Sides);
-  CountsToOffsets(places.OpenSides);
+  if (2 * places.GetNumberOfSides() > corners)
+  {
+    places.OpenSides = Buffer<Id>(corners + 1);
+    ForEach(corners, [&](vtkIdType c) { places.OpenSides[c] = mesh.Twins[c] < 0; });
+    CountsToOffsets(places.OpenSides);
+  }
 }
 
 template <typename Id>

@@ -32,7 +32,7 @@ template <typename Id>
 struct DualPlaces
 {
   Buffer<Id> Sides; ///< of each corner: how many sides there are whose first corner is before it
-  Buffer<Id> OpenSides; ///< the same for corners without twins
+  Buffer<Id> OpenSides; ///< the same for corners without twins; empty if all have one
   Buffer<Id> Faces;     ///< of each vertex: the number of vertex faces at vertices before it
   Buffer<Id> Corners;   ///< of each vertex: the number of corners of these faces
   Buffer<Id> Chains;    ///< of each vertex: the number of chains at vertices before it
@@ -44,7 +44,10 @@ struct DualPlaces
                           ///< if it is on none
 
   vtkIdType GetNumberOfSides() const { return this->Sides[this->Sides.size() - 1]; }
-  vtkIdType GetNumberOfOpenSides() const { return this->OpenSides[this->OpenSides.size() - 1]; }
+  vtkIdType GetNumberOfOpenSides() const
+  {
+    return this->OpenSides.empty() ? 0 : this->OpenSides[this->OpenSides.size() - 1];
+  }
   vtkIdType GetNumberOfFaces() const { return this->Faces[this->Faces.size() - 1]; }
   vtkIdType GetNumberOfCorners() const { return this->Corners[this->Corners.size() - 1]; }
   vtkIdType GetNumberOfChains() const { return this->Chains[this->Chains.size() - 1]; }
@@ -86,11 +89,13 @@ template <typename Id>
 void ListDualChildren(
   const SurfaceLevel<Id>& level, const SurfaceSegments& segments, SurfaceSegments& children);
 /// Appends the children of parents that have running counts: `ofEach` for each that is counted.
+/// Without counts there are none.
 template <typename Id>
 void AppendCounted(const IdSegments& parents, const std::vector<vtkIdType>& sizes,
   const Buffer<Id>& before, vtkIdType ofEach, IdSegments& children)
 {
-  AppendVariedChildren(parents, sizes, [&](vtkIdType i) { return ofEach * before[i]; }, children);
+  AppendVariedChildren(
+    parents, sizes, [&](vtkIdType i) { return before.empty() ? 0 : ofEach * before[i]; }, children);
 }
 
 /// Writes the carriers of vertex faces: what the faces of their fans share.

@@ -14,64 +14,64 @@
 namespace subdivision
 {
 
-template <typename Id>
+/// Out: the type of the ids of vertices that are written.
+template <typename Id, typename Out>
 class DualRefiner
 {
 protected:
-  DualRefiner(const SurfaceLevel<Id>& level, Depth depth)
+  /// The next level has `vertices` vertices besides the lone ones, and `quads` faces of four
+  /// corners between those inside old faces and the vertex faces.
+  DualRefiner(
+    const SurfaceLevel<Id>& level, vtkIdType vertices, vtkIdType quads, VertexFaceSize size)
     : Level(level)
     , Mesh(level.Mesh)
     , Places(*level.Dual)
-    , Whole(!IsLast(depth))
+    , FirstLone(vertices)
+    , FirstVertexFace(level.Mesh.NumberOfFaces + quads)
+    , FirstVertexCorner(level.Mesh.GetNumberOfCorners() + 4 * quads)
+    , Size(std::move(size))
   {
   }
   ~DualRefiner() = default;
 
-  /// Prepares the next level. It has `vertices` vertices besides the lone ones, and `faces` faces
-  /// with `corners` corners besides the vertex faces, which come last.
-  void Start(vtkIdType vertices, vtkIdType faces, vtkIdType corners)
+  /// Makes the next level. writeFaces(ids) writes the vertices of its faces and, on a whole level,
+  /// joins their half-edges.
+  template <typename WriteFaces>
+  SurfaceLevel<Id> MakeNext(Depth depth, const WriteFaces& writeFaces)
   {
-    this->FirstVertexFace = faces;
-    this->FirstVertexCorner = corners;
+    this->Whole = !IsLast(depth);
     this->Next.Step = this->Level.Step + 1;
-    RefineLines(this->Level, vertices, this->Next);
+    RefineLines(this->Level, this->FirstLone, this->Next);
     PolygonMesh<Id>& out = this->Next.Mesh;
-    out.NumberOfVertices = vertices + this->Places.GetNumberOfLoneRows();
-    out.NumberOfFaces = faces + this->Places.GetNumberOfFaces();
-    const vtkIdType size = corners + this->Places.GetNumberOfCorners();
-    out.Vertices = Buffer<Id>(size);
+    out.NumberOfVertices = this->FirstLone + this->Places.GetNumberOfLoneRows();
+    out.NumberOfFaces = this->FirstVertexFace + this->Places.GetNumberOfFaces();
+    const vtkIdType size = this->FirstVertexCorner + this->Places.GetNumberOfCorners();
     out.FaceOffsets = Buffer<Id>(out.NumberOfFaces + 1);
     out.FaceOffsets[out.NumberOfFaces] = static_cast<Id>(size);
+    this->SetOffsets();
     if (this->Whole)
     {
       out.Twins = Buffer<Id>(size);
       out.CornerFaces = Buffer<Id>(size);
+      ForEach(out.NumberOfFaces,
+        [&out](vtkIdType f)
+        {
+          std::fill(out.CornerFaces.begin() + out.FaceOffsets[f],
+            out.CornerFaces.begin() + out.FaceOffsets[f + 1], static_cast<Id>(f));
+        });
       out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
       this->Next.FanSizes = Buffer<signed char>(out.NumberOfVertices, 0);
-      std::fill(out.VertexCorners.begin() + vertices, out.VertexCorners.end(), static_cast<Id>(-1));
+      std::fill(
+        out.VertexCorners.begin() + this->FirstLone, out.VertexCorners.end(), static_cast<Id>(-1));
     }
+    if (depth != Depth::ForCounts)
+    {
+      out.Vertices = Buffer<Id>(size);
+      writeFaces(out.Vertices.data());
+    }
+    return std::move(this->Next);
   }
 
-  void SetFace(vtkIdType face, vtkIdType first, vtkIdType size)
-  {
-    PolygonMesh<Id>& out = this->Next.Mesh;
-    out.FaceOffsets[face] = static_cast<Id>(first);
-    if (this->Whole)
-    {
-      std::fill(out.CornerFaces.begin() + first, out.CornerFaces.begin() + first + size,
-        static_cast<Id>(face));
-    }
-  }
-  /// Sets the sizes of the faces inside old faces.
-  void SetInnerFaces()
-  {
-    ForEach(this->Mesh.NumberOfFaces,
-      [this](vtkIdType f)
-      {
-        const Id face = static_cast<Id>(f);
-        this->SetFace(face, this->Mesh.GetFirst(face), this->Mesh.GetSize(face));
-      });
-  }
   struct Fan
   {
     Id Vertex;
@@ -80,25 +80,15 @@ protected:
     bool IsCycle;
   };
   /// Makes the vertex faces. setFan(fan, at) writes the face of a fan, from corner `at` of the next
-  /// level on, and returns the number of its corners, or 0 if there is
-  /// no face.
+  /// level on, and returns the number of its corners, or 0 if there is no face.
   template <typename SetFan>
   void SetVertexFaces(const SetFan& setFan)
   {
     const auto set = [&](Id vertex, const auto& visitFans)
     {
-      vtkIdType face = this->FirstVertexFace + this->Places.Faces[vertex];
       vtkIdType at = this->FirstVertexCorner + this->Places.Corners[vertex];
-      visitFans(
-        [&](Id corner, const std::vector<FanStep<Id>>& steps, bool cycle)
-        {
-          const vtkIdType size = setFan(Fan{ vertex, corner, steps, cycle }, static_cast<Id>(at));
-          if (size > 0)
-          {
-            this->SetFace(face++, at, size);
-            at += size;
-          }
-        });
+      visitFans([&](Id corner, const std::vector<FanStep<Id>>& steps, bool cycle)
+        { at += setFan(Fan{ vertex, corner, steps, cycle }, static_cast<Id>(at)); });
     };
     ForRanges(this->Mesh.NumberOfVertices,
       [&](vtkIdType begin, vtkIdType end) { ForFansForward(this->Mesh, begin, end, set); });
@@ -139,9 +129,51 @@ protected:
   const SurfaceLevel<Id>& Level;
   const PolygonMesh<Id>& Mesh;
   const DualPlaces<Id>& Places;
-  const bool Whole;
-  vtkIdType FirstVertexFace = 0;
-  vtkIdType FirstVertexCorner = 0;
+  const vtkIdType FirstLone;
+  const vtkIdType FirstVertexFace;
+  const vtkIdType FirstVertexCorner;
+  const VertexFaceSize Size;
+
+private:
+  /// Faces inside old faces are as large as these. A walk is needed only at several vertex faces.
+  void SetOffsets()
+  {
+    Id* const offsets = this->Next.Mesh.FaceOffsets.data();
+    const vtkIdType faces = this->Mesh.NumberOfFaces;
+    const vtkIdType corners = this->Mesh.GetNumberOfCorners();
+    ForEach(faces, [&](vtkIdType f) { offsets[f] = this->Mesh.GetFirst(static_cast<Id>(f)); });
+    ForEach(this->FirstVertexFace - faces,
+      [&](vtkIdType i) { offsets[faces + i] = static_cast<Id>(corners + 4 * i); });
+    ForEach(this->Mesh.NumberOfVertices,
+      [&](vtkIdType v)
+      {
+        Id* to = offsets + this->FirstVertexFace + this->Places.Faces[v];
+        const Id count = this->Places.Faces[v + 1] - this->Places.Faces[v];
+        Id at = static_cast<Id>(this->FirstVertexCorner) + this->Places.Corners[v];
+        if (count == 1)
+        {
+          *to = at;
+        }
+        if (count < 2)
+        {
+          return;
+        }
+        std::vector<FanStep<Id>> steps;
+        VisitFans(this->Mesh, static_cast<Id>(v),
+          [&](Id corner)
+          {
+            const bool cycle = FindFanForward(this->Mesh, corner, steps);
+            const vtkIdType size = this->Size(static_cast<vtkIdType>(steps.size()), cycle);
+            if (size >= 3)
+            {
+              *to++ = at;
+              at += static_cast<Id>(size);
+            }
+          });
+      });
+  }
+
+  bool Whole = false;
   SurfaceLevel<Id> Next;
 };
 

@@ -4,7 +4,9 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Sorting.h"
 #include "Core/Surfaces/Dual/DualLimits.h"
+#include "Core/Surfaces/Dual/DualNext.h"
 #include "Core/Surfaces/Dual/DualRefiner.h"
+#include "Core/Surfaces/Dual/MidedgeNext.h"
 
 #include <algorithm>
 #include <array>
@@ -27,6 +29,14 @@ template <typename Id>
 vtkIdType GetVertexFaceSize(const SurfaceLevel<Id>& level, vtkIdType k, bool cycle)
 {
   return cycle ? k : k + 1 + KeepsChains(level);
+}
+
+/// The number of vertices of the next level besides the lone ones.
+template <typename Id>
+vtkIdType GetFirstLone(const SurfaceLevel<Id>& level)
+{
+  return level.Dual->GetNumberOfSides() +
+    (KeepsChains(level) ? level.Dual->GetNumberOfChains() : 0);
 }
 
 template <typename Id>
@@ -57,6 +67,29 @@ public:
   void GetParents(
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
   SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override;
+  bool WritesFaces() const override { return true; }
+  void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override;
+  void WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const override;
+  bool CountsChildren() const override { return true; }
+  bool SkipsNext(const SurfaceLevel<Id>& level) const override { return IsClosedDual(level); }
+  void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& /*others*/,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    AppendMidedgeRowsOfNext(level, begin, end, rows);
+  }
+  void GetParentsOfNext(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
+  {
+    GetMidedgeParentsOfNext(level, row, parents);
+  }
+  void WriteFacesOfNext(const SurfaceLevel<Id>& level, int* ids) const override
+  {
+    WriteMidedgeOfNext(level, ids);
+  }
+  void WriteFacesOfNext(const SurfaceLevel<Id>& level, long long* ids) const override
+  {
+    WriteMidedgeOfNext(level, ids);
+  }
   void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
     SurfaceSegments& children) const override
   {
@@ -93,13 +126,6 @@ public:
     CarryFans<Id>(
       level, faces, [&level](vtkIdType k, bool cycle)
       { return GetVertexFaceSize(level, k, cycle); }, children.data() + faces.size());
-  }
-
-private:
-  static vtkIdType GetFirstLone(const SurfaceLevel<Id>& level)
-  {
-    return level.Dual->GetNumberOfSides() +
-      (KeepsChains(level) ? level.Dual->GetNumberOfChains() : 0);
   }
 };
 
@@ -157,39 +183,40 @@ void MidedgeScheme<Id>::GetParents(
   }
 }
 
-template <typename Id>
-class MidedgeRefiner : DualRefiner<Id>
+template <typename Id, typename Out = Id>
+class MidedgeRefiner : DualRefiner<Id, Out>
 {
-  using Fan = typename DualRefiner<Id>::Fan;
+  using typename DualRefiner<Id, Out>::Fan;
 
 public:
-  MidedgeRefiner(const SurfaceLevel<Id>& level, Depth depth)
-    : DualRefiner<Id>(level, depth)
+  explicit MidedgeRefiner(const SurfaceLevel<Id>& level)
+    : DualRefiner<Id, Out>(level, GetFirstLone(level), 0,
+        [&level](vtkIdType k, bool cycle) { return GetVertexFaceSize(level, k, cycle); })
     , Sides(level.Dual->GetNumberOfSides())
     , Keeps(KeepsChains(level))
   {
   }
 
-  SurfaceLevel<Id> Run()
+  SurfaceLevel<Id> Run(Depth depth)
   {
-    const vtkIdType corners = this->Mesh.GetNumberOfCorners();
-    this->Start(this->Sides + (this->Keeps ? this->Places.GetNumberOfChains() : 0),
-      this->Mesh.NumberOfFaces, corners);
-    this->SetInnerFaces();
-    ForEach(corners,
-      [this](vtkIdType c)
+    return this->MakeNext(depth, [this](Id* ids) { this->WriteFaces(ids); });
+  }
+
+  void WriteFaces(Out* ids)
+  {
+    ForEach(this->Mesh.GetNumberOfCorners(),
+      [&](vtkIdType c)
       {
         const Id corner = static_cast<Id>(c);
         const Id first = GetFirstOfSide(this->Mesh, corner);
-        this->Next.Mesh.Vertices[c] = this->Places.Sides[first];
+        ids[c] = static_cast<Out>(this->Places.Sides[first]);
         if (first == corner)
         {
           this->SetVertexCorner(this->Places.Sides[first], corner);
           this->SetFanSize(this->Places.Sides[first], this->FindFanSize(corner));
         }
       });
-    this->SetVertexFaces([this](const Fan& fan, Id at) { return this->SetFan(fan, at); });
-    return std::move(this->Next);
+    this->SetVertexFaces([&](const Fan& fan, Id at) { return this->SetFan(fan, at, ids); });
   }
 
 private:
@@ -221,7 +248,7 @@ private:
       const Id vertex = this->Mesh.Vertices[half];
       if (this->Mesh.VertexCorners[vertex] < 0)
       {
-        return this->Next.UnknownFan; // several fans
+        return SurfaceLevel<Id>::UnknownFan; // several fans
       }
       const bool hasFace = this->Places.Faces[vertex] < this->Places.Faces[vertex + 1];
       const bool isChain = this->Places.Chains[vertex] < this->Places.Chains[vertex + 1];
@@ -234,7 +261,7 @@ private:
   /// The half-edge inside a face of a fan, towards the vertex.
   Id GetInside(const FanStep<Id>& step) const { return this->Mesh.Previous(step.Corner); }
 
-  vtkIdType SetFan(const Fan& fan, Id at)
+  vtkIdType SetFan(const Fan& fan, Id at, Out* ids)
   {
     const vtkIdType size =
       GetVertexFaceSize(this->Level, static_cast<vtkIdType>(fan.Steps.size()), fan.IsCycle);
@@ -244,22 +271,22 @@ private:
       fan.IsCycle ? this->Join(this->GetInside(fan.Steps.front()), last) : this->Open(last);
       return 0;
     }
-    Buffer<Id>& vertices = this->Next.Mesh.Vertices;
     for (const FanStep<Id>& step : fan.Steps)
     {
-      vertices[at] = this->GetSide(step.GetHalfEdgeIn(this->Mesh));
+      ids[at] = static_cast<Out>(this->GetSide(step.GetHalfEdgeIn(this->Mesh)));
       this->Join(at++, this->GetInside(step));
     }
     if (!fan.IsCycle)
     {
-      vertices[at] = this->GetSide(fan.Steps.back().GetHalfEdgeOut(this->Mesh));
+      ids[at] = static_cast<Out>(this->GetSide(fan.Steps.back().GetHalfEdgeOut(this->Mesh)));
       this->Open(at++);
     }
     if (!fan.IsCycle && this->Keeps)
     {
-      vertices[at] = this->GetChainVertex(fan.Vertex, fan.Corner);
-      this->SetVertexCorner(vertices[at], at);
-      this->SetFanSize(vertices[at], -1);
+      const Id vertex = this->GetChainVertex(fan.Vertex, fan.Corner);
+      ids[at] = static_cast<Out>(vertex);
+      this->SetVertexCorner(vertex, at);
+      this->SetFanSize(vertex, -1);
       this->Open(at);
     }
     return size;
@@ -356,7 +383,18 @@ void MidedgeScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const Sur
 template <typename Id>
 SurfaceLevel<Id> MidedgeScheme<Id>::Refine(const SurfaceLevel<Id>& level, Depth depth) const
 {
-  return MidedgeRefiner<Id>(level, depth).Run();
+  return level.Dual ? MidedgeRefiner<Id>(level).Run(depth) : CountMidedge(level);
+}
+
+template <typename Id>
+void MidedgeScheme<Id>::WriteFaces(const SurfaceLevel<Id>& level, int* ids) const
+{
+  MidedgeRefiner<Id, int>(level).WriteFaces(ids);
+}
+template <typename Id>
+void MidedgeScheme<Id>::WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const
+{
+  MidedgeRefiner<Id, long long>(level).WriteFaces(ids);
 }
 
 }

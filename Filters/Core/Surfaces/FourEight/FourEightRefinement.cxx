@@ -2,6 +2,7 @@
 #include "Core/Surfaces/FourEight/FourEightRefinement.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Surfaces/FourEight/FourEightNext.h"
 
 namespace subdivision
 {
@@ -24,7 +25,8 @@ public:
     SurfaceLevel<Id> next;
     next.Step = this->Level.Step + 1;
     PolygonMesh<Id>& out = next.Mesh;
-    const bool isWhole = !IsLast(depth);
+    const bool isLast = IsLast(depth);
+    const bool hasEdges = !isLast && (depth == Depth::ForRefinement || this->Children.HasFixed());
     const vtkIdType corners = this->Children.GetNumberOfCorners();
     const vtkIdType edges = this->Children.GetNumberOfEdges();
     out.NumberOfVertices = this->Children.GetNumberOfVertices();
@@ -33,39 +35,44 @@ public:
     if (out.Arity == 0)
     {
       out.FaceOffsets = Buffer<Id>(out.NumberOfFaces + 1);
-      out.CornerFaces = Buffer<Id>(corners);
-      out.FaceOffsets[out.NumberOfFaces] = static_cast<Id>(corners);
+      out.CornerFaces = Buffer<Id>(isLast ? 0 : corners);
+      this->SetOffsets(out);
     }
-    out.Vertices = Buffer<Id>(corners);
-    if (isWhole || !this->Level.Lines.empty())
+    if (depth != Depth::ForCounts)
+    {
+      out.Vertices = Buffer<Id>(corners);
+      this->WriteFaces(out.Vertices.data());
+    }
+    out.EdgesNotStored = hasEdges ? 0 : edges;
+    if (hasEdges || !this->Level.Lines.empty())
     {
       out.EdgeVertices = Buffer<Id>(2 * edges);
       this->SetEdgeVertices(out);
     }
-    ForEach(this->Mesh.GetNumberOfCorners(),
-      [&](vtkIdType c) { this->SetVertices(static_cast<Id>(c), out); });
-    if (isWhole)
+    if (hasEdges)
     {
       out.Edges = Buffer<Id>(corners);
-      out.Twins = Buffer<Id>(corners);
       out.EdgeCorners = Buffer<Id>(edges);
+      this->SetFreeEdges(out);
+    }
+    if (!isLast)
+    {
+      out.Twins = Buffer<Id>(corners);
       out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
       ForEach(
         this->Mesh.NumberOfFaces, [&](vtkIdType f) { this->SetInside(static_cast<Id>(f), out); });
-      ForEach(this->Mesh.GetNumberOfEdges(),
-        [&](vtkIdType e)
-        {
-          if (this->Mesh.EdgeCorners[e] < 0)
-          {
-            out.EdgeCorners[this->Children.GetPiece(static_cast<Id>(e), 0)] = -1;
-            out.EdgeCorners[this->Children.GetPiece(static_cast<Id>(e), 1)] = -1;
-          }
-        });
       this->SetVertexCorners(out);
       this->SplitJoints(out);
     }
     this->SplitLines(next.Lines);
     return next;
+  }
+
+  template <typename Out>
+  void WriteFaces(Out* ids) const
+  {
+    ForEach(this->Mesh.GetNumberOfCorners(),
+      [&](vtkIdType c) { this->SetVertices(static_cast<Id>(c), ids); });
   }
 
 private:
@@ -76,31 +83,58 @@ private:
 
   /// Sets the vertices of the child across the edge ab of a corner: a, the apex of the other face,
   /// b, the apex of this face; at a fixed edge a, b, apex.
-  void SetVertices(Id corner, PolygonMesh<Id>& out) const
+  template <typename Out>
+  void SetVertices(Id corner, Out* ids) const
   {
     if (!this->Children.HasChild(corner))
     {
       return;
     }
-    const Id start = this->Children.GetStart(corner);
-    const bool isFixed = this->Children.IsFixed(corner);
-    const Id b = this->Mesh.Vertices[this->Mesh.Next(corner)];
-    Id* child = out.Vertices.data() + start;
-    *child++ = this->Mesh.Vertices[corner];
-    if (!isFixed)
+    auto write = [child = ids + this->Children.GetStart(corner)](Id vertex) mutable
+    { *child++ = static_cast<Out>(vertex); };
+    write(this->Mesh.Vertices[corner]);
+    if (!this->Children.IsFixed(corner))
     {
-      *child++ = this->Children.GetApex(this->Mesh.GetFace(this->Mesh.Twins[corner]));
+      write(this->Children.GetApex(this->Mesh.GetFace(this->Mesh.Twins[corner])));
     }
-    *child++ = b;
-    *child++ = this->Children.GetApex(this->Mesh.GetFace(corner));
-    if (out.Arity == 0)
-    {
-      const Id face = this->Children.GetChild(corner);
-      out.FaceOffsets[face] = start;
-      std::fill_n(out.CornerFaces.begin() + start, isFixed ? 3 : 4, face);
-    }
+    write(this->Mesh.Vertices[this->Mesh.Next(corner)]);
+    write(this->Children.GetApex(this->Mesh.GetFace(corner)));
+  }
+  /// Sets where children begin if some are triangles, and on whole levels the face of each corner.
+  void SetOffsets(PolygonMesh<Id>& out) const
+  {
+    ForEach(this->Mesh.GetNumberOfCorners(),
+      [&](vtkIdType c)
+      {
+        const Id corner = static_cast<Id>(c);
+        if (!this->Children.HasChild(corner))
+        {
+          return;
+        }
+        const Id start = this->Children.GetStart(corner);
+        const Id face = this->Children.GetChild(corner);
+        out.FaceOffsets[face] = start;
+        if (!out.CornerFaces.empty())
+        {
+          std::fill_n(
+            out.CornerFaces.begin() + start, this->Children.IsFixed(corner) ? 3 : 4, face);
+        }
+      });
+    out.FaceOffsets[out.NumberOfFaces] = this->Children.GetNumberOfCorners();
   }
 
+  void SetFreeEdges(PolygonMesh<Id>& out) const
+  {
+    ForEach(this->Mesh.EdgeCorners.size(),
+      [&](vtkIdType e)
+      {
+        if (this->Mesh.EdgeCorners[e] < 0)
+        {
+          out.EdgeCorners[this->Children.GetPiece(static_cast<Id>(e), 0)] = -1;
+          out.EdgeCorners[this->Children.GetPiece(static_cast<Id>(e), 1)] = -1;
+        }
+      });
+  }
   void SetEdgeVertices(PolygonMesh<Id>& out) const
   {
     auto set = [&out](Id edge, Id from, Id to)
@@ -157,12 +191,15 @@ private:
         const Id vertex = this->Mesh.Vertices[corner];
         const Id a = this->Children.GetSide(corner, vertex);
         const Id b = this->Children.GetSide(this->Mesh.Previous(corner), vertex);
-        const Id spoke = this->Children.GetSpoke(face, corner);
-        out.Edges[a] = spoke;
-        out.Edges[b] = spoke;
         out.Twins[a] = b;
         out.Twins[b] = a;
-        out.EdgeCorners[spoke] = std::min(a, b);
+        if (!out.Edges.empty())
+        {
+          const Id spoke = this->Children.GetSpoke(face, corner);
+          out.Edges[a] = spoke;
+          out.Edges[b] = spoke;
+          out.EdgeCorners[spoke] = std::min(a, b);
+        }
       });
     const Id first = this->Mesh.GetFirst(face);
     for (Id corner = first; corner < first + this->Mesh.GetSize(face); ++corner)
@@ -223,7 +260,8 @@ private:
             this->GetCornerAt(this->Children.GetSide(first, this->Mesh.Vertices[first]), apex, out);
         }
       });
-    ForEach(this->Children.IsEven ? this->Mesh.GetNumberOfEdges() : 0,
+    const bool hasMiddles = this->Children.IsEven && this->Children.HasFixed();
+    ForEach(hasMiddles ? this->Mesh.GetNumberOfEdges() : 0,
       [&](vtkIdType e)
       {
         if (this->IsSharp(e))
@@ -326,6 +364,13 @@ void CountFourEightPlaces(SurfaceLevel<Id>& level)
   const vtkIdType corners = mesh.GetNumberOfCorners();
   auto isFixed = [&](vtkIdType corner) { return IsSharp(level.Tags.Edges[mesh.Edges[corner]]); };
   Buffer<Id> children(corners + 1);
+  if (std::none_of(level.Tags.Edges.begin(), level.Tags.Edges.end(), IsSharp))
+  {
+    ForEach(corners, [&](vtkIdType c) { children[c] = mesh.Twins[c] > c; });
+    CountsToOffsets(children);
+    level.Places = std::move(children);
+    return;
+  }
   Buffer<Id> centres(mesh.NumberOfFaces + 1);
   Buffer<Id> fixed(mesh.GetNumberOfEdges() + 1);
   Buffer<Id> starts;
@@ -342,7 +387,7 @@ void CountFourEightPlaces(SurfaceLevel<Id>& level)
       }
     });
   ForEach(mesh.GetNumberOfEdges(), [&](vtkIdType e) { fixed[e] = IsSharp(level.Tags.Edges[e]); });
-  if (!isEven && std::find(fixed.begin(), fixed.end() - 1, Id(1)) != fixed.end() - 1)
+  if (!isEven)
   {
     starts = Buffer<Id>(corners + 1);
     ForEach(corners, [&](vtkIdType c) { starts[c] = isFixed(c) ? 3 : 4 * children[c]; });
@@ -361,11 +406,12 @@ void CountFourEightPlaces(SurfaceLevel<Id>& level)
 }
 
 template <typename Id>
-SurfaceTags<Id> RefineFourEightTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags)
+SurfaceTags<Id> RefineFourEightTags(
+  const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, bool hasEdges)
 {
   const FourEightTopology<Id> children(level);
   SurfaceTags<Id> out;
-  out.Edges = Buffer<EdgeTag>(children.GetNumberOfEdges());
+  out.Edges = Buffer<EdgeTag>(hasEdges ? children.GetNumberOfEdges() : 0);
   out.Vertices = Buffer<VertexTag>(children.GetNumberOfVertices());
   ForEach(out.Edges.size(), [&](vtkIdType e)
     { out.Edges[e] = e < children.GetNumberOfPieces() ? EdgeTag::Sharp : EdgeTag::Smooth; });
@@ -380,13 +426,23 @@ SurfaceTags<Id> RefineFourEightTags(const SurfaceLevel<Id>& level, const Surface
   return out;
 }
 
+template <typename Id, typename Out>
+void WriteFourEight(const SurfaceLevel<Id>& level, Out* ids)
+{
+  FourEightRefiner<Id>(level).WriteFaces(ids);
+}
+
 template <typename Id>
 SurfaceLevel<Id> RefineFourEight(const SurfaceLevel<Id>& level, Depth depth)
 {
+  if (level.Places.empty())
+  {
+    return CountFourEight(level);
+  }
   SurfaceLevel<Id> next = FourEightRefiner<Id>(level).Run(depth);
   if (!IsLast(depth))
   {
-    next.Tags = RefineFourEightTags(level, level.Tags);
+    next.Tags = RefineFourEightTags(level, level.Tags, !next.Mesh.EdgeCorners.empty());
   }
   return next;
 }
@@ -423,5 +479,6 @@ SUBDIVISION_COMPILE_FUNCTION(CountFourEightPlaces);
 SUBDIVISION_COMPILE_FUNCTION(ListFourEightChildren);
 SUBDIVISION_COMPILE_FUNCTION(RefineFourEight);
 SUBDIVISION_COMPILE_FUNCTION(RefineFourEightTags);
+SUBDIVISION_COMPILE_WRITER(WriteFourEight);
 
 }

@@ -18,10 +18,16 @@ void CountFourEightPlaces(SurfaceLevel<Id>& level);
 template <typename Id>
 SurfaceLevel<Id> RefineFourEight(const SurfaceLevel<Id>& level, Depth depth);
 
+/// The vertices of the faces of the next level, one face after the other.
+template <typename Id, typename Out>
+void WriteFourEight(const SurfaceLevel<Id>& level, Out* ids);
+
 /// Tags of the next level: fixed edges, or their halves, are sharp, and their midpoints lie on
-/// curves. Old vertices keep their tags, and all else is smooth.
+/// curves. Old vertices keep their tags, and all else is smooth. Without fixed edges the next level
+/// need not store its edges, and then has no tags of them.
 template <typename Id>
-SurfaceTags<Id> RefineFourEightTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
+SurfaceTags<Id> RefineFourEightTags(
+  const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, bool hasEdges = true);
 
 /// The order of ids after a step.
 template <typename Id>

@@ -3,9 +3,13 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/FourEight/FourEightLimits.h"
+#include "Core/Surfaces/FourEight/FourEightNext.h"
 #include "Core/Surfaces/FourEight/FourEightRefinement.h"
+#include "Core/Surfaces/FourEight/FourEightRegular.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
+#include "Core/Surfaces/Scheme/CycleRows.h"
 #include "Core/Surfaces/Scheme/FixedEdges.h"
+#include "Core/Surfaces/Scheme/RegularGroups.h"
 
 namespace subdivision
 {
@@ -39,6 +43,38 @@ public:
   {
     ListFourEightChildren(level, segments, children);
   }
+  bool WritesFaces() const override { return true; }
+  void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override
+  {
+    WriteFourEight(level, ids);
+  }
+  void WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const override
+  {
+    WriteFourEight(level, ids);
+  }
+  bool CountsChildren() const override { return true; }
+  bool SkipsNext(const SurfaceLevel<Id>& level) const override
+  {
+    return !FourEightTopology<Id>(level).HasFixed();
+  }
+  void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& /*others*/,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    AppendFourEightRowsOfNext(level, begin, end, rows);
+  }
+  void GetParentsOfNext(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
+  {
+    GetFourEightParentsOfNext(level, row, parents);
+  }
+  void WriteFacesOfNext(const SurfaceLevel<Id>& level, int* ids) const override
+  {
+    WriteFourEightOfNext(level, ids);
+  }
+  void WriteFacesOfNext(const SurfaceLevel<Id>& level, long long* ids) const override
+  {
+    WriteFourEightOfNext(level, ids);
+  }
   SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override
   {
@@ -62,8 +98,10 @@ public:
   }
 
 private:
-  void AppendVertex(const FourEightTopology<Id>& topology, const SurfaceTags<Id>& tags, Id vertex,
-    std::vector<Id>& edges, RowBlock<Id>& rows) const;
+  static void AppendVertices(const FourEightTopology<Id>& topology, const SurfaceTags<Id>& tags,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows);
+  static void AppendCentres(
+    const FourEightTopology<Id>& topology, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows);
 };
 
 template <typename Id>
@@ -125,71 +163,108 @@ void FourEightScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Surfac
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const FourEightTopology<Id> topology(level);
-  const vtkIdType middles = topology.GetFirstMiddle();
-  std::vector<Id> edges;
-  vtkIdType row = begin;
-  for (; row < std::min(end, mesh.NumberOfVertices); ++row)
-  {
-    this->AppendVertex(topology, tags, static_cast<Id>(row), edges, rows);
-    rows.EndRow();
-  }
-  if (row < std::min(end, middles))
-  {
-    Id face = topology.FindFace(static_cast<Id>(row) - topology.GetFirstCentre());
-    for (; row < std::min(end, middles); ++row, ++face)
+  ForKindsOfRows<3>(
+    { mesh.NumberOfVertices, topology.GetNumberOfCentres(), topology.GetNumberOfFixed() }, begin,
+    end,
+    [&](std::size_t kind, vtkIdType first, vtkIdType last)
     {
-      while (topology.IsCut(face))
+      if (kind == 0)
       {
-        ++face;
+        AppendVertices(topology, tags, first, last, rows);
       }
-      const Id first = mesh.GetFirst(face);
-      const Id size = mesh.GetSize(face);
+      else if (kind == 1)
+      {
+        AppendCentres(topology, first, last, rows);
+      }
+      for (vtkIdType row = first; row < last && kind == 2; ++row)
+      {
+        const Id edge = topology.FindFixed(static_cast<Id>(row));
+        rows.Add(mesh.EdgeVertices[2 * edge], 0.5);
+        rows.Add(mesh.EdgeVertices[2 * edge + 1], 0.5);
+        rows.EndRow();
+      }
+    });
+}
+
+/// Smooth vertices: half from the mean of their neighbours. Curves: cubic B-spline in even steps.
+template <typename Id>
+void FourEightScheme<Id>::AppendVertices(const FourEightTopology<Id>& topology,
+  const SurfaceTags<Id>& tags, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+{
+  using Steps = typename CycleWalks<Id>::Steps;
+  const PolygonMesh<Id>& mesh = topology.Mesh;
+  std::vector<Id> edges;
+  const auto isSmooth = [&tags](Id vertex) { return tags.Vertices[vertex] == VertexTag::Smooth; };
+  AppendCycleRows(
+    mesh, FourEightVertex, begin, end, isSmooth,
+    [&mesh](Id vertex, const Steps& steps, Id* columns)
+    {
+      if (steps.size() != 4)
+      {
+        return false;
+      }
+      columns[0] = vertex;
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        columns[1 + k] = GetNeighbour(mesh, steps[k]);
+      }
+      return true;
+    },
+    [&](Id vertex, const Steps& steps)
+    {
+      if (!isSmooth(vertex) && topology.IsEven)
+      {
+        AppendCurveVertex(mesh, tags, vertex, 3. / 4., edges, rows);
+        return;
+      }
+      rows.Add(vertex, isSmooth(vertex) ? 0.5 : 1.);
+      for (const FanStep<Id>& step : steps)
+      {
+        rows.Add(GetNeighbour(mesh, step), 0.5 / static_cast<double>(steps.size()));
+      }
+    },
+    rows);
+}
+
+/// The means of faces that are not cut.
+template <typename Id>
+void FourEightScheme<Id>::AppendCentres(
+  const FourEightTopology<Id>& topology, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+{
+  const PolygonMesh<Id>& mesh = topology.Mesh;
+  Id face = topology.FindFace(static_cast<Id>(begin));
+  const auto findNext = [&]
+  {
+    while (topology.IsCut(face))
+    {
+      ++face;
+    }
+    return mesh.GetFirst(face);
+  };
+  for (vtkIdType row = begin; row < end; ++row)
+  {
+    row += rows.AddRun(FourEightCentre, end - row,
+      [&](vtkIdType, Id* columns)
+      {
+        const Id first = findNext();
+        if (mesh.GetSize(face) != 4)
+        {
+          return false;
+        }
+        std::copy_n(mesh.Vertices.data() + first, 4, columns);
+        ++face;
+        return true;
+      });
+    if (row < end)
+    {
+      const Id first = findNext();
+      const Id size = mesh.GetSize(face++);
       for (Id c = first; c < first + size; ++c)
       {
         rows.Add(mesh.Vertices[c], 1. / size);
       }
       rows.EndRow();
     }
-  }
-  for (; row < end; ++row)
-  {
-    const Id edge = topology.FindFixed(static_cast<Id>(row - middles));
-    rows.Add(mesh.EdgeVertices[2 * edge], 0.5);
-    rows.Add(mesh.EdgeVertices[2 * edge + 1], 0.5);
-    rows.EndRow();
-  }
-}
-
-/// Smooth vertices: half from the mean of their neighbours. Curves: cubic B-spline in even steps.
-template <typename Id>
-void FourEightScheme<Id>::AppendVertex(const FourEightTopology<Id>& topology,
-  const SurfaceTags<Id>& tags, Id vertex, std::vector<Id>& edges, RowBlock<Id>& rows) const
-{
-  const PolygonMesh<Id>& mesh = topology.Mesh;
-  if (tags.Vertices[vertex] != VertexTag::Smooth)
-  {
-    if (topology.IsEven)
-    {
-      AppendCurveVertex(mesh, tags, vertex, 3. / 4., edges, rows);
-    }
-    else
-    {
-      rows.Add(vertex, 1.);
-    }
-    return;
-  }
-  rows.Add(vertex, 0.5);
-  const std::size_t first = rows.GetNumberOfEntries();
-  VisitCycle(mesh, mesh.VertexCorners[vertex],
-    [&](const FanStep<Id>& step)
-    {
-      const Id in = step.GetHalfEdgeIn(mesh);
-      rows.Add(mesh.Vertices[in == step.Corner ? mesh.Next(in) : in], 0.);
-    });
-  const double weight = 0.5 / static_cast<double>(rows.GetNumberOfEntries() - first);
-  for (std::size_t entry = first; entry < rows.GetNumberOfEntries(); ++entry)
-  {
-    rows.SetWeight(entry, weight); // known after the walk around the vertex
   }
 }
 

@@ -23,23 +23,39 @@ public:
     , Tags(level.Tags)
     , IsEven(level.Step % 2 == 1)
     , ChildrenBefore(level.Places.data())
-    , CentresBefore(this->ChildrenBefore + this->Mesh.GetNumberOfCorners() + 1)
-    , FixedBefore(this->CentresBefore + this->Mesh.NumberOfFaces + 1)
+    , CentresBefore(level.Places.size() > CountChildren(this->Mesh)
+          ? this->ChildrenBefore + CountChildren(this->Mesh)
+          : nullptr)
+    , FixedBefore(
+        this->CentresBefore ? this->CentresBefore + this->Mesh.NumberOfFaces + 1 : nullptr)
     , StartsBefore(level.Places.size() > CountCommon(this->Mesh)
           ? this->FixedBefore + this->Mesh.GetNumberOfEdges() + 1
           : nullptr)
   {
   }
-  /// The number of entries that Places always has: the number of child faces before each corner, of
-  /// centres before each face, and of fixed edges before each edge, with the totals. If some
-  /// children are triangles it also has the number of corners of child faces before each corner.
+  /// The number of entries that Places always has: the number of child faces before each corner,
+  /// and the total.
+  static vtkIdType CountChildren(const PolygonMesh<Id>& mesh)
+  {
+    return mesh.GetNumberOfCorners() + 1;
+  }
+  /// The same if some edges are fixed: also the number of centres before each face, and of fixed
+  /// edges before each edge, with the totals. If some children are triangles Places has besides the
+  /// number of corners of child faces before each corner.
   static vtkIdType CountCommon(const PolygonMesh<Id>& mesh)
   {
-    return mesh.GetNumberOfCorners() + mesh.NumberOfFaces + mesh.GetNumberOfEdges() + 3;
+    return CountChildren(mesh) + mesh.NumberOfFaces + mesh.GetNumberOfEdges() + 2;
   }
 
-  Id GetNumberOfCentres() const { return this->CentresBefore[this->Mesh.NumberOfFaces]; }
-  Id GetNumberOfFixed() const { return this->FixedBefore[this->Mesh.GetNumberOfEdges()]; }
+  bool HasFixed() const { return this->FixedBefore != nullptr; }
+  Id GetNumberOfCentres() const
+  {
+    return this->CountCentresBefore(static_cast<Id>(this->Mesh.NumberOfFaces));
+  }
+  Id GetNumberOfFixed() const
+  {
+    return this->CountFixedBefore(static_cast<Id>(this->Mesh.GetNumberOfEdges()));
+  }
   Id GetNumberOfVertices() const
   {
     return this->GetFirstMiddle() + (this->IsEven ? this->GetNumberOfFixed() : 0);
@@ -58,7 +74,10 @@ public:
   }
   bool HasTriangles() const { return this->StartsBefore != nullptr; }
 
-  bool IsFixed(Id corner) const { return IsSharp(this->Tags.Edges[this->Mesh.Edges[corner]]); }
+  bool IsFixed(Id corner) const
+  {
+    return this->HasFixed() && IsSharp(this->Tags.Edges[this->Mesh.Edges[corner]]);
+  }
   /// Whether the child face across a corner's edge belongs to this corner, and not to its twin.
   bool HasChild(Id corner) const
   {
@@ -78,7 +97,10 @@ public:
 
   Id GetFirstCentre() const { return static_cast<Id>(this->Mesh.NumberOfVertices); }
   Id GetFirstMiddle() const { return this->GetFirstCentre() + this->GetNumberOfCentres(); }
-  bool IsCut(Id face) const { return this->CentresBefore[face] == this->CentresBefore[face + 1]; }
+  bool IsCut(Id face) const
+  {
+    return this->HasFixed() && this->CentresBefore[face] == this->CentresBefore[face + 1];
+  }
   /// In even steps: the fixed edge of a face, as its corner.
   Id GetCutCorner(Id face) const
   {
@@ -94,7 +116,7 @@ public:
   Id GetApex(Id face) const
   {
     return this->IsCut(face) ? this->GetMiddle(this->Mesh.Edges[this->GetCutCorner(face)])
-                             : this->GetFirstCentre() + this->CentresBefore[face];
+                             : this->GetFirstCentre() + this->CountCentresBefore(face);
   }
 
   /// A fixed edge, or its half at one end, on the next level.
@@ -144,19 +166,22 @@ public:
   /// The face of a centre and the fixed edge of a middle, by their running numbers.
   Id FindFace(Id centre) const
   {
-    return Find(this->CentresBefore, this->Mesh.NumberOfFaces, centre);
+    return this->HasFixed() ? Find(this->CentresBefore, this->Mesh.NumberOfFaces, centre) : centre;
   }
   Id FindFixed(Id number) const
   {
     return Find(this->FixedBefore, this->Mesh.GetNumberOfEdges(), number);
   }
 
-  Id CountCentresBefore(Id face) const { return this->CentresBefore[face]; }
-  Id CountFixedBefore(Id edge) const { return this->FixedBefore[edge]; }
+  Id CountCentresBefore(Id face) const
+  {
+    return this->HasFixed() ? this->CentresBefore[face] : face;
+  }
+  Id CountFixedBefore(Id edge) const { return this->HasFixed() ? this->FixedBefore[edge] : 0; }
   /// A face has one spoke for each corner, a cut triangle only one.
   Id CountSpokesBefore(Id face, Id firstCorner) const
   {
-    return firstCorner - 2 * (face - this->CentresBefore[face]);
+    return firstCorner - 2 * (face - this->CountCentresBefore(face));
   }
 
   const PolygonMesh<Id>& Mesh;

@@ -4,43 +4,24 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Operators/BlockOperator.h"
 
-#include <atomic>
-
 namespace subdivision
 {
 namespace
 {
 
+/// Whether two faces have the edge of a corner, each in its own direction.
+template <typename Id>
+bool IsRegularCorner(const PolygonMesh<Id>& mesh, vtkIdType corner)
+{
+  const Id twin = mesh.Twins[corner];
+  return twin >= 0 && mesh.Vertices[twin] != mesh.Vertices[corner];
+}
+
 template <typename Id>
 bool IsRegularEdge(const SurfaceLevel<Id>& level, vtkIdType edge)
 {
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  if (level.Tags.Edges[edge] != EdgeTag::Smooth)
-  {
-    return false;
-  }
-  const Id corner = mesh.EdgeCorners[edge];
-  return mesh.Vertices[mesh.Twins[corner]] != mesh.Vertices[corner];
-}
-
-/// Whether isTrue(i) for all i of [0, size).
-template <typename IsTrue>
-bool AreAll(vtkIdType size, const IsTrue& isTrue)
-{
-  std::atomic<bool> areAll{ true };
-  ForRanges(size,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      while (begin < end && isTrue(begin))
-      {
-        ++begin;
-      }
-      if (begin < end)
-      {
-        areAll = false;
-      }
-    });
-  return areAll;
+  return level.Tags.Edges[edge] == EdgeTag::Smooth &&
+    IsRegularCorner(level.Mesh, level.Mesh.EdgeCorners[edge]);
 }
 
 }
@@ -51,21 +32,26 @@ std::vector<Id> FindIrregularVertices(const SurfaceLevel<Id>& level)
   const PolygonMesh<Id>& mesh = level.Mesh;
   const auto isSmooth = [&level](vtkIdType v)
   { return level.Tags.Vertices[v] == VertexTag::Smooth; };
-  const auto isRegular = [&level](vtkIdType e) { return IsRegularEdge(level, e); };
+  // Edges that are not stored are smooth, and each corner asks for its own.
+  const bool hasEdges = !mesh.EdgeCorners.empty();
+  const vtkIdType sides = hasEdges ? mesh.GetNumberOfEdges() : mesh.GetNumberOfCorners();
+  const auto isRegular = [&level, hasEdges](vtkIdType side)
+  { return hasEdges ? IsRegularEdge(level, side) : IsRegularCorner(level.Mesh, side); };
   std::vector<Id> vertices;
-  if (AreAll(mesh.NumberOfVertices, isSmooth) && AreAll(mesh.GetNumberOfEdges(), isRegular))
+  if (AreAll(mesh.NumberOfVertices, isSmooth) && AreAll(sides, isRegular))
   {
     return vertices;
   }
   std::vector<char> flags(static_cast<std::size_t>(mesh.NumberOfVertices));
   ForEach(mesh.NumberOfVertices, [&](vtkIdType v) { flags[v] = !isSmooth(v); });
-  ForEachInTurn(mesh.GetNumberOfEdges(),
-    [&](vtkIdType e)
+  ForEachInTurn(sides,
+    [&](vtkIdType side)
     {
-      if (!isRegular(e))
+      if (!isRegular(side))
       {
-        flags[mesh.EdgeVertices[2 * e]] = 1;
-        flags[mesh.EdgeVertices[2 * e + 1]] = 1;
+        flags[hasEdges ? mesh.EdgeVertices[2 * side] : mesh.Vertices[side]] = 1;
+        flags[hasEdges ? mesh.EdgeVertices[2 * side + 1]
+                       : mesh.Vertices[mesh.Next(static_cast<Id>(side))]] = 1;
       }
     });
   ForEachInTurn(mesh.NumberOfVertices,

@@ -7,7 +7,8 @@
  * level before that step by arithmetic: a scheme makes their rows so (AppendRowsOfNext). Others are
  * those at curves, corners and joints, and at edges that both faces have in the same direction. The
  * part around these is refined as a level of its own, by the step of all levels, and its rows are
- * taken. So all rows have the same entries in the same order as if the level had been made.
+ * taken. So all rows have the same entries in the same order as if the level had been made. Schemes
+ * that count children (SurfaceScheme::CountsChildren) skip a level only where there are no others.
  */
 #ifndef SubdivisionObjects_SkippedLevel_h
 #define SubdivisionObjects_SkippedLevel_h
@@ -16,6 +17,7 @@
 #include "Core/Surfaces/Scheme/SurfacePatch.h"
 
 #include <array>
+#include <atomic>
 #include <vector>
 
 namespace subdivision
@@ -24,6 +26,26 @@ namespace subdivision
 /// The part of a level's vertices that may be irregular where the next level is skipped: where more
 /// are, it costs less to make the level. Tests change it; negative: no level is skipped.
 inline double MostIrregularVertices = 0.05;
+
+/// Whether isTrue(i) for all i of [0, size).
+template <typename IsTrue>
+bool AreAll(vtkIdType size, const IsTrue& isTrue)
+{
+  std::atomic<bool> areAll{ true };
+  ForRanges(size,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      while (begin < end && isTrue(begin))
+      {
+        ++begin;
+      }
+      if (begin < end)
+      {
+        areAll = false;
+      }
+    });
+  return areAll;
+}
 
 /// The vertices of a level at which rows of the step from the next level may be irregular,
 /// ascending: those that are not smooth, and the ends of edges that are not, or that both faces

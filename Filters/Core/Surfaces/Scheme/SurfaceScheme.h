@@ -192,7 +192,8 @@ public:
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const = 0;
   /// The next level. With ForOutput it has only faces (NumberOf..., Arity, FaceOffsets, Vertices)
   /// and Lines with EdgeVertices; with ForLastStep all that a further step with ForOutput and
-  /// CarryFaces read.
+  /// CarryFaces read; with ForSteps all that further steps read, where smooth edges need not be
+  /// stored.
   virtual SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const = 0;
   /// Appends the segments of the next level, from those of this one. Needs no more of the level
   /// than what Prepare makes, and the first corner of each face.
@@ -238,6 +239,11 @@ public:
   /// there.
   virtual void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
     LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const = 0;
+
+  /// Whether ids of children follow from running counts, and not from arithmetic alone. Then a
+  /// level is skipped only if no vertex is irregular, and it is made after all where somebody asks
+  /// for CarryFaces or ListChildren. Otherwise these two need no more of it than its counts.
+  virtual bool CountsChildren() const { return false; }
 };
 
 }

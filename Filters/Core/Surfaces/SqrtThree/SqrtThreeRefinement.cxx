@@ -32,7 +32,7 @@ public:
     const vtkIdType corners = 3 * out.NumberOfFaces;
     const vtkIdType edges = this->Children.GetNumberOfEdges();
     const bool isLast = IsLast(depth);
-    const bool isWhole = !isLast && (depth == Depth::ForRefinement || this->Children.HasFixed);
+    const bool isWhole = !isLast && (depth != Depth::ForLastStep || this->Children.HasFixed);
     if (depth != Depth::ForCounts)
     {
       out.Vertices = Buffer<Id>(corners);

@@ -83,12 +83,14 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
     }
     if (!lastIsWhole && step + 2 == steps && this->Scheme->SkipsNext(level))
     {
-      this->Irregular = FindIrregularVertices(level);
+      this->Irregular = this->Scheme->UsesTags() ? FindIrregularVertices(level) : std::vector<Id>();
+      const double most = std::min(MostIrregularVertices, this->Scheme->CountsChildren() ? 0. : 1.);
       this->SkipsLevel = static_cast<double>(this->Irregular.size()) <=
-        MostIrregularVertices * static_cast<double>(level.Mesh.NumberOfVertices);
+        most * static_cast<double>(level.Mesh.NumberOfVertices);
     }
     const bool isLast = step + 1 == steps;
-    const Depth depth = lastIsWhole || step + 2 < steps             ? Depth::ForRefinement
+    const Depth depth = lastIsWhole                                 ? Depth::ForRefinement
+      : step + 2 < steps                                            ? Depth::ForSteps
       : this->SkipsLevel || (isLast && this->Scheme->WritesFaces()) ? Depth::ForCounts
       : isLast                                                      ? Depth::ForOutput
                                                                     : Depth::ForLastStep;
@@ -120,6 +122,28 @@ void SurfaceSteps<Id>::WriteFaces(int level, Out* ids) const
     return;
   }
   ForEach(vertices.size(), [&](vtkIdType c) { ids[c] = static_cast<Out>(vertices[c]); });
+}
+
+template <typename Id>
+template <typename Act>
+void SurfaceSteps<Id>::ForChildren(int step, const Act& act) const
+{
+  if (!this->StartsFromSkipped(step) || !this->Scheme->CountsChildren())
+  {
+    act(this->Levels[step]);
+    return;
+  }
+  SurfaceLevel<Id> level = this->Scheme->Refine(this->Levels[step - 1], Depth::ForLastStep);
+  this->Scheme->Prepare(level);
+  act(level);
+}
+
+template <typename Id>
+void SurfaceSteps<Id>::CarryFaces(
+  int step, const Buffer<Carrier<Id>>& faces, bool areWhole, Buffer<Carrier<Id>>& children) const
+{
+  this->ForChildren(step, [&](const SurfaceLevel<Id>& level)
+    { this->Scheme->CarryFaces(level, faces, areWhole, children); });
 }
 
 template <typename Id>
@@ -200,7 +224,7 @@ template <typename Id>
 BlockOperator<Id> SurfaceSteps<Id>::GetStep(int step) const
 {
   const SurfaceLevel<Id>& level = this->Levels[step];
-  const vtkIdType rows = this->Scheme->GetNumberOfRows(level);
+  const vtkIdType rows = this->Levels[step + 1].Mesh.NumberOfVertices;
   if (step < static_cast<int>(this->SharpSteps.size()))
   {
     return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
@@ -262,7 +286,8 @@ SurfaceSegments SurfaceSteps<Id>::ListSegments() const
   {
     SurfaceSegments children;
     children.Sizes = segments.Sizes;
-    this->Scheme->ListChildren(this->Levels[step], segments, children);
+    this->ForChildren(step, [&](const SurfaceLevel<Id>& level)
+      { this->Scheme->ListChildren(level, segments, children); });
     segments = std::move(children);
   }
   return segments;

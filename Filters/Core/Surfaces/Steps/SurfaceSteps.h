@@ -71,6 +71,10 @@ public:
       : this->Scheme->GetParents(this->Levels[step], row, parents);
   }
 
+  /// SurfaceScheme::CarryFaces for a step.
+  void CarryFaces(
+    int step, const Buffer<Carrier<Id>>& faces, bool areWhole, Buffer<Carrier<Id>>& children) const;
+
   BlockOperator<Id> GetStep(int step) const;
   /// The limits of the vertices of the last level, which must have been made with `lastIsWhole`.
   BlockOperator<Id> GetLimit(LimitKind kind) const;
@@ -92,6 +96,11 @@ private:
   {
     return this->SkipsLevel && step + 1 == this->GetNumberOfSteps();
   }
+
+  /// Calls act(level) with the level before a step, which is made again if it was skipped and the
+  /// scheme counts children.
+  template <typename Act>
+  void ForChildren(int step, const Act& act) const;
 
   std::vector<SurfaceLevel<Id>> Levels;
   std::vector<SharpRows<Id>> SharpSteps; ///< the first steps, in which edges are still sharp

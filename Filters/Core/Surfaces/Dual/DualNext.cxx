@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/Dual/DualNext.h"
+
+#include "Core/Memory/Ids.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
+
+namespace subdivision
+{
+
+template <typename Id>
+bool IsClosedDual(const SurfaceLevel<Id>& level)
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const DualPlaces<Id>& places = *level.Dual;
+  if (places.GetNumberOfChains() > 0 || places.GetNumberOfLoneRows() > 0)
+  {
+    return false;
+  }
+  return AreAll(mesh.NumberOfVertices + 1, [&](vtkIdType v) { return places.Faces[v] == v; }) &&
+    AreAll(mesh.GetNumberOfCorners(),
+      [&](vtkIdType c) { return mesh.Vertices[mesh.Twins[c]] != mesh.Vertices[c]; });
+}
+
+template <typename Id>
+SurfaceLevel<Id> CountDual(const SurfaceLevel<Id>& skipped, vtkIdType vertices, vtkIdType quads)
+{
+  const vtkIdType faces = skipped.Mesh.NumberOfFaces;
+  const Buffer<Id>& before = skipped.Mesh.FaceOffsets;
+  SurfaceLevel<Id> next;
+  next.Step = skipped.Step + 1;
+  next.Mesh.NumberOfVertices = vertices;
+  next.Mesh.NumberOfFaces = faces + quads;
+  next.Mesh.FaceOffsets = Buffer<Id>(faces + quads + 1);
+  Id* const offsets = next.Mesh.FaceOffsets.data();
+  CopyInThreads(before.data(), faces, offsets);
+  ForEach(
+    quads + 1, [&](vtkIdType i) { offsets[faces + i] = before[faces] + static_cast<Id>(4 * i); });
+  return next;
+}
+
+SUBDIVISION_COMPILE_FUNCTION(IsClosedDual);
+SUBDIVISION_COMPILE_FUNCTION(CountDual);
+
+}

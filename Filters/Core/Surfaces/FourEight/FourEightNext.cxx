@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surfaces/FourEight/FourEightNext.h"
+
+#include "Core/Memory/Ids.h"
+#include "Core/Surfaces/FourEight/FourEightRegular.h"
+#include "Core/Surfaces/Scheme/CycleRows.h"
+#include "Core/Surfaces/Scheme/RegularGroups.h"
+
+#include <array>
+
+namespace subdivision
+{
+namespace
+{
+
+/// The next level, from this one.
+template <typename Id>
+class FourEightNext
+{
+public:
+  explicit FourEightNext(const SurfaceLevel<Id>& level)
+    : Mesh(level.Mesh)
+    , Children(level)
+  {
+  }
+
+  vtkIdType GetNumberOfVertices() const
+  {
+    return this->Mesh.NumberOfVertices + this->Mesh.NumberOfFaces;
+  }
+  vtkIdType GetNumberOfFaces() const { return this->Mesh.GetNumberOfEdges(); }
+
+  /// The vertex in a corner's face.
+  Id GetApex(Id corner) const
+  {
+    return static_cast<Id>(this->Mesh.NumberOfVertices) + this->Mesh.GetFace(corner);
+  }
+  /// The quad across a corner's edge.
+  Id GetQuad(Id corner) const
+  {
+    return this->Children.GetChild(std::min(corner, this->Mesh.Twins[corner]));
+  }
+  /// The corner to which a quad belongs: of its edge the first.
+  Id FindOwner(vtkIdType quad) const { return this->Children.FindCornerOf(static_cast<Id>(quad)); }
+  /// The next corner from this one on to which a quad belongs.
+  Id FindNextOwner(Id corner) const
+  {
+    while (!this->Children.HasChild(corner))
+    {
+      ++corner;
+    }
+    return corner;
+  }
+
+  /// The vertices of the quad of an owner.
+  std::array<Id, 4> GetVertices(Id owner) const
+  {
+    const Id twin = this->Mesh.Twins[owner];
+    return { this->Mesh.Vertices[owner], this->GetApex(twin), this->Mesh.Vertices[twin],
+      this->GetApex(owner) };
+  }
+  /// The quads across the four sides of the quad of an owner.
+  std::array<Id, 4> GetNeighbours(Id owner) const
+  {
+    const Id twin = this->Mesh.Twins[owner];
+    return { this->GetQuad(this->Mesh.Next(twin)), this->GetQuad(this->Mesh.Previous(twin)),
+      this->GetQuad(this->Mesh.Next(owner)), this->GetQuad(this->Mesh.Previous(owner)) };
+  }
+
+  const PolygonMesh<Id>& Mesh;
+
+private:
+  const FourEightTopology<Id> Children;
+};
+
+/// The vertices around one of this level are those in its faces, and the walk around it begins
+/// beyond the edge of its corner.
+template <typename Id>
+void AppendVertices(
+  const FourEightNext<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+{
+  using Steps = typename CycleWalks<Id>::Steps;
+  AppendCycleRows(
+    next.Mesh, FourEightVertex, begin, end, [](Id) { return true; },
+    [&](Id vertex, const Steps& steps, Id* columns)
+    {
+      if (steps.size() != 4)
+      {
+        return false;
+      }
+      columns[0] = vertex;
+      columns[1] = next.GetApex(steps[3].Corner);
+      for (int k = 0; k < 3; ++k)
+      {
+        columns[2 + k] = next.GetApex(steps[k].Corner);
+      }
+      return true;
+    },
+    [&](Id vertex, const Steps& steps)
+    {
+      const double weight = 0.5 / static_cast<double>(steps.size());
+      rows.Add(vertex, 0.5);
+      rows.Add(next.GetApex(steps.back().Corner), weight);
+      for (std::size_t k = 0; k + 1 < steps.size(); ++k)
+      {
+        rows.Add(next.GetApex(steps[k].Corner), weight);
+      }
+    },
+    rows);
+}
+
+/// The vertices around that in a face are those of the face.
+template <typename Id>
+void AppendApices(const FourEightNext<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+{
+  const PolygonMesh<Id>& mesh = next.Mesh;
+  for (vtkIdType f = begin; f < end; ++f)
+  {
+    f += rows.AddRun(FourEightVertex, end - f,
+      [&](vtkIdType i, Id* columns)
+      {
+        const Id face = static_cast<Id>(f + i);
+        if (mesh.GetSize(face) != 4)
+        {
+          return false;
+        }
+        const Id first = mesh.GetFirst(face);
+        columns[0] = next.GetApex(first);
+        std::copy_n(mesh.Vertices.data() + first, 4, columns + 1);
+        return true;
+      });
+    if (f < end)
+    {
+      const Id face = static_cast<Id>(f);
+      const Id first = mesh.GetFirst(face);
+      rows.Add(next.GetApex(first), 0.5);
+      for (Id c = first; c < first + mesh.GetSize(face); ++c)
+      {
+        rows.Add(mesh.Vertices[c], 0.5 / static_cast<double>(mesh.GetSize(face)));
+      }
+      rows.EndRow();
+    }
+  }
+}
+
+template <typename Id>
+void AppendCentres(
+  const FourEightNext<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+{
+  Id corner = next.FindOwner(begin);
+  rows.AddRun(FourEightCentre, end - begin,
+    [&](vtkIdType, Id* columns)
+    {
+      corner = next.FindNextOwner(corner);
+      const std::array<Id, 4> quad = next.GetVertices(corner++);
+      std::copy(quad.begin(), quad.end(), columns);
+      return true;
+    });
+}
+
+/// Calls visit(face, quad, owner, side, other) for each face of the level after the next one, which
+/// lies between two quads across a side of one of them: it belongs to that with the smaller number.
+template <typename Id, typename Visit>
+void ForSpokes(const FourEightNext<Id>& next, const Visit& visit)
+{
+  constexpr vtkIdType block = 16384;
+  const vtkIdType quads = next.GetNumberOfFaces();
+  Buffer<Id> starts((quads + block - 1) / block + 1);
+  const auto forQuads = [&](vtkIdType b, const auto& act)
+  {
+    const vtkIdType end = std::min(quads, (b + 1) * block);
+    Id corner = next.FindOwner(b * block);
+    for (vtkIdType quad = b * block; quad < end; ++quad)
+    {
+      corner = next.FindNextOwner(corner);
+      act(static_cast<Id>(quad), corner++);
+    }
+  };
+  const auto forBlocks = [&](const auto& act)
+  {
+    ForRangesOfBlocks(starts.size() - 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType b = begin; b < end; ++b)
+        {
+          act(b);
+        }
+      });
+  };
+  forBlocks(
+    [&](vtkIdType b)
+    {
+      Id count = 0;
+      forQuads(b,
+        [&](Id quad, Id owner)
+        {
+          for (const Id other : next.GetNeighbours(owner))
+          {
+            count += quad < other;
+          }
+        });
+      starts[b] = count;
+    });
+  CountsToOffsets(starts);
+  forBlocks(
+    [&](vtkIdType b)
+    {
+      Id face = starts[b];
+      forQuads(b,
+        [&](Id quad, Id owner)
+        {
+          const std::array<Id, 4> others = next.GetNeighbours(owner);
+          for (std::size_t side = 0; side < 4; ++side)
+          {
+            if (quad < others[side])
+            {
+              visit(face++, quad, owner, side, others[side]);
+            }
+          }
+        });
+    });
+}
+
+}
+
+template <typename Id>
+SurfaceLevel<Id> CountFourEight(const SurfaceLevel<Id>& skipped)
+{
+  SurfaceLevel<Id> next;
+  next.Step = skipped.Step + 1;
+  next.Mesh.Arity = 4;
+  next.Mesh.NumberOfVertices = skipped.Mesh.NumberOfVertices + skipped.Mesh.NumberOfFaces;
+  next.Mesh.NumberOfFaces = skipped.Mesh.GetNumberOfEdges();
+  return next;
+}
+
+template <typename Id>
+void AppendFourEightRowsOfNext(
+  const SurfaceLevel<Id>& level, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+{
+  const FourEightNext<Id> next(level);
+  ForKindsOfRows<3>(
+    { level.Mesh.NumberOfVertices, level.Mesh.NumberOfFaces, next.GetNumberOfFaces() }, begin, end,
+    [&](std::size_t kind, vtkIdType first, vtkIdType last)
+    {
+      kind == 0     ? AppendVertices(next, first, last, rows)
+        : kind == 1 ? AppendApices(next, first, last, rows)
+                    : AppendCentres(next, first, last, rows);
+    });
+}
+
+template <typename Id>
+void GetFourEightParentsOfNext(
+  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
+{
+  const FourEightNext<Id> next(level);
+  const vtkIdType quad = row - next.GetNumberOfVertices();
+  if (quad < 0)
+  {
+    parents.assign({ row });
+    return;
+  }
+  const std::array<Id, 4> vertices = next.GetVertices(next.FindOwner(quad));
+  parents.assign(vertices.begin(), vertices.end());
+}
+
+template <typename Id, typename Out>
+void WriteFourEightOfNext(const SurfaceLevel<Id>& level, Out* ids)
+{
+  const FourEightNext<Id> next(level);
+  const Id centres = static_cast<Id>(next.GetNumberOfVertices());
+  ForSpokes(next,
+    [&](Id face, Id quad, Id owner, std::size_t side, Id other)
+    {
+      const std::array<Id, 4> vertices = next.GetVertices(owner);
+      Out* to = ids + 4 * static_cast<vtkIdType>(face);
+      to[0] = static_cast<Out>(vertices[side]);
+      to[1] = static_cast<Out>(centres + other);
+      to[2] = static_cast<Out>(vertices[(side + 1) % 4]);
+      to[3] = static_cast<Out>(centres + quad);
+    });
+}
+
+SUBDIVISION_COMPILE_FUNCTION(CountFourEight);
+SUBDIVISION_COMPILE_FUNCTION(AppendFourEightRowsOfNext);
+SUBDIVISION_COMPILE_FUNCTION(GetFourEightParentsOfNext);
+SUBDIVISION_COMPILE_WRITER(WriteFourEightOfNext);
+
+}
