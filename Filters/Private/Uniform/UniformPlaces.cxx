@@ -104,9 +104,15 @@ bool UniformRun::ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<
     if (cell < 0 || cell >= cells || counts[cell] != 1)
     {
       this->Options.Fail("Place " + std::to_string(i) + " is in cell " + std::to_string(cell) +
-        (cell < 0 || cell >= cells
-            ? ": the input has no such cell."
-            : ", which is no vertex, line, triangle or tetrahedron, or was left out."));
+        (cell < 0 || cell >= cells ? ": the input has no such cell."
+            : counts[cell] == 0
+            ? ", which was left out, as warnings say."
+            : ", which is no vertex, line, triangle or tetrahedron: the filter cuts it, and the "
+              "pieces have other parameters. " +
+              std::string(dimensions[cell] == 2
+                  ? "Ask EvaluateLimit of vtkSurfaceSubdivision with Scheme = CATMULL_CLARK, which "
+                    "has places in quads and polygons."
+                  : "Use the Subdivision Limit Probe, which takes points.")));
       return false;
     }
     LimitPlace<Id> place;
