@@ -8,9 +8,7 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/NearestPlaces.h"
 #include "Private/Control/PlaceOutput.h"
-#include "Private/Uniform/UniformCells.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -235,28 +233,6 @@ bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme:
   return true;
 }
 
-/// Returns false, after an error, if a place lies in one of the pieces in which octahedra of the
-/// input are written: these are no solids of the scheme.
-template <typename Id>
-bool UniformRun::AreInWholeSolids(
-  const PlaceRequest& request, const std::vector<LimitPlace<Id>>& places) const
-{
-  vtkDataArray* pieces =
-    this->Mesh.MadeLevels > 0 ? this->Input->GetCellData()->GetArray(OctahedraName) : nullptr;
-  for (const std::size_t i : InTurn(pieces ? places.size() : std::size_t(0)))
-  {
-    const vtkIdType cell = request.Cells->GetValue(static_cast<vtkIdType>(i));
-    if (places[i].Dimension == 3 && pieces->GetComponent(cell, 0) >= 0.)
-    {
-      this->Options.Fail("Place " + std::to_string(i) + " is in cell " + std::to_string(cell) +
-        ", a piece of an octahedron. Ask for the place in the control mesh, which has "
-        "tetrahedra only.");
-      return false;
-    }
-  }
-  return true;
-}
-
 template <typename Scheme>
 bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::Level& level)
 {
@@ -272,10 +248,6 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
   vtkNew<vtkPolyData> found; // with further arrays
   if (request.Targets ? !this->FindNearest<Scheme>(request, level, creases, places, found)
                       : !this->ReadPlaces(request, places))
-  {
-    return false;
-  }
-  if (Scheme::Traits.HasPieces && !request.Targets && !this->AreInWholeSolids(request, places))
   {
     return false;
   }

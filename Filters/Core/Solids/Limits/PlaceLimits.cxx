@@ -84,12 +84,18 @@ int CountSharpSteps(const SemiSharpStages<Id>& creases)
 
 /// What the row of each place is made of. `ready`: rows that are known.
 template <typename LevelType, typename Id>
-std::vector<PlaceNodes<Id>> FindNodes(RegularReader<LevelType>& reader,
-  const SemiSharpStages<Id>& creases, const std::vector<LimitPlace<Id>>& places,
-  const std::vector<SolidRow<Id>>& ready, VertexNames<Id>& names)
+std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
+  RegularReader<LevelType>& reader, const SemiSharpStages<Id>& creases,
+  const std::vector<LimitPlace<Id>>& places, const std::vector<SolidRow<Id>>& ready,
+  VertexNames<Id>& names)
 {
   constexpr bool isLinear = std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value;
   const int sharpSteps = CountSharpSteps(creases);
+  [[maybe_unused]] OctPieces<Id> pieces;
+  if constexpr (SchemeOf<LevelType>::Traits.HasPieces)
+  {
+    pieces = OctPieces<Id>(level, places);
+  }
   std::vector<PlaceNodes<Id>> all;
   for (const LimitPlace<Id>& place : InTurn(places))
   {
@@ -113,16 +119,21 @@ std::vector<PlaceNodes<Id>> FindNodes(RegularReader<LevelType>& reader,
       all.push_back(std::move(nodes));
       continue;
     }
-    if (dimension == 3 && SchemeOf<LevelType>::Traits.HasPieces)
+    if constexpr (SchemeOf<LevelType>::Traits.HasPieces)
     {
-      TetOctPlace<Id> inside(place.Corners, part);
-      for (int splits = 0; splits < SplitsOfTetOct; ++splits)
+      if (dimension == 3)
       {
-        inside.Split(names);
+        const Id* octahedron = pieces.Find(place.Corners);
+        TetOctPlace<Id> inside = octahedron ? TetOctPlace<Id>(octahedron, place.Corners, part)
+                                            : TetOctPlace<Id>(place.Corners, part);
+        for (int splits = 0; splits < SplitsOfTetOct; ++splits)
+        {
+          inside.Split(names);
+        }
+        inside.Finish(names, nodes.Vertices, nodes.Weights);
+        all.push_back(std::move(nodes));
+        continue;
       }
-      inside.Finish(names, nodes.Vertices, nodes.Weights);
-      all.push_back(std::move(nodes));
-      continue;
     }
     const RegularSimplex<Id>& regular = reader.Find(place);
     nodes.Part = regular.IsPatch && sharpSteps == 0 ? FindPart(part, dimension, regular.Parts) : 0;
@@ -233,7 +244,7 @@ PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& 
       ready = FindSolidRows(level, places);
     }
   }
-  const std::vector<PlaceNodes<Id>> nodes = FindNodes(reader, creases, places, ready, names);
+  const std::vector<PlaceNodes<Id>> nodes = FindNodes(level, reader, creases, places, ready, names);
   if constexpr (std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value)
   {
     Combine(MakeRowsThatStay(vertices), reader.GetWeights(), places, nodes, this->Rows);
