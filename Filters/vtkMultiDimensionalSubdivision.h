@@ -400,7 +400,9 @@ public:
    * rules; NumberOfLevels does not matter. Place i is in cell cells[i], a vertex, line, triangle or
    * tetrahedron, at parameters[i] (3 components, of which a cell of dimension d reads d): the
    * second point of the cell has the weight u, the third v, the fourth w, and the first 1 - u - v -
-   * w; no weight is negative. In an output of TET_OCT the pieces of octahedra have no places.
+   * w; no weight is negative. In an output of TET_OCT it may be a piece of an octahedron. Cells
+   * that the filter cuts, such as quads and hexahedra, have no places; vtkSurfaceSubdivision has
+   * those of polygons.
    *
    * `result` has a point and a vertex for each place, in double, with all smoothed arrays there (an
    * array that is not smoothed has the value of the nearest corner), and the arrays DerivativeU,

@@ -33,10 +33,12 @@
  *    vtkSurfaceSubdivision.
  *
  * @par Method
- * Two levels on the limit tell where to begin. Newton's method then makes the distance smaller, up
- * to rounding, also across the borders of cells; by CATMULL_CLARK it searches in quads. Where two
- * parts of the object are almost equally near, the farther one may be found: those two levels, and
- * not the limit, choose between them.
+ * Two levels on the limit tell where to begin: in the cell with the nearest part of these levels,
+ * and on surfaces in cells beside it that are nearly as near, because at creases and corners each
+ * may have a nearest place of its own. Newton's method then makes the distance smaller, up to
+ * rounding, also across the borders of cells; by CATMULL_CLARK it searches in quads. Where two
+ * parts of the object that do not touch are almost equally near, the farther one may be found:
+ * those two levels, and not the limit, choose between them.
  *
  * @sa
  * vtkMultiDimensionalSubdivision vtkProbeFilter

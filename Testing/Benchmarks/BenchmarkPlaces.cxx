@@ -18,6 +18,7 @@
 #include "Core/Surfaces/Steps/SurfaceSchemes.h"
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -64,6 +65,16 @@ struct Control
   subdivision::Level<int> Level;
   std::vector<LimitPlace<int>> Places;
 };
+
+/// Moves points, so that tetrahedra mark other edges, and nothing is regular on most faces.
+FlatMesh Bend(FlatMesh mesh)
+{
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    mesh.Points[i] += 0.12 * std::sin(7. * static_cast<double>(i));
+  }
+  return mesh;
+}
 
 /// Of the rows of values alone.
 std::size_t GetMemorySize(const PlaceRows<int>& rows)
@@ -164,6 +175,7 @@ void RegisterPlaces()
   static const SurfaceControl quads(MakeQuadSphere(29), SurfaceSchemeKind::CatmullClark);
   static const Control sphere(MakeSphere(4));
   static const Control cube(MakeCube(3));
+  static const Control bent(Bend(MakeCube(3)));
   for (const int threads : ThreadCounts)
   {
     Register("places/make rows/sphere/levels:0", threads,
@@ -172,6 +184,8 @@ void RegisterPlaces()
       [](Stopwatch& watch) { return ApplyRows(watch, sphere); });
     Register("places/make rows/cube of solids/levels:0", threads,
       [](Stopwatch& watch) { return MakeRows(watch, cube); });
+    Register("places/make rows/bent cube of solids/levels:0", threads,
+      [](Stopwatch& watch) { return MakeRows(watch, bent); });
     Register("places/make rows/sphere by Loop/levels:0", threads,
       [](Stopwatch& watch) { return MakeSurfaceRows(watch, triangles); });
     Register("places/make rows/sphere of quads by CatmullClark/levels:0", threads,

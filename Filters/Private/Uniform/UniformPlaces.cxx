@@ -8,9 +8,7 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/NearestPlaces.h"
 #include "Private/Control/PlaceOutput.h"
-#include "Private/Uniform/UniformCells.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -104,10 +102,15 @@ bool UniformRun::ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<
     if (cell < 0 || cell >= cells || counts[cell] != 1)
     {
       this->Options.Fail("Place " + std::to_string(i) + " is in cell " + std::to_string(cell) +
-        (cell < 0 || cell >= cells
-            ? ": the input has no such cell."
-            : ", which is no vertex, line, triangle or tetrahedron, or was left out. For quads and "
-              "other polygons use the Surface Subdivision with CatmullClark."));
+        (cell < 0 || cell >= cells ? ": the input has no such cell."
+            : counts[cell] == 0
+            ? ", which was left out, as warnings say."
+            : ", which is no vertex, line, triangle or tetrahedron: the filter cuts it, and the "
+              "pieces have other parameters. " +
+              std::string(dimensions[cell] == 2
+                  ? "Ask EvaluateLimit of vtkSurfaceSubdivision with Scheme = CATMULL_CLARK, which "
+                    "has places in quads and polygons."
+                  : "Use the Subdivision Limit Probe, which takes points.")));
       return false;
     }
     LimitPlace<Id> place;
@@ -230,28 +233,6 @@ bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme:
   return true;
 }
 
-/// Returns false, after an error, if a place lies in one of the pieces in which octahedra of the
-/// input are written: these are no solids of the scheme.
-template <typename Id>
-bool UniformRun::AreInWholeSolids(
-  const PlaceRequest& request, const std::vector<LimitPlace<Id>>& places) const
-{
-  vtkDataArray* pieces =
-    this->Mesh.MadeLevels > 0 ? this->Input->GetCellData()->GetArray(OctahedraName) : nullptr;
-  for (const std::size_t i : InTurn(pieces ? places.size() : std::size_t(0)))
-  {
-    const vtkIdType cell = request.Cells->GetValue(static_cast<vtkIdType>(i));
-    if (places[i].Dimension == 3 && pieces->GetComponent(cell, 0) >= 0.)
-    {
-      this->Options.Fail("Place " + std::to_string(i) + " is in cell " + std::to_string(cell) +
-        ", a piece of an octahedron. Ask for the place in the control mesh, which has "
-        "tetrahedra only.");
-      return false;
-    }
-  }
-  return true;
-}
-
 template <typename Scheme>
 bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::Level& level)
 {
@@ -267,10 +248,6 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
   vtkNew<vtkPolyData> found; // with further arrays
   if (request.Targets ? !this->FindNearest<Scheme>(request, level, creases, places, found)
                       : !this->ReadPlaces(request, places))
-  {
-    return false;
-  }
-  if (Scheme::Traits.HasPieces && !request.Targets && !this->AreInWholeSolids(request, places))
   {
     return false;
   }

@@ -68,9 +68,6 @@ private:
   bool Execute();
   void UseKept(KeptOperator& kept);
   template <typename Id>
-  bool AreInWholeSolids(
-    const PlaceRequest& request, const std::vector<LimitPlace<Id>>& places) const;
-  template <typename Id>
   bool ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<Id>>& places) const;
   template <typename Scheme>
   bool FindNearest(const PlaceRequest& request, const typename Scheme::Level& level,

@@ -446,9 +446,12 @@ TEST(EvaluateLimit, Errors)
     ++hexahedron;
   }
   fails(hexahedron, { 0.2, 0.2, 0.2 }, "no vertex, line, triangle or tetrahedron");
-  filter->SetInputData(MakeGrid({ { 0., 0., 0. }, { 1., 0., 0. }, { 1., 1., 0. }, { 0., 1., 0. } },
-    { { VTK_QUAD, { 0, 1, 2, 3 } } }));
-  fails(0, { 0.2, 0.2, 0. }, "Surface Subdivision with CatmullClark");
+  fails(hexahedron, { 0.2, 0.2, 0.2 }, "Use the Subdivision Limit Probe");
+  const Grid quad =
+    MakeGrid({ { 0., 0., 0. }, { 1., 0., 0. }, { 1., 1., 0. }, { 0., 1., 0. }, { 2., 0., 0. } },
+      { { VTK_TRIANGLE, { 1, 4, 2 } }, { VTK_QUAD, { 0, 1, 2, 3 } } });
+  filter->SetInputData(quad);
+  fails(1, { 0.2, 0.2, 0. }, "EvaluateLimit of vtkSurfaceSubdivision with Scheme = CATMULL_CLARK");
   const Grid tet = MakeGrid({ { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1., 0. }, { 0., 0., 1. } },
     { { VTK_TETRA, { 0, 1, 2, 3 } } });
   filter->SetInputData(tet);

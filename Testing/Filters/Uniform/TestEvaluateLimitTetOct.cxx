@@ -186,62 +186,118 @@ TEST(EvaluateLimitTetOct, SymmetryOfOneTetrahedron)
   }
 }
 
-/// In an output of the filter places are in tetrahedra, with the limit of the control mesh; pieces
-/// of octahedra are refused.
+/// In an output of the filter places are in tetrahedra, and in pieces of octahedra. Both have the
+/// limit of the control mesh: the corners of a cell tell where in a control tetrahedron it lies.
 TEST(EvaluateLimitTetOct, FiltersInARow)
 {
-  const Grid grid = MakeTets(false);
-  vtkNew<Filter> filter;
-  filter->SetVolumeSchemeToTetOct();
-  filter->SetNumberOfLevels(1);
-  const Grid fine = UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), grid);
-  vtkDataArray* pieces = fine->GetCellData()->GetArray("OctahedronId");
-  ASSERT_NE(pieces, nullptr);
-  vtkIdType whole = 0;
-  vtkIdType piece = 0;
-  while (pieces->GetComponent(whole, 0) >= 0.)
+  const Grid grid = MakeTets(true);
+  Places lattice;
+  for (vtkIdType cell = 0; cell < 5; ++cell)
   {
-    ++whole;
-  }
-  while (pieces->GetComponent(piece, 0) < 0.)
-  {
-    ++piece;
-  }
-  Places inFine;
-  inFine.Add(whole, { 0.2, 0.3, 0.1 });
-  const auto found = EvaluateTetOct(fine, inFine);
-  double least = VTK_DOUBLE_MAX;
-  Places inControl; // of all corners of the parent, in any order
-  const double w[4] = { 0.4, 0.2, 0.3, 0.1 };
-  std::array<int, 4> order{ { 0, 1, 2, 3 } };
-  do
-  {
-    for (int corner = 0; corner < 4; ++corner)
+    for (int i = 0; i <= 4; ++i)
     {
-      Point p{};
-      for (int k = 1; k < 4; ++k)
+      for (int j = 0; i + j <= 4; ++j)
       {
-        p[k - 1] = 0.5 * w[order[k]] + (corner == k ? 0.5 : 0.);
+        for (int k = 0; i + j + k <= 4; ++k)
+        {
+          lattice.Add(cell, { 0.25 * i, 0.25 * j, 0.25 * k });
+        }
       }
-      inControl.Add(0, p);
     }
-  } while (std::next_permutation(order.begin(), order.end()));
-  const auto all = EvaluateTetOct(grid, inControl);
-  for (vtkIdType i = 0; i < inControl.GetSize(); ++i)
-  {
-    least = std::min(least, GetDistance(GetPoint(all, i), GetPoint(found, 0)));
   }
-  EXPECT_LT(least, 1e-12);
-  filter->SetInputData(fine);
-  vtkNew<Messages> messages;
-  messages->Watch(filter);
-  Places inPiece;
-  inPiece.Add(piece, { 0.2, 0.3, 0.1 });
-  vtkNew<vtkPolyData> result;
-  EXPECT_FALSE(filter->EvaluateLimit(inPiece.Cells, inPiece.Parameters, result));
-  ASSERT_FALSE(messages->Errors.empty());
-  EXPECT_NE(messages->Errors[0].find("a piece of an octahedron"), std::string::npos)
-    << messages->Errors[0];
+  const auto known = EvaluateTetOct(grid, lattice);
+  for (const int levels : { 1, 2 })
+  {
+    vtkNew<Filter> filter;
+    filter->SetVolumeSchemeToTetOct();
+    filter->SetNumberOfLevels(levels);
+    const Grid fine = UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), grid);
+    vtkDataArray* octahedra = fine->GetCellData()->GetArray("OctahedronId");
+    ASSERT_NE(octahedra, nullptr);
+    // Four corners of each cell, and a place inside; the same in control tetrahedra.
+    Places inFine;
+    std::vector<vtkIdType> cells;
+    for (vtkIdType cell = 0; cell < fine->GetNumberOfCells(); cell += levels == 1 ? 1 : 11)
+    {
+      if (fine->GetCellType(cell) == VTK_TETRA)
+      {
+        cells.push_back(cell);
+        inFine.Add(cell, { 0., 0., 0. });
+        inFine.Add(cell, { 1., 0., 0. });
+        inFine.Add(cell, { 0., 1., 0. });
+        inFine.Add(cell, { 0., 0., 1. });
+        inFine.Add(cell, { 0.23, 0.31, 0.17 });
+      }
+    }
+    const auto found = EvaluateTetOct(fine, inFine);
+    Places inControl;
+    std::vector<std::array<Point, 3>>
+      ways; // of the parameters of each cell in those of its control
+    int pieces = 0;
+    for (std::size_t n = 0; n < cells.size(); ++n)
+    {
+      pieces += octahedra->GetComponent(cells[n], 0) >= 0. ? 1 : 0;
+      for (vtkIdType control = 0; control < 5 && ways.size() == n; ++control)
+      {
+        std::vector<Point> corners;
+        for (vtkIdType i = 0; i < 4; ++i)
+        {
+          for (vtkIdType k = 35 * control; k < 35 * (control + 1); ++k)
+          {
+            if (GetDistance(
+                  GetPoint(known, k), GetPoint(found, 5 * static_cast<vtkIdType>(n) + i)) < 1e-11)
+            {
+              Point p{};
+              lattice.Parameters->GetTuple(k, p.data());
+              corners.push_back(p);
+            }
+          }
+        }
+        if (corners.size() == 4)
+        {
+          std::array<Point, 3> way{};
+          Point place = corners[0];
+          const double parameters[3] = { 0.23, 0.31, 0.17 };
+          for (int d = 0; d < 3; ++d)
+          {
+            for (int c = 0; c < 3; ++c)
+            {
+              way[d][c] = corners[d + 1][c] - corners[0][c];
+              place[c] += parameters[d] * way[d][c];
+            }
+          }
+          ways.push_back(way);
+          inControl.Add(control, place);
+        }
+      }
+      ASSERT_EQ(ways.size(), n + 1) << "cell " << cells[n];
+    }
+    EXPECT_GE(pieces, 10);
+    EXPECT_GE(static_cast<int>(cells.size()), pieces + 8);
+    const auto expected = EvaluateTetOct(grid, inControl);
+    const char* names[3] = { "DerivativeU", "DerivativeV", "DerivativeW" };
+    for (std::size_t n = 0; n < cells.size(); ++n)
+    {
+      const auto control = static_cast<vtkIdType>(n);
+      const vtkIdType place = 5 * control + 4;
+      EXPECT_LT(GetDistance(GetPoint(expected, control), GetPoint(found, place)), 1e-12) << n;
+      EXPECT_NEAR(expected->GetPointData()->GetArray("Random")->GetComponent(control, 0),
+        found->GetPointData()->GetArray("Random")->GetComponent(place, 0), 1e-12);
+      for (int d = 0; d < 3; ++d)
+      {
+        const Point slope = GetTuple(found, names[d], place);
+        for (int c = 0; c < 3; ++c)
+        {
+          double sum = 0.;
+          for (int k = 0; k < 3; ++k)
+          {
+            sum += ways[n][d][k] * GetTuple(expected, names[k], control)[c];
+          }
+          EXPECT_NEAR(slope[c], sum, 1e-6) << n << " " << names[d];
+        }
+      }
+    }
+  }
 }
 
 /// Between vertices of deep levels values are those of a smooth function.

@@ -9,6 +9,7 @@
 
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
+#include "vtkStaticPointLocator.h"
 #include "vtkSubdivisionLimitProbe.h"
 #include "vtkSubdivisionModelSource.h"
 
@@ -181,6 +182,82 @@ TEST(SubdivisionLimitProbe, FootPoints)
     EXPECT_NEAR(found->GetPointData()->GetArray("Distance")->GetComponent(i, 0),
       mesh->GetCellType(cell) == VTK_LINE ? 0. : 0.2, 1e-10)
       << i;
+  }
+}
+
+/// At creases each cell may have a nearest place of its own. No vertex of level 7 is nearer than
+/// the one that is found, for points at any small distance from vertices of a crease, and its ends.
+TEST(SubdivisionLimitProbe, NearestPlacesAtIrregularCreases)
+{
+  for (unsigned int seed = 0; seed < 5; ++seed)
+  {
+    std::mt19937 random(seed);
+    const auto draw = [&random] { return random() / 4294967296.; };
+    std::vector<Point> points;
+    std::vector<Cell> cells;
+    for (int i = 0; i < 36; ++i)
+    {
+      points.push_back({ i % 6 + 0.3 * draw(), i / 6 + 0.3 * draw(), 0.8 * draw() });
+    }
+    for (vtkIdType i = 0; i < 29; ++i)
+    {
+      if (i % 6 < 5)
+      {
+        const bool turned = draw() < 0.5;
+        cells.push_back({ VTK_TRIANGLE, { i, i + 1, turned ? i + 6 : i + 7 } });
+        cells.push_back({ VTK_TRIANGLE, { turned ? i + 1 : i, i + 7, i + 6 } });
+      }
+    }
+    const std::size_t triangles = cells.size();
+    Ids crease{ 7 + static_cast<vtkIdType>(random() % 4) };
+    while (crease.back() % 6 < 5 && crease.back() / 6 < 5 && crease.size() < 6)
+    {
+      crease.push_back(crease.back() + (random() % 2 == 0 ? 1 : 6));
+      cells.push_back({ VTK_LINE, { crease[crease.size() - 2], crease.back() } });
+    }
+    const Grid mesh = MakeGrid(points, cells);
+    vtkNew<vtkIntArray> flags;
+    flags->SetName("Singular");
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      flags->InsertNextValue(i < triangles ? 0 : 1);
+    }
+    mesh->GetCellData()->AddArray(flags);
+    const auto project = [&mesh](int levels)
+    {
+      vtkNew<vtkMultiDimensionalSubdivision> filter;
+      filter->SetNumberOfLevels(levels);
+      filter->ProjectToLimitOn();
+      return UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), mesh);
+    };
+    const Grid coarse = project(0);
+    const Grid fine = project(7);
+    std::vector<Point> targets;
+    for (const vtkIdType vertex : crease)
+    {
+      for (int i = 0; i < 40; ++i)
+      {
+        Point target = GetPoint(coarse, vertex);
+        const double size = std::pow(10., -2. * draw());
+        for (double& x : target)
+        {
+          x += size * (1.2 * draw() - 0.6);
+        }
+        targets.push_back(target);
+      }
+    }
+    const auto found = Probe(mesh, targets);
+    vtkNew<vtkStaticPointLocator> locator;
+    locator->SetDataSet(fine);
+    locator->BuildLocator();
+    for (std::size_t t = 0; t < targets.size(); ++t)
+    {
+      const Point p = GetPoint(fine, locator->FindClosestPoint(targets[t].data()));
+      EXPECT_LE(
+        found->GetPointData()->GetArray("Distance")->GetComponent(static_cast<vtkIdType>(t), 0),
+        std::hypot(p[0] - targets[t][0], p[1] - targets[t][1], p[2] - targets[t][2]) + 1e-10)
+        << seed << " " << t << ", vertex " << crease[t / 40];
+    }
   }
 }
 

@@ -23,24 +23,30 @@ namespace
 /// How often a simplex is split that does not become regular: errors are a part of the square of
 /// its size.
 constexpr int MostSplits = 24;
-/// The same inside a tetrahedron, where limits are smoother.
-constexpr int SplitsInside = 8;
+/// The same after all corners lie inside a tetrahedron, where the limit is a polynomial of degree
+/// 5: each split divides what a polynomial of degree 4 leaves out by 32.
+constexpr int SplitsInside = 6;
 /// The same by the tet/oct scheme, whose limits are no polynomials: the value is linear between
 /// four limits then, with an error of the square of their distance.
 constexpr int SplitsOfTetOct = 22;
 /// And of patches, whose parts are numbered in a byte.
 constexpr int SplitsOfPatch = 3;
 
-/// Whether the limit over a part is a polynomial, at least but for rounding.
-bool IsSmall(const PlaceInPart& part, int dimension, int splits, const RegularParts& regular)
+/// Whether all corners of a part of a tetrahedron lie inside it.
+bool IsInside(const PlaceInPart& part)
+{
+  const auto& carriers = part.Carriers;
+  return std::all_of(carriers.begin(), carriers.end(), [](int carrier) { return carrier == 15; });
+}
+
+/// Whether the limit over a part is a polynomial, at least but for rounding. `inside`: how often a
+/// part inside a tetrahedron was split.
+bool IsSmall(const PlaceInPart& part, int dimension, int inside, const RegularParts& regular)
 {
   const auto first = part.Carriers.begin();
-  if (dimension == 3)
-  {
-    return splits >= SplitsInside &&
-      std::all_of(first, first + 4, [](int carrier) { return carrier == 15; });
-  }
-  return std::all_of(first, first + dimension + 1, [&](int carrier) { return regular[carrier]; });
+  return dimension == 3
+    ? inside >= SplitsInside
+    : std::all_of(first, first + dimension + 1, [&](int carrier) { return regular[carrier]; });
 }
 
 /// The part of a patch with a place whose limit is one polynomial (SheetKey::Part); 0 where that is
@@ -48,7 +54,7 @@ bool IsSmall(const PlaceInPart& part, int dimension, int splits, const RegularPa
 int FindPart(PlaceInPart place, int dimension, const RegularParts& regular)
 {
   int part = 1;
-  for (int splits = 0; !IsSmall(place, dimension, splits, regular); ++splits)
+  for (int splits = 0; !IsSmall(place, dimension, 0, regular); ++splits)
   {
     if (splits == SplitsOfPatch)
     {
@@ -76,20 +82,32 @@ int CountSharpSteps(const SemiSharpStages<Id>& creases)
   return static_cast<int>(std::ceil(std::min<double>(most, MostSplits)));
 }
 
-/// What the row of each place is made of.
+/// What the row of each place is made of. `ready`: rows that are known.
 template <typename LevelType, typename Id>
-std::vector<PlaceNodes<Id>> FindNodes(RegularReader<LevelType>& reader,
-  const SemiSharpStages<Id>& creases, const std::vector<LimitPlace<Id>>& places,
+std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
+  RegularReader<LevelType>& reader, const SemiSharpStages<Id>& creases,
+  const std::vector<LimitPlace<Id>>& places, const std::vector<SolidRow<Id>>& ready,
   VertexNames<Id>& names)
 {
   constexpr bool isLinear = std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value;
   const int sharpSteps = CountSharpSteps(creases);
+  [[maybe_unused]] OctPieces<Id> pieces;
+  if constexpr (SchemeOf<LevelType>::Traits.HasPieces)
+  {
+    pieces = OctPieces<Id>(level, places);
+  }
   std::vector<PlaceNodes<Id>> all;
   for (const LimitPlace<Id>& place : InTurn(places))
   {
     PlaceInPart part = StartPart(place);
     const int dimension = place.Dimension;
     PlaceNodes<Id> nodes;
+    if (all.size() < ready.size() && !ready[all.size()].Columns.empty())
+    {
+      nodes.Ready = &ready[all.size()];
+      all.push_back(std::move(nodes));
+      continue;
+    }
     if (isLinear)
     {
       for (int i = 0; i <= dimension; ++i)
@@ -101,16 +119,21 @@ std::vector<PlaceNodes<Id>> FindNodes(RegularReader<LevelType>& reader,
       all.push_back(std::move(nodes));
       continue;
     }
-    if (dimension == 3 && SchemeOf<LevelType>::Traits.HasPieces)
+    if constexpr (SchemeOf<LevelType>::Traits.HasPieces)
     {
-      TetOctPlace<Id> inside(place.Corners, part);
-      for (int splits = 0; splits < SplitsOfTetOct; ++splits)
+      if (dimension == 3)
       {
-        inside.Split(names);
+        const Id* octahedron = pieces.Find(place.Corners);
+        TetOctPlace<Id> inside = octahedron ? TetOctPlace<Id>(octahedron, place.Corners, part)
+                                            : TetOctPlace<Id>(place.Corners, part);
+        for (int splits = 0; splits < SplitsOfTetOct; ++splits)
+        {
+          inside.Split(names);
+        }
+        inside.Finish(names, nodes.Vertices, nodes.Weights);
+        all.push_back(std::move(nodes));
+        continue;
       }
-      inside.Finish(names, nodes.Vertices, nodes.Weights);
-      all.push_back(std::move(nodes));
-      continue;
     }
     const RegularSimplex<Id>& regular = reader.Find(place);
     nodes.Part = regular.IsPatch && sharpSteps == 0 ? FindPart(part, dimension, regular.Parts) : 0;
@@ -121,10 +144,12 @@ std::vector<PlaceNodes<Id>> FindNodes(RegularReader<LevelType>& reader,
       continue;
     }
     std::array<Id, 4> corners = place.Corners;
+    int inside = 0;
     for (int splits = 0; dimension > 0 && splits < MostSplits &&
-      (splits < sharpSteps || !IsSmall(part, dimension, splits, regular.Parts));
+      (splits < sharpSteps || !IsSmall(part, dimension, inside, regular.Parts));
       ++splits)
     {
+      inside += dimension == 3 && IsInside(part) ? 1 : 0;
       const int child = part.FindChild(dimension);
       part.GoToChild(dimension, child);
       corners = GetCornersOfChild(corners, dimension, child, names);
@@ -211,7 +236,15 @@ PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& 
   const Id vertices = level.Complex.NumberOfVertices;
   VertexNames<Id> names(vertices);
   RegularReader<LevelType> reader(level, places);
-  const std::vector<PlaceNodes<Id>> nodes = FindNodes(reader, creases, places, names);
+  std::vector<SolidRow<Id>> ready;
+  if constexpr (std::is_same<LevelType, Level<Id>>::value)
+  {
+    if (CountSharpSteps(creases) == 0)
+    {
+      ready = FindSolidRows(level, places);
+    }
+  }
+  const std::vector<PlaceNodes<Id>> nodes = FindNodes(level, reader, creases, places, ready, names);
   if constexpr (std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value)
   {
     Combine(MakeRowsThatStay(vertices), reader.GetWeights(), places, nodes, this->Rows);

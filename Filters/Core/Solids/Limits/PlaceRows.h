@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlaceRows.h
- * The rows of places (PlaceLimits.h): sums of rows of nodes, or of the powers of a patch.
+ * The rows of places (PlaceLimits.h): sums of rows of nodes, or of the powers of a patch, or rows
+ * that are ready.
  */
 #ifndef SubdivisionObjects_PlaceRows_h
 #define SubdivisionObjects_PlaceRows_h
@@ -10,6 +11,7 @@
 #include "Core/Solids/Limits/PatchPolynomials.h"
 #include "Core/Solids/Limits/PlacePolynomial.h"
 #include "Core/Solids/Limits/RegularParts.h"
+#include "Core/Solids/Limits/SolidPlaces.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +20,7 @@
 namespace subdivision
 {
 
-/// What the row of a place is made of: nodes with their weights, or a part of a patch.
+/// What the row of a place is made of: nodes with their weights, or a part of a patch, or itself.
 template <typename Id>
 struct PlaceNodes
 {
@@ -26,6 +28,7 @@ struct PlaceNodes
   std::vector<std::array<double, PlaceParts::Count>> Weights;
   int Part = 0;                                ///< SheetKey::Part; 0: there are nodes
   const RegularSimplex<Id>* Simplex = nullptr; ///< in which the part is
+  const SolidRow<Id>* Ready = nullptr;         ///< null: the row is not yet made
 };
 
 /// The rows of a place over the columns that they have.
@@ -43,6 +46,10 @@ public:
   /// then.
   const std::vector<Id>& FindColumns(const PlaceNodes<Id>& nodes)
   {
+    if (nodes.Ready)
+    {
+      return nodes.Ready->Columns;
+    }
     nodes.Part > 0 ? this->ReadPatch(nodes) : this->ReadNodes(nodes.Vertices);
     return this->Columns;
   }
@@ -50,6 +57,17 @@ public:
   void Sum(const LimitPlace<Id>& place, const PlaceNodes<Id>& nodes,
     const std::array<double*, PlaceParts::Count>& sums)
   {
+    if (nodes.Ready)
+    {
+      for (std::size_t c = 0; c < nodes.Ready->Columns.size(); ++c)
+      {
+        for (int part = 0; part < PlaceParts::Count; ++part)
+        {
+          sums[part][c] = nodes.Ready->Weights[c][part];
+        }
+      }
+      return;
+    }
     if (nodes.Part == 0)
     {
       for (int part = 0; part < PlaceParts::Count; ++part)

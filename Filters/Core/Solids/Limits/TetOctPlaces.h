@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetOctPlaces.h
- * A place in a tetrahedron of the tet/oct scheme, by steps to ever smaller tetrahedra and octahedra
+ * A place in a solid of the tet/oct scheme, by steps to ever smaller tetrahedra and octahedra
  * around it.
  */
 #ifndef SubdivisionObjects_TetOctPlaces_h
 #define SubdivisionObjects_TetOctPlaces_h
 
+#include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/LatticeNames.h"
 #include "Core/Solids/Limits/PlacePolynomial.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -32,6 +34,28 @@ public:
     : Tet(corners)
     , At{ { place.At, place.Directions[0], place.Directions[1], place.Directions[2] } }
   {
+  }
+
+  /// The place lies in a piece of an octahedron, which has four of its six `vertices`.
+  TetOctPlace(const Id* vertices, const std::array<Id, 4>& corners, const PlaceInPart& place)
+    : TetOctPlace(corners, place)
+  {
+    this->IsOct = true;
+    for (CornerWeights& at : this->At)
+    {
+      const CornerWeights weights = at;
+      at = CornerWeights{};
+      for (int i = 0; i < 4; ++i)
+      {
+        const auto number =
+          static_cast<int>(std::find(vertices, vertices + 6, corners[i]) - vertices);
+        at[number / 2] += number % 2 == 0 ? -weights[i] : weights[i];
+      }
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      this->Oct[k] = { { vertices[2 * k], vertices[2 * k + 1] } };
+    }
   }
 
   /// Goes on to the part of a step with the place.
@@ -189,6 +213,59 @@ private:
   std::array<Id, 4> Tet;
   std::array<std::array<Id, 2>, 3> Oct{}; ///< the ends of each diagonal, first that at -1
   std::array<CornerWeights, 4> At;
+};
+
+/// Finds octahedra by the pieces in which outputs have them: both ends of a diagonal, and one end
+/// of each other diagonal.
+template <typename Id>
+class OctPieces
+{
+public:
+  OctPieces() = default;
+  /// Those in which places may lie. `level` must outlive this.
+  OctPieces(const TetOctLevel<Id>& level, const std::vector<LimitPlace<Id>>& places)
+    : Vertices(level.OctVertices.data())
+  {
+    Buffer<unsigned char> isCorner(level.Complex.NumberOfVertices, 0);
+    for (const LimitPlace<Id>& place : InTurn(places))
+    {
+      for (int i = 0; place.Dimension == 3 && i < 4; ++i)
+      {
+        isCorner[place.Corners[i]] = 1;
+      }
+    }
+    ForEachInTurn(12 * vtkIdType(level.NumberOfOctahedra),
+      [&](vtkIdType i)
+      {
+        const auto piece = static_cast<int>(i % 12);
+        const Id* vertices = level.OctVertices.data() + 6 * (i / 12);
+        const int diagonal = piece / 4;
+        const int others[2] = { (diagonal + 1) % 3, (diagonal + 2) % 3 };
+        std::array<Id, 4> corners{ { vertices[2 * diagonal], vertices[2 * diagonal + 1],
+          vertices[2 * others[0] + piece % 2], vertices[2 * others[1] + piece / 2 % 2] } };
+        if (std::all_of(corners.begin(), corners.end(), [&](Id v) { return isCorner[v] != 0; }))
+        {
+          std::sort(corners.begin(), corners.end());
+          this->Pieces.emplace_back(corners, static_cast<Id>(i / 12));
+        }
+      });
+    std::sort(this->Pieces.begin(), this->Pieces.end());
+  }
+
+  /// The vertices of the octahedron; null: the corners are those of no piece.
+  const Id* Find(std::array<Id, 4> corners) const
+  {
+    std::sort(corners.begin(), corners.end());
+    const auto found = std::lower_bound(this->Pieces.begin(), this->Pieces.end(), corners,
+      [](const auto& listed, const auto& wanted) { return listed.first < wanted; });
+    return found == this->Pieces.end() || found->first != corners
+      ? nullptr
+      : this->Vertices + 6 * vtkIdType(found->second);
+  }
+
+private:
+  const Id* Vertices = nullptr;                         ///< of all octahedra
+  std::vector<std::pair<std::array<Id, 4>, Id>> Pieces; ///< ascending
 };
 
 }

@@ -387,6 +387,15 @@ void SimplexTree::Visit(std::size_t level, vtkIdType node, Nearest& nearest) con
   }
 }
 
+double SimplexTree::FindNearestIn(vtkIdType simplex, const double x[3], PlaceInSimplex& place) const
+{
+  const double* corners[4];
+  this->GetPoints(simplex, corners);
+  place = PlaceInSimplex();
+  place.Simplex = simplex;
+  return FindNearestPlace(corners, this->Corners, x, place.Weights);
+}
+
 bool SimplexTree::FindNearest(const double x[3], PlaceInSimplex& place, double& distance2) const
 {
   Nearest nearest;

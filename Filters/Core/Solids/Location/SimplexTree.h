@@ -39,6 +39,8 @@ public:
 
   /// The first of the nearest simplices, the nearest place in it and the squared distance.
   bool FindNearest(const double x[3], PlaceInSimplex& place, double& distance2) const;
+  /// The nearest place in one simplex. Returns the squared distance.
+  double FindNearestIn(vtkIdType simplex, const double x[3], PlaceInSimplex& place) const;
 
 private:
   struct Nearest;

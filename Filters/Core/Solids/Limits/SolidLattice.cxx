@@ -1,0 +1,536 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/Limits/SolidLattice.h"
+
+#include "Core/Memory/Ids.h"
+#include "Core/Rules/Masks.h"
+#include "Core/Solids/Limits/LimitRowMaker.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace subdivision
+{
+namespace
+{
+
+/// The marked edges of a tetrahedron are 02 and 13.
+int GetPartner(int corner)
+{
+  return corner ^ 2;
+}
+
+LatticeWeights Move(LatticeWeights weights, int from, int to)
+{
+  --weights[from];
+  ++weights[to];
+  return weights;
+}
+LatticeWeights With(LatticeWeights weights, int corner)
+{
+  ++weights[corner];
+  return weights;
+}
+/// Along the diagonal of a tetrahedron: from the ends of the marked edge without a corner to those
+/// of the other one.
+LatticeWeights MoveToPair(LatticeWeights weights, int corner)
+{
+  const int pair = corner % 2;
+  for (int i = 0; i < 4; ++i)
+  {
+    weights[i] += i % 2 == pair ? 1 : -1;
+  }
+  return weights;
+}
+LatticeWeights Sum(LatticeWeights a, const LatticeWeights& b)
+{
+  std::transform(
+    a.begin(), a.end(), b.begin(), a.begin(), [](long long x, long long y) { return x + y; });
+  return a;
+}
+
+/// The rows of a neighbourhood as SolveLimit reads them.
+struct SolvedRows
+{
+  std::vector<std::vector<std::pair<int, double>>> Rows;
+  template <typename Add>
+  void Weigh(const int*&, int item, const Add& add) const
+  {
+    for (const auto& [column, weight] : this->Rows[static_cast<std::size_t>(item)])
+    {
+      add(column, weight);
+    }
+  }
+};
+
+}
+
+template <typename Id>
+const Id* SolidLattice<Id>::GetCorners(int dimension, Id simplex) const
+{
+  const Buffer<Id>& vertices = dimension == 3 ? this->Complex.TetVertices
+    : dimension == 2                          ? this->Complex.FaceVertices
+                                              : this->Complex.EdgeVertices;
+  return vertices.data() + vtkIdType(dimension + 1) * simplex;
+}
+
+/// Weights for the corners of one simplex as weights for those of another one, which has all of
+/// them whose weight is not 0.
+template <typename Id>
+LatticeWeights SolidLattice<Id>::Lift(
+  const Id* from, int corners, const LatticeWeights& weights, const Id* to, int cornersThere) const
+{
+  LatticeWeights lifted{};
+  for (int k = 0; k < corners; ++k)
+  {
+    for (int i = 0; weights[k] != 0 && i < cornersThere; ++i)
+    {
+      lifted[i] += to[i] == from[k] ? weights[k] : 0;
+    }
+  }
+  return lifted;
+}
+
+template <typename Id>
+LatticeVertex<Id> SolidLattice<Id>::Find(
+  int dimension, Id simplex, const LatticeWeights& weights) const
+{
+  int inside[4]; // the corners with a weight
+  int outside = 0;
+  int size = 0;
+  for (int i = 0; i <= dimension; ++i)
+  {
+    outside = weights[i] == 0 ? i : outside;
+    inside[size] = i;
+    size += weights[i] != 0 ? 1 : 0;
+  }
+  if (size == dimension + 1)
+  {
+    return { dimension, simplex, weights };
+  }
+  const Id* corners = this->GetCorners(dimension, simplex);
+  LatticeVertex<Id> vertex;
+  vertex.Dimension = size - 1;
+  if (size == 1)
+  {
+    vertex.Simplex = corners[inside[0]];
+    vertex.Weights[0] = weights[inside[0]];
+    return vertex;
+  }
+  const vtkIdType first = vtkIdType(simplex) * (dimension == 3 && size == 2 ? 6 : dimension + 1);
+  vertex.Simplex = dimension == 2 ? this->Complex.FaceEdges[first + triangle::EdgeOpposite[outside]]
+    : size == 3                   ? this->Complex.TetFaces[first + outside]
+                : this->Complex.TetEdges[first + tetrahedron::EdgeOf[inside[0]][inside[1]]];
+  vertex.Weights =
+    this->Lift(corners, dimension + 1, weights, this->GetCorners(size - 1, vertex.Simplex), size);
+  return vertex;
+}
+
+template <typename Id>
+Rule SolidLattice<Id>::GetRule(const LatticeVertex<Id>& vertex) const
+{
+  if (vertex.Dimension == 3)
+  {
+    return Rule::Solid;
+  }
+  const Buffer<Stratum>& strata = vertex.Dimension == 2 ? this->Strata.Faces
+    : vertex.Dimension == 1                             ? this->Strata.Edges
+                                                        : this->Strata.Vertices;
+  const Rule rule = strata[vertex.Simplex].GetRule();
+  return rule == Rule::RegularEdge ? Rule::Solid : rule;
+}
+
+/// Calls act(dimension, simplex, weights, weights of neighbour) for each neighbour in the ring of a
+/// vertex: both lie in this simplex.
+template <typename Id>
+template <typename Act>
+bool SolidLattice<Id>::ForRing(const LatticeVertex<Id>& vertex, const Act& act) const
+{
+  switch (vertex.Dimension)
+  {
+    case 0:
+      return this->ForRingOfVertex(vertex, act);
+    case 1:
+      return this->ForRingOnEdge(vertex, act);
+    case 2:
+      return this->ForRingInFace(vertex, act);
+    default:
+      return this->ForRingInTet(vertex, act);
+  }
+}
+
+template <typename Id>
+template <typename Act>
+bool SolidLattice<Id>::ForRingOfVertex(const LatticeVertex<Id>& vertex, const Act& act) const
+{
+  const Rule rule = this->GetRule(vertex);
+  if (rule == Rule::Corner)
+  {
+    return true;
+  }
+  const Row<Id> edges = this->Strata.VertexRings.GetCarriers(vertex.Simplex);
+  if (rule == Rule::Blend ||
+    std::any_of(edges.begin(), edges.end(), [](Id edge) { return edge < 0; }))
+  {
+    return false;
+  }
+  for (const Id edge : edges)
+  {
+    const int own = this->GetCorners(1, edge)[0] == vertex.Simplex ? 0 : 1;
+    LatticeWeights weights{};
+    weights[own] = vertex.Weights[0];
+    act(1, edge, weights, Move(weights, own, 1 - own));
+  }
+  return true;
+}
+
+template <typename Id>
+template <typename Act>
+bool SolidLattice<Id>::ForRingOnEdge(const LatticeVertex<Id>& vertex, const Act& act) const
+{
+  const Id edge = vertex.Simplex;
+  const Rule rule = this->GetRule(vertex);
+  const Row<Id> faces = this->Strata.EdgeRings.GetCarriers(edge);
+  if (rule == Rule::Blend || (rule == Rule::Surface && faces.size() != 2))
+  {
+    return false;
+  }
+  act(1, edge, vertex.Weights, Move(vertex.Weights, 0, 1));
+  act(1, edge, vertex.Weights, Move(vertex.Weights, 1, 0));
+  const Id* ends = this->GetCorners(1, edge);
+  for (const Id face : rule == Rule::Curve ? Row<Id>{ nullptr, nullptr } : faces)
+  {
+    if (face < 0)
+    {
+      return false;
+    }
+    const LatticeWeights own = this->Lift(ends, 2, vertex.Weights, this->GetCorners(2, face), 3);
+    const int third = triangle::VertexOpposite[this->Complex.EdgeInFace(face, edge)];
+    for (int i = 0; i < 3; ++i)
+    {
+      i != third ? act(2, face, own, Move(own, i, third)) : void();
+    }
+    for (const Id tet :
+      rule == Rule::Solid ? this->Complex.FaceTets[face] : Row<Id>{ nullptr, nullptr })
+    {
+      const int number = this->Complex.EdgeInTet(tet, edge);
+      const int* others = tetrahedron::EdgeVertices[tetrahedron::OppositeEdge(number)];
+      // Each tetrahedron once, though it has two faces at the edge.
+      if (tetrahedron::IsMarked(number) && this->Complex.FaceInTet(tet, face) == others[0])
+      {
+        const LatticeWeights inTet =
+          this->Lift(ends, 2, vertex.Weights, this->GetCorners(3, tet), 4);
+        act(3, tet, inTet, MoveToPair(inTet, others[0]));
+      }
+    }
+  }
+  return true;
+}
+
+template <typename Id>
+template <typename Act>
+bool SolidLattice<Id>::ForRingInFace(const LatticeVertex<Id>& vertex, const Act& act) const
+{
+  const Id face = vertex.Simplex;
+  const Rule rule = this->GetRule(vertex);
+  const Row<Id> tets = this->Complex.FaceTets[face];
+  if (rule != Rule::Surface && (rule != Rule::Solid || tets.size() != 2))
+  {
+    return false;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    act(2, face, vertex.Weights, Move(vertex.Weights, i, (i + 1) % 3));
+    act(2, face, vertex.Weights, Move(vertex.Weights, i, (i + 2) % 3));
+  }
+  for (const Id tet : rule == Rule::Solid ? tets : Row<Id>{ nullptr, nullptr })
+  {
+    const int apex = this->Complex.FaceInTet(tet, face);
+    const LatticeWeights own =
+      this->Lift(this->GetCorners(2, face), 3, vertex.Weights, this->GetCorners(3, tet), 4);
+    for (int i = 0; i < 4; ++i)
+    {
+      i != apex ? act(3, tet, own, Move(own, i, apex)) : void();
+    }
+    act(3, tet, own, MoveToPair(own, apex));
+  }
+  return true;
+}
+
+template <typename Id>
+template <typename Act>
+bool SolidLattice<Id>::ForRingInTet(const LatticeVertex<Id>& vertex, const Act& act) const
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      i != k ? act(3, vertex.Simplex, vertex.Weights, Move(vertex.Weights, i, k)) : void();
+    }
+  }
+  act(3, vertex.Simplex, vertex.Weights, MoveToPair(vertex.Weights, 0));
+  act(3, vertex.Simplex, vertex.Weights, MoveToPair(vertex.Weights, 1));
+  return true;
+}
+
+template <typename Id>
+bool SolidLattice<Id>::ReadRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const
+{
+  row.Clear();
+  const LatticeWeights& weights = vertex.Weights;
+  return std::all_of(weights.begin(), weights.end(), [](long long w) { return w % 2 == 0; })
+    ? this->ReadVertexRow(vertex, row)
+    : this->ReadEdgeRow(vertex, row);
+}
+
+template <typename Id>
+bool SolidLattice<Id>::ReadVertexRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const
+{
+  LatticeVertex<Id> old = vertex;
+  for (long long& weight : old.Weights)
+  {
+    weight /= 2;
+  }
+  row.Add(old, 0.);
+  if (!this->ForRing(old,
+        [&](int dimension, Id simplex, const LatticeWeights&, const LatticeWeights& weights)
+        { row.Add(this->Find(dimension, simplex, weights), 0.); }))
+  {
+    return false;
+  }
+  const Mask mask = VertexMask(
+    this->GetRule(old), static_cast<vtkIdType>(row.Vertices.size()) - 1, this->Strata.Weights);
+  std::fill(row.Weights.begin(), row.Weights.end(), mask.Ring);
+  row.Weights[0] = mask.Own;
+  return true;
+}
+
+/// The ends of the edge are `base` with one more of each corner whose weight is odd; if all four
+/// are odd, the edge is along a diagonal.
+template <typename Id>
+bool SolidLattice<Id>::ReadEdgeRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const
+{
+  LatticeWeights base = vertex.Weights;
+  int odd[4];
+  int odds = 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    odd[odds] = i;
+    odds += base[i] % 2 != 0 ? 1 : 0;
+    base[i] /= 2;
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    const LatticeWeights end = With(base, odd[i]);
+    row.Add(this->Find(vertex.Dimension, vertex.Simplex, odds == 4 ? With(end, i + 2) : end), 0.);
+  }
+  Rule rule = this->GetRule(vertex);
+  if (vertex.Dimension == 1)
+  {
+    rule = this->Strata.Edges[vertex.Simplex].GetRule();
+    if (!this->AddRingOfEdge(vertex, base, row))
+    {
+      return false;
+    }
+  }
+  else if (vertex.Dimension == 2 && !this->AddRingInFace(vertex, base, row, rule))
+  {
+    return false;
+  }
+  else if (vertex.Dimension == 3)
+  {
+    this->AddRingInTet(vertex, base, row, rule);
+  }
+  const Mask mask = EdgeMask(rule, static_cast<vtkIdType>(row.Vertices.size()) - 2);
+  std::fill(row.Weights.begin(), row.Weights.end(), mask.Ring);
+  row.Weights[0] = row.Weights[1] = mask.Own;
+  return true;
+}
+
+template <typename Id>
+bool SolidLattice<Id>::AddRingOfEdge(
+  const LatticeVertex<Id>& vertex, const LatticeWeights& base, LatticeRow<Id>& row) const
+{
+  const Rule rule = this->GetRule(vertex);
+  const Row<Id> faces = this->Strata.EdgeRings.GetCarriers(vertex.Simplex);
+  if (rule == Rule::Curve)
+  {
+    return true;
+  }
+  if (rule == Rule::Blend || (rule == Rule::Surface && faces.size() != 2))
+  {
+    return false;
+  }
+  for (const Id face : faces)
+  {
+    if (face < 0)
+    {
+      return false;
+    }
+    const LatticeWeights inFace =
+      this->Lift(this->GetCorners(1, vertex.Simplex), 2, base, this->GetCorners(2, face), 3);
+    const int third = triangle::VertexOpposite[this->Complex.EdgeInFace(face, vertex.Simplex)];
+    row.Add(this->Find(2, face, With(inFace, third)), 0.);
+  }
+  return true;
+}
+
+template <typename Id>
+bool SolidLattice<Id>::AddRingInFace(const LatticeVertex<Id>& vertex, const LatticeWeights& base,
+  LatticeRow<Id>& row, Rule& rule) const
+{
+  const Id face = vertex.Simplex;
+  const Row<Id> tets = this->Complex.FaceTets[face];
+  if (rule != Rule::Surface && (rule != Rule::Solid || tets.size() != 2))
+  {
+    return false;
+  }
+  const Id* corners = this->GetCorners(2, face);
+  int even = 0;
+  while (vertex.Weights[even] % 2 != 0)
+  {
+    ++even;
+  }
+  const LatticeWeights both = With(With(base, (even + 1) % 3), (even + 2) % 3);
+  LatticeWeights across = both;
+  --across[even];
+  row.Add(this->Find(2, face, With(base, even)), 0.);
+  row.Add(this->Find(2, face, across), 0.);
+  if (rule == Rule::Surface)
+  {
+    return true;
+  }
+  rule = Rule::RegularEdge; // unless a tetrahedron marks another edge of the face
+  for (const Id tet : tets)
+  {
+    const int apex = this->Complex.FaceInTet(tet, face);
+    const int beside = GetPartner(apex);
+    const LatticeWeights inTet = this->Lift(corners, 3, base, this->GetCorners(3, tet), 4);
+    row.Add(this->Find(3, tet, With(inTet, apex)), 0.);
+    const int third = this->Complex.VertexInTet(tet, corners[even]);
+    if (third != beside)
+    {
+      rule = Rule::Solid;
+      LatticeWeights member = With(With(inTet, beside), apex);
+      --member[third];
+      row.Add(this->Find(3, tet, member), 0.);
+    }
+  }
+  return true;
+}
+
+template <typename Id>
+void SolidLattice<Id>::AddRingInTet(const LatticeVertex<Id>& vertex, const LatticeWeights& base,
+  LatticeRow<Id>& row, Rule& rule) const
+{
+  const auto add = [&](const LatticeWeights& weights)
+  { row.Add(this->Find(3, vertex.Simplex, weights), 0.); };
+  const auto isOdd = [&](int i) { return vertex.Weights[i] % 2 != 0; };
+  if (isOdd(0) && isOdd(1) && isOdd(2) && isOdd(3))
+  {
+    rule = Rule::RegularEdge;
+    for (int i = 0; i < 4; i += 2)
+    {
+      for (int k = 1; k < 4; k += 2)
+      {
+        add(With(With(base, i), k));
+      }
+    }
+    return;
+  }
+  LatticeWeights both = base;
+  for (int i = 0; i < 4; ++i)
+  {
+    both[i] += isOdd(i) ? 1 : 0;
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    if (!isOdd(i))
+    {
+      LatticeWeights across = both;
+      --across[i];
+      add(With(base, i));
+      add(across);
+    }
+    else if (isOdd(GetPartner(i)))
+    {
+      rule = Rule::RegularEdge;
+    }
+    else // along an edge that is not marked
+    {
+      LatticeWeights member = With(With(base, i), GetPartner(i));
+      for (int k = 0; k < 4; ++k)
+      {
+        member[k] -= !isOdd(k) && k != GetPartner(i) ? 1 : 0;
+      }
+      add(member);
+    }
+  }
+}
+
+template <typename Id>
+bool SolidLattice<Id>::SolveLimit(
+  const LatticeVertex<Id>& vertex, std::vector<double>& weights) const
+{
+  std::vector<LatticeVertex<Id>> items{ vertex };
+  std::vector<LatticeVertex<Id>> next{ vertex };
+  for (long long& weight : next[0].Weights)
+  {
+    weight *= 2;
+  }
+  const bool isRead = this->ForRing(vertex,
+    [&](int dimension, Id simplex, const LatticeWeights& own, const LatticeWeights& other)
+    {
+      items.push_back(this->Find(dimension, simplex, other));
+      next.push_back(this->Find(dimension, simplex, Sum(own, other)));
+    });
+  SolvedRows solved;
+  LatticeRow<Id> row;
+  for (std::size_t i = 0; isRead && i < next.size(); ++i)
+  {
+    if (!this->ReadRow(next[i], row))
+    {
+      return false;
+    }
+    solved.Rows.emplace_back();
+    for (std::size_t k = 0; k < row.Vertices.size(); ++k)
+    {
+      const auto item = std::find(items.begin(), items.end(), row.Vertices[k]);
+      if (item == items.end())
+      {
+        return false;
+      }
+      solved.Rows.back().emplace_back(static_cast<int>(item - items.begin()), row.Weights[k]);
+    }
+  }
+  if (isRead)
+  {
+    weights = subdivision::SolveLimit(solved, Neighbourhood(), items.size());
+  }
+  return isRead;
+}
+
+template <typename Id>
+bool SolidLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row)
+{
+  constexpr std::size_t most = 4096; // bounds the memory
+  if (this->Limits.size() > most)
+  {
+    this->Limits.clear();
+  }
+  const auto simplex = static_cast<std::uint64_t>(vertex.Dimension == 3 ? 0 : vertex.Simplex);
+  std::vector<double>& weights =
+    this->Limits[4 * simplex + static_cast<std::uint64_t>(vertex.Dimension)];
+  if (weights.empty() && !this->SolveLimit(vertex, weights))
+  {
+    return false;
+  }
+  row.Clear();
+  row.Add(vertex, weights[0]);
+  return this->ForRing(vertex,
+    [&](int dimension, Id in, const LatticeWeights&, const LatticeWeights& other)
+    { row.Add(this->Find(dimension, in, other), weights[row.Weights.size()]); });
+}
+
+SUBDIVISION_COMPILE(class SolidLattice);
+
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SolidLattice.h
+ * The vertices of all levels of a box-spline refinement and their rows, without making a level.
+ *
+ * A vertex of the level after k steps lies in a simplex of the control level and has weights of its
+ * corners that are multiples of 1/2^k. Steps only split along directions of edges and of the
+ * diagonals of tetrahedra, so that the neighbours of a vertex, and with them its row, follow from
+ * these numbers and from the rings of the control level.
+ */
+#ifndef SubdivisionObjects_SolidLattice_h
+#define SubdivisionObjects_SolidLattice_h
+
+#include "Core/Solids/Scheme/Level.h"
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace subdivision
+{
+
+using LatticeWeights = std::array<long long, 4>;
+
+template <typename Id>
+struct LatticeVertex
+{
+  int Dimension = 0; ///< of the simplex of the control level inside of which it lies
+  Id Simplex = 0;    ///< vertex, edge, face or tetrahedron
+  /// Of the corners of the simplex, as the complex lists them, in multiples of 1/2^level. All that
+  /// the simplex has are positive.
+  LatticeWeights Weights{};
+
+  bool operator==(const LatticeVertex& other) const
+  {
+    return this->Dimension == other.Dimension && this->Simplex == other.Simplex &&
+      this->Weights == other.Weights;
+  }
+};
+
+/// A weighted sum over vertices of one level.
+template <typename Id>
+struct LatticeRow
+{
+  std::vector<LatticeVertex<Id>> Vertices;
+  std::vector<double> Weights;
+
+  void Clear()
+  {
+    this->Vertices.clear();
+    this->Weights.clear();
+  }
+  void Add(const LatticeVertex<Id>& vertex, double weight)
+  {
+    this->Vertices.push_back(vertex);
+    this->Weights.push_back(weight);
+  }
+};
+
+/// It has the rules of vertices, edges and faces with d = 0 to 3. Methods that return false have
+/// met another one: Blend, a joint that is sharp, or a sector with rules of its own
+/// (SectorEdges.h). Nothing may be semi-sharp. Threads have one each.
+template <typename Id>
+class SolidLattice
+{
+public:
+  /// `level` was made with Depth::ForRefinement, or is the control level. It must outlive this.
+  explicit SolidLattice(const Level<Id>& level)
+    : Complex(level.Complex)
+    , Strata(level.Strata)
+  {
+  }
+
+  /// The vertex with some weights of the corners of a simplex, none of which is negative.
+  LatticeVertex<Id> Find(int dimension, Id simplex, const LatticeWeights& weights) const;
+  /// Weights of corners of a tetrahedron as those of another one, which has all corners whose
+  /// weight is not 0.
+  LatticeWeights LiftToTet(Id tet, const LatticeWeights& weights, Id other) const
+  {
+    return this->Lift(this->GetCorners(3, tet), 4, weights, this->GetCorners(3, other), 4);
+  }
+
+  /// The row of a vertex over the level before it.
+  bool ReadRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const;
+  /// The limit of a vertex over its own level (Mathematics 8).
+  bool ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row);
+
+private:
+  Rule GetRule(const LatticeVertex<Id>& vertex) const;
+  const Id* GetCorners(int dimension, Id simplex) const;
+  LatticeWeights Lift(const Id* from, int corners, const LatticeWeights& weights, const Id* to,
+    int cornersThere) const;
+  template <typename Act>
+  bool ForRing(const LatticeVertex<Id>& vertex, const Act& act) const;
+  template <typename Act>
+  bool ForRingOfVertex(const LatticeVertex<Id>& vertex, const Act& act) const;
+  template <typename Act>
+  bool ForRingOnEdge(const LatticeVertex<Id>& vertex, const Act& act) const;
+  template <typename Act>
+  bool ForRingInFace(const LatticeVertex<Id>& vertex, const Act& act) const;
+  template <typename Act>
+  bool ForRingInTet(const LatticeVertex<Id>& vertex, const Act& act) const;
+  bool ReadVertexRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const;
+  bool ReadEdgeRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const;
+  bool AddRingOfEdge(
+    const LatticeVertex<Id>& vertex, const LatticeWeights& base, LatticeRow<Id>& row) const;
+  bool AddRingInFace(const LatticeVertex<Id>& vertex, const LatticeWeights& base,
+    LatticeRow<Id>& row, Rule& rule) const;
+  void AddRingInTet(const LatticeVertex<Id>& vertex, const LatticeWeights& base,
+    LatticeRow<Id>& row, Rule& rule) const;
+  bool SolveLimit(const LatticeVertex<Id>& vertex, std::vector<double>& weights) const;
+
+  const SimplicialComplex<Id>& Complex;
+  const subdivision::Strata<Id>& Strata;
+  /// The weights of limits by the simplex of the vertex; inside tetrahedra all are equal.
+  std::unordered_map<std::uint64_t, std::vector<double>> Limits;
+};
+
+}
+
+#endif
