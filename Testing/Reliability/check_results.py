@@ -14,7 +14,7 @@ TESTS = """\
  2/6 Test #117: Zoo/Schemes.Agree/5 ........***Failed    0.40 sec
 [ RUN      ] Zoo/Schemes.Agree/5
 SUMMARY: AddressSanitizer: heap-buffer-overflow Filters/Core/A.cxx:12 in f
- 3/6 Test #2000: Files.OfOthers ..............***Skipped   0.10 sec
+ 3/6 Test #2000: Files.OfOthers/one  # GetParam() = "one.vtp" ...***Skipped   0.10 sec
  4/6 Test   #4: Race.OfTwo .................***Exception: SegFault  0.40 sec
 SUMMARY: ThreadSanitizer: data race Filters/Core/A.cxx:12 in f
 SUMMARY: ThreadSanitizer: data race Filters/Core/B.cxx:13 in g
