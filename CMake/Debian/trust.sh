@@ -13,19 +13,24 @@ configure_sanitizer() # asan|tsan
   configure "$1" "${vtk_options[@]}"
 }
 
-# The C++ tests with checks of addresses, leaks and undefined behaviour (asan) or of threads (tsan).
+# The C++ tests with checks of addresses, leaks and undefined behaviour (asan) or of threads (tsan). The figures of a run
+# of all tests take the place of earlier ones, those of some tests are put among them.
 sanitize() # asan|tsan [NAME]
 {
-  local tree=$1 name=${2:-} options=$root/Testing/Sanitizers
+  local tree=$1 name=${2:-} options=$root/Testing/Sanitizers log passed=yes
   configure_sanitizer "$tree"
   # Lists of tests are made while building, by the tests themselves.
   ASAN_OPTIONS=detect_leaks=0 build "$tree" SubdivisionObjectsTests SubdivisionObjectsCoreTests SubdivisionObjectsProgramTests
   say "C++ tests under $tree"
+  log=$build/test-$tree.log
   ASAN_OPTIONS=detect_stack_use_after_return=1:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 \
     LSAN_OPTIONS="suppressions=$options/leaks.txt:print_suppressions=0" \
     TSAN_OPTIONS="suppressions=$options/threads.txt" \
     ctest --test-dir "$build/$tree" --output-on-failure --parallel "$jobs" --no-tests=error \
-    --label-regex '^(cxx|core|program)$' ${name:+-R "$name"}
+    --label-regex '^(cxx|core|program)$' ${name:+-R "$name"} 2>&1 | tee "$log" || passed=no
+  [ -n "$name" ] || rm -f "$build/reliability/$tree.json"
+  python3 "$root/Testing/Reliability/results.py" tests "$root" "$build" "$tree" "$log"
+  [ $passed = yes ]
 }
 
 # Tests that take ids of type int whatever the size: they name the type, or what they call works on stars, or in batches

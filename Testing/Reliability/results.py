@@ -2,6 +2,8 @@
 """What commands leave of reliability in BUILD/reliability: a file for each kind of figures.
 
     results.py fuzz SOURCE BUILD NAME LOG SECONDS    adds a run of libFuzzer, whose output LOG has, to earlier ones
+    results.py tests SOURCE BUILD TREE LOG           puts tests that CTest ran in the tree of a sanitizer, with its output in
+                                                     LOG, in place of the same tests of earlier runs
 """
 import json
 import pathlib
@@ -52,5 +54,26 @@ def add_fuzz_run(source, build, name, log, seconds):
     write(source, build, "fuzz", "./dev fuzz SECONDS", figures)
 
 
+def read_test_log(text):
+    """What came of each test, in the word of CTest, and how many reports the sanitizers printed with it."""
+    tests = {}
+    name = None
+    for line in text.split("\n"):
+        end = re.match(r"\s*\d+/\d+ Test\s+#\d+: (.+?) \.{3,}\s*(?:\*\*\*)?([A-Z]\w*)", line)
+        if end:
+            name = end.group(1)
+            tests[name] = {"result": end.group(2), "reports": 0}
+        elif name and re.match(r"SUMMARY: \w+Sanitizer: ", line):
+            tests[name]["reports"] += 1
+    return tests
+
+
+def add_test_run(source, build, tree, log):
+    """A test counts as it ended last. A run of all tests begins without the file."""
+    figures = read(build, tree).get("figures", {})
+    figures.update(read_test_log(pathlib.Path(log).read_text(encoding="utf-8", errors="replace")))
+    write(source, build, tree, "./dev test --" + tree, figures)
+
+
 if __name__ == "__main__":
-    add_fuzz_run(*sys.argv[2:])
+    {"fuzz": add_fuzz_run, "tests": add_test_run}[sys.argv[1]](*sys.argv[2:])

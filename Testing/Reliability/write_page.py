@@ -59,6 +59,12 @@ def tell_nothing_lost(figures):
     return "{:,}".format(sum_up(figures, "crashes"))
 
 
+def tell_tests(figures):
+    ends = [one["result"] for one in figures.values()]
+    passed, skipped = ends.count("Passed"), ends.count("Skipped")
+    return "{:,} passed, {:,} failed, {:,} skipped".format(passed, len(ends) - passed - skipped, skipped)
+
+
 # What, which file of results has it, and how the figure is told.
 ROWS = [
     ("Damaged and unlikely inputs, each with its row in the guide", "inputs", lambda f: "%d" % f["rows"]),
@@ -71,6 +77,10 @@ ROWS = [
     ("Reports of sanitizers", "fuzz", tell_of_fuzz("reports")),
     ("Arrays lost", "fuzz", tell_nothing_lost),
     ("Numbers made that are not finite, from finite input", "fuzz", tell_nothing_lost),
+    ("Tests with checks of addresses, leaks and undefined behaviour", "asan", tell_tests),
+    ("Reports of these checks", "asan", lambda f: "%d" % sum_up(f, "reports")),
+    ("Tests with checks of threads", "tsan", tell_tests),
+    ("Reports of the checks of threads", "tsan", lambda f: "%d" % sum_up(f, "reports")),
     ("Time from a click to the stop, median and worst of the whole run, in ms", "abort", tell_latency),
     ("Allocations that failed, one in each run, all survived", "memory", lambda f: "{:,}".format(f["tried"])),
     ("Mutations", "mutations", tell_mutations),

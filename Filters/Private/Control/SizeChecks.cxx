@@ -124,6 +124,7 @@ std::string CheckMemory(const SizeEstimate& estimate)
   return CheckMemory(cells, points, bytes, estimate.Levels);
 }
 
+/// No levels: the filter has no such option.
 std::string CheckMemory(double cells, double points, double bytes, int levels)
 {
   const double available = GetAvailableMemory();
@@ -132,9 +133,11 @@ std::string CheckMemory(double cells, double points, double bytes, int levels)
     return std::string();
   }
   std::ostringstream message;
-  message << "NumberOfLevels = " << levels << " would make " << Whole(cells) << " cells and "
-          << Whole(points) << " points, which takes about " << Bytes(bytes) << "; "
-          << Bytes(available) << " are available. Use fewer levels, or a part of the input.";
+  message << (levels > 0 ? "NumberOfLevels = " + std::to_string(levels) : "The output") << " would "
+          << (levels > 0 ? "make " : "have ") << Whole(cells) << " cells and " << Whole(points)
+          << " points, which takes about " << Bytes(bytes) << "; " << Bytes(available)
+          << " are available. Use "
+          << (levels > 0 ? "fewer levels, or a part of the input." : "a part of the input.");
   return message.str();
 }
 
