@@ -15,6 +15,7 @@ Survivors that change nothing which could be tested stand in survivors.txt besid
 script fails where others survive.
 """
 import argparse
+import collections
 import concurrent.futures
 import hashlib
 import json
@@ -24,6 +25,7 @@ import queue
 import re
 import resource
 import shlex
+import shutil
 import subprocess
 import sys
 import threading
@@ -38,20 +40,22 @@ import schemata
 MOST_OBJECTS = 5  # of a header; they are compiled without optimisation, which takes a third of the time
 AT_ONCE = 2
 FAST_SHARE = 0.15  # of the time of all tests of a folder: those that take so much together run first
+MOST_KILLERS = 4  # tests that found most mutations of a file: they run before all others
 # Whose tests run next, after those of the own folder: folders and files.
 NEXT_TESTS = {
     "Core/Rules": ["Core/Surfaces", "Core/Solids/Strata", "Core/Solids/TetOct"],
-    "Core/Solids/RedGreen": ["Filters/RedGreen/TestRedGreen.cxx", "Filters/RedGreen"],
+    "Core/Solids/RedGreen": ["Filters/RedGreen/TestRedGreen.cxx", "Filters/RedGreen/TestRedGreenRefinementChaining.cxx"],
     "Core/Solids/Strata": ["Core/Rules", "Filters/Control/TestFeaturesJoints.cxx", "Filters/Control"],
     "Core/Surfaces/Butterfly": ["Filters/Surface/TestSurfaceButterflyMeshes.cxx", "Filters/Surface/TestSurfaceLimits.cxx"],
     "Core/Surfaces/FourEight": ["Filters/Surface/TestSurfaceFourEight.cxx", "Filters/Surface/TestSurfaceFourEightLimits.cxx",
                                 "Filters/Surface/TestSurfaceLimits.cxx"],
-    "Core/Surfaces/SqrtThree": ["Filters/Surface/TestSurfaceSqrtThree.cxx", "Filters/AdaptiveSurface/TestAdaptiveSqrtThree.cxx",
-                                "Filters/AdaptiveSurface", "Filters/Surface/TestSurfaceLimits.cxx"],
+    "Core/Surfaces/SqrtThree": ["Filters/AdaptiveSurface/TestAdaptiveSqrtThree.cxx", "Filters/Surface/TestSurfaceSqrtThree.cxx",
+                                "Filters/Surface/TestSurfaceLimits.cxx"],
 }
 for scheme in ("CatmullClark", "Loop", "Scheme"):
     NEXT_TESTS["Core/Surfaces/" + scheme] = ["Filters/Surface/TestSurfaceMasks.cxx", "Filters/Surface/TestSurfaceLimits.cxx",
                                              "Filters/Surface/TestSurfaceSubdivision.cxx"]
+TESTS = {"Core": "SubdivisionObjectsCoreTests", "Filters": "SubdivisionObjectsTests"}
 LIBRARY = "libvtkSubdivisionObjects.so"
 HERE = pathlib.Path(__file__).parent
 
@@ -98,31 +102,55 @@ class Commands:
         return [source for source, entry in self.objects.items() if entry["output"] in outputs]
 
 
+class Known:
+    """What all runners know: how long tests take, and which tests kill mutations of a file."""
+
+    def __init__(self):
+        self.lock = threading.Lock()
+        self.measuring = threading.Lock()
+        self.suites = {}  # of a folder: program, filter of all tests, [(filter, seconds)] of its parts
+        self.seconds = {}  # of a test
+        self.killers = collections.defaultdict(collections.Counter)  # of a file: (program, test)
+
+    def add_killer(self, path, program, test):
+        with self.lock:
+            if test in self.seconds:
+                self.killers[path][program, test] += 1
+
+    def find_killers(self, path):
+        """[(program, filter, seconds)] of those tests that found most, as far as they are fast."""
+        chosen = {}
+        with self.lock:
+            for (program, test), _ in self.killers[path].most_common(MOST_KILLERS):
+                chosen.setdefault(program, []).append(test)
+            found = [(program, ":".join(tests), sum(self.seconds[test] for test in tests))
+                     for program, tests in chosen.items()]
+        return sorted(found, key=lambda one: one[2])
+
+
 class Runner:
     """Tries mutations, one after the other, in a folder of its own."""
 
-    def __init__(self, source, build, work, rest):
+    def __init__(self, source, build, work, rest, known):
         self.source = source
         self.build = build
         self.rest = rest
+        self.known = known
         self.commands = Commands(build)
         self.work = work
-        self.use_folder("alone")
-        self.prepared = None  # the file in the folder "together"
-        self.numbers = {}  # of its mutations, by key
-        self.tests = {"Core": "SubdivisionObjectsCoreTests", "Filters": "SubdivisionObjectsTests"}
-        self.seconds = {}
-        self.suites = {}
+        self.use_folder(work / "alone")
+        self.together = work.parent / "together"  # a file with many of its mutations in it, for all runners
+        self.numbers = {}  # of these, by key
 
-    def use_folder(self, name):
-        self.overlay = self.work / name / "sources"
-        self.binaries = self.work / name / "binaries"
+    def use_folder(self, folder):
+        self.overlay = folder / "sources"
+        self.binaries = folder / "binaries"
         self.binaries.mkdir(parents=True, exist_ok=True)
 
     # ---- building
 
     def compile(self, source, changed, options=()):
-        """Compiles a source; `changed` is the file that was written. Returns the object, None if it cannot be."""
+        """Compiles a source; `changed` is the file that was written. Returns the object, None if it cannot be, and errors."""
         entry = self.commands.objects[str(source)]
         target = self.binaries / (hashlib.sha1(str(source).encode()).hexdigest()[:12] + ".o")
         words = [word for word in shlex.split(entry["command"]) if word != "-MD"]
@@ -137,8 +165,7 @@ class Runner:
         # What a mutation leaves unused is no error.
         words += ["-Wno-error", "-w"] + ([] if changed.endswith(".cxx") else ["-O0"]) + list(options)
         made = subprocess.run(words, cwd=self.build, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        self.errors = made.stderr
-        return target if made.returncode == 0 else None
+        return target if made.returncode == 0 else None, made.stderr
 
     def link(self, target, objects, output):
         words = shlex.split(self.commands.get_link(target).replace(": && ", ""))
@@ -197,7 +224,7 @@ class Runner:
         """Adds the objects of sources. Returns "" where tests can tell more, else "does not compile" or "same"."""
         is_same = is_whole
         for source in sources:
-            made = self.compile(pathlib.Path(source), path)
+            made, _ = self.compile(pathlib.Path(source), path)
             if made is None:
                 return "does not compile"
             original = self.commands.objects[source]["output"]
@@ -207,55 +234,66 @@ class Runner:
 
     def link_all(self, objects):
         """Makes the library, and those tests of which objects have changed."""
-        for name in self.tests.values():
+        for name in TESTS.values():
             (self.binaries / name).unlink(missing_ok=True)
         library = (self.build / "lib" / LIBRARY).resolve()
         if not self.link("lib/" + library.name, objects, self.binaries / LIBRARY):
             return False
-        return all(self.link("bin/" + name, objects, self.binaries / name) for name in self.tests.values()
+        return all(self.link("bin/" + name, objects, self.binaries / name) for name in TESTS.values()
                    if any("/%s.dir/" % name in original for original in objects))
 
-    def prepare(self, path, several):
-        """Builds a file with many of its mutations in it."""
-        self.prepared = path
-        self.numbers = {}
-        self.use_folder("together")
+    def prepare(self, path, several, jobs):
+        """Builds a file with many of its mutations in it, for all runners. Returns their numbers, by key."""
+        self.use_folder(self.together)
         text = (self.source / path).read_text(encoding="utf-8")
         sources, _ = self.find_sources(path)
         overlay = self.overlay / path
         overlay.parent.mkdir(parents=True, exist_ok=True)
         (self.overlay / "Filters" / schemata.HEADER).write_text(schemata.HEADER_TEXT, encoding="utf-8")
-        for constants in (True, False):
-            made = schemata.Schemata(text, several, constants)
-            for _ in range(8):
-                if not made.numbers or not sources:
-                    break
-                changed, owners = made.write()
-                overlay.write_text(changed, encoding="utf-8")
-                objects = {}
-                for source in sources:
-                    objects[self.commands.objects[source]["output"]] = self.compile(pathlib.Path(source), path, ["-O1"])
-                    if not objects[self.commands.objects[source]["output"]]:
+        try:
+            for constants in (True, False):
+                made = schemata.Schemata(text, several, constants)
+                for _ in range(8):
+                    if not made.numbers or not sources:
                         break
-                else:
-                    if not self.link_all(objects) or self.run_own(path):  # it has to pass with none switched on
+                    changed, owners = made.write()
+                    overlay.write_text(changed, encoding="utf-8")
+                    objects, errors = self.compile_all(sources, path, jobs)
+                    if not errors:
+                        if not self.link_all(objects) or self.run_own(path):  # it has to pass with none switched on
+                            break
+                        return made.numbers
+                    lines = re.findall(r"%s:(\d+):\d+: (?:fatal )?error" % re.escape(str(overlay)), errors)
+                    wrong = {owners[int(line) - 1] for line in lines} - {None}
+                    if not wrong:
                         break
-                    overlay.unlink()
-                    self.numbers = made.numbers
-                    return
-                lines = re.findall(r"%s:(\d+):\d+: (?:fatal )?error" % re.escape(str(overlay)), self.errors)
-                wrong = {owners[int(line) - 1] for line in lines} - {None}
-                if not wrong:
-                    break
-                for place in wrong:
-                    made.drop(place)
-        overlay.unlink(missing_ok=True)
+                    for place in wrong:
+                        made.drop(place)
+        finally:
+            overlay.unlink(missing_ok=True)
+        return {}
+
+    def compile_all(self, sources, path, jobs):
+        """The objects of all sources of a file, and the errors; a source after one with errors is not begun."""
+        objects = {}
+        errors = []
+
+        def compile_one(source):
+            if not errors:
+                made, found = self.compile(pathlib.Path(source), path, ["-O1"])
+                if not made:
+                    errors.append(found or "error")
+                objects[self.commands.objects[source]["output"]] = made
+
+        with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+            list(pool.map(compile_one, sources))
+        return objects, "\n".join(errors)
 
     # ---- running
 
     def run(self, name, filters, seconds, own=True, number=0):
         """Runs tests until one fails. Returns "", the name of the test that failed, or "time"."""
-        program = self.binaries / name if own and (self.binaries / name).exists() else self.build / "bin" / name
+        program = self.binaries / name if own and (self.binaries / name).exists() else self.work.parent / "programs" / name
         environment = {**os.environ, "GTEST_FAIL_FAST": "1", "GTEST_FILTER": filters, "VTK_SMP_BACKEND_IN_USE": "STDThread",
                        "SUBDIVISIONOBJECTS_DATA": str(self.source / "Data"), "SUBDIVISIONOBJECTS_RANDOM_SECONDS": "2",
                        "SUBDIVISIONOBJECTS_SHARED_DATA": str(self.source.parent / "shared" / "data")}
@@ -274,44 +312,58 @@ class Runner:
         if code == 0:
             return ""
         failed = re.findall(r"\[  FAILED  \] (\S+)", text) or re.findall(r"\[ RUN      \] (\S+)", text)[-1:]
-        return failed[0] if failed else "crash"
+        return failed[0].rstrip(",") if failed else "crash"
 
     def find_suites(self, folder):
-        """The program of the tests in a folder or file, their names, and the same in two parts, of which the fast one runs first."""
-        if folder not in self.suites:
-            names = set()
-            for test in [folder] if folder.is_file() else folder.rglob("Test*.cxx"):
-                text = test.read_text(encoding="utf-8")
-                names.update(re.findall(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)\((\w+),", text, re.M))
-            which = "Core" if "Core" in folder.parts else "Filters"
-            every = ":".join(sorted("%s.*:*/%s.*:%s/*" % (name, name, name) for name in names))
-            large = "-*Files*"
-            failed = self.run(self.tests[which], every + large, 3000, own=False)
-            if failed:
-                sys.exit("%s fails without a mutation" % failed)
-            times = re.findall(r"\[       OK \] (\S+) \((\d+) ms\)", (self.work / "tests.log").read_text(encoding="utf-8"))
-            times = sorted((int(time), name) for name, time in times)
-            whole = sum(one for one, _ in times)
-            fast = [name for i, (_, name) in enumerate(times) if sum(one for one, _ in times[:i + 1]) < FAST_SHARE * whole]
-            parts = [":".join(fast)] if fast else []
-            parts.append(every + large + "".join(":" + name for name in fast))
-            self.suites[folder] = (self.tests[which], every, parts)
-            self.seconds[folder] = whole / 1000.
-        return self.suites[folder]
+        """The program of the tests in a folder or file, a filter for all, and [(filter, seconds)] in two parts, the fast one first."""
+        with self.known.measuring:
+            if folder not in self.known.suites:
+                self.known.suites[folder] = self.measure_suites(folder)
+            return self.known.suites[folder]
 
-    def run_suites(self, folder, number):
+    def measure_suites(self, folder):
+        names = set()
+        for test in [folder] if folder.is_file() else folder.rglob("Test*.cxx"):
+            text = test.read_text(encoding="utf-8")
+            names.update(re.findall(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)\((\w+),", text, re.M))
+        which = "Core" if "Core" in folder.parts else "Filters"
+        every = ":".join(sorted("%s.*:*/%s.*:%s/*" % (name, name, name) for name in names))
+        large = "-*Files*"
+        failed = self.run(TESTS[which], every + large, 3000, own=False)
+        if failed:
+            sys.exit("%s fails without a mutation" % failed)
+        times = re.findall(r"\[       OK \] (\S+) \((\d+) ms\)", (self.work / "tests.log").read_text(encoding="utf-8"))
+        times = sorted((int(time) / 1000., name) for name, time in times)
+        with self.known.lock:
+            self.known.seconds.update({name: time for time, name in times})
+        whole = sum(time for time, _ in times)
+        fast = [name for i, (_, name) in enumerate(times) if sum(one for one, _ in times[:i + 1]) < FAST_SHARE * whole]
+        parts = [(":".join(fast), FAST_SHARE * whole)] if fast else []
+        parts.append((every + large + "".join(":" + name for name in fast), whole))
+        return TESTS[which], every, parts
+
+    def run_suites(self, path, folder, number):
         program, _, parts = self.find_suites(folder)
         failed = ""
-        for part in parts:
-            failed = failed or self.run(program, part, 30. + 6. * self.seconds[folder], number=number)
+        for part, seconds in parts:
+            failed = failed or self.run(program, part, 30. + 6. * seconds, number=number)
+        if failed:
+            self.known.add_killer(path, program, failed)
+        return failed
+
+    def run_killers(self, path, number=0):
+        """Runs those tests that found most mutations of the file so far."""
+        failed = ""
+        for program, filters, seconds in self.known.find_killers(path):
+            failed = failed or self.run(program, filters, 15. + 6. * seconds, number=number)
         return failed
 
     def judge(self, mutation, is_explained):
         """Returns what becomes of a mutation, and which test killed it. Tests near by are enough for an explained one."""
         number = self.numbers.get(mutation.key)
         if number:
-            self.use_folder("together")
-            failed = self.run_own(mutation.path, number)
+            self.use_folder(self.together)
+            failed = self.run_killers(mutation.path, number) or self.run_own(mutation.path, number)
             if not is_explained:
                 failed = failed or self.run_next(mutation.path, number) or self.run_rest(mutation.path, number)
             if failed:
@@ -319,7 +371,7 @@ class Runner:
         sources, is_whole = self.find_sources(mutation.path)
         if number and not is_whole:
             return "survived", ""
-        self.use_folder("alone")
+        self.use_folder(self.work / "alone")
         path = self.overlay / mutation.path
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(mutation.apply((self.source / mutation.path).read_text(encoding="utf-8")), encoding="utf-8")
@@ -330,7 +382,7 @@ class Runner:
                 result = self.build_changed(mutation.path, sources[:AT_ONCE], objects, is_whole)
                 if result or number:
                     return result or "survived", ""
-                failed = self.run_own(mutation.path)
+                failed = self.run_killers(mutation.path) or self.run_own(mutation.path)
                 sources = sources[AT_ONCE:]
             if not is_explained:
                 failed = failed or self.run_next(mutation.path) or self.run_rest(mutation.path)
@@ -340,13 +392,13 @@ class Runner:
 
     def run_own(self, path, number=0):
         """Runs the tests of the folder with the same name. Returns the one that failed, or ""."""
-        return self.run_suites(self.find_test_folder(os.path.dirname(path).replace("Filters/", "", 1)), number)
+        return self.run_suites(path, self.find_test_folder(os.path.dirname(path).replace("Filters/", "", 1)), number)
 
     def run_next(self, path, number=0):
         """Runs the tests of the folders near it."""
         failed = ""
         for further in NEXT_TESTS.get(os.path.dirname(path).replace("Filters/", "", 1), []):
-            failed = failed or self.run_suites(self.source / "Testing" / further, number)
+            failed = failed or self.run_suites(path, self.source / "Testing" / further, number)
         return failed
 
     def run_rest(self, path, number=0):
@@ -355,7 +407,7 @@ class Runner:
         own, every, _ = self.find_suites(self.find_test_folder(place))
         begin = time.time()
         slow = "Partitions*:*Random*:Fuzz*"
-        for name in self.tests.values():
+        for name in TESTS.values():
             left = self.rest - (time.time() - begin)
             if left > 1.:
                 failed = self.run(name, "-" + slow + ":" + (every if name == own else ""), left, number=number)
@@ -427,9 +479,14 @@ def main():
     arguments = parser.parse_args()
     source = arguments.source.resolve()
     work = arguments.build.resolve() / "mutations"
+    (work / "programs").mkdir(parents=True, exist_ok=True)
+    for name in TESTS.values():  # which may be built anew while this runs
+        shutil.copy2(arguments.build / "bin" / name, work / "programs" / name)
+    known = Known()
+    all_runners = [Runner(source, arguments.build.resolve(), work / str(i), arguments.rest, known) for i in range(arguments.jobs)]
     runners = queue.Queue()
-    for i in range(arguments.jobs):
-        runners.put(Runner(source, arguments.build.resolve(), work / str(i), arguments.rest))
+    for runner in all_runners:
+        runners.put(runner)
     explained = read_explained(HERE / "survivors.txt")
     all_of_them = []
     digests = {}
@@ -461,10 +518,10 @@ def main():
             return results[mutation.key]
         begin = time.time()
         runner = runners.get()
-        if runner.prepared != mutation.path:
-            runner.prepare(mutation.path, [one for one in chosen if one.path == mutation.path and is_open(one)])
-        result, test = runner.judge(mutation, has_reason(mutation))
-        runners.put(runner)
+        try:
+            result, test = runner.judge(mutation, has_reason(mutation))
+        finally:
+            runners.put(runner)
         entry = {"path": mutation.path, "line": mutation.number, "old": mutation.old.strip(), "new": mutation.new.strip(),
                  "result": result, "test": test, "seconds": round(time.time() - begin, 1), "file": digests[mutation.path]}
         with lock:
@@ -475,8 +532,16 @@ def main():
                                                  entry["old"], entry["new"]), flush=True)
         return entry
 
-    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        tried = list(pool.map(try_one, chosen))
+    tried = []
+    for path in digests:
+        of_file = [one for one in chosen if one.path == path]
+        still_open = [one for one in of_file if is_open(one)]
+        if still_open:
+            numbers = all_runners[0].prepare(path, still_open, arguments.jobs)
+            for runner in all_runners:
+                runner.numbers = numbers
+        with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+            tried += pool.map(try_one, of_file)
     summary, counts = write_report(work / "report.txt", tried, explained)
     print(summary)
     write_figures(source, arguments.build.resolve().parent, list(results.values()), explained)
