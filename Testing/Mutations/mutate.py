@@ -355,7 +355,7 @@ class Runner:
         """Runs those tests that found most mutations of the file so far."""
         failed = ""
         for program, filters, seconds in self.known.find_killers(path):
-            failed = failed or self.run(program, filters, 15. + 6. * seconds, number=number)
+            failed = failed or self.run(program, filters, 6. + 20. * seconds, number=number)
         return failed
 
     def judge(self, mutation, is_explained):
@@ -417,7 +417,7 @@ class Runner:
 
 
 def limit_memory():
-    size = 6 << 30
+    size = 2 << 30  # what never ends fills it soon
     resource.setrlimit(resource.RLIMIT_AS, (size, size))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
