@@ -40,8 +40,9 @@ import schemata
 MOST_OBJECTS = 5  # of a header; they are compiled without optimisation, which takes a third of the time
 AT_ONCE = 2
 FAST_SHARE = 0.15  # of the time of all tests of a folder: those that take so much together run first
+LEFT_OUT = "*Files*:*LongLong*:*AnyNumberOfThreads*"  # takes long, and sees what others see
 MOST_KILLERS = 4  # tests that found most mutations of a file: they run before all others
-# Whose tests run next, after those of the own folder: folders and files.
+# Whose tests run next, after those of the own folder: folders and files, for all of a folder or for one file.
 NEXT_TESTS = {
     "Core/Rules": ["Core/Surfaces", "Core/Solids/Strata", "Core/Solids/TetOct"],
     "Core/Solids/RedGreen": ["Filters/RedGreen/TestRedGreen.cxx", "Filters/RedGreen/TestRedGreenRefinementChaining.cxx"],
@@ -51,6 +52,7 @@ NEXT_TESTS = {
                                 "Filters/Surface/TestSurfaceLimits.cxx"],
     "Core/Surfaces/SqrtThree": ["Filters/AdaptiveSurface/TestAdaptiveSqrtThree.cxx", "Filters/Surface/TestSurfaceSqrtThree.cxx",
                                 "Filters/Surface/TestSurfaceLimits.cxx"],
+    "Core/Surfaces/SqrtThree/AdaptiveSqrtThree.cxx": ["Filters/AdaptiveSurface/TestAdaptiveSqrtThree.cxx"],
 }
 for scheme in ("CatmullClark", "Loop", "Scheme"):
     NEXT_TESTS["Core/Surfaces/" + scheme] = ["Filters/Surface/TestSurfaceMasks.cxx", "Filters/Surface/TestSurfaceLimits.cxx",
@@ -196,6 +198,14 @@ class Runner:
                  if one.startswith((str(self.source / "Testing" / folder), str(self.find_test_folder(folder))))]
         return library[:MOST_OBJECTS] + sorted(tests)[:MOST_OBJECTS], False
 
+    def find_near(self, path):
+        """The tests in the folder with the same name that include a header themselves: they see most mutations of it."""
+        if path.endswith(".cxx"):
+            return []
+        line = '#include "%s"' % path.replace("Filters/", "", 1)
+        folder = self.source / "Testing" / os.path.dirname(path).replace("Filters/", "", 1)
+        return [str(test) for test in sorted(folder.glob("Test*.cxx")) if line in test.read_text(encoding="utf-8")]
+
     def find_distance(self, source, header, names):
         """0 if a source calls functions of a header, 1 if a header does that it includes itself, else 2."""
         text = pathlib.Path(source).read_text(encoding="utf-8")
@@ -242,11 +252,10 @@ class Runner:
         return all(self.link("bin/" + name, objects, self.binaries / name) for name in TESTS.values()
                    if any("/%s.dir/" % name in original for original in objects))
 
-    def prepare(self, path, several, jobs):
-        """Builds a file with many of its mutations in it, for all runners. Returns their numbers, by key."""
+    def prepare(self, path, several, sources, jobs):
+        """Builds sources with many mutations of a file in it, for all runners. Returns their numbers, by key."""
         self.use_folder(self.together)
         text = (self.source / path).read_text(encoding="utf-8")
-        sources, _ = self.find_sources(path)
         overlay = self.overlay / path
         overlay.parent.mkdir(parents=True, exist_ok=True)
         (self.overlay / "Filters" / schemata.HEADER).write_text(schemata.HEADER_TEXT, encoding="utf-8")
@@ -328,7 +337,7 @@ class Runner:
             names.update(re.findall(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)\((\w+),", text, re.M))
         which = "Core" if "Core" in folder.parts else "Filters"
         every = ":".join(sorted("%s.*:*/%s.*:%s/*" % (name, name, name) for name in names))
-        large = "-*Files*"
+        large = "-" + LEFT_OUT
         failed = self.run(TESTS[which], every + large, 3000, own=False)
         if failed:
             sys.exit("%s fails without a mutation" % failed)
@@ -357,6 +366,17 @@ class Runner:
         for program, filters, seconds in self.known.find_killers(path):
             failed = failed or self.run(program, filters, 6. + 20. * seconds, number=number)
         return failed
+
+    def judge_near(self, mutation, tests, is_explained):
+        """As judge, by the tests that include a header; they leave open what they do not see."""
+        number = self.numbers.get(mutation.key)
+        if not number:
+            return None, ""
+        self.use_folder(self.together)
+        failed = self.run_killers(mutation.path, number)
+        for test in tests:
+            failed = failed or self.run_suites(mutation.path, pathlib.Path(test), number)
+        return "killed" if failed else "survived" if is_explained else None, failed
 
     def judge(self, mutation, is_explained):
         """Returns what becomes of a mutation, and which test killed it. Tests near by are enough for an explained one."""
@@ -397,7 +417,8 @@ class Runner:
     def run_next(self, path, number=0):
         """Runs the tests of the folders near it."""
         failed = ""
-        for further in NEXT_TESTS.get(os.path.dirname(path).replace("Filters/", "", 1), []):
+        place = path.replace("Filters/", "", 1)
+        for further in NEXT_TESTS.get(place, NEXT_TESTS.get(os.path.dirname(place), [])):
             failed = failed or self.run_suites(path, self.source / "Testing" / further, number)
         return failed
 
@@ -513,15 +534,15 @@ def main():
         is_known = entry and entry["file"] == digests[mutation.path]
         return not is_known or arguments.again and entry["result"] == "survived" and not has_reason(mutation)
 
-    def try_one(mutation):
-        if not is_open(mutation):
-            return results[mutation.key]
+    def try_one(mutation, near):
         begin = time.time()
         runner = runners.get()
         try:
-            result, test = runner.judge(mutation, has_reason(mutation))
+            result, test = runner.judge_near(mutation, near, has_reason(mutation)) if near else runner.judge(mutation, has_reason(mutation))
         finally:
             runners.put(runner)
+        if not result:
+            return
         entry = {"path": mutation.path, "line": mutation.number, "old": mutation.old.strip(), "new": mutation.new.strip(),
                  "result": result, "test": test, "seconds": round(time.time() - begin, 1), "file": digests[mutation.path]}
         with lock:
@@ -530,18 +551,20 @@ def main():
             file.with_suffix(".new").replace(file)
             print("%s:%d: %s%s\n    %s\n    %s" % (mutation.path, mutation.number, result, " by " + test if test else "",
                                                  entry["old"], entry["new"]), flush=True)
-        return entry
 
-    tried = []
     for path in digests:
-        of_file = [one for one in chosen if one.path == path]
-        still_open = [one for one in of_file if is_open(one)]
-        if still_open:
-            numbers = all_runners[0].prepare(path, still_open, arguments.jobs)
+        near = all_runners[0].find_near(path)
+        for tests in [near, []] if near else [[]]:  # what those near it do not see, others may
+            still_open = [one for one in chosen if one.path == path and is_open(one)]
+            if not still_open:
+                continue
+            sources = tests or all_runners[0].find_sources(path)[0]
+            numbers = all_runners[0].prepare(path, still_open, sources, arguments.jobs)
             for runner in all_runners:
                 runner.numbers = numbers
-        with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-            tried += pool.map(try_one, of_file)
+            with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+                list(pool.map(lambda one, tests=tests: try_one(one, tests), still_open))
+    tried = [results[one.key] for one in chosen]
     summary, counts = write_report(work / "report.txt", tried, explained)
     print(summary)
     write_figures(source, arguments.build.resolve().parent, list(results.values()), explained)

@@ -18,6 +18,8 @@ std::map<std::string, Model> MakeClosureZoo()
   std::map<std::string, Model> zoo = MakeZoo(true);
   zoo["fan of 7"] = MakeFan(7, false);
   zoo["half fan of 4"] = MakeFan(4, true);
+  zoo["equal lines"] = zoo["free line"];
+  zoo["equal lines"].Lines = { { 0, 3 }, { 3, 0 }, { 0, 3 }, { 1, 2 }, { 2, 1 } };
   return zoo;
 }
 
@@ -393,22 +395,28 @@ TEST(AdaptiveSqrtThreeClosure, SplitsAreTheSmallestClosedSet)
 
 TEST(AdaptiveSqrtThreeClosure, ASegmentWithoutFacesIsCutAlone)
 {
-  Adaptive adaptive(MakeClosureZoo()["free line"]);
-  const vtkIdType before = adaptive.Mesh.GetNumberOfCells();
-  ASSERT_EQ(before, 1 + 5);
-  const int segment = adaptive.Mesh.GetSegmentOfEdge(adaptive.Control.Level.Lines[0] / 2);
-  ASSERT_EQ(adaptive.Mesh.GetSegmentAt(segment).NumberOfSides, 0);
-  EXPECT_FALSE(adaptive.Mesh.Cut(segment, before + 1));
-  EXPECT_EQ(adaptive.Mesh.GetNumberOfCells(), before);
-  EXPECT_EQ(adaptive.Mesh.GetSegmentAt(segment).Thirds, -1);
-  EXPECT_TRUE(adaptive.Mesh.Cut(segment, before + 2));
-  EXPECT_EQ(adaptive.Mesh.GetNumberOfCells(), before + 2);
-  EXPECT_EQ(CountCells(adaptive), before + 2);
-  const int thirds = adaptive.Mesh.GetSegmentAt(segment).Thirds;
-  EXPECT_EQ(thirds, adaptive.Mesh.GetNumberOfControlVertices());
-  EXPECT_TRUE(adaptive.Mesh.Cut(segment, 0)); // is cut already
-  EXPECT_EQ(adaptive.Mesh.GetNumberOfVertices(), thirds + 2);
-  EXPECT_EQ(adaptive.Mesh.GetSegmentAt(adaptive.Mesh.GetSegmentAt(segment).Children).Level, 2);
+  for (const auto& [name, lines] : { std::pair("free line", 1), std::pair("equal lines", 3) })
+  {
+    SCOPED_TRACE(name);
+    Adaptive adaptive(MakeClosureZoo()[name]);
+    const vtkIdType before = adaptive.Mesh.GetNumberOfCells();
+    ASSERT_EQ(before, 1 + 5);
+    const int segment = adaptive.Mesh.GetSegmentOfEdge(adaptive.Control.Level.Lines[0] / 2);
+    ASSERT_EQ(adaptive.Mesh.GetSegmentAt(segment).NumberOfSides, 0);
+    ASSERT_EQ(adaptive.Mesh.GetSegmentAt(segment).NumberOfLines, lines);
+    EXPECT_FALSE(adaptive.Mesh.Cut(segment, before + 2 * lines - 1));
+    EXPECT_EQ(adaptive.Mesh.GetNumberOfCells(), before);
+    EXPECT_EQ(adaptive.Mesh.GetSegmentAt(segment).Thirds, -1);
+    EXPECT_TRUE(adaptive.Mesh.Cut(segment, before + 2 * lines));
+    EXPECT_EQ(adaptive.Mesh.GetNumberOfCells(), before + 2 * lines);
+    EXPECT_EQ(CountCells(adaptive), before + 2 * lines);
+    const int thirds = adaptive.Mesh.GetSegmentAt(segment).Thirds;
+    EXPECT_EQ(thirds, adaptive.Mesh.GetNumberOfControlVertices());
+    EXPECT_TRUE(adaptive.Mesh.Cut(segment, 0)); // is cut already
+    EXPECT_EQ(adaptive.Mesh.GetNumberOfVertices(), thirds + 2);
+    const int child = adaptive.Mesh.GetSegmentAt(segment).Children;
+    EXPECT_EQ(adaptive.Mesh.GetSegmentAt(child).Level, 2);
+  }
 }
 
 TEST(AdaptiveSqrtThreeClosure, NewNumbersOfVerticesReachAll)
