@@ -165,7 +165,7 @@ class Runner:
             words[words.index("-c") + 1] = str(self.overlay / changed)
         words.insert(1, "-I%s" % (self.overlay / "Filters"))
         # What a mutation leaves unused is no error.
-        words += ["-Wno-error", "-w"] + ([] if changed.endswith(".cxx") else ["-O0"]) + list(options)
+        words += ["-Wno-error", "-w"] + list(options)
         made = subprocess.run(words, cwd=self.build, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         return target if made.returncode == 0 else None, made.stderr
 
@@ -182,10 +182,10 @@ class Runner:
         return subprocess.run(words, cwd=self.build, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
 
     def find_sources(self, path):
-        """What to compile for a changed file, nearest first, and whether equal objects mean an equal library."""
+        """What to compile for a changed file, nearest first."""
         whole = self.source / path
         if path.endswith(".cxx"):
-            return [str(whole)], True
+            return [str(whole)]
         folder = os.path.dirname(path).replace("Filters/", "", 1)
         includers = self.commands.find_includers(whole)
         library = [one for one in includers if one.startswith(str(self.source / "Filters"))]
@@ -196,7 +196,7 @@ class Runner:
         library.sort(key=lambda one: (distances[one], -len(os.path.commonpath([one, str(whole)])), one))
         tests = [one for one in includers
                  if one.startswith((str(self.source / "Testing" / folder), str(self.find_test_folder(folder))))]
-        return library[:MOST_OBJECTS] + sorted(tests)[:MOST_OBJECTS], False
+        return library[:MOST_OBJECTS] + sorted(tests)[:MOST_OBJECTS]
 
     def find_near(self, path):
         """The tests in the folder with the same name that include a header themselves: they see most mutations of it."""
@@ -230,17 +230,20 @@ class Runner:
             place = place.parent
         return place
 
-    def build_changed(self, path, sources, objects, is_whole):
-        """Adds the objects of sources. Returns "" where tests can tell more, else "does not compile" or "same"."""
-        is_same = is_whole
+    def build_changed(self, path, sources, objects):
+        """Adds the objects of sources, compiled fast. Returns whether there is a library."""
         for source in sources:
-            made, _ = self.compile(pathlib.Path(source), path)
+            made, _ = self.compile(pathlib.Path(source), path, ["-O0"])
             if made is None:
-                return "does not compile"
-            original = self.commands.objects[source]["output"]
-            objects[original] = made
-            is_same = is_same and made.read_bytes() == (self.build / original).read_bytes()
-        return "same" if is_same else "" if self.link_all(objects) else "does not compile"
+                return False
+            objects[self.commands.objects[source]["output"]] = made
+        return self.link_all(objects)
+
+    def is_same(self, path):
+        """Whether a changed source has the same object as before."""
+        made, _ = self.compile(self.source / path, path)
+        original = self.commands.objects[str(self.source / path)]["output"]
+        return bool(made) and made.read_bytes() == (self.build / original).read_bytes()
 
     def link_all(self, objects):
         """Makes the library, and those tests of which objects have changed."""
@@ -275,6 +278,7 @@ class Runner:
                     lines = re.findall(r"%s:(\d+):\d+: (?:fatal )?error" % re.escape(str(overlay)), errors)
                     wrong = {owners[int(line) - 1] for line in lines} - {None}
                     if not wrong:
+                        print("%s cannot be compiled with all mutations: %s" % (path, errors[:300]))
                         break
                     for place in wrong:
                         made.drop(place)
@@ -388,25 +392,28 @@ class Runner:
                 failed = failed or self.run_next(mutation.path, number) or self.run_rest(mutation.path, number)
             if failed:
                 return "killed", failed
-        sources, is_whole = self.find_sources(mutation.path)
-        if number and not is_whole:
+        if number and (is_explained or mutation.path.endswith(".h")):
             return "survived", ""
         self.use_folder(self.work / "alone")
         path = self.overlay / mutation.path
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(mutation.apply((self.source / mutation.path).read_text(encoding="utf-8")), encoding="utf-8")
         try:
-            objects = {}
             failed = ""
+            near = self.find_near(mutation.path)
+            sources = [] if number else near + [one for one in self.find_sources(mutation.path) if one not in near]
+            objects = {}
             while sources and not failed:  # most are killed before all sources are compiled
-                result = self.build_changed(mutation.path, sources[:AT_ONCE], objects, is_whole)
-                if result or number:
-                    return result or "survived", ""
+                if not self.build_changed(mutation.path, sources[:AT_ONCE], objects):
+                    return "does not compile", ""
                 failed = self.run_killers(mutation.path) or self.run_own(mutation.path)
                 sources = sources[AT_ONCE:]
-            if not is_explained:
+            if not is_explained and not number:
                 failed = failed or self.run_next(mutation.path) or self.run_rest(mutation.path)
-            return ("killed", failed) if failed else ("survived", "")
+            if failed:
+                return "killed", failed
+            is_same = not is_explained and mutation.path.endswith(".cxx") and self.is_same(mutation.path)
+            return "same" if is_same else "survived", ""
         finally:
             path.unlink()
 
@@ -558,7 +565,7 @@ def main():
             still_open = [one for one in chosen if one.path == path and is_open(one)]
             if not still_open:
                 continue
-            sources = tests or all_runners[0].find_sources(path)[0]
+            sources = tests or all_runners[0].find_sources(path)
             numbers = all_runners[0].prepare(path, still_open, sources, arguments.jobs)
             for runner in all_runners:
                 runner.numbers = numbers

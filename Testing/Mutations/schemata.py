@@ -43,7 +43,7 @@ RETURN = re.compile(r"^\s*return\b.*;\s*$", re.S)
 CONSTANT = re.compile(r"^(?:inline |static )?constexpr (\w+ \w+)( =\s+| ?(?={))(.*);\s*$", re.S)
 CONSTANT_BEGIN = re.compile(r"^constexpr (\w+ \w+(?: =|\{))")
 ONE_LINE = re.compile(r"^(.*\)(?: const)? \{ )(return .*;)( \})$")
-VARIABLE_IN_BRACES = re.compile(r"^\s*(const )?[\w:]+(<.*>)? [*&]?\w+[{(\[]")
+VARIABLE_IN_BRACES = re.compile(r"^\s*(const )?[\w:]+(<.*>)? [*&]?\w+[{(\[;]")
 DECLARATION = re.compile(r"^(\s*(?:[\w:<>,*& \[\].\->()]+?[ *&])?(\w+) =\s+)(.*);\s*$", re.S)
 
 
