@@ -40,7 +40,7 @@ CONTROL = re.compile(r"^\s*(else )?(if|while|for|switch) \(")
 BRANCH = re.compile(r"^(\s*(?:else )?(?:if|while) )\((.*)\)\s*$", re.S)
 LOOP = re.compile(r"^(\s*for )\((.*)\)\s*$", re.S)
 RETURN = re.compile(r"^\s*return\b.*;\s*$", re.S)
-CONSTANT = re.compile(r"^(?:inline |static )?constexpr (\w+ \w+)( =\s+| ?(?={))(.*);\s*$", re.S)
+CONSTANT = re.compile(r"^(?:inline |static )?constexpr ([\w:]+(?:<[\w, ]+>)? \w+)( =\s+| ?(?={))(.*);\s*$", re.S)
 CONSTANT_BEGIN = re.compile(r"^constexpr (\w+ \w+(?: =|\{))")
 ONE_LINE = re.compile(r"^(.*\)(?: const)? \{ )(return .*;)( \})$")
 VARIABLE_IN_BRACES = re.compile(r"^\s*(const )?[\w:]+(<.*>)? [*&]?\w+[{(\[;]")
@@ -217,7 +217,7 @@ class Statement:
     def write_constant(self):
         """A constant of a header as a variable: what is computed of it while code is compiled is left out before."""
         name, equals, value = CONSTANT.match(self.text).groups()
-        kind = "" if equals.strip() else name.split()[0]  # of what stands in braces without =
+        kind = "" if equals.strip() else name.rpartition(" ")[0]  # of what stands in braces without =
         value = kind + value
         for number, changed in reversed(self.changed):
             value = choose_value(number, kind + CONSTANT.match(changed)[3], value, "IsSwitchedOn")
