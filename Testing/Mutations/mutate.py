@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Changes lines of Core one at a time, and sees whether a test fails.
 
-    mutate.py SOURCE BUILD [PLACE...] [--most N] [--again] [--rest SECONDS] [--jobs N]
+    mutate.py SOURCE BUILD [PLACE...] [--most N] [--again] [--fast] [--rest SECONDS] [--jobs N]
 
 PLACE is a folder or file under Filters (Core/Rules). SOURCE is not touched: a changed file is compiled beside
 it, with the commands of BUILD, into a library and tests that take the place of those of BUILD. Of a header,
@@ -10,7 +10,8 @@ folder of the same name. These tests run first, then the other tests for up to -
 
 A mutation is killed (a test fails, crashes or does not end), survives, does not compile, or is the same (the
 objects have equal bytes). The choice is always the same; what was tried is kept in BUILD/mutations/results.json
-until the file changes, so that a run goes on where another one was stopped. --again tries survivors anew.
+until the file changes, so that a run goes on where another one was stopped. --again tries survivors anew;
+with --fast only the fast tests of the own folder run, so that a slower run has fewer mutations left.
 Survivors that change nothing which could be tested stand in survivors.txt beside this file, with the reason. The
 script fails where others survive.
 """
@@ -107,7 +108,8 @@ class Commands:
 class Known:
     """What all runners know: how long tests take, and which tests kill mutations of a file."""
 
-    def __init__(self):
+    def __init__(self, is_fast):
+        self.is_fast = is_fast
         self.lock = threading.Lock()
         self.measuring = threading.Lock()
         self.suites = {}  # of a folder: program, filter of all tests, [(filter, seconds)] of its parts
@@ -272,7 +274,9 @@ class Runner:
                     overlay.write_text(changed, encoding="utf-8")
                     objects, errors = self.compile_all(sources, path, jobs)
                     if not errors:
-                        if not self.link_all(objects) or self.run_own(path):  # it has to pass with none switched on
+                        # The fast tests have to pass with none switched on.
+                        place = self.find_test_folder(os.path.dirname(path).replace("Filters/", "", 1))
+                        if not self.link_all(objects) or self.run_suites(path, place, 0, True):
                             break
                         return made.numbers
                     lines = re.findall(r"%s:(\d+):\d+: (?:fatal )?error" % re.escape(str(overlay)), errors)
@@ -329,10 +333,11 @@ class Runner:
 
     def find_suites(self, folder):
         """The program of the tests in a folder or file, a filter for all, and [(filter, seconds)] in two parts, the fast one first."""
-        with self.known.measuring:
-            if folder not in self.known.suites:
-                self.known.suites[folder] = self.measure_suites(folder)
-            return self.known.suites[folder]
+        if folder not in self.known.suites:
+            with self.known.measuring:
+                if folder not in self.known.suites:
+                    self.known.suites[folder] = self.measure_suites(folder)
+        return self.known.suites[folder]
 
     def measure_suites(self, folder):
         names = set()
@@ -355,10 +360,10 @@ class Runner:
         parts.append((every + large + "".join(":" + name for name in fast), whole))
         return TESTS[which], every, parts
 
-    def run_suites(self, path, folder, number):
+    def run_suites(self, path, folder, number, is_fast=False):
         program, _, parts = self.find_suites(folder)
         failed = ""
-        for part, seconds in parts:
+        for part, seconds in parts[:1] if is_fast else parts:
             failed = failed or self.run(program, part, 30. + 6. * seconds, number=number)
         if failed:
             self.known.add_killer(path, program, failed)
@@ -419,13 +424,14 @@ class Runner:
 
     def run_own(self, path, number=0):
         """Runs the tests of the folder with the same name. Returns the one that failed, or ""."""
-        return self.run_suites(path, self.find_test_folder(os.path.dirname(path).replace("Filters/", "", 1)), number)
+        place = self.find_test_folder(os.path.dirname(path).replace("Filters/", "", 1))
+        return self.run_suites(path, place, number, self.known.is_fast)
 
     def run_next(self, path, number=0):
         """Runs the tests of the folders near it."""
         failed = ""
         place = path.replace("Filters/", "", 1)
-        for further in NEXT_TESTS.get(place, NEXT_TESTS.get(os.path.dirname(place), [])):
+        for further in [] if self.known.is_fast else NEXT_TESTS.get(place, NEXT_TESTS.get(os.path.dirname(place), [])):
             failed = failed or self.run_suites(path, self.source / "Testing" / further, number)
         return failed
 
@@ -502,6 +508,7 @@ def main():
     parser.add_argument("places", nargs="*", default=["Core/Rules"])
     parser.add_argument("--most", type=int, default=100)
     parser.add_argument("--again", action="store_true")
+    parser.add_argument("--fast", action="store_true")
     parser.add_argument("--rest", type=float, default=300.)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     arguments = parser.parse_args()
@@ -510,7 +517,7 @@ def main():
     (work / "programs").mkdir(parents=True, exist_ok=True)
     for name in TESTS.values():  # which may be built anew while this runs
         shutil.copy2(arguments.build / "bin" / name, work / "programs" / name)
-    known = Known()
+    known = Known(arguments.fast)
     all_runners = [Runner(source, arguments.build.resolve(), work / str(i), arguments.rest, known) for i in range(arguments.jobs)]
     runners = queue.Queue()
     for runner in all_runners:

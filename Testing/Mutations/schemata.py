@@ -141,6 +141,8 @@ class Statement:
 
     def add(self, number, changed):
         """Returns whether the mutation can be one of several."""
+        if re.search(r"[-+*/%&|=<>?:,(]\s*;\s*$", changed):  # the end of a statement of several lines is gone
+            return False
         if self.kind == "constant":
             if not CONSTANT.match(changed) or CONSTANT.match(changed)[1] != CONSTANT.match(self.text)[1]:
                 return False
