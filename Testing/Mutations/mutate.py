@@ -127,9 +127,8 @@ class Known:
         with self.lock:
             for (program, test), _ in self.killers[path].most_common(MOST_KILLERS):
                 chosen.setdefault(program, []).append(test)
-            found = [(program, ":".join(tests), sum(self.seconds[test] for test in tests))
-                     for program, tests in chosen.items()]
-        return sorted(found, key=lambda one: one[2])
+            return sorted(((program, ":".join(tests), sum(self.seconds[test] for test in tests))
+                           for program, tests in chosen.items()), key=lambda one: one[2])
 
 
 class Runner:
@@ -205,7 +204,7 @@ class Runner:
         if path.endswith(".cxx"):
             return []
         line = '#include "%s"' % path.replace("Filters/", "", 1)
-        folder = self.source / "Testing" / os.path.dirname(path).replace("Filters/", "", 1)
+        folder = self.source / os.path.dirname(path).replace("Filters/", "Testing/", 1)
         return [str(test) for test in sorted(folder.glob("Test*.cxx")) if line in test.read_text(encoding="utf-8")]
 
     def find_distance(self, source, header, names):
@@ -274,9 +273,8 @@ class Runner:
                     overlay.write_text(changed, encoding="utf-8")
                     objects, errors = self.compile_all(sources, path, jobs)
                     if not errors:
-                        # The fast tests have to pass with none switched on.
                         place = self.find_test_folder(os.path.dirname(path).replace("Filters/", "", 1))
-                        if not self.link_all(objects) or self.run_suites(path, place, 0, True):
+                        if not self.link_all(objects) or self.run_suites(path, place, 0, True):  # pass with none switched on
                             break
                         return made.numbers
                     lines = re.findall(r"%s:(\d+):\d+: (?:fatal )?error" % re.escape(str(overlay)), errors)
@@ -336,8 +334,21 @@ class Runner:
         if folder not in self.known.suites:
             with self.known.measuring:
                 if folder not in self.known.suites:
-                    self.known.suites[folder] = self.measure_suites(folder)
+                    self.known.suites[folder] = self.read_suites(folder) or self.measure_suites(folder)
         return self.known.suites[folder]
+
+    def get_times_file(self, folder):
+        """Where the times of a folder's tests stand, as long as the tests are not built anew."""
+        program = self.work.parent / "programs" / TESTS["Core" if "Core" in folder.parts else "Filters"]
+        name = str(folder.relative_to(self.source / "Testing")).replace("/", "+")
+        return self.work.parent / ("times+%s+%d.json" % (name, program.stat().st_mtime_ns))
+
+    def read_suites(self, folder):
+        file = self.get_times_file(folder)
+        suite, seconds = json.loads(file.read_text(encoding="utf-8")) if file.exists() else (None, {})
+        with self.known.lock:
+            self.known.seconds.update(seconds)
+        return suite
 
     def measure_suites(self, folder):
         names = set()
@@ -352,21 +363,23 @@ class Runner:
             sys.exit("%s fails without a mutation" % failed)
         times = re.findall(r"\[       OK \] (\S+) \((\d+) ms\)", (self.work / "tests.log").read_text(encoding="utf-8"))
         times = sorted((int(time) / 1000., name) for name, time in times)
+        seconds = {name: time for time, name in times}
         with self.known.lock:
-            self.known.seconds.update({name: time for time, name in times})
+            self.known.seconds.update(seconds)
         whole = sum(time for time, _ in times)
         fast = [name for i, (_, name) in enumerate(times) if sum(one for one, _ in times[:i + 1]) < FAST_SHARE * whole]
         parts = [(":".join(fast), FAST_SHARE * whole)] if fast else []
         parts.append((every + large + "".join(":" + name for name in fast), whole))
-        return TESTS[which], every, parts
+        suite = [TESTS[which], every, parts]
+        self.get_times_file(folder).write_text(json.dumps([suite, seconds]), encoding="utf-8")
+        return suite
 
     def run_suites(self, path, folder, number, is_fast=False):
         program, _, parts = self.find_suites(folder)
         failed = ""
         for part, seconds in parts[:1] if is_fast else parts:
             failed = failed or self.run(program, part, 30. + 6. * seconds, number=number)
-        if failed:
-            self.known.add_killer(path, program, failed)
+        self.known.add_killer(path, program, failed)
         return failed
 
     def run_killers(self, path, number=0):
@@ -378,13 +391,13 @@ class Runner:
 
     def judge_near(self, mutation, tests, is_explained):
         """As judge, by the tests that include a header; they leave open what they do not see."""
+        self.use_folder(self.together)
         number = self.numbers.get(mutation.key)
         if not number:
             return None, ""
-        self.use_folder(self.together)
         failed = self.run_killers(mutation.path, number)
-        for test in tests:
-            failed = failed or self.run_suites(mutation.path, pathlib.Path(test), number)
+        for test in map(pathlib.Path, tests):
+            failed = failed or self.run_suites(mutation.path, test, number)
         return "killed" if failed else "survived" if is_explained else None, failed
 
     def judge(self, mutation, is_explained):
@@ -392,12 +405,10 @@ class Runner:
         number = self.numbers.get(mutation.key)
         if number:
             self.use_folder(self.together)
-            failed = self.run_killers(mutation.path, number) or self.run_own(mutation.path, number)
-            if not is_explained:
-                failed = failed or self.run_next(mutation.path, number) or self.run_rest(mutation.path, number)
+            failed = self.run_all(mutation.path, is_explained, number)
             if failed:
                 return "killed", failed
-        if number and (is_explained or mutation.path.endswith(".h")):
+        if number and (is_explained or self.known.is_fast or mutation.path.endswith(".h")):
             return "survived", ""
         self.use_folder(self.work / "alone")
         path = self.overlay / mutation.path
@@ -405,22 +416,24 @@ class Runner:
         path.write_text(mutation.apply((self.source / mutation.path).read_text(encoding="utf-8")), encoding="utf-8")
         try:
             failed = ""
-            near = self.find_near(mutation.path)
-            sources = [] if number else near + [one for one in self.find_sources(mutation.path) if one not in near]
+            sources = [] if number else list(dict.fromkeys(self.find_near(mutation.path) + self.find_sources(mutation.path)))
             objects = {}
             while sources and not failed:  # most are killed before all sources are compiled
                 if not self.build_changed(mutation.path, sources[:AT_ONCE], objects):
                     return "does not compile", ""
-                failed = self.run_killers(mutation.path) or self.run_own(mutation.path)
                 sources = sources[AT_ONCE:]
-            if not is_explained and not number:
-                failed = failed or self.run_next(mutation.path) or self.run_rest(mutation.path)
+                failed = self.run_all(mutation.path, is_explained or bool(sources))
             if failed:
                 return "killed", failed
             is_same = not is_explained and mutation.path.endswith(".cxx") and self.is_same(mutation.path)
             return "same" if is_same else "survived", ""
         finally:
             path.unlink()
+
+    def run_all(self, path, is_near, number=0):
+        """Runs the tests near by, and unless these are enough the others. Returns the one that failed, or ""."""
+        failed = self.run_killers(path, number) or self.run_own(path, number)
+        return failed or ("" if is_near else self.run_next(path, number) or self.run_rest(path, number))
 
     def run_own(self, path, number=0):
         """Runs the tests of the folder with the same name. Returns the one that failed, or ""."""
@@ -451,8 +464,7 @@ class Runner:
 
 
 def limit_memory():
-    size = 2 << 30  # what never ends fills it soon
-    resource.setrlimit(resource.RLIMIT_AS, (size, size))
+    resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))  # what never ends fills it soon
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
@@ -520,8 +532,7 @@ def main():
     known = Known(arguments.fast)
     all_runners = [Runner(source, arguments.build.resolve(), work / str(i), arguments.rest, known) for i in range(arguments.jobs)]
     runners = queue.Queue()
-    for runner in all_runners:
-        runners.put(runner)
+    list(map(runners.put, all_runners))
     explained = read_explained(HERE / "survivors.txt")
     all_of_them = []
     digests = {}
