@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Changes lines of Core one at a time, and sees whether a test fails.
 
-    mutate.py SOURCE BUILD [PLACE...] [--most N] [--again] [--rest SECONDS] [--jobs N]
+    mutate.py SOURCE BUILD [PLACE...] [--most N] [--again] [--fast] [--rest SECONDS] [--jobs N]
 
 PLACE is a folder or file under Filters (Core/Rules). SOURCE is not touched: a changed file is compiled beside
 it, with the commands of BUILD, into a library and tests that take the place of those of BUILD. Of a header,
@@ -10,11 +10,13 @@ folder of the same name. These tests run first, then the other tests for up to -
 
 A mutation is killed (a test fails, crashes or does not end), survives, does not compile, or is the same (the
 objects have equal bytes). The choice is always the same; what was tried is kept in BUILD/mutations/results.json
-until the file changes, so that a run goes on where another one was stopped. --again tries survivors anew.
+until the file changes, so that a run goes on where another one was stopped. --again tries survivors anew;
+with --fast only the fast tests of the own folder run, so that a slower run has fewer mutations left.
 Survivors that change nothing which could be tested stand in survivors.txt beside this file, with the reason. The
 script fails where others survive.
 """
 import argparse
+import collections
 import concurrent.futures
 import hashlib
 import json
@@ -24,6 +26,7 @@ import queue
 import re
 import resource
 import shlex
+import shutil
 import subprocess
 import sys
 import threading
@@ -38,20 +41,24 @@ import schemata
 MOST_OBJECTS = 5  # of a header; they are compiled without optimisation, which takes a third of the time
 AT_ONCE = 2
 FAST_SHARE = 0.15  # of the time of all tests of a folder: those that take so much together run first
-# Whose tests run next, after those of the own folder: folders and files.
+LEFT_OUT = "*Files*:*LongLong*:*AnyNumberOfThreads*"  # takes long, and sees what others see
+MOST_KILLERS = 4  # tests that found most mutations of a file: they run before all others
+# Whose tests run next, after those of the own folder: folders and files, for all of a folder or for one file.
 NEXT_TESTS = {
     "Core/Rules": ["Core/Surfaces", "Core/Solids/Strata", "Core/Solids/TetOct"],
-    "Core/Solids/RedGreen": ["Filters/RedGreen/TestRedGreen.cxx", "Filters/RedGreen"],
+    "Core/Solids/RedGreen": ["Filters/RedGreen/TestRedGreen.cxx", "Filters/RedGreen/TestRedGreenRefinementChaining.cxx"],
     "Core/Solids/Strata": ["Core/Rules", "Filters/Control/TestFeaturesJoints.cxx", "Filters/Control"],
     "Core/Surfaces/Butterfly": ["Filters/Surface/TestSurfaceButterflyMeshes.cxx", "Filters/Surface/TestSurfaceLimits.cxx"],
     "Core/Surfaces/FourEight": ["Filters/Surface/TestSurfaceFourEight.cxx", "Filters/Surface/TestSurfaceFourEightLimits.cxx",
                                 "Filters/Surface/TestSurfaceLimits.cxx"],
-    "Core/Surfaces/SqrtThree": ["Filters/Surface/TestSurfaceSqrtThree.cxx", "Filters/AdaptiveSurface/TestAdaptiveSqrtThree.cxx",
-                                "Filters/AdaptiveSurface", "Filters/Surface/TestSurfaceLimits.cxx"],
+    "Core/Surfaces/SqrtThree": ["Filters/AdaptiveSurface/TestAdaptiveSqrtThree.cxx", "Filters/Surface/TestSurfaceSqrtThree.cxx",
+                                "Filters/Surface/TestSurfaceLimits.cxx"],
+    "Core/Surfaces/SqrtThree/AdaptiveSqrtThree.cxx": ["Filters/AdaptiveSurface/TestAdaptiveSqrtThree.cxx"],
 }
 for scheme in ("CatmullClark", "Loop", "Scheme"):
     NEXT_TESTS["Core/Surfaces/" + scheme] = ["Filters/Surface/TestSurfaceMasks.cxx", "Filters/Surface/TestSurfaceLimits.cxx",
                                              "Filters/Surface/TestSurfaceSubdivision.cxx"]
+TESTS = {"Core": "SubdivisionObjectsCoreTests", "Filters": "SubdivisionObjectsTests"}
 LIBRARY = "libvtkSubdivisionObjects.so"
 HERE = pathlib.Path(__file__).parent
 
@@ -98,31 +105,55 @@ class Commands:
         return [source for source, entry in self.objects.items() if entry["output"] in outputs]
 
 
+class Known:
+    """What all runners know: how long tests take, and which tests kill mutations of a file."""
+
+    def __init__(self, is_fast):
+        self.is_fast = is_fast
+        self.lock = threading.Lock()
+        self.measuring = threading.Lock()
+        self.suites = {}  # of a folder: program, filter of all tests, [(filter, seconds)] of its parts
+        self.seconds = {}  # of a test
+        self.killers = collections.defaultdict(collections.Counter)  # of a file: (program, test)
+
+    def add_killer(self, path, program, test):
+        with self.lock:
+            if test in self.seconds:
+                self.killers[path][program, test] += 1
+
+    def find_killers(self, path):
+        """[(program, filter, seconds)] of those tests that found most, as far as they are fast."""
+        chosen = {}
+        with self.lock:
+            for (program, test), _ in self.killers[path].most_common(MOST_KILLERS):
+                chosen.setdefault(program, []).append(test)
+            return sorted(((program, ":".join(tests), sum(self.seconds[test] for test in tests))
+                           for program, tests in chosen.items()), key=lambda one: one[2])
+
+
 class Runner:
     """Tries mutations, one after the other, in a folder of its own."""
 
-    def __init__(self, source, build, work, rest):
+    def __init__(self, source, build, work, rest, known):
         self.source = source
         self.build = build
         self.rest = rest
+        self.known = known
         self.commands = Commands(build)
         self.work = work
-        self.use_folder("alone")
-        self.prepared = None  # the file in the folder "together"
-        self.numbers = {}  # of its mutations, by key
-        self.tests = {"Core": "SubdivisionObjectsCoreTests", "Filters": "SubdivisionObjectsTests"}
-        self.seconds = {}
-        self.suites = {}
+        self.use_folder(work / "alone")
+        self.together = work.parent / "together"  # a file with many of its mutations in it, for all runners
+        self.numbers = {}  # of these, by key
 
-    def use_folder(self, name):
-        self.overlay = self.work / name / "sources"
-        self.binaries = self.work / name / "binaries"
+    def use_folder(self, folder):
+        self.overlay = folder / "sources"
+        self.binaries = folder / "binaries"
         self.binaries.mkdir(parents=True, exist_ok=True)
 
     # ---- building
 
     def compile(self, source, changed, options=()):
-        """Compiles a source; `changed` is the file that was written. Returns the object, None if it cannot be."""
+        """Compiles a source; `changed` is the file that was written. Returns the object, None if it cannot be, and errors."""
         entry = self.commands.objects[str(source)]
         target = self.binaries / (hashlib.sha1(str(source).encode()).hexdigest()[:12] + ".o")
         words = [word for word in shlex.split(entry["command"]) if word != "-MD"]
@@ -135,10 +166,9 @@ class Runner:
             words[words.index("-c") + 1] = str(self.overlay / changed)
         words.insert(1, "-I%s" % (self.overlay / "Filters"))
         # What a mutation leaves unused is no error.
-        words += ["-Wno-error", "-w"] + ([] if changed.endswith(".cxx") else ["-O0"]) + list(options)
+        words += ["-Wno-error", "-w"] + list(options)
         made = subprocess.run(words, cwd=self.build, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        self.errors = made.stderr
-        return target if made.returncode == 0 else None
+        return target if made.returncode == 0 else None, made.stderr
 
     def link(self, target, objects, output):
         words = shlex.split(self.commands.get_link(target).replace(": && ", ""))
@@ -153,10 +183,10 @@ class Runner:
         return subprocess.run(words, cwd=self.build, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
 
     def find_sources(self, path):
-        """What to compile for a changed file, nearest first, and whether equal objects mean an equal library."""
+        """What to compile for a changed file, nearest first."""
         whole = self.source / path
         if path.endswith(".cxx"):
-            return [str(whole)], True
+            return [str(whole)]
         folder = os.path.dirname(path).replace("Filters/", "", 1)
         includers = self.commands.find_includers(whole)
         library = [one for one in includers if one.startswith(str(self.source / "Filters"))]
@@ -167,7 +197,15 @@ class Runner:
         library.sort(key=lambda one: (distances[one], -len(os.path.commonpath([one, str(whole)])), one))
         tests = [one for one in includers
                  if one.startswith((str(self.source / "Testing" / folder), str(self.find_test_folder(folder))))]
-        return library[:MOST_OBJECTS] + sorted(tests)[:MOST_OBJECTS], False
+        return library[:MOST_OBJECTS] + sorted(tests)[:MOST_OBJECTS]
+
+    def find_near(self, path):
+        """The tests in the folder with the same name that include a header themselves: they see most mutations of it."""
+        if path.endswith(".cxx"):
+            return []
+        line = '#include "%s"' % path.replace("Filters/", "", 1)
+        folder = self.source / os.path.dirname(path).replace("Filters/", "Testing/", 1)
+        return [str(test) for test in sorted(folder.glob("Test*.cxx")) if line in test.read_text(encoding="utf-8")]
 
     def find_distance(self, source, header, names):
         """0 if a source calls functions of a header, 1 if a header does that it includes itself, else 2."""
@@ -193,69 +231,84 @@ class Runner:
             place = place.parent
         return place
 
-    def build_changed(self, path, sources, objects, is_whole):
-        """Adds the objects of sources. Returns "" where tests can tell more, else "does not compile" or "same"."""
-        is_same = is_whole
+    def build_changed(self, path, sources, objects):
+        """Adds the objects of sources, compiled fast. Returns whether there is a library."""
         for source in sources:
-            made = self.compile(pathlib.Path(source), path)
+            made, _ = self.compile(pathlib.Path(source), path, ["-O0"])
             if made is None:
-                return "does not compile"
-            original = self.commands.objects[source]["output"]
-            objects[original] = made
-            is_same = is_same and made.read_bytes() == (self.build / original).read_bytes()
-        return "same" if is_same else "" if self.link_all(objects) else "does not compile"
+                return False
+            objects[self.commands.objects[source]["output"]] = made
+        return self.link_all(objects)
+
+    def is_same(self, path):
+        """Whether a changed source has the same object as before."""
+        made, _ = self.compile(self.source / path, path)
+        original = self.commands.objects[str(self.source / path)]["output"]
+        return bool(made) and made.read_bytes() == (self.build / original).read_bytes()
 
     def link_all(self, objects):
         """Makes the library, and those tests of which objects have changed."""
-        for name in self.tests.values():
+        for name in TESTS.values():
             (self.binaries / name).unlink(missing_ok=True)
         library = (self.build / "lib" / LIBRARY).resolve()
         if not self.link("lib/" + library.name, objects, self.binaries / LIBRARY):
             return False
-        return all(self.link("bin/" + name, objects, self.binaries / name) for name in self.tests.values()
+        return all(self.link("bin/" + name, objects, self.binaries / name) for name in TESTS.values()
                    if any("/%s.dir/" % name in original for original in objects))
 
-    def prepare(self, path, several):
-        """Builds a file with many of its mutations in it."""
-        self.prepared = path
-        self.numbers = {}
-        self.use_folder("together")
+    def prepare(self, path, several, sources, jobs):
+        """Builds sources with many mutations of a file in it, for all runners. Returns their numbers, by key."""
+        self.use_folder(self.together)
         text = (self.source / path).read_text(encoding="utf-8")
-        sources, _ = self.find_sources(path)
         overlay = self.overlay / path
         overlay.parent.mkdir(parents=True, exist_ok=True)
         (self.overlay / "Filters" / schemata.HEADER).write_text(schemata.HEADER_TEXT, encoding="utf-8")
-        for constants in (True, False):
-            made = schemata.Schemata(text, several, constants)
-            for _ in range(8):
-                if not made.numbers or not sources:
-                    break
-                changed, owners = made.write()
-                overlay.write_text(changed, encoding="utf-8")
-                objects = {}
-                for source in sources:
-                    objects[self.commands.objects[source]["output"]] = self.compile(pathlib.Path(source), path, ["-O1"])
-                    if not objects[self.commands.objects[source]["output"]]:
+        try:
+            for constants in (True, False):
+                made = schemata.Schemata(text, several, constants)
+                for _ in range(8):
+                    if not made.numbers or not sources:
                         break
-                else:
-                    if not self.link_all(objects) or self.run_own(path):  # it has to pass with none switched on
+                    changed, owners = made.write()
+                    overlay.write_text(changed, encoding="utf-8")
+                    objects, errors = self.compile_all(sources, path, jobs)
+                    if not errors:
+                        place = self.find_test_folder(os.path.dirname(path).replace("Filters/", "", 1))
+                        if not self.link_all(objects) or self.run_suites(path, place, 0, True):  # pass with none switched on
+                            break
+                        return made.numbers
+                    lines = re.findall(r"%s:(\d+):\d+: (?:fatal )?error" % re.escape(str(overlay)), errors)
+                    wrong = {owners[int(line) - 1] for line in lines} - {None}
+                    if not wrong:
+                        print("%s cannot be compiled with all mutations: %s" % (path, errors[:300]))
                         break
-                    overlay.unlink()
-                    self.numbers = made.numbers
-                    return
-                lines = re.findall(r"%s:(\d+):\d+: (?:fatal )?error" % re.escape(str(overlay)), self.errors)
-                wrong = {owners[int(line) - 1] for line in lines} - {None}
-                if not wrong:
-                    break
-                for place in wrong:
-                    made.drop(place)
-        overlay.unlink(missing_ok=True)
+                    for place in wrong:
+                        made.drop(place)
+        finally:
+            overlay.unlink(missing_ok=True)
+        return {}
+
+    def compile_all(self, sources, path, jobs):
+        """The objects of all sources of a file, and the errors; a source after one with errors is not begun."""
+        objects = {}
+        errors = []
+
+        def compile_one(source):
+            if not errors:
+                made, found = self.compile(pathlib.Path(source), path, ["-O1"])
+                if not made:
+                    errors.append(found or "error")
+                objects[self.commands.objects[source]["output"]] = made
+
+        with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+            list(pool.map(compile_one, sources))
+        return objects, "\n".join(errors)
 
     # ---- running
 
     def run(self, name, filters, seconds, own=True, number=0):
         """Runs tests until one fails. Returns "", the name of the test that failed, or "time"."""
-        program = self.binaries / name if own and (self.binaries / name).exists() else self.build / "bin" / name
+        program = self.binaries / name if own and (self.binaries / name).exists() else self.work.parent / "programs" / name
         environment = {**os.environ, "GTEST_FAIL_FAST": "1", "GTEST_FILTER": filters, "VTK_SMP_BACKEND_IN_USE": "STDThread",
                        "SUBDIVISIONOBJECTS_DATA": str(self.source / "Data"), "SUBDIVISIONOBJECTS_RANDOM_SECONDS": "2",
                        "SUBDIVISIONOBJECTS_SHARED_DATA": str(self.source.parent / "shared" / "data")}
@@ -274,79 +327,125 @@ class Runner:
         if code == 0:
             return ""
         failed = re.findall(r"\[  FAILED  \] (\S+)", text) or re.findall(r"\[ RUN      \] (\S+)", text)[-1:]
-        return failed[0] if failed else "crash"
+        return failed[0].rstrip(",") if failed else "crash"
 
     def find_suites(self, folder):
-        """The program of the tests in a folder or file, their names, and the same in two parts, of which the fast one runs first."""
-        if folder not in self.suites:
-            names = set()
-            for test in [folder] if folder.is_file() else folder.rglob("Test*.cxx"):
-                text = test.read_text(encoding="utf-8")
-                names.update(re.findall(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)\((\w+),", text, re.M))
-            which = "Core" if "Core" in folder.parts else "Filters"
-            every = ":".join(sorted("%s.*:*/%s.*:%s/*" % (name, name, name) for name in names))
-            large = "-*Files*"
-            failed = self.run(self.tests[which], every + large, 3000, own=False)
-            if failed:
-                sys.exit("%s fails without a mutation" % failed)
-            times = re.findall(r"\[       OK \] (\S+) \((\d+) ms\)", (self.work / "tests.log").read_text(encoding="utf-8"))
-            times = sorted((int(time), name) for name, time in times)
-            whole = sum(one for one, _ in times)
-            fast = [name for i, (_, name) in enumerate(times) if sum(one for one, _ in times[:i + 1]) < FAST_SHARE * whole]
-            parts = [":".join(fast)] if fast else []
-            parts.append(every + large + "".join(":" + name for name in fast))
-            self.suites[folder] = (self.tests[which], every, parts)
-            self.seconds[folder] = whole / 1000.
-        return self.suites[folder]
+        """The program of the tests in a folder or file, a filter for all, and [(filter, seconds)] in two parts, the fast one first."""
+        if folder not in self.known.suites:
+            with self.known.measuring:
+                if folder not in self.known.suites:
+                    self.known.suites[folder] = self.read_suites(folder) or self.measure_suites(folder)
+        return self.known.suites[folder]
 
-    def run_suites(self, folder, number):
+    def get_times_file(self, folder):
+        """Where the times of a folder's tests stand, as long as the tests are not built anew."""
+        program = self.work.parent / "programs" / TESTS["Core" if "Core" in folder.parts else "Filters"]
+        name = str(folder.relative_to(self.source / "Testing")).replace("/", "+")
+        return self.work.parent / ("times+%s+%d.json" % (name, program.stat().st_mtime_ns))
+
+    def read_suites(self, folder):
+        file = self.get_times_file(folder)
+        suite, seconds = json.loads(file.read_text(encoding="utf-8")) if file.exists() else (None, {})
+        with self.known.lock:
+            self.known.seconds.update(seconds)
+        return suite
+
+    def measure_suites(self, folder):
+        names = set()
+        for test in [folder] if folder.is_file() else folder.rglob("Test*.cxx"):
+            text = test.read_text(encoding="utf-8")
+            names.update(re.findall(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)\((\w+),", text, re.M))
+        which = "Core" if "Core" in folder.parts else "Filters"
+        every = ":".join(sorted("%s.*:*/%s.*:%s/*" % (name, name, name) for name in names))
+        large = "-" + LEFT_OUT
+        failed = self.run(TESTS[which], every + large, 3000, own=False)
+        if failed:
+            sys.exit("%s fails without a mutation" % failed)
+        times = re.findall(r"\[       OK \] (\S+) \((\d+) ms\)", (self.work / "tests.log").read_text(encoding="utf-8"))
+        times = sorted((int(time) / 1000., name) for name, time in times)
+        seconds = {name: time for time, name in times}
+        with self.known.lock:
+            self.known.seconds.update(seconds)
+        whole = sum(time for time, _ in times)
+        fast = [name for i, (_, name) in enumerate(times) if sum(one for one, _ in times[:i + 1]) < FAST_SHARE * whole]
+        parts = [(":".join(fast), FAST_SHARE * whole)] if fast else []
+        parts.append((every + large + "".join(":" + name for name in fast), whole))
+        suite = [TESTS[which], every, parts]
+        self.get_times_file(folder).write_text(json.dumps([suite, seconds]), encoding="utf-8")
+        return suite
+
+    def run_suites(self, path, folder, number, is_fast=False):
         program, _, parts = self.find_suites(folder)
         failed = ""
-        for part in parts:
-            failed = failed or self.run(program, part, 30. + 6. * self.seconds[folder], number=number)
+        for part, seconds in parts[:1] if is_fast else parts:
+            failed = failed or self.run(program, part, 30. + 6. * seconds, number=number)
+        self.known.add_killer(path, program, failed)
         return failed
+
+    def run_killers(self, path, number=0):
+        """Runs those tests that found most mutations of the file so far."""
+        failed = ""
+        for program, filters, seconds in self.known.find_killers(path):
+            failed = failed or self.run(program, filters, 6. + 20. * seconds, number=number)
+        return failed
+
+    def judge_near(self, mutation, tests, is_explained):
+        """As judge, by the tests that include a header; they leave open what they do not see."""
+        self.use_folder(self.together)
+        number = self.numbers.get(mutation.key)
+        if not number:
+            return None, ""
+        failed = self.run_killers(mutation.path, number)
+        for test in map(pathlib.Path, tests):
+            failed = failed or self.run_suites(mutation.path, test, number)
+        return "killed" if failed else "survived" if is_explained else None, failed
 
     def judge(self, mutation, is_explained):
         """Returns what becomes of a mutation, and which test killed it. Tests near by are enough for an explained one."""
         number = self.numbers.get(mutation.key)
         if number:
-            self.use_folder("together")
-            failed = self.run_own(mutation.path, number)
-            if not is_explained:
-                failed = failed or self.run_next(mutation.path, number) or self.run_rest(mutation.path, number)
+            self.use_folder(self.together)
+            failed = self.run_all(mutation.path, is_explained, number)
             if failed:
                 return "killed", failed
-        sources, is_whole = self.find_sources(mutation.path)
-        if number and not is_whole:
+        if number and (is_explained or self.known.is_fast or mutation.path.endswith(".h")):
             return "survived", ""
-        self.use_folder("alone")
+        self.use_folder(self.work / "alone")
         path = self.overlay / mutation.path
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(mutation.apply((self.source / mutation.path).read_text(encoding="utf-8")), encoding="utf-8")
         try:
-            objects = {}
             failed = ""
+            sources = [] if number else list(dict.fromkeys(self.find_near(mutation.path) + self.find_sources(mutation.path)))
+            objects = {}
             while sources and not failed:  # most are killed before all sources are compiled
-                result = self.build_changed(mutation.path, sources[:AT_ONCE], objects, is_whole)
-                if result or number:
-                    return result or "survived", ""
-                failed = self.run_own(mutation.path)
+                if not self.build_changed(mutation.path, sources[:AT_ONCE], objects):
+                    return "does not compile", ""
                 sources = sources[AT_ONCE:]
-            if not is_explained:
-                failed = failed or self.run_next(mutation.path) or self.run_rest(mutation.path)
-            return ("killed", failed) if failed else ("survived", "")
+                failed = self.run_all(mutation.path, is_explained or bool(sources))
+            if failed:
+                return "killed", failed
+            is_same = not is_explained and mutation.path.endswith(".cxx") and self.is_same(mutation.path)
+            return "same" if is_same else "survived", ""
         finally:
             path.unlink()
 
+    def run_all(self, path, is_near, number=0):
+        """Runs the tests near by, and unless these are enough the others. Returns the one that failed, or ""."""
+        failed = self.run_killers(path, number) or self.run_own(path, number)
+        return failed or ("" if is_near else self.run_next(path, number) or self.run_rest(path, number))
+
     def run_own(self, path, number=0):
         """Runs the tests of the folder with the same name. Returns the one that failed, or ""."""
-        return self.run_suites(self.find_test_folder(os.path.dirname(path).replace("Filters/", "", 1)), number)
+        place = self.find_test_folder(os.path.dirname(path).replace("Filters/", "", 1))
+        return self.run_suites(path, place, number, self.known.is_fast)
 
     def run_next(self, path, number=0):
         """Runs the tests of the folders near it."""
         failed = ""
-        for further in NEXT_TESTS.get(os.path.dirname(path).replace("Filters/", "", 1), []):
-            failed = failed or self.run_suites(self.source / "Testing" / further, number)
+        place = path.replace("Filters/", "", 1)
+        for further in [] if self.known.is_fast else NEXT_TESTS.get(place, NEXT_TESTS.get(os.path.dirname(place), [])):
+            failed = failed or self.run_suites(path, self.source / "Testing" / further, number)
         return failed
 
     def run_rest(self, path, number=0):
@@ -355,7 +454,7 @@ class Runner:
         own, every, _ = self.find_suites(self.find_test_folder(place))
         begin = time.time()
         slow = "Partitions*:*Random*:Fuzz*"
-        for name in self.tests.values():
+        for name in TESTS.values():
             left = self.rest - (time.time() - begin)
             if left > 1.:
                 failed = self.run(name, "-" + slow + ":" + (every if name == own else ""), left, number=number)
@@ -365,8 +464,7 @@ class Runner:
 
 
 def limit_memory():
-    size = 6 << 30
-    resource.setrlimit(resource.RLIMIT_AS, (size, size))
+    resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))  # what never ends fills it soon
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
@@ -422,14 +520,19 @@ def main():
     parser.add_argument("places", nargs="*", default=["Core/Rules"])
     parser.add_argument("--most", type=int, default=100)
     parser.add_argument("--again", action="store_true")
+    parser.add_argument("--fast", action="store_true")
     parser.add_argument("--rest", type=float, default=300.)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     arguments = parser.parse_args()
     source = arguments.source.resolve()
     work = arguments.build.resolve() / "mutations"
+    (work / "programs").mkdir(parents=True, exist_ok=True)
+    for name in TESTS.values():  # which may be built anew while this runs
+        shutil.copy2(arguments.build / "bin" / name, work / "programs" / name)
+    known = Known(arguments.fast)
+    all_runners = [Runner(source, arguments.build.resolve(), work / str(i), arguments.rest, known) for i in range(arguments.jobs)]
     runners = queue.Queue()
-    for i in range(arguments.jobs):
-        runners.put(Runner(source, arguments.build.resolve(), work / str(i), arguments.rest))
+    list(map(runners.put, all_runners))
     explained = read_explained(HERE / "survivors.txt")
     all_of_them = []
     digests = {}
@@ -456,15 +559,15 @@ def main():
         is_known = entry and entry["file"] == digests[mutation.path]
         return not is_known or arguments.again and entry["result"] == "survived" and not has_reason(mutation)
 
-    def try_one(mutation):
-        if not is_open(mutation):
-            return results[mutation.key]
+    def try_one(mutation, near):
         begin = time.time()
         runner = runners.get()
-        if runner.prepared != mutation.path:
-            runner.prepare(mutation.path, [one for one in chosen if one.path == mutation.path and is_open(one)])
-        result, test = runner.judge(mutation, has_reason(mutation))
-        runners.put(runner)
+        try:
+            result, test = runner.judge_near(mutation, near, has_reason(mutation)) if near else runner.judge(mutation, has_reason(mutation))
+        finally:
+            runners.put(runner)
+        if not result:
+            return
         entry = {"path": mutation.path, "line": mutation.number, "old": mutation.old.strip(), "new": mutation.new.strip(),
                  "result": result, "test": test, "seconds": round(time.time() - begin, 1), "file": digests[mutation.path]}
         with lock:
@@ -473,10 +576,20 @@ def main():
             file.with_suffix(".new").replace(file)
             print("%s:%d: %s%s\n    %s\n    %s" % (mutation.path, mutation.number, result, " by " + test if test else "",
                                                  entry["old"], entry["new"]), flush=True)
-        return entry
 
-    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        tried = list(pool.map(try_one, chosen))
+    for path in digests:
+        near = all_runners[0].find_near(path)
+        for tests in [near, []] if near else [[]]:  # what those near it do not see, others may
+            still_open = [one for one in chosen if one.path == path and is_open(one)]
+            if not still_open:
+                continue
+            sources = tests or all_runners[0].find_sources(path)
+            numbers = all_runners[0].prepare(path, still_open, sources, arguments.jobs)
+            for runner in all_runners:
+                runner.numbers = numbers
+            with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+                list(pool.map(lambda one, tests=tests: try_one(one, tests), still_open))
+    tried = [results[one.key] for one in chosen]
     summary, counts = write_report(work / "report.txt", tried, explained)
     print(summary)
     write_figures(source, arguments.build.resolve().parent, list(results.values()), explained)

@@ -40,10 +40,10 @@ CONTROL = re.compile(r"^\s*(else )?(if|while|for|switch) \(")
 BRANCH = re.compile(r"^(\s*(?:else )?(?:if|while) )\((.*)\)\s*$", re.S)
 LOOP = re.compile(r"^(\s*for )\((.*)\)\s*$", re.S)
 RETURN = re.compile(r"^\s*return\b.*;\s*$", re.S)
-CONSTANT = re.compile(r"^(?:inline |static )?constexpr (\w+ \w+)( =\s+| ?(?={))(.*);\s*$", re.S)
+CONSTANT = re.compile(r"^(?:inline |static )?constexpr ([\w:]+(?:<[\w, ]+>)? \w+)( =\s+| ?(?={))(.*);\s*$", re.S)
 CONSTANT_BEGIN = re.compile(r"^constexpr (\w+ \w+(?: =|\{))")
 ONE_LINE = re.compile(r"^(.*\)(?: const)? \{ )(return .*;)( \})$")
-VARIABLE_IN_BRACES = re.compile(r"^\s*(const )?[\w:]+(<.*>)? [*&]?\w+[{(\[]")
+VARIABLE_IN_BRACES = re.compile(r"^\s*(const )?[\w:]+(<.*>)? [*&]?\w+[{(\[;]")
 DECLARATION = re.compile(r"^(\s*(?:[\w:<>,*& \[\].\->()]+?[ *&])?(\w+) =\s+)(.*);\s*$", re.S)
 
 
@@ -141,6 +141,8 @@ class Statement:
 
     def add(self, number, changed):
         """Returns whether the mutation can be one of several."""
+        if re.search(r"[-+*/%&|=<>?:,(]\s*;\s*$", changed):  # the end of a statement of several lines is gone
+            return False
         if self.kind == "constant":
             if not CONSTANT.match(changed) or CONSTANT.match(changed)[1] != CONSTANT.match(self.text)[1]:
                 return False
@@ -217,7 +219,7 @@ class Statement:
     def write_constant(self):
         """A constant of a header as a variable: what is computed of it while code is compiled is left out before."""
         name, equals, value = CONSTANT.match(self.text).groups()
-        kind = "" if equals.strip() else name.split()[0]  # of what stands in braces without =
+        kind = "" if equals.strip() else name.rpartition(" ")[0]  # of what stands in braces without =
         value = kind + value
         for number, changed in reversed(self.changed):
             value = choose_value(number, kind + CONSTANT.match(changed)[3], value, "IsSwitchedOn")

@@ -31,14 +31,18 @@ def tell_mutations(figures):
 
 
 def tell_mutated_files(figures):
-    """How many of the mutations of each folder were tried; of a folder that counts files with mutations tried only."""
+    """How many of the mutations of each folder were tried, and of which files all were; files without any do not count."""
     folders = {}
-    for path, (tried, there_are) in figures.get("files", {}).items():
-        folder = folders.setdefault(path.rsplit("/", 1)[0], [0, 0, 0])
-        for i, more in enumerate((1, tried, there_are)):
-            folder[i] += more
-    return ", ".join("%s %d of %d (%d file%s)" % (folder, tried, there_are, files, "s"[:files > 1])
-                     for folder, (files, tried, there_are) in sorted(folders.items()))
+    for path, (tried, there_are) in sorted(figures.get("files", {}).items()):
+        folder, name = path.rsplit("/", 1)
+        folders.setdefault(folder, []).append((name, tried, there_are))
+    told = []
+    for folder, files in sorted(folders.items()):
+        complete = [name for name, tried, there_are in files if tried == there_are]
+        told.append("%s %d of %d (%d file%s, %s)" % (
+            folder, sum(tried for _, tried, _ in files), sum(there_are for _, _, there_are in files), len(files), "s"[:len(files) > 1],
+            "complete" if len(complete) == len(files) else "complete: %s" % (", ".join(complete) or "none")))
+    return "; ".join(told)
 
 
 def tell_of_fuzz(key):

@@ -118,6 +118,24 @@ LeafMesh UndoGreen(const Written<Id>& written)
   return mesh;
 }
 
+/// The same mesh with the numbers of vertices turned round: midpoints come first.
+LeafMesh TurnNumbers(LeafMesh mesh)
+{
+  const vtkIdType last = mesh.Cells.NumberOfPoints - 1;
+  for (vtkIdType& vertex : mesh.Cells.Connectivity)
+  {
+    vertex = last - vertex;
+  }
+  for (auto& midpoint : mesh.Midpoints)
+  {
+    for (vtkIdType& vertex : midpoint)
+    {
+      vertex = last - vertex;
+    }
+  }
+  return mesh;
+}
+
 template <typename Id>
 void AddMidpoints(RedGreen<Id>& state, const LeafMesh& mesh)
 {
@@ -310,6 +328,53 @@ TEST_P(RedGreenOfMesh, StartsAgainFromLeaves)
   const auto result = Write(second, written.Points, &written.Keys);
   EXPECT_EQ(GetShapes(result), GetShapes(expected));
   EXPECT_EQ(result.Keys.size(), expected.Keys.size());
+}
+
+/// Midpoints of the input may have any numbers, 0 too.
+TEST_P(RedGreenOfMesh, StartsAgainWithMidpointsInFront)
+{
+  const Mesh mesh = FindInZoo(GetParam());
+  RedGreen<int> first{ SimplexView(mesh.Cells) };
+  RefineByChance(first, 3, 11);
+  const auto written = Write(first, mesh.Points);
+  const LeafMesh leaves = UndoGreen(written);
+  const LeafMesh turned = TurnNumbers(leaves);
+  const std::vector<Key> turnedKeys(written.Keys.rbegin(), written.Keys.rend());
+  const std::vector<double> points(3 * turnedKeys.size()); // are not looked at
+  RedGreen<int> second(leaves.GetView());
+  RedGreen<int> third(turned.GetView());
+  AddMidpoints(second, leaves);
+  AddMidpoints(third, turned);
+  std::mt19937 random(5);
+  const int last = static_cast<int>(leaves.Cells.NumberOfPoints) - 1;
+  const std::vector<Tuple> cells = GetCells(leaves.Cells);
+  for (int round = 0; round < 3 && !cells.empty(); ++round)
+  {
+    const std::size_t chosen = random() % cells.size();
+    const RedGreenLeaf<int> leaf{ static_cast<int>(chosen), -1 };
+    if (round == 2)
+    {
+      second.MarkCell(leaf);
+      third.MarkCell(leaf);
+    }
+    else if (round == 1 && cells[chosen].size() > 1)
+    {
+      const int a = static_cast<int>(cells[chosen].front());
+      const int b = static_cast<int>(cells[chosen].back());
+      second.MarkEdge(leaf, a, b);
+      third.MarkEdge(leaf, last - a, last - b);
+    }
+    EXPECT_EQ(third.Close(), second.Close());
+    const auto expected = Write(second, points, &written.Keys);
+    const auto result = Write(third, points, &turnedKeys);
+    ASSERT_EQ(GetShapes(result), GetShapes(expected));
+    ASSERT_EQ(result.Keys.size(), expected.Keys.size());
+    ASSERT_EQ(third.GetNumberOfCells(), second.GetNumberOfCells());
+    for (int cell = 0; cell < static_cast<int>(cells.size()); ++cell)
+    {
+      ASSERT_EQ(third.IsRed(cell), second.IsRed(cell));
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, RedGreenOfMesh, testing::ValuesIn(GetNames()),

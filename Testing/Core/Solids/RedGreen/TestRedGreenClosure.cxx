@@ -34,12 +34,14 @@ public:
   void Round(int marks)
   {
     const auto points = this->Output.GetPointsOfCells();
+    const std::size_t splits = this->Naive.Splits.size();
     for (int i = 0; i < marks && !points.empty(); ++i)
     {
       this->Mark(points);
     }
-    this->State.Close();
+    const bool hasSplit = this->State.Close();
     this->Naive.Close();
+    ASSERT_EQ(hasSplit, this->Naive.Splits.size() > splits);
     const auto before = GetNames(this->Output);
     this->Output = Write(this->State, this->Points);
     for (const auto& cell : this->State.GetChangedCells())
@@ -53,6 +55,11 @@ public:
   {
     ASSERT_EQ(this->State.GetNumberOfCells(), this->Output.Cells.GetNumberOfSimplices());
     ASSERT_EQ(this->Output.GetLeaves(), this->Naive.Leaves);
+    for (Id i = 0; i < static_cast<Id>(this->Input.GetNumberOfSimplices()); ++i)
+    {
+      const NaiveLeaf whole = ToNaive(this->State, { i, -1 }, this->Output.Keys);
+      ASSERT_EQ(this->State.IsRed(i), this->Naive.Leaves.count(whole) == 0) << "input cell " << i;
+    }
     CheckConforming(this->Input, this->Output);
     CheckArrays(this->Input, this->Output);
     this->CheckOrigins();

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -33,6 +34,21 @@ TEST(SurfaceButterfly, WavesAroundAVertex)
       EXPECT_NEAR(factor, m == 1 ? 0.5 : m == 2 ? 0.25 : 0., 1e-14) << k << " " << m;
     }
   }
+}
+
+TEST(SurfaceButterfly, WeightsOfTwoToFourNeighbours)
+{
+  const std::vector<std::vector<double>> expected{ { 3. / 8., -1. / 8. },
+    { 5. / 12., -1. / 12., -1. / 12. }, { 3. / 8., 0., -1. / 8., 0. } };
+  for (const std::vector<double>& ring : expected)
+  {
+    const int k = static_cast<int>(ring.size());
+    for (int j = 0; j < k; ++j)
+    {
+      EXPECT_NEAR(Ring(k, j), ring[static_cast<std::size_t>(j)], 1e-15) << k << " " << j;
+    }
+  }
+  EXPECT_EQ(Centre, 0.75);
 }
 
 TEST(SurfaceButterfly, WavesInASectorOfACurve)

@@ -18,6 +18,28 @@ TEST(SqrtThreeMasks, WeightsOfRings)
   EXPECT_EQ(GetSqrtThreeRingWeight(0), 0.); // without neighbours
 }
 
+TEST(SqrtThreeMasks, TablesOfRegularVerticesAndCentres)
+{
+  ASSERT_EQ(SqrtThreeVertex.size(), 7u);
+  ASSERT_EQ(SqrtThreeCentre.size(), 3u);
+  for (std::size_t i = 0; i < 7; ++i)
+  {
+    EXPECT_NEAR(SqrtThreeVertex[i], i == 0 ? 2. / 3. : 1. / 18., 1e-15) << i;
+  }
+  for (const double weight : SqrtThreeCentre)
+  {
+    EXPECT_EQ(weight, 1. / 3.);
+  }
+}
+
+TEST(SqrtThreeMasks, AcrossACurveOneTriangleHasAMaskOfItsOwn)
+{
+  const SqrtThreeTransversalMask mask(1);
+  EXPECT_EQ(mask.Own, -2.);
+  EXPECT_EQ(mask.End, 1.);
+  EXPECT_EQ(mask.Inside, (std::vector<double>{ 0., 0. }));
+}
+
 /// The sum of the points that two steps make, with the weights of a mask, is that of the points of
 /// before, times the eigenvalue. The second of these steps cuts the curve into three.
 TEST(SqrtThreeMasks, ATransversalMaskIsALeftEigenvectorOfTwoSteps)
