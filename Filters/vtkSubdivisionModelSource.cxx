@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionModelSource.h"
 
+#include "Private/Control/FilterRun.h"
 #include "Private/Models/Models.h"
 
 #include "vtkObjectFactory.h"
@@ -46,12 +47,25 @@ const char* vtkSubdivisionModelSource::GetModelName(int model)
 int vtkSubdivisionModelSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  subdivision::ModelBuilder builder;
-  Entries[this->Model].Build(builder);
-  builder.OrientTriangles();
-  builder.Write(vtkUnstructuredGrid::GetData(outputVector),
-    this->OutputPointsPrecision == SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE);
-  return 1;
+  auto* output = vtkUnstructuredGrid::GetData(outputVector);
+  subdivision::FilterTraits traits;
+  traits.Memory = "the model.";
+  subdivision::RunOptions options;
+  bool failed = false;
+  subdivision::ConnectToFilter(this, options, failed);
+  const auto make = [&]
+  {
+    subdivision::ModelBuilder builder;
+    Entries[this->Model].Build(builder);
+    builder.OrientTriangles();
+    builder.Write(output, this->OutputPointsPrecision == SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE);
+    return true;
+  };
+  if (!subdivision::DoWork(traits, options, make))
+  {
+    output->Initialize();
+  }
+  return failed ? 0 : 1;
 }
 
 void vtkSubdivisionModelSource::PrintSelf(ostream& os, vtkIndent indent)

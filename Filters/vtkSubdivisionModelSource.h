@@ -44,7 +44,7 @@
  *   rim.
  *
  * @par Errors:
- * None: every value of every option gives a mesh.
+ * Every value of every option gives a mesh. Too little memory is an error, and the output empty.
  *
  * @par Complexity, threads:
  * Constant time and memory; serial. The output is the same on every machine, bit for bit:

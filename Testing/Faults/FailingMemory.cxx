@@ -2,6 +2,7 @@
 #include "FailingMemory.h"
 
 #include <atomic>
+#include <cerrno>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -26,6 +27,9 @@ constexpr std::size_t Least = 256;
 
 std::atomic<long> left{ -1 };
 std::atomic<bool> failed{ false };
+std::atomic<long> pieces{ 0 };
+long allowed = 0; ///< calls, by FailAfter
+long made = 0;
 
 struct Addresses
 {
@@ -91,13 +95,24 @@ constexpr std::size_t Usual = alignof(std::max_align_t);
 void FailAfter(long calls)
 {
   failed = false;
+  allowed = calls;
   left = calls;
 }
 
 bool Stop()
 {
-  left = -1;
+  made = allowed - left.exchange(-1);
   return failed;
+}
+
+long GetNumberOfCalls()
+{
+  return made;
+}
+
+long CountPieces()
+{
+  return pieces;
 }
 
 }
@@ -165,22 +180,79 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept
 }
 
 #if defined(__GLIBC__) && !HAS_SANITIZER
+namespace
+{
+
+void* Counted(void* memory)
+{
+  if (memory)
+  {
+    failing_memory::pieces.fetch_add(1, std::memory_order_relaxed);
+  }
+  return memory;
+}
+
+}
+
 extern "C"
 {
   void* __libc_malloc(std::size_t bytes);
+  void* __libc_calloc(std::size_t count, std::size_t bytes);
+  void* __libc_realloc(void* memory, std::size_t bytes);
   void* __libc_memalign(std::size_t alignment, std::size_t bytes);
+  void __libc_free(void* memory);
 
   void* malloc(std::size_t bytes)
   {
-    return failing_memory::IsToFail(bytes, __builtin_return_address(0)) ? nullptr
-                                                                        : __libc_malloc(bytes);
+    return failing_memory::IsToFail(bytes, __builtin_return_address(0))
+      ? nullptr
+      : Counted(__libc_malloc(bytes));
   }
 
   void* aligned_alloc(std::size_t alignment, std::size_t bytes)
   {
     return failing_memory::IsToFail(bytes, __builtin_return_address(0))
       ? nullptr
-      : __libc_memalign(alignment, bytes);
+      : Counted(__libc_memalign(alignment, bytes));
+  }
+
+  void* calloc(std::size_t count, std::size_t bytes)
+  {
+    return Counted(__libc_calloc(count, bytes));
+  }
+
+  void* realloc(void* memory, std::size_t bytes)
+  {
+    void* moved = __libc_realloc(memory, bytes);
+    if (!memory)
+    {
+      return Counted(moved);
+    }
+    if (bytes == 0)
+    {
+      failing_memory::pieces.fetch_sub(1, std::memory_order_relaxed);
+    }
+    return moved;
+  }
+
+  void* memalign(std::size_t alignment, std::size_t bytes)
+  {
+    return Counted(__libc_memalign(alignment, bytes));
+  }
+
+  int posix_memalign(void** memory, std::size_t alignment, std::size_t bytes)
+  {
+    *memory = Counted(__libc_memalign(alignment, bytes));
+    return *memory ? 0 : ENOMEM;
+  }
+
+  void free(void* memory)
+  {
+    if (memory)
+    {
+      failing_memory::pieces.fetch_sub(1, std::memory_order_relaxed);
+    }
+    __libc_free(memory);
   }
 }
 #endif

@@ -2,7 +2,7 @@
 /**
  * @file FailingMemory.h
  * Takes the place of the functions that give memory, and lets one call of the library fail. Calls
- * of VTK and others succeed, and those for less than 256 bytes.
+ * of VTK and others succeed, and those for less than 256 bytes. Counts what is not given back.
  */
 #ifndef SubdivisionObjects_FailingMemory_h
 #define SubdivisionObjects_FailingMemory_h
@@ -14,6 +14,12 @@ namespace failing_memory
 void FailAfter(long calls);
 /// None fails any more. Returns whether one has since FailAfter.
 bool Stop();
+/// The calls of the library between FailAfter and Stop, if none has failed.
+long GetNumberOfCalls();
+
+/// The pieces of memory that all code of the process has and has not given back, plus a constant; 0
+/// where that is not counted: under sanitizers, which see themselves what is lost.
+long CountPieces();
 
 }
 

@@ -7,9 +7,12 @@
  */
 #include "MultiDimensionalSubdivisionTools.h"
 
+#include "vtkAdaptiveSurfaceSubdivision.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSMPTools.h"
+#include "vtkSimplicialComplexTopology.h"
 #include "vtkSphereSource.h"
+#include "vtkSubdivisionDeformation.h"
 #include "vtkSubdivisionModelSource.h"
 #include "vtkSurfaceSubdivision.h"
 
@@ -108,12 +111,12 @@ void ExpectFlatHeap(vtkDataObject* input, int usual, const Change<Filter>& chang
     testing::ExitedWithCode(0), "grows");
 }
 
-vtkSmartPointer<vtkDataObject> MakeSolid()
+vtkSmartPointer<vtkDataSet> MakeSolid()
 {
   vtkNew<vtkSubdivisionModelSource> source;
   source->SetModelToMixedDimensions();
   source->Update();
-  return source->GetOutputDataObject(0);
+  return source->GetOutput();
 }
 
 }
@@ -164,5 +167,46 @@ TEST(ManyRuns, RedGreenRefinement)
       filter->SetPlacement(i / 3 % 2);
       filter->SetVolumeScheme(i / 6 % 2);
       filter->SetGenerateOriginalIds(i % 6 < 2);
+    });
+}
+
+TEST(ManyRuns, AdaptiveSurfaceSubdivision)
+{
+  vtkNew<vtkSphereSource> source;
+  source->Update();
+  ExpectFlatHeap<vtkAdaptiveSurfaceSubdivision>(source->GetOutput(), 600,
+    [](vtkAdaptiveSurfaceSubdivision* filter, int i)
+    {
+      filter->SetMaximumLevel(1 + i % 2);
+      filter->SetRefineByEdgeLength(i % 3 != 0);
+      filter->SetMaximumEdgeLength(0.1 + 0.05 * (i % 4));
+      filter->SetGenerateLimitNormals(i % 4 == 1);
+      filter->SetGenerateOriginalIds(i % 6 < 2);
+    });
+}
+
+TEST(ManyRuns, SubdivisionDeformation)
+{
+  const auto cage = MakeSolid();
+  ExpectFlatHeap<vtkSubdivisionDeformation>(cage, 1000,
+    [&](vtkSubdivisionDeformation* filter, int i)
+    {
+      filter->SetInputDataObject(1, cage);
+      filter->SetInputDataObject(2, cage);
+      filter->SetNumberOfLevels(i % 3);
+      filter->SetVolumeScheme(i / 3 % 2);
+      filter->SetTransformVectors(i % 4 == 1);
+      filter->SetOutputPointsPrecision(i % 3);
+    });
+}
+
+TEST(ManyRuns, SimplicialComplexTopology)
+{
+  ExpectFlatHeap<vtkSimplicialComplexTopology>(MakeSolid(), 2000,
+    [](vtkSimplicialComplexTopology* filter, int i)
+    {
+      filter->SetDetectFeatures(i % 10 < 3);
+      filter->SetMergePoints(i % 15 == 2);
+      filter->SetOutputPointsPrecision(i % 3);
     });
 }

@@ -22,6 +22,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -211,6 +212,53 @@ vtkSmartPointer<vtkAlgorithm> MakeFilter(const Filter& what, Bytes& bytes)
     }
   }
   return filter;
+}
+
+bool CarriesArrays(const Filter& what)
+{
+  constexpr const char* others[] = { "cage-around", // a box around the input
+    "label-solid",                                  // has tetrahedra in place of voxels
+    "limit-probe",                                  // has the points of another input
+    "smoothness" };                                 // has vertices with what it computes
+  return std::none_of(std::begin(others), std::end(others),
+    [&](const char* name) { return std::strcmp(name, what.Name) == 0; });
+}
+
+bool IsChainWhole(const Filter& what, vtkDataObject* input, Bytes& bytes)
+{
+  const auto find = [&](const char* a, const char* b)
+  {
+    return std::find_if(what.Options.begin(), what.Options.end(), [=](const Option& option)
+      { return std::strcmp(option.Property, a) == 0 || std::strcmp(option.Property, b) == 0; });
+  };
+  const auto levels = find("NumberOfLevels", "NumberOfLevels");
+  const auto scheme = find("VolumeScheme", "Scheme");
+  const auto seams = find("JoinSeams", "JoinSeams"); // with it filters in a row are others
+  const bool isUniform = std::strcmp(what.Name, "multi-dimensional-subdivision") == 0 ||
+    std::strcmp(what.Name, "surface-subdivision") == 0;
+  if (!isUniform || !HasDoublesOnly(input))
+  {
+    return true;
+  }
+  const Value chosen = ChooseValue(*scheme, bytes);
+  const auto run = [&](vtkDataObject* from, double wanted)
+  {
+    const auto filter = vtkSmartPointer<vtkAlgorithm>::Take(what.New());
+    Value value;
+    value.Numbers.push_back(wanted);
+    levels->Set(filter, value);
+    scheme->Set(filter, chosen);
+    value.Numbers = { 0. };
+    if (seams != what.Options.end())
+    {
+      seams->Set(filter, value);
+    }
+    const auto made = Run(filter, from);
+    const auto copy = vtkSmartPointer<vtkDataObject>::Take(made->NewInstance());
+    copy->DeepCopy(made);
+    return copy;
+  };
+  return AreEqual(run(input, 2.), run(run(input, 1.), 1.));
 }
 
 vtkSmartPointer<vtkDataObject> Run(vtkAlgorithm* filter, vtkDataObject* input)

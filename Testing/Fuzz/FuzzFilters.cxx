@@ -2,14 +2,17 @@
 /**
  * @file FuzzFilters.cxx
  * A small data set with any cells and arrays, through a filter with any options, and its output
- * through another one. Nothing crashes, outputs are whole, finite input gives finite output, and a
- * second run, with other threads and with what the filter keeps, gives the same bits.
+ * through another one. Nothing crashes, outputs are whole, no array is lost, finite input gives
+ * finite output, and a second run, with other threads and with what the filter keeps, or in two
+ * filters in a row, gives the same bits.
  */
 #include "FuzzFilter.h"
 #include "FuzzMesh.h"
 
 #include "vtkDataObject.h"
 #include "vtkSMPTools.h"
+
+#include <string>
 
 namespace
 {
@@ -42,6 +45,15 @@ vtkSmartPointer<vtkDataObject> Try(vtkDataObject* input, fuzz::Bytes& bytes)
   if (const char* fault = fuzz::FindFault(input, output))
   {
     fuzz::Report(fault, what.Name);
+  }
+  const std::string lost = fuzz::FindLostArray(input, output);
+  if (fuzz::CarriesArrays(what) && !lost.empty())
+  {
+    fuzz::Report(("the output has lost the array " + lost).c_str(), what.Name);
+  }
+  if (bytes.Chance(8) && !fuzz::IsChainWhole(what, input, bytes))
+  {
+    fuzz::Report("two filters in a row give another output than one", what.Name);
   }
   if (bytes.Chance(4) && !IsSameAgain(what, options, filter, input, output))
   {

@@ -12,6 +12,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -33,6 +35,8 @@ constexpr const char* Names[] = { "None", "Singular", "Sharpness", "Material", "
   "Part", "Rule", "Angle", "vtkOriginalPointIds", "vtkOriginalCellIds", "GlobalIds",
   "RedGreenLeaves", "Subdivision", "SubdivisionSurface", "OctahedronId", "GreenParent",
   "RefinementLevel", "RefinementKind", "vtkGhostType", "LimitNormals", "RuleDimension" };
+
+constexpr double Moderate = 1e30; ///< sums of such numbers fit in single precision
 
 constexpr double Odd[] = { std::numeric_limits<double>::quiet_NaN(),
   std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), 1e300, -1e300,
@@ -420,6 +424,31 @@ bool HaveValidIds(vtkDataSet* set)
   return true;
 }
 
+/// Whether an output may have no array of this name, as FindLostArray says.
+bool MayBeMissing(vtkDataSetAttributes* data, vtkAbstractArray* array, vtkIdType tuples)
+{
+  const std::string name = array->GetName() ? array->GetName() : "";
+  constexpr const char* replaced[] = { "vtkOriginalPointIds", "vtkOriginalCellIds",
+    "vtkGhostType" };
+  return name.empty() || array->GetNumberOfTuples() != tuples || array == data->GetGlobalIds() ||
+    array == data->GetPedigreeIds() || array == data->GetNormals() ||
+    std::find(std::begin(replaced), std::end(replaced), name) != std::end(replaced);
+}
+
+std::string FindLost(vtkDataSetAttributes* before, vtkDataSetAttributes* after, vtkIdType tuples)
+{
+  for (int i = 0; i < before->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = before->GetAbstractArray(i);
+    if (!MayBeMissing(before, array, tuples) && !after->HasArray(array->GetName()))
+    {
+      return std::string(array->GetName()) + ", a " + array->GetClassName() + " of " +
+        before->GetClassName();
+    }
+  }
+  return std::string();
+}
+
 bool IsSameArray(vtkAbstractArray* a, vtkAbstractArray* b)
 {
   if (!a || !b || a->GetDataType() != b->GetDataType() ||
@@ -544,8 +573,7 @@ Soundness Examine(vtkDataObject* data, double limit)
 
 const char* FindFault(vtkDataObject* input, vtkDataObject* output)
 {
-  constexpr double moderate = 1e30; // sums of such numbers fit in single precision
-  const Soundness before = Examine(input, moderate);
+  const Soundness before = Examine(input, Moderate);
   const Soundness after = Examine(output, std::numeric_limits<double>::max());
   if (before.HasValidIds && !after.HasValidIds)
   {
@@ -560,6 +588,40 @@ const char* FindFault(vtkDataObject* input, vtkDataObject* output)
     return "the output has NaN or infinite numbers, and the input has none";
   }
   return nullptr;
+}
+
+std::string FindLostArray(vtkDataObject* input, vtkDataObject* output)
+{
+  auto* before = vtkDataSet::SafeDownCast(input);
+  auto* after = vtkDataSet::SafeDownCast(output);
+  if (!before || !after || after->GetNumberOfPoints() == 0 || after->GetNumberOfCells() == 0)
+  {
+    return std::string();
+  }
+  const std::string lost =
+    FindLost(before->GetPointData(), after->GetPointData(), before->GetNumberOfPoints());
+  return !lost.empty()
+    ? lost
+    : FindLost(before->GetCellData(), after->GetCellData(), before->GetNumberOfCells());
+}
+
+bool HasDoublesOnly(vtkDataObject* data)
+{
+  auto* set = vtkPointSet::SafeDownCast(data);
+  if (!set || !set->GetPoints() || set->GetPoints()->GetDataType() != VTK_DOUBLE ||
+    !Examine(data, Moderate).HasFiniteValues)
+  {
+    return false;
+  }
+  for (int i = 0; i < set->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    const int type = set->GetPointData()->GetAbstractArray(i)->GetDataType();
+    if (type == VTK_FLOAT || type == VTK_UNSIGNED_CHAR) // bytes are colours, which are smoothed
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool AreEqual(vtkDataObject* a, vtkDataObject* b)

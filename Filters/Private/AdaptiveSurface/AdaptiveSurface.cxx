@@ -13,6 +13,7 @@
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/FittingMarks.h"
+#include "Private/Control/MemoryEstimate.h"
 #include "Private/Control/OpenPoints.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Surface/SurfaceCellArrays.h"
@@ -451,6 +452,7 @@ double FindMostCells(vtkPolyData* input, const SurfaceCells& cells, const Surfac
     (24. + 3. * GetBytesPerTuple(input->GetPointData())) / 2.;
   const double fitting = GetAvailableMemory() / perCell;
   const auto given = static_cast<double>(cells.FaceCells.size() + cells.SegmentCells.size());
+  KeepEstimate(given * perCell); // how many there will be is not known before
   const double allowed =
     static_cast<double>(options.MaximumNumberOfCells) - static_cast<double>(cells.Vertices.size());
   const double possible = given * std::pow(3., maximumLevel);

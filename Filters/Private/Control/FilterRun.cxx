@@ -2,6 +2,7 @@
 #include "Private/Control/FilterRun.h"
 
 #include "Core/Memory/Loops.h"
+#include "Private/Control/MemoryEstimate.h"
 #include "Private/Control/ToldWarnings.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
@@ -69,6 +70,7 @@ bool DoWork(const FilterTraits& traits, RunOptions& options, const std::function
         throw WorkStopped();
       }
     });
+  ForgetEstimate();
   try
   {
     return work();
@@ -79,7 +81,7 @@ bool DoWork(const FilterTraits& traits, RunOptions& options, const std::function
   }
   catch (const std::bad_alloc&)
   {
-    options.Fail("There is not enough memory for " + traits.Memory);
+    options.Fail("There is not enough memory for " + traits.Memory + " " + TellEstimate());
   }
   catch (const std::length_error& tooLong)
   {

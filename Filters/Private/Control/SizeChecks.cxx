@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
+#include "Private/Control/MemoryEstimate.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataSetAttributes.h"
@@ -22,6 +23,9 @@ namespace
 
 /// How many processes share the memory of this machine.
 thread_local int Sharers = 1;
+
+/// What the work of this thread needs, as it was estimated; negative: nothing was.
+thread_local double Estimate = -1.;
 
 /// Connectivity and type of a tetrahedron, and its offset.
 constexpr double BytesPerTet = 8. * 4. + 8. + 1.;
@@ -127,6 +131,7 @@ std::string CheckMemory(const SizeEstimate& estimate)
 /// No levels: the filter has no such option.
 std::string CheckMemory(double cells, double points, double bytes, int levels)
 {
+  KeepEstimate(bytes);
   const double available = GetAvailableMemory();
   if (bytes <= available)
   {
@@ -139,6 +144,23 @@ std::string CheckMemory(double cells, double points, double bytes, int levels)
           << " are available. Use "
           << (levels > 0 ? "fewer levels, or a part of the input." : "a part of the input.");
   return message.str();
+}
+
+void KeepEstimate(double bytes)
+{
+  Estimate = bytes;
+}
+
+void ForgetEstimate()
+{
+  Estimate = -1.;
+}
+
+std::string TellEstimate()
+{
+  const std::string available = Bytes(GetAvailableMemory()) + " are available.";
+  return Estimate < 0. ? available
+                       : "About " + Bytes(Estimate) + " were expected to be enough; " + available;
 }
 
 double GetAvailableMemory()

@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
+#include "Private/Control/MemoryEstimate.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Labels/LabelImage.h"
 #include "Private/Labels/LabelNet.h"
@@ -94,6 +95,7 @@ bool LabelSolid::HasMemory() const
   const double voxels = static_cast<double>(this->Options.Labels->GetNumberOfTuples());
   const double cells = static_cast<double>(this->Coarse.NumberOfMaterialVoxels);
   const double bytes = bytesPerVoxel * voxels + bytesPerCell * cells;
+  KeepEstimate(bytes);
   if (bytes > GetAvailableMemory())
   {
     this->Options.Fail(std::to_string(static_cast<vtkIdType>(voxels)) + " voxels take about " +

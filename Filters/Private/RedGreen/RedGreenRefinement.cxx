@@ -5,6 +5,7 @@
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/CellArrays.h"
+#include "Private/Control/MemoryEstimate.h"
 #include "Private/Control/SharedInterpolation.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Control/StampFields.h"
@@ -98,10 +99,12 @@ void RedGreenRun::FindLimit()
     (this->Points->GetBytesPerPoint() + 40.) / 5.;
   // In the first round, which has most candidates, errors of all of them are found.
   const RefinementOptions& criteria = this->Options.Criteria;
+  const auto simplices =
+    static_cast<double>(this->Mesh.Control.Cells.Simplices.GetNumberOfSimplices());
   const double ofErrors = criteria.Attribute && criteria.AttributeErrorOfLimit
-    ? LimitBatches::BytesOfTet *
-      static_cast<double>(this->Mesh.Control.Cells.Simplices.GetNumberOfSimplices())
+    ? LimitBatches::BytesOfTet * simplices
     : 0.;
+  KeepEstimate(ofErrors + perCell * simplices); // how many there will be is not known before
   const double fitting = std::max(0., GetAvailableMemory() - ofErrors) / perCell;
   const auto wanted = static_cast<double>(this->Options.MaximumNumberOfCells);
   this->MemoryIsLimit = fitting < wanted;

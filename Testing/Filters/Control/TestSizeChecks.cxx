@@ -5,6 +5,8 @@
  */
 #include "Private/Control/SizeChecks.h"
 
+#include "Private/Control/MemoryEstimate.h"
+
 #include <gtest/gtest.h>
 
 namespace
@@ -27,4 +29,15 @@ TEST(SizeChecks, AdviseWhatCanHelp)
   EXPECT_TRUE(Says(many, "would make 2e+19 cells (up to 8.2e+20 bytes (")) << many;
   EXPECT_TRUE(Says(many, "not enough memory")) << many;
   EXPECT_FALSE(Says(many, "raise")) << many;
+}
+
+TEST(SizeChecks, TellWhatWasEstimated)
+{
+  subdivision::ForgetEstimate();
+  EXPECT_FALSE(Says(subdivision::TellEstimate(), "expected")) << subdivision::TellEstimate();
+  EXPECT_TRUE(Says(subdivision::TellEstimate(), " bytes (")) << subdivision::TellEstimate();
+  EXPECT_EQ("", subdivision::CheckMemory(4000., 1000., 123456., 2));
+  const std::string told = subdivision::TellEstimate();
+  EXPECT_TRUE(Says(told, "About 123456 bytes (0 MB) were expected to be enough; ")) << told;
+  EXPECT_TRUE(Says(told, " are available.")) << told;
 }
