@@ -9,8 +9,9 @@ import plots
 from pages import Page, Row, Table, number
 from solid_maps import BOX_SPLINE, TET_OCT, add, point_array, solid, subdivide
 from surface_maps import straight
+from surface_matrices import SQRT_THREE
 from surface_tools import CATMULL_CLARK, LOOP, coordinates, faces_of, lines_of, mesh, quad_star, run, wheel
-from surfaces import BUTTERFLY, SQRT_THREE, catmull_clark_value, loop_value, sqrt_three_value
+from surfaces import BUTTERFLY, catmull_clark_value, loop_value, sqrt_three_value
 
 from subdivisionobjects import vtkSurfaceSubdivision
 
@@ -145,11 +146,12 @@ def is_near(page, title, key, order):
 
 
 CLAIMS = [
-    ("Regular meshes of Loop (6 triangles), Catmull-Clark (4 quads), Butterfly, curves and solids on lattices have order 4, as box "
-     "splines and B-splines have; sqrt(3) and Doo-Sabin have 3.",
-     lambda page: all(is_near(page, title, key, 4) for title, key in (
+    ("Regular meshes of Loop (6 triangles), Catmull-Clark (4 quads), Butterfly, curves and solids on lattices have order 4, as "
+     "box splines and B-splines have; sqrt(3) and Doo-Sabin have 3.",
+     lambda page: all(is_near(page, *place, 4) for place in (
          ("Loop", "6"), ("Catmull-Clark", "4"), ("Butterfly", "6"), ("Curves", "all equal"), ("Curves", "1 : 3 in turn"),
-         ("Solids", "box spline"), ("Solids", "tet/oct"))) and is_near(page, "sqrt(3)", "6", 3) and is_near(page, "Doo-Sabin", "4", 3)),
+         ("Solids", "box spline"), ("Solids", "tet/oct")))
+     and all(is_near(page, *place, 3) for place in (("sqrt(3)", "6"), ("Doo-Sabin", "4")))),
     ("Interpolation meets it at every valence, and so it does the same bound with the l1 of the other schemes.",
      lambda page: is_met(page, "Loop", "Theorem 7") and all(
          is_met(page, title, "as Theorem 7") for title in ("Catmull-Clark", "sqrt(3)", "Doo-Sabin"))),
@@ -175,16 +177,17 @@ by area. 4-8 and midedge are not measured: on quads they have no control points 
 order 4, as box splines and B-splines have; sqrt(3) and Doo-Sabin have 3. Theorem 7 bounds
 the L2 error of the *best* approximation by Loop's functions by the power 3 of the largest l1, at least 1/2, for each
 step; the last column of Loop has this as an order. Interpolation meets it at every valence, and so it does the same
-bound with the l1 of the other schemes. (For these there is no such theorem in [Z]; the power of Doo-Sabin is 2, as it is C^1.)
-The survey's second estimate, order 4 in L2 at every valence with another notion of smoothness, is not met by
+bound with the l1 of the other schemes. (For these there is no such theorem in [Z]; the power of Doo-Sabin is 2, as it is
+C^1.) The survey's second estimate, order 4 in L2 at every valence with another notion of smoothness, is not met by
 interpolation of a function that is smooth in the plane: 2.90 at 7 triangles. The largest error has order 2 and less
-for 7 and more triangles of Loop, and 5 and more quads of Catmull-Clark, as the mesh around the vertex is coarser there: its
-edges shrink by l1 and not by 1/2.
+for 7 and more triangles of Loop, and 5 and more quads of Catmull-Clark, as the mesh around the vertex is coarser there:
+its edges shrink by l1 and not by 1/2.
 """, [surface_table(name) for name in [*NAMES, *OTHERS]] + [
         table("Curves", "A polyline along x, by the lengths of its edges; y is 0.", "lengths", 4,
               [Row("all equal", lambda: orders(curve_errors(1))), Row("1 : 3 in turn", lambda: orders(curve_errors(3)))]),
-        table("Solids", "In the middle of a tetrahedron after two to five steps, where its mesh is a lattice. The function is also "
-              "multiplied by cos(0.7 z + 0.2). Its values at limits are not interpolated: each control value is the value there, plus "
-              "what the limit of these values lacks there.", "scheme", 4,
-              [Row("box spline", lambda: orders(solid_errors(BOX_SPLINE))), Row("tet/oct", lambda: orders(solid_errors(TET_OCT)))])],
+        table("Solids", "In the middle of a tetrahedron after two to five steps, where its mesh is a lattice. The function is "
+              "also multiplied by cos(0.7 z + 0.2). Its values at limits are not interpolated: each control value is the value "
+              "there, plus what the limit of these values lacks there.", "scheme", 4,
+              [Row("box spline", lambda: orders(solid_errors(BOX_SPLINE))),
+               Row("tet/oct", lambda: orders(solid_errors(TET_OCT)))])],
         draw, CLAIMS)

@@ -28,7 +28,8 @@ def sampled(made, scheme, corners, sector=-1):
     ids = vtk_to_numpy(out.GetCells().GetConnectivityArray())
     named = (values("SimplexDimension") == len(corners) - 1) & (values("Sector") == sector)
     cell, = (cell for cell in np.flatnonzero(named) if set(ids[ends[cell]:ends[cell + 1]]) == set(corners))
-    return (values("Eigenvalues")[cell, 1:].tolist(), *(int(values(name)[cell]) for name in ("Regular", "Injective", "Samples")))
+    regular, injective, samples = (int(values(name)[cell]) for name in ("Regular", "Injective", "Samples"))
+    return values("Eigenvalues")[cell, 1:].tolist(), regular, injective, samples
 
 
 def columns(made, scheme, corners, expected, sector=-1):

@@ -51,8 +51,9 @@ def face(scheme, same):
     made, matrices = faces(scheme)[same]
     all_values = [moduli(matrix, 12) for matrix in matrices]
     spread = max(abs(np.array(values) - all_values[0]).max() for values in all_values)
-    return texts(all_values[0]) + [number(all_values[0][4]), number(all_values[0][9]), str(len(matrices)), number(spread, 6)] + map_of(
-        made, scheme, [0, 1, 2], all_values[0])
+    first = all_values[0]
+    return texts(first) + [number(first[4]), number(first[9]), str(len(matrices)), number(spread, 6)] + map_of(
+        made, scheme, [0, 1, 2], first)
 
 
 def edge(scheme, n, height):
@@ -103,15 +104,16 @@ def random_vertices(scheme, valence):
 
 
 def random_table(scheme, text, plot):
-    return Table("Around vertices, random", text, ["valence", "(24) holds", "least l3 - l4", "largest l3 - l4", "largest l1",
-                                                       "regular and injective"],
+    columns = ["valence", "(24) holds", "least l3 - l4", "largest l3 - l4", "largest l1", "regular and injective"]
+    return Table("Around vertices, random", text, columns,
                  [Row(str(n), lambda n=n: random_vertices(scheme, n)) for n in RANDOM],
                  plot, "Largest and least l3 - l4 by valence; the condition holds above zero.")
 
 
 def triangulation_table(scheme, text):
     names = [f"{valence}.{chr(ord('a') + i)}" for valence, count in COUNTS.items() for i in range(count)]
-    return Table("Around vertices, each triangulation", text, ["valence and case", "degrees in the link"] + VALUES + ["(24)"] + MAP,
+    return Table("Around vertices, each triangulation", text,
+                 ["valence and case", "degrees in the link"] + VALUES + ["(24)"] + MAP,
                  [Row(name, lambda name=name: triangulation(scheme, name)) for name in names])
 
 
@@ -178,10 +180,13 @@ BOX_CLAIMS = [
     ("Here (24) fails along edges of 8 and more tetrahedra, if all of them mark the edge.",
      lambda page: pages.holds_for(page, "Along edges that all tetrahedra mark", "(24)", "no") == ["8", "9", "10"]),
     ("Where two tetrahedra mark different edges of their face l1 is .5121, and l4 is larger than the square of l1",
-     lambda page: [pages.column(page, "Across faces", name)["different edges"] for name in ("l1", "l4")] == ["0.5121", "0.2737"]),
+     lambda page: pages.column(page, "Across faces", "l1")["different edges"] == "0.5121"
+     and float(pages.column(page, "Across faces", "l4")["different edges"]) > .5121 ** 2),
     ("6.a, 7.a, 7.c, 8.a, 8.b, 8.c, 8.d and 8.g have a characteristic map that is not regular or not injective",
      lambda page: without_map(page) == "6.a 7.a 7.c 8.a 8.b 8.c 8.d 8.g".split()),
-    ("6.a has it as l3.", lambda page: pages.column(page, "Around vertices, each triangulation", "l3")["6.a"] == "0.2500"),
+    ("Most have .2500 as l4; 6.a has it as l3.",
+     lambda page: len(pages.holds_for(page, "Around vertices, each triangulation", "l4", "0.2500")) > 12
+     and pages.column(page, "Around vertices, each triangulation", "l3")["6.a"] == "0.2500"),
     ("Of the random stars some of valence 6 have such a map, and none of 8 and more.", lambda page: random_maps(page) == [6]),
 ]
 TET_OCT_CLAIMS = [
@@ -212,8 +217,8 @@ tetrahedra mark different edges of their face l1 is .5121, and l4 is larger than
 is not C^2 there.
 
 **The condition is not enough.** Of the triangulations with 6 to 8 vertices, 6.a, 7.a, 7.c, 8.a, 8.b, 8.c, 8.d and 8.g have a
-characteristic map that is not regular or not injective, although (24) holds. Nearly all have an eigenvalue of .2500 that belongs to no
-tangent; 6.a has it as l3. Of the random stars some of valence 6 have such a map, and none of 8 and more.
+characteristic map that is not regular or not injective, although (24) holds. Most have .2500 as l4; 6.a has it as l3. Of
+the random stars some of valence 6 have such a map, and none of 8 and more.
 """, [
         LATTICE,
         Table("Across faces", FACE_TEXT, ["marks"] + FACES,

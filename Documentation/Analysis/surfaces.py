@@ -8,7 +8,7 @@ import plots
 from contractions import contractivity
 from pages import Page, Row, Table, number, yes
 from surface_maps import Local
-from surface_matrices import FOUR_EIGHT, SQRT_THREE, is_smooth, quad_matrix, triangle_matrix
+from surface_matrices import is_smooth, quad_matrix, triangle_matrix
 from surface_tools import (CATMULL_CLARK, LOOP, coordinates, faces_of, fan, point_array, quad_star, run, spectrum, wheel,
                            with_identity)
 
@@ -190,13 +190,19 @@ def is_all_regular(page, title):
 
 
 PLAIN = "Boundaries by the plain rule"
+
+
+def is_tie(page, k):
+    """Whether l2 and l3 of the plain rule are 1/2 for k faces, and the value of the curve is none of the pair for more."""
+    second, third = (pages.numbers(page, PLAIN, name) for name in ("l2", "l3"))
+    return second[k] == third[k] == 1 / 2 and all(second[more] > 1 / 2 for more in range(k + 1, 51))
+
+
 PLAIN_CLAIMS = {
     "Loop": ("The plain rule meets it for up to five triangles; six are a tie at 1/2, and from seven on it is not C^1.",
-             lambda page: is_up_to(page, PLAIN, 5) and [pages.column(page, PLAIN, name)["6"] for name in ("l2", "l3")] == 2 * ["0.5000"]
-             and min(pages.numbers(page, PLAIN, "l2")[k] - 1 / 2 for k in range(7, 51)) > 0),
+             lambda page: is_up_to(page, PLAIN, 5) and is_tie(page, 6)),
     "CatmullClark": ("The plain rule meets it for up to three quads; four are a tie at 1/2, and from five on it is not C^1.",
-                     lambda page: is_up_to(page, PLAIN, 3) and [pages.column(page, PLAIN, name)["4"] for name in ("l2", "l3")] == 2 * ["0.5000"]
-                     and min(pages.numbers(page, PLAIN, "l2")[k] - 1 / 2 for k in range(5, 51)) > 0),
+                     lambda page: is_up_to(page, PLAIN, 3) and is_tie(page, 4)),
 }
 INSIDE_CLAIM = ("Inside, the condition holds and all maps are regular and injective.",
                 lambda page: len(pages.holds_for(page, "Inside", "condition (23)")) == 48 and is_all_regular(page, "Inside"))
@@ -218,7 +224,8 @@ OTHER_CLAIMS = [
 def make_pages():
     rows = range(3, 13)
     loop = Page("Loop", "Spectra of Loop's scheme", "Eigenvalues of what one step does around a vertex, with the vertex "
-                "weights of the filter (Mathematics 5, 12), read off what the filter makes: see [how](README.md). " + INSIDE_CLAIM[0] +
+                "weights of the filter (Mathematics 5, 12), read off what the filter makes: see [how](README.md). " +
+                INSIDE_CLAIM[0] +
                 f" {SURVEY_CLAIM[0]} " + PLAIN_CLAIMS["Loop"][0],
                 [interior_table(LOOP, loop_value, "Loop")] + sectors(LOOP), lambda made: plots.spectrum("Loop", made["Inside"]),
                 [INSIDE_CLAIM, SURVEY_CLAIM, PLAIN_CLAIMS["Loop"]])
@@ -242,7 +249,8 @@ def make_pages():
               [Row("2", lambda: sqrt_three_differences(3, 2, "-")), Row("4", lambda: sqrt_three_differences(6, 4, "0.78"))]),
         Table("sqrt(3) at boundaries", "Two steps; the value of the curve is 1/3. Kobbelt states no condition at "
               "boundaries; it holds for up to five triangles.",
-              ["k", "l1", "l2", "l3", "condition"] + filter_maps.COLUMNS, [Row(str(k), lambda k=k: sqrt_three_boundary(k)) for k in range(2, 13)]),
+              ["k", "l1", "l2", "l3", "condition"] + filter_maps.COLUMNS,
+              [Row(str(k), lambda k=k: sqrt_three_boundary(k)) for k in range(2, 13)]),
         Table("4-8 inside", "Two steps.", ["k", "l1", "l2", "l3", "condition (23)"] + filter_maps.COLUMNS,
               [Row(str(k), lambda k=k: four_eight(k)) for k in rows]),
         Table("4-8 at boundaries", "Two steps; the condition holds for two and three faces only.",
