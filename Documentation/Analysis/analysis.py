@@ -8,6 +8,7 @@ sys.dont_write_bytecode = True
 here = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(here), str(here.parents[1] / "Testing" / "Python")]
 
+import approximation  # noqa: E402
 import measured  # noqa: E402
 import pages  # noqa: E402
 import solids  # noqa: E402
@@ -15,7 +16,7 @@ import surfaces  # noqa: E402
 
 
 def all_pages():
-    return surfaces.make_pages() + solids.make_pages() + measured.make_pages()
+    return surfaces.make_pages() + solids.make_pages() + [measured.make_page(), approximation.make_page()]
 
 
 def main():
@@ -31,7 +32,7 @@ def main():
         return
     total = 0
     for page in chosen:
-        faults, count = pages.differences(page, everything=True)
+        faults, count = pages.differences(page)
         total += count
         if faults:
             sys.exit("\n".join(faults))

@@ -12,10 +12,9 @@ NUMBER = re.compile(r"-?\d+\.\d+")
 
 @dataclasses.dataclass
 class Row:
-    """A row: what it is about, and a function that computes the other columns. Quick ones are tested by default."""
+    """A row: what it is about, and a function that computes the other columns."""
     key: str
     compute: Callable[[], list]
-    quick: bool = True
 
 
 @dataclasses.dataclass
@@ -35,6 +34,7 @@ class Page:
     text: str
     tables: list
     draw: Callable = None  # takes the texts of all tables, by title
+    claims: list = dataclasses.field(default_factory=list)  # pairs of a sentence of the page and what has to hold for it
 
 
 def number(value, digits=4):
@@ -77,6 +77,34 @@ def read(page):
     return {title: rows[1:] for title, rows in found.items()}
 
 
+def column(page, title, name):
+    """A column of a table of a page as it stands: from keys to texts."""
+    table, = (table for table in page.tables if table.title == title)
+    return {row[0]: row[table.columns.index(name)] for row in read(page)[title]}
+
+
+def numbers(page, title, name):
+    """The same as numbers, where there are some; keys too."""
+    return {float(key): float(text) for key, text in column(page, title, name).items() if text != "-"}
+
+
+def holds_for(page, title, name, answer="yes"):
+    """The keys of the rows which have this answer."""
+    return [key for key, text in column(page, title, name).items() if text == answer]
+
+
+def is_all(text):
+    """Whether a text such as "5 of 5" has the same number twice."""
+    some, _, of = text.partition(" of ")
+    return some == of
+
+
+def untrue_claims(page):
+    """The sentences that the page does not have, or that its tables do not show."""
+    text = " ".join((FOLDER / f"{page.name}.md").read_text(encoding="utf-8").split())
+    return [sentence for sentence, holds in page.claims if sentence not in text or not holds(page)]
+
+
 def is_same(written, computed):
     """Equal but for one unit in the last digit of a decimal number, which is rounding."""
     if NUMBER.sub("#", written) != NUMBER.sub("#", computed):
@@ -88,7 +116,7 @@ def is_same(written, computed):
     return True
 
 
-def differences(page, everything):
+def differences(page):
     """What does not agree between a page and its computation, and how many rows were computed."""
     faults, count, written = [], 0, read(page)
     if list(written) != [table.title for table in page.tables]:
@@ -99,8 +127,6 @@ def differences(page, everything):
             faults.append(f"{page.name}, {table.title}: the page has the rows {list(rows)}")
             continue
         for row in table.rows:
-            if not (everything or row.quick):
-                continue
             count += 1
             computed = [row.key] + row.compute()
             shown = rows[row.key]

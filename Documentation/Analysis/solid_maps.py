@@ -28,12 +28,14 @@ def solid(points, tets):
     return made
 
 
-def subdivide(made, scheme, levels=1):
+def subdivide(made, scheme, levels=1, **options):
     with quiet():
         filter_ = vtkMultiDimensionalSubdivision()
         filter_.SetInputData(made)
         filter_.SetVolumeScheme(scheme)
         filter_.SetNumberOfLevels(levels)
+        for name, value in options.items():
+            getattr(filter_, "Set" + name)(value)
         filter_.Update()
     out = vtkUnstructuredGrid()
     out.ShallowCopy(filter_.GetOutput())
@@ -172,19 +174,27 @@ def random_star(random, valence):
                 return points, faces
 
 
+def vertex_star(points, faces):
+    """Tetrahedra around vertex 0, in their middle."""
+    return solid(np.concatenate([[[0, 0, 0]], points]), [[0, *(face + 1)] for face in faces])
+
+
 def vertex_matrix(points, faces, scheme):
     """Around an input vertex in the middle of tetrahedra, after the first step."""
-    made = solid(np.concatenate([[[0, 0, 0]], points]), [[0, *(face + 1)] for face in faces])
-    return star_matrix(subdivide(made, scheme), 0, scheme)[0]
+    return star_matrix(subdivide(vertex_star(points, faces), scheme), 0, scheme)[0]
 
 
 # ------------------------------------------------------------ along edges, across faces
 
-def edge_matrix(n, scheme, height):
-    """Around the middle of an edge of n tetrahedra: the edge is marked in all of them if it is long."""
+def edge_star(n, height):
+    """An edge of n tetrahedra, from vertex 0 to vertex 1: it is marked in all of them if it is long."""
     ring = [[np.cos(2 * np.pi * i / n), np.sin(2 * np.pi * i / n), 0] for i in range(n)]
-    made = solid([[0, 0, -height], [0, 0, height], *ring], [[0, 1, 2 + i, 2 + (i + 1) % n] for i in range(n)])
-    first = subdivide(made, scheme)
+    return solid([[0, 0, -height], [0, 0, height], *ring], [[0, 1, 2 + i, 2 + (i + 1) % n] for i in range(n)])
+
+
+def edge_matrix(n, scheme, height):
+    """Around the middle of an edge of n tetrahedra."""
+    first = subdivide(edge_star(n, height), scheme)
     tets, owners = tets_of(first), cell_array(first, "Control")
     middle, = (set.intersection(*(set(tets[owners == i].ravel().tolist()) for i in range(n))) - {0, 1})
     return star_matrix(first, middle, scheme)[0]
@@ -200,7 +210,7 @@ def marked_edges(points, tet):
 
 
 def face_matrices(random, scheme):
-    """Two random tetrahedra on a face: (whether both mark the same edge of it, matrix around a vertex inside it)."""
+    """Two random tetrahedra on a face: (whether both mark the same edge of it, they, matrices around vertices inside it)."""
     while True:
         points = np.concatenate([random.uniform(-1, 1, (3, 3)) * [1, 1, 0], random.uniform(-1, 1, (2, 3))])
         points[3:, 2] = [abs(points[3, 2]) + .2, -abs(points[4, 2]) - .2]
@@ -208,11 +218,12 @@ def face_matrices(random, scheme):
             break
     tets = [(0, 1, 2, 3), (0, 2, 1, 4)]
     shared = [next(edge for edge in marked_edges(points, tet) if edge <= {0, 1, 2}) for tet in tets]
-    second = subdivide(solid(points, tets), scheme, 2)
+    made = solid(points, tets)
+    second = subdivide(made, scheme, 2)
     cells, owners = tets_of(second), cell_array(second, "Control")
     face = set(cells[owners == 0].ravel()) & set(cells[owners == 1].ravel())
     sides = np.array([sum(v in face for v in cell) == 3 for cell in cells]) & (owners == 0)
     counts = {v: sum(v in cell for cell in cells[sides]) for v in face}
     # Three of the face's 15 vertices are inside it; octahedra are cut, and a cut may add edges on no face.
     inner = sorted(counts, key=lambda v: -counts[v])[:3]
-    return shared[0] == shared[1], [star_matrix(second, int(v), scheme)[0] for v in inner]
+    return shared[0] == shared[1], made, [star_matrix(second, int(v), scheme)[0] for v in inner]

@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pages on surface schemes: eigenvalues, conditions and characteristic maps by valence."""
 
+import filter_maps
 import numpy as np
+import pages
 import plots
 from contractions import contractivity
 from pages import Page, Row, Table, number, yes
 from surface_maps import Local
-from surface_matrices import FOUR_EIGHT, SQRT_THREE, is_smooth, quad_matrix, triangle_matrix
+from surface_matrices import is_smooth, quad_matrix, triangle_matrix
 from surface_tools import (CATMULL_CLARK, LOOP, add, coordinates, faces_of, fan, mesh, point_array, quad_star, run, spectrum,
-                           wheel)
+                           wheel, with_identity)
 
 from subdivisionobjects import vtkSubdivisionSmoothness, vtkSurfaceSubdivision
 
 BUTTERFLY = vtkSurfaceSubdivision.MODIFIED_BUTTERFLY
-QUICK = {1, 2, 3, 4, 5, 6, 7, 8, 13, 50}
 MAP = ["regular", "injective", "triangles sampled"]
 
 
@@ -24,6 +25,10 @@ def loop_value(k):
 def catmull_clark_value(k):
     c = np.cos(2 * np.pi / k)
     return (5 + c + np.sqrt((c + 9) * (c + 1))) / 16
+
+
+def sqrt_three_value(k):
+    return 4 / 9 * np.cos(np.pi / k) ** 2  # of two steps
 
 
 def butterfly_value(k):
@@ -51,7 +56,7 @@ def interior_table(scheme, closed_form, name):
         "Inside", f"Vertices with *k* faces around them. The closed form is that of l1; the condition is "
         "1 > l1 >= l2 > |l3|.",
         ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
-        [Row(str(k), lambda k=k: interior(scheme, k, closed_form), k in QUICK) for k in range(3, 51)],
+        [Row(str(k), lambda k=k: interior(scheme, k, closed_form)) for k in range(3, 51)],
         f"{name}.png", "Moduli of l1 and l3 by the number of faces; the condition holds where the lines keep apart.")
 
 
@@ -67,7 +72,7 @@ def sector(scheme, k, kind, **options):
 
 def sector_table(scheme, kind, title, text, first, **options):
     return Table(title, text, ["k", "l1", "l2", "l3", "condition"] + MAP,
-                 [Row(str(k), lambda k=k: sector(scheme, k, kind, **options), k in QUICK) for k in range(first, 51)])
+                 [Row(str(k), lambda k=k: sector(scheme, k, kind, **options)) for k in range(first, 51)])
 
 
 def crease(scheme, k):
@@ -85,7 +90,7 @@ def crease_table(scheme):
                  "whose characteristic map is in the table of boundaries: the last column is the largest difference "
                  "between the leading eigenvalues and those of two such boundaries.",
                  ["k", "l1", "l2", "l3", "l4", "condition", "off two boundaries"],
-                 [Row(str(k), lambda k=k: crease(scheme, k), k in QUICK) for k in range(2, 51)])
+                 [Row(str(k), lambda k=k: crease(scheme, k)) for k in range(2, 51)])
 
 
 SECTORS = """Vertices on a boundary, with *k* faces, rule of the survey (*ModifiedBoundary* on). One of l1, l2 is that of
@@ -109,7 +114,8 @@ def sqrt_three(k):
     values = spectrum(triangle_matrix(wheel(k), k, True))
     a = (4 - 2 * np.cos(2 * np.pi / k)) / 9
     expected = sorted([1, (2 / 3 - a) ** 2] + [4 / 9 * np.cos(np.pi * m / k) ** 2 for m in range(1, k)], reverse=True)
-    return moduli(values) + [number(max(abs(np.array(values) - expected)), 6), yes(is_interior(values))]
+    return moduli(values) + [number(max(abs(np.array(values) - expected)), 6), yes(is_interior(values))] + filter_maps.columns(
+        wheel(k), "SQRT_THREE", [0], values[1:3])
 
 
 def sqrt_three_differences(rings, steps, printed):
@@ -119,17 +125,20 @@ def sqrt_three_differences(rings, steps, printed):
 
 def sqrt_three_boundary(k):
     values = spectrum(triangle_matrix(fan(k, np.pi), k, False))
-    return moduli(values) + [yes(is_smooth(values, 1 / 3))]
+    return moduli(values) + [yes(is_smooth(values, 1 / 3))] + filter_maps.columns(
+        fan(k, np.pi), "SQRT_THREE", [0], values[1:3], 0)
 
 
 def four_eight(k):
-    values = spectrum(quad_matrix(quad_star(k, 2 * np.pi, True), k, True)[1])
-    return moduli(values) + [yes(is_interior(values))]
+    made = quad_star(k, 2 * np.pi, True)
+    values = spectrum(quad_matrix(made, k, True)[1])
+    return moduli(values) + [yes(is_interior(values))] + filter_maps.columns(made, "FOUR_EIGHT", [0], values[1:4])
 
 
 def four_eight_boundary(k):
-    values = spectrum(quad_matrix(quad_star(k, np.pi, False), k, False)[1])
-    return moduli(values) + [yes(is_smooth(values, 1 / 2))]
+    made = quad_star(k, np.pi, False)
+    values = spectrum(quad_matrix(made, k, False)[1])
+    return moduli(values) + [yes(is_smooth(values, 1 / 2))] + filter_maps.columns(made, "FOUR_EIGHT", [0], values[1:4], 0)
 
 
 def dual_matrix(scheme, k, steps):
@@ -182,18 +191,67 @@ four do: [K] prints 0.78. The spectral radius, for two steps, is below what any 
 AROUND = """The matrix is that of the corners of one face. Second derivatives around it have 1/4, whatever *k* is; the
 condition takes the larger of this and l3."""
 OTHERS = """Schemes whose steps turn the mesh (sqrt(3), 4-8), where eigenvalues are those of **two** steps, and dual
-schemes (Doo-Sabin, midedge), where what repeats is a face. Of the latter characteristic maps are sampled, too. The
-numbers are read off what the filter makes: see [how](README.md)."""
+schemes (Doo-Sabin, midedge), where what repeats is a face. Characteristic maps are those that
+vtkSubdivisionSmoothness samples, at so many triangles or quads. All maps of sqrt(3) and 4-8 are regular and injective
+where the condition holds. The numbers are read off what the filter makes: see [how](README.md)."""
+
+
+def is_up_to(page, title, last):
+    """Whether the condition holds in just the rows up to one."""
+    return [int(key) for key in pages.holds_for(page, title, "condition")] == list(range(2, last + 1))
+
+
+def is_all_regular(page, title):
+    return all(pages.column(page, title, name)[key] == "yes" for key in pages.holds_for(
+        page, title, "condition (23)") for name in ("regular", "injective"))
+
+
+PLAIN = "Boundaries by the plain rule"
+
+
+def is_tie(page, k):
+    """Whether l2 and l3 of the plain rule are 1/2 for k faces, and the value of the curve is none of the pair for more."""
+    second, third = (pages.numbers(page, PLAIN, name) for name in ("l2", "l3"))
+    return second[k] == third[k] == 1 / 2 and all(second[more] > 1 / 2 for more in range(k + 1, 51))
+
+
+PLAIN_CLAIMS = {
+    "Loop": ("The plain rule meets it for up to five triangles; six are a tie at 1/2, and from seven on it is not C^1.",
+             lambda page: is_up_to(page, PLAIN, 5) and is_tie(page, 6)),
+    "CatmullClark": ("The plain rule meets it for up to three quads; four are a tie at 1/2, and from five on it is not C^1.",
+                     lambda page: is_up_to(page, PLAIN, 3) and is_tie(page, 4)),
+}
+INSIDE_CLAIM = ("Inside, the condition holds and all maps are regular and injective.",
+                lambda page: len(pages.holds_for(page, "Inside", "condition (23)")) == 48 and is_all_regular(page, "Inside"))
+SURVEY_CLAIM = ("At boundaries the condition holds for all *k* by the rule of the survey.",
+                lambda page: is_up_to(page, "Boundaries", 50))
+OTHER_CLAIMS = [
+    ("Two steps do not show it, four do: [K] prints 0.78.",
+     lambda page: pages.column(page, "sqrt(3), third differences", "below 1") == {"2": "no", "4": "yes"}
+     and pages.column(page, "sqrt(3), third differences", "norm")["4"] == "0.7728"),
+    ("it holds for up to five triangles.", lambda page: is_up_to(page, "sqrt(3) at boundaries", 5)),
+    ("the condition holds for two and three faces only.", lambda page: is_up_to(page, "4-8 at boundaries", 3)),
+    ("All maps of sqrt(3) and 4-8 are regular and injective where the condition holds.",
+     lambda page: all(is_all_regular(page, title) for title in ("sqrt(3) inside", "4-8 inside")) and all(
+         pages.column(page, title, name)[key] == "yes" for title in ("sqrt(3) at boundaries", "4-8 at boundaries")
+         for key in pages.holds_for(page, title, "condition") for name in ("regular", "injective"))),
+]
 
 
 def make_pages():
     rows = range(3, 13)
     loop = Page("Loop", "Spectra of Loop's scheme", "Eigenvalues of what one step does around a vertex, with the vertex "
-                "weights of the filter (Mathematics 5, 12), read off what the filter makes: see [how](README.md).",
-                [interior_table(LOOP, loop_value, "Loop")] + sectors(LOOP), lambda made: plots.spectrum("Loop", made["Inside"]))
-    catmull_clark = Page("CatmullClark", "Spectra of Catmull-Clark's scheme", "As for [Loop](Loop.md), for quads.",
+                "weights of the filter (Mathematics 5, 12), read off what the filter makes: see [how](README.md). " +
+                INSIDE_CLAIM[0] +
+                f" {SURVEY_CLAIM[0]} " + PLAIN_CLAIMS["Loop"][0],
+                [interior_table(LOOP, loop_value, "Loop")] + sectors(LOOP), lambda made: plots.spectrum("Loop", made["Inside"]),
+                [INSIDE_CLAIM, SURVEY_CLAIM, PLAIN_CLAIMS["Loop"]])
+    catmull_clark = Page("CatmullClark", "Spectra of Catmull-Clark's scheme", "As for [Loop](Loop.md), for quads. " +
+                         INSIDE_CLAIM[0] + f" {SURVEY_CLAIM[0]} " +
+                         PLAIN_CLAIMS["CatmullClark"][0],
                          [interior_table(CATMULL_CLARK, catmull_clark_value, "CatmullClark")] + sectors(CATMULL_CLARK),
-                         lambda made: plots.spectrum("CatmullClark", made["Inside"]))
+                         lambda made: plots.spectrum("CatmullClark", made["Inside"]),
+                         [INSIDE_CLAIM, SURVEY_CLAIM, PLAIN_CLAIMS["CatmullClark"]])
     butterfly = Page("Butterfly", "Spectra of the modified Butterfly scheme", "As for [Loop](Loop.md). The survey's rules "
                      "are made so that l1 = l2 = 1/2 and l3 = 1/4 at every valence.",
                      [interior_table(BUTTERFLY, butterfly_value, "Butterfly"), *sectors(BUTTERFLY)[:1]],
@@ -201,26 +259,27 @@ def make_pages():
     others = Page("OtherSurfaces", "Spectra of the other surface schemes", OTHERS, [
         Table("sqrt(3) inside", "Two steps. Kobbelt's equation (4), squared, has (2/3 - a)^2 and 4/9 cos^2(pi m/k) for "
               "m = 1 to k - 1; the column has the largest difference of all eigenvalues from these.",
-              ["k", "l1", "l2", "l3", "off equation (4)", "condition (23)"],
+              ["k", "l1", "l2", "l3", "off equation (4)", "condition (23)"] + filter_maps.COLUMNS,
               [Row(str(k), lambda k=k: sqrt_three(k)) for k in rows]),
         Table("sqrt(3), third differences", DIFFERENCES,
               ["steps", "rings", "points", "differences", "norm", "spectral radius", "below 1", "the paper"],
               [Row("2", lambda: sqrt_three_differences(3, 2, "-")), Row("4", lambda: sqrt_three_differences(6, 4, "0.78"))]),
         Table("sqrt(3) at boundaries", "Two steps; the value of the curve is 1/3. Kobbelt states no condition at "
               "boundaries; it holds for up to five triangles.",
-              ["k", "l1", "l2", "l3", "condition"], [Row(str(k), lambda k=k: sqrt_three_boundary(k)) for k in range(2, 13)]),
-        Table("4-8 inside", "Two steps.", ["k", "l1", "l2", "l3", "condition (23)"],
-              [Row(str(k), lambda k=k: four_eight(k), k in QUICK) for k in rows]),
+              ["k", "l1", "l2", "l3", "condition"] + filter_maps.COLUMNS,
+              [Row(str(k), lambda k=k: sqrt_three_boundary(k)) for k in range(2, 13)]),
+        Table("4-8 inside", "Two steps.", ["k", "l1", "l2", "l3", "condition (23)"] + filter_maps.COLUMNS,
+              [Row(str(k), lambda k=k: four_eight(k)) for k in rows]),
         Table("4-8 at boundaries", "Two steps; the condition holds for two and three faces only.",
-              ["k", "l1", "l2", "l3", "condition"],
-              [Row(str(k), lambda k=k: four_eight_boundary(k), k in QUICK) for k in range(2, 13)]),
+              ["k", "l1", "l2", "l3", "condition"] + filter_maps.COLUMNS,
+              [Row(str(k), lambda k=k: four_eight_boundary(k)) for k in range(2, 13)]),
         Table("Doo-Sabin", "One step, faces of *k* corners; the weights give l1 = l2 = 1/2 and l3 = 1/4. " + AROUND,
               ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
               [Row(str(k), lambda k=k: dual(vtkSurfaceSubdivision.DOO_SABIN, vtkSubdivisionSmoothness.DOO_SABIN, k, 1,
-                                            lambda _: 1 / 2), k in QUICK) for k in range(3, 51)]),
+                                            lambda _: 1 / 2)) for k in range(3, 51)]),
         Table("Midedge", "Two steps, faces of *k* corners; l1 is cos^2(pi/k). At *k* = 3 it is no larger than 1/4, "
               "and the condition fails. " + AROUND,
               ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
               [Row(str(k), lambda k=k: dual(vtkSurfaceSubdivision.MIDEDGE, vtkSubdivisionSmoothness.MIDEDGE, k, 2,
-                                            lambda k: np.cos(np.pi / k) ** 2), k in QUICK) for k in range(3, 51)])])
+                                            lambda k: np.cos(np.pi / k) ** 2)) for k in range(3, 51)])], claims=OTHER_CLAIMS)
     return [loop, catmull_clark, butterfly, others]

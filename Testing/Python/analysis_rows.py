@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Compares all rows of some pages of Documentation/Analysis with what is computed: one test for each part, side by side."""
+
+import os
+import pathlib
+import sys
+import unittest
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "Documentation" / "Analysis"))
+
+import analysis  # noqa: E402
+import pages  # noqa: E402
+
+PARTS = {
+    "triangles": ["Loop", "Butterfly", "OtherSurfaces"],
+    "quads": ["CatmullClark"],
+    "solids": ["BoxSpline", "TetOct"],
+    "measured": ["MeasuredSmoothness", "ApproximationOrder"],
+}
+
+
+class Rows(unittest.TestCase):
+    part = ""
+
+    def test_rows_are_what_is_computed(self):
+        for page in analysis.all_pages():
+            if page.name in PARTS[self.part]:
+                with self.subTest(page.name):
+                    faults, count = pages.differences(page)
+                    self.assertEqual(faults, [])
+                    self.assertGreater(count, 0)
+
+
+def main(part):
+    Rows.part = part
+    unittest.main(__name__)
