@@ -80,15 +80,30 @@ def maps_of_faces():
     write("maps_of_faces", shown, (0.0, -0.02, 1.0), 3)
 
 
+def ball(neighbours):
+    """Tetrahedra around a point that has so many neighbours: two poles and one ring of others, or two (12)."""
+    rings = 2 if neighbours == 12 else 1
+    count = (neighbours - 2) // rings
+    turns = 2 * np.pi * np.arange(count) / count
+    points = [[0, 0, 0], [0, 0, 1.5], [0, 0, -1.5]]
+    for ring in range(rings):
+        height = 0.5 - ring if rings == 2 else 0.0
+        points += [[np.cos(t + ring * np.pi / count), np.sin(t + ring * np.pi / count), height] for t in turns]
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(to_points(np.array(points)))
+    last = 3 + (rings - 1) * count
+    for i in range(count):
+        following = (i + 1) % count
+        sides = [(1, 3 + i, 3 + following), (2, last + i, last + following)]
+        if rings == 2:
+            sides += [(3 + i, 3 + following, last + i), (last + i, last + following, 3 + following)]
+        for side in sides:
+            grid.InsertNextCell(VTK_TETRA, 4, (0,) + side)
+    return grid
+
+
 def maps_of_solids():
     """Schaefer's figures 11 and 12, and a map that folds."""
-    octahedron = vtkUnstructuredGrid()
-    octahedron.SetPoints(to_points(np.array([[0, 0, 0], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1.0],
-                                             [0, 0, -1.0]]) * [1.5, 1.0, 1.5]))
-    for x in (1, 2):
-        for y in (3, 4):
-            for z in (5, 6):
-                octahedron.InsertNextCell(VTK_TETRA, 4, (0, x, y, z))
     shown = []
 
     def add(words, grid, cell, scheme):
@@ -102,14 +117,15 @@ def maps_of_solids():
             actor.SetScale(1 / size)
         shown.append((words, actors, points / size))
 
-    add("Tet Oct, a vertex", octahedron, 0, "Tet Oct")
-    for count in (3, 5, 9):
+    for count in (5, 6, 7, 8, 9, 12):
+        add(f"Tet Oct, a vertex of {count}", ball(count), 0, "Tet Oct")
+    for count in range(3, 11):
         edges = output(simple.SubdivisionSmoothness(Input=source_of(spindle(count)), Scheme="Tet Oct"))
         inside = (vtk_to_numpy(edges.GetCellData().GetArray("SimplexDimension")) == 1) & (
             vtk_to_numpy(edges.GetCellData().GetArray("RuleDimension")) == 3)
         add(f"Tet Oct, an edge of {count}", spindle(count), int(np.flatnonzero(inside)[0]), "Tet Oct")
-    add("Box Spline, a vertex:\nblue cells fold", octahedron, 0, "Box Spline")
-    write("maps_of_solids", shown, VIEW, 3)
+    add("Box Spline, a vertex of 6:\nblue cells fold", ball(6), 0, "Box Spline")
+    write("maps_of_solids", shown, VIEW, 4)
 
 
 def basis_functions():

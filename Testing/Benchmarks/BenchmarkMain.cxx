@@ -3,14 +3,15 @@
  * @file BenchmarkMain.cxx
  * All benchmarks in one program, so that they are repeated in random order in one run.
  *
- *   SubdivisionObjectsBenchmarks [--quick] [--peers] [Google Benchmark's own options]
+ *   SubdivisionObjectsBenchmarks [--quick] [--peers] [--warm] [Google Benchmark's own options]
  *   SubdivisionObjectsBenchmarks --peak-memory CASE LEVELS THREADS CACHE(0|1)
  *
  * Of the cases of BenchmarkShape.h the second form ignores LEVELS and CACHE.
  *
  * Either the peers are measured, or all the rest: what peers leave in the heap must not make our
- * memory warm. The second form executes the filter once in this fresh process and prints how much
- * memory it took.
+ * memory warm. With --warm it is to be: what repetitions free stays in the process, as where a
+ * pipeline runs again and again. The second form executes the filter once in this fresh process and
+ * prints how much memory it took.
  */
 #include "BenchmarkFilter.h"
 #include "BenchmarkShape.h"
@@ -44,6 +45,7 @@ std::vector<RegisterFunction>& GetRegistrations()
 
 bool Quick = false;
 bool Peers = false;
+bool Warm = false;
 
 /// Bytes that a line of this process's status tells.
 double ReadStatus(const std::string& key)
@@ -115,6 +117,14 @@ void ReturnFreeMemory()
 #endif
 }
 
+void KeepFreeMemory()
+{
+#ifdef __GLIBC__
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, -1);
+#endif
+}
+
 void TouchFreeMemory(std::size_t bytes)
 {
   // Each thread frees its own: processors keep what was freed on them.
@@ -138,14 +148,11 @@ void TouchFreeMemory(std::size_t bytes)
 
 int main(int argc, char** argv)
 {
-  benchmarks::ReturnFreeMemory(); // sets the C library's values before anything is made
-  if (argc == 6 && std::strcmp(argv[1], "--peak-memory") == 0)
+  for (bool* option : { &benchmarks::Quick, &benchmarks::Peers, &benchmarks::Warm })
   {
-    return benchmarks::PrintPeakMemory(argv + 2);
-  }
-  for (bool* option : { &benchmarks::Quick, &benchmarks::Peers })
-  {
-    const char* name = option == &benchmarks::Quick ? "--quick" : "--peers";
+    const char* name = option == &benchmarks::Quick ? "--quick"
+      : option == &benchmarks::Peers                ? "--peers"
+                                                    : "--warm";
     if (argc > 1 && std::strcmp(argv[1], name) == 0)
     {
       *option = true;
@@ -153,6 +160,12 @@ int main(int argc, char** argv)
       ++argv;
       --argc;
     }
+  }
+  // The C library's values are set before anything is made.
+  benchmarks::Warm ? benchmarks::KeepFreeMemory() : benchmarks::ReturnFreeMemory();
+  if (argc == 6 && std::strcmp(argv[1], "--peak-memory") == 0)
+  {
+    return benchmarks::PrintPeakMemory(argv + 2);
   }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv))

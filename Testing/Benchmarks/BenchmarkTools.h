@@ -44,6 +44,8 @@ private:
 
 /// Gives the system back what earlier measurements freed, so that none of them finds warm memory.
 void ReturnFreeMemory();
+/// Keeps it in the process, so that all later measurements do.
+void KeepFreeMemory();
 
 /// Writes to memory of that size and gives it back, and leaves nothing of it in the caches. In a
 /// virtual machine a page that its host has yet to find costs milliseconds; what is measured next

@@ -8,12 +8,14 @@
 #include "BenchmarkTools.h"
 
 #include "vtkMultiDimensionalSubdivision.h"
+#include "vtkSubdivisionSmoothness.h"
 #include "vtkSurfaceSubdivision.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -38,6 +40,8 @@ const Sizes Usual = { 50000, 100000 };
 const Sizes Refused = { 100000, 200000 };
 /// Much for each cell.
 const Sizes Slow = { 5000, 10000 };
+/// Of which a step makes 0.45 and 0.9 million.
+const Sizes Large = { 112500, 225000 };
 
 using Mesh = vtkSmartPointer<vtkPointSet>;
 
@@ -162,6 +166,44 @@ Mesh MakeCorners(int n)
   return mesh;
 }
 
+/// n quads of a sheet, each second row of which begins with a crease that is sharp for some levels.
+Mesh MakeSharpSheet(int n)
+{
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> polys;
+  constexpr vtkIdType width = 300;
+  const vtkIdType height = n / width;
+  for (vtkIdType i = 0; i < (width + 1) * (height + 1); ++i)
+  {
+    const auto x = static_cast<double>(i % (width + 1));
+    const auto y = static_cast<double>(i / (width + 1));
+    points->InsertNextPoint(x, y, std::sin(x + y));
+  }
+  for (vtkIdType i = 0; i < width * height; ++i)
+  {
+    const vtkIdType a = i / width * (width + 1) + i % width;
+    const vtkIdType quad[4] = { a, a + 1, a + width + 2, a + width + 1 };
+    polys->InsertNextCell(4, quad);
+    if (i / width % 2 == 1)
+    {
+      lines->InsertNextCell(2, quad);
+    }
+  }
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Sharpness");
+  values->SetNumberOfTuples(lines->GetNumberOfCells() + polys->GetNumberOfCells());
+  values->Fill(0.);
+  std::fill_n(values->GetPointer(0), lines->GetNumberOfCells(), 3.5);
+  mesh->SetPoints(points);
+  mesh->SetLines(lines);
+  mesh->SetPolys(polys);
+  mesh->GetCellData()->AddArray(values);
+  return mesh;
+}
+
 template <typename Filter>
 Produced Run(Stopwatch& watch, const Mesh& mesh, const std::function<void(Filter*)>& configure)
 {
@@ -179,12 +221,61 @@ Produced Run(Stopwatch& watch, const Mesh& mesh, const std::function<void(Filter
 template <typename Filter>
 void Add(
   const std::string& name, const std::function<Mesh(int)>& make,
-  const std::function<void(Filter*)>& configure = [](Filter*) {}, const Sizes& sizes = Usual)
+  const std::function<void(Filter*)>& configure = [](Filter*) {}, const Sizes& sizes = Usual,
+  int repetitions = 0)
 {
   for (const int size : sizes)
   {
-    Register("worst/" + name + "/" + std::to_string(size) + "/levels:1", 1,
-      [=](Stopwatch& watch) { return Run<Filter>(watch, make(size), configure); });
+    Register(
+      "worst/" + name + "/" + std::to_string(size) + "/levels:1", 1,
+      [=](Stopwatch& watch) { return Run<Filter>(watch, make(size), configure); }, repetitions);
+  }
+}
+
+/// The limit at n places beside a vertex of eight faces, all in one of these.
+template <typename Filter>
+void AddPlaces(
+  const std::string& name, bool ofTriangles, const std::function<void(Filter*)>& configure)
+{
+  for (const int size : Usual)
+  {
+    Register("worst/" + name + ", places in a cell/" + std::to_string(size) + "/levels:0", 1,
+      [=](Stopwatch& watch)
+      {
+        vtkNew<Filter> filter;
+        filter->SetInputDataObject(MakeFan(8, ofTriangles));
+        configure(filter);
+        vtkNew<vtkIdTypeArray> cells;
+        vtkNew<vtkDoubleArray> parameters;
+        parameters->SetNumberOfComponents(3);
+        for (int i = 0; i < size; ++i)
+        {
+          cells->InsertNextValue(0);
+          parameters->InsertNextTuple3((i + 0.5) / size, 0.3 * (1. - (i + 0.5) / size), 0.);
+        }
+        vtkNew<vtkPolyData> result;
+        watch.Time([&]() { filter->EvaluateLimit(cells, parameters, result); });
+        return Produced{ static_cast<double>(result->GetNumberOfPoints()),
+          1024. * static_cast<double>(result->GetActualMemorySize()) };
+      });
+  }
+}
+
+/// Eigenvalues and maps at a vertex of n faces, which are too many for these, and at all others.
+void AddSmoothness(const std::string& name, bool ofTriangles, int kind)
+{
+  for (const int size : Usual)
+  {
+    Register("worst/Smoothness, " + name + "/" + std::to_string(size) + "/levels:0", 1,
+      [=](Stopwatch& watch)
+      {
+        vtkNew<vtkSubdivisionSmoothness> filter;
+        filter->SetInputDataObject(MakeFan(size, ofTriangles));
+        filter->SetScheme(kind);
+        watch.Time([&]() { filter->Update(); });
+        return Produced{ static_cast<double>(filter->GetOutput()->GetNumberOfCells()),
+          1024. * static_cast<double>(filter->GetOutput()->GetActualMemorySize()) };
+      });
   }
 }
 
@@ -217,15 +308,14 @@ void RegisterWorst()
     const char* Name;
     int Kind;
     bool OfTriangles;
-    bool HasLimits;
   } schemes[] = {
-    { "Loop", Surface::LOOP, true, true },
-    { "Butterfly", Surface::MODIFIED_BUTTERFLY, true, true },
-    { "sqrt3", Surface::SQRT_THREE, true, true },
-    { "Catmull-Clark", Surface::CATMULL_CLARK, false, true },
-    { "Doo-Sabin", Surface::DOO_SABIN, false, false },
-    { "Midedge", Surface::MIDEDGE, false, false },
-    { "4-8", Surface::FOUR_EIGHT, false, true },
+    { "Loop", Surface::LOOP, true },
+    { "Butterfly", Surface::MODIFIED_BUTTERFLY, true },
+    { "sqrt3", Surface::SQRT_THREE, true },
+    { "Catmull-Clark", Surface::CATMULL_CLARK, false },
+    { "Doo-Sabin", Surface::DOO_SABIN, false },
+    { "Midedge", Surface::MIDEDGE, false },
+    { "4-8", Surface::FOUR_EIGHT, false },
   };
   for (const auto& scheme : schemes)
   {
@@ -233,9 +323,11 @@ void RegisterWorst()
     const int kind = scheme.Kind;
     const bool ofTriangles = scheme.OfTriangles;
     const std::function<Mesh(int)> fan = [=](int n) { return MakeFan(n, ofTriangles); };
-    const bool hasLimits = scheme.HasLimits;
     const Sizes& ofVertex = kind == Surface::MODIFIED_BUTTERFLY ? Refused : Usual;
     const Sizes& ofPolygon = kind == Surface::DOO_SABIN ? Refused : Usual;
+    const bool isLinear = kind != Surface::MODIFIED_BUTTERFLY && kind != Surface::DOO_SABIN &&
+      kind != Surface::FOUR_EIGHT;
+    const Sizes& ofLimits = isLinear ? Usual : Refused;
     const auto plain = [=](Surface* filter) { filter->SetScheme(kind); };
     const auto limits = [=](Surface* filter)
     {
@@ -245,18 +337,13 @@ void RegisterWorst()
       filter->GenerateTangentsOn();
     };
     Add<Surface>(name + ", vertex", fan, plain, ofVertex);
-    if (hasLimits)
-    {
-      Add<Surface>(name + ", vertex, limits", fan, limits, ofVertex);
-    }
+    Add<Surface>(name + ", vertex, limits", fan, limits, ofLimits);
     if (!ofTriangles)
     {
       Add<Surface>(name + ", polygon", MakePolygon, plain, ofPolygon);
+      Add<Surface>(name + ", polygon, limits", MakePolygon, limits, ofLimits);
     }
-    if (!ofTriangles && hasLimits)
-    {
-      Add<Surface>(name + ", polygon, limits", MakePolygon, limits, ofPolygon);
-    }
+    AddSmoothness(name, ofTriangles, vtkSubdivisionSmoothness::LOOP + kind);
   }
   Add<Surface>(
     "Loop, creases at a vertex", [](int n) { return MakeFan(n, true, 1e9); },
@@ -269,6 +356,38 @@ void RegisterWorst()
       filter->ProjectToLimitOn();
     },
     Slow);
+  if (!IsQuick()) // some minutes
+  {
+    Add<Surface>(
+      "Catmull-Clark, sharpness left at the limit", MakeSharpSheet,
+      [](Surface* filter)
+      {
+        filter->SetSchemeToCatmullClark();
+        filter->SetInputArrayToProcess(
+          4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Sharpness");
+        filter->ProjectToLimitOn();
+      },
+      Large, 1);
+  }
+  const std::function<Mesh(int)> triangles = [](int n) { return MakeFan(n, true); };
+  const std::function<Mesh(int)> quads = [](int n) { return MakeFan(n, false); };
+  Add<Main>(
+    "Bezier cells", triangles, [](Main* filter) { filter->SetOutputCellsToBezier(); }, Slow);
+  Add<Surface>(
+    "Bezier cells, Loop", triangles, [](Surface* filter) { filter->SetOutputCellsToBezier(); },
+    Slow);
+  Add<Surface>(
+    "Bezier cells, Catmull-Clark", quads,
+    [](Surface* filter)
+    {
+      filter->SetSchemeToCatmullClark();
+      filter->SetOutputCellsToBezier();
+    },
+    Slow);
+  AddPlaces<Main>("main filter", true, [](Main*) {});
+  AddPlaces<Surface>("Loop", true, [](Surface*) {});
+  AddPlaces<Surface>(
+    "Catmull-Clark", false, [](Surface* filter) { filter->SetSchemeToCatmullClark(); });
   Add<Surface>("Loop, corners everywhere, limits", MakeCorners,
     [](Surface* filter)
     {

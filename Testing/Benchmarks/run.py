@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs all benchmarks in one run and writes ratios.
 
-    run.py BUILD_TREE [--quick] [--peers] [--repetitions N] [--filter REGEX]
+    run.py BUILD_TREE [--quick] [--peers] [--warm] [--repetitions N] [--filter REGEX]
 
 Writes into BUILD_TREE: results*.json (Google Benchmark's own), summary.json, report.md. Each figure
 is a median over the repetitions, which all benchmarks take in random order; (min..max) beside it.
@@ -382,7 +382,7 @@ def run(arguments):
     samples = {}
     for group in ([], ["--peers"]): # processes of their own: heaps stay apart
         results = os.path.join(arguments.build, "results%s.json" % ("-peers" if group else ""))
-        subprocess.run([program] + (["--quick"] if arguments.quick else []) + group + [
+        subprocess.run([program] + (["--quick"] if arguments.quick else []) + group + (["--warm"] if arguments.warm else []) + [
             "--benchmark_repetitions=%d" % arguments.repetitions,
             "--benchmark_enable_random_interleaving=true",
             "--benchmark_filter=" + arguments.filter,
@@ -426,6 +426,7 @@ def main():
     parser.add_argument("--quick", action="store_true", help="fewer repetitions, no large levels")
     parser.add_argument("--peers", action="store_true",
                         help="for ./dev bench, which installs the peers; here nothing changes")
+    parser.add_argument("--warm", action="store_true", help="memory that repetitions freed is used again")
     parser.add_argument("--repetitions", type=int, default=0)
     parser.add_argument("--filter", default=".", help="regular expression on the benchmarks' names")
     arguments = parser.parse_args()

@@ -81,6 +81,12 @@ struct DensePasses
         // The faces that a dual scheme makes of vertices are there from the second level on.
         this->OfVertices = std::max(levels - 1., 0.);
         this->OfFaces = levels;
+        if (levels > 0.) // limits are those of points that a step made, of all corners around
+        {
+          const double limits = (options.ProjectToLimit ? 4. : 0.) + (hasTangents ? 8. : 0.);
+          this->OfVertices += limits;
+          this->OfFaces += limits;
+        }
         return;
       case DenseRows::OfLimits:
         // The limits of neighbours, of opposite corners and of what is near them read all of these.

@@ -100,6 +100,20 @@ TEST(SurfaceDenseRows, DooSabinAtAVertexFromTheSecondLevelOn)
     FindError(fan, vtkSurfaceSubdivision::DOO_SABIN, 2), "Point 3 has 30000 faces around it");
 }
 
+TEST(SurfaceDenseRows, LimitsOfDooSabin)
+{
+  const auto limit = [](vtkSurfaceSubdivision* filter) { filter->ProjectToLimitOn(); };
+  const auto normals = [](vtkSurfaceSubdivision* filter) { filter->GenerateLimitNormalsOn(); };
+  constexpr int scheme = vtkSurfaceSubdivision::DOO_SABIN;
+  EXPECT_EQ(FindError(MakeLateFan(Many), scheme, 0, limit), "no error");
+  const std::string error = FindError(MakeLateFan(12000), scheme, 1, limit);
+  ExpectHas(error, "Point 3 has 12000 faces around it");
+  ExpectHas(error, "576000000 values");
+  ExpectHas(FindError(MakePolygon(12000), scheme, 1, limit), "Cell 1 has 12000 corners");
+  ExpectHas(FindError(MakeLateFan(8000), scheme, 1, normals), "512000000 values");
+  EXPECT_EQ(FindError(MakeLateFan(2000), scheme, 1, normals), "no error");
+}
+
 TEST(SurfaceDenseRows, LimitsOfFourEight)
 {
   const auto limit = [](vtkSurfaceSubdivision* filter) { filter->ProjectToLimitOn(); };

@@ -5,6 +5,10 @@
  */
 #include "SurfaceTools.h"
 
+#include "Core/Surfaces/Scheme/SurfaceTags.h"
+
+#include <algorithm>
+
 using namespace surfacetools;
 
 namespace
@@ -115,6 +119,40 @@ TEST(SurfaceMasks, GammaAtConvexCornersIsClamped)
         Model model = MakeSector(k, angle, triangles);
         model.Corners = { 0 };
         CheckEdges(model, k, std::max(least, std::min(angle, most)) / k, triangles);
+      }
+    }
+  }
+}
+
+/// The end of a crease that is a corner bounds no sector, so that no angle changes its rule.
+TEST(SurfaceMasks, EdgesAtTheEndOfACreaseTakeThePlainRule)
+{
+  for (const bool triangles : { true, false })
+  {
+    for (const int k : { 4, 6, 7, 9 })
+    {
+      Model model = MakeSector(k, 2. * Pi, triangles);
+      for (std::vector<vtkIdType>& face : model.Faces)
+      {
+        std::replace(face.begin(), face.end(), vtkIdType(k + 1), vtkIdType(1));
+      }
+      Walk walk(model, triangles ? SurfaceSchemeKind::Loop : SurfaceSchemeKind::CatmullClark);
+      const PolygonMesh<int>& mesh = walk.Level.Mesh;
+      SurfaceFeatures features;
+      for (int e = 0; e < mesh.GetNumberOfEdges(); ++e)
+      {
+        const int* ends = mesh.EdgeVertices.data() + 2 * e;
+        features.SharpEdges.push_back(std::min(ends[0], ends[1]) == 0 && ends[0] + ends[1] == 1);
+      }
+      walk.Level.Tags = ClassifySurface(mesh, *walk.Scheme, features, walk.Points.data()->data());
+      walk.Scheme->Prepare(walk.Level);
+      ASSERT_EQ(walk.Level.Tags.Vertices[0], VertexTag::Corner);
+      for (int j = 2; j <= k; ++j)
+      {
+        std::map<int, double> row = FindEdgeRow(walk, j);
+        // The other end is on the boundary, with two faces: gamma is 1/2 there, or 3/8.
+        EXPECT_NEAR(row[0], triangles ? (3. / 8. + 1. / 2.) / 2. : 3. / 8., 1e-14) << k << " " << j;
+        EXPECT_NEAR(row[j], triangles ? (3. / 8. + 1. / 4.) / 2. : 3. / 8., 1e-14) << k << " " << j;
       }
     }
   }
