@@ -107,7 +107,7 @@ ControlMesh ReadControlMesh(vtkPointSet* input, bool trustStamp, const FeatureOp
   Stamp stamp;
   mesh.IsStamped = trustStamp && ReadStamp(input, scheme, stamp);
   mesh.IsOfOtherScheme = trustStamp && !mesh.IsStamped && IsOfOtherScheme(input, scheme);
-  vtkDataArray* carried = input->GetFieldData()->GetArray(GlobalIdsName);
+  vtkDataArray* carried = FindField(GlobalIdsName, input->GetFieldData());
   vtkDataArray* own = input->GetPointData()->GetGlobalIds();
   if (own && own->GetNumberOfTuples() < input->GetNumberOfPoints())
   {

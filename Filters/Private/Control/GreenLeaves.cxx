@@ -18,9 +18,8 @@ namespace subdivision
 
 GreenLeaves::GreenLeaves(vtkPointSet* mesh)
 {
-  vtkDataArray* leaves = mesh->GetFieldData()->GetArray(LeavesName);
-  if (leaves && leaves->GetNumberOfComponents() == LeafComponents &&
-    HasIds(mesh->GetCellData(), GreenParentName, mesh->GetNumberOfCells()))
+  vtkDataArray* leaves = FindField(LeavesName, mesh->GetFieldData(), LeafComponents);
+  if (leaves && HasIds(mesh->GetCellData(), GreenParentName, mesh->GetNumberOfCells()))
   {
     this->Parents = mesh->GetCellData()->GetArray(GreenParentName);
     this->Leaves = leaves;

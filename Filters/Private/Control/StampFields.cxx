@@ -16,7 +16,7 @@ template <typename Value, typename Get>
 std::vector<Value> ReadField(vtkDataArray* array, int components, const Get& get)
 {
   std::vector<Value> values;
-  if (array && array->GetNumberOfComponents() == components)
+  if (array)
   {
     values.reserve(array->GetNumberOfValues());
     for (const vtkIdType i : InTurn(array->GetNumberOfTuples()))
@@ -32,16 +32,22 @@ std::vector<Value> ReadField(vtkDataArray* array, int components, const Get& get
 
 }
 
-std::vector<double> ReadFieldValues(const char* name, vtkFieldData* data, int components)
+vtkDataArray* FindField(const char* name, vtkFieldData* data, int components)
 {
   vtkDataArray* array = data->GetArray(name);
+  return array && array->GetNumberOfComponents() == components ? array : nullptr;
+}
+
+std::vector<double> ReadFieldValues(const char* name, vtkFieldData* data, int components)
+{
+  vtkDataArray* array = FindField(name, data, components);
   return ReadField<double>(
     array, components, [array](vtkIdType i, int c) { return array->GetComponent(i, c); });
 }
 
 std::vector<vtkIdType> ReadFieldIds(const char* name, vtkFieldData* data, int components)
 {
-  vtkDataArray* array = data->GetArray(name);
+  vtkDataArray* array = FindField(name, data, components);
   return ReadField<vtkIdType>(
     array, components, [array](vtkIdType i, int c) { return ToId(array->GetComponent(i, c)); });
 }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <vector>
 
+class vtkDataArray;
 class vtkPointSet;
 
 namespace subdivision
@@ -37,6 +38,10 @@ struct StampFormat
 /// The numbers of a stamp. Empty if there is none of that format, or if it does not fit the counts
 /// of the mesh.
 std::vector<vtkIdType> ReadStampNumbers(vtkPointSet* mesh, const StampFormat& format);
+
+/// The field array of that name, or null if there is none with so many components. All that filters
+/// read of field arrays goes through here.
+vtkDataArray* FindField(const char* name, vtkFieldData* data, int components = 1);
 
 /// The tuples of a field array, one after another. Empty if there is no array of that name with so
 /// many components. Numbers that are no ids become -1.

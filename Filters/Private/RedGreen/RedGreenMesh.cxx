@@ -5,6 +5,7 @@
 #include "Core/Memory/Sorting.h"
 #include "Core/Solids/Complex/Simplices.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/StampFields.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -90,9 +91,8 @@ bool GreenUndo::FindArrays()
   }
   this->Levels = data->GetArray(LevelName);
   this->Parents = data->GetArray(GreenParentName);
-  this->Leaves = this->Input->GetFieldData()->GetArray(LeavesName);
-  return this->Leaves && this->Leaves->GetNumberOfComponents() == LeafComponents &&
-    this->Levels->GetRange(0)[0] >= 0. && this->Levels->GetRange(0)[1] <= 255.;
+  this->Leaves = FindField(LeavesName, this->Input->GetFieldData(), LeafComponents);
+  return this->Leaves && this->Levels->GetRange(0)[0] >= 0. && this->Levels->GetRange(0)[1] <= 255.;
 }
 
 /// Reads a leaf and the midpoints of its edges. Returns false if the ids are not valid.
