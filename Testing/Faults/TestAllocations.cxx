@@ -6,7 +6,7 @@
  * need, or gives the output that it gives otherwise, works afterwards, and keeps no memory.
  */
 #include "FailingMemory.h"
-#include "FuzzMesh.h"
+#include "FuzzChecks.h"
 #include "MultiDimensionalSubdivisionTools.h"
 
 #include "Options.h"

@@ -5,8 +5,8 @@
  * filter. VTK's readers survive numbers of any kind, but not other XML than a writer makes: files
  * with other elements are left out.
  */
+#include "FuzzChecks.h"
 #include "FuzzFilter.h"
-#include "FuzzMesh.h"
 
 #include "vtkDataObject.h"
 #include "vtkNew.h"

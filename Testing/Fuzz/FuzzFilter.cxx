@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FuzzFilter.h"
 
+#include "FuzzChecks.h"
 #include "FuzzMesh.h"
 
 #include "vtkBox.h"

@@ -6,6 +6,7 @@
  * finite output, and a second run, with other threads and with what the filter keeps, or in two
  * filters in a row, gives the same bits.
  */
+#include "FuzzChecks.h"
 #include "FuzzFilter.h"
 #include "FuzzMesh.h"
 
