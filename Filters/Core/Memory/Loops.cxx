@@ -111,7 +111,8 @@ void ForUnevenRanges(vtkIdType size, RangeBody body)
 {
   using Clock = std::chrono::steady_clock;
   constexpr vtkIdType atATime = 16;
-  constexpr std::chrono::milliseconds most(50);
+  const auto most = std::chrono::duration_cast<Clock::duration>(
+    std::chrono::duration<double>(SecondsOfUnevenRanges));
   const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
   std::atomic<vtkIdType> next(0);
   while (next < size)
@@ -120,7 +121,7 @@ void ForUnevenRanges(vtkIdType size, RangeBody body)
     const bool isEndless = !Current || DepthOfLoops > 0;
     const auto take = [&](vtkIdType, vtkIdType)
     {
-      while (isEndless || Clock::now() < last)
+      do // once in any case: on a busy machine threads begin when the time is up
       {
         const vtkIdType begin = next.fetch_add(atATime);
         if (begin >= size)
@@ -128,7 +129,7 @@ void ForUnevenRanges(vtkIdType size, RangeBody body)
           return;
         }
         body(begin, std::min(size, begin + atATime));
-      }
+      } while (isEndless || Clock::now() < last);
     };
     RunInThreads([&] { vtkSMPTools::For(0, threads, 1, take); });
     BetweenLoops::Act();

@@ -15,6 +15,9 @@ namespace subdivision
 /// takes a few elements at a time, and all stop after a while, so that this one can act.
 void ForUnevenRanges(vtkIdType size, RangeBody body);
 
+/// That while. Tests change it.
+inline double SecondsOfUnevenRanges = 0.05;
+
 }
 
 #endif

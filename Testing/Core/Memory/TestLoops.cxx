@@ -108,6 +108,32 @@ TEST(Loops, UnevenOnesVisitEachOnceAndActInBetween)
   BetweenLoops::SecondsBetween = seconds;
 }
 
+/// As on a busy machine, where it takes longer to start threads.
+TEST(Loops, UnevenOnesEndWhereThreadsBeginTooLate)
+{
+  const double seconds = BetweenLoops::SecondsBetween;
+  const double ofRanges = subdivision::SecondsOfUnevenRanges;
+  BetweenLoops::SecondsBetween = 0.;
+  subdivision::SecondsOfUnevenRanges = -1.;
+  std::atomic<int> visited{ 0 };
+  {
+    int acts = 0;
+    const BetweenLoops between(
+      [&acts]
+      {
+        if (++acts > 1000)
+        {
+          throw std::runtime_error("the loop does not go on");
+        }
+      });
+    EXPECT_NO_THROW(subdivision::ForUnevenRanges(
+      160, [&](vtkIdType begin, vtkIdType end) { visited += static_cast<int>(end - begin); }));
+  }
+  EXPECT_EQ(visited, 160);
+  subdivision::SecondsOfUnevenRanges = ofRanges;
+  BetweenLoops::SecondsBetween = seconds;
+}
+
 TEST(Loops, InTurnIsALoopOfTheLanguageThatActs)
 {
   const double seconds = BetweenLoops::SecondsBetween;
