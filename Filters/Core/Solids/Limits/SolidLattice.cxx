@@ -94,7 +94,7 @@ template <typename Id>
 LatticeVertex<Id> SolidLattice<Id>::Find(
   int dimension, Id simplex, const LatticeWeights& weights) const
 {
-  int inside[4]; // the corners with a weight
+  int inside[4] = {}; // the corners with a weight
   int outside = 0;
   int size = 0;
   for (int i = 0; i <= dimension; ++i)
