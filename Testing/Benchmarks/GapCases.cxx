@@ -116,7 +116,7 @@ void AddMain(std::vector<GapCase>& cases)
   add("kept, fine input", fine, 1, plain, MovePoints);
   add("kept, limits", coarse, 3, [](Main* filter) { filter->ProjectToLimitOn(); }, MovePoints);
   const MakeInput few = [](double scale) { return MakeSolid(20, scale); };
-  add("Bezier cells", few, 1, [](Main* filter) { filter->SetOutputCellsToBezier(); });
+  add("Bezier cells", few, 0, [](Main* filter) { filter->SetOutputCellsToBezier(); });
   add("error bounds", few, 0, [](Main* filter) { filter->GenerateErrorBoundsOn(); });
   const Configure<Main> interfaces = [](Main* filter) { filter->PreserveInterfacesOn(); };
   const Configure<Main> jumps = [](Main* filter)
