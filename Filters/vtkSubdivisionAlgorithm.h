@@ -121,8 +121,8 @@ public:
   /**
    * Whether to output the cell array `vtkOriginalCellIds` and the point array `vtkOriginalPointIds`
    * (vtkIdTypeArray, one component): the cell or point of this filter's input that each came from,
-   * -1 for new points. On the output of another filter of this kind they are carried on. Off by
-   * default.
+   * -1 for new points. On the output of another filter of this kind they are carried on, and where
+   * this is off those of any input: whatever wrote them, new points have -1. Off by default.
    */
   vtkSetMacro(GenerateOriginalIds, bool);
   vtkGetMacro(GenerateOriginalIds, bool);

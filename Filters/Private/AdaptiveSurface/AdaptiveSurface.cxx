@@ -104,13 +104,9 @@ void AdaptiveRun<Id>::StartPoints()
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
   arrays.HasMaterialFields = this->Options.HasMaterialFields;
-  arrays.OriginalIds = this->Options.GenerateOriginalIds;
+  arrays.ChooseOriginalIds(this->Input, this->Options.GenerateOriginalIds, false);
   arrays.Warn = this->Options.Warn;
   arrays.Precision = this->Options.OutputPointsPrecision;
-  if (arrays.OriginalIds)
-  {
-    arrays.Replaced.emplace_back(OriginalPointIdsName);
-  }
   if (this->Options.GenerateLimitNormals)
   {
     arrays.Replaced.emplace_back(LimitNormalsName);

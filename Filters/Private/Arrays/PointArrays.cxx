@@ -125,6 +125,17 @@ vtkSmartPointer<vtkDataArray> StartValues(
   return start;
 }
 
+void PointArrayOptions::ChooseOriginalIds(vtkPointSet* input, bool areWanted, bool isContinued)
+{
+  this->CarryOriginalIds = (isContinued || !areWanted) &&
+    HasIds(input->GetPointData(), OriginalPointIdsName, input->GetNumberOfPoints());
+  this->OriginalIds = areWanted || this->CarryOriginalIds;
+  if (this->OriginalIds)
+  {
+    this->Replaced.emplace_back(OriginalPointIdsName);
+  }
+}
+
 PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   const vtkIdType* globalIds, vtkIdType numberOfGlobalIds, const PointArrayOptions& options)
   : Input(input)
@@ -480,8 +491,7 @@ void PointArrays::AddOriginalIds(vtkPointSet* output) const
     const vtkIdType point = i >= this->NumberOfInputPoints ? -1
       : this->TakenPoints.empty()                          ? i
                                                            : this->TakenPoints[i];
-    values[i] =
-      carried && point >= 0 ? static_cast<vtkIdType>(carried->GetComponent(point, 0)) : point;
+    values[i] = carried && point >= 0 ? ToId(carried->GetComponent(point, 0)) : point;
   }
   AddInstead(this->Input->GetPointData(), ids, output->GetPointData());
 }

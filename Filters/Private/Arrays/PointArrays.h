@@ -29,7 +29,7 @@ struct PointArrayOptions
 {
   bool InterpolateIntegers = false;
   /// Adds the point array `vtkOriginalPointIds`; `CarryOriginalIds`: with the values that the input
-  /// has from an earlier filter.
+  /// has. See ChooseOriginalIds.
   bool OriginalIds = false;
   bool CarryOriginalIds = false;
   /// Whether arrays of the names of MakeFieldName have weights.
@@ -40,6 +40,11 @@ struct PointArrayOptions
   int Precision = 2;
   /// Is told which arrays cannot be used.
   std::function<void(const std::string&)> Warn;
+
+  /// Original ids are written where they are asked for, or the input has some. Those of the input
+  /// go on if an earlier filter of this kind wrote them, and, whoever wrote them, where none are
+  /// asked for: so two filters in a row do what one does.
+  void ChooseOriginalIds(vtkPointSet* input, bool areWanted, bool isContinued);
 };
 
 /// Which values become control values whose limits are the given ones.

@@ -9,7 +9,6 @@
 #define SubdivisionObjects_RedGreenMesh_h
 
 #include "Core/Solids/RedGreen/RedGreenOutput.h"
-#include "Private/Arrays/Arrays.h"
 #include "Private/Control/ControlMesh.h"
 #include "Private/Control/GreenLeaves.h"
 
@@ -41,11 +40,8 @@ struct RedGreenMesh
     const auto& parents = this->Control.Cells.ParentCells;
     return parents.empty() ? simplex : parents[simplex];
   }
-  /// Whether an array of original ids goes on, because an earlier filter of this kind wrote it.
-  bool CarriesOriginals(vtkDataSetAttributes* data, const char* name, vtkIdType size) const
-  {
-    return (this->IsContinued || this->Control.IsStamped) && HasIds(data, name, size);
-  }
+  /// Whether original ids go on, because an earlier filter of this kind wrote them.
+  bool CarriesOriginals() const { return this->IsContinued || this->Control.IsStamped; }
   CellScope GetScope(vtkIdType simplex) const
   {
     return this->Scopes.empty() ? CellScope::Own : this->Scopes[simplex];

@@ -72,15 +72,10 @@ void RedGreenRun::StartPoints()
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
   arrays.HasMaterialFields = this->Options.HasMaterialFields;
-  arrays.CarryOriginalIds = this->Mesh.CarriesOriginals(
-    this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
-  arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;
+  arrays.ChooseOriginalIds(
+    this->Input, this->Options.GenerateOriginalIds, this->Mesh.CarriesOriginals());
   arrays.Warn = [this](const std::string& warning) { this->Warn(warning); };
   arrays.Precision = this->Options.OutputPointsPrecision;
-  if (arrays.OriginalIds)
-  {
-    arrays.Replaced.emplace_back(OriginalPointIdsName);
-  }
   if (this->Options.GenerateLimitNormals)
   {
     arrays.Replaced.emplace_back(LimitNormalsName);

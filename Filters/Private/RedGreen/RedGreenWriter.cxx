@@ -85,8 +85,8 @@ void WriteRedGreenCells(const RedGreenOutput<Id>& plan, vtkPointSet* input,
   CellArrayOptions options;
   options.PointsMove = pointsMove;
   options.OriginalIds = true;
-  options.CarryOriginalIds =
-    mesh.CarriesOriginals(input->GetCellData(), OriginalCellIdsName, input->GetNumberOfCells());
+  options.CarryOriginalIds = mesh.CarriesOriginals() &&
+    HasIds(input->GetCellData(), OriginalCellIdsName, input->GetNumberOfCells());
   options.Replaced = { LevelName, KindName, GreenParentName };
   if (!options.CarryOriginalIds)
   {

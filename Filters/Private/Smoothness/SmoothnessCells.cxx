@@ -225,15 +225,9 @@ PointArrayOptions GetPointOptions(
 {
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = options.InterpolateIntegers;
-  arrays.OriginalIds = options.GenerateOriginalIds;
-  arrays.CarryOriginalIds =
-    carriesIds && HasIds(input->GetPointData(), OriginalPointIdsName, input->GetNumberOfPoints());
+  arrays.ChooseOriginalIds(input, options.GenerateOriginalIds, carriesIds);
   arrays.Precision = options.OutputPointsPrecision;
   arrays.Replaced.emplace_back(FailingName);
-  if (arrays.OriginalIds)
-  {
-    arrays.Replaced.emplace_back(OriginalPointIdsName);
-  }
   return arrays;
 }
 

@@ -90,15 +90,9 @@ void SurfaceRun<Id>::StartPoints()
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
   arrays.HasMaterialFields = this->Options.HasMaterialFields;
-  arrays.CarryOriginalIds = this->Stamp.Levels > 0 &&
-    HasIds(this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
-  arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;
+  arrays.ChooseOriginalIds(this->Input, this->Options.GenerateOriginalIds, this->Stamp.Levels > 0);
   arrays.Warn = [this](const std::string& warning) { this->Warnings.push_back(warning); };
   arrays.Precision = this->Options.OutputPointsPrecision;
-  if (arrays.OriginalIds)
-  {
-    arrays.Replaced.emplace_back(OriginalPointIdsName);
-  }
   if (this->Options.GenerateLimitNormals)
   {
     arrays.Replaced.emplace_back(LimitNormalsName);

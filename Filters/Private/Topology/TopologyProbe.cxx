@@ -183,14 +183,8 @@ void Probe::Read(bool trustStamp)
   this->Mesh = ReadControlMesh(this->Input, trustStamp, this->Options.Features);
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
-  arrays.OriginalIds = this->Options.GenerateOriginalIds;
-  arrays.CarryOriginalIds = this->Mesh.IsStamped &&
-    HasIds(this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
+  arrays.ChooseOriginalIds(this->Input, this->Options.GenerateOriginalIds, this->Mesh.IsStamped);
   arrays.Precision = this->Options.OutputPointsPrecision;
-  if (arrays.OriginalIds)
-  {
-    arrays.Replaced.emplace_back(OriginalPointIdsName);
-  }
   this->Points = std::make_unique<PointArrays>(this->Input, this->Mesh.Cells,
     this->Mesh.GetGlobalIds(), static_cast<vtkIdType>(this->Mesh.GlobalIds.size()), arrays);
 }

@@ -250,13 +250,9 @@ std::unique_ptr<PointArrays> MakePoints(vtkPointSet* input, const SimplicesOfCel
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = options.InterpolateIntegers;
   arrays.HasMaterialFields = options.HasMaterialFields;
-  arrays.OriginalIds = options.GenerateOriginalIds;
+  arrays.ChooseOriginalIds(input, options.GenerateOriginalIds, false);
   arrays.Warn = options.Warn;
   arrays.Precision = options.OutputPointsPrecision;
-  if (arrays.OriginalIds)
-  {
-    arrays.Replaced.emplace_back(OriginalPointIdsName);
-  }
   return std::make_unique<PointArrays>(input, noCentres, ids.empty() ? nullptr : ids.data(),
     static_cast<vtkIdType>(ids.size()), arrays);
 }

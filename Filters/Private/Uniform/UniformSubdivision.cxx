@@ -105,15 +105,9 @@ void UniformRun::StartPoints()
   PointArrayOptions arrays;
   arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
   arrays.HasMaterialFields = this->Options.HasMaterialFields;
-  arrays.CarryOriginalIds = this->Mesh.IsStamped &&
-    HasIds(this->Input->GetPointData(), OriginalPointIdsName, this->Input->GetNumberOfPoints());
-  arrays.OriginalIds = this->Options.GenerateOriginalIds || arrays.CarryOriginalIds;
+  arrays.ChooseOriginalIds(this->Input, this->Options.GenerateOriginalIds, this->Mesh.IsStamped);
   arrays.Warn = [this](const std::string& warning) { this->Mesh.Warnings.push_back(warning); };
   arrays.Precision = this->Options.OutputPointsPrecision;
-  if (arrays.OriginalIds)
-  {
-    arrays.Replaced.emplace_back(OriginalPointIdsName);
-  }
   if (this->Options.GenerateLimitNormals)
   {
     arrays.Replaced.emplace_back(LimitNormalsName);

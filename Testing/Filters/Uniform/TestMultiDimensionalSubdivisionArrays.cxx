@@ -531,6 +531,27 @@ TEST(MultiDimensionalSubdivisionArrays, OriginalIdsAreCarriedOnWhereTheyAreNotAs
   EXPECT_TRUE(second->GetCellData()->HasArray("vtkOriginalCellIds"));
 }
 
+TEST(MultiDimensionalSubdivisionArrays, OriginalIdsOfASelectionGoOnInOneFilterAsInTwo)
+{
+  const Grid grid = MakeCurve();
+  vtkNew<vtkIntArray> given;
+  given->SetName("vtkOriginalPointIds");
+  for (int id : { 7, 5, 9 })
+  {
+    given->InsertNextValue(id);
+  }
+  grid->GetPointData()->AddArray(given);
+  for (const Grid& output : { Subdivide(grid, 2), Subdivide(Subdivide(grid, 1), 1) })
+  {
+    vtkDataArray* ids = output->GetPointData()->GetArray("vtkOriginalPointIds");
+    ASSERT_TRUE(vtkIdTypeArray::SafeDownCast(ids));
+    for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
+    {
+      EXPECT_EQ(ids->GetComponent(p, 0), p < 3 ? given->GetValue(p) : -1);
+    }
+  }
+}
+
 TEST(MultiDimensionalSubdivisionArrays, WhatIsMadeAnewStaysActive)
 {
   const Grid grid = MakeCurve();
