@@ -276,7 +276,7 @@ const char* FindFault(vtkDataObject* input, vtkDataObject* output)
   return nullptr;
 }
 
-std::string FindLostArray(vtkDataObject* input, vtkDataObject* output)
+std::string FindLostArray(vtkDataObject* input, vtkDataObject* output, bool ofCells)
 {
   auto* before = vtkDataSet::SafeDownCast(input);
   auto* after = vtkDataSet::SafeDownCast(output);
@@ -286,7 +286,7 @@ std::string FindLostArray(vtkDataObject* input, vtkDataObject* output)
   }
   const std::string lost =
     FindLost(before->GetPointData(), after->GetPointData(), before->GetNumberOfPoints());
-  return !lost.empty()
+  return !lost.empty() || !ofCells
     ? lost
     : FindLost(before->GetCellData(), after->GetCellData(), before->GetNumberOfCells());
 }

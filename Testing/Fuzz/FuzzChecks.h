@@ -29,12 +29,13 @@ Soundness Examine(vtkDataObject* data, double limit);
 /// What is wrong with an output, as one line; null: nothing.
 const char* FindFault(vtkDataObject* input, vtkDataObject* output);
 
-/// Name and class of an array of the input's points or cells that the output of a filter which
-/// carries them has not; empty: none. Not asked for where there is no output, and for blocks, which
-/// are joined with the arrays that all of them have. Some need not be there: arrays of a wrong
-/// length, of which a warning tells; ids and flags of ghosts, which are not those of other points
-/// and cells; normals, which do not hold where points move; and arrays without a name.
-std::string FindLostArray(vtkDataObject* input, vtkDataObject* output);
+/// Name and class of an array of the input's points, or `ofCells` of its cells, that the output of
+/// a filter which carries them has not; empty: none. Not asked for where there is no output, and
+/// for blocks, which are joined with the arrays that all of them have. Some need not be there:
+/// arrays of a wrong length, of which a warning tells; ids and flags of ghosts, which are not those
+/// of other points and cells; normals, which do not hold where points move; and arrays without a
+/// name.
+std::string FindLostArray(vtkDataObject* input, vtkDataObject* output, bool ofCells);
 
 /// Whether this is one data set with points and point arrays that filters in a row do not round:
 /// moderate numbers of double precision, and integers, which keep their values.

@@ -225,6 +225,12 @@ bool CarriesArrays(const Filter& what)
     [&](const char* name) { return std::strcmp(name, what.Name) == 0; });
 }
 
+bool CarriesCellArrays(const Filter& what)
+{
+  // Its cells are vertices, edges and triangles that cells of the input share.
+  return CarriesArrays(what) && std::strcmp(what.Name, "simplicial-complex-topology") != 0;
+}
+
 bool IsChainWhole(const Filter& what, vtkDataObject* input, Bytes& bytes)
 {
   const auto find = [&](const char* a, const char* b)

@@ -28,9 +28,12 @@ vtkSmartPointer<vtkAlgorithm> MakeFilter(const subdivide::Filter& what, Bytes& b
 /// The output, which is none where the input has the wrong type.
 vtkSmartPointer<vtkDataObject> Run(vtkAlgorithm* filter, vtkDataObject* input);
 
-/// Whether the output has the arrays of the input's points and cells. Not that of filters whose
-/// output is no part of the input, or made of an image of labels.
+/// Whether the output has the arrays of the input's points. Not that of filters whose output is no
+/// part of the input, or made of an image of labels.
 bool CarriesArrays(const subdivide::Filter& what);
+
+/// Whether it has those of the input's cells as well, because its cells come from them.
+bool CarriesCellArrays(const subdivide::Filter& what);
 
 /// Whether filters of one level in a row give what one filter of all levels gives, bit for bit,
 /// with the default of all options but the scheme. True for what no such filter takes. Coordinates

@@ -47,8 +47,10 @@ vtkSmartPointer<vtkDataObject> Try(vtkDataObject* input, fuzz::Bytes& bytes)
   {
     fuzz::Report(fault, what.Name);
   }
-  const std::string lost = fuzz::FindLostArray(input, output);
-  if (fuzz::CarriesArrays(what) && !lost.empty())
+  const std::string lost = !fuzz::CarriesArrays(what)
+    ? std::string()
+    : fuzz::FindLostArray(input, output, fuzz::CarriesCellArrays(what));
+  if (!lost.empty())
   {
     fuzz::Report(("the output has lost the array " + lost).c_str(), what.Name);
   }

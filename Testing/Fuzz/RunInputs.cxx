@@ -5,7 +5,9 @@
  * changes of them for some seconds: RunInputs [--seconds N] FOLDER...
  */
 #include <chrono>
+#include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -53,9 +55,26 @@ void Change(Input& input, std::mt19937& chance)
   }
 }
 
+Input Current;
+
+/// Prints the input at a crash, as `xxd -r -p` reads it, so that the log of a test is enough to
+/// repeat it.
+extern "C" void PrintInput(int signal)
+{
+  std::fprintf(stderr, "the input:\n");
+  for (const std::uint8_t byte : Current)
+  {
+    std::fprintf(stderr, "%02x", byte);
+  }
+  std::fprintf(stderr, "\n");
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
 /// Writes an input before it is run, so that it is there after a crash.
 void Run(const Input& input)
 {
+  Current = input;
   std::ofstream("last-input", std::ios::binary)
     .write(reinterpret_cast<const char*>(input.data()), static_cast<std::streamsize>(input.size()));
   LLVMFuzzerTestOneInput(input.data(), input.size());
@@ -66,6 +85,10 @@ void Run(const Input& input)
 int main(int argc, char** argv)
 {
   LLVMFuzzerInitialize(&argc, &argv);
+  for (const int signal : { SIGABRT, SIGSEGV })
+  {
+    std::signal(signal, PrintInput);
+  }
   double seconds = 0.;
   std::vector<Input> corpus;
   for (int i = 1; i < argc; ++i)
