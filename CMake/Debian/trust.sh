@@ -105,11 +105,11 @@ mutate() # [PLACE...] [OPTION OF mutate.py...]
 }
 
 # Counts inputs, allocations that fail and times to stop, and writes Documentation/Reliability.md with what the other
-# commands left; `fuzz` and `mutations` measure nothing, and write the page alone.
-reliability() # [inputs|memory|abort...] | fuzz | mutations
+# commands left; `fuzz`, `mutations` and `tests` measure nothing, and write the page alone.
+reliability() # [inputs|memory|abort...] | fuzz | mutations | tests
 {
   case "$*" in
-    fuzz | mutations)
+    fuzz | mutations | tests)
       python3 "$root/Testing/Reliability/write_page.py" "$root" "$build"
       return 0
       ;;

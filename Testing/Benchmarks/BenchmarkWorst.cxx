@@ -384,6 +384,12 @@ void RegisterWorst()
       filter->SetOutputCellsToBezier();
     },
     Slow);
+  Add<Main>(
+    "error bounds, tetrahedra at an edge", tets,
+    [](Main* filter) { filter->GenerateErrorBoundsOn(); }, Slow);
+  Add<Surface>(
+    "error bounds, Loop", triangles, [](Surface* filter) { filter->GenerateErrorBoundsOn(); },
+    Slow);
   AddPlaces<Main>("main filter", true, [](Main*) {});
   AddPlaces<Surface>("Loop", true, [](Surface*) {});
   AddPlaces<Surface>(

@@ -282,11 +282,15 @@ void Sectors::FindSectors(vtkIdType face)
     const vtkIdType cell = member / Masks;
     return Masks * cell + this->FindCorners(cell, from / Masks, static_cast<Mask>(from % Masks));
   };
-  const auto isAll = [](Member) { return false; };
   const Member any = *this->Holders[face].begin();
   // All sectors have what the face itself depends on; so cells in that have no more.
+  Ways waysOfAll;
+  const Sector common = this->FollowInfluences(any, any, {}, waysOfAll);
   FaceSet facesOfAll;
-  const Sector common = this->FollowInfluences(any, any, {}, facesOfAll, isAll);
+  for (const Way& way : waysOfAll)
+  {
+    facesOfAll.Insert(way.first);
+  }
   for (const Member member : common.Members)
   {
     if (isWhole(member))
@@ -308,28 +312,21 @@ void Sectors::FindSectors(vtkIdType face)
       continue;
     }
     const int number = static_cast<int>(this->Found[face].size());
-    FaceSet unused;
-    Sector sector = this->FollowInfluences(from, getWhole(from), facesOfAll, unused, isAll);
+    const Member whole = getWhole(from);
+    Ways ways;
+    Sector sector = this->FollowInfluences(from, whole, facesOfAll, ways);
     this->Numbers[from] = number;
-    // A cell that reaches one of this sector has the same one. Its neighbour comes before it here,
-    // so that the way is short.
+    // A cell that depends on this one has the same sector.
+    const FaceSet ahead =
+      FindAhead(ways, this->GetFace(whole / Masks, static_cast<Mask>(whole % Masks)));
     for (const Member member : sector.Members)
     {
       turns.Next();
-      const Member holder = getHolder(member, from);
-      if (!isWhole(member) || this->Numbers[holder] >= 0)
+      if (isWhole(member) &&
+        ahead.Has(this->GetFace(member / Masks, static_cast<Mask>(member % Masks))))
       {
-        continue;
+        this->Numbers[getHolder(member, from)] = number;
       }
-      bool isReached = false;
-      FaceSet ofMember;
-      this->FollowInfluences(holder, member, facesOfAll, ofMember,
-        [&](Member reached)
-        {
-          isReached = isWhole(reached) && this->Numbers[getHolder(reached, from)] == number;
-          return isReached;
-        });
-      this->Numbers[holder] = isReached ? number : -1;
     }
     sector.Members.insert(sector.Members.end(), common.Members.begin(), common.Members.end());
     sector.IsOpen = sector.IsOpen || common.IsOpen;
@@ -338,52 +335,77 @@ void Sectors::FindSectors(vtkIdType face)
   }
 }
 
+/// The faces from which ways lead to a face, and itself.
+Sectors::FaceSet Sectors::FindAhead(Ways& ways, vtkIdType face)
+{
+  std::sort(ways.begin(), ways.end());
+  FaceSet ahead;
+  ahead.Insert(face);
+  std::vector<vtkIdType> found = { face };
+  Turns turns;
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    turns.Next();
+    for (auto way = std::lower_bound(ways.begin(), ways.end(), Way(found[i], -1));
+      way != ways.end() && way->first == found[i]; ++way)
+    {
+      if (ahead.Insert(way->second))
+      {
+        found.push_back(way->second);
+      }
+    }
+  }
+  return ahead;
+}
+
 /// From a face or cell on over rows of faces that have the face of a holder, but for those of
-/// `leftOut`, until reach(member). `known` gets the numbers of these faces.
-template <typename Reach>
+/// `leftOut`. `ways` gets all ways between these faces.
 Sectors::Sector Sectors::FollowInfluences(
-  Member holder, Member from, const FaceSet& leftOut, FaceSet& known, const Reach& reach) const
+  Member holder, Member from, const FaceSet& leftOut, Ways& ways) const
 {
   const vtkIdType cell = holder / Masks;
   const Mask face = static_cast<Mask>(holder % Masks);
   Sector sector;
+  FaceSet known;
   std::vector<vtkIdType> found;
-  const auto add = [&](Member member) // returns whether it goes on
+  const auto add = [&](Member member)
   {
     const vtkIdType other = member / Masks;
     const Mask whole = static_cast<Mask>(member % Masks);
     const vtkIdType all = this->GetFace(other, whole);
     if (known.Has(all) || leftOut.Has(all))
     {
-      return true; // with all its faces
-    }
-    if (reach(member))
-    {
-      return false;
+      return; // with all its faces
     }
     sector.Members.push_back(member);
     const NestedPieces::Lattice& lattice = this->Pieces.GetLattice(other);
     sector.HasTets =
       sector.HasTets || (this->Pieces.GetDimension(other) == 3 && whole == lattice.GetWhole());
-    ForFaces(lattice, whole, this->FindCorners(other, cell, face),
+    const Mask least = this->FindCorners(other, cell, face);
+    ForFaces(lattice, whole, least,
       [&](Mask mask)
       {
         const vtkIdType number = this->GetFace(other, mask);
-        if (!leftOut.Has(number) && known.Insert(number))
+        if (leftOut.Has(number) || !known.Insert(number))
         {
-          found.push_back(number);
+          return;
         }
+        found.push_back(number);
+        ForFaces(lattice, mask, least,
+          [&](Mask part) { ways.emplace_back(this->GetFace(other, part), number); });
       });
-    return true;
   };
-  bool goesOn = add(from);
+  add(from);
   Turns turns;
-  for (std::size_t i = 0; goesOn && i < found.size(); ++i)
+  for (std::size_t i = 0; i < found.size(); ++i)
   {
     turns.Next();
     sector.IsOpen = sector.IsOpen || this->IsOpen[found[i]];
-    const std::vector<Member>& influences = this->Influences[found[i]];
-    goesOn = std::all_of(influences.begin(), influences.end(), add);
+    for (const Member member : this->Influences[found[i]])
+    {
+      ways.emplace_back(this->GetFace(member / Masks, static_cast<Mask>(member % Masks)), found[i]);
+      add(member);
+    }
   }
   return sector;
 }

@@ -12,6 +12,7 @@
 #include "Private/Bounds/NestedPieces.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -61,7 +62,8 @@ private:
     std::size_t Find(vtkIdType face) const
     {
       const std::size_t last = this->Slots.size() - 1; // of a power of two
-      std::size_t at = static_cast<std::size_t>(face) & last;
+      // Numbers of faces around an edge go up in steps, which would fill some stretches of slots.
+      std::size_t at = (static_cast<std::uint64_t>(face) * 0x9E3779B97F4A7C15ULL >> 32U) & last;
       while (this->Slots[at] >= 0 && this->Slots[at] != face)
       {
         at = (at + 1) & last;
@@ -81,6 +83,9 @@ private:
     bool IsOpen = false;         ///< a row was not understood: all belongs to it
     bool HasTets = false;
   };
+  /// A face, and one whose limits depend on values in it.
+  using Way = std::pair<vtkIdType, vtkIdType>;
+  using Ways = std::vector<Way>;
   static constexpr int Masks = 1 << NestedPieces::MostCorners;
 
   vtkIdType GetFace(vtkIdType cell, Mask mask) const { return this->Faces[Masks * cell + mask]; }
@@ -97,9 +102,8 @@ private:
   bool IsInside(vtkIdType place) const;
   void AddInfluences(vtkIdType point, vtkIdType column);
   void FindSectors(vtkIdType face);
-  template <typename Reach>
-  Sector FollowInfluences(
-    Member holder, Member from, const FaceSet& leftOut, FaceSet& known, const Reach& reach) const;
+  Sector FollowInfluences(Member holder, Member from, const FaceSet& leftOut, Ways& ways) const;
+  static FaceSet FindAhead(Ways& ways, vtkIdType face);
   Mask FindCorners(vtkIdType cell, vtkIdType of, Mask face) const;
 
   const NestedPieces& Pieces;
