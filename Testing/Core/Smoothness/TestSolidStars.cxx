@@ -188,6 +188,27 @@ TEST(SmoothnessOfSolids, SmallValences)
   ExpectSmooth(ExamineSolid<Oct>(MakeVertex(DoublePyramid), true));
 }
 
+/// In the middle of a double pyramid the tet/oct scheme fails (24) from 8 sides on.
+TEST(SmoothnessOfSolids, DoublePyramidsOfTheTetOctScheme)
+{
+  for (int n = 3; n <= 12; ++n)
+  {
+    SCOPED_TRACE(n);
+    std::vector<std::array<int, 3>> triangles;
+    for (int i = 0; i < n; ++i)
+    {
+      triangles.push_back({ { 1, 3 + i, 3 + (i + 1) % n } });
+      triangles.push_back({ { 2, 3 + i, 3 + (i + 1) % n } });
+    }
+    const SmoothnessFacts facts = ExamineSolid<Oct>(MakeVertex(triangles), true);
+    EXPECT_EQ(facts.Condition, n < 8 ? Answer::Yes : Answer::No);
+    if (n == 8)
+    {
+      ExpectValues(facts, { .44305, .44305, .3056, .3056, .3056 }, 5e-5);
+    }
+  }
+}
+
 /// A vertex of valence 6 whose spokes y are marked in all four tetrahedra: (24) holds, but the
 /// third eigenvector is even in all directions, and so maps opposite sides onto each other.
 TEST(SmoothnessOfSolids, TheConditionAloneIsNotEnough)
