@@ -38,10 +38,31 @@ bool HasArray(vtkXMLDataElement* element, const char* name)
   return element->FindNestedElementWithNameAndAttribute("DataArray", "Name", name) != nullptr;
 }
 
-/// Whether numbers of things are small, arrays are text of a known type, and cells have all that
-/// VTK's readers take for granted.
+/// VTK's readers count on an array for each element that has one, so that they read the last one
+/// into nothing.
+bool HasNameTwice(vtkXMLDataElement* element)
+{
+  std::vector<std::string> names;
+  for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
+  {
+    const char* name = element->GetNestedElement(i)->GetAttribute("Name");
+    if (name)
+    {
+      names.emplace_back(name);
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return std::adjacent_find(names.begin(), names.end()) != names.end();
+}
+
+/// Whether numbers of things are small, arrays are text of a known type with names of their own,
+/// and cells have all that VTK's readers take for granted.
 bool IsPlausible(vtkXMLDataElement* element)
 {
+  if (HasNameTwice(element))
+  {
+    return false;
+  }
   for (int i = 0; i < element->GetNumberOfAttributes(); ++i)
   {
     const std::string name = element->GetAttributeName(i);
