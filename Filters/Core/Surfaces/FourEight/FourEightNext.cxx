@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/FourEight/FourEightRegular.h"
+#include "Core/Surfaces/FourEight/FourEightTopology.h"
 #include "Core/Surfaces/Scheme/CycleRows.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
 
@@ -15,10 +16,10 @@ namespace
 
 /// The next level, from this one.
 template <typename Id>
-class FourEightNext
+class NextLevel
 {
 public:
-  explicit FourEightNext(const SurfaceLevel<Id>& level)
+  explicit NextLevel(const SurfaceLevel<Id>& level)
     : Mesh(level.Mesh)
     , Children(level)
   {
@@ -76,8 +77,7 @@ private:
 /// The vertices around one of this level are those in its faces, and the walk around it begins
 /// beyond the edge of its corner.
 template <typename Id>
-void AppendVertices(
-  const FourEightNext<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+void AppendVertices(const NextLevel<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
 {
   using Steps = typename CycleWalks<Id>::Steps;
   AppendCycleRows(
@@ -111,7 +111,7 @@ void AppendVertices(
 
 /// The vertices around that in a face are those of the face.
 template <typename Id>
-void AppendApices(const FourEightNext<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+void AppendApices(const NextLevel<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
 {
   const PolygonMesh<Id>& mesh = next.Mesh;
   for (vtkIdType f = begin; f < end; ++f)
@@ -144,8 +144,7 @@ void AppendApices(const FourEightNext<Id>& next, vtkIdType begin, vtkIdType end,
 }
 
 template <typename Id>
-void AppendCentres(
-  const FourEightNext<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+void AppendCentres(const NextLevel<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
 {
   Id corner = next.FindOwner(begin);
   rows.AddRun(FourEightCentre, end - begin,
@@ -161,7 +160,7 @@ void AppendCentres(
 /// Calls visit(face, quad, owner, side, other) for each face of the level after the next one, which
 /// lies between two quads across a side of one of them: it belongs to that with the smaller number.
 template <typename Id, typename Visit>
-void ForSpokes(const FourEightNext<Id>& next, const Visit& visit)
+void ForSpokes(const NextLevel<Id>& next, const Visit& visit)
 {
   constexpr vtkIdType block = 16384;
   const vtkIdType quads = next.GetNumberOfFaces();
@@ -221,10 +220,8 @@ void ForSpokes(const FourEightNext<Id>& next, const Visit& visit)
     });
 }
 
-}
-
 template <typename Id>
-SurfaceLevel<Id> CountFourEight(const SurfaceLevel<Id>& skipped)
+SurfaceLevel<Id> Count(const SurfaceLevel<Id>& skipped)
 {
   SurfaceLevel<Id> next;
   next.Step = skipped.Step + 1;
@@ -235,10 +232,10 @@ SurfaceLevel<Id> CountFourEight(const SurfaceLevel<Id>& skipped)
 }
 
 template <typename Id>
-void AppendFourEightRowsOfNext(
-  const SurfaceLevel<Id>& level, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+void AppendRows(const SurfaceLevel<Id>& level, const IrregularRows<Id>&, vtkIdType begin,
+  vtkIdType end, RowBlock<Id>& rows)
 {
-  const FourEightNext<Id> next(level);
+  const NextLevel<Id> next(level);
   ForKindsOfRows<3>(
     { level.Mesh.NumberOfVertices, level.Mesh.NumberOfFaces, next.GetNumberOfFaces() }, begin, end,
     [&](std::size_t kind, vtkIdType first, vtkIdType last)
@@ -250,10 +247,9 @@ void AppendFourEightRowsOfNext(
 }
 
 template <typename Id>
-void GetFourEightParentsOfNext(
-  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
+void GetParents(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
 {
-  const FourEightNext<Id> next(level);
+  const NextLevel<Id> next(level);
   const vtkIdType quad = row - next.GetNumberOfVertices();
   if (quad < 0)
   {
@@ -265,9 +261,9 @@ void GetFourEightParentsOfNext(
 }
 
 template <typename Id, typename Out>
-void WriteFourEightOfNext(const SurfaceLevel<Id>& level, Out* ids)
+void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
 {
-  const FourEightNext<Id> next(level);
+  const NextLevel<Id> next(level);
   const Id centres = static_cast<Id>(next.GetNumberOfVertices());
   ForSpokes(next,
     [&](Id face, Id quad, Id owner, std::size_t side, Id other)
@@ -281,9 +277,16 @@ void WriteFourEightOfNext(const SurfaceLevel<Id>& level, Out* ids)
     });
 }
 
-SUBDIVISION_COMPILE_FUNCTION(CountFourEight);
-SUBDIVISION_COMPILE_FUNCTION(AppendFourEightRowsOfNext);
-SUBDIVISION_COMPILE_FUNCTION(GetFourEightParentsOfNext);
-SUBDIVISION_COMPILE_WRITER(WriteFourEightOfNext);
+}
+
+template <typename Id>
+StepOfNext<Id> MakeFourEightStepOfNext()
+{
+  return { [](const SurfaceLevel<Id>& level) { return !FourEightTopology<Id>(level).HasFixed(); },
+    AppendRows<Id>, GetParents<Id>, [](const SurfaceLevel<Id>& level, IdsOut ids)
+    { std::visit([&level](auto* to) { WriteFaces(level, to); }, ids); }, Count<Id> };
+}
+
+SUBDIVISION_COMPILE_FUNCTION(MakeFourEightStepOfNext);
 
 }

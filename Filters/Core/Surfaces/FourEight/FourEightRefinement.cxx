@@ -2,7 +2,6 @@
 #include "Core/Surfaces/FourEight/FourEightRefinement.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Surfaces/FourEight/FourEightNext.h"
 
 namespace subdivision
 {
@@ -426,19 +425,15 @@ SurfaceTags<Id> RefineFourEightTags(
   return out;
 }
 
-template <typename Id, typename Out>
-void WriteFourEight(const SurfaceLevel<Id>& level, Out* ids)
+template <typename Id>
+void WriteFourEight(const SurfaceLevel<Id>& level, IdsOut ids)
 {
-  FourEightRefiner<Id>(level).WriteFaces(ids);
+  std::visit([&](auto* to) { FourEightRefiner<Id>(level).WriteFaces(to); }, ids);
 }
 
 template <typename Id>
 SurfaceLevel<Id> RefineFourEight(const SurfaceLevel<Id>& level, Depth depth)
 {
-  if (level.Places.empty())
-  {
-    return CountFourEight(level);
-  }
   SurfaceLevel<Id> next = FourEightRefiner<Id>(level).Run(depth);
   if (!IsLast(depth))
   {
@@ -479,6 +474,6 @@ SUBDIVISION_COMPILE_FUNCTION(CountFourEightPlaces);
 SUBDIVISION_COMPILE_FUNCTION(ListFourEightChildren);
 SUBDIVISION_COMPILE_FUNCTION(RefineFourEight);
 SUBDIVISION_COMPILE_FUNCTION(RefineFourEightTags);
-SUBDIVISION_COMPILE_WRITER(WriteFourEight);
+SUBDIVISION_COMPILE_FUNCTION(WriteFourEight);
 
 }
