@@ -145,7 +145,11 @@ void FourEightScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Surfac
     end,
     [&](std::size_t kind, vtkIdType first, vtkIdType last)
     {
-      if (kind == 0)
+      if (kind == 0 && level.Before)
+      {
+        AppendFourEightVertices(*level.Before, first, last, rows);
+      }
+      else if (kind == 0)
       {
         AppendVertices(topology, tags, first, last, rows);
       }

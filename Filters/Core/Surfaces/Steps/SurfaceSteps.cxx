@@ -80,6 +80,9 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   std::copy(given.Vertices.begin(), given.Vertices.end(), this->GivenVertices.begin());
   this->Scheme->RestrictTags(this->Levels[0]);
   const StepOfNext<Id>& ofNext = this->Scheme->GetStepOfNext();
+  // Then no level has irregular vertices.
+  const bool isRegular = steps > 1 && ofNext.Count && this->Scheme->UsesTags() &&
+    FindIrregularVertices(this->Levels[0]).empty();
   const auto isRight = [&](int level) { return !claimed.IsExceededBy(this->Levels[level], level); };
   for (int step = 0; step < steps && isRight(step) && !(stop && stop(0.5 * step / steps)); ++step)
   {
@@ -91,7 +94,8 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
     }
     if (!lastIsWhole && step + 2 == steps && ofNext.Skips && ofNext.Skips(level))
     {
-      this->Irregular = this->Scheme->UsesTags() ? FindIrregularVertices(level) : std::vector<Id>();
+      this->Irregular =
+        this->Scheme->UsesTags() && !isRegular ? FindIrregularVertices(level) : std::vector<Id>();
       const double most = std::min(MostIrregularVertices, ofNext.Count ? 0. : 1.);
       this->SkipsLevel = static_cast<double>(this->Irregular.size()) <=
         most * static_cast<double>(level.Mesh.NumberOfVertices);
@@ -104,6 +108,7 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
                                                                     : Depth::ForLastStep;
     this->Levels.push_back(
       isSkipped && ofNext.Count ? ofNext.Count(level) : this->Scheme->Refine(level, depth));
+    this->Levels.back().Before = isRegular ? &this->Levels[step] : nullptr;
   }
   if (lastIsWhole)
   {
