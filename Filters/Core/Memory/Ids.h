@@ -34,11 +34,4 @@ constexpr vtkIdType LargestSmallId = std::numeric_limits<int>::max();
   template decltype(Function<int>) Function<int>;                                                  \
   template decltype(Function<long long>) Function<long long>
 
-/// The same for one that has the type of ids and that of the ids it writes.
-#define SUBDIVISION_COMPILE_WRITER(Function)                                                       \
-  template decltype(Function<int, int>) Function<int, int>;                                        \
-  template decltype(Function<int, long long>) Function<int, long long>;                            \
-  template decltype(Function<long long, int>) Function<long long, int>;                            \
-  template decltype(Function<long long, long long>) Function<long long, long long>
-
 #endif

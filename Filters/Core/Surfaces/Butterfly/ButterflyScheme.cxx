@@ -35,6 +35,10 @@ template <typename Id>
 class ButterflyScheme : public QuarteringScheme<Id>
 {
 public:
+  ButterflyScheme()
+    : QuarteringScheme<Id>(AppendButterflyRowsOfNext<Id>)
+  {
+  }
   bool HasCornersOfOneFace() const override { return true; }
   DenseRows GetDenseRows() const override { return DenseRows::OfVertices; }
   /// Sets Places: for each vertex with one closed fan and smooth edges only the number of its
@@ -42,13 +46,6 @@ public:
   void Prepare(SurfaceLevel<Id>& level) const override;
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
-
-  bool SkipsNext(const SurfaceLevel<Id>&) const override { return true; }
-  void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
-    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
-  {
-    AppendButterflyRowsOfNext(level, others, begin, end, rows);
-  }
 
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;

@@ -270,8 +270,9 @@ void AppendCatmullClarkRowsOfNext(const SurfaceLevel<Id>& level, const Irregular
 
 template <typename Id>
 void GetCatmullClarkParentsOfNext(
-  const PolygonMesh<Id>& mesh, vtkIdType row, std::vector<vtkIdType>& parents)
+  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
 {
+  const PolygonMesh<Id>& mesh = level.Mesh;
   const vtkIdType edgePoints = mesh.NumberOfVertices;
   const vtkIdType facePoints = edgePoints + mesh.GetNumberOfEdges();
   const vtkIdType half = row - facePoints - mesh.NumberOfFaces;

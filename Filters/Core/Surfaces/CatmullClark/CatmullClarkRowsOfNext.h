@@ -20,7 +20,7 @@ void AppendCatmullClarkRowsOfNext(const SurfaceLevel<Id>& level, const Irregular
 
 template <typename Id>
 void GetCatmullClarkParentsOfNext(
-  const PolygonMesh<Id>& mesh, vtkIdType row, std::vector<vtkIdType>& parents);
+  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents);
 
 }
 

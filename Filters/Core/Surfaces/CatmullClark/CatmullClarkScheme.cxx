@@ -23,7 +23,10 @@ class CatmullClarkScheme : public SurfaceScheme<Id>
 {
 public:
   explicit CatmullClarkScheme(bool modifiedBoundary)
-    : ModifiedBoundary(modifiedBoundary)
+    : SurfaceScheme<Id>({ [](const SurfaceLevel<Id>& level) { return level.Mesh.Arity == 4; },
+        AppendCatmullClarkRowsOfNext<Id>, GetCatmullClarkParentsOfNext<Id>, WriteQuadsOfNext<Id>,
+        nullptr })
+    , ModifiedBoundary(modifiedBoundary)
   {
   }
   bool NeedsTriangles() const override { return false; }
@@ -73,11 +76,7 @@ public:
     ListQuadChildren(segments, children);
   }
   bool WritesFaces() const override { return true; }
-  void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override
-  {
-    WriteQuads(level, ids);
-  }
-  void WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const override
+  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override
   {
     WriteQuads(level, ids);
   }
@@ -100,26 +99,6 @@ public:
 
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
-
-  bool SkipsNext(const SurfaceLevel<Id>& level) const override { return level.Mesh.Arity == 4; }
-  void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
-    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
-  {
-    AppendCatmullClarkRowsOfNext(level, others, begin, end, rows);
-  }
-  void GetParentsOfNext(
-    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
-  {
-    GetCatmullClarkParentsOfNext(level.Mesh, row, parents);
-  }
-  void WriteFacesOfNext(const SurfaceLevel<Id>& level, int* ids) const override
-  {
-    WriteQuadsOfNext(level, ids);
-  }
-  void WriteFacesOfNext(const SurfaceLevel<Id>& level, long long* ids) const override
-  {
-    WriteQuadsOfNext(level, ids);
-  }
 
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override

@@ -13,10 +13,10 @@ namespace
 
 /// The next level, from this one. Its vertices are the corners of this one.
 template <typename Id>
-class DooSabinNext
+class NextLevel
 {
 public:
-  explicit DooSabinNext(const SurfaceLevel<Id>& level)
+  explicit NextLevel(const SurfaceLevel<Id>& level)
     : Mesh(level.Mesh)
     , Places(*level.Dual)
     , Corners(static_cast<Id>(level.Mesh.GetNumberOfCorners()))
@@ -82,7 +82,7 @@ void AppendCorners(
 }
 
 template <typename Id>
-void AppendInside(const DooSabinNext<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+void AppendInside(const NextLevel<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
 {
   while (begin < end)
   {
@@ -97,7 +97,7 @@ void AppendInside(const DooSabinNext<Id>& next, vtkIdType begin, vtkIdType end, 
 }
 
 template <typename Id>
-void AppendAlong(const DooSabinNext<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+void AppendAlong(const NextLevel<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
 {
   Id corner = FindByCount(next.Places.Sides, begin / 4);
   vtkIdType at = begin % 4;
@@ -120,7 +120,7 @@ void AppendAlong(const DooSabinNext<Id>& next, vtkIdType begin, vtkIdType end, R
 }
 
 template <typename Id>
-void AppendAround(const DooSabinNext<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+void AppendAround(const NextLevel<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
 {
   const Buffer<Id>& before = next.Places.Corners;
   const auto append = [&](Id vertex, const auto& visitFans)
@@ -138,10 +138,8 @@ void AppendAround(const DooSabinNext<Id>& next, vtkIdType begin, vtkIdType end, 
   ForFansForward(next.Mesh, FindByCount(before, begin), FindByCount(before, end - 1) + 1, append);
 }
 
-}
-
 template <typename Id>
-SurfaceLevel<Id> CountDooSabin(const SurfaceLevel<Id>& skipped)
+SurfaceLevel<Id> Count(const SurfaceLevel<Id>& skipped)
 {
   const PolygonMesh<Id>& mesh = skipped.Mesh;
   const vtkIdType corners = mesh.FaceOffsets[mesh.NumberOfFaces];
@@ -149,10 +147,9 @@ SurfaceLevel<Id> CountDooSabin(const SurfaceLevel<Id>& skipped)
 }
 
 template <typename Id>
-void AppendDooSabinRowsOfNext(
-  const SurfaceLevel<Id>& level, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+void AppendRows(const SurfaceLevel<Id>& level, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
 {
-  const DooSabinNext<Id> next(level);
+  const NextLevel<Id> next(level);
   ForKindsOfRows<3>({ next.Corners, 2 * next.Corners, next.Corners }, begin, end,
     [&](std::size_t kind, vtkIdType first, vtkIdType last)
     {
@@ -163,18 +160,17 @@ void AppendDooSabinRowsOfNext(
 }
 
 template <typename Id>
-void GetDooSabinParentsOfNext(
-  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
+void GetParents(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
 {
   RowBlock<Id> rows;
-  AppendDooSabinRowsOfNext(level, row, row + 1, rows);
+  AppendRows(level, row, row + 1, rows);
   parents.assign(rows.GetColumns(), rows.GetColumns() + rows.GetNumberOfEntries());
 }
 
 template <typename Id, typename Out>
-void WriteDooSabinOfNext(const SurfaceLevel<Id>& level, Out* ids)
+void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
 {
-  const DooSabinNext<Id> next(level);
+  const NextLevel<Id> next(level);
   const PolygonMesh<Id>& mesh = level.Mesh;
   const vtkIdType corners = next.Corners;
   ForEach(4 * corners, [&](vtkIdType c) { ids[c] = static_cast<Out>(c); });
@@ -219,9 +215,18 @@ void WriteDooSabinOfNext(const SurfaceLevel<Id>& level, Out* ids)
     [&](vtkIdType begin, vtkIdType end) { ForFansForward(mesh, begin, end, write); });
 }
 
-SUBDIVISION_COMPILE_FUNCTION(CountDooSabin);
-SUBDIVISION_COMPILE_FUNCTION(AppendDooSabinRowsOfNext);
-SUBDIVISION_COMPILE_FUNCTION(GetDooSabinParentsOfNext);
-SUBDIVISION_COMPILE_WRITER(WriteDooSabinOfNext);
+}
+
+template <typename Id>
+StepOfNext<Id> MakeDooSabinStepOfNext()
+{
+  return { IsClosedDual<Id>,
+    [](const SurfaceLevel<Id>& level, const IrregularRows<Id>&, vtkIdType begin, vtkIdType end,
+      RowBlock<Id>& rows) { AppendRows(level, begin, end, rows); },
+    GetParents<Id>, [](const SurfaceLevel<Id>& level, IdsOut ids)
+    { std::visit([&level](auto* to) { WriteFaces(level, to); }, ids); }, Count<Id> };
+}
+
+SUBDIVISION_COMPILE_FUNCTION(MakeDooSabinStepOfNext);
 
 }

@@ -5,7 +5,6 @@
 #include "Core/Surfaces/Dual/DooSabinNext.h"
 #include "Core/Surfaces/Dual/DooSabinWeights.h"
 #include "Core/Surfaces/Dual/DualLimits.h"
-#include "Core/Surfaces/Dual/DualNext.h"
 #include "Core/Surfaces/Dual/DualRefiner.h"
 
 #include <algorithm>
@@ -39,6 +38,10 @@ template <typename Id>
 class DooSabinScheme : public SurfaceScheme<Id>
 {
 public:
+  DooSabinScheme()
+    : SurfaceScheme<Id>(MakeDooSabinStepOfNext<Id>())
+  {
+  }
   bool NeedsTriangles() const override { return false; }
   bool UsesTags() const override { return false; }
   bool KeepsVertices() const override { return false; }
@@ -64,28 +67,7 @@ public:
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
   SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override;
   bool WritesFaces() const override { return true; }
-  void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override;
-  void WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const override;
-  bool CountsChildren() const override { return true; }
-  bool SkipsNext(const SurfaceLevel<Id>& level) const override { return IsClosedDual(level); }
-  void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& /*others*/,
-    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
-  {
-    AppendDooSabinRowsOfNext(level, begin, end, rows);
-  }
-  void GetParentsOfNext(
-    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
-  {
-    GetDooSabinParentsOfNext(level, row, parents);
-  }
-  void WriteFacesOfNext(const SurfaceLevel<Id>& level, int* ids) const override
-  {
-    WriteDooSabinOfNext(level, ids);
-  }
-  void WriteFacesOfNext(const SurfaceLevel<Id>& level, long long* ids) const override
-  {
-    WriteDooSabinOfNext(level, ids);
-  }
+  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override;
   void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
     SurfaceSegments& children) const override
   {
@@ -215,15 +197,14 @@ void DooSabinScheme<Id>::GetParents(
   }
 }
 
-template <typename Id, typename Out = Id>
-class DooSabinRefiner : DualRefiner<Id, Out>
+template <typename Id>
+class DooSabinRefiner : DualRefiner<Id>
 {
-  using typename DualRefiner<Id, Out>::Fan;
+  using typename DualRefiner<Id>::Fan;
 
 public:
   explicit DooSabinRefiner(const SurfaceLevel<Id>& level)
-    : DualRefiner<Id, Out>(
-        level, GetFirstLone(level), level.Dual->GetNumberOfSides(), GetVertexFaceSize)
+    : DualRefiner<Id>(level, GetFirstLone(level), level.Dual->GetNumberOfSides(), GetVertexFaceSize)
     , Corners(level.Mesh.GetNumberOfCorners())
   {
   }
@@ -233,6 +214,7 @@ public:
     return this->MakeNext(depth, [this](Id* ids) { this->WriteFaces(ids); });
   }
 
+  template <typename Out>
   void WriteFaces(Out* ids)
   {
     ForEach(this->Corners, [&](vtkIdType c) { this->SetCorner(static_cast<Id>(c), ids); });
@@ -258,6 +240,7 @@ private:
   }
 
   /// Sets the vertex at a corner, and the face along its side if it is the first corner there.
+  template <typename Out>
   void SetCorner(Id corner, Out* ids)
   {
     const auto set = [ids](Id at, Id vertex) { ids[at] = static_cast<Out>(vertex); };
@@ -291,6 +274,7 @@ private:
     this->Join(start + 2, twin);
   }
 
+  template <typename Out>
   vtkIdType SetFan(const Fan& fan, Id at, Out* ids)
   {
     const Id vertex = fan.Vertex;
@@ -434,18 +418,13 @@ void DooSabinScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const Su
 template <typename Id>
 SurfaceLevel<Id> DooSabinScheme<Id>::Refine(const SurfaceLevel<Id>& level, Depth depth) const
 {
-  return level.Dual ? DooSabinRefiner<Id>(level).Run(depth) : CountDooSabin(level);
+  return DooSabinRefiner<Id>(level).Run(depth);
 }
 
 template <typename Id>
-void DooSabinScheme<Id>::WriteFaces(const SurfaceLevel<Id>& level, int* ids) const
+void DooSabinScheme<Id>::WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const
 {
-  DooSabinRefiner<Id, int>(level).WriteFaces(ids);
-}
-template <typename Id>
-void DooSabinScheme<Id>::WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const
-{
-  DooSabinRefiner<Id, long long>(level).WriteFaces(ids);
+  std::visit([&](auto* to) { DooSabinRefiner<Id>(level).WriteFaces(to); }, ids);
 }
 
 template <typename Id>

@@ -14,8 +14,7 @@
 namespace subdivision
 {
 
-/// Out: the type of the ids of vertices that are written.
-template <typename Id, typename Out>
+template <typename Id>
 class DualRefiner
 {
 protected:

@@ -22,18 +22,16 @@ std::array<Id, 2> GetEnds(const SurfaceLevel<Id>& level, Id corner)
   return { sides[GetFirstOfSide(mesh, corner)], sides[GetFirstOfSide(mesh, mesh.Next(corner))] };
 }
 
-}
-
 template <typename Id>
-SurfaceLevel<Id> CountMidedge(const SurfaceLevel<Id>& skipped)
+SurfaceLevel<Id> Count(const SurfaceLevel<Id>& skipped)
 {
   const PolygonMesh<Id>& mesh = skipped.Mesh;
   return CountDual(skipped, mesh.FaceOffsets[mesh.NumberOfFaces] / 2, mesh.NumberOfVertices);
 }
 
 template <typename Id>
-void AppendMidedgeRowsOfNext(
-  const SurfaceLevel<Id>& level, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+void AppendRows(const SurfaceLevel<Id>& level, const IrregularRows<Id>&, vtkIdType begin,
+  vtkIdType end, RowBlock<Id>& rows)
 {
   rows.AddRun(Middle, end - begin,
     [&](vtkIdType i, Id* columns)
@@ -45,15 +43,14 @@ void AppendMidedgeRowsOfNext(
 }
 
 template <typename Id>
-void GetMidedgeParentsOfNext(
-  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
+void GetParents(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
 {
   const std::array<Id, 2> ends = GetEnds(level, static_cast<Id>(row));
   parents.assign(ends.begin(), ends.end());
 }
 
 template <typename Id, typename Out>
-void WriteMidedgeOfNext(const SurfaceLevel<Id>& level, Out* ids)
+void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const DualPlaces<Id>& places = *level.Dual;
@@ -93,9 +90,16 @@ void WriteMidedgeOfNext(const SurfaceLevel<Id>& level, Out* ids)
     });
 }
 
-SUBDIVISION_COMPILE_FUNCTION(CountMidedge);
-SUBDIVISION_COMPILE_FUNCTION(AppendMidedgeRowsOfNext);
-SUBDIVISION_COMPILE_FUNCTION(GetMidedgeParentsOfNext);
-SUBDIVISION_COMPILE_WRITER(WriteMidedgeOfNext);
+}
+
+template <typename Id>
+StepOfNext<Id> MakeMidedgeStepOfNext()
+{
+  return { IsClosedDual<Id>, AppendRows<Id>, GetParents<Id>,
+    [](const SurfaceLevel<Id>& level, IdsOut ids)
+    { std::visit([&level](auto* to) { WriteFaces(level, to); }, ids); }, Count<Id> };
+}
+
+SUBDIVISION_COMPILE_FUNCTION(MakeMidedgeStepOfNext);
 
 }

@@ -4,7 +4,6 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Sorting.h"
 #include "Core/Surfaces/Dual/DualLimits.h"
-#include "Core/Surfaces/Dual/DualNext.h"
 #include "Core/Surfaces/Dual/DualRefiner.h"
 #include "Core/Surfaces/Dual/MidedgeNext.h"
 
@@ -43,6 +42,10 @@ template <typename Id>
 class MidedgeScheme : public SurfaceScheme<Id>
 {
 public:
+  MidedgeScheme()
+    : SurfaceScheme<Id>(MakeMidedgeStepOfNext<Id>())
+  {
+  }
   bool NeedsTriangles() const override { return false; }
   bool UsesTags() const override { return false; }
   bool KeepsVertices() const override { return false; }
@@ -68,28 +71,7 @@ public:
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
   SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override;
   bool WritesFaces() const override { return true; }
-  void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override;
-  void WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const override;
-  bool CountsChildren() const override { return true; }
-  bool SkipsNext(const SurfaceLevel<Id>& level) const override { return IsClosedDual(level); }
-  void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& /*others*/,
-    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
-  {
-    AppendMidedgeRowsOfNext(level, begin, end, rows);
-  }
-  void GetParentsOfNext(
-    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
-  {
-    GetMidedgeParentsOfNext(level, row, parents);
-  }
-  void WriteFacesOfNext(const SurfaceLevel<Id>& level, int* ids) const override
-  {
-    WriteMidedgeOfNext(level, ids);
-  }
-  void WriteFacesOfNext(const SurfaceLevel<Id>& level, long long* ids) const override
-  {
-    WriteMidedgeOfNext(level, ids);
-  }
+  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override;
   void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
     SurfaceSegments& children) const override
   {
@@ -183,14 +165,14 @@ void MidedgeScheme<Id>::GetParents(
   }
 }
 
-template <typename Id, typename Out = Id>
-class MidedgeRefiner : DualRefiner<Id, Out>
+template <typename Id>
+class MidedgeRefiner : DualRefiner<Id>
 {
-  using typename DualRefiner<Id, Out>::Fan;
+  using typename DualRefiner<Id>::Fan;
 
 public:
   explicit MidedgeRefiner(const SurfaceLevel<Id>& level)
-    : DualRefiner<Id, Out>(level, GetFirstLone(level), 0,
+    : DualRefiner<Id>(level, GetFirstLone(level), 0,
         [&level](vtkIdType k, bool cycle) { return GetVertexFaceSize(level, k, cycle); })
     , Sides(level.Dual->GetNumberOfSides())
     , Keeps(KeepsChains(level))
@@ -202,6 +184,7 @@ public:
     return this->MakeNext(depth, [this](Id* ids) { this->WriteFaces(ids); });
   }
 
+  template <typename Out>
   void WriteFaces(Out* ids)
   {
     ForEach(this->Mesh.GetNumberOfCorners(),
@@ -261,6 +244,7 @@ private:
   /// The half-edge inside a face of a fan, towards the vertex.
   Id GetInside(const FanStep<Id>& step) const { return this->Mesh.Previous(step.Corner); }
 
+  template <typename Out>
   vtkIdType SetFan(const Fan& fan, Id at, Out* ids)
   {
     const vtkIdType size =
@@ -383,18 +367,13 @@ void MidedgeScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const Sur
 template <typename Id>
 SurfaceLevel<Id> MidedgeScheme<Id>::Refine(const SurfaceLevel<Id>& level, Depth depth) const
 {
-  return level.Dual ? MidedgeRefiner<Id>(level).Run(depth) : CountMidedge(level);
+  return MidedgeRefiner<Id>(level).Run(depth);
 }
 
 template <typename Id>
-void MidedgeScheme<Id>::WriteFaces(const SurfaceLevel<Id>& level, int* ids) const
+void MidedgeScheme<Id>::WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const
 {
-  MidedgeRefiner<Id, int>(level).WriteFaces(ids);
-}
-template <typename Id>
-void MidedgeScheme<Id>::WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const
-{
-  MidedgeRefiner<Id, long long>(level).WriteFaces(ids);
+  std::visit([&](auto* to) { MidedgeRefiner<Id>(level).WriteFaces(to); }, ids);
 }
 
 }

@@ -3,10 +3,13 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/FourEight/FourEightRegular.h"
+#include "Core/Surfaces/FourEight/FourEightTopology.h"
 #include "Core/Surfaces/Scheme/CycleRows.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace subdivision
 {
@@ -15,10 +18,10 @@ namespace
 
 /// The next level, from this one.
 template <typename Id>
-class FourEightNext
+class NextLevel
 {
 public:
-  explicit FourEightNext(const SurfaceLevel<Id>& level)
+  explicit NextLevel(const SurfaceLevel<Id>& level)
     : Mesh(level.Mesh)
     , Children(level)
   {
@@ -35,6 +38,8 @@ public:
   {
     return static_cast<Id>(this->Mesh.NumberOfVertices) + this->Mesh.GetFace(corner);
   }
+  /// FourEightTopology::GetSpokeOut.
+  Id GetSpokeOut(Id corner) const { return this->Children.GetSpokeOut(corner); }
   /// The quad across a corner's edge.
   Id GetQuad(Id corner) const
   {
@@ -73,11 +78,119 @@ private:
   const FourEightTopology<Id> Children;
 };
 
+/// Appends the rows of vertices in faces [begin, end) of a level, on whichever later one.
+/// visitAround(first, size, visit) calls visit(vertex) for the vertices around that in the face
+/// with this first corner and this number of corners.
+template <typename Id, typename VisitAround>
+void AppendInFaces(const NextLevel<Id>& next, vtkIdType begin, vtkIdType end,
+  const VisitAround& visitAround, RowBlock<Id>& rows)
+{
+  const PolygonMesh<Id>& mesh = next.Mesh;
+  const auto getVertex = [&mesh](vtkIdType face)
+  { return static_cast<Id>(mesh.NumberOfVertices + face); };
+  for (vtkIdType f = begin; f < end; ++f)
+  {
+    f += rows.AddRun(FourEightVertex, end - f,
+      [&](vtkIdType i, Id* columns)
+      {
+        const Id face = static_cast<Id>(f + i);
+        if (mesh.GetSize(face) != 4)
+        {
+          return false;
+        }
+        *columns++ = getVertex(face);
+        visitAround(mesh.GetFirst(face), 4, [&columns](Id vertex) { *columns++ = vertex; });
+        return true;
+      });
+    if (f < end)
+    {
+      const Id face = static_cast<Id>(f);
+      const Id size = mesh.GetSize(face);
+      rows.Add(getVertex(face), 0.5);
+      visitAround(mesh.GetFirst(face), size,
+        [&](Id vertex) { rows.Add(vertex, 0.5 / static_cast<double>(size)); });
+      rows.EndRow();
+    }
+  }
+}
+
+/// The vertices around that in a face are those of the face.
+template <typename Id>
+void AppendApices(const NextLevel<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+{
+  const auto visitAround = [&next](Id first, Id size, const auto& visit)
+  { std::for_each_n(next.Mesh.Vertices.data() + first, size, visit); };
+  AppendInFaces(next, begin, end, visitAround, rows);
+}
+
+/// Those of this level's vertices that steps made, each in a face of a level before. Half-edges at
+/// such a vertex follow from the corners of that face, which takes less time than a walk.
+template <typename Id>
+class MadeVertices
+{
+public:
+  explicit MadeVertices(const SurfaceLevel<Id>& level)
+    : NumberOfVertices(static_cast<Id>(level.Mesh.NumberOfVertices))
+  {
+    for (const SurfaceLevel<Id>* before = level.Before; before; before = before->Before)
+    {
+      this->Levels.emplace_back(*before);
+    }
+  }
+
+  /// The first of them, after which all were made.
+  vtkIdType GetFirst() const
+  {
+    return this->Levels.empty() ? this->NumberOfVertices
+                                : this->Levels.back().Mesh.NumberOfVertices;
+  }
+
+  /// Appends the rows of vertices [begin, end), which count from the first one: on the next level
+  /// those around a vertex are in the faces of this one.
+  void Append(vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
+  {
+    for (std::size_t i = this->Levels.size(); i-- > 0;)
+    {
+      const auto visitAround = [this, i](Id first, Id size, const auto& visit)
+      {
+        visit(this->GetApexAt(i, first + size - 1));
+        for (Id corner = first; corner < first + size - 1; ++corner)
+        {
+          visit(this->GetApexAt(i, corner));
+        }
+      };
+      const vtkIdType faces = this->Levels[i].Mesh.NumberOfFaces;
+      AppendInFaces(
+        this->Levels[i], std::max<vtkIdType>(begin, 0), std::min(end, faces), visitAround, rows);
+      begin -= faces;
+      end -= faces;
+    }
+  }
+
+private:
+  /// The vertex in that of this level's faces which has come to lie at a corner of a face of
+  /// Levels[i], around the vertex in it.
+  Id GetApexAt(std::size_t i, Id corner) const
+  {
+    if (i > 0)
+    {
+      corner = this->Levels[i].GetSpokeOut(corner);
+      while (--i > 0)
+      {
+        corner = this->Levels[i - 1].Mesh.Next(this->Levels[i].GetSpokeOut(corner));
+      }
+    }
+    return this->NumberOfVertices + this->Levels[0].GetQuad(corner);
+  }
+
+  const Id NumberOfVertices;
+  std::vector<NextLevel<Id>> Levels; ///< the last one first
+};
+
 /// The vertices around one of this level are those in its faces, and the walk around it begins
 /// beyond the edge of its corner.
 template <typename Id>
-void AppendVertices(
-  const FourEightNext<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+void AppendVertices(const NextLevel<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
 {
   using Steps = typename CycleWalks<Id>::Steps;
   AppendCycleRows(
@@ -109,43 +222,8 @@ void AppendVertices(
     rows);
 }
 
-/// The vertices around that in a face are those of the face.
 template <typename Id>
-void AppendApices(const FourEightNext<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
-{
-  const PolygonMesh<Id>& mesh = next.Mesh;
-  for (vtkIdType f = begin; f < end; ++f)
-  {
-    f += rows.AddRun(FourEightVertex, end - f,
-      [&](vtkIdType i, Id* columns)
-      {
-        const Id face = static_cast<Id>(f + i);
-        if (mesh.GetSize(face) != 4)
-        {
-          return false;
-        }
-        const Id first = mesh.GetFirst(face);
-        columns[0] = next.GetApex(first);
-        std::copy_n(mesh.Vertices.data() + first, 4, columns + 1);
-        return true;
-      });
-    if (f < end)
-    {
-      const Id face = static_cast<Id>(f);
-      const Id first = mesh.GetFirst(face);
-      rows.Add(next.GetApex(first), 0.5);
-      for (Id c = first; c < first + mesh.GetSize(face); ++c)
-      {
-        rows.Add(mesh.Vertices[c], 0.5 / static_cast<double>(mesh.GetSize(face)));
-      }
-      rows.EndRow();
-    }
-  }
-}
-
-template <typename Id>
-void AppendCentres(
-  const FourEightNext<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+void AppendCentres(const NextLevel<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
 {
   Id corner = next.FindOwner(begin);
   rows.AddRun(FourEightCentre, end - begin,
@@ -161,7 +239,7 @@ void AppendCentres(
 /// Calls visit(face, quad, owner, side, other) for each face of the level after the next one, which
 /// lies between two quads across a side of one of them: it belongs to that with the smaller number.
 template <typename Id, typename Visit>
-void ForSpokes(const FourEightNext<Id>& next, const Visit& visit)
+void ForSpokes(const NextLevel<Id>& next, const Visit& visit)
 {
   constexpr vtkIdType block = 16384;
   const vtkIdType quads = next.GetNumberOfFaces();
@@ -221,10 +299,8 @@ void ForSpokes(const FourEightNext<Id>& next, const Visit& visit)
     });
 }
 
-}
-
 template <typename Id>
-SurfaceLevel<Id> CountFourEight(const SurfaceLevel<Id>& skipped)
+SurfaceLevel<Id> Count(const SurfaceLevel<Id>& skipped)
 {
   SurfaceLevel<Id> next;
   next.Step = skipped.Step + 1;
@@ -235,25 +311,22 @@ SurfaceLevel<Id> CountFourEight(const SurfaceLevel<Id>& skipped)
 }
 
 template <typename Id>
-void AppendFourEightRowsOfNext(
-  const SurfaceLevel<Id>& level, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+void AppendRows(const SurfaceLevel<Id>& level, const IrregularRows<Id>&, vtkIdType begin,
+  vtkIdType end, RowBlock<Id>& rows)
 {
-  const FourEightNext<Id> next(level);
-  ForKindsOfRows<3>(
-    { level.Mesh.NumberOfVertices, level.Mesh.NumberOfFaces, next.GetNumberOfFaces() }, begin, end,
+  const NextLevel<Id> next(level);
+  ForKindsOfRows<2>({ next.GetNumberOfVertices(), next.GetNumberOfFaces() }, begin, end,
     [&](std::size_t kind, vtkIdType first, vtkIdType last)
     {
-      kind == 0     ? AppendVertices(next, first, last, rows)
-        : kind == 1 ? AppendApices(next, first, last, rows)
-                    : AppendCentres(next, first, last, rows);
+      kind == 0 ? AppendFourEightVertices(level, first, last, rows)
+                : AppendCentres(next, first, last, rows);
     });
 }
 
 template <typename Id>
-void GetFourEightParentsOfNext(
-  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
+void GetParents(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
 {
-  const FourEightNext<Id> next(level);
+  const NextLevel<Id> next(level);
   const vtkIdType quad = row - next.GetNumberOfVertices();
   if (quad < 0)
   {
@@ -265,9 +338,9 @@ void GetFourEightParentsOfNext(
 }
 
 template <typename Id, typename Out>
-void WriteFourEightOfNext(const SurfaceLevel<Id>& level, Out* ids)
+void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
 {
-  const FourEightNext<Id> next(level);
+  const NextLevel<Id> next(level);
   const Id centres = static_cast<Id>(next.GetNumberOfVertices());
   ForSpokes(next,
     [&](Id face, Id quad, Id owner, std::size_t side, Id other)
@@ -281,9 +354,34 @@ void WriteFourEightOfNext(const SurfaceLevel<Id>& level, Out* ids)
     });
 }
 
-SUBDIVISION_COMPILE_FUNCTION(CountFourEight);
-SUBDIVISION_COMPILE_FUNCTION(AppendFourEightRowsOfNext);
-SUBDIVISION_COMPILE_FUNCTION(GetFourEightParentsOfNext);
-SUBDIVISION_COMPILE_WRITER(WriteFourEightOfNext);
+}
+
+template <typename Id>
+void AppendFourEightVertices(
+  const SurfaceLevel<Id>& level, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+{
+  const NextLevel<Id> next(level);
+  const MadeVertices<Id> made(level);
+  const vtkIdType others = made.GetFirst();
+  ForKindsOfRows<3>({ others, level.Mesh.NumberOfVertices - others, level.Mesh.NumberOfFaces },
+    begin, end,
+    [&](std::size_t kind, vtkIdType first, vtkIdType last)
+    {
+      kind == 0     ? AppendVertices(next, first, last, rows)
+        : kind == 1 ? made.Append(first, last, rows)
+                    : AppendApices(next, first, last, rows);
+    });
+}
+
+template <typename Id>
+StepOfNext<Id> MakeFourEightStepOfNext()
+{
+  return { [](const SurfaceLevel<Id>& level) { return !FourEightTopology<Id>(level).HasFixed(); },
+    AppendRows<Id>, GetParents<Id>, [](const SurfaceLevel<Id>& level, IdsOut ids)
+    { std::visit([&level](auto* to) { WriteFaces(level, to); }, ids); }, Count<Id> };
+}
+
+SUBDIVISION_COMPILE_FUNCTION(AppendFourEightVertices);
+SUBDIVISION_COMPILE_FUNCTION(MakeFourEightStepOfNext);
 
 }

@@ -3,7 +3,7 @@
  * @file FourEightNext.h
  * The step of the 4-8 scheme from the next level, which is not made (SkippedLevel.h).
  *
- * All functions but CountFourEight need a level without fixed edges and without irregular vertices.
+ * It needs a level without fixed edges and without irregular vertices (FindIrregularVertices).
  * With V vertices, E edges and F faces there, the next level has V + F vertices and the E quads
  * across edges; the level after it has E vertices more, and one face for each spoke: between two
  * quads that are neighbours around a vertex of the level.
@@ -11,25 +11,19 @@
 #ifndef SubdivisionObjects_FourEightNext_h
 #define SubdivisionObjects_FourEightNext_h
 
-#include "Core/Surfaces/FourEight/FourEightTopology.h"
+#include "Core/Surfaces/Scheme/SurfaceScheme.h"
 
 namespace subdivision
 {
 
-/// The level after one that was skipped, and so has only its counts: its counts.
 template <typename Id>
-SurfaceLevel<Id> CountFourEight(const SurfaceLevel<Id>& skipped);
+StepOfNext<Id> MakeFourEightStepOfNext();
 
+/// Appends the rows of the next level's first vertices in the step from it, which may be made:
+/// those of this level's vertices, then those of the vertices in its faces.
 template <typename Id>
-void AppendFourEightRowsOfNext(
+void AppendFourEightVertices(
   const SurfaceLevel<Id>& level, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows);
-
-template <typename Id>
-void GetFourEightParentsOfNext(
-  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents);
-
-template <typename Id, typename Out>
-void WriteFourEightOfNext(const SurfaceLevel<Id>& level, Out* ids);
 
 }
 

@@ -19,8 +19,8 @@ template <typename Id>
 SurfaceLevel<Id> RefineFourEight(const SurfaceLevel<Id>& level, Depth depth);
 
 /// The vertices of the faces of the next level, one face after the other.
-template <typename Id, typename Out>
-void WriteFourEight(const SurfaceLevel<Id>& level, Out* ids);
+template <typename Id>
+void WriteFourEight(const SurfaceLevel<Id>& level, IdsOut ids);
 
 /// Tags of the next level: fixed edges, or their halves, are sharp, and their midpoints lie on
 /// curves. Old vertices keep their tags, and all else is smooth. Without fixed edges the next level

@@ -20,6 +20,10 @@ template <typename Id>
 class FourEightScheme : public SurfaceScheme<Id>
 {
 public:
+  FourEightScheme()
+    : SurfaceScheme<Id>(MakeFourEightStepOfNext<Id>())
+  {
+  }
   bool NeedsTriangles() const override { return false; }
   bool HalvesEdges() const override { return false; }
   bool HasCornersOfOneFace() const override { return true; }
@@ -44,36 +48,9 @@ public:
     ListFourEightChildren(level, segments, children);
   }
   bool WritesFaces() const override { return true; }
-  void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override
+  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override
   {
     WriteFourEight(level, ids);
-  }
-  void WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const override
-  {
-    WriteFourEight(level, ids);
-  }
-  bool CountsChildren() const override { return true; }
-  bool SkipsNext(const SurfaceLevel<Id>& level) const override
-  {
-    return !FourEightTopology<Id>(level).HasFixed();
-  }
-  void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& /*others*/,
-    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
-  {
-    AppendFourEightRowsOfNext(level, begin, end, rows);
-  }
-  void GetParentsOfNext(
-    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
-  {
-    GetFourEightParentsOfNext(level, row, parents);
-  }
-  void WriteFacesOfNext(const SurfaceLevel<Id>& level, int* ids) const override
-  {
-    WriteFourEightOfNext(level, ids);
-  }
-  void WriteFacesOfNext(const SurfaceLevel<Id>& level, long long* ids) const override
-  {
-    WriteFourEightOfNext(level, ids);
   }
   SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override
@@ -168,7 +145,11 @@ void FourEightScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Surfac
     end,
     [&](std::size_t kind, vtkIdType first, vtkIdType last)
     {
-      if (kind == 0)
+      if (kind == 0 && level.Before)
+      {
+        AppendFourEightVertices(*level.Before, first, last, rows);
+      }
+      else if (kind == 0)
       {
         AppendVertices(topology, tags, first, last, rows);
       }

@@ -23,7 +23,10 @@ class LoopScheme : public QuarteringScheme<Id>
 {
 public:
   LoopScheme(bool modifiedBoundary, LoopWeights weights)
-    : ModifiedBoundary(modifiedBoundary)
+    : QuarteringScheme<Id>([weights](const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
+                             vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+        { AppendLoopRowsOfNext(level, weights, others, begin, end, rows); })
+    , ModifiedBoundary(modifiedBoundary)
     , Weights(weights)
   {
   }
@@ -34,13 +37,6 @@ public:
   }
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
-
-  bool SkipsNext(const SurfaceLevel<Id>&) const override { return true; }
-  void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
-    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
-  {
-    AppendLoopRowsOfNext(level, this->Weights, others, begin, end, rows);
-  }
 
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;

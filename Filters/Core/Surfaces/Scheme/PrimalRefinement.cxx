@@ -491,28 +491,30 @@ SurfaceTags<Id> RefineToQuadTags(const SurfaceLevel<Id>& level, const SurfaceTag
   return InheritTags<Id, QuadSplit<Id>>(level, tags);
 }
 
-template <typename Id, typename Out>
-void WriteTriangles(const SurfaceLevel<Id>& level, Out* ids)
+template <typename Id>
+void WriteTriangles(const SurfaceLevel<Id>& level, IdsOut ids)
 {
-  PrimalRefiner<Id, TriangleSplit<Id>>(level).WriteFaces(ids);
+  std::visit([&](auto* to) { PrimalRefiner<Id, TriangleSplit<Id>>(level).WriteFaces(to); }, ids);
 }
 
-template <typename Id, typename Out>
-void WriteQuads(const SurfaceLevel<Id>& level, Out* ids)
+template <typename Id>
+void WriteQuads(const SurfaceLevel<Id>& level, IdsOut ids)
 {
-  PrimalRefiner<Id, QuadSplit<Id>>(level).WriteFaces(ids);
+  std::visit([&](auto* to) { PrimalRefiner<Id, QuadSplit<Id>>(level).WriteFaces(to); }, ids);
 }
 
-template <typename Id, typename Out>
-void WriteTrianglesOfNext(const SurfaceLevel<Id>& level, Out* ids)
+template <typename Id>
+void WriteTrianglesOfNext(const SurfaceLevel<Id>& level, IdsOut ids)
 {
-  PrimalRefiner<Id, TriangleSplit<Id>>(level).WriteGrandchildren(ids);
+  std::visit(
+    [&](auto* to) { PrimalRefiner<Id, TriangleSplit<Id>>(level).WriteGrandchildren(to); }, ids);
 }
 
-template <typename Id, typename Out>
-void WriteQuadsOfNext(const SurfaceLevel<Id>& level, Out* ids)
+template <typename Id>
+void WriteQuadsOfNext(const SurfaceLevel<Id>& level, IdsOut ids)
 {
-  PrimalRefiner<Id, QuadSplit<Id>>(level).WriteGrandchildren(ids);
+  std::visit(
+    [&](auto* to) { PrimalRefiner<Id, QuadSplit<Id>>(level).WriteGrandchildren(to); }, ids);
 }
 
 void ListTriangleChildren(const SurfaceSegments& segments, SurfaceSegments& children)
@@ -540,8 +542,9 @@ void ListQuadChildren(const SurfaceSegments& segments, SurfaceSegments& children
 
 template <typename Id>
 void GetParentsOfTrianglesOfNext(
-  const PolygonMesh<Id>& mesh, vtkIdType row, std::vector<vtkIdType>& parents)
+  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
 {
+  const PolygonMesh<Id>& mesh = level.Mesh;
   const vtkIdType vertices = mesh.NumberOfVertices;
   const vtkIdType edges = mesh.GetNumberOfEdges();
   const vtkIdType half = row - vertices - edges;
@@ -566,9 +569,9 @@ SUBDIVISION_COMPILE_FUNCTION(RefineTriangles);
 SUBDIVISION_COMPILE_FUNCTION(RefineToQuads);
 SUBDIVISION_COMPILE_FUNCTION(RefineTriangleTags);
 SUBDIVISION_COMPILE_FUNCTION(RefineToQuadTags);
-SUBDIVISION_COMPILE_WRITER(WriteTriangles);
-SUBDIVISION_COMPILE_WRITER(WriteQuads);
-SUBDIVISION_COMPILE_WRITER(WriteTrianglesOfNext);
-SUBDIVISION_COMPILE_WRITER(WriteQuadsOfNext);
+SUBDIVISION_COMPILE_FUNCTION(WriteTriangles);
+SUBDIVISION_COMPILE_FUNCTION(WriteQuads);
+SUBDIVISION_COMPILE_FUNCTION(WriteTrianglesOfNext);
+SUBDIVISION_COMPILE_FUNCTION(WriteQuadsOfNext);
 
 }

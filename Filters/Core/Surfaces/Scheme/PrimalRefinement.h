@@ -161,15 +161,15 @@ bool FindRingOfNewPoint(const PolygonMesh<Id>& mesh, Id point, Id ring[8])
 }
 
 /// The vertices of the faces of the next level, one face after the other.
-template <typename Id, typename Out>
-void WriteTriangles(const SurfaceLevel<Id>& level, Out* ids);
-template <typename Id, typename Out>
-void WriteQuads(const SurfaceLevel<Id>& level, Out* ids);
+template <typename Id>
+void WriteTriangles(const SurfaceLevel<Id>& level, IdsOut ids);
+template <typename Id>
+void WriteQuads(const SurfaceLevel<Id>& level, IdsOut ids);
 /// The same for the level after the next one, if all faces of this one have three corners, or four.
-template <typename Id, typename Out>
-void WriteTrianglesOfNext(const SurfaceLevel<Id>& level, Out* ids);
-template <typename Id, typename Out>
-void WriteQuadsOfNext(const SurfaceLevel<Id>& level, Out* ids);
+template <typename Id>
+void WriteTrianglesOfNext(const SurfaceLevel<Id>& level, IdsOut ids);
+template <typename Id>
+void WriteQuadsOfNext(const SurfaceLevel<Id>& level, IdsOut ids);
 
 /// Tags of the next level. Halves of an edge have its tag, its midpoint the vertex tag that
 /// corresponds to it, and old vertices keep theirs. All other edges and vertices are smooth.
@@ -182,16 +182,23 @@ SurfaceTags<Id> RefineToQuadTags(const SurfaceLevel<Id>& level, const SurfaceTag
 void ListTriangleChildren(const SurfaceSegments& segments, SurfaceSegments& children);
 void ListQuadChildren(const SurfaceSegments& segments, SurfaceSegments& children);
 
-/// SurfaceScheme::GetParentsOfNext, where triangles are split into four.
+/// StepOfNext::GetParents, where triangles are split into four.
 template <typename Id>
 void GetParentsOfTrianglesOfNext(
-  const PolygonMesh<Id>& mesh, vtkIdType row, std::vector<vtkIdType>& parents);
+  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents);
 
 /// Base class of the schemes that split each triangle into four, with one new vertex on each edge.
 template <typename Id>
 class QuarteringScheme : public SurfaceScheme<Id>
 {
 public:
+  QuarteringScheme() = default;
+  /// `appendRowsOfNext`: StepOfNext::AppendRows.
+  explicit QuarteringScheme(decltype(StepOfNext<Id>::AppendRows) appendRowsOfNext)
+    : SurfaceScheme<Id>({ [](const SurfaceLevel<Id>&) { return true; }, std::move(appendRowsOfNext),
+        GetParentsOfTrianglesOfNext<Id>, WriteTrianglesOfNext<Id>, nullptr })
+  {
+  }
   bool NeedsTriangles() const override { return true; }
   vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
   {
@@ -218,26 +225,9 @@ public:
     ListTriangleChildren(segments, children);
   }
   bool WritesFaces() const override { return true; }
-  void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override
+  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override
   {
     WriteTriangles(level, ids);
-  }
-  void WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const override
-  {
-    WriteTriangles(level, ids);
-  }
-  void GetParentsOfNext(
-    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
-  {
-    GetParentsOfTrianglesOfNext(level.Mesh, row, parents);
-  }
-  void WriteFacesOfNext(const SurfaceLevel<Id>& level, int* ids) const override
-  {
-    WriteTrianglesOfNext(level, ids);
-  }
-  void WriteFacesOfNext(const SurfaceLevel<Id>& level, long long* ids) const override
-  {
-    WriteTrianglesOfNext(level, ids);
   }
   SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override

@@ -15,7 +15,9 @@
 #include "Core/Surfaces/Mesh/PolygonMesh.h"
 
 #include <cmath>
+#include <functional>
 #include <memory>
+#include <variant>
 #include <vector>
 
 namespace subdivision
@@ -90,6 +92,9 @@ struct SurfaceLevel
   /// In sqrt(3): the first vertex that a step made; those after it were all made by steps. -1: it
   /// is not known.
   vtkIdType FirstMade = -1;
+  /// In 4-8: the level from which a step made this one, if it is still there, and if no vertex of
+  /// the control level is irregular (FindIrregularVertices). Otherwise nullptr.
+  const SurfaceLevel* Before = nullptr;
   /// What Prepare counts: running counts, from which ids of children follow where arithmetic alone
   /// is not enough; in Butterfly the valences of smooth vertices.
   Buffer<Id> Places;
@@ -142,6 +147,30 @@ enum class DenseRows
   OfVertices, ///< k faces around a vertex
   OfFaces,    ///< k corners of a face; vertices become such faces in dual schemes
   OfLimits    ///< both, in rows of limits alone
+};
+
+/// Where ids are written, of either type.
+using IdsOut = std::variant<int*, long long*>;
+
+/// The step from the next level where that level is not made (SkippedLevel.h). The functions do for
+/// the next level, from this one, what methods of SurfaceScheme with the same names do for a level.
+template <typename Id>
+struct StepOfNext
+{
+  /// Whether the next level can be skipped; empty: never.
+  std::function<bool(const SurfaceLevel<Id>& level)> Skips;
+  /// `others` appends rows that are not regular.
+  std::function<void(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)>
+    AppendRows;
+  std::function<void(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)>
+    GetParents;
+  std::function<void(const SurfaceLevel<Id>& level, IdsOut ids)> WriteFaces;
+  /// Only where ids of children follow from running counts, and not from arithmetic alone: the
+  /// counts of the level after one that was skipped, which has no more than its counts. Then a
+  /// level is skipped only if no vertex is irregular, and it is made after all where somebody asks
+  /// for CarryFaces or ListChildren. Otherwise Refine and these two need no more of it.
+  std::function<SurfaceLevel<Id>(const SurfaceLevel<Id>& skipped)> Count;
 };
 
 template <typename Id>
@@ -202,23 +231,7 @@ public:
   /// Whether Refine knows ForCounts, which is ForOutput without Vertices. WriteFaces then writes
   /// the vertices of the next level's faces, one face after the other.
   virtual bool WritesFaces() const { return false; }
-  virtual void WriteFaces(const SurfaceLevel<Id>& /*level*/, int* /*ids*/) const {}
-  virtual void WriteFaces(const SurfaceLevel<Id>& /*level*/, long long* /*ids*/) const {}
-  /// Whether the step from the next level can be taken if that level is not made (SkippedLevel.h):
-  /// the next four methods then do for it, from this level, what those of almost the same names do
-  /// for a level. `others` appends rows that are not regular.
-  virtual bool SkipsNext(const SurfaceLevel<Id>& /*level*/) const { return false; }
-  virtual void AppendRowsOfNext(const SurfaceLevel<Id>& /*level*/,
-    const IrregularRows<Id>& /*others*/, vtkIdType /*begin*/, vtkIdType /*end*/,
-    RowBlock<Id>& /*rows*/) const
-  {
-  }
-  virtual void GetParentsOfNext(
-    const SurfaceLevel<Id>& /*level*/, vtkIdType /*row*/, std::vector<vtkIdType>& /*parents*/) const
-  {
-  }
-  virtual void WriteFacesOfNext(const SurfaceLevel<Id>& /*level*/, int* /*ids*/) const {}
-  virtual void WriteFacesOfNext(const SurfaceLevel<Id>& /*level*/, long long* /*ids*/) const {}
+  virtual void WriteFaces(const SurfaceLevel<Id>& /*level*/, IdsOut /*ids*/) const {}
   /// Tags of the next level from those of this one (there may be several sets for one level).
   virtual SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const = 0;
@@ -240,10 +253,16 @@ public:
   virtual void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
     LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const = 0;
 
-  /// Whether ids of children follow from running counts, and not from arithmetic alone. Then a
-  /// level is skipped only if no vertex is irregular, and it is made after all where somebody asks
-  /// for CarryFaces or ListChildren. Otherwise these two need no more of it than its counts.
-  virtual bool CountsChildren() const { return false; }
+  const StepOfNext<Id>& GetStepOfNext() const { return this->OfNext; }
+
+protected:
+  explicit SurfaceScheme(StepOfNext<Id> ofNext = {})
+    : OfNext(std::move(ofNext))
+  {
+  }
+
+private:
+  const StepOfNext<Id> OfNext;
 };
 
 }

@@ -490,10 +490,10 @@ SurfaceLevel<Id> RefineSqrtThree(const SurfaceLevel<Id>& level, Depth depth)
   return next;
 }
 
-template <typename Id, typename Out>
-void WriteSqrtThree(const SurfaceLevel<Id>& level, Out* ids)
+template <typename Id>
+void WriteSqrtThree(const SurfaceLevel<Id>& level, IdsOut ids)
 {
-  SqrtThreeRefiner<Id>(level).WriteFaces(ids);
+  std::visit([&](auto* to) { SqrtThreeRefiner<Id>(level).WriteFaces(to); }, ids);
 }
 
 template <typename Id>
@@ -530,7 +530,7 @@ void ListSqrtThreeChildren(
   AppendChildren(segments.Lines, topology.IsEven ? 3 : 1, children.Lines);
 }
 
-SUBDIVISION_COMPILE_WRITER(WriteSqrtThree);
+SUBDIVISION_COMPILE_FUNCTION(WriteSqrtThree);
 SUBDIVISION_COMPILE_FUNCTION(CountSqrtThreePlaces);
 SUBDIVISION_COMPILE_FUNCTION(ListSqrtThreeChildren);
 SUBDIVISION_COMPILE_FUNCTION(RefineSqrtThree);

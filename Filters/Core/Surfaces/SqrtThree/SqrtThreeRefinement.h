@@ -20,8 +20,8 @@ template <typename Id>
 SurfaceLevel<Id> RefineSqrtThree(const SurfaceLevel<Id>& level, Depth depth);
 
 /// The vertices of the faces of the next level, one face after the other.
-template <typename Id, typename Out>
-void WriteSqrtThree(const SurfaceLevel<Id>& level, Out* ids);
+template <typename Id>
+void WriteSqrtThree(const SurfaceLevel<Id>& level, IdsOut ids);
 
 /// Tags of the next level: thirds of fixed edges are sharp, and the points that cut them lie on
 /// curves. Old vertices and edges keep their tags, and all else is smooth.

@@ -48,11 +48,7 @@ public:
     ListSqrtThreeChildren(level, segments, children);
   }
   bool WritesFaces() const override { return true; }
-  void WriteFaces(const SurfaceLevel<Id>& level, int* ids) const override
-  {
-    WriteSqrtThree(level, ids);
-  }
-  void WriteFaces(const SurfaceLevel<Id>& level, long long* ids) const override
+  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override
   {
     WriteSqrtThree(level, ids);
   }

@@ -56,6 +56,12 @@ int FindEndOfStage(const EdgeSharpness& sharpness, int step, int most)
   return static_cast<int>(end);
 }
 
+template <typename Id, typename Out>
+void CopyIds(const Buffer<Id>& from, Out* to)
+{
+  ForEach(from.size(), [&](vtkIdType i) { to[i] = static_cast<Out>(from[i]); });
+}
+
 }
 
 template <typename Id>
@@ -73,18 +79,24 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   std::copy(given.Edges.begin(), given.Edges.end(), this->GivenEdges.begin());
   std::copy(given.Vertices.begin(), given.Vertices.end(), this->GivenVertices.begin());
   this->Scheme->RestrictTags(this->Levels[0]);
+  const StepOfNext<Id>& ofNext = this->Scheme->GetStepOfNext();
+  // Then no level has irregular vertices.
+  const bool isRegular = steps > 1 && ofNext.Count && this->Scheme->UsesTags() &&
+    FindIrregularVertices(this->Levels[0]).empty();
   const auto isRight = [&](int level) { return !claimed.IsExceededBy(this->Levels[level], level); };
   for (int step = 0; step < steps && isRight(step) && !(stop && stop(0.5 * step / steps)); ++step)
   {
     SurfaceLevel<Id>& level = this->Levels.back();
-    if (!this->SkipsLevel)
+    const bool isSkipped = this->SkipsLevel;
+    if (!isSkipped)
     {
       this->Scheme->Prepare(level);
     }
-    if (!lastIsWhole && step + 2 == steps && this->Scheme->SkipsNext(level))
+    if (!lastIsWhole && step + 2 == steps && ofNext.Skips && ofNext.Skips(level))
     {
-      this->Irregular = this->Scheme->UsesTags() ? FindIrregularVertices(level) : std::vector<Id>();
-      const double most = std::min(MostIrregularVertices, this->Scheme->CountsChildren() ? 0. : 1.);
+      this->Irregular =
+        this->Scheme->UsesTags() && !isRegular ? FindIrregularVertices(level) : std::vector<Id>();
+      const double most = std::min(MostIrregularVertices, ofNext.Count ? 0. : 1.);
       this->SkipsLevel = static_cast<double>(this->Irregular.size()) <=
         most * static_cast<double>(level.Mesh.NumberOfVertices);
     }
@@ -94,7 +106,9 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
       : this->SkipsLevel || (isLast && this->Scheme->WritesFaces()) ? Depth::ForCounts
       : isLast                                                      ? Depth::ForOutput
                                                                     : Depth::ForLastStep;
-    this->Levels.push_back(this->Scheme->Refine(level, depth));
+    this->Levels.push_back(
+      isSkipped && ofNext.Count ? ofNext.Count(level) : this->Scheme->Refine(level, depth));
+    this->Levels.back().Before = isRegular ? &this->Levels[step] : nullptr;
   }
   if (lastIsWhole)
   {
@@ -110,25 +124,24 @@ vtkIdType SurfaceSteps<Id>::GetNumberOfCorners(int level) const
 }
 
 template <typename Id>
-template <typename Out>
-void SurfaceSteps<Id>::WriteFaces(int level, Out* ids) const
+void SurfaceSteps<Id>::WriteFaces(int level, IdsOut ids) const
 {
   const Buffer<Id>& vertices = this->Levels[level].Mesh.Vertices;
   if (vertices.empty() && this->GetNumberOfCorners(level) > 0)
   {
     this->StartsFromSkipped(level - 1)
-      ? this->Scheme->WriteFacesOfNext(this->Levels[level - 2], ids)
+      ? this->Scheme->GetStepOfNext().WriteFaces(this->Levels[level - 2], ids)
       : this->Scheme->WriteFaces(this->Levels[level - 1], ids);
     return;
   }
-  ForEach(vertices.size(), [&](vtkIdType c) { ids[c] = static_cast<Out>(vertices[c]); });
+  std::visit([&vertices](auto* to) { CopyIds(vertices, to); }, ids);
 }
 
 template <typename Id>
 template <typename Act>
 void SurfaceSteps<Id>::ForChildren(int step, const Act& act) const
 {
-  if (!this->StartsFromSkipped(step) || !this->Scheme->CountsChildren())
+  if (!this->StartsFromSkipped(step) || !this->Scheme->GetStepOfNext().Count)
   {
     act(this->Levels[step]);
     return;
@@ -238,7 +251,7 @@ BlockOperator<Id> SurfaceSteps<Id>::GetStep(int step) const
       std::make_shared<const IrregularRows<Id>>(*this->Scheme, before, this->Irregular);
     return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
       [this, &before, others](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
-      { this->Scheme->AppendRowsOfNext(before, *others, begin, end, block); });
+      { this->Scheme->GetStepOfNext().AppendRows(before, *others, begin, end, block); });
   }
   return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
     [this, &level](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
@@ -307,9 +320,5 @@ std::size_t SurfaceSteps<Id>::GetMemorySize() const
 }
 
 SUBDIVISION_COMPILE(class SurfaceSteps);
-template void SurfaceSteps<int>::WriteFaces(int, int*) const;
-template void SurfaceSteps<int>::WriteFaces(int, long long*) const;
-template void SurfaceSteps<long long>::WriteFaces(int, int*) const;
-template void SurfaceSteps<long long>::WriteFaces(int, long long*) const;
 
 }

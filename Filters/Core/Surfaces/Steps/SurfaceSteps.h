@@ -60,14 +60,13 @@ public:
   /// The number of corners of a level, and the vertex of each. The last level may not store them
   /// (Depth::ForCounts); WriteFaces then computes them.
   vtkIdType GetNumberOfCorners(int level) const;
-  template <typename Out>
-  void WriteFaces(int level, Out* ids) const;
+  void WriteFaces(int level, IdsOut ids) const;
   const SurfaceScheme<Id>& GetScheme() const { return *this->Scheme; }
   /// SurfaceScheme::GetParents for a step.
   void GetParents(int step, vtkIdType row, std::vector<vtkIdType>& parents) const
   {
     this->StartsFromSkipped(step)
-      ? this->Scheme->GetParentsOfNext(this->Levels[step - 1], row, parents)
+      ? this->Scheme->GetStepOfNext().GetParents(this->Levels[step - 1], row, parents)
       : this->Scheme->GetParents(this->Levels[step], row, parents);
   }
 
