@@ -33,9 +33,8 @@ import threading
 import time
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "Reliability"))
 import mutations
-import results as reliability
+import report
 import schemata
 
 MOST_OBJECTS = 5  # of a header; they are compiled without optimisation, which takes a third of the time
@@ -61,16 +60,6 @@ for scheme in ("CatmullClark", "Loop", "Scheme"):
 TESTS = {"Core": "SubdivisionObjectsCoreTests", "Filters": "SubdivisionObjectsTests"}
 LIBRARY = "libvtkSubdivisionObjects.so"
 HERE = pathlib.Path(__file__).parent
-
-
-def read_explained(path):
-    """The survivors of survivors.txt: {(path, old, new): reason}."""
-    explained = {}
-    for block in re.split(r"\n\s*\n", path.read_text(encoding="utf-8")):
-        lines = [line.strip() for line in block.strip().split("\n") if not line.startswith("#")]
-        if len(lines) >= 4:
-            explained[tuple(lines[:3])] = " ".join(lines[3:])
-    return explained
 
 
 class Commands:
@@ -175,6 +164,9 @@ class Runner:
         words = words[:words.index("&&")]  # CMake lists tests then
         own = [str(objects[word]) for word in words if word in objects]
         words = [word for word in words if word not in objects]
+        missing = [word for word in words if word.endswith(".o") and not (self.build / word).exists()]
+        if missing:  # of a test that is new; nothing could be linked
+            sys.exit("%s is not there: build first" % missing[0])
         first = next(i for i, word in enumerate(words) if word.endswith(".o"))
         words[first:first] = own  # of functions that several objects have, the linker takes the first
         if target.startswith("lib/"):
@@ -247,11 +239,12 @@ class Runner:
         return bool(made) and made.read_bytes() == (self.build / original).read_bytes()
 
     def link_all(self, objects):
-        """Makes the library, and those tests of which objects have changed."""
-        for name in TESTS.values():
+        """Makes the library and the tests, those of which objects have changed."""
+        for name in [LIBRARY, *TESTS.values()]:
             (self.binaries / name).unlink(missing_ok=True)
-        library = (self.build / "lib" / LIBRARY).resolve()
-        if not self.link("lib/" + library.name, objects, self.binaries / LIBRARY):
+        library = "lib/" + (self.build / "lib" / LIBRARY).resolve().name
+        has_own = any("/Filters.dir/" in original for original in objects)
+        if has_own and not self.link(library, objects, self.binaries / LIBRARY):
             return False
         return all(self.link("bin/" + name, objects, self.binaries / name) for name in TESTS.values()
                    if any("/%s.dir/" % name in original for original in objects))
@@ -314,7 +307,7 @@ class Runner:
                        "SUBDIVISIONOBJECTS_SHARED_DATA": str(self.source.parent / "shared" / "data")}
         if number:
             environment[schemata.VARIABLE] = str(number)
-        if own:
+        if own and (self.binaries / LIBRARY).exists():
             environment["LD_PRELOAD"] = str(self.binaries / LIBRARY)
         log = self.work / "tests.log"
         with open(log, "w", encoding="utf-8") as file:
@@ -395,10 +388,14 @@ class Runner:
         number = self.numbers.get(mutation.key)
         if not number:
             return None, ""
-        failed = self.run_killers(mutation.path, number)
-        for test in map(pathlib.Path, tests):
-            failed = failed or self.run_suites(mutation.path, test, number)
+        failed = self.run_near(mutation.path, tests, number)
         return "killed" if failed else "survived" if is_explained else None, failed
+
+    def run_near(self, path, tests, number=0):
+        failed = self.run_killers(path, number)
+        for test in map(pathlib.Path, tests):
+            failed = failed or self.run_suites(path, test, number)
+        return failed
 
     def judge(self, mutation, is_explained):
         """Returns what becomes of a mutation, and which test killed it. Tests near by are enough for an explained one."""
@@ -416,13 +413,17 @@ class Runner:
         path.write_text(mutation.apply((self.source / mutation.path).read_text(encoding="utf-8")), encoding="utf-8")
         try:
             failed = ""
-            sources = [] if number else list(dict.fromkeys(self.find_near(mutation.path) + self.find_sources(mutation.path)))
+            near = [] if number else self.find_near(mutation.path)
+            others = [] if number else [one for one in self.find_sources(mutation.path) if one not in near]
+            groups = [near] * bool(near) + [others[i:i + AT_ONCE] for i in range(0, len(others), AT_ONCE)]
             objects = {}
-            while sources and not failed:  # most are killed before all sources are compiled
-                if not self.build_changed(mutation.path, sources[:AT_ONCE], objects):
+            for group in groups:  # most are killed before all sources are compiled
+                if not self.build_changed(mutation.path, group, objects):
                     return "does not compile", ""
-                sources = sources[AT_ONCE:]
-                failed = self.run_all(mutation.path, is_explained or bool(sources))
+                failed = self.run_near(mutation.path, near) if group is near else self.run_all(
+                    mutation.path, is_explained or group is not groups[-1])
+                if failed:
+                    break
             if failed:
                 return "killed", failed
             is_same = not is_explained and mutation.path.endswith(".cxx") and self.is_same(mutation.path)
@@ -479,40 +480,6 @@ def list_files(source, places):
     return files
 
 
-def write_report(path, tried, explained):
-    counts = {}
-    lines = []
-    for entry in tried:
-        result = entry["result"]
-        reason = explained.get((entry["path"], entry["old"], entry["new"]), "")
-        result = "explained" if result == "survived" and reason else result
-        counts[result] = counts.get(result, 0) + 1
-        if result in ("survived", "explained"):
-            lines.append("%s:%d %s\n    %s\n    %s\n    %s" % (
-                entry["path"], entry["line"], result, entry["old"], entry["new"], reason))
-    summary = "%d mutations: %d killed, %d survived, %d survived with a reason, %d are the same, %d do not compile" % (
-        len(tried), counts.get("killed", 0), counts.get("survived", 0), counts.get("explained", 0), counts.get("same", 0),
-        counts.get("does not compile", 0))
-    path.write_text("\n".join([summary, ""] + lines) + "\n", encoding="utf-8")
-    return summary, counts
-
-
-def write_figures(source, build, entries, explained):
-    """Leaves the counts of all that was tried, for Documentation/Reliability.md."""
-    figures = {"killed": 0, "explained": 0, "survived": 0, "files": {}}
-    for path in sorted({entry["path"] for entry in entries}):
-        if (source / path).exists():
-            there_are = len(mutations.list_mutations(path, (source / path).read_text(encoding="utf-8")))
-            tried = sum(entry["path"] == path for entry in entries)
-            figures["files"][path.replace("Filters/", "", 1)] = [tried, there_are]
-    for entry in entries:
-        has_reason = (entry["path"], entry["old"], entry["new"]) in explained
-        result = "explained" if entry["result"] == "survived" and has_reason else entry["result"]
-        if result in figures:
-            figures[result] += 1
-    reliability.write(source, build, "mutations", "./dev mutate PLACE", figures)
-
-
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("source", type=pathlib.Path)
@@ -533,7 +500,7 @@ def main():
     all_runners = [Runner(source, arguments.build.resolve(), work / str(i), arguments.rest, known) for i in range(arguments.jobs)]
     runners = queue.Queue()
     list(map(runners.put, all_runners))
-    explained = read_explained(HERE / "survivors.txt")
+    explained = report.read_explained(HERE / "survivors.txt")
     all_of_them = []
     digests = {}
     for path in list_files(source, arguments.places or ["Core/Rules"]):
@@ -590,9 +557,9 @@ def main():
             with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
                 list(pool.map(lambda one, tests=tests: try_one(one, tests), still_open))
     tried = [results[one.key] for one in chosen]
-    summary, counts = write_report(work / "report.txt", tried, explained)
+    summary, counts = report.write_report(work / "report.txt", tried, explained)
     print(summary)
-    write_figures(source, arguments.build.resolve().parent, list(results.values()), explained)
+    report.write_figures(source, arguments.build.resolve().parent, list(results.values()), explained)
     return 1 if counts.get("survived", 0) else 0
 
 
