@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Changes lines of Core one at a time, and sees whether a test fails.
 
-    mutate.py SOURCE BUILD [PLACE...] [--most N] [--again] [--fast] [--rest SECONDS] [--jobs N]
+    mutate.py SOURCE BUILD [PLACE...] [--most N] [--again] [--fast] [--together] [--rest SECONDS] [--jobs N]
 
 PLACE is a folder or file under Filters (Core/Rules). SOURCE is not touched: a changed file is compiled beside
 it, with the commands of BUILD, into a library and tests that take the place of those of BUILD. Of a header,
@@ -11,7 +11,8 @@ folder of the same name. These tests run first, then the other tests for up to -
 A mutation is killed (a test fails, crashes or does not end), survives, does not compile, or is the same (the
 objects have equal bytes). The choice is always the same; what was tried is kept in BUILD/mutations/results.json
 until the file changes, so that a run goes on where another one was stopped. --again tries survivors anew;
-with --fast only the fast tests of the own folder run, so that a slower run has fewer mutations left.
+with --fast only the fast tests of the own folder run, so that a slower run has fewer mutations left; --together
+leaves to another run what has to be compiled alone, which costs most of the time.
 Survivors that change nothing which could be tested stand in survivors.txt beside this file, with the reason. The
 script fails where others survive.
 """
@@ -27,6 +28,7 @@ import re
 import resource
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import threading
@@ -299,8 +301,9 @@ class Runner:
 
     # ---- running
 
-    def run(self, name, filters, seconds, own=True, number=0):
-        """Runs tests until one fails. Returns "", the name of the test that failed, or "time"."""
+    def run(self, name, filters, seconds, own=True, number=0, on_clock=False):
+        """Runs tests until one fails. Returns "", the name of the test that failed, or "time". The seconds are those of the
+        processor, as on a busy machine the clock tells nothing; unless `on_clock`."""
         program = self.binaries / name if own and (self.binaries / name).exists() else self.work.parent / "programs" / name
         environment = {**os.environ, "GTEST_FAIL_FAST": "1", "GTEST_FILTER": filters, "VTK_SMP_BACKEND_IN_USE": "STDThread",
                        "SUBDIVISIONOBJECTS_DATA": str(self.source / "Data"), "SUBDIVISIONOBJECTS_RANDOM_SECONDS": "2",
@@ -312,10 +315,13 @@ class Runner:
         log = self.work / "tests.log"
         with open(log, "w", encoding="utf-8") as file:
             try:
-                code = subprocess.run([str(program)], env=environment, stdout=file, stderr=subprocess.STDOUT, timeout=seconds,
-                                      cwd=self.work, preexec_fn=limit_memory).returncode
+                code = subprocess.run([str(program)], env=environment, stdout=file, stderr=subprocess.STDOUT, cwd=self.work,
+                                      timeout=seconds if on_clock else 60. * (1. + seconds),  # what waits without end
+                                      preexec_fn=lambda: limit(3600 if on_clock else int(1. + seconds))).returncode
             except subprocess.TimeoutExpired:
                 return "time"
+        if code in (-signal.SIGXCPU, -signal.SIGKILL):
+            return "time"
         text = log.read_text(encoding="utf-8", errors="replace")
         if code == 0:
             return ""
@@ -371,7 +377,7 @@ class Runner:
         program, _, parts = self.find_suites(folder)
         failed = ""
         for part, seconds in parts[:1] if is_fast else parts:
-            failed = failed or self.run(program, part, 30. + 6. * seconds, number=number)
+            failed = failed or self.run(program, part, 5. + 3. * seconds, number=number)
         self.known.add_killer(path, program, failed)
         return failed
 
@@ -379,7 +385,7 @@ class Runner:
         """Runs those tests that found most mutations of the file so far."""
         failed = ""
         for program, filters, seconds in self.known.find_killers(path):
-            failed = failed or self.run(program, filters, 6. + 20. * seconds, number=number)
+            failed = failed or self.run(program, filters, 3. + 3. * seconds, number=number)
         return failed
 
     def judge_near(self, mutation, tests, is_explained):
@@ -458,13 +464,14 @@ class Runner:
         for name in TESTS.values():
             left = self.rest - (time.time() - begin)
             if left > 1.:
-                failed = self.run(name, "-" + slow + ":" + (every if name == own else ""), left, number=number)
+                failed = self.run(name, "-" + slow + ":" + (every if name == own else ""), left, number=number, on_clock=True)
                 if failed and failed != "time":  # there was no more time for it
                     return failed
         return ""
 
 
-def limit_memory():
+def limit(seconds):
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
     resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))  # what never ends fills it soon
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
@@ -488,6 +495,7 @@ def main():
     parser.add_argument("--most", type=int, default=100)
     parser.add_argument("--again", action="store_true")
     parser.add_argument("--fast", action="store_true")
+    parser.add_argument("--together", action="store_true")
     parser.add_argument("--rest", type=float, default=300.)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     arguments = parser.parse_args()
@@ -528,6 +536,8 @@ def main():
 
     def try_one(mutation, near):
         begin = time.time()
+        if arguments.together and mutation.key not in all_runners[0].numbers:
+            return
         runner = runners.get()
         try:
             result, test = runner.judge_near(mutation, near, has_reason(mutation)) if near else runner.judge(mutation, has_reason(mutation))
@@ -556,7 +566,7 @@ def main():
                 runner.numbers = numbers
             with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
                 list(pool.map(lambda one, tests=tests: try_one(one, tests), still_open))
-    tried = [results[one.key] for one in chosen]
+    tried = [results[one.key] for one in chosen if one.key in results]
     summary, counts = report.write_report(work / "report.txt", tried, explained)
     print(summary)
     report.write_figures(source, arguments.build.resolve().parent, list(results.values()), explained)
