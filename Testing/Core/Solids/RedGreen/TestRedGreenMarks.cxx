@@ -279,24 +279,48 @@ TEST(RedGreenMarks, AHalfThatTheInputHas)
   }
 }
 
-// A midpoint that an input cell already has at another place of the forest: midpoints of midpoints.
-TEST(RedGreenMarks, MidpointsOfHalves)
+// Midpoints of midpoints, with any numbers, 0 too.
+TEST(RedGreenMarks, MidpointsOfMidpoints)
 {
-  // 3 halves 0-1, and 4 halves 0-3: the triangle must be red, and a child of it green.
-  Few few(5, { { 0, 1, 2 } });
-  few.State.AddMidpoint(0, 1, 3);
-  few.State.AddMidpoint(0, 3, 4);
-  EXPECT_TRUE(few.State.Close());
-  EXPECT_EQ(few.Count(), (Counts{ 0, 3, 2, 0, 0 }));
-  EXPECT_EQ(few.State.GetNumberOfVertices(), 7);
-  // 3 halves 0-1, 4 halves 1-2, and 5 the edge between these two.
-  Few inside(6, { { 0, 1, 2 } });
-  inside.State.AddMidpoint(0, 1, 3);
-  inside.State.AddMidpoint(1, 2, 4);
-  inside.State.AddMidpoint(3, 4, 5);
-  EXPECT_TRUE(inside.State.Close());
-  EXPECT_EQ(inside.Count(), (Counts{ 0, 2, 4, 0, 0 }));
-  EXPECT_EQ(inside.State.GetNumberOfVertices(), 7);
+  for (int by = 0; by < 6; ++by)
+  {
+    SCOPED_TRACE(by);
+    const auto at = [&](int vertex) { return (vertex + by) % 6; };
+    const Tuple cell{ at(0), at(1), at(2) };
+    // 3 halves 0-1: green.
+    Few green(6, { cell });
+    green.State.AddMidpoint(at(0), at(1), at(3));
+    EXPECT_TRUE(green.State.Close());
+    EXPECT_EQ(green.Count(), (Counts{ 0, 0, 2, 0, 0 }));
+    EXPECT_FALSE(green.State.IsRed(0));
+    EXPECT_EQ(green.State.GetNumberOfVertices(), 6);
+    // 4 halves 0-3: the triangle must be red, and a child of it green.
+    for (const int end : { 0, 1 })
+    {
+      Few half(6, { cell });
+      half.State.AddMidpoint(at(0), at(1), at(3));
+      half.State.AddMidpoint(at(end), at(3), at(4));
+      EXPECT_TRUE(half.State.Close());
+      EXPECT_EQ(half.Count(), (Counts{ 0, 3, 2, 0, 0 }));
+      EXPECT_EQ(half.State.GetNumberOfVertices(), 8);
+      // A mark of the other half splits that, and nothing else.
+      half.State.MarkEdge({ 0, -1 }, at(3), at(1 - end));
+      EXPECT_TRUE(half.State.Close());
+      EXPECT_EQ(half.Count(), (Counts{ 0, 2, 4, 0, 0 }));
+    }
+    // 4 halves 1-2, and 5 the edge between 3 and 4.
+    for (const bool isLast : { true, false })
+    {
+      Few inside(6, { cell });
+      isLast ? void() : inside.State.AddMidpoint(at(3), at(4), at(5));
+      inside.State.AddMidpoint(at(0), at(1), at(3));
+      inside.State.AddMidpoint(at(1), at(2), at(4));
+      isLast ? inside.State.AddMidpoint(at(3), at(4), at(5)) : void();
+      EXPECT_TRUE(inside.State.Close());
+      EXPECT_EQ(inside.Count(), (Counts{ 0, 2, 4, 0, 0 }));
+      EXPECT_EQ(inside.State.GetNumberOfVertices(), 7);
+    }
+  }
 }
 
 // Levels are stored in one byte. Midpoints that do not fit together would split without end.
@@ -338,21 +362,16 @@ TEST(RedGreenMarks, ChildrenOfARedCell)
   few.State.MarkCell({ 0, 3 }); // before anybody has closed
   EXPECT_TRUE(few.State.Close());
   EXPECT_EQ(few.Count(), (Counts{ 0, 4, 6, 0, 0 }));
-  int stored = -1;
-  for (const auto& cell : few.State.GetChangedCells())
-  {
-    if (cell.Kind == RefinementKind::Red && cell.Level == 2)
-    {
-      stored = cell.Leaf.Cell;
-      EXPECT_EQ(few.State.GetCell(stored).Parent, 0);
-      EXPECT_EQ(few.State.GetCell(stored).Child, 3);
-      EXPECT_EQ(few.State.GetCell(cell.Leaf).Parent, stored);
-    }
-  }
-  ASSERT_GE(stored, 1);
-  few.State.MarkCell({ stored, 1 });
+  few.State.MarkCell({ 5, 1 });
   EXPECT_TRUE(few.State.Close());
-  EXPECT_TRUE(few.State.IsRed(stored));
+  EXPECT_TRUE(few.State.IsRed(5));
+  // Children are stored together: 2 to 5 are those of the triangle, 6 to 9 those of its last child.
+  for (int cell = 2; cell < 10; ++cell)
+  {
+    EXPECT_EQ(few.State.GetCell(cell).Parent, cell < 6 ? 0 : 5) << cell;
+    EXPECT_EQ(few.State.GetCell(cell).Child, (cell - 2) % 4) << cell;
+    EXPECT_EQ(few.State.GetCell(cell).Level, cell < 6 ? 1 : 2) << cell;
+  }
   // Its neighbour inside is cut, and the two outside at whose edges it has halves are red.
   EXPECT_EQ(few.Count(), (Counts{ 0, 4 + 2 + 2 * 3, 2 + 2 * 2 + 2, 0, 0 }));
 }
@@ -379,4 +398,18 @@ TEST(RedGreenMarks, SplitsSpreadAlongAStrip)
   EXPECT_TRUE(few.State.Close());
   EXPECT_TRUE(few.State.IsRed(5));
   EXPECT_GE(few.FindMiddle(5, few.FindMiddle(5, 6)), 0);
+}
+
+// What the output tells of a green leaf, for the next filter: of edges that are not split, -1.
+TEST(RedGreenMarks, MidpointsOfGreenLeaves)
+{
+  // All vertices of the triangle are ends of split edges, but only one of its edges is split.
+  Few few(4, { { 0, 1, 2 }, { 2, 3 } });
+  few.State.MarkEdge({ 0, -1 }, 1, 2);
+  few.State.MarkCell({ 1, -1 });
+  few.State.Close();
+  const auto written = Write(few.State, few.Points);
+  ASSERT_EQ(written.GreenLeaves.size(), 1u);
+  EXPECT_EQ(written.GreenLeaves[0].Midpoints,
+    (std::array<int, 6>{ -1, few.FindMiddle(1, 2), -1, -1, -1, -1 }));
 }
