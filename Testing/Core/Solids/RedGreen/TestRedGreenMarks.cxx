@@ -6,7 +6,7 @@
 #include "CoreZoo.h"
 #include "RedGreenChecks.h"
 
-#include "Core/Solids/RedGreen/RedGreenTables.h"
+#include "Core/Memory/Loops.h"
 
 #include <stdexcept>
 
@@ -279,9 +279,50 @@ TEST(RedGreenMarks, AHalfThatTheInputHas)
   }
 }
 
+// An edge at a midpoint of another edge that is no half of it: that edge is none of its cells'.
+TEST(RedGreenMarks, AnEdgeAtAMidpoint)
+{
+  for (const Tuple& other : { Tuple{ 0, 3, 4 }, Tuple{ 0, 4, 3 }, Tuple{ 3, 4 }, Tuple{ 4, 3 } })
+  {
+    Few few(5, { { 0, 1, 2 }, other });
+    few.State.AddMidpoint(0, 1, 3);
+    few.State.MarkEdge({ 1, -1 }, 4, 3);
+    EXPECT_TRUE(few.State.Close());
+    EXPECT_FALSE(few.State.IsRed(0));
+    EXPECT_EQ(few.State.GetNumberOfVertices(), 6);
+  }
+}
+
+// An edge between two midpoints makes red what has both of their edges, whichever numbers they
+// have.
+TEST(RedGreenMarks, ACellWithOneOfTwoEdges)
+{
+  const int edges[3][2] = { { 0, 1 }, { 1, 2 }, { 0, 2 } };
+  for (int first = 0; first < 3; ++first)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      Few few(6, { { 0, 1, 2 }, { 0, 1, 3 }, { 1, 2, 4 }, { 5, 0, 2 } });
+      few.State.MarkEdge({ 0, -1 }, edges[first][0], edges[first][1]); // is edge 0
+      few.State.MarkCell({ 0, -1 });
+      few.State.Close();
+      const int l = (k + 1) % 3;
+      few.State.MarkEdge({ 0, 3 }, few.FindMiddle(edges[k][0], edges[k][1]),
+        few.FindMiddle(edges[l][0], edges[l][1]));
+      EXPECT_TRUE(few.State.Close());
+      for (int cell = 1; cell < 4; ++cell)
+      {
+        EXPECT_FALSE(few.State.IsRed(cell)) << first << " " << k << " " << cell;
+      }
+      EXPECT_EQ(few.Count(), (Counts{ 0, 2, 4 + 6, 0, 0 }));
+    }
+  }
+}
+
 // Midpoints of midpoints, with any numbers, 0 too.
 TEST(RedGreenMarks, MidpointsOfMidpoints)
 {
+  int tried = 0;
   for (int by = 0; by < 6; ++by)
   {
     SCOPED_TRACE(by);
@@ -295,11 +336,13 @@ TEST(RedGreenMarks, MidpointsOfMidpoints)
     EXPECT_FALSE(green.State.IsRed(0));
     EXPECT_EQ(green.State.GetNumberOfVertices(), 6);
     // 4 halves 0-3: the triangle must be red, and a child of it green.
-    for (const int end : { 0, 1 })
+    for (const int end : { 0, 1, 0, 1 })
     {
       Few half(6, { cell });
+      const bool isFirst = tried++ % 4 < 2; // in either order
+      isFirst ? half.State.AddMidpoint(at(end), at(3), at(4)) : void();
       half.State.AddMidpoint(at(0), at(1), at(3));
-      half.State.AddMidpoint(at(end), at(3), at(4));
+      isFirst ? void() : half.State.AddMidpoint(at(end), at(3), at(4));
       EXPECT_TRUE(half.State.Close());
       EXPECT_EQ(half.Count(), (Counts{ 0, 3, 2, 0, 0 }));
       EXPECT_EQ(half.State.GetNumberOfVertices(), 8);
@@ -412,4 +455,108 @@ TEST(RedGreenMarks, MidpointsOfGreenLeaves)
   ASSERT_EQ(written.GreenLeaves.size(), 1u);
   EXPECT_EQ(written.GreenLeaves[0].Midpoints,
     (std::array<int, 6>{ -1, few.FindMiddle(1, 2), -1, -1, -1, -1 }));
+}
+
+// A child is cut before anybody has looked at another cell of the same face, or with the same
+// vertices: then this one is red at once, with children that are cut.
+TEST(RedGreenMarks, CellsThatShareAFaceWithACutChild)
+{
+  const int edges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
+  for (const Tuple& first : { Tuple{ 0, 1, 2 }, Tuple{ 0, 1, 2, 3 } })
+  {
+    for (std::size_t corners : { 3u, 4u })
+    {
+      Tuple second{ 0, 1, 2, 3 };
+      second.resize(corners);
+      do
+      {
+        // Equal tetrahedra fit where they have the same diagonal (Mathematics 2).
+        const bool fits = first.size() + second.size() < 8 ||
+          std::set<std::set<vtkIdType>>{ { second[0], second[2] }, { second[1], second[3] } } ==
+            std::set<std::set<vtkIdType>>{ { 0, 2 }, { 1, 3 } };
+        for (int k = 0; k < 6; ++k)
+        {
+          for (int l = 0; l < k; ++l)
+          {
+            SCOPED_TRACE(std::to_string(first.size()) + ", edges " + std::to_string(k) + " " +
+              std::to_string(l));
+            if (first.size() == 3 && (edges[k][1] == 3 || edges[l][1] == 3))
+            {
+              continue;
+            }
+            Few few(4, { first, second });
+            NaiveRedGreen naive(few.List);
+            few.State.MarkCell({ 0, -1 });
+            const auto keys = MakeKeys(few.State);
+            const int ends[2] = { few.FindMiddle(edges[k][0], edges[k][1]),
+              few.FindMiddle(edges[l][0], edges[l][1]) };
+            // A child with both of them has the edge.
+            const int children = first.size() == 3 ? 4 : 8;
+            for (int child = 0; child < children; ++child)
+            {
+              const auto cell = few.State.GetCell(RedGreenLeaf<int>{ 0, child });
+              const auto has = [&](int v)
+              { return std::count(cell.Vertices.begin(), cell.Vertices.end(), v) > 0; };
+              if (has(ends[0]) && has(ends[1]))
+              {
+                few.State.MarkEdge({ 0, child }, ends[1], ends[0]);
+                break;
+              }
+            }
+            const NaiveLeaf leaf = ToNaive(few.State, { 0, -1 }, keys);
+            naive.MarkCell(leaf);
+            naive.MarkEdge(leaf, MakePair(keys[ends[0]], keys[ends[1]]));
+            few.State.Close();
+            naive.Close();
+            const auto written = Write(few.State, few.Points);
+            ASSERT_EQ(written.GetLeaves(), naive.Leaves);
+            ASSERT_EQ(few.State.GetNumberOfCells(), written.Cells.GetNumberOfSimplices());
+            if (fits)
+            {
+              ASSERT_NO_FATAL_FAILURE(CheckConforming(few.List, written));
+            }
+          }
+        }
+      } while (std::next_permutation(second.begin(), second.end()));
+    }
+  }
+}
+
+TEST(RedGreenMarks, ChangedCellsAreNamedOnce)
+{
+  Few few(4, { { 0, 1, 2, 3 } });
+  few.State.MarkEdge({ 0, -1 }, 0, 1);
+  few.State.MarkEdge({ 0, -1 }, 2, 3);
+  few.State.Close();
+  EXPECT_EQ(few.State.GetChangedCells().size(), 4);
+  few.State.MarkEdge({ 0, -1 }, 0, 2);
+  few.State.Close();
+  EXPECT_EQ(few.State.GetChangedCells().size(), 8);
+  few.State.Close();
+  EXPECT_EQ(few.State.GetChangedCells().size(), 0);
+}
+
+// So that a filter reports its progress and can be stopped while splits spread.
+TEST(RedGreenMarks, ActsBetweenEdges)
+{
+  Few few(4, { { 0, 1, 2, 3 } });
+  few.State.MarkCell({ 0, -1 });
+  few.State.Close();
+  const int before = few.State.GetNumberOfVertices();
+  for (int child = 0; child < 8; ++child)
+  {
+    few.State.MarkCell(
+      { 0, child }); // no vertex of the input is an end of their edges but old ones
+  }
+  const double seconds = std::exchange(BetweenLoops::SecondsBetween, 0.);
+  const int turns = std::exchange(BetweenLoops::TurnsBetween, 1);
+  int acts = 0;
+  {
+    const BetweenLoops between([&acts] { ++acts; });
+    few.State.Propagate();
+  }
+  BetweenLoops::SecondsBetween = seconds;
+  BetweenLoops::TurnsBetween = turns;
+  EXPECT_GE(acts, few.State.GetNumberOfVertices() - before);
+  EXPECT_EQ(few.State.GetNumberOfVertices(), 35);
 }
