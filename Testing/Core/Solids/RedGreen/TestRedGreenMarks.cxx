@@ -69,6 +69,67 @@ struct Few
 
 using Counts = std::vector<int>;
 
+/// Marks a cell, and an edge of one of its children between the midpoints of two of its edges,
+/// before anybody has looked at another cell of the same vertices.
+void CheckCutChild(const Tuple& first, const Tuple& second, const int (&edges)[2][2])
+{
+  Few few(4, { first, second });
+  few.State.MarkCell({ 0, -1 });
+  const int ends[2] = { few.FindMiddle(edges[0][0], edges[0][1]),
+    few.FindMiddle(edges[1][0], edges[1][1]) };
+  bool isThere = false;
+  for (int child = 0; child < (first.size() == 3 ? 4 : 8) && !isThere; ++child)
+  {
+    const auto cell = few.State.GetCell(RedGreenLeaf<int>{ 0, child });
+    const auto has = [&](int v)
+    { return std::count(cell.Vertices.begin(), cell.Vertices.end(), v) > 0; };
+    isThere = has(ends[0]) && has(ends[1]);
+    if (isThere)
+    {
+      few.State.MarkEdge({ 0, child }, ends[1], ends[0]);
+    }
+  }
+  few.State.Close();
+  ASSERT_TRUE(few.State.IsRed(0));
+  ASSERT_TRUE(few.State.IsRed(1));
+  ASSERT_EQ(few.FindMiddle(ends[0], ends[1]) >= 0, isThere);
+  // No cell has an edge that is split.
+  std::set<std::pair<int, int>> split;
+  for (int v = few.State.GetNumberOfInputVertices(); v < few.State.GetNumberOfVertices(); ++v)
+  {
+    const auto both = few.State.GetEnds(v);
+    split.insert(std::minmax({ both[0], both[1] }));
+  }
+  for (const Tuple& cell : GetCells(Write(few.State, few.Points).Cells))
+  {
+    for (const vtkIdType a : cell)
+    {
+      for (const vtkIdType b : cell)
+      {
+        ASSERT_EQ(split.count({ static_cast<int>(a), static_cast<int>(b) }), 0u);
+      }
+    }
+  }
+}
+
+/// The second cell in all orders of its vertices, and all pairs of edges of the first one.
+void CheckCutChildren(const Tuple& first, Tuple second)
+{
+  do
+  {
+    const int edges[6][2] = { { 0, 1 }, { 0, 2 }, { 1, 2 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };
+    for (int k = 0; k < (first.size() == 3 ? 3 : 6); ++k)
+    {
+      for (int l = 0; l < k; ++l)
+      {
+        SCOPED_TRACE("edges " + std::to_string(k) + " " + std::to_string(l));
+        ASSERT_NO_FATAL_FAILURE(CheckCutChild(
+          first, second, { { edges[k][0], edges[k][1] }, { edges[l][0], edges[l][1] } }));
+      }
+    }
+  } while (std::next_permutation(second.begin(), second.end()));
+}
+
 }
 
 TEST(RedGreenMarks, ACellBecomesRed)
@@ -447,7 +508,7 @@ TEST(RedGreenMarks, SplitsSpreadAlongAStrip)
 TEST(RedGreenMarks, MidpointsOfGreenLeaves)
 {
   // All vertices of the triangle are ends of split edges, but only one of its edges is split.
-  Few few(4, { { 0, 1, 2 }, { 2, 3 } });
+  Few few(4, { { 0, 1, 2 }, { 0, 3 } });
   few.State.MarkEdge({ 0, -1 }, 1, 2);
   few.State.MarkCell({ 1, -1 });
   few.State.Close();
@@ -457,69 +518,25 @@ TEST(RedGreenMarks, MidpointsOfGreenLeaves)
     (std::array<int, 6>{ -1, few.FindMiddle(1, 2), -1, -1, -1, -1 }));
 }
 
-// A child is cut before anybody has looked at another cell of the same face, or with the same
-// vertices: then this one is red at once, with children that are cut.
-TEST(RedGreenMarks, CellsThatShareAFaceWithACutChild)
+// The other cell is red at once, with children that are cut.
+TEST(RedGreenMarks, TwoEqualTrianglesWithACutChild)
 {
-  const int edges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
-  for (const Tuple& first : { Tuple{ 0, 1, 2 }, Tuple{ 0, 1, 2, 3 } })
-  {
-    for (std::size_t corners : { 3u, 4u })
-    {
-      Tuple second{ 0, 1, 2, 3 };
-      second.resize(corners);
-      do
-      {
-        // Equal tetrahedra fit where they have the same diagonal (Mathematics 2).
-        const bool fits = first.size() + second.size() < 8 ||
-          std::set<std::set<vtkIdType>>{ { second[0], second[2] }, { second[1], second[3] } } ==
-            std::set<std::set<vtkIdType>>{ { 0, 2 }, { 1, 3 } };
-        for (int k = 0; k < 6; ++k)
-        {
-          for (int l = 0; l < k; ++l)
-          {
-            SCOPED_TRACE(std::to_string(first.size()) + ", edges " + std::to_string(k) + " " +
-              std::to_string(l));
-            if (first.size() == 3 && (edges[k][1] == 3 || edges[l][1] == 3))
-            {
-              continue;
-            }
-            Few few(4, { first, second });
-            NaiveRedGreen naive(few.List);
-            few.State.MarkCell({ 0, -1 });
-            const auto keys = MakeKeys(few.State);
-            const int ends[2] = { few.FindMiddle(edges[k][0], edges[k][1]),
-              few.FindMiddle(edges[l][0], edges[l][1]) };
-            // A child with both of them has the edge.
-            const int children = first.size() == 3 ? 4 : 8;
-            for (int child = 0; child < children; ++child)
-            {
-              const auto cell = few.State.GetCell(RedGreenLeaf<int>{ 0, child });
-              const auto has = [&](int v)
-              { return std::count(cell.Vertices.begin(), cell.Vertices.end(), v) > 0; };
-              if (has(ends[0]) && has(ends[1]))
-              {
-                few.State.MarkEdge({ 0, child }, ends[1], ends[0]);
-                break;
-              }
-            }
-            const NaiveLeaf leaf = ToNaive(few.State, { 0, -1 }, keys);
-            naive.MarkCell(leaf);
-            naive.MarkEdge(leaf, MakePair(keys[ends[0]], keys[ends[1]]));
-            few.State.Close();
-            naive.Close();
-            const auto written = Write(few.State, few.Points);
-            ASSERT_EQ(written.GetLeaves(), naive.Leaves);
-            ASSERT_EQ(few.State.GetNumberOfCells(), written.Cells.GetNumberOfSimplices());
-            if (fits)
-            {
-              ASSERT_NO_FATAL_FAILURE(CheckConforming(few.List, written));
-            }
-          }
-        }
-      } while (std::next_permutation(second.begin(), second.end()));
-    }
-  }
+  CheckCutChildren({ 0, 1, 2 }, { 0, 1, 2 });
+}
+
+TEST(RedGreenMarks, ATetrahedronOnATriangleWithACutChild)
+{
+  CheckCutChildren({ 0, 1, 2 }, { 0, 1, 2, 3 });
+}
+
+TEST(RedGreenMarks, ATriangleOnATetrahedronWithACutChild)
+{
+  CheckCutChildren({ 0, 1, 2, 3 }, { 0, 1, 2 });
+}
+
+TEST(RedGreenMarks, TwoEqualTetrahedraWithACutChild)
+{
+  CheckCutChildren({ 0, 1, 2, 3 }, { 0, 1, 2, 3 });
 }
 
 TEST(RedGreenMarks, ChangedCellsAreNamedOnce)
