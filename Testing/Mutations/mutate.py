@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Changes lines of Core one at a time, and sees whether a test fails.
 
-    mutate.py SOURCE BUILD [PLACE...] [--most N] [--again] [--fast] [--rest SECONDS] [--jobs N]
+    mutate.py SOURCE BUILD [PLACE...] [--most N] [--again] [--fast] [--together] [--rest SECONDS] [--jobs N]
 
 PLACE is a folder or file under Filters (Core/Rules). SOURCE is not touched: a changed file is compiled beside
 it, with the commands of BUILD, into a library and tests that take the place of those of BUILD. Of a header,
@@ -11,7 +11,8 @@ folder of the same name. These tests run first, then the other tests for up to -
 A mutation is killed (a test fails, crashes or does not end), survives, does not compile, or is the same (the
 objects have equal bytes). The choice is always the same; what was tried is kept in BUILD/mutations/results.json
 until the file changes, so that a run goes on where another one was stopped. --again tries survivors anew;
-with --fast only the fast tests of the own folder run, so that a slower run has fewer mutations left.
+with --fast only the fast tests of the own folder run, so that a slower run has fewer mutations left; --together
+leaves to another run what has to be compiled alone, which costs most of the time.
 Survivors that change nothing which could be tested stand in survivors.txt beside this file, with the reason. The
 script fails where others survive.
 """
@@ -27,15 +28,15 @@ import re
 import resource
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import threading
 import time
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "Reliability"))
 import mutations
-import results as reliability
+import report
 import schemata
 
 MOST_OBJECTS = 5  # of a header; they are compiled without optimisation, which takes a third of the time
@@ -61,16 +62,6 @@ for scheme in ("CatmullClark", "Loop", "Scheme"):
 TESTS = {"Core": "SubdivisionObjectsCoreTests", "Filters": "SubdivisionObjectsTests"}
 LIBRARY = "libvtkSubdivisionObjects.so"
 HERE = pathlib.Path(__file__).parent
-
-
-def read_explained(path):
-    """The survivors of survivors.txt: {(path, old, new): reason}."""
-    explained = {}
-    for block in re.split(r"\n\s*\n", path.read_text(encoding="utf-8")):
-        lines = [line.strip() for line in block.strip().split("\n") if not line.startswith("#")]
-        if len(lines) >= 4:
-            explained[tuple(lines[:3])] = " ".join(lines[3:])
-    return explained
 
 
 class Commands:
@@ -175,6 +166,9 @@ class Runner:
         words = words[:words.index("&&")]  # CMake lists tests then
         own = [str(objects[word]) for word in words if word in objects]
         words = [word for word in words if word not in objects]
+        missing = [word for word in words if word.endswith(".o") and not (self.build / word).exists()]
+        if missing:  # of a test that is new; nothing could be linked
+            sys.exit("%s is not there: build first" % missing[0])
         first = next(i for i, word in enumerate(words) if word.endswith(".o"))
         words[first:first] = own  # of functions that several objects have, the linker takes the first
         if target.startswith("lib/"):
@@ -247,11 +241,12 @@ class Runner:
         return bool(made) and made.read_bytes() == (self.build / original).read_bytes()
 
     def link_all(self, objects):
-        """Makes the library, and those tests of which objects have changed."""
-        for name in TESTS.values():
+        """Makes the library and the tests, those of which objects have changed."""
+        for name in [LIBRARY, *TESTS.values()]:
             (self.binaries / name).unlink(missing_ok=True)
-        library = (self.build / "lib" / LIBRARY).resolve()
-        if not self.link("lib/" + library.name, objects, self.binaries / LIBRARY):
+        library = "lib/" + (self.build / "lib" / LIBRARY).resolve().name
+        has_own = any("/Filters.dir/" in original for original in objects)
+        if has_own and not self.link(library, objects, self.binaries / LIBRARY):
             return False
         return all(self.link("bin/" + name, objects, self.binaries / name) for name in TESTS.values()
                    if any("/%s.dir/" % name in original for original in objects))
@@ -306,23 +301,27 @@ class Runner:
 
     # ---- running
 
-    def run(self, name, filters, seconds, own=True, number=0):
-        """Runs tests until one fails. Returns "", the name of the test that failed, or "time"."""
+    def run(self, name, filters, seconds, own=True, number=0, on_clock=False):
+        """Runs tests until one fails. Returns "", the name of the test that failed, or "time". The seconds are those of the
+        processor, as on a busy machine the clock tells nothing; unless `on_clock`."""
         program = self.binaries / name if own and (self.binaries / name).exists() else self.work.parent / "programs" / name
         environment = {**os.environ, "GTEST_FAIL_FAST": "1", "GTEST_FILTER": filters, "VTK_SMP_BACKEND_IN_USE": "STDThread",
                        "SUBDIVISIONOBJECTS_DATA": str(self.source / "Data"), "SUBDIVISIONOBJECTS_RANDOM_SECONDS": "2",
                        "SUBDIVISIONOBJECTS_SHARED_DATA": str(self.source.parent / "shared" / "data")}
         if number:
             environment[schemata.VARIABLE] = str(number)
-        if own:
+        if own and (self.binaries / LIBRARY).exists():
             environment["LD_PRELOAD"] = str(self.binaries / LIBRARY)
         log = self.work / "tests.log"
         with open(log, "w", encoding="utf-8") as file:
             try:
-                code = subprocess.run([str(program)], env=environment, stdout=file, stderr=subprocess.STDOUT, timeout=seconds,
-                                      cwd=self.work, preexec_fn=limit_memory).returncode
+                code = subprocess.run([str(program)], env=environment, stdout=file, stderr=subprocess.STDOUT, cwd=self.work,
+                                      timeout=seconds if on_clock else 60. * (1. + seconds),  # what waits without end
+                                      preexec_fn=lambda: limit(3600 if on_clock else int(1. + seconds))).returncode
             except subprocess.TimeoutExpired:
                 return "time"
+        if code in (-signal.SIGXCPU, -signal.SIGKILL):
+            return "time"
         text = log.read_text(encoding="utf-8", errors="replace")
         if code == 0:
             return ""
@@ -378,7 +377,7 @@ class Runner:
         program, _, parts = self.find_suites(folder)
         failed = ""
         for part, seconds in parts[:1] if is_fast else parts:
-            failed = failed or self.run(program, part, 30. + 6. * seconds, number=number)
+            failed = failed or self.run(program, part, 5. + 3. * seconds, number=number)
         self.known.add_killer(path, program, failed)
         return failed
 
@@ -386,7 +385,7 @@ class Runner:
         """Runs those tests that found most mutations of the file so far."""
         failed = ""
         for program, filters, seconds in self.known.find_killers(path):
-            failed = failed or self.run(program, filters, 6. + 20. * seconds, number=number)
+            failed = failed or self.run(program, filters, 3. + 3. * seconds, number=number)
         return failed
 
     def judge_near(self, mutation, tests, is_explained):
@@ -395,10 +394,14 @@ class Runner:
         number = self.numbers.get(mutation.key)
         if not number:
             return None, ""
-        failed = self.run_killers(mutation.path, number)
-        for test in map(pathlib.Path, tests):
-            failed = failed or self.run_suites(mutation.path, test, number)
+        failed = self.run_near(mutation.path, tests, number)
         return "killed" if failed else "survived" if is_explained else None, failed
+
+    def run_near(self, path, tests, number=0):
+        failed = self.run_killers(path, number)
+        for test in map(pathlib.Path, tests):
+            failed = failed or self.run_suites(path, test, number)
+        return failed
 
     def judge(self, mutation, is_explained):
         """Returns what becomes of a mutation, and which test killed it. Tests near by are enough for an explained one."""
@@ -416,13 +419,17 @@ class Runner:
         path.write_text(mutation.apply((self.source / mutation.path).read_text(encoding="utf-8")), encoding="utf-8")
         try:
             failed = ""
-            sources = [] if number else list(dict.fromkeys(self.find_near(mutation.path) + self.find_sources(mutation.path)))
+            near = [] if number else self.find_near(mutation.path)
+            others = [] if number else [one for one in self.find_sources(mutation.path) if one not in near]
+            groups = [near] * bool(near) + [others[i:i + AT_ONCE] for i in range(0, len(others), AT_ONCE)]
             objects = {}
-            while sources and not failed:  # most are killed before all sources are compiled
-                if not self.build_changed(mutation.path, sources[:AT_ONCE], objects):
+            for group in groups:  # most are killed before all sources are compiled
+                if not self.build_changed(mutation.path, group, objects):
                     return "does not compile", ""
-                sources = sources[AT_ONCE:]
-                failed = self.run_all(mutation.path, is_explained or bool(sources))
+                failed = self.run_near(mutation.path, near) if group is near else self.run_all(
+                    mutation.path, is_explained or group is not groups[-1])
+                if failed:
+                    break
             if failed:
                 return "killed", failed
             is_same = not is_explained and mutation.path.endswith(".cxx") and self.is_same(mutation.path)
@@ -457,13 +464,14 @@ class Runner:
         for name in TESTS.values():
             left = self.rest - (time.time() - begin)
             if left > 1.:
-                failed = self.run(name, "-" + slow + ":" + (every if name == own else ""), left, number=number)
+                failed = self.run(name, "-" + slow + ":" + (every if name == own else ""), left, number=number, on_clock=True)
                 if failed and failed != "time":  # there was no more time for it
                     return failed
         return ""
 
 
-def limit_memory():
+def limit(seconds):
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
     resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))  # what never ends fills it soon
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
@@ -479,40 +487,6 @@ def list_files(source, places):
     return files
 
 
-def write_report(path, tried, explained):
-    counts = {}
-    lines = []
-    for entry in tried:
-        result = entry["result"]
-        reason = explained.get((entry["path"], entry["old"], entry["new"]), "")
-        result = "explained" if result == "survived" and reason else result
-        counts[result] = counts.get(result, 0) + 1
-        if result in ("survived", "explained"):
-            lines.append("%s:%d %s\n    %s\n    %s\n    %s" % (
-                entry["path"], entry["line"], result, entry["old"], entry["new"], reason))
-    summary = "%d mutations: %d killed, %d survived, %d survived with a reason, %d are the same, %d do not compile" % (
-        len(tried), counts.get("killed", 0), counts.get("survived", 0), counts.get("explained", 0), counts.get("same", 0),
-        counts.get("does not compile", 0))
-    path.write_text("\n".join([summary, ""] + lines) + "\n", encoding="utf-8")
-    return summary, counts
-
-
-def write_figures(source, build, entries, explained):
-    """Leaves the counts of all that was tried, for Documentation/Reliability.md."""
-    figures = {"killed": 0, "explained": 0, "survived": 0, "files": {}}
-    for path in sorted({entry["path"] for entry in entries}):
-        if (source / path).exists():
-            there_are = len(mutations.list_mutations(path, (source / path).read_text(encoding="utf-8")))
-            tried = sum(entry["path"] == path for entry in entries)
-            figures["files"][path.replace("Filters/", "", 1)] = [tried, there_are]
-    for entry in entries:
-        has_reason = (entry["path"], entry["old"], entry["new"]) in explained
-        result = "explained" if entry["result"] == "survived" and has_reason else entry["result"]
-        if result in figures:
-            figures[result] += 1
-    reliability.write(source, build, "mutations", "./dev mutate PLACE", figures)
-
-
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("source", type=pathlib.Path)
@@ -521,6 +495,7 @@ def main():
     parser.add_argument("--most", type=int, default=100)
     parser.add_argument("--again", action="store_true")
     parser.add_argument("--fast", action="store_true")
+    parser.add_argument("--together", action="store_true")
     parser.add_argument("--rest", type=float, default=300.)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     arguments = parser.parse_args()
@@ -533,7 +508,7 @@ def main():
     all_runners = [Runner(source, arguments.build.resolve(), work / str(i), arguments.rest, known) for i in range(arguments.jobs)]
     runners = queue.Queue()
     list(map(runners.put, all_runners))
-    explained = read_explained(HERE / "survivors.txt")
+    explained = report.read_explained(HERE / "survivors.txt")
     all_of_them = []
     digests = {}
     for path in list_files(source, arguments.places or ["Core/Rules"]):
@@ -561,6 +536,8 @@ def main():
 
     def try_one(mutation, near):
         begin = time.time()
+        if arguments.together and mutation.key not in all_runners[0].numbers:
+            return
         runner = runners.get()
         try:
             result, test = runner.judge_near(mutation, near, has_reason(mutation)) if near else runner.judge(mutation, has_reason(mutation))
@@ -589,10 +566,10 @@ def main():
                 runner.numbers = numbers
             with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
                 list(pool.map(lambda one, tests=tests: try_one(one, tests), still_open))
-    tried = [results[one.key] for one in chosen]
-    summary, counts = write_report(work / "report.txt", tried, explained)
+    tried = [results[one.key] for one in chosen if one.key in results]
+    summary, counts = report.write_report(work / "report.txt", tried, explained)
     print(summary)
-    write_figures(source, arguments.build.resolve().parent, list(results.values()), explained)
+    report.write_figures(source, arguments.build.resolve().parent, list(results.values()), explained)
     return 1 if counts.get("survived", 0) else 0
 
 

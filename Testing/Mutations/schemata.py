@@ -42,6 +42,8 @@ LOOP = re.compile(r"^(\s*for )\((.*)\)\s*$", re.S)
 RETURN = re.compile(r"^\s*return\b.*;\s*$", re.S)
 CONSTANT = re.compile(r"^(?:inline |static )?constexpr ([\w:]+(?:<[\w, ]+>)? \w+)( =\s+| ?(?={))(.*);\s*$", re.S)
 CONSTANT_BEGIN = re.compile(r"^constexpr (\w+ \w+(?: =|\{))")
+LIST = re.compile(r"^(\s+(?:static |inline )*)(?:(constexpr|const) )?([\w:]+(?:<[\w:, ]+>)? \w+(?:\[\w*\])*(?: = ?)?\{)(.*)(\};\s*)$", re.S)
+MEMBER = re.compile(r"^(\s+static )constexpr (\w+ \w+ =\s+)(.*);\s*$", re.S)
 ONE_LINE = re.compile(r"^(.*\)(?: const)? \{ )(return .*;)( \})$")
 VARIABLE_IN_BRACES = re.compile(r"^\s*(const )?[\w:]+(<.*>)? [*&]?\w+[{(\[;]")
 DECLARATION = re.compile(r"^(\s*(?:[\w:<>,*& \[\].\->()]+?[ *&])?(\w+) =\s+)(.*);\s*$", re.S)
@@ -120,6 +122,10 @@ class Statement:
     def find_kind(self):
         if CONSTANT.match(self.text):
             return "constant"
+        if MEMBER.match(self.text):
+            return "member"
+        if LIST.match(self.text):
+            return "list"
         if re.search(r"\b(constexpr|static_assert|using|template|case|default|static)\b", self.text):
             return ""
         if BRANCH.match(self.text):
@@ -146,6 +152,12 @@ class Statement:
         if self.kind == "constant":
             if not CONSTANT.match(changed) or CONSTANT.match(changed)[1] != CONSTANT.match(self.text)[1]:
                 return False
+        elif self.kind == "member":
+            if not MEMBER.match(changed) or MEMBER.match(changed)[2] != MEMBER.match(self.text)[2]:
+                return False
+        elif self.kind == "list":
+            if self.find_item(changed) is None:
+                return False
         elif self.kind == "declaration":
             mine, other = DECLARATION.match(self.text), DECLARATION.match(changed)
             if not other or mine[1] != other[1]:
@@ -163,6 +175,28 @@ class Statement:
             return False
         self.changed.append((number, changed))
         return True
+
+    def find_item(self, changed):
+        """Which item of a list is changed, or None."""
+        mine, other = LIST.match(self.text), LIST.match(changed)
+        if not other or mine[3] != other[3]:
+            return None
+        items = [split_outside(one[4], ",") for one in (mine, other)]
+        found = [k for k, (one, two) in enumerate(zip(*items)) if one != two]
+        return found[0] if len(items[0]) == len(items[1]) and len(found) == 1 and "{" not in items[0][found[0]] else None
+
+    def write_list(self):
+        """A list with a choice in each changed item; it is no constant, as a choice is none."""
+        head, constant, name, inside, tail = LIST.match(self.text).groups()
+        items = split_outside(inside, ",")
+        values = ["(%s)" % item for item in items]
+        for number, changed in reversed(self.changed):
+            k = self.find_item(changed)
+            items[k] = values[k] = choose_value(number, split_outside(LIST.match(changed)[4], ",")[k], values[k], "IsSwitchedOn")
+        constant = "const " if constant else ""
+        if constant and "static" in head and "inline" not in head:
+            head += "inline "
+        return "%s%s%s%s%s" % (head, constant, name, ", ".join(items), tail)
 
     def find_loop_changes(self, changed):
         mine = split_outside(LOOP.match(self.text)[2], ";")
@@ -207,6 +241,13 @@ class Statement:
             return "%s(%s)" % (head, value)
         if self.kind == "loop":
             return self.write_loop()
+        if self.kind == "list":
+            return self.write_list()
+        if self.kind == "member":
+            head, name, value = MEMBER.match(self.text).groups()
+            for number, changed in reversed(self.changed):
+                value = choose_value(number, MEMBER.match(changed)[3], value, "IsSwitchedOn")
+            return "%sinline const %s%s;" % (head, name, value)
         if self.kind == "one line":
             head, value, tail = ONE_LINE.match(self.text).groups()
             branches = "".join("if (::mutation::IsChosen(%d)) { %s } " % (number, ONE_LINE.match(changed)[2])
@@ -242,7 +283,7 @@ class Schemata:
                 continue
             original = "\n".join(self.read_line(hidden, i) for i in range(*place))
             statement = self.statements.setdefault(place, Statement(original))
-            if statement.kind == "constant" and not constants:
+            if statement.kind in ("constant", "member") and not constants:
                 continue
             changed = [self.read_line(hidden, i) for i in range(*place)]
             changed[mutation.number - 1 - place[0]] = self.read_changed(mutation)

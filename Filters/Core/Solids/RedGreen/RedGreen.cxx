@@ -16,6 +16,19 @@ using redgreen::Full;
 using redgreen::NumberOfEdges;
 using redgreen::PartsOf;
 
+namespace
+{
+
+/// Whether red children have the edge between the midpoints of two edges of their parent: these
+/// meet, or it is the diagonal (Mathematics 2).
+bool IsEdgeOfChildren(int k, int l)
+{
+  return tetrahedron::OppositeEdge(k) != l || k == tetrahedron::MarkedEdges[0] ||
+    k == tetrahedron::MarkedEdges[1];
+}
+
+}
+
 template <typename Id>
 RedGreen<Id>::RedGreen(const SimplexView& cells, std::function<void(vtkIdType*)> orderTet)
   : Input(cells)
@@ -423,12 +436,12 @@ void RedGreen<Id>::MarkEdge(const Leaf& leaf, Id end0, Id end1)
   // An edge of a red child stays and is split; any other edge vanishes.
   const Id parents[2] = { this->FindMidpointEdge(end0), this->FindMidpointEdge(end1) };
   const Id ends[2] = { end0, end1 };
-  auto has = [&](Id edge)
+  auto find = [&](Id edge)
   {
-    return edge >= 0 &&
-      std::find(node.Edges, node.Edges + NumberOfEdges[node.Dimension], edge) !=
-      node.Edges + NumberOfEdges[node.Dimension];
+    return static_cast<int>(
+      std::find(node.Edges, node.Edges + NumberOfEdges[node.Dimension], edge) - node.Edges);
   };
+  auto has = [&](Id edge) { return edge >= 0 && find(edge) < NumberOfEdges[node.Dimension]; };
   for (int i = 0; i < 2; ++i)
   {
     for (int side = 0; has(parents[i]) && side < 2; ++side)
@@ -440,17 +453,9 @@ void RedGreen<Id>::MarkEdge(const Leaf& leaf, Id end0, Id end1)
       }
     }
   }
-  if (has(parents[0]) && has(parents[1]))
+  if (has(parents[0]) && has(parents[1]) && IsEdgeOfChildren(find(parents[0]), find(parents[1])))
   {
-    const Edge& first = this->Edges[parents[0]];
-    const Edge& second = this->Edges[parents[1]];
-    const bool adjacent =
-      std::find(second.Ends, second.Ends + 2, first.Ends[0]) != second.Ends + 2 ||
-      std::find(second.Ends, second.Ends + 2, first.Ends[1]) != second.Ends + 2;
-    if (adjacent)
-    {
-      this->Split(this->FindOrAddEdge(end0, end1));
-    }
+    this->Split(this->FindOrAddEdge(end0, end1));
   }
 }
 

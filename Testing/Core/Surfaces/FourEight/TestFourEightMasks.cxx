@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mathematics 12: the weights of the limits of 4-8, against a step written down from its rules.
 #include "Core/Surfaces/FourEight/FourEightMasks.h"
+#include "Core/Surfaces/FourEight/FourEightRegular.h"
 
 #include "Core/Rules/Pi.h"
 
@@ -181,6 +182,20 @@ double SumUp(const FourEightCurveMask& mask, const Star& star)
   return sum;
 }
 
+}
+
+TEST(FourEightMasks, OfRegularVerticesAndQuads)
+{
+  ASSERT_EQ(FourEightVertex.size(), 5u);
+  ASSERT_EQ(FourEightCentre.size(), 4u);
+  for (std::size_t i = 0; i < 5; ++i)
+  {
+    EXPECT_EQ(FourEightVertex[i], i == 0 ? 1. / 2. : 1. / 8.) << i;
+  }
+  for (const double weight : FourEightCentre)
+  {
+    EXPECT_EQ(weight, 1. / 4.);
+  }
 }
 
 TEST(FourEightMasks, AStepMovesNoLimit)

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mathematics 12, Sharpness: rows near semi-sharp creases, against the definition.
+#include "SchemeTools.h"
+
+#include "Core/Surfaces/Scheme/SharpRows.h"
+
+#include <numeric>
+
+using namespace surfacetools;
+
+namespace
+{
+
+/// A sheet with a third face at one of its edges, two triangles in one corner, and a free line.
+Model MakeModel(bool triangles)
+{
+  Model model = MakeSheet(4, 3, triangles, { 1., 0., 0. }, { 0., 1., 0. });
+  model.Points.resize(24);
+  model.Points[20] = { 2.5, 1., 1. };
+  model.Points[21] = { 2.5, 1., 2. };
+  model.Points[22] = { 5., 5., 0. };
+  model.Points[23] = { 6., 5., 0. };
+  model.Faces.push_back(
+    triangles ? std::vector<vtkIdType>{ 7, 8, 20 } : std::vector<vtkIdType>{ 7, 8, 20, 21 });
+  model.Lines = { { 19, 22 }, { 22, 23 } };
+  return model;
+}
+
+template <typename Tag>
+Buffer<Tag> CopyTags(const Buffer<Tag>& tags)
+{
+  Buffer<Tag> copy(tags.size());
+  std::copy(tags.begin(), tags.end(), copy.begin());
+  return copy;
+}
+
+/// A level, with edges that are sharp for some steps more.
+struct Sharp
+{
+  Sharp(bool triangles, SurfaceSchemeKind kind, unsigned seed)
+    : Scheme(MakeSurfaceScheme<int>(kind, true))
+  {
+    const Model model = MakeModel(triangles);
+    this->Level = MakeLevel(model.Points.size(), model.Faces, model.Lines);
+    std::mt19937 random(seed);
+    std::vector<double> sharpness(
+      static_cast<std::size_t>(this->Level.Mesh.GetNumberOfEdges()), 0.);
+    for (double& left : sharpness)
+    {
+      const double choices[4] = { 0.25, 0.5, 1., 2.5 };
+      left = random() % 6 == 0 ? choices[random() % 4] : 0.;
+    }
+    const auto classify = [&](double least)
+    {
+      SurfaceFeatures features;
+      for (const double left : sharpness)
+      {
+        features.SharpEdges.push_back(left >= least ? 1 : 0);
+      }
+      return ClassifySurface(
+        this->Level.Mesh, *this->Scheme, features, model.Points.data()->data());
+    };
+    this->Level.Tags = classify(9.);
+    this->Whole = classify(1.);
+    this->All = classify(0.1);
+    this->Left = sharpness;
+    for (std::size_t e = 0; e < sharpness.size(); ++e)
+    {
+      if (sharpness[e] > 0.)
+      {
+        this->Edges.push_back({ static_cast<int>(e), sharpness[e] });
+      }
+    }
+    this->Scheme->Prepare(this->Level);
+  }
+
+  SharpRows<int> MakeRows() const
+  {
+    return SharpRows<int>(this->Level, { Copy(this->Whole), Copy(this->All) }, this->Edges);
+  }
+  static SurfaceTags<int> Copy(const SurfaceTags<int>& tags)
+  {
+    return { CopyTags(tags.Edges), CopyTags(tags.Vertices), tags.Sectors };
+  }
+  Weights GetRow(const SurfaceTags<int>& tags, vtkIdType row) const
+  {
+    RowBlock<int> rows;
+    this->Scheme->AppendRows(this->Level, tags, row, row + 1, rows);
+    return ToWeights(rows);
+  }
+
+  // By definition, 0: nothing is sharp in part.
+  double GetPartOfVertex(int vertex) const
+  {
+    std::vector<double> parts;
+    for (const SharpEdge<int>& edge : this->Edges)
+    {
+      const int* ends = &this->Level.Mesh.EdgeVertices[2 * edge.Edge];
+      if (edge.Left < 1. && (ends[0] == vertex || ends[1] == vertex))
+      {
+        parts.push_back(edge.Left);
+      }
+    }
+    return GetMean(parts);
+  }
+  double GetPartOf(const std::set<int>& vertices) const
+  {
+    std::vector<double> parts;
+    for (const int vertex : vertices)
+    {
+      const double part = this->GetPartOfVertex(vertex);
+      if (part > 0.)
+      {
+        parts.push_back(part);
+      }
+    }
+    return GetMean(parts);
+  }
+  double GetPartOfEdge(int edge) const
+  {
+    const PolygonMesh<int>& mesh = this->Level.Mesh;
+    const double left = this->Left[static_cast<std::size_t>(edge)];
+    if (left > 0.)
+    {
+      return left < 1. ? left : 0.;
+    }
+    const double part =
+      this->GetPartOf({ mesh.EdgeVertices[2 * edge], mesh.EdgeVertices[2 * edge + 1] });
+    const int corner = mesh.EdgeCorners[edge];
+    if (part > 0. || corner < 0)
+    {
+      return part;
+    }
+    std::set<int> across = this->GetCorners(mesh.GetFace(corner));
+    if (mesh.Twins[corner] >= 0)
+    {
+      across.merge(this->GetCorners(mesh.GetFace(mesh.Twins[corner])));
+    }
+    return this->GetPartOf(across);
+  }
+  std::set<int> GetCorners(int face) const
+  {
+    const int* first = &this->Level.Mesh.Vertices[this->Level.Mesh.GetFirst(face)];
+    return std::set<int>(first, first + this->Level.Mesh.GetSize(face));
+  }
+  double GetPartOfRow(int row) const
+  {
+    const int vertices = static_cast<int>(this->Level.Mesh.NumberOfVertices);
+    const int edges = static_cast<int>(this->Level.Mesh.GetNumberOfEdges());
+    return row < vertices      ? this->GetPartOfVertex(row)
+      : row < vertices + edges ? this->GetPartOfEdge(row - vertices)
+                               : this->GetPartOf(this->GetCorners(row - vertices - edges));
+  }
+  static double GetMean(const std::vector<double>& parts)
+  {
+    const double sum = std::accumulate(parts.begin(), parts.end(), 0.);
+    return parts.empty() ? 0. : sum / static_cast<double>(parts.size());
+  }
+
+  std::shared_ptr<const SurfaceScheme<int>> Scheme;
+  SurfaceLevel<int> Level;
+  SurfaceTags<int> Whole;
+  SurfaceTags<int> All;
+  std::vector<SharpEdge<int>> Edges;
+  std::vector<double> Left; ///< of each edge; 0: it is not sharp
+};
+
+void CheckRows(const Sharp& sharp, int* partly)
+{
+  const SharpRows<int> made = sharp.MakeRows();
+  const int size = static_cast<int>(sharp.Scheme->GetNumberOfRows(sharp.Level));
+  for (const int step : { size, 7, 1 })
+  {
+    RowBlock<int> rows;
+    for (int begin = 0; begin < size; begin += step)
+    {
+      made.Append(*sharp.Scheme, sharp.Level, begin, std::min(begin + step, size), rows);
+    }
+    ASSERT_EQ(static_cast<int>(rows.GetNumberOfRows()), size);
+    for (int row = 0; row < size; ++row)
+    {
+      Weights found;
+      const auto at = static_cast<std::size_t>(row);
+      for (std::size_t i = rows.GetBegin(at); i < rows.GetEnd(at); ++i)
+      {
+        found[rows.GetColumns()[i]] += rows.GetWeights()[i];
+      }
+      const double part = sharp.GetPartOfRow(row);
+      Weights expected;
+      for (const auto& [column, weight] : sharp.GetRow(sharp.Whole, row))
+      {
+        expected[column] += (1. - part) * weight;
+      }
+      for (const auto& [column, weight] : sharp.GetRow(sharp.All, row))
+      {
+        expected[column] += part * weight;
+      }
+      ExpectRow(found, expected, "row " + std::to_string(row));
+      *partly += part > 0.;
+    }
+  }
+}
+
+}
+
+TEST(SharpRows, AreThoseOfTheDefinition)
+{
+  const std::pair<SurfaceSchemeKind, bool> cases[] = { { SurfaceSchemeKind::Loop, true },
+    { SurfaceSchemeKind::ModifiedButterfly, true }, { SurfaceSchemeKind::CatmullClark, false },
+    { SurfaceSchemeKind::CatmullClark, true } };
+  int partly = 0;
+  for (const auto& [kind, triangles] : cases)
+  {
+    for (unsigned seed = 1; seed <= 12; ++seed)
+    {
+      SCOPED_TRACE(
+        "scheme " + std::to_string(static_cast<int>(kind)) + " seed " + std::to_string(seed));
+      const Sharp sharp(triangles, kind, seed);
+      ASSERT_FALSE(sharp.Edges.empty());
+      CheckRows(sharp, &partly);
+    }
+  }
+  EXPECT_GT(partly, 1000);
+}
+
+// Each of the rules alone: one edge that is sharp in part, one that is sharp for a whole step.
+TEST(SharpRows, OneEdgeThatIsSharp)
+{
+  for (int edge = 0; edge < 36; ++edge)
+  {
+    for (const double left : { 0.3, 1., 2. })
+    {
+      Sharp sharp(edge % 2 == 0, SurfaceSchemeKind::CatmullClark, 1);
+      const auto size = static_cast<std::size_t>(sharp.Level.Mesh.GetNumberOfEdges());
+      ASSERT_LT(static_cast<std::size_t>(edge), size);
+      SurfaceFeatures features;
+      features.SharpEdges.assign(size, 0);
+      const Model model = MakeModel(edge % 2 == 0);
+      const auto classify = [&](bool isSharp)
+      {
+        features.SharpEdges[static_cast<std::size_t>(edge)] = isSharp;
+        return ClassifySurface(
+          sharp.Level.Mesh, *sharp.Scheme, features, model.Points.data()->data());
+      };
+      sharp.Edges = { { edge, left } };
+      sharp.Left.assign(size, 0.);
+      sharp.Left[static_cast<std::size_t>(edge)] = left;
+      sharp.Level.Tags = classify(false);
+      sharp.Whole = classify(left >= 1.);
+      sharp.All = classify(true);
+      int partly = 0;
+      SCOPED_TRACE("edge " + std::to_string(edge));
+      CheckRows(sharp, &partly);
+      EXPECT_EQ(partly > 0, left < 1.);
+    }
+  }
+}
+
+TEST(SharpRows, VerticesWithTheirNeighbours)
+{
+  for (const bool triangles : { false, true })
+  {
+    const Model model = MakeModel(triangles);
+    const PolygonMesh<int> mesh = MakeLevel(model.Points.size(), model.Faces, model.Lines).Mesh;
+    for (const std::vector<int>& chosen :
+      { std::vector<int>{}, { 6 }, { 7 }, { 19 }, { 22 }, { 23 }, { 3, 8, 15 }, { 0, 1, 20 } })
+    {
+      std::set<int> expected(chosen.begin(), chosen.end());
+      for (const Polygons* cells : { &model.Faces, &model.Lines })
+      {
+        for (const auto& cell : *cells)
+        {
+          const bool isNear = std::any_of(cell.begin(), cell.end(), [&](vtkIdType v)
+            { return std::count(chosen.begin(), chosen.end(), static_cast<int>(v)) > 0; });
+          for (const vtkIdType v : cell)
+          {
+            isNear ? void(expected.insert(static_cast<int>(v))) : void();
+          }
+        }
+      }
+      EXPECT_EQ(
+        CollectWithNeighbours(mesh, chosen), std::vector<int>(expected.begin(), expected.end()));
+    }
+  }
+}
