@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace benchmarks
@@ -83,14 +84,14 @@ std::size_t GetMemorySize(const PlaceRows<int>& rows)
     rows.Weights[PlaceParts::Value].GetMemorySize();
 }
 
-Produced MakeRows(Stopwatch& watch, const Control& control)
+Produced MakeRows(Stopwatch& watch, const Control& control, PlaceDerivatives derivatives)
 {
   std::unique_ptr<PlaceLimits<int>> limits;
   watch.Time(
     [&]()
     {
-      limits =
-        std::make_unique<PlaceLimits<int>>(control.Level, SemiSharpStages<int>(), control.Places);
+      limits = std::make_unique<PlaceLimits<int>>(
+        control.Level, SemiSharpStages<int>(), control.Places, derivatives);
     });
   return { static_cast<double>(control.Places.size()),
     static_cast<double>(GetMemorySize(limits->Rows)) };
@@ -98,7 +99,8 @@ Produced MakeRows(Stopwatch& watch, const Control& control)
 
 Produced ApplyRows(Stopwatch& watch, const Control& control)
 {
-  static const PlaceLimits<int> limits(control.Level, SemiSharpStages<int>(), control.Places);
+  static const PlaceLimits<int> limits(
+    control.Level, SemiSharpStages<int>(), control.Places, PlaceDerivatives::First);
   const auto places = static_cast<vtkIdType>(control.Places.size());
   const vtkIdType size = 3 * places;
   Buffer<double> results[3];
@@ -158,13 +160,15 @@ struct SurfaceControl
   std::vector<SurfacePlace<int>> Places;
 };
 
-Produced MakeSurfaceRows(Stopwatch& watch, const SurfaceControl& control)
+Produced MakeSurfaceRows(
+  Stopwatch& watch, const SurfaceControl& control, PlaceDerivatives derivatives)
 {
   PlaceRows<int> rows;
   watch.Time(
     [&]()
     {
-      rows = FindSurfacePlaces(*control.Scheme, control.Level, SharpCreases<int>(), control.Places);
+      rows = FindSurfacePlaces(
+        *control.Scheme, control.Level, SharpCreases<int>(), control.Places, derivatives);
     });
   return { static_cast<double>(control.Places.size()), static_cast<double>(GetMemorySize(rows)) };
 }
@@ -178,18 +182,24 @@ void RegisterPlaces()
   static const Control bent(Bend(MakeCube(3)));
   for (const int threads : ThreadCounts)
   {
-    Register("places/make rows/sphere/levels:0", threads,
-      [](Stopwatch& watch) { return MakeRows(watch, sphere); });
+    for (const PlaceDerivatives most : { PlaceDerivatives::First, PlaceDerivatives::Second })
+    {
+      const std::string make = most == PlaceDerivatives::First
+        ? "places/make rows/"
+        : "places/make rows with second derivatives/";
+      Register(make + "sphere/levels:0", threads,
+        [most](Stopwatch& watch) { return MakeRows(watch, sphere, most); });
+      Register(make + "cube of solids/levels:0", threads,
+        [most](Stopwatch& watch) { return MakeRows(watch, cube, most); });
+      Register(make + "bent cube of solids/levels:0", threads,
+        [most](Stopwatch& watch) { return MakeRows(watch, bent, most); });
+      Register(make + "sphere by Loop/levels:0", threads,
+        [most](Stopwatch& watch) { return MakeSurfaceRows(watch, triangles, most); });
+      Register(make + "sphere of quads by CatmullClark/levels:0", threads,
+        [most](Stopwatch& watch) { return MakeSurfaceRows(watch, quads, most); });
+    }
     Register("places/apply rows/sphere/levels:0", threads,
       [](Stopwatch& watch) { return ApplyRows(watch, sphere); });
-    Register("places/make rows/cube of solids/levels:0", threads,
-      [](Stopwatch& watch) { return MakeRows(watch, cube); });
-    Register("places/make rows/bent cube of solids/levels:0", threads,
-      [](Stopwatch& watch) { return MakeRows(watch, bent); });
-    Register("places/make rows/sphere by Loop/levels:0", threads,
-      [](Stopwatch& watch) { return MakeSurfaceRows(watch, triangles); });
-    Register("places/make rows/sphere of quads by CatmullClark/levels:0", threads,
-      [](Stopwatch& watch) { return MakeSurfaceRows(watch, quads); });
   }
 }
 

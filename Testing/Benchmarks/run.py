@@ -19,7 +19,8 @@ PEER_NOTES = {
     "vtkSubdivideTetra": "12 children per tet, half of them inverted, points not shared; shown, not counted",
     "OpenSubdiv stencil table build": "the table alone, nothing evaluated",
     "OpenSubdiv stencil table evaluate": "ready table, one component; compared with re-execution",
-    "OpenSubdiv limit stencils make": "10 places in each face, with derivatives",
+    "OpenSubdiv limit stencils make": "10 places in each face, with first derivatives",
+    "OpenSubdiv limit stencils make with second derivatives": "the same with second derivatives",
     "OpenSubdiv limit stencils apply": "ready table of these; points",
     "dune-uggrid local": "no scalar; the same rounds and marks",
     "dune-uggrid": "no scalar; conforming red refinement; with --quick per cell, from 2 levels",
@@ -46,13 +47,13 @@ BARS = [
     ("polylines", ("filter", "first", "polylines", 3), ("limit", "huge", "polylines", 3), 1.5),
     ("places, ready rows beside limit stencils of OpenSubdiv", ("places", "apply rows", "sphere", 0),
      ("peer", "OpenSubdiv limit stencils apply", "sphere", 0), 1.0),
-    ("places, making rows beside limit stencils of OpenSubdiv", ("places", "make rows", "sphere", 0),
-     ("peer", "OpenSubdiv limit stencils make", "sphere", 0), 1.0),
-    ("places by Loop, making rows beside OpenSubdiv", ("places", "make rows", "sphere by Loop", 0),
-     ("peer", "OpenSubdiv limit stencils make", "sphere", 0), 1.0),
-    ("places by Catmull-Clark, making rows beside OpenSubdiv",
-     ("places", "make rows", "sphere of quads by CatmullClark", 0),
-     ("peer", "OpenSubdiv limit stencils make", "sphere of quads", 0), 1.0),
+    *[("%s, making rows%s beside OpenSubdiv" % (what, parts), ("places", "make rows" + parts, own, 0),
+       ("peer", "OpenSubdiv limit stencils make" + parts, peer, 0), bar)
+      for parts in ("", " with second derivatives")
+      for what, own, peer, bar in (
+          ("places", "sphere", "sphere", 0.9),
+          ("places by Loop", "sphere by Loop", "sphere", 0.9),
+          ("places by Catmull-Clark", "sphere of quads by CatmullClark", "sphere of quads", 0.8))],
     ("4-8", ("surface", "4-8", "quads", 6), ("surfacelimit", "4-8", "quads", 6), 2.5),
     ("midedge", ("surface", "Midedge", "quads", 6), ("surfacelimit", "Midedge", "quads", 6), 2.5),
 ]

@@ -116,11 +116,15 @@ PatchParts FindPatchPowers(PatchPowers kind, double u, double v, const PatchDire
 }
 
 void SumPowers(PatchPowers kind, const PatchParts& powers, const double* polynomials,
-  std::size_t columns, const std::array<double*, PlaceParts::Count>& sums)
+  std::size_t columns, const PlaceSums& sums)
 {
   const int size = CountPowers(kind);
   for (int p = 0; p < PlaceParts::Count; ++p)
   {
+    if (!sums[p])
+    {
+      continue;
+    }
     Terms terms;
     for (int n = 0; n < size; ++n)
     {
@@ -129,6 +133,10 @@ void SumPowers(PatchPowers kind, const PatchParts& powers, const double* polynom
       terms.Size += powers[p][n] != 0. ? 1 : 0;
     }
     std::size_t c = 0;
+    for (; c + 12 <= columns; c += 12) // of a regular triangle
+    {
+      SumColumns<12>(terms, polynomials + c, columns, sums[p] + c);
+    }
     for (; c + 4 <= columns; c += 4)
     {
       SumColumns<4>(terms, polynomials + c, columns, sums[p] + c);

@@ -54,9 +54,9 @@ using PatchParts = std::array<std::array<double, MostPatchPowers>, PlaceParts::C
 PatchParts FindPatchPowers(PatchPowers kind, double u, double v, const PatchDirections& directions);
 
 /// Of polynomials: `polynomials` are the factors of all columns for the first power, then for the
-/// second, ...; each of `sums` gets one number for each column.
+/// second, ...; each of `sums` that is wanted gets one number for each column.
 void SumPowers(PatchPowers kind, const PatchParts& powers, const double* polynomials,
-  std::size_t columns, const std::array<double*, PlaceParts::Count>& sums);
+  std::size_t columns, const PlaceSums& sums);
 
 }
 

@@ -47,9 +47,12 @@ PlacePoint SumParts(const PlaceRows<Id>& rows, vtkIdType place, const double* po
   PlacePoint parts{};
   for (int p = 0; p < PlaceParts::Count; ++p)
   {
-    WeightedRows<Id> row = rows.GetRows(p, place, place + 1);
-    row.FirstRow = 0;
-    SumRows(row, points, parts[p].data(), 3);
+    if (rows.HasPart(p))
+    {
+      WeightedRows<Id> row = rows.GetRows(p, place, place + 1);
+      row.FirstRow = 0;
+      SumRows(row, points, parts[p].data(), 3);
+    }
   }
   return parts;
 }

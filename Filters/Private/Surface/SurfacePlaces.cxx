@@ -217,7 +217,7 @@ void SurfaceRun<Id>::SumPlaces(const SurfaceSteps<Id>& steps,
     const auto count = static_cast<std::ptrdiff_t>(std::min(most, places.size() - begin));
     use(static_cast<vtkIdType>(begin),
       FindSurfacePlaces(*this->Scheme, GetLast(steps), steps.GetSharpCreases(),
-        std::vector<SurfacePlace<Id>>(first, first + count)));
+        std::vector<SurfacePlace<Id>>(first, first + count), PlaceDerivatives::Second));
     BetweenLoops::Act();
   }
 }

@@ -44,7 +44,8 @@ void ForParts(const LevelType& level, const SemiSharpStages<Id>& creases,
     weight += places[i].Dimension == 3 ? weightOfSolid : 1;
     if (weight >= most || i + 1 == places.size())
     {
-      use(static_cast<vtkIdType>(i + 1 - part.size()), PlaceLimits<Id>(level, creases, part));
+      use(static_cast<vtkIdType>(i + 1 - part.size()),
+        PlaceLimits<Id>(level, creases, part, PlaceDerivatives::Second));
       BetweenLoops::Act();
       part.clear();
       weight = 0;

@@ -143,7 +143,7 @@ using LimitTable = Far::LimitStencilTableReal<double>;
 /// Refinement goes on around extraordinary vertices as far as OpenSubdiv does it.
 constexpr int LimitLevels = 10;
 
-std::unique_ptr<const LimitTable> MakeLimitTable(const FlatMesh& input)
+std::unique_ptr<const LimitTable> MakeLimitTable(const FlatMesh& input, bool second = false)
 {
   using Factory = Far::LimitStencilTableFactoryReal<double>;
   const auto refiner = Refine(input, 0, true);
@@ -167,14 +167,17 @@ std::unique_ptr<const LimitTable> MakeLimitTable(const FlatMesh& input)
     locations[face].s = u.data();
     locations[face].t = v.data();
   }
-  return std::unique_ptr<const LimitTable>(Factory::Create(*refiner, locations));
+  Factory::Options options; // first derivatives are the default
+  options.generate2ndDerivatives = second;
+  return std::unique_ptr<const LimitTable>(
+    Factory::Create(*refiner, locations, nullptr, nullptr, options));
 }
 
-Produced BuildLimitTable(Stopwatch& watch, const FlatMesh& input)
+Produced BuildLimitTable(Stopwatch& watch, const FlatMesh& input, bool second)
 {
   std::unique_ptr<const LimitTable> table;
   watch.Start();
-  table = MakeLimitTable(input);
+  table = MakeLimitTable(input, second);
   watch.Stop();
   return { static_cast<double>(table->GetNumStencils()),
     12. * static_cast<double>(table->GetControlIndices().size()) };
@@ -214,14 +217,19 @@ void RegisterOpenSubdiv()
   static const FlatMesh coarse = MakeSphere(4);
   for (int threads : ThreadCounts)
   {
-    Register("peer/OpenSubdiv limit stencils make/sphere/levels:0", threads,
-      [](Stopwatch& watch) { return BuildLimitTable(watch, coarse); });
     Register("peer/OpenSubdiv limit stencils apply/sphere/levels:0", threads,
       [](Stopwatch& watch) { return EvaluateLimitTable(watch, coarse); });
   }
   static const FlatMesh coarseQuads = MakeQuadSphere(29);
-  Register("peer/OpenSubdiv limit stencils make/sphere of quads/levels:0", 1,
-    [](Stopwatch& watch) { return BuildLimitTable(watch, coarseQuads); });
+  for (const bool second : { false, true })
+  {
+    const std::string make = second ? "peer/OpenSubdiv limit stencils make with second derivatives/"
+                                    : "peer/OpenSubdiv limit stencils make/";
+    Register(make + "sphere/levels:0", 1,
+      [second](Stopwatch& watch) { return BuildLimitTable(watch, coarse, second); });
+    Register(make + "sphere of quads/levels:0", 1,
+      [second](Stopwatch& watch) { return BuildLimitTable(watch, coarseQuads, second); });
+  }
   static const FlatMesh sphere = MakeSphere(5);
   Register("peer/OpenSubdiv Loop/sphere/levels:3", 1,
     [](Stopwatch& watch) { return RefineAndInterpolate(watch, sphere, 3); });

@@ -52,15 +52,18 @@ const std::vector<double>& PatchPolynomials::Find(const SheetKey& key)
     const std::vector<PlaceNode>& nodes =
       ListLattice(key.Places == SheetPlaces::FaceLattice ? 2 : 1);
     const std::size_t columns = rows.size() / nodes.size();
+    // Without the row of the first node, which all polynomials of the nodes together multiply by 1:
+    // what is left is small in a small part, and its rounding too.
     found.assign(QuarticPowers * columns, 0.);
-    for (std::size_t n = 0; n < nodes.size(); ++n)
+    std::copy_n(rows.begin(), columns, found.begin());
+    for (std::size_t n = 1; n < nodes.size(); ++n)
     {
       const PatchPolynomial polynomial = ExpandNode(nodes[n]);
       for (int p = 0; p < QuarticPowers; ++p)
       {
         for (std::size_t c = 0; c < columns; ++c)
         {
-          found[p * columns + c] += polynomial[p] * rows[n * columns + c];
+          found[p * columns + c] += polynomial[p] * (rows[n * columns + c] - rows[c]);
         }
       }
     }

@@ -29,8 +29,9 @@ constexpr int SplitsInside = 6;
 /// The same by the tet/oct scheme, whose limits are no polynomials: the value is linear between
 /// four limits then, with an error of the square of their distance.
 constexpr int SplitsOfTetOct = 22;
-/// And of patches, whose parts are numbered in a byte.
-constexpr int SplitsOfPatch = 3;
+/// And of patches: nearer to a corner that is not regular there are few places, and parts are
+/// numbered in 16 bits.
+constexpr int SplitsOfPatch = 6;
 
 /// Whether all corners of a part of a tetrahedron lie inside it.
 bool IsInside(const PlaceInPart& part)
@@ -97,32 +98,33 @@ std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
     pieces = OctPieces<Id>(level, places);
   }
   std::vector<PlaceNodes<Id>> all;
+  all.reserve(places.size());
   for (const LimitPlace<Id>& place : InTurn(places))
   {
-    PlaceInPart part = StartPart(place);
     const int dimension = place.Dimension;
-    PlaceNodes<Id> nodes;
-    if (all.size() < ready.size() && !ready[all.size()].Columns.empty())
+    const std::size_t number = all.size();
+    PlaceNodes<Id>& nodes = all.emplace_back();
+    if (number < ready.size() && !ready[number].Columns.empty())
     {
-      nodes.Ready = &ready[all.size()];
-      all.push_back(std::move(nodes));
+      nodes.Ready = &ready[number];
       continue;
     }
     if (isLinear)
     {
+      const PlaceInPart part = StartPart(place);
       for (int i = 0; i <= dimension; ++i)
       {
         nodes.Vertices.push_back(place.Corners[i]);
         nodes.Weights.push_back(
           { { part.At[i], part.Directions[0][i], part.Directions[1][i], part.Directions[2][i] } });
       }
-      all.push_back(std::move(nodes));
       continue;
     }
     if constexpr (SchemeOf<LevelType>::Traits.HasPieces)
     {
       if (dimension == 3)
       {
+        const PlaceInPart part = StartPart(place);
         const Id* octahedron = pieces.Find(place.Corners);
         TetOctPlace<Id> inside = octahedron ? TetOctPlace<Id>(octahedron, place.Corners, part)
                                             : TetOctPlace<Id>(place.Corners, part);
@@ -131,19 +133,24 @@ std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
           inside.Split(names);
         }
         inside.Finish(names, nodes.Vertices, nodes.Weights);
-        all.push_back(std::move(nodes));
         continue;
       }
     }
     const RegularSimplex<Id>& regular = reader.Find(place);
-    nodes.Part = regular.IsPatch && sharpSteps == 0 ? FindPart(part, dimension, regular.Parts) : 0;
+    const bool isSharp = sharpSteps > 0;
+    nodes.Simplex = &regular;
+    nodes.Part = !isSharp && regular.Inner.GetSize() > 0 ? 1 : 0;
     if (nodes.Part > 0)
     {
-      nodes.Simplex = &regular;
-      all.push_back(std::move(nodes));
       continue;
     }
-    std::array<Id, 4> corners = place.Corners;
+    PlaceInPart part = StartPart(place, regular);
+    nodes.Part = !isSharp && regular.IsPatch ? FindPart(part, dimension, regular.Parts) : 0;
+    if (nodes.Part > 0)
+    {
+      continue;
+    }
+    std::array<Id, 4> corners = regular.Corners;
     int inside = 0;
     for (int splits = 0; dimension > 0 && splits < MostSplits &&
       (splits < sharpSteps || !IsSmall(part, dimension, inside, regular.Parts));
@@ -159,16 +166,27 @@ std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
     {
       nodes.Vertices.push_back(FindNode(corners, node, names));
     }
-    all.push_back(std::move(nodes));
   }
   return all;
+}
+
+/// The largest dimension of cells with places.
+template <typename Id>
+int FindDimension(const std::vector<LimitPlace<Id>>& places)
+{
+  int dimension = 0;
+  for (const LimitPlace<Id>& place : InTurn(places))
+  {
+    dimension = std::max(dimension, place.Dimension);
+  }
+  return dimension;
 }
 
 /// Makes the rows of all places, in threads.
 template <typename Id>
 void Combine(const SparseRows<Id>& limits, LoopWeights weights,
   const std::vector<LimitPlace<Id>>& places, const std::vector<PlaceNodes<Id>>& nodes,
-  PlaceRows<Id>& rows)
+  PlaceDerivatives derivatives, PlaceRows<Id>& rows)
 {
   const auto size = static_cast<vtkIdType>(places.size());
   vtkSMPThreadLocal<std::shared_ptr<RowsOfPlace<Id>>> ofThreads;
@@ -192,13 +210,43 @@ void Combine(const SparseRows<Id>& limits, LoopWeights weights,
   forPlaces([&](vtkIdType i, const auto&, const std::vector<Id>& columns)
     { offsets[i] = static_cast<Id>(columns.size()); });
   CountsToOffsets(offsets);
-  rows = PlaceRows<Id>(limits.NumberOfColumns, std::move(offsets));
+  rows =
+    PlaceRows<Id>(limits.NumberOfColumns, std::move(offsets), FindDimension(places), derivatives);
   forPlaces(
     [&](vtkIdType i, auto& made, const std::vector<Id>& columns)
     {
       std::copy(columns.begin(), columns.end(), rows.Columns.begin() + rows.Offsets[i]);
       made.Sum(places[i], nodes[i], rows.GetWeights(i));
     });
+}
+
+/// The order of corners only matters where tetrahedra are split: all other places get that of who
+/// asks. Returns `asked` itself if they have it, else `ordered`.
+template <typename Id>
+const std::vector<LimitPlace<Id>>& OrderCorners(
+  const std::vector<LimitPlace<Id>>& asked, std::vector<LimitPlace<Id>>& ordered)
+{
+  const std::array<int, 4> own = LimitPlace<Id>().Order;
+  const auto isOrdered = [&own](const LimitPlace<Id>& place)
+  {
+    const auto* order = place.Order.data();
+    return place.Dimension == 3 || std::equal(order, order + place.Dimension + 1, own.data());
+  };
+  if (std::all_of(asked.begin(), asked.end(), isOrdered))
+  {
+    return asked;
+  }
+  ordered = asked;
+  for (LimitPlace<Id>& place : InTurn(ordered))
+  {
+    const LimitPlace<Id> old = place;
+    for (int i = 0; place.Dimension < 3 && i <= place.Dimension; ++i)
+    {
+      place.Corners[i] = old.Corners[old.Order[i]];
+      place.Order[i] = i;
+    }
+  }
+  return ordered;
 }
 
 /// The limits of all vertices of a level where nothing moves.
@@ -220,26 +268,17 @@ SparseRows<Id> MakeRowsThatStay(Id vertices)
 template <typename Id>
 template <typename LevelType>
 PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& creases,
-  const std::vector<LimitPlace<Id>>& asked)
+  const std::vector<LimitPlace<Id>>& asked, PlaceDerivatives derivatives)
 {
-  // The order of corners only matters where tetrahedra are split.
-  std::vector<LimitPlace<Id>> places = asked;
-  for (LimitPlace<Id>& place : InTurn(places))
-  {
-    const LimitPlace<Id> old = place;
-    for (int i = 0; place.Dimension < 3 && i <= place.Dimension; ++i)
-    {
-      place.Corners[i] = old.Corners[old.Order[i]];
-      place.Order[i] = i;
-    }
-  }
+  std::vector<LimitPlace<Id>> ordered;
+  const std::vector<LimitPlace<Id>>& places = OrderCorners(asked, ordered);
   const Id vertices = level.Complex.NumberOfVertices;
   VertexNames<Id> names(vertices);
   RegularReader<LevelType> reader(level, places);
   std::vector<SolidRow<Id>> ready;
   if constexpr (std::is_same<LevelType, Level<Id>>::value)
   {
-    if (CountSharpSteps(creases) == 0)
+    if (CountSharpSteps(creases) == 0 && FindDimension(places) == 3)
     {
       ready = FindSolidRows(level, places);
     }
@@ -247,7 +286,8 @@ PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& 
   const std::vector<PlaceNodes<Id>> nodes = FindNodes(level, reader, creases, places, ready, names);
   if constexpr (std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value)
   {
-    Combine(MakeRowsThatStay(vertices), reader.GetWeights(), places, nodes, this->Rows);
+    Combine(
+      MakeRowsThatStay(vertices), reader.GetWeights(), places, nodes, derivatives, this->Rows);
   }
   else
   {
@@ -260,14 +300,15 @@ PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& 
       }
     }
     Combine(LocalLimit<Id>(level, creases, names.GetMidpoints(), wanted).BuildRows(),
-      reader.GetWeights(), places, nodes, this->Rows);
+      reader.GetWeights(), places, nodes, derivatives, this->Rows);
   }
 }
 
 SUBDIVISION_COMPILE(struct PlaceLimits);
 #define SUBDIVISION_PLACES(Scheme)                                                                 \
   template PlaceLimits<Scheme::Id>::PlaceLimits(const Scheme::Level&,                              \
-    const SemiSharpStages<Scheme::Id>&, const std::vector<LimitPlace<Scheme::Id>>&)
+    const SemiSharpStages<Scheme::Id>&, const std::vector<LimitPlace<Scheme::Id>>&,                \
+    PlaceDerivatives)
 SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_PLACES);
 
 }

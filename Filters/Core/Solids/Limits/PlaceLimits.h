@@ -9,7 +9,8 @@
  * (LocalLimit.h), and so needs no other mechanism for its basis. A simplex that is not regular is
  * split, and the part with the place is looked at, until it is regular or so small that a
  * polynomial is the limit but for rounding. Polynomials of large parts of curves and sheets are
- * found once for all simplices with the same neighbourhood (PatchPolynomials.h). In tetrahedra of
+ * found once for all simplices with the same neighbourhood (PatchPolynomials.h), and inside of
+ * regular sheets they are those of the box spline (SplineColumns.h). In tetrahedra of
  * the box-spline scheme each place has a row of its own (SolidPlaces.h); near joints with rules of
  * their own, and while anything is semi-sharp, they are split as curves and surfaces are. Those of
  * the tet/oct scheme are split into tetrahedra and octahedra that are so small that the limit is
@@ -44,7 +45,7 @@ struct PlaceLimits
   /// `level` was made with Depth::ForRefinement, or is the control level.
   template <typename LevelType>
   PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& creases,
-    const std::vector<LimitPlace<Id>>& places);
+    const std::vector<LimitPlace<Id>>& places, PlaceDerivatives derivatives);
 
   PlaceRows<Id> Rows;
 };

@@ -54,8 +54,7 @@ public:
     return this->Columns;
   }
   /// The sums of what FindColumns read last: one weight for each column.
-  void Sum(const LimitPlace<Id>& place, const PlaceNodes<Id>& nodes,
-    const std::array<double*, PlaceParts::Count>& sums)
+  void Sum(const LimitPlace<Id>& place, const PlaceNodes<Id>& nodes, const PlaceSums& sums)
   {
     if (nodes.Ready)
     {
@@ -63,7 +62,7 @@ public:
       {
         for (int part = 0; part < PlaceParts::Count; ++part)
         {
-          sums[part][c] = nodes.Ready->Weights[c][part];
+          sums[part] ? void(sums[part][c] = nodes.Ready->Weights[c][part]) : void();
         }
       }
       return;
@@ -72,15 +71,22 @@ public:
     {
       for (int part = 0; part < PlaceParts::Count; ++part)
       {
-        this->AddNodes(nodes.Weights, part, sums[part]);
+        sums[part] ? this->AddNodes(nodes.Weights, part, sums[part]) : void();
       }
+      return;
+    }
+    if (IsInner(nodes))
+    {
+      constexpr PatchDirections along{ { { { 1., 0. } }, { { 0., 1. } } } };
+      nodes.Simplex->Inner.Weight(place.Parameters[0], place.Parameters[1], along, sums);
       return;
     }
     if (this->Weights.empty())
     {
       this->WeightPatch();
     }
-    const PlaceInPart part = GoToPart(place.Dimension, StartPart(place), nodes.Part);
+    const PlaceInPart part =
+      GoToPart(place.Dimension, StartPart(place, *nodes.Simplex), nodes.Part);
     const CornerWeights& first = part.Directions[0];
     const CornerWeights& second = part.Directions[1];
     const PatchParts powers = FindPatchPowers(PatchPowers::Quartic, part.At[1], part.At[2],
@@ -89,6 +95,11 @@ public:
   }
 
 private:
+  /// Whether a place lies in a triangle that needs no polynomial of its own.
+  static bool IsInner(const PlaceNodes<Id>& nodes)
+  {
+    return nodes.Part == 1 && nodes.Simplex->Inner.GetSize() > 0;
+  }
   /// Adds the rows of nodes with their weights for one of PlaceParts.
   void AddNodes(
     const std::vector<std::array<double, PlaceParts::Count>>& nodes, int part, double* sums) const
@@ -160,14 +171,19 @@ private:
     this->Part = nodes.Part;
     this->Simplex = nodes.Simplex;
     this->Nodes.clear();
+    this->Weights.clear();
+    if (IsInner(nodes))
+    {
+      this->Columns.assign(this->Simplex->Inner.begin(), this->Simplex->Inner.end());
+      return;
+    }
     this->Columns = this->Simplex->Patch.Columns;
     this->SortColumns();
-    this->Weights.clear();
   }
   void WeightPatch()
   {
     SheetKey key = this->Simplex->Patch.Key;
-    key.Part = static_cast<unsigned char>(this->Part);
+    key.Part = static_cast<std::uint16_t>(this->Part);
     const std::vector<double>& polynomials = this->Polynomials.Find(key);
     const std::vector<Id>& columns = this->Simplex->Patch.Columns;
     this->Weights.assign(QuarticPowers * this->Columns.size(), 0.);

@@ -8,6 +8,7 @@
 #define SubdivisionObjects_RegularParts_h
 
 #include "Core/Memory/PairTable.h"
+#include "Core/Operators/SplineColumns.h"
 #include "Core/Solids/Limits/PlaceLimits.h"
 #include "Core/Solids/Limits/SheetReader.h"
 
@@ -27,12 +28,32 @@ using RegularParts = std::array<bool, 16>;
 template <typename Id>
 struct RegularSimplex
 {
+  /// The corners in the order in which all below counts them: those of a triangle are turned, so
+  /// that fewer different neighbourhoods serve a mesh. The first one is corner Turn of a place.
+  std::array<Id, 4> Corners;
+  int Turn = 0;
   RegularParts Parts{};
   /// Whether it is a part of a curve, or of a sheet, inside of which all is regular. Then this is
   /// what the limit over it depends on; the places of the key are a lattice in the whole simplex.
   bool IsPatch = false;
-  SheetPatch<Id> Patch;
+  SheetPatch<Id> Patch;    ///< not set where there is Inner
+  SplineColumns<Id> Inner; ///< of a triangle in which and around which all is regular
 };
+
+/// A place in a simplex with its corners in their order there.
+template <typename Id>
+PlaceInPart StartPart(const LimitPlace<Id>& place, const RegularSimplex<Id>& simplex)
+{
+  PlaceInPart part = StartPart(place);
+  const auto turn = [&simplex](CornerWeights& weights)
+  { std::rotate(weights.begin(), weights.begin() + simplex.Turn, weights.begin() + 3); };
+  if (simplex.Turn > 0)
+  {
+    turn(part.At);
+    std::for_each(part.Directions.begin(), part.Directions.end(), turn);
+  }
+  return part;
+}
 
 /// Finds what is regular in the simplices of places.
 template <typename LevelType>
@@ -84,13 +105,17 @@ public:
     }
     const auto [found, isNew] = this->Found.try_emplace(place.Corners);
     this->Last = &*found;
+    if (isNew)
+    {
+      found->second.Corners = place.Corners;
+    }
     if (isNew && place.Dimension == 1)
     {
       this->ReadLine(place.Corners, found->second);
     }
     if (isNew && place.Dimension == 2)
     {
-      this->ReadTriangle(place.Corners, found->second);
+      this->ReadTriangle(found->second);
     }
     return found->second;
   }
@@ -146,9 +171,34 @@ private:
     }
   }
 
-  void ReadTriangle(const std::array<Id, 4>& corners, RegularSimplex<Id>& simplex)
+  /// Whether a corner of a triangle has six triangles, all around it.
+  bool IsRegularCorner(Id vertex) const
   {
+    constexpr vtkIdType regular = 6;
+    return this->GetRule(vertex) == Rule::Surface &&
+      this->Level.Strata.VertexRings.GetMembers(vertex).size() == regular;
+  }
+  /// Makes a corner that is not regular, behind one that is, the first of all.
+  void Turn(RegularSimplex<Id>& simplex) const
+  {
+    auto& corners = simplex.Corners;
+    std::array<bool, 3> isRegular{};
+    std::transform(corners.begin(), corners.begin() + 3, isRegular.begin(),
+      [this](Id vertex) { return this->IsRegularCorner(vertex); });
+    for (int k = 1; k < 3; ++k)
+    {
+      if (!isRegular[k] && isRegular[k - 1])
+      {
+        simplex.Turn = k;
+      }
+    }
+    std::rotate(corners.begin(), corners.begin() + simplex.Turn, corners.begin() + 3);
+  }
+  void ReadTriangle(RegularSimplex<Id>& simplex)
+  {
+    this->Turn(simplex);
     RegularParts& parts = simplex.Parts;
+    const auto& corners = simplex.Corners;
     const std::array<Id, 3> ordered{ { corners[0], corners[1], corners[2] } };
     const Id face = this->FindFace(ordered);
     if (face < 0 || this->Level.Strata.Faces[face].GetRule() != Rule::Surface)
@@ -161,15 +211,43 @@ private:
       const int k = (i + 1) % 3;
       parts[1 << i | 1 << k] = this->IsRegularEdge(this->Edges.Find(corners[i], corners[k]));
     }
-    const bool isSheet = this->Reader.ReadFace(face, ordered, simplex.Patch);
+    SheetPatch<Id>& patch = this->Patch;
+    const bool isSheet = this->Reader.ReadFace(face, ordered, patch);
     for (int i = 0; isSheet && i < 3; ++i)
     {
-      const SheetFan& fan = simplex.Patch.Key.Fans[i];
+      const SheetFan& fan = patch.Key.Fans[i];
       parts[1 << i] = (fan.What == SheetFan::Kind::Closed && fan.After == 4) ||
         (fan.What == SheetFan::Kind::Open && fan.After + fan.Before == 2);
     }
+    patch.Key.Places = SheetPlaces::FaceLattice;
     simplex.IsPatch = isSheet && parts[3] && parts[5] && parts[6];
-    simplex.Patch.Key.Places = SheetPlaces::FaceLattice;
+    if (simplex.IsPatch && (simplex.Turn > 0 || !SetInner(patch, simplex.Inner)))
+    {
+      simplex.Patch = patch;
+    }
+  }
+
+  /// Finds the control points of the spline among the columns (SheetKey). False: it needs others.
+  static bool SetInner(const SheetPatch<Id>& patch, SplineColumns<Id>& inner)
+  {
+    constexpr int regular = 4;
+    const auto& fans = patch.Key.Fans;
+    const auto isInner = [](const SheetFan& fan)
+    { return fan.What == SheetFan::Kind::Closed && fan.After == regular; };
+    if (!std::all_of(fans.begin(), fans.end(), isInner))
+    {
+      return false;
+    }
+    std::array<Id, BicubicPoints> points{};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Id* fan = patch.Columns.data() + 3 + regular * k;
+      points[k] = patch.Columns[k];
+      points[3 + k] = fan[3];
+      points[6 + 2 * k] = fan[2];
+      points[7 + 2 * k] = fan[1];
+    }
+    return inner.Set(points, BoxSplinePoints);
   }
 
   const Buffer<unsigned char> None;
@@ -177,6 +255,7 @@ private:
   const SheetReader<LevelType> Reader;
   PairTable<Id> Edges;
   std::vector<std::pair<std::array<Id, 3>, Id>> Faces; ///< by their corners, ascending
+  SheetPatch<Id> Patch;                                ///< that was read last
   std::map<std::array<Id, 4>, RegularSimplex<Id>> Found;
   const std::pair<const std::array<Id, 4>, RegularSimplex<Id>>* Last = nullptr; ///< that was found
 };

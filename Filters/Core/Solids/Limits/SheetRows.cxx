@@ -314,7 +314,7 @@ SheetChild SheetMesh::FindChild(const SheetKey& key, int child, LoopWeights ofSu
 const SheetChild& SheetRows::FindChild(const SheetKey& key, int child)
 {
   SheetKey part = key;
-  part.Part = static_cast<unsigned char>(4 + child);
+  part.Part = static_cast<std::uint16_t>(4 + child);
   const auto [found, isNew] = this->Children.try_emplace(part.Pack());
   if (isNew)
   {

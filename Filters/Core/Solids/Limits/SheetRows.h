@@ -73,7 +73,7 @@ struct SheetKey
   std::array<SheetFan, 3> Fans;
   /// In which part of the simplex a lattice lies: 1 for the whole, for a child (ListChildren) four
   /// times the number of its parent and its own.
-  unsigned char Part = 1;
+  std::uint16_t Part = 1;
 
   std::uint64_t Pack() const
   {

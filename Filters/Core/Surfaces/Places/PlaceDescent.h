@@ -24,7 +24,7 @@
 namespace subdivision
 {
 
-/// A row for each of PlaceParts over the same columns.
+/// A row for each of PlaceParts that is wanted over the same columns; others are empty.
 template <typename Id>
 struct PlaceRow
 {
@@ -37,7 +37,7 @@ struct PlaceRow
     const auto hasWeight = [this](std::size_t c)
     {
       return std::any_of(this->Weights.begin(), this->Weights.end(),
-        [c](const std::vector<double>& weights) { return weights[c] != 0.; });
+        [c](const std::vector<double>& weights) { return !weights.empty() && weights[c] != 0.; });
     };
     std::size_t left = 0;
     for (std::size_t c = 0; c < this->Columns.size(); ++c)
@@ -47,7 +47,7 @@ struct PlaceRow
         this->Columns[left] = this->Columns[c];
         for (std::vector<double>& weights : this->Weights)
         {
-          weights[left] = weights[c];
+          weights.empty() ? void() : void(weights[left] = weights[c]);
         }
         ++left;
       }
@@ -55,7 +55,7 @@ struct PlaceRow
     this->Columns.resize(left);
     for (std::vector<double>& weights : this->Weights)
     {
-      weights.resize(left);
+      weights.resize(std::min(left, weights.size()));
     }
   }
 };
@@ -125,8 +125,9 @@ template <typename Id>
 class PlaceDescent
 {
 public:
-  explicit PlaceDescent(const SurfaceScheme<Id>& scheme)
+  PlaceDescent(const SurfaceScheme<Id>& scheme, PlaceDerivatives derivatives)
     : Scheme(scheme)
+    , Derivatives(derivatives)
     , Sides(scheme.NeedsTriangles() ? 3 : 4)
   {
   }
@@ -228,11 +229,12 @@ private:
     }
     std::transform(
       shared.begin(), shared.end(), around.Shared.begin(), shared.begin(), std::plus<>());
+    PatchParts weights{};
     for (MovingPlace<Id>& moving : places)
     {
       const SurfacePlace<Id>& place = moving.Place;
-      AddRows(around.Columns, shared, rows,
-        WeightControlPoints(regular.Domain, place.At, place.Directions), *moving.Row);
+      WeightControlPoints(regular.Domain, place.At, place.Directions, this->Derivatives, weights);
+      this->AddRows(around.Columns, shared, rows, weights, *moving.Row);
     }
   }
 
@@ -266,7 +268,7 @@ private:
         rest.push_back(moving);
         continue;
       }
-      AddRows(around.Columns, around.Shared, rows,
+      this->AddRows(around.Columns, around.Shared, rows,
         WeightCorners(size, moving.Place.At, moving.Place.Directions), *moving.Row);
       if (this->Dimension == 2)
       {
@@ -328,13 +330,17 @@ private:
   }
 
   /// Sets the row of a place, from rows and the weights that each has.
-  static void AddRows(const std::vector<Id>& columns, const std::vector<double>& shared,
-    const std::vector<double>& rows, const PatchParts& weights, PlaceRow<Id>& row)
+  void AddRows(const std::vector<Id>& columns, const std::vector<double>& shared,
+    const std::vector<double>& rows, const PatchParts& weights, PlaceRow<Id>& row) const
   {
     const std::size_t size = columns.size();
     row.Columns = columns;
     for (int p = 0; p < PlaceParts::Count; ++p)
     {
+      if (p == PlaceParts::First + 2 || !IsWanted(p, this->Derivatives))
+      {
+        continue;
+      }
       std::vector<double>& sums = row.Weights[p];
       sums.assign(size, 0.);
       for (std::size_t j = 0; j * size < rows.size(); ++j)
@@ -413,6 +419,7 @@ private:
   }
 
   const SurfaceScheme<Id>& Scheme;
+  const PlaceDerivatives Derivatives;
   const Id Sides; ///< of the scheme's faces
   int Dimension = 0;
 };

@@ -150,6 +150,18 @@ private:
   std::vector<Id> Curve;
 };
 
+/// The vertices to which a walk comes, two at most.
+template <typename Id>
+struct WalkEnds
+{
+  bool empty() const { return this->Size == 0; }
+  std::size_t size() const { return this->Size; }
+  Id operator[](std::size_t i) const { return this->Ids[i]; }
+
+  std::array<Id, 2> Ids{};
+  std::size_t Size = 0;
+};
+
 /// Collects control points of a regular face.
 template <typename Id>
 class ControlPointReader
@@ -162,8 +174,7 @@ public:
   {
     for (Id k = 0; k < this->Sides; ++k)
     {
-      this->Smooth.push_back(
-        level.Tags.Edges[this->Mesh.Edges[this->First + k]] == EdgeTag::Smooth);
+      this->Smooth[k] = level.Tags.Edges[this->Mesh.Edges[this->First + k]] == EdgeTag::Smooth;
     }
     this->Tags = &level.Tags;
   }
@@ -184,8 +195,8 @@ public:
       {
         continue;
       }
-      const std::vector<Id> left = this->Walk(k, false, 1);
-      const std::vector<Id> right = this->Walk((k + 1) % 4, true, 1);
+      const WalkEnds<Id> left = this->Walk(k, false, 1);
+      const WalkEnds<Id> right = this->Walk((k + 1) % 4, true, 1);
       grid[at[0] + beyond[k][0]][at[1] + beyond[k][1]] = { { left[0], 1. } };
       grid[end[0] + beyond[k][0]][end[1] + beyond[k][1]] = { { right[0], 1. } };
       const int before = (k + 3) % 4;
@@ -262,8 +273,8 @@ public:
       const ControlPoint<Id>& beyondLast = beyond[(k + 2) % 3];
       ControlPoint<Id> atNext;
       ControlPoint<Id> atLast;
-      const std::vector<Id> forward = this->Walk(k, false, 2);
-      const std::vector<Id> backward = this->Walk(k, true, 2);
+      const WalkEnds<Id> forward = this->Walk(k, false, 2);
+      const WalkEnds<Id> backward = this->Walk(k, true, 2);
       if (forward.size() > 1)
       {
         atNext = { { forward[1], 1. } };
@@ -296,6 +307,35 @@ public:
     return points;
   }
 
+  /// The same two, where each control point is a vertex.
+  void ListQuad(std::array<Id, BicubicPoints>& points) const
+  {
+    // Of each corner: itself; what lies beyond its two edges, the next and the one before; and what
+    // lies opposite to it.
+    constexpr int own[4] = { 5, 6, 10, 9 };
+    constexpr int beyondNext[4] = { 1, 7, 14, 8 };
+    constexpr int beyondBefore[4] = { 4, 2, 11, 13 };
+    constexpr int opposite[4] = { 0, 3, 15, 12 };
+    for (int k = 0; k < 4; ++k)
+    {
+      points[own[k]] = this->Mesh.Vertices[this->First + k];
+      points[beyondNext[k]] = this->Walk(k, false, 1)[0];
+      points[beyondBefore[k]] = this->Walk(k, true, 1)[0];
+      points[opposite[k]] = this->GetOpposite(k);
+    }
+  }
+  void ListTriangle(std::array<Id, BicubicPoints>& points) const
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const WalkEnds<Id> forward = this->Walk(k, false, 2);
+      points[k] = this->Mesh.Vertices[this->First + k];
+      points[3 + k] = forward[0];
+      points[6 + 2 * k] = forward[1];
+      points[7 + 2 * k] = this->Walk(k, true, 2)[1];
+    }
+  }
+
 private:
   ControlPoint<Id> GetCorner(int k) const
   {
@@ -310,18 +350,18 @@ private:
 
   /// The other ends of the edges to which a walk around corner k comes: across edge k, or, if
   /// `isBack`, the edge before. At most so many, fewer where a curve stops it.
-  std::vector<Id> Walk(int k, bool isBack, int most) const
+  WalkEnds<Id> Walk(int k, bool isBack, std::size_t most) const
   {
     const Id corner = static_cast<Id>(this->First + k);
     const Id vertex = this->Mesh.Vertices[corner];
-    std::vector<Id> ends;
+    WalkEnds<Id> ends;
     FanStep<Id> step{ corner, isBack };
-    while (static_cast<int>(ends.size()) < most &&
+    while (ends.Size < most &&
       this->Tags->Edges[this->Mesh.Edges[step.GetHalfEdgeOut(this->Mesh)]] == EdgeTag::Smooth)
     {
       step.Advance(this->Mesh);
-      ends.push_back(
-        this->Mesh.GetOtherEnd(this->Mesh.Edges[step.GetHalfEdgeOut(this->Mesh)], vertex));
+      ends.Ids[ends.Size++] =
+        this->Mesh.GetOtherEnd(this->Mesh.Edges[step.GetHalfEdgeOut(this->Mesh)], vertex);
     }
     return ends;
   }
@@ -339,7 +379,7 @@ private:
   const SurfaceTags<Id>* Tags;
   const Id First;
   const Id Sides;
-  std::vector<bool> Smooth; ///< of each edge of the face
+  std::array<bool, 4> Smooth{}; ///< of each edge of the face
 };
 
 }
@@ -391,6 +431,24 @@ bool RegularPatch<Id>::FindLine(const SurfaceLevel<Id>& level, Id edge)
 }
 
 template <typename Id>
+bool FindSplineColumns(const SurfaceLevel<Id>& level, Id face, SplineColumns<Id>& columns)
+{
+  const int sides = static_cast<int>(level.Mesh.GetSize(face));
+  const Id* corners = level.Mesh.Vertices.data() + level.Mesh.GetFirst(face);
+  const auto isSmooth = [&level](Id vertex)
+  { return level.Tags.Vertices[vertex] == VertexTag::Smooth; };
+  if ((sides != 3 && sides != 4) || !std::all_of(corners, corners + sides, isSmooth) ||
+    !RegularRules<Id>(level, sides).IsRegularFace(face))
+  {
+    return false;
+  }
+  const ControlPointReader<Id> reader(level, face);
+  std::array<Id, BicubicPoints> points;
+  sides == 4 ? reader.ListQuad(points) : reader.ListTriangle(points);
+  return columns.Set(points, sides == 4 ? BicubicPoints : BoxSplinePoints);
+}
+
+template <typename Id>
 PatchColumns<Id>::PatchColumns(const RegularPatch<Id>& patch)
   : Domain(patch.Domain)
 {
@@ -416,5 +474,6 @@ PatchColumns<Id>::PatchColumns(const RegularPatch<Id>& patch)
 
 SUBDIVISION_COMPILE(struct RegularPatch);
 SUBDIVISION_COMPILE(struct PatchColumns);
+SUBDIVISION_COMPILE_FUNCTION(FindSplineColumns);
 
 }

@@ -10,6 +10,7 @@
 #ifndef SubdivisionObjects_RegularPatch_h
 #define SubdivisionObjects_RegularPatch_h
 
+#include "Core/Operators/SplineColumns.h"
 #include "Core/Surfaces/Scheme/SurfaceScheme.h"
 
 #include <utility>
@@ -40,6 +41,10 @@ struct RegularPatch
   bool FindFace(const SurfaceLevel<Id>& level, Id face);
   bool FindLine(const SurfaceLevel<Id>& level, Id edge);
 };
+
+/// Finds the columns of a face inside of a regular surface. False: it is none of these.
+template <typename Id>
+bool FindSplineColumns(const SurfaceLevel<Id>& level, Id face, SplineColumns<Id>& columns);
 
 /// The vertices of a level that the control points are sums of.
 template <typename Id>

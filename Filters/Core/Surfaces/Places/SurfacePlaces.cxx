@@ -7,6 +7,7 @@
 #include "Core/Surfaces/Places/PlaceDescent.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 
 namespace subdivision
@@ -64,8 +65,22 @@ std::vector<Id> CollectNearSharpEdges(const PolygonMesh<Id>& mesh, const SharpCr
 template <typename Id>
 struct PartRows
 {
-  PatchColumns<Id> Regular;       ///< without columns if it is not regular,
-  std::vector<PlaceRow<Id>> Rows; ///< and these are the rows of its places then
+  /// Of a part that is not inside of a regular surface.
+  struct Others
+  {
+    PatchColumns<Id> Regular;       ///< without columns if it is not regular,
+    std::vector<PlaceRow<Id>> Rows; ///< and these are the rows of its places then
+  };
+
+  std::size_t CountColumns(std::size_t place) const
+  {
+    return !this->Other           ? static_cast<std::size_t>(this->Inner.GetSize())
+      : this->Other->Rows.empty() ? this->Other->Regular.Vertices.size()
+                                  : this->Other->Rows[place].Columns.size();
+  }
+
+  SplineColumns<Id> Inner;
+  std::unique_ptr<Others> Other; ///< null: the part is an inner one
 };
 
 /// Finds what the rows of some places of a part are made of.
@@ -74,8 +89,9 @@ class PartReader
 {
 public:
   PartReader(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
-    const SharpCreases<Id>& creases, const std::vector<Id>& nearSharpEdges)
-    : Descent(scheme)
+    const SharpCreases<Id>& creases, const std::vector<Id>& nearSharpEdges,
+    PlaceDerivatives derivatives)
+    : Descent(scheme, derivatives)
     , Level(level)
     , Creases(creases)
     , NearSharpEdges(nearSharpEdges)
@@ -88,49 +104,51 @@ public:
   void Read(std::size_t size, const GetPlace& getPlace, PartRows<Id>& rows)
   {
     const SurfacePlace<Id>& first = getPlace(0);
-    if (this->FindRegular(first.Dimension, first.Part))
+    const bool isFar = this->IsFar(first.Dimension, first.Part);
+    if (isFar && first.Dimension == 2 && FindSplineColumns(this->Level, first.Part, rows.Inner))
     {
-      rows.Regular = PatchColumns<Id>(this->Regular);
       return;
     }
-    rows.Rows.resize(size);
+    rows.Other = std::make_unique<typename PartRows<Id>::Others>();
+    if (isFar && this->FindRegular(first.Dimension, first.Part))
+    {
+      rows.Other->Regular = PatchColumns<Id>(this->Regular);
+      return;
+    }
+    rows.Other->Rows.resize(size);
     std::vector<MovingPlace<Id>> moving;
     for (std::size_t i = 0; i < size; ++i)
     {
-      moving.push_back({ getPlace(i), &rows.Rows[i] });
+      moving.push_back({ getPlace(i), &rows.Other->Rows[i] });
     }
     this->Descent.Run(this->Level, this->Creases, moving);
-    for (PlaceRow<Id>& row : rows.Rows)
+    for (PlaceRow<Id>& row : rows.Other->Rows)
     {
       row.RemoveZeros();
     }
   }
 
 private:
-  bool FindRegular(int dimension, Id part)
+  /// Whether an edge or a face has the size that the scheme has, and no crease near it that is
+  /// sharp for some steps more.
+  bool IsFar(int dimension, Id part) const
   {
     const PolygonMesh<Id>& mesh = this->Level.Mesh;
-    const auto isFar = [this](Id vertex)
+    const Id size = dimension == 2 ? mesh.GetSize(part) : Id(2);
+    if (dimension == 0 || (dimension == 2 && size != this->Sides))
     {
-      return !std::binary_search(this->NearSharpEdges.begin(), this->NearSharpEdges.end(), vertex);
-    };
-    switch (dimension)
-    {
-      case 0:
-        return false;
-      case 1:
-      {
-        const Id* ends = mesh.EdgeVertices.data() + 2 * static_cast<vtkIdType>(part);
-        return isFar(ends[0]) && isFar(ends[1]) && this->Regular.FindLine(this->Level, part);
-      }
-      default:
-      {
-        const Id* corners = mesh.Vertices.data() + mesh.GetFirst(part);
-        const Id size = mesh.GetSize(part);
-        return size == this->Sides && std::all_of(corners, corners + size, isFar) &&
-          this->Regular.FindFace(this->Level, part);
-      }
+      return false;
     }
+    const Id* ids = dimension == 2 ? mesh.Vertices.data() + mesh.GetFirst(part)
+                                   : mesh.EdgeVertices.data() + 2 * static_cast<vtkIdType>(part);
+    const auto& near = this->NearSharpEdges;
+    return std::none_of(ids, ids + size,
+      [&near](Id vertex) { return std::binary_search(near.begin(), near.end(), vertex); });
+  }
+  bool FindRegular(int dimension, Id part)
+  {
+    return dimension == 1 ? this->Regular.FindLine(this->Level, part)
+                          : this->Regular.FindFace(this->Level, part);
   }
 
   PlaceDescent<Id> Descent;
@@ -146,40 +164,71 @@ template <typename Id>
 class PlaceWriter
 {
 public:
-  explicit PlaceWriter(PlaceRows<Id>& rows)
+  PlaceWriter(PlaceRows<Id>& rows, PlaceDerivatives derivatives)
     : Rows(rows)
+    , Derivatives(derivatives)
   {
   }
-  void Write(vtkIdType place, const PlaceRow<Id>& row) const
+  /// Place i of all, which is one of `part`: number `own`.
+  void Write(
+    vtkIdType i, const SurfacePlace<Id>& place, const PartRows<Id>& part, std::size_t own) const
   {
-    std::copy(row.Columns.begin(), row.Columns.end(), this->GetColumns(place));
-    const auto weights = this->Rows.GetWeights(place);
-    for (int p = 0; p < PlaceParts::Count; ++p)
+    if (!part.Other)
     {
-      std::copy(row.Weights[p].begin(), row.Weights[p].end(), weights[p]);
+      std::copy(part.Inner.begin(), part.Inner.end(), this->GetColumns(i));
+      part.Inner.Weight(place.At[0], place.At[1], place.Directions, this->Rows.GetWeights(i));
     }
-  }
-  void Write(vtkIdType i, const PatchColumns<Id>& columns, const SurfacePlace<Id>& place) const
-  {
-    std::copy(columns.Vertices.begin(), columns.Vertices.end(), this->GetColumns(i));
-    const PatchParts ofPoints = WeightControlPoints(columns.Domain, place.At, place.Directions);
-    const auto weights = this->Rows.GetWeights(i);
-    for (int p = 0; p < PlaceParts::Count; ++p)
+    else if (part.Other->Rows.empty())
     {
-      std::fill_n(weights[p], columns.Vertices.size(), 0.);
-      for (const auto& entry : columns.Entries)
-      {
-        weights[p][entry.Column] += entry.Weight * ofPoints[p][entry.Point];
-      }
+      this->WriteRegular(i, place, part.Other->Regular);
+    }
+    else
+    {
+      this->WriteRow(i, part.Other->Rows[own]);
     }
   }
 
 private:
+  void WriteRegular(
+    vtkIdType i, const SurfacePlace<Id>& place, const PatchColumns<Id>& columns) const
+  {
+    std::copy(columns.Vertices.begin(), columns.Vertices.end(), this->GetColumns(i));
+    PatchParts ofPoints;
+    WeightControlPoints(columns.Domain, place.At, place.Directions, this->Derivatives, ofPoints);
+    this->ForParts(i,
+      [&](int p, double* weights)
+      {
+        std::fill_n(weights, columns.Vertices.size(), 0.);
+        for (const auto& entry : columns.Entries)
+        {
+          weights[entry.Column] += entry.Weight * ofPoints[p][entry.Point];
+        }
+      });
+  }
+  void WriteRow(vtkIdType i, const PlaceRow<Id>& row) const
+  {
+    std::copy(row.Columns.begin(), row.Columns.end(), this->GetColumns(i));
+    this->ForParts(i, [&](int p, double* weights)
+      { std::copy(row.Weights[p].begin(), row.Weights[p].end(), weights); });
+  }
+
+  /// Calls act(part, weights of place i) for the parts that there are.
+  template <typename Act>
+  void ForParts(vtkIdType i, const Act& act) const
+  {
+    const PlaceSums weights = this->Rows.GetWeights(i);
+    for (int p = 0; p < PlaceParts::Count; ++p)
+    {
+      weights[p] ? act(p, weights[p]) : void();
+    }
+  }
   Id* GetColumns(vtkIdType place) const
   {
     return this->Rows.Columns.data() + this->Rows.Offsets[place];
   }
+
   PlaceRows<Id>& Rows;
+  const PlaceDerivatives Derivatives;
 };
 
 /// The places of each part, one part after the other.
@@ -198,7 +247,10 @@ struct PlacesOfParts
       return places[a].Dimension != places[b].Dimension ? places[a].Dimension < places[b].Dimension
                                                         : places[a].Part < places[b].Part;
     };
-    StableSort(this->Order, isBefore);
+    if (!std::is_sorted(this->Order.begin(), this->Order.end(), isBefore)) // often it is
+    {
+      StableSort(this->Order, isBefore);
+    }
     for (const std::size_t i : InTurn(this->Order.size()))
     {
       if (i == 0 || isBefore(this->Order[i - 1], this->Order[i]))
@@ -209,52 +261,57 @@ struct PlacesOfParts
     this->Starts.push_back(this->Order.size());
   }
   vtkIdType GetNumberOfParts() const { return static_cast<vtkIdType>(this->Starts.size()) - 1; }
+  std::size_t CountPlaces(vtkIdType part) const
+  {
+    return this->Starts[part + 1] - this->Starts[part];
+  }
+  /// The number of place i of a part among all places.
+  std::size_t GetPlace(vtkIdType part, std::size_t i) const
+  {
+    return this->Order[this->Starts[part] + i];
+  }
 };
 
 }
 
 template <typename Id>
 PlaceRows<Id> FindSurfacePlaces(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
-  const SharpCreases<Id>& creases, const std::vector<SurfacePlace<Id>>& places)
+  const SharpCreases<Id>& creases, const std::vector<SurfacePlace<Id>>& places,
+  PlaceDerivatives derivatives)
 {
   const PlacesOfParts<Id> parts(places);
   const std::vector<Id> near = CollectNearSharpEdges(level.Mesh, creases);
   std::vector<PartRows<Id>> made(static_cast<std::size_t>(parts.GetNumberOfParts()));
   Buffer<Id> offsets(static_cast<vtkIdType>(places.size()) + 1);
-  const auto forParts = [&](const auto& act)
-  {
-    ForRangesOfBlocks(parts.GetNumberOfParts(),
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        PartReader<Id> reader(scheme, level, creases, near);
-        for (vtkIdType part = begin; part < end; ++part)
-        {
-          const std::size_t* first = parts.Order.data() + parts.Starts[part];
-          act(reader, first, parts.Starts[part + 1] - parts.Starts[part], made[part]);
-        }
-      });
-  };
-  forParts(
-    [&](PartReader<Id>& reader, const std::size_t* first, std::size_t size, PartRows<Id>& part)
+  ForRangesOfBlocks(parts.GetNumberOfParts(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      reader.Read(size, [&](std::size_t i) -> const auto& { return places[first[i]]; }, part);
-      for (std::size_t i = 0; i < size; ++i)
+      PartReader<Id> reader(scheme, level, creases, near, derivatives);
+      for (vtkIdType part = begin; part < end; ++part)
       {
-        offsets[first[i]] = static_cast<Id>(
-          part.Rows.empty() ? part.Regular.Vertices.size() : part.Rows[i].Columns.size());
+        const std::size_t size = parts.CountPlaces(part);
+        reader.Read(
+          size, [&](std::size_t i) -> const auto& { return places[parts.GetPlace(part, i)]; },
+          made[part]);
+        for (std::size_t i = 0; i < size; ++i)
+        {
+          offsets[parts.GetPlace(part, i)] = static_cast<Id>(made[part].CountColumns(i));
+        }
       }
     });
   CountsToOffsets(offsets);
-  PlaceRows<Id> rows(level.Mesh.NumberOfVertices, std::move(offsets));
-  const PlaceWriter<Id> writer(rows);
-  forParts(
-    [&](PartReader<Id>&, const std::size_t* first, std::size_t size, const PartRows<Id>& part)
+  PlaceRows<Id> rows(level.Mesh.NumberOfVertices, std::move(offsets), 2, derivatives);
+  const PlaceWriter<Id> writer(rows, derivatives);
+  ForRangesOfBlocks(parts.GetNumberOfParts(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      for (std::size_t i = 0; i < size; ++i)
+      for (vtkIdType part = begin; part < end; ++part)
       {
-        const auto place = static_cast<vtkIdType>(first[i]);
-        part.Rows.empty() ? writer.Write(place, part.Regular, places[first[i]])
-                          : writer.Write(place, part.Rows[i]);
+        for (std::size_t i = 0; i < parts.CountPlaces(part); ++i)
+        {
+          const std::size_t place = parts.GetPlace(part, i);
+          writer.Write(static_cast<vtkIdType>(place), places[place], made[part], i);
+        }
       }
     });
   return rows;

@@ -4,7 +4,8 @@
  * Limits at any place of faces and lines by Loop or Catmull-Clark, with derivatives (Mathematics 8,
  * 12).
  *
- * Where all is regular around a face the limit over it is a polynomial (RegularPatch.h). Any other
+ * Where all is regular around a face the limit over it is a polynomial (RegularPatch.h). Inside of
+ * a regular surface a place costs no more than the weights of its control points. Any other
  * face is split by a step of its surroundings alone (SharpPatch.h), and the part with the place is
  * looked at, until it is regular. What the places of a face share is made once. At corners of parts
  * limits are those of vertices.
@@ -42,10 +43,11 @@ constexpr int MostSurfaceSplits = 100;
 constexpr int SplitsAtCorners = 26;
 
 /// `level` has been prepared. `creases`: those that are sharp on it. Rows of places are the same,
-/// whatever other places there are.
+/// whatever other places there are, and whatever else is wanted.
 template <typename Id>
 PlaceRows<Id> FindSurfacePlaces(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
-  const SharpCreases<Id>& creases, const std::vector<SurfacePlace<Id>>& places);
+  const SharpCreases<Id>& creases, const std::vector<SurfacePlace<Id>>& places,
+  PlaceDerivatives derivatives);
 
 }
 

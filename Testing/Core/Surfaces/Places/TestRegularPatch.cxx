@@ -22,8 +22,9 @@ constexpr int PartsOfJet[6] = { PlaceParts::Value, PlaceParts::First, PlaceParts
 /// Of each control point, by x and y themselves.
 std::vector<LocalJet> WeightPoints(PolynomialDomain domain, double x, double y)
 {
-  const PatchParts parts =
-    WeightControlPoints(domain, { { x, y } }, { { { { 1., 0. } }, { { 0., 1. } } } });
+  PatchParts parts;
+  WeightControlPoints(
+    domain, { { x, y } }, { { { { 1., 0. } }, { { 0., 1. } } } }, PlaceDerivatives::Second, parts);
   const std::size_t points = domain == PolynomialDomain::Line ? 4
     : domain == PolynomialDomain::Triangle                    ? 12
                                                               : 16;
