@@ -328,6 +328,44 @@ bool BoxSplineLattice<Id>::ReadEdgeRow(const LatticeVertex<Id>& vertex, LatticeR
   const Mask mask = EdgeMask(rule, static_cast<vtkIdType>(row.Vertices.size()) - 2);
   std::fill(row.Weights.begin(), row.Weights.end(), mask.Ring);
   row.Weights[0] = row.Weights[1] = mask.Own;
+  return vertex.Dimension != 1 || this->ApplySectors(vertex, base, row);
+}
+
+/// Gives an edge at the end of a control edge whose rule depends on the sector there its weights.
+template <typename Id>
+bool BoxSplineLattice<Id>::ApplySectors(
+  const LatticeVertex<Id>& vertex, const LatticeWeights& base, LatticeRow<Id>& row) const
+{
+  std::array<SectorEdge<Id>, 2> taken;
+  int size = 0;
+  for (const SectorEdge<Id>& sector : FindSectorEdges(this->Strata.Sectors, vertex.Simplex))
+  {
+    if (base[1 - sector.End] == 0)
+    {
+      taken[size] = sector;
+      taken[size++].IsShared = sector.IsShared && base[sector.End] == 0; // as a step leaves it
+    }
+  }
+  const SectorEdgeRange<Id> sectors{ taken.data(), taken.data() + size };
+  if (sectors.IsEmpty() || !AreComplete(sectors))
+  {
+    return sectors.IsEmpty();
+  }
+  const SectorMask mask = GetSectorMask(sectors);
+  std::fill(row.Weights.begin(), row.Weights.end(), mask.Ring);
+  std::copy_n(mask.Ends, 2, row.Weights.begin());
+  for (const SectorEdge<Id>& sector : sectors)
+  {
+    const Id corner = this->GetCorners(1, vertex.Simplex)[sector.End];
+    for (int i = 0; i < 2 && sector.Flatness > 0.; ++i)
+    {
+      const int own = this->GetCorners(1, sector.Bounds[i])[0] == corner ? 0 : 1;
+      LatticeWeights weights{};
+      weights[own] = base[sector.End];
+      weights[1 - own] = 1;
+      row.Add(this->Find(1, sector.Bounds[i], weights), mask.Bounds[sector.End][i]);
+    }
+  }
   return true;
 }
 
@@ -474,6 +512,11 @@ bool BoxSplineLattice<Id>::SolveLimit(
 template <typename Id>
 bool BoxSplineLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row)
 {
+  if (vertex.Dimension == 1 && std::min(vertex.Weights[0], vertex.Weights[1]) == 1 &&
+    !FindSectorEdges(this->Strata.Sectors, vertex.Simplex).IsEmpty())
+  {
+    return false; // its limit is not that of others on the edge
+  }
   constexpr std::size_t most = 4096; // bounds the memory
   if (this->Limits.size() > most)
   {

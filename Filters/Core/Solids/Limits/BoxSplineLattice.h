@@ -59,8 +59,9 @@ struct LatticeRow
 };
 
 /// It has the rules of vertices, edges and faces with d = 0 to 3. Methods that return false have
-/// met another one: Blend, a joint that is sharp, or a sector with rules of its own
-/// (SectorEdges.h). Nothing may be semi-sharp. Threads have one each.
+/// met another one, Blend or a joint that is sharp, or the limit of a neighbour of a control vertex
+/// where rules depend on the sector (SectorEdges.h). Nothing may be semi-sharp. Threads have one
+/// each.
 template <typename Id>
 class BoxSplineLattice
 {
@@ -107,6 +108,8 @@ private:
   bool ForRingInTet(const LatticeVertex<Id>& vertex, const Act& act) const;
   bool ReadVertexRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const;
   bool ReadEdgeRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const;
+  bool ApplySectors(
+    const LatticeVertex<Id>& vertex, const LatticeWeights& base, LatticeRow<Id>& row) const;
   bool AddRingOfEdge(
     const LatticeVertex<Id>& vertex, const LatticeWeights& base, LatticeRow<Id>& row) const;
   bool AddRingInFace(const LatticeVertex<Id>& vertex, const LatticeWeights& base,

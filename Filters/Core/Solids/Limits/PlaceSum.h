@@ -260,13 +260,12 @@ std::vector<SolidRow<Id>> FindSolidRowsInThreads(
   return rows;
 }
 
-/// Whether there are places in solids, and nothing near them has rules of sectors.
-template <typename LevelType, typename Id>
-bool HasPlacesOnLattice(const LevelType& level, const std::vector<LimitPlace<Id>>& places)
+/// Whether any place is in a solid.
+template <typename Id>
+bool HasPlacesInSolids(const std::vector<LimitPlace<Id>>& places)
 {
-  return level.Strata.Sectors.empty() &&
-    std::any_of(places.begin(), places.end(),
-      [](const LimitPlace<Id>& place) { return place.Dimension == 3; });
+  return std::any_of(
+    places.begin(), places.end(), [](const LimitPlace<Id>& place) { return place.Dimension == 3; });
 }
 
 }

@@ -156,7 +156,7 @@ template <typename Id>
 std::vector<SolidRow<Id>> FindSolidRows(
   const Level<Id>& level, const std::vector<LimitPlace<Id>>& places)
 {
-  if (!HasPlacesOnLattice(level, places))
+  if (!HasPlacesInSolids(places))
   {
     return std::vector<SolidRow<Id>>(places.size());
   }

@@ -193,7 +193,7 @@ TYPED_TEST(SolidDerivatives, AreThoseOfTheNextLevel)
 {
   for (const char* name : Names)
   {
-    for (const char* options : { "Blend", "LoopWeights" })
+    for (const char* options : { "Blend", "LoopWeights", "ModifiedBoundary" })
     {
       SCOPED_TRACE(testing::Message() << name << " " << options);
       TwoLevels<TypeParam> levels(FindInZoo(name), options);
@@ -330,7 +330,7 @@ TEST(TetOctLattice, RowsAreThoseOfAStep)
   int known = 0;
   for (const std::string& name : GetNamesOfZoo(8))
   {
-    for (const char* options : { "Sharp", "LoopWeights" })
+    for (const char* options : { "Sharp", "LoopWeights", "ModifiedBoundary" })
     {
       TetOctLevel<int> level =
         MakeTetOctLevel(std::move(BuildNamed<int>(FindInZoo(name), options).Level));
