@@ -413,8 +413,16 @@ public:
    * Values are exact but for rounding, 1e-12 of the size of the mesh and less. So are
    * derivatives of curves and surfaces where a regular part is, however small; the error grows with
    * the number of that part's splits: 2^-k of a cell from an extraordinary vertex it is 1e-14 +
-   * 1e-15 * 2^k of the size of the mesh. In solids it is 1e-7, by TET_OCT 1e-6. Second derivatives
-   * need a place that is not too near to irregular vertices and creases.
+   * 1e-15 * 2^k of the size of the mesh. Second derivatives need a place that is not too near to
+   * irregular vertices and creases.
+   *
+   * In solids derivatives are exact but for rounding wherever they exist: inside of cells, on faces
+   * and on boundaries, where they are those from the side of the cell. The limit has no derivatives
+   * by these parameters AT edges and vertices that are not regular (by TET_OCT all of the control
+   * mesh) and, by BOX_SPLINE, at faces whose two tetrahedra are not cut in the same way. 2^-k of a
+   * cell from there the error is 1e-14 + 1e-15 * 2^k, as the place itself is rounded; there the
+   * arrays have the slope over a part of 2^-48 of the cell. Beside Blend joints, and in meshes with
+   * semi-sharp creases, errors in solids are 1e-7, by TET_OCT 1e-6.
    *
    * AT an extraordinary vertex the limit has no derivatives by these parameters: they tend to 0
    * with three to five triangles, and to infinity with seven and more. What the arrays have there

@@ -30,7 +30,7 @@ endforeach ()
 room(Core/Solids/AllSchemes ${ground} Core/Solids/Complex Core/Solids/Strata Core/Solids/Scheme ${solid_schemes})
 room(Core/Solids/RedGreen ${ground} Core/Solids/Complex Core/Solids/Strata Core/Solids/Scheme Core/Solids/BoxSpline)
 room(Core/Solids/Limits ${ground} Core/Solids/Complex Core/Solids/Strata Core/Solids/Scheme Core/Solids/BoxSpline
-  Core/Solids/AllSchemes)
+  Core/Solids/TetOct Core/Solids/AllSchemes)
 # Surfaces: no scheme knows another, Steps knows them all.
 room(Core/Surfaces/Mesh ${ground})
 room(Core/Surfaces/Scheme ${ground} Core/Surfaces/Mesh)

@@ -181,7 +181,7 @@ TEST(EvaluateLimitTetOct, SymmetryOfOneTetrahedron)
     EXPECT_NEAR(centre[k], 2., 1e-13);
     for (int c = 0; c < 3; ++c)
     {
-      EXPECT_NEAR(slopes[k][c], k == c ? slopes[0][0] : slopes[0][1], 1e-6) << k << " " << c;
+      EXPECT_NEAR(slopes[k][c], k == c ? slopes[0][0] : slopes[0][1], 1e-13) << k << " " << c;
     }
   }
 }
@@ -293,7 +293,7 @@ TEST(EvaluateLimitTetOct, FiltersInARow)
           {
             sum += ways[n][d][k] * GetTuple(expected, names[k], control)[c];
           }
-          EXPECT_NEAR(slope[c], sum, 1e-6) << n << " " << names[d];
+          EXPECT_NEAR(slope[c], sum, 1e-12) << n << " " << names[d];
         }
       }
     }

@@ -276,7 +276,7 @@ PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& 
   VertexNames<Id> names(vertices);
   RegularReader<LevelType> reader(level, places);
   std::vector<SolidRow<Id>> ready;
-  if constexpr (std::is_same<LevelType, Level<Id>>::value)
+  if constexpr (!std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value)
   {
     if (CountSharpSteps(creases) == 0 && FindDimension(places) == 3)
     {

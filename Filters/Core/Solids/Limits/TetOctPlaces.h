@@ -24,20 +24,22 @@ namespace subdivision
  * Where a place is in the tetrahedron or octahedron to which the steps have come, and how that
  * changes with the parameters: first the place, then its three derivatives. In a tetrahedron these
  * are weights of its corners. An octahedron has three diagonals from a vertex at -1 to one at 1,
- * and a place has coordinates along these, whose absolute values sum to 1 at most.
+ * and a place has coordinates along these, whose absolute values sum to 1 at most. `Vertex` is the
+ * id of a vertex or where it is: what GetMidpoint of the names makes of two of them.
  */
-template <typename Id>
+template <typename Vertex>
 class TetOctPlace
 {
 public:
-  TetOctPlace(const std::array<Id, 4>& corners, const PlaceInPart& place)
+  TetOctPlace(const std::array<Vertex, 4>& corners, const PlaceInPart& place)
     : Tet(corners)
     , At{ { place.At, place.Directions[0], place.Directions[1], place.Directions[2] } }
   {
   }
 
   /// The place lies in a piece of an octahedron, which has four of its six `vertices`.
-  TetOctPlace(const Id* vertices, const std::array<Id, 4>& corners, const PlaceInPart& place)
+  TetOctPlace(
+    const Vertex* vertices, const std::array<Vertex, 4>& corners, const PlaceInPart& place)
     : TetOctPlace(corners, place)
   {
     this->IsOct = true;
@@ -59,13 +61,15 @@ public:
   }
 
   /// Goes on to the part of a step with the place.
-  void Split(VertexNames<Id>& names)
+  template <typename Names>
+  void Split(Names& names)
   {
     this->IsOct ? this->SplitOct(names) : this->SplitTet(names);
   }
   /// Adds four vertices around the place, and the weight of each in the value and the three first
   /// derivatives of the function that is linear between them. Second derivatives are 0.
-  void Finish(VertexNames<Id>& names, std::vector<Id>& vertices,
+  template <typename Names>
+  void Finish(Names& names, std::vector<Vertex>& vertices,
     std::vector<std::array<double, PlaceParts::Count>>& weights)
   {
     if (this->IsOct)
@@ -80,7 +84,8 @@ public:
   }
 
 private:
-  void SplitTet(VertexNames<Id>& names)
+  template <typename Names>
+  void SplitTet(Names& names)
   {
     for (int corner = 0; corner < 4; ++corner)
     {
@@ -99,7 +104,7 @@ private:
       }
     }
     // The diagonals lead from the middle of an edge without corner 0 to that of the opposite one.
-    const std::array<Id, 4> tet = this->Tet;
+    const std::array<Vertex, 4> tet = this->Tet;
     for (int k = 0; k < 3; ++k)
     {
       const int others[2] = { 1 + (k + 1) % 3, 1 + (k + 2) % 3 };
@@ -115,9 +120,10 @@ private:
     this->IsOct = true;
   }
 
-  void SplitOct(VertexNames<Id>& names)
+  template <typename Names>
+  void SplitOct(Names& names)
   {
-    const Id centre = names.GetMidpoint(this->Oct[0][0], this->Oct[0][1]);
+    const Vertex centre = names.GetMidpoint(this->Oct[0][0], this->Oct[0][1]);
     const CornerWeights at = this->At[0];
     for (int k = 0; k < 3; ++k)
     {
@@ -127,10 +133,10 @@ private:
         continue;
       }
       const int end = at[k] < 0. ? 0 : 1;
-      const Id corner = this->Oct[k][end];
+      const Vertex corner = this->Oct[k][end];
       for (const int other : others)
       {
-        for (Id& vertex : this->Oct[other])
+        for (Vertex& vertex : this->Oct[other])
         {
           vertex = names.GetMidpoint(corner, vertex);
         }
@@ -142,7 +148,7 @@ private:
     }
     // The tetrahedron of the centre and the middles of the edges of a face; corner k + 1 is
     // opposite to the face's vertex k.
-    std::array<Id, 3> face = this->FindFace();
+    std::array<Vertex, 3> face = this->FindFace();
     const std::array<double, 3> signs = this->FindSigns();
     this->Tet[0] = centre;
     for (int k = 0; k < 3; ++k)
@@ -161,9 +167,10 @@ private:
   }
 
   /// The tetrahedron of the centre and a face, which is no part of a step.
-  void GoToFace(VertexNames<Id>& names)
+  template <typename Names>
+  void GoToFace(Names& names)
   {
-    const std::array<Id, 3> face = this->FindFace();
+    const std::array<Vertex, 3> face = this->FindFace();
     const std::array<double, 3> signs = this->FindSigns();
     this->Tet = { { names.GetMidpoint(this->Oct[0][0], this->Oct[0][1]), face[0], face[1],
       face[2] } };
@@ -180,9 +187,9 @@ private:
     this->IsOct = false;
   }
 
-  std::array<Id, 3> FindFace() const
+  std::array<Vertex, 3> FindFace() const
   {
-    std::array<Id, 3> face{};
+    std::array<Vertex, 3> face{};
     for (int k = 0; k < 3; ++k)
     {
       face[k] = this->Oct[k][this->At[0][k] < 0. ? 0 : 1];
@@ -210,8 +217,8 @@ private:
   }
 
   bool IsOct = false;
-  std::array<Id, 4> Tet;
-  std::array<std::array<Id, 2>, 3> Oct{}; ///< the ends of each diagonal, first that at -1
+  std::array<Vertex, 4> Tet;
+  std::array<std::array<Vertex, 2>, 3> Oct{}; ///< the ends of each diagonal, first that at -1
   std::array<CornerWeights, 4> At;
 };
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Solids/Limits/SolidLattice.h"
+#include "Core/Solids/Limits/BoxSplineLattice.h"
 
 #include "Core/Memory/Ids.h"
 #include "Core/Rules/Masks.h"
-#include "Core/Solids/Limits/LimitRowMaker.h"
+#include "Core/Solids/Limits/LatticeLimit.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace subdivision
 {
@@ -48,24 +47,10 @@ LatticeWeights Sum(LatticeWeights a, const LatticeWeights& b)
   return a;
 }
 
-/// The rows of a neighbourhood as SolveLimit reads them.
-struct SolvedRows
-{
-  std::vector<std::vector<std::pair<int, double>>> Rows;
-  template <typename Add>
-  void Weigh(const int*&, int item, const Add& add) const
-  {
-    for (const auto& [column, weight] : this->Rows[static_cast<std::size_t>(item)])
-    {
-      add(column, weight);
-    }
-  }
-};
-
 }
 
 template <typename Id>
-const Id* SolidLattice<Id>::GetCorners(int dimension, Id simplex) const
+const Id* BoxSplineLattice<Id>::GetCorners(int dimension, Id simplex) const
 {
   const Buffer<Id>& vertices = dimension == 3 ? this->Complex.TetVertices
     : dimension == 2                          ? this->Complex.FaceVertices
@@ -76,7 +61,7 @@ const Id* SolidLattice<Id>::GetCorners(int dimension, Id simplex) const
 /// Weights for the corners of one simplex as weights for those of another one, which has all of
 /// them whose weight is not 0.
 template <typename Id>
-LatticeWeights SolidLattice<Id>::Lift(
+LatticeWeights BoxSplineLattice<Id>::Lift(
   const Id* from, int corners, const LatticeWeights& weights, const Id* to, int cornersThere) const
 {
   LatticeWeights lifted{};
@@ -91,7 +76,7 @@ LatticeWeights SolidLattice<Id>::Lift(
 }
 
 template <typename Id>
-LatticeVertex<Id> SolidLattice<Id>::Find(
+LatticeVertex<Id> BoxSplineLattice<Id>::Find(
   int dimension, Id simplex, const LatticeWeights& weights) const
 {
   int inside[4] = {}; // the corners with a weight
@@ -126,7 +111,7 @@ LatticeVertex<Id> SolidLattice<Id>::Find(
 }
 
 template <typename Id>
-Rule SolidLattice<Id>::GetRule(const LatticeVertex<Id>& vertex) const
+Rule BoxSplineLattice<Id>::GetRule(const LatticeVertex<Id>& vertex) const
 {
   if (vertex.Dimension == 3)
   {
@@ -143,7 +128,7 @@ Rule SolidLattice<Id>::GetRule(const LatticeVertex<Id>& vertex) const
 /// vertex: both lie in this simplex.
 template <typename Id>
 template <typename Act>
-bool SolidLattice<Id>::ForRing(const LatticeVertex<Id>& vertex, const Act& act) const
+bool BoxSplineLattice<Id>::ForRing(const LatticeVertex<Id>& vertex, const Act& act) const
 {
   switch (vertex.Dimension)
   {
@@ -160,7 +145,7 @@ bool SolidLattice<Id>::ForRing(const LatticeVertex<Id>& vertex, const Act& act) 
 
 template <typename Id>
 template <typename Act>
-bool SolidLattice<Id>::ForRingOfVertex(const LatticeVertex<Id>& vertex, const Act& act) const
+bool BoxSplineLattice<Id>::ForRingOfVertex(const LatticeVertex<Id>& vertex, const Act& act) const
 {
   const Rule rule = this->GetRule(vertex);
   if (rule == Rule::Corner)
@@ -185,7 +170,7 @@ bool SolidLattice<Id>::ForRingOfVertex(const LatticeVertex<Id>& vertex, const Ac
 
 template <typename Id>
 template <typename Act>
-bool SolidLattice<Id>::ForRingOnEdge(const LatticeVertex<Id>& vertex, const Act& act) const
+bool BoxSplineLattice<Id>::ForRingOnEdge(const LatticeVertex<Id>& vertex, const Act& act) const
 {
   const Id edge = vertex.Simplex;
   const Rule rule = this->GetRule(vertex);
@@ -228,7 +213,7 @@ bool SolidLattice<Id>::ForRingOnEdge(const LatticeVertex<Id>& vertex, const Act&
 
 template <typename Id>
 template <typename Act>
-bool SolidLattice<Id>::ForRingInFace(const LatticeVertex<Id>& vertex, const Act& act) const
+bool BoxSplineLattice<Id>::ForRingInFace(const LatticeVertex<Id>& vertex, const Act& act) const
 {
   const Id face = vertex.Simplex;
   const Rule rule = this->GetRule(vertex);
@@ -258,7 +243,7 @@ bool SolidLattice<Id>::ForRingInFace(const LatticeVertex<Id>& vertex, const Act&
 
 template <typename Id>
 template <typename Act>
-bool SolidLattice<Id>::ForRingInTet(const LatticeVertex<Id>& vertex, const Act& act) const
+bool BoxSplineLattice<Id>::ForRingInTet(const LatticeVertex<Id>& vertex, const Act& act) const
 {
   for (int i = 0; i < 4; ++i)
   {
@@ -273,7 +258,7 @@ bool SolidLattice<Id>::ForRingInTet(const LatticeVertex<Id>& vertex, const Act& 
 }
 
 template <typename Id>
-bool SolidLattice<Id>::ReadRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const
+bool BoxSplineLattice<Id>::ReadRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const
 {
   row.Clear();
   const LatticeWeights& weights = vertex.Weights;
@@ -283,7 +268,7 @@ bool SolidLattice<Id>::ReadRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& 
 }
 
 template <typename Id>
-bool SolidLattice<Id>::ReadVertexRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const
+bool BoxSplineLattice<Id>::ReadVertexRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const
 {
   LatticeVertex<Id> old = vertex;
   for (long long& weight : old.Weights)
@@ -307,7 +292,7 @@ bool SolidLattice<Id>::ReadVertexRow(const LatticeVertex<Id>& vertex, LatticeRow
 /// The ends of the edge are `base` with one more of each corner whose weight is odd; if all four
 /// are odd, the edge is along a diagonal.
 template <typename Id>
-bool SolidLattice<Id>::ReadEdgeRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const
+bool BoxSplineLattice<Id>::ReadEdgeRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const
 {
   LatticeWeights base = vertex.Weights;
   int odd[4];
@@ -343,11 +328,49 @@ bool SolidLattice<Id>::ReadEdgeRow(const LatticeVertex<Id>& vertex, LatticeRow<I
   const Mask mask = EdgeMask(rule, static_cast<vtkIdType>(row.Vertices.size()) - 2);
   std::fill(row.Weights.begin(), row.Weights.end(), mask.Ring);
   row.Weights[0] = row.Weights[1] = mask.Own;
+  return vertex.Dimension != 1 || this->ApplySectors(vertex, base, row);
+}
+
+/// Gives an edge at the end of a control edge whose rule depends on the sector there its weights.
+template <typename Id>
+bool BoxSplineLattice<Id>::ApplySectors(
+  const LatticeVertex<Id>& vertex, const LatticeWeights& base, LatticeRow<Id>& row) const
+{
+  std::array<SectorEdge<Id>, 2> taken;
+  int size = 0;
+  for (const SectorEdge<Id>& sector : FindSectorEdges(this->Strata.Sectors, vertex.Simplex))
+  {
+    if (base[1 - sector.End] == 0)
+    {
+      taken[size] = sector;
+      taken[size++].IsShared = sector.IsShared && base[sector.End] == 0; // as a step leaves it
+    }
+  }
+  const SectorEdgeRange<Id> sectors{ taken.data(), taken.data() + size };
+  if (sectors.IsEmpty() || !AreComplete(sectors))
+  {
+    return sectors.IsEmpty();
+  }
+  const SectorMask mask = GetSectorMask(sectors);
+  std::fill(row.Weights.begin(), row.Weights.end(), mask.Ring);
+  std::copy_n(mask.Ends, 2, row.Weights.begin());
+  for (const SectorEdge<Id>& sector : sectors)
+  {
+    const Id corner = this->GetCorners(1, vertex.Simplex)[sector.End];
+    for (int i = 0; i < 2 && sector.Flatness > 0.; ++i)
+    {
+      const int own = this->GetCorners(1, sector.Bounds[i])[0] == corner ? 0 : 1;
+      LatticeWeights weights{};
+      weights[own] = base[sector.End];
+      weights[1 - own] = 1;
+      row.Add(this->Find(1, sector.Bounds[i], weights), mask.Bounds[sector.End][i]);
+    }
+  }
   return true;
 }
 
 template <typename Id>
-bool SolidLattice<Id>::AddRingOfEdge(
+bool BoxSplineLattice<Id>::AddRingOfEdge(
   const LatticeVertex<Id>& vertex, const LatticeWeights& base, LatticeRow<Id>& row) const
 {
   const Rule rule = this->GetRule(vertex);
@@ -375,8 +398,8 @@ bool SolidLattice<Id>::AddRingOfEdge(
 }
 
 template <typename Id>
-bool SolidLattice<Id>::AddRingInFace(const LatticeVertex<Id>& vertex, const LatticeWeights& base,
-  LatticeRow<Id>& row, Rule& rule) const
+bool BoxSplineLattice<Id>::AddRingInFace(const LatticeVertex<Id>& vertex,
+  const LatticeWeights& base, LatticeRow<Id>& row, Rule& rule) const
 {
   const Id face = vertex.Simplex;
   const Row<Id> tets = this->Complex.FaceTets[face];
@@ -419,7 +442,7 @@ bool SolidLattice<Id>::AddRingInFace(const LatticeVertex<Id>& vertex, const Latt
 }
 
 template <typename Id>
-void SolidLattice<Id>::AddRingInTet(const LatticeVertex<Id>& vertex, const LatticeWeights& base,
+void BoxSplineLattice<Id>::AddRingInTet(const LatticeVertex<Id>& vertex, const LatticeWeights& base,
   LatticeRow<Id>& row, Rule& rule) const
 {
   const auto add = [&](const LatticeWeights& weights)
@@ -468,7 +491,7 @@ void SolidLattice<Id>::AddRingInTet(const LatticeVertex<Id>& vertex, const Latti
 }
 
 template <typename Id>
-bool SolidLattice<Id>::SolveLimit(
+bool BoxSplineLattice<Id>::SolveLimit(
   const LatticeVertex<Id>& vertex, std::vector<double>& weights) const
 {
   std::vector<LatticeVertex<Id>> items{ vertex };
@@ -483,35 +506,17 @@ bool SolidLattice<Id>::SolveLimit(
       items.push_back(this->Find(dimension, simplex, other));
       next.push_back(this->Find(dimension, simplex, Sum(own, other)));
     });
-  SolvedRows solved;
-  LatticeRow<Id> row;
-  for (std::size_t i = 0; isRead && i < next.size(); ++i)
-  {
-    if (!this->ReadRow(next[i], row))
-    {
-      return false;
-    }
-    solved.Rows.emplace_back();
-    for (std::size_t k = 0; k < row.Vertices.size(); ++k)
-    {
-      const auto item = std::find(items.begin(), items.end(), row.Vertices[k]);
-      if (item == items.end())
-      {
-        return false;
-      }
-      solved.Rows.back().emplace_back(static_cast<int>(item - items.begin()), row.Weights[k]);
-    }
-  }
-  if (isRead)
-  {
-    weights = subdivision::SolveLimit(solved, Neighbourhood(), items.size());
-  }
-  return isRead;
+  return isRead && SolveLatticeLimit(*this, items, next, weights);
 }
 
 template <typename Id>
-bool SolidLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row)
+bool BoxSplineLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row)
 {
+  if (vertex.Dimension == 1 && std::min(vertex.Weights[0], vertex.Weights[1]) == 1 &&
+    !FindSectorEdges(this->Strata.Sectors, vertex.Simplex).IsEmpty())
+  {
+    return false; // its limit is not that of others on the edge
+  }
   constexpr std::size_t most = 4096; // bounds the memory
   if (this->Limits.size() > most)
   {
@@ -531,6 +536,6 @@ bool SolidLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>
     { row.Add(this->Find(dimension, in, other), weights[row.Weights.size()]); });
 }
 
-SUBDIVISION_COMPILE(class SolidLattice);
+SUBDIVISION_COMPILE(class BoxSplineLattice);
 
 }

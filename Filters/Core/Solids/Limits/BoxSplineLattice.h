@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file SolidLattice.h
+ * @file BoxSplineLattice.h
  * The vertices of all levels of a box-spline refinement and their rows, without making a level.
  *
  * A vertex of the level after k steps lies in a simplex of the control level and has weights of its
@@ -8,8 +8,8 @@
  * diagonals of tetrahedra, so that the neighbours of a vertex, and with them its row, follow from
  * these numbers and from the rings of the control level.
  */
-#ifndef SubdivisionObjects_SolidLattice_h
-#define SubdivisionObjects_SolidLattice_h
+#ifndef SubdivisionObjects_BoxSplineLattice_h
+#define SubdivisionObjects_BoxSplineLattice_h
 
 #include "Core/Solids/Scheme/Level.h"
 
@@ -59,14 +59,17 @@ struct LatticeRow
 };
 
 /// It has the rules of vertices, edges and faces with d = 0 to 3. Methods that return false have
-/// met another one: Blend, a joint that is sharp, or a sector with rules of its own
-/// (SectorEdges.h). Nothing may be semi-sharp. Threads have one each.
+/// met another one, Blend or a joint that is sharp, or the limit of a neighbour of a control vertex
+/// where rules depend on the sector (SectorEdges.h). Nothing may be semi-sharp. Threads have one
+/// each.
 template <typename Id>
-class SolidLattice
+class BoxSplineLattice
 {
 public:
-  /// `level` was made with Depth::ForRefinement, or is the control level. It must outlive this.
-  explicit SolidLattice(const Level<Id>& level)
+  /// `level` was made with Depth::ForRefinement, or is the control level. It must outlive this. Of
+  /// another scheme than the box spline, what it has with d < 3.
+  template <typename LevelType>
+  explicit BoxSplineLattice(const LevelType& level)
     : Complex(level.Complex)
     , Strata(level.Strata)
   {
@@ -86,9 +89,11 @@ public:
   /// The limit of a vertex over its own level (Mathematics 8).
   bool ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row);
 
-private:
   Rule GetRule(const LatticeVertex<Id>& vertex) const;
+  /// The vertices of an edge, face or tetrahedron.
   const Id* GetCorners(int dimension, Id simplex) const;
+
+private:
   LatticeWeights Lift(const Id* from, int corners, const LatticeWeights& weights, const Id* to,
     int cornersThere) const;
   template <typename Act>
@@ -103,6 +108,8 @@ private:
   bool ForRingInTet(const LatticeVertex<Id>& vertex, const Act& act) const;
   bool ReadVertexRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const;
   bool ReadEdgeRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const;
+  bool ApplySectors(
+    const LatticeVertex<Id>& vertex, const LatticeWeights& base, LatticeRow<Id>& row) const;
   bool AddRingOfEdge(
     const LatticeVertex<Id>& vertex, const LatticeWeights& base, LatticeRow<Id>& row) const;
   bool AddRingInFace(const LatticeVertex<Id>& vertex, const LatticeWeights& base,

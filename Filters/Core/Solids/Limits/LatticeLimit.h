@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file LatticeLimit.h
+ * Solves for the limit of a vertex of a lattice (BoxSplineLattice.h, TetOctLattice.h) by the rows
+ * of its neighbourhood on the next level.
+ */
+#ifndef SubdivisionObjects_LatticeLimit_h
+#define SubdivisionObjects_LatticeLimit_h
+
+#include "Core/Solids/Limits/BoxSplineLattice.h"
+#include "Core/Solids/Limits/LimitRowMaker.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace subdivision
+{
+
+/// The rows of a neighbourhood as SolveLimit reads them.
+struct SolvedRows
+{
+  std::vector<std::vector<std::pair<int, double>>> Rows;
+  template <typename Add>
+  void Weigh(const int*&, int item, const Add& add) const
+  {
+    for (const auto& [column, weight] : this->Rows[static_cast<std::size_t>(item)])
+    {
+      add(column, weight);
+    }
+  }
+};
+
+/// Finds the weights of `items`, the vertex and its neighbourhood; `next` is what they become on
+/// the next level. False: a rule is unknown, or a row reads more than the neighbourhood.
+template <typename Lattice, typename Id>
+bool SolveLatticeLimit(const Lattice& lattice, const std::vector<LatticeVertex<Id>>& items,
+  const std::vector<LatticeVertex<Id>>& next, std::vector<double>& weights)
+{
+  SolvedRows solved;
+  LatticeRow<Id> row;
+  for (const LatticeVertex<Id>& vertex : next)
+  {
+    if (!lattice.ReadRow(vertex, row))
+    {
+      return false;
+    }
+    solved.Rows.emplace_back();
+    for (std::size_t k = 0; k < row.Vertices.size(); ++k)
+    {
+      const auto item = std::find(items.begin(), items.end(), row.Vertices[k]);
+      if (item == items.end())
+      {
+        return false;
+      }
+      solved.Rows.back().emplace_back(static_cast<int>(item - items.begin()), row.Weights[k]);
+    }
+  }
+  weights = SolveLimit(solved, Neighbourhood(), items.size());
+  return true;
+}
+
+}
+
+#endif

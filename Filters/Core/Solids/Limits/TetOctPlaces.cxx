@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/Limits/TetOctPlaces.h"
+
+#include "Core/Solids/Limits/PlaceSum.h"
+#include "Core/Solids/Limits/SolidPlaces.h"
+#include "Core/Solids/Limits/TetOctLattice.h"
+
+#include <memory>
+
+namespace subdivision
+{
+namespace
+{
+
+/// Vertices as TetOctLattice has them, with the same denominator on all levels.
+struct LatticeMidpoints
+{
+  LatticeWeights GetMidpoint(const LatticeWeights& a, const LatticeWeights& b) const
+  {
+    LatticeWeights middle{};
+    for (std::size_t i = 0; i < middle.size(); ++i)
+    {
+      middle[i] = (a[i] + b[i]) / 2;
+    }
+    return middle;
+  }
+};
+
+/// Finds the row of one place after the other.
+template <typename Id>
+class TetOctPlaceFinder
+{
+public:
+  TetOctPlaceFinder(const TetOctLevel<Id>& level, const Rows<Id>& solidsAtVertices)
+    : Here(level)
+    , Lattice(level, solidsAtVertices)
+  {
+  }
+
+  void FindInTet(const LimitPlace<Id>& place, Id tet, SolidRow<Id>& row)
+  {
+    std::array<LatticeWeights, 4> corners{};
+    for (int i = 0; i < 4; ++i)
+    {
+      corners[i][this->Here.Complex.VertexInTet(tet, place.Corners[i])] = Size;
+    }
+    this->Find(TetOctPlace<LatticeWeights>(corners, StartPart(place)), tet, row);
+  }
+  void FindInOct(const LimitPlace<Id>& place, Id oct, SolidRow<Id>& row)
+  {
+    std::array<LatticeWeights, 6> vertices{};
+    for (int i = 0; i < 6; ++i)
+    {
+      vertices[i][i / 2] = i % 2 == 0 ? -Size : Size;
+      vertices[i][3] = Size;
+    }
+    std::array<LatticeWeights, 4> corners{};
+    for (int i = 0; i < 4; ++i)
+    {
+      corners[i] = vertices[VertexInOct(this->Here, oct, place.Corners[i])];
+    }
+    this->Find(TetOctPlace<LatticeWeights>(vertices.data(), corners, StartPart(place)),
+      this->Here.Complex.NumberOfTets + oct, row);
+  }
+
+private:
+  /// The level of the vertices between which the limit is linear. One of them may be the centre of
+  /// an octahedron, which the next step makes.
+  static constexpr int Level = MostSplitsOfSolids + 1;
+  static constexpr long long Size = 1ll << Level;
+
+  /// Leaves the row empty if a rule near the place is unknown.
+  void Find(TetOctPlace<LatticeWeights> inside, Id solid, SolidRow<Id>& row)
+  {
+    LatticeMidpoints midpoints;
+    for (int splits = 0; splits < MostSplitsOfSolids; ++splits)
+    {
+      inside.Split(midpoints);
+    }
+    std::vector<LatticeWeights> vertices;
+    std::vector<PartWeights> weights;
+    inside.Finish(midpoints, vertices, weights);
+    this->Sum.Clear();
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      if (!this->Sum.AddLimit(this->Lattice.Find(solid, vertices[i]), weights[i]))
+      {
+        return;
+      }
+    }
+    if (this->Sum.StepBack(Level))
+    {
+      this->Sum.Write(row);
+    }
+  }
+
+  const TetOctLevel<Id>& Here;
+  TetOctLattice<Id> Lattice;
+  PlaceSum<Id, TetOctLattice<Id>> Sum{ this->Lattice };
+};
+
+}
+
+template <typename Id>
+std::vector<SolidRow<Id>> FindSolidRows(
+  const TetOctLevel<Id>& level, const std::vector<LimitPlace<Id>>& places)
+{
+  if (!HasPlacesInSolids(places))
+  {
+    return std::vector<SolidRow<Id>>(places.size());
+  }
+  using Finder = TetOctPlaceFinder<Id>;
+  const TetTable<Id> tets(level.Complex, places);
+  const OctPieces<Id> pieces(level, places);
+  const Rows<Id> solidsAtVertices = ListSolidsAtVertices(level);
+  return FindSolidRowsInThreads<Finder>(
+    places, [&]() { return std::make_shared<Finder>(level, solidsAtVertices); },
+    [&](Finder& finder, const LimitPlace<Id>& place, SolidRow<Id>& row)
+    {
+      const Id* vertices = pieces.Find(place.Corners);
+      const Id tet = vertices ? Id(-1) : tets.Find(place.Corners);
+      if (vertices)
+      {
+        finder.FindInOct(place, static_cast<Id>((vertices - level.OctVertices.data()) / 6), row);
+      }
+      else if (tet >= 0)
+      {
+        finder.FindInTet(place, tet, row);
+      }
+    });
+}
+
+template std::vector<SolidRow<int>> FindSolidRows(
+  const TetOctLevel<int>&, const std::vector<LimitPlace<int>>&);
+template std::vector<SolidRow<long long>> FindSolidRows(
+  const TetOctLevel<long long>&, const std::vector<LimitPlace<long long>>&);
+
+}
