@@ -329,6 +329,13 @@ bool HasCells(
 }
 
 SUBDIVISION_COMPILE_FUNCTION(HasCells);
+/// SUBDIVISION_COMPILE_FUNCTION for one that has the type of ids and that of the ids it writes.
+#define SUBDIVISION_COMPILE_WRITER(Function)                                                       \
+  template decltype(Function<int, int>) Function<int, int>;                                        \
+  template decltype(Function<int, long long>) Function<int, long long>;                            \
+  template decltype(Function<long long, int>) Function<long long, int>;                            \
+  template decltype(Function<long long, long long>) Function<long long, long long>
+
 SUBDIVISION_COMPILE_WRITER(WriteCells);
 SUBDIVISION_COMPILE_WRITER(WriteChildren);
 SUBDIVISION_COMPILE_WRITER(WriteGrandchildren);
