@@ -36,7 +36,7 @@ Values DrawValues(int size, std::mt19937& random)
 template <typename LevelType>
 Weights Evaluate(const LevelType& level, const LimitPlace<int>& place, const Values& values)
 {
-  const PlaceLimits<int> limits(level, SemiSharpStages<int>(), { place });
+  const PlaceLimits<int> limits(level, SemiSharpStages<int>(), { place }, PlaceDerivatives::First);
   Weights found{};
   for (int part = 0; part < 4; ++part)
   {
@@ -290,7 +290,8 @@ TEST(TetOctDerivatives, OfQuadraticFunctions)
     place.Dimension = 3;
     std::copy_n(mesh.Level.Complex.TetVertices.data() + 4 * tet, 4, place.Corners.begin());
     place.Parameters = { { 0.3 * Draw(random), 0.3 * Draw(random), 0.3 * Draw(random) } };
-    const PlaceLimits<int> limits(mesh.Level, SemiSharpStages<int>(), { place });
+    const PlaceLimits<int> limits(
+      mesh.Level, SemiSharpStages<int>(), { place }, PlaceDerivatives::First);
     if (!std::all_of(limits.Rows.Columns.begin(), limits.Rows.Columns.end(),
           [&](int column) { return isInside[static_cast<std::size_t>(column)]; }))
     {
