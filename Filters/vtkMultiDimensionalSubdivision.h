@@ -421,8 +421,8 @@ public:
    * by these parameters AT edges and vertices that are not regular (by TET_OCT all of the control
    * mesh) and, by BOX_SPLINE, at faces whose two tetrahedra are not cut in the same way. 2^-k of a
    * cell from there the error is 1e-14 + 1e-15 * 2^k, as the place itself is rounded; there the
-   * arrays have the slope over a part of 2^-48 of the cell. Beside Blend joints, and in meshes with
-   * semi-sharp creases, errors in solids are 1e-7, by TET_OCT 1e-6.
+   * arrays have the slope over a part of 2^-48 of the cell. In cells beside Blend joints and beside
+   * what is semi-sharp, and in their neighbours, errors are 1e-7, by TET_OCT 1e-6.
    *
    * AT an extraordinary vertex the limit has no derivatives by these parameters: they tend to 0
    * with three to five triangles, and to infinity with seven and more. What the arrays have there

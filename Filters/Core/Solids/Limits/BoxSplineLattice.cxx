@@ -50,6 +50,30 @@ LatticeWeights Sum(LatticeWeights a, const LatticeWeights& b)
 }
 
 template <typename Id>
+SharpSimplices<Id> FindSharpSimplices(
+  const SimplicialComplex<Id>& complex, const SemiSharpStages<Id>& creases)
+{
+  SharpSimplices<Id> sharp;
+  const std::vector<SharpRow> rows = creases.ListParts(complex).GetRows();
+  if (!rows.empty())
+  {
+    sharp.Flags = { { Buffer<unsigned char>(complex.NumberOfVertices, 0),
+      Buffer<unsigned char>(complex.NumberOfEdges, 0),
+      Buffer<unsigned char>(complex.NumberOfFaces, 0) } };
+    const vtkIdType vertices = complex.NumberOfVertices;
+    for (const SharpRow& row : InTurn(rows))
+    {
+      row.Row < vertices ? sharp.Flags[0][row.Row] = 1 : sharp.Flags[1][row.Row - vertices] = 1;
+    }
+    for (const vtkIdType face : InTurn(creases.FaceSharpness.size()))
+    {
+      sharp.Flags[2][face] = creases.FaceSharpness[face] > 0. ? 1 : 0;
+    }
+  }
+  return sharp;
+}
+
+template <typename Id>
 const Id* BoxSplineLattice<Id>::GetCorners(int dimension, Id simplex) const
 {
   const Buffer<Id>& vertices = dimension == 3 ? this->Complex.TetVertices
@@ -261,6 +285,10 @@ template <typename Id>
 bool BoxSplineLattice<Id>::ReadRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const
 {
   row.Clear();
+  if (this->IsSharp(vertex.Dimension, vertex.Simplex))
+  {
+    return false;
+  }
   const LatticeWeights& weights = vertex.Weights;
   return std::all_of(weights.begin(), weights.end(), [](long long w) { return w % 2 == 0; })
     ? this->ReadVertexRow(vertex, row)
@@ -536,6 +564,7 @@ bool BoxSplineLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow
     { row.Add(this->Find(dimension, in, other), weights[row.Weights.size()]); });
 }
 
+SUBDIVISION_COMPILE_FUNCTION(FindSharpSimplices);
 SUBDIVISION_COMPILE(class BoxSplineLattice);
 
 }

@@ -11,6 +11,7 @@
 #ifndef SubdivisionObjects_BoxSplineLattice_h
 #define SubdivisionObjects_BoxSplineLattice_h
 
+#include "Core/Solids/Limits/LimitStencils.h"
 #include "Core/Solids/Scheme/Level.h"
 
 #include <array>
@@ -58,20 +59,36 @@ struct LatticeRow
   }
 };
 
+/// The control vertices, edges and faces of which rows depend on what is semi-sharp, on any level.
+template <typename Id>
+struct SharpSimplices
+{
+  std::array<Buffer<unsigned char>, 3> Flags; ///< by the dimension; all are empty if there are none
+
+  bool Has(int dimension, Id simplex) const
+  {
+    return dimension < 3 && !this->Flags[dimension].empty() && this->Flags[dimension][simplex] != 0;
+  }
+};
+template <typename Id>
+SharpSimplices<Id> FindSharpSimplices(
+  const SimplicialComplex<Id>& complex, const SemiSharpStages<Id>& creases);
+
 /// It has the rules of vertices, edges and faces with d = 0 to 3. Methods that return false have
 /// met another one, Blend or a joint that is sharp, or the limit of a neighbour of a control vertex
-/// where rules depend on the sector (SectorEdges.h). Nothing may be semi-sharp. Threads have one
+/// where rules depend on the sector (SectorEdges.h), or something semi-sharp. Threads have one
 /// each.
 template <typename Id>
 class BoxSplineLattice
 {
 public:
-  /// `level` was made with Depth::ForRefinement, or is the control level. It must outlive this. Of
-  /// another scheme than the box spline, what it has with d < 3.
+  /// `level` was made with Depth::ForRefinement, or is the control level. Both must outlive this.
+  /// Of another scheme than the box spline, what it has with d < 3.
   template <typename LevelType>
-  explicit BoxSplineLattice(const LevelType& level)
+  BoxSplineLattice(const LevelType& level, const SharpSimplices<Id>& sharp)
     : Complex(level.Complex)
     , Strata(level.Strata)
+    , Sharp(sharp)
   {
   }
 
@@ -89,6 +106,7 @@ public:
   /// The limit of a vertex over its own level (Mathematics 8).
   bool ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row);
 
+  bool IsSharp(int dimension, Id simplex) const { return this->Sharp.Has(dimension, simplex); }
   Rule GetRule(const LatticeVertex<Id>& vertex) const;
   /// The vertices of an edge, face or tetrahedron.
   const Id* GetCorners(int dimension, Id simplex) const;
@@ -120,6 +138,7 @@ private:
 
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
+  const SharpSimplices<Id>& Sharp;
   /// The weights of limits by the simplex of the vertex; inside tetrahedra all are equal.
   std::unordered_map<std::uint64_t, std::vector<double>> Limits;
 };

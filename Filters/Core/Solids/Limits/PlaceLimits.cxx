@@ -278,9 +278,9 @@ PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& 
   std::vector<SolidRow<Id>> ready;
   if constexpr (!std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value)
   {
-    if (CountSharpSteps(creases) == 0 && FindDimension(places) == 3)
+    if (FindDimension(places) == 3)
     {
-      ready = FindSolidRows(level, places);
+      ready = FindSolidRows(level, creases, places);
     }
   }
   const std::vector<PlaceNodes<Id>> nodes = FindNodes(level, reader, creases, places, ready, names);

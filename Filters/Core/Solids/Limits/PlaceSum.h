@@ -260,12 +260,21 @@ std::vector<SolidRow<Id>> FindSolidRowsInThreads(
   return rows;
 }
 
-/// Whether any place is in a solid.
+/// Whether any place is in a solid, and no rule depends both on sectors and on what is semi-sharp.
 template <typename Id>
-bool HasPlacesInSolids(const std::vector<LimitPlace<Id>>& places)
+bool HasPlacesOnLattice(const Strata<Id>& strata, const SemiSharpStages<Id>& creases,
+  const std::vector<LimitPlace<Id>>& places)
 {
-  return std::any_of(
-    places.begin(), places.end(), [](const LimitPlace<Id>& place) { return place.Dimension == 3; });
+  const auto hasSectors = [](const SharpStage<Id>& stage) { return !stage.Strata.Sectors.empty(); };
+  const auto isSharp = [](double sharpness) { return sharpness > 0.; };
+  const bool isAnySharp =
+    std::any_of(creases.Sharpness.begin(), creases.Sharpness.end(), isSharp) ||
+    std::any_of(creases.FaceSharpness.begin(), creases.FaceSharpness.end(), isSharp);
+  return std::any_of(places.begin(), places.end(),
+           [](const LimitPlace<Id>& place) { return place.Dimension == 3; }) &&
+    (!isAnySharp ||
+      (strata.Sectors.empty() &&
+        std::none_of(creases.Stages.begin(), creases.Stages.end(), hasSectors)));
 }
 
 }

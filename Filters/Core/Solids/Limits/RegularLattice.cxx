@@ -55,7 +55,8 @@ template <typename Id>
 bool RegularLattice<Id>::IsRegularFace(Id face) const
 {
   const Row<Id> tets = this->Complex.FaceTets[face];
-  if (tets.size() != 2 || this->Strata.Faces[face].GetRule() != Rule::Solid)
+  if (tets.size() != 2 || this->Strata.Faces[face].GetRule() != Rule::Solid ||
+    this->Lattice.IsSharp(2, face))
   {
     return false;
   }
@@ -71,7 +72,7 @@ bool RegularLattice<Id>::IsRegularEdge(Id edge) const
 {
   const Rule rule = this->Strata.Edges[edge].GetRule();
   const Row<Id> faces = this->Strata.EdgeRings.GetCarriers(edge);
-  if ((rule != Rule::Solid && rule != Rule::RegularEdge) ||
+  if ((rule != Rule::Solid && rule != Rule::RegularEdge) || this->Lattice.IsSharp(1, edge) ||
     !std::all_of(faces.begin(), faces.end(),
       [this](Id face) { return face >= 0 && this->IsRegularFace(face); }))
   {
@@ -89,6 +90,7 @@ bool RegularLattice<Id>::IsRegularVertex(Id vertex) const
   constexpr int neighbours = 14;
   const Row<Id> edges = this->Strata.VertexRings.GetCarriers(vertex);
   return this->Strata.Vertices[vertex].GetRule() == Rule::Solid && edges.size() == neighbours &&
+    !this->Lattice.IsSharp(0, vertex) &&
     std::all_of(edges.begin(), edges.end(),
       [this](Id edge) { return edge >= 0 && this->IsRegularEdge(edge); });
 }

@@ -20,9 +20,9 @@ template <typename Id>
 class SolidPlaceFinder
 {
 public:
-  explicit SolidPlaceFinder(const Level<Id>& level)
+  SolidPlaceFinder(const Level<Id>& level, const SharpSimplices<Id>& sharp)
     : Complex(level.Complex)
-    , Lattice(level)
+    , Lattice(level, sharp)
     , Regular(level, this->Lattice)
   {
   }
@@ -153,17 +153,18 @@ private:
 }
 
 template <typename Id>
-std::vector<SolidRow<Id>> FindSolidRows(
-  const Level<Id>& level, const std::vector<LimitPlace<Id>>& places)
+std::vector<SolidRow<Id>> FindSolidRows(const Level<Id>& level, const SemiSharpStages<Id>& creases,
+  const std::vector<LimitPlace<Id>>& places)
 {
-  if (!HasPlacesInSolids(places))
+  const SharpSimplices<Id> sharp = FindSharpSimplices(level.Complex, creases);
+  if (!HasPlacesOnLattice(level.Strata, creases, places))
   {
     return std::vector<SolidRow<Id>>(places.size());
   }
   using Finder = SolidPlaceFinder<Id>;
   const TetTable<Id> tets(level.Complex, places);
   return FindSolidRowsInThreads<Finder>(
-    places, [&]() { return std::make_shared<Finder>(level); },
+    places, [&]() { return std::make_shared<Finder>(level, sharp); },
     [&](Finder& finder, const LimitPlace<Id>& place, SolidRow<Id>& row)
     {
       const Id tet = tets.Find(place.Corners);
@@ -172,8 +173,8 @@ std::vector<SolidRow<Id>> FindSolidRows(
 }
 
 template std::vector<SolidRow<int>> FindSolidRows(
-  const Level<int>&, const std::vector<LimitPlace<int>>&);
-template std::vector<SolidRow<long long>> FindSolidRows(
-  const Level<long long>&, const std::vector<LimitPlace<long long>>&);
+  const Level<int>&, const SemiSharpStages<int>&, const std::vector<LimitPlace<int>>&);
+template std::vector<SolidRow<long long>> FindSolidRows(const Level<long long>&,
+  const SemiSharpStages<long long>&, const std::vector<LimitPlace<long long>>&);
 
 }

@@ -31,14 +31,14 @@ struct SolidRow
 };
 
 /// The rows of those places in tetrahedra whose surroundings the lattice of the scheme knows the
-/// rules of; the others have no columns. Nothing may be semi-sharp.
+/// rules of; the others have no columns, such as those beside something semi-sharp.
 template <typename Id>
-std::vector<SolidRow<Id>> FindSolidRows(
-  const Level<Id>& level, const std::vector<LimitPlace<Id>>& places);
+std::vector<SolidRow<Id>> FindSolidRows(const Level<Id>& level, const SemiSharpStages<Id>& creases,
+  const std::vector<LimitPlace<Id>>& places);
 /// The same by the tet/oct scheme, in pieces of octahedra too.
 template <typename Id>
-std::vector<SolidRow<Id>> FindSolidRows(
-  const TetOctLevel<Id>& level, const std::vector<LimitPlace<Id>>& places);
+std::vector<SolidRow<Id>> FindSolidRows(const TetOctLevel<Id>& level,
+  const SemiSharpStages<Id>& creases, const std::vector<LimitPlace<Id>>& places);
 
 }
 

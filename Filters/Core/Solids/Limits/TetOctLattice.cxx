@@ -377,6 +377,10 @@ bool TetOctLattice<Id>::ReadRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>&
     return this->Curved.ReadRow(vertex, row);
   }
   row.Clear();
+  if (this->Curved.IsSharp(vertex.Dimension, vertex.Simplex))
+  {
+    return false;
+  }
   int cells = 0;
   this->ForSolids(vertex, [&](Id solid) { cells += this->AddShares(vertex, solid, row); });
   for (double& weight : row.Weights)

@@ -34,11 +34,12 @@ template <typename Id>
 class TetOctLattice
 {
 public:
-  /// Both must outlive this. `level` was made with Depth::ForRefinement, or is the control level.
-  TetOctLattice(const TetOctLevel<Id>& level, const Rows<Id>& solidsAtVertices)
+  /// All must outlive this. `level` was made with Depth::ForRefinement, or is the control level.
+  TetOctLattice(
+    const TetOctLevel<Id>& level, const Rows<Id>& solidsAtVertices, const SharpSimplices<Id>& sharp)
     : Here(level)
     , SolidsAt(solidsAtVertices)
-    , Curved(level)
+    , Curved(level, sharp)
   {
   }
 

@@ -31,9 +31,10 @@ template <typename Id>
 class TetOctPlaceFinder
 {
 public:
-  TetOctPlaceFinder(const TetOctLevel<Id>& level, const Rows<Id>& solidsAtVertices)
+  TetOctPlaceFinder(
+    const TetOctLevel<Id>& level, const Rows<Id>& solidsAtVertices, const SharpSimplices<Id>& sharp)
     : Here(level)
-    , Lattice(level, solidsAtVertices)
+    , Lattice(level, solidsAtVertices, sharp)
   {
   }
 
@@ -102,10 +103,11 @@ private:
 }
 
 template <typename Id>
-std::vector<SolidRow<Id>> FindSolidRows(
-  const TetOctLevel<Id>& level, const std::vector<LimitPlace<Id>>& places)
+std::vector<SolidRow<Id>> FindSolidRows(const TetOctLevel<Id>& level,
+  const SemiSharpStages<Id>& creases, const std::vector<LimitPlace<Id>>& places)
 {
-  if (!HasPlacesInSolids(places))
+  const SharpSimplices<Id> sharp = FindSharpSimplices(level.Complex, creases);
+  if (!HasPlacesOnLattice(level.Strata, creases, places))
   {
     return std::vector<SolidRow<Id>>(places.size());
   }
@@ -114,7 +116,7 @@ std::vector<SolidRow<Id>> FindSolidRows(
   const OctPieces<Id> pieces(level, places);
   const Rows<Id> solidsAtVertices = ListSolidsAtVertices(level);
   return FindSolidRowsInThreads<Finder>(
-    places, [&]() { return std::make_shared<Finder>(level, solidsAtVertices); },
+    places, [&]() { return std::make_shared<Finder>(level, solidsAtVertices, sharp); },
     [&](Finder& finder, const LimitPlace<Id>& place, SolidRow<Id>& row)
     {
       const Id* vertices = pieces.Find(place.Corners);
@@ -131,8 +133,8 @@ std::vector<SolidRow<Id>> FindSolidRows(
 }
 
 template std::vector<SolidRow<int>> FindSolidRows(
-  const TetOctLevel<int>&, const std::vector<LimitPlace<int>>&);
-template std::vector<SolidRow<long long>> FindSolidRows(
-  const TetOctLevel<long long>&, const std::vector<LimitPlace<long long>>&);
+  const TetOctLevel<int>&, const SemiSharpStages<int>&, const std::vector<LimitPlace<int>>&);
+template std::vector<SolidRow<long long>> FindSolidRows(const TetOctLevel<long long>&,
+  const SemiSharpStages<long long>&, const std::vector<LimitPlace<long long>>&);
 
 }

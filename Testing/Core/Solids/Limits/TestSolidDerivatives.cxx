@@ -344,7 +344,8 @@ TEST(TetOctLattice, RowsAreThoseOfAStep)
         Values after(static_cast<std::size_t>(size));
         CopyStencils(level).Apply(before.data(), after.data(), 1);
         const Rows<int> solids = ListSolidsAtVertices(level);
-        const TetOctLattice<int> lattice(level, solids);
+        const SharpSimplices<int> sharp;
+        const TetOctLattice<int> lattice(level, solids, sharp);
         LatticeRow<int> row;
         for (int i = 0; i < size; ++i)
         {

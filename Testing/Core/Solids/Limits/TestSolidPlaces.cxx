@@ -64,8 +64,9 @@ LimitPlace<int> MakeVertex(const Level<int>& level, int tet, int dimension, std:
 }
 
 /// The polynomial between limits of vertices around each place, after many splits.
-std::vector<DenseRow> FindBySplits(
-  const Level<int>& level, const std::vector<LimitPlace<int>>& places, int splits)
+std::vector<DenseRow> FindBySplits(const Level<int>& level,
+  const std::vector<LimitPlace<int>>& places, int splits,
+  const SemiSharpStages<int>& creases = SemiSharpStages<int>())
 {
   VertexNames<int> names(level.Complex.NumberOfVertices);
   std::vector<std::vector<int>> nodes;
@@ -87,8 +88,7 @@ std::vector<DenseRow> FindBySplits(
       nodes.back().push_back(FindNode(corners, node, names));
     }
   }
-  const SparseRows<int> limits =
-    LocalLimit<int>(level, SemiSharpStages<int>(), names.GetMidpoints()).BuildRows();
+  const SparseRows<int> limits = LocalLimit<int>(level, creases, names.GetMidpoints()).BuildRows();
   std::vector<DenseRow> rows(places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
@@ -141,9 +141,10 @@ struct Found
 };
 
 /// Leaves out places whose rules are unknown.
-Found FindKnown(const Level<int>& level, const std::vector<LimitPlace<int>>& places)
+Found FindKnown(const Level<int>& level, const std::vector<LimitPlace<int>>& places,
+  const SemiSharpStages<int>& creases = SemiSharpStages<int>())
 {
-  const std::vector<SolidRow<int>> rows = FindSolidRows(level, places);
+  const std::vector<SolidRow<int>> rows = FindSolidRows(level, creases, places);
   Found found;
   for (std::size_t i = 0; i < places.size(); ++i)
   {
@@ -203,6 +204,41 @@ TEST(SolidPlaces, RowsAreThoseOfSmallerParts)
   EXPECT_GT(known, 700u); // rules that are unknown to this are rare
 }
 
+/// Places whose rows do not read what is semi-sharp are found as if nothing was.
+TEST(SolidPlaces, BesideWhatIsSemiSharp)
+{
+  std::mt19937 random(8);
+  const Lattice lattice = MakeLattice("lattice", 3, 0.3, 0);
+  std::size_t known = 0;
+  std::size_t unknown = 0;
+  for (unsigned int seed = 0; seed < 6; ++seed)
+  {
+    SemiSharpMesh mesh(lattice.Control, "Blend", seed);
+    auto& edges = mesh.Sharpness.Edges;
+    auto& faces = mesh.Sharpness.Faces;
+    std::fill(edges.begin(), edges.end(), 0.);
+    std::fill(faces.begin(), faces.end(), 0.);
+    (seed % 2 == 0 ? edges[random() % edges.size()] : faces[random() % faces.size()]) = 1.5;
+    const Level<int> level = mesh.MakeSmoothLevel(0);
+    const SemiSharpStages<int> creases = mesh.MakeStages(0);
+    std::vector<LimitPlace<int>> places;
+    for (int tet = static_cast<int>(seed); tet < level.Complex.NumberOfTets; tet += 7)
+    {
+      places.push_back(MakeVertex(level, tet, 3, random));
+    }
+    const Found found = FindKnown(level, places, creases);
+    const std::vector<DenseRow> expected = FindBySplits(level, found.Places, 6, creases);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      EXPECT_LT(Differ(found.Rows[i], expected[i], PlaceParts::Value), 1e-13) << seed << " " << i;
+    }
+    known += expected.size();
+    unknown += places.size() - expected.size();
+  }
+  EXPECT_GT(known, 50u);
+  EXPECT_GT(unknown, 3u);
+}
+
 /// On the lattice all faces, edges and vertices are regular, so that nothing is split: a place
 /// reads the 32 vertices around its tetrahedron, and no others.
 TEST(SolidPlaces, LatticesAreNotSplit)
@@ -227,7 +263,7 @@ TEST(SolidPlaces, LatticesAreNotSplit)
       }
     }
     ASSERT_EQ(places.size(), 27u * 6u);
-    const std::vector<SolidRow<int>> rows = FindSolidRows(level, places);
+    const std::vector<SolidRow<int>> rows = FindSolidRows(level, SemiSharpStages<int>(), places);
     for (std::size_t i = 0; i < places.size(); ++i)
     {
       EXPECT_LE(rows[i].Columns.size(), 32u);
