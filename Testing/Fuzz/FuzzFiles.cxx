@@ -115,7 +115,10 @@ bool IsFile(const std::string& text, const char* type)
   const bool hasCells = piece &&
     (mesh->GetName() != std::string("UnstructuredGrid") ||
       piece->FindNestedElementWithName("Cells"));
-  return hasCells && piece->FindNestedElementWithName("Points") && IsPlausible(root);
+  // Writers write these always, and readers crash without them where a number cannot be read.
+  const auto has = [piece](const char* name)
+  { return piece->FindNestedElementWithName(name) != nullptr; };
+  return hasCells && has("Points") && has("PointData") && has("CellData") && IsPlausible(root);
 }
 
 /// VTK's readers lose arrays of a file that they give up (vtkXMLReader::CreateArray): what is

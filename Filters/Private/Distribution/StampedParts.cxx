@@ -180,7 +180,7 @@ Ids JoinTuples(const std::vector<MeshPart>& parts, int dimension, int levels,
 {
   std::map<Ids, double> sharpnessOf;
   bool isFinite = false;
-  const auto size = static_cast<size_t>((dimension + 1) << (dimension * levels));
+  const size_t size = static_cast<size_t>(dimension + 1) << (dimension * levels);
   std::map<Ids, Ids> found; // by corners
   for (const MeshPart& part : parts)
   {
