@@ -25,7 +25,7 @@ sanitize() # asan|tsan [NAME]
   log=$build/test-$tree.log
   ASAN_OPTIONS=detect_stack_use_after_return=1:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1 \
     LSAN_OPTIONS="suppressions=$options/leaks.txt:print_suppressions=0" \
-    TSAN_OPTIONS="suppressions=$options/threads.txt" \
+    TSAN_OPTIONS="suppressions=$options/threads.txt:allocator_may_return_null=1" \
     ctest --test-dir "$build/$tree" --output-on-failure --parallel "$jobs" --no-tests=error \
     --label-regex '^(cxx|core|program)$' ${name:+-R "$name"} 2>&1 | tee "$log" || passed=no
   [ -n "$name" ] || rm -f "$build/reliability/$tree.json"
