@@ -545,23 +545,17 @@ bool BoxSplineLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow
   {
     return false; // its limit is not that of others on the edge
   }
-  constexpr std::size_t most = 4096; // bounds the memory
-  if (this->Limits.size() > most)
-  {
-    this->Limits.clear();
-  }
-  const auto simplex = static_cast<std::uint64_t>(vertex.Dimension == 3 ? 0 : vertex.Simplex);
-  std::vector<double>& weights =
-    this->Limits[4 * simplex + static_cast<std::uint64_t>(vertex.Dimension)];
-  if (weights.empty() && !this->SolveLimit(vertex, weights))
+  const std::vector<double>* weights = this->Limits.Find(
+    vertex, [&](std::vector<double>& solved) { return this->SolveLimit(vertex, solved); });
+  if (!weights)
   {
     return false;
   }
   row.Clear();
-  row.Add(vertex, weights[0]);
+  row.Add(vertex, weights->front());
   return this->ForRing(vertex,
     [&](int dimension, Id in, const LatticeWeights&, const LatticeWeights& other)
-    { row.Add(this->Find(dimension, in, other), weights[row.Weights.size()]); });
+    { row.Add(this->Find(dimension, in, other), (*weights)[row.Weights.size()]); });
 }
 
 SUBDIVISION_COMPILE_FUNCTION(FindSharpSimplices);

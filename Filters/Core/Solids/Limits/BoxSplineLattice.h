@@ -59,6 +59,30 @@ struct LatticeRow
   }
 };
 
+/// The weights of limits: all vertices in a simplex have the same, and all inside solids.
+template <typename Id>
+class LatticeLimits
+{
+public:
+  /// solve(weights) finds those that are not known yet; null where it returns false.
+  template <typename Solve>
+  const std::vector<double>* Find(const LatticeVertex<Id>& vertex, const Solve& solve)
+  {
+    constexpr std::size_t most = 4096; // bounds the memory
+    if (this->Weights.size() > most)
+    {
+      this->Weights.clear();
+    }
+    const auto simplex = static_cast<std::uint64_t>(vertex.Dimension == 3 ? 0 : vertex.Simplex);
+    std::vector<double>& weights =
+      this->Weights[4 * simplex + static_cast<std::uint64_t>(vertex.Dimension)];
+    return !weights.empty() || solve(weights) ? &weights : nullptr;
+  }
+
+private:
+  std::unordered_map<std::uint64_t, std::vector<double>> Weights;
+};
+
 /// The control vertices, edges and faces of which rows depend on what is semi-sharp, on any level.
 template <typename Id>
 struct SharpSimplices
@@ -139,8 +163,7 @@ private:
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
   const SharpSimplices<Id>& Sharp;
-  /// The weights of limits by the simplex of the vertex; inside tetrahedra all are equal.
-  std::unordered_map<std::uint64_t, std::vector<double>> Limits;
+  LatticeLimits<Id> Limits;
 };
 
 }

@@ -444,27 +444,21 @@ bool TetOctLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id
   {
     return this->Curved.ReadLimit(vertex, row);
   }
-  constexpr std::size_t most = 4096; // bounds the memory
-  if (this->Limits.size() > most)
-  {
-    this->Limits.clear();
-  }
-  const auto simplex = static_cast<std::uint64_t>(vertex.Dimension == 3 ? 0 : vertex.Simplex);
-  std::vector<double>& weights =
-    this->Limits[4 * simplex + static_cast<std::uint64_t>(vertex.Dimension)];
-  if (weights.empty() && !this->SolveLimit(vertex, weights))
+  const std::vector<double>* weights = this->Limits.Find(
+    vertex, [&](std::vector<double>& solved) { return this->SolveLimit(vertex, solved); });
+  if (!weights)
   {
     return false;
   }
   row.Clear();
-  row.Add(vertex, weights[0]);
+  row.Add(vertex, weights->front());
   this->ForRing(vertex,
     [&](const Frame& frame, const Point&, const Point& other)
     {
       const LatticeVertex<Id> member = this->FindAt(frame, other);
       if (std::find(row.Vertices.begin(), row.Vertices.end(), member) == row.Vertices.end())
       {
-        row.Add(member, weights[row.Weights.size()]);
+        row.Add(member, (*weights)[row.Weights.size()]);
       }
     });
   return true;

@@ -16,8 +16,6 @@
 #include "Core/Solids/Limits/BoxSplineLattice.h"
 
 #include <array>
-#include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 namespace subdivision
@@ -90,8 +88,7 @@ private:
   const TetOctLevel<Id>& Here;
   const Rows<Id>& SolidsAt;
   BoxSplineLattice<Id> Curved; ///< knows vertices of tetrahedra, and rules with d < 3
-  /// The weights of limits by the simplex of the vertex; inside solids all are equal.
-  std::unordered_map<std::uint64_t, std::vector<double>> Limits;
+  LatticeLimits<Id> Limits;
 };
 
 }
