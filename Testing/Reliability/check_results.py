@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whether results.py reads what CTest and libFuzzer print, and write_page.py tells of it."""
+import os
 import pathlib
 import sys
 import tempfile
@@ -52,4 +53,6 @@ with tempfile.TemporaryDirectory() as build:
     check(write_page.sum_up(figures, "reports"), 2)
 check(results.read_fuzz_log(FUZZ),
       {"executions": 600, "covered": 8136, "places": 330236, "hangs": 1, "reports": 1, "crashes": 1})
+os.environ["PATH"] = ""
+check(results.get_commit("."), "no commit")
 print("logs are read")

@@ -8,12 +8,15 @@
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
 
 def get_commit(source):
-    """Hash and date of the commit that is checked out."""
+    """Hash and date of the commit that is checked out. A copy without its history has none, nor a machine without git."""
+    if not shutil.which("git"):
+        return "no commit"
     return subprocess.run(["git", "-C", str(source), "log", "-1", "--format=%h of %cs"], stdout=subprocess.PIPE,
                           text=True, check=False).stdout.strip() or "no commit"
 
