@@ -111,6 +111,39 @@ void ExpectSurfaceRefused(int scheme, bool triangles, double children)
   ExpectRefused(filter.Get(), FindTooManyLevels(cells, 32., children), sheet);
 }
 
+template <typename Filter>
+void RefineToLevel(Filter* filter, int level)
+{
+  filter->RefineByWantedLevelOn();
+  filter->SetMaximumLevel(level);
+  filter->SetMaximumNumberOfCells(VTK_ID_MAX);
+}
+
+/// Expects that local refinement ends early where memory ends, and fails where there is none.
+template <typename RefineIt>
+void ExpectToEndWithLittleMemory(vtkDataSet& input, const RefineIt& refine)
+{
+  {
+    const auto share = TakeShare(4e6);
+    vtkNew<Messages> messages;
+    const auto output = refine(messages);
+    EXPECT_TRUE(messages->Errors.empty());
+    EXPECT_EQ(
+      messages->CountWarnings("for which there is not enough memory. Use weaker criteria"), 1);
+    EXPECT_GT(output->GetNumberOfCells(), input.GetNumberOfCells());
+    EXPECT_LT(output->GetNumberOfCells(), 20000); // 41 bytes for each are told, and more is needed
+  }
+  const auto share = TakeShare(1e4);
+  vtkNew<Messages> messages;
+  EXPECT_EQ(refine(messages)->GetNumberOfCells(), 0);
+  ASSERT_FALSE(messages->Errors.empty());
+  EXPECT_NE(
+    messages->Errors[0].find("There is not enough memory for the " +
+      std::to_string(input.GetNumberOfCells()) + " cells of the input. Use a part of the input."),
+    std::string::npos)
+    << messages->Errors[0];
+}
+
 }
 
 TEST(Memory, RefusesSolids)
@@ -164,30 +197,9 @@ TEST(Memory, EndsLocalRefinementOfSolids)
   wanted->SetNumberOfTuples(box->GetNumberOfCells());
   wanted->FillValue(6); // 100 million cells
   box->GetCellData()->AddArray(wanted);
-  const Configure configure = [](Filter* filter)
-  {
-    filter->RefineByWantedLevelOn();
-    filter->SetMaximumLevel(6);
-    filter->SetMaximumNumberOfCells(VTK_ID_MAX);
-  };
-  {
-    const auto share = TakeShare(4e6);
-    vtkNew<Messages> messages;
-    const Grid output = Refine(box, configure, messages);
-    EXPECT_TRUE(messages->Errors.empty());
-    EXPECT_EQ(
-      messages->CountWarnings("for which there is not enough memory. Use weaker criteria"), 1);
-    EXPECT_GT(output->GetNumberOfCells(), box->GetNumberOfCells());
-    EXPECT_LT(output->GetNumberOfCells(), 20000); // 41 bytes for each are told, and more is needed
-  }
-  const auto share = TakeShare(1e4);
-  vtkNew<Messages> messages;
-  EXPECT_EQ(Refine(box, configure, messages)->GetNumberOfCells(), 0);
-  ASSERT_FALSE(messages->Errors.empty());
-  EXPECT_NE(messages->Errors[0].find("There is not enough memory for the 384 cells of the input. "
-                                     "Use a part of the input."),
-    std::string::npos)
-    << messages->Errors[0];
+  const Configure configure = [](Filter* filter) { RefineToLevel(filter, 6); };
+  ExpectToEndWithLittleMemory(
+    *box, [&](Messages* messages) { return Refine(box, configure, messages); });
 }
 
 TEST(Memory, EndsLocalRefinementOfSurfaces)
@@ -195,30 +207,9 @@ TEST(Memory, EndsLocalRefinementOfSurfaces)
   using namespace adaptive_filter_tools;
   const PolyData sheet = MakeSheet(10, true);
   WantLevel(sheet, 12);
-  const auto configure = [](Filter* filter)
-  {
-    filter->RefineByWantedLevelOn();
-    filter->SetMaximumLevel(12);
-    filter->SetMaximumNumberOfCells(VTK_ID_MAX);
-  };
-  {
-    const auto share = TakeShare(4e6);
-    vtkNew<Messages> messages;
-    const PolyData output = Refine(sheet, configure, messages);
-    EXPECT_TRUE(messages->Errors.empty());
-    EXPECT_EQ(
-      messages->CountWarnings("for which there is not enough memory. Use weaker criteria"), 1);
-    EXPECT_GT(output->GetNumberOfCells(), sheet->GetNumberOfCells());
-    EXPECT_LT(output->GetNumberOfCells(), 20000);
-  }
-  const auto share = TakeShare(1e4);
-  vtkNew<Messages> messages;
-  EXPECT_EQ(Refine(sheet, configure, messages)->GetNumberOfCells(), 0);
-  ASSERT_FALSE(messages->Errors.empty());
-  EXPECT_NE(messages->Errors[0].find("There is not enough memory for the 200 cells of the input. "
-                                     "Use a part of the input."),
-    std::string::npos)
-    << messages->Errors[0];
+  const auto configure = [](Filter* filter) { RefineToLevel(filter, 12); };
+  ExpectToEndWithLittleMemory(
+    *sheet, [&](Messages* messages) { return Refine(sheet, configure, messages); });
 }
 
 TEST(Memory, RefusesLabels)
