@@ -3,6 +3,7 @@
  * @file TestMultiDimensionalSubdivisionPipeline.cxx
  * Threads, vtkPolyData and composite input, and agreement with VTK's own Loop filter.
  */
+#include "BackEnds.h"
 #include "MultiDimensionalSubdivisionTools.h"
 
 #include "vtkCompositeDataPipeline.h"
@@ -108,7 +109,7 @@ TEST(MultiDimensionalSubdivisionThreads, SameBitsWithAnyBackEndAndNumberOfThread
   }
   ASSERT_GT(simplices->GetNumberOfCells(), 100000);
   int others = 0;
-  for (const char* name : { "Sequential", "STDThread", "TBB", "OpenMP" })
+  for (const char* name : BackEnds)
   {
     for (int threads = 1; threads <= 4; ++threads)
     {

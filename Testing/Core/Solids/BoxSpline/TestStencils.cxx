@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mathematics 1: the operator on the whole zoo. Rows sum to 1, no weight is negative, affine maps
 // commute; neither threads nor the width of ids nor the number of components changes a bit.
+#include "BackEnds.h"
 #include "CoreReference.h"
 #include "CoreZoo.h"
 
@@ -210,7 +211,7 @@ TEST(CoreOperator, SameBitsInAllBackEndsAndThreads)
   std::vector<double> first;
   SimplexList firstCells;
   int ran = 0;
-  for (const char* name : { "Sequential", "STDThread", "TBB", "OpenMP" })
+  for (const char* name : BackEnds)
   {
     if (!vtkSMPTools::SetBackend(name))
     {
