@@ -290,9 +290,10 @@ public:
    * 512 times as many tetrahedra, 64 times as many triangles. Where they are more than 2.5 times
    * what the truth is at least, parts of cells are looked at up to 3 steps deeper (4 in triangles,
    * 8 in lines), some milliseconds for each part. With a warning the filter makes no bounds where
-   * it has no proof: with VolumeScheme = TET_OCT, KeepCellTypes, Bezier cells, creases that are
-   * sharp for more than one level after the last, and InterfaceValues = DISCONTINUOUS_VALUES. Off
-   * by default.
+   * it has no proof: with KeepCellTypes, Bezier cells, creases that are sharp for more than one
+   * level after the last, and InterfaceValues = DISCONTINUOUS_VALUES. With VolumeScheme = TET_OCT
+   * each of the four tetrahedra that an octahedron is written as has a bound of its own. Off by
+   * default.
    */
   vtkSetMacro(GenerateErrorBounds, bool);
   vtkGetMacro(GenerateErrorBounds, bool);

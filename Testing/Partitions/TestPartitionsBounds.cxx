@@ -59,4 +59,10 @@ TEST(PartitionsBounds, AreThoseOfTheWhole)
       o.ProjectToLimit = true;
     });
   CheckParts(solid, [](subdivision::UniformOptions& o) { o.Levels = 0; });
+  CheckParts(solid,
+    [](subdivision::UniformOptions& o)
+    {
+      o.Levels = 0;
+      o.Scheme = subdivision::StampScheme::TetOct;
+    });
 }

@@ -48,8 +48,8 @@ void ForLattice(const PatchShape& shape, int steps, const Act& act)
 }
 
 /// The largest distance of each cell.
-std::vector<double> FindDistances(
-  vtkDataArray* coarse, vtkDataArray* fine, const BezierRoots& roots, int steps, vtkIdType& samples)
+std::vector<double> FindDistances(vtkPointSet* mesh, vtkDataArray* coarse, vtkDataArray* fine,
+  const BezierRoots& roots, int steps, const PlacedPoints* placed, vtkIdType& samples)
 {
   const int components = coarse->GetNumberOfComponents();
   std::vector<double> distances;
@@ -72,7 +72,17 @@ std::vector<double> FindDistances(
       most = std::max(most, std::sqrt(squares));
       ++samples;
     };
-    if (root.Kind < 0)
+    if (placed && placed->count(r) > 0)
+    {
+      vtkNew<vtkIdList> ids;
+      mesh->GetCellPoints(r, ids);
+      const Ids corners(ids->begin(), ids->end());
+      for (const PlacedPoint& point : placed->at(r))
+      {
+        add(point.Point, point.Weights, corners);
+      }
+    }
+    else if (root.Kind < 0)
     {
       Ids ids;
       roots.GetPoints(root, ids);
@@ -132,8 +142,8 @@ double Tightness::GetLargest() const
   return *std::max_element(this->Ratios.begin(), this->Ratios.end());
 }
 
-void ExpectBounds(
-  vtkPointSet* coarse, vtkPointSet* fine, int steps, Tightness& tightness, double rounding)
+void ExpectBounds(vtkPointSet* coarse, vtkPointSet* fine, int steps, Tightness& tightness,
+  double rounding, const PlacedPoints* placed)
 {
   const BezierRoots roots(fine, steps);
   ASSERT_EQ(roots.GetNumberOfRoots(), coarse->GetNumberOfCells());
@@ -160,7 +170,7 @@ void ExpectBounds(
       size = std::max({ size, std::abs(range[0]), std::abs(range[1]) });
     }
     const std::vector<double> distances =
-      FindDistances(array, limits, roots, steps, tightness.Samples);
+      FindDistances(coarse, array, limits, roots, steps, placed, tightness.Samples);
     for (std::size_t c = 0; c < distances.size(); ++c)
     {
       const double bound = bounds->GetComponent(static_cast<vtkIdType>(c), 0);

@@ -14,6 +14,8 @@
 #include "vtkSubdivisionOperator.h"
 #include "vtkSurfaceSubdivision.h"
 
+#include <map>
+
 namespace bound_tools
 {
 
@@ -90,10 +92,19 @@ struct Tightness
   double GetLargest() const;
 };
 
+/// A point of a fine mesh in a cell of a coarse one, by the weights of the cell's corners.
+struct PlacedPoint
+{
+  vtkIdType Point;
+  std::array<double, 4> Weights;
+};
+/// By the cell of the coarse mesh.
+using PlacedPoints = std::map<vtkIdType, std::vector<PlacedPoint>>;
+
 /// Expects that bounds hold at all points of the fine mesh, for points and arrays; the ratios are
-/// those of all of them.
-void ExpectBounds(
-  vtkPointSet* coarse, vtkPointSet* fine, int steps, Tightness& tightness, double rounding = 1e-12);
+/// those of all of them. `placed` has the points in solids of the tet/oct scheme.
+void ExpectBounds(vtkPointSet* coarse, vtkPointSet* fine, int steps, Tightness& tightness,
+  double rounding = 1e-12, const PlacedPoints* placed = nullptr);
 
 template <typename FilterClass>
 void ExpectBounds(const Bounded<FilterClass>& bounded, Tightness& tightness)

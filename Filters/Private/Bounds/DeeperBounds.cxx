@@ -132,7 +132,7 @@ void Tightener::Look(
     const BoundedValues ofParts{ components, shown.data(), next, second, third, step,
       values.Rounding };
     const std::vector<CellBound> found =
-      FindBounds(made.Pieces, made.AllSectors, ofParts, static_cast<vtkIdType>(end - begin));
+      FindBounds(made.Pieces, made.AllSectors, ofParts, deeper.GetWanted());
     for (std::size_t i = 0; i < found.size(); ++i)
     {
       double& least = this->Bounds[parts.Roots[begin + i]].Least;
@@ -142,7 +142,7 @@ void Tightener::Look(
     for (std::size_t i = 0; i < found.size(); ++i)
     {
       const vtkIdType root = parts.Roots[begin + i];
-      const auto cell = static_cast<vtkIdType>(i);
+      const vtkIdType cell = deeper.GetWanted()[i];
       if (further == MostFurtherSteps[made.Pieces.GetDimension(cell)])
       {
         this->Settled[root] = std::max(this->Settled[root], found[i].Largest);

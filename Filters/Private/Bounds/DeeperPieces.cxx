@@ -101,11 +101,13 @@ void DeeperPieces::ListParts(const std::vector<Part>& wanted)
     }
   }
   SortDistinct(others);
-  std::vector<Part> sorted = wanted;
-  SortDistinct(sorted);
-  this->Parts = wanted;
-  std::set_difference(
-    others.begin(), others.end(), sorted.begin(), sorted.end(), std::back_inserter(this->Parts));
+  std::map<Part, vtkIdType> numbers;
+  this->AddParts(wanted, numbers);
+  for (const Part& part : InTurn(wanted))
+  {
+    this->Wanted.push_back(numbers.at(part));
+  }
+  this->AddParts(others, numbers);
   this->FirstPlaces.push_back(0);
   for (const Part& part : InTurn(this->Parts))
   {
@@ -113,6 +115,30 @@ void DeeperPieces::ListParts(const std::vector<Part>& wanted)
       static_cast<vtkIdType>(pieces.GetLattice(part.Cell).Places.size()));
   }
   this->PlacePoints = Buffer<vtkIdType>(this->FirstPlaces.back());
+}
+
+/// Adds what is not there yet. Quarters of an octahedron follow each other.
+void DeeperPieces::AddParts(const std::vector<Part>& parts, std::map<Part, vtkIdType>& numbers)
+{
+  const auto add = [&](const Part& part)
+  {
+    if (numbers.try_emplace(part, static_cast<vtkIdType>(this->Parts.size())).second)
+    {
+      this->Parts.push_back(part);
+    }
+  };
+  for (const Part& part : InTurn(parts))
+  {
+    const auto quarters = this->GetLattice(part).ListOctahedron(part.Child);
+    for (const Lattice::QuarterChild& quarter : quarters)
+    {
+      add({ part.Cell + quarter.Quarter, quarter.Child });
+    }
+    if (quarters.empty())
+    {
+      add(part);
+    }
+  }
 }
 
 vtkIdType DeeperPieces::GetOld(const Part& part, int point) const
@@ -202,7 +228,7 @@ void DeeperPieces::FindPieces()
   std::vector<signed char> kinds;
   for (const Part& part : InTurn(this->Parts))
   {
-    kinds.push_back(static_cast<signed char>(this->From.Pieces.GetKind(part.Cell)));
+    kinds.push_back(static_cast<signed char>(this->GetLattice(part).ChildKinds[part.Child]));
   }
   this->Pieces =
     std::make_unique<NestedPieces>(std::move(kinds), std::move(this->PlacePoints), this->Counts);
@@ -297,7 +323,46 @@ vtkIdType DeeperPieces::ShiftColumn(const Shift& shift, vtkIdType column) const
       return move(at, corners);
     }
   }
+  // A row of a point in an octahedron reads all of it.
+  for (const vtkIdType at : places)
+  {
+    const vtkIdType cell = this->From.AllSectors.GetCell(at);
+    const vtkIdType first = pieces.GetFirstQuarter(cell);
+    const bool isQuarter = pieces.GetKind(cell) >= Lattice::FirstQuarter;
+    for (vtkIdType quarter = first; isQuarter && quarter < first + 4; ++quarter)
+    {
+      if (quarter == shift.Cell || this->Match(shift, quarter, corners))
+      {
+        return this->ShiftInOctahedron(
+          at, quarter, quarter == shift.Cell ? shift.Corners : corners);
+      }
+    }
+  }
   return -1;
+}
+
+/// Moves a place of an octahedron by what a shift takes of the corners of one of its quarters.
+vtkIdType DeeperPieces::ShiftInOctahedron(
+  vtkIdType place, vtkIdType quarter, const Weights& corners) const
+{
+  const NestedPieces& pieces = this->From.Pieces;
+  const vtkIdType cell = this->From.AllSectors.GetCell(place);
+  LatticePoint at =
+    pieces.GetLattice(cell).GetPlaceInSolid(static_cast<int>(place - pieces.GetFirstPlace(cell)));
+  const Lattice& lattice = pieces.GetLattice(quarter);
+  for (int k = 0; k < lattice.Corners; ++k)
+  {
+    // A corner is Divisions away from the centre.
+    const LatticePoint corner = lattice.GetPlaceInSolid(lattice.GetCornerPoint(k));
+    for (int x = 0; x < 3; ++x)
+    {
+      at[x] += corners[k] * corner[x] / Divisions;
+    }
+  }
+  const auto found = lattice.PointsOfSolid.find(Halve(at));
+  return found == lattice.PointsOfSolid.end()
+    ? -1
+    : pieces.GetPoint(pieces.GetFirstPlace(quarter) + found->second);
 }
 
 void DeeperPieces::MakeRows()

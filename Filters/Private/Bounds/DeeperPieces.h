@@ -14,6 +14,7 @@
 #include "Private/Bounds/Sectors.h"
 
 #include <array>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -50,13 +51,15 @@ public:
     }
   };
 
-  /// The first cells are `wanted`, in their order; after them come the other parts at their points.
-  /// A row is not a number where it may read what these do not have; what wanted cells depend on is
-  /// there, but where a rule reads more than cells that meet.
+  /// The cells are `wanted`, each with all quarters of its octahedron, and after them the other
+  /// parts at their points. A row is not a number where it may read what these do not have; what
+  /// wanted cells depend on is there, but where a rule reads more than cells that meet.
   DeeperPieces(const SteppedPieces& from, const std::vector<Part>& wanted);
   DeeperPieces(const DeeperPieces&) = delete;
   DeeperPieces& operator=(const DeeperPieces&) = delete;
 
+  /// The cells that wanted parts are.
+  const std::vector<vtkIdType>& GetWanted() const { return this->Wanted; }
   SteppedPieces Get() const { return { *this->Pieces, *this->AllSectors, { &this->Last } }; }
 
   /// Values at the points after step 1 or 2, of those at the points before.
@@ -80,6 +83,7 @@ private:
     LatticePoint Inside; ///< the same inside a quad
   };
   void ListParts(const std::vector<Part>& wanted);
+  void AddParts(const std::vector<Part>& parts, std::map<Part, vtkIdType>& numbers);
   void NumberOldPoints();
   void NumberNewPoints();
   void FindPieces();
@@ -87,6 +91,7 @@ private:
   vtkIdType FindRow(const Part& part, int point, Shift& shift) const;
   bool Match(const Shift& shift, vtkIdType cell, Weights& corners) const;
   vtkIdType ShiftColumn(const Shift& shift, vtkIdType column) const;
+  vtkIdType ShiftInOctahedron(vtkIdType place, vtkIdType quarter, const Weights& corners) const;
   vtkIdType FindNumber(vtkIdType old) const;
   const NestedPieces::Lattice& GetLattice(const Part& part) const
   {
@@ -97,6 +102,7 @@ private:
 
   const SteppedPieces From;
   std::vector<Part> Parts;
+  std::vector<vtkIdType> Wanted;
   std::vector<vtkIdType> FirstPlaces; ///< of each part
   Buffer<vtkIdType> PlacePoints;
   std::array<vtkIdType, NestedPieces::Steps + 1> Counts{};

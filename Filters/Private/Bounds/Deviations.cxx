@@ -376,8 +376,8 @@ void AddShown(const NestedPieces& pieces, const BoundedValues& values, vtkIdType
   }
 }
 
-std::vector<CellBound> FindBounds(
-  const NestedPieces& pieces, const Sectors& sectors, const BoundedValues& values, vtkIdType cells)
+std::vector<CellBound> FindBounds(const NestedPieces& pieces, const Sectors& sectors,
+  const BoundedValues& values, const std::vector<vtkIdType>& cells)
 {
   const int components = values.Components;
   const Buffer<double> middles = MakeMiddles(pieces, 2, components, values.Next);
@@ -391,14 +391,14 @@ std::vector<CellBound> FindBounds(
                  FindMoves(pieces, 2, components, values.Second, middles), kinks)
              : MakeRanges(pieces, components, kinks),
     hasQuads);
-  std::vector<CellBound> bounds(static_cast<std::size_t>(cells));
-  ForUnevenRanges(cells,
+  std::vector<CellBound> bounds(cells.size());
+  ForUnevenRanges(static_cast<vtkIdType>(cells.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       CellBounds find(pieces, sectors, values, linear, steps, tail);
-      for (vtkIdType cell = begin; cell < end; ++cell)
+      for (vtkIdType i = begin; i < end; ++i)
       {
-        bounds[cell] = find.Find(cell);
+        bounds[i] = find.Find(cells[i]);
       }
     });
   return bounds;

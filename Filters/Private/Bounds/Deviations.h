@@ -50,9 +50,9 @@ inline bool IsNear(double bound, double least, double rounding)
     !(bound < std::numeric_limits<double>::infinity());
 }
 
-/// Finds the bounds of cells [0, cells), with those of pieces where the cell's is not near.
-std::vector<CellBound> FindBounds(
-  const NestedPieces& pieces, const Sectors& sectors, const BoundedValues& values, vtkIdType cells);
+/// Finds the bounds of some cells, with those of pieces where the cell's is not near.
+std::vector<CellBound> FindBounds(const NestedPieces& pieces, const Sectors& sectors,
+  const BoundedValues& values, const std::vector<vtkIdType>& cells);
 
 /// What a cell shows at one of its points: adds the weights of its corners to `value`.
 void AddShown(const NestedPieces& pieces, const BoundedValues& values, vtkIdType cell, int point,

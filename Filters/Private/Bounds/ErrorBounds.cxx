@@ -22,6 +22,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -259,7 +260,9 @@ bool BoundMaker::AddBounds(
     { return this->Apply(this->Given.Levels + 2, before, components); },
     64. * std::numeric_limits<double>::epsilon() * largest };
   const vtkIdType cells = pieces.Pieces.GetNumberOfCells();
-  std::vector<CellBound> found = FindBounds(pieces.Pieces, pieces.AllSectors, bounded, cells);
+  std::vector<vtkIdType> all(static_cast<std::size_t>(cells));
+  std::iota(all.begin(), all.end(), vtkIdType(0));
+  std::vector<CellBound> found = FindBounds(pieces.Pieces, pieces.AllSectors, bounded, all);
   if (std::any_of(
         found.begin(), found.end(), [](const CellBound& bound) { return !bound.OfPieces.empty(); }))
   {
@@ -313,7 +316,8 @@ NestedPieces BoundMaker::MakePieces(vtkPointSet* fine, vtkPointSet* control) con
       ? control->GetNumberOfPoints()
       : this->Factors.Get()[this->Factors.GetOperations()[last].End - 1].GetNumberOfRows();
   }
-  return NestedPieces(fine, points);
+  const TetOctMesh before{ this->Given.Output, this->Given.Octahedra };
+  return NestedPieces(fine, points, this->Given.IsTetOct ? &before : nullptr);
 }
 
 BoundMaker::Reasons BoundMaker::FindReason(const NestedPieces& pieces) const

@@ -29,6 +29,9 @@ struct BoundedRun
   vtkPointSet* Output; ///< gets the arrays
   int Levels;
   bool KnowsParts; ///< whether the runs on parts of a mesh give what they give on the whole
+  bool IsTetOct;   ///< whether solids are those of the tet/oct scheme
+  /// Of these, for each cell of the output the number of its octahedron; null: there is none.
+  vtkDataArray* Octahedra;
   /// Makes another run: with so many levels, projected or not; the operators of its steps go to
   /// `factors`, unless that is null. Returns null after an error, or if it was stopped.
   std::function<vtkSmartPointer<vtkPointSet>(

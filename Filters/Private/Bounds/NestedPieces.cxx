@@ -2,9 +2,12 @@
 #include "Private/Bounds/NestedPieces.h"
 
 #include "Private/Bezier/BezierRoots.h"
+#include "Private/Bounds/TetOctReader.h"
 #include "Private/Reading/CellReader.h"
 
 #include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkPointSet.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,15 +15,21 @@
 namespace subdivision
 {
 
-NestedPieces::NestedPieces(vtkPointSet* fine, const std::array<vtkIdType, Steps + 1>& points)
+NestedPieces::NestedPieces(
+  vtkPointSet* fine, const std::array<vtkIdType, Steps + 1>& points, const TetOctMesh* before)
   : Points(points)
 {
+  this->FindLattices();
   const BezierRoots roots(fine, Steps);
-  this->ReadCells(roots);
+  this->ReadCells(roots, before);
   if (this->IsNested)
   {
     this->CountPlaces();
     this->ReadPlaces(roots);
+    if (before)
+    {
+      this->ReadTetOct(roots, fine, before->Mesh);
+    }
     this->FindCorners();
     this->FindParents(2);
     this->FindParents(3);
@@ -33,6 +42,7 @@ NestedPieces::NestedPieces(std::vector<signed char> kinds, Buffer<vtkIdType> pla
   , Kinds(std::move(kinds))
   , PlacePoints(std::move(placePoints))
 {
+  this->FindLattices();
   for (const signed char kind : InTurn(this->Kinds))
   {
     if (kind >= 0)
@@ -46,8 +56,17 @@ NestedPieces::NestedPieces(std::vector<signed char> kinds, Buffer<vtkIdType> pla
   this->FindParents(3);
 }
 
-void NestedPieces::ReadCells(const BezierRoots& roots)
+void NestedPieces::FindLattices()
 {
+  for (int kind = -1; kind < Lattice::NumberOfKinds; ++kind)
+  {
+    this->Lattices[kind + 1] = &Lattice::Get(kind);
+  }
+}
+
+void NestedPieces::ReadCells(const BezierRoots& roots, const TetOctMesh* before)
+{
+  this->IsNested = !before || before->Mesh->GetNumberOfCells() == roots.GetNumberOfRoots();
   for (const vtkIdType r : InTurn(roots.GetNumberOfRoots()))
   {
     const Root& root = roots.GetRoot(r);
@@ -57,12 +76,26 @@ void NestedPieces::ReadCells(const BezierRoots& roots)
     {
       return;
     }
-    this->Kinds.push_back(static_cast<signed char>(root.Kind));
-    if (root.Kind >= 0)
+    const int kind =
+      before && root.Kind == PatchShape::Tetrahedron ? this->FindTetOctKind(*before, r) : root.Kind;
+    this->Kinds.push_back(static_cast<signed char>(kind));
+    if (kind >= 0)
     {
-      this->Has[root.Kind] = true;
+      this->Has[kind] = true;
     }
   }
+}
+
+/// The quarters of an octahedron follow each other.
+int NestedPieces::FindTetOctKind(const TetOctMesh& before, vtkIdType cell) const
+{
+  if (!before.Octahedra || before.Octahedra->GetComponent(cell, 0) < 0.)
+  {
+    return Lattice::TetOctTetrahedron;
+  }
+  const int last = cell > 0 ? this->Kinds[cell - 1] : -1;
+  const bool isFirst = last < Lattice::FirstQuarter || last == Lattice::NumberOfKinds - 1;
+  return isFirst ? Lattice::FirstQuarter : last + 1;
 }
 
 bool NestedPieces::AreOf(vtkPointSet* mesh) const
@@ -110,9 +143,54 @@ void NestedPieces::ReadPlaces(const BezierRoots& roots)
         *to = ids[0];
         return;
       }
-      for (const LatticePoint& place : this->GetLattice(c).Places)
+      if (this->Kinds[c] < PatchShape::NumberOfKinds)
       {
-        *to++ = roots.GetPoint(root, place);
+        for (const LatticePoint& place : this->GetLattice(c).Places)
+        {
+          *to++ = roots.GetPoint(root, place);
+        }
+      }
+    });
+}
+
+void NestedPieces::ReadTetOct(const BezierRoots& roots, vtkPointSet* fine, vtkPointSet* before)
+{
+  const CellReader cells(before);
+  ForRanges(this->GetNumberOfCells(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      TetOctReader reader(fine);
+      std::vector<vtkIdType> scratch;
+      for (vtkIdType c = begin; c < end; ++c)
+      {
+        const int quarter = this->Kinds[c] - Lattice::FirstQuarter;
+        if (this->Kinds[c] < PatchShape::NumberOfKinds || quarter > 0)
+        {
+          continue; // with the first quarter
+        }
+        if (quarter < 0)
+        {
+          reader.ReadTet(roots.GetRoot(c).First);
+        }
+        else
+        {
+          std::array<vtkIdType, 16> corners{};
+          for (int k = 0; k < 4; ++k)
+          {
+            const CellIds cell = cells.GetCell(c + k, scratch);
+            std::copy_n(cell.Ids, 4, corners.data() + 4 * k);
+          }
+          reader.ReadOct(roots.GetRoot(c).First, TetOctPieces::Join(corners.data()));
+        }
+        for (vtkIdType part = c; part < (quarter < 0 ? c + 1 : c + 4); ++part)
+        {
+          vtkIdType* to = this->PlacePoints.data() + this->FirstPlaces[part];
+          const Lattice& lattice = this->GetLattice(part);
+          for (int point = 0; point < static_cast<int>(lattice.Places.size()); ++point)
+          {
+            *to++ = reader.Get(lattice.GetPlaceInSolid(point));
+          }
+        }
       }
     });
 }

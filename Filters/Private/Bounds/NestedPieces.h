@@ -10,15 +10,25 @@
 #include "Core/Memory/Buffer.h"
 #include "Private/Bounds/PieceLattice.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
+class vtkDataArray;
 class vtkPointSet;
 
 namespace subdivision
 {
 
 class BezierRoots;
+
+struct TetOctMesh
+{
+  vtkPointSet* Mesh;
+  /// For each cell the number of the octahedron that it is a quarter of, -1: of none. Null: it has
+  /// no octahedra.
+  vtkDataArray* Octahedra;
+};
 
 class NestedPieces
 {
@@ -30,8 +40,9 @@ public:
   static constexpr int MostCorners = Lattice::MostCorners;
 
   /// `fine` is the mesh after the steps, `points` the numbers of points before, after one, two, and
-  /// all steps.
-  NestedPieces(vtkPointSet* fine, const std::array<vtkIdType, Steps + 1>& points);
+  /// all steps. `before`: the mesh before these if its scheme is tet/oct.
+  NestedPieces(vtkPointSet* fine, const std::array<vtkIdType, Steps + 1>& points,
+    const TetOctMesh* before = nullptr);
 
   /// `kinds` has the kind of each cell (PieceLattice::Get), `placePoints` the points of all cells,
   /// each in the order of its lattice.
@@ -40,7 +51,13 @@ public:
 
   /// Whether these are the cells of `mesh`, in its order.
   bool AreOf(vtkPointSet* mesh) const;
-  bool HasTets() const { return this->Has[PatchShape::Tetrahedron]; }
+  bool HasTets() const { return this->Has[PatchShape::Tetrahedron] || this->HasTetOct(); }
+  /// Whether solids are those of the tet/oct scheme.
+  bool HasTetOct() const
+  {
+    return std::any_of(this->Has.begin() + Lattice::TetOctTetrahedron, this->Has.end(),
+      [](bool has) { return has; });
+  }
   bool HasQuads() const { return this->Has[PatchShape::Quad]; }
 
   vtkIdType GetNumberOfCells() const { return static_cast<vtkIdType>(this->Kinds.size()); }
@@ -52,6 +69,11 @@ public:
 
   int GetDimension(vtkIdType cell) const { return this->GetLattice(cell).Dimension; }
   int GetKind(vtkIdType cell) const { return this->Kinds[cell]; }
+  /// The first quarter of an octahedron that a cell is a quarter of; of others the cell itself.
+  vtkIdType GetFirstQuarter(vtkIdType cell) const
+  {
+    return cell - std::max(0, this->Kinds[cell] - Lattice::FirstQuarter);
+  }
   const Lattice& GetLattice(vtkIdType cell) const { return *this->Lattices[this->Kinds[cell] + 1]; }
 
   /// A place is a point of a cell after all steps: those of a cell are from GetFirstPlace(cell) to
@@ -69,8 +91,11 @@ public:
   }
 
 private:
-  void ReadCells(const BezierRoots& roots);
+  void FindLattices();
+  void ReadCells(const BezierRoots& roots, const TetOctMesh* before);
+  int FindTetOctKind(const TetOctMesh& before, vtkIdType cell) const;
   void ReadPlaces(const BezierRoots& roots);
+  void ReadTetOct(const BezierRoots& roots, vtkPointSet* fine, vtkPointSet* before);
   void CountPlaces();
   void FindCorners();
   void FindParents(int step);
@@ -81,9 +106,8 @@ private:
   std::vector<vtkIdType> FirstPlaces; ///< of each cell, and one past the last
   Buffer<vtkIdType> PlacePoints;
   std::array<Buffer<vtkIdType>, Steps + 1> Parents; ///< of the points of the last two steps
-  const std::array<const Lattice*, PatchShape::NumberOfKinds + 1> Lattices{ &Lattice::Get(-1),
-    &Lattice::Get(0), &Lattice::Get(1), &Lattice::Get(2), &Lattice::Get(3) }; ///< by kind + 1
-  std::array<bool, PatchShape::NumberOfKinds> Has{};
+  std::array<const Lattice*, Lattice::NumberOfKinds + 1> Lattices; ///< by kind + 1
+  std::array<bool, Lattice::NumberOfKinds> Has{};
   bool IsNested = true;
 };
 

@@ -9,6 +9,7 @@
 #include "Private/Bezier/PatchShape.h"
 
 #include <array>
+#include <map>
 #include <vector>
 
 namespace subdivision
@@ -32,21 +33,50 @@ struct PieceLattice
 
   int Dimension = 0;
   int Corners = 1;
-  std::vector<LatticePoint> Places;         ///< where each point is
-  std::vector<Weights> Points;              ///< each as weights of the corners of the cell
-  std::vector<Mask> Faces;                  ///< which face each point is inside of
-  std::vector<std::vector<int>> Neighbours; ///< the points of the pieces at each point, itself too
-  std::vector<int> Pieces;                  ///< the points of each piece, one after the other
+  std::vector<LatticePoint> Places; ///< where each point is
+  std::vector<Weights> Points;      ///< each as weights of the corners of the cell
+  std::vector<Mask> Faces;          ///< which face each point is inside of
+  /// The points of the pieces at each point, itself too; of a tet/oct solid those of its solids
+  /// there. In a quarter they may be points of other quarters, each of which has its points after
+  /// those of the one before: so they are less than 0, or more than its last one.
+  std::vector<std::vector<int>> Neighbours;
+  std::vector<int> Pieces; ///< the points of each piece, one after the other
   std::array<std::vector<Middle>, Steps + 1> Middles; ///< the points that each step makes
   /// Where the corners are, where the cell has one division.
   std::array<LatticePoint, MostCorners> CornerPlaces{};
   /// What the first step makes of the cell, on the lattice of twice as many divisions. The pieces
   /// of a child follow those of the child before.
   std::vector<LatticePart> Children;
+  std::vector<int> ChildKinds;
+  /// Of a tet/oct solid: its points, and those of all quarters of its octahedron, by where they are
+  /// in the solid (TetOctPieces), numbered as in Neighbours.
+  std::map<LatticePoint, int> PointsOfSolid;
 
-  /// The one of a shape; -1: a vertex.
+  /// A child of a quarter: how many quarters further on it is, and its number there.
+  struct QuarterChild
+  {
+    int Quarter;
+    int Child;
+  };
+  /// The four children that one octahedron of the next level is written as, in the order of kinds;
+  /// empty if a child is a tetrahedron.
+  std::vector<QuarterChild> ListOctahedron(int child) const;
+
+  /// A kind is a PatchShape::Kind, or -1: a vertex, or one of those of the tet/oct scheme: a
+  /// tetrahedron, or a quarter of an octahedron, of which the four follow each other.
+  enum TetOctKind : int
+  {
+    TetOctTetrahedron = PatchShape::NumberOfKinds,
+    FirstQuarter,
+    NumberOfKinds = FirstQuarter + 4
+  };
   static const PieceLattice& Get(int kind);
 
+  /// Whether a neighbour is one of its own points.
+  bool Has(int neighbour) const
+  {
+    return neighbour >= 0 && neighbour < static_cast<int>(this->Places.size());
+  }
   int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()) / this->Corners; }
   Mask GetWhole() const { return (1U << this->Corners) - 1U; }
   /// The smallest face that has some corners.
@@ -63,6 +93,11 @@ struct PieceLattice
   {
     return this->Children[child].At(this->Places[point], Divisions);
   }
+  /// Where a point is in a solid of the tet/oct scheme (TetOctPieces).
+  LatticePoint GetPlaceInSolid(int point) const
+  {
+    return this->GetPlaceInQuarter(this->Quarter, point);
+  }
   /// The step that makes a point; 0: it is a corner.
   int GetStep(int point) const;
 
@@ -70,10 +105,15 @@ private:
   static constexpr int Side = Divisions + 1;
   void AddPieces(const PatchShape& shape);
   void AddNeighbours();
+  void SortNeighbours();
   std::vector<Middle> ListMiddles(const PatchShape& shape, int step) const;
   static PieceLattice MakeVertex();
   static PieceLattice Make(const PatchShape& shape);
+  static PieceLattice MakeOfTetOct(int kind);
+  void TurnChildren();
+  LatticePoint GetPlaceInQuarter(int quarter, int point) const;
 
+  int Quarter = -1;         ///< of an octahedron; -1: it is none
   std::vector<int> Numbers; ///< of the points, by their places
 };
 

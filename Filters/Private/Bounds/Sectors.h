@@ -101,6 +101,7 @@ private:
   void FindInfluences(const Step& last);
   bool IsInside(vtkIdType place) const;
   void AddInfluences(vtkIdType point, vtkIdType column);
+  bool AreInOneOctahedron(const Row<vtkIdType>& places, const Row<vtkIdType>& others) const;
   void FindSectors(vtkIdType face);
   Sector FollowInfluences(Member holder, Member from, const FaceSet& leftOut, Ways& ways) const;
   static FaceSet FindAhead(Ways& ways, vtkIdType face);
@@ -174,6 +175,10 @@ void Sectors::ForSector(vtkIdType cell, int point, const Whole& whole, const Res
         }
         for (const int neighbour : its.Neighbours[place - first])
         {
+          if (!its.Has(neighbour))
+          {
+            continue; // in another quarter, of which a face has nothing
+          }
           const Mask both = its.Close(its.Faces[place - first] | its.Faces[neighbour]);
           if ((both | mask) == mask)
           {

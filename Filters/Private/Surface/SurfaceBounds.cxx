@@ -18,7 +18,7 @@ bool AddSurfaceBounds(vtkPolyData* input, const SurfaceOptions& options, vtkPoly
                  "ignored.");
     return true;
   }
-  BoundedRun bounded{ input, output, options.Levels, false, {} };
+  BoundedRun bounded{ input, output, options.Levels, false, false, nullptr, {} };
   bounded.Subdivide = [&](int levels, bool project, const RunOptions& shared,
                         MatrixFactors* factors) -> vtkSmartPointer<vtkPointSet>
   {

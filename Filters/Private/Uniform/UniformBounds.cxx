@@ -2,7 +2,9 @@
 #include "Private/Uniform/UniformBounds.h"
 
 #include "Private/Bounds/ErrorBounds.h"
+#include "Private/Uniform/UniformCells.h"
 
+#include "vtkCellData.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace subdivision
@@ -11,13 +13,15 @@ namespace subdivision
 bool AddUniformBounds(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output)
 {
-  if (options.KeepCellTypes || options.Scheme == StampScheme::TetOct)
+  if (options.KeepCellTypes)
   {
-    options.Warn("Error bounds need VolumeScheme = BoxSpline or Linear, and no KeepCellTypes: "
+    options.Warn("Cells that KeepCellTypes writes have no error bounds (switch it off): "
                  "GenerateErrorBounds is ignored.");
     return true;
   }
-  BoundedRun bounded{ input, output, options.Levels, true, {} };
+  const bool isTetOct = options.Scheme == StampScheme::TetOct;
+  BoundedRun bounded{ input, output, options.Levels, true, isTetOct,
+    isTetOct ? output->GetCellData()->GetArray(OctahedraName) : nullptr, {} };
   bounded.Subdivide = [&](int levels, bool project, const RunOptions& shared,
                         MatrixFactors* factors) -> vtkSmartPointer<vtkPointSet>
   {

@@ -26,7 +26,8 @@ class Levels
 public:
   using Set = std::function<void(FilterClass*)>;
 
-  Levels(vtkDataObject* input, int first, const Set& configure)
+  Levels(vtkDataObject* input, int first, const Set& configure, bool isTetOct = false)
+    : IsTetOct(isTetOct)
   {
     for (int level = first; level <= first + NestedPieces::Steps + 1; ++level)
     {
@@ -53,7 +54,10 @@ public:
     {
       points[step] = this->Meshes[from + step]->GetNumberOfPoints();
     }
-    return NestedPieces(this->Meshes[from + NestedPieces::Steps], points);
+    const subdivision::TetOctMesh before{ this->Meshes[from],
+      this->Meshes[from]->GetCellData()->GetArray("OctahedronId") };
+    return NestedPieces(
+      this->Meshes[from + NestedPieces::Steps], points, this->IsTetOct ? &before : nullptr);
   }
 
   Buffer<double> GetValues(int level) const
@@ -87,6 +91,7 @@ private:
     return this->Meshes[NestedPieces::Steps - 1]->GetNumberOfPoints();
   }
 
+  const bool IsTetOct;
   std::vector<vtkSmartPointer<vtkPointSet>> Meshes;
   std::vector<subdivision::MatrixFactors::Matrix> Factors;
 };
@@ -185,6 +190,99 @@ TEST(DeeperPieces, OfQuads)
         100);
     }
   }
+}
+
+namespace
+{
+
+/// The same with octahedra, which the next mesh has around other diagonals: new points are known by
+/// those in whose middle they are. Returns how many were found.
+vtkIdType CompareTetOct(const Levels<Filter>& levels, const std::vector<DeeperPieces::Part>& wanted)
+{
+  const NestedPieces pieces = levels.MakePieces(0);
+  const NestedPieces expected = levels.MakePieces(1);
+  const Sectors sectors(pieces, levels.GetStep());
+  const Buffer<double> finest = levels.GetValues(NestedPieces::Steps + 1);
+  std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> middles;
+  for (vtkIdType i = expected.GetNumberOfPoints(2); i < expected.GetNumberOfPoints(3); ++i)
+  {
+    const vtkIdType* parents = expected.GetParents(3, i);
+    middles[{ parents[0], parents[1] }] = i;
+  }
+  const DeeperPieces deeper({ pieces, sectors, levels.GetStep() }, wanted);
+  const auto made = deeper.Get();
+  const Buffer<double> second = deeper.Take(2, levels.GetValues(NestedPieces::Steps), 2);
+  Buffer<double> third(2 * made.Pieces.GetNumberOfPoints(NestedPieces::Steps));
+  made.Last[0]->Apply(second.data(), third.data(), 2);
+  Buffer<double> ids(pieces.GetNumberOfPoints(NestedPieces::Steps));
+  std::iota(ids.begin(), ids.end(), 0.);
+  const Buffer<double> olds = deeper.Take(2, ids, 1);
+  vtkIdType found = 0;
+  for (const vtkIdType cell : deeper.GetWanted())
+  {
+    const vtkIdType first = made.Pieces.GetFirstPlace(cell);
+    for (vtkIdType place = first; place < made.Pieces.GetFirstPlace(cell + 1); ++place)
+    {
+      const vtkIdType point = made.Pieces.GetPoint(place);
+      vtkIdType same = -1;
+      if (point < made.Pieces.GetNumberOfPoints(2))
+      {
+        same = static_cast<vtkIdType>(olds[point]);
+      }
+      else
+      {
+        const vtkIdType* parents = made.Pieces.GetParents(3, point);
+        const auto a = static_cast<vtkIdType>(olds[parents[0]]);
+        const auto b = static_cast<vtkIdType>(olds[parents[1]]);
+        const auto at = middles.find({ std::min(a, b), std::max(a, b) });
+        same = at == middles.end() ? -1 : at->second;
+      }
+      for (int x = 0; x < 2; ++x)
+      {
+        EXPECT_TRUE(std::isfinite(third[2 * point + x])) << "cell " << cell;
+        if (same >= 0)
+        {
+          EXPECT_NEAR(third[2 * point + x], finest[2 * same + x], 1e-10) << "cell " << cell;
+          ++found;
+        }
+      }
+    }
+  }
+  return found;
+}
+
+}
+
+TEST(DeeperPieces, OfTetrahedraAndOctahedra)
+{
+  const Configure configure = [](Filter* filter) { filter->SetVolumeSchemeToTetOct(); };
+  vtkIdType found = 0;
+  for (const unsigned seed : { 4, 8, 12, 16, 5, 6 })
+  {
+    SCOPED_TRACE(seed);
+    const int first = seed % 2 == 0 ? 0 : 1;
+    const Levels<Filter> levels(
+      WithValues(seed < 8 ? MakeGrid({ { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1.2, 0. },
+                                       { 0.1, 0., 1. }, { 0., 0.3, -1.1 } },
+                              { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 2, 1, 4 } } })
+                          : MakeRandomComplex(seed)),
+      first, configure, true);
+    const NestedPieces pieces = levels.MakePieces(0);
+    std::vector<DeeperPieces::Part> parts;
+    for (vtkIdType c = 0; c < pieces.GetNumberOfCells(); ++c)
+    {
+      for (int child = 0; child < static_cast<int>(pieces.GetLattice(c).Children.size()); ++child)
+      {
+        parts.push_back({ c, child });
+      }
+    }
+    found += CompareTetOct(levels, parts);
+    for (std::size_t p = 0; p < parts.size(); p += 13)
+    {
+      found += CompareTetOct(levels, { parts[p] });
+    }
+  }
+  EXPECT_GT(found, 80000);
 }
 
 TEST(DeeperPieces, HaveWhatMeetsThem)

@@ -97,6 +97,36 @@ TEST(NestedPieces, LieInTheirCells)
   }
 }
 
+/// Inside an octahedron all points of a level are alike: twelve edges, and six octahedra, whose
+/// opposite points may lie in other quarters.
+TEST(PieceLattice, OfAQuarterHasNeighboursInOthers)
+{
+  using subdivision::PieceLattice;
+  for (int quarter = 0; quarter < 4; ++quarter)
+  {
+    const PieceLattice& lattice = PieceLattice::Get(PieceLattice::FirstQuarter + quarter);
+    int inside = 0;
+    int others = 0;
+    for (int point = 0; point < static_cast<int>(lattice.Places.size()); ++point)
+    {
+      const auto place = lattice.GetPlaceInSolid(point);
+      if (std::abs(place[0]) + std::abs(place[1]) + std::abs(place[2]) < PieceLattice::Divisions)
+      {
+        ++inside;
+        const std::vector<int>& neighbours = lattice.Neighbours[point];
+        EXPECT_EQ(neighbours.size(), 19U);
+        others += static_cast<int>(std::count_if(neighbours.begin(), neighbours.end(),
+          [&](int neighbour) { return !lattice.Has(neighbour); }));
+      }
+    }
+    EXPECT_EQ(inside, 84);
+    EXPECT_GT(others, 100);
+  }
+  const PieceLattice& tet = PieceLattice::Get(PieceLattice::TetOctTetrahedron);
+  const int middle = tet.Find({ { 2, 2, 2 } });
+  EXPECT_EQ(tet.Neighbours[middle].size(), 19U);
+}
+
 namespace
 {
 

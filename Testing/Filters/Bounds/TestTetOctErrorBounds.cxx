@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestTetOctErrorBounds.cxx
+ * GenerateErrorBounds with VolumeScheme = TetOct, whose octahedra are written as four tetrahedra.
+ */
+#include "TetOctBoundTools.h"
+
+#include "vtkSMPTools.h"
+
+using namespace bound_tools;
+
+namespace
+{
+
+/// One tetrahedron, n of them around an edge, or 8 around a vertex.
+Grid MakeStar(int n, double noise)
+{
+  std::mt19937 random(static_cast<unsigned>(n));
+  const auto draw = [&] { return noise * (random() / 4294967296. - 0.5); };
+  std::vector<Point> points;
+  std::vector<Cell> cells;
+  if (n == 8)
+  {
+    points.push_back({ draw(), draw(), draw() });
+    for (int i = 0; i < 6; ++i)
+    {
+      Point p{ draw(), draw(), draw() };
+      p[i / 2] += i % 2 ? -1. : 1.;
+      points.push_back(p);
+    }
+    for (int i = 0; i < 8; ++i)
+    {
+      cells.push_back({ VTK_TETRA, { 0, 1 + i % 2, 3 + i / 2 % 2, 5 + i / 4 } });
+    }
+  }
+  else if (n == 1)
+  {
+    points = { { draw(), 0., 0. }, { 1., draw(), 0. }, { 0., 1., 0. }, { 0., 0., 1. } };
+    cells = { { VTK_TETRA, { 0, 1, 2, 3 } } };
+  }
+  else
+  {
+    points = { { draw(), 0., 1. }, { draw(), 0., -1. } };
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      const double angle = 2. * 3.14159265358979 * static_cast<double>(i) / n;
+      points.push_back({ std::cos(angle) + draw(), std::sin(angle) + draw(), draw() });
+      cells.push_back({ VTK_TETRA, { 0, 1, 2 + i, 2 + (i + 1) % n } });
+    }
+  }
+  return WithValues(MakeGrid(points, cells));
+}
+
+void SetTetOct(Filter* filter)
+{
+  filter->SetVolumeSchemeToTetOct();
+}
+
+}
+
+TEST(TetOctErrorBounds, HoldAtRandomPlaces)
+{
+  std::mt19937 random(5);
+  const auto draw = [&] { return random() / 4294967296.; };
+  vtkIdType places = 0;
+  const auto check = [&](vtkUnstructuredGrid* mesh, int levels, int count, bool projects)
+  {
+    const Grid input = WithValues(mesh);
+    vtkNew<Filter> filter;
+    filter->SetInputData(input);
+    SetTetOct(filter);
+    filter->SetNumberOfLevels(levels);
+    filter->SetProjectToLimit(projects);
+    filter->GenerateErrorBoundsOn();
+    const Grid output = UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input);
+    const std::vector<TetOctSolid> solids = FindTetOctSolids(input, levels);
+    vtkNew<vtkIdTypeArray> cells;
+    vtkNew<vtkDoubleArray> parameters;
+    parameters->SetNumberOfComponents(3);
+    Ids parts;
+    std::vector<std::array<double, 4>> weights;
+    for (int i = 0; i < count; ++i)
+    {
+      const TetOctSolid& solid = solids[random() % solids.size()];
+      parts.push_back(solid.Cell + (solid.IsOct() ? static_cast<vtkIdType>(random() % 4) : 0));
+      const Ids corners = GetCell(output, parts.back());
+      std::array<double, 4> weight{};
+      double sum = 0.;
+      for (double& w : weight)
+      {
+        w = -std::log(draw() + 1e-12);
+        sum += w;
+      }
+      Point place{};
+      for (int k = 0; k < 4; ++k)
+      {
+        weight[k] /= sum;
+        const auto at = std::find(solid.Points.begin(), solid.Points.end(), corners[k]);
+        for (int x = 0; x < 3; ++x)
+        {
+          place[x] += weight[k] * solid.Places[at - solid.Points.begin()][x];
+        }
+      }
+      cells->InsertNextValue(static_cast<vtkIdType>(solid.Of));
+      parameters->InsertNextTuple(place.data());
+      weights.push_back(weight);
+    }
+    vtkNew<vtkPolyData> limits;
+    ASSERT_TRUE(filter->EvaluateLimit(cells, parameters, limits));
+    vtkDataArray* bounds = output->GetCellData()->GetArray("ErrorBound");
+    vtkDataArray* ofOne = output->GetCellData()->GetArray("OneErrorBound");
+    ASSERT_NE(bounds, nullptr);
+    vtkDataArray* one = output->GetPointData()->GetArray("One");
+    for (int i = 0; i < count; ++i)
+    {
+      const Ids corners = GetCell(output, parts[i]);
+      Point difference = GetPoint(limits, i);
+      double ofValue = limits->GetPointData()->GetArray("One")->GetComponent(i, 0);
+      for (std::size_t k = 0; k < corners.size(); ++k)
+      {
+        const Point p = GetPoint(output, corners[k]);
+        for (int x = 0; x < 3; ++x)
+        {
+          difference[x] -= weights[i][k] * p[x];
+        }
+        ofValue -= weights[i][k] * one->GetComponent(corners[k], 0);
+      }
+      const double distance = std::hypot(difference[0], std::hypot(difference[1], difference[2]));
+      ASSERT_LE(distance, bounds->GetComponent(parts[i], 0) + 1e-11) << i << " in " << parts[i];
+      ASSERT_LE(std::abs(ofValue), ofOne->GetComponent(parts[i], 0) + 1e-11) << i;
+    }
+    places += 2 * count;
+  };
+  for (const bool projects : { false, true })
+  {
+    for (const int n : { 3, 4, 5, 8 })
+    {
+      check(MakeStar(n, 0.3), n % 2, 1000, projects);
+    }
+  }
+  check(MakeStar(5, 0.3), 2, 1000, false);
+  EXPECT_GT(places, 15000);
+}
+
+TEST(TetOctErrorBounds, HoldAndAreNearTheTruth)
+{
+  vtkIdType samples = 0;
+  for (const bool projects : { false, true })
+  {
+    for (const int n : { 1, 3, 4, 7, 8 })
+    {
+      for (const int levels : { 0, 1, 2 })
+      {
+        Tightness found;
+        ExpectTetOctBounds(MakeStar(n, 0.3), levels, levels == 2 ? 3 : 4, {}, projects, found);
+        EXPECT_LT(found.GetMedian(), projects ? 2.5 : 1.3) << n << " " << levels;
+        EXPECT_LT(found.GetLargest(), 3.) << n << " " << levels << " " << projects;
+        samples += found.Samples;
+      }
+    }
+  }
+  EXPECT_GT(samples, 1000000);
+}
+
+TEST(TetOctErrorBounds, AreNearTheTruthOnRandomComplexes)
+{
+  Tightness found;
+  for (unsigned seed = 1; seed < 100; ++seed)
+  {
+    std::mt19937 random(seed);
+    random();
+    const Grid input = WithValues(MakeRandomComplex(seed));
+    const unsigned bits = random() >> 4;
+    const Configure configure = [&](Filter* filter)
+    {
+      filter->SetDetectFeatures(bits % 2 == 0);
+      filter->SetEmbeddedCells(static_cast<int>(bits / 2 % 3));
+      filter->SetType1Rule(static_cast<int>(bits / 6 % 5));
+      filter->SetType2Rule(static_cast<int>(bits / 30 % 2));
+    };
+    ExpectTetOctBounds(input, bits / 120 % 2, 3, configure, bits / 60 % 2 == 0, found);
+  }
+  std::sort(found.Ratios.begin(), found.Ratios.end());
+  const std::size_t size = found.Ratios.size();
+  std::cout << size << " bounds of cells: median " << found.Ratios[size / 2] << ", 99 of 100 "
+            << found.Ratios[size * 99 / 100] << ", most " << found.Ratios.back() << "\n";
+  EXPECT_GT(size, 5000U);
+  EXPECT_LT(found.Ratios[size * 99 / 100], 2.45);
+  EXPECT_LE(found.Ratios.back(), 3.);
+}
+
+/// A filter that reads octahedra starts with them.
+TEST(TetOctErrorBounds, GoOnWithAFilterBefore)
+{
+  const Grid input = MakeStar(4, 0.3);
+  const Configure configure = [](Filter* filter)
+  {
+    SetTetOct(filter);
+    filter->GenerateErrorBoundsOn();
+  };
+  const Grid both = Execute(input, 2, configure);
+  const Grid first = Execute(input, 1, configure);
+  const Grid second = Execute(first, 1, configure);
+  const Grid none = Execute(first, 0, configure);
+  const auto expectSame = [](vtkUnstructuredGrid* one, vtkUnstructuredGrid* other)
+  {
+    for (const char* name : { "ErrorBound", "OneErrorBound", "TwoErrorBound" })
+    {
+      vtkDataArray* a = one->GetCellData()->GetArray(name);
+      vtkDataArray* b = other->GetCellData()->GetArray(name);
+      ASSERT_EQ(a->GetNumberOfTuples(), b->GetNumberOfTuples());
+      for (vtkIdType c = 0; c < a->GetNumberOfTuples(); ++c)
+      {
+        EXPECT_GT(a->GetComponent(c, 0), 0.);
+        EXPECT_NEAR(a->GetComponent(c, 0), b->GetComponent(c, 0), 1e-12) << name << " of " << c;
+      }
+    }
+  };
+  expectSame(both, second);
+  expectSame(first, none);
+}
+
+TEST(TetOctErrorBounds, DoNotDependOnThreads)
+{
+  const Configure configure = [](Filter* filter)
+  {
+    SetTetOct(filter);
+    filter->GenerateErrorBoundsOn();
+    filter->ProjectToLimitOn();
+  };
+  const Grid input = MakeStar(8, 0.3);
+  vtkSMPTools::Initialize(1);
+  const Grid one = Execute(input, 1, configure);
+  vtkSMPTools::Initialize(4);
+  const Grid four = Execute(input, 1, configure);
+  vtkSMPTools::Initialize(0);
+  ASSERT_NE(one->GetCellData()->GetArray("ErrorBound"), nullptr);
+  EXPECT_EQ(Compare(one, four), "");
+}
