@@ -13,7 +13,7 @@ objects have equal bytes). The choice is always the same; what was tried is kept
 until the file changes, so that a run goes on where another one was stopped. --again tries survivors anew;
 with --fast only the fast tests of the own folder run, so that a slower run has fewer mutations left; --together
 leaves to another run what has to be compiled alone, which costs most of the time.
-Survivors that change nothing which could be tested stand in survivors.txt beside this file, with the reason. The
+Survivors that change nothing which could be tested stand in the folder survivors, with the reason. The
 script fails where others survive.
 """
 import argparse
@@ -377,7 +377,7 @@ class Runner:
         program, _, parts = self.find_suites(folder)
         failed = ""
         for part, seconds in parts[:1] if is_fast else parts:
-            failed = failed or self.run(program, part, 5. + 3. * seconds, number=number)
+            failed = failed or self.run(program, part, 2. + 3. * seconds, number=number)
         self.known.add_killer(path, program, failed)
         return failed
 
@@ -508,7 +508,7 @@ def main():
     all_runners = [Runner(source, arguments.build.resolve(), work / str(i), arguments.rest, known) for i in range(arguments.jobs)]
     runners = queue.Queue()
     list(map(runners.put, all_runners))
-    explained = report.read_explained(HERE / "survivors.txt")
+    explained = report.read_explained(HERE / "survivors")
     all_of_them = []
     digests = {}
     for path in list_files(source, arguments.places or ["Core/Rules"]):
@@ -517,7 +517,7 @@ def main():
         all_of_them += mutations.list_mutations(path, text)
     for path, old, new in explained:
         if path in digests and not any((one.path, one.old.strip(), one.new.strip()) == (path, old, new) for one in all_of_them):
-            sys.exit("survivors.txt explains a mutation of %s that does not exist: %s" % (path, new))
+            sys.exit("survivors explains a mutation of %s that does not exist: %s" % (path, new))
     chosen = mutations.choose(all_of_them, arguments.most)
     print("%d of %d mutations" % (len(chosen), len(all_of_them)))
     file = work / "results.json"
