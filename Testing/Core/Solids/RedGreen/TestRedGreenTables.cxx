@@ -260,6 +260,7 @@ TEST(RedGreenTables, OneTableForAll)
   const auto table = MakeAllParts();
   ASSERT_EQ(table.size(), 4u);
   ASSERT_EQ(PartsOf.size(), 4u);
+  ASSERT_EQ(table[0].size(), 64u); // patterns of six edges
   for (int dimension = 0; dimension < 4; ++dimension)
   {
     for (unsigned int pattern = 0; pattern < 64; ++pattern)
