@@ -41,7 +41,7 @@ import schemata
 
 MOST_OBJECTS = 5  # of a header; they are compiled without optimisation, which takes a third of the time
 AT_ONCE = 2
-FAST_SHARE = 0.15  # of the time of all tests of a folder: those that take so much together run first
+FAST_SHARES = (0.02, 0.15)  # of the time of all tests of a folder: those that take so much together run first
 LEFT_OUT = "*Files*:*LongLong*:*AnyNumberOfThreads*"  # takes long, and sees what others see
 MOST_KILLERS = 4  # tests that found most mutations of a file: they run before all others
 # Whose tests run next, after those of the own folder: folders and files, for all of a folder or for one file.
@@ -329,7 +329,7 @@ class Runner:
         return failed[0].rstrip(",") if failed else "crash"
 
     def find_suites(self, folder):
-        """The program of the tests in a folder or file, a filter for all, and [(filter, seconds)] in two parts, the fast one first."""
+        """The program of the tests in a folder or file, a filter for all, and [(filter, seconds)] in parts, the fast ones first."""
         if folder not in self.known.suites:
             with self.known.measuring:
                 if folder not in self.known.suites:
@@ -366,8 +366,12 @@ class Runner:
         with self.known.lock:
             self.known.seconds.update(seconds)
         whole = sum(time for time, _ in times)
-        fast = [name for i, (_, name) in enumerate(times) if sum(one for one, _ in times[:i + 1]) < FAST_SHARE * whole]
-        parts = [(":".join(fast), FAST_SHARE * whole)] if fast else []
+        parts = []
+        fast = []
+        for share in FAST_SHARES:
+            names = [name for i, (_, name) in enumerate(times) if sum(one for one, _ in times[:i + 1]) < share * whole]
+            parts += [(":".join(names[len(fast):]), share * whole)] if len(names) > len(fast) else []
+            fast = names
         parts.append((every + large + "".join(":" + name for name in fast), whole))
         suite = [TESTS[which], every, parts]
         self.get_times_file(folder).write_text(json.dumps([suite, seconds]), encoding="utf-8")
@@ -376,7 +380,7 @@ class Runner:
     def run_suites(self, path, folder, number, is_fast=False):
         program, _, parts = self.find_suites(folder)
         failed = ""
-        for part, seconds in parts[:1] if is_fast else parts:
+        for part, seconds in parts[:max(1, len(parts) - 1)] if is_fast else parts:
             failed = failed or self.run(program, part, 2. + 3. * seconds, number=number)
         self.known.add_killer(path, program, failed)
         return failed

@@ -342,4 +342,17 @@ TEST(RedGreenCells, PlacesOfSimplices)
     }
   }
   EXPECT_EQ(SimplexPlaces::SimplicesPerBlock, 64);
+  // Dimensions in turn. Behind the cells the array goes on.
+  SimplexList list;
+  for (int i = 0; i < 100; ++i)
+  {
+    list.Dimensions.push_back(i % 2 ? 3 : 1);
+  }
+  SimplexView some(list);
+  some.NumberOfSimplices = 90;
+  const SimplexPlaces places(some);
+  for (int i = 0; i <= 90; ++i)
+  {
+    EXPECT_EQ(places[i], 3 * i - i % 2) << i;
+  }
 }
