@@ -337,10 +337,14 @@ class Runner:
         return self.known.suites[folder]
 
     def get_times_file(self, folder):
-        """Where the times of a folder's tests stand, as long as the tests are not built anew."""
-        program = self.work.parent / "programs" / TESTS["Core" if "Core" in folder.parts else "Filters"]
+        """Where the times of a folder's tests stand, as long as their sources do not change."""
         name = str(folder.relative_to(self.source / "Testing")).replace("/", "+")
-        return self.work.parent / ("times+%s+%d.json" % (name, program.stat().st_mtime_ns))
+        texts = "".join(test.read_text(encoding="utf-8") for test in self.list_tests(folder))
+        return self.work.parent / ("times+%s+%s.json" % (name, hashlib.sha1(texts.encode()).hexdigest()[:12]))
+
+    @staticmethod
+    def list_tests(folder):
+        return [folder] if folder.is_file() else sorted(folder.rglob("Test*.cxx"))
 
     def read_suites(self, folder):
         file = self.get_times_file(folder)
@@ -351,7 +355,7 @@ class Runner:
 
     def measure_suites(self, folder):
         names = set()
-        for test in [folder] if folder.is_file() else folder.rglob("Test*.cxx"):
+        for test in self.list_tests(folder):
             text = test.read_text(encoding="utf-8")
             names.update(re.findall(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)\((\w+),", text, re.M))
         which = "Core" if "Core" in folder.parts else "Filters"
@@ -380,7 +384,7 @@ class Runner:
     def run_suites(self, path, folder, number, is_fast=False):
         program, _, parts = self.find_suites(folder)
         failed = ""
-        for part, seconds in parts[:max(1, len(parts) - 1)] if is_fast else parts:
+        for part, seconds in parts[:1] if is_fast else parts:
             failed = failed or self.run(program, part, 2. + 3. * seconds, number=number)
         self.known.add_killer(path, program, failed)
         return failed
@@ -444,7 +448,7 @@ class Runner:
     def run_all(self, path, is_near, number=0):
         """Runs the tests near by, and unless these are enough the others. Returns the one that failed, or ""."""
         failed = self.run_killers(path, number) or self.run_own(path, number)
-        return failed or ("" if is_near else self.run_next(path, number) or self.run_rest(path, number))
+        return failed or ("" if is_near or self.known.is_fast else self.run_next(path, number) or self.run_rest(path, number))
 
     def run_own(self, path, number=0):
         """Runs the tests of the folder with the same name. Returns the one that failed, or ""."""
@@ -455,7 +459,7 @@ class Runner:
         """Runs the tests of the folders near it."""
         failed = ""
         place = path.replace("Filters/", "", 1)
-        for further in [] if self.known.is_fast else NEXT_TESTS.get(place, NEXT_TESTS.get(os.path.dirname(place), [])):
+        for further in NEXT_TESTS.get(place, NEXT_TESTS.get(os.path.dirname(place), [])):
             failed = failed or self.run_suites(path, self.source / "Testing" / further, number)
         return failed
 

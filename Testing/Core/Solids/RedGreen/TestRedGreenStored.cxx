@@ -64,11 +64,12 @@ int FindRoundOfIncidence(int size, int first)
   return -1;
 }
 
-/// A block of 4096 cells: a triangle with its least vertex at the first place and its largest one
-/// at the second, and lines between others. Behind it the edges of the triangle, as lines.
-std::vector<Tuple> MakeBlock()
+/// A block of 4096 cells: a triangle that alone has the least and the largest vertex, in front of
+/// lines between others. Behind the block are the edges of the triangle, as lines.
+std::vector<Tuple> MakeBlock(int turns)
 {
   std::vector<Tuple> cells{ { 0, 5000, 300 } };
+  std::rotate(cells[0].begin(), cells[0].begin() + turns, cells[0].end());
   for (int i = 1; i < 4096; ++i)
   {
     cells.push_back({ 300 + i % 100, 301 + i % 100 });
@@ -260,17 +261,21 @@ TEST(RedGreenStored, EdgesBetweenTwoEndsOnly)
   std::vector<Tuple> cells = MakeLines(size);
   for (int i = 0; i < size; ++i)
   {
-    cells.push_back({ i, size + 1 + i, i + 1 });
+    const int tip = size + 1 + 3 * i;
+    cells.push_back({ i, tip, i + 1 });
+    cells.push_back({ i + 1, i, tip + 1 });
+    cells.push_back({ tip + 2, i + 1, i });
   }
-  Few few(2 * size + 1, cells);
+  Few few(4 * size + 1, cells);
   for (int i = 0; i < size; ++i)
   {
     few.State.MarkCell({ i, -1 });
   }
   few.State.Close();
-  EXPECT_EQ(few.Count(), (Counts{ 0, 2 * size, 2 * size, 0, 0 }));
-  const std::size_t rest = few.State.GetMemorySize() - 256 * SizeOfEdge;
-  EXPECT_LT(rest, SizeOfPage + 512 * SizeOfCell + 1024 * 12 + 20000u);
+  EXPECT_EQ(few.Count(), (Counts{ 0, 2 * size, 6 * size, 0, 0 }));
+  // The edges, their table, vertices, the queue, two lists of changed cells, flags.
+  const std::size_t rest = 256 * SizeOfEdge + 1024 * 12 + (256 + 256 + 2 * 1024) * 4 + 801;
+  EXPECT_LT(few.State.GetMemorySize(), SizeOfPage + 1024 * SizeOfCell + rest + 2000);
 }
 
 // Four times as many cells are scanned as there are. A scan passes over blocks of 4096 cells that
@@ -323,14 +328,17 @@ TEST(RedGreenStored, BlocksOfCellsOfAllDimensions)
 
 TEST(RedGreenStored, TheRangeOfABlock)
 {
-  for (const int line : { 4096, 4097 })
+  for (int turns = 0; turns < 3; ++turns)
   {
-    Few few(5001, MakeBlock());
-    few.State.MarkCell({ 100, -1 }); // line 300-301
-    few.State.Close();
-    EXPECT_EQ(few.Count()[2], 0);
-    few.State.MarkCell({ line, -1 }); // only this vertex is new
-    few.State.Close();
-    EXPECT_EQ(few.Count()[2], 2) << line;
+    for (const int line : { 4096, 4097 })
+    {
+      Few few(5001, MakeBlock(turns));
+      few.State.MarkCell({ 100, -1 }); // line 300-301
+      few.State.Close();
+      EXPECT_EQ(few.Count()[2], 0);
+      few.State.MarkCell({ line, -1 }); // only this vertex is new
+      few.State.Close();
+      EXPECT_EQ(few.Count()[2], 2) << turns << " " << line;
+    }
   }
 }
