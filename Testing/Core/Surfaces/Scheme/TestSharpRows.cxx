@@ -41,37 +41,43 @@ struct Sharp
     : Scheme(MakeSurfaceScheme<int>(kind, true))
   {
     const Model model = MakeModel(triangles);
+    this->Points = model.Points;
     this->Level = MakeLevel(model.Points.size(), model.Faces, model.Lines);
     std::mt19937 random(seed);
-    std::vector<double> sharpness(
-      static_cast<std::size_t>(this->Level.Mesh.GetNumberOfEdges()), 0.);
-    for (double& left : sharpness)
+    std::vector<SharpEdge<int>> edges;
+    for (int e = 0; e < this->Level.Mesh.GetNumberOfEdges(); ++e)
     {
       const double choices[4] = { 0.25, 0.5, 1., 2.5 };
-      left = random() % 6 == 0 ? choices[random() % 4] : 0.;
+      if (random() % 6 == 0)
+      {
+        edges.push_back({ e, choices[random() % 4] });
+      }
+    }
+    this->SetEdges(edges);
+    this->Scheme->Prepare(this->Level);
+  }
+
+  void SetEdges(const std::vector<SharpEdge<int>>& edges)
+  {
+    this->Edges = edges;
+    this->Left.assign(static_cast<std::size_t>(this->Level.Mesh.GetNumberOfEdges()), 0.);
+    for (const SharpEdge<int>& edge : edges)
+    {
+      this->Left[static_cast<std::size_t>(edge.Edge)] = edge.Left;
     }
     const auto classify = [&](double least)
     {
       SurfaceFeatures features;
-      for (const double left : sharpness)
+      for (const double left : this->Left)
       {
         features.SharpEdges.push_back(left >= least ? 1 : 0);
       }
       return ClassifySurface(
-        this->Level.Mesh, *this->Scheme, features, model.Points.data()->data());
+        this->Level.Mesh, *this->Scheme, features, this->Points.data()->data());
     };
     this->Level.Tags = classify(9.);
     this->Whole = classify(1.);
-    this->All = classify(0.1);
-    this->Left = sharpness;
-    for (std::size_t e = 0; e < sharpness.size(); ++e)
-    {
-      if (sharpness[e] > 0.)
-      {
-        this->Edges.push_back({ static_cast<int>(e), sharpness[e] });
-      }
-    }
-    this->Scheme->Prepare(this->Level);
+    this->All = classify(0.05);
   }
 
   SharpRows<int> MakeRows() const
@@ -158,6 +164,7 @@ struct Sharp
   }
 
   std::shared_ptr<const SurfaceScheme<int>> Scheme;
+  std::vector<Point> Points;
   SurfaceLevel<int> Level;
   SurfaceTags<int> Whole;
   SurfaceTags<int> All;
@@ -231,29 +238,48 @@ TEST(SharpRows, OneEdgeThatIsSharp)
     for (const double left : { 0.3, 1., 2. })
     {
       Sharp sharp(edge % 2 == 0, SurfaceSchemeKind::CatmullClark, 1);
-      const auto size = static_cast<std::size_t>(sharp.Level.Mesh.GetNumberOfEdges());
-      ASSERT_LT(static_cast<std::size_t>(edge), size);
-      SurfaceFeatures features;
-      features.SharpEdges.assign(size, 0);
-      const Model model = MakeModel(edge % 2 == 0);
-      const auto classify = [&](bool isSharp)
-      {
-        features.SharpEdges[static_cast<std::size_t>(edge)] = isSharp;
-        return ClassifySurface(
-          sharp.Level.Mesh, *sharp.Scheme, features, model.Points.data()->data());
-      };
-      sharp.Edges = { { edge, left } };
-      sharp.Left.assign(size, 0.);
-      sharp.Left[static_cast<std::size_t>(edge)] = left;
-      sharp.Level.Tags = classify(false);
-      sharp.Whole = classify(left >= 1.);
-      sharp.All = classify(true);
+      ASSERT_LT(edge, sharp.Level.Mesh.GetNumberOfEdges());
+      sharp.SetEdges({ { edge, left } });
       int partly = 0;
       SCOPED_TRACE("edge " + std::to_string(edge));
       CheckRows(sharp, &partly);
       EXPECT_EQ(partly > 0, left < 1.);
     }
   }
+}
+
+// The parts of edges are added in the order of the edges: the same bits in each run.
+TEST(SharpRows, PartsInTheOrderOfEdges)
+{
+  const int vertex = 6; // inside the sheet
+  Sharp sharp(false, SurfaceSchemeKind::CatmullClark, 1);
+  std::vector<SharpEdge<int>> edges;
+  for (int e = 0; e < sharp.Level.Mesh.GetNumberOfEdges() && edges.size() < 3; ++e)
+  {
+    const int* ends = &sharp.Level.Mesh.EdgeVertices[2 * e];
+    if (ends[0] == vertex || ends[1] == vertex)
+    {
+      edges.push_back({ e, 0.1 * static_cast<double>(1 + edges.size()) });
+    }
+  }
+  edges[2].Left = 0.3;
+  sharp.SetEdges(edges);
+  const double part = (0.1 + 0.2 + 0.3) / 3.;
+  ASSERT_NE(part, (0.3 + 0.2 + 0.1) / 3.);
+  RowBlock<int> rows;
+  sharp.MakeRows().Append(*sharp.Scheme, sharp.Level, vertex, vertex + 1, rows);
+  std::vector<double> expected;
+  for (const bool all : { false, true })
+  {
+    RowBlock<int> one;
+    sharp.Scheme->AppendRows(sharp.Level, all ? sharp.All : sharp.Whole, vertex, vertex + 1, one);
+    for (std::size_t i = 0; i < one.GetNumberOfEntries(); ++i)
+    {
+      expected.push_back((all ? part : 1. - part) * one.GetWeights()[i]);
+    }
+  }
+  EXPECT_EQ(std::vector<double>(rows.GetWeights(), rows.GetWeights() + rows.GetNumberOfEntries()),
+    expected);
 }
 
 TEST(SharpRows, VerticesWithTheirNeighbours)
