@@ -157,6 +157,40 @@ struct Sharp
       : row < vertices + edges ? this->GetPartOfEdge(row - vertices)
                                : this->GetPartOf(this->GetCorners(row - vertices - edges));
   }
+  /// Whether a rule reads tags near sharp edges: that of an end of one, of an edge there or in a
+  /// face there, of a face there.
+  bool IsNear(int row) const
+  {
+    const PolygonMesh<int>& mesh = this->Level.Mesh;
+    std::set<int> ends;
+    for (const SharpEdge<int>& edge : this->Edges)
+    {
+      ends.insert({ mesh.EdgeVertices[2 * edge.Edge], mesh.EdgeVertices[2 * edge.Edge + 1] });
+    }
+    const auto hasEnd = [&](const std::set<int>& vertices)
+    {
+      return std::any_of(
+        vertices.begin(), vertices.end(), [&](int vertex) { return ends.count(vertex) > 0; });
+    };
+    const int edge = row - static_cast<int>(mesh.NumberOfVertices);
+    const int face = edge - static_cast<int>(mesh.GetNumberOfEdges());
+    if (edge < 0)
+    {
+      return ends.count(row) > 0;
+    }
+    if (face >= 0)
+    {
+      return hasEnd(this->GetCorners(face));
+    }
+    bool isNear = hasEnd({ mesh.EdgeVertices[2 * edge], mesh.EdgeVertices[2 * edge + 1] });
+    for (int f = 0; f < mesh.NumberOfFaces; ++f)
+    {
+      const int* first = &mesh.Edges[mesh.GetFirst(f)];
+      isNear = isNear ||
+        (hasEnd(this->GetCorners(f)) && std::count(first, first + mesh.GetSize(f), edge) > 0);
+    }
+    return isNear;
+  }
   static double GetMean(const std::vector<double>& parts)
   {
     const double sum = std::accumulate(parts.begin(), parts.end(), 0.);
@@ -171,6 +205,59 @@ struct Sharp
   std::vector<SharpEdge<int>> Edges;
   std::vector<double> Left; ///< of each edge; 0: it is not sharp
 };
+
+/// A scheme whose rows tell how many vertices their tags have, and nothing else.
+class TagsScheme : public SurfaceScheme<int>
+{
+public:
+  bool NeedsTriangles() const override { return false; }
+  vtkIdType GetNumberOfRows(const SurfaceLevel<int>& level) const override
+  {
+    return level.Mesh.NumberOfVertices + level.Mesh.GetNumberOfEdges() + level.Mesh.NumberOfFaces;
+  }
+  void AppendRows(const SurfaceLevel<int>& /*level*/, const SurfaceTags<int>& tags, vtkIdType begin,
+    vtkIdType end, RowBlock<int>& rows) const override
+  {
+    for (vtkIdType row = begin; row < end; ++row)
+    {
+      rows.Add(row, static_cast<double>(tags.Vertices.size()));
+      rows.EndRow();
+    }
+  }
+  void GetParents(
+    const SurfaceLevel<int>& /*level*/, vtkIdType /*row*/, std::vector<vtkIdType>&) const override
+  {
+  }
+  SurfaceLevel<int> Refine(const SurfaceLevel<int>& /*level*/, Depth /*depth*/) const override
+  {
+    return {};
+  }
+  void ListChildren(const SurfaceLevel<int>& /*level*/, const SurfaceSegments& /*segments*/,
+    SurfaceSegments& /*children*/) const override
+  {
+  }
+  SurfaceTags<int> RefineTags(
+    const SurfaceLevel<int>& /*level*/, const SurfaceTags<int>& /*tags*/) const override
+  {
+    return {};
+  }
+  void CarryFaces(const SurfaceLevel<int>& /*level*/, const Buffer<Carrier<int>>& /*faces*/,
+    bool /*areWhole*/, Buffer<Carrier<int>>& /*children*/) const override
+  {
+  }
+  void AppendLimitRows(const SurfaceLevel<int>& /*level*/, const SurfaceTags<int>& /*tags*/,
+    LimitKind /*kind*/, vtkIdType /*begin*/, vtkIdType /*end*/,
+    RowBlock<int>& /*rows*/) const override
+  {
+  }
+};
+
+SurfaceTags<int> MakeTags(vtkIdType size)
+{
+  SurfaceTags<int> tags;
+  tags.Vertices = Buffer<VertexTag>(size, VertexTag::Smooth);
+  return tags;
+}
 
 void CheckRows(const Sharp& sharp, int* partly)
 {
@@ -228,6 +315,50 @@ TEST(SharpRows, AreThoseOfTheDefinition)
     }
   }
   EXPECT_GT(partly, 1000);
+}
+
+// Which rows are read with other tags, and how much of each. Rows far away have the level's tags.
+TEST(SharpRows, WhichTagsARowHas)
+{
+  const TagsScheme scheme;
+  for (unsigned seed = 1; seed <= 40; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const bool triangles = seed % 2 == 0;
+    Sharp sharp(triangles, SurfaceSchemeKind::CatmullClark, seed);
+    std::mt19937 random(seed);
+    const int size = static_cast<int>(sharp.Level.Mesh.GetNumberOfEdges());
+    std::vector<SharpEdge<int>> edges;
+    for (int e = static_cast<int>(random() % 9); e < size; e += 1 + static_cast<int>(random() % 30))
+    {
+      edges.push_back({ e, 0.125 * static_cast<double>(1 + random() % 12) });
+    }
+    sharp.SetEdges(edges);
+    sharp.Level.Tags = MakeTags(1);
+    const SharpRows<int> made(sharp.Level, { MakeTags(2), MakeTags(3) }, sharp.Edges);
+    const int rows = static_cast<int>(scheme.GetNumberOfRows(sharp.Level));
+    for (const int step : { rows, 5 })
+    {
+      for (int begin = 0; begin < rows; begin += step)
+      {
+        RowBlock<int> block;
+        const int end = std::min(begin + step, rows);
+        made.Append(scheme, sharp.Level, begin, end, block);
+        ASSERT_EQ(static_cast<int>(block.GetNumberOfRows()), end - begin);
+        for (int row = begin; row < end; ++row)
+        {
+          const auto at = static_cast<std::size_t>(row - begin);
+          double sum = 0.;
+          for (std::size_t i = block.GetBegin(at); i < block.GetEnd(at); ++i)
+          {
+            ASSERT_EQ(block.GetColumns()[i], row);
+            sum += block.GetWeights()[i];
+          }
+          EXPECT_NEAR(sum, sharp.IsNear(row) ? 2. + sharp.GetPartOfRow(row) : 1., 1e-14) << row;
+        }
+      }
+    }
+  }
 }
 
 // Each of the rules alone: one edge that is sharp in part, one that is sharp for a whole step.
