@@ -354,7 +354,9 @@ TEST(SharpRows, WhichTagsARowHas)
             ASSERT_EQ(block.GetColumns()[i], row);
             sum += block.GetWeights()[i];
           }
-          EXPECT_NEAR(sum, sharp.IsNear(row) ? 2. + sharp.GetPartOfRow(row) : 1., 1e-14) << row;
+          const double part = sharp.GetPartOfRow(row);
+          EXPECT_NEAR(sum, sharp.IsNear(row) ? 2. + part : 1., 1e-14) << row;
+          EXPECT_EQ(block.GetEnd(at) - block.GetBegin(at), part > 0. ? 2u : 1u) << row;
         }
       }
     }
