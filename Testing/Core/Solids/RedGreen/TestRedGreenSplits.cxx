@@ -5,6 +5,8 @@
  */
 #include "RedGreenFew.h"
 
+#include "Core/Solids/RedGreen/RedGreen.h"
+
 #include <gtest/gtest.h>
 
 using namespace redgreen_reference;
@@ -17,6 +19,28 @@ constexpr auto Copied = CellScope::Copied;
 constexpr auto Own = CellScope::Own;
 
 const int EdgesOfTriangle[3][2] = { { 0, 1 }, { 1, 2 }, { 0, 2 } };
+
+/// How many halvings made a vertex.
+int CountHalvings(const RedGreen<int>& state, int vertex)
+{
+  if (vertex < state.GetNumberOfInputVertices())
+  {
+    return 0;
+  }
+  const auto ends = state.GetEnds(vertex);
+  return 1 + std::max(CountHalvings(state, ends[0]), CountHalvings(state, ends[1]));
+}
+
+void CheckHalvings(const RedGreen<int>& state, std::size_t most)
+{
+  std::vector<std::vector<int>> expected(most);
+  for (int v = state.GetNumberOfInputVertices(); v < state.GetNumberOfVertices(); ++v)
+  {
+    expected.at(static_cast<std::size_t>(CountHalvings(state, v) - 1)).push_back(v);
+  }
+  EXPECT_EQ(ListByHalvings(state), expected);
+  EXPECT_TRUE(expected.empty() || !expected.back().empty());
+}
 
 /// A triangle whose edges are numbered as the marks are: `first` is number 0.
 Few MakeRed(const std::vector<Tuple>& cells, int first, int cell = 0)
@@ -227,4 +251,37 @@ TEST(RedGreenSplits, CellsAtANewVertex)
   EXPECT_EQ(find(0, 1), (std::set<int>{ 0, 1, 4 }));
   EXPECT_EQ(find(1, 2), (std::set<int>{ 0, 3 }));
   EXPECT_EQ(find(0, 2), (std::set<int>{ 0 }));
+}
+
+TEST(RedGreenSplits, VerticesByHalvings)
+{
+  Few few(9, { { 0, 1, 2 }, { 2, 1, 4 } });
+  CheckHalvings(few.State, 0);
+  few.State.MarkEdge({ 0, -1 }, 0, 1);
+  few.State.Close();
+  CheckHalvings(few.State, 1);
+  few.State.MarkEdge({ 0, -1 }, 0, few.FindMiddle(0, 1)); // vertex 9, the first one
+  few.State.Close();
+  CheckHalvings(few.State, 2);
+  few.State.MarkCell({ 0, 0 });
+  few.State.MarkCell({ 0, 3 });
+  few.State.Close();
+  CheckHalvings(few.State, 2);
+  for (const auto& cell : few.State.GetChangedCells())
+  {
+    few.State.MarkCell(cell.Leaf);
+  }
+  few.State.Close();
+  CheckHalvings(few.State, 3);
+  // The vertex that was halved more often may be either end.
+  for (const bool turned : { false, true })
+  {
+    Few other(9, { { 0, 1, 2 } });
+    other.State.AddMidpoint(1, 2, 3);
+    other.State.MarkCell({ 0, -1 });
+    const int middle = other.FindMiddle(0, 1);
+    turned ? other.State.SplitEdge(3, middle) : other.State.SplitEdge(middle, 3);
+    other.State.Close();
+    CheckHalvings(other.State, 2);
+  }
 }
