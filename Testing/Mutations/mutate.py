@@ -13,7 +13,7 @@ objects have equal bytes). The choice is always the same; what was tried is kept
 until the file changes, so that a run goes on where another one was stopped. --again tries survivors anew;
 with --fast only the fast tests of the own folder run, so that a slower run has fewer mutations left; --together
 leaves to another run what has to be compiled alone, which costs most of the time.
-Survivors that change nothing which could be tested stand in survivors.txt beside this file, with the reason. The
+Survivors that change nothing which could be tested stand in the folder survivors, with the reason. The
 script fails where others survive.
 """
 import argparse
@@ -41,7 +41,7 @@ import schemata
 
 MOST_OBJECTS = 5  # of a header; they are compiled without optimisation, which takes a third of the time
 AT_ONCE = 2
-FAST_SHARE = 0.15  # of the time of all tests of a folder: those that take so much together run first
+FAST_SHARES = (0.02, 0.15)  # of the time of all tests of a folder: those that take so much together run first
 LEFT_OUT = "*Files*:*LongLong*:*AnyNumberOfThreads*"  # takes long, and sees what others see
 MOST_KILLERS = 4  # tests that found most mutations of a file: they run before all others
 # Whose tests run next, after those of the own folder: folders and files, for all of a folder or for one file.
@@ -329,7 +329,7 @@ class Runner:
         return failed[0].rstrip(",") if failed else "crash"
 
     def find_suites(self, folder):
-        """The program of the tests in a folder or file, a filter for all, and [(filter, seconds)] in two parts, the fast one first."""
+        """The program of the tests in a folder or file, a filter for all, and [(filter, seconds)] in parts, the fast ones first."""
         if folder not in self.known.suites:
             with self.known.measuring:
                 if folder not in self.known.suites:
@@ -337,10 +337,14 @@ class Runner:
         return self.known.suites[folder]
 
     def get_times_file(self, folder):
-        """Where the times of a folder's tests stand, as long as the tests are not built anew."""
-        program = self.work.parent / "programs" / TESTS["Core" if "Core" in folder.parts else "Filters"]
+        """Where the times of a folder's tests stand, as long as their sources do not change."""
         name = str(folder.relative_to(self.source / "Testing")).replace("/", "+")
-        return self.work.parent / ("times+%s+%d.json" % (name, program.stat().st_mtime_ns))
+        texts = "".join(test.read_text(encoding="utf-8") for test in self.list_tests(folder))
+        return self.work.parent / ("times+%s+%s.json" % (name, hashlib.sha1(texts.encode()).hexdigest()[:12]))
+
+    @staticmethod
+    def list_tests(folder):
+        return [folder] if folder.is_file() else sorted(folder.rglob("Test*.cxx"))
 
     def read_suites(self, folder):
         file = self.get_times_file(folder)
@@ -351,7 +355,7 @@ class Runner:
 
     def measure_suites(self, folder):
         names = set()
-        for test in [folder] if folder.is_file() else folder.rglob("Test*.cxx"):
+        for test in self.list_tests(folder):
             text = test.read_text(encoding="utf-8")
             names.update(re.findall(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)\((\w+),", text, re.M))
         which = "Core" if "Core" in folder.parts else "Filters"
@@ -366,8 +370,12 @@ class Runner:
         with self.known.lock:
             self.known.seconds.update(seconds)
         whole = sum(time for time, _ in times)
-        fast = [name for i, (_, name) in enumerate(times) if sum(one for one, _ in times[:i + 1]) < FAST_SHARE * whole]
-        parts = [(":".join(fast), FAST_SHARE * whole)] if fast else []
+        parts = []
+        fast = []
+        for share in FAST_SHARES:
+            names = [name for i, (_, name) in enumerate(times) if sum(one for one, _ in times[:i + 1]) < share * whole]
+            parts += [(":".join(names[len(fast):]), share * whole)] if len(names) > len(fast) else []
+            fast = names
         parts.append((every + large + "".join(":" + name for name in fast), whole))
         suite = [TESTS[which], every, parts]
         self.get_times_file(folder).write_text(json.dumps([suite, seconds]), encoding="utf-8")
@@ -377,7 +385,7 @@ class Runner:
         program, _, parts = self.find_suites(folder)
         failed = ""
         for part, seconds in parts[:1] if is_fast else parts:
-            failed = failed or self.run(program, part, 5. + 3. * seconds, number=number)
+            failed = failed or self.run(program, part, 2. + 3. * seconds, number=number)
         self.known.add_killer(path, program, failed)
         return failed
 
@@ -440,7 +448,7 @@ class Runner:
     def run_all(self, path, is_near, number=0):
         """Runs the tests near by, and unless these are enough the others. Returns the one that failed, or ""."""
         failed = self.run_killers(path, number) or self.run_own(path, number)
-        return failed or ("" if is_near else self.run_next(path, number) or self.run_rest(path, number))
+        return failed or ("" if is_near or self.known.is_fast else self.run_next(path, number) or self.run_rest(path, number))
 
     def run_own(self, path, number=0):
         """Runs the tests of the folder with the same name. Returns the one that failed, or ""."""
@@ -451,7 +459,7 @@ class Runner:
         """Runs the tests of the folders near it."""
         failed = ""
         place = path.replace("Filters/", "", 1)
-        for further in [] if self.known.is_fast else NEXT_TESTS.get(place, NEXT_TESTS.get(os.path.dirname(place), [])):
+        for further in NEXT_TESTS.get(place, NEXT_TESTS.get(os.path.dirname(place), [])):
             failed = failed or self.run_suites(path, self.source / "Testing" / further, number)
         return failed
 
@@ -508,7 +516,7 @@ def main():
     all_runners = [Runner(source, arguments.build.resolve(), work / str(i), arguments.rest, known) for i in range(arguments.jobs)]
     runners = queue.Queue()
     list(map(runners.put, all_runners))
-    explained = report.read_explained(HERE / "survivors.txt")
+    explained = report.read_explained(HERE / "survivors")
     all_of_them = []
     digests = {}
     for path in list_files(source, arguments.places or ["Core/Rules"]):
@@ -517,7 +525,7 @@ def main():
         all_of_them += mutations.list_mutations(path, text)
     for path, old, new in explained:
         if path in digests and not any((one.path, one.old.strip(), one.new.strip()) == (path, old, new) for one in all_of_them):
-            sys.exit("survivors.txt explains a mutation of %s that does not exist: %s" % (path, new))
+            sys.exit("survivors explains a mutation of %s that does not exist: %s" % (path, new))
     chosen = mutations.choose(all_of_them, arguments.most)
     print("%d of %d mutations" % (len(chosen), len(all_of_them)))
     file = work / "results.json"

@@ -9,13 +9,14 @@ import mutations
 import results as reliability
 
 
-def read_explained(path):
-    """The survivors of survivors.txt: {(path, old, new): reason}."""
+def read_explained(folder):
+    """The survivors of the files in a folder: {(path, old, new): reason}."""
     explained = {}
-    for block in re.split(r"\n\s*\n", path.read_text(encoding="utf-8")):
-        lines = [line.strip() for line in block.strip().split("\n") if not line.startswith("#")]
-        if len(lines) >= 4:
-            explained[tuple(lines[:3])] = " ".join(lines[3:])
+    for file in sorted(folder.glob("*.txt")):
+        for block in re.split(r"\n\s*\n", file.read_text(encoding="utf-8")):
+            lines = [line.strip() for line in block.strip().split("\n") if not line.startswith("#")]
+            if len(lines) >= 4:
+                explained[tuple(lines[:3])] = " ".join(lines[3:])
     return explained
 
 

@@ -5,6 +5,7 @@
  */
 #include "CoreZoo.h"
 #include "RedGreenChecks.h"
+#include "RedGreenFew.h"
 
 #include "Core/Memory/Loops.h"
 
@@ -14,60 +15,6 @@ using namespace redgreen_reference;
 
 namespace
 {
-
-SimplexList MakeList(vtkIdType points, const std::vector<Tuple>& cells)
-{
-  SimplexList list;
-  list.NumberOfPoints = points;
-  for (const Tuple& cell : cells)
-  {
-    list.Dimensions.push_back(static_cast<unsigned char>(cell.size() - 1));
-    list.Connectivity.insert(list.Connectivity.end(), cell.begin(), cell.end());
-  }
-  return list;
-}
-
-/// A state of a few cells.
-struct Few
-{
-  Few(vtkIdType points, const std::vector<Tuple>& cells)
-    : List(MakeList(points, cells))
-    , State(SimplexView(this->List))
-    , Points(3 * static_cast<std::size_t>(points))
-  {
-  }
-  /// How many cells of each kind the output has: untouched, red, green-I, green-II, green-III.
-  std::vector<int> Count()
-  {
-    const auto written = Write(this->State, this->Points);
-    std::vector<int> counts(5);
-    for (const unsigned char kind : written.Kinds)
-    {
-      ++counts[kind];
-    }
-    EXPECT_EQ(this->State.GetNumberOfCells(), static_cast<vtkIdType>(written.Kinds.size()));
-    return counts;
-  }
-  /// The vertex in the middle of two, -1.
-  int FindMiddle(int a, int b) const
-  {
-    for (int v = this->State.GetNumberOfInputVertices(); v < this->State.GetNumberOfVertices(); ++v)
-    {
-      const auto ends = this->State.GetEnds(v);
-      if (std::minmax(ends[0], ends[1]) == std::minmax(a, b))
-      {
-        return v;
-      }
-    }
-    return -1;
-  }
-
-  SimplexList List;
-  RedGreen<int> State;
-  std::vector<double> Points;
-};
-
-using Counts = std::vector<int>;
 
 /// Marks a cell, and an edge of one of its children between the midpoints of two of its edges,
 /// before anybody has looked at another cell of the same vertices.

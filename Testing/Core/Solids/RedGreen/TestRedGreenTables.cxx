@@ -260,6 +260,7 @@ TEST(RedGreenTables, OneTableForAll)
   const auto table = MakeAllParts();
   ASSERT_EQ(table.size(), 4u);
   ASSERT_EQ(PartsOf.size(), 4u);
+  ASSERT_EQ(table[0].size(), 64u); // patterns of six edges
   for (int dimension = 0; dimension < 4; ++dimension)
   {
     for (unsigned int pattern = 0; pattern < 64; ++pattern)
@@ -341,4 +342,17 @@ TEST(RedGreenCells, PlacesOfSimplices)
     }
   }
   EXPECT_EQ(SimplexPlaces::SimplicesPerBlock, 64);
+  // Dimensions in turn. Behind the cells the array goes on.
+  SimplexList list;
+  for (int i = 0; i < 100; ++i)
+  {
+    list.Dimensions.push_back(i % 2 ? 3 : 1);
+  }
+  SimplexView some(list);
+  some.NumberOfSimplices = 90;
+  const SimplexPlaces places(some);
+  for (int i = 0; i <= 90; ++i)
+  {
+    EXPECT_EQ(places[i], 3 * i - i % 2) << i;
+  }
 }

@@ -41,37 +41,43 @@ struct Sharp
     : Scheme(MakeSurfaceScheme<int>(kind, true))
   {
     const Model model = MakeModel(triangles);
+    this->Points = model.Points;
     this->Level = MakeLevel(model.Points.size(), model.Faces, model.Lines);
     std::mt19937 random(seed);
-    std::vector<double> sharpness(
-      static_cast<std::size_t>(this->Level.Mesh.GetNumberOfEdges()), 0.);
-    for (double& left : sharpness)
+    std::vector<SharpEdge<int>> edges;
+    for (int e = 0; e < this->Level.Mesh.GetNumberOfEdges(); ++e)
     {
       const double choices[4] = { 0.25, 0.5, 1., 2.5 };
-      left = random() % 6 == 0 ? choices[random() % 4] : 0.;
+      if (random() % 6 == 0)
+      {
+        edges.push_back({ e, choices[random() % 4] });
+      }
+    }
+    this->SetEdges(edges);
+    this->Scheme->Prepare(this->Level);
+  }
+
+  void SetEdges(const std::vector<SharpEdge<int>>& edges)
+  {
+    this->Edges = edges;
+    this->Left.assign(static_cast<std::size_t>(this->Level.Mesh.GetNumberOfEdges()), 0.);
+    for (const SharpEdge<int>& edge : edges)
+    {
+      this->Left[static_cast<std::size_t>(edge.Edge)] = edge.Left;
     }
     const auto classify = [&](double least)
     {
       SurfaceFeatures features;
-      for (const double left : sharpness)
+      for (const double left : this->Left)
       {
         features.SharpEdges.push_back(left >= least ? 1 : 0);
       }
       return ClassifySurface(
-        this->Level.Mesh, *this->Scheme, features, model.Points.data()->data());
+        this->Level.Mesh, *this->Scheme, features, this->Points.data()->data());
     };
     this->Level.Tags = classify(9.);
     this->Whole = classify(1.);
-    this->All = classify(0.1);
-    this->Left = sharpness;
-    for (std::size_t e = 0; e < sharpness.size(); ++e)
-    {
-      if (sharpness[e] > 0.)
-      {
-        this->Edges.push_back({ static_cast<int>(e), sharpness[e] });
-      }
-    }
-    this->Scheme->Prepare(this->Level);
+    this->All = classify(0.05);
   }
 
   SharpRows<int> MakeRows() const
@@ -151,6 +157,40 @@ struct Sharp
       : row < vertices + edges ? this->GetPartOfEdge(row - vertices)
                                : this->GetPartOf(this->GetCorners(row - vertices - edges));
   }
+  /// Whether a rule reads tags near sharp edges: that of an end of one, of an edge there or in a
+  /// face there, of a face there.
+  bool IsNear(int row) const
+  {
+    const PolygonMesh<int>& mesh = this->Level.Mesh;
+    std::set<int> ends;
+    for (const SharpEdge<int>& edge : this->Edges)
+    {
+      ends.insert({ mesh.EdgeVertices[2 * edge.Edge], mesh.EdgeVertices[2 * edge.Edge + 1] });
+    }
+    const auto hasEnd = [&](const std::set<int>& vertices)
+    {
+      return std::any_of(
+        vertices.begin(), vertices.end(), [&](int vertex) { return ends.count(vertex) > 0; });
+    };
+    const int edge = row - static_cast<int>(mesh.NumberOfVertices);
+    const int face = edge - static_cast<int>(mesh.GetNumberOfEdges());
+    if (edge < 0)
+    {
+      return ends.count(row) > 0;
+    }
+    if (face >= 0)
+    {
+      return hasEnd(this->GetCorners(face));
+    }
+    bool isNear = hasEnd({ mesh.EdgeVertices[2 * edge], mesh.EdgeVertices[2 * edge + 1] });
+    for (int f = 0; f < mesh.NumberOfFaces; ++f)
+    {
+      const int* first = &mesh.Edges[mesh.GetFirst(f)];
+      isNear = isNear ||
+        (hasEnd(this->GetCorners(f)) && std::count(first, first + mesh.GetSize(f), edge) > 0);
+    }
+    return isNear;
+  }
   static double GetMean(const std::vector<double>& parts)
   {
     const double sum = std::accumulate(parts.begin(), parts.end(), 0.);
@@ -158,12 +198,66 @@ struct Sharp
   }
 
   std::shared_ptr<const SurfaceScheme<int>> Scheme;
+  std::vector<Point> Points;
   SurfaceLevel<int> Level;
   SurfaceTags<int> Whole;
   SurfaceTags<int> All;
   std::vector<SharpEdge<int>> Edges;
   std::vector<double> Left; ///< of each edge; 0: it is not sharp
 };
+
+/// A scheme whose rows tell how many vertices their tags have, and nothing else.
+class TagsScheme : public SurfaceScheme<int>
+{
+public:
+  bool NeedsTriangles() const override { return false; }
+  vtkIdType GetNumberOfRows(const SurfaceLevel<int>& level) const override
+  {
+    return level.Mesh.NumberOfVertices + level.Mesh.GetNumberOfEdges() + level.Mesh.NumberOfFaces;
+  }
+  void AppendRows(const SurfaceLevel<int>& /*level*/, const SurfaceTags<int>& tags, vtkIdType begin,
+    vtkIdType end, RowBlock<int>& rows) const override
+  {
+    for (vtkIdType row = begin; row < end; ++row)
+    {
+      rows.Add(row, static_cast<double>(tags.Vertices.size()));
+      rows.EndRow();
+    }
+  }
+  void GetParents(
+    const SurfaceLevel<int>& /*level*/, vtkIdType /*row*/, std::vector<vtkIdType>&) const override
+  {
+  }
+  SurfaceLevel<int> Refine(const SurfaceLevel<int>& /*level*/, Depth /*depth*/) const override
+  {
+    return {};
+  }
+  void ListChildren(const SurfaceLevel<int>& /*level*/, const SurfaceSegments& /*segments*/,
+    SurfaceSegments& /*children*/) const override
+  {
+  }
+  SurfaceTags<int> RefineTags(
+    const SurfaceLevel<int>& /*level*/, const SurfaceTags<int>& /*tags*/) const override
+  {
+    return {};
+  }
+  void CarryFaces(const SurfaceLevel<int>& /*level*/, const Buffer<Carrier<int>>& /*faces*/,
+    bool /*areWhole*/, Buffer<Carrier<int>>& /*children*/) const override
+  {
+  }
+  void AppendLimitRows(const SurfaceLevel<int>& /*level*/, const SurfaceTags<int>& /*tags*/,
+    LimitKind /*kind*/, vtkIdType /*begin*/, vtkIdType /*end*/,
+    RowBlock<int>& /*rows*/) const override
+  {
+  }
+};
+
+SurfaceTags<int> MakeTags(vtkIdType size)
+{
+  SurfaceTags<int> tags;
+  tags.Vertices = Buffer<VertexTag>(size, VertexTag::Smooth);
+  return tags;
+}
 
 void CheckRows(const Sharp& sharp, int* partly)
 {
@@ -223,6 +317,52 @@ TEST(SharpRows, AreThoseOfTheDefinition)
   EXPECT_GT(partly, 1000);
 }
 
+// Which rows are read with other tags, and how much of each. Rows far away have the level's tags.
+TEST(SharpRows, WhichTagsARowHas)
+{
+  const TagsScheme scheme;
+  for (unsigned seed = 1; seed <= 40; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const bool triangles = seed % 2 == 0;
+    Sharp sharp(triangles, SurfaceSchemeKind::CatmullClark, seed);
+    std::mt19937 random(seed);
+    const int size = static_cast<int>(sharp.Level.Mesh.GetNumberOfEdges());
+    std::vector<SharpEdge<int>> edges;
+    for (int e = static_cast<int>(random() % 9); e < size; e += 1 + static_cast<int>(random() % 30))
+    {
+      edges.push_back({ e, 0.125 * static_cast<double>(1 + random() % 12) });
+    }
+    sharp.SetEdges(edges);
+    sharp.Level.Tags = MakeTags(1);
+    const SharpRows<int> made(sharp.Level, { MakeTags(2), MakeTags(3) }, sharp.Edges);
+    const int rows = static_cast<int>(scheme.GetNumberOfRows(sharp.Level));
+    for (const int step : { rows, 5 })
+    {
+      for (int begin = 0; begin < rows; begin += step)
+      {
+        RowBlock<int> block;
+        const int end = std::min(begin + step, rows);
+        made.Append(scheme, sharp.Level, begin, end, block);
+        ASSERT_EQ(static_cast<int>(block.GetNumberOfRows()), end - begin);
+        for (int row = begin; row < end; ++row)
+        {
+          const auto at = static_cast<std::size_t>(row - begin);
+          double sum = 0.;
+          for (std::size_t i = block.GetBegin(at); i < block.GetEnd(at); ++i)
+          {
+            ASSERT_EQ(block.GetColumns()[i], row);
+            sum += block.GetWeights()[i];
+          }
+          const double part = sharp.GetPartOfRow(row);
+          EXPECT_NEAR(sum, sharp.IsNear(row) ? 2. + part : 1., 1e-14) << row;
+          EXPECT_EQ(block.GetEnd(at) - block.GetBegin(at), part > 0. ? 2u : 1u) << row;
+        }
+      }
+    }
+  }
+}
+
 // Each of the rules alone: one edge that is sharp in part, one that is sharp for a whole step.
 TEST(SharpRows, OneEdgeThatIsSharp)
 {
@@ -231,29 +371,48 @@ TEST(SharpRows, OneEdgeThatIsSharp)
     for (const double left : { 0.3, 1., 2. })
     {
       Sharp sharp(edge % 2 == 0, SurfaceSchemeKind::CatmullClark, 1);
-      const auto size = static_cast<std::size_t>(sharp.Level.Mesh.GetNumberOfEdges());
-      ASSERT_LT(static_cast<std::size_t>(edge), size);
-      SurfaceFeatures features;
-      features.SharpEdges.assign(size, 0);
-      const Model model = MakeModel(edge % 2 == 0);
-      const auto classify = [&](bool isSharp)
-      {
-        features.SharpEdges[static_cast<std::size_t>(edge)] = isSharp;
-        return ClassifySurface(
-          sharp.Level.Mesh, *sharp.Scheme, features, model.Points.data()->data());
-      };
-      sharp.Edges = { { edge, left } };
-      sharp.Left.assign(size, 0.);
-      sharp.Left[static_cast<std::size_t>(edge)] = left;
-      sharp.Level.Tags = classify(false);
-      sharp.Whole = classify(left >= 1.);
-      sharp.All = classify(true);
+      ASSERT_LT(edge, sharp.Level.Mesh.GetNumberOfEdges());
+      sharp.SetEdges({ { edge, left } });
       int partly = 0;
       SCOPED_TRACE("edge " + std::to_string(edge));
       CheckRows(sharp, &partly);
       EXPECT_EQ(partly > 0, left < 1.);
     }
   }
+}
+
+// The parts of edges are added in the order of the edges: the same bits in each run.
+TEST(SharpRows, PartsInTheOrderOfEdges)
+{
+  const int vertex = 6; // inside the sheet
+  Sharp sharp(false, SurfaceSchemeKind::CatmullClark, 1);
+  std::vector<SharpEdge<int>> edges;
+  for (int e = 0; e < sharp.Level.Mesh.GetNumberOfEdges() && edges.size() < 3; ++e)
+  {
+    const int* ends = &sharp.Level.Mesh.EdgeVertices[2 * e];
+    if (ends[0] == vertex || ends[1] == vertex)
+    {
+      edges.push_back({ e, 0.1 * static_cast<double>(1 + edges.size()) });
+    }
+  }
+  edges[2].Left = 0.3;
+  sharp.SetEdges(edges);
+  const double part = (0.1 + 0.2 + 0.3) / 3.;
+  ASSERT_NE(part, (0.3 + 0.2 + 0.1) / 3.);
+  RowBlock<int> rows;
+  sharp.MakeRows().Append(*sharp.Scheme, sharp.Level, vertex, vertex + 1, rows);
+  std::vector<double> expected;
+  for (const bool all : { false, true })
+  {
+    RowBlock<int> one;
+    sharp.Scheme->AppendRows(sharp.Level, all ? sharp.All : sharp.Whole, vertex, vertex + 1, one);
+    for (std::size_t i = 0; i < one.GetNumberOfEntries(); ++i)
+    {
+      expected.push_back((all ? part : 1. - part) * one.GetWeights()[i]);
+    }
+  }
+  EXPECT_EQ(std::vector<double>(rows.GetWeights(), rows.GetWeights() + rows.GetNumberOfEntries()),
+    expected);
 }
 
 TEST(SharpRows, VerticesWithTheirNeighbours)

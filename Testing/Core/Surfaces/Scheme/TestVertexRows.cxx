@@ -290,6 +290,35 @@ TEST(VertexRows, NoPlaneWithoutACornerOrFlatness)
                  FindEdge(other, 0, 3), false),
       "end of a crease");
   }
+  other.Tags.Sectors.clear();
+  for (int face = 0; face < 5; ++face) // not even if one is given
+  {
+    const int at = FindCorner(other, face, 0);
+    other.Tags.Sectors.push_back({ 0, at, at, 5, 1.5 * Pi, 0.3 });
+  }
+  for (int face = 0; face < 5; ++face)
+  {
+    ExpectNone(
+      FindFlatPoint(other.Mesh, other.Tags, 0, FindCorner(other, face, 0), -1, true), "a face");
+  }
+}
+
+TEST(VertexRows, APlaneOfOneFace)
+{
+  Model model = MakeFan(1, true);
+  model.Faces[0] = { 1, 2, 0 };
+  model.Corners = { 2 };
+  SurfaceFeatures features;
+  features.Angles = { -1., -1., Pi / 2. };
+  features.Flatness = { -1., -1., 0.3 };
+  const SurfaceLevel<int> level = MakeTagged(model, features);
+  const FlatPoint<int> flat =
+    FindFlatPoint(level.Mesh, level.Tags, 2, FindCorner(level, 0, 2), -1, true);
+  EXPECT_EQ(flat.Flatness, 0.3);
+  EXPECT_EQ(flat.Corner, 2);
+  EXPECT_EQ(std::minmax(flat.Ends[0], flat.Ends[1]), std::minmax(0, 1));
+  EXPECT_NEAR(flat.Weights[0], 0.5, 1e-15);
+  EXPECT_NEAR(flat.Weights[1], 0.5, 1e-15);
 }
 
 // Two and four triangles between two creases. The other end of the walk is the last crease itself.
@@ -331,6 +360,7 @@ TEST(VertexRows, APlaneForEachSectorOfACorner)
   for (const int edge : { 1, 3 }) // half of the way along the sharp edges
   {
     const FlatPoint<int> flat = find(edge, 0, false);
+    EXPECT_EQ(flat.Flatness, 0.2) << edge;
     for (int end = 0; end < 2; ++end)
     {
       EXPECT_NEAR(flat.Weights[end], flat.Ends[end] == edge ? 0.5 : 0., 1e-15) << edge;
