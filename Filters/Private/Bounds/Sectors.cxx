@@ -204,25 +204,10 @@ void Sectors::AddInfluences(vtkIdType point, vtkIdType column)
         this->CellsOfPlaces[other], point, [&](vtkIdType place) { add(place, other); });
     }
   }
-  if (!isFound && !this->AreInOneOctahedron(places, others))
+  if (!isFound)
   {
     this->IsOpen[face] = 1;
   }
-}
-
-/// Whether two points are in one octahedron, although in no quarter of it. Then a row reads beyond
-/// what its point lies in for as long as cells are as large as quarters: what lies inside an edge
-/// or face does not depend on that.
-bool Sectors::AreInOneOctahedron(const Row<vtkIdType>& places, const Row<vtkIdType>& others) const
-{
-  const auto getFirst = [this](vtkIdType place)
-  { return this->Pieces.GetFirstQuarter(this->CellsOfPlaces[place]); };
-  return std::any_of(places.begin(), places.end(),
-    [&](vtkIdType place)
-    {
-      return std::any_of(others.begin(), others.end(),
-        [&](vtkIdType other) { return getFirst(place) == getFirst(other); });
-    });
 }
 
 /// The corners of a cell that are those of a face of another one.

@@ -101,7 +101,6 @@ private:
   void FindInfluences(const Step& last);
   bool IsInside(vtkIdType place) const;
   void AddInfluences(vtkIdType point, vtkIdType column);
-  bool AreInOneOctahedron(const Row<vtkIdType>& places, const Row<vtkIdType>& others) const;
   void FindSectors(vtkIdType face);
   Sector FollowInfluences(Member holder, Member from, const FaceSet& leftOut, Ways& ways) const;
   static FaceSet FindAhead(Ways& ways, vtkIdType face);

@@ -7,6 +7,7 @@
 #include "BoundTools.h"
 
 #include "Private/Bounds/DeeperPieces.h"
+#include "Private/Bounds/Deviations.h"
 
 using namespace bound_tools;
 using bezier_tools::MakeSheet;
@@ -195,6 +196,11 @@ TEST(DeeperPieces, OfQuads)
 namespace
 {
 
+void SetTetOct(Filter* filter)
+{
+  filter->SetVolumeSchemeToTetOct();
+}
+
 /// The same with octahedra, which the next mesh has around other diagonals: new points are known by
 /// those in whose middle they are. Returns how many were found.
 vtkIdType CompareTetOct(const Levels<Filter>& levels, const std::vector<DeeperPieces::Part>& wanted)
@@ -255,7 +261,6 @@ vtkIdType CompareTetOct(const Levels<Filter>& levels, const std::vector<DeeperPi
 
 TEST(DeeperPieces, OfTetrahedraAndOctahedra)
 {
-  const Configure configure = [](Filter* filter) { filter->SetVolumeSchemeToTetOct(); };
   vtkIdType found = 0;
   for (const unsigned seed : { 4, 8, 12, 16, 5, 6 })
   {
@@ -266,7 +271,7 @@ TEST(DeeperPieces, OfTetrahedraAndOctahedra)
                                        { 0.1, 0., 1. }, { 0., 0.3, -1.1 } },
                               { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 2, 1, 4 } } })
                           : MakeRandomComplex(seed)),
-      first, configure, true);
+      first, SetTetOct, true);
     const NestedPieces pieces = levels.MakePieces(0);
     std::vector<DeeperPieces::Part> parts;
     for (vtkIdType c = 0; c < pieces.GetNumberOfCells(); ++c)
@@ -283,6 +288,49 @@ TEST(DeeperPieces, OfTetrahedraAndOctahedra)
     }
   }
   EXPECT_GT(found, 80000);
+}
+
+/// What is one point's own counts in all pieces that have a solid at their corners with a solid at
+/// it (Mathematics 14).
+TEST(FindBounds, LimitsOfTetOctDependOnTwoLayersOfSolids)
+{
+  const Grid tet =
+    WithValues(MakeGrid({ { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1., 0. }, { 0., 0., 1. } },
+      { { VTK_TETRA, { 0, 1, 2, 3 } } }));
+  const Levels<Filter> levels(tet, 0, SetTetOct, true);
+  const NestedPieces pieces = levels.MakePieces(0);
+  const Sectors sectors(pieces, levels.GetStep());
+  const PieceLattice& lattice = pieces.GetLattice(0);
+  const auto zeros = [&](int step) { return Buffer<double>(pieces.GetNumberOfPoints(step), 0.); };
+  const Buffer<double> shown = zeros(0);
+  const Buffer<double> next = zeros(1);
+  const Buffer<double> second = zeros(2);
+  for (const int point : { 0, 7, 50, 100, 164 })
+  {
+    std::set<int> near{ point };
+    for (int layer = 0; layer < 2; ++layer)
+    {
+      const std::set<int> before = near;
+      for (const int p : before)
+      {
+        near.insert(lattice.Neighbours[p].begin(), lattice.Neighbours[p].end());
+      }
+    }
+    Buffer<double> third = zeros(3);
+    third[pieces.GetPoint(point)] = 1.;
+    const subdivision::BoundedValues values{ 1, shown.data(), next, second, third,
+      [&](const Buffer<double>&) { return zeros(3); }, 0. };
+    const auto bounds = subdivision::FindBounds(pieces, sectors, values, { 0 });
+    int outside = 0;
+    for (int piece = 0; piece < lattice.GetNumberOfPieces(); ++piece)
+    {
+      const auto corner = lattice.Pieces.begin() + 4 * piece;
+      const bool isNear = std::any_of(corner, corner + 4, [&](int k) { return near.count(k) > 0; });
+      EXPECT_EQ(bounds[0].OfPieces[piece], isNear ? 1. : 0.) << point << " " << piece;
+      outside += isNear ? 0 : 1;
+    }
+    EXPECT_GT(outside, 50) << point;
+  }
 }
 
 TEST(DeeperPieces, HaveWhatMeetsThem)
