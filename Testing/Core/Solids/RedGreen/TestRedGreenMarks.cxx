@@ -457,6 +457,20 @@ TEST(RedGreenMarks, SplitsSpreadAlongAStrip)
   EXPECT_GE(few.FindMiddle(5, few.FindMiddle(5, 6)), 0);
 }
 
+// An edge that was looked up before it is split, in the cell that was stored first.
+TEST(RedGreenMarks, ASplitReachesTheFirstCell)
+{
+  Few few(5, { { 0, 1, 2 }, { 0, 3 }, { 1, 4 }, { 0, 1 } });
+  few.State.Expect({ 0 });
+  few.State.MarkCell({ 1, -1 });
+  few.State.MarkCell({ 2, -1 });
+  few.State.Close();
+  EXPECT_EQ(few.Count(), (Counts{ 2, 4, 0, 0, 0 }));
+  few.State.MarkCell({ 3, -1 });
+  few.State.Close();
+  EXPECT_EQ(few.Count(), (Counts{ 0, 6, 2, 0, 0 }));
+}
+
 // What the output tells of a green leaf, for the next filter: of edges that are not split, -1.
 TEST(RedGreenMarks, MidpointsOfGreenLeaves)
 {
