@@ -412,27 +412,29 @@ public:
    * MeanCurvature and GaussianCurvature follow from the derivatives, with the normal as the points
    * of the cell turn; on curves MeanCurvature has the curvature of the curve. All others are 0.
    *
-   * Values are exact but for rounding, 1e-12 of the size of the mesh and less. So are
-   * derivatives of curves and surfaces where a regular part is, however small; the error grows with
-   * the number of that part's splits: 2^-k of a cell from an extraordinary vertex it is 1e-14 +
-   * 1e-15 * 2^k of the size of the mesh. Second derivatives need a place that is not too near to
-   * irregular vertices and creases.
+   * Values are exact but for rounding, 1e-12 of the size of the mesh and less. So are derivatives
+   * of curves and surfaces, beside joints, creases and what is semi-sharp, too: down to 2^-48 of a
+   * cell from an irregular vertex their error is at most 1e-12 of the weights of the largest
+   * derivative there. These weights change as (2 lambda)^k at 2^-k of a cell, with the second
+   * eigenvalue lambda of the vertex: with three to five triangles derivatives tend to 0, with seven
+   * and more to infinity. Second derivatives need a place that is not too near to irregular
+   * vertices and creases.
    *
-   * In solids derivatives are exact but for rounding wherever they exist: inside of cells, on faces
-   * and on boundaries, where they are those from the side of the cell. The limit has no derivatives
-   * by these parameters AT edges and vertices that are not regular (by TET_OCT all of the control
-   * mesh) and, by BOX_SPLINE, at faces whose two tetrahedra are not cut in the same way. 2^-k of a
-   * cell from there the error is 1e-14 + 1e-15 * 2^k, as the place itself is rounded; there the
-   * arrays have the slope over a part of 2^-48 of the cell. In cells beside Blend joints and beside
-   * what is semi-sharp, and in their neighbours, errors are 1e-7, by TET_OCT 1e-6.
+   * In solids derivatives are as exact wherever they exist: inside of cells, on faces and on
+   * boundaries, where they are those from the side of the cell, and beside joints. The limit has no
+   * derivatives by these parameters AT edges and vertices that are not regular (by TET_OCT all of
+   * the control mesh) and, by BOX_SPLINE, at faces whose two tetrahedra are not cut in the same
+   * way; so there are none in lines and triangles inside of solids that go along these and are not
+   * singular. There the arrays have the slope over a part of 2^-52 of the cell. By TET_OCT, and by
+   * BOX_SPLINE very near to such faces, the limit is taken as linear over a part of this size, so
+   * that 2^-k of a cell from what is not regular the error is 2^(k - 50) more.
    *
-   * AT an extraordinary vertex the limit has no derivatives by these parameters: they tend to 0
-   * with three to five triangles, and to infinity with seven and more. What the arrays have there
-   * is the slope over a part of 2^-24 of the cell. Its length means nothing, and its direction
-   * comes near the tangent plane only (the normal is wrong by 1e-7 with seven triangles, by 1e-3
-   * with twelve, by 1e-4 with four, and altogether with three). GenerateLimitNormals has exact
-   * normals there, and vtkSurfaceSubdivision::EvaluateLimit exact tangent planes. Returns false
-   * after an error.
+   * AT an extraordinary vertex of a surface the limit has no derivatives by these parameters
+   * either. What the arrays have there is the slope over a part of 2^-52 of the cell. Its length
+   * means nothing, and its direction comes near the tangent plane only (the normal is wrong by
+   * 1e-12 with seven triangles, by 1e-5 with twelve, by 1e-9 with four). GenerateLimitNormals has
+   * exact normals there, and vtkSurfaceSubdivision::EvaluateLimit exact tangent planes. Returns
+   * false after an error.
    */
   bool EvaluateLimit(vtkIdTypeArray* cells, vtkDataArray* parameters, vtkPolyData* result);
 

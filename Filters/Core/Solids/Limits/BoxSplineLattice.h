@@ -12,6 +12,7 @@
 #define SubdivisionObjects_BoxSplineLattice_h
 
 #include "Core/Solids/Limits/LimitStencils.h"
+#include "Core/Solids/Limits/VertexRow.h"
 #include "Core/Solids/Scheme/Level.h"
 
 #include <array>
@@ -38,26 +39,23 @@ struct LatticeVertex
     return this->Dimension == other.Dimension && this->Simplex == other.Simplex &&
       this->Weights == other.Weights;
   }
+  std::uint64_t GetHash() const
+  {
+    std::uint64_t hash =
+      4 * static_cast<std::uint64_t>(this->Simplex) + static_cast<std::uint64_t>(this->Dimension);
+    for (const long long weight : this->Weights)
+    {
+      hash = (hash ^ static_cast<std::uint64_t>(weight)) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 32;
+    }
+    return hash;
+  }
+  /// On the control level its number.
+  Id GetColumn() const { return this->Simplex; }
 };
 
-/// A weighted sum over vertices of one level.
 template <typename Id>
-struct LatticeRow
-{
-  std::vector<LatticeVertex<Id>> Vertices;
-  std::vector<double> Weights;
-
-  void Clear()
-  {
-    this->Vertices.clear();
-    this->Weights.clear();
-  }
-  void Add(const LatticeVertex<Id>& vertex, double weight)
-  {
-    this->Vertices.push_back(vertex);
-    this->Weights.push_back(weight);
-  }
-};
+using LatticeRow = VertexRow<LatticeVertex<Id>>;
 
 /// The weights of limits: all vertices in a simplex have the same, and all inside solids.
 template <typename Id>
@@ -106,6 +104,8 @@ template <typename Id>
 class BoxSplineLattice
 {
 public:
+  using LevelRow = LatticeRow<Id>;
+
   /// `level` was made with Depth::ForRefinement, or is the control level. Both must outlive this.
   /// Of another scheme than the box spline, what it has with d < 3.
   template <typename LevelType>

@@ -24,6 +24,7 @@ public:
     : First(vertices)
   {
   }
+  /// Of equal ends: the vertex itself on the next level.
   Id GetMidpoint(Id a, Id b)
   {
     const Id next = this->First + static_cast<Id>(this->Midpoints.size());
@@ -42,7 +43,7 @@ private:
   std::vector<std::array<Id, 2>> Midpoints;
 };
 
-/// The corners of a child (ListChildren).
+/// The corners of a child (ListChildren), all of the next level.
 template <typename Id>
 std::array<Id, 4> GetCornersOfChild(
   const std::array<Id, 4>& corners, int dimension, int child, VertexNames<Id>& names)
@@ -53,7 +54,7 @@ std::array<Id, 4> GetCornersOfChild(
     const int point = ListChildren(dimension)[child].Corners[i];
     if (point <= dimension)
     {
-      ofChild[i] = corners[point];
+      ofChild[i] = names.GetMidpoint(corners[point], corners[point]);
       continue;
     }
     const int* ends = GetEdgeEnds(dimension, point - dimension - 1);
@@ -62,7 +63,8 @@ std::array<Id, 4> GetCornersOfChild(
   return ofChild;
 }
 
-/// The vertex at a node of the polynomial over a simplex: on the level after the next.
+/// The vertex at a node of the polynomial over a simplex: all are those of the level after the
+/// next.
 template <typename Id>
 Id FindNode(const std::array<Id, 4>& corners, const PlaceNode& node, VertexNames<Id>& names)
 {
@@ -76,7 +78,7 @@ Id FindNode(const std::array<Id, 4>& corners, const PlaceNode& node, VertexNames
         ends[ends[0] < 0 ? 0 : 1] = i;
       }
     }
-    return ends[1] < 0 ? corners[ends[0]] : names.GetMidpoint(corners[ends[0]], corners[ends[1]]);
+    return names.GetMidpoint(corners[ends[0]], corners[ends[1] < 0 ? ends[0] : ends[1]]);
   };
   std::array<int, 4> odd{};
   int odds = 0;
@@ -89,7 +91,8 @@ Id FindNode(const std::array<Id, 4>& corners, const PlaceNode& node, VertexNames
   }
   if (odds == 0)
   {
-    return findEven(node);
+    const Id even = findEven(node);
+    return names.GetMidpoint(even, even);
   }
   PlaceNode a = node;
   PlaceNode b = node;

@@ -36,11 +36,12 @@ public:
    * `midpoints[i]`, both smaller than V + i. It must be an edge of a level of the uniform
    * refinement (RedGreen::GetEnds) or, in the tet/oct scheme, the diagonal of an octahedron of a
    * level, whose centre the vertex then is; else std::invalid_argument is thrown. The same edge may
-   * occur again. `wanted` flags the vertices whose limits are computed (empty: all); Apply leaves
-   * the values of the others. `distance`: at first a part has all vertices within this number of
-   * edges of its ancestors. `solids`: what ComputeNormals needs; null: it is not called.
-   * `isCurvedOnly`: no wanted vertex lies inside a solid (then `solids` is null), so that parts
-   * need not have what lies there.
+   * occur again. Of equal ends a, V + i is the vertex a as one of the level after that of a: so
+   * limits of vertices that are close together can all be those on one level. `wanted` flags the
+   * vertices whose limits are computed (empty: all); Apply leaves the values of the others.
+   * `distance`: at first a part has all vertices within this number of edges of its ancestors.
+   * `solids`: what ComputeNormals needs; null: it is not called. `isCurvedOnly`: no wanted vertex
+   * lies inside a solid (then `solids` is null), so that parts need not have what lies there.
    */
   template <typename LevelType>
   LocalLimit(const LevelType& control, const SemiSharpStages<Id>& creases,
@@ -65,6 +66,14 @@ public:
 
   /// The same as one operator. A row has one entry for each control vertex with an influence on it.
   SparseRows<Id> BuildRows() const;
+
+  // The levels, from the control level on, for who follows single rows (LocalLattice.h):
+  int GetNumberOfLevels() const { return static_cast<int>(this->Steps.size()); }
+  /// The wanted vertices that first exist on a level, and their limits over the level's values.
+  const std::vector<Id>& GetVertices(int level) const { return this->Steps[level].Vertices; }
+  const SparseRows<Id>& GetLimitsOnLevel(int level) const { return this->Steps[level].Limits; }
+  /// The level's values over those before it, on level 0 over the control vertices.
+  const SparseRows<Id>& GetRowsOfLevel(int level) const { return this->Steps[level].Rows; }
 
   /// The number of values that Apply computes on all levels, as a measure of its work.
   vtkIdType GetNumberOfSupportValues() const;

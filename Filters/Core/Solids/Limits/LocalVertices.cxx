@@ -152,9 +152,11 @@ Buffer<unsigned char> LocalVertices<Id>::FlagSupport(const LevelType& part,
         }
       }
     };
-    ForEachInTurn(complex.NumberOfEdges, [&](vtkIdType e)
+    ForEachInTurn(complex.NumberOfEdges,
+      [&](vtkIdType e)
       { spread(complex.EdgeVertices.data() + 2 * e, [&](Id v) { return curved.Joins(e, v); }); });
-    ForDiagonals(part, [&](const Id* ends, Id)
+    ForDiagonals(part,
+      [&](const Id* ends, Id)
       { spread(ends, [&](Id v) { return curved.IsAll() || curved.ReadsSolids[v]; }); });
   }
   return flags;
@@ -190,6 +192,11 @@ void LocalVertices<Id>::FollowToPart(
   for (const Id vertex : InTurn(this->Born[level + 1]))
   {
     const std::array<Id, 2>& ends = this->GetEnds(vertex);
+    if (ends[0] == ends[1])
+    {
+      this->At[vertex] = this->At[ends[0]];
+      continue;
+    }
     const auto [a, b] = std::minmax(this->At[ends[0]], this->At[ends[1]]);
     const auto edge = std::lower_bound(edges.begin(), edges.end(), std::make_tuple(a, b, Id(0)));
     if (edge == edges.end() || std::get<0>(*edge) != a || std::get<1>(*edge) != b)

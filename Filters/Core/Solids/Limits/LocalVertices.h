@@ -17,9 +17,10 @@ namespace subdivision
 {
 
 /**
- * The vertices are those of a control level and midpoints, each named by its ends. Some of them are
- * wanted. The *ancestors* of a level are the ends of the edges whose midpoints first exist on the
- * next level, and those ancestors of the next level that exist already.
+ * The vertices are those of a control level and midpoints, each named by its ends, or vertices once
+ * more on the next level, named by two equal ends. Some of them are wanted. The *ancestors* of a
+ * level are the ends of the edges whose midpoints first exist on the next level, and those
+ * ancestors of the next level that exist already.
  */
 template <typename Id>
 class LocalVertices

@@ -4,50 +4,94 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/LatticeNames.h"
+#include "Core/Solids/Limits/LocalLattice.h"
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/Limits/PlaceRows.h"
+#include "Core/Solids/Limits/PlaceSum.h"
 #include "Core/Solids/Limits/TetOctPlaces.h"
 
 #include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <type_traits>
+#include <utility>
 
 namespace subdivision
 {
 namespace
 {
 
-/// How often a simplex is split that does not become regular: errors are a part of the square of
-/// its size.
-constexpr int MostSplits = 24;
-/// The same after all corners lie inside a tetrahedron, where the limit is a polynomial of degree
-/// 5: each split divides what a polynomial of degree 4 leaves out by 32.
-constexpr int SplitsInside = 6;
-/// The same by the tet/oct scheme, whose limits are no polynomials: the value is linear between
-/// four limits then, with an error of the square of their distance.
-constexpr int SplitsOfTetOct = 22;
-/// And of patches: nearer to a corner that is not regular there are few places, and parts are
-/// numbered in 16 bits.
+/// How often a part of a tetrahedron is split after all of its corners lie inside, where the limit
+/// is a polynomial of degree 5: each split divides what derivatives of a polynomial of degree 4
+/// leave out by 16.
+constexpr int SplitsInside = 10;
+/// How often patches are split: nearer to a corner that is not regular there are few places, and
+/// parts are numbered in 16 bits.
 constexpr int SplitsOfPatch = 6;
 
-/// Whether all corners of a part of a tetrahedron lie inside it.
-bool IsInside(const PlaceInPart& part)
-{
-  const auto& carriers = part.Carriers;
-  return std::all_of(carriers.begin(), carriers.end(), [](int carrier) { return carrier == 15; });
-}
-
-/// Whether the limit over a part is a polynomial, at least but for rounding. `inside`: how often a
-/// part inside a tetrahedron was split.
-bool IsSmall(const PlaceInPart& part, int dimension, int inside, const RegularParts& regular)
+/// Whether the limit over a part is one polynomial.
+bool IsRegular(const PlaceInPart& part, int dimension, const RegularParts& regular)
 {
   const auto first = part.Carriers.begin();
-  return dimension == 3
-    ? inside >= SplitsInside
-    : std::all_of(first, first + dimension + 1, [&](int carrier) { return regular[carrier]; });
+  return std::all_of(
+    first, first + dimension + 1, [&regular](int carrier) { return regular[carrier]; });
+}
+
+/// Decides how often the simplex of a place is split whose limit is no polynomial: what matters is
+/// how small the part is beside its distance from where the limit is not smooth, so splits count
+/// from the last one on after which the part has its corners between others of the simplex.
+class SplitCount
+{
+public:
+  SplitCount(const PlaceInPart& part, int dimension)
+    : Dimension(dimension)
+    , Carriers(this->FlagCarriers(part))
+  {
+  }
+
+  void Add(const PlaceInPart& part)
+  {
+    const unsigned int carriers = this->FlagCarriers(part);
+    this->Splits = carriers == this->Carriers ? this->Splits + 1 : 0;
+    this->Carriers = carriers;
+  }
+  bool IsEnough() const
+  {
+    return this->Splits >= (this->IsInsideTet() ? SplitsInside : MostSplits);
+  }
+  /// Whether all corners of the part lie inside a tetrahedron.
+  bool IsInsideTet() const { return this->Dimension == 3 && this->Carriers == 1u << 15u; }
+
+private:
+  unsigned int FlagCarriers(const PlaceInPart& part) const
+  {
+    unsigned int flags = 0;
+    for (int i = 0; i <= this->Dimension; ++i)
+    {
+      flags |= 1u << static_cast<unsigned int>(part.Carriers[i]);
+    }
+    return flags;
+  }
+
+  const int Dimension;
+  unsigned int Carriers; ///< a bit for each set of corners between which the part has some
+  int Splits = 0;
+};
+
+/// Takes the linear function between the corners of a part.
+template <typename Id>
+void TakeCorners(
+  int dimension, const PlaceInPart& part, const std::array<Id, 4>& corners, PlaceNodes<Id>& nodes)
+{
+  for (int i = 0; i <= dimension; ++i)
+  {
+    nodes.Vertices.push_back(corners[i]);
+    nodes.Weights.push_back(
+      { { part.At[i], part.Directions[0][i], part.Directions[1][i], part.Directions[2][i] } });
+  }
 }
 
 /// The part of a patch with a place whose limit is one polynomial (SheetKey::Part); 0 where that is
@@ -55,7 +99,7 @@ bool IsSmall(const PlaceInPart& part, int dimension, int inside, const RegularPa
 int FindPart(PlaceInPart place, int dimension, const RegularParts& regular)
 {
   int part = 1;
-  for (int splits = 0; !IsSmall(place, dimension, 0, regular); ++splits)
+  for (int splits = 0; !IsRegular(place, dimension, regular); ++splits)
   {
     if (splits == SplitsOfPatch)
     {
@@ -83,6 +127,34 @@ int CountSharpSteps(const SemiSharpStages<Id>& creases)
   return static_cast<int>(std::ceil(std::min<double>(most, MostSplits)));
 }
 
+/// The control vertices at which something depends on what is semi-sharp; empty: there are none.
+/// The limit over a simplex none of whose corners is one of them is what it is where nothing is
+/// sharp: on all levels it reads rows of what lies at its corners.
+template <typename LevelType, typename Id>
+Buffer<unsigned char> FlagSharpVertices(const LevelType& level, const SemiSharpStages<Id>& creases)
+{
+  const SimplicialComplex<Id>& complex = level.Complex;
+  if (HasSharpSectors(level.Strata, creases))
+  {
+    return Buffer<unsigned char>(complex.NumberOfVertices, 1);
+  }
+  SharpSimplices<Id> sharp = FindSharpSimplices(complex, creases);
+  Buffer<unsigned char> flags = std::move(sharp.Flags[0]);
+  const std::array<const Buffer<Id>*, 2> corners{ { &complex.EdgeVertices,
+    &complex.FaceVertices } };
+  for (int d = 1; d < 3 && !flags.empty(); ++d)
+  {
+    for (const vtkIdType i : InTurn(sharp.Flags[d].size()))
+    {
+      for (int k = 0; sharp.Flags[d][i] && k <= d; ++k)
+      {
+        flags[(*corners[d - 1])[(d + 1) * i + k]] = 1;
+      }
+    }
+  }
+  return flags;
+}
+
 /// What the row of each place is made of. `ready`: rows that are known.
 template <typename LevelType, typename Id>
 std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
@@ -92,6 +164,7 @@ std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
 {
   constexpr bool isLinear = std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value;
   const int sharpSteps = CountSharpSteps(creases);
+  const Buffer<unsigned char> isSharpAt = FlagSharpVertices(level, creases);
   [[maybe_unused]] OctPieces<Id> pieces;
   if constexpr (SchemeOf<LevelType>::Traits.HasPieces)
   {
@@ -104,20 +177,13 @@ std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
     const int dimension = place.Dimension;
     const std::size_t number = all.size();
     PlaceNodes<Id>& nodes = all.emplace_back();
-    if (number < ready.size() && !ready[number].Columns.empty())
+    if (!ready[number].Columns.empty())
     {
-      nodes.Ready = &ready[number];
       continue;
     }
-    if (isLinear)
+    if (isLinear || dimension == 0)
     {
-      const PlaceInPart part = StartPart(place);
-      for (int i = 0; i <= dimension; ++i)
-      {
-        nodes.Vertices.push_back(place.Corners[i]);
-        nodes.Weights.push_back(
-          { { part.At[i], part.Directions[0][i], part.Directions[1][i], part.Directions[2][i] } });
-      }
+      TakeCorners(dimension, StartPart(place), place.Corners, nodes);
       continue;
     }
     if constexpr (SchemeOf<LevelType>::Traits.HasPieces)
@@ -128,7 +194,7 @@ std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
         const Id* octahedron = pieces.Find(place.Corners);
         TetOctPlace<Id> inside = octahedron ? TetOctPlace<Id>(octahedron, place.Corners, part)
                                             : TetOctPlace<Id>(place.Corners, part);
-        for (int splits = 0; splits < SplitsOfTetOct; ++splits)
+        for (int splits = 0; splits < MostSplits; ++splits)
         {
           inside.Split(names);
         }
@@ -137,7 +203,10 @@ std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
       }
     }
     const RegularSimplex<Id>& regular = reader.Find(place);
-    const bool isSharp = sharpSteps > 0;
+    const Id* ids = place.Corners.data();
+    const bool isSharp = !isSharpAt.empty() &&
+      (dimension == 3 ||
+        std::any_of(ids, ids + dimension + 1, [&](Id v) { return isSharpAt[v] != 0; }));
     nodes.Simplex = &regular;
     nodes.Part = !isSharp && regular.Inner.GetSize() > 0 ? 1 : 0;
     if (nodes.Part > 0)
@@ -151,15 +220,21 @@ std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
       continue;
     }
     std::array<Id, 4> corners = regular.Corners;
-    int inside = 0;
-    for (int splits = 0; dimension > 0 && splits < MostSplits &&
-      (splits < sharpSteps || !IsSmall(part, dimension, inside, regular.Parts));
-      ++splits)
+    const auto isRegular = [&]()
+    { return dimension < 3 && IsRegular(part, dimension, regular.Parts); };
+    SplitCount count(part, dimension);
+    for (int sharp = isSharp ? sharpSteps : 0; sharp > 0 || (!isRegular() && !count.IsEnough());
+         --sharp)
     {
-      inside += dimension == 3 && IsInside(part) ? 1 : 0;
       const int child = part.FindChild(dimension);
       part.GoToChild(dimension, child);
       corners = GetCornersOfChild(corners, dimension, child, names);
+      count.Add(part);
+    }
+    if (!isRegular() && !count.IsInsideTet())
+    {
+      TakeCorners(dimension, part, corners, nodes);
+      continue;
     }
     nodes.Weights = WeightLattice(dimension, part.At, part.Directions);
     for (const PlaceNode& node : ListLattice(dimension))
@@ -182,10 +257,78 @@ int FindDimension(const std::vector<LimitPlace<Id>>& places)
   return dimension;
 }
 
-/// Makes the rows of all places, in threads.
+/// Sums rows of nodes, of one place after the other.
 template <typename Id>
-void Combine(const SparseRows<Id>& limits, LoopWeights weights,
-  const std::vector<LimitPlace<Id>>& places, const std::vector<PlaceNodes<Id>>& nodes,
+class NodeSum
+{
+public:
+  explicit NodeSum(const LocalLimit<Id>& limit)
+    : Lattice(limit)
+  {
+  }
+
+  void Find(const PlaceNodes<Id>& nodes, SolidRow<Id>& row)
+  {
+    this->Sum.Clear();
+    for (std::size_t n = 0; n < nodes.Vertices.size(); ++n)
+    {
+      this->Sum.AddLimit(nodes.Vertices[n], nodes.Weights[n]);
+    }
+    this->Sum.StepBack(this->Lattice.GetLevel(nodes.Vertices[0]) + 1);
+    this->Sum.Write(row);
+  }
+
+private:
+  LocalLattice<Id> Lattice;
+  PlaceSum<LocalLattice<Id>> Sum{ this->Lattice };
+};
+
+/// Makes the rows of places that have nodes.
+template <typename LevelType, typename Id>
+void SumNodes(const LevelType& level, const SemiSharpStages<Id>& creases,
+  const VertexNames<Id>& names, const std::vector<PlaceNodes<Id>>& nodes,
+  std::vector<SolidRow<Id>>& rows)
+{
+  const std::vector<std::array<Id, 2>>& midpoints = names.GetMidpoints();
+  Buffer<unsigned char> wanted(
+    level.Complex.NumberOfVertices + static_cast<vtkIdType>(midpoints.size()), 0);
+  for (const PlaceNodes<Id>& place : InTurn(nodes))
+  {
+    for (const Id vertex : place.Vertices)
+    {
+      wanted[vertex] = 1;
+    }
+  }
+  const LocalLimit<Id> limit(level, creases, midpoints, wanted);
+  ForPlacesInThreads(
+    nodes.size(), [&]() { return std::make_shared<NodeSum<Id>>(limit); },
+    [&](NodeSum<Id>& sum, std::size_t i)
+    { nodes[i].Vertices.empty() ? void() : sum.Find(nodes[i], rows[i]); });
+}
+
+/// The same where nothing moves: nodes are control vertices.
+template <typename Id>
+void TakeNodes(const std::vector<PlaceNodes<Id>>& nodes, std::vector<SolidRow<Id>>& rows)
+{
+  for (const std::size_t i : InTurn(nodes.size()))
+  {
+    std::map<Id, PartWeights> columns;
+    for (std::size_t n = 0; n < nodes[i].Vertices.size(); ++n)
+    {
+      columns[nodes[i].Vertices[n]] = nodes[i].Weights[n];
+    }
+    for (const auto& [column, weights] : columns)
+    {
+      rows[i].Columns.push_back(column);
+      rows[i].Weights.push_back(weights);
+    }
+  }
+}
+
+/// Puts the rows of all places together, in threads.
+template <typename Id>
+void Combine(LoopWeights weights, const std::vector<LimitPlace<Id>>& places,
+  const std::vector<PlaceNodes<Id>>& nodes, const std::vector<SolidRow<Id>>& ready,
   PlaceDerivatives derivatives, PlaceRows<Id>& rows)
 {
   const auto size = static_cast<vtkIdType>(places.size());
@@ -198,11 +341,11 @@ void Combine(const SparseRows<Id>& limits, LoopWeights weights,
         std::shared_ptr<RowsOfPlace<Id>>& made = ofThreads.Local();
         if (!made)
         {
-          made = std::make_shared<RowsOfPlace<Id>>(limits, weights);
+          made = std::make_shared<RowsOfPlace<Id>>(weights);
         }
         for (vtkIdType i = begin; i < end; ++i)
         {
-          act(i, *made, made->FindColumns(nodes[i]));
+          act(i, *made, made->FindColumns(nodes[i], ready[i]));
         }
       });
   };
@@ -211,12 +354,12 @@ void Combine(const SparseRows<Id>& limits, LoopWeights weights,
     { offsets[i] = static_cast<Id>(columns.size()); });
   CountsToOffsets(offsets);
   rows =
-    PlaceRows<Id>(limits.NumberOfColumns, std::move(offsets), FindDimension(places), derivatives);
+    PlaceRows<Id>(rows.NumberOfColumns, std::move(offsets), FindDimension(places), derivatives);
   forPlaces(
     [&](vtkIdType i, auto& made, const std::vector<Id>& columns)
     {
       std::copy(columns.begin(), columns.end(), rows.Columns.begin() + rows.Offsets[i]);
-      made.Sum(places[i], nodes[i], rows.GetWeights(i));
+      made.Sum(places[i], nodes[i], ready[i], rows.GetWeights(i));
     });
 }
 
@@ -249,20 +392,6 @@ const std::vector<LimitPlace<Id>>& OrderCorners(
   return ordered;
 }
 
-/// The limits of all vertices of a level where nothing moves.
-template <typename Id>
-SparseRows<Id> MakeRowsThatStay(Id vertices)
-{
-  SparseRows<Id> rows;
-  rows.NumberOfColumns = vertices;
-  rows.Offsets = Buffer<Id>(vtkIdType(vertices) + 1);
-  rows.Columns = Buffer<Id>(vertices);
-  rows.Weights = Buffer<double>(vertices, 1.);
-  ForEach(vertices, [&](vtkIdType v) { rows.Offsets[v] = rows.Columns[v] = static_cast<Id>(v); });
-  rows.Offsets[vertices] = vertices;
-  return rows;
-}
-
 }
 
 template <typename Id>
@@ -272,11 +401,11 @@ PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& 
 {
   std::vector<LimitPlace<Id>> ordered;
   const std::vector<LimitPlace<Id>>& places = OrderCorners(asked, ordered);
-  const Id vertices = level.Complex.NumberOfVertices;
-  VertexNames<Id> names(vertices);
+  constexpr bool isLinear = std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value;
+  VertexNames<Id> names(level.Complex.NumberOfVertices);
   RegularReader<LevelType> reader(level, places);
-  std::vector<SolidRow<Id>> ready;
-  if constexpr (!std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value)
+  std::vector<SolidRow<Id>> ready(places.size());
+  if constexpr (!isLinear)
   {
     if (FindDimension(places) == 3)
     {
@@ -284,24 +413,16 @@ PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& 
     }
   }
   const std::vector<PlaceNodes<Id>> nodes = FindNodes(level, reader, creases, places, ready, names);
-  if constexpr (std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value)
+  if constexpr (isLinear)
   {
-    Combine(
-      MakeRowsThatStay(vertices), reader.GetWeights(), places, nodes, derivatives, this->Rows);
+    TakeNodes(nodes, ready);
   }
   else
   {
-    Buffer<unsigned char> wanted(vertices + static_cast<vtkIdType>(names.GetMidpoints().size()), 0);
-    for (const PlaceNodes<Id>& place : InTurn(nodes))
-    {
-      for (const Id vertex : place.Vertices)
-      {
-        wanted[vertex] = 1;
-      }
-    }
-    Combine(LocalLimit<Id>(level, creases, names.GetMidpoints(), wanted).BuildRows(),
-      reader.GetWeights(), places, nodes, derivatives, this->Rows);
+    SumNodes(level, creases, names, nodes, ready);
   }
+  this->Rows.NumberOfColumns = level.Complex.NumberOfVertices;
+  Combine(reader.GetWeights(), places, nodes, ready, derivatives, this->Rows);
 }
 
 SUBDIVISION_COMPILE(struct PlaceLimits);

@@ -8,12 +8,14 @@
  * degree 3 or 4. It is found from the limits of the vertices that divide the edges in four
  * (LocalLimit.h), and so needs no other mechanism for its basis. A simplex that is not regular is
  * split, and the part with the place is looked at, until it is regular or so small that a
- * polynomial is the limit but for rounding. Polynomials of large parts of curves and sheets are
- * found once for all simplices with the same neighbourhood (PatchPolynomials.h), and inside of
- * regular sheets they are those of the box spline (SplineColumns.h). In solids each place has a row
- * of its own (SolidPlaces.h). Near joints with rules of their own, and near what is semi-sharp,
- * tetrahedra are split as curves and surfaces are; those of the tet/oct scheme into tetrahedra and
- * octahedra that are so small that the limit is linear (TetOctPlaces.h).
+ * polynomial is the limit but for rounding. The limits of its vertices are passed back from level
+ * to level, so that derivatives are exact however small the part is (PlaceSum.h, LocalLattice.h).
+ * Polynomials of large parts of curves and sheets are found once for all simplices with the same
+ * neighbourhood (PatchPolynomials.h), and inside of regular sheets they are those of the box spline
+ * (SplineColumns.h). In solids each place has a row of its own (SolidPlaces.h). Near joints with
+ * rules of their own, and near what is semi-sharp, tetrahedra are split as curves and surfaces are;
+ * those of the tet/oct scheme into tetrahedra and octahedra that are so small that the limit is
+ * linear (TetOctPlaces.h).
  */
 #ifndef SubdivisionObjects_PlaceLimits_h
 #define SubdivisionObjects_PlaceLimits_h

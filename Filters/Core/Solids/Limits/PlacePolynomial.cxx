@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 #include <utility>
 
 namespace subdivision
@@ -176,6 +177,13 @@ void PlaceInPart::GoToChild(int dimension, int child)
     const int point = taken.Corners[i];
     const int* ends = point <= dimension ? nullptr : GetEdgeEnds(dimension, point - dimension - 1);
     this->Carriers[i] = ends ? carriers[ends[0]] | carriers[ends[1]] : carriers[point];
+    if (!ends)
+    {
+      // Close to the corner that stays only the other weights are small and exact: they say where
+      // the place is.
+      this->At[i] = 0.;
+      this->At[i] = 1. - std::accumulate(this->At.begin(), this->At.end(), 0.);
+    }
   }
 }
 

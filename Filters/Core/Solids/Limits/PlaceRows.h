@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlaceRows.h
- * The rows of places (PlaceLimits.h): sums of rows of nodes, or of the powers of a patch, or rows
- * that are ready.
+ * The rows of places (PlaceLimits.h): sums of the powers of a patch, or rows that are ready.
  */
 #ifndef SubdivisionObjects_PlaceRows_h
 #define SubdivisionObjects_PlaceRows_h
 
-#include "Core/Operators/SparseRows.h"
 #include "Core/Solids/Limits/PatchPolynomials.h"
 #include "Core/Solids/Limits/PlacePolynomial.h"
 #include "Core/Solids/Limits/RegularParts.h"
@@ -20,7 +18,7 @@
 namespace subdivision
 {
 
-/// What the row of a place is made of: nodes with their weights, or a part of a patch, or itself.
+/// What the row of a place is made of: a part of a patch, or nodes with their weights.
 template <typename Id>
 struct PlaceNodes
 {
@@ -28,7 +26,6 @@ struct PlaceNodes
   std::vector<std::array<double, PlaceParts::Count>> Weights;
   int Part = 0;                                ///< SheetKey::Part; 0: there are nodes
   const RegularSimplex<Id>* Simplex = nullptr; ///< in which the part is
-  const SolidRow<Id>* Ready = nullptr;         ///< null: the row is not yet made
 };
 
 /// The rows of a place over the columns that they have.
@@ -36,42 +33,34 @@ template <typename Id>
 class RowsOfPlace
 {
 public:
-  RowsOfPlace(const SparseRows<Id>& limits, LoopWeights weights)
-    : Limits(limits)
-    , Polynomials(weights)
+  explicit RowsOfPlace(LoopWeights weights)
+    : Polynomials(weights)
   {
   }
 
-  /// Finds the columns, ascending. Consecutive places often have the same, which are read once
-  /// then.
-  const std::vector<Id>& FindColumns(const PlaceNodes<Id>& nodes)
+  /// Finds the columns, ascending. `ready`: the row of a place that has nodes. Consecutive places
+  /// often have the same patch, which is read once then.
+  const std::vector<Id>& FindColumns(const PlaceNodes<Id>& nodes, const SolidRow<Id>& ready)
   {
-    if (nodes.Ready)
+    if (nodes.Part == 0)
     {
-      return nodes.Ready->Columns;
+      return ready.Columns;
     }
-    nodes.Part > 0 ? this->ReadPatch(nodes) : this->ReadNodes(nodes.Vertices);
+    this->ReadPatch(nodes);
     return this->Columns;
   }
   /// The sums of what FindColumns read last: one weight for each column.
-  void Sum(const LimitPlace<Id>& place, const PlaceNodes<Id>& nodes, const PlaceSums& sums)
+  void Sum(const LimitPlace<Id>& place, const PlaceNodes<Id>& nodes, const SolidRow<Id>& ready,
+    const PlaceSums& sums)
   {
-    if (nodes.Ready)
+    if (nodes.Part == 0)
     {
-      for (std::size_t c = 0; c < nodes.Ready->Columns.size(); ++c)
+      for (std::size_t c = 0; c < ready.Columns.size(); ++c)
       {
         for (int part = 0; part < PlaceParts::Count; ++part)
         {
-          sums[part] ? void(sums[part][c] = nodes.Ready->Weights[c][part]) : void();
+          sums[part] ? void(sums[part][c] = ready.Weights[c][part]) : void();
         }
-      }
-      return;
-    }
-    if (nodes.Part == 0)
-    {
-      for (int part = 0; part < PlaceParts::Count; ++part)
-      {
-        sums[part] ? this->AddNodes(nodes.Weights, part, sums[part]) : void();
       }
       return;
     }
@@ -100,26 +89,6 @@ private:
   {
     return nodes.Part == 1 && nodes.Simplex->Inner.GetSize() > 0;
   }
-  /// Adds the rows of nodes with their weights for one of PlaceParts.
-  void AddNodes(
-    const std::vector<std::array<double, PlaceParts::Count>>& nodes, int part, double* sums) const
-  {
-    const std::size_t columns = this->Columns.size();
-    std::fill_n(sums, columns, 0.);
-    for (std::size_t n = 0; n < nodes.size(); ++n)
-    {
-      const double weight = nodes[n][part];
-      if (weight == 0.)
-      {
-        continue;
-      }
-      const double* from = this->Weights.data() + n * columns;
-      for (std::size_t c = 0; c < columns; ++c)
-      {
-        sums[c] += weight * from[c];
-      }
-    }
-  }
   void SortColumns()
   {
     std::sort(this->Columns.begin(), this->Columns.end());
@@ -132,36 +101,6 @@ private:
       std::lower_bound(this->Columns.begin(), this->Columns.end(), column) - this->Columns.begin());
   }
 
-  void ReadNodes(const std::vector<Id>& nodes)
-  {
-    if (this->Nodes == nodes)
-    {
-      return;
-    }
-    this->Nodes = nodes;
-    this->Part = 0;
-    this->Columns.clear();
-    const auto forEntries = [&](const auto& use)
-    {
-      for (std::size_t n = 0; n < nodes.size(); ++n)
-      {
-        for (vtkIdType k = this->Limits.Offsets[nodes[n]]; k < this->Limits.Offsets[nodes[n] + 1];
-          ++k)
-        {
-          use(n, k);
-        }
-      }
-    };
-    forEntries([&](std::size_t, vtkIdType k) { this->Columns.push_back(this->Limits.Columns[k]); });
-    this->SortColumns();
-    this->Weights.assign(nodes.size() * this->Columns.size(), 0.);
-    forEntries(
-      [&](std::size_t n, vtkIdType k)
-      {
-        this->Weights[n * this->Columns.size() + this->FindPlace(this->Limits.Columns[k])] +=
-          this->Limits.Weights[k];
-      });
-  }
   void ReadPatch(const PlaceNodes<Id>& nodes)
   {
     if (this->Part == nodes.Part && this->Simplex == nodes.Simplex)
@@ -170,7 +109,6 @@ private:
     }
     this->Part = nodes.Part;
     this->Simplex = nodes.Simplex;
-    this->Nodes.clear();
     this->Weights.clear();
     if (IsInner(nodes))
     {
@@ -197,13 +135,11 @@ private:
     }
   }
 
-  const SparseRows<Id>& Limits;
   PatchPolynomials Polynomials;
   const RegularSimplex<Id>* Simplex = nullptr; ///< whose patch was read last
-  int Part = 0;                                ///< of that patch; 0: nodes were read last
-  std::vector<Id> Nodes;                       ///< that were read last, if no patch was
+  int Part = 0;                                ///< of that patch; 0: none was read
   std::vector<Id> Columns;
-  std::vector<double> Weights; ///< of all columns for the first node or power, for the second, ...
+  std::vector<double> Weights; ///< of all columns for the first power, for the second, ...
 };
 
 }

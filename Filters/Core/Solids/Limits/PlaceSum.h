@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlaceSum.h
- * What the ways to places in solids of all schemes share (SolidPlaces.h): a sum over few vertices
- * around the place, which goes back from level to level, and tetrahedra by their corners.
+ * What the ways to places share: a sum over few vertices around the place, which goes back from
+ * level to level; and those to places in solids (SolidPlaces.h): tetrahedra by their corners.
  */
 #ifndef SubdivisionObjects_PlaceSum_h
 #define SubdivisionObjects_PlaceSum_h
@@ -26,22 +26,23 @@ namespace subdivision
 
 using PartWeights = std::array<double, PlaceParts::Count>;
 
-/// How often a solid is split around a place that lies in no polynomial. The limit is linear over
+/// How often a simplex is split around a place that lies in no polynomial. The limit is linear over
 /// a part as small as this but for rounding, which does not grow with the splits (PlaceSum).
-constexpr int MostSplitsOfSolids = 48;
+constexpr int MostSplits = 52;
 
-/// A weighted sum over vertices of a level, each of which it has once.
-template <typename Id>
-class LatticeSum
+/// Weighted sums over vertices of a level, each of which it has once. `Weights`: an array, one
+/// weight for each of the sums.
+template <typename Vertex, typename Weights>
+class VertexSum
 {
 public:
   void Clear()
   {
     this->Vertices.clear();
-    this->Weights.clear();
+    this->OfVertices.clear();
     this->Slots.assign(this->Slots.size(), -1);
   }
-  void Add(const LatticeVertex<Id>& vertex, double factor, const PartWeights& weights)
+  void Add(const Vertex& vertex, double factor, const Weights& weights)
   {
     if (2 * (this->Vertices.size() + 1) > this->Slots.size())
     {
@@ -52,29 +53,22 @@ public:
     {
       slot = static_cast<int>(this->Vertices.size());
       this->Vertices.push_back(vertex);
-      this->Weights.push_back(PartWeights{});
+      this->OfVertices.push_back(Weights{});
     }
-    PartWeights& sum = this->Weights[static_cast<std::size_t>(slot)];
+    Weights& sum = this->OfVertices[static_cast<std::size_t>(slot)];
     for (std::size_t p = 0; p < sum.size(); ++p)
     {
       sum[p] += factor * weights[p];
     }
   }
 
-  std::vector<LatticeVertex<Id>> Vertices;
-  std::vector<PartWeights> Weights;
+  std::vector<Vertex> Vertices;
+  std::vector<Weights> OfVertices;
 
 private:
-  int& Locate(const LatticeVertex<Id>& vertex)
+  int& Locate(const Vertex& vertex)
   {
-    std::uint64_t hash =
-      4 * static_cast<std::uint64_t>(vertex.Simplex) + static_cast<std::uint64_t>(vertex.Dimension);
-    for (const long long weight : vertex.Weights)
-    {
-      hash = (hash ^ static_cast<std::uint64_t>(weight)) * 0x9e3779b97f4a7c15u;
-      hash ^= hash >> 32;
-    }
-    for (;; ++hash)
+    for (std::uint64_t hash = vertex.GetHash();; ++hash)
     {
       int& slot = this->Slots[hash & (this->Slots.size() - 1)];
       if (slot < 0 || this->Vertices[static_cast<std::size_t>(slot)] == vertex)
@@ -95,26 +89,30 @@ private:
   std::vector<int> Slots = std::vector<int>(256, -1); ///< a power of two
 };
 
-/// A place as weighted sums over vertices of a level, which go back from level to level.
-template <typename Id, typename Lattice>
+/// A place as weighted sums over vertices of a level, which go back from level to level. The first
+/// of `Weights` are those of a value, whose sum is 1; the others are those of derivatives, whose
+/// sum is 0.
+template <typename Lattice, typename Weights = PartWeights>
 class PlaceSum
 {
 public:
-  /// `lattice` knows the rows and limits of the vertices of all levels (BoxSplineLattice.h).
+  using LevelRow = typename Lattice::LevelRow;
+  using Vertex = typename LevelRow::Vertex;
+
+  /// `lattice` knows the rows and limits of the vertices of all levels (BoxSplineLattice.h,
+  /// LocalLattice.h).
   explicit PlaceSum(Lattice& lattice)
     : Vertices(lattice)
   {
   }
 
   void Clear() { this->Sum.Clear(); }
-  void Add(const LatticeVertex<Id>& vertex, const PartWeights& weights)
-  {
-    this->Sum.Add(vertex, 1., weights);
-  }
+  void Add(const Vertex& vertex, const Weights& weights) { this->Sum.Add(vertex, 1., weights); }
   /// Adds the limit of a vertex. False: a rule is unknown.
-  bool AddLimit(const LatticeVertex<Id>& vertex, const PartWeights& weights)
+  template <typename Name>
+  bool AddLimit(const Name& vertex, const Weights& weights)
   {
-    if (!this->Vertices.ReadLimit(vertex, this->Row))
+    if (!this->Vertices.ReadLimit(vertex, this->Found))
     {
       return false;
     }
@@ -124,62 +122,77 @@ public:
   /// Goes back to an earlier level. False: a rule is unknown.
   bool StepBack(int levels)
   {
+    this->RemoveConstants();
     for (; levels > 0; --levels)
     {
       this->Before.Clear();
       for (std::size_t i = 0; i < this->Sum.Vertices.size(); ++i)
       {
-        if (!this->Vertices.ReadRow(this->Sum.Vertices[i], this->Row))
+        if (!this->Vertices.ReadRow(this->Sum.Vertices[i], this->Found))
         {
           return false;
         }
-        this->AddRow(this->Sum.Weights[i], this->Before);
+        this->AddRow(this->Sum.OfVertices[i], this->Before);
       }
       std::swap(this->Sum, this->Before);
+      this->RemoveConstants();
     }
     return true;
   }
-  /// Writes the sum over control vertices.
-  void Write(SolidRow<Id>& row)
+  /// use(column, weights) for each control vertex, in ascending order.
+  template <typename Use>
+  void ForColumns(const Use& use) const
   {
-    this->RemoveConstants();
-    std::vector<std::size_t> order(this->Sum.Vertices.size());
+    const auto& vertices = this->Sum.Vertices;
+    std::vector<std::size_t> order(vertices.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b)
-      { return this->Sum.Vertices[a].Simplex < this->Sum.Vertices[b].Simplex; });
+    std::sort(order.begin(), order.end(),
+      [&vertices](std::size_t a, std::size_t b)
+      { return vertices[a].GetColumn() < vertices[b].GetColumn(); });
     for (const std::size_t i : order)
     {
-      row.Columns.push_back(this->Sum.Vertices[i].Simplex);
-      row.Weights.push_back(this->Sum.Weights[i]);
+      use(vertices[i].GetColumn(), this->Sum.OfVertices[i]);
     }
+  }
+  template <typename Id>
+  void Write(SolidRow<Id>& row) const
+  {
+    this->ForColumns(
+      [&row](Id column, const Weights& weights)
+      {
+        row.Columns.push_back(column);
+        row.Weights.push_back(weights);
+      });
   }
 
 private:
-  void AddRow(const PartWeights& weights, LatticeSum<Id>& sum) const
+  void AddRow(const Weights& weights, VertexSum<Vertex, Weights>& sum) const
   {
-    for (std::size_t k = 0; k < this->Row.Vertices.size(); ++k)
+    for (std::size_t k = 0; k < this->Found.Vertices.size(); ++k)
     {
-      sum.Add(this->Row.Vertices[k], this->Row.Weights[k], weights);
+      sum.Add(this->Found.Vertices[k], this->Found.Weights[k], weights);
     }
   }
   /// Derivatives of constants are 0. On level k weights of first derivatives are as large as 2^k,
   /// and so are their errors from rounding. On the way back an error shrinks as a derivative does,
   /// but for a multiple of the value, which no step changes: this is found by the sum, and taken
-  /// away, so that derivatives on all levels are as exact as values.
+  /// away, so that derivatives on all levels are as exact as values. It is taken away on each
+  /// level: where derivatives shrink faster than 2^-k, near vertices with three or four triangles,
+  /// nothing of them would be left beside what earlier levels add up to.
   void RemoveConstants()
   {
-    PartWeights sums{};
-    for (const PartWeights& weights : this->Sum.Weights)
+    Weights sums{};
+    for (const Weights& weights : this->Sum.OfVertices)
     {
       for (std::size_t p = 0; p < sums.size(); ++p)
       {
         sums[p] += weights[p];
       }
     }
-    for (PartWeights& weights : this->Sum.Weights)
+    for (Weights& weights : this->Sum.OfVertices)
     {
-      const double value = weights[PlaceParts::Value] / sums[PlaceParts::Value];
-      for (std::size_t p = PlaceParts::Value + 1; p < sums.size(); ++p)
+      const double value = weights[0] / sums[0];
+      for (std::size_t p = 1; p < sums.size(); ++p)
       {
         weights[p] -= sums[p] * value;
       }
@@ -187,9 +200,9 @@ private:
   }
 
   Lattice& Vertices;
-  LatticeSum<Id> Sum;
-  LatticeSum<Id> Before;
-  LatticeRow<Id> Row;
+  VertexSum<Vertex, Weights> Sum;
+  VertexSum<Vertex, Weights> Before;
+  LevelRow Found;
 };
 
 /// Finds tetrahedra by their corners.
@@ -233,48 +246,61 @@ private:
   std::vector<std::pair<std::array<Id, 4>, Id>> Tets; ///< ascending
 };
 
-/// Finds the rows of all places in solids in threads, each of which has a finder of its own:
-/// find(finder, place, row).
-template <typename Finder, typename Id, typename Make, typename Find>
-std::vector<SolidRow<Id>> FindSolidRowsInThreads(
-  const std::vector<LimitPlace<Id>>& places, const Make& make, const Find& find)
+/// act(finder, number of the place) for all places in threads, each of which makes a finder.
+template <typename Make, typename Act>
+void ForPlacesInThreads(std::size_t places, const Make& make, const Act& act)
 {
-  std::vector<SolidRow<Id>> rows(places.size());
-  vtkSMPThreadLocal<std::shared_ptr<Finder>> ofThreads;
-  ForUnevenRanges(static_cast<vtkIdType>(places.size()),
+  vtkSMPThreadLocal<decltype(make())> ofThreads;
+  ForUnevenRanges(static_cast<vtkIdType>(places),
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::shared_ptr<Finder>& finder = ofThreads.Local();
+      auto& finder = ofThreads.Local();
       if (!finder)
       {
         finder = make();
       }
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        if (places[i].Dimension == 3)
-        {
-          find(*finder, places[i], rows[i]);
-        }
+        act(*finder, i);
       }
     });
+}
+
+/// Finds the rows of all places in solids: find(finder, place, row).
+template <typename Id, typename Make, typename Find>
+std::vector<SolidRow<Id>> FindSolidRowsInThreads(
+  const std::vector<LimitPlace<Id>>& places, const Make& make, const Find& find)
+{
+  std::vector<SolidRow<Id>> rows(places.size());
+  ForPlacesInThreads(places.size(), make,
+    [&](auto& finder, std::size_t i)
+    { places[i].Dimension == 3 ? find(finder, places[i], rows[i]) : void(); });
   return rows;
 }
 
-/// Whether any place is in a solid, and no rule depends both on sectors and on what is semi-sharp.
+/// Whether rules depend both on sectors and on what is semi-sharp: then rows read more of what is
+/// semi-sharp than what lies at their vertex or edge.
 template <typename Id>
-bool HasPlacesOnLattice(const Strata<Id>& strata, const SemiSharpStages<Id>& creases,
-  const std::vector<LimitPlace<Id>>& places)
+bool HasSharpSectors(const Strata<Id>& strata, const SemiSharpStages<Id>& creases)
 {
   const auto hasSectors = [](const SharpStage<Id>& stage) { return !stage.Strata.Sectors.empty(); };
   const auto isSharp = [](double sharpness) { return sharpness > 0.; };
   const bool isAnySharp =
     std::any_of(creases.Sharpness.begin(), creases.Sharpness.end(), isSharp) ||
     std::any_of(creases.FaceSharpness.begin(), creases.FaceSharpness.end(), isSharp);
+  return isAnySharp &&
+    (!strata.Sectors.empty() ||
+      std::any_of(creases.Stages.begin(), creases.Stages.end(), hasSectors));
+}
+
+/// Whether any place is in a solid whose rows a lattice may know.
+template <typename Id>
+bool HasPlacesOnLattice(const Strata<Id>& strata, const SemiSharpStages<Id>& creases,
+  const std::vector<LimitPlace<Id>>& places)
+{
   return std::any_of(places.begin(), places.end(),
            [](const LimitPlace<Id>& place) { return place.Dimension == 3; }) &&
-    (!isAnySharp ||
-      (strata.Sectors.empty() &&
-        std::none_of(creases.Stages.begin(), creases.Stages.end(), hasSectors)));
+    !HasSharpSectors(strata, creases);
 }
 
 }

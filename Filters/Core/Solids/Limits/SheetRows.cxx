@@ -2,10 +2,13 @@
 #include "Core/Solids/Limits/SheetRows.h"
 
 #include "Core/Operators/BlockOperator.h"
+#include "Core/Operators/PatchPowers.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/SimplicialComplex.h"
 #include "Core/Solids/Limits/LatticeNames.h"
+#include "Core/Solids/Limits/LocalLattice.h"
 #include "Core/Solids/Limits/LocalLimit.h"
+#include "Core/Solids/Limits/PlaceSum.h"
 #include "Core/Solids/Limits/SheetReader.h"
 
 #include <algorithm>
@@ -16,6 +19,29 @@ namespace subdivision
 {
 namespace
 {
+
+/// The polynomial that is 1 at a node of the lattice and 0 at all others: integers, divided once.
+PatchPolynomial ExpandNode(const PlaceNode& node)
+{
+  const double weights[3][3] = { { 1., -1., -1. }, { 0., 1., 0. }, { 0., 0., 1. } };
+  PatchPolynomial polynomial{};
+  polynomial[0] = 1.;
+  double divisor = 1.;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int r = 0; r < node[i]; ++r)
+    {
+      polynomial = MultiplyByLinear(PatchPowers::Quartic, polynomial,
+        LatticeSize * weights[i][0] - r, LatticeSize * weights[i][1], LatticeSize * weights[i][2]);
+      divisor *= r + 1;
+    }
+  }
+  for (double& value : polynomial)
+  {
+    value /= divisor;
+  }
+  return polynomial;
+}
 
 /// The mesh of a key: all cells at its corners.
 class SheetMesh
@@ -35,6 +61,8 @@ public:
   }
   /// The rows of the places, over the columns of the key.
   std::vector<double> FindRows(const SheetKey& key, LoopWeights ofSurfaces) const;
+  /// The rows of the powers of which the limit over the lattice is a sum.
+  std::vector<double> FindPowers(const SheetKey& key, LoopWeights ofSurfaces) const;
   SheetChild FindChild(const SheetKey& key, int child, LoopWeights ofSurfaces) const;
 
 private:
@@ -209,23 +237,6 @@ std::vector<double> SheetMesh::FindRows(const SheetKey& key, LoopWeights ofSurfa
       { { middle, middle + 2 } }, { { middle + 1, middle + 2 } } };
     found = { middle + 3, middle + 4, middle + 5 };
   }
-  else if (places == SheetPlaces::CurveLattice || places == SheetPlaces::FaceLattice ||
-    places == SheetPlaces::EdgeLattice)
-  {
-    const int dimension = places == SheetPlaces::FaceLattice ? 2 : 1;
-    VertexNames<int> names(columns);
-    std::array<int, 4> corners{ { 0, 1, 2, -1 } };
-    for (const int child : ListChildrenTo(key.Part))
-    {
-      corners = GetCornersOfChild(corners, dimension, child, names);
-    }
-    found.clear();
-    for (const PlaceNode& node : ListLattice(dimension))
-    {
-      found.push_back(FindNode(corners, node, names));
-    }
-    midpoints = names.GetMidpoints();
-  }
   const SparseRows<int> rows = LocalLimit<int>(level, {}, midpoints).BuildRows();
   std::vector<double> weights;
   for (const int row : found)
@@ -237,6 +248,44 @@ std::vector<double> SheetMesh::FindRows(const SheetKey& key, LoopWeights ofSurfa
       weights[first + rows.Columns[k]] += rows.Weights[k];
     }
   }
+  return weights;
+}
+
+/// The sums of nodes that are powers go back as derivatives do (PlaceSum.h), so that they have the
+/// precision of numbers of their own size, however small the part.
+std::vector<double> SheetMesh::FindPowers(const SheetKey& key, LoopWeights ofSurfaces) const
+{
+  const auto columns = static_cast<int>(this->Equals.size());
+  const int dimension = key.Places == SheetPlaces::FaceLattice ? 2 : 1;
+  VertexNames<int> names(columns);
+  std::array<int, 4> corners{ { 0, 1, 2, -1 } };
+  for (const int child : ListChildrenTo(key.Part))
+  {
+    corners = GetCornersOfChild(corners, dimension, child, names);
+  }
+  std::vector<int> nodes;
+  for (const PlaceNode& node : ListLattice(dimension))
+  {
+    nodes.push_back(FindNode(corners, node, names));
+  }
+  const Level<int> level = this->MakeLevel(ofSurfaces);
+  const LocalLimit<int> limit(level, {}, names.GetMidpoints());
+  LocalLattice<int> lattice(limit);
+  PlaceSum<LocalLattice<int>, PatchPolynomial> sum(lattice);
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+  {
+    sum.AddLimit(nodes[n], ExpandNode(ListLattice(dimension)[n]));
+  }
+  sum.StepBack(lattice.GetLevel(nodes[0]) + 1);
+  std::vector<double> weights(static_cast<std::size_t>(QuarticPowers * columns), 0.);
+  sum.ForColumns(
+    [&](int column, const PatchPolynomial& powers)
+    {
+      for (int p = 0; p < QuarticPowers; ++p)
+      {
+        weights[p * columns + column] = powers[p];
+      }
+    });
   return weights;
 }
 
@@ -325,7 +374,8 @@ const SheetChild& SheetRows::FindChild(const SheetKey& key, int child)
 
 std::vector<double> SheetRows::Make(const SheetKey& key) const
 {
-  return SheetMesh(key).FindRows(key, this->Weights);
+  const SheetMesh mesh(key);
+  return key.HasLattice() ? mesh.FindPowers(key, this->Weights) : mesh.FindRows(key, this->Weights);
 }
 
 }

@@ -23,8 +23,8 @@ namespace subdivision
 
 /// What the places belong to. A vertex has one place, itself. An edge abc... has three: between a
 /// and the middle, the middle, between the middle and b. A face abc has three: near a, near b and
-/// near c, each in the middle of the edge that cuts off a corner of the face in two steps. A
-/// lattice has the nodes of a polynomial (PlacePolynomial.h).
+/// near c, each in the middle of the edge that cuts off a corner of the face in two steps. The
+/// limit over a lattice, whose nodes divide the edges in four, is a polynomial (PlacePolynomial.h).
 enum class SheetPlaces : unsigned char
 {
   Vertex,
@@ -34,7 +34,7 @@ enum class SheetPlaces : unsigned char
   Face,
   CurveLattice,
   FaceLattice,
-  EdgeLattice
+  EdgeLattice ///< the last three are lattices
 };
 
 /// How the triangles of a sheet lie around a corner of one of them.
@@ -75,6 +75,7 @@ struct SheetKey
   /// times the number of its parent and its own.
   std::uint16_t Part = 1;
 
+  bool HasLattice() const { return this->Places >= SheetPlaces::CurveLattice; }
   std::uint64_t Pack() const
   {
     std::uint64_t packed =
@@ -103,7 +104,9 @@ public:
   {
   }
 
-  /// The weights of all columns at the first place, then at the second, ...
+  /// The weights of all columns at the first place, then at the second, ...; of a lattice for the
+  /// first of PatchPowers::Quartic, then for the second, ... of the weights u and v of the second
+  /// and third corner.
   const std::vector<double>& Find(const SheetKey& key)
   {
     std::vector<double>& weights = this->Found[key.Pack()];

@@ -33,7 +33,7 @@ public:
     this->Start(place, tet);
     int level = 0;
     bool isRead = this->ReadPolynomial();
-    for (; !isRead && level < MostSplitsOfSolids; ++level)
+    for (; !isRead && level < MostSplits; ++level)
     {
       this->Split();
       isRead = this->ReadPolynomial();
@@ -147,7 +147,7 @@ private:
   std::array<bool, 16> Parts{}; ///< of the tetrahedron that are regular
   PlaceInPart Part;
   std::array<LatticeWeights, 4> Corners{}; ///< of the part
-  PlaceSum<Id, BoxSplineLattice<Id>> Sum{ this->Lattice };
+  PlaceSum<BoxSplineLattice<Id>> Sum{ this->Lattice };
 };
 
 }
@@ -163,7 +163,7 @@ std::vector<SolidRow<Id>> FindSolidRows(const Level<Id>& level, const SemiSharpS
   }
   using Finder = SolidPlaceFinder<Id>;
   const TetTable<Id> tets(level.Complex, places);
-  return FindSolidRowsInThreads<Finder>(
+  return FindSolidRowsInThreads(
     places, [&]() { return std::make_shared<Finder>(level, sharp); },
     [&](Finder& finder, const LimitPlace<Id>& place, SolidRow<Id>& row)
     {

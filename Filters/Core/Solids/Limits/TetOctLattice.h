@@ -32,6 +32,8 @@ template <typename Id>
 class TetOctLattice
 {
 public:
+  using LevelRow = LatticeRow<Id>;
+
   /// All must outlive this. `level` was made with Depth::ForRefinement, or is the control level.
   TetOctLattice(
     const TetOctLevel<Id>& level, const Rows<Id>& solidsAtVertices, const SharpSimplices<Id>& sharp)

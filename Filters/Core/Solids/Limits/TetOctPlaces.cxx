@@ -67,14 +67,14 @@ public:
 private:
   /// The level of the vertices between which the limit is linear. One of them may be the centre of
   /// an octahedron, which the next step makes.
-  static constexpr int Level = MostSplitsOfSolids + 1;
+  static constexpr int Level = MostSplits + 1;
   static constexpr long long Size = 1ll << Level;
 
   /// Leaves the row empty if a rule near the place is unknown.
   void Find(TetOctPlace<LatticeWeights> inside, Id solid, SolidRow<Id>& row)
   {
     LatticeMidpoints midpoints;
-    for (int splits = 0; splits < MostSplitsOfSolids; ++splits)
+    for (int splits = 0; splits < MostSplits; ++splits)
     {
       inside.Split(midpoints);
     }
@@ -97,7 +97,7 @@ private:
 
   const TetOctLevel<Id>& Here;
   TetOctLattice<Id> Lattice;
-  PlaceSum<Id, TetOctLattice<Id>> Sum{ this->Lattice };
+  PlaceSum<TetOctLattice<Id>> Sum{ this->Lattice };
 };
 
 }
@@ -115,7 +115,7 @@ std::vector<SolidRow<Id>> FindSolidRows(const TetOctLevel<Id>& level,
   const TetTable<Id> tets(level.Complex, places);
   const OctPieces<Id> pieces(level, places);
   const Rows<Id> solidsAtVertices = ListSolidsAtVertices(level);
-  return FindSolidRowsInThreads<Finder>(
+  return FindSolidRowsInThreads(
     places, [&]() { return std::make_shared<Finder>(level, solidsAtVertices, sharp); },
     [&](Finder& finder, const LimitPlace<Id>& place, SolidRow<Id>& row)
     {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -25,7 +26,8 @@ namespace subdivision
  * changes with the parameters: first the place, then its three derivatives. In a tetrahedron these
  * are weights of its corners. An octahedron has three diagonals from a vertex at -1 to one at 1,
  * and a place has coordinates along these, whose absolute values sum to 1 at most. `Vertex` is the
- * id of a vertex or where it is: what GetMidpoint of the names makes of two of them.
+ * id of a vertex or where it is: what GetMidpoint of the names makes of two of them, or of one and
+ * itself, which is that vertex on the next level.
  */
 template <typename Vertex>
 class TetOctPlace
@@ -66,8 +68,8 @@ public:
   {
     this->IsOct ? this->SplitOct(names) : this->SplitTet(names);
   }
-  /// Adds four vertices around the place, and the weight of each in the value and the three first
-  /// derivatives of the function that is linear between them. Second derivatives are 0.
+  /// Adds four vertices of one level around the place, and the weight of each in the value and the
+  /// three first derivatives of the function that is linear between them. Second derivatives are 0.
   template <typename Names>
   void Finish(Names& names, std::vector<Vertex>& vertices,
     std::vector<std::array<double, PlaceParts::Count>>& weights)
@@ -98,8 +100,12 @@ private:
             this->Tet[i] = names.GetMidpoint(this->Tet[corner], this->Tet[i]);
           }
         }
+        this->Tet[corner] = names.GetMidpoint(this->Tet[corner], this->Tet[corner]);
         this->Double();
-        this->At[0][corner] -= 1.;
+        // Not what is left of the corner's own weight: each split would double its error.
+        CornerWeights& at = this->At[0];
+        at[corner] = 0.;
+        at[corner] = 1. - std::accumulate(at.begin(), at.end(), 0.);
         return;
       }
     }
@@ -142,6 +148,7 @@ private:
         }
       }
       this->Oct[k][1 - end] = centre;
+      this->Oct[k][end] = names.GetMidpoint(corner, corner);
       this->Double();
       this->At[0][k] += end == 0 ? 1. : -1.;
       return;
@@ -172,8 +179,11 @@ private:
   {
     const std::array<Vertex, 3> face = this->FindFace();
     const std::array<double, 3> signs = this->FindSigns();
-    this->Tet = { { names.GetMidpoint(this->Oct[0][0], this->Oct[0][1]), face[0], face[1],
-      face[2] } };
+    this->Tet[0] = names.GetMidpoint(this->Oct[0][0], this->Oct[0][1]);
+    for (int k = 0; k < 3; ++k)
+    {
+      this->Tet[k + 1] = names.GetMidpoint(face[k], face[k]);
+    }
     for (std::size_t p = 0; p < this->At.size(); ++p)
     {
       CornerWeights weights{ { p == 0 ? 1. : 0., 0., 0., 0. } };

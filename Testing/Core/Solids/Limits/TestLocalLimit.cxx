@@ -508,3 +508,27 @@ TEST(LocalLimit, EdgesThatDoNotExist)
     LocalLimit<int>(control.Level, {}, Ends{ { 0, 1 }, { 5, 2 } }), std::invalid_argument);
   EXPECT_NO_THROW(LocalLimit<int>(control.Level, {}, Ends{ { 0, 1 }, { 5, 0 }, { 1, 0 } }));
 }
+
+/// A vertex does not move its limit when it is taken on later levels.
+TEST(LocalLimit, AVertexOnLaterLevels)
+{
+  for (const char* name : { "OpenPolyline", "ClosedFan", "Valence4", "EverythingAtOnce" })
+  {
+    const auto control = Build<int>(FindInZoo(name).Cells);
+    const int vertices = control.Level.Complex.NumberOfVertices;
+    std::vector<std::array<int, 2>> ends;
+    for (int i = 0; i < 3 * vertices;
+         ++i) // each vertex on the next level, then on the one after it
+    {
+      ends.push_back({ i, i });
+    }
+    const LocalLimit<int> limit(control.Level, {}, ends);
+    EXPECT_EQ(limit.GetNumberOfLevels(), 4);
+    const std::vector<double> limits =
+      ApplyTo(limit, MakeValues(control.Level.Complex.NumberOfVertices, 2), 1);
+    for (int i = vertices; i < 4 * vertices; ++i)
+    {
+      EXPECT_NEAR(limits[i], limits[i % vertices], 1e-14) << name << " " << i;
+    }
+  }
+}

@@ -9,7 +9,7 @@
 #include "Core/Solids/Scheme/SemiSharp.h"
 #include "Core/Solids/Strata/Strata.h"
 #include "Core/Surfaces/Places/SurfacePlaces.h"
-#include "SurfaceTools.h"
+#include "SurfacePlaceTools.h"
 
 #include <algorithm>
 #include <numeric>
@@ -49,12 +49,12 @@ Level<int> MakeComplexLevel(const PolygonMesh<int>& mesh)
 }
 
 /// The same places of both, at least 1/64 away from corners; corners come in any order.
-struct Places
+struct PlacesOfBoth
 {
   std::vector<SurfacePlace<int>> OfFaces;
   std::vector<LimitPlace<int>> OfSimplices;
 
-  explicit Places(const PolygonMesh<int>& mesh)
+  explicit PlacesOfBoth(const PolygonMesh<int>& mesh)
   {
     std::mt19937 random(6);
     for (int i = 0; i < 12 * mesh.NumberOfFaces; ++i)
@@ -109,7 +109,7 @@ TEST(PlaceLimits, TrianglesAreThoseOfLoop)
   for (const int steps : { 0, 1, 2, 3 })
   {
     const Walk walk = MakeOctahedron(steps);
-    const Places places(walk.Level.Mesh);
+    const PlacesOfBoth places(walk.Level.Mesh);
     const PlaceRows<int> expected = FindSurfacePlaces(
       *walk.Scheme, walk.Level, SharpCreases<int>(), places.OfFaces, PlaceDerivatives::Second);
     const PlaceRows<int> found = PlaceLimits<int>(MakeComplexLevel(walk.Level.Mesh),
@@ -142,7 +142,7 @@ TEST(PlaceLimits, TrianglesAreThoseOfLoop)
 TEST(PlaceLimits, AreTheSameWithoutSecondDerivatives)
 {
   const Walk walk = MakeOctahedron(2);
-  const Places places(walk.Level.Mesh);
+  const PlacesOfBoth places(walk.Level.Mesh);
   const Level<int> level = MakeComplexLevel(walk.Level.Mesh);
   const PlaceRows<int> all =
     PlaceLimits<int>(level, SemiSharpStages<int>(), places.OfSimplices, PlaceDerivatives::Second)
@@ -156,6 +156,54 @@ TEST(PlaceLimits, AreTheSameWithoutSecondDerivatives)
     for (vtkIdType i = 0; i < all.GetNumberOfPlaces() && some.HasPart(part); ++i)
     {
       EXPECT_EQ(TakeRow(some, i, part), TakeRow(all, i, part)) << "place " << i;
+    }
+  }
+}
+
+/// At every distance from an extraordinary vertex derivatives have the precision of numbers of
+/// their own size, which is that of (2 lambda)^k at 2^-k, with the second eigenvalue lambda.
+TEST(PlaceLimits, DerivativesNearExtraordinaryVerticesAreThoseOfLoop)
+{
+  for (const int n : { 3, 4, 5, 7, 12, 20 })
+  {
+    const Walk walk(MakeStar(n, true), SurfaceSchemeKind::Loop);
+    std::vector<SurfacePlace<int>> ofFaces;
+    std::vector<LimitPlace<int>> ofSimplices;
+    for (int k = 1; k <= 48; ++k)
+    {
+      for (const double turn : { 0.25, 0.5, 0.875 })
+      {
+        SurfacePlace<int> ofFace;
+        ofFace.Dimension = 2;
+        ofFace.At = { { std::ldexp(1. - turn, -k), std::ldexp(turn, -k) } };
+        ofFaces.push_back(ofFace);
+        LimitPlace<int> ofSimplex;
+        ofSimplex.Dimension = 2;
+        std::copy_n(walk.Level.Mesh.Vertices.begin(), 3, ofSimplex.Corners.begin());
+        ofSimplex.Parameters = { { ofFace.At[0], ofFace.At[1], 0. } };
+        ofSimplices.push_back(ofSimplex);
+      }
+    }
+    const PlaceRows<int> expected = FindSurfacePlaces(
+      *walk.Scheme, walk.Level, SharpCreases<int>(), ofFaces, PlaceDerivatives::First);
+    const PlaceRows<int> found = PlaceLimits<int>(MakeComplexLevel(walk.Level.Mesh),
+      SemiSharpStages<int>(), ofSimplices, PlaceDerivatives::First)
+                                   .Rows;
+    for (vtkIdType i = 0; i < expected.GetNumberOfPlaces(); ++i)
+    {
+      for (int part = 0; part < PlaceParts::Second - 1; ++part)
+      {
+        const std::vector<double> a = TakeRow(found, i, part);
+        const std::vector<double> b = TakeRow(expected, i, part);
+        double size = 0.;
+        double error = 0.;
+        for (std::size_t c = 0; c < a.size(); ++c)
+        {
+          size = std::max(size, std::abs(b[c]));
+          error = std::max(error, std::abs(a[c] - b[c]));
+        }
+        EXPECT_LT(error, 1e-12 * size) << n << " triangles, place " << i << ", part " << part;
+      }
     }
   }
 }
