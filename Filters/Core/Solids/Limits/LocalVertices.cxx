@@ -152,11 +152,9 @@ Buffer<unsigned char> LocalVertices<Id>::FlagSupport(const LevelType& part,
         }
       }
     };
-    ForEachInTurn(complex.NumberOfEdges,
-      [&](vtkIdType e)
+    ForEachInTurn(complex.NumberOfEdges, [&](vtkIdType e)
       { spread(complex.EdgeVertices.data() + 2 * e, [&](Id v) { return curved.Joins(e, v); }); });
-    ForDiagonals(part,
-      [&](const Id* ends, Id)
+    ForDiagonals(part, [&](const Id* ends, Id)
       { spread(ends, [&](Id v) { return curved.IsAll() || curved.ReadsSolids[v]; }); });
   }
   return flags;

@@ -224,7 +224,7 @@ std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
     { return dimension < 3 && IsRegular(part, dimension, regular.Parts); };
     SplitCount count(part, dimension);
     for (int sharp = isSharp ? sharpSteps : 0; sharp > 0 || (!isRegular() && !count.IsEnough());
-         --sharp)
+      --sharp)
     {
       const int child = part.FindChild(dimension);
       part.GoToChild(dimension, child);

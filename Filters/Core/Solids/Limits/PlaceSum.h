@@ -146,8 +146,7 @@ public:
     const auto& vertices = this->Sum.Vertices;
     std::vector<std::size_t> order(vertices.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::sort(order.begin(), order.end(),
-      [&vertices](std::size_t a, std::size_t b)
+    std::sort(order.begin(), order.end(), [&vertices](std::size_t a, std::size_t b)
       { return vertices[a].GetColumn() < vertices[b].GetColumn(); });
     for (const std::size_t i : order)
     {
@@ -272,8 +271,7 @@ std::vector<SolidRow<Id>> FindSolidRowsInThreads(
   const std::vector<LimitPlace<Id>>& places, const Make& make, const Find& find)
 {
   std::vector<SolidRow<Id>> rows(places.size());
-  ForPlacesInThreads(places.size(), make,
-    [&](auto& finder, std::size_t i)
+  ForPlacesInThreads(places.size(), make, [&](auto& finder, std::size_t i)
     { places[i].Dimension == 3 ? find(finder, places[i], rows[i]) : void(); });
   return rows;
 }

@@ -518,7 +518,7 @@ TEST(LocalLimit, AVertexOnLaterLevels)
     const int vertices = control.Level.Complex.NumberOfVertices;
     std::vector<std::array<int, 2>> ends;
     for (int i = 0; i < 3 * vertices;
-         ++i) // each vertex on the next level, then on the one after it
+      ++i) // each vertex on the next level, then on the one after it
     {
       ends.push_back({ i, i });
     }

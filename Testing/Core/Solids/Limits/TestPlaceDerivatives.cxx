@@ -67,7 +67,7 @@ std::vector<Found> Evaluate(const LevelType& level, const SemiSharpStages<int>& 
     for (int part = 0; part < 4; ++part)
     {
       for (int k = limits.Rows.Offsets[i];
-           limits.Rows.HasPart(part) && k < limits.Rows.Offsets[i + 1]; ++k)
+        limits.Rows.HasPart(part) && k < limits.Rows.Offsets[i + 1]; ++k)
       {
         const double weight = limits.Rows.Weights[part][k];
         all[i].Sums[part] += weight * values[limits.Rows.Columns[k]];
@@ -134,10 +134,10 @@ public:
     }
     for (int i = 0; i <= dimension; ++i)
     {
-      inPart.Order[i] = static_cast<int>(
-        std::find_if(inPart.Corners.begin(), inPart.Corners.end(),
-          [&](int vertex) { return cornersOfPart.at(vertex) == place.Corners[place.Order[i]]; }) -
-        inPart.Corners.begin());
+      inPart.Order[i] =
+        static_cast<int>(std::find_if(inPart.Corners.begin(), inPart.Corners.end(), [&](int vertex)
+                           { return cornersOfPart.at(vertex) == place.Corners[place.Order[i]]; }) -
+          inPart.Corners.begin());
     }
     for (const int depth : Depths)
     {
