@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <utility>
 
 namespace subdivision
@@ -17,22 +18,68 @@ namespace
 thread_local BetweenLoops* Current = nullptr;
 thread_local int DepthOfLoops = 0; ///< of those that several threads run
 
-/// Runs a loop in several threads, of which this may be one.
-template <typename Loop>
-void RunInThreads(const Loop& loop)
+/// A body whose first exception goes on in the thread that began the loop: in another one, such as
+/// where memory ends, it would end the program. Ranges after it are left out.
+class CaughtBody
 {
-  struct Depth
+public:
+  explicit CaughtBody(const RangeBody& body)
+    : Body(body)
   {
-    Depth() { ++DepthOfLoops; }
-    ~Depth() { --DepthOfLoops; }
-  } const depth;
-  loop();
+  }
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    if (this->HasFailed)
+    {
+      return;
+    }
+    try
+    {
+      this->Body(begin, end);
+    }
+    catch (...)
+    {
+      if (!this->HasFailed.exchange(true))
+      {
+        this->Failure = std::current_exception();
+      }
+    }
+  }
+  /// After the loop.
+  void Throw() const
+  {
+    if (this->Failure)
+    {
+      std::rethrow_exception(this->Failure);
+    }
+  }
+
+private:
+  const RangeBody Body;
+  std::atomic<bool> HasFailed{ false };
+  std::exception_ptr Failure;
+};
+
+/// Runs loop(body) in several threads, of which this may be one.
+template <typename Loop>
+void RunInThreads(const RangeBody& body, const Loop& loop)
+{
+  CaughtBody caught(body);
+  {
+    struct Depth
+    {
+      Depth() { ++DepthOfLoops; }
+      ~Depth() { --DepthOfLoops; }
+    } const depth;
+    loop(caught);
+  }
+  caught.Throw();
 }
 
-/// Calls run(begin, end) for parts of [0, size), the first of which has `first` elements. The next
-/// ones are as large as takes `wanted` seconds, by the time of the part before.
+/// Calls run(begin, end, body) in threads for parts of [0, size), the first of which has `first`
+/// elements. The next ones are as large as takes `wanted` seconds, by the time of the part before.
 template <typename Run>
-void RunInParts(vtkIdType size, vtkIdType first, const Run& run)
+void RunInParts(vtkIdType size, vtkIdType first, const RangeBody& body, const Run& run)
 {
   using Clock = std::chrono::steady_clock;
   constexpr double wanted = 0.02;
@@ -42,7 +89,7 @@ void RunInParts(vtkIdType size, vtkIdType first, const Run& run)
   {
     const vtkIdType end = size - begin > most ? begin + most : size;
     const auto start = Clock::now();
-    RunInThreads([&] { run(begin, end); });
+    RunInThreads(body, [&](CaughtBody& caught) { run(begin, end, caught); });
     const std::chrono::duration<double> taken = Clock::now() - start;
     const double factor = taken.count() * mostGrowth > wanted ? wanted / taken.count() : mostGrowth;
     most =
@@ -90,8 +137,8 @@ void ForRanges(vtkIdType size, RangeBody body)
     BetweenLoops::Act();
     return;
   }
-  RunInParts(
-    size, inOnePart, [&](vtkIdType begin, vtkIdType end) { vtkSMPTools::For(begin, end, body); });
+  RunInParts(size, inOnePart, body, [](vtkIdType begin, vtkIdType end, CaughtBody& caught)
+    { vtkSMPTools::For(begin, end, caught); });
 }
 
 void ForRangesOfBlocks(vtkIdType blocks, RangeBody body, vtkIdType worthThreads)
@@ -103,8 +150,9 @@ void ForRangesOfBlocks(vtkIdType blocks, RangeBody body, vtkIdType worthThreads)
     BetweenLoops::Act();
     return;
   }
-  RunInParts(blocks, std::max(inOnePart, worthThreads),
-    [&](vtkIdType begin, vtkIdType end) { vtkSMPTools::For(begin, end, 1, body); });
+  RunInParts(blocks, std::max(inOnePart, worthThreads), body,
+    [](vtkIdType begin, vtkIdType end, CaughtBody& caught)
+    { vtkSMPTools::For(begin, end, 1, caught); });
 }
 
 void ForUnevenRanges(vtkIdType size, RangeBody body)
@@ -131,7 +179,7 @@ void ForUnevenRanges(vtkIdType size, RangeBody body)
         body(begin, std::min(size, begin + atATime));
       } while (isEndless || Clock::now() < last);
     };
-    RunInThreads([&] { vtkSMPTools::For(0, threads, 1, take); });
+    RunInThreads(take, [&](CaughtBody& caught) { vtkSMPTools::For(0, threads, 1, caught); });
     BetweenLoops::Act();
   }
 }

@@ -175,7 +175,8 @@ private:
 constexpr vtkIdType WorthThreads = 8192;
 
 /// Calls body(begin, end) for disjoint ranges that cover [0, size); in several threads if `size`
-/// exceeds WorthThreads.
+/// exceeds WorthThreads. This and all loops below throw the first exception of a body, in whatever
+/// thread it was.
 void ForRanges(vtkIdType size, RangeBody body);
 
 /// Calls body(begin, end) for ranges of blocks; in several threads if there are at least

@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <new>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -203,6 +205,35 @@ TEST(Loops, MemoryIsFilledAndCopiedInParts)
     }
   }
   BetweenLoops::SecondsBetween = seconds;
+}
+
+/// In a thread that is not this one an exception would end the program.
+TEST(Loops, ThrowWhatABodyThrowsInAnyThread)
+{
+  const std::string before = vtkSMPTools::GetBackend();
+  ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread")); // TBB passes exceptions on by itself
+  vtkSMPTools::Initialize(4);
+  const vtkIdType size = 1000000;
+  const auto fail = [](vtkIdType begin, vtkIdType)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1)); // so that all threads take part
+    if (begin >= 0)
+    {
+      throw std::bad_alloc();
+    }
+  };
+  EXPECT_THROW(ForRanges(size, fail), std::bad_alloc);
+  EXPECT_THROW(ForRangesOfBlocks(100, fail), std::bad_alloc);
+  EXPECT_THROW(ForUnevenRanges(size, fail), std::bad_alloc);
+  {
+    const BetweenLoops between([] {});
+    EXPECT_THROW(ForUnevenRanges(size, fail), std::bad_alloc);
+  }
+  std::atomic<vtkIdType> sum(0);
+  ForRanges(size, [&](vtkIdType begin, vtkIdType end) { sum += end - begin; });
+  EXPECT_EQ(sum, size);
+  vtkSMPTools::SetBackend(before.c_str());
+  vtkSMPTools::Initialize(0);
 }
 
 TEST(Loops, EndWhereTheActThrows)
