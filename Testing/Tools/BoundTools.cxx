@@ -184,4 +184,73 @@ void ExpectBounds(vtkPointSet* coarse, vtkPointSet* fine, int steps, Tightness& 
   }
 }
 
+void ExpectRatios(Tightness& tightness, std::size_t count, double of99)
+{
+  std::vector<double>& ratios = tightness.Ratios;
+  std::sort(ratios.begin(), ratios.end());
+  const std::size_t size = ratios.size();
+  ASSERT_GT(size, count);
+  const double ninetyNine = ratios[size * 99 / 100];
+  std::cout << size << " bounds of cells: median " << ratios[size / 2] << ", 99 of 100 "
+            << ninetyNine << ", most " << ratios.back() << "\n";
+  EXPECT_LT(ninetyNine, of99);
+  EXPECT_LE(ratios.back(), 3.);
+}
+
+void PlacesOfParts::Add(
+  vtkIdType part, const std::array<double, 4>& weights, vtkIdType cell, const Point& parameters)
+{
+  this->Parts.push_back(part);
+  this->Weights.push_back(weights);
+  this->Cells->InsertNextValue(cell);
+  this->Parameters->InsertNextTuple(parameters.data());
+}
+
+std::array<double, 4> DrawWeights(std::mt19937& random, int corners)
+{
+  std::array<double, 4> weights{};
+  double sum = 0.;
+  for (int k = 0; k < corners; ++k)
+  {
+    weights[k] = -std::log(random() / 4294967296. + 1e-12);
+    sum += weights[k];
+  }
+  for (double& weight : weights)
+  {
+    weight /= sum;
+  }
+  return weights;
+}
+
+void ExpectBoundsAtPlaces(
+  vtkMultiDimensionalSubdivision* filter, vtkUnstructuredGrid* output, const PlacesOfParts& places)
+{
+  vtkNew<vtkPolyData> limits;
+  ASSERT_TRUE(filter->EvaluateLimit(places.Cells, places.Parameters, limits));
+  vtkDataArray* bounds = output->GetCellData()->GetArray("ErrorBound");
+  vtkDataArray* ofOne = output->GetCellData()->GetArray("OneErrorBound");
+  ASSERT_NE(bounds, nullptr);
+  vtkDataArray* one = output->GetPointData()->GetArray("One");
+  vtkDataArray* limitsOfOne = limits->GetPointData()->GetArray("One");
+  for (std::size_t i = 0; i < places.Parts.size(); ++i)
+  {
+    const vtkIdType part = places.Parts[i];
+    const Ids corners = GetCell(output, part);
+    Point difference = GetPoint(limits, static_cast<vtkIdType>(i));
+    double ofValue = limitsOfOne->GetComponent(static_cast<vtkIdType>(i), 0);
+    for (std::size_t k = 0; k < corners.size(); ++k)
+    {
+      const Point p = GetPoint(output, corners[k]);
+      for (int x = 0; x < 3; ++x)
+      {
+        difference[x] -= places.Weights[i][k] * p[x];
+      }
+      ofValue -= places.Weights[i][k] * one->GetComponent(corners[k], 0);
+    }
+    const double distance = std::hypot(difference[0], std::hypot(difference[1], difference[2]));
+    ASSERT_LE(distance, bounds->GetComponent(part, 0) + 1e-11) << i << " in " << part;
+    ASSERT_LE(std::abs(ofValue), ofOne->GetComponent(part, 0) + 1e-11) << i << " in " << part;
+  }
+}
+
 }

@@ -112,6 +112,29 @@ void ExpectBounds(const Bounded<FilterClass>& bounded, Tightness& tightness)
   ExpectBounds(bounded.Coarse, bounded.Fine, bounded.Steps, tightness);
 }
 
+/// Prints the ratios, and expects that there are so many, and 99 of 100 are below a number.
+void ExpectRatios(Tightness& tightness, std::size_t count, double of99);
+
+/// Places in cells of an output, and where these are in control cells.
+struct PlacesOfParts
+{
+  Ids Parts;                                  ///< cells of the output
+  std::vector<std::array<double, 4>> Weights; ///< of the corners of the parts
+  vtkNew<vtkIdTypeArray> Cells;               ///< control cells
+  vtkNew<vtkDoubleArray> Parameters;          ///< in these
+
+  PlacesOfParts() { this->Parameters->SetNumberOfComponents(3); }
+  void Add(
+    vtkIdType part, const std::array<double, 4>& weights, vtkIdType cell, const Point& parameters);
+};
+
+/// Random weights with the sum 1.
+std::array<double, 4> DrawWeights(std::mt19937& random, int corners);
+
+/// Expects that bounds of points and of `One` hold at places, whose limits the filter evaluates.
+void ExpectBoundsAtPlaces(
+  vtkMultiDimensionalSubdivision* filter, vtkUnstructuredGrid* output, const PlacesOfParts& places);
+
 }
 
 #endif
