@@ -14,6 +14,9 @@
 #include "vtkPolyData.h"
 
 #include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
 
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;
@@ -132,6 +135,16 @@ void ForSurfaces(bool all, const Test& test)
       }
     }
   }
+}
+
+/// Partitions of one process run in threads, which may warn at once.
+std::function<void(const std::string&)> CollectInto(std::vector<std::string>& warnings)
+{
+  return [&warnings, mutex = std::make_shared<std::mutex>()](const std::string& message)
+  {
+    const std::lock_guard<std::mutex> lock(*mutex);
+    warnings.push_back(message);
+  };
 }
 
 }
@@ -331,7 +344,7 @@ TEST(PartitionsRegions, WarnWhereCellsMoved)
     none->GetFieldData()->ShallowCopy(parts[1]->GetFieldData());
     std::vector<std::string> warnings;
     SurfaceOptions second = first;
-    second.Warn = [&](const std::string& message) { warnings.push_back(message); };
+    second.Warn = CollectInto(warnings);
     const std::vector<Mesh> outputs =
       SubdivideParts({ all, none }, CommonPartitions[0], { second });
     EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& message)
@@ -348,7 +361,7 @@ TEST(PartitionsRegions, MayBeDamaged)
     const SurfaceOptions first = MakeOptions(scheme, 1);
     SurfaceOptions second = first;
     std::vector<std::string> warnings;
-    second.Warn = [&](const std::string& message) { warnings.push_back(message); };
+    second.Warn = CollectInto(warnings);
     const Mesh whole = Subdivide(surface, { first, first });
     const auto damage = [](vtkPointSet* part, size_t)
     { part->GetFieldData()->RemoveArray("SubdivisionRegionControl"); };
