@@ -155,6 +155,50 @@ Buffer<unsigned char> FlagSharpVertices(const LevelType& level, const SemiSharpS
   return flags;
 }
 
+/// Follows a place through solids of the tet/oct scheme. `octahedron`: that which has it, or null.
+template <typename Id>
+void FollowTetOct(
+  const LimitPlace<Id>& place, const Id* octahedron, VertexNames<Id>& names, PlaceNodes<Id>& nodes)
+{
+  const PlaceInPart part = StartPart(place);
+  TetOctPlace<Id> inside = octahedron ? TetOctPlace<Id>(octahedron, place.Corners, part)
+                                      : TetOctPlace<Id>(place.Corners, part);
+  for (int splits = 0; splits < MostSplits; ++splits)
+  {
+    inside.Split(names);
+  }
+  inside.Finish(names, nodes.Vertices, nodes.Weights);
+}
+
+/// Splits a simplex around a place `sharpSteps` times, and on until the part is regular or so small
+/// that the limit is linear. Its nodes are those of a polynomial then, or its corners.
+template <typename Id>
+void SplitToNodes(const RegularSimplex<Id>& simplex, PlaceInPart part, int dimension,
+  int sharpSteps, VertexNames<Id>& names, PlaceNodes<Id>& nodes)
+{
+  std::array<Id, 4> corners = simplex.Corners;
+  const auto isRegular = [&]()
+  { return dimension < 3 && IsRegular(part, dimension, simplex.Parts); };
+  SplitCount count(part, dimension);
+  for (int sharp = sharpSteps; sharp > 0 || (!isRegular() && !count.IsEnough()); --sharp)
+  {
+    const int child = part.FindChild(dimension);
+    part.GoToChild(dimension, child);
+    corners = GetCornersOfChild(corners, dimension, child, names);
+    count.Add(part);
+  }
+  if (!isRegular() && !count.IsInsideTet())
+  {
+    TakeCorners(dimension, part, corners, nodes);
+    return;
+  }
+  nodes.Weights = WeightLattice(dimension, part.At, part.Directions);
+  for (const PlaceNode& node : ListLattice(dimension))
+  {
+    nodes.Vertices.push_back(FindNode(corners, node, names));
+  }
+}
+
 /// What the row of each place is made of. `ready`: rows that are known.
 template <typename LevelType, typename Id>
 std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
@@ -190,15 +234,7 @@ std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
     {
       if (dimension == 3)
       {
-        const PlaceInPart part = StartPart(place);
-        const Id* octahedron = pieces.Find(place.Corners);
-        TetOctPlace<Id> inside = octahedron ? TetOctPlace<Id>(octahedron, place.Corners, part)
-                                            : TetOctPlace<Id>(place.Corners, part);
-        for (int splits = 0; splits < MostSplits; ++splits)
-        {
-          inside.Split(names);
-        }
-        inside.Finish(names, nodes.Vertices, nodes.Weights);
+        FollowTetOct(place, pieces.Find(place.Corners), names, nodes);
         continue;
       }
     }
@@ -213,34 +249,13 @@ std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
     {
       continue;
     }
-    PlaceInPart part = StartPart(place, regular);
+    const PlaceInPart part = StartPart(place, regular);
     nodes.Part = !isSharp && regular.IsPatch ? FindPart(part, dimension, regular.Parts) : 0;
     if (nodes.Part > 0)
     {
       continue;
     }
-    std::array<Id, 4> corners = regular.Corners;
-    const auto isRegular = [&]()
-    { return dimension < 3 && IsRegular(part, dimension, regular.Parts); };
-    SplitCount count(part, dimension);
-    for (int sharp = isSharp ? sharpSteps : 0; sharp > 0 || (!isRegular() && !count.IsEnough());
-      --sharp)
-    {
-      const int child = part.FindChild(dimension);
-      part.GoToChild(dimension, child);
-      corners = GetCornersOfChild(corners, dimension, child, names);
-      count.Add(part);
-    }
-    if (!isRegular() && !count.IsInsideTet())
-    {
-      TakeCorners(dimension, part, corners, nodes);
-      continue;
-    }
-    nodes.Weights = WeightLattice(dimension, part.At, part.Directions);
-    for (const PlaceNode& node : ListLattice(dimension))
-    {
-      nodes.Vertices.push_back(FindNode(corners, node, names));
-    }
+    SplitToNodes(regular, part, dimension, isSharp ? sharpSteps : 0, names, nodes);
   }
   return all;
 }
