@@ -34,22 +34,29 @@ struct Bounded
   int Steps;
 };
 
+/// The output with bounds.
+template <typename FilterClass>
+auto UpdateWithBounds(FilterClass* filter, vtkDataObject* input, int levels, bool projects)
+{
+  filter->SetNumberOfLevels(levels);
+  filter->SetProjectToLimit(projects);
+  filter->GenerateErrorBoundsOn();
+  return UpdateWithoutErrors<typename Bounded<FilterClass>::Output>(filter, input);
+}
+
 template <typename FilterClass>
 Bounded<FilterClass> MakeBounded(vtkDataObject* input, int levels, int steps,
   const std::function<void(FilterClass*)>& configure, bool projects)
 {
   vtkNew<FilterClass> filter;
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  filter->SetNumberOfLevels(levels);
-  filter->SetProjectToLimit(projects);
-  filter->GenerateErrorBoundsOn();
   if (configure)
   {
     configure(filter);
   }
   using Output = typename Bounded<FilterClass>::Output;
   Bounded<FilterClass> bounded;
-  bounded.Coarse = UpdateWithoutErrors<Output>(filter.Get(), input);
+  bounded.Coarse = UpdateWithBounds(filter.Get(), input, levels, projects);
   filter->GenerateErrorBoundsOff();
   filter->SetNumberOfLevels(levels + steps);
   filter->ProjectToLimitOn();

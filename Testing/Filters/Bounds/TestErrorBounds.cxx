@@ -81,13 +81,9 @@ TEST(ErrorBounds, HoldAtRandomPlaces)
   {
     const Grid input = WithValues(mesh);
     vtkNew<Filter> filter;
-    filter->SetInputData(input);
     filter->SetNumberOfLevels(0);
     const Grid simplices = UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input);
-    filter->SetNumberOfLevels(levels);
-    filter->SetProjectToLimit(projects);
-    filter->GenerateErrorBoundsOn();
-    const Grid output = UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input);
+    const Grid output = UpdateWithBounds(filter.Get(), input, levels, projects);
     ASSERT_EQ(simplices->GetNumberOfCells(), input->GetNumberOfCells());
     Ids firsts{ 0 };
     const auto getDimension = [&](vtkIdType c)

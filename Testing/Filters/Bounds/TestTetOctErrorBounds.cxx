@@ -66,12 +66,8 @@ TEST(TetOctErrorBounds, HoldAtRandomPlaces)
   {
     const Grid input = WithValues(mesh);
     vtkNew<Filter> filter;
-    filter->SetInputData(input);
     SetTetOct(filter);
-    filter->SetNumberOfLevels(levels);
-    filter->SetProjectToLimit(projects);
-    filter->GenerateErrorBoundsOn();
-    const Grid output = UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input);
+    const Grid output = UpdateWithBounds(filter.Get(), input, levels, projects);
     const std::vector<TetOctSolid> solids = FindTetOctSolids(input, levels);
     PlacesOfParts drawn;
     for (int i = 0; i < count; ++i)
