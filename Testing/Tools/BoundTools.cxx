@@ -184,6 +184,17 @@ void ExpectBounds(vtkPointSet* coarse, vtkPointSet* fine, int steps, Tightness& 
   }
 }
 
+Configure ChooseFeatures(unsigned bits)
+{
+  return [bits](vtkMultiDimensionalSubdivision* filter)
+  {
+    filter->SetDetectFeatures(bits % 2 == 0);
+    filter->SetEmbeddedCells(static_cast<int>(bits / 2 % 3));
+    filter->SetType1Rule(static_cast<int>(bits / 6 % 5));
+    filter->SetType2Rule(static_cast<int>(bits / 30 % 2));
+  };
+}
+
 void ExpectRatios(Tightness& tightness, std::size_t count, double of99)
 {
   std::vector<double>& ratios = tightness.Ratios;

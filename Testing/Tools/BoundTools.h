@@ -119,6 +119,9 @@ void ExpectBounds(const Bounded<FilterClass>& bounded, Tightness& tightness)
   ExpectBounds(bounded.Coarse, bounded.Fine, bounded.Steps, tightness);
 }
 
+/// Options of features and joints, by the remainders of a number.
+Configure ChooseFeatures(unsigned bits);
+
 /// Prints the ratios, and expects that there are so many, and 99 of 100 are below a number.
 void ExpectRatios(Tightness& tightness, std::size_t count, double of99);
 

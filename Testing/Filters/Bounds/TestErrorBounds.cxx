@@ -236,13 +236,7 @@ TEST(ErrorBounds, AreNearTheTruthOnRandomComplexes)
     const bool withSolids = random() % 2 == 0;
     const Grid input = WithValues(MakeRandomComplex(seed, withSolids));
     const unsigned bits = random() >> 4;
-    const Configure configure = [&](Filter* filter)
-    {
-      filter->SetDetectFeatures(bits % 2 == 0);
-      filter->SetEmbeddedCells(static_cast<int>(bits / 2 % 3));
-      filter->SetType1Rule(static_cast<int>(bits / 6 % 5));
-      filter->SetType2Rule(static_cast<int>(bits / 30 % 2));
-    };
+    const Configure configure = ChooseFeatures(bits);
     ExpectBounds(
       MakeBounded<Filter>(input, withSolids ? 0 : 1, 3, configure, bits / 60 % 2 == 0), found);
   }

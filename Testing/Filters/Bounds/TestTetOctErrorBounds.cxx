@@ -131,13 +131,7 @@ TEST(TetOctErrorBounds, AreNearTheTruthOnRandomComplexes)
     random();
     const Grid input = WithValues(MakeRandomComplex(seed));
     const unsigned bits = random() >> 4;
-    const Configure configure = [&](Filter* filter)
-    {
-      filter->SetDetectFeatures(bits % 2 == 0);
-      filter->SetEmbeddedCells(static_cast<int>(bits / 2 % 3));
-      filter->SetType1Rule(static_cast<int>(bits / 6 % 5));
-      filter->SetType2Rule(static_cast<int>(bits / 30 % 2));
-    };
+    const Configure configure = ChooseFeatures(bits);
     ExpectTetOctBounds(input, bits / 120 % 2, 3, configure, bits / 60 % 2 == 0, found);
   }
   ExpectRatios(found, 5000, 2.45);
