@@ -118,6 +118,9 @@ void AddMain(std::vector<GapCase>& cases)
   const MakeInput few = [](double scale) { return MakeSolid(20, scale); };
   add("Bezier cells", few, 0, [](Main* filter) { filter->SetOutputCellsToBezier(); });
   add("error bounds", few, 0, [](Main* filter) { filter->GenerateErrorBoundsOn(); });
+  add(
+    "error bounds at one edge", [](double scale) { return MakeStar(100000, scale); }, 0,
+    [](Main* filter) { filter->GenerateErrorBoundsOn(); });
   const Configure<Main> interfaces = [](Main* filter) { filter->PreserveInterfacesOn(); };
   const Configure<Main> jumps = [](Main* filter)
   {
