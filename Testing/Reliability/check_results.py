@@ -32,6 +32,7 @@ SUMMARY: UndefinedBehaviorSanitizer: undefined-behavior Filters/Core/A.cxx:12
 SUMMARY: libFuzzer: deadly signal
 stat::number_of_executed_units: 600
 """
+QUIET = "stat::number_of_executed_units: 100\n"
 
 
 def check(got, wanted):
@@ -53,6 +54,21 @@ with tempfile.TemporaryDirectory() as build:
     check(write_page.sum_up(figures, "reports"), 2)
 check(results.read_fuzz_log(FUZZ),
       {"executions": 600, "covered": 8136, "places": 330236, "hangs": 1, "reports": 1, "crashes": 1})
+with tempfile.TemporaryDirectory() as build:
+    log = pathlib.Path(build, "log")
+    for text in (FUZZ, QUIET, QUIET):
+        log.write_text(text, encoding="utf-8")
+        results.add_fuzz_run(".", build, "Files", log, 1800)
+    figures = results.read(build, "fuzz")["figures"]
+    check([write_page.sum_up(figures, key) for key in ("executions", "seconds", "covered")], [800, 5400, 8136])
+    check([write_page.sum_up(figures, fault) for fault in results.FAULTS], [0, 0, 0])
+    check(write_page.tell_mended(figures), "crashes 1, hangs 1, reports 1")
+    check(write_page.tell_since(figures["Files"]), "200 in 1.0 h")
+    log.write_text(FUZZ, encoding="utf-8")
+    results.add_fuzz_run(".", build, "Files", log, 1800)
+    figures = results.read(build, "fuzz")["figures"]
+    check([write_page.sum_up(figures, fault) for fault in results.FAULTS], [1, 1, 1])
+    check(write_page.tell_since(figures["Files"]), "800 in 1.5 h")
 os.environ["PATH"] = ""
 check(results.get_commit("."), "no commit")
 print("logs are read")

@@ -45,15 +45,28 @@ def read_fuzz_log(text):
             "reports": reports, "crashes": len(faults) - hangs - reports}
 
 
+FAULTS = ("crashes", "hangs", "reports")
+
+
 def add_fuzz_run(source, build, name, log, seconds):
-    """Of places the most counts that one run reached: a later one may end before it has tried all that earlier ones kept."""
+    """A fault is mended before its fuzzer runs again: those of earlier runs count as mended, and what ran since then counts
+    once more. Of places the most counts that one run reached: a later one may end before it has tried all that earlier ones
+    kept."""
     run = read_fuzz_log(pathlib.Path(log).read_text(encoding="utf-8", errors="replace"))
     run["seconds"] = int(seconds)
     figures = read(build, "fuzz").get("figures", {})
     before = figures.get(name, {})
-    figures[name] = {key: before.get(key, 0) + value for key, value in run.items()}
+    mended = before.get("mended", {})
+    since = before.get("since", {})
+    if any(before.get(fault, 0) for fault in FAULTS):
+        mended = {fault: mended.get(fault, 0) + before[fault] for fault in FAULTS}
+        since = {}
+    figures[name] = {key: before.get(key, 0) + run[key] for key in ("executions", "seconds")}
+    figures[name].update({key: run[key] for key in FAULTS})
     figures[name]["covered"] = max(before.get("covered", 0), run["covered"])
     figures[name]["places"] = run["places"]
+    figures[name]["mended"] = {fault: mended.get(fault, 0) for fault in FAULTS}
+    figures[name]["since"] = {key: since.get(key, 0) + run[key] for key in ("executions", "seconds")}
     write(source, build, "fuzz", "./dev fuzz SECONDS", figures)
 
 

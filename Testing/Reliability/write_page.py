@@ -58,6 +58,14 @@ def tell_coverage(one):
     return "{:,} of {:,} ({:.0%})".format(one["covered"], one["places"], one["covered"] / max(1, one["places"]))
 
 
+def tell_mended(figures):
+    return ", ".join("%s %d" % (fault, sum(one["mended"][fault] for one in figures.values())) for fault in results.FAULTS)
+
+
+def tell_since(one):
+    return "{:,} in {:.1f} h".format(one["since"]["executions"], one["since"]["seconds"] / 3600)
+
+
 def tell_nothing_lost(figures):
     """A lost array and a number that is not finite are faults: the fuzzer ends with a crash."""
     return "{:,}".format(sum_up(figures, "crashes"))
@@ -76,6 +84,8 @@ ROWS = [
     ("Executions fuzzed", "fuzz", tell_of_fuzzers(lambda one: "{:,}".format(one["executions"]))),
     ("Hours fuzzed", "fuzz", tell_of_fuzzers(lambda one: "%.1f" % (one["seconds"] / 3600))),
     ("Branches of the code that the fuzzers reached", "fuzz", tell_of_fuzzers(tell_coverage)),
+    ("Faults that the fuzzers found, and that are mended", "fuzz", tell_mended),
+    ("Executions fuzzed since the last of them", "fuzz", tell_of_fuzzers(tell_since)),
     ("Crashes", "fuzz", tell_of_fuzz("crashes")),
     ("Hangs (30 s and more)", "fuzz", tell_of_fuzz("hangs")),
     ("Reports of sanitizers", "fuzz", tell_of_fuzz("reports")),

@@ -123,6 +123,23 @@ void ForSimplices(const SimplexView& simplices, const Visit& visit)
   }
 }
 
+/// How sharp cells of the geometry are; null: all stay sharp.
+vtkDataArray* FindSharpness(
+  vtkPointSet* geometry, const std::function<void(const std::string&)>& warn)
+{
+  vtkDataArray* sharpness = geometry->GetCellData()->GetArray("Sharpness");
+  if (sharpness && sharpness->GetNumberOfTuples() != geometry->GetNumberOfCells())
+  {
+    warn("The cell array \"Sharpness\" of the crease geometry has " +
+      std::to_string(sharpness->GetNumberOfTuples()) + " tuples for " +
+      std::to_string(geometry->GetNumberOfCells()) +
+      " cells: the filter ignores it, and all of its creases stay sharp. Give it one tuple for "
+      "each.");
+    return nullptr;
+  }
+  return sharpness;
+}
+
 }
 
 void MarkGeometry(vtkPointSet* input, const SimplexView& mesh, const MarkOptions& options,
@@ -156,7 +173,7 @@ void MarkGeometry(vtkPointSet* input, const SimplexView& mesh, const MarkOptions
     });
   ForSimplices(
     mesh, [&](vtkIdType, const vtkIdType* ids, int dimension) { candidates.Find(ids, dimension); });
-  vtkDataArray* sharpness = geometry->GetCellData()->GetArray("Sharpness");
+  vtkDataArray* sharpness = FindSharpness(geometry, warn);
   vtkIdType lost = 0;
   vtkIdType first = -1;
   ForSimplices(cells.GetView(),

@@ -270,6 +270,14 @@ const std::map<std::string, Case>& GetCases()
           filter->DetectFeaturesOn();
         }) },
     { "scheme-out-of-range", With([](Filter* filter) { filter->SetVolumeScheme(77); }) },
+    { "crease-sharpness-short",
+      With(
+        [](Filter* filter)
+        {
+          const Grid edge = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 } }, { { VTK_LINE, { 0, 1 } } });
+          edge->GetCellData()->AddArray(MakeNamed<vtkDoubleArray>("Sharpness", 1, 0));
+          filter->SetInputDataObject(2, edge);
+        }) },
     { "interpolated-array-missing",
       With(
         [](Filter* filter)
