@@ -228,7 +228,7 @@ class Runner:
     def build_changed(self, path, sources, objects):
         """Adds the objects of sources, compiled fast. Returns whether there is a library."""
         for source in sources:
-            made, _ = self.compile(pathlib.Path(source), path, ["-O0"])
+            made, _ = self.compile(pathlib.Path(source), path, ["-O0", "-Wfatal-errors"])
             if made is None:
                 return False
             objects[self.commands.objects[source]["output"]] = made
@@ -259,8 +259,8 @@ class Runner:
         overlay.parent.mkdir(parents=True, exist_ok=True)
         (self.overlay / "Filters" / schemata.HEADER).write_text(schemata.HEADER_TEXT, encoding="utf-8")
         try:
-            for constants in (True, False):
-                made = schemata.Schemata(text, several, constants)
+            for way in schemata.Schemata.list_ways(text):
+                made = schemata.Schemata(text, several, *way)
                 for _ in range(8):
                     if not made.numbers or not sources:
                         break
@@ -428,7 +428,8 @@ class Runner:
         try:
             failed = ""
             near = [] if number else self.find_near(mutation.path)
-            others = [] if number else [one for one in self.find_sources(mutation.path) if one not in near]
+            is_enough = number or near and is_explained
+            others = [] if is_enough else [one for one in self.find_sources(mutation.path) if one not in near]
             groups = [near] * bool(near) + [others[i:i + AT_ONCE] for i in range(0, len(others), AT_ONCE)]
             objects = {}
             for group in groups:  # most are killed before all sources are compiled

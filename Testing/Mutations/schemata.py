@@ -41,8 +41,10 @@ BRANCH = re.compile(r"^(\s*(?:else )?(?:if|while) )\((.*)\)\s*$", re.S)
 LOOP = re.compile(r"^(\s*for )\((.*)\)\s*$", re.S)
 RETURN = re.compile(r"^\s*return\b.*;\s*$", re.S)
 CONSTANT = re.compile(r"^(?:inline |static )?constexpr ([\w:]+(?:<[\w, ]+>)? \w+)( =\s+| ?(?={))(.*);\s*$", re.S)
-CONSTANT_BEGIN = re.compile(r"^constexpr (\w+ \w+(?: =|\{))")
-LIST = re.compile(r"^(\s+(?:static |inline )*)(?:(constexpr|const) )?([\w:]+(?:<[\w:, ]+>)? \w+(?:\[\w*\])*(?: = ?)?\{)(.*)(\};\s*)$", re.S)
+CONSTANT_BEGIN = re.compile(r"^constexpr (\w+ \w+(?:\[\w*\])*(?: =|\{))")
+TABLE_BEGIN = re.compile(r"^constexpr \w+ \w+\[\w*\]")
+FUNCTION_BEGIN = re.compile(r"^(\s*(?:static )?)constexpr (?=[^=;{]*\()")
+LIST = re.compile(r"^(\s*(?:static |inline )*)(?:(constexpr|const) )?([\w:]+(?:<[\w:, ]+>)? \w+(?:\[\w*\])*(?: = ?)?\{)(.*)(\};\s*)$", re.S)
 MEMBER = re.compile(r"^(\s+static )constexpr (\w+ \w+ =\s+)(.*);\s*$", re.S)
 ONE_LINE = re.compile(r"^(.*\)(?: const)? \{ )(return .*;)( \})$")
 VARIABLE_IN_BRACES = re.compile(r"^\s*(const )?[\w:]+(<.*>)? [*&]?\w+[{(\[;]")
@@ -96,6 +98,19 @@ def split_outside(text, sign):
     return parts
 
 
+def split_items(text):
+    """The items of a list, also of lists in it, and between them the commas and brackets."""
+    parts = [""]
+    depth = 0
+    for letter in text:
+        depth += (letter in "([") - (letter in ")]")
+        if letter in "{}," and depth == 0:
+            parts += [letter, ""]
+        else:
+            parts[-1] += letter
+    return parts
+
+
 def choose_value(number, changed, rest, ask="IsChosen"):
     return "::mutation::%s(%d) ? (%s) : %s" % (ask, number, changed, rest)
 
@@ -125,7 +140,7 @@ class Statement:
         if MEMBER.match(self.text):
             return "member"
         if LIST.match(self.text):
-            return "list"
+            return "table" if TABLE_BEGIN.match(self.text) else "list"
         if re.search(r"\b(constexpr|static_assert|using|template|case|default|static)\b", self.text):
             return ""
         if BRANCH.match(self.text):
@@ -155,7 +170,7 @@ class Statement:
         elif self.kind == "member":
             if not MEMBER.match(changed) or MEMBER.match(changed)[2] != MEMBER.match(self.text)[2]:
                 return False
-        elif self.kind == "list":
+        elif self.kind in ("list", "table"):
             if self.find_item(changed) is None:
                 return False
         elif self.kind == "declaration":
@@ -181,22 +196,21 @@ class Statement:
         mine, other = LIST.match(self.text), LIST.match(changed)
         if not other or mine[3] != other[3]:
             return None
-        items = [split_outside(one[4], ",") for one in (mine, other)]
+        items = [split_items(one[4]) for one in (mine, other)]
         found = [k for k, (one, two) in enumerate(zip(*items)) if one != two]
-        return found[0] if len(items[0]) == len(items[1]) and len(found) == 1 and "{" not in items[0][found[0]] else None
+        return found[0] if len(items[0]) == len(items[1]) and len(found) == 1 and found[0] % 2 == 0 else None
 
     def write_list(self):
         """A list with a choice in each changed item; it is no constant, as a choice is none."""
         head, constant, name, inside, tail = LIST.match(self.text).groups()
-        items = split_outside(inside, ",")
-        values = ["(%s)" % item for item in items]
+        items = split_items(inside)
         for number, changed in reversed(self.changed):
             k = self.find_item(changed)
-            items[k] = values[k] = choose_value(number, split_outside(LIST.match(changed)[4], ",")[k], values[k], "IsSwitchedOn")
+            items[k] = "(%s)" % choose_value(number, split_items(LIST.match(changed)[4])[k], "(%s)" % items[k], "IsSwitchedOn")
         constant = "const " if constant else ""
-        if constant and "static" in head and "inline" not in head:
+        if constant and "inline" not in head and ("static" in head or self.kind == "table"):
             head += "inline "
-        return "%s%s%s%s%s" % (head, constant, name, ", ".join(items), tail)
+        return "%s%s%s%s%s" % (head, constant, name, "".join(items), tail)
 
     def find_loop_changes(self, changed):
         mine = split_outside(LOOP.match(self.text)[2], ";")
@@ -241,7 +255,7 @@ class Statement:
             return "%s(%s)" % (head, value)
         if self.kind == "loop":
             return self.write_loop()
-        if self.kind == "list":
+        if self.kind in ("list", "table"):
             return self.write_list()
         if self.kind == "member":
             head, name, value = MEMBER.match(self.text).groups()
@@ -268,12 +282,16 @@ class Statement:
 
 
 class Schemata:
-    """A source with those of its mutations that can stand beside each other; numbers begin with 1."""
+    """A source with those of its mutations that can stand beside each other; numbers begin with 1.
 
-    def __init__(self, text, several, constants):
+    With `constants` these are variables, and with `functions` those that were constexpr are so no more.
+    """
+
+    def __init__(self, text, several, constants, functions=False):
         self.lines = text.split("\n")
         hidden = hide(text)
         self.constants = constants and any(CONSTANT_BEGIN.match(line) for line in self.lines)
+        self.functions = self.constants and functions
         self.statements = {}  # (begin, end) -> Statement
         self.numbers = {}  # key of a mutation -> number
         self.places = {}  # key -> (begin, end)
@@ -283,7 +301,7 @@ class Schemata:
                 continue
             original = "\n".join(self.read_line(hidden, i) for i in range(*place))
             statement = self.statements.setdefault(place, Statement(original))
-            if statement.kind in ("constant", "member") and not constants:
+            if statement.kind in ("constant", "member", "table") and not constants:
                 continue
             changed = [self.read_line(hidden, i) for i in range(*place)]
             changed[mutation.number - 1 - place[0]] = self.read_changed(mutation)
@@ -318,7 +336,15 @@ class Schemata:
 
     def free(self, line):
         """A constant without mutations, too, may be computed of one that has some."""
+        if self.functions:
+            line = FUNCTION_BEGIN.sub(r"\1inline ", line)
         return CONSTANT_BEGIN.sub(r"inline const \1", line) if self.constants else line
+
+    @staticmethod
+    def list_ways(text):
+        """How to call it, the way with most mutations first: (constants, functions)."""
+        has_tables = any(TABLE_BEGIN.match(line) for line in text.split("\n"))
+        return [(True, True)] * has_tables + [(True, False), (False, False)]
 
     def drop(self, place):
         """Leaves a statement as it was."""
