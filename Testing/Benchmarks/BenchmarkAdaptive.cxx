@@ -112,11 +112,17 @@ void RegisterFilter(
     Register("adaptivelimit" + end, threads,
       [&surface, set](Stopwatch& watch)
       {
-        vtkNew<Filter> filter;
-        SetUp(filter.Get(), surface);
-        set(filter);
-        filter->Update();
-        return RunLimit(watch, GetSize(filter->GetOutput()), Pages::Huge);
+        static std::map<std::string, OutputSize> sizes; // one for each filter
+        OutputSize& size = sizes[surface.Name];
+        if (size.Arrays.empty())
+        {
+          vtkNew<Filter> filter;
+          SetUp(filter.Get(), surface);
+          set(filter);
+          filter->Update();
+          size = GetSize(filter->GetOutput());
+        }
+        return RunLimit(watch, size, Pages::Huge);
       });
   }
 }

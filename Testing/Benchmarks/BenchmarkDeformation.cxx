@@ -3,10 +3,9 @@
  * @file BenchmarkDeformation.cxx
  * A lattice of one million points in a cage of 384 tetrahedra: the first execution, and one with
  * moved control points. The limit of the latter: reading the operators and 4 entries of 8 + 4 bytes
- * for each point once, and writing the points.
+ * for each point once, and writing the points, in small pages and in huge ones.
  */
-#include "BenchmarkMeshes.h"
-#include "BenchmarkTools.h"
+#include "BenchmarkLimit.h"
 
 #include "Private/Deformation/RestMesh.h"
 
@@ -102,7 +101,7 @@ std::size_t GetOperatorSize()
   return size;
 }
 
-Produced RunLimit(Stopwatch& watch)
+Produced ReadAndWrite(Stopwatch& watch, Pages pages)
 {
   using subdivision::Buffer;
   const vtkIdType words =
@@ -123,13 +122,13 @@ Produced RunLimit(Stopwatch& watch)
           }
           total += sum;
         });
-      Buffer<double> points(3 * NumberOfPoints);
-      subdivision::ForEach(3 * NumberOfPoints, [&](vtkIdType i) { points[i] = 0.5; });
-      benchmark::DoNotOptimize(points.data());
-      benchmark::ClobberMemory();
     });
   benchmark::DoNotOptimize(total.load());
-  return { static_cast<double>(NumberOfPoints), static_cast<double>(BytesWritten) };
+  OutputSize points;
+  points.Cells = static_cast<double>(NumberOfPoints);
+  points.Bytes = static_cast<double>(BytesWritten);
+  points.Arrays = { BytesWritten };
+  return RunLimit(watch, points, pages);
 }
 
 void RegisterDeformation()
@@ -141,7 +140,10 @@ void RegisterDeformation()
       [](Stopwatch& watch) { return RunDeformation(watch, false); });
     Register("deformation/again" + end, threads,
       [](Stopwatch& watch) { return RunDeformation(watch, true); });
-    Register("limit/deformation" + end, threads, RunLimit);
+    Register("limit/deformation-small" + end, threads,
+      [](Stopwatch& watch) { return ReadAndWrite(watch, Pages::Small); });
+    Register("limit/deformation-huge" + end, threads,
+      [](Stopwatch& watch) { return ReadAndWrite(watch, Pages::Huge); });
   }
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BenchmarkFilter.cxx
- * The whole filter: first execution, execution with another scalar, larger and larger levels.
+ * The whole filter: first execution, execution with another scalar, larger and larger levels, and
+ * control meshes of 10^3 cells and more.
  */
 #include "BenchmarkFilter.h"
 
@@ -15,6 +16,9 @@
 #include "vtkUnstructuredGrid.h"
 
 #include "vtksys/SystemInformation.hxx"
+
+#include <algorithm>
+#include <string>
 
 namespace benchmarks
 {
@@ -64,6 +68,42 @@ Produced RunAgain(Stopwatch& watch, const Case& which, int levels)
   return Tell(MeasureOutput(filter->GetOutput()));
 }
 
+/// A control mesh of about ten times as many cells as the one before, and the levels that fit.
+struct ControlMesh
+{
+  const char* Kind;
+  const char* Cells;
+  FlatMesh (*Make)(int);
+  int Size;
+  int Levels;
+  bool IsQuick;
+};
+
+const ControlMesh ControlMeshes[] = {
+  { "tetrahedra", "1296", MakeCube, 6, 1, true },
+  { "tetrahedra", "10368", MakeCube, 12, 1, true },
+  { "tetrahedra", "105456", MakeCube, 26, 1, true },
+  { "tetrahedra", "998250", MakeCube, 55, 1, true },
+  { "tetrahedra", "10110954", MakeCube, 119, 1, false },
+  { "triangles", "1280", MakeSphere, 3, 2, true },
+  { "triangles", "20480", MakeSphere, 5, 2, true },
+  { "triangles", "81920", MakeSphere, 6, 2, true },
+  { "triangles", "1310720", MakeSphere, 8, 2, true },
+  { "triangles", "5242880", MakeSphere, 9, 2, false },
+};
+
+Produced RunControl(Stopwatch& watch, const ControlMesh& mesh)
+{
+  // Made anew: not all of them fit into memory beside the largest output.
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetInputData(ToVtk(mesh.Make(mesh.Size)));
+  filter->SetNumberOfLevels(mesh.Levels);
+  filter->SetMaximumNumberOfCells(VTK_ID_MAX);
+  SetCache(filter.Get(), false, 0);
+  watch.Time([&]() { filter->Update(); });
+  return Tell(MeasureOutput(filter->GetOutput()));
+}
+
 /// Levels above the standard ones whose output, three times, fits into half of the free memory.
 int GetLargestLevel(const Case& which, int growth)
 {
@@ -105,9 +145,23 @@ void RegisterFilter()
     Register("filter/cached/cube/levels:3", threads,
       [&cube](Stopwatch& watch) { return RunOnce(watch, cube, 3, true); });
   }
-  if (IsQuick())
+  if (IsForPeers())
   {
-    return;
+    return; // finding the largest levels takes memory that is then warm
+  }
+  const int repetitions = IsQuick() ? 0 : 3;
+  for (const ControlMesh& mesh : ControlMeshes)
+  {
+    for (int threads : ThreadCounts)
+    {
+      if (mesh.IsQuick || !IsQuick())
+      {
+        Register(
+          std::string("control/") + mesh.Kind + "/" + mesh.Cells +
+            "/levels:" + std::to_string(mesh.Levels),
+          threads, [&mesh](Stopwatch& watch) { return RunControl(watch, mesh); }, repetitions);
+      }
+    }
   }
   const struct
   {
@@ -117,12 +171,20 @@ void RegisterFilter()
   for (const auto& item : scaled)
   {
     const Case& which = GetCase(item.Name);
-    const int largest = GetLargestLevel(which, item.Growth);
-    for (int levels = which.Levels + 1; levels <= largest; ++levels)
+    const int fitting = GetLargestLevel(which, item.Growth);
+    const int largest = IsQuick() ? std::min(fitting, which.Levels + 1) : fitting;
+    for (int levels = 2; levels <= largest; ++levels)
     {
-      Register(
-        "filter/first/" + which.Name + "/levels:" + std::to_string(levels), 4,
-        [&which, levels](Stopwatch& watch) { return RunOnce(watch, which, levels, false); }, 3);
+      for (int threads : ThreadCounts)
+      {
+        if (levels != which.Levels)
+        {
+          Register(
+            "filter/first/" + which.Name + "/levels:" + std::to_string(levels), threads,
+            [&which, levels](Stopwatch& watch) { return RunOnce(watch, which, levels, false); },
+            repetitions);
+        }
+      }
     }
   }
 }

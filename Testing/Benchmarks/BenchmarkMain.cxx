@@ -6,7 +6,7 @@
  *   SubdivisionObjectsBenchmarks [--quick] [--peers] [--warm] [Google Benchmark's own options]
  *   SubdivisionObjectsBenchmarks --peak-memory CASE LEVELS THREADS CACHE(0|1)
  *
- * Of the cases of BenchmarkShape.h the second form ignores LEVELS and CACHE.
+ * Of the cases of BenchmarkShape.h and BenchmarkSurface.h the second form ignores LEVELS and CACHE.
  *
  * Either the peers are measured, or all the rest: what peers leave in the heap must not make our
  * memory warm. With --warm it is to be: what repetitions free stays in the process, as where a
@@ -15,11 +15,13 @@
  */
 #include "BenchmarkFilter.h"
 #include "BenchmarkShape.h"
+#include "BenchmarkSurface.h"
 #include "BenchmarkTools.h"
 
 #include "Core/Memory/Buffer.h"
 
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cstdio>
@@ -71,9 +73,10 @@ int PrintPeakMemoryOf(Filter* filter)
   const double before = ReadStatus("VmRSS");
   filter->Update();
   const double peak = ReadStatus("VmHWM");
-  const OutputSize size = MeasureOutput(filter->GetOutput());
-  std::printf("{ \"growth\": %.0f, \"output\": %.0f, \"cells\": %.0f }\n", peak - before,
-    size.Bytes, size.Cells);
+  vtkPointSet* output = filter->GetOutput();
+  std::printf("{ \"growth\": %.0f, \"output\": %.0f, \"cells\": %lld }\n", peak - before,
+    1024. * static_cast<double>(output->GetActualMemorySize()),
+    static_cast<long long>(output->GetNumberOfCells()));
   return EXIT_SUCCESS;
 }
 
@@ -83,6 +86,10 @@ int PrintPeakMemory(char** arguments)
   if (const auto shape = MakeShapeFilter(arguments[0]))
   {
     return PrintPeakMemoryOf(shape.Get());
+  }
+  if (const auto surface = MakeSurfaceFilter(arguments[0]))
+  {
+    return PrintPeakMemoryOf(surface.Get());
   }
   return PrintPeakMemoryOf(
     MakeFilter(GetCase(arguments[0]), std::atoi(arguments[1]), std::atoi(arguments[3]) != 0).Get());

@@ -10,6 +10,7 @@
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -324,6 +325,38 @@ vtkSmartPointer<vtkPointSet> ReadFile(const std::string& path)
   }
   SetScalar(result);
   return result;
+}
+
+FlatMesh ReadTriangles(const std::string& path)
+{
+  FlatMesh mesh;
+  mesh.Corners = 3;
+  const auto surface = ReadFile(path);
+  if (!surface)
+  {
+    return mesh;
+  }
+  std::vector<int> numbers(static_cast<std::size_t>(surface->GetNumberOfPoints()), -1);
+  vtkDataArray* scalar = surface->GetPointData()->GetScalars();
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType c = 0; c < surface->GetNumberOfCells(); ++c)
+  {
+    surface->GetCellPoints(c, corners);
+    for (vtkIdType i = 0; corners->GetNumberOfIds() == 3 && i < 3; ++i)
+    {
+      const vtkIdType point = corners->GetId(i);
+      if (numbers[point] < 0)
+      {
+        numbers[point] = mesh.GetNumberOfPoints();
+        double x[3];
+        surface->GetPoint(point, x);
+        mesh.Points.insert(mesh.Points.end(), x, x + 3);
+        mesh.Scalar.push_back(scalar->GetComponent(point, 0));
+      }
+      mesh.Cells.push_back(numbers[point]);
+    }
+  }
+  return mesh;
 }
 
 const std::vector<Case>& GetCases()

@@ -48,6 +48,8 @@ vtkSmartPointer<vtkPointSet> MakePolylines(int polylines, int lines);
 std::string GetDataFolder();
 /// Null when the file does not exist.
 vtkSmartPointer<vtkPointSet> ReadFile(const std::string& path);
+/// The triangles of a file, without points that none of them uses; no cells if it does not exist.
+FlatMesh ReadTriangles(const std::string& path);
 
 /// One of the standard cases.
 struct Case

@@ -4,16 +4,16 @@
  * Surface subdivision: schemes for triangles on a sphere of triangles, the others on a sphere of
  * quads, to about 1.3 million faces (sqrt(3): 1.66 million); points and a scalar, first execution.
  */
-#include "BenchmarkLimit.h"
+#include "BenchmarkSurface.h"
 
-#include "vtkSurfaceSubdivision.h"
+#include "BenchmarkLimit.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <map>
 #include <string>
 
 namespace benchmarks
@@ -52,39 +52,47 @@ vtkPolyData* GetInput(const Scheme& scheme)
   return vtkPolyData::SafeDownCast(input);
 }
 
-Produced Run(Stopwatch& watch, const Scheme& scheme)
+vtkSmartPointer<vtkSurfaceSubdivision> MakeFilter(const Scheme& scheme)
 {
-  vtkNew<vtkSurfaceSubdivision> filter;
+  auto filter = vtkSmartPointer<vtkSurfaceSubdivision>::New();
   filter->SetInputData(GetInput(scheme));
   filter->SetScheme(scheme.Kind);
   filter->SetNumberOfLevels(scheme.Levels);
   filter->SetCacheOperator(false);
+  return filter;
+}
+
+Produced Run(Stopwatch& watch, const Scheme& scheme)
+{
+  const auto filter = MakeFilter(scheme);
   watch.Time([&]() { filter->Update(); });
   vtkPolyData* output = filter->GetOutput();
   return { static_cast<double>(output->GetNumberOfCells()),
     1024. * static_cast<double>(output->GetActualMemorySize()) };
 }
 
-/// Arrays of the sizes of points, scalar, connectivity and offsets.
-Produced Limit(Stopwatch& watch, const Scheme& scheme)
+/// Points, scalar, connectivity and offsets of the output, found by running the filter once.
+const OutputSize& GetSize(const Scheme& scheme)
 {
-  vtkNew<vtkSurfaceSubdivision> filter;
-  filter->SetInputData(GetInput(scheme));
-  filter->SetScheme(scheme.Kind);
-  filter->SetNumberOfLevels(scheme.Levels);
-  filter->Update();
-  vtkPolyData* output = filter->GetOutput();
-  OutputSize size;
-  size.Cells = static_cast<double>(output->GetNumberOfCells());
-  for (vtkDataArray* array : { output->GetPoints()->GetData(), output->GetPointData()->GetScalars(),
-         static_cast<vtkDataArray*>(output->GetPolys()->GetConnectivityArray()),
-         static_cast<vtkDataArray*>(output->GetPolys()->GetOffsetsArray()) })
+  static std::map<std::string, OutputSize> sizes;
+  OutputSize& size = sizes[scheme.Name];
+  if (size.Arrays.empty())
   {
-    size.Arrays.push_back(
-      static_cast<std::size_t>(array->GetNumberOfValues()) * array->GetDataTypeSize());
-    size.Bytes += static_cast<double>(size.Arrays.back());
+    const auto filter = MakeFilter(scheme);
+    filter->Update();
+    vtkPolyData* output = filter->GetOutput();
+    size.Cells = static_cast<double>(output->GetNumberOfCells());
+    for (vtkDataArray* array :
+      { output->GetPoints()->GetData(), output->GetPointData()->GetScalars(),
+        static_cast<vtkDataArray*>(output->GetPolys()->GetConnectivityArray()),
+        static_cast<vtkDataArray*>(output->GetPolys()->GetOffsetsArray()) })
+    {
+      size.Arrays.push_back(
+        static_cast<std::size_t>(array->GetNumberOfValues()) * array->GetDataTypeSize());
+      size.Bytes += static_cast<double>(size.Arrays.back());
+    }
   }
-  return RunLimit(watch, size, Pages::Small);
+  return size;
 }
 
 void RegisterSurface()
@@ -97,8 +105,10 @@ void RegisterSurface()
         std::string("/") + scheme.GetMesh() + "/levels:" + std::to_string(scheme.Levels);
       Register(std::string("surface/") + scheme.Name + end, threads,
         [&scheme](Stopwatch& watch) { return Run(watch, scheme); });
-      Register(std::string("surfacelimit/") + scheme.Name + end, threads,
-        [&scheme](Stopwatch& watch) { return Limit(watch, scheme); });
+      Register(std::string("surfacelimit/") + scheme.Name + "-small" + end, threads,
+        [&scheme](Stopwatch& watch) { return RunLimit(watch, GetSize(scheme), Pages::Small); });
+      Register(std::string("surfacelimit/") + scheme.Name + "-huge" + end, threads,
+        [&scheme](Stopwatch& watch) { return RunLimit(watch, GetSize(scheme), Pages::Huge); });
     }
   }
 }
@@ -106,4 +116,17 @@ void RegisterSurface()
 const Registration Registered(RegisterSurface);
 
 }
+
+vtkSmartPointer<vtkSurfaceSubdivision> MakeSurfaceFilter(const std::string& name)
+{
+  for (const Scheme& scheme : Schemes)
+  {
+    if (scheme.Name == name)
+    {
+      return MakeFilter(scheme);
+    }
+  }
+  return nullptr;
+}
+
 }

@@ -93,7 +93,7 @@ inline void Register(const std::string& name, int threads,
   }
 }
 
-constexpr int ThreadCounts[2] = { 1, 4 };
+constexpr int ThreadCounts[3] = { 1, 2, 4 };
 
 /// What each translation unit registers; the peers that are not there are not linked.
 using RegisterFunction = void (*)();

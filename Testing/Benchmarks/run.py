@@ -14,6 +14,9 @@ import statistics
 import subprocess
 import sys
 
+sys.dont_write_bytecode = True
+from bars import Measured, THREADS, bars_section
+
 STANDARD = {"cube": "a", "sphere": "b", "polylines": "e"}
 PEER_NOTES = {
     "vtkSubdivideTetra": "12 children per tet, half of them inverted, points not shared; shown, not counted",
@@ -29,34 +32,6 @@ PEER_NOTES = {
 SURFACE_PEERS = {"CGAL": "no scalar", "OpenMesh": "no scalar", "OpenSubdiv": "", "VTK": ""}
 SURFACE_SCHEMES = ("Loop", "Butterfly", "Catmull-Clark", "Doo-Sabin", "sqrt3")
 PER_CELL = ("vtkSubdivideTetra",)
-
-# What is to be reached: name; figure and limit by (family, what, case, levels), or no limit; the largest
-# ratio of figure and limit, or without a limit the most milliseconds.
-BARS = [
-    ("first binding of 10^6 points", ("deformation", "first", "million", 3), None, 150.0),
-    ("deforming 10^6 points again", ("deformation", "again", "million", 3), ("limit", "deformation", "million", 3), 1.3),
-    ("adaptive sqrt(3) beside red-green on the limit", ("adaptive", "sqrt3", "bumpy", 8),
-     ("adaptive", "redgreen", "bumpy", 8), 1.0),
-    ("adaptive sqrt(3) beside uniform sqrt(3) of CGAL", ("adaptive", "sqrt3", "bumpy", 8),
-     ("peer", "CGAL sqrt3", "bumpy", 2), 1.0),
-    ("tetrahedra, box spline", ("filter", "first", "cube", 3), ("limit", "huge", "cube", 3), 1.6),
-    ("triangles, main filter", ("filter", "first", "sphere", 3), ("limit", "huge", "sphere", 3), 2.2),
-    ("Loop beside OpenSubdiv", ("surface", "Loop", "sphere", 3), ("peer", "OpenSubdiv Loop", "sphere", 3), 0.25),
-    ("Catmull-Clark beside OpenSubdiv", ("surface", "Catmull-Clark", "quads", 3),
-     ("peer", "OpenSubdiv Catmull-Clark", "quads", 3), 0.25),
-    ("polylines", ("filter", "first", "polylines", 3), ("limit", "huge", "polylines", 3), 1.5),
-    ("places, ready rows beside limit stencils of OpenSubdiv", ("places", "apply rows", "sphere", 0),
-     ("peer", "OpenSubdiv limit stencils apply", "sphere", 0), 1.0),
-    *[("%s, making rows%s beside OpenSubdiv" % (what, parts), ("places", "make rows" + parts, own, 0),
-       ("peer", "OpenSubdiv limit stencils make" + parts, peer, 0), bar)
-      for parts in ("", " with second derivatives")
-      for what, own, peer, bar in (
-          ("places", "sphere", "sphere", 0.9),
-          ("places by Loop", "sphere by Loop", "sphere", 0.9),
-          ("places by Catmull-Clark", "sphere of quads by CatmullClark", "sphere of quads", 0.8))],
-    ("4-8", ("surface", "4-8", "quads", 6), ("surfacelimit", "4-8", "quads", 6), 2.5),
-    ("midedge", ("surface", "Midedge", "quads", 6), ("surfacelimit", "Midedge", "quads", 6), 2.5),
-]
 
 
 class Sample:
@@ -83,6 +58,14 @@ class Sample:
                 "repetitions": len(self.times), "cells": self.cells, "bytes": self.bytes}
 
 
+def parse_name(name):
+    """(family, what, case, levels, threads) of a name of the program."""
+    parts = name.split("/")
+    options = dict(part.split(":") for part in parts if ":" in part)
+    family, what, case = [part for part in parts if ":" not in part and part != "manual_time"]
+    return family, what, case, int(options["levels"]), int(options["threads"])
+
+
 def read_samples(path):
     """Samples by (family, what, case, levels, threads)."""
     units = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
@@ -92,12 +75,7 @@ def read_samples(path):
     for result in results["benchmarks"]:
         if result.get("run_type") != "iteration" or result.get("error_occurred"):
             continue
-        parts = result["run_name"].split("/")
-        options = dict(part.split(":") for part in parts if ":" in part)
-        names = [part for part in parts if ":" not in part and part != "manual_time"]
-        family, what, case = names
-        key = (family, what, case, int(options["levels"]), int(options["threads"]))
-        sample = samples.setdefault(key, Sample())
+        sample = samples.setdefault(parse_name(result["run_name"]), Sample())
         sample.times.append(result["real_time"] * units[result["time_unit"]])
         sample.cells = result["cells"]
         sample.bytes = result["bytes"]
@@ -107,9 +85,9 @@ def read_samples(path):
 def measure_memory(program, cases, repetitions):
     """Growth of the peak over the memory before, divided by the output; fresh processes."""
     ratios = {}
-    for case, levels in cases:
-        for threads in (1, 4):
-            for cache in (0, 1):
+    for case, levels, caches in cases:
+        for threads in THREADS:
+            for cache in caches:
                 values = []
                 for _ in range(repetitions):
                     answer = json.loads(subprocess.check_output(
@@ -158,13 +136,14 @@ def surface_section(samples):
     rows = []
     for (family, what, case, levels, threads), sample in sorted(samples.items()):
         if family == "surface":
-            limit = samples.get(("surfacelimit", what, case, levels, threads))
+            small = samples.get(("surfacelimit", what + "-small", case, levels, threads))
+            huge = samples.get(("surfacelimit", what + "-huge", case, levels, threads))
             rows.append(["%s (%s, %d levels)" % (what, case, levels), str(threads), sample.text(),
-                         limit.text() if limit else "-", ratio(sample, limit),
+                         small.text() if small else "-", ratio(sample, small), ratio(sample, huge),
                          "%.1f" % sample.ns_per_cell()])
     return ["## Surface subdivision, first execution", ""] + table(
-        ["scheme", "threads", "ms", "limit, 4 KiB pages, ms", "time / limit", "ns per output cell"],
-        rows)
+        ["scheme", "threads", "ms", "limit, 4 KiB pages, ms", "time / limit",
+         "time / limit with huge pages", "ns per output cell"], rows)
 
 
 def surface_peer_section(samples):
@@ -232,20 +211,15 @@ def measure_shape_memory(program, samples):
     return growth
 
 
-def within(value, bar):
-    return "%.2g (bar %g: %s)" % (value, bar, "pass" if value <= bar else "fail")
-
-
 def shape_section(samples, memory):
     rows = []
     for (family, what, case, levels, threads), sample in sorted(samples.items()):
         uniform = samples.get(("shape", "uniform", case, levels, threads))
-        if family != "shape" or what != "adaptive" or not uniform:
+        if family != "shape" or what != "adaptive":
             continue
-        part = sample.median / uniform.median
-        rows.append([case, str(threads), "%.3g" % sample.cells, sample.text(), "%.3g" % uniform.cells,
-                     uniform.text(), within(part, 0.5) if case == "screw" else "%.2g" % part,
-                     within(1e-3 * sample.ns_per_cell(), 1), within(memory[case], 300)])
+        rows.append([case, str(threads), "%.3g" % sample.cells, sample.text(),
+                     "%.3g" % uniform.cells if uniform else "-", uniform.text() if uniform else "-",
+                     ratio(sample, uniform), "%.2f" % (1e-3 * sample.ns_per_cell()), "%.0f" % memory[case]])
     return ["## Red-green refinement on the limit, by its shape", ""] + table(
         ["case", "threads", "cells", "ms", "uniform cells", "ms", "time / uniform", "us per cell",
          "bytes of peak per cell, 1 thread"], rows) if rows else []
@@ -255,12 +229,13 @@ def deformation_section(samples):
     rows = []
     for (family, what, case, levels, threads), sample in sorted(samples.items()):
         if family == "deformation":
-            limit = samples.get(("limit", "deformation", case, levels, threads)) if what == "again" else None
-            rows.append([what, str(threads), sample.text(), limit.text() if limit else "-",
-                         ratio(sample, limit), "%.1f" % sample.ns_per_cell()])
+            small, huge = (samples.get(("limit", "deformation-" + pages, case, levels, threads))
+                           if what == "again" else None for pages in ("small", "huge"))
+            rows.append([what, str(threads), sample.text(), small.text() if small else "-",
+                         ratio(sample, small), ratio(sample, huge), "%.1f" % sample.ns_per_cell()])
     return ["## Deformation of one million points", ""] + table(
-        ["execution", "threads", "ms", "reading rows and operators, writing points, ms", "time / that",
-         "ns per point"], rows) if rows else []
+        ["execution", "threads", "ms", "reading rows and operators, writing points, 4 KiB pages, ms",
+         "time / that", "time / that with huge pages", "ns per point"], rows) if rows else []
 
 
 def interpolation_section(samples):
@@ -283,23 +258,6 @@ def adaptive_section(samples):
     return ["## Local refinement of surfaces to a geometric error of 3e-4", ""] + table(
         ["surface", "scheme", "threads", "cells", "ms", "writing the output, huge pages, ms", "time / that",
          "ns per output cell"], rows) if rows else []
-
-
-def bars_section(samples):
-    rows = []
-    for name, figure, limit, bar in BARS:
-        for threads in (1, 4):
-            sample = samples.get(figure + (threads,))
-            # Peers have one thread.
-            beside = limit and (samples.get(limit + (threads,)) or samples.get(limit + (1,)))
-            if not sample or (limit and not beside):
-                continue
-            value = sample.median / beside.median if limit else 1e3 * sample.median
-            rows.append([name, str(threads), "%.3g ms" % (1e3 * sample.median),
-                         "%.3g ms" % (1e3 * beside.median) if limit else "-", "%.2f" % value if limit else "-",
-                         "%g" % bar if limit else "%g ms" % bar, "pass" if value <= bar else "fail"])
-    return ["## Bars", ""] + table(
-        ["name", "threads", "figure", "limit", "ratio", "bar", "result"], rows) if rows else []
 
 
 def worst_section(samples):
@@ -377,13 +335,26 @@ def scaling_section(samples):
         ["case", "levels", "cells", "ms", "ns per output cell", "against level 3"], rows)
 
 
+def list_names(command, pattern):
+    """The names that a regular expression leaves."""
+    names = subprocess.run(command + ["--benchmark_list_tests=true", "--benchmark_filter=" + pattern],
+                           check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    return {parse_name(name) for name in names if name.count("/") > 3}
+
+
 def run(arguments):
     program = os.path.join(arguments.build, "bin", "SubdivisionObjectsBenchmarks")
     load = os.getloadavg()[0]
     samples = {}
+    known, registered, chosen = set(), set(), set()
     for group in ([], ["--peers"]): # processes of their own: heaps stay apart
         results = os.path.join(arguments.build, "results%s.json" % ("-peers" if group else ""))
-        subprocess.run([program] + (["--quick"] if arguments.quick else []) + group + (["--warm"] if arguments.warm else []) + [
+        command = [program] + (["--quick"] if arguments.quick else []) + group + (
+            ["--warm"] if arguments.warm else [])
+        known |= list_names([program] + group, ".")
+        registered |= list_names(command, ".")
+        chosen |= list_names(command, arguments.filter)
+        subprocess.run(command + [
             "--benchmark_repetitions=%d" % arguments.repetitions,
             "--benchmark_enable_random_interleaving=true",
             "--benchmark_filter=" + arguments.filter,
@@ -391,19 +362,23 @@ def run(arguments):
             check=True, stdout=subprocess.DEVNULL)
         if os.path.getsize(results) > 0:
             samples.update(read_samples(results))
-    cases = sorted({(key[2], key[3]) for key in samples
+    cases = sorted({(key[2], key[3], (0, 1)) for key in samples
                     if key[:2] == ("filter", "first") and ("limit", "small") + key[2:] in samples})
+    cases += sorted({(key[1], key[3], (0,)) for key in samples if key[0] == "surface"})
     memory = measure_memory(program, cases, 1 if arguments.quick else 3)
+    shape_memory = measure_shape_memory(program, samples)
+    loads = (load, os.getloadavg()[0])
 
     lines = ["# Benchmarks", "",
              "Medians of %d repetitions in random order, (min..max); load average before %.1f, "
              "after %.1f; %d processors." % (
-                 arguments.repetitions, load, os.getloadavg()[0], os.cpu_count()), ""]
-    lines += bars_section(samples) + worst_section(samples)
+                 arguments.repetitions, *loads, os.cpu_count()), ""]
+    measured = Measured(samples, memory, shape_memory, known, registered, chosen)
+    lines += bars_section(measured, loads, table) + worst_section(samples)
     lines += filter_section(samples, memory) + surface_section(samples) + again_section(samples)
     lines += surface_peer_section(samples) + tetoct_section(samples)
     lines += red_green_section(samples)
-    lines += shape_section(samples, measure_shape_memory(program, samples))
+    lines += shape_section(samples, shape_memory)
     lines += adaptive_section(samples) + deformation_section(samples) + interpolation_section(samples)
     lines += peer_section(samples)
     lines += stage_section(samples)

@@ -87,6 +87,16 @@ void RegisterCgal()
       return Subdivide(watch, bumpy, 2,
         [](Mesh& mesh, const auto& options) { Methods::Sqrt3_subdivision(mesh, options); });
     });
+  static const FlatMesh bunny = ReadTriangles(GetDataFolder() + "/surf_bunny_full.vtp");
+  if (bunny.GetNumberOfCells() > 0)
+  {
+    Register("peer/CGAL sqrt3/bunny/levels:2", 1,
+      [](Stopwatch& watch)
+      {
+        return Subdivide(watch, bunny, 2,
+          [](Mesh& mesh, const auto& options) { Methods::Sqrt3_subdivision(mesh, options); });
+      });
+  }
   Register("peer/CGAL Catmull-Clark/quads/levels:3", 1,
     [](Stopwatch& watch)
     {

@@ -242,10 +242,17 @@ bool RedGreen<Id>::IsHalfSplit(Id index)
 template <typename Id>
 bool RedGreen<Id>::IsInnerEdgeSplit(const Node& node) const
 {
+  // Few midpoints are ends of such an edge, and to look for one in the table is slow.
+  auto mayBeEnd = [this](Id vertex)
+  { return !this->InnerEndsAreKnown || this->InnerEnds[vertex - this->InputVertices]; };
   auto isSplit = [&](int k, int l)
   {
-    const Id edge = this->EdgesByEnds.Find(
-      this->Edges[node.Edges[k]].Midpoint, this->Edges[node.Edges[l]].Midpoint);
+    const Id ends[2] = { this->Edges[node.Edges[k]].Midpoint, this->Edges[node.Edges[l]].Midpoint };
+    if (!mayBeEnd(ends[0]) || !mayBeEnd(ends[1]))
+    {
+      return false;
+    }
+    const Id edge = this->EdgesByEnds.Find(ends[0], ends[1]);
     return edge >= 0 && this->Edges[edge].Midpoint >= 0;
   };
   if (node.Dimension == 2)
@@ -289,9 +296,19 @@ void RedGreen<Id>::Split(Id index)
     return;
   }
   edge.Midpoint = this->GetNumberOfVertices();
-  this->InnerEdgesSplit = this->InnerEdgesSplit ||
-    (this->FindMidpointEdge(edge.Ends[0]) >= 0 && this->FindMidpointEdge(edge.Ends[1]) >= 0);
+  if (this->FindMidpointEdge(edge.Ends[0]) >= 0 && this->FindMidpointEdge(edge.Ends[1]) >= 0)
+  {
+    this->InnerEdgesSplit = true;
+    for (const Id end : edge.Ends)
+    {
+      if (end >= this->InputVertices)
+      {
+        this->InnerEnds[end - this->InputVertices] = true;
+      }
+    }
+  }
   this->MidpointEdges.push_back(index);
+  this->InnerEnds.push_back(false);
   this->Queue.push_back(index);
   this->FlagEnds(edge);
 }
@@ -405,6 +422,7 @@ void RedGreen<Id>::AddMidpoint(Id end0, Id end1, Id midpoint)
   this->Edges[edge].Midpoint = midpoint;
   this->KnownMidpoints.emplace(midpoint, edge);
   this->InnerEdgesSplit = true; // is not known, so assume it
+  this->InnerEndsAreKnown = false;
   this->GetHalf(edge, 0);
   this->Queue.push_back(edge);
   this->FlagEnds(this->Edges[edge]);

@@ -247,6 +247,7 @@ private:
   GrowingBuffer<Edge> Edges;
   PairTable<Id> EdgesByEnds; ///< without the halves of edges that this object split
   GrowingBuffer<Id> MidpointEdges;
+  GrowingBuffer<bool> InnerEnds; ///< of new vertices: end of a split edge between midpoints
   std::unordered_map<Id, Id> KnownMidpoints; ///< edge whose midpoint an input vertex is
 
   GrowingBuffer<Id> Queue;      ///< split edges that were not passed on to the cells at them
@@ -254,8 +255,9 @@ private:
   std::vector<Id> ChangedNodes; ///< since the last Close()
   std::vector<Id> LastChanges;  ///< ChangedNodes of the last Close()
 
-  bool InnerEdgesSplit = false; ///< whether an edge between midpoints may be split
-  Buffer<unsigned char> Flags;  ///< of input vertices: end of a split edge
+  bool InnerEdgesSplit = false;  ///< whether an edge between midpoints may be split
+  bool InnerEndsAreKnown = true; ///< not after AddMidpoint
+  Buffer<unsigned char> Flags;   ///< of input vertices: end of a split edge
   std::vector<Id> NewFlags;
   Buffer<Range> BlockRanges;  ///< the least and largest vertex of each block of input cells
   vtkIdType ScannedCells = 0; ///< number, in all scans together

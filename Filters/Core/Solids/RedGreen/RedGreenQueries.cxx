@@ -219,9 +219,9 @@ std::size_t RedGreen<Id>::GetMemorySize() const
   auto size = [](const std::vector<Id>& list) { return list.capacity() * sizeof(Id); };
   return this->Roots.GetMemorySize() + this->Flags.GetMemorySize() + this->Nodes.GetMemorySize() +
     this->Edges.GetMemorySize() + this->EdgesByEnds.GetMemorySize() +
-    this->MidpointEdges.GetMemorySize() + this->Queue.GetMemorySize() + size(this->ChangedNodes) +
-    size(this->LastChanges) + this->Incidence.GetMemorySize() +
-    this->KnownMidpoints.size() * 4 * sizeof(Id);
+    this->MidpointEdges.GetMemorySize() + this->InnerEnds.GetMemorySize() +
+    this->Queue.GetMemorySize() + size(this->ChangedNodes) + size(this->LastChanges) +
+    this->Incidence.GetMemorySize() + this->KnownMidpoints.size() * 4 * sizeof(Id);
 }
 
 SUBDIVISION_COMPILE(class RedGreen);
