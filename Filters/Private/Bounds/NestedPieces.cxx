@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Bounds/NestedPieces.h"
 
+#include "Core/Memory/Sorting.h"
 #include "Private/Bezier/BezierRoots.h"
 #include "Private/Bounds/TetOctReader.h"
 #include "Private/Reading/CellReader.h"
@@ -10,6 +11,7 @@
 #include "vtkPointSet.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace subdivision
@@ -29,6 +31,7 @@ NestedPieces::NestedPieces(
     if (before)
     {
       this->ReadTetOct(roots, fine, before->Mesh);
+      this->AlignEqualTets();
     }
     this->FindCorners();
     this->FindParents(2);
@@ -109,8 +112,11 @@ bool NestedPieces::AreOf(vtkPointSet* mesh) const
   for (const vtkIdType c : InTurn(this->GetNumberOfCells()))
   {
     const CellIds cell = cells.GetCell(c, scratch);
+    const vtkIdType* corners = this->CellCorners.data() + MostCorners * c;
+    const bool isAnyOrder = this->Kinds[c] == Lattice::TetOctTetrahedron; // see AlignEqualTets
     if (cell.Size != this->GetNumberOfCorners(c) ||
-      !std::equal(cell.Ids, cell.Ids + cell.Size, this->CellCorners.data() + MostCorners * c))
+      !(isAnyOrder ? std::is_permutation(cell.Ids, cell.Ids + cell.Size, corners)
+                   : std::equal(cell.Ids, cell.Ids + cell.Size, corners)))
     {
       return false;
     }
@@ -193,6 +199,38 @@ void NestedPieces::ReadTetOct(const BezierRoots& roots, vtkPointSet* fine, vtkPo
         }
       }
     });
+}
+
+/// Equal tetrahedra have the same points, and so have the octahedra in them. These must be cut
+/// around the same diagonal, which follows from the order of the corners: it becomes that of the
+/// first.
+void NestedPieces::AlignEqualTets()
+{
+  using Corners = std::array<vtkIdType, MostCorners>;
+  const Lattice& lattice = Lattice::Get(Lattice::TetOctTetrahedron);
+  std::vector<std::pair<Corners, vtkIdType>> tets;
+  for (const vtkIdType c : InTurn(this->GetNumberOfCells()))
+  {
+    if (this->Kinds[c] == Lattice::TetOctTetrahedron)
+    {
+      Corners corners{};
+      for (int k = 0; k < MostCorners; ++k)
+      {
+        corners[k] = this->GetPoint(this->FirstPlaces[c] + lattice.GetCornerPoint(k));
+      }
+      std::sort(corners.begin(), corners.end());
+      tets.emplace_back(corners, c);
+    }
+  }
+  StableSort(tets, std::less<>());
+  for (std::size_t i = 1; i < tets.size(); ++i)
+  {
+    if (tets[i].first == tets[i - 1].first)
+    {
+      std::copy_n(this->PlacePoints.data() + this->FirstPlaces[tets[i - 1].second],
+        lattice.Places.size(), this->PlacePoints.data() + this->FirstPlaces[tets[i].second]);
+    }
+  }
 }
 
 void NestedPieces::FindCorners()

@@ -49,7 +49,8 @@ public:
   NestedPieces(std::vector<signed char> kinds, Buffer<vtkIdType> placePoints,
     const std::array<vtkIdType, Steps + 1>& points);
 
-  /// Whether these are the cells of `mesh`, in its order.
+  /// Whether these are the cells of `mesh`, in its order. Corners of tet/oct tetrahedra may have
+  /// another one.
   bool AreOf(vtkPointSet* mesh) const;
   bool HasTets() const { return this->Has[PatchShape::Tetrahedron] || this->HasTetOct(); }
   /// Whether solids are those of the tet/oct scheme.
@@ -96,6 +97,7 @@ private:
   int FindTetOctKind(const TetOctMesh& before, vtkIdType cell) const;
   void ReadPlaces(const BezierRoots& roots);
   void ReadTetOct(const BezierRoots& roots, vtkPointSet* fine, vtkPointSet* before);
+  void AlignEqualTets();
   void CountPlaces();
   void FindCorners();
   void FindParents(int step);
