@@ -56,7 +56,7 @@ int FindRoundOfIncidence(int size, int first)
     const std::size_t before = few.State.GetMemorySize();
     few.State.MarkCell({ first + 2 * round, -1 });
     few.State.Close();
-    if (few.State.GetMemorySize() - before >= 12u * static_cast<unsigned>(size))
+    if (few.State.GetMemorySize() >= before + 12u * static_cast<unsigned>(size))
     {
       return round;
     }
@@ -155,6 +155,22 @@ TEST(RedGreenStored, ExpectMakesRoom)
   EXPECT_EQ(few.State.GetMemorySize(),
     before + SizeOfPage + 2 * size * SizeOfCell + size * 3 / 2 * SizeOfEdge +
       table.GetMemorySize());
+}
+
+// A new vertex of each line, a split edge that was not passed on, and a cell that has changed.
+TEST(RedGreenStored, MarksTakeThreeIds)
+{
+  constexpr int size = 1000;
+  Few few(size + 1, MakeLines(size));
+  few.State.Expect(MakeRange(size));
+  const std::size_t before = few.State.GetMemorySize();
+  for (int i = 0; i < size; ++i)
+  {
+    few.State.MarkCell({ i, -1 });
+  }
+  const std::size_t marks = 3 * size * sizeof(int);
+  EXPECT_GE(few.State.GetMemorySize(), before + marks);
+  EXPECT_LT(few.State.GetMemorySize(), before + marks + marks / 8);
 }
 
 // So that a filter reports its progress and can be stopped.
