@@ -75,7 +75,7 @@ def read_test_log(text):
     tests = {}
     name = None
     for line in text.split("\n"):
-        end = re.match(r"\s*\d+/\d+ Test\s+#\d+: (\S+).*? \.{3,}\s*(?:\*\*\*)?([A-Z]\w*)", line)
+        end = re.match(r"\s*\d+/\d+ Test\s+#\d+: (\S.*?)(?:\s+# .*?)? \.{3,}\s*(?:\*\*\*)?([A-Z]\w*)", line)
         if end:
             name = end.group(1)
             tests[name] = {"result": end.group(2), "reports": 0}
