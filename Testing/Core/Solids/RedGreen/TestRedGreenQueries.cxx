@@ -292,3 +292,14 @@ TEST(RedGreenQueries, MemoryOfPointsAndMidpoints)
   two.State.AddMidpoint(3, 4, 7);
   EXPECT_EQ(two.State.GetMemorySize(), one.State.GetMemorySize() + 4 * sizeof(int));
 }
+
+/// What Close() has changed and what changes since then are two lists, which change places.
+TEST(RedGreenQueries, MemoryOfChangesIsThatOfBothLists)
+{
+  Few few(4, { { 0, 1, 2, 3 } });
+  few.State.MarkCell({ 0, -1 });
+  few.State.Close();
+  const std::size_t memory = few.State.GetMemorySize();
+  few.State.Close();
+  EXPECT_EQ(few.State.GetMemorySize(), memory);
+}
