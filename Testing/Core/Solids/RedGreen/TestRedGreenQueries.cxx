@@ -303,3 +303,17 @@ TEST(RedGreenQueries, MemoryOfChangesIsThatOfBothLists)
   few.State.Close();
   EXPECT_EQ(few.State.GetMemorySize(), memory);
 }
+
+/// A tetrahedron at a face whose inner edges exist, as the other side goes on, with middles that
+/// are ends of split edges in two triangles. No edge inside the face is split, so it stays green.
+TEST(RedGreenQueries, AnInnerEdgeThatExistsNeedNotBeSplit)
+{
+  Few few(7, { { 0, 1, 2, 3 }, { 0, 1, 4 }, { 1, 2, 5 }, { 0, 1, 2, 6 } });
+  for (int cell = 0; cell < 3; ++cell)
+  {
+    few.State.MarkCell({ cell, -1 });
+    few.State.MarkCell({ cell, 3 });
+  }
+  few.State.Close();
+  EXPECT_EQ(few.Count(), Counts({ 0, 20, 16, 0, 8 }));
+}
