@@ -7,6 +7,8 @@
 
 #include "vtkSMPTools.h"
 
+#include <numeric>
+
 using namespace bound_tools;
 
 namespace

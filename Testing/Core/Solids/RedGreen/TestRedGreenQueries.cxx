@@ -8,6 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <ostream>
+#include <tuple>
+#include <vector>
+
 using namespace redgreen_reference;
 
 namespace
