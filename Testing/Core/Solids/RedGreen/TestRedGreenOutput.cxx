@@ -249,22 +249,15 @@ TEST(RedGreenOutput, CellsOfAllKinds)
   CheckCells<long long>(state, expected);
   const RedGreenOutput<int> output(state);
   ASSERT_EQ(output.GetNumberOfGreenLeaves(), 2);
-  const auto triangle = output.GetGreenLeaf(0);
-  EXPECT_EQ(triangle.Input, 2);
-  EXPECT_EQ(triangle.Dimension, 2);
-  EXPECT_EQ(triangle.Level, 2);
-  EXPECT_EQ(triangle.FirstCell, 5);
-  EXPECT_EQ(triangle.NumberOfCells, 2);
-  EXPECT_EQ(triangle.Vertices, (std::array<int, 4>{ 1, 0, 3, -1 }));
-  EXPECT_EQ(triangle.Midpoints, (std::array<int, 6>{ 10, -1, -1, -1, -1, -1 }));
-  const auto tet = output.GetGreenLeaf(1);
-  EXPECT_EQ(tet.Input, 4);
-  EXPECT_EQ(tet.Dimension, 3);
-  EXPECT_EQ(tet.Level, 0);
-  EXPECT_EQ(tet.FirstCell, 8);
-  EXPECT_EQ(tet.NumberOfCells, 2);
-  EXPECT_EQ(tet.Vertices, (std::array<int, 4>{ 5, 6, 7, 8 }));
-  EXPECT_EQ(tet.Midpoints, (std::array<int, 6>{ 13, -1, -1, -1, -1, -1 }));
+  using Leaf = std::tuple<int, int, int, int, int, std::array<int, 4>, std::array<int, 6>>;
+  const auto getLeaf = [&](int i)
+  {
+    const auto leaf = output.GetGreenLeaf(i);
+    return Leaf{ leaf.Input, leaf.Dimension, leaf.Level, leaf.FirstCell, leaf.NumberOfCells,
+      leaf.Vertices, leaf.Midpoints };
+  };
+  EXPECT_EQ(getLeaf(0), Leaf(2, 2, 2, 5, 2, { 1, 0, 3, -1 }, { 10, -1, -1, -1, -1, -1 }));
+  EXPECT_EQ(getLeaf(1), Leaf(4, 3, 0, 8, 2, { 5, 6, 7, 8 }, { 13, -1, -1, -1, -1, -1 }));
 }
 
 TEST(RedGreenOutput, ChildrenThatAreStored)
