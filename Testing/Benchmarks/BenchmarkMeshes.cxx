@@ -14,6 +14,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -64,6 +65,33 @@ void SetScalar(vtkPointSet* mesh)
   mesh->GetPointData()->SetScalars(scalar);
 }
 
+}
+
+vtkSmartPointer<vtkPoints> MakeCircle(int n)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(0., 0., -1.);
+  points->InsertNextPoint(0., 0., 1.);
+  for (int i = 0; i < n; ++i)
+  {
+    const double angle = 2. * 3.141592653589793 * i / n;
+    points->InsertNextPoint(std::cos(angle), std::sin(angle), 0.);
+  }
+  return points;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeStar(int n)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(MakeCircle(n));
+  grid->Allocate(n);
+  for (int i = 0; i < n; ++i)
+  {
+    const vtkIdType ids[4] = { 0, 1, 2 + i, 2 + (i + 1) % n };
+    grid->InsertNextCell(VTK_TETRA, 4, ids);
+  }
+  return grid;
 }
 
 std::string GetDataFolder()

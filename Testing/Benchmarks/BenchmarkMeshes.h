@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+class vtkPoints;
 class vtkPointSet;
 class vtkUnstructuredGrid;
 
@@ -44,6 +45,10 @@ FlatMesh MakeQuadSphere(int n);
 /// A mesh with one double scalar on its points, and no other array.
 vtkSmartPointer<vtkPointSet> ToVtk(const FlatMesh& mesh);
 vtkSmartPointer<vtkPointSet> MakePolylines(int polylines, int lines);
+/// A point below, a point above, and n points of a circle.
+vtkSmartPointer<vtkPoints> MakeCircle(int n);
+/// n tetrahedra around an edge, whose ends have all of them.
+vtkSmartPointer<vtkUnstructuredGrid> MakeStar(int n);
 /// The folder of further meshes: the variable SUBDIVISIONOBJECTS_SHARED_DATA of the environment.
 std::string GetDataFolder();
 /// Null when the file does not exist.

@@ -13,7 +13,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
@@ -45,36 +44,17 @@ const Sizes Large = { 112500, 225000 };
 
 using Mesh = vtkSmartPointer<vtkPointSet>;
 
-/// A point below, a point above, and n points of a circle.
-vtkSmartPointer<vtkPoints> MakeCircle(int n)
+/// A star with a material of each tetrahedron its own.
+Mesh MakeStarOfMaterials(int n)
 {
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToDouble();
-  points->InsertNextPoint(0., 0., -1.);
-  points->InsertNextPoint(0., 0., 1.);
-  for (int i = 0; i < n; ++i)
-  {
-    const double angle = 2. * 3.141592653589793 * i / n;
-    points->InsertNextPoint(std::cos(angle), std::sin(angle), 0.);
-  }
-  return points;
-}
-
-/// n tetrahedra around an edge, whose ends have all of them; with a material of each its own.
-Mesh MakeTets(int n, bool hasMaterials)
-{
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->SetPoints(MakeCircle(n));
-  grid->Allocate(n);
+  const auto grid = MakeStar(n);
   vtkNew<vtkIntArray> materials;
   materials->SetName("MaterialId");
   for (int i = 0; i < n; ++i)
   {
-    const vtkIdType ids[4] = { 0, 1, 2 + i, 2 + (i + 1) % n };
-    grid->InsertNextCell(VTK_TETRA, 4, ids);
     materials->InsertNextValue(i);
   }
-  hasMaterials ? void(grid->GetCellData()->AddArray(materials)) : void();
+  grid->GetCellData()->AddArray(materials);
   return grid;
 }
 
@@ -283,7 +263,7 @@ void RegisterWorst()
 {
   using Main = vtkMultiDimensionalSubdivision;
   using Surface = vtkSurfaceSubdivision;
-  const auto tets = [](int n) { return MakeTets(n, false); };
+  const auto tets = [](int n) { return MakeStar(n); };
   Add<Main>("tetrahedra at an edge", tets);
   Add<Main>("tetrahedra at an edge, tet-oct", tets,
     [](Main* filter) { filter->SetVolumeSchemeToTetOct(); });
@@ -294,7 +274,7 @@ void RegisterWorst()
       filter->GenerateLimitNormalsOn();
     });
   Add<Main>(
-    "materials at an edge", [](int n) { return MakeTets(n, true); },
+    "materials at an edge", [](int n) { return MakeStarOfMaterials(n); },
     [](Main* filter) { filter->PreserveInterfacesOn(); });
   Add<Main>(
     "creases at a vertex", [](int n) { return MakeFan(n, true, 1e9); },

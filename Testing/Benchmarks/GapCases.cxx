@@ -16,6 +16,7 @@
 #include "vtkSubdivisionModelSource.h"
 #include "vtkSubdivisionSmoothness.h"
 #include "vtkSurfaceSubdivision.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <utility>
 
@@ -119,7 +120,7 @@ void AddMain(std::vector<GapCase>& cases)
   add("Bezier cells", few, 0, [](Main* filter) { filter->SetOutputCellsToBezier(); });
   add("error bounds", few, 0, [](Main* filter) { filter->GenerateErrorBoundsOn(); });
   add(
-    "error bounds at one edge", [](double scale) { return MakeStar(100000, scale); }, 0,
+    "error bounds at one edge", [](double scale) { return MakeStar(Scaled(100000, scale, 1.)); }, 0,
     [](Main* filter) { filter->GenerateErrorBoundsOn(); });
   const Configure<Main> interfaces = [](Main* filter) { filter->PreserveInterfacesOn(); };
   const Configure<Main> jumps = [](Main* filter)

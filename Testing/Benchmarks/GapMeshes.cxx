@@ -111,25 +111,6 @@ Mesh MakeQuadratic(int n, double scale)
   return grid;
 }
 
-Mesh MakeStar(int n, double scale)
-{
-  const int count = Scaled(n, scale, 1.);
-  vtkNew<vtkPoints> points;
-  points->InsertNextPoint(0., 0., -1.);
-  points->InsertNextPoint(0., 0., 1.);
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->Allocate(count);
-  for (int i = 0; i < count; ++i)
-  {
-    const double angle = 2. * 3.141592653589793 * i / count;
-    points->InsertNextPoint(std::cos(angle), std::sin(angle), 0.);
-    const vtkIdType ids[4] = { 0, 1, 2 + i, 2 + (i + 1) % count };
-    grid->InsertNextCell(VTK_TETRA, 4, ids);
-  }
-  grid->SetPoints(points);
-  return grid;
-}
-
 Mesh MakeSurface(bool ofTriangles, int levels, double scale)
 {
   vtkNew<vtkSurfaceSubdivision> filter;

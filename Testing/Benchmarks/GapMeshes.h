@@ -27,8 +27,6 @@ vtkSmartPointer<vtkImageData> MakeImage(int n, double scale);
 Mesh MakeHexahedra(int n, double scale);
 /// Quadratic tetrahedra, each with points of its own.
 Mesh MakeQuadratic(int n, double scale);
-/// n tetrahedra around an edge.
-Mesh MakeStar(int n, double scale);
 /// A sphere of triangles or quads of `levels` steps from the coarse one, as any other mesh.
 Mesh MakeSurface(bool ofTriangles, int levels, double scale);
 /// The same beside it.
