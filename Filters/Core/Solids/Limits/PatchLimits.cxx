@@ -20,9 +20,8 @@ bool PatchLimits<LevelType>::Start(const PatchSimplex<Id>& simplex, PatchTree& t
 {
   const int size = simplex.Corners[2] < 0 ? 2 : 3;
   const auto isBefore = [this](Id a, Id b) { return this->IsBefore(a, b); };
-  std::array<int, 3> order{ { 0, 1, 2 } };
-  std::sort(order.begin(), order.begin() + size,
-    [&](int a, int b) { return isBefore(simplex.Corners[a], simplex.Corners[b]); });
+  const std::array<int, 3> order = SortCorners(
+    size, [&](int a, int b) { return isBefore(simplex.Corners[a], simplex.Corners[b]); });
   std::array<Id, 3> corners{ { -1, -1, -1 } };
   for (int k = 0; k < size; ++k)
   {

@@ -255,8 +255,7 @@ void SheetLimits<Id>::Finder<LevelType>::FindSites(const LevelType& level, std::
     {
       const LimitSite<Id>& site = this->Sites[sites[i]];
       const int size = site.IsFace() ? 3 : 2;
-      std::array<int, 3> order{ { 0, 1, 2 } }; // of the site's corners, by values
-      std::sort(order.begin(), order.begin() + size,
+      const std::array<int, 3> order = SortCorners(size,
         [&](int a, int b)
         {
           return this->IsBefore(

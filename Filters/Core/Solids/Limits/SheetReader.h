@@ -12,6 +12,8 @@
 #include "Core/Solids/Strata/Strata.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
 namespace subdivision
@@ -24,6 +26,22 @@ struct SheetPatch
   SheetKey Key;
   std::vector<Id> Columns;
 };
+
+/// The places of two or three corners, sorted by isBefore(place, place). A loop of its own: g++ 14
+/// takes std::sort of an array of three for one that reads beyond it.
+template <typename IsBefore>
+std::array<int, 3> SortCorners(int size, const IsBefore& isBefore)
+{
+  std::array<int, 3> order{ { 0, 1, 2 } };
+  for (int k = 1; k < size; ++k)
+  {
+    for (int i = k; i > 0 && isBefore(order[i], order[i - 1]); --i)
+    {
+      std::swap(order[i], order[i - 1]);
+    }
+  }
+  return order;
+}
 
 /**
  * `whole`: the vertices of the level at which nothing is missing; empty: all. Each method returns
