@@ -22,22 +22,7 @@ Vector Subtract(const Vector& a, const Vector& b)
   return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
 }
 
-/// Goes back half of a step that made the distance larger.
-void GoBack(PlaceSearch& search)
-{
-  double length = 0.;
-  for (std::size_t i = 0; i < search.Place.Weights.size(); ++i)
-  {
-    double& weight = search.Place.Weights[i];
-    length = std::max(length, std::abs(weight - search.Best.Weights[i]));
-    weight = 0.5 * (weight + search.Best.Weights[i]);
-  }
-  if (length < LeastStep)
-  {
-    search.Place = search.Best;
-    search.IsDone = true;
-  }
-}
+using Matrix = std::array<std::array<double, 3>, 3>;
 
 /// Solves H s = -m for up to three unknowns, by elimination with pivots. Returns false if H is not
 /// positive.
@@ -65,13 +50,13 @@ bool Solve(int size, double matrix[3][4])
 struct FreeDirections
 {
   int Size = 0;
-  std::array<Vector, 3> Slopes{};                         ///< how the value changes
-  std::array<std::array<double, 2>, 3> FirstParameters{}; ///< and how the first two parameters do
+  std::array<Vector, 3> Slopes{};     ///< how the value changes
+  std::array<Vector, 3> Parameters{}; ///< and how the parameters do
 
-  void Add(const Vector& slope, double u, double v)
+  void Add(const Vector& slope, const Vector& parameters)
   {
     this->Slopes[this->Size] = slope;
-    this->FirstParameters[this->Size] = { { u, v } };
+    this->Parameters[this->Size] = parameters;
     ++this->Size;
   }
   void Remove(int i)
@@ -79,16 +64,24 @@ struct FreeDirections
     for (; i + 1 < this->Size; ++i)
     {
       this->Slopes[i] = this->Slopes[i + 1];
-      this->FirstParameters[i] = this->FirstParameters[i + 1];
+      this->Parameters[i] = this->Parameters[i + 1];
     }
     --this->Size;
   }
 };
 
+/// What decides a step from the best place of a search.
+struct Slope
+{
+  const PlaceValue& Parts;
+  Vector Rest;  ///< from the point to the value
+  Matrix Bends; ///< as those of the search
+  double Damping;
+};
+
 /// Finds the step of Newton's method or, if the distance bends the wrong way, the one that counts
 /// the value as linear. Returns false if there is none.
-bool SolveForStep(const FreeDirections& free, const PlaceValue& parts, const Vector& rest,
-  bool hasSecond, std::array<double, 3>& step)
+bool SolveForStep(const FreeDirections& free, const Slope& slope, std::array<double, 3>& step)
 {
   double matrix[3][4] = {};
   const auto fill = [&](bool bends)
@@ -97,18 +90,16 @@ bool SolveForStep(const FreeDirections& free, const PlaceValue& parts, const Vec
     {
       for (int k = 0; k < free.Size; ++k)
       {
-        const std::array<double, 2>& u = free.FirstParameters[i];
-        const std::array<double, 2>& v = free.FirstParameters[k];
-        matrix[i][k] = Dot(free.Slopes[i], free.Slopes[k]);
-        matrix[i][k] += !bends ? 0.
-                               : u[0] * v[0] * Dot(parts[PlaceParts::Second], rest) +
-            (u[0] * v[1] + u[1] * v[0]) * Dot(parts[PlaceParts::Mixed], rest) +
-            u[1] * v[1] * Dot(parts[PlaceParts::SecondOfSecond], rest);
+        matrix[i][k] = Dot(free.Slopes[i], free.Slopes[k]) * (i == k ? 1. + slope.Damping : 1.);
+        for (int p = 0; bends && p < 3; ++p)
+        {
+          matrix[i][k] += free.Parameters[i][p] * Dot(slope.Bends[p], free.Parameters[k]);
+        }
       }
-      matrix[i][3] = -Dot(free.Slopes[i], rest);
+      matrix[i][3] = -Dot(free.Slopes[i], slope.Rest);
     }
   };
-  fill(hasSecond);
+  fill(true);
   bool isSolved = Solve(free.Size, matrix);
   if (!isSolved)
   {
@@ -125,10 +116,10 @@ bool SolveForStep(const FreeDirections& free, const PlaceValue& parts, const Vec
 /// The same without directions in which the step would leave the cell at once: isOutside(i, step)
 /// tells that of direction i, which remove(i) then takes out of what belongs to the directions.
 template <typename IsOutside, typename Remove>
-bool FindStep(FreeDirections& free, const PlaceValue& parts, const Vector& rest, bool hasSecond,
-  std::array<double, 3>& step, const IsOutside& isOutside, const Remove& remove)
+bool FindStep(FreeDirections& free, const Slope& slope, std::array<double, 3>& step,
+  const IsOutside& isOutside, const Remove& remove)
 {
-  while (SolveForStep(free, parts, rest, hasSecond, step))
+  while (SolveForStep(free, slope, step))
   {
     int out = 0;
     while (out < free.Size && !isOutside(out, step[out]))
@@ -145,10 +136,23 @@ bool FindStep(FreeDirections& free, const PlaceValue& parts, const Vector& rest,
   return false;
 }
 
-/// Makes one step of a search in a simplex, in which weights that would become negative stay 0.
-void AdvanceInSimplex(
-  PlaceSearch& search, int dimension, const PlaceValue& parts, const Vector& rest)
+/// Half the squared distance's change along a part of a step, if the value were linear and the step
+/// short.
+double GetPromise(
+  const FreeDirections& free, const std::array<double, 3>& step, double part, const Vector& rest)
 {
+  double change = 0.;
+  for (int i = 0; i < free.Size; ++i)
+  {
+    change += step[i] * Dot(free.Slopes[i], rest);
+  }
+  return -part * change;
+}
+
+/// Makes one step of a search in a simplex, in which weights that would become negative stay 0.
+void AdvanceInSimplex(PlaceSearch& search, int dimension, const Slope& slope)
+{
+  const PlaceValue& parts = slope.Parts;
   std::array<double, 4>& weights = search.Place.Weights;
   const auto most = std::max_element(weights.begin(), weights.begin() + dimension + 1);
   const int base = static_cast<int>(most - weights.begin());
@@ -163,19 +167,23 @@ void AdvanceInSimplex(
   std::array<int, 3> corners{};
   for (int i = 0; i <= dimension; ++i)
   {
-    const Vector slope = getSlope(i);
-    if (i != base && (weights[i] > 0. || Dot(slope, rest) < 0.))
+    const Vector change = getSlope(i);
+    if (i != base && (weights[i] > 0. || Dot(change, slope.Rest) < 0.))
     {
       corners[free.Size] = i;
-      // Of the parameters, those of the corners 1 and 2.
-      free.Add(slope, double(i == 1) - double(base == 1), double(i == 2) - double(base == 2));
+      Vector parameters{}; // the weights of all corners but the first
+      for (int p = 0; p < 3; ++p)
+      {
+        parameters[p] = double(i == p + 1) - double(base == p + 1);
+      }
+      free.Add(change, parameters);
     }
   }
   std::array<double, 3> ofFree{};
   const auto isOutside = [&](int i, double step) { return weights[corners[i]] == 0. && step < 0.; };
   const auto remove = [&](int i)
   { std::copy(corners.begin() + i + 1, corners.end(), corners.begin() + i); };
-  if (!FindStep(free, parts, rest, dimension < 3, ofFree, isOutside, remove))
+  if (!FindStep(free, slope, ofFree, isOutside, remove))
   {
     search.IsDone = true;
     return;
@@ -202,30 +210,31 @@ void AdvanceInSimplex(
   {
     weights[i] = i == stops ? 0. : std::max(0., weights[i] + part * step[i]);
   }
+  search.Promise = GetPromise(free, ofFree, part, slope.Rest);
   search.IsDone = free.Size == 0 || length * part < LeastStep;
 }
 
 /// The same in a quad: x and y stay from 0 to 1.
-void AdvanceInQuad(PlaceSearch& search, const PlaceValue& parts, const Vector& rest)
+void AdvanceInQuad(PlaceSearch& search, const Slope& slope)
 {
   std::array<double, 4>& at = search.Place.Weights;
   FreeDirections free;
   std::array<int, 2> axes{};
   for (int i = 0; i < 2; ++i)
   {
-    const Vector& slope = parts[PlaceParts::First + i];
-    const double change = Dot(slope, rest);
+    const Vector& along = slope.Parts[PlaceParts::First + i];
+    const double change = Dot(along, slope.Rest);
     if ((at[i] > 0. || change < 0.) && (at[i] < 1. || change > 0.))
     {
       axes[free.Size] = i;
-      free.Add(slope, i == 0 ? 1. : 0., i == 1 ? 1. : 0.);
+      free.Add(along, { { i == 0 ? 1. : 0., i == 1 ? 1. : 0., 0. } });
     }
   }
   std::array<double, 3> step{};
   const auto isOutside = [&](int i, double by)
   { return (at[axes[i]] == 0. && by < 0.) || (at[axes[i]] == 1. && by > 0.); };
   const auto remove = [&](int i) { axes[0] = axes[i == 0 ? 1 : 0]; };
-  if (!FindStep(free, parts, rest, true, step, isOutside, remove))
+  if (!FindStep(free, slope, step, isOutside, remove))
   {
     search.IsDone = true;
     return;
@@ -249,7 +258,72 @@ void AdvanceInQuad(PlaceSearch& search, const PlaceValue& parts, const Vector& r
     double& x = at[axes[i]];
     x = i == stops ? getEnd(i) : std::min(1., std::max(0., x + part * step[i]));
   }
+  search.Promise = GetPromise(free, step, part, slope.Rest);
   search.IsDone = free.Size == 0 || length * part < LeastStep;
+}
+
+/// The second derivatives of half the squared distance beyond those of a linear value.
+Matrix ReadBends(const PlaceValue& parts, const Vector& rest)
+{
+  const double mixed = Dot(parts[PlaceParts::Mixed], rest);
+  return { { { { Dot(parts[PlaceParts::Second], rest), mixed, 0. } },
+    { { mixed, Dot(parts[PlaceParts::SecondOfSecond], rest), 0. } }, { { 0., 0., 0. } } } };
+}
+
+/// Learns the same in a solid from the slopes at the best place and at one beside it.
+void LearnBends(PlaceSearch& search, const PlaceValue& value, const Vector& rest)
+{
+  constexpr double least = 1e-8; // the sine of an angle beyond which rounding is divided by little
+  Vector step{};
+  Vector unknown{}; // how the slope changes otherwise than was known
+  for (int p = 0; p < 3; ++p)
+  {
+    step[p] = search.Place.Weights[p + 1] - search.Best.Weights[p + 1];
+    const int part = PlaceParts::First + p;
+    unknown[p] = Dot(Subtract(value[part], search.AtBest[part]), rest);
+  }
+  for (int p = 0; p < 3; ++p)
+  {
+    unknown[p] -= Dot(search.Bends[p], step);
+  }
+  const double along = Dot(unknown, step);
+  if (std::abs(along) > least * std::sqrt(Dot(unknown, unknown) * Dot(step, step)))
+  {
+    for (int p = 0; p < 3; ++p)
+    {
+      for (int q = 0; q < 3; ++q)
+      {
+        search.Bends[p][q] += unknown[p] * unknown[q] / along;
+      }
+    }
+  }
+}
+
+/// Damps further steps by what the last one did of what it promised.
+void SetDamping(PlaceSearch& search, bool isWorse)
+{
+  // A step of Newton's method does half where the distance is as its derivatives tell.
+  constexpr double little = 0.1;
+  constexpr double much = 0.3;
+  constexpr double first = 1.;
+  constexpr double least = 0.01;
+  if (isWorse)
+  {
+    search.Damping = search.Damping == 0. ? first : search.Damping * search.Growth;
+    search.Growth *= 2.;
+    return;
+  }
+  search.Growth = 2.;
+  const double done = 0.5 * (search.Best.Distance - search.Place.Distance) *
+    (search.Best.Distance + search.Place.Distance);
+  if (done < little * search.Promise)
+  {
+    search.Damping = std::max(first, 2. * search.Damping);
+  }
+  else if (done > much * search.Promise)
+  {
+    search.Damping = search.Damping < least ? 0. : 0.25 * search.Damping;
+  }
 }
 
 }
@@ -258,18 +332,32 @@ void AdvanceSearch(
   const SearchedCells& cells, const PlaceValue& value, const Vector& target, PlaceSearch& search)
 {
   const vtkIdType cell = search.Place.Cell;
-  const Vector rest = Subtract(value[PlaceParts::Value], target);
+  const bool isSolid = cells.Dimensions[cell] == 3;
+  Vector rest = Subtract(value[PlaceParts::Value], target);
   search.Place.Distance = std::sqrt(Dot(rest, rest));
   const double rounding = 1e-12 *
     (search.Place.Distance + std::abs(target[0]) + std::abs(target[1]) + std::abs(target[2]));
-  if (search.Place.Distance > search.Best.Distance + rounding)
+  const bool isFirst = search.Best.Cell < 0;
+  const bool isWorse = search.Place.Distance > search.Best.Distance + rounding;
+  if (!isFirst)
   {
-    GoBack(search);
-    return;
+    isSolid ? LearnBends(search, value, rest) : void();
+    SetDamping(search, isWorse);
   }
-  search.Best = search.Place;
-  cells.IsQuad(cell) ? AdvanceInQuad(search, value, rest)
-                     : AdvanceInSimplex(search, cells.Dimensions[cell], value, rest);
+  if (isWorse)
+  {
+    search.Place = search.Best;
+    rest = Subtract(search.AtBest[PlaceParts::Value], target);
+  }
+  else
+  {
+    search.Best = search.Place;
+    search.AtBest = value;
+  }
+  const PlaceValue& parts = search.AtBest;
+  const Slope slope{ parts, rest, isSolid ? search.Bends : ReadBends(parts, rest), search.Damping };
+  cells.IsQuad(cell) ? AdvanceInQuad(search, slope)
+                     : AdvanceInSimplex(search, cells.Dimensions[cell], slope);
 }
 
 }

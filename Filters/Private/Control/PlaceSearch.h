@@ -2,6 +2,11 @@
 /**
  * @file PlaceSearch.h
  * Newton's method in one cell for the place that is nearest to a point.
+ *
+ * Steps are damped, as Levenberg and Marquardt do, where the distance changes otherwise than a step
+ * promised: beside a hollow, for one, the place lies between two that are nearer. In solids, of
+ * which no second derivatives are known, what they add is learned from the steps (symmetric rank
+ * one).
  */
 #ifndef SubdivisionObjects_PlaceSearch_h
 #define SubdivisionObjects_PlaceSearch_h
@@ -15,6 +20,9 @@
 namespace subdivision
 {
 
+/// What is known of the place of a search: its value and derivatives.
+using PlaceValue = PlaceValues::value_type;
+
 /// A search in one cell, for one of the points.
 struct PlaceSearch
 {
@@ -22,12 +30,17 @@ struct PlaceSearch
   NearestPlace Place;                                                   ///< where to look next
   NearestPlace Best{ -1, {}, std::numeric_limits<double>::infinity() }; ///< that was looked at
   bool IsDone = false;
+
+  PlaceValue AtBest{};
+  /// What half the squared distance has as second derivatives beyond those of a linear value, as
+  /// far as steps have told.
+  std::array<std::array<double, 3>, 3> Bends{};
+  double Damping = 0.; ///< 0: the next step is that of Newton's method
+  double Growth = 2.;  ///< of the damping, when a step makes the distance larger
+  double Promise = 0.; ///< by how much the slope alone would make half the squared distance smaller
 };
 
-/// What is known of the place of a search: its value and derivatives.
-using PlaceValue = PlaceValues::value_type;
-
-/// Takes the next step of a search, or goes back if the last one made the distance larger.
+/// Takes the next step of a search, from the best place that was looked at.
 void AdvanceSearch(const SearchedCells& cells, const PlaceValue& value,
   const std::array<double, 3>& target, PlaceSearch& search);
 

@@ -102,21 +102,15 @@ vtkSmartPointer<vtkPolyData> Probe(
   return found;
 }
 
-}
-
-TEST(SubdivisionLimitProbe, NoVertexOfAFineLevelIsNearer)
+/// Expects the probe's places to be as near as all vertices of a fine level, and not much nearer.
+/// Returns the number of those to which a vertex is nearer by less than `tolerance`.
+int ExpectNoVertexIsNearer(const Grid& mesh, const std::vector<Point>& targets, int levels,
+  double spacing, double tolerance = 1e-12)
 {
-  const Grid mesh = MakeSurface();
-  std::mt19937 random(1);
-  const auto draw = [&random] { return random() / 4294967296.; };
-  std::vector<Point> targets;
-  for (int i = 0; i < 200; ++i)
-  {
-    targets.push_back({ 7. * draw() - 1., 6. * draw() - 1., draw() - 0.5 }); // some beside it
-  }
+  int count = 0;
   const auto found = Probe(mesh, targets);
   vtkNew<vtkMultiDimensionalSubdivision> fine;
-  fine->SetNumberOfLevels(5);
+  fine->SetNumberOfLevels(levels);
   fine->ProjectToLimitOn();
   fine->SetInputData(mesh);
   fine->Update();
@@ -131,9 +125,54 @@ TEST(SubdivisionLimitProbe, NoVertexOfAFineLevelIsNearer)
     }
     const double distance =
       found->GetPointData()->GetArray("Distance")->GetComponent(static_cast<vtkIdType>(t), 0);
-    EXPECT_LE(distance, least + 1e-12) << t;
-    EXPECT_GE(distance, least - 0.03) << t; // vertices are as far apart
+    EXPECT_LE(distance, least + tolerance) << t;
+    EXPECT_GE(distance, least - spacing) << t;
+    count += distance > least + 1e-12 * (1. + least) ? 1 : 0;
   }
+  return count;
+}
+
+}
+
+TEST(SubdivisionLimitProbe, NoVertexOfAFineLevelIsNearer)
+{
+  std::mt19937 random(1);
+  const auto draw = [&random] { return random() / 4294967296.; };
+  std::vector<Point> targets;
+  for (int i = 0; i < 200; ++i)
+  {
+    targets.push_back({ 7. * draw() - 1., 6. * draw() - 1., draw() - 0.5 }); // some beside it
+  }
+  ExpectNoVertexIsNearer(MakeSurface(), targets, 5, 0.03); // vertices are as far apart
+}
+
+/// From far away, where sides of solids are curved: steps that count them as flat lead beyond the
+/// place. A few searches end at another place to which nothing around it is nearer; with flat steps
+/// 116 of 480 ended too far away.
+TEST(SubdivisionLimitProbe, HardlyAVertexOfASolidIsNearerToAPointFarAway)
+{
+  std::mt19937 random(5);
+  const auto draw = [&random](double size) { return size * (random() / 2147483648. - 1.); };
+  int count = 0;
+  for (int mesh = 0; mesh < 12; ++mesh)
+  {
+    SCOPED_TRACE(mesh);
+    std::vector<Point> points;
+    for (int i = 0; i < 6; ++i)
+    {
+      points.push_back({ draw(1.), draw(1.), draw(1.) });
+    }
+    std::vector<Point> targets;
+    for (int i = 0; i < 40; ++i)
+    {
+      targets.push_back({ draw(20.), draw(20.), draw(20.) });
+    }
+    const Grid solid = MakeGrid(points,
+      { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 1, 2, 3, 4 } },
+        { VTK_TETRA, { 2, 3, 4, 5 } } });
+    count += ExpectNoVertexIsNearer(solid, targets, 4, 0.1, 0.02);
+  }
+  EXPECT_LE(count, 24);
 }
 
 /// A place that was moved along the normal is found again; so are places on curves.
