@@ -383,7 +383,8 @@ void DeeperPieces::MakeRows()
       Shift shift;
       const vtkIdType known =
         this->FindRow(this->Parts[places[row].first], places[row].second, shift);
-      auto& entries = found[row];
+      thread_local std::vector<std::pair<vtkIdType, double>> entries;
+      entries.clear();
       ForColumns(this->From.Last, this->From.Last.size(), known, 1.,
         [&](vtkIdType column, double weight)
         {
@@ -398,6 +399,7 @@ void DeeperPieces::MakeRows()
           }
           at->second += weight;
         });
+      found[row] = entries;
     });
   this->Last.NumberOfColumns = this->Counts[NestedPieces::Steps - 1];
   this->Last.Offsets = Buffer<long long>(rows + 1, 0);

@@ -5,6 +5,7 @@
 #include "Private/Bounds/VectorRanges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -61,95 +62,127 @@ Buffer<double> FindMoves(const NestedPieces& pieces, int step, int components,
   return moves;
 }
 
-/// For each place of a cell the vectors of the points on which the limit next to it depends: those
-/// of the pieces at it that belong to its sector; where the sector has tetrahedra, whose edges have
-/// rings beyond these, or if `isWide`, of one layer of pieces more.
-VectorRanges Spread(const NestedPieces& pieces, const Sectors& sectors, int components,
-  const VectorRanges& ofPoints, bool isWide)
+/// Which points the bounds of some cells need: those of these cells, and of the pieces at them.
+class NeededPoints
 {
-  const auto forPlaces = [&pieces](const auto& act) // act(cell, point, place)
+public:
+  NeededPoints(
+    const NestedPieces& pieces, const Sectors& sectors, const std::vector<vtkIdType>& cells)
   {
-    ForUnevenRanges(pieces.GetNumberOfCells(),
-      [&](vtkIdType begin, vtkIdType end)
+    if (static_cast<vtkIdType>(cells.size()) == pieces.GetNumberOfCells())
+    {
+      return;
+    }
+    const vtkIdType points = pieces.GetNumberOfPoints(NestedPieces::Steps);
+    this->Own = Buffer<char>(points, 0);
+    this->All = Buffer<char>(points, 0);
+    for (const vtkIdType cell : InTurn(cells))
+    {
+      for (vtkIdType at = pieces.GetFirstPlace(cell); at < pieces.GetFirstPlace(cell + 1); ++at)
       {
-        for (vtkIdType c = begin; c < end; ++c)
+        this->Own[pieces.GetPoint(at)] = 1;
+      }
+    }
+    ForEach(points,
+      [&](vtkIdType point)
+      {
+        for (const vtkIdType place : sectors.GetPlaces(point))
         {
-          const vtkIdType first = pieces.GetFirstPlace(c);
-          for (vtkIdType place = first; place < pieces.GetFirstPlace(c + 1); ++place)
+          const vtkIdType first = pieces.GetFirstPlace(sectors.GetCell(place));
+          const auto& near = pieces.GetLattice(sectors.GetCell(place)).Neighbours[place - first];
+          if (std::any_of(near.begin(), near.end(),
+                [&](int neighbour) { return this->Own[pieces.GetPoint(first + neighbour)] != 0; }))
           {
-            act(c, static_cast<int>(place - first), place);
+            this->All[point] = 1;
+            return;
           }
         }
       });
-  };
-  const auto spreadInCells = [&](VectorRanges& to, const auto& getRange)
+  }
+  bool AreOfCells(vtkIdType point) const { return this->Own.empty() || this->Own[point] != 0; }
+  bool Has(vtkIdType point) const { return this->All.empty() || this->All[point] != 0; }
+
+private:
+  Buffer<char> Own; ///< empty: all are needed
+  Buffer<char> All;
+};
+
+/// Of what steps 2 and 3 add, and of what all later steps do.
+using StepsAndTail = std::array<VectorRanges, 2>;
+
+/// For each spot at a cell the vectors of the points on which the limit there depends: those of the
+/// pieces at it that belong to its sector; where the sector has tetrahedra, whose edges have rings
+/// beyond these, or, of the tail, if `isWide`, of one layer of pieces more.
+StepsAndTail Spread(const NestedPieces& pieces, const Sectors& sectors, const NeededPoints& needed,
+  int components, const StepsAndTail& ofPoints, bool isWide)
+{
+  // act(place) for the place of a cell and its neighbours there.
+  const auto forNeighbours = [&](vtkIdType place, const auto& act)
   {
-    forPlaces(
-      [&](vtkIdType c, int point, vtkIdType place)
-      {
-        for (const int neighbour : pieces.GetLattice(c).Neighbours[point])
-        {
-          to.Extend(place, getRange(pieces.GetFirstPlace(c) + neighbour));
-        }
-      });
-  };
-  VectorRanges inCells(pieces.GetNumberOfPlaces(), components);
-  spreadInCells(inCells, [&](vtkIdType place) { return ofPoints.Get(pieces.GetPoint(place)); });
-  VectorRanges near(pieces.GetNumberOfPlaces(), components);
-  // Extends by what the sector at each place has. Places at one point with one sector have the
-  // same: where there are many, it is found once.
-  const auto spreadInSectors = [&](const auto& whole, const auto& rest)
-  {
-    constexpr vtkIdType many = 64;
-    const auto spreadTo = [&](vtkIdType c, int point, vtkIdType place)
+    const vtkIdType cell = sectors.GetCell(place);
+    const vtkIdType first = pieces.GetFirstPlace(cell);
+    for (const int neighbour : pieces.GetLattice(cell).Neighbours[place - first])
     {
-      sectors.ForSector(
-        c, point, [&](vtkIdType other) { whole(place, other); },
-        [&](vtkIdType other) { rest(place, other); });
-    };
-    forPlaces(
-      [&](vtkIdType c, int point, vtkIdType place)
-      {
-        if (sectors.GetPlaces(pieces.GetPoint(place)).size() < many)
-        {
-          spreadTo(c, point, place);
-        }
-      });
-    const auto spreadToAll = [&](vtkIdType place, const std::vector<vtkIdType>& others)
-    {
-      const vtkIdType c = sectors.GetCell(place);
-      spreadTo(c, static_cast<int>(place - pieces.GetFirstPlace(c)), place);
-      for (const vtkIdType other : others)
-      {
-        near.Extend(other, near.Get(place));
-      }
-    };
-    for (const vtkIdType at : InTurn(pieces.GetNumberOfPoints(NestedPieces::Steps)))
-    {
-      if (sectors.GetPlaces(at).size() >= many)
-      {
-        BetweenLoops::Act();
-        sectors.ForGroups(at, spreadToAll);
-      }
+      act(first + neighbour);
     }
   };
-  spreadInSectors([&](vtkIdType place, vtkIdType other) { near.Extend(place, inCells.Get(other)); },
-    [&](vtkIdType place, vtkIdType other)
-    { near.Extend(place, ofPoints.Get(pieces.GetPoint(other))); });
-  if (isWide || pieces.HasTets())
+  // whole(place) and rest(place) as Sectors::ForSector calls them.
+  const auto forSector = [&](vtkIdType place, const auto& whole, const auto& rest)
   {
-    spreadInCells(inCells, [&](vtkIdType place) { return near.Get(place); });
-    spreadInSectors(
-      [&](vtkIdType place, vtkIdType other)
+    const vtkIdType cell = sectors.GetCell(place);
+    sectors.ForSector(cell, static_cast<int>(place - pieces.GetFirstPlace(cell)), whole, rest);
+  };
+  const auto makeRanges = [&]
+  {
+    return StepsAndTail{ VectorRanges(sectors.GetNumberOfSpots(), components),
+      VectorRanges(sectors.GetNumberOfSpots(), components) };
+  };
+  const bool isTwice = isWide || pieces.HasTets();
+  StepsAndTail near = makeRanges();
+  sectors.ForSpots([&](vtkIdType point)
+    { return isTwice ? needed.Has(point) : needed.AreOfCells(point); },
+    [&](vtkIdType spot, vtkIdType place)
+    {
+      const auto extend = [&](vtkIdType by)
       {
-        if (isWide || pieces.GetDimension(sectors.GetCell(other)) == 3)
-        {
-          near.Extend(place, inCells.Get(other));
-        }
-      },
-      [](vtkIdType, vtkIdType) {});
+        const vtkIdType point = pieces.GetPoint(by);
+        near[0].Extend(spot, ofPoints[0].Get(point));
+        near[1].Extend(spot, ofPoints[1].Get(point));
+      };
+      forSector(place, [&](vtkIdType other) { forNeighbours(other, extend); }, extend);
+    });
+  if (!isTwice)
+  {
+    return near;
   }
-  return near;
+  StepsAndTail wide = makeRanges();
+  sectors.ForSpots([&](vtkIdType point) { return needed.AreOfCells(point); },
+    [&](vtkIdType spot, vtkIdType place)
+    {
+      const auto extendTail = [&](vtkIdType by)
+      { wide[1].Extend(spot, near[1].Get(sectors.GetSpot(by))); };
+      const auto extend = [&](vtkIdType by)
+      {
+        wide[0].Extend(spot, near[0].Get(sectors.GetSpot(by)));
+        extendTail(by);
+      };
+      extend(place);
+      forSector(
+        place,
+        [&](vtkIdType other)
+        {
+          if (pieces.GetDimension(sectors.GetCell(other)) == 3)
+          {
+            forNeighbours(other, extend);
+          }
+          else if (isWide)
+          {
+            forNeighbours(other, extendTail);
+          }
+        },
+        [](vtkIdType) {});
+    });
+  return wide;
 }
 
 VectorRanges MakeRanges(const NestedPieces& pieces, int components, const Buffer<double>& vectors)
@@ -209,16 +242,15 @@ VectorRanges FindTailOfQuads(const NestedPieces& pieces, int components,
 }
 
 /// The bound of a piece: on |x + a + b| where x is the difference at a corner, a is in the range of
-/// what steps 2 and 3 add, and b in that of all later steps, or `further` out of it.
-double BoundPiece(int components, const double* differences, int corners, const VectorRange& steps,
-  const VectorRange& tail, double further)
+/// what steps 2 and 3 add, and b in that of all later steps, or `further` out of it. `norm` is the
+/// largest of the differences.
+double BoundPiece(int components, const double* differences, int corners, double norm,
+  const VectorRange& steps, const VectorRange& tail, double further)
 {
-  double byNorms = 0.;
-  double byComponents = 0.;
+  double largestSquares = 0.;
   for (int k = 0; k < corners; ++k)
   {
     const double* x = differences + components * k;
-    byNorms = std::max(byNorms, Known(GetNorm(x, components)));
     double squares = 0.;
     for (int c = 0; c < components; ++c)
     {
@@ -227,10 +259,10 @@ double BoundPiece(int components, const double* differences, int corners, const 
       const double most = std::max(Known(std::abs(least)), Known(std::abs(largest)));
       squares += most * most;
     }
-    byComponents = std::max(byComponents, Known(std::sqrt(squares)));
+    largestSquares = std::max(largestSquares, squares);
   }
-  byNorms += steps.GetNorm() + tail.GetNorm();
-  return std::min(Known(byNorms), Known(byComponents)) + further;
+  const double byNorms = norm + (steps.GetNorm() + tail.GetNorm());
+  return std::min(Known(byNorms), Known(std::sqrt(largestSquares))) + further;
 }
 
 /// Finds bounds of cells from what steps and all later steps add.
@@ -238,13 +270,13 @@ class CellBounds
 {
 public:
   CellBounds(const NestedPieces& pieces, const Sectors& sectors, const BoundedValues& values,
-    const Buffer<double>& linear, const VectorRanges& steps, const VectorRanges& tail)
+    const Buffer<double>& linear, const StepsAndTail& ranges)
     : Pieces(pieces)
     , AllSectors(sectors)
     , Values(values)
     , Linear(linear)
-    , Steps(steps)
-    , Tail(tail)
+    , Steps(ranges[0])
+    , Tail(ranges[1])
     , OfSteps(values.Components)
     , OfTail(values.Components)
     , OfPiece(static_cast<std::size_t>(values.Components) * NestedPieces::MostCorners)
@@ -255,10 +287,14 @@ public:
   {
     const NestedPieces::Lattice& lattice = this->Pieces.GetLattice(cell);
     this->Differences.resize(this->Values.Components * lattice.Points.size());
+    this->Norms.resize(lattice.Points.size());
+    this->HasTets.resize(lattice.Points.size());
     for (std::size_t i = 0; i < lattice.Points.size(); ++i)
     {
-      this->FindDifference(
-        cell, static_cast<int>(i), this->Differences.data() + this->Values.Components * i);
+      double* difference = this->Differences.data() + this->Values.Components * i;
+      this->FindDifference(cell, static_cast<int>(i), difference);
+      this->Norms[i] = GetNorm(difference, this->Values.Components);
+      this->HasTets[i] = this->AllSectors.HasTets(cell, static_cast<int>(i)) ? 1 : 0;
     }
     CellBound bound;
     this->OfPieces.clear();
@@ -284,35 +320,33 @@ private:
     const NestedPieces::Lattice& lattice = this->Pieces.GetLattice(cell);
     this->OfSteps.Clear();
     this->OfTail.Clear();
+    double norm = 0.;
+    bool hasTets = false;
     for (int k = 0; k < lattice.Corners; ++k)
     {
       const int point = lattice.Pieces[lattice.Corners * piece + k];
-      const vtkIdType place = this->Pieces.GetFirstPlace(cell) + point;
-      this->OfSteps.Add(this->Steps.Get(place));
-      this->OfTail.Add(this->Tail.Get(place));
+      const vtkIdType spot = this->GetSpot(cell, point);
+      this->OfSteps.Add(this->Steps.Get(spot));
+      this->OfTail.Add(this->Tail.Get(spot));
+      norm = std::max(norm, Known(this->Norms[point]));
+      hasTets = hasTets || this->HasTets[point] != 0;
       std::copy_n(this->Differences.data() + this->Values.Components * point,
         this->Values.Components, this->OfPiece.data() + this->Values.Components * k);
     }
     this->OfTail.AddZero();
-    double further = 0.;
-    for (int k = 0; k < lattice.Corners; ++k)
-    {
-      const int point = lattice.Pieces[lattice.Corners * piece + k];
-      further = std::max(further, this->GetFurther(cell, point));
-    }
-    return BoundPiece(this->Values.Components, this->OfPiece.data(), lattice.Corners, this->OfSteps,
-      this->OfTail, further);
+    return BoundPiece(this->Values.Components, this->OfPiece.data(), lattice.Corners, norm,
+      this->OfSteps, this->OfTail, this->GetFurther(hasTets));
   }
 
   /// What the limit is away at a point at least: |x + a + b| as in BoundPiece, of this point.
   double FindLeast(vtkIdType cell, int point)
   {
     const int components = this->Values.Components;
-    const vtkIdType place = this->Pieces.GetFirstPlace(cell) + point;
+    const vtkIdType spot = this->GetSpot(cell, point);
     this->OfSteps.Clear();
     this->OfTail.Clear();
-    this->OfSteps.Add(this->Steps.Get(place));
-    this->OfTail.Add(this->Tail.Get(place));
+    this->OfSteps.Add(this->Steps.Get(spot));
+    this->OfTail.Add(this->Tail.Get(spot));
     this->OfTail.AddZero();
     const double* x = this->Differences.data() + components * point;
     double squares = 0.;
@@ -323,17 +357,18 @@ private:
       const double nearest = least > 0. ? least : largest < 0. ? -largest : 0.;
       squares += nearest * nearest;
     }
-    const double byNorms =
-      GetNorm(x, components) - this->OfSteps.GetNorm() - this->OfTail.GetNorm();
+    const double byNorms = this->Norms[point] - this->OfSteps.GetNorm() - this->OfTail.GetNorm();
     const double least = std::max(std::sqrt(squares), std::isfinite(byNorms) ? byNorms : 0.);
-    return least - this->GetFurther(cell, point);
+    return least - this->GetFurther(this->HasTets[point] != 0);
   }
 
   /// Rows of vertices in faces between solids, which step 3 does not have, may make a little more
   /// of the kink there than rows of edges.
-  double GetFurther(vtkIdType cell, int point) const
+  double GetFurther(bool hasTets) const { return hasTets ? 0.25 * this->OfTail.GetNorm() : 0.; }
+
+  vtkIdType GetSpot(vtkIdType cell, int point) const
   {
-    return this->AllSectors.HasTets(cell, point) ? 0.25 * this->OfTail.GetNorm() : 0.;
+    return this->AllSectors.GetSpot(this->Pieces.GetFirstPlace(cell) + point);
   }
 
   /// Of linear values from those of the output.
@@ -354,6 +389,8 @@ private:
   VectorRange OfSteps;
   VectorRange OfTail;
   std::vector<double> Differences; ///< at all points of the cell
+  std::vector<double> Norms;       ///< of these
+  std::vector<char> HasTets;       ///< whether their sectors have tetrahedra
   std::vector<double> OfPiece;
   std::vector<double> OfPieces;
 };
@@ -383,19 +420,19 @@ std::vector<CellBound> FindBounds(const NestedPieces& pieces, const Sectors& sec
   const Buffer<double> middles = MakeMiddles(pieces, 2, components, values.Next);
   const Buffer<double> linear = MakeMiddles(pieces, 3, components, middles);
   const Buffer<double> kinks = FindMoves(pieces, 3, components, values.LastStep(middles), linear);
-  const VectorRanges steps = Spread(pieces, sectors, components,
-    MakeRanges(pieces, components, FindMoves(pieces, 3, components, values.Third, linear)), false);
+  const NeededPoints needed(pieces, sectors, cells);
   const bool hasQuads = pieces.HasQuads(); // then both halves of an edge count
-  const VectorRanges tail = Spread(pieces, sectors, components,
-    hasQuads ? FindTailOfQuads(pieces, components,
-                 FindMoves(pieces, 2, components, values.Second, middles), kinks)
-             : MakeRanges(pieces, components, kinks),
+  const StepsAndTail ranges = Spread(pieces, sectors, needed, components,
+    { MakeRanges(pieces, components, FindMoves(pieces, 3, components, values.Third, linear)),
+      hasQuads ? FindTailOfQuads(pieces, components,
+                   FindMoves(pieces, 2, components, values.Second, middles), kinks)
+               : MakeRanges(pieces, components, kinks) },
     hasQuads);
   std::vector<CellBound> bounds(cells.size());
   ForUnevenRanges(static_cast<vtkIdType>(cells.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
-      CellBounds find(pieces, sectors, values, linear, steps, tail);
+      CellBounds find(pieces, sectors, values, linear, ranges);
       for (vtkIdType i = begin; i < end; ++i)
       {
         bounds[i] = find.Find(cells[i]);

@@ -6,6 +6,7 @@
 #include "Core/Memory/UnevenRanges.h"
 
 #include <algorithm>
+#include <mutex>
 
 namespace subdivision
 {
@@ -56,6 +57,7 @@ Sectors::Sectors(const NestedPieces& pieces, const Step& last)
       this->FindSectors(face);
     }
   }
+  this->ListSpots();
 }
 
 /// Faces with the same corners are one, whatever cells they are of.
@@ -129,27 +131,98 @@ void Sectors::ListPlaces()
     [](vtkIdType place) { return place; });
 }
 
+/// The spots of a point follow each other. A number that no place has is left out.
+void Sectors::ListSpots()
+{
+  const vtkIdType points = this->Pieces.GetNumberOfPoints(NestedPieces::Steps);
+  const auto getNumber = [this](vtkIdType place)
+  {
+    const vtkIdType cell = this->CellsOfPlaces[place];
+    const vtkIdType at = place - this->Pieces.GetFirstPlace(cell);
+    return this->Numbers[Masks * cell + this->Pieces.GetLattice(cell).Faces[at]];
+  };
+  // For each place of a point, in the order of numbers.
+  const auto forPlaces = [&](vtkIdType point, const auto& act) // act(place, isOfNextNumber)
+  {
+    thread_local std::vector<std::pair<int, vtkIdType>> places;
+    places.clear();
+    for (const vtkIdType place : this->PlacesOfPoints[point])
+    {
+      places.emplace_back(getNumber(place), place);
+    }
+    std::sort(places.begin(), places.end());
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      act(places[i].second, i == 0 || places[i].first != places[i - 1].first);
+    }
+  };
+  Buffer<vtkIdType> firsts(points + 1, 0);
+  ForEach(points, [&](vtkIdType point)
+    { forPlaces(point, [&](vtkIdType, bool isNext) { firsts[point] += isNext ? 1 : 0; }); });
+  CountsToOffsets(firsts);
+  this->Spots = Buffer<vtkIdType>(this->Pieces.GetNumberOfPlaces());
+  this->PlacesOfSpots = Buffer<vtkIdType>(firsts[points]);
+  ForEach(points,
+    [&](vtkIdType point)
+    {
+      vtkIdType spot = firsts[point] - 1;
+      forPlaces(point,
+        [&](vtkIdType place, bool isNext)
+        {
+          if (isNext)
+          {
+            this->PlacesOfSpots[++spot] = place;
+          }
+          this->Spots[place] = spot;
+        });
+    });
+  for (const vtkIdType point : InTurn(points))
+  {
+    for (vtkIdType spot = firsts[point];
+      this->PlacesOfPoints[point].size() >= ManyPlaces && spot < firsts[point + 1]; ++spot)
+    {
+      this->LargeSpots.push_back(spot);
+    }
+  }
+}
+
 /// In the last step rows of all kinds occur, and none that do not come again, such as that of a
 /// joint with neighbours that have no triangle with it.
 void Sectors::FindInfluences(const Step& last)
 {
   this->Influences.resize(static_cast<std::size_t>(this->NumberOfFaces));
   this->IsOpen.resize(static_cast<std::size_t>(this->NumberOfFaces), 0);
-  Turns turns;
-  for (const vtkIdType point : InTurn(this->Pieces.GetNumberOfPoints(NestedPieces::Steps)))
-  {
-    // Inside a cell that is no face all columns are in that cell.
-    const Row<vtkIdType> places = this->PlacesOfPoints[point];
-    if (places.size() > 1 || (places.size() == 1 && !this->IsInside(*places.begin())))
+  std::mutex mutex;
+  ForUnevenRanges(this->Pieces.GetNumberOfPoints(NestedPieces::Steps),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      ForColumns(last, last.size(), point, 1.,
-        [&](vtkIdType column, double)
+      Ways found; // of each face a larger one; -1: a row was not understood
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        // Inside a cell that is no face all columns are in that cell.
+        const Row<vtkIdType> places = this->PlacesOfPoints[point];
+        if (places.size() > 1 || (places.size() == 1 && !this->IsInside(*places.begin())))
         {
-          turns.Next();
-          this->AddInfluences(point, column);
-        });
-    }
-  }
+          ForColumns(last, last.size(), point, 1.,
+            [&](vtkIdType column, double) { this->AddInfluences(point, column, found); });
+        }
+      }
+      // Points of one face find the same.
+      std::sort(found.begin(), found.end());
+      found.erase(std::unique(found.begin(), found.end()), found.end());
+      const std::lock_guard<std::mutex> lock(mutex);
+      for (const auto& [face, larger] : found)
+      {
+        if (larger < 0)
+        {
+          this->IsOpen[face] = 1;
+        }
+        else
+        {
+          this->Influences[face].push_back(larger);
+        }
+      }
+    });
   for (std::vector<vtkIdType>& influences : InTurn(this->Influences))
   {
     SortDistinct(influences);
@@ -164,7 +237,7 @@ bool Sectors::IsInside(vtkIdType place) const
 }
 
 /// What lies between a point and a column of its row counts for the face that has the point.
-void Sectors::AddInfluences(vtkIdType point, vtkIdType column)
+void Sectors::AddInfluences(vtkIdType point, vtkIdType column, Ways& influences) const
 {
   const Row<vtkIdType> places = this->PlacesOfPoints[point];
   const Row<vtkIdType> others = this->PlacesOfPoints[column];
@@ -173,9 +246,17 @@ void Sectors::AddInfluences(vtkIdType point, vtkIdType column)
     const vtkIdType cell = this->CellsOfPlaces[place];
     return this->Pieces.GetLattice(cell).Faces[place - this->Pieces.GetFirstPlace(cell)];
   };
-  const vtkIdType face =
-    this->GetFace(this->CellsOfPlaces[*places.begin()], getFace(*places.begin()));
+  const vtkIdType cellOfFirst = this->CellsOfPlaces[*places.begin()];
+  const Mask faceOfFirst = getFace(*places.begin());
+  const vtkIdType face = this->GetFace(cellOfFirst, faceOfFirst);
   bool isFound = false;
+  // Most columns of a row lie in the same face or on its border, in all cells that have it.
+  this->ForPlacesIn(cellOfFirst, column,
+    [&](vtkIdType other) { isFound = isFound || (getFace(other) & ~faceOfFirst) == 0; });
+  if (isFound)
+  {
+    return;
+  }
   const auto add = [&](vtkIdType place, vtkIdType other)
   {
     isFound = true;
@@ -184,7 +265,7 @@ void Sectors::AddInfluences(vtkIdType point, vtkIdType column)
     const Mask both = this->Pieces.GetLattice(cell).Close(own | getFace(other));
     if (both != own)
     {
-      this->Influences[face].push_back(Masks * cell + both);
+      influences.emplace_back(face, Masks * cell + both);
     }
   };
   // Through the shorter list: an edge of many cells has many in both.
@@ -206,7 +287,7 @@ void Sectors::AddInfluences(vtkIdType point, vtkIdType column)
   }
   if (!isFound)
   {
-    this->IsOpen[face] = 1;
+    influences.emplace_back(face, -1);
   }
 }
 

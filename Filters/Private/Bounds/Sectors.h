@@ -8,6 +8,7 @@
 #define SubdivisionObjects_Sectors_h
 
 #include "Core/Memory/Buffer.h"
+#include "Core/Memory/UnevenRanges.h"
 #include "Core/Operators/MatrixFactors.h"
 #include "Private/Bounds/NestedPieces.h"
 
@@ -34,9 +35,14 @@ public:
   /// neighbours there belong to it. Of other cells calls rest(place) for the neighbours that do.
   template <typename Whole, typename Rest>
   void ForSector(vtkIdType cell, int point, const Whole& whole, const Rest& rest) const;
-  /// Calls act(first, others) for each sector at a point: a place in it, and all further ones.
-  template <typename Act>
-  void ForGroups(vtkIdType point, const Act& act) const;
+  /// A spot is a point in one of its sectors: the places there all have the same limit next to
+  /// them.
+  vtkIdType GetNumberOfSpots() const { return this->PlacesOfSpots.size(); }
+  vtkIdType GetSpot(vtkIdType place) const { return this->Spots[place]; }
+  /// Calls act(spot, place) for the spots at the points for which isWanted(point), with one of
+  /// their places; in threads, but for points of very many places, each of which takes long.
+  template <typename IsWanted, typename Act>
+  void ForSpots(const IsWanted& isWanted, const Act& act) const;
   vtkIdType GetCell(vtkIdType place) const { return this->CellsOfPlaces[place]; }
   /// The places that are a point.
   Row<vtkIdType> GetPlaces(vtkIdType point) const { return this->PlacesOfPoints[point]; }
@@ -87,6 +93,7 @@ private:
   using Way = std::pair<vtkIdType, vtkIdType>;
   using Ways = std::vector<Way>;
   static constexpr int Masks = 1 << NestedPieces::MostCorners;
+  static constexpr vtkIdType ManyPlaces = 64;
 
   vtkIdType GetFace(vtkIdType cell, Mask mask) const { return this->Faces[Masks * cell + mask]; }
   const Sector& GetSector(vtkIdType cell, Mask face) const
@@ -98,9 +105,10 @@ private:
   void ForPlacesIn(vtkIdType cell, vtkIdType point, const Act& act) const;
   void NumberFaces();
   void ListPlaces();
+  void ListSpots();
   void FindInfluences(const Step& last);
   bool IsInside(vtkIdType place) const;
-  void AddInfluences(vtkIdType point, vtkIdType column);
+  void AddInfluences(vtkIdType point, vtkIdType column, Ways& influences) const;
   void FindSectors(vtkIdType face);
   Sector FollowInfluences(Member holder, Member from, const FaceSet& leftOut, Ways& ways) const;
   static FaceSet FindAhead(Ways& ways, vtkIdType face);
@@ -116,7 +124,10 @@ private:
   std::vector<std::vector<Member>> Influences;
   std::vector<char> IsOpen;               ///< of each face, whether a row was not understood
   std::vector<std::vector<Sector>> Found; ///< of each face
-  Buffer<int> Numbers; ///< of each holder, which of the sectors of its face it has
+  Buffer<int> Numbers;               ///< of each holder, which of the sectors of its face it has
+  Buffer<vtkIdType> Spots;           ///< of each place
+  Buffer<vtkIdType> PlacesOfSpots;   ///< one of each
+  std::vector<vtkIdType> LargeSpots; ///< those at points of many places
 };
 
 /// Calls act(column, weight) for the columns of a row of the product of some factors.
@@ -188,26 +199,30 @@ void Sectors::ForSector(vtkIdType cell, int point, const Whole& whole, const Res
   }
 }
 
-template <typename Act>
-void Sectors::ForGroups(vtkIdType point, const Act& act) const
+template <typename IsWanted, typename Act>
+void Sectors::ForSpots(const IsWanted& isWanted, const Act& act) const
 {
-  using Grouped = std::pair<const Sector*, vtkIdType>;
-  std::vector<Grouped> places;
-  for (const vtkIdType place : this->PlacesOfPoints[point])
-  {
-    const vtkIdType cell = this->CellsOfPlaces[place];
-    const Mask face = this->Pieces.GetLattice(cell).Faces[place - this->Pieces.GetFirstPlace(cell)];
-    places.emplace_back(&this->GetSector(cell, face), place);
-  }
-  std::sort(places.begin(), places.end());
-  for (std::size_t i = 0, end = 0; i < places.size(); i = end)
-  {
-    std::vector<vtkIdType> others;
-    for (end = i + 1; end < places.size() && places[end].first == places[i].first; ++end)
+  ForUnevenRanges(this->GetNumberOfSpots(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      others.push_back(places[end].second);
+      for (vtkIdType spot = begin; spot < end; ++spot)
+      {
+        const vtkIdType place = this->PlacesOfSpots[spot];
+        const vtkIdType point = this->Pieces.GetPoint(place);
+        if (isWanted(point) && this->GetPlaces(point).size() < ManyPlaces)
+        {
+          act(spot, place);
+        }
+      }
+    });
+  for (const vtkIdType spot : this->LargeSpots)
+  {
+    BetweenLoops::Act();
+    const vtkIdType place = this->PlacesOfSpots[spot];
+    if (isWanted(this->Pieces.GetPoint(place)))
+    {
+      act(spot, place);
     }
-    act(places[i].second, others);
   }
 }
 

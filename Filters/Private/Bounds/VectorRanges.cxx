@@ -19,18 +19,18 @@ void ClearRange(int components, double* range)
   range[2 * components] = 0.;
 }
 
-void ExtendRange(int components, const double* by, double* range)
+}
+
+void ExtendLongRange(int components, const double* by, double* range)
 {
   for (int c = 0; c < components; ++c)
   {
-    double& least = range[c];
-    double& largest = range[components + c];
-    least = std::min(least, by[c]);
-    largest = std::max(largest, by[components + c]);
+    range[c] = std::min(range[c], by[c]);
   }
-  range[2 * components] = std::max(range[2 * components], by[2 * components]);
-}
-
+  for (int c = components; c <= 2 * components; ++c)
+  {
+    range[c] = std::max(range[c], by[c]);
+  }
 }
 
 double Known(double bound)
@@ -57,11 +57,6 @@ VectorRange::VectorRange(int components)
 void VectorRange::Clear()
 {
   ClearRange(this->Components, this->Values.data());
-}
-
-void VectorRange::Add(const double* range)
-{
-  ExtendRange(this->Components, range, this->Values.data());
 }
 
 void VectorRange::AddZero()
@@ -95,11 +90,6 @@ void VectorRanges::Add(vtkIdType item, const double* vector)
   }
   double& norm = range[2 * this->Components];
   norm = std::max(norm, Known(GetNorm(vector, this->Components)));
-}
-
-void VectorRanges::Extend(vtkIdType item, const double* range)
-{
-  ExtendRange(this->Components, range, this->Values.data() + this->Stride * item);
 }
 
 }

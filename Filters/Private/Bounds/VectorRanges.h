@@ -8,10 +8,42 @@
 
 #include "Core/Memory/Buffer.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace subdivision
 {
+
+/// Extends a range by another one: the least components, the largest ones, and the norm.
+template <int Components>
+void ExtendRangeOf(const double* by, double* range)
+{
+  for (int c = 0; c < Components; ++c)
+  {
+    range[c] = std::min(range[c], by[c]);
+  }
+  for (int c = Components; c <= 2 * Components; ++c)
+  {
+    range[c] = std::max(range[c], by[c]);
+  }
+}
+void ExtendLongRange(int components, const double* by, double* range);
+
+/// The same; most time of bounds is spent here.
+inline void ExtendRange(int components, const double* by, double* range)
+{
+  switch (components)
+  {
+    case 1:
+      return ExtendRangeOf<1>(by, range);
+    case 2:
+      return ExtendRangeOf<2>(by, range);
+    case 3:
+      return ExtendRangeOf<3>(by, range);
+    default:
+      return ExtendLongRange(components, by, range);
+  }
+}
 
 /// The least and the largest components of some vectors, and their largest norm.
 class VectorRange
@@ -20,7 +52,7 @@ public:
   explicit VectorRange(int components);
   void Clear();
   /// Adds a range as VectorRanges has it.
-  void Add(const double* range);
+  void Add(const double* range) { ExtendRange(this->Components, range, this->Values.data()); }
   void AddZero();
   double GetLeast(int component) const { return this->Values[component]; }
   double GetLargest(int component) const { return this->Values[this->Components + component]; }
@@ -38,7 +70,10 @@ public:
   VectorRanges(vtkIdType items, int components);
   void Add(vtkIdType item, const double* vector);
   /// Adds another range of as many components.
-  void Extend(vtkIdType item, const double* range);
+  void Extend(vtkIdType item, const double* range)
+  {
+    ExtendRange(this->Components, range, this->Values.data() + this->Stride * item);
+  }
   const double* Get(vtkIdType item) const { return this->Values.data() + this->Stride * item; }
 
 private:
