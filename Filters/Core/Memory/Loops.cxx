@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -60,41 +61,63 @@ private:
   std::exception_ptr Failure;
 };
 
-/// Runs loop(body) in several threads, of which this may be one.
-template <typename Loop>
-void RunInThreads(const RangeBody& body, const Loop& loop)
+using Clock = std::chrono::steady_clock;
+
+/// Each of several threads, of which this may be one, takes `atATime` elements after the other from
+/// `begin` on, until `last`. Returns the first that none has taken.
+vtkIdType RunUntil(
+  Clock::time_point last, vtkIdType begin, vtkIdType end, vtkIdType atATime, CaughtBody& body)
 {
-  CaughtBody caught(body);
+  std::atomic<vtkIdType> next(begin);
+  const auto take = [&](vtkIdType, vtkIdType)
+  {
+    do // once in any case: on a busy machine threads begin when the time is up
+    {
+      const vtkIdType first = next.fetch_add(atATime);
+      if (first >= end)
+      {
+        return;
+      }
+      body(first, end - first > atATime ? first + atATime : end);
+    } while (Clock::now() < last);
+  };
   {
     struct Depth
     {
       Depth() { ++DepthOfLoops; }
       ~Depth() { --DepthOfLoops; }
     } const depth;
-    loop(caught);
+    vtkSMPTools::For(0, vtkSMPTools::GetEstimatedNumberOfThreads(), 1, take);
   }
-  caught.Throw();
+  body.Throw();
+  return std::min(next.load(), end);
 }
 
-/// Calls run(begin, end, body) in threads for parts of [0, size), the first of which has `first`
-/// elements. The next ones are as large as takes `wanted` seconds, by the time of the part before.
-template <typename Run>
-void RunInParts(vtkIdType size, vtkIdType first, const RangeBody& body, const Run& run)
+/// Runs the body in threads for parts of [0, size), the first of which has `first` elements. The
+/// next ones are as large as takes `wanted` seconds, by the time of the part before, and end where
+/// they take far longer: memory that the system hands out for the first time may be written a
+/// hundred times as slowly as that before. Threads take `least` elements at a time, or more.
+void RunInParts(vtkIdType size, vtkIdType first, vtkIdType least, const RangeBody& body)
 {
-  using Clock = std::chrono::steady_clock;
   constexpr double wanted = 0.02;
-  constexpr double mostGrowth = 4.; // the next part may be harder work, on memory that is new
+  constexpr double mostGrowth = 4.; // the next part may be harder work
+  constexpr int portions = 32;      // of a thread in a part
+  const auto longest = std::chrono::duration_cast<Clock::duration>(
+    std::chrono::duration<double>(SecondsOfUnevenRanges));
+  const vtkIdType takes = vtkIdType(portions) * vtkSMPTools::GetEstimatedNumberOfThreads();
+  CaughtBody caught(body);
   vtkIdType most = Current ? first : size;
   for (vtkIdType begin = 0; begin < size;)
   {
     const vtkIdType end = size - begin > most ? begin + most : size;
     const auto start = Clock::now();
-    RunInThreads(body, [&](CaughtBody& caught) { run(begin, end, caught); });
+    const vtkIdType reached = RunUntil(Current ? start + longest : Clock::time_point::max(), begin,
+      end, std::max(least, (end - begin) / takes), caught);
     const std::chrono::duration<double> taken = Clock::now() - start;
     const double factor = taken.count() * mostGrowth > wanted ? wanted / taken.count() : mostGrowth;
     most =
-      std::max<vtkIdType>(1, static_cast<vtkIdType>(factor * static_cast<double>(end - begin)));
-    begin = end;
+      std::max<vtkIdType>(1, static_cast<vtkIdType>(factor * static_cast<double>(reached - begin)));
+    begin = reached;
     BetweenLoops::Act();
   }
 }
@@ -131,14 +154,14 @@ void BetweenLoops::Act()
 void ForRanges(vtkIdType size, RangeBody body)
 {
   constexpr vtkIdType inOnePart = 1 << 16;
+  constexpr vtkIdType atATime = 1024;
   if (size <= WorthThreads)
   {
     body(0, size);
     BetweenLoops::Act();
     return;
   }
-  RunInParts(size, inOnePart, body, [](vtkIdType begin, vtkIdType end, CaughtBody& caught)
-    { vtkSMPTools::For(begin, end, caught); });
+  RunInParts(size, inOnePart, atATime, body);
 }
 
 void ForRangesOfBlocks(vtkIdType blocks, RangeBody body, vtkIdType worthThreads)
@@ -150,36 +173,20 @@ void ForRangesOfBlocks(vtkIdType blocks, RangeBody body, vtkIdType worthThreads)
     BetweenLoops::Act();
     return;
   }
-  RunInParts(blocks, std::max(inOnePart, worthThreads), body,
-    [](vtkIdType begin, vtkIdType end, CaughtBody& caught)
-    { vtkSMPTools::For(begin, end, 1, caught); });
+  RunInParts(blocks, std::max(inOnePart, worthThreads), 1, body);
 }
 
 void ForUnevenRanges(vtkIdType size, RangeBody body)
 {
-  using Clock = std::chrono::steady_clock;
   constexpr vtkIdType atATime = 16;
   const auto most = std::chrono::duration_cast<Clock::duration>(
     std::chrono::duration<double>(SecondsOfUnevenRanges));
-  const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
-  std::atomic<vtkIdType> next(0);
-  while (next < size)
+  CaughtBody caught(body);
+  for (vtkIdType next = 0; next < size;)
   {
-    const auto last = Clock::now() + most;
     const bool isEndless = !Current || DepthOfLoops > 0;
-    const auto take = [&](vtkIdType, vtkIdType)
-    {
-      do // once in any case: on a busy machine threads begin when the time is up
-      {
-        const vtkIdType begin = next.fetch_add(atATime);
-        if (begin >= size)
-        {
-          return;
-        }
-        body(begin, std::min(size, begin + atATime));
-      } while (isEndless || Clock::now() < last);
-    };
-    RunInThreads(take, [&](CaughtBody& caught) { vtkSMPTools::For(0, threads, 1, caught); });
+    next = RunUntil(
+      isEndless ? Clock::time_point::max() : Clock::now() + most, next, size, atATime, caught);
     BetweenLoops::Act();
   }
 }

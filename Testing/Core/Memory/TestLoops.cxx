@@ -81,6 +81,30 @@ TEST(Loops, LongOnesActInBetween)
   BetweenLoops::SecondsBetween = seconds;
 }
 
+/// As where memory is new from some element on: it takes far longer than that before.
+TEST(Loops, PartsEndWhereElementsTakeFarLonger)
+{
+  const double seconds = BetweenLoops::SecondsBetween;
+  BetweenLoops::SecondsBetween = 0.;
+  constexpr vtkIdType easy = 1 << 21;
+  constexpr vtkIdType size = 2 * easy;
+  std::atomic<vtkIdType> visited{ 0 };
+  int acts = 0;
+  {
+    const BetweenLoops between([&] { acts += visited > easy ? 1 : 0; });
+    ForRanges(size,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        const vtkIdType hard = end - std::min(end, std::max(begin, easy));
+        std::this_thread::sleep_for(std::chrono::microseconds(hard));
+        visited += end - begin;
+      });
+  }
+  EXPECT_EQ(visited, size);
+  EXPECT_GE(acts, 5) << "two seconds of work, by the threads";
+  BetweenLoops::SecondsBetween = seconds;
+}
+
 TEST(Loops, UnevenOnesVisitEachOnceAndActInBetween)
 {
   const double seconds = BetweenLoops::SecondsBetween;
