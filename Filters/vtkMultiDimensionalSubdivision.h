@@ -417,9 +417,9 @@ public:
    * derivative there. These weights change as (2 lambda)^k at 2^-k of a cell, with the second
    * eigenvalue lambda of the vertex: with three to five triangles derivatives tend to 0, with seven
    * and more to infinity. Second derivatives are as exact, and their weights change as (4
-   * lambda)^k; beside what is semi-sharp their error is 2^(k - 54) more. Curvatures come from what
-   * they are across the surface, which is a part (mu / lambda)^k of them, with the third eigenvalue
-   * mu: as many digits are lost. AT irregular vertices curvatures are 0.
+   * lambda)^k; beside semi-sharp creases their error is larger by 2^(k - 54) of these weights.
+   * Curvatures use the part across the surface only, which is smaller by (mu / lambda)^k, with the
+   * third eigenvalue mu, so as many digits are lost. At irregular vertices curvatures are 0.
    *
    * In solids derivatives are as exact wherever they exist: inside of cells, on faces and on
    * boundaries, where they are those from the side of the cell, and beside joints. The limit has no

@@ -30,7 +30,7 @@ public:
   }
   void operator()(vtkIdType begin, vtkIdType end)
   {
-    if (this->HasFailed)
+    if (this->IsFailed)
     {
       return;
     }
@@ -40,12 +40,13 @@ public:
     }
     catch (...)
     {
-      if (!this->HasFailed.exchange(true))
+      if (!this->IsFailed.exchange(true))
       {
         this->Failure = std::current_exception();
       }
     }
   }
+  bool HasFailed() const { return this->IsFailed; }
   /// After the loop.
   void Throw() const
   {
@@ -57,7 +58,7 @@ public:
 
 private:
   const RangeBody Body;
-  std::atomic<bool> HasFailed{ false };
+  std::atomic<bool> IsFailed{ false };
   std::exception_ptr Failure;
 };
 
@@ -79,7 +80,7 @@ vtkIdType RunUntil(
         return;
       }
       body(first, end - first > atATime ? first + atATime : end);
-    } while (Clock::now() < last);
+    } while (!body.HasFailed() && Clock::now() < last);
   };
   {
     struct Depth
@@ -115,8 +116,8 @@ void RunInParts(vtkIdType size, vtkIdType first, vtkIdType least, const RangeBod
       end, std::max(least, (end - begin) / takes), caught);
     const std::chrono::duration<double> taken = Clock::now() - start;
     const double factor = taken.count() * mostGrowth > wanted ? wanted / taken.count() : mostGrowth;
-    most =
-      std::max<vtkIdType>(1, static_cast<vtkIdType>(factor * static_cast<double>(reached - begin)));
+    // Not fewer than at first: on a busy machine it may be the start of threads that took so long.
+    most = std::max(first, static_cast<vtkIdType>(factor * static_cast<double>(reached - begin)));
     begin = reached;
     BetweenLoops::Act();
   }

@@ -25,7 +25,7 @@ namespace
 
 using Vector = std::array<double, 3>;
 
-constexpr int MostSteps = 40;                ///< of Newton's method, and half steps back
+constexpr int MostSteps = 40;                ///< of a search in one cell
 constexpr int MostRounds = 30;               ///< from cell to cell
 constexpr std::size_t PointsAtATime = 16384; ///< bounds the memory of searches
 

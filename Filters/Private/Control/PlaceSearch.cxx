@@ -341,7 +341,10 @@ void AdvanceSearch(
   const bool isWorse = search.Place.Distance > search.Best.Distance + rounding;
   if (!isFirst)
   {
-    isSolid ? LearnBends(search, value, rest) : void();
+    if (isSolid)
+    {
+      LearnBends(search, value, rest);
+    }
     SetDamping(search, isWorse);
   }
   if (isWorse)

@@ -86,8 +86,9 @@ TEST(Loops, PartsEndWhereElementsTakeFarLonger)
 {
   const double seconds = BetweenLoops::SecondsBetween;
   BetweenLoops::SecondsBetween = 0.;
-  constexpr vtkIdType easy = 1 << 21;
+  constexpr vtkIdType easy = 1 << 20;
   constexpr vtkIdType size = 2 * easy;
+  const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
   std::atomic<vtkIdType> visited{ 0 };
   int acts = 0;
   {
@@ -96,12 +97,12 @@ TEST(Loops, PartsEndWhereElementsTakeFarLonger)
       [&](vtkIdType begin, vtkIdType end)
       {
         const vtkIdType hard = end - std::min(end, std::max(begin, easy));
-        std::this_thread::sleep_for(std::chrono::microseconds(hard));
+        std::this_thread::sleep_for(threads * std::chrono::microseconds(hard));
         visited += end - begin;
       });
   }
   EXPECT_EQ(visited, size);
-  EXPECT_GE(acts, 5) << "two seconds of work, by the threads";
+  EXPECT_GE(acts, 5) << "a second of work in parts of 0.05 s";
   BetweenLoops::SecondsBetween = seconds;
 }
 
@@ -157,6 +158,35 @@ TEST(Loops, UnevenOnesEndWhereThreadsBeginTooLate)
   }
   EXPECT_EQ(visited, 160);
   subdivision::SecondsOfUnevenRanges = ofRanges;
+  BetweenLoops::SecondsBetween = seconds;
+}
+
+/// Where each part takes long to start, parts do not become so small that the loop never ends.
+TEST(Loops, PartsStayLargeWhereThreadsBeginTooLate)
+{
+  const double seconds = BetweenLoops::SecondsBetween;
+  BetweenLoops::SecondsBetween = 0.;
+  std::atomic<bool> begins{ true };
+  std::atomic<vtkIdType> visited{ 0 };
+  {
+    int acts = 0;
+    const BetweenLoops between(
+      [&]
+      {
+        begins = true;
+        if (++acts > 1100)
+        {
+          throw std::runtime_error("the loop does not go on");
+        }
+      });
+    EXPECT_NO_THROW(ForRanges(1 << 20,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(begins.exchange(false) ? 30 : 0));
+        visited += end - begin;
+      }));
+  }
+  EXPECT_EQ(visited, 1 << 20);
   BetweenLoops::SecondsBetween = seconds;
 }
 

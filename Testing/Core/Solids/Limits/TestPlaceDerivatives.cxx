@@ -62,6 +62,7 @@ std::vector<Found> Evaluate(const LevelType& level, const SemiSharpStages<int>& 
   const std::vector<LimitPlace<int>>& places, const std::vector<double>& values)
 {
   const PlaceLimits<int> limits(level, creases, places, PlaceDerivatives::Second);
+  EXPECT_TRUE(limits.Rows.HasPart(PlaceParts::SecondOfSecond));
   std::vector<Found> all(places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {

@@ -194,6 +194,7 @@ TEST(PlaceLimits, DerivativesNearExtraordinaryVerticesAreThoseOfLoop)
     {
       for (int part = 0; part < PlaceParts::Count; ++part)
       {
+        ASSERT_EQ(found.HasPart(part), part != PlaceParts::First + 2);
         if (!found.HasPart(part))
         {
           continue;
