@@ -65,10 +65,13 @@ private:
 using Clock = std::chrono::steady_clock;
 
 /// Each of several threads, of which this may be one, takes `atATime` elements after the other from
-/// `begin` on, until `last`. Returns the first that none has taken.
-vtkIdType RunUntil(
-  Clock::time_point last, vtkIdType begin, vtkIdType end, vtkIdType atATime, CaughtBody& body)
+/// `begin` on, until it is time to act. Returns the first that none has taken.
+vtkIdType RunForAWhile(vtkIdType begin, vtkIdType end, vtkIdType atATime, CaughtBody& body)
 {
+  const bool isEndless = !Current || DepthOfLoops > 0; // nobody would act
+  const auto last = Clock::now() +
+    std::chrono::duration_cast<Clock::duration>(
+      std::chrono::duration<double>(SecondsOfUnevenRanges));
   std::atomic<vtkIdType> next(begin);
   const auto take = [&](vtkIdType, vtkIdType)
   {
@@ -80,7 +83,7 @@ vtkIdType RunUntil(
         return;
       }
       body(first, end - first > atATime ? first + atATime : end);
-    } while (!body.HasFailed() && Clock::now() < last);
+    } while (!body.HasFailed() && (isEndless || Clock::now() < last));
   };
   {
     struct Depth
@@ -103,8 +106,6 @@ void RunInParts(vtkIdType size, vtkIdType first, vtkIdType least, const RangeBod
   constexpr double wanted = 0.02;
   constexpr double mostGrowth = 4.; // the next part may be harder work
   constexpr int portions = 32;      // of a thread in a part
-  const auto longest = std::chrono::duration_cast<Clock::duration>(
-    std::chrono::duration<double>(SecondsOfUnevenRanges));
   const vtkIdType takes = vtkIdType(portions) * vtkSMPTools::GetEstimatedNumberOfThreads();
   CaughtBody caught(body);
   vtkIdType most = Current ? first : size;
@@ -112,8 +113,8 @@ void RunInParts(vtkIdType size, vtkIdType first, vtkIdType least, const RangeBod
   {
     const vtkIdType end = size - begin > most ? begin + most : size;
     const auto start = Clock::now();
-    const vtkIdType reached = RunUntil(Current ? start + longest : Clock::time_point::max(), begin,
-      end, std::max(least, (end - begin) / takes), caught);
+    const vtkIdType reached =
+      RunForAWhile(begin, end, std::max(least, (end - begin) / takes), caught);
     const std::chrono::duration<double> taken = Clock::now() - start;
     const double factor = taken.count() * mostGrowth > wanted ? wanted / taken.count() : mostGrowth;
     // Not fewer than at first: on a busy machine it may be the start of threads that took so long.
@@ -180,14 +181,10 @@ void ForRangesOfBlocks(vtkIdType blocks, RangeBody body, vtkIdType worthThreads)
 void ForUnevenRanges(vtkIdType size, RangeBody body)
 {
   constexpr vtkIdType atATime = 16;
-  const auto most = std::chrono::duration_cast<Clock::duration>(
-    std::chrono::duration<double>(SecondsOfUnevenRanges));
   CaughtBody caught(body);
   for (vtkIdType next = 0; next < size;)
   {
-    const bool isEndless = !Current || DepthOfLoops > 0;
-    next = RunUntil(
-      isEndless ? Clock::time_point::max() : Clock::now() + most, next, size, atATime, caught);
+    next = RunForAWhile(next, size, atATime, caught);
     BetweenLoops::Act();
   }
 }

@@ -15,7 +15,7 @@ namespace subdivision
 /// takes a few elements at a time, and all stop after a while, so that this one can act.
 void ForUnevenRanges(vtkIdType size, RangeBody body);
 
-/// That while. Tests change it.
+/// That while, after which a part of any loop ends. Tests change it.
 inline double SecondsOfUnevenRanges = 0.05;
 
 }
