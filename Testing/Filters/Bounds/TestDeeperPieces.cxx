@@ -9,6 +9,11 @@
 #include "Private/Bounds/DeeperPieces.h"
 #include "Private/Bounds/Deviations.h"
 
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <vector>
+
 using namespace bound_tools;
 using bezier_tools::MakeSheet;
 using subdivision::Buffer;
@@ -330,6 +335,48 @@ TEST(FindBounds, LimitsOfTetOctDependOnTwoLayersOfSolids)
       outside += isNear ? 0 : 1;
     }
     EXPECT_GT(outside, 50) << point;
+  }
+}
+
+/// Of few cells only the points are looked at on which their limits depend.
+TEST(FindBounds, OneCellHasTheBoundThatItHasAmongAll)
+{
+  for (const bool isTetOct : { false, true })
+  {
+    const Levels<Filter> levels(WithValues(MakeRandomComplex(3)), 0,
+      isTetOct ? Levels<Filter>::Set(SetTetOct) : Levels<Filter>::Set(), isTetOct);
+    const NestedPieces pieces = levels.MakePieces(0);
+    const Sectors sectors(pieces, levels.GetStep());
+    std::mt19937 random(2);
+    const auto draw = [&](int step)
+    {
+      Buffer<double> values(pieces.GetNumberOfPoints(step));
+      std::generate(values.begin(), values.end(), [&] { return random() / 4294967296.; });
+      return values;
+    };
+    const Buffer<double> shown = draw(0);
+    const Buffer<double> next = draw(1);
+    const Buffer<double> second = draw(2);
+    const Buffer<double> third = draw(3);
+    const Buffer<double> last = draw(3);
+    const auto copyLast = [&](const Buffer<double>&)
+    {
+      Buffer<double> copy(last.size());
+      std::copy(last.begin(), last.end(), copy.begin());
+      return copy;
+    };
+    const subdivision::BoundedValues values{ 1, shown.data(), next, second, third, copyLast, 0. };
+    std::vector<vtkIdType> all(static_cast<std::size_t>(pieces.GetNumberOfCells()));
+    std::iota(all.begin(), all.end(), vtkIdType(0));
+    const auto expected = subdivision::FindBounds(pieces, sectors, values, all);
+    ASSERT_GT(all.size(), 3u);
+    for (const vtkIdType cell : all)
+    {
+      const auto found = subdivision::FindBounds(pieces, sectors, values, { cell });
+      EXPECT_EQ(found[0].Largest, expected[cell].Largest) << cell;
+      EXPECT_EQ(found[0].Least, expected[cell].Least) << cell;
+      EXPECT_EQ(found[0].OfPieces, expected[cell].OfPieces) << cell;
+    }
   }
 }
 
