@@ -6,13 +6,16 @@
 #include "Core/Solids/Limits/LatticeNames.h"
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/Limits/SheetLimits.h"
+#include "Core/Solids/Limits/SheetReader.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
+#include <vector>
 
 using namespace tetoct_tools;
 
@@ -185,6 +188,24 @@ void ExpectUniformLimits()
   EXPECT_GT(known, all / 4);
 }
 
+}
+
+/// By values, so that limits have the same bits whatever numbers the corners have; equal ones stay
+/// in their order.
+TEST(SheetLimits, CornersAreSorted)
+{
+  for (int all = 0; all < 27; ++all)
+  {
+    const std::array<int, 3> values{ { all % 3, all / 3 % 3, all / 9 } };
+    const auto isBefore = [&](int a, int b) { return values[a] < values[b]; };
+    for (const int size : { 2, 3 })
+    {
+      std::vector<int> expected{ 0, 1, 2 };
+      std::stable_sort(expected.begin(), expected.begin() + size, isBefore);
+      const std::array<int, 3> sorted = SortCorners(size, isBefore);
+      EXPECT_TRUE(std::equal(sorted.begin(), sorted.end(), expected.begin())) << all << " " << size;
+    }
+  }
 }
 
 TEST(SheetLimits, EqualTheUniformRefinementOnTheWholeZoo)
