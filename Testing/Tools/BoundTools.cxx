@@ -4,6 +4,7 @@
 #include "Private/Bezier/BezierRoots.h"
 
 #include <map>
+#include <memory>
 
 namespace bound_tools
 {
@@ -49,13 +50,12 @@ void ForLattice(const PatchShape& shape, int steps, const Act& act)
 
 /// The largest distance of each cell.
 std::vector<double> FindDistances(vtkPointSet* mesh, vtkDataArray* coarse, vtkDataArray* fine,
-  const BezierRoots& roots, int steps, const PlacedPoints* placed, vtkIdType& samples)
+  const BezierRoots* roots, int steps, const PlacedPoints* placed, vtkIdType& samples)
 {
   const int components = coarse->GetNumberOfComponents();
   std::vector<double> distances;
-  for (vtkIdType r = 0; r < roots.GetNumberOfRoots(); ++r)
+  for (vtkIdType r = 0; r < mesh->GetNumberOfCells(); ++r)
   {
-    const Root& root = roots.GetRoot(r);
     double most = 0.;
     const auto add = [&](vtkIdType point, const std::array<double, 4>& weights, const Ids& corners)
     {
@@ -82,22 +82,23 @@ std::vector<double> FindDistances(vtkPointSet* mesh, vtkDataArray* coarse, vtkDa
         add(point.Point, point.Weights, corners);
       }
     }
-    else if (root.Kind < 0)
+    else if (roots->GetRoot(r).Kind < 0)
     {
       Ids ids;
-      roots.GetPoints(root, ids);
+      roots->GetPoints(roots->GetRoot(r), ids);
       add(ids[0], { { 1., 0., 0., 0. } }, { ids[0] });
     }
     else
     {
+      const Root& root = roots->GetRoot(r);
       const PatchShape& shape = BezierRoots::GetShape(root);
       Ids corners;
       for (const LatticePoint& corner : shape.CornerPoints)
       {
-        corners.push_back(roots.GetPoint(root, roots.GetWhole(root).At(corner, 2)));
+        corners.push_back(roots->GetPoint(root, roots->GetWhole(root).At(corner, 2)));
       }
       ForLattice(shape, steps, [&](const LatticePoint& point, const std::array<double, 4>& weights)
-        { add(roots.GetPoint(root, point), weights, corners); });
+        { add(roots->GetPoint(root, point), weights, corners); });
     }
     distances.push_back(most);
   }
@@ -145,8 +146,12 @@ double Tightness::GetLargest() const
 void ExpectBounds(vtkPointSet* coarse, vtkPointSet* fine, int steps, Tightness& tightness,
   double rounding, const PlacedPoints* placed)
 {
-  const BezierRoots roots(fine, steps);
-  ASSERT_EQ(roots.GetNumberOfRoots(), coarse->GetNumberOfCells());
+  std::unique_ptr<BezierRoots> roots; // of cells that are not placed
+  if (!placed || static_cast<vtkIdType>(placed->size()) < coarse->GetNumberOfCells())
+  {
+    roots = std::make_unique<BezierRoots>(fine, steps);
+    ASSERT_EQ(roots->GetNumberOfRoots(), coarse->GetNumberOfCells());
+  }
   std::map<std::string, vtkDataArray*> arrays{ { "", coarse->GetPoints()->GetData() } };
   for (const char* name : { "Copy", "One", "Two" })
   {
@@ -170,7 +175,7 @@ void ExpectBounds(vtkPointSet* coarse, vtkPointSet* fine, int steps, Tightness& 
       size = std::max({ size, std::abs(range[0]), std::abs(range[1]) });
     }
     const std::vector<double> distances =
-      FindDistances(coarse, array, limits, roots, steps, placed, tightness.Samples);
+      FindDistances(coarse, array, limits, roots.get(), steps, placed, tightness.Samples);
     for (std::size_t c = 0; c < distances.size(); ++c)
     {
       const double bound = bounds->GetComponent(static_cast<vtkIdType>(c), 0);

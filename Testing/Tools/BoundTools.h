@@ -109,7 +109,7 @@ struct PlacedPoint
 using PlacedPoints = std::map<vtkIdType, std::vector<PlacedPoint>>;
 
 /// Expects that bounds hold at all points of the fine mesh, for points and arrays; the ratios are
-/// those of all of them. `placed` has the points in solids of the tet/oct scheme.
+/// those of all of them. `placed` has the points in cells that are not split into halves.
 void ExpectBounds(vtkPointSet* coarse, vtkPointSet* fine, int steps, Tightness& tightness,
   double rounding = 1e-12, const PlacedPoints* placed = nullptr);
 

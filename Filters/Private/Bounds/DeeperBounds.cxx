@@ -6,31 +6,55 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace subdivision
 {
 namespace
 {
 
-using Part = DeeperPieces::Part;
+using Part = DeeperCells::Part;
+
+int CountFurtherSteps(const NestedPieces& pieces, vtkIdType cell)
+{
+  const int dimension = pieces.GetDimension(cell);
+  return pieces.HasThirds() ? MostFurtherStepsInThirds[dimension] : MostFurtherSteps[dimension];
+}
 
 /// Whether further steps may bring a bound near: not where the truth is rounding, or much smaller.
-bool CanHelp(const CellBound& bound, int dimension, double rounding)
+bool CanHelp(const CellBound& bound, const NestedPieces& pieces, vtkIdType cell, double rounding)
 {
+  const double ofStep = pieces.HasThirds() ? 9. : 4.;
   return bound.Least > 16. * rounding &&
-    bound.Largest <= std::ldexp(NearBound * bound.Least, 2 * MostFurtherSteps[dimension]);
+    bound.Largest <= NearBound * bound.Least * std::pow(ofStep, CountFurtherSteps(pieces, cell));
+}
+
+Buffer<double> ApplyFactors(
+  const Sectors::Step& factors, const Buffer<double>& values, int components)
+{
+  Buffer<double> result;
+  for (const MatrixFactors::Matrix* factor : factors)
+  {
+    Buffer<double> next(components * factor->GetNumberOfRows());
+    factor->Apply(
+      factor == factors.front() ? values.data() : result.data(), next.data(), components);
+    result = std::move(next);
+  }
+  return result;
 }
 
 class Tightener
 {
 public:
-  explicit Tightener(std::vector<CellBound>& bounds)
-    : Bounds(bounds)
+  Tightener(const SplitCells& split, std::vector<CellBound>& bounds)
+    : Split(split)
+    , Bounds(bounds)
     , Settled(bounds.size(), 0.)
   {
   }
 
-  void Run(const SteppedPieces& pieces, const BoundedValues& values);
+  bool Run(const SteppedPieces& pieces, const BoundedValues& values);
 
 private:
   /// Parts of cells at one step, each with the cell of the mesh in which it lies.
@@ -44,31 +68,36 @@ private:
 
   void AddParts(const NestedPieces& pieces, vtkIdType cell, vtkIdType root, const CellBound& bound,
     double rounding, Parts& parts);
-  void Look(
+  bool Look(
     const SteppedPieces& pieces, const BoundedValues& values, const Parts& parts, int further);
 
+  const SplitCells& Split;
   std::vector<CellBound>& Bounds;
   std::vector<double> Settled; ///< the largest bound of parts that are not looked at any more
 };
 
-void Tightener::Run(const SteppedPieces& pieces, const BoundedValues& values)
+bool Tightener::Run(const SteppedPieces& pieces, const BoundedValues& values)
 {
   Parts parts;
   for (const vtkIdType cell : InTurn(pieces.Pieces.GetNumberOfCells()))
   {
     const CellBound& bound = this->Bounds[cell];
     if (!IsNear(bound.Largest, bound.Least, values.Rounding) &&
-      CanHelp(bound, pieces.Pieces.GetDimension(cell), values.Rounding))
+      CanHelp(bound, pieces.Pieces, cell, values.Rounding))
     {
       this->AddParts(pieces.Pieces, cell, cell, bound, values.Rounding, parts);
     }
   }
   const std::vector<vtkIdType> roots = parts.Roots;
-  this->Look(pieces, values, parts, 1);
+  if (!this->Look(pieces, values, parts, 1))
+  {
+    return false;
+  }
   for (const vtkIdType root : InTurn(roots))
   {
     this->Bounds[root].Largest = std::min(this->Bounds[root].Largest, this->Settled[root]);
   }
+  return true;
 }
 
 /// Adds the children of a cell that have pieces whose bounds are not near.
@@ -97,7 +126,7 @@ void Tightener::AddParts(const NestedPieces& pieces, vtkIdType cell, vtkIdType r
   }
 }
 
-void Tightener::Look(
+bool Tightener::Look(
   const SteppedPieces& pieces, const BoundedValues& values, const Parts& parts, int further)
 {
   const int components = values.Components;
@@ -110,29 +139,29 @@ void Tightener::Look(
     {
       ++end;
     }
-    const DeeperPieces deeper(pieces,
+    const std::unique_ptr<DeeperCells> deeper = this->Split(pieces,
       { parts.Wanted.begin() + static_cast<std::ptrdiff_t>(begin),
         parts.Wanted.begin() + static_cast<std::ptrdiff_t>(end) });
-    const SteppedPieces made = deeper.Get();
-    const Buffer<double> next = deeper.Take(1, values.Second, components);
-    const Buffer<double> second = deeper.Take(2, values.Third, components);
+    if (!deeper)
+    {
+      return false;
+    }
+    const SteppedPieces made = deeper->Get();
+    const Buffer<double> next = deeper->Take(1, values.Second, components);
+    const Buffer<double> second = deeper->Take(2, values.Third, components);
     const auto step = [&](const Buffer<double>& before)
-    {
-      Buffer<double> after(components * made.Last.back()->GetNumberOfRows());
-      made.Last.back()->Apply(before.data(), after.data(), components);
-      return after;
-    };
+    { return ApplyFactors(made.Last, before, components); };
     const Buffer<double> third = step(second);
-    std::vector<double> shown(components * deeper.GetCorners().size(), 0.);
-    for (std::size_t i = 0; i < deeper.GetCorners().size(); ++i)
+    std::vector<double> shown(components * deeper->GetCorners().size(), 0.);
+    for (std::size_t i = 0; i < deeper->GetCorners().size(); ++i)
     {
-      const auto& [cell, point] = deeper.GetCorners()[i];
+      const auto& [cell, point] = deeper->GetCorners()[i];
       AddShown(pieces.Pieces, values, cell, point, 1., shown.data() + components * i);
     }
     const BoundedValues ofParts{ components, shown.data(), next, second, third, step,
       values.Rounding };
     const std::vector<CellBound> found =
-      FindBounds(made.Pieces, made.AllSectors, ofParts, deeper.GetWanted());
+      FindBounds(made.Pieces, made.AllSectors, ofParts, deeper->GetWanted());
     for (std::size_t i = 0; i < found.size(); ++i)
     {
       double& least = this->Bounds[parts.Roots[begin + i]].Least;
@@ -142,16 +171,20 @@ void Tightener::Look(
     for (std::size_t i = 0; i < found.size(); ++i)
     {
       const vtkIdType root = parts.Roots[begin + i];
-      const vtkIdType cell = deeper.GetWanted()[i];
-      if (further == MostFurtherSteps[made.Pieces.GetDimension(cell)])
+      const vtkIdType cell = deeper->GetWanted()[i];
+      if (further == CountFurtherSteps(made.Pieces, cell))
       {
         this->Settled[root] = std::max(this->Settled[root], found[i].Largest);
         continue;
       }
       this->AddParts(made.Pieces, cell, root, found[i], values.Rounding, left);
     }
-    this->Look(made, ofParts, left, further + 1);
+    if (!this->Look(made, ofParts, left, further + 1))
+    {
+      return false;
+    }
   }
+  return true;
 }
 
 /// The distances of points that are known to be on the limit.
@@ -193,14 +226,14 @@ void AddSamples(const NestedPieces& pieces, const BoundedValues& values,
 
 }
 
-void TightenBounds(const SteppedPieces& pieces, const BoundedValues& values,
-  const Buffer<double>& limits, std::vector<CellBound>& bounds)
+bool TightenBounds(const SteppedPieces& pieces, const SplitCells& split,
+  const BoundedValues& values, const Buffer<double>& limits, std::vector<CellBound>& bounds)
 {
   if (!limits.empty())
   {
     AddSamples(pieces.Pieces, values, limits, bounds);
   }
-  Tightener(bounds).Run(pieces, values);
+  return Tightener(split, bounds).Run(pieces, values);
 }
 
 }

@@ -6,7 +6,7 @@
 #ifndef SubdivisionObjects_DeeperBounds_h
 #define SubdivisionObjects_DeeperBounds_h
 
-#include "Private/Bounds/DeeperPieces.h"
+#include "Private/Bounds/DeeperCells.h"
 #include "Private/Bounds/Deviations.h"
 
 #include <vector>
@@ -15,17 +15,19 @@ namespace subdivision
 {
 
 /// How many steps are looked at beyond the three of all cells, by the dimension of a cell: so that
-/// 512 parts of it are the most.
+/// 512 parts of it are the most, or 729 where edges are cut into thirds.
 constexpr int MostFurtherSteps[4] = { 0, 8, 4, 3 };
+constexpr int MostFurtherStepsInThirds[4] = { 0, 5, 3, 0 };
 
 /**
  * Looks at the parts of cells whose pieces have bounds that are not near the cell's Least, one step
- * deeper each time, until they are, or until MostFurtherSteps. Each step leaves about a quarter of
- * what a bound is too large by. A cell whose bound would not come near even so is left alone.
- * `limits` are values on the limit at points before the last step; empty if nobody knows them.
+ * deeper each time, until they are, or until MostFurtherSteps. Each step leaves about a quarter (a
+ * ninth) of what a bound is too large by. A cell whose bound would not come near even so is left
+ * alone. `limits` are values on the limit at points before the last step; empty if nobody knows
+ * them. Returns false if `split` does not go on.
  */
-void TightenBounds(const SteppedPieces& pieces, const BoundedValues& values,
-  const Buffer<double>& limits, std::vector<CellBound>& bounds);
+bool TightenBounds(const SteppedPieces& pieces, const SplitCells& split,
+  const BoundedValues& values, const Buffer<double>& limits, std::vector<CellBound>& bounds);
 
 }
 

@@ -422,16 +422,4 @@ void DeeperPieces::MakeRows()
     });
 }
 
-Buffer<double> DeeperPieces::Take(int step, const Buffer<double>& values, int components) const
-{
-  Buffer<double> taken(components * this->Counts[step]);
-  ForEach(this->Counts[step],
-    [&](vtkIdType i)
-    {
-      std::copy_n(
-        values.data() + components * this->Old[i], components, taken.data() + components * i);
-    });
-  return taken;
-}
-
 }

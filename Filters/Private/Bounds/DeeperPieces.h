@@ -10,8 +10,7 @@
 #ifndef SubdivisionObjects_DeeperPieces_h
 #define SubdivisionObjects_DeeperPieces_h
 
-#include "Private/Bounds/NestedPieces.h"
-#include "Private/Bounds/Sectors.h"
+#include "Private/Bounds/DeeperCells.h"
 
 #include <array>
 #include <map>
@@ -22,55 +21,20 @@
 namespace subdivision
 {
 
-/// Cells, what their limits depend on, and the last of their steps.
-struct SteppedPieces
-{
-  const NestedPieces& Pieces;
-  const Sectors& AllSectors;
-  Sectors::Step Last;
-};
-
-class DeeperPieces
+class DeeperPieces : public DeeperCells
 {
 public:
   /// Whole numbers for the corners of a cell.
   using Weights = std::array<int, NestedPieces::MostCorners>;
 
-  /// A child of a cell (PieceLattice::Children).
-  struct Part
-  {
-    vtkIdType Cell;
-    int Child;
-    bool operator<(const Part& other) const
-    {
-      return this->Cell < other.Cell || (this->Cell == other.Cell && this->Child < other.Child);
-    }
-    bool operator==(const Part& other) const
-    {
-      return this->Cell == other.Cell && this->Child == other.Child;
-    }
-  };
-
   /// The cells are `wanted`, each with all quarters of its octahedron, and after them the other
   /// parts at their points. A row is not a number where it may read what these do not have; what
   /// wanted cells depend on is there, but where a rule reads more than cells that meet.
   DeeperPieces(const SteppedPieces& from, const std::vector<Part>& wanted);
-  DeeperPieces(const DeeperPieces&) = delete;
-  DeeperPieces& operator=(const DeeperPieces&) = delete;
-
-  /// The cells that wanted parts are.
-  const std::vector<vtkIdType>& GetWanted() const { return this->Wanted; }
-  SteppedPieces Get() const { return { *this->Pieces, *this->AllSectors, { &this->Last } }; }
-
-  /// Values at the points after step 1 or 2, of those at the points before.
-  Buffer<double> Take(int step, const Buffer<double>& values, int components) const;
-  /// For each point that is a corner of a cell, a place in the cells before.
-  struct Corner
+  SteppedPieces Get() const override
   {
-    vtkIdType Cell;
-    int Point; ///< of its lattice
-  };
-  const std::vector<Corner>& GetCorners() const { return this->Corners; }
+    return { *this->Pieces, *this->AllSectors, { &this->Last } };
+  }
 
 private:
   using Mask = NestedPieces::Mask;
@@ -102,13 +66,10 @@ private:
 
   const SteppedPieces From;
   std::vector<Part> Parts;
-  std::vector<vtkIdType> Wanted;
   std::vector<vtkIdType> FirstPlaces; ///< of each part
   Buffer<vtkIdType> PlacePoints;
   std::array<vtkIdType, NestedPieces::Steps + 1> Counts{};
-  std::vector<vtkIdType> Old;                                ///< of each point before the last step
   std::vector<std::pair<vtkIdType, vtkIdType>> NumbersOfOld; ///< ascending
-  std::vector<Corner> Corners;
   std::unique_ptr<NestedPieces> Pieces;
   MatrixFactors::Matrix Last;
   std::unique_ptr<Sectors> AllSectors;

@@ -112,7 +112,8 @@ using StepsAndTail = std::array<VectorRanges, 2>;
 
 /// For each spot at a cell the vectors of the points on which the limit there depends: those of the
 /// pieces at it that belong to its sector; where the sector has tetrahedra, whose edges have rings
-/// beyond these, or, of the tail, if `isWide`, of one layer of pieces more.
+/// beyond these, where edges are cut into thirds, or, of the tail, if `isWide`, of one layer of
+/// pieces more.
 StepsAndTail Spread(const NestedPieces& pieces, const Sectors& sectors, const NeededPoints& needed,
   int components, const StepsAndTail& ofPoints, bool isWide)
 {
@@ -137,7 +138,8 @@ StepsAndTail Spread(const NestedPieces& pieces, const Sectors& sectors, const Ne
     return StepsAndTail{ VectorRanges(sectors.GetNumberOfSpots(), components),
       VectorRanges(sectors.GetNumberOfSpots(), components) };
   };
-  const bool isTwice = isWide || pieces.HasTets();
+  const bool hasThirds = pieces.HasThirds();
+  const bool isTwice = isWide || hasThirds || pieces.HasTets();
   StepsAndTail near = makeRanges();
   sectors.ForSpots([&](vtkIdType point)
     { return isTwice ? needed.Has(point) : needed.AreOfCells(point); },
@@ -171,7 +173,7 @@ StepsAndTail Spread(const NestedPieces& pieces, const Sectors& sectors, const Ne
         place,
         [&](vtkIdType other)
         {
-          if (pieces.GetDimension(sectors.GetCell(other)) == 3)
+          if (hasThirds || pieces.GetDimension(sectors.GetCell(other)) == 3)
           {
             forNeighbours(other, extend);
           }
@@ -193,7 +195,17 @@ VectorRanges MakeRanges(const NestedPieces& pieces, int components, const Buffer
   return ranges;
 }
 
-/// What all steps after step 3 together add to bilinear pieces: what a row makes of them after m
+/// What all steps after step 3 together add: they halve what they add, or leave a third of it.
+VectorRanges FindTail(const NestedPieces& pieces, int components, Buffer<double> kinks)
+{
+  if (pieces.HasThirds())
+  {
+    ForEach(kinks.size(), [&](vtkIdType i) { kinks[i] *= 0.5; }); // 1/3 + 1/9 + ...
+  }
+  return MakeRanges(pieces, components, kinks);
+}
+
+/// The same for bilinear pieces: what a row makes of them after m
 /// steps is h a + h^2 b with h = 2^-m, where a and b follow from two steps (Mathematics 14).
 VectorRanges FindTailOfQuads(const NestedPieces& pieces, int components,
   const Buffer<double>& first, const Buffer<double>& second)
@@ -419,14 +431,14 @@ std::vector<CellBound> FindBounds(const NestedPieces& pieces, const Sectors& sec
   const int components = values.Components;
   const Buffer<double> middles = MakeMiddles(pieces, 2, components, values.Next);
   const Buffer<double> linear = MakeMiddles(pieces, 3, components, middles);
-  const Buffer<double> kinks = FindMoves(pieces, 3, components, values.LastStep(middles), linear);
+  Buffer<double> kinks = FindMoves(pieces, 3, components, values.LastStep(middles), linear);
   const NeededPoints needed(pieces, sectors, cells);
   const bool hasQuads = pieces.HasQuads(); // then both halves of an edge count
   const StepsAndTail ranges = Spread(pieces, sectors, needed, components,
     { MakeRanges(pieces, components, FindMoves(pieces, 3, components, values.Third, linear)),
       hasQuads ? FindTailOfQuads(pieces, components,
                    FindMoves(pieces, 2, components, values.Second, middles), kinks)
-               : MakeRanges(pieces, components, kinks) },
+               : FindTail(pieces, components, std::move(kinks)) },
     hasQuads);
   std::vector<CellBound> bounds(cells.size());
   ForUnevenRanges(static_cast<vtkIdType>(cells.size()),

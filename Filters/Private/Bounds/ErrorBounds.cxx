@@ -3,9 +3,12 @@
 
 #include "Private/Arrays/Arrays.h"
 #include "Private/Bounds/DeeperBounds.h"
+#include "Private/Bounds/DeeperPieces.h"
+#include "Private/Bounds/DeeperThirds.h"
 #include "Private/Bounds/Deviations.h"
 #include "Private/Bounds/NestedPieces.h"
 #include "Private/Bounds/Sectors.h"
+#include "Private/Bounds/ThirdsReader.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Reading/CellReader.h"
@@ -22,8 +25,10 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace subdivision
@@ -31,7 +36,7 @@ namespace subdivision
 namespace
 {
 
-constexpr int Further = NestedPieces::Steps;
+constexpr int LastStep = NestedPieces::Steps;
 
 /// Whether an array of the points is one of the distances that this file adds.
 bool IsDistance(const std::string& name)
@@ -89,7 +94,10 @@ public:
   {
     this->Quiet.Warn = [](const std::string&) {}; // the run before has told all
     this->Quiet.Fail = [this](const std::string& error)
-    { this->Options.Fail("GenerateErrorBounds makes a mesh of 3 more levels. " + error); };
+    {
+      this->Options.Fail("GenerateErrorBounds makes a mesh of " +
+        std::to_string(this->GetLevel(LastStep) - this->Given.Levels) + " more levels. " + error);
+    };
     this->Quiet.GenerateOriginalIds = this->Quiet.GenerateGlobalIds = false;
     this->Quiet.OutputPointsPrecision = vtkAlgorithm::DOUBLE_PRECISION;
   }
@@ -102,6 +110,7 @@ private:
   {
     None,
     NotNested,
+    NotThirds,
     NegativeWeights,
     Sharp,
     Seams
@@ -132,12 +141,20 @@ private:
     alone.Interpolation = InterpolationOptions();
     return alone;
   }
+  /// The level after a step of the pieces. With thirds step 1 does nothing.
+  int GetLevel(int step) const
+  {
+    return this->Given.Levels + (this->Given.HasThirds ? 2 * std::max(step - 1, 0) : step);
+  }
+  bool MakeSteps(vtkPointSet* fine, FourSqrtThreeSteps& meshes) const;
   NestedPieces MakePieces(vtkPointSet* fine, vtkPointSet* control) const;
   bool HasMemory() const;
   bool HasNegativeWeights() const;
-  Buffer<double> Apply(int step, const Buffer<double>& values, int components) const;
+  Buffer<double> Apply(int from, int to, const Buffer<double>& values, int components) const;
   Sectors::Step GetLastStep() const;
   bool FindLimits();
+  std::unique_ptr<DeeperCells> Split(
+    const SteppedPieces& from, const std::vector<DeeperCells::Part>& wanted) const;
   bool AddBounds(const SteppedPieces& pieces, vtkDataArray* control, vtkDataArray* shown,
     const std::string& name);
   void AddDistances(vtkDataArray* given, vtkDataArray* limit, const std::string& name);
@@ -151,17 +168,30 @@ private:
   bool AreLimitsFound = false;
 };
 
-/// Values after a step, which is counted from the control points.
-Buffer<double> BoundMaker::Apply(int step, const Buffer<double>& values, int components) const
+/// The values after a level, of those after another one.
+Buffer<double> BoundMaker::Apply(
+  int from, int to, const Buffer<double>& values, int components) const
 {
-  return ApplyOperation(this->Factors, this->Factors.GetOperations()[step], values, components);
+  Buffer<double> result;
+  for (int level = from; level < to; ++level)
+  {
+    result = ApplyOperation(this->Factors, this->Factors.GetOperations()[level],
+      level == from ? values : result, components);
+  }
+  if (from == to)
+  {
+    result = Buffer<double>(values.size());
+    CopyInThreads(values.data(), values.size(), result.data());
+  }
+  return result;
 }
 
 Sectors::Step BoundMaker::GetLastStep() const
 {
-  const MatrixFactors::Operation& operation = this->Factors.GetOperations().back();
+  const std::vector<MatrixFactors::Operation>& operations = this->Factors.GetOperations();
   Sectors::Step step;
-  for (std::size_t f = operation.Begin; f < operation.End; ++f)
+  for (std::size_t f = operations[this->GetLevel(LastStep - 1)].Begin; f < operations.back().End;
+    ++f)
   {
     step.push_back(&this->Factors.Get()[f]);
   }
@@ -173,7 +203,9 @@ bool BoundMaker::HasMemory() const
 {
   const CellReader cells(this->Given.Output);
   double counts[4] = { 0., 0., 0., 0. };
-  constexpr double placesOfCells[4] = { 1., 9., 81., 165. }; // those of a quad, not fewer
+  constexpr double placesOfCells[4] = { 1., 10., 81., 165. }; // those of a quad, not fewer
+  const double cuts =
+    this->Given.HasThirds ? PieceLattice::DivisionsInThirds : PieceLattice::Divisions;
   double pieces = 0.;
   double places = 0.;
   std::vector<vtkIdType> scratch;
@@ -181,7 +213,7 @@ bool BoundMaker::HasMemory() const
   {
     const int type = cells.GetGridType(c, cells.GetCell(c, scratch).Size);
     const int dimension = type == VTK_TETRA ? 3 : type == VTK_LINE ? 1 : type == VTK_VERTEX ? 0 : 2;
-    const double children = std::ldexp(1., dimension * Further);
+    const double children = std::pow(cuts, dimension);
     counts[dimension] += children;
     pieces += children;
     places += placesOfCells[dimension];
@@ -197,7 +229,7 @@ bool BoundMaker::HasMemory() const
   constexpr double bytesOfRow = 16. * 24.; // of steps as they are, and as matrices
   const double bytes = points * (bytesOfRow + 64. * components) + 48. * pieces +
     places * (40. + 24. * (2. * components + 1.));
-  const std::string tooLarge = CheckMemory(pieces, points, bytes, this->Given.Levels + Further);
+  const std::string tooLarge = CheckMemory(pieces, points, bytes, this->GetLevel(LastStep));
   if (!tooLarge.empty())
   {
     this->Quiet.Fail(tooLarge);
@@ -224,13 +256,26 @@ bool BoundMaker::FindLimits()
     return true;
   }
   this->AreLimitsFound = true;
-  const int levels = this->Given.Levels + Further - 1;
+  const int levels = this->GetLevel(LastStep - 1);
   const auto made = this->Given.Subdivide(levels, true, this->GetAlone(), &this->Limits);
   if (this->Limits.GetOperations().size() != static_cast<std::size_t>(levels) + 1)
   {
     this->Limits = MatrixFactors(); // a scheme whose points are on the limit
   }
   return made != nullptr;
+}
+
+std::unique_ptr<DeeperCells> BoundMaker::Split(
+  const SteppedPieces& from, const std::vector<DeeperCells::Part>& wanted) const
+{
+  if (!this->Given.HasThirds)
+  {
+    return std::make_unique<DeeperPieces>(from, wanted);
+  }
+  auto deeper = std::make_unique<DeeperThirds>(from, wanted);
+  const bool isMade = deeper->Run([this](vtkPolyData* patch, int levels, MatrixFactors* factors)
+    { return this->Given.SubdividePatch(patch, levels, this->GetAlone(), factors); });
+  return isMade ? std::move(deeper) : nullptr;
 }
 
 /// `shown`: values of the output that follow from those of the control points. Returns false after
@@ -240,11 +285,9 @@ bool BoundMaker::AddBounds(
 {
   const int components = control->GetNumberOfComponents();
   const Buffer<double> given = ReadValues(control);
-  Buffer<double> next = this->Apply(0, given, components);
-  for (int step = 1; step <= this->Given.Levels; ++step)
-  {
-    next = this->Apply(step, next, components);
-  }
+  const std::array<int, LastStep> levels{ { this->GetLevel(1), this->GetLevel(2),
+    this->GetLevel(3) } };
+  const Buffer<double> next = this->Apply(0, levels[0], given, components);
   // All later values are means of these.
   double largest = 0.;
   for (const double value : InTurn(given))
@@ -253,11 +296,11 @@ bool BoundMaker::AddBounds(
   }
   largest = this->FindLargest(largest);
   const Buffer<double> values = ReadValues(shown);
-  const Buffer<double> second = this->Apply(this->Given.Levels + 1, next, components);
-  const Buffer<double> third = this->Apply(this->Given.Levels + 2, second, components);
+  const Buffer<double> second = this->Apply(levels[0], levels[1], next, components);
+  const Buffer<double> third = this->Apply(levels[1], levels[2], second, components);
   const BoundedValues bounded{ components, values.data(), next, second, third,
     [&](const Buffer<double>& before)
-    { return this->Apply(this->Given.Levels + 2, before, components); },
+    { return this->Apply(levels[1], levels[2], before, components); },
     64. * std::numeric_limits<double>::epsilon() * largest };
   const vtkIdType cells = pieces.Pieces.GetNumberOfCells();
   std::vector<vtkIdType> all(static_cast<std::size_t>(cells));
@@ -271,11 +314,17 @@ bool BoundMaker::AddBounds(
       return false;
     }
     const bool hasLimits = !this->Limits.GetOperations().empty();
-    TightenBounds(pieces, bounded,
+    const bool isDone = TightenBounds(
+      pieces, [this](const SteppedPieces& from, const std::vector<DeeperCells::Part>& wanted)
+      { return this->Split(from, wanted); }, bounded,
       hasLimits
         ? ApplyOperation(this->Limits, this->Limits.GetOperations().back(), second, components)
         : Buffer<double>(),
       found);
+    if (!isDone)
+    {
+      return false;
+    }
   }
   const auto bounds = MakeResult(name + ErrorBoundName, cells);
   ForEach(cells, [&](vtkIdType c) { bounds->SetValue(c, found[c].Largest); });
@@ -306,12 +355,29 @@ void BoundMaker::AddDistances(vtkDataArray* given, vtkDataArray* limit, const st
   this->Given.Output->GetPointData()->AddArray(distances);
 }
 
+/// Makes the meshes between the output and the finest one. Returns false after an error, or a stop.
+bool BoundMaker::MakeSteps(vtkPointSet* fine, FourSqrtThreeSteps& meshes) const
+{
+  meshes.front() = this->Given.Output;
+  meshes.back() = fine;
+  for (std::size_t step = 1; step + 1 < meshes.size(); ++step)
+  {
+    const int levels = this->Given.Levels + static_cast<int>(step);
+    meshes[step] = this->Given.Subdivide(levels, false, this->GetAlone(), nullptr);
+    if (!meshes[step])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 NestedPieces BoundMaker::MakePieces(vtkPointSet* fine, vtkPointSet* control) const
 {
-  std::array<vtkIdType, Further + 1> points{};
-  for (int step = 0; step <= Further; ++step)
+  std::array<vtkIdType, LastStep + 1> points{};
+  for (int step = 0; step <= LastStep; ++step)
   {
-    const int last = this->Given.Levels + step - 1;
+    const int last = this->GetLevel(step) - 1;
     points[step] = last < 0
       ? control->GetNumberOfPoints()
       : this->Factors.Get()[this->Factors.GetOperations()[last].End - 1].GetNumberOfRows();
@@ -322,7 +388,7 @@ NestedPieces BoundMaker::MakePieces(vtkPointSet* fine, vtkPointSet* control) con
 
 BoundMaker::Reasons BoundMaker::FindReason(const NestedPieces& pieces) const
 {
-  if (this->Factors.GetNumberOfSharpSteps() > this->Given.Levels + 1)
+  if (this->Factors.GetNumberOfSharpSteps() > this->GetLevel(1))
   {
     return Sharp;
   }
@@ -330,7 +396,8 @@ BoundMaker::Reasons BoundMaker::FindReason(const NestedPieces& pieces) const
   {
     return NegativeWeights;
   }
-  return pieces.AreOf(this->Given.Output) ? None : NotNested;
+  const Reasons other = this->Given.HasThirds ? NotThirds : NotNested;
+  return pieces.AreOf(this->Given.Output) ? None : other;
 }
 
 bool BoundMaker::Refuse(Reasons reason) const
@@ -346,6 +413,10 @@ bool BoundMaker::Refuse(Reasons reason) const
     case NegativeWeights:
       return this->Refuse("Rules with negative weights have no error bounds (set FlatnessArray, or "
                           "take another scheme)");
+    case NotThirds:
+      return this->Refuse(
+        "Cells of sqrt(3) have no error bounds at fixed edges after an odd number "
+        "of levels, and where they are no triangles (take an even number)");
     default:
       return this->Refuse("Faces that are no quads, and lines of several pieces, have no error "
                           "bounds on level 0 (take a level)");
@@ -370,7 +441,7 @@ bool BoundMaker::Add()
   }
   const auto control = this->Given.Subdivide(0, false, this->Quiet, nullptr);
   const auto limit = control ? this->Given.Subdivide(0, true, this->Quiet, nullptr) : nullptr;
-  const int levels = this->Given.Levels + Further;
+  const int levels = this->GetLevel(LastStep);
   const auto fine =
     limit ? this->Given.Subdivide(levels, false, this->GetAlone(), &this->Factors) : nullptr;
   if (!fine)
@@ -381,7 +452,13 @@ bool BoundMaker::Add()
   {
     return this->Refuse(Seams); // the mesh is the whole
   }
-  const NestedPieces pieces = this->MakePieces(fine, control);
+  FourSqrtThreeSteps steps;
+  if (this->Given.HasThirds && !this->MakeSteps(fine, steps))
+  {
+    return false;
+  }
+  const NestedPieces pieces =
+    this->Given.HasThirds ? ReadThirds(steps) : this->MakePieces(fine, control);
   const auto reason = static_cast<Reasons>(this->FindLargest(this->FindReason(pieces)));
   if (reason != None)
   {

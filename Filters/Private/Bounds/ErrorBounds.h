@@ -14,6 +14,8 @@
 
 #include <functional>
 
+class vtkPolyData;
+
 namespace subdivision
 {
 
@@ -30,6 +32,7 @@ struct BoundedRun
   int Levels;
   bool KnowsParts; ///< whether the runs on parts of a mesh give what they give on the whole
   bool IsTetOct;   ///< whether solids are those of the tet/oct scheme
+  bool HasThirds;  ///< whether two steps cut edges into thirds, and not one into halves
   /// Of these, for each cell of the output the number of its octahedron; null: there is none.
   vtkDataArray* Octahedra;
   /// Makes another run: with so many levels, projected or not; the operators of its steps go to
@@ -37,13 +40,17 @@ struct BoundedRun
   std::function<vtkSmartPointer<vtkPointSet>(
     int levels, bool project, const RunOptions& options, MatrixFactors* factors)>
     Subdivide;
+  /// Makes steps on a patch of a mesh with thirds (DeeperThirds.h).
+  std::function<vtkSmartPointer<vtkPointSet>(
+    vtkPolyData* patch, int levels, const RunOptions& options, MatrixFactors* factors)>
+    SubdividePatch;
 };
 
 /**
  * Adds the cell arrays ErrorBoundName and the point arrays SmoothingDistanceName of the points and
- * of all point arrays of floating point numbers. Needs a run of three more levels. Warns, and adds
- * nothing, where there is no proof of a bound. If other partitions have parts of the mesh, all call
- * this together. Returns false after an error, or a stop.
+ * of all point arrays of floating point numbers. Needs a run of three more levels, or four. Warns,
+ * and adds nothing, where there is no proof of a bound. If other partitions have parts of the mesh,
+ * all call this together. Returns false after an error, or a stop.
  */
 bool AddErrorBounds(const BoundedRun& run, const RunOptions& options);
 

@@ -59,6 +59,11 @@ public:
     return std::any_of(this->Has.begin() + Lattice::TetOctTetrahedron, this->Has.end(),
       [](bool has) { return has; });
   }
+  /// Whether edges are cut into thirds.
+  bool HasThirds() const
+  {
+    return this->Has[Lattice::CurveInThirds] || this->Has[Lattice::TriangleInThirds];
+  }
   bool HasQuads() const { return this->Has[PatchShape::Quad]; }
 
   vtkIdType GetNumberOfCells() const { return static_cast<vtkIdType>(this->Kinds.size()); }

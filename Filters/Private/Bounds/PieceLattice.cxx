@@ -4,6 +4,7 @@
 #include "Private/Bounds/TetOctPieces.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <map>
 
@@ -15,14 +16,14 @@ namespace
 /// A place on the lattice of a shape as weights of its corners.
 PieceLattice::Weights WeighCorners(const PatchShape& shape, const LatticePoint& point, int all)
 {
-  const double x = static_cast<double>(point[0]) / all;
-  const double y = static_cast<double>(point[1]) / all;
-  const double z = static_cast<double>(point[2]) / all;
+  const auto divide = [all](int x) { return static_cast<double>(x) / all; };
+  const double x = divide(point[0]);
+  const double y = divide(point[1]);
   if (shape.Corners > shape.Dimension + 1)
   {
     return { { (1. - x) * (1. - y), x * (1. - y), x * y, (1. - x) * y } };
   }
-  return { { 1. - x - y - z, x, y, z } };
+  return { { divide(all - point[0] - point[1] - point[2]), x, y, divide(point[2]) } };
 }
 
 /// The parts that some steps split a shape into, in the order of cells, on a lattice of so many
@@ -48,6 +49,46 @@ std::vector<LatticePart> ListParts(const PatchShape& shape, int steps, int divis
   return parts;
 }
 
+/// Where a corner of a part is that is no quad.
+LatticePoint GetCorner(const LatticePart& part, int corner)
+{
+  LatticePoint place = part.Origin;
+  for (int x = 0; corner > 0 && x < 3; ++x)
+  {
+    place[x] += part.Axes[corner - 1][x];
+  }
+  return place;
+}
+
+/// The three lines, or nine triangles, in which the edges of one are cut into thirds.
+std::vector<LatticePart> ListThirds(int dimension, int divisions)
+{
+  std::vector<LatticePart> parts;
+  const auto add = [&](int x, int y, int size)
+  {
+    LatticePart part;
+    part.Origin = { { x, y, 0 } };
+    for (int axis = 0; axis < dimension; ++axis)
+    {
+      part.Axes[axis][axis] = size;
+    }
+    parts.push_back(part);
+  };
+  const int third = divisions / 3;
+  for (int y = 0; y < (dimension == 2 ? divisions : 1); y += third)
+  {
+    for (int x = 0; x + y < divisions; x += third)
+    {
+      add(x, y, third);
+      if (dimension == 2 && x + y + third < divisions)
+      {
+        add(x + third, y + third, -third); // turned by half a turn
+      }
+    }
+  }
+  return parts;
+}
+
 int Number(const LatticePoint& place, int side)
 {
   return place[0] + side * (place[1] + side * place[2]);
@@ -55,22 +96,27 @@ int Number(const LatticePoint& place, int side)
 
 }
 
+int PieceLattice::AddPoint(const LatticePoint& place)
+{
+  int& number = this->Numbers[Number(place, this->GetSide())];
+  if (number < 0)
+  {
+    number = static_cast<int>(this->Places.size());
+    this->Places.push_back(place);
+  }
+  return number;
+}
+
 /// The points in the order in which pieces have them first.
 void PieceLattice::AddPieces(const PatchShape& shape)
 {
-  this->Numbers.assign(Side * Side * Side, -1);
+  const int side = this->GetSide();
+  this->Numbers.assign(side * side * side, -1);
   for (const LatticePart& part : ListParts(shape, Steps, Divisions))
   {
     for (const LatticePoint& corner : shape.CornerPoints)
     {
-      const LatticePoint place = part.At(corner, 2);
-      int& number = this->Numbers[Number(place, Side)];
-      if (number < 0)
-      {
-        number = static_cast<int>(this->Places.size());
-        this->Places.push_back(place);
-      }
-      this->Pieces.push_back(number);
+      this->Pieces.push_back(this->AddPoint(part.At(corner, 2)));
     }
   }
 }
@@ -135,9 +181,9 @@ std::vector<PieceLattice::Middle> PieceLattice::ListMiddles(const PatchShape& sh
 PieceLattice PieceLattice::MakeVertex()
 {
   PieceLattice lattice;
-  lattice.Numbers.assign(Side * Side * Side, -1);
-  lattice.Numbers[0] = 0;
-  lattice.Places.push_back({ { 0, 0, 0 } });
+  const int side = lattice.GetSide();
+  lattice.Numbers.assign(side * side * side, -1);
+  lattice.AddPoint({ { 0, 0, 0 } });
   lattice.Points.push_back({ { 1., 0., 0., 0. } });
   lattice.Faces.push_back(1);
   lattice.Neighbours.push_back({ 0 });
@@ -147,34 +193,44 @@ PieceLattice PieceLattice::MakeVertex()
   return lattice;
 }
 
+void PieceLattice::WeighPoints(const PatchShape& shape)
+{
+  for (const LatticePoint& place : this->Places)
+  {
+    this->Points.push_back(WeighCorners(shape, place, this->Size));
+    Mask face = 0;
+    for (int k = 0; k < shape.Corners; ++k)
+    {
+      face |= this->Points.back()[k] > 0. ? 1U << k : 0U;
+    }
+    this->Faces.push_back(face);
+  }
+}
+
+void PieceLattice::PlaceCorners(const PatchShape& shape)
+{
+  for (int k = 0; k < shape.Corners; ++k)
+  {
+    for (int axis = 0; axis < shape.Dimension; ++axis)
+    {
+      this->CornerPlaces[k][axis] = shape.CornerPoints[k][axis] / 2;
+    }
+  }
+}
+
 PieceLattice PieceLattice::Make(const PatchShape& shape)
 {
   PieceLattice lattice;
   lattice.Dimension = shape.Dimension;
   lattice.Corners = shape.Corners;
   lattice.AddPieces(shape);
-  for (const LatticePoint& place : lattice.Places)
-  {
-    lattice.Points.push_back(WeighCorners(shape, place, Divisions));
-    Mask face = 0;
-    for (int k = 0; k < shape.Corners; ++k)
-    {
-      face |= lattice.Points.back()[k] > 0. ? 1U << k : 0U;
-    }
-    lattice.Faces.push_back(face);
-  }
+  lattice.WeighPoints(shape);
   lattice.AddNeighbours();
   for (int step = 1; step <= Steps; ++step)
   {
     lattice.Middles[step] = lattice.ListMiddles(shape, step);
   }
-  for (int k = 0; k < shape.Corners; ++k)
-  {
-    for (int axis = 0; axis < shape.Dimension; ++axis)
-    {
-      lattice.CornerPlaces[k][axis] = shape.CornerPoints[k][axis] / 2;
-    }
-  }
+  lattice.PlaceCorners(shape);
   lattice.Children = ListParts(shape, 1, 2 * Divisions);
   const auto all = PatchShape::NumberOfKinds;
   for (int kind = 0; kind < all && lattice.ChildKinds.empty(); ++kind)
@@ -184,6 +240,74 @@ PieceLattice PieceLattice::Make(const PatchShape& shape)
       lattice.ChildKinds.assign(lattice.Children.size(), kind);
     }
   }
+  return lattice;
+}
+
+/// The points at the thirds of the edges of a line or triangle, and in its middle.
+void PieceLattice::AddThirds(int step, const LatticePart& part)
+{
+  const auto add = [&](const std::array<int, 3>& parents)
+  {
+    LatticePoint sum{ { 0, 0, 0 } };
+    Middle middle{ -1, { { -1, -1, -1, -1 } } };
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const LatticePoint corner = GetCorner(part, parents[i]);
+      middle.Parents[i] = this->AddPoint(corner);
+      std::transform(sum.begin(), sum.end(), corner.begin(), sum.begin(), std::plus<>());
+    }
+    middle.Point = this->AddPoint({ { sum[0] / 3, sum[1] / 3, sum[2] / 3 } });
+    this->Middles[step].push_back(middle);
+  };
+  for (int near = 0; near < this->Corners; ++near)
+  {
+    for (int far = 0; far < this->Corners; ++far)
+    {
+      if (near != far)
+      {
+        add({ { near, near, far } });
+      }
+    }
+  }
+  if (this->Corners == 3)
+  {
+    add({ { 0, 1, 2 } });
+  }
+}
+
+/// A line or triangle whose edges two steps cut into thirds, and these again.
+PieceLattice PieceLattice::MakeInThirds(int kind)
+{
+  const PatchShape& shape =
+    PatchShape::Get(kind == CurveInThirds ? PatchShape::Curve : PatchShape::Triangle);
+  PieceLattice lattice;
+  lattice.Dimension = shape.Dimension;
+  lattice.Corners = shape.Corners;
+  lattice.Size = DivisionsInThirds;
+  const int side = lattice.GetSide();
+  lattice.Numbers.assign(side * side * side, -1);
+  lattice.PlaceCorners(shape);
+  lattice.Children = ListThirds(shape.Dimension, lattice.Size);
+  lattice.ChildKinds.assign(lattice.Children.size(), kind);
+  LatticePart whole;
+  for (int axis = 0; axis < shape.Dimension; ++axis)
+  {
+    whole.Axes[axis][axis] = lattice.Size;
+  }
+  lattice.AddThirds(2, whole);
+  for (const LatticePart& child : lattice.Children)
+  {
+    lattice.AddThirds(3, child);
+    for (const LatticePart& piece : lattice.Children)
+    {
+      for (int k = 0; k < shape.Corners; ++k)
+      {
+        lattice.Pieces.push_back(lattice.Find(child.At(GetCorner(piece, k), lattice.Size)));
+      }
+    }
+  }
+  lattice.WeighPoints(shape);
+  lattice.AddNeighbours();
   return lattice;
 }
 
@@ -258,15 +382,7 @@ void PieceLattice::TurnChildren()
   const auto turn = [this](int child, int kind, const std::array<int, 4>& corners)
   {
     LatticePart& part = this->Children[child];
-    const auto getCorner = [of = part](int corner)
-    {
-      LatticePoint place = of.Origin;
-      for (int x = 0; corner > 0 && x < 3; ++x)
-      {
-        place[x] += of.Axes[corner - 1][x];
-      }
-      return place;
-    };
+    const auto getCorner = [of = part](int corner) { return GetCorner(of, corner); };
     part.Origin = getCorner(corners[0]);
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -335,8 +451,9 @@ const PieceLattice& PieceLattice::Get(int kind)
   static const std::array<PieceLattice, NumberOfKinds + 1> all{ MakeVertex(),
     Make(PatchShape::Get(PatchShape::Curve)), Make(PatchShape::Get(PatchShape::Triangle)),
     Make(PatchShape::Get(PatchShape::Quad)), Make(PatchShape::Get(PatchShape::Tetrahedron)),
-    MakeOfTetOct(TetOctTetrahedron), MakeOfTetOct(FirstQuarter), MakeOfTetOct(FirstQuarter + 1),
-    MakeOfTetOct(FirstQuarter + 2), MakeOfTetOct(FirstQuarter + 3) };
+    MakeInThirds(CurveInThirds), MakeInThirds(TriangleInThirds), MakeOfTetOct(TetOctTetrahedron),
+    MakeOfTetOct(FirstQuarter), MakeOfTetOct(FirstQuarter + 1), MakeOfTetOct(FirstQuarter + 2),
+    MakeOfTetOct(FirstQuarter + 3) };
   return all[kind + 1];
 }
 
@@ -351,9 +468,10 @@ PieceLattice::Mask PieceLattice::Close(Mask corners) const
 
 int PieceLattice::Find(const LatticePoint& place) const
 {
+  const int side = this->GetSide();
   const bool isInside =
-    std::all_of(place.begin(), place.end(), [](int x) { return x >= 0 && x < Side; });
-  return isInside ? this->Numbers[Number(place, Side)] : -1;
+    std::all_of(place.begin(), place.end(), [side](int x) { return x >= 0 && x < side; });
+  return isInside ? this->Numbers[Number(place, side)] : -1;
 }
 
 int PieceLattice::GetStep(int point) const

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PieceLattice.h
- * The points of a cell after three steps, and the pieces that they split it into.
+ * The points of a cell after three steps, and the pieces that they split it into. For sqrt(3) a
+ * step stands for two of the scheme, which cut edges into thirds; the first one does nothing.
  */
 #ifndef SubdivisionObjects_PieceLattice_h
 #define SubdivisionObjects_PieceLattice_h
@@ -18,13 +19,15 @@ namespace subdivision
 struct PieceLattice
 {
   static constexpr int Steps = 3;
-  static constexpr int Divisions = 1 << Steps; ///< of an edge of the cell
+  static constexpr int Divisions = 1 << Steps; ///< of an edge of a cell that is halved
+  static constexpr int DivisionsInThirds = 9;
   static constexpr int MostCorners = 4;
   using Weights = std::array<double, MostCorners>;
   /// Some corners of a cell, a bit for each. Those of a vertex, an edge, a face or all are a face.
   using Mask = unsigned;
 
-  /// A point that a step makes in the middle of others; -1 behind the last one of these.
+  /// A point that a step makes in the middle of others, one of which may be there twice; -1 behind
+  /// the last one of these.
   struct Middle
   {
     int Point;
@@ -33,6 +36,7 @@ struct PieceLattice
 
   int Dimension = 0;
   int Corners = 1;
+  int Size = Divisions;             ///< the divisions of an edge of this cell
   std::vector<LatticePoint> Places; ///< where each point is
   std::vector<Weights> Points;      ///< each as weights of the corners of the cell
   std::vector<Mask> Faces;          ///< which face each point is inside of
@@ -44,8 +48,9 @@ struct PieceLattice
   std::array<std::vector<Middle>, Steps + 1> Middles; ///< the points that each step makes
   /// Where the corners are, where the cell has one division.
   std::array<LatticePoint, MostCorners> CornerPlaces{};
-  /// What the first step makes of the cell, on the lattice of twice as many divisions. The pieces
-  /// of a child follow those of the child before.
+  /// What the first step makes of the cell, on the lattice of twice as many divisions; where edges
+  /// are cut into thirds what the second makes, on its own. The pieces of a child follow those of
+  /// the child before.
   std::vector<LatticePart> Children;
   std::vector<int> ChildKinds;
   /// Of a tet/oct solid: its points, and those of all quarters of its octahedron, by where they are
@@ -62,11 +67,14 @@ struct PieceLattice
   /// empty if a child is a tetrahedron.
   std::vector<QuarterChild> ListOctahedron(int child) const;
 
-  /// A kind is a PatchShape::Kind, or -1: a vertex, or one of those of the tet/oct scheme: a
-  /// tetrahedron, or a quarter of an octahedron, of which the four follow each other.
-  enum TetOctKind : int
+  /// A kind is a PatchShape::Kind, or -1: a vertex, or one of those whose edges are cut into
+  /// thirds, or one of those of the tet/oct scheme: a tetrahedron, or a quarter of an octahedron,
+  /// of which the four follow each other.
+  enum OtherKind : int
   {
-    TetOctTetrahedron = PatchShape::NumberOfKinds,
+    CurveInThirds = PatchShape::NumberOfKinds,
+    TriangleInThirds,
+    TetOctTetrahedron,
     FirstQuarter,
     NumberOfKinds = FirstQuarter + 4
   };
@@ -86,7 +94,7 @@ struct PieceLattice
   int GetCornerPoint(int corner) const
   {
     const LatticePoint& unit = this->CornerPlaces[corner];
-    return this->Find({ { Divisions * unit[0], Divisions * unit[1], Divisions * unit[2] } });
+    return this->Find({ { this->Size * unit[0], this->Size * unit[1], this->Size * unit[2] } });
   }
   /// Where a point of a child is, on the lattice of twice as many divisions.
   LatticePoint GetPlaceInChild(int child, int point) const
@@ -102,7 +110,8 @@ struct PieceLattice
   int GetStep(int point) const;
 
 private:
-  static constexpr int Side = Divisions + 1;
+  int GetSide() const { return this->Size + 1; }
+  int AddPoint(const LatticePoint& place);
   void AddPieces(const PatchShape& shape);
   void AddNeighbours();
   void SortNeighbours();
@@ -110,6 +119,10 @@ private:
   static PieceLattice MakeVertex();
   static PieceLattice Make(const PatchShape& shape);
   static PieceLattice MakeOfTetOct(int kind);
+  static PieceLattice MakeInThirds(int kind);
+  void AddThirds(int step, const LatticePart& part);
+  void WeighPoints(const PatchShape& shape);
+  void PlaceCorners(const PatchShape& shape);
   void TurnChildren();
   LatticePoint GetPlaceInQuarter(int quarter, int point) const;
 

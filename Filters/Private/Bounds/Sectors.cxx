@@ -285,7 +285,8 @@ void Sectors::AddInfluences(vtkIdType point, vtkIdType column, Ways& influences)
         this->CellsOfPlaces[other], point, [&](vtkIdType place) { add(place, other); });
     }
   }
-  if (!isFound)
+  // With thirds a row beside a vertex has all that the row of the vertex has.
+  if (!isFound && !this->Pieces.HasThirds())
   {
     influences.emplace_back(face, -1);
   }

@@ -127,8 +127,8 @@ TEST(SurfaceErrorBounds, SayWhereThereAreNone)
     }
   };
   const Grid sheet = MakeSheet(2, false, 0.1);
-  for (const int scheme : { Surface::MODIFIED_BUTTERFLY, Surface::DOO_SABIN, Surface::MIDEDGE,
-         Surface::FOUR_EIGHT, Surface::SQRT_THREE })
+  for (const int scheme :
+    { Surface::MODIFIED_BUTTERFLY, Surface::DOO_SABIN, Surface::MIDEDGE, Surface::FOUR_EIGHT })
   {
     expectWarning(sheet, [&](Surface* f) { f->SetScheme(scheme); }, "Error bounds need Scheme");
   }

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file DeeperThirds.h
+ * Parts of cells as cells of their own, two steps of sqrt(3) deeper.
+ *
+ * Rows of this scheme reach beyond the neighbours of a cell, so that those of a further step are no
+ * rows of the step before, as they are in DeeperPieces. Here parts are cut out of the mesh, with
+ * what their limits depend on, and split as a mesh of their own. Which edges and vertices are fixed
+ * is read off the rows.
+ */
+#ifndef SubdivisionObjects_DeeperThirds_h
+#define SubdivisionObjects_DeeperThirds_h
+
+#include "Private/Bounds/DeeperCells.h"
+
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+class vtkPointSet;
+class vtkPolyData;
+
+namespace subdivision
+{
+
+/// The cell array of a patch that tells which vertices and lines are singular.
+constexpr const char* PatchSingularName = "Singular";
+/// Splits a patch. Returns null after an error, or a stop.
+using SubdividePatch = std::function<vtkSmartPointer<vtkPointSet>(
+  vtkPolyData* patch, int levels, MatrixFactors* factors)>;
+
+class DeeperThirds : public DeeperCells
+{
+public:
+  DeeperThirds(const SteppedPieces& from, const std::vector<Part>& wanted);
+  /// Has to be called once. Returns false where `subdivide` returns null.
+  bool Run(const SubdividePatch& subdivide);
+
+  SteppedPieces Get() const override { return { *this->Pieces, *this->AllSectors, this->Last }; }
+
+private:
+  void AddPart(const Part& part);
+  void AddNeighbours(const Part& part);
+  vtkIdType GetPoint(const Part& part, const LatticePoint& place) const;
+  std::vector<vtkIdType> GetCornersOf(const Part& part) const;
+  std::size_t CountColumns(vtkIdType point) const;
+  vtkSmartPointer<vtkPolyData> CutOut();
+  void FindOld();
+
+  const SteppedPieces From;
+  std::vector<Part> Parts; ///< those that are wanted come first
+  std::size_t CountOfWanted = 0;
+  std::map<Part, std::size_t> Numbers; ///< of the parts
+  std::vector<vtkIdType> Cells;        ///< of the parts, in the patch
+  MatrixFactors Factors;
+  Sectors::Step Last;
+  std::unique_ptr<NestedPieces> Pieces;
+  std::unique_ptr<Sectors> AllSectors;
+};
+
+}
+
+#endif

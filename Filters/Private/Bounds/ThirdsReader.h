@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ThirdsReader.h
+ * The cells of a mesh of triangles and lines, and the parts into which two pairs of steps of the
+ * sqrt(3) scheme split them.
+ *
+ * After two steps the edges of a triangle are cut into thirds, and nine triangles lie in it: six
+ * around its centre, which the first step makes, and one at each corner (Mathematics 11).
+ */
+#ifndef SubdivisionObjects_ThirdsReader_h
+#define SubdivisionObjects_ThirdsReader_h
+
+#include "Private/Bounds/NestedPieces.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+
+class vtkPointSet;
+
+namespace subdivision
+{
+
+/// A mesh, and the same after one to four steps.
+using FourSqrtThreeSteps = std::array<vtkSmartPointer<vtkPointSet>, 5>;
+
+/// The mesh has as many cells as the pieces, or it is not known how they are split: where it has
+/// other cells than triangles, lines of one piece and vertices, and at fixed edges that the first
+/// step cuts.
+NestedPieces ReadThirds(const FourSqrtThreeSteps& meshes);
+
+}
+
+#endif
