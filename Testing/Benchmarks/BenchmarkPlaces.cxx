@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BenchmarkPlaces.cxx
- * Limits at places between vertices: to make their rows, and to apply rows that are ready. The
- * places and what is made there are those of the limit stencils of OpenSubdiv
- * (Peers/PeerOpenSubdiv.cxx): points and two derivatives, in double.
+ * Limits at places between vertices: to make their rows, with all topology that they need, to apply
+ * rows that are ready, and EvaluateLimit of the filters as it is called. The places and what is
+ * made there are those of the limit stencils of OpenSubdiv (Peers/PeerOpenSubdiv.cxx): points and
+ * two derivatives, in double.
  */
 #include "BenchmarkPlaces.h"
 #include "BenchmarkMeshes.h"
@@ -17,6 +18,15 @@
 #include "Core/Surfaces/Scheme/SurfaceTags.h"
 #include "Core/Surfaces/Steps/SurfaceSchemes.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMultiDimensionalSubdivision.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkSurfaceSubdivision.h"
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -30,21 +40,13 @@ namespace
 
 using namespace subdivision;
 
-/// A mesh, its control level, and places in all of its cells.
+/// A mesh, and places in all of its cells.
 struct Control
 {
   explicit Control(FlatMesh mesh)
     : Mesh(std::move(mesh))
   {
-    SimplexList cells;
-    cells.NumberOfPoints = this->Mesh.GetNumberOfPoints();
-    cells.Dimensions.assign(
-      this->Mesh.GetNumberOfCells(), static_cast<unsigned char>(this->Mesh.Corners - 1));
-    cells.Connectivity.assign(this->Mesh.Cells.begin(), this->Mesh.Cells.end());
-    OrderTets(cells, this->Mesh.Points.data(), nullptr, 0);
-    std::vector<CellRun> runs;
-    this->Level.Complex = BuildComplex<int>(cells, runs);
-    this->Level.Strata = BuildStrata(this->Level.Complex, SingularSimplices(), StrataOptions());
+    const SimplexList cells = this->ListCells();
     for (int cell = 0; cell < this->Mesh.GetNumberOfCells(); ++cell)
     {
       for (int i = 0; i < PlacesOfCell; ++i)
@@ -62,8 +64,26 @@ struct Control
     }
   }
 
+  SimplexList ListCells() const
+  {
+    SimplexList cells;
+    cells.NumberOfPoints = this->Mesh.GetNumberOfPoints();
+    cells.Dimensions.assign(
+      this->Mesh.GetNumberOfCells(), static_cast<unsigned char>(this->Mesh.Corners - 1));
+    cells.Connectivity.assign(this->Mesh.Cells.begin(), this->Mesh.Cells.end());
+    OrderTets(cells, this->Mesh.Points.data(), nullptr, 0);
+    return cells;
+  }
+  Level<int> MakeLevel() const
+  {
+    Level<int> level;
+    std::vector<CellRun> runs;
+    level.Complex = BuildComplex<int>(this->ListCells(), runs);
+    level.Strata = BuildStrata(level.Complex, SingularSimplices(), StrataOptions());
+    return level;
+  }
+
   FlatMesh Mesh;
-  subdivision::Level<int> Level;
   std::vector<LimitPlace<int>> Places;
 };
 
@@ -86,12 +106,14 @@ std::size_t GetMemorySize(const PlaceRows<int>& rows)
 
 Produced MakeRows(Stopwatch& watch, const Control& control, PlaceDerivatives derivatives)
 {
+  Level<int> level;
   std::unique_ptr<PlaceLimits<int>> limits;
   watch.Time(
     [&]()
     {
+      level = control.MakeLevel();
       limits = std::make_unique<PlaceLimits<int>>(
-        control.Level, SemiSharpStages<int>(), control.Places, derivatives);
+        level, SemiSharpStages<int>(), control.Places, derivatives);
     });
   return { static_cast<double>(control.Places.size()),
     static_cast<double>(GetMemorySize(limits->Rows)) };
@@ -99,50 +121,47 @@ Produced MakeRows(Stopwatch& watch, const Control& control, PlaceDerivatives der
 
 Produced ApplyRows(Stopwatch& watch, const Control& control)
 {
+  static const Level<int> level = control.MakeLevel();
   static const PlaceLimits<int> limits(
-    control.Level, SemiSharpStages<int>(), control.Places, PlaceDerivatives::First);
+    level, SemiSharpStages<int>(), control.Places, PlaceDerivatives::First);
   const auto places = static_cast<vtkIdType>(control.Places.size());
   const vtkIdType size = 3 * places;
   Buffer<double> results[3];
   watch.Time(
     [&]()
     {
-      for (int part = 0; part < 3; ++part)
+      for (Buffer<double>& result : results)
       {
-        results[part] = Buffer<double>(size);
-        ForRanges(places,
-          [&](vtkIdType begin, vtkIdType end)
-          {
-            SumRows(limits.Rows.GetRows(part, begin, end), control.Mesh.Points.data(),
-              results[part].data(), 3);
-          });
+        result = Buffer<double>(size);
       }
+      // In blocks, so that columns are still in the cache for the next part.
+      constexpr vtkIdType block = 256;
+      ForRanges((places + block - 1) / block,
+        [&](vtkIdType first, vtkIdType last)
+        {
+          for (vtkIdType begin = block * first; begin < std::min(block * last, places);
+            begin += block)
+          {
+            const vtkIdType end = std::min(begin + block, places);
+            for (int part = 0; part < 3; ++part)
+            {
+              SumRows(limits.Rows.GetRows(part, begin, end), control.Mesh.Points.data(),
+                results[part].data(), 3);
+            }
+          }
+        });
     });
   return { static_cast<double>(control.Places.size()), 24. * static_cast<double>(size) };
 }
 
-/// A surface, its control level, and the same places in all of its faces.
+/// A surface, and the same places in all of its faces.
 struct SurfaceControl
 {
-  SurfaceControl(const FlatMesh& mesh, SurfaceSchemeKind kind)
-    : Scheme(MakeSurfaceScheme<int>(kind, true))
+  SurfaceControl(FlatMesh mesh, SurfaceSchemeKind kind)
+    : Mesh(std::move(mesh))
+    , Scheme(MakeSurfaceScheme<int>(kind, true))
   {
-    const auto ids = static_cast<vtkIdType>(mesh.Cells.size());
-    PolygonList<int> list;
-    list.NumberOfVertices = mesh.GetNumberOfPoints();
-    list.FaceOffsets = Buffer<int>(vtkIdType(mesh.GetNumberOfCells()) + 1);
-    list.Vertices = Buffer<int>(ids);
-    list.Segments = Buffer<int>(0);
-    std::copy(mesh.Cells.begin(), mesh.Cells.end(), list.Vertices.begin());
-    for (int face = 0; face <= mesh.GetNumberOfCells(); ++face)
-    {
-      list.FaceOffsets[face] = mesh.Corners * face;
-    }
-    this->Level.Mesh = BuildPolygonMesh(std::move(list), this->Level.Lines);
-    this->Level.Tags =
-      ClassifySurface(this->Level.Mesh, *this->Scheme, SurfaceFeatures(), mesh.Points.data());
-    this->Scheme->Prepare(this->Level);
-    for (int face = 0; face < mesh.GetNumberOfCells(); ++face)
+    for (int face = 0; face < this->Mesh.GetNumberOfCells(); ++face)
     {
       for (int i = 0; i < PlacesOfCell; ++i)
       {
@@ -155,8 +174,29 @@ struct SurfaceControl
     }
   }
 
+  SurfaceLevel<int> MakeLevel() const
+  {
+    const FlatMesh& mesh = this->Mesh;
+    SurfaceLevel<int> level;
+    const auto ids = static_cast<vtkIdType>(mesh.Cells.size());
+    PolygonList<int> list;
+    list.NumberOfVertices = mesh.GetNumberOfPoints();
+    list.FaceOffsets = Buffer<int>(vtkIdType(mesh.GetNumberOfCells()) + 1);
+    list.Vertices = Buffer<int>(ids);
+    list.Segments = Buffer<int>(0);
+    std::copy(mesh.Cells.begin(), mesh.Cells.end(), list.Vertices.begin());
+    for (int face = 0; face <= mesh.GetNumberOfCells(); ++face)
+    {
+      list.FaceOffsets[face] = mesh.Corners * face;
+    }
+    level.Mesh = BuildPolygonMesh(std::move(list), level.Lines);
+    level.Tags = ClassifySurface(level.Mesh, *this->Scheme, SurfaceFeatures(), mesh.Points.data());
+    this->Scheme->Prepare(level);
+    return level;
+  }
+
+  FlatMesh Mesh;
   std::shared_ptr<const SurfaceScheme<int>> Scheme;
-  SurfaceLevel<int> Level;
   std::vector<SurfacePlace<int>> Places;
 };
 
@@ -168,9 +208,39 @@ Produced MakeSurfaceRows(
     [&]()
     {
       rows = FindSurfacePlaces(
-        *control.Scheme, control.Level, SharpCreases<int>(), control.Places, derivatives);
+        *control.Scheme, control.MakeLevel(), SharpCreases<int>(), control.Places, derivatives);
     });
   return { static_cast<double>(control.Places.size()), static_cast<double>(GetMemorySize(rows)) };
+}
+
+/// The call of a filter: cells and parameters in, points with derivatives, normals, curvatures and
+/// arrays out.
+template <typename Filter>
+Produced CallEvaluateLimit(Stopwatch& watch, const FlatMesh& mesh, Filter* filter)
+{
+  vtkNew<vtkIdTypeArray> cells;
+  vtkNew<vtkDoubleArray> parameters;
+  parameters->SetNumberOfComponents(3);
+  for (int cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  {
+    for (int i = 0; i < PlacesOfCell; ++i)
+    {
+      const std::array<double, 2> at = GetPlace(i);
+      cells->InsertNextValue(cell);
+      parameters->InsertNextTuple3(at[0], at[1], 0.);
+    }
+  }
+  filter->SetInputDataObject(ToVtk(mesh));
+  vtkNew<vtkPolyData> result;
+  watch.Time([&]() { filter->EvaluateLimit(cells, parameters, result); });
+  return { static_cast<double>(result->GetNumberOfPoints()), 0. };
+}
+
+Produced CallOnSurface(Stopwatch& watch, const FlatMesh& mesh, int scheme)
+{
+  vtkNew<vtkSurfaceSubdivision> filter;
+  filter->SetScheme(scheme);
+  return CallEvaluateLimit(watch, mesh, filter.Get());
 }
 
 void RegisterPlaces()
@@ -198,6 +268,17 @@ void RegisterPlaces()
       Register(make + "sphere of quads by CatmullClark/levels:0", threads,
         [most](Stopwatch& watch) { return MakeSurfaceRows(watch, quads, most); });
     }
+    const std::string call = "places/EvaluateLimit/";
+    Register(call + "sphere/levels:0", threads,
+      [](Stopwatch& watch)
+      {
+        vtkNew<vtkMultiDimensionalSubdivision> filter;
+        return CallEvaluateLimit(watch, sphere.Mesh, filter.Get());
+      });
+    Register(call + "sphere by Loop/levels:0", threads, [](Stopwatch& watch)
+      { return CallOnSurface(watch, triangles.Mesh, vtkSurfaceSubdivision::LOOP); });
+    Register(call + "sphere of quads by CatmullClark/levels:0", threads, [](Stopwatch& watch)
+      { return CallOnSurface(watch, quads.Mesh, vtkSurfaceSubdivision::CATMULL_CLARK); });
     Register("places/apply rows/sphere/levels:0", threads,
       [](Stopwatch& watch) { return ApplyRows(watch, sphere); });
   }

@@ -295,6 +295,10 @@ BARS += [
 BARS += [Ratio("%s, making rows%s beside OpenSubdiv" % (what, parts), ("places", "make rows" + parts, own, 0),
                ("peer", "OpenSubdiv limit stencils make" + parts, peer, 0), bar)
          for parts in ("", " with second derivatives") for what, own, peer, bar in PLACES]
+# A call beside making what it needs; applying that would come on top.
+BARS += [Ratio("%s, EvaluateLimit beside OpenSubdiv" % what, ("places", "EvaluateLimit", own, 0),
+               ("peer", "OpenSubdiv limit stencils make with second derivatives", peer, 0), 1.0)
+         for what, own, peer, _ in PLACES]
 BARS += [SpeedUp(*row) for row in WITH_LIMITS]
 BARS += [SpeedUp(scheme, surface(scheme, mesh, levels), surface_limit(scheme, mesh, levels, "huge"))
          for scheme, mesh, levels in [row[:3] for row in BESIDE_PEERS] + [("Midedge", "quads", 6), ("4-8", "quads", 6)]]

@@ -73,12 +73,18 @@ void SumBlock(const WeightedRows<Id>& rows, const In* in, Out* out, int componen
       sums.Clear();
       for (vtkIdType k = begin; k < end; ++k)
       {
-        const double weight = weights[k];
-        if (weight == 0. && skipsZeros) // 0 times a value that is not finite is not 0
+        sums.Add(weights[k], in + static_cast<vtkIdType>(columns[k]) * stride + first);
+      }
+      if (skipsZeros && !sums.IsFinite()) // 0 times a value that is not finite is not 0
+      {
+        sums.Clear();
+        for (vtkIdType k = begin; k < end; ++k)
         {
-          continue;
+          if (weights[k] != 0.)
+          {
+            sums.Add(weights[k], in + static_cast<vtkIdType>(columns[k]) * stride + first);
+          }
         }
-        sums.Add(weight, in + static_cast<vtkIdType>(columns[k]) * stride + first);
       }
       sums.Write(result + first);
     }
