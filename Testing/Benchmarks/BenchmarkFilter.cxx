@@ -89,7 +89,7 @@ const ControlMesh ControlMeshes[] = {
   { "triangles", "20480", MakeSphere, 5, 2, true },
   { "triangles", "81920", MakeSphere, 6, 2, true },
   { "triangles", "1310720", MakeSphere, 8, 2, true },
-  { "triangles", "5242880", MakeSphere, 9, 2, false },
+  { "triangles", "9999392", MakeTorus, 2236, 2, false },
 };
 
 Produced RunControl(Stopwatch& watch, const ControlMesh& mesh)
@@ -104,16 +104,18 @@ Produced RunControl(Stopwatch& watch, const ControlMesh& mesh)
   return Tell(MeasureOutput(filter->GetOutput()));
 }
 
-/// Levels above the standard ones whose output, three times, fits into half of the free memory.
+/// The largest level whose output, with what the filter takes beside it, fits into 20 GB and into
+/// the memory that is free.
 int GetLargestLevel(const Case& which, int growth)
 {
   vtksys::SystemInformation system;
   const double available = 1024. *
     (static_cast<double>(system.GetHostMemoryAvailable()) -
       static_cast<double>(system.GetHostMemoryUsed()));
+  constexpr double peak = 1.3; // beside the output
   double bytes = GetOutputSize(which, which.Levels).Bytes * growth;
   int level = which.Levels;
-  while (3. * bytes < available / 2.)
+  while (peak * bytes < std::min(0.95 * available, 2e10))
   {
     ++level;
     bytes *= growth;

@@ -231,6 +231,28 @@ FlatMesh MakeBumpySphere(int levels)
   return mesh;
 }
 
+FlatMesh MakeTorus(int n)
+{
+  FlatMesh mesh;
+  mesh.Corners = 3;
+  const double step = 2. * 3.14159265358979323846 / n;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      const double radius = 1. + 0.4 * std::cos(step * j);
+      AddPoint(
+        mesh, radius * std::cos(step * i), radius * std::sin(step * i), 0.4 * std::sin(step * j));
+      const int nextI = (i + 1) % n;
+      const int nextJ = (j + 1) % n;
+      const int corners[4] = { n * i + j, n * nextI + j, n * nextI + nextJ, n * i + nextJ };
+      mesh.Cells.insert(mesh.Cells.end(),
+        { corners[0], corners[1], corners[2], corners[0], corners[2], corners[3] });
+    }
+  }
+  return mesh;
+}
+
 FlatMesh MakeQuadSphere(int n)
 {
   FlatMesh mesh;

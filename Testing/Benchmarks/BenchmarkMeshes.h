@@ -37,7 +37,9 @@ struct FlatMesh
 FlatMesh MakeCube(int n);
 /// A closed surface of 20 x 4^levels triangles.
 FlatMesh MakeSphere(int levels);
-/// The same with bumps of several sizes, as scanned objects have.
+/// A closed surface of 2 x n^2 triangles.
+FlatMesh MakeTorus(int n);
+/// A sphere with bumps of several sizes, as scanned objects have.
 FlatMesh MakeBumpySphere(int levels);
 /// A closed surface of 6 x n^2 quads.
 FlatMesh MakeQuadSphere(int n);

@@ -257,6 +257,8 @@ BESIDE_PEERS = [
     ("Doo-Sabin", "quads", 3, "CGAL", 0.125),
 ]
 
+SURFACES = [row[:3] for row in BESIDE_PEERS] + [("Midedge", "quads", 6), ("4-8", "quads", 6)]
+
 # Meshes that are refined on the limit by curvature; the levels are those of uniform meshes beside.
 BY_CURVATURE = [
     ("screw-angle", 5), ("plate-angle", 4), ("nm_ogs5_fracture_surfaces.vtu", 0), ("surf_bunny_3k.vtp", 0),
@@ -301,14 +303,14 @@ BARS += [Ratio("%s, EvaluateLimit beside OpenSubdiv" % what, ("places", "Evaluat
          for what, own, peer, _ in PLACES]
 BARS += [SpeedUp(*row) for row in WITH_LIMITS]
 BARS += [SpeedUp(scheme, surface(scheme, mesh, levels), surface_limit(scheme, mesh, levels, "huge"))
-         for scheme, mesh, levels in [row[:3] for row in BESIDE_PEERS] + [("Midedge", "quads", 6), ("4-8", "quads", 6)]]
+         for scheme, mesh, levels in SURFACES]
+BARS += [SpeedUp("adaptive sqrt(3), bumpy", ("adaptive", "sqrt3", "bumpy", 8), ("adaptivelimit", "sqrt3", "bumpy", 8))]
 BARS += [Flat("%s, levels" % name, ("filter", "first", case, None))
          for name, case in (("tetrahedra", "cube"), ("triangles", "sphere"), ("polylines", "polylines"))]
 BARS += [Flat("%s, control meshes" % kind, ("control", kind, None, levels))
          for kind, levels in (("tetrahedra", 1), ("triangles", 2))]
-BARS += [Memory("tetrahedra, box spline", CUBE, 1.15), Memory("triangles, main filter", SPHERE, 1.3),
-         Memory("Loop", surface("Loop", "sphere", 3), 1.3),
-         Memory("Catmull-Clark", surface("Catmull-Clark", "quads", 3), 1.3)]
+BARS += [Memory("tetrahedra, box spline", CUBE, 1.15), Memory("triangles, main filter", SPHERE, 1.3)]
+BARS += [Memory(scheme, surface(scheme, mesh, levels), 1.3) for scheme, mesh, levels in SURFACES]
 
 
 def get_huge_page_mode():
@@ -323,7 +325,8 @@ def get_huge_page_mode():
 def get_heading(loads):
     return [
         "## Bars", "",
-        "Threads: %s, of the filters; peers have one, but for OpenSubdiv's ready tables. Pages: a bar on "
+        "Threads: %s, of the filters; peers have one, but for OpenSubdiv's ready tables, and take memory from the C library, in pages of 4 KiB unless "
+        "the system says always. Pages: a bar on "
         "writing the output says for which it is, and the ratio for the others stands beside it; huge pages "
         "of this system: %s. Load average at the start %.1f, at the end %.1f, on %d processors. A ratio is "
         "that of times and passes if it is at most the bar; that of a speed-up is the limit's beside ours; "

@@ -10,6 +10,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import subdivisionobjects
+from subdivisionobjects import meshes
 
 
 def model(name="MaterialBlock"):
@@ -133,6 +134,22 @@ class Criteria(unittest.TestCase):
         """The cells of the input that a selection makes red."""
         grid = updated(refine(source or self.model, RefineBySelection=1, Selection=selection, MaximumLevel=1))
         return set(cells(grid, "vtkOriginalCellIds")[cells(grid, "RefinementKind") == 1])
+
+    def test_vertices_that_are_not_smooth(self):
+        """What Subdivision Smoothness finds is selected there, and refined in the mesh."""
+        points = [[0, 0, 0], [1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]
+        tets = [[0, 1, 2, 3], [0, 1, 2, 4], [0, 1, 3, 4], [0, 2, 3, 4]]
+        mesh = simple.TrivialProducer()
+        mesh.GetClientSideObject().SetOutput(meshes.to_vtk(np.array(points, float), tets))
+        smooth = simple.SubdivisionSmoothness(Input=mesh)
+        failing = vtk_to_numpy(updated(smooth).GetPointData().GetArray("Failing"))
+        self.assertEqual(list(failing), [1, 0, 0, 0, 0])
+        both = simple.AppendAttributes(Input=[mesh, smooth])
+        refined = updated(refine(both, RefineByArrayRange=1, RangeArray=["POINTS", "Failing"], ArrayRange=[1, 1],
+                                 MaximumLevel=1))
+        self.assertEqual(refined.GetNumberOfCells(), 32)
+        chosen = simple.ThresholdSelectionSource(ArrayName="Failing", FieldType="POINT", Thresholds=[1, 1])
+        self.assertEqual(self.refined(chosen, both), {0, 1, 2, 3})
 
     def test_selections_by_values_and_places(self):
         ids = cells(self.control, "MaterialId")

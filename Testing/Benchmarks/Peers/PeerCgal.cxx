@@ -12,6 +12,7 @@
 #include <CGAL/subdivision_method_3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace benchmarks
@@ -22,15 +23,17 @@ namespace
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
+/// `growth`: how many faces a step makes of one. The space of the result is reserved.
 template <typename Method>
-Produced Subdivide(Stopwatch& watch, const FlatMesh& input, int levels, const Method& method)
+Produced Subdivide(
+  Stopwatch& watch, const FlatMesh& input, int levels, int growth, const Method& method)
 {
+  const int faces = input.GetNumberOfCells() * static_cast<int>(std::pow(growth, levels));
   Mesh mesh;
   std::vector<double> points;
   std::vector<int> cells;
   watch.Start();
-  mesh.reserve(input.GetNumberOfPoints(), input.GetNumberOfCells() * input.Corners / 2,
-    input.GetNumberOfCells());
+  mesh.reserve(faces * (input.Corners - 2) / 2 + 2, faces * input.Corners / 2, faces);
   for (int i = 0; i < input.GetNumberOfPoints(); ++i)
   {
     const double* x = input.Points.data() + 3 * i;
@@ -71,20 +74,20 @@ void RegisterCgal()
   Register("peer/CGAL Loop/sphere/levels:3", 1,
     [](Stopwatch& watch)
     {
-      return Subdivide(watch, sphere, 3,
+      return Subdivide(watch, sphere, 3, 4,
         [](Mesh& mesh, const auto& options) { Methods::Loop_subdivision(mesh, options); });
     });
   Register("peer/CGAL sqrt3/sphere/levels:4", 1,
     [](Stopwatch& watch)
     {
-      return Subdivide(watch, sphere, 4,
+      return Subdivide(watch, sphere, 4, 3,
         [](Mesh& mesh, const auto& options) { Methods::Sqrt3_subdivision(mesh, options); });
     });
   // Uniform: two steps, where adaptive refinement makes as many triangles at most.
   Register("peer/CGAL sqrt3/bumpy/levels:2", 1,
     [](Stopwatch& watch)
     {
-      return Subdivide(watch, bumpy, 2,
+      return Subdivide(watch, bumpy, 2, 3,
         [](Mesh& mesh, const auto& options) { Methods::Sqrt3_subdivision(mesh, options); });
     });
   static const FlatMesh bunny = ReadTriangles(GetDataFolder() + "/surf_bunny_full.vtp");
@@ -93,20 +96,20 @@ void RegisterCgal()
     Register("peer/CGAL sqrt3/bunny/levels:2", 1,
       [](Stopwatch& watch)
       {
-        return Subdivide(watch, bunny, 2,
+        return Subdivide(watch, bunny, 2, 3,
           [](Mesh& mesh, const auto& options) { Methods::Sqrt3_subdivision(mesh, options); });
       });
   }
   Register("peer/CGAL Catmull-Clark/quads/levels:3", 1,
     [](Stopwatch& watch)
     {
-      return Subdivide(watch, quads, 3,
+      return Subdivide(watch, quads, 3, 4,
         [](Mesh& mesh, const auto& options) { Methods::CatmullClark_subdivision(mesh, options); });
     });
   Register("peer/CGAL Doo-Sabin/quads/levels:3", 1,
     [](Stopwatch& watch)
     {
-      return Subdivide(watch, quads, 3,
+      return Subdivide(watch, quads, 3, 4,
         [](Mesh& mesh, const auto& options) { Methods::DooSabin_subdivision(mesh, options); });
     });
 }

@@ -55,16 +55,20 @@ std::unique_ptr<Far::TopologyRefiner> Refine(const FlatMesh& input, int levels, 
   return refiner;
 }
 
-template <int N>
-std::vector<Values<N>> Interpolate(
-  const Far::TopologyRefiner& refiner, const double* start, int points, int levels)
+/// Points and the scalar together: topology is walked through once.
+std::vector<Values<4>> Interpolate(
+  const Far::TopologyRefiner& refiner, const FlatMesh& input, int levels)
 {
   const Far::PrimvarRefinerReal<double> primvars(refiner);
-  std::vector<Values<N>> current(points);
-  std::copy(start, start + N * points, current[0].Data);
+  std::vector<Values<4>> current(input.GetNumberOfPoints());
+  for (int i = 0; i < input.GetNumberOfPoints(); ++i)
+  {
+    std::copy_n(input.Points.data() + 3 * i, 3, current[i].Data);
+    current[i].Data[3] = input.Scalar[i];
+  }
   for (int level = 1; level <= levels; ++level)
   {
-    std::vector<Values<N>> next(refiner.GetLevel(level).GetNumVertices());
+    std::vector<Values<4>> next(refiner.GetLevel(level).GetNumVertices());
     primvars.Interpolate(level, current, next);
     current.swap(next);
   }
@@ -75,9 +79,7 @@ Produced RefineAndInterpolate(Stopwatch& watch, const FlatMesh& input, int level
 {
   watch.Start();
   const auto refiner = Refine(input, levels, false);
-  const int points = input.GetNumberOfPoints();
-  const auto coordinates = Interpolate<3>(*refiner, input.Points.data(), points, levels);
-  const auto scalar = Interpolate<1>(*refiner, input.Scalar.data(), points, levels);
+  const auto values = Interpolate(*refiner, input, levels);
   const Far::TopologyLevel& last = refiner->GetLevel(levels);
   std::vector<int> cells(input.Corners * static_cast<std::size_t>(last.GetNumFaces()));
   for (int f = 0; f < last.GetNumFaces(); ++f)
@@ -87,7 +89,7 @@ Produced RefineAndInterpolate(Stopwatch& watch, const FlatMesh& input, int level
   }
   watch.Stop();
   return { static_cast<double>(last.GetNumFaces()),
-    static_cast<double>(32 * scalar.size() + 4 * cells.size()) };
+    static_cast<double>(32 * values.size() + 4 * cells.size()) };
 }
 
 using Table = Far::StencilTableReal<double>;
