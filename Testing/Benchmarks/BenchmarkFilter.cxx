@@ -112,7 +112,7 @@ int GetLargestLevel(const Case& which, int growth)
   const double available = 1024. *
     (static_cast<double>(system.GetHostMemoryAvailable()) -
       static_cast<double>(system.GetHostMemoryUsed()));
-  constexpr double peak = 1.3; // beside the output
+  constexpr double peak = 1.2; // beside the output
   double bytes = GetOutputSize(which, which.Levels).Bytes * growth;
   int level = which.Levels;
   while (peak * bytes < std::min(0.95 * available, 2e10))
