@@ -346,9 +346,10 @@ public:
   ///@{
   /**
    * What Bezier cells may leave out: the distance from the limit as a part of the diagonal of the
-   * mesh, and the difference of each array as a part of its range, at the points of one further
-   * level. 0 to 1, default 0.0001. 0 splits all cells whose limit is no polynomial, but for
-   * rounding, NumberOfLevels times.
+   * mesh, and the difference of each component of an array as a part of the array's range. Cells
+   * that were split NumberOfLevels times may leave out more. The filter looks at the points of one
+   * further level, where two thirds of this are allowed. 0 to 1, default 0.0001. 0 splits all cells
+   * whose limit is no polynomial, but for rounding, NumberOfLevels times.
    */
   vtkSetClampMacro(BezierTolerance, double, 0., 1.);
   vtkGetMacro(BezierTolerance, double);

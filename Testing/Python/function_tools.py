@@ -68,28 +68,8 @@ def state(made):
 class Matrices(unittest.TestCase):
     """What a filter does to points, by NumPy, and by SciPy where it is installed."""
 
-    def check(self, made):
-        made.Update()
-        before, after = coordinates(made.GetInputDataObject(0, 0)), coordinates(made.GetOutputDataObject(0))
-        matrix = subdivisionobjects.operator_matrix(made)
-        self.assertEqual(matrix.number_of_columns, len(before))
-        np.testing.assert_allclose(matrix.multiply(before), after, rtol=0, atol=1e-14)
-        values = before
-        for factor in subdivisionobjects.operator_factors(made):
-            values = factor.multiply(values)
-        np.testing.assert_array_equal(values, after)
-        try:
-            import scipy.sparse  # noqa: F401
-        except ImportError:
-            return
-        np.testing.assert_allclose(matrix.to_scipy() @ before, after, rtol=0, atol=1e-14)
-        values = before
-        for factor in subdivisionobjects.operator_factors(made):
-            values = factor.to_scipy() @ values
-        np.testing.assert_array_equal(values, after)
-        np.testing.assert_allclose(matrix.to_scipy().sum(axis=1), 1, rtol=0, atol=1e-14)
-
-    def test_matrices_multiply_to_the_output(self):
+    def for_filters(self, check):
+        """Calls a function with filters that have run, and with their points before and after."""
         tet = meshes.to_vtk(TET, {"tetra": [[0, 1, 2, 3]], "line": [[3, 0]]})
         cube = meshes.to_vtk(CUBE, {"quad": SQUARES})
         for cls, mesh, options in (
@@ -103,7 +83,39 @@ class Matrices(unittest.TestCase):
                 made.SetInputDataObject(mesh)
                 for name, value in options.items():
                     getattr(made, "Set" + name)(value)
-                self.check(made)
+                made.Update()
+                check(made, coordinates(made.GetInputDataObject(0, 0)), coordinates(made.GetOutputDataObject(0)))
+
+    def test_matrices_multiply_to_the_output(self):
+        def check(made, before, after):
+            matrix = subdivisionobjects.operator_matrix(made)
+            self.assertEqual(matrix.number_of_columns, len(before))
+            np.testing.assert_allclose(matrix.multiply(before), after, rtol=0, atol=1e-14)
+            values = before
+            for factor in subdivisionobjects.operator_factors(made):
+                values = factor.multiply(values)
+            np.testing.assert_array_equal(values, after)
+
+        self.for_filters(check)
+
+    def test_scipy_multiplies_to_the_output(self):
+        try:
+            import scipy.sparse
+        except ImportError:
+            self.skipTest("skipped: there is no SciPy")
+
+        def check(made, before, after):
+            matrix = subdivisionobjects.operator_matrix(made).to_scipy()
+            self.assertTrue(scipy.sparse.isspmatrix_csr(matrix))
+            self.assertEqual(matrix.shape, (len(after), len(before)))
+            np.testing.assert_allclose(matrix @ before, after, rtol=0, atol=1e-14)
+            np.testing.assert_allclose(matrix.sum(axis=1), 1, rtol=0, atol=1e-14)
+            values = before
+            for factor in subdivisionobjects.operator_factors(made):
+                values = factor.to_scipy() @ values
+            np.testing.assert_array_equal(values, after)
+
+        self.for_filters(check)
 
     def test_errors(self):
         made = subdivisionobjects.vtkMultiDimensionalSubdivision()

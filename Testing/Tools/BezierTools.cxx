@@ -179,4 +179,25 @@ Grid MakeOctahedron()
     octahedron);
 }
 
+Grid MakeTrapezohedron(int n)
+{
+  std::vector<Point> points{ { 0., 0., 1. }, { 0., 0., -1. } };
+  std::vector<Cell> cells;
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    for (const double side : { 0., 1. })
+    {
+      const double angle = 3.14159265358979 * (2. * static_cast<double>(i) + side) / n;
+      points.push_back({ std::cos(angle), std::sin(angle), 0.5 - side });
+    }
+    const vtkIdType here = 2 + 2 * i;
+    const vtkIdType next = 2 + 2 * ((i + 1) % n);
+    cells.push_back({ VTK_QUAD, { 0, here, here + 1, next } });
+    cells.push_back({ VTK_QUAD, { 1, next + 1, next, here + 1 } });
+  }
+  const Grid grid = MakeGrid(Shake(points, 0.1), cells);
+  AddScalar(grid);
+  return grid;
+}
+
 }

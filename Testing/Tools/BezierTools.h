@@ -46,6 +46,9 @@ vtkSmartPointer<vtkPolyData> ToSurface(vtkUnstructuredGrid* grid);
 /// A closed surface of 8 triangles, all vertices of which are extraordinary.
 Grid MakeOctahedron();
 
+/// Two poles with n quads around each: vertices of n and of three quads.
+Grid MakeTrapezohedron(int n);
+
 }
 
 #endif

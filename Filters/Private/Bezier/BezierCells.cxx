@@ -33,6 +33,9 @@ struct Patch
   LatticePart Part;
 };
 
+/// What of the tolerance the checked points may use up: the largest error lies between them.
+constexpr double ShareOfChecks = 2. / 3.;
+
 class BezierWriter
 {
 public:
@@ -119,7 +122,7 @@ void BezierWriter::ReadValues()
     this->Components += array->GetNumberOfComponents();
     this->Allowed.resize(this->Components,
       this->Ranges.GetTolerance(array == this->Arrays[0] ? nullptr : array->GetName(),
-        this->Options.Tolerance, array->GetDataType() == VTK_FLOAT));
+        ShareOfChecks * this->Options.Tolerance, array->GetDataType() == VTK_FLOAT));
   }
   this->Values = Buffer<double>(this->Components * size);
   int component = 0;
@@ -148,7 +151,8 @@ void BezierWriter::ReadValues()
   }
 }
 
-/// Whether the polynomial of a patch is the limit at the points of one further step.
+/// Whether the polynomial of a patch is the limit at the points of one further step: what the
+/// tolerance says of points is a distance, of arrays a difference of each component.
 bool BezierWriter::Fits(const Patch& patch) const
 {
   const Root& root = this->Cells.GetRoot(patch.Root);
@@ -171,11 +175,15 @@ bool BezierWriter::Fits(const Patch& patch) const
     }
     for (int c = 0; c < this->Components; ++c)
     {
-      const double error = std::abs(values[c] - this->Values[this->Components * point + c]);
-      if (!(error <= this->Allowed[c])) // also where it is not a number
+      values[c] = std::abs(values[c] - this->Values[this->Components * point + c]);
+      if (!(values[c] <= this->Allowed[c])) // also where it is not a number
       {
         return false;
       }
+    }
+    if (std::hypot(values[0], values[1], values[2]) > this->Allowed[0])
+    {
+      return false;
     }
   }
   return true;

@@ -40,8 +40,9 @@ int CountFurtherSteps(vtkDataObject* input, bool toQuads);
 /**
  * Makes a grid of Bezier cells of a mesh that was split uniformly and moved to the limit, or of
  * each mesh of a composite data set. The cells of a cell of the control mesh follow one another.
- * Each control cell becomes one Bezier cell if that is the limit but for the tolerance, at the
- * points of one further step, else its children do, down to `Levels`.
+ * Each control cell becomes one Bezier cell if that is the limit but for two thirds of the
+ * tolerance at the points of one further step, so that the tolerance is kept between these too;
+ * else its children do, down to `Levels`.
  *
  * Control points that equal cells share, by the points of the mesh, are one point. Arrays of
  * floating point numbers get control values, all others the values of the point that the control

@@ -198,7 +198,8 @@ private:
   std::map<std::pair<Point, int>, std::vector<double>> Weights;
 };
 
-/// The area of triangles, by the rule of Gauss where the third corner is a side of a square.
+/// The area of triangles, by the rule of Gauss where the third corner is a side of a square, or of
+/// quads, which are the square.
 double IntegrateArea(vtkUnstructuredGrid* grid)
 {
   double area = 0.;
@@ -207,15 +208,17 @@ double IntegrateArea(vtkUnstructuredGrid* grid)
   for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
   {
     grid->GetCell(c, cell);
+    const bool isQuad = grid->GetCellType(c) == VTK_BEZIER_QUADRILATERAL;
     for (const auto& x : Gauss)
     {
       for (const auto& y : Gauss)
       {
-        const Point at{ x[0] * (1. - y[0]), y[0], 0. };
+        const double width = isQuad ? 1. : 1. - y[0];
+        const Point at{ x[0] * width, y[0], 0. };
         Point normal;
         vtkMath::Cross(differentiate.Get(cell, at, 0).data(), differentiate.Get(cell, at, 1).data(),
           normal.data());
-        area += x[1] * y[1] * (1. - y[0]) * vtkMath::Norm(normal.data());
+        area += x[1] * y[1] * width * vtkMath::Norm(normal.data());
       }
     }
   }
@@ -449,49 +452,84 @@ Grid TakeBoundary(vtkUnstructuredGrid* solid)
   return boundary;
 }
 
-/// The area of the triangles of a level on the limit, or the volume that they enclose: by the
-/// theorem of Gauss the sum of those of the tetrahedra between them and the origin.
-double MeasureLevel(vtkUnstructuredGrid* surface, int levels, bool ofVolume)
+/// The area of the triangles of a mesh, of which quads are two, or the volume that they enclose: by
+/// the theorem of Gauss the sum of those of the tetrahedra between them and the origin.
+double MeasureMesh(vtkPointSet* mesh, bool ofVolume)
 {
-  vtkNew<Filter> filter;
-  filter->SetNumberOfLevels(levels);
-  filter->ProjectToLimitOn();
-  const Grid limit = UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), surface);
   double sum = 0.;
   vtkNew<vtkIdList> ids;
-  for (vtkIdType c = 0; c < limit->GetNumberOfCells(); ++c)
+  for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
   {
-    limit->GetCellPoints(c, ids);
-    Point p[3];
-    for (vtkIdType k = 0; k < 3; ++k)
+    mesh->GetCellPoints(c, ids);
+    for (vtkIdType second = 1; second + 1 < ids->GetNumberOfIds(); ++second)
     {
-      limit->GetPoint(ids->GetId(k), p[k].data());
+      Point p[3] = { GetPoint(mesh, ids->GetId(0)), GetPoint(mesh, ids->GetId(second)),
+        GetPoint(mesh, ids->GetId(second + 1)) };
+      Point origin{};
+      sum += ofVolume
+        ? vtkTetra::ComputeVolume(origin.data(), p[0].data(), p[1].data(), p[2].data())
+        : vtkTriangle::TriangleArea(p[0].data(), p[1].data(), p[2].data());
     }
-    Point origin{};
-    sum += ofVolume ? vtkTetra::ComputeVolume(origin.data(), p[0].data(), p[1].data(), p[2].data())
-                    : vtkTriangle::TriangleArea(p[0].data(), p[1].data(), p[2].data());
   }
   return sum;
 }
 
+/// Compares a size with that of level 8 on the limit. The error of linear cells falls by 4 with each
+/// level, so that levels 7 and 8 tell the exact size, and whether this is so.
+template <typename FilterClass>
+void ExpectSizeOfLevel8(
+  FilterClass* filter, vtkDataObject* input, bool ofVolume, double found, double tolerance)
+{
+  filter->SetInputDataObject(input);
+  filter->ProjectToLimitOn();
+  double sizes[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    filter->SetNumberOfLevels(6 + k);
+    filter->Update();
+    sizes[k] = MeasureMesh(filter->GetOutput(), ofVolume);
+  }
+  EXPECT_NEAR((sizes[1] - sizes[0]) / (sizes[2] - sizes[1]), 4., 0.1);
+  const double exact = (4. * sizes[2] - sizes[1]) / 3.;
+  std::cout << "by quadrature " << found / exact - 1. << ", level 8 " << sizes[2] / exact - 1.
+            << "\n";
+  EXPECT_NEAR(found / exact, 1., tolerance);
+  EXPECT_NEAR(found / sizes[2], 1., tolerance + std::abs(sizes[2] / exact - 1.));
 }
 
-/// The error of linear cells falls by 4 with each level, so that two levels tell the exact size.
+double IntegrateAreaOfSurface(vtkUnstructuredGrid* mesh, int scheme, double tolerance)
+{
+  return IntegrateArea(MakeBezierSurface(ToSurface(mesh), scheme, 5, tolerance));
+}
+
+}
+
 /// The limit of the boundary of a solid is the boundary of its limit.
 TEST(BezierCells, QuadratureFindsAreaAndVolume)
 {
+  const auto exact = [](Filter* made) { made->SetBezierTolerance(1e-6); };
   const Grid surface = MakeOctahedron();
+  vtkNew<Filter> filter;
+  ExpectSizeOfLevel8(
+    filter.Get(), surface, false, IntegrateArea(MakeBezier(surface, 5, exact)), 1e-7);
   const Grid solid = MakeLattice(1);
   const Grid boundary = TakeBoundary(solid);
   ASSERT_EQ(boundary->GetNumberOfCells(), 12);
-  for (const bool ofVolume : { false, true })
+  ExpectSizeOfLevel8(
+    filter.Get(), boundary, true, IntegrateVolume(MakeBezier(solid, 2, exact)), 5e-6);
+}
+
+TEST(BezierCells, QuadratureFindsAreasOfSurfaces)
+{
+  vtkNew<vtkSurfaceSubdivision> filter;
+  const Grid triangles = MakeOctahedron();
+  ExpectSizeOfLevel8(filter.Get(), ToSurface(triangles).Get(), false,
+    IntegrateAreaOfSurface(triangles, vtkSurfaceSubdivision::LOOP, 1e-6), 1e-7);
+  filter->SetSchemeToCatmullClark();
+  for (const int n : { 3, 5 })
   {
-    const Grid& enclosing = ofVolume ? boundary : surface;
-    const double exact =
-      (4. * MeasureLevel(enclosing, 7, ofVolume) - MeasureLevel(enclosing, 6, ofVolume)) / 3.;
-    const Grid bezier = MakeBezier(ofVolume ? solid : surface, ofVolume ? 2 : 3,
-      [](Filter* made) { made->SetBezierTolerance(1e-6); });
-    const double found = ofVolume ? IntegrateVolume(bezier) : IntegrateArea(bezier);
-    EXPECT_NEAR(found / exact, 1., ofVolume ? 5e-6 : 2e-6);
+    const Grid quads = MakeTrapezohedron(n);
+    ExpectSizeOfLevel8(filter.Get(), ToSurface(quads).Get(), false,
+      IntegrateAreaOfSurface(quads, vtkSurfaceSubdivision::CATMULL_CLARK, 1e-6), 1e-7);
   }
 }

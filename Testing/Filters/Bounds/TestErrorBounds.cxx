@@ -77,6 +77,7 @@ TEST(ErrorBounds, HoldAtRandomPlaces)
   using subdivision::PatchShape;
   std::mt19937 random(11);
   vtkIdType places = 0;
+  vtkIdType inSolids = 0;
   const auto check = [&](vtkUnstructuredGrid* mesh, int levels, int count, bool projects)
   {
     const Grid input = WithValues(mesh);
@@ -98,6 +99,7 @@ TEST(ErrorBounds, HoldAtRandomPlaces)
       const auto c =
         static_cast<vtkIdType>(random() % static_cast<unsigned>(input->GetNumberOfCells()));
       const int dimension = getDimension(c);
+      inSolids += dimension == 3 ? 1 : 0;
       std::array<Point, 4> corners{};
       for (int k = 1; k <= dimension; ++k)
       {
@@ -148,23 +150,30 @@ TEST(ErrorBounds, HoldAtRandomPlaces)
       drawn.Add(firsts[c] + part, weights, c, given);
     }
     ExpectBoundsAtPlaces(filter, output, drawn);
-    places += 2 * count;
+    places += count;
   };
   for (const bool projects : { false, true })
   {
     for (const int n : { 3, 4, 5, 7, 12 })
     {
-      check(MakeBipyramid(n, 0.5), n % 3, 20000, projects);
+      check(MakeBipyramid(n, 0.5), n % 3, 31000, projects);
     }
-    check(MakeCurves(), 1, 20000, projects);
+    check(MakeCurves(), 1, 31000, projects);
     for (unsigned seed = 1; seed < 12; ++seed)
     {
+      // Where many joints meet in solids a place takes a hundred times as long as elsewhere.
       const bool withSolids = seed % 4 == 0;
-      check(MakeRandomComplex(seed, withSolids), seed % 2, withSolids ? 300 : 20000, projects);
+      check(MakeRandomComplex(seed, withSolids), seed % 2, withSolids ? 500 : 31000, projects);
     }
+    for (const int n : { 1, 2, 3 })
+    {
+      check(MakeKuhnBox(n, 0.2), n == 3 ? 0 : 1, 20000, projects);
+    }
+    check(MakeModel(vtkSubdivisionModelSource::MATERIAL_BLOCK), 0, 10000, projects);
   }
-  std::cout << places << " distances\n";
-  EXPECT_GT(places, 1000000);
+  std::cout << places << " places, " << inSolids << " of them in solids\n";
+  EXPECT_GE(places, 1000000);
+  EXPECT_GE(inSolids, 100000);
 }
 
 TEST(ErrorBounds, AreNearTheTruthOnCurvesAndSurfaces)

@@ -34,6 +34,21 @@ TEST(SurfacePlaces, ZooAgainstLevels)
   }
 }
 
+/// All corners of all cells of level 8, around a vertex of three faces, and with creases.
+TEST(SurfacePlaces, SmallMeshesAgainstLevel8)
+{
+  for (const int scheme : PlaceSchemes)
+  {
+    std::map<std::string, Model> zoo = MakeZoo(scheme == Filter::LOOP);
+    for (const char* name : { scheme == Filter::LOOP ? "tetrahedron" : "cube", "free line" })
+    {
+      SCOPED_TRACE(testing::Message() << scheme << " " << name);
+      ASSERT_EQ(zoo.count(name), 1u);
+      CheckAgainstLevels(MakeInput(zoo[name]), scheme, 8, {});
+    }
+  }
+}
+
 TEST(SurfacePlaces, CreasesAndWeightsAgainstLevels)
 {
   for (const int scheme : PlaceSchemes)

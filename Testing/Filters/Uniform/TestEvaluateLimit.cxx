@@ -48,7 +48,7 @@ Grid MakeModel(int model)
   return grid;
 }
 
-/// The parameters of a point of a cell, which are multiples of 1/64.
+/// The parameters of a point of a cell, which are multiples of 1/256.
 Point FindParameters(vtkUnstructuredGrid* grid, const Ids& cell, const Point& x)
 {
   const auto size = static_cast<int>(cell.size());
@@ -86,12 +86,43 @@ Point FindParameters(vtkUnstructuredGrid* grid, const Ids& cell, const Point& x)
   Point parameters{};
   for (int i = 0; i < size - 1; ++i)
   {
-    parameters[i] = std::round(64. * m[i][3] / m[i][i]) / 64.;
+    parameters[i] = std::round(256. * m[i][3] / m[i][i]) / 256.;
   }
   return parameters;
 }
 
-/// Compares values at places with what ProjectToLimit gives there after some levels.
+/// A corner of a cell.
+using Corner = std::pair<vtkIdType, std::size_t>;
+
+/// So many random corners of cells of a mesh; -1: each point once.
+std::vector<Corner> ChooseCorners(vtkUnstructuredGrid* mesh, vtkIdType count, unsigned seed)
+{
+  std::vector<Corner> corners;
+  std::mt19937 random(seed);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const auto cell =
+      static_cast<vtkIdType>(random() % static_cast<unsigned>(mesh->GetNumberOfCells()));
+    corners.emplace_back(cell, random() % GetCell(mesh, cell).size());
+  }
+  std::vector<bool> isMet(static_cast<std::size_t>(mesh->GetNumberOfPoints()), count >= 0);
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells() && count < 0; ++cell)
+  {
+    const Ids ids = GetCell(mesh, cell);
+    for (std::size_t k = 0; k < ids.size(); ++k)
+    {
+      if (!isMet[ids[k]])
+      {
+        isMet[ids[k]] = true;
+        corners.emplace_back(cell, k);
+      }
+    }
+  }
+  return corners;
+}
+
+/// Compares values at places with what ProjectToLimit gives there after some levels: at so many
+/// random vertices of the last one, or (-1) at all.
 void CheckAgainstLevels(
   vtkUnstructuredGrid* input, Filter* filter, int levels, vtkIdType count, unsigned seed)
 {
@@ -108,25 +139,20 @@ void CheckAgainstLevels(
   vtkUnstructuredGrid* fine = filter->GetOutput();
   ASSERT_EQ(fine->GetNumberOfCells(), linear->GetOutput()->GetNumberOfCells());
   vtkDataArray* parents = linear->GetOutput()->GetCellData()->GetArray("vtkOriginalCellIds");
-  std::mt19937 random(seed);
   Places places;
   Ids expected;
-  for (vtkIdType i = 0; i < count; ++i)
+  for (const auto& [cell, k] : ChooseCorners(fine, count, seed))
   {
-    const auto cell =
-      static_cast<vtkIdType>(random() % static_cast<unsigned>(fine->GetNumberOfCells()));
     const Ids corners = GetCell(linear->GetOutput(), cell);
     const auto parent = static_cast<vtkIdType>(parents->GetComponent(cell, 0));
-    const Ids fineCorners = GetCell(fine, cell);
-    const std::size_t k = random() % corners.size();
-    ASSERT_EQ(corners, fineCorners);
+    ASSERT_EQ(corners, GetCell(fine, cell));
     places.Add(parent,
       FindParameters(input, GetCell(input, parent), GetPoint(linear->GetOutput(), corners[k])));
     expected.push_back(corners[k]);
   }
   const auto result = Evaluate(filter, places);
   const double size = input->GetLength();
-  for (vtkIdType i = 0; i < count; ++i)
+  for (vtkIdType i = 0; i < places.GetSize(); ++i)
   {
     for (int c = 0; c < 3; ++c)
     {
@@ -142,6 +168,30 @@ void CheckAgainstLevels(
         fine->GetPointData()->GetArray("Random")->GetComponent(expected[i], c), 1e-12);
     }
   }
+}
+
+/// n triangles around a vertex, or tetrahedra around an edge, and a curve from there on.
+Grid MakeStar(vtkIdType n, bool isSolid)
+{
+  std::vector<Point> points{ { 0.1, 0., 0.4 }, { -0.3, 0.2, 1. }, { 0.1, -0.3, 1.9 },
+    { 0., 0.1, -0.8 } };
+  std::vector<Cell> cells{ { VTK_LINE, { 0, 1 } }, { VTK_LINE, { 2, 1 } } };
+  const vtkIdType around = std::max<vtkIdType>(n, 3);
+  for (vtkIdType i = 0; i < around; ++i)
+  {
+    const double angle = 6.28318530717959 * static_cast<double>(i) / static_cast<double>(around);
+    points.push_back({ std::cos(angle), 1.2 * std::sin(angle), 0.1 * static_cast<double>(i % 3) });
+  }
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const vtkIdType a = 4 + i;
+    const vtkIdType b = 4 + (i + 1) % around;
+    cells.push_back(isSolid ? Cell{ VTK_TETRA, { 0, 3, a, b } } : Cell{ VTK_TRIANGLE, { 0, a, b } });
+  }
+  const Grid grid = MakeGrid(points, cells);
+  grid->GetPointData()->AddArray(
+    MakeArray<vtkDoubleArray>("Random", 2, grid->GetNumberOfPoints(), -1., 1., 7));
+  return grid;
 }
 
 /// A surface with vertices of 3 to 8 triangles, and a boundary.
@@ -239,6 +289,29 @@ TEST(EvaluateLimit, AllModelsAgainstLevels)
       filter->SetVolumeScheme(scheme);
       CheckAgainstLevels(input, filter, 2, 40, 5);
     }
+  }
+}
+
+/// Around a vertex of five triangles, with a curve that begins there.
+TEST(EvaluateLimit, AllVerticesOfLevel8)
+{
+  const Grid input = MakeStar(5, false);
+  vtkNew<Filter> filter;
+  CheckAgainstLevels(input, filter, 8, -1, 0);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 5 * 65536 + 2 * 256);
+}
+
+/// The same with three tetrahedra instead of triangles, and with one, as deep as memory lets tests.
+TEST(EvaluateLimit, VerticesOfDeepLevelsOfSolids)
+{
+  for (const auto& [tets, levels] : { std::make_pair(3, 6), std::make_pair(1, 7) })
+  {
+    SCOPED_TRACE(levels);
+    const Grid input = MakeStar(tets, true);
+    vtkNew<Filter> filter;
+    CheckAgainstLevels(input, filter, levels, 1500, 21);
+    const vtkIdType parts = vtkIdType(1) << levels;
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), tets * parts * parts * parts + 2 * parts);
   }
 }
 
