@@ -113,7 +113,7 @@ def table(title, text, key, steps, rows, last=""):
     columns = [key] + [f"step {step}" for step in range(1, steps + 1)] + ["order", "order in L2"]
     draws = title in NAMES
     return Table(title, text, columns + ([last] if last else []), rows,
-                 f"Approximation{title.replace('-', '')}.png" if draws else "",
+                 f"Approximation{plots.plain(title)}.png" if draws else "",
                  f"{title}: largest error by steps, for each number of faces." if draws else "")
 
 
@@ -129,7 +129,7 @@ def surface_table(name):
 
 def draw(made):
     for name in NAMES:
-        plots.curves(f"Approximation{name.replace('-', '')}",
+        plots.curves(f"Approximation{plots.plain(name)}",
                      [(f"{row[0]} faces", [1, 2, 3, 4], [float(one) for one in row[1:5]]) for row in made[name]],
                      "steps", "largest error")
 
