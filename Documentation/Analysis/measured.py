@@ -155,8 +155,8 @@ EDGES = {"Box spline, edges that all mark": (BOX_SPLINE, "marked", 10),
          "Tet/oct, edges": (TET_OCT, "tet/oct", 11)}
 FACE_TABLE = Table(
     "Across faces", f"Of {solid_jumps.FACE_STARS} random stars of valence 8: limits and derivatives on both sides of inner "
-    "faces, by EvaluateLimit of vtkMultiDimensionalSubdivision. All points of the star are moved at random; the gradient is that of "
-    "how far the limit is moved, by position. The linear scheme, which is not C^1, shows what a jump looks like.",
+    "faces, by EvaluateLimit of vtkMultiDimensionalSubdivision. All points of the star are moved at random; the gradient "
+    "is that of how far the limit is moved, by position. The linear scheme, which is not C^1, shows what a jump looks like.",
     ["scheme", "places", "largest jump", "largest gap of positions"],
     [Row(name, lambda scheme=scheme: solid_jumps.face_jumps(scheme)) for name, scheme in (
         ("box spline", BOX_SPLINE), ("tet/oct", TET_OCT), ("linear", vtkMultiDimensionalSubdivision.LINEAR))])

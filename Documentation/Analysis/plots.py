@@ -92,6 +92,7 @@ def curves(name, series, across, up):
         for (label, xs, ys), mark in zip(series, "os^vDP*X<>ph" * 2):
             axes.plot(xs, ys, mark + "-", markersize=4, linewidth=1, label=label)
         axes.set_yscale("log")
+        axes.set_xticks(series[0][1])
         axes.set_xlabel(across)
         axes.set_ylabel(up)
 

@@ -37,6 +37,10 @@ def butterfly_value(k):
     return 1 / 2
 
 
+def midedge_value(k):
+    return np.cos(np.pi / k) ** 2  # of two steps
+
+
 def moduli(values):
     return [number(abs(value)) for value in values[1:4]]
 
@@ -296,6 +300,6 @@ def make_pages():
               "and the condition fails. " + AROUND,
               ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
               [Row(str(k), lambda k=k: dual(MIDEDGE, vtkSubdivisionSmoothness.MIDEDGE, k, 2,
-                                            lambda k: np.cos(np.pi / k) ** 2)) for k in range(3, 51)], *spectrum_plot("Midedge"))],
+                                            midedge_value)) for k in range(3, 51)], *spectrum_plot("Midedge"))],
         draw_others, OTHER_CLAIMS)
     return [loop, catmull_clark, butterfly, others]
