@@ -192,12 +192,17 @@ def edge_star(n, height):
     return solid([[0, 0, -height], [0, 0, height], *ring], [[0, 1, 2 + i, 2 + (i + 1) % n] for i in range(n)])
 
 
+def middle_of_edge(first, n):
+    """The vertex in the middle of an edge of n tetrahedra after the first step."""
+    tets, owners = tets_of(first), cell_array(first, "Control")
+    middle, = (set.intersection(*(set(tets[owners == i].ravel().tolist()) for i in range(n))) - {0, 1})
+    return middle
+
+
 def edge_matrix(n, scheme, height):
     """Around the middle of an edge of n tetrahedra."""
     first = subdivide(edge_star(n, height), scheme)
-    tets, owners = tets_of(first), cell_array(first, "Control")
-    middle, = (set.intersection(*(set(tets[owners == i].ravel().tolist()) for i in range(n))) - {0, 1})
-    return star_matrix(first, middle, scheme)[0]
+    return star_matrix(first, middle_of_edge(first, n), scheme)[0]
 
 
 def marked_edges(points, tet):

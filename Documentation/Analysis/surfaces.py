@@ -15,6 +15,8 @@ from surface_tools import (CATMULL_CLARK, LOOP, add, coordinates, faces_of, fan,
 from subdivisionobjects import vtkSubdivisionSmoothness, vtkSurfaceSubdivision
 
 BUTTERFLY = vtkSurfaceSubdivision.MODIFIED_BUTTERFLY
+DOO_SABIN = vtkSurfaceSubdivision.DOO_SABIN
+MIDEDGE = vtkSurfaceSubdivision.MIDEDGE
 MAP = ["regular", "injective", "triangles sampled"]
 
 
@@ -35,6 +37,10 @@ def butterfly_value(k):
     return 1 / 2
 
 
+def midedge_value(k):
+    return np.cos(np.pi / k) ** 2  # of two steps
+
+
 def moduli(values):
     return [number(abs(value)) for value in values[1:4]]
 
@@ -51,13 +57,16 @@ def interior(scheme, k, closed_form):
     return moduli(values) + [number(closed_form(k)), yes(is_interior(values)), yes(regular), yes(injective), str(count)]
 
 
+SPECTRUM = "Moduli of l1 and l3 by the number of faces; the condition holds where the lines keep apart."
+
+
 def interior_table(scheme, closed_form, name):
     return Table(
         "Inside", f"Vertices with *k* faces around them. The closed form is that of l1; the condition is "
         "1 > l1 >= l2 > |l3|.",
         ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
         [Row(str(k), lambda k=k: interior(scheme, k, closed_form)) for k in range(3, 51)],
-        f"{name}.png", "Moduli of l1 and l3 by the number of faces; the condition holds where the lines keep apart.")
+        f"{name}.png", SPECTRUM)
 
 
 def sector(scheme, k, kind, **options):
@@ -238,6 +247,16 @@ OTHER_CLAIMS = [
 ]
 
 
+def spectrum_plot(title):
+    """The file of the plot of a table, and its caption."""
+    return f"OtherSurfaces{plots.plain(title)}.png", f"{title}. {SPECTRUM}"
+
+
+def draw_others(made):
+    for title in ("sqrt(3) inside", "4-8 inside", "Doo-Sabin", "Midedge"):
+        plots.spectrum(f"OtherSurfaces{plots.plain(title)}", made[title], 1.05 if title == "Midedge" else 0.75)
+
+
 def make_pages():
     rows = range(3, 13)
     loop = Page("Loop", "Spectra of Loop's scheme", "Eigenvalues of what one step does around a vertex, with the vertex "
@@ -260,7 +279,7 @@ def make_pages():
         Table("sqrt(3) inside", "Two steps. Kobbelt's equation (4), squared, has (2/3 - a)^2 and 4/9 cos^2(pi m/k) for "
               "m = 1 to k - 1; the column has the largest difference of all eigenvalues from these.",
               ["k", "l1", "l2", "l3", "off equation (4)", "condition (23)"] + filter_maps.COLUMNS,
-              [Row(str(k), lambda k=k: sqrt_three(k)) for k in rows]),
+              [Row(str(k), lambda k=k: sqrt_three(k)) for k in rows], *spectrum_plot("sqrt(3) inside")),
         Table("sqrt(3), third differences", DIFFERENCES,
               ["steps", "rings", "points", "differences", "norm", "spectral radius", "below 1", "the paper"],
               [Row("2", lambda: sqrt_three_differences(3, 2, "-")), Row("4", lambda: sqrt_three_differences(6, 4, "0.78"))]),
@@ -269,17 +288,18 @@ def make_pages():
               ["k", "l1", "l2", "l3", "condition"] + filter_maps.COLUMNS,
               [Row(str(k), lambda k=k: sqrt_three_boundary(k)) for k in range(2, 13)]),
         Table("4-8 inside", "Two steps.", ["k", "l1", "l2", "l3", "condition (23)"] + filter_maps.COLUMNS,
-              [Row(str(k), lambda k=k: four_eight(k)) for k in rows]),
+              [Row(str(k), lambda k=k: four_eight(k)) for k in rows], *spectrum_plot("4-8 inside")),
         Table("4-8 at boundaries", "Two steps; the condition holds for two and three faces only.",
               ["k", "l1", "l2", "l3", "condition"] + filter_maps.COLUMNS,
               [Row(str(k), lambda k=k: four_eight_boundary(k)) for k in range(2, 13)]),
         Table("Doo-Sabin", "One step, faces of *k* corners; the weights give l1 = l2 = 1/2 and l3 = 1/4. " + AROUND,
               ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
-              [Row(str(k), lambda k=k: dual(vtkSurfaceSubdivision.DOO_SABIN, vtkSubdivisionSmoothness.DOO_SABIN, k, 1,
-                                            lambda _: 1 / 2)) for k in range(3, 51)]),
+              [Row(str(k), lambda k=k: dual(DOO_SABIN, vtkSubdivisionSmoothness.DOO_SABIN, k, 1,
+                                            lambda _: 1 / 2)) for k in range(3, 51)], *spectrum_plot("Doo-Sabin")),
         Table("Midedge", "Two steps, faces of *k* corners; l1 is cos^2(pi/k). At *k* = 3 it is no larger than 1/4, "
               "and the condition fails. " + AROUND,
               ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
-              [Row(str(k), lambda k=k: dual(vtkSurfaceSubdivision.MIDEDGE, vtkSubdivisionSmoothness.MIDEDGE, k, 2,
-                                            lambda k: np.cos(np.pi / k) ** 2)) for k in range(3, 51)])], claims=OTHER_CLAIMS)
+              [Row(str(k), lambda k=k: dual(MIDEDGE, vtkSubdivisionSmoothness.MIDEDGE, k, 2,
+                                            midedge_value)) for k in range(3, 51)], *spectrum_plot("Midedge"))],
+        draw_others, OTHER_CLAIMS)
     return [loop, catmull_clark, butterfly, others]

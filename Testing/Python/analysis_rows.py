@@ -11,12 +11,14 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "Documentation
 
 import analysis  # noqa: E402
 import pages  # noqa: E402
+import plots  # noqa: E402, F401
 
 PARTS = {
     "triangles": ["Loop", "Butterfly", "OtherSurfaces"],
     "quads": ["CatmullClark"],
     "solids": ["BoxSpline", "TetOct"],
-    "measured": ["MeasuredSmoothness", "ApproximationOrder"],
+    "measured": ["MeasuredSmoothness"],
+    "approximation": ["ApproximationOrder"],
 }
 
 

@@ -4,7 +4,7 @@
 import pathlib
 import unittest
 
-from analysis_rows import PARTS, analysis, pages
+from analysis_rows import PARTS, analysis, pages, plots
 
 
 class Analysis(unittest.TestCase):
@@ -32,6 +32,27 @@ class Analysis(unittest.TestCase):
         for page in analysis.all_pages():
             with self.subTest(page.name):
                 self.assertEqual(pages.untrue_claims(page), [])
+
+    def test_plots_show_the_rows(self):
+        shown = {}
+        for page in analysis.all_pages():
+            with plots.recording() as expected:
+                if page.draw:
+                    page.draw(pages.read(page))
+            self.assertEqual({f"{name}.png" for name in expected}, {table.plot for table in page.tables if table.plot})
+            for name, numbers in expected.items():
+                with self.subTest(name):
+                    self.assertEqual(plots.told(name), numbers)
+            shown.update(expected)
+        self.assertEqual({path.stem for path in pages.FOLDER.glob("*.png")}, set(shown))
+
+    def test_a_plot_of_other_numbers_is_seen(self):
+        page = next(page for page in analysis.all_pages() if page.name == "Loop")
+        rows = pages.read(page)
+        rows["Inside"][0][1] = "0.1234"
+        with plots.recording() as expected:
+            page.draw(rows)
+        self.assertNotEqual(plots.told("Loop"), expected["Loop"])
 
     def test_a_wrong_digit_is_seen(self):
         self.assertTrue(pages.is_same("0.4523", "0.4524"))  # rounding

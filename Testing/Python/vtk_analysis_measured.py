@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""All rows of the pages of Documentation/Analysis on what is measured on fine meshes are what is computed."""
+"""All rows of the page of Documentation/Analysis on measured smoothness are what is computed."""
 
 import analysis_rows
 
