@@ -9,7 +9,7 @@ system_name() { (. /etc/os-release 2>/dev/null && echo "${PRETTY_NAME:-an unknow
 
 # For a system without lists, with --no-install: what is there under its usual name.
 formatter=clang-format
-tools=() paraview_packages=() client_packages=() vtk_packages=() python_packages=() compared_packages=() peer_packages=() docs_packages=() analysis_packages=() debian_packages=()
+tools=() paraview_packages=() client_packages=() vtk_packages=() test_packages=() compared_packages=() peer_packages=() docs_packages=() analysis_packages=() debian_packages=()
 
 # package_lists SUITE: sets the lists below, vtk_version, and debian_revision of our packages (sorted
 # so that those of a newer suite are newer); false for a suite that is not known.
@@ -19,8 +19,8 @@ package_lists()
   docs_packages=(doxygen python3)
   analysis_packages=(python3-matplotlib)
   debian_packages=(dpkg-dev file gzip lintian)
-  # What tests in Python multiply matrices with, in both flavours; without it that test says "skipped".
-  python_packages=(python3-scipy)
+  # What tests multiply matrices and count instructions with; without it these say "skipped".
+  test_packages=(python3-scipy valgrind)
   # Other libraries that tests and benchmarks compare with; without them the tests say "skipped".
   compared_packages=(libopenmesh-dev libcgal-dev)
   peer_packages=(libosd-dev libopenmesh-dev libcgal-dev libdune-grid-dev libdune-uggrid-dev)
