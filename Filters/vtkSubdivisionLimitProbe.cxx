@@ -117,6 +117,7 @@ int vtkSubdivisionLimitProbe::RequestData(
       });
   }
   subdivision::UniformOptions options;
+  options.Scheme = subdivision::GetVolumeScheme(this->VolumeScheme);
   return run(options,
     [&](vtkPointSet* input) { return subdivision::SubdivideUniformly(input, options, nullptr); });
 }
@@ -124,6 +125,7 @@ int vtkSubdivisionLimitProbe::RequestData(
 void vtkSubdivisionLimitProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
   os << indent << "SurfaceScheme: " << this->SurfaceScheme << "\n";
   os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
 }

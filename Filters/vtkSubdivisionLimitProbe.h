@@ -5,10 +5,10 @@
  *
  * Finds for each point the place of the limit that is nearest to it, with all values there. The
  * limit is what vtkMultiDimensionalSubdivision makes of the input after infinitely many levels:
- * curves, surfaces, and solids with VolumeScheme = BOX_SPLINE. A point inside a solid is its own
- * nearest place: the filter finds from where in the control mesh it comes. With another
- * SurfaceScheme it is what vtkSurfaceSubdivision makes of the polygons and lines: quads and other
- * polygons then keep their own parameters.
+ * curves, surfaces, and solids by the same VolumeScheme. A point inside a solid is its own nearest
+ * place: the filter finds from where in the control mesh it comes. With another SurfaceScheme it is
+ * what vtkSurfaceSubdivision makes of the polygons and lines: quads and other polygons then keep
+ * their own parameters.
  *
  * @par Inputs
  * Port 0: the control mesh, one data set that is no collection of blocks. Ports 1 and 2: marks, see
@@ -38,7 +38,10 @@
  * may have a nearest place of its own. Newton's method then makes the distance smaller, up to
  * rounding, also across the borders of cells; by CATMULL_CLARK it searches in quads. Where two
  * parts of the object that do not touch are almost equally near, the farther one may be found:
- * those two levels, and not the limit, choose between them.
+ * those two levels, and not the limit, choose between them. From far away from a solid about one
+ * point in a hundred ends at a place to which only nothing around it is nearer. Steps to a face of
+ * a solid stop before it first; a search that ends beside a point, but not at it, begins again
+ * farther inside.
  *
  * @sa
  * vtkMultiDimensionalSubdivision vtkProbeFilter
@@ -64,6 +67,23 @@ public:
 
   /// Connects the points, at port 3.
   void SetPlacesConnection(vtkAlgorithmOutput* output);
+
+  enum VolumeSchemes
+  {
+    BOX_SPLINE,
+    TET_OCT
+  };
+  ///@{
+  /**
+   * How the limit of solids is smoothed inside: BOX_SPLINE (0, the default) or TET_OCT (1; no
+   * direction is preferred), see vtkMultiDimensionalSubdivision. Boundaries and creases are the
+   * same. With another SurfaceScheme than LOOP there are no solids.
+   */
+  vtkSetClampMacro(VolumeScheme, int, BOX_SPLINE, TET_OCT);
+  vtkGetMacro(VolumeScheme, int);
+  void SetVolumeSchemeToBoxSpline() { this->SetVolumeScheme(BOX_SPLINE); }
+  void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(TET_OCT); }
+  ///@}
 
   enum SurfaceSchemes
   {
@@ -114,6 +134,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+  int VolumeScheme = BOX_SPLINE;
   int SurfaceScheme = LOOP;
   bool ModifiedBoundary = false;
 

@@ -89,7 +89,7 @@ void Split(const Solid& solid, int steps, std::vector<Solid>& solids)
   }
 }
 
-TetOctPieces Make(bool isOct)
+TetOctPieces Make(bool isOct, int steps)
 {
   constexpr int all = TetOctPieces::Divisions;
   Solid whole{ isOct, 0, {} };
@@ -103,7 +103,7 @@ TetOctPieces Make(bool isOct)
     }
   }
   TetOctPieces made;
-  SplitAny(whole, TetOctPieces::Steps, made.Solids);
+  SplitAny(whole, steps, made.Solids);
   return made;
 }
 
@@ -122,10 +122,19 @@ TetOctPieces::QuarterTable MakeQuarters()
 
 }
 
-const TetOctPieces& TetOctPieces::Get(bool isOct)
+const TetOctPieces& TetOctPieces::Get(bool isOct, int steps)
 {
-  static const TetOctPieces all[2] = { Make(false), Make(true) };
-  return all[isOct ? 1 : 0];
+  static const std::vector<TetOctPieces> all = []()
+  {
+    std::vector<TetOctPieces> made;
+    for (int s = 0; s <= Steps; ++s)
+    {
+      made.push_back(Make(false, s));
+      made.push_back(Make(true, s));
+    }
+    return made;
+  }();
+  return all[static_cast<std::size_t>(2 * steps + (isOct ? 1 : 0))];
 }
 
 const TetOctPieces::QuarterTable& TetOctPieces::GetQuarters()

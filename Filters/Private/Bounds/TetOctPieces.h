@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetOctPieces.h
- * What three steps of the tet/oct scheme make of a tetrahedron and of an octahedron (Mathematics
+ * What a few steps of the tet/oct scheme make of a tetrahedron and of an octahedron (Mathematics
  * 10), and where its points are among the cells that are written.
  */
 #ifndef SubdivisionObjects_TetOctPieces_h
@@ -18,7 +18,7 @@ namespace subdivision
 struct TetOctPieces
 {
   static constexpr int Steps = 3;
-  static constexpr int Divisions = 1 << Steps; ///< of an edge
+  static constexpr int Divisions = 1 << Steps; ///< of an edge, after fewer steps too
   /// A tetrahedron has a corner at 0 and one at 8 of each axis. An octahedron has its vertices at 8
   /// and -8 of each axis, in this order.
   using Place = std::array<int, 3>;
@@ -32,7 +32,8 @@ struct TetOctPieces
   };
   std::vector<Solid> Solids; ///< after all steps
 
-  static const TetOctPieces& Get(bool isOct);
+  /// `steps`: no more than Steps.
+  static const TetOctPieces& Get(bool isOct, int steps = Steps);
 
   /// The vertices of the quarters that an octahedron is written as; the first pair is the diagonal.
   using QuarterTable = std::array<std::array<int, 4>, 4>;

@@ -55,7 +55,7 @@ void TetOctReader::ReadOct(vtkIdType first, const std::array<vtkIdType, 6>& vert
 TetOctReader::Axes TetOctReader::FindAxes(vtkIdType first, const std::array<vtkIdType, 6>& vertices)
 {
   Axes axes{};
-  for (const TetOctPieces::Solid& solid : TetOctPieces::Get(true).Solids)
+  for (const TetOctPieces::Solid& solid : TetOctPieces::Get(true, this->Steps).Solids)
   {
     for (int axis = 0; axis < 3 && solid.IsOct; ++axis)
     {
@@ -83,7 +83,7 @@ TetOctReader::Axes TetOctReader::FindAxes(vtkIdType first, const std::array<vtkI
 void TetOctReader::Read(vtkIdType first, bool isOct, const Axes& axes)
 {
   this->Points.clear();
-  for (const TetOctPieces::Solid& solid : TetOctPieces::Get(isOct).Solids)
+  for (const TetOctPieces::Solid& solid : TetOctPieces::Get(isOct, this->Steps).Solids)
   {
     if (!solid.IsOct)
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetOctReader.h
- * Reads the points of tetrahedra and octahedra of a tet/oct mesh after three further steps.
+ * Reads the points of tetrahedra and octahedra of a tet/oct mesh after a few further steps.
  */
 #ifndef SubdivisionObjects_TetOctReader_h
 #define SubdivisionObjects_TetOctReader_h
@@ -23,8 +23,10 @@ class TetOctReader
 public:
   using Place = TetOctPieces::Place;
 
-  explicit TetOctReader(vtkPointSet* fine)
+  /// `fine`: the mesh after so many steps, TetOctPieces::Steps at most.
+  explicit TetOctReader(vtkPointSet* fine, int steps = TetOctPieces::Steps)
     : Cells(fine)
+    , Steps(steps)
   {
   }
   /// `first`: the first of the cells that the solid was split into.
@@ -41,6 +43,7 @@ private:
   void Read(vtkIdType first, bool isOct, const Axes& axes);
 
   const CellReader Cells;
+  const int Steps;
   std::vector<vtkIdType> Scratch;
   std::map<Place, vtkIdType> Points;
 };

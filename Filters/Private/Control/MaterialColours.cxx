@@ -12,6 +12,7 @@
 #include "vtkCellData.h"
 #include "vtkPointData.h"
 
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -74,52 +75,85 @@ std::vector<char> FindKnownPoints(const ColouredSimplices& pieces, Partners* oth
   return isKnown;
 }
 
-/// Pairs of materials that meet in a point; both orders.
-Meetings FindMeetings(
-  const ColouredSimplices& pieces, const std::vector<int>& materialOf, Partners* others)
+/// The materials at each point that is known.
+class MaterialsAtPoints
 {
-  const std::vector<char> isKnown = FindKnownPoints(pieces, others);
-  std::vector<int> first(
-    static_cast<std::size_t>(pieces.Cells.Simplices.NumberOfPoints), NoMaterial);
-  std::vector<std::pair<vtkIdType, int>> at; // all materials of points with several
-  for (vtkIdType i = 0; i < pieces.GetSize(); ++i)
+public:
+  MaterialsAtPoints(
+    const ColouredSimplices& pieces, const std::vector<int>& materialOf, Partners* others)
+    : First(static_cast<std::size_t>(pieces.Cells.Simplices.NumberOfPoints), NoMaterial)
   {
-    for (const vtkIdType point : pieces.GetPoints(i))
+    const std::vector<char> isKnown = FindKnownPoints(pieces, others);
+    for (vtkIdType i = 0; i < pieces.GetSize(); ++i)
     {
-      int& known = first[static_cast<std::size_t>(point)];
-      if (!isKnown[static_cast<std::size_t>(point)])
+      for (const vtkIdType point : pieces.GetPoints(i))
       {
-        continue;
-      }
-      if (materialOf[i] != NoMaterial && known == NoMaterial)
-      {
-        known = materialOf[i];
-      }
-      else if (materialOf[i] != NoMaterial && known != materialOf[i])
-      {
-        at.emplace_back(point, materialOf[i]);
-        at.emplace_back(point, known);
-      }
-    }
-  }
-  std::sort(at.begin(), at.end());
-  at.erase(std::unique(at.begin(), at.end()), at.end());
-  Meetings meetings;
-  for (auto begin = at.begin(); begin != at.end();)
-  {
-    const auto end =
-      std::find_if(begin, at.end(), [&](const auto& other) { return other.first != begin->first; });
-    for (auto a = begin; a != end; ++a)
-    {
-      for (auto b = begin; b != end; ++b)
-      {
-        if (a != b)
+        int& known = this->First[static_cast<std::size_t>(point)];
+        if (!isKnown[static_cast<std::size_t>(point)] || materialOf[i] == NoMaterial)
         {
-          meetings.emplace_back(a->second, b->second);
+          continue;
+        }
+        if (known == NoMaterial)
+        {
+          known = materialOf[i];
+        }
+        else if (known != materialOf[i])
+        {
+          this->More.emplace_back(point, materialOf[i]);
         }
       }
     }
-    begin = end;
+    std::sort(this->More.begin(), this->More.end());
+    this->More.erase(std::unique(this->More.begin(), this->More.end()), this->More.end());
+  }
+
+  void Add(vtkIdType point, std::vector<int>& materials) const
+  {
+    if (this->First[static_cast<std::size_t>(point)] != NoMaterial)
+    {
+      materials.push_back(this->First[static_cast<std::size_t>(point)]);
+    }
+    for (auto at = std::lower_bound(this->More.begin(), this->More.end(),
+           std::make_pair(point, std::numeric_limits<int>::min()));
+      at != this->More.end() && at->first == point; ++at)
+    {
+      materials.push_back(at->second);
+    }
+  }
+
+private:
+  std::vector<int> First;
+  std::vector<std::pair<vtkIdType, int>> More; ///< of points with several; ascending
+};
+
+/// Pairs of materials that a cell has at its points; both orders. At a joint, rows read all
+/// neighbours: of two materials that only a third one joins, one may not take the values of the
+/// other.
+Meetings FindMeetings(
+  const ColouredSimplices& pieces, const std::vector<int>& materialOf, Partners* others)
+{
+  const MaterialsAtPoints known(pieces, materialOf, others);
+  Meetings meetings;
+  std::vector<int> here;
+  for (vtkIdType i = 0; i < pieces.GetSize(); ++i)
+  {
+    here.clear();
+    for (const vtkIdType point : pieces.GetPoints(i))
+    {
+      known.Add(point, here);
+    }
+    std::sort(here.begin(), here.end());
+    here.erase(std::unique(here.begin(), here.end()), here.end());
+    for (const int a : here)
+    {
+      for (const int b : here)
+      {
+        if (a != b)
+        {
+          meetings.emplace_back(a, b);
+        }
+      }
+    }
   }
   std::sort(meetings.begin(), meetings.end());
   meetings.erase(std::unique(meetings.begin(), meetings.end()), meetings.end());

@@ -5,11 +5,11 @@
  * several meet has a copy for each of them.
  *
  * The work of a filter knows nothing of it. Before the work, materials get colours, so that those
- * that meet have different ones, and each array of the points becomes one array for each colour
- * (see FieldName in ArrayNames.h). The last component is a weight, 1 at the points of materials of
- * that colour and 0 elsewhere; PointArrays divides by it after each operator. So a row takes values
- * of its own material only, in the proportions that it has for points. After the work, the points
- * get copies, and each copy takes its values from the array of its colour.
+ * that have points of one cell have different ones, and each array of the points becomes one array
+ * for each colour (see FieldName in ArrayNames.h). The last component is a weight, 1 at the points
+ * of materials of that colour and 0 elsewhere; PointArrays divides by it after each operator. So a
+ * row takes values of its own material only, in the proportions that it has for points. After the
+ * work, the points get copies, and each copy takes its values from the array of its colour.
  */
 #ifndef SubdivisionObjects_MaterialFields_h
 #define SubdivisionObjects_MaterialFields_h

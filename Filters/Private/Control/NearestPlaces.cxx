@@ -74,10 +74,15 @@ public:
         for (const PlaceSearch& search : searches)
         {
           NearestPlace& place = best[search.Point];
-          if (search.Place.Distance < place.Distance)
+          const double before = place.Distance;
+          if (search.Place.Distance < before)
           {
             place = search.Place;
             this->AddBeside(search, next);
+            if (place.Distance < 0.5 * before)
+            {
+              this->AddInside(search, next);
+            }
           }
         }
         searches = std::move(next);
@@ -206,6 +211,37 @@ private:
         searches.push_back(next);
       }
     }
+  }
+
+  /// Adds a search in the same solid, farther from its faces, if a point is so near to the place
+  /// that it most likely lies inside. Beside an edge at which the boundary is smooth, or an end of
+  /// one, the limit nearly stands still in one direction, and a search may end long before the
+  /// point.
+  void AddInside(const PlaceSearch& search, std::vector<PlaceSearch>& searches) const
+  {
+    if (this->Cells.Dimensions[search.Place.Cell] < 3)
+    {
+      return;
+    }
+    constexpr double near = 1e-4;
+    constexpr double rounding = 1e-13;
+    double size = 0.; // of the cell
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector& slope = search.AtBest[PlaceParts::First + k];
+      size = std::max(size, std::hypot(slope[0], slope[1], slope[2]));
+    }
+    if (search.Place.Distance > near * size || search.Place.Distance <= rounding * size)
+    {
+      return;
+    }
+    PlaceSearch next{ search.Point, search.Place };
+    std::array<double, 4>& weights = next.Place.Weights;
+    const auto most = std::max_element(weights.begin(), weights.end());
+    const double kept = *most;
+    weights.fill((1. - kept) / 3.);
+    *most = kept;
+    searches.push_back(next);
   }
 
   const SearchedCells& Cells;

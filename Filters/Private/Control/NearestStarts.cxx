@@ -18,11 +18,7 @@
 
 namespace subdivision
 {
-namespace
-{
 
-/// A place in a part of a simplex as one of the simplex, by the number of the part after some
-/// steps.
 std::array<double, 4> LeavePartOfSimplex(
   int dimension, int levels, vtkIdType part, std::array<double, 4> weights)
 {
@@ -44,6 +40,9 @@ std::array<double, 4> LeavePartOfSimplex(
   }
   return weights;
 }
+
+namespace
+{
 
 /// The same in a quad, whose parts have the numbers of its corners.
 std::array<double, 4> LeavePartOfQuad(int levels, vtkIdType part, std::array<double, 2> at)

@@ -22,6 +22,11 @@
 namespace subdivision
 {
 
+/// A place in a part of a simplex as one of the simplex, by the number of the part after some steps
+/// as the box spline splits it.
+std::array<double, 4> LeavePartOfSimplex(
+  int dimension, int levels, vtkIdType part, std::array<double, 4> weights);
+
 class NearestStarts
 {
 public:

@@ -206,6 +206,14 @@ void AdvanceInSimplex(PlaceSearch& search, int dimension, const Slope& slope)
       stops = i;
     }
   }
+  if (dimension == 3 && stops >= 0 && !search.MetFaces[stops])
+  {
+    // Along a face the nearest place may be one that is not even nearer than all around it inside.
+    constexpr double mostOfTheWay = 0.9;
+    search.MetFaces[stops] = true;
+    part *= mostOfTheWay;
+    stops = -1;
+  }
   for (int i = 0; i <= dimension; ++i)
   {
     weights[i] = i == stops ? 0. : std::max(0., weights[i] + part * step[i]);
@@ -306,10 +314,17 @@ void SetDamping(PlaceSearch& search, bool isWorse)
   constexpr double little = 0.1;
   constexpr double much = 0.3;
   constexpr double first = 1.;
-  constexpr double least = 0.01;
   if (isWorse)
   {
-    search.Damping = search.Damping == 0. ? first : search.Damping * search.Growth;
+    if (search.Damping == 0.)
+    {
+      search.Damping = std::min(first, search.LeastDamping * search.Growth);
+      search.LeastDamping *= 0.01;
+    }
+    else
+    {
+      search.Damping *= search.Growth;
+    }
     search.Growth *= 2.;
     return;
   }
@@ -322,7 +337,7 @@ void SetDamping(PlaceSearch& search, bool isWorse)
   }
   else if (done > much * search.Promise)
   {
-    search.Damping = search.Damping < least ? 0. : 0.25 * search.Damping;
+    search.Damping = search.Damping < search.LeastDamping ? 0. : 0.25 * search.Damping;
   }
 }
 

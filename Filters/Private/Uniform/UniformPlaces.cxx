@@ -8,6 +8,7 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/NearestPlaces.h"
 #include "Private/Control/PlaceOutput.h"
+#include "Private/Uniform/StartPieces.h"
 
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
@@ -164,10 +165,16 @@ bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme:
   options.Places = nullptr;
   options.Levels = levels;
   options.Warn = [](const std::string&) {}; // this run has told all
-  vtkNew<vtkUnstructuredGrid> fine;
+  auto fine = vtkSmartPointer<vtkUnstructuredGrid>::New();
   if (!UniformRun(this->Input, options, fine).Run())
   {
     return false;
+  }
+  if constexpr (Scheme::Traits.HasPieces)
+  {
+    Buffer<vtkIdType> octahedra(simplices.GetNumberOfSimplices());
+    NumberOctahedra(this->Control.Runs, Scheme::CountSteps(level), octahedra.data());
+    fine = CutSolidsAnew(fine, simplices, octahedra, levels);
   }
   std::vector<vtkIdType> starts{ 0 };
   std::vector<int> counts(static_cast<std::size_t>(this->Input->GetNumberOfCells()), 0);

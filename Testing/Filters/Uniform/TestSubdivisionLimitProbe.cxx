@@ -4,16 +4,12 @@
  * Nearest places on the limit: known places are found again, and no vertex of a fine level is
  * nearer.
  */
-#include "MultiDimensionalSubdivisionTools.h"
-#include "PlaceTools.h"
+#include "LimitProbeTools.h"
 
 #include "vtkMultiBlockDataSet.h"
-#include "vtkPolyData.h"
 #include "vtkStaticPointLocator.h"
-#include "vtkSubdivisionLimitProbe.h"
-#include "vtkSubdivisionModelSource.h"
 
-using namespace multi_dimensional_subdivision_tools;
+using namespace limit_probe_tools;
 
 namespace
 {
@@ -40,97 +36,16 @@ Grid MakeSurface()
   return MakeGrid(points, cells);
 }
 
-Grid MakeModel(int model)
-{
-  vtkNew<vtkSubdivisionModelSource> source;
-  source->SetModel(model);
-  source->Update();
-  const auto grid = DeepCopy(vtkUnstructuredGrid::SafeDownCast(source->GetOutput()));
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->DeepCopy(grid->GetPoints());
-  grid->SetPoints(points);
-  grid->GetPointData()->AddArray(
-    MakeArray<vtkDoubleArray>("Random", 1, grid->GetNumberOfPoints(), -1., 1., 7));
-  return grid;
-}
-
 /// Switches ModifiedBoundary on, with angles of corners.
-template <typename FilterType>
-void ModifyBoundary(FilterType* filter)
+struct ModifyBoundary
 {
-  filter->ModifiedBoundaryOn();
-  filter->SetInputArrayToProcess(10, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Angle");
-}
-
-/// Runs the filter and copies its output, which has to fit together.
-vtkSmartPointer<vtkPolyData> Probe(
-  vtkUnstructuredGrid* mesh, const std::vector<Point>& targets, bool modifiedBoundary = false)
-{
-  vtkNew<vtkSubdivisionLimitProbe> filter;
-  if (modifiedBoundary)
+  template <typename Filter>
+  void operator()(Filter* filter) const
   {
-    ModifyBoundary(filter.Get());
+    filter->ModifiedBoundaryOn();
+    filter->SetInputArrayToProcess(10, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Angle");
   }
-  filter->SetInputDataObject(3, place_tools::MakeTargets(targets));
-  const auto found = UpdateWithoutErrors<vtkPolyData>(filter.Get(), mesh);
-  EXPECT_EQ(found->GetNumberOfPoints(), static_cast<vtkIdType>(targets.size()));
-  EXPECT_EQ(found->GetNumberOfVerts(), found->GetNumberOfPoints());
-  vtkNew<vtkMultiDimensionalSubdivision> evaluator;
-  if (modifiedBoundary)
-  {
-    ModifyBoundary(evaluator.Get());
-  }
-  evaluator->SetInputData(mesh);
-  vtkNew<vtkPolyData> again;
-  EXPECT_TRUE(evaluator->EvaluateLimit(
-    vtkIdTypeArray::SafeDownCast(found->GetPointData()->GetArray("CellId")),
-    found->GetPointData()->GetArray("CellParameters"), again));
-  for (vtkIdType i = 0; i < found->GetNumberOfPoints(); ++i)
-  {
-    const Point p = GetPoint(found, i);
-    const Point q = GetPoint(again, i);
-    double distance = 0.;
-    for (int c = 0; c < 3; ++c)
-    {
-      EXPECT_NEAR(p[c], q[c], 1e-12 * mesh->GetLength()) << i;
-      distance += (p[c] - targets[i][c]) * (p[c] - targets[i][c]);
-    }
-    EXPECT_NEAR(found->GetPointData()->GetArray("Distance")->GetComponent(i, 0),
-      std::sqrt(distance), 1e-12 * mesh->GetLength());
-  }
-  return found;
-}
-
-/// Expects that no vertex of a fine level is nearer than the probe's places by `tolerance`, and
-/// none of these much nearer. Returns how many have a vertex that is nearer.
-int ExpectNoVertexIsNearer(const Grid& mesh, const std::vector<Point>& targets, int levels,
-  double spacing, double tolerance = 1e-12)
-{
-  int count = 0;
-  const auto found = Probe(mesh, targets);
-  vtkNew<vtkMultiDimensionalSubdivision> fine;
-  fine->SetNumberOfLevels(levels);
-  fine->ProjectToLimitOn();
-  fine->SetInputData(mesh);
-  fine->Update();
-  for (std::size_t t = 0; t < targets.size(); ++t)
-  {
-    double least = VTK_DOUBLE_MAX;
-    for (vtkIdType i = 0; i < fine->GetOutput()->GetNumberOfPoints(); ++i)
-    {
-      const Point p = GetPoint(fine->GetOutput(), i);
-      least = std::min(
-        least, std::hypot(p[0] - targets[t][0], p[1] - targets[t][1], p[2] - targets[t][2]));
-    }
-    const double distance =
-      found->GetPointData()->GetArray("Distance")->GetComponent(static_cast<vtkIdType>(t), 0);
-    EXPECT_LE(distance, least + tolerance) << t;
-    EXPECT_GE(distance, least - spacing) << t;
-    count += distance > least + 1e-12 * (1. + least) ? 1 : 0;
-  }
-  return count;
-}
+};
 
 }
 
@@ -144,35 +59,6 @@ TEST(SubdivisionLimitProbe, NoVertexOfAFineLevelIsNearer)
     targets.push_back({ 7. * draw() - 1., 6. * draw() - 1., draw() - 0.5 }); // some beside it
   }
   ExpectNoVertexIsNearer(MakeSurface(), targets, 5, 0.03); // vertices are as far apart
-}
-
-/// From far away, where sides of solids are curved: steps that count them as flat lead beyond the
-/// place. A few searches end at another place to which nothing around it is nearer; with flat steps
-/// 116 of 480 ended too far away.
-TEST(SubdivisionLimitProbe, HardlyAVertexOfASolidIsNearerToAPointFarAway)
-{
-  std::mt19937 random(5);
-  const auto draw = [&random](double size) { return size * (random() / 2147483648. - 1.); };
-  int count = 0;
-  for (int mesh = 0; mesh < 12; ++mesh)
-  {
-    SCOPED_TRACE(mesh);
-    std::vector<Point> points;
-    for (int i = 0; i < 6; ++i)
-    {
-      points.push_back({ draw(1.), draw(1.), draw(1.) });
-    }
-    std::vector<Point> targets;
-    for (int i = 0; i < 40; ++i)
-    {
-      targets.push_back({ draw(20.), draw(20.), draw(20.) });
-    }
-    const Grid solid = MakeGrid(points,
-      { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 1, 2, 3, 4 } },
-        { VTK_TETRA, { 2, 3, 4, 5 } } });
-    count += ExpectNoVertexIsNearer(solid, targets, 4, 0.1, 0.02);
-  }
-  EXPECT_LE(count, 24); // 18 were found
 }
 
 /// A place that was moved along the normal is found again; so are places on curves.
@@ -337,7 +223,7 @@ TEST(SubdivisionLimitProbe, FootPointsOfModifiedBoundary)
     evaluator->SetInputData(mesh);
     if (modified)
     {
-      ModifyBoundary(evaluator.Get());
+      ModifyBoundary()(evaluator.Get());
     }
     const auto at = vtkSmartPointer<vtkPolyData>::New();
     EXPECT_TRUE(evaluator->EvaluateLimit(cells, parameters, at));
@@ -346,7 +232,7 @@ TEST(SubdivisionLimitProbe, FootPointsOfModifiedBoundary)
   const auto at = evaluate(true);
   const auto plain = evaluate(false);
   const std::vector<Point> targets = place_tools::MoveAlongNormals(at, 0.05);
-  const auto found = Probe(mesh, targets, true);
+  const auto found = Probe(mesh, targets, ModifyBoundary());
   double difference = 0.;
   for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
   {
@@ -359,44 +245,6 @@ TEST(SubdivisionLimitProbe, FootPointsOfModifiedBoundary)
     }
   }
   EXPECT_GT(difference, 0.01); // so that a filter without the option fails
-}
-
-TEST(SubdivisionLimitProbe, PointsInsideSolidsAreTheirOwnPlaces)
-{
-  const Grid mesh = MakeModel(vtkSubdivisionModelSource::CYLINDER);
-  vtkNew<vtkMultiDimensionalSubdivision> evaluator;
-  evaluator->SetInputData(mesh);
-  vtkNew<vtkIdTypeArray> cells;
-  vtkNew<vtkDoubleArray> parameters;
-  parameters->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); i += 11)
-  {
-    if (mesh->GetCellType(i) == VTK_TETRA)
-    {
-      cells->InsertNextValue(i);
-      parameters->InsertNextTuple3(0.31, 0.22, 0.17);
-    }
-  }
-  vtkNew<vtkPolyData> at;
-  ASSERT_TRUE(evaluator->EvaluateLimit(cells, parameters, at));
-  std::vector<Point> targets;
-  for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
-  {
-    targets.push_back(GetPoint(at, i));
-  }
-  const auto found = Probe(mesh, targets);
-  for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
-  {
-    EXPECT_NEAR(found->GetPointData()->GetArray("Distance")->GetComponent(i, 0), 0., 1e-12);
-    EXPECT_NEAR(found->GetPointData()->GetArray("Random")->GetComponent(i, 0),
-      at->GetPointData()->GetArray("Random")->GetComponent(i, 0), 1e-9);
-    for (int k = 0; k < 3; ++k)
-    {
-      EXPECT_NEAR(found->GetPointData()->GetArray("CellParameters")->GetComponent(i, k),
-        parameters->GetComponent(i, k), 1e-9);
-    }
-    EXPECT_EQ(found->GetPointData()->GetArray("CellId")->GetComponent(i, 0), cells->GetValue(i));
-  }
 }
 
 TEST(SubdivisionLimitProbe, SplitCellsAndErrors)
