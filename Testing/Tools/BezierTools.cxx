@@ -3,6 +3,8 @@
 
 #include "vtkGenericCell.h"
 
+#include <map>
+
 namespace bezier_tools
 {
 
@@ -198,6 +200,50 @@ Grid MakeTrapezohedron(int n)
   const Grid grid = MakeGrid(Shake(points, 0.1), cells);
   AddScalar(grid);
   return grid;
+}
+
+Grid TakeSolids(vtkUnstructuredGrid* mesh)
+{
+  std::vector<Point> points;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    points.push_back(GetPoint(mesh, i));
+  }
+  std::vector<Cell> cells;
+  for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
+  {
+    if (mesh->GetCellType(c) == VTK_TETRA)
+    {
+      cells.push_back({ VTK_TETRA, GetCell(mesh, c) });
+    }
+  }
+  return MakeGrid(points, cells);
+}
+
+Grid TakeBoundary(vtkUnstructuredGrid* solid)
+{
+  std::map<Ids, Ids> once;
+  for (vtkIdType c = 0; c < solid->GetNumberOfCells(); ++c)
+  {
+    const Ids ids = GetCell(solid, c);
+    for (const Ids& face : { Ids{ ids[1], ids[2], ids[3] }, Ids{ ids[0], ids[3], ids[2] },
+           Ids{ ids[0], ids[1], ids[3] }, Ids{ ids[0], ids[2], ids[1] } })
+    {
+      Ids sorted = face;
+      std::sort(sorted.begin(), sorted.end());
+      if (!once.emplace(sorted, face).second)
+      {
+        once.erase(sorted);
+      }
+    }
+  }
+  const auto boundary = Grid::New();
+  boundary->SetPoints(solid->GetPoints());
+  for (const auto& [sorted, face] : once)
+  {
+    boundary->InsertNextCell(VTK_TRIANGLE, 3, face.data());
+  }
+  return boundary;
 }
 
 }

@@ -49,6 +49,12 @@ Grid MakeOctahedron();
 /// Two poles with n quads around each: vertices of n and of three quads.
 Grid MakeTrapezohedron(int n);
 
+/// The tetrahedra of a mesh, with its points in double precision and no data.
+Grid TakeSolids(vtkUnstructuredGrid* mesh);
+
+/// The triangles at the border of tetrahedra, as these turn them outwards.
+Grid TakeBoundary(vtkUnstructuredGrid* solid);
+
 }
 
 #endif

@@ -425,33 +425,6 @@ TEST(BezierCells, FacesThatAreNoQuadsAreSplit)
 namespace
 {
 
-/// The triangles at the border of tetrahedra, as these turn them outwards.
-Grid TakeBoundary(vtkUnstructuredGrid* solid)
-{
-  std::map<Ids, Ids> once;
-  for (vtkIdType c = 0; c < solid->GetNumberOfCells(); ++c)
-  {
-    const Ids ids = GetCell(solid, c);
-    for (const Ids& face : { Ids{ ids[1], ids[2], ids[3] }, Ids{ ids[0], ids[3], ids[2] },
-           Ids{ ids[0], ids[1], ids[3] }, Ids{ ids[0], ids[2], ids[1] } })
-    {
-      Ids sorted = face;
-      std::sort(sorted.begin(), sorted.end());
-      if (!once.emplace(sorted, face).second)
-      {
-        once.erase(sorted);
-      }
-    }
-  }
-  const auto boundary = Grid::New();
-  boundary->SetPoints(solid->GetPoints());
-  for (const auto& [sorted, face] : once)
-  {
-    boundary->InsertNextCell(VTK_TRIANGLE, 3, face.data());
-  }
-  return boundary;
-}
-
 /// The area of the triangles of a mesh, of which quads are two, or the volume that they enclose: by
 /// the theorem of Gauss the sum of those of the tetrahedra between them and the origin.
 double MeasureMesh(vtkPointSet* mesh, bool ofVolume)
@@ -474,8 +447,8 @@ double MeasureMesh(vtkPointSet* mesh, bool ofVolume)
   return sum;
 }
 
-/// Compares a size with that of level 8 on the limit. The error of linear cells falls by 4 with each
-/// level, so that levels 7 and 8 tell the exact size, and whether this is so.
+/// Compares a size with that of level 8 on the limit. The error of linear cells falls by 4 with
+/// each level, so that levels 7 and 8 tell the exact size, and whether this is so.
 template <typename FilterClass>
 void ExpectSizeOfLevel8(
   FilterClass* filter, vtkDataObject* input, bool ofVolume, double found, double tolerance)

@@ -185,6 +185,22 @@ void PlaceInPart::GoToChild(int dimension, int child)
       this->At[i] = 1. - std::accumulate(this->At.begin(), this->At.end(), 0.);
     }
   }
+  this->MoveInside();
+}
+
+void PlaceInPart::MoveInside()
+{
+  if (*std::min_element(this->At.begin(), this->At.end()) >= 0.)
+  {
+    return;
+  }
+  for (double& weight : this->At)
+  {
+    weight = std::max(weight, 0.);
+  }
+  double& most = *std::max_element(this->At.begin(), this->At.end());
+  most = 0.;
+  most = 1. - std::accumulate(this->At.begin(), this->At.end(), 0.);
 }
 
 int PlaceInPart::FindChild(int dimension) const

@@ -59,6 +59,9 @@ struct PlaceInPart
   void GoToChild(int dimension, int child);
   /// The child with the place.
   int FindChild(int dimension) const;
+  /// A place that rounding has put beside a face goes on the face. Each split would double the
+  /// distance, and beside what is never regular there are many.
+  void MoveInside();
 };
 
 template <typename Id>
@@ -75,6 +78,7 @@ PlaceInPart StartPart(const LimitPlace<Id>& place)
     part.Directions[k - 1][corner] = 1.;
     part.Directions[k - 1][first] = -1.;
   }
+  part.MoveInside();
   return part;
 }
 
