@@ -534,7 +534,8 @@ def draw():
                  criteria, criteria_of_places, adaptive_criteria, deformation_levels, outside_points, cages, labels,
                  topology, scheme_pictures.modified_boundary, scheme_pictures.error_bounds,
                  scheme_pictures.smoothness, scheme_pictures.maps_of_surfaces, scheme_pictures.maps_of_faces,
-                 scheme_pictures.maps_of_solids, scheme_pictures.basis_functions, dimensions, models, figure):
+                 scheme_pictures.maps_of_solids, scheme_pictures.basis_functions,
+                 scheme_pictures.basis_functions_of_solids, dimensions, models, figure):
         make()
     print(f"What properties do is in gallery_*.png in {os.getcwd()}, and small in the folder guide.")
 

@@ -146,6 +146,23 @@ def basis_functions():
     write("basis_functions", shown, VIEW, 3)
 
 
+def basis_functions_of_solids():
+    """Of points of the flower, cut open, whose solid head, surfaces and curve are one object: each function reaches into all
+    of them that meet at its point."""
+    model = simple.SubdivisionModel(Model="MixedDimensions")
+    shown = []
+    for words, point in (("of the solid", 7), ("of solid and surfaces", 8), ("of solid and curve", 0),
+                         ("of surfaces and curve", 72)):
+        found = output(simple.MultidimensionalSubdivision(Input=model, NumberOfLevels=4, ProjectToLimit=1, BasisPoint=point))
+        largest = vtk_to_numpy(found.GetPointData().GetArray("BasisFunction")).max()
+        points = look.used_points(found)
+        size = np.linalg.norm(points.max(axis=0) - points.min(axis=0))
+        colours = ("point", "BasisFunction", look.tension_colours(-0.4 * largest, largest))
+        actors = look.cut_actors(found, look.middle_plane(points, (0.0, -1.0, 0.0)), colours, size)
+        shown.append((f"A point {words}\nblue: 0, red: {largest:.2f}", actors, points[points[:, 2] > -3.0]))
+    write("basis_functions_of_solids", shown, VIEW, 2)
+
+
 def border_fan(count):
     """Triangles on one side of a point of a border, once more around, not flat."""
     turns = np.pi * np.arange(count + 1) / count

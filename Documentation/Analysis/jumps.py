@@ -42,15 +42,18 @@ class Measured:
         return int(((here < there) | (here < self.noise))[self.smooth].sum())
 
 
-def gradient_jumps(points, values, cells_):
+def gradient_jumps(points, values, cells, turn=None, slope=0.):
     """For each of several positions (points, seeds, coordinates) with values (points, seeds): the largest difference
-    between gradients of linear functions on cells, by their largest length."""
+    between gradients of linear functions on cells, by their largest length. Gradients are first turned by a matrix, and lengths
+    are those with a slope that was taken from the values."""
     points, values = np.moveaxis(points, 1, 0), np.moveaxis(values, 1, 0)
-    edges = points[:, cells_[:, 1:]] - points[:, cells_[:, :1]]
-    rises = values[:, cells_[:, 1:]] - values[:, cells_[:, :1]]
+    edges = points[:, cells[:, 1:]] - points[:, cells[:, :1]]
+    rises = values[:, cells[:, 1:]] - values[:, cells[:, :1]]
     gradients = np.linalg.solve(edges, rises[..., None])[..., 0]
+    if turn is not None:
+        gradients = np.einsum("sij,scj->sci", turn, gradients)
     spread = np.linalg.norm(gradients[:, :, None] - gradients[:, None], axis=3).max(axis=(1, 2))
-    return spread / np.linalg.norm(gradients, axis=2).max(axis=1)
+    return spread / np.linalg.norm(gradients + slope, axis=2).max(axis=1)
 
 
 # ------------------------------------------------------------ levels of which only what is near is kept

@@ -5,7 +5,7 @@ import itertools
 
 import filter_maps
 import numpy as np
-from jumps import LEVELS, SEEDS, Measured, gradient_jumps
+from jumps import DEEP, LEVELS, NOISE, SEEDS, Measured, gradient_jumps
 from pages import number
 from solid_maps import (BOX_SPLINE, TET_OCT, edge_star, is_smooth, middle_of_edge, moduli, random_star, solid,
                         solids_of, star_matrix, subdivide, tets_of, vertex_star)
@@ -17,8 +17,6 @@ from subdivisionobjects import vtkMultiDimensionalSubdivision
 
 LINEAR = vtkMultiDimensionalSubdivision.LINEAR
 SCHEMES = {BOX_SPLINE: "BOX_SPLINE", TET_OCT: "TET_OCT"}
-DEEP = (16, 32)  # positions are flat on deeper ones, as l1 is larger than l3
-NOISE = 1e-7
 MESHES = 1  # of random stars whose powers are compared with meshes
 WHOLE = 5  # levels of meshes of which nothing is left out
 FACE_STARS = 5
@@ -84,6 +82,34 @@ def star_cells(made, vertex, ids):
     return np.array([sorted(numbers[int(v)] for v in tet) for tet in tets[(tets == vertex).any(axis=1)]])
 
 
+class Straight:
+    """Positions and heights of several seeds around a vertex. Positions become flat with the level, as l1 is larger than l3,
+    and jumps small beside slopes; so both are kept straight: positions = points @ inverse of `turn`, and the heights are
+    those over what has a `slope`."""
+
+    def __init__(self, x):
+        x = np.moveaxis(x.reshape(len(x), -1, 4), 1, 0)
+        self.points, self.heights = x[..., :3], x[..., 3]
+        self.turn, self.slope = np.eye(3)[None], np.zeros((len(x), 3))
+        self.straighten()
+
+    def straighten(self):
+        self.points, factor = np.linalg.qr(self.points - self.points[:, :1])
+        self.points = self.points - self.points[:, :1]
+        self.turn = self.turn @ np.linalg.inv(factor)
+        self.heights = self.heights - self.heights[:, :1]
+        over = np.einsum("snj,sn->sj", self.points, self.heights)
+        self.heights = self.heights - np.einsum("snj,sj->sn", self.points, over)
+        self.slope = self.slope + np.einsum("sij,sj->si", self.turn, over)
+
+    def step(self, matrix):
+        self.points, self.heights = matrix @ self.points, self.heights @ matrix.T
+        self.straighten()
+
+    def jumps(self, cells):
+        return gradient_jumps(np.moveaxis(self.points, 1, 0), self.heights.T, cells, self.turn, self.slope[:, None])
+
+
 def jumps_by_level(control, vertex_of, scheme, values, meshes):
     """(jumps by level of values (points, seeds, 4), which are positions and heights, the moduli of eigenvalues)."""
     add(control.GetPointData(), "x", values.reshape(len(values), -1))
@@ -91,14 +117,16 @@ def jumps_by_level(control, vertex_of, scheme, values, meshes):
     vertex = vertex_of(first)
     matrix, ids = star_matrix(first, vertex, scheme)
     cells, x, found = star_cells(first, vertex, ids), point_array(first, "x")[ids], {}
+    for level, make in meshes.items():
+        expected = np.linalg.matrix_power(matrix, level - 1) @ x
+        check(*make(control, vertex_of, scheme), expected - expected[0])
+    straight = Straight(x)
     for level in range(1, DEEP[-1] + 1):
-        x = x - x[0]
         if level in LEVELS + DEEP:
-            each = x.reshape(len(x), -1, 4)
-            found[level] = gradient_jumps(each[..., :3], each[..., 3], cells)
-        if level in meshes:
-            check(*meshes[level](control, vertex_of, scheme), x)
-        x = matrix @ x
+            found[level] = straight.jumps(cells)
+            if found[level].max() < NOISE:
+                break
+        straight.step(matrix)
     return found, moduli(matrix)
 
 
@@ -115,11 +143,11 @@ def measure_vertex(scheme, valence):
         values = np.column_stack([coordinates(control), random.uniform(-1, 1, valence + 1)])
         found, behind = jumps_by_level(control, lambda _: 0, scheme, values[:, None],
                                        {LEVELS[-1]: cut_mesh} if seed < MESHES else {})
-        for level, jump in found.items():
-            jumps.setdefault(level, []).extend(jump)
+        for level in LEVELS + DEEP:
+            jumps.setdefault(level, []).extend(found.get(level, [0.]))
         expected.append(behind[3] / behind[2])
         smooth.append(promises(control, scheme, [0], behind))
-    return Measured({level: np.array(jump) for level, jump in jumps.items()}, np.array(expected), np.array(smooth), NOISE)
+    return Measured({level: np.array(jump) for level, jump in jumps.items()}, np.array(expected), np.array(smooth))
 
 
 def measure_edge(scheme, n, height, meshes):
@@ -132,7 +160,7 @@ def measure_edge(scheme, n, height, meshes):
         values[:, seed, 3] = random.uniform(-1, 1, n + 2)
     found, behind = jumps_by_level(control, lambda first: middle_of_edge(first, n), scheme, values, meshes)
     return Measured(found, np.full(SEEDS, behind[3] / behind[2]),
-                    np.full(SEEDS, promises(control, scheme, [0, 1], behind)), NOISE)
+                    np.full(SEEDS, promises(control, scheme, [0, 1], behind)))
 
 
 # ------------------------------------------------------------ both sides of faces
