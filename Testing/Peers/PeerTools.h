@@ -98,17 +98,21 @@ inline Model SplitTriangles(const Model& model)
   return made;
 }
 
-/// Closed meshes with random points. Triangles: vertices of 3 to 24 faces.
+/// Closed meshes with random points. All numbers of faces at a vertex from 3 to 24 occur, around
+/// poles and, where triangles are split, beside each other.
 inline std::map<std::string, Model> MakeClosedMeshes(bool triangles)
 {
   std::map<std::string, Model> meshes;
   meshes["tetrahedron"].Faces = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } };
   meshes["tetrahedron"].Points.resize(4);
   meshes["torus"] = MakeTorus(5, 4, triangles);
-  for (int k : { 3, 4, 5, 6, 7, 12 })
+  for (int k = 3; k <= 24; ++k)
   {
     meshes["bipyramid " + std::to_string(k)] = MakeBipyramid(k);
-    meshes["split bipyramid " + std::to_string(k)] = SplitTriangles(MakeBipyramid(k));
+    if (k <= 12)
+    {
+      meshes["split bipyramid " + std::to_string(k)] = SplitTriangles(MakeBipyramid(k));
+    }
     if (!triangles)
     {
       meshes["prism " + std::to_string(k)] = MakePrism(k);
