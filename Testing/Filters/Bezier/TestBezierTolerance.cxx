@@ -9,6 +9,8 @@
 
 #include "Private/Bezier/PatchShape.h"
 
+#include "vtkXMLUnstructuredGridWriter.h"
+
 #include <map>
 
 using namespace bezier_tools;
@@ -365,4 +367,51 @@ TEST(BezierTolerance, IsKeptBySolids)
     CheckGrid(MakeTets(), 2, tolerance, found);
   }
   found.Expect(20);
+}
+
+namespace
+{
+
+/// The bytes of a .vtu file, as VTK writes it by default, of points and cells.
+std::size_t MeasureFile(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkUnstructuredGrid> bare;
+  bare->CopyStructure(grid);
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(bare);
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  return writer->GetOutputString().size();
+}
+
+}
+
+/// Linear cells on the limit need so many levels that their error bounds are below the tolerance.
+TEST(BezierTolerance, FilesAreSmallerThanOfLinearCells)
+{
+  for (const int n : { 4, 5 })
+  {
+    const Grid input = MakeBipyramid(n);
+    for (const double tolerance : { 1e-2, 1e-3 })
+    {
+      const Grid bezier =
+        MakeBezier(input, 5, [=](Filter* made) { made->SetBezierTolerance(tolerance); });
+      vtkNew<Filter> filter;
+      filter->ProjectToLimitOn();
+      filter->GenerateErrorBoundsOn();
+      Grid linear;
+      double range[2] = { 0., 1e9 };
+      for (int levels = 1; levels < 7 && range[1] > tolerance * bezier->GetLength(); ++levels)
+      {
+        filter->SetNumberOfLevels(levels);
+        linear = UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input);
+        linear->GetCellData()->GetArray("ErrorBound")->GetRange(range);
+      }
+      ASSERT_LE(range[1], tolerance * bezier->GetLength());
+      const std::size_t sizes[2] = { MeasureFile(bezier), MeasureFile(linear) };
+      std::cout << bezier->GetNumberOfCells() << " and " << linear->GetNumberOfCells() << " cells, "
+                << sizes[0] << " and " << sizes[1] << " bytes\n";
+      EXPECT_LT(sizes[0], sizes[1]);
+    }
+  }
 }
