@@ -283,16 +283,15 @@ public:
    * component. The bounds hold for the points and values of the output, whether they are projected
    * to the limit or not, but for rounding in double precision. They are at most 3 times the truth
    * in all that was tried, unless the truth is rounding, or less than 1/640 of what is first found
-   * (1/160000 in lines): Mathematics 14.
+   * (1/140000 in lines): Mathematics 14.
    *
    * They are read off a mesh of 3 more levels, 64 times as many faces (SQRT_THREE: 4 more, 81
    * times), which counts for MaximumNumberOfCells and memory. For LOOP, CATMULL_CLARK, SQRT_THREE
    * and LINEAR. With a warning the filter makes no bounds where it has no proof: with other
    * schemes, Bezier cells, negative weights (flatness at corners), seams that are joined, faces
-   * that are no quads if NumberOfLevels = 0 (CATMULL_CLARK; SQRT_THREE: no triangles), borders and
-   * creases after an odd NumberOfLevels (SQRT_THREE), creases that are sharp for more than one
-   * level after the last, InterfaceValues = DISCONTINUOUS_VALUES, and on several ranks. Off by
-   * default.
+   * that are no quads if NumberOfLevels = 0 (CATMULL_CLARK), borders and creases after an odd
+   * NumberOfLevels (SQRT_THREE), creases that are sharp for more than one level after the last,
+   * InterfaceValues = DISCONTINUOUS_VALUES, and on several ranks. Off by default.
    */
   vtkSetMacro(GenerateErrorBounds, bool);
   vtkGetMacro(GenerateErrorBounds, bool);

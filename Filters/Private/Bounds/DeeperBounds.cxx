@@ -2,6 +2,7 @@
 #include "Private/Bounds/DeeperBounds.h"
 
 #include "Core/Memory/UnevenRanges.h"
+#include "Private/Bounds/StepFactors.h"
 #include "Private/Bounds/VectorRanges.h"
 
 #include <algorithm>
@@ -30,20 +31,6 @@ bool CanHelp(const CellBound& bound, const NestedPieces& pieces, vtkIdType cell,
     bound.Largest <= NearBound * bound.Least * std::pow(ofStep, CountFurtherSteps(pieces, cell));
 }
 
-Buffer<double> ApplyFactors(
-  const Sectors::Step& factors, const Buffer<double>& values, int components)
-{
-  Buffer<double> result;
-  for (const MatrixFactors::Matrix* factor : factors)
-  {
-    Buffer<double> next(components * factor->GetNumberOfRows());
-    factor->Apply(
-      factor == factors.front() ? values.data() : result.data(), next.data(), components);
-    result = std::move(next);
-  }
-  return result;
-}
-
 class Tightener
 {
 public:
@@ -63,8 +50,10 @@ private:
     std::vector<Part> Wanted;
     std::vector<vtkIdType> Roots;
   };
-  /// About so many parts are looked at together, so that their memory is small.
+  /// About so many parts are looked at together, so that their memory is small. Where edges are cut
+  /// into thirds all triangles at a part are cut out with it, at a vertex of many again each time.
   static constexpr std::size_t Batch = 64;
+  static constexpr std::size_t BatchInThirds = 512;
 
   void AddParts(const NestedPieces& pieces, vtkIdType cell, vtkIdType root, const CellBound& bound,
     double rounding, Parts& parts);
@@ -130,12 +119,13 @@ bool Tightener::Look(
   const SteppedPieces& pieces, const BoundedValues& values, const Parts& parts, int further)
 {
   const int components = values.Components;
+  const std::size_t batch = pieces.Pieces.HasThirds() ? BatchInThirds : Batch;
   std::size_t end = 0;
   for (std::size_t begin = 0; begin < parts.Wanted.size(); begin = end)
   {
     // All parts of a cell together: what it gets does not depend on other cells.
     while (end < parts.Wanted.size() &&
-      (end < begin + Batch || parts.Roots[end] == parts.Roots[end - 1]))
+      (end < begin + batch || parts.Roots[end] == parts.Roots[end - 1]))
     {
       ++end;
     }
@@ -207,7 +197,7 @@ void AddSamples(const NestedPieces& pieces, const BoundedValues& values,
         for (vtkIdType place = first; place < pieces.GetFirstPlace(cell + 1); ++place)
         {
           const vtkIdType point = pieces.GetPoint(place);
-          if (point < pieces.GetNumberOfPoints(NestedPieces::Steps - 1))
+          if (values.Components * point < limits.size())
           {
             std::copy_n(
               limits.data() + values.Components * point, values.Components, difference.data());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DeeperCells.h
- * Parts of cells as cells of their own, one step deeper.
+ * Parts of cells as cells of their own, one step (of sqrt(3) two) deeper.
  */
 #ifndef SubdivisionObjects_DeeperCells_h
 #define SubdivisionObjects_DeeperCells_h

@@ -3,17 +3,18 @@
 
 #include "Core/Memory/Loops.h"
 #include "Core/Memory/Sorting.h"
+#include "Private/Bounds/StepFactors.h"
 #include "Private/Bounds/ThirdsReader.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSignedCharArray.h"
 
 #include <algorithm>
-#include <array>
-#include <set>
+#include <cstddef>
 
 namespace subdivision
 {
@@ -24,46 +25,63 @@ constexpr int Divisions = PieceLattice::DivisionsInThirds;
 
 }
 
+std::unique_ptr<DeeperThirds> DeeperThirds::Make(
+  const SteppedPieces& from, const std::vector<Part>& wanted, const SubdividePatch& subdivide)
+{
+  std::unique_ptr<DeeperThirds> made(new DeeperThirds(from));
+  made->ListParts(wanted);
+  if (!made->Split(made->CutOut(), subdivide))
+  {
+    return nullptr;
+  }
+  made->Wanted.assign(
+    made->Cells.begin(), made->Cells.begin() + static_cast<std::ptrdiff_t>(wanted.size()));
+  made->FindOld();
+  return made;
+}
+
 /// The limit depends on two layers of triangles of the last step, which lie in one layer of parts,
 /// and so do the rings there.
-DeeperThirds::DeeperThirds(const SteppedPieces& from, const std::vector<Part>& wanted)
-  : From(from)
+void DeeperThirds::ListParts(const std::vector<Part>& wanted)
 {
+  std::vector<vtkIdType> corners;
   for (const Part& part : InTurn(wanted))
   {
     this->AddPart(part);
+    const std::vector<vtkIdType> its = this->GetCornersOf(part);
+    corners.insert(corners.end(), its.begin(), its.end());
   }
-  this->CountOfWanted = this->Parts.size();
-  for (const Part& part : InTurn(wanted))
+  SortDistinct(corners);
+  for (const vtkIdType corner : InTurn(corners))
   {
-    this->AddNeighbours(part);
+    this->AddPartsAt(corner);
   }
 }
 
 void DeeperThirds::AddPart(const Part& part)
 {
-  if (this->Numbers.try_emplace(part, this->Parts.size()).second)
+  if (this->Known.insert(part).second)
   {
     this->Parts.push_back(part);
   }
 }
 
-/// Adds all parts that have a corner with a part in common.
-void DeeperThirds::AddNeighbours(const Part& part)
+/// Adds all parts that have a point as a corner.
+void DeeperThirds::AddPartsAt(vtkIdType point)
 {
-  for (const vtkIdType corner : this->GetCornersOf(part))
+  for (const vtkIdType place : this->From.AllSectors.GetPlaces(point))
   {
-    for (const vtkIdType place : this->From.AllSectors.GetPlaces(corner))
+    Part part{ this->From.AllSectors.GetCell(place), 0 };
+    const PieceLattice& lattice = this->From.Pieces.GetLattice(part.Cell);
+    const LatticePoint& at = lattice.Places[place - this->From.Pieces.GetFirstPlace(part.Cell)];
+    const auto children = static_cast<int>(lattice.Children.size());
+    for (; lattice.Dimension > 0 && part.Child < children; ++part.Child)
     {
-      Part other{ this->From.AllSectors.GetCell(place), 0 };
-      const bool isVertex = this->From.Pieces.GetDimension(other.Cell) == 0;
-      const auto children = this->From.Pieces.GetLattice(other.Cell).Children.size();
-      for (; !isVertex && other.Child < static_cast<int>(children); ++other.Child)
+      for (int k = 0; k < lattice.Corners; ++k)
       {
-        const std::vector<vtkIdType> corners = this->GetCornersOf(other);
-        if (std::find(corners.begin(), corners.end(), corner) != corners.end())
+        if (lattice.Children[part.Child].At(lattice.CornerPlaces[k], 1) == at)
         {
-          this->AddPart(other);
+          this->AddPart(part);
         }
       }
     }
@@ -89,34 +107,45 @@ std::vector<vtkIdType> DeeperThirds::GetCornersOf(const Part& part) const
   return corners;
 }
 
-/// How many points the row of a point in the last two steps has.
-std::size_t DeeperThirds::CountColumns(vtkIdType point) const
+/// The row of a point in the last two steps.
+std::vector<std::pair<vtkIdType, double>> DeeperThirds::GetRow(vtkIdType point) const
 {
-  std::vector<vtkIdType> columns;
+  std::vector<std::pair<vtkIdType, double>> row;
   ForColumns(this->From.Last, this->From.Last.size(), point, 1.,
-    [&](vtkIdType column, double) { columns.push_back(column); });
-  SortDistinct(columns);
-  return columns.size();
+    [&](vtkIdType column, double weight)
+    {
+      const auto at = std::find_if(
+        row.begin(), row.end(), [column](const auto& entry) { return entry.first == column; });
+      if (at == row.end())
+      {
+        row.emplace_back(column, weight);
+        return;
+      }
+      at->second += weight;
+    });
+  return row;
 }
 
-/// Makes the parts a mesh, with a line on each fixed edge and a vertex at each corner of curves.
-/// Only these stay as they are; and only the points that cut a fixed edge have rows of at most
-/// three points.
-vtkSmartPointer<vtkPolyData> DeeperThirds::CutOut()
+/// Edges of triangles that are cut by points of which the nearer end is more than half, with one
+/// other point or two (a row of any other such point has the ends and both neighbours, or, around a
+/// vertex of two triangles, equal weights).
+std::set<DeeperThirds::Ends> DeeperThirds::ListFixedEdges() const
 {
-  using Ends = std::array<vtkIdType, 2>;
   std::set<Ends> fixed;
   for (const Part& part : InTurn(this->Parts))
   {
-    const std::vector<vtkIdType> corners = this->GetCornersOf(part);
-    this->Old.insert(this->Old.end(), corners.begin(), corners.end());
     const PieceLattice& lattice = this->From.Pieces.GetLattice(part.Cell);
     for (const PieceLattice::Middle& middle : lattice.Middles[2])
     {
       const auto& parents = middle.Parents;
-      const bool isOnEdge = parents[0] == parents[1];
-      if (lattice.Dimension == 2 && isOnEdge &&
-        this->CountColumns(this->GetPoint(part, lattice.Places[middle.Point])) <= 3)
+      if (this->IsLine(part) || parents[0] != parents[1])
+      {
+        continue;
+      }
+      const auto row = this->GetRow(this->GetPoint(part, lattice.Places[middle.Point]));
+      const bool isCurve = row.size() <= 3 &&
+        std::any_of(row.begin(), row.end(), [](const auto& entry) { return entry.second > 0.5; });
+      if (isCurve)
       {
         Ends ends{ { this->GetPoint(part, lattice.Places[parents[0]]),
           this->GetPoint(part, lattice.Places[parents[2]]) } };
@@ -125,13 +154,18 @@ vtkSmartPointer<vtkPolyData> DeeperThirds::CutOut()
       }
     }
   }
-  SortDistinct(this->Old);
-  const auto getNumber = [this](vtkIdType old)
+  return fixed;
+}
+
+/// Makes the parts a mesh, with a line on each fixed edge, and a vertex at each point that stays.
+vtkSmartPointer<vtkPolyData> DeeperThirds::CutOut()
+{
+  for (const Part& part : InTurn(this->Parts))
   {
-    return static_cast<vtkIdType>(
-      std::lower_bound(this->Old.begin(), this->Old.end(), old) - this->Old.begin());
-  };
-  const auto patch = vtkSmartPointer<vtkPolyData>::New();
+    const std::vector<vtkIdType> corners = this->GetCornersOf(part);
+    this->Old.insert(this->Old.end(), corners.begin(), corners.end());
+  }
+  SortDistinct(this->Old);
   const vtkNew<vtkPoints> points;
   const vtkNew<vtkCellArray> vertices;
   const vtkNew<vtkCellArray> lines;
@@ -139,30 +173,33 @@ vtkSmartPointer<vtkPolyData> DeeperThirds::CutOut()
   for (const vtkIdType old : InTurn(this->Old))
   {
     const vtkIdType number = points->InsertNextPoint(static_cast<double>(old), 0., 0.); // not used
-    if (this->CountColumns(old) == 1)
+    if (this->GetRow(old).size() == 1)
     {
       vertices->InsertNextCell(1, &number);
     }
   }
-  const auto insert = [&](vtkCellArray* cells, std::vector<vtkIdType> corners)
+  const auto insert = [this](vtkCellArray* cells, std::vector<vtkIdType> corners)
   {
-    std::transform(corners.begin(), corners.end(), corners.begin(), getNumber);
+    std::transform(corners.begin(), corners.end(), corners.begin(), [this](vtkIdType old)
+      { return std::lower_bound(this->Old.begin(), this->Old.end(), old) - this->Old.begin(); });
     return cells->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
   };
   for (const Part& part : InTurn(this->Parts))
   {
-    const bool isLine = this->From.Pieces.GetDimension(part.Cell) == 1;
-    this->Cells.push_back(insert(isLine ? lines.Get() : triangles.Get(), this->GetCornersOf(part)));
+    vtkCellArray* cells = this->IsLine(part) ? lines : triangles;
+    this->Cells.push_back(insert(cells, this->GetCornersOf(part)));
   }
-  for (const Ends& ends : fixed)
+  for (const Ends& ends : this->ListFixedEdges())
   {
     insert(lines, { ends[0], ends[1] });
   }
+  const vtkIdType firstLine = vertices->GetNumberOfCells();
+  const vtkIdType firstTriangle = firstLine + lines->GetNumberOfCells();
   for (const std::size_t p : InTurn(this->Parts.size()))
   {
-    const bool isLine = this->From.Pieces.GetDimension(this->Parts[p].Cell) == 1;
-    this->Cells[p] += vertices->GetNumberOfCells() + (isLine ? 0 : lines->GetNumberOfCells());
+    this->Cells[p] += this->IsLine(this->Parts[p]) ? firstLine : firstTriangle;
   }
+  auto patch = vtkSmartPointer<vtkPolyData>::New();
   patch->SetPoints(points);
   patch->SetVerts(vertices);
   patch->SetLines(lines);
@@ -172,15 +209,14 @@ vtkSmartPointer<vtkPolyData> DeeperThirds::CutOut()
   singular->SetNumberOfValues(patch->GetNumberOfCells());
   for (const vtkIdType c : InTurn(patch->GetNumberOfCells()))
   {
-    singular->SetValue(c, c < vertices->GetNumberOfCells() + lines->GetNumberOfCells() ? 1 : 0);
+    singular->SetValue(c, c < firstTriangle ? 1 : 0);
   }
   patch->GetCellData()->AddArray(singular);
   return patch;
 }
 
-bool DeeperThirds::Run(const SubdividePatch& subdivide)
+bool DeeperThirds::Split(vtkPolyData* patch, const SubdividePatch& subdivide)
 {
-  const vtkSmartPointer<vtkPolyData> patch = this->CutOut();
   FourSqrtThreeSteps meshes;
   for (std::size_t step = 0; step < meshes.size(); ++step)
   {
@@ -192,14 +228,8 @@ bool DeeperThirds::Run(const SubdividePatch& subdivide)
     }
   }
   this->Pieces = std::make_unique<NestedPieces>(ReadThirds(meshes));
-  for (std::size_t f = this->Factors.GetOperations()[2].Begin; f < this->Factors.Get().size(); ++f)
-  {
-    this->Last.push_back(&this->Factors.Get()[f]);
-  }
+  this->Last = ListFactors(this->Factors, 2, 4);
   this->AllSectors = std::make_unique<Sectors>(*this->Pieces, this->Last);
-  this->Wanted.assign(
-    this->Cells.begin(), this->Cells.begin() + static_cast<std::ptrdiff_t>(this->CountOfWanted));
-  this->FindOld();
   return true;
 }
 

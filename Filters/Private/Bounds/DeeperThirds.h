@@ -15,10 +15,11 @@
 
 #include "vtkSmartPointer.h"
 
-#include <cstddef>
+#include <array>
 #include <functional>
-#include <map>
 #include <memory>
+#include <set>
+#include <utility>
 #include <vector>
 
 class vtkPointSet;
@@ -36,26 +37,34 @@ using SubdividePatch = std::function<vtkSmartPointer<vtkPointSet>(
 class DeeperThirds : public DeeperCells
 {
 public:
-  DeeperThirds(const SteppedPieces& from, const std::vector<Part>& wanted);
-  /// Has to be called once. Returns false where `subdivide` returns null.
-  bool Run(const SubdividePatch& subdivide);
+  /// Returns null where `subdivide` does.
+  static std::unique_ptr<DeeperThirds> Make(
+    const SteppedPieces& from, const std::vector<Part>& wanted, const SubdividePatch& subdivide);
 
   SteppedPieces Get() const override { return { *this->Pieces, *this->AllSectors, this->Last }; }
 
 private:
+  explicit DeeperThirds(const SteppedPieces& from)
+    : From(from)
+  {
+  }
+  void ListParts(const std::vector<Part>& wanted);
   void AddPart(const Part& part);
-  void AddNeighbours(const Part& part);
+  void AddPartsAt(vtkIdType point);
   vtkIdType GetPoint(const Part& part, const LatticePoint& place) const;
   std::vector<vtkIdType> GetCornersOf(const Part& part) const;
-  std::size_t CountColumns(vtkIdType point) const;
+  bool IsLine(const Part& part) const { return this->From.Pieces.GetDimension(part.Cell) == 1; }
+  using Ends = std::array<vtkIdType, 2>;
+  std::set<Ends> ListFixedEdges() const;
+  std::vector<std::pair<vtkIdType, double>> GetRow(vtkIdType point) const;
   vtkSmartPointer<vtkPolyData> CutOut();
+  bool Split(vtkPolyData* patch, const SubdividePatch& subdivide);
   void FindOld();
 
   const SteppedPieces From;
-  std::vector<Part> Parts; ///< those that are wanted come first
-  std::size_t CountOfWanted = 0;
-  std::map<Part, std::size_t> Numbers; ///< of the parts
-  std::vector<vtkIdType> Cells;        ///< of the parts, in the patch
+  std::vector<Part> Parts;      ///< those that are wanted come first
+  std::set<Part> Known;         ///< the same
+  std::vector<vtkIdType> Cells; ///< of the parts, in the patch
   MatrixFactors Factors;
   Sectors::Step Last;
   std::unique_ptr<NestedPieces> Pieces;

@@ -8,6 +8,7 @@
 #include "Private/Bounds/Deviations.h"
 #include "Private/Bounds/NestedPieces.h"
 #include "Private/Bounds/Sectors.h"
+#include "Private/Bounds/StepFactors.h"
 #include "Private/Bounds/ThirdsReader.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SizeChecks.h"
@@ -67,20 +68,6 @@ vtkSmartPointer<vtkDoubleArray> MakeResult(const std::string& name, vtkIdType si
   auto result = vtkSmartPointer<vtkDoubleArray>::New();
   result->SetName(name.c_str());
   result->SetNumberOfTuples(size);
-  return result;
-}
-
-Buffer<double> ApplyOperation(const MatrixFactors& factors,
-  const MatrixFactors::Operation& operation, const Buffer<double>& values, int components)
-{
-  Buffer<double> result;
-  for (std::size_t f = operation.Begin; f < operation.End; ++f)
-  {
-    const MatrixFactors::Matrix& factor = factors.Get()[f];
-    Buffer<double> next(components * factor.GetNumberOfRows());
-    factor.Apply(f == operation.Begin ? values.data() : result.data(), next.data(), components);
-    result = std::move(next);
-  }
   return result;
 }
 
@@ -146,13 +133,20 @@ private:
   {
     return this->Given.Levels + (this->Given.HasThirds ? 2 * std::max(step - 1, 0) : step);
   }
-  bool MakeSteps(vtkPointSet* fine, FourSqrtThreeSteps& meshes) const;
-  NestedPieces MakePieces(vtkPointSet* fine, vtkPointSet* control) const;
+  /// Pieces of thirds are few after two steps, and their deviations may be 0 at all of their
+  /// points.
+  int GetStepOfLimits() const { return this->Given.HasThirds ? LastStep : LastStep - 1; }
+  std::unique_ptr<NestedPieces> MakeThirds(vtkPointSet* fine) const;
+  std::unique_ptr<NestedPieces> MakePieces(vtkPointSet* fine, vtkPointSet* control) const;
   bool HasMemory() const;
   bool HasNegativeWeights() const;
   Buffer<double> Apply(int from, int to, const Buffer<double>& values, int components) const;
-  Sectors::Step GetLastStep() const;
   bool FindLimits();
+  Buffer<double> FindLimitsOf(const Buffer<double>& values, int components) const
+  {
+    const std::size_t size = this->Limits.GetOperations().size();
+    return ApplyFactors(ListFactors(this->Limits, size - 1, size), values, components);
+  }
   std::unique_ptr<DeeperCells> Split(
     const SteppedPieces& from, const std::vector<DeeperCells::Part>& wanted) const;
   bool AddBounds(const SteppedPieces& pieces, vtkDataArray* control, vtkDataArray* shown,
@@ -164,7 +158,7 @@ private:
   RunOptions Quiet;
   Partners* Others = nullptr; ///< null: the mesh is the whole
   MatrixFactors Factors;
-  MatrixFactors Limits; ///< the limit after step 2 of the further ones is the last
+  MatrixFactors Limits; ///< the last one is the limit after GetStepOfLimits
   bool AreLimitsFound = false;
 };
 
@@ -172,30 +166,7 @@ private:
 Buffer<double> BoundMaker::Apply(
   int from, int to, const Buffer<double>& values, int components) const
 {
-  Buffer<double> result;
-  for (int level = from; level < to; ++level)
-  {
-    result = ApplyOperation(this->Factors, this->Factors.GetOperations()[level],
-      level == from ? values : result, components);
-  }
-  if (from == to)
-  {
-    result = Buffer<double>(values.size());
-    CopyInThreads(values.data(), values.size(), result.data());
-  }
-  return result;
-}
-
-Sectors::Step BoundMaker::GetLastStep() const
-{
-  const std::vector<MatrixFactors::Operation>& operations = this->Factors.GetOperations();
-  Sectors::Step step;
-  for (std::size_t f = operations[this->GetLevel(LastStep - 1)].Begin; f < operations.back().End;
-    ++f)
-  {
-    step.push_back(&this->Factors.Get()[f]);
-  }
-  return step;
+  return ApplyFactors(ListFactors(this->Factors, from, to), values, components);
 }
 
 /// A rough estimate of what matrices and values of the finest mesh take, beside that mesh.
@@ -256,7 +227,7 @@ bool BoundMaker::FindLimits()
     return true;
   }
   this->AreLimitsFound = true;
-  const int levels = this->GetLevel(LastStep - 1);
+  const int levels = this->GetLevel(this->GetStepOfLimits());
   const auto made = this->Given.Subdivide(levels, true, this->GetAlone(), &this->Limits);
   if (this->Limits.GetOperations().size() != static_cast<std::size_t>(levels) + 1)
   {
@@ -272,10 +243,9 @@ std::unique_ptr<DeeperCells> BoundMaker::Split(
   {
     return std::make_unique<DeeperPieces>(from, wanted);
   }
-  auto deeper = std::make_unique<DeeperThirds>(from, wanted);
-  const bool isMade = deeper->Run([this](vtkPolyData* patch, int levels, MatrixFactors* factors)
+  return DeeperThirds::Make(from, wanted,
+    [this](vtkPolyData* patch, int levels, MatrixFactors* factors)
     { return this->Given.SubdividePatch(patch, levels, this->GetAlone(), factors); });
-  return isMade ? std::move(deeper) : nullptr;
 }
 
 /// `shown`: values of the output that follow from those of the control points. Returns false after
@@ -317,9 +287,8 @@ bool BoundMaker::AddBounds(
     const bool isDone = TightenBounds(
       pieces, [this](const SteppedPieces& from, const std::vector<DeeperCells::Part>& wanted)
       { return this->Split(from, wanted); }, bounded,
-      hasLimits
-        ? ApplyOperation(this->Limits, this->Limits.GetOperations().back(), second, components)
-        : Buffer<double>(),
+      hasLimits ? this->FindLimitsOf(this->Given.HasThirds ? third : second, components)
+                : Buffer<double>(),
       found);
     if (!isDone)
     {
@@ -355,9 +324,10 @@ void BoundMaker::AddDistances(vtkDataArray* given, vtkDataArray* limit, const st
   this->Given.Output->GetPointData()->AddArray(distances);
 }
 
-/// Makes the meshes between the output and the finest one. Returns false after an error, or a stop.
-bool BoundMaker::MakeSteps(vtkPointSet* fine, FourSqrtThreeSteps& meshes) const
+/// Returns null after an error, or a stop.
+std::unique_ptr<NestedPieces> BoundMaker::MakeThirds(vtkPointSet* fine) const
 {
+  FourSqrtThreeSteps meshes;
   meshes.front() = this->Given.Output;
   meshes.back() = fine;
   for (std::size_t step = 1; step + 1 < meshes.size(); ++step)
@@ -366,14 +336,18 @@ bool BoundMaker::MakeSteps(vtkPointSet* fine, FourSqrtThreeSteps& meshes) const
     meshes[step] = this->Given.Subdivide(levels, false, this->GetAlone(), nullptr);
     if (!meshes[step])
     {
-      return false;
+      return nullptr;
     }
   }
-  return true;
+  return std::make_unique<NestedPieces>(ReadThirds(meshes));
 }
 
-NestedPieces BoundMaker::MakePieces(vtkPointSet* fine, vtkPointSet* control) const
+std::unique_ptr<NestedPieces> BoundMaker::MakePieces(vtkPointSet* fine, vtkPointSet* control) const
 {
+  if (this->Given.HasThirds)
+  {
+    return this->MakeThirds(fine);
+  }
   std::array<vtkIdType, LastStep + 1> points{};
   for (int step = 0; step <= LastStep; ++step)
   {
@@ -383,7 +357,7 @@ NestedPieces BoundMaker::MakePieces(vtkPointSet* fine, vtkPointSet* control) con
       : this->Factors.Get()[this->Factors.GetOperations()[last].End - 1].GetNumberOfRows();
   }
   const TetOctMesh before{ this->Given.Output, this->Given.Octahedra };
-  return NestedPieces(fine, points, this->Given.IsTetOct ? &before : nullptr);
+  return std::make_unique<NestedPieces>(fine, points, this->Given.IsTetOct ? &before : nullptr);
 }
 
 BoundMaker::Reasons BoundMaker::FindReason(const NestedPieces& pieces) const
@@ -452,19 +426,19 @@ bool BoundMaker::Add()
   {
     return this->Refuse(Seams); // the mesh is the whole
   }
-  FourSqrtThreeSteps steps;
-  if (this->Given.HasThirds && !this->MakeSteps(fine, steps))
+  const std::unique_ptr<NestedPieces> made = this->MakePieces(fine, control);
+  if (!made)
   {
     return false;
   }
-  const NestedPieces pieces =
-    this->Given.HasThirds ? ReadThirds(steps) : this->MakePieces(fine, control);
+  const NestedPieces& pieces = *made;
   const auto reason = static_cast<Reasons>(this->FindLargest(this->FindReason(pieces)));
   if (reason != None)
   {
     return this->Refuse(reason);
   }
-  const Sectors::Step last = this->GetLastStep();
+  const Sectors::Step last =
+    ListFactors(this->Factors, this->GetLevel(LastStep - 1), this->GetLevel(LastStep));
   const Sectors sectors(pieces, last);
   const SteppedPieces stepped{ pieces, sectors, last };
   if (!this->AddBounds(

@@ -27,14 +27,14 @@ constexpr const char* SmoothingDistanceName = "SmoothingDistance";
 /// A run of a filter, for bounds of its output.
 struct BoundedRun
 {
-  vtkPointSet* Input;
-  vtkPointSet* Output; ///< gets the arrays
-  int Levels;
-  bool KnowsParts; ///< whether the runs on parts of a mesh give what they give on the whole
-  bool IsTetOct;   ///< whether solids are those of the tet/oct scheme
-  bool HasThirds;  ///< whether two steps cut edges into thirds, and not one into halves
+  vtkPointSet* Input = nullptr;
+  vtkPointSet* Output = nullptr; ///< gets the arrays
+  int Levels = 0;
+  bool KnowsParts = false; ///< whether the runs on parts of a mesh give what they give on the whole
+  bool IsTetOct = false;   ///< whether solids are those of the tet/oct scheme
+  bool HasThirds = false;  ///< whether two steps cut edges into thirds, and not one into halves
   /// Of these, for each cell of the output the number of its octahedron; null: there is none.
-  vtkDataArray* Octahedra;
+  vtkDataArray* Octahedra = nullptr;
   /// Makes another run: with so many levels, projected or not; the operators of its steps go to
   /// `factors`, unless that is null. Returns null after an error, or if it was stopped.
   std::function<vtkSmartPointer<vtkPointSet>(

@@ -108,7 +108,7 @@ private:
   void FindParents(int step);
 
   std::array<vtkIdType, Steps + 1> Points;
-  std::vector<signed char> Kinds; ///< a PatchShape::Kind; -1: a vertex
+  std::vector<signed char> Kinds; ///< as PieceLattice::Get has them
   Buffer<vtkIdType> CellCorners;
   std::vector<vtkIdType> FirstPlaces; ///< of each cell, and one past the last
   Buffer<vtkIdType> PlacePoints;

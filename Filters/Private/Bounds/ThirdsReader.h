@@ -24,9 +24,8 @@ namespace subdivision
 /// A mesh, and the same after one to four steps.
 using FourSqrtThreeSteps = std::array<vtkSmartPointer<vtkPointSet>, 5>;
 
-/// The mesh has as many cells as the pieces, or it is not known how they are split: where it has
-/// other cells than triangles, lines of one piece and vertices, and at fixed edges that the first
-/// step cuts.
+/// The pieces have no cells where it is not known how they are split: at fixed edges that the first
+/// step cuts, and where a mesh has other cells than triangles, lines of one piece and vertices.
 NestedPieces ReadThirds(const FourSqrtThreeSteps& meshes);
 
 }

@@ -6,6 +6,7 @@
 
 #include "vtkCellData.h"
 #include "vtkPolyData.h"
+#include "vtkType.h"
 
 namespace subdivision
 {
@@ -20,14 +21,14 @@ bool AddSurfaceBounds(vtkPolyData* input, const SurfaceOptions& options, vtkPoly
                  "GenerateErrorBounds is ignored.");
     return true;
   }
-  const bool hasThirds = options.Scheme == SurfaceSchemeKind::SqrtThree;
-  BoundedRun bounded{ input, output, options.Levels, false, false, hasThirds, nullptr, {}, {} };
-  const auto subdivide = [](vtkPolyData* mesh, SurfaceOptions other, const RunOptions& shared,
-                           int levels, MatrixFactors* factors) -> vtkSmartPointer<vtkPointSet>
+  BoundedRun bounded;
+  bounded.Input = input;
+  bounded.Output = output;
+  bounded.Levels = options.Levels;
+  bounded.HasThirds = options.Scheme == SurfaceSchemeKind::SqrtThree;
+  const auto subdivide = [](vtkPolyData* mesh, SurfaceOptions& other, int levels,
+                           MatrixFactors* factors) -> vtkSmartPointer<vtkPointSet>
   {
-    const FeatureOptions features = other.Features;
-    static_cast<RunOptions&>(other) = shared;
-    other.Features = features;
     other.Factors = factors;
     other.Levels = levels;
     other.GenerateLimitNormals = other.GenerateTangents = false;
@@ -39,16 +40,20 @@ bool AddSurfaceBounds(vtkPolyData* input, const SurfaceOptions& options, vtkPoly
                         int levels, bool project, const RunOptions& shared, MatrixFactors* factors)
   {
     SurfaceOptions other = options;
+    static_cast<RunOptions&>(other) = shared;
     other.ProjectToLimit = project;
-    return subdivide(input, other, shared, levels, factors);
+    return subdivide(input, other, levels, factors);
   };
   bounded.SubdividePatch =
     [&](vtkPolyData* patch, int levels, const RunOptions& shared, MatrixFactors* factors)
   {
     SurfaceOptions other;
+    static_cast<RunOptions&>(other) = shared;
     other.Scheme = options.Scheme;
+    other.Features = FeatureOptions();
     other.Features.Singular = patch->GetCellData()->GetArray(PatchSingularName);
-    return subdivide(patch, other, shared, levels, factors);
+    other.MaximumNumberOfCells = VTK_ID_MAX; // which users give for meshes
+    return subdivide(patch, other, levels, factors);
   };
   return AddErrorBounds(bounded, options);
 }

@@ -20,8 +20,13 @@ bool AddUniformBounds(
     return true;
   }
   const bool isTetOct = options.Scheme == StampScheme::TetOct;
-  BoundedRun bounded{ input, output, options.Levels, true, isTetOct, false,
-    isTetOct ? output->GetCellData()->GetArray(OctahedraName) : nullptr, {}, {} };
+  BoundedRun bounded;
+  bounded.Input = input;
+  bounded.Output = output;
+  bounded.Levels = options.Levels;
+  bounded.KnowsParts = true;
+  bounded.IsTetOct = isTetOct;
+  bounded.Octahedra = isTetOct ? output->GetCellData()->GetArray(OctahedraName) : nullptr;
   bounded.Subdivide = [&](int levels, bool project, const RunOptions& shared,
                         MatrixFactors* factors) -> vtkSmartPointer<vtkPointSet>
   {
