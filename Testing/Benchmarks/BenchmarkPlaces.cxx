@@ -136,13 +136,12 @@ Produced ApplyRows(Stopwatch& watch, const Control& control)
       }
       // In blocks, so that columns are still in the cache for the next part.
       constexpr vtkIdType block = 256;
-      ForRanges((places + block - 1) / block,
+      ForRanges(places,
         [&](vtkIdType first, vtkIdType last)
         {
-          for (vtkIdType begin = block * first; begin < std::min(block * last, places);
-            begin += block)
+          for (vtkIdType begin = first; begin < last; begin += block)
           {
-            const vtkIdType end = std::min(begin + block, places);
+            const vtkIdType end = std::min(begin + block, last);
             for (int part = 0; part < 3; ++part)
             {
               SumRows(limits.Rows.GetRows(part, begin, end), control.Mesh.Points.data(),
