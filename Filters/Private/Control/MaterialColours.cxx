@@ -12,6 +12,8 @@
 #include "vtkCellData.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <unordered_map>
 #include <utility>
@@ -134,6 +136,12 @@ Meetings FindMeetings(
 {
   const MaterialsAtPoints known(pieces, materialOf, others);
   Meetings meetings;
+  const auto makeDistinct = [&meetings]
+  {
+    std::sort(meetings.begin(), meetings.end());
+    meetings.erase(std::unique(meetings.begin(), meetings.end()), meetings.end());
+  };
+  std::size_t most = std::size_t(1) << 20; // cells find the same pairs again and again
   std::vector<int> here;
   for (vtkIdType i = 0; i < pieces.GetSize(); ++i)
   {
@@ -154,9 +162,13 @@ Meetings FindMeetings(
         }
       }
     }
+    if (meetings.size() > most)
+    {
+      makeDistinct();
+      most = std::max(most, 2 * meetings.size());
+    }
   }
-  std::sort(meetings.begin(), meetings.end());
-  meetings.erase(std::unique(meetings.begin(), meetings.end()), meetings.end());
+  makeDistinct();
   return meetings;
 }
 
