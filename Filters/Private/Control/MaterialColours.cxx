@@ -128,7 +128,7 @@ private:
   std::vector<std::pair<vtkIdType, int>> More; ///< of points with several; ascending
 };
 
-/// Pairs of materials that a cell has at its points; both orders. At a joint, rows read all
+/// Pairs of materials that a simplex has at its points; both orders. At a joint, rows read all
 /// neighbours: of two materials that only a third one joins, one may not take the values of the
 /// other.
 Meetings FindMeetings(
@@ -141,7 +141,7 @@ Meetings FindMeetings(
     std::sort(meetings.begin(), meetings.end());
     meetings.erase(std::unique(meetings.begin(), meetings.end()), meetings.end());
   };
-  std::size_t most = std::size_t(1) << 20; // cells find the same pairs again and again
+  std::size_t most = std::size_t(1) << 20; // simplices find the same pairs again and again
   std::vector<int> here;
   for (vtkIdType i = 0; i < pieces.GetSize(); ++i)
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MaterialColours.h
- * Colours of materials, so that those which have points of one cell have different ones.
+ * Colours of materials, so that those which have points of one simplex have different ones.
  */
 #ifndef SubdivisionObjects_MaterialColours_h
 #define SubdivisionObjects_MaterialColours_h
@@ -22,7 +22,7 @@ namespace subdivision
 class Partners;
 
 /// The simplices of a mesh, and the colour of the material of each: materials that have points of
-/// one cell have different ones, and those of cells that are faces of others have NoColour.
+/// one simplex have different ones, and those of cells that are faces of others have NoColour.
 struct ColouredSimplices
 {
   /// `materials` are those of cells. `others`: the other partitions of the mesh, which call this

@@ -36,8 +36,8 @@ struct PlaceSearch
   /// far as steps have told.
   std::array<std::array<double, 3>, 3> Bends{};
   double Damping = 0.; ///< 0: the next step is that of Newton's method
-  /// Below this there is none. It becomes smaller where a step without damping went too far: beside
-  /// an edge at which a solid is smooth, the value nearly stands still in one direction.
+  /// Below this there is none. It becomes smaller each time a step without damping went too far:
+  /// beside an edge at which a solid is smooth the value nearly stands still in one direction.
   double LeastDamping = 1.;
   double Growth = 2.; ///< of the damping, when a step makes the distance larger
   /// Of a solid, by the corner opposite to each: a first step to a face stops before it.
