@@ -294,10 +294,10 @@ public:
    * copies. Arrays of floating point numbers and AddFieldOfCells become fields; all others, and
    * coordinates, are equal for copies. Ignored with a warning without PreserveInterfaces, and in
    * filters that have no interfaces. Needs memory for each array as often as there are materials
-   * that must be told apart, as a simplex has points of both, but not more often than one material
-   * and all that it must be told from; an error if these are more than 32. With InterpolateArrays
-   * the limit of each field passes through the values of its material; after a level a warning
-   * counts points where it does not, as the material touches others in edges or points only.
+   * that must be told apart, as a simplex has points of both; an error if these are more than 32.
+   * With InterpolateArrays the limit of each field passes through the values of its material; after
+   * a level a warning counts points where it does not, as the material touches others in edges or
+   * points only.
    */
   vtkSetClampMacro(InterfaceValues, int, CONTINUOUS_VALUES, DISCONTINUOUS_VALUES);
   vtkGetMacro(InterfaceValues, int);
