@@ -10,6 +10,7 @@
 #include "Private/Bounds/DeeperThirds.h"
 #include "Private/Bounds/Deviations.h"
 #include "Private/Bounds/Sectors.h"
+#include "Private/Bounds/StepFactors.h"
 #include "Private/Bounds/ThirdsReader.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 
@@ -19,6 +20,7 @@
 
 using namespace bound_tools;
 using bezier_tools::MakeSheet;
+using subdivision::ApplyFactors;
 using subdivision::Buffer;
 using subdivision::DeeperThirds;
 using subdivision::NestedPieces;
@@ -83,18 +85,6 @@ public:
     }
   }
   const Sectors::Step& Get() const { return this->Step; }
-  Buffer<double> Apply(const Buffer<double>& values, int components) const
-  {
-    Buffer<double> result(values.size());
-    std::copy(values.begin(), values.end(), result.begin());
-    for (const auto* factor : this->Step)
-    {
-      Buffer<double> next(components * factor->GetNumberOfRows());
-      factor->Apply(result.data(), next.data(), components);
-      result = std::move(next);
-    }
-    return result;
-  }
 
 private:
   std::vector<subdivision::MatrixFactors::Matrix> Factors;
@@ -329,11 +319,7 @@ vtkIdType CompareParts(vtkUnstructuredGrid* input, const Surfaces& configure)
     const auto made = deeper->Get();
     const vtkIdType wanted = deeper->GetWanted()[0];
     const Buffer<double> second = deeper->Take(2, before, 2);
-    ASSERT_EQ(made.Last.size(), 2U);
-    Buffer<double> between(2 * made.Last[0]->GetNumberOfRows());
-    Buffer<double> third(2 * made.Last[1]->GetNumberOfRows());
-    made.Last[0]->Apply(second.data(), between.data(), 2);
-    made.Last[1]->Apply(between.data(), third.data(), 2);
+    const Buffer<double> third = ApplyFactors(made.Last, second, 2);
     const PlacedPoints placed = PlaceAll(made.Pieces);
     Ids corners; // in the mesh after two levels
     const auto& lattice = pieces.GetLattice(part.Cell);
@@ -433,7 +419,7 @@ TEST(SqrtThreeErrorBounds, HoldForOneValueAfterTheLastStep)
     const subdivision::BoundedValues values{ 1, shown.data(), shown, second, third,
       [&](const Buffer<double>&) { return zeros(3); }, 0. };
     const auto bounds = subdivision::FindBounds(pieces, sectors, values, all);
-    const Buffer<double> limits = further.Apply(third, 1);
+    const Buffer<double> limits = ApplyFactors(further.Get(), third, 1);
     for (const auto& [cell, there] : placed)
     {
       double most = 0.;
