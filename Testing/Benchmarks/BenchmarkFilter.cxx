@@ -15,8 +15,6 @@
 #include "vtkPointSet.h"
 #include "vtkUnstructuredGrid.h"
 
-#include "vtksys/SystemInformation.hxx"
-
 #include <algorithm>
 #include <string>
 
@@ -108,10 +106,7 @@ Produced RunControl(Stopwatch& watch, const ControlMesh& mesh)
 /// the memory that is free.
 int GetLargestLevel(const Case& which, int growth)
 {
-  vtksys::SystemInformation system;
-  const double available = 1024. *
-    (static_cast<double>(system.GetHostMemoryAvailable()) -
-      static_cast<double>(system.GetHostMemoryUsed()));
+  const double available = GetAvailableMemory();
   constexpr double peak = 1.2; // beside the output
   double bytes = GetOutputSize(which, which.Levels).Bytes * growth;
   int level = which.Levels;

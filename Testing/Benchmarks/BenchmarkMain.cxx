@@ -24,6 +24,9 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include "vtksys/SystemInformation.hxx"
+
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -132,22 +135,24 @@ void KeepFreeMemory()
 #endif
 }
 
-void TouchFreeMemory(std::size_t bytes)
+double GetAvailableMemory()
 {
-  // Each thread frees its own: processors keep what was freed on them.
-  constexpr vtkIdType block = 1 << 20;
-  auto touch = [](vtkIdType begin, vtkIdType end)
+  vtksys::SystemInformation system;
+  return 1024. *
+    (static_cast<double>(system.GetHostMemoryAvailable()) -
+      static_cast<double>(system.GetHostMemoryUsed()));
+}
+
+void TouchFreeMemory(double bytes)
+{
+  const auto size = static_cast<vtkIdType>(std::min(bytes, 0.5 * GetAvailableMemory()) / 8.);
   {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      subdivision::Buffer<long long> memory(block, i);
-      benchmark::DoNotOptimize(memory.data());
-      benchmark::ClobberMemory();
-    }
-  };
-  vtkSMPTools::For(0, static_cast<vtkIdType>(bytes / (block * sizeof(long long))), 1, touch);
+    subdivision::Buffer<long long> memory(size, 1);
+    benchmark::DoNotOptimize(memory.data());
+    benchmark::ClobberMemory();
+  }
   // Nothing of it is to be in the caches.
-  static subdivision::Buffer<long long> others(16 * block, 1);
+  static subdivision::Buffer<long long> others(16 << 20, 1);
   subdivision::ForEach(others.size(), [&](vtkIdType i) { ++others[i]; });
 }
 

@@ -13,6 +13,7 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace benchmarks
@@ -47,10 +48,14 @@ void ReturnFreeMemory();
 /// Keeps it in the process, so that all later measurements do.
 void KeepFreeMemory();
 
-/// Writes to memory of that size and gives it back, and leaves nothing of it in the caches. In a
-/// virtual machine a page that its host has yet to find costs milliseconds; what is measured next
-/// gets none of these, which else is chance.
-void TouchFreeMemory(std::size_t bytes);
+/// Bytes of memory that are free.
+double GetAvailableMemory();
+
+/// Writes to memory of that size, at most half of what is free, and gives it back, and leaves
+/// nothing of it in the caches. A virtual machine may return memory to its host a second after it
+/// was freed, and then its pages take 4 to 16 times as long: what is measured next gets none of
+/// these, which else is chance.
+void TouchFreeMemory(double bytes);
 
 /// Whether this process measures the peers, or all the rest.
 bool IsForPeers();
@@ -73,14 +78,16 @@ inline void Register(const std::string& name, int threads,
   }
   auto* registered =
     benchmark::RegisterBenchmark((name + "/threads:" + std::to_string(threads)).c_str(),
-      [threads, work](benchmark::State& state)
+      [threads, work, size = std::make_shared<double>(0.)](benchmark::State& state)
       {
         Produced produced;
         for (auto _ : state)
         {
           vtkSMPTools::Initialize(threads);
+          TouchFreeMemory(2. * *size); // a first repetition does not know it
           Stopwatch watch;
           produced = work(watch);
+          *size = produced.Bytes;
           state.SetIterationTime(watch.GetSeconds());
         }
         state.counters["cells"] = produced.Cells;
