@@ -20,6 +20,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 namespace subdivision
@@ -259,7 +260,7 @@ void RedGreenRun::MakePoints(const RedGreen<Id>& state, const RedGreenLimit<Id>&
         this->Input, this->Mesh.Control, this->GetGivenCoordinates(), limit, this->Others);
       normals = sides.Compute(operation, this->Points->GetCoordinates());
     }
-    this->Points->Advance(operation, origin);
+    this->Points->Advance(operation, std::cref(origin));
     if (hasNormals)
     {
       this->Points->SetLimitNormals(normals);
@@ -270,7 +271,7 @@ void RedGreenRun::MakePoints(const RedGreen<Id>& state, const RedGreenLimit<Id>&
     const bool adds = state.GetNumberOfVertices() > state.GetNumberOfInputVertices();
     if (adds)
     {
-      this->Points->Advance(MakeMidpointRows(state), origin);
+      this->Points->Advance(MakeMidpointRows(state), std::cref(origin));
     }
     if (!this->AllAgree(!adds))
     {

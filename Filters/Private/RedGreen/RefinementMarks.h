@@ -183,6 +183,12 @@ private:
   {
     std::vector<Mark> Marks;
     MarkNotes Notes;
+
+    void Clear()
+    {
+      this->Marks.clear();
+      this->Notes = MarkNotes();
+    }
   };
 
   /// Looks at cells in threads; `values`: those of the function if threads may not evaluate it.
@@ -195,6 +201,7 @@ private:
       const bool reads = this->Criteria.ReadsFunction() && values.empty();
       Buffer<double> centroids(reads ? 3 * CandidatesPerBlock : 0);
       Buffer<double> own(reads ? CandidatesPerBlock : 0);
+      Found here; // keeps its memory from block to block: lists that grow take longer than looking
       for (vtkIdType block = firstBlock; block < lastBlock; ++block)
       {
         const vtkIdType first = begin + block * CandidatesPerBlock;
@@ -205,19 +212,9 @@ private:
           this->Criteria.EvaluateFunction(this->Candidates, first, last, centroids, own);
           value = own.data();
         }
-        if (this->Criteria.ReadsFunctionOnly())
-        {
-          for (vtkIdType i = first; i < last; ++i)
-          {
-            if (value[i - first] <= 0.)
-            {
-              this->LookAt(i, this->Candidates.GetPoints(i), value + (i - first), found[block]);
-            }
-          }
-          continue;
-        }
-        this->Candidates.ForPoints(first, last, [&](vtkIdType i, const auto& points)
-          { this->LookAt(i, points, value ? value + (i - first) : nullptr, found[block]); });
+        here.Clear();
+        this->LookAtBlock(first, last, value, here);
+        found[block] = here;
       }
     };
     ForRangesOfBlocks(static_cast<vtkIdType>(found.size()), blocks);
@@ -239,6 +236,24 @@ private:
       part = Found();
       BetweenLoops::Act();
     }
+  }
+
+  /// `value`: those of the function at these cells, or null.
+  void LookAtBlock(vtkIdType first, vtkIdType last, const double* value, Found& found) const
+  {
+    if (this->Criteria.ReadsFunctionOnly())
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        if (value[i - first] <= 0.)
+        {
+          this->LookAt(i, this->Candidates.GetPoints(i), value + (i - first), found);
+        }
+      }
+      return;
+    }
+    this->Candidates.ForPoints(first, last, [&](vtkIdType i, const auto& points)
+      { this->LookAt(i, points, value ? value + (i - first) : nullptr, found); });
   }
 
   template <typename Points>

@@ -6,11 +6,11 @@
 #ifndef SubdivisionObjects_VertexOrigins_h
 #define SubdivisionObjects_VertexOrigins_h
 
+#include "Core/Memory/GrowingBuffer.h"
 #include "Core/Solids/RedGreen/RedGreen.h"
 #include "Private/Arrays/PointArrays.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace subdivision
 {
@@ -32,14 +32,16 @@ public:
   void Continue(const RedGreen<Id>& state)
   {
     this->Given = state.GetNumberOfInputVertices();
-    for (vtkIdType v = this->Given + static_cast<vtkIdType>(this->Added.size());
-      v < state.GetNumberOfVertices(); ++v)
+    vtkIdType v = this->Given + this->Added.size();
+    const vtkIdType size = state.GetNumberOfVertices();
+    Vertex* added = this->Added.Extend(size - v);
+    for (; v < size; ++v) // both ends come before their midpoint
     {
       const auto ends = state.GetEnds(static_cast<Id>(v));
       const vtkIdType first = this->IsFirst(ends[0], ends[1]) ? ends[0] : ends[1];
-      this->Added.push_back({ (*this)(first),
+      *added++ = { (*this)(first),
         static_cast<unsigned char>(
-          1 + std::max(this->GetDepth(ends[0]), this->GetDepth(ends[1]))) });
+          1 + std::max(this->GetDepth(ends[0]), this->GetDepth(ends[1]))) };
     }
   }
   vtkIdType operator()(vtkIdType vertex) const
@@ -67,7 +69,7 @@ private:
 
   const PointArrays& Order;
   vtkIdType Given = 0;
-  std::vector<Vertex> Added;
+  GrowingBuffer<Vertex> Added;
 };
 
 }

@@ -110,30 +110,39 @@ void RedGreen<Id>::SortVertices()
   {
     Id Ends[2];
     Id Edge;
-    bool operator<(const Vertex& other) const
-    {
-      return this->Ends[0] != other.Ends[0] ? this->Ends[0] < other.Ends[0]
-                                            : this->Ends[1] < other.Ends[1];
-    }
   };
   const Id given = this->InputVertices;
   Buffer<Id> numbers(this->GetNumberOfVertices());
   std::iota(numbers.begin(), numbers.begin() + given, Id(0));
   Id next = given;
+  std::vector<Vertex> order;
   for (const std::vector<Id>& added : ListByHalvings(*this))
   {
-    std::vector<Vertex> order;
+    Id least = next;
+    Id most = 0;
+    order.clear();
     order.reserve(added.size());
     for (const Id vertex : added)
     {
       const Id edge = this->MidpointEdges[vertex - given];
       const Id ends[2] = { numbers[this->Edges[edge].Ends[0]], numbers[this->Edges[edge].Ends[1]] };
       order.push_back({ { std::min(ends[0], ends[1]), std::max(ends[0], ends[1]) }, edge });
+      least = std::min(least, order.back().Ends[0]);
+      most = std::max(most, order.back().Ends[0]);
     }
-    std::sort(order.begin(), order.end());
-    for (const Vertex& vertex : order)
+    // Listed by their first ends they are nearly sorted, as a vertex has few edges.
+    Rows<Id> lists = ListByRow<Id>(
+      vtkIdType(most) - least + 1, static_cast<vtkIdType>(order.size()), [&](vtkIdType i)
+      { return order[i].Ends[0] - least; }, [](vtkIdType i) { return static_cast<Id>(i); });
+    for (const vtkIdType list : InTurn(lists.GetNumberOfRows()))
     {
-      numbers[this->Edges[vertex.Edge].Midpoint] = next++;
+      std::sort(lists.Items.data() + lists.Offsets[list],
+        lists.Items.data() + lists.Offsets[list + 1],
+        [&](Id a, Id b) { return order[a].Ends[1] < order[b].Ends[1]; });
+    }
+    for (const Id i : lists.Items)
+    {
+      numbers[this->Edges[order[i].Edge].Midpoint] = next++;
     }
   }
   ForEach(this->Edges.size(),
