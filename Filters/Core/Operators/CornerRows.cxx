@@ -46,25 +46,33 @@ void MovePoint(const double* weights, const int* columns, const double* points, 
 }
 
 template <typename Out>
+void CornerRows::Move(vtkIdType begin, vtkIdType end, const double* points, Out* moved) const
+{
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    const int simplex = this->Simplices[i];
+    if (simplex < 0)
+    {
+      const CornerRow& row = this->Others[-1 - simplex];
+      MovePoint(row.Weights, row.Columns, points, moved + 3 * i);
+      continue;
+    }
+    MovePoint(CompleteWeights(this->Weights.data() + 3 * i).data(),
+      this->Corners + 4 * static_cast<vtkIdType>(simplex), points, moved + 3 * i);
+  }
+}
+
+template <typename Out>
 void CornerRows::Move(const double* points, Out* moved) const
 {
-  ForEach(this->GetNumberOfRows(),
-    [&](vtkIdType i)
-    {
-      const int simplex = this->Simplices[i];
-      if (simplex < 0)
-      {
-        const CornerRow& row = this->Others[-1 - simplex];
-        MovePoint(row.Weights, row.Columns, points, moved + 3 * i);
-        return;
-      }
-      MovePoint(CompleteWeights(this->Weights.data() + 3 * i).data(),
-        this->Corners + 4 * static_cast<vtkIdType>(simplex), points, moved + 3 * i);
-    });
+  ForRanges(this->GetNumberOfRows(),
+    [&](vtkIdType begin, vtkIdType end) { this->Move(begin, end, points, moved); });
 }
 
 template void CornerRows::Move(const double*, float*) const;
 template void CornerRows::Move(const double*, double*) const;
+template void CornerRows::Move(vtkIdType, vtkIdType, const double*, float*) const;
+template void CornerRows::Move(vtkIdType, vtkIdType, const double*, double*) const;
 
 SparseRows<int> CornerRows::ToSparseRows() const
 {

@@ -53,6 +53,9 @@ struct CornerRows : PointOperator
   /// The same as Apply for points, in float or double. It completes no rows in memory.
   template <typename Out>
   void Move(const double* points, Out* moved) const;
+  /// The same for the rows [begin, end) alone, in this thread.
+  template <typename Out>
+  void Move(vtkIdType begin, vtkIdType end, const double* points, Out* moved) const;
 
   /// The same operator without entries of weight 0. It needs less than 2^29 rows, so that offsets
   /// fit in int.

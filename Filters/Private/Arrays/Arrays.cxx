@@ -183,69 +183,13 @@ bool HoldsSameValues(vtkDataArray* a, vtkDataArray* b)
   return same;
 }
 
-std::vector<std::uint64_t> ComputeFingerprint(vtkDataArray* array)
-{
-  constexpr vtkIdType lanes = 8;
-  constexpr vtkIdType block = 65536; // words
-  const vtkIdType bytes = array->GetNumberOfValues() * array->GetDataTypeSize();
-  const vtkIdType words = bytes / 8;
-  const vtkIdType blocks = (words + block - 1) / block;
-  std::vector<std::uint64_t> print(lanes * blocks + 3);
-  if (bytes > 0)
-  {
-    const auto* values = static_cast<const char*>(array->GetVoidPointer(0));
-    std::uint64_t* last = print.data() + lanes * blocks;
-    std::memcpy(last, values + 8 * words, static_cast<std::size_t>(bytes - 8 * words));
-    last[1] = static_cast<std::uint64_t>(bytes);
-    last[2] = static_cast<std::uint64_t>(array->GetDataType());
-    auto run = [&](vtkIdType first, vtkIdType end)
-    {
-      for (vtkIdType b = first; b < end; ++b)
-      {
-        // Each step is invertible, so that arrays that differ in one word always have different
-        // fingerprints. One product serves two words, because a product for each word would take
-        // longer than reading them.
-        std::uint64_t sums[lanes] = { 1, 2, 3, 4, 5, 6, 7, 8 };
-        auto add = [&](vtkIdType lane, std::uint64_t one, std::uint64_t other)
-        {
-          const std::uint64_t mixed = (sums[lane] ^ one) * 0x9e3779b97f4a7c15ULL + other;
-          sums[lane] = mixed << 29 | mixed >> 35;
-        };
-        auto read = [values](vtkIdType word)
-        {
-          std::uint64_t value;
-          std::memcpy(&value, values + 8 * word, 8);
-          return value;
-        };
-        const vtkIdType stop = std::min(words, (b + 1) * block);
-        vtkIdType word = b * block;
-        for (; word + 2 * lanes <= stop; word += 2 * lanes)
-        {
-          for (vtkIdType lane = 0; lane < lanes; ++lane)
-          {
-            add(lane, read(word + lane), read(word + lanes + lane));
-          }
-        }
-        for (; word < stop; ++word)
-        {
-          add(0, read(word), 0);
-        }
-        std::copy(sums, sums + lanes, print.begin() + lanes * b);
-      }
-    };
-    ForRangesOfBlocks(blocks, run);
-  }
-  return print;
-}
-
 void SharedArrays::Set(const std::vector<vtkDataArray*>& arrays)
 {
   this->Clear(); // work that stops here has none
-  std::vector<std::vector<std::uint64_t>> fingerprints;
+  std::vector<Fingerprint> fingerprints;
   for (vtkDataArray* array : arrays)
   {
-    fingerprints.push_back(
-      array ? ComputeFingerprint(Contiguous(array)) : std::vector<std::uint64_t>());
+    fingerprints.push_back(array ? ComputeFingerprint(Contiguous(array)) : Fingerprint());
   }
   this->Fingerprints = std::move(fingerprints);
   this->Arrays.assign(arrays.begin(), arrays.end());

@@ -7,12 +7,12 @@
 #define SubdivisionObjects_Arrays_h
 
 #include "Core/Memory/Buffer.h"
+#include "Private/Arrays/Fingerprint.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkSmartPointer.h"
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -63,10 +63,6 @@ vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array);
 /// Whether two contiguous arrays have the same type and the same values, bit for bit.
 bool HoldsSameValues(vtkDataArray* a, vtkDataArray* b);
 
-/// A fingerprint of the values of a contiguous array: 8 hashes of 64 bits for every half megabyte.
-/// Two fingerprints tell whether an array changed without a copy of the old array.
-std::vector<std::uint64_t> ComputeFingerprint(vtkDataArray* array);
-
 /**
  * Arrays that a filter keeps and that its outputs have, too. Who has an output may write into its
  * arrays, as NumPy does, and no modified time tells. So a filter takes their fingerprint before it
@@ -83,7 +79,7 @@ public:
 
 private:
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
-  std::vector<std::vector<std::uint64_t>> Fingerprints;
+  std::vector<Fingerprint> Fingerprints;
 };
 
 /// out[i] = in[sources[i]], whatever the arrays hold.

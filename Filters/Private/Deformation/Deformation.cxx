@@ -105,22 +105,37 @@ bool Deformation::Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* def
     return true;
   }
   vtkDataArray* points = input->GetPoints()->GetData();
-  EmbeddedPoints* embedded = this->FindEmbedded(Contiguous(points), options);
+  const auto given = Contiguous(points);
+  const auto control = this->Rest.MoveControlPoints(deformed);
+  const int type = ChooseType(points, options.OutputPointsPrecision);
+  // Most often the points are known, and are moved while that is found out.
+  EmbeddedPoints* embedded = this->GuessEmbedded(given, options);
+  const double* moved = embedded ? this->Rest.MovePoints(control) : nullptr;
+  auto result = embedded ? MoveIfEmbedded(*embedded, moved, type, given) : nullptr;
+  if (result)
+  {
+    this->Use(*embedded);
+  }
+  else
+  {
+    embedded = this->FindEmbedded(given, options);
+    moved = nullptr;
+  }
   if (!embedded)
   {
     return false;
   }
-  const auto control = this->Rest.MoveControlPoints(deformed);
   this->Rest.WarnOfInvertedCells(control, options);
   const bool hasVectors = options.TransformVectors && HasVectors(input);
-  const double* moved = nullptr;
-  if (hasVectors || embedded->Composed.GetNumberOfRows() == 0)
+  if (!moved && (hasVectors || embedded->Composed.GetNumberOfRows() == 0))
   {
     moved = this->Rest.MovePoints(control);
   }
-  const auto result =
-    MoveEmbeddedPoints(*embedded, static_cast<const double*>(control->GetVoidPointer(0)), moved,
-      ChooseType(points, options.OutputPointsPrecision));
+  if (!result)
+  {
+    result = MoveEmbeddedPoints(
+      *embedded, static_cast<const double*>(control->GetVoidPointer(0)), moved, type);
+  }
   CopyLooks(points, result);
   vtkNew<vtkPoints> outputPoints;
   outputPoints->SetDataType(result->GetDataType());
@@ -176,13 +191,37 @@ bool Deformation::Prepare(
   return !options.Progress || !options.Progress(0.5);
 }
 
+/// The embedded points that are kept for points which begin like these, if such points can be moved
+/// before it is known whether they are equal; else null.
+EmbeddedPoints* Deformation::GuessEmbedded(
+  vtkDataArray* points, const DeformationOptions& options) const
+{
+  const int type = points->GetDataType();
+  return type != VTK_DOUBLE && type != VTK_FLOAT
+    ? nullptr
+    : this->Embedded.Find(
+        [&](const EmbeddedPoints& kept)
+        {
+          return kept.Rule == options.Outside && kept.Composed.GetNumberOfRows() == 0 &&
+            (kept.Outside.empty() || options.Outside != OutsideRule::Error) &&
+            BeginsAs(points, kept.Print);
+        });
+}
+
+/// Notes that embedded points serve this update.
+void Deformation::Use(EmbeddedPoints& embedded)
+{
+  embedded.Used = true;
+  this->NumberOfOutsidePoints += static_cast<vtkIdType>(embedded.Outside.size());
+}
+
 /// Finds the embedded points that are kept for equal points, or embeds the points. Returns null if
 /// points are outside and OutsidePoints makes that an error, or if they are too many.
 EmbeddedPoints* Deformation::FindEmbedded(vtkDataArray* points, const DeformationOptions& options)
 {
-  std::vector<std::uint64_t> fingerprint = ComputeFingerprint(points);
+  Fingerprint print = ComputeFingerprint(points);
   EmbeddedPoints* embedded = this->Embedded.Find([&](const EmbeddedPoints& kept)
-    { return kept.Rule == options.Outside && kept.Fingerprint == fingerprint; });
+    { return kept.Rule == options.Outside && kept.Print == print; });
   const bool isNew = !embedded;
   if (isNew)
   {
@@ -197,10 +236,9 @@ EmbeddedPoints* Deformation::FindEmbedded(vtkDataArray* points, const Deformatio
       return nullptr;
     }
     embedded = this->Embedded.Add(std::move(made));
-    embedded->Fingerprint = std::move(fingerprint);
+    embedded->Print = std::move(print);
   }
-  embedded->Used = true;
-  this->NumberOfOutsidePoints += static_cast<vtkIdType>(embedded->Outside.size());
+  this->Use(*embedded);
   if (embedded->Outside.empty())
   {
     return embedded;

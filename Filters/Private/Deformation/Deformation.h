@@ -36,7 +36,9 @@ private:
   bool Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* deformed,
     const DeformationOptions& options, vtkPointSet* output);
   bool Prepare(vtkPointSet* rest, vtkPointSet* deformed, const DeformationOptions& options);
+  EmbeddedPoints* GuessEmbedded(vtkDataArray* points, const DeformationOptions& options) const;
   EmbeddedPoints* FindEmbedded(vtkDataArray* points, const DeformationOptions& options);
+  void Use(EmbeddedPoints& embedded);
 
   RestMesh Rest;
   KeptEntries<EmbeddedPoints> Embedded;

@@ -97,6 +97,21 @@ void AddRemainders(const EmbeddedPoints& embedded, T* points)
   }
 }
 
+/// An array for the points, which move(values) writes as float or double.
+template <typename Move>
+vtkSmartPointer<vtkDataArray> MakePoints(const EmbeddedPoints& embedded, int type, const Move& move)
+{
+  auto points = MakeArray(type, 3, embedded.Rows.GetNumberOfRows());
+  const auto moveAll = [&](auto* to)
+  {
+    move(to);
+    AddRemainders(embedded, to);
+  };
+  type == VTK_FLOAT ? moveAll(static_cast<float*>(points->GetVoidPointer(0)))
+                    : moveAll(static_cast<double*>(points->GetVoidPointer(0)));
+  return points;
+}
+
 void AddOutside(vtkDataArray* points, vtkIdType i, const RestMesh& rest, EmbeddedPoints& embedded)
 {
   double x[3];
@@ -248,21 +263,22 @@ std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule ru
 vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
   const EmbeddedPoints& embedded, const double* control, const double* moved, int type)
 {
-  const auto points = MakeArray(type, 3, embedded.Rows.GetNumberOfRows());
-  auto move = [&](auto* to)
-  {
-    moved ? embedded.Rows.Move(moved, to) : embedded.Composed.Apply(control, to, 3);
-    AddRemainders(embedded, to);
-  };
-  if (type == VTK_FLOAT)
-  {
-    move(static_cast<float*>(points->GetVoidPointer(0)));
-  }
-  else
-  {
-    move(static_cast<double*>(points->GetVoidPointer(0)));
-  }
-  return points;
+  return MakePoints(embedded, type, [&](auto* to)
+    { moved ? embedded.Rows.Move(moved, to) : embedded.Composed.Apply(control, to, 3); });
+}
+
+vtkSmartPointer<vtkDataArray> MoveIfEmbedded(
+  const EmbeddedPoints& embedded, const double* moved, int type, vtkDataArray* given)
+{
+  bool isEmbedded = false;
+  const auto points = MakePoints(embedded, type,
+    [&](auto* to)
+    {
+      const Fingerprint print = ComputeFingerprint(
+        given, [&](vtkIdType begin, vtkIdType end) { embedded.Rows.Move(begin, end, moved, to); });
+      isEmbedded = print == embedded.Print;
+    });
+  return isEmbedded ? points : nullptr;
 }
 
 Buffer<double> ComputeJacobians(

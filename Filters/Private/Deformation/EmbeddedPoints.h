@@ -32,7 +32,7 @@ struct EmbeddedPoints
   std::vector<double> Remainders; ///< 3 for each point outside
   vtkIdType NumberNotFinite = 0;  ///< of those outside
 
-  std::vector<std::uint64_t> Fingerprint; ///< of the points
+  Fingerprint Print; ///< of the points
   OutsideRule Rule = OutsideRule::Leave;
   bool Used = true;
 
@@ -53,6 +53,11 @@ std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule ru
 /// subdivided deformed mesh, or null where there are composed rows.
 vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
   const EmbeddedPoints& embedded, const double* control, const double* moved, int type);
+
+/// The same by `moved`, and meanwhile the fingerprint of `given`, points in single or double
+/// precision that may be the embedded ones. Null: it is another.
+vtkSmartPointer<vtkDataArray> MoveIfEmbedded(
+  const EmbeddedPoints& embedded, const double* moved, int type, vtkDataArray* given);
 
 /// For each point the Jacobian matrix (row by row) of the affine map of its cell; the identity
 /// where it has no solid cell.

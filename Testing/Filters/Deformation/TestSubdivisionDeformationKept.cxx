@@ -5,6 +5,8 @@
  */
 #include "SubdivisionDeformationTools.h"
 
+#include "Private/Arrays/Arrays.h"
+#include "Private/Arrays/Fingerprint.h"
 #include "Private/Deformation/EmbeddedPoints.h"
 
 #include "vtkInformation.h"
@@ -12,7 +14,10 @@
 #include "vtkSubdivisionModelSource.h"
 #include "vtkTrivialProducer.h"
 
+#include <algorithm>
 #include <limits>
+#include <random>
+#include <vector>
 
 using namespace deformation_tools;
 
@@ -54,7 +59,9 @@ struct Embedding
   std::unique_ptr<subdivision::EmbeddedPoints> Points;
 };
 
-std::vector<std::uint64_t> Print(const std::vector<float>& values)
+constexpr vtkIdType BlockOfPrint = subdivision::FingerprintHashes::Block; // words
+
+subdivision::Fingerprint Print(const std::vector<float>& values)
 {
   vtkNew<vtkFloatArray> array;
   array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
@@ -99,7 +106,8 @@ TEST(SubdivisionDeformationKept, MovedPointsAreWrittenOver)
 
 TEST(SubdivisionDeformationKept, OneOtherValueShowsInTheChecksum)
 {
-  std::vector<float> values(2 * 65536 + 2 * 5000 + 1); // a block, a part of one, and half a word
+  std::vector<float> values(
+    2 * BlockOfPrint + 2 * 5000 + 1); // a block, a part of one, and half a word
   std::mt19937 random(1);
   for (float& value : values)
   {
@@ -115,7 +123,8 @@ TEST(SubdivisionDeformationKept, OneOtherValueShowsInTheChecksum)
     values[i] = before;
   }
   // Values that change places, at distances of words that meet in one sum.
-  for (std::size_t distance : { 1, 2, 16, 32, 2 * 65536 })
+  for (std::size_t distance : { std::size_t(1), std::size_t(2), std::size_t(16), std::size_t(32),
+         static_cast<std::size_t>(2 * BlockOfPrint) })
   {
     for (std::size_t i = 0; i < 64; ++i)
     {
@@ -131,6 +140,74 @@ TEST(SubdivisionDeformationKept, OneOtherValueShowsInTheChecksum)
   zeros->SetNumberOfValues(30);
   zeros->Fill(0.);
   EXPECT_NE(Print(std::vector<float>(60, 0.F)), subdivision::ComputeFingerprint(zeros));
+}
+
+TEST(SubdivisionDeformationKept, WorkBesideTheChecksumIsDoneOnceForEachPoint)
+{
+  const auto check = [](vtkDataArray* points, vtkIdType size)
+  {
+    points->SetNumberOfComponents(3);
+    points->SetNumberOfTuples(size);
+    for (vtkIdType i = 0; i < 3 * size; ++i)
+    {
+      points->SetComponent(i / 3, static_cast<int>(i % 3), 0.1 * static_cast<double>(i));
+    }
+    std::vector<int> counts(size, 0);
+    const auto print = subdivision::ComputeFingerprint(points,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        ASSERT_LE(end, size);
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          ++counts[i];
+        }
+      });
+    EXPECT_EQ(print, subdivision::ComputeFingerprint(points)) << size;
+    EXPECT_EQ(std::count(counts.begin(), counts.end(), 1), size) << size;
+    EXPECT_TRUE(subdivision::BeginsAs(points, print)) << size;
+    points->SetComponent(0, 0, 1.);
+    EXPECT_FALSE(subdivision::BeginsAs(points, print)) << size;
+  };
+  for (const vtkIdType size : { 1, 2, 3, 15, 16, 17, 33, 1000 })
+  {
+    for (const vtkIdType more : { vtkIdType(0), BlockOfPrint / 3, 2 * BlockOfPrint / 3 })
+    {
+      check(vtkNew<vtkFloatArray>(), size + more);
+      check(vtkNew<vtkDoubleArray>(), size + more);
+    }
+  }
+}
+
+TEST(SubdivisionDeformationKept, APointThatChangesInPlaceIsSeenWhereverItIs)
+{
+  // Known points are moved before it is known whether they are the same; first and last ones differ
+  // in when that shows.
+  const Grid cage = MakeKuhnBox(2, 0.2, 3);
+  const Grid cloud = MakeCloud(60000, { 0.7, 0.7, 0.7 }, { 1.3, 1.3, 1.3 }, 1);
+  cloud->GetPoints()->SetPoint(7, 40., 1., 2.); // outside
+  Deformer filter;
+  const auto expectFresh = [&](double shift, vtkIdType builds)
+  {
+    const Grid deformed = Moved(cage,
+      [shift](const Point& x) { return Point{ x[0] + shift * x[1] * x[1], x[1] - shift, x[2] }; });
+    Deformer fresh;
+    const auto expected = fresh.Run(cloud, cage, deformed);
+    const auto moved = filter.Run(cloud, cage, deformed);
+    EXPECT_TRUE(subdivision::HoldsSameValues(
+      moved->GetPoints()->GetData(), expected->GetPoints()->GetData()));
+    EXPECT_EQ(filter->GetNumberOfLocationBuilds(), builds);
+    EXPECT_EQ(filter->GetNumberOfOutsidePoints(), 1);
+  };
+  expectFresh(0.1, 1);
+  expectFresh(0.2, 1);
+  vtkIdType builds = 1;
+  for (const vtkIdType i : { 59999, 0, 21839, 21840, 40000 })
+  {
+    cloud->GetPoints()->SetPoint(i, 0.9, 1., 1.1);
+    ++builds;
+    expectFresh(0.1 * static_cast<double>(builds), builds);
+    expectFresh(0.3, builds);
+  }
 }
 
 TEST(SubdivisionDeformationKept, WhatAnUpdateDidNotUseIsForgotten)
