@@ -114,9 +114,10 @@ Place Links<Id>::PlaceEdgeInSolid(Id edge) const
   return ends == 0 ? Place::Interior : Place::Boundary;
 }
 
-/// Whether the link of an edge in C_3 is connected. Walks around the edge, from an end of the link
-/// if there is one, and compares the number of faces on the way with `faces`. No face has more than
-/// two tetrahedra.
+/// Whether the link of an edge in C_3 is connected: `faces` nodes, none of which has more than two
+/// tetrahedra, and two or none have one. Walks around the edge from one of these two if there are
+/// any. What it does not come to are cycles, of three faces at least, so that it may stop before
+/// the last two.
 template <typename Id>
 bool Links<Id>::IsConnectedAround(Id edge, vtkIdType faces) const
 {
@@ -132,13 +133,13 @@ bool Links<Id>::IsConnectedAround(Id edge, vtkIdType faces) const
   vtkIdType met = 1;
   Id face = start;
   Id tet = -1;
-  while (true)
+  while (met + 2 < faces)
   {
     const Row<Id> tets = this->Complex.FaceTets[face];
     const Id* next = tets.begin();
     if (*next == tet && ++next == tets.end())
     {
-      break; // the other end
+      return false; // the other end
     }
     tet = *next;
     // The other face of this tetrahedron at the edge.
@@ -152,11 +153,11 @@ bool Links<Id>::IsConnectedAround(Id edge, vtkIdType faces) const
     face = this->Complex.TetFaces[4 * tet + local];
     if (face == start)
     {
-      break;
+      return false;
     }
     ++met;
   }
-  return met == faces;
+  return true;
 }
 
 template <typename Id>
@@ -187,6 +188,7 @@ Place Links<Id>::PlaceVertexInSurface(Id vertex) const
 {
   vtkIdType nodes = 0;
   vtkIdType ends = 0;
+  Id start = -1; // an end of the link if there is one
   for (Id edge : this->VertexEdges[vertex])
   {
     switch (this->PlaceEdge(edge, 2))
@@ -196,9 +198,11 @@ Place Links<Id>::PlaceVertexInSurface(Id vertex) const
       case Place::Boundary:
         ++ends;
         ++nodes;
+        start = edge;
         break;
       case Place::Interior:
         ++nodes;
+        start = start < 0 ? edge : start;
         break;
       default:
         break;
@@ -208,46 +212,42 @@ Place Links<Id>::PlaceVertexInSurface(Id vertex) const
   {
     return Place::Outside;
   }
-  if (!this->IsOneFan(vertex, nodes))
+  if (ends > 2 || !this->IsOneFan(vertex, start, nodes))
   {
     return Place::Type3;
   }
   return ends == 0 ? Place::Interior : Place::Boundary;
 }
 
-/// Whether the triangles at a vertex form one fan. Walks through them, from an end of the link if
-/// there is one, and compares the number of edges on the way with `edges`. No edge has more than
-/// two triangles.
+/// Whether the triangles at a vertex form one fan: `edges` edges lie on them, none of which has
+/// more than two, and two or none have one. Walks from `start`, one of these two if there are any.
+/// What it does not come to are cycles, of three edges at least, so that it may stop before the
+/// last two.
 template <typename Id>
-bool Links<Id>::IsOneFan(Id vertex, vtkIdType edges) const
+bool Links<Id>::IsOneFan(Id vertex, Id start, vtkIdType edges) const
 {
   auto isTriangle = [this](Id face) { return this->FaceDimension(face) == DimensionBit(2); };
-  Id start = -1;
-  for (Id edge : this->VertexEdges[vertex])
-  {
-    const Place place = this->PlaceEdge(edge, 2);
-    if (place != Place::Outside && (start < 0 || place == Place::Boundary))
-    {
-      start = edge;
-    }
-  }
-  vtkIdType met = 0;
+  vtkIdType met = 1;
   Id edge = start;
   Id face = -1;
-  do
+  while (met + 2 < edges)
   {
-    ++met;
     const Row<Id> faces = this->EdgeFaces[edge];
     const Id* next = std::find_if(
       faces.begin(), faces.end(), [&](Id other) { return other != face && isTriangle(other); });
     if (next == faces.end())
     {
-      break; // the other end
+      return false; // the other end
     }
     face = *next;
     edge = this->Complex.OtherEdge(face, edge, vertex);
-  } while (edge != start);
-  return met == edges;
+    if (edge == start)
+    {
+      return false;
+    }
+    ++met;
+  }
+  return true;
 }
 
 /// The link of a vertex in C_3 is a surface: a vertex for each edge, an edge for each face, a

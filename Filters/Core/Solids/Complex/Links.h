@@ -70,7 +70,7 @@ private:
   Place PlaceVertexInSurface(Id vertex) const;
   Place PlaceVertexInSolid(Id vertex, const Buffer<Place>& edgePlaces) const;
   bool IsConnectedAround(Id edge, vtkIdType faces) const;
-  bool IsOneFan(Id vertex, vtkIdType edges) const;
+  bool IsOneFan(Id vertex, Id start, vtkIdType edges) const;
 
   const Buffer<unsigned char> Dimensions; ///< of edges
 };

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace coretest;
 
 namespace
@@ -195,6 +197,45 @@ TEST(CoreStrata, AnnulusAndSuspendedTorusAreType3)
   EXPECT_EQ(cone.Level.Strata.Vertices[7].GetRule(), Rule::Blend);
   EXPECT_EQ(cone.Level.Strata.Vertices[0].GetType(), 0);
   EXPECT_EQ(cone.Level.Strata.Vertices[0].GetRule(), Rule::Surface);
+}
+
+TEST(CoreStrata, SeveralSmallestFansAreType3)
+{
+  // Fans at vertex 0 and at edge 01: closed ones are of three, the fewest there may be, beside a
+  // closed or an open one.
+  const auto add = [](Mesh& mesh, int first, int size, bool isClosed, bool ofTets)
+  {
+    for (int i = 0; i + (isClosed ? 0 : 1) < size; ++i)
+    {
+      const int a = first + i;
+      const int b = first + (i + 1) % size;
+      mesh.AddCells({ ofTets ? Tuple{ 0, 1, a, b } : Tuple{ 0, a, b } });
+    }
+  };
+  for (const bool ofTets : { false, true })
+  {
+    for (const int size : { 2, 3, 4 })
+    {
+      for (const bool isClosed : { false, true })
+      {
+        if (size == 2 && isClosed)
+        {
+          continue;
+        }
+        for (const bool isLast : { false, true })
+        {
+          Mesh mesh = MakeSpread("Fans", 12);
+          add(mesh, isLast ? 5 : 2, 3, true, ofTets);
+          add(mesh, isLast ? 2 : 5, isLast ? std::min(size, 3) : size, isClosed, ofTets);
+          const Subdivided<int> built = Build<int>(mesh.Cells);
+          const auto& strata = built.Level.Strata;
+          const Stratum stratum =
+            ofTets ? strata.Edges[FindEdge(built.Level.Complex, 0, 1)] : strata.Vertices[0];
+          EXPECT_EQ(stratum.GetType(), 3) << ofTets << size << isClosed << isLast;
+        }
+      }
+    }
+  }
 }
 
 TEST(CoreStrata, ManifoldDimensions)
