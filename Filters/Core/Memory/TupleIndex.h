@@ -45,6 +45,22 @@ struct TupleNumbers
   Buffer<Id> Representatives; ///< the first tuple that has each number
 };
 
+/// Whether each tuple comes after the one before in lexicographic order, so that all are different.
+template <int N, typename Id>
+bool AreAscending(const Buffer<std::array<Id, N>>& tuples)
+{
+  for (const vtkIdType i : InTurn(tuples.size() - 1))
+  {
+    const Id order = tuples[i + 1][0] != tuples[i][0] ? tuples[i + 1][0] - tuples[i][0]
+                                                      : CompareTails<N>(tuples[i + 1], tuples[i]);
+    if (order <= 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /**
  * Numbers the distinct tuples: first those that occur among the first `leading` tuples, in the
  * order of their first occurrence; then all others in lexicographic order. Tuples are grouped by
@@ -55,6 +71,13 @@ TupleNumbers<Id> NumberTuples(
   const Buffer<std::array<Id, N>>& tuples, Id numberOfVertices, vtkIdType leading)
 {
   const vtkIdType size = tuples.size();
+  if (AreAscending<N>(tuples))
+  {
+    TupleNumbers<Id> all{ Buffer<Id>(size), Buffer<Id>(size) };
+    ForEach(
+      size, [&](vtkIdType i) { all.Numbers[i] = all.Representatives[i] = static_cast<Id>(i); });
+    return all;
+  }
   Rows<Id> groups = ListByRow<Id>(
     numberOfVertices, size, [&](vtkIdType i) { return tuples[i][0]; },
     [](vtkIdType i) { return static_cast<Id>(i); });

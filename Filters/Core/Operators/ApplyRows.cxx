@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Operators/ApplyRows.h"
 
+#include "Core/Operators/ChainSums.h"
 #include "Core/Operators/PackedArrays.h"
 #include "Core/Operators/RingSums.h"
 
@@ -150,54 +151,85 @@ void SumBlock(const EqualRows<Id>& rows, const In* in, Out* out, int components)
 // Types of values
 
 /// Applies a block to values of given types.
-using Applier = void (*)(const RowsView& view, const void* in, void* out, int components);
+template <typename View>
+using Applier = void (*)(const View& view, const void* in, void* out, int components);
 
-template <int N, typename In, typename Out>
-void ApplyBlock(const RowsView& view, const void* in, void* out, int components)
+template <int N, typename In, typename Out, typename View>
+void ApplyBlock(const View& view, const void* in, void* out, int components)
 {
   std::visit([&](const auto& rows)
     { SumBlock<N>(rows, static_cast<const In*>(in), static_cast<Out*>(out), components); }, view);
 }
 
 /// 1 and 3 values of a frequent type have unrolled loops. More cases would cost compile time.
-template <typename In, typename Out = In>
-Applier FindApplier(int components)
+template <typename View, typename In, typename Out = In>
+Applier<View> FindApplier(int components)
 {
   if constexpr (std::is_floating_point<In>::value || std::is_same<In, unsigned char>::value)
   {
     if (components == 1)
     {
-      return ApplyBlock<1, In, Out>;
+      return ApplyBlock<1, In, Out, View>;
     }
     if (components == 3)
     {
-      return ApplyBlock<3, In, Out>;
+      return ApplyBlock<3, In, Out, View>;
     }
   }
-  if constexpr (std::is_same<In, double>::value && std::is_same<Out, double>::value)
+  if constexpr (std::is_same<View, RowsView>::value && std::is_same<In, double>::value &&
+    std::is_same<Out, double>::value)
   {
     if (components == 4) // of packed arrays
     {
-      return ApplyBlock<4, In, Out>;
+      return ApplyBlock<4, In, Out, View>;
     }
   }
-  return ApplyBlock<0, In, Out>;
+  return ApplyBlock<0, In, Out, View>;
 }
 
-Applier FindApplier(const MovedArray& array)
+template <typename View>
+Applier<View> FindApplier(const MovedArray& array)
 {
   if (array.InType == VTK_DOUBLE && array.OutType == VTK_FLOAT)
   {
-    return FindApplier<double, float>(array.Components);
+    return FindApplier<View, double, float>(array.Components);
   }
   if (array.InType == array.OutType)
   {
     switch (array.InType)
     {
-      vtkTemplateMacro(return FindApplier<VTK_TT>(array.Components));
+      vtkTemplateMacro(return (FindApplier<View, VTK_TT>(array.Components)));
     }
   }
   throw std::invalid_argument("operators do not know this type of values");
+}
+
+template <typename View>
+std::vector<Applier<View>> FindAppliers(const std::vector<MovedArray>& arrays)
+{
+  std::vector<Applier<View>> appliers;
+  for (const MovedArray& array : arrays)
+  {
+    appliers.push_back(FindApplier<View>(array));
+  }
+  return appliers;
+}
+
+template <typename View>
+void ApplyToEach(const View& view, const std::vector<Applier<View>>& appliers,
+  const std::vector<MovedArray>& arrays)
+{
+  for (std::size_t i = 0; i < arrays.size(); ++i)
+  {
+    appliers[i](view, arrays[i].In, arrays[i].Out, arrays[i].Components);
+  }
+}
+
+void ApplyChains(const ChainOperator& operation, const std::vector<MovedArray>& arrays)
+{
+  using View = ChainOperator::ChainsView;
+  const std::vector<Applier<View>> appliers = FindAppliers<View>(arrays);
+  operation.ForEachChains([&](const View& view) { ApplyToEach(view, appliers, arrays); });
 }
 
 template <typename From, typename To>
@@ -238,7 +270,7 @@ void ApplyInStages(const PointOperator& operation, const MovedArray& array)
   Buffer<double> results(isDouble ? 0 : operation.GetNumberOfRows() * array.Components);
   double* out = isDouble ? static_cast<double*>(array.Out) : results.data();
   Buffer<double> between(operation.GetNumberBetween() * array.Components);
-  const Applier apply = FindApplier<double>(array.Components);
+  const Applier<RowsView> apply = FindApplier<RowsView, double>(array.Components);
   operation.ForEachBlock(
     [&](const RowsView& view)
     {
@@ -288,20 +320,18 @@ void ApplyToArrays(
   {
     return;
   }
-  const PackedArrays packed(operation, arrays);
-  std::vector<Applier> appliers;
-  for (const MovedArray& array : arrays)
+  if (const auto* chains = dynamic_cast<const ChainOperator*>(&operation))
   {
-    appliers.push_back(FindApplier(array));
+    ApplyChains(*chains, arrays);
+    return;
   }
+  const PackedArrays packed(operation, arrays);
+  const std::vector<Applier<RowsView>> appliers = FindAppliers<RowsView>(arrays);
   operation.ForEachBlock(
     [&](const RowsView& view)
     {
       packed.Apply(view);
-      for (std::size_t i = 0; i < arrays.size(); ++i)
-      {
-        appliers[i](view, arrays[i].In, arrays[i].Out, arrays[i].Components);
-      }
+      ApplyToEach(view, appliers, arrays);
       if (also)
       {
         also(view);
@@ -311,7 +341,7 @@ void ApplyToArrays(
 
 void SumRows(const RowsView& rows, const double* in, double* out, int components)
 {
-  FindApplier<double>(components)(rows, in, out, components);
+  FindApplier<RowsView, double>(components)(rows, in, out, components);
 }
 
 void PointOperator::ApplyTo(

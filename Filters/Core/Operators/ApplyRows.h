@@ -33,7 +33,8 @@ struct MovedArray
 
 /// Applies an operator to all arrays in one pass, so that each row is made or read only once. Each
 /// block goes to `also` too, if it is not empty. An operator with values between makes a pass for
-/// each array, so that only one array has such values at a time, and `also` must be empty.
+/// each array, so that only one array has such values at a time, and `also` must be empty. So it
+/// must be for an operator of chains.
 void ApplyToArrays(const PointOperator& operation, std::vector<MovedArray> arrays,
   const PointOperator::User& also = PointOperator::User());
 

@@ -128,11 +128,15 @@ vtkSmartPointer<vtkAbstractArray> SpreadToChildren(
 void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   const CellArrayOptions& options, vtkUnstructuredGrid* output)
 {
-  const Buffer<vtkIdType> first = FindChildren(cells.Simplices, options.Levels);
-  const bool unchanged =
-    cells.ParentCells.empty() && first[first.size() - 1] == input->GetNumberOfCells();
+  Buffer<vtkIdType> first; // empty until an array needs it
   auto spread = [&](vtkAbstractArray* array)
   {
+    if (first.empty())
+    {
+      first = FindChildren(cells.Simplices, options.Levels);
+    }
+    const bool unchanged =
+      cells.ParentCells.empty() && first[first.size() - 1] == input->GetNumberOfCells();
     return unchanged ? vtkSmartPointer<vtkAbstractArray>(array) : SpreadArray(array, cells, first);
   };
   CopyArrays(

@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/Reading/NonLinearCells.h"
+#include "Private/Reading/PlainSimplices.h"
 #include "Private/Reading/PolyhedronFaces.h"
 #include "Private/Reading/SolidCells.h"
 
@@ -194,6 +195,10 @@ struct FiniteWorker
 std::vector<unsigned char> FindFinitePoints(vtkPointSet* input)
 {
   const vtkIdType size = input->GetNumberOfPoints();
+  if (size > 0 && AreFinite(input->GetPoints()->GetData()))
+  {
+    return {};
+  }
   std::vector<unsigned char> finite(static_cast<size_t>(size), 1);
   if (size > 0)
   {

@@ -8,7 +8,7 @@
 #ifndef SubdivisionObjects_CellReader_h
 #define SubdivisionObjects_CellReader_h
 
-#include "Core/Memory/Loops.h"
+#include "Core/Memory/Buffer.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -30,6 +30,15 @@ struct CellIds
   const vtkIdType* Ids = nullptr;
   vtkIdType Size = 0;
 };
+
+/// Sets the size of a list that is empty. It gets huge pages before anything is written there.
+template <typename T>
+void ResizeInHugePages(std::vector<T>& list, vtkIdType size)
+{
+  list.reserve(static_cast<std::size_t>(size));
+  AdviseHugePages(list.data(), sizeof(T) * list.capacity());
+  list.resize(static_cast<std::size_t>(size));
+}
 
 /// The number of cells in a block, which one task reads. The bounds of blocks are fixed, so that
 /// results do not depend on the number of threads.

@@ -519,9 +519,9 @@ void SplitCells(const CellReader& cells, vtkPointSet* input, const CheckedCells&
   Counts counts = CountPieces(cells, input, checked, diagonals);
   DescribeContested(std::move(counts.Contested), output.Warnings);
   const auto size = [](vtkIdType amount) { return static_cast<size_t>(amount); };
-  output.Simplices.Dimensions.resize(size(counts.Total.Simplices));
-  output.Simplices.Connectivity.resize(size(counts.Total.Ids));
-  output.ParentCells.resize(counts.OnePerCell ? 0 : size(counts.Total.Simplices));
+  ResizeInHugePages(output.Simplices.Dimensions, counts.Total.Simplices);
+  ResizeInHugePages(output.Simplices.Connectivity, counts.Total.Ids);
+  ResizeInHugePages(output.ParentCells, counts.OnePerCell ? 0 : counts.Total.Simplices);
   output.CentreOffsets.resize(size(counts.Total.Centres) + 1);
   output.CentreMembers.resize(size(counts.Total.Members));
   const vtkIdType firstCentre = output.Simplices.NumberOfPoints;

@@ -62,31 +62,6 @@ bool AreFinite(const Number* values, vtkIdType begin, vtkIdType end)
   return (found & sign) == 0;
 }
 
-/// Whether all values are finite; false also for arrays of a layout or type that this test cannot
-/// read.
-bool AreFinite(vtkDataArray* array)
-{
-  const bool isDouble = array->GetDataType() == VTK_DOUBLE;
-  if (!array->HasStandardMemoryLayout() || (!isDouble && array->GetDataType() != VTK_FLOAT))
-  {
-    return false;
-  }
-  const void* values = array->GetNumberOfValues() > 0 ? array->GetVoidPointer(0) : nullptr;
-  std::atomic<bool> finite{ true };
-  ForRanges(array->GetNumberOfValues(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      const bool good = isDouble
-        ? AreFinite<std::uint64_t, 52>(static_cast<const double*>(values), begin, end)
-        : AreFinite<std::uint32_t, 23>(static_cast<const float*>(values), begin, end);
-      if (!good)
-      {
-        finite = false;
-      }
-    });
-  return finite;
-}
-
 /// Whether each cell has `Corners` ids that are all different and ids of existing points.
 template <int Corners, typename Id>
 bool AreSimplices(const Id* ids, vtkIdType cells, vtkIdType numberOfPoints)
@@ -161,18 +136,39 @@ bool HasHidden(const unsigned char* ghosts, vtkIdType begin, vtkIdType end)
 
 }
 
+bool AreFinite(vtkDataArray* array)
+{
+  const bool isDouble = array->GetDataType() == VTK_DOUBLE;
+  if (!array->HasStandardMemoryLayout() || (!isDouble && array->GetDataType() != VTK_FLOAT))
+  {
+    return false;
+  }
+  const void* values = array->GetNumberOfValues() > 0 ? array->GetVoidPointer(0) : nullptr;
+  std::atomic<bool> finite{ true };
+  ForRanges(array->GetNumberOfValues(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      const bool good = isDouble
+        ? AreFinite<std::uint64_t, 52>(static_cast<const double*>(values), begin, end)
+        : AreFinite<std::uint32_t, 23>(static_cast<const float*>(values), begin, end);
+      if (!good)
+      {
+        finite = false;
+      }
+    });
+  return finite;
+}
+
 bool ReadPlainSimplices(
   vtkPointSet* input, const CellReader& cells, std::vector<unsigned char>& dimensions)
 {
-  if (!input->GetPoints() || !AreFinite(input->GetPoints()->GetData()))
+  if (!input->GetPoints())
   {
     return false;
   }
   const vtkIdType numberOfPoints = input->GetNumberOfPoints();
   const unsigned char* ghosts = GetGhosts(input, cells.GetNumberOfCells());
-  dimensions.reserve(static_cast<size_t>(cells.GetNumberOfCells()));
-  AdviseHugePages(dimensions.data(), dimensions.capacity());
-  dimensions.resize(static_cast<size_t>(cells.GetNumberOfCells()));
+  ResizeInHugePages(dimensions, cells.GetNumberOfCells());
   std::atomic<bool> plain{ true };
   ForCellBlocks(cells,
     [&](vtkIdType, vtkIdType begin, vtkIdType end)
@@ -201,11 +197,12 @@ bool ReadPlainSimplices(
         plain = false;
       }
     });
-  if (!plain)
+  if (!plain || !AreFinite(input->GetPoints()->GetData()))
   {
     dimensions.clear();
+    return false;
   }
-  return plain;
+  return true;
 }
 
 }

@@ -13,6 +13,10 @@
 namespace subdivision
 {
 
+/// Whether all values are finite; false also for arrays of a layout or type that this test cannot
+/// read.
+bool AreFinite(vtkDataArray* array);
+
 /// Finds the dimension of each cell. Returns false, and no dimensions, if a cell is hidden, has a
 /// fault or is not a simplex, or if a coordinate is not finite; CheckCells then finds out which.
 bool ReadPlainSimplices(

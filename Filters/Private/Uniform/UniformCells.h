@@ -34,7 +34,8 @@ struct UniformCells
   KnownSigns Signs; ///< of the volumes
 };
 
-/// A level's cells after 1 or 2 steps; `runs` are those of the level. `small`: with 32-bit ids
+/// A level's cells after 1 or 2 steps, or as many as Scheme::WriteChildren can; `runs` are those of
+/// the level. `small`: with 32-bit ids
 /// where they fit. `points` are those after the steps, and only pieces depend on them: octahedra
 /// are cut around their shortest diagonal, or, if `points` is null, around any, for TurnOctahedra.
 template <typename Scheme>
@@ -50,8 +51,9 @@ UniformCells CopyCells(
 /// other outputs have them too, the connectivity is copied first.
 void TurnOctahedra(UniformCells& cells, bool shared, vtkDataArray* points);
 
-/// The simplices of dimension 0 to 2 in `runs` of a level after 0, 1 or 2 steps. `centres`: number
-/// of vertices of the next level inside solids.
+/// The simplices of dimension 0 to 2 in `runs` of a level after 0, 1 or 2 steps, or after any
+/// number where there is nothing but vertices and edges. `centres`: number of vertices of the next
+/// level inside solids.
 template <typename Id>
 SimplexTuples GatherTuples(
   const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps, Id centres);

@@ -15,6 +15,10 @@ namespace
 template <typename Id>
 Rows<Id> Invert(const Buffer<Id>& members, int perOwner, vtkIdType rows)
 {
+  if (members.empty())
+  {
+    return { Buffer<Id>(rows + 1, Id(0)), Buffer<Id>() };
+  }
   return ListByRow<Id>(
     rows, members.size(), [&](vtkIdType i) { return members[i]; },
     [perOwner](vtkIdType i) { return static_cast<Id>(i / perOwner); });

@@ -6,6 +6,8 @@
 #include "Core/Memory/TupleIndex.h"
 #include "Core/Solids/Complex/Simplices.h"
 
+#include <algorithm>
+
 namespace subdivision
 {
 namespace
@@ -19,10 +21,36 @@ struct CellsOfDimension
   Buffer<bool> Repeats;
 };
 
+/// How many simplices a list has of each dimension.
+std::array<vtkIdType, 4> CountDimensions(const SimplexList& simplices)
+{
+  std::array<vtkIdType, 4> counts;
+  for (std::size_t d = 0; d < counts.size(); ++d)
+  {
+    counts[d] = std::count(simplices.Dimensions.begin(), simplices.Dimensions.end(), d);
+  }
+  return counts;
+}
+
+/// `entries`: where the vertices of each simplex begin; not read if all have one dimension.
 template <int N, typename Id>
-CellsOfDimension<N, Id> GatherCells(const SimplexList& simplices, const Buffer<vtkIdType>& entries)
+CellsOfDimension<N, Id> GatherCells(
+  const SimplexList& simplices, const Buffer<vtkIdType>& entries, vtkIdType count)
 {
   const vtkIdType size = simplices.GetNumberOfSimplices();
+  if (count == 0 || count == size)
+  {
+    CellsOfDimension<N, Id> all{ Buffer<std::array<Id, N>>(count), Buffer<bool>(count, false) };
+    ForEach(count,
+      [&](vtkIdType i)
+      {
+        for (int k = 0; k < N; ++k)
+        {
+          all.Vertices[i][k] = static_cast<Id>(simplices.Connectivity[N * i + k]);
+        }
+      });
+    return all;
+  }
   Buffer<Id> places(size + 1);
   ForEach(size, [&](vtkIdType i) { places[i] = simplices.Dimensions[i] == N - 1 ? 1 : 0; });
   CountsToOffsets(places);
@@ -49,6 +77,10 @@ Buffer<std::array<Id, N>> TakeFirsts(
   CellsOfDimension<N, Id>& cells, const TupleNumbers<Id>& numbers, EqualCells<Id>& equal)
 {
   const vtkIdType size = cells.Vertices.size();
+  if (numbers.Representatives.size() == numbers.Numbers.size())
+  {
+    return std::move(cells.Vertices); // all are different
+  }
   ForEach(size,
     [&](vtkIdType i) { cells.Repeats[i] = numbers.Representatives[numbers.Numbers[i]] != i; });
   const vtkIdType firsts = std::count(cells.Repeats.begin(), cells.Repeats.end(), false);
@@ -207,6 +239,14 @@ std::vector<CellRun> MakeRuns(const SimplexList& simplices, const CellsOfDimensi
   vtkIdType next[4][2] = {};
   vtkIdType entry = 0;
   std::vector<CellRun> runs;
+  const int first = simplices.Dimensions.empty() ? 0 : simplices.Dimensions[0];
+  const Buffer<bool>& ofFirst = *repeats[first];
+  if (ofFirst.size() == simplices.GetNumberOfSimplices() &&
+    std::count(ofFirst.begin(), ofFirst.end(), true) == 0)
+  {
+    runs.resize(simplices.Dimensions.empty() ? 0 : 1, { first, false, 0, ofFirst.size(), 0, 0 });
+    return runs;
+  }
   ForEachInTurn(simplices.GetNumberOfSimplices(),
     [&](vtkIdType i)
     {
@@ -229,13 +269,18 @@ template <typename Id>
 SimplicialComplex<Id> BuildComplex(const SimplexList& simplices, std::vector<CellRun>& runs)
 {
   const vtkIdType size = simplices.GetNumberOfSimplices();
-  Buffer<vtkIdType> entries(size + 1);
-  ForEach(size, [&](vtkIdType i) { entries[i] = simplices.Dimensions[i] + 1; });
-  CountsToOffsets(entries);
-  const auto vertices = GatherCells<1, Id>(simplices, entries);
-  auto lines = GatherCells<2, Id>(simplices, entries);
-  auto triangles = GatherCells<3, Id>(simplices, entries);
-  auto tets = GatherCells<4, Id>(simplices, entries);
+  const std::array<vtkIdType, 4> counts = CountDimensions(simplices);
+  Buffer<vtkIdType> entries;
+  if (*std::max_element(counts.begin(), counts.end()) < size)
+  {
+    entries = Buffer<vtkIdType>(size + 1);
+    ForEach(size, [&](vtkIdType i) { entries[i] = simplices.Dimensions[i] + 1; });
+    CountsToOffsets(entries);
+  }
+  const auto vertices = GatherCells<1, Id>(simplices, entries, counts[0]);
+  auto lines = GatherCells<2, Id>(simplices, entries, counts[1]);
+  auto triangles = GatherCells<3, Id>(simplices, entries, counts[2]);
+  auto tets = GatherCells<4, Id>(simplices, entries, counts[3]);
 
   SimplicialComplex<Id> complex;
   complex.NumberOfVertices = static_cast<Id>(simplices.NumberOfPoints);
@@ -253,17 +298,25 @@ template <typename Id>
 Buffer<unsigned char> FindManifoldDimensions(
   const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs)
 {
-  Buffer<unsigned char> vertices(complex.NumberOfVertices, 0);
-  Buffer<unsigned char> edges(complex.NumberOfEdges, 1);
+  // What no cell of the output has is not looked at.
+  const auto has = [&runs](int dimension)
+  {
+    return std::any_of(runs.begin(), runs.end(),
+      [dimension](const CellRun& run) { return run.Dimension == dimension; });
+  };
+  const bool hasVertices = has(0);
+  const bool hasEdges = hasVertices || has(1);
+  Buffer<unsigned char> vertices(hasVertices ? complex.NumberOfVertices : 0, 0);
+  Buffer<unsigned char> edges(hasEdges ? complex.NumberOfEdges : 0, 1);
   auto faceDimension = [&](vtkIdType f)
   { return static_cast<unsigned char>(complex.FaceTets[f].size() > 0 ? 3 : 2); };
-  ForEachInTurn(complex.FaceEdges.size(),
+  ForEachInTurn(hasEdges ? complex.FaceEdges.size() : 0,
     [&](vtkIdType i)
     {
       unsigned char& edge = edges[complex.FaceEdges[i]];
       edge = std::max(edge, faceDimension(i / 3));
     });
-  ForEachInTurn(complex.EdgeVertices.size(),
+  ForEachInTurn(hasVertices ? complex.EdgeVertices.size() : 0,
     [&](vtkIdType i)
     {
       unsigned char& vertex = vertices[complex.EdgeVertices[i]];

@@ -62,6 +62,8 @@ struct SimplicialComplex
   EqualCells<Id> EqualTriangles;
   EqualCells<Id> EqualTets;
 
+  /// Whether there is nothing but vertices and edges.
+  bool HasEdgesAlone() const { return this->NumberOfFaces == 0 && this->NumberOfTets == 0; }
   Id GetOtherEnd(Id edge, Id vertex) const
   {
     const Id* ends = this->EdgeVertices.data() + 2 * edge;

@@ -30,7 +30,8 @@
  *
  * **Cells**
  *  - WriteChildren(level, runs, steps, points, out): the children of a level's cells, or their
- *    children. `points` are those after the steps, or null, which only matters for pieces and for
+ *    children; in a scheme without pieces, where all cells are vertices and lines, after any number
+ *    of steps. `points` are those after the steps, or null, which only matters for pieces and for
  *    out.Signs;
  *  - HasCells(level, runs, cells): whether these cells are those of the level;
  *  - FindParents(level, runs, cells): for each child cell the cell whose values it takes; empty

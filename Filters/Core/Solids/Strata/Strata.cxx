@@ -13,21 +13,27 @@ namespace
 {
 
 /// Makes the ring of each row i of `around`. Its carriers are those for which accept(i, carrier) is
-/// true, with member(i, carrier) as members; the vertices of reliefs[i] follow, with the carrier
-/// -1.
-template <typename Id, typename Accept, typename Member>
-Rings<Id> MakeRings(const Rows<Id>& around, const Accept& accept, const Member& member,
-  const std::vector<std::vector<Id>>& reliefs)
+/// true, or all if acceptAll(i) is, with member(i, carrier) as members; the vertices of reliefs[i]
+/// follow, with the carrier -1.
+template <typename Id, typename AcceptAll, typename Accept, typename Member>
+Rings<Id> MakeRings(const Rows<Id>& around, const AcceptAll& acceptAll, const Accept& accept,
+  const Member& member, const std::vector<std::vector<Id>>& reliefs)
 {
   const vtkIdType size = around.GetNumberOfRows();
   Rings<Id> rings;
+  if (around.Items.empty() && reliefs.empty())
+  {
+    rings.Offsets = Buffer<Id>(size + 1, Id(0));
+    return rings;
+  }
   rings.Offsets = Buffer<Id>(size + 1);
   ForEach(size,
     [&](vtkIdType i)
     {
       const Row<Id> row = around[i];
-      const auto count =
-        std::count_if(row.begin(), row.end(), [&](Id carrier) { return accept(i, carrier); });
+      const auto count = acceptAll(i)
+        ? row.size()
+        : std::count_if(row.begin(), row.end(), [&](Id carrier) { return accept(i, carrier); });
       rings.Offsets[i] = static_cast<Id>(count + (reliefs.empty() ? 0 : reliefs[i].size()));
     });
   CountsToOffsets(rings.Offsets);
@@ -37,9 +43,10 @@ Rings<Id> MakeRings(const Rows<Id>& around, const Accept& accept, const Member& 
     [&](vtkIdType i)
     {
       Id out = rings.Offsets[i];
+      const bool all = acceptAll(i);
       for (Id carrier : around[i])
       {
-        if (accept(i, carrier))
+        if (all || accept(i, carrier))
         {
           rings.Members[out] = member(i, carrier);
           rings.Carriers[out++] = carrier;
@@ -207,8 +214,8 @@ Strata<Id> StrataBuilder<Id>::Build()
   Strata<Id> strata;
   strata.Weights = this->Options.Weights;
   strata.ModifiedBoundary = this->Options.ModifiedBoundary;
-  this->EdgePlaces = Buffer<Place>(edges);
-  ForEach(edges,
+  this->EdgePlaces = Buffer<Place>(edges, Place::Outside);
+  ForEach(this->Complex.NumberOfTets > 0 ? edges : 0,
     [&](vtkIdType e) { this->EdgePlaces[e] = this->Around.PlaceEdge(static_cast<Id>(e), 3); });
 
   Buffer<Decision> edgeDecisions(edges);
@@ -237,12 +244,13 @@ Strata<Id> StrataBuilder<Id>::Build()
     [&](vtkIdType f) { strata.Faces[f] = this->DecideFace(static_cast<Id>(f)); });
 
   strata.EdgeRings = MakeRings(
-    this->Around.EdgeFaces,
+    this->Around.EdgeFaces, [](vtkIdType) { return false; },
     [&](vtkIdType e, Id face) { return this->IsInEdgeRing(face, edgeDecisions[e]); },
     [&](vtkIdType e, Id face) { return this->Complex.VertexOpposite(face, static_cast<Id>(e)); },
     this->CollectReliefs(edgeDecisions));
   strata.VertexRings = MakeRings(
-    this->Around.VertexEdges,
+    this->Around.VertexEdges, [&, alone = this->Complex.HasEdgesAlone()](vtkIdType v)
+    { return alone && vertexDecisions[v].Ring == RingKind::InDimensions; },
     [&](vtkIdType v, Id edge) { return this->IsInVertexRing(edge, vertexDecisions[v]); },
     [&](vtkIdType v, Id edge) { return this->Complex.GetOtherEnd(edge, static_cast<Id>(v)); },
     std::vector<std::vector<Id>>());

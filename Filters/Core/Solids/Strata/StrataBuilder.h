@@ -99,6 +99,11 @@ private:
   {
     return this->Options.FaceParts.empty() ? -1 : this->Options.FaceParts[f];
   }
+  bool HasSingular() const
+  {
+    return !this->Singular.Vertices.empty() || !this->Singular.Edges.empty() ||
+      !this->Singular.Faces.empty();
+  }
   bool IsSingularFace(Id face) const
   {
     return !this->Singular.Faces.empty() && this->Singular.Faces[face];

@@ -13,12 +13,16 @@ namespace subdivision
 template <typename Id>
 Decision StrataBuilder<Id>::DecideEdge(Id edge) const
 {
+  const bool flagged = !this->Singular.Edges.empty() && this->Singular.Edges[edge];
+  if (this->Complex.HasEdgesAlone())
+  {
+    return Decide(Rule::Curve, 0, flagged ? RingKind::Creases : RingKind::None); // as below
+  }
   const unsigned char dimensions = this->Around.EdgeDimensions(edge);
   // No edge is a joint inside C_1 alone.
   const Place places[4] = { {}, {}, this->Around.PlaceEdge(edge, 2), this->EdgePlaces[edge] };
   const int type = this->TypeOf(dimensions, places);
   const int singularFaces = this->CountSingularFaces(edge);
-  const bool flagged = !this->Singular.Edges.empty() && this->Singular.Edges[edge];
   if (flagged || singularFaces == 1 || singularFaces > 2)
   {
     return Decide(Rule::Curve, type, RingKind::Creases);

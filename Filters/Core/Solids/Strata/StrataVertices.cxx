@@ -20,6 +20,11 @@ Decision DecideCurves(std::size_t edges, RingKind ring, int type)
 template <typename Id>
 Decision StrataBuilder<Id>::DecideVertex(Id vertex) const
 {
+  if (this->Complex.HasEdgesAlone() && this->Around.VertexEdges[vertex].size() == 2 &&
+    !this->HasSingular())
+  {
+    return DecideIn(Rule::Curve, 0, DimensionBit(1)); // as below, in fewer steps
+  }
   const unsigned char dimensions = this->Around.VertexDimensions(vertex);
   Place places[4] = {};
   for (int k = 1; k <= 3; ++k)
@@ -54,8 +59,7 @@ Decision StrataBuilder<Id>::DecideVertex(Id vertex) const
 template <typename Id>
 bool StrataBuilder<Id>::DecideSingularVertex(Id vertex, int type, Decision& decision) const
 {
-  if (this->Singular.Vertices.empty() && this->Singular.Edges.empty() &&
-    this->Singular.Faces.empty())
+  if (!this->HasSingular())
   {
     return false;
   }
