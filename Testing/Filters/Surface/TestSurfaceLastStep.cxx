@@ -126,9 +126,14 @@ bool MaySkipThree(SurfaceSchemeKind kind)
 int CountSkipped(const SurfaceSteps<int>& steps, SurfaceSchemeKind kind)
 {
   const int count = steps.GetNumberOfSteps();
-  if (MaySkipThree(kind) && count >= 4 && MaySkip(steps.GetLevel(count - 4), kind))
+  if (MaySkipThree(kind) && count >= 4)
   {
-    return 3;
+    const SurfaceLevel<int>& level = steps.GetLevel(count - 4);
+    const bool isRight = kind == SurfaceSchemeKind::Midedge || level.Mesh.Arity == 4;
+    if (isRight && MaySkip(level, kind))
+    {
+      return 3;
+    }
   }
   return count >= 2 && !IsLeftOut(steps.GetLevel(count - 2)) &&
       MaySkip(steps.GetLevel(count - 2), kind)
@@ -167,8 +172,8 @@ void ExpectSameSteps(const SurfaceSteps<int>& brief, const SurfaceSteps<int>& fu
   }
 }
 
-/// A torus, of which some faces are split, in some a vertex is taken out, and in some one face is
-/// turned over.
+/// A torus, of which in most cases some faces are split, in some a vertex is taken out, and in some
+/// one face is turned over.
 Model MakeTorus(unsigned seed, bool triangles)
 {
   constexpr vtkIdType n = 5;
@@ -193,7 +198,7 @@ Model MakeTorus(unsigned seed, bool triangles)
       {
         continue;
       }
-      if (!triangles && isDrawn(0.6))
+      if (!triangles && isDrawn(seed % 5 == 4 ? 1. : 0.6))
       {
         torus.Faces.push_back(quad);
       }
@@ -417,7 +422,7 @@ TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevelsOnClosedSurfaces)
   }
   EXPECT_EQ(skipped >= 20,
     GetParam() != SurfaceSchemeKind::SqrtThree && GetParam() != SurfaceSchemeKind::Linear);
-  EXPECT_EQ(threes >= 12, MaySkipThree(GetParam()));
+  EXPECT_EQ(threes >= 13, MaySkipThree(GetParam()));
 }
 
 /// What a level knows of the step that made it saves walks, and changes nothing.

@@ -19,7 +19,7 @@ namespace
 template <typename Id>
 using OfSpoke = std::array<Id, 4>;
 
-/// The levels two and more steps later, from this one.
+/// The levels two and more steps later, from this one, which has quads only.
 template <typename Id>
 class LaterLevels
 {
@@ -27,11 +27,11 @@ public:
   explicit LaterLevels(const SurfaceLevel<Id>& level)
     : Next(level)
     , Mesh(level.Mesh)
-    , AreQuads(level.Mesh.Arity == 4)
     , Corners(static_cast<Id>(level.Mesh.GetNumberOfCorners()))
     , FirstQuad(static_cast<Id>(this->Next.GetNumberOfVertices()))
     , FirstSpoke(this->FirstQuad + static_cast<Id>(this->Next.GetNumberOfFaces()))
     , FirstSide(this->FirstSpoke + this->Corners)
+    , Twins(level.Mesh.Twins.data())
     , Faces(level.Later.data())
     , Spokes(this->Faces + this->Corners)
     , OfApices(this->Spokes + this->Corners)
@@ -43,51 +43,44 @@ public:
   /// The number of the face of a corner's spoke.
   Id GetFace(Id corner) const { return this->Faces[corner]; }
   /// The corner of the spoke of a face.
-  Id GetSpoke(vtkIdType face) const { return this->Spokes[face] / 2; }
+  Id GetSpoke(vtkIdType face) const { return this->Spokes[face] >> 1; }
   /// At which of its corners the face begins.
-  std::size_t GetFirst(vtkIdType face) const { return this->Spokes[face] % 2 == 0 ? 0 : 2; }
+  std::size_t GetFirst(vtkIdType face) const
+  {
+    return 2 * static_cast<std::size_t>(this->Spokes[face] & 1);
+  }
 
-  Id GetNext(Id corner) const
-  {
-    return this->AreQuads ? (corner & ~Id(3)) | ((corner + 1) & 3) : this->Mesh.Next(corner);
-  }
-  Id GetPrevious(Id corner) const
-  {
-    return this->AreQuads ? (corner & ~Id(3)) | ((corner + 3) & 3) : this->Mesh.Previous(corner);
-  }
-  Id GetApex(Id corner) const
-  {
-    return static_cast<Id>(this->Mesh.NumberOfVertices) +
-      (this->AreQuads ? corner / 4 : this->Mesh.GetFace(corner));
-  }
+  static Id GetNext(Id corner) { return (corner & ~Id(3)) | ((corner + 1) & 3); }
+  static Id GetPrevious(Id corner) { return (corner & ~Id(3)) | ((corner + 3) & 3); }
   /// The spokes whose faces lie across its sides; side i is side 3 - i of such a face.
   OfSpoke<Id> GetAcross(Id corner) const
   {
-    return { this->GetPrevious(corner), this->GetTwinBefore(corner),
-      this->GetNext(this->Mesh.Twins[corner]), this->GetNext(corner) };
+    const Id before = GetPrevious(corner);
+    return { before, this->Twins[before], GetNext(this->Twins[corner]), GetNext(corner) };
   }
-  OfSpoke<Id> GetVertices(Id corner) const
+  OfSpoke<Id> GetVertices(Id corner, const OfSpoke<Id>& across) const
   {
-    return { this->GetApex(corner), this->GetVertexInQuad(this->GetPrevious(corner)),
-      this->Mesh.Vertices[corner], this->GetVertexInQuad(corner) };
+    return { static_cast<Id>(this->Mesh.NumberOfVertices) + (corner >> 2),
+      this->FirstQuad + this->Next.GetQuad(across[0], across[1]), this->Mesh.Vertices[corner],
+      this->GetVertexInQuad(corner) };
   }
   /// The faces across its sides, on the level three steps later. Two of them are stored with the
   /// spoke, the other two with those across.
-  OfSpoke<Id> GetSides(Id corner) const
+  OfSpoke<Id> GetSides(Id corner, const OfSpoke<Id>& across) const
   {
-    return { this->OfApices[corner], this->OfVertices[this->GetTwinBefore(corner)],
-      this->OfVertices[corner], this->OfApices[this->GetNext(corner)] };
+    return { this->OfApices[corner], this->OfVertices[across[1]], this->OfVertices[corner],
+      this->OfApices[across[3]] };
   }
   /// Of the spokes across: the side after the common one, and the side before it.
   OfSpoke<Id> GetSidesAfter(Id corner, const OfSpoke<Id>& across) const
   {
-    return { this->OfApices[across[0]], this->OfApices[this->GetNext(across[1])],
-      this->OfVertices[across[2]], this->OfVertices[this->Mesh.Twins[corner]] };
+    return { this->OfApices[across[0]], this->OfApices[GetNext(across[1])],
+      this->OfVertices[across[2]], this->OfVertices[this->Twins[corner]] };
   }
   OfSpoke<Id> GetSidesBefore(const OfSpoke<Id>& across) const
   {
-    return { this->OfVertices[across[0]], this->OfVertices[this->GetTwinBefore(across[1])],
-      this->OfApices[across[2]], this->OfApices[this->GetNext(across[3])] };
+    return { this->OfVertices[across[0]], this->OfVertices[this->Twins[GetPrevious(across[1])]],
+      this->OfApices[across[2]], this->OfApices[GetNext(across[3])] };
   }
   /// Where the number of one of them is stored.
   vtkIdType GetPlace(Id corner, const OfSpoke<Id>& across, std::size_t side) const
@@ -105,21 +98,22 @@ public:
       this->FirstSides - 1;
   }
   /// The vertex in the quad of a corner's edge, on the next level.
-  Id GetVertexInQuad(Id corner) const { return this->FirstQuad + this->Next.GetQuad(corner); }
+  Id GetVertexInQuad(Id corner) const
+  {
+    return this->FirstQuad + this->Next.GetQuad(corner, this->Twins[corner]);
+  }
   /// The vertex in the face of a corner's spoke.
   Id GetVertexInSpoke(Id corner) const { return this->FirstSpoke + this->GetFace(corner); }
 
   const FourEightNextLevel<Id> Next;
   const PolygonMesh<Id>& Mesh;
-  const bool AreQuads;
   const Id Corners;
   const Id FirstQuad; ///< the first vertex in a quad, a spoke's face, a face across a side
   const Id FirstSpoke;
   const Id FirstSide;
 
 private:
-  Id GetTwinBefore(Id corner) const { return this->Mesh.Twins[this->GetPrevious(corner)]; }
-
+  const Id* const Twins;
   const Id* const Faces;
   const Id* const Spokes;
   const Id* const OfApices;
@@ -186,6 +180,10 @@ public:
 template <typename Id>
 void Prepare(SurfaceLevel<Id>& level)
 {
+  if (level.Mesh.Arity != 4)
+  {
+    return;
+  }
   const vtkIdType corners = level.Mesh.GetNumberOfCorners();
   level.Later = Buffer<Id>(5 * corners);
   Id* const faces = level.Later.data();
@@ -223,12 +221,13 @@ void Prepare(SurfaceLevel<Id>& level)
 template <typename Id>
 void CopyVertices(const LaterLevels<Id>& later, vtkIdType face, Id* to)
 {
-  const OfSpoke<Id> vertices = later.GetVertices(later.GetSpoke(face));
-  const std::size_t first = later.GetFirst(face);
-  to[0] = vertices[first];
-  to[1] = vertices[first + 1];
-  to[2] = vertices[2 - first];
-  to[3] = vertices[3 - first];
+  const Id corner = later.GetSpoke(face);
+  const OfSpoke<Id> vertices = later.GetVertices(corner, later.GetAcross(corner));
+  const bool isTurned = later.GetFirst(face) > 0;
+  to[0] = isTurned ? vertices[2] : vertices[0];
+  to[1] = isTurned ? vertices[3] : vertices[1];
+  to[2] = isTurned ? vertices[0] : vertices[2];
+  to[3] = isTurned ? vertices[1] : vertices[3];
 }
 
 /// Appends rows of vertices with four around each: writeRing(i, columns) for i of [begin, end), in
@@ -317,7 +316,7 @@ template <typename Id>
 std::size_t WriteFacesAcross(const LaterLevels<Id>& later, vtkIdType face, Id (&to)[16])
 {
   const SpokeFace<Id> spoke(later, face);
-  const OfSpoke<Id> vertices = later.GetVertices(spoke.Corner);
+  const OfSpoke<Id> vertices = later.GetVertices(spoke.Corner, spoke.Across);
   std::size_t count = 0;
   for (std::size_t i = 0; i < 4; ++i)
   {
@@ -422,7 +421,7 @@ public:
   LastFaces(const LaterLevels<Id>& later, vtkIdType face)
     : Later(later)
     , Spoke(later, face)
-    , Sides(later.GetSides(this->Spoke.Corner))
+    , Sides(later.GetSides(this->Spoke.Corner, this->Spoke.Across))
     , After(later.GetSidesAfter(this->Spoke.Corner, this->Spoke.Across))
     , Before(later.GetSidesBefore(this->Spoke.Across))
   {
@@ -445,7 +444,7 @@ public:
   template <typename Out>
   Id Write(Out* const first) const
   {
-    const OfSpoke<Id> ofSpoke = this->Later.GetVertices(this->Spoke.Corner);
+    const OfSpoke<Id> ofSpoke = this->Later.GetVertices(this->Spoke.Corner, this->Spoke.Across);
     Out* to = first;
     Out others[4]; // for faces that belong to others, so that no neighbouring block is touched
     for (std::size_t i = 0; i < 4; ++i)

@@ -3,7 +3,7 @@
  * @file FourEightLater.h
  * Steps of the 4-8 scheme from levels after the next one, where the next three are not made.
  *
- * They need a level without fixed edges and without irregular vertices (FindIrregularVertices).
+ * They need a level of quads without fixed edges and irregular vertices (FindIrregularVertices).
  * With V vertices, F faces, E edges and C corners there, the level two steps later has V + F + E
  * vertices and a face for each *spoke*, from the vertex in a face to that of a corner; the level
  * after it has C vertices more and 2 C faces, one across each side of a spoke's face; the next one

@@ -43,10 +43,8 @@ public:
   /// FourEightTopology::GetSpokeOut.
   Id GetSpokeOut(Id corner) const { return this->Children.GetSpokeOut(corner); }
   /// The quad across a corner's edge.
-  Id GetQuad(Id corner) const
-  {
-    return this->Children.GetChild(std::min(corner, this->Mesh.Twins[corner]));
-  }
+  Id GetQuad(Id corner) const { return this->GetQuad(corner, this->Mesh.Twins[corner]); }
+  Id GetQuad(Id corner, Id twin) const { return this->Children.GetChild(std::min(corner, twin)); }
   /// Whether a quad belongs to a corner, as to the first one of its edge.
   bool IsOwner(Id corner) const { return this->Children.HasChild(corner); }
   /// The corner to which a quad belongs.

@@ -124,14 +124,18 @@ void SurfaceSteps<Id>::ChooseSkipped(int step, int steps, bool isRegular)
   this->Irregular =
     this->Scheme->UsesTags() && !isRegular ? FindIrregularVertices(level) : std::vector<Id>();
   const double most = std::min(MostIrregularVertices, ofNext.Count ? 0. : 1.);
-  if (static_cast<double>(this->Irregular.size()) <=
+  if (static_cast<double>(this->Irregular.size()) >
     most * static_cast<double>(level.Mesh.NumberOfVertices))
   {
+    return;
+  }
+  if (isLater)
+  {
+    ofNext.Later.Prepare(level);
+  }
+  if (!isLater || !level.Later.empty())
+  {
     this->LastMade = step;
-    if (isLater)
-    {
-      ofNext.Later.Prepare(level);
-    }
   }
 }
 
