@@ -128,10 +128,14 @@ void SumBlock(const EqualRows<Id>& rows, const In* in, Out* out, int components)
   {
     switch (rows.Size) // loops of known length for the masks of regular vertices, edges and faces
     {
+      case 2:
+        return SumEqualRows<N, 2>(rows, in, out, components);
       case 3:
         return SumEqualRows<N, 3>(rows, in, out, components);
       case 4:
         return SumEqualRows<N, 4>(rows, in, out, components);
+      case 5:
+        return SumEqualRows<N, 5>(rows, in, out, components);
       case 6:
         return SumEqualRows<N, 6>(rows, in, out, components);
       case 7:

@@ -43,29 +43,13 @@ bool HoldSame(vtkAbstractArray* a, vtkAbstractArray* b)
   return same;
 }
 
-/// For each face of level `last` its carrier on level `first`.
-template <typename Id>
-Buffer<Carrier<Id>> FindCarriers(const SurfaceSteps<Id>& steps, int first, int last)
-{
-  const int period = steps.GetScheme().GetCarrierPeriod();
-  auto carriers = MakeCarriers<Id>(steps.GetLevel(first).Mesh.NumberOfFaces);
-  for (int step = first; step < last; ++step)
-  {
-    const bool areWhole = period > 0 && (step - first) % period == 0;
-    Buffer<Carrier<Id>> children;
-    steps.CarryFaces(step, carriers, areWhole, children);
-    carriers = std::move(children);
-  }
-  return carriers;
-}
-
 /// For each face of level `last` the face of level `first` whose cell data it shows. Of the two
 /// faces of an edge it is the one that lies in the control face with the smaller id.
 template <typename Id>
 Buffer<vtkIdType> FindFaceSources(const SurfaceSteps<Id>& steps, int first, int last)
 {
-  const Buffer<Carrier<Id>> carriers = FindCarriers(steps, first, last);
-  const auto controls = first > 0 ? FindCarriers(steps, 0, first) : Buffer<Carrier<Id>>();
+  const Buffer<Carrier<Id>> carriers = steps.FindCarriers(first, last);
+  const auto controls = first > 0 ? steps.FindCarriers(0, first) : Buffer<Carrier<Id>>();
   auto isBefore = [&controls](Id a, Id b)
   {
     const Id control[2] = { controls.empty() ? 0 : controls[a].First,

@@ -208,7 +208,7 @@ void WriteCells(const SurfaceLevel<Id>& level, vtkIdType corners,
       ? MakeCells<Array>(
           mesh.NumberOfFaces, corners, [&](vtkIdType i) { return mesh.Arity * i; }, writeFaces)
       : MakeCells<Array>(
-          mesh.NumberOfFaces, corners, [&](vtkIdType i) { return mesh.FaceOffsets[i]; },
+          mesh.NumberOfFaces, corners, [&](vtkIdType i) { return mesh.GetFirstOfCounted(i); },
           writeFaces));
 }
 

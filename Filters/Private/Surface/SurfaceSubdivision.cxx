@@ -22,7 +22,6 @@ namespace subdivision
 template <typename Id>
 bool SurfaceRun<Id>::Execute()
 {
-  this->WriteCells();
   const int levels = this->Options.Levels;
   this->Interpolate();
   const Buffer<unsigned char> turned = this->WantsFrames()
@@ -78,6 +77,7 @@ bool SurfaceRun<Id>::Execute()
   {
     this->AddFrames(*this->Steps, turned, tangents, this->Points->GetPoints(), Buffer<vtkIdType>());
   }
+  this->WriteCells(); // after the points: those of the last level but one take no memory any more
   this->Points->Finish(this->Output);
   if (this->WantsFrames())
   {

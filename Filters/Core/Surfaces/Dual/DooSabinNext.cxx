@@ -142,7 +142,7 @@ template <typename Id>
 SurfaceLevel<Id> Count(const SurfaceLevel<Id>& skipped)
 {
   const PolygonMesh<Id>& mesh = skipped.Mesh;
-  const vtkIdType corners = mesh.FaceOffsets[mesh.NumberOfFaces];
+  const vtkIdType corners = mesh.GetFirstOfCounted(mesh.NumberOfFaces);
   return CountDual(skipped, corners, corners / 2 + mesh.NumberOfVertices);
 }
 

@@ -30,11 +30,13 @@ SurfaceLevel<Id> CountDual(const SurfaceLevel<Id>& skipped, vtkIdType vertices, 
   next.Step = skipped.Step + 1;
   next.Mesh.NumberOfVertices = vertices;
   next.Mesh.NumberOfFaces = faces + quads;
-  next.Mesh.FaceOffsets = Buffer<Id>(faces + quads + 1);
-  Id* const offsets = next.Mesh.FaceOffsets.data();
-  CopyInThreads(before.data(), faces, offsets);
-  ForEach(
-    quads + 1, [&](vtkIdType i) { offsets[faces + i] = before[faces] + static_cast<Id>(4 * i); });
+  vtkIdType stored = before.size() - 1;
+  while (stored > 0 && before[stored] - before[stored - 1] == 4)
+  {
+    --stored;
+  }
+  next.Mesh.FaceOffsets = Buffer<Id>(stored + 1);
+  CopyInThreads(before.data(), stored + 1, next.Mesh.FaceOffsets.data());
   return next;
 }
 

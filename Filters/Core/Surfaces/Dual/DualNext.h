@@ -18,7 +18,8 @@ template <typename Id>
 bool IsClosedDual(const SurfaceLevel<Id>& level);
 
 /// The counts of the level after one that was skipped, and so has only its counts: it has
-/// `vertices` vertices, and the faces inside those of the skipped one come first, then `quads`.
+/// `vertices` vertices, and the faces inside those of the skipped one come first, then `quads`,
+/// whose offsets are not stored (PolygonMesh::GetFirstOfCounted).
 template <typename Id>
 SurfaceLevel<Id> CountDual(const SurfaceLevel<Id>& skipped, vtkIdType vertices, vtkIdType quads);
 

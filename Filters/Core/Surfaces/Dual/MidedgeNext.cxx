@@ -3,6 +3,8 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Dual/DualNext.h"
+#include "Core/Surfaces/Dual/MidedgeLater.h"
+#include "Core/Surfaces/Dual/MidedgeWeights.h"
 
 #include <array>
 
@@ -10,8 +12,6 @@ namespace subdivision
 {
 namespace
 {
-
-constexpr std::array<double, 2> Middle{ 1. / 2., 1. / 2. };
 
 /// The ends of the side of the next level across a corner: vertices of the next level.
 template <typename Id>
@@ -26,14 +26,14 @@ template <typename Id>
 SurfaceLevel<Id> Count(const SurfaceLevel<Id>& skipped)
 {
   const PolygonMesh<Id>& mesh = skipped.Mesh;
-  return CountDual(skipped, mesh.FaceOffsets[mesh.NumberOfFaces] / 2, mesh.NumberOfVertices);
+  return CountDual(skipped, mesh.GetFirstOfCounted(mesh.NumberOfFaces) / 2, mesh.NumberOfVertices);
 }
 
 template <typename Id>
 void AppendRows(const SurfaceLevel<Id>& level, const IrregularRows<Id>&, vtkIdType begin,
   vtkIdType end, RowBlock<Id>& rows)
 {
-  rows.AddRun(Middle, end - begin,
+  rows.AddRun(MidedgeMiddle, end - begin,
     [&](vtkIdType i, Id* columns)
     {
       const std::array<Id, 2> ends = GetEnds(level, static_cast<Id>(begin + i));
@@ -97,7 +97,8 @@ StepOfNext<Id> MakeMidedgeStepOfNext()
 {
   return { IsClosedDual<Id>, AppendRows<Id>, GetParents<Id>,
     [](const SurfaceLevel<Id>& level, IdsOut ids)
-    { std::visit([&level](auto* to) { WriteFaces(level, to); }, ids); }, Count<Id> };
+    { std::visit([&level](auto* to) { WriteFaces(level, to); }, ids); }, Count<Id>,
+    MakeMidedgeStepsOfLater<Id>() };
 }
 
 SUBDIVISION_COMPILE_FUNCTION(MakeMidedgeStepOfNext);

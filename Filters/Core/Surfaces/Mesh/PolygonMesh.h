@@ -30,7 +30,8 @@ struct PolygonMesh
   vtkIdType NumberOfVertices = 0;
   vtkIdType NumberOfFaces = 0;
   /// The number of corners of each face if all have 3 or all have 4. Otherwise 0; then FaceOffsets
-  /// and CornerFaces are used.
+  /// and CornerFaces are used. On a level that has only its counts FaceOffsets may end early, where
+  /// quads follow: GetFirstOfCounted.
   int Arity = 0;
   Buffer<Id> FaceOffsets;
   Buffer<Id> CornerFaces;
@@ -75,9 +76,24 @@ struct PolygonMesh
 
   Id GetFace(Id corner) const
   {
-    return this->Arity ? corner / this->Arity : this->CornerFaces[corner];
+    switch (this->Arity) // divisions by constants take less time
+    {
+      case 3:
+        return corner / 3;
+      case 4:
+        return corner / 4;
+      default:
+        return this->CornerFaces[corner];
+    }
   }
   Id GetFirst(Id face) const { return this->Arity ? face * this->Arity : this->FaceOffsets[face]; }
+  vtkIdType GetFirstOfCounted(vtkIdType face) const
+  {
+    const vtkIdType stored = this->FaceOffsets.size() - 1;
+    return this->Arity ? this->Arity * face
+      : face <= stored ? this->FaceOffsets[face]
+                       : this->FaceOffsets[stored] + 4 * (face - stored);
+  }
   Id GetSize(Id face) const
   {
     return this->Arity ? this->Arity : this->FaceOffsets[face + 1] - this->FaceOffsets[face];

@@ -98,6 +98,7 @@ struct SurfaceLevel
   /// What Prepare counts: running counts, from which ids of children follow where arithmetic alone
   /// is not enough; in Butterfly the valences of smooth vertices.
   Buffer<Id> Places;
+  Buffer<Id> Later;                           ///< what StepsOfLater::Prepare makes
   std::shared_ptr<const DualPlaces<Id>> Dual; ///< the same for dual schemes
   /// If a step of a dual scheme made this level: how many faces each vertex has, all of one fan;
   /// negative if this is a chain, UnknownFan where it takes a walk.
@@ -152,6 +153,24 @@ enum class DenseRows
 /// Where ids are written, of either type.
 using IdsOut = std::variant<int*, long long*>;
 
+/// The steps from levels after the next one, where the next three levels are not made: all follows
+/// from the level before these. `ahead`: that many steps later, 2 or 3. Only in schemes whose
+/// levels count children, as StepOfNext::Count.
+template <typename Id>
+struct StepsOfLater
+{
+  /// Sets SurfaceLevel::Later. Empty: there are no such steps.
+  std::function<void(SurfaceLevel<Id>& level)> Prepare;
+  std::function<void(
+    const SurfaceLevel<Id>& level, int ahead, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)>
+    AppendRows;
+  std::function<void(
+    const SurfaceLevel<Id>& level, int ahead, vtkIdType row, std::vector<vtkIdType>& parents)>
+    GetParents;
+  /// Of the level four steps later.
+  std::function<void(const SurfaceLevel<Id>& level, IdsOut ids)> WriteFaces;
+};
+
 /// The step from the next level where that level is not made (SkippedLevel.h). The functions do for
 /// the next level, from this one, what methods of SurfaceScheme with the same names do for a level.
 template <typename Id>
@@ -171,6 +190,7 @@ struct StepOfNext
   /// level is skipped only if no vertex is irregular, and it is made after all where somebody asks
   /// for CarryFaces or ListChildren. Otherwise Refine and these two need no more of it.
   std::function<SurfaceLevel<Id>(const SurfaceLevel<Id>& skipped)> Count;
+  StepsOfLater<Id> Later = {};
 };
 
 template <typename Id>

@@ -87,25 +87,18 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   for (int step = 0; step < steps && isRight(step) && !(stop && stop(0.5 * step / steps)); ++step)
   {
     SurfaceLevel<Id>& level = this->Levels.back();
-    const bool isSkipped = this->SkipsLevel;
+    const bool isSkipped = this->StartsFromSkipped(step);
     if (!isSkipped)
     {
       this->Scheme->Prepare(level);
-    }
-    if (!lastIsWhole && step + 2 == steps && ofNext.Skips && ofNext.Skips(level))
-    {
-      this->Irregular =
-        this->Scheme->UsesTags() && !isRegular ? FindIrregularVertices(level) : std::vector<Id>();
-      const double most = std::min(MostIrregularVertices, ofNext.Count ? 0. : 1.);
-      this->SkipsLevel = static_cast<double>(this->Irregular.size()) <=
-        most * static_cast<double>(level.Mesh.NumberOfVertices);
+      this->ChooseSkipped(step, steps, isRegular);
     }
     const bool isLast = step + 1 == steps;
-    const Depth depth = lastIsWhole                                 ? Depth::ForRefinement
-      : step + 2 < steps                                            ? Depth::ForSteps
-      : this->SkipsLevel || (isLast && this->Scheme->WritesFaces()) ? Depth::ForCounts
-      : isLast                                                      ? Depth::ForOutput
-                                                                    : Depth::ForLastStep;
+    const Depth depth = lastIsWhole                                       ? Depth::ForRefinement
+      : step >= this->LastMade || (isLast && this->Scheme->WritesFaces()) ? Depth::ForCounts
+      : step + 2 < steps                                                  ? Depth::ForSteps
+      : isLast                                                            ? Depth::ForOutput
+                                                                          : Depth::ForLastStep;
     this->Levels.push_back(
       isSkipped && ofNext.Count ? ofNext.Count(level) : this->Scheme->Refine(level, depth));
     this->Levels.back().Before = isRegular ? &this->Levels[step] : nullptr;
@@ -116,11 +109,41 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   }
 }
 
+/// Decides whether all levels after that of a step are skipped, but for the last one.
+template <typename Id>
+void SurfaceSteps<Id>::ChooseSkipped(int step, int steps, bool isRegular)
+{
+  SurfaceLevel<Id>& level = this->Levels[step];
+  const StepOfNext<Id>& ofNext = this->Scheme->GetStepOfNext();
+  const int skipped = steps - 1 - step;
+  const bool isLater = skipped == 3 && ofNext.Later.Prepare;
+  if (this->LastIsWhole || !(skipped == 1 || isLater) || !ofNext.Skips || !ofNext.Skips(level))
+  {
+    return;
+  }
+  this->Irregular =
+    this->Scheme->UsesTags() && !isRegular ? FindIrregularVertices(level) : std::vector<Id>();
+  const double most = std::min(MostIrregularVertices, ofNext.Count ? 0. : 1.);
+  if (static_cast<double>(this->Irregular.size()) >
+    most * static_cast<double>(level.Mesh.NumberOfVertices))
+  {
+    return;
+  }
+  if (isLater)
+  {
+    ofNext.Later.Prepare(level);
+  }
+  if (!isLater || !level.Later.empty())
+  {
+    this->LastMade = step;
+  }
+}
+
 template <typename Id>
 vtkIdType SurfaceSteps<Id>::GetNumberOfCorners(int level) const
 {
   const PolygonMesh<Id>& mesh = this->Levels[level].Mesh;
-  return mesh.Arity ? mesh.Arity * mesh.NumberOfFaces : mesh.FaceOffsets[mesh.NumberOfFaces];
+  return mesh.GetFirstOfCounted(mesh.NumberOfFaces);
 }
 
 template <typename Id>
@@ -129,34 +152,72 @@ void SurfaceSteps<Id>::WriteFaces(int level, IdsOut ids) const
   const Buffer<Id>& vertices = this->Levels[level].Mesh.Vertices;
   if (vertices.empty() && this->GetNumberOfCorners(level) > 0)
   {
-    this->StartsFromSkipped(level - 1)
-      ? this->Scheme->GetStepOfNext().WriteFaces(this->Levels[level - 2], ids)
-      : this->Scheme->WriteFaces(this->Levels[level - 1], ids);
-    return;
+    const StepOfNext<Id>& ofNext = this->Scheme->GetStepOfNext();
+    switch (this->GetAhead(level - 1))
+    {
+      case 1:
+        return ofNext.WriteFaces(this->Levels[this->LastMade], ids);
+      case 3:
+        return ofNext.Later.WriteFaces(this->Levels[this->LastMade], ids);
+      default:
+        return this->ForChildren(level - 1, level,
+          [&](int, const SurfaceLevel<Id>& before) { this->Scheme->WriteFaces(before, ids); });
+    }
   }
   std::visit([&vertices](auto* to) { CopyIds(vertices, to); }, ids);
 }
 
 template <typename Id>
-template <typename Act>
-void SurfaceSteps<Id>::ForChildren(int step, const Act& act) const
+void SurfaceSteps<Id>::GetParents(int step, vtkIdType row, std::vector<vtkIdType>& parents) const
 {
-  if (!this->StartsFromSkipped(step) || !this->Scheme->GetStepOfNext().Count)
+  if (!this->StartsFromSkipped(step))
   {
-    act(this->Levels[step]);
-    return;
+    return this->Scheme->GetParents(this->Levels[step], row, parents);
   }
-  SurfaceLevel<Id> level = this->Scheme->Refine(this->Levels[step - 1], Depth::ForLastStep);
-  this->Scheme->Prepare(level);
-  act(level);
+  const SurfaceLevel<Id>& level = this->Levels[this->LastMade];
+  const StepOfNext<Id>& ofNext = this->Scheme->GetStepOfNext();
+  const int ahead = this->GetAhead(step);
+  ahead == 1 ? ofNext.GetParents(level, row, parents)
+             : ofNext.Later.GetParents(level, ahead, row, parents);
 }
 
 template <typename Id>
-void SurfaceSteps<Id>::CarryFaces(
-  int step, const Buffer<Carrier<Id>>& faces, bool areWhole, Buffer<Carrier<Id>>& children) const
+template <typename Act>
+void SurfaceSteps<Id>::ForChildren(int first, int last, const Act& act) const
 {
-  this->ForChildren(step, [&](const SurfaceLevel<Id>& level)
-    { this->Scheme->CarryFaces(level, faces, areWhole, children); });
+  SurfaceLevel<Id> again;
+  int made = this->LastMade;
+  for (int step = first; step < last; ++step)
+  {
+    if (!this->StartsFromSkipped(step) || !this->Scheme->GetStepOfNext().Count)
+    {
+      act(step, this->Levels[step]);
+      continue;
+    }
+    for (; made < step; ++made)
+    {
+      again =
+        this->Scheme->Refine(made == this->LastMade ? this->Levels[made] : again, Depth::ForSteps);
+      this->Scheme->Prepare(again);
+    }
+    act(step, again);
+  }
+}
+
+template <typename Id>
+Buffer<Carrier<Id>> SurfaceSteps<Id>::FindCarriers(int first, int last) const
+{
+  const int period = this->Scheme->GetCarrierPeriod();
+  auto carriers = MakeCarriers<Id>(this->Levels[first].Mesh.NumberOfFaces);
+  this->ForChildren(first, last,
+    [&](int step, const SurfaceLevel<Id>& level)
+    {
+      const bool areWhole = period > 0 && (step - first) % period == 0;
+      Buffer<Carrier<Id>> children;
+      this->Scheme->CarryFaces(level, carriers, areWhole, children);
+      carriers = std::move(children);
+    });
+  return carriers;
 }
 
 template <typename Id>
@@ -204,11 +265,11 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
   this->Limits = SharpLimits<Id>();
   this->Creases = SharpCreases<Id>();
   const int steps = this->GetNumberOfSteps();
-  if (this->SkipsLevel && IsSharpAfter(sharpness, steps - 1))
+  if (this->LastMade == steps - 2 && IsSharpAfter(sharpness, steps - 1))
   {
     this->Levels[steps - 1] = this->Scheme->Refine(this->Levels[steps - 2], Depth::ForLastStep);
     this->Scheme->Prepare(this->Levels[steps - 1]);
-    this->SkipsLevel = false;
+    this->LastMade = std::numeric_limits<int>::max();
   }
   for (int step = 0; step < steps && IsSharpAfter(sharpness, step); ++step)
   {
@@ -246,7 +307,14 @@ BlockOperator<Id> SurfaceSteps<Id>::GetStep(int step) const
   }
   if (this->StartsFromSkipped(step))
   {
-    const SurfaceLevel<Id>& before = this->Levels[step - 1];
+    const SurfaceLevel<Id>& before = this->Levels[this->LastMade];
+    const int ahead = this->GetAhead(step);
+    if (ahead > 1)
+    {
+      return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
+        [this, &before, ahead](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
+        { this->Scheme->GetStepOfNext().Later.AppendRows(before, ahead, begin, end, block); });
+    }
     const auto others =
       std::make_shared<const IrregularRows<Id>>(*this->Scheme, before, this->Irregular);
     return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
@@ -295,14 +363,14 @@ SurfaceSegments SurfaceSteps<Id>::ListSegments() const
       segments.Faces, segments.Sizes, [&control](vtkIdType face)
       { return control.Mesh.GetFirst(static_cast<Id>(face)); }, segments.Corners);
   }
-  for (int step = 0; step < this->GetNumberOfSteps(); ++step)
-  {
-    SurfaceSegments children;
-    children.Sizes = segments.Sizes;
-    this->ForChildren(step, [&](const SurfaceLevel<Id>& level)
-      { this->Scheme->ListChildren(level, segments, children); });
-    segments = std::move(children);
-  }
+  this->ForChildren(0, this->GetNumberOfSteps(),
+    [&](int, const SurfaceLevel<Id>& level)
+    {
+      SurfaceSegments children;
+      children.Sizes = segments.Sizes;
+      this->Scheme->ListChildren(level, segments, children);
+      segments = std::move(children);
+    });
   return segments;
 }
 
@@ -314,7 +382,8 @@ std::size_t SurfaceSteps<Id>::GetMemorySize() const
   {
     bytes += level.Mesh.GetMemorySize() + level.Tags.Edges.GetMemorySize() +
       level.Tags.Vertices.GetMemorySize() + level.Lines.GetMemorySize() +
-      level.Places.GetMemorySize() + (level.Dual ? level.Dual->GetMemorySize() : 0);
+      level.Places.GetMemorySize() + level.Later.GetMemorySize() +
+      (level.Dual ? level.Dual->GetMemorySize() : 0);
   }
   return bytes;
 }

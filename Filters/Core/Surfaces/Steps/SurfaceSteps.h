@@ -12,6 +12,7 @@
 #include "Core/Surfaces/Scheme/SurfaceTags.h"
 
 #include <functional>
+#include <limits>
 
 namespace subdivision
 {
@@ -63,16 +64,10 @@ public:
   void WriteFaces(int level, IdsOut ids) const;
   const SurfaceScheme<Id>& GetScheme() const { return *this->Scheme; }
   /// SurfaceScheme::GetParents for a step.
-  void GetParents(int step, vtkIdType row, std::vector<vtkIdType>& parents) const
-  {
-    this->StartsFromSkipped(step)
-      ? this->Scheme->GetStepOfNext().GetParents(this->Levels[step - 1], row, parents)
-      : this->Scheme->GetParents(this->Levels[step], row, parents);
-  }
+  void GetParents(int step, vtkIdType row, std::vector<vtkIdType>& parents) const;
 
-  /// SurfaceScheme::CarryFaces for a step.
-  void CarryFaces(
-    int step, const Buffer<Carrier<Id>>& faces, bool areWhole, Buffer<Carrier<Id>>& children) const;
+  /// For each face of level `last` its carrier on level `first`.
+  Buffer<Carrier<Id>> FindCarriers(int first, int last) const;
 
   BlockOperator<Id> GetStep(int step) const;
   /// The limits of the vertices of the last level, which must have been made with `lastIsWhole`.
@@ -90,16 +85,16 @@ private:
   SharpTagPair<Id> FindSharpTags(
     const EdgeSharpness& sharpness, int step, int level, const Classify& classify) const;
 
+  void ChooseSkipped(int step, int steps, bool isRegular);
   /// Whether the level before a step has only its counts and lines (SkippedLevel.h).
-  bool StartsFromSkipped(int step) const
-  {
-    return this->SkipsLevel && step + 1 == this->GetNumberOfSteps();
-  }
+  bool StartsFromSkipped(int step) const { return step > this->LastMade; }
+  /// How many steps after the last level that was made.
+  int GetAhead(int step) const { return step - this->LastMade; }
 
-  /// Calls act(level) with the level before a step, which is made again if it was skipped and the
-  /// scheme counts children.
+  /// Calls act(step, level) for steps [first, last) with the level before each. Levels that were
+  /// skipped are made one after the other if the scheme counts children.
   template <typename Act>
-  void ForChildren(int step, const Act& act) const;
+  void ForChildren(int first, int last, const Act& act) const;
 
   std::vector<SurfaceLevel<Id>> Levels;
   std::vector<SharpRows<Id>> SharpSteps; ///< the first steps, in which edges are still sharp
@@ -107,8 +102,9 @@ private:
   SharpLimits<Id> Limits;   ///< at vertices near these
   std::shared_ptr<const SurfaceScheme<Id>> Scheme;
   bool LastIsWhole;
-  bool SkipsLevel = false;   ///< the last but one
-  std::vector<Id> Irregular; ///< then: FindIrregularVertices of the level before it
+  /// If levels are skipped, the last one before these; they go on to the last level but one.
+  int LastMade = std::numeric_limits<int>::max();
+  std::vector<Id> Irregular; ///< then: FindIrregularVertices of that level
   /// The control level's tags as they were given.
   Buffer<EdgeTag> GivenEdges;
   Buffer<VertexTag> GivenVertices;
