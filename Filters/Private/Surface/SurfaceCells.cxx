@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellsToSimplices.h"
@@ -208,7 +209,7 @@ void WriteCells(const SurfaceLevel<Id>& level, vtkIdType corners,
       ? MakeCells<Array>(
           mesh.NumberOfFaces, corners, [&](vtkIdType i) { return mesh.Arity * i; }, writeFaces)
       : MakeCells<Array>(
-          mesh.NumberOfFaces, corners, [&](vtkIdType i) { return mesh.FaceOffsets[i]; },
+          mesh.NumberOfFaces, corners, [&](vtkIdType i) { return FindFirstCorner(mesh, i); },
           writeFaces));
 }
 

@@ -5,6 +5,7 @@
 #include "Core/Surfaces/Dual/DooSabinWeights.h"
 #include "Core/Surfaces/Dual/DualNext.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 
 namespace subdivision
 {
@@ -142,7 +143,7 @@ template <typename Id>
 SurfaceLevel<Id> Count(const SurfaceLevel<Id>& skipped)
 {
   const PolygonMesh<Id>& mesh = skipped.Mesh;
-  const vtkIdType corners = mesh.FaceOffsets[mesh.NumberOfFaces];
+  const vtkIdType corners = FindFirstCorner(mesh, mesh.NumberOfFaces);
   return CountDual(skipped, corners, corners / 2 + mesh.NumberOfVertices);
 }
 

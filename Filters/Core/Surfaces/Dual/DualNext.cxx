@@ -24,17 +24,13 @@ bool IsClosedDual(const SurfaceLevel<Id>& level)
 template <typename Id>
 SurfaceLevel<Id> CountDual(const SurfaceLevel<Id>& skipped, vtkIdType vertices, vtkIdType quads)
 {
-  const vtkIdType faces = skipped.Mesh.NumberOfFaces;
   const Buffer<Id>& before = skipped.Mesh.FaceOffsets;
   SurfaceLevel<Id> next;
   next.Step = skipped.Step + 1;
   next.Mesh.NumberOfVertices = vertices;
-  next.Mesh.NumberOfFaces = faces + quads;
-  next.Mesh.FaceOffsets = Buffer<Id>(faces + quads + 1);
-  Id* const offsets = next.Mesh.FaceOffsets.data();
-  CopyInThreads(before.data(), faces, offsets);
-  ForEach(
-    quads + 1, [&](vtkIdType i) { offsets[faces + i] = before[faces] + static_cast<Id>(4 * i); });
+  next.Mesh.NumberOfFaces = skipped.Mesh.NumberOfFaces + quads;
+  next.Mesh.FaceOffsets = Buffer<Id>(before.size());
+  CopyInThreads(before.data(), before.size(), next.Mesh.FaceOffsets.data());
   return next;
 }
 

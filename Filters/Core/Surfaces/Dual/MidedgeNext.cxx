@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Dual/DualNext.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 
 #include <array>
 
@@ -26,7 +27,7 @@ template <typename Id>
 SurfaceLevel<Id> Count(const SurfaceLevel<Id>& skipped)
 {
   const PolygonMesh<Id>& mesh = skipped.Mesh;
-  return CountDual(skipped, mesh.FaceOffsets[mesh.NumberOfFaces] / 2, mesh.NumberOfVertices);
+  return CountDual(skipped, FindFirstCorner(mesh, mesh.NumberOfFaces) / 2, mesh.NumberOfVertices);
 }
 
 template <typename Id>

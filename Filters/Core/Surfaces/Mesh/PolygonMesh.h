@@ -30,7 +30,8 @@ struct PolygonMesh
   vtkIdType NumberOfVertices = 0;
   vtkIdType NumberOfFaces = 0;
   /// The number of corners of each face if all have 3 or all have 4. Otherwise 0; then FaceOffsets
-  /// and CornerFaces are used.
+  /// and CornerFaces are used. A level that has its counts only may have the offsets of its first
+  /// faces only (FindFirstCorner).
   int Arity = 0;
   Buffer<Id> FaceOffsets;
   Buffer<Id> CornerFaces;

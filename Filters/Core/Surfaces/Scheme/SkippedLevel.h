@@ -16,6 +16,7 @@
 #include "Core/Operators/SparseRows.h"
 #include "Core/Surfaces/Scheme/SurfacePatch.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <vector>
@@ -45,6 +46,19 @@ bool AreAll(vtkIdType size, const IsTrue& isTrue)
       }
     });
   return areAll;
+}
+
+/// The first corner of a face, also on a level that has its counts only: of that FaceOffsets may
+/// end early, and all later faces have four corners. `face` may be the number of all faces.
+template <typename Id>
+vtkIdType FindFirstCorner(const PolygonMesh<Id>& mesh, vtkIdType face)
+{
+  if (mesh.Arity)
+  {
+    return face * mesh.Arity;
+  }
+  const vtkIdType known = std::min(face, mesh.FaceOffsets.size() - 1);
+  return mesh.FaceOffsets[known] + 4 * (face - known);
 }
 
 /// The vertices of a level at which rows of the step from the next level may be irregular,

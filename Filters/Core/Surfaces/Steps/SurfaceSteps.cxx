@@ -120,7 +120,7 @@ template <typename Id>
 vtkIdType SurfaceSteps<Id>::GetNumberOfCorners(int level) const
 {
   const PolygonMesh<Id>& mesh = this->Levels[level].Mesh;
-  return mesh.Arity ? mesh.Arity * mesh.NumberOfFaces : mesh.FaceOffsets[mesh.NumberOfFaces];
+  return FindFirstCorner(mesh, mesh.NumberOfFaces);
 }
 
 template <typename Id>
