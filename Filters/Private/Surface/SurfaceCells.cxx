@@ -97,6 +97,10 @@ SurfaceCells ReadPolygons(vtkPolyData* input)
   SurfaceCells cells;
   cells.NumberOfPoints = input->GetNumberOfPoints();
   cells.Warnings = DescribePassedOver(reader, checked);
+  const auto faces = static_cast<std::size_t>(input->GetNumberOfPolys());
+  cells.Corners.reserve(static_cast<std::size_t>(input->GetPolys()->GetNumberOfConnectivityIds()));
+  cells.FaceOffsets.reserve(faces + 1);
+  cells.FaceCells.reserve(faces);
   vtkIdType crossing = 0;
   vtkIdType first = -1;
   std::vector<vtkIdType> scratch;
