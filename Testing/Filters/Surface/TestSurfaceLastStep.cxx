@@ -477,6 +477,32 @@ TEST(SurfaceSkippedLevel, OutputsOfClosedSurfacesAreThoseOfWholeLevels)
   ExpectSameOutputs(AddArrays(MakeInput(MakeTorus(1, true))), vtkSurfaceSubdivision::SQRT_THREE);
 }
 
+/// Where nothing is kept for the next update, and no cell shows data, levels go before the last
+/// step. Sharpness, seams and limits read more of them than steps do.
+TEST_P(SurfaceLastStep, LevelsThatAreForgottenChangeNothing)
+{
+  const int scheme = static_cast<int>(GetParam());
+  const bool triangles = MakeSurfaceScheme<int>(GetParam(), true)->NeedsTriangles();
+  auto models = MakeZoo(triangles);
+  models["torus of mixed faces"] = MakeTorus(1, triangles);
+  for (const auto& entry : models)
+  {
+    const auto input = MakeInput(entry.second);
+    for (const bool limit : { false, true })
+    {
+      SCOPED_TRACE(entry.first + (limit ? ", on the limit" : ""));
+      const auto run = [&](vtkPolyData* mesh, int levels, bool cache)
+      {
+        return RunFilter(mesh, scheme, levels, limit && levels == 3,
+          [cache](vtkSurfaceSubdivision* filter) { filter->SetCacheOperator(cache); });
+      };
+      const auto kept = run(input, 3, true);
+      ExpectSameBits(kept, run(input, 3, false));
+      ExpectSameBits(run(run(input, 1, true), 3, true), run(run(input, 1, false), 3, false));
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Schemes, SurfaceLastStep,
   testing::Values(SurfaceSchemeKind::Loop, SurfaceSchemeKind::ModifiedButterfly,
     SurfaceSchemeKind::CatmullClark, SurfaceSchemeKind::DooSabin, SurfaceSchemeKind::Midedge,
