@@ -118,17 +118,24 @@ void AppendApices(const NextLevel<Id>& next, vtkIdType begin, vtkIdType end, Row
     });
 }
 
-/// Appends the rows of the centres of the next level's faces.
+/// Appends the rows of the centres of the next level's faces, three in each face of this one.
 template <typename Id>
 void AppendCentres(const NextLevel<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
 {
-  rows.AddRun(SqrtThreeCentre, end - begin,
-    [&](vtkIdType i, Id* columns)
+  AppendRegularGroups<3>(
+    SqrtThreeCentre, begin, end,
+    [&](vtkIdType face, Id* columns)
     {
-      const std::array<Id, 3> face = next.GetFace(static_cast<Id>(begin + i));
-      std::copy(face.begin(), face.end(), columns);
+      const Id first = static_cast<Id>(3 * face);
+      for (Id i = 0; i < 3; ++i)
+      {
+        *columns++ = next.Mesh.Vertices[first + i];
+        *columns++ = next.GetBeyond(first + i);
+        *columns++ = next.Vertices + static_cast<Id>(face);
+      }
       return true;
-    });
+    },
+    [](vtkIdType) {}, rows);
 }
 
 template <typename Id>
@@ -183,23 +190,28 @@ void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
   const NextLevel<Id> next(level);
   const PolygonMesh<Id>& mesh = level.Mesh;
   const Id centres = static_cast<Id>(next.GetNumberOfVertices());
+  const auto set = [](Out* to, Id a, Id b, Id c)
+  {
+    to[0] = static_cast<Out>(a);
+    to[1] = static_cast<Out>(b);
+    to[2] = static_cast<Out>(c);
+  };
   ForEach(mesh.NumberOfFaces,
     [&](vtkIdType f)
     {
       const Id first = static_cast<Id>(3 * f);
+      const Id apex = next.Vertices + static_cast<Id>(f);
       const Id* const twins = mesh.Twins.data() + first;
       Out* to = ids + 27 * f;
-      for (Id i = 0; i < 3; ++i)
+      for (Id i = 0; i < 3; ++i, to += 9)
       {
+        const Id twin = twins[i];
+        const Id face = twin / 3;
+        const Id after = twin == 3 * face + 2 ? twin - 2 : twin + 1;
         const Id own = centres + first + i;
-        const std::array<Id, 3> face = next.GetFace(first + i);
-        const std::array<Id, 3> others{ mesh.Next(twins[i]), twins[i], twins[(i + 2) % 3] };
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          *to++ = static_cast<Out>(face[k]);
-          *to++ = static_cast<Out>(centres + others[k]);
-          *to++ = static_cast<Out>(own);
-        }
+        set(to, mesh.Vertices[first + i], centres + after, own);
+        set(to + 3, next.Vertices + face, centres + twin, own);
+        set(to + 6, apex, centres + twins[(i + 2) % 3], own);
       }
     });
 }
