@@ -332,6 +332,34 @@ void ExpectSameOutputs(const vtkSmartPointer<vtkPolyData>& input, int scheme)
   ExpectSameBits(whole, RunFilter(RunFilter(input, scheme, 3), scheme, 1));
 }
 
+/// Where nothing is irregular, a level follows from those before it in less time.
+void ExpectSameWithoutLevelsBefore(SurfaceSchemeKind kind, bool triangles)
+{
+  for (unsigned seed = 0; seed < 12; ++seed)
+  {
+    Walk walk(MakeTorus(seed, triangles), kind);
+    Walk control(MakeTorus(seed, triangles), kind);
+    const SurfaceSteps<int> steps(std::move(control.Level), control.Scheme, 6, false, nullptr);
+    for (int step = 0; step < 6; ++step, walk.Step())
+    {
+      SCOPED_TRACE(std::to_string(seed) + ", step " + std::to_string(step));
+      const SurfaceLevel<int>& level = steps.GetLevel(step);
+      EXPECT_EQ(level.Before != nullptr, step > 0 && IsOriented(walk.Level));
+      if (!IsLeftOut(level))
+      {
+        ExpectEqual(level.Mesh.Vertices, walk.Level.Mesh.Vertices);
+        ExpectEqual(level.Mesh.Twins, walk.Level.Mesh.Twins);
+        ExpectEqual(level.Mesh.VertexCorners, walk.Level.Mesh.VertexCorners);
+      }
+      const SparseRows<int> rows = steps.GetStep(step).Store();
+      const RowBlock<int> expected = walk.GetRows();
+      ASSERT_EQ(rows.Columns.size(), static_cast<vtkIdType>(expected.GetNumberOfEntries()));
+      EXPECT_TRUE(std::equal(rows.Columns.begin(), rows.Columns.end(), expected.GetColumns()));
+      EXPECT_TRUE(std::equal(rows.Weights.begin(), rows.Weights.end(), expected.GetWeights()));
+    }
+  }
+}
+
 }
 
 TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevels)
@@ -427,32 +455,13 @@ TEST_P(SurfaceLastStep, IsTheSameAsWithoutTheLevelBefore)
   }
 }
 
-/// Where nothing is irregular, a level follows from those before it in less time.
 TEST(SurfaceFourEight, IsTheSameAsWithoutTheLevelsBefore)
 {
-  for (unsigned seed = 0; seed < 12; ++seed)
-  {
-    Walk walk(MakeTorus(seed, false), SurfaceSchemeKind::FourEight);
-    Walk control(MakeTorus(seed, false), SurfaceSchemeKind::FourEight);
-    const SurfaceSteps<int> steps(std::move(control.Level), control.Scheme, 6, false, nullptr);
-    for (int step = 0; step < 6; ++step, walk.Step())
-    {
-      SCOPED_TRACE(std::to_string(seed) + ", step " + std::to_string(step));
-      const SurfaceLevel<int>& level = steps.GetLevel(step);
-      EXPECT_EQ(level.Before != nullptr, step > 0 && IsOriented(walk.Level));
-      if (!IsLeftOut(level))
-      {
-        ExpectEqual(level.Mesh.Vertices, walk.Level.Mesh.Vertices);
-        ExpectEqual(level.Mesh.Twins, walk.Level.Mesh.Twins);
-        ExpectEqual(level.Mesh.VertexCorners, walk.Level.Mesh.VertexCorners);
-      }
-      const SparseRows<int> rows = steps.GetStep(step).Store();
-      const RowBlock<int> expected = walk.GetRows();
-      ASSERT_EQ(rows.Columns.size(), static_cast<vtkIdType>(expected.GetNumberOfEntries()));
-      EXPECT_TRUE(std::equal(rows.Columns.begin(), rows.Columns.end(), expected.GetColumns()));
-      EXPECT_TRUE(std::equal(rows.Weights.begin(), rows.Weights.end(), expected.GetWeights()));
-    }
-  }
+  ExpectSameWithoutLevelsBefore(SurfaceSchemeKind::FourEight, false);
+}
+TEST(SurfaceSqrtThree, IsTheSameAsWithoutTheLevelsBefore)
+{
+  ExpectSameWithoutLevelsBefore(SurfaceSchemeKind::SqrtThree, true);
 }
 
 /// Also arrays that are gathered, and after other levels by another filter.
