@@ -2,6 +2,7 @@
 #include "Core/Surfaces/SqrtThree/SqrtThreeRefinement.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Surfaces/Scheme/FixedEdges.h"
 
 namespace subdivision
 {
@@ -419,7 +420,7 @@ void CountSqrtThreePlaces(SurfaceLevel<Id>& level)
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const Buffer<EdgeTag>& tags = level.Tags.Edges;
-  level.HasCurves = std::any_of(tags.begin(), tags.end(), IsSharp);
+  level.HasCurves = HasSharpEdges(level.Tags);
   if (level.Step % 2 == 0 || !level.HasCurves)
   {
     return;
