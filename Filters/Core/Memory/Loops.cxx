@@ -97,31 +97,61 @@ vtkIdType RunForAWhile(vtkIdType begin, vtkIdType end, vtkIdType atATime, Caught
   return std::min(next.load(), end);
 }
 
-/// Runs the body in threads for parts of [0, size), the first of which has `first` elements. The
-/// next ones are as large as takes `wanted` seconds, by the time of the part before, and end where
-/// they take far longer: memory that the system hands out for the first time may be written a
+/// How long a part takes that runs until this thread may act.
+constexpr double SecondsOfParts = 0.02;
+
+/// Runs the body in threads for parts of [begin, size), the first of which has `first` elements.
+/// The next ones are as large as takes SecondsOfParts, by the time of the part before, and end
+/// where they take far longer: memory that the system hands out for the first time may be written a
 /// hundred times as slowly as that before. Threads take `least` elements at a time, or more.
-void RunInParts(vtkIdType size, vtkIdType first, vtkIdType least, const RangeBody& body)
+void RunInParts(
+  vtkIdType begin, vtkIdType size, vtkIdType first, vtkIdType least, const RangeBody& body)
 {
-  constexpr double wanted = 0.02;
   constexpr double mostGrowth = 4.; // the next part may be harder work
   constexpr int portions = 32;      // of a thread in a part
   const vtkIdType takes = vtkIdType(portions) * vtkSMPTools::GetEstimatedNumberOfThreads();
   CaughtBody caught(body);
   vtkIdType most = Current ? first : size;
-  for (vtkIdType begin = 0; begin < size;)
+  while (begin < size)
   {
     const vtkIdType end = size - begin > most ? begin + most : size;
     const auto start = Clock::now();
     const vtkIdType reached =
       RunForAWhile(begin, end, std::max(least, (end - begin) / takes), caught);
     const std::chrono::duration<double> taken = Clock::now() - start;
-    const double factor = taken.count() * mostGrowth > wanted ? wanted / taken.count() : mostGrowth;
+    const double factor =
+      taken.count() * mostGrowth > SecondsOfParts ? SecondsOfParts / taken.count() : mostGrowth;
     // Not fewer than at first: on a busy machine it may be the start of threads that took so long.
     most = std::max(first, static_cast<vtkIdType>(factor * static_cast<double>(reached - begin)));
     begin = reached;
     BetweenLoops::Act();
   }
+}
+
+/// Runs the body in this thread for the first elements, a few more each time, until the rest would
+/// take longer than threads take to start, some 0.06 ms for each start: most loops over a level of
+/// some 10,000 elements end before. Returns how many elements that were, and sets the time of one,
+/// by the last of them: the first ones may wait for memory.
+vtkIdType RunAlone(vtkIdType size, const RangeBody& body, double& secondsOfOne)
+{
+  constexpr double worthThreads = 2e-4;
+  constexpr vtkIdType fewest = 64;
+  constexpr vtkIdType most = 1024;
+  for (vtkIdType begin = 0; begin < size;)
+  {
+    const vtkIdType count = std::min(std::clamp(begin, fewest, most), size - begin);
+    const auto start = Clock::now();
+    body(begin, begin + count);
+    const std::chrono::duration<double> taken = Clock::now() - start;
+    const bool isFirst = begin == 0;
+    begin += count;
+    secondsOfOne = taken.count() / static_cast<double>(count);
+    if (!isFirst && secondsOfOne * static_cast<double>(size - begin) > worthThreads)
+    {
+      return begin;
+    }
+  }
+  return size;
 }
 
 }
@@ -156,6 +186,7 @@ void BetweenLoops::Act()
 void ForRanges(vtkIdType size, RangeBody body)
 {
   constexpr vtkIdType inOnePart = 1 << 16;
+  constexpr vtkIdType mostInOnePart = 1 << 18;
   constexpr vtkIdType atATime = 1024;
   if (size <= WorthThreads)
   {
@@ -163,7 +194,15 @@ void ForRanges(vtkIdType size, RangeBody body)
     BetweenLoops::Act();
     return;
   }
-  RunInParts(size, inOnePart, atATime, body);
+  double secondsOfOne = 0.;
+  const bool hasThreads = vtkSMPTools::GetEstimatedNumberOfThreads() > 1;
+  const vtkIdType done = hasThreads ? RunAlone(size, body, secondsOfOne) : 0;
+  const bool areEasy = secondsOfOne * static_cast<double>(mostInOnePart) < SecondsOfParts;
+  RunInParts(done, size, hasThreads && areEasy ? mostInOnePart : inOnePart, atATime, body);
+  if (done == size)
+  {
+    BetweenLoops::Act();
+  }
 }
 
 void ForRangesOfBlocks(vtkIdType blocks, RangeBody body, vtkIdType worthThreads)
@@ -175,7 +214,7 @@ void ForRangesOfBlocks(vtkIdType blocks, RangeBody body, vtkIdType worthThreads)
     BetweenLoops::Act();
     return;
   }
-  RunInParts(blocks, std::max(inOnePart, worthThreads), 1, body);
+  RunInParts(0, blocks, std::max(inOnePart, worthThreads), 1, body);
 }
 
 void ForUnevenRanges(vtkIdType size, RangeBody body)

@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellsToSimplices.h"
@@ -96,6 +97,10 @@ SurfaceCells ReadPolygons(vtkPolyData* input)
   SurfaceCells cells;
   cells.NumberOfPoints = input->GetNumberOfPoints();
   cells.Warnings = DescribePassedOver(reader, checked);
+  const auto faces = static_cast<std::size_t>(input->GetNumberOfPolys());
+  cells.Corners.reserve(static_cast<std::size_t>(input->GetPolys()->GetNumberOfConnectivityIds()));
+  cells.FaceOffsets.reserve(faces + 1);
+  cells.FaceCells.reserve(faces);
   vtkIdType crossing = 0;
   vtkIdType first = -1;
   std::vector<vtkIdType> scratch;

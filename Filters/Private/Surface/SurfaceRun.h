@@ -177,6 +177,7 @@ private:
   std::string DescribeCoincident(const PolygonMesh<Id>& mesh);
   KeptSurfaceOf<Id>* FindKept(const SurfaceKey& key);
   bool Execute();
+  bool ForgetsLevels() const;
   void Write();
   // Places (SurfacePlaces.cxx, SurfaceNearest.cxx).
   static const SurfaceLevel<Id>& GetLast(const SurfaceSteps<Id>& steps)

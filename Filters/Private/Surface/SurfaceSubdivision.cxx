@@ -12,11 +12,21 @@
 #include "Private/Surface/SurfaceRegion.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 
 #include <algorithm>
 
 namespace subdivision
 {
+
+/// Whether points and cells alone need the levels, each only until the next one but one is there:
+/// the last step, in which the output is made, then finds more memory.
+template <typename Id>
+bool SurfaceRun<Id>::ForgetsLevels() const
+{
+  return !this->Kept && this->Input->GetCellData()->GetNumberOfArrays() == 0 &&
+    !this->Options.GenerateOriginalIds && !FindPartners(this->Options, this->Input);
+}
 
 /// Makes the cells and points of the output. Returns false if Progress asks to stop.
 template <typename Id>
@@ -41,6 +51,10 @@ bool SurfaceRun<Id>::Execute()
     if (this->IsStopped(0.5 + 0.5 * (step + 1.) / (levels + 1.)))
     {
       return false;
+    }
+    if (this->ForgetsLevels())
+    {
+      this->Steps->ForgetBefore(this->MadeLevels + step - 1); // the last step may begin two before
     }
     const BlockOperator<Id> rows = this->Steps->GetStep(this->MadeLevels + step);
     if (!this->Joined)

@@ -274,6 +274,15 @@ TEST(Loops, ThrowWhatABodyThrowsInAnyThread)
     throw std::bad_alloc();
   };
   EXPECT_THROW(ForRanges(size, fail), std::bad_alloc);
+  const auto failElsewhere = [here = std::this_thread::get_id()](vtkIdType, vtkIdType)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (std::this_thread::get_id() != here)
+    {
+      throw std::bad_alloc();
+    }
+  };
+  EXPECT_THROW(ForRanges(size, failElsewhere), std::bad_alloc);
   EXPECT_THROW(ForRangesOfBlocks(100, fail), std::bad_alloc);
   EXPECT_THROW(ForUnevenRanges(size, fail), std::bad_alloc);
   {

@@ -5,6 +5,7 @@
 #include "Core/Surfaces/Dual/DooSabinWeights.h"
 #include "Core/Surfaces/Dual/DualNext.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 
 namespace subdivision
 {

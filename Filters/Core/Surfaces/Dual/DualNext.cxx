@@ -24,12 +24,11 @@ bool IsClosedDual(const SurfaceLevel<Id>& level)
 template <typename Id>
 SurfaceLevel<Id> CountDual(const SurfaceLevel<Id>& skipped, vtkIdType vertices, vtkIdType quads)
 {
-  const vtkIdType faces = skipped.Mesh.NumberOfFaces;
   const Buffer<Id>& before = skipped.Mesh.FaceOffsets;
   SurfaceLevel<Id> next;
   next.Step = skipped.Step + 1;
   next.Mesh.NumberOfVertices = vertices;
-  next.Mesh.NumberOfFaces = faces + quads;
+  next.Mesh.NumberOfFaces = skipped.Mesh.NumberOfFaces + quads;
   vtkIdType stored = before.size() - 1;
   while (stored > 0 && before[stored] - before[stored - 1] == 4)
   {

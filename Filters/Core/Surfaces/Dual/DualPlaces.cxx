@@ -169,6 +169,13 @@ std::shared_ptr<const DualPlaces<Id>> CountDualPlaces(
   CountSides(level.Mesh, *places);
   CountFans(level, size, *places);
   CountLines(level, *places);
+  for (Buffer<Id>* counts : { &places->Chains, &places->Kept })
+  {
+    if ((*counts)[level.Mesh.NumberOfVertices] == 0)
+    {
+      *counts = {};
+    }
+  }
   return places;
 }
 

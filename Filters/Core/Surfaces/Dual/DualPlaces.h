@@ -35,8 +35,8 @@ struct DualPlaces
   Buffer<Id> OpenSides; ///< the same for corners without twins; empty if all have one
   Buffer<Id> Faces;     ///< of each vertex: the number of vertex faces at vertices before it
   Buffer<Id> Corners;   ///< of each vertex: the number of corners of these faces
-  Buffer<Id> Chains;    ///< of each vertex: the number of chains at vertices before it
-  Buffer<Id> Kept;      ///< of each vertex: the number of kept vertices before it
+  Buffer<Id> Chains;    ///< of each vertex: the number of chains at vertices before it; empty: none
+  Buffer<Id> Kept;      ///< of each vertex: the number of kept vertices before it; empty: none
   std::vector<Id> KeptVertices;
   std::vector<Id> Segments;   ///< of each line; lines on one edge are one segment
   std::vector<Id> FirstLines; ///< of each segment
@@ -50,7 +50,10 @@ struct DualPlaces
   }
   vtkIdType GetNumberOfFaces() const { return this->Faces[this->Faces.size() - 1]; }
   vtkIdType GetNumberOfCorners() const { return this->Corners[this->Corners.size() - 1]; }
-  vtkIdType GetNumberOfChains() const { return this->Chains[this->Chains.size() - 1]; }
+  vtkIdType GetNumberOfChains() const
+  {
+    return this->Chains.empty() ? 0 : this->Chains[this->Chains.size() - 1];
+  }
   /// The number of lone vertices of the next level.
   vtkIdType GetNumberOfLoneRows() const
   {

@@ -8,6 +8,7 @@
 #define SubdivisionObjects_DualRefiner_h
 
 #include "Core/Surfaces/Dual/DualPlaces.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 
 #include <algorithm>
 
@@ -45,9 +46,12 @@ protected:
     out.NumberOfVertices = this->FirstLone + this->Places.GetNumberOfLoneRows();
     out.NumberOfFaces = this->FirstVertexFace + this->Places.GetNumberOfFaces();
     const vtkIdType size = this->FirstVertexCorner + this->Places.GetNumberOfCorners();
-    out.FaceOffsets = Buffer<Id>(out.NumberOfFaces + 1);
-    out.FaceOffsets[out.NumberOfFaces] = static_cast<Id>(size);
-    this->SetOffsets();
+    // Quads at the end of a level that has its counts only have no offsets.
+    const bool areQuads = depth == Depth::ForCounts && this->AreVertexFacesQuads();
+    const vtkIdType faces = areQuads ? this->Mesh.NumberOfFaces : out.NumberOfFaces;
+    out.FaceOffsets = Buffer<Id>(faces + 1);
+    out.FaceOffsets[faces] = static_cast<Id>(areQuads ? this->Mesh.GetNumberOfCorners() : size);
+    areQuads ? this->SetOffsetsInside() : this->SetOffsets();
     if (this->Whole)
     {
       out.Twins = Buffer<Id>(size);
@@ -134,13 +138,27 @@ protected:
   const VertexFaceSize Size;
 
 private:
-  /// Faces inside old faces are as large as these. A walk is needed only at several vertex faces.
+  /// Whether there is one vertex face at each vertex, and all have four corners.
+  bool AreVertexFacesQuads() const
+  {
+    return AreAll(this->Mesh.NumberOfVertices + 1, [this](vtkIdType v)
+      { return this->Places.Faces[v] == v && this->Places.Corners[v] == 4 * v; });
+  }
+
+  /// Faces inside old faces are as large as these.
+  void SetOffsetsInside()
+  {
+    Id* const offsets = this->Next.Mesh.FaceOffsets.data();
+    ForEach(this->Mesh.NumberOfFaces,
+      [&](vtkIdType f) { offsets[f] = this->Mesh.GetFirst(static_cast<Id>(f)); });
+  }
+  /// A walk is needed only at several vertex faces.
   void SetOffsets()
   {
+    this->SetOffsetsInside();
     Id* const offsets = this->Next.Mesh.FaceOffsets.data();
     const vtkIdType faces = this->Mesh.NumberOfFaces;
     const vtkIdType corners = this->Mesh.GetNumberOfCorners();
-    ForEach(faces, [&](vtkIdType f) { offsets[f] = this->Mesh.GetFirst(static_cast<Id>(f)); });
     ForEach(this->FirstVertexFace - faces,
       [&](vtkIdType i) { offsets[faces + i] = static_cast<Id>(corners + 4 * i); });
     ForEach(this->Mesh.NumberOfVertices,

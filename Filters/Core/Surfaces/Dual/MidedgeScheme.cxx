@@ -234,7 +234,8 @@ private:
         return SurfaceLevel<Id>::UnknownFan; // several fans
       }
       const bool hasFace = this->Places.Faces[vertex] < this->Places.Faces[vertex + 1];
-      const bool isChain = this->Places.Chains[vertex] < this->Places.Chains[vertex + 1];
+      const bool isChain = this->Places.GetNumberOfChains() > 0 &&
+        this->Places.Chains[vertex] < this->Places.Chains[vertex + 1];
       size += hasFace;
       isCycle = isCycle && (hasFace || !isChain); // without a face the sides of a cycle are joined
     }

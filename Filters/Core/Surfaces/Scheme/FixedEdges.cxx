@@ -26,6 +26,7 @@ void FixEdges(SurfaceLevel<Id>& level)
   {
     tags.Edges[line / 2] = EdgeTag::Sharp;
   }
+  const bool hasSharp = HasSharpEdges(tags);
   ForRanges(mesh.NumberOfVertices,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -35,7 +36,10 @@ void FixEdges(SurfaceLevel<Id>& level)
         VertexTag& tag = tags.Vertices[v];
         if (tag != VertexTag::Corner)
         {
-          CollectSharpEdges(mesh, tags, static_cast<Id>(v), edges);
+          if (hasSharp)
+          {
+            CollectSharpEdges(mesh, tags, static_cast<Id>(v), edges);
+          }
           const bool isSmooth = edges.empty() && !mesh.FindJoint(static_cast<Id>(v));
           tag = isSmooth        ? VertexTag::Smooth
             : edges.size() == 2 ? VertexTag::Curve

@@ -2,12 +2,12 @@
 /**
  * @file FixedEdges.h
  * Finds the *fixed* edges of sqrt(3) and 4-8. These schemes replace all other edges, so that the
- * topology of a step depends on which edges are sharp.
+ * topology of a step depends on which edges are sharp. Also, whether any edge is.
  */
 #ifndef SubdivisionObjects_FixedEdges_h
 #define SubdivisionObjects_FixedEdges_h
 
-#include "Core/Surfaces/Scheme/SurfaceScheme.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 
 namespace subdivision
 {
@@ -19,6 +19,13 @@ namespace subdivision
  */
 template <typename Id>
 void FixEdges(SurfaceLevel<Id>& level);
+
+/// Whether any edge is sharp. If not, nobody has to walk around vertices to find one.
+template <typename Id>
+bool HasSharpEdges(const SurfaceTags<Id>& tags)
+{
+  return !AreAll(tags.Edges.size(), [&tags](vtkIdType e) { return !IsSharp(tags.Edges[e]); });
+}
 
 }
 

@@ -5,6 +5,7 @@
 #include "Core/Memory/Loops.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Rules/SectorMasks.h"
+#include "Core/Surfaces/Scheme/FixedEdges.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <cmath>
@@ -70,6 +71,7 @@ private:
   {
     const vtkIdType vertices = this->Mesh.NumberOfVertices;
     this->Tags.Vertices = Buffer<VertexTag>(vertices);
+    this->HasSharp = HasSharpEdges(this->Tags);
     ForRanges(vertices,
       [this](vtkIdType begin, vtkIdType end)
       {
@@ -100,7 +102,11 @@ private:
   /// A vertex of one fan, where boundaries and creases count alike (Mathematics 12).
   VertexTag FindTagOfFan(Id vertex, std::vector<Id>& edges) const
   {
-    CollectSharpEdges(this->Mesh, this->Tags, vertex, edges);
+    edges.clear();
+    if (this->HasSharp)
+    {
+      CollectSharpEdges(this->Mesh, this->Tags, vertex, edges);
+    }
     if (edges.empty() || (edges.size() == 1 && this->Features.DartEnds))
     {
       return VertexTag::Smooth;
@@ -235,6 +241,7 @@ private:
   const SurfaceFeatures& Features;
   const Coordinates Points;
   SurfaceTags<Id> Tags;
+  bool HasSharp = true; ///< edges
 };
 
 }

@@ -2,6 +2,7 @@
 #include "Core/Surfaces/SqrtThree/SqrtThreeRefinement.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Surfaces/Scheme/FixedEdges.h"
 
 namespace subdivision
 {
@@ -32,18 +33,19 @@ public:
     const vtkIdType corners = 3 * out.NumberOfFaces;
     const vtkIdType edges = this->Children.GetNumberOfEdges();
     const bool isLast = IsLast(depth);
-    const bool isWhole = !isLast && (depth != Depth::ForLastStep || this->Children.HasFixed);
+    const bool hasEdges = !isLast && (depth == Depth::ForRefinement || this->Children.HasFixed);
     if (depth != Depth::ForCounts)
     {
       out.Vertices = Buffer<Id>(corners);
       this->WriteFaces(out.Vertices.data());
     }
-    if (isWhole || !this->Level.Lines.empty())
+    out.EdgesNotStored = hasEdges ? 0 : edges;
+    if (hasEdges || !this->Level.Lines.empty())
     {
       out.EdgeVertices = Buffer<Id>(2 * edges);
       this->SetEdgeVertices(out);
     }
-    if (isWhole)
+    if (hasEdges)
     {
       out.Edges = Buffer<Id>(corners);
       out.EdgeCorners = Buffer<Id>(edges);
@@ -57,7 +59,7 @@ public:
         [&](vtkIdType f)
         {
           const Id face = static_cast<Id>(f);
-          if (isWhole)
+          if (hasEdges)
           {
             this->SetAcross(face, out);
             this->SetInside(face, out);
@@ -142,7 +144,7 @@ private:
     }
   }
 
-  /// Sets the twins only, which is all that a last step reads if no edge is fixed.
+  /// Sets the twins only, which is all that further steps read if no edge is fixed.
   void SetTwins(Id face, PolygonMesh<Id>& out) const
   {
     for (Id corner = 3 * face; corner < 3 * face + 3; ++corner)
@@ -418,7 +420,7 @@ void CountSqrtThreePlaces(SurfaceLevel<Id>& level)
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const Buffer<EdgeTag>& tags = level.Tags.Edges;
-  level.HasCurves = std::any_of(tags.begin(), tags.end(), IsSharp);
+  level.HasCurves = HasSharpEdges(level.Tags);
   if (level.Step % 2 == 0 || !level.HasCurves)
   {
     return;
@@ -452,14 +454,18 @@ void CountSqrtThreePlaces(SurfaceLevel<Id>& level)
   places[mesh.GetNumberOfEdges() + 1] = thirds[mesh.GetNumberOfEdges()];
 }
 
+namespace
+{
+
+/// `ofEdges`: the tags of edges too.
 template <typename Id>
-SurfaceTags<Id> RefineSqrtThreeTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags)
+SurfaceTags<Id> RefineTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, bool ofEdges)
 {
   const SqrtThreeTopology<Id> children(level);
   const vtkIdType edges = level.Mesh.GetNumberOfEdges();
   const vtkIdType centres = level.Mesh.NumberOfVertices + children.Centres;
   SurfaceTags<Id> out;
-  out.Edges = Buffer<EdgeTag>(children.GetNumberOfEdges());
+  out.Edges = Buffer<EdgeTag>(ofEdges ? children.GetNumberOfEdges() : 0);
   out.Vertices = Buffer<VertexTag>(children.GetNumberOfVertices());
   ForEach(out.Edges.size(),
     [&](vtkIdType e)
@@ -479,13 +485,21 @@ SurfaceTags<Id> RefineSqrtThreeTags(const SurfaceLevel<Id>& level, const Surface
   return out;
 }
 
+}
+
+template <typename Id>
+SurfaceTags<Id> RefineSqrtThreeTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags)
+{
+  return RefineTags(level, tags, true);
+}
+
 template <typename Id>
 SurfaceLevel<Id> RefineSqrtThree(const SurfaceLevel<Id>& level, Depth depth)
 {
   SurfaceLevel<Id> next = SqrtThreeRefiner<Id>(level).Run(depth);
   if (!IsLast(depth))
   {
-    next.Tags = RefineSqrtThreeTags(level, level.Tags);
+    next.Tags = RefineTags(level, level.Tags, !next.Mesh.EdgeCorners.empty());
   }
   return next;
 }

@@ -9,6 +9,7 @@
 #include "Core/Surfaces/Scheme/FixedEdges.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeMasks.h"
+#include "Core/Surfaces/SqrtThree/SqrtThreeNext.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeRefinement.h"
 
 #include <algorithm>
@@ -24,6 +25,10 @@ template <typename Id>
 class SqrtThreeScheme : public SurfaceScheme<Id>
 {
 public:
+  SqrtThreeScheme()
+    : SurfaceScheme<Id>(MakeSqrtThreeStepOfNext<Id>())
+  {
+  }
   bool NeedsTriangles() const override { return true; }
   bool HalvesEdges() const override { return false; }
   double CountFaces(double faces, double /*corners*/, int steps) const override
@@ -115,32 +120,22 @@ bool FindRingOfThree(
   return ring[1] != ring[2] && ring[3] != ring[4] && ring[5] != ring[0];
 }
 
-/// Writes a vertex that a step made and its six neighbours, without a walk: at the centre of face f
-/// the step makes the children 3 f + i. In each of these the half-edge from the centre begins child
-/// 9 f + 3 i + 2 of the next step, whose first half-edge begins child 3 (9 f + 3 i + 2) of the step
-/// after it, and so on. Returns false for vertices which these faces do not surround.
+/// Writes a vertex that a step made and its six neighbours, without a walk. Returns false for
+/// vertices which the faces of GetStrideOfMade do not surround.
 template <typename Id>
 bool FindRingOfMade(const SurfaceLevel<Id>& level, Id vertex, Id columns[7])
 {
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  columns[0] = vertex;
-  Id corner = mesh.VertexCorners[vertex];
-  if (corner % 9 == 2)
-  {
-    return FindRingOfThree(mesh, vertex, corner - 2, Id(3), 2, columns + 1);
-  }
-  if (corner <= 0 || !level.Places.empty())
+  const Id corner = level.Mesh.VertexCorners[vertex];
+  const bool isOfLastStep = corner % 9 == 2;
+  if (corner <= 0 || (!isOfLastStep && !level.Places.empty()))
   {
     return false; // may have ghosts
   }
-  const Id first = corner;
-  Id stride = 3;
-  while (corner % 3 == 0)
-  {
-    corner /= 3;
-    stride *= 3;
-  }
-  return corner % 9 == 2 && FindRingOfThree(mesh, vertex, first, stride, 0, columns + 1);
+  columns[0] = vertex;
+  const Id first = isOfLastStep ? corner - 2 : corner;
+  const Id stride = GetStrideOfMade(corner);
+  return stride > 0 &&
+    FindRingOfThree(level.Mesh, vertex, first, stride, isOfLastStep ? 2 : 0, columns + 1);
 }
 
 /// In an even step, the edge opposite to the vertex in the face of a step around it, as its corner,

@@ -342,6 +342,20 @@ BlockOperator<Id> SurfaceSteps<Id>::GetLimit(LimitKind kind) const
 }
 
 template <typename Id>
+void SurfaceSteps<Id>::ForgetBefore(int level)
+{
+  for (int i = 0; i < level && !this->Levels[i + 1].Before; ++i)
+  {
+    SurfaceLevel<Id> counts;
+    counts.Step = this->Levels[i].Step;
+    counts.Mesh.NumberOfVertices = this->Levels[i].Mesh.NumberOfVertices;
+    counts.Mesh.NumberOfFaces = this->Levels[i].Mesh.NumberOfFaces;
+    counts.Mesh.Arity = this->Levels[i].Mesh.Arity;
+    this->Levels[i] = std::move(counts);
+  }
+}
+
+template <typename Id>
 SurfaceSegments SurfaceSteps<Id>::ListSegments() const
 {
   using Kinds = SurfaceSegments;

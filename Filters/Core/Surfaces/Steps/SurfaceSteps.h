@@ -75,6 +75,10 @@ public:
   /// The creases of that level which are still sharp.
   const SharpCreases<Id>& GetSharpCreases() const { return this->Creases; }
 
+  /// Lets go of all levels before this one, where no later level needs them; their counts stay.
+  /// Then nobody may ask for more of them.
+  void ForgetBefore(int level);
+
   /// The order of the ids of the last level.
   SurfaceSegments ListSegments() const;
 
