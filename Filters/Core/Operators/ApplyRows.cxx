@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Operators/ApplyRows.h"
 
-#include "Core/Operators/ChainSums.h"
+#include "Core/Operators/Appliers.h"
+#include "Core/Operators/ChainOperator.h"
 #include "Core/Operators/PackedArrays.h"
 #include "Core/Operators/RingSums.h"
 
-#include "vtkSetGet.h"
-
 #include <algorithm>
-#include <stdexcept>
 
 namespace subdivision
 {
@@ -154,87 +152,18 @@ void SumBlock(const EqualRows<Id>& rows, const In* in, Out* out, int components)
 // ------------------------------------------------------------------------------------------------
 // Types of values
 
-/// Applies a block to values of given types.
-template <typename View>
-using Applier = void (*)(const View& view, const void* in, void* out, int components);
-
-template <int N, typename In, typename Out, typename View>
-void ApplyBlock(const View& view, const void* in, void* out, int components)
+struct RowBlocks
 {
-  std::visit([&](const auto& rows)
-    { SumBlock<N>(rows, static_cast<const In*>(in), static_cast<Out*>(out), components); }, view);
-}
+  using View = RowsView;
+  static constexpr int MostKnown = 4;
 
-/// 1 and 3 values of a frequent type have unrolled loops. More cases would cost compile time.
-template <typename View, typename In, typename Out = In>
-Applier<View> FindApplier(int components)
-{
-  if constexpr (std::is_floating_point<In>::value || std::is_same<In, unsigned char>::value)
+  template <int N, typename In, typename Out>
+  static void Apply(const RowsView& view, const void* in, void* out, int components)
   {
-    if (components == 1)
-    {
-      return ApplyBlock<1, In, Out, View>;
-    }
-    if (components == 3)
-    {
-      return ApplyBlock<3, In, Out, View>;
-    }
+    std::visit([&](const auto& rows)
+      { SumBlock<N>(rows, static_cast<const In*>(in), static_cast<Out*>(out), components); }, view);
   }
-  if constexpr (std::is_same<View, RowsView>::value && std::is_same<In, double>::value &&
-    std::is_same<Out, double>::value)
-  {
-    if (components == 4) // of packed arrays
-    {
-      return ApplyBlock<4, In, Out, View>;
-    }
-  }
-  return ApplyBlock<0, In, Out, View>;
-}
-
-template <typename View>
-Applier<View> FindApplier(const MovedArray& array)
-{
-  if (array.InType == VTK_DOUBLE && array.OutType == VTK_FLOAT)
-  {
-    return FindApplier<View, double, float>(array.Components);
-  }
-  if (array.InType == array.OutType)
-  {
-    switch (array.InType)
-    {
-      vtkTemplateMacro(return (FindApplier<View, VTK_TT>(array.Components)));
-    }
-  }
-  throw std::invalid_argument("operators do not know this type of values");
-}
-
-template <typename View>
-std::vector<Applier<View>> FindAppliers(const std::vector<MovedArray>& arrays)
-{
-  std::vector<Applier<View>> appliers;
-  for (const MovedArray& array : arrays)
-  {
-    appliers.push_back(FindApplier<View>(array));
-  }
-  return appliers;
-}
-
-template <typename View>
-void ApplyToEach(const View& view, const std::vector<Applier<View>>& appliers,
-  const std::vector<MovedArray>& arrays)
-{
-  for (std::size_t i = 0; i < arrays.size(); ++i)
-  {
-    appliers[i](view, arrays[i].In, arrays[i].Out, arrays[i].Components);
-  }
-}
-
-void ApplyChains(const ChainOperator& operation, const std::vector<MovedArray>& arrays)
-{
-  using View = ChainOperator::ChainsView;
-  const std::vector<Applier<View>> appliers = FindAppliers<View>(arrays);
-  operation.ForEachChains([&](const View& view) { ApplyToEach(view, appliers, arrays); });
-}
+};
 
 template <typename From, typename To>
 void ConvertValues(const From* from, To* to, vtkIdType size)
@@ -274,7 +203,7 @@ void ApplyInStages(const PointOperator& operation, const MovedArray& array)
   Buffer<double> results(isDouble ? 0 : operation.GetNumberOfRows() * array.Components);
   double* out = isDouble ? static_cast<double*>(array.Out) : results.data();
   Buffer<double> between(operation.GetNumberBetween() * array.Components);
-  const Applier<RowsView> apply = FindApplier<RowsView, double>(array.Components);
+  const Applier<RowBlocks> apply = FindApplier<RowBlocks, double>(array.Components);
   operation.ForEachBlock(
     [&](const RowsView& view)
     {
@@ -330,12 +259,12 @@ void ApplyToArrays(
     return;
   }
   const PackedArrays packed(operation, arrays);
-  const std::vector<Applier<RowsView>> appliers = FindAppliers<RowsView>(arrays);
+  const Appliers<RowBlocks> appliers(arrays);
   operation.ForEachBlock(
     [&](const RowsView& view)
     {
       packed.Apply(view);
-      ApplyToEach(view, appliers, arrays);
+      appliers.Apply(view);
       if (also)
       {
         also(view);
@@ -345,7 +274,7 @@ void ApplyToArrays(
 
 void SumRows(const RowsView& rows, const double* in, double* out, int components)
 {
-  FindApplier<RowsView, double>(components)(rows, in, out, components);
+  FindApplier<RowBlocks, double>(components)(rows, in, out, components);
 }
 
 void PointOperator::ApplyTo(

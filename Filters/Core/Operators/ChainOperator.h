@@ -8,9 +8,10 @@
 #ifndef SubdivisionObjects_ChainOperator_h
 #define SubdivisionObjects_ChainOperator_h
 
-#include "Core/Operators/PointOperator.h"
+#include "Core/Operators/ApplyRows.h"
 
 #include <stdexcept>
+#include <vector>
 
 namespace subdivision
 {
@@ -60,6 +61,9 @@ public:
     throw std::logic_error("only ApplyToArrays takes an operator of several steps");
   }
 };
+
+/// What ApplyToArrays does with such an operator.
+void ApplyChains(const ChainOperator& operation, const std::vector<MovedArray>& arrays);
 
 }
 

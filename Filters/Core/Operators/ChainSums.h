@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ChainSums.h
- * Sums chains: the same terms in the same order as RingSums.h, step by step. For ApplyRows.cxx
- * alone, as RingSums.h.
+ * Sums chains: the same terms in the same order as RingSums.h, step by step. For
+ * ApplyChains.cxx alone.
  */
 #ifndef SubdivisionObjects_ChainSums_h
 #define SubdivisionObjects_ChainSums_h
@@ -308,7 +308,7 @@ private:
 };
 
 template <int N, typename Id, typename In, typename Out>
-void SumBlock(const ChainRows<Id>& rows, const In* in, Out* out, int components)
+void SumChains(const ChainRows<Id>& rows, const In* in, Out* out, int components)
 {
   ChainSums<N, Id, In, Out>(rows, in, out, components).Run();
 }
