@@ -344,7 +344,9 @@ BlockOperator<Id> SurfaceSteps<Id>::GetLimit(LimitKind kind) const
 template <typename Id>
 void SurfaceSteps<Id>::ForgetBefore(int level)
 {
-  for (int i = 0; i < level && !this->Levels[i + 1].Before; ++i)
+  // Steps from levels that were skipped begin at the last one that was made.
+  const int end = std::min(level, this->LastMade);
+  for (int i = 0; i < end && !this->Levels[i + 1].Before; ++i)
   {
     SurfaceLevel<Id> counts;
     counts.Step = this->Levels[i].Step;
